@@ -1,0 +1,17 @@
+//: Include what events need
+#include "spacetime/event.h"
+
+#include "contract.h"
+
+//: Join two positions by a worldline
+tf_worldline tf_worldline_between(int axes, const double start[],
+                                  const double end[])
+{
+    TF_REQUIRE(axes == 2 || axes == 3);
+    tf_worldline line = {.at = {{.t = 0}, {.t = 1}}};
+    for (int k = 0; k < axes; k++) {
+        line.at[0].x[k] = start[k];
+        line.at[1].x[k] = end[k];
+    }
+    return line;
+}

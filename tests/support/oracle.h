@@ -1,0 +1,36 @@
+// The independent judge: do two closed simplices meet, and when first?  Found by
+// linear programming in exact rational numbers, with no determinant, no
+// predicate and no case of degeneracy, and with its own staircase.
+#ifndef SUPPORT_ORACLE_H
+#define SUPPORT_ORACLE_H
+
+#include "spacetime/event.h"
+
+#include <gmp.h>
+#include <stdbool.h>
+
+enum {
+    ORACLE_EVENTS = 4
+};
+
+/// The convex hull of some events.
+typedef struct oracle_simplex {
+    int count;
+    const tf_event *event[ORACLE_EVENTS];
+} oracle_simplex;
+
+/// Whether two simplices of space-time meet; if so `toi` is the exact earliest
+/// time.
+bool oracle_simplices_meet(int axes, const oracle_simplex *s,
+                           const oracle_simplex *r, mpq_t toi);
+
+/// Whether two simplices of space meet, whatever the times of their events.
+bool oracle_slices_meet(int axes, const oracle_simplex *s,
+                        const oracle_simplex *r);
+
+/// Whether the staircase sweeps of two moving elements meet, vertices in index
+/// order; if so `toi` is the exact earliest time.
+bool oracle_meet(int axes, int vertices, const tf_worldline first[], int others,
+                 const tf_worldline second[], mpq_t toi);
+
+#endif

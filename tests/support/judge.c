@@ -1,0 +1,194 @@
+#include "support/judge.h"
+
+#include "arithmetic/clamped.h"
+#include "arithmetic/exact.h"
+
+#include <math.h>
+#include <stdio.h>
+
+void truth_init(truth *known)
+{
+    known->hit = false;
+    mpq_init(known->toi);
+}
+
+void truth_clear(truth *known)
+{
+    mpq_clear(known->toi);
+}
+
+void truth_find(const query *q, truth *known)
+{
+    known->hit = oracle_meet(q->axes, q->vertices, q->vertex, q->others,
+                             query_const_others(q), known->toi);
+}
+
+// Verdict and time -------------------------------------------------------------
+
+/// Whether toi_lo <= t <= toi_hi.
+static bool encloses(const tf_contact *contact, const mpq_t t)
+{
+    mpq_t end;
+    mpq_init(end);
+    mpq_set_d(end, contact->toi_lo);
+    bool inside = mpq_cmp(end, t) <= 0;
+    mpq_set_d(end, contact->toi_hi);
+    inside = inside && mpq_cmp(t, end) <= 0;
+    mpq_clear(end);
+    return inside;
+}
+
+static bool sane_times(const tf_contact *contact)
+{
+    return contact->toi_lo >= 0 && contact->toi_hi <= 1 &&
+           contact->toi_lo <= contact->toi_hi;
+}
+
+static const char *explain(const tf_arithmetic *arithmetic, const char *fault,
+                           const tf_contact *contact, const truth *known)
+{
+    static char text[4096];
+    double t = known->hit ? mpq_get_d(known->toi) : NAN;
+    snprintf(text, sizeof text,
+             "%s: %s (verdict %d, time [%a, %a]; true hit %d, time %a)",
+             arithmetic->name, fault, (int)contact->verdict, contact->toi_lo,
+             contact->toi_hi, known->hit, t);
+    return text;
+}
+
+/// What no arithmetic may get wrong.
+static const char *claim_fault(const tf_contact *contact, const truth *known)
+{
+    if (contact->verdict == TF_APART)
+        return known->hit ? "a contact is missed" : NULL;
+    if (contact->verdict == TF_HIT && !known->hit)
+        return "a contact is made up";
+    if (!sane_times(contact))
+        return "the time is no interval within 0 to 1";
+    if (known->hit && !encloses(contact, known->toi))
+        return "the time is not enclosed";
+    return NULL;
+}
+
+static const char *certainty_fault(const tf_contact *contact)
+{
+    if (contact->verdict != TF_APART && contact->verdict != TF_HIT)
+        return "there is no verdict";
+    if (contact->verdict == TF_HIT &&
+        contact->toi_hi - contact->toi_lo > 0x1p-50)
+        return "the time is too wide";
+    return NULL;
+}
+
+static const char *fault_of(const query *q, const tf_arithmetic *arithmetic,
+                            const truth *known, bool exact, tf_contact *contact)
+{
+    *contact = (tf_contact){0};
+    tf_status status = tf_query(arithmetic, q->axes, q->vertices, q->vertex,
+                                q->others, query_const_others(q), contact);
+    const char *fault = status == TF_OK ? claim_fault(contact, known)
+                                        : tf_status_message(status);
+    if (!fault && exact)
+        fault = certainty_fault(contact);
+    return fault ? explain(arithmetic, fault, contact, known) : NULL;
+}
+
+const char *exact_fault(const query *q, const tf_arithmetic *arithmetic,
+                        const truth *known, tf_contact *contact)
+{
+    return fault_of(q, arithmetic, known, true, contact);
+}
+
+const char *sound_fault(const query *q, const tf_arithmetic *arithmetic,
+                        const truth *known, tf_contact *contact)
+{
+    return fault_of(q, arithmetic, known, false, contact);
+}
+
+// The rest of a contact --------------------------------------------------------
+
+/// For coordinates that are small integers.
+static const double tolerance = 1e-12;
+
+static bool good_weights(int vertices, const double weight[])
+{
+    double sum = 0;
+    for (int i = 0; i < vertices; i++) {
+        if (!(weight[i] >= 0))
+            return false;
+        sum += weight[i];
+    }
+    return fabs(sum - 1) <= tolerance;
+}
+
+static bool points_agree(const query *q, const tf_contact *contact)
+{
+    double point[2][TF_AXES];
+    double t = contact->toi_lo + (contact->toi_hi - contact->toi_lo) / 2;
+    staircase_point(q->axes, q->vertices, q->vertex, contact->weight[0], t,
+                    point[0]);
+    staircase_point(q->axes, q->others, query_const_others(q),
+                    contact->weight[1], t, point[1]);
+    for (int k = 0; k < q->axes; k++)
+        if (!(fabs(point[0][k] - point[1][k]) <= tolerance))
+            return false;
+    return true;
+}
+
+static double dot(int axes, const double a[], const double b[])
+{
+    double sum = 0;
+    for (int k = 0; k < axes; k++)
+        sum += a[k] * b[k];
+    return sum;
+}
+
+/// A generic contact is inside of both elements and of the step.
+static bool good_decision(const query *q, const tf_contact *contact)
+{
+    if (contact->decision != TF_GENERIC)
+        return contact->decision == TF_TOUCHING ||
+               contact->decision == TF_DEGENERATE;
+    for (int i = 0; i < q->vertices; i++)
+        if (contact->weight[0][i] == 0)
+            return false;
+    for (int i = 0; i < q->others; i++)
+        if (contact->weight[1][i] == 0)
+            return false;
+    return contact->toi_lo > 0 && contact->toi_hi < 1;
+}
+
+const char *geometry_fault(const query *q, const tf_contact *contact)
+{
+    const double *normal = contact->normal;
+    double square = dot(q->axes, normal, normal);
+    double speed = dot(q->axes, contact->velocity, normal);
+    if (!good_weights(q->vertices, contact->weight[0]) ||
+        !good_weights(q->others, contact->weight[1]))
+        return "the weights are no convex combination";
+    if (!points_agree(q, contact))
+        return "the two elements' points differ";
+    if (square != 0 && !(fabs(square - 1) <= tolerance))
+        return "the normal is neither zero nor of length 1";
+    if (!(fabs(contact->speed - speed) <= tolerance))
+        return "the speed is not that along the normal";
+    if (!good_decision(q, contact))
+        return "the decision contradicts the contact";
+    return NULL;
+}
+
+// Verdicts of tests ------------------------------------------------------------
+
+void expect_no_fault(const char *fault, const query *q)
+{
+    if (fault)
+        ck_abort_msg("%s\nseed %llu\n%s", fault, (unsigned long long)seed(),
+                     query_text(q));
+}
+
+void expect_truth(const query *q, const truth *known)
+{
+    tf_contact contact;
+    expect_no_fault(exact_fault(q, &tf_exact, known, &contact), q);
+    expect_no_fault(sound_fault(q, &tf_clamped, known, &contact), q);
+}

@@ -1,0 +1,91 @@
+// Queries whose coordinates are small integers: every degeneracy there is comes
+// up, over and over.
+#include "arithmetic/clamped.h"
+#include "arithmetic/exact.h"
+#include "arithmetic/integer.h"
+#include "support/judge.h"
+
+static const tf_arithmetic *const exact_ones[] = {&tf_exact, &tf_integer64,
+                                                  &tf_integer128};
+enum {
+    EXACT_ONES = sizeof exact_ones / sizeof *exact_ones
+};
+
+/// Compare all that knows the answer with the oracle and with each other.
+static void judge(const query *q, truth *known)
+{
+    tf_contact contact[EXACT_ONES], clamped;
+    truth_find(q, known);
+    for (int i = 0; i < EXACT_ONES; i++) {
+        expect_no_fault(exact_fault(q, exact_ones[i], known, &contact[i]), q);
+        if (!known->hit)
+            continue;
+        expect_no_fault(geometry_fault(q, &contact[i]), q);
+        if (contact[i].decision != contact[0].decision)
+            expect_no_fault("the exact arithmetics decide differently", q);
+    }
+    expect_no_fault(sound_fault(q, &tf_clamped, known, &clamped), q);
+}
+
+/// Count the query up, its first coordinate first; false after the last.
+static bool next_query(query *q, int values)
+{
+    for (int i = 0; i < query_size(q); i++) {
+        double *x = query_coordinate(q, i);
+        if (++*x < values)
+            return true;
+        *x = 0;
+    }
+    return false;
+}
+
+START_TEST(every_point_edge_query_of_three_values)
+{
+    truth known;
+    truth_init(&known);
+    query q = query_new(POINT_EDGE);
+    long count = 0;
+    do {
+        judge(&q, &known);
+        count++;
+    } while (next_query(&q, 3));
+    ck_assert_int_eq(count, 531441);
+    truth_clear(&known);
+}
+END_TEST
+
+static void judge_many(long count, int values)
+{
+    generator random = generator_new((uint64_t)values);
+    truth known;
+    truth_init(&known);
+    for (int kind = 0; kind < KINDS; kind++)
+        for (long i = 0; i < count; i++) {
+            query q = query_lattice(&random, (query_kind)kind, values);
+            judge(&q, &known);
+        }
+    truth_clear(&known);
+}
+
+START_TEST(random_queries_of_three_values)
+{
+    judge_many(cases(100000), 3);
+}
+END_TEST
+
+START_TEST(random_queries_of_five_values)
+{
+    judge_many(cases(20000), 5);
+}
+END_TEST
+
+Suite *suite(void)
+{
+    Suite *lattice = suite_create("lattice");
+    TCase *queries = tcase_create("queries");
+    tcase_add_test(queries, every_point_edge_query_of_three_values);
+    tcase_add_test(queries, random_queries_of_three_values);
+    tcase_add_test(queries, random_queries_of_five_values);
+    suite_add_tcase(lattice, queries);
+    return lattice;
+}

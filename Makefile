@@ -1,0 +1,340 @@
+# Tanglefree: `make` builds, `make check` tests, `make help` tells the rest.
+#
+# book/chapters is the one list of modules: a line a chapter, its slug and then
+# its modules, which are paths below src/ without their endings.  Those below
+# program/ make the program, all others the library.  A test is a file a
+# module, with the module's path below tests/.  All output goes to $(BUILD).
+
+VERSION = 0.1.0
+PREFIX = /usr/local
+BUILD = build
+
+ifeq ($(origin CC),default)
+CC = gcc
+endif
+CFLAGS ?= -O2
+WARNINGS = -Wall -Wextra -Wpedantic -Wshadow -Wconversion
+
+# What the code relies on comes last, where CFLAGS cannot undo it.
+COMPILE = $(CC) $(CPPFLAGS) $(WARNINGS) $(CFLAGS) -std=c17 -ffp-contract=off
+LINK = $(CC) $(CFLAGS) $(LDFLAGS)
+
+Q = $(if $(V),,@)
+MAKEFLAGS += --no-builtin-rules --no-print-directory
+parallel = $(if $(filter -j%,$(MAKEFLAGS)),,-j$(shell nproc))
+
+.DELETE_ON_ERROR:
+.SECONDARY:
+.PHONY: FORCE
+
+all: library program ## build the library and the program; so does just `make`
+
+help: ## list the targets
+	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' Makefile | expand -t 18
+	@echo 'Settings: BUILD=dir, CC=clang, CFLAGS=-O3, V=1 (show the commands).'
+
+# The modules ------------------------------------------------------------------
+
+# A build of the first chapters alone sets CHAPTERS, and sets SRC to a tree of
+# their files only.
+CHAPTERS := $(shell grep -c '^[a-z]' book/chapters)
+SRC = src
+
+# $(call modules,N): the modules of the chapters 1 to N.
+modules = $(shell awk '/^[a-z]/ && n++ < $(1) { for (i = 2; i <= NF; i++) \
+	print $$i }' book/chapters)
+
+MODULES := $(call modules,$(CHAPTERS))
+MAIN := $(filter program/main,$(MODULES))
+PROGRAM := $(filter-out $(MAIN),$(filter program/%,$(MODULES)))
+LIBRARY := $(filter-out program/%,$(MODULES))
+
+# $(call objects,MODULES): of those that have a .c file.
+objects = $(patsubst $(SRC)/%.c,$(BUILD)/src/%.o,$(wildcard $(1:%=$(SRC)/%.c)))
+
+library = $(BUILD)/libtanglefree.a
+program = $(MAIN:program/main=$(BUILD)/tanglefree)
+
+library: $(library) ## build the library, libtanglefree.a
+program: $(program) ## build the program, tanglefree
+.PHONY: all help library program
+
+# program.a is for the tests; the program is main and the same modules.
+$(library): $(call objects,$(LIBRARY))
+$(BUILD)/program.a: $(call objects,$(PROGRAM))
+$(BUILD)/%.a: book/chapters
+	@echo 'archive $@'
+	$(Q)rm -f $@ && ar rcs $@ $(filter %.o,$^)
+
+$(BUILD)/tanglefree: $(call objects,$(MAIN)) $(BUILD)/program.a $(library)
+	@echo 'link    $@'
+	$(Q)$(LINK) $^ -lm -o $@
+
+$(BUILD)/src/%.o: $(SRC)/%.c $(BUILD)/flags | need-build
+	@echo 'compile $<' && mkdir -p $(@D)
+	$(Q)$(COMPILE) -I$(SRC) -MMD -MP -c $< -o $@
+
+# Other flags than those of the last time make everything anew.
+ifneq ($(COMPILE) $(LDFLAGS),$(file <$(BUILD)/flags))
+$(BUILD)/flags: FORCE | $(BUILD)
+	$(file >$@,$(COMPILE) $(LDFLAGS))
+endif
+
+$(BUILD):
+	@mkdir -p $@
+
+# The tests --------------------------------------------------------------------
+
+# Every test is a program, linked with what it uses of tests/support, where
+# main() is.  A build of the first chapters leaves out the support that needs
+# more than they have.
+SUPPORT := $(wildcard tests/support/*.c)
+ifeq ($(SRC),src)
+WHOLE := $(wildcard tests/whole/*.c)
+else
+SUPPORT := $(foreach file,$(SUPPORT),$(if \
+	$(shell $(CC) -MM -I$(SRC) -Itests $(file) 2>/dev/null),$(file)))
+endif
+TESTS := $(patsubst %.c,$(BUILD)/%,$(wildcard $(MODULES:%=tests/%.c)) $(WHOLE))
+FUZZERS := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/fuzz/*.c))
+
+$(BUILD)/support.a: $(SUPPORT:%.c=$(BUILD)/%.o)
+
+$(BUILD)/tests/%.o: tests/%.c $(BUILD)/flags | need-check
+	@echo 'compile $<' && mkdir -p $(@D)
+	$(Q)$(COMPILE) -I$(SRC) -Itests $$(pkg-config --cflags check) -MMD -MP -c $< -o $@
+
+$(BUILD)/tests/%: $(BUILD)/tests/%.o $(BUILD)/support.a $(BUILD)/program.a $(library)
+	@echo 'link    $@'
+	$(Q)$(LINK) $^ $$(pkg-config --libs check) -lgmp -lm -o $@
+
+# A test tells its checks in the closing line of its log.  One that breaks off
+# or checks nothing gets a closing line that says so.
+$(BUILD)/tests/%.log: $(BUILD)/tests/% $(program) FORCE
+	@TANGLEFREE=$(abspath $(program)) $< >$@ 2>&1; status=$$?; \
+	grep -q 'Failures: [1-9]\|Errors: [1-9]' $@ || \
+	    { [ $$status = 0 ] && grep -q 'Checks: [1-9]' $@; } || \
+	    echo "0%: Checks: 1, Failures: 0, Errors: 1 (status $$status)" >>$@; \
+	closing=$$(grep '%: Checks:' $@ | tail -n 1); \
+	case $$closing in 100%*) ;; *) cat $@ ;; esac; \
+	printf '%-32s %s\n' tests/$* "$$closing"
+
+check: need-check ## build and run the tests
+	+@rm -f $(TESTS:=.log); \
+	$(MAKE) $(parallel) -k -O library program $(TESTS:=.log); built=$$?; \
+	for log in $(TESTS:=.log); do \
+	    grep -s '%: Checks:' $$log || echo '0%: Checks: 1, Failures: 0, Errors: 1'; \
+	done | awk '{ bad += $$5 + $$7; good += $$3 - $$5 - $$7 } \
+	    END { print "Checks of $(words $(TESTS)) suites:"; \
+	          printf "%d passed, %d failed\n", good, bad; exit bad > 0 }' && \
+	[ $$built = 0 ]
+.PHONY: check
+
+check-sanitize: ## run the tests under AddressSanitizer and UBSan
+	+@$(MAKE) check BUILD=$(BUILD)/sanitize TF_TEST_PERCENT=10 \
+	    CFLAGS='-O1 -g $(sanitizers) -fno-omit-frame-pointer'
+.PHONY: check-sanitize
+sanitizers = -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all
+
+coverage: need-coverage ## tell what lines of src/ the tests run; 95 % at least
+	@find $(BUILD)/coverage -name '*.gcda' -delete 2>/dev/null || true
+	+@$(MAKE) check BUILD=$(BUILD)/coverage TF_TEST_PERCENT=10 CC=gcc CFLAGS='-O0 --coverage'
+	gcovr --filter src/ --object-directory $(BUILD)/coverage --fail-under-line 95
+.PHONY: coverage
+
+# Fuzzing finds new inputs in a copy of each corpus.
+SECONDS = 60
+fuzz: need-fuzz ## run every fuzzer for SECONDS=60
+	+@$(MAKE) $(parallel) -k -O run-fuzzers BUILD=$(BUILD)/fuzz CC=clang \
+	    CFLAGS='-O1 -g $(sanitizers) -fsanitize=fuzzer-no-link' LDFLAGS=-fsanitize=fuzzer
+run-fuzzers: $(FUZZERS:=.found)
+$(BUILD)/tests/fuzz/%.found: $(BUILD)/tests/fuzz/% FORCE
+	@mkdir -p $(BUILD)/corpus/$* && cp -R tests/fuzz/corpus/$*/. $(BUILD)/corpus/$*
+	@$< -max_total_time=$(SECONDS) -artifact_prefix=$<- $(BUILD)/corpus/$* >$@ 2>&1 \
+	    || { tail -n 60 $@; false; }
+	@printf '%-32s %s\n' tests/fuzz/$* "$$(grep '^Done' $@)"
+.PHONY: fuzz run-fuzzers
+
+$(BUILD)/tests/bench/%: $(BUILD)/tests/bench/%.o $(library)
+	@echo 'link    $@'
+	$(Q)$(LINK) $^ -lm -o $@
+
+bench: $(BUILD)/tests/bench/bench ## time the library
+	$<
+.PHONY: bench
+
+# The chapters -----------------------------------------------------------------
+
+# $(call refuse,WORDS,WHY): a complaint for each of the words.
+refuse = $(foreach word,$(1),echo '$(word) $(2)'; wrong=1;)
+twice = $(foreach word,$(sort $(1)),$(if \
+	$(filter-out 1,$(words $(filter $(word),$(1)))),$(word)))
+
+below = $(shell cd $(1) && find * -name '*.[ch]')
+tested = $(filter-out support/% whole/% fuzz/% bench/%,$(call below,tests))
+
+check-manifest: ## compare book/chapters with src/ and tests/
+	@wrong=0; \
+	$(call refuse,$(call twice,$(shell awk '/^[a-z]/ { print $$1 }' \
+	    book/chapters)),is the slug of two chapters) \
+	$(call refuse,$(call twice,$(MODULES)),is in book/chapters twice) \
+	$(call refuse,$(filter-out $(basename $(call below,src)),$(MODULES)),is \
+	    in book/chapters but not in src/) \
+	$(call refuse,$(filter-out $(MODULES:=.c) $(MODULES:=.h),$(call \
+	    below,src)),in src/ is of no chapter in book/chapters) \
+	$(call refuse,$(filter-out $(MODULES:=.c),$(tested)),in tests/ is \
+	    of no module) \
+	$(call refuse,$(filter-out $(tested) program/main.c,$(filter \
+	    %.c,$(call below,src))),in src/ has no test in tests/) \
+	exit $$wrong
+
+tree = $(BUILD)/chapter/$(N)/tree
+files = $(shell cd src && ls $(patsubst %,%.[ch],$(call modules,$(N))) 2>/dev/null)
+
+chapter: need-check ## build and test the first N=3 chapters alone
+	$(if $(filter $(N),$(shell seq $(CHAPTERS))),,$(error Which chapter? \
+	    make chapter N=1 to N=$(CHAPTERS)))
+	@rm -rf $(tree) && for file in $(files); do \
+	    mkdir -p $(tree)/$$(dirname $$file) && \
+	    ln -s $(CURDIR)/src/$$file $(tree)/$$file || exit 1; done
+	@for header in $(filter %.h,$(files)); do $(COMPILE) -I$(tree) \
+	    -fsyntax-only -x c $(tree)/$$header || exit 1; done
+	+@$(MAKE) check BUILD=$(BUILD)/chapter/$(N) SRC=$(tree) CHAPTERS=$(N)
+
+check-chapters: check-manifest need-check ## see that each chapter needs no later one
+	@python3 book/fragments.py check src
+	@python3 tests/book/fragments_test.py
+	+@wrong=0; for n in $$(seq $(CHAPTERS)); do echo "Chapter $$n"; \
+	    $(MAKE) chapter N=$$n TF_TEST_PERCENT=5 || wrong=1; done; exit $$wrong
+.PHONY: check-manifest chapter check-chapters
+
+# The source -------------------------------------------------------------------
+
+code = $(shell find src tests -name '*.[ch]')
+flags_of_tidy = -std=c17 -ffp-contract=off -Isrc -Itests
+
+check-format: need-format ## compare the layout with .clang-format
+	clang-format --dry-run -Werror $(code)
+
+format: need-format ## lay the code out as .clang-format says
+	clang-format -i $(code)
+
+check-static: need-static ## read the code with clang-tidy and cppcheck
+	cppcheck --quiet --error-exitcode=1 --inline-suppr --std=c11 -Isrc -Itests \
+	    --enable=warning,performance,portability --library=posix src tests
+	printf '%s\n' $(filter %.c,$(code)) | xargs -P $$(nproc) -n 4 sh -c \
+	    'clang-tidy --quiet --warnings-as-errors="*" "$$@" -- $(flags_of_tidy)' sh
+.PHONY: check-format format check-static
+
+# Four builds must give the same answers to the last bit, and a build that
+# gives other answers must not come about.
+compilers = gcc-O0 gcc-O2 gcc-O3 clang-O2
+answers = $(compilers:%=$(BUILD)/compilers/%/answers)
+
+check-compilers: need-compilers ## compare the answers of builds by gcc and clang
+	+@$(MAKE) $(answers)
+	@for other in $(answers); do cmp $(firstword $(answers)) $$other || exit 1; done
+	@echo "the same answers of $(compilers): $$(wc -l <$(firstword $(answers))) lines"
+	@for cc in gcc clang; do for file in src/contract.c src/tanglefree.h; do \
+	    $$cc -std=c17 -ffast-math -Isrc -fsyntax-only -x c $$file 2>&1 | \
+	        grep -q 'error.*fast-math' || \
+	        { echo "$$cc -ffast-math takes $$file"; exit 1; }; done; done
+	@echo 'refused: -ffast-math'
+	@echo 'int main(void) { return 0; }' | gcc -x c - -x none -o /dev/null \
+	    -Wl,--whole-archive $(BUILD)/compilers/gcc-O0/libtanglefree.a \
+	    -Wl,--no-whole-archive -lm
+	@echo 'linked: libc and libm only'
+
+$(answers): $(BUILD)/compilers/%/answers: FORCE
+	+@$(MAKE) library program BUILD=$(@D) CC=$(word 1,$(subst -, ,$*)) \
+	    CFLAGS='-$(word 2,$(subst -, ,$*)) -Werror'
+	@for kind in point-edge point-triangle edge-edge; do \
+	for arithmetic in exact clamped report integer64 integer128; do \
+	for output in csv json summary; do \
+	    echo "$$kind $$arithmetic $$output"; \
+	    $(@D)/tanglefree query --kind $$kind --arithmetic $$arithmetic \
+	        --output $$output tests/queries/$$kind.csv 2>&1 || echo "status $$?"; \
+	done; done; done >$@
+	@! grep -A 2 ' exact ' $@ | grep '^status'
+.PHONY: check-compilers
+
+# The installation -------------------------------------------------------------
+
+prefix = $(DESTDIR)$(PREFIX)
+headers = $(sort $(wildcard $(LIBRARY:%=src/%.h)))
+
+install: all ## install to PREFIX=/usr/local, below DESTDIR= if told
+	install -d $(prefix)/bin $(prefix)/lib/pkgconfig
+	install $(program) $(prefix)/bin
+	install -m 644 $(library) $(prefix)/lib
+	for header in $(headers:src/%=%); do install -D -m 644 src/$$header \
+	    $(prefix)/include/tanglefree/$$header || exit 1; done
+	printf '%s\n' 'Name: tanglefree' \
+	    'Description: Exact continuous collision detection' \
+	    'Version: $(VERSION)' 'Cflags: -I$(PREFIX)/include/tanglefree' \
+	    'Libs: -L$(PREFIX)/lib -ltanglefree -lm' \
+	    >$(prefix)/lib/pkgconfig/tanglefree.pc
+
+uninstall: ## remove what install put there
+	rm -rf $(prefix)/include/tanglefree
+	rm -f $(prefix)/bin/tanglefree $(prefix)/lib/libtanglefree.a \
+	    $(prefix)/lib/pkgconfig/tanglefree.pc
+
+clean: ## remove all output
+	rm -rf $(BUILD)
+.PHONY: install uninstall clean
+
+# The packages -----------------------------------------------------------------
+
+# Who needs it, the Debian package, how to see that it is there (a command, a
+# header, or an option that clang links with), and what for.
+compiler = $(firstword $(CC))
+define packages
+build     $(compiler)      $(compiler)       compiles the code
+build     libc6-dev        math.h            has the headers of the C library
+check     check            check.h           is the framework of the tests
+check     libgmp-dev       gmp.h             gives the tests exact numbers
+check     pkg-config       pkg-config        tells how to link the tests
+check     python3          python3           runs the check of the fragments
+fuzz      clang            clang             compiles the fuzzers
+fuzz      libclang-rt-dev  -fsanitize=fuzzer runs the fuzzers
+compilers gcc              gcc               is one of the compilers
+compilers clang            clang             is one of the compilers
+coverage  gcc              gcc               counts how often lines run
+coverage  gcovr            gcovr             makes the table of lines
+format    clang-format     clang-format      lays out the code
+static    clang-tidy       clang-tidy        reads the code for errors
+static    cppcheck         cppcheck          reads the code for errors
+endef
+
+needs = build check fuzz compilers coverage format static
+.PHONY: $(needs:%=need-%) deps
+need-check need-compilers: | need-build
+need-fuzz need-coverage need-static: | need-check
+
+deps: | $(needs:%=need-%) ## install the packages that all targets need
+
+$(needs:%=need-%): export PACKAGES = $(packages)
+$(needs:%=need-%): need-%:
+	@missing=$$(echo "$$PACKAGES" | while read -r who package sign purpose; do \
+	    [ $$who = $* ] || continue; \
+	    case $$sign in \
+	    *.h) $(CC) -E -include $$sign -x c /dev/null ;; \
+	    -*) echo 'int LLVMFuzzerTestOneInput(void) { return 0; }' | \
+	        clang $$sign -x c - -o /dev/null ;; \
+	    *) command -v $$sign ;; \
+	    esac >/dev/null 2>&1 && continue; \
+	    echo "$$package is missing; it $$purpose." >&2; \
+	    printf ' %s' $$package; done); \
+	[ "$$missing" ] || exit 0; \
+	install="apt-get update; apt-get install -y --no-install-recommends$$missing"; \
+	command -v apt-get >/dev/null || { \
+	    echo "These are Debian's names; please install them and try again."; exit 1; }; \
+	if [ $$(id -u) = 0 ]; then as_root=; else as_root=sudo; fi; \
+	echo "$$as_root $$install"; \
+	$$as_root env DEBIAN_FRONTEND=noninteractive sh -c "$$install" || { \
+	    echo "That failed.  As root, type:" >&2; echo "$$install" >&2; exit 1; }
+
+# What the compiler found out about headers.
+-include $(patsubst %,%.d,$(basename $(call objects,$(MODULES)) \
+	$(SUPPORT:%.c=$(BUILD)/%.o) $(TESTS:=.o) $(FUZZERS:=.o)))

@@ -1,0 +1,21 @@
+//: Include what the names of arithmetics need
+#include "program/arithmetics.h"
+
+#include "arithmetic/clamped.h"
+#include "arithmetic/exact.h"
+#include "arithmetic/integer.h"
+
+#include <string.h>
+
+//: Find an arithmetic by its name
+static const tf_arithmetic *const arithmetics[] = {
+    &tf_exact, &tf_clamped, &tf_report, &tf_integer64, &tf_integer128,
+};
+
+const tf_arithmetic *tf_arithmetic_named(const char *name)
+{
+    for (size_t i = 0; i < sizeof arithmetics / sizeof *arithmetics; i++)
+        if (strcmp(name, arithmetics[i]->name) == 0)
+            return arithmetics[i];
+    return NULL;
+}

@@ -1,0 +1,116 @@
+//: Include what the program needs
+#define _GNU_SOURCE
+#include "contract.h"
+#include "program/query_command.h"
+
+#include <argp.h>
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+//: List the commands
+typedef struct command {
+    const char *name;
+    char *full_name; ///< for messages
+    const char *purpose;
+    int (*run)(int argc, char *argv[]);
+} command;
+
+static const command commands[] = {
+    {"query", "tanglefree query",
+     "whether, when and how moving elements first meet", tf_query_command},
+};
+enum {
+    COMMANDS = sizeof commands / sizeof *commands
+};
+
+//: Tell about the program
+const char *argp_program_version = "tanglefree 0.1.0";
+
+static char *describe(int key, const char *text, void *input)
+{
+    (void)input;
+    if (key != ARGP_KEY_HELP_POST_DOC)
+        return (char *)text;
+    char *list = NULL;
+    size_t length;
+    FILE *stream = open_memstream(&list, &length);
+    if (!stream)
+        return NULL;
+    fputs("Commands:\n", stream);
+    for (int i = 0; i < COMMANDS; i++)
+        fprintf(stream, "  %-10s %s\n", commands[i].name, commands[i].purpose);
+    fputs("\n'tanglefree COMMAND --help' tells more.", stream);
+    fclose(stream);
+    return list;
+}
+
+//: Find the command among the arguments
+typedef struct choice {
+    const command *command;
+    int argc;
+    char **argv; ///< of the command, its name first
+} choice;
+
+static void choose(choice *chosen, struct argp_state *state, const char *name)
+{
+    for (int i = 0; i < COMMANDS; i++)
+        if (strcmp(name, commands[i].name) == 0)
+            chosen->command = &commands[i];
+    if (!chosen->command)
+        argp_error(state, "no command is named '%s'; --help lists them", name);
+    chosen->argv = state->argv + state->next - 1;
+    chosen->argc = state->argc - state->next + 1;
+    state->next = state->argc;
+}
+
+static error_t understand_command(int key, char *text, struct argp_state *state)
+{
+    if (key == ARGP_KEY_ARG)
+        choose(state->input, state, text);
+    else if (key == ARGP_KEY_NO_ARGS)
+        argp_error(state, "a command is missing; --help lists them");
+    else
+        return ARGP_ERR_UNKNOWN;
+    return 0;
+}
+
+static choice choose_command(int argc, char *argv[])
+{
+    static const struct argp parser = {
+        .parser = understand_command,
+        .args_doc = "COMMAND [ARGUMENT...]",
+        .doc = "Exact continuous collision detection.",
+        .help_filter = describe,
+    };
+    choice chosen = {0};
+    argp_parse(&parser, argc, argv, ARGP_IN_ORDER, NULL, &chosen);
+    return chosen;
+}
+
+//: Make sure that the last words are written
+// --help and --version end the program inside argp.
+static void finish_output(void)
+{
+    if (fflush(stdout) == 0)
+        return;
+    fprintf(stderr, "tanglefree: standard output: cannot write: %s\n",
+            strerror(errno));
+    _exit(argp_err_exit_status);
+}
+
+//: Run the program
+int main(int argc, char *argv[])
+{
+    static char name[] = "tanglefree";
+    TF_REQUIRE(argc > 0 && tf_environment_is_ieee());
+    argp_err_exit_status = 2;
+    atexit(finish_output);
+
+    argv[0] = name;
+    choice chosen = choose_command(argc, argv);
+    chosen.argv[0] = chosen.command->full_name;
+    return chosen.command->run(chosen.argc, chosen.argv);
+}

@@ -1,0 +1,19 @@
+//: Declare the progress line
+#ifndef TF_PROGRAM_PROGRESS_H
+#define TF_PROGRAM_PROGRESS_H
+
+#include <stdbool.h>
+
+/// A line on the terminal about work that takes more than a second, written
+/// over five times a second and erased at the end.  Shown only if standard
+/// error is a terminal, and standard output, which it would garble, is not.
+typedef struct tf_progress {
+    bool wanted, shown;
+    double next; ///< when to show it again, in seconds
+} tf_progress;
+
+tf_progress tf_progress_begin(void);
+void tf_progress_tell(tf_progress *progress, long count, const char *things);
+void tf_progress_end(tf_progress *progress);
+
+#endif

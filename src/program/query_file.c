@@ -1,0 +1,343 @@
+//: Include what query files need
+#define _GNU_SOURCE
+#include "program/query_file.h"
+
+#include "program/number.h"
+#include "program/rational.h"
+
+#include <ctype.h>
+#include <errno.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/types.h>
+
+//: Find a kind of query by its name
+static const tf_query_kind kinds[] = {
+    {"point-edge", 2, {1, 2}},
+    {"point-triangle", 3, {1, 3}},
+    {"vertex-face", 3, {1, 3}},
+    {"edge-edge", 3, {2, 2}},
+};
+
+const tf_query_kind *tf_query_kind_named(const char *name)
+{
+    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
+        if (strcmp(name, kinds[i].name) == 0)
+            return &kinds[i];
+    return NULL;
+}
+
+//: Open and close a query file
+void tf_query_file_start(tf_query_file *file, FILE *stream, const char *name,
+                         const tf_query_kind *kind, long queries)
+{
+    *file = (tf_query_file){
+        .kind = kind, .name = name, .stream = stream, .queries = queries};
+}
+
+bool tf_query_file_open(tf_query_file *file, const char *path,
+                        const tf_query_kind *kind, long queries)
+{
+    bool standard = strcmp(path, "-") == 0;
+    FILE *stream = standard ? stdin : fopen(path, "r");
+    tf_query_file_start(file, stream, standard ? "standard input" : path, kind,
+                        queries);
+    return stream ||
+           tf_query_file_fault(file, 0, "cannot open: %s; name a file to read",
+                               strerror(errno));
+}
+
+void tf_query_file_close(tf_query_file *file)
+{
+    if (file->stream && file->stream != stdin)
+        fclose(file->stream);
+    free(file->row);
+    *file = (tf_query_file){0};
+}
+
+//: Find fault with a query file
+bool tf_query_file_fault(tf_query_file *file, long line, const char *format,
+                         ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(file->fault, sizeof file->fault, format, arguments);
+    va_end(arguments);
+    file->fault_line = line;
+    return false;
+}
+
+void tf_query_file_complain(const tf_query_file *file)
+{
+    fprintf(stderr, "tanglefree: %s:", file->name);
+    if (file->fault_line > 0)
+        fprintf(stderr, "%ld:", file->fault_line);
+    fprintf(stderr, " %s\n", file->fault);
+}
+
+//: Read a line
+static bool clean_line(tf_query_file *file, size_t length)
+{
+    if (strlen(file->row) != length)
+        return tf_query_file_fault(file, file->line,
+                                   "a NUL byte; give plain text (ASCII or "
+                                   "UTF-8, not UTF-16 or binary)");
+    if (length > 0 && file->row[length - 1] == '\n')
+        file->row[--length] = '\0';
+    if (length > 0 && file->row[length - 1] == '\r')
+        file->row[--length] = '\0';
+    bool marked = file->line == 1 && strncmp(file->row, "\xEF\xBB\xBF", 3) == 0;
+    file->at = file->row + (marked ? 3 : 0);
+    return true;
+}
+
+static tf_reading read_line(tf_query_file *file)
+{
+    errno = 0;
+    ssize_t length = getline(&file->row, &file->room, file->stream);
+    if (length < 0 && feof(file->stream) && !ferror(file->stream))
+        return TF_READ_END;
+    file->line++;
+    if (length < 0) {
+        tf_query_file_fault(file, file->line,
+                            "cannot read: %s; name a file "
+                            "to read",
+                            strerror(errno));
+        return TF_READ_FAULT;
+    }
+    return clean_line(file, (size_t)length) ? TF_READ_GOOD : TF_READ_FAULT;
+}
+
+//: Read the next line that is not blank
+static void skip_blanks(tf_query_file *file)
+{
+    while (*file->at == ' ' || *file->at == '\t')
+        file->at++;
+}
+
+// Blank lines at the end of the file are fine; they show only at its end.
+static tf_reading read_row(tf_query_file *file)
+{
+    long blank = 0;
+    for (;;) {
+        tf_reading reading = read_line(file);
+        if (reading != TF_READ_GOOD)
+            return reading;
+        skip_blanks(file);
+        if (*file->at != '\0')
+            break;
+        blank = blank ? blank : file->line;
+    }
+    if (blank == 0)
+        return TF_READ_GOOD;
+    tf_query_file_fault(file, blank, "a blank line between rows; delete it");
+    return TF_READ_FAULT;
+}
+
+//: Tell the columns apart
+/// Plain numbers, an axis a column; or rationals, two; or these and the truth.
+static bool are_rational(const tf_query_file *file)
+{
+    return file->columns >= 2 * file->kind->axes;
+}
+
+static bool have_truth(const tf_query_file *file)
+{
+    return file->columns > 2 * file->kind->axes;
+}
+
+static int count_columns(const char *row)
+{
+    int columns = 1;
+    for (; *row; row++)
+        columns += *row == ',';
+    return columns;
+}
+
+static bool choose_columns(tf_query_file *file)
+{
+    int axes = file->kind->axes, columns = count_columns(file->row);
+    if (columns != axes && columns != 2 * axes && columns != 2 * axes + 1)
+        return tf_query_file_fault(
+            file, file->line,
+            "%d columns; write %d (decimals), %d (rationals) or %d (with "
+            "truth) for %s",
+            columns, axes, 2 * axes, 2 * axes + 1, file->kind->name);
+    file->columns = columns;
+    return true;
+}
+
+//: Find fault with a field
+/// Quote a field, cut where it is long and with a ? for each odd byte.
+static bool fault_in_field(tf_query_file *file, int column, const char *field,
+                           const char *verdict)
+{
+    char quoted[32];
+    size_t length = strcspn(field, ",");
+    while (length > 0 && strchr(" \t", field[length - 1]))
+        length--;
+    bool cut = length >= sizeof quoted;
+    length = cut ? sizeof quoted - 4 : length;
+    for (size_t i = 0; i < length; i++)
+        quoted[i] = isprint((unsigned char)field[i]) ? field[i] : '?';
+    strcpy(quoted + length, cut ? "..." : "");
+    if (length == 0)
+        return tf_query_file_fault(file, file->line,
+                                   "column %d is empty; fill it in", column);
+    return tf_query_file_fault(file, file->line, "column %d is \"%s\", %s",
+                               column, quoted, verdict);
+}
+
+//: Find fault with the number of columns
+static bool fault_in_columns(tf_query_file *file)
+{
+    int columns = count_columns(file->row);
+    return tf_query_file_fault(
+        file, file->line,
+        columns < file->columns
+            ? "a missing column: %d where the first row has %d; give all rows "
+              "as many"
+            : "too many columns: %d where the first row has %d; give all rows "
+              "as many",
+        columns, file->columns);
+}
+
+//: Step over the end of a field
+static bool end_field(tf_query_file *file, int column, const char *field,
+                      const char *verdict)
+{
+    skip_blanks(file);
+    bool ends_row = *file->at == '\0';
+    if (!ends_row && *file->at != ',')
+        return fault_in_field(file, column, field, verdict);
+    if (ends_row != (column == file->columns))
+        return fault_in_columns(file);
+    file->at += !ends_row;
+    return true;
+}
+
+//: Read a decimal or a hexadecimal float
+static bool read_decimal(tf_query_file *file, int column, double *x)
+{
+    static const char no_number[] =
+        "not a finite number; write a decimal or a hexadecimal float";
+    skip_blanks(file);
+    const char *field = file->at;
+    if (!tf_number_read(&file->at, x))
+        return fault_in_field(file, column, field, no_number);
+    if (!end_field(file, column, field, no_number))
+        return false;
+    return isfinite(*x) ||
+           fault_in_field(file, column, field,
+                          "beyond the largest double; scale the scene down");
+}
+
+//: Read a rational
+static bool read_integer(tf_query_file *file, int column, tf_numeral *integer)
+{
+    static const char no_integer[] =
+        "not an integer; write rationals as numerator,denominator";
+    skip_blanks(file);
+    const char *field = file->at;
+    return tf_numeral_read(&file->at, integer)
+               ? end_field(file, column, field, no_integer)
+               : fault_in_field(file, column, field, no_integer);
+}
+
+static bool read_rational(tf_query_file *file, int column, double *x,
+                          int *rounded)
+{
+    tf_numeral dividend, divisor;
+    if (!read_integer(file, column, &dividend) ||
+        !read_integer(file, column + 1, &divisor))
+        return false;
+    if (divisor.count == 0)
+        return tf_query_file_fault(file, file->line,
+                                   "column %d is a zero denominator; write "
+                                   "another integer",
+                                   column + 1);
+    tf_rounding rounding = tf_rational_round(&dividend, &divisor, x);
+    if (rounding == TF_ROUNDING_OVERFLOW)
+        return fault_in_field(file, column, dividend.digit,
+                              "with its denominator beyond the largest "
+                              "double; scale the scene down");
+    if (rounding == TF_ROUNDING_FAILED)
+        return tf_query_file_fault(file, file->line,
+                                   "out of memory; write shorter integers");
+    *rounded += rounding == TF_ROUNDING_NEAREST;
+    return true;
+}
+
+//: Read the truth
+static bool read_truth(tf_query_file *file, tf_question *question)
+{
+    static const char no_truth[] = "not a truth; write 0 (apart) or 1 (hit)";
+    skip_blanks(file);
+    const char *field = file->at;
+    int truth = *field - '0';
+    if (truth != 0 && truth != 1)
+        return fault_in_field(file, file->columns, field, no_truth);
+    file->at++;
+    if (!end_field(file, file->columns, field, no_truth))
+        return false;
+    if (question->truth >= 0 && question->truth != truth)
+        return tf_query_file_fault(file, file->line,
+                                   "the truth is %d, but %d on line %ld; "
+                                   "make it the same on all rows of a query",
+                                   truth, question->truth, question->line);
+    question->truth = truth;
+    return true;
+}
+
+//: Read the event of a row
+static bool read_event(tf_query_file *file, tf_event *event,
+                       tf_question *question)
+{
+    if (file->columns == 0 && !choose_columns(file))
+        return false;
+    for (int k = 0; k < file->kind->axes; k++)
+        if (are_rational(file) ? !read_rational(file, 2 * k + 1, &event->x[k],
+                                                &question->rounded)
+                               : !read_decimal(file, k + 1, &event->x[k]))
+            return false;
+    return !have_truth(file) || read_truth(file, question);
+}
+
+//: Tell that rows are missing
+static tf_reading end_early(tf_query_file *file, long last_line, int have,
+                            int want)
+{
+    if (file->columns == 0)
+        tf_query_file_fault(file, 1, "no rows; give %d rows a query", want);
+    else
+        tf_query_file_fault(file, last_line,
+                            "query %ld has %d of %d rows; add those missing",
+                            file->queries, have, want);
+    return TF_READ_FAULT;
+}
+
+//: Read the next query
+tf_reading tf_query_file_next(tf_query_file *file, tf_question *question)
+{
+    int vertices = file->kind->vertices[0] + file->kind->vertices[1];
+    *question = (tf_question){.truth = -1};
+    for (int row = 0; row < 2 * vertices; row++) {
+        tf_reading reading = read_row(file);
+        if (reading == TF_READ_END && row == 0 && file->columns > 0)
+            return TF_READ_END;
+        if (reading == TF_READ_END)
+            return end_early(file, question->line + row - 1, row, 2 * vertices);
+        if (reading == TF_READ_FAULT)
+            return TF_READ_FAULT;
+
+        question->line = file->line - row;
+        tf_event *event = &question->vertex[row % vertices].at[row / vertices];
+        event->t = row / vertices;
+        if (!read_event(file, event, question))
+            return TF_READ_FAULT;
+    }
+    file->queries++;
+    return TF_READ_GOOD;
+}

@@ -1,0 +1,87 @@
+//: Declare query files
+#ifndef TF_PROGRAM_QUERY_FILE_H
+#define TF_PROGRAM_QUERY_FILE_H
+
+#include "spacetime/event.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdio.h>
+
+//: Declare the kinds of query
+/// Which two elements a query is about.
+typedef struct tf_query_kind {
+    const char *name;
+    int axes;
+    int vertices[2]; ///< of the first and the second element
+} tf_query_kind;
+
+/// The names that tf_query_kind_named knows, for help and messages.
+#define TF_QUERY_KIND_NAMES "point-edge, point-triangle or edge-edge"
+
+/// The kind of that name (vertex-face is point-triangle too); NULL if there is
+/// none.
+const tf_query_kind *tf_query_kind_named(const char *name);
+
+//: Declare a question
+enum {
+    TF_QUESTION_VERTICES = 4
+}; ///< the most, of both elements
+
+/// One query of a file.  Its rows are the vertices at t = 0, then at t = 1.
+typedef struct tf_question {
+    tf_worldline vertex[TF_QUESTION_VERTICES]; ///< first element, then second
+    long line;   ///< of its first row, counted from 1
+    int truth;   ///< 1 hit, 0 apart, -1 the file does not tell
+    int rounded; ///< coordinates that were no doubles and had to be rounded
+} tf_question;
+
+//: Declare the reader of query files
+enum {
+    TF_FAULT_LENGTH = 256
+};
+
+/// Reads one query after another in memory of the size of the longest line.
+typedef struct tf_query_file {
+    const tf_query_kind *kind;
+    const char *name; ///< for messages
+    FILE *stream;
+    long queries; ///< the number of the next query
+    long line;    ///< the line read last
+    int columns;  ///< of the first row; 0 before it was read
+    char *row;
+    size_t room;
+    const char *at;              ///< how far the row was read
+    long fault_line;             ///< 0: the fault is not in a line
+    char fault[TF_FAULT_LENGTH]; ///< what is wrong; how to mend it
+} tf_query_file;
+
+//: Declare how to read a query file
+typedef enum tf_reading {
+    TF_READ_FAULT = 0, ///< bad input, told by `fault` and `fault_line`
+    TF_READ_GOOD,
+    TF_READ_END, ///< nothing is left, and all before was good
+} tf_reading;
+
+/// Start to read a stream, which stays the caller's, or the file at `path`
+/// ("-": standard input).  The first query has the number `queries`.  Both
+/// borrow the name.  Close the file in any case, also if it cannot be opened.
+void tf_query_file_start(tf_query_file *file, FILE *stream, const char *name,
+                         const tf_query_kind *kind, long queries);
+bool tf_query_file_open(tf_query_file *file, const char *path,
+                        const tf_query_kind *kind, long queries);
+void tf_query_file_close(tf_query_file *file);
+
+/// Read the next query.  Whatever it holds, coordinates are finite.
+tf_reading tf_query_file_next(tf_query_file *file, tf_question *question);
+
+//: Declare how to find fault with a query file
+/// Set the fault, as printf; false, for the caller to return.
+__attribute__((format(printf, 3, 4))) bool
+tf_query_file_fault(tf_query_file *file, long line, const char *format, ...);
+
+/// Print the fault to standard error, with the names of program and file.
+void tf_query_file_complain(const tf_query_file *file);
+
+//: Close the query files
+#endif

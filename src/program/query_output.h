@@ -1,0 +1,48 @@
+//: Declare the output of queries
+#ifndef TF_PROGRAM_QUERY_OUTPUT_H
+#define TF_PROGRAM_QUERY_OUTPUT_H
+
+#include "program/query_file.h"
+#include "query/contact.h"
+
+#include <stdbool.h>
+#include <stdio.h>
+
+//: Declare the tally
+/// What was counted; the last four over queries whose file tells the truth.
+typedef struct tf_tally {
+    long queries, hits;
+    long decided[3]; ///< hits by tf_decision
+    long known, agree;
+    long extra, missed; ///< hits that are none in truth; the reverse
+} tf_tally;
+
+//: Declare the output and its formats
+typedef struct tf_query_format tf_query_format;
+
+typedef struct tf_query_output {
+    FILE *stream;
+    const tf_query_format *format;
+    int axes;
+    int error; ///< the errno of the first write that failed, or 0
+    tf_tally tally;
+} tf_query_output;
+
+/// The names that tf_query_format_named knows, for help and messages.
+#define TF_QUERY_FORMAT_NAMES "csv, json or summary"
+
+/// The format of that name; NULL if there is none.
+const tf_query_format *tf_query_format_named(const char *name);
+
+//: Declare how to write the answers
+/// Write what comes before all answers, an answer, and what comes after them;
+/// the last also flushes.  False after a write that failed.
+bool tf_query_output_begin(tf_query_output *output, FILE *stream,
+                           const tf_query_format *format, int axes);
+bool tf_query_output_answer(tf_query_output *output,
+                            const tf_question *question,
+                            const tf_contact *contact);
+bool tf_query_output_end(tf_query_output *output);
+
+//: Close the output of queries
+#endif

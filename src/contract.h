@@ -40,8 +40,7 @@ _Noreturn void tf_contract_broken(const char *file, int line,
 
 /// A condition that callers promise; checked in every build.
 #define TF_REQUIRE(condition)                                                  \
-    ((condition) ? (void)0                                                     \
-                 : tf_contract_broken(__FILE__, __LINE__, #condition))
+    ((condition) ? (void)0 : tf_contract_broken(__FILE__, __LINE__, #condition))
 
 //: Declare the test of the floating-point environment
 /// Whether the processor rounds to nearest and keeps subnormal numbers.  A

@@ -6,8 +6,8 @@
 
 //: Declare the estimate of a determinant
 /// A determinant in rounded arithmetic.  If |number| > bound its sign is the
-/// sign of the true determinant; if bound is zero the true one is exactly
-/// zero; otherwise, NaN and infinity included, nothing is known.
+/// sign of the true determinant; if both are zero the true one is exactly zero;
+/// otherwise, NaN and infinity included, nothing is known.
 typedef struct tf_estimate {
     double number, bound;
 } tf_estimate;

@@ -10,9 +10,9 @@
 /// The sign of a determinant.
 typedef enum tf_sign {
     TF_NEGATIVE = -1,
-    TF_ZERO = 0,     ///< certainly zero (but see tf_report)
+    TF_ZERO = 0, ///< certainly zero (but see tf_report)
     TF_POSITIVE = 1,
-    TF_UNKNOWN = 2,  ///< any of the three
+    TF_UNKNOWN = 2, ///< any of the three
 } tf_sign;
 
 //: Declare the determinant of differences

@@ -8,7 +8,9 @@
 #include <stdbool.h>
 
 //: Declare a pair of simplices
-enum { TF_PAIR_EVENTS = 6 }; ///< |S| + |R| = d + 2 at most, d = 4
+enum {
+    TF_PAIR_EVENTS = 6
+}; ///< |S| + |R| = d + 2 at most, d = 4
 
 /// Two simplices S and R of space-time, or of space at one time, seen on some
 /// of the axes.  The events at t = 0 come first.
@@ -64,8 +66,8 @@ tf_differences tf_pair_differences(const tf_pair *pair, int without);
 ///
 /// Returns false, with *meeting unset, if all signs are certainly zero: the
 /// pair lies in a hyperplane, and its signs tell nothing.
-bool tf_complementary_meet(const tf_arithmetic *arithmetic,
-                           const tf_pair *pair, tf_meeting *meeting);
+bool tf_complementary_meet(const tf_arithmetic *arithmetic, const tf_pair *pair,
+                           tf_meeting *meeting);
 
 //: Close complementary simplices
 #endif

@@ -2,7 +2,9 @@
 #ifndef TF_SPACETIME_EVENT_H
 #define TF_SPACETIME_EVENT_H
 
-enum { TF_AXES = 3 }; ///< the most axes of space
+enum {
+    TF_AXES = 3
+}; ///< the most axes of space
 
 /// A point of space-time at an end of the time step: (x[0..axes-1], t).  In
 /// the plane x[2] is not read.  Any one unit of length; time counts steps.

@@ -5,7 +5,7 @@
 #include "spacetime/event.h"
 
 enum {
-    TF_VERTICES = 3,           ///< the most vertices of an element
+    TF_VERTICES = 3,            ///< the most vertices of an element
     TF_EVENTS = TF_VERTICES + 1 ///< the most events of a swept simplex
 };
 

@@ -1,0 +1,149 @@
+//: Include what the accumulator needs
+#include "arithmetic/accumulator.h"
+
+#include <math.h>
+#include <string.h>
+
+__extension__ typedef unsigned __int128 uint128;
+
+enum {
+    WORD_BITS = 64,
+    UNIT_EXPONENT = -3222
+};
+
+//: Clear the accumulator
+void tf_accumulator_clear(tf_accumulator *accumulator)
+{
+    memset(accumulator, 0, sizeof *accumulator);
+}
+
+//: Take a double apart
+/// |a| = mantissa 2^exponent.
+typedef struct parts {
+    uint64_t mantissa;
+    int exponent;
+} parts;
+
+static parts take_apart(double a)
+{
+    uint64_t bits;
+    memcpy(&bits, &a, sizeof bits);
+    int biased = (int)(bits >> 52 & 0x7ff);
+    uint64_t fraction = bits & ((UINT64_C(1) << 52) - 1);
+
+    // A subnormal number has the exponent of the smallest normal one, without
+    // its leading bit.
+    if (biased == 0)
+        return (parts){.mantissa = fraction, .exponent = -1074};
+    return (parts){.mantissa = fraction | UINT64_C(1) << 52,
+                   .exponent = biased - 1075};
+}
+
+//: Add words at a bit position
+/// Add three words, shifted left by `position` bits.
+static void add_words(uint64_t sum[TF_ACCUMULATOR_WORDS],
+                      const uint64_t word[3], int position)
+{
+    int index = position / WORD_BITS, shift = position % WORD_BITS;
+    uint64_t below = 0, carry = 0;
+    for (int i = 0; i < 3; i++) {
+        uint64_t shifted = word[i] << shift | below;
+        // Two shifts, because one by 64 is not defined.
+        below = word[i] >> 1 >> (WORD_BITS - 1 - shift);
+        uint128 total = (uint128)sum[index] + shifted + carry;
+        sum[index++] = (uint64_t)total;
+        carry = (uint64_t)(total >> WORD_BITS);
+    }
+    for (carry += below; carry != 0; index++) {
+        sum[index] += carry;
+        carry = sum[index] < carry;
+    }
+}
+
+//: Add a product
+void tf_accumulator_add(tf_accumulator *accumulator, double a, double b,
+                        double c)
+{
+    parts x = take_apart(a), y = take_apart(b), z = take_apart(c);
+    bool positive = !signbit(a) ^ signbit(b) ^ signbit(c);
+
+    //: Multiply the mantissas
+    uint128 two = (uint128)x.mantissa * y.mantissa;
+    uint128 low = (uint128)(uint64_t)two * z.mantissa;
+    uint128 high = (two >> WORD_BITS) * z.mantissa + (low >> WORD_BITS);
+    uint64_t word[3] = {(uint64_t)low, (uint64_t)high,
+                        (uint64_t)(high >> WORD_BITS)};
+
+    //: Add the product to the sum of its sign
+    int exponent = x.exponent + y.exponent + z.exponent;
+    add_words(accumulator->sum[positive], word, exponent - UNIT_EXPONENT);
+}
+
+//: Compare the two sums
+static int highest_difference(const tf_accumulator *accumulator)
+{
+    int i = TF_ACCUMULATOR_WORDS - 1;
+    while (i >= 0 && accumulator->sum[0][i] == accumulator->sum[1][i])
+        i--;
+    return i;
+}
+
+tf_sign tf_accumulator_sign(const tf_accumulator *accumulator)
+{
+    int i = highest_difference(accumulator);
+    if (i < 0)
+        return TF_ZERO;
+    return accumulator->sum[1][i] > accumulator->sum[0][i] ? TF_POSITIVE
+                                                           : TF_NEGATIVE;
+}
+
+//: Subtract the smaller sum
+/// Subtract `less` from `more`, both of `count` words and less <= more.
+static void subtract(const uint64_t *more, const uint64_t *less, int count,
+                     uint64_t difference[])
+{
+    uint64_t borrow = 0;
+    for (int i = 0; i < count; i++) {
+        uint128 d = (uint128)more[i] - less[i] - borrow;
+        difference[i] = (uint64_t)d;
+        borrow = (uint64_t)(d >> WORD_BITS) & 1;
+    }
+}
+
+//: Round to a double
+/// Round the number of `count` words, not zero, to nearest, ties to even.
+static tf_value round_words(const uint64_t *word, int count)
+{
+    int top = count - 1;
+    while (word[top] == 0)
+        top--;
+
+    //: Take the 64 leading bits
+    int empty = __builtin_clzll(word[top]);
+    uint64_t next = top > 0 ? word[top - 1] : 0;
+    uint64_t leading = word[top] << empty | next >> 1 >> (63 - empty);
+
+    // The 11 bits that the conversion rounds away must not look like a tie if
+    // anything follows.
+    bool follows = (next << empty) != 0;
+    for (int i = 0; i < top - 1 && !follows; i++)
+        follows = word[i] != 0;
+    int exponent = top * WORD_BITS - empty + UNIT_EXPONENT;
+    return (tf_value){.number = (double)(leading | follows),
+                      .exponent = exponent};
+}
+
+tf_value tf_accumulator_value(const tf_accumulator *accumulator)
+{
+    int top = highest_difference(accumulator);
+    if (top < 0)
+        return (tf_value){.number = 0};
+
+    uint64_t difference[TF_ACCUMULATOR_WORDS];
+    const uint64_t(*sum)[TF_ACCUMULATOR_WORDS] = accumulator->sum;
+    bool positive = sum[1][top] > sum[0][top];
+    subtract(sum[positive], sum[!positive], top + 1, difference);
+    tf_value value = round_words(difference, top + 1);
+    value.number = positive ? value.number : -value.number;
+    return value;
+}

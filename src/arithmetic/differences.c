@@ -1,0 +1,23 @@
+//: Include what differences need
+#include "arithmetic/differences.h"
+
+#include <math.h>
+
+//: Round the differences
+void tf_differences_round(const tf_differences *differences,
+                          double entry[TF_AXES][TF_AXES])
+{
+    const tf_differences *d = differences;
+    for (int i = 0; i < d->n; i++)
+        for (int j = 0; j < d->n; j++)
+            entry[i][j] = d->to[i]->x[d->axis[j]] - d->from[i]->x[d->axis[j]];
+}
+
+//: Tell whether an arithmetic holds a coordinate
+bool tf_arithmetic_holds(const tf_arithmetic *arithmetic, int axes, double x)
+{
+    int bits = arithmetic->bits[axes];
+    if (bits == 0)
+        return isfinite(x);
+    return fabs(x) < ldexp(1, bits) && x == trunc(x);
+}

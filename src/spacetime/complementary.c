@@ -1,0 +1,269 @@
+//: Include what complementary simplices need
+#include "spacetime/complementary.h"
+
+#include "contract.h"
+
+#include <float.h>
+#include <limits.h>
+#include <math.h>
+#include <stddef.h>
+
+//: Pair two swept simplices
+static void add_events(tf_pair *pair, const tf_simplex *simplex, int side,
+                       int t)
+{
+    for (int i = 0; i < simplex->count; i++) {
+        if (simplex->event[i]->t != t)
+            continue;
+        pair->event[pair->count] = simplex->event[i];
+        pair->side[pair->count++] = side;
+    }
+}
+
+tf_pair tf_pair_of(const tf_simplex *s, const tf_simplex *r, int axes)
+{
+    TF_REQUIRE(s->count + r->count == axes + 3);
+    tf_pair pair = {.axes = axes, .axis = {0, 1, 2}};
+    add_events(&pair, s, +1, 0);
+    add_events(&pair, r, -1, 0);
+    pair.early = pair.count;
+    add_events(&pair, s, +1, 1);
+    add_events(&pair, r, -1, 1);
+    return pair;
+}
+
+//: Take differences within each time
+tf_differences tf_pair_differences(const tf_pair *pair, int without)
+{
+    tf_differences differences = {
+        .n = 0, .axis = {pair->axis[0], pair->axis[1], pair->axis[2]}};
+    const tf_event *first[2] = {NULL, NULL};
+    for (int i = 0; i < pair->count; i++) {
+        int late = i >= pair->early;
+        if (i == without)
+            continue;
+        if (!first[late]) {
+            first[late] = pair->event[i];
+            continue;
+        }
+        differences.to[differences.n] = pair->event[i];
+        differences.from[differences.n++] = first[late];
+    }
+    return differences;
+}
+
+//: Orient a barycentric coordinate
+/// +1 or -1: what turns the determinant of the differences without event i into
+/// a positive multiple of the event's barycentric coordinate, counted positive
+/// on S and negative on R.  Sorting a determinant's rows by time, subtracting
+/// the first of each time and expanding along the columns t and 1 leaves
+/// (-1)^(number at t = 0) times the determinant of the differences, so beside
+/// the (-1)^i of Cramer's rule only the late events change sign.
+static int orientation(const tf_pair *pair, int i)
+{
+    int alternating = i % 2 == 0 ? 1 : -1;
+    int late = i < pair->early ? 1 : -1;
+    return alternating * late * pair->side[i];
+}
+
+//: Separate a pair by an axis
+/// The sides that have the larger coordinates on an axis at one time: +1 if all
+/// of S are larger than all of R, -1 the reverse, 0 neither.
+static int larger_side(const tf_pair *pair, int axis, int begin, int end)
+{
+    double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
+    for (int i = begin; i < end; i++) {
+        int s = pair->side[i] > 0;
+        double x = pair->event[i]->x[axis];
+        low[s] = x < low[s] ? x : low[s];
+        high[s] = x > high[s] ? x : high[s];
+    }
+    return (low[1] > high[0]) - (high[1] < low[0]);
+}
+
+/// Whether S keeps strictly to one side of R on an axis.  Then the shadows of
+/// the two on the plane of that axis and time are apart.
+static bool separated_by_an_axis(const tf_pair *pair)
+{
+    for (int k = 0; k < pair->axes; k++) {
+        int axis = pair->axis[k];
+        int side = larger_side(pair, axis, 0, pair->early);
+        if (side == 0)
+            continue;
+        if (pair->early == pair->count ||
+            side == larger_side(pair, axis, pair->early, pair->count))
+            return true;
+    }
+    return false;
+}
+
+//: Collect the barycentric signs
+/// Which signs occur among the barycentric coordinates, turned so that S and R
+/// meet when all agree.
+typedef struct signs {
+    bool positive, negative, zero, unknown;
+    tf_sign of[TF_PAIR_EVENTS];
+} signs;
+
+/// Stops at the first conflict.
+static signs collect_signs(const tf_arithmetic *arithmetic, const tf_pair *pair)
+{
+    signs found = {0};
+    for (int i = 0; i < pair->count; i++) {
+        tf_differences differences = tf_pair_differences(pair, i);
+        tf_sign sign = arithmetic->sign(&differences);
+        if (sign == TF_POSITIVE || sign == TF_NEGATIVE)
+            sign = (tf_sign)(sign * orientation(pair, i));
+        found.of[i] = sign;
+        found.positive |= sign == TF_POSITIVE;
+        found.negative |= sign == TF_NEGATIVE;
+        found.zero |= sign == TF_ZERO;
+        found.unknown |= sign == TF_UNKNOWN;
+        if (found.positive && found.negative)
+            break;
+    }
+    return found;
+}
+
+//: Enclose the barycentric coordinates
+/// The barycentric coordinates up to one common factor, all >= 0: enclosed but
+/// for the rounding that a value may hide, and zero where certainly so.
+typedef struct coordinates {
+    double low[TF_PAIR_EVENTS], high[TF_PAIR_EVENTS];
+} coordinates;
+
+/// The exponent of the largest number that the value may stand for; INT_MIN if
+/// that is zero or not known.
+static int magnitude(const tf_value *value)
+{
+    double largest = fabs(value->number) + value->radius;
+    return largest == 0 || !isfinite(largest)
+               ? INT_MIN
+               : value->exponent + ilogb(largest);
+}
+
+static coordinates enclose_coordinates(const tf_arithmetic *arithmetic,
+                                       const tf_pair *pair, const signs *found)
+{
+    tf_value value[TF_PAIR_EVENTS] = {{0}};
+    int largest = INT_MIN;
+    for (int i = 0; i < pair->count; i++) {
+        if (found->of[i] == TF_ZERO)
+            continue;
+        tf_differences differences = tf_pair_differences(pair, i);
+        value[i] = arithmetic->value(&differences);
+        value[i].number *= orientation(pair, i) * (found->negative ? -1 : 1);
+        int own = magnitude(&value[i]);
+        largest = own > largest ? own : largest;
+    }
+
+    //: Scale the coordinates to the largest
+    coordinates scaled = {.low = {0}, .high = {0}};
+    for (int i = 0; i < pair->count && largest != INT_MIN; i++) {
+        if (found->of[i] == TF_ZERO)
+            continue;
+        int shift = value[i].exponent - largest;
+        double number = ldexp(value[i].number, shift);
+        double radius = ldexp(value[i].radius, shift);
+        bool known = isfinite(number + radius);
+        scaled.low[i] = known ? fmax(number - radius, 0) : 0;
+
+        // However small, what is not certainly zero stays so.
+        scaled.high[i] = known ? fmax(number + radius, DBL_TRUE_MIN) : INFINITY;
+    }
+    return scaled;
+}
+
+//: Enclose the time of impact
+/// The side with fewer events: at most three, at most two of them at one time.
+static int smaller_side(const tf_pair *pair)
+{
+    int sum = 0;
+    for (int i = 0; i < pair->count; i++)
+        sum += pair->side[i];
+    return sum <= 0 ? +1 : -1;
+}
+
+/// How far late / (early + late) may be from the true ratio t.  Each value
+/// hides one rounding, at most one sum within a time, the sum of the times and
+/// the quotient add one each: the first three change t by less than
+/// 3 t (1 - t) u, the last two by 2 t u; one more t u covers the second order.
+static double ratio_margin(double t)
+{
+    return t * (6 - 3 * t) * (DBL_EPSILON / 2) + 0x1p-1070;
+}
+
+static void enclose_time(const tf_pair *pair, const coordinates *c,
+                         tf_meeting *meeting)
+{
+    //: Sum the coordinates of one side by time
+    int side = smaller_side(pair);
+    double low[2] = {0, 0}, high[2] = {0, 0};
+    for (int i = 0; i < pair->count; i++) {
+        if (pair->side[i] != side)
+            continue;
+        low[i >= pair->early] += c->low[i];
+        high[i >= pair->early] += c->high[i];
+    }
+
+    //: Weigh the late events against the early
+    double first = low[1] / (low[1] + high[0]);
+    double last = high[1] / (high[1] + low[0]);
+    bool early_only = high[1] == 0, late_only = high[0] == 0;
+    meeting->toi_lo = late_only    ? 1
+                      : first >= 0 ? fmax(first - ratio_margin(first), 0)
+                                   : 0;
+    meeting->toi_hi = early_only  ? 0
+                      : last <= 1 ? fmin(last + ratio_margin(last), 1)
+                                  : 1;
+}
+
+//: Normalize the weights
+static void normalize_weights(const tf_pair *pair, const coordinates *c,
+                              tf_meeting *meeting)
+{
+    for (int side = -1; side <= 1; side += 2) {
+        double sum = 0, events = 0;
+        for (int i = 0; i < pair->count; i++) {
+            events += pair->side[i] == side;
+            sum += pair->side[i] == side ? c->low[i] + c->high[i] : 0;
+        }
+
+        // Where the coordinates are not known at all the middle is as good.
+        bool known = sum > 0 && isfinite(sum);
+        for (int i = 0; i < pair->count; i++)
+            if (pair->side[i] == side)
+                meeting->weight[i] =
+                    known ? (c->low[i] + c->high[i]) / sum : 1 / events;
+    }
+}
+
+//: Decide by barycentric signs
+const tf_meeting tf_meeting_apart = {.verdict = TF_APART, .unique = true};
+
+bool tf_complementary_meet(const tf_arithmetic *arithmetic, const tf_pair *pair,
+                           tf_meeting *meeting)
+{
+    *meeting = tf_meeting_apart;
+    if (separated_by_an_axis(pair))
+        return true;
+
+    signs found = collect_signs(arithmetic, pair);
+    bool unique = found.positive || found.negative;
+    if (found.positive && found.negative)
+        return true;
+    if (!unique && !found.unknown)
+        return false;
+
+    //: Describe the common point
+    coordinates c = enclose_coordinates(arithmetic, pair, &found);
+    meeting->verdict = found.unknown ? TF_UNDECIDED : TF_HIT;
+    meeting->decision = found.zero || found.unknown ? TF_TOUCHING : TF_GENERIC;
+    meeting->unique = unique;
+    if (unique)
+        enclose_time(pair, &c, meeting);
+    else
+        meeting->toi_hi = pair->early == pair->count ? 0 : 1;
+    normalize_weights(pair, &c, meeting);
+    return true;
+}

@@ -1,0 +1,216 @@
+//: Include what the cascade needs
+#include "spacetime/meet.h"
+
+#include "contract.h"
+
+#include <math.h>
+#include <string.h>
+
+//: Choose the earlier meeting
+tf_meeting tf_meeting_earlier(const tf_meeting *a, const tf_meeting *b)
+{
+    if (a->verdict == TF_APART || b->verdict == TF_APART)
+        return a->verdict == TF_APART ? *b : *a;
+
+    tf_meeting earlier = b->toi_lo < a->toi_lo ? *b : *a;
+
+    // A meeting that is not certain cannot bound the time from above.
+    bool certain = a->verdict == TF_HIT || b->verdict == TF_HIT;
+    if (a->verdict == b->verdict)
+        earlier.toi_hi =
+            certain ? fmin(a->toi_hi, b->toi_hi) : fmax(a->toi_hi, b->toi_hi);
+    else
+        earlier.toi_hi = a->verdict == TF_HIT ? a->toi_hi : b->toi_hi;
+    earlier.verdict = certain ? TF_HIT : TF_UNDECIDED;
+    return earlier;
+}
+
+//: Drop an event
+static tf_pair without_event(const tf_pair *pair, int dropped)
+{
+    tf_pair smaller = *pair;
+    smaller.count = 0;
+    smaller.early -= dropped < pair->early;
+    for (int i = 0; i < pair->count; i++) {
+        if (i == dropped)
+            continue;
+        smaller.event[smaller.count] = pair->event[i];
+        smaller.side[smaller.count++] = pair->side[i];
+    }
+    return smaller;
+}
+
+/// Give the event that was left out the weight 0.
+static void restore_event(tf_meeting *meeting, int dropped)
+{
+    for (int i = TF_PAIR_EVENTS - 1; i > dropped; i--)
+        meeting->weight[i] = meeting->weight[i - 1];
+    meeting->weight[dropped] = 0;
+}
+
+/// Whether the simplex of event i has another event at the same time.
+static bool may_drop(const tf_pair *pair, int i)
+{
+    bool late = i >= pair->early;
+    for (int j = 0; j < pair->count; j++)
+        if (j != i && pair->side[j] == pair->side[i] &&
+            (j >= pair->early) == late)
+            return true;
+    return false;
+}
+
+//: Project along an axis
+static tf_pair along_axis(const tf_pair *pair, int k)
+{
+    tf_pair shadow = *pair;
+    shadow.axes--;
+    for (int j = k; j < shadow.axes; j++)
+        shadow.axis[j] = pair->axis[j + 1];
+    return shadow;
+}
+
+//: Meet in every shadow
+typedef tf_meeting meet_function(const tf_arithmetic *arithmetic,
+                                 const tf_pair *pair);
+
+/// How far apart the weights leave the points of S and R, all axes added.
+static double gap(const tf_pair *pair, const tf_meeting *meeting)
+{
+    double sum = 0;
+    for (int k = 0; k < pair->axes; k++) {
+        double difference = 0;
+        for (int i = 0; i < pair->count; i++)
+            difference += pair->side[i] * meeting->weight[i] *
+                          pair->event[i]->x[pair->axis[k]];
+        sum += fabs(difference);
+    }
+    return sum;
+}
+
+/// The meeting of a pair that does not fill its space.  At least one of its
+/// shadows along the axes is one-to-one and decides; the others cannot be apart
+/// where the pair meets, nor meet later.
+static tf_meeting meet_in_shadows(const tf_arithmetic *arithmetic,
+                                  const tf_pair *pair, meet_function *meet)
+{
+    tf_meeting latest = {.verdict = TF_HIT};
+    double smallest_gap = INFINITY;
+    for (int k = 0; k < pair->axes; k++) {
+        tf_pair shadow = along_axis(pair, k);
+        tf_meeting own = meet(arithmetic, &shadow);
+
+        // A unique meeting fills the shadow: no other can be one-to-one alone.
+        if (own.verdict == TF_APART || own.unique)
+            return own;
+
+        //: Keep the latest time and the weights that fit best
+        if (own.verdict == TF_UNDECIDED)
+            latest.verdict = TF_UNDECIDED;
+        latest.toi_lo = fmax(latest.toi_lo, own.toi_lo);
+        latest.toi_hi = fmax(latest.toi_hi, own.toi_hi);
+        double own_gap = gap(pair, &own);
+        if (k == 0 || own_gap < smallest_gap) {
+            smallest_gap = own_gap;
+            memcpy(latest.weight, own.weight, sizeof latest.weight);
+        }
+    }
+    return latest;
+}
+
+//: Meet in some face
+/// The earliest meeting of the pairs that are left when one event is dropped
+/// and both simplices still have the times they had.
+static tf_meeting meet_in_faces(const tf_arithmetic *arithmetic,
+                                const tf_pair *pair, meet_function *meet)
+{
+    tf_meeting earliest = tf_meeting_apart;
+    for (int i = 0; i < pair->count; i++) {
+        if (!may_drop(pair, i))
+            continue;
+        tf_pair face = without_event(pair, i);
+        tf_meeting own = meet(arithmetic, &face);
+        restore_event(&own, i);
+        earliest = tf_meeting_earlier(&earliest, &own);
+        if (earliest.verdict == TF_HIT && earliest.toi_hi == 0)
+            break;
+    }
+    return earliest;
+}
+
+//: Meet at one time
+/// The only two points of a space without axes coincide.
+static tf_meeting meet_without_axes(const tf_pair *pair)
+{
+    tf_meeting meeting = {.verdict = TF_HIT};
+    bool taken[2] = {false, false};
+    for (int i = 0; i < pair->count; i++) {
+        int s = pair->side[i] > 0;
+        meeting.weight[i] = taken[s] ? 0 : 1;
+        taken[s] = true;
+    }
+    return meeting;
+}
+
+/// The meeting of two simplices at one time, of at most axes + 2 events.
+static tf_meeting meet_at_once(const tf_arithmetic *arithmetic,
+                               const tf_pair *pair)
+{
+    if (pair->axes == 0)
+        return meet_without_axes(pair);
+
+    //: Decide a static pair that fills its space
+    tf_meeting meeting;
+    bool complementary = pair->count == pair->axes + 2;
+    if (complementary && tf_complementary_meet(arithmetic, pair, &meeting))
+        return meeting;
+    if (pair->count == pair->axes + 1) {
+        tf_differences all = tf_pair_differences(pair, -1);
+        tf_sign volume = arithmetic->sign(&all);
+        if (volume == TF_POSITIVE || volume == TF_NEGATIVE)
+            return tf_meeting_apart;
+    }
+
+    //: Decide a static pair in a hyperplane
+    meeting = complementary ? meet_in_faces(arithmetic, pair, meet_at_once)
+                            : meet_in_shadows(arithmetic, pair, meet_at_once);
+    meeting.unique = false;
+    return meeting;
+}
+
+/// The meeting of the slices at t = 0.
+static tf_meeting meet_at_start(const tf_arithmetic *arithmetic,
+                                const tf_pair *pair)
+{
+    tf_pair start = *pair;
+    start.count = start.early;
+    return meet_at_once(arithmetic, &start);
+}
+
+//: Meet in a hyperplane
+static tf_meeting meet_in_hyperplane(const tf_arithmetic *arithmetic,
+                                     const tf_pair *pair)
+{
+    return meet_in_shadows(arithmetic, pair, tf_meet);
+}
+
+//: Meet in space-time
+tf_meeting tf_meet(const tf_arithmetic *arithmetic, const tf_pair *pair)
+{
+    TF_REQUIRE(pair->count == pair->axes + 3);
+    tf_meeting meeting;
+    if (tf_complementary_meet(arithmetic, pair, &meeting))
+        return meeting;
+
+    // Only now do the slices count: in general position a contact at t = 0
+    // shows in the signs.
+    tf_meeting start = meet_at_start(arithmetic, pair);
+    if (start.verdict == TF_HIT) {
+        meeting = start;
+    } else {
+        tf_meeting faces = meet_in_faces(arithmetic, pair, meet_in_hyperplane);
+        meeting = tf_meeting_earlier(&start, &faces);
+    }
+    meeting.decision = TF_DEGENERATE;
+    meeting.unique = false;
+    return meeting;
+}

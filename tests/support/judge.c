@@ -4,7 +4,6 @@
 #include "arithmetic/exact.h"
 
 #include <math.h>
-#include <stdio.h>
 
 void truth_init(truth *known)
 {
@@ -47,12 +46,18 @@ static bool sane_times(const tf_contact *contact)
 static const char *explain(const tf_arithmetic *arithmetic, const char *fault,
                            const tf_contact *contact, const truth *known)
 {
-    static char text[4096];
-    double t = known->hit ? mpq_get_d(known->toi) : NAN;
-    snprintf(text, sizeof text,
-             "%s: %s (verdict %d, time [%a, %a]; true hit %d, time %a)",
-             arithmetic->name, fault, (int)contact->verdict, contact->toi_lo,
-             contact->toi_hi, known->hit, t);
+    // The true time may be less than any double.
+    mpf_t t;
+    mpf_init(t);
+    if (known->hit)
+        mpf_set_q(t, known->toi);
+    static char text[1024];
+    gmp_snprintf(text, sizeof text,
+                 "%s: %s: verdict %d, time [%a, %a]; true: %s %.17Fe",
+                 arithmetic->name, fault, (int)contact->verdict,
+                 contact->toi_lo, contact->toi_hi,
+                 known->hit ? "hit at" : "apart", t);
+    mpf_clear(t);
     return text;
 }
 

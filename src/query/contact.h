@@ -29,7 +29,13 @@ typedef struct tf_contact {
 //: Declare the query of any two elements
 /// Whether, when and how two moving elements first meet.  `first` and `second`
 /// hold vertices in increasing index; axes = 2: 1 + 2 vertices, axes = 3: 1 + 3
-/// or 2 + 2.  Touching counts as meeting.
+/// or 2 + 2.  Touching counts as meeting: elements that touch at the start meet
+/// at t = 0, at rest or not.
+///
+/// No case is special.  An edge of no length is a point and a triangle of no
+/// area an edge or a point, and is met as such; motion within a line or a plane
+/// finds the first time at which the shapes within it meet; a normal that does
+/// not exist is zero, and so is the speed then.
 ///
 /// TF_NOT_FINITE or TF_OUT_OF_RANGE leave *contact unset.
 tf_status tf_query(const tf_arithmetic *arithmetic, int axes, int vertices,

@@ -187,7 +187,8 @@ static int smaller_side(const tf_pair *pair)
 /// How far late / (early + late) may be from the true ratio t.  Each value
 /// hides one rounding, at most one sum within a time, the sum of the times and
 /// the quotient add one each: the first three change t by less than
-/// 3 t (1 - t) u, the last two by 2 t u; one more t u covers the second order.
+/// 3 t (1 - t) u, the last two by 2 t u; one more t u covers the second order
+/// and the rounding of the bounds themselves.
 static double ratio_margin(double t)
 {
     return t * (6 - 3 * t) * (DBL_EPSILON / 2) + 0x1p-1070;

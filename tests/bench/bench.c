@@ -70,7 +70,7 @@ static workload random_workload(const char *name, int vertices, double size)
 // Rest: a tilted flat cloth that does not move, as a grid of triangles
 
 enum {
-    SIDE = 24,        // vertices along a side
+    SIDE = 40,        // vertices along a side
     CELLS = SIDE - 1, // cells along a side
     TRIANGLES = 2 * CELLS * CELLS,
     EDGES = 2 * SIDE * CELLS + CELLS * CELLS,
@@ -81,10 +81,13 @@ typedef struct element {
     int vertex[3]; // increasing
 } element;
 
+/// A vertex of the grid, moved about within the cloth and tilted with it: flat
+/// but for the rounding of three coordinates.
 static tf_worldline cloth_vertex(int index)
 {
-    double u = (double)(index % SIDE) / CELLS - 0.5;
-    double v = (double)(index / SIDE) / CELLS - 0.5;
+    generator random = generator_new((uint64_t)index);
+    double u = (index % SIDE + uniform(&random, -0.4, 0.4)) / CELLS - 0.5;
+    double v = (index / SIDE + uniform(&random, -0.4, 0.4)) / CELLS - 0.5;
     double x[TF_AXES] = {0.8 * u - 0.36 * v, 0.6 * u + 0.48 * v, 0.8 * v};
     return tf_worldline_between(TF_AXES, x, x);
 }

@@ -1,0 +1,39 @@
+#include "query/point_edge.h"
+
+#include "arithmetic/clamped.h"
+#include "support/support.h"
+
+// A point falls at x through the edge from (2^-10, 0) to (1, 0), at its ends and
+// an ulp beyond.
+
+static tf_verdict fall(double x)
+{
+    tf_worldline point =
+        tf_worldline_between(2, (double[]){x, 1}, (double[]){x, -1});
+    tf_worldline edge[2] = {
+        tf_worldline_between(2, (double[]){0x1p-10, 0}, (double[]){0x1p-10, 0}),
+        tf_worldline_between(2, (double[]){1, 0}, (double[]){1, 0}),
+    };
+    tf_contact contact;
+    ck_assert_int_eq(tf_point_edge(&tf_clamped, &point, edge, &contact), TF_OK);
+    return contact.verdict;
+}
+
+START_TEST(point_meets_an_edge_between_its_ends)
+{
+    ck_assert_int_eq(fall(0.5), TF_HIT);
+    ck_assert_int_eq(fall(0x1p-10), TF_HIT);
+    ck_assert_int_eq(fall(1), TF_HIT);
+    ck_assert_int_eq(fall(0x1.fffffffffffffp-11), TF_APART);
+    ck_assert_int_eq(fall(0x1.0000000000001p0), TF_APART);
+}
+END_TEST
+
+Suite *suite(void)
+{
+    Suite *suite = suite_create("query/point_edge");
+    TCase *tcase = tcase_create("point_edge");
+    tcase_add_test(tcase, point_meets_an_edge_between_its_ends);
+    suite_add_tcase(suite, tcase);
+    return suite;
+}

@@ -201,10 +201,11 @@ chapter: need-check ## build and test the first N=3 chapters alone
 	    -fsyntax-only -x c $(tree)/$$header || exit 1; done
 	+@$(MAKE) check BUILD=$(BUILD)/chapter/$(N) SRC=$(tree) CHAPTERS=$(N)
 
-check-chapters: check-manifest need-check ## see that each chapter needs no later one
-	@python3 book/fragments.py check src
-	@python3 tests/book/fragments_test.py
-	+@wrong=0; for n in $$(seq $(CHAPTERS)); do echo "Chapter $$n"; \
+check-chapters: need-chapters ## see that each chapter needs no later one
+	+@wrong=0; $(MAKE) check-manifest || wrong=1; \
+	python3 book/fragments.py check src || wrong=1; \
+	python3 tests/book/fragments_test.py || wrong=1; \
+	for n in $$(seq $(CHAPTERS)); do echo "Chapter $$n"; \
 	    $(MAKE) chapter N=$$n TF_TEST_PERCENT=5 || wrong=1; done; exit $$wrong
 .PHONY: check-manifest chapter check-chapters
 
@@ -233,7 +234,7 @@ compilers = gcc-O0 gcc-O2 gcc-O3 clang-O2
 answers = $(compilers:%=$(BUILD)/compilers/%/answers)
 
 check-compilers: need-compilers ## compare the answers of builds by gcc and clang
-	+@$(MAKE) $(answers)
+	+@$(MAKE) $(parallel) $(answers)
 	@for other in $(answers); do cmp $(firstword $(answers)) $$other || exit 1; done
 	@echo "the same answers of $(compilers): $$(wc -l <$(firstword $(answers))) lines"
 	@for cc in gcc clang; do for file in src/contract.c src/tanglefree.h; do \
@@ -317,7 +318,7 @@ build     libc6-dev        math.h            has the headers of the C library
 check     check            check.h           is the framework of the tests
 check     libgmp-dev       gmp.h             gives the tests exact numbers
 check     pkg-config       pkg-config        tells how to link the tests
-check     python3          python3           runs the check of the fragments
+chapters  python3          python3           runs the check of the fragments
 fuzz      clang            clang             compiles the fuzzers
 fuzz      libclang-rt-dev  -fsanitize=fuzzer runs the fuzzers
 compilers gcc              gcc               is one of the compilers
@@ -329,10 +330,10 @@ static    clang-tidy       clang-tidy        reads the code for errors
 static    cppcheck         cppcheck          reads the code for errors
 endef
 
-needs = build check fuzz compilers coverage format static
+needs = build check chapters fuzz compilers coverage format static
 .PHONY: $(needs:%=need-%) deps
-need-check need-compilers: | need-build
-need-fuzz need-coverage need-static: | need-check
+need-check need-compilers need-static need-format: | need-build
+need-chapters need-fuzz need-coverage: | need-check
 
 deps: | $(needs:%=need-%) ## install the packages that all targets need
 
@@ -349,13 +350,17 @@ $(needs:%=need-%): need-%:
 	    echo "$$package is missing; it $$purpose." >&2; \
 	    printf ' %s' $$package; done); \
 	[ "$$missing" ] || exit 0; \
-	install="apt-get update; apt-get install -y --no-install-recommends$$missing"; \
 	command -v apt-get >/dev/null || { \
-	    echo "These are Debian's names; please install them and try again."; exit 1; }; \
-	if [ $$(id -u) = 0 ]; then as_root=; else as_root=sudo; fi; \
-	echo "$$as_root $$install"; \
-	$$as_root env DEBIAN_FRONTEND=noninteractive sh -c "$$install" || { \
-	    echo "That failed.  As root, type:" >&2; echo "$$install" >&2; exit 1; }
+	    echo "These are Debian's names; please install them and try again."; \
+	    exit 1; }; \
+	install="apt-get update; apt-get install -y --no-install-recommends$$missing"; \
+	run=; if [ "$$(id -u)" = 0 ]; then run=env; \
+	elif command -v sudo >/dev/null; then run='sudo env'; fi; \
+	if [ "$$run" ]; then \
+	    echo "Installing: $$install"; \
+	    $$run DEBIAN_FRONTEND=noninteractive sh -c "$$install" && exit 0; \
+	fi; \
+	echo "Please type, as root: $$install" >&2; exit 1
 
 # What the compiler found out about headers.
 -include $(patsubst %,%.d,$(basename $(call objects,$(MODULES)) \

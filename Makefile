@@ -120,7 +120,7 @@ $(BUILD)/tests/%.log: $(BUILD)/tests/% $(program) FORCE
 
 check: need-check ## build and run the tests
 	+@rm -f $(TESTS:=.log); \
-	$(MAKE) $(parallel) -k -O library program $(TESTS:=.log); built=$$?; \
+	$(MAKE) $(parallel) -k -O $(library) $(program) $(TESTS:=.log); built=$$?; \
 	for log in $(TESTS:=.log); do \
 	    grep -s '%: Checks:' $$log || echo '0%: Checks: 1, Failures: 0, Errors: 1'; \
 	done | awk '{ bad += $$5 + $$7; good += $$3 - $$5 - $$7 } \

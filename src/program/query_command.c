@@ -174,9 +174,9 @@ static void complain(answering *work)
 {
     if (work->rounded > 0)
         fprintf(stderr,
-                "tanglefree: %ld rational coordinate%s no double; rounded to "
-                "nearest\n",
-                work->rounded, work->rounded == 1 ? " is" : "s are");
+                "tanglefree: %ld rational coordinate%s; rounded to nearest\n",
+                work->rounded,
+                work->rounded == 1 ? " is no double" : "s are no doubles");
     if (work->output.error != 0)
         fprintf(stderr,
                 "tanglefree: standard output: cannot write: %s; mend that and "

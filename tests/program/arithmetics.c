@@ -1,0 +1,50 @@
+#include "program/arithmetics.h"
+
+#include "arithmetic/clamped.h"
+#include "arithmetic/exact.h"
+#include "arithmetic/integer.h"
+#include "support/support.h"
+
+#include <string.h>
+
+START_TEST(every_name_finds_its_arithmetic)
+{
+    ck_assert_ptr_eq(tf_arithmetic_named("exact"), &tf_exact);
+    ck_assert_ptr_eq(tf_arithmetic_named("clamped"), &tf_clamped);
+    ck_assert_ptr_eq(tf_arithmetic_named("report"), &tf_report);
+    ck_assert_ptr_eq(tf_arithmetic_named("integer64"), &tf_integer64);
+    ck_assert_ptr_eq(tf_arithmetic_named("integer128"), &tf_integer128);
+}
+END_TEST
+
+START_TEST(the_names_told_are_those_found)
+{
+    char names[] = TF_ARITHMETIC_NAMES;
+    int found = 0;
+    for (char *name = strtok(names, ", "); name; name = strtok(NULL, ", "))
+        if (strcmp(name, "or") != 0) {
+            ck_assert_msg(tf_arithmetic_named(name), "no '%s'", name);
+            found++;
+        }
+    ck_assert_int_eq(found, 5);
+}
+END_TEST
+
+START_TEST(other_names_find_nothing)
+{
+    static const char *const names[] = {"", "perturbed", "Exact", "exact "};
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+        ck_assert_msg(!tf_arithmetic_named(names[i]), "'%s'", names[i]);
+}
+END_TEST
+
+Suite *suite(void)
+{
+    Suite *suite = suite_create("program/arithmetics");
+    TCase *names = tcase_create("names");
+    tcase_add_test(names, every_name_finds_its_arithmetic);
+    tcase_add_test(names, the_names_told_are_those_found);
+    tcase_add_test(names, other_names_find_nothing);
+    suite_add_tcase(suite, names);
+    return suite;
+}

@@ -1,0 +1,131 @@
+#define _GNU_SOURCE // posix_openpt
+
+#include "program/progress.h"
+
+#include "support/support.h"
+
+#include <fcntl.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+static double seconds(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+static void replace(int descriptor, const char *path)
+{
+    int file = open(path, O_WRONLY | O_NOCTTY);
+    if (file < 0 || dup2(file, descriptor) < 0)
+        _exit(1);
+}
+
+/// Work for a while, with these two as standard output and error.
+static void work(const char *out, const char *err, double duration)
+{
+    replace(STDOUT_FILENO, out);
+    replace(STDERR_FILENO, err);
+    tf_progress progress = tf_progress_begin();
+    for (double end = seconds() + duration; seconds() < end; usleep(1000))
+        tf_progress_tell(&progress, 1234567, "queries");
+    tf_progress_end(&progress);
+    _exit(0);
+}
+
+static int terminal;
+static char name[100];
+
+static void open_terminal(void)
+{
+    terminal = posix_openpt(O_RDWR | O_NOCTTY);
+    ck_assert_int_ge(terminal, 0);
+    ck_assert_int_eq(grantpt(terminal), 0);
+    ck_assert_int_eq(unlockpt(terminal), 0);
+    ck_assert_int_eq(ptsname_r(terminal, name, sizeof name), 0);
+}
+
+static void close_terminal(void)
+{
+    close(terminal);
+}
+
+/// What the terminal shows, followed by a full stop.
+static const char *shown(const char *out, const char *err, double duration)
+{
+    int other_end = open(name, O_WRONLY | O_NOCTTY);
+    pid_t worker = fork();
+    if (worker == 0)
+        work(out, err, duration);
+    int status = 1;
+    waitpid(worker, &status, 0);
+    ck_assert_int_eq(status, 0);
+    ck_assert_int_eq(write(other_end, ".", 1), 1);
+
+    static char text[10000];
+    size_t length = 0;
+    while (length == 0 || text[length - 1] != '.') {
+        ssize_t more = read(terminal, text + length, sizeof text - 1 - length);
+        ck_assert_int_gt(more, 0);
+        length += (size_t)more;
+    }
+    text[length] = '\0';
+    close(other_end);
+    return text;
+}
+
+START_TEST(a_line_after_a_second_erased_at_the_end)
+{
+    const char *text = shown("/dev/null", name, 2);
+    static const char line[] = "\r1,234,567 queries";
+    int lines = 0;
+    while (strncmp(text, line, strlen(line)) == 0) {
+        text += strlen(line);
+        lines++;
+    }
+    ck_assert_str_eq(text, "\r\033[K.");
+    ck_assert_msg(lines >= 1 && lines <= 6, "%d lines", lines);
+}
+END_TEST
+
+START_TEST(nothing_within_a_second)
+{
+    ck_assert_str_eq(shown("/dev/null", name, 0.1), ".");
+}
+END_TEST
+
+START_TEST(nothing_where_answers_go_to_the_terminal)
+{
+    ck_assert_str_eq(shown(name, name, 1.2), ".");
+}
+END_TEST
+
+START_TEST(nothing_in_a_log)
+{
+    ck_assert_str_eq(shown(name, "/dev/null", 1.2), ".");
+    char log[] = "/tmp/tanglefree-log-XXXXXX";
+    int file = mkstemp(log);
+    shown("/dev/null", log, 1.2);
+    ck_assert_int_eq(lseek(file, 0, SEEK_END), 0);
+    close(file);
+    unlink(log);
+}
+END_TEST
+
+Suite *suite(void)
+{
+    Suite *suite = suite_create("program/progress");
+    TCase *line = tcase_create("the line");
+    tcase_add_checked_fixture(line, open_terminal, close_terminal);
+    tcase_add_test(line, a_line_after_a_second_erased_at_the_end);
+    tcase_add_test(line, nothing_within_a_second);
+    tcase_add_test(line, nothing_where_answers_go_to_the_terminal);
+    tcase_add_test(line, nothing_in_a_log);
+    suite_add_tcase(suite, line);
+    return suite;
+}

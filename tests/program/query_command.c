@@ -1,0 +1,748 @@
+#define _GNU_SOURCE // mkdtemp, realpath, nftw
+
+#include "support/support.h"
+
+#include <ftw.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+// A folder to work in ----------------------------------------------------------
+
+static char program[4096], queries[4096];
+
+/// Find the program, then stay in a new folder.
+static void enter_folder(void)
+{
+    const char *told = getenv("TANGLEFREE");
+    ck_assert_msg(realpath(told ? told : "build/tanglefree", program),
+                  "TANGLEFREE does not name the program");
+    ck_assert(realpath("tests/queries", queries));
+    char folder[] = "/tmp/tanglefree-test-XXXXXX";
+    ck_assert(mkdtemp(folder));
+    ck_assert_int_eq(chdir(folder), 0);
+    ck_assert_int_eq(setenv("TANGLEFREE", program, 1), 0);
+    ck_assert_int_eq(setenv("QUERIES", queries, 1), 0);
+}
+
+static int remove_entry(const char *path, const struct stat *status, int type,
+                        struct FTW *place)
+{
+    (void)status;
+    (void)type;
+    (void)place;
+    return remove(path);
+}
+
+static void leave_folder(void)
+{
+    char *folder = getcwd(NULL, 0);
+    ck_assert_int_eq(chdir("/"), 0);
+    nftw(folder, remove_entry, 8, FTW_DEPTH | FTW_PHYS);
+    free(folder);
+}
+
+static void make_file(const char *name, const char *text)
+{
+    FILE *file = fopen(name, "w");
+    ck_assert_ptr_nonnull(file);
+    fputs(text, file);
+    fclose(file);
+}
+
+static char *file_text(const char *name)
+{
+    static char text[2][100000];
+    static int next;
+    char *read = text[next = !next];
+    FILE *file = fopen(name, "r");
+    ck_assert_ptr_nonnull(file);
+    size_t length = fread(read, 1, sizeof text[0] - 1, file);
+    read[length] = '\0';
+    fclose(file);
+    return read;
+}
+
+// Running the program ----------------------------------------------------------
+
+typedef struct outcome {
+    int status;
+    const char *out, *err;
+} outcome;
+
+/// Run a line of shell, in which $tf is the program.
+__attribute__((format(printf, 1, 2))) static outcome run(const char *format,
+                                                         ...)
+{
+    char line[1000];
+    int length = snprintf(line, sizeof line, "{ tf=\"$TANGLEFREE\"; ");
+    va_list arguments;
+    va_start(arguments, format);
+    length += vsnprintf(line + length, sizeof line - (size_t)length, format,
+                        arguments);
+    va_end(arguments);
+    snprintf(line + length, sizeof line - (size_t)length,
+             "\n} </dev/null >out 2>err");
+    int status = system(line);
+    ck_assert_msg(WIFEXITED(status), "%s: status %#x", line, (unsigned)status);
+    return (outcome){WEXITSTATUS(status), file_text("out"), file_text("err")};
+}
+
+static void expect(outcome found, int status, const char *out, const char *err)
+{
+    ck_assert_str_eq(found.err, err);
+    ck_assert_str_eq(found.out, out);
+    ck_assert_int_eq(found.status, status);
+}
+
+static int count(const char *text, const char *words)
+{
+    int times = 0;
+    while ((text = strstr(text, words))) {
+        text += strlen(words);
+        times++;
+    }
+    return times;
+}
+
+static void expect_words(const char *text, const char *words)
+{
+    ck_assert_msg(strstr(text, words), "'%s' is not in '%s'", words, text);
+}
+
+// A hit at t = 1/2 and a miss, of a point that falls on an edge.
+#define HIT "0,1\n-1,0\n2,0\n0,-1\n-1,0\n2,0\n"
+#define MISS "0,1\n-1,0\n1,0\n0,1\n-1,0\n1,0\n"
+#define HEADER "query,hit,toi_lo,toi_hi,nx,ny,nz,speed,case\n"
+#define MISS_ANSWER ",0,,,,,,,\n"
+
+/// Expect two misses answered, then this message about the file "bad".
+static void expect_fault(const char *text, const char *message)
+{
+    char rows[10000];
+    snprintf(rows, sizeof rows, "%s%s%s", MISS, MISS, text);
+    make_file("bad", rows);
+    outcome found = run("$tf query --kind point-edge bad");
+    ck_assert_str_eq(found.out, HEADER "0" MISS_ANSWER "1" MISS_ANSWER);
+    ck_assert_int_eq(found.status, 2);
+    char right[1000];
+    snprintf(right, sizeof right, "tanglefree: bad:%s\n", message);
+    ck_assert_str_eq(found.err, right);
+}
+
+// Answers ----------------------------------------------------------------------
+
+START_TEST(a_hit_and_a_miss)
+{
+    make_file("in", HIT MISS);
+    outcome found = run("$tf query --kind point-edge in");
+    double lo, hi, nx, ny, speed;
+    char decision[20];
+    ck_assert_int_eq(sscanf(found.out,
+                            HEADER "0,1,%lf,%lf,%lf,%lf,,%lf,%19[a-z]", &lo,
+                            &hi, &nx, &ny, &speed, decision),
+                     6);
+    ck_assert_msg(lo <= 0.5 && 0.5 <= hi && hi - lo <= 0x1p-50, "[%a, %a]", lo,
+                  hi);
+    ck_assert(nx == 0 && ny == 1 && speed == -2);
+    ck_assert_str_eq(decision, "generic");
+    expect_words(found.out, "\n1" MISS_ANSWER);
+    ck_assert_str_eq(found.err, "");
+    ck_assert_int_eq(found.status, 0);
+}
+END_TEST
+
+START_TEST(every_kind_and_arithmetic_and_output)
+{
+    static const char *const kinds[] = {"point-edge", "point-triangle",
+                                        "edge-edge"};
+    static const char *const arithmetics[] = {"exact", "clamped", "report"};
+    static const char *const outputs[] = {"csv", "json", "summary"};
+    for (int i = 0; i < 27; i++) {
+        outcome found = run("$tf query --kind=%s --arithmetic=%s --output=%s "
+                            "$QUERIES/%s.csv",
+                            kinds[i / 9], arithmetics[i / 3 % 3],
+                            outputs[i % 3], kinds[i / 9]);
+        ck_assert_str_eq(found.err, "");
+        ck_assert_int_eq(found.status, 0);
+        if (i % 3 < 2)
+            ck_assert_int_ge(count(found.out, "\n"), 7);
+    }
+}
+END_TEST
+
+START_TEST(exact_answers_of_the_kept_queries)
+{
+    expect(run("$tf query -k point-edge -o summary $QUERIES/point-edge.csv"), 0,
+           "queries: 7\nhits: 5\ngeneric: 3\ntouching: 1\ndegenerate: 1\n", "");
+    expect(run("$tf query -k point-triangle -o summary "
+               "$QUERIES/point-triangle.csv"),
+           0, "queries: 6\nhits: 5\ngeneric: 3\ntouching: 1\ndegenerate: 1\n",
+           "");
+    expect(run("$tf query -k edge-edge -o summary $QUERIES/edge-edge.csv"), 0,
+           "queries: 6\nhits: 5\ngeneric: 3\ntouching: 0\ndegenerate: 2\n", "");
+}
+END_TEST
+
+START_TEST(vertex_face_is_point_triangle)
+{
+    char triangle[10000];
+    strcpy(triangle, run("$tf query -k point-triangle "
+                         "$QUERIES/point-triangle.csv")
+                         .out);
+    expect(run("$tf query -k vertex-face $QUERIES/point-triangle.csv"), 0,
+           triangle, "");
+}
+END_TEST
+
+START_TEST(exact_is_the_arithmetic_unless_told)
+{
+    char exact[10000];
+    strcpy(exact, run("$tf query -k edge-edge -a exact "
+                      "$QUERIES/edge-edge.csv")
+                      .out);
+    expect(run("$tf query -k edge-edge $QUERIES/edge-edge.csv"), 0, exact, "");
+}
+END_TEST
+
+START_TEST(integers_by_three_exact_arithmetics)
+{
+    char exact[1000];
+    make_file("in", HIT MISS);
+    strcpy(exact, run("$tf query -k point-edge in").out);
+    expect(run("$tf query -k point-edge -a integer64 in"), 0, exact, "");
+    expect(run("$tf query -k point-edge -a integer128 in"), 0, exact, "");
+}
+END_TEST
+
+START_TEST(undecided_is_a_hit)
+{
+    // A point on an edge that is no multiple of anything, but for a rounding.
+    make_file("in", "0.1,0.3\n-0.7,-2.1\n1.1,3.3000000000000003\n"
+                    "0.1,0.3\n-0.7,-2.1\n1.1,3.3000000000000003\n");
+    outcome found = run("$tf query -k point-edge -a clamped -o summary in");
+    expect_words(found.out, "hits: 1\n");
+    ck_assert_int_eq(found.status, 0);
+}
+END_TEST
+
+START_TEST(json_is_an_array_of_objects)
+{
+    make_file("in", MISS MISS);
+    static const char nulls[] =
+        ",\"hit\":0,\"toi_lo\":null,\"toi_hi\":null,\"nx\":null,\"ny\":null,"
+        "\"nz\":null,\"speed\":null,\"case\":null}";
+    char right[1000];
+    snprintf(right, sizeof right, "[\n{\"query\":0%s,\n{\"query\":1%s\n]\n",
+             nulls, nulls);
+    expect(run("$tf query -k point-edge -o json in"), 0, right, "");
+}
+END_TEST
+
+START_TEST(json_of_a_hit_has_numbers)
+{
+    make_file("in", HIT);
+    outcome found = run("$tf query -k point-edge -o json in");
+    double lo, hi;
+    ck_assert_int_eq(sscanf(found.out,
+                            "[\n{\"query\":0,\"hit\":1,\"toi_lo\":%lf,"
+                            "\"toi_hi\":%lf,",
+                            &lo, &hi),
+                     2);
+    expect_words(found.out, ",\"nz\":null,\"speed\":-2,\"case\":\"generic\"}"
+                            "\n]\n");
+}
+END_TEST
+
+START_TEST(json_is_closed_before_bad_input)
+{
+    make_file("in", MISS "0,1\nx,0\n");
+    outcome found = run("$tf query -k point-edge -o json in");
+    ck_assert_int_eq(found.status, 2);
+    ck_assert_int_eq(count(found.out, "{"), 1);
+    expect_words(found.out, ",\"case\":null}\n]\n");
+    make_file("in", "x,0\n");
+    found = run("$tf query -k point-edge -o json in");
+    ck_assert_str_eq(found.out, "[\n]\n");
+    ck_assert_int_eq(found.status, 2);
+}
+END_TEST
+
+START_TEST(summary_tells_agreement_with_the_truth)
+{
+    // The same hit, called right and wrong; the same miss.
+    static const char *const rows[2] = {
+        "0,1,1,1,%d\n-1,1,0,1,%d\n2,1,0,1,%d\n"
+        "0,1,-1,1,%d\n-1,1,0,1,%d\n2,1,0,1,%d\n",
+        "0,1,1,1,%d\n-1,1,0,1,%d\n1,1,0,1,%d\n"
+        "0,1,1,1,%d\n-1,1,0,1,%d\n1,1,0,1,%d\n"};
+    char text[2000] = "";
+    static const int hits_and_truths[][2] = {{1, 1}, {1, 0}, {1, 0},
+                                             {0, 0}, {0, 1}, {0, 0}};
+    for (int i = 0; i < 6; i++)
+        for (const char *c = rows[!hits_and_truths[i][0]]; *c; c++) {
+            char written[2] = {*c, '\0'};
+            if (*c == '%')
+                written[0] = (char)('0' + hits_and_truths[i][1]);
+            c += *c == '%';
+            strcat(text, written);
+        }
+    make_file("in", text);
+    expect(run("$tf query -k point-edge -o summary in"), 0,
+           "queries: 6\nhits: 3\ngeneric: 3\ntouching: 0\ndegenerate: 0\n"
+           "agree: 3\nextra: 2\nmissed: 1\n",
+           "");
+}
+END_TEST
+
+// Input ------------------------------------------------------------------------
+
+START_TEST(several_files_are_counted_through)
+{
+    make_file("one", MISS MISS);
+    make_file("two", MISS);
+    // Columns are chosen anew for each file.
+    make_file("three", "0,1,1,1\n-1,1,0,1\n1,1,0,1\n"
+                       "0,1,1,1\n-1,1,0,1\n1,1,0,1\n");
+    expect(run("$tf query one -k point-edge two three"), 0,
+           HEADER "0" MISS_ANSWER "1" MISS_ANSWER "2" MISS_ANSWER
+                  "3" MISS_ANSWER,
+           "");
+}
+END_TEST
+
+START_TEST(standard_input)
+{
+    make_file("in", MISS);
+    expect(run("$tf query -k point-edge <in"), 0, HEADER "0" MISS_ANSWER, "");
+    expect(run("$tf query -k point-edge in - in <in"), 0,
+           HEADER "0" MISS_ANSWER "1" MISS_ANSWER "2" MISS_ANSWER, "");
+    make_file("in", MISS "1,x\n");
+    expect(run("$tf query -k point-edge <in"), 2, HEADER "0" MISS_ANSWER,
+           "tanglefree: standard input:7: column 2 is \"x\", not a finite "
+           "number; write a decimal or a hexadecimal float\n");
+}
+END_TEST
+
+START_TEST(a_pipe_that_ends_within_a_query)
+{
+    make_file("in", MISS "1,2\n");
+    expect(run("cat in | $tf query -k point-edge"), 2, HEADER "0" MISS_ANSWER,
+           "tanglefree: standard input:7: query 1 has 1 of 6 rows; add those "
+           "missing\n");
+}
+END_TEST
+
+START_TEST(closed_standard_input)
+{
+    expect(run("$tf query -k point-edge <&-"), 2, HEADER,
+           "tanglefree: standard input:1: cannot read: Bad file descriptor; "
+           "name a file to read\n");
+}
+END_TEST
+
+START_TEST(windows_text)
+{
+    make_file("in", "\xEF\xBB\xBF" MISS MISS);
+    expect(run("sed 's/$/\\r/' in >windows && "
+               "$tf query -k point-edge windows"),
+           0, HEADER "0" MISS_ANSWER "1" MISS_ANSWER, "");
+}
+END_TEST
+
+START_TEST(rounded_coordinates_are_told_once)
+{
+    make_file("one", "1,3,2,1\n0,1,1,1\n1,1,1,1\n1,3,2,1\n0,1,1,1\n1,1,1,1\n");
+    make_file("two", "1,7,2,1\n0,1,1,1\n1,1,1,1\n0,3,2,1\n0,1,1,1\n1,1,1,1\n");
+    expect(run("$tf query -k point-edge two"), 0, HEADER "0" MISS_ANSWER,
+           "tanglefree: 1 rational coordinate is no double; rounded to "
+           "nearest\n");
+    expect(run("$tf query -k point-edge one two"), 0,
+           HEADER "0" MISS_ANSWER "1" MISS_ANSWER,
+           "tanglefree: 3 rational coordinates are no doubles; rounded to "
+           "nearest\n");
+}
+END_TEST
+
+START_TEST(many_queries_in_little_memory)
+{
+    make_file("in", MISS);
+    expect(run("for i in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15; do "
+               "cat in in >more; mv more in; done; ulimit -v 40000; "
+               "$tf query -k point-edge -o summary in"),
+           0,
+           "queries: 32768\nhits: 0\ngeneric: 0\ntouching: 0\n"
+           "degenerate: 0\n",
+           "");
+}
+END_TEST
+
+// Bad input --------------------------------------------------------------------
+
+START_TEST(nan_is_refused)
+{
+    expect_fault("0,nan\n",
+                 "13: column 2 is \"nan\", not a finite number; write a "
+                 "decimal or a hexadecimal float");
+}
+END_TEST
+
+START_TEST(infinity_is_refused)
+{
+    expect_fault("0,0\n-inf,0\n",
+                 "14: column 1 is \"-inf\", not a finite number; write a "
+                 "decimal or a hexadecimal float");
+}
+END_TEST
+
+START_TEST(text_in_a_number_is_refused)
+{
+    expect_fault("0,0\n1.5x,0\n",
+                 "14: column 1 is \"1.5x\", not a finite number; write a "
+                 "decimal or a hexadecimal float");
+}
+END_TEST
+
+START_TEST(overflow_is_refused)
+{
+    expect_fault("0,1e999\n", "13: column 2 is \"1e999\", beyond the largest "
+                              "double; scale the scene down");
+}
+END_TEST
+
+START_TEST(a_missing_column_is_refused)
+{
+    expect_fault("0,0\n1\n",
+                 "14: a missing column: 1 where the first row has 2; give all "
+                 "rows as many");
+}
+END_TEST
+
+START_TEST(missing_rows_are_refused)
+{
+    expect_fault("0,0\n1,1\n0,0\n1,1\n0,0\n",
+                 "17: query 2 has 5 of 6 rows; add those missing");
+}
+END_TEST
+
+START_TEST(a_blank_line_is_refused)
+{
+    expect_fault("\n" MISS, "13: a blank line between rows; delete it");
+}
+END_TEST
+
+START_TEST(a_zero_denominator_is_refused)
+{
+    make_file("bad", "0,1,1,1\n-1,1,0,0\n");
+    expect(run("$tf query -k point-edge bad"), 2, HEADER,
+           "tanglefree: bad:2: column 4 is a zero denominator; write another "
+           "integer\n");
+}
+END_TEST
+
+START_TEST(a_nul_byte_is_refused)
+{
+    make_file("in", MISS);
+    expect(run("head -c 5 /dev/zero | cat in - >bad; "
+               "$tf query -k point-edge bad"),
+           2, HEADER "0" MISS_ANSWER,
+           "tanglefree: bad:7: a NUL byte; give plain text (ASCII or UTF-8, "
+           "not UTF-16 or binary)\n");
+}
+END_TEST
+
+START_TEST(an_empty_file_is_refused)
+{
+    make_file("in", MISS);
+    make_file("bad", "");
+    expect(run("$tf query -k point-edge in bad in"), 2, HEADER "0" MISS_ANSWER,
+           "tanglefree: bad:1: no rows; give 6 rows a query\n");
+}
+END_TEST
+
+START_TEST(a_directory_is_refused)
+{
+    make_file("in", MISS);
+    expect(run("mkdir bad; $tf query -k point-edge in bad"), 2,
+           HEADER "0" MISS_ANSWER,
+           "tanglefree: bad:1: cannot read: Is a directory; name a file to "
+           "read\n");
+}
+END_TEST
+
+START_TEST(an_absent_file_is_refused)
+{
+    make_file("in", MISS);
+    expect(run("$tf query -k point-edge in bad in"), 2, HEADER "0" MISS_ANSWER,
+           "tanglefree: bad: cannot open: No such file or directory; name a "
+           "file to read\n");
+}
+END_TEST
+
+/// The second of two files goes away while the first, a pipe, is read; and a
+/// file that is open goes on being read when its name has gone.
+START_TEST(a_file_that_vanishes)
+{
+    make_file("bad", MISS);
+    make_file("in", MISS);
+    expect(run("mkfifo pipe; $tf query -k point-edge pipe bad & "
+               "{ head -n 3 in; rm bad; tail -n 3 in; } >pipe; wait $!"),
+           2, HEADER "0" MISS_ANSWER,
+           "tanglefree: bad: cannot open: No such file or directory; name a "
+           "file to read\n");
+    expect(run("$tf query -k point-edge pipe & exec 3>pipe; "
+               "rm pipe; cat in >&3; exec 3>&-; wait $!"),
+           0, HEADER "0" MISS_ANSWER, "");
+}
+END_TEST
+
+START_TEST(a_file_without_permission)
+{
+    if (geteuid() == 0)
+        return;
+    make_file("bad", MISS);
+    expect(run("chmod 0 bad; $tf query -k point-edge bad"), 2, HEADER,
+           "tanglefree: bad: cannot open: Permission denied; name a file to "
+           "read\n");
+}
+END_TEST
+
+START_TEST(a_coordinate_out_of_range)
+{
+    make_file("in", MISS "0,1\n-1,0\n1,0\n0,1\n1,1073741824\n1,0\n");
+    expect(run("$tf query -k point-edge -a integer64 in"), 2,
+           HEADER "0" MISS_ANSWER,
+           "tanglefree: in:11: the coordinate 1073741824 is out of range: "
+           "integer64 holds integers below 2^30 in absolute value; use "
+           "--arithmetic exact\n");
+    make_file("in", "0,0,0\n0,0,0.5\n0,0,0\n0,0,0\n"
+                    "0,0,0\n0,0,0\n0,0,0\n0,0,0\n");
+    expect(run("$tf query -k edge-edge -a integer128 in"), 2, HEADER,
+           "tanglefree: in:2: the coordinate 0.5 is out of range: integer128 "
+           "holds integers below 2^40 in absolute value; use --arithmetic "
+           "exact\n");
+}
+END_TEST
+
+START_TEST(bad_input_after_rounded_coordinates)
+{
+    make_file("in", "1,3,2,1\n0,1,1,1\n1,1,1,1\n1,3,2,1\n0,1,1,1\n1,1,1,1\n"
+                    "1,3,2,1\n\n");
+    expect(run("$tf query -k point-edge in"), 2, HEADER "0" MISS_ANSWER,
+           "tanglefree: 2 rational coordinates are no doubles; rounded to "
+           "nearest\n"
+           "tanglefree: in:7: query 1 has 1 of 6 rows; add those missing\n");
+}
+END_TEST
+
+// Output that cannot be written ------------------------------------------------
+
+#define NO_SPACE                                                               \
+    "tanglefree: standard output: cannot write: No space left on device"
+
+START_TEST(a_full_disk)
+{
+    static const char *const outputs[] = {"csv", "json", "summary"};
+    make_file("in", MISS);
+    for (int i = 0; i < 3; i++)
+        expect(run("$tf query -k point-edge -o %s in >/dev/full", outputs[i]),
+               2, "", NO_SPACE "; mend that and run again\n");
+}
+END_TEST
+
+START_TEST(a_full_disk_on_the_way)
+{
+    make_file("in", MISS);
+    // The input has no end, and must not be read to it.
+    expect(run("while cat in; do :; done 2>/dev/null | "
+               "$tf query -k point-edge >/dev/full"),
+           2, "", NO_SPACE "; mend that and run again\n");
+}
+END_TEST
+
+START_TEST(a_full_disk_for_help)
+{
+    expect(run("$tf --help >/dev/full"), 2, "", NO_SPACE "\n");
+    expect(run("$tf query --help >/dev/full"), 2, "", NO_SPACE "\n");
+    expect(run("$tf --version >/dev/full"), 2, "", NO_SPACE "\n");
+}
+END_TEST
+
+START_TEST(closed_standard_output)
+{
+    make_file("in", MISS);
+    expect(run("$tf query -k point-edge in >&-"), 2, "",
+           "tanglefree: standard output: cannot write: Bad file descriptor; "
+           "mend that and run again\n");
+    ck_assert_str_eq(file_text("in"), MISS);
+}
+END_TEST
+
+START_TEST(a_reader_that_leaves)
+{
+    make_file("in", MISS);
+    outcome found = run("while cat in; do :; done 2>/dev/null | "
+                        "$tf query -k point-edge | head -n 2");
+    expect(found, 0, HEADER "0" MISS_ANSWER, "");
+}
+END_TEST
+
+// Usage ------------------------------------------------------------------------
+
+START_TEST(help)
+{
+    outcome found = run("$tf --help");
+    ck_assert_int_eq(found.status, 0);
+    ck_assert_str_eq(found.err, "");
+    expect_words(found.out, "Usage: tanglefree [OPTION...] COMMAND");
+    expect_words(found.out, "\n  query ");
+}
+END_TEST
+
+START_TEST(help_for_the_command)
+{
+    outcome found = run("$tf query --help");
+    ck_assert_int_eq(found.status, 0);
+    ck_assert_str_eq(found.err, "");
+    static const char *const words[] = {
+        "Usage: tanglefree query [OPTION...] [FILE...]",
+        "--kind=KIND",
+        "--arithmetic=NAME",
+        "--output=FORMAT",
+        "point-edge",
+        "vertex-face",
+        "exact, clamped, report",
+        "csv, json or summary",
+        "hexadecimal",
+        "xnum,xden",
+        "toi_lo",
+        "degenerate",
+        "Exit status"};
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+        expect_words(found.out, words[i]);
+}
+END_TEST
+
+START_TEST(version)
+{
+    outcome found = run("$tf --version");
+    ck_assert_int_eq(strncmp(found.out, "tanglefree ", 11), 0);
+    ck_assert_int_eq(found.status, 0);
+    char same[100];
+    snprintf(same, sizeof same, "%s", found.out);
+    expect(run("$tf query --version"), 0, same, "");
+}
+END_TEST
+
+/// Expect nothing but a message that starts with these words.
+static void expect_usage(const char *arguments, const char *words)
+{
+    outcome found = run("$tf %s", arguments);
+    ck_assert_msg(strncmp(found.err, words, strlen(words)) == 0,
+                  "%s: '%s', not '%s'", arguments, found.err, words);
+    ck_assert_str_eq(found.out, "");
+    ck_assert_int_eq(found.status, 2);
+}
+
+START_TEST(commands_that_are_none)
+{
+    expect_usage("", "tanglefree: a command is missing; --help lists them\n");
+    expect_usage("detect", "tanglefree: no command is named 'detect'; --help "
+                           "lists them\n");
+    expect_usage("''", "tanglefree: no command is named ''");
+    expect_usage("--kind query", "tanglefree: ");
+}
+END_TEST
+
+START_TEST(options_that_are_wrong)
+{
+    make_file("in", MISS);
+    expect_usage("query in", "tanglefree query: --kind is missing; choose "
+                             "point-edge, point-triangle or edge-edge\n");
+    expect_usage("query -k edge in",
+                 "tanglefree query: no kind is named 'edge'; choose "
+                 "point-edge, point-triangle or edge-edge\n");
+    expect_usage("query -k point-edge -a perturbed in",
+                 "tanglefree query: no arithmetic is named 'perturbed'; choose "
+                 "exact, clamped, report, integer64 or integer128\n");
+    expect_usage("query -k point-edge --output=xml in",
+                 "tanglefree query: no output is named 'xml'; choose csv, json "
+                 "or summary\n");
+    expect_usage("query --kind", "tanglefree query: option '--kind' requires");
+    expect_usage("query --speed in",
+                 "tanglefree query: unrecognized option '--speed'");
+    expect_usage("query -z in", "tanglefree query: invalid option -- 'z'");
+}
+END_TEST
+
+Suite *suite(void)
+{
+    Suite *suite = suite_create("program/query_command");
+    TCase *answers = tcase_create("answers");
+    tcase_add_checked_fixture(answers, enter_folder, leave_folder);
+    tcase_add_test(answers, a_hit_and_a_miss);
+    tcase_add_test(answers, every_kind_and_arithmetic_and_output);
+    tcase_add_test(answers, exact_answers_of_the_kept_queries);
+    tcase_add_test(answers, vertex_face_is_point_triangle);
+    tcase_add_test(answers, exact_is_the_arithmetic_unless_told);
+    tcase_add_test(answers, integers_by_three_exact_arithmetics);
+    tcase_add_test(answers, undecided_is_a_hit);
+    tcase_add_test(answers, json_is_an_array_of_objects);
+    tcase_add_test(answers, json_of_a_hit_has_numbers);
+    tcase_add_test(answers, json_is_closed_before_bad_input);
+    tcase_add_test(answers, summary_tells_agreement_with_the_truth);
+    suite_add_tcase(suite, answers);
+
+    TCase *input = tcase_create("input");
+    tcase_add_checked_fixture(input, enter_folder, leave_folder);
+    tcase_add_test(input, several_files_are_counted_through);
+    tcase_add_test(input, standard_input);
+    tcase_add_test(input, a_pipe_that_ends_within_a_query);
+    tcase_add_test(input, closed_standard_input);
+    tcase_add_test(input, windows_text);
+    tcase_add_test(input, rounded_coordinates_are_told_once);
+    tcase_add_test(input, many_queries_in_little_memory);
+    suite_add_tcase(suite, input);
+
+    TCase *bad = tcase_create("bad input");
+    tcase_add_checked_fixture(bad, enter_folder, leave_folder);
+    tcase_add_test(bad, nan_is_refused);
+    tcase_add_test(bad, infinity_is_refused);
+    tcase_add_test(bad, text_in_a_number_is_refused);
+    tcase_add_test(bad, overflow_is_refused);
+    tcase_add_test(bad, a_missing_column_is_refused);
+    tcase_add_test(bad, missing_rows_are_refused);
+    tcase_add_test(bad, a_blank_line_is_refused);
+    tcase_add_test(bad, a_zero_denominator_is_refused);
+    tcase_add_test(bad, a_nul_byte_is_refused);
+    tcase_add_test(bad, an_empty_file_is_refused);
+    tcase_add_test(bad, a_directory_is_refused);
+    tcase_add_test(bad, an_absent_file_is_refused);
+    tcase_add_test(bad, a_file_that_vanishes);
+    tcase_add_test(bad, a_file_without_permission);
+    tcase_add_test(bad, a_coordinate_out_of_range);
+    tcase_add_test(bad, bad_input_after_rounded_coordinates);
+    suite_add_tcase(suite, bad);
+
+    TCase *unwritten = tcase_create("output that cannot be written");
+    tcase_add_checked_fixture(unwritten, enter_folder, leave_folder);
+    tcase_add_test(unwritten, a_full_disk);
+    tcase_add_test(unwritten, a_full_disk_on_the_way);
+    tcase_add_test(unwritten, a_full_disk_for_help);
+    tcase_add_test(unwritten, closed_standard_output);
+    tcase_add_test(unwritten, a_reader_that_leaves);
+    suite_add_tcase(suite, unwritten);
+
+    TCase *usage = tcase_create("usage");
+    tcase_add_checked_fixture(usage, enter_folder, leave_folder);
+    tcase_add_test(usage, help);
+    tcase_add_test(usage, help_for_the_command);
+    tcase_add_test(usage, version);
+    tcase_add_test(usage, commands_that_are_none);
+    tcase_add_test(usage, options_that_are_wrong);
+    suite_add_tcase(suite, usage);
+    return suite;
+}

@@ -62,8 +62,7 @@ static void add_minor(mpz_t sum, const scaled_matrix *matrix, int row,
     mpz_clear(term);
 }
 
-/// determinant * 2^(the result) is that of the differences.
-static int determinant_of(mpz_t determinant, const tf_differences *d)
+int rational_determinant(mpz_t determinant, const tf_differences *d)
 {
     scaled_matrix matrix = {.n = d->n};
     for (int k = 0; k < d->n * d->n; k++)
@@ -86,13 +85,13 @@ static tf_sign rational_sign(const tf_differences *differences)
 {
     mpz_t determinant;
     mpz_init(determinant);
-    determinant_of(determinant, differences);
+    rational_determinant(determinant, differences);
     int sign = mpz_sgn(determinant);
     mpz_clear(determinant);
     return sign > 0 ? TF_POSITIVE : sign < 0 ? TF_NEGATIVE : TF_ZERO;
 }
 
-/// Round to nearest: number * 2^exponent.  Rounds `integer` down in place.
+/// Round to nearest: integer * 2^exponent.  Rounds `integer` down in place.
 static tf_value rounded(mpz_t integer, int exponent)
 {
     // Keep 62 bits, of which the last also tells whether a lower one was set:
@@ -110,11 +109,27 @@ static tf_value rounded(mpz_t integer, int exponent)
     return (tf_value){.number = (double)kept, .exponent = exponent};
 }
 
+bool rational_is(const mpz_t integer, int exponent, tf_value value)
+{
+    mpz_t copy;
+    mpz_init_set(copy, integer);
+    tf_value truth = rounded(copy, exponent);
+    mpz_clear(copy);
+
+    // One number can come with two exponents: both made 0.5 to 1.
+    int shift, truth_shift;
+    double fraction = frexp(value.number, &shift);
+    double truth_fraction = frexp(truth.number, &truth_shift);
+    return value.radius == 0 && fraction == truth_fraction &&
+           (fraction == 0 ||
+            value.exponent + shift == truth.exponent + truth_shift);
+}
+
 static tf_value rational_value(const tf_differences *differences)
 {
     mpz_t determinant;
     mpz_init(determinant);
-    int exponent = determinant_of(determinant, differences);
+    int exponent = rational_determinant(determinant, differences);
     tf_value value = rounded(determinant, exponent);
     mpz_clear(determinant);
     return value;

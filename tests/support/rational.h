@@ -5,6 +5,15 @@
 
 #include "arithmetic/differences.h"
 
+#include <gmp.h>
+
+/// determinant 2^(the result) is that of the differences, exactly.
+int rational_determinant(mpz_t determinant, const tf_differences *differences);
+
+/// Whether `value` is integer 2^exponent rounded to nearest, with no other
+/// error.
+bool rational_is(const mpz_t integer, int exponent, tf_value value);
+
 /// Signs of determinants of integers of any length, of all finite doubles.
 /// Values are rounded to nearest, with no other error.
 extern const tf_arithmetic oracle_arithmetic;

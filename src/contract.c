@@ -46,9 +46,10 @@ bool tf_environment_is_ieee(void)
     // Volatile, so that the test runs in the caller's environment, not in the
     // compiler's.
     volatile double tiny = 0x1p-60, smallest_normal = DBL_MIN;
+    volatile double next = DBL_MIN + DBL_TRUE_MIN;
 
     // Any rounding but to nearest tells 1 + tiny from 1 - tiny.
     bool to_nearest = 1 + tiny == 1 - tiny;
-    bool keeps_subnormals = smallest_normal / 2 != 0;
+    bool keeps_subnormals = next - smallest_normal != 0;
     return to_nearest && keeps_subnormals;
 }

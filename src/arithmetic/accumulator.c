@@ -14,7 +14,22 @@ enum {
 //: Clear the accumulator
 void tf_accumulator_clear(tf_accumulator *accumulator)
 {
-    memset(accumulator, 0, sizeof *accumulator);
+    accumulator->first = accumulator->end = 0;
+}
+
+//: Use more words
+/// Set the words first..end-1 of both sums to zero, unless in use.
+static void use_words(tf_accumulator *accumulator, int first, int end)
+{
+    tf_accumulator *a = accumulator;
+    if (a->first == a->end)
+        a->first = a->end = first;
+    for (; a->end < end; a->end++)
+        a->sum[0][a->end] = a->sum[1][a->end] = 0;
+    while (a->first > first) {
+        a->first--;
+        a->sum[0][a->first] = a->sum[1][a->first] = 0;
+    }
 }
 
 //: Take a double apart
@@ -40,12 +55,13 @@ static parts take_apart(double a)
 }
 
 //: Add words at a bit position
-/// Add three words, shifted left by `position` bits.
-static void add_words(uint64_t sum[TF_ACCUMULATOR_WORDS],
+/// Add three words, shifted left by `position` bits, to the sum of one sign.
+static void add_words(tf_accumulator *accumulator, bool positive,
                       const uint64_t word[3], int position)
 {
     int index = position / WORD_BITS, shift = position % WORD_BITS;
-    uint64_t below = 0, carry = 0;
+    uint64_t *sum = accumulator->sum[positive], below = 0, carry = 0;
+    use_words(accumulator, index, index + 3);
     for (int i = 0; i < 3; i++) {
         uint64_t shifted = word[i] << shift | below;
         // Two shifts, because one by 64 is not defined.
@@ -55,6 +71,7 @@ static void add_words(uint64_t sum[TF_ACCUMULATOR_WORDS],
         carry = (uint64_t)(total >> WORD_BITS);
     }
     for (carry += below; carry != 0; index++) {
+        use_words(accumulator, index, index + 1);
         sum[index] += carry;
         carry = sum[index] < carry;
     }
@@ -76,14 +93,16 @@ void tf_accumulator_add(tf_accumulator *accumulator, double a, double b,
 
     //: Add the product to the sum of its sign
     int exponent = x.exponent + y.exponent + z.exponent;
-    add_words(accumulator->sum[positive], word, exponent - UNIT_EXPONENT);
+    add_words(accumulator, positive, word, exponent - UNIT_EXPONENT);
 }
 
 //: Compare the two sums
+/// The highest word in which the two sums differ; first - 1 if they are equal.
 static int highest_difference(const tf_accumulator *accumulator)
 {
-    int i = TF_ACCUMULATOR_WORDS - 1;
-    while (i >= 0 && accumulator->sum[0][i] == accumulator->sum[1][i])
+    int i = accumulator->end - 1;
+    while (i >= accumulator->first &&
+           accumulator->sum[0][i] == accumulator->sum[1][i])
         i--;
     return i;
 }
@@ -91,7 +110,7 @@ static int highest_difference(const tf_accumulator *accumulator)
 tf_sign tf_accumulator_sign(const tf_accumulator *accumulator)
 {
     int i = highest_difference(accumulator);
-    if (i < 0)
+    if (i < accumulator->first)
         return TF_ZERO;
     return accumulator->sum[1][i] > accumulator->sum[0][i] ? TF_POSITIVE
                                                            : TF_NEGATIVE;
@@ -111,8 +130,9 @@ static void subtract(const uint64_t *more, const uint64_t *less, int count,
 }
 
 //: Round to a double
-/// Round the number of `count` words, not zero, to nearest, ties to even.
-static tf_value round_words(const uint64_t *word, int count)
+/// Round the number of `count` words, not zero, to nearest, ties to even; its
+/// unit is 2^unit.
+static tf_value round_words(const uint64_t *word, int count, int unit)
 {
     int top = count - 1;
     while (word[top] == 0)
@@ -128,22 +148,23 @@ static tf_value round_words(const uint64_t *word, int count)
     bool follows = (next << empty) != 0;
     for (int i = 0; i < top - 1 && !follows; i++)
         follows = word[i] != 0;
-    int exponent = top * WORD_BITS - empty + UNIT_EXPONENT;
     return (tf_value){.number = (double)(leading | follows),
-                      .exponent = exponent};
+                      .exponent = top * WORD_BITS - empty + unit};
 }
 
 tf_value tf_accumulator_value(const tf_accumulator *accumulator)
 {
-    int top = highest_difference(accumulator);
-    if (top < 0)
+    int top = highest_difference(accumulator), first = accumulator->first;
+    if (top < first)
         return (tf_value){.number = 0};
 
     uint64_t difference[TF_ACCUMULATOR_WORDS];
     const uint64_t(*sum)[TF_ACCUMULATOR_WORDS] = accumulator->sum;
     bool positive = sum[1][top] > sum[0][top];
-    subtract(sum[positive], sum[!positive], top + 1, difference);
-    tf_value value = round_words(difference, top + 1);
+    int count = top + 1 - first;
+    subtract(&sum[positive][first], &sum[!positive][first], count, difference);
+    tf_value value =
+        round_words(difference, count, first * WORD_BITS + UNIT_EXPONENT);
     value.number = positive ? value.number : -value.number;
     return value;
 }

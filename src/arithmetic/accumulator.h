@@ -15,8 +15,10 @@ enum {
 
 /// A sum of products of three doubles, exact whatever they are: two
 /// fixed-point numbers, the sums of the negative and of the positive products,
-/// in units of 2^-3222, least significant word first.
+/// in units of 2^-3222, least significant word first.  Only the words
+/// first..end-1 are set; the others count as zero.
 typedef struct tf_accumulator {
+    int first, end;
     uint64_t sum[2][TF_ACCUMULATOR_WORDS];
 } tf_accumulator;
 

@@ -12,9 +12,8 @@
 static void add_events(tf_pair *pair, const tf_simplex *simplex, int side,
                        int t)
 {
-    for (int i = 0; i < simplex->count; i++) {
-        if (simplex->event[i]->t != t)
-            continue;
+    int early = simplex->mover + 1;
+    for (int i = t ? early : 0; i < (t ? simplex->count : early); i++) {
         pair->event[pair->count] = simplex->event[i];
         pair->side[pair->count++] = side;
     }
@@ -67,18 +66,31 @@ static int orientation(const tf_pair *pair, int i)
 }
 
 //: Separate a pair by an axis
-/// The sides that have the larger coordinates on an axis at one time: +1 if all
-/// of S are larger than all of R, -1 the reverse, 0 neither.
+typedef struct range {
+    double low, high;
+} range;
+
+/// The range of one side's coordinates on an axis; starts at event *i and stops
+/// where the side or the time ends.
+static range side_range(const tf_pair *pair, int axis, int *i, int end)
+{
+    range r = {INFINITY, -INFINITY};
+    for (int side = pair->side[*i]; *i < end && pair->side[*i] == side; ++*i) {
+        double x = pair->event[*i]->x[axis];
+        r.low = x < r.low ? x : r.low;
+        r.high = x > r.high ? x : r.high;
+    }
+    return r;
+}
+
+/// Which side has the larger coordinates on an axis at one time: +1 if all of S
+/// are larger than all of R, -1 the reverse, 0 neither.
 static int larger_side(const tf_pair *pair, int axis, int begin, int end)
 {
-    double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
-    for (int i = begin; i < end; i++) {
-        int s = pair->side[i] > 0;
-        double x = pair->event[i]->x[axis];
-        low[s] = x < low[s] ? x : low[s];
-        high[s] = x > high[s] ? x : high[s];
-    }
-    return (low[1] > high[0]) - (high[1] < low[0]);
+    int i = begin;
+    range s = side_range(pair, axis, &i, end);
+    range r = side_range(pair, axis, &i, end);
+    return (s.low > r.high) - (s.high < r.low);
 }
 
 /// Whether S keeps strictly to one side of R on an axis.  Then the shadows of

@@ -13,7 +13,8 @@ enum {
 }; ///< |S| + |R| = d + 2 at most, d = 4
 
 /// Two simplices S and R of space-time, or of space at one time, seen on some
-/// of the axes.  The events at t = 0 come first.
+/// of the axes.  The events at t = 0 come first, and within each time those of
+/// S.
 typedef struct tf_pair {
     int count;                             ///< events of S and R together
     int early;                             ///< the first `early` are at t = 0

@@ -1,0 +1,86 @@
+// Any bytes as a query file: the first tells the kind, the others are the text.
+// Whatever they are, the reader ends with finite numbers or a fault in a line.
+#define _GNU_SOURCE // fmemopen
+
+#include "program/query_file.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+static void require(bool condition)
+{
+    if (!condition)
+        abort();
+}
+
+static long lines(const char *text, size_t length)
+{
+    long count = 1;
+    for (size_t i = 0; i < length; i++)
+        count += text[i] == '\n';
+    return count;
+}
+
+static int rows(const tf_query_kind *kind)
+{
+    return 2 * (kind->vertices[0] + kind->vertices[1]);
+}
+
+static void check_question(const tf_question *question,
+                           const tf_query_kind *kind)
+{
+    require(question->truth >= -1 && question->truth <= 1);
+    require(question->rounded >= 0 &&
+            question->rounded <= rows(kind) * kind->axes);
+    for (int row = 0; row < rows(kind); row++) {
+        int t = row / (rows(kind) / 2);
+        const tf_event *event = &question->vertex[row % (rows(kind) / 2)].at[t];
+        require(event->t == t);
+        for (int k = 0; k < TF_AXES; k++)
+            require(isfinite(event->x[k]));
+    }
+}
+
+static void check_fault(const tf_query_file *file, long most)
+{
+    require(file->fault_line >= 1 && file->fault_line <= most);
+    require(strstr(file->fault, "; ") != NULL);
+    for (const char *c = file->fault; *c; c++)
+        require(*c >= ' ' && *c <= '~');
+}
+
+static void read_all(FILE *stream, const tf_query_kind *kind, long most)
+{
+    tf_query_file file;
+    tf_query_file_start(&file, stream, "fuzz", kind, 0);
+    tf_question question;
+    tf_reading reading;
+    long count = 0;
+    while ((reading = tf_query_file_next(&file, &question)) == TF_READ_GOOD) {
+        require(question.line == 1 + count * rows(kind));
+        check_question(&question, kind);
+        count++;
+    }
+    require(file.queries == count);
+    require(reading == TF_READ_END ? count > 0 : reading == TF_READ_FAULT);
+    if (reading == TF_READ_FAULT)
+        check_fault(&file, most);
+    else
+        require(file.fault[0] == '\0');
+    tf_query_file_close(&file);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
+{
+    static const char *const names[] = {"point-edge", "point-triangle",
+                                        "edge-edge"};
+    if (size < 2)
+        return 0;
+    const tf_query_kind *kind = tf_query_kind_named(names[bytes[0] % 3]);
+    FILE *stream = fmemopen((void *)(uintptr_t)(bytes + 1), size - 1, "r");
+    require(stream != NULL);
+    read_all(stream, kind, lines((const char *)bytes + 1, size - 1));
+    return 0;
+}

@@ -66,6 +66,7 @@ static void choose(choice *chosen, struct argp_state *state, const char *name)
     state->next = state->argc;
 }
 
+//: Choose the command
 static error_t understand_command(int key, char *text, struct argp_state *state)
 {
     if (key == ARGP_KEY_ARG)

@@ -66,9 +66,9 @@ static double power_of_two(int exponent)
     return power;
 }
 
-//: Read a hexadecimal float that needs no rounding
-// With 53 bits at most and the exponent of the last in this range, the product
-// at the end is exact: neither subnormal nor too large.
+//: Read a hexadecimal float of at most 16 digits
+// The significand is rounded when it becomes a double.  With its exponent in
+// this range no more is: the product is exact, never subnormal, or infinite.
 static bool read_hexadecimal(const char **text, double *number)
 {
     const char *at = *text;
@@ -81,8 +81,7 @@ static bool read_hexadecimal(const char **text, double *number)
     uint64_t significand = 0;
     int exponent = 0;
     if (!read_significand(&at, &significand, &exponent) ||
-        !read_exponent(&at, &exponent) || significand >> 53 ||
-        exponent < -1022 || exponent > 971)
+        !read_exponent(&at, &exponent) || exponent < -1022 || exponent > 1023)
         return false;
     double size = (double)significand * power_of_two(exponent);
     *number = negative ? -size : size;

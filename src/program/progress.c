@@ -17,7 +17,7 @@ static void print_grouped(FILE *stream, long count)
     fprintf(stream, ",%03ld", count % 1000);
 }
 
-//: Show, rewrite and erase the progress line
+//: Tell the time
 static double seconds(void)
 {
     struct timespec now;
@@ -25,6 +25,7 @@ static double seconds(void)
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
+//: Show, rewrite and erase the progress line
 tf_progress tf_progress_begin(void)
 {
     return (tf_progress){

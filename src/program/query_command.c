@@ -45,6 +45,13 @@ static const struct argp_option options[] = {
     {0},
 };
 
+//: Refuse a name
+static void refuse(struct argp_state *state, const char *what, const char *name,
+                   const char *names)
+{
+    argp_error(state, "no %s is named '%s'; choose %s", what, name, names);
+}
+
 //: Understand an argument
 static error_t understand(int key, char *text, struct argp_state *state)
 {
@@ -52,18 +59,15 @@ static error_t understand(int key, char *text, struct argp_state *state)
     switch (key) {
     case 'k':
         if (!(asked->kind = tf_query_kind_named(text)))
-            argp_error(state, "no kind is named '%s'; choose %s", text,
-                       TF_QUERY_KIND_NAMES);
+            refuse(state, "kind", text, TF_QUERY_KIND_NAMES);
         return 0;
     case 'a':
         if (!(asked->arithmetic = tf_arithmetic_named(text)))
-            argp_error(state, "no arithmetic is named '%s'; choose %s", text,
-                       TF_ARITHMETIC_NAMES);
+            refuse(state, "arithmetic", text, TF_ARITHMETIC_NAMES);
         return 0;
     case 'o':
         if (!(asked->format = tf_query_format_named(text)))
-            argp_error(state, "no output is named '%s'; choose %s", text,
-                       TF_QUERY_FORMAT_NAMES);
+            refuse(state, "output", text, TF_QUERY_FORMAT_NAMES);
         return 0;
     case ARGP_KEY_ARGS:
         asked->paths = state->argv + state->next;
@@ -71,8 +75,7 @@ static error_t understand(int key, char *text, struct argp_state *state)
         return 0;
     case ARGP_KEY_END:
         if (!asked->kind)
-            argp_error(state, "--kind is missing; choose %s",
-                       TF_QUERY_KIND_NAMES);
+            argp_error(state, "--kind is missing; choose " TF_QUERY_KIND_NAMES);
         return 0;
     default:
         return ARGP_ERR_UNKNOWN;
@@ -103,6 +106,7 @@ static const double *out_of_range(const answering *work,
     return NULL;
 }
 
+//: Refuse a query that is out of range
 static bool fault_in_range(answering *work, const tf_question *question)
 {
     const tf_arithmetic *arithmetic = work->asked.arithmetic;
@@ -158,6 +162,7 @@ static bool answer_file(answering *work, const char *path)
     return true;
 }
 
+//: Answer all queries
 static bool answer_files(answering *work)
 {
     if (work->asked.path_count == 0)

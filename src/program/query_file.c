@@ -77,7 +77,7 @@ void tf_query_file_complain(const tf_query_file *file)
     fprintf(stderr, " %s\n", file->fault);
 }
 
-//: Read a line
+//: Take the ends off a line
 static bool clean_line(tf_query_file *file, size_t length)
 {
     if (strlen(file->row) != length)
@@ -93,6 +93,7 @@ static bool clean_line(tf_query_file *file, size_t length)
     return true;
 }
 
+//: Read a line
 static tf_reading read_line(tf_query_file *file)
 {
     errno = 0;
@@ -156,6 +157,7 @@ static int count_columns(const char *row)
     return columns;
 }
 
+//: Let the first row choose the columns
 static bool choose_columns(tf_query_file *file)
 {
     int axes = file->kind->axes, columns = count_columns(file->row);
@@ -234,7 +236,7 @@ static bool read_decimal(tf_query_file *file, int column, double *x)
                           "beyond the largest double; scale the scene down");
 }
 
-//: Read a rational
+//: Read an integer
 static bool read_integer(tf_query_file *file, int column, tf_numeral *integer)
 {
     static const char no_integer[] =
@@ -246,6 +248,7 @@ static bool read_integer(tf_query_file *file, int column, tf_numeral *integer)
                : fault_in_field(file, column, field, no_integer);
 }
 
+//: Read a rational
 static bool read_rational(tf_query_file *file, int column, double *x,
                           int *rounded)
 {

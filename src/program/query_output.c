@@ -33,7 +33,7 @@ static const char *const decision_names[] = {
     [TF_DEGENERATE] = "degenerate",
 };
 
-//: Write answers as CSV
+//: Begin and end CSV
 static void begin_csv(const tf_query_output *output)
 {
     fputs("query,hit", output->stream);
@@ -42,6 +42,12 @@ static void begin_csv(const tf_query_output *output)
     fputs(",case\n", output->stream);
 }
 
+static void end_csv(const tf_query_output *output)
+{
+    (void)output;
+}
+
+//: Write answers as CSV
 static void answer_csv(const tf_query_output *output, const tf_contact *contact)
 {
     FILE *stream = output->stream;
@@ -58,11 +64,6 @@ static void answer_csv(const tf_query_output *output, const tf_contact *contact)
         else
             fputc(',', stream);
     fprintf(stream, ",%s\n", decision_names[contact->decision]);
-}
-
-static void end_csv(const tf_query_output *output)
-{
-    (void)output;
 }
 
 //: Write answers as JSON

@@ -26,7 +26,7 @@ parallel = $(if $(filter -j%,$(MAKEFLAGS)),,-j$(shell nproc))
 .SECONDARY:
 .PHONY: FORCE
 
-all: library program ## build the library and the program; so does just `make`
+all: library program ## build the library and the program: what `make` does
 
 help: ## list the targets
 	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' Makefile | expand -t 18
@@ -101,56 +101,64 @@ $(BUILD)/support.a: $(SUPPORT:%.c=$(BUILD)/%.o)
 
 $(BUILD)/tests/%.o: tests/%.c $(BUILD)/flags | need-check
 	@echo 'compile $<' && mkdir -p $(@D)
-	$(Q)$(COMPILE) -I$(SRC) -Itests $$(pkg-config --cflags check) -MMD -MP -c $< -o $@
+	$(Q)$(COMPILE) -I$(SRC) -Itests $$(pkg-config --cflags check) -MMD -MP \
+	    -c $< -o $@
 
-$(BUILD)/tests/%: $(BUILD)/tests/%.o $(BUILD)/support.a $(BUILD)/program.a $(library)
+$(BUILD)/tests/%: $(BUILD)/tests/%.o $(BUILD)/support.a $(BUILD)/program.a \
+		$(library)
 	@echo 'link    $@'
 	$(Q)$(LINK) $^ $$(pkg-config --libs check) -lgmp -lm -o $@
 
 # A test tells its checks in the closing line of its log.  One that breaks off
-# or checks nothing gets a closing line that says so.
+# or checks nothing counts as a check that failed.
+broken = 0%: Checks: 1, Failures: 0, Errors: 1
 $(BUILD)/tests/%.log: $(BUILD)/tests/% $(program) FORCE
 	@TANGLEFREE=$(abspath $(program)) $< >$@ 2>&1; status=$$?; \
 	grep -q 'Failures: [1-9]\|Errors: [1-9]' $@ || \
 	    { [ $$status = 0 ] && grep -q 'Checks: [1-9]' $@; } || \
-	    echo "0%: Checks: 1, Failures: 0, Errors: 1 (status $$status)" >>$@; \
+	    echo "$(broken) (status $$status)" >>$@; \
 	closing=$$(grep '%: Checks:' $@ | tail -n 1); \
 	case $$closing in 100%*) ;; *) cat $@ ;; esac; \
 	printf '%-32s %s\n' tests/$* "$$closing"
 
 check: need-check ## build and run the tests
-	+@rm -f $(TESTS:=.log); \
+	@rm -f $(TESTS:=.log); \
 	$(MAKE) $(parallel) -k -O $(library) $(program) $(TESTS:=.log); built=$$?; \
 	for log in $(TESTS:=.log); do \
-	    grep -s '%: Checks:' $$log || echo '0%: Checks: 1, Failures: 0, Errors: 1'; \
+	    grep -s '%: Checks:' $$log || echo '$(broken)'; \
 	done | awk '{ bad += $$5 + $$7; good += $$3 - $$5 - $$7 } \
 	    END { print "Checks of $(words $(TESTS)) suites:"; \
 	          printf "%d passed, %d failed\n", good, bad; exit bad > 0 }' && \
 	[ $$built = 0 ]
 .PHONY: check
 
+sanitizers = -fsanitize=address,undefined,float-cast-overflow \
+	-fno-sanitize-recover=all -fno-omit-frame-pointer
+
 check-sanitize: ## run the tests under AddressSanitizer and UBSan
-	+@$(MAKE) check BUILD=$(BUILD)/sanitize TF_TEST_PERCENT=10 \
-	    CFLAGS='-O1 -g $(sanitizers) -fno-omit-frame-pointer'
+	@$(MAKE) check BUILD=$(BUILD)/sanitize TF_TEST_PERCENT=10 \
+	    CFLAGS='-O1 -g $(sanitizers)'
 .PHONY: check-sanitize
-sanitizers = -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all
 
 coverage: need-coverage ## tell what lines of src/ the tests run; 95 % at least
 	@find $(BUILD)/coverage -name '*.gcda' -delete 2>/dev/null || true
-	+@$(MAKE) check BUILD=$(BUILD)/coverage TF_TEST_PERCENT=10 CC=gcc CFLAGS='-O0 --coverage'
-	gcovr --filter src/ --object-directory $(BUILD)/coverage --fail-under-line 95
+	@$(MAKE) check BUILD=$(BUILD)/coverage TF_TEST_PERCENT=10 CC=gcc \
+	    CFLAGS='-O0 --coverage'
+	@gcovr --filter src/ --object-directory $(BUILD)/coverage --fail-under-line 95
 .PHONY: coverage
 
 # Fuzzing finds new inputs in a copy of each corpus.
 SECONDS = 60
 fuzz: need-fuzz ## run every fuzzer for SECONDS=60
-	+@$(MAKE) $(parallel) -k -O run-fuzzers BUILD=$(BUILD)/fuzz CC=clang \
-	    CFLAGS='-O1 -g $(sanitizers) -fsanitize=fuzzer-no-link' LDFLAGS=-fsanitize=fuzzer
+	@$(MAKE) $(parallel) -k -O run-fuzzers BUILD=$(BUILD)/fuzz CC=clang \
+	    CFLAGS='-O1 -g $(sanitizers) -fsanitize=fuzzer-no-link' \
+	    LDFLAGS=-fsanitize=fuzzer
+
 run-fuzzers: $(FUZZERS:=.found)
 $(BUILD)/tests/fuzz/%.found: $(BUILD)/tests/fuzz/% FORCE
 	@mkdir -p $(BUILD)/corpus/$* && cp -R tests/fuzz/corpus/$*/. $(BUILD)/corpus/$*
-	@$< -max_total_time=$(SECONDS) -artifact_prefix=$<- $(BUILD)/corpus/$* >$@ 2>&1 \
-	    || { tail -n 60 $@; false; }
+	@$< -max_total_time=$(SECONDS) -artifact_prefix=$<- $(BUILD)/corpus/$* \
+	    >$@ 2>&1 || { tail -n 60 $@; false; }
 	@printf '%-32s %s\n' tests/fuzz/$* "$$(grep '^Done' $@)"
 .PHONY: fuzz run-fuzzers
 
@@ -189,7 +197,8 @@ check-manifest: ## compare book/chapters with src/ and tests/
 	exit $$wrong
 
 tree = $(BUILD)/chapter/$(N)/tree
-files = $(shell cd src && ls $(patsubst %,%.[ch],$(call modules,$(N))) 2>/dev/null)
+files = $(shell cd src && ls $(patsubst %,%.[ch],$(call modules,$(N))) \
+	2>/dev/null)
 
 chapter: need-check ## build and test the first N=3 chapters alone
 	$(if $(filter $(N),$(shell seq $(CHAPTERS))),,$(error Which chapter? \
@@ -199,10 +208,10 @@ chapter: need-check ## build and test the first N=3 chapters alone
 	    ln -s $(CURDIR)/src/$$file $(tree)/$$file || exit 1; done
 	@for header in $(filter %.h,$(files)); do $(COMPILE) -I$(tree) \
 	    -fsyntax-only -x c $(tree)/$$header || exit 1; done
-	+@$(MAKE) check BUILD=$(BUILD)/chapter/$(N) SRC=$(tree) CHAPTERS=$(N)
+	@$(MAKE) check BUILD=$(BUILD)/chapter/$(N) SRC=$(tree) CHAPTERS=$(N)
 
 check-chapters: need-chapters ## see that each chapter needs no later one
-	+@wrong=0; $(MAKE) check-manifest || wrong=1; \
+	@wrong=0; $(MAKE) check-manifest || wrong=1; \
 	python3 book/fragments.py check src || wrong=1; \
 	python3 tests/book/fragments_test.py || wrong=1; \
 	for n in $$(seq $(CHAPTERS)); do echo "Chapter $$n"; \
@@ -220,7 +229,10 @@ format: need-format ## lay the code out as .clang-format says
 	@clang-format -i $(code)
 
 # cppcheck takes a struct for a pointer to the arguments that it came from.
-check-static: need-static ## read the code with clang-tidy and cppcheck
+check-static: need-static ## read the code: warnings, clang-tidy, cppcheck
+	@for cc in gcc clang; do $$cc $(WARNINGS) -Werror -std=c17 -Isrc -Itests \
+	    $$(pkg-config --cflags check) -fsyntax-only $(filter %.c,$(code)) \
+	    || exit 1; done
 	@cppcheck --quiet --error-exitcode=1 --std=c11 -Isrc -Itests -j $$(nproc) \
 	    --enable=warning,performance,portability \
 	    --suppress=returnDanglingLifetime src tests
@@ -233,10 +245,11 @@ check-static: need-static ## read the code with clang-tidy and cppcheck
 compilers = gcc-O0 gcc-O2 gcc-O3 clang-O2
 answers = $(compilers:%=$(BUILD)/compilers/%/answers)
 
-check-compilers: need-compilers ## compare the answers of builds by gcc and clang
-	+@$(MAKE) $(parallel) $(answers)
-	@for other in $(answers); do cmp $(firstword $(answers)) $$other || exit 1; done
-	@echo "the same answers of $(compilers): $$(wc -l <$(firstword $(answers))) lines"
+check-compilers: need-compilers ## compare the answers of gcc's and clang's builds
+	@$(MAKE) $(parallel) $(answers)
+	@for other in $(answers); do \
+	    cmp $(firstword $(answers)) $$other || exit 1; done
+	@echo 'the same answers: $(compilers)'
 	@for cc in gcc clang; do for file in src/contract.c src/tanglefree.h; do \
 	    $$cc -std=c17 -ffast-math -Isrc -fsyntax-only -x c $$file 2>&1 | \
 	        grep -q 'error.*fast-math' || \
@@ -248,7 +261,7 @@ check-compilers: need-compilers ## compare the answers of builds by gcc and clan
 	@echo 'linked: libc and libm only'
 
 $(answers): $(BUILD)/compilers/%/answers: FORCE
-	+@$(MAKE) library program BUILD=$(@D) CC=$(word 1,$(subst -, ,$*)) \
+	@$(MAKE) library program BUILD=$(@D) CC=$(word 1,$(subst -, ,$*)) \
 	    CFLAGS='-$(word 2,$(subst -, ,$*)) -Werror'
 	@for kind in point-edge point-triangle edge-edge; do \
 	for arithmetic in exact clamped report integer64 integer128; do \
@@ -264,7 +277,8 @@ $(answers): $(BUILD)/compilers/%/answers: FORCE
 
 prefix = $(DESTDIR)$(PREFIX)
 headers = $(patsubst src/%,%,$(wildcard $(LIBRARY:%=src/%.h)))
-version = $(shell sed -n 's/.*"tanglefree \([0-9.]*\)".*/\1/p' src/program/main.c)
+version = $(shell sed -n 's/.*"tanglefree \([0-9.]*\)".*/\1/p' \
+	src/program/main.c)
 
 install: all ## install to PREFIX=/usr/local, below DESTDIR= if told
 	@install -d $(prefix)/bin $(prefix)/lib/pkgconfig
@@ -290,7 +304,7 @@ installed = PKG_CONFIG_PATH=$(scratch)/lib/pkgconfig pkg-config
 
 check-install: need-check all ## install to build/install, try README.md there
 	@rm -rf $(scratch)
-	+@$(MAKE) install PREFIX=$(scratch) DESTDIR=
+	@$(MAKE) install PREFIX=$(scratch) DESTDIR=
 	@sed -n '/^```console/,/^```$$/{/^```/d;p}' README.md >$(scratch)/session
 	@sed -n 's/^\$$ //p' $(scratch)/session | sh >$(scratch)/answers
 	@grep -v '^\$$ ' $(scratch)/session | diff - $(scratch)/answers
@@ -300,7 +314,7 @@ check-install: need-check all ## install to build/install, try README.md there
 	@grep -F "$$($(scratch)/example)" README.md
 	@test "$$($(scratch)/bin/tanglefree --version)" = \
 	    "tanglefree $$($(installed) --modversion tanglefree)"
-	+@$(MAKE) uninstall PREFIX=$(scratch) DESTDIR=
+	@$(MAKE) uninstall PREFIX=$(scratch) DESTDIR=
 	@! find $(scratch)/bin $(scratch)/lib $(scratch)/include -type f | grep .
 
 clean: ## remove all output
@@ -313,27 +327,26 @@ clean: ## remove all output
 # header, or an option that clang links with), and what for.
 compiler = $(firstword $(CC))
 define packages
-build     $(compiler)      $(compiler)       compiles the code
-build     libc6-dev        math.h            has the headers of the C library
-check     check            check.h           is the framework of the tests
-check     libgmp-dev       gmp.h             gives the tests exact numbers
-check     pkg-config       pkg-config        tells how to link the tests
-chapters  python3          python3           runs the check of the fragments
-fuzz      clang            clang             compiles the fuzzers
-fuzz      libclang-rt-dev  -fsanitize=fuzzer runs the fuzzers
-compilers gcc              gcc               is one of the compilers
-compilers clang            clang             is one of the compilers
-coverage  gcc              gcc               counts how often lines run
-coverage  gcovr            gcovr             makes the table of lines
-format    clang-format     clang-format      lays out the code
-static    clang-tidy       clang-tidy        reads the code for errors
-static    cppcheck         cppcheck          reads the code for errors
+build     $(compiler)     $(compiler)       compiles the code
+build     libc6-dev       math.h            has the headers of the C library
+check     check           check.h           is the framework of the tests
+check     libgmp-dev      gmp.h             gives the tests exact numbers
+check     pkg-config      pkg-config        tells how to link the tests
+chapters  python3         python3           runs the check of the fragments
+fuzz      clang           clang             compiles the fuzzers
+fuzz      libclang-rt-dev -fsanitize=fuzzer runs the fuzzers
+compilers clang           clang             is one of the compilers
+coverage  gcovr           gcovr             makes the table of lines
+format    clang-format    clang-format      lays out the code
+static    clang           clang             is one of the compilers
+static    clang-tidy      clang-tidy        reads the code for errors
+static    cppcheck        cppcheck          reads the code for errors
 endef
 
 needs = build check chapters fuzz compilers coverage format static
 .PHONY: $(needs:%=need-%) deps
-need-check need-compilers need-static need-format: | need-build
-need-chapters need-fuzz need-coverage: | need-check
+need-check need-compilers need-format: | need-build
+need-chapters need-fuzz need-coverage need-static: | need-check
 
 deps: | $(needs:%=need-%) ## install the packages that all targets need
 
@@ -353,7 +366,8 @@ $(needs:%=need-%): need-%:
 	command -v apt-get >/dev/null || { \
 	    echo "These are Debian's names; please install them and try again."; \
 	    exit 1; }; \
-	install="apt-get update; apt-get install -y --no-install-recommends$$missing"; \
+	install='apt-get update; apt-get install -y --no-install-recommends'; \
+	install="$$install$$missing"; \
 	run=; if [ "$$(id -u)" = 0 ]; then run=env; \
 	elif command -v sudo >/dev/null; then run='sudo env'; fi; \
 	if [ "$$run" ]; then \

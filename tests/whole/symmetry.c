@@ -1,0 +1,168 @@
+// What may not change an answer: another naming of the axes, of space's left
+// and right, of the elements, of past and future, and another unit of length.
+#include "support/judge.h"
+
+// Each change keeps the first contact's time, so that the truth of the query
+// before the change judges the answer after it.
+
+static void permute_axes(generator *random, query *q)
+{
+    query before = *q;
+    int first = below(random, q->axes);
+    bool reversed = below(random, 2);
+    for (int i = 0; i < query_size(q); i += q->axes)
+        for (int k = 0; k < q->axes; k++) {
+            int from = (reversed ? q->axes - k : k) + first;
+            *query_coordinate(q, i + k) =
+                *query_coordinate(&before, i + from % q->axes);
+        }
+}
+
+static void mirror(generator *random, query *q)
+{
+    int axis = below(random, q->axes);
+    for (int i = axis; i < query_size(q); i += q->axes)
+        *query_coordinate(q, i) = -*query_coordinate(q, i);
+}
+
+static void swap_elements(generator *random, query *q)
+{
+    (void)random;
+    if (q->vertices != q->others)
+        return;
+    query before = *q;
+    for (int i = 0; i < q->others; i++) {
+        q->vertex[i] = before.vertex[q->vertices + i];
+        q->vertex[q->vertices + i] = before.vertex[i];
+    }
+}
+
+static void change_unit(generator *random, query *q)
+{
+    int exponent = below(random, 201); // up, where no bit is lost
+    for (int axis = 0; axis < q->axes; axis++)
+        query_scale(q, axis, exponent);
+}
+
+typedef void change(generator *random, query *q);
+
+static query hard_query(generator *random, query_kind kind)
+{
+    query q = below(random, 2) ? query_lattice(random, kind, 3)
+                               : query_any(random, kind);
+    if (below(random, 2))
+        query_nudge(random, &q, 1);
+    return q;
+}
+
+static void judge_change(change *make, uint64_t stream)
+{
+    generator random = generator_new(stream);
+    truth known;
+    truth_init(&known);
+    for (int kind = 0; kind < KINDS; kind++)
+        for (long i = cases(10000); i > 0; i--) {
+            query q = hard_query(&random, (query_kind)kind);
+            truth_find(&q, &known);
+            make(&random, &q);
+            expect_truth(&q, &known);
+        }
+    truth_clear(&known);
+}
+
+START_TEST(axes_change_places)
+{
+    judge_change(permute_axes, 1);
+}
+END_TEST
+
+START_TEST(an_axis_is_mirrored)
+{
+    judge_change(mirror, 2);
+}
+END_TEST
+
+START_TEST(elements_change_places)
+{
+    judge_change(swap_elements, 3);
+}
+END_TEST
+
+START_TEST(the_unit_of_length_changes)
+{
+    judge_change(change_unit, 4);
+}
+END_TEST
+
+// Past and future --------------------------------------------------------------
+
+static void reverse(int vertices, tf_worldline element[])
+{
+    tf_worldline before[QUERY_VERTICES];
+    for (int i = 0; i < vertices; i++)
+        before[i] = element[i];
+    for (int i = 0; i < vertices; i++)
+        for (int t = 0; t < 2; t++) {
+            element[i].at[t] = before[vertices - 1 - i].at[1 - t];
+            element[i].at[t].t = t;
+        }
+}
+
+/// Run time backwards.  With the vertices in the reverse order the staircase is
+/// the same.
+static query time_reversed(const query *q)
+{
+    query reversed = *q;
+    reverse(q->vertices, reversed.vertex);
+    reverse(q->others, query_others(&reversed));
+    return reversed;
+}
+
+/// Whether the exact earliest times of a step and of its reverse leave room
+/// for the contacts in between: the last of one is the first of the other.
+static bool in_order(const truth *forth, const truth *back)
+{
+    mpq_t last;
+    mpq_init(last);
+    mpq_set_ui(last, 1, 1);
+    mpq_sub(last, last, back->toi);
+    bool order = mpq_cmp(forth->toi, last) <= 0;
+    mpq_clear(last);
+    return order;
+}
+
+START_TEST(time_runs_backwards)
+{
+    generator random = generator_new(5);
+    truth forth, back;
+    truth_init(&forth);
+    truth_init(&back);
+    for (int kind = 0; kind < KINDS; kind++)
+        for (long i = cases(10000); i > 0; i--) {
+            query q = hard_query(&random, (query_kind)kind);
+            query reversed = time_reversed(&q);
+            truth_find(&q, &forth);
+            truth_find(&reversed, &back);
+            if (forth.hit != back.hit ||
+                (forth.hit && !in_order(&forth, &back)))
+                expect_no_fault("the oracle depends on time's sense", &q);
+            expect_truth(&q, &forth);
+            expect_truth(&reversed, &back);
+        }
+    truth_clear(&forth);
+    truth_clear(&back);
+}
+END_TEST
+
+Suite *suite(void)
+{
+    Suite *symmetry = suite_create("symmetry");
+    TCase *changes = tcase_create("changes");
+    tcase_add_test(changes, axes_change_places);
+    tcase_add_test(changes, an_axis_is_mirrored);
+    tcase_add_test(changes, elements_change_places);
+    tcase_add_test(changes, the_unit_of_length_changes);
+    tcase_add_test(changes, time_runs_backwards);
+    suite_add_tcase(symmetry, changes);
+    return symmetry;
+}

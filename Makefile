@@ -245,7 +245,7 @@ check-static: need-static ## read the code: warnings, clang-tidy, cppcheck
 compilers = gcc-O0 gcc-O2 gcc-O3 clang-O2
 answers = $(compilers:%=$(BUILD)/compilers/%/answers)
 
-check-compilers: need-compilers ## compare the answers of gcc's and clang's builds
+check-compilers: need-compilers ## see that gcc and clang give the same answers
 	@$(MAKE) $(parallel) $(answers)
 	@for other in $(answers); do \
 	    cmp $(firstword $(answers)) $$other || exit 1; done

@@ -79,7 +79,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
     if (size < 2)
         return 0;
     const tf_query_kind *kind = tf_query_kind_named(names[bytes[0] % 3]);
-    FILE *stream = fmemopen((void *)(uintptr_t)(bytes + 1), size - 1, "r");
+    FILE *stream = fmemopen((void *)(bytes + 1), size - 1, "r");
     require(stream != NULL);
     read_all(stream, kind, lines((const char *)bytes + 1, size - 1));
     return 0;

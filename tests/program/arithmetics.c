@@ -1,3 +1,5 @@
+#define _GNU_SOURCE // strtok_r
+
 #include "program/arithmetics.h"
 
 #include "arithmetic/clamped.h"
@@ -21,7 +23,8 @@ START_TEST(the_names_told_are_those_found)
 {
     char names[] = TF_ARITHMETIC_NAMES;
     int found = 0;
-    for (char *name = strtok(names, ", "); name; name = strtok(NULL, ", "))
+    char *rest = names;
+    for (char *name; (name = strtok_r(rest, ", ", &rest));)
         if (strcmp(name, "or") != 0) {
             ck_assert_msg(tf_arithmetic_named(name), "no '%s'", name);
             found++;

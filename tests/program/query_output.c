@@ -130,7 +130,8 @@ START_TEST(formats_by_their_names)
     ck_assert_ptr_null(tf_query_format_named("xml"));
     char names[] = TF_QUERY_FORMAT_NAMES;
     int found = 0;
-    for (char *name = strtok(names, ", "); name; name = strtok(NULL, ", "))
+    char *rest = names;
+    for (char *name; (name = strtok_r(rest, ", ", &rest));)
         found += tf_query_format_named(name) != NULL;
     ck_assert_int_eq(found, 3);
 }

@@ -52,11 +52,10 @@ static const char *explain(const tf_arithmetic *arithmetic, const char *fault,
     if (known->hit)
         mpf_set_q(t, known->toi);
     static char text[1024];
-    gmp_snprintf(text, sizeof text,
-                 "%s: %s: verdict %d, time [%a, %a]; true: %s %.17Fe",
-                 arithmetic->name, fault, (int)contact->verdict,
-                 contact->toi_lo, contact->toi_hi,
-                 known->hit ? "hit at" : "apart", t);
+    gmp_snprintf(
+        text, sizeof text, "%s: %s: verdict %d, time [%a, %a]; true: %s %.17Fe",
+        arithmetic->name, fault, (int)contact->verdict, contact->toi_lo,
+        contact->toi_hi, known->hit ? "hit at" : "apart", t);
     mpf_clear(t);
     return text;
 }
@@ -187,8 +186,8 @@ const char *geometry_fault(const query *q, const tf_contact *contact)
 void expect_no_fault(const char *fault, const query *q)
 {
     if (fault)
-        ck_abort_msg("%s\nseed %llu\n%s", fault, (unsigned long long)seed(),
-                     query_text(q));
+        ck_abort_msg("%s\nseed %llu, %s\n%s", fault, (unsigned long long)seed(),
+                     query_name(q), query_text(q));
 }
 
 void expect_truth(const query *q, const truth *known)

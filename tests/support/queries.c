@@ -36,6 +36,13 @@ const tf_worldline *query_const_others(const query *q)
     return q->vertex + q->vertices;
 }
 
+const char *query_name(const query *q)
+{
+    return q->axes == 2       ? "point-edge"
+           : q->vertices == 2 ? "edge-edge"
+                              : "point-triangle";
+}
+
 const char *query_text(const query *q)
 {
     static char text[2048];

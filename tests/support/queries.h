@@ -34,6 +34,9 @@ double *query_coordinate(query *q, int i);
 tf_worldline *query_others(query *q);
 const tf_worldline *query_const_others(const query *q);
 
+/// "point-edge", "point-triangle" or "edge-edge".
+const char *query_name(const query *q);
+
 /// The rows of a query file in hexadecimal floats.  Static storage.
 const char *query_text(const query *q);
 

@@ -118,18 +118,6 @@ static tf_sign true_sign(const matrix *m)
     return oracle_arithmetic.sign(&differences);
 }
 
-/// Count the entries up through -1, 0 and 1, the first first; false after the
-/// last.
-static bool next_entries(int count, double entry[])
-{
-    for (int i = 0; i < count; i++) {
-        if (++entry[i] <= 1)
-            return true;
-        entry[i] = -1;
-    }
-    return false;
-}
-
 START_TEST(small_integers_are_known)
 {
     for (int n = 1; n <= TF_AXES; n++) {
@@ -140,7 +128,7 @@ START_TEST(small_integers_are_known)
             expect_of_matrix(true_sign(&m) == TF_ZERO ||
                                  clamped_sign(&m) != TF_UNKNOWN,
                              "The sign is not known", &m);
-        } while (next_entries(n * n, entry));
+        } while (next_signs(n * n, entry));
     }
 }
 END_TEST

@@ -192,3 +192,13 @@ void matrix_scale(matrix *m, int j, int exponent)
         *from = ldexp(*from, exponent);
     }
 }
+
+bool next_signs(int count, double sign[])
+{
+    for (int i = 0; i < count; i++) {
+        if (++sign[i] <= 1)
+            return true;
+        sign[i] = -1;
+    }
+    return false;
+}

@@ -57,4 +57,8 @@ void matrix_scale(matrix *m, int j, int exponent);
 /// A finite double of a random bit pattern.
 double any_double(generator *random);
 
+/// Count up through -1, 0 and 1, the first first; false after the last, which
+/// starts again.
+bool next_signs(int count, double sign[]);
+
 #endif

@@ -1,0 +1,183 @@
+#include "arithmetic/integer.h"
+#include "support/matrices.h"
+#include "support/rational.h"
+
+#include <float.h>
+#include <math.h>
+
+static const tf_arithmetic *const both[] = {&tf_integer64, &tf_integer128};
+
+/// The largest coordinate that an arithmetic takes where there are n x n
+/// determinants: a 1x1 one is of the plane.
+static double largest(const tf_arithmetic *arithmetic, int n)
+{
+    return ldexp(1, arithmetic->bits[n == 3 ? 3 : 2]) - 1;
+}
+
+static void judge(const tf_arithmetic *arithmetic, const matrix *m)
+{
+    tf_differences differences = matrix_differences(m);
+    expect_of_matrix(arithmetic->sign(&differences) ==
+                         oracle_arithmetic.sign(&differences),
+                     "The sign is wrong", m);
+
+    mpz_t determinant;
+    mpz_init(determinant);
+    int exponent = rational_determinant(determinant, &differences);
+    expect_of_matrix(
+        rational_is(determinant, exponent, arithmetic->value(&differences)),
+        "The value is not the determinant rounded to nearest", m);
+    mpz_clear(determinant);
+}
+
+// The ends of the range --------------------------------------------------------
+
+/// Each coordinate least, zero or largest.
+static void judge_all_coordinates(const tf_arithmetic *arithmetic, int n)
+{
+    double end[8] = {-1, -1, -1, -1, -1, -1, -1, -1};
+    generator random = generator_new(1);
+    do {
+        matrix m = matrix_new(&random, n);
+        for (int i = 0; i < matrix_size(&m); i++)
+            *matrix_coordinate(&m, i) = end[i] * largest(arithmetic, n);
+        judge(arithmetic, &m);
+    } while (next_signs(2 * n * n, end));
+}
+
+START_TEST(all_signs_at_the_ends_of_the_range)
+{
+    const tf_arithmetic *arithmetic = both[_i];
+    judge_all_coordinates(arithmetic, 1);
+    judge_all_coordinates(arithmetic, 2);
+}
+END_TEST
+
+START_TEST(all_signs_of_the_largest_differences)
+{
+    const tf_arithmetic *arithmetic = both[_i];
+    double end[9] = {-1, -1, -1, -1, -1, -1, -1, -1, -1};
+    generator random = generator_new(2);
+    double size = largest(arithmetic, 3);
+    do {
+        matrix m = matrix_new(&random, 3);
+        for (int k = 0; k < 9; k++) {
+            *matrix_coordinate(&m, 2 * k) = end[k] * size;
+            *matrix_coordinate(&m, 2 * k + 1) = -end[k] * size;
+        }
+        judge(arithmetic, &m);
+    } while (next_signs(9, end));
+}
+END_TEST
+
+/// A coordinate from the whole range, its ends and zero above all.
+static double any_coordinate(generator *random, double size)
+{
+    switch (below(random, 4)) {
+    case 0:
+        return (below(random, 3) - 1) * size;
+    case 1:
+        return (below(random, 2) ? 1 : -1) * (size - below(random, 3));
+    case 2:
+        return below(random, 3) - 1;
+    default:
+        return trunc(uniform(random, -size, size));
+    }
+}
+
+START_TEST(random_signs_and_values)
+{
+    const tf_arithmetic *arithmetic = both[_i];
+    generator random = generator_new(3);
+    long count = cases(60000);
+    for (long i = 0; i < count; i++) {
+        matrix m = matrix_new(&random, 1 + below(&random, TF_AXES));
+        double size = largest(arithmetic, m.n);
+        bool ends = below(&random, 2);
+        for (int k = 0; k < matrix_size(&m); k++)
+            *matrix_coordinate(&m, k) = ends ? (below(&random, 3) - 1) * size
+                                             : any_coordinate(&random, size);
+        judge(arithmetic, &m);
+    }
+}
+END_TEST
+
+START_TEST(singular_matrices_and_their_neighbours)
+{
+    const tf_arithmetic *arithmetic = both[_i];
+    generator random = generator_new(4);
+    long count = cases(20000);
+    for (long i = 0; i < count; i++) {
+        int n = 2 + below(&random, 2);
+        matrix m = matrix_new(&random, n);
+        double size = largest(arithmetic, n);
+        // The last row is plus or minus the first.
+        double sign = below(&random, 2) ? 1 : -1;
+        int row = 2 * n, last = row * (n - 1);
+        for (int k = 0; k < last; k++)
+            *matrix_coordinate(&m, k) = any_coordinate(&random, size);
+        for (int k = 0; k < row; k++)
+            *matrix_coordinate(&m, last + k) = sign * *matrix_coordinate(&m, k);
+        judge(arithmetic, &m);
+        *matrix_coordinate(&m, below(&random, matrix_size(&m))) =
+            any_coordinate(&random, size);
+        judge(arithmetic, &m);
+    }
+}
+END_TEST
+
+// The limits -------------------------------------------------------------------
+
+START_TEST(limits_are_as_documented)
+{
+    static const struct {
+        const tf_arithmetic *arithmetic;
+        int axes, bits;
+    } limit[] = {{&tf_integer64, 3, 19},
+                 {&tf_integer64, 2, 30},
+                 {&tf_integer128, 3, 40},
+                 {&tf_integer128, 2, 53}};
+    for (int i = 0; i < (int)(sizeof limit / sizeof *limit); i++)
+        for (int sign = -1; sign <= 1; sign += 2) {
+            double beyond = sign * ldexp(1, limit[i].bits),
+                   last = beyond - sign;
+            const tf_arithmetic *arithmetic = limit[i].arithmetic;
+            int axes = limit[i].axes;
+            ck_assert_msg(tf_arithmetic_holds(arithmetic, axes, last),
+                          "%s, %d axes: %a is not held", arithmetic->name, axes,
+                          last);
+            ck_assert_msg(!tf_arithmetic_holds(arithmetic, axes, beyond),
+                          "%s, %d axes: %a is held", arithmetic->name, axes,
+                          beyond);
+        }
+}
+END_TEST
+
+START_TEST(only_integers_are_held)
+{
+    static const double others[] = {
+        0.5, -0x1.fffffffffffffp17, DBL_TRUE_MIN, -DBL_MIN, INFINITY, NAN};
+    for (int axes = 2; axes <= 3; axes++)
+        for (int i = 0; i < (int)(sizeof others / sizeof *others); i++) {
+            ck_assert_msg(!tf_arithmetic_holds(both[_i], axes, others[i]),
+                          "%s, %d axes: %a is held", both[_i]->name, axes,
+                          others[i]);
+        }
+}
+END_TEST
+
+Suite *suite(void)
+{
+    Suite *integer = suite_create("integer");
+    TCase *signs = tcase_create("signs and values");
+    tcase_add_loop_test(signs, all_signs_at_the_ends_of_the_range, 0, 2);
+    tcase_add_loop_test(signs, all_signs_of_the_largest_differences, 0, 2);
+    tcase_add_loop_test(signs, random_signs_and_values, 0, 2);
+    tcase_add_loop_test(signs, singular_matrices_and_their_neighbours, 0, 2);
+    suite_add_tcase(integer, signs);
+    TCase *limits = tcase_create("limits");
+    tcase_add_test(limits, limits_are_as_documented);
+    tcase_add_loop_test(limits, only_integers_are_held, 0, 2);
+    suite_add_tcase(integer, limits);
+    return integer;
+}

@@ -222,7 +222,8 @@ static void enclose_time(const tf_pair *pair, const coordinates *c,
     //: Weigh the late events against the early
     double first = low[1] / (low[1] + high[0]);
     double last = high[1] / (high[1] + low[0]);
-    bool early_only = high[1] == 0, late_only = high[0] == 0;
+    bool early_only = high[0] > high[1] && high[1] == 0;
+    bool late_only = high[1] > high[0] && high[0] == 0;
     meeting->toi_lo = late_only    ? 1
                       : first >= 0 ? fmax(first - ratio_margin(first), 0)
                                    : 0;

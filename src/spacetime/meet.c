@@ -98,10 +98,16 @@ static tf_meeting meet_in_shadows(const tf_arithmetic *arithmetic,
     for (int k = 0; k < pair->axes; k++) {
         tf_pair shadow = along_axis(pair, k);
         tf_meeting own = meet(arithmetic, &shadow);
-
-        // A unique meeting fills the shadow: no other can be one-to-one alone.
-        if (own.verdict == TF_APART || own.unique)
+        if (own.verdict == TF_APART)
             return own;
+
+        // A unique meeting fills its shadow, which then is one-to-one.
+        if (latest.unique)
+            continue;
+        if (own.unique) {
+            latest = own;
+            continue;
+        }
 
         //: Keep the latest time and the weights that fit best
         if (own.verdict == TF_UNDECIDED)
@@ -151,6 +157,16 @@ static tf_meeting meet_without_axes(const tf_pair *pair)
     return meeting;
 }
 
+/// The sign of the volume that axes + 1 events of one time span; fewer span
+/// none.
+static tf_sign volume_sign(const tf_arithmetic *arithmetic, const tf_pair *pair)
+{
+    if (pair->count <= pair->axes)
+        return TF_ZERO;
+    tf_differences all = tf_pair_differences(pair, -1);
+    return arithmetic->sign(&all);
+}
+
 /// The meeting of two simplices at one time, of at most axes + 2 events.
 static tf_meeting meet_at_once(const tf_arithmetic *arithmetic,
                                const tf_pair *pair)
@@ -163,16 +179,15 @@ static tf_meeting meet_at_once(const tf_arithmetic *arithmetic,
     bool complementary = pair->count == pair->axes + 2;
     if (complementary && tf_complementary_meet(arithmetic, pair, &meeting))
         return meeting;
-    if (pair->count == pair->axes + 1) {
-        tf_differences all = tf_pair_differences(pair, -1);
-        tf_sign volume = arithmetic->sign(&all);
-        if (volume == TF_POSITIVE || volume == TF_NEGATIVE)
-            return tf_meeting_apart;
-    }
+    tf_sign volume = complementary ? TF_ZERO : volume_sign(arithmetic, pair);
+    if (volume == TF_POSITIVE || volume == TF_NEGATIVE)
+        return tf_meeting_apart;
 
     //: Decide a static pair in a hyperplane
     meeting = complementary ? meet_in_faces(arithmetic, pair, meet_at_once)
                             : meet_in_shadows(arithmetic, pair, meet_at_once);
+    if (volume == TF_UNKNOWN && meeting.verdict == TF_HIT)
+        meeting.verdict = TF_UNDECIDED;
     meeting.unique = false;
     return meeting;
 }
@@ -201,15 +216,16 @@ tf_meeting tf_meet(const tf_arithmetic *arithmetic, const tf_pair *pair)
     if (tf_complementary_meet(arithmetic, pair, &meeting))
         return meeting;
 
-    // Only now do the slices count: in general position a contact at t = 0
-    // shows in the signs.
+    // The faces tell whether the pair meets; on a line it has none and coincides.
+    meeting = meet_in_faces(arithmetic, pair, meet_in_hyperplane);
+    if (meeting.verdict == TF_APART && pair->axes > 1)
+        return meeting;
+
+    // A shadow may meet at t = 0 where the pair does not: only the slices tell
+    // whether it meets then.
     tf_meeting start = meet_at_start(arithmetic, pair);
-    if (start.verdict == TF_HIT) {
-        meeting = start;
-    } else {
-        tf_meeting faces = meet_in_faces(arithmetic, pair, meet_in_hyperplane);
-        meeting = tf_meeting_earlier(&start, &faces);
-    }
+    meeting =
+        start.verdict == TF_HIT ? start : tf_meeting_earlier(&start, &meeting);
     meeting.decision = TF_DEGENERATE;
     meeting.unique = false;
     return meeting;

@@ -103,8 +103,7 @@ static tf_reading read_line(tf_query_file *file)
     file->line++;
     if (length < 0) {
         tf_query_file_fault(file, file->line,
-                            "cannot read: %s; name a file "
-                            "to read",
+                            "cannot read: %s; name a file to read",
                             strerror(errno));
         return TF_READ_FAULT;
     }
@@ -149,9 +148,9 @@ static bool have_truth(const tf_query_file *file)
     return file->columns > 2 * file->kind->axes;
 }
 
-static int count_columns(const char *row)
+static long count_columns(const char *row)
 {
-    int columns = 1;
+    long columns = 1;
     for (; *row; row++)
         columns += *row == ',';
     return columns;
@@ -160,14 +159,15 @@ static int count_columns(const char *row)
 //: Let the first row choose the columns
 static bool choose_columns(tf_query_file *file)
 {
-    int axes = file->kind->axes, columns = count_columns(file->row);
+    int axes = file->kind->axes;
+    long columns = count_columns(file->row);
     if (columns != axes && columns != 2 * axes && columns != 2 * axes + 1)
         return tf_query_file_fault(
             file, file->line,
-            "%d columns; write %d (decimals), %d (rationals) or %d (with "
-            "truth) for %s",
+            "the number of columns is %ld; write %d (decimals), %d (rationals) "
+            "or %d (with truth) for %s",
             columns, axes, 2 * axes, 2 * axes + 1, file->kind->name);
-    file->columns = columns;
+    file->columns = (int)columns;
     return true;
 }
 
@@ -195,13 +195,13 @@ static bool fault_in_field(tf_query_file *file, int column, const char *field,
 //: Find fault with the number of columns
 static bool fault_in_columns(tf_query_file *file)
 {
-    int columns = count_columns(file->row);
+    long columns = count_columns(file->row);
     return tf_query_file_fault(
         file, file->line,
         columns < file->columns
-            ? "a missing column: %d where the first row has %d; give all rows "
+            ? "a missing column: %ld where the first row has %d; give all rows "
               "as many"
-            : "too many columns: %d where the first row has %d; give all rows "
+            : "too many columns: %ld where the first row has %d; give all rows "
               "as many",
         columns, file->columns);
 }

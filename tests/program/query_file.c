@@ -238,7 +238,7 @@ START_TEST(very_long_lines)
     expect_fault("point-edge", text, 0, 1,
                  "\"xxxxxxxxxxxxxxxxxxxxxxxxxxxx...\"");
     memset(text, ',', LONG);
-    expect_fault("point-edge", text, 0, 1, "3000002 columns");
+    expect_fault("point-edge", text, 0, 1, "columns is 3000002; write");
     free(text);
 }
 END_TEST
@@ -407,13 +407,13 @@ END_TEST
 START_TEST(columns_of_another_kind)
 {
     expect_fault("point-edge", SPACE, 0, 1,
-                 "3 columns; write 2 (decimals), 4 (rationals) or 5");
+                 "columns is 3; write 2 (decimals), 4 (rationals) or 5");
     expect_fault("edge-edge", PLANE, 0, 1,
-                 "2 columns; write 3 (decimals), 6 (rationals) or 7");
-    expect_fault("edge-edge", RATIONAL, 0, 1, "4 columns");
-    expect_fault("edge-edge", TRUE_SIX, 0, 1, "5 columns");
-    expect_fault("edge-edge", "1,2,3,4,5,6,7,8\n", 0, 1, "8 columns");
-    expect_fault("edge-edge", "hello\n", 0, 1, "1 columns");
+                 "columns is 2; write 3 (decimals), 6 (rationals) or 7");
+    expect_fault("edge-edge", RATIONAL, 0, 1, "columns is 4; write");
+    expect_fault("edge-edge", TRUE_SIX, 0, 1, "columns is 5; write");
+    expect_fault("edge-edge", "1,2,3,4,5,6,7,8\n", 0, 1, "columns is 8; write");
+    expect_fault("edge-edge", "hello\n", 0, 1, "columns is 1; write");
 }
 END_TEST
 

@@ -1,4 +1,4 @@
-#define _GNU_SOURCE // open_memstream
+#define _GNU_SOURCE // open_memstream, fopencookie
 
 #include "program/query_output.h"
 
@@ -167,6 +167,31 @@ START_TEST(full_disk_on_the_way)
 }
 END_TEST
 
+/// Fail for another reason each time.
+static ssize_t fail_to_write(void *reason, const char *text, size_t length)
+{
+    (void)text;
+    (void)length;
+    errno = ++*(int *)reason;
+    return 0;
+}
+
+START_TEST(the_first_reason_counts)
+{
+    int reason = ENOENT;
+    cookie_io_functions_t functions = {.write = fail_to_write};
+    FILE *stream = fopencookie(&reason, "w", functions);
+    setvbuf(stream, NULL, _IONBF, 0);
+    tf_query_output output;
+    ck_assert(!tf_query_output_begin(&output, stream,
+                                     tf_query_format_named("json"), 3));
+    ck_assert_int_eq(output.error, ENOENT + 1);
+    ck_assert(!tf_query_output_end(&output));
+    ck_assert_int_eq(output.error, ENOENT + 1);
+    fclose(stream);
+}
+END_TEST
+
 Suite *suite(void)
 {
     Suite *suite = suite_create("program/query_output");
@@ -184,6 +209,7 @@ Suite *suite(void)
     TCase *full = tcase_create("a full disk");
     tcase_add_test(full, full_disk_at_the_end);
     tcase_add_test(full, full_disk_on_the_way);
+    tcase_add_test(full, the_first_reason_counts);
     suite_add_tcase(suite, full);
     return suite;
 }

@@ -159,14 +159,14 @@ static long count_columns(const char *row)
 //: Let the first row choose the columns
 static bool choose_columns(tf_query_file *file)
 {
-    int axes = file->kind->axes;
-    long columns = count_columns(file->row);
+    long axes = file->kind->axes, columns = count_columns(file->row);
     if (columns != axes && columns != 2 * axes && columns != 2 * axes + 1)
-        return tf_query_file_fault(
-            file, file->line,
-            "the number of columns is %ld; write %d (decimals), %d (rationals) "
-            "or %d (with truth) for %s",
-            columns, axes, 2 * axes, 2 * axes + 1, file->kind->name);
+        return tf_query_file_fault(file, file->line,
+                                   "the number of columns is %ld; write %ld "
+                                   "(decimals), %ld (rationals) "
+                                   "or %ld (with truth) for %s",
+                                   columns, axes, 2 * axes, 2 * axes + 1,
+                                   file->kind->name);
     file->columns = (int)columns;
     return true;
 }

@@ -53,7 +53,8 @@ static void add_horizontal_edges(const tf_simplex *simplex,
 }
 
 /// The cross product of the axes - 1 horizontal edges of S and R, each
-/// component a determinant, to length 1; zero if the edges are dependent.
+/// component a determinant, to length 1; `normal`, zero before, stays so if the
+/// edges are dependent or a component overflows.
 static void find_normal(const tf_arithmetic *arithmetic, int axes,
                         const tf_simplex *s, const tf_simplex *r,
                         double normal[TF_AXES])
@@ -73,10 +74,12 @@ static void find_normal(const tf_arithmetic *arithmetic, int axes,
         component[k] = arithmetic->value(&edges);
         if (axes == 2 && k == 0)
             component[k].number = -component[k].number;
-        if (component[k].number != 0 && isfinite(component[k].number)) {
-            int own = component[k].exponent + ilogb(component[k].number);
-            largest = own > largest ? own : largest;
-        }
+        if (!isfinite(component[k].number))
+            return;
+        if (component[k].number == 0)
+            continue;
+        int own = component[k].exponent + ilogb(component[k].number);
+        largest = own > largest ? own : largest;
     }
 
     //: Scale the cross product to length 1

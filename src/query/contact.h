@@ -12,8 +12,8 @@
 /// contact have within t = 0 and within t = 1 (in the plane: the edge, turned
 /// left by 90 degrees), scaled to length 1: for a point and a triangle it
 /// follows the triangle's orientation, for two edges it is first x second.  It
-/// is zero where those edges are dependent: an edge of no length, two parallel
-/// edges, a triangle of no area.
+/// is zero where those edges are dependent (an edge of no length, two parallel
+/// edges, a triangle of no area) and where a rounded arithmetic overflows.
 typedef struct tf_contact {
     tf_verdict verdict;
     tf_decision decision;

@@ -170,6 +170,7 @@ START_TEST(every_kind_and_arithmetic_and_output)
                             outputs[i % 3], kinds[i / 9]);
         ck_assert_str_eq(found.err, "");
         ck_assert_int_eq(found.status, 0);
+        ck_assert_int_eq(count(found.out, "nan"), 0);
         if (i % 3 < 2)
             ck_assert_int_ge(count(found.out, "\n"), 7);
     }

@@ -1,5 +1,6 @@
 #include "query/contact.h"
 
+#include "arithmetic/clamped.h"
 #include "support/rational.h"
 #include "support/support.h"
 
@@ -265,6 +266,22 @@ START_TEST(speed_saturates)
 }
 END_TEST
 
+START_TEST(overflow_leaves_no_normal)
+{
+    plane_query q = {
+        {{0, 1}, {0, -1}},
+        {{{-1.7e308, 0}, {-1.7e308, 0}}, {{1.7e308, 0}, {1.7e308, 0}}}};
+    tf_contact c;
+    ck_assert_int_eq(ask_in_plane(&tf_clamped, &q, &c), TF_OK);
+    ck_assert_int_ne(c.verdict, TF_APART);
+    for (int k = 0; k < 2; k++)
+        ck_assert_double_eq(c.normal[k], 0);
+    ck_assert_double_eq(c.speed, 0);
+    ck_assert_int_eq(ask_in_plane(&oracle_arithmetic, &q, &c), TF_OK);
+    ck_assert_double_eq(c.normal[1], 1);
+}
+END_TEST
+
 START_TEST(smallest_numbers_have_a_speed)
 {
     double tiny = DBL_TRUE_MIN;
@@ -306,6 +323,7 @@ Suite *suite(void)
     tcase_add_loop_test(tcase, infinite_coordinates_are_refused, 0, 3);
     tcase_add_test(tcase, coordinates_beyond_the_arithmetic_are_refused);
     tcase_add_test(tcase, speed_saturates);
+    tcase_add_test(tcase, overflow_leaves_no_normal);
     tcase_add_test(tcase, smallest_numbers_have_a_speed);
     tcase_add_test_raise_signal(
         tcase, three_vertices_in_the_plane_break_the_contract, SIGABRT);

@@ -123,14 +123,16 @@ $(BUILD)/tests/%.log: $(BUILD)/tests/% $(program) FORCE
 
 check: need-check ## build and run the tests
 	@rm -f $(TESTS:=.log); \
-	$(MAKE) $(parallel) -k -O $(library) $(program) $(TESTS:=.log); built=$$?; \
+	$(MAKE) $(parallel) -k -O run-tests; built=$$?; \
 	for log in $(TESTS:=.log); do \
 	    grep -s '%: Checks:' $$log || echo '$(broken)'; \
 	done | awk '{ bad += $$5 + $$7; good += $$3 - $$5 - $$7 } \
 	    END { print "Checks of $(words $(TESTS)) suites:"; \
 	          printf "%d passed, %d failed\n", good, bad; exit bad > 0 }' && \
 	[ $$built = 0 ]
-.PHONY: check
+
+run-tests: $(library) $(program) $(TESTS:=.log)
+.PHONY: check run-tests
 
 sanitizers = -fsanitize=address,undefined,float-cast-overflow \
 	-fno-sanitize-recover=all -fno-omit-frame-pointer
@@ -162,12 +164,8 @@ $(BUILD)/tests/fuzz/%.found: $(BUILD)/tests/fuzz/% FORCE
 	@printf '%-32s %s\n' tests/fuzz/$* "$$(grep '^Done' $@)"
 .PHONY: fuzz run-fuzzers
 
-$(BUILD)/tests/bench/%: $(BUILD)/tests/bench/%.o $(library)
-	@echo 'link    $@'
-	$(Q)$(LINK) $^ -lm -o $@
-
 bench: $(BUILD)/tests/bench/bench ## time the library
-	$<
+	@$<
 .PHONY: bench
 
 # The chapters -----------------------------------------------------------------
@@ -261,7 +259,7 @@ check-compilers: need-compilers ## see that gcc and clang give the same answers
 	@echo 'linked: libc and libm only'
 
 $(answers): $(BUILD)/compilers/%/answers: FORCE
-	@$(MAKE) library program BUILD=$(@D) CC=$(word 1,$(subst -, ,$*)) \
+	@$(MAKE) all BUILD=$(@D) CC=$(word 1,$(subst -, ,$*)) \
 	    CFLAGS='-$(word 2,$(subst -, ,$*)) -Werror'
 	@for kind in point-edge point-triangle edge-edge; do \
 	for arithmetic in exact clamped report integer64 integer128; do \

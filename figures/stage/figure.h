@@ -1,0 +1,29 @@
+// What a figure is to the program that draws it.
+#ifndef TF_STAGE_FIGURE_H
+#define TF_STAGE_FIGURE_H
+
+#include "stage/page.h"
+
+#include <stdio.h>
+
+/// The size of the usual figure, and of its picture.
+#define TF_FIGURE_WIDTH 384.0
+#define TF_FIGURE_HEIGHT 288.0
+enum {
+    TF_FIGURE_PIXELS_X = 1600,
+    TF_FIGURE_PIXELS_Y = 1200
+};
+
+typedef struct tf_figure {
+    const char *name;     ///< of its files, without ending
+    const char *title;    ///< a line for a listing
+    double width, height; ///< points
+    /// Draw on an empty page of that size.  Numbers that the caption cites go
+    /// to `numbers`, a line "key value" each, the same for every theme.
+    void (*draw)(tf_page *page, FILE *numbers);
+} tf_figure;
+
+/// Print a line "key value", %.17g cut to the shortest that reads back.
+void tf_figure_number(FILE *numbers, const char *key, double value);
+
+#endif

@@ -79,7 +79,7 @@ static void add_scaled(twin *both, double x, int exponent)
     add(both, ldexp(x, exponent), power[0], power[1]);
 }
 
-// Random sums ------------------------------------------------------------------
+// Random sums -----------------------------------------------------------------
 
 START_TEST(sums_of_all_doubles_are_exact)
 {
@@ -152,7 +152,7 @@ START_TEST(products_cancel_to_the_last_place)
 }
 END_TEST
 
-// The ends ---------------------------------------------------------------------
+// The ends --------------------------------------------------------------------
 
 START_TEST(nothing_is_zero)
 {
@@ -211,7 +211,7 @@ START_TEST(a_last_place_is_not_lost_beside_the_largest)
 }
 END_TEST
 
-// Carries and rounding, at every position --------------------------------------
+// Carries and rounding, at every position -------------------------------------
 
 /// Lowest exponents of a 53-bit number from the unit to the top.
 enum {

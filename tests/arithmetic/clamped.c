@@ -5,9 +5,10 @@
 
 #include <float.h>
 #include <math.h>
+#include <signal.h>
 #include <stdio.h>
 
-// Judging an estimate ----------------------------------------------------------
+// Judging an estimate ---------------------------------------------------------
 
 /// What is true of a determinant and what is told.
 typedef struct judged {
@@ -104,7 +105,7 @@ static void judge(const matrix *m)
     judged_clear(&j);
 }
 
-// Signs ------------------------------------------------------------------------
+// Signs -----------------------------------------------------------------------
 
 static tf_sign clamped_sign(const matrix *m)
 {
@@ -221,7 +222,14 @@ START_TEST(overflow_is_unknown)
 }
 END_TEST
 
-// Zeros ------------------------------------------------------------------------
+START_TEST(an_empty_matrix_breaks_the_contract)
+{
+    tf_differences nothing = {.n = 0};
+    tf_differences_estimate(&nothing);
+}
+END_TEST
+
+// Zeros -----------------------------------------------------------------------
 
 /// Random entries of about 2^exponent where `pattern` has a bit, zeros
 /// elsewhere: a determinant that is zero just if each of its terms is.
@@ -285,7 +293,7 @@ START_TEST(a_zero_made_by_cancelling_is_not_certified)
 }
 END_TEST
 
-// Bounds -----------------------------------------------------------------------
+// Bounds ----------------------------------------------------------------------
 
 /// The error but for the last addition, at least, as a share of the bound.
 static double share(const matrix *m)
@@ -377,7 +385,7 @@ START_TEST(bounds_are_not_much_more_than_the_worst_error)
 }
 END_TEST
 
-// The report's rule ------------------------------------------------------------
+// The report's rule -----------------------------------------------------------
 
 START_TEST(the_report_takes_four_unknown_signs_for_zeros)
 {
@@ -426,6 +434,8 @@ Suite *suite(void)
     tcase_add_test(signs, signs_hold_where_products_overflow);
     tcase_add_test(signs, overflow_is_unknown);
     tcase_add_test(signs, clamped_arithmetics_hold_all_doubles);
+    tcase_add_test_raise_signal(signs, an_empty_matrix_breaks_the_contract,
+                                SIGABRT);
     suite_add_tcase(clamped, signs);
     TCase *zeros = tcase_create("zeros");
     tcase_add_test(zeros, a_zero_in_each_term_is_certified);

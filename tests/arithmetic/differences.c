@@ -7,7 +7,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-// Rounded differences ----------------------------------------------------------
+// Rounded differences ---------------------------------------------------------
 
 /// Whether a - b, exactly, is so large that rounding it to nearest overflows.
 static bool overflows(const mpz_t difference)
@@ -123,7 +123,7 @@ START_TEST(rows_are_events_and_columns_axes)
 }
 END_TEST
 
-// The range of an arithmetic ---------------------------------------------------
+// The range of an arithmetic --------------------------------------------------
 
 static void expect_holds(int bits, int axes, double x, bool expected)
 {

@@ -27,7 +27,7 @@ static bool clamped_knows(const matrix *m)
     return tf_clamped.sign(&differences) != TF_UNKNOWN;
 }
 
-// Sizes of all kinds -----------------------------------------------------------
+// Sizes of all kinds ----------------------------------------------------------
 
 START_TEST(signs_of_all_small_matrices)
 {
@@ -77,7 +77,7 @@ START_TEST(few_extreme_magnitudes)
 }
 END_TEST
 
-// Next to zero -----------------------------------------------------------------
+// Next to zero ----------------------------------------------------------------
 
 /// Leave the minuends alone, so that every difference is a double.
 static void clear_subtrahends(matrix *m)
@@ -135,7 +135,7 @@ START_TEST(what_rounding_leaves_of_singular_matrices)
 }
 END_TEST
 
-// The ends of the stages -------------------------------------------------------
+// The ends of the stages ------------------------------------------------------
 
 START_TEST(entries_at_the_ends_of_the_expansions)
 {

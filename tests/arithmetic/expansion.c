@@ -8,7 +8,7 @@
 #include <math.h>
 #include <stdio.h>
 
-// Error-free transformations ---------------------------------------------------
+// Error-free transformations --------------------------------------------------
 
 /// Whether `two` is `sum` exactly, and its first part the sum rounded.
 static bool is_exactly(tf_two two, const mpz_t sum)
@@ -155,7 +155,7 @@ START_TEST(products_at_the_ends_of_the_range_are_exact)
 }
 END_TEST
 
-// Expansions -------------------------------------------------------------------
+// Expansions ------------------------------------------------------------------
 
 /// Whether the terms are nonoverlapping, smallest first, and none is zero.
 static bool is_expansion(const tf_expansion *e)
@@ -339,7 +339,7 @@ START_TEST(zeros_leave_no_terms)
 }
 END_TEST
 
-// Determinants -----------------------------------------------------------------
+// Determinants ----------------------------------------------------------------
 
 /// Judge the determinant of a matrix whose differences are doubles, and tell
 /// how many terms it has.
@@ -361,8 +361,8 @@ static int judge_determinant(const matrix *m)
     return result.count;
 }
 
-/// Judge the determinants of random doubles, of like or of any sizes, `zeros` in
-/// ten of them zero.
+/// Judge the determinants of random doubles, of like or of any sizes, of which
+/// `zeros` in ten are zero.
 static void judge_random_determinants(long count, int zeros)
 {
     generator random = generator_new(8);

@@ -30,7 +30,7 @@ static void judge(const tf_arithmetic *arithmetic, const matrix *m)
     mpz_clear(determinant);
 }
 
-// The ends of the range --------------------------------------------------------
+// The ends of the range -------------------------------------------------------
 
 /// Each coordinate least, zero or largest.
 static void judge_all_coordinates(const tf_arithmetic *arithmetic, int n)
@@ -126,7 +126,7 @@ START_TEST(singular_matrices_and_their_neighbours)
 }
 END_TEST
 
-// The limits -------------------------------------------------------------------
+// The limits ------------------------------------------------------------------
 
 START_TEST(limits_are_as_documented)
 {

@@ -71,7 +71,7 @@ void expect_of_matrix(bool good, const char *what, const matrix *m)
     ck_abort_msg("%s\nseed %llu\n%s", what, (unsigned long long)seed(), text);
 }
 
-// Kinds ------------------------------------------------------------------------
+// Kinds -----------------------------------------------------------------------
 
 matrix matrix_lattice(generator *random, int n, int values)
 {
@@ -169,7 +169,7 @@ matrix matrix_any(generator *random, int n)
     }
 }
 
-// Changes ----------------------------------------------------------------------
+// Changes ---------------------------------------------------------------------
 
 void matrix_nudge(generator *random, matrix *m, int ulps)
 {

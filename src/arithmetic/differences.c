@@ -8,9 +8,11 @@ void tf_differences_round(const tf_differences *differences,
                           double entry[TF_AXES][TF_AXES])
 {
     const tf_differences *d = differences;
-    for (int i = 0; i < d->n; i++)
-        for (int j = 0; j < d->n; j++)
-            entry[i][j] = d->to[i]->x[d->axis[j]] - d->from[i]->x[d->axis[j]];
+    for (int j = 0; j < d->n; j++) {
+        int k = d->axis[j];
+        for (int i = 0; i < d->n; i++)
+            entry[i][j] = d->to[i]->x[k] - d->from[i]->x[k];
+    }
 }
 
 //: Tell whether an arithmetic holds a coordinate

@@ -6,7 +6,7 @@
 #include <float.h>
 #include <limits.h>
 #include <math.h>
-#include <stddef.h>
+#include <string.h>
 
 //: Pair two swept simplices
 static void add_events(tf_pair *pair, const tf_simplex *simplex, int side,
@@ -32,22 +32,26 @@ tf_pair tf_pair_of(const tf_simplex *s, const tf_simplex *r, int axes)
 }
 
 //: Take differences within each time
-tf_differences tf_pair_differences(const tf_pair *pair, int without)
+/// Add the differences of the events begin..end-1 to the first of them.
+static void add_differences(const tf_pair *pair, int without, int begin,
+                            int end, tf_differences *differences)
 {
-    tf_differences differences = {
-        .n = 0, .axis = {pair->axis[0], pair->axis[1], pair->axis[2]}};
-    const tf_event *first[2] = {NULL, NULL};
-    for (int i = 0; i < pair->count; i++) {
-        int late = i >= pair->early;
+    int first = begin == without ? begin + 1 : begin;
+    for (int i = first + 1; i < end; i++) {
         if (i == without)
             continue;
-        if (!first[late]) {
-            first[late] = pair->event[i];
-            continue;
-        }
-        differences.to[differences.n] = pair->event[i];
-        differences.from[differences.n++] = first[late];
+        differences->to[differences->n] = pair->event[i];
+        differences->from[differences->n++] = pair->event[first];
     }
+}
+
+tf_differences tf_pair_differences(const tf_pair *pair, int without)
+{
+    tf_differences differences;
+    differences.n = 0;
+    memcpy(differences.axis, pair->axis, sizeof differences.axis);
+    add_differences(pair, without, 0, pair->early, &differences);
+    add_differences(pair, without, pair->early, pair->count, &differences);
     return differences;
 }
 

@@ -5,6 +5,8 @@
 #include "arithmetic/integer.h"
 #include "support/judge.h"
 
+#include <math.h>
+
 static const tf_arithmetic *const exact_ones[] = {&tf_exact, &tf_integer64,
                                                   &tf_integer128};
 enum {
@@ -79,6 +81,38 @@ START_TEST(random_queries_of_five_values)
 }
 END_TEST
 
+/// Coordinates at and next to the ends of what an integer arithmetic holds, and
+/// zero.
+static query largest_integers(generator *random, query_kind kind, int bits)
+{
+    query q = query_lattice(random, kind, 3);
+    for (int i = 0; i < query_size(&q); i++) {
+        double *x = query_coordinate(&q, i);
+        *x = (*x - 1) * (ldexp(1, bits) - 1 - below(random, 2));
+    }
+    return q;
+}
+
+START_TEST(largest_integers_that_fit)
+{
+    generator random = generator_new(64);
+    truth known;
+    truth_init(&known);
+    for (int kind = 0; kind < KINDS; kind++)
+        for (long i = 0; i < 2 * cases(10000); i++) {
+            const tf_arithmetic *wide = exact_ones[1 + i % 2];
+            int axes = query_new((query_kind)kind).axes;
+            query q =
+                largest_integers(&random, (query_kind)kind, wide->bits[axes]);
+            truth_find(&q, &known);
+            tf_contact contact;
+            expect_no_fault(exact_fault(&q, wide, &known, &contact), &q);
+            expect_truth(&q, &known);
+        }
+    truth_clear(&known);
+}
+END_TEST
+
 Suite *suite(void)
 {
     Suite *lattice = suite_create("lattice");
@@ -86,6 +120,7 @@ Suite *suite(void)
     tcase_add_test(queries, every_point_edge_query_of_three_values);
     tcase_add_test(queries, random_queries_of_three_values);
     tcase_add_test(queries, random_queries_of_five_values);
+    tcase_add_test(queries, largest_integers_that_fit);
     suite_add_tcase(lattice, queries);
     return lattice;
 }

@@ -1,5 +1,5 @@
-// Queries whose coordinates are small integers: every degeneracy there is comes
-// up, over and over.
+// Queries whose coordinates are integers, small ones above all: every degeneracy
+// there is comes up, over and over.
 #include "arithmetic/clamped.h"
 #include "arithmetic/exact.h"
 #include "arithmetic/integer.h"

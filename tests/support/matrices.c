@@ -86,12 +86,12 @@ matrix matrix_flat(generator *random, int n)
     matrix m = matrix_new(random, n);
     for (int i = 0; i < matrix_size(&m); i++)
         *matrix_coordinate(&m, i) = uniform(random, -1, 1);
-    for (int j = 0; j < n; j++)
-        m.to[n - 1].x[m.axis[j]] = m.from[n - 1].x[m.axis[j]];
+    tf_event *last = &m.to[n - 1];
+    *last = m.from[n - 1];
     for (int i = 0; i < n - 1; i++) {
         double weight = uniform(random, -1, 1);
-        for (int j = 0, k; k = m.axis[j], j < n; j++)
-            m.to[n - 1].x[k] += weight * (m.to[i].x[k] - m.from[i].x[k]);
+        for (int k = 0; k < TF_AXES; k++)
+            last->x[k] += weight * (m.to[i].x[k] - m.from[i].x[k]);
     }
     return m;
 }

@@ -172,7 +172,7 @@ static matrix scaled(generator *random, int n, int exponent)
     for (int j = 0; j < n; j++) {
         int own = exponent / factors + below(random, 40) - 20;
         // With two factors, the third column is as large or small as it likes.
-        matrix_scale(&m, j, j < factors ? own : below(random, 1900) - 950);
+        matrix_scale(&m, j, j < factors ? own : below(random, 1800) - 900);
     }
     matrix_nudge(random, &m, below(random, 3));
     return m;

@@ -1,0 +1,43 @@
+#include "worlds.h"
+
+void tf_world_of_event(const tf_event *event, double world[3])
+{
+    world[0] = event->x[0];
+    world[1] = event->x[1];
+    world[2] = event->t;
+}
+
+void tf_world_of_simplex(const tf_simplex *simplex, double world[][3])
+{
+    for (int i = 0; i < simplex->count; i++)
+        tf_world_of_event(simplex->event[i], world[i]);
+}
+
+/// The place at the time t on the way from one event to another.
+static void place_between(const tf_event *start, const tf_event *end, int axes,
+                          double t, double place[3])
+{
+    for (int k = 0; k < 3; k++)
+        place[k] = k < axes ? (1 - t) * start->x[k] + t * end->x[k] : 0;
+}
+
+void tf_worldline_place(const tf_worldline *worldline, int axes, double t,
+                        double place[3])
+{
+    place_between(&worldline->at[0], &worldline->at[1], axes, t, place);
+}
+
+tf_slice tf_slice_of(const tf_simplex *simplex, int axes, double t)
+{
+    // The corners lie on the ways from events at t = 0 to events at t = 1.
+    // Every other time backwards, they come in order around.
+    int early = simplex->mover + 1, late = simplex->count - early;
+    tf_slice slice = {0};
+    for (int i = 0; i < early; i++)
+        for (int j = 0; j < late; j++)
+            place_between(
+                simplex->event[i],
+                simplex->event[early + (i % 2 == 0 ? j : late - 1 - j)], axes,
+                t, slice.corner[slice.count++]);
+    return slice;
+}

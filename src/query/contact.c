@@ -88,8 +88,9 @@ static void find_normal(const tf_arithmetic *arithmetic, int axes,
         normal[k] = ldexp(component[k].number, component[k].exponent - largest);
         square += normal[k] * normal[k];
     }
+    // Adding zero turns -0 into 0.
     for (int k = 0; k < axes && square > 0; k++)
-        normal[k] /= sqrt(square);
+        normal[k] = normal[k] / sqrt(square) + 0.0;
 }
 
 //: Find the relative velocity
@@ -127,7 +128,7 @@ static double dot(const double a[TF_AXES], const double b[TF_AXES],
 static double normal_speed(const double velocity[TF_AXES],
                            const double normal[TF_AXES])
 {
-    double plain = dot(velocity, normal, 1);
+    double plain = dot(velocity, normal, 1) + 0.0;
     return isfinite(plain) ? plain : saturate(4 * dot(velocity, normal, 0.25));
 }
 

@@ -143,6 +143,7 @@ static tf_value round_words(const uint64_t *word, int count, int unit)
     uint64_t next = top > 0 ? word[top - 1] : 0;
     uint64_t leading = word[top] << empty | next >> 1 >> (63 - empty);
 
+    //: Round the leading bits
     // The 11 bits that the conversion rounds away must not look like a tie if
     // anything follows.
     bool follows = (next << empty) != 0;

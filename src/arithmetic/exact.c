@@ -7,13 +7,14 @@
 
 #include <math.h>
 
-//: Split the differences
+//: Hold the split differences
 /// The entries of a determinant, each the exact sum of two doubles.
 typedef struct split_entries {
     int n;
     double head[TF_AXES][TF_AXES], tail[TF_AXES][TF_AXES];
 } split_entries;
 
+//: Split a difference
 static tf_two split_difference(double to, double from)
 {
     tf_two difference = tf_two_difference(to, from);
@@ -25,6 +26,7 @@ static tf_two split_difference(double to, double from)
     return (tf_two){.hi = to, .lo = -from};
 }
 
+//: Split all differences
 static split_entries split(const tf_differences *d)
 {
     split_entries entries = {.n = d->n};
@@ -71,6 +73,7 @@ static void accumulate_term(tf_accumulator *sum, const split_entries *e,
     }
 }
 
+//: Accumulate all terms
 static void accumulate(const split_entries *entries, tf_accumulator *sum)
 {
     static const int column[6][TF_AXES] = {{0, 1, 2}, {1, 0, 2}, {1, 2, 0},

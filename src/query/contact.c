@@ -38,7 +38,7 @@ static void weigh_vertices(const tf_pair *pair, const tf_meeting *meeting,
     }
 }
 
-//: Find the normal
+//: Gather the horizontal edges
 /// Add the edges that a simplex has within t = 0 and within t = 1.
 static void add_horizontal_edges(const tf_simplex *simplex,
                                  tf_differences *edges)
@@ -52,6 +52,7 @@ static void add_horizontal_edges(const tf_simplex *simplex,
     }
 }
 
+//: Multiply the horizontal edges
 /// The cross product of the axes - 1 horizontal edges of S and R, each
 /// component a determinant, to length 1; `normal`, zero before, stays so if the
 /// edges are dependent or a component overflows.
@@ -119,6 +120,7 @@ static double relative_velocity(const tf_simplex *s, const tf_simplex *r,
     return saturate(4 * quarter);
 }
 
+//: Find the speed along the normal
 static double dot(const double a[TF_AXES], const double b[TF_AXES],
                   double scale)
 {

@@ -69,7 +69,7 @@ static int orientation(const tf_pair *pair, int i)
     return alternating * late * pair->side[i];
 }
 
-//: Separate a pair by an axis
+//: Measure one side along an axis
 typedef struct range {
     double low, high;
 } range;
@@ -87,6 +87,7 @@ static range side_range(const tf_pair *pair, int axis, int *i, int end)
     return r;
 }
 
+//: Separate a pair by an axis
 /// Which side has the larger coordinates on an axis at one time: +1 if all of S
 /// are larger than all of R, -1 the reverse, 0 neither.
 static int larger_side(const tf_pair *pair, int axis, int begin, int end)
@@ -121,7 +122,7 @@ typedef struct signs {
     tf_sign of[TF_PAIR_EVENTS];
 } signs;
 
-/// Stops at the first conflict.
+//: Stop at the first conflict
 static signs collect_signs(const tf_arithmetic *arithmetic, const tf_pair *pair)
 {
     signs found = {0};
@@ -158,6 +159,7 @@ static int magnitude(const tf_value *value)
                : value->exponent + ilogb(largest);
 }
 
+//: Enclose each coordinate
 static coordinates enclose_coordinates(const tf_arithmetic *arithmetic,
                                        const tf_pair *pair, const signs *found)
 {

@@ -48,6 +48,7 @@ static void restore_event(tf_meeting *meeting, int dropped)
     meeting->weight[dropped] = 0;
 }
 
+//: Tell which events may be dropped
 /// Whether the simplex of event i has another event at the same time.
 static bool may_drop(const tf_pair *pair, int i)
 {
@@ -69,10 +70,7 @@ static tf_pair along_axis(const tf_pair *pair, int k)
     return shadow;
 }
 
-//: Meet in every shadow
-typedef tf_meeting meet_function(const tf_arithmetic *arithmetic,
-                                 const tf_pair *pair);
-
+//: Measure how well weights fit
 /// How far apart the weights leave the points of S and R, all axes added.
 static double gap(const tf_pair *pair, const tf_meeting *meeting)
 {
@@ -86,6 +84,10 @@ static double gap(const tf_pair *pair, const tf_meeting *meeting)
     }
     return sum;
 }
+
+//: Meet in every shadow
+typedef tf_meeting meet_function(const tf_arithmetic *arithmetic,
+                                 const tf_pair *pair);
 
 /// The meeting of a pair that does not fill its space.  At least one of its
 /// shadows along the axes is one-to-one and decides; the others cannot be apart
@@ -143,7 +145,7 @@ static tf_meeting meet_in_faces(const tf_arithmetic *arithmetic,
     return earliest;
 }
 
-//: Meet at one time
+//: Meet in a space without axes
 /// The only two points of a space without axes coincide.
 static tf_meeting meet_without_axes(const tf_pair *pair)
 {
@@ -157,6 +159,7 @@ static tf_meeting meet_without_axes(const tf_pair *pair)
     return meeting;
 }
 
+//: Measure a static volume
 /// The sign of the volume that axes + 1 events of one time span; fewer span
 /// none.
 static tf_sign volume_sign(const tf_arithmetic *arithmetic, const tf_pair *pair)
@@ -167,6 +170,7 @@ static tf_sign volume_sign(const tf_arithmetic *arithmetic, const tf_pair *pair)
     return arithmetic->sign(&all);
 }
 
+//: Meet at one time
 /// The meeting of two simplices at one time, of at most axes + 2 events.
 static tf_meeting meet_at_once(const tf_arithmetic *arithmetic,
                                const tf_pair *pair)

@@ -1,0 +1,25 @@
+// The figures of the book.
+#ifndef TF_FIGURES_FIGURES_H
+#define TF_FIGURES_FIGURES_H
+
+#include "stage/figure.h"
+
+// A figure is a file; tf_figure_edge_sweep is the figure "edge-sweep".
+extern const tf_figure tf_figure_edge_sweep;
+extern const tf_figure tf_figure_prism;
+extern const tf_figure tf_figure_staircase_patch;
+extern const tf_figure tf_figure_bent_slices;
+extern const tf_figure tf_figure_sign_maps;
+extern const tf_figure tf_figure_plane_degenerate;
+extern const tf_figure tf_figure_sheared_frame;
+extern const tf_figure tf_figure_edge_edge_sheets;
+extern const tf_figure tf_figure_contact;
+extern const tf_figure tf_figure_crease_crossing;
+
+/// All figures in the order of the book; NULL ends the table.
+extern const tf_figure *const tf_figures[];
+
+/// The figure of that name; NULL if there is none.
+const tf_figure *tf_figure_named(const char *name);
+
+#endif

@@ -25,8 +25,11 @@ enum {
     TF_EXPANSION_TERMS = 24
 }; ///< what a 3x3 determinant of doubles needs
 
-/// A real number as an exact sum of doubles, nonoverlapping, smallest first,
-/// without zeros; no terms: zero.  Its sign is that of the last term.
+/// A real number as an exact sum of doubles, smallest first, without zeros; no
+/// terms: zero.  Its sign is that of the last term.  The terms are strongly
+/// nonoverlapping: their bits do not overlap, bits of two terms are adjacent
+/// only if both terms are powers of two, and no term is adjacent to two.  All
+/// functions below keep that.
 typedef struct tf_expansion {
     int count;
     double term[TF_EXPANSION_TERMS];

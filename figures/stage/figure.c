@@ -1,0 +1,17 @@
+#include "stage/figure.h"
+
+#include <stdlib.h>
+
+enum {
+    DIGITS_MOST = 17
+}; ///< that tell any double from all others
+
+void tf_figure_number(FILE *numbers, const char *key, double value)
+{
+    char text[64];
+    int digits = 1;
+    do
+        snprintf(text, sizeof text, "%.*g", digits, value);
+    while (strtod(text, NULL) != value && digits++ < DIGITS_MOST);
+    fprintf(numbers, "%s %s\n", key, text);
+}

@@ -1,0 +1,85 @@
+// OpenGL 3.3 without a window, by OSMesa or (TF_STAGE_EGL) by EGL.
+#ifndef TF_STAGE_GL_H
+#define TF_STAGE_GL_H
+
+#include <GL/glcorearb.h>
+#include <stdbool.h>
+
+/// What the stage calls: X(type, name without gl).
+#define TF_GL_FUNCTIONS(X)                                                     \
+    X(PFNGLATTACHSHADERPROC, AttachShader)                                     \
+    X(PFNGLBEGINQUERYPROC, BeginQuery)                                         \
+    X(PFNGLBINDATTRIBLOCATIONPROC, BindAttribLocation)                         \
+    X(PFNGLBINDBUFFERPROC, BindBuffer)                                         \
+    X(PFNGLBINDFRAMEBUFFERPROC, BindFramebuffer)                               \
+    X(PFNGLBINDTEXTUREPROC, BindTexture)                                       \
+    X(PFNGLBINDVERTEXARRAYPROC, BindVertexArray)                               \
+    X(PFNGLACTIVETEXTUREPROC, ActiveTexture)                                   \
+    X(PFNGLBLENDFUNCPROC, BlendFunc)                                           \
+    X(PFNGLBUFFERDATAPROC, BufferData)                                         \
+    X(PFNGLCHECKFRAMEBUFFERSTATUSPROC, CheckFramebufferStatus)                 \
+    X(PFNGLCLEARPROC, Clear)                                                   \
+    X(PFNGLCLEARCOLORPROC, ClearColor)                                         \
+    X(PFNGLCLEARDEPTHPROC, ClearDepth)                                         \
+    X(PFNGLCOMPILESHADERPROC, CompileShader)                                   \
+    X(PFNGLCREATEPROGRAMPROC, CreateProgram)                                   \
+    X(PFNGLCREATESHADERPROC, CreateShader)                                     \
+    X(PFNGLDELETEBUFFERSPROC, DeleteBuffers)                                   \
+    X(PFNGLDELETEFRAMEBUFFERSPROC, DeleteFramebuffers)                         \
+    X(PFNGLDELETEPROGRAMPROC, DeleteProgram)                                   \
+    X(PFNGLDELETEQUERIESPROC, DeleteQueries)                                   \
+    X(PFNGLDELETESHADERPROC, DeleteShader)                                     \
+    X(PFNGLDELETETEXTURESPROC, DeleteTextures)                                 \
+    X(PFNGLDELETEVERTEXARRAYSPROC, DeleteVertexArrays)                         \
+    X(PFNGLDEPTHFUNCPROC, DepthFunc)                                           \
+    X(PFNGLDISABLEPROC, Disable)                                               \
+    X(PFNGLDRAWARRAYSPROC, DrawArrays)                                         \
+    X(PFNGLENABLEPROC, Enable)                                                 \
+    X(PFNGLENABLEVERTEXATTRIBARRAYPROC, EnableVertexAttribArray)               \
+    X(PFNGLENDQUERYPROC, EndQuery)                                             \
+    X(PFNGLFRAMEBUFFERTEXTURE2DPROC, FramebufferTexture2D)                     \
+    X(PFNGLGENBUFFERSPROC, GenBuffers)                                         \
+    X(PFNGLGENFRAMEBUFFERSPROC, GenFramebuffers)                               \
+    X(PFNGLGENQUERIESPROC, GenQueries)                                         \
+    X(PFNGLGENTEXTURESPROC, GenTextures)                                       \
+    X(PFNGLGENVERTEXARRAYSPROC, GenVertexArrays)                               \
+    X(PFNGLGETERRORPROC, GetError)                                             \
+    X(PFNGLGETPROGRAMIVPROC, GetProgramiv)                                     \
+    X(PFNGLGETQUERYOBJECTUIVPROC, GetQueryObjectuiv)                           \
+    X(PFNGLGETUNIFORMLOCATIONPROC, GetUniformLocation)                         \
+    X(PFNGLLINKPROGRAMPROC, LinkProgram)                                       \
+    X(PFNGLREADPIXELSPROC, ReadPixels)                                         \
+    X(PFNGLSHADERSOURCEPROC, ShaderSource)                                     \
+    X(PFNGLTEXIMAGE2DPROC, TexImage2D)                                         \
+    X(PFNGLTEXPARAMETERIPROC, TexParameteri)                                   \
+    X(PFNGLUNIFORM1FPROC, Uniform1f)                                           \
+    X(PFNGLUNIFORM1IPROC, Uniform1i)                                           \
+    X(PFNGLUNIFORM2FPROC, Uniform2f)                                           \
+    X(PFNGLUNIFORM3FPROC, Uniform3f)                                           \
+    X(PFNGLUNIFORMMATRIX4FVPROC, UniformMatrix4fv)                             \
+    X(PFNGLUSEPROGRAMPROC, UseProgram)                                         \
+    X(PFNGLVERTEXATTRIBPOINTERPROC, VertexAttribPointer)                       \
+    X(PFNGLVIEWPORTPROC, Viewport)
+
+/// The functions of a context.
+typedef struct tf_gl {
+#define TF_GL_MEMBER(type, name) type name;
+    TF_GL_FUNCTIONS(TF_GL_MEMBER)
+#undef TF_GL_MEMBER
+} tf_gl;
+
+/// A context of OpenGL 3.3 core, current until it is closed.
+typedef struct tf_context tf_context;
+
+/// NULL if there is none to be had.
+tf_context *tf_context_open(void);
+void tf_context_close(tf_context *context);
+
+/// Load all functions.  False if one is missing.
+bool tf_gl_load(tf_gl *gl);
+
+/// The function of that name, e.g. "glClear"; NULL if there is none.
+typedef void (*tf_gl_function)(void);
+tf_gl_function tf_context_function(const char *name);
+
+#endif

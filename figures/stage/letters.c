@@ -1,0 +1,176 @@
+#include "stage/letters.h"
+
+#include "stage/markup.h"
+
+#include <fontconfig/fontconfig.h>
+#include <pango/pangocairo.h>
+#include <stdlib.h>
+
+/// A bar over letters leans to the right with them: it begins and ends this
+/// part of the letters' size farther right.  Its height over the ink and its
+/// width too.
+static const double bar_lean = 0.06, bar_rise = 0.10, bar_width = 0.055;
+
+enum {
+    BARS_MOST = 8
+};
+
+typedef struct bar {
+    double from, to, height; ///< from the left end of the first baseline
+} bar;
+
+struct tf_letters {
+    PangoLayout *layout;
+    double size;
+    double baseline; ///< below the layout's top
+    bar bars[BARS_MOST];
+    int bar_count;
+};
+
+bool tf_letters_known(const char *family)
+{
+    FcPattern *pattern =
+        FcPatternBuild(NULL, FC_FAMILY, FcTypeString, family, (char *)NULL);
+    FcObjectSet *wanted = FcObjectSetBuild(FC_FAMILY, (char *)NULL);
+    FcFontSet *found = FcFontList(NULL, pattern, wanted);
+    bool known = found != NULL && found->nfont > 0;
+    if (found != NULL)
+        FcFontSetDestroy(found);
+    FcObjectSetDestroy(wanted);
+    FcPatternDestroy(pattern);
+    return known;
+}
+
+/// A layout that looks the same at every scale.
+static PangoLayout *new_layout(const char *family, double size)
+{
+    PangoFontMap *map = pango_cairo_font_map_get_default();
+    PangoContext *context = pango_font_map_create_context(map);
+    cairo_font_options_t *options = cairo_font_options_create();
+    cairo_font_options_set_hint_style(options, CAIRO_HINT_STYLE_NONE);
+    cairo_font_options_set_hint_metrics(options, CAIRO_HINT_METRICS_OFF);
+    cairo_font_options_set_antialias(options, CAIRO_ANTIALIAS_GRAY);
+    pango_cairo_context_set_font_options(context, options);
+    pango_context_set_round_glyph_positions(context, FALSE);
+    cairo_font_options_destroy(options);
+
+    PangoFontDescription *font = pango_font_description_new();
+    pango_font_description_set_family(font, family);
+    pango_font_description_set_absolute_size(font, size * PANGO_SCALE);
+    PangoLayout *layout = pango_layout_new(context);
+    pango_layout_set_font_description(layout, font);
+    pango_font_description_free(font);
+    g_object_unref(context);
+    return layout;
+}
+
+/// The top of the ink of a part of the text, above its baseline.
+static double ink_height(PangoLayout *whole, const tf_markup *markup,
+                         tf_bar part)
+{
+    PangoLayout *layout = pango_layout_copy(whole);
+    PangoAttrList *looks = pango_attr_list_copy(markup->looks);
+    pango_attr_list_update(looks, 0, (int)part.from, 0);
+    pango_layout_set_text(layout, markup->text->str + part.from,
+                          (int)(part.to - part.from));
+    pango_layout_set_attributes(layout, looks);
+    PangoRectangle ink;
+    pango_layout_get_extents(layout, &ink, NULL);
+    double height = pango_layout_get_baseline(layout) - ink.y;
+    pango_attr_list_unref(looks);
+    g_object_unref(layout);
+    return height / PANGO_SCALE;
+}
+
+static void find_bars(tf_letters *letters, const tf_markup *markup)
+{
+    guint count = markup->bars->len < BARS_MOST ? markup->bars->len : BARS_MOST;
+    for (guint i = 0; i < count; i++) {
+        tf_bar part = g_array_index(markup->bars, tf_bar, i);
+        PangoRectangle from, to;
+        pango_layout_index_to_pos(letters->layout, (int)part.from, &from);
+        pango_layout_index_to_pos(letters->layout, (int)part.to, &to);
+        double lean = bar_lean * letters->size;
+        letters->bars[letters->bar_count++] =
+            (bar){.from = (double)from.x / PANGO_SCALE + 2 * lean,
+                  .to = (double)to.x / PANGO_SCALE + lean,
+                  .height = ink_height(letters->layout, markup, part) +
+                            bar_rise * letters->size};
+    }
+}
+
+tf_stage_status tf_letters_set(const char *family, const char *text,
+                               double size, tf_letters **letters)
+{
+    *letters = NULL;
+    tf_markup markup;
+    if (!tf_markup_read(&markup, text, size)) {
+        tf_markup_free(&markup);
+        return TF_STAGE_BAD_TEXT;
+    }
+    tf_letters *set = calloc(1, sizeof *set);
+    if (set != NULL) {
+        set->size = size;
+        set->layout = new_layout(family, size);
+        pango_layout_set_text(set->layout, markup.text->str, -1);
+        pango_layout_set_attributes(set->layout, markup.looks);
+        set->baseline =
+            (double)pango_layout_get_baseline(set->layout) / PANGO_SCALE;
+        find_bars(set, &markup);
+    }
+    tf_markup_free(&markup);
+    *letters = set;
+    return set == NULL ? TF_STAGE_NO_MEMORY : TF_STAGE_OK;
+}
+
+void tf_letters_free(tf_letters *letters)
+{
+    if (letters == NULL)
+        return;
+    g_object_unref(letters->layout);
+    free(letters);
+}
+
+void tf_letters_ink(const tf_letters *letters, double *x, double *y,
+                    double *width, double *height)
+{
+    PangoRectangle ink;
+    pango_layout_get_extents(letters->layout, &ink, NULL);
+    double top = (double)ink.y / PANGO_SCALE - letters->baseline;
+    double bottom = top + (double)ink.height / PANGO_SCALE;
+    double left = (double)ink.x / PANGO_SCALE;
+    double right = left + (double)ink.width / PANGO_SCALE;
+    for (int i = 0; i < letters->bar_count; i++) {
+        const bar *over = &letters->bars[i];
+        double edge = -over->height - bar_width * letters->size;
+        top = edge < top ? edge : top;
+        right = over->to > right ? over->to : right;
+    }
+    *x = left;
+    *y = top;
+    *width = right - left;
+    *height = bottom - top;
+}
+
+double tf_letters_advance(const tf_letters *letters)
+{
+    PangoRectangle logical;
+    pango_layout_get_extents(letters->layout, NULL, &logical);
+    return (double)logical.width / PANGO_SCALE;
+}
+
+void tf_letters_draw(const tf_letters *letters, cairo_t *cairo, double x,
+                     double y, tf_rgb color)
+{
+    cairo_set_source_rgb(cairo, color.r, color.g, color.b);
+    cairo_move_to(cairo, x, y - letters->baseline);
+    pango_cairo_show_layout(cairo, letters->layout);
+    cairo_set_line_width(cairo, bar_width * letters->size);
+    cairo_set_line_cap(cairo, CAIRO_LINE_CAP_BUTT);
+    for (int i = 0; i < letters->bar_count; i++) {
+        const bar *over = &letters->bars[i];
+        cairo_move_to(cairo, x + over->from, y - over->height);
+        cairo_line_to(cairo, x + over->to, y - over->height);
+        cairo_stroke(cairo);
+    }
+}

@@ -1,0 +1,270 @@
+#include "stage/page_parts.h"
+#include "stage/picture.h"
+
+#include <cairo-pdf.h>
+#include <cairo-svg.h>
+#include <errno.h>
+#include <math.h>
+#include <png.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+// The page, drawn --------------------------------------------------------
+
+/// The resolution to which cairo's vector surfaces turn what they cannot keep
+/// as vectors.
+static const double fallback_dpi = 300;
+
+static tf_stage_status draw_panel(tf_renderer **renderer, const tf_panel *panel,
+                                  tf_raster raster, cairo_t *cairo)
+{
+    tf_stage_status status = TF_STAGE_OK;
+    if (*renderer == NULL)
+        status = tf_renderer_new(renderer);
+    tf_picture picture = {.surface = NULL};
+    if (status == TF_STAGE_OK)
+        status = tf_picture_draw(*renderer, panel, raster, &picture);
+    if (picture.surface == NULL)
+        return status;
+    cairo_save(cairo);
+    cairo_scale(cairo, 1 / raster.scale, 1 / raster.scale);
+    cairo_set_source_surface(cairo, picture.surface, picture.x - raster.shift_x,
+                             picture.y - raster.shift_y);
+    cairo_pattern_set_filter(cairo_get_source(cairo), CAIRO_FILTER_GOOD);
+    cairo_paint(cairo);
+    cairo_restore(cairo);
+    cairo_surface_destroy(picture.surface);
+    return status;
+}
+
+/// Draw all; `cairo` counts in points.
+static tf_stage_status draw_page(tf_page *page, cairo_t *cairo)
+{
+    const tf_theme *theme = page->options.theme;
+    tf_rgb paper = theme->color[TF_ROLE_PAPER];
+    if (!page->options.transparent) {
+        cairo_set_source_rgb(cairo, paper.r, paper.g, paper.b);
+        cairo_paint(cairo);
+    }
+    tf_renderer *renderer = NULL;
+    tf_stage_status status = page->trouble;
+    for (int i = 0; i < page->mark_count && status == TF_STAGE_OK; i++)
+        if (page->marks[i].kind == TF_MARK_PANEL)
+            status = draw_panel(&renderer, page->marks[i].panel,
+                                tf_page_raster(page), cairo);
+        else
+            tf_mark_draw(&page->marks[i], theme, cairo);
+    tf_renderer_free(renderer);
+    if (status == TF_STAGE_OK && !tf_page_place_tags(page))
+        status = TF_STAGE_NO_MEMORY;
+    if (status == TF_STAGE_OK)
+        tf_page_draw_tags(page, cairo);
+    if (status == TF_STAGE_OK && cairo_status(cairo) != CAIRO_STATUS_SUCCESS)
+        status = TF_STAGE_NO_MEMORY;
+    return status;
+}
+
+// Files ------------------------------------------------------------------
+
+/// A file, and the errno of the first failure or 0.
+typedef struct sink {
+    FILE *stream;
+    int error;
+} sink;
+
+static bool put_bytes(sink *s, const void *bytes, size_t count)
+{
+    if (s->error == 0 && fwrite(bytes, 1, count, s->stream) != count)
+        s->error = errno != 0 ? errno : EIO;
+    return s->error == 0;
+}
+
+static tf_stage_status close_sink(sink *s, tf_stage_status status)
+{
+    if (fclose(s->stream) != 0 && s->error == 0)
+        s->error = errno != 0 ? errno : EIO;
+    if (s->error != 0 &&
+        (status == TF_STAGE_OK || status == TF_STAGE_UNWRITABLE)) {
+        errno = s->error;
+        return TF_STAGE_UNWRITABLE;
+    }
+    return status;
+}
+
+// Vector files -----------------------------------------------------------
+
+static cairo_status_t put_for_cairo(void *closure, const unsigned char *bytes,
+                                    unsigned count)
+{
+    return put_bytes(closure, bytes, count) ? CAIRO_STATUS_SUCCESS
+                                            : CAIRO_STATUS_WRITE_ERROR;
+}
+
+static cairo_surface_t *new_pdf(sink *s, double width, double height)
+{
+    cairo_surface_t *surface =
+        cairo_pdf_surface_create_for_stream(put_for_cairo, s, width, height);
+    // The same page makes the same file on any day.
+    cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATE_DATE, "");
+    return surface;
+}
+
+static cairo_surface_t *new_svg(sink *s, double width, double height)
+{
+    return cairo_svg_surface_create_for_stream(put_for_cairo, s, width, height);
+}
+
+typedef cairo_surface_t *vector_surface(sink *s, double width, double height);
+
+static tf_stage_status write_vectors(tf_page *page, sink *s,
+                                     vector_surface *new_surface)
+{
+    cairo_surface_t *surface =
+        new_surface(s, page->options.width, page->options.height);
+    cairo_surface_set_fallback_resolution(surface, fallback_dpi, fallback_dpi);
+    cairo_t *cairo = cairo_create(surface);
+    tf_stage_status status = draw_page(page, cairo);
+    cairo_destroy(cairo);
+    cairo_surface_finish(surface);
+    if (status == TF_STAGE_OK &&
+        cairo_surface_status(surface) != CAIRO_STATUS_SUCCESS)
+        status = s->error != 0 ? TF_STAGE_UNWRITABLE : TF_STAGE_NO_MEMORY;
+    cairo_surface_destroy(surface);
+    return status;
+}
+
+static tf_stage_status write_pdf(tf_page *page, sink *s)
+{
+    return write_vectors(page, s, new_pdf);
+}
+
+static tf_stage_status write_svg(tf_page *page, sink *s)
+{
+    return write_vectors(page, s, new_svg);
+}
+
+// PNG --------------------------------------------------------------------
+
+static void put_for_png(png_structp png, png_bytep bytes, png_size_t count)
+{
+    if (!put_bytes(png_get_io_ptr(png), bytes, count))
+        png_error(png, "write");
+}
+
+static void flush_for_png(png_structp png)
+{
+    (void)png;
+}
+
+static void hush(png_structp png, png_const_charp message)
+{
+    (void)png;
+    (void)message;
+}
+
+/// From cairo's pixel, colours times opacity, to PNG's four bytes.
+static void convert_row(const unsigned char *row, int width, png_bytep out)
+{
+    for (int x = 0; x < width; x++, row += 4, out += 4) {
+        unsigned pixel;
+        memcpy(&pixel, row, 4);
+        unsigned opacity = pixel >> 24;
+        for (int k = 0; k < 3; k++) {
+            unsigned c = pixel >> (16 - 8 * k) & 255;
+            out[k] =
+                (png_byte)(opacity == 0 ? 0
+                                        : (c * 255 + opacity / 2) / opacity);
+        }
+        out[3] = (png_byte)opacity;
+    }
+}
+
+static void put_rows(png_structp png, cairo_surface_t *surface, png_bytep row)
+{
+    const unsigned char *bytes = cairo_image_surface_get_data(surface);
+    size_t stride = (size_t)cairo_image_surface_get_stride(surface);
+    for (int y = 0; y < cairo_image_surface_get_height(surface); y++) {
+        convert_row(bytes + stride * (size_t)y,
+                    cairo_image_surface_get_width(surface), row);
+        png_write_row(png, row);
+    }
+}
+
+static tf_stage_status put_png(sink *s, cairo_surface_t *surface,
+                               double pixels_per_point, bool transparent)
+{
+    int width = cairo_image_surface_get_width(surface);
+    png_bytep row = malloc(4 * (size_t)width);
+    png_structp png =
+        png_create_write_struct(PNG_LIBPNG_VER_STRING, NULL, hush, hush);
+    png_infop info = png != NULL ? png_create_info_struct(png) : NULL;
+    tf_stage_status status = TF_STAGE_NO_MEMORY;
+    if (row != NULL && info != NULL && setjmp(png_jmpbuf(png)) == 0) {
+        png_set_write_fn(png, s, put_for_png, flush_for_png);
+        png_set_IHDR(png, info, (png_uint_32)width,
+                     (png_uint_32)cairo_image_surface_get_height(surface), 8,
+                     transparent ? PNG_COLOR_TYPE_RGBA : PNG_COLOR_TYPE_RGB,
+                     PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
+                     PNG_FILTER_TYPE_DEFAULT);
+        png_uint_32 per_meter =
+            (png_uint_32)lround(pixels_per_point * 72 / 0.0254);
+        png_set_pHYs(png, info, per_meter, per_meter, PNG_RESOLUTION_METER);
+        png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
+        png_write_info(png, info);
+        if (!transparent)
+            png_set_filler(png, 0, PNG_FILLER_AFTER);
+        put_rows(png, surface, row);
+        png_write_end(png, info);
+        status = TF_STAGE_OK;
+    }
+    png_destroy_write_struct(&png, &info);
+    free(row);
+    return status == TF_STAGE_OK || s->error == 0 ? status
+                                                  : TF_STAGE_UNWRITABLE;
+}
+
+static tf_stage_status write_png(tf_page *page, sink *s)
+{
+    tf_raster raster = tf_page_raster(page);
+    cairo_surface_t *surface = cairo_image_surface_create(
+        CAIRO_FORMAT_ARGB32, raster.pixels_x, raster.pixels_y);
+    cairo_t *cairo = cairo_create(surface);
+    cairo_translate(cairo, raster.shift_x, raster.shift_y);
+    cairo_scale(cairo, raster.scale, raster.scale);
+    tf_stage_status status = draw_page(page, cairo);
+    cairo_destroy(cairo);
+    cairo_surface_flush(surface);
+    if (status == TF_STAGE_OK)
+        status = put_png(s, surface, raster.scale, page->options.transparent);
+    cairo_surface_destroy(surface);
+    return status;
+}
+
+// Any --------------------------------------------------------------------
+
+typedef tf_stage_status writer(tf_page *page, sink *s);
+
+static writer *writer_for(const char *path)
+{
+    static const struct {
+        const char *ending;
+        writer *write;
+    } kinds[] = {{".png", write_png}, {".pdf", write_pdf}, {".svg", write_svg}};
+    size_t length = strlen(path);
+    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
+        if (length >= 4 && strcmp(path + length - 4, kinds[i].ending) == 0)
+            return kinds[i].write;
+    return NULL;
+}
+
+tf_stage_status tf_page_write(tf_page *page, const char *path)
+{
+    writer *write = writer_for(path);
+    if (write == NULL)
+        return TF_STAGE_UNKNOWN_KIND;
+    sink s = {.stream = fopen(path, "wb")};
+    if (s.stream == NULL)
+        return TF_STAGE_UNWRITABLE;
+    return close_sink(&s, write(page, &s));
+}

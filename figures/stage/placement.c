@@ -1,0 +1,167 @@
+#include "stage/placement.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+
+enum {
+    DIRECTIONS = 16,
+    DISTANCES = 6,
+    SWEEPS = 4
+};
+
+/// Costs: outside of the page, over another label (for each square point),
+/// off the wished direction (opposite), each point farther from the anchor.
+static const double outside_cost = 1e6, overlap_cost = 1e3, turn_cost = 12,
+                    distance_cost = 1.2;
+
+/// Labels keep this many points from each other.
+static const double clearance = 1.5;
+
+/// All that a label is placed among.
+typedef struct surroundings {
+    tf_box page;
+    int taken_count, obstacle_count;
+    const tf_box *taken;
+    const tf_obstacle *obstacle;
+    int wishes;
+    const tf_wish *wish;
+    tf_box *placed;
+    bool *is_placed;
+} surroundings;
+
+double tf_box_overlap(const tf_box *a, const tf_box *b)
+{
+    double width = fmin(a->x + a->width, b->x + b->width) - fmax(a->x, b->x);
+    double height = fmin(a->y + a->height, b->y + b->height) - fmax(a->y, b->y);
+    return width > 0 && height > 0 ? width * height : 0;
+}
+
+static tf_box grown(const tf_box *box, double by)
+{
+    return (tf_box){box->x - by, box->y - by, box->width + 2 * by,
+                    box->height + 2 * by};
+}
+
+/// The box in a direction from the anchor, its border `gap` off.
+static tf_box box_towards(const tf_wish *wish, double direction, double gap)
+{
+    double dx = cos(direction), dy = -sin(direction);
+    double half_width = wish->width / 2, half_height = wish->height / 2;
+    // Move the box's middle until the circle of radius gap around the anchor
+    // touches the box: that middle lies on a rounded rectangle.
+    double lo = 0, hi = gap + half_width + half_height;
+    for (int i = 0; i < 30; i++) {
+        double mid = (lo + hi) / 2;
+        double outside_x = fmax(fabs(mid * dx) - half_width, 0);
+        double outside_y = fmax(fabs(mid * dy) - half_height, 0);
+        if (hypot(outside_x, outside_y) < gap)
+            lo = mid;
+        else
+            hi = mid;
+    }
+    return (tf_box){wish->anchor[0] + hi * dx - half_width,
+                    wish->anchor[1] + hi * dy - half_height, wish->width,
+                    wish->height};
+}
+
+static double outside(const tf_box *page, const tf_box *box)
+{
+    double over = fmax(page->x - box->x, 0) + fmax(page->y - box->y, 0);
+    over += fmax(box->x + box->width - page->x - page->width, 0);
+    return over + fmax(box->y + box->height - page->y - page->height, 0);
+}
+
+/// The part of 0..1 along a segment that lies in a box, cut axis by axis.
+static double length_inside(const double from[2], const double to[2],
+                            const tf_box *box)
+{
+    const double lo[2] = {box->x, box->y};
+    const double hi[2] = {box->x + box->width, box->y + box->height};
+    double begin = 0, end = 1;
+    for (int k = 0; k < 2; k++) {
+        double d = to[k] - from[k];
+        if (d == 0 && (from[k] < lo[k] || from[k] > hi[k]))
+            return 0;
+        if (d == 0)
+            continue;
+        double a = (lo[k] - from[k]) / d, b = (hi[k] - from[k]) / d;
+        begin = fmax(begin, fmin(a, b));
+        end = fmin(end, fmax(a, b));
+    }
+    return end > begin ? end - begin : 0;
+}
+
+/// How much of an obstacle a box covers, in points; a dot counts as its width.
+static double covered(const tf_obstacle *o, const tf_box *box)
+{
+    tf_box wide = grown(box, o->radius);
+    double dx = o->to[0] - o->from[0], dy = o->to[1] - o->from[1];
+    double length = hypot(dx, dy);
+    if (length < 1e-9) {
+        bool in = o->from[0] > wide.x && o->from[0] < wide.x + wide.width &&
+                  o->from[1] > wide.y && o->from[1] < wide.y + wide.height;
+        return in ? 2 * o->radius + 2 : 0;
+    }
+    double inside = length_inside(o->from, o->to, &wide) * length;
+    return inside > 0 ? inside + 2 : 0;
+}
+
+static double cost_of(const surroundings *s, int own, const tf_box *box)
+{
+    tf_box wide = grown(box, clearance);
+    double cost = outside_cost * outside(&s->page, box);
+    for (int i = 0; i < s->taken_count; i++)
+        cost += overlap_cost * tf_box_overlap(&wide, &s->taken[i]);
+    for (int i = 0; i < s->wishes; i++)
+        if (i != own && s->is_placed[i])
+            cost += overlap_cost * tf_box_overlap(&wide, &s->placed[i]);
+    for (int i = 0; i < s->obstacle_count; i++)
+        cost += s->obstacle[i].weight * covered(&s->obstacle[i], box);
+    return cost;
+}
+
+static double turn_between(double a, double b)
+{
+    return fabs(remainder(a - b, 6.283185307179586));
+}
+
+/// Put one label where it costs least among the others.
+static void place_one(const surroundings *s, int own)
+{
+    const tf_wish *wish = &s->wish[own];
+    double least = DBL_MAX;
+    for (int i = 0; i < DISTANCES; i++)
+        for (int j = 0; j < DIRECTIONS; j++) {
+            double far = wish->reach * i / (DISTANCES - 1);
+            // The wished direction is tried first, so it wins a tie.
+            double turn = (j % 2 ? -1 : 1) * ((j + 1) / 2) *
+                          (6.283185307179586 / DIRECTIONS);
+            double direction = wish->direction + turn;
+            tf_box box = box_towards(wish, direction, wish->gap + far);
+            double turned = turn_between(direction, wish->direction);
+            double cost = far * distance_cost + cost_of(s, own, &box);
+            cost += (wish->any_side ? 0.1 : 1) * turn_cost * turned / 3.1416;
+            if (cost < least) {
+                least = cost;
+                s->placed[own] = box;
+            }
+        }
+    s->is_placed[own] = true;
+}
+
+bool tf_place(tf_box page, int wishes, const tf_wish wish[], int taken_count,
+              const tf_box taken[], int obstacles, const tf_obstacle obstacle[],
+              tf_box placed[])
+{
+    bool *is_placed = calloc((size_t)wishes + 1, sizeof *is_placed);
+    if (is_placed == NULL)
+        return false;
+    surroundings s = {page,   taken_count, obstacles, taken,    obstacle,
+                      wishes, wish,        placed,    is_placed};
+    for (int sweep = 0; sweep < SWEEPS; sweep++)
+        for (int i = 0; i < wishes; i++)
+            place_one(&s, i);
+    free(is_placed);
+    return true;
+}

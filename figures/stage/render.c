@@ -1,0 +1,452 @@
+#include "stage/render.h"
+
+#include "stage/gl.h"
+#include "stage/shaders.h"
+#include "stage/vector.h"
+
+#include <float.h>
+#include <stddef.h>
+#include <stdlib.h>
+
+enum {
+    SHIFTS = 8,      ///< pictures that are summed
+    LAYERS_MOST = 64 ///< translucent things behind each other
+};
+
+/// How far off a solid thing breaks off where it passes behind another, and
+/// how far behind it must be; in points.
+static const double halo_width = 1.1, halo_gap = 6;
+
+/// Within a pixel, from its middle: eight rooks that do not attack each other,
+/// so that edges of any slant, steep and flat ones too, get eight steps.
+static const double shift[SHIFTS][2] = {{-0.4375, 0.0625}, {-0.3125, -0.3125},
+                                        {-0.1875, 0.3125}, {-0.0625, -0.0625},
+                                        {0.0625, 0.4375},  {0.1875, -0.4375},
+                                        {0.3125, 0.1875},  {0.4375, -0.1875}};
+
+typedef enum program {
+    SOLID,
+    LAYER,
+    UNDER,
+    FINISH,
+    PROGRAMS
+} program;
+
+/// What is drawn to: pictures and depths of the same size.
+typedef enum target {
+    SOLID_COLOR,
+    SOLID_DEPTH,
+    LAYER_COLOR,
+    LAYER_DEPTH_EVEN,
+    LAYER_DEPTH_ODD,
+    FRONT,
+    SUM,
+    TARGETS
+} target;
+
+typedef enum frame {
+    SOLID_FRAME,
+    EVEN_FRAME,
+    ODD_FRAME,
+    FRONT_FRAME,
+    SUM_FRAME,
+    FRAMES
+} frame;
+
+struct tf_renderer {
+    tf_context *context;
+    tf_gl gl;
+    GLuint programs[PROGRAMS];
+    GLuint textures[TARGETS], frames[FRAMES];
+    GLuint vertices, corners, nothing, query;
+    int width, height; ///< of the textures
+};
+
+// Making -----------------------------------------------------------------
+
+static GLuint compile(const tf_gl *gl, GLenum kind, const char *source)
+{
+    GLuint shader = gl->CreateShader(kind);
+    gl->ShaderSource(shader, 1, &source, NULL);
+    gl->CompileShader(shader);
+    return shader;
+}
+
+/// A program; 0 if it does not compile and link.
+static GLuint link_program(const tf_gl *gl, const char *corner,
+                           const char *pixel)
+{
+    GLuint made = gl->CreateProgram();
+    GLuint part[2] = {compile(gl, GL_VERTEX_SHADER, corner),
+                      compile(gl, GL_FRAGMENT_SHADER, pixel)};
+    for (int i = 0; i < 2; i++) {
+        gl->AttachShader(made, part[i]);
+        gl->DeleteShader(part[i]);
+    }
+    gl->LinkProgram(made);
+    GLint linked = GL_FALSE;
+    gl->GetProgramiv(made, GL_LINK_STATUS, &linked);
+    if (linked == GL_TRUE)
+        return made;
+    gl->DeleteProgram(made);
+    return 0;
+}
+
+static bool make_programs(tf_renderer *r)
+{
+    const char *const source[PROGRAMS][2] = {
+        [SOLID] = {tf_shader_corner, tf_shader_solid},
+        [LAYER] = {tf_shader_corner, tf_shader_layer},
+        [UNDER] = {tf_shader_whole, tf_shader_under},
+        [FINISH] = {tf_shader_whole, tf_shader_finish},
+    };
+    for (int i = 0; i < PROGRAMS; i++) {
+        r->programs[i] = link_program(&r->gl, source[i][0], source[i][1]);
+        if (r->programs[i] == 0)
+            return false;
+    }
+    return true;
+}
+
+static void make_vertex_arrays(tf_renderer *r)
+{
+    const tf_gl *gl = &r->gl;
+    gl->GenVertexArrays(1, &r->nothing);
+    gl->GenVertexArrays(1, &r->corners);
+    gl->GenBuffers(1, &r->vertices);
+    gl->BindVertexArray(r->corners);
+    gl->BindBuffer(GL_ARRAY_BUFFER, r->vertices);
+    const struct {
+        GLint size;
+        size_t offset;
+    } attribute[] = {{3, offsetof(tf_vertex, at)},
+                     {3, offsetof(tf_vertex, normal)},
+                     {4, offsetof(tf_vertex, color)},
+                     {1, offsetof(tf_vertex, facing)}};
+    for (GLuint i = 0; i < 4; i++) {
+        gl->VertexAttribPointer(i, attribute[i].size, GL_FLOAT, GL_FALSE,
+                                sizeof(tf_vertex),
+                                (const void *)attribute[i].offset);
+        gl->EnableVertexAttribArray(i);
+    }
+}
+
+tf_stage_status tf_renderer_new(tf_renderer **renderer)
+{
+    tf_renderer *r = *renderer = calloc(1, sizeof *r);
+    if (r == NULL)
+        return TF_STAGE_NO_MEMORY;
+    r->context = tf_context_open();
+    tf_stage_status status = TF_STAGE_OK;
+    if (r->context == NULL || !tf_gl_load(&r->gl))
+        status = TF_STAGE_NO_CONTEXT;
+    else if (!make_programs(r))
+        status = TF_STAGE_NO_SHADER;
+    if (status != TF_STAGE_OK) {
+        tf_context_close(r->context);
+        free(r);
+        *renderer = NULL;
+        return status;
+    }
+    make_vertex_arrays(r);
+    r->gl.GenTextures(TARGETS, r->textures);
+    r->gl.GenFramebuffers(FRAMES, r->frames);
+    r->gl.GenQueries(1, &r->query);
+    return TF_STAGE_OK;
+}
+
+void tf_renderer_free(tf_renderer *r)
+{
+    if (r == NULL)
+        return;
+    const tf_gl *gl = &r->gl;
+    for (int i = 0; i < PROGRAMS; i++)
+        gl->DeleteProgram(r->programs[i]);
+    gl->DeleteTextures(TARGETS, r->textures);
+    gl->DeleteFramebuffers(FRAMES, r->frames);
+    gl->DeleteQueries(1, &r->query);
+    gl->DeleteBuffers(1, &r->vertices);
+    gl->DeleteVertexArrays(1, &r->corners);
+    gl->DeleteVertexArrays(1, &r->nothing);
+    tf_context_close(r->context);
+    free(r);
+}
+
+// Targets ----------------------------------------------------------------
+
+static void size_texture(const tf_renderer *r, target t)
+{
+    const tf_gl *gl = &r->gl;
+    bool depth =
+        t == SOLID_DEPTH || t == LAYER_DEPTH_EVEN || t == LAYER_DEPTH_ODD;
+    GLint kept = depth      ? GL_DEPTH_COMPONENT32F
+                 : t == SUM ? GL_RGBA32F
+                            : GL_RGBA16F;
+    gl->BindTexture(GL_TEXTURE_2D, r->textures[t]);
+    gl->TexImage2D(GL_TEXTURE_2D, 0, kept, r->width, r->height, 0,
+                   depth ? GL_DEPTH_COMPONENT : GL_RGBA, GL_FLOAT, NULL);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+}
+
+static bool size_targets(tf_renderer *r, int width, int height)
+{
+    static const struct {
+        frame frame;
+        GLenum place;
+        target target;
+    } parts[] = {{SOLID_FRAME, GL_COLOR_ATTACHMENT0, SOLID_COLOR},
+                 {SOLID_FRAME, GL_DEPTH_ATTACHMENT, SOLID_DEPTH},
+                 {EVEN_FRAME, GL_COLOR_ATTACHMENT0, LAYER_COLOR},
+                 {EVEN_FRAME, GL_DEPTH_ATTACHMENT, LAYER_DEPTH_EVEN},
+                 {ODD_FRAME, GL_COLOR_ATTACHMENT0, LAYER_COLOR},
+                 {ODD_FRAME, GL_DEPTH_ATTACHMENT, LAYER_DEPTH_ODD},
+                 {FRONT_FRAME, GL_COLOR_ATTACHMENT0, FRONT},
+                 {SUM_FRAME, GL_COLOR_ATTACHMENT0, SUM}};
+    const tf_gl *gl = &r->gl;
+    r->width = width;
+    r->height = height;
+    for (int t = 0; t < TARGETS; t++)
+        size_texture(r, (target)t);
+    for (size_t i = 0; i < sizeof parts / sizeof *parts; i++) {
+        gl->BindFramebuffer(GL_FRAMEBUFFER, r->frames[parts[i].frame]);
+        gl->FramebufferTexture2D(GL_FRAMEBUFFER, parts[i].place, GL_TEXTURE_2D,
+                                 r->textures[parts[i].target], 0);
+    }
+    bool complete = true;
+    for (int f = 0; f < FRAMES; f++) {
+        gl->BindFramebuffer(GL_FRAMEBUFFER, r->frames[f]);
+        complete = complete && gl->CheckFramebufferStatus(GL_FRAMEBUFFER) ==
+                                   GL_FRAMEBUFFER_COMPLETE;
+    }
+    return complete;
+}
+
+// Uniforms ---------------------------------------------------------------
+
+static GLint uniform(const tf_renderer *r, program p, const char *name)
+{
+    return r->gl.GetUniformLocation(r->programs[p], name);
+}
+
+static void set_vector(const tf_renderer *r, program p, const char *name,
+                       const double v[3])
+{
+    r->gl.Uniform3f(uniform(r, p, name), (float)v[0], (float)v[1], (float)v[2]);
+}
+
+/// Let a sampler of a program read a target.
+static void set_sampler(const tf_renderer *r, program p, const char *name,
+                        int unit, target t)
+{
+    r->gl.ActiveTexture(GL_TEXTURE0 + (GLenum)unit);
+    r->gl.BindTexture(GL_TEXTURE_2D, r->textures[t]);
+    r->gl.Uniform1i(uniform(r, p, name), unit);
+}
+
+/// How near to the eye a mesh begins and how far it goes, along view->back.
+static void find_range(const tf_mesh *mesh, const tf_view *view, double *lo,
+                       double *hi)
+{
+    *lo = DBL_MAX;
+    *hi = -DBL_MAX;
+    for (int i = 0; i < mesh->count; i++) {
+        const float *at = mesh->vertices[i].at;
+        double d = tf_dot((double[]){at[0], at[1], at[2]}, view->back);
+        *lo = fmin(*lo, d);
+        *hi = fmax(*hi, d);
+    }
+    double room = (*hi - *lo) / 64 + 1e-6 / view->points_per_unit;
+    *lo -= room;
+    *hi += room;
+    if (view->distance > 0)
+        *hi = fmin(*hi, view->distance * (1023.0 / 1024));
+    if (view->distance > 0)
+        *lo = fmin(*lo, *hi - view->distance / 1024);
+}
+
+/// The rows x, y, z, w of clip space, for a window; y down as the rows of a
+/// picture go.  Columns are world axes, from the view's center, and 1.
+static void find_projection(const tf_view *view, const tf_box *window,
+                            double lo, double hi, float matrix[16])
+{
+    double row[4][4] = {{0}};
+    double ppu = view->points_per_unit;
+    double per = view->distance > 0 ? 1 / view->distance : 0;
+    double dx = view->box.x + view->box.width / 2 - window->x;
+    double dy = view->box.y + view->box.height / 2 - window->y;
+    double w_lo = 1 - per * lo, w_hi = 1 - per * hi;
+    double z_slope = -(w_hi + w_lo) / (hi - lo);
+    for (int k = 0; k < 3; k++) {
+        row[3][k] = -per * view->back[k];
+        row[0][k] = 2 * (ppu * view->right[k] + dx * row[3][k]) / window->width;
+        row[1][k] = 2 * (dy * row[3][k] - ppu * view->up[k]) / window->height;
+        row[0][k] -= row[3][k];
+        row[1][k] -= row[3][k];
+        row[2][k] = z_slope * view->back[k];
+    }
+    row[0][3] = 2 * dx / window->width - 1;
+    row[1][3] = 2 * dy / window->height - 1;
+    row[2][3] = w_lo - z_slope * lo;
+    row[3][3] = 1;
+    for (int i = 0; i < 4; i++)
+        for (int k = 0; k < 4; k++)
+            matrix[4 * k + i] = (float)row[i][k];
+}
+
+static void set_view(const tf_renderer *r, program p, const tf_view *view,
+                     const float matrix[16], const tf_theme *theme)
+{
+    const tf_rgb *paper = &theme->color[TF_ROLE_PAPER];
+    bool perspective = view->distance > 0;
+    double eye[3] = {0}, lamp[3] = {0};
+    tf_add(eye, perspective ? view->distance : 1, view->back, eye);
+    tf_add(lamp, -0.45, view->right, lamp);
+    tf_add(lamp, 0.70, view->up, lamp);
+    tf_add(lamp, 0.75, view->back, lamp);
+    tf_normalize(lamp);
+    r->gl.UseProgram(r->programs[p]);
+    r->gl.UniformMatrix4fv(uniform(r, p, "projection"), 1, GL_FALSE, matrix);
+    r->gl.Uniform1f(uniform(r, p, "perspective"), perspective ? 1 : 0);
+    set_vector(r, p, "eye", eye);
+    set_vector(r, p, "lamp", lamp);
+    set_vector(r, p, "paper",
+               (double[]){tf_rgb_to_linear(paper->r),
+                          tf_rgb_to_linear(paper->g),
+                          tf_rgb_to_linear(paper->b)});
+}
+
+// Drawing ----------------------------------------------------------------
+
+static void use(const tf_renderer *r, program p, const double shifted[2])
+{
+    r->gl.UseProgram(r->programs[p]);
+    r->gl.Uniform2f(uniform(r, p, "jitter"), (float)(2 * shifted[0] / r->width),
+                    (float)(2 * shifted[1] / r->height));
+}
+
+static void clear(const tf_renderer *r, frame f, double depth)
+{
+    const tf_gl *gl = &r->gl;
+    gl->BindFramebuffer(GL_FRAMEBUFFER, r->frames[f]);
+    gl->ClearColor(0, 0, 0, 0);
+    gl->ClearDepth(depth);
+    gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
+static void draw_solid(const tf_renderer *r, const tf_mesh *mesh,
+                       const double shifted[2])
+{
+    clear(r, SOLID_FRAME, 1);
+    use(r, SOLID, shifted);
+    r->gl.BindVertexArray(r->corners);
+    r->gl.Enable(GL_DEPTH_TEST);
+    r->gl.DrawArrays(GL_TRIANGLES, 0, mesh->opaque);
+    r->gl.Disable(GL_DEPTH_TEST);
+}
+
+/// Draw what is nearest of all that is behind the layer before.  False if
+/// there is nothing.
+static bool draw_layer(const tf_renderer *r, const tf_mesh *mesh, int layer,
+                       const double shifted[2])
+{
+    const tf_gl *gl = &r->gl;
+    bool odd = layer % 2 == 1;
+    clear(r, odd ? ODD_FRAME : EVEN_FRAME, 1);
+    use(r, LAYER, shifted);
+    set_sampler(r, LAYER, "before", 0,
+                odd ? LAYER_DEPTH_EVEN : LAYER_DEPTH_ODD);
+    set_sampler(r, LAYER, "solid", 1, SOLID_DEPTH);
+    gl->BindVertexArray(r->corners);
+    gl->Enable(GL_DEPTH_TEST);
+    gl->BeginQuery(GL_ANY_SAMPLES_PASSED, r->query);
+    gl->DrawArrays(GL_TRIANGLES, mesh->opaque, mesh->count - mesh->opaque);
+    gl->EndQuery(GL_ANY_SAMPLES_PASSED);
+    gl->Disable(GL_DEPTH_TEST);
+    GLuint any = 0;
+    gl->GetQueryObjectuiv(r->query, GL_QUERY_RESULT, &any);
+    return any != 0;
+}
+
+static void draw_whole(const tf_renderer *r, frame f, GLenum blend)
+{
+    const tf_gl *gl = &r->gl;
+    gl->BindFramebuffer(GL_FRAMEBUFFER, r->frames[f]);
+    gl->BindVertexArray(r->nothing);
+    gl->Enable(GL_BLEND);
+    gl->BlendFunc(blend, GL_ONE);
+    gl->DrawArrays(GL_TRIANGLES, 0, 3);
+    gl->Disable(GL_BLEND);
+}
+
+/// Collect the translucent layers, front to back.
+static void draw_front(const tf_renderer *r, const tf_mesh *mesh,
+                       const double shifted[2])
+{
+    clear(r, FRONT_FRAME, 1);
+    clear(r, ODD_FRAME, 0);
+    if (mesh->count == mesh->opaque)
+        return;
+    for (int layer = 0; layer < LAYERS_MOST; layer++) {
+        if (!draw_layer(r, mesh, layer, shifted))
+            return;
+        r->gl.UseProgram(r->programs[UNDER]);
+        set_sampler(r, UNDER, "layer", 0, LAYER_COLOR);
+        draw_whole(r, FRONT_FRAME, GL_ONE_MINUS_DST_ALPHA);
+    }
+}
+
+static void add_to_sum(const tf_renderer *r)
+{
+    r->gl.UseProgram(r->programs[FINISH]);
+    set_sampler(r, FINISH, "front", 0, FRONT);
+    set_sampler(r, FINISH, "color", 1, SOLID_COLOR);
+    set_sampler(r, FINISH, "solid", 2, SOLID_DEPTH);
+    draw_whole(r, SUM_FRAME, GL_ONE);
+}
+
+/// Tell the programs what is the same for all shifted pictures.
+static void set_scene(const tf_renderer *r, const tf_mesh *mesh,
+                      const tf_view *view, tf_window window,
+                      const tf_theme *theme)
+{
+    double lo, hi;
+    float matrix[16];
+    find_range(mesh, view, &lo, &hi);
+    find_projection(view, &window.box, lo, hi, matrix);
+    set_view(r, SOLID, view, matrix, theme);
+    set_view(r, LAYER, view, matrix, theme);
+    double pixels_per_point = window.width / window.box.width;
+    double depth_per_point = 1 / view->points_per_unit / (hi - lo);
+    r->gl.UseProgram(r->programs[FINISH]);
+    r->gl.Uniform1f(uniform(r, FINISH, "weight"), 1.0F / SHIFTS);
+    r->gl.Uniform1f(uniform(r, FINISH, "halo"),
+                    (float)(halo_width * pixels_per_point));
+    r->gl.Uniform1f(uniform(r, FINISH, "gap"),
+                    (float)(halo_gap * depth_per_point));
+}
+
+tf_stage_status tf_renderer_draw(tf_renderer *r, const tf_mesh *mesh,
+                                 const tf_view *view, tf_window window,
+                                 const tf_theme *theme, float *pixels)
+{
+    const tf_gl *gl = &r->gl;
+    if (!size_targets(r, window.width, window.height))
+        return TF_STAGE_NO_MEMORY;
+    gl->Viewport(0, 0, window.width, window.height);
+    gl->BindBuffer(GL_ARRAY_BUFFER, r->vertices);
+    gl->BufferData(GL_ARRAY_BUFFER,
+                   (GLsizeiptr)((size_t)mesh->count * sizeof(tf_vertex)),
+                   mesh->vertices, GL_STATIC_DRAW);
+    set_scene(r, mesh, view, window, theme);
+    clear(r, SUM_FRAME, 1);
+    for (int i = 0; i < SHIFTS && mesh->count > 0; i++) {
+        draw_solid(r, mesh, shift[i]);
+        draw_front(r, mesh, shift[i]);
+        add_to_sum(r);
+    }
+    gl->BindFramebuffer(GL_FRAMEBUFFER, r->frames[SUM_FRAME]);
+    gl->ReadPixels(0, 0, window.width, window.height, GL_RGBA, GL_FLOAT,
+                   pixels);
+    return gl->GetError() == GL_NO_ERROR ? TF_STAGE_OK : TF_STAGE_NO_MEMORY;
+}

@@ -1,5 +1,7 @@
 #include "worlds.h"
 
+#include <math.h>
+
 void tf_world_of_event(const tf_event *event, double world[3])
 {
     world[0] = event->x[0];
@@ -11,6 +13,16 @@ void tf_world_of_simplex(const tf_simplex *simplex, double world[][3])
 {
     for (int i = 0; i < simplex->count; i++)
         tf_world_of_event(simplex->event[i], world[i]);
+}
+
+void tf_world_floors(tf_scene *scene, double width, double depth, double cell)
+{
+    static const tf_role role[2] = {TF_ROLE_START, TF_ROLE_END};
+    for (int t = 0; t < 2; t++)
+        tf_scene_grid(scene, (double[]){0, 0, t}, (double[]){width, 0, 0},
+                      (double[]){0, depth, 0}, (int)lround(width / cell),
+                      (int)lround(depth / cell),
+                      (tf_paint){.role = role[t], .opacity = 0.7});
 }
 
 /// The place at the time t on the way from one event to another.
@@ -34,10 +46,10 @@ tf_slice tf_slice_of(const tf_simplex *simplex, int axes, double t)
     int early = simplex->mover + 1, late = simplex->count - early;
     tf_slice slice = {0};
     for (int i = 0; i < early; i++)
-        for (int j = 0; j < late; j++)
-            place_between(
-                simplex->event[i],
-                simplex->event[early + (i % 2 == 0 ? j : late - 1 - j)], axes,
-                t, slice.corner[slice.count++]);
+        for (int j = 0; j < late; j++) {
+            int end = early + (i % 2 == 0 ? j : late - 1 - j);
+            place_between(simplex->event[i], simplex->event[end], axes, t,
+                          slice.corner[slice.count++]);
+        }
     return slice;
 }

@@ -3,6 +3,7 @@
 #define TF_FIGURES_WORLDS_H
 
 #include "spacetime/sweep.h"
+#include "stage/scene.h"
 
 /// An event of plane space-time: x and y lie level, t is up.
 void tf_world_of_event(const tf_event *event, double world[3]);
@@ -10,6 +11,10 @@ void tf_world_of_event(const tf_event *event, double world[3]);
 /// The corners of a swept simplex of plane space-time, `simplex->count` of
 /// them.
 void tf_world_of_simplex(const tf_simplex *simplex, double world[][3]);
+
+/// Draw plane space at t = 0 and at t = 1, from (0, 0) to (width, depth), in
+/// square cells.
+void tf_world_floors(tf_scene *scene, double width, double depth, double cell);
 
 /// The place of a vertex at the time t, 0 to 1, in space with `axes` axes; the
 /// coordinates beyond are 0.

@@ -6,14 +6,19 @@
 #include <stdlib.h>
 
 /// How bad it is to cover things, for each point of their length.
-static const double ball_weight = 8, tube_weight = 1.6, hair_weight = 0.25,
+static const double ball_weight = 8, tube_weight = 2.2, hair_weight = 0.45,
                     line_weight = 2.5;
 
-/// How far from its anchor a label may be moved, without and with a leader.
-static const double reach = 14, leader_reach = 60;
+/// How far from its anchor a label may be moved, without and with a leader, and
+/// what each point of that costs.
+static const double reach = 14, leader_reach = 70;
+static const double plain_cost = 1.2, leader_cost = 0.3;
 
 /// From how far on a leader is drawn, and how far it stays off either end.
 static const double leader_least = 5, leader_gap = 1.5;
+
+/// The border around letters, and how strong it is.
+static const double halo = 1.1, halo_opacity = 0.6;
 
 /// Labels keep this far from the border of the page.
 static const double border = 2;
@@ -134,6 +139,7 @@ static tf_wish wish_of(tf_tag *tag)
     wish.direction = eighth * 0.7853981633974483;
     wish.gap = tag->label.gap > 0 ? tag->label.gap : TF_WIDTH_BALL / 2 + 2;
     wish.reach = tag->label.leader ? leader_reach : reach;
+    wish.distance_cost = tag->label.leader ? leader_cost : plain_cost;
     return wish;
 }
 
@@ -204,7 +210,11 @@ void tf_page_draw_tags(const tf_page *page, cairo_t *cairo)
         tf_letters_ink(tag->letters, &x, &y, &width, &height);
         if (tag->label.leader)
             draw_leader(page, tag, cairo);
-        tf_letters_draw(tag->letters, cairo, tag->placed.box.x - x,
-                        tag->placed.box.y - y, theme->color[tag->label.role]);
+        x = tag->placed.box.x - x;
+        y = tag->placed.box.y - y;
+        tf_letters_clear(tag->letters, cairo, x, y, halo,
+                         theme->color[TF_ROLE_PAPER], halo_opacity);
+        tf_letters_draw(tag->letters, cairo, x, y,
+                        theme->color[tag->label.role]);
     }
 }

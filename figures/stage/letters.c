@@ -159,6 +159,18 @@ double tf_letters_advance(const tf_letters *letters)
     return (double)logical.width / PANGO_SCALE;
 }
 
+void tf_letters_clear(const tf_letters *letters, cairo_t *cairo, double x,
+                      double y, double width, tf_rgb color, double opacity)
+{
+    cairo_set_source_rgba(cairo, color.r, color.g, color.b, opacity);
+    cairo_move_to(cairo, x, y - letters->baseline);
+    pango_cairo_layout_path(cairo, letters->layout);
+    cairo_set_line_width(cairo, 2 * width);
+    cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
+    cairo_set_dash(cairo, NULL, 0, 0);
+    cairo_stroke(cairo);
+}
+
 void tf_letters_draw(const tf_letters *letters, cairo_t *cairo, double x,
                      double y, tf_rgb color)
 {

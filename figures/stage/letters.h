@@ -2,9 +2,9 @@
 //
 // In text, $...$ is mathematics: letters become italic, - a minus sign and ' a
 // prime; x_0 and x_{ij} lower, x^2 and x^{-1} raise; \bar{x} draws a bar over
-// x; \up{det} keeps letters upright; \b{x} is bold.  Any other letter or sign is written
-// as it is, in UTF-8: Δ, ≥, ×.  Outside of $...$, *word* is italic.  \$, \* and
-// \\ are the signs themselves.
+// x; \up{det} keeps letters upright; \b{x} is bold.  Any other letter or sign
+// is written as it is, in UTF-8: Δ, ≥, ×.  Outside of $...$, *word* is italic.
+// \$, \* and \\ are the signs themselves.
 #ifndef TF_STAGE_LETTERS_H
 #define TF_STAGE_LETTERS_H
 
@@ -35,6 +35,11 @@ void tf_letters_ink(const tf_letters *letters, double *x, double *y,
 
 /// How far the letters go to the right, in points, as type is spaced.
 double tf_letters_advance(const tf_letters *letters);
+
+/// Draw letters at (x, y) as below, but only a border of `width` points around
+/// them, `opacity` strong: letters in front of lines stay legible.
+void tf_letters_clear(const tf_letters *letters, cairo_t *cairo, double x,
+                      double y, double width, tf_rgb color, double opacity);
 
 /// Draw with the left end of the first baseline at (x, y), in cairo's user
 /// space, which is in points.

@@ -127,7 +127,7 @@ static bool read_command(reader *r)
     if (skip(r, "\\b"))
         return read_flagged(r, &r->heavy);
     r->at++;
-    return *r->at != '\0' && read_letter(r);
+    return g_ascii_ispunct(*r->at) && read_letter(r);
 }
 
 static bool read_math(reader *r)

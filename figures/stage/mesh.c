@@ -7,13 +7,16 @@
 #include <string.h>
 
 enum {
-    SIDES_MOST = 48
+    SIDES_MOST = 32
 }; ///< of a round thing
 
 static const double tau = 6.283185307179586;
 
 /// An arrow head's length and width, by the width of its tube.
 static const double head_length = 3.6, head_width = 2.9;
+
+/// From how many points on a solid thing stands off what is behind it.
+static const double stands_off = 1.4;
 
 /// What is being built, and what all its vertices share.
 typedef struct builder {
@@ -43,14 +46,19 @@ static void add_vertex(builder *b, const double at[3], const double normal[3])
     }
 }
 
-static void set_paint(builder *b, tf_paint paint, bool sheet)
+/// Set the colour of a part that is `width` points wide.
+static void set_paint(builder *b, tf_paint paint, double width)
 {
     tf_rgb color = tf_paint_color(b->theme, paint);
+    double opacity = tf_paint_opacity(paint);
+    if (opacity < 1)
+        opacity = pow(opacity, b->theme->opacity_power);
+    else if (width < stands_off)
+        opacity = 0.5;
     b->like.color[0] = (float)tf_rgb_to_linear(color.r);
     b->like.color[1] = (float)tf_rgb_to_linear(color.g);
     b->like.color[2] = (float)tf_rgb_to_linear(color.b);
-    b->like.color[3] = (float)tf_paint_opacity(paint);
-    b->like.facing = sheet ? 1 : 0;
+    b->like.color[3] = (float)opacity;
 }
 
 // Round things -----------------------------------------------------------
@@ -164,7 +172,7 @@ static void add_tube(builder *b, const tf_tube *tube)
     double radius = tube->width / 2 * unit;
     int sides = sides_for(tube->width);
     frame f = frame_along(tube->from, along);
-    set_paint(b, tube->paint, false);
+    set_paint(b, tube->paint, tube->width);
     if (tube->dash > 0) {
         add_dashes(b, &f, length, tube->dash * unit, radius, sides);
         return;
@@ -217,7 +225,7 @@ static void add_face(builder *b, const tf_face *face)
 {
     int order[3];
     order_corners(face, order);
-    set_paint(b, face->paint, true);
+    set_paint(b, face->paint, 0);
     for (int i = 0; i < 3; i++)
         add_vertex(b, face->corner[order[i]], face->normal[order[i]]);
 }
@@ -240,7 +248,7 @@ static void add_parts(builder *b, const tf_scene *scene, bool opaque)
     for (int i = 0; i < scene->ball_count; i++)
         if (is_opaque(scene->balls[i].paint) == opaque) {
             const tf_ball *ball = &scene->balls[i];
-            set_paint(b, ball->paint, false);
+            set_paint(b, ball->paint, ball->diameter);
             add_ball(b, ball->at, ball->diameter / 2 / b->view->points_per_unit,
                      sides_for(ball->diameter));
         }

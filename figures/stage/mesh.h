@@ -10,8 +10,9 @@
 typedef struct tf_vertex {
     float at[3];     ///< world units from the view's center
     float normal[3]; ///< of length 1, to either side
-    float color[4];  ///< in linear light, and opacity
-    float facing;    ///< 1: a sheet, more opaque when seen at a slant; 0: solid
+    float color[4];  ///< in linear light, and opacity; the opacity of a solid
+                     ///< thing that is wide enough to stand off what it passes
+                     ///< in front of is 1, of another 1/2
 } tf_vertex;
 
 typedef struct tf_mesh {

@@ -6,7 +6,7 @@
 #include <string.h>
 
 enum {
-    TILE = 2048,  ///< pixels; what is drawn at once
+    TILE = 512,   ///< pixels; what is drawn at once
     STEPS = 16384 ///< of the table from linear light
 };
 

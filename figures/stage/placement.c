@@ -11,9 +11,8 @@ enum {
 };
 
 /// Costs: outside of the page, over another label (for each square point),
-/// off the wished direction (opposite), each point farther from the anchor.
-static const double outside_cost = 1e6, overlap_cost = 1e3, turn_cost = 12,
-                    distance_cost = 1.2;
+/// off the wished direction (opposite to it).
+static const double outside_cost = 1e6, overlap_cost = 1e3, turn_cost = 12;
 
 /// Labels keep this many points from each other.
 static const double clearance = 1.5;
@@ -104,7 +103,7 @@ static double covered(const tf_obstacle *o, const tf_box *box)
         return in ? 2 * o->radius + 2 : 0;
     }
     double inside = length_inside(o->from, o->to, &wide) * length;
-    return inside > 0 ? inside + 2 : 0;
+    return inside > 0 ? inside + 4 : 0;
 }
 
 static double cost_of(const surroundings *s, int own, const tf_box *box)
@@ -140,7 +139,7 @@ static void place_one(const surroundings *s, int own)
             double direction = wish->direction + turn;
             tf_box box = box_towards(wish, direction, wish->gap + far);
             double turned = turn_between(direction, wish->direction);
-            double cost = far * distance_cost + cost_of(s, own, &box);
+            double cost = far * wish->distance_cost + cost_of(s, own, &box);
             cost += (wish->any_side ? 0.1 : 1) * turn_cost * turned / 3.1416;
             if (cost < least) {
                 least = cost;

@@ -19,9 +19,10 @@ typedef struct tf_wish {
     double anchor[2];
     double width, height;
     bool any_side;
-    double direction; ///< radians, counterclockwise from the right as seen
-    double gap;       ///< from the anchor to the label's box
-    double reach;     ///< how much farther off it may stand
+    double direction;     ///< radians, counterclockwise from the right as seen
+    double gap;           ///< from the anchor to the label's box
+    double reach;         ///< how much farther off it may stand
+    double distance_cost; ///< of each point of that, in the unit of weights
 } tf_wish;
 
 /// Choose a box for each wish.  Boxes lie in `page`; they are disjoint from

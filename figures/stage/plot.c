@@ -42,7 +42,8 @@ static void name_number(double x, bool logarithmic, char *text, size_t size)
         snprintf(text, size, "$%.6g$", x);
 }
 
-static void draw_tick(tf_page *page, const tf_plot *plot, int axis, double x)
+/// Draw a tick.  Returns the width of its number.
+static double draw_tick(tf_page *page, const tf_plot *plot, int axis, double x)
 {
     const double *ends = axis == 0 ? plot->x : plot->y;
     bool logarithmic = axis == 0 ? plot->log_x : plot->log_y;
@@ -55,7 +56,7 @@ static void draw_tick(tf_page *page, const tf_plot *plot, int axis, double x)
     at[1][1] = at[0][1] + (axis == 0 ? tick_length : 0);
     if (along(ends, logarithmic, x) < -1e-9 ||
         along(ends, logarithmic, x) > 1 + 1e-9)
-        return;
+        return 0;
     tf_page_line(
         page, 2, (const double(*)[2])at,
         (tf_stroke){.paint.role = TF_ROLE_NEUTRAL, .width = TF_WIDTH_THIN});
@@ -65,26 +66,33 @@ static void draw_tick(tf_page *page, const tf_plot *plot, int axis, double x)
     else
         tf_page_text(page, at[1][0] - 2, at[1][1] + 0.33 * TF_LETTERS_SMALL,
                      TF_ALIGN_RIGHT, text, TF_LETTERS_SMALL, TF_ROLE_INK);
+    double width, height;
+    tf_page_measure(page, text, TF_LETTERS_SMALL, &width, &height);
+    return width;
 }
 
-static void draw_ticks(tf_page *page, const tf_plot *plot, int axis, int count)
+/// Draw the ticks of an axis.  Returns the width of the widest number.
+static double draw_ticks(tf_page *page, const tf_plot *plot, int axis,
+                         int count)
 {
     const double *ends = axis == 0 ? plot->x : plot->y;
     bool logarithmic = axis == 0 ? plot->log_x : plot->log_y;
+    double widest = 0;
     double lo = fmin(ends[0], ends[1]), hi = fmax(ends[0], ends[1]);
     if (logarithmic) {
         int first = (int)ceil(log10(lo) - 1e-9);
         int last = (int)floor(log10(hi) + 1e-9);
         int step = (last - first) / count + 1;
         for (int power = first; power <= last; power += step)
-            draw_tick(page, plot, axis, pow(10, power));
-        return;
+            widest = fmax(widest, draw_tick(page, plot, axis, pow(10, power)));
+        return widest;
     }
     double step = round_step(hi - lo, count);
     long first = lround(ceil(lo / step - 1e-9));
     long last = lround(floor(hi / step + 1e-9));
     for (long i = first; i <= last; i++)
-        draw_tick(page, plot, axis, (double)i * step);
+        widest = fmax(widest, draw_tick(page, plot, axis, (double)i * step));
+    return widest;
 }
 
 void tf_plot_frame(tf_page *page, const tf_plot *plot)
@@ -98,14 +106,16 @@ void tf_plot_frame(tf_page *page, const tf_plot *plot)
         (tf_stroke){.paint.role = TF_ROLE_NEUTRAL, .width = TF_WIDTH_THIN});
     if (plot->ticks_x >= 0)
         draw_ticks(page, plot, 0, plot->ticks_x > 0 ? plot->ticks_x : TICKS);
+    double beside = 0;
     if (plot->ticks_y >= 0)
-        draw_ticks(page, plot, 1, plot->ticks_y > 0 ? plot->ticks_y : TICKS);
+        beside = draw_ticks(page, plot, 1,
+                            plot->ticks_y > 0 ? plot->ticks_y : TICKS);
     if (plot->name_x != NULL)
         tf_page_text(page, box->x + box->width / 2,
                      box->y + box->height + TF_PLOT_ROOM - 7, TF_ALIGN_CENTER,
                      plot->name_x, TF_LETTERS, TF_ROLE_INK);
     if (plot->name_y != NULL)
-        tf_page_text_upwards(page, box->x - TF_PLOT_ROOM + 8,
+        tf_page_text_upwards(page, box->x - tick_length - beside - 8,
                              box->y + box->height / 2, TF_ALIGN_CENTER,
                              plot->name_y, TF_LETTERS, TF_ROLE_INK);
 }

@@ -14,8 +14,9 @@ typedef struct tf_plot {
     int ticks_x, ticks_y; ///< about how many; 0: 5, negative: none
 } tf_plot;
 
-/// Draw the frame, ticks at round numbers, and the names.  Room below and to
-/// the left of the box: TF_PLOT_ROOM points.
+/// Draw the frame, ticks at round numbers, and the names.  All that takes
+/// TF_PLOT_ROOM points below the box, and as many to the left of it as long as
+/// the numbers have up to two digits; longer ones take more.
 void tf_plot_frame(tf_page *page, const tf_plot *plot);
 #define TF_PLOT_ROOM 32.0
 

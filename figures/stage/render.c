@@ -15,7 +15,7 @@ enum {
 
 /// How far off a solid thing breaks off where it passes behind another, and
 /// how far behind it must be; in points.
-static const double halo_width = 1.1, halo_gap = 6;
+static const double halo_width = 0.9, halo_gap = 6;
 
 /// Within a pixel, from its middle: eight rooks that do not attack each other,
 /// so that edges of any slant, steep and flat ones too, get eight steps.
@@ -95,8 +95,8 @@ static GLuint link_program(const tf_gl *gl, const char *corner,
 static bool make_programs(tf_renderer *r)
 {
     const char *const source[PROGRAMS][2] = {
-        [SOLID] = {tf_shader_corner, tf_shader_solid},
-        [LAYER] = {tf_shader_corner, tf_shader_layer},
+        [SOLID] = {tf_shader_solid_corner, tf_shader_solid},
+        [LAYER] = {tf_shader_sheet_corner, tf_shader_layer},
         [UNDER] = {tf_shader_whole, tf_shader_under},
         [FINISH] = {tf_shader_whole, tf_shader_finish},
     };
@@ -121,9 +121,8 @@ static void make_vertex_arrays(tf_renderer *r)
         size_t offset;
     } attribute[] = {{3, offsetof(tf_vertex, at)},
                      {3, offsetof(tf_vertex, normal)},
-                     {4, offsetof(tf_vertex, color)},
-                     {1, offsetof(tf_vertex, facing)}};
-    for (GLuint i = 0; i < 4; i++) {
+                     {4, offsetof(tf_vertex, color)}};
+    for (GLuint i = 0; i < 3; i++) {
         gl->VertexAttribPointer(i, attribute[i].size, GL_FLOAT, GL_FALSE,
                                 sizeof(tf_vertex),
                                 (const void *)attribute[i].offset);

@@ -60,7 +60,7 @@ void tf_scene_patch(tf_scene *scene, int rows, int columns,
 /// A plane with corner `origin` and sides u, v as a faint sheet with a grid of
 /// nu x nv cells: t = 0 and t = 1 in TF_ROLE_START and TF_ROLE_END.
 void tf_scene_grid(tf_scene *scene, const double origin[3], const double u[3],
-                   const double v[3], int nu, int nv, tf_paint paint);
+                   const double v[3], int nu, int nv, tf_role role);
 
 /// Where a thing of a shrunken or exploded drawing goes: `point` moved towards
 /// (scale < 1) or from `center`.

@@ -2,74 +2,100 @@
 
 #define VERSION "#version 330 core\n"
 
-const char *const tf_shader_corner =
-    VERSION "layout(location = 0) in vec3 at;\n"
-            "layout(location = 1) in vec3 normal;\n"
-            "layout(location = 2) in vec4 color;\n"
-            "layout(location = 3) in float facing;\n"
-            "uniform mat4 projection;\n"
-            "uniform vec2 jitter;\n" // in half pictures
-            "out vec3 place, upright;\n"
-            "out vec4 tone;\n"
-            "out float sheet;\n"
-            "void main()\n"
-            "{\n"
-            "    place = at;\n"
-            "    upright = normal;\n"
-            "    tone = color;\n"
-            "    sheet = facing;\n"
-            "    gl_Position = projection * vec4(at, 1);\n"
-            "    gl_Position.xy += jitter * gl_Position.w;\n"
-            "}\n";
+// A corner of a triangle on its way to the picture.
+#define CORNER                                                                 \
+    "layout(location = 0) in vec3 at;\n"                                       \
+    "layout(location = 1) in vec3 normal;\n"                                   \
+    "layout(location = 2) in vec4 color;\n"                                    \
+    "uniform mat4 projection;\n"                                               \
+    "uniform vec2 jitter;\n" /* in half pictures */                            \
+    "void project()\n"                                                         \
+    "{\n"                                                                      \
+    "    gl_Position = projection * vec4(at, 1);\n"                            \
+    "    gl_Position.xy += jitter * gl_Position.w;\n"                          \
+    "}\n"
 
-// Light from a sky, from a lamp behind the reader's left shoulder, and a small
-// highlight.  A sheet is thicker along a slanting line of sight, hence more
-// opaque.  What is far off fades a little towards the paper.
-#define SHADE                                                                  \
-    "in vec3 place, upright;\n"                                                \
-    "in vec4 tone;\n"                                                          \
-    "in float sheet;\n"                                                        \
+// Light from a sky, from a lamp behind the reader's left shoulder, and a
+// highlight.  What is far off fades a little towards the paper.
+#define LIGHT                                                                  \
     "uniform vec3 eye;\n" /* its place, or its direction */                    \
     "uniform float perspective;\n"                                             \
     "uniform vec3 lamp;\n"                                                     \
     "uniform vec3 paper;\n"                                                    \
-    "vec4 shade()\n"                                                           \
+    "vec3 to_eye(vec3 place)\n"                                                \
     "{\n"                                                                      \
-    "    vec3 v = normalize(eye - perspective * place);\n"                     \
-    "    vec3 n = normalize(upright);\n"                                       \
-    "    float slant = dot(n, v);\n"                                           \
-    "    n *= slant < 0.0 ? -1.0 : 1.0;\n"                                     \
-    "    slant = max(abs(slant), 0.15);\n"                                     \
-    "    float key = pow(0.5 + 0.5 * dot(n, lamp), 1.5);\n"                    \
-    "    float sky = 0.5 + 0.5 * n.z;\n"                                       \
-    "    float lit = mix(0.30 + 0.30 * sky + 0.60 * key,\n"                    \
-    "                    0.70 + 0.15 * sky + 0.25 * key, sheet);\n"            \
-    "    float shine = pow(max(dot(n, normalize(lamp + v)), 0.0), 40.0);\n"    \
-    "    vec3 color = tone.rgb * lit\n"                                        \
-    "               + (0.18 - 0.14 * sheet) * shine;\n"                        \
-    "    float fade = 0.22 * smoothstep(0.3, 1.0, gl_FragCoord.z);\n"          \
-    "    color = mix(min(color, 1.0), paper, fade);\n"                         \
-    "    float through = pow(1.0 - tone.a, mix(1.0, 1.0 / slant, sheet));\n"   \
-    "    return vec4(color, 1.0) * (1.0 - through);\n"                         \
+    "    return normalize(eye - perspective * place);\n"                       \
+    "}\n"                                                                      \
+    "float key(vec3 n)\n"                                                      \
+    "{\n"                                                                      \
+    "    float wrapped = 0.5 + 0.5 * dot(n, lamp);\n"                          \
+    "    return wrapped * sqrt(wrapped);\n"                                    \
+    "}\n"                                                                      \
+    "float sky(vec3 n)\n"                                                      \
+    "{\n"                                                                      \
+    "    return 0.5 + 0.5 * n.z;\n"                                            \
+    "}\n"                                                                      \
+    "vec3 faded(vec3 color, float depth)\n"                                    \
+    "{\n"                                                                      \
+    "    float fade = 0.22 * smoothstep(0.3, 1.0, depth);\n"                   \
+    "    return mix(min(color, 1.0), paper, fade);\n"                          \
     "}\n"
 
-const char *const tf_shader_solid = VERSION SHADE "out vec4 result;\n"
-                                                  "void main()\n"
-                                                  "{\n"
-                                                  "    result = shade();\n"
-                                                  "}\n";
+const char *const tf_shader_solid_corner =
+    VERSION CORNER "out vec3 place, upright;\n"
+                   "out vec4 tone;\n"
+                   "void main()\n"
+                   "{\n"
+                   "    project();\n"
+                   "    place = at;\n"
+                   "    upright = normal;\n"
+                   "    tone = color;\n"
+                   "}\n";
 
-const char *const tf_shader_layer = VERSION SHADE
-    "uniform sampler2D before, solid;\n"
+const char *const tf_shader_solid = VERSION LIGHT
+    "in vec3 place, upright;\n"
+    "in vec4 tone;\n"
     "out vec4 result;\n"
     "void main()\n"
     "{\n"
-    "    ivec2 pixel = ivec2(gl_FragCoord.xy);\n"
-    "    if (gl_FragCoord.z <= texelFetch(before, pixel, 0).r ||\n"
-    "        gl_FragCoord.z >= texelFetch(solid, pixel, 0).r)\n"
-    "        discard;\n"
-    "    result = shade();\n"
+    "    vec3 v = to_eye(place), n = normalize(upright);\n"
+    "    n *= dot(n, v) < 0.0 ? -1.0 : 1.0;\n"
+    "    float shine = max(dot(n, normalize(lamp + v)), 0.0);\n"
+    "    shine *= shine; shine *= shine; shine *= shine; shine *= shine;\n"
+    "    vec3 lit = tone.rgb * (0.30 + 0.30 * sky(n) + 0.60 * key(n));\n"
+    "    lit += 0.16 * shine * shine;\n"
+    "    result = vec4(faded(lit, gl_FragCoord.z), tone.a);\n"
     "}\n";
+
+// A sheet is thicker along a slanting line of sight, hence more opaque.  All
+// of this varies so little over a triangle that its corners do.
+const char *const tf_shader_sheet_corner = VERSION CORNER LIGHT
+    "out vec4 light;\n"
+    "void main()\n"
+    "{\n"
+    "    project();\n"
+    "    vec3 v = to_eye(at), n = normal;\n"
+    "    float slant = dot(n, v);\n"
+    "    n *= slant < 0.0 ? -1.0 : 1.0;\n"
+    "    slant = max(abs(slant), 0.45);\n"
+    "    vec3 lit = color.rgb * (0.68 + 0.16 * sky(n) + 0.28 * key(n));\n"
+    "    float depth = 0.5 + 0.5 * gl_Position.z / gl_Position.w;\n"
+    "    float through = pow(1.0 - color.a, 1.0 / slant);\n"
+    "    light = vec4(faded(lit, depth), 1) * (1.0 - through);\n"
+    "}\n";
+
+const char *const tf_shader_layer =
+    VERSION "in vec4 light;\n"
+            "uniform sampler2D before, solid;\n"
+            "out vec4 result;\n"
+            "void main()\n"
+            "{\n"
+            "    ivec2 pixel = ivec2(gl_FragCoord.xy);\n"
+            "    if (gl_FragCoord.z <= texelFetch(before, pixel, 0).r ||\n"
+            "        gl_FragCoord.z >= texelFetch(solid, pixel, 0).r)\n"
+            "        discard;\n"
+            "    result = light;\n"
+            "}\n";
 
 const char *const tf_shader_whole =
     VERSION "void main()\n"
@@ -87,7 +113,8 @@ const char *const tf_shader_under =
             "}\n";
 
 // A solid thing that passes behind another one breaks off a little beside it:
-// then it is plain which of the two is in front.
+// then it is plain which of the two is in front.  Only things whose opacity is
+// written as 1 have such a border; thin lines are written as a half.
 const char *const tf_shader_finish = VERSION
     "uniform sampler2D front, color, solid;\n"
     "uniform float weight;\n"
@@ -103,7 +130,8 @@ const char *const tf_shader_finish = VERSION
     "        vec2 off = halo * vec2(cos(turn), sin(turn));\n"
     "        ivec2 there = clamp(pixel + ivec2(round(off)), ivec2(0), last);\n"
     "        float nearer = depth - texelFetch(solid, there, 0).r;\n"
-    "        most = max(most, nearer);\n"
+    "        bool casts = texelFetch(color, there, 0).a > 0.75;\n"
+    "        most = max(most, casts ? nearer : 0.0);\n"
     "    }\n"
     "    return smoothstep(gap, 2.0 * gap, most);\n"
     "}\n"
@@ -113,6 +141,6 @@ const char *const tf_shader_finish = VERSION
     "    vec4 over = texelFetch(front, pixel, 0);\n"
     "    vec4 under = texelFetch(color, pixel, 0);\n"
     "    if (under.a > 0.0)\n"
-    "        under *= 1.0 - 0.9 * hidden(pixel);\n"
+    "        under = vec4(under.rgb, 1) * (1.0 - 0.9 * hidden(pixel));\n"
     "    result = weight * (over + (1.0 - over.a) * under);\n"
     "}\n";

@@ -2,13 +2,13 @@
 #ifndef TF_STAGE_SHADERS_H
 #define TF_STAGE_SHADERS_H
 
-/// Corners of triangles: see tf_vertex.
-extern const char *const tf_shader_corner;
-
-/// Solid things: colour and coverage.
+/// Solid things: their corners (see tf_vertex), their colour and opacity.
+extern const char *const tf_shader_solid_corner;
 extern const char *const tf_shader_solid;
 
-/// The next layer of translucent things behind the one before.
+/// Translucent things: their corners, and the next layer of them behind the
+/// one before.
+extern const char *const tf_shader_sheet_corner;
 extern const char *const tf_shader_layer;
 
 /// A triangle over the whole picture, and what is done there: put a layer

@@ -5,6 +5,9 @@
 #include "stage/scene_parts.h"
 #include "stage/vector.h"
 
+/// How faint a grid is: its plane, and its lines towards paper.
+static const double grid_opacity = 0.10, grid_shade = -0.55;
+
 /// A rectangular array of points.
 typedef struct lattice {
     int rows, columns;
@@ -109,16 +112,16 @@ static void add_rules(tf_scene *scene, const double origin[3],
 }
 
 void tf_scene_grid(tf_scene *scene, const double origin[3], const double u[3],
-                   const double v[3], int nu, int nv, tf_paint paint)
+                   const double v[3], int nu, int nv, tf_role role)
 {
     TF_REQUIRE(nu >= 1 && nv >= 1);
     double corner[4][3];
     for (int i = 0; i < 4; i++)
         plane_point(origin, i & 1, u, i >> 1, v, corner[i]);
-    tf_paint faint = {paint.role, 0.10 * tf_paint_opacity(paint), paint.shade};
+    tf_paint faint = {role, grid_opacity, 0};
     tf_scene_triangle(scene, (const double(*)[3])corner, 0, faint);
     tf_scene_triangle(scene, (const double(*)[3])(corner + 1), 0, faint);
-    tf_paint lines = {paint.role, 0.55 * tf_paint_opacity(paint), paint.shade};
+    tf_paint lines = {role, 1, grid_shade};
     add_rules(scene, origin, u, v, nv, lines);
     add_rules(scene, origin, v, u, nu, lines);
 }

@@ -15,6 +15,7 @@
 // where it is black until lines of them stand off it.
 const tf_theme tf_theme_light = {
     .name = "light",
+    .opacity_power = 1,
     .color =
         {
             [TF_ROLE_INK] = RGB(0x20242a),
@@ -36,6 +37,7 @@ const tf_theme tf_theme_light = {
 const tf_theme tf_theme_dark = {
     .name = "dark",
     .dark = true,
+    .opacity_power = 1.7,
     .color =
         {
             [TF_ROLE_INK] = RGB(0xe8eaed),

@@ -30,6 +30,8 @@ typedef struct tf_rgb {
 typedef struct tf_theme {
     const char *name;
     bool dark;
+    double opacity_power; ///< of translucent things; light adds up to more on
+                          ///< dark paper, so that one has an exponent > 1
     tf_rgb color[TF_ROLES];
 } tf_theme;
 

@@ -21,8 +21,7 @@ void tf_world_floors(tf_scene *scene, double width, double depth, double cell)
     for (int t = 0; t < 2; t++)
         tf_scene_grid(scene, (double[]){0, 0, t}, (double[]){width, 0, 0},
                       (double[]){0, depth, 0}, (int)lround(width / cell),
-                      (int)lround(depth / cell),
-                      (tf_paint){.role = role[t], .opacity = 0.7});
+                      (int)lround(depth / cell), role[t]);
 }
 
 /// The place at the time t on the way from one event to another.

@@ -6,8 +6,8 @@
 #include <stdlib.h>
 
 /// How bad it is to cover things, for each point of their length.
-static const double ball_weight = 8, tube_weight = 2.2, hair_weight = 0.45,
-                    line_weight = 2.5;
+static const double ball_weight = 8, tube_weight = 3, crease_weight = 1.2,
+                    hair_weight = 0.3, line_weight = 2.5;
 
 /// How far from its anchor a label may be moved, without and with a leader, and
 /// what each point of that costs.
@@ -91,7 +91,9 @@ static void add_scene(crowd *c, const tf_panel *panel)
         tf_view_project(&view, tube->from, from);
         tf_view_project(&view, tube->to, to);
         add_obstacle(c, from, to, tube->width,
-                     tube->width > TF_WIDTH_THIN ? tube_weight : hair_weight);
+                     tube->width > TF_WIDTH_THIN   ? tube_weight
+                     : tube->width > TF_WIDTH_HAIR ? crease_weight
+                                                   : hair_weight);
     }
 }
 

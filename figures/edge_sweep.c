@@ -67,14 +67,10 @@ static void draw_contact(tf_panel *panel, const scenario *s)
 {
     tf_scene *scene = tf_panel_scene(panel);
     double t = (s->contact.toi_lo + s->contact.toi_hi) / 2, at[3];
-    tf_simplex sweep[2];
-    tf_sweep(2, s->edge, sweep);
-    for (int i = 0; i < 2; i++) {
-        tf_slice slice = tf_slice_of(&sweep[i], 2, t);
-        slice.corner[0][2] = slice.corner[1][2] = t;
-        tf_scene_tube(scene, slice.corner[0], slice.corner[1], TF_WIDTH_LINE,
-                      (tf_paint){.role = TF_ROLE_CONTACT});
-    }
+    double edge[3][3];
+    tf_world_of_edge(s->edge, t, edge);
+    tf_scene_path(scene, 3, (const double(*)[3])edge, TF_WIDTH_LINE,
+                  (tf_paint){.role = TF_ROLE_CONTACT});
     tf_worldline_place(&s->point, 2, t, at);
     at[2] = t;
     tf_scene_ball(scene, at, TF_WIDTH_MARK,

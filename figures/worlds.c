@@ -1,6 +1,6 @@
 #include "worlds.h"
 
-#include <math.h>
+#include "stage/vector.h"
 
 void tf_world_of_event(const tf_event *event, double world[3])
 {
@@ -51,4 +51,17 @@ tf_slice tf_slice_of(const tf_simplex *simplex, int axes, double t)
                           slice.corner[slice.count++]);
         }
     return slice;
+}
+
+void tf_world_of_edge(const tf_worldline edge[2], double t, double world[3][3])
+{
+    static const double up[3] = {0, 0, 1};
+    tf_simplex sweep[2];
+    tf_sweep(2, edge, sweep);
+    // Each triangle is cut in a segment; they share the crease.
+    tf_slice second = tf_slice_of(&sweep[0], 2, t);
+    tf_slice first = tf_slice_of(&sweep[1], 2, t);
+    tf_add(first.corner[0], t, up, world[0]);
+    tf_add(first.corner[1], t, up, world[1]);
+    tf_add(second.corner[1], t, up, world[2]);
 }

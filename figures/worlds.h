@@ -36,4 +36,8 @@ typedef struct tf_slice {
 /// Cut a swept simplex of space with `axes` axes at the time t, 0 to 1.
 tf_slice tf_slice_of(const tf_simplex *simplex, int axes, double t);
 
+/// An edge of plane space-time as its sweep has it at the time t, 0 to 1: its
+/// first end, the crease and its second end, as world points.
+void tf_world_of_edge(const tf_worldline edge[2], double t, double world[3][3]);
+
 #endif

@@ -42,12 +42,12 @@ tf_slice tf_slice_of(const tf_simplex *simplex, int axes, double t)
 {
     // The corners lie on the ways from events at t = 0 to events at t = 1.
     // Every other time backwards, they come in order around.
-    int early = simplex->mover + 1, late = simplex->count - early;
+    int early = simplex->mover + 1;
     tf_slice slice = {0};
-    for (int i = 0; i < early; i++)
-        for (int j = 0; j < late; j++) {
-            int end = early + (i % 2 == 0 ? j : late - 1 - j);
-            place_between(simplex->event[i], simplex->event[end], axes, t,
+    for (int end = early; end < simplex->count; end++)
+        for (int i = 0; i < early; i++) {
+            int start = (end - early) % 2 == 0 ? i : early - 1 - i;
+            place_between(simplex->event[start], simplex->event[end], axes, t,
                           slice.corner[slice.count++]);
         }
     return slice;

@@ -26,8 +26,8 @@ enum {
 };
 
 /// What a swept simplex is at one time: a point, a segment, a triangle or a
-/// parallelogram, its corners in order around it.  At t = 0 and t = 1 some of
-/// them coincide.
+/// parallelogram, its corners around it in the sense of the element's
+/// vertices.  At t = 0 and t = 1 some of them coincide.
 typedef struct tf_slice {
     int count;
     double corner[TF_SLICE_CORNERS][3]; ///< coordinates beyond `axes` are 0

@@ -18,7 +18,7 @@ static const double plain_cost = 1.2, leader_cost = 0.3;
 static const double leader_least = 5, leader_gap = 1.5;
 
 /// The border around letters, and how strong it is.
-static const double halo = 1.1, halo_opacity = 0.6;
+static const double halo = 0.8, halo_opacity = 0.5;
 
 /// Labels keep this far from the border of the page.
 static const double border = 2;

@@ -69,7 +69,7 @@ static area mesh_area(const tf_mesh *mesh, const tf_view *view,
 /// What a pixel needs on its way from linear light.
 typedef struct encoder {
     float encoded[STEPS + 1];
-    double paper[3], linear_paper[3];
+    double paper[3];
 } encoder;
 
 static void make_encoder(encoder *e, tf_rgb paper)
@@ -77,21 +77,18 @@ static void make_encoder(encoder *e, tf_rgb paper)
     const double component[3] = {paper.r, paper.g, paper.b};
     for (int i = 0; i <= STEPS; i++)
         e->encoded[i] = (float)tf_rgb_from_linear((double)i / STEPS);
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; k < 3; k++)
         e->paper[k] = component[k];
-        e->linear_paper[k] = tf_rgb_to_linear(component[k]);
-    }
 }
 
-/// The pixel which cairo, blending encoded colours over the paper, makes what
-/// linear light makes of (red, green, blue, opacity).
+/// The pixel which cairo, blending encoded colours over the paper, makes the
+/// light (red, green, blue) of; of an opacity as near as can be to the fourth.
 static unsigned encode(const encoder *e, const float light[4])
 {
     double opacity = fmax(0, fmin(light[3], 1)), wanted[3];
     double least = opacity;
     for (int k = 0; k < 3; k++) {
-        double sum = light[k] + (1 - opacity) * e->linear_paper[k];
-        int step = (int)(STEPS * fmax(0, fmin(sum, 1)) + 0.5);
+        int step = (int)(STEPS * fmax(0, fmin(light[k], 1)) + 0.5);
         wanted[k] = e->encoded[step];
         double paper = e->paper[k];
         if (wanted[k] > paper)

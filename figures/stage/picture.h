@@ -12,8 +12,8 @@ typedef struct tf_picture {
     int x, y;
 } tf_picture;
 
-/// Draw what a panel sees.  Drawn over the theme's paper the colours are those
-/// of blending in linear light.  The caller destroys the surface.
+/// Draw what a panel sees, translucent where it is; over the theme's paper the
+/// colours are exactly those of the renderer.  The caller destroys the surface.
 tf_stage_status tf_picture_draw(tf_renderer *renderer, const tf_panel *panel,
                                 tf_raster raster, tf_picture *picture);
 

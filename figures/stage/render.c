@@ -293,10 +293,19 @@ static void find_projection(const tf_view *view, const tf_box *window,
             matrix[4 * k + i] = (float)row[i][k];
 }
 
+/// Tell a program the colour of the paper, in linear light.
+static void set_paper(const tf_renderer *r, program p, const tf_theme *theme)
+{
+    const tf_rgb *paper = &theme->color[TF_ROLE_PAPER];
+    set_vector(r, p, "paper",
+               (double[]){tf_rgb_to_linear(paper->r),
+                          tf_rgb_to_linear(paper->g),
+                          tf_rgb_to_linear(paper->b)});
+}
+
 static void set_view(const tf_renderer *r, program p, const tf_view *view,
                      const float matrix[16], const tf_theme *theme)
 {
-    const tf_rgb *paper = &theme->color[TF_ROLE_PAPER];
     bool perspective = view->distance > 0;
     double eye[3] = {0}, lamp[3] = {0};
     tf_add(eye, perspective ? view->distance : 1, view->back, eye);
@@ -309,10 +318,7 @@ static void set_view(const tf_renderer *r, program p, const tf_view *view,
     r->gl.Uniform1f(uniform(r, p, "perspective"), perspective ? 1 : 0);
     set_vector(r, p, "eye", eye);
     set_vector(r, p, "lamp", lamp);
-    set_vector(r, p, "paper",
-               (double[]){tf_rgb_to_linear(paper->r),
-                          tf_rgb_to_linear(paper->g),
-                          tf_rgb_to_linear(paper->b)});
+    set_paper(r, p, theme);
 }
 
 // Drawing ----------------------------------------------------------------
@@ -418,6 +424,7 @@ static void set_scene(const tf_renderer *r, const tf_mesh *mesh,
     double pixels_per_point = window.width / window.box.width;
     double depth_per_point = 1 / view->points_per_unit / (hi - lo);
     r->gl.UseProgram(r->programs[FINISH]);
+    set_paper(r, FINISH, theme);
     r->gl.Uniform1f(uniform(r, FINISH, "weight"), 1.0F / SHIFTS);
     r->gl.Uniform1f(uniform(r, FINISH, "halo"),
                     (float)(halo_width * pixels_per_point));

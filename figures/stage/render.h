@@ -20,8 +20,8 @@ typedef struct tf_window {
 } tf_window;
 
 /// Draw a mesh into `pixels`, width x height x 4 floats, row after row from
-/// the top: red, green, blue in linear light times opacity, and opacity.  The
-/// same input gives the same bytes.
+/// the top: red, green, blue in linear light as seen over the theme's paper,
+/// and opacity.  The same input gives the same bytes.
 tf_stage_status tf_renderer_draw(tf_renderer *renderer, const tf_mesh *mesh,
                                  const tf_view *view, tf_window window,
                                  const tf_theme *theme, float *pixels);

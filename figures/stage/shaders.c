@@ -15,6 +15,10 @@
     "    gl_Position.xy += jitter * gl_Position.w;\n"                          \
     "}\n"
 
+// Shading and the sum of pictures count in linear light.  Translucent colours
+// are blended as the square roots of it, near to how sRGB encodes them and the
+// eye counts: then a tint on white paper is as strong as one on black.
+//
 // Light from a sky, from a lamp behind the reader's left shoulder, and a
 // highlight.  What is far off fades a little towards the paper.
 #define LIGHT                                                                  \
@@ -38,7 +42,7 @@
     "vec3 faded(vec3 color, float depth)\n"                                    \
     "{\n"                                                                      \
     "    float fade = 0.22 * smoothstep(0.3, 1.0, depth);\n"                   \
-    "    return mix(min(color, 1.0), paper, fade);\n"                          \
+    "    return sqrt(mix(min(color, 1.0), paper, fade));\n"                    \
     "}\n"
 
 const char *const tf_shader_solid_corner =
@@ -117,6 +121,7 @@ const char *const tf_shader_under =
 // written as 1 have such a border; thin lines are written as a half.
 const char *const tf_shader_finish = VERSION
     "uniform sampler2D front, color, solid;\n"
+    "uniform vec3 paper;\n"
     "uniform float weight;\n"
     "uniform float halo;\n" // in pixels
     "uniform float gap;\n"  // in depth, from which on there is a halo
@@ -142,5 +147,7 @@ const char *const tf_shader_finish = VERSION
     "    vec4 under = texelFetch(color, pixel, 0);\n"
     "    if (under.a > 0.0)\n"
     "        under = vec4(under.rgb, 1) * (1.0 - 0.9 * hidden(pixel));\n"
-    "    result = weight * (over + (1.0 - over.a) * under);\n"
+    "    over += (1.0 - over.a) * under;\n"
+    "    over.rgb += (1.0 - over.a) * sqrt(paper);\n"
+    "    result = weight * vec4(over.rgb * over.rgb, over.a);\n"
     "}\n";

@@ -37,7 +37,7 @@ const tf_theme tf_theme_light = {
 const tf_theme tf_theme_dark = {
     .name = "dark",
     .dark = true,
-    .opacity_power = 1.7,
+    .opacity_power = 1.15,
     .color =
         {
             [TF_ROLE_INK] = RGB(0xe8eaed),
@@ -77,17 +77,10 @@ double tf_rgb_from_linear(double linear)
                                : 1.055 * pow(linear, 1 / 2.4) - 0.055;
 }
 
-static double mix_component(double a, double b, double weight)
-{
-    return tf_rgb_from_linear((1 - weight) * tf_rgb_to_linear(a) +
-                              weight * tf_rgb_to_linear(b));
-}
-
 tf_rgb tf_rgb_mix(tf_rgb a, tf_rgb b, double weight)
 {
-    return (tf_rgb){mix_component(a.r, b.r, weight),
-                    mix_component(a.g, b.g, weight),
-                    mix_component(a.b, b.b, weight)};
+    return (tf_rgb){a.r + weight * (b.r - a.r), a.g + weight * (b.g - a.g),
+                    a.b + weight * (b.b - a.b)};
 }
 
 tf_rgb tf_paint_color(const tf_theme *theme, tf_paint paint)

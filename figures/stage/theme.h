@@ -30,8 +30,8 @@ typedef struct tf_rgb {
 typedef struct tf_theme {
     const char *name;
     bool dark;
-    double opacity_power; ///< of translucent things; light adds up to more on
-                          ///< dark paper, so that one has an exponent > 1
+    double opacity_power; ///< of translucent things; they glow on dark paper,
+                          ///< so that one has an exponent > 1
     tf_rgb color[TF_ROLES];
 } tf_theme;
 
@@ -55,7 +55,7 @@ tf_rgb tf_paint_color(const tf_theme *theme, tf_paint paint);
 /// The opacity of a paint, 0 read as 1.
 double tf_paint_opacity(tf_paint paint);
 
-/// The colour (1 - weight) a + weight b, mixed in linear light.
+/// The colour (1 - weight) a + weight b, mixed as sRGB encodes them.
 tf_rgb tf_rgb_mix(tf_rgb a, tf_rgb b, double weight);
 
 /// A component as sRGB encodes it (0..1) in linear light, and the reverse.

@@ -1,0 +1,25 @@
+// Files that appear whole or not at all.
+#ifndef TF_DRAW_OUTPUT_FILE_H
+#define TF_DRAW_OUTPUT_FILE_H
+
+#include <stdbool.h>
+
+/// A file in the making: `scratch`, in the folder of `path` and with its
+/// ending, becomes the file when it is kept.
+typedef struct tf_output_file {
+    const char *path; ///< borrowed
+    char *scratch;    ///< there to be opened and written; NULL after a failure
+} tf_output_file;
+
+/// Make an empty scratch file.  False, with errno, if that fails.  A signal
+/// that ends the program removes it.
+bool tf_output_file_begin(tf_output_file *file, const char *path);
+
+/// Give the scratch file its name, over what has it now.  False, with errno,
+/// if that fails; then the scratch file is gone.
+bool tf_output_file_keep(tf_output_file *file);
+
+/// Remove the scratch file, if there is one.
+void tf_output_file_drop(tf_output_file *file);
+
+#endif

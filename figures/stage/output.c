@@ -157,7 +157,14 @@ static void flush_for_png(png_structp png)
     (void)png;
 }
 
-static void hush(png_structp png, png_const_charp message)
+/// Errors are told by the status, not by libpng.
+static void fail(png_structp png, png_const_charp message)
+{
+    (void)message;
+    png_longjmp(png, 1);
+}
+
+static void ignore(png_structp png, png_const_charp message)
 {
     (void)png;
     (void)message;
@@ -197,7 +204,7 @@ static tf_stage_status put_png(sink *s, cairo_surface_t *surface,
     int width = cairo_image_surface_get_width(surface);
     png_bytep row = malloc(4 * (size_t)width);
     png_structp png =
-        png_create_write_struct(PNG_LIBPNG_VER_STRING, NULL, hush, hush);
+        png_create_write_struct(PNG_LIBPNG_VER_STRING, NULL, fail, ignore);
     png_infop info = png != NULL ? png_create_info_struct(png) : NULL;
     tf_stage_status status = TF_STAGE_NO_MEMORY;
     if (row != NULL && info != NULL && setjmp(png_jmpbuf(png)) == 0) {

@@ -74,15 +74,15 @@ static void draw_event(tf_panel *panel, const tf_event *event, int vertex,
 {
     static const char *const name[2][TF_VERTICES] = {{"$a$", "$b$", "$c$"},
                                                      {"$a'$", "$b'$", "$c'$"}};
-    static const tf_side side[TF_VERTICES] = {TF_SIDE_W, TF_SIDE_S, TF_SIDE_E};
+    static const tf_side side[2][TF_VERTICES] = {
+        {TF_SIDE_W, TF_SIDE_S, TF_SIDE_E}, {TF_SIDE_W, TF_SIDE_SW, TF_SIDE_N}};
     double at[3];
     find_place(event, place, at);
     tf_scene_ball(tf_panel_scene(panel), at, 5,
                   (tf_paint){.role = TF_ROLE_TRIANGLE});
-    bool above = event->t == 1 && vertex != 0;
     tf_panel_label(panel, at,
                    (tf_label){.text = name[event->t][vertex],
-                              .side = above ? TF_SIDE_N : side[vertex],
+                              .side = side[event->t][vertex],
                               .gap = 4});
 }
 

@@ -334,6 +334,8 @@ chapters  python3         python3           runs the check of the fragments
 fuzz      clang           clang             compiles the fuzzers
 fuzz      libclang-rt-dev -fsanitize=fuzzer runs the fuzzers
 compilers clang           clang             is one of the compilers
+exercises python3         python3           takes you through the exercises
+exercises unifdef         unifdef           cuts your files out of the exercises
 coverage  gcovr           gcovr             makes the table of lines
 format    clang-format    clang-format      lays out the code
 static    clang           clang             is one of the compilers
@@ -341,10 +343,10 @@ static    clang-tidy      clang-tidy        reads the code for errors
 static    cppcheck        cppcheck          reads the code for errors
 endef
 
-needs = build check chapters fuzz compilers coverage format static
+needs = build check chapters fuzz compilers coverage format static exercises
 .PHONY: $(needs:%=need-%) deps
 need-check need-compilers need-format: | need-build
-need-chapters need-fuzz need-coverage need-static: | need-check
+need-chapters need-fuzz need-coverage need-static need-exercises: | need-check
 
 deps: | $(needs:%=need-%) ## install the packages that all targets need
 
@@ -373,6 +375,8 @@ $(needs:%=need-%): need-%:
 	    $$run DEBIAN_FRONTEND=noninteractive sh -c "$$install" && exit 0; \
 	fi; \
 	echo "Please type, as root: $$install" >&2; exit 1
+
+include exercises/rules.mk
 
 # What the compiler found out about headers.
 -include $(patsubst %,%.d,$(basename $(call objects,$(MODULES)) \

@@ -1,0 +1,49 @@
+/* Exercise 1.2.  The bent edge.
+ *
+ * An edge sweeps out two triangles of space-time, the steps of the staircase.
+ * Cut them at the time t, 0 < t < 1: each step is cut in a straight piece, and
+ * the two pieces share an end, the crease.  So at the time t the edge runs from
+ * corner[0], where vertex 0 is, over the crease, corner[1], to corner[2], where
+ * vertex 1 is.  Find the three corners.
+ *
+ * Section: The staircase sweep.
+ *
+ * Hint 1: List the events of both steps.  Which side do the two triangles
+ *     share?
+ * Hint 2: They share the segment from vertex 0 at t = 0 to vertex 1 at t = 1.
+ *     Where is it at the time t?
+ * Hint 3: It is at (1 - t) edge[0].at[0] + t edge[1].at[1], on each axis.
+ */
+#include "spacetime/sweep.h"
+
+/// The point at the time t of the segment between two events, the first at
+/// t = 0 and the second at t = 1.
+static void cut(const tf_event *early, const tf_event *late, double t,
+                double point[2])
+{
+    for (int k = 0; k < 2; k++)
+        point[k] = (1 - t) * early->x[k] + t * late->x[k];
+}
+
+void bent_edge(const tf_worldline edge[2], double t, double corner[3][2])
+{
+    cut(&edge[0].at[0], &edge[0].at[1], t, corner[0]);
+#if defined TF_SOLUTION
+    cut(&edge[0].at[0], &edge[1].at[1], t, corner[1]);
+    cut(&edge[1].at[0], &edge[1].at[1], t, corner[2]);
+#elif defined TF_WRONG_1 // takes the other diagonal
+    cut(&edge[1].at[0], &edge[0].at[1], t, corner[1]);
+    cut(&edge[1].at[0], &edge[1].at[1], t, corner[2]);
+#elif defined TF_WRONG_2 // keeps the edge straight
+    cut(&edge[1].at[0], &edge[1].at[1], t, corner[2]);
+    for (int k = 0; k < 2; k++)
+        corner[1][k] = (corner[0][k] + corner[2][k]) / 2;
+#elif defined TF_WRONG_3 // bends where the segment is in the middle of the step
+    cut(&edge[0].at[0], &edge[1].at[1], 0.5, corner[1]);
+    cut(&edge[1].at[0], &edge[1].at[1], t, corner[2]);
+#else
+    // Your turn: corner[0] is right, the others are not.
+    cut(&edge[0].at[0], &edge[0].at[1], t, corner[1]);
+    cut(&edge[0].at[0], &edge[0].at[1], t, corner[2]);
+#endif
+}

@@ -1,0 +1,199 @@
+"""Tests of exercises/learn.py, on toy exercises: run by make check-exercises."""
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+ONE = """\
+/* Exercise 1.1.  One.
+ *
+ * Return one.
+ *
+ * Section: Numbers.
+ *
+ * Hint 1: Not zero.
+ * Hint 2: Not
+ *     two.
+ */
+int answer(void)
+{
+#if defined TF_SOLUTION
+    return 1;
+#elif defined TF_WRONG_1 // one too many
+    return 2;
+#elif defined TF_WRONG_2
+    return -1;
+#else
+    // Your turn.
+    return 0;
+#endif
+}
+"""
+CHECK = """\
+#include "check.h"
+int answer(void);
+START_TEST(is_one)
+{
+    check_input("nothing\\nat all");
+    int got = answer();
+    check_that(got == 1, "1", "%d", got);
+}
+END_TEST
+void add_tests(TCase *tests)
+{
+    tcase_add_test(tests, is_one);
+}
+"""
+
+
+class Learn(unittest.TestCase):
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        self.root = Path(temporary.name)
+        self.exercises = self.root / "exercises"
+        self.exercises.mkdir()
+        for slug in ("01-1-one", "01-2-two"):
+            (self.exercises / f"{slug}.c").write_text(
+                ONE.replace("1.1", "1." + slug[3]))
+            (self.exercises / f"{slug}.check.c").write_text(CHECK)
+        self.mine = self.root / "work/01-1-one.c"
+
+    def run_learn(self, *arguments, status=0):
+        environment = dict(
+            os.environ, EXERCISES=str(self.exercises),
+            WORK=str(self.root / "work"), BUILD=str(self.root / "build"),
+            COMPILE=os.environ["COMPILE"] + " -iquote exercises")
+        run = subprocess.run(
+            [sys.executable, "exercises/learn.py", *arguments], text=True,
+            capture_output=True, env=environment)
+        self.assertEqual(run.returncode, status, run.stdout + run.stderr)
+        return run.stdout + run.stderr
+
+    def answer(self, body):
+        self.mine.parent.mkdir(exist_ok=True)
+        self.mine.write_text("int answer(void)\n{\n" + body + "\n}\n")
+        return self.run_learn("learn")
+
+    def test_starts_with_the_stub_without_hints(self):
+        self.assertIn("  got       0\n", self.run_learn("learn"))
+        text = self.mine.read_text()
+        self.assertIn(" * Section: Numbers.\n */\n", text)
+        self.assertNotIn("Hint", text)
+        self.assertNotIn("#", text)
+
+    def test_shows_the_failure(self):
+        self.assertIn("  input     nothing\n            at all\n"
+                      "  expected  1\n  got       3\n  where     ",
+                      self.answer("return 3;"))
+
+    def test_goes_on_after_success_when_asked(self):
+        told = self.answer("return 1;")
+        self.assertIn("Solved", told)
+        self.assertIn("Next is 1.2", told)
+        self.assertFalse((self.root / "work/01-2-two.c").exists())
+        self.assertIn("Exercise 1.2", self.run_learn("learn"))
+        self.assertIn("solved", self.run_learn("list"))
+
+    def test_explains_what_went_wrong(self):
+        for body, explanation in (
+                ("return 1", "error: expected"),
+                ("for (;;) {}", "a loop without end"),
+                ("int *p = 0; return *p;", "null pointer"),
+                ("int two(void); return two();", "there is no function two"),
+                ("return 1 / answer();", "calls itself without end"),
+                ("int a[2] = {0}; int volatile i = 2; return a[i];",
+                 "index 2 out of bounds"),
+                ("__builtin_trap();", "a crash"),
+                ("_Exit(0);", "does your code call exit")):
+            with self.subTest(body):
+                self.assertIn(explanation, self.answer(body))
+
+    def test_shows_what_is_printed_and_warnings(self):
+        told = self.answer("int unused = 1; puts(\"hello\"); return 0;")
+        self.assertIn("  hello\n", told)
+        self.assertIn("unused variable", told)
+
+    def test_never_overwrites(self):
+        self.answer("return 3;")
+        before = self.mine.read_text()
+        self.run_learn("learn")
+        self.assertEqual(self.mine.read_text(), before)
+        for i in (1, 2):
+            self.run_learn("reset", "--number=1.1")
+            kept = self.mine.with_suffix(f".{i}.c").read_text()
+            self.assertEqual(kept, before)
+            self.assertFalse(self.mine.exists())
+            self.mine.write_text(before)
+
+    def test_gives_one_more_hint_each_time(self):
+        self.assertNotIn("Hint 2", self.run_learn("hint"))
+        self.assertIn("Hint 2: Not two.", self.run_learn("hint"))
+        self.assertIn("the last one", self.run_learn("hint"))
+
+    def test_asks_before_it_shows_the_solution(self):
+        self.assertNotIn("return 1", self.run_learn("solution",
+                                                    "--number=1.1"))
+        sure = self.run_learn("solution", "--number=1.1", "--sure=1")
+        self.assertIn("return 1;", sure)
+        self.assertNotIn("#", sure)
+        self.answer("return 1;")
+        self.assertIn("return 1;", self.run_learn("solution",
+                                                  "--number=1.1"))
+
+    def test_names_what_there_is_not(self):
+        self.assertIn("There is no exercise 7.7",
+                      self.run_learn("learn", "--number=7.7", status=1))
+        self.assertIn("Which exercise", self.run_learn("reset", status=1))
+
+    def test_grades_as_gradescope_documents(self):
+        self.answer("return 1;")
+        self.run_learn("grade", f"--dir={self.mine.parent}")
+        results = json.loads((self.root / "build/grade/results.json")
+                             .read_text())
+        self.assertLessEqual(set(results), {
+            "score", "execution_time", "output", "output_format",
+            "test_output_format", "test_name_format", "visibility",
+            "stdout_visibility", "extra_data", "tests", "leaderboard"})
+        self.assertEqual(results["score"], 1)
+        for test in results["tests"]:
+            self.assertLessEqual(set(test), {
+                "score", "max_score", "status", "name", "name_format",
+                "number", "output", "output_format", "tags", "visibility",
+                "extra_data"})
+            self.assertIsInstance(test["output"], str)
+            self.assertIn(test["output_format"],
+                          ("text", "html", "simple_format", "md", "ansi"))
+            self.assertIn(test["visibility"], (
+                "hidden", "after_due_date", "after_published", "visible"))
+        self.assertEqual([(test["number"], test["score"], test["max_score"],
+                           test["status"]) for test in results["tests"]],
+                         [("1.1", 1, 1, "passed"), ("1.2", 0, 1, "failed")])
+
+    def test_check_finds_bad_exercises(self):
+        path = self.exercises / "01-1-one.c"
+        for old, new, fault in (
+                ("Hint 2", "Tip 2", "at least two hints"),
+                ("Section", "Chapter", "names no section"),
+                ("return -1", "return 1", "TF_WRONG_2: passes"),
+                ("return 1", "return 5", "TF_SOLUTION: fails"),
+                ("return 0", "return 1", "the stub: passes"),
+                ("return 0", "return !", "the stub: It does not compile"),
+                ("TF_WRONG_2", "TF_WRONG_3", "needs TF_SOLUTION"),
+                ("int answer", '#include "tanglefree.h"\nint answer',
+                 "tanglefree.h is of a later chapter")):
+            with self.subTest(fault):
+                path.write_text(ONE.replace(old, new))
+                self.assertIn(fault, self.run_learn("check", status=1))
+        path.write_text(ONE)
+        path.rename(self.exercises / "01-3-one.c")
+        told = self.run_learn("check", status=1)
+        self.assertIn("does not follow", told)
+        self.assertIn("checks no exercise", told)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=0)

@@ -1,0 +1,68 @@
+"""Where the fragments and exercises of the book are shown.
+
+    {frag}`Title`   a link to the fragment of that title, with its number
+    {ex}`03-1`      "Exercise 3.1", a link
+"""
+from docutils import nodes
+from sphinx.domains import Domain
+from sphinx.roles import XRefRole
+from sphinx.util.nodes import make_refnode
+
+
+class PlaceRole(XRefRole):
+    def process_link(self, env, refnode, has_explicit_title, title, target):
+        refnode["refdomain"] = "book"
+        refnode["reftype"] = self.reftype
+        return title, " ".join(target.split())
+
+
+class FragmentRole(PlaceRole):
+    reftype = "frag"
+
+
+class ExerciseRole(PlaceRole):
+    reftype = "ex"
+
+
+class BookDomain(Domain):
+    """Places by kind and key: a list of (page, anchor, name), one normally."""
+    name, label = "book", "Book"
+    initial_data = {"places": {}}
+
+    def note(self, kind, key, anchor, name):
+        self.data["places"].setdefault((kind, key), []).append(
+            (self.env.docname, anchor, name))
+
+    def places(self, kind, key):
+        return self.data["places"].get((kind, key), [])
+
+    def keys(self, kind):
+        return [key for of_kind, key in self.data["places"] if of_kind == kind]
+
+    def clear_doc(self, docname):
+        places = self.data["places"]
+        for key in list(places):
+            places[key] = [p for p in places[key] if p[0] != docname]
+            if not places[key]:
+                del places[key]
+
+    def resolve_xref(self, env, fromdocname, builder, typ, target, node,
+                     contnode):
+        for docname, anchor, name in self.places(typ, target):
+            words = nodes.inline("", name, classes=[typ])
+            return make_refnode(builder, fromdocname, docname, anchor, words)
+        return None
+
+    def resolve_any_xref(self, *args):
+        return []
+
+
+def of(env):
+    return env.get_domain(BookDomain.name)
+
+
+def setup(app):
+    app.add_domain(BookDomain)
+    app.add_role("frag", FragmentRole(warn_dangling=True))
+    app.add_role("ex", ExerciseRole(warn_dangling=True))
+    return {"version": "1", "parallel_read_safe": False}

@@ -1,0 +1,101 @@
+"""Commands and what they print, run at the repository's root.
+
+    ```{session}
+    $ build/tanglefree --version
+    tanglefree ...
+    ```
+shows the text and compares it with the real output, a line `...` standing for
+any lines; `{run}` takes the commands alone and puts the real output in.  A
+line that begins with "> " continues a command.  `:status: 1` is the expected
+exit status of the last command; all others must exit with 0.
+"""
+import re
+import subprocess
+
+from docutils import nodes
+from docutils.parsers.rst import directives
+from sphinx.util import logging
+from sphinx.util.docutils import SphinxDirective
+
+log = logging.getLogger(__name__)
+
+
+def commands(lines):
+    """Pairs of the lines of a command and the lines of its output."""
+    found = []
+    for line in lines:
+        if line.startswith("$ "):
+            found.append(([line[2:]], []))
+        elif line.startswith("> ") and found and not found[-1][1]:
+            found[-1][0].append(line[2:])
+        elif found:
+            found[-1][1].append(line)
+        elif line.strip():
+            raise ValueError("a session begins with a line '$ command'")
+    return found
+
+
+def run(command, root):
+    """The lines that a command prints, and its exit status."""
+    done = subprocess.run(["sh", "-c", "\n".join(command)], cwd=root,
+                          stdin=subprocess.DEVNULL, capture_output=True,
+                          text=True)
+    return (done.stdout + done.stderr).splitlines(), done.returncode
+
+
+def agrees(expected, real):
+    pattern = "".join(r"(?:.*\n)*?" if line == "..." else
+                      re.escape(line) + r"\n" for line in expected)
+    return re.fullmatch(pattern, "".join(line + "\n" for line in real))
+
+
+class RunDirective(SphinxDirective):
+    has_content = True
+    option_spec = {"status": directives.nonnegative_int}
+
+    def run(self):
+        self.env.note_dependency(str(self.env.app.program))
+        shown = []
+        try:
+            found = commands(self.content)
+        except ValueError as error:
+            raise self.error(str(error))
+        for command, expected in found:
+            last = command is found[-1][0]
+            wanted = self.options.get("status", 0) if last else 0
+            real, status = run(command, self.env.app.root)
+            if status != wanted:
+                self.complain(f"'{command[0]}' exits with {status}, not "
+                              f"{wanted}", real)
+            shown += ["$ " + command[0], *("> " + c for c in command[1:])]
+            shown += self.output(command, expected, real)
+        text = "\n".join(shown)
+        return [nodes.literal_block(text, text, language="console",
+                                    classes=["session"])]
+
+    def output(self, command, expected, real):
+        return real
+
+    def complain(self, what, real):
+        log.warning("%s; it prints\n%s", what, "\n".join(real),
+                    location=self.get_location())
+
+
+class SessionDirective(RunDirective):
+    def output(self, command, expected, real):
+        while expected and not expected[-1].strip():
+            expected.pop()
+        if not agrees(expected, real):
+            self.complain(f"'{command[0]}' prints something else", real)
+        return expected
+
+
+def begin(app):
+    app.program = app.built / "tanglefree"
+
+
+def setup(app):
+    app.add_directive("run", RunDirective)
+    app.add_directive("session", SessionDirective)
+    app.connect("builder-inited", begin)
+    return {"version": "1", "parallel_read_safe": False}

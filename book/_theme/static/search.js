@@ -1,0 +1,63 @@
+"use strict";
+
+// search-index.js defines `sections`: [page, anchor, number, title, text].
+const input = document.getElementById("query");
+const list = document.getElementById("results");
+const status = document.getElementById("found");
+
+function count(text, word) {
+  return text.toLowerCase().split(word).length - 1;
+}
+
+function score([, anchor, , title, text], words) {
+  let sum = 0;
+  for (const word of words) {
+    const here = 20 * count(title, word) + count(text, word);
+    if (here === 0) return 0;
+    sum += here;
+  }
+  return sum + (anchor ? 0 : 1);
+}
+
+// The words around the first that is found, found words marked.
+function excerpt(text, words) {
+  const lower = text.toLowerCase();
+  const first = Math.min(...words.map(word => lower.indexOf(word))
+                                 .filter(place => place >= 0), text.length);
+  const begin = lower.lastIndexOf(" ", Math.max(0, first - 70)) + 1;
+  const part = text.slice(begin, begin + 220);
+  const escaped = words.map(word => word.replace(/[^\p{L}\p{N}\s]/gu, "\\$&"));
+  const line = document.createElement("p");
+  for (const piece of part.split(new RegExp(`(${escaped.join("|")})`, "i"))) {
+    const found = words.includes(piece.toLowerCase());
+    const node = found ? document.createElement("mark") : new Text(piece);
+    if (found) node.textContent = piece;
+    line.append(node);
+  }
+  return line;
+}
+
+function item([page, anchor, number, title, text], words) {
+  const link = document.createElement("a");
+  link.href = `${page}.html${anchor}`;
+  link.textContent = number ? `${number} ${title}` : title;
+  const entry = document.createElement("li");
+  entry.append(link, excerpt(text, words));
+  return entry;
+}
+
+function search() {
+  const words = input.value.toLowerCase().split(/\s+/).filter(word => word);
+  const found = words.length === 0 ? [] : sections
+    .map(section => [score(section, words), section])
+    .filter(([points]) => points > 0)
+    .sort(([a], [b]) => b - a);
+  list.replaceChildren(...found.map(([, section]) => item(section, words)));
+  status.textContent = words.length === 0 ? "" :
+    found.length === 0 ? "Nothing found." :
+    found.length === 1 ? "One section." : `${found.length} sections.`;
+}
+
+input.value = new URLSearchParams(location.search).get("q") || "";
+input.addEventListener("input", search);
+search();

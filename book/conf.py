@@ -1,0 +1,63 @@
+"""The settings of the book; book/_ext has its own directives and roles."""
+import os
+import sys
+from pathlib import Path
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(Path(__file__).parent / "_ext"))
+import mathml
+
+project = "Tanglefree"
+html_title = "Tanglefree"
+author = "The Tanglefree authors"
+copyright = "the Tanglefree authors"
+version = release = ""
+language = "en"
+root_doc = "index"
+templates_path = []
+exclude_patterns = ["_*"]
+nitpicky = True
+
+extensions = ["myst_parser", "sphinxcontrib.bibtex", "mathml", "places",
+              "manifest", "weave", "sessions", "drawings", "blocks", "pages"]
+
+myst_enable_extensions = ["dollarmath", "amsmath", "colon_fence", "deflist",
+                          "smartquotes", "attrs_inline"]
+myst_footnote_transition = False
+myst_dmath_double_inline = True
+suppress_warnings = ["myst.header"]
+
+bibtex_bibfiles = ["references.bib"]
+bibtex_reference_style = "label"
+
+numfig = True
+numfig_secnum_depth = 1
+math_numfig = True
+numfig_format = {
+    "figure": "Figure\u00a0%s", "table": "Table\u00a0%s",
+    "code-block": "Listing\u00a0%s", "section": "Section\u00a0%s",
+    **{kind: kind.capitalize() + "\u00a0%s" for kind in (
+        "theorem", "lemma", "corollary", "proposition", "definition",
+        "algorithm", "example", "remark", "problem")}}
+
+
+def setup(app):
+    """Everything that is built is in one folder."""
+    app.built = Path(os.environ.get("BUILD", "build")).resolve()
+
+
+html_theme = "_theme"
+html_theme_path = ["."]
+html_show_search_summary = False
+html_copy_source = False
+html_permalinks = False
+html_domain_indices = False
+pygments_style = "quiet.Quiet"
+smartquotes = True
+
+GYRE = "/usr/share/texmf/fonts/opentype/public/tex-gyre"
+html_static_path = [
+    *(f"{GYRE}/texgyrepagella-{style}.otf"
+      for style in ("regular", "italic", "bold", "bolditalic")),
+    f"{GYRE}-math/texgyrepagella-math.otf",
+    "/usr/share/fonts/truetype/inconsolata/Inconsolata.otf"]

@@ -1,0 +1,41 @@
+# The book: HTML in $(BUILD)/book/html, print in $(BUILD)/book/tanglefree.pdf.
+# The chapters' text is here, a file a chapter; all that they show of the
+# program, its output and its figures is taken from where it is made.
+
+BOOK := $(wildcard book/*.md book/*.py book/*.bib book/chapters book/_ext/*.py \
+	book/_theme/* book/_theme/static/*) $(shell find src -name '*.[ch]')
+prints = $(names:%=$(BUILD)/figures/%-light.pdf)
+weave = BUILD=$(abspath $(BUILD)) sphinx-build -q
+
+book: $(BUILD)/book/html/index.html ## make the book as pages, build/book/html
+pdf: $(BUILD)/book/tanglefree.pdf ## make the book as a PDF, build/book
+.PHONY: book pdf
+
+$(BUILD)/book/html/index.html: $(BOOK) $(program) $(pictures) | need-book
+	@echo 'weave   $(@D)'
+	$(Q)$(weave) -b html -d $(BUILD)/book/read book $(@D) && touch $@
+
+$(BUILD)/figures/%-light.pdf: $(BUILD)/drawing/program
+	$(call picture,light)
+
+$(BUILD)/book/tanglefree.pdf: $(BOOK) $(program) $(prints) | need-book need-pdf
+	@echo 'print   $@'
+	$(Q)$(weave) -b latex -d $(BUILD)/book/read-latex book $(@D)/latex
+	$(Q)cd $(@D)/latex && latexmk -xelatex -interaction=nonstopmode \
+	    -halt-on-error tanglefree.tex >tanglefree.out 2>&1 || \
+	    { grep -A 5 '^!' tanglefree.log; false; }
+	$(Q)cp $(@D)/latex/tanglefree.pdf $@
+
+# Warnings are errors, and all is read anew; then the pages are taken apart
+# again, and what they show of src/ must be src/.
+check-book: $(program) $(pictures) need-book ## check the book against the program
+	@python3 tests/book/fragments_test.py
+	@python3 tests/book/weave_test.py
+	@rm -rf $(BUILD)/book/checked
+	@$(weave) -E -W --keep-going -b html -d $(BUILD)/book/checked/read book \
+	    $(BUILD)/book/checked/html
+	@python3 tests/book/pages_test.py $(BUILD)/book/checked/html
+
+check-site: book need-site ## look at the pages in a browser
+	@python3 tests/site/browse.py $(BUILD)/book/html
+.PHONY: check-book check-site

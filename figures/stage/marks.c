@@ -29,6 +29,7 @@ static void add_points(tf_page *page, tf_mark mark, int count, int axes,
     mark.count = count;
     if (mark.at == NULL) {
         tf_page_note(page, TF_STAGE_NO_MEMORY);
+        tf_mark_clear(&mark);
         return;
     }
     for (int i = 0; i < count; i++)

@@ -129,7 +129,7 @@ static void make_vertex_arrays(tf_renderer *r)
     for (GLuint i = 0; i < 3; i++) {
         gl->VertexAttribPointer(i, attribute[i].size, GL_FLOAT, GL_FALSE,
                                 sizeof(tf_vertex),
-                                (const void *)attribute[i].offset);
+                                (const char *)NULL + attribute[i].offset);
         gl->EnableVertexAttribArray(i);
     }
 }

@@ -19,7 +19,7 @@ static const double halo_width = 0.9, halo_gap = 6;
 
 /// How much of the paper's colour the farthest things take on, in a scene half
 /// as deep as its panel is high or deeper.
-static const double fog_most = 0.22;
+static const double fog_most = 0.25;
 
 /// Within a pixel, from its middle: eight rooks that do not attack each other,
 /// so that edges of any slant, steep and flat ones too, get eight steps.

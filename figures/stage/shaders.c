@@ -43,7 +43,7 @@
     "vec3 faded(vec3 color, float depth)\n"                                    \
     "{\n"                                                                      \
     "    float fade = fog * smoothstep(0.3, 1.0, depth);\n"                    \
-    "    return sqrt(mix(min(color, 1.0), paper, fade));\n"                    \
+    "    return mix(sqrt(min(color, 1.0)), sqrt(paper), fade);\n"              \
     "}\n"
 
 const char *const tf_shader_solid_corner =

@@ -132,14 +132,14 @@ int tf_draw_query(int argc, char *argv[])
         .options = options,
         .parser = understand,
         .args_doc = "FILE:N",
-        .doc =
-            "Draw a query of a file: the elements, their difference and "
-            "where they first meet.\vFILE is as for 'tanglefree query', "
-            "\"-\" is standard input, and queries count from 0.  Coordinates "
-            "of any size are scaled to fit.  The answer is printed, each "
-            "line a key and its value.\n\n"
-            "Exit status: 0 if all was drawn, 2 after bad usage, bad input "
-            "or a failure.",
+        .doc = "Draw a query of a file: the elements, their difference and "
+               "where they first meet.\vFILE is as for 'tanglefree query' "
+               "(standard input is /dev/stdin), and queries count from 0.  "
+               "Coordinates of any size are scaled to fit.  The answer is "
+               "printed, each "
+               "line a key and its value.\n\n"
+               "Exit status: 0 if all was drawn, 2 after bad usage, bad input "
+               "or a failure.",
         .children = tf_settings_options,
     };
     request asked = {0};

@@ -107,6 +107,14 @@ static tf_box frame_box(int i)
                     width, height - caption_height};
 }
 
+/// The one box of a film.
+static tf_box film_box(void)
+{
+    tf_box box = left_box;
+    box.height -= caption_height;
+    return box;
+}
+
 static void draw_frame(tf_page *page, const tf_shown *shown, tf_box box,
                        double t, bool marked)
 {
@@ -140,7 +148,7 @@ static void draw_elements(tf_page *page, const tf_shown *shown, double t)
     else if (t < 0)
         draw_strip(page, shown);
     else
-        draw_frame(page, shown, left_box, t,
+        draw_frame(page, shown, film_box(), t,
                    tf_shown_hits(shown) && t >= shown->toi);
 }
 
@@ -176,7 +184,7 @@ static void draw_query(const void *subject, tf_page *page, bool moving,
         t = shown.toi;
     tf_panel *panel = tf_page_panel(page, right_box);
     tf_panel_margin(panel, margin);
-    bool alike = tf_show_difference(panel, &shown, t);
+    bool alike = tf_show_difference(page, panel, &shown, t);
 
     char text[TEXT];
     snprintf(text, sizeof text, "%s, query %ld", shown.kind->name,

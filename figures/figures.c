@@ -11,6 +11,8 @@ const tf_figure *const tf_figures[] = {
     &tf_figure_plane_degenerate,
     &tf_figure_sheared_frame,
     &tf_figure_edge_edge_sheets,
+    &tf_figure_contact,
+    &tf_figure_crease_crossing,
     NULL,
 };
 

@@ -47,12 +47,14 @@ static difference difference_of(const tf_shown *shown)
             point[i][k] = shown->asked[second].at[i % 2].x[k] / 2 -
                           from->at[i % 2].x[k] / 2;
     }
-    d.alike = tf_fit_points(kind->axes, 2 * d.pairs + 1, point).alike;
-    for (int i = 0; i < 2 * d.pairs; i++) {
+    // The last point stays zero: the origin.
+    int events = 2 * d.pairs;
+    d.alike = tf_fit_points(kind->axes, events + 1, point).alike;
+    for (int i = 0; i < events; i++) {
         memcpy(d.pair[i / 2].at[i % 2].x, point[i], sizeof point[i]);
         d.pair[i / 2].at[i % 2].t = i % 2;
     }
-    memcpy(d.origin, point[2 * d.pairs], sizeof d.origin);
+    memcpy(d.origin, point[events], sizeof d.origin);
     return d;
 }
 
@@ -200,6 +202,18 @@ static void add_end(tf_scene *scene, const difference *d, int t)
     }
 }
 
+/// Look at the plane from above, always.
+static void look(tf_panel *panel, int axes)
+{
+    const tf_camera above = {.elevation = 90};
+    if (axes == 2) {
+        tf_panel_look(panel, above);
+        tf_panel_fix(panel);
+    } else {
+        tf_panel_look(panel, tf_shown_camera);
+    }
+}
+
 /// The ball tells the depth; the dot shows it through whatever is before it.
 static void mark_origin(tf_page *page, tf_panel *panel, const difference *d)
 {
@@ -223,11 +237,8 @@ bool tf_show_difference(tf_page *page, tf_panel *panel, const tf_shown *shown,
 {
     difference d = difference_of(shown);
     tf_scene *scene = tf_panel_scene(panel);
-    bool plane = shown->kind->axes == 2, edges = d.pairs == PAIRS;
-    tf_panel_look(panel,
-                  plane ? (tf_camera){.elevation = 90} : tf_shown_camera);
-    if (plane)
-        tf_panel_fix(panel);
+    look(panel, shown->kind->axes);
+    bool edges = d.pairs == PAIRS;
     if (edges)
         show_pairs(panel, &d, t);
     else

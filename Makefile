@@ -11,7 +11,7 @@ BUILD = build
 ifeq ($(origin CC),default)
 CC = gcc
 endif
-CFLAGS ?= -O2
+CFLAGS ?= -O3
 WARNINGS = -Wall -Wextra -Wpedantic -Wshadow -Wconversion
 
 # What the code relies on comes last, where CFLAGS cannot undo it.
@@ -26,11 +26,12 @@ parallel = $(if $(filter -j%,$(MAKEFLAGS)),,-j$(shell nproc))
 .SECONDARY:
 .PHONY: FORCE
 
-all: library program ## build the library and the program: what `make` does
+all: library program drawing figures book ## build all: what `make` does
 
 help: ## list the targets
-	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' Makefile | expand -t 18
-	@echo 'Settings: BUILD=dir, CC=clang, CFLAGS=-O3, V=1 (show the commands).'
+	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' \
+	    Makefile figures/rules.mk book/rules.mk | expand -t 18
+	@echo 'Settings: BUILD=dir, CC=clang, CFLAGS=-O2, V=1 (show the commands).'
 
 # The modules ------------------------------------------------------------------
 
@@ -82,6 +83,11 @@ endif
 $(BUILD):
 	@mkdir -p $@
 
+# The figures ------------------------------------------------------------------
+
+include figures/rules.mk
+include book/rules.mk
+
 # The tests --------------------------------------------------------------------
 
 # Every test is a program, linked with what it uses of tests/support, where
@@ -89,7 +95,7 @@ $(BUILD):
 # more than they have.
 SUPPORT := $(wildcard tests/support/*.c)
 ifeq ($(SRC),src)
-WHOLE := $(wildcard tests/whole/*.c)
+WHOLE := $(wildcard tests/whole/*.c) $(FIGURE_TESTS)
 else
 SUPPORT := $(foreach file,$(SUPPORT),$(if \
 	$(shell $(CC) -MM -I$(SRC) -Itests $(file) 2>/dev/null),$(file)))
@@ -101,8 +107,8 @@ $(BUILD)/support.a: $(SUPPORT:%.c=$(BUILD)/%.o)
 
 $(BUILD)/tests/%.o: tests/%.c $(BUILD)/flags | need-check
 	@echo 'compile $<' && mkdir -p $(@D)
-	$(Q)$(COMPILE) -I$(SRC) -Itests $$(pkg-config --cflags check) -MMD -MP \
-	    -c $< -o $@
+	$(Q)$(COMPILE) -I$(SRC) -Itests $(USES) $$(pkg-config --cflags check) \
+	    -MMD -MP -c $< -o $@
 
 $(BUILD)/tests/%: $(BUILD)/tests/%.o $(BUILD)/support.a $(BUILD)/program.a \
 		$(library)
@@ -113,7 +119,9 @@ $(BUILD)/tests/%: $(BUILD)/tests/%.o $(BUILD)/support.a $(BUILD)/program.a \
 # or checks nothing counts as a check that failed.
 broken = 0%: Checks: 1, Failures: 0, Errors: 1
 $(BUILD)/tests/%.log: $(BUILD)/tests/% $(program) FORCE
-	@TANGLEFREE=$(abspath $(program)) $< >$@ 2>&1; status=$$?; \
+	@TANGLEFREE=$(abspath $(program)) TANGLEFREE_DRAW=$(abspath $(drawing)) \
+	LSAN_OPTIONS=suppressions=$(CURDIR)/tests/stage/leaks.supp \
+	$< >$@ 2>&1; status=$$?; \
 	grep -q 'Failures: [1-9]\|Errors: [1-9]' $@ || \
 	    { [ $$status = 0 ] && grep -q 'Checks: [1-9]' $@; } || \
 	    echo "$(broken) (status $$status)" >>$@; \
@@ -131,7 +139,7 @@ check: need-check ## build and run the tests
 	          printf "%d passed, %d failed\n", good, bad; exit bad > 0 }' && \
 	[ $$built = 0 ]
 
-run-tests: $(library) $(program) $(TESTS:=.log)
+run-tests: $(library) $(program) $(if $(WHOLE),$(drawing)) $(TESTS:=.log)
 .PHONY: check run-tests
 
 sanitizers = -fsanitize=address,undefined,float-cast-overflow \
@@ -176,8 +184,8 @@ twice = $(foreach word,$(sort $(1)),$(if \
 	$(filter-out 1,$(words $(filter $(word),$(1)))),$(word)))
 
 sources = $(shell cd src && find * -name '*.[ch]')
-tested = $(filter-out support/% whole/% fuzz/% bench/%,$(shell cd tests && \
-	find * -name '*.c'))
+tested = $(filter-out $(addsuffix /%,support whole fuzz bench stage draw figures),\
+	$(shell cd tests && find * -name '*.c'))
 
 check-manifest: ## compare book/chapters with src/ and tests/
 	@wrong=0; \
@@ -218,7 +226,7 @@ check-chapters: need-chapters ## see that each chapter needs no later one
 
 # The source -------------------------------------------------------------------
 
-code = $(shell find src tests -name '*.[ch]')
+code = $(shell find src figures tests -name '*.[ch]')
 
 check-format: need-format ## compare the layout with .clang-format
 	@clang-format --dry-run -Werror $(code)
@@ -226,16 +234,19 @@ check-format: need-format ## compare the layout with .clang-format
 format: need-format ## lay the code out as .clang-format says
 	@clang-format -i $(code)
 
+paths = -Isrc -Ifigures $$(cat $(BUILD)/stage.flags)
+
 # cppcheck takes a struct for a pointer to the arguments that it came from.
-check-static: need-static ## read the code: warnings, clang-tidy, cppcheck
-	@for cc in gcc clang; do $$cc $(WARNINGS) -Werror -std=c17 -Isrc -Itests \
+check-static: need-static $(BUILD)/stage.flags ## read the code: warnings, clang-tidy, cppcheck
+	@for cc in gcc clang; do $$cc $(WARNINGS) -Werror -std=c17 $(paths) -Itests \
 	    $$(pkg-config --cflags check) -fsyntax-only $(filter %.c,$(code)) \
 	    || exit 1; done
-	@cppcheck --quiet --error-exitcode=1 --std=c11 -Isrc -Itests -j $$(nproc) \
-	    --enable=warning,performance,portability \
-	    --suppress=returnDanglingLifetime src tests
-	@find src -name '*.c' | xargs -P $$(nproc) -n 4 sh -c 'clang-tidy --quiet \
-	    --warnings-as-errors="*" "$$@" -- -std=c17 -Isrc 2>/dev/null' sh
+	@cppcheck --quiet --error-exitcode=1 --std=c11 $(paths) -Itests \
+	    -j $$(nproc) --enable=warning,performance,portability \
+	    --suppress=returnDanglingLifetime src figures tests
+	@find src figures -name '*.c' | xargs -P $$(nproc) -n 4 sh -c 'clang-tidy \
+	    --quiet --warnings-as-errors="*" "$$@" -- -std=c17 $(paths) \
+	    2>/dev/null' sh
 .PHONY: check-format format check-static
 
 # Four builds must give the same answers to the last bit, and a build that
@@ -259,7 +270,7 @@ check-compilers: need-compilers ## see that gcc and clang give the same answers
 	@echo 'linked: libc and libm only'
 
 $(answers): $(BUILD)/compilers/%/answers: FORCE
-	@$(MAKE) all BUILD=$(@D) CC=$(word 1,$(subst -, ,$*)) \
+	@$(MAKE) library program BUILD=$(@D) CC=$(word 1,$(subst -, ,$*)) \
 	    CFLAGS='-$(word 2,$(subst -, ,$*)) -Werror'
 	@for kind in point-edge point-triangle edge-edge; do \
 	for arithmetic in exact clamped report integer64 integer128; do \
@@ -278,9 +289,9 @@ headers = $(patsubst src/%,%,$(wildcard $(LIBRARY:%=src/%.h)))
 version = $(shell sed -n 's/.*"tanglefree \([0-9.]*\)".*/\1/p' \
 	src/program/main.c)
 
-install: all ## install to PREFIX=/usr/local, below DESTDIR= if told
+install: library program drawing ## install to PREFIX=/usr/local, below DESTDIR= if told
 	@install -d $(prefix)/bin $(prefix)/lib/pkgconfig
-	@install $(program) $(prefix)/bin
+	@install $(program) $(drawing) $(prefix)/bin
 	@install -m 644 $(library) $(prefix)/lib
 	@for header in $(headers); do install -D -m 644 src/$$header \
 	    $(prefix)/include/tanglefree/$$header || exit 1; done
@@ -293,14 +304,14 @@ install: all ## install to PREFIX=/usr/local, below DESTDIR= if told
 
 uninstall: ## remove what install put there
 	@rm -rf $(prefix)/include/tanglefree
-	@rm -f $(prefix)/bin/tanglefree $(prefix)/lib/libtanglefree.a \
-	    $(prefix)/lib/pkgconfig/tanglefree.pc
+	@rm -f $(prefix)/bin/tanglefree $(prefix)/bin/tanglefree-draw \
+	    $(prefix)/lib/libtanglefree.a $(prefix)/lib/pkgconfig/tanglefree.pc
 
 # README.md has a console session and a C program; both must do what it tells.
 scratch = $(abspath $(BUILD)/install)
 installed = PKG_CONFIG_PATH=$(scratch)/lib/pkgconfig pkg-config
 
-check-install: need-check all ## install to build/install, try README.md there
+check-install: need-check ## install to build/install, try README.md there
 	@rm -rf $(scratch)
 	@$(MAKE) install PREFIX=$(scratch) DESTDIR=
 	@sed -n '/^```console/,/^```$$/{/^```/d;p}' README.md >$(scratch)/session
@@ -321,8 +332,9 @@ clean: ## remove all output
 
 # The packages -----------------------------------------------------------------
 
-# Who needs it, the Debian package, how to see that it is there (a command, a
-# header, or an option that clang links with), and what for.
+# Who needs it, the Debian package (or the one that older systems do not have,
+# behind a bar), how to see that it is there (a command, a header, a file of
+# pkg-config's, a font, or an option that clang links with), and what for.
 compiler = $(firstword $(CC))
 define packages
 build     $(compiler)     $(compiler)       compiles the code
@@ -330,6 +342,28 @@ build     libc6-dev       math.h            has the headers of the C library
 check     check           check.h           is the framework of the tests
 check     libgmp-dev      gmp.h             gives the tests exact numbers
 check     pkg-config      pkg-config        tells how to link the tests
+check     ffmpeg          ffmpeg            encodes the films of the tests
+figures   pkg-config      pkg-config        tells how to link the figures
+figures   libosmesa6-dev|libegl-dev osmesa.pc|egl.pc draws solid geometry
+figures   libpango1.0-dev pangocairo.pc     sets the letters of figures
+figures   libcairo2-dev   cairo.pc          draws lines and writes PDF and SVG
+figures   libpng-dev      libpng.pc         writes PNG
+figures   fontconfig      fc-list           finds the letters of figures
+figures   fonts-stix      font:STIXGeneral  has the letters of figures
+book      python3-sphinx  sphinx-build      makes pages of the text
+book      python3-myst-parser python:myst_parser reads Markdown
+book      python3-sphinxcontrib.bibtex python:sphinxcontrib.bibtex reads BibTeX
+book      nodejs          node              runs KaTeX
+book      libjs-katex     /usr/share/javascript/katex/katex.js sets formulas
+book      fonts-texgyre   font:TeXGyrePagella has the letters of the text
+book      fonts-texgyre-math font:TeXGyrePagellaMath has those of formulas
+book      fonts-inconsolata font:Inconsolata has the letters of the code
+pdf       texlive-xetex   xelatex           sets the print
+pdf       texlive-latex-extra tcolorbox.sty has the boxes of the print
+pdf       latexmk         latexmk           runs xelatex until all is settled
+site      chromium        chromium          is the browser of the check
+site      chromium-driver chromedriver      steers the browser
+site      python3-selenium python:selenium  tells the driver what to do
 chapters  python3         python3           runs the check of the fragments
 fuzz      clang           clang             compiles the fuzzers
 fuzz      libclang-rt-dev -fsanitize=fuzzer runs the fuzzers
@@ -343,10 +377,15 @@ static    clang-tidy      clang-tidy        reads the code for errors
 static    cppcheck        cppcheck          reads the code for errors
 endef
 
-needs = build check chapters fuzz compilers coverage format static exercises
+needs = build check figures book pdf site chapters fuzz compilers coverage \
+	format static exercises
 .PHONY: $(needs:%=need-%) deps
-need-check need-compilers need-format: | need-build
+need-check need-figures need-book need-compilers need-format: | need-build
+ifeq ($(SRC),src)
+need-check: | need-figures
+endif
 need-chapters need-fuzz need-coverage need-static need-exercises: | need-check
+need-pdf need-site: | need-book
 
 deps: | $(needs:%=need-%) ## install the packages that all targets need
 
@@ -354,14 +393,25 @@ $(needs:%=need-%): export PACKAGES = $(packages)
 $(needs:%=need-%): need-%:
 	@missing=$$(echo "$$PACKAGES" | while read -r who package sign purpose; do \
 	    [ $$who = $* ] || continue; \
-	    case $$sign in \
-	    *.h) $(CC) -E -include $$sign -x c /dev/null ;; \
-	    -*) echo 'int LLVMFuzzerTestOneInput(void) { return 0; }' | \
-	        clang $$sign -x c - -o /dev/null ;; \
-	    *) command -v $$sign ;; \
-	    esac >/dev/null 2>&1 && continue; \
+	    for one in $$(echo "$$sign" | tr '|' ' '); do \
+	        case $$one in \
+	        *.h) $(CC) -E -include $$one -x c /dev/null ;; \
+	        *.pc) pkg-config --exists $${one%.pc} ;; \
+	        font:*) fc-list "$${one#font:}" | grep . ;; \
+	        *.sty) kpsewhich $$one ;; \
+	        python:*) /usr/bin/python3 -c "import $${one#python:}" ;; \
+	        /*) [ -e $$one ] ;; \
+	        -*) echo 'int LLVMFuzzerTestOneInput(void) { return 0; }' | \
+	            clang $$one -x c - -o /dev/null ;; \
+	        *) command -v $$one ;; \
+	        esac >/dev/null 2>&1 && continue 2; \
+	    done; \
 	    echo "$$package is missing; it $$purpose." >&2; \
-	    printf ' %s' $$package; done); \
+	    case $$package in *'|'*) a=$${package%|*}; \
+	        package="\$$(apt-cache show $$a >/dev/null 2>&1 && echo $$a \
+	            || echo $${package#*|})" ;; \
+	    esac; \
+	    printf ' %s' "$$package"; done); \
 	[ "$$missing" ] || exit 0; \
 	command -v apt-get >/dev/null || { \
 	    echo "These are Debian's names; please install them and try again."; \
@@ -380,4 +430,5 @@ include exercises/rules.mk
 
 # What the compiler found out about headers.
 -include $(patsubst %,%.d,$(basename $(call objects,$(MODULES)) \
-	$(SUPPORT:%.c=$(BUILD)/%.o) $(TESTS:=.o) $(FUZZERS:=.o)))
+	$(SUPPORT:%.c=$(BUILD)/%.o) $(TESTS:=.o) $(FUZZERS:=.o) \
+	$(call drawn,$(STAGE) $(DRAW) $(wildcard figures/*.c))))

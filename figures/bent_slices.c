@@ -98,7 +98,7 @@ static tf_box frame_box(int row, int frame)
 /// One flat piece with its border, if it has an extent.
 static void draw_piece(tf_scene *scene, const tf_slice *piece, tf_role role)
 {
-    tf_paint paint = {.role = role};
+    tf_paint paint = {.role = role, .shade = -0.3};
     double direction[3];
     if (!find_direction(piece, direction))
         return;

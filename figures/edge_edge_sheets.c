@@ -78,12 +78,12 @@ static void print_numbers(const encounter *e, FILE *numbers)
     for (int i = 0; i < TRIANGLES; i++)
         for (int j = 0; j < TRIANGLES; j++) {
             char key[16];
-            snprintf(key, sizeof key, "hit-%d%d", i, j);
+            snprintf(key, sizeof key, "hit_%d%d", i, j);
             tf_figure_number(numbers, key, e->meeting[i][j].verdict == TF_HIT);
         }
     tf_figure_number(numbers, "toi", middle(&e->contact));
-    tf_figure_number(numbers, "weight-a1", e->contact.weight[0][1]);
-    tf_figure_number(numbers, "weight-b1", e->contact.weight[1][1]);
+    tf_figure_number(numbers, "weight_a1", e->contact.weight[0][1]);
+    tf_figure_number(numbers, "weight_b1", e->contact.weight[1][1]);
 }
 
 // The sheets -------------------------------------------------------------

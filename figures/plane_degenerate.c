@@ -23,11 +23,11 @@ static const encounter encounters[CASES] = {
      "parallel motion",
      {{0.75, 0.25}, {0, 0.25}, {0.5, 0.25}},
      {{1, 0.875}, {0.25, 0.875}, {0.75, 0.875}}},
-    {"point-like",
+    {"point_like",
      "edge of no length",
      {{0, 0.375}, {0.875, 0.875}, {0.875, 0.875}},
      {{1, 0.625}, {0.125, 0.125}, {0.125, 0.125}}},
-    {"within-plane",
+    {"within_plane",
      "path in the sweep’s plane",
      {{0, 0.125}, {0.25, 0.3125}, {0.75, 0.6875}},
      {{1, 0.875}, {0.25, 0.3125}, {0.75, 0.6875}}},
@@ -69,15 +69,15 @@ static bool is_hit(const solved *s)
 static void print_numbers(const solved *s, FILE *numbers)
 {
     char key[64];
-    snprintf(key, sizeof key, "%s-hit", s->is->key);
+    snprintf(key, sizeof key, "%s_hit", s->is->key);
     tf_figure_number(numbers, key, is_hit(s));
     if (!is_hit(s))
         return;
-    snprintf(key, sizeof key, "%s-time", s->is->key);
+    snprintf(key, sizeof key, "%s_time", s->is->key);
     tf_figure_number(numbers, key, s->toi);
-    snprintf(key, sizeof key, "%s-degenerate", s->is->key);
+    snprintf(key, sizeof key, "%s_degenerate", s->is->key);
     tf_figure_number(numbers, key, s->contact.decision == TF_DEGENERATE);
-    snprintf(key, sizeof key, "%s-touching", s->is->key);
+    snprintf(key, sizeof key, "%s_touching", s->is->key);
     tf_figure_number(numbers, key, s->contact.decision == TF_TOUCHING);
 }
 

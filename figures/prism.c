@@ -93,8 +93,9 @@ static void draw_solid(tf_scene *scene, const tf_simplex *simplex, tf_role role,
     double corner[CORNERS][3];
     for (int i = 0; i < CORNERS; i++)
         find_place(simplex->event[i], place, corner[i]);
-    tf_scene_tetrahedron(scene, (const double(*)[3])corner, TF_WIDTH_THIN,
-                         (tf_paint){.role = role, .opacity = 0.75});
+    tf_scene_tetrahedron(
+        scene, (const double(*)[3])corner, TF_WIDTH_THIN,
+        (tf_paint){.role = role, .opacity = 0.8, .shade = -0.35});
 }
 
 /// The outline of the whole prism, at that place.

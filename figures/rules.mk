@@ -40,7 +40,7 @@ packaged = gl=osmesa; pkg-config --exists osmesa || gl=egl; \
 
 $(BUILD)/stage.flags: | need-figures $(BUILD)
 	@{ pkg-config --exists osmesa || echo -DTF_STAGE_EGL; \
-	    $(call packaged,--cflags); } >$@
+	    $(call packaged,--cflags-only-I); } >$@
 $(BUILD)/stage.libraries: | need-figures $(BUILD)
 	@{ $(call packaged,--libs); } >$@
 

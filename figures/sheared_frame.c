@@ -74,12 +74,12 @@ static void print_numbers(const encounter *e, FILE *numbers)
     char key[32];
     tf_figure_number(numbers, "toi", (contact->toi_lo + contact->toi_hi) / 2);
     for (int i = 0; i < CORNERS; i++) {
-        snprintf(key, sizeof key, "weight-%c", 'a' + i);
+        snprintf(key, sizeof key, "weight_%c", 'a' + i);
         tf_figure_number(numbers, key, contact->weight[1][i]);
     }
     for (int j = 0; j < TETRAHEDRA; j++)
         for (int i = 0; i < TF_EVENTS; i++) {
-            snprintf(key, sizeof key, "sign-%d-%d", e->sweep[j].mover, i);
+            snprintf(key, sizeof key, "sign_%d_%d", e->sweep[j].mover, i);
             tf_figure_number(numbers, key, e->sign[j][i]);
         }
 }

@@ -61,6 +61,14 @@ static bool complain_of_stage(const char *path, tf_stage_status status)
                : complain(path, "%s", tf_stage_message(status));
 }
 
+static bool complain_of_encoder(const char *path, int error)
+{
+    return error == EPIPE
+               ? complain(path, "ffmpeg has failed; its own words tell why")
+               : complain(path, "cannot hand a picture to ffmpeg: %s",
+                          strerror(error));
+}
+
 // Pages ------------------------------------------------------------------
 
 /// How many pixels a page of the work gets, `width` of them wide unless told.
@@ -85,7 +93,6 @@ static tf_page_options options_of(const work *w)
         .height = w->drawing->height,
         .theme = settings->theme,
         .transparent = settings->transparent,
-        .time = settings->time,
         .turned = settings->turned,
         .azimuth = settings->azimuth,
         .elevation = settings->elevation,
@@ -161,10 +168,7 @@ static bool add_frames(work *w, tf_encoder *encoder, const char *frame)
         set_frame(w, i);
         added = draw_page(w, frame, settings->film);
         if (added && !tf_encoder_add(encoder, frame))
-            added = complain(settings->film,
-                             "cannot hand a picture to "
-                             "ffmpeg: %s",
-                             strerror(errno));
+            added = complain_of_encoder(settings->film, errno);
     }
     tf_progress_end(&progress);
     return added;
@@ -180,9 +184,11 @@ static bool encode(work *w, const char *scratch, const char *frame)
                         "cannot run ffmpeg, which makes the film: %s; "
                         "install it (on Debian, the package ffmpeg)",
                         strerror(errno));
+    tf_output_file_writer(encoder.process);
     bool added = add_frames(w, &encoder, frame);
     bool ended = tf_encoder_end(&encoder);
-    return added && (ended || complain(path, "ffmpeg has failed; it told why"));
+    tf_output_file_writer(0);
+    return added && (ended || complain_of_encoder(path, EPIPE));
 }
 
 static bool make_film(work *w)

@@ -1,4 +1,4 @@
-#define _GNU_SOURCE // pipe2
+#define _GNU_SOURCE // environ, pipe2
 #include "draw/encoder.h"
 
 #include "draw/settings.h"
@@ -10,8 +10,6 @@
 #include <string.h>
 #include <sys/wait.h>
 #include <unistd.h>
-
-extern char **environ;
 
 // Arguments --------------------------------------------------------------
 

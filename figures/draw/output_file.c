@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 // Signals ----------------------------------------------------------------
@@ -16,9 +17,19 @@ enum {
 }; ///< more than are ever there at a time
 
 static char *volatile scratches[SCRATCHES];
+static volatile pid_t writer;
+
+void tf_output_file_writer(pid_t process)
+{
+    writer = process;
+}
 
 static void remove_scratches(int signal_number)
 {
+    if (writer > 0) {
+        kill(writer, SIGKILL);
+        waitpid(writer, NULL, 0);
+    }
     for (int i = 0; i < SCRATCHES; i++)
         if (scratches[i])
             unlink(scratches[i]);

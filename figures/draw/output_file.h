@@ -3,6 +3,7 @@
 #define TF_DRAW_OUTPUT_FILE_H
 
 #include <stdbool.h>
+#include <sys/types.h>
 
 /// A file in the making: `scratch`, in the folder of `path` and with its
 /// ending, becomes the file when it is kept.
@@ -21,5 +22,9 @@ bool tf_output_file_keep(tf_output_file *file);
 
 /// Remove the scratch file, if there is one.
 void tf_output_file_drop(tf_output_file *file);
+
+/// Name the child process that writes to a scratch file; 0: none does.  A
+/// signal that ends the program ends it first, lest it make the file again.
+void tf_output_file_writer(pid_t process);
 
 #endif

@@ -26,6 +26,14 @@ static const struct argp_option options[] = {
     {0},
 };
 
+static bool read_number(const char *text, long *number)
+{
+    char *end;
+    errno = 0;
+    *number = strtol(text, &end, 10);
+    return *text >= '0' && *text <= '9' && *end == '\0' && errno == 0;
+}
+
 /// Split FILE:N at its last colon.
 static void read_query(struct argp_state *state, char *text)
 {
@@ -34,15 +42,13 @@ static void read_query(struct argp_state *state, char *text)
         argp_error(state, "'%s' is one query too many; draw one at a time",
                    text);
     char *colon = strrchr(text, ':');
-    char *end = NULL;
-    bool digits = colon && colon[1] >= '0' && colon[1] <= '9';
-    errno = 0;
-    asked->number = digits ? strtol(colon + 1, &end, 10) : -1;
-    if (!digits || colon == text || *end != '\0' || errno != 0)
+    if (!colon || colon == text || !read_number(colon + 1, &asked->number)) {
         argp_error(state,
                    "'%s' names no query; write FILE:N, with N from 0, the "
                    "query's number as 'tanglefree query' counts",
                    text);
+        return;
+    }
     *colon = '\0';
     asked->path = text;
 }
@@ -132,14 +138,14 @@ int tf_draw_query(int argc, char *argv[])
         .options = options,
         .parser = understand,
         .args_doc = "FILE:N",
-        .doc =
-            "Draw a query of a file: the elements, their difference and "
-            "where they first meet.\vFILE is as for 'tanglefree query', "
-            "\"-\" is standard input, and queries count from 0.  Coordinates "
-            "of any size are scaled to fit.  The answer is printed, each "
-            "line a key and its value.\n\n"
-            "Exit status: 0 if all was drawn, 2 after bad usage, bad input "
-            "or a failure.",
+        .doc = "Draw a query of a file: the elements, their difference and "
+               "where they first meet.\vFILE is as for 'tanglefree query' "
+               "(standard input is /dev/stdin), and queries count from 0.  "
+               "Coordinates of any size are scaled to fit.  The answer is "
+               "printed, each "
+               "line a key and its value.\n\n"
+               "Exit status: 0 if all was drawn, 2 after bad usage, bad input "
+               "or a failure.",
         .children = tf_settings_options,
     };
     request asked = {0};

@@ -21,6 +21,9 @@ enum {
 /// Of the differences at one time.
 static const tf_paint present_paint = {TF_ROLE_CONTACT, 0.5, 0};
 
+/// Of the dot over the origin, in points.
+static const double dot_diameter = 3.2;
+
 /// The differences in a box of their own.
 typedef struct difference {
     const tf_shown *shown;
@@ -44,12 +47,14 @@ static difference difference_of(const tf_shown *shown)
             point[i][k] = shown->asked[second].at[i % 2].x[k] / 2 -
                           from->at[i % 2].x[k] / 2;
     }
-    d.alike = tf_fit_points(kind->axes, 2 * d.pairs + 1, point).alike;
-    for (int i = 0; i < 2 * d.pairs; i++) {
+    // The last point stays zero: the origin.
+    int events = 2 * d.pairs;
+    d.alike = tf_fit_points(kind->axes, events + 1, point).alike;
+    for (int i = 0; i < events; i++) {
         memcpy(d.pair[i / 2].at[i % 2].x, point[i], sizeof point[i]);
         d.pair[i / 2].at[i % 2].t = i % 2;
     }
-    memcpy(d.origin, point[2 * d.pairs], sizeof d.origin);
+    memcpy(d.origin, point[events], sizeof d.origin);
     return d;
 }
 
@@ -132,26 +137,35 @@ static void find_slice(const difference *d, movers m, double t,
         find_corner(d, m, ends[i][0], ends[i][1], t, corner[i]);
 }
 
-/// The hull of the slices at t = 0 and t = 1: a side joins the i-th sides of
-/// both, of which one or both may be points.
+static void add_face(tf_scene *scene, const double a[3], const double b[3],
+                     const double c[3], tf_paint paint)
+{
+    double corner[3][3];
+    memcpy(corner[0], a, sizeof corner[0]);
+    memcpy(corner[1], b, sizeof corner[1]);
+    memcpy(corner[2], c, sizeof corner[2]);
+    tf_scene_triangle(scene, (const double(*)[3])corner, 0, paint);
+}
+
+/// The hull of the slices at t = 0 and t = 1, of which each is a parallelogram,
+/// a segment or a point: its sides join those of the one with those of the
+/// other.
 static void add_hull(tf_scene *scene, const double start[4][3],
                      const double end[4][3], tf_paint paint)
 {
     const tf_paint line = {paint.role, 1, fmax(paint.shade, 0) + 0.25};
-    tf_add_polygon(scene, 4, start, TF_WIDTH_HAIR, paint);
-    tf_add_polygon(scene, 4, end, TF_WIDTH_HAIR, paint);
     for (int i = 0; i < 4; i++) {
         int next = (i + 1) % 4;
-        double side[2][3][3];
-        memcpy(side[0][0], start[i], sizeof side[0][0]);
-        memcpy(side[0][1], start[next], sizeof side[0][1]);
-        memcpy(side[0][2], end[i], sizeof side[0][2]);
-        memcpy(side[1][0], start[next], sizeof side[1][0]);
-        memcpy(side[1][1], end[next], sizeof side[1][1]);
-        memcpy(side[1][2], end[i], sizeof side[1][2]);
-        for (int half = 0; half < 2; half++)
-            tf_scene_triangle(scene, (const double(*)[3])side[half], 0, paint);
+        add_face(scene, start[i], start[next], end[i], paint);
+        add_face(scene, start[next], end[next], end[i], paint);
+        tf_scene_tube(scene, start[i], start[next], TF_WIDTH_THIN, line);
+        tf_scene_tube(scene, end[i], end[next], TF_WIDTH_THIN, line);
         tf_scene_tube(scene, start[i], end[i], TF_WIDTH_THIN, line);
+    }
+    for (int i = 0; i < 4; i += 2) {
+        int next = i + 1, last = (i + 2) % 4;
+        add_face(scene, start[i], start[next], start[last], paint);
+        add_face(scene, end[i], end[next], end[last], paint);
     }
 }
 
@@ -182,21 +196,49 @@ static void add_end(tf_scene *scene, const difference *d, int t)
     tf_paint paint = {.role = t == 0 ? TF_ROLE_START : TF_ROLE_END};
     for (int i = 0; i < d->pairs; i++) {
         int next = (i + 1) % d->pairs;
-        bool edges = d->pairs == 4;
+        bool edges = d->pairs == PAIRS;
         tf_scene_tube(scene, d->pair[edges ? around[i] : i].at[t].x,
                       d->pair[edges ? around[next] : next].at[t].x, 1.6, paint);
     }
 }
 
-bool tf_show_difference(tf_panel *panel, const tf_shown *shown, double t)
+/// Look at the plane from above, always.
+static void look(tf_panel *panel, int axes)
+{
+    const tf_camera above = {.elevation = 90};
+    if (axes == 2) {
+        tf_panel_look(panel, above);
+        tf_panel_fix(panel);
+    } else {
+        tf_panel_look(panel, tf_shown_camera);
+    }
+}
+
+/// The ball tells the depth; the dot shows it through whatever is before it.
+static void mark_origin(tf_page *page, tf_panel *panel, const difference *d)
+{
+    bool edges = d->pairs == PAIRS;
+    tf_role role = tf_shown_hits(d->shown) ? TF_ROLE_CONTACT
+                   : edges                 ? TF_ROLE_INK
+                                           : TF_ROLE_POINT;
+    double at[2];
+    tf_scene_ball(tf_panel_scene(panel), d->origin, TF_WIDTH_BALL,
+                  (tf_paint){.role = role});
+    tf_panel_project(panel, d->origin, at);
+    tf_page_dot(page, at[0], at[1], dot_diameter, (tf_paint){.role = role});
+    tf_panel_label(panel, d->origin,
+                   (tf_label){.text = edges ? "$0$" : "$p$",
+                              .role = role,
+                              .leader = true});
+}
+
+bool tf_show_difference(tf_page *page, tf_panel *panel, const tf_shown *shown,
+                        double t)
 {
     difference d = difference_of(shown);
     tf_scene *scene = tf_panel_scene(panel);
-    bool plane = shown->kind->axes == 2, edges = d.pairs == 4;
-    tf_panel_look(panel,
-                  plane ? (tf_camera){.elevation = 90} : tf_shown_camera);
-    if (plane)
-        tf_panel_fix(panel);
+    look(panel, shown->kind->axes);
+    bool edges = d.pairs == PAIRS;
     if (edges)
         show_pairs(panel, &d, t);
     else
@@ -205,13 +247,6 @@ bool tf_show_difference(tf_panel *panel, const tf_shown *shown, double t)
     add_end(scene, &d, 1);
     if (!edges)
         label_sweep(panel, &d);
-    tf_role role = tf_shown_hits(shown) ? TF_ROLE_CONTACT
-                   : edges              ? TF_ROLE_INK
-                                        : TF_ROLE_POINT;
-    tf_scene_ball(scene, d.origin, TF_WIDTH_BALL, (tf_paint){.role = role});
-    tf_panel_label(panel, d.origin,
-                   (tf_label){.text = edges ? "$0$" : "$p$",
-                              .role = role,
-                              .leader = true});
+    mark_origin(page, panel, &d);
     return d.alike;
 }

@@ -75,15 +75,16 @@ static void write_scale(const tf_shown *shown, bool alike, char text[TEXT])
 
 static void print_numbers(const tf_shown *shown, FILE *numbers)
 {
-    static const char *const normal[] = {"nx", "ny", "nz"};
+    static const char *const normal[TF_AXES] = {"nx", "ny", "nz"};
     const tf_contact *contact = &shown->contact;
     fprintf(numbers, "hit %d\n", tf_shown_hits(shown));
     if (!tf_shown_hits(shown))
         return;
     tf_figure_number(numbers, "toi_lo", contact->toi_lo);
     tf_figure_number(numbers, "toi_hi", contact->toi_hi);
-    for (int k = 0; k < shown->kind->axes; k++)
-        tf_figure_number(numbers, normal[k], contact->normal[k]);
+    for (int k = 0; k < TF_AXES; k++)
+        if (k < shown->kind->axes)
+            tf_figure_number(numbers, normal[k], contact->normal[k]);
     tf_figure_number(numbers, "speed", contact->speed);
     fprintf(numbers, "case %s\n", case_name(contact->decision));
 }
@@ -103,8 +104,17 @@ static void choose_times(const tf_shown *shown, double time[FRAMES])
 static tf_box frame_box(int i)
 {
     double width = left_box.width / 2, height = left_box.height / 2;
-    return (tf_box){left_box.x + width * (i % 2), left_box.y + height * (i / 2),
+    int column = i % 2, row = i / 2;
+    return (tf_box){left_box.x + width * column, left_box.y + height * row,
                     width, height - caption_height};
+}
+
+/// The one box of a film.
+static tf_box film_box(void)
+{
+    tf_box box = left_box;
+    box.height -= caption_height;
+    return box;
 }
 
 static void draw_frame(tf_page *page, const tf_shown *shown, tf_box box,
@@ -140,7 +150,7 @@ static void draw_elements(tf_page *page, const tf_shown *shown, double t)
     else if (t < 0)
         draw_strip(page, shown);
     else
-        draw_frame(page, shown, left_box, t,
+        draw_frame(page, shown, film_box(), t,
                    tf_shown_hits(shown) && t >= shown->toi);
 }
 
@@ -176,7 +186,7 @@ static void draw_query(const void *subject, tf_page *page, bool moving,
         t = shown.toi;
     tf_panel *panel = tf_page_panel(page, right_box);
     tf_panel_margin(panel, margin);
-    bool alike = tf_show_difference(panel, &shown, t);
+    bool alike = tf_show_difference(page, panel, &shown, t);
 
     char text[TEXT];
     snprintf(text, sizeof text, "%s, query %ld", shown.kind->name,

@@ -16,8 +16,7 @@ enum {
     ANIMATE,
     FRAMES,
     FPS,
-    TURNTABLE,
-    TIME
+    TURNTABLE
 };
 
 enum {
@@ -36,8 +35,6 @@ static const struct argp_option options[] = {
     {"transparent", TRANSPARENT, NULL, 0, "No paper behind the drawing", 0},
     {"view", 'v', "AZ,EL", 0,
      "Look from this azimuth and elevation, in degrees", 0},
-    {"time", TIME, "T", 0, "Draw the time T, from 0 to 1, where time passes",
-     0},
     {NULL, 0, NULL, 0, "Films:", 0},
     {"animate", ANIMATE, "FILE", 0, "Make a film: .mp4, .gif or .webp", 0},
     {"turntable", TURNTABLE, NULL, 0,
@@ -129,15 +126,6 @@ static void read_view(struct argp_state *state, const char *text)
     settings->elevation = elevation;
 }
 
-static void read_time(struct argp_state *state, const char *text)
-{
-    tf_settings *settings = state->input;
-    const char *at = text;
-    if (!tf_number_read(&at, &settings->time) || *at != '\0' ||
-        !(settings->time >= 0 && settings->time <= 1))
-        argp_error(state, "the time is '%s'; give a number from 0 to 1", text);
-}
-
 static void read_theme(struct argp_state *state, const char *text)
 {
     tf_settings *settings = state->input;
@@ -203,9 +191,6 @@ static error_t understand(int key, char *text, struct argp_state *state)
         return 0;
     case 'v':
         read_view(state, text);
-        return 0;
-    case TIME:
-        read_time(state, text);
         return 0;
     case FRAMES:
         settings->frames = read_count(state, "--frames", text, FRAMES_MOST);

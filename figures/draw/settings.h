@@ -16,7 +16,6 @@ typedef struct tf_settings {
     bool transparent;
     bool turned; ///< look from:
     double azimuth, elevation;
-    double time; ///< of a still picture, 0..1
     int frames, fps;
     bool turntable; ///< the film turns the camera; otherwise time passes
 } tf_settings;

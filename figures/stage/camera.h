@@ -32,8 +32,8 @@ typedef struct tf_view {
 tf_view tf_view_of(const tf_camera *camera, tf_box box);
 
 /// Project a world point to page points.  Returns its depth: how far it is
-/// behind `center`, in world units (negative: in front).  In perspective a point
-/// at or behind the eye is projected as if just before the eye.
+/// behind `center`, in world units (negative: in front).  In perspective a
+/// point at or behind the eye is projected as if just before the eye.
 double tf_view_project(const tf_view *view, const double world[3],
                        double page[2]);
 

@@ -9,7 +9,6 @@
 #define TF_GL_FUNCTIONS(X)                                                     \
     X(PFNGLATTACHSHADERPROC, AttachShader)                                     \
     X(PFNGLBEGINQUERYPROC, BeginQuery)                                         \
-    X(PFNGLBINDATTRIBLOCATIONPROC, BindAttribLocation)                         \
     X(PFNGLBINDBUFFERPROC, BindBuffer)                                         \
     X(PFNGLBINDFRAMEBUFFERPROC, BindFramebuffer)                               \
     X(PFNGLBINDTEXTUREPROC, BindTexture)                                       \
@@ -31,7 +30,6 @@
     X(PFNGLDELETESHADERPROC, DeleteShader)                                     \
     X(PFNGLDELETETEXTURESPROC, DeleteTextures)                                 \
     X(PFNGLDELETEVERTEXARRAYSPROC, DeleteVertexArrays)                         \
-    X(PFNGLDEPTHFUNCPROC, DepthFunc)                                           \
     X(PFNGLDISABLEPROC, Disable)                                               \
     X(PFNGLDRAWARRAYSPROC, DrawArrays)                                         \
     X(PFNGLENABLEPROC, Enable)                                                 \

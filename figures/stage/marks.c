@@ -3,6 +3,7 @@
 #include "stage/page_parts.h"
 
 #include <math.h>
+#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -29,10 +30,11 @@ static void add_points(tf_page *page, tf_mark mark, int count, int axes,
     mark.count = count;
     if (mark.at == NULL) {
         tf_page_note(page, TF_STAGE_NO_MEMORY);
+        tf_mark_clear(&mark);
         return;
     }
     for (int i = 0; i < count; i++)
-        memcpy(mark.at[i], at + i * axes, (size_t)axes * sizeof *at);
+        memcpy(mark.at[i], at + (ptrdiff_t)i * axes, (size_t)axes * sizeof *at);
     tf_page_add_mark(page, mark);
 }
 

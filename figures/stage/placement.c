@@ -134,8 +134,8 @@ static void place_one(const surroundings *s, int own)
         for (int j = 0; j < DIRECTIONS; j++) {
             double far = wish->reach * i / (DISTANCES - 1);
             // The wished direction is tried first, so it wins a tie.
-            double turn = (j % 2 ? -1 : 1) * ((j + 1) / 2) *
-                          (6.283185307179586 / DIRECTIONS);
+            int steps = (j + 1) / 2 * (j % 2 ? -1 : 1);
+            double turn = steps * (6.283185307179586 / DIRECTIONS);
             double direction = wish->direction + turn;
             tf_box box = box_towards(wish, direction, wish->gap + far);
             double turned = turn_between(direction, wish->direction);

@@ -1,7 +1,12 @@
 #include "stage/plot.h"
 
+#include "contract.h"
+#include "stage/page_parts.h"
+
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 
 static const double tick_length = 3;
 
@@ -148,11 +153,32 @@ static bool cut(const tf_box *box, double from[2], double to[2])
 void tf_plot_curve(tf_page *page, const tf_plot *plot, int count,
                    const double at[][2], tf_stroke stroke)
 {
-    for (int i = 0; i + 1 < count; i++) {
-        double part[2][2];
-        tf_plot_place(plot, at[i][0], at[i][1], part[0]);
-        tf_plot_place(plot, at[i + 1][0], at[i + 1][1], part[1]);
-        if (cut(&plot->box, part[0], part[1]))
-            tf_page_line(page, 2, (const double(*)[2])part, stroke);
+    TF_REQUIRE(count >= 2);
+    double(*run)[2] = malloc((size_t)count * sizeof *run);
+    if (run == NULL) {
+        tf_page_note(page, TF_STAGE_NO_MEMORY);
+        return;
     }
+    // A run of points goes on as long as each piece begins where the last one
+    // ended; so dashes and joints are those of one line.
+    int length = 0;
+    for (int i = 0; i + 1 < count; i++) {
+        double from[2], to[2];
+        tf_plot_place(plot, at[i][0], at[i][1], from);
+        tf_plot_place(plot, at[i + 1][0], at[i + 1][1], to);
+        bool seen = cut(&plot->box, from, to);
+        bool goes_on = seen && length > 0 && from[0] == run[length - 1][0] &&
+                       from[1] == run[length - 1][1];
+        if (length > 0 && !goes_on) {
+            tf_page_line(page, length, (const double(*)[2])run, stroke);
+            length = 0;
+        }
+        if (seen && length == 0)
+            memcpy(run[length++], from, sizeof from);
+        if (seen)
+            memcpy(run[length++], to, sizeof to);
+    }
+    if (length > 0)
+        tf_page_line(page, length, (const double(*)[2])run, stroke);
+    free(run);
 }

@@ -17,6 +17,10 @@ enum {
 /// how far behind it must be; in points.
 static const double halo_width = 0.9, halo_gap = 6;
 
+/// How much of the paper's colour the farthest things take on, in a scene half
+/// as deep as its panel is high or deeper.
+static const double fog_most = 0.25;
+
 /// Within a pixel, from its middle: eight rooks that do not attack each other,
 /// so that edges of any slant, steep and flat ones too, get eight steps.
 static const double shift[SHIFTS][2] = {{-0.4375, 0.0625}, {-0.3125, -0.3125},
@@ -125,7 +129,7 @@ static void make_vertex_arrays(tf_renderer *r)
     for (GLuint i = 0; i < 3; i++) {
         gl->VertexAttribPointer(i, attribute[i].size, GL_FLOAT, GL_FALSE,
                                 sizeof(tf_vertex),
-                                (const void *)attribute[i].offset);
+                                (const char *)NULL + attribute[i].offset);
         gl->EnableVertexAttribArray(i);
     }
 }
@@ -423,6 +427,12 @@ static void set_scene(const tf_renderer *r, const tf_mesh *mesh,
     set_view(r, LAYER, view, matrix, theme);
     double pixels_per_point = window.width / window.box.width;
     double depth_per_point = 1 / view->points_per_unit / (hi - lo);
+    double depth = (hi - lo) * view->points_per_unit / view->box.height;
+    for (int p = SOLID; p <= LAYER; p++) {
+        r->gl.UseProgram(r->programs[p]);
+        r->gl.Uniform1f(uniform(r, (program)p, "fog"),
+                        (float)(fog_most * fmin(1, 2 * depth)));
+    }
     r->gl.UseProgram(r->programs[FINISH]);
     set_paper(r, FINISH, theme);
     r->gl.Uniform1f(uniform(r, FINISH, "weight"), 1.0F / SHIFTS);

@@ -26,6 +26,7 @@
     "uniform float perspective;\n"                                             \
     "uniform vec3 lamp;\n"                                                     \
     "uniform vec3 paper;\n"                                                    \
+    "uniform float fog;\n" /* over all the depth of the scene */               \
     "vec3 to_eye(vec3 place)\n"                                                \
     "{\n"                                                                      \
     "    return normalize(eye - perspective * place);\n"                       \
@@ -41,8 +42,8 @@
     "}\n"                                                                      \
     "vec3 faded(vec3 color, float depth)\n"                                    \
     "{\n"                                                                      \
-    "    float fade = 0.22 * smoothstep(0.3, 1.0, depth);\n"                   \
-    "    return sqrt(mix(min(color, 1.0), paper, fade));\n"                    \
+    "    float fade = fog * smoothstep(0.3, 1.0, depth);\n"                    \
+    "    return mix(sqrt(min(color, 1.0)), sqrt(paper), fade);\n"              \
     "}\n"
 
 const char *const tf_shader_solid_corner =

@@ -1,0 +1,123 @@
+#define _GNU_SOURCE // mkdtemp
+
+#include "draw/query_picture.h"
+#include "arithmetic/exact.h"
+#include "support/queries.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+static char folder[] = "/tmp/tanglefree-picture-XXXXXX", picture[64];
+
+static void enter_folder(void)
+{
+    ck_assert(mkdtemp(folder));
+    snprintf(picture, sizeof picture, "%s/picture.png", folder);
+}
+
+static void leave_folder(void)
+{
+    remove(picture);
+    ck_assert_int_eq(rmdir(folder), 0);
+}
+
+/// Answer a query as the command does.
+static tf_answered answered_of(const query *q)
+{
+    tf_answered answered = {.kind = tf_query_kind_named(query_name(q))};
+    memcpy(answered.question.vertex, q->vertex, sizeof q->vertex);
+    ck_assert_int_eq(tf_query(&tf_exact, q->axes, q->vertices, q->vertex,
+                              q->others, query_const_others(q),
+                              &answered.contact),
+                     TF_OK);
+    return answered;
+}
+
+/// Draw a query, as a still picture (t < 0) or in a film; expect that no
+/// coordinate is found odd and that all labels are on the page.
+static void expect_picture(const query *q, double t)
+{
+    tf_answered answered = answered_of(q);
+    tf_drawing drawing = tf_query_drawing(&answered);
+    tf_page_options options = {.width = drawing.width,
+                               .height = drawing.height,
+                               .pixels_x = 32,
+                               .pixels_y = 24,
+                               .time = fmax(t, 0)};
+    tf_page *page;
+    FILE *numbers = fopen("/dev/null", "w");
+    ck_assert_int_eq(tf_page_new(&options, &page), TF_STAGE_OK);
+    drawing.draw(drawing.subject, page, t >= 0, numbers);
+    tf_stage_status status = tf_page_write(page, picture);
+    ck_assert_msg(status == TF_STAGE_OK, "%s\n%s", tf_stage_message(status),
+                  query_text(q));
+    for (int i = 0; i < tf_page_labels(page); i++) {
+        tf_box box = tf_page_placed(page, i).box;
+        ck_assert_msg(box.x >= 0 && box.y >= 0 &&
+                          box.x + box.width <= drawing.width &&
+                          box.y + box.height <= drawing.height,
+                      "label %d leaves the page\n%s", i, query_text(q));
+    }
+    tf_page_free(page);
+    fclose(numbers);
+}
+
+// Tests, by kind of query ------------------------------------------------------
+
+START_TEST(everything_in_one_point_is_drawn)
+{
+    query q = query_new((query_kind)_i);
+    for (int i = 0; i < query_size(&q); i++)
+        *query_coordinate(&q, i) = 1e300;
+    expect_picture(&q, -1);
+    expect_picture(&q, 0.5);
+}
+END_TEST
+
+START_TEST(lattice_queries_are_drawn)
+{
+    generator random = generator_new(10 + (uint64_t)_i);
+    for (long n = cases(10); n > 0; n--) {
+        query q = query_lattice(&random, (query_kind)_i, 2);
+        expect_picture(&q, -1);
+        expect_picture(&q, uniform(&random, 0, 1));
+    }
+}
+END_TEST
+
+START_TEST(hard_queries_are_drawn)
+{
+    generator random = generator_new(20 + (uint64_t)_i);
+    for (long n = cases(10); n > 0; n--) {
+        query q = query_any(&random, (query_kind)_i);
+        query_scale(&q, below(&random, q.axes), 600 - below(&random, 1200));
+        expect_picture(&q, -1);
+    }
+}
+END_TEST
+
+START_TEST(extreme_queries_are_drawn)
+{
+    generator random = generator_new(30 + (uint64_t)_i);
+    for (long n = cases(10); n > 0; n--) {
+        query q = query_extreme(&random, (query_kind)_i);
+        expect_picture(&q, n % 2 == 0 ? -1 : uniform(&random, 0, 1));
+    }
+}
+END_TEST
+
+Suite *suite(void)
+{
+    Suite *s = suite_create("draw/query_picture");
+    TCase *drawn = tcase_create("drawn");
+    tcase_add_checked_fixture(drawn, enter_folder, leave_folder);
+    tcase_add_loop_test(drawn, everything_in_one_point_is_drawn, 0, KINDS);
+    tcase_add_loop_test(drawn, lattice_queries_are_drawn, 0, KINDS);
+    tcase_add_loop_test(drawn, hard_queries_are_drawn, 0, KINDS);
+    tcase_add_loop_test(drawn, extreme_queries_are_drawn, 0, KINDS);
+    suite_add_tcase(s, drawn);
+    return s;
+}

@@ -1,0 +1,131 @@
+#define _GNU_SOURCE // mkdtemp
+
+#include "figures.h"
+#include "support/support.h"
+
+#include "stage/placement.h"
+
+#include <cairo.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+static char folder[] = "/tmp/tanglefree-figures-XXXXXX", picture[64];
+
+static void enter_folder(void)
+{
+    ck_assert(mkdtemp(folder));
+    snprintf(picture, sizeof picture, "%s/picture.png", folder);
+}
+
+static void leave_folder(void)
+{
+    remove(picture);
+    ck_assert_int_eq(rmdir(folder), 0);
+}
+
+static int figure_count(void)
+{
+    int count = 0;
+    while (tf_figures[count])
+        count++;
+    return count;
+}
+
+// What is right about a page ---------------------------------------------------
+
+static void expect_labels(const tf_figure *figure, const tf_page *page)
+{
+    // Bounds of boxes are rounded.
+    const double slack = 1e-6;
+    for (int i = 0; i < tf_page_labels(page); i++) {
+        tf_box box = tf_page_placed(page, i).box;
+        ck_assert_msg(box.x >= -slack && box.y >= -slack &&
+                          box.x + box.width <= figure->width + slack &&
+                          box.y + box.height <= figure->height + slack,
+                      "%s: label %d leaves the page", figure->name, i);
+        for (int j = 0; j < i; j++) {
+            tf_box other = tf_page_placed(page, j).box;
+            ck_assert_msg(tf_box_overlap(&box, &other) <= slack,
+                          "%s: label %d is on label %d", figure->name, i, j);
+        }
+    }
+}
+
+/// Expect that some pixels differ from the one in the corner.
+static void expect_drawn(const tf_figure *figure, int width, int height)
+{
+    cairo_surface_t *surface = cairo_image_surface_create_from_png(picture);
+    ck_assert_int_eq(cairo_image_surface_get_width(surface), width);
+    ck_assert_int_eq(cairo_image_surface_get_height(surface), height);
+    const unsigned char *row = cairo_image_surface_get_data(surface),
+                        *paper = row;
+    int other = 0;
+    for (int y = 0; y < height; y++) {
+        for (int x = 0; x < width; x++)
+            other += memcmp(row + 4 * (size_t)x, paper, 3) != 0;
+        row += cairo_image_surface_get_stride(surface);
+    }
+    ck_assert_msg(other > width * height / 100,
+                  "%s: of %d x %d pixels only %d are not paper", figure->name,
+                  width, height, other);
+    cairo_surface_destroy(surface);
+}
+
+static void expect_figure(const tf_figure *figure, int width, int height,
+                          const tf_theme *theme)
+{
+    tf_page_options options = {.width = figure->width,
+                               .height = figure->height,
+                               .pixels_x = width,
+                               .pixels_y = height,
+                               .theme = theme};
+    tf_page *page;
+    FILE *numbers = fopen("/dev/null", "w");
+    ck_assert_int_eq(tf_page_new(&options, &page), TF_STAGE_OK);
+    figure->draw(page, numbers);
+    tf_stage_status status = tf_page_write(page, picture);
+    ck_assert_msg(status == TF_STAGE_OK, "%s: %s", figure->name,
+                  tf_stage_message(status));
+    expect_labels(figure, page);
+    expect_drawn(figure, width, height);
+    tf_page_free(page);
+    fclose(numbers);
+}
+
+// Tests ------------------------------------------------------------------------
+
+START_TEST(figure_is_drawn_at_any_size_in_both_themes)
+{
+    static const int size[3][2] = {{64, 48}, {120, 120}, {240, 180}};
+    const tf_figure *figure = tf_figures[_i];
+    for (int i = 0; i < 3; i++) {
+        expect_figure(figure, size[i][0], size[i][1], &tf_theme_light);
+        expect_figure(figure, size[i][0], size[i][1], &tf_theme_dark);
+    }
+}
+END_TEST
+
+START_TEST(names_find_figures)
+{
+    for (int i = 0; tf_figures[i]; i++)
+        ck_assert_ptr_eq(tf_figure_named(tf_figures[i]->name), tf_figures[i]);
+    ck_assert_ptr_null(tf_figure_named(""));
+    ck_assert_ptr_null(tf_figure_named("no-such-figure"));
+}
+END_TEST
+
+Suite *suite(void)
+{
+    Suite *s = suite_create("figures/all");
+    TCase *drawn = tcase_create("drawn");
+    tcase_add_checked_fixture(drawn, enter_folder, leave_folder);
+    tcase_add_loop_test(drawn, figure_is_drawn_at_any_size_in_both_themes, 0,
+                        figure_count());
+    suite_add_tcase(s, drawn);
+    TCase *table = tcase_create("table");
+    tcase_add_test(table, names_find_figures);
+    suite_add_tcase(s, table);
+    return s;
+}

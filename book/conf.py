@@ -22,7 +22,7 @@ extensions = ["myst_parser", "sphinxcontrib.bibtex", "mathml", "places",
               "manifest", "weave", "sessions", "drawings", "blocks", "pages"]
 
 myst_enable_extensions = ["dollarmath", "amsmath", "colon_fence", "deflist",
-                          "smartquotes", "attrs_inline"]
+                          "smartquotes"]
 myst_footnote_transition = False
 myst_dmath_double_inline = True
 suppress_warnings = ["myst.header"]
@@ -53,7 +53,7 @@ html_copy_source = False
 html_permalinks = False
 html_domain_indices = False
 pygments_style = "quiet.Quiet"
-smartquotes = True
+
 
 GYRE = "/usr/share/texmf/fonts/opentype/public/tex-gyre"
 html_static_path = [

@@ -91,8 +91,8 @@ class proposition(statement):
     pass
 
 
-class definition(statement):
-    pass
+class formal_definition(statement):
+    """Docutils has a `definition` of its own."""
 
 
 class algorithm(statement):
@@ -111,9 +111,9 @@ class problem(statement):
     """An open problem; it has a `difficulty` of 1 to 3."""
 
 
-KINDS = {kind.__name__: kind for kind in (
-    theorem, lemma, corollary, proposition, definition, algorithm, example,
-    remark, problem)}
+KINDS = {kind.__name__.replace("formal_", ""): kind for kind in (
+    theorem, lemma, corollary, proposition, formal_definition, algorithm,
+    example, remark, problem)}
 
 
 class Statement(SphinxDirective):
@@ -128,7 +128,6 @@ class Statement(SphinxDirective):
             node["title"] = self.arguments[0]
         node["ids"] = [f"{self.name}-{self.env.new_serialno(self.name) + 1}"]
         self.add_name(node)
-        self.state.document.note_explicit_target(node)
         return [node]
 
 
@@ -144,12 +143,16 @@ class Problem(Statement):
         return [node]
 
 
+def kind_of(node):
+    return node.tagname.replace("formal_", "")
+
+
 def title_of(node):
-    return node["title"] or node.tagname.capitalize()
+    return node["title"] or kind_of(node).capitalize()
 
 
 def visit_statement_html(translator, node):
-    kind = node.tagname
+    kind = kind_of(node)
     translator.body.append(translator.starttag(
         node, "div", CLASS=f"statement {kind}"))
     translator.body.append('<p class="statement-head">')
@@ -174,11 +177,11 @@ def visit_statement_latex(translator, node):
     title = escape(node["title"], "xelatex") + marks
     title = "[%s]" % title if title else ""
     translator.body.append("\n" r"\begin{tf%s}%s%s" "\n" % (
-        node.tagname, title, translator.hypertarget_to(node)))
+        kind_of(node), title, translator.hypertarget_to(node)))
 
 
 def depart_statement_latex(translator, node):
-    translator.body.append("\n" r"\end{tf%s}" "\n" % node.tagname)
+    translator.body.append("\n" r"\end{tf%s}" "\n" % kind_of(node))
 
 
 # Exercises --------------------------------------------------------------------
@@ -224,7 +227,8 @@ class Exercise(SphinxDirective):
         number = f"Exercise\u00a0{title[1]}.{title[2]}"
         anchor = "exercise-" + key
         places.of(self.env).note("ex", key, anchor, number)
-        head = nodes.paragraph("", "", nodes.strong("", number), " ",
+        head = nodes.paragraph("", "", nodes.strong("", number),
+                               nodes.Text(" "),
                                nodes.inline("", " ".join(title[3].split()),
                                             classes=["statement-title"]),
                                classes=["block-title"])

@@ -9,7 +9,9 @@
 """
 import functools
 import os
+import re
 import subprocess
+import tempfile
 
 from docutils import nodes
 from docutils.parsers.rst import directives
@@ -19,9 +21,12 @@ from sphinx.util.docutils import SphinxDirective, SphinxRole
 
 @functools.lru_cache(maxsize=None)
 def numbers(program, figure):
-    """What a figure prints: its numbers by key."""
-    printed = subprocess.run([program, "figure", figure], text=True,
-                             capture_output=True, check=True).stdout
+    """What a figure prints as it is drawn: its numbers by key."""
+    with tempfile.TemporaryDirectory() as folder:
+        printed = subprocess.run(
+            [program, "figure", figure, "--size=40x30", "-o",
+             f"{folder}/small.png"],
+            text=True, capture_output=True, check=True).stdout
     return dict(line.split(None, 1) for line in printed.splitlines())
 
 
@@ -73,17 +78,25 @@ class FigureDirective(SphinxDirective):
                                        for child in paragraph.children))
 
 
+def written(value, form):
+    """A number as LaTeX, whole ones without exponent."""
+    if not form and value.is_integer() and abs(value) < 1e15:
+        form = ".0f"
+    return re.sub(r"e([+-])0*(\d+)",
+                  lambda e: r"\times 10^{%s%s}" % (e[1].strip("+"), e[2]),
+                  format(value, form))
+
+
 class NumberRole(SphinxRole):
     def run(self):
-        figure, key, form = (self.text.split(":", 2) + [""])[:3]
+        figure, key, form = (self.text.split(":", 2) + ["", ""])[:3]
         try:
-            value = numbers(self.env.app.drawing, figure)[key]
-            text = format(float(value), form) if form else value
+            found = numbers(self.env.app.drawing, figure)
+            tex = written(float(found[key]), form)
         except (KeyError, ValueError, subprocess.CalledProcessError):
             return [], [self.inliner.reporter.error(
-                f"figure '{figure}' prints no number '{key}' that is "
-                f"written as '{form}'", line=self.lineno)]
-        tex = text.replace("e", r"\times 10^{") + "}" * ("e" in text)
+                f"figure '{figure}' prints no number '{key}', or none that "
+                f"is written as '{form}'", line=self.lineno)]
         return [nodes.math(tex, tex)], []
 
 

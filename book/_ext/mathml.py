@@ -23,7 +23,7 @@ MACROS = {
 }
 
 SERVER = r"""
-const katex = require('katex');
+const katex = require('/usr/share/javascript/katex/katex.js');
 require('readline').createInterface({input: process.stdin}).on('line', l => {
   const [tex, displayMode, macros] = JSON.parse(l);
   let answer;

@@ -17,7 +17,8 @@ from pathlib import Path
 from docutils import nodes
 from pygments import highlight
 from pygments.formatters import HtmlFormatter
-from pygments.lexers import get_lexer_for_filename
+from pygments.lexers import TextLexer, get_lexer_for_filename
+from pygments.util import ClassNotFound
 from sphinx.util import logging
 from sphinx.util.docutils import SphinxDirective
 from sphinx.util.texescape import escape
@@ -210,9 +211,16 @@ def number_of(env, title):
     return ""
 
 
+def lexer(path):
+    try:
+        return get_lexer_for_filename(path, stripnl=False)
+    except ClassNotFound:
+        return TextLexer(stripnl=False)
+
+
 def html_code(translator, node):
-    code = highlight(node["code"], get_lexer_for_filename(
-        node["path"], stripnl=False), HtmlFormatter(nowrap=True))
+    code = highlight(node["code"], lexer(node["path"]),
+                     HtmlFormatter(nowrap=True))
     for title in node["uses"]:
         head = f'<span class="c1">//: {translator.encode(title)}</span>'
         assert head in code, title
@@ -251,9 +259,8 @@ def latex_link(translator, title):
 
 def latex_code(translator, node):
     """The lines, highlighted, without the Verbatim around them."""
-    language = get_lexer_for_filename(node["path"]).aliases[0]
     lines = translator.highlighter.highlight_block(
-        node["code"], language).rstrip().split("\n")[1:-1]
+        node["code"], lexer(node["path"]).aliases[0]).rstrip().split("\n")[1:-1]
     uses = iter(node["uses"])
     return "\n".join(
         re.sub(r"\\PYG\{c\+c1\}\{//: .*\}$",

@@ -6,7 +6,7 @@
  * corner[0], where vertex 0 is, over the crease, corner[1], to corner[2], where
  * vertex 1 is.  Find the three corners.
  *
- * Section: The staircase sweep.
+ * Section: Bent in mid-step.
  *
  * Hint 1: List the events of both steps.  Which side do the two triangles
  *     share?

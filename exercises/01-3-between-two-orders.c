@@ -9,7 +9,7 @@
  * Your function gives the position of the point and, for vertices 0 and 1, the
  * positions at t = 0 and t = 1.
  *
- * Section: The staircase sweep.
+ * Section: The order is part of the answer.
  *
  * Hint 1: A point at rest does not mind at what time it is met.  So look at the
  *     plane from above, along the axis of time: what do the two triangles of

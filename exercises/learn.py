@@ -52,8 +52,8 @@ class Exercise:
 
     def variants(self):
         """The names of the variants, but for the stub."""
-        return re.findall(r"#\s*(?:el)?if defined (TF_\w+)",
-                          self.path.read_text())
+        return sorted(set(re.findall(r"\bdefined (TF_\w+)",
+                                     self.path.read_text())))
 
     def variant(self, chosen):
         """The source of one variant; None: of the stub."""
@@ -429,7 +429,7 @@ def variant_faults(name, outcome):
 def text_faults(exercise):
     wrong = [f"TF_WRONG_{i}" for i in range(1, len(exercise.variants()))]
     if exercise.variants() != ["TF_SOLUTION", *wrong] or len(wrong) < 2:
-        yield "needs TF_SOLUTION, TF_WRONG_1, TF_WRONG_2, ... in this order"
+        yield "needs TF_SOLUTION, TF_WRONG_1, TF_WRONG_2 and so on"
     text = exercise.path.read_text()
     if f"Exercise {exercise.number}.  {exercise.title}\n" not in text:
         yield "the title is not: /* Exercise N.k.  Its title."

@@ -1,0 +1,47 @@
+/* Exercise 5.3.  Contact without approach.
+ *
+ * A point that runs along the line of a resting edge meets it with a speed of
+ * zero along the normal.  Must the edge rest for that?  Find a point and an
+ * edge in the plane that meet first in mid-step (0 < t < 1) such that
+ * tf_point_edge tells a normal and a relative velocity that are not zero, but a
+ * speed along the normal that is.  And the edge must turn: it has a length at
+ * t = 0 and at t = 1, in directions that are not parallel.
+ *
+ * Section: Velocity and speed.
+ *
+ * Hint 1: Velocity and normal are those of one step of the edge's sweep, and
+ *     each step leaves out one event of the edge.
+ * Hint 2: The step with mover 1 does not have vertex 0 at t = 1.  So let the
+ *     point run along the line of the edge at t = 0, let vertex 1 rest, and
+ *     turn the edge by moving vertex 0.
+ * Hint 3: The point must come to the side of that step that the other step does
+ *     not share, that is, to the resting vertex 1.
+ */
+typedef struct encounter {
+    double point[2][2];   // [time][axis]
+    double edge[2][2][2]; // [vertex][time][axis]
+} encounter;
+
+encounter contact_without_approach(void)
+{
+#if defined TF_SOLUTION
+    return (encounter){.point = {{3, 0}, {1, 0}},
+                       .edge = {{{0, 0}, {0, 2}}, {{2, 0}, {2, 0}}}};
+#elif defined TF_WRONG_1 // the edge rests
+    return (encounter){.point = {{-1, 0}, {1, 0}},
+                       .edge = {{{0, 0}, {0, 0}}, {{2, 0}, {2, 0}}}};
+#elif defined TF_WRONG_2 // touches from the start
+    return (encounter){.point = {{1, 0}, {3, 0}},
+                       .edge = {{{0, 0}, {0, 2}}, {{2, 0}, {2, 0}}}};
+#elif defined TF_WRONG_3 // comes to the vertex that turns away
+    return (encounter){.point = {{-1, 0}, {1, 0}},
+                       .edge = {{{0, 0}, {0, 2}}, {{2, 0}, {2, 0}}}};
+#elif defined TF_WRONG_4 // the relative velocity is zero
+    return (encounter){.point = {{1, 0}, {1, 1}},
+                       .edge = {{{0, 0}, {0, 2}}, {{2, 0}, {2, 1}}}};
+#else
+    // Your turn: here the point falls on an edge that turns.
+    return (encounter){.point = {{1, 3}, {1, -1}},
+                       .edge = {{{0, 0}, {0, 1}}, {{2, 0}, {2, 0}}}};
+#endif
+}

@@ -1,0 +1,65 @@
+#include "check.h"
+
+#include "query/point_edge.h"
+#include "support/oracle.h"
+#include "support/rational.h"
+
+typedef struct encounter {
+    double point[2][2];
+    double edge[2][2][2];
+} encounter;
+
+encounter contact_without_approach(void);
+
+static void expect_no_approach(const tf_contact *contact)
+{
+    check_that(contact->verdict == TF_HIT, "a contact", "none");
+    check_that(contact->toi_lo > 0 && contact->toi_hi < 1,
+               "0 < t < 1 when they meet first", "t = %s",
+               text_real((contact->toi_lo + contact->toi_hi) / 2));
+    check_that(contact->normal[0] != 0 || contact->normal[1] != 0,
+               "a normal that is not zero", "%s",
+               text_point(2, contact->normal));
+    check_that(contact->velocity[0] != 0 || contact->velocity[1] != 0,
+               "a relative velocity that is not zero", "%s",
+               text_point(2, contact->velocity));
+    check_real(0, contact->speed);
+}
+
+/// The determinant of the directions of the edge at both times.
+static double turn(const tf_worldline edge[2])
+{
+    double d[2][2];
+    for (int t = 0; t < 2; t++)
+        for (int k = 0; k < 2; k++)
+            d[t][k] = edge[1].at[t].x[k] - edge[0].at[t].x[k];
+    return d[0][0] * d[1][1] - d[0][1] * d[1][0];
+}
+
+START_TEST(meets_and_does_not_approach)
+{
+    check_input("none: the function gives an encounter");
+    encounter e = contact_without_approach();
+    tf_worldline point = tf_worldline_between(2, e.point[0], e.point[1]);
+    tf_worldline edge[2];
+    for (int v = 0; v < 2; v++)
+        edge[v] = tf_worldline_between(2, e.edge[v][0], e.edge[v][1]);
+    check_input("point: %s\n%s", text_line(2, &point),
+                text_lines(2, "vertex", 2, edge));
+    check_finite(2, 1, &point);
+    check_finite(2, 2, edge);
+    check_that(turn(edge) != 0, "an edge that turns", "one that does not");
+    tf_contact contact;
+    tf_point_edge(&oracle_arithmetic, &point, edge, &contact);
+    expect_no_approach(&contact);
+    mpq_t toi;
+    mpq_init(toi);
+    check_that(oracle_meet(2, 1, &point, 2, edge, toi), "a contact", "none");
+    mpq_clear(toi);
+}
+END_TEST
+
+void add_tests(TCase *tests)
+{
+    tcase_add_test(tests, meets_and_does_not_approach);
+}

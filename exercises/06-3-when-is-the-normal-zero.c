@@ -1,0 +1,60 @@
+/* Exercise 6.3.  When is the normal zero?
+ *
+ * A triangle of no area has no normal.  But a triangle may have an area at
+ * t = 0 and at t = 1, and a point may meet it in mid-step, and still
+ * tf_point_triangle tells a normal of zero.  Find such a point and such a
+ * triangle.
+ *
+ * Section: What the prism does not know.
+ *
+ * Hint 1: The normal of the step with mover 2 is that of the triangle at t = 0,
+ *     that of the step with mover 0 is that at t = 1.  So it must be the step
+ *     with mover 1.
+ * Hint 2: Its normal is zero if vertex 2 is, seen from vertex 1 at t = 1, in
+ *     the direction of vertex 1, seen from vertex 0 at t = 0, or opposite.  Then
+ *     this step is flat; most of it is shared with its neighbours, which come
+ *     first or are as early.  Which worldline is in no other step?
+ * Hint 3: That of vertex 1.  Let the point hit vertex 1 in mid-step, and take
+ *     the opposite direction: with the same, the neighbours cover it all.
+ */
+typedef struct encounter {
+    double point[2][3];       // [time][axis]
+    double triangle[3][2][3]; // [vertex][time][axis]
+} encounter;
+
+encounter no_normal(void)
+{
+#if defined TF_SOLUTION
+    // Vertex 1 rests.  From 0 it is seen along +x, and from it 2 along -x.
+    return (encounter){.point = {{1, 0, 1}, {1, 0, -1}},
+                       .triangle = {{{0, 0, 0}, {0, 1, 0}},
+                                    {{1, 0, 0}, {1, 0, 0}},
+                                    {{0, 1, 0}, {0, 0, 0}}}};
+#elif defined TF_WRONG_1 // no area at the start
+    return (encounter){.point = {{1, 0, 1}, {1, 0, -1}},
+                       .triangle = {{{0, 0, 0}, {0, 1, 0}},
+                                    {{1, 0, 0}, {1, 0, 0}},
+                                    {{2, 0, 0}, {0, 0, 0}}}};
+#elif defined TF_WRONG_2 // a mixed normal that is not zero
+    return (encounter){.point = {{1, 0, 1}, {1, 0, -1}},
+                       .triangle = {{{0, 0, 0}, {0, 0, 0}},
+                                    {{1, 0, 0}, {1, 0, 0}},
+                                    {{0, 1, 0}, {0, 1, 0}}}};
+#elif defined TF_WRONG_3 // meets another step: vertex 0
+    return (encounter){.point = {{0, 0.5, 1}, {0, 0.5, -1}},
+                       .triangle = {{{0, 0, 0}, {0, 1, 0}},
+                                    {{1, 0, 0}, {1, 0, 0}},
+                                    {{0, 1, 0}, {0, 0, 0}}}};
+#elif defined TF_WRONG_4 // touches at the start
+    return (encounter){.point = {{1, 0, 0}, {1, 0, -1}},
+                       .triangle = {{{0, 0, 0}, {0, 1, 0}},
+                                    {{1, 0, 0}, {1, 0, 0}},
+                                    {{0, 1, 0}, {0, 0, 0}}}};
+#else
+    // Your turn: here the point falls on a triangle at rest.
+    return (encounter){.point = {{1, 1, 1}, {1, 1, -1}},
+                       .triangle = {{{0, 0, 0}, {0, 0, 0}},
+                                    {{4, 0, 0}, {4, 0, 0}},
+                                    {{0, 4, 0}, {0, 4, 0}}}};
+#endif
+}

@@ -360,6 +360,7 @@ book      fonts-texgyre-math font:TeXGyrePagellaMath has those of formulas
 book      fonts-inconsolata font:Inconsolata has the letters of the code
 pdf       texlive-xetex   xelatex           sets the print
 pdf       texlive-latex-extra tcolorbox.sty has the boxes of the print
+pdf       texlive-fonts-recommended pzdr.tfm is what links are made with
 pdf       latexmk         latexmk           runs xelatex until all is settled
 site      chromium        chromium          is the browser of the check
 site      chromium-driver chromedriver      steers the browser
@@ -398,7 +399,7 @@ $(needs:%=need-%): need-%:
 	        *.h) $(CC) -E -include $$one -x c /dev/null ;; \
 	        *.pc) pkg-config --exists $${one%.pc} ;; \
 	        font:*) fc-list "$${one#font:}" | grep . ;; \
-	        *.sty) kpsewhich $$one ;; \
+	        *.sty|*.tfm) kpsewhich $$one ;; \
 	        python:*) /usr/bin/python3 -c "import $${one#python:}" ;; \
 	        /*) [ -e $$one ] ;; \
 	        -*) echo 'int LLVMFuzzerTestOneInput(void) { return 0; }' | \

@@ -50,6 +50,7 @@ html_theme = "_theme"
 html_theme_path = ["."]
 html_show_search_summary = False
 html_copy_source = False
+html_secnumber_suffix = "\u2002"
 html_permalinks = False
 html_domain_indices = False
 pygments_style = "quiet.Quiet"
@@ -61,3 +62,23 @@ html_static_path = [
       for style in ("regular", "italic", "bold", "bolditalic")),
     f"{GYRE}-math/texgyrepagella-math.otf",
     "/usr/share/fonts/truetype/inconsolata/Inconsolata.otf"]
+
+latex_engine = "xelatex"
+latex_documents = [("index", "tanglefree.tex", "Tanglefree", author, "manual",
+                    True)]
+latex_docclass = {"manual": "book"}
+latex_show_pagerefs = False
+latex_use_xindy = False
+latex_additional_files = ["_print/tanglefree.sty"]
+latex_elements = {
+    "papersize": "a4paper", "pointsize": "10pt", "extraclassoptions":
+    "oneside,openany", "geometry": r"\usepackage[paperwidth=190mm,"
+    r"paperheight=240mm,left=19mm,textwidth=116mm,marginparsep=6mm,"
+    r"marginparwidth=38mm,top=22mm,bottom=24mm]{geometry}",
+    "fontpkg": r"\usepackage{unicode-math}", "fncychap": "",
+    "figure_align": "htbp", "maketitle": r"\tftitle",
+    "tableofcontents": r"\tableofcontents", "fvset": "",
+    "sphinxsetup": "verbatimwithframe=false,VerbatimColor={RGB}{255,255,255},"
+    "InnerLinkColor={RGB}{26,92,148},OuterLinkColor={RGB}{26,92,148},"
+    "TitleColor={RGB}{32,36,42}",
+    "preamble": r"\usepackage{tanglefree}" "\n" + mathml.preamble()}

@@ -21,7 +21,7 @@ $(BUILD)/figures/%-light.pdf: $(BUILD)/drawing/program
 $(BUILD)/book/tanglefree.pdf: $(BOOK) $(program) $(prints) | need-book need-pdf
 	@echo 'print   $@'
 	$(Q)$(weave) -b latex -d $(BUILD)/book/read-latex book $(@D)/latex
-	$(Q)cd $(@D)/latex && latexmk -xelatex -interaction=nonstopmode \
+	$(Q)cd $(@D)/latex && latexmk -g -xelatex -interaction=nonstopmode \
 	    -halt-on-error tanglefree.tex >tanglefree.out 2>&1 || \
 	    { grep -A 5 '^!' tanglefree.log; false; }
 	$(Q)cp $(@D)/latex/tanglefree.pdf $@

@@ -33,6 +33,10 @@ def parsed(directive, content=None):
     return found.children
 
 
+def block_title(*words):
+    return nodes.inline("", "", *words, classes=["block-title"])
+
+
 class Block(SphinxDirective):
     """A box named as the directive, its optional title as the first line."""
     has_content, optional_arguments = True, 1
@@ -44,12 +48,14 @@ class Block(SphinxDirective):
         title = self.title()
         if title:
             words, messages = self.state.inline_text(title, self.lineno)
-            box.insert(0, nodes.paragraph("", "", *words, *messages,
-                                          classes=["block-title"]))
+            self.entitle(box, block_title(*words, *messages))
         return [box]
 
     def title(self):
         return self.arguments[0] if self.arguments else ""
+
+    def entitle(self, box, title):
+        box.insert(0, nodes.paragraph("", "", title, classes=["title-line"]))
 
 
 class Opening(Block):
@@ -67,6 +73,15 @@ class Remember(Block):
 class Proof(Block):
     def title(self):
         return " ".join(["Proof", *self.arguments]) + "."
+
+    def entitle(self, box, title):
+        """At the head of the first line, and a square at the end."""
+        if not isinstance(box[0], nodes.paragraph):
+            box.insert(0, nodes.paragraph())
+        box[0].insert(0, [title, nodes.Text(" ")])
+        if not isinstance(box[-1], nodes.paragraph):
+            box.append(nodes.paragraph())
+        box[-1].append(nodes.inline("", "\u25a1", classes=["qed"]))
 
 
 # Numbered statements ----------------------------------------------------------
@@ -227,11 +242,10 @@ class Exercise(SphinxDirective):
         number = f"Exercise\u00a0{title[1]}.{title[2]}"
         anchor = "exercise-" + key
         places.of(self.env).note("ex", key, anchor, number)
-        head = nodes.paragraph("", "", nodes.strong("", number),
-                               nodes.Text(" "),
-                               nodes.inline("", " ".join(title[3].split()),
-                                            classes=["statement-title"]),
-                               classes=["block-title"])
+        words = " ".join(title[3].split())
+        head = nodes.paragraph("", "", block_title(
+            nodes.strong("", number), nodes.Text("\u2002" + words)),
+            classes=["title-line"])
         content = StringList("\n\n".join(task(text)).splitlines(),
                              self.env.docname)
         return [nodes.target("", "", ids=[anchor]),

@@ -59,7 +59,8 @@ class FigureDirective(SphinxDirective):
         figure += [self.image("light"), self.dark_image(), self.caption()]
         figure["names"] = ["fig-" + name]
         self.state.document.note_explicit_target(figure)
-        return [figure]
+        widen = r"\tfwidetrue" if "wide" in self.options else ""
+        return [nodes.raw("", widen, format="latex"), figure]
 
     def image(self, theme):
         """PNG in a browser, PDF on paper: Sphinx takes the one it likes."""

@@ -58,9 +58,11 @@ class ContentsDirective(SphinxDirective):
     def run(self):
         before, _, after = self.arguments[0].partition("|")
         slugs = [c.slug for c in written(self.env)]
+        pages = self.env.app.builder.format == "html"
+        index = ["genindex"] if pages else []   # LaTeX adds it by itself
         return [self.part_of_contents(before.split()),
                 self.part_of_contents(slugs, numbered=2),
-                self.part_of_contents(after.split() + ["genindex"])]
+                self.part_of_contents(after.split() + index)]
 
     def part_of_contents(self, slugs, **options):
         """A hidden toctree: the theme draws the contents."""

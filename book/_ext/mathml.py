@@ -74,6 +74,14 @@ def without_variants(math):
     return VARIANT.sub(replace, math)
 
 
+def legible(math):
+    """Bars that grow with what they enclose, dots without a gap."""
+    for bar, fence in ("\u2223", "|"), ("\u2225", "\u2016"):
+        math = re.sub(f'(<m[oi][^>]*>){bar}</m', rf"\1{fence}</m", math)
+    return math.replace("<mo>\u2026</mo>",
+                        '<mi mathvariant="normal">\u2026</mi>')
+
+
 class Katex:
     """A KaTeX that answers a line with a line."""
 
@@ -89,7 +97,7 @@ class Katex:
         answer = json.loads(self.process.stdout.readline())
         if "error" in answer:
             raise ValueError(f"{answer['error']}: {tex}")
-        return without_variants(answer["math"])
+        return legible(without_variants(answer["math"]))
 
     def close(self, app, error):
         if self.process is not None:

@@ -1,5 +1,6 @@
 """The settings of the book; book/_ext has its own directives and roles."""
 import os
+import subprocess
 import sys
 from pathlib import Path
 
@@ -56,12 +57,16 @@ html_domain_indices = False
 pygments_style = "quiet.Quiet"
 
 
-GYRE = "/usr/share/texmf/fonts/opentype/public/tex-gyre"
-html_static_path = [
-    *(f"{GYRE}/texgyrepagella-{style}.otf"
-      for style in ("regular", "italic", "bold", "bolditalic")),
-    f"{GYRE}-math/texgyrepagella-math.otf",
-    "/usr/share/fonts/truetype/inconsolata/Inconsolata.otf"]
+def font(pattern):
+    """The file of an installed font."""
+    return subprocess.run(["fc-match", "-f", "%{file}", pattern], check=True,
+                          capture_output=True, text=True).stdout
+
+
+html_static_path = [font(pattern) for pattern in (
+    "TeXGyrePagella:regular", "TeXGyrePagella:italic:regular",
+    "TeXGyrePagella:bold", "TeXGyrePagella:italic:bold",
+    "TeXGyrePagellaMath", "Inconsolata")]
 
 latex_engine = "xelatex"
 latex_documents = [("index", "tanglefree.tex", "Tanglefree", author, "manual",
@@ -69,15 +74,15 @@ latex_documents = [("index", "tanglefree.tex", "Tanglefree", author, "manual",
 latex_docclass = {"manual": "book"}
 latex_show_pagerefs = False
 latex_use_xindy = False
+latex_table_style = ["booktabs"]
 latex_additional_files = ["_print/tanglefree.sty"]
 latex_elements = {
-    "papersize": "a4paper", "pointsize": "10pt", "extraclassoptions":
-    "oneside,openany", "geometry": r"\usepackage[paperwidth=190mm,"
-    r"paperheight=240mm,left=19mm,textwidth=116mm,marginparsep=6mm,"
-    r"marginparwidth=38mm,top=22mm,bottom=24mm]{geometry}",
-    "fontpkg": r"\usepackage{unicode-math}", "fncychap": "",
-    "figure_align": "htbp", "maketitle": r"\tftitle",
-    "tableofcontents": r"\tableofcontents", "fvset": "",
+    "pointsize": "10pt", "extraclassoptions": "oneside,openany",
+    "passoptionstopackages": r"\PassOptionsToClass{oneside}{book}",
+    "fontpkg": r"\usepackage{unicode-math}",
+    "fncychap": "", "fvset": "", "figure_align": "htbp",
+    "maketitle": r"\tftitle",
+    "tableofcontents": r"{\hypersetup{linkcolor=ink}\tableofcontents}",
     "sphinxsetup": "verbatimwithframe=false,VerbatimColor={RGB}{255,255,255},"
     "InnerLinkColor={RGB}{26,92,148},OuterLinkColor={RGB}{26,92,148},"
     "TitleColor={RGB}{32,36,42}",

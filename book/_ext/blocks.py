@@ -189,10 +189,9 @@ def depart_statement_html(translator, node):
 
 def visit_statement_latex(translator, node):
     marks = r"\difficulty{%d}" % node["difficulty"] if node["difficulty"] else ""
-    title = escape(node["title"], "xelatex") + marks
-    title = "[%s]" % title if title else ""
-    translator.body.append("\n" r"\begin{tf%s}%s%s" "\n" % (
-        kind_of(node), title, translator.hypertarget_to(node)))
+    title = "[%s]" % escape(node["title"], "xelatex") if node["title"] else ""
+    translator.body.append("\n" r"\begin{tf%s}%s%s%s" "\n" % (
+        kind_of(node), title, translator.hypertarget_to(node), marks))
 
 
 def depart_statement_latex(translator, node):

@@ -117,7 +117,7 @@ def read_all_when_files_come_or_go(app, env, added, changed, removed):
 def tell_latex(app, doctree):
     """The number of a chapter, the title of its part, and the end matter."""
     docname = app.env.docname
-    tex = {"notation": r"\backmatter"}.get(docname, "")
+    tex = {"notation": r"\tfback"}.get(docname, "")
     chapter = app.chapters.get(docname)
     if chapter:
         here = written(app.env)
@@ -125,7 +125,7 @@ def tell_latex(app, doctree):
         if opens_part(here, chapter):
             tex = r"\part{%s}" % chapter.part + tex
         if chapter is here[0]:
-            tex = r"\mainmatter" + tex
+            tex = r"\tfmain" + tex
     if tex:
         doctree.insert(0, nodes.raw("", tex + "\n", format="latex"))
 

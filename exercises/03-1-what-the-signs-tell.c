@@ -7,7 +7,7 @@
  * of the three.  Answer TF_HIT or TF_APART only if it is certain, and else
  * TF_UNDECIDED.
  *
- * Section: The verdict.
+ * Section: Barycentric signs.
  *
  * Hint 1: A positive and a negative sign settle it, whatever else there is.
  * Hint 2: Without such a conflict, one unknown sign leaves it open: it may be

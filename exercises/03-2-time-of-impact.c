@@ -4,7 +4,7 @@
  * are known up to a common factor: c[i] belongs to pair->event[i], those of one
  * side are >= 0 and those of the other <= 0.  Find the time of that event.
  *
- * Section: A guaranteed time.
+ * Section: Time of impact.
  *
  * Hint 1: Divided by their sum, the coordinates of the one side are weights
  *     that add up to 1.  So are those of the other, divided by theirs.

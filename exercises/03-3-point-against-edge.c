@@ -6,7 +6,7 @@
  * and b are the vertices at t = 0 and a' and b' at t = 1.  Touching counts.
  * The coordinates are small integers, and neither triangle is of zero area.
  *
- * Section: From five rows to two.
+ * Section: In the frame of the point.
  *
  * Hint 1: The origin is in the triangle p q r if it does not lie to the left of
  *     one side and to the right of another, going round p, q, r.

@@ -10,10 +10,10 @@
  * Hint 1: The normal of the step with mover 2 is that of the triangle at t = 0,
  *     that of the step with mover 0 is that at t = 1.  So it must be the step
  *     with mover 1.
- * Hint 2: Its normal is zero if vertex 2 is, seen from vertex 1 at t = 1, in
- *     the direction of vertex 1, seen from vertex 0 at t = 0, or opposite.  Then
- *     this step is flat; most of it is shared with its neighbours, which come
- *     first or are as early.  Which worldline is in no other step?
+ * Hint 2: Its normal is zero if the way from vertex 1 to vertex 2 at t = 1 is
+ *     along that from vertex 0 to vertex 1 at t = 0, or opposite.  Then this
+ *     step is flat, and most of it is shared with its neighbours, which are met
+ *     as early.  Which worldline is in no other step?
  * Hint 3: That of vertex 1.  Let the point hit vertex 1 in mid-step, and take
  *     the opposite direction: with the same, the neighbours cover it all.
  */

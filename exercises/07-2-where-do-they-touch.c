@@ -12,8 +12,8 @@
  *     it is late, and only then does that of vertex 0.
  * Hint 2: So of the weight of vertex 1 the smaller of t and weight[1] is late.
  *     What is left of t is the late part of vertex 0.
- * Hint 3: The place is the sum over both vertices of late at[1] and of (weight -
- *     late) at[0].
+ * Hint 3: The place is the sum over both vertices of late times at[1] and of
+ *     weight - late times at[0].
  */
 #include "spacetime/event.h"
 

@@ -10,6 +10,7 @@ import json
 import os
 import re
 import shlex
+import signal
 import subprocess
 import sys
 import textwrap
@@ -22,7 +23,7 @@ WORK = Path(os.environ.get("WORK", "work"))
 BUILD = Path(os.environ.get("BUILD", "build"))
 COMPILE = shlex.split(os.environ.get("COMPILE", "cc"))
 LINK = shlex.split(os.environ.get("LINK", ""))
-SECONDS = 5
+PATIENCE = 60  # seconds for a program that does not compute, but waits
 CHAPTERS = [line.split() for line in Path("book/chapters").open()
             if line[0].islower()]
 
@@ -136,12 +137,11 @@ def run_program(source, program, warnings):
     try:
         run = subprocess.run(
             [program, told], stdin=subprocess.DEVNULL, capture_output=True,
-            text=True, errors="replace", timeout=SECONDS, env=environment)
+            text=True, errors="replace", timeout=PATIENCE, env=environment)
     except subprocess.TimeoutExpired as late:
         printed = (late.stdout or b"").decode(errors="replace")
-        return Outcome(False, told.read_text() + field(
-            "got", f"no answer in {SECONDS} seconds: a loop without end?")
-            + field("where", str(source)), warnings, printed)
+        return Outcome(False, told.read_text() + NO_END
+                       + field("where", str(source)), warnings, printed)
     report = told.read_text()
     if run.returncode == 0 and report == "passed\n":
         return Outcome(True, "", warnings, run.stdout)
@@ -155,6 +155,7 @@ def field(name, text):
     return f"  {name:<9} " + text.replace("\n", "\n" + " " * 12) + "\n"
 
 
+NO_END = field("got", "no answer for some seconds: a loop without end?")
 CRASHES = [
     ("SEGV", "a crash: an access through a pointer that points nowhere (NULL, "
      "or never set?)"),
@@ -178,6 +179,8 @@ def explain_crash(source, run):
     elif address:
         what = next((sentence for kind, sentence in CRASHES
                      if kind in address[1]), "a crash: " + address[1])
+    elif run.returncode == -signal.SIGXCPU:
+        return NO_END + field("where", str(source))
     elif run.returncode < 0:
         what = f"a crash by signal {-run.returncode}"
     else:

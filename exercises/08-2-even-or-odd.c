@@ -1,0 +1,73 @@
+/* Exercise 8.2.  Even or odd?
+ *
+ * An edge and a triangle without a common vertex move, in general position.
+ * Whether they cross at the start is known.  Tell whether they cross at the
+ * end, without looking at the end: from the number of meetings of pairs of
+ * steps, of the ends of the edge with the triangle and of the edge with the
+ * triangle's edges.
+ *
+ * Section: Even and odd.
+ *
+ * Hint 1: The number of crossings at the start, that at the end and the number
+ *     of meetings are together even.
+ * Hint 2: count_meetings counts pairs of steps.  What has to be counted is two
+ *     points against the triangle and the edge against three edges.
+ * Hint 3: An edge of the triangle sweeps as the triangle does only if its
+ *     vertices are in the same order: 0, 1 and 0, 2 and 1, 2.
+ */
+#include "spacetime/meet.h"
+
+/// How many pairs of a step of the one and a step of the other meet.
+static int count_meetings(const tf_arithmetic *arithmetic, int vertices,
+                          const tf_worldline first[], int others,
+                          const tf_worldline second[])
+{
+    tf_simplex s[TF_VERTICES], r[TF_VERTICES];
+    tf_sweep(vertices, first, s);
+    tf_sweep(others, second, r);
+    int count = 0;
+    for (int i = 0; i < vertices; i++)
+        for (int j = 0; j < others; j++) {
+            tf_pair pair = tf_pair_of(&s[i], &r[j], 3);
+            count += tf_meet(arithmetic, &pair).verdict == TF_HIT;
+        }
+    return count;
+}
+
+bool cross_at_end(const tf_arithmetic *arithmetic, bool cross_at_start,
+                  const tf_worldline edge[2], const tf_worldline triangle[3])
+{
+    int count = cross_at_start;
+#if defined TF_WRONG_3 // forgets what was at the start
+    count = 0;
+#endif
+#if defined TF_WRONG_2 // goes around: turns the order of the last edge
+    static const int side[3][2] = {{0, 1}, {1, 2}, {2, 0}};
+#else
+    static const int side[3][2] = {{0, 1}, {0, 2}, {1, 2}};
+#endif
+#if defined TF_SOLUTION || defined TF_WRONG_2 || defined TF_WRONG_3
+    for (int v = 0; v < 2; v++)
+        count += count_meetings(arithmetic, 1, &edge[v], 3, triangle);
+    for (int i = 0; i < 3; i++) {
+        tf_worldline other[2] = {triangle[side[i][0]], triangle[side[i][1]]};
+        count += count_meetings(arithmetic, 2, edge, 2, other);
+    }
+#elif defined TF_WRONG_1 // counts elements, however often they meet
+    for (int v = 0; v < 2; v++)
+        count += count_meetings(arithmetic, 1, &edge[v], 3, triangle) > 0;
+    for (int i = 0; i < 3; i++) {
+        tf_worldline other[2] = {triangle[side[i][0]], triangle[side[i][1]]};
+        count += count_meetings(arithmetic, 2, edge, 2, other) > 0;
+    }
+#elif defined TF_WRONG_4 // believes that only points can get through
+    for (int v = 0; v < 2; v++)
+        count += count_meetings(arithmetic, 1, &edge[v], 3, triangle);
+    count += 0 * side[0][0];
+#else
+    // Your turn: here is one of the five counts.
+    tf_worldline other[2] = {triangle[side[0][0]], triangle[side[0][1]]};
+    count += count_meetings(arithmetic, 2, edge, 2, other);
+#endif
+    return count % 2 == 1;
+}

@@ -186,8 +186,8 @@ twice = $(foreach word,$(sort $(1)),$(if \
 	$(filter-out 1,$(words $(filter $(word),$(1)))),$(word)))
 
 sources = $(shell cd src && find * -name '*.[ch]')
-tested = $(filter-out support/% whole/% fuzz/% bench/% stage/% draw/% figures/%,\
-	$(shell cd tests && find * -name '*.c'))
+tested = $(filter-out support/% whole/% fuzz/% bench/% stage/% draw/% \
+	figures/%,$(shell cd tests && find * -name '*.c'))
 
 check-manifest: ## compare book/chapters with src/ and tests/
 	@wrong=0; \

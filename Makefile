@@ -335,8 +335,8 @@ clean: ## remove all output
 
 # The packages -----------------------------------------------------------------
 
-# Who needs it, the Debian package (or the one that older systems do not have,
-# behind a bar), how to see that it is there (a command, a header, a file of
+# Who needs it, the Debian package (where newer systems do not have it, those
+# behind the bar), how to see that it is there (a command, a header, a file of
 # pkg-config's, a font, or an option that clang links with), and what for.
 compiler = $(firstword $(CC))
 define packages
@@ -347,7 +347,7 @@ check     libgmp-dev      gmp.h             gives the tests exact numbers
 check     pkg-config      pkg-config        tells how to link the tests
 check     ffmpeg          ffmpeg            encodes the films of the tests
 figures   pkg-config      pkg-config        tells how to link the figures
-figures   libosmesa6-dev|libegl-dev osmesa.pc|egl.pc draws solid geometry
+figures   libosmesa6-dev|libegl-dev,libgl1-mesa-dri osmesa.pc|egl.pc draws solids
 figures   libpango1.0-dev pangocairo.pc     sets the letters of figures
 figures   libcairo2-dev   cairo.pc          draws lines and writes PDF and SVG
 figures   libpng-dev      libpng.pc         writes PNG
@@ -391,7 +391,7 @@ $(needs:%=need-%): need-%:
 	    echo "$$package is missing; it $$purpose." >&2; \
 	    case $$package in *'|'*) a=$${package%|*}; \
 	        package="\$$(apt-cache show $$a >/dev/null 2>&1 && echo $$a \
-	            || echo $${package#*|})" ;; \
+	            || echo $${package#*|} | tr , ' ')" ;; \
 	    esac; \
 	    printf ' %s' "$$package"; done); \
 	[ "$$missing" ] || exit 0; \

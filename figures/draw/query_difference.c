@@ -3,8 +3,9 @@
 // For every event of the first element's sweep and every event of the second's
 // of the same time, take the difference of their places.  A point's worldline
 // and a sweep so give the sweep seen from the point: a triangle of the plane or
-// a tetrahedron of space for each of its simplices.  Two simplices of edges give
-// a pyramid or a tetrahedron.  The elements meet where these hold the origin.
+// a tetrahedron of space for each of its simplices.  Two simplices of edges
+// give a pyramid or a tetrahedron.  The elements meet where these hold the
+// origin.
 #include "draw/query_parts.h"
 #include "worlds.h"
 

@@ -9,7 +9,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-// A folder to work in ----------------------------------------------------------
+// A folder to work in ---------------------------------------------------------
 
 static char folder[] = "/tmp/tanglefree-draw-XXXXXX";
 
@@ -40,7 +40,7 @@ static void leave_folder(void)
     ck_assert_int_eq(system(line), 0);
 }
 
-// Running the program ----------------------------------------------------------
+// Running the program ---------------------------------------------------------
 
 typedef struct outcome {
     int status;
@@ -103,7 +103,7 @@ static void expect_words(const char *text, const char *words)
 #define QUERY "\"$QUERIES\"/point-edge.csv:0 --kind point-edge " SMALL " "
 #define FIGURE "edge-sweep " SMALL " "
 
-// Usage ------------------------------------------------------------------------
+// Usage -----------------------------------------------------------------------
 
 START_TEST(help_and_version_are_told)
 {
@@ -204,7 +204,7 @@ START_TEST(queries_are_refused)
 }
 END_TEST
 
-// Files ------------------------------------------------------------------------
+// Files -----------------------------------------------------------------------
 
 START_TEST(outputs_that_cannot_be_written_are_refused)
 {
@@ -295,7 +295,7 @@ START_TEST(queries_tell_what_the_other_program_tells)
 }
 END_TEST
 
-// Films ------------------------------------------------------------------------
+// Films -----------------------------------------------------------------------
 
 START_TEST(missing_ffmpeg_is_told)
 {

@@ -238,15 +238,17 @@ format: need-format ## lay the code out as .clang-format says
 
 paths = -Isrc -Ifigures $$(cat $(BUILD)/stage.flags)
 
-# cppcheck takes a struct for a pointer to the arguments that it came from.
+# cppcheck takes a struct for a pointer to the arguments that it came from, and
+# a pointer that is copied byte by byte for lost.
 check-static: $(BUILD)/stage.flags
 check-static: need-static ## read the code: warnings, clang-tidy, cppcheck
 	@for cc in gcc clang; do $$cc $(WARNINGS) -Werror -std=c17 $(paths) -Itests \
 	    $$(pkg-config --cflags check) -fsyntax-only $(filter %.c,$(code)) \
 	    || exit 1; done
-	@cppcheck --quiet --error-exitcode=1 --std=c11 $(paths) -Itests \
-	    -j $$(nproc) --enable=warning,performance,portability \
-	    --suppress=returnDanglingLifetime src figures tests
+	@cppcheck --quiet --error-exitcode=1 --std=c11 -Isrc -Ifigures \
+	    -Itests -j $$(nproc) --enable=warning,performance,portability \
+	    --suppress=returnDanglingLifetime \
+	    --suppress=memleak:figures/stage/list.c src figures tests
 	@find src figures -name '*.c' | xargs -P $$(nproc) -n 4 sh -c 'clang-tidy \
 	    --quiet --warnings-as-errors="*" "$$@" -- -std=c17 $(paths) \
 	    2>/dev/null' sh

@@ -158,7 +158,6 @@ START_TEST(settings_are_refused)
         {"--dpi is '0'; give a number from 1", "-o a.png --dpi 0"},
         {"--dpi is 'x'", "-o a.png --dpi x"},
         {"a picture is 16 to 16384 pixels", "-o a.png --dpi 1"},
-        {"--size and --dpi", "-o a.png --size 80x60 --dpi 300"},
         {"no theme is named 'pink'; choose light or dark",
          "-o a.png --theme pink"},
         {"the view is '30'; give two angles", "-o a.png --view 30"},
@@ -272,6 +271,20 @@ START_TEST(resolution_tells_the_size)
                          "point-edge --dpi 18 -o a.png >b; "
                          "od -An -tu1 -j16 -N8 a.png"),
                      "   0   0   0  96   0   0   0  72\n");
+
+    // With a size it is only recorded: 254 pixels an inch are 10000 a meter, at
+    // byte 42, after the header of the chunk pHYs.
+    ck_assert_str_eq(say("draw figure " FIGURE "--dpi 254 -o a.png >b; "
+                         "od -An -tu1 -j41 -N4 a.png; "
+                         "od -An -c -j37 -N4 a.png"),
+                     "   0   0  39  16\n   p   H   Y   s\n");
+}
+END_TEST
+
+START_TEST(films_show_what_moves)
+{
+    refuse("nothing moves in 'prism'; add --turntable",
+           "draw figure prism --animate a.gif");
 }
 END_TEST
 
@@ -344,6 +357,7 @@ Suite *suite(void)
         queries_tell_what_the_other_program_tells,
         missing_ffmpeg_is_told,
         films_are_made,
+        films_show_what_moves,
     };
     Suite *s = suite_create("draw/command");
     TCase *command = tcase_create("command");

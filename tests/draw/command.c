@@ -272,11 +272,11 @@ START_TEST(resolution_tells_the_size)
                          "od -An -tu1 -j16 -N8 a.png"),
                      "   0   0   0  96   0   0   0  72\n");
 
-    // With a size it is only recorded: 254 pixels an inch are 10000 a meter, at
-    // byte 42, after the header of the chunk pHYs.
+    // With a size it is only recorded: 254 pixels an inch are 10000 a meter, in
+    // the chunk pHYs that follows the chunks IHDR and sRGB.
     ck_assert_str_eq(say("draw figure " FIGURE "--dpi 254 -o a.png >b; "
-                         "od -An -tu1 -j41 -N4 a.png; "
-                         "od -An -c -j37 -N4 a.png"),
+                         "od -An -tu1 -j54 -N4 a.png; "
+                         "od -An -c -j50 -N4 a.png"),
                      "   0   0  39  16\n   p   H   Y   s\n");
 }
 END_TEST

@@ -82,6 +82,18 @@ static void draw_contact(tf_panel *panel, const scenario *s)
                               .leader = true});
 }
 
+/// The point and the edge as they are at the time of a film.
+static void draw_present(tf_scene *scene, const scenario *s, double t)
+{
+    double edge[3][3], at[3];
+    tf_world_of_edge(s->edge, t, edge);
+    tf_scene_path(scene, 3, (const double(*)[3])edge, TF_WIDTH_TUBE,
+                  (tf_paint){.role = TF_ROLE_INK});
+    tf_worldline_place(&s->point, 2, t, at);
+    at[2] = t;
+    tf_scene_ball(scene, at, TF_WIDTH_BALL, (tf_paint){.role = TF_ROLE_INK});
+}
+
 static void draw_names(tf_panel *panel)
 {
     tf_panel_axes(panel, (double[]){0, 0, 0}, (double[]){0.4, 0.5, 0.36},
@@ -127,6 +139,8 @@ static void draw(tf_page *page, FILE *numbers)
                 (tf_label[]){{.text = "$p$", .side = TF_SIDE_S},
                              {.text = "$p'$", .side = TF_SIDE_N}});
     draw_contact(panel, &s);
+    if (tf_page_moves(page))
+        draw_present(scene, &s, tf_page_time(page));
     draw_names(panel);
     print_contact(numbers, &s.contact);
 }
@@ -136,5 +150,6 @@ const tf_figure tf_figure_edge_sweep = {
     .title = "The sweep of an edge and the worldline of a point",
     .width = TF_FIGURE_WIDTH,
     .height = TF_FIGURE_HEIGHT,
+    .moves = true,
     .draw = draw,
 };

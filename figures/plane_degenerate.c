@@ -184,7 +184,7 @@ static void draw_shadow(tf_page *page, const tf_plot *plot, int axis,
                         const tf_simplex *simplex, tf_role role)
 {
     double at[TF_EVENTS][2];
-    for (int i = 0; i < simplex->count; i++)
+    for (int i = 0; i < simplex->count && i < TF_EVENTS; i++)
         tf_plot_place(plot, simplex->event[i]->x[axis], simplex->event[i]->t,
                       at[i]);
     if (simplex->count > 2)

@@ -13,8 +13,10 @@ pictures = $(foreach theme,light dark,\
 
 drawing: $(drawing) ## build the program that draws, tanglefree-draw
 figures: ## draw all figures, light and dark, in build/figures
-	@$(MAKE) $(parallel) $(pictures)
-.PHONY: drawing figures
+	@$(MAKE) $(parallel) draw-figures
+draw-figures: $(pictures)
+	@:
+.PHONY: drawing figures draw-figures
 
 # As for the program, the archives are all that tests need besides.
 drawn = $(patsubst figures/%.c,$(BUILD)/drawing/%.o,$(1))

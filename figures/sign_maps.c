@@ -86,7 +86,7 @@ static void outline(tf_page *page, tf_box box)
     double corner[4][2] = {
         {box.x, box.y}, {right, box.y}, {right, below}, {box.x, below}};
     tf_page_line(page, 4, (const double(*)[2])corner,
-                 (tf_stroke){.paint = {TF_ROLE_NEUTRAL},
+                 (tf_stroke){.paint = {.role = TF_ROLE_NEUTRAL},
                              .width = TF_WIDTH_HAIR,
                              .closed = true});
 }
@@ -166,9 +166,9 @@ static void draw_magnifier(tf_page *page, const tf_plot *plot, double at,
 {
     double line[3][2] = {{box.x, box.y}, {0}, {box.x + box.width, box.y}};
     tf_plot_place(plot, at, at, line[1]);
-    tf_page_line(
-        page, 3, (const double(*)[2])line,
-        (tf_stroke){.paint = {TF_ROLE_NEUTRAL}, .width = TF_WIDTH_HAIR});
+    tf_page_line(page, 3, (const double(*)[2])line,
+                 (tf_stroke){.paint = {.role = TF_ROLE_NEUTRAL},
+                             .width = TF_WIDTH_HAIR});
 }
 
 /// Draw the line as a whole, and where on it the cells are.

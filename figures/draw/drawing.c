@@ -27,8 +27,7 @@ typedef struct work {
     const tf_drawing *drawing;
     const tf_settings *settings;
     tf_page_options options; ///< of the next page
-    bool moving;
-    int pages;     ///< drawn so far
+    int pages;               ///< drawn so far
     FILE *numbers; ///< of the first page; those of the others are not heard
     FILE *unheard;
 } work;
@@ -92,6 +91,7 @@ static tf_page_options options_of(const work *w)
         .width = w->drawing->width,
         .height = w->drawing->height,
         .theme = settings->theme,
+        .dpi = settings->dpi,
         .transparent = settings->transparent,
         .turned = settings->turned,
         .azimuth = settings->azimuth,
@@ -106,7 +106,7 @@ static bool draw_page(work *w, const char *scratch, const char *path)
     tf_page *page;
     tf_stage_status status = tf_page_new(&w->options, &page);
     if (status == TF_STAGE_OK) {
-        w->drawing->draw(w->drawing->subject, page, w->moving, numbers);
+        w->drawing->draw(w->drawing->subject, page, numbers);
         status = tf_page_write(page, scratch);
     }
     tf_page_free(page);
@@ -195,7 +195,7 @@ static bool make_film(work *w)
 {
     const char *path = w->settings->film;
     w->options = options_of(w);
-    w->moving = !w->settings->turntable;
+    w->options.moves = !w->settings->turntable;
     set_size(w, FILM_WIDTH);
     const char *folder = getenv("TMPDIR");
     char frame_path[4096];

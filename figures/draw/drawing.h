@@ -11,10 +11,9 @@
 typedef struct tf_drawing {
     double width, height; ///< of the page, points
     const void *subject;  ///< borrowed
-    /// Draw on an empty page of that size.  `moving`: the page is one of a film
-    /// in which time passes.  Numbers go to `numbers`, a line "key value" each.
-    void (*draw)(const void *subject, tf_page *page, bool moving,
-                 FILE *numbers);
+    /// Draw on an empty page of that size.  Numbers go to `numbers`, a line "key
+    /// value" each.
+    void (*draw)(const void *subject, tf_page *page, FILE *numbers);
 } tf_drawing;
 
 /// Draw what the settings ask for, then print the numbers to standard output.

@@ -29,6 +29,16 @@ static void choose(struct argp_state *state, const char *name)
     argp_error(state, "no figure is named '%s'; choose one of %s", name, names);
 }
 
+/// Refuse a film in which nothing would happen.
+static void check_film(struct argp_state *state)
+{
+    const request *asked = state->input;
+    if (asked->settings.film && !asked->settings.turntable &&
+        !asked->figure->moves)
+        argp_error(state, "nothing moves in '%s'; add --turntable",
+                   asked->figure->name);
+}
+
 static error_t understand_figure(int key, char *text, struct argp_state *state)
 {
     request *asked = state->input;
@@ -43,15 +53,16 @@ static error_t understand_figure(int key, char *text, struct argp_state *state)
         argp_error(state, "a figure is missing; 'tanglefree-draw list' names "
                           "them");
         return 0;
+    case ARGP_KEY_SUCCESS:
+        check_film(state);
+        return 0;
     default:
         return ARGP_ERR_UNKNOWN;
     }
 }
 
-static void draw_figure(const void *subject, tf_page *page, bool moving,
-                        FILE *numbers)
+static void draw_figure(const void *subject, tf_page *page, FILE *numbers)
 {
-    (void)moving;
     const tf_figure *figure = subject;
     figure->draw(page, numbers);
 }

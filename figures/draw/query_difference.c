@@ -3,8 +3,9 @@
 // For every event of the first element's sweep and every event of the second's
 // of the same time, take the difference of their places.  A point's worldline
 // and a sweep so give the sweep seen from the point: a triangle of the plane or
-// a tetrahedron of space for each of its simplices.  Two simplices of edges give
-// a pyramid or a tetrahedron.  The elements meet where these hold the origin.
+// a tetrahedron of space for each of its simplices.  Two simplices of edges
+// give a pyramid or a tetrahedron.  The elements meet where these hold the
+// origin.
 #include "draw/query_parts.h"
 #include "worlds.h"
 
@@ -18,8 +19,9 @@ enum {
     PAIRS = 4
 }; ///< of a vertex of the first with one of the second, at most
 
-/// Of the differences at one time.
-static const tf_paint present_paint = {TF_ROLE_CONTACT, 0.5, 0};
+/// Of the outline of the differences at one time.  It is not filled: where the
+/// differences are flat it lies within them.
+static const tf_paint present_paint = {.role = TF_ROLE_CONTACT};
 
 /// Of the dot over the origin, in points.
 static const double dot_diameter = 3.2;
@@ -66,6 +68,13 @@ static tf_paint piece_paint(const difference *d, int piece)
     return (tf_paint){tf_shown_role(d->shown, 1), 0.3, shade[piece]};
 }
 
+static void add_outline(tf_scene *scene, int count, const double corner[][3])
+{
+    for (int i = 0; i < count; i++)
+        tf_scene_tube(scene, corner[i], corner[(i + 1) % count], TF_WIDTH_LINE,
+                      present_paint);
+}
+
 // Seen from a point ------------------------------------------------------
 
 static void show_sweep(tf_panel *panel, const difference *d, double t)
@@ -86,8 +95,7 @@ static void show_sweep(tf_panel *panel, const difference *d, double t)
         if (t < 0)
             continue;
         tf_slice slice = tf_slice_of(&sweep[i], d->shown->kind->axes, t);
-        tf_add_polygon(scene, slice.count, (const double(*)[3])slice.corner,
-                       TF_WIDTH_LINE, present_paint);
+        add_outline(scene, slice.count, (const double(*)[3])slice.corner);
     }
 }
 
@@ -182,8 +190,7 @@ static void show_pairs(tf_panel *panel, const difference *d, double t)
         if (t < 0)
             continue;
         find_slice(d, m, t, now);
-        tf_add_polygon(scene, 4, (const double(*)[3])now, TF_WIDTH_LINE,
-                       present_paint);
+        add_outline(scene, 4, (const double(*)[3])now);
     }
 }
 

@@ -46,7 +46,8 @@ void tf_show_slice(tf_panel *panel, const tf_shown *shown, double t,
 void tf_show_spacetime(tf_panel *panel, const tf_shown *shown, double t);
 
 /// Show the difference of the elements, second minus first, around the origin,
-/// and where it is at the time t; t < 0: at no time.  Returns whether its axes are scaled alike.
+/// and where it is at the time t; t < 0: at no time.  Returns whether its axes
+/// are scaled alike.
 bool tf_show_difference(tf_page *page, tf_panel *panel, const tf_shown *shown,
                         double t);
 

@@ -174,15 +174,14 @@ static void draw_captions(tf_page *page, const tf_shown *shown, bool alike)
                  TF_LETTERS_SMALL, TF_ROLE_NEUTRAL);
 }
 
-static void draw_query(const void *subject, tf_page *page, bool moving,
-                       FILE *numbers)
+static void draw_query(const void *subject, tf_page *page, FILE *numbers)
 {
     const tf_answered *answered = subject;
     tf_shown shown = tf_shown_of(answered->kind, answered->question.vertex,
                                  &answered->contact);
-    double t = moving ? tf_page_time(page) : -1;
+    double t = tf_page_moves(page) ? tf_page_time(page) : -1;
     draw_elements(page, &shown, t);
-    if (!moving && tf_shown_hits(&shown))
+    if (!tf_page_moves(page) && tf_shown_hits(&shown))
         t = shown.toi;
     tf_panel *panel = tf_page_panel(page, right_box);
     tf_panel_margin(panel, margin);

@@ -30,7 +30,8 @@ static const struct argp_option options[] = {
      "Draw to this file: .png, .pdf (letters and lines stay vectors) or .svg",
      0},
     {"size", SIZE, "WxH", 0, "Pixels of the picture; 1600 wide unless told", 0},
-    {"dpi", DPI, "N", 0, "In place of --size: pixels per inch in print", 0},
+    {"dpi", DPI, "N", 0,
+     "Pixels per inch in print; without --size, also how many pixels", 0},
     {"theme", 't', "THEME", 0, "light or dark; light unless told", 0},
     {"transparent", TRANSPARENT, NULL, 0, "No paper behind the drawing", 0},
     {"view", 'v', "AZ,EL", 0,
@@ -141,9 +142,6 @@ static void check(struct argp_state *state)
     if (!settings->picture && !settings->film)
         argp_error(state, "nothing to write; name a file by -o FILE.png or "
                           "--animate FILE.mp4");
-    if (settings->dpi > 0 && settings->pixels_x > 0)
-        argp_error(state, "--size and --dpi both tell how many pixels; give "
-                          "one of them");
     if (settings->film && settings->transparent &&
         tf_path_ends(settings->film, ".mp4"))
         argp_error(state, "no .mp4 is transparent; drop --transparent or "

@@ -18,6 +18,7 @@ typedef struct tf_figure {
     const char *name;     ///< of its files, without ending
     const char *title;    ///< a line for a listing
     double width, height; ///< points
+    bool moves;           ///< draws other pages for other times in a film
     /// Draw on an empty page of that size.  Numbers that the caption cites go
     /// to `numbers`, a line "key value" each, the same for every theme.
     void (*draw)(tf_page *page, FILE *numbers);

@@ -101,10 +101,10 @@ static void add_band(builder *b, const frame *f, const ring *lower,
 /// A frame whose third axis points along `axis`, of length 1.
 static frame frame_along(const double origin[3], const double axis[3])
 {
-    frame f;
-    double least[3] = {0, 0, 0};
+    frame f = {.origin = {0}};
     int k = fabs(axis[0]) < fabs(axis[1]) ? 0 : 1;
-    least[fabs(axis[2]) < fabs(axis[k]) ? 2 : k] = 1;
+    k = fabs(axis[2]) < fabs(axis[k]) ? 2 : k;
+    const double least[3] = {k == 0, k == 1, k == 2};
     tf_add(origin, 0, origin, f.origin);
     tf_add(axis, 0, axis, f.axis[2]);
     tf_cross(axis, least, f.axis[0]);
@@ -124,8 +124,9 @@ static void add_ball(builder *b, const double at[3], double radius, int sides)
 {
     frame f = frame_along(at, (double[]){0, 0, 1});
     ring below = {-radius, 0, -1, 0};
-    for (int i = 1; i <= sides / 2; i++) {
-        double angle = tau / 2 * i / (sides / 2);
+    int bands = sides / 2;
+    for (int i = 1; i <= bands; i++) {
+        double angle = tau / 2 * i / bands;
         ring above = {-radius * cos(angle), radius * sin(angle), -cos(angle),
                       sin(angle)};
         add_band(b, &f, &below, &above, sides);

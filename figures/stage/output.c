@@ -198,8 +198,8 @@ static void put_rows(png_structp png, cairo_surface_t *surface, png_bytep row)
     }
 }
 
-static tf_stage_status put_png(sink *s, cairo_surface_t *surface,
-                               double pixels_per_point, bool transparent)
+static tf_stage_status put_png(sink *s, cairo_surface_t *surface, double dpi,
+                               bool transparent)
 {
     int width = cairo_image_surface_get_width(surface);
     png_bytep row = malloc(4 * (size_t)width);
@@ -214,8 +214,7 @@ static tf_stage_status put_png(sink *s, cairo_surface_t *surface,
                      transparent ? PNG_COLOR_TYPE_RGBA : PNG_COLOR_TYPE_RGB,
                      PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
                      PNG_FILTER_TYPE_DEFAULT);
-        png_uint_32 per_meter =
-            (png_uint_32)lround(pixels_per_point * 72 / 0.0254);
+        png_uint_32 per_meter = (png_uint_32)lround(dpi / 0.0254);
         png_set_pHYs(png, info, per_meter, per_meter, PNG_RESOLUTION_METER);
         png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
         png_write_info(png, info);
@@ -243,7 +242,10 @@ static tf_stage_status write_png(tf_page *page, sink *s)
     cairo_destroy(cairo);
     cairo_surface_flush(surface);
     if (status == TF_STAGE_OK)
-        status = put_png(s, surface, raster.scale, page->options.transparent);
+        status = put_png(s, surface,
+                         page->options.dpi > 0 ? page->options.dpi
+                                               : 72 * raster.scale,
+                         page->options.transparent);
     cairo_surface_destroy(surface);
     return status;
 }

@@ -73,6 +73,11 @@ const tf_theme *tf_page_theme(const tf_page *page)
     return page->options.theme;
 }
 
+bool tf_page_moves(const tf_page *page)
+{
+    return page->options.moves;
+}
+
 double tf_page_time(const tf_page *page)
 {
     return page->options.time;

@@ -33,8 +33,10 @@ typedef struct tf_page_options {
                             ///< files.  The page is scaled to fit and centred
     const tf_theme *theme;  ///< NULL: light
     const char *family;     ///< of letters; NULL: STIXGeneral
+    double dpi;             ///< of a PNG, for print; 0: as the width tells
     bool transparent;       ///< no paper behind the page
-    double time;            ///< 0..1, of an animation
+    bool moves;             ///< one of a film in which time passes
+    double time;            ///< 0..1, of such a film
     bool turned;            ///< look at turnable panels from:
     double azimuth;         ///< degrees
     double elevation;       ///< degrees
@@ -51,7 +53,8 @@ double tf_page_width(const tf_page *page);
 double tf_page_height(const tf_page *page);
 const tf_theme *tf_page_theme(const tf_page *page);
 
-/// The time of an animation, 0..1; a still figure has the one of the options.
+/// Whether the page is one of a film in which time passes, and its time, 0..1.
+bool tf_page_moves(const tf_page *page);
 double tf_page_time(const tf_page *page);
 
 /// Draw the page to a file of the kind that its name ends in: .png, .pdf or

@@ -22,7 +22,8 @@ static tf_panel *add_panel(tf_page *page)
         TF_REQUIRE(page->panel_count > 0);
         return page->panels[page->panel_count - 1];
     }
-    return page->panels[page->panel_count++] = panel;
+    page->panels[page->panel_count++] = panel;
+    return panel;
 }
 
 tf_panel *tf_page_panel(tf_page *page, tf_box box)

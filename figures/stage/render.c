@@ -6,6 +6,7 @@
 
 #include <float.h>
 #include <stddef.h>
+#include <stdint.h>
 #include <stdlib.h>
 
 enum {
@@ -122,14 +123,16 @@ static void make_vertex_arrays(tf_renderer *r)
     gl->BindBuffer(GL_ARRAY_BUFFER, r->vertices);
     const struct {
         GLint size;
-        size_t offset;
+        uintptr_t offset;
     } attribute[] = {{3, offsetof(tf_vertex, at)},
                      {3, offsetof(tf_vertex, normal)},
                      {4, offsetof(tf_vertex, color)}};
     for (GLuint i = 0; i < 3; i++) {
+        // OpenGL takes an offset for a pointer.
+        const void *offset =
+            (const void *)attribute[i].offset; // NOLINT(*-no-int-to-ptr)
         gl->VertexAttribPointer(i, attribute[i].size, GL_FLOAT, GL_FALSE,
-                                sizeof(tf_vertex),
-                                (const char *)NULL + attribute[i].offset);
+                                sizeof(tf_vertex), offset);
         gl->EnableVertexAttribArray(i);
     }
 }

@@ -9,7 +9,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-// A folder to work in ----------------------------------------------------------
+// A folder to work in ---------------------------------------------------------
 
 static char folder[] = "/tmp/tanglefree-draw-XXXXXX";
 
@@ -40,7 +40,7 @@ static void leave_folder(void)
     ck_assert_int_eq(system(line), 0);
 }
 
-// Running the program ----------------------------------------------------------
+// Running the program ---------------------------------------------------------
 
 typedef struct outcome {
     int status;
@@ -103,7 +103,7 @@ static void expect_words(const char *text, const char *words)
 #define QUERY "\"$QUERIES\"/point-edge.csv:0 --kind point-edge " SMALL " "
 #define FIGURE "edge-sweep " SMALL " "
 
-// Usage ------------------------------------------------------------------------
+// Usage -----------------------------------------------------------------------
 
 START_TEST(help_and_version_are_told)
 {
@@ -158,7 +158,6 @@ START_TEST(settings_are_refused)
         {"--dpi is '0'; give a number from 1", "-o a.png --dpi 0"},
         {"--dpi is 'x'", "-o a.png --dpi x"},
         {"a picture is 16 to 16384 pixels", "-o a.png --dpi 1"},
-        {"--size and --dpi", "-o a.png --size 80x60 --dpi 300"},
         {"no theme is named 'pink'; choose light or dark",
          "-o a.png --theme pink"},
         {"the view is '30'; give two angles", "-o a.png --view 30"},
@@ -204,7 +203,7 @@ START_TEST(queries_are_refused)
 }
 END_TEST
 
-// Files ------------------------------------------------------------------------
+// Files -----------------------------------------------------------------------
 
 START_TEST(outputs_that_cannot_be_written_are_refused)
 {
@@ -272,6 +271,20 @@ START_TEST(resolution_tells_the_size)
                          "point-edge --dpi 18 -o a.png >b; "
                          "od -An -tu1 -j16 -N8 a.png"),
                      "   0   0   0  96   0   0   0  72\n");
+
+    // With a size it is only recorded: 254 pixels an inch are 10000 a meter, in
+    // the chunk pHYs that follows the chunks IHDR and sRGB.
+    ck_assert_str_eq(say("draw figure " FIGURE "--dpi 254 -o a.png >b; "
+                         "od -An -tu1 -j54 -N4 a.png; "
+                         "od -An -c -j50 -N4 a.png"),
+                     "   0   0  39  16\n   p   H   Y   s\n");
+}
+END_TEST
+
+START_TEST(films_show_what_moves)
+{
+    refuse("nothing moves in 'prism'; add --turntable",
+           "draw figure prism --animate a.gif");
 }
 END_TEST
 
@@ -295,7 +308,7 @@ START_TEST(queries_tell_what_the_other_program_tells)
 }
 END_TEST
 
-// Films ------------------------------------------------------------------------
+// Films -----------------------------------------------------------------------
 
 START_TEST(missing_ffmpeg_is_told)
 {
@@ -344,6 +357,7 @@ Suite *suite(void)
         queries_tell_what_the_other_program_tells,
         missing_ffmpeg_is_told,
         films_are_made,
+        films_show_what_moves,
     };
     Suite *s = suite_create("draw/command");
     TCase *command = tcase_create("command");

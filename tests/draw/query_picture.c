@@ -65,7 +65,7 @@ static void expect_picture(const query *q, double t)
     fclose(numbers);
 }
 
-// Tests, by kind of query ------------------------------------------------------
+// Tests, by kind of query -----------------------------------------------------
 
 START_TEST(everything_in_one_point_is_drawn)
 {

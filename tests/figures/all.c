@@ -33,7 +33,7 @@ static int figure_count(void)
     return count;
 }
 
-// What is right about a page ---------------------------------------------------
+// What is right about a page --------------------------------------------------
 
 static void expect_labels(const tf_figure *figure, const tf_page *page)
 {
@@ -94,7 +94,7 @@ static void expect_figure(const tf_figure *figure, int width, int height,
     fclose(numbers);
 }
 
-// Tests ------------------------------------------------------------------------
+// Tests -----------------------------------------------------------------------
 
 START_TEST(figure_is_drawn_at_any_size_in_both_themes)
 {

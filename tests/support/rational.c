@@ -43,7 +43,7 @@ static void set_column(scaled_matrix *matrix, const tf_differences *d, int j)
 static void add_minor(mpz_t sum, const scaled_matrix *matrix, int row,
                       unsigned used, const mpz_t factor)
 {
-    if (row == matrix->n) {
+    if (row == matrix->n || row == TF_AXES) {
         mpz_add(sum, sum, factor);
         return;
     }

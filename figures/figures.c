@@ -13,6 +13,16 @@ const tf_figure *const tf_figures[] = {
     &tf_figure_edge_edge_sheets,
     &tf_figure_contact,
     &tf_figure_crease_crossing,
+    &tf_figure_between_frames,
+    &tf_figure_error_band,
+    &tf_figure_models_apart,
+    &tf_figure_propeller,
+    &tf_figure_seesaw,
+    &tf_figure_signs_spent,
+    &tf_figure_staircase,
+    &tf_figure_toy_doubles,
+    &tf_figure_two_orders,
+    &tf_figure_winding,
     NULL,
 };
 

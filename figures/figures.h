@@ -20,6 +20,16 @@ extern const tf_figure tf_figure_crease_crossing;
 extern const tf_figure *const tf_figures[];
 
 /// The figure of that name; NULL if there is none.
+extern const tf_figure tf_figure_between_frames;
+extern const tf_figure tf_figure_error_band;
+extern const tf_figure tf_figure_models_apart;
+extern const tf_figure tf_figure_propeller;
+extern const tf_figure tf_figure_seesaw;
+extern const tf_figure tf_figure_signs_spent;
+extern const tf_figure tf_figure_staircase;
+extern const tf_figure tf_figure_toy_doubles;
+extern const tf_figure tf_figure_two_orders;
+extern const tf_figure tf_figure_winding;
 const tf_figure *tf_figure_named(const char *name);
 
 #endif

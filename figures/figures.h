@@ -5,31 +5,31 @@
 #include "stage/figure.h"
 
 // A figure is a file; tf_figure_edge_sweep is the figure "edge-sweep".
-extern const tf_figure tf_figure_edge_sweep;
-extern const tf_figure tf_figure_prism;
-extern const tf_figure tf_figure_staircase_patch;
+extern const tf_figure tf_figure_between_frames;
+extern const tf_figure tf_figure_staircase;
 extern const tf_figure tf_figure_bent_slices;
+extern const tf_figure tf_figure_two_orders;
 extern const tf_figure tf_figure_sign_maps;
+extern const tf_figure tf_figure_toy_doubles;
+extern const tf_figure tf_figure_error_band;
+extern const tf_figure tf_figure_edge_sweep;
 extern const tf_figure tf_figure_plane_degenerate;
+extern const tf_figure tf_figure_seesaw;
+extern const tf_figure tf_figure_staircase_patch;
+extern const tf_figure tf_figure_models_apart;
+extern const tf_figure tf_figure_prism;
 extern const tf_figure tf_figure_sheared_frame;
-extern const tf_figure tf_figure_edge_edge_sheets;
+extern const tf_figure tf_figure_signs_spent;
 extern const tf_figure tf_figure_contact;
+extern const tf_figure tf_figure_edge_edge_sheets;
+extern const tf_figure tf_figure_propeller;
 extern const tf_figure tf_figure_crease_crossing;
+extern const tf_figure tf_figure_winding;
 
 /// All figures in the order of the book; NULL ends the table.
 extern const tf_figure *const tf_figures[];
 
 /// The figure of that name; NULL if there is none.
-extern const tf_figure tf_figure_between_frames;
-extern const tf_figure tf_figure_error_band;
-extern const tf_figure tf_figure_models_apart;
-extern const tf_figure tf_figure_propeller;
-extern const tf_figure tf_figure_seesaw;
-extern const tf_figure tf_figure_signs_spent;
-extern const tf_figure tf_figure_staircase;
-extern const tf_figure tf_figure_toy_doubles;
-extern const tf_figure tf_figure_two_orders;
-extern const tf_figure tf_figure_winding;
 const tf_figure *tf_figure_named(const char *name);
 
 #endif

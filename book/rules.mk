@@ -3,8 +3,10 @@
 # program, its output and its figures is taken from where it is made.
 
 BOOK := $(wildcard book/*.md book/*.py book/*.bib book/chapters book/_ext/*.py \
-	book/_theme/* book/_theme/static/*) $(shell find src -name '*.[ch]')
+	book/_print/* book/_theme/* book/_theme/static/*) $(shell find src -name '*.[ch]')
 prints = $(names:%=$(BUILD)/figures/%-light.pdf)
+# Debian's own Python has Sphinx and Selenium.
+python = /usr/bin/python3
 weave = BUILD=$(abspath $(BUILD)) sphinx-build -q
 
 book: $(BUILD)/book/html/index.html ## make the book as pages, build/book/html
@@ -29,13 +31,13 @@ $(BUILD)/book/tanglefree.pdf: $(BOOK) $(program) $(prints) | need-book need-pdf
 # Warnings are errors, and all is read anew; then the pages are taken apart
 # again, and what they show of src/ must be src/.
 check-book: $(program) $(pictures) need-book ## check the book against the program
-	@python3 tests/book/fragments_test.py
-	@python3 tests/book/weave_test.py
+	@$(python) tests/book/fragments_test.py
+	@$(python) tests/book/weave_test.py
 	@rm -rf $(BUILD)/book/checked
 	@$(weave) -E -W --keep-going -b html -d $(BUILD)/book/checked/read book \
 	    $(BUILD)/book/checked/html
-	@python3 tests/book/pages_test.py $(BUILD)/book/checked/html
+	@$(python) tests/book/pages_test.py $(BUILD)/book/checked/html
 
 check-site: book need-site ## look at the pages in a browser
-	@python3 tests/site/browse.py $(BUILD)/book/html
+	@$(python) tests/site/browse.py $(BUILD)/book/html
 .PHONY: check-book check-site

@@ -18,10 +18,13 @@ from docutils import nodes
 from docutils.parsers.rst import directives
 from docutils.statemachine import StringList
 from sphinx import addnodes
+from sphinx.util import logging
 from sphinx.util.docutils import ReferenceRole, SphinxDirective
 from sphinx.util.texescape import escape
 
 import places
+
+log = logging.getLogger(__name__)
 
 
 def parsed(directive, content=None):
@@ -252,6 +255,20 @@ class Exercise(SphinxDirective):
                                 classes=["exercise"])]
 
 
+def check_exercises(app, env):
+    """The exercises of a chapter are in it, each once."""
+    slugs = {c.number: c.slug for c in app.chapters.values()}
+    for file in sorted((app.root / "exercises").glob("[0-9]*-[0-9]*-*.c")):
+        number, k = file.name.split("-")[:2]
+        home = slugs.get(int(number))
+        if home not in env.found_docs or file.name.endswith(".check.c"):
+            continue
+        shown = [p[0] for p in places.of(env).places("ex", f"{number}-{k}")]
+        if shown != [home]:
+            log.warning("%s is in %s, should be in ['%s']", file.name, shown,
+                        home)
+
+
 # Terms ------------------------------------------------------------------------
 
 class DefinitionRole(ReferenceRole):
@@ -325,4 +342,5 @@ def setup(app):
                  latex=(visit_sidenote_latex, depart_sidenote_latex))
     app.add_role("def", DefinitionRole())
     app.connect("doctree-read", move_footnotes)
+    app.connect("env-check-consistency", check_exercises)
     return {"version": "1", "parallel_read_safe": False}

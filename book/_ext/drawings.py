@@ -16,7 +16,10 @@ import tempfile
 from docutils import nodes
 from docutils.parsers.rst import directives
 from sphinx import addnodes
+from sphinx.util import logging
 from sphinx.util.docutils import SphinxDirective, SphinxRole
+
+log = logging.getLogger(__name__)
 
 
 @functools.lru_cache(maxsize=None)
@@ -101,6 +104,15 @@ class NumberRole(SphinxRole):
         return [nodes.math(tex, tex)], []
 
 
+def check(app, env):
+    """Once all chapters are written, each figure is in the book."""
+    if all(slug in env.found_docs for slug in app.chapters):
+        shown = env.get_domain("book").keys("figure")
+        for name in listed(app.drawing):
+            if name not in shown:
+                log.warning("figure '%s' is not in the book", name)
+
+
 def begin(app):
     app.drawing = str(app.built / "tanglefree-draw")
 
@@ -109,4 +121,5 @@ def setup(app):
     app.add_directive("figure-of", FigureDirective)
     app.add_role("num", NumberRole())
     app.connect("builder-inited", begin)
+    app.connect("env-check-consistency", check)
     return {"version": "1", "parallel_read_safe": False}

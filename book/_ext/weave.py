@@ -120,29 +120,30 @@ def check(app, env):
 
 # Quotations -------------------------------------------------------------------
 
-def span_of_lines(lines, words):
-    first, last = map(int, words.split("-"))
-    return first, last
+def end_of_definition(lines, first):
+    """The closing line of what begins here; None: a mere declaration."""
+    for body in range(first, len(lines)):
+        if lines[body].endswith(";"):
+            return None
+        if lines[body].endswith("{"):
+            return next((end for end in range(body, len(lines))
+                         if lines[end].startswith("}")), None)
+    return None
 
 
 def span_of_name(lines, name):
     """A function, test or table, with the comment before it."""
     opening = re.compile(rf"(?!\s|//|#)[^;]*\b{re.escape(name)}\b[^;]*$")
     for first, line in enumerate(lines):
-        if not opening.match(line):
+        last = end_of_definition(lines, first) if opening.match(line) else None
+        if last is None:
             continue
-        last = first
-        while last < len(lines) and not re.match(r"\}|.*;$|def ", lines[last]):
+        while first > 0 and lines[first - 1].startswith("//"):
+            first -= 1
+        if lines[last + 1:last + 2] == ["END_TEST"]:
             last += 1
-        if lines[last].startswith("}") and last > first:
-            break
-    else:
-        return None
-    while first > 0 and lines[first - 1].startswith("//"):
-        first -= 1
-    if lines[last + 1:last + 2] == ["END_TEST"]:
-        last += 1
-    return first + 1, last + 1
+        return first + 1, last + 1
+    return None
 
 
 def span_of_fragment(path, text, title):
@@ -158,7 +159,7 @@ def span(path, text, words):
     if not words:
         return 1, len(lines)
     if re.fullmatch(r"\d+-\d+", words):
-        return span_of_lines(lines, words)
+        return tuple(map(int, words.split("-")))
     if re.fullmatch(r"\w+", words) and span_of_name(lines, words):
         return span_of_name(lines, words)
     if path.startswith("src/"):

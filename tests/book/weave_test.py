@@ -1,0 +1,156 @@
+"""Tests of book/_ext: /usr/bin/python3 tests/book/weave_test.py"""
+import sys
+import unittest
+from pathlib import Path
+
+sys.dont_write_bytecode = True
+ROOT = Path(__file__).parents[2]
+sys.path[:0] = [str(ROOT / "book/_ext"), str(Path(__file__).parent)]
+import blocks
+import drawings
+import manifest
+import mathml
+import pages_test
+import sessions
+import weave
+from fragments import parse, walk
+
+SOURCE = """\
+//: Add what there is
+int sum(void)
+{
+    //: Start at zero
+    int sum = 0;
+#ifdef EXTRA
+    sum++;
+#endif
+
+    //: Add each one
+    while (more()) {
+        //: Add one
+        sum++;
+    }
+    return sum;
+}
+
+/// Says it.
+static int say(int a,
+               int b)
+{
+    return a;
+}
+
+START_TEST(adds)
+{
+    say(1, 2);
+}
+END_TEST
+"""
+
+
+def page(fragments):
+    """A page that shows these fragments, as the theme writes it."""
+    def code(fragment):
+        titles = [child.title for child in weave.children(fragment)]
+        text = "\n".join(weave.shown_lines(fragment)).rstrip("\n")
+        for title in titles:
+            text = text.replace(
+                f"//: {title}", f'<a class="use">\u27e8{title}\u27e9'
+                '<span class="number">1.1</span></a>')
+        return text
+    return "".join(
+        f'<div class="code-box" data-path="{f.path}" data-first="{f.first}" '
+        f'data-last="{f.last}"><p class="code-title">\u27e8{f.title}<span '
+        f'class="number">1.1</span>\u27e9 \u2261</p><pre><code>{code(f)}\n'
+        '</code></pre></div>' for f in fragments)
+
+
+class Weave(unittest.TestCase):
+    def setUp(self):
+        self.fragments = list(walk(parse("a.c", SOURCE)))
+
+    def test_children_stand_as_their_heads(self):
+        self.assertEqual(
+            list(weave.shown_lines(self.fragments[0]))[:4],
+            ["int sum(void)", "{", "    //: Start at zero",
+             "    //: Add each one"])
+
+    def test_preprocessor_lines_keep_their_place(self):
+        self.assertEqual(list(weave.shown_lines(self.fragments[1])),
+                         ["int sum = 0;", "#ifdef EXTRA", "sum++;", "#endif",
+                          ""])
+
+    def test_pages_tangle_back(self):
+        boxes = {b.title: b for b in pages_test.Page(
+            page(self.fragments)).boxes}
+        self.assertEqual(pages_test.files(boxes), {"a.c": SOURCE})
+
+    def test_pages_that_differ_do_not_tangle_back(self):
+        boxes = {b.title: b for b in pages_test.Page(
+            page(self.fragments).replace("return sum", "return 0")).boxes}
+        self.assertNotEqual(pages_test.files(boxes), {"a.c": SOURCE})
+
+    def test_quotes_a_function_with_its_comment(self):
+        self.assertEqual(weave.span("a.c", SOURCE, "say"), (18, 23))
+
+    def test_quotes_a_test_to_its_end(self):
+        self.assertEqual(weave.span("a.c", SOURCE, "adds"), (25, 29))
+
+    def test_quotes_lines_and_fragments(self):
+        self.assertEqual(weave.span("a.c", SOURCE, "2-3"), (2, 3))
+        self.assertEqual(weave.span("src/a.c", SOURCE, "Add one"), (12, 13))
+        self.assertIsNone(weave.span("src/a.c", SOURCE, "Add two"))
+        self.assertIsNone(weave.span("a.c", SOURCE, "more"))
+
+
+class Sessions(unittest.TestCase):
+    def test_reads_commands_and_output(self):
+        self.assertEqual(
+            sessions.commands(["$ a \\", "> b", "out", "$ c"]),
+            [(["a \\", "b"], ["out"]), (["c"], [])])
+
+    def test_refuses_output_without_a_command(self):
+        with self.assertRaises(ValueError):
+            sessions.commands(["out"])
+
+    def test_runs_and_compares(self):
+        real, status = sessions.run(["printf 'a\\nb\\n'; exit 3"], ROOT)
+        self.assertEqual((real, status), (["a", "b"], 3))
+        for expected, agrees in ((["a", "b"], True), (["a"], False),
+                                 (["...", "b"], True), (["a", "..."], True),
+                                 (["b", "..."], False)):
+            self.assertEqual(bool(sessions.agrees(expected, real)), agrees)
+
+
+class Texts(unittest.TestCase):
+    def test_numbers_chapters_and_parts(self):
+        found = list(manifest.chapters(ROOT / "book/chapters").values())
+        self.assertEqual([c.number for c in found],
+                         list(range(1, len(found) + 1)))
+        self.assertEqual((found[0].slug, found[0].part_number),
+                         ("spacetime", "I"))
+
+    def test_reads_the_task_of_an_exercise(self):
+        head, *text = blocks.opening_comment(
+            "/* Exercise 2.1.  A sum.\n *\n * Add\n * it.\n *\n"
+            " * Hint 1: how?\n */\nint a;\n")
+        self.assertEqual(blocks.HEAD.match(head).groups(),
+                         ("2", "1", "A sum"))
+        self.assertEqual(list(blocks.task(text)), ["Add\nit."])
+
+    def test_writes_numbers(self):
+        self.assertEqual(drawings.written(26990.0, ""), "26990")
+        self.assertEqual(drawings.written(0.6769, ".2f"), "0.68")
+        self.assertEqual(drawings.written(1.5e-7, ""), r"1.5\times 10^{-7}")
+
+    def test_sets_letters_and_bars_that_browsers_draw(self):
+        self.assertEqual(mathml.without_variants(
+            '<mi mathvariant="double-struck">R</mi>'), "<mi>\u211d</mi>")
+        self.assertEqual(mathml.without_variants(
+            '<mi mathvariant="bold">x</mi>'), "<mi>\U0001d431</mi>")
+        self.assertEqual(mathml.legible(
+            '<mo fence="true">\u2223</mo>'), '<mo fence="true">|</mo>')
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -225,8 +225,8 @@ tf_meeting tf_meet(const tf_arithmetic *arithmetic, const tf_pair *pair)
     if (meeting.verdict == TF_APART && pair->axes > 1)
         return meeting;
 
-    // A shadow may meet at t = 0 where the pair does not: only the slices tell
-    // whether it meets then.
+    // A pair that meets later than t = 0 has a face that meets then; one that
+    // meets at t = 0 may have none that does: the slices tell.
     tf_meeting start = meet_at_start(arithmetic, pair);
     meeting =
         start.verdict == TF_HIT ? start : tf_meeting_earlier(&start, &meeting);

@@ -45,8 +45,8 @@ class Page(HTMLParser):
             self.box.pieces += [("use", ""), ""]
 
     def handle_endtag(self, tag):
-        if self.inside:
-            self.inside.pop()
+        if self.inside and self.inside.pop().startswith("code-box"):
+            self.box = None
 
     def handle_data(self, data):
         if not self.box or "number" in self.inside:

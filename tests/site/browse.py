@@ -33,7 +33,7 @@ return {
   silent: images.filter(i => !i.alt).map(i => i.src),
   themes: images.filter(shown).map(i => i.className),
   wide: wide.filter(e => shown(e) && e.scrollWidth > e.clientWidth + 1)
-    .map(e => e.textContent.trim().slice(0, 60)),
+    .map(e => [...e.textContent.trim()].slice(0, 60).join('')),
   headings: document.querySelectorAll('h1').length,
 };"""
 

@@ -46,11 +46,12 @@ static void expect_picture(const query *q, double t)
                                .height = drawing.height,
                                .pixels_x = 32,
                                .pixels_y = 24,
+                               .moves = t >= 0,
                                .time = fmax(t, 0)};
     tf_page *page;
     FILE *numbers = fopen("/dev/null", "w");
     ck_assert_int_eq(tf_page_new(&options, &page), TF_STAGE_OK);
-    drawing.draw(drawing.subject, page, t >= 0, numbers);
+    drawing.draw(drawing.subject, page, numbers);
     tf_stage_status status = tf_page_write(page, picture);
     ck_assert_msg(status == TF_STAGE_OK, "%s\n%s", tf_stage_message(status),
                   query_text(q));

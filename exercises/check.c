@@ -118,7 +118,7 @@ static void append(char *text, const char *more)
 static void append_real(char *text, double x)
 {
     char digits[32];
-    for (int places = 1; places <= 17; places++) {
+    for (int places = 6; places <= 17; places++) {
         snprintf(digits, sizeof digits, "%.*g", places, x);
         if (strtod(digits, NULL) == x)
             break;

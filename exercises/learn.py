@@ -91,7 +91,10 @@ class Outcome:
 
 def run_compiler(arguments):
     run = subprocess.run(COMPILE + arguments, text=True, capture_output=True)
-    return run.returncode == 0, run.stderr
+    # The compiler need not tell that it stops at the first error.
+    told = re.sub(r"^compilation terminated due to.*\n", "", run.stderr,
+                  flags=re.M)
+    return run.returncode == 0, told
 
 
 def compile_checks(exercise, folder):

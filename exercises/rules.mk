@@ -15,12 +15,13 @@ exercise_targets = $(exercise_commands) check-exercises
 .PHONY: test-exercises
 
 # The stubs do not use their parameters yet.
-exercise_compile = $(CC) $(WARNINGS) -Wno-unused-parameter -fmax-errors=1 \
+exercise_compile = $(CC) $(WARNINGS) -Wno-unused-parameter -Wfatal-errors \
 	-O1 -g $(sanitizers) -std=c17 -ffp-contract=off -Isrc -Itests \
 	$$(pkg-config --cflags check)
 exercise_archives = $(BUILD)/exercises/check.o $(BUILD)/support.a $(library)
 
-$(exercise_targets): need-exercises $(exercise_archives)
+$(exercise_targets): need-exercises
+learn grade check-exercises: $(exercise_archives)
 $(exercise_targets): export WORK := $(WORK)
 $(exercise_targets): export BUILD := $(BUILD)
 $(exercise_targets): learn_py = COMPILE="$(exercise_compile)" \

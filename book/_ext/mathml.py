@@ -6,6 +6,7 @@ import json
 import re
 import subprocess
 import unicodedata
+from xml.etree import ElementTree
 
 from docutils import nodes
 from sphinx.util.math import get_node_equation_number
@@ -34,11 +35,14 @@ require('readline').createInterface({input: process.stdin}).on('line', l => {
   console.log(JSON.stringify(answer));
 });"""
 
-VARIANT = re.compile(r'<(m\w+) mathvariant="([\w-]+)"([^>]*)>([^<]*)</\1>')
 STYLES = {"bold": ["BOLD"], "double-struck": ["DOUBLE-STRUCK"],
           "script": ["SCRIPT"], "bold-italic": ["BOLD ITALIC"],
           "fraktur": ["FRAKTUR", "BLACK-LETTER"],
           "sans-serif": ["SANS-SERIF"], "monospace": ["MONOSPACE"]}
+
+BARS = {"\u2223": "|", "\u2225": "\u2016"}
+CLOSING = [")", "]", "}", "|", "\u2016", "\u230b", "\u2309", "\u27e9", "!",
+           "\u2032", "%"]
 
 
 def preamble():
@@ -63,23 +67,61 @@ def styled(letter, style):
     return letter
 
 
-def without_variants(math):
+def draw_letters(node):
     """Browsers draw letters as they are, whatever their mathvariant."""
-    def replace(found):
-        tag, style, rest, letters = found.groups()
-        if style == "normal":
-            return found[0]
-        letters = "".join(styled(letter, style) for letter in letters)
-        return f"<{tag}{rest}>{letters}</{tag}>"
-    return VARIANT.sub(replace, math)
+    style = node.get("mathvariant")
+    if style in STYLES and node.text:
+        node.text = "".join(styled(letter, style) for letter in node.text)
+        del node.attrib["mathvariant"]
+
+
+def draw_bars(node):
+    """Bars that grow with what they enclose; dots without a gap."""
+    if node.tag in ("mo", "mi") and node.text in BARS:
+        node.text = BARS[node.text]
+    if node.tag == "mo" and node.text == "\u2026":
+        node.tag = "mi"
+        node.set("mathvariant", "normal")
+
+
+def draw_signs(node):
+    """A sign after an operator or a parenthesis that opens is a prefix."""
+    before = None
+    for child in node:
+        if child.tag == "mspace":
+            continue
+        if (before is not None and before.tag == "mo"
+                and before.text not in CLOSING
+                and child.tag == "mo" and child.text in ("\u2212", "+")):
+            child.set("form", "prefix")
+        before = child
+
+
+def draw_primes(node):
+    """Primes have their size and height already: they are no superscripts."""
+    if node.tag not in ("msup", "msubsup") or not (
+            node[-1].tag == "mo" and set(node[-1].text) == {"\u2032"}):
+        return
+    *base, prime = node
+    prime.attrib.update(lspace="0em", rspace="0em")
+    if node.tag == "msubsup":
+        sub = ElementTree.Element("msub")
+        sub.extend(base)
+        base = [sub]
+    node[:] = [*base, prime]
+    node.tag = "mrow"
 
 
 def legible(math):
-    """Bars that grow with what they enclose, dots without a gap."""
-    for bar, fence in ("\u2223", "|"), ("\u2225", "\u2016"):
-        math = re.sub(f'(<m[oi][^>]*>){bar}</m', rf"\1{fence}</m", math)
-    return math.replace("<mo>\u2026</mo>",
-                        '<mi mathvariant="normal">\u2026</mi>')
+    """KaTeX's MathML as browsers draw it best."""
+    tree = ElementTree.fromstring(
+        math.replace(' xmlns="http://www.w3.org/1998/Math/MathML"', ""))
+    root = ElementTree.Element("math", tree.find("math").attrib)
+    root.append(tree.find(".//semantics")[0])
+    for node in list(root.iter()):
+        for draw in draw_letters, draw_bars, draw_signs, draw_primes:
+            draw(node)
+    return ElementTree.tostring(root, encoding="unicode")
 
 
 class Katex:
@@ -97,7 +139,7 @@ class Katex:
         answer = json.loads(self.process.stdout.readline())
         if "error" in answer:
             raise ValueError(f"{answer['error']}: {tex}")
-        return legible(without_variants(answer["math"]))
+        return legible(answer["math"])
 
     def close(self, app, error):
         if self.process is not None:

@@ -143,13 +143,23 @@ class Texts(unittest.TestCase):
         self.assertEqual(drawings.written(0.6769, ".2f"), "0.68")
         self.assertEqual(drawings.written(1.5e-7, ""), r"1.5\times 10^{-7}")
 
-    def test_sets_letters_and_bars_that_browsers_draw(self):
-        self.assertEqual(mathml.without_variants(
-            '<mi mathvariant="double-struck">R</mi>'), "<mi>\u211d</mi>")
-        self.assertEqual(mathml.without_variants(
-            '<mi mathvariant="bold">x</mi>'), "<mi>\U0001d431</mi>")
-        self.assertEqual(mathml.legible(
-            '<mo fence="true">\u2223</mo>'), '<mo fence="true">|</mo>')
+    def test_draws_formulas_as_browsers_can(self):
+        def drawn(inside):
+            return mathml.legible(
+                '<span class="katex"><math xmlns="http://www.w3.org/1998/Math/'
+                f'MathML"><semantics><mrow>{inside}</mrow></semantics></math>'
+                '</span>')[len("<math><mrow>"):-len("</mrow></math>")]
+        for before, after in (
+                ('<mi mathvariant="double-struck">R</mi>', "<mi>\u211d</mi>"),
+                ('<mi mathvariant="bold">x</mi>', "<mi>\U0001d431</mi>"),
+                ('<mo fence="true">\u2223</mo>', '<mo fence="true">|</mo>'),
+                ("<mo>(</mo><mo>\u2212</mo>",
+                 '<mo>(</mo><mo form="prefix">\u2212</mo>'),
+                ("<mo>)</mo><mo>\u2212</mo>", "<mo>)</mo><mo>\u2212</mo>"),
+                ("<msup><mi>a</mi><mo>\u2032</mo></msup>",
+                 '<mrow><mi>a</mi><mo lspace="0em" rspace="0em">\u2032</mo>'
+                 '</mrow>')):
+            self.assertEqual(drawn(before), after)
 
 
 if __name__ == "__main__":

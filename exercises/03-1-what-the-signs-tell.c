@@ -53,7 +53,7 @@ tf_verdict read_signs(int count, const tf_sign sign[])
         return TF_APART;
     return unknown ? TF_UNDECIDED : TF_HIT;
 #else
-    // Your turn: never wrong, and never of use.
-    return TF_UNDECIDED;
+    // Your turn: never wrong, and seldom of use.
+    return positive && negative && unknown ? TF_APART : TF_UNDECIDED;
 #endif
 }

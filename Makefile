@@ -30,7 +30,8 @@ all: library program drawing figures book ## build all: what `make` does
 
 help: ## list the targets
 	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' \
-	    Makefile figures/rules.mk book/rules.mk | expand -t 18
+	    Makefile figures/rules.mk book/rules.mk exercises/rules.mk \
+	    | expand -t 18
 	@echo 'Settings: BUILD=dir, CC=clang, CFLAGS=-O2, V=1 (show the commands).'
 
 # The modules ------------------------------------------------------------------

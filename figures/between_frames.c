@@ -50,9 +50,9 @@ static void draw_picture(tf_page *page, double center, int i)
                      (tf_paint){.role = TF_ROLE_NEUTRAL, .opacity = 0.09});
     tf_plot_place(&plot, left, 0, end[0]);
     tf_plot_place(&plot, right, 0, end[1]);
-    tf_page_line(page, 2, (const double(*)[2])end,
-                 (tf_stroke){.paint = {.role = TF_ROLE_EDGE},
-                             .width = TF_WIDTH_TUBE});
+    tf_page_line(
+        page, 2, (const double(*)[2])end,
+        (tf_stroke){.paint = {.role = TF_ROLE_EDGE}, .width = TF_WIDTH_TUBE});
     tf_plot_place(&plot, 0, height_at(i), drop);
     tf_page_dot(page, drop[0], drop[1], TF_WIDTH_BALL,
                 (tf_paint){.role = TF_ROLE_POINT});

@@ -75,19 +75,17 @@ static void draw(tf_page *page, FILE *numbers)
     static const char *const title[ROWS] = {"*with subnormal numbers*",
                                             "*without*"};
     double width = tf_page_width(page);
-    tf_plot plot = {
-        .box = {20, 0, width - 40, 10}, .x = {0, 2}, .y = {0, 1}};
+    tf_plot plot = {.box = {20, 0, width - 40, 10}, .x = {0, 2}, .y = {0, 1}};
     int normal = 0, subnormal = 0;
     for (int row = 0; row < ROWS; row++) {
         double y = row_y[row];
         draw_scale(page, &plot, y);
         normal = 0;
         for (int e = LEAST; e <= MOST; e++)
-            normal += draw_binade(page, &plot, y, e, 1 << (BITS - 1),
-                                  TF_ROLE_INK);
+            normal +=
+                draw_binade(page, &plot, y, e, 1 << (BITS - 1), TF_ROLE_INK);
         if (row == 0)
-            subnormal =
-                draw_binade(page, &plot, y, LEAST, 1, TF_ROLE_START);
+            subnormal = draw_binade(page, &plot, y, LEAST, 1, TF_ROLE_START);
         mark_neighbors(page, &plot, y);
         tf_page_text(page, width - 20, y - 16, TF_ALIGN_RIGHT, title[row],
                      TF_LETTERS_SMALL, TF_ROLE_INK);

@@ -49,9 +49,9 @@ static void draw_edge(tf_page *page, const tf_plot *plot,
               (tf_stroke){.paint = {.role = TF_ROLE_EDGE},
                           .width = TF_WIDTH_THIN,
                           .dash = 3});
-    draw_line(page, plot, 3, bent,
-              (tf_stroke){.paint = {.role = TF_ROLE_EDGE},
-                          .width = TF_WIDTH_TUBE});
+    draw_line(
+        page, plot, 3, bent,
+        (tf_stroke){.paint = {.role = TF_ROLE_EDGE}, .width = TF_WIDTH_TUBE});
     for (int i = 0; i < 3; i += 2) {
         tf_plot_place(plot, bent[i][0], bent[i][1], at);
         tf_page_dot(page, at[0], at[1], TF_WIDTH_BALL,
@@ -93,9 +93,8 @@ static void draw_order(tf_page *page, int first, FILE *numbers)
     tf_status status = tf_point_edge(&tf_exact, &p, edge, &contact);
     TF_REQUIRE(status == TF_OK);
     bool hit = contact.verdict == TF_HIT;
-    tf_plot plot = {.box = panel_box[first],
-                    .x = {-2.5, 2.5},
-                    .y = {-0.9, 1.9}};
+    tf_plot plot = {
+        .box = panel_box[first], .x = {-2.5, 2.5}, .y = {-0.9, 1.9}};
     tf_page_fill_box(page, plot.box,
                      (tf_paint){.role = TF_ROLE_NEUTRAL, .opacity = 0.09});
     draw_edge(page, &plot, edge);
@@ -104,8 +103,7 @@ static void draw_order(tf_page *page, int first, FILE *numbers)
                   first == 0 ? "right end last" : "left end last");
     tf_page_caption(page, plot.box, hit ? "*hit*" : "*apart*");
     if (hit)
-        tf_figure_number(numbers, "toi",
-                         (contact.toi_lo + contact.toi_hi) / 2);
+        tf_figure_number(numbers, "toi", (contact.toi_lo + contact.toi_hi) / 2);
 }
 
 static void draw(tf_page *page, FILE *numbers)

@@ -33,10 +33,10 @@ $(BUILD)/book/tanglefree.pdf: $(BOOK) $(program) $(prints) | need-book need-pdf
 check-book: $(program) $(pictures) need-book ## check the book against the program
 	@$(python) tests/book/fragments_test.py
 	@$(python) tests/book/weave_test.py
-	@rm -rf $(BUILD)/book/checked
-	@$(weave) -E -W --keep-going -b html -d $(BUILD)/book/checked/read book \
-	    $(BUILD)/book/checked/html
-	@$(python) tests/book/pages_test.py $(BUILD)/book/checked/html
+	@mkdir -p $(BUILD)/book && folder=$$(mktemp -d $(BUILD)/book/check.XXXX) && \
+	trap "rm -rf $$folder" EXIT && \
+	$(weave) -W --keep-going -b html -d $$folder/read book $$folder/html && \
+	$(python) tests/book/pages_test.py $$folder/html
 
 check-site: book need-site ## look at the pages in a browser
 	@$(python) tests/site/browse.py $(BUILD)/book/html

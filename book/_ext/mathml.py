@@ -97,6 +97,24 @@ def draw_signs(node):
         before = child
 
 
+def draw_names(node):
+    """A thin space between the name of a function and its neighbours."""
+    children = list(node)
+    for before, name, apply, after in zip(
+            [None] + children, children, children[1:], children[2:] + [None]):
+        if name.tag != "mi" or apply.text != "\u2061":
+            continue
+        if after is not None and after.tag not in ("mo", "mrow"):
+            node.insert(list(node).index(apply) + 1, thin_space())
+        if before is not None and (before.tag not in ("mo", "mspace")
+                                   or before.text in CLOSING):
+            node.insert(list(node).index(name), thin_space())
+
+
+def thin_space():
+    return ElementTree.Element("mspace", width="0.167em")
+
+
 def draw_primes(node):
     """Primes have their size and height already: they are no superscripts."""
     if node.tag not in ("msup", "msubsup") or not (
@@ -119,7 +137,8 @@ def legible(math):
     root = ElementTree.Element("math", tree.find("math").attrib)
     root.append(tree.find(".//semantics")[0])
     for node in list(root.iter()):
-        for draw in draw_letters, draw_bars, draw_signs, draw_primes:
+        for draw in draw_letters, draw_bars, draw_signs, draw_names, \
+                draw_primes:
             draw(node)
     return ElementTree.tostring(root, encoding="unicode")
 

@@ -156,6 +156,9 @@ class Texts(unittest.TestCase):
                 ("<mo>(</mo><mo>\u2212</mo>",
                  '<mo>(</mo><mo form="prefix">\u2212</mo>'),
                 ("<mo>)</mo><mo>\u2212</mo>", "<mo>)</mo><mo>\u2212</mo>"),
+                ("<mi>c</mi><mi>det</mi><mo>\u2061</mo><mo>(</mo>",
+                 '<mi>c</mi><mspace width="0.167em" /><mi>det</mi>'
+                 "<mo>\u2061</mo><mo>(</mo>"),
                 ("<msup><mi>a</mi><mo>\u2032</mo></msup>",
                  '<mrow><mi>a</mi><mo lspace="0em" rspace="0em">\u2032</mo>'
                  '</mrow>')):

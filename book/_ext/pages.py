@@ -9,13 +9,18 @@ from pathlib import Path
 from docutils import nodes
 
 
+LEFT_OUT = (nodes.section, nodes.title, nodes.math_block, nodes.literal_block,
+            nodes.raw, nodes.comment)
+
+
 def words(node):
-    """The text of a section, its title, subsections and formulas left out."""
-    if isinstance(node, (nodes.section, nodes.title, nodes.math,
-                         nodes.math_block, nodes.raw, nodes.comment)):
-        return ""
+    """The text of a section; dots stand for formulas and citations."""
     if isinstance(node, nodes.Text):
         return node.astext()
+    if isinstance(node, LEFT_OUT):
+        return ""
+    if isinstance(node, nodes.math) or node.get("refdomain") == "cite":
+        return "\u2026"
     gap = "" if isinstance(node, (nodes.TextElement, nodes.Inline)) else " "
     return gap.join(words(child) for child in node.children)
 

@@ -83,13 +83,13 @@ static void draw_propeller(tf_panel *panel, const scenario *s)
         tf_scene_dashes(scene, place[0], place[BEND - 1], TF_WIDTH_LINE, 4,
                         (tf_paint){.role = TF_ROLE_NEUTRAL});
         for (int j = 0; j < 2; j++) {
-            double *at = place[j * (BEND - 1)];
+            double *at = place[(ptrdiff_t)j * (BEND - 1)];
             tf_scene_ball(scene, at, TF_WIDTH_BALL, paint);
-            tf_panel_label(panel, at,
-                           (tf_label){.text = s->name[j],
-                                      .role = TF_ROLE_EDGE,
-                                      .side = at[0] < 0 ? TF_SIDE_S
-                                                        : TF_SIDE_N});
+            tf_panel_label(
+                panel, at,
+                (tf_label){.text = s->name[j],
+                           .role = TF_ROLE_EDGE,
+                           .side = at[0] < 0 ? TF_SIDE_S : TF_SIDE_N});
         }
     }
 }
@@ -120,9 +120,9 @@ static void print_numbers(const scenario *s, FILE *numbers)
     make_propeller(s, edge);
     for (int i = 0; i < 2; i++) {
         double y = i == 0 ? -1 : 1;
-        bar[i] = tf_worldline_between(
-            3, (double[]){s->bar[0][0], y, s->bar[0][1]},
-            (double[]){s->bar[1][0], y, s->bar[1][1]});
+        bar[i] =
+            tf_worldline_between(3, (double[]){s->bar[0][0], y, s->bar[0][1]},
+                                 (double[]){s->bar[1][0], y, s->bar[1][1]});
     }
     tf_contact contact;
     tf_status status = tf_edge_edge(&tf_exact, edge, bar, &contact);

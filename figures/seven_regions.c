@@ -70,7 +70,8 @@ static void write_patterns(tf_page *page, const tf_plot *plot, const seen *s)
     double sum[PATTERNS][2] = {{0}};
     int count[PATTERNS] = {0};
     for (int i = 0; i < GRID * GRID; i++) {
-        double x = (i % GRID + 0.5) / GRID, y = (i / GRID + 0.5) / GRID;
+        int row = i / GRID;
+        double x = (i % GRID + 0.5) / GRID, y = (row + 0.5) / GRID;
         x = plot->x[0] + x * (plot->x[1] - plot->x[0]);
         y = plot->y[0] + y * (plot->y[1] - plot->y[0]);
         int pattern = pattern_at(s, x, y);

@@ -9,12 +9,13 @@
 #include "worlds.h"
 
 #include <math.h>
+#include <stddef.h>
 
 enum {
     EDGES = 2,
     COLUMNS = 3,
-    BEND = 3,               ///< the points of a bent edge
-    BAND = 4 * (BEND - 1)   ///< the corners of the curve
+    BEND = 3,             ///< the points of a bent edge
+    BAND = 4 * (BEND - 1) ///< the corners of the curve
 };
 
 static const double start[EDGES][2][2] = {{{-1.3, -0.3}, {-0.35, 0.45}},
@@ -117,7 +118,7 @@ static void draw_edges(tf_page *page, tf_box box, const encounter *e, double t)
         tf_scene_path(scene, BEND, (const double(*)[3])place, TF_WIDTH_TUBE,
                       (tf_paint){.role = role[k]});
         for (int i = 0; i < 2; i++) {
-            double *at = place[i * (BEND - 1)];
+            double *at = place[(ptrdiff_t)i * (BEND - 1)];
             tf_scene_ball(scene, at, 4.5, (tf_paint){.role = role[k]});
             tf_panel_label(panel, at,
                            (tf_label){.text = name[k][i],
@@ -155,9 +156,9 @@ static void draw_band(tf_page *page, tf_box box, const encounter *e, double t)
         tf_add(band[i], 0, origin, side[0]);
         tf_add(band[(i + 1) % BAND], 0, origin, side[1]);
         int moving = i / (BEND - 1) % 2;
-        tf_panel_line(panel, 2, (const double(*)[3])side,
-                      (tf_stroke){.paint = {.role = role[moving]},
-                                  .width = 1.8});
+        tf_panel_line(
+            panel, 2, (const double(*)[3])side,
+            (tf_stroke){.paint = {.role = role[moving]}, .width = 1.8});
     }
     bool touching = t == e->toi;
     tf_scene_ball(scene, origin, touching ? TF_WIDTH_BALL : 5,

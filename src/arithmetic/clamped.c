@@ -25,7 +25,7 @@
 
 //: Recognize a certain zero
 /// Whether every term of the determinant has a factor that is exactly zero.
-/// Asked only when the permanent is zero: then it tells a true zero from one
+/// Asked only when the number is zero: it then tells a true zero from one
 /// that underflow made.
 static bool every_term_vanishes(int n, double entry[TF_AXES][TF_AXES])
 {

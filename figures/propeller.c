@@ -8,6 +8,8 @@
 #include "stage/vector.h"
 #include "worlds.h"
 
+#include <stddef.h>
+
 enum {
     BEND = 3, ///< the points of a bent edge
     GHOSTS = 3

@@ -24,7 +24,7 @@ for (const image of images) image.loading = 'eager';
 const wide = [...document.querySelectorAll('.equation, .code-box pre')];
 const paper = getComputedStyle(document.body).backgroundColor;
 return {
-  scroll: document.documentElement.scrollWidth - innerWidth,
+  width: document.documentElement.scrollWidth,
   paper: paper.match(/\d+/g).map(Number),
   ids: [...document.querySelectorAll('[id]')].map(e => e.id),
   links: [...document.links].map(a => a.href),
@@ -85,8 +85,8 @@ def settle(chromium):
 
 def faults_of_look(look, device, theme):
     """What is wrong with a page as it was seen."""
-    if look["scroll"] > 0:
-        yield f"is {look['scroll']} pixels wider than the screen"
+    if look["width"] > WIDTHS[device][0]:
+        yield f"is {look['width']} pixels wide"
     if (sum(look["paper"][:3]) < 384) != (theme == "dark"):
         yield f"has paper {look['paper']}"
     if look["headings"] != 1:

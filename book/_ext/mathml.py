@@ -41,6 +41,11 @@ STYLES = {"bold": ["BOLD"], "double-struck": ["DOUBLE-STRUCK"],
           "sans-serif": ["SANS-SERIF"], "monospace": ["MONOSPACE"]}
 
 BARS = {"\u2223": "|", "\u2225": "\u2016"}
+OPENING = ["(", "[", "{"]
+BREAKING = list("=<>,") + [
+    "\u2264", "\u2265", "\u2260", "\u2248", "\u2208", "\u2282", "\u2286",
+    "\u2192", "\u21d2", "\u21d4", "\u2261", "\u27fa", "\u27f9"]
+LONG = 20       # letters; a shorter formula stays on its line
 CLOSING = [")", "]", "}", "|", "\u2016", "\u230b", "\u2309", "\u27e9", "!",
            "\u2032", "%"]
 
@@ -130,6 +135,36 @@ def draw_primes(node):
     node.tag = "mrow"
 
 
+def pieces(row):
+    """The children of a row up to each place where a line may break: after
+    a relation or a comma outside of all parentheses."""
+    depth, piece = 0, []
+    for child in row:
+        piece.append(child)
+        if child.tag != "mo":
+            continue
+        depth += (child.text in OPENING) - (child.text in CLOSING)
+        if depth == 0 and child.text in BREAKING:
+            child.set("form", "infix")
+            yield piece
+            piece = []
+    yield piece
+
+
+def lines(root):
+    """A long formula within the text, so that it can fill several lines:
+    browsers break none by themselves."""
+    row = root[0]
+    long = len("".join(root.itertext())) > LONG
+    if root.get("display") or row.tag != "mrow" or not long:
+        return [root]
+    found = []
+    for piece in pieces(row):
+        found.append(ElementTree.Element("math"))
+        ElementTree.SubElement(found[-1], "mrow").extend(piece)
+    return found
+
+
 def legible(math):
     """KaTeX's MathML as browsers draw it best."""
     tree = ElementTree.fromstring(
@@ -140,7 +175,8 @@ def legible(math):
         for draw in draw_letters, draw_bars, draw_signs, draw_names, \
                 draw_primes:
             draw(node)
-    return ElementTree.tostring(root, encoding="unicode")
+    return "<wbr>".join(ElementTree.tostring(line, encoding="unicode")
+                        for line in lines(root))
 
 
 class Katex:

@@ -164,6 +164,14 @@ class Texts(unittest.TestCase):
                  '</mrow>')):
             self.assertEqual(drawn(before), after)
 
+    def test_breaks_long_formulas_after_relations(self):
+        root = mathml.ElementTree.fromstring(
+            "<math><mrow><mi>a</mi><mo>=</mo><mo>(</mo><mi>b</mi><mo>,</mo>"
+            f"<mi>{'c' * mathml.LONG}</mi><mo>)</mo></mrow></math>")
+        self.assertEqual(
+            ["".join(line.itertext()) for line in mathml.lines(root)],
+            ["a=", "(b," + "c" * mathml.LONG + ")"])
+
 
 if __name__ == "__main__":
     unittest.main()

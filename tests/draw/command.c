@@ -130,7 +130,7 @@ START_TEST(commands_are_refused)
            "draw sketch");
     refuse("'all' is too much", "draw list all");
     refuse("a figure is missing", "draw figure -o a.png");
-    refuse("no figure is named 'edge'; choose one of edge-sweep, ",
+    refuse("no figure is named 'edge'; choose one of ",
            "draw figure edge -o a.png");
     refuse("one figure too many", "draw figure edge-sweep edge-sweep");
     refuse("unrecognized option", "draw figure --colour red");

@@ -41,7 +41,6 @@ STYLES = {"bold": ["BOLD"], "double-struck": ["DOUBLE-STRUCK"],
           "sans-serif": ["SANS-SERIF"], "monospace": ["MONOSPACE"]}
 
 BARS = {"\u2223": "|", "\u2225": "\u2016"}
-OPENING = ["(", "[", "{"]
 BREAKING = list("=<>,") + [
     "\u2264", "\u2265", "\u2260", "\u2248", "\u2208", "\u2282", "\u2286",
     "\u2192", "\u21d2", "\u21d4", "\u2261", "\u27fa", "\u27f9"]
@@ -143,7 +142,7 @@ def pieces(row):
         piece.append(child)
         if child.tag != "mo":
             continue
-        depth += (child.text in OPENING) - (child.text in CLOSING)
+        depth += (child.text in list("([{")) - (child.text in list(")]}"))
         if depth == 0 and child.text in BREAKING:
             child.set("form", "infix")
             yield piece

@@ -83,7 +83,9 @@ latex_elements = {
     "fncychap": "", "fvset": "", "figure_align": "htbp",
     "maketitle": r"\tftitle",
     "tableofcontents": r"{\hypersetup{linkcolor=ink}\tableofcontents}",
-    "sphinxsetup": "verbatimwithframe=false,VerbatimColor={RGB}{255,255,255},"
+    "sphinxsetup": "VerbatimColor={RGB}{255,255,255},"
+    "VerbatimBorderColor={RGB}{208,204,192},pre_border-width=0pt,"
+    "pre_border-left-width=0.8pt,pre_padding=1pt,pre_padding-left=3mm,"
     "InnerLinkColor={RGB}{26,92,148},OuterLinkColor={RGB}{26,92,148},"
     "TitleColor={RGB}{32,36,42}",
     "preamble": r"\usepackage{tanglefree}" "\n" + mathml.preamble()}

@@ -24,7 +24,7 @@ $(BUILD)/book/tanglefree.pdf: $(BOOK) $(program) $(prints) | need-book need-pdf
 	@echo 'print   $@'
 	$(Q)$(weave) -b latex -d $(BUILD)/book/read-latex book $(@D)/latex
 	$(Q)cd $(@D)/latex && latexmk -g -xelatex -interaction=nonstopmode \
-	    -halt-on-error tanglefree.tex >tanglefree.out 2>&1 || \
+	    -halt-on-error tanglefree.tex >print.txt 2>&1 || \
 	    { grep -A 5 '^!' tanglefree.log; false; }
 	$(Q)cp $(@D)/latex/tanglefree.pdf $@
 

@@ -191,7 +191,8 @@ def depart_statement_html(translator, node):
 
 
 def visit_statement_latex(translator, node):
-    marks = r"\difficulty{%d}" % node["difficulty"] if node["difficulty"] else ""
+    hard = node["difficulty"]
+    marks = r"\difficulty{%d}" % hard if hard else ""
     title = "[%s]" % escape(node["title"], "xelatex") if node["title"] else ""
     translator.body.append("\n" r"\begin{tf%s}%s%s%s" "\n" % (
         kind_of(node), title, translator.hypertarget_to(node), marks))

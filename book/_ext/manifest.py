@@ -36,7 +36,7 @@ def chapters(path):
     for line in Path(path).read_text().splitlines():
         if line.startswith(PART):
             parts.append(line[len(PART):])
-        elif line and not line.startswith("#"):
+        elif line.strip() and not line.startswith("#"):
             slug, *modules = line.split()
             found[slug] = Chapter(slug, len(found) + 1, parts[-1],
                                   ROMAN[len(parts) - 1], tuple(modules))

@@ -42,21 +42,23 @@ static void append(tf_expansion *e, double term)
 }
 
 //: Add two expansions
-/// Shewchuk's fast expansion sum: merge the terms by size, smallest first, and
-/// carry a rounded sum through them, keeping each roundoff.
+/// Shewchuk's linear expansion sum: merge the terms by size, smallest first, and
+/// carry the sum of those so far as two doubles, keeping what falls off.
 void tf_expansion_add(const tf_expansion *a, const tf_expansion *b,
                       tf_expansion *sum)
 {
-    double carry = 0;
+    tf_two carry = {0, 0};
     sum->count = 0;
     for (int i = 0, j = 0; i < a->count || j < b->count;) {
         bool from_a = j == b->count ||
                       (i < a->count && fabs(a->term[i]) < fabs(b->term[j]));
-        tf_two step = tf_two_sum(carry, from_a ? a->term[i++] : b->term[j++]);
-        append(sum, step.lo);
-        carry = step.hi;
+        double term = from_a ? a->term[i++] : b->term[j++];
+        tf_two low = tf_two_sum(term, carry.lo);
+        append(sum, low.lo);
+        carry = tf_two_sum(carry.hi, low.hi);
     }
-    append(sum, carry);
+    append(sum, carry.lo);
+    append(sum, carry.hi);
 }
 
 //: Scale an expansion

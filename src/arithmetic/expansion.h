@@ -16,20 +16,18 @@ tf_two tf_two_sum(double a, double b);
 /// a - b exactly, barring overflow.
 tf_two tf_two_difference(double a, double b);
 
-/// a b exactly, if |a|, |b| and |a b| are below 2^990 and the last places of a
-/// and b multiply to at least 2^-1074.
+/// a b exactly, if |a|, |b| and |a b| are below 2^990 and the last bits set in a
+/// and in b multiply to at least 2^-1074.
 tf_two tf_two_product(double a, double b);
 
 //: Declare the expansion
 enum {
-    TF_EXPANSION_TERMS = 24
-}; ///< what a 3x3 determinant of doubles needs
+    TF_EXPANSION_TERMS = 24 ///< what a 3x3 determinant of doubles needs
+};
 
 /// A real number as an exact sum of doubles, smallest first, without zeros; no
-/// terms: zero.  Its sign is that of the last term.  The terms are strongly
-/// nonoverlapping: their bits do not overlap, bits of two terms are adjacent
-/// only if both terms are powers of two, and no term is adjacent to two.  All
-/// functions below keep that.
+/// terms: zero.  The terms do not overlap: each is a multiple of some power of
+/// two above all terms before it.  So the sign is that of the last term.
 typedef struct tf_expansion {
     int count;
     double term[TF_EXPANSION_TERMS];

@@ -245,8 +245,7 @@ static uint64_t choose_mantissa(generator *random, int bits)
     }
 }
 
-/// An expansion with at least one zero bit between neighbours, as the sums and
-/// products of two doubles have.
+/// Terms that do not overlap, often without a zero bit between neighbours.
 static tf_expansion choose_expansion(generator *random, int most)
 {
     tf_expansion e = {.count = 1 + below(random, most)};
@@ -255,7 +254,7 @@ static tf_expansion choose_expansion(generator *random, int most)
         int bits = below(random, 2) ? 53 : 1 + below(random, 53);
         double term = (double)choose_mantissa(random, bits);
         e.term[i] = ldexp(below(random, 3) ? term : -term, place);
-        place += bits + 1 + below(random, spread) / 4;
+        place += bits + below(random, spread) / 4;
     }
     return e;
 }
@@ -286,6 +285,29 @@ START_TEST(sums_of_sums_are_exact)
         judge_add(&a[2], &a[3], &sum[1]);
         judge_add(&sum[0], &sum[1], &total);
     }
+}
+END_TEST
+
+START_TEST(neighbours_without_a_gap_are_summed)
+{
+    // Scaling leaves no zero bit between the last two terms, though the terms
+    // that it was given left one, or were powers of two: a sum that relies on
+    // one is not to be used.
+    static const tf_expansion gaps = {
+        .count = 3, .term = {0x1.ffa1391f7087bp+6, 0x1p9, -0x1p10}};
+    tf_expansion product, sum;
+    judge_scale(&gaps, 0x1.ffffffff0e639p+52, &product);
+    ck_assert_int_eq(dyadic_exponent(product.term[2]),
+                     ilogb(product.term[1]) + 1);
+    judge_add(&gaps, &product, &sum);
+
+    // Of these a sum that carries one double makes 2^56 and 2^56.
+    static const tf_expansion a = {
+        .count = 2, .term = {0x1.fffffffffffffp+55, -0x1.fffffffffffffp+108}};
+    static const tf_expansion b = {
+        .count = 3,
+        .term = {0x1.0000000000001p+52, 0x1.fffffffffffffp+105, 0x1.cp+108}};
+    judge_add(&a, &b, &sum);
 }
 END_TEST
 
@@ -445,6 +467,7 @@ Suite *suite(void)
     TCase *expansions = tcase_create("expansions");
     tcase_add_test(expansions, sums_of_expansions_are_exact);
     tcase_add_test(expansions, sums_of_sums_are_exact);
+    tcase_add_test(expansions, neighbours_without_a_gap_are_summed);
     tcase_add_test(expansions, expansions_cancel);
     tcase_add_test(expansions, scaled_expansions_are_exact);
     tcase_add_test(expansions, zeros_leave_no_terms);

@@ -132,9 +132,8 @@ START_TEST(generic_answers_are_those_of_exact_signs)
     generator random = generator_new((uint64_t)(20 + _i));
     long generic = 0;
     for (long i = 0; i < cases(20000); i++) {
-        query q = i % 3 == 0
-                      ? query_lattice(&random, (query_kind)_i, 9)
-                      : query_any(&random, (query_kind)_i);
+        query q = i % 3 == 0 ? query_lattice(&random, (query_kind)_i, 9)
+                             : query_any(&random, (query_kind)_i);
         number_vertices(&q);
         tf_contact exact = ask(&tf_exact, &q);
         tf_contact perturbed = ask(&tf_perturbed, &q);
@@ -160,8 +159,7 @@ START_TEST(no_contact_is_made_up)
         tf_contact perturbed = ask(&tf_perturbed, &q);
         if (perturbed.decision != TF_GENERIC)
             expect_no_fault("a decision that is not generic", &q);
-        if (perturbed.verdict == TF_HIT &&
-            ask(&tf_exact, &q).verdict != TF_HIT)
+        if (perturbed.verdict == TF_HIT && ask(&tf_exact, &q).verdict != TF_HIT)
             expect_no_fault("a contact of the perturbed arithmetic alone", &q);
     }
 }
@@ -260,9 +258,9 @@ START_TEST(only_the_order_of_indices_counts)
         mix_vertices(&random, &q);
         query wide = q;
         for (int v = 0; v < q.vertices + q.others; v++)
-            tf_worldline_set_vertex(
-                &wide.vertex[v],
-                TF_PERTURBED_VERTICES - 4 + q.vertex[v].at[0].vertex);
+            tf_worldline_set_vertex(&wide.vertex[v],
+                                    TF_PERTURBED_VERTICES - 4 +
+                                        q.vertex[v].at[0].vertex);
         tf_contact a = ask(&tf_perturbed, &q), b = ask(&tf_perturbed, &wide);
         if (memcmp(&a, &b, sizeof a) != 0)
             expect_no_fault("another answer for larger indices", &q);

@@ -280,7 +280,8 @@ $(answers): $(BUILD)/compilers/%/answers: FORCE
 	@$(MAKE) library program BUILD=$(@D) CC=$(word 1,$(subst -, ,$*)) \
 	    CFLAGS='-$(word 2,$(subst -, ,$*)) -Werror'
 	@for kind in point-edge point-triangle edge-edge; do \
-	for arithmetic in exact clamped report integer64 integer128; do \
+	for arithmetic in exact clamped report perturbed integer64 \
+	    integer128; do \
 	for output in csv json summary; do \
 	    echo "$$kind $$arithmetic $$output"; \
 	    $(@D)/tanglefree query --kind $$kind --arithmetic $$arithmetic \

@@ -53,11 +53,11 @@ static void expect(const tf_event event[5])
 
 START_TEST(one_event_late)
 {
-    expect((const tf_event[5]){{{1, 0, 0}, 0},
-                               {{0, 1, 0}, 0},
-                               {{0, 0, 1}, 0},
-                               {{2, 2, 2}, 1},
-                               {{0, 0, 0}, 0}});
+    expect((const tf_event[5]){{.x = {1, 0, 0}},
+                               {.x = {0, 1, 0}},
+                               {.x = {0, 0, 1}},
+                               {.x = {2, 2, 2}, .t = 1},
+                               {.x = {0, 0, 0}}});
 }
 END_TEST
 

@@ -33,6 +33,9 @@ typedef struct tf_value {
     double number; ///< NaN or infinite: nothing is known
     double radius; ///< >= 0, or NaN: nothing is known
     int exponent;
+    /// Zeros, but where the value is infinitely small: among two the one with
+    /// the later order (by the first entry that differs) is infinitely smaller.
+    int order[TF_AXES];
 } tf_value;
 
 //: Declare an arithmetic

@@ -85,9 +85,10 @@ static void accumulate(const split_entries *entries, tf_accumulator *sum)
 }
 
 //: Find an exact sign
-static tf_sign exact_sign(const tf_differences *differences)
+tf_sign tf_exact_sign(const tf_differences *differences, tf_stage *stage)
 {
     //: Try the estimate
+    *stage = TF_BY_ESTIMATE;
     tf_estimate estimate = tf_differences_estimate(differences);
     if (fabs(estimate.number) > estimate.bound)
         return estimate.number > 0 ? TF_POSITIVE : TF_NEGATIVE;
@@ -97,6 +98,7 @@ static tf_sign exact_sign(const tf_differences *differences)
     //: Try the expansion of the rounded differences
     split_entries entries = split(differences);
     if (expansion_suffices(&entries)) {
+        *stage = TF_BY_EXPANSION;
         tf_expansion d;
         tf_expansion_determinant(entries.n, entries.head, &d);
         double last = d.count > 0 ? d.term[d.count - 1] : 0;
@@ -104,6 +106,7 @@ static tf_sign exact_sign(const tf_differences *differences)
     }
 
     //: Accumulate all products
+    *stage = TF_BY_ACCUMULATOR;
     tf_accumulator sum;
     accumulate(&entries, &sum);
     return tf_accumulator_sign(&sum);
@@ -119,5 +122,11 @@ static tf_value exact_value(const tf_differences *differences)
 }
 
 //: Name the exact arithmetic
+static tf_sign exact_sign(const tf_differences *differences)
+{
+    tf_stage stage;
+    return tf_exact_sign(differences, &stage);
+}
+
 const tf_arithmetic tf_exact = {
     .name = "exact", .sign = exact_sign, .value = exact_value};

@@ -9,4 +9,16 @@
 /// products in an accumulator as wide as the range of a double demands.
 extern const tf_arithmetic tf_exact;
 
+//: Declare the stages of an exact sign
+/// What found an exact sign, the cheapest first.
+typedef enum tf_stage {
+    TF_BY_ESTIMATE = 0,
+    TF_BY_EXPANSION,
+    TF_BY_ACCUMULATOR,
+} tf_stage;
+
+/// The sign that tf_exact finds, and by what: for whoever counts.
+tf_sign tf_exact_sign(const tf_differences *differences, tf_stage *stage);
+
+//: Close the exact arithmetic
 #endif

@@ -4,12 +4,14 @@
 #include "arithmetic/clamped.h"
 #include "arithmetic/exact.h"
 #include "arithmetic/integer.h"
+#include "arithmetic/perturbed.h"
 
 #include <string.h>
 
 //: Find an arithmetic by its name
 static const tf_arithmetic *const arithmetics[] = {
-    &tf_exact, &tf_clamped, &tf_report, &tf_integer64, &tf_integer128,
+    &tf_exact,     &tf_clamped,   &tf_report,
+    &tf_perturbed, &tf_integer64, &tf_integer128,
 };
 
 const tf_arithmetic *tf_arithmetic_named(const char *name)

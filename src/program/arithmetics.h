@@ -5,7 +5,8 @@
 #include "arithmetic/differences.h"
 
 /// The names that tf_arithmetic_named knows, for help and messages.
-#define TF_ARITHMETIC_NAMES "exact, clamped, report, integer64 or integer128"
+#define TF_ARITHMETIC_NAMES                                                    \
+    "exact, clamped, report, perturbed, integer64 or integer128"
 
 /// The arithmetic of that name; NULL if there is none.
 const tf_arithmetic *tf_arithmetic_named(const char *name);

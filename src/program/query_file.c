@@ -338,6 +338,7 @@ tf_reading tf_query_file_next(tf_query_file *file, tf_question *question)
         question->line = file->line - row;
         tf_event *event = &question->vertex[row % vertices].at[row / vertices];
         event->t = row / vertices;
+        event->vertex = row % vertices;
         if (!read_event(file, event, question))
             return TF_READ_FAULT;
     }

@@ -28,7 +28,8 @@ enum {
     TF_QUESTION_VERTICES = 4
 }; ///< the most, of both elements
 
-/// One query of a file.  Its rows are the vertices at t = 0, then at t = 1.
+/// One query of a file.  Its rows are the vertices at t = 0, then at t = 1; the
+/// order of the rows is that of the vertices' indices, from 0.
 typedef struct tf_question {
     tf_worldline vertex[TF_QUESTION_VERTICES]; ///< first element, then second
     long line;   ///< of its first row, counted from 1

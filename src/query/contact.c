@@ -3,7 +3,6 @@
 
 #include "spacetime/meet.h"
 
-#include <limits.h>
 #include <math.h>
 
 //: Check the coordinates
@@ -23,18 +22,51 @@ static tf_status check_coordinates(const tf_arithmetic *arithmetic, int axes,
     return TF_OK;
 }
 
+//: Hold an element in order
+/// The vertices of an element in increasing index, in their given order where
+/// they have the same.
+typedef struct element {
+    int vertices;
+    tf_worldline vertex[TF_VERTICES];
+    int place[TF_VERTICES]; ///< where the given element has the vertex
+    int parity;             ///< +1: ordered by an even number of swaps, -1: odd
+} element;
+
+//: Order the vertices of an element
+static element order_vertices(int vertices, const tf_worldline given[])
+{
+    element ordered;
+    ordered.vertices = vertices;
+    ordered.parity = 1;
+    for (int i = 0; i < vertices; i++) {
+        int to = i;
+        for (; to > 0; to--) {
+            if (ordered.vertex[to - 1].at[0].vertex <= given[i].at[0].vertex)
+                break;
+            ordered.vertex[to] = ordered.vertex[to - 1];
+            ordered.place[to] = ordered.place[to - 1];
+            ordered.parity = -ordered.parity;
+        }
+        ordered.vertex[to] = given[i];
+        ordered.place[to] = i;
+    }
+    return ordered;
+}
+
 //: Weigh the vertices
 /// A vertex weighs what its two events weigh.
 static void weigh_vertices(const tf_pair *pair, const tf_meeting *meeting,
-                           int side, int vertices, const tf_worldline element[],
+                           int side, const element *ordered,
                            double weight[TF_VERTICES])
 {
-    for (int v = 0; v < vertices; v++) {
-        weight[v] = 0;
+    for (int v = 0; v < ordered->vertices; v++) {
+        const tf_event *at = ordered->vertex[v].at;
+        double sum = 0;
         for (int i = 0; i < pair->count; i++)
-            if (pair->side[i] == side && (pair->event[i] == &element[v].at[0] ||
-                                          pair->event[i] == &element[v].at[1]))
-                weight[v] += meeting->weight[i];
+            if (pair->side[i] == side &&
+                (pair->event[i] == &at[0] || pair->event[i] == &at[1]))
+                sum += meeting->weight[i];
+        weight[ordered->place[v]] = sum;
     }
 }
 
@@ -54,10 +86,10 @@ static void add_horizontal_edges(const tf_simplex *simplex,
 
 //: Multiply the horizontal edges
 /// The cross product of the axes - 1 horizontal edges of S and R, each
-/// component a determinant, to length 1; `normal`, zero before, stays so if the
-/// edges are dependent or a component overflows.
+/// component a determinant, to length 1 and times `parity`; `normal`, zero
+/// before, stays so if the edges are dependent or a component overflows.
 static void find_normal(const tf_arithmetic *arithmetic, int axes,
-                        const tf_simplex *s, const tf_simplex *r,
+                        const tf_simplex *s, const tf_simplex *r, int parity,
                         double normal[TF_AXES])
 {
     tf_differences edges = {.n = 0};
@@ -66,7 +98,6 @@ static void find_normal(const tf_arithmetic *arithmetic, int axes,
 
     //: Find the components of the cross product
     tf_value component[TF_AXES] = {{0}};
-    int largest = INT_MIN;
     for (int k = 0; k < axes; k++) {
         // In the order k + 1, k + 2 of space the minors need no sign; in the
         // plane the left normal of (x, y) is (-y, x).
@@ -77,21 +108,16 @@ static void find_normal(const tf_arithmetic *arithmetic, int axes,
             component[k].number = -component[k].number;
         if (!isfinite(component[k].number))
             return;
-        if (component[k].number == 0)
-            continue;
-        int own = component[k].exponent + ilogb(component[k].number);
-        largest = own > largest ? own : largest;
     }
 
     //: Scale the cross product to length 1
+    tf_values_scale(axes, component);
     double square = 0;
-    for (int k = 0; k < axes && largest != INT_MIN; k++) {
-        normal[k] = ldexp(component[k].number, component[k].exponent - largest);
-        square += normal[k] * normal[k];
-    }
+    for (int k = 0; k < axes; k++)
+        square += component[k].number * component[k].number;
     // Adding zero turns -0 into 0.
     for (int k = 0; k < axes && square > 0; k++)
-        normal[k] = normal[k] / sqrt(square) + 0.0;
+        normal[k] = parity * component[k].number / sqrt(square) + 0.0;
 }
 
 //: Find the relative velocity
@@ -142,30 +168,31 @@ typedef struct first_meeting {
     tf_pair pair;
 } first_meeting;
 
-static void describe(const tf_arithmetic *arithmetic, int axes,
+static void describe(const tf_arithmetic *arithmetic, int axes, int parity,
                      const first_meeting *found, tf_contact *contact)
 {
     contact->verdict = found->meeting.verdict;
     contact->decision = found->meeting.decision;
     contact->toi_lo = found->meeting.toi_lo;
     contact->toi_hi = found->meeting.toi_hi;
-    find_normal(arithmetic, axes, &found->s, &found->r, contact->normal);
+    find_normal(arithmetic, axes, &found->s, &found->r, parity,
+                contact->normal);
     for (int k = 0; k < axes; k++)
         contact->velocity[k] = relative_velocity(&found->s, &found->r, k);
     contact->speed = normal_speed(contact->velocity, contact->normal);
 }
 
 //: Find the first meeting of two sweeps
-static void find_first(const tf_arithmetic *arithmetic, int axes, int vertices,
-                       const tf_worldline first[], int others,
-                       const tf_worldline second[], first_meeting *found)
+static void find_first(const tf_arithmetic *arithmetic, int axes,
+                       const element *first, const element *second,
+                       first_meeting *found)
 {
     tf_simplex s[TF_VERTICES], r[TF_VERTICES];
-    tf_sweep(vertices, first, s);
-    tf_sweep(others, second, r);
+    tf_sweep(first->vertices, first->vertex, s);
+    tf_sweep(second->vertices, second->vertex, r);
     found->meeting = tf_meeting_apart;
-    for (int i = 0; i < vertices; i++)
-        for (int j = 0; j < others; j++) {
+    for (int i = 0; i < first->vertices; i++)
+        for (int j = 0; j < second->vertices; j++) {
             tf_pair pair = tf_pair_of(&s[i], &r[j], axes);
             tf_meeting own = tf_meet(arithmetic, &pair);
             if (own.verdict == TF_APART)
@@ -199,15 +226,15 @@ tf_status tf_query(const tf_arithmetic *arithmetic, int axes, int vertices,
         return status;
 
     //: Answer with the first meeting
+    element a = order_vertices(vertices, first);
+    element b = order_vertices(others, second);
     first_meeting found;
-    find_first(arithmetic, axes, vertices, first, others, second, &found);
+    find_first(arithmetic, axes, &a, &b, &found);
     *contact = (tf_contact){.verdict = found.meeting.verdict};
     if (contact->verdict == TF_APART)
         return TF_OK;
-    describe(arithmetic, axes, &found, contact);
-    weigh_vertices(&found.pair, &found.meeting, +1, vertices, first,
-                   contact->weight[0]);
-    weigh_vertices(&found.pair, &found.meeting, -1, others, second,
-                   contact->weight[1]);
+    describe(arithmetic, axes, a.parity * b.parity, &found, contact);
+    weigh_vertices(&found.pair, &found.meeting, +1, &a, contact->weight[0]);
+    weigh_vertices(&found.pair, &found.meeting, -1, &b, contact->weight[1]);
     return TF_OK;
 }

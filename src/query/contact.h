@@ -27,10 +27,12 @@ typedef struct tf_contact {
 } tf_contact;
 
 //: Declare the query of any two elements
-/// Whether, when and how two moving elements first meet.  `first` and `second`
-/// hold vertices in increasing index; axes = 2: 1 + 2 vertices, axes = 3: 1 + 3
-/// or 2 + 2.  Touching counts as meeting: elements that touch at the start meet
-/// at t = 0, at rest or not.
+/// Whether, when and how two moving elements first meet.  axes = 2: 1 + 2
+/// vertices, axes = 3: 1 + 3 or 2 + 2.  Touching counts as meeting: elements
+/// that touch at the start meet at t = 0, at rest or not.
+///
+/// An element is swept in the order of its vertices' indices, in whatever order
+/// it lists them; vertices without index count in the order of the list.
 ///
 /// No case is special.  An edge of no length is a point and a triangle of no
 /// area an edge or a point, and is met as such; motion within a line or a plane

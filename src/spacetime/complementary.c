@@ -142,13 +142,7 @@ static signs collect_signs(const tf_arithmetic *arithmetic, const tf_pair *pair)
     return found;
 }
 
-//: Enclose the barycentric coordinates
-/// The barycentric coordinates up to one common factor, all >= 0: enclosed but
-/// for the rounding that a value may hide, and zero where certainly so.
-typedef struct coordinates {
-    double low[TF_PAIR_EVENTS], high[TF_PAIR_EVENTS];
-} coordinates;
-
+//: Compare two values by size
 /// The exponent of the largest number that the value may stand for; INT_MIN if
 /// that is zero or not known.
 static int magnitude(const tf_value *value)
@@ -159,37 +153,81 @@ static int magnitude(const tf_value *value)
                : value->exponent + ilogb(largest);
 }
 
-//: Enclose each coordinate
+static bool same_order(const tf_value *a, const tf_value *b)
+{
+    return memcmp(a->order, b->order, sizeof a->order) == 0;
+}
+
+/// Whether a is known to be not zero, and larger than b.
+static bool exceeds(const tf_value *a, const tf_value *b)
+{
+    if (magnitude(a) == INT_MIN || magnitude(b) == INT_MIN)
+        return magnitude(a) != INT_MIN;
+    for (int i = 0; i < TF_AXES; i++)
+        if (a->order[i] != b->order[i])
+            return a->order[i] < b->order[i];
+    return magnitude(a) > magnitude(b);
+}
+
+//: Scale values to the largest
+static tf_value scale(const tf_value *value, const tf_value *largest)
+{
+    bool known = isfinite(value->number + value->radius);
+    if (known && !same_order(value, largest))
+        return (tf_value){.number = 0};
+    int shift = value->exponent - magnitude(largest);
+    double lost = shift < 0 && value->radius > 0 ? DBL_TRUE_MIN : 0;
+    return (tf_value){.number = ldexp(value->number, shift),
+                      .radius = ldexp(value->radius, shift) + lost};
+}
+
+void tf_values_scale(int count, tf_value value[])
+{
+    tf_value largest = {.number = 0};
+    for (int i = 0; i < count; i++)
+        if (exceeds(&value[i], &largest))
+            largest = value[i];
+    if (largest.number == 0 && largest.radius == 0)
+        return;
+    for (int i = 0; i < count; i++)
+        value[i] = scale(&value[i], &largest);
+}
+
+//: Enclose the barycentric coordinates
+/// The barycentric coordinates up to one common factor, all >= 0: enclosed but
+/// for the rounding that a value may hide, and zero where certainly so.
+typedef struct coordinates {
+    double low[TF_PAIR_EVENTS], high[TF_PAIR_EVENTS];
+} coordinates;
+
 static coordinates enclose_coordinates(const tf_arithmetic *arithmetic,
                                        const tf_pair *pair, const signs *found)
 {
+    //: Evaluate each coordinate
     tf_value value[TF_PAIR_EVENTS] = {{0}};
-    int largest = INT_MIN;
     for (int i = 0; i < pair->count; i++) {
         if (found->of[i] == TF_ZERO)
             continue;
         tf_differences differences = tf_pair_differences(pair, i);
         value[i] = arithmetic->value(&differences);
         value[i].number *= orientation(pair, i) * (found->negative ? -1 : 1);
-        int own = magnitude(&value[i]);
-        largest = own > largest ? own : largest;
     }
+    tf_values_scale(pair->count, value);
 
-    //: Scale the coordinates to the largest
-    coordinates scaled = {.low = {0}, .high = {0}};
-    for (int i = 0; i < pair->count && largest != INT_MIN; i++) {
+    //: Put bounds to each coordinate
+    coordinates c = {.low = {0}, .high = {0}};
+    for (int i = 0; i < pair->count; i++) {
         if (found->of[i] == TF_ZERO)
             continue;
-        int shift = value[i].exponent - largest;
-        double number = ldexp(value[i].number, shift);
-        double radius = ldexp(value[i].radius, shift);
-        bool known = isfinite(number + radius);
-        scaled.low[i] = known ? fmax(number - radius, 0) : 0;
+        bool known = isfinite(value[i].number + value[i].radius);
+        c.low[i] = known ? fmax(value[i].number - value[i].radius, 0) : 0;
 
         // However small, what is not certainly zero stays so.
-        scaled.high[i] = known ? fmax(number + radius, DBL_TRUE_MIN) : INFINITY;
+        c.high[i] = known
+                        ? fmax(value[i].number + value[i].radius, DBL_TRUE_MIN)
+                        : INFINITY;
     }
-    return scaled;
+    return c;
 }
 
 //: Enclose the time of impact
@@ -205,11 +243,11 @@ static int smaller_side(const tf_pair *pair)
 /// How far late / (early + late) may be from the true ratio t.  Each value
 /// hides one rounding, at most one sum within a time, the sum of the times and
 /// the quotient add one each: the first three change t by less than
-/// 3 t (1 - t) u, the last two by 2 t u; one more t u covers the second order
-/// and the rounding of the bounds themselves.
+/// 3 t (1 - t) u, the last two by 2 t u; one more t u covers the rounding of
+/// the bounds themselves, and 2^-40 t u the second order.
 static double ratio_margin(double t)
 {
-    return t * (6 - 3 * t) * (DBL_EPSILON / 2) + 0x1p-1070;
+    return t * (6 + 0x1p-40 - 3 * t) * (DBL_EPSILON / 2) + 0x1p-1070;
 }
 
 static void enclose_time(const tf_pair *pair, const coordinates *c,

@@ -70,5 +70,12 @@ tf_differences tf_pair_differences(const tf_pair *pair, int without);
 bool tf_complementary_meet(const tf_arithmetic *arithmetic, const tf_pair *pair,
                            tf_meeting *meeting);
 
+//: Declare how values are scaled
+/// Divide values by one power of two, so that the largest comes near 1, and
+/// leave them with the exponent and the order zero: an infinitely smaller one
+/// becomes zero.  Where digits fall below the least double, a radius that is
+/// not zero grows by it.  Values that are not known stay NaN or infinite.
+void tf_values_scale(int count, tf_value value[]);
+
 //: Close complementary simplices
 #endif

@@ -15,3 +15,8 @@ tf_worldline tf_worldline_between(int axes, const double start[],
     }
     return line;
 }
+
+void tf_worldline_set_vertex(tf_worldline *line, int vertex)
+{
+    line->at[0].vertex = line->at[1].vertex = vertex;
+}

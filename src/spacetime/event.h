@@ -11,6 +11,7 @@ enum {
 typedef struct tf_event {
     double x[TF_AXES]; ///< finite
     int t;             ///< 0 or 1
+    int vertex;        ///< the global index of the vertex; 0 if there is none
 } tf_event;
 
 /// The straight path of a vertex, from at[0] (t = 0) to at[1] (t = 1).
@@ -23,6 +24,10 @@ typedef struct tf_worldline {
 /// coordinates, axes = 2 or 3.
 tf_worldline tf_worldline_between(int axes, const double start[],
                                   const double end[]);
+
+/// Give a worldline the global index of its vertex, 0 or more: in a mesh, its
+/// place in the list of vertices.
+void tf_worldline_set_vertex(tf_worldline *line, int vertex);
 
 //: Close the events
 #endif

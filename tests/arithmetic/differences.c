@@ -108,8 +108,8 @@ END_TEST
 
 START_TEST(rows_are_events_and_columns_axes)
 {
-    const tf_event a = {{1, 20, 300}, 0}, b = {{4, 50, 600}, 0};
-    const tf_event origin = {{0, 0, 0}, 1};
+    const tf_event a = {.x = {1, 20, 300}}, b = {.x = {4, 50, 600}};
+    const tf_event origin = {.x = {0, 0, 0}, .t = 1};
     tf_differences differences = {
         .n = 2, .to = {&a, &origin}, .from = {&b, &a}, .axis = {2, 0}};
     double entry[TF_AXES][TF_AXES] = {{0}};

@@ -5,6 +5,7 @@
 #include "arithmetic/clamped.h"
 #include "arithmetic/exact.h"
 #include "arithmetic/integer.h"
+#include "arithmetic/perturbed.h"
 #include "support/support.h"
 
 #include <string.h>
@@ -14,6 +15,7 @@ START_TEST(every_name_finds_its_arithmetic)
     ck_assert_ptr_eq(tf_arithmetic_named("exact"), &tf_exact);
     ck_assert_ptr_eq(tf_arithmetic_named("clamped"), &tf_clamped);
     ck_assert_ptr_eq(tf_arithmetic_named("report"), &tf_report);
+    ck_assert_ptr_eq(tf_arithmetic_named("perturbed"), &tf_perturbed);
     ck_assert_ptr_eq(tf_arithmetic_named("integer64"), &tf_integer64);
     ck_assert_ptr_eq(tf_arithmetic_named("integer128"), &tf_integer128);
 }
@@ -29,13 +31,13 @@ START_TEST(the_names_told_are_those_found)
             ck_assert_msg(tf_arithmetic_named(name), "no '%s'", name);
             found++;
         }
-    ck_assert_int_eq(found, 5);
+    ck_assert_int_eq(found, 6);
 }
 END_TEST
 
 START_TEST(other_names_find_nothing)
 {
-    static const char *const names[] = {"", "perturbed", "Exact", "exact "};
+    static const char *const names[] = {"", "rounded", "Exact", "exact "};
     for (size_t i = 0; i < sizeof names / sizeof *names; i++)
         ck_assert_msg(!tf_arithmetic_named(names[i]), "'%s'", names[i]);
 }

@@ -700,9 +700,10 @@ START_TEST(options_that_are_wrong)
     expect_usage("query -k edge in",
                  "tanglefree query: no kind is named 'edge'; choose "
                  "point-edge, point-triangle or edge-edge\n");
-    expect_usage("query -k point-edge -a perturbed in",
-                 "tanglefree query: no arithmetic is named 'perturbed'; choose "
-                 "exact, clamped, report, integer64 or integer128\n");
+    expect_usage("query -k point-edge -a rounded in",
+                 "tanglefree query: no arithmetic is named 'rounded'; choose "
+                 "exact, clamped, report, perturbed, integer64 or "
+                 "integer128\n");
     expect_usage("query -k point-edge --output=xml in",
                  "tanglefree query: no output is named 'xml'; choose csv, json "
                  "or summary\n");

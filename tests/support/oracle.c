@@ -42,21 +42,47 @@ static void tableau_clear(tableau *t)
             mpz_clear(t->number[i][j]);
 }
 
+static int least_exponent(int least, const oracle_simplex *s,
+                          const int shift[ORACLE_EVENTS][TF_AXES], int axis)
+{
+    for (int i = 0; i < s->count; i++) {
+        least = dyadic_least(least, s->event[i]->x[axis]);
+        if (shift[i][axis] != 0 && -shift[i][axis] < least)
+            least = -shift[i][axis];
+    }
+    return least;
+}
+
+/// scaled = (x + 2^-shift, if that is not zero) / 2^exponent.
+static void scale_coordinate(mpz_t scaled, double x, int shift, int exponent)
+{
+    dyadic_scale(scaled, x, exponent);
+    if (shift == 0)
+        return;
+    mpz_t added;
+    mpz_init_set_ui(added, 1);
+    mpz_mul_2exp(added, added, (mp_bitcnt_t)(-shift - exponent));
+    mpz_add(scaled, scaled, added);
+    mpz_clear(added);
+}
+
 /// Fill in the row of one axis, scaled to integers: this changes no weight.
 static void set_axis(tableau *t, int row, const oracle_simplex *s,
-                     const oracle_simplex *r, int axis)
+                     const oracle_simplex *r, const oracle_moves *moves,
+                     int axis)
 {
-    int exponent = INT_MAX;
-    for (int i = 0; i < s->count; i++)
-        exponent = dyadic_least(exponent, s->event[i]->x[axis]);
-    for (int j = 0; j < r->count; j++)
-        exponent = dyadic_least(exponent, r->event[j]->x[axis]);
-
+    int exponent = least_exponent(INT_MAX, s, moves->shift[0], axis);
+    exponent = least_exponent(exponent, r, moves->shift[1], axis);
     mpz_t *number = t->number[row];
     for (int i = 0; i < s->count; i++)
-        dyadic_scale(number[i], s->event[i]->x[axis], exponent);
-    for (int j = 0; j < r->count; j++)
-        dyadic_scale(number[s->count + j], -r->event[j]->x[axis], exponent);
+        scale_coordinate(number[i], s->event[i]->x[axis],
+                         moves->shift[0][i][axis], exponent);
+    for (int j = 0; j < r->count; j++) {
+        mpz_ptr entry = number[s->count + j];
+        scale_coordinate(entry, r->event[j]->x[axis], moves->shift[1][j][axis],
+                         exponent);
+        mpz_neg(entry, entry);
+    }
 }
 
 static void set_time(tableau *t, int row, const oracle_simplex *s,
@@ -91,12 +117,13 @@ static void set_basis(tableau *t)
 }
 
 static void tableau_fill(tableau *t, int axes, bool timed,
-                         const oracle_simplex *s, const oracle_simplex *r)
+                         const oracle_simplex *s, const oracle_simplex *r,
+                         const oracle_moves *moves)
 {
     t->rows = 0;
     t->columns = s->count + r->count;
     while (t->rows < axes) {
-        set_axis(t, t->rows, s, r, t->rows);
+        set_axis(t, t->rows, s, r, moves, t->rows);
         t->rows++;
     }
     if (timed)
@@ -227,37 +254,54 @@ static bool boxes_meet(int axes, const oracle_simplex *s,
     return true;
 }
 
+static const oracle_moves no_moves;
+
+// Moves are too small to bring boxes together.
 static bool solve(int axes, bool timed, const oracle_simplex *s,
-                  const oracle_simplex *r, mpq_t least)
+                  const oracle_simplex *r, const oracle_moves *moves,
+                  mpq_t least)
 {
     if (!boxes_meet(axes, s, r))
         return false;
     tableau t;
     tableau_init(&t);
-    tableau_fill(&t, axes, timed, s, r);
+    tableau_fill(&t, axes, timed, s, r, moves);
     bool hit = tableau_solve(&t, least);
     tableau_clear(&t);
+    return hit;
+}
+
+bool oracle_moved_simplices_meet(int axes, const oracle_simplex *s,
+                                 const oracle_simplex *r,
+                                 const oracle_moves *moves, mpq_t toi)
+{
+    return solve(axes, true, s, r, moves, toi);
+}
+
+bool oracle_moved_slices_meet(int axes, const oracle_simplex *s,
+                              const oracle_simplex *r,
+                              const oracle_moves *moves)
+{
+    mpq_t unused;
+    mpq_init(unused);
+    bool hit = solve(axes, false, s, r, moves, unused);
+    mpq_clear(unused);
     return hit;
 }
 
 bool oracle_simplices_meet(int axes, const oracle_simplex *s,
                            const oracle_simplex *r, mpq_t toi)
 {
-    return solve(axes, true, s, r, toi);
+    return oracle_moved_simplices_meet(axes, s, r, &no_moves, toi);
 }
 
 bool oracle_slices_meet(int axes, const oracle_simplex *s,
                         const oracle_simplex *r)
 {
-    mpq_t unused;
-    mpq_init(unused);
-    bool hit = solve(axes, false, s, r, unused);
-    mpq_clear(unused);
-    return hit;
+    return oracle_moved_slices_meet(axes, s, r, &no_moves);
 }
 
-/// The vertices 0..mover at t = 0 and mover.. at t = 1.
-static oracle_simplex step(int vertices, const tf_worldline element[],
+oracle_simplex oracle_step(int vertices, const tf_worldline element[],
                            int mover)
 {
     oracle_simplex s = {.count = vertices + 1};
@@ -273,8 +317,8 @@ bool oracle_meet(int axes, int vertices, const tf_worldline first[], int others,
     mpq_t time;
     mpq_init(time);
     for (int i = 0; i < vertices * others; i++) {
-        oracle_simplex s = step(vertices, first, i / others);
-        oracle_simplex r = step(others, second, i % others);
+        oracle_simplex s = oracle_step(vertices, first, i / others);
+        oracle_simplex r = oracle_step(others, second, i % others);
         if (!oracle_simplices_meet(axes, &s, &r, time))
             continue;
         if (!hit || mpq_cmp(time, toi) < 0)

@@ -19,6 +19,16 @@ typedef struct oracle_simplex {
     const tf_event *event[ORACLE_EVENTS];
 } oracle_simplex;
 
+/// By how much the events of S and of R are moved first: a coordinate by
+/// 2^-shift, if that is not zero.
+typedef struct oracle_moves {
+    int shift[2][ORACLE_EVENTS][TF_AXES];
+} oracle_moves;
+
+/// The step of a staircase: the vertices 0..mover at t = 0 and mover.. at t = 1.
+oracle_simplex oracle_step(int vertices, const tf_worldline element[],
+                           int mover);
+
 /// Whether two simplices of space-time meet; if so `toi` is the exact earliest
 /// time.
 bool oracle_simplices_meet(int axes, const oracle_simplex *s,
@@ -27,6 +37,14 @@ bool oracle_simplices_meet(int axes, const oracle_simplex *s,
 /// Whether two simplices of space meet, whatever the times of their events.
 bool oracle_slices_meet(int axes, const oracle_simplex *s,
                         const oracle_simplex *r);
+
+/// The same for the moved simplices.
+bool oracle_moved_simplices_meet(int axes, const oracle_simplex *s,
+                                 const oracle_simplex *r,
+                                 const oracle_moves *moves, mpq_t toi);
+bool oracle_moved_slices_meet(int axes, const oracle_simplex *s,
+                              const oracle_simplex *r,
+                              const oracle_moves *moves);
 
 /// Whether the staircase sweeps of two moving elements meet, vertices in index
 /// order; if so `toi` is the exact earliest time.

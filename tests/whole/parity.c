@@ -2,6 +2,7 @@
 // edge and a moving triangle without a vertex in common meet an even number of
 // times, if the ends of the step count too.
 #include "arithmetic/exact.h"
+#include "arithmetic/perturbed.h"
 #include "spacetime/meet.h"
 #include "support/oracle.h"
 #include "support/support.h"
@@ -35,7 +36,8 @@ static element edge_of(const element *triangle, int i)
 // Contacts ---------------------------------------------------------------------
 
 /// How many pairs of the simplices that two elements sweep meet.
-static int count_meetings(const element *a, const element *b)
+static int count_meetings(const tf_arithmetic *arithmetic, const element *a,
+                          const element *b)
 {
     tf_simplex s[TF_VERTICES], r[TF_VERTICES];
     tf_sweep(a->vertices, a->vertex, s);
@@ -44,27 +46,29 @@ static int count_meetings(const element *a, const element *b)
     for (int i = 0; i < a->vertices; i++)
         for (int j = 0; j < b->vertices; j++) {
             tf_pair pair = tf_pair_of(&s[i], &r[j], TF_AXES);
-            count += tf_meet(&tf_exact, &pair).verdict == TF_HIT;
+            count += tf_meet(arithmetic, &pair).verdict == TF_HIT;
         }
     return count;
 }
 
-static int count_points(const element *points, const element *triangle)
+static int count_points(const tf_arithmetic *arithmetic, const element *points,
+                        const element *triangle)
 {
     int count = 0;
     for (int i = 0; i < points->vertices; i++) {
         element point = vertex_of(points, i);
-        count += count_meetings(&point, triangle);
+        count += count_meetings(arithmetic, &point, triangle);
     }
     return count;
 }
 
-static int count_edges(const element *edge, const element *triangle)
+static int count_edges(const tf_arithmetic *arithmetic, const element *edge,
+                       const element *triangle)
 {
     int count = 0;
     for (int i = 0; i < 3; i++) {
         element other = edge_of(triangle, i);
-        count += count_meetings(edge, &other);
+        count += count_meetings(arithmetic, edge, &other);
     }
     return count;
 }
@@ -143,8 +147,63 @@ START_TEST(the_number_of_meetings_is_even)
         element triangle = random_element(&random, 3, reach);
         int count = meet_at_end(&edge, &triangle, 0) +
                     meet_at_end(&edge, &triangle, 1) +
-                    count_points(&edge, &triangle) +
-                    count_edges(&edge, &triangle);
+                    count_points(&tf_exact, &edge, &triangle) +
+                    count_edges(&tf_exact, &edge, &triangle);
+        seen[count] = true;
+        if (count % 2 != 0)
+            fail_step("an odd number of meetings", &edge, &triangle);
+    }
+    ck_assert_msg(cases(1000) < 1000 || (seen[0] && seen[2] && seen[4]),
+                  "the steps are too tame");
+}
+END_TEST
+
+/// Number the vertices of an edge and a triangle at random, and move them from
+/// and to points of a lattice.
+static void fill_lattice(generator *random, element *edge, element *triangle)
+{
+    int values = 2 + below(random, 3);
+    *edge = (element){.vertices = 0};
+    *triangle = (element){.vertices = 0};
+    for (int v = 0; v < 5; v++) {
+        int left = 2 - edge->vertices;
+        element *of = below(random, 5 - v) < left ? edge : triangle;
+        double x[2][TF_AXES];
+        for (int i = 0; i < 2 * TF_AXES; i++)
+            x[i / TF_AXES][i % TF_AXES] = below(random, values);
+        tf_worldline *line = &of->vertex[of->vertices++];
+        *line = tf_worldline_between(TF_AXES, x[0], x[1]);
+        tf_worldline_set_vertex(line, v);
+    }
+}
+
+/// The perturbed edge and triangle at an end.
+static bool perturbed_meet_at_end(const element *edge, const element *triangle,
+                                  int t)
+{
+    tf_pair pair = {.early = t == 0 ? 5 : 0, .axes = 3, .axis = {0, 1, 2}};
+    const element *sides[2] = {edge, triangle};
+    for (int side = 0; side < 2; side++)
+        for (int i = 0; i < sides[side]->vertices; i++) {
+            pair.event[pair.count] = &sides[side]->vertex[i].at[t];
+            pair.side[pair.count++] = side == 0 ? +1 : -1;
+        }
+    tf_meeting meeting;
+    ck_assert(tf_complementary_meet(&tf_perturbed, &pair, &meeting));
+    return meeting.verdict == TF_HIT;
+}
+
+START_TEST(perturbed_meetings_are_even_however_degenerate)
+{
+    generator random = generator_new(3);
+    bool seen[16] = {false};
+    for (long i = cases(100000); i > 0; i--) {
+        element edge, triangle;
+        fill_lattice(&random, &edge, &triangle);
+        int count = perturbed_meet_at_end(&edge, &triangle, 0) +
+                    perturbed_meet_at_end(&edge, &triangle, 1) +
+                    count_points(&tf_perturbed, &edge, &triangle) +
+                    count_edges(&tf_perturbed, &edge, &triangle);
         seen[count] = true;
         if (count % 2 != 0)
             fail_step("an odd number of meetings", &edge, &triangle);
@@ -157,10 +216,10 @@ END_TEST
 /// Whether a point of one triangle meets the other, or an edge an edge.
 static bool in_contact(const element *a, const element *b)
 {
-    int count = count_points(a, b) + count_points(b, a);
+    int count = count_points(&tf_exact, a, b) + count_points(&tf_exact, b, a);
     for (int i = 0; i < 3; i++) {
         element edge = edge_of(a, i);
-        count += count_edges(&edge, b);
+        count += count_edges(&tf_exact, &edge, b);
     }
     return count > 0;
 }
@@ -219,6 +278,7 @@ Suite *suite(void)
     Suite *parity = suite_create("parity");
     TCase *steps = tcase_create("steps");
     tcase_add_test(steps, the_number_of_meetings_is_even);
+    tcase_add_test(steps, perturbed_meetings_are_even_however_degenerate);
     tcase_add_test(steps, a_clear_step_ends_clear);
     tcase_add_test(steps, a_clear_step_may_cross_midway);
     suite_add_tcase(parity, steps);

@@ -1,0 +1,180 @@
+//: Include what perturbation needs
+#include "arithmetic/perturbed.h"
+
+#include "arithmetic/exact.h"
+#include "contract.h"
+
+//: Rank an event
+/// The place of an event among all of a mesh: an event of higher rank moves
+/// less.
+static int rank_of(const tf_event *event)
+{
+    TF_REQUIRE(event->vertex >= 0 && event->vertex < TF_PERTURBED_VERTICES);
+    return 2 * event->vertex + event->t;
+}
+
+//: Hold a determinant and its events
+enum {
+    MOST_EVENTS = 2 * TF_AXES
+};
+
+/// A determinant and its events by rank; to[i] and from[i] are places in
+/// `event`.
+typedef struct ranked {
+    int n, axis[TF_AXES], to[TF_AXES], from[TF_AXES];
+    int count;
+    const tf_event *event[MOST_EVENTS];
+} ranked;
+
+//: Rank the events of a determinant
+/// The first place whose event does not rank below `event`.
+static int place_of(const ranked *r, const tf_event *event)
+{
+    int place = 0;
+    while (place < r->count && rank_of(r->event[place]) < rank_of(event))
+        place++;
+    return place;
+}
+
+static void add_event(ranked *r, const tf_event *event)
+{
+    int place = place_of(r, event);
+    if (place < r->count && r->event[place] == event)
+        return;
+    TF_REQUIRE(place == r->count || rank_of(r->event[place]) != rank_of(event));
+    for (int i = r->count++; i > place; i--)
+        r->event[i] = r->event[i - 1];
+    r->event[place] = event;
+}
+
+static ranked rank_events(const tf_differences *differences)
+{
+    ranked r = {.n = differences->n};
+    for (int i = 0; i < r.n; i++) {
+        add_event(&r, differences->to[i]);
+        add_event(&r, differences->from[i]);
+    }
+    for (int i = 0; i < r.n; i++) {
+        r.axis[i] = differences->axis[i];
+        r.to[i] = place_of(&r, differences->to[i]);
+        r.from[i] = place_of(&r, differences->from[i]);
+    }
+    return r;
+}
+
+//: Hold a term
+/// A term of the determinant, a polynomial in the infinitesimals: on each axis
+/// the place of the event whose infinitesimal is a factor, or STAYS.
+typedef struct term {
+    int moved[TF_AXES];
+} term;
+
+enum {
+    STAYS = -1
+};
+
+//: Differentiate a determinant
+/// The determinant that multiplies the infinitesimals of a term.  On an axis
+/// along which an event moves it has the coordinate 1 for that event and 0 for
+/// all others.  Refers to `event`.
+static tf_differences coefficient(const ranked *r, const term *t,
+                                  tf_event event[MOST_EVENTS])
+{
+    for (int e = 0; e < r->count; e++) {
+        event[e] = *r->event[e];
+        for (int k = 0; k < TF_AXES; k++)
+            if (t->moved[k] != STAYS)
+                event[e].x[k] = t->moved[k] == e;
+    }
+    tf_differences d = {.n = r->n};
+    for (int i = 0; i < r->n; i++) {
+        d.axis[i] = r->axis[i];
+        d.to[i] = &event[r->to[i]];
+        d.from[i] = &event[r->from[i]];
+    }
+    return d;
+}
+
+//: Find the leading term
+static bool has_axis(const ranked *r, int axis)
+{
+    for (int j = 0; j < r->n; j++)
+        if (r->axis[j] == axis)
+            return true;
+    return false;
+}
+
+/// Whether the determinant, with what t moves moved and of the others only the
+/// `count` first free to move, is not zero; then *t becomes its leading term.
+static bool find_leading(const ranked *r, int count, term *t)
+{
+    //: Let no more events move
+    if (count == 0) {
+        tf_event event[MOST_EVENTS];
+        tf_differences d = coefficient(r, t, event);
+        return tf_exact.sign(&d) != TF_ZERO;
+    }
+
+    //: Move the last event less than all before it
+    if (find_leading(r, count - 1, t))
+        return true;
+    for (int axis = 0; axis < TF_AXES; axis++) {
+        if (t->moved[axis] != STAYS || !has_axis(r, axis))
+            continue;
+        t->moved[axis] = count - 1;
+        if (find_leading(r, count - 1, t))
+            return true;
+        t->moved[axis] = STAYS;
+    }
+    return false;
+}
+
+static term leading_term(const ranked *r)
+{
+    term t = {.moved = {STAYS, STAYS, STAYS}};
+    TF_REQUIRE(find_leading(r, r->count, &t));
+    return t;
+}
+
+//: Order a term among all
+/// List the infinitesimals of a term, the smallest first, as numbers from 1.
+static void order_term(const ranked *r, const term *t, int order[TF_AXES])
+{
+    int count = 0;
+    for (int place = r->count - 1; place >= 0; place--)
+        for (int axis = 0; axis < TF_AXES; axis++)
+            if (t->moved[axis] == place)
+                order[count++] = TF_AXES * rank_of(r->event[place]) + axis + 1;
+}
+
+//: Find a perturbed sign
+static tf_sign perturbed_sign(const tf_differences *differences)
+{
+    tf_sign sign = tf_exact.sign(differences);
+    if (sign != TF_ZERO)
+        return sign;
+    ranked r = rank_events(differences);
+    term t = leading_term(&r);
+    tf_event event[MOST_EVENTS];
+    tf_differences d = coefficient(&r, &t, event);
+    return tf_exact.sign(&d);
+}
+
+//: Find a perturbed value
+static tf_value perturbed_value(const tf_differences *differences)
+{
+    tf_value value = tf_exact.value(differences);
+    if (value.number != 0)
+        return value;
+    ranked r = rank_events(differences);
+    term t = leading_term(&r);
+    tf_event event[MOST_EVENTS];
+    tf_differences d = coefficient(&r, &t, event);
+    value = tf_exact.value(&d);
+    order_term(&r, &t, value.order);
+    return value;
+}
+
+//: Name the perturbed arithmetic
+const tf_arithmetic tf_perturbed = {
+    .name = "perturbed", .sign = perturbed_sign, .value = perturbed_value};

@@ -1,0 +1,284 @@
+// The perturbed arithmetic: the answers are those of elements whose events were
+// moved by explicit tiny numbers, and those of exact signs where none is zero.
+#include "arithmetic/perturbed.h"
+
+#include "arithmetic/exact.h"
+#include "query/contact.h"
+#include "support/judge.h"
+#include "support/moved.h"
+
+#include <math.h>
+#include <string.h>
+
+/// Number the vertices: first element, then second.
+static void number_vertices(query *q)
+{
+    for (int i = 0; i < q->vertices + q->others; i++)
+        tf_worldline_set_vertex(&q->vertex[i], i);
+}
+
+/// Number the vertices at random; those of an element increase.
+static void mix_vertices(generator *random, query *q)
+{
+    int next[2] = {0, q->vertices};
+    for (int v = 0; v < q->vertices + q->others; v++) {
+        int left[2] = {q->vertices - next[0],
+                       q->vertices + q->others - next[1]};
+        int side = below(random, left[0] + left[1]) >= left[0];
+        tf_worldline_set_vertex(&q->vertex[next[side]++], v);
+    }
+}
+
+static tf_contact ask(const tf_arithmetic *arithmetic, const query *q)
+{
+    tf_contact contact;
+    ck_assert_int_eq(tf_query(arithmetic, q->axes, q->vertices, q->vertex,
+                              q->others, query_const_others(q), &contact),
+                     TF_OK);
+    return contact;
+}
+
+// Moved elements ---------------------------------------------------------------
+
+static bool encloses(const tf_contact *contact, const mpq_t toi)
+{
+    mpq_t lo, hi;
+    mpq_inits(lo, hi, NULL);
+    mpq_set_d(lo, contact->toi_lo);
+    mpq_set_d(hi, contact->toi_hi);
+    bool within = mpq_cmp(lo, toi) <= 0 && mpq_cmp(toi, hi) <= 0;
+    mpq_clears(lo, hi, NULL);
+    return within && contact->toi_hi - contact->toi_lo <= 0x1p-50;
+}
+
+/// What is wrong with the perturbed answer; NULL if nothing is.
+static const char *moved_fault(const query *q, bool *hit)
+{
+    mpq_t toi;
+    mpq_init(toi);
+    *hit = moved_meet(q->axes, q->vertices, q->vertex, q->others,
+                      query_const_others(q), toi);
+    tf_contact contact = ask(&tf_perturbed, q);
+    const char *fault = NULL;
+    if (contact.verdict != (*hit ? TF_HIT : TF_APART))
+        fault = "not the verdict of the moved elements";
+    else if (contact.decision != TF_GENERIC)
+        fault = "a decision that is not generic";
+    else if (*hit && !encloses(&contact, toi))
+        fault = "not the time of the moved elements";
+    mpq_clear(toi);
+    return fault;
+}
+
+START_TEST(lattice_queries_are_answered_as_if_moved)
+{
+    generator random = generator_new((uint64_t)_i);
+    long hits = 0, lost = 0, all = cases(20000);
+    for (long i = 0; i < all; i++) {
+        query q = query_lattice(&random, (query_kind)_i, 2 + below(&random, 3));
+        mix_vertices(&random, &q);
+        bool hit;
+        expect_no_fault(moved_fault(&q, &hit), &q);
+        hits += hit;
+        lost += !hit && ask(&tf_exact, &q).verdict == TF_HIT;
+    }
+    // Both answers, and contacts that the motion undoes, are common.
+    ck_assert_int_gt(hits, all / 20);
+    ck_assert_int_gt(all - hits, all / 20);
+    ck_assert_int_gt(lost, all / 50);
+}
+END_TEST
+
+/// The determinants of the test above against the oracle, on numbers written
+/// out in full.
+START_TEST(moved_pairs_meet_as_the_oracle_says)
+{
+    enum {
+        BITS = 14 // a determinant of these has a sum of factors below 2^13
+    };
+    generator random = generator_new(10);
+    mpq_t toi, true_toi, difference;
+    mpq_inits(toi, true_toi, difference, NULL);
+    long hits = 0, all = cases(300);
+    for (long i = 0; i < all; i++) {
+        query q = query_lattice(&random, (query_kind)(i % KINDS), 3);
+        mix_vertices(&random, &q);
+        moved_pair pair = {
+            .axes = q.axes,
+            .timed = true,
+            .s = oracle_step(q.vertices, q.vertex, below(&random, q.vertices)),
+            .r = oracle_step(q.others, query_const_others(&q),
+                             below(&random, q.others))};
+        bool hit = moved_pair_meets(&pair, toi);
+        bool true_hit = moved_pair_meets_by_oracle(&pair, BITS, true_toi);
+        if (hit != true_hit)
+            expect_no_fault("the oracle contradicts the determinants", &q);
+        hits += hit;
+        if (!hit)
+            continue;
+        mpq_sub(difference, toi, true_toi);
+        if (fabs(mpq_get_d(difference)) > 0x1p-8)
+            expect_no_fault("the oracle has another time", &q);
+    }
+    ck_assert_int_gt(hits, all / 30);
+    mpq_clears(toi, true_toi, difference, NULL);
+}
+END_TEST
+
+// Exact signs ------------------------------------------------------------------
+
+START_TEST(generic_answers_are_those_of_exact_signs)
+{
+    generator random = generator_new((uint64_t)(20 + _i));
+    long generic = 0;
+    for (long i = 0; i < cases(20000); i++) {
+        query q = i % 3 == 0 ? query_lattice(&random, (query_kind)_i, 9)
+                             : query_any(&random, (query_kind)_i);
+        number_vertices(&q);
+        tf_contact exact = ask(&tf_exact, &q);
+        tf_contact perturbed = ask(&tf_perturbed, &q);
+        if (exact.verdict == TF_HIT && exact.decision != TF_GENERIC)
+            continue;
+        generic += exact.verdict == TF_HIT;
+        if (memcmp(&exact, &perturbed, sizeof exact) != 0)
+            expect_no_fault("not the answer of exact signs", &q);
+    }
+    ck_assert_int_gt(generic, 0);
+}
+END_TEST
+
+// Whatever is found for moved elements is found in the limit too, where touching
+// counts.
+START_TEST(no_contact_is_made_up)
+{
+    generator random = generator_new((uint64_t)(30 + _i));
+    for (long i = 0; i < cases(20000); i++) {
+        query q = i % 2 == 0 ? query_extreme(&random, (query_kind)_i)
+                             : query_any(&random, (query_kind)_i);
+        mix_vertices(&random, &q);
+        tf_contact perturbed = ask(&tf_perturbed, &q);
+        if (perturbed.decision != TF_GENERIC)
+            expect_no_fault("a decision that is not generic", &q);
+        if (perturbed.verdict == TF_HIT && ask(&tf_exact, &q).verdict != TF_HIT)
+            expect_no_fault("a contact of the perturbed arithmetic alone", &q);
+    }
+}
+END_TEST
+
+// Order ------------------------------------------------------------------------
+
+/// The same two edges, the second first.
+static query swap_edges(const query *q)
+{
+    query swapped = *q;
+    for (int i = 0; i < QUERY_VERTICES; i++)
+        swapped.vertex[i] = q->vertex[(i + 2) % QUERY_VERTICES];
+    return swapped;
+}
+
+static bool same_time(const tf_contact *a, const tf_contact *b)
+{
+    return a->verdict == b->verdict && a->toi_lo == b->toi_lo &&
+           a->toi_hi == b->toi_hi;
+}
+
+START_TEST(two_edges_may_be_swapped)
+{
+    generator random = generator_new(40);
+    for (long i = 0; i < cases(20000); i++) {
+        query q = query_lattice(&random, EDGE_EDGE, 3);
+        mix_vertices(&random, &q);
+        query swapped = swap_edges(&q);
+        tf_contact a = ask(&tf_perturbed, &q);
+        tf_contact b = ask(&tf_perturbed, &swapped);
+        if (a.verdict != b.verdict || fabs(a.toi_lo - b.toi_lo) > 0x1p-50 ||
+            fabs(a.toi_hi - b.toi_hi) > 0x1p-50)
+            expect_no_fault("another answer for swapped edges", &q);
+    }
+}
+END_TEST
+
+/// Shuffle the vertices of both elements; order[i] is where vertex i was.
+static query shuffle(generator *random, const query *q,
+                     int order[QUERY_VERTICES], int *parity)
+{
+    query shuffled = *q;
+    *parity = 1;
+    for (int i = 0; i < QUERY_VERTICES; i++)
+        order[i] = i;
+    for (int i = q->vertices + q->others - 1; i > 0; i--) {
+        int begin = i < q->vertices ? 0 : q->vertices;
+        int other = begin + below(random, i - begin + 1);
+        if (other == i)
+            continue;
+        tf_worldline moved = shuffled.vertex[i];
+        shuffled.vertex[i] = shuffled.vertex[other];
+        shuffled.vertex[other] = moved;
+        int place = order[i];
+        order[i] = order[other];
+        order[other] = place;
+        *parity = -*parity;
+    }
+    return shuffled;
+}
+
+static double weight_of(const query *q, const tf_contact *contact, int i)
+{
+    return i < q->vertices ? contact->weight[0][i]
+                           : contact->weight[1][i - q->vertices];
+}
+
+START_TEST(vertices_may_come_in_any_order)
+{
+    generator random = generator_new((uint64_t)(50 + _i));
+    for (long i = 0; i < cases(20000); i++) {
+        query q = i % 2 ? query_lattice(&random, (query_kind)_i, 3)
+                        : query_any(&random, (query_kind)_i);
+        mix_vertices(&random, &q);
+        int order[QUERY_VERTICES], parity;
+        query shuffled = shuffle(&random, &q, order, &parity);
+        const tf_arithmetic *arithmetic = i % 4 < 2 ? &tf_perturbed : &tf_exact;
+        tf_contact a = ask(arithmetic, &q), b = ask(arithmetic, &shuffled);
+        bool same = same_time(&a, &b) && b.speed == parity * a.speed;
+        for (int k = 0; k < q.axes; k++)
+            same &= b.normal[k] == parity * a.normal[k];
+        for (int v = 0; v < q.vertices + q.others; v++)
+            same &= weight_of(&q, &b, v) == weight_of(&q, &a, order[v]);
+        if (!same)
+            expect_no_fault("another answer for another order", &q);
+    }
+}
+END_TEST
+
+START_TEST(only_the_order_of_indices_counts)
+{
+    generator random = generator_new((uint64_t)(60 + _i));
+    for (long i = 0; i < cases(5000); i++) {
+        query q = query_lattice(&random, (query_kind)_i, 3);
+        mix_vertices(&random, &q);
+        query wide = q;
+        for (int v = 0; v < q.vertices + q.others; v++)
+            tf_worldline_set_vertex(&wide.vertex[v],
+                                    TF_PERTURBED_VERTICES - 4 +
+                                        q.vertex[v].at[0].vertex);
+        tf_contact a = ask(&tf_perturbed, &q), b = ask(&tf_perturbed, &wide);
+        if (memcmp(&a, &b, sizeof a) != 0)
+            expect_no_fault("another answer for larger indices", &q);
+    }
+}
+END_TEST
+
+Suite *suite(void)
+{
+    Suite *s = suite_create("perturbation");
+    TCase *c = tcase_create("perturbation");
+    tcase_add_loop_test(c, lattice_queries_are_answered_as_if_moved, 0, KINDS);
+    tcase_add_test(c, moved_pairs_meet_as_the_oracle_says);
+    tcase_add_loop_test(c, generic_answers_are_those_of_exact_signs, 0, KINDS);
+    tcase_add_loop_test(c, no_contact_is_made_up, 0, KINDS);
+    tcase_add_test(c, two_edges_may_be_swapped);
+    tcase_add_loop_test(c, vertices_may_come_in_any_order, 0, KINDS);
+    tcase_add_loop_test(c, only_the_order_of_indices_counts, 0, KINDS);
+    suite_add_tcase(s, c);
+    return s;
+}

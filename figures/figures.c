@@ -27,6 +27,10 @@ const tf_figure *const tf_figures[] = {
     &tf_figure_propeller,
     &tf_figure_crease_crossing,
     &tf_figure_winding,
+    &tf_figure_integer_stripes,
+    &tf_figure_bits_spent,
+    &tf_figure_grid_rounding,
+    &tf_figure_rounded_sheets,
     NULL,
 };
 

@@ -29,6 +29,10 @@ extern const tf_figure tf_figure_edge_edge_sheets;
 extern const tf_figure tf_figure_propeller;
 extern const tf_figure tf_figure_crease_crossing;
 extern const tf_figure tf_figure_winding;
+extern const tf_figure tf_figure_integer_stripes;
+extern const tf_figure tf_figure_bits_spent;
+extern const tf_figure tf_figure_grid_rounding;
+extern const tf_figure tf_figure_rounded_sheets;
 
 /// All figures in the order of the book; NULL ends the table.
 extern const tf_figure *const tf_figures[];

@@ -1,4 +1,6 @@
 #include "arithmetic/integer.h"
+
+#include "query/point_triangle.h"
 #include "support/matrices.h"
 #include "support/rational.h"
 
@@ -9,7 +11,7 @@ static const tf_arithmetic *const both[] = {&tf_integer64, &tf_integer128};
 
 /// The largest coordinate that an arithmetic takes where there are n x n
 /// determinants: a 1x1 one is of the plane.
-static double largest(const tf_arithmetic *arithmetic, int n)
+static double largest_coordinate(const tf_arithmetic *arithmetic, int n)
 {
     return ldexp(1, arithmetic->bits[n == 3 ? 3 : 2]) - 1;
 }
@@ -40,7 +42,8 @@ static void judge_all_coordinates(const tf_arithmetic *arithmetic, int n)
     do {
         matrix m = matrix_new(&random, n);
         for (int i = 0; i < matrix_size(&m); i++)
-            *matrix_coordinate(&m, i) = end[i] * largest(arithmetic, n);
+            *matrix_coordinate(&m, i) =
+                end[i] * largest_coordinate(arithmetic, n);
         judge(arithmetic, &m);
     } while (next_signs(2 * n * n, end));
 }
@@ -58,7 +61,7 @@ START_TEST(all_signs_of_the_largest_differences)
     const tf_arithmetic *arithmetic = both[_i];
     double end[9] = {-1, -1, -1, -1, -1, -1, -1, -1, -1};
     generator random = generator_new(2);
-    double size = largest(arithmetic, 3);
+    double size = largest_coordinate(arithmetic, 3);
     do {
         matrix m = matrix_new(&random, 3);
         for (int k = 0; k < 9; k++) {
@@ -92,7 +95,7 @@ START_TEST(random_signs_and_values)
     long count = cases(60000);
     for (long i = 0; i < count; i++) {
         matrix m = matrix_new(&random, 1 + below(&random, TF_AXES));
-        double size = largest(arithmetic, m.n);
+        double size = largest_coordinate(arithmetic, m.n);
         bool ends = below(&random, 2);
         for (int k = 0; k < matrix_size(&m); k++)
             *matrix_coordinate(&m, k) = ends ? (below(&random, 3) - 1) * size
@@ -110,7 +113,7 @@ START_TEST(singular_matrices_and_their_neighbours)
     for (long i = 0; i < count; i++) {
         int n = 2 + below(&random, 2);
         matrix m = matrix_new(&random, n);
-        double size = largest(arithmetic, n);
+        double size = largest_coordinate(arithmetic, n);
         // The last row is plus or minus the first.
         double sign = below(&random, 2) ? 1 : -1;
         int row = 2 * n, last = row * (n - 1);
@@ -166,6 +169,132 @@ START_TEST(only_integers_are_held)
 }
 END_TEST
 
+// Why the limits are where they are --------------------------------------------
+
+/// The bits of an integer of an arithmetic, without the sign.
+static size_t room(const tf_arithmetic *arithmetic)
+{
+    return arithmetic == &tf_integer64 ? 63 : 127;
+}
+
+static size_t bits_of(const mpz_t integer)
+{
+    return mpz_sizeinbase(integer, 2);
+}
+
+static void find_determinant(mpz_t determinant, const matrix *m)
+{
+    tf_differences differences = matrix_differences(m);
+    int exponent = rational_determinant(determinant, &differences);
+    mpz_mul_2exp(determinant, determinant, (mp_bitcnt_t)exponent);
+}
+
+/// The largest determinant of differences of integers up to `most`.  It is
+/// linear in each difference, so those of opposite ends are enough.
+static void find_largest(mpz_t largest, int n, double most)
+{
+    double end[9] = {-1, -1, -1, -1, -1, -1, -1, -1, -1};
+    generator random = generator_new(5);
+    mpz_t own;
+    mpz_init(own);
+    mpz_set_ui(largest, 0);
+    do {
+        matrix m = matrix_new(&random, n);
+        for (int k = 0; k < n * n; k++) {
+            *matrix_coordinate(&m, 2 * k) = end[k] * most;
+            *matrix_coordinate(&m, 2 * k + 1) = -end[k] * most;
+        }
+        find_determinant(own, &m);
+        if (mpz_cmp(own, largest) > 0)
+            mpz_set(largest, own);
+    } while (next_signs(n * n, end));
+    mpz_clear(own);
+}
+
+START_TEST(largest_determinant_is_known_and_fits)
+{
+    mpz_t largest, expected;
+    mpz_inits(largest, expected, NULL);
+    for (int n = 2; n <= 3; n++) {
+        // 2 m^2 and 4 m^3 with m, the largest difference.
+        double most = largest_coordinate(both[_i], n);
+        find_largest(largest, n, most);
+        mpz_set_d(expected, 2 * most);
+        mpz_pow_ui(expected, expected, (unsigned long)n);
+        mpz_mul_ui(expected, expected, n == 2 ? 2 : 4);
+        ck_assert_msg(mpz_cmp(largest, expected) == 0, "%d x %d", n, n);
+        ck_assert_msg(bits_of(largest) <= room(both[_i]), "%d x %d: %zu bits",
+                      n, n, bits_of(largest));
+    }
+    mpz_clears(largest, expected, NULL);
+}
+END_TEST
+
+START_TEST(one_bit_more_does_not_fit)
+{
+    // Two rows from one corner of a cube, and one along a diagonal: three
+    // events at one time and two at the other, as queries have them.
+    static const double to[9] = {1, 1, -1, 1, -1, 1, 1, -1, -1};
+    static const double from[9] = {-1, -1, -1, -1, -1, -1, -1, 1, 1};
+    generator random = generator_new(6);
+    double most = ldexp(1, both[_i]->bits[3] + 1) - 1;
+    matrix m = matrix_new(&random, 3);
+    for (int k = 0; k < 9; k++) {
+        *matrix_coordinate(&m, 2 * k) = to[k] * most;
+        *matrix_coordinate(&m, 2 * k + 1) = from[k] * most;
+    }
+    mpz_t determinant;
+    mpz_init(determinant);
+    find_determinant(determinant, &m);
+    ck_assert_msg(bits_of(determinant) > room(both[_i]), "%zu bits",
+                  bits_of(determinant));
+    mpz_clear(determinant);
+}
+END_TEST
+
+/// What 64 bits keep of the determinant: its rest modulo 2^64, from -2^63 to
+/// 2^63 - 1.
+static tf_sign wrapped_sign(const tf_differences *differences)
+{
+    mpz_t rest;
+    mpz_init(rest);
+    int exponent = rational_determinant(rest, differences);
+    mpz_mul_2exp(rest, rest, (mp_bitcnt_t)exponent);
+    mpz_fdiv_r_2exp(rest, rest, 64);
+    int sign = mpz_tstbit(rest, 63) ? -1 : mpz_sgn(rest);
+    mpz_clear(rest);
+    return (tf_sign)sign;
+}
+
+/// Whether a point that flies through a cube from corner to corner meets the
+/// triangle of three other corners.
+static tf_verdict cross_the_cube(const tf_arithmetic *arithmetic, int bits)
+{
+    double m = ldexp(1, bits) - 1;
+    double start[] = {m, m, m}, end[] = {-m, -m, -m};
+    double corner[3][3] = {{m, -m, -m}, {-m, m, -m}, {-m, -m, m}};
+    tf_worldline point = tf_worldline_between(3, start, end), triangle[3];
+    for (int i = 0; i < 3; i++)
+        triangle[i] = tf_worldline_between(3, corner[i], corner[i]);
+    tf_contact contact;
+    tf_status status =
+        tf_point_triangle(arithmetic, &point, triangle, &contact);
+    return status == TF_OK ? contact.verdict : TF_UNDECIDED;
+}
+
+START_TEST(twenty_bits_miss_a_contact)
+{
+    // An arithmetic without the check of the range.
+    tf_arithmetic wrapping = oracle_arithmetic;
+    wrapping.sign = wrapped_sign;
+    ck_assert_int_eq(cross_the_cube(&tf_integer64, 19), TF_HIT);
+    ck_assert_int_eq(cross_the_cube(&wrapping, 19), TF_HIT);
+    ck_assert_int_eq(cross_the_cube(&wrapping, 20), TF_APART);
+    ck_assert_int_eq(cross_the_cube(&tf_integer128, 20), TF_HIT);
+    ck_assert_int_eq(cross_the_cube(&tf_integer64, 20), TF_UNDECIDED);
+}
+END_TEST
+
 Suite *suite(void)
 {
     Suite *integer = suite_create("integer");
@@ -179,5 +308,10 @@ Suite *suite(void)
     tcase_add_test(limits, limits_are_as_documented);
     tcase_add_loop_test(limits, only_integers_are_held, 0, 2);
     suite_add_tcase(integer, limits);
+    TCase *reasons = tcase_create("reasons for the limits");
+    tcase_add_loop_test(reasons, largest_determinant_is_known_and_fits, 0, 2);
+    tcase_add_loop_test(reasons, one_bit_more_does_not_fit, 0, 2);
+    tcase_add_test(reasons, twenty_bits_miss_a_contact);
+    suite_add_tcase(integer, reasons);
     return integer;
 }

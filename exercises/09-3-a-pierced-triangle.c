@@ -1,0 +1,70 @@
+/* Exercise 9.3.  A pierced triangle.
+ *
+ * An edge and a triangle of a mesh that was rounded to a grid: do they meet?
+ * All coordinates are integers below 2^19 in absolute value, everything is at
+ * one time, and the five points do not lie in one plane.  Edge and triangle are
+ * closed: touching counts.  Answer TF_HIT or TF_APART.
+ *
+ * Section: What rounding breaks.
+ *
+ * Hint 1: Two and three points are complementary in space: 2 + 3 = 3 + 2.
+ * Hint 2: tf_pair_of is for sweeps.  Fill a tf_pair yourself: all events are
+ *     early, the edge is the side +1 and the triangle the side -1, and there
+ *     are three axes, 0, 1 and 2.
+ * Hint 3: tf_complementary_meet returns false if all signs are zero, that is,
+ *     if all lies in one plane.  That cannot be; any verdict will do there.
+ */
+#include "arithmetic/integer.h"
+#include "spacetime/complementary.h"
+
+tf_verdict edge_meets_triangle(const tf_event edge[2],
+                               const tf_event triangle[3])
+{
+#if defined TF_SOLUTION || defined TF_WRONG_1
+    tf_pair pair = {
+        .count = 5,
+        .early = 5,
+        .event = {&edge[0], &edge[1], &triangle[0], &triangle[1], &triangle[2]},
+        .side = {+1, +1, -1, -1, -1},
+        .axes = 3,
+        .axis = {0, 1, 2}};
+    tf_meeting meeting;
+    bool known = tf_complementary_meet(&tf_integer64, &pair, &meeting);
+#endif
+#if defined TF_SOLUTION
+    return known ? meeting.verdict : TF_UNDECIDED;
+#elif defined TF_WRONG_1 // touching does not count
+    if (!known)
+        return TF_UNDECIDED;
+    return meeting.decision == TF_GENERIC ? meeting.verdict : TF_APART;
+#elif defined TF_WRONG_2 || defined TF_WRONG_3
+    int side[2];
+    for (int i = 0; i < 2; i++) {
+        tf_differences d = {.n = 3, .axis = {0, 1, 2}};
+        for (int j = 0; j < 3; j++) {
+            d.to[j] = &triangle[j];
+            d.from[j] = &edge[i];
+        }
+        side[i] = (int)tf_integer64.sign(&d);
+    }
+#if defined TF_WRONG_2 // the plane of the triangle is larger than the triangle
+    return side[0] * side[1] > 0 ? TF_APART : TF_HIT;
+#else                  // takes the box of the triangle for the triangle
+    if (side[0] * side[1] > 0)
+        return TF_APART;
+    for (int k = 0; k < 3; k++)
+        for (int sign = -1; sign <= 1; sign += 2) {
+            bool beyond = true;
+            for (int i = 0; i < 2; i++)
+                for (int j = 0; j < 3; j++)
+                    beyond &= sign * (edge[i].x[k] - triangle[j].x[k]) > 0;
+            if (beyond)
+                return TF_APART;
+        }
+    return TF_HIT;
+#endif
+#else
+    // Your turn: right when little is going on.
+    return TF_APART;
+#endif
+}

@@ -1,0 +1,122 @@
+#include "check.h"
+
+#include "spacetime/complementary.h"
+#include "support/oracle.h"
+#include "support/support.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+tf_verdict edge_meets_triangle(const tf_event edge[2],
+                               const tf_event triangle[3]);
+
+static const char *const verdicts[] = {[TF_UNDECIDED] = "TF_UNDECIDED",
+                                       [TF_APART] = "TF_APART",
+                                       [TF_HIT] = "TF_HIT"};
+
+/// Whether the five points lie in one plane, by the elimination of Gauss in
+/// rational numbers.
+static bool in_one_plane(const tf_event event[5])
+{
+    mpq_t row[4][3], factor, product;
+    mpq_inits(factor, product, NULL);
+    for (int i = 0; i < 4; i++)
+        for (int k = 0; k < 3; k++) {
+            mpq_init(row[i][k]);
+            mpq_set_d(row[i][k], event[i + 1].x[k] - event[0].x[k]);
+        }
+    int rank = 0;
+    for (int k = 0; k < 3; k++) {
+        int pivot = rank;
+        while (pivot < 4 && mpq_sgn(row[pivot][k]) == 0)
+            pivot++;
+        if (pivot == 4)
+            continue;
+        for (int j = 0; j < 3; j++)
+            mpq_swap(row[pivot][j], row[rank][j]);
+        for (int i = rank + 1; i < 4; i++) {
+            mpq_div(factor, row[i][k], row[rank][k]);
+            for (int j = k; j < 3; j++) {
+                mpq_mul(product, factor, row[rank][j]);
+                mpq_sub(row[i][j], row[i][j], product);
+            }
+        }
+        rank++;
+    }
+    for (int i = 0; i < 4; i++)
+        for (int k = 0; k < 3; k++)
+            mpq_clear(row[i][k]);
+    mpq_clears(factor, product, NULL);
+    return rank < 3;
+}
+
+static void expect(const tf_event event[5])
+{
+    oracle_simplex edge = {2, {&event[0], &event[1]}};
+    oracle_simplex triangle = {3, {&event[2], &event[3], &event[4]}};
+    tf_verdict expected =
+        oracle_slices_meet(3, &edge, &triangle) ? TF_HIT : TF_APART;
+    check_input("edge %s, %s, triangle %s, %s, %s", text_point(3, event[0].x),
+                text_point(3, event[1].x), text_point(3, event[2].x),
+                text_point(3, event[3].x), text_point(3, event[4].x));
+    tf_verdict got = edge_meets_triangle(event, event + 2);
+    check_that(got == expected, verdicts[expected], "%s",
+               (unsigned)got <= TF_HIT ? verdicts[got] : "no verdict");
+}
+
+START_TEST(a_simple_triangle)
+{
+    // Through the inside, beside, short of it, on a corner, from its plane.
+    static const double ends[][2][3] = {{{1, 1, 1}, {1, 1, -1}},
+                                        {{3, 3, 1}, {3, 3, -1}},
+                                        {{1, 1, 2}, {1, 1, 1}},
+                                        {{4, 0, 1}, {4, 0, -1}},
+                                        {{1, 1, 0}, {9, 1, 2}}};
+    for (int i = 0; i < (int)(sizeof ends / sizeof *ends); i++) {
+        tf_event event[5] = {{.t = 0},
+                             {.t = 0},
+                             {.x = {0, 0, 0}},
+                             {.x = {4, 0, 0}},
+                             {.x = {0, 4, 0}}};
+        for (int j = 0; j < 2; j++)
+            for (int k = 0; k < 3; k++)
+                event[j].x[k] = ends[i][j][k];
+        expect(event);
+    }
+}
+END_TEST
+
+/// Five points with coordinates from n integers around 0, times a size.
+static void expect_lattice(generator *random, int n, double size)
+{
+    tf_event event[5] = {{.t = 0}};
+    for (int i = 0; i < 5; i++)
+        for (int k = 0; k < 3; k++)
+            event[i].x[k] = (below(random, n) - n / 2) * size;
+    if (!in_one_plane(event))
+        expect(event);
+}
+
+START_TEST(small_integers)
+{
+    generator random = generator_new(0);
+    for (int i = 0; i < 600; i++)
+        expect_lattice(&random, 3 + i % 4, 1);
+}
+END_TEST
+
+START_TEST(large_integers)
+{
+    generator random = generator_new(1);
+    for (int i = 0; i < 300; i++)
+        expect_lattice(&random, 3, 0x1p19 - 1);
+}
+END_TEST
+
+void add_tests(TCase *tests)
+{
+    tcase_add_test(tests, a_simple_triangle);
+    tcase_add_test(tests, small_integers);
+    tcase_add_test(tests, large_integers);
+}

@@ -31,6 +31,10 @@ const tf_figure *const tf_figures[] = {
     &tf_figure_bits_spent,
     &tf_figure_grid_rounding,
     &tf_figure_rounded_sheets,
+    &tf_figure_two_sum,
+    &tf_figure_expansion_terms,
+    &tf_figure_accumulator_words,
+    &tf_figure_exact_stages,
     NULL,
 };
 

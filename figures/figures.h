@@ -33,6 +33,10 @@ extern const tf_figure tf_figure_integer_stripes;
 extern const tf_figure tf_figure_bits_spent;
 extern const tf_figure tf_figure_grid_rounding;
 extern const tf_figure tf_figure_rounded_sheets;
+extern const tf_figure tf_figure_two_sum;
+extern const tf_figure tf_figure_expansion_terms;
+extern const tf_figure tf_figure_accumulator_words;
+extern const tf_figure tf_figure_exact_stages;
 
 /// All figures in the order of the book; NULL ends the table.
 extern const tf_figure *const tf_figures[];

@@ -1,0 +1,129 @@
+// The accumulator's words: which of them two determinants use.
+#include "figures.h"
+
+#include "arithmetic/accumulator.h"
+
+#include <float.h>
+#include <math.h>
+
+enum {
+    TERMS = 6,
+    WORD_BITS = 64,
+    UNIT_EXPONENT = -3222
+};
+
+static const double left = 14, width = 356, row = 12;
+
+static const double mixed[TF_AXES][TF_AXES] = {{DBL_MAX, 1, DBL_TRUE_MIN},
+                                               {DBL_TRUE_MIN, DBL_MAX, 1},
+                                               {1, DBL_TRUE_MIN, DBL_MAX}};
+static const double ordinary[TF_AXES][TF_AXES] = {
+    {0x1.39adc5cd900e1p-2, -0x1.5fd7e4fab497p-4, -0x1.382988f3c19d2p-2},
+    {-0x1.72b9bad814c5fp-2, 0x1.08b61d7e26e86p-4, 0x1.5c960fdb4427ap-2},
+    {-0x1.7426e4871b6b3p-2, 0x1.a16e455e5683p-4, 0x1.725a4884d51d7p-2}};
+
+static void accumulate(const double e[TF_AXES][TF_AXES], tf_accumulator *sum)
+{
+    static const int column[TERMS][TF_AXES] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1},
+                                               {0, 2, 1}, {1, 0, 2}, {2, 1, 0}};
+    tf_accumulator_clear(sum);
+    for (int p = 0; p < TERMS; p++)
+        tf_accumulator_add(sum,
+                           p < 3 ? e[0][column[p][0]] : -e[0][column[p][0]],
+                           e[1][column[p][1]], e[2][column[p][2]]);
+}
+
+/// Where a bit of that exponent stands: high ones at the left.
+static double place(double exponent)
+{
+    double bits = TF_ACCUMULATOR_WORDS * WORD_BITS;
+    return left + width * (1 - (exponent - UNIT_EXPONENT) / bits);
+}
+
+static tf_box word_box(int i, double y)
+{
+    double from = place(UNIT_EXPONENT + (i + 1) * WORD_BITS);
+    return (tf_box){from, y, width / TF_ACCUMULATOR_WORDS - 0.6, row};
+}
+
+static void draw_sum(tf_page *page, const tf_accumulator *a, bool positive,
+                     double y)
+{
+    tf_role role = positive ? TF_ROLE_POSITIVE : TF_ROLE_NEGATIVE;
+    for (int i = 0; i < TF_ACCUMULATOR_WORDS; i++) {
+        bool used = i >= a->first && i < a->end;
+        bool full = used && a->sum[positive][i] != 0;
+        tf_page_fill_box(
+            page, word_box(i, y),
+            full   ? (tf_paint){.role = role}
+            : used ? (tf_paint){.role = role, .opacity = 0.3}
+                   : (tf_paint){.role = TF_ROLE_NEUTRAL, .opacity = 0.18});
+    }
+}
+
+static int full_words(const tf_accumulator *a, bool positive)
+{
+    int count = 0;
+    for (int i = a->first; i < a->end; i++)
+        count += a->sum[positive][i] != 0;
+    return count;
+}
+
+static void draw_accumulator(tf_page *page, double y, const char *title,
+                             const tf_accumulator *a)
+{
+    tf_page_text(page, left, y, TF_ALIGN_LEFT, title, TF_LETTERS_SMALL,
+                 TF_ROLE_INK);
+    draw_sum(page, a, true, y + 6);
+    draw_sum(page, a, false, y + 6 + row + 2);
+}
+
+static void draw_scale(tf_page *page, double y)
+{
+    static const int at[] = {3072, 2000, 1000, 0, -1000, -2000, -3222};
+    for (int i = 0; i < 7; i++) {
+        double x = place(at[i]), tick[2][2] = {{x, y}, {x, y + 4}};
+        tf_page_line(page, 2, (const double(*)[2])tick,
+                     (tf_stroke){.paint = {.role = TF_ROLE_NEUTRAL},
+                                 .width = TF_WIDTH_THIN});
+        char text[16];
+        snprintf(text, sizeof text, "$2^{%d}$", at[i]);
+        tf_page_text(page, x, y + 16, TF_ALIGN_CENTER, text, TF_LETTERS_SMALL,
+                     TF_ROLE_INK);
+    }
+}
+
+static void print_sum(FILE *numbers, const char *name, const tf_accumulator *a)
+{
+    char key[32];
+    snprintf(key, sizeof key, "%s_used", name);
+    tf_figure_number(numbers, key, a->end - a->first);
+    snprintf(key, sizeof key, "%s_positive", name);
+    tf_figure_number(numbers, key, full_words(a, true));
+    snprintf(key, sizeof key, "%s_negative", name);
+    tf_figure_number(numbers, key, full_words(a, false));
+}
+
+static void draw(tf_page *page, FILE *numbers)
+{
+    tf_accumulator all, few;
+    accumulate(mixed, &all);
+    accumulate(ordinary, &few);
+    draw_accumulator(page, 14,
+                     "*from $4.9\u00b710^{-324}$ to "
+                     "$1.8\u00b710^{308}$*",
+                     &all);
+    draw_accumulator(page, 66, "*an ordinary determinant*", &few);
+    draw_scale(page, 102);
+    print_sum(numbers, "mixed", &all);
+    print_sum(numbers, "ordinary", &few);
+    tf_figure_number(numbers, "words", TF_ACCUMULATOR_WORDS);
+}
+
+const tf_figure tf_figure_accumulator_words = {
+    .name = "accumulator-words",
+    .title = "The words of the accumulator, and those that are used",
+    .width = TF_FIGURE_WIDTH,
+    .height = 126,
+    .draw = draw,
+};

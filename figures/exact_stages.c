@@ -1,15 +1,11 @@
 // Which stage of the exact arithmetic finds a sign, a pixel a double.
 #include "figures.h"
 
-#include "arithmetic/clamped.h"
 #include "arithmetic/exact.h"
-#include "arithmetic/expansion.h"
-
-#include <math.h>
 
 enum {
     CELLS = 96, // doubles along each side of the map
-    STAGES = 3
+    STAGES = TF_BY_ACCUMULATOR + 1
 };
 
 /// The line goes through these two points of the diagonal.
@@ -17,36 +13,13 @@ static const double near_end = 1.125, far_end = 1.375;
 
 static const double side = 228, map_left = 24, map_top = 10;
 
-typedef enum stage {
-    ESTIMATE,
-    EXPANSION,
-    ACCUMULATOR
-} stage;
-
 /// The i-th double from 1/2 on, upwards or downwards.
 static double step_from_half(int i)
 {
     return 0.5 + i * (i < 0 ? 0x1p-54 : 0x1p-53);
 }
 
-static bool is_double(double to, double from)
-{
-    return tf_two_difference(to, from).lo == 0;
-}
-
-static stage stage_of(const tf_differences *d)
-{
-    tf_estimate estimate = tf_differences_estimate(d);
-    if (fabs(estimate.number) > estimate.bound)
-        return ESTIMATE;
-    for (int i = 0; i < d->n; i++)
-        for (int j = 0; j < d->n; j++)
-            if (!is_double(d->to[i]->x[j], d->from[i]->x[j]))
-                return ACCUMULATOR;
-    return EXPANSION;
-}
-
-static tf_paint stage_paint(stage by)
+static tf_paint stage_paint(tf_stage by)
 {
     static const tf_paint paint[STAGES] = {
         {.role = TF_ROLE_NEUTRAL, .shade = -0.75},
@@ -65,7 +38,8 @@ static void fill_map(const tf_theme *theme, tf_rgb cell[], int count[STAGES])
             tf_event r = {.x = {far_end, far_end}};
             tf_differences d = {
                 .n = 2, .to = {&q, &r}, .from = {&p, &p}, .axis = {0, 1}};
-            stage by = stage_of(&d);
+            tf_stage by;
+            tf_exact_sign(&d, &by);
             count[by]++;
             *cell++ = tf_paint_color(theme, stage_paint(by));
         }
@@ -98,7 +72,7 @@ static void draw_halves(tf_page *page)
                  TF_LETTERS, TF_ROLE_INK);
 }
 
-static void draw_key(tf_page *page, stage by, const char *name, int count)
+static void draw_key(tf_page *page, tf_stage by, const char *name, int count)
 {
     double x = map_left + side + 14, y = map_top + 24 + 44 * (double)by;
     tf_page_fill_box(page, (tf_box){x, y - 8, 9, 9}, stage_paint(by));
@@ -121,7 +95,7 @@ static void draw(tf_page *page, FILE *numbers)
     draw_diagonal(page);
     draw_halves(page);
     for (int i = 0; i < STAGES; i++) {
-        draw_key(page, (stage)i, name[i], count[i]);
+        draw_key(page, (tf_stage)i, name[i], count[i]);
         tf_figure_number(numbers, name[i], count[i]);
     }
 }

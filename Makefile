@@ -256,6 +256,12 @@ check-static: need-static ## read the code: warnings, clang-tidy, cppcheck
 	    2>/dev/null' sh
 .PHONY: check-format format check-static
 
+proofs: need-proofs ## prove the error bounds, from the constants in the code
+	@python3 tests/proofs/prove.py
+	@python3 tests/proofs/worst.py
+	@python3 tests/proofs/prove_test.py
+.PHONY: proofs
+
 # Four builds must give the same answers to the last bit, and a build that
 # gives other answers must not come about.
 compilers = gcc-O0 gcc-O2 gcc-O3 clang-O2
@@ -384,10 +390,12 @@ format    clang-format    clang-format      lays out the code
 static    clang           clang             is one of the compilers
 static    clang-tidy      clang-tidy        reads the code for errors
 static    cppcheck        cppcheck          reads the code for errors
+proofs    gappa           gappa             proves bounds of rounding errors
+proofs    python3         python3           runs the proofs
 endef
 
 needs = build check figures book pdf site chapters fuzz compilers coverage \
-	format static exercises
+	format static proofs exercises
 .PHONY: $(needs:%=need-%) deps
 need-check need-figures need-book need-compilers need-format: | need-build
 ifeq ($(SRC),src)

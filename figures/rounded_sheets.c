@@ -128,7 +128,7 @@ typedef struct crossings {
 } crossings;
 
 /// Whether an edge meets a triangle, and where.  Five events of one time are
-/// complementary in space; the rare pair in one plane is left to its own edges.
+/// complementary in space.  A pair that lies in one plane is not counted.
 static bool edge_meets_triangle(const tf_arithmetic *arithmetic,
                                 const tf_event *const end[2],
                                 const tf_event *const corner[3], double at[3])
@@ -178,9 +178,9 @@ static void add_mesh(tf_scene *scene, const mesh *m)
         for (int j = 0; j < 3; j++)
             for (int k = 0; k < 3; k++)
                 corner[j][k] = m->vertex[m->triangle[i][j]].x[k];
-        tf_scene_triangle(
-            scene, (const double(*)[3])corner, TF_WIDTH_THIN,
-            (tf_paint){.role = role_of_sheet[i / (TRIANGLES / 2)]});
+        tf_scene_triangle(scene, (const double(*)[3])corner, TF_WIDTH_THIN,
+                          (tf_paint){.role = role_of_sheet[i / (TRIANGLES / 2)],
+                                     .shade = -0.3});
     }
 }
 

@@ -18,8 +18,7 @@ __extension__ typedef __int128 int128;
                       e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0]))
 
 //: Take differences of integers
-/// The entries as integers; each fits, for a double holds no integer above
-/// 2^53 that the arithmetics accept.
+/// The entries as integers.  Each fits: coordinates have at most 53 bits.
 static void integer_entries(const tf_differences *d,
                             int64_t entry[TF_AXES][TF_AXES])
 {

@@ -80,10 +80,10 @@ static void draw(tf_page *page, FILE *numbers)
     draw_bits(page, row[0], a, TF_ROLE_EDGE);
     name_row(page, row[1], "$b$", TF_ROLE_POINT);
     draw_bits(page, row[1], b, TF_ROLE_POINT);
-    name_row(page, row[2], "hi", TF_ROLE_POSITIVE);
-    draw_bits(page, row[2], sum.hi, TF_ROLE_POSITIVE);
-    name_row(page, row[3], sum.lo < 0 ? "−lo" : "lo", TF_ROLE_NEGATIVE);
-    draw_bits(page, row[3], sum.lo, TF_ROLE_NEGATIVE);
+    name_row(page, row[2], "hi", TF_ROLE_INK);
+    draw_bits(page, row[2], sum.hi, TF_ROLE_INK);
+    name_row(page, row[3], sum.lo < 0 ? "−lo" : "lo", TF_ROLE_CONTACT);
+    draw_bits(page, row[3], sum.lo, TF_ROLE_CONTACT);
     draw_cut(page, sum.hi, row[0] - 4, row[3] + height + 4);
     draw_scale(page, row[3] + height + 6);
     tf_figure_number(numbers, "hi", sum.hi);

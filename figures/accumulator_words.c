@@ -46,19 +46,22 @@ static tf_box word_box(int i, double y)
     return (tf_box){from, y, width / TF_ACCUMULATOR_WORDS - 0.6, row};
 }
 
+/// A word that is not zero, one that is, and one that is not even set.
+static tf_paint word_paint(const tf_accumulator *a, bool positive, int i)
+{
+    tf_paint paint = {.role = positive ? TF_ROLE_POSITIVE : TF_ROLE_NEGATIVE};
+    if (i < a->first || i >= a->end)
+        return (tf_paint){.role = TF_ROLE_NEUTRAL, .opacity = 0.18};
+    if (a->sum[positive][i] == 0)
+        paint.opacity = 0.3;
+    return paint;
+}
+
 static void draw_sum(tf_page *page, const tf_accumulator *a, bool positive,
                      double y)
 {
-    tf_role role = positive ? TF_ROLE_POSITIVE : TF_ROLE_NEGATIVE;
-    for (int i = 0; i < TF_ACCUMULATOR_WORDS; i++) {
-        bool used = i >= a->first && i < a->end;
-        bool full = used && a->sum[positive][i] != 0;
-        tf_page_fill_box(
-            page, word_box(i, y),
-            full   ? (tf_paint){.role = role}
-            : used ? (tf_paint){.role = role, .opacity = 0.3}
-                   : (tf_paint){.role = TF_ROLE_NEUTRAL, .opacity = 0.18});
-    }
+    for (int i = 0; i < TF_ACCUMULATOR_WORDS; i++)
+        tf_page_fill_box(page, word_box(i, y), word_paint(a, positive, i));
 }
 
 static int full_words(const tf_accumulator *a, bool positive)

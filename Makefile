@@ -176,9 +176,29 @@ $(BUILD)/tests/fuzz/%.found: $(BUILD)/tests/fuzz/% FORCE
 	@printf '%-32s %s\n' tests/fuzz/$* "$$(grep '^Done' $@)"
 .PHONY: fuzz run-fuzzers
 
-bench: $(BUILD)/tests/bench/bench ## time the library
+# The figures use what was measured, so that this may need no more than they do.
+measuring = $(patsubst tests/%.c,$(BUILD)/measure/%.o,tests/bench/bench.c \
+	tests/bench/workloads.c tests/support/generator.c)
+
+$(BUILD)/measure/%.o: tests/%.c $(BUILD)/flags | need-build
+	@echo 'compile $<' && mkdir -p $(@D)
+	$(Q)$(COMPILE) -I$(SRC) -Itests -MMD -MP -c $< -o $@
+
+$(BUILD)/measure/program: $(measuring) $(library)
+	@echo 'link    $@'
+	$(Q)$(LINK) $^ -lm -o $@
+
+bench: $(BUILD)/measure/program ## time the library
 	@$<
-.PHONY: bench
+
+measure: $(BUILD)/measure/program | $(BUILD) ## time it anew for the book
+	@echo 'measure $(BUILD)/measured.h'
+	@$< --header >$(BUILD)/measured.h.new
+	@mv $(BUILD)/measured.h.new $(BUILD)/measured.h
+
+$(BUILD)/measured.h: $(BUILD)/measure/program
+	@$(MAKE) measure
+.PHONY: bench measure
 
 # The chapters -----------------------------------------------------------------
 

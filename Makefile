@@ -176,28 +176,30 @@ $(BUILD)/tests/fuzz/%.found: $(BUILD)/tests/fuzz/% FORCE
 	@printf '%-32s %s\n' tests/fuzz/$* "$$(grep '^Done' $@)"
 .PHONY: fuzz run-fuzzers
 
-# The figures use what was measured, so that this may need no more than they do.
-measuring = $(patsubst tests/%.c,$(BUILD)/measure/%.o,tests/bench/bench.c \
-	tests/bench/workloads.c tests/support/generator.c)
+bench: $(BUILD)/bench/program ## time the library
+	@$<
 
-$(BUILD)/measure/%.o: tests/%.c $(BUILD)/flags | need-build
-	@echo 'compile $<' && mkdir -p $(@D)
-	$(Q)$(COMPILE) -I$(SRC) -Itests -MMD -MP -c $< -o $@
-
-$(BUILD)/measure/program: $(measuring) $(library)
+# Figures show what was measured, so that this may need no more than they do.
+$(BUILD)/bench/program: $(patsubst tests/%.c,$(BUILD)/bench/%.o, \
+		tests/bench/bench.c tests/bench/workloads.c \
+		tests/support/generator.c) $(library)
 	@echo 'link    $@'
 	$(Q)$(LINK) $^ -lm -o $@
 
-bench: $(BUILD)/measure/program ## time the library
-	@$<
+$(BUILD)/bench/%.o: tests/%.c $(BUILD)/flags | need-build
+	@echo 'compile $<' && mkdir -p $(@D)
+	$(Q)$(COMPILE) -I$(SRC) -Itests -MMD -MP -c $< -o $@
 
-measure: $(BUILD)/measure/program | $(BUILD) ## time it anew for the book
-	@echo 'measure $(BUILD)/measured.h'
-	@$< --header >$(BUILD)/measured.h.new
-	@mv $(BUILD)/measured.h.new $(BUILD)/measured.h
+# Measured once, with the usual flags, whatever those of this build.
+measure: ## time the library anew for the figures of the book
+	@$(MAKE) build/measured/bench/program BUILD=build/measured CFLAGS=-O3 LDFLAGS=
+	@echo 'measure $(measured)'
+	@build/measured/bench/program --header >$(measured).new
+	@mv $(measured).new $(measured)
 
-$(BUILD)/measured.h: $(BUILD)/measure/program
+$(measured):
 	@$(MAKE) measure
+
 .PHONY: bench measure
 
 # The chapters -----------------------------------------------------------------

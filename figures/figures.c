@@ -27,6 +27,8 @@ const tf_figure *const tf_figures[] = {
     &tf_figure_propeller,
     &tf_figure_crease_crossing,
     &tf_figure_winding,
+    &tf_figure_sign_stages,
+    &tf_figure_sign_costs,
     NULL,
 };
 

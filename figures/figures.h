@@ -29,6 +29,8 @@ extern const tf_figure tf_figure_edge_edge_sheets;
 extern const tf_figure tf_figure_propeller;
 extern const tf_figure tf_figure_crease_crossing;
 extern const tf_figure tf_figure_winding;
+extern const tf_figure tf_figure_sign_stages;
+extern const tf_figure tf_figure_sign_costs;
 
 /// All figures in the order of the book; NULL ends the table.
 extern const tf_figure *const tf_figures[];

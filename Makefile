@@ -180,6 +180,10 @@ bench: $(BUILD)/tests/bench/bench ## time the library
 	@$<
 .PHONY: bench
 
+counts: $(BUILD)/tests/bench/counts ## count what the report's rule misses
+	@$<
+.PHONY: counts
+
 # The chapters -----------------------------------------------------------------
 
 # $(call refuse,WORDS,WHY): a complaint for each of the words.

@@ -418,7 +418,8 @@ $(needs:%=need-%): need-%:
 	        *) command -v $$one ;; \
 	        esac >/dev/null 2>&1 && continue 2; \
 	    done; \
-	    echo "$$package is missing; it $$purpose." >&2; \
+	    echo "$$package is missing; it $$purpose." | \
+	        sed 's/|\([^ ]*\)/ (or \1)/; s/,\(.*)\)/ and \1/' >&2; \
 	    case $$package in *'|'*) a=$${package%|*}; \
 	        package="\$$(apt-cache show $$a >/dev/null 2>&1 && echo $$a \
 	            || echo $${package#*|} | tr , ' ')" ;; \

@@ -326,6 +326,32 @@ def depart_sidenote_latex(translator, node):
     translator.body.append("}")
 
 
+# Paragraphs -------------------------------------------------------------------
+
+def drop_empty(app, doctree):
+    """An empty cell of a table is not a cell with an empty paragraph."""
+    for paragraph in list(doctree.findall(nodes.paragraph)):
+        if not paragraph.children and isinstance(paragraph.parent, nodes.entry):
+            paragraph.parent.remove(paragraph)
+
+
+def goes_on(paragraph):
+    """Whether it goes on with the sentence before the code above it."""
+    index = paragraph.parent.index(paragraph)
+    before = paragraph.parent[index - 1] if index else paragraph
+    return (paragraph.astext()[:1].islower()
+            and not isinstance(before, (nodes.paragraph, nodes.title)))
+
+
+def run_on(app, doctree, docname):
+    """In print a paragraph is indented, but not what goes on after code."""
+    for paragraph in list(doctree.findall(nodes.paragraph)):
+        if app.builder.format == "latex" and goes_on(paragraph):
+            index = paragraph.parent.index(paragraph)
+            paragraph.parent.insert(index, nodes.raw(
+                "", r"\tfrunon", format="latex"))
+
+
 def setup(app):
     for name, block in ("opening", Opening), ("margin", Block), \
             ("remember", Remember), ("proof", Proof), ("problem", Problem), \
@@ -343,5 +369,7 @@ def setup(app):
                  latex=(visit_sidenote_latex, depart_sidenote_latex))
     app.add_role("def", DefinitionRole())
     app.connect("doctree-read", move_footnotes)
+    app.connect("doctree-read", drop_empty)
+    app.connect("doctree-resolved", run_on)
     app.connect("env-check-consistency", check_exercises)
     return {"version": "1", "parallel_read_safe": False}

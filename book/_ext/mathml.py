@@ -134,6 +134,14 @@ def draw_primes(node):
     node.tag = "mrow"
 
 
+def draw_end(root):
+    """No gap after a relation that ends a formula: a space follows it."""
+    row = root[0]
+    last = row[-1] if row.tag == "mrow" and len(row) else row
+    if last.tag == "mo" and last.text in BREAKING:
+        last.set("rspace", "0em")
+
+
 def pieces(row):
     """The children of a row up to each place where a line may break: after
     a relation or a comma outside of all parentheses."""
@@ -174,6 +182,7 @@ def legible(math):
         for draw in draw_letters, draw_bars, draw_signs, draw_names, \
                 draw_primes:
             draw(node)
+    draw_end(root)
     return "<wbr>".join(ElementTree.tostring(line, encoding="unicode")
                         for line in lines(root))
 
@@ -198,6 +207,22 @@ class Katex:
     def close(self, app, error):
         if self.process is not None:
             self.process.communicate()
+
+
+GLUED = re.compile(
+    r"([(\[\u201c]?)(<math>(?:(?!</?math).)*</math>)([^\s<]*)", re.S)
+
+
+def glued(body):
+    """The page, no line of which ends between a formula within the text and
+    a comma, a parenthesis or an ending that touches it."""
+    return GLUED.sub(lambda found: f'<span class="glued">{found[0]}</span>'
+                     if found[1] or found[3] else found[0], body)
+
+
+def glue(app, page, template, context, doctree):
+    if "body" in context:
+        context["body"] = glued(context["body"])
 
 
 def aligned(tex):
@@ -227,5 +252,6 @@ def setup(app):
     app.add_html_math_renderer("mathml", (visit_math, None),
                                (visit_math_block, None))
     app.config.html_math_renderer = "mathml"
+    app.connect("html-page-context", glue)
     app.connect("build-finished", katex.close)
     return {"version": "1", "parallel_read_safe": True}

@@ -234,7 +234,7 @@ check-chapters: need-chapters ## see that each chapter needs no later one
 
 # The source -------------------------------------------------------------------
 
-code = $(shell find src figures tests -name '*.[ch]')
+code = $(shell find src figures tests book -name '*.[ch]')
 
 check-format: need-format ## compare the layout with .clang-format
 	@clang-format --dry-run -Werror $(code)

@@ -304,6 +304,24 @@ def move_footnotes(app, doctree):
         footnote.parent.remove(footnote)
 
 
+def loose_notes(text):
+    """The footnotes that have either no text or no reference, with lines."""
+    places = [(found[1], bool(found[2]), text.count("\n", 0, found.start()) + 1)
+              for found in re.finditer(r"\[\^([^\]\s]+)\](:?)", text)]
+    texts = {name for name, is_text, _ in places if is_text}
+    references = {name for name, is_text, _ in places if not is_text}
+    return [(name, is_text, line) for name, is_text, line in places
+            if name not in (references if is_text else texts)]
+
+
+def check_notes(app, docname, source):
+    """Markdown says nothing of them."""
+    for name, is_text, line in loose_notes(source[0]):
+        log.warning("note [^%s] has no %s", name,
+                    "reference" if is_text else "text",
+                    location=(docname, line))
+
+
 def visit_sidenote_html(translator, node):
     number = node["number"]
     translator.body.append(
@@ -368,6 +386,7 @@ def setup(app):
                  html=(visit_sidenote_html, depart_sidenote_html),
                  latex=(visit_sidenote_latex, depart_sidenote_latex))
     app.add_role("def", DefinitionRole())
+    app.connect("source-read", check_notes)
     app.connect("doctree-read", move_footnotes)
     app.connect("doctree-read", drop_empty)
     app.connect("doctree-resolved", run_on)

@@ -2,6 +2,7 @@
 
 MACROS serve both the pages and the print.
 """
+import html
 import json
 import re
 import subprocess
@@ -9,7 +10,10 @@ import unicodedata
 from xml.etree import ElementTree
 
 from docutils import nodes
+from sphinx.util import logging
 from sphinx.util.math import get_node_equation_number
+
+log = logging.getLogger(__name__)
 
 MACROS = {
     r"\R": r"\mathbb{R}", r"\Z": r"\mathbb{Z}", r"\F": r"\mathbb{F}",
@@ -234,14 +238,22 @@ def aligned(tex):
 def setup(app):
     katex = Katex()
 
+    def rendered(node, tex, display):
+        """A formula that KaTeX cannot read stands there as it was written."""
+        try:
+            return katex.render(tex, display)
+        except ValueError as error:
+            log.warning("%s", error, location=node)
+            return html.escape(tex)
+
     def visit_math(translator, node):
-        translator.body.append(katex.render(node.astext(), False))
+        translator.body.append(rendered(node, node.astext(), False))
         raise nodes.SkipNode
 
     def visit_math_block(translator, node):
         translator.body.append(translator.starttag(node, "div", CLASS="math"))
         translator.body.append('<div class="equation">')
-        translator.body.append(katex.render(aligned(node.astext()), True))
+        translator.body.append(rendered(node, aligned(node.astext()), True))
         translator.body.append("</div>")
         if node["number"]:
             number = get_node_equation_number(translator, node)

@@ -207,6 +207,11 @@ class Texts(unittest.TestCase):
                                  nodes.paragraph("", "b")))
         self.assertFalse(goes_on(nodes.paragraph("", "b")))
 
+    def test_finds_notes_without_text_or_reference(self):
+        self.assertEqual(
+            blocks.loose_notes("A[^a] b[^b]\n\n[^a]: Yes.\n[^c]: No.\n"),
+            [("b", False, 1), ("c", True, 4)])
+
     def test_drops_the_paragraph_of_an_empty_cell(self):
         empty = nodes.entry("", nodes.paragraph())
         full = nodes.entry("", nodes.paragraph("", "1"))

@@ -5,6 +5,7 @@
 #include "arithmetic/perturbed.h"
 
 #include <math.h>
+#include <string.h>
 
 void truth_init(truth *known)
 {

@@ -261,18 +261,20 @@ def latex_link(translator, title):
 VERBATIM = r"\begin{Verbatim}[commandchars=\\\{\}]"
 BLANK = "\\end{Verbatim}\n\\tfblank\n" + VERBATIM
 SHORT = 10      # lines; as many stay on one page
+LEAST = 3       # lines before and after the end of a page
 
 
 def latex_code(translator, node):
     """The lines, highlighted, without the Verbatim around them."""
     lines = translator.highlighter.highlight_block(
         node["code"], lexer(node["path"]).aliases[0]).rstrip().split("\n")[1:-1]
-    uses = iter(node["uses"])
+    uses = list(node["uses"])   # none in a quotation, whose heads stay
     return "\n".join(
-        BLANK if not line else
+        BLANK if not line and LEAST <= i < len(lines) - LEAST else
         re.sub(r"\\PYG\{c\+c1\}\{//: .*\}$",
-               lambda _: latex_link(translator, next(uses)), line)
-        for line in lines)
+               lambda head: latex_link(translator, uses.pop(0)) if uses
+               else head[0], line)
+        for i, line in enumerate(lines))
 
 
 def visit_latex(translator, node):

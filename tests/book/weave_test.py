@@ -240,9 +240,15 @@ class Print(unittest.TestCase):
 
     def test_ends_pages_at_blank_lines(self):
         self.assertEqual(
-            self.latex("int a;\n\nint b;").split("\n"),
-            ["int a;", r"\end{Verbatim}", r"\tfblank", weave.VERBATIM,
-             "int b;"])
+            self.latex("a\nb\nc\n\nd\ne\nf").split("\n"),
+            ["a", "b", "c", r"\end{Verbatim}", r"\tfblank", weave.VERBATIM,
+             "d", "e", "f"])
+        for code in "a\nb\n\nc\nd\ne", "a\nb\nc\n\nd\ne":
+            self.assertEqual(self.latex(code), code)
+
+    def test_leaves_the_heads_of_a_quotation(self):
+        head = r"\PYG{c+c1}{//: Start}"
+        self.assertEqual(self.latex(head + "\nint a;"), head + "\nint a;")
 
 
 if __name__ == "__main__":

@@ -268,11 +268,11 @@ check-format: need-format ## compare the layout with .clang-format
 format: need-format ## lay the code out as .clang-format says
 	@clang-format -i $(code)
 
-paths = -Isrc -Ifigures $$(cat $(BUILD)/stage.flags)
+paths = -Isrc -Ifigures -I$(dir $(measured)) $$(cat $(BUILD)/stage.flags)
 
 # cppcheck takes a struct for a pointer to the arguments that it came from, and
 # a pointer that is copied byte by byte for lost.
-check-static: $(BUILD)/stage.flags
+check-static: $(BUILD)/stage.flags $(measured)
 check-static: need-static ## read the code: warnings, clang-tidy, cppcheck
 	@for cc in gcc clang; do $$cc $(WARNINGS) -Werror -std=c17 $(paths) -Itests \
 	    $$(pkg-config --cflags check) -fsyntax-only $(filter %.c,$(code)) \

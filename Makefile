@@ -176,9 +176,35 @@ $(BUILD)/tests/fuzz/%.found: $(BUILD)/tests/fuzz/% FORCE
 	@printf '%-32s %s\n' tests/fuzz/$* "$$(grep '^Done' $@)"
 .PHONY: fuzz run-fuzzers
 
-bench: $(BUILD)/tests/bench/bench ## time the library
+bench: $(BUILD)/bench/program ## time the library
 	@$<
-.PHONY: bench
+
+# Figures show what was measured, so that this may need no more than they do.
+$(BUILD)/bench/program: $(patsubst tests/%.c,$(BUILD)/bench/%.o, \
+		tests/bench/bench.c tests/bench/workloads.c \
+		tests/support/generator.c) $(library)
+	@echo 'link    $@'
+	$(Q)$(LINK) $^ -lm -o $@
+
+$(BUILD)/bench/%.o: tests/%.c $(BUILD)/flags | need-build
+	@echo 'compile $<' && mkdir -p $(@D)
+	$(Q)$(COMPILE) -I$(SRC) -Itests -MMD -MP -c $< -o $@
+
+# Measured once, with the usual flags, whatever those of this build.
+measure: ## time the library anew for the figures of the book
+	@$(MAKE) build/measured/bench/program BUILD=build/measured CFLAGS=-O3 LDFLAGS=
+	@echo 'measure $(measured)'
+	@build/measured/bench/program --header >$(measured).new
+	@mv $(measured).new $(measured)
+
+$(measured):
+	@$(MAKE) measure
+
+.PHONY: bench measure
+
+counts: $(BUILD)/tests/bench/counts ## count what the report's rule misses
+	@$<
+.PHONY: counts
 
 # The chapters -----------------------------------------------------------------
 
@@ -210,6 +236,9 @@ tree = $(BUILD)/chapter/$(N)/tree
 files = $(shell cd src && ls $(patsubst %,%.[ch],$(call modules,$(N))) \
 	2>/dev/null)
 
+# A module that is needed too early moves to an earlier line of book/chapters.
+known = echo 'The first $(N) chapters have only: $(call modules,$(N))'
+
 chapter: need-check ## build and test the first N=3 chapters alone
 	$(if $(filter $(N),$(shell seq $(CHAPTERS))),,$(error Which chapter? \
 	    make chapter N=1 to N=$(CHAPTERS)))
@@ -217,8 +246,9 @@ chapter: need-check ## build and test the first N=3 chapters alone
 	    mkdir -p $(tree)/$$(dirname $$file) && \
 	    ln -s $(CURDIR)/src/$$file $(tree)/$$file || exit 1; done
 	@for header in $(filter %.h,$(files)); do $(COMPILE) -I$(tree) \
-	    -fsyntax-only -x c $(tree)/$$header || exit 1; done
-	@$(MAKE) check BUILD=$(BUILD)/chapter/$(N) SRC=$(tree) CHAPTERS=$(N)
+	    -fsyntax-only -x c $(tree)/$$header || { $(known); exit 1; }; done
+	@$(MAKE) check BUILD=$(BUILD)/chapter/$(N) SRC=$(tree) CHAPTERS=$(N) || \
+	    { $(known); exit 1; }
 
 check-chapters: need-chapters ## see that each chapter needs no later one
 	@wrong=0; $(MAKE) check-manifest || wrong=1; \
@@ -230,7 +260,7 @@ check-chapters: need-chapters ## see that each chapter needs no later one
 
 # The source -------------------------------------------------------------------
 
-code = $(shell find src figures tests -name '*.[ch]')
+code = $(shell find src figures tests book -name '*.[ch]')
 
 check-format: need-format ## compare the layout with .clang-format
 	@clang-format --dry-run -Werror $(code)
@@ -238,11 +268,11 @@ check-format: need-format ## compare the layout with .clang-format
 format: need-format ## lay the code out as .clang-format says
 	@clang-format -i $(code)
 
-paths = -Isrc -Ifigures $$(cat $(BUILD)/stage.flags)
+paths = -Isrc -Ifigures -I$(dir $(measured)) $$(cat $(BUILD)/stage.flags)
 
 # cppcheck takes a struct for a pointer to the arguments that it came from, and
 # a pointer that is copied byte by byte for lost.
-check-static: $(BUILD)/stage.flags
+check-static: $(BUILD)/stage.flags $(measured)
 check-static: need-static ## read the code: warnings, clang-tidy, cppcheck
 	@for cc in gcc clang; do $$cc $(WARNINGS) -Werror -std=c17 $(paths) -Itests \
 	    $$(pkg-config --cflags check) -fsyntax-only $(filter %.c,$(code)) \
@@ -421,9 +451,13 @@ $(needs:%=need-%): need-%:
 	        -*) echo 'int LLVMFuzzerTestOneInput(void) { return 0; }' | \
 	            clang $$one -x c - -o /dev/null ;; \
 	        *) command -v $$one ;; \
-	        esac >/dev/null 2>&1 && continue 2; \
+	        esac >/dev/null 2>&1 && \
+	        { [ $$one = $${sign%%|*} ] || \
+	            ! apt-cache show $${package%|*} >/dev/null 2>&1; } && \
+	        continue 2; \
 	    done; \
-	    echo "$$package is missing; it $$purpose." >&2; \
+	    echo "$$package is missing; it $$purpose." | \
+	        sed 's/|\([^ ]*\)/ (or \1)/; s/,\(.*)\)/ and \1/' >&2; \
 	    case $$package in *'|'*) a=$${package%|*}; \
 	        package="\$$(apt-cache show $$a >/dev/null 2>&1 && echo $$a \
 	            || echo $${package#*|} | tr , ' ')" ;; \

@@ -80,12 +80,13 @@ latex_elements = {
     "pointsize": "10pt", "extraclassoptions": "oneside,openany",
     "passoptionstopackages": r"\PassOptionsToClass{oneside}{book}",
     "fontpkg": r"\usepackage{unicode-math}",
-    "fncychap": "", "fvset": "", "figure_align": "htbp",
+    "fncychap": "", "fvset": r"\fvset{xleftmargin=4mm}", "figure_align": "htbp",
     "maketitle": r"\tftitle",
     "tableofcontents": r"{\hypersetup{linkcolor=ink}\tableofcontents}",
     "sphinxsetup": "VerbatimColor={RGB}{255,255,255},"
     "VerbatimBorderColor={RGB}{208,204,192},pre_border-width=0pt,"
     "pre_border-left-width=0.8pt,pre_padding=1pt,pre_padding-left=3mm,"
+    "verbatimhintsturnover=false,"
     "InnerLinkColor={RGB}{26,92,148},OuterLinkColor={RGB}{26,92,148},"
     "TitleColor={RGB}{32,36,42}",
     "preamble": r"\usepackage{tanglefree}" "\n" + mathml.preamble()}

@@ -2,8 +2,8 @@
 # The chapters' text is here, a file a chapter; all that they show of the
 # program, its output and its figures is taken from where it is made.
 
-BOOK := $(wildcard book/*.md book/*.py book/*.bib book/chapters book/_ext/*.py \
-	book/_print/* book/_theme/* book/_theme/static/*) $(shell find src -name '*.[ch]')
+BOOK := $(wildcard book/*.md book/*.c book/*.py book/*.bib book/chapters \
+	book/_ext/*.py book/_print/* book/_theme/* book/_theme/static/*) $(shell find src -name '*.[ch]')
 prints = $(names:%=$(BUILD)/figures/%-light.pdf)
 # Debian's own Python has Sphinx and Selenium.
 python = /usr/bin/python3

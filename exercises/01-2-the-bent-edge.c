@@ -1,15 +1,14 @@
 /* Exercise 1.2.  The bent edge.
  *
- * An edge sweeps out two triangles of space-time, the steps of the staircase.
- * Cut them at the time t, 0 < t < 1: each step is cut in a straight piece, and
- * the two pieces share an end, the crease.  So at the time t the edge runs from
- * corner[0], where vertex 0 is, over the crease, corner[1], to corner[2], where
- * vertex 1 is.  Find the three corners.
+ * An edge sweeps out two triangles of space-time.  Cut them at the time t,
+ * 0 < t < 1: the slice of each is a straight piece, and the two pieces share an
+ * end, the crease.  So at the time t the edge runs from corner[0], where vertex
+ * 0 is, over the crease, corner[1], to corner[2], where vertex 1 is.  Find the
+ * three corners.
  *
  * Section: Bent in mid-step.
  *
- * Hint 1: List the events of both steps.  Which side do the two triangles
- *     share?
+ * Hint 1: List the events of both triangles.  Which side do they share?
  * Hint 2: They share the segment from vertex 0 at t = 0 to vertex 1 at t = 1.
  *     Where is it at the time t?
  * Hint 3: It is at (1 - t) edge[0].at[0] + t edge[1].at[1], on each axis.

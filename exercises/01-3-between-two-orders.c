@@ -1,6 +1,6 @@
 /* Exercise 1.3.  Between two orders.
  *
- * Neighbouring elements share an edge, and its sweep must be the same for both:
+ * Neighboring elements share an edge, and its sweep must be the same for both:
  * that is why vertices are taken in increasing global index.  See what goes
  * wrong otherwise.  Find a point at rest and a moving edge in the plane such
  * that the point meets the sweep of the edge when its vertices are taken in the
@@ -14,10 +14,10 @@
  * Hint 1: A point at rest does not mind at what time it is met.  So look at the
  *     plane from above, along the axis of time: what do the two triangles of
  *     the sweep cover there?
- * Hint 2: In the order 0, 1 they cover the triangles a b b' and a a' b', where
- *     a and b are the vertices at t = 0 and a' and b' at t = 1.  In the other
- *     order they cover b a a' and b b' a'.
- * Hint 3: These are the two ways to cut the quadrilateral a b b' a' along a
+ * Hint 2: In the order 0, 1 they cover the triangles e0 e1 e1' and e0 e0' e1',
+ *     where e0 and e1 are the vertices at t = 0, e0' and e1' at t = 1.  In the
+ *     other order they cover e1 e0 e0' and e1 e1' e0'.
+ * Hint 3: These are the two ways to cut the quadrilateral e0 e1 e1' e0' along a
  *     diagonal.  Where it is convex both cover the same.  So take one with a
  *     notch: one of its diagonals runs outside.
  */

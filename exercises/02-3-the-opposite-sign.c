@@ -8,7 +8,7 @@
  *
  * evaluated in doubles is positive and truly negative, or the reverse.
  *
- * Section: A bound on the error.
+ * Section: How a computer rounds.
  *
  * Hint 1: If all four differences are exact the sign is right or zero, because
  *     rounding never turns the order of two products around.  So some

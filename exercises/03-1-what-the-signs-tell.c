@@ -3,9 +3,9 @@
  * Two complementary simplices meet if the signs of their barycentric
  * coordinates, turned so that those of S and R count alike, agree: none
  * positive beside a negative one.  Zeros agree with both; but if all are zero
- * the signs tell nothing.  And some signs may be unknown: each stands for any
- * of the three.  Answer TF_HIT or TF_APART only if it is certain, and else
- * TF_UNDECIDED.
+ * the signs tell nothing (the next chapter goes on from there).  And some signs
+ * may be unknown: each stands for any of the three.  Answer TF_HIT or TF_APART
+ * only if it is certain, and else TF_UNDECIDED.
  *
  * Section: Barycentric signs.
  *

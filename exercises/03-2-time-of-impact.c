@@ -1,8 +1,9 @@
 /* Exercise 3.2.  Time of impact.
  *
  * The barycentric coordinates of the event that two simplices have in common
- * are known up to a common factor: c[i] belongs to pair->event[i], those of one
- * side are >= 0 and those of the other <= 0.  Find the time of that event.
+ * are known up to a common factor: c[i] belongs to event number i of the pair.
+ * They have not been turned: those of one side are >= 0 and those of the other
+ * <= 0.  Find the time of that event.
  *
  * Section: Time of impact.
  *

@@ -8,7 +8,7 @@
 double time_of_impact(const tf_pair *pair, const double c[]);
 
 typedef struct impact {
-    int step; // of the edge: 0, with mover 1, or 1, with mover 0
+    int triangle; // of the edge's sweep: 0, mover 1, or 1, mover 0
     double c[5], t;
 } impact;
 
@@ -28,7 +28,7 @@ START_TEST(is_the_time_of_the_common_event)
     tf_simplex s[1], r[2];
     tf_sweep(1, &point, s);
     tf_sweep(2, edge, r);
-    tf_pair pair = tf_pair_of(&s[0], &r[given->step], 2);
+    tf_pair pair = tf_pair_of(&s[0], &r[given->triangle], 2);
     char text[200] = "";
     for (int i = 0; i < pair.count; i++)
         snprintf(text + strlen(text), sizeof text - strlen(text),

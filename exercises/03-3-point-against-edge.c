@@ -1,10 +1,10 @@
 /* Exercise 3.3.  A point against an edge.
  *
- * Subtract from every event of the edge the position of the point at the same
- * time.  Now the point rests at the origin, and the question is whether the
- * origin is in one of two triangles of the plane: a b b' or a a' b', where a
- * and b are the vertices at t = 0 and a' and b' at t = 1.  Touching counts.
- * The coordinates are small integers, and neither triangle is of zero area.
+ * Subtract from every event of the edge e0 e1 the position of the point at the
+ * same time.  Now the point rests at the origin, and the question is whether
+ * the origin is in one of two triangles of the plane, those of e0, e1, e1' and
+ * of e0, e0', e1' as seen from the point.  Touching counts.  The coordinates
+ * are small integers, and neither triangle is of zero area.
  *
  * Section: In the frame of the point.
  *
@@ -13,8 +13,8 @@
  * Hint 2: Seen from the origin, the turn from p to q has the sign of cross(p,
  *     q).  Take the three of a triangle in a circle: pq, qr, rp.
  * Hint 3: Zeros agree with both signs: only a positive one beside a negative
- *     one means outside.  Your file asks for both
- *     triangles at its end: one is enough for a hit.
+ *     one means outside.  Your file asks for both triangles at its end: one is
+ *     enough for a hit.
  */
 #include "spacetime/sweep.h"
 

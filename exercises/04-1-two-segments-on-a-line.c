@@ -1,10 +1,10 @@
 /* Exercise 4.1.  Two segments on a line.
  *
- * At the bottom of the cascade there is only a line.  One segment of it has the
- * ends a[0] and a[1], in any order and perhaps the same; the other has b[0] and
- * b[1].  Do they have a point in common?  Touching counts.
+ * At one time, nearly at the bottom of the cascade, there is a line.  A segment
+ * of it has the ends a[0] and a[1], in any order and perhaps the same; another
+ * has b[0] and b[1].  Do they have a point in common?  Touching counts.
  *
- * Section: Down to a line.
+ * Section: At one time.
  *
  * Hint 1: It is easier to say when they are apart.
  * Hint 2: They are apart if all of one lies strictly to the left of all of the

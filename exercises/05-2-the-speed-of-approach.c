@@ -1,31 +1,32 @@
 /* Exercise 5.2.  The speed of approach.
  *
- * A point meets an edge: the point's only step meets one step of the edge.
- * Find the component along `normal` of the velocity of the point relative to
- * the edge, in lengths a time step.
+ * A point meets an edge: the point's worldline meets a triangle of the edge's
+ * sweep.  Find the component along `normal` of the velocity of the point
+ * relative to the edge, as a length per step.
  *
  * Section: Velocity and speed.
  *
- * Hint 1: All of a step moves with one velocity, that of its mover, the only
+ * Hint 1: All of a simplex moves with one velocity, that of its mover, the only
  *     vertex with both its events there.
  * Hint 2: The mover's events are event[mover], at t = 0, and event[mover + 1],
- *     at t = 1.  This holds for the point's step, too.
+ *     at t = 1.  This holds for the point's worldline, too.
  * Hint 3: Take the point's displacement minus that of the edge's mover, and
  *     multiply by the normal, axis by axis.
  */
 #include "spacetime/sweep.h"
 
-/// The displacement of the mover of a step, along an axis.
-static double displacement(const tf_simplex *step, int axis)
+/// The displacement of the mover of a simplex, along an axis.
+static double displacement(const tf_simplex *simplex, int axis)
 {
 #if defined TF_WRONG_1 // from the first event to the last: of two vertices
-    return step->event[step->count - 1]->x[axis] - step->event[0]->x[axis];
+    return simplex->event[simplex->count - 1]->x[axis] -
+           simplex->event[0]->x[axis];
 #elif defined TF_SOLUTION || defined TF_WRONG_2 || defined TF_WRONG_3
-    return step->event[step->mover + 1]->x[axis] -
-           step->event[step->mover]->x[axis];
+    return simplex->event[simplex->mover + 1]->x[axis] -
+           simplex->event[simplex->mover]->x[axis];
 #else
     // Your turn: which two events?
-    return step->event[0]->x[axis] - step->event[0]->x[axis];
+    return simplex->event[0]->x[axis] - simplex->event[0]->x[axis];
 #endif
 }
 

@@ -8,14 +8,14 @@ double speed_of_approach(const tf_simplex *point, const tf_simplex *edge,
 typedef struct expectation {
     double point[2][2], edge[2][2][2]; // [time][axis], [vertex][time][axis]
     double normal[2];
-    double speed[2]; // for the steps with mover 1 and mover 0
+    double speed[2]; // for the triangles with mover 1 and mover 0
 } expectation;
 
 static const expectation expected[] = {
     // A point falls on an edge at rest, and an edge rises to a point.
     {{{1, 1}, {1, -2}}, {{{0, 0}, {0, 0}}, {{2, 0}, {2, 0}}}, {0, 1}, {-3, -3}},
     {{{1, 1}, {1, 1}}, {{{0, 0}, {0, 4}}, {{2, 0}, {2, 4}}}, {0, 1}, {-4, -4}},
-    // Only one vertex moves: only its step has a velocity.
+    // Only one vertex moves: only its triangle has a velocity.
     {{{1, 1}, {1, 1}}, {{{0, 0}, {0, 0}}, {{2, 0}, {2, 6}}}, {0, 1}, {-6, 0}},
     {{{1, 1}, {1, 0}}, {{{0, 0}, {0, 3}}, {{2, 0}, {2, 0}}}, {0, 1}, {-1, -4}},
     // Across: only the part along the normal counts.
@@ -38,7 +38,7 @@ START_TEST(is_relative_and_along_the_normal)
     tf_sweep(1, &point, s);
     tf_sweep(2, edge, r);
     for (int i = 0; i < 2; i++) {
-        check_input("point: %s\nthe step with mover %d of\n%s\nnormal: %s",
+        check_input("point: %s\nthe triangle with mover %d of\n%s\nnormal: %s",
                     text_line(2, &point), r[i].mover,
                     text_lines(2, "vertex", 2, edge),
                     text_point(2, given->normal));

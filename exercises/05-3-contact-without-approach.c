@@ -9,13 +9,14 @@
  *
  * Section: Velocity and speed.
  *
- * Hint 1: Velocity and normal are those of one step of the edge's sweep, and
- *     each step leaves out one event of the edge.
- * Hint 2: The step with mover 1 does not have vertex 0 at t = 1.  So let the
+ * Hint 1: Velocity and normal are those of one triangle of the edge's sweep,
+ *     and each triangle leaves out one event of the edge.
+ * Hint 2: The triangle with mover 1 does not have vertex 0 at t = 1.  So let the
  *     point run along the line of the edge at t = 0, let vertex 1 rest, and
  *     turn the edge by moving vertex 0.
- * Hint 3: The point must come to the side of that step that the other step does
- *     not share, that is, to the resting vertex 1.
+ * Hint 3: Keep away from the crease, where either normal may be told: the point
+ *     must come to the side of that triangle that the other triangle does not
+ *     share, that is, to the resting vertex 1.
  */
 typedef struct encounter {
     double point[2][2];   // [time][axis]

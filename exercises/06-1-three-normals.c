@@ -1,12 +1,12 @@
 /* Exercise 6.1.  Three normals.
  *
- * Each of the three steps of a triangle's sweep has four events and two
+ * Each of the three simplices of a triangle's sweep has four events and two
  * horizontal edges, each between events of one time: two within t = 0, or one
  * within t = 0 and one within t = 1, or two within t = 1.  Find the cross
  * product of the first with the second, in the order of the events; two within
  * one time both start at the first event of that time.
  *
- * Section: Three tetrahedra, three turns.
+ * Section: Three normals.
  *
  * Hint 1: The events 0 to mover are at t = 0, the others, mover + 1 to 3, at
  *     t = 1.  Only pairs within one of the two groups make horizontal edges.
@@ -23,36 +23,36 @@ static void subtract(const tf_event *to, const tf_event *from, double edge[3])
         edge[k] = to->x[k] - from->x[k];
 }
 
-void step_normal(const tf_simplex *step, double normal[3])
+void simplex_normal(const tf_simplex *simplex, double normal[3])
 {
     double e[2][3] = {{0}};
 #if defined TF_SOLUTION
     int edges = 0;
     for (int i = 1; i < 4; i++) {
-        if (i == step->mover + 1)
+        if (i == simplex->mover + 1)
             continue;
-        int first = i <= step->mover ? 0 : step->mover + 1;
-        subtract(step->event[i], step->event[first], e[edges++]);
+        int first = i <= simplex->mover ? 0 : simplex->mover + 1;
+        subtract(simplex->event[i], simplex->event[first], e[edges++]);
     }
 #elif defined TF_WRONG_1 // always the start: from the first event
-    subtract(step->event[1], step->event[0], e[0]);
-    subtract(step->event[2], step->event[0], e[1]);
+    subtract(simplex->event[1], simplex->event[0], e[0]);
+    subtract(simplex->event[2], simplex->event[0], e[1]);
 #elif defined TF_WRONG_2 // chains all events within a time, but backwards
     int edges = 2;
     for (int i = 1; i < 4; i++) {
-        if (i == step->mover + 1)
+        if (i == simplex->mover + 1)
             continue;
-        int first = i <= step->mover ? 0 : step->mover + 1;
-        subtract(step->event[i], step->event[first], e[--edges]);
+        int first = i <= simplex->mover ? 0 : simplex->mover + 1;
+        subtract(simplex->event[i], simplex->event[first], e[--edges]);
     }
-#elif defined TF_WRONG_3 // no mixed step: takes the majority's time
-    int first = step->mover >= 1 ? 0 : 1;
-    subtract(step->event[first + 1], step->event[first], e[0]);
-    subtract(step->event[first + 2], step->event[first], e[1]);
+#elif defined TF_WRONG_3 // no mixed normal: takes the majority's time
+    int first = simplex->mover >= 1 ? 0 : 1;
+    subtract(simplex->event[first + 1], simplex->event[first], e[0]);
+    subtract(simplex->event[first + 2], simplex->event[first], e[1]);
 #else
     // Your turn: find the two edges.
-    subtract(step->event[0], step->event[0], e[0]);
-    subtract(step->event[0], step->event[0], e[1]);
+    subtract(simplex->event[0], simplex->event[0], e[0]);
+    subtract(simplex->event[0], simplex->event[0], e[1]);
 #endif
     for (int k = 0; k < 3; k++) {
         int next = (k + 1) % 3, last = (k + 2) % 3;

@@ -2,11 +2,11 @@
 
 #include "spacetime/sweep.h"
 
-void step_normal(const tf_simplex *step, double normal[3]);
+void simplex_normal(const tf_simplex *simplex, double normal[3]);
 
 typedef struct expectation {
     double triangle[3][2][3]; // [vertex][time][axis]
-    double normal[3][3];      // of the steps with movers 2, 1, 0
+    double normal[3][3];      // of the simplices with movers 2, 1, 0
 } expectation;
 
 static const expectation expected[] = {
@@ -31,9 +31,9 @@ START_TEST(is_that_of_the_horizontal_edges)
     tf_sweep(3, triangle, sweep);
     for (int i = 0; i < 3; i++) {
         double got[3] = {0};
-        check_input("the step with mover %d of\n%s", sweep[i].mover,
+        check_input("the simplex with mover %d of\n%s", sweep[i].mover,
                     text_lines(3, "vertex", 3, triangle));
-        step_normal(&sweep[i], got);
+        simplex_normal(&sweep[i], got);
         check_point(3, given->normal[i], got, 0);
     }
 }

@@ -5,7 +5,7 @@
  * volume.  Touching counts.  The determinant of three corners, seen from the
  * origin, is given to you.
  *
- * Section: In the frame of the point.
+ * Section: Ten determinants.
  *
  * Hint 1: The barycentric coordinate of corner i is, up to one common factor,
  *     (-1)^i times the determinant of the other three.

@@ -7,15 +7,15 @@
  *
  * Section: What the prism does not know.
  *
- * Hint 1: The normal of the step with mover 2 is that of the triangle at t = 0,
- *     that of the step with mover 0 is that at t = 1.  So it must be the step
- *     with mover 1.
+ * Hint 1: The normal of the simplex with mover 2 is that of the triangle at
+ *     t = 0, that of the simplex with mover 0 is that at t = 1.  So it must be
+ *     the simplex with mover 1.
  * Hint 2: Its normal is zero if the way from vertex 1 to vertex 2 at t = 1 is
  *     along that from vertex 0 to vertex 1 at t = 0, or opposite.  Then this
- *     step is flat, and most of it is shared with its neighbours, which are met
- *     as early.  Which worldline is in no other step?
+ *     simplex is flat, and most of it is shared with its neighbors, which are
+ *     met as early.  Which worldline is in no other simplex?
  * Hint 3: That of vertex 1.  Let the point hit vertex 1 in mid-step, and take
- *     the opposite direction: with the same, the neighbours cover it all.
+ *     the opposite direction: with the same, the neighbors cover it all.
  */
 typedef struct encounter {
     double point[2][3];       // [time][axis]
@@ -40,7 +40,7 @@ encounter no_normal(void)
                        .triangle = {{{0, 0, 0}, {0, 0, 0}},
                                     {{1, 0, 0}, {1, 0, 0}},
                                     {{0, 1, 0}, {0, 1, 0}}}};
-#elif defined TF_WRONG_3 // meets another step: vertex 0
+#elif defined TF_WRONG_3 // meets another simplex: vertex 0
     return (encounter){.point = {{0, 0.5, 1}, {0, 0.5, -1}},
                        .triangle = {{{0, 0, 0}, {0, 1, 0}},
                                     {{1, 0, 0}, {1, 0, 0}},

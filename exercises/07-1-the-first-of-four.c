@@ -1,14 +1,14 @@
 /* Exercise 7.1.  The first of four.
  *
- * Two moving edges have two steps each.  Find what is known of their first
+ * Two moving edges have two simplices each.  Find what is known of their first
  * meeting, by tf_meet and tf_meeting_earlier.  The edges are in general
  * position, and the arithmetic knows all signs.
  *
  * Section: Two sheets, four pairs.
  *
- * Hint 1: Sweep both edges with tf_sweep; tf_pair_of makes a pair of a step of
- *     the one and a step of the other, in 3 axes.
- * Hint 2: Any step of the one may meet any step of the other: four pairs.  And
+ * Hint 1: Sweep both edges with tf_sweep; tf_pair_of makes a pair of a simplex
+ *     of the one and a simplex of the other, in 3 axes.
+ * Hint 2: Any simplex of the one may meet any of the other: four pairs.  And
  *     the first pair that meets need not be the one that meets first.
  * Hint 3: Start with tf_meeting_apart, and in two nested loops replace it by
  *     the earlier of itself and the meeting of the pair.
@@ -30,7 +30,7 @@ tf_meeting first_of_four(const tf_arithmetic *arithmetic,
             tf_meeting own = tf_meet(arithmetic, &pair);
             meeting = tf_meeting_earlier(&meeting, &own);
         }
-#elif defined TF_WRONG_1 // believes that a step meets only its like
+#elif defined TF_WRONG_1 // believes that a simplex meets only its like
     for (int i = 0; i < 2; i++) {
         tf_pair pair = tf_pair_of(&s[i], &r[i], 3);
         tf_meeting own = tf_meet(arithmetic, &pair);

@@ -6,15 +6,15 @@
  *
  * Section: Parallel, collinear, collapsed.
  *
- * Hint 1: The normal is the product of the horizontal edges of the two steps
- *     that meet.  These may be of different times.
+ * Hint 1: The normal is the product of the horizontal edges of the two
+ *     simplices that meet.  These may be of different times.
  * Hint 2: Let the one edge at t = 0 be parallel to the other edge at t = 1, and
- *     let them meet by their steps with mover 1 and mover 0.  For a meeting all
- *     six events of those two steps must lie in a hyperplane: put them into the
+ *     let them meet by their simplices with mover 1 and mover 0.  For a meeting
+ *     all six events of those two must lie in a hyperplane: put them into the
  *     plane z = 0.  Each edge has one event left over, to be put elsewhere.
- * Hint 3: No other pair of steps may meet as early.  The worldline of vertex 1
- *     of the one is in its step with mover 1 only, and that of vertex 0 of the
- *     other is in its step with mover 0 only: let these two vertices meet.
+ * Hint 3: No other pair may meet as early.  The worldline of vertex 1 of the
+ *     one is in its simplex with mover 1 only, and that of vertex 0 of the
+ *     other is in its simplex with mover 0 only: let these two vertices meet.
  */
 typedef struct encounter {
     double first[2][2][3];  // [vertex][time][axis]

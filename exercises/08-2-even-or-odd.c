@@ -3,21 +3,21 @@
  * An edge and a triangle without a common vertex move, in general position.
  * Whether they cross at the start is known.  Tell whether they cross at the
  * end, without looking at the end: from the number of meetings of pairs of
- * steps, of the ends of the edge with the triangle and of the edge with the
+ * simplices, of the ends of the edge with the triangle and of the edge with the
  * triangle's edges.
  *
  * Section: Even and odd.
  *
  * Hint 1: The number of crossings at the start, that at the end and the number
  *     of meetings are together even.
- * Hint 2: count_meetings counts pairs of steps.  What has to be counted is two
- *     points against the triangle and the edge against three edges.
+ * Hint 2: count_meetings counts pairs of simplices.  What has to be counted is
+ *     two points against the triangle and the edge against three edges.
  * Hint 3: An edge of the triangle sweeps as the triangle does only if its
  *     vertices are in the same order: 0, 1 and 0, 2 and 1, 2.
  */
 #include "spacetime/meet.h"
 
-/// How many pairs of a step of the one and a step of the other meet.
+/// How many pairs of a simplex of the one and one of the other meet.
 static int count_meetings(const tf_arithmetic *arithmetic, int vertices,
                           const tf_worldline first[], int others,
                           const tf_worldline second[])

@@ -18,9 +18,9 @@
  *     t = 0, and for t = 1 add random displacements of up to 0.3.  Of the steps
  *     that start clear and end without a contact a few in a thousand are what
  *     you want.
- * Hint 3: To see whether two triangles cross at a time t, cut the steps: where
- *     early event i and late event j are both in a step, its slice has the
- *     corner (1 - t) early + t late.  Two slices are triangles, one is a
+ * Hint 3: To see whether two triangles cross at a time t, cut the sweeps:
+ *     where early event i and late event j are both in a simplex, its slice has
+ *     the corner (1 - t) early + t late.  Two slices are triangles, one is a
  *     parallelogram.  They cross if an edge of one slice crosses a triangle of
  *     the other: tf_complementary_meet tells, for a pair at one time.
  */

@@ -10,8 +10,8 @@ typedef struct crossing {
 
 crossing crossed_in_mid_step(void);
 
-/// The bent triangle at a time, in flat triangles: one for the steps that have
-/// a corner at one end of the step, two for the parallelogram between.
+/// The bent triangle at a time, in flat triangles: one for each simplex that
+/// has three events at one time, two for the parallelogram between.
 typedef struct bent {
     tf_event corner[4][3];
 } bent;

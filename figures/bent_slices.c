@@ -152,7 +152,8 @@ static void draw_frame(tf_page *page, tf_box box, const element *e, double t,
     tf_panel *panel = tf_page_panel(page, box);
     tf_panel_look(panel, e->camera);
     tf_panel_margin(panel, 11);
-    tf_panel_fix(panel);
+    if (e->axes == 2)
+        tf_panel_fix(panel);
     draw_vertices(panel, e, t);
     for (int i = 0; i < e->vertices; i++)
         draw_piece(tf_panel_scene(panel), &piece[i],

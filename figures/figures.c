@@ -35,6 +35,8 @@ const tf_figure *const tf_figures[] = {
     &tf_figure_expansion_terms,
     &tf_figure_accumulator_words,
     &tf_figure_exact_stages,
+    &tf_figure_sign_stages,
+    &tf_figure_sign_costs,
     NULL,
 };
 

@@ -37,6 +37,8 @@ extern const tf_figure tf_figure_two_sum;
 extern const tf_figure tf_figure_expansion_terms;
 extern const tf_figure tf_figure_accumulator_words;
 extern const tf_figure tf_figure_exact_stages;
+extern const tf_figure tf_figure_sign_stages;
+extern const tf_figure tf_figure_sign_costs;
 
 /// All figures in the order of the book; NULL ends the table.
 extern const tf_figure *const tf_figures[];

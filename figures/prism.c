@@ -22,10 +22,14 @@ static const stair stairs[TF_VERTICES] = {
     {"volume_aabc", "$(a | a' b' c')$", TF_ROLE_END},
 };
 
-static const double azimuth = 12;
+/// Looks at the middle of the prism.
+static const tf_camera camera = {.azimuth = 12,
+                                 .elevation = 17,
+                                 .height = 1.86,
+                                 .center = {0.34, 0.28, 0.5}};
 
-/// How far apart the prism and its parts stand.
-static const double apart = 0.97;
+/// The prism and its parts stand side by side, behind the axis of time.
+static const double axis_width = 26, place_width = 83.5, panel_height = 160;
 
 static void make_triangle(tf_worldline triangle[TF_VERTICES])
 {
@@ -53,31 +57,15 @@ static double volume_of(const tf_simplex *simplex)
     return fabs(ldexp(value.number, value.exponent)) / 6;
 }
 
-/// Move a point of the world to the `place`-th place from the left, as seen.
-static void shift(double place, double world[3])
-{
-    double angle = azimuth * acos(-1) / 180;
-    double right[3] = {cos(angle), sin(angle), 0};
-    tf_add(world, place * apart, right, world);
-}
-
-/// Where an event is in the world, at that place.
-static void find_place(const tf_event *event, double place, double world[3])
-{
-    tf_world_of_event(event, world);
-    shift(place, world);
-}
-
 /// An event of the triangle's vertex with that index, with its letter.
-static void draw_event(tf_panel *panel, const tf_event *event, int vertex,
-                       double place)
+static void draw_event(tf_panel *panel, const tf_event *event, int vertex)
 {
     static const char *const name[2][TF_VERTICES] = {{"$a$", "$b$", "$c$"},
                                                      {"$a'$", "$b'$", "$c'$"}};
     static const tf_side side[2][TF_VERTICES] = {
         {TF_SIDE_W, TF_SIDE_S, TF_SIDE_E}, {TF_SIDE_W, TF_SIDE_SW, TF_SIDE_N}};
     double at[3];
-    find_place(event, place, at);
+    tf_world_of_event(event, at);
     tf_scene_ball(tf_panel_scene(panel), at, 5,
                   (tf_paint){.role = TF_ROLE_TRIANGLE});
     tf_panel_label(panel, at,
@@ -86,61 +74,64 @@ static void draw_event(tf_panel *panel, const tf_event *event, int vertex,
                               .gap = 4});
 }
 
-/// One tetrahedron, at that place.
-static void draw_solid(tf_scene *scene, const tf_simplex *simplex, tf_role role,
-                       double place)
+static void draw_solid(tf_scene *scene, const tf_simplex *simplex, tf_role role)
 {
     double corner[CORNERS][3];
-    for (int i = 0; i < CORNERS; i++)
-        find_place(simplex->event[i], place, corner[i]);
+    tf_world_of_simplex(simplex, corner);
     tf_scene_tetrahedron(
         scene, (const double(*)[3])corner, TF_WIDTH_THIN,
         (tf_paint){.role = role, .opacity = 0.8, .shade = -0.35});
 }
 
-/// The outline of the whole prism, at that place.
-static void draw_outline(tf_scene *scene, const tf_worldline triangle[],
-                         double place)
+/// The outline of the whole prism.
+static void draw_outline(tf_scene *scene, const tf_worldline triangle[])
 {
     tf_paint faint = {.role = TF_ROLE_NEUTRAL, .opacity = 0.6};
     for (int i = 0; i < TF_VERTICES; i++) {
         double here[2][3], next[2][3];
         for (int t = 0; t < 2; t++) {
-            find_place(&triangle[i].at[t], place, here[t]);
-            find_place(&triangle[(i + 1) % TF_VERTICES].at[t], place, next[t]);
+            tf_world_of_event(&triangle[i].at[t], here[t]);
+            tf_world_of_event(&triangle[(i + 1) % TF_VERTICES].at[t], next[t]);
             tf_scene_dashes(scene, here[t], next[t], TF_WIDTH_HAIR, 2, faint);
         }
         tf_scene_dashes(scene, here[0], here[1], TF_WIDTH_HAIR, 2, faint);
     }
 }
 
-/// Text below a place, or a sign between two of them.
-static void draw_text(tf_page *page, const tf_panel *panel, double place,
-                      double height, const char *text, double size)
+static tf_panel *begin_panel(tf_page *page, double left, double width)
 {
-    double world[3] = {0.34, 0.28, 0.5}, at[2];
-    shift(place, world);
-    tf_panel_project(panel, world, at);
-    tf_page_text(page, at[0], at[1] - height, TF_ALIGN_CENTER, text, size,
-                 TF_ROLE_INK);
+    tf_panel *panel =
+        tf_page_panel(page, (tf_box){left, 0, width, panel_height});
+    tf_panel_look(panel, camera);
+    return panel;
 }
 
-/// The whole prism at the first place, its tetrahedra at those to the right.
-static void draw_prism(tf_panel *panel, const tf_worldline triangle[],
+static void draw_axis(tf_page *page)
+{
+    tf_panel *panel = begin_panel(page, 0, axis_width);
+    tf_panel_fix(panel);
+    tf_panel_axes(panel, (double[]){camera.center[0], camera.center[1], 0},
+                  (double[]){0, 0, 0.5}, (const char *[]){NULL, NULL, "$t$"});
+}
+
+static void draw_whole(tf_panel *panel, const tf_worldline triangle[],
                        const tf_simplex sweep[])
 {
-    tf_scene *scene = tf_panel_scene(panel);
     for (int i = 0; i < TF_VERTICES; i++) {
-        draw_solid(scene, &sweep[i], stairs[i].role, 0);
-        draw_solid(scene, &sweep[i], stairs[i].role, i + 1);
-        draw_outline(scene, triangle, i + 1);
+        draw_solid(tf_panel_scene(panel), &sweep[i], stairs[i].role);
         for (int t = 0; t < 2; t++)
-            draw_event(panel, &triangle[i].at[t], i, 0);
+            draw_event(panel, &triangle[i].at[t], i);
     }
-    for (int i = 0; i < TF_VERTICES; i++)
-        for (int j = 0; j < CORNERS; j++)
-            draw_event(panel, sweep[i].event[j],
-                       j <= sweep[i].mover ? j : j - 1, i + 1);
+}
+
+/// One tetrahedron, in the outline of the prism.
+static void draw_part(tf_panel *panel, const tf_worldline triangle[],
+                      const tf_simplex *simplex, tf_role role)
+{
+    draw_outline(tf_panel_scene(panel), triangle);
+    draw_solid(tf_panel_scene(panel), simplex, role);
+    for (int i = 0; i < CORNERS; i++)
+        draw_event(panel, simplex->event[i], i <= simplex->mover ? i : i - 1);
 }
 
 static void draw(tf_page *page, FILE *numbers)
@@ -149,21 +140,21 @@ static void draw(tf_page *page, FILE *numbers)
     tf_simplex sweep[TF_VERTICES];
     make_triangle(triangle);
     tf_sweep(TF_VERTICES, triangle, sweep);
-    tf_panel *panel = tf_page_panel(
-        page, (tf_box){0, 0, tf_page_width(page), tf_page_height(page) - 20});
-    tf_panel_look(panel, (tf_camera){.azimuth = azimuth, .elevation = 17});
-    tf_panel_margin(panel, 16);
-    tf_panel_fix(panel);
-    tf_panel_axes(panel, (double[]){-0.2, 0.3, 0}, (double[]){0, 0, 0.5},
-                  (const char *[]){NULL, NULL, "$t$"});
-    draw_prism(panel, triangle, sweep);
+    draw_axis(page);
+    draw_whole(begin_panel(page, axis_width, place_width), triangle, sweep);
     double sum = 0;
     for (int i = 0; i < TF_VERTICES; i++) {
+        double left = axis_width + (i + 1) * place_width;
+        draw_part(begin_panel(page, left, place_width), triangle, &sweep[i],
+                  stairs[i].role);
+        tf_page_text(page, left, panel_height / 2, TF_ALIGN_CENTER,
+                     i == 0 ? "$=$" : "$+$", 16, TF_ROLE_INK);
+        tf_page_text(page, left + place_width / 2, panel_height,
+                     TF_ALIGN_CENTER, stairs[i].letters, TF_LETTERS,
+                     TF_ROLE_INK);
         double volume = volume_of(&sweep[i]);
         tf_figure_number(numbers, stairs[i].key, volume);
         sum += volume;
-        draw_text(page, panel, i + 1, -79, stairs[i].letters, TF_LETTERS);
-        draw_text(page, panel, i + 0.5, 0, i == 0 ? "$=$" : "$+$", 16);
     }
     tf_figure_number(numbers, "volume", sum);
 }

@@ -3,7 +3,8 @@
 
 STAGE := $(wildcard figures/stage/*.c)
 DRAW := $(wildcard figures/draw/*.c)
-FIGURES := $(filter-out figures/figures.c figures/worlds.c,\
+FIGURES := $(filter-out figures/figures.c figures/measured.c \
+	figures/worlds.c,\
 	$(wildcard figures/*.c))
 
 drawing = $(BUILD)/tanglefree-draw
@@ -35,6 +36,11 @@ $(BUILD)/drawing/%.o: figures/%.c $(BUILD)/flags $(BUILD)/stage.flags \
 	@echo 'compile $<' && mkdir -p $(@D)
 	$(Q)$(COMPILE) -I$(SRC) -Ifigures @$(BUILD)/stage.flags -MMD -MP \
 	    -c $< -o $@
+
+# What `make measure` writes.
+measured = build/measured/tables.h
+$(BUILD)/drawing/measured.o: $(measured)
+$(BUILD)/drawing/measured.o: COMPILE += -I$(dir $(measured))
 
 # Where Mesa has given up OSMesa, the stage draws by EGL.
 packaged = gl=osmesa; pkg-config --exists osmesa || gl=egl; \

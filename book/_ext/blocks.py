@@ -304,6 +304,24 @@ def move_footnotes(app, doctree):
         footnote.parent.remove(footnote)
 
 
+def loose_notes(text):
+    """The footnotes that have either no text or no reference, with lines."""
+    places = [(found[1], bool(found[2]), text.count("\n", 0, found.start()) + 1)
+              for found in re.finditer(r"\[\^([^\]\s]+)\](:?)", text)]
+    texts = {name for name, is_text, _ in places if is_text}
+    references = {name for name, is_text, _ in places if not is_text}
+    return [(name, is_text, line) for name, is_text, line in places
+            if name not in (references if is_text else texts)]
+
+
+def check_notes(app, docname, source):
+    """Markdown says nothing of them."""
+    for name, is_text, line in loose_notes(source[0]):
+        log.warning("note [^%s] has no %s", name,
+                    "reference" if is_text else "text",
+                    location=(docname, line))
+
+
 def visit_sidenote_html(translator, node):
     number = node["number"]
     translator.body.append(
@@ -326,6 +344,32 @@ def depart_sidenote_latex(translator, node):
     translator.body.append("}")
 
 
+# Paragraphs -------------------------------------------------------------------
+
+def drop_empty(app, doctree):
+    """An empty cell of a table is not a cell with an empty paragraph."""
+    for paragraph in list(doctree.findall(nodes.paragraph)):
+        if not paragraph.children and isinstance(paragraph.parent, nodes.entry):
+            paragraph.parent.remove(paragraph)
+
+
+def goes_on(paragraph):
+    """Whether it goes on with the sentence before the code above it."""
+    index = paragraph.parent.index(paragraph)
+    before = paragraph.parent[index - 1] if index else paragraph
+    return (paragraph.astext()[:1].islower()
+            and not isinstance(before, (nodes.paragraph, nodes.title)))
+
+
+def run_on(app, doctree, docname):
+    """In print a paragraph is indented, but not what goes on after code."""
+    for paragraph in list(doctree.findall(nodes.paragraph)):
+        if app.builder.format == "latex" and goes_on(paragraph):
+            index = paragraph.parent.index(paragraph)
+            paragraph.parent.insert(index, nodes.raw(
+                "", r"\tfrunon", format="latex"))
+
+
 def setup(app):
     for name, block in ("opening", Opening), ("margin", Block), \
             ("remember", Remember), ("proof", Proof), ("problem", Problem), \
@@ -342,6 +386,9 @@ def setup(app):
                  html=(visit_sidenote_html, depart_sidenote_html),
                  latex=(visit_sidenote_latex, depart_sidenote_latex))
     app.add_role("def", DefinitionRole())
+    app.connect("source-read", check_notes)
     app.connect("doctree-read", move_footnotes)
+    app.connect("doctree-read", drop_empty)
+    app.connect("doctree-resolved", run_on)
     app.connect("env-check-consistency", check_exercises)
     return {"version": "1", "parallel_read_safe": False}

@@ -2,6 +2,7 @@
 
 MACROS serve both the pages and the print.
 """
+import html
 import json
 import re
 import subprocess
@@ -9,7 +10,10 @@ import unicodedata
 from xml.etree import ElementTree
 
 from docutils import nodes
+from sphinx.util import logging
 from sphinx.util.math import get_node_equation_number
+
+log = logging.getLogger(__name__)
 
 MACROS = {
     r"\R": r"\mathbb{R}", r"\Z": r"\mathbb{Z}", r"\F": r"\mathbb{F}",
@@ -134,6 +138,14 @@ def draw_primes(node):
     node.tag = "mrow"
 
 
+def draw_end(root):
+    """No gap after a relation that ends a formula: a space follows it."""
+    row = root[0]
+    last = row[-1] if row.tag == "mrow" and len(row) else row
+    if last.tag == "mo" and last.text in BREAKING:
+        last.set("rspace", "0em")
+
+
 def pieces(row):
     """The children of a row up to each place where a line may break: after
     a relation or a comma outside of all parentheses."""
@@ -174,6 +186,7 @@ def legible(math):
         for draw in draw_letters, draw_bars, draw_signs, draw_names, \
                 draw_primes:
             draw(node)
+    draw_end(root)
     return "<wbr>".join(ElementTree.tostring(line, encoding="unicode")
                         for line in lines(root))
 
@@ -200,6 +213,22 @@ class Katex:
             self.process.communicate()
 
 
+GLUED = re.compile(
+    r"([(\[\u201c]?)(<math>(?:(?!</?math).)*</math>)([^\s<]*)", re.S)
+
+
+def glued(body):
+    """The page, no line of which ends between a formula within the text and
+    a comma, a parenthesis or an ending that touches it."""
+    return GLUED.sub(lambda found: f'<span class="glued">{found[0]}</span>'
+                     if found[1] or found[3] else found[0], body)
+
+
+def glue(app, page, template, context, doctree):
+    if "body" in context:
+        context["body"] = glued(context["body"])
+
+
 def aligned(tex):
     if r"\begin" in tex or not ("&" in tex or r"\\" in tex):
         return tex
@@ -209,14 +238,22 @@ def aligned(tex):
 def setup(app):
     katex = Katex()
 
+    def rendered(node, tex, display):
+        """A formula that KaTeX cannot read stands there as it was written."""
+        try:
+            return katex.render(tex, display)
+        except ValueError as error:
+            log.warning("%s", error, location=node)
+            return html.escape(tex)
+
     def visit_math(translator, node):
-        translator.body.append(katex.render(node.astext(), False))
+        translator.body.append(rendered(node, node.astext(), False))
         raise nodes.SkipNode
 
     def visit_math_block(translator, node):
         translator.body.append(translator.starttag(node, "div", CLASS="math"))
         translator.body.append('<div class="equation">')
-        translator.body.append(katex.render(aligned(node.astext()), True))
+        translator.body.append(rendered(node, aligned(node.astext()), True))
         translator.body.append("</div>")
         if node["number"]:
             number = get_node_equation_number(translator, node)
@@ -227,5 +264,6 @@ def setup(app):
     app.add_html_math_renderer("mathml", (visit_math, None),
                                (visit_math_block, None))
     app.config.html_math_renderer = "mathml"
+    app.connect("html-page-context", glue)
     app.connect("build-finished", katex.close)
     return {"version": "1", "parallel_read_safe": True}

@@ -14,12 +14,14 @@ LEFT_OUT = (nodes.section, nodes.title, nodes.math_block, nodes.literal_block,
 
 
 def words(node):
-    """The text of a section; dots stand for formulas and citations."""
+    """The text of a section; dots stand for formulas, citations and numbers
+    of figures and the like."""
     if isinstance(node, nodes.Text):
         return node.astext()
     if isinstance(node, LEFT_OUT):
         return ""
-    if isinstance(node, nodes.math) or node.get("refdomain") == "cite":
+    if isinstance(node, nodes.math) or node.get("refdomain") == "cite" or (
+            node.get("reftype") in ("numref", "eq")):
         return "\u2026"
     gap = "" if isinstance(node, (nodes.TextElement, nodes.Inline)) else " "
     return gap.join(words(child) for child in node.children)

@@ -238,7 +238,7 @@ def visit_html(translator, node):
     add('<div class="code-head">')
     if node["number"]:
         add(f'<p class="code-title">\u27e8{translator.encode(node["title"])}'
-            f'<span class="number">{node["number"]}</span>\u27e9 \u2261</p>')
+            f'<span class="number">{node["number"]}</span>\u27e9\u00a0\u2261</p>')
     add(f'<p class="code-where">{node["path"]} <span class="lines">{lines}'
         '</span></p></div>')
     add(f"<pre><code>{html_code(translator, node)}</code></pre>")
@@ -258,27 +258,36 @@ def latex_link(translator, title):
     return words
 
 
+VERBATIM = r"\begin{Verbatim}[commandchars=\\\{\}]"
+BLANK = "\\end{Verbatim}\n\\tfblank\n" + VERBATIM
+SHORT = 10      # lines; as many stay on one page
+LEAST = 3       # lines before and after the end of a page
+
+
 def latex_code(translator, node):
     """The lines, highlighted, without the Verbatim around them."""
     lines = translator.highlighter.highlight_block(
         node["code"], lexer(node["path"]).aliases[0]).rstrip().split("\n")[1:-1]
-    uses = iter(node["uses"])
+    uses = list(node["uses"])   # none in a quotation, whose heads stay
     return "\n".join(
+        BLANK if not line and LEAST <= i < len(lines) - LEAST else
         re.sub(r"\\PYG\{c\+c1\}\{//: .*\}$",
-               lambda _: latex_link(translator, next(uses)), line)
-        for line in lines)
+               lambda head: latex_link(translator, uses.pop(0)) if uses
+               else head[0], line)
+        for i, line in enumerate(lines))
 
 
 def visit_latex(translator, node):
     where = r"%s\enspace %d--%d" % (escape(node["path"], "xelatex"),
                                     node["first"], node["last"])
     used = node["used_in"] and latex_link(translator, node["used_in"])
+    whole = "[unbreakable]" if node["code"].count("\n") < SHORT else ""
     translator.body.append(
-        "\n" r"\begin{codebox}{%s}{%s}{%s}{%s}{%s}" "\n"
-        r"\begin{Verbatim}[commandchars=\\\{\}]" "\n" "%s\n"
+        "\n" r"\begin{codebox}%s{%s}{%s}{%s}{%s}{%s}" "\n%s\n%s\n"
         r"\end{Verbatim}" "\n" r"\end{codebox}" "\n" % (
-            translator.hypertarget_to(node), escape(node["title"], "xelatex"),
-            node["number"], where, used, latex_code(translator, node)))
+            whole, translator.hypertarget_to(node),
+            escape(node["title"], "xelatex"), node["number"], where, used,
+            VERBATIM, latex_code(translator, node)))
     raise nodes.SkipNode
 
 

@@ -1,5 +1,7 @@
 #include "stage/figure.h"
 
+#include <float.h>
+#include <math.h>
 #include <stdlib.h>
 
 enum {
@@ -9,7 +11,8 @@ enum {
 void tf_figure_number(FILE *numbers, const char *key, double value)
 {
     char text[64];
-    int digits = 1;
+    bool whole = value == rint(value) && fabs(value) < 1 / DBL_EPSILON;
+    int digits = whole ? DIGITS_MOST : 1;
     do
         snprintf(text, sizeof text, "%.*g", digits, value);
     while (strtod(text, NULL) != value && digits++ < DIGITS_MOST);

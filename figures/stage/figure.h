@@ -24,7 +24,8 @@ typedef struct tf_figure {
     void (*draw)(tf_page *page, FILE *numbers);
 } tf_figure;
 
-/// Print a line "key value", %.17g cut to the shortest that reads back.
+/// Print a line "key value", %.17g cut to the shortest that reads back; whole
+/// numbers below 2^52 are written out.
 void tf_figure_number(FILE *numbers, const char *key, double value);
 
 #endif

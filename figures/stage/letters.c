@@ -99,6 +99,26 @@ static void find_bars(tf_letters *letters, const tf_markup *markup)
     }
 }
 
+/// Let what follows the glyphs of a byte of the text begin where they do.
+static void narrow_glyphs(const PangoGlyphItem *run, guint byte)
+{
+    PangoGlyphString *glyphs = run->glyphs;
+    for (int i = 0; i < glyphs->num_glyphs; i++)
+        if ((guint)(run->item->offset + glyphs->log_clusters[i]) == byte)
+            glyphs->glyphs[i].geometry.width = 0;
+}
+
+static void stack_primes(PangoLayout *layout, const GArray *primes)
+{
+    PangoLayoutIter *at = pango_layout_get_iter(layout);
+    do {
+        const PangoGlyphItem *run = pango_layout_iter_get_run(at);
+        for (guint i = 0; run && i < primes->len; i++)
+            narrow_glyphs(run, g_array_index(primes, guint, i));
+    } while (pango_layout_iter_next_run(at));
+    pango_layout_iter_free(at);
+}
+
 tf_stage_status tf_letters_set(const char *family, const char *text,
                                double size, tf_letters **letters)
 {
@@ -116,6 +136,7 @@ tf_stage_status tf_letters_set(const char *family, const char *text,
         pango_layout_set_attributes(set->layout, markup.looks);
         set->baseline =
             (double)pango_layout_get_baseline(set->layout) / PANGO_SCALE;
+        stack_primes(set->layout, markup.primes);
         find_bars(set, &markup);
     }
     tf_markup_free(&markup);

@@ -1,10 +1,11 @@
 // Letters: text with a little mathematics, set by Pango.
 //
 // In text, $...$ is mathematics: letters become italic, - a minus sign and ' a
-// prime; x_0 and x_{ij} lower, x^2 and x^{-1} raise; \bar{x} draws a bar over
-// x; \up{det} keeps letters upright; \b{x} is bold.  Any other letter or sign
-// is written as it is, in UTF-8: Δ, ≥, ×.  Outside of $...$, *word* is italic.
-// \$, \* and \\ are the signs themselves.
+// prime; x_0 and x_{ij} lower, x^2 and x^{-1} raise, and in x_0' the prime
+// stands over the 0; \bar{x} draws a bar over x; \up{det} keeps letters
+// upright; \b{x} is bold.  Any other letter or sign is written as it is, in
+// UTF-8: Δ, ≥, ×.  Outside of $...$, *word* is italic.  \$, \* and \\ are the
+// signs themselves.
 #ifndef TF_STAGE_LETTERS_H
 #define TF_STAGE_LETTERS_H
 

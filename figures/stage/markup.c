@@ -7,6 +7,9 @@
 static const double script_size = 0.72, script_raise = 0.34,
                     script_lower = 0.17;
 
+/// How far a prime over a subscript is raised, by the letters' size.
+static const double prime_raise = 0.08;
+
 /// Where reading is, and the looks that hold there.
 typedef struct reader {
     tf_markup *markup;
@@ -83,6 +86,35 @@ static bool read_script(reader *r, double script)
     return fine;
 }
 
+/// Put a prime before the subscript that begins at `from`, clear of it.
+static void put_prime(const reader *r, guint from)
+{
+    GString *text = r->markup->text;
+    gsize before = text->len;
+    g_string_insert_unichar(text, from, sign_for(r, '\''));
+    guint length = (guint)(text->len - before);
+    pango_attr_list_update(r->markup->looks, (int)from, 0, (int)length);
+    PangoAttribute *rise =
+        pango_attr_rise_new((int)(prime_raise * r->size * PANGO_SCALE));
+    rise->start_index = from;
+    rise->end_index = from + length;
+    pango_attr_list_insert(r->markup->looks, rise);
+    g_array_append_val(r->markup->primes, from);
+}
+
+/// A subscript; a prime that follows goes before it, to stand over it.
+static bool read_subscript(reader *r)
+{
+    guint from = (guint)r->markup->text->len;
+    if (!read_script(r, -1))
+        return false;
+    if (*r->at != '\'' || r->script != 0)
+        return true;
+    r->at++;
+    put_prime(r, from);
+    return true;
+}
+
 static bool read_flagged(reader *r, bool *flag)
 {
     bool before = *flag;
@@ -149,7 +181,7 @@ static bool read_item(reader *r)
     case '$':
         return !r->math && read_math(r);
     case '_':
-        return r->math ? read_script(r, -1) : read_letter(r);
+        return r->math ? read_subscript(r) : read_letter(r);
     case '^':
         return r->math ? read_script(r, 1) : read_letter(r);
     case '*':
@@ -168,6 +200,7 @@ bool tf_markup_read(tf_markup *markup, const char *text, double size)
     markup->text = g_string_new("");
     markup->looks = pango_attr_list_new();
     markup->bars = g_array_new(FALSE, FALSE, sizeof(tf_bar));
+    markup->primes = g_array_new(FALSE, FALSE, sizeof(guint));
     reader r = {.markup = markup, .at = text, .size = size};
     bool fine = g_utf8_validate(text, -1, NULL);
     while (fine && *r.at != '\0')
@@ -180,4 +213,5 @@ void tf_markup_free(tf_markup *markup)
     g_string_free(markup->text, TRUE);
     pango_attr_list_unref(markup->looks);
     g_array_free(markup->bars, TRUE);
+    g_array_free(markup->primes, TRUE);
 }

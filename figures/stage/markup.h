@@ -14,7 +14,8 @@ typedef struct tf_bar {
 typedef struct tf_markup {
     GString *text;
     PangoAttrList *looks;
-    GArray *bars; ///< of tf_bar
+    GArray *bars;   ///< of tf_bar
+    GArray *primes; ///< of guint: bytes of the primes to stand over a subscript
 } tf_markup;
 
 /// Read text whose letters are `size` points high.  False if it is no UTF-8 or

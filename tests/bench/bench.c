@@ -1,250 +1,311 @@
-// How long a query takes, by workload and arithmetic.  The workloads are the
-// same in every run, and all arithmetics are timed in one run, in turns, so
-// that ratios mean something on a shared machine.  Prints one line a workload
-// and arithmetic: queries, hits, nanoseconds a query (the best of several
-// rounds) and the ratio to `clamped`.
+// How long queries and signs take, and how far exact signs have to go.  The
+// workloads are the same in every run, and all arithmetics are timed in one
+// run, in turns and by processor time, so that ratios mean something on a shared
+// machine.
+//
+// Prints three tables:
+// - a line a workload and arithmetic: queries, hits, nanoseconds a query (the
+//   best of several rounds) and the ratio to `clamped`.  The integers get the
+//   same workloads rounded to their grids;
+// - a line a workload: the percentage of queries that need no sign, that
+//   estimates decide, that need an expansion, and that need the accumulator,
+//   with exact signs;
+// - a line a stage: nanoseconds a sign.
+// With --header the same as tables in C, for the figures of the book.
 #define _POSIX_C_SOURCE 199309L // clock_gettime
 
-#include "support/support.h"
+#include "bench/workloads.h"
+#include "support/generator.h"
 #include "tanglefree.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <time.h>
 
-// A query
-
-typedef struct query {
-    tf_worldline vertex[4];
-} query;
-
-typedef struct workload {
-    const char *name;
-    int vertices; // of the first element: 1 point-triangle, 2 edge-edge
-    long count;
-    query *queries;
-} workload;
-
-static workload workload_new(const char *name, int vertices, long capacity)
-{
-    query *queries = malloc(sizeof(query) * (size_t)capacity);
-    if (!queries) {
-        fprintf(stderr, "bench: out of memory\n");
-        exit(2);
-    }
-    return (workload){.name = name, .vertices = vertices, .queries = queries};
-}
-
-// Soup and near: a vertex anywhere in a cube, displaced by up to 0.1
-
-static query random_query(generator *random, double size)
-{
-    double corner[TF_AXES];
-    for (int k = 0; k < TF_AXES; k++)
-        corner[k] = uniform(random, 0, 1 - size);
-    query q;
-    for (int i = 0; i < 4; i++) {
-        double start[TF_AXES], end[TF_AXES];
-        for (int k = 0; k < TF_AXES; k++) {
-            start[k] = uniform(random, corner[k], corner[k] + size);
-            end[k] = start[k] + uniform(random, -0.1, 0.1);
-        }
-        q.vertex[i] = tf_worldline_between(TF_AXES, start, end);
-    }
-    return q;
-}
-
-static workload random_workload(const char *name, int vertices, double size)
-{
-    enum {
-        COUNT = 20000
-    };
-    generator random = generator_new(1);
-    workload w = workload_new(name, vertices, COUNT);
-    while (w.count < COUNT)
-        w.queries[w.count++] = random_query(&random, size);
-    return w;
-}
-
-// Rest: a tilted flat cloth that does not move, as a grid of triangles
-
 enum {
-    SIDE = 40,        // vertices along a side
-    CELLS = SIDE - 1, // cells along a side
-    TRIANGLES = 2 * CELLS * CELLS,
-    EDGES = 2 * SIDE * CELLS + CELLS * CELLS,
-    MOST_PAIRS = 200000
+    ROUNDS = 5
 };
 
-typedef struct element {
-    int vertex[3]; // increasing
-} element;
-
-/// A vertex of the grid, moved about within the cloth and tilted with it: flat
-/// but for the rounding of three coordinates.
-static tf_worldline cloth_vertex(int index)
-{
-    generator random = generator_new((uint64_t)index);
-    double u = (index % SIDE + uniform(&random, -0.4, 0.4)) / CELLS - 0.5;
-    double v = (index / SIDE + uniform(&random, -0.4, 0.4)) / CELLS - 0.5;
-    double x[TF_AXES] = {0.8 * u - 0.36 * v, 0.6 * u + 0.48 * v, 0.8 * v};
-    return tf_worldline_between(TF_AXES, x, x);
-}
-
-static tf_worldline cloth[SIDE * SIDE];
-
-static void lay_out_cloth(void)
-{
-    for (int i = 0; i < SIDE * SIDE; i++)
-        cloth[i] = cloth_vertex(i);
-}
-
-static int cloth_triangles(element triangle[TRIANGLES])
-{
-    int count = 0;
-    for (int cell = 0; cell < CELLS * CELLS; cell++) {
-        int a = cell / CELLS * SIDE + cell % CELLS;
-        triangle[count++] = (element){{a, a + 1, a + SIDE + 1}};
-        triangle[count++] = (element){{a, a + SIDE, a + SIDE + 1}};
-    }
-    return count;
-}
-
-static int cloth_edges(element edge[EDGES])
-{
-    int count = 0;
-    for (int a = 0; a < SIDE * SIDE; a++) {
-        bool right = a % SIDE < CELLS, up = a / SIDE < CELLS;
-        if (right)
-            edge[count++] = (element){{a, a + 1}};
-        if (up)
-            edge[count++] = (element){{a, a + SIDE}};
-        if (right && up)
-            edge[count++] = (element){{a, a + SIDE + 1}};
-    }
-    return count;
-}
-
-static bool boxes_overlap(const query *q, int vertices)
-{
-    for (int k = 0; k < TF_AXES; k++) {
-        double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
-        for (int i = 0; i < 4; i++) {
-            double x = q->vertex[i].at[0].x[k];
-            int second = i >= vertices;
-            low[second] = fmin(low[second], x);
-            high[second] = fmax(high[second], x);
-        }
-        if (low[0] > high[1] || low[1] > high[0])
-            return false;
-    }
-    return true;
-}
-
-static bool share_a_vertex(const int *first, int vertices, const int *second)
-{
-    for (int i = 0; i < vertices; i++)
-        for (int j = 0; j < 4 - vertices; j++)
-            if (first[i] == second[j])
-                return true;
-    return false;
-}
-
-static void add_pair(workload *w, const int *first, const int *second)
-{
-    if (share_a_vertex(first, w->vertices, second))
-        return;
-    query q;
-    for (int i = 0; i < 4; i++)
-        q.vertex[i] =
-            cloth[i < w->vertices ? first[i] : second[i - w->vertices]];
-    if (boxes_overlap(&q, w->vertices) && w->count < MOST_PAIRS)
-        w->queries[w->count++] = q;
-}
-
-static workload rest_points(void)
-{
-    static element triangle[TRIANGLES];
-    int count = cloth_triangles(triangle);
-    workload w = workload_new("rest", 1, MOST_PAIRS);
-    for (int p = 0; p < SIDE * SIDE; p++)
-        for (int i = 0; i < count; i++)
-            add_pair(&w, &p, triangle[i].vertex);
-    return w;
-}
-
-static workload rest_edges(void)
-{
-    static element edge[EDGES];
-    int count = cloth_edges(edge);
-    workload w = workload_new("rest", 2, MOST_PAIRS);
-    for (int i = 0; i < count; i++)
-        for (int j = i + 1; j < count; j++)
-            add_pair(&w, edge[i].vertex, edge[j].vertex);
-    return w;
-}
-
-// Time
-
-static double seconds(void)
+/// Processor time.
+static double nanoseconds(void)
 {
     struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return 1e9 * (double)now.tv_sec + (double)now.tv_nsec;
 }
 
-static long run(const workload *w, const tf_arithmetic *arithmetic)
+// Queries ----------------------------------------------------------------------
+
+static bool answer(const workload *w, long i, const tf_arithmetic *arithmetic)
 {
-    long hits = 0;
-    for (long i = 0; i < w->count; i++) {
-        const tf_worldline *v = w->queries[i].vertex;
-        tf_contact contact;
-        tf_query(arithmetic, TF_AXES, w->vertices, v, 4 - w->vertices,
-                 v + w->vertices, &contact);
-        hits += contact.verdict != TF_APART;
+    const tf_worldline *v = w->queries[i].vertex;
+    tf_contact contact;
+    tf_status status =
+        tf_query(arithmetic, TF_AXES, w->vertices, v,
+                 QUERY_VERTICES - w->vertices, v + w->vertices, &contact);
+    if (status != TF_OK) {
+        fprintf(stderr, "bench: %s: %s\n", w->name, tf_status_message(status));
+        exit(2);
     }
-    return hits;
+    return contact.verdict != TF_APART;
 }
 
-static void measure(const workload *w)
+/// How often to repeat a workload so that the clock can tell its time.
+static int repetitions(const workload *w)
 {
-    enum {
-        ROUNDS = 7
-    };
-    const tf_arithmetic *arithmetics[] = {&tf_clamped, &tf_report, &tf_exact};
-    double best[] = {INFINITY, INFINITY, INFINITY};
-    long hits[] = {0, 0, 0};
+    return (int)(10000 / w->count) + 1;
+}
+
+static double time_queries(const workload *w, const tf_arithmetic *arithmetic,
+                           long *hits)
+{
+    double start = nanoseconds();
+    for (int repeat = repetitions(w); repeat > 0; repeat--) {
+        *hits = 0;
+        for (long i = 0; i < w->count; i++)
+            *hits += answer(w, i, arithmetic);
+    }
+    return (nanoseconds() - start) / ((double)w->count * repetitions(w));
+}
+
+/// An arithmetic, and the grid that the workloads have to be rounded to.
+typedef struct contender {
+    const tf_arithmetic *arithmetic;
+    int grid_bits; ///< 0: none
+} contender;
+
+// Coordinates of all workloads are below 2 in absolute value.
+static const contender contenders[] = {
+    {&tf_clamped, 0},   {&tf_report, 0},     {&tf_exact, 0},
+    {&tf_perturbed, 0}, {&tf_integer64, 18}, {&tf_integer128, 39},
+};
+
+enum {
+    CONTENDERS = sizeof contenders / sizeof *contenders
+};
+
+static bool needs_grid(const workload *w, const contender *c)
+{
+    return c->grid_bits > 0 && strcmp(w->name, "lattice") != 0;
+}
+
+static void print_time(const workload *w, int c, long hits, double time,
+                       double ratio, bool header)
+{
+    printf(header ? "    {\"%s\", \"%s\", \"%s\", %ld, %ld, %.1f, %.2f},\n"
+                  : "%-8s %-15s %-10s %7ld %7ld %9.1f %6.2f\n",
+           w->name, workload_kind(w), contenders[c].arithmetic->name, w->count,
+           hits, time, ratio);
+}
+
+static void print_times(const workload *w, bool header)
+{
+    workload own[CONTENDERS];
+    double best[CONTENDERS];
+    long hits[CONTENDERS];
+    for (int c = 0; c < CONTENDERS; c++) {
+        best[c] = INFINITY;
+        own[c] = needs_grid(w, &contenders[c])
+                     ? workload_on_grid(w, contenders[c].grid_bits)
+                     : *w;
+    }
     for (int round = 0; round < ROUNDS; round++)
-        for (int a = 0; a < 3; a++) {
-            double start = seconds();
-            hits[a] = run(w, arithmetics[a]);
-            best[a] = fmin(best[a], seconds() - start);
+        for (int c = 0; c < CONTENDERS; c++) {
+            double time =
+                time_queries(&own[c], contenders[c].arithmetic, &hits[c]);
+            best[c] = fmin(best[c], time);
         }
-
-    const char *kind = w->vertices == 1 ? "point-triangle" : "edge-edge";
-    for (int a = 0; a < 3; a++)
-        printf("%-6s %-15s %-8s %7ld %7ld %9.1f %6.2f\n", w->name, kind,
-               arithmetics[a]->name, w->count, hits[a],
-               1e9 * best[a] / (double)w->count, best[a] / best[0]);
+    for (int c = 0; c < CONTENDERS; c++) {
+        print_time(w, c, hits[c], best[c], best[c] / best[0], header);
+        if (needs_grid(w, &contenders[c]))
+            workload_free(&own[c]);
+    }
 }
 
-int main(void)
+// Stages -----------------------------------------------------------------------
+
+enum {
+    STAGES = TF_BY_ACCUMULATOR + 1
+};
+
+/// The farthest stage of the query at hand; -1: no sign was asked for.
+static int farthest;
+
+static tf_sign note_stage(const tf_differences *differences)
 {
-    lay_out_cloth();
-    workload workloads[] = {
-        random_workload("soup", 1, 1),
-        random_workload("soup", 2, 1),
-        random_workload("near", 1, 0.1),
-        random_workload("near", 2, 0.1),
-        rest_points(),
-        rest_edges(),
-    };
-    printf("%-6s %-15s %-8s %7s %7s %9s %6s\n", "work", "kind", "signs",
+    tf_stage stage;
+    tf_sign sign = tf_exact_sign(differences, &stage);
+    farthest = (int)stage > farthest ? (int)stage : farthest;
+    return sign;
+}
+
+static void print_shares(const workload *w, bool header)
+{
+    const tf_arithmetic noting = {
+        .name = "noting", .sign = note_stage, .value = tf_exact.value};
+    long queries[STAGES + 1] = {0};
+    for (long i = 0; i < w->count; i++) {
+        farthest = -1;
+        answer(w, i, &noting);
+        queries[farthest + 1]++;
+    }
+    printf(header ? "    {\"%s\", \"%s\", {" : "%-8s %-15s", w->name,
+           workload_kind(w));
+    for (int i = 0; i <= STAGES; i++)
+        printf(header ? "%.3f, " : " %11.3f",
+               100 * (double)queries[i] / (double)w->count);
+    printf(header ? "}},\n" : "\n");
+}
+
+// Signs ------------------------------------------------------------------------
+
+enum {
+    SIGNS = 2000
+};
+
+/// A 3x3 determinant and its events.
+typedef struct matrix {
+    tf_event to[TF_AXES], from[TF_AXES];
+} matrix;
+
+static tf_differences differences_of(const matrix *m)
+{
+    tf_differences d = {.n = TF_AXES};
+    for (int i = 0; i < TF_AXES; i++) {
+        d.to[i] = &m->to[i];
+        d.from[i] = &m->from[i];
+        d.axis[i] = i;
+    }
+    return d;
+}
+
+static double coarse(generator *random)
+{
+    return below(random, 1 << 20);
+}
+
+static double fine(generator *random)
+{
+    return uniform(random, 1, 2);
+}
+
+static double uneven(generator *random)
+{
+    return ldexp(uniform(random, 1, 2), 5 * below(random, 20));
+}
+
+static double of_any_size(generator *random)
+{
+    return ldexp(uniform(random, 1, 2), below(random, 2000) - 1000);
+}
+
+/// Random coordinates; the last row is the second, so that only an exact stage
+/// can tell, unless `regular`.
+static void fill(generator *random, double (*coordinate)(generator *random),
+                 bool regular, matrix *m)
+{
+    for (int i = 0; i < TF_AXES; i++)
+        for (int k = 0; k < TF_AXES; k++) {
+            m->to[i].x[k] = coordinate(random);
+            m->from[i].x[k] = coordinate(random);
+        }
+    if (regular)
+        return;
+    m->to[2] = m->to[1];
+    m->from[2] = m->from[1];
+}
+
+/// Nanoseconds a sign, of those that `stage` finds.
+static double time_signs(const matrix m[SIGNS], tf_stage stage)
+{
+    double best = INFINITY;
+    for (int round = 0; round < ROUNDS; round++) {
+        double start = nanoseconds();
+        for (int i = 0; i < SIGNS; i++) {
+            tf_differences d = differences_of(&m[i]);
+            tf_stage found;
+            tf_exact_sign(&d, &found);
+            if (found != stage) {
+                fprintf(stderr, "bench: a sign of another stage\n");
+                exit(2);
+            }
+        }
+        best = fmin(best, (nanoseconds() - start) / SIGNS);
+    }
+    return best;
+}
+
+static void print_stage(const char *name,
+                        double (*coordinate)(generator *random), tf_stage stage,
+                        bool header)
+{
+    static matrix m[SIGNS];
+    generator random = generator_new(2);
+    for (int i = 0; i < SIGNS; i++)
+        fill(&random, coordinate, stage == TF_BY_ESTIMATE, &m[i]);
+    printf(header ? "    {\"%s\", %.1f},\n" : "%-24s %9.1f\n", name,
+           time_signs(m, stage));
+}
+
+// Tables -----------------------------------------------------------------------
+
+typedef void print_workload(const workload *w, bool header);
+
+static void print_workloads(print_workload *print, bool header)
+{
+    workload (*const make[])(int vertices) = {workload_soup, workload_near,
+                                              workload_rest, workload_lattice};
+    for (size_t i = 0; i < sizeof make / sizeof *make; i++)
+        for (int vertices = 1; vertices <= 2; vertices++) {
+            workload w = make[i](vertices);
+            print(&w, header);
+            workload_free(&w);
+        }
+}
+
+static void print_stages(bool header)
+{
+    print_stage("estimate", fine, TF_BY_ESTIMATE, header);
+    print_stage("expansion", coarse, TF_BY_EXPANSION, header);
+    print_stage("accumulator", uneven, TF_BY_ACCUMULATOR, header);
+    print_stage("accumulator, any size", of_any_size, TF_BY_ACCUMULATOR,
+                header);
+}
+
+static void print_header(void)
+{
+    printf("static const tf_query_time query_times[] = {\n");
+    print_workloads(print_times, true);
+    printf("};\nstatic const tf_stage_share stage_shares[] = {\n");
+    print_workloads(print_shares, true);
+    printf("};\nstatic const tf_stage_time stage_times[] = {\n");
+    print_stages(true);
+    printf("};\n");
+}
+
+static void print_tables(void)
+{
+    printf("%-8s %-15s %-10s %7s %7s %9s %6s\n", "work", "kind", "signs",
            "queries", "hits", "ns", "ratio");
-    for (size_t i = 0; i < sizeof workloads / sizeof *workloads; i++) {
-        measure(&workloads[i]);
-        free(workloads[i].queries);
+    print_workloads(print_times, false);
+    printf("\n%-8s %-15s %11s %11s %11s %11s\n", "work", "kind", "none %",
+           "estimate %", "expansion %", "accum. %");
+    print_workloads(print_shares, false);
+    printf("\n%-24s %9s\n", "sign by", "ns");
+    print_stages(false);
+}
+
+int main(int count, char **argument)
+{
+    if (count == 1)
+        print_tables();
+    else if (count == 2 && strcmp(argument[1], "--header") == 0)
+        print_header();
+    else {
+        fprintf(stderr, "usage: bench [--header]\n");
+        return 2;
     }
     return 0;
 }

@@ -53,7 +53,7 @@ class Page(HTMLParser):
             return
         pieces = self.box.pieces
         if "code-title" in self.inside:
-            self.box.title += data.strip("\u27e8\u27e9 \u2261")
+            self.box.title += data.strip("\u27e8\u27e9\u00a0\u2261")
         elif "pre" in self.inside and "use" in self.inside:
             pieces[-2] = ("use", pieces[-2][1] + data)
         elif "pre" in self.inside:

@@ -6,10 +6,13 @@ from pathlib import Path
 sys.dont_write_bytecode = True
 ROOT = Path(__file__).parents[2]
 sys.path[:0] = [str(ROOT / "book/_ext"), str(Path(__file__).parent)]
+from docutils import nodes
+from sphinx import addnodes
 import blocks
 import drawings
 import manifest
 import mathml
+import pages
 import pages_test
 import sessions
 import weave
@@ -61,7 +64,7 @@ def page(fragments):
     return "".join(
         f'<div class="code-box" data-path="{f.path}" data-first="{f.first}" '
         f'data-last="{f.last}"><p class="code-title">\u27e8{f.title}<span '
-        f'class="number">1.1</span>\u27e9 \u2261</p><pre><code>{code(f)}\n'
+        f'class="number">1.1</span>\u27e9\u00a0\u2261</p><pre><code>{code(f)}\n'
         '</code></pre></div>' for f in fragments)
 
 
@@ -164,6 +167,24 @@ class Texts(unittest.TestCase):
                  '</mrow>')):
             self.assertEqual(drawn(before), after)
 
+    def test_ends_formulas_without_a_gap(self):
+        drawn = mathml.legible(
+            '<span class="katex"><math><semantics><mrow><mi>t</mi><mo>=</mo>'
+            '</mrow></semantics></math></span>')
+        self.assertEqual(drawn, '<math><mrow><mi>t</mi><mo rspace="0em">='
+                                '</mo></mrow></math>')
+
+    def test_glues_to_a_formula_what_touches_it(self):
+        math = "<math><mi>a</mi></math>"
+        for before, after in (
+                (f"in {math} and", f"in {math} and"),
+                (f"({math})", f'<span class="glued">({math})</span>'),
+                (f"x, {math}<wbr>{math}, y", f"x, {math}<wbr>"
+                 f'<span class="glued">{math},</span> y'),
+                (f"the {math}-th one",
+                 f'the <span class="glued">{math}-th</span> one')):
+            self.assertEqual(mathml.glued(before), after)
+
     def test_breaks_long_formulas_after_relations(self):
         root = mathml.ElementTree.fromstring(
             "<math><mrow><mi>a</mi><mo>=</mo><mo>(</mo><mi>b</mi><mo>,</mo>"
@@ -171,6 +192,63 @@ class Texts(unittest.TestCase):
         self.assertEqual(
             ["".join(line.itertext()) for line in mathml.lines(root)],
             ["a=", "(b," + "c" * mathml.LONG + ")"])
+
+    def test_goes_on_after_code_with_a_small_letter(self):
+        def goes_on(*children):
+            nodes.section("", *children)
+            return blocks.goes_on(children[-1])
+
+        code = nodes.literal_block("", "make")
+        self.assertTrue(goes_on(code, nodes.paragraph("", "builds it.")))
+        self.assertFalse(goes_on(code, nodes.paragraph("", "Then more.")))
+        self.assertFalse(goes_on(nodes.paragraph("", "a"),
+                                 nodes.paragraph("", "b")))
+        self.assertFalse(goes_on(nodes.title("", "A"),
+                                 nodes.paragraph("", "b")))
+        self.assertFalse(goes_on(nodes.paragraph("", "b")))
+
+    def test_finds_notes_without_text_or_reference(self):
+        self.assertEqual(
+            blocks.loose_notes("A[^a] b[^b]\n\n[^a]: Yes.\n[^c]: No.\n"),
+            [("b", False, 1), ("c", True, 4)])
+
+    def test_drops_the_paragraph_of_an_empty_cell(self):
+        empty = nodes.entry("", nodes.paragraph())
+        full = nodes.entry("", nodes.paragraph("", "1"))
+        blocks.drop_empty(None, nodes.row("", empty, full))
+        self.assertEqual((len(empty), len(full)), (0, 1))
+
+    def test_leaves_numbers_out_of_what_is_searched(self):
+        text = nodes.paragraph(
+            "", "", nodes.Text("See "), nodes.math("", "x"), nodes.Text(" in "),
+            addnodes.pending_xref("", nodes.Text("fig-a"), reftype="numref"))
+        self.assertEqual(pages.words(text), "See \u2026 in \u2026")
+
+
+class Print(unittest.TestCase):
+    """Code in LaTeX."""
+
+    def latex(self, code):
+        class Translator:
+            class highlighter:
+                @staticmethod
+                def highlight_block(code, language):
+                    return f"\\begin\n{code}\n\\end"
+
+        return weave.latex_code(Translator, {
+            "code": code, "path": "a.c", "uses": []})
+
+    def test_ends_pages_at_blank_lines(self):
+        self.assertEqual(
+            self.latex("a\nb\nc\n\nd\ne\nf").split("\n"),
+            ["a", "b", "c", r"\end{Verbatim}", r"\tfblank", weave.VERBATIM,
+             "d", "e", "f"])
+        for code in "a\nb\n\nc\nd\ne", "a\nb\nc\n\nd\ne":
+            self.assertEqual(self.latex(code), code)
+
+    def test_leaves_the_heads_of_a_quotation(self):
+        head = r"\PYG{c+c1}{//: Start}"
+        self.assertEqual(self.latex(head + "\nint a;"), head + "\nint a;")
 
 
 if __name__ == "__main__":

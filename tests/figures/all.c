@@ -107,6 +107,44 @@ START_TEST(figure_is_drawn_at_any_size_in_both_themes)
 }
 END_TEST
 
+/// Where a figure's labels are, all added up, when it is turned.
+static double place_labels(const tf_figure *figure, double azimuth)
+{
+    tf_page_options options = {.width = figure->width,
+                               .height = figure->height,
+                               .pixels_x = 120,
+                               .pixels_y = 120,
+                               .turned = true,
+                               .azimuth = azimuth,
+                               .elevation = 22};
+    tf_page *page;
+    FILE *numbers = fopen("/dev/null", "w");
+    ck_assert_int_eq(tf_page_new(&options, &page), TF_STAGE_OK);
+    figure->draw(page, numbers);
+    ck_assert_int_eq(tf_page_write(page, picture), TF_STAGE_OK);
+    expect_labels(figure, page);
+    double sum = 0;
+    for (int i = 0; i < tf_page_labels(page); i++)
+        sum += tf_page_placed(page, i).box.x;
+    tf_page_free(page);
+    fclose(numbers);
+    return sum;
+}
+
+START_TEST(solids_turn)
+{
+    static const char *const solid[] = {"edge-sweep",  "prism",
+                                        "bent-slices", "sheared-frame",
+                                        "contact",     "edge-edge-sheets"};
+    for (size_t i = 0; i < sizeof solid / sizeof *solid; i++) {
+        const tf_figure *figure = tf_figure_named(solid[i]);
+        double before = place_labels(figure, 30);
+        ck_assert_msg(place_labels(figure, 120) != before, "%s", figure->name);
+        ck_assert_double_eq(place_labels(figure, 30), before);
+    }
+}
+END_TEST
+
 START_TEST(names_find_figures)
 {
     for (int i = 0; tf_figures[i]; i++)
@@ -123,6 +161,7 @@ Suite *suite(void)
     tcase_add_checked_fixture(drawn, enter_folder, leave_folder);
     tcase_add_loop_test(drawn, figure_is_drawn_at_any_size_in_both_themes, 0,
                         figure_count());
+    tcase_add_test(drawn, solids_turn);
     suite_add_tcase(s, drawn);
     TCase *table = tcase_create("table");
     tcase_add_test(table, names_find_figures);

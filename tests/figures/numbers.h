@@ -6,6 +6,7 @@
 #define _POSIX_C_SOURCE 200809L // open_memstream
 
 #include "figures.h"
+#include "support/oracle.h"
 #include "support/support.h"
 
 #include <math.h>
@@ -61,6 +62,20 @@ static inline void expect_number(const char *text, const char *key,
     double found = number_of(text, key);
     ck_assert_msg(fabs(found - expected) <= 1e-12 * fmax(1, fabs(expected)),
                   "%s is %.17g, not %.17g", key, found, expected);
+}
+
+/// When two moving elements first meet, as the oracle has it, rounded; -1 if
+/// they do not.
+static inline double oracle_time(int axes, int vertices,
+                                 const tf_worldline first[], int others,
+                                 const tf_worldline second[])
+{
+    mpq_t toi;
+    mpq_init(toi);
+    bool meet = oracle_meet(axes, vertices, first, others, second, toi);
+    double time = meet ? mpq_get_d(toi) : -1;
+    mpq_clear(toi);
+    return time;
 }
 
 /// The suite of a figure's one test.

@@ -428,55 +428,28 @@ END_TEST
 
 // Bad input --------------------------------------------------------------------
 
-START_TEST(nan_is_refused)
-{
-    expect_fault("0,nan\n",
-                 "13: column 2 is \"nan\", not a finite number; write a "
-                 "decimal or a hexadecimal float");
-}
-END_TEST
+/// Rows that are bad, and what is told of them.
+static const struct {
+    const char *rows, *message;
+} faults[] = {
+    {"0,nan\n", "13: column 2 is \"nan\", not a finite number; write a "
+                "decimal or a hexadecimal float"},
+    {"0,0\n-inf,0\n", "14: column 1 is \"-inf\", not a finite number; write a "
+                      "decimal or a hexadecimal float"},
+    {"0,0\n1.5x,0\n", "14: column 1 is \"1.5x\", not a finite number; write a "
+                      "decimal or a hexadecimal float"},
+    {"0,1e999\n", "13: column 2 is \"1e999\", beyond the largest double; "
+                  "scale the scene down"},
+    {"0,0\n1\n", "14: a missing column: 1 where the first row has 2; give all "
+                 "rows as many"},
+    {"0,0\n1,1\n0,0\n1,1\n0,0\n",
+     "17: query 2 has 5 of 6 rows; add those missing"},
+    {"\n" MISS, "13: a blank line between rows; delete it"},
+};
 
-START_TEST(infinity_is_refused)
+START_TEST(bad_rows_are_refused)
 {
-    expect_fault("0,0\n-inf,0\n",
-                 "14: column 1 is \"-inf\", not a finite number; write a "
-                 "decimal or a hexadecimal float");
-}
-END_TEST
-
-START_TEST(text_in_a_number_is_refused)
-{
-    expect_fault("0,0\n1.5x,0\n",
-                 "14: column 1 is \"1.5x\", not a finite number; write a "
-                 "decimal or a hexadecimal float");
-}
-END_TEST
-
-START_TEST(overflow_is_refused)
-{
-    expect_fault("0,1e999\n", "13: column 2 is \"1e999\", beyond the largest "
-                              "double; scale the scene down");
-}
-END_TEST
-
-START_TEST(a_missing_column_is_refused)
-{
-    expect_fault("0,0\n1\n",
-                 "14: a missing column: 1 where the first row has 2; give all "
-                 "rows as many");
-}
-END_TEST
-
-START_TEST(missing_rows_are_refused)
-{
-    expect_fault("0,0\n1,1\n0,0\n1,1\n0,0\n",
-                 "17: query 2 has 5 of 6 rows; add those missing");
-}
-END_TEST
-
-START_TEST(a_blank_line_is_refused)
-{
-    expect_fault("\n" MISS, "13: a blank line between rows; delete it");
+    expect_fault(faults[_i].rows, faults[_i].message);
 }
 END_TEST
 
@@ -747,13 +720,8 @@ Suite *suite(void)
 
     TCase *bad = tcase_create("bad input");
     tcase_add_checked_fixture(bad, enter_folder, leave_folder);
-    tcase_add_test(bad, nan_is_refused);
-    tcase_add_test(bad, infinity_is_refused);
-    tcase_add_test(bad, text_in_a_number_is_refused);
-    tcase_add_test(bad, overflow_is_refused);
-    tcase_add_test(bad, a_missing_column_is_refused);
-    tcase_add_test(bad, missing_rows_are_refused);
-    tcase_add_test(bad, a_blank_line_is_refused);
+    tcase_add_loop_test(bad, bad_rows_are_refused, 0,
+                        sizeof faults / sizeof *faults);
     tcase_add_test(bad, a_zero_denominator_is_refused);
     tcase_add_test(bad, a_nul_byte_is_refused);
     tcase_add_test(bad, an_empty_file_is_refused);

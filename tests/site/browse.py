@@ -25,6 +25,10 @@ const wide = [...document.querySelectorAll('.equation, .code-box pre')];
 const paper = getComputedStyle(document.body).backgroundColor;
 return {
   width: document.documentElement.scrollWidth,
+  beyond: [...document.querySelectorAll('main *, header *, footer *')]
+    .filter(e => e.getBoundingClientRect().right >
+                 document.documentElement.clientWidth + 1)
+    .map(e => `<${e.localName}> ${e.textContent.trim().slice(0, 40)}`)[0],
   paper: paper.match(/\d+/g).map(Number),
   ids: [...document.querySelectorAll('[id]')].map(e => e.id),
   links: [...document.links].map(a => a.href),
@@ -86,7 +90,7 @@ def settle(chromium):
 def faults_of_look(look, device, theme):
     """What is wrong with a page as it was seen."""
     if look["width"] > WIDTHS[device][0]:
-        yield f"is {look['width']} pixels wide"
+        yield f"is {look['width']} pixels wide, see {look['beyond']}"
     if (sum(look["paper"][:3]) < 384) != (theme == "dark"):
         yield f"has paper {look['paper']}"
     if look["headings"] != 1:
@@ -104,6 +108,8 @@ def faults_of_look(look, device, theme):
 
 
 def faults_of_page(chromium, page, device, theme, looks):
+    for kind in "browser", "performance":   # what came of earlier pages
+        chromium.get_log(kind)
     chromium.get(page.as_uri())
     settle(chromium)
     look = looks[page] = chromium.execute_script(LOOK)

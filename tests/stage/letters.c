@@ -70,6 +70,27 @@ START_TEST(bars_and_scripts_add_height)
 }
 END_TEST
 
+START_TEST(primes_stand_over_subscripts)
+{
+    double low[4], both[4], after[4];
+    measure("$x_0$", 20, low);
+    measure("$x_0'$", 20, both);
+    ck_assert_double_lt(both[1], low[1] - 1);
+    ck_assert_double_eq_tol(both[1] + both[3], low[1] + low[3], 0.01);
+    ck_assert_double_eq_tol(both[2], low[2], 1);
+
+    // What follows stays where it was.
+    measure("$x_0 y$", 20, low);
+    measure("$x_0' y$", 20, both);
+    ck_assert_double_eq_tol(both[2], low[2], 0.01);
+
+    // In \bar and behind other letters too.
+    measure("$ab + \\bar{x_{ij}} y$", 20, low);
+    measure("$ab + \\bar{x_{ij}'} y$", 20, after);
+    ck_assert_double_eq_tol(after[2], low[2], 0.01);
+}
+END_TEST
+
 START_TEST(empty_text_has_no_ink)
 {
     double ink[4];
@@ -89,6 +110,7 @@ Suite *suite(void)
     tcase_add_test(tests, signs_can_be_quoted);
     tcase_add_test(tests, size_scales_letters);
     tcase_add_test(tests, bars_and_scripts_add_height);
+    tcase_add_test(tests, primes_stand_over_subscripts);
     tcase_add_test(tests, empty_text_has_no_ink);
     return made;
 }

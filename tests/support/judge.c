@@ -2,8 +2,10 @@
 
 #include "arithmetic/clamped.h"
 #include "arithmetic/exact.h"
+#include "arithmetic/perturbed.h"
 
 #include <math.h>
+#include <string.h>
 
 void truth_init(truth *known)
 {
@@ -188,6 +190,30 @@ void expect_no_fault(const char *fault, const query *q)
     if (fault)
         ck_abort_msg("%s\nseed %llu, %s\n%s", fault, (unsigned long long)seed(),
                      query_name(q), query_text(q));
+}
+
+tf_contact ask(const tf_arithmetic *arithmetic, const query *q)
+{
+    tf_contact contact;
+    ck_assert_int_eq(tf_query(arithmetic, q->axes, q->vertices, q->vertex,
+                              q->others, query_const_others(q), &contact),
+                     TF_OK);
+    return contact;
+}
+
+const char *perturbed_fault(const query *q)
+{
+    tf_contact exact = ask(&tf_exact, q), perturbed = ask(&tf_perturbed, q);
+    bool hit = exact.verdict == TF_HIT;
+    if (perturbed.decision != TF_GENERIC)
+        return "a perturbed decision that is not generic";
+    if (perturbed.verdict == TF_HIT && !hit)
+        return "a contact of the perturbed arithmetic alone";
+    if (hit && exact.decision != TF_GENERIC)
+        return NULL;
+    return memcmp(&exact, &perturbed, sizeof exact) == 0
+               ? NULL
+               : "not the answer of exact signs";
 }
 
 void expect_truth(const query *q, const truth *known)

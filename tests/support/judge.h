@@ -35,6 +35,14 @@ const char *geometry_fault(const query *q, const tf_contact *contact);
 /// Fail the test, showing the query, unless `fault` is NULL.
 void expect_no_fault(const char *fault, const query *q);
 
+/// Ask an arithmetic that takes the query's coordinates.
+tf_contact ask(const tf_arithmetic *arithmetic, const query *q);
+
+/// What is wrong with the perturbed answer to a query with numbered vertices,
+/// as far as exact signs tell: it is generic, and the exact one unless a contact
+/// touches; NULL if nothing is.
+const char *perturbed_fault(const query *q);
+
 /// Judge a query by exact and clamped arithmetic.
 void expect_truth(const query *q, const truth *known);
 

@@ -43,6 +43,12 @@ const char *query_name(const query *q)
                               : "point-triangle";
 }
 
+void query_number(query *q)
+{
+    for (int i = 0; i < q->vertices + q->others; i++)
+        tf_worldline_set_vertex(&q->vertex[i], i);
+}
+
 const char *query_text(const query *q)
 {
     static char text[2048];

@@ -37,6 +37,9 @@ const tf_worldline *query_const_others(const query *q);
 /// "point-edge", "point-triangle" or "edge-edge".
 const char *query_name(const query *q);
 
+/// Number the vertices: first element, then second.
+void query_number(query *q);
+
 /// The rows of a query file in hexadecimal floats.  Static storage.
 const char *query_text(const query *q);
 

@@ -116,6 +116,9 @@ static void compare_oracle(const query *q, const truth *filed)
 static void judge(const query *q, const truth *known, bool integers)
 {
     expect_truth(q, known);
+    query numbered = *q;
+    query_number(&numbered);
+    expect_no_fault(perturbed_fault(&numbered), q);
     if (!integers)
         return;
     tf_contact contact;

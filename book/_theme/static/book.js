@@ -27,6 +27,17 @@ function closeMenu(event) {
   }
 }
 
+// A figure leads to its picture alone, which can be as large as one likes.
+function linkPictures() {
+  for (const image of document.querySelectorAll(".drawing img")) {
+    const link = document.createElement("a");
+    link.href = image.src;
+    link.className = image.className;
+    image.replaceWith(link);
+    link.append(image);
+  }
+}
+
 // The section that is being read is marked in the rail.
 function markSection() {
   let current = null;
@@ -42,6 +53,7 @@ addEventListener("DOMContentLoaded", () => {
   const button = document.querySelector("button.theme");
   button.hidden = false;
   button.addEventListener("click", switchTheme);
+  linkPictures();
   document.addEventListener("click", closeMenu);
   document.addEventListener("keydown", closeMenu);
   if (document.querySelector(".rail")) {

@@ -25,7 +25,8 @@ function excerpt(text, words) {
   const first = Math.min(...words.map(word => lower.indexOf(word))
                                  .filter(place => place >= 0), text.length);
   const begin = lower.lastIndexOf(" ", Math.max(0, first - 70)) + 1;
-  const part = text.slice(begin, begin + 220);
+  const end = text.indexOf(" ", begin + 220);
+  const part = end < 0 ? text.slice(begin) : text.slice(begin, end) + " …";
   const escaped = words.map(word => word.replace(/[^\p{L}\p{N}\s]/gu, "\\$&"));
   const line = document.createElement("p");
   for (const piece of part.split(new RegExp(`(${escaped.join("|")})`, "i"))) {

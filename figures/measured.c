@@ -1,0 +1,36 @@
+#include "measured.h"
+
+#include "tables.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#define LENGTH(array) ((int)(sizeof(array) / sizeof *(array)))
+
+const tf_query_time *tf_measured_queries(int *count)
+{
+    *count = LENGTH(query_times);
+    return query_times;
+}
+
+const tf_stage_share *tf_measured_shares(int *count)
+{
+    *count = LENGTH(stage_shares);
+    return stage_shares;
+}
+
+const tf_stage_time *tf_measured_stages(int *count)
+{
+    *count = LENGTH(stage_times);
+    return stage_times;
+}
+
+void tf_name_workload(tf_page *page, double x, double y, const char *work,
+                      const char *kind)
+{
+    char name[64];
+    bool points = strcmp(kind, "point-triangle") == 0;
+    snprintf(name, sizeof name, "%s, %s", work, points ? "pt" : "ee");
+    tf_page_text(page, x, y, TF_ALIGN_RIGHT, name, TF_LETTERS_SMALL,
+                 TF_ROLE_INK);
+}

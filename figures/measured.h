@@ -1,0 +1,39 @@
+// What `make measure` found out on the machine that draws the figures.
+#ifndef TF_FIGURES_MEASURED_H
+#define TF_FIGURES_MEASURED_H
+
+#include "stage/page.h"
+
+enum {
+    TF_STAGE_SHARES = 4
+};
+
+typedef struct tf_query_time {
+    const char *work, *kind, *arithmetic;
+    long queries, hits;
+    double time;  ///< nanoseconds a query
+    double ratio; ///< to clamped
+} tf_query_time;
+
+/// Of a workload, the percentage of queries whose signs were all found without
+/// one, by estimates, and with the help of expansions and of the accumulator.
+typedef struct tf_stage_share {
+    const char *work, *kind;
+    double percent[TF_STAGE_SHARES];
+} tf_stage_share;
+
+typedef struct tf_stage_time {
+    const char *stage;
+    double time; ///< nanoseconds a sign
+} tf_stage_time;
+
+/// The tables, as long as the number that `count` is set to.
+const tf_query_time *tf_measured_queries(int *count);
+const tf_stage_share *tf_measured_shares(int *count);
+const tf_stage_time *tf_measured_stages(int *count);
+
+/// Write a workload's name left of a row of a chart: "soup", and of what kind.
+void tf_name_workload(tf_page *page, double x, double y, const char *work,
+                      const char *kind);
+
+#endif

@@ -1,0 +1,91 @@
+// How far exact signs have to go, query by query.
+#include "figures.h"
+
+#include "measured.h"
+#include "stage/plot.h"
+
+#include <string.h>
+
+#define BAR 13.0
+#define STEP 18.0
+
+static const struct share {
+    const char *key, *name;
+    tf_role role;
+} shares[TF_STAGE_SHARES] = {
+    {"none", "no sign asked", TF_ROLE_NEUTRAL},
+    {"estimate", "estimate", TF_ROLE_START},
+    {"expansion", "expansion", TF_ROLE_END},
+    {"accumulator", "accumulator", TF_ROLE_CONTACT},
+};
+
+static void draw_bar(tf_page *page, tf_box box, const double percent[])
+{
+    double x = box.x;
+    for (int i = 0; i < TF_STAGE_SHARES; i++) {
+        double width = box.width * percent[i] / 100;
+        if (percent[i] > 0)
+            tf_page_fill_box(page, (tf_box){x, box.y, width, box.height},
+                             (tf_paint){.role = shares[i].role});
+        x += width;
+    }
+}
+
+static void draw_key(tf_page *page, double x, double y)
+{
+    for (int i = 0; i < TF_STAGE_SHARES; i++) {
+        double width, height;
+        tf_page_fill_box(page, (tf_box){x, y - 7, 8, 8},
+                         (tf_paint){.role = shares[i].role});
+        tf_page_text(page, x + 12, y, TF_ALIGN_LEFT, shares[i].name,
+                     TF_LETTERS_SMALL, TF_ROLE_INK);
+        tf_page_measure(page, shares[i].name, TF_LETTERS_SMALL, &width,
+                        &height);
+        x += width + 26;
+    }
+}
+
+static void print_numbers(FILE *numbers, const tf_stage_share *row)
+{
+    char key[80];
+    bool points = strcmp(row->kind, "point-triangle") == 0;
+    for (int i = 0; i < TF_STAGE_SHARES; i++) {
+        snprintf(key, sizeof key, "%s_%s_%s", row->work, points ? "pt" : "ee",
+                 shares[i].key);
+        tf_figure_number(numbers, key, row->percent[i]);
+    }
+}
+
+static void print_times(FILE *numbers)
+{
+    static const char *const keys[] = {"ns_estimate", "ns_expansion",
+                                       "ns_accumulator", "ns_any_size"};
+    int count;
+    const tf_stage_time *timed = tf_measured_stages(&count);
+    for (int i = 0; i < count; i++)
+        tf_figure_number(numbers, keys[i], timed[i].time);
+}
+
+static void draw(tf_page *page, FILE *numbers)
+{
+    int count;
+    const tf_stage_share *rows = tf_measured_shares(&count);
+    tf_box bar = {64, 28, tf_page_width(page) - 76, BAR};
+    draw_key(page, bar.x, 14);
+    for (int i = 0; i < count; i++) {
+        tf_name_workload(page, bar.x - 6, bar.y + BAR - 3, rows[i].work,
+                         rows[i].kind);
+        draw_bar(page, bar, rows[i].percent);
+        print_numbers(numbers, &rows[i]);
+        bar.y += STEP + (i % 2 == 1 ? 6 : 0);
+    }
+    print_times(numbers);
+}
+
+const tf_figure tf_figure_sign_stages = {
+    .name = "sign-stages",
+    .title = "How far exact signs have to go, by workload",
+    .width = TF_FIGURE_WIDTH,
+    .height = 198,
+    .draw = draw,
+};

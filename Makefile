@@ -92,9 +92,9 @@ include book/rules.mk
 # The tests --------------------------------------------------------------------
 
 # Every test is a program, linked with what it uses of tests/support, where
-# main() is.  A build of the first chapters leaves out the support that needs
-# more than they have.
-SUPPORT := $(wildcard tests/support/*.c)
+# main() is, and of what `make bench` times beside the library.  A build of the
+# first chapters leaves out the support that needs more than they have.
+SUPPORT := $(wildcard tests/support/*.c) tests/bench/expansion.c
 ifeq ($(SRC),src)
 WHOLE := $(wildcard tests/whole/*.c) $(FIGURE_TESTS)
 else
@@ -180,9 +180,9 @@ bench: $(BUILD)/bench/program ## time the library
 	@$<
 
 # Figures show what was measured, so that this may need no more than they do.
-$(BUILD)/bench/program: $(patsubst tests/%.c,$(BUILD)/bench/%.o, \
-		tests/bench/bench.c tests/bench/workloads.c \
-		tests/support/generator.c) $(library)
+timing = $(patsubst tests/%.c,$(BUILD)/bench/%.o,tests/bench/bench.c \
+	tests/bench/workloads.c tests/bench/expansion.c tests/support/generator.c)
+$(BUILD)/bench/program: $(timing) $(library)
 	@echo 'link    $@'
 	$(Q)$(LINK) $^ -lm -o $@
 
@@ -268,13 +268,14 @@ check-format: need-format ## compare the layout with .clang-format
 format: need-format ## lay the code out as .clang-format says
 	@clang-format -i $(code)
 
-paths = -Isrc -Ifigures -I$(dir $(measured)) $$(cat $(BUILD)/stage.flags)
+paths = -Isrc -Ifigures -Itests -I$(dir $(measured)) \
+	$$(cat $(BUILD)/stage.flags)
 
 # cppcheck takes a struct for a pointer to the arguments that it came from, and
 # a pointer that is copied byte by byte for lost.
 check-static: $(BUILD)/stage.flags $(measured)
 check-static: need-static ## read the code: warnings, clang-tidy, cppcheck
-	@for cc in gcc clang; do $$cc $(WARNINGS) -Werror -std=c17 $(paths) -Itests \
+	@for cc in gcc clang; do $$cc $(WARNINGS) -Werror -std=c17 $(paths) \
 	    $$(pkg-config --cflags check) -fsyntax-only $(filter %.c,$(code)) \
 	    || exit 1; done
 	@cppcheck --quiet --error-exitcode=1 --std=c11 -Isrc -Ifigures \
@@ -481,5 +482,5 @@ include exercises/rules.mk
 
 # What the compiler found out about headers.
 -include $(patsubst %,%.d,$(basename $(call objects,$(MODULES)) \
-	$(SUPPORT:%.c=$(BUILD)/%.o) $(TESTS:=.o) $(FUZZERS:=.o) \
+	$(SUPPORT:%.c=$(BUILD)/%.o) $(TESTS:=.o) $(FUZZERS:=.o) $(timing) \
 	$(call drawn,$(STAGE) $(DRAW) $(wildcard figures/*.c))))

@@ -1,8 +1,8 @@
 /* Exercise 10.2.  The sign of a sum.
  *
  * Return the sign, -1, 0 or 1, of x[0] + x[1] + ... + x[n - 1] as real numbers,
- * for at most 24 doubles below 2^1000 in absolute value.  The library's
- * tf_expansion_add is at your service.
+ * for at most 24 doubles below 2^1000 in absolute value.  expansion_add is at
+ * your service.
  *
  * Section: Sums that do not fit.
  *
@@ -13,17 +13,17 @@
  * Hint 3: The terms do not overlap and the last is the largest: its sign is
  *     that of the sum.  Without terms the sum is zero.
  */
-#include "arithmetic/expansion.h"
+#include "bench/expansion.h"
 
 #include <math.h>
 
 int sign_of_sum(int n, const double x[])
 {
 #if defined TF_SOLUTION
-    tf_expansion sum = {.count = 0};
+    expansion sum = {.count = 0};
     for (int i = 0; i < n; i++) {
-        tf_expansion before = sum, next = {.count = x[i] != 0, .term = {x[i]}};
-        tf_expansion_add(&before, &next, &sum);
+        expansion before = sum, next = {.count = x[i] != 0, .term = {x[i]}};
+        expansion_add(&before, &next, &sum);
     }
     double last = sum.count > 0 ? sum.term[sum.count - 1] : 0;
     return (last > 0) - (last < 0);
@@ -41,10 +41,10 @@ int sign_of_sum(int n, const double x[])
     double whole = sum.hi + sum.lo;
     return (whole > 0) - (whole < 0);
 #elif defined TF_WRONG_3 // takes the first term, the smallest
-    tf_expansion sum = {.count = 0};
+    expansion sum = {.count = 0};
     for (int i = 0; i < n; i++) {
-        tf_expansion before = sum, next = {.count = x[i] != 0, .term = {x[i]}};
-        tf_expansion_add(&before, &next, &sum);
+        expansion before = sum, next = {.count = x[i] != 0, .term = {x[i]}};
+        expansion_add(&before, &next, &sum);
     }
     double first = sum.count > 0 ? sum.term[0] : 0;
     return (first > 0) - (first < 0);

@@ -1,12 +1,20 @@
-// Which stage of the exact arithmetic finds a sign, a pixel a double.
+// Which stage of the exact arithmetic finds a sign, a pixel a double, and
+// whether it is given rounded differences with their tails.
 #include "figures.h"
 
 #include "arithmetic/exact.h"
+#include "arithmetic/two_sum.h"
 
 enum {
-    CELLS = 96, // doubles along each side of the map
-    STAGES = TF_BY_ACCUMULATOR + 1
+    CELLS = 96 // doubles along each side of the map
 };
+
+typedef enum decision {
+    BY_ESTIMATE,
+    OF_WHOLES,
+    OF_TAILS,
+    DECISIONS
+} decision;
 
 /// The line goes through these two points of the diagonal.
 static const double near_end = 1.125, far_end = 1.375;
@@ -19,29 +27,41 @@ static double step_from_half(int i)
     return 0.5 + i * (i < 0 ? 0x1p-54 : 0x1p-53);
 }
 
-static tf_paint stage_paint(tf_stage by)
+static tf_paint decision_paint(decision d)
 {
-    static const tf_paint paint[STAGES] = {
+    static const tf_paint paint[DECISIONS] = {
         {.role = TF_ROLE_NEUTRAL, .shade = -0.75},
         {.role = TF_ROLE_START},
         {.role = TF_ROLE_END}};
-    return paint[by];
+    return paint[d];
 }
 
-/// Find all stages and count them, with the highest row of cells first.
-static void fill_map(const tf_theme *theme, tf_rgb cell[], int count[STAGES])
+/// Who decides on which side of the line the point (x, y) lies.
+static decision decide(double x, double y)
+{
+    tf_event p = {.x = {x, y}};
+    tf_event q = {.x = {near_end, near_end}}, r = {.x = {far_end, far_end}};
+    tf_differences d = {
+        .n = 2, .to = {&q, &r}, .from = {&p, &p}, .axis = {0, 1}};
+    tf_stage by;
+    tf_exact_sign(&d, &by);
+    if (by == TF_BY_ESTIMATE)
+        return BY_ESTIMATE;
+    for (int k = 0; k < 2; k++)
+        if (tf_two_difference(q.x[k], p.x[k]).lo != 0 ||
+            tf_two_difference(r.x[k], p.x[k]).lo != 0)
+            return OF_TAILS;
+    return OF_WHOLES;
+}
+
+/// Find all decisions and count them, with the highest row of cells first.
+static void fill_map(const tf_theme *theme, tf_rgb cell[], int count[DECISIONS])
 {
     for (int j = CELLS / 2 - 1; j >= -CELLS / 2; j--)
         for (int i = -CELLS / 2; i < CELLS / 2; i++) {
-            tf_event p = {.x = {step_from_half(i), step_from_half(j)}};
-            tf_event q = {.x = {near_end, near_end}};
-            tf_event r = {.x = {far_end, far_end}};
-            tf_differences d = {
-                .n = 2, .to = {&q, &r}, .from = {&p, &p}, .axis = {0, 1}};
-            tf_stage by;
-            tf_exact_sign(&d, &by);
+            decision by = decide(step_from_half(i), step_from_half(j));
             count[by]++;
-            *cell++ = tf_paint_color(theme, stage_paint(by));
+            *cell++ = tf_paint_color(theme, decision_paint(by));
         }
 }
 
@@ -72,32 +92,39 @@ static void draw_halves(tf_page *page)
                  TF_LETTERS, TF_ROLE_INK);
 }
 
-static void draw_key(tf_page *page, tf_stage by, const char *name, int count)
+static void draw_key(tf_page *page, decision by, int count)
 {
-    double x = map_left + side + 14, y = map_top + 24 + 44 * (double)by;
-    tf_page_fill_box(page, (tf_box){x, y - 8, 9, 9}, stage_paint(by));
-    tf_page_text(page, x + 14, y, TF_ALIGN_LEFT, name, TF_LETTERS, TF_ROLE_INK);
+    static const char *const name[DECISIONS][2] = {
+        {"estimate", ""},
+        {"accumulator,", "whole differences"},
+        {"accumulator,", "heads and tails"}};
+    double x = map_left + side + 14, y = map_top + 24 + 50 * (double)by;
+    tf_page_fill_box(page, (tf_box){x, y - 8, 9, 9}, decision_paint(by));
+    for (int line = 0; line < 2; line++)
+        tf_page_text(page, x + 14, y + 13 * line, TF_ALIGN_LEFT, name[by][line],
+                     TF_LETTERS, TF_ROLE_INK);
     char text[32];
     snprintf(text, sizeof text, "%d", count);
-    tf_page_text(page, x + 14, y + 14, TF_ALIGN_LEFT, text, TF_LETTERS_SMALL,
-                 TF_ROLE_INK);
+    tf_page_text(page, x + 14, y + (by == BY_ESTIMATE ? 14 : 27), TF_ALIGN_LEFT,
+                 text, TF_LETTERS_SMALL, TF_ROLE_INK);
 }
 
 static void draw(tf_page *page, FILE *numbers)
 {
-    static const char *const name[STAGES] = {"estimate", "expansion",
-                                             "accumulator"};
+    static const char *const key[DECISIONS] = {"estimate", "wholes", "tails"};
     static tf_rgb cell[CELLS * CELLS];
-    int count[STAGES] = {0};
+    int count[DECISIONS] = {0};
     fill_map(tf_page_theme(page), cell, count);
     tf_page_map(page, (tf_box){map_left, map_top, side, side}, CELLS, CELLS,
                 cell);
     draw_diagonal(page);
     draw_halves(page);
-    for (int i = 0; i < STAGES; i++) {
-        draw_key(page, (tf_stage)i, name[i], count[i]);
-        tf_figure_number(numbers, name[i], count[i]);
+    for (int i = 0; i < DECISIONS; i++) {
+        draw_key(page, (decision)i, count[i]);
+        tf_figure_number(numbers, key[i], count[i]);
     }
+    tf_figure_number(numbers, "accumulator",
+                     count[OF_WHOLES] + count[OF_TAILS]);
 }
 
 const tf_figure tf_figure_exact_stages = {

@@ -3,7 +3,7 @@
 #include "figures.h"
 
 #include "arithmetic/clamped.h"
-#include "arithmetic/expansion.h"
+#include "bench/expansion.h"
 
 #include <math.h>
 
@@ -45,7 +45,7 @@ static void draw_term(tf_page *page, double y, double term)
 
 /// Every other term a little lower, so that neighbours are told apart.
 static void draw_row(tf_page *page, int row, const char *name,
-                     const tf_expansion *e)
+                     const expansion *e)
 {
     double y = 8 + row * row_height;
     for (int i = 0; i < e->count; i++)
@@ -100,12 +100,12 @@ static void draw(tf_page *page, FILE *numbers)
 {
     double lower[TF_AXES][TF_AXES] = {{entry[1][1], entry[1][2]},
                                       {entry[2][1], entry[2][2]}};
-    tf_expansion factor = {.count = 1, .term = {entry[1][1]}};
-    tf_expansion product, minor, part, whole;
-    tf_expansion_scale(&factor, entry[2][2], &product);
-    tf_expansion_determinant(2, lower, &minor);
-    tf_expansion_scale(&minor, entry[0][0], &part);
-    tf_expansion_determinant(3, entry, &whole);
+    expansion factor = {.count = 1, .term = {entry[1][1]}};
+    expansion product, minor, part, whole;
+    expansion_scale(&factor, entry[2][2], &product);
+    expansion_determinant(2, lower, &minor);
+    expansion_scale(&minor, entry[0][0], &part);
+    expansion_determinant(3, entry, &whole);
     tf_estimate estimate = estimate_of_entries();
 
     double below = 8 + ROWS * row_height;

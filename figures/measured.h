@@ -5,7 +5,7 @@
 #include "stage/page.h"
 
 enum {
-    TF_STAGE_SHARES = 4
+    TF_STAGE_SHARES = 3
 };
 
 typedef struct tf_query_time {
@@ -16,12 +16,15 @@ typedef struct tf_query_time {
 } tf_query_time;
 
 /// Of a workload, the percentage of queries whose signs were all found without
-/// one, by estimates, and with the help of expansions and of the accumulator.
+/// one, by estimates, and with the help of the accumulator.
 typedef struct tf_stage_share {
     const char *work, *kind;
     double percent[TF_STAGE_SHARES];
+    double tails; ///< percent of the accumulator's signs: a difference rounded
+    double heads; ///< and the exact determinant of the rounded ones decides
 } tf_stage_share;
 
+/// A way to a sign, by a stage of the library or by an expansion.
 typedef struct tf_stage_time {
     const char *stage;
     double time; ///< nanoseconds a sign

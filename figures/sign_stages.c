@@ -15,7 +15,6 @@ static const struct share {
 } shares[TF_STAGE_SHARES] = {
     {"none", "no sign asked", TF_ROLE_NEUTRAL},
     {"estimate", "estimate", TF_ROLE_START},
-    {"expansion", "expansion", TF_ROLE_END},
     {"accumulator", "accumulator", TF_ROLE_CONTACT},
 };
 
@@ -45,21 +44,30 @@ static void draw_key(tf_page *page, double x, double y)
     }
 }
 
-static void print_numbers(FILE *numbers, const tf_stage_share *row)
+static void print_number(FILE *numbers, const tf_stage_share *row,
+                         const char *name, double percent)
 {
     char key[80];
     bool points = strcmp(row->kind, "point-triangle") == 0;
-    for (int i = 0; i < TF_STAGE_SHARES; i++) {
-        snprintf(key, sizeof key, "%s_%s_%s", row->work, points ? "pt" : "ee",
-                 shares[i].key);
-        tf_figure_number(numbers, key, row->percent[i]);
-    }
+    snprintf(key, sizeof key, "%s_%s_%s", row->work, points ? "pt" : "ee",
+             name);
+    tf_figure_number(numbers, key, percent);
+}
+
+static void print_numbers(FILE *numbers, const tf_stage_share *row)
+{
+    for (int i = 0; i < TF_STAGE_SHARES; i++)
+        print_number(numbers, row, shares[i].key, row->percent[i]);
+    print_number(numbers, row, "tails", row->tails);
+    print_number(numbers, row, "heads", row->heads);
 }
 
 static void print_times(FILE *numbers)
 {
-    static const char *const keys[] = {"ns_estimate", "ns_expansion",
-                                       "ns_accumulator", "ns_any_size"};
+    static const char *const keys[] = {
+        "ns_estimate",           "ns_whole",     "ns_accumulator",
+        "ns_any_size",           "ns_expansion", "ns_integers",
+        "ns_expansion_integers", "ns_plane",     "ns_expansion_plane"};
     int count;
     const tf_stage_time *timed = tf_measured_stages(&count);
     for (int i = 0; i < count; i++)

@@ -1,7 +1,7 @@
 // The sum of two doubles as two doubles, bit by bit.
 #include "figures.h"
 
-#include "arithmetic/expansion.h"
+#include "arithmetic/two_sum.h"
 
 #include <math.h>
 #include <stdint.h>

@@ -3,7 +3,7 @@
 
 #include "arithmetic/accumulator.h"
 #include "arithmetic/clamped.h"
-#include "arithmetic/expansion.h"
+#include "arithmetic/two_sum.h"
 
 #include <math.h>
 
@@ -38,20 +38,6 @@ static split_entries split(const tf_differences *d)
             entries.tail[i][j] = entry.lo;
         }
     return entries;
-}
-
-//: Tell whether an expansion holds the determinant
-/// Whether all tails are zero and all heads in the range of an expansion.
-static bool expansion_suffices(const split_entries *entries)
-{
-    for (int i = 0; i < entries->n; i++)
-        for (int j = 0; j < entries->n; j++) {
-            double size = fabs(entries->head[i][j]);
-            if (entries->tail[i][j] != 0 || size > 0x1p300 ||
-                (size < 0x1p-300 && size != 0))
-                return false;
-        }
-    return true;
 }
 
 //: Accumulate the terms of the determinant
@@ -95,18 +81,9 @@ tf_sign tf_exact_sign(const tf_differences *differences, tf_stage *stage)
     if (estimate.bound == 0)
         return TF_ZERO;
 
-    //: Try the expansion of the rounded differences
-    split_entries entries = split(differences);
-    if (expansion_suffices(&entries)) {
-        *stage = TF_BY_EXPANSION;
-        tf_expansion d;
-        tf_expansion_determinant(entries.n, entries.head, &d);
-        double last = d.count > 0 ? d.term[d.count - 1] : 0;
-        return (tf_sign)((last > 0) - (last < 0));
-    }
-
     //: Accumulate all products
     *stage = TF_BY_ACCUMULATOR;
+    split_entries entries = split(differences);
     tf_accumulator sum;
     accumulate(&entries, &sum);
     return tf_accumulator_sign(&sum);

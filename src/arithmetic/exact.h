@@ -5,15 +5,14 @@
 #include "arithmetic/differences.h"
 
 /// Exact signs of all finite doubles, subnormal and huge ones mixed.  Adaptive:
-/// a rounded determinant with its error bound, then an expansion, then a sum of
-/// products in an accumulator as wide as the range of a double demands.
+/// a rounded determinant with its error bound, then a sum of products in an
+/// accumulator as wide as the range of a double demands.
 extern const tf_arithmetic tf_exact;
 
 //: Declare the stages of an exact sign
-/// What found an exact sign, the cheapest first.
+/// What found an exact sign, the cheaper first.
 typedef enum tf_stage {
     TF_BY_ESTIMATE = 0,
-    TF_BY_EXPANSION,
     TF_BY_ACCUMULATOR,
 } tf_stage;
 

@@ -86,8 +86,8 @@ static void clear_subtrahends(matrix *m)
         *matrix_coordinate(m, i) = 0;
 }
 
-/// Scale each column to within what a double holds, and often what an expansion
-/// holds.
+/// Scale each column to within what a double holds, and often so that products
+/// hold as well.
 static void scale_at_random(generator *random, matrix *m)
 {
     int range = below(random, 2) ? 200 : 900;
@@ -129,17 +129,17 @@ START_TEST(what_rounding_leaves_of_singular_matrices)
         judge(&m);
         unknown += !clamped_knows(&m);
     }
-    // Those are what the later stages are for.
+    // Those are what the accumulator is for.
     ck_assert_msg(5 * unknown > count, "Only %ld of %ld are close", unknown,
                   count);
 }
 END_TEST
 
-// The ends of the stages ------------------------------------------------------
+// Products out of range --------------------------------------------------------
 
-START_TEST(entries_at_the_ends_of_the_expansions)
+START_TEST(products_out_of_range)
 {
-    // The expansions take 2^-300 to 2^300.
+    // From 2^-900 to 2^900.
     static const double ends[] = {
         0x1.fffffffffffffp-301, 0x1p-300, 0x1.0000000000001p-300,
         0x1.fffffffffffffp299,  0x1p300,  0x1.0000000000001p300};
@@ -156,7 +156,7 @@ START_TEST(entries_at_the_ends_of_the_expansions)
 }
 END_TEST
 
-START_TEST(singular_matrices_beyond_the_expansions)
+START_TEST(singular_matrices_with_products_out_of_range)
 {
     // Products of three overflow from 2^341 on, and lose places below 2^-305.
     generator random = generator_new(10);
@@ -230,6 +230,26 @@ START_TEST(what_underflows_keeps_its_sign)
 }
 END_TEST
 
+START_TEST(stages_are_told)
+{
+    generator random = generator_new(11);
+    long count = cases(20000);
+    for (long i = 0; i < count; i++) {
+        int n = 1 + below(&random, TF_AXES);
+        matrix m = below(&random, 2) ? matrix_lattice(&random, n, 4)
+                                     : matrix_flat(&random, n);
+        tf_differences differences = matrix_differences(&m);
+        tf_stage stage;
+        tf_sign sign = tf_exact_sign(&differences, &stage);
+        expect_of_matrix(sign == tf_exact.sign(&differences),
+                         "The sign depends on who asks", &m);
+        tf_stage expected =
+            clamped_knows(&m) ? TF_BY_ESTIMATE : TF_BY_ACCUMULATOR;
+        expect_of_matrix(stage == expected, "The stage is wrong", &m);
+    }
+}
+END_TEST
+
 START_TEST(any_double_is_held)
 {
     static const double ends[] = {0, DBL_TRUE_MIN, 0.1, DBL_MAX};
@@ -248,18 +268,19 @@ Suite *suite(void)
     tcase_add_test(sizes, lattices);
     tcase_add_test(sizes, all_finite_doubles);
     tcase_add_test(sizes, few_extreme_magnitudes);
+    tcase_add_test(sizes, stages_are_told);
     tcase_add_test(sizes, any_double_is_held);
     suite_add_tcase(exact, sizes);
     TCase *zero = tcase_create("next to zero");
     tcase_add_test(zero, singular_matrices_and_their_neighbours);
     tcase_add_test(zero, what_rounding_leaves_of_singular_matrices);
     suite_add_tcase(exact, zero);
-    TCase *stages = tcase_create("ends of the stages");
-    tcase_add_test(stages, entries_at_the_ends_of_the_expansions);
-    tcase_add_test(stages, singular_matrices_beyond_the_expansions);
-    tcase_add_test(stages, tails_decide);
-    tcase_add_test(stages, differences_overflow);
-    tcase_add_test(stages, what_underflows_keeps_its_sign);
-    suite_add_tcase(exact, stages);
+    TCase *range = tcase_create("out of range");
+    tcase_add_test(range, products_out_of_range);
+    tcase_add_test(range, singular_matrices_with_products_out_of_range);
+    tcase_add_test(range, tails_decide);
+    tcase_add_test(range, differences_overflow);
+    tcase_add_test(range, what_underflows_keeps_its_sign);
+    suite_add_tcase(exact, range);
     return exact;
 }

@@ -35,6 +35,17 @@ void sum_determinant(mpz_t sum, const tf_differences *differences)
     mpz_mul_2exp(sum, sum, (mp_bitcnt_t)(exponent - SUM_EXPONENT));
 }
 
+bool sum_is(const mpz_t sum, double hi, double lo)
+{
+    mpz_t rest;
+    mpz_init_set(rest, sum);
+    sum_add(rest, -hi, 1, 1);
+    sum_add(rest, -lo, 1, 1);
+    bool complete = mpz_sgn(rest) == 0;
+    mpz_clear(rest);
+    return complete && rational_is(sum, SUM_EXPONENT, (tf_value){.number = hi});
+}
+
 tf_sign sum_sign(const mpz_t sum)
 {
     int sign = mpz_sgn(sum);

@@ -19,6 +19,9 @@ void sum_add(mpz_t sum, double a, double b, double c);
 /// sum = the determinant.
 void sum_determinant(mpz_t sum, const tf_differences *differences);
 
+/// Whether hi + lo is the sum, and hi the double nearest to it.
+bool sum_is(const mpz_t sum, double hi, double lo);
+
 /// The sign of the sum.
 tf_sign sum_sign(const mpz_t sum);
 

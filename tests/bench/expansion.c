@@ -1,23 +1,7 @@
-//: Include what expansions need
-#include "arithmetic/expansion.h"
+#include "bench/expansion.h"
 
 #include <math.h>
 
-//: Add two doubles without losing anything
-tf_two tf_two_sum(double a, double b)
-{
-    double hi = a + b;
-    double b_virtual = hi - a;
-    double a_virtual = hi - b_virtual;
-    return (tf_two){.hi = hi, .lo = (a - a_virtual) + (b - b_virtual)};
-}
-
-tf_two tf_two_difference(double a, double b)
-{
-    return tf_two_sum(a, -b);
-}
-
-//: Multiply two doubles without losing anything
 /// Split 53 bits into 26, and 26 and a sign.
 static tf_two split(double a)
 {
@@ -26,7 +10,7 @@ static tf_two split(double a)
     return (tf_two){.hi = hi, .lo = a - hi};
 }
 
-tf_two tf_two_product(double a, double b)
+tf_two two_product(double a, double b)
 {
     tf_two x = split(a), y = split(b);
     double hi = a * b;
@@ -34,18 +18,15 @@ tf_two tf_two_product(double a, double b)
     return (tf_two){.hi = hi, .lo = rest + x.lo * y.lo};
 }
 
-//: Append a term that is not zero
-static void append(tf_expansion *e, double term)
+static void append(expansion *e, double term)
 {
     if (term != 0)
         e->term[e->count++] = term;
 }
 
-//: Add two expansions
 /// Shewchuk's linear expansion sum: merge the terms by size, smallest first, and
 /// carry the sum of those so far as two doubles, keeping what falls off.
-void tf_expansion_add(const tf_expansion *a, const tf_expansion *b,
-                      tf_expansion *sum)
+void expansion_add(const expansion *a, const expansion *b, expansion *sum)
 {
     tf_two carry = {0, 0};
     sum->count = 0;
@@ -61,15 +42,14 @@ void tf_expansion_add(const tf_expansion *a, const tf_expansion *b,
     append(sum, carry.hi);
 }
 
-//: Scale an expansion
 /// Shewchuk's scaled expansion: each product adds its low half, then its high
 /// half, to what is carried.
-void tf_expansion_scale(const tf_expansion *a, double b, tf_expansion *product)
+void expansion_scale(const expansion *a, double b, expansion *product)
 {
     double carry = 0;
     product->count = 0;
     for (int i = 0; i < a->count; i++) {
-        tf_two term = tf_two_product(a->term[i], b);
+        tf_two term = two_product(a->term[i], b);
         tf_two low = tf_two_sum(carry, term.lo);
         tf_two high = tf_two_sum(term.hi, low.hi);
         append(product, low.lo);
@@ -79,36 +59,32 @@ void tf_expansion_scale(const tf_expansion *a, double b, tf_expansion *product)
     append(product, carry);
 }
 
-//: Expand a 2x2 determinant
 /// The determinant of (a b; c d).
 static void determinant_2x2(double a, double b, double c, double d,
-                            tf_expansion *determinant)
+                            expansion *determinant)
 {
-    tf_expansion down = {.count = 1, .term = {a}}, down_product;
-    tf_expansion up = {.count = 1, .term = {-b}}, up_product;
-    tf_expansion_scale(&down, d, &down_product);
-    tf_expansion_scale(&up, c, &up_product);
-    tf_expansion_add(&down_product, &up_product, determinant);
+    expansion down = {.count = 1, .term = {a}}, down_product;
+    expansion up = {.count = 1, .term = {-b}}, up_product;
+    expansion_scale(&down, d, &down_product);
+    expansion_scale(&up, c, &up_product);
+    expansion_add(&down_product, &up_product, determinant);
 }
 
-//: Expand a 3x3 determinant
-static void determinant_3x3(double e[TF_AXES][TF_AXES],
-                            tf_expansion *determinant)
+static void determinant_3x3(double e[TF_AXES][TF_AXES], expansion *determinant)
 {
-    tf_expansion part[TF_AXES], two_parts;
+    expansion part[TF_AXES], two_parts;
     for (int j = 0; j < 3; j++) {
         int k = (j + 1) % 3, l = (j + 2) % 3;
-        tf_expansion minor;
+        expansion minor;
         determinant_2x2(e[1][k], e[1][l], e[2][k], e[2][l], &minor);
-        tf_expansion_scale(&minor, e[0][j], &part[j]);
+        expansion_scale(&minor, e[0][j], &part[j]);
     }
-    tf_expansion_add(&part[0], &part[1], &two_parts);
-    tf_expansion_add(&two_parts, &part[2], determinant);
+    expansion_add(&part[0], &part[1], &two_parts);
+    expansion_add(&two_parts, &part[2], determinant);
 }
 
-//: Expand a determinant
-void tf_expansion_determinant(int n, double entry[TF_AXES][TF_AXES],
-                              tf_expansion *determinant)
+void expansion_determinant(int n, double entry[TF_AXES][TF_AXES],
+                           expansion *determinant)
 {
     determinant->count = 0;
     if (n == 1)
@@ -118,4 +94,10 @@ void tf_expansion_determinant(int n, double entry[TF_AXES][TF_AXES],
                         determinant);
     else
         determinant_3x3(entry, determinant);
+}
+
+tf_sign expansion_sign(const expansion *e)
+{
+    double last = e->count > 0 ? e->term[e->count - 1] : 0;
+    return (tf_sign)((last > 0) - (last < 0));
 }

@@ -29,6 +29,9 @@ extern const tf_figure tf_figure_edge_edge_sheets;
 extern const tf_figure tf_figure_propeller;
 extern const tf_figure tf_figure_crease_crossing;
 extern const tf_figure tf_figure_winding;
+extern const tf_figure tf_figure_needle_counts;
+extern const tf_figure tf_figure_moved_row;
+extern const tf_figure tf_figure_leading_terms;
 extern const tf_figure tf_figure_sign_stages;
 extern const tf_figure tf_figure_sign_costs;
 

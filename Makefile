@@ -420,7 +420,10 @@ $(needs:%=need-%): need-%:
 	        -*) echo 'int LLVMFuzzerTestOneInput(void) { return 0; }' | \
 	            clang $$one -x c - -o /dev/null ;; \
 	        *) command -v $$one ;; \
-	        esac >/dev/null 2>&1 && continue 2; \
+	        esac >/dev/null 2>&1 && \
+	        { [ $$one = $${sign%%|*} ] || \
+	            ! apt-cache show $${package%|*} >/dev/null 2>&1; } && \
+	        continue 2; \
 	    done; \
 	    echo "$$package is missing; it $$purpose." | \
 	        sed 's/|\([^ ]*\)/ (or \1)/; s/,\(.*)\)/ and \1/' >&2; \

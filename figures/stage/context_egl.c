@@ -11,6 +11,7 @@ struct tf_context {
     EGLContext egl;
 };
 
+/// The display of the process, which all contexts use and none may close.
 static EGLDisplay open_display(void)
 {
     EGLDisplay display = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA,
@@ -60,8 +61,6 @@ void tf_context_close(tf_context *context)
                        EGL_NO_CONTEXT);
         eglDestroyContext(context->display, context->egl);
     }
-    if (context->display != EGL_NO_DISPLAY)
-        eglTerminate(context->display);
     free(context);
 }
 

@@ -103,13 +103,19 @@ static void draw_key(tf_page *page, double x, double y)
     }
 }
 
-static void print_number(FILE *numbers, const tf_query_time *timed)
+/// The time, and how many of the queries were not found apart.
+static void print_numbers(FILE *numbers, const tf_query_time *timed)
 {
     char key[80];
     bool points = strcmp(timed->kind, "point-triangle") == 0;
-    snprintf(key, sizeof key, "%s_%s_%s", timed->work, points ? "pt" : "ee",
-             timed->arithmetic);
+    int length = snprintf(key, sizeof key, "%s_%s_%s", timed->work,
+                          points ? "pt" : "ee", timed->arithmetic);
     tf_figure_number(numbers, key, timed->time);
+    char *end = key + length;
+    snprintf(end, sizeof key - (size_t)length, "_hits");
+    tf_figure_number(numbers, key, (double)timed->hits);
+    snprintf(end, sizeof key - (size_t)length, "_queries");
+    tf_figure_number(numbers, key, (double)timed->queries);
 }
 
 static void draw(tf_page *page, FILE *numbers)
@@ -120,7 +126,7 @@ static void draw(tf_page *page, FILE *numbers)
     for (int i = 0; i < count; i++) {
         least = fmin(least, timed[i].time);
         most = fmax(most, timed[i].time);
-        print_number(numbers, &timed[i]);
+        print_numbers(numbers, &timed[i]);
     }
     tf_plot plot = {.box = {64, 24, tf_page_width(page) - 80, 224},
                     .x = {least / 1.3, most * 1.3},

@@ -13,6 +13,11 @@ START_TEST(numbers_are_those_measured)
                  strcmp(timed[i].kind, "edge-edge") == 0 ? "ee" : "pt",
                  timed[i].arithmetic);
         expect_number(text, key, timed[i].time);
+        size_t length = strlen(key);
+        strcpy(key + length, "_hits");
+        expect_number(text, key, (double)timed[i].hits);
+        strcpy(key + length, "_queries");
+        expect_number(text, key, (double)timed[i].queries);
         ck_assert_double_gt(timed[i].time, 0);
     }
     free(text);

@@ -37,6 +37,9 @@ extern const tf_figure tf_figure_two_sum;
 extern const tf_figure tf_figure_expansion_terms;
 extern const tf_figure tf_figure_accumulator_words;
 extern const tf_figure tf_figure_exact_stages;
+extern const tf_figure tf_figure_needle_counts;
+extern const tf_figure tf_figure_moved_row;
+extern const tf_figure tf_figure_leading_terms;
 extern const tf_figure tf_figure_sign_stages;
 extern const tf_figure tf_figure_sign_costs;
 

@@ -30,6 +30,22 @@ static void draw_bar(tf_page *page, tf_box box, const double percent[])
     }
 }
 
+/// Percents below the bars.
+static void draw_scale(tf_page *page, tf_box box)
+{
+    for (int percent = 0; percent <= 100; percent += 25) {
+        double x = box.x + box.width * percent / 100;
+        const double tick[2][2] = {{x, box.y}, {x, box.y + 3}};
+        char text[16];
+        snprintf(text, sizeof text, "%d %%", percent);
+        tf_page_line(
+            page, 2, tick,
+            (tf_stroke){.paint.role = TF_ROLE_NEUTRAL, .width = TF_WIDTH_THIN});
+        tf_page_text(page, x, box.y + 13, TF_ALIGN_CENTER, text,
+                     TF_LETTERS_SMALL, TF_ROLE_INK);
+    }
+}
+
 static void draw_key(tf_page *page, double x, double y)
 {
     for (int i = 0; i < TF_STAGE_SHARES; i++) {
@@ -78,7 +94,7 @@ static void draw(tf_page *page, FILE *numbers)
 {
     int count;
     const tf_stage_share *rows = tf_measured_shares(&count);
-    tf_box bar = {64, 28, tf_page_width(page) - 76, BAR};
+    tf_box bar = {64, 28, tf_page_width(page) - 84, BAR};
     draw_key(page, bar.x, 14);
     for (int i = 0; i < count; i++) {
         tf_name_workload(page, bar.x - 6, bar.y + BAR - 3, rows[i].work,
@@ -87,6 +103,8 @@ static void draw(tf_page *page, FILE *numbers)
         print_numbers(numbers, &rows[i]);
         bar.y += STEP + (i % 2 == 1 ? 6 : 0);
     }
+    bar.y -= 8;
+    draw_scale(page, bar);
     print_times(numbers);
 }
 
@@ -94,6 +112,6 @@ const tf_figure tf_figure_sign_stages = {
     .name = "sign-stages",
     .title = "How far exact signs have to go, by workload",
     .width = TF_FIGURE_WIDTH,
-    .height = 198,
+    .height = 208,
     .draw = draw,
 };

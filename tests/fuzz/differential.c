@@ -80,6 +80,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     truth_find(&q, &known);
     stop_at(exact_fault(&q, &tf_exact, &known, &contact), &q);
     stop_at(sound_fault(&q, &tf_clamped, &known, &contact), &q);
+    query_number(&q);
+    stop_at(perturbed_fault(&q), &q);
     truth_clear(&known);
     return 0;
 }

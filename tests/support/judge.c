@@ -195,9 +195,8 @@ void expect_no_fault(const char *fault, const query *q)
 tf_contact ask(const tf_arithmetic *arithmetic, const query *q)
 {
     tf_contact contact;
-    ck_assert_int_eq(tf_query(arithmetic, q->axes, q->vertices, q->vertex,
-                              q->others, query_const_others(q), &contact),
-                     TF_OK);
+    TF_REQUIRE(tf_query(arithmetic, q->axes, q->vertices, q->vertex, q->others,
+                        query_const_others(q), &contact) == TF_OK);
     return contact;
 }
 

@@ -8,7 +8,7 @@
 
 enum {
     HIGHEST = 3,
-    LOWEST = -78,
+    LOWEST = -75, // the last place of b
     DOUBLE_BITS = 53
 };
 

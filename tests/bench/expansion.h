@@ -22,7 +22,7 @@ typedef struct expansion {
     double term[EXPANSION_TERMS];
 } expansion;
 
-/// a + b: as many terms as both together at most.
+/// a + b in a third expansion: as many terms as both together at most.
 void expansion_add(const expansion *a, const expansion *b, expansion *sum);
 
 /// a b: twice as many terms as a at most.

@@ -198,6 +198,9 @@ void tf_letters_draw(const tf_letters *letters, cairo_t *cairo, double x,
     cairo_set_source_rgb(cairo, color.r, color.g, color.b);
     cairo_move_to(cairo, x, y - letters->baseline);
     pango_cairo_show_layout(cairo, letters->layout);
+
+    // The place of the letters is no point of the next path.
+    cairo_new_path(cairo);
     cairo_set_line_width(cairo, bar_width * letters->size);
     cairo_set_line_cap(cairo, CAIRO_LINE_CAP_BUTT);
     for (int i = 0; i < letters->bar_count; i++) {

@@ -47,6 +47,22 @@ START_TEST(signs_can_be_quoted)
 }
 END_TEST
 
+START_TEST(no_path_goes_on_from_letters)
+{
+    tf_letters *letters;
+    ck_assert_int_eq(tf_letters_set(TF_LETTERS_FAMILY, "$x$", 10, &letters),
+                     TF_STAGE_OK);
+    cairo_surface_t *picture =
+        cairo_image_surface_create(CAIRO_FORMAT_ARGB32, 20, 20);
+    cairo_t *cairo = cairo_create(picture);
+    tf_letters_draw(letters, cairo, 5, 15, (tf_rgb){0, 0, 0});
+    ck_assert(!cairo_has_current_point(cairo));
+    cairo_destroy(cairo);
+    cairo_surface_destroy(picture);
+    tf_letters_free(letters);
+}
+END_TEST
+
 START_TEST(size_scales_letters)
 {
     double small[4], large[4];
@@ -108,6 +124,7 @@ Suite *suite(void)
     tcase_add_test(tests, families_are_known_or_not);
     tcase_add_test(tests, bad_text_is_refused);
     tcase_add_test(tests, signs_can_be_quoted);
+    tcase_add_test(tests, no_path_goes_on_from_letters);
     tcase_add_test(tests, size_scales_letters);
     tcase_add_test(tests, bars_and_scripts_add_height);
     tcase_add_test(tests, primes_stand_over_subscripts);

@@ -115,8 +115,8 @@ static void draw_grid(tf_page *page, const tf_plot *plot)
 {
     tf_page_fill_box(page, plot->box,
                      (tf_paint){.role = TF_ROLE_NEUTRAL, .opacity = 0.09});
-    for (double j = ceil(plot->y[0]); j <= plot->y[1]; j++)
-        for (double i = ceil(plot->x[0]); i <= plot->x[1]; i++) {
+    for (int j = (int)ceil(plot->y[0]); j <= plot->y[1]; j++)
+        for (int i = (int)ceil(plot->x[0]); i <= plot->x[1]; i++) {
             double at[2];
             tf_plot_place(plot, i, j, at);
             tf_page_dot(page, at[0], at[1], 2,

@@ -55,10 +55,9 @@ static void make_triangles(mesh *m)
                 int other[2] = {vertex_number(sheet, i, j + 1),
                                 vertex_number(sheet, i + 1, j)};
                 for (int half = 0; half < 2; half++) {
-                    int *corner = m->triangle[count++];
-                    corner[0] = a;
-                    corner[1] = other[half];
-                    corner[2] = c;
+                    m->triangle[count][0] = a;
+                    m->triangle[count][1] = other[half];
+                    m->triangle[count++][2] = c;
                 }
             }
 }

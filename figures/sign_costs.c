@@ -9,6 +9,7 @@
 
 enum {
     ARITHMETICS = 5,
+    MIDDLE_LANE = ARITHMETICS / 2,
     ROWS = 8
 };
 
@@ -60,7 +61,7 @@ static void draw_dot(tf_page *page, const tf_plot *plot,
     double at[2];
     for (int i = 0; i < ARITHMETICS; i++)
         if (strcmp(timed->arithmetic, contenders[i].name) == 0) {
-            double height = height_of(row) + lane * (ARITHMETICS / 2 - i);
+            double height = height_of(row) + lane * (MIDDLE_LANE - i);
             tf_plot_place(plot, timed->time, height, at);
             tf_page_dot(page, at[0], at[1], dot,
                         (tf_paint){.role = contenders[i].role});
@@ -71,9 +72,9 @@ static void draw_dot(tf_page *page, const tf_plot *plot,
 static void draw_scale(tf_page *page, const tf_plot *plot)
 {
     static const double leads[] = {1, 2, 5};
-    for (double power = 1; power <= plot->x[1]; power *= 10)
+    for (int power = 0; pow(10, power) <= plot->x[1]; power++)
         for (int i = 0; i < 3; i++) {
-            double x = leads[i] * power, at[2][2];
+            double x = leads[i] * pow(10, power), at[2][2];
             if (x < plot->x[0] || x > plot->x[1])
                 continue;
             tf_plot_place(plot, x, plot->y[1], at[0]);

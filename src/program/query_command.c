@@ -28,7 +28,7 @@ static const char description[] =
     "is x,y[,z] in decimals or hexadecimal floats, or xnum,xden,ynum,yden"
     "[,znum,zden] in integers of any length, and then perhaps the truth, 0 or "
     "1.  The first row decides for its file.  No FILE, or \"-\", is standard "
-    "input.\n\n"
+    "input.  Perturbed signs number the vertices in the order of the rows.\n\n"
     "csv and json give an answer a line: the query's number, from 0; hit, 1 "
     "or 0; toi_lo and toi_hi, which enclose the time of impact; the contact's "
     "unit normal; the normal speed; and the case, generic, touching or "

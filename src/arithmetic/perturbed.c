@@ -104,36 +104,49 @@ static bool has_axis(const ranked *r, int axis)
     return false;
 }
 
-/// Whether the determinant, with what t moves moved and of the others only the
-/// `count` first free to move, is not zero; then *t becomes its leading term.
-static bool find_leading(const ranked *r, int count, term *t)
+static bool moves_nothing(const term *t)
+{
+    for (int axis = 0; axis < TF_AXES; axis++)
+        if (t->moved[axis] != STAYS)
+            return false;
+    return true;
+}
+
+/// The sign of the determinant, known to be zero where nothing moves, with what
+/// t moves moved and of the others only the `count` first free to move.  If it
+/// is not zero *t becomes the leading term.
+static tf_sign find_leading(const ranked *r, int count, term *t)
 {
     //: Let no more events move
     if (count == 0) {
+        if (moves_nothing(t))
+            return TF_ZERO;
         tf_event event[MOST_EVENTS];
         tf_differences d = coefficient(r, t, event);
-        return tf_exact.sign(&d) != TF_ZERO;
+        return tf_exact.sign(&d);
     }
 
     //: Move the last event less than all before it
-    if (find_leading(r, count - 1, t))
-        return true;
-    for (int axis = 0; axis < TF_AXES; axis++) {
+    tf_sign sign = find_leading(r, count - 1, t);
+    for (int axis = 0; axis < TF_AXES && sign == TF_ZERO; axis++) {
         if (t->moved[axis] != STAYS || !has_axis(r, axis))
             continue;
         t->moved[axis] = count - 1;
-        if (find_leading(r, count - 1, t))
-            return true;
-        t->moved[axis] = STAYS;
+        sign = find_leading(r, count - 1, t);
+        if (sign == TF_ZERO)
+            t->moved[axis] = STAYS;
     }
-    return false;
+    return sign;
 }
 
-static term leading_term(const ranked *r)
+/// The leading term of a determinant that is zero where nothing moves, and its
+/// sign.
+static tf_sign leading_term(const ranked *r, term *t)
 {
-    term t = {.moved = {STAYS, STAYS, STAYS}};
-    TF_REQUIRE(find_leading(r, r->count, &t));
-    return t;
+    *t = (term){.moved = {STAYS, STAYS, STAYS}};
+    tf_sign sign = find_leading(r, r->count, t);
+    TF_REQUIRE(sign != TF_ZERO);
+    return sign;
 }
 
 //: Order a term among all
@@ -154,10 +167,8 @@ static tf_sign perturbed_sign(const tf_differences *differences)
     if (sign != TF_ZERO)
         return sign;
     ranked r = rank_events(differences);
-    term t = leading_term(&r);
-    tf_event event[MOST_EVENTS];
-    tf_differences d = coefficient(&r, &t, event);
-    return tf_exact.sign(&d);
+    term t;
+    return leading_term(&r, &t);
 }
 
 //: Find a perturbed value
@@ -167,7 +178,8 @@ static tf_value perturbed_value(const tf_differences *differences)
     if (value.number != 0)
         return value;
     ranked r = rank_events(differences);
-    term t = leading_term(&r);
+    term t;
+    leading_term(&r, &t);
     tf_event event[MOST_EVENTS];
     tf_differences d = coefficient(&r, &t, event);
     value = tf_exact.value(&d);

@@ -342,8 +342,9 @@ install: library program drawing ## install to PREFIX=/usr/local, below DESTDIR=
 	    $(prefix)/include/tanglefree/$$header || exit 1; done
 	@printf '%s\n' 'Name: tanglefree' \
 	    'Description: Exact continuous collision detection' \
-	    'Version: $(version)' 'Cflags: -I$(PREFIX)/include/tanglefree' \
-	    'Libs: -L$(PREFIX)/lib -ltanglefree -lm' \
+	    'Version: $(version)' \
+	    'Cflags: -I$(abspath $(PREFIX))/include/tanglefree' \
+	    'Libs: -L$(abspath $(PREFIX))/lib -ltanglefree -lm' \
 	    >$(prefix)/lib/pkgconfig/tanglefree.pc
 	@echo 'installed to $(prefix)'
 

@@ -36,12 +36,18 @@ static int place_of(const ranked *r, const tf_event *event)
     return place;
 }
 
+static bool vertex_has_its_own_index(const ranked *r, int place,
+                                     const tf_event *event)
+{
+    return place == r->count || rank_of(r->event[place]) != rank_of(event);
+}
+
 static void add_event(ranked *r, const tf_event *event)
 {
     int place = place_of(r, event);
     if (place < r->count && r->event[place] == event)
         return;
-    TF_REQUIRE(place == r->count || rank_of(r->event[place]) != rank_of(event));
+    TF_REQUIRE(vertex_has_its_own_index(r, place, event));
     for (int i = r->count++; i > place; i--)
         r->event[i] = r->event[i - 1];
     r->event[place] = event;

@@ -25,12 +25,16 @@ const tf_stage_time *tf_measured_stages(int *count)
     return stage_times;
 }
 
+const char *tf_kind_letters(const char *kind)
+{
+    return strcmp(kind, "point-triangle") == 0 ? "pt" : "ee";
+}
+
 void tf_name_workload(tf_page *page, double x, double y, const char *work,
                       const char *kind)
 {
     char name[64];
-    bool points = strcmp(kind, "point-triangle") == 0;
-    snprintf(name, sizeof name, "%s, %s", work, points ? "pt" : "ee");
+    snprintf(name, sizeof name, "%s, %s", work, tf_kind_letters(kind));
     tf_page_text(page, x, y, TF_ALIGN_RIGHT, name, TF_LETTERS_SMALL,
                  TF_ROLE_INK);
 }

@@ -35,6 +35,9 @@ const tf_query_time *tf_measured_queries(int *count);
 const tf_stage_share *tf_measured_shares(int *count);
 const tf_stage_time *tf_measured_stages(int *count);
 
+/// "pt" or "ee", for a kind's name.
+const char *tf_kind_letters(const char *kind);
+
 /// Write a workload's name left of a row of a chart: "soup", and of what kind.
 void tf_name_workload(tf_page *page, double x, double y, const char *work,
                       const char *kind);

@@ -108,9 +108,8 @@ static void draw_key(tf_page *page, double x, double y)
 static void print_numbers(FILE *numbers, const tf_query_time *timed)
 {
     char key[80];
-    bool points = strcmp(timed->kind, "point-triangle") == 0;
     int length = snprintf(key, sizeof key, "%s_%s_%s", timed->work,
-                          points ? "pt" : "ee", timed->arithmetic);
+                          tf_kind_letters(timed->kind), timed->arithmetic);
     tf_figure_number(numbers, key, timed->time);
     char *end = key + length;
     snprintf(end, sizeof key - (size_t)length, "_hits");

@@ -64,8 +64,7 @@ static void print_number(FILE *numbers, const tf_stage_share *row,
                          const char *name, double percent)
 {
     char key[80];
-    bool points = strcmp(row->kind, "point-triangle") == 0;
-    snprintf(key, sizeof key, "%s_%s_%s", row->work, points ? "pt" : "ee",
+    snprintf(key, sizeof key, "%s_%s_%s", row->work, tf_kind_letters(row->kind),
              name);
     tf_figure_number(numbers, key, percent);
 }

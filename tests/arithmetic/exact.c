@@ -86,8 +86,8 @@ static void clear_subtrahends(matrix *m)
         *matrix_coordinate(m, i) = 0;
 }
 
-/// Scale each column to within what a double holds, and often so that products
-/// hold as well.
+/// Scale each column to within what a double holds, often so that products are
+/// within it, too.
 static void scale_at_random(generator *random, matrix *m)
 {
     int range = below(random, 2) ? 200 : 900;
@@ -135,20 +135,23 @@ START_TEST(what_rounding_leaves_of_singular_matrices)
 }
 END_TEST
 
-// Products out of range --------------------------------------------------------
+// Products out of range -------------------------------------------------------
 
 START_TEST(products_out_of_range)
 {
-    // From 2^-900 to 2^900.
+    // Products of three stay in range, or just overflow or do not, lose places
+    // or do not.
     static const double ends[] = {
         0x1.fffffffffffffp-301, 0x1p-300, 0x1.0000000000001p-300,
-        0x1.fffffffffffffp299,  0x1p300,  0x1.0000000000001p300};
+        0x1.fffffffffffffp299,  0x1p300,  0x1.0000000000001p300,
+        0x1.fffffffffffffp-306, 0x1p-305, 0x1.0000000000001p-305,
+        0x1.fffffffffffffp340,  0x1p341,  0x1.0000000000001p341};
     generator random = generator_new(6);
     long count = cases(30000);
     for (long i = 0; i < count; i++) {
         matrix m = matrix_new(&random, 2 + below(&random, 2));
         for (int k = 0; k < matrix_size(&m); k += 2) {
-            double x = ends[below(&random, 6)];
+            double x = ends[below(&random, 12)];
             *matrix_coordinate(&m, k) = below(&random, 2) ? x : -x;
         }
         judge(&m);
@@ -243,6 +246,8 @@ START_TEST(stages_are_told)
         tf_sign sign = tf_exact_sign(&differences, &stage);
         expect_of_matrix(sign == tf_exact.sign(&differences),
                          "The sign depends on who asks", &m);
+        expect_of_matrix(sign == oracle_arithmetic.sign(&differences),
+                         "The sign is wrong", &m);
         tf_stage expected =
             clamped_knows(&m) ? TF_BY_ESTIMATE : TF_BY_ACCUMULATOR;
         expect_of_matrix(stage == expected, "The stage is wrong", &m);

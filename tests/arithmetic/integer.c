@@ -169,7 +169,7 @@ START_TEST(only_integers_are_held)
 }
 END_TEST
 
-// Why the limits are where they are --------------------------------------------
+// Why the limits are where they are -------------------------------------------
 
 /// The bits of an integer of an arithmetic, without the sign.
 static size_t room(const tf_arithmetic *arithmetic)

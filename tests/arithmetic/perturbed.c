@@ -78,7 +78,7 @@ START_TEST(exchanging_two_ends_changes_the_sign)
 }
 END_TEST
 
-// By hand ----------------------------------------------------------------------
+// By hand ---------------------------------------------------------------------
 
 /// Where a equals b on a line, b - a is e_b - e_a, and the infinitesimal of the
 /// lower index, of t = 0 for one index, is the larger.
@@ -121,7 +121,7 @@ START_TEST(three_points_in_a_row_turn_by_the_first)
 }
 END_TEST
 
-// Contracts --------------------------------------------------------------------
+// Contracts -------------------------------------------------------------------
 
 static void ask_of(int first, int second)
 {

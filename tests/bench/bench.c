@@ -40,7 +40,7 @@ static double nanoseconds(void)
     return 1e9 * (double)now.tv_sec + (double)now.tv_nsec;
 }
 
-// Queries ----------------------------------------------------------------------
+// Queries ---------------------------------------------------------------------
 
 static bool answer(const workload *w, long i, const tf_arithmetic *arithmetic)
 {
@@ -128,7 +128,7 @@ static void print_times(const workload *w, bool header)
     }
 }
 
-// Stages -----------------------------------------------------------------------
+// Stages ----------------------------------------------------------------------
 
 enum {
     STAGES = TF_BY_ACCUMULATOR + 1
@@ -205,7 +205,7 @@ static void print_shares(const workload *w, bool header)
            percent(noted.tails, noted.open), percent(noted.heads, noted.open));
 }
 
-// Signs ------------------------------------------------------------------------
+// Signs -----------------------------------------------------------------------
 
 enum {
     SIGNS = 2000
@@ -382,7 +382,7 @@ static void print_signs(bool header)
                races[i].name, best[i]);
 }
 
-// Tables -----------------------------------------------------------------------
+// Tables ----------------------------------------------------------------------
 
 typedef void print_workload(const workload *w, bool header);
 

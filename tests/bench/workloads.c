@@ -27,7 +27,7 @@ void workload_free(workload *w)
     free(w->queries);
 }
 
-// Random vertices --------------------------------------------------------------
+// Random vertices -------------------------------------------------------------
 
 enum {
     RANDOM_QUERIES = 20000
@@ -89,7 +89,7 @@ workload workload_lattice(int vertices)
     return random_workload("lattice", vertices, 4, fill_lattice);
 }
 
-// A cloth at rest --------------------------------------------------------------
+// A cloth at rest -------------------------------------------------------------
 
 enum {
     SIDE = 40,        // vertices along a side
@@ -215,7 +215,7 @@ workload workload_rest(int vertices)
     return vertices == 1 ? rest_points() : rest_edges();
 }
 
-// The grid ---------------------------------------------------------------------
+// The grid --------------------------------------------------------------------
 
 workload workload_on_grid(const workload *w, int bits)
 {

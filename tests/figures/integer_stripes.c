@@ -36,7 +36,7 @@ static void judge(const char *text, int bits)
     mpz_inits(volume, largest, NULL);
     for (int i = 0; i < CELLS; i++)
         for (int j = 0; j < CELLS; j++) {
-            // C cuts quotients towards zero.
+            // C cuts quotients toward zero.
             long x = most * (2 * i - 255) / 255, y = most * (2 * j - 255) / 255;
             find_volume(volume, most, x, y);
             wrong += sign_around(volume) != mpz_sgn(volume);

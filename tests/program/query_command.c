@@ -12,7 +12,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-// A folder to work in ----------------------------------------------------------
+// A folder to work in ---------------------------------------------------------
 
 static char program[4096], queries[4096];
 
@@ -68,7 +68,7 @@ static char *file_text(const char *name)
     return read;
 }
 
-// Running the program ----------------------------------------------------------
+// Running the program ---------------------------------------------------------
 
 typedef struct outcome {
     int status;
@@ -135,7 +135,7 @@ static void expect_fault(const char *text, const char *message)
     ck_assert_str_eq(found.err, right);
 }
 
-// Answers ----------------------------------------------------------------------
+// Answers ---------------------------------------------------------------------
 
 START_TEST(a_hit_and_a_miss)
 {
@@ -301,7 +301,7 @@ START_TEST(summary_tells_agreement_with_the_truth)
 }
 END_TEST
 
-// Input ------------------------------------------------------------------------
+// Input -----------------------------------------------------------------------
 
 START_TEST(several_files_are_counted_through)
 {
@@ -426,7 +426,7 @@ START_TEST(memory_does_not_grow_with_the_file)
 }
 END_TEST
 
-// Bad input --------------------------------------------------------------------
+// Bad input -------------------------------------------------------------------
 
 /// Rows that are bad, and what is told of them.
 static const struct {
@@ -546,7 +546,7 @@ START_TEST(bad_input_after_rounded_coordinates)
 }
 END_TEST
 
-// Output that cannot be written ------------------------------------------------
+// Output that cannot be written -----------------------------------------------
 
 #define NO_SPACE                                                               \
     "tanglefree: standard output: cannot write: No space left on device"
@@ -598,7 +598,7 @@ START_TEST(a_reader_that_leaves)
 }
 END_TEST
 
-// Usage ------------------------------------------------------------------------
+// Usage -----------------------------------------------------------------------
 
 START_TEST(help)
 {

@@ -11,7 +11,7 @@
 #include <string.h>
 #include <unistd.h>
 
-// Reading a text ---------------------------------------------------------------
+// Reading a text --------------------------------------------------------------
 
 enum {
     KEPT = 4
@@ -97,7 +97,7 @@ static outcome expect_good(const char *kind, const char *text, long good)
 #define SPACE_FOUR "1,2,3\n4,5,6\n7,8,9\n10,11,12\n"
 #define SPACE SPACE_FOUR "13,14,15\n16,17,18\n19,20,21\n22,23,24\n"
 
-// Good files -------------------------------------------------------------------
+// Good files ------------------------------------------------------------------
 
 START_TEST(rows_are_vertices_at_0_then_at_1)
 {
@@ -281,7 +281,7 @@ START_TEST(random_queries_come_back_to_the_last_bit)
 }
 END_TEST
 
-// Faults of a field ------------------------------------------------------------
+// Faults of a field -----------------------------------------------------------
 
 START_TEST(not_a_number)
 {
@@ -383,7 +383,7 @@ START_TEST(truth_that_changes)
 }
 END_TEST
 
-// Faults of a row --------------------------------------------------------------
+// Faults of a row -------------------------------------------------------------
 
 START_TEST(missing_column)
 {
@@ -450,7 +450,7 @@ START_TEST(utf_16)
 }
 END_TEST
 
-// Faults of a file -------------------------------------------------------------
+// Faults of a file ------------------------------------------------------------
 
 START_TEST(missing_rows)
 {
@@ -523,7 +523,7 @@ START_TEST(directory)
 }
 END_TEST
 
-// Kinds ------------------------------------------------------------------------
+// Kinds -----------------------------------------------------------------------
 
 START_TEST(kinds_by_their_names)
 {

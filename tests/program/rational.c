@@ -16,7 +16,7 @@ static tf_rounding round_text(const char *dividend, const char *divisor,
     return tf_rational_round(&n, &d, nearest);
 }
 
-// The judge --------------------------------------------------------------------
+// The judge -------------------------------------------------------------------
 
 /// The size of x, or of the double that would follow the largest.
 static void set_size(mpq_t size, double x)
@@ -103,7 +103,7 @@ static void expect_right(const mpz_t n, const mpz_t d)
     mpq_clear(q);
 }
 
-// The cases --------------------------------------------------------------------
+// The cases -------------------------------------------------------------------
 
 static void set_random(generator *random, mpz_t n, int bits)
 {

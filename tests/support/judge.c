@@ -24,7 +24,7 @@ void truth_find(const query *q, truth *known)
                              query_const_others(q), known->toi);
 }
 
-// Verdict and time -------------------------------------------------------------
+// Verdict and time ------------------------------------------------------------
 
 /// Whether toi_lo <= t <= toi_hi.
 static bool encloses(const tf_contact *contact, const mpq_t t)
@@ -111,7 +111,7 @@ const char *sound_fault(const query *q, const tf_arithmetic *arithmetic,
     return fault_of(q, arithmetic, known, false, contact);
 }
 
-// The rest of a contact --------------------------------------------------------
+// The rest of a contact -------------------------------------------------------
 
 /// For coordinates that are small integers.
 static const double tolerance = 1e-12;
@@ -183,7 +183,7 @@ const char *geometry_fault(const query *q, const tf_contact *contact)
     return NULL;
 }
 
-// Verdicts of tests ------------------------------------------------------------
+// Verdicts of tests -----------------------------------------------------------
 
 void expect_no_fault(const char *fault, const query *q)
 {

@@ -3,7 +3,7 @@
 #include <limits.h>
 #include <stdlib.h>
 
-// The weights ------------------------------------------------------------------
+// The weights -----------------------------------------------------------------
 
 enum {
     MOST_EVENTS = 6,
@@ -56,7 +56,7 @@ static int rank_in_pair(const moved_pair *pair, const tf_event *event)
     return rank;
 }
 
-// Sums of powers of two --------------------------------------------------------
+// Sums of powers of two -------------------------------------------------------
 
 // A term is factor 2^(-bits weight) with bits so many that no sum of factors
 // reaches 2^bits: the sum has the sign of its first term, and is that term but
@@ -94,7 +94,7 @@ static term leading_term(sum *s)
     return leading;
 }
 
-// Determinants -----------------------------------------------------------------
+// Determinants ----------------------------------------------------------------
 
 /// The events of the rows, in homogeneous coordinates: the axes, the time if
 /// the pair is timed, and 1.
@@ -154,7 +154,7 @@ static term coordinate(const moved_pair *pair, const weights *w, int without)
     return leading_term(&s);
 }
 
-// Meetings ---------------------------------------------------------------------
+// Meetings --------------------------------------------------------------------
 
 /// The share of the late events of S in its coordinates: of the terms of least
 /// weight, all of one sign.
@@ -191,27 +191,18 @@ bool moved_pair_meets(const moved_pair *pair, mpq_t toi)
     return true;
 }
 
+static bool moved_simplices_meet(int axes, const oracle_simplex *s,
+                                 const oracle_simplex *r, mpq_t toi)
+{
+    moved_pair pair = {.axes = axes, .timed = true, .s = *s, .r = *r};
+    return moved_pair_meets(&pair, toi);
+}
+
 bool moved_meet(int axes, int vertices, const tf_worldline first[], int others,
                 const tf_worldline second[], mpq_t toi)
 {
-    bool hit = false;
-    mpq_t time;
-    mpq_init(time);
-    for (int i = 0; i < vertices * others; i++) {
-        moved_pair pair = {
-            .axes = axes,
-            .timed = true,
-            .s = oracle_step(vertices, first, i / others),
-            .r = oracle_step(others, second, i % others),
-        };
-        if (!moved_pair_meets(&pair, time))
-            continue;
-        if (!hit || mpq_cmp(time, toi) < 0)
-            mpq_set(toi, time);
-        hit = true;
-    }
-    mpq_clear(time);
-    return hit;
+    return oracle_earliest(moved_simplices_meet, axes, vertices, first, others,
+                           second, toi);
 }
 
 bool moved_pair_meets_by_oracle(const moved_pair *pair, int bits, mpq_t toi)

@@ -310,8 +310,9 @@ oracle_simplex oracle_step(int vertices, const tf_worldline element[],
     return s;
 }
 
-bool oracle_meet(int axes, int vertices, const tf_worldline first[], int others,
-                 const tf_worldline second[], mpq_t toi)
+bool oracle_earliest(oracle_test *meet, int axes, int vertices,
+                     const tf_worldline first[], int others,
+                     const tf_worldline second[], mpq_t toi)
 {
     bool hit = false;
     mpq_t time;
@@ -319,7 +320,7 @@ bool oracle_meet(int axes, int vertices, const tf_worldline first[], int others,
     for (int i = 0; i < vertices * others; i++) {
         oracle_simplex s = oracle_step(vertices, first, i / others);
         oracle_simplex r = oracle_step(others, second, i % others);
-        if (!oracle_simplices_meet(axes, &s, &r, time))
+        if (!meet(axes, &s, &r, time))
             continue;
         if (!hit || mpq_cmp(time, toi) < 0)
             mpq_set(toi, time);
@@ -327,4 +328,11 @@ bool oracle_meet(int axes, int vertices, const tf_worldline first[], int others,
     }
     mpq_clear(time);
     return hit;
+}
+
+bool oracle_meet(int axes, int vertices, const tf_worldline first[], int others,
+                 const tf_worldline second[], mpq_t toi)
+{
+    return oracle_earliest(oracle_simplices_meet, axes, vertices, first, others,
+                           second, toi);
 }

@@ -46,6 +46,16 @@ bool oracle_moved_slices_meet(int axes, const oracle_simplex *s,
                               const oracle_simplex *r,
                               const oracle_moves *moves);
 
+/// Whether two simplices of space-time meet, moved or not, and when.
+typedef bool oracle_test(int axes, const oracle_simplex *s,
+                         const oracle_simplex *r, mpq_t toi);
+
+/// Whether a test holds for any pair of simplices of two moving elements'
+/// staircase sweeps, vertices in index order; if so `toi` is the earliest time.
+bool oracle_earliest(oracle_test *meet, int axes, int vertices,
+                     const tf_worldline first[], int others,
+                     const tf_worldline second[], mpq_t toi);
+
 /// Whether the staircase sweeps of two moving elements meet, vertices in index
 /// order; if so `toi` is the exact earliest time.
 bool oracle_meet(int axes, int vertices, const tf_worldline first[], int others,

@@ -77,7 +77,7 @@ query query_soup(generator *random, query_kind kind)
     return q;
 }
 
-// Weights ----------------------------------------------------------------------
+// Weights ---------------------------------------------------------------------
 
 /// Weights of vertices that sum to 1; about half are zero where possible.
 static void random_weights(generator *random, int vertices, double weight[])
@@ -108,7 +108,7 @@ void staircase_point(int axes, int vertices, const tf_worldline element[],
     }
 }
 
-// Makers -----------------------------------------------------------------------
+// Makers ----------------------------------------------------------------------
 
 static void shift(query *q, const double by[])
 {
@@ -233,7 +233,7 @@ query query_any(generator *random, query_kind kind)
     return makers[below(random, count)](random, kind);
 }
 
-// Changes ----------------------------------------------------------------------
+// Changes ---------------------------------------------------------------------
 
 void query_nudge(generator *random, query *q, int ulps)
 {

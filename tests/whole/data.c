@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-// Read -------------------------------------------------------------------------
+// Read ------------------------------------------------------------------------
 
 enum {
     LINE = 8192,
@@ -98,7 +98,7 @@ static void read_truth(FILE *file, truth *known)
     read_fraction(known->toi, field[2], slash ? slash + 1 : "1");
 }
 
-// Judge ------------------------------------------------------------------------
+// Judge -----------------------------------------------------------------------
 
 /// Whether the truth on file, which was not found by this program, is what the
 /// oracle says.
@@ -170,7 +170,7 @@ static void judge_file(const char *path, const char *truth_path,
     }
 }
 
-// Find the files ---------------------------------------------------------------
+// Find the files --------------------------------------------------------------
 
 static query_kind kind_of(const char *path)
 {

@@ -15,7 +15,7 @@ typedef struct element {
     tf_worldline vertex[TF_VERTICES];
 } element;
 
-// Faces ------------------------------------------------------------------------
+// Faces -----------------------------------------------------------------------
 
 static element vertex_of(const element *of, int i)
 {
@@ -33,7 +33,7 @@ static element edge_of(const element *triangle, int i)
     return edge;
 }
 
-// Contacts ---------------------------------------------------------------------
+// Contacts --------------------------------------------------------------------
 
 /// How many pairs of the simplices that two elements sweep meet.
 static int count_meetings(const tf_arithmetic *arithmetic, const element *a,
@@ -73,7 +73,7 @@ static int count_edges(const tf_arithmetic *arithmetic, const element *edge,
     return count;
 }
 
-// The ends of the step ---------------------------------------------------------
+// The ends of the step --------------------------------------------------------
 
 static oracle_simplex slice(const element *of, int t)
 {
@@ -100,7 +100,7 @@ static bool triangles_meet_at_end(const element *a, const element *b, int t)
     return false;
 }
 
-// Steps ------------------------------------------------------------------------
+// Steps -----------------------------------------------------------------------
 
 /// An element that starts anywhere and moves by less than `reach` an axis.
 static element random_element(generator *random, int vertices, double reach)
@@ -137,6 +137,20 @@ static void fail_step(const char *why, const element *a, const element *b)
                  text_of(a, first), text_of(b, second));
 }
 
+static void expect_even(int count, bool seen[16], const element *edge,
+                        const element *triangle)
+{
+    seen[count] = true;
+    if (count % 2 != 0)
+        fail_step("an odd number of meetings", edge, triangle);
+}
+
+static void expect_variety(const bool seen[16])
+{
+    ck_assert_msg(cases(1000) < 1000 || (seen[0] && seen[2] && seen[4]),
+                  "the steps are too tame");
+}
+
 START_TEST(the_number_of_meetings_is_even)
 {
     generator random = generator_new(1);
@@ -149,12 +163,9 @@ START_TEST(the_number_of_meetings_is_even)
                     meet_at_end(&edge, &triangle, 1) +
                     count_points(&tf_exact, &edge, &triangle) +
                     count_edges(&tf_exact, &edge, &triangle);
-        seen[count] = true;
-        if (count % 2 != 0)
-            fail_step("an odd number of meetings", &edge, &triangle);
+        expect_even(count, seen, &edge, &triangle);
     }
-    ck_assert_msg(cases(1000) < 1000 || (seen[0] && seen[2] && seen[4]),
-                  "the steps are too tame");
+    expect_variety(seen);
 }
 END_TEST
 
@@ -204,12 +215,9 @@ START_TEST(perturbed_meetings_are_even_however_degenerate)
                     perturbed_meet_at_end(&edge, &triangle, 1) +
                     count_points(&tf_perturbed, &edge, &triangle) +
                     count_edges(&tf_perturbed, &edge, &triangle);
-        seen[count] = true;
-        if (count % 2 != 0)
-            fail_step("an odd number of meetings", &edge, &triangle);
+        expect_even(count, seen, &edge, &triangle);
     }
-    ck_assert_msg(cases(1000) < 1000 || (seen[0] && seen[2] && seen[4]),
-                  "the steps are too tame");
+    expect_variety(seen);
 }
 END_TEST
 

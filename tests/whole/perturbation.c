@@ -22,7 +22,7 @@ static void mix_vertices(generator *random, query *q)
     }
 }
 
-// Moved elements ---------------------------------------------------------------
+// Moved elements --------------------------------------------------------------
 
 static bool encloses(const tf_contact *contact, const mpq_t toi)
 {
@@ -109,7 +109,7 @@ START_TEST(moved_pairs_meet_as_the_oracle_says)
 }
 END_TEST
 
-// Exact signs ------------------------------------------------------------------
+// Exact signs -----------------------------------------------------------------
 
 // Whatever is found for moved elements is found in the limit too, where touching
 // counts; and nothing moves far enough to change a sign that is not zero.
@@ -130,7 +130,7 @@ START_TEST(answers_are_exact_but_for_touching)
 }
 END_TEST
 
-// Order ------------------------------------------------------------------------
+// Order -----------------------------------------------------------------------
 
 /// The same two edges, the second first.
 static query swap_edges(const query *q)

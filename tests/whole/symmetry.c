@@ -94,7 +94,7 @@ START_TEST(the_unit_of_length_changes)
 }
 END_TEST
 
-// Past and future --------------------------------------------------------------
+// Past and future -------------------------------------------------------------
 
 static void reverse(int vertices, tf_worldline element[])
 {

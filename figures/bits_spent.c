@@ -37,7 +37,7 @@ static const tf_paint paint_of[] = {
     [SIGN] = {.role = TF_ROLE_INK},
     [TERMS] = {.role = TF_ROLE_NEUTRAL},
     [ENTRY] = {.role = TF_ROLE_NEUTRAL, .opacity = 0.35},
-    [FREE] = {.role = TF_ROLE_NEUTRAL, .opacity = 0.09}};
+    [FREE] = {.role = TF_ROLE_NEUTRAL, .opacity = 0.16}};
 
 /// The bits of a sum of all terms, 2 or 6, beyond those of one.
 static int term_bits(int axes)
@@ -135,7 +135,7 @@ static void draw_budget(tf_page *page, int row, FILE *numbers)
     tf_figure_number(numbers, key, largest);
 }
 
-/// A coloured square and what it stands for, one below the other at the right.
+/// A colored square and what it stands for, one below the other at the right.
 static void draw_key(tf_page *page, int line, purpose what, const char *text)
 {
     double x = tf_page_width(page) / 2 + 40, y = first_top + 10 + 16 * line;

@@ -43,7 +43,7 @@ static void draw_term(tf_page *page, double y, double term)
                      (tf_paint){.role = role});
 }
 
-/// Every other term a little lower, so that neighbours are told apart.
+/// Every other term a little lower, so that neighbors are told apart.
 static void draw_row(tf_page *page, int row, const char *name,
                      const expansion *e)
 {

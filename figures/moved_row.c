@@ -134,7 +134,7 @@ static void draw_moved(tf_page *page, const lens *l)
                  (tf_paint){.role = TF_ROLE_TRIANGLE, .opacity = 0.25});
     for (int i = 1; i < POINTS; i++)
         draw_line(
-            page, at[0], at[i],
+            page, at[i - 1], at[i],
             (tf_stroke){.paint.role = TF_ROLE_EDGE, .width = TF_WIDTH_LINE});
     draw_turn(page, (const double(*)[2])at);
     draw_move(page, l, 0);

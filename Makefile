@@ -190,14 +190,14 @@ $(BUILD)/bench/%.o: tests/%.c $(BUILD)/flags | need-build
 	@echo 'compile $<' && mkdir -p $(@D)
 	$(Q)$(COMPILE) -I$(SRC) -Itests -MMD -MP -c $< -o $@
 
-# Measured once, with the usual flags, whatever those of this build.
+# Measured once, with the usual flags, whatever CFLAGS of this build.
 measure: ## time the library anew for the figures of the book
 	@$(MAKE) build/measured/bench/program BUILD=build/measured CFLAGS=-O3 LDFLAGS=
 	@echo 'measure $(measured)'
 	@build/measured/bench/program --header >$(measured).new
 	@mv $(measured).new $(measured)
 
-$(measured):
+$(measured): figures/measured.h tests/bench/bench.c tests/bench/workloads.c
 	@$(MAKE) measure
 
 .PHONY: bench measure
@@ -484,4 +484,5 @@ include exercises/rules.mk
 # What the compiler found out about headers.
 -include $(patsubst %,%.d,$(basename $(call objects,$(MODULES)) \
 	$(SUPPORT:%.c=$(BUILD)/%.o) $(TESTS:=.o) $(FUZZERS:=.o) $(timing) \
+	$(BUILD)/tests/bench/counts.o \
 	$(call drawn,$(STAGE) $(DRAW) $(wildcard figures/*.c))))

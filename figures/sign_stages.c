@@ -1,6 +1,7 @@
 // How far exact signs have to go, query by query.
 #include "figures.h"
 
+#include "contract.h"
 #include "measured.h"
 #include "stage/plot.h"
 
@@ -85,6 +86,7 @@ static void print_times(FILE *numbers)
         "ns_expansion_integers", "ns_plane",     "ns_expansion_plane"};
     int count;
     const tf_stage_time *timed = tf_measured_stages(&count);
+    TF_REQUIRE(count == (int)(sizeof keys / sizeof *keys));
     for (int i = 0; i < count; i++)
         tf_figure_number(numbers, keys[i], timed[i].time);
 }

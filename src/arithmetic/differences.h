@@ -33,8 +33,10 @@ typedef struct tf_value {
     double number; ///< NaN or infinite: nothing is known
     double radius; ///< >= 0, or NaN: nothing is known
     int exponent;
-    /// Zeros, but where the value is infinitely small: among two the one with
-    /// the later order (by the first entry that differs) is infinitely smaller.
+    /// Zeros, but where the value is infinitely small: then it is `number`
+    /// 2^exponent times the infinitesimals named here.  Among two values the one
+    /// with the later order (by the first entry that differs) is infinitely
+    /// smaller.
     int order[TF_AXES];
 } tf_value;
 

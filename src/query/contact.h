@@ -32,7 +32,8 @@ typedef struct tf_contact {
 /// that touch at the start meet at t = 0, at rest or not.
 ///
 /// An element is swept in the order of its vertices' indices, in whatever order
-/// it lists them; vertices without index count in the order of the list.
+/// it lists them; vertices without index count in the order of the list (but
+/// tf_perturbed needs indices).
 ///
 /// No case is special.  An edge of no length is a point and a triangle of no
 /// area an edge or a point, and is met as such; motion within a line or a plane

@@ -153,9 +153,14 @@ static int magnitude(const tf_value *value)
                : value->exponent + ilogb(largest);
 }
 
-static bool same_order(const tf_value *a, const tf_value *b)
+/// Less than 0 if the order of a is the earlier, so that a is infinitely
+/// larger; 0 if it is the same; otherwise more.
+static int compare_orders(const tf_value *a, const tf_value *b)
 {
-    return memcmp(a->order, b->order, sizeof a->order) == 0;
+    for (int i = 0; i < TF_AXES; i++)
+        if (a->order[i] != b->order[i])
+            return a->order[i] < b->order[i] ? -1 : 1;
+    return 0;
 }
 
 /// Whether a is known to be not zero, and larger than b.
@@ -163,17 +168,15 @@ static bool exceeds(const tf_value *a, const tf_value *b)
 {
     if (magnitude(a) == INT_MIN || magnitude(b) == INT_MIN)
         return magnitude(a) != INT_MIN;
-    for (int i = 0; i < TF_AXES; i++)
-        if (a->order[i] != b->order[i])
-            return a->order[i] < b->order[i];
-    return magnitude(a) > magnitude(b);
+    int order = compare_orders(a, b);
+    return order < 0 || (order == 0 && magnitude(a) > magnitude(b));
 }
 
 //: Scale values to the largest
 static tf_value scale(const tf_value *value, const tf_value *largest)
 {
     bool known = isfinite(value->number + value->radius);
-    if (known && !same_order(value, largest))
+    if (known && compare_orders(value, largest) != 0)
         return (tf_value){.number = 0};
     int shift = value->exponent - magnitude(largest);
     double lost = shift < 0 && value->radius > 0 ? DBL_TRUE_MIN : 0;

@@ -74,7 +74,8 @@ bool tf_complementary_meet(const tf_arithmetic *arithmetic, const tf_pair *pair,
 /// Divide values by one power of two, so that the largest comes near 1, and
 /// leave them with the exponent and the order zero: an infinitely smaller one
 /// becomes zero.  Where digits fall below the least double, a radius that is
-/// not zero grows by it.  Values that are not known stay NaN or infinite.
+/// not zero grows by it.  Values that are not known stay NaN or infinite; if none
+/// is known to be not zero, all stay as they are.
 void tf_values_scale(int count, tf_value value[]);
 
 //: Close complementary simplices

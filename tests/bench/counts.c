@@ -8,7 +8,7 @@
 //
 // Prints one line a source: the nudge, the queries, those with a contact, and
 // the contacts that are missed.  The same seed gives the same numbers.
-#include "support/queries.h"
+#include "support/judge.h"
 #include "support/support.h"
 #include "tanglefree.h"
 
@@ -66,24 +66,16 @@ static query swept_tetrahedron(generator *random, query_kind kind, int ulps)
     return q;
 }
 
-static tf_verdict verdict_of(const tf_arithmetic *arithmetic, const query *q)
-{
-    tf_contact contact;
-    tf_query(arithmetic, q->axes, q->vertices, q->vertex, q->others,
-             query_const_others(q), &contact);
-    return contact.verdict;
-}
-
 static void count(const source *from)
 {
     generator random = generator_new(1);
     long contacts = 0, missed = 0;
     for (long i = 0; i < from->count; i++) {
         query q = from->make(&random, from->kind, from->ulps);
-        if (verdict_of(&tf_exact, &q) != TF_HIT)
+        if (ask(&tf_exact, &q).verdict != TF_HIT)
             continue;
         contacts++;
-        missed += verdict_of(&tf_report, &q) == TF_APART;
+        missed += ask(&tf_report, &q).verdict == TF_APART;
     }
     printf("%-15s %4d %8ld %8ld %7ld\n", from->name, from->ulps, from->count,
            contacts, missed);

@@ -154,6 +154,13 @@ static term coordinate(const moved_pair *pair, const weights *w, int without)
     return leading_term(&s);
 }
 
+int moved_sign(const moved_pair *pair, int event)
+{
+    weights w = make_weights();
+    term c = coordinate(pair, &w, event);
+    return (c.factor > 0) - (c.factor < 0);
+}
+
 // Meetings --------------------------------------------------------------------
 
 /// The share of the late events of S in its coordinates: of the terms of least

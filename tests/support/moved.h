@@ -19,6 +19,10 @@ typedef struct moved_pair {
     oracle_simplex s, r;
 } moved_pair;
 
+/// The sign of the barycentric coordinate of an event once moved, up to a factor
+/// that all events of the pair have in common; those of S come first.
+int moved_sign(const moved_pair *pair, int event);
+
 /// Whether they meet once moved; if so and if `timed`, `toi` is the time, but
 /// for less than 2^-100.
 bool moved_pair_meets(const moved_pair *pair, mpq_t toi);

@@ -73,6 +73,57 @@ START_TEST(lattice_queries_are_answered_as_if_moved)
 }
 END_TEST
 
+/// The place of an event among those of S and then R.
+static int place_in(const moved_pair *pair, const tf_event *event)
+{
+    for (int i = 0; i < pair->s.count; i++)
+        if (pair->s.event[i] == event)
+            return i;
+    int place = 0;
+    while (pair->r.event[place] != event)
+        place++;
+    return pair->s.count + place;
+}
+
+/// Whether all signs of a pair are those of the moved events, also where no
+/// verdict depends on them.
+static bool signs_are_moved(const tf_pair *pair, const moved_pair *moved)
+{
+    int factor = 0;
+    for (int i = 0; i < pair->count; i++) {
+        tf_differences d = tf_pair_differences(pair, i);
+        int sign = (int)tf_perturbed.sign(&d) * (i % 2 == 0 ? 1 : -1) *
+                   (i < pair->early ? 1 : -1);
+        int product = sign * moved_sign(moved, place_in(moved, pair->event[i]));
+        if (product == 0 || (factor != 0 && product != factor))
+            return false;
+        factor = product;
+    }
+    return true;
+}
+
+START_TEST(lattice_signs_are_those_of_moved_events)
+{
+    generator random = generator_new((uint64_t)(70 + _i));
+    for (long i = 0; i < cases(5000); i++) {
+        query q = query_lattice(&random, (query_kind)_i, 2 + below(&random, 3));
+        mix_vertices(&random, &q);
+        tf_simplex s[TF_VERTICES], r[TF_VERTICES];
+        tf_sweep(q.vertices, q.vertex, s);
+        tf_sweep(q.others, query_const_others(&q), r);
+        int a = below(&random, q.vertices), b = below(&random, q.others);
+        tf_pair pair = tf_pair_of(&s[a], &r[b], q.axes);
+        moved_pair moved = {
+            .axes = q.axes,
+            .timed = true,
+            .s = oracle_step(q.vertices, q.vertex, s[a].mover),
+            .r = oracle_step(q.others, query_const_others(&q), r[b].mover)};
+        if (!signs_are_moved(&pair, &moved))
+            expect_no_fault("not the signs of moved events", &q);
+    }
+}
+END_TEST
+
 /// The determinants of the test above against the oracle, on numbers written
 /// out in full.
 START_TEST(moved_pairs_meet_as_the_oracle_says)
@@ -238,6 +289,7 @@ Suite *suite(void)
     Suite *s = suite_create("perturbation");
     TCase *c = tcase_create("perturbation");
     tcase_add_loop_test(c, lattice_queries_are_answered_as_if_moved, 0, KINDS);
+    tcase_add_loop_test(c, lattice_signs_are_those_of_moved_events, 0, KINDS);
     tcase_add_test(c, moved_pairs_meet_as_the_oracle_says);
     tcase_add_loop_test(c, answers_are_exact_but_for_touching, 0, KINDS);
     tcase_add_test(c, two_edges_may_be_swapped);

@@ -27,6 +27,7 @@ const tf_figure *const tf_figures[] = {
     &tf_figure_propeller,
     &tf_figure_crease_crossing,
     &tf_figure_winding,
+    &tf_figure_even_sums,
     &tf_figure_integer_stripes,
     &tf_figure_bits_spent,
     &tf_figure_grid_rounding,

@@ -29,6 +29,7 @@ extern const tf_figure tf_figure_edge_edge_sheets;
 extern const tf_figure tf_figure_propeller;
 extern const tf_figure tf_figure_crease_crossing;
 extern const tf_figure tf_figure_winding;
+extern const tf_figure tf_figure_even_sums;
 extern const tf_figure tf_figure_integer_stripes;
 extern const tf_figure tf_figure_bits_spent;
 extern const tf_figure tf_figure_grid_rounding;

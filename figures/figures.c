@@ -25,6 +25,7 @@ const tf_figure *const tf_figures[] = {
     &tf_figure_contact,
     &tf_figure_edge_edge_sheets,
     &tf_figure_propeller,
+    &tf_figure_coplanar_times,
     &tf_figure_crease_crossing,
     &tf_figure_winding,
     &tf_figure_even_sums,

@@ -27,6 +27,7 @@ extern const tf_figure tf_figure_signs_spent;
 extern const tf_figure tf_figure_contact;
 extern const tf_figure tf_figure_edge_edge_sheets;
 extern const tf_figure tf_figure_propeller;
+extern const tf_figure tf_figure_coplanar_times;
 extern const tf_figure tf_figure_crease_crossing;
 extern const tf_figure tf_figure_winding;
 extern const tf_figure tf_figure_even_sums;

@@ -5,21 +5,21 @@
 
 int main(void)
 {
-    tf_worldline point =
-        tf_worldline_between(2, (double[]){0, 2}, (double[]){1, -1});
-    tf_worldline edge[2] = {
-        tf_worldline_between(2, (double[]){-2, 0}, (double[]){-2, 0}),
-        tf_worldline_between(2, (double[]){2, 0}, (double[]){2, 1})};
+    const double start[] = {1, 3, 0, 0, 4, 0};
+    const double end[] = {2, 0, 0, 1, 4, 2};
+    tf_motion motion = {.vertices = 3, .start = start, .end = end};
 
     tf_contact contact;
-    tf_status status = tf_point_edge(&tf_clamped, &point, edge, &contact);
+    tf_status status =
+        tf_point_edge(&tf_clamped, &motion, 0, (int[]){1, 2}, &contact);
     if (status != TF_OK) {
         puts(tf_status_message(status));
         return 1;
     }
-    if (contact.verdict == TF_HIT)
-        printf("weights %g %g, velocity (%g, %g), speed %g\n",
-               contact.weight[1][0], contact.weight[1][1], contact.velocity[0],
-               contact.velocity[1], contact.speed);
+    if (contact.verdict != TF_APART)
+        printf("barycentric %g %g, velocity (%g, %g), normal velocity %g\n",
+               contact.barycentric[1][0], contact.barycentric[1][1],
+               contact.velocity[0], contact.velocity[1],
+               contact.normal_velocity);
     return 0;
 }

@@ -18,9 +18,12 @@ root_doc = "index"
 templates_path = []
 exclude_patterns = ["_*"]
 nitpicky = True
+# Names of the library have an entry in the reference; others need none.
+nitpick_ignore_regex = [("c:.*", "(?!tf_|TF_).*")]
 
 extensions = ["myst_parser", "sphinxcontrib.bibtex", "mathml", "places",
-              "manifest", "weave", "sessions", "drawings", "blocks", "pages"]
+              "manifest", "weave", "sessions", "drawings", "measured", "blocks",
+              "pages", "reference"]
 
 myst_enable_extensions = ["dollarmath", "amsmath", "colon_fence", "deflist",
                           "smartquotes"]
@@ -31,9 +34,17 @@ suppress_warnings = ["myst.header"]
 bibtex_bibfiles = ["references.bib"]
 bibtex_reference_style = "label"
 
+breathe_domain_by_extension = {"h": "c"}
+breathe_show_include = False
+toc_object_entries = False
+
 numfig = True
 numfig_secnum_depth = 1
-math_numfig = True
+math_breathe_domain_by_extension = {"h": "c"}
+breathe_show_include = False
+toc_object_entries = False
+
+numfig = True
 numfig_format = {
     "figure": "Figure\u00a0%s", "table": "Table\u00a0%s",
     "code-block": "Listing\u00a0%s", "section": "Section\u00a0%s",
@@ -42,9 +53,12 @@ numfig_format = {
         "algorithm", "example", "remark", "problem")}}
 
 
+# Everything that is built is in one folder.
+built = Path(os.environ.get("BUILD", "build")).resolve()
+
+
 def setup(app):
-    """Everything that is built is in one folder."""
-    app.built = Path(os.environ.get("BUILD", "build")).resolve()
+    app.built = built
 
 
 html_theme = "_theme"
@@ -75,17 +89,19 @@ latex_docclass = {"manual": "book"}
 latex_show_pagerefs = False
 latex_use_xindy = False
 latex_table_style = ["booktabs"]
-latex_additional_files = ["_print/tanglefree.sty"]
+latex_additional_files = ["_print/tanglefree.sty",
+                          str(built / "figures/cover-light.pdf")]
 latex_elements = {
     "pointsize": "10pt", "extraclassoptions": "oneside,openany",
     "passoptionstopackages": r"\PassOptionsToClass{oneside}{book}",
     "fontpkg": r"\usepackage{unicode-math}",
-    "fncychap": "", "fvset": r"\fvset{xleftmargin=4mm}", "figure_align": "htbp",
+    "fncychap": "", "fvset": r"\fvset{xleftmargin=3mm}", "figure_align": "htbp",
     "maketitle": r"\tftitle",
-    "tableofcontents": r"{\hypersetup{linkcolor=ink}\tableofcontents}",
+    "tableofcontents": r"{\hypersetup{linkcolor=ink}\tableofcontents}"
+    r"\clearpage",
     "sphinxsetup": "VerbatimColor={RGB}{255,255,255},"
     "VerbatimBorderColor={RGB}{208,204,192},pre_border-width=0pt,"
-    "pre_border-left-width=0.8pt,pre_padding=1pt,pre_padding-left=3mm,"
+    "pre_border-left-width=0.8pt,pre_padding=1pt,pre_padding-left=-0.8pt,"
     "verbatimhintsturnover=false,"
     "InnerLinkColor={RGB}{26,92,148},OuterLinkColor={RGB}{26,92,148},"
     "TitleColor={RGB}{32,36,42}",

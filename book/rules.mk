@@ -1,26 +1,36 @@
 # The book: HTML in $(BUILD)/book/html, print in $(BUILD)/book/tanglefree.pdf.
 # The chapters' text is here, a file a chapter; all that they show of the
-# program, its output and its figures is taken from where it is made.
+# program, its output and its figures is taken from where it is made.  So is
+# the reference, which Doxygen extracts from the comments of the public header.
 
 BOOK := $(wildcard book/*.md book/*.c book/*.py book/*.bib book/chapters \
-	book/_ext/*.py book/_print/* book/_theme/* book/_theme/static/*) $(shell find src -name '*.[ch]')
-prints = $(names:%=$(BUILD)/figures/%-light.pdf)
+	book/_ext/*.py book/_print/* book/_theme/* book/_theme/static/* \
+	figures/measured.csv) $(shell find src -name '*.[ch]')
+reference = $(BUILD)/reference/xml/index.xml
+prints = $(figure_names:%=$(BUILD)/figures/%-light.pdf)
 # Debian's own Python has Sphinx and Selenium.
 python = /usr/bin/python3
 weave = BUILD=$(abspath $(BUILD)) sphinx-build -q
 
-book: $(BUILD)/book/html/index.html ## make the book as pages, build/book/html
-pdf: $(BUILD)/book/tanglefree.pdf ## make the book as a PDF, build/book
+book: $(BUILD)/book/html/index.html ## build the book as web pages, in build/book/html
+pdf: $(BUILD)/book/tanglefree.pdf ## build the book as a PDF, in build/book
 .PHONY: book pdf
 
-$(BUILD)/book/html/index.html: $(BOOK) $(program) $(pictures) | need-book
+$(reference): $(BUILD)/include/tanglefree.h book/Doxyfile | need-book
+	@echo 'extract $(@D)'
+	$(Q)rm -rf $(BUILD)/reference && mkdir $(BUILD)/reference
+	$(Q)BUILD=$(BUILD) doxygen book/Doxyfile
+
+$(BUILD)/book/html/index.html: $(BOOK) $(program_file) $(pictures) $(films) \
+		$(reference) | need-book
 	@echo 'weave   $(@D)'
 	$(Q)$(weave) -b html -d $(BUILD)/book/read book $(@D) && touch $@
 
 $(BUILD)/figures/%-light.pdf: $(BUILD)/drawing/program
 	$(call picture,light)
 
-$(BUILD)/book/tanglefree.pdf: $(BOOK) $(program) $(prints) | need-book need-pdf
+$(BUILD)/book/tanglefree.pdf: $(BOOK) $(program_file) $(prints) $(films) \
+		$(reference) | need-book need-pdf
 	@echo 'print   $@'
 	$(Q)$(weave) -b latex -d $(BUILD)/book/read-latex book $(@D)/latex
 	$(Q)cd $(@D)/latex && latexmk -g -xelatex -interaction=nonstopmode \
@@ -30,14 +40,17 @@ $(BUILD)/book/tanglefree.pdf: $(BOOK) $(program) $(prints) | need-book need-pdf
 
 # Warnings are errors, and all is read anew; then the pages are taken apart
 # again, and what they show of src/ must be src/.
-check-book: $(program) $(pictures) need-book ## check the book against the program
+check-book: $(reference) check-readme
+check-book: $(program_file) $(pictures) $(films) need-book ## check the book against code, figures and programs
 	@$(python) tests/book/fragments_test.py
 	@$(python) tests/book/weave_test.py
 	@mkdir -p $(BUILD)/book && folder=$$(mktemp -d $(BUILD)/book/check.XXXX) && \
 	trap "rm -rf $$folder" EXIT && \
 	$(weave) -W --keep-going -b html -d $$folder/read book $$folder/html && \
-	$(python) tests/book/pages_test.py $$folder/html
+	$(python) tests/book/pages_test.py $$folder/html && \
+	$(python) tests/book/reference_test.py $(BUILD)/include/tanglefree.h \
+	    $$folder/html
 
-check-site: book need-site ## look at the pages in a browser
+check-site: book need-site ## check the pages in a browser
 	@$(python) tests/site/browse.py $(BUILD)/book/html
 .PHONY: check-book check-site

@@ -1,7 +1,7 @@
 /* Exercise 1.1.  Where is the vertex?
  *
- * A vertex moves along a worldline from its event at t = 0 to its event at
- * t = 1, in a straight line and evenly.  Find where it is at the time t,
+ * A vertex moves along a worldline, in a straight line and at a constant rate,
+ * from its event at t = 0 to its event at t = 1.  Find where it is at time t,
  * 0 <= t <= 1, on the axes 0 to axes - 1.  At t = 0 and at t = 1 the answer
  * must be the stored position to the last bit.
  *
@@ -13,7 +13,7 @@
  * Hint 3: start + t * (end - start) looks the same, but its difference is
  *     rounded: at t = 1 it may miss the end.  Multiply first, then add.
  */
-#include "spacetime/event.h"
+#include "geometry/event.h"
 
 void position_at(int axes, const tf_worldline *line, double t,
                  double position[])
@@ -24,7 +24,7 @@ void position_at(int axes, const tf_worldline *line, double t,
 #elif defined TF_WRONG_1 // takes the end for a displacement
     for (int k = 0; k < axes; k++)
         position[k] = line->at[0].x[k] + t * line->at[1].x[k];
-#elif defined TF_WRONG_2 // swaps the shares: runs backwards
+#elif defined TF_WRONG_2 // swaps the shares: runs backward
     for (int k = 0; k < axes; k++)
         position[k] = t * line->at[0].x[k] + (1 - t) * line->at[1].x[k];
 #elif defined TF_WRONG_3 // misses the end by a rounding

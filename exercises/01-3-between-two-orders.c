@@ -1,19 +1,19 @@
 /* Exercise 1.3.  Between two orders.
  *
- * Neighboring elements share an edge, and its sweep must be the same for both:
- * that is why vertices are taken in increasing global index.  See what goes
- * wrong otherwise.  Find a point at rest and a moving edge in the plane such
- * that the point meets the sweep of the edge when its vertices are taken in the
- * order 0, 1 and does not meet it when they are taken in the order 1, 0.
+ * Neighboring elements share an edge, and its sweep must be the same for both.
+ * That is why vertices are taken in the order of their indices.  What goes
+ * wrong otherwise?  Find a point at rest and a moving edge in the plane such
+ * that the edge hits the point when its vertices are taken in the order 0, 1
+ * and misses it when they are taken in the order 1, 0.
  *
- * Your function gives the position of the point and, for vertices 0 and 1, the
- * positions at t = 0 and t = 1.
+ * Your function returns the position of the point and, for vertices 0 and 1,
+ * the positions at t = 0 and t = 1.
  *
  * Section: The order is part of the answer.
  *
- * Hint 1: A point at rest does not mind at what time it is met.  So look at the
- *     plane from above, along the axis of time: what do the two triangles of
- *     the sweep cover there?
+ * Hint 1: For a point at rest only the place matters, not the time.  So look at
+ *     space-time from above, along the axis of time: what do the two triangles
+ *     of the sweep cover?
  * Hint 2: In the order 0, 1 they cover the triangles e0 e1 e1' and e0 e0' e1',
  *     where e0 and e1 are the vertices at t = 0, e0' and e1' at t = 1.  In the
  *     other order they cover e1 e0 e0' and e1 e1' e0'.
@@ -21,7 +21,7 @@
  *     diagonal.  Where it is convex both cover the same.  So take one with a
  *     notch: one of its diagonals runs outside.
  */
-#include "spacetime/event.h"
+#include "geometry/event.h"
 
 typedef struct encounter {
     double point[2];
@@ -34,17 +34,17 @@ encounter between_two_orders(void)
     // The quadrilateral (0,0), (4,0), (1,1), (0,4) has its notch at (1,1).
     return (encounter){.point = {1.5, 1.5},
                        .edge = {{{4, 0}, {0, 0}}, {{1, 1}, {0, 4}}}};
-#elif defined TF_WRONG_1 // convex: both orders meet the point
+#elif defined TF_WRONG_1 // convex: the point is hit in both orders
     return (encounter){.point = {1, 1},
                        .edge = {{{0, 0}, {0, 3}}, {{3, 0}, {3, 3}}}};
-#elif defined TF_WRONG_2 // in the notch, but outside of either order's sweep
+#elif defined TF_WRONG_2 // in the notch, but outside either order's sweep
     return (encounter){.point = {3, 3},
                        .edge = {{{4, 0}, {0, 0}}, {{1, 1}, {0, 4}}}};
-#elif defined TF_WRONG_3 // the orders exchanged
+#elif defined TF_WRONG_3 // the orders are exchanged
     return (encounter){.point = {1.5, 1.5},
                        .edge = {{{1, 1}, {0, 4}}, {{4, 0}, {0, 0}}}};
 #else
-    // Your turn: here nothing moves and nothing meets.
+    // Your turn: here nothing moves and nothing is hit.
     return (encounter){.point = {0, 1},
                        .edge = {{{0, 0}, {0, 0}}, {{1, 0}, {1, 0}}}};
 #endif

@@ -9,16 +9,16 @@ typedef struct encounter {
 
 encounter between_two_orders(void);
 
-static bool meets(const tf_worldline *point, const tf_worldline edge[2])
+static bool hits(const tf_worldline *point, const tf_worldline edge[2])
 {
     mpq_t toi;
     mpq_init(toi);
-    bool meets = oracle_meet(2, 1, point, 2, edge, toi);
+    bool hits = oracle_meet(2, 1, point, 2, edge, toi);
     mpq_clear(toi);
-    return meets;
+    return hits;
 }
 
-START_TEST(meets_in_one_order_only)
+START_TEST(hits_in_one_order_only)
 {
     check_input("none: the function gives an encounter");
     encounter e = between_two_orders();
@@ -32,14 +32,14 @@ START_TEST(meets_in_one_order_only)
     check_finite(2, 2, edge);
     check_input("point %s\n%s", text_point(2, e.point),
                 text_lines(2, "vertex", 2, edge));
-    check_that(meets(&point, edge), "they meet in the order 0, 1",
-               "they do not meet in the order 0, 1");
-    check_that(!meets(&point, turned), "they do not meet in the order 1, 0",
-               "they meet in the order 1, 0");
+    check_that(hits(&point, edge), "a hit in the order 0, 1",
+               "no hit in the order 0, 1");
+    check_that(!hits(&point, turned), "no hit in the order 1, 0",
+               "a hit in the order 1, 0");
 }
 END_TEST
 
 void add_tests(TCase *tests)
 {
-    tcase_add_test(tests, meets_in_one_order_only);
+    tcase_add_test(tests, hits_in_one_order_only);
 }

@@ -1,9 +1,10 @@
 /* Exercise 2.1.  A left turn.
  *
  * Walk from a to b and on to c, in the plane.  Do you turn left (positive),
- * right (negative) or go straight (zero)?  Return the sign of the determinant
- * of differences that tells.  Here the coordinates are small multiples of 1/8:
- * the differences and their products are exact, so ordinary doubles will do.
+ * turn right (negative) or go straight (zero)?  Return the sign of the
+ * determinant of differences that decides this.  Here the coordinates are small
+ * multiples of 1/8: the differences and their products are exact, so ordinary
+ * doubles will do.
  *
  * Section: Signs of determinants.
  *
@@ -12,7 +13,7 @@
  * Hint 3: A sign has three values.  A determinant of 1/4 is positive, and a
  *     conversion to an integer would make it zero.
  */
-#include "arithmetic/differences.h"
+#include "arithmetic/operations.h"
 
 tf_sign left_turn(const tf_event *a, const tf_event *b, const tf_event *c)
 {
@@ -22,22 +23,22 @@ tf_sign left_turn(const tf_event *a, const tf_event *b, const tf_event *c)
     return determinant > 0   ? TF_POSITIVE
            : determinant < 0 ? TF_NEGATIVE
                              : TF_ZERO;
-#elif defined TF_WRONG_1 // multiplies along the rows, not across
+#elif defined TF_WRONG_1 // multiplies along the rows, not along the diagonals
     double determinant = (b->x[0] - a->x[0]) * (b->x[1] - a->x[1]) -
                          (c->x[0] - a->x[0]) * (c->x[1] - a->x[1]);
     return determinant > 0   ? TF_POSITIVE
            : determinant < 0 ? TF_NEGATIVE
                              : TF_ZERO;
-#elif defined TF_WRONG_2 // cuts a small determinant down to zero
+#elif defined TF_WRONG_2 // truncates a small determinant to zero
     double determinant = (b->x[0] - a->x[0]) * (c->x[1] - a->x[1]) -
                          (b->x[1] - a->x[1]) * (c->x[0] - a->x[0]);
     int whole = (int)determinant;
     return whole > 0 ? TF_POSITIVE : whole < 0 ? TF_NEGATIVE : TF_ZERO;
-#elif defined TF_WRONG_3 // forgets those who go straight
+#elif defined TF_WRONG_3 // forgets that you may go straight
     double determinant = (b->x[0] - a->x[0]) * (c->x[1] - a->x[1]) -
                          (b->x[1] - a->x[1]) * (c->x[0] - a->x[0]);
     return determinant > 0 ? TF_POSITIVE : TF_NEGATIVE;
-#elif defined TF_WRONG_4 // takes positions for differences
+#elif defined TF_WRONG_4 // uses positions in place of differences
     double determinant = b->x[0] * c->x[1] - b->x[1] * c->x[0];
     return determinant > 0   ? TF_POSITIVE
            : determinant < 0 ? TF_NEGATIVE

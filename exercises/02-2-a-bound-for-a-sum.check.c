@@ -9,7 +9,7 @@
 double sum_bound(double a, double b, double c);
 
 /// Whether `bound` is at least the error of the rounded sum, found exactly;
-/// `error` is that error, cut to a double.
+/// `error` is that error, truncated to a double.
 static bool holds(double a, double b, double c, double bound, double *error)
 {
     mpz_t off, most;

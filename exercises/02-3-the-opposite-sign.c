@@ -6,13 +6,13 @@
  *
  *     (b - a).x * (c - a).y - (b - a).y * (c - a).x
  *
- * evaluated in doubles is positive and truly negative, or the reverse.
+ * is positive when evaluated in doubles but truly negative, or the reverse.
  *
  * Section: How a computer rounds.
  *
  * Hint 1: If all four differences are exact the sign is right or zero, because
- *     rounding never turns the order of two products around.  So some
- *     difference must be rounded: subtract a tiny number from one near 1/2.
+ *     rounding never reverses the order of two products.  So some difference
+ *     must be rounded: subtract a tiny number from one near 1/2.
  * Hint 2: Take a = (-2^-54, 0) and b.x, c.x near 1/2.  Doubles there are 2^-53
  *     apart: b.x - a.x and c.x - a.x lie halfway between two doubles and are
  *     rounded to the one whose last bit is zero, down for b.x = 1/2, up for
@@ -34,7 +34,7 @@ three_points opposite_sign(void)
 #elif defined TF_WRONG_1 // exact differences: rounded to zero, not to opposite
     return (three_points){
         .a = {0, 0}, .b = {0.5 + 0x1p-28, 0.5}, .c = {0.5, 0.5 - 0x1p-28}};
-#elif defined TF_WRONG_2 // tenths: truly on one line, as the doubles go
+#elif defined TF_WRONG_2 // tenths: as doubles, truly on one line
     return (three_points){.a = {0, 0}, .b = {0.1, 0.1}, .c = {0.3, 0.3}};
 #elif defined TF_WRONG_3 // overflows instead of rounding
     return (three_points){

@@ -1,6 +1,6 @@
 #include "check.h"
 
-#include "spacetime/complementary.h"
+#include "intersect/complementary.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -8,7 +8,7 @@
 double time_of_impact(const tf_pair *pair, const double c[]);
 
 typedef struct impact {
-    int triangle; // of the edge's sweep: 0, mover 1, or 1, mover 0
+    int triangle; // of the edge's sweep: 0, pivot 1, or 1, pivot 0
     double c[5], t;
 } impact;
 
@@ -33,7 +33,7 @@ START_TEST(is_the_time_of_the_common_event)
     for (int i = 0; i < pair.count; i++)
         snprintf(text + strlen(text), sizeof text - strlen(text),
                  "\n%s of the %s at t = %d", text_real(given->c[i]),
-                 pair.side[i] > 0 ? "point" : "edge", pair.event[i]->t);
+                 pair.operand[i] > 0 ? "point" : "edge", pair.event[i]->t);
     check_input("c and the events:%s", text);
     check_near(given->t, time_of_impact(&pair, given->c), 1e-15);
 }

@@ -1,22 +1,22 @@
 /* Exercise 3.3.  A point against an edge.
  *
- * Subtract from every event of the edge e0 e1 the position of the point at the
- * same time.  Now the point rests at the origin, and the question is whether
- * the origin is in one of two triangles of the plane, those of e0, e1, e1' and
- * of e0, e0', e1' as seen from the point.  Touching counts.  The coordinates
- * are small integers, and neither triangle is of zero area.
+ * From every event of the edge e0 e1 subtract the position of the point at the
+ * same time.  Now the point is at rest at the origin, and the question is
+ * whether the origin is in one of two triangles of the plane, those of e0, e1,
+ * e1' and of e0, e0', e1' as seen from the point.  Touching counts.  The
+ * coordinates are small integers, and neither triangle has zero area.
  *
  * Section: In the frame of the point.
  *
  * Hint 1: The origin is in the triangle p q r if it does not lie to the left of
- *     one side and to the right of another, going round p, q, r.
+ *     one side and to the right of another, going around p, q, r.
  * Hint 2: Seen from the origin, the turn from p to q has the sign of cross(p,
- *     q).  Take the three of a triangle in a circle: pq, qr, rp.
+ *     q).  Take the three of a triangle in a cycle: pq, qr, rp.
  * Hint 3: Zeros agree with both signs: only a positive one beside a negative
- *     one means outside.  Your file asks for both triangles at its end: one is
+ *     one means outside.  At its end your file tries both triangles: one is
  *     enough for a hit.
  */
-#include "spacetime/sweep.h"
+#include "geometry/sweep.h"
 
 #include <stdbool.h>
 
@@ -31,7 +31,7 @@ static bool holds_origin(const double p[2], const double q[2],
     double pq = cross(p, q), qr = cross(q, r), rp = cross(r, p);
 #if defined TF_WRONG_2 // touching does not count
     return (pq > 0 && qr > 0 && rp > 0) || (pq < 0 && qr < 0 && rp < 0);
-#elif defined TF_WRONG_3 // believes that all triangles turn left
+#elif defined TF_WRONG_3 // assumes that all triangles turn left
     return pq >= 0 && qr >= 0 && rp >= 0;
 #elif defined TF_SOLUTION || defined TF_WRONG_1
     return (pq >= 0 && qr >= 0 && rp >= 0) || (pq <= 0 && qr <= 0 && rp <= 0);

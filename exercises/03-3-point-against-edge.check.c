@@ -1,6 +1,6 @@
 #include "check.h"
 
-#include "spacetime/event.h"
+#include "geometry/event.h"
 #include "support/oracle.h"
 #include "support/queries.h"
 

@@ -6,21 +6,21 @@
  *
  * Section: At one time.
  *
- * Hint 1: It is easier to say when they are apart.
+ * Hint 1: It is easier to determine when they are apart.
  * Hint 2: They are apart if all of one lies strictly to the left of all of the
- *     other.  There are two ways round.
+ *     other.  Either of them may be the one on the left.
  * Hint 3: Find the smaller and the larger end of each first.
  */
-#include "spacetime/meet.h"
+#include "intersect/cascade.h"
 
 #include <math.h>
 
-bool segments_meet(const double a[2], const double b[2])
+bool segments_intersect(const double a[2], const double b[2])
 {
 #if defined TF_SOLUTION
     return fmax(a[0], a[1]) >= fmin(b[0], b[1]) &&
            fmax(b[0], b[1]) >= fmin(a[0], a[1]);
-#elif defined TF_WRONG_1 // believes that a[0] is to the left of a[1]
+#elif defined TF_WRONG_1 // assumes that a[0] is to the left of a[1]
     return a[1] >= b[0] && b[1] >= a[0];
 #elif defined TF_WRONG_2 // touching does not count
     return fmax(a[0], a[1]) > fmin(b[0], b[1]) &&

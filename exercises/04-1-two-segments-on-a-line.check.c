@@ -1,12 +1,12 @@
 #include "check.h"
 
-bool segments_meet(const double a[2], const double b[2]);
+bool segments_intersect(const double a[2], const double b[2]);
 
 enum {
     POINTS = 6
 };
 
-/// Whether a whole number lies in both: enough for ends that are whole.
+/// Whether an integer lies in both: enough if the ends are integers.
 static bool share_a_number(const double a[2], const double b[2])
 {
     bool meet = false;
@@ -22,7 +22,7 @@ START_TEST(segments_of_small_integers)
         double b[2] = {i / POINTS / POINTS % POINTS,
                        i / POINTS / POINTS / POINTS};
         check_input("a: %g to %g, b: %g to %g", a[0], a[1], b[0], b[1]);
-        check_bool(share_a_number(a, b), segments_meet(a, b));
+        check_bool(share_a_number(a, b), segments_intersect(a, b));
     }
 }
 END_TEST

@@ -1,13 +1,13 @@
 /* Exercise 4.3.  For one instant.
  *
- * Find a point and an edge that moves or rests, in the plane, such that they
- * meet in a single instant, in mid-step (0 < t < 1), and the point is at vertex
- * 0 of the edge then.  The edge must have a length at t = 0 and at t = 1.
+ * Find a point and an edge in the plane, moving or at rest, that meet in a
+ * single instant, in mid-step (0 < t < 1), with the point at vertex 0 of the
+ * edge.  The edge must have a length at t = 0 and at t = 1.
  *
  * Section: When signs are zero.
  *
- * Hint 1: Let the edge rest, and draw a line that touches it in vertex 0 only.
- *     The point may run along that line.
+ * Hint 1: Keep the edge at rest, and draw a line that touches it at vertex 0
+ *     only.  The point may run along that line.
  * Hint 2: The line must not be that of the edge: on it the point would enter
  *     the edge at the vertex and then stay within it.
  * Hint 3: Any line across will do, say x = 0 for the edge from (0, 0) to (2,
@@ -35,7 +35,7 @@ encounter for_one_instant(void)
 #elif defined TF_WRONG_4 // the edge is a point
     return (encounter){.point = {{0, 1}, {0, -1}},
                        .edge = {{{0, 0}, {0, 0}}, {{0, 0}, {0, 0}}}};
-#elif defined TF_WRONG_5 // comes to vertex 0 and goes with it
+#elif defined TF_WRONG_5 // reaches vertex 0 and moves along with it
     return (encounter){.point = {{0, 1}, {0, 1}},
                        .edge = {{{0, 1}, {0, 1}}, {{2, 0}, {2, 0}}}};
 #else

@@ -1,6 +1,6 @@
 #include "check.h"
 
-#include "spacetime/meet.h"
+#include "intersect/cascade.h"
 #include "support/oracle.h"
 #include "support/rational.h"
 
@@ -36,7 +36,7 @@ static void last_time(const tf_worldline *point, const tf_worldline edge[2],
     mpq_clear(left);
 }
 
-/// Whether the library sees them meet.
+/// Whether they meet according to the library.
 static bool library_meets(const tf_worldline *point, const tf_worldline edge[2])
 {
     tf_simplex s[1], r[2];
@@ -45,7 +45,9 @@ static bool library_meets(const tf_worldline *point, const tf_worldline edge[2])
     bool meets = false;
     for (int j = 0; j < 2; j++) {
         tf_pair pair = tf_pair_of(&s[0], &r[j], 2);
-        meets |= tf_meet(&oracle_arithmetic, &pair).verdict == TF_HIT;
+        tf_intersection found =
+            tf_intersect(&oracle_arithmetic, &pair, TF_ONLY_VERDICT);
+        meets |= found.verdict == TF_HIT;
     }
     return meets;
 }

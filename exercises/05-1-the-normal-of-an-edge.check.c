@@ -1,12 +1,12 @@
 #include "check.h"
 
-#include "spacetime/sweep.h"
+#include "geometry/sweep.h"
 
 void edge_normal(const tf_simplex *simplex, double normal[2]);
 
 typedef struct expectation {
     double edge[2][2][2]; // [vertex][time][axis]
-    double normal[2][2];  // of the triangles with mover 1 and mover 0
+    double normal[2][2];  // of the triangles with pivot 1 and pivot 0
 } expectation;
 
 static const expectation expected[] = {
@@ -28,7 +28,7 @@ START_TEST(is_the_left_normal_of_the_horizontal_edge)
     tf_sweep(2, edge, sweep);
     for (int i = 0; i < 2; i++) {
         double got[2] = {0};
-        check_input("the triangle with mover %d of\n%s", sweep[i].mover,
+        check_input("the triangle with pivot %d of\n%s", sweep[i].pivot,
                     text_lines(2, "vertex", 2, edge));
         edge_normal(&sweep[i], got);
         check_point(2, given->normal[i], got, 1e-15);

@@ -1,22 +1,22 @@
 /* Exercise 5.3.  Contact without approach.
  *
- * A point that runs along the line of a resting edge meets it with a speed of
- * zero along the normal.  Must the edge rest for that?  Find a point and an
- * edge in the plane that meet first in mid-step (0 < t < 1) such that
- * tf_point_edge tells a normal and a relative velocity that are not zero, but a
- * speed along the normal that is.  And the edge must turn: it has a length at
- * t = 0 and at t = 1, in directions that are not parallel.
+ * A point that runs along the line of an edge at rest meets it with a normal
+ * velocity of zero.  Must the edge be at rest for that?  Find a point and an
+ * edge in the plane that first meet in mid-step (0 < t < 1) such that
+ * tf_point_edge reports a normal and a relative velocity that are not zero, but
+ * a normal velocity that is.  And the edge must turn: it has a length at t = 0
+ * and at t = 1, in directions that are not parallel.
  *
- * Section: Velocity and speed.
+ * Section: Relative and normal velocity.
  *
  * Hint 1: Velocity and normal are those of one triangle of the edge's sweep,
  *     and each triangle leaves out one event of the edge.
- * Hint 2: The triangle with mover 1 does not have vertex 0 at t = 1.  So let the
- *     point run along the line of the edge at t = 0, let vertex 1 rest, and
- *     turn the edge by moving vertex 0.
- * Hint 3: Keep away from the crease, where either normal may be told: the point
- *     must come to the side of that triangle that the other triangle does not
- *     share, that is, to the resting vertex 1.
+ * Hint 2: The triangle with pivot 1 does not have vertex 0 at t = 1.  So let
+ *     the point run along the line of the edge at t = 0, keep vertex 1 at rest,
+ *     and turn the edge by moving vertex 0.
+ * Hint 3: Keep away from the crease, where either normal may be reported: the
+ *     point must come to the side of that triangle that the other triangle does
+ *     not share, that is, to vertex 1, which is at rest.
  */
 typedef struct encounter {
     double point[2][2];   // [time][axis]
@@ -34,7 +34,7 @@ encounter contact_without_approach(void)
 #elif defined TF_WRONG_2 // touches from the start
     return (encounter){.point = {{1, 0}, {3, 0}},
                        .edge = {{{0, 0}, {0, 2}}, {{2, 0}, {2, 0}}}};
-#elif defined TF_WRONG_3 // comes to the vertex that turns away
+#elif defined TF_WRONG_3 // reaches the vertex that turns away
     return (encounter){.point = {{-1, 0}, {1, 0}},
                        .edge = {{{0, 0}, {0, 2}}, {{2, 0}, {2, 0}}}};
 #elif defined TF_WRONG_4 // the relative velocity is zero

@@ -1,6 +1,6 @@
 #include "check.h"
 
-#include "query/point_edge.h"
+#include "query/query.h"
 #include "support/oracle.h"
 #include "support/rational.h"
 
@@ -23,7 +23,7 @@ static void expect_no_approach(const tf_contact *contact)
     check_that(contact->velocity[0] != 0 || contact->velocity[1] != 0,
                "a relative velocity that is not zero", "%s",
                text_point(2, contact->velocity));
-    check_real(0, contact->speed);
+    check_real(0, contact->normal_velocity);
 }
 
 /// The determinant of the directions of the edge at both times.
@@ -50,7 +50,7 @@ START_TEST(meets_and_does_not_approach)
     check_finite(2, 2, edge);
     check_that(turn(edge) != 0, "an edge that turns", "one that does not");
     tf_contact contact;
-    tf_point_edge(&oracle_arithmetic, &point, edge, &contact);
+    tf_query(&oracle_arithmetic, 2, 1, &point, 2, edge, &contact);
     expect_no_approach(&contact);
     mpq_t toi;
     mpq_init(toi);

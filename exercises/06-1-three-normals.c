@@ -1,21 +1,21 @@
 /* Exercise 6.1.  Three normals.
  *
  * Each of the three simplices of a triangle's sweep has four events and two
- * horizontal edges, each between events of one time: two within t = 0, or one
- * within t = 0 and one within t = 1, or two within t = 1.  Find the cross
- * product of the first with the second, in the order of the events; two within
- * one time both start at the first event of that time.
+ * horizontal edges, which join events of the same time: two at t = 0, or one at
+ * t = 0 and one at t = 1, or two at t = 1.  Two edges at the same time both
+ * start at the first event of that time.  Find the cross product of the first
+ * edge and the second, in the order of the events.
  *
  * Section: Three normals.
  *
- * Hint 1: The events 0 to mover are at t = 0, the others, mover + 1 to 3, at
- *     t = 1.  Only pairs within one of the two groups make horizontal edges.
- * Hint 2: For mover 2 the edges are 0 to 1 and 0 to 2, for mover 1 they are 0
- *     to 1 and 2 to 3, for mover 0 they are 1 to 2 and 1 to 3.
- * Hint 3: In one loop: i runs from 1 to 3 and skips mover + 1; the edge goes to
- *     event i from event 0 if i <= mover, else from event mover + 1.
+ * Hint 1: The events 0 to pivot are at t = 0, the others, pivot + 1 to 3, at
+ *     t = 1.  A horizontal edge joins two events of the same group.
+ * Hint 2: For pivot 2 the edges go from 0 to 1 and from 0 to 2, for pivot 1
+ *     from 0 to 1 and from 2 to 3, for pivot 0 from 1 to 2 and from 1 to 3.
+ * Hint 3: One loop is enough: let i run from 1 to 3 and skip pivot + 1.  The
+ *     edge to event i starts at event 0 if i <= pivot, else at event pivot + 1.
  */
-#include "spacetime/sweep.h"
+#include "geometry/sweep.h"
 
 static void subtract(const tf_event *to, const tf_event *from, double edge[3])
 {
@@ -29,24 +29,24 @@ void simplex_normal(const tf_simplex *simplex, double normal[3])
 #if defined TF_SOLUTION
     int edges = 0;
     for (int i = 1; i < 4; i++) {
-        if (i == simplex->mover + 1)
+        if (i == simplex->pivot + 1)
             continue;
-        int first = i <= simplex->mover ? 0 : simplex->mover + 1;
+        int first = i <= simplex->pivot ? 0 : simplex->pivot + 1;
         subtract(simplex->event[i], simplex->event[first], e[edges++]);
     }
-#elif defined TF_WRONG_1 // always the start: from the first event
+#elif defined TF_WRONG_1 // takes all edges from the first event
     subtract(simplex->event[1], simplex->event[0], e[0]);
     subtract(simplex->event[2], simplex->event[0], e[1]);
-#elif defined TF_WRONG_2 // chains all events within a time, but backwards
+#elif defined TF_WRONG_2 // takes the two edges in reverse order
     int edges = 2;
     for (int i = 1; i < 4; i++) {
-        if (i == simplex->mover + 1)
+        if (i == simplex->pivot + 1)
             continue;
-        int first = i <= simplex->mover ? 0 : simplex->mover + 1;
+        int first = i <= simplex->pivot ? 0 : simplex->pivot + 1;
         subtract(simplex->event[i], simplex->event[first], e[--edges]);
     }
-#elif defined TF_WRONG_3 // no mixed normal: takes the majority's time
-    int first = simplex->mover >= 1 ? 0 : 1;
+#elif defined TF_WRONG_3 // no mixed normal: takes the time with more events
+    int first = simplex->pivot >= 1 ? 0 : 1;
     subtract(simplex->event[first + 1], simplex->event[first], e[0]);
     subtract(simplex->event[first + 2], simplex->event[first], e[1]);
 #else

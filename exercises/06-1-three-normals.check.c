@@ -1,12 +1,12 @@
 #include "check.h"
 
-#include "spacetime/sweep.h"
+#include "geometry/sweep.h"
 
 void simplex_normal(const tf_simplex *simplex, double normal[3]);
 
 typedef struct expectation {
     double triangle[3][2][3]; // [vertex][time][axis]
-    double normal[3][3];      // of the simplices with movers 2, 1, 0
+    double normal[3][3];      // of the simplices with pivots 2, 1, 0
 } expectation;
 
 static const expectation expected[] = {
@@ -31,7 +31,7 @@ START_TEST(is_that_of_the_horizontal_edges)
     tf_sweep(3, triangle, sweep);
     for (int i = 0; i < 3; i++) {
         double got[3] = {0};
-        check_input("the simplex with mover %d of\n%s", sweep[i].mover,
+        check_input("the simplex with pivot %d of\n%s", sweep[i].pivot,
                     text_lines(3, "vertex", 3, triangle));
         simplex_normal(&sweep[i], got);
         check_point(3, given->normal[i], got, 0);

@@ -1,18 +1,18 @@
 /* Exercise 6.2.  In a tetrahedron.
  *
- * In the frame of the point the question is whether the origin of space is in a
- * tetrahedron.  Its corners have small integer coordinates, and it has a
- * volume.  Touching counts.  The determinant of three corners, seen from the
- * origin, is given to you.
+ * In the frame of the point a query is whether the origin of space lies in a
+ * tetrahedron.  Decide that for corners with small integer coordinates and a
+ * volume that is not zero.  The surface belongs to the tetrahedron.  A function
+ * for the determinant of three corners is given.
  *
  * Section: Ten determinants.
  *
- * Hint 1: The barycentric coordinate of corner i is, up to one common factor,
- *     (-1)^i times the determinant of the other three.
- * Hint 2: The origin is inside if these four do not have different signs:
- *     none positive beside a negative one.
+ * Hint 1: Up to a common factor, the barycentric coordinate of corner i is
+ *     (-1)^i times the determinant of the other three corners.
+ * Hint 2: The origin is in the tetrahedron if no two of the four coordinates
+ *     have opposite signs.
  * Hint 3: So det(1, 2, 3), -det(0, 2, 3), det(0, 1, 3) and -det(0, 1, 2) must
- *     be all >= 0 or all <= 0.
+ *     all be >= 0, or all be <= 0.
  */
 #include <stdbool.h>
 
@@ -35,15 +35,15 @@ bool holds_origin(const double p[4][3])
     bool above = c[0] >= 0 && c[1] >= 0 && c[2] >= 0 && c[3] >= 0;
     bool below = c[0] <= 0 && c[1] <= 0 && c[2] <= 0 && c[3] <= 0;
     return above || below;
-#elif defined TF_WRONG_2 // touching does not count
+#elif defined TF_WRONG_2 // leaves the surface out
     bool above = c[0] > 0 && -c[1] > 0 && c[2] > 0 && -c[3] > 0;
     bool below = c[0] < 0 && -c[1] < 0 && c[2] < 0 && -c[3] < 0;
     return above || below;
-#elif defined TF_WRONG_3 // believes that three faces are enough
+#elif defined TF_WRONG_3 // assumes that three faces are enough
     bool above = c[0] >= 0 && -c[1] >= 0 && c[2] >= 0;
     bool below = c[0] <= 0 && -c[1] <= 0 && c[2] <= 0;
     return above || below;
-#elif defined TF_WRONG_4 // believes that all tetrahedra are turned one way
+#elif defined TF_WRONG_4 // assumes one orientation of all tetrahedra
     return c[0] >= 0 && -c[1] >= 0 && c[2] >= 0 && -c[3] >= 0;
 #else
     // Your turn.

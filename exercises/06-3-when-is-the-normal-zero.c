@@ -1,21 +1,22 @@
 /* Exercise 6.3.  When is the normal zero?
  *
- * A triangle of no area has no normal.  But a triangle may have an area at
- * t = 0 and at t = 1, and a point may meet it in mid-step, and still
- * tf_point_triangle tells a normal of zero.  Find such a point and such a
- * triangle.
+ * A triangle without area has no normal.  But even if a triangle has an area at
+ * t = 0 and at t = 1, and a point meets it in mid-step, tf_point_triangle may
+ * report a normal of zero.  Find such a point and such a triangle.
  *
- * Section: What the prism does not know.
+ * Section: What the prism leaves out.
  *
- * Hint 1: The normal of the simplex with mover 2 is that of the triangle at
- *     t = 0, that of the simplex with mover 0 is that at t = 1.  So it must be
- *     the simplex with mover 1.
- * Hint 2: Its normal is zero if the way from vertex 1 to vertex 2 at t = 1 is
- *     along that from vertex 0 to vertex 1 at t = 0, or opposite.  Then this
- *     simplex is flat, and most of it is shared with its neighbors, which are
- *     met as early.  Which worldline is in no other simplex?
- * Hint 3: That of vertex 1.  Let the point hit vertex 1 in mid-step, and take
- *     the opposite direction: with the same, the neighbors cover it all.
+ * Hint 1: The simplex with pivot 2 has the normal of the triangle at t = 0,
+ *     and the simplex with pivot 0 has that of the triangle at t = 1.  So the
+ *     point must meet the simplex with pivot 1.
+ * Hint 2: Its normal is zero if the direction from vertex 1 to vertex 2 at
+ *     t = 1 is the same as that from vertex 0 to vertex 1 at t = 0, or opposite
+ *     to it.  Then this simplex is flat, and its neighbors cover most of it, so
+ *     that the point meets them just as early.  Which worldline is in no other
+ *     simplex?
+ * Hint 3: That of vertex 1.  Let the point hit vertex 1 in mid-step, and choose
+ *     the opposite direction, because with the same direction the neighbors
+ *     cover all of the simplex.
  */
 typedef struct encounter {
     double point[2][3];       // [time][axis]
@@ -40,7 +41,7 @@ encounter no_normal(void)
                        .triangle = {{{0, 0, 0}, {0, 0, 0}},
                                     {{1, 0, 0}, {1, 0, 0}},
                                     {{0, 1, 0}, {0, 1, 0}}}};
-#elif defined TF_WRONG_3 // meets another simplex: vertex 0
+#elif defined TF_WRONG_3 // intersects another simplex: vertex 0
     return (encounter){.point = {{0, 0.5, 1}, {0, 0.5, -1}},
                        .triangle = {{{0, 0, 0}, {0, 1, 0}},
                                     {{1, 0, 0}, {1, 0, 0}},

@@ -1,6 +1,6 @@
 #include "check.h"
 
-#include "query/point_triangle.h"
+#include "query/query.h"
 #include "support/oracle.h"
 #include "support/rational.h"
 
@@ -11,8 +11,8 @@ typedef struct encounter {
 
 encounter no_normal(void);
 
-/// Whether the triangle has an area at a time: its shadow on some plane of two
-/// axes has.
+/// Whether the triangle has an area at a time: its projection to some plane of
+/// two axes has.
 static bool has_area(const tf_worldline v[3], int t)
 {
     bool some = false;
@@ -37,7 +37,7 @@ static void expect_no_normal(const tf_worldline *point,
                text_real(mpq_get_d(toi)));
     mpq_clear(toi);
     tf_contact contact;
-    tf_point_triangle(&oracle_arithmetic, point, triangle, &contact);
+    tf_query(&oracle_arithmetic, 3, 1, point, 3, triangle, &contact);
     check_point(3, ((const double[]){0, 0, 0}), contact.normal, 0);
 }
 

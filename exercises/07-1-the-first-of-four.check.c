@@ -1,22 +1,22 @@
 #include "check.h"
 
-#include "spacetime/meet.h"
+#include "intersect/cascade.h"
 #include "support/oracle.h"
 #include "support/queries.h"
 #include "support/rational.h"
 
 #include <math.h>
 
-tf_meeting first_of_four(const tf_arithmetic *arithmetic,
-                         const tf_worldline first[2],
-                         const tf_worldline second[2]);
+tf_intersection first_of_four(const tf_arithmetic *arithmetic,
+                              const tf_worldline first[2],
+                              const tf_worldline second[2]);
 
 static void expect_first(const tf_worldline first[2],
                          const tf_worldline second[2])
 {
     check_input("%s\n%s", text_lines(3, "first, vertex", 2, first),
                 text_lines(3, "second, vertex", 2, second));
-    tf_meeting got = first_of_four(&oracle_arithmetic, first, second);
+    tf_intersection got = first_of_four(&oracle_arithmetic, first, second);
     mpq_t toi;
     mpq_init(toi);
     bool meet = oracle_meet(3, 2, first, 2, second, toi);

@@ -1,6 +1,6 @@
 #include "check.h"
 
-#include "query/edge_edge.h"
+#include "query/query.h"
 #include "support/queries.h"
 #include "support/rational.h"
 
@@ -35,13 +35,14 @@ START_TEST(both_edges_are_there)
     for (int i = 0; i < 500; i++) {
         query q = query_soup(&random, EDGE_EDGE);
         tf_contact contact;
-        tf_edge_edge(&oracle_arithmetic, &q.vertex[0], &q.vertex[2], &contact);
+        tf_query(&oracle_arithmetic, 3, 2, &q.vertex[0], 2, &q.vertex[2],
+                 &contact);
         if (contact.verdict != TF_HIT)
             continue;
         double first[3] = {0}, second[3] = {0};
-        staircase_point(3, 2, &q.vertex[2], contact.weight[1], contact.toi_lo,
-                        second);
-        ask(&q.vertex[0], contact.weight[0], contact.toi_lo, first);
+        staircase_point(3, 2, &q.vertex[2], contact.barycentric[1],
+                        contact.toi_lo, second);
+        ask(&q.vertex[0], contact.barycentric[0], contact.toi_lo, first);
         check_point(3, second, first, 1e-9);
     }
 }

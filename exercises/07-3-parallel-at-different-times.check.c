@@ -1,6 +1,6 @@
 #include "check.h"
 
-#include "query/edge_edge.h"
+#include "query/query.h"
 #include "support/oracle.h"
 #include "support/rational.h"
 
@@ -12,7 +12,7 @@ typedef struct encounter {
 encounter parallel_at_different_times(void);
 
 /// Whether two edges are parallel at a time, or one has no length then: their
-/// shadows on all planes of two axes are.
+/// projections to all planes of two axes are.
 static bool parallel(const tf_worldline a[2], const tf_worldline b[2], int t)
 {
     bool all = true;
@@ -37,7 +37,7 @@ static void expect_no_normal(const tf_worldline first[2],
                text_real(mpq_get_d(toi)));
     mpq_clear(toi);
     tf_contact contact;
-    tf_edge_edge(&oracle_arithmetic, first, second, &contact);
+    tf_query(&oracle_arithmetic, 3, 2, first, 2, second, &contact);
     check_point(3, ((const double[]){0, 0, 0}), contact.normal, 0);
 }
 

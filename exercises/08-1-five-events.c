@@ -3,19 +3,21 @@
  * The orientation of five events in space-time is the sign of the determinant
  * of the five rows (x, y, z, t, 1).  The events are in any order, some at t = 0
  * and some at t = 1, or all at one time, and their coordinates are small
- * integers.  Find the sign.  It is zero if the events lie in a hyperplane: then
- * there is one moving plane that all of them are in.
+ * integers.  Find the sign.  It is zero if the events lie in a hyperplane.  If
+ * there are events at both times, that is a plane of space that moves without
+ * turning and contains all of them.
  *
  * Section: One moving plane.
  *
  * Hint 1: Subtract the last row from the others: the last column becomes 0, 0,
  *     0, 0, 1, and a determinant of four rows (x, y, z, t) is left.
  * Hint 2: Expand that along the column of times.  Each term is a difference of
- *     times and a determinant of three rows (x, y, z), with row i left out.
+ *     times multiplied by a determinant of three rows (x, y, z), with row i
+ *     left out.
  * Hint 3: The column of times is the fourth, so row i, counted from 0, has the
  *     sign of (-1)^(i + 3): minus for the first.
  */
-#include "arithmetic/differences.h"
+#include "arithmetic/operations.h"
 
 static double det3(const double a[3], const double b[3], const double c[3])
 {
@@ -41,10 +43,10 @@ tf_sign orientation(const tf_event event[5])
 #elif defined TF_WRONG_1 // forgets that the signs alternate
     double sum = late[0] * minor[0] + late[1] * minor[1] + late[2] * minor[2] +
                  late[3] * minor[3];
-#elif defined TF_WRONG_2 // begins with plus: the sign of the first column
+#elif defined TF_WRONG_2 // starts with plus: the sign of the first column
     double sum = late[0] * minor[0] - late[1] * minor[1] + late[2] * minor[2] -
                  late[3] * minor[3];
-#elif defined TF_WRONG_3 // believes that the fourth event alone is late
+#elif defined TF_WRONG_3 // believes that only the fourth event is at the end
     double sum = late[3] * minor[3];
 #elif defined TF_WRONG_4 // forgets the times
     late[0] = late[1] = late[2] = late[3] = 1;

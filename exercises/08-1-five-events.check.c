@@ -1,6 +1,6 @@
 #include "check.h"
 
-#include "arithmetic/differences.h"
+#include "arithmetic/operations.h"
 #include "support/support.h"
 
 #include <stdio.h>

@@ -1,23 +1,23 @@
 /* Exercise 8.2.  Even or odd?
  *
  * An edge and a triangle without a common vertex move, in general position.
- * Whether they cross at the start is known.  Tell whether they cross at the
- * end, without looking at the end: from the number of meetings of pairs of
+ * Whether they cross at the start is given.  Find out whether they cross at the
+ * end, without looking at the end: from the number of intersections of pairs of
  * simplices, of the ends of the edge with the triangle and of the edge with the
  * triangle's edges.
  *
  * Section: Even and odd.
  *
- * Hint 1: The number of crossings at the start, that at the end and the number
- *     of meetings are together even.
- * Hint 2: count_meetings counts pairs of simplices.  What has to be counted is
- *     two points against the triangle and the edge against three edges.
+ * Hint 1: The number of crossings at the start, the number at the end and the
+ *     number of intersections add up to an even number.
+ * Hint 2: count_meetings counts pairs of simplices.  You need to count two
+ *     points against the triangle and the edge against three edges.
  * Hint 3: An edge of the triangle sweeps as the triangle does only if its
  *     vertices are in the same order: 0, 1 and 0, 2 and 1, 2.
  */
-#include "spacetime/meet.h"
+#include "intersect/cascade.h"
 
-/// How many pairs of a simplex of the one and one of the other meet.
+/// How many pairs of a simplex of each intersect.
 static int count_meetings(const tf_arithmetic *arithmetic, int vertices,
                           const tf_worldline first[], int others,
                           const tf_worldline second[])
@@ -29,7 +29,9 @@ static int count_meetings(const tf_arithmetic *arithmetic, int vertices,
     for (int i = 0; i < vertices; i++)
         for (int j = 0; j < others; j++) {
             tf_pair pair = tf_pair_of(&s[i], &r[j], 3);
-            count += tf_meet(arithmetic, &pair).verdict == TF_HIT;
+            tf_intersection found =
+                tf_intersect(arithmetic, &pair, TF_ONLY_VERDICT);
+            count += found.verdict == TF_HIT;
         }
     return count;
 }
@@ -38,10 +40,10 @@ bool cross_at_end(const tf_arithmetic *arithmetic, bool cross_at_start,
                   const tf_worldline edge[2], const tf_worldline triangle[3])
 {
     int count = cross_at_start;
-#if defined TF_WRONG_3 // forgets what was at the start
+#if defined TF_WRONG_3 // forgets the crossing at the start
     count = 0;
 #endif
-#if defined TF_WRONG_2 // goes around: turns the order of the last edge
+#if defined TF_WRONG_2 // goes around: reverses the order of the last edge
     static const int side[3][2] = {{0, 1}, {1, 2}, {2, 0}};
 #else
     static const int side[3][2] = {{0, 1}, {0, 2}, {1, 2}};
@@ -65,7 +67,7 @@ bool cross_at_end(const tf_arithmetic *arithmetic, bool cross_at_start,
         count += count_meetings(arithmetic, 1, &edge[v], 3, triangle);
     count += 0 * side[0][0];
 #else
-    // Your turn: here is one of the five counts.
+    // Your turn: this is one of the five counts.
     tf_worldline other[2] = {triangle[side[0][0]], triangle[side[0][1]]};
     count += count_meetings(arithmetic, 2, edge, 2, other);
 #endif

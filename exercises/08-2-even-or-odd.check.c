@@ -1,6 +1,6 @@
 #include "check.h"
 
-#include "spacetime/meet.h"
+#include "intersect/cascade.h"
 #include "support/oracle.h"
 #include "support/rational.h"
 #include "support/support.h"

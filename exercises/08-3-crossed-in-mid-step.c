@@ -6,23 +6,24 @@
  * contact of a point with a triangle or of an edge with an edge in the whole
  * step, which cross in mid-step; and a time t, 0 < t < 1, at which they do.
  *
- * This is hard.  Your function may find its answer by a search, for a second
- * or two, or you may search elsewhere and only put the answer here.
+ * This is hard.  Your function may find its answer by a search that takes a
+ * second or two, or you may search elsewhere and only put the answer here.
  *
- * Section: What the theorem does not say.
+ * Section: What the theorems do not promise.
  *
  * Hint 1: In mid-step a triangle is bent at up to two creases, and a crease is
- *     no edge: nobody asks whether it crosses the crease of another triangle.
- *     Bend both much, that is, let their vertices move differently.
- * Hint 2: Let the computer look.  Take coordinates at random, from -1 to 1 at
+ *     not an edge: no query checks whether it crosses the crease of another
+ *     triangle.  Bend both triangles a lot, that is, let their vertices move
+ *     differently.
+ * Hint 2: Let the computer search.  Take coordinates at random, from -1 to 1 at
  *     t = 0, and for t = 1 add random displacements of up to 0.3.  Of the steps
- *     that start clear and end without a contact a few in a thousand are what
- *     you want.
- * Hint 3: To see whether two triangles cross at a time t, cut the sweeps:
- *     where early event i and late event j are both in a simplex, its slice has
- *     the corner (1 - t) early + t late.  Two slices are triangles, one is a
- *     parallelogram.  They cross if an edge of one slice crosses a triangle of
- *     the other: tf_complementary_meet tells, for a pair at one time.
+ *     that start clear and have no contact, a few in a thousand will do.
+ * Hint 3: To find out whether two triangles cross at time t, cut the sweeps:
+ *     where event i at the start and event j at the end are both in a simplex,
+ *     its slice has the corner (1 - t) start + t end.  Two slices are
+ *     triangles, one is a parallelogram.  They cross if an edge of one slice
+ *     crosses a triangle of the other: tf_complementary_intersect decides that
+ *     for a pair at one time.
  */
 typedef struct crossing {
     double triangle[2][3][2][3]; // [triangle][vertex][time][axis]

@@ -1,6 +1,6 @@
 #include "check.h"
 
-#include "spacetime/sweep.h"
+#include "geometry/sweep.h"
 #include "support/oracle.h"
 
 typedef struct crossing {
@@ -30,7 +30,7 @@ static tf_event cut(const tf_event *early, const tf_event *late, double t)
 
 static bent bend(const tf_worldline v[3], double t)
 {
-    // Pairs of an early and a late vertex: the corners of each piece.
+    // Pairs of a vertex at the start and one at the end: the corners of pieces.
     static const int pairs[PIECES][3][2] = {{{0, 2}, {1, 2}, {2, 2}},
                                             {{0, 1}, {0, 2}, {1, 2}},
                                             {{0, 1}, {1, 2}, {1, 1}},
@@ -60,7 +60,7 @@ static bool cross_at(const tf_worldline a[3], const tf_worldline b[3], double t)
 
 static const int side[3][2] = {{0, 1}, {0, 2}, {1, 2}};
 
-/// Fail where a vertex of a meets b.
+/// Fails where a vertex of a meets b.
 static void expect_no_point(const tf_worldline a[3], const tf_worldline b[3])
 {
     mpq_t toi;
@@ -74,7 +74,7 @@ static void expect_no_point(const tf_worldline a[3], const tf_worldline b[3])
     mpq_clear(toi);
 }
 
-/// Fail where an edge of a meets one of b.
+/// Fails where an edge of a meets one of b.
 static void expect_no_edges(const tf_worldline a[3], const tf_worldline b[3])
 {
     mpq_t toi;

@@ -35,14 +35,14 @@ static int largest_of_signs(int n)
     return largest;
 }
 
-/// Whether a word holds the largest determinant of differences of coordinates
-/// below 2^p: a determinant is linear in each entry, so the entries of the
-/// largest are all as large as can be.
-static bool fits(int n, int largest_sign, int p, int word)
+/// Whether a word can hold the largest determinant of differences of
+/// coordinates below 2^bits: a determinant is linear in each entry, so in the
+/// largest all entries are as large as possible.
+static bool fits(int n, int largest_sign, int bits, int word)
 {
     mpz_t largest;
     mpz_init(largest);
-    mpz_setbit(largest, (mp_bitcnt_t)p + 1);
+    mpz_setbit(largest, (mp_bitcnt_t)bits + 1);
     mpz_sub_ui(largest, largest, 2);
     mpz_pow_ui(largest, largest, (unsigned long)n);
     mpz_mul_si(largest, largest, largest_sign);
@@ -53,11 +53,11 @@ static bool fits(int n, int largest_sign, int p, int word)
 
 static void expect(int n, int largest_sign, int word)
 {
-    int p = 1;
-    while (fits(n, largest_sign, p + 1, word))
-        p++;
+    int bits = 1;
+    while (fits(n, largest_sign, bits + 1, word))
+        bits++;
     check_input("n = %d, word = %d", n, word);
-    check_real(p, coordinate_bits(n, word));
+    check_real(bits, coordinate_bits(n, word));
 }
 
 START_TEST(words_that_exist)

@@ -1,21 +1,21 @@
 /* Exercise 9.2.  To the grid.
  *
- * Round a place of space to a grid of cells of the size `cell`, a power of two:
+ * Round a place in space to a grid of cells of size `cell`, a power of two:
  * `snapped` becomes the nearest point of the grid, counted in cells, each
- * coordinate an integer below 2^bits in absolute value.  A coordinate in the
- * middle between two integers goes away from zero.  Return false where that
- * leaves the range; then `snapped` may be anything.  The coordinates of `place`
+ * coordinate an integer below 2^bits in absolute value.  A coordinate halfway
+ * between two integers is rounded away from zero.  Return false if the result
+ * is out of range; then `snapped` may be anything.  The coordinates of `place`
  * are finite, 1 <= bits <= 53, and place / cell neither overflows nor
  * underflows.
  *
  * Section: Rounding to a grid.
  *
- * Hint 1: <math.h> has a function that does it for one number: away from zero
- *     in the middle, whatever way the machine rounds.
- * Hint 2: Adding one half and cutting off is not the same.  Try
+ * Hint 1: <math.h> has a function that does this for one number: it rounds ties
+ *     away from zero, whatever the rounding mode of the machine.
+ * Hint 2: Adding one half and truncating is not the same.  Try
  *     0.49999999999999994.
- * Hint 3: A number within the range may be rounded out of it.  Look at what
- *     you return, not at what you were given.
+ * Hint 3: A number within the range may be rounded out of it.  Check what you
+ *     return, not what you were given.
  */
 #include <math.h>
 #include <stdbool.h>
@@ -28,19 +28,19 @@ bool snap(double cell, int bits, const double place[3], double snapped[3])
         snapped[k] = round(x);
         if (fabs(snapped[k]) >= ldexp(1, bits))
             return false;
-#elif defined TF_WRONG_1 // adds one half and cuts off
+#elif defined TF_WRONG_1 // adds one half and rounds down
         snapped[k] = floor(x + 0.5);
         if (fabs(snapped[k]) >= ldexp(1, bits))
             return false;
-#elif defined TF_WRONG_2 // cuts off: moves a point by up to a whole cell
+#elif defined TF_WRONG_2 // truncates: moves a point by up to a whole cell
         snapped[k] = trunc(x);
         if (fabs(snapped[k]) >= ldexp(1, bits))
             return false;
-#elif defined TF_WRONG_3 // looks at the range too early
+#elif defined TF_WRONG_3 // checks the range too early
         if (fabs(x) >= ldexp(1, bits))
             return false;
         snapped[k] = round(x);
-#elif defined TF_WRONG_4 // lets an even number win in the middle
+#elif defined TF_WRONG_4 // rounds ties to even
         snapped[k] = rint(x);
         if (fabs(snapped[k]) >= ldexp(1, bits))
             return false;

@@ -7,8 +7,8 @@
 
 bool snap(double cell, int bits, const double place[3], double snapped[3]);
 
-/// The nearest integer, halves away from zero: the lower neighbour or the upper
-/// one.  Differences of neighbours to x are exact.
+/// The nearest integer, halves away from zero: the lower neighbor or the upper
+/// one.  The differences between x and its neighbors are exact.
 static double nearest(double x)
 {
     double low = floor(x), high = ceil(x);

@@ -1,6 +1,6 @@
 /* Exercise 9.3.  A pierced triangle.
  *
- * An edge and a triangle of a mesh that was rounded to a grid: do they meet?
+ * An edge and a triangle of a mesh were rounded to a grid: do they intersect?
  * All coordinates are integers below 2^19 in absolute value, everything is at
  * one time, and the five points do not lie in one plane.  Edge and triangle are
  * closed: touching counts.  Answer TF_HIT or TF_APART.
@@ -8,35 +8,37 @@
  * Section: What rounding breaks.
  *
  * Hint 1: Two and three points are complementary in space: 2 + 3 = 3 + 2.
- * Hint 2: tf_pair_of is for sweeps.  Fill a tf_pair yourself: all events are
- *     early, the edge is the side +1 and the triangle the side -1, and there
+ * Hint 2: tf_pair_of is for sweeps.  Fill a tf_pair yourself: all events are at
+ *     the start, the edge is operand +1 and the triangle operand -1, and there
  *     are three axes, 0, 1 and 2.
- * Hint 3: tf_complementary_meet returns false if all signs are zero, that is,
- *     if all lies in one plane.  That cannot be; any verdict will do there.
+ * Hint 3: tf_complementary_intersect returns false if all signs are zero, that
+ *     is, if everything lies in one plane.  That cannot be; any verdict will do
+ *     there.
  */
 #include "arithmetic/integer.h"
-#include "spacetime/complementary.h"
+#include "intersect/complementary.h"
 
-tf_verdict edge_meets_triangle(const tf_event edge[2],
-                               const tf_event triangle[3])
+tf_verdict edge_intersects_triangle(const tf_event edge[2],
+                                    const tf_event triangle[3])
 {
 #if defined TF_SOLUTION || defined TF_WRONG_1
     tf_pair pair = {
         .count = 5,
-        .early = 5,
+        .start_count = 5,
         .event = {&edge[0], &edge[1], &triangle[0], &triangle[1], &triangle[2]},
-        .side = {+1, +1, -1, -1, -1},
+        .operand = {+1, +1, -1, -1, -1},
         .axes = 3,
         .axis = {0, 1, 2}};
-    tf_meeting meeting;
-    bool known = tf_complementary_meet(&tf_integer64, &pair, &meeting);
+    tf_intersection found;
+    bool decided = tf_complementary_intersect(&tf_integer64, &pair,
+                                              TF_ONLY_VERDICT, &found);
 #endif
 #if defined TF_SOLUTION
-    return known ? meeting.verdict : TF_UNDECIDED;
+    return decided ? found.verdict : TF_UNDECIDED;
 #elif defined TF_WRONG_1 // touching does not count
-    if (!known)
+    if (!decided)
         return TF_UNDECIDED;
-    return meeting.decision == TF_GENERIC ? meeting.verdict : TF_APART;
+    return found.classification == TF_GENERIC ? found.verdict : TF_APART;
 #elif defined TF_WRONG_2 || defined TF_WRONG_3
     int side[2];
     for (int i = 0; i < 2; i++) {
@@ -49,7 +51,7 @@ tf_verdict edge_meets_triangle(const tf_event edge[2],
     }
 #if defined TF_WRONG_2 // the plane of the triangle is larger than the triangle
     return side[0] * side[1] > 0 ? TF_APART : TF_HIT;
-#else                  // takes the box of the triangle for the triangle
+#else                  // confuses the triangle with its box
     if (side[0] * side[1] > 0)
         return TF_APART;
     for (int k = 0; k < 3; k++)
@@ -64,7 +66,7 @@ tf_verdict edge_meets_triangle(const tf_event edge[2],
     return TF_HIT;
 #endif
 #else
-    // Your turn: right when little is going on.
+    // Your turn: this is right when nothing touches.
     return TF_APART;
 #endif
 }

@@ -1,6 +1,6 @@
 #include "check.h"
 
-#include "spacetime/complementary.h"
+#include "intersect/complementary.h"
 #include "support/oracle.h"
 #include "support/support.h"
 
@@ -8,14 +8,14 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-tf_verdict edge_meets_triangle(const tf_event edge[2],
-                               const tf_event triangle[3]);
+tf_verdict edge_intersects_triangle(const tf_event edge[2],
+                                    const tf_event triangle[3]);
 
 static const char *const verdicts[] = {[TF_UNDECIDED] = "TF_UNDECIDED",
                                        [TF_APART] = "TF_APART",
                                        [TF_HIT] = "TF_HIT"};
 
-/// Whether the five points lie in one plane, by the elimination of Gauss in
+/// Whether the five points lie in one plane, by Gaussian elimination in
 /// rational numbers.
 static bool in_one_plane(const tf_event event[5])
 {
@@ -60,14 +60,14 @@ static void expect(const tf_event event[5])
     check_input("edge %s, %s, triangle %s, %s, %s", text_point(3, event[0].x),
                 text_point(3, event[1].x), text_point(3, event[2].x),
                 text_point(3, event[3].x), text_point(3, event[4].x));
-    tf_verdict got = edge_meets_triangle(event, event + 2);
+    tf_verdict got = edge_intersects_triangle(event, event + 2);
     check_that(got == expected, verdicts[expected], "%s",
                (unsigned)got <= TF_HIT ? verdicts[got] : "no verdict");
 }
 
 START_TEST(a_simple_triangle)
 {
-    // Through the inside, beside, short of it, on a corner, from its plane.
+    // Through the interior, past it, short of it, at a corner, from its plane.
     static const double ends[][2][3] = {{{1, 1, 1}, {1, 1, -1}},
                                         {{3, 3, 1}, {3, 3, -1}},
                                         {{1, 1, 2}, {1, 1, 1}},
@@ -87,7 +87,7 @@ START_TEST(a_simple_triangle)
 }
 END_TEST
 
-/// Five points with coordinates from n integers around 0, times a size.
+/// Five points whose coordinates are among n integers around 0, times a size.
 static void expect_lattice(generator *random, int n, double size)
 {
     tf_event event[5] = {{.t = 0}};

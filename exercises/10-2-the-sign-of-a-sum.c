@@ -1,19 +1,19 @@
 /* Exercise 10.2.  The sign of a sum.
  *
  * Return the sign, -1, 0 or 1, of x[0] + x[1] + ... + x[n - 1] as real numbers,
- * for at most 24 doubles below 2^1000 in absolute value.  expansion_add is at
- * your service.
+ * for at most 24 doubles below 2^1000 in absolute value.  You may use
+ * expansion_add.
  *
  * Section: Sums that do not fit.
  *
  * Hint 1: A double alone is an expansion of one term; zero is one of no terms.
- * Hint 2: Keep an expansion of what has been added up, and add an expansion of
- *     one term to it again and again.  The sum must be another variable than
+ * Hint 2: Keep an expansion of what has been added up, and repeatedly add an
+ *     expansion of one term to it.  The sum must be a different variable from
  *     the two summands.
  * Hint 3: The terms do not overlap and the last is the largest: its sign is
  *     that of the sum.  Without terms the sum is zero.
  */
-#include "bench/expansion.h"
+#include "expansion.h"
 
 #include <math.h>
 
@@ -48,7 +48,7 @@ int sign_of_sum(int n, const double x[])
     }
     double first = sum.count > 0 ? sum.term[0] : 0;
     return (first > 0) - (first < 0);
-#elif defined TF_WRONG_4 // calls small what is far below the summands
+#elif defined TF_WRONG_4 // treats what is far below the summands as zero
     double sum = 0, size = 0;
     for (int i = 0; i < n; i++) {
         sum += x[i];
@@ -56,7 +56,7 @@ int sign_of_sum(int n, const double x[])
     }
     return fabs(sum) <= 1e-15 * size ? 0 : (sum > 0) - (sum < 0);
 #else
-    // Your turn: the sign of the first.
+    // Your turn: this is the sign of the first.
     return n > 0 ? (x[0] > 0) - (x[0] < 0) : 0;
 #endif
 }

@@ -8,14 +8,14 @@
  * Section: The value, rounded once.
  *
  * Hint 1: (double)word[2] * 2^128 + (double)word[1] * 2^64 + (double)word[0]
- *     rounds up to five times.  A number that is a little more than halfway
+ *     rounds up to five times.  A number that is slightly more than halfway
  *     between two doubles may be rounded to halfway first, and then down.
- * Hint 2: Only the 64 bits from the highest one set on need to be converted.
- *     Shift them together from two words, and take care of shifts by 64, which
- *     C does not define.
+ * Hint 2: Only the 64 bits from the highest one bit downward need to be
+ *     converted.  Combine them from two words by shifting, and watch out for
+ *     shifts by 64, which C does not define.
  * Hint 3: The conversion drops 11 of these 64 bits.  If they are a one and ten
- *     zeros it sees a tie; but if any bit was set below the 64, it is none.
- *     Set the lowest of the 64 bits then.
+ *     zeros it sees a tie; but if any bit below the 64 is set, there is no tie.
+ *     In that case set the lowest of the 64 bits.
  */
 #include <math.h>
 #include <stdbool.h>
@@ -37,7 +37,7 @@ double round_once(const uint64_t word[3])
 #elif defined TF_WRONG_1 // rounds each word
     return ldexp((double)word[2], 128) + ldexp((double)word[1], 64) +
            (double)word[0];
-#elif defined TF_WRONG_2 // does not look below the 64 leading bits
+#elif defined TF_WRONG_2 // ignores what is below the 64 leading bits
     int top = 2;
     while (top > 0 && word[top] == 0)
         top--;
@@ -47,7 +47,7 @@ double round_once(const uint64_t word[3])
     uint64_t next = top > 0 ? word[top - 1] : 0;
     uint64_t leading = word[top] << empty | next >> 1 >> (63 - empty);
     return ldexp((double)leading, 64 * top - empty);
-#elif defined TF_WRONG_3 // looks at the next word, and not at the one after
+#elif defined TF_WRONG_3 // checks the next word, but not the one after it
     int top = 2;
     while (top > 0 && word[top] == 0)
         top--;
@@ -57,7 +57,7 @@ double round_once(const uint64_t word[3])
     uint64_t next = top > 0 ? word[top - 1] : 0;
     uint64_t leading = word[top] << empty | next >> 1 >> (63 - empty);
     return ldexp((double)(leading | ((next << empty) != 0)), 64 * top - empty);
-#elif defined TF_WRONG_4 // cuts off what does not fit
+#elif defined TF_WRONG_4 // truncates what does not fit
     double sum = 0;
     for (int i = 0, kept = 0; i < 192 && kept < 53; i++) {
         int bit = 191 - i;
@@ -67,7 +67,7 @@ double round_once(const uint64_t word[3])
     }
     return sum;
 #else
-    // Your turn: right where the number is below 2^64.
+    // Your turn: this is right for numbers below 2^64.
     return (double)word[0];
 #endif
 }

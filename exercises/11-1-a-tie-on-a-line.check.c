@@ -1,6 +1,6 @@
 #include "check.h"
 
-#include "arithmetic/differences.h"
+#include "arithmetic/operations.h"
 #include "support/generator.h"
 
 #include <gmp.h>
@@ -12,8 +12,8 @@ enum {
     INDICES = 8
 };
 
-/// The coordinate plus 2^(-1100 (vertex + 1)): less than what doubles are
-/// apart, and each far less than the one before.
+/// The coordinate plus 2^(-1100 (vertex + 1)): less than the spacing of
+/// doubles, and each far less than the one before.
 static void move(const tf_event *event, mpq_t moved)
 {
     mpq_t x;

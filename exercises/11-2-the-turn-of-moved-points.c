@@ -1,28 +1,28 @@
 /* Exercise 11.2.  The turn of moved points.
  *
- * Walk from p[0] to p[1] and on to p[2], in the plane.  `turn` tells exactly
- * whether you turn left (positive), right (negative) or go straight (zero).
- * Now each point is moved by two symbols, as in the chapter: those of a point
- * with a lower index come before those of one with a higher index, and for a
- * point x comes before y.  The indices are different, and in any order.  Tell
- * how you turn then.  The answer is never zero, even if all points are the
- * same.  Two things are missing: how a factor is made, and the list of products
- * whose factors are asked for.
+ * Walk from p[0] to p[1] and on to p[2], in the plane.  `turn` computes exactly
+ * whether you turn left (positive), turn right (negative) or go straight
+ * (zero).  Now each point is moved by two symbols, as in the chapter: those of
+ * a point with a lower index come before those of one with a higher index, and
+ * for a point x comes before y.  The indices are different, and in any order.
+ * Find how you turn then.  The answer is never zero, even if all points are the
+ * same.  Two things are missing: how a coefficient is computed, and the list of
+ * products whose coefficients are tried.
  *
- * Section: What stands before a product.
+ * Section: The coefficient of a product.
  *
- * Hint 1: First ask with nothing moved.  While the answer is zero, ask for the
- *     factors of products of symbols, the largest product first.
+ * Hint 1: First try with nothing moved.  While the answer is zero, try the
+ *     coefficients of products of symbols, the largest product first.
  * Hint 2: Let q, r and s be the points in the order of their indices.  The
  *     products are, from the largest: q's x; q's y; r's x; r's x times q's y;
- *     and more, but the factor of this last one is 1 or -1.
- * Hint 3: In the factor of q's x, replace the x of q by 1 and the x of the two
- *     others by 0.  In a product of two symbols replace all x and all y.
- * Hint 4: Replace coordinates in a copy of p, in which the points stay in their
+ *     and more, but the coefficient of this last one is 1 or -1.
+ * Hint 3: In the coefficient of q's x, replace the x of q by 1 and the x of the
+ *     two others by 0.  In a product of two symbols replace all x and all y.
+ * Hint 4: Replace coordinates in a copy of p, in which the points keep their
  *     places 0, 1, 2: their order in the walk has nothing to do with their
  *     indices.
  */
-#include "arithmetic/differences.h"
+#include "arithmetic/operations.h"
 
 enum {
     POINTS = 3,
@@ -37,7 +37,7 @@ static tf_sign turn(const tf_arithmetic *arithmetic, const tf_event p[POINTS])
     return arithmetic->sign(&rows);
 }
 
-/// The place of the point with so many points of lower index.
+/// The place of the point that has `rank` points of lower index.
 static int place_of(const tf_event p[POINTS], int rank)
 {
     for (int i = 0; i < POINTS; i++) {
@@ -50,10 +50,10 @@ static int place_of(const tf_event p[POINTS], int rank)
     return STAYS;
 }
 
-/// The sign of the factor of a product that has, on axis k, the symbol of the
-/// point moved[k], or none if that is STAYS.
-static tf_sign factor(const tf_arithmetic *arithmetic, const tf_event p[POINTS],
-                      const int moved[2])
+/// The sign of the coefficient of a product that has, on axis k, the symbol of
+/// the point moved[k], or none if that is STAYS.
+static tf_sign coefficient(const tf_arithmetic *arithmetic,
+                           const tf_event p[POINTS], const int moved[2])
 {
     tf_event copy[POINTS] = {p[0], p[1], p[2]};
 #if defined TF_SOLUTION || defined TF_WRONG_1 || defined TF_WRONG_2
@@ -87,12 +87,12 @@ tf_sign moved_turn(const tf_arithmetic *arithmetic, const tf_event p[POINTS])
     const int product[][2] = {
         {STAYS, STAYS}, {STAYS, q}, {q, STAYS}, {STAYS, r}, {q, r}};
 #else
-    // Your turn: here are nothing moved, and the x of q.
+    // Your turn: these are nothing moved, and the x of q.
     const int product[][2] = {{STAYS, STAYS}, {q, STAYS}};
 #endif
     int count = (int)(sizeof product / sizeof *product);
     tf_sign sign = TF_ZERO;
     for (int i = 0; i < count && sign == TF_ZERO; i++)
-        sign = factor(arithmetic, p, product[i]);
+        sign = coefficient(arithmetic, p, product[i]);
     return sign;
 }

@@ -43,7 +43,7 @@ static tf_sign turn_when_moved(const tf_event p[3], const int rank[3])
     return order > 0 ? TF_POSITIVE : order < 0 ? TF_NEGATIVE : TF_ZERO;
 }
 
-/// Points with the indices 10, 20 and 30, in the order that the ranks tell.
+/// Points with the indices 10, 20 and 30, in the order of the ranks.
 static void expect(tf_event p[3], const int rank[3])
 {
     for (int i = 0; i < 3; i++)

@@ -9,7 +9,7 @@ bool is_inside(const tf_event *p, const tf_event *far, int triangles,
 enum {
     BOXES = 2,
     FACETS = 12, // of a box
-    SIDE = 8     // of the cube in which all is but the far end
+    SIDE = 8     // of the cube that contains all but the far end
 };
 
 /// Boxes and their triangles.
@@ -45,7 +45,7 @@ static void add_box(surface *s, int box, const int index[])
         }
 }
 
-/// A box, or two that may touch each other, cross or lie in each other.
+/// A box, or two that may touch, cross or contain each other.
 static surface make_surface(generator *random, int boxes, const int index[])
 {
     surface s = {.triangles = 0};
@@ -60,8 +60,8 @@ static surface make_surface(generator *random, int boxes, const int index[])
     return s;
 }
 
-/// By hand: in how many of the boxes the point is, moved or not; -1 if it is on
-/// the surface of one.
+/// By hand: how many of the boxes contain the point, moved or not; -1 if it is
+/// on the surface of one.
 static int count_around(const surface *s, int boxes, const tf_event *p)
 {
     int count = 0;
@@ -78,7 +78,8 @@ static int count_around(const surface *s, int boxes, const tf_event *p)
     return count;
 }
 
-/// The triangles that the segment meets when all is moved by explicit numbers.
+/// How many triangles the segment intersects if everything is moved by explicit
+/// numbers.
 static int count_moved(const surface *s, const tf_event *p, const tf_event *far)
 {
     int count = 0;
@@ -91,7 +92,7 @@ static int count_moved(const surface *s, const tf_event *p, const tf_event *far)
     return count;
 }
 
-static void tell_input(const surface *s, int boxes, const tf_event *p,
+static void show_input(const surface *s, int boxes, const tf_event *p,
                        const tf_event *far)
 {
     const char *box[BOXES] = {"", ""};
@@ -111,7 +112,7 @@ static void tell_input(const surface *s, int boxes, const tf_event *p,
                 boxes == 1 ? "the box" : "the boxes", box[0], box[1]);
 }
 
-/// Number the corners and the two ends at random.
+/// Numbers the corners and the two ends at random.
 static void number(generator *random, int count, int index[])
 {
     for (int i = 0; i < count; i++) {
@@ -135,7 +136,7 @@ static void try_surfaces(int boxes)
             far.x[k] = below(&random, SIDE + 1);
         }
         far.x[i % 3] = 2 * SIDE;
-        tell_input(&s, boxes, &p, &far);
+        show_input(&s, boxes, &p, &far);
         int around = count_around(&s, boxes, &p);
         if (around < 0)
             around = count_moved(&s, &p, &far);

@@ -4,7 +4,7 @@
 #ifndef EXERCISES_CHECK_H
 #define EXERCISES_CHECK_H
 
-#include "spacetime/event.h"
+#include "geometry/event.h"
 
 #include <check.h>
 #include <stdbool.h>

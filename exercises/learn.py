@@ -1,7 +1,7 @@
 """Take a student through the exercises; rules.mk has the targets that run this.
 
 An exercise is two files: NN-k-slug.c holds the task, the hints and, as variants
-told apart by #if, a stub, the solution and typical mistakes; NN-k-slug.check.c
+distinguished by #if, a stub, the solution and typical mistakes; NN-k-slug.check.c
 checks any of them.  A student's file is the stub, cut out once into WORK; only
 the student writes to it from then on.
 """
@@ -23,7 +23,7 @@ WORK = Path(os.environ.get("WORK", "work"))
 BUILD = Path(os.environ.get("BUILD", "build"))
 COMPILE = shlex.split(os.environ.get("COMPILE", "cc"))
 LINK = shlex.split(os.environ.get("LINK", ""))
-PATIENCE = 60  # seconds for a program that does not compute, but waits
+PATIENCE = 60  # seconds for a program that waits instead of computing
 CHAPTERS = [line.split() for line in Path("book/chapters").open()
             if line[0].islower()]
 
@@ -91,10 +91,10 @@ class Outcome:
 
 def run_compiler(arguments):
     run = subprocess.run(COMPILE + arguments, text=True, capture_output=True)
-    # The compiler need not tell that it stops at the first error.
-    told = re.sub(r"^compilation terminated due to.*\n", "", run.stderr,
+    # Leave out that the compiler stops at the first error.
+    messages = re.sub(r"^compilation terminated due to.*\n", "", run.stderr,
                   flags=re.M)
-    return run.returncode == 0, told
+    return run.returncode == 0, messages
 
 
 def compile_checks(exercise, folder):
@@ -127,9 +127,9 @@ def explain_link(source, errors):
                                     errors)))
     if not missing:
         return "It does not link:\n\n" + errors
-    return ("It does not link: there is no function " + ", ".join(missing)
-            + f".\nIs it defined in {source}, or called by a name that no "
-            "function has?")
+    return ("It does not link, because there is no function "
+            + ", ".join(missing) + f".\nIs it defined in {source}, or is a "
+            "call misspelled?")
 
 
 def run_program(source, program, warnings):
@@ -158,19 +158,19 @@ def field(name, text):
     return f"  {name:<9} " + text.replace("\n", "\n" + " " * 12) + "\n"
 
 
-NO_END = field("got", "no answer for some seconds: a loop without end?")
+NO_END = field("got", "no answer for some seconds: an endless loop?")
 CRASHES = [
-    ("SEGV", "a crash: an access through a pointer that points nowhere (NULL, "
-     "or never set?)"),
-    ("stack-overflow", "a crash: a function that calls itself without end?"),
-    ("buffer-overflow", "a crash: an access beyond the end of an array"),
-    ("stack-use-after", "a crash: the use of a variable whose function or "
-     "block has ended"),
+    ("SEGV", "a crash: an access through an invalid pointer (NULL, or "
+     "uninitialized?)"),
+    ("stack-overflow", "a crash: an endless recursion?"),
+    ("buffer-overflow", "a crash: an access outside an array"),
+    ("stack-use-after", "a crash: the use of a variable after its function "
+     "or block has ended"),
 ]
 
 
 def explain_crash(source, run):
-    """What ended a program that told neither success nor failure."""
+    """What ended a program that reported neither success nor failure."""
     errors = run.stderr
     undefined = re.search(r"^(\S+:\d+):\d+: runtime error: (.*)", errors, re.M)
     contract = re.search(r"^\S+: broken contract: (.*)", errors, re.M)
@@ -178,7 +178,7 @@ def explain_crash(source, run):
     if undefined:
         what = "undefined behaviour: " + undefined[2]
     elif contract:
-        what = "a call that the library refuses: it demands " + contract[1]
+        what = "a call that breaks a contract of the library: " + contract[1]
     elif address:
         what = next((sentence for kind, sentence in CRASHES
                      if kind in address[1]), "a crash: " + address[1])
@@ -187,7 +187,7 @@ def explain_crash(source, run):
     elif run.returncode < 0:
         what = f"a crash by signal {-run.returncode}"
     else:
-        what = "the end of the whole program: does your code call exit?"
+        what = "the program ended early: does your code call exit?"
     frame = re.search(rf" in (\w+) \S*?({re.escape(str(source))}:\d+)", errors)
     where = str(source)
     if undefined:
@@ -200,7 +200,7 @@ def explain_crash(source, run):
 # The student's progress -------------------------------------------------------
 
 class Progress:
-    """What a student has solved and been told: WORK/progress.json."""
+    """What a student has solved, and which hints: WORK/progress.json."""
 
     def __init__(self):
         self.path = WORK / "progress.json"
@@ -217,16 +217,16 @@ class Progress:
 
 
 def choose(exercises, progress, number):
-    """The exercise told by its number, else the first unsolved one."""
+    """The exercise of that number, else the first unsolved one."""
     if number:
         chosen = [e for e in exercises if e.number == number]
         if not chosen:
-            sys.exit(f"There is no exercise {number}; `make list` shows all.")
+            sys.exit(f"There is no exercise {number}; `make list` lists them.")
         return chosen[0]
     unsolved = [e for e in exercises if not progress.get(e)["solved"]]
     if not unsolved:
-        print("All exercises are solved.  `make list` shows them; "
-              "`make learn N=1.1` takes one up again.")
+        print("All exercises are solved.  `make list` lists them; "
+              "`make learn N=1.1` returns to one.")
         sys.exit()
     return unsolved[0]
 
@@ -250,8 +250,8 @@ def learn(exercises, progress, options):
     if not exercise.mine.exists():
         WORK.mkdir(exist_ok=True)
         exercise.mine.write_text(exercise.stub())
-        print(f"\n{exercise.task}\n\nYour file: {exercise.mine}, just made.  "
-              "As it is, it fails:\n")
+        print(f"\n{exercise.task}\n\nYour file: {exercise.mine}, newly made.  "
+              "So far it fails:\n")
     else:
         print(f"Your file: {exercise.mine}\n")
     folder = BUILD / "learn"
@@ -262,7 +262,8 @@ def learn(exercises, progress, options):
         progress.save()
         announce_next(exercises, progress)
     else:
-        print("\nEdit your file, then `make learn` again.  `make hint` helps.")
+        print("\nEdit your file and run `make learn` again.  `make hint` gives "
+              "a hint.")
 
 
 def show(outcome):
@@ -279,10 +280,10 @@ def announce_next(exercises, progress):
     print(paint("Solved.  Well done!", GREEN))
     unsolved = [e for e in exercises if not progress.get(e)["solved"]]
     if unsolved:
-        print(f"Next is {unsolved[0].number}, {unsolved[0].title}  "
-              "`make learn` goes on.")
+        print(f"Next is exercise {unsolved[0].number}, {unsolved[0].title}  "
+              "`make learn` starts it.")
     else:
-        print("That was the last one: all exercises are solved.")
+        print("That was the last one: you have solved all exercises.")
 
 
 def hint(exercises, progress, options):
@@ -295,9 +296,9 @@ def hint(exercises, progress, options):
         print(textwrap.fill(text, 78, initial_indent=f"Hint {i}: ",
                             subsequent_indent=" " * 8))
     left = len(exercise.hints) - state["hints"]
-    print(f"{left} more: `make hint` again." if left else
-          "That was the last one.  Read again the section "
-          f"“{exercise.section}” of chapter {exercise.order[0]}, or see "
+    print(f"{left} more: run `make hint` again." if left else
+          "That was the last hint.  Reread the section "
+          f"“{exercise.section}” of chapter {exercise.order[0]}, or run "
           f"`make solution N={exercise.number}`.")
 
 
@@ -306,7 +307,7 @@ def list_all(exercises, progress, options):
     for exercise in exercises:
         state = progress.get(exercise)
         word = "solved" if state["solved"] else \
-            "begun" if exercise.mine.exists() else "-"
+            "started" if exercise.mine.exists() else "-"
         hints = f"hints: {state['hints']}" if state["hints"] else ""
         print(f"{exercise.number:<5} {exercise.title:<{width}}  "
               f"{paint(word, GREEN if word == 'solved' else 0)} {hints}"
@@ -325,7 +326,7 @@ def reset(exercises, progress, options):
         print(f"Your file is kept as {backup}.")
     progress.of.pop(exercise.number, None)
     progress.save()
-    print(f"`make learn N={exercise.number}` starts the exercise anew.")
+    print(f"`make learn N={exercise.number}` starts the exercise over.")
 
 
 def solution(exercises, progress, options):
@@ -335,7 +336,7 @@ def solution(exercises, progress, options):
     if not progress.get(exercise)["solved"] and not options.sure:
         print(f"You have not solved exercise {exercise.number}; there are "
               f"{len(exercise.hints)} hints (`make hint "
-              f"N={exercise.number}`).\nTo see the solution all the same: "
+              f"N={exercise.number}`).\nTo see the solution anyway: "
               f"make solution N={exercise.number} SURE=1")
         return
     print(exercise.variant("TF_SOLUTION").partition(" */\n")[2].strip())
@@ -344,12 +345,12 @@ def solution(exercises, progress, options):
 # Grading ----------------------------------------------------------------------
 
 def grade(exercises, progress, options):
-    """Grade a folder of files; of the exercise or the chapter told, if any."""
+    """Grade a folder of files, or one exercise or chapter of it."""
     folder, results = Path(options.dir or WORK), BUILD / "grade"
     wanted = [e for e in exercises if options.number in
               (None, e.number, str(e.order[0]))]
     if not wanted or not folder.is_dir():
-        sys.exit(f"There is no {folder} to grade." if wanted else
+        sys.exit(f"There is no folder {folder} to grade." if wanted else
                  f"There is no exercise or chapter {options.number}.")
     results.mkdir(parents=True, exist_ok=True)
     with ThreadPoolExecutor(os.cpu_count()) as pool:

@@ -1,13 +1,13 @@
 # The exercises.  A student's files are in $(WORK), which no target removes.
 WORK = work
 
-learn: ## take you through the exercises; N=1.2 for that one
-hint: ## tell one more hint for the exercise you are at, or for N=1.2
-list: ## list the exercises and what you have solved
-reset: ## start exercise N=1.2 anew; your file is kept as a backup
-solution: ## show the solution of N=1.2; SURE=1 if you have not solved it
-grade: ## grade your files, or those in DIR=; a chapter N=1, an exercise N=1.2
-check-exercises: check-format-exercises ## try all variants of all exercises
+learn: ## work on the next exercise, or on N=1.2
+hint: ## show one more hint for the current exercise, or for N=1.2
+list: ## list the exercises and your progress
+reset: ## start exercise N=1.2 over; your file is kept as a backup
+solution: ## show the solution of N=1.2; SURE=1 if not solved yet
+grade: ## grade your files, or those in DIR=; only chapter N=1 or exercise N=1.2
+check-exercises: check-format-exercises ## check all variants of all exercises
 
 exercise_commands = learn hint list reset solution grade
 exercise_targets = $(exercise_commands) check-exercises
@@ -16,9 +16,10 @@ exercise_targets = $(exercise_commands) check-exercises
 
 # The stubs do not use their parameters yet.
 exercise_compile = $(CC) $(WARNINGS) -Wno-unused-parameter -Wfatal-errors \
-	-O1 -g $(sanitizers) -std=c17 -ffp-contract=off -Isrc -Itests \
+	-O1 -g $(sanitizers) -std=c17 -ffp-contract=off -Isrc -Itests -Ifigures \
 	$$(pkg-config --cflags check)
-exercise_archives = $(BUILD)/exercises/check.o $(BUILD)/support.a $(library)
+exercise_archives = $(BUILD)/exercises/check.o $(BUILD)/support.a \
+	$(library_file)
 
 $(exercise_targets): need-exercises
 learn grade check-exercises: $(exercise_archives)

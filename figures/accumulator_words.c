@@ -1,7 +1,8 @@
 // The accumulator's words: which of them two determinants use.
 #include "figures.h"
 
-#include "arithmetic/accumulator.h"
+#include "arithmetic/superaccumulator.h"
+#include "renderer/plot.h"
 
 #include <float.h>
 #include <math.h>
@@ -22,49 +23,51 @@ static const double ordinary[TF_AXES][TF_AXES] = {
     {-0x1.72b9bad814c5fp-2, 0x1.08b61d7e26e86p-4, 0x1.5c960fdb4427ap-2},
     {-0x1.7426e4871b6b3p-2, 0x1.a16e455e5683p-4, 0x1.725a4884d51d7p-2}};
 
-static void accumulate(const double e[TF_AXES][TF_AXES], tf_accumulator *sum)
+static void accumulate(const double e[TF_AXES][TF_AXES],
+                       tf_superaccumulator *sum)
 {
     static const int column[TERMS][TF_AXES] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1},
                                                {0, 2, 1}, {1, 0, 2}, {2, 1, 0}};
-    tf_accumulator_clear(sum);
+    tf_superaccumulator_clear(sum);
     for (int p = 0; p < TERMS; p++)
-        tf_accumulator_add(sum,
-                           p < 3 ? e[0][column[p][0]] : -e[0][column[p][0]],
-                           e[1][column[p][1]], e[2][column[p][2]]);
+        tf_superaccumulator_add(
+            sum, p < 3 ? e[0][column[p][0]] : -e[0][column[p][0]],
+            e[1][column[p][1]], e[2][column[p][2]]);
 }
 
 /// Where a bit of that exponent stands: high ones at the left.
 static double place(double exponent)
 {
-    double bits = TF_ACCUMULATOR_WORDS * WORD_BITS;
+    double bits = TF_SUPERACCUMULATOR_WORDS * WORD_BITS;
     return left + width * (1 - (exponent - UNIT_EXPONENT) / bits);
 }
 
-static tf_box word_box(int i, double y)
+static fig_box word_box(int i, double y)
 {
     double from = place(UNIT_EXPONENT + (i + 1) * WORD_BITS);
-    return (tf_box){from, y, width / TF_ACCUMULATOR_WORDS - 0.6, row};
+    return (fig_box){from, y, width / TF_SUPERACCUMULATOR_WORDS - 0.6, row};
 }
 
 /// A word that is not zero, one that is, and one that is not even set.
-static tf_paint word_paint(const tf_accumulator *a, bool positive, int i)
+static fig_paint word_paint(const tf_superaccumulator *a, bool positive, int i)
 {
-    tf_paint paint = {.role = positive ? TF_ROLE_POSITIVE : TF_ROLE_NEGATIVE};
+    fig_paint paint = {.role =
+                           positive ? FIG_ROLE_POSITIVE : FIG_ROLE_NEGATIVE};
     if (i < a->first || i >= a->end)
-        return (tf_paint){.role = TF_ROLE_NEUTRAL, .opacity = 0.18};
+        return (fig_paint){.role = FIG_ROLE_NEUTRAL, .opacity = 0.18};
     if (a->sum[positive][i] == 0)
         paint.opacity = 0.3;
     return paint;
 }
 
-static void draw_sum(tf_page *page, const tf_accumulator *a, bool positive,
-                     double y)
+static void draw_sum(fig_page *page, const tf_superaccumulator *a,
+                     bool positive, double y)
 {
-    for (int i = 0; i < TF_ACCUMULATOR_WORDS; i++)
-        tf_page_fill_box(page, word_box(i, y), word_paint(a, positive, i));
+    for (int i = 0; i < TF_SUPERACCUMULATOR_WORDS; i++)
+        fig_page_fill_box(page, word_box(i, y), word_paint(a, positive, i));
 }
 
-static int full_words(const tf_accumulator *a, bool positive)
+static int full_words(const tf_superaccumulator *a, bool positive)
 {
     int count = 0;
     for (int i = a->first; i < a->end; i++)
@@ -72,44 +75,41 @@ static int full_words(const tf_accumulator *a, bool positive)
     return count;
 }
 
-static void draw_accumulator(tf_page *page, double y, const char *title,
-                             const tf_accumulator *a)
+static void draw_accumulator(fig_page *page, double y, const char *title,
+                             const tf_superaccumulator *a)
 {
-    tf_page_text(page, left, y, TF_ALIGN_LEFT, title, TF_LETTERS_SMALL,
-                 TF_ROLE_INK);
+    fig_page_text(page, left, y, FIG_ALIGN_LEFT, title, FIG_LETTERS_SMALL,
+                  FIG_ROLE_INK);
     draw_sum(page, a, true, y + 6);
     draw_sum(page, a, false, y + 6 + row + 2);
 }
 
-static void draw_scale(tf_page *page, double y)
+static void draw_scale(fig_page *page, double y)
 {
     static const int at[] = {3072, 2000, 1000, 0, -1000, -2000, -3222};
     for (int i = 0; i < 7; i++) {
-        double x = place(at[i]), tick[2][2] = {{x, y}, {x, y + 4}};
-        tf_page_line(page, 2, (const double(*)[2])tick,
-                     (tf_stroke){.paint = {.role = TF_ROLE_NEUTRAL},
-                                 .width = TF_WIDTH_THIN});
-        char text[16];
+        double x = place(at[i]);
+        char text[24];
         snprintf(text, sizeof text, "$2^{%d}$", at[i]);
-        tf_page_text(page, x, y + 16, TF_ALIGN_CENTER, text, TF_LETTERS_SMALL,
-                     TF_ROLE_INK);
+        fig_plot_tick(page, (fig_point){x, y}, text);
     }
 }
 
-static void print_sum(FILE *numbers, const char *name, const tf_accumulator *a)
+static void print_sum(FILE *numbers, const char *name,
+                      const tf_superaccumulator *a)
 {
     char key[32];
     snprintf(key, sizeof key, "%s_used", name);
-    tf_figure_number(numbers, key, a->end - a->first);
+    fig_number(numbers, key, a->end - a->first);
     snprintf(key, sizeof key, "%s_positive", name);
-    tf_figure_number(numbers, key, full_words(a, true));
+    fig_number(numbers, key, full_words(a, true));
     snprintf(key, sizeof key, "%s_negative", name);
-    tf_figure_number(numbers, key, full_words(a, false));
+    fig_number(numbers, key, full_words(a, false));
 }
 
-static void draw(tf_page *page, FILE *numbers)
+static void draw(fig_page *page, FILE *numbers)
 {
-    tf_accumulator all, few;
+    tf_superaccumulator all, few;
     accumulate(mixed, &all);
     accumulate(ordinary, &few);
     draw_accumulator(page, 14,
@@ -120,13 +120,13 @@ static void draw(tf_page *page, FILE *numbers)
     draw_scale(page, 102);
     print_sum(numbers, "mixed", &all);
     print_sum(numbers, "ordinary", &few);
-    tf_figure_number(numbers, "words", TF_ACCUMULATOR_WORDS);
+    fig_number(numbers, "words", TF_SUPERACCUMULATOR_WORDS);
 }
 
-const tf_figure tf_figure_accumulator_words = {
+const fig_figure fig_accumulator_words = {
     .name = "accumulator-words",
     .title = "The words of the accumulator, and those that are used",
-    .width = TF_FIGURE_WIDTH,
+    .width = FIG_PAGE_WIDTH,
     .height = 126,
     .draw = draw,
 };

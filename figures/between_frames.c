@@ -1,25 +1,27 @@
-// A drop falls past a line between two pictures, and what space-time makes of
+// A drop falls past a line between two frames, and what space-time makes of
 // it.
+#include "base/require.h"
 #include "figures.h"
 
 #include "arithmetic/exact.h"
-#include "query/point_edge.h"
-#include "stage/plot.h"
+#include "query/query.h"
+#include "renderer/plot.h"
+#include "worlds.h"
 
 enum {
-    PICTURES = 5
+    FRAMES = 5
 };
 
 /// Where the drop is at first and at last, and the ends of the line.
 static const double top = 2, bottom = -3.2, left = -0.55, right = 0.55;
 
-/// What the pictures and the plot show of heights.
+/// What the frames and the plot show of heights.
 static const double lowest = -3.7, highest = 2.5;
 
-static const tf_box plot_box = {44, 112, 322, 120};
+static const fig_box plot_box = {44, 112, 322, 120};
 static const double frame_side = 62, frame_top = 18;
 
-/// The time at which the drop meets the line, counted in pictures.
+/// The time at which the drop meets the line, counted in frames.
 static double find_contact(void)
 {
     tf_worldline drop =
@@ -30,101 +32,95 @@ static double find_contact(void)
         line[i] = tf_worldline_between(2, end, end);
     }
     tf_contact contact;
-    tf_status status = tf_point_edge(&tf_exact, &drop, line, &contact);
+    tf_status status = tf_query(&tf_exact, 2, 1, &drop, 2, line, &contact);
     TF_REQUIRE(status == TF_OK && contact.verdict == TF_HIT);
-    return (contact.toi_lo + contact.toi_hi) / 2 * (PICTURES - 1);
+    return fig_toi(&contact) * (FRAMES - 1);
 }
 
-static double height_at(double picture)
+static double height_at(double frame)
 {
-    return top + picture / (PICTURES - 1) * (bottom - top);
+    return top + frame / (FRAMES - 1) * (bottom - top);
 }
 
-/// One picture: the line, and the drop above or below it.
-static void draw_picture(tf_page *page, double center, int i)
+/// One frame: the line, and the drop above or below it.
+static void draw_frame(fig_page *page, double center, int i)
 {
-    tf_box box = {center - frame_side / 2, frame_top, frame_side, frame_side};
-    tf_plot plot = {.box = box, .x = {-1, 1}, .y = {lowest, highest}};
-    double end[2][2], drop[2];
-    tf_page_fill_box(page, box,
-                     (tf_paint){.role = TF_ROLE_NEUTRAL, .opacity = 0.09});
-    tf_plot_place(&plot, left, 0, end[0]);
-    tf_plot_place(&plot, right, 0, end[1]);
-    tf_page_line(
-        page, 2, (const double(*)[2])end,
-        (tf_stroke){.paint = {.role = TF_ROLE_EDGE}, .width = TF_WIDTH_TUBE});
-    tf_plot_place(&plot, 0, height_at(i), drop);
-    tf_page_dot(page, drop[0], drop[1], TF_WIDTH_BALL,
-                (tf_paint){.role = TF_ROLE_POINT});
+    fig_box box = {center - frame_side / 2, frame_top, frame_side, frame_side};
+    fig_plot plot = {.box = box, .x = {-1, 1}, .y = {lowest, highest}};
+    fig_page_fill_box(page, box,
+                      (fig_paint){.role = FIG_ROLE_NEUTRAL, .opacity = 0.09});
+    fig_point end[2] = {fig_plot_place(&plot, left, 0),
+                        fig_plot_place(&plot, right, 0)};
+    fig_page_line(page, 2, end,
+                  (fig_stroke){.paint = {.role = FIG_ROLE_EDGE},
+                               .width = FIG_WIDTH_TUBE});
+    fig_plot_dot(page, &plot, 0, height_at(i), FIG_WIDTH_BALL, FIG_ROLE_POINT);
     char title[16];
     snprintf(title, sizeof title, "$t = %d$", i);
-    tf_page_title(page, box, title);
+    fig_page_title(page, box, title);
 }
 
-/// A straight line of the plot from the first picture to the last.
-static void draw_path(tf_page *page, const tf_plot *plot, const double y[2],
-                      tf_role role, const char *name, tf_side side)
+/// A straight line of the plot from the first frame to the last, and its
+/// name in the middle between two frames, clear of their lines.
+static void draw_path(fig_page *page, const fig_plot *plot, double first,
+                      double last, fig_role role, const char *name,
+                      fig_point name_at)
 {
-    double at[2][2] = {{0, y[0]}, {PICTURES - 1, y[1]}}, end[2];
-    tf_plot_curve(page, plot, 2, (const double(*)[2])at,
-                  (tf_stroke){.paint = {.role = role}, .width = TF_WIDTH_TUBE});
-    tf_plot_place(plot, 3.3, y[0] + 3.3 / (PICTURES - 1) * (y[1] - y[0]), end);
-    tf_page_label(
-        page, end[0], end[1],
-        (tf_label){.text = name, .role = role, .side = side, .gap = 5});
+    fig_point at[2] = {{0, first}, {FRAMES - 1, last}};
+    fig_plot_curve(
+        page, plot, 2, at,
+        (fig_stroke){.paint = {.role = role}, .width = FIG_WIDTH_TUBE});
+    fig_point place = fig_plot_place(plot, name_at.x, name_at.y);
+    fig_page_text(page, place.x, place.y, FIG_ALIGN_CENTER, name, FIG_LETTERS,
+                  role);
 }
 
-/// Where the path of the drop passes the times of the pictures.
-static void draw_moments(tf_page *page, const tf_plot *plot)
+/// Where the path of the drop passes the times of the frames.
+static void draw_moments(fig_page *page, const fig_plot *plot)
 {
-    for (int i = 0; i < PICTURES; i++) {
-        double at[2][2], drop[2];
-        tf_plot_place(plot, i, highest, at[0]);
-        tf_plot_place(plot, i, lowest, at[1]);
-        tf_page_line(page, 2, (const double(*)[2])at,
-                     (tf_stroke){.paint = {.role = TF_ROLE_NEUTRAL},
-                                 .width = TF_WIDTH_HAIR,
-                                 .under_labels = true});
-        tf_plot_place(plot, i, height_at(i), drop);
-        tf_page_dot(page, drop[0], drop[1], TF_WIDTH_BALL,
-                    (tf_paint){.role = TF_ROLE_POINT});
+    for (int i = 0; i < FRAMES; i++) {
+        fig_point at[2] = {fig_plot_place(plot, i, highest),
+                           fig_plot_place(plot, i, lowest)};
+        fig_page_line(page, 2, at,
+                      (fig_stroke){.paint = {.role = FIG_ROLE_NEUTRAL},
+                                   .width = FIG_WIDTH_HAIR,
+                                   .under_labels = true});
+        fig_plot_dot(page, plot, i, height_at(i), FIG_WIDTH_BALL,
+                     FIG_ROLE_POINT);
     }
 }
 
-static void draw(tf_page *page, FILE *numbers)
+static void draw(fig_page *page, FILE *numbers)
 {
-    double toi = find_contact(), at[2];
-    tf_plot plot = {.box = plot_box,
-                    .x = {-0.42, PICTURES - 0.58},
-                    .y = {lowest, highest},
-                    .name_x = "time, in pictures",
-                    .name_y = "height",
-                    .ticks_y = -1};
-    tf_plot_frame(page, &plot);
-    for (int i = 0; i < PICTURES; i++) {
-        tf_plot_place(&plot, i, 0, at);
-        draw_picture(page, at[0], i);
-    }
-    draw_path(page, &plot, (double[]){0, 0}, TF_ROLE_EDGE, "the line",
-              TF_SIDE_N);
-    draw_path(page, &plot, (double[]){top, bottom}, TF_ROLE_POINT, "the drop",
-              TF_SIDE_SW);
+    double toi = find_contact();
+    fig_plot plot = {.box = plot_box,
+                     .x = {-0.42, FRAMES - 0.58},
+                     .y = {lowest, highest},
+                     .name_x = "time, in frames",
+                     .name_y = "height",
+                     .ticks_y = -1};
+    fig_plot_frame(page, &plot);
+    for (int i = 0; i < FRAMES; i++)
+        draw_frame(page, fig_plot_place(&plot, i, 0).x, i);
+    draw_path(page, &plot, 0, 0, FIG_ROLE_EDGE, "the line",
+              (fig_point){3.5, 0.3});
+    draw_path(page, &plot, top, bottom, FIG_ROLE_POINT, "the drop",
+              (fig_point){3.5, -1.9});
     draw_moments(page, &plot);
-    tf_plot_place(&plot, toi, 0, at);
-    tf_page_dot(page, at[0], at[1], TF_WIDTH_MARK,
-                (tf_paint){.role = TF_ROLE_CONTACT});
-    tf_page_label(page, at[0], at[1],
-                  (tf_label){.text = "contact",
-                             .role = TF_ROLE_CONTACT,
-                             .side = TF_SIDE_NE,
-                             .gap = 6});
-    tf_figure_number(numbers, "toi", toi);
+    fig_point at =
+        fig_plot_dot(page, &plot, toi, 0, FIG_WIDTH_MARK, FIG_ROLE_CONTACT);
+    fig_page_label(page, at.x, at.y,
+                   (fig_label){.text = "contact",
+                               .role = FIG_ROLE_CONTACT,
+                               .side = FIG_SIDE_NE,
+                               .gap = 6});
+    fig_number(numbers, "toi", toi);
 }
 
-const tf_figure tf_figure_between_frames = {
+const fig_figure fig_between_frames = {
     .name = "between-frames",
-    .title = "A drop falls past a line between two pictures",
-    .width = TF_FIGURE_WIDTH,
+    .title = "A drop falls past a line between two frames",
+    .width = FIG_PAGE_WIDTH,
     .height = 268,
     .draw = draw,
 };

@@ -1,4 +1,5 @@
 // How the bits of an integer are spent on a determinant.
+#include "arithmetic/operations.h"
 #include "figures.h"
 
 #include "arithmetic/integer.h"
@@ -33,11 +34,11 @@ typedef enum purpose {
     FREE
 } purpose;
 
-static const tf_paint paint_of[] = {
-    [SIGN] = {.role = TF_ROLE_INK},
-    [TERMS] = {.role = TF_ROLE_NEUTRAL},
-    [ENTRY] = {.role = TF_ROLE_NEUTRAL, .opacity = 0.35},
-    [FREE] = {.role = TF_ROLE_NEUTRAL, .opacity = 0.16}};
+static const fig_paint paint_of[] = {
+    [SIGN] = {.role = FIG_ROLE_INK},
+    [TERMS] = {.role = FIG_ROLE_NEUTRAL},
+    [ENTRY] = {.role = FIG_ROLE_NEUTRAL, .opacity = 0.35},
+    [FREE] = {.role = FIG_ROLE_NEUTRAL}}; // an outline
 
 /// The bits of a sum of all terms, 2 or 6, beyond those of one.
 static int term_bits(int axes)
@@ -73,54 +74,72 @@ static int largest_bits(const budget *b)
     return ilogb(b->arithmetic->value(&d).number) + 1;
 }
 
-static double bit_width(tf_page *page)
+static double bit_width(fig_page *page)
 {
-    return (tf_page_width(page) - 2 * left) / BITS_MOST;
+    return (fig_page_width(page) - 2 * left) / BITS_MOST;
 }
 
-/// A run of bits with its number written above; returns where it ends.
-static double draw_run(tf_page *page, double x, double y, int count,
+/// A box of what bits are spent on; those left over are an empty outline.
+static void draw_box(fig_page *page, fig_box box, purpose what)
+{
+    if (what != FREE) {
+        fig_page_fill_box(page, box, paint_of[what]);
+        return;
+    }
+    double x[2] = {box.x + 0.4, box.x + box.width - 0.4};
+    double y[2] = {box.y + 0.4, box.y + box.height - 0.4};
+    fig_page_line(
+        page, 4,
+        (fig_point[]){{x[0], y[0]}, {x[1], y[0]}, {x[1], y[1]}, {x[0], y[1]}},
+        (fig_stroke){.paint = paint_of[FREE],
+                     .width = FIG_WIDTH_THIN,
+                     .closed = true,
+                     .under_labels = true});
+}
+
+/// A run of bits with its number written in it; returns where it ends.
+static double draw_run(fig_page *page, double x, double y, int count,
                        purpose what)
 {
     if (count == 0)
         return x;
     double width = count * bit_width(page);
-    tf_page_fill_box(page, (tf_box){x, y, width - 0.8, bar_height},
-                     paint_of[what]);
+    draw_box(page, (fig_box){x, y, width - 0.8, bar_height}, what);
     char text[16];
     snprintf(text, sizeof text, "%d", count);
     if (width > 9)
-        tf_page_text(page, x + width / 2, y + bar_height - 4.5, TF_ALIGN_CENTER,
-                     text, TF_LETTERS_SMALL, TF_ROLE_INK);
+        fig_page_text(page, x + width / 2, y + bar_height - 4.5,
+                      FIG_ALIGN_CENTER, text, FIG_LETTERS_SMALL, FIG_ROLE_INK);
     return x + width;
 }
 
 /// How far the largest determinant reaches from the right end of the bar.
-static void draw_largest(tf_page *page, double end, double y, int count)
+static void draw_largest(fig_page *page, double end, double y, int count)
 {
     double begin = end - count * bit_width(page), foot = y + bar_height + 3;
-    double at[2][2] = {{end - 0.8, foot}, {begin, foot}};
-    tf_page_line(page, 2, (const double(*)[2])at,
-                 (tf_stroke){.width = TF_WIDTH_LINE, .under_labels = true});
+    fig_point at[2] = {{end - 0.8, foot}, {begin, foot}};
+    fig_page_line(page, 2, at,
+                  (fig_stroke){.width = FIG_WIDTH_LINE, .under_labels = true});
     for (int i = 0; i < 2; i++) {
-        double tick[2][2] = {{at[i][0], foot - 2}, {at[i][0], foot + 2}};
-        tf_page_line(page, 2, (const double(*)[2])tick,
-                     (tf_stroke){.width = TF_WIDTH_LINE, .under_labels = true});
+        fig_point tick[2] = {{at[i].x, foot - 2}, {at[i].x, foot + 2}};
+        fig_page_line(
+            page, 2, tick,
+            (fig_stroke){.width = FIG_WIDTH_LINE, .under_labels = true});
     }
     char text[16];
     snprintf(text, sizeof text, "%d", count);
-    tf_page_text(page, (begin + end) / 2, foot + 10, TF_ALIGN_CENTER, text,
-                 TF_LETTERS_SMALL, TF_ROLE_INK);
+    fig_page_text(page, (begin + end) / 2, foot + 10, FIG_ALIGN_CENTER, text,
+                  FIG_LETTERS_SMALL, FIG_ROLE_INK);
 }
 
-static void draw_budget(tf_page *page, int row, FILE *numbers)
+static void draw_budget(fig_page *page, int row, FILE *numbers)
 {
     const budget *b = &budgets[row];
     int spent = spent_bits(b), largest = largest_bits(b);
     double y = first_top + row * row_height, x = left;
     double end = left + b->word * bit_width(page);
-    tf_page_text(page, left, y - 4, TF_ALIGN_LEFT, b->name, TF_LETTERS_SMALL,
-                 TF_ROLE_INK);
+    fig_page_text(page, left, y - 4, FIG_ALIGN_LEFT, b->name, FIG_LETTERS_SMALL,
+                  FIG_ROLE_INK);
     x = draw_run(page, x, y, b->word - spent, FREE);
     x = draw_run(page, x, y, 1, SIGN);
     x = draw_run(page, x, y, term_bits(b->axes), TERMS);
@@ -130,21 +149,21 @@ static void draw_budget(tf_page *page, int row, FILE *numbers)
 
     char key[32];
     snprintf(key, sizeof key, "spent_%s", b->key);
-    tf_figure_number(numbers, key, spent);
+    fig_number(numbers, key, spent);
     snprintf(key, sizeof key, "largest_%s", b->key);
-    tf_figure_number(numbers, key, largest);
+    fig_number(numbers, key, largest);
 }
 
 /// A colored square and what it stands for, one below the other at the right.
-static void draw_key(tf_page *page, int line, purpose what, const char *text)
+static void draw_key(fig_page *page, int line, purpose what, const char *text)
 {
-    double x = tf_page_width(page) / 2 + 40, y = first_top + 10 + 16 * line;
-    tf_page_fill_box(page, (tf_box){x, y - 8, 9, 9}, paint_of[what]);
-    tf_page_text(page, x + 15, y, TF_ALIGN_LEFT, text, TF_LETTERS_SMALL,
-                 TF_ROLE_INK);
+    double x = fig_page_width(page) / 2 + 40, y = first_top + 10 + 16 * line;
+    draw_box(page, (fig_box){x, y - 8, 9, 9}, what);
+    fig_page_text(page, x + 15, y, FIG_ALIGN_LEFT, text, FIG_LETTERS_SMALL,
+                  FIG_ROLE_INK);
 }
 
-static void draw(tf_page *page, FILE *numbers)
+static void draw(fig_page *page, FILE *numbers)
 {
     for (int row = 0; row < ROWS; row++)
         draw_budget(page, row, numbers);
@@ -154,10 +173,10 @@ static void draw(tf_page *page, FILE *numbers)
     draw_key(page, 3, FREE, "left over");
 }
 
-const tf_figure tf_figure_bits_spent = {
+const fig_figure fig_bits_spent = {
     .name = "bits-spent",
     .title = "How the bits of an integer are spent on a determinant",
-    .width = TF_FIGURE_WIDTH,
+    .width = FIG_PAGE_WIDTH,
     .height = 192,
     .draw = draw,
 };

@@ -2,9 +2,8 @@
 // triangle and no edge an edge.
 #include "arithmetic/exact.h"
 #include "figures.h"
-#include "query/edge_edge.h"
-#include "query/point_triangle.h"
-#include "stage/vector.h"
+#include "film.h"
+#include "query/query.h"
 #include "worlds.h"
 
 #include <math.h>
@@ -12,7 +11,7 @@
 enum {
     TRIANGLES = 2,
     CORNERS = 3,
-    PANELS = 3,
+    SHOWN = 3,
     PARTS_MOST = CORNERS * CORNERS
 };
 
@@ -23,11 +22,18 @@ static const double end[TRIANGLES][CORNERS][3] = {
     {{4, -5, 6}, {6, 3, -1}, {0, 6, -5}},
     {{-1, 3, -4}, {2, -6, 6}, {-5, 4, 1}}};
 
-static const double shown[PANELS] = {0, 0.4375, 1};
+/// The times at which both triangles are shown, and those of the close-up.
+static const double shown[SHOWN] = {0, 0.4375, 1},
+                    closer[SHOWN] = {0.25, 0.34, 0.4375};
 
-static const double text_room = 18, border_width = 1.7;
-static const tf_role role[TRIANGLES] = {TF_ROLE_TRIANGLE, TF_ROLE_OTHER_EDGE};
-static const tf_camera camera = {.azimuth = -173, .elevation = 30};
+static const double text_room = 22;
+static const fig_role role[TRIANGLES] = {FIG_ROLE_TRIANGLE,
+                                         FIG_ROLE_OTHER_EDGE};
+static const fig_camera camera = {.azimuth = -173, .elevation = 30};
+static const fig_camera close_camera = {.azimuth = 130,
+                                        .elevation = 30,
+                                        .height = 10,
+                                        .center = {{3.4, 1.2, -1.6}}};
 
 typedef struct pair_of_triangles {
     tf_worldline corner[TRIANGLES][CORNERS];
@@ -61,8 +67,8 @@ static int count_point_triangle(const pair_of_triangles *pair)
     for (int k = 0; k < TRIANGLES; k++)
         for (int i = 0; i < CORNERS; i++) {
             tf_contact contact;
-            tf_point_triangle(&tf_exact, &pair->corner[k][i],
-                              pair->corner[1 - k], &contact);
+            tf_query(&tf_exact, 3, 1, &pair->corner[k][i], 3,
+                     pair->corner[1 - k], &contact);
             hits += contact.verdict == TF_HIT;
         }
     return hits;
@@ -77,7 +83,7 @@ static int count_edge_edge(const pair_of_triangles *pair)
             tf_contact contact;
             find_side(pair->corner[0], i, first);
             find_side(pair->corner[1], j, second);
-            tf_edge_edge(&tf_exact, first, second, &contact);
+            tf_query(&tf_exact, 3, 2, first, 2, second, &contact);
             hits += contact.verdict == TF_HIT;
         }
     return hits;
@@ -87,7 +93,7 @@ static int count_edge_edge(const pair_of_triangles *pair)
 
 /// A straight part of the crossing of two bent triangles.
 typedef struct segment {
-    double end[2][3];
+    tf_vector end[2];
 } segment;
 
 typedef struct crossing {
@@ -97,81 +103,77 @@ typedef struct crossing {
 } crossing;
 
 /// How far `point` is from the plane of a slice, up to a factor.
-static double height_over(const tf_slice *slice, const double normal[3],
-                          const double point[3])
+static double height_over(const fig_slice *slice, tf_vector normal,
+                          tf_vector point)
 {
-    double offset[3];
-    tf_add(point, -1, slice->corner[0], offset);
-    return tf_dot(normal, offset);
+    return tf_vector_dot(normal, fig_difference(point, slice->corner[0]));
 }
 
-static void find_normal(const tf_slice *slice, double normal[3])
+static tf_vector normal_of(const fig_slice *slice)
 {
     // The diagonals of a parallelogram, or two sides of a triangle.
-    double u[3], v[3];
-    tf_add(slice->corner[2], -1, slice->corner[0], u);
-    tf_add(slice->corner[slice->count - 1], -1, slice->corner[1], v);
-    tf_cross(u, v, normal);
+    tf_vector u = fig_difference(slice->corner[2], slice->corner[0]);
+    tf_vector v =
+        fig_difference(slice->corner[slice->count - 1], slice->corner[1]);
+    return fig_cross(u, v);
 }
 
-/// Cut the line point + s direction to a convex slice that it lies in the plane
-/// of: narrow from <= s <= to.
-static void cut_to_slice(const tf_slice *slice, const double normal[3],
-                         const double point[3], const double direction[3],
-                         double *from, double *to)
+/// The part of the line point + s direction with from <= s <= to.
+typedef struct line {
+    tf_vector point, direction;
+    double from, to;
+} line;
+
+/// Cut a line to a convex slice that it lies in the plane of.
+static void cut_to_slice(const fig_slice *slice, line *l)
 {
+    tf_vector normal = normal_of(slice);
     for (int i = 0; i < slice->count; i++) {
-        double side[3], inward[3], offset[3];
-        tf_add(slice->corner[(i + 1) % slice->count], -1, slice->corner[i],
-               side);
-        tf_cross(normal, side, inward);
-        tf_add(point, -1, slice->corner[i], offset);
-        double depth = tf_dot(inward, offset);
-        double rate = tf_dot(inward, direction);
+        tf_vector side = fig_difference(slice->corner[(i + 1) % slice->count],
+                                        slice->corner[i]);
+        tf_vector inward = fig_cross(normal, side);
+        tf_vector offset = fig_difference(l->point, slice->corner[i]);
+        double depth = tf_vector_dot(inward, offset);
+        double rate = tf_vector_dot(inward, l->direction);
         if (rate > 0)
-            *from = fmax(*from, -depth / rate);
+            l->from = fmax(l->from, -depth / rate);
         else if (rate < 0)
-            *to = fmin(*to, -depth / rate);
+            l->to = fmin(l->to, -depth / rate);
         else if (depth < 0)
-            *to = -INFINITY;
+            l->to = -INFINITY;
     }
 }
 
-/// The line in which the planes of two slices meet.  False if they are
-/// parallel or a slice has no area.
-static bool cut_planes(const tf_slice *a, const double normal_a[3],
-                       const tf_slice *b, const double normal_b[3],
-                       double point[3], double direction[3])
+/// The line in which the planes of two slices meet.  Nothing of it is left if
+/// they are parallel or a slice has no area.
+static line cut_planes(const fig_slice *a, const fig_slice *b)
 {
-    double along_a[3];
-    tf_cross(normal_a, normal_b, direction);
-    tf_cross(direction, normal_a, along_a);
-    double square = tf_dot(direction, direction);
+    tf_vector normal_a = normal_of(a), normal_b = normal_of(b);
+    line l = {.direction = fig_cross(normal_a, normal_b)};
+    double square = tf_vector_dot(l.direction, l.direction);
     if (square == 0)
-        return false;
+        return l;
     // From a corner of `a` within its plane to the plane of `b`.
+    tf_vector along_a = fig_cross(l.direction, normal_a);
     double height = height_over(b, normal_b, a->corner[0]);
-    tf_add(a->corner[0], -height / square, along_a, point);
-    return true;
+    l.point = fig_combination(a->corner[0], -height / square, along_a);
+    l.from = -INFINITY;
+    l.to = INFINITY;
+    return l;
 }
 
-static void cross_slices(const tf_slice *a, const tf_slice *b,
+static void cross_slices(const fig_slice *a, const fig_slice *b,
                          crossing *crossed)
 {
-    double normal_a[3], normal_b[3], point[3], direction[3];
-    double from = -INFINITY, to = INFINITY;
-    find_normal(a, normal_a);
-    find_normal(b, normal_b);
-    if (!cut_planes(a, normal_a, b, normal_b, point, direction))
+    line l = cut_planes(a, b);
+    cut_to_slice(a, &l);
+    cut_to_slice(b, &l);
+    if (l.from >= l.to)
         return;
-    cut_to_slice(a, normal_a, point, direction, &from, &to);
-    cut_to_slice(b, normal_b, point, direction, &from, &to);
-    if (from >= to)
-        return;
-    segment *part = &crossed->part[crossed->count++];
-    tf_add(point, from, direction, part->end[0]);
-    tf_add(point, to, direction, part->end[1]);
-    crossed->length += (to - from) * sqrt(tf_dot(direction, direction));
+    crossed->part[crossed->count++] =
+        (segment){{fig_combination(l.point, l.from, l.direction),
+                   fig_combination(l.point, l.to, l.direction)}};
+    crossed->length += (l.to - l.from) * fig_length(l.direction);
 }
 
 static crossing cross(const pair_of_triangles *pair, double t)
@@ -179,8 +181,8 @@ static crossing cross(const pair_of_triangles *pair, double t)
     crossing crossed = {.count = 0};
     for (int i = 0; i < CORNERS; i++)
         for (int j = 0; j < CORNERS; j++) {
-            tf_slice a = tf_slice_of(&pair->sweep[0][i], 3, t);
-            tf_slice b = tf_slice_of(&pair->sweep[1][j], 3, t);
+            fig_slice a = fig_slice_of(&pair->sweep[0][i], 3, t);
+            fig_slice b = fig_slice_of(&pair->sweep[1][j], 3, t);
             cross_slices(&a, &b, &crossed);
         }
     return crossed;
@@ -188,102 +190,130 @@ static crossing cross(const pair_of_triangles *pair, double t)
 
 static void print_numbers(const pair_of_triangles *pair, FILE *numbers)
 {
-    tf_figure_number(numbers, "point_triangle_hits",
-                     count_point_triangle(pair));
-    tf_figure_number(numbers, "edge_edge_hits", count_edge_edge(pair));
-    tf_figure_number(numbers, "time", shown[1]);
-    tf_figure_number(numbers, "length_start", cross(pair, shown[0]).length);
-    tf_figure_number(numbers, "length", cross(pair, shown[1]).length);
-    tf_figure_number(numbers, "length_end", cross(pair, shown[2]).length);
+    fig_number(numbers, "point_triangle_hits", count_point_triangle(pair));
+    fig_number(numbers, "edge_edge_hits", count_edge_edge(pair));
+    fig_number(numbers, "time", shown[1]);
+    fig_number(numbers, "time_before", closer[0]);
+    fig_number(numbers, "time_after", closer[1]);
+    fig_number(numbers, "length_start", cross(pair, shown[0]).length);
+    fig_number(numbers, "length", cross(pair, shown[1]).length);
+    fig_number(numbers, "length_before", cross(pair, closer[0]).length);
+    fig_number(numbers, "length_after", cross(pair, closer[1]).length);
+    fig_number(numbers, "length_end", cross(pair, shown[2]).length);
 }
 
 // Drawing ----------------------------------------------------------------
 
-static void add_piece(tf_scene *scene, const tf_slice *slice, tf_role own)
+/// The state at the time t, which in a film the clock shows.
+static void write_state(fig_page *page, fig_box box, double t, bool crosses)
 {
-    for (int i = 2; i < slice->count; i++) {
-        double corner[3][3];
-        tf_add(slice->corner[0], 0, slice->corner[0], corner[0]);
-        tf_add(slice->corner[i - 1], 0, slice->corner[0], corner[1]);
-        tf_add(slice->corner[i], 0, slice->corner[0], corner[2]);
-        tf_scene_triangle(scene, (const double(*)[3])corner, 0,
-                          (tf_paint){.role = own, .opacity = 0.5});
-    }
-}
-
-/// A bent triangle at the time t: its border thick, its creases thin.
-static void add_bent(tf_scene *scene, const tf_worldline corner[CORNERS],
-                     double t, tf_role own)
-{
-    const tf_paint paint = {.role = own, .shade = 0.25};
-    tf_simplex sweep[CORNERS];
-    tf_slice slice[CORNERS];
-    tf_sweep(CORNERS, corner, sweep);
-    for (int i = 0; i < CORNERS; i++) {
-        slice[i] = tf_slice_of(&sweep[i], 3, t);
-        add_piece(scene, &slice[i], own);
-    }
-
-    // The outer pieces are triangles, and a crease is where each begins.
-    const tf_slice *first = &slice[2], *last = &slice[0];
-    double second[3];
-    tf_worldline_place(&corner[1], 3, t, second);
-    const double *const around[] = {
-        first->corner[0], first->corner[1], second,          last->corner[1],
-        last->corner[2],  last->corner[0],  first->corner[0]};
-    for (int i = 0; i < 2 * CORNERS; i++)
-        tf_scene_tube(scene, around[i], around[i + 1], border_width, paint);
-    tf_scene_tube(scene, first->corner[1], first->corner[2], TF_WIDTH_THIN,
-                  paint);
-    tf_scene_tube(scene, last->corner[0], last->corner[1], TF_WIDTH_THIN,
-                  paint);
-}
-
-static void write_state(tf_page *page, tf_box box, double t, bool crosses)
-{
+    const char *state = crosses ? "crossing" : "clear";
     char text[64];
-    snprintf(text, sizeof text, "$t = %g$: %s", t,
-             crosses ? "crossing" : "clear");
-    tf_page_text(page, box.x + box.width / 2, box.y + box.height + 11,
-                 TF_ALIGN_CENTER, text, TF_LETTERS,
-                 crosses ? TF_ROLE_CONTACT : TF_ROLE_INK);
+    snprintf(text, sizeof text, "$t = %g$: %s", t, state);
+    fig_page_text(page, box.x + box.width / 2, box.y + box.height + 12,
+                  FIG_ALIGN_CENTER, fig_page_moves(page) ? state : text,
+                  FIG_LETTERS, crosses ? FIG_ROLE_CONTACT : FIG_ROLE_INK);
+}
+
+/// Let all times be seen from the same place.
+static void reach_all(fig_scene *scene, const pair_of_triangles *pair)
+{
+    for (int k = 0; k < TRIANGLES; k++)
+        for (int i = 0; i < CORNERS; i++)
+            for (int t = 0; t < 2; t++)
+                fig_scene_reach(scene,
+                                fig_vector_of(pair->corner[k][i].at[t].x));
 }
 
 /// Both triangles and their crossing at one time.
-static void draw_time(tf_page *page, const pair_of_triangles *pair, double t,
-                      tf_box box)
+static fig_panel *draw_time(fig_page *page, const pair_of_triangles *pair,
+                            double t, fig_box box, fig_camera eye)
 {
-    tf_panel *panel = tf_page_panel(page, box);
-    tf_panel_look(panel, camera);
-    tf_panel_margin(panel, 8);
-    tf_scene *scene = tf_panel_scene(panel);
+    fig_panel *panel = fig_page_panel(page, box);
+    fig_panel_look(panel, eye);
+    fig_panel_margin(panel, 8);
+    fig_scene *scene = fig_panel_scene(panel);
+    if (fig_page_moves(page))
+        reach_all(scene, pair);
     for (int k = 0; k < TRIANGLES; k++)
-        add_bent(scene, pair->corner[k], t, role[k]);
+        fig_world_bent(scene, pair->corner[k], t, role[k]);
     crossing crossed = cross(pair, t);
     for (int i = 0; i < crossed.count; i++)
-        tf_scene_tube(scene, crossed.part[i].end[0], crossed.part[i].end[1],
-                      TF_WIDTH_TUBE, (tf_paint){.role = TF_ROLE_CONTACT});
+        fig_scene_tube(scene, crossed.part[i].end[0], crossed.part[i].end[1],
+                       FIG_WIDTH_TUBE, (fig_paint){.role = FIG_ROLE_CONTACT});
     write_state(page, box, t, crossed.count > 0);
+    return panel;
 }
 
-static void draw(tf_page *page, FILE *numbers)
+/// The crease of the orange edge that pierces the green triangle.
+static void mark_crease(fig_panel *panel, const pair_of_triangles *pair,
+                        double t, bool named)
 {
-    double height = tf_page_height(page), side = 124;
-    const tf_box box[PANELS] = {
-        {0, 0, side, height / 2 - text_room},
-        {side, 0, tf_page_width(page) - side, height - text_room},
-        {0, height / 2, side, height / 2 - text_room}};
+    fig_slice first = fig_slice_of(&pair->sweep[1][2], 3, t);
+    tf_vector crease = first.corner[1];
+    fig_scene_ball(fig_panel_scene(panel), crease, FIG_WIDTH_BALL,
+                   (fig_paint){.role = role[1], .shade = 0.25});
+    if (named)
+        fig_panel_label(panel, crease,
+                        (fig_label){.text = "crease",
+                                    .size = FIG_LETTERS_SMALL,
+                                    .side = FIG_SIDE_NE});
+}
+
+/// Both triangles, at a time of the whole step above, and below the close-up.
+static void draw_strips(fig_page *page, const pair_of_triangles *pair)
+{
+    double width = fig_page_width(page) / SHOWN;
+    double height = fig_page_height(page) / 2 - text_room;
+    for (int i = 0; i < SHOWN; i++) {
+        fig_box above = {i * width + 3, 0, width - 6, height};
+        fig_box below = above;
+        below.y = fig_page_height(page) / 2;
+        fig_page_fill_box(
+            page, below,
+            (fig_paint){.role = FIG_ROLE_NEUTRAL, .opacity = 0.09});
+        draw_time(page, pair, shown[i], above, camera);
+        fig_panel *panel =
+            draw_time(page, pair, closer[i], below, close_camera);
+        if (i > 0)
+            mark_crease(panel, pair, closer[i], i == 1);
+    }
+}
+
+/// One time of a film: the whole, and the close-up beside it.
+static void draw_moment(fig_page *page, const pair_of_triangles *pair, double t)
+{
+    double width = fig_page_width(page) / 2;
+    double height = fig_page_height(page) - 2 * text_room;
+    fig_box whole = {3, 0, width - 6, height};
+    fig_box close = {width + 3, 40, width - 6, 170};
+    fig_page_fill_box(page, close,
+                      (fig_paint){.role = FIG_ROLE_NEUTRAL, .opacity = 0.09});
+    draw_time(page, pair, t, whole, camera);
+    fig_panel *panel = draw_time(page, pair, t, close, close_camera);
+    if (t > 0 && t < 1)
+        mark_crease(panel, pair, t, false);
+    fig_film_clock(page, 4, fig_page_height(page) - 10,
+                   fig_page_width(page) - 8, t, -1, NULL);
+}
+
+static void draw(fig_page *page, FILE *numbers)
+{
     pair_of_triangles pair;
     move(&pair);
-    for (int i = 0; i < PANELS; i++)
-        draw_time(page, &pair, shown[i], box[i]);
+    double t = fig_film_time(page, numbers, shown[1], -1);
+    if (fig_page_moves(page))
+        draw_moment(page, &pair, t);
+    else
+        draw_strips(page, &pair);
     print_numbers(&pair, numbers);
 }
 
-const tf_figure tf_figure_crease_crossing = {
+const fig_figure fig_crease_crossing = {
     .name = "crease-crossing",
     .title = "Bent triangles that cross at their creases without a contact",
-    .width = TF_FIGURE_WIDTH,
-    .height = 264,
+    .width = FIG_PAGE_WIDTH,
+    .height = 300,
+    .moves = true,
     .draw = draw,
 };

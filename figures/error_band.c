@@ -1,9 +1,10 @@
 // The determinant along one row of the sign maps: the true one, the computed
 // one and the bound on the error.
+#include "arithmetic/operations.h"
 #include "figures.h"
 
-#include "arithmetic/clamped.h"
-#include "stage/plot.h"
+#include "arithmetic/filter.h"
+#include "renderer/plot.h"
 
 #include <math.h>
 
@@ -36,84 +37,90 @@ static double true_cell(int i)
 }
 
 /// A level line through the plot, and its name at the right.
-static void draw_level(tf_page *page, const tf_plot *plot, double y,
-                       const char *name, tf_stroke stroke)
+static void draw_level(fig_page *page, const fig_plot *plot, double y,
+                       const char *name, fig_stroke stroke)
 {
-    double at[2][2] = {{0, y}, {CELLS, y}}, right[2];
-    tf_plot_curve(page, plot, 2, (const double(*)[2])at, stroke);
-    tf_plot_place(plot, CELLS, y, right);
-    tf_page_text(page, right[0] + 4, right[1] + 3, TF_ALIGN_LEFT, name,
-                 TF_LETTERS_SMALL, TF_ROLE_INK);
+    fig_plot_curve(page, plot, 2, (fig_point[]){{0, y}, {CELLS, y}}, stroke);
+    fig_point right = fig_plot_place(plot, CELLS, y);
+    fig_page_text(page, right.x + 4, right.y + 3, FIG_ALIGN_LEFT, name,
+                  FIG_LETTERS_SMALL, FIG_ROLE_INK);
 }
 
-static void draw_band(tf_page *page, const tf_plot *plot, double bound)
+static void draw_band(fig_page *page, const fig_plot *plot, double bound)
 {
-    double corner[4][2];
+    fig_point corner[4];
     for (int i = 0; i < 4; i++)
-        tf_plot_place(plot, i == 0 || i == 3 ? 0 : CELLS,
-                      i < 2 ? bound : -bound, corner[i]);
-    tf_page_fill(page, 4, (const double(*)[2])corner,
-                 (tf_paint){.role = TF_ROLE_UNCERTAIN, .opacity = 0.22});
-    tf_stroke border = {.paint = {.role = TF_ROLE_UNCERTAIN},
-                        .width = TF_WIDTH_THIN,
-                        .under_labels = true};
+        corner[i] = fig_plot_place(plot, i == 0 || i == 3 ? 0 : CELLS,
+                                   i < 2 ? bound : -bound);
+    fig_page_fill(page, 4, corner,
+                  (fig_paint){.role = FIG_ROLE_UNCERTAIN, .opacity = 0.22});
+    fig_stroke border = {.paint = {.role = FIG_ROLE_UNCERTAIN},
+                         .width = FIG_WIDTH_THIN,
+                         .under_labels = true};
     draw_level(page, plot, bound, "$B$", border);
     draw_level(page, plot, -bound, "$-B$", border);
     draw_level(page, plot, 0, "$0$",
-               (tf_stroke){.paint = {.role = TF_ROLE_NEUTRAL},
-                           .width = TF_WIDTH_HAIR,
-                           .under_labels = true});
+               (fig_stroke){.paint = {.role = FIG_ROLE_NEUTRAL},
+                            .width = FIG_WIDTH_HAIR,
+                            .under_labels = true});
 }
 
-static void draw_truth(tf_page *page, const tf_plot *plot)
+static void draw_truth(fig_page *page, const fig_plot *plot)
 {
-    double at[2][2] = {{0, true_cell(0)}, {CELLS - 1, true_cell(CELLS - 1)}};
-    tf_plot_curve(page, plot, 2, (const double(*)[2])at,
-                  (tf_stroke){.width = TF_WIDTH_LINE});
-    double place[2];
-    tf_plot_place(plot, 20, true_cell(20), place);
-    tf_page_label(page, place[0], place[1],
-                  (tf_label){.text = "true", .side = TF_SIDE_SW, .gap = 8});
+    fig_point at[2] = {{0, true_cell(0)}, {CELLS - 1, true_cell(CELLS - 1)}};
+    fig_plot_curve(page, plot, 2, at, (fig_stroke){.width = FIG_WIDTH_LINE});
+    fig_point place = fig_plot_place(plot, 118, true_cell(118));
+    fig_page_label(page, place.x, place.y,
+                   (fig_label){.text = "true", .side = FIG_SIDE_SW, .gap = 8});
 }
 
-/// A dot for each computed number, in the colour of what its sign is to be
+/// What the colors of the computed numbers stand for.
+static void draw_keys(fig_page *page, const fig_plot *plot)
+{
+    fig_point at = fig_plot_place(plot, 112, 2550);
+    fig_plot_key(page, at.x, at.y, "computed, its sign is certain",
+                 FIG_ROLE_POSITIVE);
+    fig_plot_key(page, at.x, at.y + 15, "computed, its sign is unknown",
+                 FIG_ROLE_UNCERTAIN);
+}
+
+/// A dot for each computed number, in the color of what its sign is to be
 /// taken for.
-static void draw_cell(tf_page *page, const tf_plot *plot, int i)
+static void draw_cell(fig_page *page, const fig_plot *plot, int i)
 {
     tf_estimate e = estimate_cell(i);
-    tf_role role = e.number > e.bound    ? TF_ROLE_POSITIVE
-                   : -e.number > e.bound ? TF_ROLE_NEGATIVE
-                                         : TF_ROLE_UNCERTAIN;
-    double place[2];
-    tf_plot_place(plot, i, e.number, place);
-    tf_page_dot(page, place[0], place[1], 2.6, (tf_paint){.role = role});
+    fig_role role = e.number > e.bound    ? FIG_ROLE_POSITIVE
+                    : -e.number > e.bound ? FIG_ROLE_NEGATIVE
+                                          : FIG_ROLE_UNCERTAIN;
+    fig_plot_dot(page, plot, i, e.number, 2.6, role);
 }
 
-static void draw(tf_page *page, FILE *numbers)
+static void draw(fig_page *page, FILE *numbers)
 {
-    tf_plot plot = {.box = {52, 8, tf_page_width(page) - 84, 168},
-                    .x = {0, CELLS},
-                    .y = {-2000, 2800},
-                    .name_x = "$i$",
-                    .name_y = "determinant, in units of $u$"};
+    fig_plot plot = {.box = {52, 8, fig_page_width(page) - 84, 168},
+                     .x = {0, CELLS},
+                     .y = {-2000, 2800},
+                     .name_x = "column $i$",
+                     .name_y = "determinant, in units of $u$"};
     double bound = estimate_cell(ROW).bound, error = 0;
     draw_band(page, &plot, bound);
-    tf_plot_frame(page, &plot);
+    fig_plot_frame(page, &plot);
     draw_truth(page, &plot);
+    draw_keys(page, &plot);
     for (int i = 0; i < CELLS; i++) {
         draw_cell(page, &plot, i);
         error = fmax(error, fabs(estimate_cell(i).number - true_cell(i)));
     }
-    tf_figure_number(numbers, "bound", bound);
-    tf_figure_number(numbers, "error", error);
+    fig_number(numbers, "bound", bound);
+    fig_number(numbers, "error", error);
     // Products between 256 and 512 are so far apart.
-    tf_figure_number(numbers, "step", 0x1p-44 / step);
+    fig_number(numbers, "step", 0x1p-44 / step);
 }
 
-const tf_figure tf_figure_error_band = {
+const fig_figure fig_error_band = {
     .name = "error-band",
     .title = "A determinant near zero: true, computed and its bound",
-    .width = TF_FIGURE_WIDTH,
+    .width = FIG_PAGE_WIDTH,
     .height = 212,
     .draw = draw,
 };

@@ -3,11 +3,11 @@
 #include "figures.h"
 
 #include "arithmetic/exact.h"
-#include "contract.h"
-#include "spacetime/meet.h"
-#include "stage/plot.h"
+#include "base/require.h"
+#include "intersect/cascade.h"
+#include "random.h"
+#include "renderer/plot.h"
 
-#include <stdint.h>
 #include <string.h>
 
 enum {
@@ -23,11 +23,10 @@ typedef struct tally {
 
 // Steps ------------------------------------------------------------------
 
-/// The next of a sequence of numbers in -1..1 (Knuth's linear congruences).
+/// The next number of a sequence, -1 to 1.
 static double next_random(uint64_t *state)
 {
-    *state = *state * 6364136223846793005u + 1442695040888963407u;
-    return (double)(*state >> 11) * 0x1p-52 - 1;
+    return (double)(fig_congruent_bits(state) >> 11) * 0x1p-52 - 1;
 }
 
 /// Vertices that start anywhere in a cube and move by up to its side.
@@ -55,7 +54,8 @@ static int count_pairs(int vertices, const tf_worldline first[], int others,
     for (int i = 0; i < vertices; i++)
         for (int j = 0; j < others; j++) {
             tf_pair pair = tf_pair_of(&s[i], &r[j], TF_AXES);
-            count += tf_meet(&tf_exact, &pair).verdict == TF_HIT;
+            count +=
+                tf_intersect(&tf_exact, &pair, TF_WITH_POINT).verdict == TF_HIT;
         }
     return count;
 }
@@ -76,15 +76,16 @@ static int count_contacts(const tf_worldline vertex[VERTICES])
 static bool cross_at(const tf_worldline vertex[VERTICES], int t)
 {
     tf_pair pair = {.count = VERTICES,
-                    .early = t == 0 ? VERTICES : 0,
+                    .start_count = t == 0 ? VERTICES : 0,
                     .axes = TF_AXES,
                     .axis = {0, 1, 2}};
     for (int v = 0; v < VERTICES; v++) {
         pair.event[v] = &vertex[v].at[t];
-        pair.side[v] = v < 2 ? +1 : -1;
+        pair.operand[v] = v < 2 ? +1 : -1;
     }
-    tf_meeting meeting;
-    TF_REQUIRE(tf_complementary_meet(&tf_exact, &pair, &meeting));
+    tf_intersection meeting;
+    TF_REQUIRE(
+        tf_complementary_intersect(&tf_exact, &pair, TF_WITH_POINT, &meeting));
     return meeting.verdict == TF_HIT;
 }
 
@@ -110,24 +111,11 @@ static double percent(long count)
     return 100 * (double)count / STEPS;
 }
 
-static void draw_bar(tf_page *page, const tf_plot *plot, const double x[2],
-                     double height, tf_role role)
+static void draw_bar(fig_page *page, const fig_plot *plot, double from,
+                     double to, double height, fig_role role)
 {
-    double foot[2], top[2];
-    tf_plot_place(plot, x[0], 0, foot);
-    tf_plot_place(plot, x[1], height, top);
     if (height > 0)
-        tf_page_fill_box(
-            page, (tf_box){foot[0], top[1], top[0] - foot[0], foot[1] - top[1]},
-            (tf_paint){.role = role});
-}
-
-static void draw_key(tf_page *page, double x, double y, const char *text,
-                     tf_role role)
-{
-    tf_page_fill_box(page, (tf_box){x, y - 7, 8, 8}, (tf_paint){.role = role});
-    tf_page_text(page, x + 13, y, TF_ALIGN_LEFT, text, TF_LETTERS_SMALL,
-                 TF_ROLE_INK);
+        fig_plot_bar(page, plot, from, to, height, (fig_paint){.role = role});
 }
 
 static void print_numbers(const tally *n, int most, FILE *numbers)
@@ -137,50 +125,50 @@ static void print_numbers(const tally *n, int most, FILE *numbers)
         odd_contacts += n->contacts[i];
         odd_sums += n->sums[i];
     }
-    tf_figure_number(numbers, "steps", STEPS);
-    tf_figure_number(numbers, "odd_contacts", (double)odd_contacts);
-    tf_figure_number(numbers, "odd_sums", (double)odd_sums);
-    tf_figure_number(numbers, "most", most);
+    fig_number(numbers, "steps", STEPS);
+    fig_number(numbers, "odd_contacts", (double)odd_contacts);
+    fig_number(numbers, "odd_sums", (double)odd_sums);
+    fig_number(numbers, "most", most);
     for (int i = 0; i <= most; i++) {
         char key[32];
         snprintf(key, sizeof key, "contacts_%d", i);
-        tf_figure_number(numbers, key, (double)n->contacts[i]);
+        fig_number(numbers, key, (double)n->contacts[i]);
         snprintf(key, sizeof key, "sums_%d", i);
-        tf_figure_number(numbers, key, (double)n->sums[i]);
+        fig_number(numbers, key, (double)n->sums[i]);
     }
 }
 
-static void draw(tf_page *page, FILE *numbers)
+static void draw(fig_page *page, FILE *numbers)
 {
     tally n = count_steps();
     int most = MOST;
     while (n.sums[most] == 0)
         most--;
     print_numbers(&n, most, numbers);
-    tf_plot plot = {
-        .box = {44, 10, tf_page_width(page) - 60, tf_page_height(page) - 48},
+    fig_plot plot = {
+        .box = {44, 10, fig_page_width(page) - 60, fig_page_height(page) - 48},
         .x = {-0.6, most + 0.6},
         .y = {0, 70},
-        .name_x = "number",
+        .name_x = "how many in a step",
         .name_y = "percent of the steps",
         .ticks_x = most + 1};
     for (int i = 0; i <= most; i++) {
-        draw_bar(page, &plot, (double[2]){i - 0.4, i - 0.04},
-                 percent(n.contacts[i]), TF_ROLE_CONTACT);
-        draw_bar(page, &plot, (double[2]){i + 0.04, i + 0.4},
-                 percent(n.sums[i]), TF_ROLE_TRIANGLE);
+        draw_bar(page, &plot, i - 0.4, i - 0.04, percent(n.contacts[i]),
+                 FIG_ROLE_CONTACT);
+        draw_bar(page, &plot, i + 0.04, i + 0.4, percent(n.sums[i]),
+                 FIG_ROLE_NEUTRAL);
     }
-    tf_plot_frame(page, &plot);
+    fig_plot_frame(page, &plot);
     double right = plot.box.x + plot.box.width;
-    draw_key(page, right - 190, 22, "contacts", TF_ROLE_CONTACT);
-    draw_key(page, right - 190, 36, "contacts and crossings at the ends",
-             TF_ROLE_TRIANGLE);
+    fig_plot_key(page, right - 190, 22, "contacts", FIG_ROLE_CONTACT);
+    fig_plot_key(page, right - 190, 36, "contacts and crossings at the ends",
+                 FIG_ROLE_NEUTRAL);
 }
 
-const tf_figure tf_figure_even_sums = {
+const fig_figure fig_even_sums = {
     .name = "even-sums",
     .title = "Contacts alone, and with the crossings at the ends",
-    .width = TF_FIGURE_WIDTH,
+    .width = FIG_PAGE_WIDTH,
     .height = 180,
     .draw = draw,
 };

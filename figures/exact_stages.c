@@ -1,9 +1,11 @@
 // Which stage of the exact arithmetic finds a sign, a pixel a double, and
 // whether it is given rounded differences with their tails.
+#include "arithmetic/operations.h"
 #include "figures.h"
 
-#include "arithmetic/exact.h"
+#include "arithmetic/clamped.h"
 #include "arithmetic/two_sum.h"
+#include "renderer/plot.h"
 
 enum {
     CELLS = 96 // doubles along each side of the map
@@ -27,25 +29,23 @@ static double step_from_half(int i)
     return 0.5 + i * (i < 0 ? 0x1p-54 : 0x1p-53);
 }
 
-static tf_paint decision_paint(decision d)
+static fig_paint decision_paint(decision d)
 {
-    static const tf_paint paint[DECISIONS] = {
-        {.role = TF_ROLE_NEUTRAL, .shade = -0.75},
-        {.role = TF_ROLE_START},
-        {.role = TF_ROLE_END}};
+    static const fig_paint paint[DECISIONS] = {
+        {.role = FIG_ROLE_NEUTRAL, .shade = -0.75},
+        {.role = FIG_ROLE_START},
+        {.role = FIG_ROLE_END}};
     return paint[d];
 }
 
-/// Who decides on which side of the line the point (x, y) lies.
+/// What decides on which side of the line the point (x, y) lies.
 static decision decide(double x, double y)
 {
     tf_event p = {.x = {x, y}};
     tf_event q = {.x = {near_end, near_end}}, r = {.x = {far_end, far_end}};
     tf_differences d = {
         .n = 2, .to = {&q, &r}, .from = {&p, &p}, .axis = {0, 1}};
-    tf_stage by;
-    tf_exact_sign(&d, &by);
-    if (by == TF_BY_ESTIMATE)
+    if (tf_clamped.sign(&d) != TF_UNKNOWN)
         return BY_ESTIMATE;
     for (int k = 0; k < 2; k++)
         if (tf_two_difference(q.x[k], p.x[k]).lo != 0 ||
@@ -55,82 +55,82 @@ static decision decide(double x, double y)
 }
 
 /// Find all decisions and count them, with the highest row of cells first.
-static void fill_map(const tf_theme *theme, tf_rgb cell[], int count[DECISIONS])
+static void fill_map(const fig_theme *theme, fig_rgb cell[],
+                     int count[DECISIONS])
 {
     for (int j = CELLS / 2 - 1; j >= -CELLS / 2; j--)
         for (int i = -CELLS / 2; i < CELLS / 2; i++) {
             decision by = decide(step_from_half(i), step_from_half(j));
             count[by]++;
-            *cell++ = tf_paint_color(theme, decision_paint(by));
+            *cell++ = fig_paint_color(theme, decision_paint(by));
         }
 }
 
-static void draw_diagonal(tf_page *page)
+static void draw_diagonal(fig_page *page)
 {
-    double line[2][2] = {{map_left, map_top + side},
+    fig_point line[2] = {{map_left, map_top + side},
                          {map_left + side, map_top}};
-    tf_page_line(page, 2, (const double(*)[2])line,
-                 (tf_stroke){.width = TF_WIDTH_LINE, .under_labels = true});
+    fig_page_line(page, 2, line,
+                  (fig_stroke){.width = FIG_WIDTH_LINE, .under_labels = true});
 }
 
 /// The axes through (1/2, 1/2), where the distance of doubles changes.
-static void draw_halves(tf_page *page)
+static void draw_halves(fig_page *page)
 {
     double x = map_left + side / 2, y = map_top + side / 2;
-    double down[2][2] = {{x, map_top}, {x, map_top + side + 4}};
-    double across[2][2] = {{map_left - 4, y}, {map_left + side, y}};
-    tf_stroke thin = {.width = TF_WIDTH_HAIR, .under_labels = true};
-    tf_page_line(page, 2, (const double(*)[2])down, thin);
-    tf_page_line(page, 2, (const double(*)[2])across, thin);
-    tf_page_text(page, x, map_top + side + 14, TF_ALIGN_CENTER, "$1/2$",
-                 TF_LETTERS_SMALL, TF_ROLE_INK);
-    tf_page_text(page, map_left - 7, y + 3, TF_ALIGN_RIGHT, "$1/2$",
-                 TF_LETTERS_SMALL, TF_ROLE_INK);
-    tf_page_text(page, map_left + side, map_top + side + 14, TF_ALIGN_RIGHT,
-                 "$p_x$", TF_LETTERS, TF_ROLE_INK);
-    tf_page_text(page, map_left - 7, map_top + 9, TF_ALIGN_RIGHT, "$p_y$",
-                 TF_LETTERS, TF_ROLE_INK);
+    fig_point down[2] = {{x, map_top}, {x, map_top + side + 4}};
+    fig_point across[2] = {{map_left - 4, y}, {map_left + side, y}};
+    fig_stroke thin = {.width = FIG_WIDTH_HAIR, .under_labels = true};
+    fig_page_line(page, 2, down, thin);
+    fig_page_line(page, 2, across, thin);
+    fig_page_text(page, x, map_top + side + 14, FIG_ALIGN_CENTER, "$1/2$",
+                  FIG_LETTERS_SMALL, FIG_ROLE_INK);
+    fig_page_text(page, map_left - 7, y + 3, FIG_ALIGN_RIGHT, "$1/2$",
+                  FIG_LETTERS_SMALL, FIG_ROLE_INK);
+    fig_page_text(page, map_left + side, map_top + side + 14, FIG_ALIGN_RIGHT,
+                  "$p_x$", FIG_LETTERS, FIG_ROLE_INK);
+    fig_page_text(page, map_left - 7, map_top + 9, FIG_ALIGN_RIGHT, "$p_y$",
+                  FIG_LETTERS, FIG_ROLE_INK);
 }
 
-static void draw_key(tf_page *page, decision by, int count)
+static void draw_key(fig_page *page, decision by, int count)
 {
     static const char *const name[DECISIONS][2] = {
         {"estimate", ""},
-        {"accumulator,", "whole differences"},
-        {"accumulator,", "heads and tails"}};
+        {"superaccumulator,", "whole differences"},
+        {"superaccumulator,", "heads and tails"}};
     double x = map_left + side + 14, y = map_top + 24 + 50 * (double)by;
-    tf_page_fill_box(page, (tf_box){x, y - 8, 9, 9}, decision_paint(by));
+    fig_page_fill_box(page, (fig_box){x, y - 8, 9, 9}, decision_paint(by));
     for (int line = 0; line < 2; line++)
-        tf_page_text(page, x + 14, y + 13 * line, TF_ALIGN_LEFT, name[by][line],
-                     TF_LETTERS, TF_ROLE_INK);
-    char text[32];
-    snprintf(text, sizeof text, "%d", count);
-    tf_page_text(page, x + 14, y + (by == BY_ESTIMATE ? 14 : 27), TF_ALIGN_LEFT,
-                 text, TF_LETTERS_SMALL, TF_ROLE_INK);
+        fig_page_text(page, x + 14, y + 13 * line, FIG_ALIGN_LEFT,
+                      name[by][line], FIG_LETTERS, FIG_ROLE_INK);
+    char text[FIG_GROUPED];
+    fig_plot_grouped(count, text);
+    fig_page_text(page, x + 14, y + (by == BY_ESTIMATE ? 14 : 27),
+                  FIG_ALIGN_LEFT, text, FIG_LETTERS_SMALL, FIG_ROLE_INK);
 }
 
-static void draw(tf_page *page, FILE *numbers)
+static void draw(fig_page *page, FILE *numbers)
 {
     static const char *const key[DECISIONS] = {"estimate", "wholes", "tails"};
-    static tf_rgb cell[CELLS * CELLS];
+    static fig_rgb cell[CELLS * CELLS];
     int count[DECISIONS] = {0};
-    fill_map(tf_page_theme(page), cell, count);
-    tf_page_map(page, (tf_box){map_left, map_top, side, side}, CELLS, CELLS,
-                cell);
+    fill_map(fig_page_theme(page), cell, count);
+    fig_page_map(page, (fig_box){map_left, map_top, side, side}, CELLS, CELLS,
+                 cell);
     draw_diagonal(page);
     draw_halves(page);
     for (int i = 0; i < DECISIONS; i++) {
         draw_key(page, (decision)i, count[i]);
-        tf_figure_number(numbers, key[i], count[i]);
+        fig_number(numbers, key[i], count[i]);
     }
-    tf_figure_number(numbers, "accumulator",
-                     count[OF_WHOLES] + count[OF_TAILS]);
+    fig_number(numbers, "accumulator", count[OF_WHOLES] + count[OF_TAILS]);
 }
 
-const tf_figure tf_figure_exact_stages = {
+const fig_figure fig_exact_stages = {
     .name = "exact-stages",
     .title = "Which stage of the exact arithmetic finds a sign",
-    .width = TF_FIGURE_WIDTH,
+    .width = FIG_PAGE_WIDTH,
     .height = 262,
     .draw = draw,
 };

@@ -1,9 +1,10 @@
 // What a determinant is made of: the terms of expansions, each from its lowest
 // bit to its highest, on the way from a product to the whole.
+#include "arithmetic/operations.h"
 #include "figures.h"
 
-#include "arithmetic/clamped.h"
-#include "bench/expansion.h"
+#include "arithmetic/filter.h"
+#include "expansion.h"
 
 #include <math.h>
 
@@ -35,53 +36,54 @@ static int lowest_bit(double x)
     return exponent;
 }
 
-static void draw_term(tf_page *page, double y, double term)
+static void draw_term(fig_page *page, double y, double term)
 {
     double from = place(ilogb(term) + 1), to = place(lowest_bit(term));
-    tf_role role = term > 0 ? TF_ROLE_POSITIVE : TF_ROLE_NEGATIVE;
-    tf_page_fill_box(page, (tf_box){from, y, to - from - 0.4, bar},
-                     (tf_paint){.role = role});
+    fig_role role = term > 0 ? FIG_ROLE_POSITIVE : FIG_ROLE_NEGATIVE;
+    fig_page_fill_box(page, (fig_box){from, y, to - from - 0.4, bar},
+                      (fig_paint){.role = role});
 }
 
-/// Every other term a little lower, so that neighbors are told apart.
-static void draw_row(tf_page *page, int row, const char *name,
+/// Every other term a little lower, so that neighbors can be distinguished.
+static void draw_row(fig_page *page, int row, const char *name,
                      const expansion *e)
 {
     double y = 8 + row * row_height;
     for (int i = 0; i < e->count; i++)
         draw_term(page, y + (i % 2 == e->count % 2 ? 5 : 0), e->term[i]);
-    tf_page_text(page, left - 8, y + 11, TF_ALIGN_RIGHT, name, TF_LETTERS_SMALL,
-                 TF_ROLE_INK);
+    fig_page_text(page, left - 8, y + 11, FIG_ALIGN_RIGHT, name,
+                  FIG_LETTERS_SMALL, FIG_ROLE_INK);
     char count[16];
     snprintf(count, sizeof count, "%d terms", e->count);
-    tf_page_text(page, right + 6, y + 11, TF_ALIGN_LEFT, count,
-                 TF_LETTERS_SMALL, TF_ROLE_INK);
+    fig_page_text(page, right + 6, y + 11, FIG_ALIGN_LEFT, count,
+                  FIG_LETTERS_SMALL, FIG_ROLE_INK);
 }
 
-static void draw_scale(tf_page *page, double y)
+static void draw_scale(fig_page *page, double y)
 {
-    double line[2][2] = {{left, y}, {right, y}};
-    tf_page_line(page, 2, (const double(*)[2])line,
-                 (tf_stroke){.paint = {.role = TF_ROLE_NEUTRAL},
-                             .width = TF_WIDTH_THIN});
+    fig_point line[2] = {{left, y}, {right, y}};
+    fig_page_line(page, 2, line,
+                  (fig_stroke){.paint = {.role = FIG_ROLE_NEUTRAL},
+                               .width = FIG_WIDTH_THIN});
     for (int exponent = 0; exponent >= LOWEST; exponent -= 20) {
         char text[16];
         snprintf(text, sizeof text, "$2^{%d}$", exponent);
-        tf_page_text(page, place(exponent), y + 14, TF_ALIGN_CENTER, text,
-                     TF_LETTERS_SMALL, TF_ROLE_INK);
+        fig_page_text(page, place(exponent), y + 14, FIG_ALIGN_CENTER, text,
+                      FIG_LETTERS_SMALL, FIG_ROLE_INK);
     }
 }
 
 /// The bound on the estimate's error, through all rows.
-static void draw_bound(tf_page *page, double bound, double below)
+static void draw_bound(fig_page *page, double bound, double below)
 {
-    double x = place(log2(bound)), line[2][2] = {{x, 4}, {x, below}};
-    tf_page_line(page, 2, (const double(*)[2])line,
-                 (tf_stroke){.paint = {.role = TF_ROLE_UNCERTAIN},
-                             .width = TF_WIDTH_LINE,
-                             .dash = 3});
-    tf_page_text(page, x - 4, below - 3, TF_ALIGN_RIGHT, "$B$",
-                 TF_LETTERS_SMALL, TF_ROLE_INK);
+    double x = place(log2(bound));
+    fig_point line[2] = {{x, 4}, {x, below}};
+    fig_page_line(page, 2, line,
+                  (fig_stroke){.paint = {.role = FIG_ROLE_UNCERTAIN},
+                               .width = FIG_WIDTH_LINE,
+                               .dash = 3});
+    fig_page_text(page, x - 4, below - 3, FIG_ALIGN_RIGHT, "$B$",
+                  FIG_LETTERS_SMALL, FIG_ROLE_INK);
 }
 
 static tf_estimate estimate_of_entries(void)
@@ -96,7 +98,7 @@ static tf_estimate estimate_of_entries(void)
     return tf_differences_estimate(&d);
 }
 
-static void draw(tf_page *page, FILE *numbers)
+static void draw(fig_page *page, FILE *numbers)
 {
     double lower[TF_AXES][TF_AXES] = {{entry[1][1], entry[1][2]},
                                       {entry[2][1], entry[2][2]}};
@@ -115,20 +117,20 @@ static void draw(tf_page *page, FILE *numbers)
     draw_row(page, 2, "part", &part);
     draw_row(page, 3, "whole", &whole);
     draw_scale(page, below);
-    tf_figure_number(numbers, "minor_terms", minor.count);
-    tf_figure_number(numbers, "part_terms", part.count);
-    tf_figure_number(numbers, "terms", whole.count);
-    tf_figure_number(numbers, "estimate", estimate.number);
-    tf_figure_number(numbers, "bound", estimate.bound);
-    tf_figure_number(numbers, "last", whole.term[whole.count - 1]);
-    tf_figure_number(numbers, "first_bit", ilogb(whole.term[whole.count - 1]));
-    tf_figure_number(numbers, "last_bit", lowest_bit(whole.term[0]));
+    fig_number(numbers, "minor_terms", minor.count);
+    fig_number(numbers, "part_terms", part.count);
+    fig_number(numbers, "terms", whole.count);
+    fig_number(numbers, "estimate", estimate.number);
+    fig_number(numbers, "bound", estimate.bound);
+    fig_number(numbers, "last", whole.term[whole.count - 1]);
+    fig_number(numbers, "first_bit", ilogb(whole.term[whole.count - 1]));
+    fig_number(numbers, "last_bit", lowest_bit(whole.term[0]));
 }
 
-const tf_figure tf_figure_expansion_terms = {
+const fig_figure fig_expansion_terms = {
     .name = "expansion-terms",
     .title = "The terms of a determinant's expansion on the exponent axis",
-    .width = TF_FIGURE_WIDTH,
+    .width = FIG_PAGE_WIDTH,
     .height = 136,
     .draw = draw,
 };

@@ -1,10 +1,11 @@
 // What rounding to a grid does to a point, to a triangle and to two edges.
+#include "arithmetic/operations.h"
 #include "figures.h"
 
 #include "arithmetic/exact.h"
 #include "arithmetic/integer.h"
-#include "spacetime/complementary.h"
-#include "stage/plot.h"
+#include "intersect/complementary.h"
+#include "renderer/plot.h"
 
 #include <math.h>
 
@@ -65,11 +66,12 @@ static bool edges_cross(bool rounded)
     for (int i = 0; i < 2 * EDGES; i++) {
         end[i] = event_at(edges[i / 2][i % 2], rounded);
         pair.event[pair.count] = &end[i];
-        pair.side[pair.count++] = i / 2 == 0 ? +1 : -1;
+        pair.operand[pair.count++] = i / 2 == 0 ? +1 : -1;
     }
-    pair.early = pair.count;
-    tf_meeting meeting;
-    return tf_complementary_meet(arithmetic_of(rounded), &pair, &meeting) &&
+    pair.start_count = pair.count;
+    tf_intersection meeting;
+    return tf_complementary_intersect(arithmetic_of(rounded), &pair,
+                                      TF_WITH_POINT, &meeting) &&
            meeting.verdict == TF_HIT;
 }
 
@@ -100,113 +102,111 @@ static double edge_distance(void)
 // Drawing ----------------------------------------------------------------
 
 /// A panel that shows the square from `low` to `low` + `side`.
-static tf_plot plot_of(int panel, const double low[2], double side)
+static fig_plot plot_of(int panel, fig_point low, double side)
 {
     double margin =
-        (TF_FIGURE_WIDTH - PANELS * panel_side - (PANELS - 1) * gap) / 2;
-    return (tf_plot){.box = {margin + panel * (panel_side + gap), panel_top,
-                             panel_side, panel_side},
-                     .x = {low[0], low[0] + side},
-                     .y = {low[1], low[1] + side}};
+        (FIG_PAGE_WIDTH - PANELS * panel_side - (PANELS - 1) * gap) / 2;
+    return (fig_plot){.box = {margin + panel * (panel_side + gap), panel_top,
+                              panel_side, panel_side},
+                      .x = {low.x, low.x + side},
+                      .y = {low.y, low.y + side}};
 }
 
 /// All points of the grid that lie in the plot.
-static void draw_grid(tf_page *page, const tf_plot *plot)
+static void draw_grid(fig_page *page, const fig_plot *plot)
 {
-    tf_page_fill_box(page, plot->box,
-                     (tf_paint){.role = TF_ROLE_NEUTRAL, .opacity = 0.09});
+    fig_page_fill_box(page, plot->box,
+                      (fig_paint){.role = FIG_ROLE_NEUTRAL, .opacity = 0.09});
     for (int j = (int)ceil(plot->y[0]); j <= plot->y[1]; j++)
         for (int i = (int)ceil(plot->x[0]); i <= plot->x[1]; i++) {
-            double at[2];
-            tf_plot_place(plot, i, j, at);
-            tf_page_dot(page, at[0], at[1], 2,
-                        (tf_paint){.role = TF_ROLE_NEUTRAL});
+            fig_plot_dot(page, plot, i, j, 2, FIG_ROLE_NEUTRAL);
         }
 }
 
 /// A polyline through some places, as they are (dashed) or rounded.
-static void draw_shape(tf_page *page, const tf_plot *plot, int count,
-                       const double place[][2], bool rounded, tf_role role)
+static void draw_shape(fig_page *page, const fig_plot *plot, int count,
+                       const double place[][2], bool rounded, fig_role role)
 {
-    double at[CORNERS][2];
+    fig_point at[CORNERS];
     for (int i = 0; i < count; i++) {
         tf_event event = event_at(place[i], rounded);
-        tf_plot_place(plot, event.x[0], event.x[1], at[i]);
-        tf_page_dot(page, at[i][0], at[i][1], rounded ? 5 : 3.5,
-                    (tf_paint){.role = role});
+        at[i] = fig_plot_place(plot, event.x[0], event.x[1]);
+        fig_page_dot(page, at[i].x, at[i].y, rounded ? 5 : 3.5,
+                     (fig_paint){.role = role});
     }
-    tf_page_line(page, count, (const double(*)[2])at,
-                 (tf_stroke){.paint.role = role,
-                             .width = rounded ? TF_WIDTH_LINE : TF_WIDTH_THIN,
-                             .dash = rounded ? 0 : 2.5,
-                             .closed = count > 2});
+    fig_page_line(
+        page, count, at,
+        (fig_stroke){.paint.role = role,
+                     .width = rounded ? FIG_WIDTH_LINE : FIG_WIDTH_THIN,
+                     .dash = rounded ? 0 : 2.5,
+                     .closed = count > 2});
     if (count > 2 && rounded)
-        tf_page_fill(page, count, (const double(*)[2])at,
-                     (tf_paint){.role = role, .opacity = 0.25});
+        fig_page_fill(page, count, at,
+                      (fig_paint){.role = role, .opacity = 0.25});
 }
 
 /// The cell of (2, 2), and what rounding does to points in it.
-static void draw_cell(tf_page *page)
+static void draw_cell(fig_page *page)
 {
-    tf_plot plot = plot_of(0, (double[]){0.75, 0.75}, 2.5);
+    fig_plot plot = plot_of(0, (fig_point){0.75, 0.75}, 2.5);
     draw_grid(page, &plot);
-    double corner[4][2], center[2];
+    fig_point corner[4];
     for (int i = 0; i < 4; i++)
-        tf_plot_place(&plot, i % 3 == 0 ? 1.5 : 2.5, i < 2 ? 1.5 : 2.5,
-                      corner[i]);
-    tf_page_fill(page, 4, (const double(*)[2])corner,
-                 (tf_paint){.role = TF_ROLE_POINT, .opacity = 0.2});
-    tf_plot_place(&plot, 2, 2, center);
+        corner[i] =
+            fig_plot_place(&plot, i % 3 == 0 ? 1.5 : 2.5, i < 2 ? 1.5 : 2.5);
+    fig_page_fill(page, 4, corner,
+                  (fig_paint){.role = FIG_ROLE_POINT, .opacity = 0.2});
+    fig_point center = fig_plot_place(&plot, 2, 2);
     for (int i = 0; i < (int)(sizeof moved / sizeof *moved); i++) {
-        double way[2][2] = {{0, 0}, {center[0], center[1]}};
-        tf_plot_place(&plot, moved[i][0], moved[i][1], way[0]);
-        tf_page_line(
-            page, 2, (const double(*)[2])way,
-            (tf_stroke){.paint.role = TF_ROLE_POINT, .width = TF_WIDTH_THIN});
-        tf_page_dot(page, way[0][0], way[0][1], 3.5,
-                    (tf_paint){.role = TF_ROLE_POINT});
+        fig_point way[2] = {fig_plot_place(&plot, moved[i][0], moved[i][1]),
+                            center};
+        fig_page_line(page, 2, way,
+                      (fig_stroke){.paint.role = FIG_ROLE_POINT,
+                                   .width = FIG_WIDTH_THIN});
+        fig_page_dot(page, way[0].x, way[0].y, 3.5,
+                     (fig_paint){.role = FIG_ROLE_POINT});
     }
-    tf_page_dot(page, center[0], center[1], 5,
-                (tf_paint){.role = TF_ROLE_POINT});
-    tf_page_caption(page, plot.box, "*to the nearest point*");
+    fig_page_dot(page, center.x, center.y, 5,
+                 (fig_paint){.role = FIG_ROLE_POINT});
+    fig_page_caption(page, plot.box, "*to the nearest point*");
 }
 
-static void draw_triangle(tf_page *page)
+static void draw_triangle(fig_page *page)
 {
-    tf_plot plot = plot_of(1, (double[]){-0.5, -0.9}, 5);
+    fig_plot plot = plot_of(1, (fig_point){-0.5, -0.9}, 5);
     draw_grid(page, &plot);
-    draw_shape(page, &plot, CORNERS, triangle, true, TF_ROLE_TRIANGLE);
-    draw_shape(page, &plot, CORNERS, triangle, false, TF_ROLE_INK);
-    tf_page_caption(page, plot.box, "*a triangle turns over*");
+    draw_shape(page, &plot, CORNERS, triangle, true, FIG_ROLE_TRIANGLE);
+    draw_shape(page, &plot, CORNERS, triangle, false, FIG_ROLE_INK);
+    fig_page_caption(page, plot.box, "*a triangle turns over*");
 }
 
-static void draw_edges(tf_page *page)
+static void draw_edges(fig_page *page)
 {
-    static const tf_role role[EDGES] = {TF_ROLE_EDGE, TF_ROLE_OTHER_EDGE};
-    tf_plot plot = plot_of(2, (double[]){-0.5, -0.9}, 5);
+    static const fig_role role[EDGES] = {FIG_ROLE_EDGE, FIG_ROLE_OTHER_EDGE};
+    fig_plot plot = plot_of(2, (fig_point){-0.5, -0.9}, 5);
     draw_grid(page, &plot);
     for (int rounded = 1; rounded >= 0; rounded--)
         for (int i = 0; i < EDGES; i++)
             draw_shape(page, &plot, 2, edges[i], rounded, role[i]);
-    tf_page_caption(page, plot.box, "*two edges cross*");
+    fig_page_caption(page, plot.box, "*two edges cross*");
 }
 
-static void draw(tf_page *page, FILE *numbers)
+static void draw(fig_page *page, FILE *numbers)
 {
     draw_cell(page);
     draw_triangle(page);
     draw_edges(page);
-    tf_figure_number(numbers, "double_area", double_area(false));
-    tf_figure_number(numbers, "double_area_rounded", double_area(true));
-    tf_figure_number(numbers, "distance", edge_distance());
-    tf_figure_number(numbers, "cross", edges_cross(false));
-    tf_figure_number(numbers, "cross_rounded", edges_cross(true));
+    fig_number(numbers, "double_area", double_area(false));
+    fig_number(numbers, "double_area_rounded", double_area(true));
+    fig_number(numbers, "distance", edge_distance());
+    fig_number(numbers, "cross", edges_cross(false));
+    fig_number(numbers, "cross_rounded", edges_cross(true));
 }
 
-const tf_figure tf_figure_grid_rounding = {
+const fig_figure fig_grid_rounding = {
     .name = "grid-rounding",
     .title = "A point, a triangle and two edges, rounded to a grid",
-    .width = TF_FIGURE_WIDTH,
+    .width = FIG_PAGE_WIDTH,
     .height = 148,
     .draw = draw,
 };

@@ -1,5 +1,6 @@
 // On which side of a plane points are, by determinants in 64 bits, for
 // coordinates of 19, 20 and 21 bits.
+#include "arithmetic/operations.h"
 #include "figures.h"
 
 #include "arithmetic/integer.h"
@@ -8,7 +9,7 @@
 #include <stdint.h>
 
 enum {
-    CELLS = 256, // points along each side of a map
+    CELLS = 255, // cells along each side of a map
     MAPS = 3
 };
 
@@ -48,20 +49,19 @@ static tf_sign wrapped_sign(const tf_differences *d)
     return sum >> 63 ? TF_NEGATIVE : TF_POSITIVE;
 }
 
-/// A coordinate of the i-th cell of a map: from one end of the range to the
-/// other.
+/// A coordinate of the center of a map's i-th cell.
 static double coordinate(int i, double most)
 {
-    return trunc(most * (2 * i - (CELLS - 1)) / (CELLS - 1));
+    return trunc(most * (2 * i - (CELLS - 1)) / CELLS);
 }
 
 /// Judge the points (x, y, 0) against the plane x + y + z = -most, the highest
 /// row first.
-static outcome fill_map(int size, const tf_theme *theme, tf_rgb cell[])
+static outcome fill_map(int size, const fig_theme *theme, fig_rgb cell[])
 {
-    static const tf_paint paint[] = {{.role = TF_ROLE_NEGATIVE},
-                                     {.role = TF_ROLE_PAPER},
-                                     {.role = TF_ROLE_POSITIVE}};
+    static const fig_paint paint[] = {{.role = FIG_ROLE_NEGATIVE},
+                                      {.role = FIG_ROLE_PAPER},
+                                      {.role = FIG_ROLE_POSITIVE}};
     double most = ldexp(1, size) - 1;
     tf_event q = {.x = {most, -most, -most}}, r = {.x = {-most, most, -most}},
              s = {.x = {-most, -most, most}};
@@ -79,62 +79,63 @@ static outcome fill_map(int size, const tf_theme *theme, tf_rgb cell[])
             found.wrong += sign != tf_integer128.sign(&d);
             found.largest =
                 fmax(found.largest, fabs(tf_integer128.value(&d).number));
-            *cell++ = tf_paint_color(theme, paint[sign + 1]);
+            *cell++ = fig_paint_color(theme, paint[sign + 1]);
         }
     return found;
 }
 
-static tf_box map_box(int i)
+static fig_box map_box(int i)
 {
-    double margin = (TF_FIGURE_WIDTH - MAPS * map_side - (MAPS - 1) * gap) / 2;
-    return (tf_box){margin + i * (map_side + gap), map_top, map_side, map_side};
+    double margin = (FIG_PAGE_WIDTH - MAPS * map_side - (MAPS - 1) * gap) / 2;
+    return (fig_box){margin + i * (map_side + gap), map_top, map_side,
+                     map_side};
 }
 
 /// The line in which the plane meets the map, from the middle of its left side
 /// to the middle of its lower one.
-static void draw_line(tf_page *page, tf_box box)
+static void draw_line(fig_page *page, fig_box box)
 {
-    double end[2][2] = {{box.x, box.y + box.height / 2},
+    fig_point end[2] = {{box.x, box.y + box.height / 2},
                         {box.x + box.width / 2, box.y + box.height}};
-    tf_page_line(page, 2, (const double(*)[2])end,
-                 (tf_stroke){.width = TF_WIDTH_LINE, .under_labels = true});
+    fig_page_line(page, 2, end,
+                  (fig_stroke){.width = FIG_WIDTH_LINE, .under_labels = true});
 }
 
 static void print_outcome(FILE *numbers, int size, const outcome *found)
 {
     char key[32];
     snprintf(key, sizeof key, "wrong_%d", size);
-    tf_figure_number(numbers, key, found->wrong);
+    fig_number(numbers, key, found->wrong);
     snprintf(key, sizeof key, "wrong_percent_%d", size);
-    tf_figure_number(numbers, key, 100.0 * found->wrong / (CELLS * CELLS));
+    fig_number(numbers, key, 100.0 * found->wrong / (CELLS * CELLS));
     snprintf(key, sizeof key, "largest_log2_%d", size);
-    tf_figure_number(numbers, key, log2(found->largest));
+    fig_number(numbers, key, log2(found->largest));
 }
 
-static void draw_map(tf_page *page, int i, FILE *numbers)
+static void draw_map(fig_page *page, int i, FILE *numbers)
 {
-    static tf_rgb cell[CELLS * CELLS];
-    tf_box box = map_box(i);
-    outcome found = fill_map(bits[i], tf_page_theme(page), cell);
-    tf_page_map(page, box, CELLS, CELLS, cell);
+    static fig_rgb cell[CELLS * CELLS];
+    fig_box box = map_box(i);
+    outcome found = fill_map(bits[i], fig_page_theme(page), cell);
+    fig_page_map(page, box, CELLS, CELLS, cell);
     draw_line(page, box);
     char text[64];
-    snprintf(text, sizeof text, "*%d bits:* %.0f %% wrong", bits[i],
+    snprintf(text, sizeof text, "*%d bits:* %.3g%% wrong", bits[i],
              100.0 * found.wrong / (CELLS * CELLS));
-    tf_page_caption(page, box, text);
+    fig_page_caption(page, box, text);
     print_outcome(numbers, bits[i], &found);
 }
 
-static void draw(tf_page *page, FILE *numbers)
+static void draw(fig_page *page, FILE *numbers)
 {
     for (int i = 0; i < MAPS; i++)
         draw_map(page, i, numbers);
 }
 
-const tf_figure tf_figure_integer_stripes = {
+const fig_figure fig_integer_stripes = {
     .name = "integer-stripes",
     .title = "Determinants in 64 bits, of coordinates that have too many",
-    .width = TF_FIGURE_WIDTH,
+    .width = FIG_PAGE_WIDTH,
     .height = 148,
     .draw = draw,
 };

@@ -1,40 +1,45 @@
 #include "measured.h"
 
-#include "tables.h"
+#include "base/require.h"
 
+#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
-#define LENGTH(array) ((int)(sizeof(array) / sizeof *(array)))
+const fig_workload fig_workloads[FIG_WORKLOADS] = {
+    {"soup", "point-triangle", "pt"},    {"soup", "edge-edge", "ee"},
+    {"near", "point-triangle", "pt"},    {"near", "edge-edge", "ee"},
+    {"rest", "point-triangle", "pt"},    {"rest", "edge-edge", "ee"},
+    {"lattice", "point-triangle", "pt"}, {"lattice", "edge-edge", "ee"},
+};
 
-const tf_query_time *tf_measured_queries(int *count)
+static const struct row {
+    const char *name;
+    double value;
+} rows[] = {
+// The build makes this of the lines of measured.csv.
+#include "measured_rows.h"
+};
+
+double fig_measured(const char *format, ...)
 {
-    *count = LENGTH(query_times);
-    return query_times;
+    char name[80];
+    va_list words;
+    va_start(words, format);
+    vsnprintf(name, sizeof name, format, words);
+    va_end(words);
+    const struct row *row = rows, *end = rows + sizeof rows / sizeof *rows;
+    while (row < end && strcmp(row->name, name) != 0)
+        row++;
+    TF_REQUIRE(row < end);
+    return row->value;
 }
 
-const tf_stage_share *tf_measured_shares(int *count)
-{
-    *count = LENGTH(stage_shares);
-    return stage_shares;
-}
-
-const tf_stage_time *tf_measured_stages(int *count)
-{
-    *count = LENGTH(stage_times);
-    return stage_times;
-}
-
-const char *tf_kind_letters(const char *kind)
-{
-    return strcmp(kind, "point-triangle") == 0 ? "pt" : "ee";
-}
-
-void tf_name_workload(tf_page *page, double x, double y, const char *work,
-                      const char *kind)
+void fig_name_workload(fig_page *page, double x, double y,
+                       const fig_workload *workload)
 {
     char name[64];
-    snprintf(name, sizeof name, "%s, %s", work, tf_kind_letters(kind));
-    tf_page_text(page, x, y, TF_ALIGN_RIGHT, name, TF_LETTERS_SMALL,
-                 TF_ROLE_INK);
+    snprintf(name, sizeof name, "%s, %s", workload->work, workload->letters);
+    fig_page_text(page, x, y, FIG_ALIGN_RIGHT, name, FIG_LETTERS_SMALL,
+                  FIG_ROLE_INK);
 }

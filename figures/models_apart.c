@@ -3,11 +3,11 @@
 #include "figures.h"
 
 #include "arithmetic/exact.h"
-#include "query/point_edge.h"
-#include "stage/plot.h"
+#include "query/query.h"
+#include "random.h"
+#include "renderer/plot.h"
 
 #include <math.h>
-#include <stdint.h>
 
 enum {
     QUERIES = 200000, ///< for each displacement
@@ -22,31 +22,6 @@ typedef struct count {
     long hits;         ///< of staircase motion
     long extra, fewer; ///< hits of it alone, of linear motion alone
 } count;
-
-// Random queries ---------------------------------------------------------
-
-/// The next of a sequence of numbers in 0..1 (Steele, Lea and Flood's
-/// splitmix64).
-static double next_random(uint64_t *state)
-{
-    uint64_t z = *state += 0x9e3779b97f4a7c15u;
-    z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ z >> 27) * 0x94d049bb133111ebu;
-    return (double)((z ^ z >> 31) >> 11) * 0x1p-53;
-}
-
-static void make_query(uint64_t *state, double displacement,
-                       tf_worldline vertex[VERTICES])
-{
-    for (int i = 0; i < VERTICES; i++) {
-        double start[2], end[2];
-        for (int k = 0; k < 2; k++) {
-            start[k] = next_random(state);
-            end[k] = start[k] + displacement * (2 * next_random(state) - 1);
-        }
-        vertex[i] = tf_worldline_between(2, start, end);
-    }
-}
 
 // Linear motion ----------------------------------------------------------
 
@@ -96,6 +71,43 @@ static bool meets_linearly(const tf_worldline vertex[VERTICES])
     return between(end, q / a) || between(end, c / q);
 }
 
+// Short motions ----------------------------------------------------------
+
+/// What an edge sweeps in a motion so short that its square does not matter,
+/// in units of half its length: how far its ends come out of their line, seen
+/// from the point.
+typedef struct swept {
+    double all;   ///< by the staircase
+    double extra; ///< of it, what linear motion avoids
+} swept;
+
+static swept sweep_briefly(const tf_worldline vertex[VERTICES])
+{
+    seen end[2] = {see(&vertex[1], &vertex[0]), see(&vertex[2], &vertex[0])};
+    double along[2] = {end[1].at[0] - end[0].at[0],
+                       end[1].at[1] - end[0].at[1]};
+    double a = cross(along, end[0].by), b = cross(along, end[1].by);
+    double sum = fabs(a) + fabs(b);
+    double extra = a * b < 0 ? -a * b / sum : 0;
+    return (swept){.all = a * b < 0 ? sum - extra : sum, .extra = extra};
+}
+
+/// The share that the contacts of the staircase alone tend to as motions get
+/// shorter: that of what it sweeps alone.
+static double share_in_the_limit(void)
+{
+    swept total = {0, 0};
+    uint64_t state = 1;
+    for (int i = 0; i < QUERIES; i++) {
+        tf_worldline vertex[VERTICES];
+        fig_random_vertices(&state, 2, 1, VERTICES, vertex);
+        swept one = sweep_briefly(vertex);
+        total.all += one.all;
+        total.extra += one.extra;
+    }
+    return total.extra / total.all;
+}
+
 // The comparison ---------------------------------------------------------
 
 static count compare(double displacement)
@@ -105,8 +117,8 @@ static count compare(double displacement)
     for (int i = 0; i < QUERIES; i++) {
         tf_worldline vertex[VERTICES];
         tf_contact contact;
-        make_query(&state, displacement, vertex);
-        tf_point_edge(&tf_exact, &vertex[0], &vertex[1], &contact);
+        fig_random_vertices(&state, 2, displacement, VERTICES, vertex);
+        tf_query(&tf_exact, 2, 1, &vertex[0], 2, &vertex[1], &contact);
         bool bent = contact.verdict == TF_HIT;
         bool straight = meets_linearly(vertex);
         n.hits += bent;
@@ -121,72 +133,71 @@ static void print_count(double displacement, const count *n, FILE *numbers)
     const struct {
         const char *key;
         double number;
-    } line[] = {{"hits", (double)n->hits / QUERIES},
-                {"extra", (double)n->extra},
-                {"fewer", (double)n->fewer},
-                {"differ", (double)(n->extra + n->fewer) / QUERIES},
-                {"one_in", QUERIES / (double)(n->extra + n->fewer)},
-                {"share", (double)(n->extra + n->fewer) / (double)n->hits}};
+    } line[] = {
+        {"hits", (double)n->hits / QUERIES},
+        {"extra", (double)n->extra},
+        {"fewer", (double)n->fewer},
+        {"differ", (double)(n->extra + n->fewer) / QUERIES},
+        {"one_in", QUERIES / (double)(n->extra + n->fewer)},
+        {"share", (double)(n->extra + n->fewer) / (double)n->hits},
+        {"error", sqrt((double)(n->extra + n->fewer)) / (double)n->hits}};
     for (size_t i = 0; i < sizeof line / sizeof *line; i++) {
         char key[32];
         snprintf(key, sizeof key, "%s_%g", line[i].key, displacement);
-        tf_figure_number(numbers, key, line[i].number);
+        fig_number(numbers, key, line[i].number);
     }
 }
 
-static void draw(tf_page *page, FILE *numbers)
+/// A curve through dots, named at the fourth of them; no dot for a fraction 0.
+static void draw_fractions(fig_page *page, const fig_plot *plot,
+                           const fig_point at[SIZES], fig_label name)
 {
-    double hits[SIZES][2], differ[SIZES][2];
-    tf_figure_number(numbers, "queries", QUERIES);
+    fig_plot_curve(page, plot, SIZES, at,
+                   (fig_stroke){.paint = {.role = name.role}});
+    for (int i = 0; i < SIZES; i++)
+        if (at[i].y > 0)
+            fig_plot_dot(page, plot, at[i].x, at[i].y, 4, name.role);
+    fig_point named = fig_plot_place(plot, at[3].x, at[3].y);
+    fig_page_label(page, named.x, named.y, name);
+}
+
+static void draw(fig_page *page, FILE *numbers)
+{
+    fig_point hits[SIZES], differ[SIZES];
+    fig_number(numbers, "queries", QUERIES);
+    fig_number(numbers, "share_in_the_limit", share_in_the_limit());
     for (int i = 0; i < SIZES; i++) {
         count n = compare(size[i]);
         print_count(size[i], &n, numbers);
-        hits[i][0] = differ[i][0] = size[i];
-        hits[i][1] = (double)n.hits / QUERIES;
-        differ[i][1] = (double)(n.extra + n.fewer) / QUERIES;
+        hits[i] = (fig_point){size[i], (double)n.hits / QUERIES};
+        differ[i] = (fig_point){size[i], (double)(n.extra + n.fewer) / QUERIES};
     }
-    double width = tf_page_width(page), height = tf_page_height(page);
-    tf_plot plot = {.box = {52, 10, width - 72, height - 48},
-                    .x = {0.008, 4},
-                    .y = {1e-5, 1},
-                    .log_x = true,
-                    .log_y = true,
-                    .name_x = "displacement, in widths of the scene",
-                    .name_y = "fraction of the queries"};
-    tf_plot_frame(page, &plot);
-    tf_plot_curve(page, &plot, SIZES, (const double(*)[2])hits,
-                  (tf_stroke){.paint = {.role = TF_ROLE_EDGE}});
-    tf_plot_curve(page, &plot, SIZES, (const double(*)[2])differ,
-                  (tf_stroke){.paint = {.role = TF_ROLE_CONTACT}});
-    for (int i = 0; i < SIZES; i++) {
-        double at[2][2];
-        tf_plot_place(&plot, hits[i][0], hits[i][1], at[0]);
-        tf_page_dot(page, at[0][0], at[0][1], 4,
-                    (tf_paint){.role = TF_ROLE_EDGE});
-        if (differ[i][1] <= 0)
-            continue;
-        tf_plot_place(&plot, differ[i][0], differ[i][1], at[1]);
-        tf_page_dot(page, at[1][0], at[1][1], 4,
-                    (tf_paint){.role = TF_ROLE_CONTACT});
-    }
-    double at[2][2];
-    tf_plot_place(&plot, size[3], hits[3][1], at[0]);
-    tf_plot_place(&plot, size[3], differ[3][1], at[1]);
-    tf_page_label(
-        page, at[0][0], at[0][1],
-        (tf_label){
-            .text = "hit", .role = TF_ROLE_EDGE, .side = TF_SIDE_NW, .gap = 4});
-    tf_page_label(page, at[1][0], at[1][1],
-                  (tf_label){.text = "hit in one motion only",
-                             .role = TF_ROLE_CONTACT,
-                             .side = TF_SIDE_SE,
-                             .gap = 4});
+    double width = fig_page_width(page), height = fig_page_height(page);
+    fig_plot plot = {.box = {52, 10, width - 72, height - 48},
+                     .x = {0.008, 4},
+                     .y = {1e-5, 1},
+                     .log_x = true,
+                     .log_y = true,
+                     .name_x = "displacement, in widths of the scene",
+                     .name_y = "fraction of the queries",
+                     .ticks_y = 6};
+    fig_plot_frame(page, &plot);
+    draw_fractions(page, &plot, hits,
+                   (fig_label){.text = "hit",
+                               .role = FIG_ROLE_INK,
+                               .side = FIG_SIDE_NW,
+                               .gap = 4});
+    draw_fractions(page, &plot, differ,
+                   (fig_label){.text = "hit in one motion only",
+                               .role = FIG_ROLE_NEUTRAL,
+                               .side = FIG_SIDE_SE,
+                               .gap = 4});
 }
 
-const tf_figure tf_figure_models_apart = {
+const fig_figure fig_models_apart = {
     .name = "models-apart",
     .title = "How often staircase and linear motion disagree",
-    .width = TF_FIGURE_WIDTH,
+    .width = FIG_PAGE_WIDTH,
     .height = 204,
     .draw = draw,
 };

@@ -5,8 +5,8 @@
 
 #include "arithmetic/exact.h"
 #include "arithmetic/perturbed.h"
-#include "contract.h"
-#include "spacetime/complementary.h"
+#include "base/require.h"
+#include "intersect/complementary.h"
 
 enum {
     CORNERS = 8, ///< of the box, corner i at the bits of i
@@ -37,8 +37,10 @@ static const needle needles[NEEDLES] = {
 };
 
 /// Looks at the middle of the box.
-static const tf_camera camera = {
-    .azimuth = -24, .elevation = 20, .height = 2.2, .center = {0.5, 0.5, 0.5}};
+static const fig_camera camera = {.azimuth = -24,
+                                  .elevation = 20,
+                                  .height = 2.2,
+                                  .center = {{0.5, 0.5, 0.5}}};
 
 /// The corners of the box, numbers 0 to 7, then the ends of a needle.
 typedef struct scenery {
@@ -75,13 +77,14 @@ static scenery make_scenery(const needle *n)
 static bool meets(const tf_arithmetic *arithmetic, const scenery *s, int facet)
 {
     tf_pair pair = {
-        .count = EVENTS, .early = EVENTS, .axes = 3, .axis = {0, 1, 2}};
+        .count = EVENTS, .start_count = EVENTS, .axes = 3, .axis = {0, 1, 2}};
     for (int i = 0; i < EVENTS; i++) {
         pair.event[i] = i < 2 ? &s->end[i] : &s->corner[s->facet[facet][i - 2]];
-        pair.side[i] = i < 2 ? +1 : -1;
+        pair.operand[i] = i < 2 ? +1 : -1;
     }
-    tf_meeting meeting;
-    bool decided = tf_complementary_meet(arithmetic, &pair, &meeting);
+    tf_intersection meeting;
+    bool decided =
+        tf_complementary_intersect(arithmetic, &pair, TF_WITH_POINT, &meeting);
     TF_REQUIRE(decided && meeting.verdict != TF_UNDECIDED);
     return meeting.verdict == TF_HIT;
 }
@@ -96,66 +99,64 @@ static int count_met(const tf_arithmetic *arithmetic, const scenery *s)
 
 /// The triangles that the moved needle meets stand out, then those that only
 /// the needle itself meets.
-static void draw_box(tf_scene *scene, const scenery *s)
+static void draw_box(fig_scene *scene, const scenery *s)
 {
     for (int i = 0; i < FACETS; i++) {
-        double corner[3][3];
+        tf_vector corner[3];
         for (int j = 0; j < 3; j++)
-            for (int k = 0; k < 3; k++)
-                corner[j][k] = s->corner[s->facet[i][j]].x[k];
-        tf_paint paint = {.role = TF_ROLE_TRIANGLE, .opacity = 0.1};
+            corner[j] = fig_vector_of(s->corner[s->facet[i][j]].x);
+        fig_paint paint = {.role = FIG_ROLE_TRIANGLE, .opacity = 0.1};
         if (meets(&tf_exact, s, i))
             paint.opacity = 0.28;
         if (meets(&tf_perturbed, s, i))
-            paint = (tf_paint){.role = TF_ROLE_OTHER_EDGE, .opacity = 0.5};
-        tf_scene_triangle(scene, (const double(*)[3])corner, TF_WIDTH_THIN,
-                          paint);
+            paint = (fig_paint){.role = FIG_ROLE_OTHER_EDGE, .opacity = 0.5};
+        fig_scene_triangle(scene, corner, FIG_WIDTH_THIN, paint);
     }
 }
 
-static void draw_needle(tf_page *page, const needle *n, const scenery *s,
-                        tf_box box)
+static void draw_needle(fig_page *page, const needle *n, const scenery *s,
+                        fig_box box)
 {
-    tf_panel *panel = tf_page_panel(page, box);
-    tf_panel_look(panel, camera);
-    tf_scene *scene = tf_panel_scene(panel);
+    fig_panel *panel = fig_page_panel(page, box);
+    fig_panel_look(panel, camera);
+    fig_scene *scene = fig_panel_scene(panel);
     draw_box(scene, s);
-    tf_scene_arrow(scene, n->end[0], n->end[1], TF_WIDTH_TUBE,
-                   (tf_paint){.role = TF_ROLE_EDGE});
+    fig_scene_arrow(scene, fig_vector_of(n->end[0]), fig_vector_of(n->end[1]),
+                    FIG_WIDTH_TUBE, (fig_paint){.role = FIG_ROLE_EDGE});
     for (int i = 0; i < 2; i++)
-        tf_scene_ball(scene, n->pass[i], 6,
-                      (tf_paint){.role = TF_ROLE_CONTACT});
+        fig_scene_ball(scene, fig_vector_of(n->pass[i]), 6,
+                       (fig_paint){.role = FIG_ROLE_CONTACT});
 }
 
-static void draw(tf_page *page, FILE *numbers)
+static void draw(fig_page *page, FILE *numbers)
 {
     static const double text_room = 34;
-    double width = tf_page_width(page) / NEEDLES;
-    double height = tf_page_height(page) - text_room;
+    double width = fig_page_width(page) / NEEDLES;
+    double height = fig_page_height(page) - text_room;
     for (int i = 0; i < NEEDLES; i++) {
         const needle *n = &needles[i];
         scenery s = make_scenery(n);
-        tf_box box = {width * i, 0, width, height};
+        fig_box box = {width * i, 0, width, height};
         draw_needle(page, n, &s, box);
-        tf_page_caption(page, box, n->title);
+        fig_page_caption(page, box, n->title);
 
         int exact = count_met(&tf_exact, &s);
         int perturbed = count_met(&tf_perturbed, &s);
         char text[64];
         snprintf(text, sizeof text, "exact %d, perturbed %d", exact, perturbed);
-        tf_page_text(page, box.x + width / 2, tf_page_height(page) - 6,
-                     TF_ALIGN_CENTER, text, TF_LETTERS, TF_ROLE_INK);
+        fig_page_text(page, box.x + width / 2, fig_page_height(page) - 6,
+                      FIG_ALIGN_CENTER, text, FIG_LETTERS, FIG_ROLE_INK);
         snprintf(text, sizeof text, "exact_%s", n->key);
-        tf_figure_number(numbers, text, exact);
+        fig_number(numbers, text, exact);
         snprintf(text, sizeof text, "perturbed_%s", n->key);
-        tf_figure_number(numbers, text, perturbed);
+        fig_number(numbers, text, perturbed);
     }
 }
 
-const tf_figure tf_figure_needle_counts = {
+const fig_figure fig_needle_counts = {
     .name = "needle-counts",
-    .title = "How many triangles of a box a needle meets",
-    .width = TF_FIGURE_WIDTH,
+    .title = "How many triangles of a box a needle intersects",
+    .width = FIG_PAGE_WIDTH,
     .height = 190,
     .draw = draw,
 };

@@ -3,8 +3,8 @@
 
 #include "arithmetic/exact.h"
 #include "arithmetic/integer.h"
-#include "contract.h"
-#include "spacetime/complementary.h"
+#include "base/require.h"
+#include "intersect/complementary.h"
 
 #include <math.h>
 
@@ -25,8 +25,8 @@ static const double square = 4, offset[3] = {2, 1, 1};
 /// The rotation as a quaternion.
 static const double rotation[4] = {4, -4, -5, -10};
 
-static const tf_role role_of_sheet[SHEETS] = {TF_ROLE_OTHER_EDGE,
-                                              TF_ROLE_TRIANGLE};
+static const fig_role role_of_sheet[SHEETS] = {FIG_ROLE_OTHER_EDGE,
+                                               FIG_ROLE_TRIANGLE};
 
 /// Events at rest, and what is between them; of edges and triangles the lower
 /// sheet's come first.
@@ -80,20 +80,20 @@ static void make_edges(mesh *m)
 }
 
 /// Rotate a place by a quaternion, w + x i + y j + z k.
-static void rotate(const double q[4], const double place[3], double rotated[3])
+static tf_vector rotate(const double q[4], tf_vector place)
 {
     double w = q[0], x = q[1], y = q[2], z = q[3];
-    double matrix[3][3] = {{w * w + x * x - y * y - z * z, 2 * (x * y - w * z),
-                            2 * (x * z + w * y)},
-                           {2 * (x * y + w * z), w * w - x * x + y * y - z * z,
-                            2 * (y * z - w * x)},
-                           {2 * (x * z - w * y), 2 * (y * z + w * x),
-                            w * w - x * x - y * y + z * z}};
+    tf_vector row[3] = {{{w * w + x * x - y * y - z * z, 2 * (x * y - w * z),
+                          2 * (x * z + w * y)}},
+                        {{2 * (x * y + w * z), w * w - x * x + y * y - z * z,
+                          2 * (y * z - w * x)}},
+                        {{2 * (x * z - w * y), 2 * (y * z + w * x),
+                          w * w - x * x - y * y + z * z}}};
     double square_of_length = w * w + x * x + y * y + z * z;
+    tf_vector rotated;
     for (int k = 0; k < 3; k++)
-        rotated[k] = (matrix[k][0] * place[0] + matrix[k][1] * place[1] +
-                      matrix[k][2] * place[2]) /
-                     square_of_length;
+        rotated.x[k] = tf_vector_dot(row[k], place) / square_of_length;
+    return rotated;
 }
 
 static void make_vertices(mesh *m, const double q[4])
@@ -101,13 +101,13 @@ static void make_vertices(mesh *m, const double q[4])
     for (int sheet = 0; sheet < SHEETS; sheet++)
         for (int i = 0; i < SIDE; i++)
             for (int j = 0; j < SIDE; j++) {
-                double place[3] = {
-                    square * (i - SQUARES / 2.0) + sheet * offset[0],
-                    square * (j - SQUARES / 2.0) + sheet * offset[1],
-                    (sheet - 0.5) * offset[2]};
+                tf_vector place = {
+                    {square * (i - SQUARES / 2.0) + sheet * offset[0],
+                     square * (j - SQUARES / 2.0) + sheet * offset[1],
+                     (sheet - 0.5) * offset[2]}};
                 tf_event *vertex = &m->vertex[vertex_number(sheet, i, j)];
-                *vertex = (tf_event){.t = 0};
-                rotate(q, place, vertex->x);
+                tf_vector at = rotate(q, place);
+                *vertex = (tf_event){.x = {at.x[0], at.x[1], at.x[2]}};
             }
 }
 
@@ -120,31 +120,32 @@ static void round_vertices(mesh *m)
 
 // Crossings --------------------------------------------------------------
 
-/// The places where edges of one sheet meet triangles of the other.
+/// The places where edges of one sheet intersect triangles of the other.
 typedef struct crossings {
     int count;
-    double at[CROSSINGS_MOST][3];
+    tf_vector at[CROSSINGS_MOST];
 } crossings;
 
-/// Whether an edge meets a triangle, and where.  Five events of one time are
-/// complementary in space.  A pair that lies in one plane is not counted.
-static bool edge_meets_triangle(const tf_arithmetic *arithmetic,
-                                const tf_event *const end[2],
-                                const tf_event *const corner[3], double at[3])
+/// Whether an edge intersects a triangle, and where.  Five events of one time
+/// are complementary in space.  A pair that lies in one plane is not counted.
+static bool edge_intersects_triangle(const tf_arithmetic *arithmetic,
+                                     const tf_event *const end[2],
+                                     const tf_event *const corner[3],
+                                     tf_vector *at)
 {
     tf_pair pair = {.count = 5,
-                    .early = 5,
+                    .start_count = 5,
                     .event = {end[0], end[1], corner[0], corner[1], corner[2]},
-                    .side = {+1, +1, -1, -1, -1},
+                    .operand = {+1, +1, -1, -1, -1},
                     .axes = 3,
                     .axis = {0, 1, 2}};
-    tf_meeting meeting;
-    if (!tf_complementary_meet(arithmetic, &pair, &meeting) ||
-        meeting.verdict != TF_HIT)
+    tf_intersection found;
+    if (!tf_complementary_intersect(arithmetic, &pair, TF_WITH_POINT, &found) ||
+        found.verdict != TF_HIT)
         return false;
-    for (int k = 0; k < 3; k++)
-        at[k] =
-            meeting.weight[0] * end[0]->x[k] + meeting.weight[1] * end[1]->x[k];
+    *at = fig_combination(
+        tf_vector_scaled(found.barycentric[0], fig_vector_of(end[0]->x)),
+        found.barycentric[1], fig_vector_of(end[1]->x));
     return true;
 }
 
@@ -162,45 +163,46 @@ static void find_crossings(const tf_arithmetic *arithmetic, const mesh *m,
             for (int k = 0; k < 3; k++)
                 corner[k] = &m->vertex[m->triangle[j][k]];
             TF_REQUIRE(found->count < CROSSINGS_MOST);
-            found->count += edge_meets_triangle(arithmetic, end, corner,
-                                                found->at[found->count]);
+            found->count += edge_intersects_triangle(arithmetic, end, corner,
+                                                     &found->at[found->count]);
         }
     }
 }
 
 // Drawing ----------------------------------------------------------------
 
-static void add_mesh(tf_scene *scene, const mesh *m)
+static void add_mesh(fig_scene *scene, const mesh *m)
 {
     for (int i = 0; i < TRIANGLES; i++) {
-        double corner[3][3];
+        tf_vector corner[3];
         for (int j = 0; j < 3; j++)
-            for (int k = 0; k < 3; k++)
-                corner[j][k] = m->vertex[m->triangle[i][j]].x[k];
-        tf_scene_triangle(scene, (const double(*)[3])corner, TF_WIDTH_THIN,
-                          (tf_paint){.role = role_of_sheet[i / (TRIANGLES / 2)],
-                                     .shade = -0.3});
+            corner[j] = fig_vector_of(m->vertex[m->triangle[i][j]].x);
+        fig_scene_triangle(
+            scene, corner, FIG_WIDTH_THIN,
+            (fig_paint){.role = role_of_sheet[i / (TRIANGLES / 2)],
+                        .shade = -0.3});
     }
 }
 
-static void draw_mesh(tf_page *page, tf_box box, const mesh *m,
+static void draw_mesh(fig_page *page, fig_box box, const mesh *m,
                       const crossings *found, const char *caption)
 {
-    tf_panel *panel = tf_page_panel(page, box);
-    tf_panel_look(panel, (tf_camera){.azimuth = -62, .elevation = 8});
-    tf_panel_margin(panel, 8);
-    tf_scene *scene = tf_panel_scene(panel);
+    fig_panel *panel = fig_page_panel(page, box);
+    fig_panel_look(panel, (fig_camera){.azimuth = -62, .elevation = 8});
+    fig_panel_margin(panel, 8);
+    fig_scene *scene = fig_panel_scene(panel);
     add_mesh(scene, m);
     for (int i = 0; i < found->count; i++)
-        tf_scene_ball(scene, found->at[i], 5,
-                      (tf_paint){.role = TF_ROLE_CONTACT});
-    tf_page_caption(page, box, caption);
+        fig_scene_ball(scene, found->at[i], 5,
+                       (fig_paint){.role = FIG_ROLE_CONTACT});
+    fig_page_caption(page, box, caption);
 }
 
-static void draw(tf_page *page, FILE *numbers)
+static void draw(fig_page *page, FILE *numbers)
 {
     static const double upright[4] = {1, 0, 0, 0};
-    double width = tf_page_width(page) / 2, height = tf_page_height(page) - 18;
+    double width = fig_page_width(page) / 2,
+           height = fig_page_height(page) - 18;
     mesh m;
     crossings found;
     make_triangles(&m);
@@ -209,25 +211,25 @@ static void draw(tf_page *page, FILE *numbers)
     make_vertices(&m, upright);
     round_vertices(&m);
     find_crossings(&tf_integer64, &m, &found);
-    tf_figure_number(numbers, "upright_rounded", found.count);
+    fig_number(numbers, "upright_rounded", found.count);
 
     make_vertices(&m, rotation);
     find_crossings(&tf_exact, &m, &found);
-    tf_figure_number(numbers, "rotated", found.count);
-    draw_mesh(page, (tf_box){0, 0, width, height}, &m, &found, "*rotated*");
+    fig_number(numbers, "rotated", found.count);
+    draw_mesh(page, (fig_box){0, 0, width, height}, &m, &found, "*rotated*");
 
     round_vertices(&m);
     find_crossings(&tf_integer64, &m, &found);
-    tf_figure_number(numbers, "rotated_rounded", found.count);
-    draw_mesh(page, (tf_box){width, 0, width, height}, &m, &found,
+    fig_number(numbers, "rotated_rounded", found.count);
+    draw_mesh(page, (fig_box){width, 0, width, height}, &m, &found,
               "*rotated and rounded*");
-    tf_figure_number(numbers, "triangles", TRIANGLES);
+    fig_number(numbers, "triangles", TRIANGLES);
 }
 
-const tf_figure tf_figure_rounded_sheets = {
+const fig_figure fig_rounded_sheets = {
     .name = "rounded-sheets",
     .title = "Two sheets that cross after they were rounded to a grid",
-    .width = TF_FIGURE_WIDTH,
+    .width = FIG_PAGE_WIDTH,
     .height = 210,
     .draw = draw,
 };

@@ -1,63 +1,89 @@
-# The figures: figures/stage is the renderer, figures/draw the program, and a
-# figure is a file here, edge_sweep.c the one named edge-sweep.
+# The figures: figures/renderer draws, figures/draw is the program, and a figure
+# is a file here that defines one, edge_sweep.c the one named edge-sweep.
 
-STAGE := $(wildcard figures/stage/*.c)
+# A file of the renderer uses only those before it; context_* are two ways to
+# the same, of which a build has one.
+RENDERER := status list box theme camera scene sheets mesh shaders context_egl \
+	context_osmesa gl render markup letters page panel marks placement labels \
+	axes picture output plot figure
+RENDERER := $(RENDERER:%=figures/renderer/%.c)
 DRAW := $(wildcard figures/draw/*.c)
-FIGURES := $(filter-out figures/figures.c figures/measured.c \
-	figures/worlds.c,\
-	$(wildcard figures/*.c))
+FIGURES := $(sort $(shell grep -l '^const fig_figure fig_' figures/*.c))
 
-drawing = $(BUILD)/tanglefree-draw
-names = $(subst _,-,$(FIGURES:figures/%.c=%))
+drawing_file = $(BUILD)/tanglefree-draw
+figure_names = $(subst _,-,$(FIGURES:figures/%.c=%))
 pictures = $(foreach theme,light dark,\
-	$(names:%=$(BUILD)/figures/%-$(theme).png))
+	$(figure_names:%=$(BUILD)/figures/%-$(theme).png))
 
-drawing: $(drawing) ## build the program that draws, tanglefree-draw
-figures: ## draw all figures, light and dark, in build/figures
+# Figures that move, and their films as sheets.
+moving := $(shell grep -l '^    \.moves = true' figures/*.c)
+films = $(foreach theme,light dark,$(patsubst figures/%.c,\
+	$(BUILD)/films/%-$(theme).png,$(subst _,-,$(moving))))
+
+drawing: $(drawing_file) ## build the drawing program, tanglefree-draw
+figures: ## draw all figures and films, light and dark
 	@$(MAKE) $(parallel) draw-figures
-draw-figures: $(pictures)
+draw-figures: $(pictures) $(films)
 	@:
 .PHONY: drawing figures draw-figures
 
-# As for the program, the archives are all that tests need besides.
-drawn = $(patsubst figures/%.c,$(BUILD)/drawing/%.o,$(1))
-archives = $(addprefix $(BUILD)/,draw.a figures.a stage.a program.a) $(library)
+# $(call drawing_objects,FILES): of .c files below figures/.
+drawing_objects = $(patsubst figures/%.c,$(BUILD)/drawing/%.o,$(1))
 
-$(BUILD)/stage.a: $(call drawn,$(STAGE))
-$(BUILD)/draw.a: $(call drawn,$(filter-out %/main.c,$(DRAW)))
-$(BUILD)/figures.a: $(call drawn,$(wildcard figures/*.c)) \
-	$(BUILD)/bench/bench/expansion.o
+# Tests link these archives, which hold everything but main.
+figure_archives = $(addprefix $(BUILD)/,draw.a figures.a renderer.a program.a) \
+	$(library_file)
 
-$(drawing): $(BUILD)/drawing/draw/main.o $(archives)
+$(BUILD)/renderer.a: $(call drawing_objects,$(RENDERER)) figures/rules.mk
+$(BUILD)/draw.a: $(call drawing_objects,$(filter-out %/main.c,$(DRAW)))
+$(BUILD)/figures.a: $(call drawing_objects,$(wildcard figures/*.c))
+
+# @file, here and below: gcc reads options from that file.
+$(drawing_file): $(BUILD)/drawing/draw/main.o $(figure_archives)
 	@echo 'link    $@'
-	$(Q)$(LINK) $^ @$(BUILD)/stage.libraries -lm -o $@
+	$(Q)$(LINK) $^ @$(BUILD)/renderer.libraries -lm -o $@
 
-$(BUILD)/drawing/%.o: figures/%.c $(BUILD)/flags $(BUILD)/stage.flags \
-		$(BUILD)/stage.libraries
+# What figures include that is made.  Each is written anew only if it changes.
+generated = $(addprefix $(BUILD)/drawing/,names.h includes.h measured_rows.h)
+unless_same = cmp -s $@.new $@ || cp $@.new $@
+
+# All figures, a line FIG_NAME(edge_sweep) each.
+$(BUILD)/drawing/names.h: FORCE
+	@mkdir -p $(@D) && printf 'FIG_NAME(%s)\n' $(FIGURES:figures/%.c=%) >$@.new
+	@$(unless_same)
+
+# The layers of src/ and all its includes, an initializer of two strings each.
+$(BUILD)/drawing/includes.h: src/layers.awk $(wildcard src/*/*.[ch])
+	@mkdir -p $(@D) && awk -f $< $(sort $(filter-out $<,$^)) >$@.table
+	@awk '{ print "{\"" $$1 "\", \"" $$2 "\"}," }' $@.table >$@.new
+	@$(unless_same)
+
+# The lines "name,value,unit" of what was measured, as initializers.
+$(BUILD)/drawing/measured_rows.h: figures/measured.csv
+	@mkdir -p $(@D) && sed -n 's/^\(.*\),\([0-9.]*\),.*$$/{"\1", \2},/p' $< \
+	    >$@.new
+	@$(unless_same)
+
+drawing_flags = -I$(SRC) -Ifigures -I$(BUILD)/drawing \
+	@$(BUILD)/renderer.flags
+$(BUILD)/drawing/%.o: figures/%.c $(BUILD)/flags $(BUILD)/renderer.flags \
+		$(BUILD)/renderer.libraries | $(generated)
 	@echo 'compile $<' && mkdir -p $(@D)
-	$(Q)$(COMPILE) -I$(SRC) -Ifigures @$(BUILD)/stage.flags -MMD -MP \
-	    -c $< -o $@
+	$(Q)$(COMPILE) $(drawing_flags) -MMD -MP -c $< -o $@
 
-# What `make measure` writes.
-measured = build/measured/tables.h
-$(BUILD)/drawing/measured.o: $(measured)
-$(BUILD)/drawing/measured.o: COMPILE += -I$(dir $(measured))
-
-# Where Mesa has given up OSMesa, the stage draws by EGL.
+# The two files of options, for compiling and for linking, are made here.  Where
+# Mesa has given up OSMesa, the renderer draws by EGL.
 packaged = gl=osmesa; pkg-config --exists osmesa || gl=egl; \
 	pkg-config $(1) $$gl pangocairo cairo fontconfig libpng
 
-$(BUILD)/stage.flags: | need-figures $(BUILD)
-	@{ pkg-config --exists osmesa || echo -DTF_STAGE_EGL; \
+$(BUILD)/renderer.flags: | need-figures $(BUILD)
+	@{ pkg-config --exists osmesa || echo -DFIG_EGL; \
 	    $(call packaged,--cflags-only-I); } >$@
-$(BUILD)/stage.libraries: | need-figures $(BUILD)
+$(BUILD)/renderer.libraries: | need-figures $(BUILD)
 	@{ $(call packaged,--libs); } >$@
 
-# One figure is of what the library is timed against.
-$(BUILD)/drawing/expansion_terms.o: COMPILE += -Itests
-
 # A program that was built anew and is the same draws nothing anew.
-$(BUILD)/drawing/program: $(drawing)
+$(BUILD)/drawing/program: $(drawing_file)
 	@cmp -s $< $@ || cp $< $@
 
 picture = @echo 'draw    $@' && mkdir -p $(@D) && \
@@ -67,13 +93,34 @@ $(BUILD)/figures/%-light.png: $(BUILD)/drawing/program
 $(BUILD)/figures/%-dark.png: $(BUILD)/drawing/program
 	$(call picture,dark)
 
-# The tests of all this.
-FIGURE_TESTS := $(wildcard $(addprefix tests/,stage/*.c draw/*.c figures/*.c))
-figure_tests = $(FIGURE_TESTS:%.c=$(BUILD)/%)
+# The films of the book.
+film = @echo 'film    $@' && mkdir -p $(@D) && $< figure $* --theme $(1) \
+	--frames 49 --animate $@ >/dev/null
+$(BUILD)/films/%-light.png: $(BUILD)/drawing/program
+	$(call film,light)
+$(BUILD)/films/%-dark.png: $(BUILD)/drawing/program
+	$(call film,dark)
 
-$(figure_tests:=.o): $(BUILD)/stage.flags
-$(figure_tests:=.o): USES = -Ifigures @$(BUILD)/stage.flags
-$(figure_tests): $(BUILD)/%: $(BUILD)/%.o $(BUILD)/support.a $(archives)
-	@echo 'link    $@'
-	$(Q)$(LINK) $^ @$(BUILD)/stage.libraries $$(pkg-config --libs check) \
-	    -lgmp -lm -o $@
+# The pictures in README.md, kept in figures/readme: the cover, and the query
+# that its first command makes.
+first_query := $(shell sed -n "s/.*printf '%s.n' \(.*\) | .*/\1/p" README.md)
+README = $(foreach theme,light dark,cover-$(theme).png query-$(theme).png)
+
+$(BUILD)/readme/cover-%.png: $(BUILD)/drawing/program
+	@echo 'draw    $@' && mkdir -p $(@D)
+	$(Q)$< figure cover --theme $* --size 640x567 -o $@ >/dev/null
+$(BUILD)/readme/query-%.png: $(BUILD)/drawing/program README.md
+	@echo 'draw    $@' && mkdir -p $(@D)
+	$(Q)printf '%s\n' $(first_query) | $< query /dev/stdin:0 \
+	    --kind point-edge --theme $* --size 800x450 -o $@ >/dev/null
+
+draw-readme: $(README:%=$(BUILD)/readme/%) ## draw the pictures of README.md anew
+	@mkdir -p figures/readme && cp $^ figures/readme
+
+check-readme: need-book $(README:%=$(BUILD)/readme/%) ## check the pictures of README.md
+	@python3 tests/figures/same_pictures.py $(BUILD)/readme figures/readme
+.PHONY: draw-readme check-readme
+
+check-renderer: $(call drawing_objects,$(RENDERER)) ## check the order of the renderer's files
+	@nm -P -A $^ | awk -f figures/renderer/order.awk
+.PHONY: check-renderer

@@ -1,9 +1,12 @@
 // The two triangles of a swept edge in the frame of the point, and the signs of
 // the three determinants around each.
+#include "arithmetic/operations.h"
 #include "figures.h"
 
 #include "arithmetic/exact.h"
-#include "stage/plot.h"
+#include "renderer/plot.h"
+
+#include <math.h>
 
 enum {
     CORNERS = 3,
@@ -16,7 +19,7 @@ typedef struct seen {
     const char *title;
     tf_event corner[CORNERS];
     const char *name[CORNERS];
-    tf_side side[CORNERS];
+    fig_side side[CORNERS];
 } seen;
 
 // The point goes from (1, 3) to (2, 0), the edge from (0, 0), (4, 0) to (0, 1),
@@ -25,11 +28,11 @@ static const seen triangles[] = {
     {"$R_1$: *apart*",
      {{.x = {-1, -3}}, {.x = {3, -3}}, {.x = {2, 2}}},
      {"$e_0 - p$", "$e_1 - p$", "$e_1' - p'$"},
-     {TF_SIDE_SW, TF_SIDE_SE, TF_SIDE_NE}},
+     {FIG_SIDE_SW, FIG_SIDE_SE, FIG_SIDE_NE}},
     {"$R_0$: *a hit*",
      {{.x = {-1, -3}}, {.x = {-2, 1}}, {.x = {2, 2}}},
      {"$e_0 - p$", "$e_0' - p'$", "$e_1' - p'$"},
-     {TF_SIDE_S, TF_SIDE_NW, TF_SIDE_NE}},
+     {FIG_SIDE_S, FIG_SIDE_NW, FIG_SIDE_NE}},
 };
 
 /// The sign of the determinant without corner i, as seen from q.
@@ -51,100 +54,119 @@ static int pattern_at(const seen *s, double x, double y)
     return pattern;
 }
 
-static void write_pattern(tf_page *page, const tf_plot *plot, int pattern,
+static void write_pattern(fig_page *page, const fig_plot *plot, int pattern,
                           double x, double y)
 {
     static const char *const text[PATTERNS] = {
         "$+$ $+$ $+$", "$-$ $+$ $+$", "$+$ $-$ $+$", "$-$ $-$ $+$",
         "$+$ $+$ $-$", "$-$ $+$ $-$", "$+$ $-$ $-$", "$-$ $-$ $-$"};
-    double at[2];
-    tf_plot_place(plot, x, y, at);
-    tf_page_text(page, at[0], at[1] + 3, TF_ALIGN_CENTER, text[pattern],
-                 TF_LETTERS_SMALL,
-                 pattern == 0 ? TF_ROLE_CONTACT : TF_ROLE_INK);
+    fig_point at = fig_plot_place(plot, x, y);
+    fig_page_text(page, at.x, at.y + 3, FIG_ALIGN_CENTER, text[pattern],
+                  FIG_LETTERS_SMALL,
+                  pattern == 0 ? FIG_ROLE_CONTACT : FIG_ROLE_INK);
 }
 
-/// Write each pattern in the middle of what is seen of its region.
-static void write_patterns(tf_page *page, const tf_plot *plot, const seen *s)
+/// How much room a pattern has that is written at a place: up to the border of
+/// the plot, the lines along the triangle's sides and its corners.
+static double room_at(const fig_plot *plot, const seen *s, double x, double y)
 {
-    double sum[PATTERNS][2] = {{0}};
-    int count[PATTERNS] = {0};
+    // Half the extent of a pattern, in units of the plot.
+    static const double half_width = 0.85, half_height = 0.35;
+    double room = fmin(fmin(x - plot->x[0], plot->x[1] - x) - half_width,
+                       fmin(y - plot->y[0], plot->y[1] - y) - half_height);
+    for (int i = 0; i < CORNERS; i++) {
+        const double *a = s->corner[i].x, *b = s->corner[(i + 1) % CORNERS].x;
+        double dx = b[0] - a[0], dy = b[1] - a[1];
+        double off = fabs(dx * (y - a[1]) - dy * (x - a[0]));
+        double extent = fabs(dx) * half_height + fabs(dy) * half_width;
+        room = fmin(room, (off - extent) / hypot(dx, dy));
+        // The name of a corner stands beside it.
+        room = fmin(room, hypot(x - a[0], y - a[1]) - 2.2);
+    }
+    return room;
+}
+
+/// Write each pattern where its region has the most room.
+static void write_patterns(fig_page *page, const fig_plot *plot, const seen *s)
+{
+    double place[PATTERNS][2], most[PATTERNS];
+    for (int p = 0; p < PATTERNS; p++)
+        most[p] = -INFINITY;
     for (int i = 0; i < GRID * GRID; i++) {
         int row = i / GRID;
         double x = (i % GRID + 0.5) / GRID, y = (row + 0.5) / GRID;
         x = plot->x[0] + x * (plot->x[1] - plot->x[0]);
         y = plot->y[0] + y * (plot->y[1] - plot->y[0]);
         int pattern = pattern_at(s, x, y);
-        sum[pattern][0] += x;
-        sum[pattern][1] += y;
-        count[pattern]++;
+        double room = room_at(plot, s, x, y);
+        // The one of the triangle makes room for the origin.
+        if (pattern == 0)
+            room = fmin(room, fabs(y) - 0.7);
+        if (room > most[pattern]) {
+            most[pattern] = room;
+            place[pattern][0] = x;
+            place[pattern][1] = y;
+        }
     }
-    // The one of the triangle makes room for the origin.
     for (int p = 0; p < PATTERNS; p++)
-        if (count[p] > 0)
-            write_pattern(page, plot, p, sum[p][0] / count[p],
-                          sum[p][1] / count[p] + (p == 0 ? 0.75 : 0));
+        if (most[p] > -INFINITY)
+            write_pattern(page, plot, p, place[p][0], place[p][1]);
 }
 
-static void draw_sides(tf_page *page, const tf_plot *plot, const seen *s)
+static void draw_sides(fig_page *page, const fig_plot *plot, const seen *s)
 {
-    double corner[CORNERS][2];
+    fig_point corner[CORNERS];
     for (int i = 0; i < CORNERS; i++) {
         const double *a = s->corner[i].x, *b = s->corner[(i + 1) % CORNERS].x;
-        double line[2][2];
-        for (int k = 0; k < 2; k++) {
-            line[0][k] = a[k] - 20 * (b[k] - a[k]);
-            line[1][k] = b[k] + 20 * (b[k] - a[k]);
-        }
-        tf_plot_curve(page, plot, 2, (const double(*)[2])line,
-                      (tf_stroke){.paint.role = TF_ROLE_EDGE,
-                                  .width = TF_WIDTH_THIN,
-                                  .dash = 2.5});
-        tf_plot_place(plot, a[0], a[1], corner[i]);
+        double dx = 20 * (b[0] - a[0]), dy = 20 * (b[1] - a[1]);
+        fig_point line[2] = {{a[0] - dx, a[1] - dy}, {b[0] + dx, b[1] + dy}};
+        fig_plot_curve(page, plot, 2, line,
+                       (fig_stroke){.paint.role = FIG_ROLE_EDGE,
+                                    .width = FIG_WIDTH_THIN,
+                                    .dash = 2.5});
+        corner[i] = fig_plot_place(plot, a[0], a[1]);
     }
-    tf_page_fill(page, CORNERS, (const double(*)[2])corner,
-                 (tf_paint){.role = TF_ROLE_EDGE, .opacity = 0.25});
-    tf_page_line(page, CORNERS, (const double(*)[2])corner,
-                 (tf_stroke){.paint.role = TF_ROLE_EDGE,
-                             .width = TF_WIDTH_LINE,
-                             .closed = true});
+    fig_page_fill(page, CORNERS, corner,
+                  (fig_paint){.role = FIG_ROLE_EDGE, .opacity = 0.25});
+    fig_page_line(page, CORNERS, corner,
+                  (fig_stroke){.paint.role = FIG_ROLE_EDGE,
+                               .width = FIG_WIDTH_LINE,
+                               .closed = true});
     for (int i = 0; i < CORNERS; i++) {
-        tf_page_dot(page, corner[i][0], corner[i][1], 5,
-                    (tf_paint){.role = TF_ROLE_EDGE});
-        tf_page_label(page, corner[i][0], corner[i][1],
-                      (tf_label){.text = s->name[i],
-                                 .role = TF_ROLE_EDGE,
-                                 .side = s->side[i]});
+        fig_page_dot(page, corner[i].x, corner[i].y, 5,
+                     (fig_paint){.role = FIG_ROLE_EDGE});
+        fig_page_label(page, corner[i].x, corner[i].y,
+                       (fig_label){.text = s->name[i],
+                                   .role = FIG_ROLE_EDGE,
+                                   .side = s->side[i],
+                                   .gap = 6});
     }
 }
 
-static void draw_seen(tf_page *page, const seen *s, tf_box box)
+static void draw_seen(fig_page *page, const seen *s, fig_box box)
 {
-    tf_plot plot = {.box = box, .x = {-5, 6}, .y = {-5.8, 5.2}};
+    fig_plot plot = {.box = box, .x = {-5, 6}, .y = {-5.8, 5.2}};
     draw_sides(page, &plot, s);
     write_patterns(page, &plot, s);
-    double origin[2];
-    tf_plot_place(&plot, 0, 0, origin);
-    tf_page_dot(page, origin[0], origin[1], 6,
-                (tf_paint){.role = TF_ROLE_POINT});
-    tf_page_caption(page, box, s->title);
+    fig_plot_dot(page, &plot, 0, 0, 6, FIG_ROLE_POINT);
+    fig_page_caption(page, box, s->title);
 }
 
-static void draw(tf_page *page, FILE *numbers)
+static void draw(fig_page *page, FILE *numbers)
 {
-    double width = (tf_page_width(page) - 16) / 2;
+    double width = (fig_page_width(page) - 16) / 2;
     for (int i = 0; i < 2; i++) {
         draw_seen(page, &triangles[i],
-                  (tf_box){i * (width + 16), 6, width, width * 10 / 11});
-        tf_figure_number(numbers, i == 0 ? "apart_pattern" : "hit_pattern",
-                         pattern_at(&triangles[i], 0, 0));
+                  (fig_box){i * (width + 16), 6, width, width * 10 / 11});
+        fig_number(numbers, i == 0 ? "apart_pattern" : "hit_pattern",
+                   pattern_at(&triangles[i], 0, 0));
     }
 }
 
-const tf_figure tf_figure_seven_regions = {
+const fig_figure fig_seven_regions = {
     .name = "seven-regions",
     .title = "The signs around a triangle in the frame of the point",
-    .width = TF_FIGURE_WIDTH,
+    .width = FIG_PAGE_WIDTH,
     .height = 190,
     .draw = draw,
 };

@@ -1,10 +1,10 @@
 // The frame in which the point stands still: is the origin of space in one of
 // three tetrahedra?
 #include "arithmetic/exact.h"
+#include "arithmetic/operations.h"
 #include "figures.h"
-#include "query/point_triangle.h"
-#include "spacetime/meet.h"
-#include "stage/vector.h"
+#include "intersect/cascade.h"
+#include "query/query.h"
 #include "worlds.h"
 
 enum {
@@ -12,8 +12,14 @@ enum {
     TETRAHEDRA = 3
 };
 
+static const char *const simplex_name[TETRAHEDRA] = {"$S_0$", "$S_1$", "$S_2$"};
 static const char *const corner_name[CORNERS][2] = {
     {"$a$", "$a'$"}, {"$b$", "$b'$"}, {"$c$", "$c'$"}};
+
+/// Where the names of the corners stand, at t = 0 and at t = 1.
+static const fig_side corner_side[CORNERS][2] = {{FIG_SIDE_W, FIG_SIDE_W},
+                                                 {FIG_SIDE_S, FIG_SIDE_N},
+                                                 {FIG_SIDE_E, FIG_SIDE_NE}};
 
 // Chosen for simple weights: a quarter each.
 static const double point_start[] = {0.75, -1, 2.25},
@@ -23,7 +29,8 @@ static const double corner_start[CORNERS][3] = {
 static const double corner_end[CORNERS][3] = {
     {-2.5, -1, 1.5}, {1.5, -1.5, 2}, {-0.5, 2.5, 2.5}};
 
-static const double origin[3] = {0, 0, 0}, explosion = 0.75;
+static const tf_vector origin = {{0, 0, 0}};
+static const double explosion = 1.7;
 static const double small_ball = 4.5;
 static const double column = 17, line = 15; ///< of the table
 
@@ -33,14 +40,14 @@ typedef struct encounter {
     tf_simplex path, sweep[TETRAHEDRA];
     tf_contact contact;
     int holder; ///< the tetrahedron that holds the origin
-    tf_meeting meeting[TETRAHEDRA];
+    tf_intersection meeting[TETRAHEDRA];
     tf_sign sign[TETRAHEDRA][TF_EVENTS]; ///< of the origin's weights
 } encounter;
 
 // The weight of a corner is, up to a common factor, the determinant of the
 // others, with signs in turn.
-static tf_sign weight_sign(const tf_pair *pair, const tf_event *corner,
-                           int place)
+static tf_sign coordinate_sign(const tf_pair *pair, const tf_event *corner,
+                               int place)
 {
     int without = 0;
     while (pair->event[without] != corner)
@@ -57,14 +64,14 @@ static void solve(encounter *e)
         e->corner[i] = tf_worldline_between(3, corner_start[i], corner_end[i]);
     tf_sweep(1, &e->point, &e->path);
     tf_sweep(CORNERS, e->corner, e->sweep);
-    tf_point_triangle(&tf_exact, &e->point, e->corner, &e->contact);
+    tf_query(&tf_exact, 3, 1, &e->point, 3, e->corner, &e->contact);
     for (int j = 0; j < TETRAHEDRA; j++) {
         tf_pair pair = tf_pair_of(&e->path, &e->sweep[j], 3);
-        e->meeting[j] = tf_meet(&tf_exact, &pair);
+        e->meeting[j] = tf_intersect(&tf_exact, &pair, TF_WITH_POINT);
         if (e->meeting[j].verdict == TF_HIT)
             e->holder = j;
         for (int i = 0; i < TF_EVENTS; i++)
-            e->sign[j][i] = weight_sign(&pair, e->sweep[j].event[i], i);
+            e->sign[j][i] = coordinate_sign(&pair, e->sweep[j].event[i], i);
     }
 }
 
@@ -72,15 +79,15 @@ static void print_numbers(const encounter *e, FILE *numbers)
 {
     const tf_contact *contact = &e->contact;
     char key[32];
-    tf_figure_number(numbers, "toi", (contact->toi_lo + contact->toi_hi) / 2);
+    fig_number(numbers, "toi", fig_toi(contact));
     for (int i = 0; i < CORNERS; i++) {
-        snprintf(key, sizeof key, "weight_%c", 'a' + i);
-        tf_figure_number(numbers, key, contact->weight[1][i]);
+        snprintf(key, sizeof key, "barycentric_%c", 'a' + i);
+        fig_number(numbers, key, contact->barycentric[1][i]);
     }
     for (int j = 0; j < TETRAHEDRA; j++)
         for (int i = 0; i < TF_EVENTS; i++) {
-            snprintf(key, sizeof key, "sign_%d_%d", e->sweep[j].mover, i);
-            tf_figure_number(numbers, key, e->sign[j][i]);
+            snprintf(key, sizeof key, "sign_%d_%d", e->sweep[j].pivot, i);
+            fig_number(numbers, key, e->sign[j][i]);
         }
 }
 
@@ -95,154 +102,172 @@ static int corner_of(const encounter *e, const tf_event *event)
     return corner;
 }
 
-static void see_from_point(const encounter *e, const tf_event *event,
-                           double seen[3])
+static tf_vector seen_from_point(const encounter *e, const tf_event *event)
 {
-    for (int k = 0; k < 3; k++)
-        seen[k] = event->x[k] - e->point.at[event->t].x[k];
+    return fig_difference(fig_vector_of(event->x),
+                          fig_vector_of(e->point.at[event->t].x));
 }
 
 /// How far a tetrahedron is drawn from its place, away from the one that holds
 /// the origin.
-static void find_shift(const encounter *e, int tetrahedron, double shift[3])
+static tf_vector find_shift(const encounter *e, int tetrahedron)
 {
-    for (int k = 0; k < 3; k++)
-        shift[k] = 0;
+    tf_vector shift = {{0}};
     for (int i = 0; i < TF_EVENTS; i++) {
-        double own[3], held[3];
-        see_from_point(e, e->sweep[tetrahedron].event[i], own);
-        see_from_point(e, e->sweep[e->holder].event[i], held);
-        for (int k = 0; k < 3; k++)
-            shift[k] += explosion * (own[k] - held[k]) / TF_EVENTS;
+        tf_vector own = seen_from_point(e, e->sweep[tetrahedron].event[i]);
+        tf_vector held = seen_from_point(e, e->sweep[e->holder].event[i]);
+        shift = fig_combination(shift, explosion / TF_EVENTS,
+                                fig_difference(own, held));
     }
+    return shift;
 }
 
-static void draw_tetrahedron(tf_panel *panel, const encounter *e,
+static void draw_tetrahedron(fig_panel *panel, const encounter *e,
                              int tetrahedron)
 {
     const tf_simplex *simplex = &e->sweep[tetrahedron];
     bool holds = tetrahedron == e->holder;
-    tf_scene *scene = tf_panel_scene(panel);
-    double corner[TF_EVENTS][3], shift[3];
-    find_shift(e, tetrahedron, shift);
+    fig_scene *scene = fig_panel_scene(panel);
+    tf_vector corner[TF_EVENTS];
+    tf_vector shift = find_shift(e, tetrahedron);
     for (int i = 0; i < simplex->count; i++) {
         const tf_event *event = simplex->event[i];
-        see_from_point(e, event, corner[i]);
-        tf_add(corner[i], 1, shift, corner[i]);
+        corner[i] = fig_sum(seen_from_point(e, event), shift);
         if (holds)
-            tf_scene_dashes(scene, origin, corner[i], TF_WIDTH_THIN, 2,
-                            (tf_paint){.role = TF_ROLE_POINT});
-        tf_scene_ball(scene, corner[i], holds ? TF_WIDTH_BALL : small_ball,
-                      (tf_paint){.role = TF_ROLE_TRIANGLE});
-        tf_panel_label(
+            fig_scene_dashes(scene, origin, corner[i], FIG_WIDTH_THIN, 2,
+                             (fig_paint){.role = FIG_ROLE_POINT});
+        fig_scene_ball(scene, corner[i], holds ? FIG_WIDTH_BALL : small_ball,
+                       (fig_paint){.role = FIG_ROLE_TRIANGLE});
+        fig_panel_label(
             panel, corner[i],
-            (tf_label){.text = corner_name[corner_of(e, event)][event->t],
-                       .role = TF_ROLE_TRIANGLE,
-                       .size = holds ? TF_LETTERS : TF_LETTERS_SMALL});
+            (fig_label){.text = corner_name[corner_of(e, event)][event->t],
+                        .side = corner_side[corner_of(e, event)][event->t],
+                        .role = FIG_ROLE_TRIANGLE,
+                        .size = holds ? FIG_LETTERS : FIG_LETTERS_SMALL});
     }
-    tf_scene_tetrahedron(
-        scene, (const double(*)[3])corner,
-        holds ? TF_WIDTH_LINE : TF_WIDTH_THIN,
-        (tf_paint){.role = TF_ROLE_TRIANGLE, .opacity = holds ? 0.22 : 0.14});
+    tf_vector middle = {{0}};
+    for (int i = 0; i < TF_EVENTS; i++)
+        middle = fig_combination(middle, 1.0 / TF_EVENTS, corner[i]);
+    fig_panel_label(panel, middle,
+                    (fig_label){.text = simplex_name[simplex->pivot],
+                                .gap = holds ? 18 : 2});
+    fig_scene_tetrahedron(
+        scene, corner, holds ? FIG_WIDTH_LINE : FIG_WIDTH_THIN,
+        (fig_paint){.role = FIG_ROLE_TRIANGLE, .opacity = holds ? 0.22 : 0.14});
 }
 
-static void draw_frame(tf_page *page, const encounter *e, tf_box box)
+static void draw_frame(fig_page *page, const encounter *e, fig_box box)
 {
-    tf_panel *panel = tf_page_panel(page, box);
-    tf_panel_look(panel, (tf_camera){.azimuth = 42, .elevation = 14});
+    fig_panel *panel = fig_page_panel(page, box);
+    fig_panel_look(panel, (fig_camera){.azimuth = 72, .elevation = 14});
     for (int j = 0; j < TETRAHEDRA; j++)
         draw_tetrahedron(panel, e, j);
-    tf_scene_ball(tf_panel_scene(panel), origin, TF_WIDTH_MARK,
-                  (tf_paint){.role = TF_ROLE_POINT});
-    tf_panel_label(
-        panel, origin,
-        (tf_label){
-            .text = "$0$", .role = TF_ROLE_POINT, .side = TF_SIDE_E, .gap = 7});
+    fig_scene_ball(fig_panel_scene(panel), origin, FIG_WIDTH_MARK,
+                   (fig_paint){.role = FIG_ROLE_POINT});
+    fig_panel_label(panel, origin,
+                    (fig_label){.text = "$0$",
+                                .role = FIG_ROLE_POINT,
+                                .side = FIG_SIDE_E,
+                                .gap = 7});
 }
 
 // The motion as it is ----------------------------------------------------
 
-static void add_vertex(tf_panel *panel, const tf_worldline *vertex,
-                       const char *const name[2], tf_role role)
+static void add_vertex(fig_panel *panel, const tf_worldline *vertex,
+                       const char *const name[2], const fig_side side[2],
+                       fig_role role)
 {
-    tf_scene *scene = tf_panel_scene(panel);
-    const double *start = vertex->at[0].x, *end = vertex->at[1].x;
-    tf_scene_ball(scene, start, small_ball, (tf_paint){.role = role});
-    tf_scene_arrow(scene, start, end, TF_WIDTH_LINE, (tf_paint){.role = role});
-    tf_panel_label(panel, start, (tf_label){.text = name[0], .role = role});
-    tf_panel_label(panel, end, (tf_label){.text = name[1], .role = role});
+    fig_scene *scene = fig_panel_scene(panel);
+    tf_vector start = fig_vector_of(vertex->at[0].x);
+    tf_vector end = fig_vector_of(vertex->at[1].x);
+    fig_scene_ball(scene, start, small_ball, (fig_paint){.role = role});
+    fig_scene_arrow(scene, start, end, FIG_WIDTH_LINE,
+                    (fig_paint){.role = role});
+    fig_panel_label(
+        panel, start,
+        (fig_label){.text = name[0], .role = role, .side = side[0]});
+    fig_panel_label(
+        panel, end,
+        (fig_label){.text = name[1], .role = role, .side = side[1]});
 }
 
-static void draw_motion(tf_page *page, const encounter *e, tf_box box)
+static void draw_motion(fig_page *page, const encounter *e, fig_box box)
 {
     static const char *const point_name[2] = {"$p$", "$p'$"};
-    tf_panel *panel = tf_page_panel(page, box);
-    tf_panel_look(panel, (tf_camera){.azimuth = 42, .elevation = 14});
-    tf_scene *scene = tf_panel_scene(panel);
+    static const fig_side point_side[2] = {FIG_SIDE_N, FIG_SIDE_E};
+    fig_panel *panel = fig_page_panel(page, box);
+    fig_panel_look(panel, (fig_camera){.azimuth = 72, .elevation = 14});
+    fig_scene *scene = fig_panel_scene(panel);
     for (int t = 0; t < 2; t++) {
-        double corner[CORNERS][3];
+        tf_vector corner[CORNERS];
         for (int i = 0; i < CORNERS; i++)
-            tf_worldline_place(&e->corner[i], 3, t, corner[i]);
-        tf_scene_triangle(scene, (const double(*)[3])corner, TF_WIDTH_THIN,
-                          (tf_paint){.role = TF_ROLE_TRIANGLE, .opacity = 0.4});
+            corner[i] = fig_worldline_place(&e->corner[i], 3, t);
+        fig_scene_triangle(
+            scene, corner, FIG_WIDTH_THIN,
+            (fig_paint){.role = FIG_ROLE_TRIANGLE, .opacity = 0.4});
     }
     for (int i = 0; i < CORNERS; i++)
-        add_vertex(panel, &e->corner[i], corner_name[i], TF_ROLE_TRIANGLE);
-    add_vertex(panel, &e->point, point_name, TF_ROLE_POINT);
+        add_vertex(panel, &e->corner[i], corner_name[i], corner_side[i],
+                   FIG_ROLE_TRIANGLE);
+    add_vertex(panel, &e->point, point_name, point_side, FIG_ROLE_POINT);
 }
 
 // The table of signs -----------------------------------------------------
 
-static void write_sign(tf_page *page, double x, double y, tf_sign sign)
+static void write_sign(fig_page *page, double x, double y, tf_sign sign)
 {
     const char *text = sign > 0 ? "$+$" : sign < 0 ? "$-$" : "$0$";
-    tf_role role = sign > 0   ? TF_ROLE_POSITIVE
-                   : sign < 0 ? TF_ROLE_NEGATIVE
-                              : TF_ROLE_UNCERTAIN;
-    tf_page_dot(page, x, y - 3.3, line - 4, (tf_paint){.role = role});
-    tf_page_text(page, x, y, TF_ALIGN_CENTER, text, TF_LETTERS, TF_ROLE_INK);
+    fig_role role = sign > 0   ? FIG_ROLE_POSITIVE
+                    : sign < 0 ? FIG_ROLE_NEGATIVE
+                               : FIG_ROLE_UNCERTAIN;
+    fig_page_dot(page, x, y - 3.3, line - 4, (fig_paint){.role = role});
+    fig_page_text(page, x, y, FIG_ALIGN_CENTER, text, FIG_LETTERS,
+                  FIG_ROLE_INK);
 }
 
 /// A row of two lines: corners, and the signs of their weights.
-static void write_row(tf_page *page, const encounter *e, int tetrahedron,
+static void write_row(fig_page *page, const encounter *e, int tetrahedron,
                       double x, double y)
 {
     const tf_simplex *simplex = &e->sweep[tetrahedron];
     for (int i = 0; i < simplex->count; i++) {
         const tf_event *event = simplex->event[i];
-        tf_page_text(page, x + column * i, y, TF_ALIGN_CENTER,
-                     corner_name[corner_of(e, event)][event->t], TF_LETTERS,
-                     TF_ROLE_TRIANGLE);
+        fig_page_text(page, x + column * i, y, FIG_ALIGN_CENTER,
+                      corner_name[corner_of(e, event)][event->t], FIG_LETTERS,
+                      FIG_ROLE_TRIANGLE);
         write_sign(page, x + column * i, y + line, e->sign[tetrahedron][i]);
     }
+    fig_page_text(page, x - 26, y + line / 2, FIG_ALIGN_LEFT,
+                  simplex_name[simplex->pivot], FIG_LETTERS, FIG_ROLE_INK);
     bool holds = tetrahedron == e->holder;
-    tf_page_text(page, x + column * simplex->count, y + line / 2, TF_ALIGN_LEFT,
-                 holds ? "holds $0$" : "misses $0$", TF_LETTERS,
-                 holds ? TF_ROLE_CONTACT : TF_ROLE_INK);
+    fig_page_text(page, x + column * simplex->count, y + line / 2,
+                  FIG_ALIGN_LEFT, holds ? "holds $0$" : "misses $0$",
+                  FIG_LETTERS, holds ? FIG_ROLE_CONTACT : FIG_ROLE_INK);
 }
 
-static void draw(tf_page *page, FILE *numbers)
+static void draw(fig_page *page, FILE *numbers)
 {
     encounter e;
     solve(&e);
-    double height = tf_page_height(page), side = 236;
-    draw_frame(page, &e, (tf_box){0, 10, side, height - 10});
-    tf_page_text(page, side / 2, 14, TF_ALIGN_CENTER, "seen from the point",
-                 TF_LETTERS_SMALL, TF_ROLE_INK);
-    tf_page_text(page, side + 68, 14, TF_ALIGN_CENTER, "the motion as it is",
-                 TF_LETTERS_SMALL, TF_ROLE_INK);
-    draw_motion(page, &e, (tf_box){side, 14, 144, 124});
-    tf_page_text(page, side + 68, 160, TF_ALIGN_CENTER,
-                 "signs of the weights of $0$", TF_LETTERS_SMALL, TF_ROLE_INK);
+    double height = fig_page_height(page), side = 236;
+    draw_frame(page, &e, (fig_box){0, 10, side, height - 10});
+    fig_page_text(page, side / 2, 14, FIG_ALIGN_CENTER, "seen from the point",
+                  FIG_LETTERS_SMALL, FIG_ROLE_INK);
+    fig_page_text(page, side + 68, 14, FIG_ALIGN_CENTER, "the motion as it is",
+                  FIG_LETTERS_SMALL, FIG_ROLE_INK);
+    draw_motion(page, &e, (fig_box){side, 14, 144, 124});
+    fig_page_text(page, side + 68, 160, FIG_ALIGN_CENTER,
+                  "signs of the coordinates of $0$", FIG_LETTERS_SMALL,
+                  FIG_ROLE_INK);
     for (int j = 0; j < TETRAHEDRA; j++)
-        write_row(page, &e, TETRAHEDRA - 1 - j, side + 10, 182 + 38 * j);
+        write_row(page, &e, TETRAHEDRA - 1 - j, side + 29, 182 + 38 * j);
     print_numbers(&e, numbers);
 }
 
-const tf_figure tf_figure_sheared_frame = {
+const fig_figure fig_sheared_frame = {
     .name = "sheared-frame",
     .title = "Three tetrahedra around the point that stands still",
-    .width = TF_FIGURE_WIDTH,
-    .height = TF_FIGURE_HEIGHT,
+    .width = FIG_PAGE_WIDTH,
+    .height = FIG_PAGE_HEIGHT,
     .draw = draw,
 };

@@ -1,154 +1,208 @@
-// Time per query of every arithmetic on every workload.
+// Time per query of every arithmetic on every workload: of doubles, and of the
+// same queries rounded to the grid of the integers.
 #include "figures.h"
 
 #include "measured.h"
-#include "stage/plot.h"
+#include "renderer/plot.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 enum {
+    PANELS = 2,
     ARITHMETICS = 5,
-    MIDDLE_LANE = ARITHMETICS / 2,
-    ROWS = 8
+    MIDDLE_LANE = ARITHMETICS / 2
 };
 
-static const double dot = 4.6, lane = 0.16;
+static const double dot = 4.6, lane = 0.16, names_width = 56, gap = 12;
+
+/// What a panel shows: integers take part only where coordinates are integers.
+static const struct input {
+    const char *title, *prefix;
+    int arithmetics;
+} inputs[PANELS] = {
+    {"doubles", "", ARITHMETICS - 2},
+    {"the same, on the grid", "rounded ", ARITHMETICS},
+};
 
 static const struct contender {
     const char *name;
-    tf_role role;
+    fig_role role;
 } contenders[ARITHMETICS] = {
-    {"clamped", TF_ROLE_NEUTRAL}, {"exact", TF_ROLE_CONTACT},
-    {"perturbed", TF_ROLE_POINT}, {"integer64", TF_ROLE_TRIANGLE},
-    {"integer128", TF_ROLE_EDGE},
+    {"clamped", FIG_ROLE_NEUTRAL}, {"exact", FIG_ROLE_CONTACT},
+    {"perturbed", FIG_ROLE_POINT}, {"integer64", FIG_ROLE_TRIANGLE},
+    {"integer128", FIG_ROLE_EDGE},
 };
 
-/// The middle of a row, 0 the topmost; pairs of rows stand together.
+/// The middle of a row, 0 the topmost; rows of one work are side by side.
 static double height_of(int row)
 {
-    return ROWS - row - 0.5 + (row % 2 == 0 ? -0.05 : 0.05);
+    return FIG_WORKLOADS - row - 0.5 + (row % 2 == 0 ? -0.05 : 0.05);
 }
 
-static int row_of(const tf_query_time *timed, const tf_query_time *first)
+/// The lattice is on the grid as it is.
+static bool is_lattice(int row)
 {
-    int row = 0;
-    for (const tf_query_time *t = first + 1; t <= timed; t++)
-        row += strcmp(t->work, t[-1].work) != 0 ||
-               strcmp(t->kind, t[-1].kind) != 0;
-    return row;
+    return strcmp(fig_workloads[row].work, "lattice") == 0;
 }
 
-/// A band with the workload's name beside it.
-static void draw_row(tf_page *page, const tf_plot *plot,
-                     const tf_query_time *timed, int row)
+static const char *prefix_of(int row, int panel)
+{
+    return is_lattice(row) ? "" : inputs[panel].prefix;
+}
+
+/// Whether a panel has dots in a row.
+static bool is_shown(int row, int panel)
+{
+    return panel > 0 || !is_lattice(row);
+}
+
+/// Nanoseconds a query.
+static double time_of(int row, int panel, int arithmetic)
+{
+    return fig_measured("%s %s%s %s", contenders[arithmetic].name,
+                        prefix_of(row, panel), fig_workloads[row].work,
+                        fig_workloads[row].kind);
+}
+
+/// A band for each workload.
+static void draw_row(fig_page *page, const fig_plot *plot, int row)
 {
     static const double half = 0.44;
-    double top[2], foot[2];
-    tf_plot_place(plot, plot->x[0], height_of(row) + half, top);
-    tf_plot_place(plot, plot->x[1], height_of(row) - half, foot);
-    tf_page_fill_box(
-        page, (tf_box){top[0], top[1], foot[0] - top[0], foot[1] - top[1]},
-        (tf_paint){.role = TF_ROLE_NEUTRAL, .opacity = 0.13});
-    tf_name_workload(page, top[0] - 6, (top[1] + foot[1]) / 2 + 3, timed->work,
-                     timed->kind);
+    fig_point top = fig_plot_place(plot, plot->x[0], height_of(row) + half);
+    fig_point foot = fig_plot_place(plot, plot->x[1], height_of(row) - half);
+    fig_page_fill_box(page,
+                      (fig_box){top.x, top.y, foot.x - top.x, foot.y - top.y},
+                      (fig_paint){.role = FIG_ROLE_NEUTRAL, .opacity = 0.13});
 }
 
 /// Each arithmetic has a lane of its own in the row.
-static void draw_dot(tf_page *page, const tf_plot *plot,
-                     const tf_query_time *timed, int row)
+static void draw_dots(fig_page *page, const fig_plot *plot, int row, int panel)
 {
-    double at[2];
-    for (int i = 0; i < ARITHMETICS; i++)
-        if (strcmp(timed->arithmetic, contenders[i].name) == 0) {
-            double height = height_of(row) + lane * (MIDDLE_LANE - i);
-            tf_plot_place(plot, timed->time, height, at);
-            tf_page_dot(page, at[0], at[1], dot,
-                        (tf_paint){.role = contenders[i].role});
-        }
+    for (int i = 0; i < inputs[panel].arithmetics; i++) {
+        double height = height_of(row) + lane * (MIDDLE_LANE - i);
+        fig_plot_dot(page, plot, time_of(row, panel, i), height, dot,
+                     contenders[i].role);
+    }
 }
 
 /// Vertical lines at 1, 2 and 5 times the powers of ten, named.
-static void draw_scale(tf_page *page, const tf_plot *plot)
+static void draw_scale(fig_page *page, const fig_plot *plot)
 {
     static const double leads[] = {1, 2, 5};
     for (int power = 0; pow(10, power) <= plot->x[1]; power++)
         for (int i = 0; i < 3; i++) {
-            double x = leads[i] * pow(10, power), at[2][2];
+            double x = leads[i] * pow(10, power);
             if (x < plot->x[0] || x > plot->x[1])
                 continue;
-            tf_plot_place(plot, x, plot->y[1], at[0]);
-            tf_plot_place(plot, x, plot->y[0], at[1]);
-            tf_page_line(
-                page, 2, (const double(*)[2])at,
-                (tf_stroke){.paint = {.role = TF_ROLE_NEUTRAL, .opacity = 0.5},
-                            .width = TF_WIDTH_HAIR});
-            char name[32];
-            snprintf(name, sizeof name, "%g", x);
-            tf_page_text(page, at[1][0], at[1][1] + 12, TF_ALIGN_CENTER, name,
-                         TF_LETTERS_SMALL, TF_ROLE_INK);
+            fig_point at[2] = {fig_plot_place(plot, x, plot->y[1]),
+                               fig_plot_place(plot, x, plot->y[0])};
+            fig_page_line(page, 2, at,
+                          (fig_stroke){.paint = {.role = FIG_ROLE_NEUTRAL,
+                                                 .opacity = 0.5},
+                                       .width = FIG_WIDTH_HAIR});
+            char name[FIG_GROUPED];
+            fig_plot_grouped(lround(x), name);
+            fig_page_text(page, at[1].x, at[1].y + 12, FIG_ALIGN_CENTER, name,
+                          FIG_LETTERS_SMALL, FIG_ROLE_INK);
         }
 }
 
-static void draw_key(tf_page *page, double x, double y)
+static void draw_key(fig_page *page, double x, double y)
 {
     for (int i = 0; i < ARITHMETICS; i++) {
         double width, height;
-        tf_page_dot(page, x, y - 3, dot,
-                    (tf_paint){.role = contenders[i].role});
-        tf_page_text(page, x + 6, y, TF_ALIGN_LEFT, contenders[i].name,
-                     TF_LETTERS_SMALL, TF_ROLE_INK);
-        tf_page_measure(page, contenders[i].name, TF_LETTERS_SMALL, &width,
-                        &height);
+        fig_page_dot(page, x, y - 3, dot,
+                     (fig_paint){.role = contenders[i].role});
+        fig_page_text(page, x + 6, y, FIG_ALIGN_LEFT, contenders[i].name,
+                      FIG_LETTERS_SMALL, FIG_ROLE_INK);
+        fig_page_measure(page, contenders[i].name, FIG_LETTERS_SMALL, &width,
+                         &height);
         x += width + 20;
     }
 }
 
 /// The time, and how many of the queries were not found apart.
-static void print_numbers(FILE *numbers, const tf_query_time *timed)
+static void print_numbers(FILE *numbers, int row, int panel, int arithmetic)
 {
-    char key[80];
-    int length = snprintf(key, sizeof key, "%s_%s_%s", timed->work,
-                          tf_kind_letters(timed->kind), timed->arithmetic);
-    tf_figure_number(numbers, key, timed->time);
-    char *end = key + length;
-    snprintf(end, sizeof key - (size_t)length, "_hits");
-    tf_figure_number(numbers, key, (double)timed->hits);
-    snprintf(end, sizeof key - (size_t)length, "_queries");
-    tf_figure_number(numbers, key, (double)timed->queries);
-}
-
-static void draw(tf_page *page, FILE *numbers)
-{
-    int count;
-    const tf_query_time *timed = tf_measured_queries(&count);
-    double least = INFINITY, most = 0;
-    for (int i = 0; i < count; i++) {
-        least = fmin(least, timed[i].time);
-        most = fmax(most, timed[i].time);
-        print_numbers(numbers, &timed[i]);
+    const fig_workload *w = &fig_workloads[row];
+    const char *name = contenders[arithmetic].name;
+    const char *prefix = prefix_of(row, panel);
+    const struct {
+        const char *ending;
+        double value;
+    } number[] = {
+        {"", time_of(row, panel, arithmetic)},
+        {"_hits",
+         fig_measured("%s %s%s %s hits", name, prefix, w->work, w->kind)},
+        {"_queries", fig_measured("%s%s %s queries", prefix, w->work, w->kind)},
+    };
+    for (int i = 0; i < 3; i++) {
+        char key[80];
+        snprintf(key, sizeof key, "%s%s_%s_%s%s", *prefix ? "rounded_" : "",
+                 w->work, w->letters, name, number[i].ending);
+        fig_number(numbers, key, number[i].value);
     }
-    tf_plot plot = {.box = {64, 24, tf_page_width(page) - 80, 224},
-                    .x = {least / 1.3, most * 1.3},
-                    .y = {0, ROWS},
-                    .log_x = true,
-                    .name_x = "nanoseconds a query",
-                    .ticks_x = -1,
-                    .ticks_y = -1};
-    for (int i = 0; i < count; i++)
-        if (i == 0 || row_of(&timed[i], timed) != row_of(&timed[i - 1], timed))
-            draw_row(page, &plot, &timed[i], row_of(&timed[i], timed));
-    draw_scale(page, &plot);
-    for (int i = 0; i < count; i++)
-        draw_dot(page, &plot, &timed[i], row_of(&timed[i], timed));
-    tf_plot_frame(page, &plot);
-    draw_key(page, plot.box.x + 4, 14);
 }
 
-const tf_figure tf_figure_sign_costs = {
+/// Print all numbers, and find the range of the times.
+static void find_range(FILE *numbers, double range[2])
+{
+    range[0] = INFINITY, range[1] = 0;
+    for (int panel = 0; panel < PANELS; panel++)
+        for (int row = 0; row < FIG_WORKLOADS; row++)
+            for (int i = 0; i < inputs[panel].arithmetics; i++) {
+                if (!is_shown(row, panel))
+                    continue;
+                double time = time_of(row, panel, i);
+                range[0] = fmin(range[0], time);
+                range[1] = fmax(range[1], time);
+                print_numbers(numbers, row, panel, i);
+            }
+}
+
+static void draw_panel(fig_page *page, int panel, const double range[2])
+{
+    double width = (fig_page_width(page) - names_width - gap - 8) / PANELS;
+    fig_plot plot = {
+        .box = {names_width + panel * (width + gap), 42, width, 224},
+        .x = {range[0] / 1.2, range[1] * 1.2},
+        .y = {0, FIG_WORKLOADS},
+        .log_x = true,
+        .name_x = "nanoseconds a query",
+        .ticks_x = -1,
+        .ticks_y = -1};
+    for (int row = 0; row < FIG_WORKLOADS; row++)
+        if (is_shown(row, panel))
+            draw_row(page, &plot, row);
+    draw_scale(page, &plot);
+    for (int row = 0; row < FIG_WORKLOADS; row++)
+        if (is_shown(row, panel))
+            draw_dots(page, &plot, row, panel);
+    fig_plot_frame(page, &plot);
+    fig_page_text(page, plot.box.x + width / 2, plot.box.y - 6,
+                  FIG_ALIGN_CENTER, inputs[panel].title, FIG_LETTERS,
+                  FIG_ROLE_INK);
+    for (int row = 0; row < FIG_WORKLOADS && panel == 0; row++)
+        fig_name_workload(page, plot.box.x - 6,
+                          fig_plot_place(&plot, range[0], height_of(row)).y + 3,
+                          &fig_workloads[row]);
+}
+
+static void draw(fig_page *page, FILE *numbers)
+{
+    double range[2];
+    find_range(numbers, range);
+    for (int panel = 0; panel < PANELS; panel++)
+        draw_panel(page, panel, range);
+    draw_key(page, names_width + 8, 14);
+}
+
+const fig_figure fig_sign_costs = {
     .name = "sign-costs",
     .title = "What every arithmetic costs, by workload",
-    .width = TF_FIGURE_WIDTH,
-    .height = 284,
+    .width = FIG_PAGE_WIDTH,
+    .height = 302,
     .draw = draw,
 };

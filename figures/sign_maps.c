@@ -1,9 +1,11 @@
 // The sign of a determinant near the line where it is zero, a pixel a double.
+#include "arithmetic/operations.h"
 #include "figures.h"
 
 #include "arithmetic/clamped.h"
 #include "arithmetic/exact.h"
-#include "stage/plot.h"
+#include "arithmetic/filter.h"
+#include "renderer/plot.h"
 
 enum {
     CELLS = 256, // doubles along each side of a map
@@ -17,7 +19,7 @@ static const double step = 0x1p-53;
 /// The line goes through these two points on the diagonal.
 static const double near_end = 12, far_end = 24;
 
-static const double map_side = 116, gap = 12, map_top = 126;
+static const double map_side = 116, gap = 12, map_top = 148, plot_top = 6;
 
 /// A way to find signs, and what became of it.
 typedef struct sign_map {
@@ -45,14 +47,25 @@ static tf_sign cell_sign(tf_sign (*sign)(const tf_differences *), int i, int j)
     return sign(&d);
 }
 
-/// Unknown is paler than its role, for the line to stand out on it.
-static tf_paint sign_paint(tf_sign sign)
+/// Zero is the lightest color of a map, and the line across it the darkest.
+static fig_paint zero_paint(const fig_theme *theme)
 {
-    static const tf_paint paint[SIGNS] = {
-        {.role = TF_ROLE_NEGATIVE},
-        {.role = TF_ROLE_PAPER},
-        {.role = TF_ROLE_POSITIVE},
-        {.role = TF_ROLE_UNCERTAIN, .shade = -0.4}};
+    return (fig_paint){.role = theme->dark ? FIG_ROLE_INK : FIG_ROLE_PAPER};
+}
+
+static fig_paint line_paint(const fig_theme *theme)
+{
+    return (fig_paint){.role = theme->dark ? FIG_ROLE_PAPER : FIG_ROLE_INK};
+}
+
+/// Unknown is paler than its role, for the line to stand out on it.
+static fig_paint sign_paint(const fig_theme *theme, tf_sign sign)
+{
+    const fig_paint paint[SIGNS] = {
+        {.role = FIG_ROLE_NEGATIVE},
+        zero_paint(theme),
+        {.role = FIG_ROLE_POSITIVE},
+        {.role = FIG_ROLE_UNCERTAIN, .shade = -0.4}};
     return paint[sign + 1];
 }
 
@@ -64,64 +77,64 @@ static void count_sign(sign_map *map, tf_sign found, tf_sign exact)
 }
 
 /// Find all signs, and paint them with the highest row of cells first.
-static void fill_map(sign_map *map, const tf_theme *theme, tf_rgb cell[])
+static void fill_map(sign_map *map, const fig_theme *theme, fig_rgb cell[])
 {
     for (int j = CELLS - 1; j >= 0; j--)
         for (int i = 0; i < CELLS; i++) {
             tf_sign found = cell_sign(map->sign, i, j);
             count_sign(map, found, cell_sign(tf_exact.sign, i, j));
-            *cell++ = tf_paint_color(theme, sign_paint(found));
+            *cell++ = fig_paint_color(theme, sign_paint(theme, found));
         }
 }
 
-static tf_box map_box(int i)
+static fig_box map_box(int i)
 {
-    double margin = (TF_FIGURE_WIDTH - MAPS * map_side - (MAPS - 1) * gap) / 2;
-    return (tf_box){margin + i * (map_side + gap), map_top, map_side, map_side};
+    double margin = (FIG_PAGE_WIDTH - MAPS * map_side - (MAPS - 1) * gap) / 2;
+    return (fig_box){margin + i * (map_side + gap), map_top, map_side,
+                     map_side};
 }
 
-static void outline(tf_page *page, tf_box box)
+static void outline(fig_page *page, fig_box box)
 {
     double right = box.x + box.width, below = box.y + box.height;
-    double corner[4][2] = {
+    fig_point corner[4] = {
         {box.x, box.y}, {right, box.y}, {right, below}, {box.x, below}};
-    tf_page_line(page, 4, (const double(*)[2])corner,
-                 (tf_stroke){.paint = {.role = TF_ROLE_NEUTRAL},
-                             .width = TF_WIDTH_HAIR,
-                             .closed = true});
+    fig_page_line(page, 4, corner,
+                  (fig_stroke){.paint = {.role = FIG_ROLE_NEUTRAL},
+                               .width = FIG_WIDTH_HAIR,
+                               .closed = true});
 }
 
 /// The true line, from the lower left corner of a box to the upper right one.
-static void draw_diagonal(tf_page *page, tf_box box, double width)
+static void draw_diagonal(fig_page *page, fig_box box, double width,
+                          fig_paint paint)
 {
-    double end[2][2] = {{box.x, box.y + box.height},
+    fig_point end[2] = {{box.x, box.y + box.height},
                         {box.x + box.width, box.y}};
-    tf_page_line(page, 2, (const double(*)[2])end,
-                 (tf_stroke){.width = width, .under_labels = true});
+    fig_page_line(
+        page, 2, end,
+        (fig_stroke){.paint = paint, .width = width, .under_labels = true});
 }
 
-static void draw_map(tf_page *page, tf_box box, sign_map *map)
+static void draw_map(fig_page *page, fig_box box, sign_map *map)
 {
-    static tf_rgb cell[CELLS * CELLS];
-    fill_map(map, tf_page_theme(page), cell);
-    tf_page_map(page, box, CELLS, CELLS, cell);
-    draw_diagonal(page, box, TF_WIDTH_THIN);
+    static fig_rgb cell[CELLS * CELLS];
+    fill_map(map, fig_page_theme(page), cell);
+    fig_page_map(page, box, CELLS, CELLS, cell);
+    draw_diagonal(page, box, FIG_WIDTH_THIN, line_paint(fig_page_theme(page)));
     outline(page, box);
 }
 
 /// Tell below a map how many of its signs are wrong, or else not known.
-static void caption_map(tf_page *page, tf_box box, const sign_map *map)
+static void caption_map(fig_page *page, fig_box box, const sign_map *map)
 {
     int unknown = map->count[TF_UNKNOWN + 1];
     int count = unknown > 0 ? unknown : map->wrong;
     const char *what = unknown > 0 ? "unknown" : "wrong";
-    char text[64];
-    if (count < 1000)
-        snprintf(text, sizeof text, "*%s:* %d %s", map->title, count, what);
-    else
-        snprintf(text, sizeof text, "*%s:* %d\u2009%03d %s", map->title,
-                 count / 1000, count % 1000, what);
-    tf_page_caption(page, box, text);
+    char number[FIG_GROUPED], text[64];
+    fig_plot_grouped(count, number);
+    snprintf(text, sizeof text, "*%s:* %s %s", map->title, number, what);
+    fig_page_caption(page, box, text);
 }
 
 static void print_map(FILE *numbers, const sign_map *map)
@@ -133,94 +146,104 @@ static void print_map(FILE *numbers, const sign_map *map)
     for (int i = 0; i < 6; i++) {
         char key[32];
         snprintf(key, sizeof key, "%s_%s", map->key, name[i]);
-        tf_figure_number(numbers, key, value[i]);
+        fig_number(numbers, key, value[i]);
     }
 }
 
-/// Fill the two sides of the diagonal of a box with the colours of their signs.
-static void fill_sides(tf_page *page, tf_box box)
+/// Fill the two sides of the diagonal of a box with the colors of their signs.
+static void fill_sides(fig_page *page, fig_box box)
 {
     double right = box.x + box.width, below = box.y + box.height;
-    double left_side[3][2] = {{box.x, below}, {right, box.y}, {box.x, box.y}};
-    double right_side[3][2] = {{box.x, below}, {right, box.y}, {right, below}};
-    tf_page_fill(page, 3, (const double(*)[2])left_side,
-                 (tf_paint){TF_ROLE_POSITIVE, .opacity = 0.35});
-    tf_page_fill(page, 3, (const double(*)[2])right_side,
-                 (tf_paint){TF_ROLE_NEGATIVE, .opacity = 0.35});
+    fig_point left_side[3] = {{box.x, below}, {right, box.y}, {box.x, box.y}};
+    fig_point right_side[3] = {{box.x, below}, {right, box.y}, {right, below}};
+    fig_page_fill(page, 3, left_side,
+                  (fig_paint){FIG_ROLE_POSITIVE, .opacity = 0.35});
+    fig_page_fill(page, 3, right_side,
+                  (fig_paint){FIG_ROLE_NEGATIVE, .opacity = 0.35});
 }
 
 /// A point of the diagonal of the plot, with its name.
-static void draw_point(tf_page *page, const tf_plot *plot, double at,
-                       tf_role role, tf_side side, const char *name)
+static void draw_point(fig_page *page, const fig_plot *plot, double at,
+                       fig_role role, fig_side side, const char *name)
 {
-    double place[2];
-    tf_plot_place(plot, at, at, place);
-    tf_page_dot(page, place[0], place[1], 4.5, (tf_paint){.role = role});
-    tf_page_label(page, place[0], place[1],
-                  (tf_label){.text = name, .role = role, .side = side});
+    fig_point place = fig_plot_dot(page, plot, at, at, 4.5, role);
+    fig_page_label(page, place.x, place.y,
+                   (fig_label){.text = name, .role = role, .side = side});
 }
 
 /// Lines from a point of the plot to the ends of the upper side of a box.
-static void draw_magnifier(tf_page *page, const tf_plot *plot, double at,
-                           tf_box box)
+static void draw_magnifier(fig_page *page, const fig_plot *plot, double at,
+                           fig_box box)
 {
-    double line[3][2] = {{box.x, box.y}, {0}, {box.x + box.width, box.y}};
-    tf_plot_place(plot, at, at, line[1]);
-    tf_page_line(page, 3, (const double(*)[2])line,
-                 (tf_stroke){.paint = {.role = TF_ROLE_NEUTRAL},
-                             .width = TF_WIDTH_HAIR});
+    fig_point line[3] = {{box.x, box.y},
+                         fig_plot_place(plot, at, at),
+                         {box.x + box.width, box.y}};
+    fig_page_line(page, 3, line,
+                  (fig_stroke){.paint = {.role = FIG_ROLE_NEUTRAL},
+                               .width = FIG_WIDTH_HAIR});
 }
 
 /// Draw the line as a whole, and where on it the cells are.
-static void draw_whole_line(tf_page *page)
+static void draw_whole_line(fig_page *page)
 {
-    tf_box first = map_box(0), last = map_box(MAPS - 1);
-    tf_plot plot = {.box = {first.x, 6, last.x + map_side - first.x, 98},
-                    .x = {-1.5, 27},
-                    .y = {-1.5, 27}};
+    fig_box first = map_box(0);
+    fig_plot plot = {.box = {first.x, plot_top, map_side, map_side},
+                     .x = {-1.5, 27},
+                     .y = {-1.5, 27}};
     fill_sides(page, plot.box);
     draw_magnifier(page, &plot, 0.5, first);
-    draw_diagonal(page, plot.box, TF_WIDTH_LINE);
-    draw_point(page, &plot, near_end, TF_ROLE_INK, TF_SIDE_SE,
+    draw_diagonal(page, plot.box, FIG_WIDTH_LINE,
+                  (fig_paint){.role = FIG_ROLE_INK});
+    draw_point(page, &plot, near_end, FIG_ROLE_INK, FIG_SIDE_E,
                "$q = (12, 12)$");
-    draw_point(page, &plot, far_end, TF_ROLE_INK, TF_SIDE_SE, "$r = (24, 24)$");
-    draw_point(page, &plot, 0.5, TF_ROLE_POINT, TF_SIDE_NW, "$p$");
-    tf_page_text(page, last.x + map_side - 6, 96, TF_ALIGN_RIGHT,
-                 "$p = (0.5 + i u, 0.5 + j u)$, $u = 2^{-53}$, "
-                 "$0 ≤ i, j < 256$",
-                 TF_LETTERS_SMALL, TF_ROLE_POINT);
+    draw_point(page, &plot, far_end, FIG_ROLE_INK, FIG_SIDE_W,
+               "$r = (24, 24)$");
+    draw_point(page, &plot, 0.5, FIG_ROLE_POINT, FIG_SIDE_NW, "$p$");
 }
 
-/// A coloured square and what it stands for; returns where the text ends.
-static double draw_key(tf_page *page, double x, tf_sign sign, const char *text)
+/// The points that are the cells of a map.
+static void write_cells(fig_page *page)
 {
-    double y = TF_FIGURE_HEIGHT - 12, width, height;
-    tf_box swatch = {x, y - 7, 8, 8};
-    tf_page_fill_box(page, swatch, sign_paint(sign));
+    double x = map_box(1).x;
+    fig_page_text(page, x, plot_top + 14, FIG_ALIGN_LEFT,
+                  "$p = (0.5 + i u, 0.5 + j u)$", FIG_LETTERS, FIG_ROLE_POINT);
+    fig_page_text(page, x, plot_top + 30, FIG_ALIGN_LEFT,
+                  "$u = 2^{-53}$, $0 ≤ i, j < 256$", FIG_LETTERS,
+                  FIG_ROLE_POINT);
+}
+
+/// A colored square and what it stands for.
+static void draw_key(fig_page *page, double x, double y, tf_sign sign,
+                     const char *text)
+{
+    fig_box swatch = {x, y - 7, 8, 8};
+    fig_page_fill_box(page, swatch, sign_paint(fig_page_theme(page), sign));
     outline(page, swatch);
-    tf_page_text(page, x + 12, y, TF_ALIGN_LEFT, text, TF_LETTERS_SMALL,
-                 TF_ROLE_INK);
-    tf_page_measure(page, text, TF_LETTERS_SMALL, &width, &height);
-    return x + 12 + width;
+    fig_page_text(page, x + 13, y, FIG_ALIGN_LEFT, text, FIG_LETTERS_SMALL,
+                  FIG_ROLE_INK);
 }
 
-/// Tell at the lower border what the colours stand for.
-static void draw_legend(tf_page *page)
+/// Show beside the line what the colors stand for.
+static void draw_legend(fig_page *page)
 {
-    double x = 82;
-    x = draw_key(page, x, TF_POSITIVE, "positive") + 22;
-    x = draw_key(page, x, TF_ZERO, "zero") + 22;
-    x = draw_key(page, x, TF_NEGATIVE, "negative") + 22;
-    draw_key(page, x, TF_UNKNOWN, "unknown");
+    double x = map_box(1).x, y = plot_top + 60, line = 17;
+    draw_key(page, x, y, TF_POSITIVE,
+             "positive: $p$ is left of the path from $q$ to $r$");
+    draw_key(page, x, y + line, TF_ZERO, "zero: $p$ is on the line");
+    draw_key(page, x, y + 2 * line, TF_NEGATIVE,
+             "negative: $p$ is right of it");
+    draw_key(page, x, y + 3 * line, TF_UNKNOWN,
+             "unknown: too close to call in doubles");
 }
 
-static void draw(tf_page *page, FILE *numbers)
+static void draw(fig_page *page, FILE *numbers)
 {
     sign_map map[MAPS] = {
         {.key = "naive", .title = "rounded", .sign = rounded_sign},
         {.key = "clamped", .title = "clamped", .sign = tf_clamped.sign},
         {.key = "exact", .title = "exact", .sign = tf_exact.sign}};
     draw_whole_line(page);
+    write_cells(page);
     for (int i = 0; i < MAPS; i++) {
         draw_map(page, map_box(i), &map[i]);
         caption_map(page, map_box(i), &map[i]);
@@ -229,10 +252,10 @@ static void draw(tf_page *page, FILE *numbers)
     draw_legend(page);
 }
 
-const tf_figure tf_figure_sign_maps = {
+const fig_figure fig_sign_maps = {
     .name = "sign-maps",
     .title = "The sign of a determinant near its zero, a pixel a double",
-    .width = TF_FIGURE_WIDTH,
-    .height = TF_FIGURE_HEIGHT,
+    .width = FIG_PAGE_WIDTH,
+    .height = 286,
     .draw = draw,
 };

@@ -1,11 +1,12 @@
 // How many signs a point-triangle query asks for, counted by an arithmetic.
+#include "arithmetic/operations.h"
+#include "base/require.h"
 #include "figures.h"
 
 #include "arithmetic/exact.h"
-#include "query/point_triangle.h"
-#include "stage/plot.h"
-
-#include <stdint.h>
+#include "query/query.h"
+#include "random.h"
+#include "renderer/plot.h"
 
 enum {
     QUERIES = 200000,
@@ -33,29 +34,7 @@ static tf_value exact_value(const tf_differences *differences)
 static const tf_arithmetic counting = {
     .name = "counting", .sign = counting_sign, .value = exact_value};
 
-// Random queries ---------------------------------------------------------
-
-/// The next of a sequence of numbers in 0..1 (Steele, Lea and Flood's
-/// splitmix64).
-static double next_random(uint64_t *state)
-{
-    uint64_t z = *state += 0x9e3779b97f4a7c15u;
-    z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ z >> 27) * 0x94d049bb133111ebu;
-    return (double)((z ^ z >> 31) >> 11) * 0x1p-53;
-}
-
-static void make_query(uint64_t *state, tf_worldline vertex[VERTICES])
-{
-    for (int i = 0; i < VERTICES; i++) {
-        double start[3], end[3];
-        for (int k = 0; k < 3; k++) {
-            start[k] = next_random(state);
-            end[k] = start[k] + displacement * (2 * next_random(state) - 1);
-        }
-        vertex[i] = tf_worldline_between(3, start, end);
-    }
-}
+// Counts -----------------------------------------------------------------
 
 /// How many misses and hits asked for how many signs, those left out that
 /// asked for none.
@@ -72,9 +51,9 @@ static tally count_signs(void)
     for (int i = 0; i < QUERIES; i++) {
         tf_worldline vertex[VERTICES];
         tf_contact contact;
-        make_query(&state, vertex);
+        fig_random_vertices(&state, 3, displacement, VERTICES, vertex);
         signs_asked = 0;
-        tf_point_triangle(&counting, &vertex[0], &vertex[1], &contact);
+        tf_query(&counting, 3, 1, &vertex[0], 3, &vertex[1], &contact);
         TF_REQUIRE(signs_asked <= MOST_SIGNS);
         if (signs_asked == 0) {
             n.none++;
@@ -96,25 +75,15 @@ static double percent(const tally *n, bool hit, int signs)
 }
 
 /// The misses' bar left of the number, the hits' right of it.
-static void draw_bar(tf_page *page, const tf_plot *plot, const tally *n,
+static void draw_bar(fig_page *page, const fig_plot *plot, const tally *n,
                      bool hit, int signs)
 {
-    double foot[2], top[2], share = percent(n, hit, signs);
+    double share = percent(n, hit, signs);
     if (share == 0)
         return;
-    tf_plot_place(plot, signs + (hit ? 0.04 : -0.4), 0, foot);
-    tf_plot_place(plot, signs + (hit ? 0.4 : -0.04), share, top);
-    tf_page_fill_box(
-        page, (tf_box){foot[0], top[1], top[0] - foot[0], foot[1] - top[1]},
-        (tf_paint){.role = hit ? TF_ROLE_CONTACT : TF_ROLE_TRIANGLE});
-}
-
-static void draw_key(tf_page *page, double x, double y, const char *text,
-                     tf_role role)
-{
-    tf_page_fill_box(page, (tf_box){x, y - 7, 8, 8}, (tf_paint){.role = role});
-    tf_page_text(page, x + 13, y, TF_ALIGN_LEFT, text, TF_LETTERS_SMALL,
-                 TF_ROLE_INK);
+    fig_plot_bar(
+        page, plot, signs + (hit ? 0.04 : -0.4), signs + (hit ? 0.4 : -0.04),
+        share, (fig_paint){.role = hit ? FIG_ROLE_CONTACT : FIG_ROLE_NEUTRAL});
 }
 
 static double mean_signs(const tally *n, bool hit)
@@ -124,36 +93,36 @@ static double mean_signs(const tally *n, bool hit)
 
 static void print_numbers(const tally *n, FILE *numbers)
 {
-    tf_figure_number(numbers, "queries", QUERIES);
-    tf_figure_number(numbers, "hits", (double)n->queries[true]);
-    tf_figure_number(numbers, "none_percent", 100 * (double)n->none / QUERIES);
-    tf_figure_number(numbers, "miss_mean", mean_signs(n, false));
-    tf_figure_number(numbers, "hit_mean", mean_signs(n, true));
+    fig_number(numbers, "queries", QUERIES);
+    fig_number(numbers, "hits", (double)n->queries[true]);
+    fig_number(numbers, "none_percent", 100 * (double)n->none / QUERIES);
+    fig_number(numbers, "miss_mean", mean_signs(n, false));
+    fig_number(numbers, "hit_mean", mean_signs(n, true));
 }
 
-static void draw(tf_page *page, FILE *numbers)
+static void draw(fig_page *page, FILE *numbers)
 {
     tally n = count_signs();
     print_numbers(&n, numbers);
-    double width = tf_page_width(page), height = tf_page_height(page);
-    tf_plot plot = {.box = {44, 10, width - 60, height - 48},
-                    .x = {0.4, MOST_SIGNS + 0.6},
-                    .y = {0, 30},
-                    .name_x = "signs asked for",
-                    .name_y = "percent of them",
-                    .ticks_x = 10};
+    double width = fig_page_width(page), height = fig_page_height(page);
+    fig_plot plot = {.box = {44, 10, width - 60, height - 48},
+                     .x = {0.4, MOST_SIGNS + 0.6},
+                     .y = {0, 30},
+                     .name_x = "signs evaluated",
+                     .name_y = "percent of queries",
+                     .ticks_x = 10};
     for (int hit = 0; hit < 2; hit++)
         for (int i = 1; i <= MOST_SIGNS; i++)
             draw_bar(page, &plot, &n, hit, i);
-    tf_plot_frame(page, &plot);
-    draw_key(page, 62, 20, "queries that miss", TF_ROLE_TRIANGLE);
-    draw_key(page, 62, 34, "queries that hit", TF_ROLE_CONTACT);
+    fig_plot_frame(page, &plot);
+    fig_plot_key(page, 62, 20, "queries that miss", FIG_ROLE_NEUTRAL);
+    fig_plot_key(page, 62, 34, "queries that hit", FIG_ROLE_CONTACT);
 }
 
-const tf_figure tf_figure_signs_spent = {
+const fig_figure fig_signs_spent = {
     .name = "signs-spent",
-    .title = "How many signs a point-triangle query asks for",
-    .width = TF_FIGURE_WIDTH,
+    .title = "How many signs a point-triangle query evaluates",
+    .width = FIG_PAGE_WIDTH,
     .height = 180,
     .draw = draw,
 };

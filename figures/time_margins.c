@@ -1,9 +1,11 @@
 // How far the ends of the interval are from the true time, query by query.
+#include "arithmetic/operations.h"
 #include "figures.h"
 
 #include "arithmetic/exact.h"
-#include "spacetime/complementary.h"
-#include "stage/plot.h"
+#include "intersect/complementary.h"
+#include "random.h"
+#include "renderer/plot.h"
 
 #include <inttypes.h>
 #include <math.h>
@@ -18,14 +20,13 @@ __extension__ typedef __int128 int128;
 
 /// A path and a triangle that meet, and the true time: late / all.
 typedef struct hit {
-    tf_meeting meeting;
+    tf_intersection meeting;
     int64_t late, all;
 } hit;
 
 static uint64_t random_bits(uint64_t *state)
 {
-    *state = *state * 6364136223846793005u + 1442695040888963407u;
-    return *state >> (64 - COORDINATE_BITS);
+    return fig_congruent_bits(state) >> (64 - COORDINATE_BITS);
 }
 
 /// The determinant of the differences without an event, in integers.
@@ -52,12 +53,13 @@ static bool random_hit(uint64_t *state, hit *h)
     tf_sweep(1, vertex, path);
     tf_sweep(2, vertex + 1, sweep);
     tf_pair pair = tf_pair_of(&path[0], &sweep[0], 2);
-    if (!tf_complementary_meet(&tf_exact, &pair, &h->meeting) ||
+    if (!tf_complementary_intersect(&tf_exact, &pair, TF_WITH_POINT,
+                                    &h->meeting) ||
         h->meeting.verdict != TF_HIT)
         return false;
 
     // The point's events are the first of each time; both count alike.
-    h->late = imaxabs(determinant(&pair, pair.early));
+    h->late = imaxabs(determinant(&pair, pair.start_count));
     h->all = h->late + imaxabs(determinant(&pair, 0));
     return true;
 }
@@ -71,53 +73,77 @@ static double error_of(double x, const hit *h)
     return ldexp((double)error / (double)h->all, 53 - shift);
 }
 
+/// In units of u, without what is small of second order.  What the computed
+/// time is off by, with the rounding of an end, is at most as much; so an end
+/// is at most two margins from the true time.
 static double margin(double t)
 {
     return t * (6 - 3 * t);
 }
 
-static void draw_margin(tf_page *page, const tf_plot *plot, double sign)
+/// The curve of some margins after t = 0 (+1) or before it (-1).
+static void find_curve(double margins, fig_point at[CURVE])
 {
-    double at[CURVE][2];
     for (int i = 0; i < CURVE; i++) {
-        at[i][0] = (double)i / (CURVE - 1);
-        at[i][1] = sign * margin(at[i][0]);
+        at[i].x = (double)i / (CURVE - 1);
+        at[i].y = margins * margin(at[i].x);
     }
-    tf_plot_curve(page, plot, CURVE, (const double(*)[2])at,
-                  (tf_stroke){.width = TF_WIDTH_LINE, .under_labels = true});
 }
 
-static void draw_dot(tf_page *page, const tf_plot *plot, double t, double error,
-                     tf_role role)
+/// Where the ends have to be, two margins on either side, and the margin.
+static void draw_bounds(fig_page *page, const fig_plot *plot)
 {
-    double at[2];
-    tf_plot_place(plot, t, error, at);
-    tf_page_dot(page, at[0], at[1], 1.5, (tf_paint){.role = role});
+    for (int sign = -1; sign <= 1; sign += 2) {
+        fig_point at[CURVE], corner[CURVE + 1];
+        find_curve(2 * sign, at);
+        for (int i = 0; i < CURVE; i++)
+            corner[i] = fig_plot_place(plot, at[i].x, at[i].y);
+        corner[CURVE] = fig_plot_place(plot, 1, 0);
+        fig_page_fill(page, CURVE + 1, corner,
+                      (fig_paint){.role = FIG_ROLE_NEUTRAL, .opacity = 0.16});
+        fig_plot_curve(page, plot, CURVE, at,
+                       (fig_stroke){.width = FIG_WIDTH_LINE});
+        find_curve(sign, at);
+        fig_plot_curve(page, plot, CURVE, at,
+                       (fig_stroke){.width = FIG_WIDTH_THIN, .dash = 3});
+    }
+    const fig_point truth[2] = {{0, 0}, {1, 0}};
+    fig_plot_curve(page, plot, 2, truth,
+                   (fig_stroke){.paint.role = FIG_ROLE_CONTACT});
 }
 
-static void name(tf_page *page, const tf_plot *plot, double y, const char *text,
-                 tf_role role)
+static void name(fig_page *page, const fig_plot *plot, double y,
+                 const char *text, fig_role role)
 {
-    double at[2];
-    tf_plot_place(plot, 1, y, at);
-    tf_page_text(page, at[0] + 4, at[1] + 3, TF_ALIGN_LEFT, text,
-                 TF_LETTERS_SMALL, role);
+    fig_point at = fig_plot_place(plot, 1, y);
+    fig_page_text(page, at.x + 4, at.y + 3, FIG_ALIGN_LEFT, text,
+                  FIG_LETTERS_SMALL, role);
 }
 
-static void draw(tf_page *page, FILE *numbers)
+static void draw_names(fig_page *page, const fig_plot *plot)
 {
-    tf_plot plot = {.box = {44, 8, tf_page_width(page) - 100, 150},
-                    .x = {0, 1},
-                    .y = {-5, 5},
-                    .name_x = "$t$",
-                    .name_y = "distance from $t$, in $u$"};
-    tf_plot_frame(page, &plot);
-    double zero[2][2] = {{0, 0}, {1, 0}};
-    tf_plot_curve(
-        page, &plot, 2, (const double(*)[2])zero,
-        (tf_stroke){.paint.role = TF_ROLE_NEUTRAL, .width = TF_WIDTH_HAIR});
+    name(page, plot, 6, "two margins", FIG_ROLE_INK);
+    name(page, plot, 3, "margin", FIG_ROLE_INK);
+    name(page, plot, 0, "true time $t$", FIG_ROLE_CONTACT);
+    fig_point end = fig_plot_place(plot, 0.15, 3.2);
+    fig_page_text(page, end.x, end.y, FIG_ALIGN_RIGHT, "toi_hi",
+                  FIG_LETTERS_SMALL, FIG_ROLE_POINT);
+    end = fig_plot_place(plot, 0.15, -3.7);
+    fig_page_text(page, end.x, end.y, FIG_ALIGN_RIGHT, "toi_lo",
+                  FIG_LETTERS_SMALL, FIG_ROLE_POINT);
+}
+
+static void draw(fig_page *page, FILE *numbers)
+{
+    fig_plot plot = {.box = {44, 8, fig_page_width(page) - 110, 166},
+                     .x = {0, 1},
+                     .y = {-6.4, 6.4},
+                     .name_x = "$t$",
+                     .name_y = "distance from $t$, in $u$"};
+    draw_bounds(page, &plot);
+    fig_plot_frame(page, &plot);
     uint64_t state = 2009;
-    double widest = 0, slack = INFINITY;
+    double widest = 0, slack = INFINITY, farthest = 0;
     for (int found = 0; found < QUERIES;) {
         hit h;
         if (!random_hit(&state, &h) || h.meeting.toi_lo < 0x1p-6)
@@ -125,27 +151,24 @@ static void draw(tf_page *page, FILE *numbers)
         double t = (double)h.late / (double)h.all;
         double low = error_of(h.meeting.toi_lo, &h);
         double high = error_of(h.meeting.toi_hi, &h);
-        draw_dot(page, &plot, t, low, TF_ROLE_START);
-        draw_dot(page, &plot, t, high, TF_ROLE_END);
+        fig_plot_dot(page, &plot, t, low, 1.5, FIG_ROLE_POINT);
+        fig_plot_dot(page, &plot, t, high, 1.5, FIG_ROLE_POINT);
         widest = fmax(widest, high - low);
         slack = fmin(slack, fmin(-low, high) / margin(t));
+        farthest = fmax(farthest, fmax(-low, high) / margin(t));
         found++;
     }
-    draw_margin(page, &plot, +1);
-    draw_margin(page, &plot, -1);
-    name(page, &plot, 3, "margin", TF_ROLE_INK);
-    name(page, &plot, 1.6, "toi_hi", TF_ROLE_END);
-    name(page, &plot, -1.6, "toi_lo", TF_ROLE_START);
-    name(page, &plot, 0, "$t$ itself", TF_ROLE_NEUTRAL);
-    tf_figure_number(numbers, "queries", QUERIES);
-    tf_figure_number(numbers, "widest", widest);
-    tf_figure_number(numbers, "slack", slack);
+    draw_names(page, &plot);
+    fig_number(numbers, "queries", QUERIES);
+    fig_number(numbers, "widest", widest);
+    fig_number(numbers, "slack", slack);
+    fig_number(numbers, "farthest", farthest);
 }
 
-const tf_figure tf_figure_time_margins = {
+const fig_figure fig_time_margins = {
     .name = "time-margins",
     .title = "The ends of the interval around the true time",
-    .width = TF_FIGURE_WIDTH,
-    .height = 196,
+    .width = FIG_PAGE_WIDTH,
+    .height = 212,
     .draw = draw,
 };

@@ -2,7 +2,7 @@
 // subnormal numbers.
 #include "figures.h"
 
-#include "stage/plot.h"
+#include "renderer/plot.h"
 
 #include <math.h>
 
@@ -18,21 +18,18 @@ static const double row_y[ROWS] = {44, 104};
 /// Two neighbours whose difference is subnormal.
 static const double neighbor[2] = {0.25, 0.3125};
 
-static void draw_tick(tf_page *page, const tf_plot *plot, double x, double y,
-                      double height, tf_role role)
+static void draw_tick(fig_page *page, const fig_plot *plot, double x, double y,
+                      double height, fig_role role)
 {
-    double at[2][2];
-    tf_plot_place(plot, x, 0, at[0]);
-    tf_plot_place(plot, x, 0, at[1]);
-    at[0][1] = y - height;
-    at[1][1] = y + height;
-    tf_page_line(page, 2, (const double(*)[2])at,
-                 (tf_stroke){.paint = {.role = role}, .width = TF_WIDTH_LINE});
+    double right = fig_plot_place(plot, x, 0).x;
+    fig_page_line(
+        page, 2, (fig_point[]){{right, y - height}, {right, y + height}},
+        (fig_stroke){.paint = {.role = role}, .width = FIG_WIDTH_LINE});
 }
 
 /// All numbers with an exponent, of full length or, in the lowest, shorter.
-static int draw_binade(tf_page *page, const tf_plot *plot, double y,
-                       int exponent, int first, tf_role role)
+static int draw_binade(fig_page *page, const fig_plot *plot, double y,
+                       int exponent, int first, fig_role role)
 {
     int last = first < 1 << (BITS - 1) ? 1 << (BITS - 1) : 1 << BITS;
     for (int m = first; m < last; m++)
@@ -40,42 +37,38 @@ static int draw_binade(tf_page *page, const tf_plot *plot, double y,
     return last - first;
 }
 
-static void draw_scale(tf_page *page, const tf_plot *plot, double y)
+static void draw_scale(fig_page *page, const fig_plot *plot, double y)
 {
     static const double at[] = {0, 0.25, 0.5, 1, 2};
     static const char *const name[] = {"$0$", "$1/4$", "$1/2$", "$1$", "$2$"};
-    double line[2][2];
-    tf_plot_place(plot, 0, 0, line[0]);
-    tf_plot_place(plot, 2, 0, line[1]);
-    line[0][1] = line[1][1] = y;
-    tf_page_line(page, 2, (const double(*)[2])line,
-                 (tf_stroke){.paint = {.role = TF_ROLE_NEUTRAL},
-                             .width = TF_WIDTH_THIN});
+    fig_point line[2] = {{fig_plot_place(plot, 0, 0).x, y},
+                         {fig_plot_place(plot, 2, 0).x, y}};
+    fig_page_line(page, 2, line,
+                  (fig_stroke){.paint = {.role = FIG_ROLE_NEUTRAL},
+                               .width = FIG_WIDTH_THIN});
     for (int i = 0; i < 5; i++) {
-        double place[2];
-        tf_plot_place(plot, at[i], 0, place);
-        tf_page_text(page, place[0], y + 20, TF_ALIGN_CENTER, name[i],
-                     TF_LETTERS_SMALL, TF_ROLE_INK);
+        fig_point place = fig_plot_place(plot, at[i], 0);
+        fig_page_text(page, place.x, y + 20, FIG_ALIGN_CENTER, name[i],
+                      FIG_LETTERS_SMALL, FIG_ROLE_INK);
     }
-    draw_tick(page, plot, 0, y, 9, TF_ROLE_INK);
-    draw_tick(page, plot, 2, y, 9, TF_ROLE_INK);
+    draw_tick(page, plot, 0, y, 9, FIG_ROLE_INK);
+    draw_tick(page, plot, 2, y, 9, FIG_ROLE_INK);
 }
 
-static void mark_neighbors(tf_page *page, const tf_plot *plot, double y)
+static void mark_neighbors(fig_page *page, const fig_plot *plot, double y)
 {
     for (int i = 0; i < 2; i++) {
-        double place[2];
-        tf_plot_place(plot, neighbor[i], 0, place);
-        tf_page_dot(page, place[0], y, 5, (tf_paint){.role = TF_ROLE_CONTACT});
+        fig_point place = fig_plot_place(plot, neighbor[i], 0);
+        fig_page_dot(page, place.x, y, 5, (fig_paint){.role = FIG_ROLE_INK});
     }
 }
 
-static void draw(tf_page *page, FILE *numbers)
+static void draw(fig_page *page, FILE *numbers)
 {
     static const char *const title[ROWS] = {"*with subnormal numbers*",
                                             "*without*"};
-    double width = tf_page_width(page);
-    tf_plot plot = {.box = {20, 0, width - 40, 10}, .x = {0, 2}, .y = {0, 1}};
+    double width = fig_page_width(page);
+    fig_plot plot = {.box = {20, 0, width - 40, 10}, .x = {0, 2}, .y = {0, 1}};
     int normal = 0, subnormal = 0;
     for (int row = 0; row < ROWS; row++) {
         double y = row_y[row];
@@ -83,21 +76,21 @@ static void draw(tf_page *page, FILE *numbers)
         normal = 0;
         for (int e = LEAST; e <= MOST; e++)
             normal +=
-                draw_binade(page, &plot, y, e, 1 << (BITS - 1), TF_ROLE_INK);
+                draw_binade(page, &plot, y, e, 1 << (BITS - 1), FIG_ROLE_INK);
         if (row == 0)
-            subnormal = draw_binade(page, &plot, y, LEAST, 1, TF_ROLE_START);
+            subnormal = draw_binade(page, &plot, y, LEAST, 1, FIG_ROLE_START);
         mark_neighbors(page, &plot, y);
-        tf_page_text(page, width - 20, y - 16, TF_ALIGN_RIGHT, title[row],
-                     TF_LETTERS_SMALL, TF_ROLE_INK);
+        fig_page_text(page, width - 20, y - 16, FIG_ALIGN_RIGHT, title[row],
+                      FIG_LETTERS_SMALL, FIG_ROLE_INK);
     }
-    tf_figure_number(numbers, "normal", normal);
-    tf_figure_number(numbers, "subnormal", subnormal);
+    fig_number(numbers, "normal", normal);
+    fig_number(numbers, "subnormal", subnormal);
 }
 
-const tf_figure tf_figure_toy_doubles = {
+const fig_figure fig_toy_doubles = {
     .name = "toy-doubles",
     .title = "The numbers of a format with three bits",
-    .width = TF_FIGURE_WIDTH,
+    .width = FIG_PAGE_WIDTH,
     .height = 132,
     .draw = draw,
 };

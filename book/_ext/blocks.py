@@ -3,6 +3,7 @@
     ```{opening}            what the reader will be able to do; comes first
     ```{margin} Title       a note beside the paragraph that follows
     ```{remember}           what to remember; comes at the end
+    ```{report}             what the report claims here, and what holds of it
     ```{theorem} Title      lemma, corollary, proposition, definition,
     :name: label            algorithm, example and remark too; {numref}`label`
     ```{proof} of the lemma
@@ -22,6 +23,7 @@ from sphinx.util import logging
 from sphinx.util.docutils import ReferenceRole, SphinxDirective
 from sphinx.util.texescape import escape
 
+import formulas
 import places
 
 log = logging.getLogger(__name__)
@@ -61,16 +63,33 @@ class Block(SphinxDirective):
         box.insert(0, nodes.paragraph("", "", title, classes=["title-line"]))
 
 
+def plain_words(box):
+    """The paragraphs of a box as one, without references."""
+    words = nodes.inline()
+    for paragraph in box.deepcopy().children:
+        words.extend([*paragraph.children, nodes.Text(" ")])
+    for reference in list(words.findall(addnodes.pending_xref)):
+        reference.replace_self(nodes.Text(reference.astext()))
+    return words
+
+
 class Opening(Block):
     def run(self):
         boxes = super().run()
-        self.env.abstracts[self.env.docname] = boxes[0].astext()
+        self.env.abstracts[self.env.docname] = plain_words(boxes[0])
         return boxes
 
 
 class Remember(Block):
     def title(self):
         return super().title() or "What to remember"
+
+
+class Report(Block):
+    optional_arguments = 0
+
+    def title(self):
+        return "The report, line by line"
 
 
 class Proof(Block):
@@ -249,8 +268,9 @@ class Exercise(SphinxDirective):
         head = nodes.paragraph("", "", block_title(
             nodes.strong("", number), nodes.Text("\u2002" + words)),
             classes=["title-line"])
-        content = StringList("\n\n".join(task(text)).splitlines(),
-                             self.env.docname)
+        content = StringList("\n\n".join(
+            map(formulas.from_ascii, task(text))).splitlines(),
+            self.env.docname)
         return [nodes.target("", "", ids=[anchor]),
                 nodes.container("", head, *parsed(self, content),
                                 classes=["exercise"])]
@@ -372,8 +392,8 @@ def run_on(app, doctree, docname):
 
 def setup(app):
     for name, block in ("opening", Opening), ("margin", Block), \
-            ("remember", Remember), ("proof", Proof), ("problem", Problem), \
-            ("exercise", Exercise):
+            ("remember", Remember), ("report", Report), ("proof", Proof), \
+            ("problem", Problem), ("exercise", Exercise):
         app.add_directive(name, block)
     for name, kind in KINDS.items():
         if name != "problem":

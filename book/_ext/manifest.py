@@ -2,12 +2,13 @@
 
 A chapter without a text file is absent from the book, yet it keeps its number.
 
-    ```{book-contents} preface | notation bibliography
+    ```{book-contents} preface | reference notation bibliography
     ```
 lists the book on its first page: pages before the chapters, then pages after.
 
     {chapter}`exact`    "Chapter 10", a link once the chapter is written
 """
+import functools
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -117,7 +118,7 @@ def read_all_when_files_come_or_go(app, env, added, changed, removed):
 def tell_latex(app, doctree):
     """The number of a chapter, the title of its part, and the end matter."""
     docname = app.env.docname
-    tex = {"notation": r"\tfback"}.get(docname, "")
+    tex = {"reference": r"\tfback"}.get(docname, "")
     chapter = app.chapters.get(docname)
     if chapter:
         here = written(app.env)
@@ -133,10 +134,9 @@ def tell_latex(app, doctree):
 # What the theme shows ---------------------------------------------------------
 
 def entry(app, docname):
-    """A line of the contents; `abstract` is what the opening promises."""
+    """A line of the contents."""
     return {"slug": docname, "title": app.env.titles[docname].astext(),
-            "chapter": app.chapters.get(docname),
-            "abstract": app.env.abstracts.get(docname, "")}
+            "chapter": app.chapters.get(docname)}
 
 
 def tell_theme(app, pagename, templatename, context, doctree):
@@ -145,6 +145,13 @@ def tell_theme(app, pagename, templatename, context, doctree):
     context["parts"] = [
         [e for e in here if e["chapter"].part == part]
         for part in dict.fromkeys(e["chapter"].part for e in here)]
+    context["abstract"] = functools.partial(abstract, app)
+
+
+def abstract(app, docname):
+    """What a chapter's opening is about, as HTML."""
+    words = app.env.abstracts.get(docname)
+    return app.builder.render_partial(words)["fragment"] if words else ""
 
 
 def begin(app):

@@ -48,6 +48,7 @@ BARS = {"\u2223": "|", "\u2225": "\u2016"}
 BREAKING = list("=<>,") + [
     "\u2264", "\u2265", "\u2260", "\u2248", "\u2208", "\u2282", "\u2286",
     "\u2192", "\u21d2", "\u21d4", "\u2261", "\u27fa", "\u27f9"]
+SIGNS = ("\u2212", "+", "\u00b1")
 LONG = 20       # letters; a shorter formula stays on its line
 CLOSING = [")", "]", "}", "|", "\u2016", "\u230b", "\u2309", "\u27e9", "!",
            "\u2032", "%"]
@@ -100,7 +101,7 @@ def draw_signs(node):
             continue
         if (before is not None and before.tag == "mo"
                 and before.text not in CLOSING
-                and child.tag == "mo" and child.text in ("\u2212", "+")):
+                and child.tag == "mo" and child.text in SIGNS):
             child.set("form", "prefix")
         before = child
 
@@ -124,18 +125,22 @@ def thin_space():
 
 
 def draw_primes(node):
-    """Primes have their size and height already: they are no superscripts."""
+    """Primes have their size and height already: they are no superscripts, but
+    above a subscript they take the place of one."""
     if node.tag not in ("msup", "msubsup") or not (
             node[-1].tag == "mo" and set(node[-1].text) == {"\u2032"}):
         return
     *base, prime = node
     prime.attrib.update(lspace="0em", rspace="0em")
     if node.tag == "msubsup":
-        sub = ElementTree.Element("msub")
-        sub.extend(base)
-        base = [sub]
-    node[:] = [*base, prime]
-    node.tag = "mrow"
+        prime.set("mathsize", "1.4em")
+        lowered = ElementTree.Element("mpadded", voffset="-0.5em",
+                                      height="0.3em")
+        lowered.append(prime)
+        node[:] = [*base, lowered]
+    else:
+        node[:] = [*base, prime]
+        node.tag = "mrow"
 
 
 def draw_end(root):
@@ -191,13 +196,74 @@ def legible(math):
                         for line in lines(root))
 
 
+RAISED = str.maketrans("0123456789+\u2212ni", "\u2070\u00b9\u00b2\u00b3\u2074"
+                       "\u2075\u2076\u2077\u2078\u2079\u207a\u207b\u207f\u2071")
+LOWERED = str.maketrans("0123456789+\u2212ijkn", "\u2080\u2081\u2082\u2083"
+                        "\u2084\u2085\u2086\u2087\u2088\u2089\u208a\u208b\u1d62"
+                        "\u2c7c\u2096\u2099")
+SPACED = set(BREAKING) - {","} | {"+", "\u2212", "\u22c5", "\u00d7"}
+
+
+def shifted(text, letters, mark):
+    """Text as superscript or subscript, if there are letters for it."""
+    text = text.replace(" ", "")
+    if set(text) <= {"\u2032"}:
+        return text
+    if all(ord(letter) in letters for letter in text):
+        return text.translate(letters)
+    return mark + (text if len(text) == 1 else f"({text})")
+
+
+def plain(node):
+    """A formula in plain letters, for where no formula can be."""
+    parts = [plain(child) for child in node]
+    if node.tag in ("mi", "mn", "mtext"):
+        return node.text or ""
+    if node.tag == "mo":
+        text = BARS.get(node.text, node.text or "").strip("\u2061")
+        text = {"\u22ef": "\u2026"}.get(text, text)
+        return f" {text} " if text in SPACED else (
+            ", " if text == "," else text)
+    if node.tag in ("msup", "mover"):
+        return parts[0] + shifted(parts[1].strip(), RAISED, "^")
+    if node.tag in ("msub", "munder"):
+        return parts[0] + shifted(parts[1].strip(), LOWERED, "_")
+    if node.tag in ("msubsup", "munderover"):
+        return (parts[0] + shifted(parts[1].strip(), LOWERED, "_")
+                + shifted(parts[2].strip(), RAISED, "^"))
+    if node.tag == "mfrac":
+        return "/".join(part if part.isalnum() else f"({part})"
+                        for part in map(str.strip, parts))
+    if node.tag == "msqrt":
+        return f"\u221a({''.join(parts)})"
+    if node.tag == "mtable":
+        return "\u2026"
+    return "".join(parts)
+
+
+def plain_text(math):
+    """KaTeX's MathML in plain letters."""
+    text = " ".join(plain(formula(math)).split())
+    for wide, narrow in (("( \u2212 ", "(\u2212"), ("(\u2212 ", "(\u2212"),
+                         (" )", ")")):
+        text = text.replace(wide, narrow)
+    return re.sub("^\u2212 |(?<=[=<>\u2264\u2265,] )\u2212 ", "\u2212", text)
+
+
+def formula(math):
+    """The formula in KaTeX's MathML."""
+    tree = ElementTree.fromstring(
+        math.replace(' xmlns="http://www.w3.org/1998/Math/MathML"', ""))
+    return tree.find(".//semantics")[0]
+
+
 class Katex:
     """A KaTeX that answers a line with a line."""
 
     def __init__(self):
         self.process = None
 
-    def render(self, tex, display):
+    def answer(self, tex, display):
         if self.process is None:
             self.process = subprocess.Popen(
                 ["node", "-e", SERVER], text=True, bufsize=1,
@@ -206,9 +272,15 @@ class Katex:
         answer = json.loads(self.process.stdout.readline())
         if "error" in answer:
             raise ValueError(f"{answer['error']}: {tex}")
-        return legible(answer["math"])
+        return answer["math"]
 
-    def close(self, app, error):
+    def render(self, tex, display):
+        return legible(self.answer(tex, display))
+
+    def plain(self, tex):
+        return plain_text(self.answer(tex, False))
+
+    def close(self):
         if self.process is not None:
             self.process.communicate()
 
@@ -265,5 +337,5 @@ def setup(app):
                                (visit_math_block, None))
     app.config.html_math_renderer = "mathml"
     app.connect("html-page-context", glue)
-    app.connect("build-finished", katex.close)
+    app.connect("build-finished", lambda app, error: katex.close())
     return {"version": "1", "parallel_read_safe": True}

@@ -1,4 +1,4 @@
-"""Commands and what they print, run at the repository's root.
+"""Commands and what they print, run as at the repository's root.
 
     ```{session}
     $ build/tanglefree --version
@@ -7,10 +7,13 @@
 shows the text and compares it with the real output, a line `...` standing for
 any lines; `{run}` takes the commands alone and puts the real output in.  A
 line that begins with "> " continues a command.  `:status: 1` is the expected
-exit status of the last command; all others must exit with 0.
+exit status of the last command; all others must exit with 0.  `build/` is the
+folder of this build, whatever its name.
 """
 import re
 import subprocess
+import tempfile
+from pathlib import Path
 
 from docutils import nodes
 from docutils.parsers.rst import directives
@@ -63,7 +66,7 @@ class RunDirective(SphinxDirective):
         for command, expected in found:
             last = command is found[-1][0]
             wanted = self.options.get("status", 0) if last else 0
-            real, status = run(command, self.env.app.root)
+            real, status = run(command, self.env.app.desk.name)
             if status != wanted:
                 self.complain(f"'{command[0]}' exits with {status}, not "
                               f"{wanted}", real)
@@ -90,12 +93,38 @@ class SessionDirective(RunDirective):
         return expected
 
 
+PRINTED = re.compile(r'<span class="go">[^<]*</span>')
+
+
+def open_at_commas(body):
+    """A page on which what is printed may go on in a new line after a comma."""
+    return PRINTED.sub(
+        lambda found: re.sub(r",(?=\S)(?!<)", ",<wbr>", found[0]), body)
+
+
+def open_lines(app, page, template, context, doctree):
+    if "body" in context:
+        context["body"] = open_at_commas(context["body"])
+
+
+def lay_out_desk(root, built):
+    """A folder of links to what is in the root, and to the build."""
+    desk = tempfile.TemporaryDirectory()
+    for path in root.iterdir():
+        if path.name != "build":
+            (Path(desk.name) / path.name).symlink_to(path)
+    (Path(desk.name) / "build").symlink_to(built)
+    return desk
+
+
 def begin(app):
     app.program = app.built / "tanglefree"
+    app.desk = lay_out_desk(app.root, app.built)
 
 
 def setup(app):
     app.add_directive("run", RunDirective)
     app.add_directive("session", SessionDirective)
     app.connect("builder-inited", begin)
+    app.connect("html-page-context", open_lines)
     return {"version": "1", "parallel_read_safe": False}

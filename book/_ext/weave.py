@@ -6,6 +6,10 @@ shows a fragment of src/ (book/fragments.py tells what that is); the fragments
 within it are links.  Every fragment of a chapter's modules is shown in that
 chapter, once.
 
+    ```{sample} Check the coordinates
+    ```
+shows it a second time, elsewhere, just as its chapter does.
+
     ```{quote-code} tests/query/point_edge.c: touches_at_the_end
     ```
 quotes a function, a test, a fragment or lines (`: 10-20`) of any file.
@@ -17,6 +21,7 @@ from pathlib import Path
 from docutils import nodes
 from pygments import highlight
 from pygments.formatters import HtmlFormatter
+from pygments.formatters.html import escape_html
 from pygments.lexers import TextLexer, get_lexer_for_filename
 from pygments.util import ClassNotFound
 from sphinx.util import logging
@@ -34,7 +39,8 @@ log = logging.getLogger(__name__)
 class code_box(nodes.General, nodes.Element):
     """Code with a head: `title`, `number`, `path`, `first`, `last`, `code`.
     In the code, `uses` are the titles of nested fragments; `used_in` is the
-    title of the fragment that this one is nested in."""
+    title of the fragment that this one is nested in.  A `sample` has the number
+    that its fragment has elsewhere."""
 
 
 def dedent(line, indent):
@@ -80,18 +86,22 @@ class FragmentDirective(SphinxDirective):
 
     def box(self, fragment):
         title = fragment.title
-        box = code_box(
-            ids=[anchor(title)], title=title, number=self.number(),
-            path="/".join(Path(fragment.path).parts[1:]),
-            first=fragment.first, last=fragment.last,
-            code="\n".join(shown_lines(fragment)).rstrip("\n"),
-            uses=[child.title for child in children(fragment)],
-            used_in=self.env.app.parents.get(title, ""))
+        box = self.frame(fragment, ids=[anchor(title)], number=self.number())
         box += nodes.Text(title)
         places.of(self.env).note(
             "frag", title, anchor(title),
             f"\u27e8{title}\u202f{box['number']}\u27e9")
         return box
+
+    def frame(self, fragment, **more):
+        title = fragment.title
+        return code_box(
+            title=title,
+            path="/".join(Path(fragment.path).parts[1:]),
+            first=fragment.first, last=fragment.last,
+            code="\n".join(shown_lines(fragment)).rstrip("\n"),
+            uses=[child.title for child in children(fragment)],
+            used_in=self.env.app.parents.get(title, ""), **more)
 
     def number(self):
         chapter = self.env.app.chapters.get(self.env.docname)
@@ -99,6 +109,11 @@ class FragmentDirective(SphinxDirective):
             raise self.error("only a chapter shows fragments")
         serial = self.env.new_serialno("fragment") + 1
         return f"{chapter.number}.{serial}"
+
+
+class SampleDirective(FragmentDirective):
+    def box(self, fragment):
+        return self.frame(fragment, number="", sample=True)
 
 
 def module(fragment):
@@ -212,6 +227,12 @@ def number_of(env, title):
     return ""
 
 
+def head_number(env, node):
+    """The number to show in the head of a box; "" for a quotation."""
+    sample = node.get("sample")
+    return number_of(env, node["title"]) if sample else node["number"]
+
+
 def lexer(path):
     try:
         return get_lexer_for_filename(path, stripnl=False)
@@ -223,7 +244,7 @@ def html_code(translator, node):
     code = highlight(node["code"], lexer(node["path"]),
                      HtmlFormatter(nowrap=True))
     for title in node["uses"]:
-        head = f'<span class="c1">//: {translator.encode(title)}</span>'
+        head = f'<span class="c1">//: {escape_html(title)}</span>'
         assert head in code, title
         code = code.replace(head, link(translator, title), 1)
     return code
@@ -236,9 +257,10 @@ def visit_html(translator, node):
     add = translator.body.append
     add(translator.starttag(node, "div", CLASS="code-box")[:-2] + data + ">")
     add('<div class="code-head">')
-    if node["number"]:
+    number = head_number(translator.builder.env, node)
+    if number:
         add(f'<p class="code-title">\u27e8{translator.encode(node["title"])}'
-            f'<span class="number">{node["number"]}</span>\u27e9\u00a0\u2261</p>')
+            f'<span class="number">{number}</span>\u27e9\u00a0\u2261</p>')
     add(f'<p class="code-where">{node["path"]} <span class="lines">{lines}'
         '</span></p></div>')
     add(f"<pre><code>{html_code(translator, node)}</code></pre>")
@@ -286,7 +308,8 @@ def visit_latex(translator, node):
         "\n" r"\begin{codebox}%s{%s}{%s}{%s}{%s}{%s}" "\n%s\n%s\n"
         r"\end{Verbatim}" "\n" r"\end{codebox}" "\n" % (
             whole, translator.hypertarget_to(node),
-            escape(node["title"], "xelatex"), node["number"], where, used,
+            escape(node["title"], "xelatex"),
+            head_number(translator.builder.env, node), where, used,
             VERBATIM, latex_code(translator, node)))
     raise nodes.SkipNode
 
@@ -306,6 +329,7 @@ def begin(app):
 def setup(app):
     app.add_node(code_box, html=(visit_html, None), latex=(visit_latex, None))
     app.add_directive("fragment", FragmentDirective)
+    app.add_directive("sample", SampleDirective)
     app.add_directive("quote-code", QuoteDirective)
     app.connect("builder-inited", begin)
     app.connect("env-check-consistency", check)

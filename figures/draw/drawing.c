@@ -3,7 +3,9 @@
 
 #include "draw/encoder.h"
 #include "draw/output_file.h"
+#include "draw/sheet.h"
 #include "program/progress.h"
+#include "program/visible.h"
 
 #include <argp.h>
 #include <errno.h>
@@ -14,31 +16,31 @@
 #include <unistd.h>
 
 enum {
-    PICTURE_WIDTH = 1600, ///< pixels, unless told
+    PICTURE_WIDTH = 1600, ///< pixels, by default
     FILM_WIDTH = 960,
     BAR = 30 ///< letters of the progress bar
 };
 
-/// How far above the horizon a turntable's camera is, unless told.
+/// How far above the horizon a turntable's camera is by default.
 static const double turntable_elevation = 22;
 
 /// A drawing on its way to files.
 typedef struct work {
-    const tf_drawing *drawing;
-    const tf_settings *settings;
-    tf_page_options options; ///< of the next page
-    int pages;               ///< drawn so far
-    FILE *numbers; ///< of the first page; those of the others are not heard
-    FILE *unheard;
+    const fig_drawing *drawing;
+    const fig_settings *settings;
+    fig_page_options options; ///< of the next page
+    int pages;                ///< drawn so far
+    FILE *numbers;            ///< of the first page
+    FILE *ignored;            ///< numbers of the other pages
 } work;
 
-// Complaints -------------------------------------------------------------
+// Errors -----------------------------------------------------------------
 
-/// Tell what is wrong; false, for the caller to return.
+/// Print an error; false, for the caller to return.
 __attribute__((format(printf, 2, 3))) static bool
-complain(const char *path, const char *format, ...)
+report(const char *path, const char *format, ...)
 {
-    fprintf(stderr, "tanglefree-draw: %s: ", path);
+    fprintf(stderr, "tanglefree-draw: %s: ", tf_make_visible(path).text);
     va_list arguments;
     va_start(arguments, format);
     vfprintf(stderr, format, arguments);
@@ -47,34 +49,34 @@ complain(const char *path, const char *format, ...)
     return false;
 }
 
-static bool complain_unwritable(const char *path)
+static bool report_unwritable(const char *path)
 {
-    return complain(path, "cannot write: %s; name a file that can be written",
-                    strerror(errno));
+    return report(path,
+                  "cannot write: %s; check the folder and its permissions",
+                  strerror(errno));
 }
 
-static bool complain_of_stage(const char *path, tf_stage_status status)
+static bool report_page(const char *path, fig_status status)
 {
-    return status == TF_STAGE_UNWRITABLE
-               ? complain_unwritable(path)
-               : complain(path, "%s", tf_stage_message(status));
+    return status == FIG_UNWRITABLE
+               ? report_unwritable(path)
+               : report(path, "%s", fig_status_message(status));
 }
 
-static bool complain_of_encoder(const char *path, int error)
+static bool report_encoder(const char *path, int error)
 {
-    return error == EPIPE
-               ? complain(path, "ffmpeg has failed; its own words tell why")
-               : complain(path, "cannot hand a picture to ffmpeg: %s",
-                          strerror(error));
+    return error == EPIPE ? report(path, "ffmpeg failed; see its message above")
+                          : report(path, "cannot send a frame to ffmpeg: %s",
+                                   strerror(error));
 }
 
 // Pages ------------------------------------------------------------------
 
-/// How many pixels a page of the work gets, `width` of them wide unless told.
+/// How many pixels a page of the work gets, `width` of them wide by default.
 static void set_size(work *w, int width)
 {
-    const tf_settings *settings = w->settings;
-    const tf_drawing *drawing = w->drawing;
+    const fig_settings *settings = w->settings;
+    const fig_drawing *drawing = w->drawing;
     double scale =
         settings->dpi > 0 ? settings->dpi / 72.0 : width / drawing->width;
     bool told = settings->pixels_x > 0;
@@ -84,10 +86,10 @@ static void set_size(work *w, int width)
         told ? settings->pixels_y : (int)lround(scale * drawing->height);
 }
 
-static tf_page_options options_of(const work *w)
+static fig_page_options options_of(const work *w)
 {
-    const tf_settings *settings = w->settings;
-    return (tf_page_options){
+    const fig_settings *settings = w->settings;
+    return (fig_page_options){
         .width = w->drawing->width,
         .height = w->drawing->height,
         .theme = settings->theme,
@@ -99,18 +101,29 @@ static tf_page_options options_of(const work *w)
     };
 }
 
-/// Draw a page to the file at `scratch`, which messages call `path`.
-static bool draw_page(work *w, const char *scratch, const char *path)
+/// Draw a page, and hand it to `put`.
+static bool draw_page(work *w, const char *path,
+                      fig_status (*put)(fig_page *page, void *to), void *to)
 {
-    FILE *numbers = w->pages++ == 0 ? w->numbers : w->unheard;
-    tf_page *page;
-    tf_stage_status status = tf_page_new(&w->options, &page);
-    if (status == TF_STAGE_OK) {
+    FILE *numbers = w->pages++ == 0 ? w->numbers : w->ignored;
+    fig_page *page;
+    fig_status status = fig_page_new(&w->options, &page);
+    if (status == FIG_OK) {
         w->drawing->draw(w->drawing->subject, page, numbers);
-        status = tf_page_write(page, scratch);
+        status = put(page, to);
     }
-    tf_page_free(page);
-    return status == TF_STAGE_OK || complain_of_stage(path, status);
+    fig_page_free(page);
+    return status == FIG_OK || report_page(path, status);
+}
+
+static fig_status put_file(fig_page *page, void *path)
+{
+    return fig_page_write(page, path);
+}
+
+static fig_status put_pixels(fig_page *page, void *pixels)
+{
+    return fig_page_paint(page, pixels);
 }
 
 // The picture ------------------------------------------------------------
@@ -120,13 +133,13 @@ static bool make_picture(work *w)
     const char *path = w->settings->picture;
     w->options = options_of(w);
     set_size(w, PICTURE_WIDTH);
-    tf_output_file file;
-    if (!tf_output_file_begin(&file, path))
-        return complain_unwritable(path);
-    bool made = draw_page(w, file.scratch, path);
-    if (made && !tf_output_file_keep(&file))
-        made = complain_unwritable(path);
-    tf_output_file_drop(&file);
+    fig_output_file file;
+    if (!fig_output_file_begin(&file, path))
+        return report_unwritable(path);
+    bool made = draw_page(w, path, put_file, file.scratch);
+    if (made && !fig_output_file_keep(&file))
+        made = report_unwritable(path);
+    fig_output_file_drop(&file);
     return made;
 }
 
@@ -136,7 +149,7 @@ static bool make_picture(work *w)
 /// picture is the one before that; time runs from 0 to 1.
 static void set_frame(work *w, int i)
 {
-    const tf_settings *settings = w->settings;
+    const fig_settings *settings = w->settings;
     int last = settings->frames > 1 ? settings->frames - 1 : 1;
     if (!settings->turntable) {
         w->options.time = (double)i / last;
@@ -152,43 +165,92 @@ static void show_progress(tf_progress *progress, int done, int frames)
 {
     char things[BAR + 64];
     int full = (int)((long)BAR * done / frames);
-    snprintf(things, sizeof things, "of %d pictures [%.*s%*s]", frames, full,
+    snprintf(things, sizeof things, "of %d frames [%.*s%*s]", frames, full,
              "##############################", BAR - full, "");
-    tf_progress_tell(progress, done, things);
+    tf_progress_show(progress, done, things);
 }
 
-static bool add_frames(work *w, tf_encoder *encoder, const char *frame)
+/// A film in the making: its frames go through a file to an encoder, or as
+/// pixels to a sheet.
+typedef struct film {
+    const char *path; ///< for messages
+    char *frame;      ///< the file; NULL for a sheet
+    fig_encoder encoder;
+    uint32_t *pixels;
+    fig_sheet *sheet;
+} film;
+
+static bool add_frame(work *w, film *f)
 {
-    const tf_settings *settings = w->settings;
+    if (!f->frame)
+        return draw_page(w, f->path, put_pixels, f->pixels) &&
+               (fig_sheet_add(f->sheet, f->pixels) ||
+                report_page(f->path, FIG_NO_MEMORY));
+    return draw_page(w, f->path, put_file, f->frame) &&
+           (fig_encoder_add(&f->encoder, f->frame) ||
+            report_encoder(f->path, errno));
+}
+
+static bool add_frames(work *w, film *f)
+{
+    const fig_settings *settings = w->settings;
     tf_progress progress = tf_progress_begin();
     progress.wanted = isatty(STDERR_FILENO);
     bool added = true;
     for (int i = 0; i < settings->frames && added; i++) {
         show_progress(&progress, i, settings->frames);
         set_frame(w, i);
-        added = draw_page(w, frame, settings->film);
-        if (added && !tf_encoder_add(encoder, frame))
-            added = complain_of_encoder(settings->film, errno);
+        added = add_frame(w, f);
     }
     tf_progress_end(&progress);
     return added;
 }
 
-/// Encode the film to the file at `scratch`.  `frame` takes a picture.
-static bool encode(work *w, const char *scratch, const char *frame)
+/// Encode the film to the file at `scratch`, by way of the file at `frame`.
+static bool encode(work *w, const char *scratch, char *frame)
 {
-    const char *path = w->settings->film;
-    tf_encoder encoder;
-    if (!tf_encoder_begin(&encoder, scratch, w->settings->fps))
-        return complain(path,
-                        "cannot run ffmpeg, which makes the film: %s; "
-                        "install it (on Debian, the package ffmpeg)",
-                        strerror(errno));
-    tf_output_file_writer(encoder.process);
-    bool added = add_frames(w, &encoder, frame);
-    bool ended = tf_encoder_end(&encoder);
-    tf_output_file_writer(0);
-    return added && (ended || complain_of_encoder(path, EPIPE));
+    film f = {.path = w->settings->film, .frame = frame};
+    if (!fig_encoder_begin(&f.encoder, scratch, w->settings->fps))
+        return report(f.path,
+                      "cannot run ffmpeg, which makes the film: %s; "
+                      "install it (on Debian, the package ffmpeg)",
+                      strerror(errno));
+    fig_output_file_writer(f.encoder.process);
+    bool added = add_frames(w, &f);
+    bool ended = fig_encoder_end(&f.encoder);
+    fig_output_file_writer(0);
+    return added && (ended || report_encoder(f.path, EPIPE));
+}
+
+static bool encode_by_file(work *w, const char *scratch)
+{
+    const char *folder = getenv("TMPDIR");
+    char frame_path[4096];
+    snprintf(frame_path, sizeof frame_path, "%s/picture.png",
+             folder && *folder ? folder : "/tmp");
+    fig_output_file frame;
+    bool made = fig_output_file_begin(&frame, frame_path)
+                    ? encode(w, scratch, frame.scratch)
+                    : report_unwritable(frame_path);
+    fig_output_file_drop(&frame);
+    return made;
+}
+
+/// Write the film as a sheet to the file at `scratch`.
+static bool write_sheet(work *w, const char *scratch)
+{
+    int width = w->options.pixels_x, height = w->options.pixels_y;
+    film f = {.path = w->settings->film,
+              .pixels =
+                  calloc((size_t)width * (size_t)height, sizeof *f.pixels),
+              .sheet = fig_sheet_new(width, height)};
+    bool made = f.pixels && f.sheet ? add_frames(w, &f)
+                                    : report_page(f.path, FIG_NO_MEMORY);
+    if (made && !fig_sheet_write(f.sheet, scratch))
+        made = report_unwritable(f.path);
+    fig_sheet_free(f.sheet);
+    free(f.pixels);
+    return made;
 }
 
 static bool make_film(work *w)
@@ -197,20 +259,14 @@ static bool make_film(work *w)
     w->options = options_of(w);
     w->options.moves = !w->settings->turntable;
     set_size(w, FILM_WIDTH);
-    const char *folder = getenv("TMPDIR");
-    char frame_path[4096];
-    snprintf(frame_path, sizeof frame_path, "%s/picture.png",
-             folder && *folder ? folder : "/tmp");
-    tf_output_file file, frame;
-    if (!tf_output_file_begin(&file, path))
-        return complain_unwritable(path);
-    bool made = tf_output_file_begin(&frame, frame_path)
-                    ? encode(w, file.scratch, frame.scratch)
-                    : complain_unwritable(frame_path);
-    if (made && !tf_output_file_keep(&file))
-        made = complain_unwritable(path);
-    tf_output_file_drop(&frame);
-    tf_output_file_drop(&file);
+    fig_output_file file;
+    if (!fig_output_file_begin(&file, path))
+        return report_unwritable(path);
+    bool made = fig_path_ends(path, ".png") ? write_sheet(w, file.scratch)
+                                            : encode_by_file(w, file.scratch);
+    if (made && !fig_output_file_keep(&file))
+        made = report_unwritable(path);
+    fig_output_file_drop(&file);
     return made;
 }
 
@@ -226,25 +282,24 @@ static bool print(const char *numbers)
 {
     fputs(numbers, stdout);
     return fflush(stdout) == 0 ||
-           complain("standard output",
-                    "cannot write: %s; mend that and run "
-                    "again",
-                    strerror(errno));
+           report("standard output",
+                  "cannot write: %s; the output is incomplete",
+                  strerror(errno));
 }
 
-int tf_drawing_make(const tf_drawing *drawing, const tf_settings *settings)
+int fig_drawing_make(const fig_drawing *drawing, const fig_settings *settings)
 {
     char *numbers = NULL;
     size_t length;
     work w = {.drawing = drawing,
               .settings = settings,
               .numbers = open_memstream(&numbers, &length),
-              .unheard = fopen("/dev/null", "w")};
-    bool made = w.numbers && w.unheard
+              .ignored = fopen("/dev/null", "w")};
+    bool made = w.numbers && w.ignored
                     ? make_all(&w)
-                    : complain("/dev/null", "%s", strerror(errno));
-    if (w.unheard)
-        fclose(w.unheard);
+                    : report("/dev/null", "%s", strerror(errno));
+    if (w.ignored)
+        fclose(w.ignored);
     if (w.numbers)
         fclose(w.numbers);
     made = made && print(numbers);

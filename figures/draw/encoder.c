@@ -39,15 +39,16 @@ static void list_arguments(const char *arguments[ARGUMENTS], const char *rate,
                            const char *path)
 {
     const char *const before[] = {
-        "ffmpeg",     "-hide_banner", "-nostdin",   "-loglevel",     "error",
-        "-y",         "-f",           "image2pipe", "-c:v",          "png",
-        "-framerate", rate,           "-i",         "pipe:0",        "-fflags",
-        "+bitexact",  "-flags:v",     "+bitexact",  "-map_metadata", "-1"};
+        "ffmpeg",  "-hide_banner", "-nostdin", "-loglevel",  "error",
+        "-y",      "-xerror",      "-f",       "image2pipe", "-c:v",
+        "png",     "-framerate",   rate,       "-i",         "pipe:0",
+        "-fflags", "+bitexact",    "-flags:v", "+bitexact",  "-map_metadata",
+        "-1"};
     int count = 0;
     for (size_t i = 0; i < sizeof before / sizeof *before; i++)
         arguments[count++] = before[i];
     for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
-        for (int j = 0; tf_path_ends(path, kinds[i].ending) && j < WORDS; j++)
+        for (int j = 0; fig_path_ends(path, kinds[i].ending) && j < WORDS; j++)
             if (kinds[i].words[j])
                 arguments[count++] = kinds[i].words[j];
     arguments[count++] = path;
@@ -71,7 +72,7 @@ static int start(pid_t *process, int input, const char *rate, const char *path)
     return error;
 }
 
-bool tf_encoder_begin(tf_encoder *encoder, const char *path, int fps)
+bool fig_encoder_begin(fig_encoder *encoder, const char *path, int fps)
 {
     char rate[16];
     snprintf(rate, sizeof rate, "%d", fps);
@@ -90,7 +91,7 @@ bool tf_encoder_begin(tf_encoder *encoder, const char *path, int fps)
     return true;
 }
 
-bool tf_encoder_add(tf_encoder *encoder, const char *png)
+bool fig_encoder_add(fig_encoder *encoder, const char *png)
 {
     FILE *file = fopen(png, "rb");
     if (!file)
@@ -107,7 +108,7 @@ bool tf_encoder_add(tf_encoder *encoder, const char *png)
     return read && fflush(encoder->pipe) == 0;
 }
 
-bool tf_encoder_end(tf_encoder *encoder)
+bool fig_encoder_end(fig_encoder *encoder)
 {
     bool piped = fclose(encoder->pipe) == 0;
     int status = 0;

@@ -1,19 +1,29 @@
-#include "contract.h"
+#include "base/environment.h"
+#include "base/require.h"
+#include "base/version.h"
 #include "draw/commands.h"
+#include "program/visible.h"
 
 #include <argp.h>
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
-const char *argp_program_version = "tanglefree-draw 0.1.0";
+const char *argp_program_version = "tanglefree-draw " TF_VERSION;
 
 static const char description[] =
-    "Draw the figures of the book, and queries.\v"
+    "Draw the figures of the book, queries and surfaces.\v"
     "Commands:\n"
     "  figure     draw a figure of the book\n"
     "  list       list the figures\n"
     "  query      draw a query of a file\n"
+    "  surface    draw a surface, or its step\n"
     "\n"
-    "'tanglefree-draw COMMAND --help' tells more.";
+    "'tanglefree-draw COMMAND --help' describes a command.";
+
+#define COMMANDS "figure, list, query or surface"
 
 typedef struct command {
     const char *name;
@@ -22,9 +32,10 @@ typedef struct command {
 } command;
 
 static const command commands[] = {
-    {"figure", "tanglefree-draw figure", tf_draw_figure},
-    {"list", "tanglefree-draw list", tf_draw_list},
-    {"query", "tanglefree-draw query", tf_draw_query},
+    {"figure", "tanglefree-draw figure", fig_draw_figure},
+    {"list", "tanglefree-draw list", fig_draw_list},
+    {"query", "tanglefree-draw query", fig_draw_query},
+    {"surface", "tanglefree-draw surface", fig_draw_surface},
 };
 
 /// Run the command with the arguments from its name on.
@@ -32,7 +43,7 @@ static error_t understand(int key, char *text, struct argp_state *state)
 {
     int *status = state->input;
     if (key == ARGP_KEY_NO_ARGS)
-        argp_error(state, "a command is missing; choose figure, list or query");
+        argp_error(state, "no command given; choose " COMMANDS);
     if (key != ARGP_KEY_ARG)
         return ARGP_ERR_UNKNOWN;
     int first = state->next - 1;
@@ -43,9 +54,19 @@ static error_t understand(int key, char *text, struct argp_state *state)
             *status = commands[i].run(state->argc - first, state->argv + first);
             return 0;
         }
-    argp_error(state, "no command is named '%s'; choose figure, list or query",
-               text);
+    argp_error(state, "unknown command '%s'; choose " COMMANDS,
+               tf_make_visible(text).text);
     return 0;
+}
+
+/// --help, --version and lists end the program with output still unwritten.
+static void finish_output(void)
+{
+    if (fflush(stdout) == 0)
+        return;
+    fprintf(stderr, "tanglefree-draw: standard output: cannot write: %s\n",
+            strerror(errno));
+    _exit(argp_err_exit_status);
 }
 
 int main(int argc, char *argv[])
@@ -58,6 +79,7 @@ int main(int argc, char *argv[])
     };
     TF_REQUIRE(argc > 0 && tf_environment_is_ieee());
     argp_err_exit_status = 2;
+    atexit(finish_output);
     argv[0] = name;
     int status = 0;
     argp_parse(&parser, argc, argv, ARGP_IN_ORDER, NULL, &status);

@@ -19,7 +19,7 @@ enum {
 static char *volatile scratches[SCRATCHES];
 static volatile pid_t writer;
 
-void tf_output_file_writer(pid_t process)
+void fig_output_file_writer(pid_t process)
 {
     writer = process;
 }
@@ -78,10 +78,10 @@ static void open_to_others(int descriptor)
     fchmod(descriptor, 0666 & ~mask);
 }
 
-bool tf_output_file_begin(tf_output_file *file, const char *path)
+bool fig_output_file_begin(fig_output_file *file, const char *path)
 {
     int ending_length;
-    *file = (tf_output_file){path, scratch_name(path, &ending_length)};
+    *file = (fig_output_file){path, scratch_name(path, &ending_length)};
     int descriptor =
         file->scratch ? mkstemps(file->scratch, ending_length) : -1;
     if (descriptor < 0) {
@@ -98,16 +98,16 @@ bool tf_output_file_begin(tf_output_file *file, const char *path)
     return true;
 }
 
-bool tf_output_file_keep(tf_output_file *file)
+bool fig_output_file_keep(fig_output_file *file)
 {
     bool kept = rename(file->scratch, file->path) == 0;
     int cause = errno;
-    tf_output_file_drop(file);
+    fig_output_file_drop(file);
     errno = cause;
     return kept;
 }
 
-void tf_output_file_drop(tf_output_file *file)
+void fig_output_file_drop(fig_output_file *file)
 {
     if (!file->scratch)
         return;

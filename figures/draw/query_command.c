@@ -2,8 +2,10 @@
 #include "draw/commands.h"
 #include "draw/query_picture.h"
 
-#include "contract.h"
+#include "base/require.h"
+#include "base/status.h"
 #include "program/arithmetics.h"
+#include "program/visible.h"
 
 #include <errno.h>
 #include <limits.h>
@@ -17,12 +19,13 @@ typedef struct request {
     const tf_query_kind *kind;
     char *path;
     long number;
-    tf_settings settings;
+    fig_settings settings;
 } request;
 
 static const struct argp_option options[] = {
     {"kind", 'k', "KIND", 0,
-     "What meets: " TF_QUERY_KIND_NAMES " (vertex-face is point-triangle)", 0},
+     "Which elements: " TF_QUERY_KIND_NAMES " (vertex-face is point-triangle)",
+     0},
     {0},
 };
 
@@ -35,18 +38,18 @@ static bool read_number(const char *text, long *number)
 }
 
 /// Split FILE:N at its last colon.
-static void read_query(struct argp_state *state, char *text)
+static void read_query_name(struct argp_state *state, char *text)
 {
     request *asked = state->input;
     if (asked->path)
-        argp_error(state, "'%s' is one query too many; draw one at a time",
-                   text);
+        argp_error(state, "unexpected '%s'; draw one query at a time",
+                   tf_make_visible(text).text);
     char *colon = strrchr(text, ':');
     if (!colon || colon == text || !read_number(colon + 1, &asked->number)) {
         argp_error(state,
-                   "'%s' names no query; write FILE:N, with N from 0, the "
-                   "query's number as 'tanglefree query' counts",
-                   text);
+                   "'%s' is not a query; write FILE:N, where N is the number "
+                   "of the query in the file, from 0",
+                   tf_make_visible(text).text);
         return;
     }
     *colon = '\0';
@@ -63,19 +66,19 @@ static error_t understand(int key, char *text, struct argp_state *state)
     case 'k':
         asked->kind = tf_query_kind_named(text);
         if (!asked->kind)
-            argp_error(state,
-                       "no kind is named '%s'; choose " TF_QUERY_KIND_NAMES,
-                       text);
+            argp_error(state, "unknown kind '%s'; choose " TF_QUERY_KIND_NAMES,
+                       tf_make_visible(text).text);
         return 0;
     case ARGP_KEY_ARG:
-        read_query(state, text);
+        read_query_name(state, text);
         return 0;
     case ARGP_KEY_NO_ARGS:
-        argp_error(state, "a query is missing; name it as FILE:N");
+        argp_error(state, "no query given; write FILE:N");
         return 0;
     case ARGP_KEY_END:
         if (!asked->kind)
-            argp_error(state, "--kind is missing; choose " TF_QUERY_KIND_NAMES);
+            argp_error(state,
+                       "--kind is required; choose " TF_QUERY_KIND_NAMES);
         return 0;
     default:
         return ARGP_ERR_UNKNOWN;
@@ -84,17 +87,18 @@ static error_t understand(int key, char *text, struct argp_state *state)
 
 // The query --------------------------------------------------------------
 
-/// Read up to the query asked for.
-static bool read_question(tf_query_file *file, const request *asked,
-                          tf_question *question)
+/// Read up to the requested query.
+static bool read_query(tf_query_file *file, const request *asked,
+                       tf_query_rows *query)
 {
     for (;;) {
-        tf_reading reading = tf_query_file_next(file, question);
+        tf_reading reading = tf_query_file_next(file, query);
         if (reading == TF_READ_END)
-            return tf_query_file_fault(
-                file, 0,
-                "query %ld is beyond the end; the file has %ld, from 0 to %ld",
-                asked->number, file->queries, file->queries - 1);
+            return tf_query_file_fault(file, 0,
+                                       "there is no query %ld; the file has "
+                                       "%ld, numbered from 0 to %ld",
+                                       asked->number, file->queries,
+                                       file->queries - 1);
         if (reading == TF_READ_FAULT)
             return false;
         if (file->queries > asked->number)
@@ -102,29 +106,33 @@ static bool read_question(tf_query_file *file, const request *asked,
     }
 }
 
-static void complain(const tf_query_file *file)
-{
-    fprintf(stderr, "tanglefree-draw: %s:", file->name);
-    if (file->fault_line > 0)
-        fprintf(stderr, "%ld:", file->fault_line);
-    fprintf(stderr, " %s\n", file->fault);
-}
-
-static bool read_file(const request *asked, tf_question *question)
+static bool read_file(const request *asked, tf_query_rows *query)
 {
     tf_query_file file;
     bool good = tf_query_file_open(&file, asked->path, asked->kind, 0) &&
-                read_question(&file, asked, question);
+                read_query(&file, asked, query);
     if (!good)
-        complain(&file);
+        tf_query_file_print_fault(&file, "tanglefree-draw");
     tf_query_file_close(&file);
     return good;
 }
 
-static void answer(tf_answered *answered)
+/// The vertices of a query in the order of its rows.
+static void take_vertices(const tf_query_rows *query, fig_answered *answered)
 {
     const tf_query_kind *kind = answered->kind;
-    const tf_worldline *first = answered->question.vertex;
+    const double *start = query->x[0], *end = query->x[1];
+    for (int i = 0; i < kind->vertices[0] + kind->vertices[1]; i++) {
+        answered->vertex[i] = tf_worldline_between(kind->axes, start, end);
+        start += kind->axes;
+        end += kind->axes;
+    }
+}
+
+static void answer(fig_answered *answered)
+{
+    const tf_query_kind *kind = answered->kind;
+    const tf_worldline *first = answered->vertex;
     tf_status status = tf_query(tf_arithmetic_named("exact"), kind->axes,
                                 kind->vertices[0], first, kind->vertices[1],
                                 first + kind->vertices[0], &answered->contact);
@@ -132,28 +140,30 @@ static void answer(tf_answered *answered)
     TF_REQUIRE(status == TF_OK);
 }
 
-int tf_draw_query(int argc, char *argv[])
+int fig_draw_query(int argc, char *argv[])
 {
     static const struct argp parser = {
         .options = options,
         .parser = understand,
         .args_doc = "FILE:N",
-        .doc = "Draw a query of a file: the elements, their difference and "
-               "where they first meet.\vFILE is as for 'tanglefree query' "
-               "(standard input is /dev/stdin), and queries count from 0.  "
-               "Coordinates of any size are scaled to fit.  The answer is "
-               "printed, each "
-               "line a key and its value.\n\n"
-               "Exit status: 0 if all was drawn, 2 after bad usage, bad input "
-               "or a failure.",
-        .children = tf_settings_options,
+        .doc = "Draw query N of a file: the elements, their difference, and "
+               "where they first meet.\vThe format of FILE is that of "
+               "'tanglefree query'; for standard input, write /dev/stdin.  "
+               "Queries are numbered from 0.  Coordinates of any size are "
+               "scaled to fit.  The answer is printed; each line is a key and "
+               "its value.\n\n"
+               "Exit status: 0 if everything was drawn, 2 if the arguments or "
+               "the input are invalid or something failed.",
+        .children = fig_settings_options,
     };
     request asked = {0};
     argp_parse(&parser, argc, argv, 0, NULL, &asked);
-    tf_answered answered = {.kind = asked.kind, .number = asked.number};
-    if (!read_file(&asked, &answered.question))
+    fig_answered answered = {.kind = asked.kind, .number = asked.number};
+    tf_query_rows query;
+    if (!read_file(&asked, &query))
         return 2;
+    take_vertices(&query, &answered);
     answer(&answered);
-    tf_drawing drawing = tf_query_drawing(&answered);
-    return tf_drawing_make(&drawing, &asked.settings);
+    fig_drawing drawing = fig_query_drawing(&answered);
+    return fig_drawing_make(&drawing, &asked.settings);
 }

@@ -1,7 +1,7 @@
 #include "draw/query_picture.h"
 
 #include "draw/query_parts.h"
-#include "stage/figure.h"
+#include "renderer/figure.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -9,8 +9,8 @@
 
 // Layout -----------------------------------------------------------------
 
-static const tf_box left_box = {6, 24, 222, 222};
-static const tf_box right_box = {230, 24, 150, 222};
+static const fig_box left_box = {6, 24, 222, 222};
+static const fig_box right_box = {230, 24, 150, 222};
 static const double caption_height = 16, caption_from = 264, line = 14;
 
 /// The margin of cameras in small panels.
@@ -18,13 +18,12 @@ static const double margin = 14;
 
 enum {
     FRAMES = 4,
-    TEXT = 256,
-    TIME = 64
+    TEXT = 256
 };
 
 // Words ------------------------------------------------------------------
 
-static const char *case_name(tf_decision decision)
+static const char *case_name(tf_classification decision)
 {
     static const char *const name[] = {[TF_GENERIC] = "generic",
                                        [TF_TOUCHING] = "touching",
@@ -32,33 +31,25 @@ static const char *case_name(tf_decision decision)
     return name[decision];
 }
 
-/// "t = 0.5", or "t ≈ 0.3333" where more digits follow.
-static void write_time(double t, char text[TIME])
+static void write_answer(const fig_shown *shown, char text[TEXT])
 {
-    char digits[TF_NUMBER_TEXT];
-    bool whole = tf_number_text(t, digits);
-    snprintf(text, TIME, "$t %s %s$", whole ? "=" : "≈", digits);
-}
-
-static void write_answer(const tf_shown *shown, char text[TEXT])
-{
-    if (!tf_shown_hits(shown)) {
+    if (!fig_shown_hits(shown)) {
         snprintf(text, TEXT, "apart for the whole step");
         return;
     }
-    char time[TIME], speed[TF_NUMBER_TEXT];
-    write_time(shown->toi, time);
-    tf_number_text(shown->contact.speed, speed);
-    snprintf(text, TEXT, "hit at %s · %s · normal speed $%s$", time,
-             case_name(shown->contact.decision), speed);
+    char time[FIG_TIME_TEXT], speed[FIG_NUMBER_TEXT];
+    fig_time_text(shown->toi, time);
+    fig_number_text(shown->contact.normal_velocity, speed);
+    snprintf(text, TEXT, "hit at %s · %s · normal velocity $%s$", time,
+             case_name(shown->contact.classification), speed);
 }
 
 /// What the axes of the drawing measure.
-static void write_scale(const tf_shown *shown, bool alike, char text[TEXT])
+static void write_scale(const fig_shown *shown, bool alike, char text[TEXT])
 {
-    char span[3][TF_NUMBER_TEXT];
+    char span[3][FIG_NUMBER_TEXT];
     for (int k = 0; k < 3; k++)
-        tf_span_text(shown->fit.span[k], span[k]);
+        fig_span_text(shown->fit.span[k], span[k]);
     int length =
         snprintf(text, TEXT, "the drawing spans $%s × %s", span[0], span[1]);
     if (shown->kind->axes == 3)
@@ -73,85 +64,85 @@ static void write_scale(const tf_shown *shown, bool alike, char text[TEXT])
 
 // Numbers ----------------------------------------------------------------
 
-static void print_numbers(const tf_shown *shown, FILE *numbers)
+static void print_numbers(const fig_shown *shown, FILE *numbers)
 {
     static const char *const normal[TF_AXES] = {"nx", "ny", "nz"};
     const tf_contact *contact = &shown->contact;
-    fprintf(numbers, "hit %d\n", tf_shown_hits(shown));
-    if (!tf_shown_hits(shown))
+    fprintf(numbers, "hit %d\n", fig_shown_hits(shown));
+    if (!fig_shown_hits(shown))
         return;
-    tf_figure_number(numbers, "toi_lo", contact->toi_lo);
-    tf_figure_number(numbers, "toi_hi", contact->toi_hi);
+    fig_number(numbers, "toi_lo", contact->toi_lo);
+    fig_number(numbers, "toi_hi", contact->toi_hi);
     for (int k = 0; k < TF_AXES; k++)
         if (k < shown->kind->axes)
-            tf_figure_number(numbers, normal[k], contact->normal[k]);
-    tf_figure_number(numbers, "speed", contact->speed);
-    fprintf(numbers, "case %s\n", case_name(contact->decision));
+            fig_number(numbers, normal[k], contact->normal[k]);
+    fig_number(numbers, "normal_velocity", contact->normal_velocity);
+    fprintf(numbers, "case %s\n", case_name(contact->classification));
 }
 
 // The elements -----------------------------------------------------------
 
 /// Thirds of the step; the one nearest to the contact gives way to it.
-static void choose_times(const tf_shown *shown, double time[FRAMES])
+static void choose_times(const fig_shown *shown, double time[FRAMES])
 {
     for (int i = 0; i < FRAMES; i++)
         time[i] = (double)i / (FRAMES - 1);
-    if (tf_shown_hits(shown) && shown->toi > 0 && shown->toi < 1)
+    if (fig_shown_hits(shown) && shown->toi > 0 && shown->toi < 1)
         time[shown->toi < 0.5 ? 1 : 2] = shown->toi;
 }
 
 /// The i-th box of the strip, two by two.
-static tf_box frame_box(int i)
+static fig_box frame_box(int i)
 {
     double width = left_box.width / 2, height = left_box.height / 2;
     int column = i % 2, row = i / 2;
-    return (tf_box){left_box.x + width * column, left_box.y + height * row,
-                    width, height - caption_height};
+    return (fig_box){left_box.x + width * column, left_box.y + height * row,
+                     width, height - caption_height};
 }
 
 /// The one box of a film.
-static tf_box film_box(void)
+static fig_box film_box(void)
 {
-    tf_box box = left_box;
+    fig_box box = left_box;
     box.height -= caption_height;
     return box;
 }
 
-static void draw_frame(tf_page *page, const tf_shown *shown, tf_box box,
+static void draw_frame(fig_page *page, const fig_shown *shown, fig_box box,
                        double t, bool marked)
 {
-    tf_panel *panel = tf_page_panel(page, box);
-    tf_panel_margin(panel, margin);
-    tf_show_slice(panel, shown, t, marked);
-    char text[TIME];
-    write_time(t, text);
-    tf_page_text(page, box.x + box.width / 2, box.y + box.height + 6,
-                 TF_ALIGN_CENTER, text, TF_LETTERS_SMALL,
-                 marked   ? TF_ROLE_CONTACT
-                 : t == 0 ? TF_ROLE_START
-                 : t == 1 ? TF_ROLE_END
-                          : TF_ROLE_INK);
+    fig_panel *panel = fig_page_panel(page, box);
+    fig_panel_margin(panel, margin);
+    fig_show_slice(panel, shown, t, marked);
+    char text[FIG_TIME_TEXT];
+    fig_time_text(t, text);
+    fig_page_text(page, box.x + box.width / 2, box.y + box.height + 6,
+                  FIG_ALIGN_CENTER, text, FIG_LETTERS_SMALL,
+                  marked   ? FIG_ROLE_CONTACT
+                  : t == 0 ? FIG_ROLE_START
+                  : t == 1 ? FIG_ROLE_END
+                           : FIG_ROLE_INK);
 }
 
-static void draw_strip(tf_page *page, const tf_shown *shown)
+static void draw_strip(fig_page *page, const fig_shown *shown)
 {
     double time[FRAMES];
     choose_times(shown, time);
     for (int i = 0; i < FRAMES; i++)
         draw_frame(page, shown, frame_box(i), time[i],
-                   tf_shown_hits(shown) && time[i] == shown->toi);
+                   fig_shown_hits(shown) && time[i] == shown->toi);
 }
 
 /// `t` < 0: a still picture.
-static void draw_elements(tf_page *page, const tf_shown *shown, double t)
+static void draw_elements(fig_page *page, const fig_shown *shown, double t)
 {
     if (shown->kind->axes == 2)
-        tf_show_spacetime(tf_page_panel(page, left_box), shown, t);
+        fig_show_spacetime(fig_page_panel(page, left_box), shown, t);
     else if (t < 0)
         draw_strip(page, shown);
     else
         draw_frame(page, shown, film_box(), t,
-                   tf_shown_hits(shown) && t >= shown->toi);
+                   fig_shown_hits(shown) && t >= shown->toi);
 }
 
 // The page ---------------------------------------------------------------
@@ -162,42 +153,42 @@ static const char *difference_title(const tf_query_kind *kind)
                                   : "seen from the point";
 }
 
-static void draw_captions(tf_page *page, const tf_shown *shown, bool alike)
+static void draw_captions(fig_page *page, const fig_shown *shown, bool alike)
 {
-    double middle = tf_page_width(page) / 2;
+    double middle = fig_page_width(page) / 2;
     char text[TEXT];
     write_answer(shown, text);
-    tf_page_text(page, middle, caption_from, TF_ALIGN_CENTER, text, TF_LETTERS,
-                 tf_shown_hits(shown) ? TF_ROLE_CONTACT : TF_ROLE_INK);
+    fig_page_text(page, middle, caption_from, FIG_ALIGN_CENTER, text,
+                  FIG_LETTERS,
+                  fig_shown_hits(shown) ? FIG_ROLE_CONTACT : FIG_ROLE_INK);
     write_scale(shown, alike, text);
-    tf_page_text(page, middle, caption_from + line, TF_ALIGN_CENTER, text,
-                 TF_LETTERS_SMALL, TF_ROLE_NEUTRAL);
+    fig_page_text(page, middle, caption_from + line, FIG_ALIGN_CENTER, text,
+                  FIG_LETTERS_SMALL, FIG_ROLE_NEUTRAL);
 }
 
-static void draw_query(const void *subject, tf_page *page, FILE *numbers)
+static void draw_query(const void *subject, fig_page *page, FILE *numbers)
 {
-    const tf_answered *answered = subject;
-    tf_shown shown = tf_shown_of(answered->kind, answered->question.vertex,
-                                 &answered->contact);
-    double t = tf_page_moves(page) ? tf_page_time(page) : -1;
+    const fig_answered *answered = subject;
+    fig_shown shown =
+        fig_shown_of(answered->kind, answered->vertex, &answered->contact);
+    double t = fig_page_moves(page) ? fig_page_time(page) : -1;
     draw_elements(page, &shown, t);
-    if (!tf_page_moves(page) && tf_shown_hits(&shown))
+    if (!fig_page_moves(page) && fig_shown_hits(&shown))
         t = shown.toi;
-    tf_panel *panel = tf_page_panel(page, right_box);
-    tf_panel_margin(panel, margin);
-    bool alike = tf_show_difference(page, panel, &shown, t);
+    fig_panel *panel = fig_page_panel(page, right_box);
+    fig_panel_margin(panel, margin);
+    bool alike = fig_show_difference(page, panel, &shown, t);
 
     char text[TEXT];
     snprintf(text, sizeof text, "%s, query %ld", shown.kind->name,
              answered->number);
-    tf_page_title(page, left_box, text);
-    tf_page_title(page, right_box, difference_title(shown.kind));
+    fig_page_title(page, left_box, text);
+    fig_page_title(page, right_box, difference_title(shown.kind));
     draw_captions(page, &shown, alike);
     print_numbers(&shown, numbers);
 }
 
-tf_drawing tf_query_drawing(const tf_answered *answered)
+fig_drawing fig_query_drawing(const fig_answered *answered)
 {
-    return (tf_drawing){TF_FIGURE_WIDTH, TF_FIGURE_HEIGHT, answered,
-                        draw_query};
+    return (fig_drawing){FIG_PAGE_WIDTH, FIG_PAGE_HEIGHT, answered, draw_query};
 }

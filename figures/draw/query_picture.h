@@ -1,21 +1,25 @@
 // The picture of a query.
-#ifndef TF_DRAW_QUERY_PICTURE_H
-#define TF_DRAW_QUERY_PICTURE_H
+#ifndef FIG_DRAW_QUERY_PICTURE_H
+#define FIG_DRAW_QUERY_PICTURE_H
 
 #include "draw/drawing.h"
 #include "program/query_file.h"
-#include "query/contact.h"
+#include "query/query.h"
+
+enum {
+    FIG_QUERY_VERTICES = 4 ///< the most, of both elements
+};
 
 /// A query that was answered.
-typedef struct tf_answered {
+typedef struct fig_answered {
     const tf_query_kind *kind;
-    tf_question question;
+    tf_worldline vertex[FIG_QUERY_VERTICES]; ///< first element, then second
     tf_contact contact;
     long number;
-} tf_answered;
+} fig_answered;
 
 /// Its drawing, which borrows it: the elements, in space-time or at some times,
 /// beside their difference; the answer in a caption, and as numbers.
-tf_drawing tf_query_drawing(const tf_answered *answered);
+fig_drawing fig_query_drawing(const fig_answered *answered);
 
 #endif

@@ -2,7 +2,8 @@
 #include "draw/settings.h"
 
 #include "program/number.h"
-#include "stage/page.h"
+#include "program/visible.h"
+#include "renderer/page.h"
 
 #include <limits.h>
 #include <math.h>
@@ -27,40 +28,48 @@ enum {
 
 static const struct argp_option options[] = {
     {"output", 'o', "FILE", 0,
-     "Draw to this file: .png, .pdf (letters and lines stay vectors) or .svg",
+     "Write a picture to this file: .png, or .pdf or .svg (in which text and "
+     "lines are vectors)",
      0},
-    {"size", SIZE, "WxH", 0, "Pixels of the picture; 1600 wide unless told", 0},
+    {"size", SIZE, "WxH", 0, "Size in pixels; the default width is 1600", 0},
     {"dpi", DPI, "N", 0,
-     "Pixels per inch in print; without --size, also how many pixels", 0},
-    {"theme", 't', "THEME", 0, "light or dark; light unless told", 0},
-    {"transparent", TRANSPARENT, NULL, 0, "No paper behind the drawing", 0},
+     "Resolution in pixels per inch; without --size it also determines the "
+     "size in pixels",
+     0},
+    {"theme", 't', "THEME", 0, "light or dark; the default is light", 0},
+    {"transparent", TRANSPARENT, NULL, 0, "Leave out the background", 0},
     {"view", 'v', "AZ,EL", 0,
      "Look from this azimuth and elevation, in degrees", 0},
     {NULL, 0, NULL, 0, "Films:", 0},
-    {"animate", ANIMATE, "FILE", 0, "Make a film: .mp4, .gif or .webp", 0},
+    {"animate", ANIMATE, "FILE", 0,
+     "Write a film to this file: .mp4, .gif, .webp or .png, a sheet of tiles",
+     0},
     {"turntable", TURNTABLE, NULL, 0,
-     "Turn the camera once in the film; otherwise time passes", 0},
-    {"frames", FRAMES, "N", 0, "Pictures of the film; 90 unless told", 0},
-    {"fps", FPS, "N", 0, "Pictures per second; 30 unless told", 0},
+     "Turn the camera around once in the film, instead of letting time pass",
+     0},
+    {"frames", FRAMES, "N", 0, "Number of frames; the default is 90", 0},
+    {"fps", FPS, "N", 0, "Frames per second; the default is 30", 0},
     {0},
 };
 
-bool tf_path_ends(const char *path, const char *ending)
+bool fig_path_ends(const char *path, const char *ending)
 {
     size_t length = strlen(path), wanted = strlen(ending);
     return length > wanted && strcmp(path + length - wanted, ending) == 0 &&
            path[length - wanted - 1] != '/';
 }
 
-/// A name of a file with one of three endings.
+/// A name of a file with one of the endings, after which comes NULL; `endings`
+/// lists them in words.
 static const char *read_path(struct argp_state *state, const char *what,
-                             const char *text, const char *const ending[3])
+                             const char *text, const char *const ending[],
+                             const char *endings)
 {
-    for (int i = 0; i < 3; i++)
-        if (tf_path_ends(text, ending[i]))
+    for (int i = 0; ending[i]; i++)
+        if (fig_path_ends(text, ending[i]))
             return text;
-    argp_error(state, "%s '%s' must end in %s, %s or %s", what, text, ending[0],
-               ending[1], ending[2]);
+    argp_error(state, "%s '%s' must end in %s", what,
+               tf_make_visible(text).text, endings);
     return text;
 }
 
@@ -82,19 +91,19 @@ static int read_count(struct argp_state *state, const char *option,
     const char *at = text;
     long count = read_digits(&at);
     if (*at != '\0' || count < 1 || count > most)
-        argp_error(state, "%s is '%s'; give a number from 1 to %d", option,
-                   text, most);
+        argp_error(state, "invalid %s '%s'; give a number from 1 to %d", option,
+                   tf_make_visible(text).text, most);
     return (int)count;
 }
 
 static bool good_size(long pixels)
 {
-    return pixels >= TF_PIXELS_LEAST && pixels <= TF_PIXELS_MOST;
+    return pixels >= FIG_PIXELS_LEAST && pixels <= FIG_PIXELS_MOST;
 }
 
 static void read_size(struct argp_state *state, const char *text)
 {
-    tf_settings *settings = state->input;
+    fig_settings *settings = state->input;
     const char *at = text;
     long x = read_digits(&at), y = -1;
     if (*at == 'x') {
@@ -103,25 +112,27 @@ static void read_size(struct argp_state *state, const char *text)
     }
     if (*at != '\0' || !good_size(x) || !good_size(y))
         argp_error(state,
-                   "the size is '%s'; give width and height as 1600x1200, "
-                   "both from %d to %d pixels",
-                   text, TF_PIXELS_LEAST, TF_PIXELS_MOST);
+                   "invalid size '%s'; give width and height, such as "
+                   "1600x1200, both from %d to %d pixels",
+                   tf_make_visible(text).text, FIG_PIXELS_LEAST,
+                   FIG_PIXELS_MOST);
     settings->pixels_x = (int)x;
     settings->pixels_y = (int)y;
 }
 
 static void read_view(struct argp_state *state, const char *text)
 {
-    tf_settings *settings = state->input;
+    fig_settings *settings = state->input;
     const char *at = text;
     double azimuth = 0, elevation = 0;
     bool good = tf_number_read(&at, &azimuth) && *at++ == ',' &&
                 tf_number_read(&at, &elevation) && *at == '\0';
     if (!good || !(fabs(azimuth) <= 360) || !(fabs(elevation) <= 90))
         argp_error(state,
-                   "the view is '%s'; give two angles in degrees as 30,20, "
-                   "the first from -360 to 360, the second from -90 to 90",
-                   text);
+                   "invalid view '%s'; give two angles in degrees, such as "
+                   "30,20, the first from -360 to 360, the second from -90 to "
+                   "90",
+                   tf_make_visible(text).text);
     settings->turned = true;
     settings->azimuth = azimuth;
     settings->elevation = elevation;
@@ -129,51 +140,48 @@ static void read_view(struct argp_state *state, const char *text)
 
 static void read_theme(struct argp_state *state, const char *text)
 {
-    tf_settings *settings = state->input;
-    settings->theme = tf_theme_named(text);
+    fig_settings *settings = state->input;
+    settings->theme = fig_theme_named(text);
     if (!settings->theme)
-        argp_error(state, "no theme is named '%s'; choose light or dark", text);
+        argp_error(state, "unknown theme '%s'; choose light or dark",
+                   tf_make_visible(text).text);
 }
 
-/// See that the options go together.
+/// Check that the options fit together.
 static void check(struct argp_state *state)
 {
-    const tf_settings *settings = state->input;
+    const fig_settings *settings = state->input;
     if (!settings->picture && !settings->film)
-        argp_error(state, "nothing to write; name a file by -o FILE.png or "
+        argp_error(state, "no output file given; add -o FILE.png or "
                           "--animate FILE.mp4");
     if (settings->film && settings->transparent &&
-        tf_path_ends(settings->film, ".mp4"))
-        argp_error(state, "no .mp4 is transparent; drop --transparent or "
-                          "choose .webp or .gif");
+        (fig_path_ends(settings->film, ".mp4") ||
+         fig_path_ends(settings->film, ".png")))
+        argp_error(state, "an .mp4 file or a sheet cannot be transparent; drop "
+                          "--transparent, or choose .webp or .gif");
     if (!settings->film && settings->turntable)
-        argp_error(state, "--turntable is for films; name one by --animate "
+        argp_error(state, "--turntable is for films; add --animate "
                           "FILE.mp4");
 }
 
-static void set_usual(tf_settings *settings)
+static void set_usual(fig_settings *settings)
 {
-    *settings = (tf_settings){
-        .theme = &tf_theme_light,
+    *settings = (fig_settings){
+        .theme = &fig_theme_light,
         .frames = 90,
         .fps = 30,
     };
 }
 
-static error_t understand(int key, char *text, struct argp_state *state)
+/// What one option sets; ARGP_ERR_UNKNOWN if it is none of these.
+static error_t understand_picture(int key, char *text, struct argp_state *state)
 {
-    static const char *const pictures[] = {".png", ".pdf", ".svg"};
-    static const char *const films[] = {".mp4", ".gif", ".webp"};
-    tf_settings *settings = state->input;
+    static const char *const pictures[] = {".png", ".pdf", ".svg", NULL};
+    fig_settings *settings = state->input;
     switch (key) {
-    case ARGP_KEY_INIT:
-        set_usual(settings);
-        return 0;
     case 'o':
-        settings->picture = read_path(state, "the picture", text, pictures);
-        return 0;
-    case ANIMATE:
-        settings->film = read_path(state, "the film", text, films);
+        settings->picture = read_path(state, "the picture", text, pictures,
+                                      ".png, .pdf or .svg");
         return 0;
     case SIZE:
         read_size(state, text);
@@ -190,6 +198,20 @@ static error_t understand(int key, char *text, struct argp_state *state)
     case 'v':
         read_view(state, text);
         return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+static error_t understand_film(int key, char *text, struct argp_state *state)
+{
+    static const char *const films[] = {".mp4", ".gif", ".webp", ".png", NULL};
+    fig_settings *settings = state->input;
+    switch (key) {
+    case ANIMATE:
+        settings->film = read_path(state, "the film", text, films,
+                                   ".mp4, .gif, .webp or .png");
+        return 0;
     case FRAMES:
         settings->frames = read_count(state, "--frames", text, FRAMES_MOST);
         return 0;
@@ -199,17 +221,30 @@ static error_t understand(int key, char *text, struct argp_state *state)
     case TURNTABLE:
         settings->turntable = true;
         return 0;
-    case ARGP_KEY_END:
-        check(state);
-        return 0;
     default:
         return ARGP_ERR_UNKNOWN;
     }
 }
 
+static error_t understand(int key, char *text, struct argp_state *state)
+{
+    switch (key) {
+    case ARGP_KEY_INIT:
+        set_usual(state->input);
+        return 0;
+    case ARGP_KEY_END:
+        check(state);
+        return 0;
+    default:
+        return understand_picture(key, text, state) == 0
+                   ? 0
+                   : understand_film(key, text, state);
+    }
+}
+
 static const struct argp parser = {.options = options, .parser = understand};
 
-const struct argp_child tf_settings_options[] = {
+const struct argp_child fig_settings_options[] = {
     {&parser, 0, "Pictures:", 0},
     {0},
 };

@@ -1,30 +1,30 @@
 // What to make of a drawing: the options that the commands share.
-#ifndef TF_DRAW_SETTINGS_H
-#define TF_DRAW_SETTINGS_H
+#ifndef FIG_DRAW_SETTINGS_H
+#define FIG_DRAW_SETTINGS_H
 
-#include "stage/theme.h"
+#include "renderer/theme.h"
 
 #include <argp.h>
 #include <stdbool.h>
 
-typedef struct tf_settings {
+typedef struct fig_settings {
     const char *picture;    ///< the file; NULL: none
     const char *film;       ///< the file; NULL: none
     int pixels_x, pixels_y; ///< 0: unless `dpi` tells, as many as are usual
     int dpi;                ///< pixels per inch; 0: not told
-    const tf_theme *theme;
+    const fig_theme *theme;
     bool transparent;
     bool turned; ///< look from:
     double azimuth, elevation;
     int frames, fps;
     bool turntable; ///< the film turns the camera; otherwise time passes
-} tf_settings;
+} fig_settings;
 
-/// A child for the parsers of the commands.  Its input is a tf_settings, which
+/// A child for the parsers of the commands.  Its input is a fig_settings, which
 /// it sets to what is usual at first.
-extern const struct argp_child tf_settings_options[];
+extern const struct argp_child fig_settings_options[];
 
 /// Whether a path ends in that ending, ".png" for instance.
-bool tf_path_ends(const char *path, const char *ending);
+bool fig_path_ends(const char *path, const char *ending);
 
 #endif

@@ -1,95 +1,10 @@
-//: Include what the clamped arithmetic needs
+//: Include what the clamped arithmetics need
 #include "arithmetic/clamped.h"
 
-#include <float.h>
+#include "arithmetic/filter.h"
+#include "arithmetic/operations.h"
+
 #include <math.h>
-
-//: State the error bounds
-// In the rounded determinant every term picks up a factor 1 + e, |e| <= u, for
-// each rounding it goes through.  In 3x3: three differences, a product, a
-// difference of products, a product, a sum: seven.  In 2x2: two differences and
-// a product: three.  The last addition is not counted: the rounded sum of two
-// numbers has the sign of their sum.  A sum of terms that are each off by a
-// factor within (1 + u)^k is off by at most ((1 + u)^k - 1) times the sum of
-// their absolute values, the permanent, which is itself computed with at most
-// eight roundings; the digits behind the point cover that and the second-order
-// terms.
-#define U (DBL_EPSILON / 2)
-#define SHARE_3X3 ((7 + 0x1p-40) * U)
-#define SHARE_2X2 ((3 + 0x1p-40) * U)
-
-// A product that falls below the normal numbers loses at most 2^-1075 besides.
-// In 3x3 two such losses are multiplied by each entry of the first row and
-// three are not; the rest is room for the roundings of the bound.
-#define UNDERFLOW 0x1p-1071
-
-//: Recognize a certain zero
-/// Whether every term of the determinant has a factor that is exactly zero.
-/// Asked only when the number is zero: it then tells a true zero from one
-/// that underflow made.
-static bool every_term_vanishes(int n, double entry[TF_AXES][TF_AXES])
-{
-    static const int order[6][3] = {{0, 1, 2}, {1, 0, 2}, {0, 2, 1},
-                                    {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
-    for (int p = 0; p < (n == 3 ? 6 : n); p++) {
-        int nonzero = 0;
-        for (int i = 0; i < n; i++)
-            nonzero += entry[i][order[p][i]] != 0;
-        if (nonzero == n)
-            return false;
-    }
-    return true;
-}
-
-//: Estimate a 1x1 determinant
-static tf_estimate estimate_1x1(double e[TF_AXES][TF_AXES])
-{
-    // The difference of two doubles has the sign of the rounded difference.
-    return (tf_estimate){.number = e[0][0], .bound = 0};
-}
-
-//: Estimate a 2x2 determinant
-static tf_estimate estimate_2x2(double e[TF_AXES][TF_AXES])
-{
-    double down = e[0][0] * e[1][1];
-    double up = e[0][1] * e[1][0];
-    double permanent = fabs(down) + fabs(up);
-    return (tf_estimate){.number = down - up,
-                         .bound = SHARE_2X2 * permanent + UNDERFLOW};
-}
-
-//: Estimate a 3x3 determinant
-static tf_estimate estimate_3x3(double e[TF_AXES][TF_AXES])
-{
-    //: Multiply the last two rows
-    double yz = e[1][1] * e[2][2], zy = e[1][2] * e[2][1];
-    double zx = e[1][2] * e[2][0], xz = e[1][0] * e[2][2];
-    double xy = e[1][0] * e[2][1], yx = e[1][1] * e[2][0];
-
-    //: Expand along the first row
-    double ax = fabs(e[0][0]), ay = fabs(e[0][1]), az = fabs(e[0][2]);
-    double number =
-        e[0][0] * (yz - zy) + e[0][1] * (zx - xz) + e[0][2] * (xy - yx);
-    double permanent = ax * (fabs(yz) + fabs(zy)) + ay * (fabs(zx) + fabs(xz)) +
-                       az * (fabs(xy) + fabs(yx));
-    return (tf_estimate){.number = number,
-                         .bound = SHARE_3X3 * permanent +
-                                  UNDERFLOW * (ax + ay + az + 1)};
-}
-
-//: Estimate a determinant
-tf_estimate tf_differences_estimate(const tf_differences *differences)
-{
-    int n = differences->n;
-    double entry[TF_AXES][TF_AXES];
-    tf_differences_round(differences, entry);
-    tf_estimate estimate = n == 3   ? estimate_3x3(entry)
-                           : n == 2 ? estimate_2x2(entry)
-                                    : estimate_1x1(entry);
-    if (estimate.number == 0 && every_term_vanishes(n, entry))
-        estimate.bound = 0;
-    return estimate;
-}
 
 //: Clamp a sign
 static tf_sign clamp(tf_estimate estimate, tf_sign inside)
@@ -111,17 +26,18 @@ static tf_sign report_sign(const tf_differences *differences)
     return clamp(tf_differences_estimate(differences), TF_ZERO);
 }
 
-//: Tell a value with its radius
+//: Give a value its radius
 static tf_value clamped_value(const tf_differences *differences)
 {
     tf_estimate estimate = tf_differences_estimate(differences);
 
-    // The bound leaves out the last addition; four u are that, the rounding
-    // that a value may hide, and room for whoever adds and subtracts the
-    // radius in rounded arithmetic.
+    // A value may hide the rounding of the last addition.  The 4 u cover it
+    // anyway, along with the roundings when a caller computes number - radius
+    // or number + radius, so callers need not allow for any of them.
+    const double u = DBL_EPSILON / 2;
     return (tf_value){.number = estimate.number,
-                      .radius = estimate.bound * (1 + 4 * U) +
-                                4 * U * fabs(estimate.number)};
+                      .radius = estimate.bound * (1 + 4 * u) +
+                                4 * u * fabs(estimate.number)};
 }
 
 //: Name the two clamped arithmetics

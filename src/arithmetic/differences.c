@@ -1,11 +1,8 @@
-//: Include what differences need
+//: Round the differences
 #include "arithmetic/differences.h"
 
-#include "contract.h"
+#include "base/require.h"
 
-#include <math.h>
-
-//: Round the differences
 void tf_differences_round(const tf_differences *differences,
                           double entry[TF_AXES][TF_AXES])
 {
@@ -16,13 +13,4 @@ void tf_differences_round(const tf_differences *differences,
         for (int i = 0; i < d->n; i++)
             entry[i][j] = d->to[i]->x[k] - d->from[i]->x[k];
     }
-}
-
-//: Tell whether an arithmetic holds a coordinate
-bool tf_arithmetic_holds(const tf_arithmetic *arithmetic, int axes, double x)
-{
-    int bits = arithmetic->bits[axes];
-    if (bits == 0)
-        return isfinite(x);
-    return fabs(x) < ldexp(1, bits) && x == trunc(x);
 }

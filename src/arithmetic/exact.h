@@ -1,23 +1,17 @@
 //: Declare the exact arithmetic
-#ifndef TF_ARITHMETIC_EXACT_H
-#define TF_ARITHMETIC_EXACT_H
+#pragma once
 
-#include "arithmetic/differences.h"
+#include "base/api.h"
 
-/// Exact signs of all finite doubles, subnormal and huge ones mixed.  Adaptive:
-/// a rounded determinant with its error bound, then a sum of products in an
-/// accumulator as wide as the range of a double demands.
-extern const tf_arithmetic tf_exact;
+#include "arithmetic/arithmetic.h"
 
-//: Declare the stages of an exact sign
-/// What found an exact sign, the cheaper first.
-typedef enum tf_stage {
-    TF_BY_ESTIMATE = 0,
-    TF_BY_ACCUMULATOR,
-} tf_stage;
+/// @addtogroup arithmetics
+/// @{
 
-/// The sign that tf_exact finds, and by what: for whoever counts.
-tf_sign tf_exact_sign(const tf_differences *differences, tf_stage *stage);
+/// Exact signs for any finite doubles, subnormal and huge ones mixed.  It
+/// adapts: a rounded determinant with its error bound decides most signs; a sum
+/// of products in a superaccumulator, as wide as the range of a double demands,
+/// decides the rest.
+TF_API extern const tf_arithmetic tf_exact;
 
-//: Close the exact arithmetic
-#endif
+/// @}

@@ -1,15 +1,17 @@
 //: Include what integers need
 #include "arithmetic/integer.h"
 
+#include "arithmetic/operations.h"
+
 #include <stdint.h>
 
 __extension__ typedef __int128 int128;
 
 //: Expand a determinant of integers
-// Entries are differences of integers below 2^p, so below m = 2^(p+1).  A 2x2
+// Entries are differences of integers below 2^b, so at most m < 2^(b+1).  A 2x2
 // determinant of entries up to m is at most 2 m^2 and a 3x3 one 4 m^3, in
-// absolute value, and so is every result on the way.  With the sign that makes
-// 2p + 4 and 3p + 6 bits: 64 hold p = 30 and 19, 128 hold 62 and 40.
+// absolute value, and so is every intermediate result.  With the sign that is
+// 2b + 4 and 3b + 6 bits: 64 hold b = 30 and 19, 128 hold 62 and 40.
 #define DETERMINANT(n, e)                                                      \
     ((n) == 1   ? e[0][0]                                                      \
      : (n) == 2 ? e[0][0] * e[1][1] - e[0][1] * e[1][0]                        \

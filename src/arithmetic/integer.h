@@ -1,15 +1,19 @@
 //: Declare the integer arithmetics
-#ifndef TF_ARITHMETIC_INTEGER_H
-#define TF_ARITHMETIC_INTEGER_H
+#pragma once
 
-#include "arithmetic/differences.h"
+#include "base/api.h"
+
+#include "arithmetic/arithmetic.h"
+
+/// @addtogroup arithmetics
+/// @{
 
 /// Exact signs in 64-bit integers: integer coordinates below 2^19 in space,
 /// 2^30 in the plane.
-extern const tf_arithmetic tf_integer64;
+TF_API extern const tf_arithmetic tf_integer64;
 
 /// Exact signs in 128-bit integers: integer coordinates below 2^40 in space,
 /// 2^53 in the plane.
-extern const tf_arithmetic tf_integer128;
+TF_API extern const tf_arithmetic tf_integer128;
 
-#endif
+/// @}

@@ -2,15 +2,16 @@
 #include "arithmetic/perturbed.h"
 
 #include "arithmetic/exact.h"
-#include "contract.h"
+#include "arithmetic/operations.h"
+#include "base/require.h"
 
 //: Rank an event
 /// The place of an event among all of a mesh: an event of higher rank moves
 /// less.
-static int rank_of(const tf_event *event)
+static int64_t rank_of(const tf_event *event)
 {
-    TF_REQUIRE(event->vertex >= 0 && event->vertex < TF_PERTURBED_VERTICES);
-    return 2 * event->vertex + event->t;
+    TF_REQUIRE(event->vertex >= 0);
+    return 2 * (int64_t)event->vertex + event->t;
 }
 
 //: Hold a determinant and its events
@@ -118,9 +119,10 @@ static bool moves_nothing(const term *t)
     return true;
 }
 
-/// The sign of the determinant, known to be zero where nothing moves, with what
-/// t moves moved and of the others only the `count` first free to move.  If it
-/// is not zero *t becomes the leading term.
+/// The sign of the part of the determinant in which the events of t have moved
+/// and, of the others, only the first `count` may move.  The determinant
+/// without moves is known to be zero.  If the sign is not zero, *t becomes the
+/// leading term.
 static tf_sign find_leading(const ranked *r, int count, term *t)
 {
     //: Let no more events move
@@ -156,8 +158,8 @@ static tf_sign leading_term(const ranked *r, term *t)
 }
 
 //: Order a term among all
-/// List the infinitesimals of a term, the smallest first, as numbers from 1.
-static void order_term(const ranked *r, const term *t, int order[TF_AXES])
+/// Lists the infinitesimals of a term, the smallest first, as numbers from 1.
+static void order_term(const ranked *r, const term *t, int64_t order[TF_AXES])
 {
     int count = 0;
     for (int place = r->count - 1; place >= 0; place--)
@@ -195,4 +197,8 @@ static tf_value perturbed_value(const tf_differences *differences)
 
 //: Name the perturbed arithmetic
 const tf_arithmetic tf_perturbed = {
-    .name = "perturbed", .sign = perturbed_sign, .value = perturbed_value};
+    .name = "perturbed",
+    .needs_indices = true,
+    .sign = perturbed_sign,
+    .value = perturbed_value,
+};

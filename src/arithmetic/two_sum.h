@@ -1,16 +1,25 @@
 //: Declare two-sum
-#ifndef TF_ARITHMETIC_TWO_SUM_H
-#define TF_ARITHMETIC_TWO_SUM_H
+#pragma once
+
+#include "base/environment.h"
 
 /// A real number as the sum of two doubles, hi the rounded sum.
 typedef struct tf_two {
     double hi, lo;
 } tf_two;
 
+//: Add two doubles without losing anything
 /// a + b exactly, barring overflow.
-tf_two tf_two_sum(double a, double b);
+static inline tf_two tf_two_sum(double a, double b)
+{
+    double hi = a + b;
+    double b_virtual = hi - a;
+    double a_virtual = hi - b_virtual;
+    return (tf_two){.hi = hi, .lo = (a - a_virtual) + (b - b_virtual)};
+}
 
 /// a - b exactly, barring overflow.
-tf_two tf_two_difference(double a, double b);
-
-#endif
+static inline tf_two tf_two_difference(double a, double b)
+{
+    return tf_two_sum(a, -b);
+}

@@ -6,6 +6,7 @@
 #include "arithmetic/integer.h"
 #include "arithmetic/perturbed.h"
 
+#include <math.h>
 #include <string.h>
 
 //: Find an arithmetic by its name
@@ -17,7 +18,14 @@ static const tf_arithmetic *const arithmetics[] = {
 const tf_arithmetic *tf_arithmetic_named(const char *name)
 {
     for (size_t i = 0; i < sizeof arithmetics / sizeof *arithmetics; i++)
-        if (strcmp(name, arithmetics[i]->name) == 0)
+        if (strcmp(name, tf_arithmetic_name(arithmetics[i])) == 0)
             return arithmetics[i];
     return NULL;
+}
+
+//: Compare a coordinate with the range of an arithmetic
+bool tf_arithmetic_fits(const tf_arithmetic *arithmetic, int axes, double x)
+{
+    int bits = tf_arithmetic_bits(arithmetic, axes);
+    return bits == 0 || (fabs(x) < ldexp(1, bits) && x == trunc(x));
 }

@@ -1,7 +1,9 @@
 //: Include what the program needs
 #define _GNU_SOURCE
-#include "contract.h"
+#include "base/version.h"
 #include "program/query_command.h"
+#include "program/surface_command.h"
+#include "program/visible.h"
 
 #include <argp.h>
 #include <errno.h>
@@ -20,14 +22,18 @@ typedef struct command {
 
 static const command commands[] = {
     {"query", "tanglefree query",
-     "whether, when and how moving elements first meet", tf_query_command},
+     "compute whether, when and how elements first meet", tf_query_command},
+    {"detect", "tanglefree detect", "find every contact of a moving surface",
+     tf_detect_command},
+    {"check", "tanglefree check", "find where a surface intersects itself",
+     tf_check_command},
 };
 enum {
     COMMANDS = sizeof commands / sizeof *commands
 };
 
-//: Tell about the program
-const char *argp_program_version = "tanglefree 0.1.0";
+//: Describe the program
+const char *argp_program_version = "tanglefree " TF_VERSION;
 
 static char *describe(int key, const char *text, void *input)
 {
@@ -42,7 +48,7 @@ static char *describe(int key, const char *text, void *input)
     fputs("Commands:\n", stream);
     for (int i = 0; i < COMMANDS; i++)
         fprintf(stream, "  %-10s %s\n", commands[i].name, commands[i].purpose);
-    fputs("\n'tanglefree COMMAND --help' tells more.", stream);
+    fputs("\n'tanglefree COMMAND --help' describes a command.", stream);
     fclose(stream);
     return list;
 }
@@ -60,19 +66,20 @@ static void choose(choice *chosen, struct argp_state *state, const char *name)
         if (strcmp(name, commands[i].name) == 0)
             chosen->command = &commands[i];
     if (!chosen->command)
-        argp_error(state, "no command is named '%s'; --help lists them", name);
+        argp_error(state, "unknown command '%s'; --help lists the commands",
+                   tf_make_visible(name).text);
     chosen->argv = state->argv + state->next - 1;
     chosen->argc = state->argc - state->next + 1;
     state->next = state->argc;
 }
 
 //: Choose the command
-static error_t understand_command(int key, char *text, struct argp_state *state)
+static error_t parse_command(int key, char *text, struct argp_state *state)
 {
     if (key == ARGP_KEY_ARG)
         choose(state->input, state, text);
     else if (key == ARGP_KEY_NO_ARGS)
-        argp_error(state, "a command is missing; --help lists them");
+        argp_error(state, "no command given; --help lists the commands");
     else
         return ARGP_ERR_UNKNOWN;
     return 0;
@@ -81,7 +88,7 @@ static error_t understand_command(int key, char *text, struct argp_state *state)
 static choice choose_command(int argc, char *argv[])
 {
     static const struct argp parser = {
-        .parser = understand_command,
+        .parser = parse_command,
         .args_doc = "COMMAND [ARGUMENT...]",
         .doc = "Exact continuous collision detection.",
         .help_filter = describe,
@@ -106,7 +113,6 @@ static void finish_output(void)
 int main(int argc, char *argv[])
 {
     static char name[] = "tanglefree";
-    TF_REQUIRE(argc > 0 && tf_environment_is_ieee());
     argp_err_exit_status = 2;
     atexit(finish_output);
 

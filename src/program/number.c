@@ -18,10 +18,10 @@ static const unsigned char hexadecimal[256] = {
 /// Up to 16 digits, with or without a point, as significand 2^exponent.  False
 /// if there are none, or more than fit.
 static bool read_significand(const char **text, uint64_t *significand,
-                             int *exponent)
+                             int64_t *exponent)
 {
     const char *at = *text, *point = NULL;
-    int digits = 0;
+    int64_t digits = 0;
     for (; hexadecimal[(unsigned char)*at] || (*at == '.' && !point); at++) {
         if (*at == '.') {
             point = at;
@@ -40,7 +40,7 @@ static bool read_significand(const char **text, uint64_t *significand,
 //: Read the exponent
 /// Add what follows the letter p, if anything does.  False if it is no integer
 /// of 1 to 4 digits.
-static bool read_exponent(const char **text, int *exponent)
+static bool read_exponent(const char **text, int64_t *exponent)
 {
     const char *at = *text;
     if (*at != 'p' && *at != 'P')
@@ -58,7 +58,7 @@ static bool read_exponent(const char **text, int *exponent)
 }
 
 //: Make a power of two
-static double power_of_two(int exponent)
+static double power_of_two(int64_t exponent)
 {
     uint64_t bits = (uint64_t)(exponent + 1023) << 52;
     double power;
@@ -79,7 +79,7 @@ static bool read_hexadecimal(const char **text, double *number)
     at += 2;
 
     uint64_t significand = 0;
-    int exponent = 0;
+    int64_t exponent = 0;
     if (!read_significand(&at, &significand, &exponent) ||
         !read_exponent(&at, &exponent) || exponent < -1022 || exponent > 1023)
         return false;

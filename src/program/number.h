@@ -1,6 +1,5 @@
 //: Declare how to read a number
-#ifndef TF_PROGRAM_NUMBER_H
-#define TF_PROGRAM_NUMBER_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -11,5 +10,3 @@
 /// Returns false, with nothing changed, if no number starts there: the words
 /// "nan" and "inf" and leading blanks are none.
 bool tf_number_read(const char **text, double *number);
-
-#endif

@@ -17,7 +17,7 @@ static void print_grouped(FILE *stream, long count)
     fprintf(stream, ",%03ld", count % 1000);
 }
 
-//: Tell the time
+//: Read the clock
 static double seconds(void)
 {
     struct timespec now;
@@ -34,7 +34,7 @@ tf_progress tf_progress_begin(void)
     };
 }
 
-void tf_progress_tell(tf_progress *progress, long count, const char *things)
+void tf_progress_show(tf_progress *progress, long count, const char *things)
 {
     if (!progress->wanted || seconds() < progress->next)
         return;

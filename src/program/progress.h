@@ -1,6 +1,5 @@
 //: Declare the progress line
-#ifndef TF_PROGRAM_PROGRESS_H
-#define TF_PROGRAM_PROGRESS_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -13,7 +12,5 @@ typedef struct tf_progress {
 } tf_progress;
 
 tf_progress tf_progress_begin(void);
-void tf_progress_tell(tf_progress *progress, long count, const char *things);
+void tf_progress_show(tf_progress *progress, long count, const char *things);
 void tf_progress_end(tf_progress *progress);
-
-#endif

@@ -1,82 +1,95 @@
 //: Include what the command query needs
 #include "program/query_command.h"
 
-#include "contract.h"
 #include "program/arithmetics.h"
 #include "program/progress.h"
 #include "program/query_file.h"
 #include "program/query_output.h"
+#include "program/visible.h"
+#include "query/edge_edge.h"
+#include "query/point_edge.h"
+#include "query/point_triangle.h"
 
 #include <argp.h>
 #include <stdio.h>
 #include <string.h>
 
-//: Hold what the command was asked
-typedef struct request {
+//: Hold what the command line requests
+typedef struct query_request {
     const tf_query_kind *kind;
     const tf_arithmetic *arithmetic;
     const tf_query_format *format;
     char **paths;
     int path_count;
-} request;
+} query_request;
 
-//: Tell how to ask
+//: Describe the usage
 static const char description[] =
-    "Tell whether, when and how moving elements first meet.\v"
-    "A FILE is CSV without a header, a row a point: all vertices of the first "
-    "element and then of the second at t = 0, then the same at t = 1.  A row "
-    "is x,y[,z] in decimals or hexadecimal floats, or xnum,xden,ynum,yden"
-    "[,znum,zden] in integers of any length, and then perhaps the truth, 0 or "
-    "1.  The first row decides for its file.  No FILE, or \"-\", is standard "
-    "input.  Perturbed signs number the vertices in the order of the rows.\n\n"
-    "csv and json give an answer a line: the query's number, from 0; hit, 1 "
-    "(with clamped signs also where undecided) or 0; toi_lo and toi_hi, which "
-    "enclose the time of impact; the contact's "
-    "unit normal; the normal speed; and the case, generic, touching or "
-    "degenerate.  Without a hit they are empty, or null.  summary counts the "
-    "hits, and those not in truth (extra), or in truth alone (missed).\n\n"
-    "Exit status: 0 if all was answered, 2 after bad usage or input.";
+    "Compute whether, when and how moving elements first meet.\v"
+    "A FILE is CSV without a header, one vertex per row: the vertices of the "
+    "first element and then of the second at t = 0, then the same at t = 1.  "
+    "A row is x,y[,z], decimal numbers or hexadecimal floats, or "
+    "xnum,xden,ynum,yden[,znum,zden], integers of any length, perhaps followed "
+    "by the ground truth, 0 or 1.  The first row determines the format of its "
+    "file.  Blank lines and lines that begin with # are skipped.  Without a "
+    "FILE, or if it is \"-\", standard input is read.  For perturbed signs, "
+    "the "
+    "vertices are numbered in the order of the rows.\n\n"
+    "csv and json print one answer per query: the number of the query, from 0; "
+    "hit, which is 1 for a hit (and for what clamped signs leave undecided), "
+    "else 0; toi_lo and toi_hi, which enclose the time of impact (with "
+    "perturbed signs, that of the moved vertices); the unit normal of the "
+    "contact; the normal velocity; and the case, generic, touching or "
+    "degenerate.  Without a hit these are empty, or null.  summary counts the "
+    "hits and, where the ground truth is given, the hits that are not in it "
+    "(extra) and those in it alone (missed).\n\n"
+    "Exit status: 0 if all queries were answered, 2 if the arguments or the "
+    "input are invalid or the output cannot be written.";
 
 static const struct argp_option options[] = {
     {"kind", 'k', "KIND", 0,
-     "What meets: " TF_QUERY_KIND_NAMES " (vertex-face is point-triangle)", 0},
+     "Which elements: " TF_QUERY_KIND_NAMES " (vertex-face is point-triangle)",
+     0},
     {"arithmetic", 'a', "NAME", 0,
-     "How signs are found: " TF_ARITHMETIC_NAMES "; exact unless given", 0},
-    {"output", 'o', "FORMAT", 0, TF_QUERY_FORMAT_NAMES "; csv unless given", 0},
+     "How signs are found: " TF_ARITHMETIC_NAMES "; the default is exact", 0},
+    {"output", 'o', "FORMAT", 0,
+     "Output format: " TF_QUERY_FORMAT_NAMES "; the default is csv", 0},
     {0},
 };
 
-//: Refuse a name
+//: Reject a name
 static void refuse(struct argp_state *state, const char *what, const char *name,
                    const char *names)
 {
-    argp_error(state, "no %s is named '%s'; choose %s", what, name, names);
+    argp_error(state, "unknown %s '%s'; choose %s", what,
+               tf_make_visible(name).text, names);
 }
 
-//: Understand an argument
-static error_t understand(int key, char *text, struct argp_state *state)
+//: Parse an argument
+static error_t parse_argument(int key, char *text, struct argp_state *state)
 {
-    request *asked = state->input;
+    query_request *request = state->input;
     switch (key) {
     case 'k':
-        if (!(asked->kind = tf_query_kind_named(text)))
+        if (!(request->kind = tf_query_kind_named(text)))
             refuse(state, "kind", text, TF_QUERY_KIND_NAMES);
         return 0;
     case 'a':
-        if (!(asked->arithmetic = tf_arithmetic_named(text)))
+        if (!(request->arithmetic = tf_arithmetic_named(text)))
             refuse(state, "arithmetic", text, TF_ARITHMETIC_NAMES);
         return 0;
     case 'o':
-        if (!(asked->format = tf_query_format_named(text)))
-            refuse(state, "output", text, TF_QUERY_FORMAT_NAMES);
+        if (!(request->format = tf_query_format_named(text)))
+            refuse(state, "output format", text, TF_QUERY_FORMAT_NAMES);
         return 0;
     case ARGP_KEY_ARGS:
-        asked->paths = state->argv + state->next;
-        asked->path_count = state->argc - state->next;
+        request->paths = state->argv + state->next;
+        request->path_count = state->argc - state->next;
         return 0;
     case ARGP_KEY_END:
-        if (!asked->kind)
-            argp_error(state, "--kind is missing; choose " TF_QUERY_KIND_NAMES);
+        if (!request->kind)
+            argp_error(state,
+                       "--kind is required; choose " TF_QUERY_KIND_NAMES);
         return 0;
     default:
         return ARGP_ERR_UNKNOWN;
@@ -85,77 +98,80 @@ static error_t understand(int key, char *text, struct argp_state *state)
 
 //: Hold what the command has done
 typedef struct answering {
-    request asked;
+    query_request request;
     tf_query_file file;
     tf_query_output output;
     tf_progress progress;
     long rounded; ///< coordinates
 } answering;
 
-//: Name the coordinate that is out of range
-static const double *out_of_range(const answering *work,
-                                  const tf_question *question, int row)
+static int vertex_count(const tf_query_kind *kind)
 {
-    const tf_query_kind *kind = work->asked.kind;
-    int vertices = kind->vertices[0] + kind->vertices[1];
-    const tf_event *event =
-        &question->vertex[row % vertices].at[row / vertices];
-    for (int k = 0; k < kind->axes; k++)
-        if (!tf_arithmetic_holds(work->asked.arithmetic, kind->axes,
-                                 event->x[k]))
-            return &event->x[k];
-    return NULL;
+    return kind->vertices[0] + kind->vertices[1];
 }
 
-//: Refuse a query that is out of range
-static bool fault_in_range(answering *work, const tf_question *question)
+//: Report a coordinate that is out of range
+static bool fault_in_range(answering *work, const tf_query_rows *query)
 {
-    const tf_arithmetic *arithmetic = work->asked.arithmetic;
-    int rows =
-        2 * (work->asked.kind->vertices[0] + work->asked.kind->vertices[1]);
-    const double *x = NULL;
-    int row = 0;
-    while (row < rows && !(x = out_of_range(work, question, row)))
-        row++;
-    TF_REQUIRE(x);
+    const tf_arithmetic *arithmetic = work->request.arithmetic;
+    int axes = work->request.kind->axes;
+    int end = axes * vertex_count(work->request.kind), i = 0;
+    while (i < 2 * end &&
+           tf_arithmetic_fits(arithmetic, axes, query->x[i / end][i % end]))
+        i++;
     return tf_query_file_fault(
-        &work->file, question->line + row,
-        "the coordinate %.17g is out of range: %s holds integers below 2^%d "
-        "in absolute value; use --arithmetic exact",
-        *x, arithmetic->name, arithmetic->bits[work->asked.kind->axes]);
+        &work->file, query->line[i / axes], TF_OUT_OF_RANGE_FAULT,
+        query->x[i / end][i % end], tf_arithmetic_name(arithmetic),
+        tf_arithmetic_bits(arithmetic, axes));
+}
+
+//: Query the rows
+static tf_status query_rows(const tf_query_kind *kind,
+                            const tf_arithmetic *arithmetic,
+                            const tf_query_rows *query, tf_contact *contact)
+{
+    static const int index[] = {0, 1, 2, 3};
+    tf_motion motion = {.vertices = vertex_count(kind),
+                        .start = query->x[0],
+                        .end = query->x[1]};
+    if (kind->axes == 2)
+        return tf_point_edge(arithmetic, &motion, 0, index + 1, contact);
+    if (kind->vertices[0] == 1)
+        return tf_point_triangle(arithmetic, &motion, 0, index + 1, contact);
+    return tf_edge_edge(arithmetic, &motion, index, index + 2, contact);
 }
 
 //: Answer a query
-static bool answer_query(answering *work, const tf_question *question)
+static bool answer_query(answering *work, const tf_query_rows *query)
 {
-    const tf_query_kind *kind = work->asked.kind;
-    const tf_worldline *first = question->vertex;
     tf_contact contact;
-    if (tf_query(work->asked.arithmetic, kind->axes, kind->vertices[0], first,
-                 kind->vertices[1], first + kind->vertices[0],
-                 &contact) != TF_OK)
-        return fault_in_range(work, question);
-    work->rounded += question->rounded;
-    tf_progress_tell(&work->progress, work->output.tally.queries, "queries");
-    return tf_query_output_answer(&work->output, question, &contact);
+    tf_status status = query_rows(work->request.kind, work->request.arithmetic,
+                                  query, &contact);
+    if (status == TF_OUT_OF_RANGE)
+        return fault_in_range(work, query);
+    if (status != TF_OK)
+        return tf_query_file_fault(&work->file, query->line[0], "%s",
+                                   tf_status_message(status));
+    work->rounded += query->rounded;
+    tf_progress_show(&work->progress, work->output.tally.queries, "queries");
+    return tf_query_output_answer(&work->output, query, &contact);
 }
 
 //: Answer the queries of a file
 static bool answer_open_file(answering *work)
 {
-    tf_question question;
+    tf_query_rows query;
     tf_reading reading;
-    while ((reading = tf_query_file_next(&work->file, &question)) ==
-           TF_READ_GOOD)
-        if (!answer_query(work, &question))
+    while ((reading = tf_query_file_next(&work->file, &query)) == TF_READ_GOOD)
+        if (!answer_query(work, &query))
             return false;
     return reading == TF_READ_END;
 }
 
-// The file in which a fault was found stays open, for it tells the fault.
+// A file with a fault stays open, for it holds the description of the fault.
 static bool answer_file(answering *work, const char *path)
 {
-    if (!tf_query_file_open(&work->file, path, work->asked.kind,
+    if (!tf_query_file_open(&work->file, path, work->request.kind,
                             work->output.tally.queries) ||
         !answer_open_file(work))
         return false;
@@ -166,30 +182,30 @@ static bool answer_file(answering *work, const char *path)
 //: Answer all queries
 static bool answer_files(answering *work)
 {
-    if (work->asked.path_count == 0)
+    if (work->request.path_count == 0)
         return answer_file(work, "-");
-    for (int i = 0; i < work->asked.path_count; i++)
-        if (!answer_file(work, work->asked.paths[i]))
+    for (int i = 0; i < work->request.path_count; i++)
+        if (!answer_file(work, work->request.paths[i]))
             return false;
     return true;
 }
 
-//: Tell what went wrong
+//: Print what went wrong
 // After the answers, so that those of good queries are out by then.
-static void complain(answering *work)
+static void print_errors(answering *work)
 {
     if (work->rounded > 0)
         fprintf(stderr,
-                "tanglefree: %ld rational coordinate%s; rounded to nearest\n",
-                work->rounded,
-                work->rounded == 1 ? " is no double" : "s are no doubles");
+                "tanglefree: rounded %ld rational coordinate%s to the nearest "
+                "double\n",
+                work->rounded, work->rounded == 1 ? "" : "s");
     if (work->output.error != 0)
         fprintf(stderr,
-                "tanglefree: standard output: cannot write: %s; mend that and "
-                "run again\n",
+                "tanglefree: standard output: cannot write: %s; the output "
+                "is incomplete\n",
                 strerror(work->output.error));
     if (work->file.fault[0] != '\0')
-        tf_query_file_complain(&work->file);
+        tf_query_file_print_fault(&work->file, "tanglefree");
     tf_query_file_close(&work->file);
 }
 
@@ -197,17 +213,17 @@ static void complain(answering *work)
 int tf_query_command(int argc, char *argv[])
 {
     static const struct argp parser = {
-        options, understand, "[FILE...]", description, NULL, NULL, NULL};
-    answering work = {.asked = {.arithmetic = tf_arithmetic_named("exact"),
-                                .format = tf_query_format_named("csv")}};
-    argp_parse(&parser, argc, argv, 0, NULL, &work.asked);
+        options, parse_argument, "[FILE...]", description, NULL, NULL, NULL};
+    answering work = {.request = {.arithmetic = tf_arithmetic_named("exact"),
+                                  .format = tf_query_format_named("csv")}};
+    argp_parse(&parser, argc, argv, 0, NULL, &work.request);
 
     work.progress = tf_progress_begin();
-    bool good = tf_query_output_begin(&work.output, stdout, work.asked.format,
-                                      work.asked.kind->axes) &&
+    bool good = tf_query_output_begin(&work.output, stdout, work.request.format,
+                                      work.request.kind->axes) &&
                 answer_files(&work);
     tf_progress_end(&work.progress);
     good = tf_query_output_end(&work.output) && good;
-    complain(&work);
+    print_errors(&work);
     return good ? 0 : 2;
 }

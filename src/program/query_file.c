@@ -4,6 +4,7 @@
 
 #include "program/number.h"
 #include "program/rational.h"
+#include "program/visible.h"
 
 #include <ctype.h>
 #include <errno.h>
@@ -45,7 +46,7 @@ bool tf_query_file_open(tf_query_file *file, const char *path,
     tf_query_file_start(file, stream, standard ? "standard input" : path, kind,
                         queries);
     return stream ||
-           tf_query_file_fault(file, 0, "cannot open: %s; name a file to read",
+           tf_query_file_fault(file, 0, "cannot open: %s; check the name",
                                strerror(errno));
 }
 
@@ -57,7 +58,7 @@ void tf_query_file_close(tf_query_file *file)
     *file = (tf_query_file){0};
 }
 
-//: Find fault with a query file
+//: Describe what is wrong with a query file
 bool tf_query_file_fault(tf_query_file *file, long line, const char *format,
                          ...)
 {
@@ -69,9 +70,9 @@ bool tf_query_file_fault(tf_query_file *file, long line, const char *format,
     return false;
 }
 
-void tf_query_file_complain(const tf_query_file *file)
+void tf_query_file_print_fault(const tf_query_file *file, const char *program)
 {
-    fprintf(stderr, "tanglefree: %s:", file->name);
+    fprintf(stderr, "%s: %s:", program, tf_make_visible(file->name).text);
     if (file->fault_line > 0)
         fprintf(stderr, "%ld:", file->fault_line);
     fprintf(stderr, " %s\n", file->fault);
@@ -82,8 +83,8 @@ static bool clean_line(tf_query_file *file, size_t length)
 {
     if (strlen(file->row) != length)
         return tf_query_file_fault(file, file->line,
-                                   "a NUL byte; give plain text (ASCII or "
-                                   "UTF-8, not UTF-16 or binary)");
+                                   "a NUL byte; the file must be plain text "
+                                   "(ASCII or UTF-8, not UTF-16 or binary)");
     if (length > 0 && file->row[length - 1] == '\n')
         file->row[--length] = '\0';
     if (length > 0 && file->row[length - 1] == '\r')
@@ -103,40 +104,33 @@ static tf_reading read_line(tf_query_file *file)
     file->line++;
     if (length < 0) {
         tf_query_file_fault(file, file->line,
-                            "cannot read: %s; name a file to read",
+                            "cannot read: %s; check that this is a file",
                             strerror(errno));
         return TF_READ_FAULT;
     }
     return clean_line(file, (size_t)length) ? TF_READ_GOOD : TF_READ_FAULT;
 }
 
-//: Read the next line that is not blank
+//: Read the next line that holds a row
 static void skip_blanks(tf_query_file *file)
 {
     while (*file->at == ' ' || *file->at == '\t')
         file->at++;
 }
 
-// Blank lines at the end of the file are fine; they show only at its end.
 static tf_reading read_row(tf_query_file *file)
 {
-    long blank = 0;
-    for (;;) {
-        tf_reading reading = read_line(file);
-        if (reading != TF_READ_GOOD)
-            return reading;
-        skip_blanks(file);
-        if (*file->at != '\0')
-            break;
-        blank = blank ? blank : file->line;
-    }
-    if (blank == 0)
-        return TF_READ_GOOD;
-    tf_query_file_fault(file, blank, "a blank line between rows; delete it");
-    return TF_READ_FAULT;
+    tf_reading reading;
+    do {
+        reading = read_line(file);
+        if (reading == TF_READ_GOOD)
+            skip_blanks(file);
+    } while (reading == TF_READ_GOOD &&
+             (*file->at == '\0' || *file->at == '#'));
+    return reading;
 }
 
-//: Tell the columns apart
+//: Distinguish the columns
 /// Plain numbers, an axis a column; or rationals, two; or these and the truth.
 static bool are_rational(const tf_query_file *file)
 {
@@ -156,22 +150,48 @@ static long count_columns(const char *row)
     return columns;
 }
 
+//: Recognize a header line
+/// Whether a field begins as a word does, and is none of those that stand for a
+/// number: nan and inf.
+static bool is_word(const char *field)
+{
+    char *end;
+    field += strspn(field, " \t");
+    strtod(field, &end);
+    bool number = end != field && strchr(" \t,", *end);
+    return !number && *field &&
+           (isalpha((unsigned char)*field) || strchr("_\"", *field));
+}
+
+static bool is_header(const tf_query_file *file)
+{
+    const char *field = file->at;
+    while (is_word(field) && field[strcspn(field, ",")] == ',')
+        field += strcspn(field, ",") + 1;
+    return field > file->at && is_word(field);
+}
+
 //: Let the first row choose the columns
 static bool choose_columns(tf_query_file *file)
 {
     long axes = file->kind->axes, columns = count_columns(file->row);
+    if (is_header(file))
+        return tf_query_file_fault(file, file->line,
+                                   "this is a header line; delete it, or "
+                                   "begin it with #");
     if (columns != axes && columns != 2 * axes && columns != 2 * axes + 1)
         return tf_query_file_fault(file, file->line,
-                                   "the number of columns is %ld; write %ld "
-                                   "(decimals), %ld (rationals) "
-                                   "or %ld (with truth) for %s",
-                                   columns, axes, 2 * axes, 2 * axes + 1,
-                                   file->kind->name);
+                                   "%ld column%s; a row of %s has %ld "
+                                   "(decimals), %ld (rationals) or %ld "
+                                   "(rationals and the ground truth)",
+                                   columns, columns == 1 ? "" : "s",
+                                   file->kind->name, axes, 2 * axes,
+                                   2 * axes + 1);
     file->columns = (int)columns;
     return true;
 }
 
-//: Find fault with a field
+//: Describe what is wrong with a field
 /// Quote a field, cut where it is long and with a ? for each odd byte.
 static bool fault_in_field(tf_query_file *file, int column, const char *field,
                            const char *verdict)
@@ -187,22 +207,23 @@ static bool fault_in_field(tf_query_file *file, int column, const char *field,
     strcpy(quoted + length, cut ? "..." : "");
     if (length == 0)
         return tf_query_file_fault(file, file->line,
-                                   "column %d is empty; fill it in", column);
+                                   "column %d is empty; write a number there",
+                                   column);
     return tf_query_file_fault(file, file->line, "column %d is \"%s\", %s",
                                column, quoted, verdict);
 }
 
-//: Find fault with the number of columns
+//: Describe what is wrong with the number of columns
 static bool fault_in_columns(tf_query_file *file)
 {
     long columns = count_columns(file->row);
     return tf_query_file_fault(
         file, file->line,
         columns < file->columns
-            ? "a missing column: %ld where the first row has %d; give all rows "
-              "as many"
-            : "too many columns: %ld where the first row has %d; give all rows "
-              "as many",
+            ? "too few columns: %ld, but the first row has %d; all rows must "
+              "have as many"
+            : "too many columns: %ld, but the first row has %d; all rows must "
+              "have as many",
         columns, file->columns);
 }
 
@@ -258,25 +279,26 @@ static bool read_rational(tf_query_file *file, int column, double *x,
         return false;
     if (divisor.count == 0)
         return tf_query_file_fault(file, file->line,
-                                   "column %d is a zero denominator; write "
-                                   "another integer",
+                                   "column %d is 0; a denominator must "
+                                   "not be 0",
                                    column + 1);
     tf_rounding rounding = tf_rational_round(&dividend, &divisor, x);
     if (rounding == TF_ROUNDING_OVERFLOW)
         return fault_in_field(file, column, dividend.digit,
-                              "with its denominator beyond the largest "
-                              "double; scale the scene down");
+                              "and divided by its denominator beyond the "
+                              "largest double; scale the scene down");
     if (rounding == TF_ROUNDING_FAILED)
         return tf_query_file_fault(file, file->line,
-                                   "out of memory; write shorter integers");
+                                   "out of memory; use shorter integers");
     *rounded += rounding == TF_ROUNDING_NEAREST;
     return true;
 }
 
-//: Read the truth
-static bool read_truth(tf_query_file *file, tf_question *question)
+//: Read the ground truth
+static bool read_truth(tf_query_file *file, tf_query_rows *query)
 {
-    static const char no_truth[] = "not a truth; write 0 (apart) or 1 (hit)";
+    static const char no_truth[] =
+        "not a ground truth; write 0 (apart) or 1 (hit)";
     skip_blanks(file);
     const char *field = file->at;
     int truth = *field - '0';
@@ -285,61 +307,61 @@ static bool read_truth(tf_query_file *file, tf_question *question)
     file->at++;
     if (!end_field(file, file->columns, field, no_truth))
         return false;
-    if (question->truth >= 0 && question->truth != truth)
+    if (query->ground_truth >= 0 && query->ground_truth != truth)
         return tf_query_file_fault(file, file->line,
-                                   "the truth is %d, but %d on line %ld; "
-                                   "make it the same on all rows of a query",
-                                   truth, question->truth, question->line);
-    question->truth = truth;
+                                   "the ground truth is %d, but %d on line "
+                                   "%ld; it must be the same on all rows of a "
+                                   "query",
+                                   truth, query->ground_truth, query->line[0]);
+    query->ground_truth = truth;
     return true;
 }
 
-//: Read the event of a row
-static bool read_event(tf_query_file *file, tf_event *event,
-                       tf_question *question)
+//: Read the coordinates of a row
+static bool read_coordinates(tf_query_file *file, double x[],
+                             tf_query_rows *query)
 {
     if (file->columns == 0 && !choose_columns(file))
         return false;
     for (int k = 0; k < file->kind->axes; k++)
-        if (are_rational(file) ? !read_rational(file, 2 * k + 1, &event->x[k],
-                                                &question->rounded)
-                               : !read_decimal(file, k + 1, &event->x[k]))
+        if (are_rational(file)
+                ? !read_rational(file, 2 * k + 1, &x[k], &query->rounded)
+                : !read_decimal(file, k + 1, &x[k]))
             return false;
-    return !have_truth(file) || read_truth(file, question);
+    return !have_truth(file) || read_truth(file, query);
 }
 
-//: Tell that rows are missing
-static tf_reading end_early(tf_query_file *file, long last_line, int have,
-                            int want)
+//: Report missing rows
+static tf_reading end_early(tf_query_file *file, const tf_query_rows *query,
+                            int have, int want)
 {
     if (file->columns == 0)
-        tf_query_file_fault(file, 1, "no rows; give %d rows a query", want);
+        tf_query_file_fault(file, 1, "no rows; a query has %d", want);
     else
-        tf_query_file_fault(file, last_line,
-                            "query %ld has %d of %d rows; add those missing",
-                            file->queries, have, want);
+        tf_query_file_fault(
+            file, query->line[have - 1],
+            "query %ld has only %d of its %d rows; add the rest", file->queries,
+            have, want);
     return TF_READ_FAULT;
 }
 
 //: Read the next query
-tf_reading tf_query_file_next(tf_query_file *file, tf_question *question)
+tf_reading tf_query_file_next(tf_query_file *file, tf_query_rows *query)
 {
     int vertices = file->kind->vertices[0] + file->kind->vertices[1];
-    *question = (tf_question){.truth = -1};
+    *query = (tf_query_rows){.ground_truth = -1};
     for (int row = 0; row < 2 * vertices; row++) {
         tf_reading reading = read_row(file);
         if (reading == TF_READ_END && row == 0 && file->columns > 0)
             return TF_READ_END;
         if (reading == TF_READ_END)
-            return end_early(file, question->line + row - 1, row, 2 * vertices);
+            return end_early(file, query, row, 2 * vertices);
         if (reading == TF_READ_FAULT)
             return TF_READ_FAULT;
 
-        question->line = file->line - row;
-        tf_event *event = &question->vertex[row % vertices].at[row / vertices];
-        event->t = row / vertices;
-        event->vertex = row % vertices;
-        if (!read_event(file, event, question))
+        query->line[row] = file->line;
+        int place = row % vertices * file->kind->axes;
+        if (!read_coordinates(file, &query->x[row / vertices][place], query))
             return TF_READ_FAULT;
     }
     file->queries++;

@@ -1,8 +1,5 @@
 //: Declare query files
-#ifndef TF_PROGRAM_QUERY_FILE_H
-#define TF_PROGRAM_QUERY_FILE_H
-
-#include "spacetime/event.h"
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -16,26 +13,27 @@ typedef struct tf_query_kind {
     int vertices[2]; ///< of the first and the second element
 } tf_query_kind;
 
-/// The names that tf_query_kind_named knows, for help and messages.
+/// The names that tf_query_kind_named accepts, for help and messages.
 #define TF_QUERY_KIND_NAMES "point-edge, point-triangle or edge-edge"
 
 /// The kind of that name (vertex-face is point-triangle too); NULL if there is
 /// none.
 const tf_query_kind *tf_query_kind_named(const char *name);
 
-//: Declare a question
+//: Declare a query as the file gives it
 enum {
-    TF_QUESTION_VERTICES = 4
-}; ///< the most, of both elements
+    TF_QUERY_COORDINATES = 12, ///< the most at one time: four vertices of space
+    TF_QUERY_ROWS = 8          ///< the most: four vertices, two times
+};
 
 /// One query of a file.  Its rows are the vertices at t = 0, then at t = 1; the
 /// order of the rows is that of the vertices' indices, from 0.
-typedef struct tf_question {
-    tf_worldline vertex[TF_QUESTION_VERTICES]; ///< first element, then second
-    long line;   ///< of its first row, counted from 1
-    int truth;   ///< 1 hit, 0 apart, -1 the file does not tell
+typedef struct tf_query_rows {
+    double x[2][TF_QUERY_COORDINATES]; ///< by time; axes to a vertex
+    long line[TF_QUERY_ROWS];          ///< of each row, counted from 1
+    int ground_truth;                  ///< 1 hit, 0 apart, -1 not given
     int rounded; ///< coordinates that were no doubles and had to be rounded
-} tf_question;
+} tf_query_rows;
 
 //: Declare the reader of query files
 enum {
@@ -59,12 +57,12 @@ typedef struct tf_query_file {
 
 //: Declare how to read a query file
 typedef enum tf_reading {
-    TF_READ_FAULT = 0, ///< bad input, told by `fault` and `fault_line`
+    TF_READ_FAULT = 0, ///< bad input, described by `fault` and `fault_line`
     TF_READ_GOOD,
     TF_READ_END, ///< nothing is left, and all before was good
 } tf_reading;
 
-/// Start to read a stream, which stays the caller's, or the file at `path`
+/// Starts to read a stream, which stays the caller's, or the file at `path`
 /// ("-": standard input).  The first query has the number `queries`.  Both
 /// borrow the name.  Close the file in any case, also if it cannot be opened.
 void tf_query_file_start(tf_query_file *file, FILE *stream, const char *name,
@@ -73,16 +71,14 @@ bool tf_query_file_open(tf_query_file *file, const char *path,
                         const tf_query_kind *kind, long queries);
 void tf_query_file_close(tf_query_file *file);
 
-/// Read the next query.  Whatever it holds, coordinates are finite.
-tf_reading tf_query_file_next(tf_query_file *file, tf_question *question);
+/// Reads the next query, without lines that are blank or begin with #.
+/// Whatever it holds, coordinates are finite.
+tf_reading tf_query_file_next(tf_query_file *file, tf_query_rows *query);
 
-//: Declare how to find fault with a query file
-/// Set the fault, as printf; false, for the caller to return.
+//: Declare the errors of a query file
+/// Sets the fault, as printf; false, for the caller to return.
 __attribute__((format(printf, 3, 4))) bool
 tf_query_file_fault(tf_query_file *file, long line, const char *format, ...);
 
-/// Print the fault to standard error, with the names of program and file.
-void tf_query_file_complain(const tf_query_file *file);
-
-//: Close the query files
-#endif
+/// Prints the fault to standard error, with the names of program and file.
+void tf_query_file_print_fault(const tf_query_file *file, const char *program);

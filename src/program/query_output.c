@@ -1,45 +1,16 @@
 //: Include what the output of queries needs
 #include "program/query_output.h"
 
+#include "program/contact_fields.h"
+
 #include <errno.h>
 #include <string.h>
-
-//: Arrange the numbers of a contact
-enum {
-    NUMBERS = 6
-};
-
-static const char *const number_names[NUMBERS] = {
-    "toi_lo", "toi_hi", "nx", "ny", "nz", "speed",
-};
-
-/// The numbers in the order of their names; NULL where there is none.
-static void arrange(const tf_contact *contact, int axes,
-                    const double *number[NUMBERS])
-{
-    memset(number, 0, NUMBERS * sizeof *number);
-    if (contact->verdict == TF_APART)
-        return;
-    number[0] = &contact->toi_lo;
-    number[1] = &contact->toi_hi;
-    for (int k = 0; k < axes; k++)
-        number[2 + k] = &contact->normal[k];
-    number[5] = &contact->speed;
-}
-
-static const char *const decision_names[] = {
-    [TF_GENERIC] = "generic",
-    [TF_TOUCHING] = "touching",
-    [TF_DEGENERATE] = "degenerate",
-};
 
 //: Begin and end CSV
 static void begin_csv(const tf_query_output *output)
 {
     fputs("query,hit", output->stream);
-    for (int i = 0; i < NUMBERS; i++)
-        fprintf(output->stream, ",%s", number_names[i]);
-    fputs(",case\n", output->stream);
+    tf_contact_head_csv(output->stream);
 }
 
 static void end_csv(const tf_query_output *output)
@@ -50,20 +21,9 @@ static void end_csv(const tf_query_output *output)
 //: Write answers as CSV
 static void answer_csv(const tf_query_output *output, const tf_contact *contact)
 {
-    FILE *stream = output->stream;
-    if (contact->verdict == TF_APART) {
-        fprintf(stream, "%ld,0,,,,,,,\n", output->tally.queries);
-        return;
-    }
-    const double *number[NUMBERS];
-    arrange(contact, output->axes, number);
-    fprintf(stream, "%ld,1", output->tally.queries);
-    for (int i = 0; i < NUMBERS; i++)
-        if (number[i])
-            fprintf(stream, ",%.17g", *number[i]);
-        else
-            fputc(',', stream);
-    fprintf(stream, ",%s\n", decision_names[contact->decision]);
+    fprintf(output->stream, "%ld,%d", output->tally.queries,
+            contact->verdict != TF_APART);
+    tf_contact_write_csv(output->stream, output->axes, contact);
 }
 
 //: Write answers as JSON
@@ -75,21 +35,10 @@ static void begin_json(const tf_query_output *output)
 static void answer_json(const tf_query_output *output,
                         const tf_contact *contact)
 {
-    FILE *stream = output->stream;
-    const double *number[NUMBERS];
-    arrange(contact, output->axes, number);
-    bool hit = contact->verdict != TF_APART;
-    fprintf(stream, "%s\n{\"query\":%ld,\"hit\":%d",
-            output->tally.queries > 0 ? "," : "", output->tally.queries, hit);
-    for (int i = 0; i < NUMBERS; i++)
-        if (number[i])
-            fprintf(stream, ",\"%s\":%.17g", number_names[i], *number[i]);
-        else
-            fprintf(stream, ",\"%s\":null", number_names[i]);
-    if (hit)
-        fprintf(stream, ",\"case\":\"%s\"}", decision_names[contact->decision]);
-    else
-        fputs(",\"case\":null}", stream);
+    fprintf(output->stream, "%s\n{\"query\":%ld,\"hit\":%d",
+            output->tally.queries > 0 ? "," : "", output->tally.queries,
+            contact->verdict != TF_APART);
+    tf_contact_write_json(output->stream, output->axes, contact);
 }
 
 static void end_json(const tf_query_output *output)
@@ -116,7 +65,8 @@ static void end_summary(const tf_query_output *output)
     FILE *stream = output->stream;
     fprintf(stream, "queries: %ld\nhits: %ld\n", tally->queries, tally->hits);
     for (int i = TF_GENERIC; i <= TF_DEGENERATE; i++)
-        fprintf(stream, "%s: %ld\n", decision_names[i], tally->decided[i]);
+        fprintf(stream, "%s: %ld\n", tf_classification_names[i],
+                tally->classified[i]);
     if (tally->known > 0)
         fprintf(stream, "agree: %ld\nextra: %ld\nmissed: %ld\n", tally->agree,
                 tally->extra, tally->missed);
@@ -145,7 +95,7 @@ const tf_query_format *tf_query_format_named(const char *name)
 }
 
 //: Notice a write that failed
-// Asked after every answer, before errno can change.
+// Called after every answer, before errno can change.
 static bool written(tf_query_output *output)
 {
     if (ferror(output->stream) && output->error == 0)
@@ -160,7 +110,7 @@ static void count(tf_tally *tally, int truth, const tf_contact *contact)
     tally->queries++;
     tally->hits += hit;
     if (hit)
-        tally->decided[contact->decision]++;
+        tally->classified[contact->classification]++;
     tally->known += truth >= 0;
     tally->agree += truth == hit;
     tally->extra += truth == 0 && hit;
@@ -177,12 +127,11 @@ bool tf_query_output_begin(tf_query_output *output, FILE *stream,
     return written(output);
 }
 
-bool tf_query_output_answer(tf_query_output *output,
-                            const tf_question *question,
+bool tf_query_output_answer(tf_query_output *output, const tf_query_rows *query,
                             const tf_contact *contact)
 {
     output->format->answer(output, contact);
-    count(&output->tally, question->truth, contact);
+    count(&output->tally, query->ground_truth, contact);
     return written(output);
 }
 

@@ -1,6 +1,5 @@
 //: Declare the output of queries
-#ifndef TF_PROGRAM_QUERY_OUTPUT_H
-#define TF_PROGRAM_QUERY_OUTPUT_H
+#pragma once
 
 #include "program/query_file.h"
 #include "query/contact.h"
@@ -9,12 +8,12 @@
 #include <stdio.h>
 
 //: Declare the tally
-/// What was counted; the last four over queries whose file tells the truth.
+/// What was counted; the last four over queries whose file has a truth column.
 typedef struct tf_tally {
     long queries, hits;
-    long decided[3]; ///< hits by tf_decision
+    long classified[TF_DEGENERATE + 1]; ///< hits by tf_classification
     long known, agree;
-    long extra, missed; ///< hits that are none in truth; the reverse
+    long extra, missed; ///< hits that are misses in truth; the reverse
 } tf_tally;
 
 //: Declare the output and its formats
@@ -28,21 +27,17 @@ typedef struct tf_query_output {
     tf_tally tally;
 } tf_query_output;
 
-/// The names that tf_query_format_named knows, for help and messages.
+/// The names that tf_query_format_named accepts, for help and messages.
 #define TF_QUERY_FORMAT_NAMES "csv, json or summary"
 
 /// The format of that name; NULL if there is none.
 const tf_query_format *tf_query_format_named(const char *name);
 
 //: Declare how to write the answers
-/// Write what comes before all answers, an answer, and what comes after them;
+/// Writes what comes before all answers, an answer, and what comes after them;
 /// the last also flushes.  False after a write that failed.
 bool tf_query_output_begin(tf_query_output *output, FILE *stream,
                            const tf_query_format *format, int axes);
-bool tf_query_output_answer(tf_query_output *output,
-                            const tf_question *question,
+bool tf_query_output_answer(tf_query_output *output, const tf_query_rows *query,
                             const tf_contact *contact);
 bool tf_query_output_end(tf_query_output *output);
-
-//: Close the output of queries
-#endif

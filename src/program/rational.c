@@ -1,7 +1,7 @@
 //: Include what rationals need
 #include "program/rational.h"
 
-#include "contract.h"
+#include "base/require.h"
 
 #include <math.h>
 #include <stdint.h>

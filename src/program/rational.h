@@ -1,6 +1,5 @@
 //: Declare how to round a rational
-#ifndef TF_PROGRAM_RATIONAL_H
-#define TF_PROGRAM_RATIONAL_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -31,6 +30,3 @@ typedef enum tf_rounding {
 /// number of digits.
 tf_rounding tf_rational_round(const tf_numeral *dividend,
                               const tf_numeral *divisor, double *nearest);
-
-//: Close the rationals
-#endif

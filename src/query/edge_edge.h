@@ -1,12 +1,34 @@
 //: Declare the edge-edge query
-#ifndef TF_QUERY_EDGE_EDGE_H
-#define TF_QUERY_EDGE_EDGE_H
+#pragma once
 
+#include "base/api.h"
+
+#include "arithmetic/arithmetic.h"
+#include "base/status.h"
 #include "query/contact.h"
+#include "query/motion.h"
 
-/// Whether, when and how two moving edges first meet in space.  See tf_query.
-tf_status tf_edge_edge(const tf_arithmetic *arithmetic,
-                       const tf_worldline first[2],
-                       const tf_worldline second[2], tf_contact *contact);
+/// @addtogroup queries
+/// @{
 
-#endif
+/// Whether, when and how two moving edges first meet in space.  Thread-safe.
+///
+/// Touching counts: elements that touch at the start meet at t = 0, at rest or
+/// not.  Degenerate cases are covered: an edge without length is a point, and
+/// for motion within a plane or a line the first time is found at which the
+/// shapes within it meet.  Where edges that meet are parallel, the normal is
+/// zero.
+///
+/// @param arithmetic what finds the signs, tf_exact for example
+/// @param motion the vertices, 3 coordinates each
+/// @param first the indices of the first edge's vertices
+/// @param second the indices of the second edge's vertices
+/// @param[out] contact the answer; set only with TF_OK
+/// @return TF_OK; TF_BAD_INDEX unless the four indices are distinct and name
+///     vertices of the scene; TF_NOT_FINITE; TF_OUT_OF_RANGE; or
+///     TF_BAD_ENVIRONMENT
+TF_API tf_status tf_edge_edge(const tf_arithmetic *arithmetic,
+                              const tf_motion *motion, const int first[2],
+                              const int second[2], tf_contact *contact);
+
+/// @}

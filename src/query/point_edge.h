@@ -1,13 +1,33 @@
 //: Declare the point-edge query
-#ifndef TF_QUERY_POINT_EDGE_H
-#define TF_QUERY_POINT_EDGE_H
+#pragma once
 
+#include "base/api.h"
+
+#include "arithmetic/arithmetic.h"
+#include "base/status.h"
 #include "query/contact.h"
+#include "query/motion.h"
 
-/// Whether, when and how a moving point first meets a moving edge in the
-/// plane.  See tf_query.
-tf_status tf_point_edge(const tf_arithmetic *arithmetic,
-                        const tf_worldline *point, const tf_worldline edge[2],
-                        tf_contact *contact);
+/// @addtogroup queries Queries
+/// @{
 
-#endif
+/// Whether, when and how a moving point first meets a moving edge in the plane.
+/// Thread-safe.
+///
+/// Touching counts: elements that touch at the start meet at t = 0, at rest or
+/// not.  No case is special.  An edge of no length is a point, and motion
+/// within a line finds the first time at which the shapes within it meet.
+///
+/// @param arithmetic what finds the signs, tf_exact for example
+/// @param motion the vertices, 2 coordinates each
+/// @param point the index of the point
+/// @param edge the indices of the edge's vertices
+/// @param[out] contact the answer; set only with TF_OK
+/// @return TF_OK; TF_BAD_INDEX unless the three indices are distinct and name
+///     vertices of the scene; TF_NOT_FINITE; TF_OUT_OF_RANGE; or
+///     TF_BAD_ENVIRONMENT
+TF_API tf_status tf_point_edge(const tf_arithmetic *arithmetic,
+                               const tf_motion *motion, int point,
+                               const int edge[2], tf_contact *contact);
+
+/// @}

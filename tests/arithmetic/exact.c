@@ -1,5 +1,7 @@
 #include "arithmetic/exact.h"
+
 #include "arithmetic/clamped.h"
+#include "arithmetic/operations.h"
 #include "support/matrices.h"
 #include "support/rational.h"
 
@@ -129,7 +131,7 @@ START_TEST(what_rounding_leaves_of_singular_matrices)
         judge(&m);
         unknown += !clamped_knows(&m);
     }
-    // Those are what the accumulator is for.
+    // Those are what the superaccumulator is for.
     ck_assert_msg(5 * unknown > count, "Only %ld of %ld are close", unknown,
                   count);
 }
@@ -233,28 +235,6 @@ START_TEST(what_underflows_keeps_its_sign)
 }
 END_TEST
 
-START_TEST(stages_are_told)
-{
-    generator random = generator_new(11);
-    long count = cases(20000);
-    for (long i = 0; i < count; i++) {
-        int n = 1 + below(&random, TF_AXES);
-        matrix m = below(&random, 2) ? matrix_lattice(&random, n, 4)
-                                     : matrix_flat(&random, n);
-        tf_differences differences = matrix_differences(&m);
-        tf_stage stage;
-        tf_sign sign = tf_exact_sign(&differences, &stage);
-        expect_of_matrix(sign == tf_exact.sign(&differences),
-                         "The sign depends on who asks", &m);
-        expect_of_matrix(sign == oracle_arithmetic.sign(&differences),
-                         "The sign is wrong", &m);
-        tf_stage expected =
-            clamped_knows(&m) ? TF_BY_ESTIMATE : TF_BY_ACCUMULATOR;
-        expect_of_matrix(stage == expected, "The stage is wrong", &m);
-    }
-}
-END_TEST
-
 START_TEST(any_double_is_held)
 {
     static const double ends[] = {0, DBL_TRUE_MIN, 0.1, DBL_MAX};
@@ -273,7 +253,6 @@ Suite *suite(void)
     tcase_add_test(sizes, lattices);
     tcase_add_test(sizes, all_finite_doubles);
     tcase_add_test(sizes, few_extreme_magnitudes);
-    tcase_add_test(sizes, stages_are_told);
     tcase_add_test(sizes, any_double_is_held);
     suite_add_tcase(exact, sizes);
     TCase *zero = tcase_create("next to zero");

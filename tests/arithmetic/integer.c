@@ -1,6 +1,6 @@
 #include "arithmetic/integer.h"
 
-#include "query/point_triangle.h"
+#include "query/query.h"
 #include "support/matrices.h"
 #include "support/rational.h"
 
@@ -278,7 +278,7 @@ static tf_verdict cross_the_cube(const tf_arithmetic *arithmetic, int bits)
         triangle[i] = tf_worldline_between(3, corner[i], corner[i]);
     tf_contact contact;
     tf_status status =
-        tf_point_triangle(arithmetic, &point, triangle, &contact);
+        tf_query(arithmetic, 3, 1, &point, 3, triangle, &contact);
     return status == TF_OK ? contact.verdict : TF_UNDECIDED;
 }
 

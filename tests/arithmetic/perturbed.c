@@ -1,9 +1,10 @@
 #include "arithmetic/perturbed.h"
 
 #include "arithmetic/exact.h"
-#include "contract.h"
+#include "arithmetic/operations.h"
 #include "support/matrices.h"
 
+#include <limits.h>
 #include <math.h>
 #include <signal.h>
 
@@ -97,9 +98,30 @@ START_TEST(on_a_line_the_lower_index_is_to_the_right)
 }
 END_TEST
 
+START_TEST(the_largest_indices_have_an_order)
+{
+    tf_event a = {.x = {5}, .vertex = INT_MAX - 1};
+    tf_event b = {.x = {5}, .t = 1, .vertex = INT_MAX};
+    tf_differences d = {.n = 1, .to = {&b}, .from = {&a}, .axis = {2}};
+    a.x[2] = b.x[2] = 5;
+    ck_assert_int_eq(tf_perturbed.sign(&d), TF_NEGATIVE);
+    tf_value value = tf_perturbed.value(&d);
+    ck_assert_double_eq(ldexp(value.number, value.exponent), -1);
+    ck_assert(value.order[0] == 3 * 2 * ((int64_t)INT_MAX - 1) + 3);
+
+    a.vertex = INT_MAX;
+    a.t = 1;
+    b.vertex = INT_MAX;
+    b.t = 0;
+    ck_assert_int_eq(tf_perturbed.sign(&d), TF_POSITIVE);
+    ck_assert(tf_perturbed.value(&d).order[0] == 6 * (int64_t)INT_MAX + 3);
+}
+END_TEST
+
 /// a = (0,0), b = (1,0), c = (2,0), ranks 0 to 2: the rows b - a and c - a have
-/// the determinant (1 + xb - xa)(yc - ya) - (2 + xc - xa)(yb - ya), in which the
-/// largest infinitesimals are xa, whose factor is zero, and ya, times -1 + 2.
+/// the determinant (1 + xb - xa)(yc - ya) - (2 + xc - xa)(yb - ya), in which
+/// the largest infinitesimals are xa, whose factor is zero, and ya, times
+/// -1 + 2.
 START_TEST(three_points_in_a_row_turn_by_the_first)
 {
     tf_event a = {.x = {0, 0}, .vertex = 0}, b = {.x = {1, 0}, .vertex = 1};
@@ -136,9 +158,13 @@ START_TEST(two_events_of_one_index_and_time_break_the_contract)
 }
 END_TEST
 
-START_TEST(an_index_too_large_breaks_the_contract)
+START_TEST(the_same_index_in_two_rows_breaks_the_contract)
 {
-    ask_of(7, TF_PERTURBED_VERTICES);
+    tf_event a = {.vertex = 1}, b = {.x = {1, 1}, .vertex = 7},
+             c = {.x = {3, 4}, .vertex = 7}, e = {.x = {5, 6}, .vertex = 9};
+    tf_differences d = {
+        .n = 2, .to = {&b, &e}, .from = {&a, &c}, .axis = {0, 1}};
+    tf_perturbed.sign(&d);
 }
 END_TEST
 
@@ -161,8 +187,9 @@ Suite *suite(void)
     tcase_add_test(c, three_points_in_a_row_turn_by_the_first);
     tcase_add_test_raise_signal(
         c, two_events_of_one_index_and_time_break_the_contract, SIGABRT);
-    tcase_add_test_raise_signal(c, an_index_too_large_breaks_the_contract,
-                                SIGABRT);
+    tcase_add_test_raise_signal(
+        c, the_same_index_in_two_rows_breaks_the_contract, SIGABRT);
+    tcase_add_test(c, the_largest_indices_have_an_order);
     tcase_add_test_raise_signal(c, a_negative_index_breaks_the_contract,
                                 SIGABRT);
     suite_add_tcase(s, c);

@@ -1,26 +1,35 @@
 // How long queries and signs take, and how far exact signs have to go.  The
 // workloads are the same in every run, and all arithmetics are timed in one
-// run, in turns and by processor time, so that ratios mean something on a shared
-// machine.
+// run, in turns and by processor time, so that ratios mean something on a
+// shared machine.
 //
-// Prints three tables:
+// Prints four tables:
 // - a line a workload and arithmetic: queries, hits, nanoseconds a query (the
-//   best of several rounds) and the ratio to `clamped`.  The integers get the
-//   same workloads rounded to their grids;
+//   best of several rounds) and the ratio to `clamped`.  The integers take part
+//   where all coordinates are integers: on the lattice, and on the rounded
+//   version of every other workload, on which all arithmetics are timed too;
 // - a line a workload: the percentage of queries that need no sign, that
 //   estimates decide, and that need the accumulator, with exact signs; and of
 //   the signs that estimates leave open, the percentage of those with a rounded
 //   difference, and of those that the rounded differences would decide;
+// - a line a workload: how many signs a query takes, clamped and exact;
 // - a line a way to a sign: nanoseconds.  The expansion, which the library does
 //   without, finds the signs of the same differences as the accumulator does
 //   above it.
-// With --header the same as tables in C, for the figures of the book.
+// With --csv the same as lines "name,value,unit", for figures/measured.csv.
 #define _POSIX_C_SOURCE 199309L // clock_gettime
 
-#include "bench/expansion.h"
+#include "arithmetic/clamped.h"
+#include "arithmetic/exact.h"
+#include "arithmetic/filter.h"
+#include "arithmetic/integer.h"
+#include "arithmetic/operations.h"
+#include "arithmetic/perturbed.h"
+#include "arithmetic/two_sum.h"
 #include "bench/workloads.h"
+#include "expansion.h"
+#include "query/query.h"
 #include "support/generator.h"
-#include "tanglefree.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -74,72 +83,74 @@ static double time_queries(const workload *w, const tf_arithmetic *arithmetic,
     return (nanoseconds() - start) / ((double)w->count * repetitions(w));
 }
 
-/// An arithmetic, and the grid that the workloads have to be rounded to.
-typedef struct contender {
-    const tf_arithmetic *arithmetic;
-    int grid_bits; ///< 0: none
-} contender;
-
-// Coordinates of all workloads are below 2 in absolute value.
-static const contender contenders[] = {
-    {&tf_clamped, 0},   {&tf_report, 0},     {&tf_exact, 0},
-    {&tf_perturbed, 0}, {&tf_integer64, 18}, {&tf_integer128, 39},
-};
+// The last two need integers.
+static const tf_arithmetic *const contenders[] = {
+    &tf_clamped,   &tf_report,    &tf_exact,
+    &tf_perturbed, &tf_integer64, &tf_integer128};
 
 enum {
-    CONTENDERS = sizeof contenders / sizeof *contenders
+    CONTENDERS = sizeof contenders / sizeof *contenders,
+    OF_DOUBLES = CONTENDERS - 2
 };
 
-static bool needs_grid(const workload *w, const contender *c)
+/// How many of the contenders take a workload's coordinates.
+static int contenders_for(const workload *w)
 {
-    return c->grid_bits > 0 && strcmp(w->name, "lattice") != 0;
+    bool integers = w->rounded || strcmp(w->name, "lattice") == 0;
+    return integers ? CONTENDERS : OF_DOUBLES;
+}
+
+static const char *rounded(const workload *w)
+{
+    return w->rounded ? "rounded " : "";
 }
 
 static void print_time(const workload *w, int c, long hits, double time,
-                       double ratio, bool header)
+                       double ratio, bool csv)
 {
-    printf(header ? "    {\"%s\", \"%s\", \"%s\", %ld, %ld, %.1f, %.2f},\n"
-                  : "%-8s %-15s %-10s %7ld %7ld %9.1f %6.2f\n",
-           w->name, workload_kind(w), contenders[c].arithmetic->name, w->count,
-           hits, time, ratio);
+    const char *name = contenders[c]->name, *kind = workload_kind(w);
+    if (csv)
+        printf("%s %s%s %s,%.1f,ns a query\n%s %s%s %s hits,%ld,\n", name,
+               rounded(w), w->name, kind, time, name, rounded(w), w->name, kind,
+               hits);
+    else
+        printf("%-8s%-8s %-15s %-10s %7ld %7ld %9.1f %6.2f\n", rounded(w),
+               w->name, kind, name, w->count, hits, time, ratio);
 }
 
-static void print_times(const workload *w, bool header)
+static void print_times(const workload *w, bool csv)
 {
-    workload own[CONTENDERS];
     double best[CONTENDERS];
     long hits[CONTENDERS];
-    for (int c = 0; c < CONTENDERS; c++) {
+    int count = contenders_for(w);
+    for (int c = 0; c < count; c++)
         best[c] = INFINITY;
-        own[c] = needs_grid(w, &contenders[c])
-                     ? workload_on_grid(w, contenders[c].grid_bits)
-                     : *w;
-    }
     for (int round = 0; round < ROUNDS; round++)
-        for (int c = 0; c < CONTENDERS; c++) {
-            double time =
-                time_queries(&own[c], contenders[c].arithmetic, &hits[c]);
+        for (int c = 0; c < count; c++) {
+            double time = time_queries(w, contenders[c], &hits[c]);
             best[c] = fmin(best[c], time);
         }
-    for (int c = 0; c < CONTENDERS; c++) {
-        print_time(w, c, hits[c], best[c], best[c] / best[0], header);
-        if (needs_grid(w, &contenders[c]))
-            workload_free(&own[c]);
-    }
+    if (csv)
+        printf("%s%s %s queries,%ld,\n", rounded(w), w->name, workload_kind(w),
+               w->count);
+    for (int c = 0; c < count; c++)
+        print_time(w, c, hits[c], best[c], best[c] / best[0], csv);
 }
 
 // Stages ----------------------------------------------------------------------
 
 enum {
-    STAGES = TF_BY_ACCUMULATOR + 1
+    BY_ESTIMATE,
+    BY_ACCUMULATOR,
+    STAGES
 };
 
 /// What is noted of a workload's signs.
 static struct {
-    int farthest; ///< stage of the query at hand; -1: no sign was asked for
-    long open;    ///< signs that the estimate does not know
+    int farthest; ///< stage of the query at hand; -1: it needed no sign
+    long open;    ///< signs that the estimate leaves open
     long tails;   ///< those of them with a rounded difference
-    long heads;   ///< and of these, that the rounded differences tell
+    long heads;   ///< and of these, that the rounded differences decide
 } noted;
 
 static bool has_tail(const tf_differences *d)
@@ -167,18 +178,25 @@ static bool heads_decide(const tf_differences *d)
     return fabs(last) > share * tf_differences_estimate(d).bound;
 }
 
+/// What finds an exact sign: the estimate, or, where that leaves it open, the
+/// superaccumulator.
+static int stage_of(const tf_differences *differences)
+{
+    return tf_clamped.sign(differences) == TF_UNKNOWN ? BY_ACCUMULATOR
+                                                      : BY_ESTIMATE;
+}
+
 static tf_sign note_sign(const tf_differences *differences)
 {
-    tf_stage stage;
-    tf_sign sign = tf_exact_sign(differences, &stage);
-    noted.farthest = (int)stage > noted.farthest ? (int)stage : noted.farthest;
-    if (stage == TF_BY_ACCUMULATOR) {
+    int stage = stage_of(differences);
+    noted.farthest = stage > noted.farthest ? stage : noted.farthest;
+    if (stage == BY_ACCUMULATOR) {
         bool tail = has_tail(differences);
         noted.open++;
         noted.tails += tail;
         noted.heads += tail && heads_decide(differences);
     }
-    return sign;
+    return tf_exact.sign(differences);
 }
 
 static double percent(long part, long whole)
@@ -186,7 +204,20 @@ static double percent(long part, long whole)
     return whole == 0 ? 0 : 100 * (double)part / (double)whole;
 }
 
-static void print_shares(const workload *w, bool header)
+/// What is printed of a workload's signs, and how a table heads it.
+static const struct share {
+    const char *name, *heading;
+} shares[] = {
+    {"none", "none %"},          {"estimate", "estimate %"},
+    {"accumulator", "accum. %"}, {"tails", "tails %"},
+    {"heads", "by heads %"},
+};
+
+enum {
+    SHARES = sizeof shares / sizeof *shares
+};
+
+static void find_shares(const workload *w, double found[SHARES])
 {
     const tf_arithmetic noting = {
         .name = "noting", .sign = note_sign, .value = tf_exact.value};
@@ -197,12 +228,69 @@ static void print_shares(const workload *w, bool header)
         answer(w, i, &noting);
         queries[noted.farthest + 1]++;
     }
-    printf(header ? "    {\"%s\", \"%s\", {" : "%-8s %-15s", w->name,
-           workload_kind(w));
     for (int i = 0; i <= STAGES; i++)
-        printf(header ? "%.3f, " : " %11.3f", percent(queries[i], w->count));
-    printf(header ? "}, %.3f, %.3f},\n" : " %11.3f %11.3f\n",
-           percent(noted.tails, noted.open), percent(noted.heads, noted.open));
+        found[i] = percent(queries[i], w->count);
+    found[STAGES + 1] = percent(noted.tails, noted.open);
+    found[STAGES + 2] = percent(noted.heads, noted.open);
+}
+
+static void print_shares(const workload *w, bool csv)
+{
+    const char *kind = workload_kind(w);
+    double found[SHARES];
+    find_shares(w, found);
+    if (!csv)
+        printf("%-8s%-8s %-15s", rounded(w), w->name, kind);
+    for (int i = 0; i < SHARES; i++)
+        if (csv)
+            printf("%s%s %s %s,%.3f,%%\n", rounded(w), w->name, kind,
+                   shares[i].name, found[i]);
+        else
+            printf(" %11.3f%s", found[i], i + 1 < SHARES ? "" : "\n");
+}
+
+// Signs a query ---------------------------------------------------------------
+
+static long counted; ///< signs
+
+static tf_sign count_clamped(const tf_differences *differences)
+{
+    counted++;
+    return tf_clamped.sign(differences);
+}
+
+static tf_sign count_exact(const tf_differences *differences)
+{
+    counted++;
+    return tf_exact.sign(differences);
+}
+
+/// The mean number of signs that a query of the workload takes.
+static double signs_of(const workload *w,
+                       tf_sign (*sign)(const tf_differences *),
+                       const tf_arithmetic *arithmetic)
+{
+    const tf_arithmetic counting = {
+        .name = "counting", .sign = sign, .value = arithmetic->value};
+    counted = 0;
+    for (long i = 0; i < w->count; i++)
+        answer(w, i, &counting);
+    return (double)counted / (double)w->count;
+}
+
+static void print_counts(const workload *w, bool csv)
+{
+    double clamped = signs_of(w, count_clamped, &tf_clamped);
+    double exact = signs_of(w, count_exact, &tf_exact);
+    const char *kind = workload_kind(w);
+    if (csv)
+        printf("clamped %s%s %s signs,%.2f,a query\n"
+               "exact %s%s %s signs,%.2f,a query\n",
+               rounded(w), w->name, kind, clamped, rounded(w), w->name, kind,
+               exact);
+    else
+        printf("%-8s%-8s %-15s %8.2f %8.2f\n", rounded(w), w->name, kind,
+               clamped, exact);
 }
 
 // Signs -----------------------------------------------------------------------
@@ -249,7 +337,7 @@ static double of_any_size(generator *random)
 }
 
 /// Random coordinates; the last row is the first, so that only an exact stage
-/// can tell, unless `regular`.
+/// decides, unless `regular`.
 static void fill(generator *random, double (*coordinate)(generator *random),
                  bool regular, matrix *m)
 {
@@ -267,28 +355,9 @@ static void fill(generator *random, double (*coordinate)(generator *random),
 
 typedef tf_sign sign_finder(const tf_differences *differences);
 
-static void expect_stage(tf_stage found, tf_stage expected)
+static tf_sign by_library(const tf_differences *differences)
 {
-    if (found == expected)
-        return;
-    fprintf(stderr, "bench: a sign of another stage\n");
-    exit(2);
-}
-
-static tf_sign by_estimate(const tf_differences *differences)
-{
-    tf_stage stage;
-    tf_sign sign = tf_exact_sign(differences, &stage);
-    expect_stage(stage, TF_BY_ESTIMATE);
-    return sign;
-}
-
-static tf_sign by_accumulator(const tf_differences *differences)
-{
-    tf_stage stage;
-    tf_sign sign = tf_exact_sign(differences, &stage);
-    expect_stage(stage, TF_BY_ACCUMULATOR);
-    return sign;
+    return tf_exact.sign(differences);
 }
 
 /// Whether the rounded differences are the true ones and in the range of an
@@ -327,41 +396,53 @@ typedef struct race {
     int n;
     double (*coordinate)(generator *random);
     sign_finder *find;
+    int stage; ///< which the signs need
 } race;
 
 // Differences of fine and of coarse coordinates are doubles.
 static const race races[] = {
-    {"estimate", 3, fine, by_estimate},
-    {"accumulator, no tails", 3, fine, by_accumulator},
-    {"accumulator", 3, uneven, by_accumulator},
-    {"accumulator, any size", 3, of_any_size, by_accumulator},
-    {"expansion, no tails", 3, fine, by_expansion},
-    {"accumulator, integers", 3, coarse, by_accumulator},
-    {"expansion, integers", 3, coarse, by_expansion},
-    {"accumulator, plane", 2, fine, by_accumulator},
-    {"expansion, plane", 2, fine, by_expansion},
+    {"estimate", 3, fine, by_library, BY_ESTIMATE},
+    {"accumulator", 3, fine, by_library, BY_ACCUMULATOR},
+    {"accumulator with tails", 3, uneven, by_library, BY_ACCUMULATOR},
+    {"accumulator of any size", 3, of_any_size, by_library, BY_ACCUMULATOR},
+    {"expansion", 3, fine, by_expansion, BY_ACCUMULATOR},
+    {"accumulator of integers", 3, coarse, by_library, BY_ACCUMULATOR},
+    {"expansion of integers", 3, coarse, by_expansion, BY_ACCUMULATOR},
+    {"accumulator in the plane", 2, fine, by_library, BY_ACCUMULATOR},
+    {"expansion in the plane", 2, fine, by_expansion, BY_ACCUMULATOR},
 };
 
 enum {
     RACES = sizeof races / sizeof *races
 };
 
-static double time_signs(const matrix m[SIGNS], sign_finder *find)
+static void expect_stage(const matrix m[SIGNS], int stage)
+{
+    for (int i = 0; i < SIGNS; i++) {
+        tf_differences d = differences_of(&m[i]);
+        if (stage_of(&d) == stage)
+            continue;
+        fprintf(stderr, "bench: a sign of another stage\n");
+        exit(2);
+    }
+}
+
+static double time_signs(const matrix m[SIGNS], const race *r)
 {
     double start = nanoseconds();
     int sum = 0;
     for (int i = 0; i < SIGNS; i++) {
         tf_differences d = differences_of(&m[i]);
-        sum += find(&d);
+        sum += r->find(&d);
     }
-    if (find != by_estimate && sum != 0) {
+    if (r->stage == BY_ACCUMULATOR && sum != 0) {
         fprintf(stderr, "bench: a wrong sign\n");
         exit(2);
     }
     return (nanoseconds() - start) / SIGNS;
 }
 
-static void print_signs(bool header)
+static void print_signs(bool csv)
 {
     static matrix m[RACES][SIGNS];
     double best[RACES];
@@ -369,54 +450,62 @@ static void print_signs(bool header)
         generator random = generator_new(2);
         for (int k = 0; k < SIGNS; k++) {
             m[i][k].n = races[i].n;
-            fill(&random, races[i].coordinate, races[i].find == by_estimate,
+            fill(&random, races[i].coordinate, races[i].stage == BY_ESTIMATE,
                  &m[i][k]);
         }
+        expect_stage(m[i], races[i].stage);
         best[i] = INFINITY;
     }
     for (int round = 0; round < ROUNDS; round++)
         for (int i = 0; i < RACES; i++)
-            best[i] = fmin(best[i], time_signs(m[i], races[i].find));
+            best[i] = fmin(best[i], time_signs(m[i], &races[i]));
     for (int i = 0; i < RACES; i++)
-        printf(header ? "    {\"%s\", %.1f},\n" : "%-24s %9.1f\n",
-               races[i].name, best[i]);
+        printf(csv ? "%s,%.1f,ns a sign\n" : "%-24s %9.1f\n", races[i].name,
+               best[i]);
 }
 
 // Tables ----------------------------------------------------------------------
 
-typedef void print_workload(const workload *w, bool header);
+typedef void print_workload(const workload *w, bool csv);
 
-static void print_workloads(print_workload *print, bool header)
+static void print_workloads(print_workload *print, bool csv)
 {
     workload (*const make[])(int vertices) = {workload_soup, workload_near,
                                               workload_rest, workload_lattice};
     for (size_t i = 0; i < sizeof make / sizeof *make; i++)
         for (int vertices = 1; vertices <= 2; vertices++) {
             workload w = make[i](vertices);
-            print(&w, header);
+            print(&w, csv);
+            if (contenders_for(&w) < CONTENDERS) {
+                workload grid = workload_rounded(&w);
+                print(&grid, csv);
+                workload_free(&grid);
+            }
             workload_free(&w);
         }
 }
 
-static void print_header(void)
+static void print_csv(void)
 {
-    printf("static const tf_query_time query_times[] = {\n");
+    printf("name,value,unit\n");
     print_workloads(print_times, true);
-    printf("};\nstatic const tf_stage_share stage_shares[] = {\n");
     print_workloads(print_shares, true);
-    printf("};\nstatic const tf_stage_time stage_times[] = {\n");
+    print_workloads(print_counts, true);
     print_signs(true);
-    printf("};\n");
 }
 
 static void print_tables(void)
 {
-    printf("%-8s %-15s %-10s %7s %7s %9s %6s\n", "work", "kind", "signs",
+    printf("%-16s %-15s %-10s %7s %7s %9s %6s\n", "work", "kind", "signs",
            "queries", "hits", "ns", "ratio");
     print_workloads(print_times, false);
-    printf("\n%-8s %-15s %11s %11s %11s %11s %11s\n", "work", "kind", "none %",
-           "estimate %", "accum. %", "tails %", "by heads %");
+    printf("\n%-16s %-15s", "work", "kind");
+    for (int i = 0; i < SHARES; i++)
+        printf(" %11s", shares[i].heading);
+    printf("\n");
     print_workloads(print_shares, false);
+    printf("\n%-16s %-15s %8s %8s\n", "work", "signs of", "clamped", "exact");
+    print_workloads(print_counts, false);
     printf("\n%-24s %9s\n", "sign by", "ns");
     print_signs(false);
 }
@@ -425,10 +514,10 @@ int main(int count, char **argument)
 {
     if (count == 1)
         print_tables();
-    else if (count == 2 && strcmp(argument[1], "--header") == 0)
-        print_header();
+    else if (count == 2 && strcmp(argument[1], "--csv") == 0)
+        print_csv();
     else {
-        fprintf(stderr, "usage: bench [--header]\n");
+        fprintf(stderr, "usage: bench [--csv]\n");
         return 2;
     }
     return 0;

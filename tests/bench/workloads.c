@@ -3,7 +3,6 @@
 #include "support/generator.h"
 
 #include <math.h>
-#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -217,17 +216,22 @@ workload workload_rest(int vertices)
 
 // The grid --------------------------------------------------------------------
 
-workload workload_on_grid(const workload *w, int bits)
+enum {
+    GRID_BITS = 18 // cells to a unit: 2^18
+};
+
+workload workload_rounded(const workload *w)
 {
     workload grid = workload_new(w->name, w->vertices, w->count);
     grid.count = w->count;
+    grid.rounded = true;
     for (long i = 0; i < w->count; i++) {
         grid.queries[i] = w->queries[i];
         for (int v = 0; v < QUERY_VERTICES; v++)
             for (int t = 0; t < 2; t++)
                 for (int k = 0; k < TF_AXES; k++) {
                     double *x = &grid.queries[i].vertex[v].at[t].x[k];
-                    *x = rint(ldexp(*x, bits));
+                    *x = rint(ldexp(*x, GRID_BITS));
                 }
     }
     return grid;

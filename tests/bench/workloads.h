@@ -2,7 +2,9 @@
 #ifndef BENCH_WORKLOADS_H
 #define BENCH_WORKLOADS_H
 
-#include "spacetime/event.h"
+#include "geometry/event.h"
+
+#include <stdbool.h>
 
 enum {
     QUERY_VERTICES = 4
@@ -15,6 +17,7 @@ typedef struct query {
 
 typedef struct workload {
     const char *name;
+    bool rounded; ///< to the grid of the integers
     int vertices; ///< of the first element: 1 point-triangle, 2 edge-edge
     long count;
     query *queries;
@@ -36,8 +39,9 @@ workload workload_rest(int vertices);
 /// lattice: coordinates 0, 1, 2 or 3, degenerate most of the time.
 workload workload_lattice(int vertices);
 
-/// The same queries on the grid of the integers, 2^bits of them to a unit.
-workload workload_on_grid(const workload *w, int bits);
+/// The same queries with their coordinates, which are below 2 in absolute value,
+/// rounded to integers below 2^19, the range of 64 bits.
+workload workload_rounded(const workload *w);
 
 void workload_free(workload *w);
 

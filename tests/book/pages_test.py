@@ -34,7 +34,7 @@ class Page(HTMLParser):
 
     def handle_starttag(self, tag, attributes):
         data = dict(attributes)
-        if tag in ("meta", "link", "input", "img", "br", "hr"):
+        if tag in ("meta", "link", "input", "img", "br", "hr", "wbr"):
             return
         kind = data.get("class") or tag
         self.inside.append(kind)

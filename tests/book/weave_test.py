@@ -1,19 +1,29 @@
 """Tests of book/_ext: /usr/bin/python3 tests/book/weave_test.py"""
+import struct
 import sys
+import tempfile
+import types
 import unittest
 from pathlib import Path
+from unittest import mock
 
 sys.dont_write_bytecode = True
 ROOT = Path(__file__).parents[2]
 sys.path[:0] = [str(ROOT / "book/_ext"), str(Path(__file__).parent)]
 from docutils import nodes
+from docutils.core import publish_doctree
+from docutils.parsers.rst import directives
 from sphinx import addnodes
 import blocks
 import drawings
+import formulas
 import manifest
 import mathml
+import measured
 import pages
 import pages_test
+import reference
+import reference_test
 import sessions
 import weave
 from fragments import parse, walk
@@ -106,6 +116,71 @@ class Weave(unittest.TestCase):
         self.assertIsNone(weave.span("a.c", SOURCE, "more"))
 
 
+def chunk(kind, content):
+    return struct.pack(">I", len(content)) + kind + content + bytes(4)
+
+
+SHEET = (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", bytes(13)) +
+         chunk(b"tEXt", b"film\x0064 32 32 64 3\n0,2,0\n\n1,1,2\n") +
+         chunk(b"IDAT", b"tEXt") + chunk(b"IEND", b""))
+
+
+class Films(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        built = Path(self.folder.name)
+        (built / "films").mkdir()
+        for theme in drawings.THEMES:
+            (built / "films" / f"still-{theme}.png").write_bytes(SHEET)
+        self.noted = []
+        app = types.SimpleNamespace(built=built, drawing="draw")
+        book = types.SimpleNamespace(note=lambda *n: self.noted.append(n))
+        self.env = types.SimpleNamespace(
+            app=app, note_dependency=lambda name: None,
+            get_domain=lambda name: book)
+
+    def controls(self, figure, **options):
+        directive = types.SimpleNamespace(
+            arguments=[figure], options=options, env=self.env, error=ValueError)
+        numbers = {"still": {"film_still": "0.7"}, "fixed": {}}
+        with mock.patch.object(drawings, "listed", lambda program: numbers), \
+             mock.patch.object(drawings, "numbers", lambda _, f: numbers[f]):
+            return drawings.FilmDirective.controls(directive)
+
+    def test_reads_a_sheet(self):
+        sheet = Path(self.folder.name, "films", "still-dark.png")
+        self.assertEqual(drawings.read_film(sheet), {
+            "width": 64, "height": 32, "tile": 32, "columns": 64,
+            "frames": ["0,2,0", "", "1,1,2"]})
+
+    def test_refuses_a_sheet_that_lacks_frames(self):
+        sheet = Path(self.folder.name, "films", "still-dark.png")
+        sheet.write_bytes(SHEET.replace(b"64 3\n", b"64 4\n"))
+        with self.assertRaises(ValueError):
+            drawings.read_film(sheet)
+
+    def test_begins_at_the_still(self):
+        [raw] = self.controls("still")
+        text = raw.astext()
+        for part in ('max="2" value="1"', "<button", " hidden>",
+                     '"sheet":"_images/films/still-light.png"',
+                     '"sheet":"_images/films/still-dark.png"'):
+            self.assertIn(part, text)
+        self.assertEqual(raw["format"], "html")
+        self.assertEqual(self.noted, [("film", "still", "fig-still", "still")])
+
+    def test_takes_frames_of_another_figure(self):
+        [raw] = self.controls("fixed", frames="still")
+        self.assertIn("films/still-light.png", raw.astext())
+        self.assertEqual(self.noted, [("film", "still", "fig-fixed", "still")])
+
+    def test_refuses_figures_that_do_not_move(self):
+        for figure, options in ("fixed", {}), ("still", {"frames": "none"}):
+            with self.assertRaises(ValueError):
+                self.controls(figure, **options)
+
+
 class Sessions(unittest.TestCase):
     def test_reads_commands_and_output(self):
         self.assertEqual(
@@ -123,6 +198,16 @@ class Sessions(unittest.TestCase):
                                  (["...", "b"], True), (["a", "..."], True),
                                  (["b", "..."], False)):
             self.assertEqual(bool(sessions.agrees(expected, real)), agrees)
+
+    def test_ends_lines_of_output_after_commas(self):
+        self.assertEqual(
+            sessions.open_at_commas('a,b<span class="go">c,d, e,</span>'),
+            'a,b<span class="go">c,<wbr>d, e,</span>')
+
+    def test_runs_where_the_build_is_named_build(self):
+        with sessions.lay_out_desk(ROOT, ROOT / "book") as desk:
+            real, status = sessions.run(["ls build/chapters Makefile"], desk)
+        self.assertEqual((real, status), (["Makefile", "build/chapters"], 0))
 
 
 class Texts(unittest.TestCase):
@@ -142,9 +227,25 @@ class Texts(unittest.TestCase):
         self.assertEqual(list(blocks.task(text)), ["Add\nit."])
 
     def test_writes_numbers(self):
-        self.assertEqual(drawings.written(26990.0, ""), "26990")
+        self.assertEqual(drawings.written(26990.0, ""), "26{,}990")
         self.assertEqual(drawings.written(0.6769, ".2f"), "0.68")
         self.assertEqual(drawings.written(1.5e-7, ""), r"1.5\times 10^{-7}")
+
+    def test_reads_what_was_measured(self):
+        rows, head = measured.read(["# machine: A fast one", "# None.",
+                                    "name,value,unit", "a,2.5,ns", "a b-c,4,"])
+        self.assertEqual((rows, head), ({"a": 2.5, "a b-c": 4},
+                                        {"machine": "A fast one"}))
+
+    def test_judges_claims(self):
+        rows = {"a": 2.5, "a b-c": 4.0}
+        for text, found in (("a b-c - a", 1.5), ("2 * a > a b-c", True),
+                            ("a < a b-c < 1.5 * a", False),
+                            ("a > 2 and a b-c > 5", False)):
+            self.assertEqual(measured.value(text, rows), found)
+        for text in "a b", "a-a", "exit()", "a b-c2":
+            with self.assertRaises(ValueError):
+                measured.value(text, rows)
 
     def test_draws_formulas_as_browsers_can(self):
         def drawn(inside):
@@ -164,7 +265,11 @@ class Texts(unittest.TestCase):
                  "<mo>\u2061</mo><mo>(</mo>"),
                 ("<msup><mi>a</mi><mo>\u2032</mo></msup>",
                  '<mrow><mi>a</mi><mo lspace="0em" rspace="0em">\u2032</mo>'
-                 '</mrow>')):
+                 '</mrow>'),
+                ("<msubsup><mi>a</mi><mn>0</mn><mo>\u2032</mo></msubsup>",
+                 '<msubsup><mi>a</mi><mn>0</mn><mpadded voffset="-0.5em" '
+                 'height="0.3em"><mo lspace="0em" rspace="0em" '
+                 'mathsize="1.4em">\u2032</mo></mpadded></msubsup>')):
             self.assertEqual(drawn(before), after)
 
     def test_ends_formulas_without_a_gap(self):
@@ -192,6 +297,13 @@ class Texts(unittest.TestCase):
         self.assertEqual(
             ["".join(line.itertext()) for line in mathml.lines(root)],
             ["a=", "(b," + "c" * mathml.LONG + ")"])
+
+    def test_entitles_what_the_report_claims(self):
+        directives.register_directive("report", blocks.Report)
+        box, = publish_doctree(".. report::\n\n   It holds.\n").findall(
+            nodes.container)
+        self.assertEqual((box["classes"], box.astext()), (
+            ["report"], "The report, line by line\n\nIt holds."))
 
     def test_goes_on_after_code_with_a_small_letter(self):
         def goes_on(*children):
@@ -222,7 +334,36 @@ class Texts(unittest.TestCase):
         text = nodes.paragraph(
             "", "", nodes.Text("See "), nodes.math("", "x"), nodes.Text(" in "),
             addnodes.pending_xref("", nodes.Text("fig-a"), reftype="numref"))
-        self.assertEqual(pages.words(text), "See \u2026 in \u2026")
+        self.assertEqual(pages.words(text, str.upper), "See X in \u2026")
+
+    def test_writes_formulas_in_plain_letters(self):
+        for inside, text in (
+                ("<mn>4.9</mn><mo>\u22c5</mo><msup><mn>10</mn><mrow><mo>\u2212"
+                 "</mo><mn>324</mn></mrow></msup>",
+                 "4.9 \u22c5 10\u207b\u00b3\u00b2\u2074"),
+                ("<msubsup><mi>e</mi><mn>0</mn><mo>\u2032</mo></msubsup><mo>="
+                 "</mo><mo>\u2212</mo><mi>p</mi>", "e\u2080\u2032 = \u2212p"),
+                ("<mfrac><mn>1</mn><mi>n</mi></mfrac><mo>\u2264</mo><msub><mi>a"
+                 "</mi><mtext>max</mtext></msub>", "1/n \u2264 a_(max)")):
+            self.assertEqual(mathml.plain_text(
+                f"<span><math><semantics><mrow>{inside}</mrow></semantics>"
+                "</math></span>"), text)
+
+    def test_sets_the_formulas_of_exercises(self):
+        for ascii, text in (
+                ("from t = 0 to t = 1.", "from $t = 0$ to $t = 1$."),
+                ("mid-step (so 0 < t < 1) is",
+                 "mid-step (so $0 < t < 1$) is"),
+                ("a walk from a to b,\n e0 e1, e1'",
+                 "a walk from $a$ to $b$, $e_0 e_1$, $e_1'$"),
+                ("below 2^(word - 1) or 2^-53, -1",
+                 r"below $2^{\mathtt{word} - 1}$ or $2^{-53}$, $-1$"),
+                ("2.5 u (|a| + |b|), x[0] + x[1]",
+                 "$2.5 u (|a| + |b|)$, `x[0] + x[1]`"),
+                ("every n x n one; `a` in tf_exact",
+                 r"every $n \times n$ one; `a` in `tf_exact`"),
+                ("    a = b", "    a = b")):
+            self.assertEqual(formulas.from_ascii(ascii), text)
 
 
 class Print(unittest.TestCase):
@@ -249,6 +390,63 @@ class Print(unittest.TestCase):
     def test_leaves_the_heads_of_a_quotation(self):
         head = r"\PYG{c+c1}{//: Start}"
         self.assertEqual(self.latex(head + "\nint a;"), head + "\nint a;")
+
+
+HEADER = """\
+#ifndef TANGLEFREE_H
+#define TANGLEFREE_H
+#define TF_API /* visible */
+#define TF_SIZE 3   // TF_API int tf_not_this(void);
+typedef void tf_handler(const char *file, int line);
+typedef struct tf_opaque tf_opaque;
+typedef enum tf_kind { TF_NONE = 0, TF_SOME, } tf_kind;
+typedef struct tf_pair {
+    double low, high[2][3];
+    int (*compare)(const void *, const void *);
+} tf_pair;
+TF_API extern const tf_opaque tf_one, tf_two;
+TF_API tf_handler *
+tf_set(int (*compare)(void), tf_kind kind);
+#endif
+"""
+
+ENTRY = """\
+<dl><dt class="sig sig-object c" id="c.tf_pair">struct tf_pair</dt>
+<dd>{}<dl><dt class="sig sig-object c" id="c.tf_pair.low">double low</dt>
+<dd><p>{}</p></dd></dl></dd></dl>"""
+
+
+class Reference(unittest.TestCase):
+    def marked(self, text, own=None):
+        line = nodes.paragraph("", "", nodes.Text(text), nodes.literal(
+            "", "&tf_one"))
+        reference.mark_names(line, own)
+        return line
+
+    def test_finds_the_names_of_a_header(self):
+        self.assertEqual(sorted(reference_test.names(HEADER)), sorted(
+            ["TF_SIZE", "tf_handler", "tf_opaque", "tf_kind", "tf_kind.TF_NONE",
+             "tf_kind.TF_SOME", "tf_pair", "tf_pair.low", "tf_pair.high",
+             "tf_pair.compare", "tf_one", "tf_two", "tf_set"]))
+
+    def test_takes_what_describes_a_field_for_the_fields(self):
+        for own, field in ("A pair.", "the low"), ("", "the low"):
+            entries = reference_test.Page(ENTRY.format(own, field)).entries
+            self.assertEqual(entries, {"c.tf_pair": own,
+                                       "c.tf_pair.low": field})
+
+    def test_links_names_in_text_and_in_code(self):
+        line = self.marked("See tf_set() and tf_two, below 2^-50. ")
+        self.assertEqual([node["reftarget"] for node in line.findall(
+            addnodes.pending_xref)], ["tf_set", "tf_two", "tf_one"])
+        self.assertEqual([node.astext() for node in line.findall(
+            nodes.superscript)], ["\u221250"])
+        self.assertEqual(line.astext(), "See tf_set() and tf_two, "
+                         "below 2\u221250. &tf_one")
+
+    def test_does_not_link_an_entry_to_itself(self):
+        line = self.marked("tf_one is tf_one", "tf_one")
+        self.assertFalse(list(line.findall(addnodes.pending_xref)))
 
 
 if __name__ == "__main__":

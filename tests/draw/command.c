@@ -3,6 +3,7 @@
 #include "support/support.h"
 
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -103,6 +104,18 @@ static void expect_words(const char *text, const char *words)
 #define QUERY "\"$QUERIES\"/point-edge.csv:0 --kind point-edge " SMALL " "
 #define FIGURE "edge-sweep " SMALL " "
 
+/// Make a triangle that lies, one that falls through it, and two that cross at
+/// the end of that; a corner of the plane that turns over; and remove all that.
+#define MESHES                                                                 \
+    "lie='v 0 0 0\nv 4 0 0\nv 0 4 0\n'; "                                      \
+    "printf \"${lie}"                                                          \
+    "v 1 1 1\nv 2 1 2\nv 1 2 2\nf 1 2 3\nf 4 5 6\n\" >a.obj; "                 \
+    "printf \"${lie}"                                                          \
+    "v 1 1 -1\nv 2 1 1\nv 1 2 1\nf 1 2 3\nf 4 5 6\n\" >b.obj; "                \
+    "printf 'v 0 0\nv 1 0\nv 0.5 1\nl 1 2\n' >p.obj; "                         \
+    "printf 'v 0 0\nv 1 0\nv 0.5 -1\nl 1 2\n' >q.obj; "
+#define CLEAR "; s=$?; rm ?.obj; exit $s"
+
 // Usage -----------------------------------------------------------------------
 
 START_TEST(help_and_version_are_told)
@@ -110,12 +123,14 @@ START_TEST(help_and_version_are_told)
     expect_words(say("draw --help"), "list the figures");
     expect_words(say("draw figure --help"), "--animate");
     expect_words(say("draw query --help"), "FILE:N");
+    expect_words(say("draw surface --help"), "START [END]");
     expect_words(say("draw list --help"), "names and titles");
     const char *same = "test \"$(\"$TANGLEFREE\" --version | sed "
                        "'s/tanglefree/tanglefree-draw/')\" = \"$(draw %s)\"";
     static const char *const asked[] = {"--version", "figure --version",
-                                        "query --version", "list --version"};
-    for (int i = 0; i < 4; i++) {
+                                        "query --version", "list --version",
+                                        "surface --version"};
+    for (int i = 0; i < 5; i++) {
         char line[200];
         snprintf(line, sizeof line, same, asked[i]);
         say("%s", line);
@@ -125,14 +140,14 @@ END_TEST
 
 START_TEST(commands_are_refused)
 {
-    refuse("a command is missing; choose", "draw");
-    refuse("no command is named 'sketch'; choose figure, list or query",
+    refuse("no command given; choose", "draw");
+    refuse("unknown command 'sketch'; choose figure, list, query or surface",
            "draw sketch");
-    refuse("'all' is too much", "draw list all");
-    refuse("a figure is missing", "draw figure -o a.png");
-    refuse("no figure is named 'edge'; choose one of ",
+    refuse("unexpected 'all'; list takes no", "draw list all");
+    refuse("no figure given", "draw figure -o a.png");
+    refuse("unknown figure 'edge'; choose one of ",
            "draw figure edge -o a.png");
-    refuse("one figure too many", "draw figure edge-sweep edge-sweep");
+    refuse("draw one figure at a time", "draw figure edge-sweep edge-sweep");
     refuse("unrecognized option", "draw figure --colour red");
 }
 END_TEST
@@ -142,32 +157,34 @@ START_TEST(settings_are_refused)
     static const struct {
         const char *words, *arguments;
     } bad[] = {
-        {"nothing to write; name a file by -o", ""},
+        {"no output file given; add -o", ""},
         {"must end in .png, .pdf or .svg", "-o a.bmp"},
         {"must end in .png, .pdf or .svg", "-o png"},
         {"must end in .png, .pdf or .svg", "-o ./.png"},
-        {"must end in .mp4, .gif or .webp", "--animate a.png"},
-        {"the size is '0x0'", "-o a.png --size 0x0"},
-        {"the size is '100000x100'", "-o a.png --size 100000x100"},
-        {"the size is '99999999999999999999x1'",
+        {"must end in .mp4, .gif, .webp or .png", "--animate a.bmp"},
+        {"invalid size '0x0'", "-o a.png --size 0x0"},
+        {"invalid size '100000x100'", "-o a.png --size 100000x100"},
+        {"invalid size '99999999999999999999x1'",
          "-o a.png --size 99999999999999999999x1"},
-        {"the size is '800'", "-o a.png --size 800"},
-        {"the size is '-80x60'", "-o a.png --size -80x60"},
-        {"the size is '80x60x'", "-o a.png --size 80x60x"},
+        {"invalid size '800'", "-o a.png --size 800"},
+        {"invalid size '-80x60'", "-o a.png --size -80x60"},
+        {"invalid size '80x60x'", "-o a.png --size 80x60x"},
         {"both from 16 to 16384 pixels", "-o a.png --size 15x15"},
-        {"--dpi is '0'; give a number from 1", "-o a.png --dpi 0"},
-        {"--dpi is 'x'", "-o a.png --dpi x"},
-        {"a picture is 16 to 16384 pixels", "-o a.png --dpi 1"},
-        {"no theme is named 'pink'; choose light or dark",
-         "-o a.png --theme pink"},
-        {"the view is '30'; give two angles", "-o a.png --view 30"},
-        {"the view is 'a,b'", "-o a.png --view a,b"},
-        {"the view is '0,91'", "-o a.png --view 0,91"},
-        {"the view is '1e400,0'", "-o a.png --view 1e400,0"},
-        {"the view is '1,2,3'", "-o a.png --view 1,2,3"},
-        {"--frames is '0'", "--animate a.gif --frames 0"},
-        {"--fps is '-1'", "--animate a.gif --fps -1"},
-        {"no .mp4 is transparent", "--animate a.mp4 --transparent"},
+        {"invalid --dpi '0'; give a number from 1", "-o a.png --dpi 0"},
+        {"invalid --dpi 'x'", "-o a.png --dpi x"},
+        {"a picture must be 16 to 16384 pixels", "-o a.png --dpi 1"},
+        {"unknown theme 'pink'; choose light or dark", "-o a.png --theme pink"},
+        {"invalid view '30'; give two angles", "-o a.png --view 30"},
+        {"invalid view 'a,b'", "-o a.png --view a,b"},
+        {"invalid view '0,91'", "-o a.png --view 0,91"},
+        {"invalid view '1e400,0'", "-o a.png --view 1e400,0"},
+        {"invalid view '1,2,3'", "-o a.png --view 1,2,3"},
+        {"invalid --frames '0'", "--animate a.gif --frames 0"},
+        {"invalid --fps '-1'", "--animate a.gif --fps -1"},
+        {"an .mp4 file or a sheet cannot be transparent",
+         "--animate a.mp4 --transparent"},
+        {"an .mp4 file or a sheet cannot be transparent",
+         "--animate a.png --transparent"},
         {"--turntable is for films", "-o a.png --turntable"},
     };
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
@@ -175,27 +192,30 @@ START_TEST(settings_are_refused)
         refuse(bad[i].words,
                "draw query \"$QUERIES\"/edge-edge.csv:0 -k edge-edge %s",
                bad[i].arguments);
+        refuse(bad[i].words, MESHES "draw surface a.obj %s" CLEAR,
+               bad[i].arguments);
     }
 }
 END_TEST
 
 START_TEST(queries_are_refused)
 {
-    refuse("a query is missing", "draw query -k edge-edge -o a.png");
-    refuse("--kind is missing", "draw query x:0 -o a.png");
-    refuse("no kind is named 'knot'; choose point-edge",
+    refuse("no query given", "draw query -k edge-edge -o a.png");
+    refuse("--kind is required", "draw query x:0 -o a.png");
+    refuse("unknown kind 'knot'; choose point-edge",
            "draw query x:0 -k knot -o a.png");
-    refuse("'x' names no query; write FILE:N",
+    refuse("'x' is not a query; write FILE:N",
            "draw query x -k edge-edge -o a.png");
-    refuse("'x:-1' names no query", "draw query x:-1 -k edge-edge -o a.png");
-    refuse("'x:1y' names no query", "draw query x:1y -k edge-edge -o a.png");
-    refuse("'x:99999999999999999999' names no query",
+    refuse("'x:-1' is not a query", "draw query x:-1 -k edge-edge -o a.png");
+    refuse("'x:1y' is not a query", "draw query x:1y -k edge-edge -o a.png");
+    refuse("'x:99999999999999999999' is not a query",
            "draw query x:99999999999999999999 -k edge-edge -o a.png");
-    refuse("one query too many", "draw query x:0 y:0 -k edge-edge -o a.png");
+    refuse("draw one query at a time",
+           "draw query x:0 y:0 -k edge-edge -o a.png");
     refuse("tanglefree-draw: x: cannot open: ",
            "draw query x:0 -k edge-edge -o a.png");
-    refuse("point-edge.csv: query 7 is beyond the end; the file has 7, from 0 "
-           "to 6",
+    refuse("point-edge.csv: there is no query 7; the file has 7, numbered from "
+           "0 to 6",
            "draw query \"$QUERIES\"/point-edge.csv:7 -k point-edge -o a.png");
     refuse("tanglefree-draw: /dev/stdin:2: column 1 is \"x\"",
            "printf '0,0\\nx,0\\n' | draw query /dev/stdin:0 -k point-edge -o "
@@ -203,11 +223,56 @@ START_TEST(queries_are_refused)
 }
 END_TEST
 
+START_TEST(surfaces_are_refused)
+{
+    refuse("no surface given; add its file", "draw surface -o a.png");
+    refuse("unexpected 'c'; give one START and one END",
+           "draw surface a b c -o a.png");
+    refuse("unknown motion 'wild'; choose bent or straight",
+           "draw surface a b -m wild -o a.png");
+    refuse("unknown axis 'w'; choose x, y or z",
+           "draw surface a -u w -o a.png");
+    refuse("unknown axis ''", "draw surface a -u '' -o a.png");
+    refuse("invalid time '1.5'; give a number from 0 to 1",
+           "draw surface a b --time 1.5 -o a.png");
+    refuse("invalid time 'x'", "draw surface a b --time x -o a.png");
+    refuse("--time is for steps; add END",
+           "draw surface a --time 0.5 -o a.png");
+    refuse("--motion is for steps", "draw surface a --motion bent -o a.png");
+    refuse("nothing moves without END; add it, or --turntable",
+           "draw surface a --animate a.gif");
+    refuse("cannot be turned; drop --turntable",
+           MESHES "draw surface p.obj --turntable --animate a.gif" CLEAR);
+}
+END_TEST
+
+START_TEST(bad_meshes_are_refused)
+{
+    refuse("tanglefree-draw: x.obj: cannot open: ",
+           "draw surface x.obj -o a.png");
+    refuse("tanglefree-draw: /dev/stdin:2: ",
+           "printf 'v 0 0 0\nv 1 x 0\n' | draw surface /dev/stdin -o a.png");
+    refuse(
+        "tanglefree-draw: q.obj: the number of vertices is 3, but 6 in a.obj; "
+        "all files must have the same elements",
+        MESHES "draw surface a.obj q.obj -o a.png" CLEAR);
+    refuse("standard input:4: there is no vertex 9; the file has those from 1 "
+           "to 3",
+           "printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n' | "
+           "draw surface - -o a.png");
+    refuse("no triangles and no edges; a mesh must",
+           "printf 'v 0 0 0\n' | draw surface - -o a.png");
+    refuse("no/a.png: cannot write: ",
+           MESHES "draw surface a.obj " SMALL " -o no/a.png" CLEAR);
+}
+END_TEST
+
 // Files -----------------------------------------------------------------------
 
 START_TEST(outputs_that_cannot_be_written_are_refused)
 {
-    refuse("no/a.png: cannot write: No such file or directory; name a file",
+    refuse("no/a.png: cannot write: No such file or directory; check the "
+           "folder",
            "draw figure " FIGURE "-o no/a.png");
     refuse("no/a.gif: cannot write: ", "draw figure " FIGURE "--animate "
                                        "no/a.gif");
@@ -217,13 +282,43 @@ START_TEST(outputs_that_cannot_be_written_are_refused)
     refuse("standard output: cannot write: ",
            "draw query " QUERY "-o a.png >/dev/full; s=$?; rm a.png; exit $s");
     refuse("standard output: cannot write: ", "draw list >/dev/full");
+    refuse("standard output: cannot write: ", "draw --version >/dev/full");
+    refuse("standard output: cannot write: ", "draw query --help >/dev/full");
+}
+END_TEST
+
+START_TEST(names_send_no_commands_to_the_terminal)
+{
+    refuse("tanglefree-draw: a\\x1b[2J: cannot open: ",
+           "draw query \"$(printf 'a\\033[2J'):0\" -k edge-edge -o a.png");
+    refuse("a\\x1b[2J/a.png: cannot write: ",
+           "draw figure " FIGURE "-o \"$(printf 'a\\033[2J')/a.png\"");
+    static const char *const words[] = {"%s",
+                                        "figure %s -o a.png",
+                                        "figure edge-sweep -o %s",
+                                        "figure edge-sweep -o a.png --size %s",
+                                        "figure edge-sweep -o a.png --view %s",
+                                        "figure edge-sweep -o a.png --theme %s",
+                                        "figure edge-sweep -o a.png --dpi %s",
+                                        "query %s -k edge-edge -o a.png",
+                                        "query a:0 -k %s -o a.png",
+                                        "surface a b %s -o a.png",
+                                        "surface a b -m %s -o a.png",
+                                        "surface a b -u %s -o a.png",
+                                        "surface a b -T %s -o a.png",
+                                        "list %s"};
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
+        char line[100];
+        snprintf(line, sizeof line, words[i], "\"$(printf '\\033c')\"");
+        refuse("'\\x1bc'", "draw %s", line);
+    }
 }
 END_TEST
 
 START_TEST(missing_letters_are_refused)
 {
     refuse(
-        "the family of letters is not installed",
+        "the font is not installed",
         "mkdir cache; printf '<fontconfig><cachedir>cache</cachedir>"
         "</fontconfig>' >fonts; FONTCONFIG_FILE=$PWD/fonts draw figure " FIGURE
         "-o a.png; s=$?; rm -r fonts cache; exit $s");
@@ -252,6 +347,9 @@ START_TEST(pictures_are_the_same_every_time)
             ending, ending, ending);
         say("for n in 1 2; do draw query " QUERY "-o b$n.%s || exit 1; done; "
             "cmp b1.%s b2.%s",
+            ending, ending, ending);
+        say(MESHES "for n in 1 2; do draw surface a.obj b.obj -c " SMALL
+                   " -o c$n.%s || exit 1; done; cmp c1.%s c2.%s; rm ?.obj",
             ending, ending, ending);
         say("head -c 5 a1.%s | grep -a \"^$(printf '%s')\"", ending,
             kinds[i].start);
@@ -283,7 +381,7 @@ END_TEST
 
 START_TEST(films_show_what_moves)
 {
-    refuse("nothing moves in 'prism'; add --turntable",
+    refuse("nothing in 'prism' moves; add --turntable",
            "draw figure prism --animate a.gif");
 }
 END_TEST
@@ -308,6 +406,53 @@ START_TEST(queries_tell_what_the_other_program_tells)
 }
 END_TEST
 
+/// The contacts of detection, and their first time; what a check finds.
+START_TEST(surfaces_tell_what_the_other_program_tells)
+{
+    static const char *const steps[] = {"a.obj b.obj", "p.obj q.obj",
+                                        "a.obj a.obj"};
+    for (int i = 0; i < 3; i++)
+        say(MESHES "draw surface %s -c " SMALL " -o a.png >told || exit 1; "
+                   "\"$TANGLEFREE\" detect %s | sed 1d >rows; "
+                   "grep -x \"contacts $(wc -l <rows)\" told && "
+                   "first=$(cut -d, -f7 rows | sort -g | head -n 1) && "
+                   "{ [ -z \"$first\" ] || awk -v first=\"$first\" '"
+                   "$1 == \"toi_lo\" && $2 == first { found = 1 } "
+                   "END { exit !found }' told; }",
+            steps[i], steps[i]);
+    static const char *const files[] = {"a.obj", "b.obj"};
+    for (int i = 0; i < 2; i++)
+        say(MESHES "draw surface %s -c " SMALL " -o a.png >told || exit 1; "
+                   "\"$TANGLEFREE\" check %s | sed 1d >rows; "
+                   "grep -x \"intersections $(wc -l <rows)\" told",
+            files[i], files[i]);
+}
+END_TEST
+
+START_TEST(surfaces_tell_what_they_are)
+{
+    ck_assert_str_eq(
+        say(MESHES "draw surface a.obj b.obj --contacts " SMALL " -o a.png"),
+        "vertices 6\ntriangles 2\nedges 6\nparts 2\n"
+        "time 0.5\ncontacts 1\n"
+        "toi_lo 0.4999999999999997\n"
+        "toi_hi 0.5000000000000002\n");
+    expect_words(say(MESHES "draw surface a.obj b.obj " SMALL " -o a.png"),
+                 "time 1\n");
+    expect_words(
+        say(MESHES "draw surface a.obj b.obj --time 0.25 " SMALL " -o a.png"),
+        "time 0.25\n");
+    ck_assert_ptr_null(
+        strstr(say(MESHES "draw surface a.obj " SMALL " -o a.png"), "time"));
+    say(MESHES "for m in bent straight; do draw surface a.obj b.obj -m $m "
+               "--time 0.3 " SMALL " -o $m.png || exit 1; done; "
+               "! cmp bent.png straight.png");
+    say(MESHES "for u in x y z; do draw surface a.obj -u $u " SMALL
+               " -o u$u.png || exit 1; done; ! cmp ux.png uy.png && "
+               "! cmp uy.png uz.png");
+}
+END_TEST
+
 // Films -----------------------------------------------------------------------
 
 START_TEST(missing_ffmpeg_is_told)
@@ -315,10 +460,28 @@ START_TEST(missing_ffmpeg_is_told)
     refuse("cannot run ffmpeg, which makes the film: No such file or directory;"
            " install it",
            "PATH=/nowhere; draw figure " FIGURE "--animate a.mp4");
-    refuse("ffmpeg has failed; its own words tell why",
+    refuse("ffmpeg failed; see its message",
            "mkdir bin; printf '#!/bin/sh\\nexit 1\\n' >bin/ffmpeg; "
            "chmod +x bin/ffmpeg; PATH=$PWD/bin:$PATH; draw figure " FIGURE
            "--animate a.mp4 --frames 1; s=$?; rm -r bin; exit $s");
+}
+END_TEST
+
+/// On a disk of 16 kB; without the right to make one, nothing is tried.
+START_TEST(a_full_disk_leaves_no_film)
+{
+    static const char *const endings[] = {"mp4", "gif", "webp"};
+    bool able = *say("command -v ffmpeg >at && unshare -rm mount -t tmpfs none "
+                     ". 2>at && echo able; rm at");
+    for (int i = 0; i < 3 && able; i++)
+        refuse("ffmpeg failed",
+               "mkdir full; unshare -rm sh -c '"
+               "mount -t tmpfs -o size=16k none full || exit 77; "
+               "\"$TANGLEFREE_DRAW\" figure edge-sweep --size 320x240 --frames "
+               "30 --animate full/a.%s; status=$?; "
+               "[ -z \"$(ls -A full)\" ] || exit 1; exit $status'; "
+               "status=$?; rmdir full; exit $status",
+               endings[i]);
 }
 END_TEST
 
@@ -330,13 +493,28 @@ START_TEST(films_are_made)
         say("command -v ffmpeg >/dev/null || exit 0\n"
             "draw query " QUERY "--frames 3 --fps 10 --animate a.%s && "
             "draw figure " FIGURE "--frames 2 --turntable --animate b.%s && "
-            "test -s a.%s -a -s b.%s",
-            ending, ending, ending, ending);
+            "test -s a.%s -a -s b.%s && " MESHES
+            "draw surface a.obj b.obj " SMALL " --frames 3 -c --animate c.%s &&"
+            " draw surface a.obj " SMALL " --frames 2 --turntable --animate "
+            "d.%s && draw surface p.obj q.obj " SMALL " --frames 2 --animate "
+            "e.%s && test -s c.%s -a -s d.%s -a -s e.%s && rm ?.obj",
+            ending, ending, ending, ending, ending, ending, ending, ending,
+            ending, ending);
     }
     say("command -v ffprobe >/dev/null || exit 0\n"
         "ffprobe -loglevel error -count_frames -show_entries "
         "stream=width,height,nb_read_frames -of csv=p=0 a.mp4 | "
         "grep -x 32,24,3");
+    ck_assert_str_eq(say("ls -A | grep '^\\.'; true"), "");
+}
+END_TEST
+
+START_TEST(a_sheet_has_all_frames_and_is_the_same_every_time)
+{
+    say("draw figure " FIGURE "--frames 7 --animate a.png && "
+        "draw figure " FIGURE "--frames 7 --animate b.png && "
+        "cmp a.png b.png && test \"$(grep -ac '32 24 32 32 7$' a.png)\" = 1 "
+        "|| { head -c 90 a.png; exit 1; }");
     ck_assert_str_eq(say("ls -A | grep '^\\.'; true"), "");
 }
 END_TEST
@@ -348,15 +526,22 @@ Suite *suite(void)
         commands_are_refused,
         settings_are_refused,
         queries_are_refused,
+        surfaces_are_refused,
+        bad_meshes_are_refused,
         outputs_that_cannot_be_written_are_refused,
+        names_send_no_commands_to_the_terminal,
         missing_letters_are_refused,
         signals_leave_no_file,
         pictures_are_the_same_every_time,
         resolution_tells_the_size,
         figures_are_listed_and_tell_their_numbers,
         queries_tell_what_the_other_program_tells,
+        surfaces_tell_what_the_other_program_tells,
+        surfaces_tell_what_they_are,
         missing_ffmpeg_is_told,
+        a_full_disk_leaves_no_film,
         films_are_made,
+        a_sheet_has_all_frames_and_is_the_same_every_time,
         films_show_what_moves,
     };
     Suite *s = suite_create("draw/command");

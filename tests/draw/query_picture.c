@@ -25,10 +25,10 @@ static void leave_folder(void)
 }
 
 /// Answer a query as the command does.
-static tf_answered answered_of(const query *q)
+static fig_answered answered_of(const query *q)
 {
-    tf_answered answered = {.kind = tf_query_kind_named(query_name(q))};
-    memcpy(answered.question.vertex, q->vertex, sizeof q->vertex);
+    fig_answered answered = {.kind = tf_query_kind_named(query_name(q))};
+    memcpy(answered.vertex, q->vertex, sizeof q->vertex);
     ck_assert_int_eq(tf_query(&tf_exact, q->axes, q->vertices, q->vertex,
                               q->others, query_const_others(q),
                               &answered.contact),
@@ -40,29 +40,29 @@ static tf_answered answered_of(const query *q)
 /// coordinate is found odd and that all labels are on the page.
 static void expect_picture(const query *q, double t)
 {
-    tf_answered answered = answered_of(q);
-    tf_drawing drawing = tf_query_drawing(&answered);
-    tf_page_options options = {.width = drawing.width,
-                               .height = drawing.height,
-                               .pixels_x = 32,
-                               .pixels_y = 24,
-                               .moves = t >= 0,
-                               .time = fmax(t, 0)};
-    tf_page *page;
+    fig_answered answered = answered_of(q);
+    fig_drawing drawing = fig_query_drawing(&answered);
+    fig_page_options options = {.width = drawing.width,
+                                .height = drawing.height,
+                                .pixels_x = 32,
+                                .pixels_y = 24,
+                                .moves = t >= 0,
+                                .time = fmax(t, 0)};
+    fig_page *page;
     FILE *numbers = fopen("/dev/null", "w");
-    ck_assert_int_eq(tf_page_new(&options, &page), TF_STAGE_OK);
+    ck_assert_int_eq(fig_page_new(&options, &page), FIG_OK);
     drawing.draw(drawing.subject, page, numbers);
-    tf_stage_status status = tf_page_write(page, picture);
-    ck_assert_msg(status == TF_STAGE_OK, "%s\n%s", tf_stage_message(status),
+    fig_status status = fig_page_write(page, picture);
+    ck_assert_msg(status == FIG_OK, "%s\n%s", fig_status_message(status),
                   query_text(q));
-    for (int i = 0; i < tf_page_labels(page); i++) {
-        tf_box box = tf_page_placed(page, i).box;
+    for (int i = 0; i < fig_page_labels(page); i++) {
+        fig_box box = fig_page_placed(page, i).box;
         ck_assert_msg(box.x >= 0 && box.y >= 0 &&
                           box.x + box.width <= drawing.width &&
                           box.y + box.height <= drawing.height,
                       "label %d leaves the page\n%s", i, query_text(q));
     }
-    tf_page_free(page);
+    fig_page_free(page);
     fclose(numbers);
 }
 

@@ -93,7 +93,7 @@ class Learn(unittest.TestCase):
     def test_goes_on_after_success_when_asked(self):
         told = self.answer("return 1;")
         self.assertIn("Solved", told)
-        self.assertIn("Next is 1.2", told)
+        self.assertIn("Next is exercise 1.2", told)
         self.assertFalse((self.root / "work/01-2-two.c").exists())
         self.assertIn("Exercise 1.2", self.run_learn("learn"))
         self.assertIn("solved", self.run_learn("list"))
@@ -101,10 +101,10 @@ class Learn(unittest.TestCase):
     def test_explains_what_went_wrong(self):
         for body, explanation in (
                 ("return 1", "error: expected"),
-                ("for (;;) {}", "a loop without end"),
+                ("for (;;) {}", "an endless loop"),
                 ("int *p = 0; return *p;", "null pointer"),
                 ("int two(void); return two();", "there is no function two"),
-                ("return 1 / answer();", "calls itself without end"),
+                ("return 1 / answer();", "an endless recursion"),
                 ("int a[2] = {0}; int volatile i = 2; return a[i];",
                  "index 2 out of bounds"),
                 ("__builtin_trap();", "a crash"),
@@ -132,7 +132,7 @@ class Learn(unittest.TestCase):
     def test_gives_one_more_hint_each_time(self):
         self.assertNotIn("Hint 2", self.run_learn("hint"))
         self.assertIn("Hint 2: Not two.", self.run_learn("hint"))
-        self.assertIn("the last one", self.run_learn("hint"))
+        self.assertIn("the last hint", self.run_learn("hint"))
 
     def test_asks_before_it_shows_the_solution(self):
         self.assertNotIn("return 1", self.run_learn("solution",
@@ -183,8 +183,8 @@ class Learn(unittest.TestCase):
                 ("return 0", "return 1", "the stub: passes"),
                 ("return 0", "return !", "the stub: It does not compile"),
                 ("TF_WRONG_2", "TF_WRONG_3", "needs TF_SOLUTION"),
-                ("int answer", '#include "tanglefree.h"\nint answer',
-                 "tanglefree.h is of a later chapter")):
+                ("int answer", '#include "query/edge_edge.h"\nint answer',
+                 "query/edge_edge.h is of a later chapter")):
             with self.subTest(fault):
                 path.write_text(ONE.replace(old, new))
                 self.assertIn(fault, self.run_learn("check", status=1))

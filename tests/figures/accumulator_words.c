@@ -38,7 +38,7 @@ static void expect_sums(const char *text, const char *name,
             double c = e[2][(j + 2 * turn) % 3];
             double sign = turn == 1 ? 1 : -1;
             bool negative =
-                signbit(sign) ^ signbit(a) ^ signbit(b) ^ signbit(c);
+                !signbit(sign) ^ !signbit(a) ^ !signbit(b) ^ !signbit(c);
             sum_add(sum[!negative], fabs(a), fabs(b), fabs(c));
         }
     int first = 1000, last = 0;
@@ -65,7 +65,7 @@ START_TEST(words_are_counted)
         {0x1.39adc5cd900e1p-2, -0x1.5fd7e4fab497p-4, -0x1.382988f3c19d2p-2},
         {-0x1.72b9bad814c5fp-2, 0x1.08b61d7e26e86p-4, 0x1.5c960fdb4427ap-2},
         {-0x1.7426e4871b6b3p-2, 0x1.a16e455e5683p-4, 0x1.725a4884d51d7p-2}};
-    char *text = printed(&tf_figure_accumulator_words);
+    char *text = printed(&fig_accumulator_words);
     expect_sums(text, "mixed", mixed);
     expect_sums(text, "ordinary", ordinary);
     // Units of 2^-3222, and 48 products below 2^3072.

@@ -3,7 +3,7 @@
 #include "figures.h"
 #include "support/support.h"
 
-#include "stage/placement.h"
+#include "renderer/box.h"
 
 #include <cairo.h>
 #include <stdio.h>
@@ -28,33 +28,33 @@ static void leave_folder(void)
 static int figure_count(void)
 {
     int count = 0;
-    while (tf_figures[count])
+    while (fig_figures[count])
         count++;
     return count;
 }
 
 // What is right about a page --------------------------------------------------
 
-static void expect_labels(const tf_figure *figure, const tf_page *page)
+static void expect_labels(const fig_figure *figure, const fig_page *page)
 {
     // Bounds of boxes are rounded.
     const double slack = 1e-6;
-    for (int i = 0; i < tf_page_labels(page); i++) {
-        tf_box box = tf_page_placed(page, i).box;
+    for (int i = 0; i < fig_page_labels(page); i++) {
+        fig_box box = fig_page_placed(page, i).box;
         ck_assert_msg(box.x >= -slack && box.y >= -slack &&
                           box.x + box.width <= figure->width + slack &&
                           box.y + box.height <= figure->height + slack,
                       "%s: label %d leaves the page", figure->name, i);
         for (int j = 0; j < i; j++) {
-            tf_box other = tf_page_placed(page, j).box;
-            ck_assert_msg(tf_box_overlap(&box, &other) <= slack,
+            fig_box other = fig_page_placed(page, j).box;
+            ck_assert_msg(fig_box_overlap(&box, &other) <= slack,
                           "%s: label %d is on label %d", figure->name, i, j);
         }
     }
 }
 
 /// Expect that some pixels differ from the one in the corner.
-static void expect_drawn(const tf_figure *figure, int width, int height)
+static void expect_drawn(const fig_figure *figure, int width, int height)
 {
     cairo_surface_t *surface = cairo_image_surface_create_from_png(picture);
     ck_assert_int_eq(cairo_image_surface_get_width(surface), width);
@@ -73,24 +73,24 @@ static void expect_drawn(const tf_figure *figure, int width, int height)
     cairo_surface_destroy(surface);
 }
 
-static void expect_figure(const tf_figure *figure, int width, int height,
-                          const tf_theme *theme)
+static void expect_figure(const fig_figure *figure, int width, int height,
+                          const fig_theme *theme)
 {
-    tf_page_options options = {.width = figure->width,
-                               .height = figure->height,
-                               .pixels_x = width,
-                               .pixels_y = height,
-                               .theme = theme};
-    tf_page *page;
+    fig_page_options options = {.width = figure->width,
+                                .height = figure->height,
+                                .pixels_x = width,
+                                .pixels_y = height,
+                                .theme = theme};
+    fig_page *page;
     FILE *numbers = fopen("/dev/null", "w");
-    ck_assert_int_eq(tf_page_new(&options, &page), TF_STAGE_OK);
+    ck_assert_int_eq(fig_page_new(&options, &page), FIG_OK);
     figure->draw(page, numbers);
-    tf_stage_status status = tf_page_write(page, picture);
-    ck_assert_msg(status == TF_STAGE_OK, "%s: %s", figure->name,
-                  tf_stage_message(status));
+    fig_status status = fig_page_write(page, picture);
+    ck_assert_msg(status == FIG_OK, "%s: %s", figure->name,
+                  fig_status_message(status));
     expect_labels(figure, page);
     expect_drawn(figure, width, height);
-    tf_page_free(page);
+    fig_page_free(page);
     fclose(numbers);
 }
 
@@ -99,34 +99,34 @@ static void expect_figure(const tf_figure *figure, int width, int height,
 START_TEST(figure_is_drawn_at_any_size_in_both_themes)
 {
     static const int size[3][2] = {{64, 48}, {120, 120}, {240, 180}};
-    const tf_figure *figure = tf_figures[_i];
+    const fig_figure *figure = fig_figures[_i];
     for (int i = 0; i < 3; i++) {
-        expect_figure(figure, size[i][0], size[i][1], &tf_theme_light);
-        expect_figure(figure, size[i][0], size[i][1], &tf_theme_dark);
+        expect_figure(figure, size[i][0], size[i][1], &fig_theme_light);
+        expect_figure(figure, size[i][0], size[i][1], &fig_theme_dark);
     }
 }
 END_TEST
 
 /// Where a figure's labels are, all added up, when it is turned.
-static double place_labels(const tf_figure *figure, double azimuth)
+static double place_labels(const fig_figure *figure, double azimuth)
 {
-    tf_page_options options = {.width = figure->width,
-                               .height = figure->height,
-                               .pixels_x = 120,
-                               .pixels_y = 120,
-                               .turned = true,
-                               .azimuth = azimuth,
-                               .elevation = 22};
-    tf_page *page;
+    fig_page_options options = {.width = figure->width,
+                                .height = figure->height,
+                                .pixels_x = 120,
+                                .pixels_y = 120,
+                                .turned = true,
+                                .azimuth = azimuth,
+                                .elevation = 22};
+    fig_page *page;
     FILE *numbers = fopen("/dev/null", "w");
-    ck_assert_int_eq(tf_page_new(&options, &page), TF_STAGE_OK);
+    ck_assert_int_eq(fig_page_new(&options, &page), FIG_OK);
     figure->draw(page, numbers);
-    ck_assert_int_eq(tf_page_write(page, picture), TF_STAGE_OK);
+    ck_assert_int_eq(fig_page_write(page, picture), FIG_OK);
     expect_labels(figure, page);
     double sum = 0;
-    for (int i = 0; i < tf_page_labels(page); i++)
-        sum += tf_page_placed(page, i).box.x;
-    tf_page_free(page);
+    for (int i = 0; i < fig_page_labels(page); i++)
+        sum += fig_page_placed(page, i).box.x;
+    fig_page_free(page);
     fclose(numbers);
     return sum;
 }
@@ -137,7 +137,7 @@ START_TEST(solids_turn)
                                         "bent-slices", "sheared-frame",
                                         "contact",     "edge-edge-sheets"};
     for (size_t i = 0; i < sizeof solid / sizeof *solid; i++) {
-        const tf_figure *figure = tf_figure_named(solid[i]);
+        const fig_figure *figure = fig_figure_named(solid[i]);
         double before = place_labels(figure, 30);
         ck_assert_msg(place_labels(figure, 120) != before, "%s", figure->name);
         ck_assert_double_eq(place_labels(figure, 30), before);
@@ -147,10 +147,11 @@ END_TEST
 
 START_TEST(names_find_figures)
 {
-    for (int i = 0; tf_figures[i]; i++)
-        ck_assert_ptr_eq(tf_figure_named(tf_figures[i]->name), tf_figures[i]);
-    ck_assert_ptr_null(tf_figure_named(""));
-    ck_assert_ptr_null(tf_figure_named("no-such-figure"));
+    for (int i = 0; fig_figures[i]; i++)
+        ck_assert_ptr_eq(fig_figure_named(fig_figures[i]->name),
+                         fig_figures[i]);
+    ck_assert_ptr_null(fig_figure_named(""));
+    ck_assert_ptr_null(fig_figure_named("no-such-figure"));
 }
 END_TEST
 

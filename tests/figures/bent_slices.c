@@ -24,9 +24,9 @@ static void expect_bend(const char *text, const char *name, double bend)
 
 START_TEST(bends_are_those_of_the_ends)
 {
-    char *text = printed(&tf_figure_bent_slices);
+    char *text = printed(&fig_bent_slices);
     expect_bend(text, "edge_bend",
-                angle((double[]){1.2, -0.15, 0}, (double[]){0.7, 1.05, 0}));
+                angle((double[]){4, 0, 0}, (double[]){4, 1, 0}));
     // (b - a) x (c - a), (b - a) x (c' - b') and (b' - a') x (c' - a'), by hand
     double start[3] = {0, 0, 1.02}, mixed[3] = {0.04, 0.48, 0.91},
            end[3] = {0.52, 0.79, 0.93};

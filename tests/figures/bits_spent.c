@@ -40,7 +40,7 @@ START_TEST(bits_are_counted)
                {"space_64", 3, 19, 64},
                {"plane_128", 2, 53, 110},
                {"space_128", 3, 40, 127}};
-    char *text = printed(&tf_figure_bits_spent);
+    char *text = printed(&fig_bits_spent);
     for (int i = 0; i < (int)(sizeof row / sizeof *row); i++) {
         char key[32];
         snprintf(key, sizeof key, "spent_%s", row[i].key);

@@ -4,7 +4,7 @@ START_TEST(determinant_is_that_found_by_hand)
 {
     // Left in the figure of the propeller: (2, 0, 2 t), (0, 2, 0) and
     // (1, -1, 3/8 + t) have the determinant 4 (3/8 + t) - 4 t = 3/2.
-    char *text = printed(&tf_figure_coplanar_times);
+    char *text = printed(&fig_coplanar_times);
     expect_number(text, "up_zeros", 0);
     expect_number(text, "up_met", 0);
     expect_number(text, "up_volume_0", 1.5);

@@ -1,6 +1,5 @@
 #include "figures/numbers.h"
 
-#include "stage/vector.h"
 #include "support/oracle.h"
 #include "support/queries.h"
 
@@ -50,7 +49,7 @@ END_TEST
 
 /// A flat face of a bent triangle.
 typedef struct face {
-    double corner[3][3];
+    tf_vector corner[3];
 } face;
 
 /// The flat pieces of a bent triangle, the middle one in two.
@@ -58,13 +57,13 @@ static void make_faces(const tf_worldline corner[3], double t,
                        face faces[FACES])
 {
     // The place of the way from vertex i to vertex j.
-    double place[3][3][3];
+    tf_vector place[3][3];
     for (int i = 0; i < 3; i++)
         for (int j = i; j < 3; j++) {
             double weight[3] = {0};
             weight[i] += 1 - t;
             weight[j] += t;
-            staircase_point(3, 3, corner, weight, t, place[i][j]);
+            staircase_point(3, 3, corner, weight, t, place[i][j].x);
         }
     static const int way[FACES][3][2] = {{{0, 0}, {0, 1}, {0, 2}},
                                          {{0, 1}, {1, 1}, {1, 2}},
@@ -72,55 +71,45 @@ static void make_faces(const tf_worldline corner[3], double t,
                                          {{0, 2}, {1, 2}, {2, 2}}};
     for (int f = 0; f < FACES; f++)
         for (int i = 0; i < 3; i++)
-            for (int k = 0; k < 3; k++)
-                faces[f].corner[i][k] = place[way[f][i][0]][way[f][i][1]][k];
+            faces[f].corner[i] = place[way[f][i][0]][way[f][i][1]];
 }
 
 /// Six times the volume of a tetrahedron.
-static double volume(const double a[3], const double b[3], const double c[3],
-                     const double d[3])
+static double volume(tf_vector a, tf_vector b, tf_vector c, tf_vector d)
 {
-    double u[3], v[3], w[3], across[3];
-    tf_add(b, -1, a, u);
-    tf_add(c, -1, a, v);
-    tf_add(d, -1, a, w);
-    tf_cross(u, v, across);
-    return tf_dot(across, w);
+    return tf_vector_dot(fig_cross(fig_difference(b, a), fig_difference(c, a)),
+                         fig_difference(d, a));
 }
 
 /// Where a segment pierces a face.
-static bool pierce(const double from[3], const double to[3], const face *f,
-                   double place[3])
+static bool pierce(tf_vector from, tf_vector to, const face *f,
+                   tf_vector *place)
 {
-    const double(*c)[3] = f->corner;
+    const tf_vector *c = f->corner;
     double below = volume(c[0], c[1], c[2], from);
     double above = volume(c[0], c[1], c[2], to);
     if (below * above >= 0)
         return false;
-    double side[3], along[3];
+    double side[3];
     for (int i = 0; i < 3; i++)
         side[i] = volume(from, to, c[i], c[(i + 1) % 3]);
     if (side[0] * side[1] < 0 || side[1] * side[2] < 0 || side[0] * side[2] < 0)
         return false;
-    tf_add(to, -1, from, along);
-    tf_add(from, below / (below - above), along, place);
+    *place = fig_lerp(from, to, below / (below - above));
     return true;
 }
 
 /// The length of the segment that two faces share.
 static double shared_length(const face *a, const face *b)
 {
-    double place[6][3];
+    tf_vector place[6];
     int count = 0;
     for (int i = 0; i < 3; i++) {
-        count += pierce(a->corner[i], a->corner[(i + 1) % 3], b, place[count]);
-        count += pierce(b->corner[i], b->corner[(i + 1) % 3], a, place[count]);
+        int next = (i + 1) % 3;
+        count += pierce(a->corner[i], a->corner[next], b, &place[count]);
+        count += pierce(b->corner[i], b->corner[next], a, &place[count]);
     }
-    if (count < 2)
-        return 0;
-    double along[3];
-    tf_add(place[1], -1, place[0], along);
-    return tf_normalize(along);
+    return count < 2 ? 0 : fig_length(fig_difference(place[1], place[0]));
 }
 
 static double crossing_length(double t)
@@ -139,7 +128,7 @@ static double crossing_length(double t)
 
 START_TEST(triangles_cross_in_mid_step_only)
 {
-    char *text = printed(&tf_figure_crease_crossing);
+    char *text = printed(&fig_crease_crossing);
     expect_number(text, "point_triangle_hits", 0);
     expect_number(text, "edge_edge_hits", 0);
     expect_number(text, "length_start", crossing_length(0));
@@ -154,12 +143,29 @@ START_TEST(triangles_cross_in_mid_step_only)
 }
 END_TEST
 
+START_TEST(close_ups_are_before_and_after)
+{
+    char *text = printed(&fig_crease_crossing);
+    double before = number_of(text, "time_before");
+    double after = number_of(text, "time_after");
+    ck_assert_double_lt(before, after);
+    ck_assert_double_lt(after, number_of(text, "time"));
+    expect_number(text, "length_before", 0);
+    ck_assert_double_eq(crossing_length(before), 0);
+    ck_assert_double_gt(crossing_length(after), 1);
+    ck_assert_double_eq_tol(number_of(text, "length_after"),
+                            crossing_length(after), 1e-9);
+    free(text);
+}
+END_TEST
+
 Suite *suite(void)
 {
     Suite *suite =
         suite_of("figures/crease_crossing", triangles_cross_in_mid_step_only);
     TCase *queries = tcase_create("queries");
     tcase_add_test(queries, none_of_the_fifteen_queries_hits);
+    tcase_add_test(queries, close_ups_are_before_and_after);
     suite_add_tcase(suite, queries);
     return suite;
 }

@@ -6,14 +6,14 @@
 START_TEST(contact_is_where_the_oracle_has_it)
 {
     tf_worldline point =
-        tf_worldline_between(2, (double[]){1.2, 0.1}, (double[]){0.75, 1.15});
+        tf_worldline_between(2, (double[]){1, 3}, (double[]){2, 0});
     tf_worldline edge[2] = {
-        tf_worldline_between(2, (double[]){0.15, 1.05}, (double[]){0.35, 0.3}),
-        tf_worldline_between(2, (double[]){1.5, 0.9}, (double[]){1.6, 0.85})};
-    char *text = printed(&tf_figure_edge_sweep);
+        tf_worldline_between(2, (double[]){0, 0}, (double[]){0, 1}),
+        tf_worldline_between(2, (double[]){4, 0}, (double[]){4, 2})};
+    char *text = printed(&fig_edge_sweep);
     double lo = number_of(text, "toi_lo"), hi = number_of(text, "toi_hi");
-    double weight[2] = {number_of(text, "weight_e0"),
-                        number_of(text, "weight_e1")};
+    double weight[2] = {number_of(text, "barycentric_e0"),
+                        number_of(text, "barycentric_e1")};
 
     mpq_t toi, end;
     mpq_inits(toi, end, NULL);

@@ -17,7 +17,7 @@ START_TEST(error_stays_in_the_band)
         if (number != 0)
             step = fmin(step, fabs(number / u));
     }
-    char *text = printed(&tf_figure_error_band);
+    char *text = printed(&fig_error_band);
     expect_number(text, "error", worst);
     expect_number(text, "step", step);
     // At the diagonal both products are about 11.5 23.5.

@@ -1,16 +1,17 @@
 #include "figures/numbers.h"
 
+#include "random.h"
+
 enum {
     STEPS = 2000,
     VERTICES = 5,
     MOST = 16
 };
 
-/// The figure's sequence.
-static double next_random(uint64_t *state)
+/// From -1 up to 1.
+static double next_number(uint64_t *state)
 {
-    *state = *state * 6364136223846793005u + 1442695040888963407u;
-    return (double)(*state >> 11) * 0x1p-52 - 1;
+    return 2 * ldexp((double)(fig_congruent_bits(state) >> 11), -53) - 1;
 }
 
 static void make_step(uint64_t *state, tf_worldline vertex[VERTICES])
@@ -18,8 +19,8 @@ static void make_step(uint64_t *state, tf_worldline vertex[VERTICES])
     for (int v = 0; v < VERTICES; v++) {
         double start[TF_AXES], end[TF_AXES];
         for (int k = 0; k < TF_AXES; k++) {
-            start[k] = next_random(state);
-            end[k] = start[k] + 2 * next_random(state);
+            start[k] = next_number(state);
+            end[k] = start[k] + 2 * next_number(state);
         }
         vertex[v] = tf_worldline_between(TF_AXES, start, end);
     }
@@ -61,7 +62,7 @@ static bool cross_at(const tf_worldline v[VERTICES], int t)
 
 START_TEST(counts_are_the_oracles)
 {
-    char *text = printed(&tf_figure_even_sums);
+    char *text = printed(&fig_even_sums);
     long contacts[MOST + 1] = {0}, sums[MOST + 1] = {0};
     uint64_t state = 1;
     mpq_t unused;

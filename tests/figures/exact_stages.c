@@ -41,7 +41,7 @@ START_TEST(stages_are_counted)
             wholes += fabs(down - up) <= bound && !rounded;
             tails += fabs(down - up) <= bound && rounded;
         }
-    char *text = printed(&tf_figure_exact_stages);
+    char *text = printed(&fig_exact_stages);
     expect_number(text, "estimate", estimate);
     expect_number(text, "wholes", wholes);
     expect_number(text, "tails", tails);

@@ -17,7 +17,7 @@ static void find_determinant(mpz_t determinant)
 
 START_TEST(bits_and_terms_are_counted)
 {
-    char *text = printed(&tf_figure_expansion_terms);
+    char *text = printed(&fig_expansion_terms);
     mpz_t determinant;
     mpz_init(determinant);
     find_determinant(determinant);

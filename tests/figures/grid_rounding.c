@@ -45,7 +45,7 @@ static bool edges_meet(bool rounded)
 
 START_TEST(rounding_turns_and_crosses)
 {
-    char *text = printed(&tf_figure_grid_rounding);
+    char *text = printed(&fig_grid_rounding);
     expect_number(text, "double_area", double_area(false));
     expect_number(text, "double_area_rounded", double_area(true));
     ck_assert(double_area(false) > 0 && double_area(true) < 0);

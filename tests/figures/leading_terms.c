@@ -1,6 +1,6 @@
 #include "figures/numbers.h"
 
-#include "query/contact.h"
+#include "query/query.h"
 #include "support/sums.h"
 
 // Perturbed signs by counting.  Number a determinant's symbols from the largest
@@ -10,7 +10,7 @@
 
 enum {
     QUERIES = 10000,
-    MOST_EVENTS = 6
+    MOST_EVENTS = 5
 };
 
 typedef struct events {
@@ -54,11 +54,11 @@ static int degree_of(int product, int symbols)
 }
 
 /// The event with the symbol of bit 3 e + k is 1 on axis k and the others 0.
-static tf_sign factor_of(const tf_differences *d, const events *all,
-                         int product)
+static tf_sign coefficient_of(const tf_differences *d, const events *all,
+                              int product)
 {
     tf_event moved[MOST_EVENTS];
-    tf_differences factor = *d;
+    tf_differences row = *d;
     for (int e = 0; e < all->count; e++)
         moved[e] = *all->event[e];
     for (int bit = 0; bit < TF_AXES * all->count; bit++)
@@ -68,43 +68,47 @@ static tf_sign factor_of(const tf_differences *d, const events *all,
     for (int e = 0; e < all->count; e++)
         for (int i = 0; i < d->n; i++) {
             if (d->to[i] == all->event[e])
-                factor.to[i] = &moved[e];
+                row.to[i] = &moved[e];
             if (d->from[i] == all->event[e])
-                factor.from[i] = &moved[e];
+                row.from[i] = &moved[e];
         }
     mpz_t sum;
     mpz_init(sum);
-    sum_determinant(sum, &factor);
+    sum_determinant(sum, &row);
     tf_sign sign = sum_sign(sum);
     mpz_clear(sum);
     return sign;
 }
 
 static long zeros, tried, first, degrees[TF_AXES + 1];
+static long events_needed[MOST_EVENTS + 1];
 static int most;
 
 static tf_sign counting_sign(const tf_differences *d)
 {
     events all = {.count = 0};
-    tf_sign sign = factor_of(d, &all, 0);
+    tf_sign sign = coefficient_of(d, &all, 0);
     if (sign != TF_ZERO)
         return sign;
     for (int i = 0; i < d->n; i++) {
         add_event(&all, d->to[i]);
         add_event(&all, d->from[i]);
     }
-    int count = 0, degree = 0;
+    int count = 0, degree = 0, last = 0;
     for (int product = 1; sign == TF_ZERO; product++) {
         degree = degree_of(product, TF_AXES * all.count);
         if (degree == 0)
             continue;
         count++;
-        sign = factor_of(d, &all, product);
+        while (product >> (last + 1))
+            last++; // the bit of the smallest symbol
+        sign = coefficient_of(d, &all, product);
     }
     zeros++;
     tried += count;
     first += count == 1;
     degrees[degree]++;
+    events_needed[last / TF_AXES + 1]++;
     most = count > most ? count : most;
     return sign;
 }
@@ -137,7 +141,7 @@ START_TEST(counts_are_right)
                                   4 - points, vertex + points, &contact),
                          TF_OK);
     }
-    char *text = printed(&tf_figure_leading_terms);
+    char *text = printed(&fig_leading_terms);
     expect_number(text, "zeros", (double)zeros);
     expect_number(text, "mean", (double)tried / (double)zeros);
     expect_number(text, "most", most);
@@ -147,6 +151,13 @@ START_TEST(counts_are_right)
     for (int i = 0; i < 3; i++)
         expect_number(text, keys[i],
                       100. * (double)degrees[i + 1] / (double)zeros);
+    long decided = 0;
+    for (int i = 1; i <= 4; i++) {
+        char key[32];
+        snprintf(key, sizeof key, "events_%d_percent", i);
+        decided += events_needed[i];
+        expect_number(text, key, 100. * (double)decided / (double)zeros);
+    }
     free(text);
 }
 END_TEST

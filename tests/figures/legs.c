@@ -8,8 +8,8 @@ typedef struct flat {
 } flat;
 
 static const flat flats[] = {
-    {"late", {0.05, 0.8}, {0.2, 0.95}, 0.5, 1},
-    {"early", {0, 0.75}, {0.15, 0.9}, 0.45, 0},
+    {"end", {0.05, 0.8}, {0.2, 0.95}, 0.5, 1},
+    {"start", {0, 0.75}, {0.15, 0.9}, 0.45, 0},
     {"within", {0.3, 0.9}, {0.1, 0.85}, 0.35, 0},
 };
 
@@ -41,7 +41,7 @@ static double time_of(const flat *f, int first, int last)
 
 START_TEST(times_are_those_of_the_oracle)
 {
-    char *text = printed(&tf_figure_legs), key[32];
+    char *text = printed(&fig_legs), key[32];
     for (size_t i = 0; i < sizeof flats / sizeof *flats; i++) {
         const flat *f = &flats[i];
         double first = time_of(f, 0, 1);

@@ -131,16 +131,29 @@ static void expect_counts(const char *text, double displacement)
     expect_at(text, "differ", displacement, (double)differ / QUERIES);
     expect_at(text, "one_in", displacement, (double)QUERIES / differ);
     expect_at(text, "share", displacement, (double)differ / hits);
+    expect_at(text, "error", displacement, sqrt(differ) / hits);
+}
+
+/// Short motions are near the limit, as near as their counts are certain.
+static void expect_limit(const char *text)
+{
+    double limit = number_of(text, "share_in_the_limit");
+    double share = number_of(text, "share_0.02");
+    double error = number_of(text, "error_0.02");
+    ck_assert_msg(fabs(share - limit) < 2 * error,
+                  "a share of %g +- %g, and %g in the limit", share, error,
+                  limit);
 }
 
 START_TEST(counts_are_right)
 {
     // Those that the text tells.
-    char *text = printed(&tf_figure_models_apart);
+    char *text = printed(&fig_models_apart);
     expect_number(text, "queries", QUERIES);
     expect_counts(text, 0.01);
     expect_counts(text, 0.1);
     expect_counts(text, 1);
+    expect_limit(text);
     free(text);
 }
 END_TEST

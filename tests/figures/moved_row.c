@@ -29,7 +29,7 @@ static int turn_of(double x[3][AXES])
 /// two, b and c by these divided by `ratio` once and twice.
 START_TEST(moved_points_turn_as_printed)
 {
-    char *text = printed(&tf_figure_moved_row);
+    char *text = printed(&fig_moved_row);
     const double first[AXES] = {number_of(text, "first"),
                                 number_of(text, "second")};
     ck_assert(first[0] > first[1] && first[1] > 0);

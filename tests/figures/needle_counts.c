@@ -20,7 +20,7 @@ static const struct {
 
 START_TEST(needles_meet_as_many_triangles)
 {
-    char *text = printed(&tf_figure_needle_counts);
+    char *text = printed(&fig_needle_counts);
     for (int n = 0; n < 3; n++) {
         tf_event corner[8], end[2];
         for (int i = 0; i < 8; i++)

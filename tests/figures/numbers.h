@@ -15,29 +15,29 @@
 #include <string.h>
 
 /// What a figure prints when it is drawn in a theme.  The caller frees it.
-static inline char *printed_in(const tf_figure *figure, const tf_theme *theme)
+static inline char *printed_in(const fig_figure *figure, const fig_theme *theme)
 {
-    tf_page_options options = {.width = figure->width,
-                               .height = figure->height,
-                               .pixels_x = TF_FIGURE_PIXELS_X,
-                               .pixels_y = TF_FIGURE_PIXELS_Y,
-                               .theme = theme};
+    fig_page_options options = {.width = figure->width,
+                                .height = figure->height,
+                                .pixels_x = FIG_PAGE_PIXELS_X,
+                                .pixels_y = FIG_PAGE_PIXELS_Y,
+                                .theme = theme};
     char *text = NULL;
     size_t size;
     FILE *numbers = open_memstream(&text, &size);
-    tf_page *page;
-    ck_assert_int_eq(tf_page_new(&options, &page), TF_STAGE_OK);
+    fig_page *page;
+    ck_assert_int_eq(fig_page_new(&options, &page), FIG_OK);
     figure->draw(page, numbers);
-    tf_page_free(page);
+    fig_page_free(page);
     fclose(numbers);
     return text;
 }
 
 /// The same for both themes, in which it must not differ.
-static inline char *printed(const tf_figure *figure)
+static inline char *printed(const fig_figure *figure)
 {
-    char *light = printed_in(figure, &tf_theme_light);
-    char *dark = printed_in(figure, &tf_theme_dark);
+    char *light = printed_in(figure, &fig_theme_light);
+    char *dark = printed_in(figure, &fig_theme_dark);
     ck_assert_str_eq(light, dark);
     free(dark);
     return light;

@@ -3,7 +3,7 @@
 START_TEST(one_overtakes_in_time)
 {
     // By hand: 0.1 + 0.8 t = 0.4 + 0.1 t.
-    char *text = printed(&tf_figure_on_a_line);
+    char *text = printed(&fig_on_a_line);
     expect_number(text, "overtakes", 3. / 7);
     free(text);
 }

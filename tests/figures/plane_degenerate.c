@@ -62,7 +62,7 @@ static void expect_encounter(const char *text, const expected *e)
 
 START_TEST(verdicts_and_times_are_the_oracles)
 {
-    char *text = printed(&tf_figure_plane_degenerate);
+    char *text = printed(&fig_plane_degenerate);
     for (size_t i = 0; i < sizeof encounters / sizeof encounters[0]; i++)
         expect_encounter(text, &encounters[i]);
     ck_assert_double_eq(number_of(text, "parallel_hit"), 0);

@@ -1,16 +1,16 @@
 #include "figures/numbers.h"
 
 // The triangle of the figure: a, b and c in the plane at t = 0 and t = 1.
-static const double start[3][2] = {{0, 0.35}, {0.4, 0}, {0.7, 0.5}};
-static const double end[3][2] = {{0.05, 0.25}, {0.5, 0.05}, {0.65, 0.6}};
+static const fig_point start[3] = {{0, 0.35}, {0.4, 0}, {0.7, 0.5}};
+static const fig_point end[3] = {{0.05, 0.25}, {0.5, 0.05}, {0.65, 0.6}};
 
 /// Twice the area of a polygon, by Gauss's formula.
-static double twice_area(int count, const double corner[][2])
+static double twice_area(int count, const fig_point corner[])
 {
     double sum = 0;
     for (int i = 0; i < count; i++) {
-        const double *p = corner[i], *q = corner[(i + 1) % count];
-        sum += p[0] * q[1] - p[1] * q[0];
+        fig_point p = corner[i], q = corner[(i + 1) % count];
+        sum += p.x * q.y - p.y * q.x;
     }
     return sum;
 }
@@ -23,19 +23,18 @@ static double whole_volume(void)
     // the midpoint of the event at t = 0 of the first and the one at t = 1 of
     // the second.
     static const int from[6] = {0, 0, 1, 1, 2, 0}, to[6] = {0, 1, 1, 2, 2, 2};
-    double middle[6][2];
+    fig_point middle[6];
     for (int i = 0; i < 6; i++)
-        for (int k = 0; k < 2; k++)
-            middle[i][k] = (start[from[i]][k] + end[to[i]][k]) / 2;
-    return (twice_area(3, start) +
-            4 * twice_area(6, (const double(*)[2])middle) +
+        middle[i] = (fig_point){(start[from[i]].x + end[to[i]].x) / 2,
+                                (start[from[i]].y + end[to[i]].y) / 2};
+    return (twice_area(3, start) + 4 * twice_area(6, middle) +
             twice_area(3, end)) /
            12;
 }
 
 START_TEST(volumes_are_right)
 {
-    char *text = printed(&tf_figure_prism);
+    char *text = printed(&fig_prism);
     // (b - a) x (c - a), (b - a) x (c' - b') and (b' - a') x (c' - a'), by hand
     expect_number(text, "volume_abcc", 0.305 / 6);
     expect_number(text, "volume_abbc", 0.2725 / 6);

@@ -23,7 +23,7 @@ START_TEST(one_order_meets_the_bar)
                         (double[]){0, 0.375});
     double down = time_of((tf_worldline[]){right, left}, (double[]){1, 0.1875},
                           (double[]){0, 0.1875});
-    char *text = printed(&tf_figure_propeller);
+    char *text = printed(&fig_propeller);
     expect_number(text, "up_hit", up >= 0);
     expect_number(text, "up_toi", up);
     expect_number(text, "down_hit", down >= 0);

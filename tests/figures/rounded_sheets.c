@@ -106,7 +106,7 @@ static int count_crossings(const int matrix[3][3], bool rounded)
 
 START_TEST(only_what_is_rotated_and_rounded_crosses)
 {
-    char *text = printed(&tf_figure_rounded_sheets);
+    char *text = printed(&fig_rounded_sheets);
     expect_number(text, "triangles", 2 * 6 * 6 * 2);
     expect_number(text, "upright_rounded", count_crossings(upright, true));
     expect_number(text, "rotated", count_crossings(rotated, false));

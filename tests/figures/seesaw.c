@@ -21,10 +21,10 @@ START_TEST(plank_kicks_the_fly)
         tf_worldline_between(2, (double[]){-2, 2}, (double[]){-2, -2}),
         tf_worldline_between(2, (double[]){2, -2}, (double[]){2, 2})};
     double t = oracle_time(2, 1, &still, 2, plank), at[2], move[2];
-    char *text = printed(&tf_figure_seesaw);
+    char *text = printed(&fig_seesaw);
     expect_number(text, "toi", t);
-    expect_number(text, "weight_0", 0.5);
-    expect_number(text, "weight_1", 0.5);
+    expect_number(text, "barycentric_0", 0.5);
+    expect_number(text, "barycentric_1", 0.5);
     staircase_point(2, 2, plank, (double[]){0.5, 0.5}, t, at);
     for (int k = 0; k < 2; k++)
         ck_assert_double_eq(at[k], fly[k]);
@@ -39,7 +39,7 @@ START_TEST(plank_kicks_the_fly)
     const double half = sqrt(0.5);
     expect_number(text, "normal_x", half);
     expect_number(text, "normal_y", half);
-    expect_number(text, "speed", half * (velocity[0] + velocity[1]));
+    expect_number(text, "normal_velocity", half * (velocity[0] + velocity[1]));
     free(text);
 }
 END_TEST

@@ -22,7 +22,7 @@ START_TEST(patterns_are_those_of_the_origin)
     // (0, 1), (4, 2); each corner less the point of its time.
     static const int apart[3][2] = {{-1, -3}, {3, -3}, {2, 2}};
     static const int hit[3][2] = {{-1, -3}, {-2, 1}, {2, 2}};
-    char *text = printed(&tf_figure_seven_regions);
+    char *text = printed(&fig_seven_regions);
     expect_number(text, "apart_pattern", pattern_of(apart));
     expect_number(text, "hit_pattern", pattern_of(hit));
     free(text);

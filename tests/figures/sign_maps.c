@@ -53,7 +53,7 @@ START_TEST(signs_are_counted)
             count(&clamped, down - up, bound, truth);
             count(&exact, truth, 0, truth);
         }
-    char *text = printed(&tf_figure_sign_maps);
+    char *text = printed(&fig_sign_maps);
     expect_counts(text, "naive", &naive);
     expect_counts(text, "clamped", &clamped);
     expect_counts(text, "exact", &exact);

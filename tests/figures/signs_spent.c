@@ -19,13 +19,13 @@ static void make_query(generator *random, tf_worldline vertex[4])
     }
 }
 
-/// The tetrahedron of a mover in the point's frame: its corners at t = 0, up to
-/// the mover's, and then those at t = 1.
-static void see(const tf_worldline vertex[4], int mover,
+/// The tetrahedron of a pivot in the point's frame: its corners at t = 0, up to
+/// the pivot's, and then those at t = 1.
+static void see(const tf_worldline vertex[4], int pivot,
                 double corner[CORNERS][3])
 {
     for (int i = 0; i < CORNERS; i++) {
-        int late = i > mover;
+        int late = i > pivot;
         for (int k = 0; k < 3; k++)
             corner[i][k] =
                 vertex[1 + i - late].at[late].x[k] - vertex[0].at[late].x[k];
@@ -65,14 +65,14 @@ static double weight_of(double corner[CORNERS][3], int i)
 
 /// The barycentric coordinates in the order in which they are asked for: at
 /// each time the point's, which is the sum, and then the triangle's.
-static void find_coordinates(double corner[CORNERS][3], int mover,
+static void find_coordinates(double corner[CORNERS][3], int pivot,
                              double coordinate[CORNERS + 2])
 {
     int count = 0;
     for (int late = 0; late < 2; late++) {
         double *sum = &coordinate[count++];
         *sum = 0;
-        for (int i = late ? mover + 1 : 0; i < (late ? CORNERS : mover + 1);
+        for (int i = late ? pivot + 1 : 0; i < (late ? CORNERS : pivot + 1);
              i++)
             *sum += coordinate[count++] = weight_of(corner, i);
     }
@@ -80,10 +80,10 @@ static void find_coordinates(double corner[CORNERS][3], int mover,
 
 /// How many signs are asked for until two conflict; none must be zero.  Tells
 /// whether none did.
-static bool ask(double corner[CORNERS][3], int mover, int *signs)
+static bool ask(double corner[CORNERS][3], int pivot, int *signs)
 {
     double coordinate[CORNERS + 2];
-    find_coordinates(corner, mover, coordinate);
+    find_coordinates(corner, pivot, coordinate);
     for (int i = 0; i < CORNERS + 2; i++) {
         ++*signs;
         if ((coordinate[i] > 0) != (coordinate[0] > 0))
@@ -95,10 +95,10 @@ static bool ask(double corner[CORNERS][3], int mover, int *signs)
 static bool ask_all(const tf_worldline vertex[4], int *signs)
 {
     bool hit = false;
-    for (int mover = 2; mover >= 0; mover--) {
+    for (int pivot = 2; pivot >= 0; pivot--) {
         double corner[CORNERS][3];
-        see(vertex, mover, corner);
-        if (!beside_an_axis(corner) && ask(corner, mover, signs))
+        see(vertex, pivot, corner);
+        if (!beside_an_axis(corner) && ask(corner, pivot, signs))
             hit = true;
     }
     return hit;
@@ -119,7 +119,7 @@ START_TEST(counts_are_right)
         queries[hit] += asked > 0;
         signs[hit] += asked;
     }
-    char *text = printed(&tf_figure_signs_spent);
+    char *text = printed(&fig_signs_spent);
     expect_number(text, "queries", QUERIES);
     expect_number(text, "hits", queries[true]);
     expect_number(text, "none_percent", 100. * none / QUERIES);

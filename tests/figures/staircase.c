@@ -1,13 +1,13 @@
 #include "figures/numbers.h"
 
-#include "spacetime/sweep.h"
+#include "geometry/sweep.h"
 
 START_TEST(all_staircases_are_drawn)
 {
     int count = 0;
     for (int vertices = 1; vertices <= TF_VERTICES; vertices++)
         count += vertices;
-    char *text = printed(&tf_figure_staircase);
+    char *text = printed(&fig_staircase);
     expect_number(text, "staircases", count);
     free(text);
 }

@@ -43,7 +43,7 @@ START_TEST(distances_are_right)
         shift = fmax(shift, hypot(bent[i][0] - straight[i][0],
                                   bent[i][1] - straight[i][1]));
     }
-    char *text = printed(&tf_figure_staircase_patch);
+    char *text = printed(&fig_staircase_patch);
     expect_number(text, "gap", 0.37125 / sqrt(0.925)); // by hand
     expect_number(text, "shift", sqrt(0.150625));
     ck_assert_double_eq_tol(number_of(text, "shift"), shift, 1e-12);

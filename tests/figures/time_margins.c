@@ -1,39 +1,36 @@
 #include "figures/numbers.h"
 
 #include "arithmetic/exact.h"
-#include "spacetime/complementary.h"
+#include "intersect/complementary.h"
+#include "random.h"
 
 enum {
     QUERIES = 1500,
     COORDINATE_BITS = 29
 };
 
-/// The figure's sequence of coordinates.
-static double next_coordinate(uint64_t *state)
-{
-    *state = *state * 6364136223846793005u + 1442695040888963407u;
-    return (double)(*state >> (64 - COORDINATE_BITS));
-}
-
 static void make_query(uint64_t *state, tf_worldline vertex[3])
 {
     for (int i = 0; i < 3; i++) {
         double at[2][2];
         for (int k = 0; k < 4; k++)
-            at[k / 2][k % 2] = next_coordinate(state);
+            at[k / 2][k % 2] =
+                (double)(fig_congruent_bits(state) >> (64 - COORDINATE_BITS));
         vertex[i] = tf_worldline_between(2, at[0], at[1]);
     }
 }
 
 /// The library's interval for the path of the first vertex and the triangle in
 /// which the last moves; whether they meet.
-static bool find_interval(const tf_worldline vertex[3], tf_meeting *meeting)
+static bool find_interval(const tf_worldline vertex[3],
+                          tf_intersection *meeting)
 {
     tf_simplex path[1], sweep[2];
     tf_sweep(1, vertex, path);
     tf_sweep(2, vertex + 1, sweep);
     tf_pair pair = tf_pair_of(&path[0], &sweep[0], 2);
-    return tf_complementary_meet(&tf_exact, &pair, meeting) &&
+    return tf_complementary_intersect(&tf_exact, &pair, TF_WITH_POINT,
+                                      meeting) &&
            meeting->verdict == TF_HIT;
 }
 
@@ -60,12 +57,12 @@ static double error_of(double x, const mpq_t toi)
 START_TEST(errors_are_those_from_the_true_time)
 {
     uint64_t state = 2009;
-    double widest = 0, slack = INFINITY;
+    double widest = 0, slack = INFINITY, farthest = 0;
     mpq_t toi;
     mpq_init(toi);
     for (int found = 0; found < QUERIES;) {
         tf_worldline vertex[3];
-        tf_meeting meeting;
+        tf_intersection meeting;
         make_query(&state, vertex);
         if (!find_interval(vertex, &meeting) || meeting.toi_lo < 0x1p-6)
             continue;
@@ -76,13 +73,16 @@ START_TEST(errors_are_those_from_the_true_time)
         ck_assert_msg(low <= 0 && high >= 0, "%.17g is outside", t);
         widest = fmax(widest, high - low);
         slack = fmin(slack, fmin(-low, high) / margin);
+        farthest = fmax(farthest, fmax(-low, high) / margin);
         found++;
     }
     mpq_clear(toi);
-    char *text = printed(&tf_figure_time_margins);
+    char *text = printed(&fig_time_margins);
     expect_number(text, "queries", QUERIES);
     expect_number(text, "widest", widest);
     expect_number(text, "slack", slack);
+    expect_number(text, "farthest", farthest);
+    ck_assert_double_le(farthest, 2);
     free(text);
 }
 END_TEST

@@ -11,7 +11,7 @@ START_TEST(numbers_of_the_format_are_counted)
         normal += odd < 8 && i >= 4;
         subnormal += i < 4;
     }
-    char *text = printed(&tf_figure_toy_doubles);
+    char *text = printed(&fig_toy_doubles);
     expect_number(text, "normal", normal);
     expect_number(text, "subnormal", subnormal);
     free(text);

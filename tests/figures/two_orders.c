@@ -3,7 +3,7 @@
 START_TEST(one_order_meets_the_point)
 {
     // It is told once: the other order does not meet.
-    char *text = printed(&tf_figure_two_orders);
+    char *text = printed(&fig_two_orders);
     ck_assert_str_eq(text, "toi 0.5\n");
     free(text);
 }

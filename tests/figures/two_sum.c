@@ -6,7 +6,7 @@
 START_TEST(the_two_doubles_are_the_sum)
 {
     const double a = 0x1.921fb54442d18p+1, b = 0x1.5bf0a8b145769p-23;
-    char *text = printed(&tf_figure_two_sum);
+    char *text = printed(&fig_two_sum);
     double hi = number_of(text, "hi"), lo = number_of(text, "lo");
     mpz_t sum;
     mpz_init(sum);

@@ -18,7 +18,7 @@ START_TEST(band_winds_where_edges_cross)
     const tf_worldline g[2] = {
         tf_worldline_between(2, (double[]){0.3, -0.9}, (double[]){0.1, -0.7}),
         tf_worldline_between(2, (double[]){0.5, 0.8}, (double[]){0.15, 1})};
-    char *text = printed(&tf_figure_winding);
+    char *text = printed(&fig_winding);
     expect_number(text, "toi", oracle_time(2, 1, &e[1], 2, g));
 
     // The border of a parallelogram winds around what is inside, once.

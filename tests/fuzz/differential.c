@@ -1,7 +1,10 @@
-// Any bytes as a query, judged by the oracle: the first byte tells the kind and
-// how the others make coordinates, which are finite whatever the bytes.
+// Any bytes as a query: the first byte gives the kind and how the others make
+// coordinates, which are finite whatever the bytes.  The oracle is slow, so that
+// it judges few; the answers to all have to agree with each other.
 #include "arithmetic/clamped.h"
 #include "arithmetic/exact.h"
+#include "arithmetic/integer.h"
+#include "support/invariants.h"
 #include "support/judge.h"
 
 #include <math.h>
@@ -9,16 +12,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-/// What is left of the bytes; zeros after their end.
+/// What is left of the bytes; after their end, always the same random ones.
 typedef struct input {
     const uint8_t *byte;
     size_t left;
+    generator more;
 } input;
 
 static int next_byte(input *bytes)
 {
     if (bytes->left == 0)
-        return 0;
+        return below(&bytes->more, 256);
     bytes->left--;
     return *bytes->byte++;
 }
@@ -50,15 +54,27 @@ static void scale_axes(input *bytes, query *q)
         query_scale(q, axis, 8 * next_byte(bytes) - 1024);
 }
 
+/// Integers of all sizes that are exact in 128 bits.
+static void shear(input *bytes, query *q)
+{
+    for (int i = 0; i < query_size(q); i++)
+        *query_coordinate(q, i) = round(*query_coordinate(q, i));
+    generator random = {(uint64_t)next_byte(bytes)};
+    query_shear(&random, q, tf_arithmetic_bits(&tf_integer128, q->axes));
+}
+
 static query decode(input *bytes)
 {
-    int first = next_byte(bytes), mode = first / KINDS % 3;
+    int first = next_byte(bytes), mode = first / KINDS % 4;
     query q = query_new((query_kind)(first % KINDS));
     for (int i = 0; i < query_size(&q); i++)
         *query_coordinate(&q, i) =
             mode == 1 ? any_double(bytes) : near_lattice(bytes);
     if (mode == 2)
         scale_axes(bytes, &q);
+    if (mode == 3)
+        shear(bytes, &q);
+    query_number(&q);
     return q;
 }
 
@@ -70,18 +86,57 @@ static void stop_at(const char *fault, const query *q)
     abort();
 }
 
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+/// The oracle, and what it does not judge.
+static void judge(const query *q)
 {
-    input bytes = {data, size};
-    query q = decode(&bytes);
     truth known;
     tf_contact contact;
     truth_init(&known);
-    truth_find(&q, &known);
-    stop_at(exact_fault(&q, &tf_exact, &known, &contact), &q);
-    stop_at(sound_fault(&q, &tf_clamped, &known, &contact), &q);
-    query_number(&q);
-    stop_at(perturbed_fault(&q), &q);
+    truth_find(q, &known);
+    stop_at(exact_fault(q, &tf_exact, &known, &contact), q);
+    stop_at(sound_fault(q, &tf_clamped, &known, &contact), q);
     truth_clear(&known);
+}
+
+/// A number that depends on all bytes.
+static uint64_t hash_of(const uint8_t *data, size_t size)
+{
+    uint64_t hash = UINT64_C(0xcbf29ce484222325); // FNV-1a
+    for (size_t i = 0; i < size; i++)
+        hash = (hash ^ data[i]) * UINT64_C(0x100000001b3);
+    return hash;
+}
+
+enum {
+    JUDGED = 1000 // one query in so many
+};
+
+/// perturbed_fault() as an invariant.
+static const char *moved_fault(generator *random, const query *q,
+                               const tf_contact *exact)
+{
+    (void)random;
+    (void)exact;
+    return perturbed_fault(q);
+}
+
+/// A query has to meet one of these, picked by the hash: others like it will
+/// meet the others.
+static invariant *const invariants[] = {
+    change_fault, change_fault,   reversal_fault, reversal_fault,
+    batch_fault,  integers_fault, clamped_fault,  moved_fault,
+};
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    input bytes = {data, size, {0}};
+    query q = decode(&bytes);
+    generator random = {hash_of(data, size)};
+    if (below(&random, JUDGED) == 0)
+        judge(&q);
+    tf_contact exact = ask(&tf_exact, &q);
+    stop_at(contact_fault(&random, &q, &exact), &q);
+    int count = (int)(sizeof invariants / sizeof *invariants);
+    stop_at(invariants[below(&random, count)](&random, &q, &exact), &q);
     return 0;
 }

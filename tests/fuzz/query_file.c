@@ -28,19 +28,24 @@ static int rows(const tf_query_kind *kind)
     return 2 * (kind->vertices[0] + kind->vertices[1]);
 }
 
-static void check_question(const tf_question *question,
-                           const tf_query_kind *kind)
+/// Every row is on a line of its own, after *last, which becomes the last.
+static void check_lines(const tf_query_rows *query, const tf_query_kind *kind,
+                        long *last, long most)
 {
-    require(question->truth >= -1 && question->truth <= 1);
-    require(question->rounded >= 0 &&
-            question->rounded <= rows(kind) * kind->axes);
     for (int row = 0; row < rows(kind); row++) {
-        int t = row / (rows(kind) / 2);
-        const tf_event *event = &question->vertex[row % (rows(kind) / 2)].at[t];
-        require(event->t == t);
-        for (int k = 0; k < TF_AXES; k++)
-            require(isfinite(event->x[k]));
+        require(query->line[row] > *last && query->line[row] <= most);
+        *last = query->line[row];
     }
+}
+
+static void check_query(const tf_query_rows *query, const tf_query_kind *kind)
+{
+    require(query->ground_truth >= -1 && query->ground_truth <= 1);
+    require(query->rounded >= 0 && query->rounded <= rows(kind) * kind->axes);
+    int coordinates = rows(kind) / 2 * kind->axes;
+    for (int t = 0; t < 2; t++)
+        for (int i = 0; i < coordinates; i++)
+            require(isfinite(query->x[t][i]));
 }
 
 static void check_fault(const tf_query_file *file, long most)
@@ -55,12 +60,12 @@ static void read_all(FILE *stream, const tf_query_kind *kind, long most)
 {
     tf_query_file file;
     tf_query_file_start(&file, stream, "fuzz", kind, 0);
-    tf_question question;
+    tf_query_rows query;
     tf_reading reading;
-    long count = 0;
-    while ((reading = tf_query_file_next(&file, &question)) == TF_READ_GOOD) {
-        require(question.line == 1 + count * rows(kind));
-        check_question(&question, kind);
+    long count = 0, last = 0;
+    while ((reading = tf_query_file_next(&file, &query)) == TF_READ_GOOD) {
+        check_lines(&query, kind, &last, most);
+        check_query(&query, kind);
         count++;
     }
     require(file.queries == count);

@@ -43,6 +43,21 @@ START_TEST(other_names_find_nothing)
 }
 END_TEST
 
+START_TEST(coordinates_that_fit)
+{
+    const tf_arithmetic *integer = tf_arithmetic_named("integer64");
+    static const double limits[] = {0, 0, 0x1p30, 0x1p19};
+    for (int axes = 2; axes <= 3; axes++)
+        for (int sign = -1; sign <= 1; sign += 2) {
+            double limit = sign * limits[axes];
+            ck_assert(tf_arithmetic_fits(integer, axes, limit - sign));
+            ck_assert(!tf_arithmetic_fits(integer, axes, limit));
+            ck_assert(!tf_arithmetic_fits(integer, axes, 0.5 * sign));
+        }
+    ck_assert(tf_arithmetic_fits(tf_arithmetic_named("exact"), 3, 1e308));
+}
+END_TEST
+
 Suite *suite(void)
 {
     Suite *suite = suite_create("program/arithmetics");
@@ -50,6 +65,7 @@ Suite *suite(void)
     tcase_add_test(names, every_name_finds_its_arithmetic);
     tcase_add_test(names, the_names_told_are_those_found);
     tcase_add_test(names, other_names_find_nothing);
+    tcase_add_test(names, coordinates_that_fit);
     suite_add_tcase(suite, names);
     return suite;
 }

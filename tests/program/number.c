@@ -1,3 +1,5 @@
+#define _GNU_SOURCE // memfd_create
+
 #include "program/number.h"
 
 #include "support/support.h"
@@ -6,6 +8,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/mman.h>
+#include <unistd.h>
 
 /// Whether both are the same double to the last bit, the sign of zero included.
 static bool same(double a, double b)
@@ -122,6 +126,45 @@ START_TEST(what_is_no_number_is_left_alone)
 }
 END_TEST
 
+enum {
+    BLOCK = 1 << 21
+};
+
+/// A text of 2^30 characters: the beginning, zeros, and the end.  In memory
+/// there are two blocks of it, one of which comes again and again.
+static char *endless_text(const char *beginning, const char *end)
+{
+    size_t size = (size_t)1 << 30;
+    int zeros = memfd_create("zeros", 0);
+    ck_assert(zeros >= 0 && ftruncate(zeros, BLOCK) == 0);
+    char *text = mmap(NULL, size + BLOCK, PROT_READ | PROT_WRITE,
+                      MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    ck_assert_ptr_ne(text, MAP_FAILED);
+    for (size_t at = BLOCK; at < size; at += BLOCK)
+        ck_assert_ptr_eq(mmap(text + at, BLOCK, PROT_READ | PROT_WRITE,
+                              MAP_SHARED | MAP_FIXED, zeros, 0),
+                         text + at);
+    close(zeros);
+    memset(text, '0', 2 * BLOCK);
+    memcpy(text, beginning, strlen(beginning));
+    strcpy(text + size, end);
+    return text;
+}
+
+START_TEST(exponents_of_endless_digits_do_not_wrap_round)
+{
+    if (cases(100) < 100)
+        return; // it takes seconds
+    // 2^(8 - 2^32): in 32 bits the exponent is 8.
+    char *text = endless_text("0x.0", "1");
+    const char *at = text;
+    double number = 0.5;
+    ck_assert(tf_number_read(&at, &number));
+    ck_assert_double_eq(number, 0);
+    ck_assert_int_eq(*at, '\0');
+}
+END_TEST
+
 static double any_double(generator *random)
 {
     double x;
@@ -170,6 +213,7 @@ Suite *suite(void)
     tcase_add_test(numbers, numbers_at_the_limits);
     tcase_add_test(numbers, a_number_ends_where_it_ends);
     tcase_add_test(numbers, what_is_no_number_is_left_alone);
+    tcase_add_test(numbers, exponents_of_endless_digits_do_not_wrap_round);
     tcase_add_test(numbers, doubles_come_back_to_the_last_bit);
     tcase_add_test(numbers, any_hexadecimal_float_is_rounded_as_by_strtod);
     suite_add_tcase(suite, numbers);

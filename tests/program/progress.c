@@ -33,7 +33,7 @@ static void work(const char *out, const char *err, double duration)
     replace(STDERR_FILENO, err);
     tf_progress progress = tf_progress_begin();
     for (double end = seconds() + duration; seconds() < end; usleep(1000))
-        tf_progress_tell(&progress, 1234567, "queries");
+        tf_progress_show(&progress, 1234567, "queries");
     tf_progress_end(&progress);
     _exit(0);
 }

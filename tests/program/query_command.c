@@ -1,10 +1,14 @@
-#define _GNU_SOURCE // mkdtemp, nftw, posix_openpt, realpath
+#define _GNU_SOURCE // posix_openpt
 
+#include "program/query_command.h"
+
+#include "base/status.h"
+#include "support/environments.h"
+#include "support/json.h"
+#include "support/program.h"
 #include "support/support.h"
 
 #include <fcntl.h>
-#include <ftw.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -12,113 +16,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-// A folder to work in ---------------------------------------------------------
-
-static char program[4096], queries[4096];
-
-/// Find the program, then stay in a new folder.
-static void enter_folder(void)
-{
-    const char *told = getenv("TANGLEFREE");
-    ck_assert_msg(realpath(told ? told : "build/tanglefree", program),
-                  "TANGLEFREE does not name the program");
-    ck_assert(realpath("tests/queries", queries));
-    char folder[] = "/tmp/tanglefree-test-XXXXXX";
-    ck_assert(mkdtemp(folder));
-    ck_assert_int_eq(chdir(folder), 0);
-    ck_assert_int_eq(setenv("TANGLEFREE", program, 1), 0);
-    ck_assert_int_eq(setenv("QUERIES", queries, 1), 0);
-}
-
-static int remove_entry(const char *path, const struct stat *status, int type,
-                        struct FTW *place)
-{
-    (void)status;
-    (void)type;
-    (void)place;
-    return remove(path);
-}
-
-static void leave_folder(void)
-{
-    char *folder = getcwd(NULL, 0);
-    ck_assert_int_eq(chdir("/"), 0);
-    nftw(folder, remove_entry, 8, FTW_DEPTH | FTW_PHYS);
-    free(folder);
-}
-
-static void make_file(const char *name, const char *text)
-{
-    FILE *file = fopen(name, "w");
-    ck_assert_ptr_nonnull(file);
-    fputs(text, file);
-    fclose(file);
-}
-
-static char *file_text(const char *name)
-{
-    static char text[2][100000];
-    static int next;
-    char *read = text[next = !next];
-    FILE *file = fopen(name, "r");
-    ck_assert_ptr_nonnull(file);
-    size_t length = fread(read, 1, sizeof text[0] - 1, file);
-    read[length] = '\0';
-    fclose(file);
-    return read;
-}
-
-// Running the program ---------------------------------------------------------
-
-typedef struct outcome {
-    int status;
-    const char *out, *err;
-} outcome;
-
-/// Run a line of shell, in which $tf is the program.
-__attribute__((format(printf, 1, 2))) static outcome run(const char *format,
-                                                         ...)
-{
-    char line[1000];
-    int length = snprintf(line, sizeof line, "{ tf=\"$TANGLEFREE\"; ");
-    va_list arguments;
-    va_start(arguments, format);
-    length += vsnprintf(line + length, sizeof line - (size_t)length, format,
-                        arguments);
-    va_end(arguments);
-    snprintf(line + length, sizeof line - (size_t)length,
-             "\n} </dev/null >out 2>err");
-    int status = system(line);
-    ck_assert_msg(WIFEXITED(status), "%s: status %#x", line, (unsigned)status);
-    return (outcome){WEXITSTATUS(status), file_text("out"), file_text("err")};
-}
-
-static void expect(outcome found, int status, const char *out, const char *err)
-{
-    ck_assert_str_eq(found.err, err);
-    ck_assert_str_eq(found.out, out);
-    ck_assert_int_eq(found.status, status);
-}
-
-static int count(const char *text, const char *words)
-{
-    int times = 0;
-    while ((text = strstr(text, words))) {
-        text += strlen(words);
-        times++;
-    }
-    return times;
-}
-
-static void expect_words(const char *text, const char *words)
-{
-    ck_assert_msg(strstr(text, words), "'%s' is not in '%s'", words, text);
-}
-
 // A hit at t = 1/2 and a miss, of a point that falls on an edge.
 #define HIT "0,1\n-1,0\n2,0\n0,-1\n-1,0\n2,0\n"
 #define MISS "0,1\n-1,0\n1,0\n0,1\n-1,0\n1,0\n"
-#define HEADER "query,hit,toi_lo,toi_hi,nx,ny,nz,speed,case\n"
+#define HEADER "query,hit,toi_lo,toi_hi,nx,ny,nz,normal_velocity,case\n"
 #define MISS_ANSWER ",0,,,,,,,\n"
 
 /// Expect two misses answered, then this message about the file "bad".
@@ -170,9 +71,9 @@ START_TEST(every_kind_and_arithmetic_and_output)
                             outputs[i % 3], kinds[i / 9]);
         ck_assert_str_eq(found.err, "");
         ck_assert_int_eq(found.status, 0);
-        ck_assert_int_eq(count(found.out, "nan"), 0);
+        ck_assert_int_eq(occurrences(found.out, "nan"), 0);
         if (i % 3 < 2)
-            ck_assert_int_ge(count(found.out, "\n"), 7);
+            ck_assert_int_ge(occurrences(found.out, "\n"), 7);
     }
 }
 END_TEST
@@ -237,7 +138,7 @@ START_TEST(json_is_an_array_of_objects)
     make_file("in", MISS MISS);
     static const char nulls[] =
         ",\"hit\":0,\"toi_lo\":null,\"toi_hi\":null,\"nx\":null,\"ny\":null,"
-        "\"nz\":null,\"speed\":null,\"case\":null}";
+        "\"nz\":null,\"normal_velocity\":null,\"case\":null}";
     char right[1000];
     snprintf(right, sizeof right, "[\n{\"query\":0%s,\n{\"query\":1%s\n]\n",
              nulls, nulls);
@@ -255,8 +156,45 @@ START_TEST(json_of_a_hit_has_numbers)
                             "\"toi_hi\":%lf,",
                             &lo, &hi),
                      2);
-    expect_words(found.out, ",\"nz\":null,\"speed\":-2,\"case\":\"generic\"}"
-                            "\n]\n");
+    expect_words(found.out,
+                 ",\"nz\":null,\"normal_velocity\":-2,\"case\":\"generic\"}"
+                 "\n]\n");
+}
+END_TEST
+
+static void expect_json(const char *kind, const char *rows)
+{
+    static const char *const arithmetics[] = {"exact", "clamped", "report",
+                                              "perturbed"};
+    make_file("in", rows);
+    for (int i = 0; i < 4; i++) {
+        outcome found =
+            run("$tf query -k %s -a %s -o json in", kind, arithmetics[i]);
+        const char *fault = json_fault(found.out);
+        ck_assert_msg(!fault, "%s: no JSON here: %s", arithmetics[i], fault);
+        ck_assert_str_eq(found.err, "");
+        ck_assert_int_eq(found.status, 0);
+    }
+}
+
+START_TEST(json_has_finite_numbers_only)
+{
+    ck_assert_ptr_null(json_fault("[\n{\"a\":-0.5e-7,\"b\":null},[]]\n"));
+    static const char *const bad[] = {"nan", "-nan", "inf", "-inf", "01",
+                                      "1.",  "+1",   "[1,", "{1:2}"};
+    for (int i = 0; i < 9; i++)
+        ck_assert_ptr_nonnull(json_fault(bad[i]));
+
+    // Squares near the largest double, and coordinates as large.
+    static const char crossing[] = "0,0,0\n1.2e154,1.1e154,0\n"
+                                   "0,0,0\n1.1e154,1.2e154,1e-160\n",
+                      largest[] = "0,1.7e308\n-1.7e308,0\n1.7e308,0\n"
+                                  "0,-1.7e308\n-1.7e308,0\n1.7e308,0\n";
+    char rows[1000];
+    snprintf(rows, sizeof rows, "%s%s", crossing, crossing);
+    expect_json("edge-edge", rows);
+    expect_json("point-triangle", rows);
+    expect_json("point-edge", largest);
 }
 END_TEST
 
@@ -265,7 +203,7 @@ START_TEST(json_is_closed_before_bad_input)
     make_file("in", MISS "0,1\nx,0\n");
     outcome found = run("$tf query -k point-edge -o json in");
     ck_assert_int_eq(found.status, 2);
-    ck_assert_int_eq(count(found.out, "{"), 1);
+    ck_assert_int_eq(occurrences(found.out, "{"), 1);
     expect_words(found.out, ",\"case\":null}\n]\n");
     make_file("in", "x,0\n");
     found = run("$tf query -k point-edge -o json in");
@@ -334,8 +272,8 @@ START_TEST(a_pipe_that_ends_within_a_query)
 {
     make_file("in", MISS "1,2\n");
     expect(run("cat in | $tf query -k point-edge"), 2, HEADER "0" MISS_ANSWER,
-           "tanglefree: standard input:7: query 1 has 1 of 6 rows; add those "
-           "missing\n");
+           "tanglefree: standard input:7: query 1 has only 1 of its 6 rows; "
+           "add the rest\n");
 }
 END_TEST
 
@@ -344,8 +282,28 @@ START_TEST(messages_count_through_the_files_too)
     make_file("one", MISS MISS);
     make_file("two", MISS "1,2\n");
     outcome found = run("$tf query -k point-edge one two");
-    ck_assert_str_eq(found.err, "tanglefree: two:7: query 3 has 1 of 6 rows; "
-                                "add those missing\n");
+    ck_assert_str_eq(found.err,
+                     "tanglefree: two:7: query 3 has only 1 of its 6 "
+                     "rows; add the rest\n");
+}
+END_TEST
+
+START_TEST(names_send_no_commands_to_the_terminal)
+{
+    // Clear the screen, in a file that is not there, in one that is bad, and in
+    // words.
+    expect(
+        run("$tf query -k point-edge $(printf 'a\\033[2J\\233')"), 2, HEADER,
+        "tanglefree: a\\x1b[2J\\x9b: cannot open: No such file or directory; "
+        "check the name\n");
+    make_file("a\x1b[2J", "1,2\n");
+    expect(run("$tf query -k point-edge a*"), 2, HEADER,
+           "tanglefree: a\\x1b[2J:1: query 0 has only 1 of its 6 rows; "
+           "add the rest\n");
+    expect_words(run("$tf \"$(printf '\\033c')\"").err,
+                 "unknown command '\\x1bc';");
+    expect_words(run("$tf query -k \"$(printf '\\033c')\"").err,
+                 "unknown kind '\\x1bc';");
 }
 END_TEST
 
@@ -377,7 +335,7 @@ START_TEST(closed_standard_input)
 {
     expect(run("$tf query -k point-edge <&-"), 2, HEADER,
            "tanglefree: standard input:1: cannot read: Bad file descriptor; "
-           "name a file to read\n");
+           "check that this is a file\n");
 }
 END_TEST
 
@@ -390,17 +348,16 @@ START_TEST(windows_text)
 }
 END_TEST
 
-START_TEST(rounded_coordinates_are_told_once)
+START_TEST(rounded_coordinates_are_counted)
 {
     make_file("one", "1,3,2,1\n0,1,1,1\n1,1,1,1\n1,3,2,1\n0,1,1,1\n1,1,1,1\n");
     make_file("two", "1,7,2,1\n0,1,1,1\n1,1,1,1\n0,3,2,1\n0,1,1,1\n1,1,1,1\n");
     expect(run("$tf query -k point-edge two"), 0, HEADER "0" MISS_ANSWER,
-           "tanglefree: 1 rational coordinate is no double; rounded to "
-           "nearest\n");
-    expect(run("$tf query -k point-edge one two"), 0,
-           HEADER "0" MISS_ANSWER "1" MISS_ANSWER,
-           "tanglefree: 3 rational coordinates are no doubles; rounded to "
-           "nearest\n");
+           "tanglefree: rounded 1 rational coordinate to the nearest double\n");
+    expect(
+        run("$tf query -k point-edge one two"), 0,
+        HEADER "0" MISS_ANSWER "1" MISS_ANSWER,
+        "tanglefree: rounded 3 rational coordinates to the nearest double\n");
 }
 END_TEST
 
@@ -440,11 +397,14 @@ static const struct {
                       "decimal or a hexadecimal float"},
     {"0,1e999\n", "13: column 2 is \"1e999\", beyond the largest double; "
                   "scale the scene down"},
-    {"0,0\n1\n", "14: a missing column: 1 where the first row has 2; give all "
-                 "rows as many"},
+    {"0,0\n1\n",
+     "14: too few columns: 1, but the first row has 2; all rows must "
+     "have as many"},
     {"0,0\n1,1\n0,0\n1,1\n0,0\n",
-     "17: query 2 has 5 of 6 rows; add those missing"},
-    {"\n" MISS, "13: a blank line between rows; delete it"},
+     "17: query 2 has only 5 of its 6 rows; add the rest"},
+    {"\n# comment\nx,0\n",
+     "15: column 1 is \"x\", not a finite number; write a "
+     "decimal or a hexadecimal float"},
 };
 
 START_TEST(bad_rows_are_refused)
@@ -457,8 +417,8 @@ START_TEST(a_zero_denominator_is_refused)
 {
     make_file("bad", "0,1,1,1\n-1,1,0,0\n");
     expect(run("$tf query -k point-edge bad"), 2, HEADER,
-           "tanglefree: bad:2: column 4 is a zero denominator; write another "
-           "integer\n");
+           "tanglefree: bad:2: column 4 is 0; a denominator must not be "
+           "0\n");
 }
 END_TEST
 
@@ -468,8 +428,8 @@ START_TEST(a_nul_byte_is_refused)
     expect(run("head -c 5 /dev/zero | cat in - >bad; "
                "$tf query -k point-edge bad"),
            2, HEADER "0" MISS_ANSWER,
-           "tanglefree: bad:7: a NUL byte; give plain text (ASCII or UTF-8, "
-           "not UTF-16 or binary)\n");
+           "tanglefree: bad:7: a NUL byte; the file must be plain text (ASCII "
+           "or UTF-8, not UTF-16 or binary)\n");
 }
 END_TEST
 
@@ -478,7 +438,7 @@ START_TEST(an_empty_file_is_refused)
     make_file("in", MISS);
     make_file("bad", "");
     expect(run("$tf query -k point-edge in bad in"), 2, HEADER "0" MISS_ANSWER,
-           "tanglefree: bad:1: no rows; give 6 rows a query\n");
+           "tanglefree: bad:1: no rows; a query has 6\n");
 }
 END_TEST
 
@@ -487,8 +447,8 @@ START_TEST(a_directory_is_refused)
     make_file("in", MISS);
     expect(run("mkdir bad; $tf query -k point-edge in bad"), 2,
            HEADER "0" MISS_ANSWER,
-           "tanglefree: bad:1: cannot read: Is a directory; name a file to "
-           "read\n");
+           "tanglefree: bad:1: cannot read: Is a directory; check that this "
+           "is a file\n");
 }
 END_TEST
 
@@ -496,8 +456,8 @@ START_TEST(an_absent_file_is_refused)
 {
     make_file("in", MISS);
     expect(run("$tf query -k point-edge in bad in"), 2, HEADER "0" MISS_ANSWER,
-           "tanglefree: bad: cannot open: No such file or directory; name a "
-           "file to read\n");
+           "tanglefree: bad: cannot open: No such file or directory; check "
+           "the name\n");
 }
 END_TEST
 
@@ -510,8 +470,8 @@ START_TEST(a_file_that_vanishes)
     expect(run("mkfifo pipe; $tf query -k point-edge pipe bad & "
                "{ head -n 3 in; rm bad; tail -n 3 in; } >pipe; wait $!"),
            2, HEADER "0" MISS_ANSWER,
-           "tanglefree: bad: cannot open: No such file or directory; name a "
-           "file to read\n");
+           "tanglefree: bad: cannot open: No such file or directory; check "
+           "the name\n");
     expect(run("$tf query -k point-edge pipe & exec 3>pipe; "
                "rm pipe; cat in >&3; exec 3>&-; wait $!"),
            0, HEADER "0" MISS_ANSWER, "");
@@ -539,10 +499,10 @@ START_TEST(bad_input_after_rounded_coordinates)
 {
     make_file("in", "1,3,2,1\n0,1,1,1\n1,1,1,1\n1,3,2,1\n0,1,1,1\n1,1,1,1\n"
                     "1,3,2,1\n\n");
-    expect(run("$tf query -k point-edge in"), 2, HEADER "0" MISS_ANSWER,
-           "tanglefree: 2 rational coordinates are no doubles; rounded to "
-           "nearest\n"
-           "tanglefree: in:7: query 1 has 1 of 6 rows; add those missing\n");
+    expect(
+        run("$tf query -k point-edge in"), 2, HEADER "0" MISS_ANSWER,
+        "tanglefree: rounded 2 rational coordinates to the nearest double\n"
+        "tanglefree: in:7: query 1 has only 1 of its 6 rows; add the rest\n");
 }
 END_TEST
 
@@ -557,7 +517,7 @@ START_TEST(a_full_disk)
     make_file("in", MISS);
     for (int i = 0; i < 3; i++)
         expect(run("$tf query -k point-edge -o %s in >/dev/full", outputs[i]),
-               2, "", NO_SPACE "; mend that and run again\n");
+               2, "", NO_SPACE "; the output is incomplete\n");
 }
 END_TEST
 
@@ -567,7 +527,7 @@ START_TEST(a_full_disk_on_the_way)
     // The input has no end, and must not be read to it.
     expect(run("while cat in; do :; done 2>/dev/null | "
                "$tf query -k point-edge >/dev/full"),
-           2, "", NO_SPACE "; mend that and run again\n");
+           2, "", NO_SPACE "; the output is incomplete\n");
 }
 END_TEST
 
@@ -584,7 +544,7 @@ START_TEST(closed_standard_output)
     make_file("in", MISS);
     expect(run("$tf query -k point-edge in >&-"), 2, "",
            "tanglefree: standard output: cannot write: Bad file descriptor; "
-           "mend that and run again\n");
+           "the output is incomplete\n");
     ck_assert_str_eq(file_text("in"), MISS);
 }
 END_TEST
@@ -607,6 +567,8 @@ START_TEST(help)
     ck_assert_str_eq(found.err, "");
     expect_words(found.out, "Usage: tanglefree [OPTION...] COMMAND");
     expect_words(found.out, "\nCommands:\n  query ");
+    expect_words(found.out, "\n  detect ");
+    expect_words(found.out, "\n  check ");
 }
 END_TEST
 
@@ -626,6 +588,8 @@ START_TEST(help_for_the_command)
         "csv, json or summary",
         "hexadecimal",
         "xnum,xden",
+        "lines that begin with # are skipped",
+        "moved vertices",
         "toi_lo",
         "degenerate",
         "Exit status"};
@@ -657,10 +621,11 @@ static void expect_usage(const char *arguments, const char *words)
 
 START_TEST(commands_that_are_none)
 {
-    expect_usage("", "tanglefree: a command is missing; --help lists them\n");
-    expect_usage("detect", "tanglefree: no command is named 'detect'; --help "
-                           "lists them\n");
-    expect_usage("''", "tanglefree: no command is named ''");
+    expect_usage("",
+                 "tanglefree: no command given; --help lists the commands\n");
+    expect_usage("contact", "tanglefree: unknown command 'contact'; --help "
+                            "lists the commands\n");
+    expect_usage("''", "tanglefree: unknown command ''");
     expect_usage("--kind query", "tanglefree: ");
 }
 END_TEST
@@ -668,22 +633,54 @@ END_TEST
 START_TEST(options_that_are_wrong)
 {
     make_file("in", MISS);
-    expect_usage("query in", "tanglefree query: --kind is missing; choose "
+    expect_usage("query in", "tanglefree query: --kind is required; choose "
                              "point-edge, point-triangle or edge-edge\n");
     expect_usage("query -k edge in",
-                 "tanglefree query: no kind is named 'edge'; choose "
+                 "tanglefree query: unknown kind 'edge'; choose "
                  "point-edge, point-triangle or edge-edge\n");
     expect_usage("query -k point-edge -a rounded in",
-                 "tanglefree query: no arithmetic is named 'rounded'; choose "
+                 "tanglefree query: unknown arithmetic 'rounded'; choose "
                  "exact, clamped, report, perturbed, integer64 or "
                  "integer128\n");
     expect_usage("query -k point-edge --output=xml in",
-                 "tanglefree query: no output is named 'xml'; choose csv, json "
-                 "or summary\n");
+                 "tanglefree query: unknown output format 'xml'; choose csv, "
+                 "json or summary\n");
     expect_usage("query --kind", "tanglefree query: option '--kind' requires");
     expect_usage("query --speed in",
                  "tanglefree query: unrecognized option '--speed'");
     expect_usage("query -z in", "tanglefree query: invalid option -- 'z'");
+}
+END_TEST
+
+// A broken floating-point environment ----------------------------------------
+
+/// Run the command in this process, in a broken environment, and end it.
+static void command_in(int broken)
+{
+    static char name[] = "tanglefree query", option[] = "--kind=point-edge";
+    static char file[] = "in";
+    char *arguments[] = {name, option, file, NULL};
+    if (!freopen("out", "w", stdout) || !freopen("err", "w", stderr))
+        _exit(1);
+    environment_break(broken);
+    exit(tf_query_command(3, arguments));
+}
+
+START_TEST(a_broken_environment_is_reported)
+{
+    make_file("in", HIT);
+    pid_t child = fork();
+    if (child == 0)
+        command_in(_i);
+    int status = 0;
+    waitpid(child, &status, 0);
+    ck_assert_msg(WIFEXITED(status), "%s: status %#x", environment_name(_i),
+                  (unsigned)status);
+    char message[1000];
+    snprintf(message, sizeof message, "tanglefree: in:1: %s\n",
+             tf_status_message(TF_BAD_ENVIRONMENT));
+    expect((outcome){WEXITSTATUS(status), file_text("out"), file_text("err")},
+           2, HEADER, message);
 }
 END_TEST
 
@@ -701,6 +698,7 @@ Suite *suite(void)
     tcase_add_test(answers, undecided_is_a_hit);
     tcase_add_test(answers, json_is_an_array_of_objects);
     tcase_add_test(answers, json_of_a_hit_has_numbers);
+    tcase_add_test(answers, json_has_finite_numbers_only);
     tcase_add_test(answers, json_is_closed_before_bad_input);
     tcase_add_test(answers, summary_tells_agreement_with_the_truth);
     suite_add_tcase(suite, answers);
@@ -711,10 +709,11 @@ Suite *suite(void)
     tcase_add_test(input, standard_input);
     tcase_add_test(input, a_pipe_that_ends_within_a_query);
     tcase_add_test(input, messages_count_through_the_files_too);
+    tcase_add_test(input, names_send_no_commands_to_the_terminal);
     tcase_add_test(input, progress_on_a_terminal);
     tcase_add_test(input, closed_standard_input);
     tcase_add_test(input, windows_text);
-    tcase_add_test(input, rounded_coordinates_are_told_once);
+    tcase_add_test(input, rounded_coordinates_are_counted);
     tcase_add_test(input, memory_does_not_grow_with_the_file);
     suite_add_tcase(suite, input);
 
@@ -749,5 +748,11 @@ Suite *suite(void)
     tcase_add_test(usage, commands_that_are_none);
     tcase_add_test(usage, options_that_are_wrong);
     suite_add_tcase(suite, usage);
+
+    TCase *environment = tcase_create("a broken environment");
+    tcase_add_checked_fixture(environment, enter_folder, leave_folder);
+    tcase_add_loop_test(environment, a_broken_environment_is_reported, 0,
+                        environments());
+    suite_add_tcase(suite, environment);
     return suite;
 }

@@ -19,7 +19,7 @@ enum {
 
 /// What a reader made of a text: the first queries, how many, and the fault.
 typedef struct outcome {
-    tf_question question[KEPT];
+    tf_query_rows query[KEPT];
     long count;
     tf_reading last;
     long line;
@@ -31,11 +31,10 @@ static outcome read_stream(const char *kind, FILE *stream)
     outcome found = {0};
     tf_query_file file;
     tf_query_file_start(&file, stream, "text", tf_query_kind_named(kind), 100);
-    tf_question question;
-    while ((found.last = tf_query_file_next(&file, &question)) ==
-           TF_READ_GOOD) {
+    tf_query_rows rows;
+    while ((found.last = tf_query_file_next(&file, &rows)) == TF_READ_GOOD) {
         if (found.count < KEPT)
-            found.question[found.count] = question;
+            found.query[found.count] = rows;
         found.count++;
     }
     found.line = file.fault_line;
@@ -105,35 +104,36 @@ START_TEST(rows_are_vertices_at_0_then_at_1)
     for (int q = 0; q < 2; q++)
         for (int row = 0; row < 8; row++)
             for (int k = 0; k < 3; k++) {
-                tf_event e = found.question[q].vertex[row % 4].at[row / 4];
-                ck_assert(e.x[k] == 3 * row + k + 1);
-                ck_assert_int_eq(e.t, row / 4);
+                double x = found.query[q].x[row / 4][3 * (row % 4) + k];
+                ck_assert(x == 3 * row + k + 1);
             }
-    ck_assert_int_eq(found.question[0].line, 1);
-    ck_assert_int_eq(found.question[1].line, 9);
-    ck_assert_int_eq(found.question[1].truth, -1);
-    ck_assert_int_eq(found.question[1].rounded, 0);
+    for (int row = 0; row < 8; row++) {
+        ck_assert_int_eq(found.query[0].line[row], row + 1);
+        ck_assert_int_eq(found.query[1].line[row], row + 9);
+    }
+    ck_assert_int_eq(found.query[1].ground_truth, -1);
+    ck_assert_int_eq(found.query[1].rounded, 0);
 }
 END_TEST
 
 START_TEST(three_vertices_in_the_plane)
 {
     outcome found = expect_good("point-edge", PLANE, 1);
-    const tf_worldline *vertex = found.question[0].vertex;
-    ck_assert(vertex[1].at[0].x[0] == -3 && vertex[1].at[0].x[1] == 4);
-    ck_assert(vertex[2].at[1].x[0] == 11 && vertex[2].at[1].x[1] == 12);
+    const tf_query_rows *rows = &found.query[0];
+    ck_assert(rows->x[0][2] == -3 && rows->x[0][3] == 4);
+    ck_assert(rows->x[1][4] == 11 && rows->x[1][5] == 12);
 }
 END_TEST
 
 START_TEST(rationals_with_and_without_truth)
 {
     outcome found = expect_good("point-edge", RATIONAL, 1);
-    ck_assert(found.question[0].vertex[0].at[0].x[0] == 0.5);
-    ck_assert(found.question[0].vertex[0].at[0].x[1] == 0.75);
-    ck_assert_int_eq(found.question[0].truth, -1);
+    ck_assert(found.query[0].x[0][0] == 0.5);
+    ck_assert(found.query[0].x[0][1] == 0.75);
+    ck_assert_int_eq(found.query[0].ground_truth, -1);
     found = expect_good("point-edge", TRUE_SIX TRUE_SIX, 2);
-    ck_assert(found.question[1].vertex[2].at[1].x[1] == 0.75);
-    ck_assert_int_eq(found.question[1].truth, 1);
+    ck_assert(found.query[1].x[1][5] == 0.75);
+    ck_assert_int_eq(found.query[1].ground_truth, 1);
 }
 END_TEST
 
@@ -143,9 +143,9 @@ START_TEST(rationals_in_space)
     for (int row = 0; row < 8; row++)
         strcat(text, "1,-2,-3,-4,+7,1,0\n");
     outcome found = expect_good("point-triangle", text, 1);
-    const double *x = found.question[0].vertex[3].at[1].x;
+    const double *x = found.query[0].x[1] + 9;
     ck_assert(x[0] == -0.5 && x[1] == 0.75 && x[2] == 7);
-    ck_assert_int_eq(found.question[0].truth, 0);
+    ck_assert_int_eq(found.query[0].ground_truth, 0);
 }
 END_TEST
 
@@ -155,9 +155,9 @@ START_TEST(rounded_coordinates_are_counted)
                                 "1,3,1,2\n1,2,2,3\n1,2,1,2\n1,2,1,2\n"
                                 "1,2,1,2\n1,10,9007199254740993,1\n",
                                 1);
-    ck_assert_int_eq(found.question[0].rounded, 4);
-    ck_assert(found.question[0].vertex[2].at[1].x[0] == 0.1);
-    ck_assert(found.question[0].vertex[2].at[1].x[1] == 0x1p53);
+    ck_assert_int_eq(found.query[0].rounded, 4);
+    ck_assert(found.query[0].x[1][4] == 0.1);
+    ck_assert(found.query[0].x[1][5] == 0x1p53);
 }
 END_TEST
 
@@ -168,14 +168,12 @@ START_TEST(every_way_to_write_a_number)
                                 "+1,-0\n4.9e-324,0x1p-1074\n"
                                 "1.7976931348623157e308,1e-400\n",
                                 1);
-    const tf_worldline *vertex = found.question[0].vertex;
-    ck_assert(vertex[0].at[0].x[0] == 0.75 && vertex[0].at[0].x[1] == -8);
-    ck_assert(vertex[1].at[0].x[0] == 0.001 && vertex[1].at[0].x[1] == -250);
-    ck_assert(vertex[2].at[0].x[0] == 0.5 && vertex[2].at[0].x[1] == 5);
-    ck_assert(vertex[1].at[1].x[0] == 0x1p-1074 &&
-              vertex[1].at[1].x[1] == 0x1p-1074);
-    ck_assert(vertex[2].at[1].x[0] == 0x1.fffffffffffffp1023 &&
-              vertex[2].at[1].x[1] == 0);
+    const tf_query_rows *rows = &found.query[0];
+    ck_assert(rows->x[0][0] == 0.75 && rows->x[0][1] == -8);
+    ck_assert(rows->x[0][2] == 0.001 && rows->x[0][3] == -250);
+    ck_assert(rows->x[0][4] == 0.5 && rows->x[0][5] == 5);
+    ck_assert(rows->x[1][2] == 0x1p-1074 && rows->x[1][3] == 0x1p-1074);
+    ck_assert(rows->x[1][4] == 0x1.fffffffffffffp1023 && rows->x[1][5] == 0);
 }
 END_TEST
 
@@ -191,7 +189,7 @@ START_TEST(carriage_returns)
 {
     outcome found = expect_good(
         "point-edge", "1,2\r\n-3,4\r\n5,6\r\n7,8\r\n9,10\r\n11,12\r\n\r\n", 1);
-    ck_assert(found.question[0].vertex[2].at[1].x[1] == 12);
+    ck_assert(found.query[0].x[1][5] == 12);
     expect_good("point-edge", TRUE_FIVE "1,2,3,4,1\r", 1);
 }
 END_TEST
@@ -199,7 +197,7 @@ END_TEST
 START_TEST(byte_order_mark)
 {
     outcome found = expect_good("point-edge", "\xEF\xBB\xBF" PLANE, 1);
-    ck_assert(found.question[0].vertex[0].at[0].x[0] == 1);
+    ck_assert(found.query[0].x[0][0] == 1);
     expect_fault("point-edge", PLANE "\xEF\xBB\xBF" PLANE, 1, 7, "\"???1\"");
 }
 END_TEST
@@ -210,14 +208,31 @@ START_TEST(missing_final_newline)
                                 PLANE "1,2\n3,4\n5,6\n7,8\n9,10\n"
                                       "11,125",
                                 2);
-    ck_assert(found.question[1].vertex[2].at[1].x[1] == 125);
+    ck_assert(found.query[1].x[1][5] == 125);
 }
 END_TEST
 
-START_TEST(blank_lines_at_the_end)
+START_TEST(blank_lines_and_comments)
 {
     expect_good("point-edge", PLANE "\n\n \t\n\r\n", 1);
     expect_good("point-edge", PLANE "\n ", 1);
+    expect_good("point-edge", PLANE "\n" PLANE, 2);
+    expect_good("point-edge", "\n" PLANE " \t\r\n\n\n" PLANE, 2);
+    expect_good("point-edge", "# x,y\n" PLANE "#\n" PLANE "  # end", 2);
+    expect_good("point-edge", "\xEF\xBB\xBF#\xFF\r\n" PLANE "#0,0,0\n", 1);
+}
+END_TEST
+
+START_TEST(lines_of_rows_apart)
+{
+    outcome found = expect_good("point-edge",
+                                "# A point,\n1,2\n# and an edge.\n\n3,4\n5,6\n"
+                                "\n# At the end:\n7,8\n9,10\n11,12\n",
+                                1);
+    static const long line[] = {2, 5, 6, 9, 10, 11};
+    for (int row = 0; row < 6; row++)
+        ck_assert_int_eq(found.query[0].line[row], line[row]);
+    ck_assert(found.query[0].x[0][2] == 3 && found.query[0].x[1][0] == 7);
 }
 END_TEST
 
@@ -230,15 +245,16 @@ START_TEST(very_long_lines)
     memset(text, ' ', LONG);
     strcpy(text + LONG, PLANE);
     outcome found = expect_good("point-edge", text, 1);
-    ck_assert(found.question[0].vertex[0].at[0].x[0] == 1);
+    ck_assert(found.query[0].x[0][0] == 1);
     memset(text, '0', LONG);
     found = expect_good("point-edge", text, 1);
-    ck_assert(found.question[0].vertex[0].at[0].x[0] == 1);
+    ck_assert(found.query[0].x[0][0] == 1);
     memset(text, 'x', LONG);
     expect_fault("point-edge", text, 0, 1,
                  "\"xxxxxxxxxxxxxxxxxxxxxxxxxxxx...\"");
     memset(text, ',', LONG);
-    expect_fault("point-edge", text, 0, 1, "columns is 3000002; write");
+    expect_fault("point-edge", text, 0, 1,
+                 "3000002 columns; a row of point-edge has");
     free(text);
 }
 END_TEST
@@ -252,8 +268,8 @@ START_TEST(three_hundred_digits)
     for (int row = 0; row < 6; row++)
         sprintf(text + strlen(text), "%s,%s,0,1\n", ones, threes);
     outcome found = expect_good("point-edge", text, 1);
-    ck_assert(found.question[0].vertex[2].at[1].x[0] == 1. / 3);
-    ck_assert_int_eq(found.question[0].rounded, 6);
+    ck_assert(found.query[0].x[1][4] == 1. / 3);
+    ck_assert_int_eq(found.query[0].rounded, 6);
 }
 END_TEST
 
@@ -269,10 +285,8 @@ START_TEST(random_queries_come_back_to_the_last_bit)
         int vertices = q.vertices + q.others;
         for (int row = 0; row < 2 * vertices; row++)
             for (int k = 0; k < q.axes; k++) {
-                double read = found.question[0]
-                                  .vertex[row % vertices]
-                                  .at[row / vertices]
-                                  .x[k];
+                int place = q.axes * (row % vertices) + k;
+                double read = found.query[0].x[row / vertices][place];
                 double right = q.vertex[row % vertices].at[row / vertices].x[k];
                 ck_assert_msg(read == right && signbit(read) == signbit(right),
                               "%a, not %a", read, right);
@@ -313,7 +327,7 @@ END_TEST
 
 START_TEST(text_instead_of_a_number)
 {
-    expect_fault("point-triangle", "x,y,z\n" SPACE, 0, 1, "column 1 is \"x\"");
+    expect_fault("point-triangle", "x,1,z\n" SPACE, 0, 1, "column 1 is \"x\"");
     expect_fault("point-edge", "\x1b[31m,1\n", 0, 1, "column 1 is \"?[31m\"");
 }
 END_TEST
@@ -355,27 +369,29 @@ END_TEST
 START_TEST(zero_denominator)
 {
     expect_fault("point-edge", RATIONAL "1,2,3,0\n", 1, 7,
-                 "column 4 is a zero denominator");
+                 "column 4 is 0; a denominator");
     expect_fault("point-edge", RATIONAL "0,-000,3,1\n", 1, 7,
-                 "column 2 is a zero denominator");
+                 "column 2 is 0; a denominator");
 }
 END_TEST
 
 START_TEST(bad_truth)
 {
     expect_fault("point-edge", TRUE_FIVE "1,2,3,4,2\n", 0, 6,
-                 "column 5 is \"2\", not a truth");
-    expect_fault("point-edge", TRUE_FIVE "1,2,3,4,01\n", 0, 6, "not a truth");
+                 "column 5 is \"2\", not a ground truth");
+    expect_fault("point-edge", TRUE_FIVE "1,2,3,4,01\n", 0, 6,
+                 "not a ground truth");
     expect_fault("point-edge", TRUE_FIVE "1,2,3,4,true\n", 0, 6,
                  "column 5 is \"true\"");
-    expect_fault("point-edge", TRUE_FIVE "1,2,3,4,-1\n", 0, 6, "not a truth");
+    expect_fault("point-edge", TRUE_FIVE "1,2,3,4,-1\n", 0, 6,
+                 "not a ground truth");
 }
 END_TEST
 
 START_TEST(truth_that_changes)
 {
     expect_fault("point-edge", TRUE_FIVE "1,2,3,4,0\n", 0, 6,
-                 "the truth is 0, but 1 on line 1");
+                 "the ground truth is 0, but 1 on line 1");
     expect_good("point-edge",
                 TRUE_SIX "1,2,3,4,0\n1,2,3,4,0\n1,2,3,4,0\n1,2,3,4,0\n"
                          "1,2,3,4,0\n1,2,3,4,0\n",
@@ -387,11 +403,11 @@ END_TEST
 
 START_TEST(missing_column)
 {
-    expect_fault("point-edge", PLANE "1\n", 1, 7, "a missing column: 1 where");
+    expect_fault("point-edge", PLANE "1\n", 1, 7, "too few columns: 1, but");
     expect_fault("point-triangle", SPACE "1,2\n", 1, 9,
-                 "a missing column: 2 where the first row has 3");
+                 "too few columns: 2, but the first row has 3");
     expect_fault("point-edge", TRUE_FIVE "1,2,3,4\n", 0, 6,
-                 "a missing column: 4 where the first row has 5");
+                 "too few columns: 4, but the first row has 5");
 }
 END_TEST
 
@@ -400,29 +416,59 @@ START_TEST(too_many_columns)
     expect_fault("point-edge", PLANE "1,2,3\n", 1, 7, "too many columns: 3");
     expect_fault("point-edge", PLANE "1,2,\n", 1, 7, "too many columns: 3");
     expect_fault("point-edge", RATIONAL "1,2,3,4,1\n", 1, 7,
-                 "too many columns: 5 where the first row has 4");
+                 "too many columns: 5, but the first row has 4");
 }
 END_TEST
 
 START_TEST(columns_of_another_kind)
 {
     expect_fault("point-edge", SPACE, 0, 1,
-                 "columns is 3; write 2 (decimals), 4 (rationals) or 5");
+                 "3 columns; a row of point-edge has 2 (decimals), 4 "
+                 "(rationals) or 5 (rationals and the ground truth)");
     expect_fault("edge-edge", PLANE, 0, 1,
-                 "columns is 2; write 3 (decimals), 6 (rationals) or 7");
-    expect_fault("edge-edge", RATIONAL, 0, 1, "columns is 4; write");
-    expect_fault("edge-edge", TRUE_SIX, 0, 1, "columns is 5; write");
-    expect_fault("edge-edge", "1,2,3,4,5,6,7,8\n", 0, 1, "columns is 8; write");
-    expect_fault("edge-edge", "hello\n", 0, 1, "columns is 1; write");
+                 "2 columns; a row of edge-edge has 3 (decimals), 6 "
+                 "(rationals) or 7");
+    expect_fault("edge-edge", RATIONAL, 0, 1,
+                 "4 columns; a row of edge-edge has 3");
+    expect_fault("edge-edge", TRUE_SIX, 0, 1,
+                 "5 columns; a row of edge-edge has 3");
+    expect_fault("edge-edge", "1,2,3,4,5,6,7,8\n", 0, 1,
+                 "8 columns; a row of edge-edge has 3");
+    expect_fault("edge-edge", "hello\n", 0, 1, "1 column; a row of");
 }
 END_TEST
 
-START_TEST(blank_line_between_rows)
+START_TEST(header_line)
 {
-    expect_fault("point-edge", PLANE "\n" PLANE, 1, 7, "a blank line");
-    expect_fault("point-edge", PLANE " \t\r\n\n\n" PLANE, 1, 7, "a blank line");
-    expect_fault("point-edge", "1,2\n\n" PLANE, 0, 2, "a blank line");
-    expect_fault("point-edge", "\n" PLANE, 0, 1, "a blank line");
+    static const char *const headers[] = {"x,y,z",
+                                          "X , Y , Z",
+                                          "\"x\",\"y\",\"z\"",
+                                          "\n# comment\n_1,_2,_3",
+                                          "x_num,x_den,y_num,y_den,truth",
+                                          "info,nano"};
+    for (size_t i = 0; i < sizeof headers / sizeof *headers; i++) {
+        char text[1000];
+        snprintf(text, sizeof text, "%s\n%s", headers[i], SPACE);
+        expect_fault("point-triangle", text, 0, i == 3 ? 3 : 1,
+                     "this is a header line; delete it, or begin it with #");
+    }
+    // Only the first row, if nothing in it is a number.
+    expect_fault("point-edge", PLANE "x,y\n", 1, 7, "column 1 is \"x\"");
+    expect_fault("point-edge", "x,0\n", 0, 1, "column 1 is \"x\"");
+    expect_fault("point-edge", "x,inf\n", 0, 1, "column 1 is \"x\"");
+    expect_fault("point-edge", "nan,NaN\n", 0, 1, "column 1 is \"nan\"");
+    expect_fault("point-edge", "x,\n", 0, 1, "column 1 is \"x\"");
+}
+END_TEST
+
+START_TEST(lines_are_counted_that_are_skipped)
+{
+    expect_fault("point-edge", "\n#\n" PLANE "\n#\n1,x\n", 1, 11,
+                 "column 2 is \"x\"");
+    expect_fault("point-edge", PLANE "1,2\n#\n3,4\n\n#\n", 1, 9,
+                 "query 101 has only 2 of its 6 rows");
+    expect_fault("point-edge", "#\n" TRUE_FIVE "\n1,2,3,4,0\n", 0, 8,
+                 "the ground truth is 0, but 1 on line 2;");
 }
 END_TEST
 
@@ -455,21 +501,22 @@ END_TEST
 START_TEST(missing_rows)
 {
     expect_fault("edge-edge", SPACE SPACE SPACE_FOUR "1,2,3\n", 2, 21,
-                 "query 102 has 5 of 8 rows");
+                 "query 102 has only 5 of its 8 rows");
     expect_fault("edge-edge", SPACE "1,2,3\n\n\n", 1, 9,
-                 "query 101 has 1 of 8 rows");
+                 "query 101 has only 1 of its 8 rows");
     expect_fault("edge-edge", SPACE_FOUR "1,2,3\n4,5,6\n7,8,9", 0, 7,
-                 "query 100 has 7 of 8 rows");
+                 "query 100 has only 7 of its 8 rows");
     expect_fault("point-edge", PLANE "1,2\n", 1, 7,
-                 "query 101 has 1 of 6 rows");
+                 "query 101 has only 1 of its 6 rows");
 }
 END_TEST
 
 START_TEST(empty_file)
 {
-    expect_fault("point-edge", "", 0, 1, "no rows; give 6 rows a query");
-    expect_fault("edge-edge", "\n\n", 0, 1, "no rows; give 8 rows a query");
+    expect_fault("point-edge", "", 0, 1, "no rows; a query has 6");
+    expect_fault("edge-edge", "\n\n", 0, 1, "no rows; a query has 8");
     expect_fault("edge-edge", "\xEF\xBB\xBF", 0, 1, "no rows");
+    expect_fault("edge-edge", "# nothing\n\n", 0, 1, "no rows");
 }
 END_TEST
 
@@ -500,11 +547,11 @@ END_TEST
 static void expect_no_file(const char *path, bool opens, const char *words)
 {
     tf_query_file file;
-    tf_question question;
+    tf_query_rows rows;
     const tf_query_kind *kind = tf_query_kind_named("edge-edge");
     ck_assert_int_eq(tf_query_file_open(&file, path, kind, 0), opens);
     if (opens)
-        ck_assert_int_eq(tf_query_file_next(&file, &question), TF_READ_FAULT);
+        ck_assert_int_eq(tf_query_file_next(&file, &rows), TF_READ_FAULT);
     ck_assert_msg(strstr(file.fault, words), "'%s'", file.fault);
     ck_assert_str_eq(file.name, path);
     tf_query_file_close(&file);
@@ -571,7 +618,8 @@ Suite *suite(void)
     tcase_add_test(good, carriage_returns);
     tcase_add_test(good, byte_order_mark);
     tcase_add_test(good, missing_final_newline);
-    tcase_add_test(good, blank_lines_at_the_end);
+    tcase_add_test(good, blank_lines_and_comments);
+    tcase_add_test(good, lines_of_rows_apart);
     tcase_add_test(good, very_long_lines);
     tcase_add_test(good, three_hundred_digits);
     tcase_add_test(good, random_queries_come_back_to_the_last_bit);
@@ -594,7 +642,8 @@ Suite *suite(void)
     tcase_add_test(rows, missing_column);
     tcase_add_test(rows, too_many_columns);
     tcase_add_test(rows, columns_of_another_kind);
-    tcase_add_test(rows, blank_line_between_rows);
+    tcase_add_test(rows, header_line);
+    tcase_add_test(rows, lines_are_counted_that_are_skipped);
     tcase_add_test(rows, nul_byte);
     tcase_add_test(rows, utf_16);
     suite_add_tcase(suite, rows);

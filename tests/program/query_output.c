@@ -11,17 +11,17 @@
 
 static const tf_contact hit = {
     .verdict = TF_HIT,
-    .decision = TF_DEGENERATE,
+    .classification = TF_DEGENERATE,
     .toi_lo = 0.25,
     .toi_hi = 0.1,
     .normal = {1, -0.5, 3e-320},
-    .speed = -DBL_MAX,
+    .normal_velocity = -DBL_MAX,
 };
 static const tf_contact undecided = {.verdict = TF_UNDECIDED,
-                                     .decision = TF_TOUCHING};
+                                     .classification = TF_TOUCHING};
 // What a query leaves unset must not be read.
 static const tf_contact apart = {
-    .verdict = TF_APART, .decision = (tf_decision)99, .toi_lo = 7};
+    .verdict = TF_APART, .classification = (tf_classification)99, .toi_lo = 7};
 
 /// The output of these contacts, NULL the last, of these truths.
 static char *written(const char *format, int axes,
@@ -34,8 +34,8 @@ static char *written(const char *format, int axes,
     ck_assert(tf_query_output_begin(&output, stream,
                                     tf_query_format_named(format), axes));
     for (int i = 0; contact[i]; i++) {
-        tf_question question = {.truth = truth ? truth[i] : -1};
-        ck_assert(tf_query_output_answer(&output, &question, contact[i]));
+        tf_query_rows query = {.ground_truth = truth ? truth[i] : -1};
+        ck_assert(tf_query_output_answer(&output, &query, contact[i]));
     }
     ck_assert(tf_query_output_end(&output));
     fclose(stream);
@@ -57,14 +57,14 @@ static const tf_contact *const some[] = {&hit, &apart, &undecided, NULL};
 START_TEST(csv_of_nothing)
 {
     expect("csv", 3, none, NULL,
-           "query,hit,toi_lo,toi_hi,nx,ny,nz,speed,case\n");
+           "query,hit,toi_lo,toi_hi,nx,ny,nz,normal_velocity,case\n");
 }
 END_TEST
 
 START_TEST(csv_in_space)
 {
     expect("csv", 3, some, NULL,
-           "query,hit,toi_lo,toi_hi,nx,ny,nz,speed,case\n"
+           "query,hit,toi_lo,toi_hi,nx,ny,nz,normal_velocity,case\n"
            "0,1,0.25,0.10000000000000001,1,-0.5,2.999966601548049e-320,"
            "-1.7976931348623157e+308,degenerate\n"
            "1,0,,,,,,,\n"
@@ -75,7 +75,7 @@ END_TEST
 START_TEST(csv_in_the_plane)
 {
     expect("csv", 2, some, NULL,
-           "query,hit,toi_lo,toi_hi,nx,ny,nz,speed,case\n"
+           "query,hit,toi_lo,toi_hi,nx,ny,nz,normal_velocity,case\n"
            "0,1,0.25,0.10000000000000001,1,-0.5,,-1.7976931348623157e+308,"
            "degenerate\n"
            "1,0,,,,,,,\n"
@@ -95,12 +95,13 @@ START_TEST(json_of_some)
            "[\n"
            "{\"query\":0,\"hit\":1,\"toi_lo\":0.25,"
            "\"toi_hi\":0.10000000000000001,\"nx\":1,\"ny\":-0.5,\"nz\":null,"
-           "\"speed\":-1.7976931348623157e+308,\"case\":\"degenerate\"},\n"
+           "\"normal_velocity\":-1.7976931348623157e+308,\"case\":"
+           "\"degenerate\"},\n"
            "{\"query\":1,\"hit\":0,\"toi_lo\":null,\"toi_hi\":null,"
-           "\"nx\":null,\"ny\":null,\"nz\":null,\"speed\":null,"
+           "\"nx\":null,\"ny\":null,\"nz\":null,\"normal_velocity\":null,"
            "\"case\":null},\n"
            "{\"query\":2,\"hit\":1,\"toi_lo\":0,\"toi_hi\":0,\"nx\":0,"
-           "\"ny\":0,\"nz\":null,\"speed\":0,\"case\":\"touching\"}\n"
+           "\"ny\":0,\"nz\":null,\"normal_velocity\":0,\"case\":\"touching\"}\n"
            "]\n");
 }
 END_TEST
@@ -114,7 +115,8 @@ END_TEST
 
 START_TEST(summary_with_truth)
 {
-    static const tf_contact generic = {.verdict = TF_HIT};
+    static const tf_contact generic = {.verdict = TF_HIT,
+                                       .classification = TF_GENERIC};
     const tf_contact *contact[] = {&generic, &hit,   &hit,   &undecided,
                                    &apart,   &apart, &apart, NULL};
     static const int truth[] = {1, 0, 0, -1, 0, 1, -1};
@@ -153,11 +155,11 @@ START_TEST(full_disk_on_the_way)
 {
     FILE *stream = fopen("/dev/full", "w");
     tf_query_output output;
-    tf_question question = {.truth = -1};
+    tf_query_rows query = {.ground_truth = -1};
     tf_query_output_begin(&output, stream, tf_query_format_named("json"), 3);
     bool good = true;
     for (int i = 0; i < 100000 && good; i++)
-        good = tf_query_output_answer(&output, &question, &hit);
+        good = tf_query_output_answer(&output, &query, &hit);
     ck_assert(!good);
     ck_assert_int_eq(output.error, ENOSPC);
     errno = 0;

@@ -1,6 +1,8 @@
 #include "query/edge_edge.h"
 
+#include "query/query.h"
 #include "support/rational.h"
+#include "support/statuses.h"
 #include "support/support.h"
 
 #include <math.h>
@@ -12,7 +14,7 @@ typedef struct fall {
     const char *what;
     double first[2][2], second[2][2];
     bool hit;
-    double weight[2], normal; // of the second vertices; the normal's z
+    double barycentric[2], normal; // of the second vertices; the normal's z
 } fall;
 
 static const fall falls[] = {
@@ -72,7 +74,7 @@ START_TEST(edge_falls_on_an_edge)
         second[v] = vertex(f->second[v], 0, 0);
     }
     tf_contact c;
-    ck_assert_int_eq(tf_edge_edge(&oracle_arithmetic, first, second, &c),
+    ck_assert_int_eq(tf_query(&oracle_arithmetic, 3, 2, first, 2, second, &c),
                      TF_OK);
     ck_assert_msg(c.verdict == (f->hit ? TF_HIT : TF_APART), "%s: verdict %d",
                   f->what, c.verdict);
@@ -81,12 +83,40 @@ START_TEST(edge_falls_on_an_edge)
     ck_assert_msg(c.toi_lo <= 0.5 && 0.5 <= c.toi_hi, "%s: [%a, %a]", f->what,
                   c.toi_lo, c.toi_hi);
     for (int e = 0; e < 2; e++)
-        ck_assert_msg(f->weight[e] < 0 ||
-                          fabs(c.weight[e][1] - f->weight[e]) < 1e-12,
-                      "%s: weight %d is %a", f->what, e, c.weight[e][1]);
+        ck_assert_msg(f->barycentric[e] < 0 ||
+                          fabs(c.barycentric[e][1] - f->barycentric[e]) < 1e-12,
+                      "%s: coordinate %d is %a", f->what, e,
+                      c.barycentric[e][1]);
     ck_assert_msg(c.normal[2] == f->normal, "%s: normal %a", f->what,
                   c.normal[2]);
-    ck_assert_msg(c.speed == -2 * f->normal, "%s: speed %a", f->what, c.speed);
+    ck_assert_msg(c.normal_velocity == -2 * f->normal, "%s: normal velocity %a",
+                  f->what, c.normal_velocity);
+}
+END_TEST
+
+// Statuses
+
+static tf_status ask_public(const tf_arithmetic *arithmetic,
+                            const tf_motion *motion, const int vertex[],
+                            tf_contact *contact)
+{
+    return tf_edge_edge(arithmetic, motion, vertex, vertex + 2, contact);
+}
+
+static void use_public(void)
+{
+    statuses_use(EDGE_EDGE, ask_public);
+}
+
+START_TEST(null_indices_break_the_contract)
+{
+    static const double x[4 * TF_AXES] = {0};
+    tf_motion motion = {.vertices = 4, .start = x, .end = x};
+    tf_contact contact;
+    exit_on_broken_contract();
+    static const int edge[] = {0, 1};
+    tf_edge_edge(&oracle_arithmetic, &motion, _i == 0 ? NULL : edge,
+                 _i == 0 ? edge : NULL, &contact);
 }
 END_TEST
 
@@ -95,6 +125,9 @@ Suite *suite(void)
     Suite *suite = suite_create("query/edge_edge");
     TCase *tcase = tcase_create("edge_edge");
     tcase_add_loop_test(tcase, edge_falls_on_an_edge, 0, FALLS);
+    tcase_add_loop_exit_test(tcase, null_indices_break_the_contract,
+                             BROKEN_CONTRACT, 0, 2);
     suite_add_tcase(suite, tcase);
+    suite_add_tcase(suite, statuses_case("statuses", use_public));
     return suite;
 }

@@ -1,6 +1,8 @@
 #include "query/point_triangle.h"
 
+#include "query/query.h"
 #include "support/rational.h"
+#include "support/statuses.h"
 #include "support/support.h"
 
 #include <math.h>
@@ -11,7 +13,7 @@
 typedef struct fall {
     double x, y;
     bool hit;
-    double weight[3];
+    double barycentric[3];
 } fall;
 
 static const fall falls[] = {
@@ -45,7 +47,7 @@ static tf_contact answer(const fall *f, double slope)
                                  (double[]){f->x, f->y, -1});
     tf_contact contact;
     ck_assert_int_eq(
-        tf_point_triangle(&oracle_arithmetic, &point, triangle, &contact),
+        tf_query(&oracle_arithmetic, 3, 1, &point, 3, triangle, &contact),
         TF_OK);
     return contact;
 }
@@ -58,13 +60,13 @@ static void expect_contact(const fall *f, double slope)
                   c.verdict);
     if (!f->hit)
         return;
-    double height = slope * (f->weight[1] + 2 * f->weight[2]);
+    double height = slope * (f->barycentric[1] + 2 * f->barycentric[2]);
     ck_assert_msg(fabs(c.toi_lo - (1 - height) / 2) < 1e-12,
                   "(%a, %a), slope %a: time %a", f->x, f->y, slope, c.toi_lo);
     for (int v = 0; v < 3; v++)
-        ck_assert_msg(fabs(c.weight[1][v] - f->weight[v]) < 1e-12,
-                      "(%a, %a), slope %a: weight %d is %a", f->x, f->y, slope,
-                      v, c.weight[1][v]);
+        ck_assert_msg(fabs(c.barycentric[1][v] - f->barycentric[v]) < 1e-12,
+                      "(%a, %a), slope %a: coordinate %d is %a", f->x, f->y,
+                      slope, v, c.barycentric[1][v]);
 }
 
 START_TEST(point_falls_on_a_triangle)
@@ -75,11 +77,39 @@ START_TEST(point_falls_on_a_triangle)
 }
 END_TEST
 
+// Statuses
+
+static tf_status ask_public(const tf_arithmetic *arithmetic,
+                            const tf_motion *motion, const int vertex[],
+                            tf_contact *contact)
+{
+    return tf_point_triangle(arithmetic, motion, vertex[0], vertex + 1,
+                             contact);
+}
+
+static void use_public(void)
+{
+    statuses_use(POINT_TRIANGLE, ask_public);
+}
+
+START_TEST(null_indices_break_the_contract)
+{
+    static const double x[4 * TF_AXES] = {0};
+    tf_motion motion = {.vertices = 4, .start = x, .end = x};
+    tf_contact contact;
+    exit_on_broken_contract();
+    tf_point_triangle(&oracle_arithmetic, &motion, 0, NULL, &contact);
+}
+END_TEST
+
 Suite *suite(void)
 {
     Suite *suite = suite_create("query/point_triangle");
     TCase *tcase = tcase_create("point_triangle");
     tcase_add_loop_test(tcase, point_falls_on_a_triangle, 0, FALLS);
+    tcase_add_exit_test(tcase, null_indices_break_the_contract,
+                        BROKEN_CONTRACT);
     suite_add_tcase(suite, tcase);
+    suite_add_tcase(suite, statuses_case("statuses", use_public));
     return suite;
 }

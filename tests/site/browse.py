@@ -4,6 +4,7 @@ Every page of FOLDER is opened in Chromium on a phone and on a desktop, in
 light and in dark, straight from the disk.
 """
 import json
+import re
 import sys
 import time
 from pathlib import Path
@@ -16,6 +17,9 @@ from selenium.webdriver.common.keys import Keys
 
 WIDTHS = {"phone": (390, 844), "desktop": (1400, 900)}
 TERM = "worldline"
+NAME = "tf_point_triangle"
+ENTRY = "reference.html#c." + NAME
+FILMS_WEIGHT = 3_000_000    # bytes, of all films of a chapter in one theme
 
 LOOK = r"""
 const shown = e => e.checkVisibility() && e.getClientRects().length > 0;
@@ -23,7 +27,18 @@ const images = [...document.images];
 for (const image of images) image.loading = 'eager';
 const wide = [...document.querySelectorAll('.equation, .code-box pre')];
 const paper = getComputedStyle(document.body).backgroundColor;
+const words = document.querySelector('main').cloneNode(true);
+for (const code of words.querySelectorAll('pre, code, .sig')) code.remove();
+scrollTo(0, 400);
+const bar = document.querySelector('.bar').getBoundingClientRect();
+scrollTo(0, 0);
 return {
+  title: document.title,
+  tex: words.textContent.match(/\\[A-Za-z]+/)?.[0],
+  bar: bar.top,
+  clipped: images.filter(i => shown(i) && (
+    i.getBoundingClientRect().left < -1 || i.getBoundingClientRect().right >
+    document.documentElement.clientWidth + 1)).map(i => i.src),
   width: document.documentElement.scrollWidth,
   beyond: [...document.querySelectorAll('main *, header *, footer *')]
     .filter(e => e.getBoundingClientRect().right >
@@ -46,6 +61,24 @@ const e = document.activeElement, box = e.getBoundingClientRect();
 return {name: e.className || e.id || e.tagName,
   seen: box.width > 0 && box.right > 0 && box.left < innerWidth,
   outline: getComputedStyle(e).outlineStyle, end: e === document.body};"""
+
+
+# How many pixels of two PNG files, in base 64, differ so that it can be seen.
+DIFFERENCE = r"""
+const [first, second, done] = arguments;
+const pixels = async text => {
+  const image = new Image();
+  image.src = 'data:image/png;base64,' + text;
+  await image.decode();
+  const canvas = new OffscreenCanvas(image.width, image.height);
+  const context = canvas.getContext('2d');
+  context.drawImage(image, 0, 0);
+  return context.getImageData(0, 0, image.width, image.height).data;
+};
+Promise.all([pixels(first), pixels(second)]).then(([a, b]) => done(
+  a.length === b.length ? a.filter((x, i) => Math.abs(x - b[i]) > 32).length
+                        : Infinity));"""
+SEEN = 30
 
 
 def browser():
@@ -93,6 +126,14 @@ def faults_of_look(look, device, theme):
         yield f"is {look['width']} pixels wide, see {look['beyond']}"
     if (sum(look["paper"][:3]) < 384) != (theme == "dark"):
         yield f"has paper {look['paper']}"
+    if re.match(r"(\S+) \1 ", look["title"]):
+        yield f"has its number twice in its title, {look['title']}"
+    if look["tex"]:
+        yield f"shows TeX, {look['tex']}"
+    if look["bar"] != 0:
+        yield f"has a bar that scrolls away, to {look['bar']}"
+    for source in look["clipped"]:
+        yield f"shows a part of {source} only"
     if look["headings"] != 1:
         yield f"has {look['headings']} main headings"
     for source in look["broken"]:
@@ -137,18 +178,37 @@ def faults_of_links(looks):
                 yield page, f"links to {target.name}#{anchor}, not there"
 
 
-def faults_of_search(chromium, folder):
+def search(chromium, folder, words):
     chromium.get((folder / "index.html").as_uri())
     chromium.find_element(By.CSS_SELECTOR, ".find input").send_keys(
-        TERM + Keys.ENTER)
+        words + Keys.ENTER)
     time.sleep(0.5)
-    found = chromium.find_elements(By.CSS_SELECTOR, "#results a")
+    return chromium.find_elements(By.CSS_SELECTOR, "#results a")
+
+
+def faults_of_search(chromium, folder):
+    found = search(chromium, folder, TERM)
     if not found:
         yield f"the search does not find '{TERM}'"
         return
+    chapters = chromium.find_elements(By.CLASS_NAME, "home-page")
+    if not chapters or not all(chapter.text for chapter in chapters):
+        yield "the search does not name the chapters of what it finds"
     found[0].click()
     if TERM not in chromium.find_element(By.TAG_NAME, "main").text.lower():
         yield f"the search leads to where '{TERM}' is not"
+
+
+def faults_of_reference(chromium, folder):
+    """A search for a public name leads to its entry."""
+    found = search(chromium, folder, NAME)
+    if not found or not found[0].get_attribute("href").endswith(ENTRY):
+        yield f"'{NAME}' is not the first result of a search for it"
+        return
+    found[0].click()
+    entry = chromium.find_element(By.CSS_SELECTOR, ":target")
+    if NAME not in entry.text or not entry.is_displayed():
+        yield f"the search leads to where '{NAME}' is not declared"
 
 
 def press(chromium, key):
@@ -184,6 +244,162 @@ def faults_of_notes(chromium, page):
             yield f"note {mark.text} does not open"
 
 
+class Film:
+    """A film of the page that is open."""
+
+    def __init__(self, chromium, figure):
+        self.chromium, self.figure = chromium, figure
+        self.slider = figure.find_element(By.CSS_SELECTOR, "input")
+        self.button = figure.find_element(By.CSS_SELECTOR, "button")
+        self.name = figure.get_attribute("id")
+
+    def shown(self, what):
+        return any(e.is_displayed()
+                   for e in self.figure.find_elements(By.CSS_SELECTOR, what))
+
+    def value(self):
+        return int(self.slider.get_property("value"))
+
+    def wait(self, condition):
+        for _ in range(100):
+            if condition():
+                return True
+            time.sleep(0.05)
+        return False
+
+    def press(self, *keys):
+        """The picture after some keys on the slider, and the time it names."""
+        self.slider.send_keys(*keys)
+        self.wait(lambda: any(
+            c.get_attribute("data-frame") == str(self.value())
+            for c in self.figure.find_elements(By.TAG_NAME, "canvas")))
+        canvas = self.figure.find_element(By.TAG_NAME, "canvas")
+        self.chromium.execute_script(       # to the same place each time
+            "arguments[0].scrollIntoView({block: 'center'})", canvas)
+        return (canvas.screenshot_as_base64,
+                self.slider.get_attribute("aria-valuetext"))
+
+    def differ(self, first, second):
+        """Whether two pictures do; edges of the page leave traces."""
+        return self.chromium.execute_async_script(
+            DIFFERENCE, first, second) > SEEN
+
+    def tap(self, share):
+        """Tap on the slider at a share of its width."""
+        box = self.chromium.execute_script(
+            "return arguments[0].getBoundingClientRect()", self.slider)
+        at = {"x": box["left"] + share * box["width"],
+              "y": box["top"] + box["height"] / 2}
+        for kind, points in ("touchStart", [at]), ("touchEnd", []):
+            self.chromium.execute_cdp_cmd("Input.dispatchTouchEvent", {
+                "type": kind, "touchPoints": points})
+
+
+def faults_of_slider(film):
+    """Keys lead to frames, the same ones each time."""
+    last = int(film.slider.get_property("max"))
+    begin, named = film.press(Keys.HOME)
+    if named != "t = 0.00":
+        yield f"has {named} after Home"
+    later, named = film.press(*4 * [Keys.ARROW_RIGHT])
+    if not film.differ(later, begin) or film.value() != 4:
+        yield f"shows frame {film.value()} or no other one after four arrows"
+    back, _ = film.press(*4 * [Keys.ARROW_LEFT])
+    if film.differ(back, begin):
+        yield "does not come back to its first frame"
+    end, named = film.press(Keys.END)
+    if not film.differ(end, later) or (named, film.value()) != ("t = 1.00",
+                                                                last):
+        yield f"has {named} and frame {film.value()} after End"
+
+
+def faults_of_play(film):
+    """The button and the space bar begin and stop it; nothing else does."""
+    for kind, start in (("button", film.button.click),
+                        ("space bar", lambda: film.slider.send_keys(" "))):
+        film.press(Keys.HOME)
+        time.sleep(0.3)
+        if film.value() != 0:
+            yield "plays unasked"
+        start()
+        if not film.wait(lambda: film.value() > 3):
+            yield f"does not play by the {kind}"
+        start()
+        stopped = film.value()
+        time.sleep(0.3)
+        if film.value() != stopped:
+            yield f"does not stop by the {kind}"
+    film.press(Keys.END)
+    film.slider.send_keys(Keys.ARROW_LEFT)
+    film.button.click()
+    if not film.wait(lambda: film.button.get_attribute("aria-label") ==
+                     "Play"):
+        yield "does not stop at its end"
+
+
+def faults_of_still(film, theme):
+    """What is seen before the film is used, on paper and without script."""
+    if film.shown("canvas") or not film.shown("img.on-" + theme):
+        yield "does not begin with its still"
+
+
+def faults_of_print(chromium, film, theme):
+    features = [{"name": "prefers-color-scheme", "value": theme}]
+    chromium.execute_cdp_cmd("Emulation.setEmulatedMedia", {
+        "media": "print", "features": features})
+    if film.shown("canvas, input, button") or not film.shown("img.on-light"):
+        yield "is not its still on paper"
+    chromium.execute_cdp_cmd("Emulation.setEmulatedMedia", {
+        "media": "", "features": features})
+
+
+def faults_without_script(chromium, page, theme):
+    chromium.execute_cdp_cmd("Emulation.setScriptExecutionDisabled",
+                             {"value": True})
+    chromium.get(page.as_uri())
+    for figure in chromium.find_elements(By.CLASS_NAME, "film"):
+        film = Film(chromium, figure)
+        if film.shown("input, button, canvas") or not film.shown(
+                "img.on-" + theme):
+            yield f"film {film.name} is not its still without script"
+    chromium.execute_cdp_cmd("Emulation.setScriptExecutionDisabled",
+                             {"value": False})
+
+
+def faults_of_sheets(addresses, films, theme):
+    """Only the sheets of the theme are loaded, each once."""
+    sheets = [Path(unquote(urlparse(a).path)) for a in addresses
+              if "/_images/films/" in a]
+    if len(sheets) != films or len(set(sheets)) != films or not all(
+            s.stem.endswith("-" + theme) for s in sheets):
+        yield "loads for its films " + ", ".join(s.name for s in sheets)
+    weight = sum(s.stat().st_size for s in sheets)
+    if weight > FILMS_WEIGHT:
+        yield f"has films of {weight} bytes"
+
+
+def faults_of_films(chromium, page, device, theme):
+    chromium.get_log("performance")
+    chromium.get(page.as_uri())
+    films = [Film(chromium, figure) for figure in
+             chromium.find_elements(By.CLASS_NAME, "film")]
+    for film in films:
+        chromium.execute_script(    # whose focus ring lies on the picture
+            "arguments[0].scrollIntoView({block: 'center'});"
+            "arguments[0].style.outline = 'none'", film.slider)
+        found = [*faults_of_still(film, theme), *faults_of_slider(film),
+                 *faults_of_play(film), *faults_of_print(chromium, film, theme)]
+        if device == "phone":
+            film.tap(0.9)
+            if film.value() < 0.8 * int(film.slider.get_property("max")):
+                found.append(f"has frame {film.value()} after a tap")
+        for fault in found:
+            yield f"film {film.name} {fault}"
+    if films:
+        yield from faults_of_sheets(requests(chromium), len(films), theme)
+        yield from faults_without_script(chromium, page, theme)
+
+
 def faults(chromium, folder):
     pages = sorted(folder.glob("*.html"))
     print(f"{len(pages)} pages:", *(page.stem for page in pages))
@@ -195,14 +411,19 @@ def faults(chromium, folder):
                 for fault in faults_of_page(chromium, page, device, theme,
                                             looks):
                     yield f"{page.name} ({device}, {theme}) {fault}"
-        for fault in faults_of_search(chromium, folder):
-            yield f"({device}) {fault}"
+        for kind in faults_of_search, faults_of_reference:
+            for fault in kind(chromium, folder):
+                yield f"({device}) {fault}"
         for page in pages:
             for fault in faults_of_keys(chromium, page):
                 yield f"{page.name} ({device}) {fault}"
             if device == "phone":
                 for fault in faults_of_notes(chromium, page):
                     yield f"{page.name} ({device}) {fault}"
+            theme = "dark" if device == "phone" else "light"
+            become(chromium, device, theme)
+            for fault in faults_of_films(chromium, page, device, theme):
+                yield f"{page.name} ({device}, {theme}) {fault}"
     for page, fault in faults_of_links(looks):
         yield f"{page.name} {fault}"
 

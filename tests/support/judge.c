@@ -2,7 +2,9 @@
 
 #include "arithmetic/clamped.h"
 #include "arithmetic/exact.h"
+#include "arithmetic/operations.h"
 #include "arithmetic/perturbed.h"
+#include "base/require.h"
 
 #include <math.h>
 #include <string.h>
@@ -116,13 +118,13 @@ const char *sound_fault(const query *q, const tf_arithmetic *arithmetic,
 /// For coordinates that are small integers.
 static const double tolerance = 1e-12;
 
-static bool good_weights(int vertices, const double weight[])
+static bool good_coordinates(int vertices, const double barycentric[])
 {
     double sum = 0;
     for (int i = 0; i < vertices; i++) {
-        if (!(weight[i] >= 0))
+        if (!(barycentric[i] >= 0))
             return false;
-        sum += weight[i];
+        sum += barycentric[i];
     }
     return fabs(sum - 1) <= tolerance;
 }
@@ -131,10 +133,10 @@ static bool points_agree(const query *q, const tf_contact *contact)
 {
     double point[2][TF_AXES];
     double t = contact->toi_lo + (contact->toi_hi - contact->toi_lo) / 2;
-    staircase_point(q->axes, q->vertices, q->vertex, contact->weight[0], t,
+    staircase_point(q->axes, q->vertices, q->vertex, contact->barycentric[0], t,
                     point[0]);
     staircase_point(q->axes, q->others, query_const_others(q),
-                    contact->weight[1], t, point[1]);
+                    contact->barycentric[1], t, point[1]);
     for (int k = 0; k < q->axes; k++)
         if (!(fabs(point[0][k] - point[1][k]) <= tolerance))
             return false;
@@ -150,16 +152,16 @@ static double dot(int axes, const double a[], const double b[])
 }
 
 /// A generic contact is inside of both elements and of the step.
-static bool good_decision(const query *q, const tf_contact *contact)
+static bool good_classification(const query *q, const tf_contact *contact)
 {
-    if (contact->decision != TF_GENERIC)
-        return contact->decision == TF_TOUCHING ||
-               contact->decision == TF_DEGENERATE;
+    if (contact->classification != TF_GENERIC)
+        return contact->classification == TF_TOUCHING ||
+               contact->classification == TF_DEGENERATE;
     for (int i = 0; i < q->vertices; i++)
-        if (contact->weight[0][i] == 0)
+        if (contact->barycentric[0][i] == 0)
             return false;
     for (int i = 0; i < q->others; i++)
-        if (contact->weight[1][i] == 0)
+        if (contact->barycentric[1][i] == 0)
             return false;
     return contact->toi_lo > 0 && contact->toi_hi < 1;
 }
@@ -168,18 +170,18 @@ const char *geometry_fault(const query *q, const tf_contact *contact)
 {
     const double *normal = contact->normal;
     double square = dot(q->axes, normal, normal);
-    double speed = dot(q->axes, contact->velocity, normal);
-    if (!good_weights(q->vertices, contact->weight[0]) ||
-        !good_weights(q->others, contact->weight[1]))
-        return "the weights are no convex combination";
+    double normal_velocity = dot(q->axes, contact->velocity, normal);
+    if (!good_coordinates(q->vertices, contact->barycentric[0]) ||
+        !good_coordinates(q->others, contact->barycentric[1]))
+        return "the barycentric coordinates are no convex combination";
     if (!points_agree(q, contact))
         return "the two elements' points differ";
     if (square != 0 && !(fabs(square - 1) <= tolerance))
         return "the normal is neither zero nor of length 1";
-    if (!(fabs(contact->speed - speed) <= tolerance))
-        return "the speed is not that along the normal";
-    if (!good_decision(q, contact))
-        return "the decision contradicts the contact";
+    if (!(fabs(contact->normal_velocity - normal_velocity) <= tolerance))
+        return "the normal velocity is not that along the normal";
+    if (!good_classification(q, contact))
+        return "the classification contradicts the contact";
     return NULL;
 }
 
@@ -204,11 +206,13 @@ const char *perturbed_fault(const query *q)
 {
     tf_contact exact = ask(&tf_exact, q), perturbed = ask(&tf_perturbed, q);
     bool hit = exact.verdict == TF_HIT;
-    if (perturbed.decision != TF_GENERIC)
-        return "a perturbed decision that is not generic";
+    tf_classification expected =
+        perturbed.verdict == TF_HIT ? TF_GENERIC : TF_UNCLASSIFIED;
+    if (perturbed.classification != expected)
+        return "a perturbed contact that is not generic";
     if (perturbed.verdict == TF_HIT && !hit)
         return "a contact of the perturbed arithmetic alone";
-    if (hit && exact.decision != TF_GENERIC)
+    if (hit && exact.classification != TF_GENERIC)
         return NULL;
     return memcmp(&exact, &perturbed, sizeof exact) == 0
                ? NULL

@@ -2,7 +2,7 @@
 #ifndef SUPPORT_JUDGE_H
 #define SUPPORT_JUDGE_H
 
-#include "query/contact.h"
+#include "query/query.h"
 #include "support/oracle.h"
 #include "support/queries.h"
 
@@ -28,8 +28,9 @@ const char *exact_fault(const query *q, const tf_arithmetic *arithmetic,
 const char *sound_fault(const query *q, const tf_arithmetic *arithmetic,
                         const truth *known, tf_contact *contact);
 
-/// What is wrong with the weights, the normal, the velocity or the decision of
-/// a contact of a query whose coordinates are small integers.
+/// What is wrong with the barycentric coordinates, the normal, the velocity or
+/// the classification of a contact of a query whose coordinates are small
+/// integers.
 const char *geometry_fault(const query *q, const tf_contact *contact);
 
 /// Fail the test, showing the query, unless `fault` is NULL.
@@ -39,8 +40,8 @@ void expect_no_fault(const char *fault, const query *q);
 tf_contact ask(const tf_arithmetic *arithmetic, const query *q);
 
 /// What is wrong with the perturbed answer to a query with numbered vertices,
-/// as far as exact signs tell: it is generic, and the exact one unless a contact
-/// touches; NULL if nothing is.
+/// as far as exact signs tell: it is generic, and the exact one unless a
+/// contact touches; NULL if nothing is.
 const char *perturbed_fault(const query *q);
 
 /// Judge a query by exact and clamped arithmetic.

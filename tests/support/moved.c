@@ -105,8 +105,8 @@ typedef struct matrix {
     const long *weight[MOST_EVENTS];
 } matrix;
 
-/// Add up the terms of the rows from `row` on in the columns not in `used`, each
-/// times `so_far`.
+/// Add up the terms of the rows from `row` on in the columns not in `used`,
+/// each times `so_far`.
 static void expand(const matrix *m, int row, int used, term so_far, sum *s)
 {
     if (so_far.factor == 0)

@@ -1,8 +1,9 @@
-// Elements whose events are moved, each coordinate by a power of two of its own:
-// x becomes x + 2^(-bits w), with weights w that grow so fast that a power is
-// small beside every product of up to three earlier ones, at most one an event
-// and an axis, and any determinant of small integers.  Earlier are the vertices
-// of lower index, of a vertex its event at t = 0, of an event its lower axes.
+// Elements whose events are moved, each coordinate by a power of two of its
+// own: x becomes x + 2^(-bits w), with weights w that grow so fast that a power
+// is small beside every product of up to three earlier ones, at most one an
+// event and an axis, and any determinant of small integers.  Earlier are the
+// vertices of lower index, of a vertex its event at t = 0, of an event its
+// lower axes.
 //
 // What is true of them is found in exact numbers, twice: by determinants of all
 // the homogeneous coordinates, expanded into sums of powers of two, and by the
@@ -19,8 +20,8 @@ typedef struct moved_pair {
     oracle_simplex s, r;
 } moved_pair;
 
-/// The sign of the barycentric coordinate of an event once moved, up to a factor
-/// that all events of the pair have in common; those of S come first.
+/// The sign of the barycentric coordinate of an event once moved, up to a
+/// factor that all events of the pair have in common; those of S come first.
 int moved_sign(const moved_pair *pair, int event);
 
 /// Whether they meet once moved; if so and if `timed`, `toi` is the time, but

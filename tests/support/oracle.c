@@ -302,11 +302,11 @@ bool oracle_slices_meet(int axes, const oracle_simplex *s,
 }
 
 oracle_simplex oracle_step(int vertices, const tf_worldline element[],
-                           int mover)
+                           int pivot)
 {
     oracle_simplex s = {.count = vertices + 1};
     for (int i = 0; i < s.count; i++)
-        s.event[i] = i <= mover ? &element[i].at[0] : &element[i - 1].at[1];
+        s.event[i] = i <= pivot ? &element[i].at[0] : &element[i - 1].at[1];
     return s;
 }
 

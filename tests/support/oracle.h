@@ -1,10 +1,10 @@
-// The independent judge: do two closed simplices meet, and when first?  Found by
-// linear programming in exact rational numbers, with no determinant, no
+// The independent judge: do two closed simplices meet, and when first?  Found
+// by linear programming in exact rational numbers, with no determinant, no
 // predicate and no case of degeneracy, and with its own staircase.
 #ifndef SUPPORT_ORACLE_H
 #define SUPPORT_ORACLE_H
 
-#include "spacetime/event.h"
+#include "geometry/event.h"
 
 #include <gmp.h>
 #include <stdbool.h>
@@ -25,9 +25,10 @@ typedef struct oracle_moves {
     int shift[2][ORACLE_EVENTS][TF_AXES];
 } oracle_moves;
 
-/// The step of a staircase: the vertices 0..mover at t = 0 and mover.. at t = 1.
+/// The step of a staircase: the vertices 0..pivot at t = 0, and pivot.. at
+/// t = 1.
 oracle_simplex oracle_step(int vertices, const tf_worldline element[],
-                           int mover);
+                           int pivot);
 
 /// Whether two simplices of space-time meet; if so `toi` is the exact earliest
 /// time.

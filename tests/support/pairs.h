@@ -2,7 +2,7 @@
 #ifndef SUPPORT_PAIRS_H
 #define SUPPORT_PAIRS_H
 
-#include "spacetime/complementary.h"
+#include "intersect/complementary.h"
 #include "support/oracle.h"
 
 /// A pair with its own events.
@@ -29,11 +29,11 @@ void shape_static(own_pair *own, int axes, int first, int second);
 int pair_size(const own_pair *own);
 double *pair_coordinate(own_pair *own, int i);
 
-/// What is wrong with `meeting` as the earliest common point of the pair, found
-/// with exact signs and values (or `exact` is false: then it must not claim what
-/// is not so); NULL if nothing is.
-const char *meeting_fault(const own_pair *own, const tf_meeting *meeting,
-                          bool exact);
+/// What is wrong with `found` as the earliest common point of the pair, found
+/// with exact signs and values (or `exact` is false: then it must not claim
+/// what is not so); NULL if nothing is.
+const char *intersection_fault(const own_pair *own,
+                               const tf_intersection *found, bool exact);
 
 /// The pair in hexadecimal floats.  Static storage.
 const char *pair_text(const own_pair *own);

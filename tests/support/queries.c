@@ -10,8 +10,10 @@ query query_new(query_kind kind)
     query q = {.axes = kind == POINT_EDGE ? 2 : 3,
                .vertices = kind == EDGE_EDGE ? 2 : 1,
                .others = kind == POINT_TRIANGLE ? 3 : 2};
-    for (int i = 0; i < QUERY_VERTICES; i++)
+    for (int i = 0; i < QUERY_VERTICES; i++) {
         q.vertex[i].at[1].t = 1;
+        tf_worldline_set_vertex(&q.vertex[i], TF_NO_INDEX);
+    }
     return q;
 }
 
@@ -251,4 +253,34 @@ void query_scale(query *q, int axis, int exponent)
 {
     for (int i = axis; i < query_size(q); i += q->axes)
         *query_coordinate(q, i) = ldexp(*query_coordinate(q, i), exponent);
+}
+
+/// An integer below 2^bits in absolute value, of any number of bits up to that.
+static double any_integer(generator *random, int bits)
+{
+    int own = below(random, bits + 1);
+    double x = own == 0 ? 0 : (double)(next_bits(random) >> (64 - own));
+    return below(random, 2) ? -x : x;
+}
+
+void query_shear(generator *random, query *q, int bits)
+{
+    // 3 * 16 * 2^(bits - 7) + 2^(bits - 1) is less than 2^bits.
+    double factor[TF_AXES][TF_AXES] = {{0}}, shift[TF_AXES] = {0};
+    for (int i = 0; i < q->axes; i++) {
+        shift[i] = any_integer(random, bits - 1);
+        for (int k = 0; k < q->axes; k++)
+            factor[i][k] = any_integer(random, bits - 7);
+    }
+    for (int row = 0; row < query_size(q); row += q->axes) {
+        double x[TF_AXES];
+        for (int k = 0; k < q->axes; k++)
+            x[k] = *query_coordinate(q, row + k);
+        for (int i = 0; i < q->axes; i++) {
+            double sum = shift[i];
+            for (int k = 0; k < q->axes; k++)
+                sum += factor[i][k] * x[k];
+            *query_coordinate(q, row + i) = sum;
+        }
+    }
 }

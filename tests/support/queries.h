@@ -2,7 +2,7 @@
 #ifndef SUPPORT_QUERIES_H
 #define SUPPORT_QUERIES_H
 
-#include "spacetime/event.h"
+#include "geometry/event.h"
 #include "support/support.h"
 
 typedef enum query_kind {
@@ -77,6 +77,11 @@ void query_nudge(generator *random, query *q, int ulps);
 
 /// Multiply the coordinates of one axis by 2^exponent.
 void query_scale(query *q, int axis, int exponent);
+
+/// Take vertices whose coordinates are integers up to 16 in absolute value by a
+/// random affine map to integers below 2^bits, bits = 8 to 53.  What was on a
+/// line or in a plane remains so.
+void query_shear(generator *random, query *q, int bits);
 
 /// The point of an element's staircase sweep at the time t, 0 to 1, that has
 /// the given weights of the vertices.

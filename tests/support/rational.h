@@ -3,7 +3,7 @@
 #ifndef SUPPORT_RATIONAL_H
 #define SUPPORT_RATIONAL_H
 
-#include "arithmetic/differences.h"
+#include "arithmetic/operations.h"
 
 #include <gmp.h>
 

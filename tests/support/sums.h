@@ -3,7 +3,7 @@
 #ifndef SUPPORT_SUMS_H
 #define SUPPORT_SUMS_H
 
-#include "arithmetic/differences.h"
+#include "arithmetic/operations.h"
 
 #include <gmp.h>
 

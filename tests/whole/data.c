@@ -234,6 +234,15 @@ START_TEST(kept_queries)
 }
 END_TEST
 
+START_TEST(rare_queries)
+{
+    judge_file("tests/queries/rare-point-edge.csv", NULL, POINT_EDGE, false);
+    judge_file("tests/queries/rare-point-triangle.csv", NULL, POINT_TRIANGLE,
+               false);
+    judge_file("tests/queries/rare-edge-edge.csv", NULL, EDGE_EDGE, false);
+}
+END_TEST
+
 Suite *suite(void)
 {
     Suite *data = suite_create("query files");
@@ -241,6 +250,7 @@ Suite *suite(void)
     tcase_add_test(files, public_queries);
     tcase_add_test(files, adversarial_queries);
     tcase_add_test(files, kept_queries);
+    tcase_add_test(files, rare_queries);
     suite_add_tcase(data, files);
     return data;
 }

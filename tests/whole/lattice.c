@@ -1,8 +1,9 @@
-// Queries whose coordinates are integers, small ones above all: every degeneracy
-// there is comes up, over and over.
+// Queries whose coordinates are integers, small ones above all: every
+// degeneracy there is comes up, over and over.
 #include "arithmetic/clamped.h"
 #include "arithmetic/exact.h"
 #include "arithmetic/integer.h"
+#include "arithmetic/operations.h"
 #include "support/judge.h"
 
 #include <math.h>
@@ -23,7 +24,7 @@ static void judge(const query *q, truth *known)
         if (!known->hit)
             continue;
         expect_no_fault(geometry_fault(q, &contact[i]), q);
-        if (contact[i].decision != contact[0].decision)
+        if (contact[i].classification != contact[0].classification)
             expect_no_fault("the exact arithmetics decide differently", q);
     }
     expect_no_fault(sound_fault(q, &tf_clamped, known, &clamped), q);

@@ -1,9 +1,15 @@
 // Coordinates from 4.9e-324 to 1.7e308 mixed in one query: degenerate, nearly
-// so, and any.  The verdict and the interval of the time are judged.
+// so, and any.  The verdict and the interval of the time are judged; of the
+// other fields, that all are finite, whatever overflows on the way to them.
+#include "arithmetic/clamped.h"
+#include "arithmetic/exact.h"
+#include "arithmetic/operations.h"
+#include "arithmetic/perturbed.h"
 #include "support/judge.h"
 
 #include <float.h>
 #include <math.h>
+#include <stdio.h>
 
 typedef query maker(generator *random, query_kind kind);
 
@@ -194,6 +200,95 @@ START_TEST(any_magnitudes)
 }
 END_TEST
 
+// Every field -----------------------------------------------------------------
+
+/// Coordinates of about one magnitude, mostly one whose squares, cubes or sums
+/// are near the largest double, and some of any.
+static query near_overflow(generator *random, query_kind kind)
+{
+    static const int limit[] = {340, 511, 1022};
+    int exponent = below(random, 4) ? limit[below(random, 3)] + below(random, 3)
+                                    : below(random, 2098) - 1074;
+    query q = below(random, 2) ? query_lattice(random, kind, 3)
+                               : query_soup(random, kind);
+    for (int i = 0; i < query_size(&q); i++) {
+        double *x = query_coordinate(&q, i);
+        *x = fmax(-DBL_MAX, fmin(ldexp(*x, exponent), DBL_MAX));
+    }
+    while (below(random, 2))
+        plant(random, &q, ldexp(1, below(random, 2098) - 1074));
+    return q;
+}
+
+static bool all_finite(int count, const double x[])
+{
+    for (int i = 0; i < count; i++)
+        if (!isfinite(x[i]))
+            return false;
+    return true;
+}
+
+static double sum(const double x[3])
+{
+    return x[0] + x[1] + x[2];
+}
+
+static const char *field_fault(const tf_contact *contact)
+{
+    const double *n = contact->normal;
+    double square = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
+    if (!(contact->toi_lo >= 0 && contact->toi_lo <= contact->toi_hi &&
+          contact->toi_hi <= 1))
+        return "the time is no interval within 0 to 1";
+    for (int i = 0; i < 2 && contact->verdict != TF_APART; i++)
+        if (!(fabs(sum(contact->barycentric[i]) - 1) <= 1e-15))
+            return "the barycentric coordinates do not sum to 1";
+    if (square != 0 && !(fabs(square - 1) <= 1e-15))
+        return "the normal is neither zero nor of length 1";
+    if (!all_finite(3, contact->velocity))
+        return "the velocity is not finite";
+    return isfinite(contact->normal_velocity)
+               ? NULL
+               : "the normal velocity is not finite";
+}
+
+/// Judge the fields of a query's contact.  Whether there is a contact with a
+/// normal.
+static bool has_good_fields(const tf_arithmetic *arithmetic, const query *q)
+{
+    char text[200];
+    tf_contact contact = ask(arithmetic, q);
+    const char *fault = field_fault(&contact);
+    snprintf(text, sizeof text, "%s: %s", arithmetic->name, fault ? fault : "");
+    expect_no_fault(fault ? text : NULL, q);
+    const double *n = contact.normal;
+    return n[0] != 0 || n[1] != 0 || n[2] != 0;
+}
+
+static const tf_arithmetic *const arithmetics[] = {&tf_exact, &tf_clamped,
+                                                   &tf_report, &tf_perturbed};
+enum {
+    ARITHMETICS = sizeof arithmetics / sizeof *arithmetics
+};
+
+START_TEST(every_field_is_finite)
+{
+    generator random = generator_new((uint64_t)(20 + _i));
+    const tf_arithmetic *arithmetic = arithmetics[_i / KINDS];
+    long normals = 0, count = cases(50000);
+    for (long i = 0; i < count; i++) {
+        query_kind kind = (query_kind)(_i % KINDS);
+        query q = below(&random, 2) ? near_overflow(&random, kind)
+                                    : query_extreme(&random, kind);
+        query_number(&q);
+        normals += has_good_fields(arithmetic, &q);
+    }
+    if (count >= 1000)
+        ck_assert_msg(normals > count / 20, "%ld normals of %ld", normals,
+                      count);
+}
+END_TEST
+
 Suite *suite(void)
 {
     Suite *magnitudes = suite_create("magnitudes");
@@ -209,6 +304,7 @@ Suite *suite(void)
     suite_add_tcase(magnitudes, nearly);
     TCase *any = tcase_create("any");
     tcase_add_test(any, any_magnitudes);
+    tcase_add_loop_test(any, every_field_is_finite, 0, ARITHMETICS * KINDS);
     suite_add_tcase(magnitudes, any);
     return magnitudes;
 }

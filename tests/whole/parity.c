@@ -3,7 +3,7 @@
 // times, if the ends of the step count too.
 #include "arithmetic/exact.h"
 #include "arithmetic/perturbed.h"
-#include "spacetime/meet.h"
+#include "intersect/cascade.h"
 #include "support/oracle.h"
 #include "support/support.h"
 
@@ -36,8 +36,8 @@ static element edge_of(const element *triangle, int i)
 // Contacts --------------------------------------------------------------------
 
 /// How many pairs of the simplices that two elements sweep meet.
-static int count_meetings(const tf_arithmetic *arithmetic, const element *a,
-                          const element *b)
+static int count_intersections(const tf_arithmetic *arithmetic,
+                               const element *a, const element *b)
 {
     tf_simplex s[TF_VERTICES], r[TF_VERTICES];
     tf_sweep(a->vertices, a->vertex, s);
@@ -46,7 +46,8 @@ static int count_meetings(const tf_arithmetic *arithmetic, const element *a,
     for (int i = 0; i < a->vertices; i++)
         for (int j = 0; j < b->vertices; j++) {
             tf_pair pair = tf_pair_of(&s[i], &r[j], TF_AXES);
-            count += tf_meet(arithmetic, &pair).verdict == TF_HIT;
+            count += tf_intersect(arithmetic, &pair, TF_WITH_POINT).verdict ==
+                     TF_HIT;
         }
     return count;
 }
@@ -57,7 +58,7 @@ static int count_points(const tf_arithmetic *arithmetic, const element *points,
     int count = 0;
     for (int i = 0; i < points->vertices; i++) {
         element point = vertex_of(points, i);
-        count += count_meetings(arithmetic, &point, triangle);
+        count += count_intersections(arithmetic, &point, triangle);
     }
     return count;
 }
@@ -68,7 +69,7 @@ static int count_edges(const tf_arithmetic *arithmetic, const element *edge,
     int count = 0;
     for (int i = 0; i < 3; i++) {
         element other = edge_of(triangle, i);
-        count += count_meetings(arithmetic, edge, &other);
+        count += count_intersections(arithmetic, edge, &other);
     }
     return count;
 }
@@ -142,7 +143,7 @@ static void expect_even(int count, bool seen[16], const element *edge,
 {
     seen[count] = true;
     if (count % 2 != 0)
-        fail_step("an odd number of meetings", edge, triangle);
+        fail_step("an odd number of intersections", edge, triangle);
 }
 
 static void expect_variety(const bool seen[16])
@@ -151,7 +152,7 @@ static void expect_variety(const bool seen[16])
                   "the steps are too tame");
 }
 
-START_TEST(the_number_of_meetings_is_even)
+START_TEST(the_number_of_intersections_is_even)
 {
     generator random = generator_new(1);
     bool seen[16] = {false};
@@ -192,19 +193,21 @@ static void fill_lattice(generator *random, element *edge, element *triangle)
 static bool perturbed_meet_at_end(const element *edge, const element *triangle,
                                   int t)
 {
-    tf_pair pair = {.early = t == 0 ? 5 : 0, .axes = 3, .axis = {0, 1, 2}};
+    tf_pair pair = {
+        .start_count = t == 0 ? 5 : 0, .axes = 3, .axis = {0, 1, 2}};
     const element *sides[2] = {edge, triangle};
     for (int side = 0; side < 2; side++)
         for (int i = 0; i < sides[side]->vertices; i++) {
             pair.event[pair.count] = &sides[side]->vertex[i].at[t];
-            pair.side[pair.count++] = side == 0 ? +1 : -1;
+            pair.operand[pair.count++] = side == 0 ? +1 : -1;
         }
-    tf_meeting meeting;
-    ck_assert(tf_complementary_meet(&tf_perturbed, &pair, &meeting));
-    return meeting.verdict == TF_HIT;
+    tf_intersection found;
+    ck_assert(tf_complementary_intersect(&tf_perturbed, &pair, TF_WITH_POINT,
+                                         &found));
+    return found.verdict == TF_HIT;
 }
 
-START_TEST(perturbed_meetings_are_even_however_degenerate)
+START_TEST(perturbed_intersections_are_even_however_degenerate)
 {
     generator random = generator_new(3);
     bool seen[16] = {false};
@@ -285,8 +288,8 @@ Suite *suite(void)
 {
     Suite *parity = suite_create("parity");
     TCase *steps = tcase_create("steps");
-    tcase_add_test(steps, the_number_of_meetings_is_even);
-    tcase_add_test(steps, perturbed_meetings_are_even_however_degenerate);
+    tcase_add_test(steps, the_number_of_intersections_is_even);
+    tcase_add_test(steps, perturbed_intersections_are_even_however_degenerate);
     tcase_add_test(steps, a_clear_step_ends_clear);
     tcase_add_test(steps, a_clear_step_may_cross_midway);
     suite_add_tcase(parity, steps);

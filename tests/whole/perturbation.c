@@ -3,10 +3,13 @@
 #include "arithmetic/perturbed.h"
 
 #include "arithmetic/exact.h"
-#include "query/contact.h"
+#include "arithmetic/operations.h"
+#include "intersect/pair.h"
+#include "query/query.h"
 #include "support/judge.h"
 #include "support/moved.h"
 
+#include <limits.h>
 #include <math.h>
 #include <string.h>
 
@@ -46,8 +49,8 @@ static const char *moved_fault(const query *q, bool *hit)
     const char *fault = NULL;
     if (contact.verdict != (*hit ? TF_HIT : TF_APART))
         fault = "not the verdict of the moved elements";
-    else if (contact.decision != TF_GENERIC)
-        fault = "a decision that is not generic";
+    else if (contact.classification != (*hit ? TF_GENERIC : TF_UNCLASSIFIED))
+        fault = "a contact that is not generic";
     else if (*hit && !encloses(&contact, toi))
         fault = "not the time of the moved elements";
     mpq_clear(toi);
@@ -93,7 +96,7 @@ static bool signs_are_moved(const tf_pair *pair, const moved_pair *moved)
     for (int i = 0; i < pair->count; i++) {
         tf_differences d = tf_pair_differences(pair, i);
         int sign = (int)tf_perturbed.sign(&d) * (i % 2 == 0 ? 1 : -1) *
-                   (i < pair->early ? 1 : -1);
+                   (i < pair->start_count ? 1 : -1);
         int product = sign * moved_sign(moved, place_in(moved, pair->event[i]));
         if (product == 0 || (factor != 0 && product != factor))
             return false;
@@ -116,8 +119,8 @@ START_TEST(lattice_signs_are_those_of_moved_events)
         moved_pair moved = {
             .axes = q.axes,
             .timed = true,
-            .s = oracle_step(q.vertices, q.vertex, s[a].mover),
-            .r = oracle_step(q.others, query_const_others(&q), r[b].mover)};
+            .s = oracle_step(q.vertices, q.vertex, s[a].pivot),
+            .r = oracle_step(q.others, query_const_others(&q), r[b].pivot)};
         if (!signs_are_moved(&pair, &moved))
             expect_no_fault("not the signs of moved events", &q);
     }
@@ -155,15 +158,18 @@ START_TEST(moved_pairs_meet_as_the_oracle_says)
         if (fabs(mpq_get_d(difference)) > 0x1p-8)
             expect_no_fault("the oracle has another time", &q);
     }
-    ck_assert_int_gt(hits, all / 30);
+    // About one in eleven is a hit: a few cases may have none.
+    if (all >= 300)
+        ck_assert_int_gt(hits, all / 30);
     mpq_clears(toi, true_toi, difference, NULL);
 }
 END_TEST
 
 // Exact signs -----------------------------------------------------------------
 
-// Whatever is found for moved elements is found in the limit too, where touching
-// counts; and nothing moves far enough to change a sign that is not zero.
+// Whatever is found for moved elements is found in the limit too, where
+// touching counts; and nothing moves far enough to change a sign that is not
+// zero.
 START_TEST(answers_are_exact_but_for_touching)
 {
     generator random = generator_new((uint64_t)(20 + _i));
@@ -175,7 +181,8 @@ START_TEST(answers_are_exact_but_for_touching)
         mix_vertices(&random, &q);
         expect_no_fault(perturbed_fault(&q), &q);
         tf_contact exact = ask(&tf_exact, &q);
-        generic += exact.verdict == TF_HIT && exact.decision == TF_GENERIC;
+        generic +=
+            exact.verdict == TF_HIT && exact.classification == TF_GENERIC;
     }
     ck_assert_int_gt(generic, 0);
 }
@@ -238,10 +245,10 @@ static query shuffle(generator *random, const query *q,
     return shuffled;
 }
 
-static double weight_of(const query *q, const tf_contact *contact, int i)
+static double barycentric_of(const query *q, const tf_contact *contact, int i)
 {
-    return i < q->vertices ? contact->weight[0][i]
-                           : contact->weight[1][i - q->vertices];
+    return i < q->vertices ? contact->barycentric[0][i]
+                           : contact->barycentric[1][i - q->vertices];
 }
 
 START_TEST(vertices_may_come_in_any_order)
@@ -255,11 +262,13 @@ START_TEST(vertices_may_come_in_any_order)
         query shuffled = shuffle(&random, &q, order, &parity);
         const tf_arithmetic *arithmetic = i % 4 < 2 ? &tf_perturbed : &tf_exact;
         tf_contact a = ask(arithmetic, &q), b = ask(arithmetic, &shuffled);
-        bool same = same_time(&a, &b) && b.speed == parity * a.speed;
+        bool same = same_time(&a, &b) &&
+                    b.normal_velocity == parity * a.normal_velocity;
         for (int k = 0; k < q.axes; k++)
             same &= b.normal[k] == parity * a.normal[k];
         for (int v = 0; v < q.vertices + q.others; v++)
-            same &= weight_of(&q, &b, v) == weight_of(&q, &a, order[v]);
+            same &=
+                barycentric_of(&q, &b, v) == barycentric_of(&q, &a, order[v]);
         if (!same)
             expect_no_fault("another answer for another order", &q);
     }
@@ -275,12 +284,25 @@ START_TEST(only_the_order_of_indices_counts)
         query wide = q;
         for (int v = 0; v < q.vertices + q.others; v++)
             tf_worldline_set_vertex(&wide.vertex[v],
-                                    TF_PERTURBED_VERTICES - 4 +
-                                        q.vertex[v].at[0].vertex);
+                                    INT_MAX - 3 + q.vertex[v].at[0].vertex);
         tf_contact a = ask(&tf_perturbed, &q), b = ask(&tf_perturbed, &wide);
         if (memcmp(&a, &b, sizeof a) != 0)
             expect_no_fault("another answer for larger indices", &q);
     }
+}
+END_TEST
+
+START_TEST(indices_are_needed)
+{
+    query q = query_new((query_kind)_i);
+    tf_contact contact;
+    ck_assert_int_eq(tf_query(&tf_perturbed, q.axes, q.vertices, q.vertex,
+                              q.others, query_const_others(&q), &contact),
+                     TF_BAD_INDEX);
+    query_number(&q);
+    ck_assert_int_eq(tf_query(&tf_perturbed, q.axes, q.vertices, q.vertex,
+                              q.others, query_const_others(&q), &contact),
+                     TF_OK);
 }
 END_TEST
 
@@ -295,6 +317,7 @@ Suite *suite(void)
     tcase_add_test(c, two_edges_may_be_swapped);
     tcase_add_loop_test(c, vertices_may_come_in_any_order, 0, KINDS);
     tcase_add_loop_test(c, only_the_order_of_indices_counts, 0, KINDS);
+    tcase_add_loop_test(c, indices_are_needed, 0, KINDS);
     suite_add_tcase(s, c);
     return s;
 }

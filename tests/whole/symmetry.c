@@ -1,47 +1,32 @@
 // What may not change an answer: another naming of the axes, of space's left
 // and right, of the elements, of past and future, and another unit of length.
+#include "support/changes.h"
 #include "support/judge.h"
 
 // Each change keeps the first contact's time, so that the truth of the query
 // before the change judges the answer after it.
 
-static void permute_axes(generator *random, query *q)
+static void turn_axes(generator *random, query *q)
 {
-    query before = *q;
     int first = below(random, q->axes);
-    bool reversed = below(random, 2);
-    for (int i = 0; i < query_size(q); i += q->axes)
-        for (int k = 0; k < q->axes; k++) {
-            int from = (reversed ? q->axes - k : k) + first;
-            *query_coordinate(q, i + k) =
-                *query_coordinate(&before, i + from % q->axes);
-        }
+    query_turn_axes(q, first, below(random, 2));
 }
 
 static void mirror(generator *random, query *q)
 {
-    int axis = below(random, q->axes);
-    for (int i = axis; i < query_size(q); i += q->axes)
-        *query_coordinate(q, i) = -*query_coordinate(q, i);
+    query_mirror(q, below(random, q->axes));
 }
 
 static void swap_elements(generator *random, query *q)
 {
     (void)random;
-    if (q->vertices != q->others)
-        return;
-    query before = *q;
-    for (int i = 0; i < q->others; i++) {
-        q->vertex[i] = before.vertex[q->vertices + i];
-        q->vertex[q->vertices + i] = before.vertex[i];
-    }
+    query_swap_elements(q);
 }
 
 static void change_unit(generator *random, query *q)
 {
     int exponent = below(random, 201); // up, where no bit is lost
-    for (int axis = 0; axis < q->axes; axis++)
-        query_scale(q, axis, exponent);
+    ck_assert(query_change_unit(q, exponent));
 }
 
 typedef void change(generator *random, query *q);
@@ -72,7 +57,7 @@ static void judge_change(change *make, uint64_t stream)
 
 START_TEST(axes_change_places)
 {
-    judge_change(permute_axes, 1);
+    judge_change(turn_axes, 1);
 }
 END_TEST
 
@@ -96,28 +81,6 @@ END_TEST
 
 // Past and future -------------------------------------------------------------
 
-static void reverse(int vertices, tf_worldline element[])
-{
-    tf_worldline before[QUERY_VERTICES];
-    for (int i = 0; i < vertices; i++)
-        before[i] = element[i];
-    for (int i = 0; i < vertices; i++)
-        for (int t = 0; t < 2; t++) {
-            element[i].at[t] = before[vertices - 1 - i].at[1 - t];
-            element[i].at[t].t = t;
-        }
-}
-
-/// Run time backwards.  With the vertices in the reverse order the staircase is
-/// the same.
-static query time_reversed(const query *q)
-{
-    query reversed = *q;
-    reverse(q->vertices, reversed.vertex);
-    reverse(q->others, query_others(&reversed));
-    return reversed;
-}
-
 /// Whether the exact earliest times of a step and of its reverse leave room
 /// for the contacts in between: the last of one is the first of the other.
 static bool in_order(const truth *forth, const truth *back)
@@ -140,7 +103,7 @@ START_TEST(time_runs_backwards)
     for (int kind = 0; kind < KINDS; kind++)
         for (long i = cases(10000); i > 0; i--) {
             query q = hard_query(&random, (query_kind)kind);
-            query reversed = time_reversed(&q);
+            query reversed = query_reversed(&q);
             truth_find(&q, &forth);
             truth_find(&reversed, &back);
             if (forth.hit != back.hit ||

@@ -1,7 +1,7 @@
 // A collision that is missed when a sign that is not known counts as zero.
 #include "arithmetic/clamped.h"
 #include "arithmetic/exact.h"
-#include "spacetime/meet.h"
+#include "intersect/cascade.h"
 #include "support/judge.h"
 
 /// The tetrahedron: A, B and C at t = 0 and D at t = 1.
@@ -13,11 +13,11 @@ static const double corner[4][TF_AXES] = {
 };
 
 /// What the origin at rest and the tetrahedron do.
-static tf_meeting meet_witness(const tf_arithmetic *arithmetic)
+static tf_intersection meet_witness(const tf_arithmetic *arithmetic)
 {
     tf_event event[6] = {{.t = 0}, {.t = 1}};
-    tf_simplex point = {.count = 2, .mover = 0, .event = {event, event + 1}};
-    tf_simplex solid = {.count = 4, .mover = 2};
+    tf_simplex point = {.count = 2, .pivot = 0, .event = {event, event + 1}};
+    tf_simplex solid = {.count = 4, .pivot = 2};
     for (int i = 0; i < 4; i++) {
         event[2 + i].t = i == 3;
         for (int k = 0; k < TF_AXES; k++)
@@ -25,14 +25,14 @@ static tf_meeting meet_witness(const tf_arithmetic *arithmetic)
         solid.event[i] = &event[2 + i];
     }
     tf_pair pair = tf_pair_of(&point, &solid, 3);
-    return tf_meet(arithmetic, &pair);
+    return tf_intersect(arithmetic, &pair, TF_WITH_POINT);
 }
 
 START_TEST(exact_signs_find_it)
 {
-    tf_meeting meeting = meet_witness(&tf_exact);
-    ck_assert_int_eq(meeting.verdict, TF_HIT);
-    ck_assert_int_eq(meeting.decision, TF_GENERIC);
+    tf_intersection found = meet_witness(&tf_exact);
+    ck_assert_int_eq(found.verdict, TF_HIT);
+    ck_assert_int_eq(found.classification, TF_GENERIC);
 }
 END_TEST
 

@@ -1,6 +1,7 @@
 "use strict";
 
-// search-index.js defines `sections`: [page, anchor, number, title, text].
+// search-index.js defines `sections`: [page, anchor, number, title, text], and
+// `titles`, those of the pages.
 const input = document.getElementById("query");
 const list = document.getElementById("results");
 const status = document.getElementById("found");
@@ -14,16 +15,19 @@ function score([, anchor, , title, text], words) {
   for (const word of words) {
     const here = 20 * count(title, word) + count(text, word);
     if (here === 0) return 0;
-    sum += here;
+    sum += here + (title.toLowerCase() === word ? 100 : 0);
+    if (title === input.value.trim()) sum++;
   }
   return sum + (anchor ? 0 : 1);
 }
 
-// The words around the first that is found, found words marked.
+// The words around the first that is found, found words marked; where only
+// the title has them, how the text begins.
 function excerpt(text, words) {
   const lower = text.toLowerCase();
-  const first = Math.min(...words.map(word => lower.indexOf(word))
-                                 .filter(place => place >= 0), text.length);
+  const places = words.map(word => lower.indexOf(word))
+                      .filter(place => place >= 0);
+  const first = places.length === 0 ? 0 : Math.min(...places);
   const begin = lower.lastIndexOf(" ", Math.max(0, first - 70)) + 1;
   const end = text.indexOf(" ", begin + 220);
   const part = end < 0 ? text.slice(begin) : text.slice(begin, end) + " …";
@@ -43,7 +47,14 @@ function item([page, anchor, number, title, text], words) {
   link.href = `${page}.html${anchor}`;
   link.textContent = number ? `${number} ${title}` : title;
   const entry = document.createElement("li");
-  entry.append(link, excerpt(text, words));
+  entry.append(link);
+  if (anchor) {
+    const home = document.createElement("span");
+    home.className = "home-page";
+    home.textContent = titles[page];
+    entry.append(" ", home);
+  }
+  entry.append(excerpt(text, words));
   return entry;
 }
 

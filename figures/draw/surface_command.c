@@ -1,0 +1,265 @@
+#include "draw/commands.h"
+#include "draw/surface_picture.h"
+
+#include "program/frames.h"
+#include "program/number.h"
+#include "program/threads.h"
+#include "program/visible.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+// Arguments --------------------------------------------------------------
+
+typedef struct request {
+    const char *path[2];
+    int path_count;
+    bool contacts, told_motion;
+    fig_motion motion;
+    fig_up up;
+    double time; ///< -1: not told
+    fig_settings settings;
+} request;
+
+enum {
+    TIME = 'T'
+};
+
+static const struct argp_option options[] = {
+    {"contacts", 'c', NULL, 0,
+     "Mark the contacts of the step; at rest, the intersections", 0},
+    {"motion", 'm', "MOTION", 0,
+     "How elements follow their vertices in mid-step: bent or straight; the "
+     "default is bent",
+     0},
+    {"time", TIME, "T", 0,
+     "The time of the step to draw, from 0 to 1; the default is that of the "
+     "first contact if contacts are marked and there is one, otherwise 1",
+     0},
+    {"up", 'u', "AXIS", 0,
+     "The axis that points up: x, y or z; the default is z", 0},
+    {0},
+};
+
+static void read_motion(struct argp_state *state, const char *text)
+{
+    request *asked = state->input;
+    asked->told_motion = true;
+    if (strcmp(text, "bent") == 0)
+        asked->motion = FIG_BENT;
+    else if (strcmp(text, "straight") == 0)
+        asked->motion = FIG_STRAIGHT;
+    else
+        argp_error(state, "unknown motion '%s'; choose bent or straight",
+                   tf_make_visible(text).text);
+}
+
+static void read_time(struct argp_state *state, const char *text)
+{
+    request *asked = state->input;
+    const char *at = text;
+    if (!tf_number_read(&at, &asked->time) || *at != '\0' ||
+        !(asked->time >= 0 && asked->time <= 1))
+        argp_error(state, "invalid time '%s'; give a number from 0 to 1",
+                   tf_make_visible(text).text);
+}
+
+static void read_up(struct argp_state *state, const char *text)
+{
+    request *asked = state->input;
+    const char *axis = strlen(text) == 1 ? strchr("xyz", *text) : NULL;
+    if (!axis)
+        argp_error(state, "unknown axis '%s'; choose x, y or z",
+                   tf_make_visible(text).text);
+    else
+        asked->up = *axis == 'x'   ? FIG_UP_X
+                    : *axis == 'y' ? FIG_UP_Y
+                                   : FIG_UP_Z;
+}
+
+static void read_path(struct argp_state *state, const char *text)
+{
+    request *asked = state->input;
+    if (asked->path_count == 2)
+        argp_error(state, "unexpected '%s'; give one START and one END",
+                   tf_make_visible(text).text);
+    else
+        asked->path[asked->path_count++] = text;
+}
+
+/// See that the arguments go together.
+static void check(struct argp_state *state)
+{
+    const request *asked = state->input;
+    const char *option = asked->time >= 0     ? "--time"
+                         : asked->told_motion ? "--motion"
+                                              : NULL;
+    if (asked->path_count == 1 && option)
+        argp_error(state, "%s is for steps; add END", option);
+    if (asked->path_count == 1 && asked->settings.film &&
+        !asked->settings.turntable)
+        argp_error(state, "nothing moves without END; add it, or "
+                          "--turntable");
+}
+
+static error_t understand(int key, char *text, struct argp_state *state)
+{
+    request *asked = state->input;
+    switch (key) {
+    case ARGP_KEY_INIT:
+        state->child_inputs[0] = &asked->settings;
+        return 0;
+    case 'c':
+        asked->contacts = true;
+        return 0;
+    case 'm':
+        read_motion(state, text);
+        return 0;
+    case TIME:
+        read_time(state, text);
+        return 0;
+    case 'u':
+        read_up(state, text);
+        return 0;
+    case ARGP_KEY_ARG:
+        read_path(state, text);
+        return 0;
+    case ARGP_KEY_NO_ARGS:
+        argp_error(state, "no surface given; add its file");
+        return 0;
+    case ARGP_KEY_SUCCESS:
+        check(state);
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+// The surface ------------------------------------------------------------
+
+static bool lack_memory(tf_frames *frames)
+{
+    return tf_mesh_file_fault(&frames->file[frames->current], -1, "%s",
+                              tf_status_message(TF_OUT_OF_MEMORY));
+}
+
+static bool mark_contacts(tf_frames *frames, fig_shown_surface *shown)
+{
+    int threads = tf_threads_available();
+    tf_parallel parallel = tf_threads(&threads);
+    tf_detection detection = {.parallel = &parallel};
+    tf_motion motion = tf_frames_motion(frames);
+    tf_contacts found;
+    tf_flaw flaw;
+    tf_status status =
+        tf_surface_detect(frames->surface, &motion, &detection, &found, &flaw);
+    if (status != TF_OK)
+        return tf_frames_fault(frames, status, &flaw);
+    return fig_marks_of_contacts(&shown->marks, &shown->shape, &found) ||
+           lack_memory(frames);
+}
+
+static bool mark_crossings(tf_frames *frames, fig_shown_surface *shown)
+{
+    int threads = tf_threads_available();
+    tf_parallel parallel = tf_threads(&threads);
+    tf_motion rest = tf_frames_motion(frames);
+    tf_crossings found;
+    tf_flaw flaw;
+    tf_status status = tf_surface_check(
+        frames->surface, rest.start, rest.vertices, &parallel, &found, &flaw);
+    if (status != TF_OK)
+        return tf_frames_fault(frames, status, &flaw);
+    return fig_marks_of_crossings(&shown->marks, &shown->shape, &found) ||
+           lack_memory(frames);
+}
+
+static bool read_frames(const request *asked, tf_frames *frames)
+{
+    for (int i = 0; i < asked->path_count; i++)
+        if (!tf_frames_next(frames, asked->path[i]))
+            return false;
+    if (frames->axes == 2 && asked->settings.turntable)
+        return tf_mesh_file_fault(&frames->file[frames->current], -1,
+                                  "a curve in the plane cannot be turned; drop "
+                                  "--turntable");
+    return true;
+}
+
+static bool take_surface(const request *asked, tf_frames *frames,
+                         fig_shown_surface *shown)
+{
+    if (!read_frames(asked, frames))
+        return false;
+    tf_motion motion = tf_frames_motion(frames);
+    shown->steps = asked->path_count == 2;
+    shown->motion = asked->motion;
+    shown->marked = asked->contacts;
+    if (!fig_shape_make(&shown->shape, frames->surface, frames->axes, &motion,
+                        asked->up))
+        return lack_memory(frames);
+    bool marked =
+        !shown->marked || (shown->steps ? mark_contacts(frames, shown)
+                                        : mark_crossings(frames, shown));
+    if (marked)
+        fig_shown_surface_look(shown, asked->time);
+    return marked;
+}
+
+static int draw(const request *asked, fig_shown_surface *shown)
+{
+    tf_frames frames = {0};
+    int status = 2;
+    if (take_surface(asked, &frames, shown)) {
+        fig_drawing drawing = fig_surface_drawing(shown);
+        status = fig_drawing_make(&drawing, &asked->settings);
+    } else {
+        tf_mesh_file_print_fault(tf_frames_file(&frames), "tanglefree-draw");
+    }
+    fig_marks_free(&shown->marks);
+    fig_shape_free(&shown->shape);
+    tf_frames_free(&frames);
+    return status;
+}
+
+int fig_draw_surface(int argc, char *argv[])
+{
+    static const struct argp parser = {
+        .options = options,
+        .parser = understand,
+        .args_doc = "START [END]",
+        .doc =
+            "Draw a surface, or a step of it from one position to another.\v"
+            "The files are as for 'tanglefree detect'.  Each connected part "
+            "has its own color.  Borders and sharp bends are drawn as lines, "
+            "and so are all edges if they are long enough on the page.  A "
+            "curve in the plane is drawn as lines and dots.\n\n"
+            "In a step the vertices move in straight lines.  With --motion "
+            "bent an element moves one vertex after another, in the order of "
+            "their indices, as in 'tanglefree detect': in mid-step edges and "
+            "triangles are bent, and this is the motion whose contacts are "
+            "found.  With --motion straight elements stay straight and flat.  "
+            "This looks smoother, but elements may pass through each other at "
+            "other times than those of the contacts.\n\n"
+            "--contacts draws in red the elements that touch during the step, "
+            "paler those that have not touched yet (in a film these are not "
+            "marked), and as balls the first places of contact, or all if "
+            "they are few.  Without END it marks what intersects at rest, as "
+            "in 'tanglefree check'.\n\n"
+            "The numbers are printed, one key and its value per line.\n\n"
+            "Exit status: 0 on success, 2 if the arguments or the input are "
+            "invalid or the output cannot be written.",
+        .children = fig_settings_options,
+    };
+    request asked = {.time = -1, .up = FIG_UP_Z};
+    argp_parse(&parser, argc, argv, 0, NULL, &asked);
+    fig_shown_surface *shown = calloc(1, sizeof *shown);
+    if (!shown) {
+        fprintf(stderr, "tanglefree-draw: %s\n",
+                tf_status_message(TF_OUT_OF_MEMORY));
+        return 2;
+    }
+    int status = draw(&asked, shown);
+    free(shown);
+    return status;
+}

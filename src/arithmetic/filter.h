@@ -1,0 +1,13 @@
+//: Declare the estimate of a determinant
+#pragma once
+
+#include "arithmetic/differences.h"
+
+/// A determinant in rounded arithmetic.  If |number| > bound its sign is the
+/// sign of the true determinant; if both are zero the true one is exactly zero;
+/// otherwise, NaN and infinity included, nothing is known.
+typedef struct tf_estimate {
+    double number, bound;
+} tf_estimate;
+
+tf_estimate tf_differences_estimate(const tf_differences *differences);

@@ -1,0 +1,171 @@
+//: Include what the superaccumulator needs
+#include "arithmetic/superaccumulator.h"
+
+#include <math.h>
+#include <string.h>
+
+__extension__ typedef unsigned __int128 uint128;
+
+enum {
+    WORD_BITS = 64,
+    UNIT_EXPONENT = -3222
+};
+
+//: Clear the superaccumulator
+void tf_superaccumulator_clear(tf_superaccumulator *accumulator)
+{
+    accumulator->first = accumulator->end = 0;
+}
+
+//: Use more words
+/// Sets the words first..end-1 of both sums to zero, unless in use.
+static void use_words(tf_superaccumulator *accumulator, int first, int end)
+{
+    tf_superaccumulator *a = accumulator;
+    if (a->first == a->end)
+        a->first = a->end = first;
+    for (; a->end < end; a->end++)
+        a->sum[0][a->end] = a->sum[1][a->end] = 0;
+    while (a->first > first) {
+        a->first--;
+        a->sum[0][a->first] = a->sum[1][a->first] = 0;
+    }
+}
+
+//: Decompose a double
+/// |a| = mantissa 2^exponent.
+typedef struct parts {
+    uint64_t mantissa;
+    int exponent;
+} parts;
+
+static parts decompose(double a)
+{
+    uint64_t bits;
+    memcpy(&bits, &a, sizeof bits);
+    int biased = (int)(bits >> 52 & 0x7ff);
+    uint64_t fraction = bits & ((UINT64_C(1) << 52) - 1);
+
+    // A subnormal number has the exponent of the smallest normal one, without
+    // its leading bit.
+    if (biased == 0)
+        return (parts){.mantissa = fraction, .exponent = -1074};
+    return (parts){.mantissa = fraction | UINT64_C(1) << 52,
+                   .exponent = biased - 1075};
+}
+
+//: Add words at a bit position
+/// Adds three words, shifted left by `position` bits, to the sum of one sign.
+static void add_words(tf_superaccumulator *accumulator, bool positive,
+                      const uint64_t word[3], int position)
+{
+    int index = position / WORD_BITS, shift = position % WORD_BITS;
+    uint64_t *sum = accumulator->sum[positive], below = 0, carry = 0;
+    use_words(accumulator, index, index + 3);
+    for (int i = 0; i < 3; i++) {
+        uint64_t shifted = word[i] << shift | below;
+        // Two shifts, because one by 64 is not defined.
+        below = word[i] >> 1 >> (WORD_BITS - 1 - shift);
+        uint128 total = (uint128)sum[index] + shifted + carry;
+        sum[index++] = (uint64_t)total;
+        carry = (uint64_t)(total >> WORD_BITS);
+    }
+    for (carry += below; carry != 0; index++) {
+        use_words(accumulator, index, index + 1);
+        sum[index] += carry;
+        carry = sum[index] < carry;
+    }
+}
+
+//: Add a product
+void tf_superaccumulator_add(tf_superaccumulator *accumulator, double a,
+                             double b, double c)
+{
+    parts x = decompose(a), y = decompose(b), z = decompose(c);
+    bool positive = !signbit(a) ^ !signbit(b) ^ !signbit(c);
+
+    //: Multiply the mantissas
+    uint128 two = (uint128)x.mantissa * y.mantissa;
+    uint128 low = (uint128)(uint64_t)two * z.mantissa;
+    uint128 high = (two >> WORD_BITS) * z.mantissa + (low >> WORD_BITS);
+    uint64_t word[3] = {(uint64_t)low, (uint64_t)high,
+                        (uint64_t)(high >> WORD_BITS)};
+
+    //: Add the product to the sum of its sign
+    int exponent = x.exponent + y.exponent + z.exponent;
+    add_words(accumulator, positive, word, exponent - UNIT_EXPONENT);
+}
+
+//: Compare the two sums
+/// The highest word in which the two sums differ; first - 1 if they are equal.
+static int highest_difference(const tf_superaccumulator *accumulator)
+{
+    int i = accumulator->end - 1;
+    while (i >= accumulator->first &&
+           accumulator->sum[0][i] == accumulator->sum[1][i])
+        i--;
+    return i;
+}
+
+tf_sign tf_superaccumulator_sign(const tf_superaccumulator *accumulator)
+{
+    int i = highest_difference(accumulator);
+    if (i < accumulator->first)
+        return TF_ZERO;
+    return accumulator->sum[1][i] > accumulator->sum[0][i] ? TF_POSITIVE
+                                                           : TF_NEGATIVE;
+}
+
+//: Subtract the smaller sum
+/// Subtracts `less` from `more`, both of `count` words and less <= more.
+static void subtract(const uint64_t *more, const uint64_t *less, int count,
+                     uint64_t difference[])
+{
+    uint64_t borrow = 0;
+    for (int i = 0; i < count; i++) {
+        uint128 d = (uint128)more[i] - less[i] - borrow;
+        difference[i] = (uint64_t)d;
+        borrow = (uint64_t)(d >> WORD_BITS) & 1;
+    }
+}
+
+//: Round to a double
+/// Rounds the number of `count` words, not zero, to nearest, ties to even; its
+/// unit is 2^unit.
+static tf_value round_words(const uint64_t *word, int count, int unit)
+{
+    int top = count - 1;
+    while (word[top] == 0)
+        top--;
+
+    //: Take the 64 leading bits
+    int empty = __builtin_clzll(word[top]);
+    uint64_t next = top > 0 ? word[top - 1] : 0;
+    uint64_t leading = word[top] << empty | next >> 1 >> (63 - empty);
+
+    //: Round the leading bits
+    // The 11 bits that the conversion rounds away must not look like a tie if
+    // anything follows.
+    bool follows = (next << empty) != 0;
+    for (int i = 0; i < top - 1 && !follows; i++)
+        follows = word[i] != 0;
+    return (tf_value){.number = (double)(leading | follows),
+                      .exponent = top * WORD_BITS - empty + unit};
+}
+
+tf_value tf_superaccumulator_value(const tf_superaccumulator *accumulator)
+{
+    int top = highest_difference(accumulator), first = accumulator->first;
+    if (top < first)
+        return (tf_value){.number = 0};
+
+    uint64_t difference[TF_SUPERACCUMULATOR_WORDS];
+    const uint64_t(*sum)[TF_SUPERACCUMULATOR_WORDS] = accumulator->sum;
+    bool positive = sum[1][top] > sum[0][top];
+    int count = top + 1 - first;
+    subtract(&sum[positive][first], &sum[!positive][first], count, difference);
+    tf_value value =
+        round_words(difference, count, first * WORD_BITS + UNIT_EXPONENT);
+    value.number = positive ? value.number : -value.number;
+    return value;
+}

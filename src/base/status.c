@@ -1,0 +1,31 @@
+//: Explain the statuses
+#include "base/status.h"
+
+#include "base/require.h"
+
+static const char *const messages[] = {
+    [TF_OK] = "no error",
+    [TF_NOT_FINITE] = "a coordinate is not finite: remove NaNs and infinities "
+                      "from the positions",
+    [TF_OUT_OF_RANGE] = "out of range: a coordinate is not an integer of as "
+                        "many bits as this arithmetic holds; use exact",
+    [TF_BAD_INDEX] = "an index is bad: the vertices of an element or a query "
+                     "must be distinct, and each have an index from 0 to the "
+                     "number of vertices less 1",
+    [TF_BAD_ENVIRONMENT] = "the floating-point environment is not IEEE's: "
+                           "round to nearest and keep subnormal numbers, and "
+                           "compile without -ffast-math and its parts (which "
+                           "may flush them to zero in the whole program)",
+    [TF_NO_ELEMENTS] = "a surface has no elements: give it a triangle or an "
+                       "edge",
+    [TF_BAD_COUNT] = "the positions are not those of this surface: give as "
+                     "many vertices as it was created with",
+    [TF_OUT_OF_MEMORY] = "not enough memory: divide the surface, or use a "
+                         "machine with more",
+};
+
+const char *tf_status_message(tf_status status)
+{
+    TF_REQUIRE((unsigned)status < sizeof messages / sizeof *messages);
+    return messages[status];
+}

@@ -1,0 +1,27 @@
+//: Declare the statuses
+#pragma once
+
+#include "base/api.h"
+
+/// @addtogroup trouble
+/// @{
+
+/// What a function returns that can fail because of its input or the machine.
+/// Its results are set only with TF_OK.
+typedef enum tf_status {
+    TF_OK = 0,          ///< success
+    TF_NOT_FINITE,      ///< a coordinate is a NaN or an infinity
+    TF_OUT_OF_RANGE,    ///< a coordinate exceeds what the arithmetic can hold
+    TF_BAD_INDEX,       ///< an index repeats, or names no vertex
+    TF_BAD_ENVIRONMENT, ///< numbers are not rounded as IEEE demands
+    TF_NO_ELEMENTS,     ///< a surface has neither triangles nor edges
+    TF_BAD_COUNT,       ///< a surface has another number of vertices
+    TF_OUT_OF_MEMORY,   ///< there is not enough memory
+} tf_status;
+
+/// One sentence that states what is wrong and how to fix it.  Thread-safe.
+/// @param status one of the statuses above
+/// @return the sentence, in static storage
+TF_API const char *tf_status_message(tf_status status);
+
+/// @}

@@ -1,0 +1,59 @@
+//: Include what barycentric coordinates need
+#include "intersect/coordinates.h"
+
+#include "arithmetic/value.h"
+
+#include <math.h>
+
+//: Put bounds on a coordinate
+static void set_bounds(tf_coordinates *c, int i, const tf_value *value)
+{
+    bool known = isfinite(value->number + value->radius);
+    c->low[i] = known ? fmax(value->number - value->radius, 0) : 0;
+
+    // However small, what is not certainly zero must not become zero.
+    c->high[i] =
+        known ? fmax(value->number + value->radius, DBL_TRUE_MIN) : INFINITY;
+}
+
+//: Enclose the barycentric coordinates
+tf_coordinates tf_pair_coordinates(const tf_arithmetic *arithmetic,
+                                   const tf_pair *pair, const tf_signs *signs,
+                                   int operand)
+{
+    //: Evaluate each coordinate
+    int count = 0, event[TF_PAIR_EVENTS];
+    tf_value value[TF_PAIR_EVENTS];
+    for (int i = 0; i < pair->count; i++) {
+        if (pair->operand[i] != operand || signs->of[i] == TF_ZERO)
+            continue;
+        tf_differences differences = tf_pair_differences(pair, i);
+        value[count] = arithmetic->value(&differences);
+        value[count].number *=
+            tf_pair_orientation(pair, i) * (signs->negative ? -1 : 1);
+        event[count++] = i;
+    }
+    tf_values_scale(count, value);
+
+    //: Collect the bounds
+    tf_coordinates c = {.low = {0}, .high = {0}};
+    for (int i = 0; i < count; i++)
+        set_bounds(&c, event[i], &value[i]);
+    return c;
+}
+
+//: Normalize barycentric coordinates
+void tf_coordinates_normalize(const tf_coordinates *c, const tf_pair *pair,
+                              int operand, double barycentric[TF_PAIR_EVENTS])
+{
+    double sum = 0, events = 0;
+    for (int i = 0; i < pair->count; i++) {
+        events += pair->operand[i] == operand;
+        sum += c->low[i] + c->high[i];
+    }
+    bool known = sum > 0 && isfinite(sum);
+    for (int i = 0; i < pair->count; i++)
+        if (pair->operand[i] == operand)
+            barycentric[i] =
+                known ? (c->low[i] + c->high[i]) / sum : 1 / events;
+}

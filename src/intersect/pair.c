@@ -1,0 +1,59 @@
+//: Include what pairs need
+#include "intersect/pair.h"
+
+#include "base/require.h"
+
+#include <string.h>
+
+//: Pair two swept simplices
+static void add_events(tf_pair *pair, const tf_simplex *simplex, int operand,
+                       int t)
+{
+    int first = t == 0 ? 0 : simplex->pivot + 1;
+    int end = t == 0 ? simplex->pivot + 1 : simplex->count;
+    for (int i = first; i < end; i++) {
+        pair->event[pair->count] = simplex->event[i];
+        pair->operand[pair->count++] = operand;
+    }
+}
+
+tf_pair tf_pair_of(const tf_simplex *s, const tf_simplex *r, int axes)
+{
+    TF_REQUIRE(s->count + r->count == axes + 3);
+    tf_pair pair;
+    pair.count = 0;
+    pair.axes = axes;
+    for (int k = 0; k < axes; k++)
+        pair.axis[k] = k;
+    add_events(&pair, s, +1, 0);
+    add_events(&pair, r, -1, 0);
+    pair.start_count = pair.count;
+    add_events(&pair, s, +1, 1);
+    add_events(&pair, r, -1, 1);
+    return pair;
+}
+
+//: Take differences within each time
+/// Adds the differences of the events begin..end-1 to the first of them.
+static void add_differences(const tf_pair *pair, int without, int begin,
+                            int end, tf_differences *differences)
+{
+    int first = begin == without ? begin + 1 : begin;
+    for (int i = first + 1; i < end; i++) {
+        if (i == without)
+            continue;
+        differences->to[differences->n] = pair->event[i];
+        differences->from[differences->n++] = pair->event[first];
+    }
+}
+
+tf_differences tf_pair_differences(const tf_pair *pair, int without)
+{
+    tf_differences differences;
+    differences.n = 0;
+    memcpy(differences.axis, pair->axis, sizeof differences.axis);
+    add_differences(pair, without, 0, pair->start_count, &differences);
+    add_differences(pair, without, pair->start_count, pair->count,
+                    &differences);
+    return differences;
+}

@@ -1,0 +1,83 @@
+//: Include what separation needs
+#include "intersect/separation.h"
+
+#include <math.h>
+
+//: Measure one operand along an axis
+typedef struct range {
+    double low, high;
+} range;
+
+/// The range of one operand's coordinates on an axis; starts at event *i and
+/// stops where the operand or the time ends.
+static range operand_range(const tf_pair *pair, int axis, int *i, int end)
+{
+    range r = {INFINITY, -INFINITY};
+    int operand = pair->operand[*i];
+    for (; *i < end && pair->operand[*i] == operand; ++*i) {
+        double x = pair->event[*i]->x[axis];
+        r.low = x < r.low ? x : r.low;
+        r.high = x > r.high ? x : r.high;
+    }
+    return r;
+}
+
+//: Compare two ranges
+/// +1 if all of s is larger than all of r, -1 the reverse, 0 neither.
+static int compare_ranges(range s, range r)
+{
+    return (s.low > r.high) - (s.high < r.low);
+}
+
+//: Separate a pair by an axis
+/// Which operand has the larger coordinates on an axis at one time, as
+/// compare_ranges.
+static int larger_operand(const tf_pair *pair, int axis, int begin, int end)
+{
+    int i = begin;
+    range s = operand_range(pair, axis, &i, end);
+    range r = operand_range(pair, axis, &i, end);
+    return compare_ranges(s, r);
+}
+
+bool tf_pair_separated(const tf_pair *pair)
+{
+    for (int k = 0; k < pair->axes; k++) {
+        int axis = pair->axis[k];
+        int larger = larger_operand(pair, axis, 0, pair->start_count);
+        if (larger == 0)
+            continue;
+        if (pair->start_count == pair->count ||
+            larger ==
+                larger_operand(pair, axis, pair->start_count, pair->count))
+            return true;
+    }
+    return false;
+}
+
+//: Separate two elements by an axis
+static range element_range(int vertices, const tf_worldline element[], int t,
+                           int axis)
+{
+    range r = {element->at[t].x[axis], element->at[t].x[axis]};
+    for (int i = 1; i < vertices; i++) {
+        double x = element[i].at[t].x[axis];
+        r.low = x < r.low ? x : r.low;
+        r.high = x > r.high ? x : r.high;
+    }
+    return r;
+}
+
+bool tf_elements_separated(int axes, int vertices, const tf_worldline first[],
+                           int others, const tf_worldline second[])
+{
+    for (int axis = 0; axis < axes; axis++) {
+        int larger[2];
+        for (int t = 0; t < 2; t++)
+            larger[t] = compare_ranges(element_range(vertices, first, t, axis),
+                                       element_range(others, second, t, axis));
+        if (larger[0] != 0 && larger[0] == larger[1])
+            return true;
+    }
+    return false;
+}

@@ -1,0 +1,23 @@
+//: Declare barycentric signs
+#pragma once
+
+#include "arithmetic/operations.h"
+#include "intersect/pair.h"
+
+/// Which signs occur among the barycentric coordinates of a pair's common
+/// point, turned so that S and R intersect when all agree.  Once a
+/// positive and a negative one have been found, the others are left unset.
+typedef struct tf_signs {
+    bool positive, negative, zero, unknown;
+    tf_sign of[TF_PAIR_EVENTS];
+} tf_signs;
+
+/// The signs of Cramer's rule for the common point of two complementary
+/// simplices.
+tf_signs tf_pair_signs(const tf_arithmetic *arithmetic, const tf_pair *pair);
+
+//: Declare the orientation of a coordinate
+/// +1 or -1: what turns the determinant of the differences without event i into
+/// a positive multiple of the event's barycentric coordinate, counted positive
+/// on S and negative on R.
+int tf_pair_orientation(const tf_pair *pair, int i);

@@ -1,0 +1,77 @@
+# Make tanglefree.h of the library's public headers; see source.awk.
+
+BEGIN {
+    for (i = 1; i < ARGC; i++)
+        read_module(ARGV[i])
+    check_order()
+
+    out_top()
+    out_standard(headers, header)
+    out("#ifdef __cplusplus\nextern \"C\" {\n#endif")
+    for (i = 1; i <= headers; i++) {
+        out_heading(module_of(header[i]))
+        out_lines(header[i])
+    }
+    out("#ifdef __cplusplus\n}\n#endif")
+    out("")
+    out("#endif")
+    exit
+}
+
+function read_module(module,    file, i) {
+    file = module ".h"
+    if (!load(file))
+        return
+    if (is_public(file)) {
+        header[++headers] = file
+        return
+    }
+    for (i = 1; i <= lines[file]; i++)
+        if (line[file, i] ~ /^TF_API /)
+            fail(src "/" file " has TF_API, so it must include \"base/api.h\"")
+}
+
+function check_order(    i, j, file, other, seen) {
+    for (i = 1; i <= headers; i++) {
+        file = header[i]
+        for (j = 1; j <= uses[file]; j++) {
+            other = used[file, j]
+            if (!is_public(other))
+                fail(src "/" file " is public, but includes \"" other \
+                     "\", which is not: it does not include \"base/api.h\"")
+            if (!(other in seen))
+                fail(src "/" file " includes \"" other \
+                     "\", which comes later in book/chapters")
+        }
+        seen[file] = 1
+    }
+}
+
+function module_of(file) {
+    return substr(file, 1, length(file) - 2)
+}
+
+function out_top() {
+    out("// Tanglefree " version ": exact continuous collision detection.")
+    out("//")
+    out_license("^Copyright")
+    out("// SPDX-License-Identifier: MIT")
+    out("//")
+    out("// Made of the public headers of these modules, in this order:")
+    out_modules()
+    out("#ifndef TANGLEFREE_H\n#define TANGLEFREE_H")
+}
+
+# In lines of at most 80 columns.
+function out_modules(    i, text, name) {
+    text = "//"
+    for (i = 1; i <= headers; i++) {
+        name = " " module_of(header[i]) (i < headers ? "," : ".")
+        if (length(text name) > 80) {
+            out(text)
+            text = "//"
+        }
+        text = text name
+    }
+    out(text)
+}

@@ -1,0 +1,99 @@
+# The package: what users get of the library, and its installation.
+#
+# The public header, $(BUILD)/include/tanglefree.h, is made of the headers of
+# src/ that include base/api.h.  The library comes as an archive, as a shared
+# library, and as two files to compile along, in $(BUILD)/single.
+
+version := $(shell sed -n 's/^\#define TF_VERSION "\(.*\)"$$/\1/p' \
+	src/base/version.h)
+soname := libtanglefree.so.$(firstword $(subst ., ,$(version)))
+
+public_header = $(BUILD)/include/tanglefree.h
+shared_library = $(BUILD)/libtanglefree.so.$(version)
+shared_links = $(BUILD)/$(soname) $(BUILD)/libtanglefree.so
+single_files = $(BUILD)/single/tanglefree.c $(BUILD)/single/tanglefree.h
+
+library: $(public_header) $(shared_library) $(shared_links)
+single: $(single_files) ## make the library a single file, build/single/tanglefree.c
+.PHONY: single
+
+# $(call paste,SCRIPT): what it makes of the library's files.
+paste = echo 'paste   $@' && mkdir -p $(@D) && \
+	awk -f src/package/source.awk -f src/package/$(1).awk -v src=src \
+	    -v version=$(version) $(LIBRARY) >$@
+pasted = book/chapters LICENSE src/package/source.awk \
+	$(wildcard $(LIBRARY:%=src/%.[ch]))
+
+$(public_header): src/package/header.awk $(pasted)
+	@$(call paste,header)
+$(BUILD)/single/tanglefree.c: src/package/single.awk $(pasted)
+	@$(call paste,single)
+$(BUILD)/single/tanglefree.h: $(public_header)
+	@mkdir -p $(@D) && cp $< $@
+
+# Only the library is built with hidden symbols: in a program that would also
+# hide argp_program_version, which libc looks up.
+$(call objects,$(LIBRARY)): private COMPILE += -fPIC -fvisibility=hidden
+
+$(shared_library): $(call objects,$(LIBRARY)) book/chapters
+	@echo 'link    $@'
+	$(Q)$(LINK) -shared -Wl,-soname,$(soname) -Wl,--no-undefined \
+	    $(filter %.o,$^) -lm -o $@
+$(shared_links): $(shared_library)
+	@ln -sf $(<F) $@
+
+# The installation -------------------------------------------------------------
+
+# A line a file: where below PREFIX, and what, "->" for a link.
+define installed
+bin/tanglefree $(program_file)
+include/tanglefree.h $(public_header)
+lib/libtanglefree.a $(library_file)
+lib/libtanglefree.so.$(version) $(shared_library)
+lib/$(soname) -> libtanglefree.so.$(version)
+lib/libtanglefree.so -> libtanglefree.so.$(version)
+lib/pkgconfig/tanglefree.pc src/package/tanglefree.pc
+lib/cmake/tanglefree/tanglefreeConfig.cmake src/package/tanglefreeConfig.cmake
+lib/cmake/tanglefree/tanglefreeConfigVersion.cmake src/package/tanglefreeConfigVersion.cmake
+share/man/man1/tanglefree.1 src/program/tanglefree.1
+share/man/man1/tanglefree-query.1 src/program/tanglefree-query.1
+share/man/man1/tanglefree-detect.1 src/program/tanglefree-detect.1
+share/man/man1/tanglefree-check.1 src/program/tanglefree-check.1
+endef
+define installed_draw
+bin/tanglefree-draw $(drawing_file)
+share/man/man1/tanglefree-draw.1 figures/draw/tanglefree-draw.1
+endef
+
+install_sh = DESTDIR='$(DESTDIR)' PREFIX='$(PREFIX)' VERSION=$(version) \
+	sh src/package/install.sh
+
+install uninstall: export FILES = $(installed)
+install-draw: export FILES = $(installed_draw)
+uninstall: export DRAW = $(installed_draw)
+
+install: library program ## install to PREFIX=/usr/local, below DESTDIR=
+	@printf '%s\n' "$$FILES" | $(install_sh) put
+install-draw: drawing ## install tanglefree-draw
+	@printf '%s\n' "$$FILES" | $(install_sh) put
+uninstall: ## remove what install and install-draw installed
+	@printf '%s\n' "$$FILES" "$$DRAW" | $(install_sh) remove
+.PHONY: install install-draw uninstall
+
+# The checks -------------------------------------------------------------------
+
+# The scripts do what users do: they see neither src/ nor its modules.
+package_check = BUILD=$(abspath $(BUILD)) CC='$(CC)' VERSION=$(version) \
+	MAKE='$(MAKE)' sh tests/package
+
+check-install: library program need-install ## install to build/install, and test what is there
+	@$(package_check)/tree.sh install
+	@$(package_check)/use.sh
+	@$(package_check)/pages.sh
+	@$(package_check)/tree.sh uninstall
+	@echo 'installed, used and removed'
+
+check-single: library single need-single ## check that the single file gives the same answers
+	@$(package_check)/paste.sh
+	@$(package_check)/single.sh
+.PHONY: check-install check-single

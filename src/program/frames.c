@@ -1,0 +1,166 @@
+//: Include what frames need
+#include "program/frames.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+//: Compare the elements of two files
+static bool same_count(tf_mesh_file *file, const tf_mesh_file *before, int own,
+                       int other, const char *things)
+{
+    return own == other ||
+           tf_mesh_file_fault(file, -1,
+                              "the number of %s is %d, but %d in %s; all files "
+                              "must have the same elements",
+                              things, own, other,
+                              tf_make_visible(before->name).text);
+}
+
+static bool same_list(tf_mesh_file *file, const tf_mesh_file *before,
+                      const tf_ints *own, const tf_ints *other,
+                      const tf_ints *places, const char *thing)
+{
+    size_t i = 0, both = own->count < other->count ? own->count : other->count;
+    while (i < both && own->item[i] == other->item[i])
+        i++;
+    size_t corners = i < both ? own->count / places->count : 1;
+    return i == both ||
+           tf_mesh_file_fault(file, places->item[i / corners],
+                              "this %s is not as in %s; all files must have "
+                              "the same elements in the same order",
+                              thing, tf_make_visible(before->name).text);
+}
+
+/// Describes the first difference, if there is one.
+static bool same_elements(tf_mesh_file *a, const tf_mesh_file *b)
+{
+    return same_count(a, b, tf_mesh_file_vertices(a), tf_mesh_file_vertices(b),
+                      "vertices") &&
+           same_list(a, b, &a->triangle, &b->triangle, &a->triangle_place,
+                     "triangle") &&
+           same_count(a, b, tf_mesh_file_triangles(a),
+                      tf_mesh_file_triangles(b), "triangles") &&
+           same_list(a, b, &a->edge, &b->edge, &a->edge_place, "edge") &&
+           same_count(a, b, tf_mesh_file_edges(a), tf_mesh_file_edges(b),
+                      "edges");
+}
+
+//: Describe a flaw by its place in the file
+static bool fault_in_index(tf_mesh_file *file, long place, int vertex)
+{
+    int vertices = tf_mesh_file_vertices(file), first = file->first_index;
+    if (vertex >= 0 && vertex < vertices)
+        return tf_mesh_file_fault(file, place,
+                                  "vertex %d is a corner twice; delete the "
+                                  "triangle or edge, here and in all files",
+                                  vertex + first);
+    return tf_mesh_file_fault(
+        file, place,
+        "there is no vertex %lld; the file has those from %d to %lld",
+        (long long)vertex + first, first, (long long)vertices + first - 1);
+}
+
+bool tf_frames_fault(tf_frames *frames, tf_status status, const tf_flaw *flaw)
+{
+    tf_mesh_file *file = &frames->file[frames->current];
+    const tf_ints *places[] = {[TF_VERTEX] = &file->vertex_place,
+                               [TF_EDGE] = &file->edge_place,
+                               [TF_TRIANGLE] = &file->triangle_place};
+    long place = flaw->element == TF_NO_ELEMENT
+                     ? -1
+                     : places[flaw->element]->item[flaw->index];
+    return status == TF_BAD_INDEX
+               ? fault_in_index(file, place, flaw->vertex)
+               : tf_mesh_file_fault(file, place, "%s",
+                                    tf_status_message(status));
+}
+
+//: Make the surface of a step
+static bool is_flat(const tf_frames *frames)
+{
+    return tf_mesh_file_is_flat(&frames->file[0]) &&
+           (frames->count == 1 || tf_mesh_file_is_flat(&frames->file[1]));
+}
+
+static bool make_surface(tf_frames *frames)
+{
+    int axes = is_flat(frames) ? 2 : 3;
+    if (frames->surface && axes == frames->axes)
+        return true;
+    const tf_mesh_file *file = tf_frames_file(frames);
+    tf_mesh mesh = {.axes = axes,
+                    .vertices = tf_mesh_file_vertices(file),
+                    .triangles = tf_mesh_file_triangles(file),
+                    .triangle = file->triangle.item,
+                    .edges = tf_mesh_file_edges(file),
+                    .edge = file->edge.item};
+    tf_flaw flaw;
+    tf_surface_free(frames->surface);
+    frames->surface = NULL;
+    frames->axes = axes;
+    tf_status status = tf_surface_create(&mesh, &frames->surface, &flaw);
+    return status == TF_OK || tf_frames_fault(frames, status, &flaw);
+}
+
+//: Leave out z in the plane
+static bool flatten(tf_frames *frames)
+{
+    for (int i = 0; i < 2 && frames->axes == 2; i++) {
+        const tf_mesh_file *file = &frames->file[i];
+        size_t vertices = (size_t)tf_mesh_file_vertices(file);
+        double *flat =
+            realloc(frames->flat[i], 2 * (vertices + 1) * sizeof *flat);
+        if (!flat)
+            return tf_mesh_file_fault(&frames->file[frames->current], -1,
+                                      "not enough memory; divide the mesh");
+        frames->flat[i] = flat;
+        for (size_t v = 0; v < vertices; v++)
+            memcpy(flat + 2 * v, file->position.item + 3 * v, 2 * sizeof *flat);
+    }
+    return true;
+}
+
+//: Read the next frame
+bool tf_frames_next(tf_frames *frames, const char *path)
+{
+    frames->current = frames->count % 2;
+    tf_mesh_file *file = &frames->file[frames->current];
+    tf_mesh_file_free(file);
+    if (!tf_mesh_file_read(file, path))
+        return false;
+    if (frames->count > 0 &&
+        !same_elements(file, &frames->file[1 - frames->current]))
+        return false;
+    frames->count++;
+    return make_surface(frames) && flatten(frames);
+}
+
+//: Lend a frame
+const tf_mesh_file *tf_frames_file(const tf_frames *frames)
+{
+    return &frames->file[frames->current];
+}
+
+static const double *positions(const tf_frames *frames, int i)
+{
+    return frames->axes == 2 ? frames->flat[i] : frames->file[i].position.item;
+}
+
+tf_motion tf_frames_motion(const tf_frames *frames)
+{
+    int end = frames->current, start = frames->count > 1 ? 1 - end : end;
+    return (tf_motion){.vertices = tf_mesh_file_vertices(&frames->file[end]),
+                       .start = positions(frames, start),
+                       .end = positions(frames, end)};
+}
+
+//: Free the frames
+void tf_frames_free(tf_frames *frames)
+{
+    for (int i = 0; i < 2; i++) {
+        tf_mesh_file_free(&frames->file[i]);
+        free(frames->flat[i]);
+    }
+    tf_surface_free(frames->surface);
+    *frames = (tf_frames){0};
+}

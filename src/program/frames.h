@@ -1,0 +1,34 @@
+//: Declare the frames of a surface
+#pragma once
+
+#include "program/mesh_file.h"
+#include "query/motion.h"
+#include "surface/surface.h"
+
+/// A sequence of files that hold the same elements in several positions, and
+/// the surface that they are.
+typedef struct tf_frames {
+    tf_mesh_file file[2]; ///< the current one, and the one before it
+    int current;          ///< which of the two is the current one
+    int count;            ///< how many were read
+    int axes;             ///< of the surface
+    tf_surface *surface;
+    double *flat[2]; ///< in the plane: the positions, without z
+} tf_frames;
+
+/// Reads the next file, and makes the surface of it and the one before: one of
+/// the plane if both are.  False: there is a fault in the current file.  It is
+/// an error if the two do not have the same elements.
+bool tf_frames_next(tf_frames *frames, const char *path);
+
+/// The file that was read last.
+const tf_mesh_file *tf_frames_file(const tf_frames *frames);
+
+/// The step from the frame before to the current one; with one frame only, at
+/// rest.
+tf_motion tf_frames_motion(const tf_frames *frames);
+
+/// Describes what a flaw of the surface is in the current file; false.
+bool tf_frames_fault(tf_frames *frames, tf_status status, const tf_flaw *flaw);
+
+void tf_frames_free(tf_frames *frames);

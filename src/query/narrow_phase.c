@@ -1,0 +1,46 @@
+//: Decide one query after another
+#include "query/narrow_phase.h"
+
+#include "base/require.h"
+#include "query/query.h"
+
+/// The axes of the scene and the vertices of the two elements.
+typedef struct shape {
+    int axes, vertices, others;
+} shape;
+
+static shape shape_of(tf_kind kind)
+{
+    static const shape shapes[] = {
+        [TF_POINT_EDGE] = {2, 1, 2},
+        [TF_POINT_TRIANGLE] = {3, 1, 3},
+        [TF_EDGE_EDGE] = {3, 2, 2},
+    };
+    TF_REQUIRE(kind > TF_NO_KIND && kind <= TF_EDGE_EDGE);
+    return shapes[kind];
+}
+
+static tf_status decide_queries(const tf_arithmetic *arithmetic,
+                                const tf_queries *queries, tf_verdict verdict[],
+                                size_t *separated)
+{
+    TF_REQUIRE(arithmetic && queries && separated);
+    TF_REQUIRE((queries->vertices && verdict) || queries->count == 0);
+    shape of = shape_of(queries->kind);
+    const int *first = queries->vertices;
+    for (size_t i = 0; i < queries->count; i++) {
+        const int *second = first + of.vertices;
+        bool by_axis = false;
+        tf_status status =
+            tf_query_verdict(arithmetic, of.axes, queries->motion, of.vertices,
+                             first, of.others, second, &verdict[i], &by_axis);
+        if (status != TF_OK)
+            return status;
+        *separated += by_axis;
+        first = second + of.others;
+    }
+    return TF_OK;
+}
+
+const tf_narrow_phase tf_reference = {.name = "reference",
+                                      .decide = decide_queries};

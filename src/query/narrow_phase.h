@@ -1,0 +1,54 @@
+//: Declare many queries
+#pragma once
+
+#include "base/api.h"
+
+#include "arithmetic/arithmetic.h"
+#include "base/status.h"
+#include "intersect/verdict.h"
+#include "query/motion.h"
+
+#include <stddef.h>
+
+/// @addtogroup narrow_phases Narrow phases
+/// @{
+
+/// Which two elements a query is about.
+typedef enum tf_kind {
+    TF_NO_KIND = 0,    ///< no query
+    TF_POINT_EDGE,     ///< in the plane; vertices: point, edge
+    TF_POINT_TRIANGLE, ///< in space; vertices: point, triangle
+    TF_EDGE_EDGE,      ///< in space; vertices: first edge, second edge
+} tf_kind;
+
+/// Queries of one kind about one scene, borrowed from the caller.
+typedef struct tf_queries {
+    tf_kind kind;            ///< of all of them
+    const tf_motion *motion; ///< the scene
+    size_t count;            ///< how many queries
+    const int *vertices; ///< three indices a query for point-edge, otherwise
+                         ///< four: those of the first element, then of the
+                         ///< second
+} tf_queries;
+
+//: Declare the narrow phase
+/// A narrow phase decides which of many pairs of elements meet.  It is a
+/// constant that is passed, by its address, to whatever needs verdicts; all
+/// narrow phases give the same answers, and differ in speed.
+typedef struct tf_narrow_phase {
+    const char *name; ///< in static storage
+
+    /// Stores in `verdict[count]` whether the elements of each query meet, as
+    /// tf_point_edge, tf_point_triangle and tf_edge_edge would answer.  Returns
+    /// the status of the first bad query, if there is one; the verdicts from
+    /// that query on are not set.  Adds to `*separated` how many elements an
+    /// axis separates, so that no sign was needed.  Thread-safe.
+    tf_status (*decide)(const tf_arithmetic *arithmetic,
+                        const tf_queries *queries, tf_verdict verdict[],
+                        size_t *separated);
+} tf_narrow_phase;
+
+/// Decides one query after another.
+TF_API extern const tf_narrow_phase tf_reference;
+
+/// @}

@@ -1,0 +1,109 @@
+//: Include what boxes need
+#include "surface/box.h"
+
+#include <math.h>
+#include <stddef.h>
+
+const tf_box tf_box_empty = {{INFINITY, INFINITY, INFINITY},
+                             {-INFINITY, -INFINITY, -INFINITY}};
+
+//: Find the extent of a motion
+/// The least and greatest coordinates along each axis.
+typedef struct bounds {
+    double low[3], high[3];
+} bounds;
+
+/// Takes in the coordinates of one vertex; false if one of them is not finite.
+static bool take_in(bounds *all, int axes, const double *x)
+{
+    bool finite = true;
+    for (int k = 0; k < axes; k++) {
+        finite &= isfinite(x[k]) != 0;
+        all->low[k] = x[k] < all->low[k] ? x[k] : all->low[k];
+        all->high[k] = x[k] > all->high[k] ? x[k] : all->high[k];
+    }
+    return finite;
+}
+
+//: Center and scale
+/// The power of two that brings a size near 1, or as near as a double allows
+/// for both of them.
+static double scale_of(double size)
+{
+    int exponent = 0;
+    if (size > 0)
+        frexp(size, &exponent);
+    return ldexp(1, exponent < -1000 ? 1000 : -exponent);
+}
+
+static tf_frame frame_of(int axes, const bounds *all)
+{
+    tf_frame frame = {.axes = axes};
+    double size = 0;
+    for (int k = 0; k < axes; k++) {
+        // Halves first: the sum and the difference may overflow.
+        frame.center[k] = all->low[k] / 2 + all->high[k] / 2;
+        size = fmax(size, all->high[k] / 2 - all->low[k] / 2);
+    }
+    frame.scale = scale_of(size);
+    return frame;
+}
+
+//: Find the frame of a motion
+tf_status tf_frame_of(int axes, const tf_motion *motion, tf_frame *frame,
+                      int *bad)
+{
+    bounds all = {{INFINITY, INFINITY, INFINITY},
+                  {-INFINITY, -INFINITY, -INFINITY}};
+    for (int v = 0; v < motion->vertices; v++) {
+        ptrdiff_t place = (ptrdiff_t)axes * v;
+        bool start = take_in(&all, axes, motion->start + place);
+        bool end = take_in(&all, axes, motion->end + place);
+        if (!start || !end) {
+            *bad = v;
+            return TF_NOT_FINITE;
+        }
+    }
+    *frame = frame_of(axes, &all);
+    return TF_OK;
+}
+
+//: Put a box around the path of each vertex of a part
+enum {
+    VERTICES = 16384 // a task
+};
+
+typedef struct boxing {
+    const tf_frame *frame;
+    const tf_motion *motion;
+    tf_box *box;
+} boxing;
+
+static void box_vertices(void *argument, int task, int worker)
+{
+    const boxing *work = argument;
+    const tf_frame *frame = work->frame;
+    tf_range part = tf_range_part(work->motion->vertices, VERTICES, task);
+    (void)worker;
+    for (int v = part.begin; v < part.end; v++) {
+        tf_box box = {{0}, {0}};
+        for (int k = 0; k < frame->axes; k++) {
+            ptrdiff_t place = (ptrdiff_t)frame->axes * v + k;
+            double center = frame->center[k], scale = frame->scale;
+            float a = (float)((work->motion->start[place] - center) * scale);
+            float b = (float)((work->motion->end[place] - center) * scale);
+            box.low[k] = a < b ? a : b;
+            box.high[k] = a < b ? b : a;
+        }
+        work->box[v] = box;
+    }
+}
+
+//: Put a box around the path of each vertex
+void tf_vertex_boxes(const tf_frame *frame, const tf_motion *motion,
+                     const tf_parallel *parallel, tf_box box[])
+{
+    boxing work = {frame, motion, box};
+    tf_parallel_for_each(parallel, tf_range_parts(motion->vertices, VERTICES),
+                         box_vertices, &work);
+}

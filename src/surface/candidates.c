@@ -1,0 +1,126 @@
+//: Include what candidates need
+#include "surface/candidates.h"
+
+#include "base/require.h"
+#include "surface/state.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+//: Keep the candidates of a worker
+static bool keep(tf_pair_sink *sink, int count, const tf_candidate pair[])
+{
+    tf_worker *worker = (tf_worker *)sink;
+    size_t rows = worker->rows + (size_t)count;
+    if (!tf_buffer_extend(&worker->row, rows, sizeof *pair)) {
+        worker->status = TF_OUT_OF_MEMORY;
+        return false;
+    }
+    memcpy((tf_candidate *)worker->row.data + worker->rows, pair,
+           sizeof *pair * (size_t)count);
+    worker->rows = rows;
+    return true;
+}
+
+//: Copy the candidates of a task
+typedef struct gathering {
+    const tf_workers *workers;
+    const tf_task_rows *rows;
+    const size_t *place; ///< of the first row of each task
+    tf_candidate *to;
+} gathering;
+
+static void gather_task(void *argument, int task, int number)
+{
+    const gathering *of = argument;
+    const tf_task_rows *rows = &of->rows[task];
+    const tf_candidate *from = of->workers->worker[rows->worker]->row.data;
+    (void)number;
+    if (rows->end > rows->begin)
+        memcpy(of->to + of->place[task], from + rows->begin,
+               sizeof *from * (rows->end - rows->begin));
+}
+
+//: Gather the candidates of all workers
+/// Finds all rows, task by task, lent by the surface; false if there is no
+/// memory.
+static bool gather(tf_surface *surface, int tasks, const tf_task_rows rows[],
+                   size_t place[], const tf_parallel *parallel,
+                   const tf_candidate **gathered)
+{
+    // Without threads one worker has them all, in order.
+    *gathered = surface->workers.worker[0]->row.data;
+    if (!parallel)
+        return true;
+    size_t all = 0;
+    for (int task = 0; task < tasks; task++) {
+        place[task] = all;
+        all += rows[task].end - rows[task].begin;
+    }
+    if (!tf_buffer_reserve(&surface->found, all + 1, sizeof(tf_candidate)))
+        return false;
+    gathering of = {&surface->workers, rows, place, surface->found.data};
+    tf_parallel_for_each(parallel, tasks, gather_task, &of);
+    *gathered = of.to;
+    return true;
+}
+
+//: Join all elements
+/// Joins the vertices with the elements that they may touch, then the edges
+/// with each other; returns how many rows the first of these gave.
+static size_t join_all(tf_surface *surface, tf_task_rows rows[],
+                       const tf_parallel *parallel)
+{
+    tf_workers *workers = &surface->workers;
+    bool plane = surface->axes == 2;
+    tf_workers_join(workers, &surface->vertex_tree,
+                    plane ? &surface->edge_tree : &surface->triangle_tree, keep,
+                    rows, parallel);
+    size_t points = tf_workers_rows(workers);
+    if (!plane)
+        tf_workers_join(workers, &surface->edge_tree, &surface->edge_tree, keep,
+                        rows + tf_join_tasks(&surface->vertex_tree), parallel);
+    return points;
+}
+
+//: List all candidates
+static tf_status list_all(tf_surface *surface, const tf_parallel *parallel,
+                          tf_candidates *found)
+{
+    int tasks = tf_join_tasks(&surface->vertex_tree);
+    if (surface->axes == 3)
+        tasks += tf_join_tasks(&surface->edge_tree);
+    tf_task_rows *rows = calloc((size_t)tasks, sizeof *rows);
+    size_t *place = calloc((size_t)tasks, sizeof *place);
+    tf_status status = TF_OUT_OF_MEMORY;
+    if (rows && place) {
+        found->point_count = join_all(surface, rows, parallel);
+        found->edge_count =
+            tf_workers_rows(&surface->workers) - found->point_count;
+        bool gathered =
+            gather(surface, tasks, rows, place, parallel, &found->points);
+        found->edges =
+            found->points ? found->points + found->point_count : NULL;
+        status = gathered ? tf_workers_status(&surface->workers) : status;
+    }
+    free(rows);
+    free(place);
+    return status;
+}
+
+//: Find the candidates of a step
+tf_status tf_surface_candidates(tf_surface *surface, const tf_motion *motion,
+                                const tf_parallel *parallel,
+                                tf_candidates *found, tf_flaw *flaw)
+{
+    TF_REQUIRE(surface && motion && found);
+    tf_flaw unused;
+    tf_status status =
+        tf_surface_move(surface, motion, parallel, flaw ? flaw : &unused);
+    if (status != TF_OK)
+        return status;
+    if (!tf_workers_begin(&surface->workers, tf_parallel_workers(parallel),
+                          NULL))
+        return TF_OUT_OF_MEMORY;
+    return list_all(surface, parallel, found);
+}

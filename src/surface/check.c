@@ -1,0 +1,185 @@
+//: Include what the check needs
+#include "surface/check.h"
+
+#include "arithmetic/exact.h"
+#include "base/require.h"
+#include "query/query.h"
+#include "surface/crossing.h"
+#include "surface/state.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+//: Hold a check
+typedef struct checking {
+    const tf_surface *surface;
+    tf_motion rest;        ///< the surface, at rest for a step
+    tf_crossing_kind kind; ///< that is being looked for
+} checking;
+
+/// How many vertices the two elements have.
+typedef struct shape {
+    int first, second;
+} shape;
+
+static shape shape_of(tf_crossing_kind kind)
+{
+    static const shape shapes[] = {
+        [TF_EDGE_THROUGH_TRIANGLE] = {2, 3},
+        [TF_POINT_ON_TRIANGLE] = {1, 3},
+        [TF_EDGE_ON_EDGE] = {2, 2},
+    };
+    return shapes[kind];
+}
+
+//: Name a pair
+static const int *vertices_of(const tf_surface *surface, int corners,
+                              const int *element)
+{
+    if (corners == 1)
+        return element;
+    const tf_elements *list =
+        corners == 2 ? &surface->edges : &surface->triangles;
+    return list->corner + (size_t)*element * (size_t)corners;
+}
+
+static tf_crossing crossing_of(const checking *of, tf_candidate pair)
+{
+    shape s = shape_of(of->kind);
+    tf_crossing row = {of->kind, {-1, -1, -1, -1, -1}};
+    const int *first = vertices_of(of->surface, s.first, &pair.first);
+    const int *second = vertices_of(of->surface, s.second, &pair.second);
+    if (s.first == s.second && second[0] < first[0]) {
+        const int *swap = first;
+        first = second;
+        second = swap;
+    }
+    memcpy(row.vertex, first, sizeof *first * (size_t)s.first);
+    memcpy(row.vertex + s.first, second, sizeof *second * (size_t)s.second);
+    return row;
+}
+
+//: Decide whether four vertices at rest touch
+/// Whether two elements of four vertices touch.  At rest that is a contact at
+/// once; but first of all the four must lie in a plane.
+static tf_status touches(const checking *of, shape s, const int vertex[],
+                         const double *const x[], bool *found)
+{
+    *found = false;
+    if (!tf_are_coplanar(x[0], x[1], x[2], x[3]))
+        return TF_OK;
+    tf_verdict verdict = TF_APART;
+    bool separated = false;
+    tf_status status =
+        tf_query_verdict(&tf_exact, 3, &of->rest, s.first, vertex, s.second,
+                         vertex + s.first, &verdict, &separated);
+    *found = verdict == TF_HIT;
+    return status;
+}
+
+//: Decide whether a pair at rest intersects
+static tf_status intersects(const checking *of, const int vertex[], bool *found)
+{
+    int axes = of->surface->axes;
+    const double *x[5] = {NULL};
+    for (int i = 0; i < 5 && vertex[i] >= 0; i++)
+        x[i] = of->rest.start + (size_t)axes * (size_t)vertex[i];
+    if (of->kind == TF_EDGE_THROUGH_TRIANGLE)
+        *found = tf_edge_crosses_triangle(x[0], x[1], x[2], x[3], x[4]);
+    else if (axes == 2)
+        *found = tf_edges_cross(x[0], x[1], x[2], x[3]);
+    else
+        return touches(of, shape_of(of->kind), vertex, x, found);
+    return TF_OK;
+}
+
+//: Take a batch of pairs at rest
+/// Takes the pairs of a join: a tf_pair_sink's function.
+static bool take(tf_pair_sink *sink, int count, const tf_candidate pair[])
+{
+    tf_worker *worker = (tf_worker *)sink;
+    for (int i = 0; i < count; i++) {
+        tf_crossing own = crossing_of(worker->job, pair[i]);
+        bool found = false;
+        worker->status = intersects(worker->job, own.vertex, &found);
+        if (worker->status != TF_OK)
+            return false;
+        tf_crossing *row = found ? tf_worker_add(worker, sizeof *row) : &own;
+        if (!row)
+            return false;
+        *row = own;
+    }
+    return true;
+}
+
+//: Compare crossings
+static int compare(const void *first, const void *second)
+{
+    const tf_crossing *a = first, *b = second;
+    if (a->kind != b->kind)
+        return a->kind < b->kind ? -1 : 1;
+    for (int i = 0; i < 5; i++)
+        if (a->vertex[i] != b->vertex[i])
+            return a->vertex[i] < b->vertex[i] ? -1 : 1;
+    return 0;
+}
+
+//: Gather the crossings of all workers
+static tf_status gather(tf_surface *surface, tf_crossings *found)
+{
+    size_t rows = tf_workers_rows(&surface->workers);
+    if (!tf_buffer_reserve(&surface->found, rows + 1, sizeof(tf_crossing)))
+        return TF_OUT_OF_MEMORY;
+    tf_crossing *all = surface->found.data, *end = all;
+    for (int i = 0; i < surface->workers.count; i++) {
+        const tf_worker *worker = surface->workers.worker[i];
+        if (worker->rows > 0)
+            memcpy(end, worker->row.data, sizeof *end * worker->rows);
+        end += worker->rows;
+    }
+    qsort(all, rows, sizeof *all, compare);
+    *found = (tf_crossings){rows, all};
+    return TF_OK;
+}
+
+//: Join for one kind of crossing
+static void join(tf_surface *surface, checking *of, tf_crossing_kind kind,
+                 const tf_parallel *parallel)
+{
+    const tf_tree *s = kind == TF_POINT_ON_TRIANGLE ? &surface->vertex_tree
+                                                    : &surface->edge_tree;
+    const tf_tree *t =
+        kind == TF_EDGE_ON_EDGE ? &surface->edge_tree : &surface->triangle_tree;
+    of->kind = kind;
+    if (tf_workers_status(&surface->workers) == TF_OK)
+        tf_workers_join(&surface->workers, s, t, take, NULL, parallel);
+}
+
+//: Check a surface
+static tf_status check(tf_surface *surface, checking *of,
+                       const tf_parallel *parallel, tf_crossings *found,
+                       tf_flaw *flaw)
+{
+    tf_status status = tf_surface_move(surface, &of->rest, parallel, flaw);
+    if (status != TF_OK)
+        return status;
+    if (!tf_workers_begin(&surface->workers, tf_parallel_workers(parallel), of))
+        return TF_OUT_OF_MEMORY;
+    if (surface->axes == 3) {
+        join(surface, of, TF_EDGE_THROUGH_TRIANGLE, parallel);
+        join(surface, of, TF_POINT_ON_TRIANGLE, parallel);
+    }
+    join(surface, of, TF_EDGE_ON_EDGE, parallel);
+    status = tf_workers_status(&surface->workers);
+    return status == TF_OK ? gather(surface, found) : status;
+}
+
+tf_status tf_surface_check(tf_surface *surface, const double position[],
+                           int vertices, const tf_parallel *parallel,
+                           tf_crossings *found, tf_flaw *flaw)
+{
+    TF_REQUIRE(surface && position && found);
+    checking of = {.surface = surface, .rest = {vertices, position, position}};
+    tf_flaw unused;
+    return check(surface, &of, parallel, found, flaw ? flaw : &unused);
+}

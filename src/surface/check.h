@@ -1,0 +1,66 @@
+//: Declare the static check
+#pragma once
+
+#include "base/api.h"
+#include "surface/parallel.h"
+#include "surface/surface.h"
+
+#include <stddef.h>
+
+/// @addtogroup surfaces
+/// @{
+
+/// How two elements at rest intersect.
+typedef enum tf_crossing_kind {
+    TF_NO_CROSSING = 0,       ///< they do not
+    TF_EDGE_THROUGH_TRIANGLE, ///< an edge passes from one side of a triangle
+                              ///< to the other through its inside; vertices:
+                              ///< edge, triangle
+    TF_POINT_ON_TRIANGLE,     ///< a vertex lies on a triangle; vertices: the
+                              ///< vertex, triangle
+    TF_EDGE_ON_EDGE,          ///< two edges have a point in common; vertices:
+                              ///< of the one, of the other
+} tf_crossing_kind;
+
+/// Two elements that share no vertex, and intersect.
+typedef struct tf_crossing {
+    tf_crossing_kind kind; ///< how they intersect
+    int vertex[5]; ///< each element's in increasing order, of two edges the one
+                   ///< with the lowest vertex first; -1 where there is none
+} tf_crossing;
+
+/// All intersections of a surface.
+typedef struct tf_crossings {
+    size_t count;                ///< how many
+    const tf_crossing *crossing; ///< sorted by kind, then by vertices
+} tf_crossings;
+
+//: Declare how to check
+/// Finds where a surface at rest intersects itself, exactly.
+///
+/// Pairs that share a vertex are not looked at.  In space none are missed by
+/// that but two edges of no triangle that lie upon each other: if two
+/// triangles, or a triangle and an edge, have more in common than the convex
+/// hull of their common vertices, then two of their elements are listed.  Nor
+/// are particles listed that lie on such edges or on each other.
+///
+/// A curve in the plane is checked for edges that intersect.  Of two that share
+/// a vertex and lie upon each other the outer one is listed, with any third
+/// edge at the end of the inner one, unless that edge joins their ends.
+/// Particles are not looked at.
+///
+/// @param surface the surface
+/// @param position the coordinates of its vertices, three each, in the plane
+///     two
+/// @param vertices how many vertices have a position
+/// @param parallel the threads to use; NULL: the caller's alone
+/// @param[out] found the intersections, lent until the next call for this
+///     surface; set only with TF_OK
+/// @param[out] flaw what is wrong where the status is not TF_OK; may be NULL
+/// @return TF_OK; TF_BAD_COUNT if that is another number than the surface has;
+///     TF_NOT_FINITE; TF_BAD_ENVIRONMENT; or TF_OUT_OF_MEMORY
+TF_API tf_status tf_surface_check(tf_surface *surface, const double position[],
+                                  int vertices, const tf_parallel *parallel,
+                                  tf_crossings *found, tf_flaw *flaw);
+
+/// @}

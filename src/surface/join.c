@@ -1,0 +1,150 @@
+//: Include what the join needs
+#include "surface/join.h"
+
+#include "surface/vectors.h"
+
+#include <stdint.h>
+
+enum {
+    STACK = TF_TREE_LEVELS * TF_LANES
+};
+
+//: Hand on pairs
+static void hand_on(tf_pair_sink *sink)
+{
+    if (sink->count > 0 && !sink->stopped)
+        sink->stopped = !sink->take(sink, sink->count, sink->pair);
+    sink->count = 0;
+}
+
+//: Find the lanes that overlap a box
+static const uint32_t bit[TF_LANES] = {
+    1 << 0, 1 << 1, 1 << 2,  1 << 3,  1 << 4,  1 << 5,  1 << 6,  1 << 7,
+    1 << 8, 1 << 9, 1 << 10, 1 << 11, 1 << 12, 1 << 13, 1 << 14, 1 << 15,
+};
+
+/// The lanes of the pack whose boxes overlap the box, a bit each.
+TF_INSIDE uint32_t overlaps(const tf_pack *pack, const tf_box *box)
+{
+    uint32_t lanes = 0;
+    TF_LANE_LOOP
+    for (int i = 0; i < TF_LANES; i++) {
+        bool apart = (pack->low[0][i] > box->high[0]) |
+                     (box->low[0] > pack->high[0][i]) |
+                     (pack->low[1][i] > box->high[1]) |
+                     (box->low[1] > pack->high[1][i]) |
+                     (pack->low[2][i] > box->high[2]) |
+                     (box->low[2] > pack->high[2][i]);
+        lanes |= apart ? 0 : bit[i];
+    }
+    return lanes;
+}
+
+//: Find the lanes that have a vertex
+TF_INSIDE uint32_t lanes_with(const tf_tree *tree, int leaf, int vertex)
+{
+    uint32_t lanes = 0;
+    for (int c = 0; c < tree->corners; c++) {
+        const int *corner = tree->corner[leaf * tree->corners + c];
+        TF_LANE_LOOP
+        for (int i = 0; i < TF_LANES; i++)
+            lanes |= corner[i] == vertex ? bit[i] : 0;
+    }
+    return lanes;
+}
+
+//: Find the first lane
+/// The lowest lane of a nonempty set.
+TF_INSIDE int first_lane(uint32_t lanes)
+{
+#ifdef __GNUC__
+    return __builtin_ctz(lanes);
+#else
+    int lane = 0;
+    while (!(lanes >> lane & 1))
+        lane++;
+    return lane;
+#endif
+}
+
+//: Join two leaves
+TF_INSIDE void join_leaves(const tf_tree *s, int a, const tf_tree *t, int b,
+                           const tf_box *box_of_b, tf_pair_sink *sink)
+{
+    uint32_t near = overlaps(&s->level[0][a], box_of_b);
+    for (; near; near &= near - 1) {
+        int i = first_lane(near);
+        tf_box own = tf_pack_box(&s->level[0][a], i);
+        uint32_t lanes = overlaps(&t->level[0][b], &own);
+        if (s == t && a == b)
+            lanes &= ~UINT32_C(1) << i;
+        for (int c = 0; c < s->corners && lanes; c++)
+            lanes &= ~lanes_with(t, b, s->corner[a * s->corners + c][i]);
+        for (; lanes; lanes &= lanes - 1)
+            sink->pair[sink->count++] = (tf_candidate){
+                s->element[a][i], t->element[b][first_lane(lanes)]};
+    }
+}
+
+//: Hold a visit
+/// A pack that may overlap, with its box.
+typedef struct visit {
+    int level, pack;
+    tf_box box;
+} visit;
+
+/// Whether all leaves below a pack come before a leaf.
+TF_INSIDE bool is_before(int level, int pack, int leaf)
+{
+    return ((int64_t)pack + 1) << (4 * level) <= leaf;
+}
+
+//: Visit the children of a pack
+/// Puts those children of a pack on the stack that overlap the box; returns the
+/// stack's new height.
+TF_INSIDE int visit_children(const tf_tree *s, int a, const tf_tree *t,
+                             const visit *from, const tf_box *box,
+                             visit stack[], int top)
+{
+    const tf_pack *pack = &t->level[from->level][from->pack];
+    for (uint32_t near = overlaps(pack, box); near; near &= near - 1) {
+        int i = first_lane(near);
+        int child = from->pack * TF_LANES + i;
+        // Of the same tree's pairs, each once: not those with earlier leaves.
+        if (s != t || !is_before(from->level - 1, child, a))
+            stack[top++] =
+                (visit){from->level - 1, child, tf_pack_box(pack, i)};
+    }
+    return top;
+}
+
+//: Join a leaf with a tree
+TF_VECTORS static void join_leaf(const tf_tree *s, int a, const tf_tree *t,
+                                 tf_pair_sink *sink)
+{
+    visit stack[STACK];
+    tf_box box = tf_pack_union(&s->level[0][a]);
+    int top = 0;
+    stack[top++] = (visit){t->levels - 1, 0, box};
+    while (top > 0 && !sink->stopped) {
+        visit at = stack[--top];
+        if (at.level > 0) {
+            top = visit_children(s, a, t, &at, &box, stack, top);
+            continue;
+        }
+        if (sink->count > TF_BATCH - TF_LANES * TF_LANES)
+            hand_on(sink);
+        join_leaves(s, a, t, at.pack, &at.box, sink);
+    }
+}
+
+//: Join leaves with a tree
+void tf_tree_join(const tf_tree *s, const tf_tree *t, tf_range leaves,
+                  tf_pair_sink *sink)
+{
+    if (t->count == 0)
+        return;
+    for (int leaf = leaves.begin; leaf < leaves.end && !sink->stopped; leaf++)
+        join_leaf(s, leaf, t, sink);
+    hand_on(sink);
+}

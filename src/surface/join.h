@@ -1,0 +1,30 @@
+//: Declare the join of two trees
+#pragma once
+
+#include "surface/candidate.h"
+#include "surface/tree.h"
+
+enum {
+    TF_BATCH = 4096 ///< pairs handed on at once
+};
+
+/// Where pairs go.
+typedef struct tf_pair_sink tf_pair_sink;
+struct tf_pair_sink {
+    /// Takes the pairs; false: no more are wanted.
+    bool (*take)(tf_pair_sink *sink, int count, const tf_candidate pair[]);
+    int count;
+    bool stopped;
+    tf_candidate pair[TF_BATCH];
+};
+
+//: Declare the join of leaves
+enum {
+    TF_JOIN_PART = 64 ///< leaves a task of a join has
+};
+
+/// Finds the pairs of an element of `s` in the given leaves and an element of
+/// `t`, or, if both are the same tree, each such pair of two elements once.
+/// Stops early if the sink is stopped, and hands on what is left.
+void tf_tree_join(const tf_tree *s, const tf_tree *t, tf_range leaves,
+                  tf_pair_sink *sink);

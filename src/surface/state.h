@@ -1,0 +1,24 @@
+//: Declare what a surface holds
+#pragma once
+
+#include "surface/elements.h"
+#include "surface/surface.h"
+#include "surface/tree.h"
+#include "surface/workers.h"
+
+struct tf_surface {
+    int axes, vertices;
+    tf_elements edges, triangles;
+    tf_buffer boxes; ///< of the vertices
+    tf_tree vertex_tree, edge_tree, triangle_tree;
+    tf_tree_room tree_room;
+    tf_workers workers;
+    tf_buffer found; ///< what was found last, lent to the caller
+};
+
+//: Declare how a surface moves
+/// Builds the trees for one step.  Returns TF_OK; TF_BAD_COUNT if the motion
+/// has another number of vertices; TF_NOT_FINITE with the vertex in `flaw`; or
+/// TF_OUT_OF_MEMORY.
+tf_status tf_surface_move(tf_surface *surface, const tf_motion *motion,
+                          const tf_parallel *parallel, tf_flaw *flaw);

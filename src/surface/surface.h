@@ -1,0 +1,54 @@
+//: Declare the surface
+#pragma once
+
+#include "base/api.h"
+#include "base/status.h"
+#include "surface/mesh.h"
+
+#include <stddef.h>
+
+/// @addtogroup surfaces
+/// @{
+
+/// A surface whose vertices can be given positions, step after step.  It keeps
+/// its memory from one step to the next, up to about 300 bytes a triangle
+/// besides what is found.  One thread at a time may use it.
+typedef struct tf_surface tf_surface;
+
+/// Makes a surface of a mesh, which it copies.
+///
+/// @param mesh the elements
+/// @param[out] surface the surface, to be freed by tf_surface_free; set only
+///     with TF_OK
+/// @param[out] flaw what is wrong where the status is not TF_OK; may be NULL
+/// @return TF_OK; TF_NO_ELEMENTS if there are neither triangles nor edges;
+///     TF_BAD_INDEX if an element repeats an index or has that of no vertex; or
+///     TF_OUT_OF_MEMORY
+TF_API tf_status tf_surface_create(const tf_mesh *mesh, tf_surface **surface,
+                                   tf_flaw *flaw);
+
+/// Frees a surface, and all that it lent.
+/// @param surface the surface; may be NULL
+TF_API void tf_surface_free(tf_surface *surface);
+
+//: Declare the edges of a surface
+/// The edges of a surface, each once: those of its triangles and the others.
+/// @param surface the surface
+/// @param[out] count how many there are
+/// @return the vertices of each, the one with the lower index first; sorted, and
+///     lent until the surface is freed
+TF_API const int *tf_surface_edges(const tf_surface *surface, int *count);
+
+/// The triangles of a surface, each once.
+/// @param surface the surface
+/// @param[out] count how many there are
+/// @return the vertices of each in increasing order; sorted, and lent until the
+///     surface is freed
+TF_API const int *tf_surface_triangles(const tf_surface *surface, int *count);
+
+/// How much memory a surface holds by now.
+/// @param surface the surface
+/// @return bytes
+TF_API size_t tf_surface_memory(const tf_surface *surface);
+
+/// @}

@@ -1,0 +1,37 @@
+//: Run tasks in parallel
+#include "surface/tasks.h"
+
+#include "base/require.h"
+
+#include <stddef.h>
+
+int tf_parallel_workers(const tf_parallel *parallel)
+{
+    if (!parallel)
+        return 1;
+    TF_REQUIRE(parallel->workers >= 1 && parallel->for_each);
+    return parallel->workers;
+}
+
+void tf_parallel_for_each(const tf_parallel *parallel, int count, tf_task *run,
+                          void *argument)
+{
+    if (parallel && count > 1) {
+        parallel->for_each(parallel->context, count, run, argument);
+        return;
+    }
+    for (int task = 0; task < count; task++)
+        run(argument, task, 0);
+}
+
+//: Divide a range
+int tf_range_parts(int count, int size)
+{
+    return count / size + (count % size != 0);
+}
+
+tf_range tf_range_part(int count, int size, int part)
+{
+    int begin = part * size;
+    return (tf_range){begin, count - begin < size ? count : begin + size};
+}

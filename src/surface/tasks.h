@@ -1,0 +1,24 @@
+//: Declare the serial default
+#pragma once
+
+#include "surface/parallel.h"
+
+/// Runs the tasks as `parallel` does, or one after another if it is NULL.
+void tf_parallel_for_each(const tf_parallel *parallel, int count, tf_task *run,
+                          void *argument);
+
+/// How many workers there are; 1 if `parallel` is NULL.
+int tf_parallel_workers(const tf_parallel *parallel);
+
+//: Declare how to divide a range
+/// A part of a range of items.
+typedef struct tf_range {
+    int begin; ///< the first item
+    int end;   ///< one more than the last
+} tf_range;
+
+/// How many parts of at most `size` items a range of `count` has.
+int tf_range_parts(int count, int size);
+
+/// One of those parts.
+tf_range tf_range_part(int count, int size, int part);

@@ -1,0 +1,208 @@
+//: Include what the tree needs
+#include "surface/tree.h"
+
+#include "surface/vectors.h"
+
+#include <stddef.h>
+
+enum {
+    ELEMENTS = 16384 // a task, a multiple of TF_LANES
+};
+
+//: Unite the boxes of a pack
+TF_INSIDE tf_box pack_union(const tf_pack *pack)
+{
+    tf_box all = tf_box_empty;
+    for (int k = 0; k < 3; k++)
+        for (int lane = 0; lane < TF_LANES; lane++) {
+            float low = pack->low[k][lane], high = pack->high[k][lane];
+            all.low[k] = low < all.low[k] ? low : all.low[k];
+            all.high[k] = high > all.high[k] ? high : all.high[k];
+        }
+    return all;
+}
+
+tf_box tf_pack_union(const tf_pack *pack)
+{
+    return pack_union(pack);
+}
+
+static void set_lane(tf_pack *pack, int lane, const tf_box *box)
+{
+    for (int k = 0; k < 3; k++) {
+        pack->low[k][lane] = box->low[k];
+        pack->high[k][lane] = box->high[k];
+    }
+}
+
+//: Find the box of an element
+static const int *corners_of(const tf_tree_elements *elements, const int *i)
+{
+    return elements->corner
+               ? elements->corner + (ptrdiff_t)elements->corners * *i
+               : i;
+}
+
+static tf_box box_of(const tf_tree_elements *elements, int i)
+{
+    const int *corner = corners_of(elements, &i);
+    tf_box box = elements->vertex[corner[0]];
+    for (int c = 1; c < elements->corners; c++)
+        box = tf_box_union(box, elements->vertex[corner[c]]);
+    return box;
+}
+
+//: Hold what is being built
+typedef struct building {
+    tf_tree *tree;
+    const tf_tree_elements *elements;
+    tf_keyed *keys;
+    const tf_keyed *sorted;
+    int level; ///< whose packs are being filled
+} building;
+
+//: Find the keys of a part
+static void find_keys(void *argument, int task, int worker)
+{
+    const building *b = argument;
+    tf_range part = tf_range_part(b->elements->count, ELEMENTS, task);
+    (void)worker;
+    for (int i = part.begin; i < part.end; i++) {
+        tf_box box = box_of(b->elements, i);
+        b->keys[i] = (tf_keyed){tf_morton_key(&box, b->elements->whole), i};
+    }
+}
+
+//: Fill a lane
+static void fill_lane(const building *b, int leaf, int lane, int element)
+{
+    int corners = b->elements->corners;
+    const int *corner = corners_of(b->elements, &element);
+    tf_box box = box_of(b->elements, element);
+    set_lane(&b->tree->level[0][leaf], lane, &box);
+    b->tree->element[leaf][lane] = element;
+    for (int c = 0; c < corners; c++)
+        b->tree->corner[leaf * corners + c][lane] = corner[c];
+}
+
+static void clear_lane(const building *b, int leaf, int lane)
+{
+    int corners = b->elements->corners;
+    set_lane(&b->tree->level[0][leaf], lane, &tf_box_empty);
+    b->tree->element[leaf][lane] = -1;
+    for (int c = 0; c < corners; c++)
+        b->tree->corner[leaf * corners + c][lane] = -1;
+}
+
+//: Fill the leaves of a part
+static void fill_leaves(void *argument, int task, int worker)
+{
+    const building *b = argument;
+    tf_range part = tf_range_part(b->elements->count, ELEMENTS, task);
+    (void)worker;
+    for (int i = part.begin; i < part.end; i++)
+        fill_lane(b, i / TF_LANES, i % TF_LANES, b->sorted[i].element);
+    for (int i = part.end; i % TF_LANES != 0; i++)
+        clear_lane(b, i / TF_LANES, i % TF_LANES);
+}
+
+//: Fill the packs of a level
+TF_VECTORS static void unite_packs(const tf_pack *below, tf_range part,
+                                   tf_pack *level)
+{
+    for (int i = part.begin; i < part.end; i++) {
+        tf_box box = pack_union(&below[i]);
+        set_lane(&level[i / TF_LANES], i % TF_LANES, &box);
+    }
+}
+
+static void fill_packs(void *argument, int task, int worker)
+{
+    const building *b = argument;
+    const tf_tree *tree = b->tree;
+    tf_range part = tf_range_part(tree->packs[b->level - 1], ELEMENTS, task);
+    tf_pack *level = tree->level[b->level];
+    (void)worker;
+    unite_packs(tree->level[b->level - 1], part, level);
+    for (int i = part.end; i % TF_LANES != 0; i++)
+        set_lane(&level[i / TF_LANES], i % TF_LANES, &tf_box_empty);
+}
+
+//: Count the packs of all levels
+/// Sets the sizes of the levels; returns how many packs there are in all.
+static size_t count_packs(tf_tree *tree)
+{
+    size_t all = 0;
+    int packs = tree->count;
+    tree->levels = 0;
+    do {
+        packs = tf_range_parts(packs, TF_LANES);
+        tree->packs[tree->levels++] = packs;
+        all += (size_t)packs;
+    } while (packs > 1);
+    return all;
+}
+
+//: Make room for a tree
+static bool make_room(tf_tree *tree, tf_tree_room *room)
+{
+    size_t packs = count_packs(tree);
+    size_t leaves = (size_t)tree->packs[0];
+    size_t corners = leaves * (size_t)tree->corners;
+    size_t count = (size_t)tree->count;
+    if (!tf_buffer_reserve(&tree->pack_room, packs, sizeof(tf_pack)) ||
+        !tf_buffer_reserve(&tree->element_room, leaves,
+                           sizeof *tree->element) ||
+        !tf_buffer_reserve(&tree->corner_room, corners, sizeof *tree->corner) ||
+        !tf_buffer_reserve(&room->keys, count, sizeof(tf_keyed)) ||
+        !tf_buffer_reserve(&room->sorted, count, sizeof(tf_keyed)) ||
+        !tf_buffer_reserve(&room->counts, TF_SORT_PARTS,
+                           sizeof(tf_digit_counts)))
+        return false;
+    tree->level[0] = tree->pack_room.data;
+    for (int level = 1; level < tree->levels; level++)
+        tree->level[level] = tree->level[level - 1] + tree->packs[level - 1];
+    tree->element = tree->element_room.data;
+    tree->corner = tree->corner_room.data;
+    return true;
+}
+
+//: Build a tree
+bool tf_tree_build(tf_tree *tree, const tf_tree_elements *elements,
+                   tf_tree_room *room, const tf_parallel *parallel)
+{
+    tree->count = elements->count;
+    tree->corners = elements->corners;
+    tree->levels = 0;
+    if (tree->count == 0)
+        return true;
+    if (!make_room(tree, room))
+        return false;
+
+    building b = {.tree = tree, .elements = elements, .keys = room->keys.data};
+    int tasks = tf_range_parts(tree->count, ELEMENTS);
+    tf_parallel_for_each(parallel, tasks, find_keys, &b);
+    b.sorted = tf_morton_sort(tree->count, b.keys, room->sorted.data,
+                              room->counts.data, parallel);
+    tf_parallel_for_each(parallel, tasks, fill_leaves, &b);
+    for (b.level = 1; b.level < tree->levels; b.level++)
+        tf_parallel_for_each(parallel,
+                             tf_range_parts(tree->packs[b.level - 1], ELEMENTS),
+                             fill_packs, &b);
+    return true;
+}
+
+//: Free a tree
+void tf_tree_free(tf_tree *tree)
+{
+    tf_buffer_free(&tree->pack_room);
+    tf_buffer_free(&tree->element_room);
+    tf_buffer_free(&tree->corner_room);
+}
+
+void tf_tree_room_free(tf_tree_room *room)
+{
+    tf_buffer_free(&room->keys);
+    tf_buffer_free(&room->sorted);
+    tf_buffer_free(&room->counts);
+}

@@ -1,0 +1,69 @@
+//: Declare packs of boxes
+#pragma once
+
+#include "surface/box.h"
+#include "surface/buffer.h"
+#include "surface/morton.h"
+
+enum {
+    TF_LANES = 16,      ///< boxes a pack, which are as many as a vector holds
+    TF_TREE_LEVELS = 8, ///< enough for any number of elements: 16^8 > 2^31
+};
+
+/// The boxes of up to TF_LANES elements or packs, by coordinate.  Those of lanes
+/// that are not used are empty.
+typedef struct tf_pack {
+    float low[3][TF_LANES], high[3][TF_LANES];
+} tf_pack;
+
+//: Declare the tree of boxes
+/// Elements in Morton order, TF_LANES to a leaf.  Above the packs of the leaves
+/// are levels of packs, each of the boxes of TF_LANES packs of the level below,
+/// up to a single one; so the children of pack i are the packs 16 i to 16 i +
+/// 15, and there are no pointers.
+typedef struct tf_tree {
+    int count;                 ///< of elements
+    int corners;               ///< of an element: 1, 2 or 3 vertices
+    int levels;                ///< at least 1, unless there are no elements
+    int packs[TF_TREE_LEVELS]; ///< of each level; the first are the leaves
+    tf_pack *level[TF_TREE_LEVELS]; ///< their packs
+    int (*element)[TF_LANES];       ///< of each leaf, -1 in an unused lane
+    int (*corner)[TF_LANES]; ///< of each leaf, for each corner: the vertices
+    tf_buffer pack_room, element_room, corner_room;
+} tf_tree;
+
+//: Declare how to build a tree
+/// Room for building trees, one after another.
+typedef struct tf_tree_room {
+    tf_buffer keys, sorted, counts;
+} tf_tree_room;
+
+/// What a tree is built of.
+typedef struct tf_tree_elements {
+    int count, corners;
+    const int *corner;    ///< the vertices of one element after another; NULL:
+                          ///< element i is the vertex i
+    const tf_box *vertex; ///< the boxes of the vertices
+    const tf_box *whole;  ///< the union of all of these
+} tf_tree_elements;
+
+/// Builds the tree anew, in memory that is kept.  False if there is not enough.
+bool tf_tree_build(tf_tree *tree, const tf_tree_elements *elements,
+                   tf_tree_room *room, const tf_parallel *parallel);
+
+void tf_tree_free(tf_tree *tree);
+void tf_tree_room_free(tf_tree_room *room);
+
+//: Declare how to read a pack
+static inline tf_box tf_pack_box(const tf_pack *pack, int lane)
+{
+    tf_box box;
+    for (int k = 0; k < 3; k++) {
+        box.low[k] = pack->low[k][lane];
+        box.high[k] = pack->high[k][lane];
+    }
+    return box;
+}
+
+/// The union of all boxes of a pack.
+tf_box tf_pack_union(const tf_pack *pack);

@@ -1,0 +1,33 @@
+//: Compile for the vectors of the processor
+#pragma once
+
+/// Marks a function whose loops become vector instructions: gcc compiles it for
+/// several kinds of processors, and the program takes the best that its
+/// processor has when it starts.  Elsewhere it is compiled once, for whatever
+/// the options choose.  The answers are the same bits in each.
+#if defined __GNUC__ && !defined __clang__ && defined __x86_64__ &&            \
+    defined __gnu_linux__ && !defined __SANITIZE_ADDRESS__ &&                  \
+    !defined __SANITIZE_THREAD__
+#define TF_VECTORS                                                             \
+    __attribute__((                                                            \
+        target_clones("default", "arch=x86-64-v3", "arch=x86-64-v4")))
+#else
+#define TF_VECTORS
+#endif
+
+//: Keep a function inside others
+/// Keeps a function inside those that are compiled several times.
+#ifdef __GNUC__
+#define TF_INSIDE static inline __attribute__((always_inline))
+#else
+#define TF_INSIDE static inline
+#endif
+
+//: Keep a loop whole
+/// Keeps a loop over the lanes of a vector whole: gcc unrolls short loops before
+/// it looks for vectors, and then finds none.
+#if defined __GNUC__ && !defined __clang__
+#define TF_LANE_LOOP _Pragma("GCC unroll 1")
+#else
+#define TF_LANE_LOOP
+#endif

@@ -1,0 +1,127 @@
+//: Include what workers need
+#include "surface/workers.h"
+
+#include <stdatomic.h>
+#include <stdlib.h>
+#include <string.h>
+
+//: Hire workers
+static bool hire(tf_workers *workers, int count)
+{
+    if (count <= workers->count)
+        return true;
+    tf_worker **all = realloc(workers->worker, sizeof *all * (size_t)count);
+    if (!all)
+        return false;
+    workers->worker = all;
+    for (; workers->count < count; workers->count++) {
+        all[workers->count] = calloc(1, sizeof **all);
+        if (!all[workers->count])
+            return false;
+    }
+    return true;
+}
+
+//: Ready workers for a job
+bool tf_workers_begin(tf_workers *workers, int count, const void *job)
+{
+    if (!hire(workers, count))
+        return false;
+    for (int i = 0; i < workers->count; i++) {
+        tf_worker *worker = workers->worker[i];
+        worker->job = job;
+        worker->status = TF_OK;
+        worker->rows = 0;
+        worker->sink.count = 0;
+        worker->sink.stopped = false;
+    }
+    return true;
+}
+
+//: Keep what workers find
+void *tf_worker_add(tf_worker *worker, size_t size)
+{
+    if (!tf_buffer_extend(&worker->row, worker->rows + 1, size)) {
+        worker->status = TF_OUT_OF_MEMORY;
+        return NULL;
+    }
+    char *row = (char *)worker->row.data + size * worker->rows++;
+    return memset(row, 0, size);
+}
+
+tf_status tf_workers_status(const tf_workers *workers)
+{
+    for (int i = 0; i < workers->count; i++)
+        if (workers->worker[i]->status != TF_OK)
+            return workers->worker[i]->status;
+    return TF_OK;
+}
+
+size_t tf_workers_rows(const tf_workers *workers)
+{
+    size_t rows = 0;
+    for (int i = 0; i < workers->count; i++)
+        rows += workers->worker[i]->rows;
+    return rows;
+}
+
+//: Account for workers
+size_t tf_workers_memory(const tf_workers *workers)
+{
+    size_t bytes = 0;
+    for (int i = 0; i < workers->count; i++)
+        bytes += sizeof(tf_worker) + workers->worker[i]->row.bytes +
+                 workers->worker[i]->batch.bytes;
+    return bytes;
+}
+
+void tf_workers_free(tf_workers *workers)
+{
+    for (int i = 0; i < workers->count; i++) {
+        tf_buffer_free(&workers->worker[i]->row);
+        tf_buffer_free(&workers->worker[i]->batch);
+        free(workers->worker[i]);
+    }
+    free(workers->worker);
+    *workers = (tf_workers){0};
+}
+
+//: Join a part of a tree
+typedef struct joining {
+    tf_workers *workers;
+    const tf_tree *s, *t;
+    tf_task_rows *rows;
+    atomic_bool stopped;
+} joining;
+
+static void join_part(void *argument, int task, int number)
+{
+    joining *join = argument;
+    tf_worker *worker = join->workers->worker[number];
+    size_t begin = worker->rows;
+    if (!atomic_load(&join->stopped)) {
+        tf_tree_join(join->s, join->t,
+                     tf_range_part(join->s->packs[0], TF_JOIN_PART, task),
+                     &worker->sink);
+        if (worker->sink.stopped)
+            atomic_store(&join->stopped, true);
+    }
+    if (join->rows)
+        join->rows[task] = (tf_task_rows){number, begin, worker->rows};
+}
+
+//: Join two trees in parallel
+int tf_join_tasks(const tf_tree *s)
+{
+    return s->count == 0 ? 0 : tf_range_parts(s->packs[0], TF_JOIN_PART);
+}
+
+void tf_workers_join(tf_workers *workers, const tf_tree *s, const tf_tree *t,
+                     bool (*take)(tf_pair_sink *, int, const tf_candidate[]),
+                     tf_task_rows rows[], const tf_parallel *parallel)
+{
+    joining join = {.workers = workers, .s = s, .t = t, .rows = rows};
+    for (int i = 0; i < workers->count; i++)
+        workers->worker[i]->sink.take = take;
+    tf_parallel_for_each(parallel, tf_join_tasks(s), join_part, &join);
+}

@@ -1,0 +1,55 @@
+//: Declare the workers
+#pragma once
+
+#include "base/status.h"
+#include "surface/join.h"
+
+/// What one of several threads finds, in memory that is kept.
+typedef struct tf_worker {
+    tf_pair_sink sink; ///< first, so that a sink is its worker
+    const void *job;   ///< what all workers share
+    tf_status status;  ///< other than TF_OK: it could not go on
+    size_t rows;       ///< how many it has found
+    tf_buffer row;     ///< these rows
+    tf_buffer batch;   ///< room for what it needs for a batch of pairs
+} tf_worker;
+
+/// The workers of a surface.
+typedef struct tf_workers {
+    int count;
+    tf_worker **worker; ///< each has memory of its own
+} tf_workers;
+
+/// Readies workers for a job.  False if there is no memory.
+bool tf_workers_begin(tf_workers *workers, int count, const void *job);
+
+/// Adds a row of some size to what a worker has found, all zero (also what is
+/// between its members, so that rows can be compared by their bytes); NULL, with
+/// a status, if there is no memory.
+void *tf_worker_add(tf_worker *worker, size_t size);
+
+/// The first status that is not TF_OK, or TF_OK.
+tf_status tf_workers_status(const tf_workers *workers);
+
+/// How many rows all workers have found.
+size_t tf_workers_rows(const tf_workers *workers);
+
+size_t tf_workers_memory(const tf_workers *workers);
+void tf_workers_free(tf_workers *workers);
+
+//: Declare how workers join two trees
+/// The rows that a task has found.
+typedef struct tf_task_rows {
+    int worker;
+    size_t begin, end;
+} tf_task_rows;
+
+/// How many tasks the join of a tree with another has.
+int tf_join_tasks(const tf_tree *s);
+
+/// Joins two trees; each worker takes pairs by `take`, which returns false when
+/// nothing more is wanted of any worker.  Notes the rows of each task, unless
+/// `rows` is NULL.
+void tf_workers_join(tf_workers *workers, const tf_tree *s, const tf_tree *t,
+                     bool (*take)(tf_pair_sink *, int, const tf_candidate[]),
+                     tf_task_rows rows[], const tf_parallel *parallel);

@@ -1,0 +1,68 @@
+#include "base/status.h"
+
+#include "support/support.h"
+
+#include <signal.h>
+#include <string.h>
+
+/// What each message must hold: the matter, and how to mend it.
+static const struct {
+    tf_status status;
+    const char *matter, *mend;
+} messages[] = {
+    {TF_NOT_FINITE, "not finite", ": remove NaNs and infinities"},
+    {TF_OUT_OF_RANGE, "out of range", "; use exact"},
+    {TF_BAD_INDEX, "index",
+     ": the vertices of an element or a query must be distinct"},
+    {TF_BAD_ENVIRONMENT, "floating-point environment",
+     ": round to nearest and keep subnormal numbers, and compile without "
+     "-ffast-math"},
+    {TF_NO_ELEMENTS, "no elements", ": give it a triangle or an edge"},
+    {TF_BAD_COUNT, "not those of this surface", ": give as many vertices"},
+    {TF_OUT_OF_MEMORY, "not enough memory", ": divide the surface"},
+};
+
+enum {
+    MESSAGES = sizeof messages / sizeof *messages
+};
+
+START_TEST(messages_name_the_mend)
+{
+    const char *message = tf_status_message(messages[_i].status);
+    const char *matter = strstr(message, messages[_i].matter);
+    ck_assert_msg(matter, "no '%s' in '%s'", messages[_i].matter, message);
+    ck_assert_msg(strstr(matter, messages[_i].mend),
+                  "'%s' does not follow in '%s'", messages[_i].mend, message);
+}
+END_TEST
+
+START_TEST(every_status_has_a_message_of_its_own)
+{
+    for (int a = TF_OK; a <= TF_OUT_OF_MEMORY; a++) {
+        const char *message = tf_status_message((tf_status)a);
+        ck_assert_uint_gt(strlen(message), 5);
+        for (int b = TF_OK; b < a; b++)
+            ck_assert_str_ne(message, tf_status_message((tf_status)b));
+    }
+    ck_assert_int_eq(MESSAGES, TF_OUT_OF_MEMORY - TF_OK);
+}
+END_TEST
+
+START_TEST(unknown_status_breaks_the_contract)
+{
+    static const int unknown[] = {99, -1, TF_OUT_OF_MEMORY + 1};
+    tf_status_message((tf_status)unknown[_i]);
+}
+END_TEST
+
+Suite *suite(void)
+{
+    Suite *suite = suite_create("base/status");
+    TCase *tcase = tcase_create("messages");
+    tcase_add_loop_test(tcase, messages_name_the_mend, 0, MESSAGES);
+    tcase_add_test(tcase, every_status_has_a_message_of_its_own);
+    tcase_add_loop_test_raise_signal(tcase, unknown_status_breaks_the_contract,
+                                     SIGABRT, 0, 3);
+    suite_add_tcase(suite, tcase);
+    return suite;
+}

@@ -1,0 +1,53 @@
+# See that all builds give the same answers to the last bit, whatever their
+# options allow the compiler; that the library refuses to be compiled or to run
+# where it would give others; and that it needs libc and libm alone:
+#
+#     MAKE=make BUILD=dir compilers.sh
+set -eu
+
+builds=$BUILD/compilers
+
+# Options that let a compiler rewrite arithmetic.  The Makefile undoes them; who
+# compiles the single file may not.
+rewriting='-Ofast
+-ffast-math
+-funsafe-math-optimizations
+-freciprocal-math
+-fassociative-math -fno-signed-zeros -fno-trapping-math
+-ffinite-math-only
+-fno-signed-zeros'
+
+list_builds() {
+    printf 'gcc %s\n' -O0 -O2 -O3
+    echo 'clang -O2'
+    for cc in gcc clang; do
+        printf '%s\n' "$rewriting" -fno-rounding-math | sed "s/^/$cc -O3 /"
+    done
+}
+
+answer() { # compiler, options
+    build=$builds/$(echo "$1 $2" | tr ' ' '_')
+    $MAKE library program BUILD="$build" CC="$1" CFLAGS="-Werror $2" </dev/null
+    sh tests/machines/answers.sh "$build/tanglefree" >"$build/answers"
+    if grep -A 2 ' exact ' "$build/answers" | grep '^status'; then
+        echo "exact signs do not answer: $1 $2" >&2
+        exit 1
+    fi
+    cmp "$builds/gcc_-O0/answers" "$build/answers"
+}
+
+list_builds | while read -r cc options; do
+    answer "$cc" "$options"
+    echo "the same answers: $cc $options"
+done
+
+for cc in gcc clang; do
+    echo "$rewriting" | while read -r options; do
+        CC=$cc BUILD=$BUILD sh tests/package/refuse.sh $options
+    done
+done
+
+echo 'int main(void) { return 0; }' | gcc -x c - -x none -o /dev/null \
+    -Wl,--whole-archive "$builds/gcc_-O0/libtanglefree.a" \
+    -Wl,--no-whole-archive -lm
+echo 'linked: libc and libm only'

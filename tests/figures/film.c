@@ -1,0 +1,130 @@
+// The figures that move: what is the same in all frames, and the time.
+#define _GNU_SOURCE // mkdtemp
+#include "figures/numbers.h"
+
+#include "film.h"
+
+#include <unistd.h>
+
+enum {
+    TIMES = 9
+};
+
+static char folder[] = "/tmp/tanglefree-film-XXXXXX", picture[64];
+
+static void enter_folder(void)
+{
+    ck_assert(mkdtemp(folder));
+    snprintf(picture, sizeof picture, "%s/picture.png", folder);
+}
+
+static void leave_folder(void)
+{
+    remove(picture);
+    ck_assert_int_eq(rmdir(folder), 0);
+}
+
+static fig_page *new_page(const fig_figure *figure, double t)
+{
+    fig_page_options options = {.width = figure->width,
+                                .height = figure->height,
+                                .pixels_x = 48,
+                                .pixels_y = 36,
+                                .moves = true,
+                                .time = t};
+    fig_page *page;
+    ck_assert_int_eq(fig_page_new(&options, &page), FIG_OK);
+    return page;
+}
+
+/// A frame, of which labels have their places.
+static fig_page *draw_frame(const fig_figure *figure, double t)
+{
+    FILE *numbers = fopen("/dev/null", "w");
+    fig_page *page = new_page(figure, t);
+    figure->draw(page, numbers);
+    ck_assert_int_eq(fig_page_write(page, picture), FIG_OK);
+    fclose(numbers);
+    return page;
+}
+
+/// Expect that labels of two frames with the same anchor have the same place.
+static void expect_same_places(const fig_figure *figure, const fig_page *a,
+                               const fig_page *b, double t)
+{
+    for (int i = 0; i < fig_page_labels(a); i++)
+        for (int j = 0; j < fig_page_labels(b); j++) {
+            fig_placed first = fig_page_placed(a, i);
+            fig_placed second = fig_page_placed(b, j);
+            if (memcmp(&first.anchor, &second.anchor, sizeof first.anchor) != 0)
+                continue;
+            ck_assert_msg(memcmp(&first.box, &second.box, sizeof first.box) ==
+                              0,
+                          "%s: label %d jumps at t = %g", figure->name, i, t);
+        }
+}
+
+START_TEST(labels_do_not_jump)
+{
+    const fig_figure *figure = fig_figures[_i];
+    fig_page *first = figure->moves ? draw_frame(figure, 0) : NULL;
+    for (int i = 1; i < TIMES && figure->moves; i++) {
+        double t = i / (TIMES - 1.0);
+        fig_page *page = draw_frame(figure, t);
+        expect_same_places(figure, first, page, t);
+        fig_page_free(page);
+    }
+    fig_page_free(first);
+}
+END_TEST
+
+START_TEST(the_still_is_at_a_time_of_the_step)
+{
+    const fig_figure *figure = fig_figures[_i];
+    if (!figure->moves)
+        return;
+    char *text = printed(figure);
+    double still = number_of(text, "film_still");
+    ck_assert_msg(still >= 0 && still <= 1, "%s: still at %g", figure->name,
+                  still);
+    free(text);
+}
+END_TEST
+
+START_TEST(one_frame_is_at_the_event)
+{
+    char *text = NULL;
+    size_t size;
+    FILE *numbers = open_memstream(&text, &size);
+    const double event = 0.3;
+    int hits = 0;
+    for (int i = 0; i < FIG_FILM_FRAMES; i++) {
+        double t = i / (FIG_FILM_FRAMES - 1.0);
+        fig_page *page = new_page(fig_figures[0], t);
+        double shown = fig_film_time(page, numbers, 0.5, event);
+        ck_assert_msg(shown == t || shown == event, "%g for %g", shown, t);
+        ck_assert_double_le(fabs(shown - t), 0.5 / (FIG_FILM_FRAMES - 1));
+        hits += shown == event;
+        fig_page_free(page);
+    }
+    ck_assert_int_eq(hits, 1);
+    fclose(numbers);
+    ck_assert_int_eq(strncmp(text, "film_still 0.5\n", 15), 0);
+    free(text);
+}
+END_TEST
+
+Suite *suite(void)
+{
+    int count = 0;
+    while (fig_figures[count])
+        count++;
+    Suite *s = suite_create("figures/film");
+    TCase *films = tcase_create("films");
+    tcase_add_checked_fixture(films, enter_folder, leave_folder);
+    tcase_add_loop_test(films, labels_do_not_jump, 0, count);
+    tcase_add_loop_test(films, the_still_is_at_a_time_of_the_step, 0, count);
+    tcase_add_test(films, one_frame_is_at_the_event);
+    suite_add_tcase(s, films);
+    return s;
+}

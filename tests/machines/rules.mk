@@ -1,0 +1,40 @@
+# The tests on other machines, which are emulated.
+
+# s390x is big-endian, and the library finds out how it rounds by an experiment.
+# The names are those of compilers and emulators; then come Debian's, where they
+# differ.
+machines = aarch64 s390x
+debian_aarch64 = arm64
+
+check-machines: $(machines:%=check-machine-%) ## run the tests on emulated ARM and s390x machines
+.PHONY: check-machines $(machines:%=check-machine-%)
+
+# The tests of figures would need all their libraries.
+machine = $(BUILD)/machines/$*
+machine_root = $(abspath $(machine))/packages/root/usr
+machine_cc = $*-linux-gnu-gcc $(patsubst %,-isystem $(machine_root)/%,include \
+	include/$*-linux-gnu)
+machine_tests = $(filter-out $(figure_tests),$(TESTS))
+
+$(machines:%=check-machine-%): check-machine-%: $(BUILD)/machines/%/packages \
+		$(BUILD)/machines/%/emulated $(program_file) | need-machines
+	@$(MAKE) check BUILD=$(machine) TF_TEST_PERCENT=10 \
+	    CC='$(machine_cc)' \
+	    LDFLAGS='-static -L$(machine_root)/lib/$*-linux-gnu' \
+	    TESTS='$(machine_tests:$(BUILD)/%=$(machine)/%)' WHOLE= \
+	    EMULATOR='env TANGLEFREE=$(abspath $(machine))/emulated qemu-$*'
+	@sh tests/machines/answers.sh $(program_file) >$(machine)/native
+	@sh tests/machines/answers.sh $(machine)/emulated >$(machine)/answers
+	@! grep -A 2 ' exact ' $(machine)/native | grep '^status'
+	@cmp $(machine)/native $(machine)/answers
+	@echo 'the same answers: $*'
+
+# The program, as tests start it.
+$(BUILD)/machines/%/emulated: | $(BUILD)
+	@mkdir -p $(@D) && printf '#!/bin/sh\nexec qemu-%s %s "$$@"\n' $* \
+	    $(abspath $(@D))/tanglefree >$@ && chmod +x $@
+
+$(BUILD)/machines/%/packages: tests/machines/packages.sh | need-machines
+	@echo 'fetch   $@' && mkdir -p $(@D)
+	@sh $< $(or $(debian_$*),$*) $(abspath $@).new
+	@rm -rf $@ && mv $@.new $@

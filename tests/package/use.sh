@@ -1,0 +1,133 @@
+# Use what is installed: versions, header, symbols, and the example of README.md
+# by all compilers, with pkg-config and with CMake.
+. tests/package/common.sh
+
+# The versions -----------------------------------------------------------------
+
+expect() { # wanted, got, of what
+    [ "$1" = "$2" ] || fail "the version is $1, but $2 in $3"
+}
+
+check_versions() {
+    expect "$VERSION" "$(installed --modversion tanglefree)" tanglefree.pc
+    for program in tanglefree tanglefree-draw; do
+        expect "$program $VERSION" "$("$prefix/bin/$program" --version)" \
+            "$program --version"
+    done
+    readelf -d "$prefix/lib/libtanglefree.so" >"$scratch/dynamic"
+    expect "libtanglefree.so.${VERSION%%.*}" \
+        "$(sed -n 's/.*soname: \[\(.*\)\]/\1/p' "$scratch/dynamic")" \
+        "the shared library"
+}
+
+# The header and the symbols ---------------------------------------------------
+
+check_header() {
+    ! grep '^#include "' "$header" || fail "tanglefree.h needs other headers"
+    for module in $(sed -n 's/^\/\/ \([a-z]*\/[a-z_]*\) -*$/\1/p' "$header"); do
+        ! echo "#include <$module.h>" | gcc -I "$prefix/include" -fsyntax-only \
+            -x c - 2>/dev/null || fail "$module.h can be included"
+    done
+    for language in 'gcc -std=c11' 'gcc -std=c17' 'clang -std=c11' \
+        'clang -std=c17' 'g++ -std=c++17' 'g++ -std=c++20' \
+        'clang++ -std=c++17' 'clang++ -std=c++20'; do
+        ending=c
+        case $language in *++*) ending=cc ;; esac
+        echo '#include <tanglefree.h>' >"$scratch/header.$ending"
+        $language -Wall -Wextra -Wpedantic -Werror -I "$prefix/include" \
+            -fsyntax-only "$scratch/header.$ending" ||
+            fail "$language has warnings of tanglefree.h"
+    done
+}
+
+# The names that are declared with TF_API.
+list_declared() {
+    grep -v '^ *\(//\|#\)' "$header" | tr '\n' ' ' | tr ';{' '\n\n' |
+        sed -n 's/^.*TF_API \([^(]*\).*/\1/; t print
+            d
+            :print
+            s/ *$//; s/.*[ *]//; p' | LC_ALL=C sort
+}
+
+check_symbols() {
+    list_declared >"$scratch/declared"
+    [ -s "$scratch/declared" ] || fail "tanglefree.h declares nothing"
+    nm -D --defined-only "$prefix/lib/libtanglefree.so" | sed 's/.* //' |
+        LC_ALL=C sort | diff "$scratch/declared" - ||
+        fail "the shared library exports other names than TF_API (<) declares"
+}
+
+# The programs of users --------------------------------------------------------
+
+expect_stated() { # program
+    answer=$(LD_LIBRARY_PATH="$prefix/lib" "$1")
+    [ "$answer" ] && grep -qF "$answer" README.md ||
+        fail "README.md does not state what its example prints: $answer"
+}
+
+try_example() { # compiler, standard, source
+    program=$scratch/example
+    $1 -std="$2" -Wall -Wextra -Wpedantic -Werror "$3" \
+        $(installed --cflags --libs tanglefree) -o "$program"
+    readelf -d "$program" | grep -q "libtanglefree.so.${VERSION%%.*}" ||
+        fail "$1 links no shared library"
+    expect_stated "$program"
+    $1 -std="$2" -static "$3" \
+        $(installed --static --cflags --libs tanglefree) -o "$program"
+    expect_stated "$program"
+}
+
+check_example() {
+    readme c >"$scratch/example.c"
+    cp "$scratch/example.c" "$scratch/example.cc"
+    for cc in gcc clang; do
+        try_example $cc c17 "$scratch/example.c"
+    done
+    for cc in g++ clang++; do
+        try_example $cc c++17 "$scratch/example.cc"
+        try_example $cc c++20 "$scratch/example.cc"
+    done
+}
+
+# What is installed may move.
+check_cmake() {
+    cp -R "$prefix" "$scratch/moved"
+    cmake -S tests/package/cmake -B "$scratch/cmake" \
+        -DCMAKE_PREFIX_PATH="$scratch/moved" -DEXAMPLE="$scratch/example.c" \
+        >"$scratch/cmake.txt" && cmake --build "$scratch/cmake" \
+        >>"$scratch/cmake.txt" || { cat "$scratch/cmake.txt"; exit 1; }
+    for program in shared static; do
+        expect_stated "$scratch/cmake/$program"
+    done
+    readelf -d "$scratch/cmake/shared" >"$scratch/dynamic"
+    grep -q "RUNPATH.*$scratch/moved/lib" "$scratch/dynamic" &&
+        grep -q 'NEEDED.*libtanglefree' "$scratch/dynamic" ||
+        fail "tanglefree::tanglefree is not the shared library beside it"
+    ! readelf -d "$scratch/cmake/static" | grep -q 'NEEDED.*libtanglefree' ||
+        fail "tanglefree::static is shared"
+}
+
+fits() { # version asked for, of 3.4.5
+    cmake -S tests/package/version -B "$scratch/version" -DVERSION="$1" \
+        -DCMAKE_PREFIX_PATH="$scratch/moved" >"$scratch/version.txt" 2>&1
+}
+
+check_cmake_versions() {
+    sed -i "s/\"$VERSION\"/\"3.4.5\"/" \
+        "$scratch/moved/lib/cmake/tanglefree/tanglefreeConfigVersion.cmake"
+    for version in '3;' '3.4;' '3.4.5;' '3.4.5;EXACT' '3.0...3.9;' \
+        '3.1...3.4.5;'; do
+        fits "$version" || fail "3.4.5 does not fit $version"
+    done
+    for version in '2;' '2.9;' '4;' '3.5;' '3.4.6;' '3.4;EXACT' '3.0...3.4;' \
+        '3.0...<3.4.5;' '2.0...3.9;'; do
+        ! fits "$version" || fail "3.4.5 fits $version"
+    done
+}
+
+check_versions
+check_header
+check_symbols
+check_example
+check_cmake
+check_cmake_versions

@@ -1,0 +1,299 @@
+// Sequences of files, and the steps between them.
+#include "program/frames.h"
+
+#include "base/status.h"
+#include "support/program.h"
+#include "support/support.h"
+
+#include <string.h>
+
+#define START "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 2 2 2\nf 1 2 3\nf 2 3 4\nl 1 4\n"
+#define END "v 0 0 1\nv 1 0 1\nv 0 1 1\nv 2 2 3\nf 1 2 3\nf 2 3 4\nl 1 4\n"
+
+/// Reads these texts as files, of which all but perhaps the last are good.
+static bool read_frames(tf_frames *frames, int count, const char *const text[])
+{
+    static const char *const names[] = {"start", "next", "end"};
+    bool good = true;
+    *frames = (tf_frames){0};
+    for (int i = 0; i < count; i++) {
+        ck_assert_msg(good, "%s", tf_frames_file(frames)->fault);
+        make_file(names[i], text[i]);
+        good = tf_frames_next(frames, names[i]);
+        ck_assert_str_eq(tf_frames_file(frames)->name, names[i]);
+    }
+    return good;
+}
+
+// Steps -----------------------------------------------------------------------
+
+START_TEST(a_step)
+{
+    tf_frames frames;
+    ck_assert(read_frames(&frames, 2, (const char *[]){START, END}));
+    tf_motion motion = tf_frames_motion(&frames);
+    ck_assert_int_eq(frames.count, 2);
+    ck_assert_int_eq(frames.axes, 3);
+    ck_assert_int_eq(motion.vertices, 4);
+    ck_assert(motion.start[2] == 0 && motion.end[2] == 1);
+    ck_assert(motion.start[11] == 2 && motion.end[11] == 3);
+    int triangles, edges;
+    tf_surface_triangles(frames.surface, &triangles);
+    tf_surface_edges(frames.surface, &edges);
+    ck_assert(triangles == 2 && edges == 6);
+    tf_frames_free(&frames);
+}
+END_TEST
+
+START_TEST(each_end_is_the_next_start)
+{
+    tf_frames frames = {0};
+    make_file("start", START);
+    make_file("end", END);
+    static const char *const names[] = {"start", "end", "end", "start"};
+    tf_surface *surface = NULL;
+    for (int i = 0; i < 4; i++) {
+        ck_assert(tf_frames_next(&frames, names[i]));
+        tf_motion motion = tf_frames_motion(&frames);
+        ck_assert(motion.end[2] == (i == 1 || i == 2));
+        ck_assert(motion.start[2] == (i == 2 || i == 3));
+        // It is one surface all the time.
+        ck_assert(i == 0 || frames.surface == surface);
+        surface = frames.surface;
+    }
+    tf_frames_free(&frames);
+}
+END_TEST
+
+START_TEST(a_frame_at_rest)
+{
+    tf_frames frames;
+    ck_assert(read_frames(&frames, 1, (const char *[]){END}));
+    tf_motion motion = tf_frames_motion(&frames);
+    ck_assert_ptr_eq(motion.start, motion.end);
+    ck_assert(motion.end[2] == 1);
+    tf_frames_free(&frames);
+}
+END_TEST
+
+START_TEST(a_step_of_the_plane)
+{
+    tf_frames frames;
+    ck_assert(read_frames(
+        &frames, 2,
+        (const char *[]){"v 1 2\nv 3 4\nl 1 2\n", "v 5 6 0\nv 7 8\nl 1 2\n"}));
+    tf_motion motion = tf_frames_motion(&frames);
+    ck_assert_int_eq(frames.axes, 2);
+    static const double start[] = {1, 2, 3, 4}, end[] = {5, 6, 7, 8};
+    ck_assert_mem_eq(motion.start, start, sizeof start);
+    ck_assert_mem_eq(motion.end, end, sizeof end);
+    tf_frames_free(&frames);
+}
+END_TEST
+
+START_TEST(out_of_the_plane_and_back)
+{
+    static const char flat[] = "v 1 2\nv 3 4\nl 1 2\n";
+    static const char deep[] = "v 1 2\nv 3 4 5\nl 1 2\n";
+    make_file("flat", flat);
+    make_file("deep", deep);
+    static const struct {
+        const char *name;
+        int axes;
+    } steps[] = {{"flat", 2}, {"flat", 2}, {"deep", 3},
+                 {"flat", 3}, {"flat", 2}, {"deep", 3}};
+    tf_frames frames = {0};
+    for (int i = 0; i < 6; i++) {
+        ck_assert(tf_frames_next(&frames, steps[i].name));
+        ck_assert_int_eq(frames.axes, steps[i].axes);
+        tf_motion motion = tf_frames_motion(&frames);
+        int last = 2 * frames.axes - 1;
+        double z = strcmp(steps[i].name, "deep") == 0 ? 5 : 0;
+        ck_assert(motion.end[last] == (frames.axes == 2 ? 4 : z));
+        ck_assert(motion.start[0] == 1);
+    }
+    tf_frames_free(&frames);
+}
+END_TEST
+
+START_TEST(two_formats_of_one_mesh)
+{
+    tf_frames frames;
+    ck_assert(read_frames(
+        &frames, 2,
+        (const char *[]){
+            "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n",
+            "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"
+            "property float y\nproperty float z\nelement face 1\n"
+            "property list uchar int vertex_index\nend_header\n"
+            "0 0 1\n1 0 1\n0 1 1\n3 0 1 2\n"}));
+    tf_frames_free(&frames);
+}
+END_TEST
+
+// Other elements --------------------------------------------------------------
+
+static const struct {
+    const char *text;
+    long line;
+    const char *fault;
+} others[] = {
+    {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", -1,
+     "the number of vertices is 3, but 4 in start; all files must have the "
+     "same elements"},
+    {START "v 0 0 0\n", -1,
+     "the number of vertices is 5, but 4 in start; all files must have the "
+     "same elements"},
+    {"v 0 0 1\nv 1 0 1\nv 0 1 1\nv 2 2 3\nf 1 2 3\nf 4 2 3\nl 1 4\n", 6,
+     "this triangle is not as in start; all files must have the same elements "
+     "in the same order"},
+    {"v 0 0 1\nv 1 0 1\nv 0 1 1\nv 2 2 3\nf 1 2 3\nf 2 3 1\nl 1 4\n", 6,
+     "this triangle is not as in start; all files must have the same elements "
+     "in the same order"},
+    {"v 0 0 1\nv 1 0 1\nv 0 1 1\nv 2 2 3\nf 2 3 4\nl 1 4\n", 5,
+     "this triangle is not as in start; all files must have the same elements "
+     "in the same order"},
+    {"v 0 0 1\nv 1 0 1\nv 0 1 1\nv 2 2 3\nf 1 2 3\nl 1 4\n", -1,
+     "the number of triangles is 1, but 2 in start; all files must have the "
+     "same elements"},
+    {START "f 1 2 4\n", -1,
+     "the number of triangles is 3, but 2 in start; all files must have the "
+     "same elements"},
+    {"v 0 0 1\nv 1 0 1\nv 0 1 1\nv 2 2 3\nf 1 2 3\nf 2 3 4\nl 4 1\n", 7,
+     "this edge is not as in start; all files must have the same elements in "
+     "the same order"},
+    {"v 0 0 1\nv 1 0 1\nv 0 1 1\nv 2 2 3\nf 1 2 3\nf 2 3 4\n", -1,
+     "the number of edges is 0, but 1 in start; all files must have the same "
+     "elements"},
+    {START "l 1 4\n", -1,
+     "the number of edges is 2, but 1 in start; all files must have the same "
+     "elements"},
+    {"v 0 0 0\nv 1 0 0\nv 0 1 0\nv 2 2 2\nl 1 4\n", -1,
+     "the number of triangles is 0, but 2 in start; all files must have the "
+     "same elements"},
+};
+
+START_TEST(other_elements)
+{
+    tf_frames frames;
+    ck_assert(
+        !read_frames(&frames, 2, (const char *[]){START, others[_i].text}));
+    ck_assert_str_eq(tf_frames_file(&frames)->fault, others[_i].fault);
+    ck_assert_int_eq(tf_frames_file(&frames)->fault_place, others[_i].line);
+    tf_frames_free(&frames);
+}
+END_TEST
+
+START_TEST(other_elements_later)
+{
+    tf_frames frames;
+    ck_assert(!read_frames(&frames, 3,
+                           (const char *[]){START, END, START "f 1 2 4\n"}));
+    expect_words(tf_frames_file(&frames)->fault, "but 2 in next; ");
+    tf_frames_free(&frames);
+}
+END_TEST
+
+// Flaws of the surface --------------------------------------------------------
+
+static const struct {
+    const char *text;
+    long line;
+    const char *fault;
+} flaws[] = {
+    {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n", 4,
+     "there is no vertex 4; the file has those from 1 to 3"},
+    {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2147483647 3\n", 5,
+     "there is no vertex 2147483647; the file has those from 1 to 3"},
+    {"v 0 0 0\nv 1 0 0\nl 1 2 3\n", 3,
+     "there is no vertex 3; the file has those from 1 to 2"},
+    {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n\nf 1 2 2\n", 6,
+     "vertex 2 is a corner twice; delete the triangle or edge, here and in all "
+     "files"},
+    {"v 0 0 0\nv 1 0 0\nl 1 2\nl 1 1\n", 4,
+     "vertex 1 is a corner twice; delete the triangle or edge, here and in all "
+     "files"},
+    {"ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"
+     "property float y\nproperty float z\nelement face 1\n"
+     "property list uchar int vertex_index\nend_header\n"
+     "0 0 1\n1 0 1\n0 1 1\n3 0 1 2147483647\n",
+     13, "there is no vertex 2147483647; the file has those from 0 to 2"},
+    {"ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\n"
+     "property float y\nelement edge 1\n"
+     "property int vertex1\nproperty int vertex2\nend_header\n"
+     "0 0\n1 0\n0 2\n",
+     12, "there is no vertex 2; the file has those from 0 to 1"},
+};
+
+START_TEST(flaws_have_a_line)
+{
+    tf_frames frames;
+    ck_assert(!read_frames(&frames, 1, (const char *[]){flaws[_i].text}));
+    ck_assert_str_eq(tf_frames_file(&frames)->fault, flaws[_i].fault);
+    ck_assert_int_eq(tf_frames_file(&frames)->fault_place, flaws[_i].line);
+    tf_frames_free(&frames);
+}
+END_TEST
+
+START_TEST(flaws_of_all_elements)
+{
+    tf_frames frames;
+    ck_assert(read_frames(&frames, 1, (const char *[]){START}));
+    static const struct {
+        tf_flaw flaw;
+        long line;
+    } kinds[] = {{{.element = TF_NO_ELEMENT}, -1},
+                 {{.element = TF_VERTEX, .index = 3, .vertex = 3}, 4},
+                 {{.element = TF_TRIANGLE, .index = 1}, 6},
+                 {{.element = TF_EDGE, .index = 0}, 7}};
+    for (int i = 0; i < 4; i++) {
+        ck_assert(!tf_frames_fault(&frames, TF_NOT_FINITE, &kinds[i].flaw));
+        const tf_mesh_file *file = tf_frames_file(&frames);
+        ck_assert_str_eq(file->fault, tf_status_message(TF_NOT_FINITE));
+        ck_assert_int_eq(file->fault_place, kinds[i].line);
+    }
+    tf_frames_free(&frames);
+}
+END_TEST
+
+START_TEST(unread_files)
+{
+    tf_frames frames = {0};
+    make_file("start", START);
+    ck_assert(tf_frames_next(&frames, "start"));
+    ck_assert(!tf_frames_next(&frames, "absent"));
+    expect_words(tf_frames_file(&frames)->fault, "cannot open: ");
+    ck_assert_str_eq(tf_frames_file(&frames)->name, "absent");
+    tf_frames_free(&frames);
+}
+END_TEST
+
+Suite *suite(void)
+{
+    Suite *suite = suite_create("program/frames");
+    TCase *steps = tcase_create("steps");
+    tcase_add_checked_fixture(steps, enter_folder, leave_folder);
+    tcase_add_test(steps, a_step);
+    tcase_add_test(steps, each_end_is_the_next_start);
+    tcase_add_test(steps, a_frame_at_rest);
+    tcase_add_test(steps, a_step_of_the_plane);
+    tcase_add_test(steps, out_of_the_plane_and_back);
+    tcase_add_test(steps, two_formats_of_one_mesh);
+    suite_add_tcase(suite, steps);
+
+    TCase *other = tcase_create("other elements");
+    tcase_add_checked_fixture(other, enter_folder, leave_folder);
+    tcase_add_loop_test(other, other_elements, 0,
+                        sizeof others / sizeof *others);
+    tcase_add_test(other, other_elements_later);
+    suite_add_tcase(suite, other);
+
+    TCase *flaw = tcase_create("flaws");
+    tcase_add_checked_fixture(flaw, enter_folder, leave_folder);
+    tcase_add_loop_test(flaw, flaws_have_a_line, 0,
+                        sizeof flaws / sizeof *flaws);
+    tcase_add_test(flaw, flaws_of_all_elements);
+    tcase_add_test(flaw, unread_files);
+    suite_add_tcase(suite, flaw);
+    return suite;
+}

@@ -1,0 +1,740 @@
+// The commands detect and check, as a user runs them.
+#define _GNU_SOURCE // posix_openpt
+
+#include "program/surface_command.h"
+
+#include "base/status.h"
+#include "support/environments.h"
+#include "support/json.h"
+#include "support/program.h"
+#include "support/support.h"
+
+#include <fcntl.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+// Two points above a triangle.  The first falls through it at t = 1/2, the
+// second at t = 1/4.
+#define TRIANGLE "v -1 -1 0\nv 3 -1 0\nv -1 3 0\nf 1 2 3\n"
+#define ABOVE TRIANGLE "v 0 0 1\nv 0.5 0.5 1\n"
+#define BELOW TRIANGLE "v 0 0 -1\nv 0.5 0.5 -3\n"
+
+// A point in the plane falls through an edge.
+#define FLAT_ABOVE "v -1 0\nv 1 0\nv 0 1\nl 1 2\n"
+#define FLAT_BELOW "v -1 0\nv 1 0\nv 0 -1\nl 1 2\n"
+
+// Two triangles, 0 1 2 and 3 4 5, each of which has an edge that passes through
+// the other; a vertex on the first, and an edge that ends on an edge of it.
+#define CLEAR TRIANGLE "v 9 9 9\n"
+#define CROSSED                                                                \
+    TRIANGLE "v 0 0 -1\nv 0 0 1\nv -9 0 0\nf 4 5 6\nv 0.5 0.5 0\n"             \
+             "v 1 -2 0\nv 1 -1 0\nl 8 9\n"
+
+#define HEADER "step,kind,a,b,c,d,toi_lo,toi_hi,nx,ny,nz,normal_velocity,case\n"
+#define CHECK_HEADER "file,kind,a,b,c,d,e,f\n"
+
+static void enter_folder_with_files(void)
+{
+    enter_folder();
+    make_file("above", ABOVE);
+    make_file("below", BELOW);
+    make_file("flat-above", FLAT_ABOVE);
+    make_file("flat-below", FLAT_BELOW);
+    make_file("clear", CLEAR);
+    make_file("crossed", CROSSED);
+}
+
+// Contacts --------------------------------------------------------------------
+
+/// Expects a row to begin so, and to have this time; returns what follows it.
+static const char *expect_row_within(double within, const char *text,
+                                     const char *beginning, double time)
+{
+    ck_assert_msg(strncmp(text, beginning, strlen(beginning)) == 0,
+                  "'%s' does not begin with '%s'", text, beginning);
+    double lo, hi;
+    ck_assert_int_eq(sscanf(text + strlen(beginning), ",%lf,%lf,", &lo, &hi),
+                     2);
+    ck_assert_msg(lo <= time && time <= hi && hi - lo <= within, "[%a, %a]", lo,
+                  hi);
+    const char *end = strchr(text, '\n');
+    ck_assert_ptr_nonnull(end);
+    return end + 1;
+}
+
+static const char *expect_row(const char *text, const char *beginning,
+                              double time)
+{
+    return expect_row_within(0x1p-50, text, beginning, time);
+}
+
+START_TEST(contacts_of_a_step)
+{
+    outcome found = run("$tf detect above below");
+    const char *at = found.out;
+    ck_assert_int_eq(strncmp(at, HEADER, strlen(HEADER)), 0);
+    at = expect_row(at + strlen(HEADER), "0,point-triangle,3,0,1,2", 0.5);
+    at = expect_row(at, "0,point-triangle,4,0,1,2", 0.25);
+    ck_assert_str_eq(at, "");
+    ck_assert_str_eq(found.err, "");
+    ck_assert_int_eq(found.status, 1);
+    // The normal is that of the triangle, up to its sign.
+    ck_assert(strstr(found.out, ",0,0,1,-2,touching\n") ||
+              strstr(found.out, ",0,0,-1,2,touching\n"));
+}
+END_TEST
+
+START_TEST(contacts_of_the_plane)
+{
+    outcome found = run("$tf detect flat-above flat-below");
+    const char *at = found.out;
+    ck_assert_int_eq(strncmp(at, HEADER, strlen(HEADER)), 0);
+    at = expect_row(at + strlen(HEADER), "0,point-edge,2,0,1,", 0.5);
+    ck_assert_str_eq(at, "");
+    ck_assert(strstr(found.out, ",0,1,,-2,touching\n") ||
+              strstr(found.out, ",0,-1,,2,touching\n"));
+    ck_assert_str_eq(found.err, "");
+    ck_assert_int_eq(found.status, 1);
+}
+END_TEST
+
+START_TEST(no_contacts)
+{
+    expect(run("$tf detect above above"), 0, HEADER, "");
+    expect(run("$tf detect above above above"), 0, HEADER, "");
+    expect(run("$tf detect flat-below flat-below"), 0, HEADER, "");
+    expect(run("$tf detect above above -o summary | head -n 3"), 0,
+           "steps: 1\nsteps with contacts: 0\ncontacts: 0\n", "");
+}
+END_TEST
+
+START_TEST(steps_are_counted_through)
+{
+    outcome found = run("$tf detect above above below below above");
+    const char *at = found.out + strlen(HEADER);
+    at = expect_row(at, "1,point-triangle,3,0,1,2", 0.5);
+    at = expect_row(at, "1,point-triangle,4,0,1,2", 0.25);
+    at = expect_row(at, "3,point-triangle,3,0,1,2", 0.5);
+    at = expect_row(at, "3,point-triangle,4,0,1,2", 0.75);
+    ck_assert_str_eq(at, "");
+    ck_assert_int_eq(found.status, 1);
+    expect(
+        run("$tf detect above above below below above -o summary | head -n 3"),
+        0, "steps: 4\nsteps with contacts: 2\ncontacts: 4\n", "");
+}
+END_TEST
+
+START_TEST(the_first_contact_of_each_step)
+{
+    static const char *const options[] = {"--first", "-f", "-f -t 1"};
+    for (int i = 0; i < 3; i++) {
+        outcome found = run("$tf detect %s above below above", options[i]);
+        const char *at = found.out + strlen(HEADER);
+        at = expect_row(at, "0,point-triangle,4,0,1,2", 0.25);
+        at = expect_row(at, "1,point-triangle,3,0,1,2", 0.5);
+        ck_assert_str_eq(at, "");
+        ck_assert_int_eq(found.status, 1);
+    }
+}
+END_TEST
+
+START_TEST(json_of_contacts)
+{
+    outcome found = run("$tf detect -o json above below above");
+    ck_assert_msg(!json_fault(found.out), "%s", json_fault(found.out));
+    ck_assert_int_eq(occurrences(found.out, "\n{\"step\":"), 4);
+    expect_words(found.out, "{\"contacts\":[\n{\"step\":0,\"kind\":\"point-"
+                            "triangle\",\"a\":3,\"b\":0,\"c\":1,\"d\":2,");
+    expect_words(found.out, "\n],\n\"summary\":{\"steps\":2,\"steps_with_"
+                            "contacts\":2,\"contacts\":4,\"candidates\":4,");
+    ck_assert_int_eq(found.status, 1);
+    found = run("$tf detect -o json above above");
+    ck_assert_msg(!json_fault(found.out), "%s", json_fault(found.out));
+    expect_words(found.out, "{\"contacts\":[\n],\n\"summary\":{\"steps\":1,");
+    ck_assert_int_eq(found.status, 0);
+    found = run("$tf detect -o json flat-above flat-below");
+    ck_assert_msg(!json_fault(found.out), "%s", json_fault(found.out));
+    expect_words(found.out, "\"c\":1,\"d\":null,");
+}
+END_TEST
+
+START_TEST(every_arithmetic)
+{
+    static const char *const names[] = {"exact",     "clamped",   "report",
+                                        "perturbed", "integer64", "integer128"};
+    make_file("a", TRIANGLE "v 0 0 1\n");
+    make_file("b", TRIANGLE "v 0 0 -1\n");
+    for (int i = 0; i < 6; i++) {
+        outcome found = run("$tf detect -a %s a b", names[i]);
+        const char *at = found.out + strlen(HEADER);
+        // What is rounded has wider bounds.
+        at = expect_row_within(1e-14, at, "0,point-triangle,3,0,1,2", 0.5);
+        ck_assert_str_eq(at, "");
+        ck_assert_str_eq(found.err, "");
+        ck_assert_int_eq(found.status, 1);
+    }
+}
+END_TEST
+
+// Many contacts ---------------------------------------------------------------
+
+/// A soup of triangles that tumble, in files.
+static void make_soup(const char *const names[], int files)
+{
+    enum {
+        TRIANGLES = 120
+    };
+    generator random = generator_new(1);
+    double center[TRIANGLES][3], corner[TRIANGLES][9];
+    for (int t = 0; t < TRIANGLES; t++)
+        for (int k = 0; k < 9; k++) {
+            center[t][k % 3] = uniform(&random, 0, 4);
+            corner[t][k] = uniform(&random, -1, 1);
+        }
+    for (int f = 0; f < files; f++) {
+        FILE *file = fopen(names[f], "w");
+        for (int t = 0; t < TRIANGLES; t++) {
+            for (int c = 0; c < 9; c += 3)
+                fprintf(file, "v %a %a %a\n", center[t][0] + corner[t][c],
+                        center[t][1] + corner[t][c + 1],
+                        center[t][2] + corner[t][c + 2]);
+            for (int k = 0; k < 9; k++)
+                corner[t][k] += uniform(&random, -1, 1);
+        }
+        for (int t = 0; t < TRIANGLES; t++)
+            fprintf(file, "f %d %d %d\n", 3 * t + 3, 3 * t + 1, 3 * t + 2);
+        fclose(file);
+    }
+}
+
+static const char *const soup[] = {"soup-0", "soup-1", "soup-2", "soup-3"};
+
+START_TEST(any_number_of_threads)
+{
+    make_soup(soup, 4);
+    static const char *const commands[] = {
+        "detect soup-?",          "detect -o json soup-?",
+        "detect -f soup-?",       "detect -o summary soup-?",
+        "check soup-?",           "check -o json soup-?",
+        "check -o summary soup-?"};
+    for (int i = 0; i < 7; i++) {
+        outcome found = run(
+            "$tf %s -t 1 >one; status=$?; for t in 2 3 8 256; do $tf %s -t $t "
+            "| cmp - one || exit 9; done; $tf %s | cmp - one && exit $status",
+            commands[i], commands[i], commands[i]);
+        expect(found, 1, "", "");
+    }
+}
+END_TEST
+
+/// A row of either command, as numbers; -1 where there is none.
+typedef struct row {
+    int step, kind, vertex[6];
+} row;
+
+static const char *read_row(const char *line, int vertices,
+                            const char *const kinds[], row *read)
+{
+    char kind[20];
+    *read = (row){.step = 0, .kind = -1};
+    ck_assert_int_eq(sscanf(line, "%d,%19[a-z-]", &read->step, kind), 2);
+    for (int i = 0; i < 3; i++)
+        if (strcmp(kind, kinds[i]) == 0)
+            read->kind = i;
+    ck_assert_int_ge(read->kind, 0);
+    const char *at = strchr(strchr(line, ',') + 1, ',') + 1;
+    for (int i = 0; i < vertices; i++) {
+        read->vertex[i] = *at == ',' || *at == '\n' ? -1 : atoi(at);
+        at += strcspn(at, ",\n") + 1;
+    }
+    return strchr(line, '\n') + 1;
+}
+
+static int compare_rows(const row *a, const row *b)
+{
+    if (a->step != b->step)
+        return a->step < b->step ? -1 : 1;
+    if (a->kind != b->kind)
+        return a->kind < b->kind ? -1 : 1;
+    for (int i = 0; i < 6; i++)
+        if (a->vertex[i] != b->vertex[i])
+            return a->vertex[i] < b->vertex[i] ? -1 : 1;
+    return 0;
+}
+
+static void expect_sorted(const char *text, int vertices,
+                          const char *const kinds[], row *last,
+                          bool (*good)(const row *))
+{
+    int count = 0;
+    row own, before = {-1, -1, {0}};
+    for (const char *at = strchr(text, '\n') + 1; *at; count++) {
+        at = read_row(at, vertices, kinds, &own);
+        ck_assert_msg(compare_rows(&before, &own) < 0, "row %d", count);
+        ck_assert_msg(good(&own), "row %d", count);
+        before = own;
+    }
+    ck_assert_int_gt(count, 100);
+    *last = before;
+}
+
+static bool is_contact(const row *own)
+{
+    const int *v = own->vertex;
+    return own->kind == 1 ? v[1] < v[2] && v[2] < v[3]
+                          : v[0] < v[1] && v[2] < v[3] && v[0] < v[2];
+}
+
+static bool is_crossing(const row *own)
+{
+    const int *v = own->vertex;
+    return own->kind == 0 && v[0] < v[1] && v[2] < v[3] && v[3] < v[4] &&
+           v[5] == -1;
+}
+
+START_TEST(rows_are_sorted)
+{
+    static const char *const contacts[] = {"point-edge", "point-triangle",
+                                           "edge-edge"};
+    static const char *const crossings[] = {"edge-triangle", "point-triangle",
+                                            "edge-edge"};
+    make_soup(soup, 4);
+    row last;
+    expect_sorted(run("$tf detect soup-?").out, 4, contacts, &last, is_contact);
+    ck_assert(last.step == 2 && last.kind == 2);
+    expect_sorted(run("$tf check soup-? | sed s/soup-//").out, 6, crossings,
+                  &last, is_crossing);
+    ck_assert(last.step == 3);
+}
+END_TEST
+
+// Intersections ---------------------------------------------------------------
+
+START_TEST(surfaces_that_intersect)
+{
+    expect(run("$tf check crossed"), 1,
+           CHECK_HEADER "crossed,edge-triangle,0,2,3,4,5,\n"
+                        "crossed,edge-triangle,3,4,0,1,2,\n"
+                        "crossed,point-triangle,6,0,1,2,,\n"
+                        "crossed,point-triangle,8,0,1,2,,\n"
+                        "crossed,edge-edge,0,1,7,8,,\n",
+           "");
+}
+END_TEST
+
+START_TEST(surfaces_that_do_not)
+{
+    expect(run("$tf check clear"), 0, CHECK_HEADER, "");
+    expect(run("$tf check clear above flat-above"), 0, CHECK_HEADER, "");
+    expect(run("$tf check -o summary clear above"), 0,
+           "files: 2\nfiles with intersections: 0\nintersections: 0\n", "");
+}
+END_TEST
+
+START_TEST(curves_that_intersect)
+{
+    make_file("curve", "v 0 0\nv 2 2\nv 0 2\nv 2 0\nl 1 2 3 4\n");
+    expect(run("$tf check curve clear"), 1,
+           CHECK_HEADER "curve,edge-edge,0,1,2,3,,\n", "");
+}
+END_TEST
+
+START_TEST(several_files)
+{
+    expect(run("$tf check clear crossed clear crossed -o summary"), 1,
+           "files: 4\nfiles with intersections: 2\nintersections: 10\n", "");
+    outcome found = run("cp crossed 'a,\"b'; $tf check clear 'a,\"b'");
+    ck_assert_int_eq(occurrences(found.out, "\n\"a,\"\"b\",edge-triangle,3,4,"),
+                     1);
+    ck_assert_int_eq(found.status, 1);
+}
+END_TEST
+
+START_TEST(json_of_intersections)
+{
+    outcome found = run("$tf check -o json crossed");
+    ck_assert_msg(!json_fault(found.out), "%s", json_fault(found.out));
+    expect_words(found.out,
+                 "{\"intersections\":[\n{\"file\":\"crossed\",\"kind\":\"edge-"
+                 "triangle\",\"a\":0,\"b\":2,\"c\":3,\"d\":4,\"e\":5},\n");
+    expect_words(found.out, "\"summary\":{\"files\":1,\"files_with_"
+                            "intersections\":1,\"intersections\":5}}\n");
+    ck_assert_int_eq(found.status, 1);
+}
+END_TEST
+
+// Input -----------------------------------------------------------------------
+
+START_TEST(standard_input)
+{
+    char right[10000];
+    strcpy(right, run("$tf detect above below").out);
+    expect(run("$tf detect - below <above"), 1, right, "");
+    expect(run("cat below | $tf detect above -"), 1, right, "");
+    expect(run("$tf check - <clear"), 0, CHECK_HEADER, "");
+    outcome found = run("$tf check - <crossed");
+    ck_assert_int_eq(found.status, 1);
+    expect_words(found.out, "\nstandard input,edge-triangle,0,2,3,4,5,\n");
+    expect(run("$tf detect - - <above"), 2, HEADER,
+           "tanglefree: standard input: no vertices; the file must be a mesh "
+           "in OBJ or PLY\n");
+    expect(run("$tf check - <&-"), 2, CHECK_HEADER,
+           "tanglefree: standard input: cannot read: Bad file descriptor; "
+           "check that this is a file\n");
+}
+END_TEST
+
+START_TEST(ply_is_as_good)
+{
+    make_file("below.ply",
+              "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\n"
+              "property float y\nproperty float z\nelement face 1\n"
+              "property list uchar int vertex_indices\nend_header\n"
+              "-1 -1 0\n3 -1 0\n-1 3 0\n0 0 -1\n0.5 0.5 -3\n3 0 1 2\n");
+    char right[10000];
+    strcpy(right, run("$tf detect above below").out);
+    expect(run("$tf detect above below.ply"), 1, right, "");
+}
+END_TEST
+
+START_TEST(progress_on_a_terminal)
+{
+    int terminal = posix_openpt(O_RDWR | O_NOCTTY);
+    ck_assert(terminal >= 0 && grantpt(terminal) == 0 &&
+              unlockpt(terminal) == 0);
+    char name[100];
+    ck_assert_int_eq(ptsname_r(terminal, name, sizeof name), 0);
+    int other_end = open(name, O_RDWR | O_NOCTTY);
+    expect(
+        run("{ sleep 1.1; cat above; } | $tf detect above above - above 2>%s",
+            name),
+        0, HEADER, "");
+    char text[100] = "";
+    ck_assert_int_gt(read(terminal, text, sizeof text - 1), 0);
+    ck_assert_str_eq(text, "\r2 steps\r\033[K");
+    close(other_end);
+    close(terminal);
+}
+END_TEST
+
+// Bad input -------------------------------------------------------------------
+
+/// Files that are bad, and what is told of them.
+static const struct {
+    const char *text, *message;
+} faults[] = {
+    {"", " no vertices; the file must be a mesh in OBJ or PLY"},
+    {"v 1 2 3\n", " no triangles and no edges; a mesh must have some"},
+    {TRIANGLE "f 1 2 4\n",
+     "5: there is no vertex 4; the file has those from 1 to 3"},
+    {TRIANGLE "f 1 2 1\n", "5: vertex 1 is a corner twice; delete the triangle "
+                           "or edge, here and in all files"},
+    {TRIANGLE "f 1 2 0\n", "5: \"0\" is not a corner; write the number of a "
+                           "vertex, from 1, or vertex/texture/normal"},
+    {TRIANGLE "v nan 0 0\n", "5: \"nan\" is not a finite number; write a "
+                             "decimal or a hexadecimal float"},
+    {TRIANGLE "v 1 0\n", "5: a vertex without z; the vertices of triangles "
+                         "must have three coordinates"},
+    {"ply\nformat ascii 1.0\nelement vertex 9\nproperty float x\n"
+     "property float y\nend_header\n0 0\n",
+     "8: the file ends too early; it may be cut short, or the header declares "
+     "too many elements"},
+    {"ply\nformat binary_big_endian 1.0\nelement vertex 9\nproperty char x\n"
+     "property char y\nend_header\n0",
+     " byte 94: the file ends too early; it may be cut short, or the header "
+     "declares too many elements"},
+    {"ply\nformat binary_big_endian 1.0\nelement edge 1\nproperty int "
+     "vertex1\nend_header\n....",
+     "3: the edges have no ends; declare the properties int vertex1 and int "
+     "vertex2"},
+};
+
+START_TEST(bad_files)
+{
+    char right[1000], rows[10000];
+    make_file("bad", faults[_i].text);
+    snprintf(right, sizeof right, "tanglefree: bad:%s\n", faults[_i].message);
+    expect(run("$tf check bad"), 2, CHECK_HEADER, right);
+    expect(run("$tf detect bad above"), 2, HEADER, right);
+    // The rows of what was good are out by then.
+    strcpy(rows, run("$tf check crossed").out);
+    expect(run("$tf check crossed bad crossed"), 2, rows, right);
+    outcome found = run("$tf check -o json crossed bad");
+    ck_assert_msg(!json_fault(found.out), "%s", json_fault(found.out));
+    ck_assert_int_eq(found.status, 2);
+}
+END_TEST
+
+START_TEST(bad_files_after_good_steps)
+{
+    char rows[10000];
+    strcpy(rows, run("$tf detect above below").out);
+    make_file("bad", "v 1 2 x\n");
+    expect(run("$tf detect above below bad above"), 2, rows,
+           "tanglefree: bad:1: \"x\" is not a finite number; write a decimal "
+           "or a hexadecimal float\n");
+    expect(run("$tf detect above below clear"), 2, rows,
+           "tanglefree: clear: the number of vertices is 4, but 5 in below; "
+           "all files must have the same elements\n");
+    expect(run("$tf detect above below absent"), 2, rows,
+           "tanglefree: absent: cannot open: No such file or directory; check "
+           "the name\n");
+    expect(run("$tf detect above below ."), 2, rows,
+           "tanglefree: .: cannot read: Is a directory; check that this is a "
+           "file\n");
+    outcome found = run("$tf detect -o json above below bad");
+    ck_assert_msg(!json_fault(found.out), "%s", json_fault(found.out));
+    ck_assert_int_eq(occurrences(found.out, "\"step\":0"), 2);
+    expect_words(found.out, "\"summary\":{\"steps\":1,");
+    ck_assert_int_eq(found.status, 2);
+}
+END_TEST
+
+START_TEST(other_elements)
+{
+    make_file("other", "v -1 -1 0\nv 3 -1 0\nv -1 3 0\nv 0 0 1\nv 1 1 1\n"
+                       "# the triangle\nf 2 3 1\n");
+    expect(run("$tf detect above other"), 2, HEADER,
+           "tanglefree: other:7: this triangle is not as in above; all files "
+           "must have the same elements in the same order\n");
+}
+END_TEST
+
+START_TEST(names_send_no_commands_to_the_terminal)
+{
+    make_file("a\x1b[2J", TRIANGLE);
+    make_file("b\x1b[2J", TRIANGLE "v 1 2 3\n");
+    expect(run("$tf detect a*J b*J"), 2, HEADER,
+           "tanglefree: b\\x1b[2J: the number of vertices is 4, but 3 in "
+           "a\\x1b[2J; all files must have the same elements\n");
+    expect_words(run("$tf check -o \"$(printf '\\033c')\" clear").err,
+                 "format '\\x1bc';");
+    expect_words(run("$tf check -t \"$(printf '\\033c')\" clear").err,
+                 "'\\x1bc' is not a number");
+}
+END_TEST
+
+START_TEST(coordinates_out_of_range)
+{
+    static const char message[] =
+        " is out of range: integer64 holds integers below 2^19 in absolute "
+        "value; use --arithmetic exact\n";
+    char right[1000];
+    make_file("half", TRIANGLE "v 0 0 1\nv 0.5 0 2\n");
+    make_file("large", TRIANGLE "v 0 0 1\nv 0 0 -524288\n");
+    make_file("good", TRIANGLE "v 0 0 1\nv 0 0 -524287\n");
+    snprintf(right, sizeof right, "tanglefree: half:6: the coordinate 0.5%s",
+             message);
+    expect(run("$tf detect -a integer64 half good"), 2, HEADER, right);
+    expect(run("$tf detect -a integer64 half large"), 2, HEADER, right);
+    snprintf(right, sizeof right,
+             "tanglefree: large:6: the coordinate -524288%s", message);
+    outcome found = run("$tf detect -a integer64 good good large");
+    ck_assert_str_eq(found.err, right);
+    ck_assert_int_eq(found.status, 2);
+    ck_assert_int_eq(run("$tf detect -a integer64 good good").status, 0);
+}
+END_TEST
+
+// Output that cannot be written -----------------------------------------------
+
+#define CANNOT_WRITE "tanglefree: standard output: cannot write: "
+
+START_TEST(a_full_disk)
+{
+    static const char *const outputs[] = {"csv", "json", "summary"};
+    for (int i = 0; i < 3; i++) {
+        expect(
+            run("$tf detect -o %s above below >/dev/full", outputs[i]), 2, "",
+            CANNOT_WRITE "No space left on device; mend that and run again\n");
+        expect(run("$tf check -o %s clear >/dev/full", outputs[i]), 2, "",
+               CANNOT_WRITE
+               "No space left on device; mend that and run again\n");
+    }
+    expect(run("$tf detect --help >/dev/full"), 2, "",
+           CANNOT_WRITE "No space left on device\n");
+}
+END_TEST
+
+START_TEST(closed_standard_output)
+{
+    expect(run("$tf detect above below >&-"), 2, "",
+           CANNOT_WRITE "Bad file descriptor; mend that and run again\n");
+    expect(run("$tf check clear >&-"), 2, "",
+           CANNOT_WRITE "Bad file descriptor; mend that and run again\n");
+    ck_assert_str_eq(file_text("clear"), CLEAR);
+}
+END_TEST
+
+START_TEST(a_reader_that_leaves)
+{
+    make_soup(soup, 4);
+    expect(run("$tf detect soup-? | head -n 1"), 0, HEADER, "");
+}
+END_TEST
+
+// Usage -----------------------------------------------------------------------
+
+START_TEST(help)
+{
+    outcome found = run("$tf detect --help");
+    ck_assert_int_eq(found.status, 0);
+    ck_assert_str_eq(found.err, "");
+    static const char *const words[] = {
+        "Usage: tanglefree detect [OPTION...] START END [END...]",
+        "--first",
+        "--arithmetic=NAME",
+        "--output=FORMAT",
+        "--threads=NUMBER",
+        "exact, clamped, report",
+        "csv, json or summary",
+        "toi_lo",
+        "Exit status"};
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+        expect_words(found.out, words[i]);
+    found = run("$tf check --help");
+    ck_assert_int_eq(found.status, 0);
+    expect_words(found.out, "Usage: tanglefree check [OPTION...] FILE...");
+    expect_words(found.out, "--threads=NUMBER");
+    ck_assert_int_eq(occurrences(found.out, "--first"), 0);
+    ck_assert_int_eq(occurrences(found.out, "--arithmetic"), 0);
+}
+END_TEST
+
+/// Expects nothing but a message that starts with these words.
+static void expect_usage(const char *arguments, const char *words)
+{
+    outcome found = run("$tf %s", arguments);
+    ck_assert_msg(strncmp(found.err, words, strlen(words)) == 0,
+                  "%s: '%s', not '%s'", arguments, found.err, words);
+    ck_assert_str_eq(found.out, "");
+    ck_assert_int_eq(found.status, 2);
+}
+
+START_TEST(arguments_that_are_wrong)
+{
+    static const char two[] =
+        "tanglefree detect: two files or more are required, START and END\n";
+    expect_usage("detect", two);
+    expect_usage("detect above", two);
+    expect_usage("detect -f above", two);
+    expect_usage(
+        "check",
+        "tanglefree check: a file is required, or - for standard input\n");
+    expect_usage(
+        "detect -a rounded above below",
+        "tanglefree detect: unknown arithmetic 'rounded'; choose exact, "
+        "clamped, report, perturbed, integer64 or integer128\n");
+    expect_usage("detect -o xml above below",
+                 "tanglefree detect: unknown output format 'xml'; choose csv, "
+                 "json or summary\n");
+    expect_usage("check -a exact clear",
+                 "tanglefree check: invalid option -- 'a'");
+    expect_usage("check -f clear", "tanglefree check: invalid option -- 'f'");
+    static const char *const threads[] = {
+        "0", "-1", "257", "two", "1.5", "''", "9999999999999999999"};
+    for (int i = 0; i < 7; i++) {
+        char arguments[100], words[100];
+        bool empty = *threads[i] == '\'';
+        snprintf(arguments, sizeof arguments, "check -t %s clear", threads[i]);
+        snprintf(words, sizeof words,
+                 "tanglefree check: '%s' is not a number of threads; choose 1 "
+                 "to 256\n",
+                 empty ? "" : threads[i]);
+        expect_usage(arguments, words);
+    }
+}
+END_TEST
+
+// A broken floating-point environment -----------------------------------------
+
+/// Runs a command in this process, in a broken environment, and ends it.
+static void command_in(int broken, bool checks)
+{
+    static char name[] = "tanglefree", one[] = "above", two[] = "below";
+    char *arguments[] = {name, one, two, NULL};
+    if (!freopen("out", "w", stdout) || !freopen("err", "w", stderr))
+        _exit(9);
+    environment_break(broken);
+    exit(checks ? tf_check_command(2, arguments)
+                : tf_detect_command(3, arguments));
+}
+
+START_TEST(a_broken_environment_is_reported)
+{
+    bool checks = _i % 2;
+    pid_t child = fork();
+    if (child == 0)
+        command_in(_i / 2, checks);
+    int status = 0;
+    waitpid(child, &status, 0);
+    ck_assert_msg(WIFEXITED(status), "%s: status %#x", environment_name(_i / 2),
+                  (unsigned)status);
+    char message[1000];
+    snprintf(message, sizeof message, "tanglefree: %s: %s\n",
+             checks ? "above" : "below", tf_status_message(TF_BAD_ENVIRONMENT));
+    expect((outcome){WEXITSTATUS(status), file_text("out"), file_text("err")},
+           2, checks ? CHECK_HEADER : HEADER, message);
+}
+END_TEST
+
+static TCase *add_case(Suite *suite, const char *name)
+{
+    TCase *made = tcase_create(name);
+    tcase_add_checked_fixture(made, enter_folder_with_files, leave_folder);
+    suite_add_tcase(suite, made);
+    return made;
+}
+
+Suite *suite(void)
+{
+    Suite *suite = suite_create("program/surface_command");
+    TCase *contacts = add_case(suite, "contacts");
+    tcase_add_test(contacts, contacts_of_a_step);
+    tcase_add_test(contacts, contacts_of_the_plane);
+    tcase_add_test(contacts, no_contacts);
+    tcase_add_test(contacts, steps_are_counted_through);
+    tcase_add_test(contacts, the_first_contact_of_each_step);
+    tcase_add_test(contacts, json_of_contacts);
+    tcase_add_test(contacts, every_arithmetic);
+
+    TCase *many = add_case(suite, "many contacts");
+    tcase_add_test(many, any_number_of_threads);
+    tcase_add_test(many, rows_are_sorted);
+
+    TCase *crossings = add_case(suite, "intersections");
+    tcase_add_test(crossings, surfaces_that_intersect);
+    tcase_add_test(crossings, surfaces_that_do_not);
+    tcase_add_test(crossings, curves_that_intersect);
+    tcase_add_test(crossings, several_files);
+    tcase_add_test(crossings, json_of_intersections);
+
+    TCase *input = add_case(suite, "input");
+    tcase_add_test(input, standard_input);
+    tcase_add_test(input, ply_is_as_good);
+    tcase_add_test(input, progress_on_a_terminal);
+
+    TCase *bad = add_case(suite, "bad input");
+    tcase_add_loop_test(bad, bad_files, 0, sizeof faults / sizeof *faults);
+    tcase_add_test(bad, bad_files_after_good_steps);
+    tcase_add_test(bad, other_elements);
+    tcase_add_test(bad, names_send_no_commands_to_the_terminal);
+    tcase_add_test(bad, coordinates_out_of_range);
+
+    TCase *unwritten = add_case(suite, "output that cannot be written");
+    tcase_add_test(unwritten, a_full_disk);
+    tcase_add_test(unwritten, closed_standard_output);
+    tcase_add_test(unwritten, a_reader_that_leaves);
+
+    TCase *usage = add_case(suite, "usage");
+    tcase_add_test(usage, help);
+    tcase_add_test(usage, arguments_that_are_wrong);
+
+    TCase *environment = add_case(suite, "a broken environment");
+    tcase_add_loop_test(environment, a_broken_environment_is_reported, 0,
+                        2 * environments());
+    return suite;
+}

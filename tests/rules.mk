@@ -1,0 +1,132 @@
+# The tests: a file a module, with the module's path, besides those of the
+# figures and, in tests/whole, of the whole library.
+#
+# The framework of the tests is called check; pkg-config knows how to use it.
+# USES: options that some tests are compiled with.  EMULATOR: the command that
+# runs tests of another machine, see tests/machines.  TF_TEST_PERCENT: the part
+# of its random cases that a test tries; tests read it from the environment.
+
+# Every test is a program, linked with what it uses of tests/support, where
+# main() is.  A build of the first chapters leaves out the support that needs
+# more than they have, and the tests of the whole.
+SUPPORT := $(wildcard tests/support/*.c) tests/bench/workloads.c \
+	tests/bench/layers.c
+FIGURE_TESTS := $(wildcard tests/renderer/*.c tests/draw/*.c tests/figures/*.c)
+ifndef partial
+WHOLE := $(wildcard tests/whole/*.c) $(FIGURE_TESTS)
+# tests/whole/expansion and bench use the figures' expansion.
+$(BUILD)/support.a: $(BUILD)/drawing/expansion.o
+else
+# Keep the support whose includes exist in this tree (-MM fails otherwise).
+SUPPORT := $(foreach file,$(SUPPORT),$(if \
+	$(shell $(CC) -MM -I$(SRC) -Itests $(file) 2>/dev/null),$(file)))
+endif
+TESTS := $(patsubst %.c,$(BUILD)/%,$(wildcard $(MODULES:%=tests/%.c)) $(WHOLE))
+FUZZERS := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/fuzz/*.c))
+
+$(BUILD)/support.a: $(SUPPORT:%.c=$(BUILD)/%.o)
+
+$(BUILD)/tests/%.o: tests/%.c $(BUILD)/flags | need-check
+	@echo 'compile $<' && mkdir -p $(@D)
+	$(Q)$(COMPILE) -I$(SRC) -Itests -Ifigures $(USES) \
+	    $$(pkg-config --cflags check) -MMD -MP -c $< -o $@
+
+$(BUILD)/tests/%: $(BUILD)/tests/%.o $(BUILD)/support.a $(BUILD)/program.a \
+		$(library_file)
+	@echo 'link    $@'
+	$(Q)$(LINK) $^ $$(pkg-config --libs check) -lgmp -lm -o $@
+
+# The tests of the figures need more: their rule overrides the pattern above.
+figure_tests = $(FIGURE_TESTS:%.c=$(BUILD)/%)
+$(figure_tests:=.o): $(BUILD)/renderer.flags | $(generated)
+$(figure_tests:=.o): USES = $(drawing_flags)
+$(figure_tests): $(BUILD)/%: $(BUILD)/%.o $(BUILD)/support.a $(figure_archives)
+	@echo 'link    $@'
+	$(Q)$(LINK) $(filter %.o,$^) $(filter %.a,$^) @$(BUILD)/renderer.libraries \
+	    $$(pkg-config --libs check) -lgmp -lm -o $@
+
+# Leaks of the libraries that figures use are not ours.
+leaks = suppressions=$(CURDIR)/tests/renderer/leaks.supp:print_suppressions=0
+
+$(BUILD)/tests/%.log: $(BUILD)/tests/% $(program_file) FORCE \
+		| $(if $(WHOLE),$(drawing_file))
+	@TANGLEFREE=$(abspath $(program_file)) \
+	TANGLEFREE_DRAW=$(abspath $(drawing_file)) \
+	LSAN_OPTIONS=$(leaks) EMULATOR='$(EMULATOR)' \
+	    sh tests/run-test.sh $< tests/$* $@
+
+# Tests that cannot be built have no log, and are counted all the same.
+check: need-check ## build and run the tests
+	@rm -f $(TESTS:=.log); $(MAKE) $(parallel) -k -O run-tests; built=$$?; \
+	sh tests/count-checks.sh $(TESTS:=.log) && [ $$built = 0 ]
+
+run-tests: $(library_file) $(program_file) $(TESTS:=.log) \
+	$(if $(WHOLE),$(drawing_file) check-renderer)
+.PHONY: check run-tests
+
+sanitizers = -fsanitize=address,undefined,float-cast-overflow \
+	-fno-sanitize-recover=all -fno-omit-frame-pointer
+
+check-sanitize: ## run the tests under AddressSanitizer and UBSan
+	@$(MAKE) check BUILD=$(BUILD)/sanitize TF_TEST_PERCENT=10 \
+	    CFLAGS='-O1 -g $(sanitizers)'
+
+# Threads of the test answer at once what one answered before.  The log is made
+# even if checks fail; grep sees whether it says that all passed.
+thread_logs = $(patsubst %,$(BUILD)/threads/tests/%.log,whole/threads \
+	whole/surface_threads)
+check-threads: need-check ## run many threads at once under ThreadSanitizer
+	@$(MAKE) $(thread_logs) BUILD=$(BUILD)/threads TF_TEST_PERCENT=10 \
+	    CFLAGS='-O1 -g -fsanitize=thread'
+	@for log in $(thread_logs); do grep -q '^100%' $$log || exit 1; done
+.PHONY: check-sanitize check-threads
+
+coverage: need-coverage ## list which lines of src/ the tests run; at least 95 %
+	@find $(BUILD)/coverage -name '*.gcda' -delete 2>/dev/null || true
+	@$(MAKE) check BUILD=$(BUILD)/coverage TF_TEST_PERCENT=10 CC=gcc \
+	    CFLAGS='-O0 --coverage -fprofile-update=atomic'
+	@gcovr --filter src/ --object-directory $(BUILD)/coverage --fail-under-line 95
+.PHONY: coverage
+
+# Fuzzing finds new inputs in a copy of each corpus.  To trace comparisons of
+# numbers, too, would take two thirds of the time and find nothing.
+SECONDS = 60
+fuzzing = -fsanitize=fuzzer-no-link -fno-sanitize-coverage=trace-cmp
+fuzz: need-fuzz ## run every fuzzer for SECONDS=60
+	@$(MAKE) $(parallel) -k -O run-fuzzers BUILD=$(BUILD)/fuzz CC=clang \
+	    CFLAGS='-O1 -g $(sanitizers) $(fuzzing)' \
+	    LDFLAGS=-fsanitize=fuzzer
+
+run-fuzzers: $(FUZZERS:=.found)
+$(BUILD)/tests/fuzz/%.found: $(BUILD)/tests/fuzz/% FORCE
+	@mkdir -p $(BUILD)/corpus/$* && cp -R tests/fuzz/corpus/$*/. $(BUILD)/corpus/$*
+	@$< -max_total_time=$(SECONDS) -artifact_prefix=$<- $(BUILD)/corpus/$* \
+	    >$@ 2>&1 || { tail -n 60 $@; false; }
+	@printf '%-32s %s\n' tests/fuzz/$* "$$(grep '^Done' $@)"
+.PHONY: fuzz run-fuzzers
+
+# Interrupted, this prints how to go on.
+COUNT = 100000000
+FROM = 0
+soak: $(BUILD)/tests/soak/soak ## answer COUNT=100000000 queries in two ways, and compare
+	@$< $(COUNT) $(FROM)
+.PHONY: soak
+
+# What is measured -------------------------------------------------------------
+
+benches = bench surfaces
+bench: $(benches:%=$(BUILD)/tests/bench/%) ## time the library
+	@for program in $^; do $$program; done
+
+# With the usual flags, whatever CFLAGS of this build.
+measure: ## time the library again for the book, in figures/measured.csv
+	@$(MAKE) BUILD=$(BUILD)/measured CFLAGS=-O3 LDFLAGS= \
+	    $(benches:%=$(BUILD)/measured/tests/bench/%)
+	@echo 'measure figures/measured.csv'
+	@sh tests/bench/measure.sh '$(CC)' -O3 \
+	    $(benches:%=$(BUILD)/measured/tests/bench/%) >$(BUILD)/measured/new.csv
+	@mv $(BUILD)/measured/new.csv figures/measured.csv
+
+counts: $(BUILD)/tests/bench/counts ## count the contacts that the report's rule misses
+	@$<
+.PHONY: bench measure counts

@@ -1,0 +1,37 @@
+// What is true of a determinant, and what the rounded arithmetic makes of it.
+#ifndef SUPPORT_ESTIMATES_H
+#define SUPPORT_ESTIMATES_H
+
+#include "arithmetic/filter.h"
+#include "arithmetic/operations.h"
+#include "support/matrices.h"
+
+#include <gmp.h>
+
+typedef struct judged {
+    tf_estimate estimate;
+    tf_value value; ///< tf_clamped's
+    mpz_t truth;    ///< the determinant, as support/sums.h
+    mpz_t error;    ///< of the number, absolute; where it is finite
+} judged;
+
+void judged_init(judged *j, const matrix *m);
+void judged_clear(judged *j);
+
+/// The last place of a double.
+double last_place(double x);
+
+/// Whether the bound that decides the sign covers all but the last addition.
+bool bound_is_kept(const judged *j);
+
+/// Whether the value's radius covers all but a last rounding.
+bool radius_is_kept(const judged *j);
+
+/// Whether a sign that the estimate decides, zero included, is the true one.
+bool estimate_is_true(const judged *j);
+
+/// A matrix close to singular, scaled so that some products of entries are
+/// about 2^exponent.
+matrix matrix_close(generator *random, int n, int exponent);
+
+#endif

@@ -1,0 +1,95 @@
+#include "support/meshes.h"
+
+#include "support/support.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+bool parse_mesh(tf_mesh_file *file, const void *text, size_t size)
+{
+    char *copy = malloc(size + 1);
+    ck_assert_ptr_nonnull(copy);
+    memcpy(copy, text, size);
+    copy[size] = '\0';
+    bool good = tf_mesh_file_parse(file, "mesh", copy, size);
+    free(copy);
+    return good;
+}
+
+tf_mesh_file good_bytes(const void *text, size_t size)
+{
+    tf_mesh_file file;
+    bool good = parse_mesh(&file, text, size);
+    ck_assert_msg(good, "%ld: %s", file.fault_place, file.fault);
+    ck_assert_str_eq(file.fault, "");
+    return file;
+}
+
+tf_mesh_file good_mesh(const char *text)
+{
+    return good_bytes(text, strlen(text));
+}
+
+void expect_bad_bytes(const void *text, size_t size, long place,
+                      const char *words)
+{
+    tf_mesh_file file;
+    ck_assert_msg(!parse_mesh(&file, text, size), "no fault, but %s", words);
+    ck_assert_msg(strstr(file.fault, words), "'%s' and not '%s'", file.fault,
+                  words);
+    ck_assert_msg(strstr(file.fault, "; "), "'%s': how to mend it?",
+                  file.fault);
+    ck_assert_msg(file.fault_place == place, "place %ld, not %ld: %s",
+                  file.fault_place, place, file.fault);
+    tf_mesh_file_free(&file);
+}
+
+void expect_bad_mesh(const char *text, long place, const char *words)
+{
+    expect_bad_bytes(text, strlen(text), place, words);
+}
+
+void expect_vertices(const tf_mesh_file *file, int count, const double x[])
+{
+    ck_assert_int_eq(tf_mesh_file_vertices(file), count);
+    for (int i = 0; i < 3 * count; i++) {
+        double read = file->position.item[i];
+        ck_assert_msg(read == x[i] && signbit(read) == signbit(x[i]),
+                      "coordinate %d of vertex %d is %a, not %a", i % 3, i / 3,
+                      read, x[i]);
+    }
+}
+
+static void expect_ints(int count, const int read[], const int right[])
+{
+    for (int i = 0; i < count; i++)
+        ck_assert_msg(read[i] == right[i], "index %d is %d, not %d", i, read[i],
+                      right[i]);
+}
+
+void expect_triangles(const tf_mesh_file *file, int count, const int vertex[])
+{
+    ck_assert_int_eq(tf_mesh_file_triangles(file), count);
+    expect_ints(3 * count, file->triangle.item, vertex);
+}
+
+void expect_edges(const tf_mesh_file *file, int count, const int vertex[])
+{
+    ck_assert_int_eq(tf_mesh_file_edges(file), count);
+    expect_ints(2 * count, file->edge.item, vertex);
+}
+
+void expect_triangles_of(const char *text, int count, const int vertex[])
+{
+    tf_mesh_file file = good_mesh(text);
+    expect_triangles(&file, count, vertex);
+    tf_mesh_file_free(&file);
+}
+
+void expect_edges_of(const char *text, int count, const int vertex[])
+{
+    tf_mesh_file file = good_mesh(text);
+    expect_edges(&file, count, vertex);
+    tf_mesh_file_free(&file);
+}

@@ -1,0 +1,28 @@
+// Texts of mesh files: what is read of them, or what is wrong with them.
+#ifndef SUPPORT_MESHES_H
+#define SUPPORT_MESHES_H
+
+#include "program/mesh_file.h"
+
+/// Reads a text from memory that ends with it, and calls it "mesh".
+bool parse_mesh(tf_mesh_file *file, const void *text, size_t size);
+
+/// The mesh of a good text; free it.
+tf_mesh_file good_bytes(const void *text, size_t size);
+tf_mesh_file good_mesh(const char *text);
+
+/// Expects a fault at a line or byte (below 0: at none), told in these words.
+void expect_bad_bytes(const void *text, size_t size, long place,
+                      const char *words);
+void expect_bad_mesh(const char *text, long place, const char *words);
+
+/// Expects these vertices, triangles or edges, and no others.
+void expect_vertices(const tf_mesh_file *file, int count, const double x[]);
+void expect_triangles(const tf_mesh_file *file, int count, const int vertex[]);
+void expect_edges(const tf_mesh_file *file, int count, const int vertex[]);
+
+/// Expects the elements of a text, without its vertices.
+void expect_triangles_of(const char *text, int count, const int vertex[]);
+void expect_edges_of(const char *text, int count, const int vertex[]);
+
+#endif

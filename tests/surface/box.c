@@ -1,0 +1,83 @@
+// Boxes: rounding keeps the order of numbers, so it keeps overlaps.
+#include "surface/box.h"
+
+#include "support/support.h"
+#include "support/surfaces.h"
+
+#include <float.h>
+#include <math.h>
+
+static some_surface of;
+
+START_TEST(the_order_of_coordinates_is_kept)
+{
+    static tf_box box[SURFACE_VERTICES];
+    generator random = generator_new((uint64_t)_i);
+    for (int i = 0; i < (int)cases(50); i++) {
+        int axes = 2 + i % 2, bad;
+        random_surface(&random, axes, 60, (placement)_i, &of);
+        tf_frame frame;
+        ck_assert_int_eq(tf_frame_of(axes, &of.motion, &frame, &bad), TF_OK);
+        tf_vertex_boxes(&frame, &of.motion, NULL, box);
+        for (int v = 0; v < of.mesh.vertices; v++)
+            for (int w = 0; w < of.mesh.vertices; w++)
+                for (int k = 0; k < axes; k++) {
+                    double low =
+                        fmin(of.start[axes * v + k], of.end[axes * v + k]);
+                    double high =
+                        fmax(of.start[axes * w + k], of.end[axes * w + k]);
+                    ck_assert(isfinite(box[v].low[k]));
+                    ck_assert(low > high || box[v].low[k] <= box[w].high[k]);
+                }
+    }
+}
+END_TEST
+
+/// The frame of two vertices on a line.
+static tf_frame frame_of(double a, double b)
+{
+    double x[] = {a, 0, 0, b, 0, 0};
+    tf_motion motion = {2, x, x};
+    tf_frame frame;
+    int bad;
+    ck_assert_int_eq(tf_frame_of(3, &motion, &frame, &bad), TF_OK);
+    return frame;
+}
+
+START_TEST(the_largest_coordinates_come_near_one)
+{
+    static const double size[] = {4.9e-324, 1e-300, 1, 1e300, DBL_MAX};
+    for (int i = 0; i < 5; i++) {
+        tf_frame frame = frame_of(-size[i], size[i]);
+        double place = (size[i] - frame.center[0]) * frame.scale;
+        ck_assert(isfinite(place) && place > 0 && place < 2);
+        // Half of the least double is none.
+        ck_assert(i == 0 || (float)place >= 0.5f);
+    }
+    // Far from the origin, too, a small scene keeps its shape.
+    tf_frame far = frame_of(1e6, 1e6 + 1e-3);
+    ck_assert((float)((1e6 + 1e-3 - far.center[0]) * far.scale) > 0.4f);
+}
+END_TEST
+
+START_TEST(empty_boxes_change_nothing)
+{
+    tf_box box = {{-1, 2, 3}, {4, 5, 6}};
+    tf_box both = tf_box_union(box, tf_box_empty);
+    for (int k = 0; k < 3; k++) {
+        ck_assert(both.low[k] == box.low[k]);
+        ck_assert(both.high[k] == box.high[k]);
+    }
+}
+END_TEST
+
+Suite *suite(void)
+{
+    Suite *suite = suite_create("surface/box");
+    TCase *tcase = tcase_create("boxes");
+    tcase_add_loop_test(tcase, the_order_of_coordinates_is_kept, 0, PLACEMENTS);
+    tcase_add_test(tcase, the_largest_coordinates_come_near_one);
+    tcase_add_test(tcase, empty_boxes_change_nothing);
+    suite_add_tcase(suite, tcase);
+    return suite;
+}

@@ -1,0 +1,110 @@
+// Morton keys and their sort.
+#include "surface/morton.h"
+
+#include "support/scrambled.h"
+#include "support/support.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static const tf_box whole = {{0, 0, 0}, {1023, 1023, 1023}};
+
+static tf_box box_at(int x, int y, int z)
+{
+    float at[] = {(float)x, (float)y, (float)z};
+    tf_box box;
+    memcpy(box.low, at, sizeof at);
+    memcpy(box.high, at, sizeof at);
+    return box;
+}
+
+/// The bits of three numbers of ten bits, one at a time.
+static uint32_t shuffle(int x, int y, int z)
+{
+    uint32_t key = 0;
+    for (int i = 0; i < 10; i++)
+        key |= (uint32_t)(x >> i & 1) << 3 * i |
+               (uint32_t)(y >> i & 1) << (3 * i + 1) |
+               (uint32_t)(z >> i & 1) << (3 * i + 2);
+    return key;
+}
+
+START_TEST(keys_shuffle_bits)
+{
+    generator random = generator_new(1);
+    for (int i = 0; i < (int)cases(100000); i++) {
+        int x = below(&random, 1024), y = below(&random, 1024),
+            z = below(&random, 1024);
+        tf_box box = box_at(x, y, z);
+        ck_assert_uint_eq(tf_morton_key(&box, &whole), shuffle(x, y, z));
+    }
+}
+END_TEST
+
+START_TEST(a_flat_scene_has_keys)
+{
+    tf_box flat = {{0, 5, 0}, {1023, 5, 0}}, box = box_at(3, 5, 0);
+    ck_assert_uint_eq(tf_morton_key(&box, &flat), shuffle(3, 0, 0));
+}
+END_TEST
+
+static int compare(const void *first, const void *second)
+{
+    const tf_keyed *a = first, *b = second;
+    if (a->key != b->key)
+        return a->key < b->key ? -1 : 1;
+    return a->element - b->element;
+}
+
+static void sort(int count, int keys, const tf_parallel *parallel)
+{
+    generator random = generator_new((uint64_t)count);
+    size_t size = sizeof(tf_keyed) * (size_t)(count + 1);
+    tf_keyed *expected = malloc(size), *from = malloc(size), *to = malloc(size);
+    tf_digit_counts *counts = malloc(TF_SORT_PARTS * sizeof *counts);
+    for (int i = 0; i < count; i++)
+        from[i] = (tf_keyed){(uint32_t)below(&random, keys), i};
+    memcpy(expected, from, size);
+    qsort(expected, (size_t)count, sizeof *expected, compare);
+    tf_keyed *sorted = tf_morton_sort(count, from, to, counts, parallel);
+    for (int i = 0; i < count; i++) {
+        ck_assert_uint_eq(sorted[i].key, expected[i].key);
+        ck_assert_int_eq(sorted[i].element, expected[i].element);
+    }
+    free(expected);
+    free(from);
+    free(to);
+    free(counts);
+}
+
+START_TEST(equal_keys_stay_in_order)
+{
+    static const int counts[] = {
+        0, 1, 2, 1000, TF_SORT_PART, TF_SORT_PART + 1, 200000};
+    static const int keys[] = {1, 7, 2000, 1 << 30};
+    int workers = 3;
+    tf_parallel parallel = scrambled(&workers);
+    for (int i = 0; i < 7; i++) {
+        sort(counts[i], keys[_i], NULL);
+        sort(counts[i], keys[_i], &parallel);
+    }
+}
+END_TEST
+
+START_TEST(more_items_than_parts_of_the_least_size)
+{
+    sort(TF_SORT_PARTS * TF_SORT_PART + 12345, 1 << 30, NULL);
+}
+END_TEST
+
+Suite *suite(void)
+{
+    Suite *suite = suite_create("surface/morton");
+    TCase *tcase = tcase_create("Morton order");
+    tcase_add_test(tcase, keys_shuffle_bits);
+    tcase_add_test(tcase, a_flat_scene_has_keys);
+    tcase_add_loop_test(tcase, equal_keys_stay_in_order, 0, 4);
+    tcase_add_test(tcase, more_items_than_parts_of_the_least_size);
+    suite_add_tcase(suite, tcase);
+    return suite;
+}

@@ -1,0 +1,88 @@
+// Tasks and ranges.
+#include "surface/tasks.h"
+
+#include "support/scrambled.h"
+#include "support/support.h"
+
+#include <limits.h>
+#include <signal.h>
+#include <string.h>
+
+enum {
+    TASKS = 50
+};
+
+/// How often each task ran, and the largest number of a worker.
+typedef struct record {
+    int runs[TASKS], last_worker;
+} record;
+
+static void note(void *argument, int task, int worker)
+{
+    record *all = argument;
+    ck_assert_int_ge(worker, 0);
+    all->runs[task]++;
+    all->last_worker = worker > all->last_worker ? worker : all->last_worker;
+}
+
+static record run(const tf_parallel *parallel, int count)
+{
+    record all = {{0}, 0};
+    tf_parallel_for_each(parallel, count, note, &all);
+    for (int i = 0; i < TASKS; i++)
+        ck_assert_int_eq(all.runs[i], i < count);
+    return all;
+}
+
+START_TEST(every_task_runs_once)
+{
+    static const int counts[] = {0, 1, 2, TASKS};
+    int workers = 3;
+    tf_parallel parallel = scrambled(&workers);
+    for (int i = 0; i < 4; i++) {
+        ck_assert_int_eq(run(NULL, counts[i]).last_worker, 0);
+        run(&parallel, counts[i]);
+    }
+    ck_assert_int_eq(run(&parallel, TASKS).last_worker, workers - 1);
+    ck_assert_int_eq(tf_parallel_workers(&parallel), workers);
+    ck_assert_int_eq(tf_parallel_workers(NULL), 1);
+}
+END_TEST
+
+START_TEST(there_is_a_worker)
+{
+    int workers = 0;
+    tf_parallel parallel = scrambled(&workers);
+    tf_parallel_workers(&parallel);
+}
+END_TEST
+
+START_TEST(parts_cover_a_range_once)
+{
+    static const int counts[] = {0, 1, 15, 16, 17, 1000, INT_MAX};
+    static const int sizes[] = {1, 16, 999, 1000, 1001, 1 << 30};
+    for (int i = 0; i < 7; i++)
+        for (int j = counts[i] == INT_MAX ? 5 : 0; j < 6; j++) {
+            int parts = tf_range_parts(counts[i], sizes[j]), next = 0;
+            for (int part = 0; part < parts; part++) {
+                tf_range of = tf_range_part(counts[i], sizes[j], part);
+                ck_assert_int_eq(of.begin, next);
+                ck_assert_int_gt(of.end, of.begin);
+                ck_assert_int_le(of.end - of.begin, sizes[j]);
+                next = of.end;
+            }
+            ck_assert_int_eq(next, counts[i]);
+        }
+}
+END_TEST
+
+Suite *suite(void)
+{
+    Suite *suite = suite_create("surface/tasks");
+    TCase *tcase = tcase_create("tasks");
+    tcase_add_test(tcase, every_task_runs_once);
+    tcase_add_test_raise_signal(tcase, there_is_a_worker, SIGABRT);
+    tcase_add_test(tcase, parts_cover_a_range_once);
+    suite_add_tcase(suite, tcase);
+    return suite;
+}

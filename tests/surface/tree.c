@@ -1,0 +1,144 @@
+// The tree: every element in one leaf, every box inside the one above it.
+#include "surface/tree.h"
+
+#include "support/scrambled.h"
+#include "support/support.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    MOST = 70000
+};
+
+static tf_box vertex[MOST];
+
+static tf_box random_vertices(generator *random, int count)
+{
+    tf_box whole = tf_box_empty;
+    for (int i = 0; i < count; i++) {
+        for (int k = 0; k < 3; k++) {
+            float at = (float)uniform(random, -1, 1);
+            vertex[i].low[k] = at;
+            vertex[i].high[k] = at + (float)uniform(random, 0, 0.1);
+        }
+        whole = tf_box_union(whole, vertex[i]);
+    }
+    return whole;
+}
+
+static bool same_box(tf_box a, tf_box b)
+{
+    return memcmp(&a, &b, sizeof a) == 0;
+}
+
+static tf_box box_of(const tf_tree_elements *elements, int i)
+{
+    tf_box box = tf_box_empty;
+    for (int c = 0; c < elements->corners; c++)
+        box = tf_box_union(
+            box, vertex[elements->corner
+                            ? elements->corner[elements->corners * i + c]
+                            : i]);
+    return box;
+}
+
+// An unused lane has an empty box, and so has the union of unused lanes.
+static void check_leaves(const tf_tree *tree, const tf_tree_elements *elements)
+{
+    static bool seen[MOST];
+    memset(seen, 0, sizeof seen);
+    for (int i = 0; i < tree->packs[0] * TF_LANES; i++) {
+        int leaf = i / TF_LANES, lane = i % TF_LANES;
+        int element = tree->element[leaf][lane];
+        tf_box box = tf_pack_box(&tree->level[0][leaf], lane);
+        ck_assert_int_eq(element >= 0, i < elements->count);
+        if (element < 0) {
+            ck_assert(same_box(box, tf_box_empty));
+            continue;
+        }
+        ck_assert(!seen[element]);
+        seen[element] = true;
+        ck_assert(same_box(box, box_of(elements, element)));
+        for (int c = 0; c < elements->corners; c++)
+            ck_assert_int_eq(
+                tree->corner[leaf * elements->corners + c][lane],
+                elements->corner
+                    ? elements->corner[elements->corners * element + c]
+                    : element);
+    }
+}
+
+static void check_levels(const tf_tree *tree)
+{
+    ck_assert_int_eq(tree->packs[tree->levels - 1], 1);
+    for (int level = 1; level < tree->levels; level++)
+        for (int i = 0; i < tree->packs[level] * TF_LANES; i++) {
+            tf_box box =
+                tf_pack_box(&tree->level[level][i / TF_LANES], i % TF_LANES);
+            tf_box below = i < tree->packs[level - 1]
+                               ? tf_pack_union(&tree->level[level - 1][i])
+                               : tf_box_empty;
+            ck_assert(same_box(box, below));
+        }
+}
+
+static void check_tree(tf_tree *tree, tf_tree_room *room, int count,
+                       int corners, const tf_parallel *parallel)
+{
+    generator random = generator_new((uint64_t)count);
+    tf_box whole = random_vertices(&random, count + 2);
+    int *corner = malloc(sizeof *corner * (size_t)(count * corners + 1));
+    for (int i = 0; i < count * corners; i++)
+        corner[i] = below(&random, count + 2);
+    tf_tree_elements elements = {.count = count,
+                                 .corners = corners,
+                                 .corner = corners == 1 ? NULL : corner,
+                                 .vertex = vertex,
+                                 .whole = &whole};
+    ck_assert(tf_tree_build(tree, &elements, room, parallel));
+    check_leaves(tree, &elements);
+    check_levels(tree);
+    free(corner);
+}
+
+START_TEST(every_element_is_in_one_leaf)
+{
+    static const int counts[] = {1,   2,   15,   16,    17,    255,  256,
+                                 257, 400, 4097, 16384, 16385, 65537};
+    tf_tree tree = {0};
+    tf_tree_room room = {0};
+    int workers = 3;
+    tf_parallel parallel = scrambled(&workers);
+    for (int i = 0; i < 13; i++)
+        for (int corners = 1; corners <= 3; corners++) {
+            check_tree(&tree, &room, counts[i], corners, NULL);
+            check_tree(&tree, &room, counts[i], corners, &parallel);
+        }
+    tf_tree_free(&tree);
+    tf_tree_room_free(&room);
+}
+END_TEST
+
+START_TEST(a_tree_of_nothing)
+{
+    tf_tree tree = {0};
+    tf_tree_room room = {0};
+    tf_tree_elements none = {.corners = 3};
+    ck_assert(tf_tree_build(&tree, &none, &room, NULL));
+    ck_assert_int_eq(tree.count, 0);
+    ck_assert_int_eq(tree.levels, 0);
+    tf_tree_free(&tree);
+    tf_tree_room_free(&room);
+}
+END_TEST
+
+Suite *suite(void)
+{
+    Suite *suite = suite_create("surface/tree");
+    TCase *tcase = tcase_create("tree");
+    tcase_add_test(tcase, every_element_is_in_one_leaf);
+    tcase_add_test(tcase, a_tree_of_nothing);
+    suite_add_tcase(suite, tcase);
+    return suite;
+}

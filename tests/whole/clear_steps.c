@@ -1,0 +1,85 @@
+// What the theorem of no contact gives for surfaces: a step that starts free of
+// intersections and has no contact ends free of them.
+#include "surface/check.h"
+#include "surface/detect.h"
+
+#include "support/crossings.h"
+#include "support/support.h"
+#include "support/surface_of.h"
+#include "support/surfaces.h"
+
+#include <stdlib.h>
+
+enum {
+    STEPS = 20000,
+    MOST_TRIES = 400
+};
+
+static some_surface of;
+
+static bool is_clear(tf_surface *surface, const double position[])
+{
+    tf_crossings found;
+    ck_assert_int_eq(tf_surface_check(surface, position, of.mesh.vertices, NULL,
+                                      &found, NULL),
+                     TF_OK);
+    return found.count == 0;
+}
+
+static tf_contacts detect(tf_surface *surface)
+{
+    tf_detection any = {.extent = TF_ANY_CONTACT};
+    tf_contacts found;
+    ck_assert_int_eq(tf_surface_detect(surface, &of.motion, &any, &found, NULL),
+                     TF_OK);
+    return found;
+}
+
+static void check_end(const tf_surface *surface)
+{
+    static oracle_crossings all;
+    oracle_crossings_find(&all, surface, of.mesh.axes, of.mesh.vertices,
+                          of.end);
+    ck_assert_msg(all.count == 0, "%d intersections at the end, seed %llu",
+                  all.count, (unsigned long long)seed());
+}
+
+/// One step without a contact from a clear start; returns how many candidates it
+/// had.
+static size_t try_step(generator *random, int axes, placement placed)
+{
+    for (int i = 0; i < MOST_TRIES; i++) {
+        random_surface(random, axes, 5, placed, &of);
+        tf_surface *surface = surface_of(&of.mesh);
+        tf_contacts found = {.any = true};
+        if (is_clear(surface, of.start))
+            found = detect(surface);
+        if (!found.any)
+            check_end(surface);
+        tf_surface_free(surface);
+        if (!found.any)
+            return found.effort.candidates;
+    }
+    ck_abort_msg("no clear step in %d tries", MOST_TRIES);
+}
+
+START_TEST(clear_steps_end_clear)
+{
+    static const placement placed[] = {ANYWHERE, ON_LATTICE};
+    generator random = generator_new((uint64_t)_i);
+    int steps = (int)cases(STEPS / 4), near = 0;
+    for (int i = 0; i < steps; i++)
+        near += try_step(&random, 2 + _i % 2, placed[_i / 2]) > 0;
+    // Many of them have elements whose boxes overlap.
+    ck_assert_int_gt(10 * near, steps);
+}
+END_TEST
+
+Suite *suite(void)
+{
+    Suite *suite = suite_create("whole/clear_steps");
+    TCase *tcase = tcase_create("clear steps");
+    tcase_add_loop_test(tcase, clear_steps_end_clear, 0, 4);
+    suite_add_tcase(suite, tcase);
+    return suite;
+}

@@ -1,0 +1,111 @@
+// Any number of threads finds the same candidates, contacts and intersections,
+// bit by bit.
+#include "bench/layers.h"
+#include "program/threads.h"
+#include "support/scrambled.h"
+#include "support/support.h"
+#include "support/surface_of.h"
+#include "support/surfaces.h"
+#include "surface/candidates.h"
+#include "surface/check.h"
+#include "surface/detect.h"
+
+#include <string.h>
+
+/// What is tried.
+static tf_mesh mesh;
+static tf_motion motion;
+
+/// What is found of a surface, in rows that it lends.
+typedef struct rows {
+    size_t count, size;
+    const void *row;
+} rows;
+
+typedef rows find_function(tf_surface *surface, const tf_parallel *parallel);
+
+static rows find_candidates(tf_surface *surface, const tf_parallel *parallel)
+{
+    tf_candidates found;
+    ck_assert_int_eq(
+        tf_surface_candidates(surface, &motion, parallel, &found, NULL), TF_OK);
+    return (rows){found.point_count + found.edge_count, sizeof *found.points,
+                  found.points};
+}
+
+static rows find_contacts(tf_surface *surface, const tf_parallel *parallel)
+{
+    tf_detection detection = {.parallel = parallel};
+    tf_contacts found;
+    ck_assert_int_eq(
+        tf_surface_detect(surface, &motion, &detection, &found, NULL), TF_OK);
+    return (rows){found.count, sizeof *found.contact, found.contact};
+}
+
+static rows find_crossings(tf_surface *surface, const tf_parallel *parallel)
+{
+    tf_crossings found;
+    ck_assert_int_eq(tf_surface_check(surface, motion.end, motion.vertices,
+                                      parallel, &found, NULL),
+                     TF_OK);
+    return (rows){found.count, sizeof *found.crossing, found.crossing};
+}
+
+static find_function *const functions[] = {find_candidates, find_contacts,
+                                           find_crossings};
+
+static void expect_rows(rows expected, rows found)
+{
+    ck_assert_uint_eq(found.count, expected.count);
+    ck_assert_mem_eq(found.row, expected.row, found.count * found.size);
+}
+
+static void compare(find_function *find)
+{
+    tf_surface *one = surface_of(&mesh), *several = surface_of(&mesh);
+    rows expected = find(one, NULL);
+    for (int workers = 1; workers <= 8; workers++) {
+        tf_parallel threads = tf_threads(&workers);
+        tf_parallel backward = scrambled(&workers);
+        expect_rows(expected, find(several, &threads));
+        expect_rows(expected, find(several, &backward));
+    }
+    tf_surface_free(one);
+    tf_surface_free(several);
+}
+
+START_TEST(any_number_of_threads_finds_the_same)
+{
+    static some_surface of;
+    generator random = generator_new((uint64_t)_i);
+    for (int i = 0; i < (int)cases(10); i++) {
+        random_surface(&random, 2 + i % 2, SURFACE_ELEMENTS,
+                       (placement)(i % PLACEMENTS), &of);
+        mesh = of.mesh;
+        motion = of.motion;
+        compare(functions[_i]);
+    }
+}
+END_TEST
+
+/// The surfaces above are a task or two; this one is many.
+START_TEST(any_number_of_threads_finds_the_same_in_cloth)
+{
+    layers cloth = layers_new(15, 1, 1);
+    mesh = cloth.mesh;
+    motion = cloth.motion;
+    compare(functions[_i]);
+    layers_free(&cloth);
+}
+END_TEST
+
+Suite *suite(void)
+{
+    Suite *suite = suite_create("whole/surface_threads");
+    TCase *tcase = tcase_create("threads");
+    tcase_add_loop_test(tcase, any_number_of_threads_finds_the_same, 0, 3);
+    tcase_add_loop_test(tcase, any_number_of_threads_finds_the_same_in_cloth, 0,
+                        3);
+    suite_add_tcase(suite, tcase);
+    return suite;
+}

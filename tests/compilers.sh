@@ -18,9 +18,8 @@ rewriting='-Ofast
 -fno-signed-zeros'
 
 list_builds() {
-    printf 'gcc %s\n' -O0 -O2 -O3
-    echo 'clang -O2'
     for cc in gcc clang; do
+        printf '%s\n' -O0 -O2 -O3 | sed "s/^/$cc /"
         printf '%s\n' "$rewriting" -fno-rounding-math | sed "s/^/$cc -O3 /"
     done
 }

@@ -1,5 +1,6 @@
 #!/bin/sh
-# Print the answers to tests/queries of all kinds, arithmetics and outputs:
+# Print the answers to tests/queries of all kinds, arithmetics and outputs, and
+# those about a surface of many contacts, found by several numbers of threads:
 #
 #     answers.sh PROGRAM...
 #
@@ -13,3 +14,40 @@ for kind in point-edge point-triangle edge-edge; do
         done
     done
 done
+
+# Two sheets of 8 x 8 vertices, one above the other, which are crumpled and pass
+# through each other from frame 0 to frame 2.  The coordinates are integers of a
+# linear congruential generator, so that every awk prints the same ones.
+frame() {
+    awk -v frame="$1" -v n=8 '
+        function random() { seed = (seed * 16807) % 2147483647; return seed }
+        BEGIN {
+            seed = 1
+            for (v = 0; v < 2 * n * n; v++) {
+                for (f = 0; f <= 2; f++)
+                    for (k = 0; k < 3; k++) bend[f, k] = random() % 512
+                z = 1024 * (v < n * n ? frame : 2 - frame)
+                print "v", v % n * 512 + bend[frame, 0], \
+                    int(v / n) % n * 512 + bend[frame, 1], z + bend[frame, 2]
+            }
+            for (v = 1; v < 2 * n * n - n; v++)
+                if (v % n > 0 && int((v - 1) / n) % n < n - 1) {
+                    print "f", v, v + 1, v + n + 1
+                    print "f", v, v + n + 1, v + n
+                }
+        }'
+}
+
+frames=$(mktemp -d)
+trap 'rm -r "$frames"' EXIT
+for i in 0 1 2; do frame $i >"$frames/$i.obj"; done
+for arithmetic in exact clamped perturbed integer64; do
+    for threads in 1 2 8; do
+        echo "detect $arithmetic $threads"
+        "$@" detect --arithmetic $arithmetic --threads $threads \
+            "$frames/0.obj" "$frames/1.obj" "$frames/2.obj" 2>&1
+        echo "status $?"
+    done
+done
+echo check
+for i in 0 1 2; do "$@" check - <"$frames/$i.obj" 2>&1; done

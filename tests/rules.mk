@@ -45,14 +45,16 @@ $(figure_tests): $(BUILD)/%: $(BUILD)/%.o $(BUILD)/support.a $(figure_archives)
 	$(Q)$(LINK) $(filter %.o,$^) $(filter %.a,$^) @$(BUILD)/renderer.libraries \
 	    $$(pkg-config --libs check) -lgmp -lm -o $@
 
-# Leaks of the libraries that figures use are not ours.
+# Leaks of the libraries that figures use are not ours, and a test that requests
+# more memory than there is wants NULL, from the sanitizer, too.
 leaks = suppressions=$(CURDIR)/tests/renderer/leaks.supp:print_suppressions=0
+allocation = allocator_may_return_null=1
 
 $(BUILD)/tests/%.log: $(BUILD)/tests/% $(program_file) FORCE \
 		| $(if $(WHOLE),$(drawing_file))
 	@TANGLEFREE=$(abspath $(program_file)) \
 	TANGLEFREE_DRAW=$(abspath $(drawing_file)) \
-	LSAN_OPTIONS=$(leaks) EMULATOR='$(EMULATOR)' \
+	LSAN_OPTIONS=$(leaks) ASAN_OPTIONS=$(allocation) EMULATOR='$(EMULATOR)' \
 	    sh tests/run-test.sh $< tests/$* $@
 
 # Tests that cannot be built have no log, and are counted all the same.

@@ -24,8 +24,8 @@
 
 //: Recognize a certain zero
 /// Whether every term of the determinant has a factor that is exactly zero.
-/// Used only where the number is zero: it then distinguishes a true zero
-/// from one that underflow made.
+/// If so, the determinant is exactly zero.  A computed number that is zero
+/// proves nothing: rounding or underflow may have made it.
 static bool every_term_vanishes(int n, double entry[TF_AXES][TF_AXES])
 {
     static const int order[6][3] = {{0, 1, 2}, {1, 0, 2}, {0, 2, 1},

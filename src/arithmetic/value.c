@@ -7,7 +7,7 @@
 
 //: Compare two values by size
 /// The exponent of the largest number that the value may represent; INT_MIN if
-/// that is zero or not known.
+/// that is zero or not finite.
 static int magnitude(const tf_value *value)
 {
     double largest = fabs(value->number) + value->radius;
@@ -27,8 +27,8 @@ static int compare_orders(const tf_value *a, const tf_value *b)
 }
 
 //: Find the largest value
-/// The largest of the values that are known to be nonzero, and its magnitude;
-/// NULL if there is none.
+/// The largest of the values that are finite and not certainly zero, by the
+/// magnitude, and this magnitude; NULL if there is none.
 static const tf_value *find_largest(int count, const tf_value value[],
                                     int *size)
 {

@@ -7,5 +7,5 @@
 /// leaves them with the exponent and the order zero: an infinitely smaller one
 /// becomes zero.  Where digits fall below the least double, a radius that is
 /// not zero grows by it.  Values that are not known stay NaN or infinite; if
-/// none is known to be nonzero, all stay as they are.
+/// all others are certainly zero, all stay as they are.
 void tf_values_scale(int count, tf_value value[]);

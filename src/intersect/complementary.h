@@ -33,8 +33,8 @@ extern const tf_intersection tf_intersection_apart; ///< the verdict TF_APART
 /// axes + 3 events, of one time axes + 2.  The signs are those of Cramer's rule
 /// for the barycentric coordinates of the common point.
 ///
-/// Returns false, with *found unset, if all signs are certainly zero: the pair
-/// lies in a hyperplane, and its signs decide nothing.
+/// Returns false if all signs are certainly zero: the pair lies in a
+/// hyperplane, and its signs decide nothing; *found is meaningless then.
 bool tf_complementary_intersect(const tf_arithmetic *arithmetic,
                                 const tf_pair *pair, tf_detail detail,
                                 tf_intersection *found);

@@ -3,8 +3,8 @@
 
 // Sorting a determinant's rows by time, subtracting the first of each time and
 // expanding along the columns t and 1 leaves (-1)^(number at t = 0) times the
-// determinant of the differences, so beside the (-1)^i of Cramer's rule only
-// the events at the end change sign.
+// determinant of the differences, so apart from the (-1)^i of Cramer's rule,
+// only the events at the end change sign.
 int tf_pair_orientation(const tf_pair *pair, int i)
 {
     int alternating = i % 2 == 0 ? 1 : -1;

@@ -1,8 +1,9 @@
 /* Exercise 4.1.  Two segments on a line.
  *
- * At one time, nearly at the bottom of the cascade, there is a line.  A segment
- * of it has the ends a[0] and a[1], in any order and perhaps the same; another
- * has b[0] and b[1].  Do they have a point in common?  Touching counts.
+ * Near the bottom of the cascade, with time fixed and one axis left, two
+ * segments lie on a line.  One has the ends a[0] and a[1], in either order and
+ * possibly equal; the other has b[0] and b[1].  Do they have a point in common?
+ * Touching counts.
  *
  * Section: At one time.
  *

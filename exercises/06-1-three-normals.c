@@ -1,10 +1,10 @@
 /* Exercise 6.1.  Three normals.
  *
- * Each of the three simplices of a triangle's sweep has four events and two
- * horizontal edges, which join events of the same time: two at t = 0, or one at
- * t = 0 and one at t = 1, or two at t = 1.  Two edges at the same time both
- * start at the first event of that time.  Find the cross product of the first
- * edge and the second, in the order of the events.
+ * Each of the three simplices of a triangle's sweep has four events.  Joining
+ * the first event of each time to the others of that time yields two horizontal
+ * edges: two at t = 0, or one at t = 0 and one at t = 1, or two at t = 1.  Find
+ * the cross product of the first edge and the second, in the order of the
+ * events.
  *
  * Section: Three normals.
  *

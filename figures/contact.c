@@ -9,7 +9,7 @@ enum {
     CORNERS = 3
 };
 
-// Nothing turns, so that the weights are areas; both normals are
+// Nothing turns or stretches: the weights are areas; both normals are
 // (-1, -4, 8) / 9.
 static const double point_start[] = {-1, 1.625, 2.5},
                     point_end[] = {4, 1.625, -0.5};

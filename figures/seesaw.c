@@ -169,7 +169,7 @@ static void draw(fig_page *page, FILE *numbers)
         begin_panel(page, fig_page_width(page) / 2, &s, false);
     draw_fly(straight, &s, FIG_ROLE_POINT);
     fig_panel_label(straight, (tf_vector){{0, 0, 0}},
-                    (fig_label){.text = "pivot",
+                    (fig_label){.text = "fulcrum",
                                 .size = FIG_LETTERS_SMALL,
                                 .side = FIG_SIDE_S});
     print_numbers(&s, numbers);

@@ -8,6 +8,9 @@
 /// @{
 
 /// What a query finds.  Where the verdict is TF_APART everything else is zero.
+/// The verdict and the times are those of the query; the rest describes the
+/// pair of simplices that may be the first to touch, which tf_clamped may have
+/// left undecided even if the verdict is TF_HIT.
 ///
 /// `normal` is the cross product of the edges that the two pieces of the
 /// elements in contact have at the start and at the end of the step (in the

@@ -10,7 +10,6 @@
 
 #include <math.h>
 #include <stddef.h>
-#include <string.h>
 
 //: Check the coordinates
 static tf_status check_coordinates(const tf_arithmetic *arithmetic, int axes,
@@ -186,7 +185,7 @@ static const candidate *find_first(const tf_arithmetic *arithmetic, int count,
 }
 
 //: Add up the coordinates of a vertex
-/// A vertex has the barycentric coordinates of its two events, added.
+/// A vertex gets the sum of the barycentric coordinates of its two events.
 static void add_up_vertices(const tf_pair *pair, const tf_intersection *found,
                             int operand, const ordered_element *ordered,
                             double barycentric[TF_VERTICES])

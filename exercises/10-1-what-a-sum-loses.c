@@ -1,8 +1,8 @@
 /* Exercise 10.1.  What a sum loses.
  *
- * A program keeps the rounded sum a + b of two doubles and needs to find what
- * the rounding took away: the number r that has to be added to the rounded
- * sum for the true one.  Return r.  It must be exact for all doubles below 2^1000 in
+ * A program has rounded the sum a + b of two doubles and needs to find what the
+ * rounding took away: the number r that, added to the rounded sum, gives the
+ * true one.  Return r.  It must be exact for all doubles below 2^1000 in
  * absolute value, whichever of the two is larger.
  *
  * Section: The sum of two doubles.

@@ -18,8 +18,9 @@
  *     segment and a triangle intersect, given a pair of five events at one
  *     time: `start_count` is 5, as is `count`; `axes` is 3.
  * Hint 3: In a pair the events of one operand come first, with operand +1, then
- *     those of the other with operand -1.  tf_complementary_intersect never
- *     returns false here; the verdict is in the intersection.
+ *     those of the other with operand -1.  tf_complementary_intersect can
+ *     always decide here, so it returns true; the verdict is in the
+ *     intersection.
  */
 #include "arithmetic/perturbed.h"
 #include "intersect/complementary.h"

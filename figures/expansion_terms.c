@@ -98,6 +98,15 @@ static tf_estimate estimate_of_entries(void)
     return tf_differences_estimate(&d);
 }
 
+/// The sum of the terms, rounded.
+static double value_of(const expansion *e)
+{
+    double value = 0;
+    for (int i = 0; i < e->count; i++)
+        value += e->term[i];
+    return value;
+}
+
 static void draw(fig_page *page, FILE *numbers)
 {
     double lower[TF_AXES][TF_AXES] = {{entry[1][1], entry[1][2]},
@@ -122,6 +131,7 @@ static void draw(fig_page *page, FILE *numbers)
     fig_number(numbers, "terms", whole.count);
     fig_number(numbers, "estimate", estimate.number);
     fig_number(numbers, "bound", estimate.bound);
+    fig_number(numbers, "value", value_of(&whole));
     fig_number(numbers, "last", whole.term[whole.count - 1]);
     fig_number(numbers, "first_bit", ilogb(whole.term[whole.count - 1]));
     fig_number(numbers, "last_bit", lowest_bit(whole.term[0]));

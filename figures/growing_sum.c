@@ -15,12 +15,13 @@ enum {
     SUMS = 2
 };
 
-/// Two products as heads and tails, merged: the smallest term first.
+/// Two products as heads and tails, merged: the smallest term first, and in a
+/// tie that of the second product, as in expansion_add.
 static const struct sum {
     const char *key, *name;
     double term[TERMS];
 } sums[SUMS] = {
-    {"cancelling", "$13·11 - 10·14$", {-1, 4, 144, -144}},
+    {"cancelling", "$13·11 - 10·14$", {-1, 4, -144, 144}},
     {"growing", "$208·176 + 13·13$", {-7, 176, -256, 36864}},
 };
 

@@ -253,7 +253,7 @@ static void draw(fig_page *page, FILE *numbers)
         .x = {0.8, find_most() + 6},
         .y = {0, 100},
         .log_x = true,
-        .name_x = "products tried, at most",
+        .name_x = "products tried",
         .name_y = "percent decided",
         .ticks_x = -1};
     for (int event = 0; products_of[event] < find_most(); event++)

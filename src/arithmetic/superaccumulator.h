@@ -10,7 +10,7 @@ enum {
     TF_SUPERACCUMULATOR_WORDS = 99
 };
 
-/// Kulisch's superaccumulator: a sum of products of three doubles, exact
+/// A superaccumulator after Kulisch: a sum of products of three doubles, exact
 /// whatever they are.  It holds two fixed-point numbers, the sums of the
 /// negative and of the positive products, in units of 2^-3222, least
 /// significant word first.  Only the words first..end-1 are set; the others

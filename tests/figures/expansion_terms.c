@@ -37,6 +37,8 @@ START_TEST(bits_and_terms_are_counted)
     long exponent;
     double value = mpz_get_d_2exp(&exponent, determinant);
     value = ldexp(value, (int)exponent + SUM_EXPONENT);
+    ck_assert_double_le(fabs(number_of(text, "value") - value),
+                        1e-14 * fabs(value));
     double bound = number_of(text, "bound");
     ck_assert_double_lt(fabs(value), bound);
     ck_assert_double_lt(fabs(value - number_of(text, "estimate")), bound);

@@ -16,8 +16,8 @@
 /// Touching counts: elements that touch at the start meet at t = 0, at rest or
 /// not.  Degenerate cases are covered: an edge without length is a point, and
 /// for motion within a plane or a line the first time is found at which the
-/// shapes within it meet.  Where edges that meet are parallel, the normal is
-/// zero.
+/// shapes within it meet.  The normal is zero where the pieces of the bent edges
+/// that meet are parallel, or where one has no length.
 ///
 /// @param arithmetic what finds the signs, tf_exact for example
 /// @param motion the vertices, 3 coordinates each

@@ -33,16 +33,18 @@ typedef struct tf_queries {
 
 //: Declare the narrow phase
 /// A narrow phase decides which of many pairs of elements meet.  It is a
-/// constant that is passed, by its address, to whatever needs verdicts; all
-/// narrow phases give the same answers, and differ in speed.
+/// constant that is passed, by its address, to whatever needs verdicts.  With an
+/// exact arithmetic all narrow phases give the same answers; they differ in
+/// speed.
 typedef struct tf_narrow_phase {
     const char *name; ///< in static storage
 
     /// Stores in `verdict[count]` whether the elements of each query meet, as
     /// tf_point_edge, tf_point_triangle and tf_edge_edge would answer.  Returns
     /// the status of the first bad query, if there is one; the verdicts from
-    /// that query on are not set.  Adds to `*separated` how many elements an
-    /// axis separates, so that no sign was needed.  Thread-safe.
+    /// that query on are not set.  Adds to `*separated` the number of queries
+    /// whose elements an axis separates, so that no sign was needed.
+    /// Thread-safe.
     tf_status (*decide)(const tf_arithmetic *arithmetic,
                         const tf_queries *queries, tf_verdict verdict[],
                         size_t *separated);

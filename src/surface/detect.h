@@ -69,7 +69,8 @@ typedef struct tf_contacts {
 /// first condition the answer is right for each pair of elements, but says
 /// nothing about pairs of triangles that intersect all the time.
 ///
-/// The same rows, bit for bit, for any number of threads and any narrow phase.
+/// The same rows, bit for bit, for any number of threads, and with an exact
+/// arithmetic for any narrow phase.
 ///
 /// @param surface the surface
 /// @param motion its vertices at the start and the end of the step

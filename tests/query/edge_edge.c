@@ -19,7 +19,7 @@ typedef struct fall {
 
 static const fall falls[] = {
     {"a cross", {{0, -1}, {0, 3}}, {{-1, 0}, {1, 0}}, true, {0.25, 0.5}, -1},
-    {"a cross, seen from below",
+    {"a cross, the falling edge reversed",
      {{0, 3}, {0, -1}},
      {{-1, 0}, {1, 0}},
      true,
@@ -34,6 +34,12 @@ static const fall falls[] = {
      {0},
      0},
     {"side by side", {{-1, 1}, {1, 1}}, {{-1, 0}, {1, 0}}, false, {0}, 0},
+    {"one on the other",
+     {{-1, 0}, {1, 0}},
+     {{-1, 0}, {1, 0}},
+     true,
+     {-1, -1},
+     0},
     {"end to end", {{1, 0}, {2, 0}}, {{-1, 0}, {1, 0}}, true, {0, 1}, 0},
     {"one behind the other",
      {{1.5, 0}, {2, 0}},

@@ -9,6 +9,10 @@
 
 #include <stdio.h>
 
+enum {
+    COUNTS = 1 + 2 + 2 * 3 + 3 * 4 ///< of none, to both ends and all pairs
+};
+
 /// Vertices in increasing index.
 typedef struct element {
     int vertices;
@@ -138,7 +142,7 @@ static void fail_step(const char *why, const element *a, const element *b)
                  text_of(a, first), text_of(b, second));
 }
 
-static void expect_even(int count, bool seen[16], const element *edge,
+static void expect_even(int count, bool seen[COUNTS], const element *edge,
                         const element *triangle)
 {
     seen[count] = true;
@@ -146,7 +150,7 @@ static void expect_even(int count, bool seen[16], const element *edge,
         fail_step("an odd number of intersections", edge, triangle);
 }
 
-static void expect_variety(const bool seen[16])
+static void expect_variety(const bool seen[COUNTS])
 {
     ck_assert_msg(cases(1000) < 1000 || (seen[0] && seen[2] && seen[4]),
                   "the steps are too tame");
@@ -155,7 +159,7 @@ static void expect_variety(const bool seen[16])
 START_TEST(the_number_of_intersections_is_even)
 {
     generator random = generator_new(1);
-    bool seen[16] = {false};
+    bool seen[COUNTS] = {false};
     for (long i = cases(100000); i > 0; i--) {
         double reach = uniform(&random, 0.1, 2);
         element edge = random_element(&random, 2, reach);
@@ -210,7 +214,7 @@ static bool perturbed_meet_at_end(const element *edge, const element *triangle,
 START_TEST(perturbed_intersections_are_even_however_degenerate)
 {
     generator random = generator_new(3);
-    bool seen[16] = {false};
+    bool seen[COUNTS] = {false};
     for (long i = cases(100000); i > 0; i--) {
         element edge, triangle;
         fill_lattice(&random, &edge, &triangle);

@@ -265,7 +265,7 @@ typedef struct tally {
     long inside, changed, apart;
 } tally;
 
-/// Compare the numbers of both ends where there is no contact.
+/// Compare the numbers at both ends of the step where there is no contact.
 static void expect_no_change(const tf_arithmetic *arithmetic, const scene *s,
                              tally *n)
 {

@@ -1,8 +1,9 @@
-#define _GNU_SOURCE // posix_openpt
+#define _GNU_SOURCE // usleep
 
 #include "program/progress.h"
 
 #include "support/support.h"
+#include "support/terminal.h"
 
 #include <fcntl.h>
 #include <stdio.h>
@@ -38,76 +39,49 @@ static void work(const char *out, const char *err, double duration)
     _exit(0);
 }
 
-static int terminal;
-static char name[100];
-
-static void open_terminal(void)
-{
-    terminal = posix_openpt(O_RDWR | O_NOCTTY);
-    ck_assert_int_ge(terminal, 0);
-    ck_assert_int_eq(grantpt(terminal), 0);
-    ck_assert_int_eq(unlockpt(terminal), 0);
-    ck_assert_int_eq(ptsname_r(terminal, name, sizeof name), 0);
-}
-
-static void close_terminal(void)
-{
-    close(terminal);
-}
-
-/// What the terminal shows, followed by a full stop.
+/// What a terminal shows of work whose output and errors go to these files, or
+/// to the terminal where they are NULL.
 static const char *shown(const char *out, const char *err, double duration)
 {
-    int other_end = open(name, O_WRONLY | O_NOCTTY);
+    terminal screen = terminal_open();
     pid_t worker = fork();
     if (worker == 0)
-        work(out, err, duration);
+        work(out ? out : screen.name, err ? err : screen.name, duration);
     int status = 1;
     waitpid(worker, &status, 0);
     ck_assert_int_eq(status, 0);
-    ck_assert_int_eq(write(other_end, ".", 1), 1);
-
-    static char text[10000];
-    size_t length = 0;
-    while (length == 0 || text[length - 1] != '.') {
-        ssize_t more = read(terminal, text + length, sizeof text - 1 - length);
-        ck_assert_int_gt(more, 0);
-        length += (size_t)more;
-    }
-    text[length] = '\0';
-    close(other_end);
-    return text;
+    return terminal_close(&screen);
 }
 
 START_TEST(a_line_after_a_second_erased_at_the_end)
 {
-    const char *text = shown("/dev/null", name, 2);
+    const char *text = shown("/dev/null", NULL, 2);
     static const char line[] = "\r1,234,567 queries";
     int lines = 0;
     while (strncmp(text, line, strlen(line)) == 0) {
         text += strlen(line);
         lines++;
     }
-    ck_assert_str_eq(text, "\r\033[K.");
+    ck_assert_str_eq(text, "\r\033[K");
     ck_assert_msg(lines >= 1 && lines <= 6, "%d lines", lines);
 }
 END_TEST
 
 START_TEST(nothing_within_a_second)
 {
-    ck_assert_str_eq(shown("/dev/null", name, 0.1), ".");
+    ck_assert_str_eq(shown("/dev/null", NULL, 0.1), "");
 }
 END_TEST
 
 START_TEST(nothing_where_answers_go_to_the_terminal)
 {
-    ck_assert_str_eq(shown(name, name, 1.2), ".");
+    ck_assert_str_eq(shown(NULL, NULL, 1.2), "");
 }
 END_TEST
 
 START_TEST(nothing_in_a_log)
 {
-    ck_assert_str_eq(shown(name, "/dev/null", 1.2), ".");
+    ck_assert_str_eq(shown(NULL, "/dev/null", 1.2), "");
     char log[] = "/tmp/tanglefree-log-XXXXXX";
     int file = mkstemp(log);
     shown("/dev/null", log, 1.2);
@@ -121,7 +95,6 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("program/progress");
     TCase *line = tcase_create("the line");
-    tcase_add_checked_fixture(line, open_terminal, close_terminal);
     tcase_add_test(line, a_line_after_a_second_erased_at_the_end);
     tcase_add_test(line, nothing_within_a_second);
     tcase_add_test(line, nothing_where_answers_go_to_the_terminal);

@@ -1,5 +1,3 @@
-#define _GNU_SOURCE // posix_openpt
-
 #include "program/query_command.h"
 
 #include "base/status.h"
@@ -7,6 +5,7 @@
 #include "support/json.h"
 #include "support/program.h"
 #include "support/support.h"
+#include "support/terminal.h"
 
 #include <fcntl.h>
 #include <stdio.h>
@@ -307,27 +306,21 @@ START_TEST(names_send_no_commands_to_the_terminal)
 }
 END_TEST
 
+// The writer waits until the program, which has begun to count time, opens the
+// pipe.
 START_TEST(progress_on_a_terminal)
 {
-    int terminal = posix_openpt(O_RDWR | O_NOCTTY);
-    ck_assert(terminal >= 0 && grantpt(terminal) == 0 &&
-              unlockpt(terminal) == 0);
-    char name[100];
-    ck_assert_int_eq(ptsname_r(terminal, name, sizeof name), 0);
-    int other_end = open(name, O_RDWR | O_NOCTTY);
     make_file("in", MISS MISS);
-    expect(run("{ cat in; sleep 1.1; cat in; } | "
-               "$tf query -k point-edge 2>%s",
-               name),
+    terminal screen = terminal_open();
+    expect(run("mkfifo late; "
+               "{ exec 3>late; cat in >&3; sleep 1.1; cat in >&3; } & "
+               "$tf query -k point-edge late 2>%s",
+               screen.name),
            0,
            HEADER "0" MISS_ANSWER "1" MISS_ANSWER "2" MISS_ANSWER
                   "3" MISS_ANSWER,
            "");
-    char text[100] = "";
-    ck_assert_int_gt(read(terminal, text, sizeof text - 1), 0);
-    ck_assert_str_eq(text, "\r2 queries\r\033[K");
-    close(other_end);
-    close(terminal);
+    expect_progress(terminal_close(&screen), "\r2 queries");
 }
 END_TEST
 

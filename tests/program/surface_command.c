@@ -1,5 +1,4 @@
 // The commands detect and check, as a user runs them.
-#define _GNU_SOURCE // posix_openpt
 
 #include "program/surface_command.h"
 
@@ -8,6 +7,7 @@
 #include "support/json.h"
 #include "support/program.h"
 #include "support/support.h"
+#include "support/terminal.h"
 
 #include <fcntl.h>
 #include <stdio.h>
@@ -400,23 +400,16 @@ START_TEST(ply_is_as_good)
 }
 END_TEST
 
+// The writer waits until the program, which has begun to count time, opens the
+// pipe.
 START_TEST(progress_on_a_terminal)
 {
-    int terminal = posix_openpt(O_RDWR | O_NOCTTY);
-    ck_assert(terminal >= 0 && grantpt(terminal) == 0 &&
-              unlockpt(terminal) == 0);
-    char name[100];
-    ck_assert_int_eq(ptsname_r(terminal, name, sizeof name), 0);
-    int other_end = open(name, O_RDWR | O_NOCTTY);
-    expect(
-        run("{ sleep 1.1; cat above; } | $tf detect above above - above 2>%s",
-            name),
-        0, HEADER, "");
-    char text[100] = "";
-    ck_assert_int_gt(read(terminal, text, sizeof text - 1), 0);
-    ck_assert_str_eq(text, "\r2 steps\r\033[K");
-    close(other_end);
-    close(terminal);
+    terminal screen = terminal_open();
+    expect(run("mkfifo late; { exec 3>late; sleep 1.1; cat above >&3; } & "
+               "$tf detect above above late above 2>%s",
+               screen.name),
+           0, HEADER, "");
+    expect_progress(terminal_close(&screen), "\r2 steps");
 }
 END_TEST
 

@@ -17,9 +17,9 @@ typedef struct tf_keyed {
 } tf_keyed;
 
 /// The place of the box's center along the Morton curve through `whole`, which
-/// is cut into TF_CELLS cells along each axis: the bits of the three coordinates
-/// of the center's cell, shuffled.  A center on the high side of `whole` is in
-/// the last cell.
+/// is cut into TF_CELLS cells along each axis: the bits of the coordinates of
+/// the center's cell, shuffled.  A center on the high side of `whole` is in the
+/// last cell.
 uint32_t tf_morton_key(const tf_box *box, const tf_box *whole);
 
 //: Declare the sort

@@ -110,7 +110,7 @@ static void draw(fig_page *page, FILE *numbers)
                      .log_x = true,
                      .log_y = true,
                      .name_x = "size of a triangle",
-                     .name_y = "candidates a triangle"};
+                     .name_y = "candidates per triangle"};
     fig_plot_frame(page, &plot);
     for (int i = 0; i < SCENES; i++) {
         char text[32];

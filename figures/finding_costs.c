@@ -24,8 +24,8 @@ static const struct measure {
     const char *row, *key, *title;
     double most;
 } measures[] = {
-    {"finding candidates", "time", "nanoseconds a triangle", 700},
-    {"memory", "memory", "bytes a triangle", 700},
+    {"finding candidates", "time", "nanoseconds per triangle", 700},
+    {"memory", "memory", "bytes per triangle", 700},
 };
 
 static void draw_cloth(fig_page *page, const fig_plot *plot, int measure,

@@ -14,8 +14,8 @@
 /// @{
 
 /// All candidates of a step: the pairs of elements that share no vertex and
-/// whose boxes, around all that they sweep, overlap.  The boxes are a little
-/// larger than the elements' own, never smaller.
+/// whose boxes, around all that they sweep, overlap.  Boxes are rounded, in a
+/// way that keeps all overlaps and makes some of boxes that nearly touch.
 typedef struct tf_candidates {
     size_t point_count;         ///< how many with a vertex
     const tf_candidate *points; ///< a vertex, and in space a triangle by its
@@ -33,7 +33,7 @@ typedef struct tf_candidates {
 /// @param motion its vertices at the start and the end of the step
 /// @param parallel the threads to use; NULL: the caller's alone
 /// @param[out] found the candidates, lent until the next call for this surface,
-///     in the same order for any number of threads; set only with TF_OK
+///     in the same order for any number of threads; valid only with TF_OK
 /// @param[out] flaw what is wrong where the status is not TF_OK; may be NULL
 /// @return TF_OK; TF_BAD_COUNT; TF_NOT_FINITE; TF_BAD_ENVIRONMENT; or
 ///     TF_OUT_OF_MEMORY

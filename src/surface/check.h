@@ -38,16 +38,16 @@ typedef struct tf_crossings {
 //: Declare how to check
 /// Finds where a surface at rest intersects itself, exactly.
 ///
-/// Pairs that share a vertex are not looked at.  In space none are missed by
-/// that but two edges of no triangle that lie upon each other: if two
-/// triangles, or a triangle and an edge, have more in common than the convex
-/// hull of their common vertices, then two of their elements are listed.  Nor
-/// are particles listed that lie on such edges or on each other.
+/// Pairs that share a vertex are not looked at.  In space this misses only two
+/// edges of no triangle that lie upon each other: if two triangles, or a
+/// triangle and an edge, have more in common than the convex hull of their
+/// common vertices, then two of their elements are listed.  Particles that lie
+/// on edges of no triangle, or on each other, are not listed either.
 ///
-/// A curve in the plane is checked for edges that intersect.  Of two that share
-/// a vertex and lie upon each other the outer one is listed, with any third
-/// edge at the end of the inner one, unless that edge joins their ends.
-/// Particles are not looked at.
+/// A curve in the plane is checked for edges that intersect.  If the edge AB
+/// lies on the edge AC, and BD is a third edge, then AC and BD are listed,
+/// unless D is C; without such an edge the two are missed.  Particles are not
+/// looked at.
 ///
 /// @param surface the surface
 /// @param position the coordinates of its vertices, three each, in the plane

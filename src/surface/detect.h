@@ -76,7 +76,7 @@ typedef struct tf_contacts {
 /// @param motion its vertices at the start and the end of the step
 /// @param detection what is wanted, and how; NULL: all zero
 /// @param[out] found the contacts, lent until the next call for this surface;
-///     set only with TF_OK
+///     valid only with TF_OK
 /// @param[out] flaw what is wrong where the status is not TF_OK; may be NULL
 /// @return TF_OK; TF_BAD_COUNT if the motion has another number of vertices
 ///     than the surface; TF_NOT_FINITE; TF_OUT_OF_RANGE; TF_BAD_ENVIRONMENT; or

@@ -10,10 +10,11 @@
 /// the caller.
 ///
 /// An edge or triangle is given by the indices of its vertices, which must be
-/// distinct; all else is legal.  Any number of triangles may share an edge, the
-/// surface may have many parts, vertices may lie in one place and triangles
-/// have no area, and an element may be listed twice.  A vertex of no element is
-/// a particle, and takes part as a point.
+/// distinct, and there must be at least one of these; all else is legal.  Any
+/// number of triangles may share an edge, the surface may have many parts,
+/// vertices may lie in one place and triangles have no area, and an element may
+/// be listed twice.  A vertex of no element is a particle, and takes part as a
+/// point.
 typedef struct tf_mesh {
     int axes;            ///< 3 for a surface in space, 2 for a curve in the
                          ///< plane

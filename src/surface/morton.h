@@ -6,14 +6,20 @@
 
 #include <stdint.h>
 
+enum {
+    TF_CELLS = 1024 ///< along each axis, in the grid of the Morton curve
+};
+
 /// An element with the place of its box along the Morton curve.
 typedef struct tf_keyed {
     uint32_t key; ///< 30 bits
     int element;
 } tf_keyed;
 
-/// The place of the box's center along the Morton curve through `whole`, a grid
-/// of 1024 cells along each axis: the bits of its three coordinates, shuffled.
+/// The place of the box's center along the Morton curve through `whole`, which
+/// is cut into TF_CELLS cells along each axis: the bits of the coordinates of
+/// the center's cell, shuffled.  A center on the high side of `whole` is in the
+/// last cell.
 uint32_t tf_morton_key(const tf_box *box, const tf_box *whole);
 
 //: Declare the sort

@@ -17,8 +17,8 @@ struct tf_surface {
 };
 
 //: Declare how a surface moves
-/// Builds the trees for one step.  Returns TF_OK; TF_BAD_COUNT if the motion
-/// has another number of vertices; TF_NOT_FINITE with the vertex in `flaw`; or
-/// TF_OUT_OF_MEMORY.
+/// Builds the trees for one step.  Returns TF_OK; TF_BAD_ENVIRONMENT;
+/// TF_BAD_COUNT if the motion has another number of vertices; TF_NOT_FINITE
+/// with the vertex in `flaw`; or TF_OUT_OF_MEMORY.
 tf_status tf_surface_move(tf_surface *surface, const tf_motion *motion,
                           const tf_parallel *parallel, tf_flaw *flaw);

@@ -11,8 +11,9 @@
 /// @{
 
 /// A surface whose vertices can be given positions, step after step.  It keeps
-/// its memory from one step to the next, up to about 300 bytes a triangle
-/// besides what is found.  One thread at a time may use it.
+/// its memory from one step to the next: for large surfaces about 190 bytes per
+/// triangle if triangles share their vertices, up to about 410 if each has its
+/// own, and what is found.  One thread at a time may use it.
 typedef struct tf_surface tf_surface;
 
 /// Makes a surface of a mesh, which it copies.

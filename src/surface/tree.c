@@ -1,8 +1,6 @@
 //: Include what the tree needs
 #include "surface/tree.h"
 
-#include "surface/vectors.h"
-
 #include <stddef.h>
 
 enum {
@@ -10,7 +8,7 @@ enum {
 };
 
 //: Unite the boxes of a pack
-TF_INSIDE tf_box pack_union(const tf_pack *pack)
+tf_box tf_pack_union(const tf_pack *pack)
 {
     tf_box all = tf_box_empty;
     for (int k = 0; k < 3; k++)
@@ -20,11 +18,6 @@ TF_INSIDE tf_box pack_union(const tf_pack *pack)
             all.high[k] = high > all.high[k] ? high : all.high[k];
         }
     return all;
-}
-
-tf_box tf_pack_union(const tf_pack *pack)
-{
-    return pack_union(pack);
 }
 
 static void set_lane(tf_pack *pack, int lane, const tf_box *box)
@@ -107,23 +100,18 @@ static void fill_leaves(void *argument, int task, int worker)
 }
 
 //: Fill the packs of a level
-TF_VECTORS static void unite_packs(const tf_pack *below, tf_range part,
-                                   tf_pack *level)
-{
-    for (int i = part.begin; i < part.end; i++) {
-        tf_box box = pack_union(&below[i]);
-        set_lane(&level[i / TF_LANES], i % TF_LANES, &box);
-    }
-}
-
 static void fill_packs(void *argument, int task, int worker)
 {
     const building *b = argument;
     const tf_tree *tree = b->tree;
     tf_range part = tf_range_part(tree->packs[b->level - 1], ELEMENTS, task);
+    const tf_pack *below = tree->level[b->level - 1];
     tf_pack *level = tree->level[b->level];
     (void)worker;
-    unite_packs(tree->level[b->level - 1], part, level);
+    for (int i = part.begin; i < part.end; i++) {
+        tf_box box = tf_pack_union(&below[i]);
+        set_lane(&level[i / TF_LANES], i % TF_LANES, &box);
+    }
     for (int i = part.end; i % TF_LANES != 0; i++)
         set_lane(&level[i / TF_LANES], i % TF_LANES, &tf_box_empty);
 }

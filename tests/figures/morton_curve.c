@@ -33,7 +33,7 @@ static void find_cell(const tf_box *box, const tf_box *whole, unsigned cell[3])
         float extent = whole->high[k] - whole->low[k];
         float twice =
             (box->low[k] - whole->low[k]) + (box->high[k] - whole->low[k]);
-        cell[k] = extent > 0 ? (unsigned)(twice / (2 * extent) * 1023) : 0;
+        cell[k] = extent > 0 ? (unsigned)(twice / (2 * extent) * 1024) : 0;
     }
 }
 

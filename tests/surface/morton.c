@@ -4,10 +4,11 @@
 #include "support/scrambled.h"
 #include "support/support.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-static const tf_box whole = {{0, 0, 0}, {1023, 1023, 1023}};
+static const tf_box whole = {{0, 0, 0}, {TF_CELLS, TF_CELLS, TF_CELLS}};
 
 static tf_box box_at(int x, int y, int z)
 {
@@ -41,9 +42,29 @@ START_TEST(keys_shuffle_bits)
 }
 END_TEST
 
+START_TEST(the_high_side_belongs_to_the_last_cells)
+{
+    tf_box corner = box_at(TF_CELLS, TF_CELLS, TF_CELLS);
+    ck_assert_uint_eq(tf_morton_key(&corner, &whole), (1 << 30) - 1);
+    tf_box side = box_at(5, TF_CELLS, 7);
+    ck_assert_uint_eq(tf_morton_key(&side, &whole), shuffle(5, 1023, 7));
+}
+END_TEST
+
+START_TEST(a_cell_begins_with_its_low_side)
+{
+    for (int i = 1; i < TF_CELLS; i++) {
+        tf_box at = box_at(i, 0, 0), before = at;
+        before.low[0] = before.high[0] = nextafterf((float)i, 0);
+        ck_assert_uint_eq(tf_morton_key(&at, &whole), shuffle(i, 0, 0));
+        ck_assert_uint_eq(tf_morton_key(&before, &whole), shuffle(i - 1, 0, 0));
+    }
+}
+END_TEST
+
 START_TEST(a_flat_scene_has_keys)
 {
-    tf_box flat = {{0, 5, 0}, {1023, 5, 0}}, box = box_at(3, 5, 0);
+    tf_box flat = {{0, 5, 0}, {TF_CELLS, 5, 0}}, box = box_at(3, 5, 0);
     ck_assert_uint_eq(tf_morton_key(&box, &flat), shuffle(3, 0, 0));
 }
 END_TEST
@@ -102,6 +123,8 @@ Suite *suite(void)
     Suite *suite = suite_create("surface/morton");
     TCase *tcase = tcase_create("Morton order");
     tcase_add_test(tcase, keys_shuffle_bits);
+    tcase_add_test(tcase, the_high_side_belongs_to_the_last_cells);
+    tcase_add_test(tcase, a_cell_begins_with_its_low_side);
     tcase_add_test(tcase, a_flat_scene_has_keys);
     tcase_add_loop_test(tcase, equal_keys_stay_in_order, 0, 4);
     tcase_add_test(tcase, more_items_than_parts_of_the_least_size);

@@ -1,4 +1,4 @@
-#define _POSIX_C_SOURCE 200809L // fork, pipe, setrlimit
+#define _POSIX_C_SOURCE 200809L // fork, pipe
 
 #include "base/contract.h"
 
@@ -9,7 +9,6 @@
 #include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -58,8 +57,8 @@ START_TEST(the_default_handler_prints_place_and_condition)
     ck_assert_int_eq(pipe(end), 0);
     pid_t child = fork();
     if (child == 0) {
-        // An emulator adds a line of its own where it writes a core.
-        setrlimit(RLIMIT_CORE, &(struct rlimit){0});
+        // Where a signal ends a program, an emulator prints a line of its own.
+        signal(SIGABRT, _exit);
         dup2(end[1], STDERR_FILENO);
         tf_contract_broken("some.c", 42, "1 > 2");
     }
@@ -70,7 +69,7 @@ START_TEST(the_default_handler_prints_place_and_condition)
     ck_assert_str_eq(text, "some.c:42: broken contract: 1 > 2\n");
     int status;
     ck_assert_int_eq(waitpid(child, &status, 0), child);
-    ck_assert(WIFSIGNALED(status) && WTERMSIG(status) == SIGABRT);
+    ck_assert(WIFEXITED(status) && WEXITSTATUS(status) == SIGABRT);
 }
 END_TEST
 

@@ -1,4 +1,4 @@
-/* Exercise 10.1.  What a sum loses.
+/* Exercise 11.1.  What a sum loses.
  *
  * A program keeps the rounded sum a + b of two doubles and needs to find what
  * the rounding took away: the number r that has to be added to the rounded

@@ -78,19 +78,19 @@ static void draw_bars(fig_page *page, const fig_plot *plot)
                                          .opacity = ends ? 0 : 0.35},
                                .width = ends ? FIG_WIDTH_TUBE : 1.2});
         if (!ends)
-            draw_line(page, plot, 2, moving,
-                      (fig_stroke){.paint.role = FIG_ROLE_OTHER_EDGE,
-                                   .width = 1.2});
+            draw_line(
+                page, plot, 2, moving,
+                (fig_stroke){.paint.role = FIG_ROLE_OTHER_EDGE, .width = 1.2});
     }
 }
 
 static void draw_bar(fig_page *page, fig_box box)
 {
     double reach = 1.14;
-    fig_plot plot = {.box = box,
-                     .x = {-0.06, reach},
-                     .y = {-0.06, (reach + 0.06) * box.height / box.width -
-                                      0.06}};
+    fig_plot plot = {
+        .box = box,
+        .x = {-0.06, reach},
+        .y = {-0.06, (reach + 0.06) * box.height / box.width - 0.06}};
     draw_bars(page, &plot);
     draw_paths(page, &plot);
     fig_point middle = fig_plot_place(&plot, turned(0.5).x, turned(0.5).y);

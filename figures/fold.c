@@ -67,14 +67,14 @@ static int find_crossings(const double at[2], double x[CORNERS])
 /// The first time at which the edge meets a point at rest; -1 if it does not.
 static double first_meeting(const double at[2])
 {
-    const double start[2 * VERTICES] = {at[0],        at[1],        end[0][0][0],
-                                        end[0][0][1], end[1][0][0], end[1][0][1]};
-    const double stop[2 * VERTICES] = {at[0],        at[1],        end[0][1][0],
-                                       end[0][1][1], end[1][1][0], end[1][1][1]};
+    const double start[2 * VERTICES] = {
+        at[0], at[1], end[0][0][0], end[0][0][1], end[1][0][0], end[1][0][1]};
+    const double stop[2 * VERTICES] = {
+        at[0], at[1], end[0][1][0], end[0][1][1], end[1][1][0], end[1][1][1]};
     const tf_motion motion = {VERTICES, start, stop};
     tf_contact contact;
-    tf_status status = tf_quadratic_point_edge(
-        &(tf_tolerances){0}, &motion, 0, (const int[]){1, 2}, &contact);
+    tf_status status = tf_quadratic_point_edge(&(tf_tolerances){0}, &motion, 0,
+                                               (const int[]){1, 2}, &contact);
     TF_REQUIRE(status == TF_OK);
     return contact.verdict == TF_HIT ? contact.toi_lo : -1;
 }
@@ -167,9 +167,8 @@ static void draw(fig_page *page, FILE *numbers)
     static const double low = -1.2, high = 2.15, left = -1.9;
     fig_box box = {4, 4, fig_page_width(page) - 8, fig_page_height(page) - 8};
     double scale = box.height / (high - low);
-    fig_plot plot = {.box = box,
-                     .x = {left, left + box.width / scale},
-                     .y = {low, high}};
+    fig_plot plot = {
+        .box = box, .x = {left, left + box.width / scale}, .y = {low, high}};
     draw_sweep(page, &plot);
     for (int i = 0; i < POINTS; i++) {
         double x[CORNERS], toi = first_meeting(rests[i].at);

@@ -10,8 +10,8 @@
 enum {
     SCENES = 3,
     CORNERS = 4,
-    SHOWN_DEPTH = 7,  ///< of the cells in the pictures
-    MOST_DEPTH = 14,  ///< of the counts: cells of a side of 2^-14
+    SHOWN_DEPTH = 7, ///< of the cells in the pictures
+    MOST_DEPTH = 14, ///< of the counts: cells of a side of 2^-14
     MOST_CELLS = 1 << (MOST_DEPTH + 2)
 };
 
@@ -25,7 +25,9 @@ typedef struct scene {
 static const scene scenes[SCENES] = {
     {"pass", "passes", {{-1.5, -1.75}, {0, -0.75}, {0, 1.25}, {1.5, -1.75}}},
     {"turn", "turns back", {{-1.5, -0.75}, {0, 0.25}, {0, 2.25}, {1.5, -0.75}}},
-    {"slide", "slides", {{-1.5, -0.5}, {1, 1.0 / 3}, {-1, -1.0 / 3}, {1.5, 0.5}}},
+    {"slide",
+     "slides",
+     {{-1.5, -0.5}, {1, 1.0 / 3}, {-1, -1.0 / 3}, {1.5, 0.5}}},
 };
 
 /// A cell of the square at some depth: its column (s) and row (t).
@@ -81,18 +83,18 @@ static void divide(const scene *s, double side, division *d)
         d->left[i] = next[i];
 }
 
-static void draw_cells(fig_page *page, fig_box box, const division *d, int depth)
+static void draw_cells(fig_page *page, fig_box box, const division *d,
+                       int depth)
 {
     double side = box.width / (1 << depth);
     for (int i = 0; i < d->count; i++) {
         const cell *c = &d->left[i];
         fig_box place = {box.x + side * c->column,
                          box.y + box.height - side * (c->row + 1), side, side};
-        const fig_point corner[CORNERS] = {
-            {place.x, place.y},
-            {place.x + side, place.y},
-            {place.x + side, place.y + side},
-            {place.x, place.y + side}};
+        const fig_point corner[CORNERS] = {{place.x, place.y},
+                                           {place.x + side, place.y},
+                                           {place.x + side, place.y + side},
+                                           {place.x, place.y + side}};
         double shade = (double)depth / SHOWN_DEPTH;
         fig_page_fill_box(page, place,
                           (fig_paint){.role = FIG_ROLE_CONTACT,
@@ -108,8 +110,8 @@ static void name_axes(fig_page *page, fig_box box)
 {
     fig_page_text(page, box.x + box.width / 2, box.y + box.height + 11,
                   FIG_ALIGN_CENTER, "$s$", FIG_LETTERS_SMALL, FIG_ROLE_INK);
-    fig_page_text(page, box.x - 6, box.y + box.height / 2 + 3,
-                  FIG_ALIGN_RIGHT, "$t$", FIG_LETTERS_SMALL, FIG_ROLE_INK);
+    fig_page_text(page, box.x - 6, box.y + box.height / 2 + 3, FIG_ALIGN_RIGHT,
+                  "$t$", FIG_LETTERS_SMALL, FIG_ROLE_INK);
 }
 
 /// Divide the square of a scene and print how many boxes that took, for each

@@ -67,9 +67,9 @@ static tf_contact query(const struct scene *s, double distance)
 {
     const tf_motion motion = {VERTICES, s->start[0], s->end[0]};
     tf_contact contact;
-    tf_status status = tf_quadratic_point_edge(
-        &(tf_tolerances){.distance = distance}, &motion, 0,
-        (const int[]){1, 2}, &contact);
+    tf_status status =
+        tf_quadratic_point_edge(&(tf_tolerances){.distance = distance}, &motion,
+                                0, (const int[]){1, 2}, &contact);
     TF_REQUIRE(status == TF_OK);
     return contact;
 }
@@ -104,9 +104,9 @@ static void draw_window(fig_page *page, const fig_plot *plot,
 {
     fig_point low = fig_plot_place(plot, window[0], plot->y[0]);
     fig_point high = fig_plot_place(plot, window[1], plot->y[1]);
-    fig_page_fill_box(
-        page, (fig_box){low.x, high.y, high.x - low.x, low.y - high.y},
-        (fig_paint){.role = FIG_ROLE_CONTACT, .opacity = 0.16});
+    fig_page_fill_box(page,
+                      (fig_box){low.x, high.y, high.x - low.x, low.y - high.y},
+                      (fig_paint){.role = FIG_ROLE_CONTACT, .opacity = 0.16});
 }
 
 static void draw_scene(fig_page *page, const struct scene *s, double left,

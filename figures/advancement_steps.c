@@ -10,7 +10,7 @@
 
 enum {
     POINTS = 3,
-    THRESHOLDS = 12 ///< 1e-1 to 1e-12
+    THRESHOLDS = 11 ///< 1e-2 to 1e-12
 };
 
 static const double pi = 3.14159265358979323846;
@@ -40,11 +40,12 @@ static tf_advancement advance(double radius, double threshold)
     return found;
 }
 
-/// The closed form, to first order: the angle left shrinks to 1 - r of itself
-/// in each step.
+/// The closed form, to first order: in each step all but half a threshold of the
+/// distance shrinks to 1 - r of itself.
 static double predicted_steps(double radius, double threshold)
 {
-    return log(threshold / (radius * start * pi / 180)) / log(1 - radius);
+    double spare = threshold / 2, distance = radius * start * pi / 180;
+    return log(spare / (distance - spare)) / log(1 - radius);
 }
 
 /// The time from the threshold to the contact: an angle of asin(d / r).
@@ -60,7 +61,7 @@ static void draw_values(fig_page *page, const fig_plot *plot,
 {
     fig_point at[THRESHOLDS];
     for (int i = 0; i < THRESHOLDS; i++) {
-        at[i] = (fig_point){pow(10, -1 - i), predicted[i]};
+        at[i] = (fig_point){pow(10, -2 - i), predicted[i]};
         if (value[i] >= plot->y[0] && value[i] <= plot->y[1])
             fig_plot_dot(page, plot, at[i].x, value[i], 4.6, rest->role);
     }
@@ -76,18 +77,16 @@ static void draw_point(fig_page *page, const fig_plot plot[2],
     double steps[THRESHOLDS], error[THRESHOLDS];
     double predicted[THRESHOLDS], bound[THRESHOLDS];
     for (int i = 0; i < THRESHOLDS; i++) {
-        double threshold = pow(10, -1 - i);
+        double threshold = pow(10, -2 - i);
         tf_advancement found = advance(rest->radius, threshold);
         steps[i] = found.steps;
         error[i] = start / turn - found.time;
-        predicted[i] = fmax(predicted_steps(rest->radius, threshold), 0);
-        bound[i] = threshold >= rest->radius
-                       ? start / turn
-                       : error_at(rest->radius, threshold);
+        predicted[i] = predicted_steps(rest->radius, threshold);
+        bound[i] = error_at(rest->radius, threshold);
         char key[48];
-        snprintf(key, sizeof key, "steps_%g_%d", rest->radius, i + 1);
+        snprintf(key, sizeof key, "steps_%g_%d", rest->radius, i + 2);
         fig_number(numbers, key, steps[i]);
-        snprintf(key, sizeof key, "error_%g_%d", rest->radius, i + 1);
+        snprintf(key, sizeof key, "error_%g_%d", rest->radius, i + 2);
         fig_number(numbers, key, error[i]);
     }
     draw_values(page, &plot[0], rest, steps, predicted);
@@ -97,7 +96,7 @@ static void draw_point(fig_page *page, const fig_plot plot[2],
 static void draw(fig_page *page, FILE *numbers)
 {
     const fig_plot plot[2] = {{.box = {40, 24, 140, 130},
-                               .x = {1e-12, 0.1},
+                               .x = {1e-12, 0.01},
                                .y = {1, 1000},
                                .log_x = true,
                                .log_y = true,
@@ -105,7 +104,7 @@ static void draw(fig_page *page, FILE *numbers)
                                .name_x = "threshold",
                                .name_y = "steps"},
                               {.box = {236, 24, 140, 130},
-                               .x = {1e-12, 0.1},
+                               .x = {1e-12, 0.01},
                                .y = {1e-12, 1},
                                .log_x = true,
                                .log_y = true,

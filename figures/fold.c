@@ -10,6 +10,7 @@
 enum {
     TIMES = 17,
     POINTS = 3,
+    SAMPLES = 999,
     CORNERS = 4,
     VERTICES = 3 ///< of a query: a point and an edge
 };
@@ -77,6 +78,25 @@ static double first_meeting(const double at[2])
                                                (const int[]){1, 2}, &contact);
     TF_REQUIRE(status == TF_OK);
     return contact.verdict == TF_HIT ? contact.toi_lo : -1;
+}
+
+/// How often the edge meets a point at rest: how often the point changes sides
+/// of the edge's line with the foot of its perpendicular on the edge.
+static int count_meetings(const double at[2])
+{
+    int count = 0;
+    double before = 0;
+    for (int i = 0; i <= SAMPLES; i++) {
+        double t = (double)i / SAMPLES;
+        fig_point a = painted(0, t), b = painted(1, t);
+        double x = b.x - a.x, y = b.y - a.y;
+        double side = x * (at[1] - a.y) - y * (at[0] - a.x);
+        double foot = x * (at[0] - a.x) + y * (at[1] - a.y);
+        bool beside = foot >= 0 && foot <= x * x + y * y;
+        count += beside && side * before < 0;
+        before = side;
+    }
+    return count;
 }
 
 static void draw_curve(fig_page *page, const fig_plot *plot, int count,
@@ -148,16 +168,18 @@ static void draw_rest(fig_page *page, const fig_plot *plot,
     fig_page_label(page, at.x, at.y,
                    (fig_label){.text = rest->name,
                                .role = FIG_ROLE_POINT,
-                               .side = FIG_SIDE_W});
+                               .side = FIG_SIDE_W,
+                               .gap = 6});
 }
 
 static void write_counts(fig_page *page, const fig_plot *plot,
-                         const struct rest *rest, int crossings)
+                         const struct rest *rest, int crossings, int meetings)
 {
     fig_point at = fig_plot_place(plot, 1.82, rest->at[1]);
     char text[64];
-    snprintf(text, sizeof text, "%d crossing%s: %s", crossings,
-             crossings == 1 ? "" : "s", crossings % 2 ? "odd" : "even");
+    snprintf(text, sizeof text, "%s: %d crossing%s, %d contact%s", rest->name,
+             crossings, crossings == 1 ? "" : "s", meetings,
+             meetings == 1 ? "" : "s");
     fig_page_text(page, at.x, at.y + 3, FIG_ALIGN_LEFT, text, FIG_LETTERS_SMALL,
                   FIG_ROLE_INK);
 }
@@ -174,10 +196,13 @@ static void draw(fig_page *page, FILE *numbers)
         double x[CORNERS], toi = first_meeting(rests[i].at);
         int crossings = find_crossings(rests[i].at, x);
         draw_rest(page, &plot, &rests[i], toi);
-        write_counts(page, &plot, &rests[i], crossings);
+        int meetings = count_meetings(rests[i].at);
+        write_counts(page, &plot, &rests[i], crossings, meetings);
         char key[32];
         snprintf(key, sizeof key, "crossings_%s", rests[i].key);
         fig_number(numbers, key, crossings);
+        snprintf(key, sizeof key, "contacts_%s", rests[i].key);
+        fig_number(numbers, key, meetings);
         snprintf(key, sizeof key, "toi_%s", rests[i].key);
         fig_number(numbers, key, toi);
     }

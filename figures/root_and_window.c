@@ -61,15 +61,12 @@ static double distance(const struct scene *s, double t)
     return hypot(to[0] - part * edge[0], to[1] - part * edge[1]);
 }
 
-/// The root of the quadratic within the step, as the library finds it with a
-/// tolerance that takes all.
-static tf_contact query(const struct scene *s, double distance)
+static tf_contact query(const struct scene *s, tf_tolerances tolerances)
 {
     const tf_motion motion = {VERTICES, s->start[0], s->end[0]};
     tf_contact contact;
-    tf_status status =
-        tf_quadratic_point_edge(&(tf_tolerances){.distance = distance}, &motion,
-                                0, (const int[]){1, 2}, &contact);
+    tf_status status = tf_quadratic_point_edge(&tolerances, &motion, 0,
+                                               (const int[]){1, 2}, &contact);
     TF_REQUIRE(status == TF_OK);
     return contact;
 }
@@ -114,7 +111,7 @@ static void draw_scene(fig_page *page, const struct scene *s, double left,
 {
     fig_plot above = {.box = {left + 36, 20, 148, 82},
                       .x = {0, 1},
-                      .y = {-8, 14},
+                      .y = {-9, 14},
                       .name_y = "$f(t)$",
                       .ticks_x = -1};
     fig_plot below = {.box = {left + 36, 118, 148, 82},
@@ -122,7 +119,8 @@ static void draw_scene(fig_page *page, const struct scene *s, double left,
                       .y = {0, 3},
                       .name_x = "$t$",
                       .name_y = "distance"};
-    double root = query(s, 10).toi_lo;
+    // With this tolerance a root counts wherever it is on the line of the edge.
+    double root = query(s, (tf_tolerances){.barycentric = 10}).toi_lo;
     const double window[2] = {border(s, root, 0), border(s, root, 1)};
     draw_window(page, &above, window);
     draw_window(page, &below, window);
@@ -149,8 +147,9 @@ static void draw_scene(fig_page *page, const struct scene *s, double left,
                  {"distance", distance(s, root)},
                  {"from", window[0]},
                  {"to", window[1]},
-                 {"exact", query(s, 0).verdict == TF_HIT},
-                 {"tolerant", query(s, tolerance).verdict == TF_HIT}};
+                 {"exact", query(s, (tf_tolerances){0}).verdict == TF_HIT},
+                 {"tolerant",
+                  query(s, (tf_tolerances){tolerance, 0}).verdict == TF_HIT}};
     for (size_t i = 0; i < sizeof print / sizeof *print; i++) {
         snprintf(key, sizeof key, "%s_%s", s->key, print[i].name);
         fig_number(numbers, key, print[i].value);

@@ -5,6 +5,7 @@
 #include "arithmetic/exact.h"
 #include "base/require.h"
 #include "linear/quadratic.h"
+#include "linear/straight.h"
 #include "query/point_edge.h"
 #include "random.h"
 #include "renderer/plot.h"
@@ -73,7 +74,8 @@ static bool hits_exactly(const scene *s, int edge)
     return contact.verdict == TF_HIT;
 }
 
-/// The barycentric coordinate of the far end at the rounded root, rounded.
+/// The barycentric coordinate of the far end at the rounded root, as the test
+/// of proximity computes it.
 static double far_coordinate(const scene *s, int edge)
 {
     tf_motion motion = motion_of(s);
@@ -82,17 +84,14 @@ static double far_coordinate(const scene *s, int edge)
         tf_quadratic_point_edge(&(tf_tolerances){.barycentric = 1e-6}, &motion,
                                 0, edges[edge], &contact);
     TF_REQUIRE(status == TF_OK && contact.verdict == TF_HIT);
-    double t = contact.toi_lo, along = 0, square = 0;
-    for (int k = 0; k < 2; k++) {
-        double x[3];
-        const int vertex[3] = {0, edges[edge][0], edges[edge][1]};
-        for (int i = 0; i < 3; i++)
-            x[i] = s->start[vertex[i]][k] +
-                   t * (s->end[vertex[i]][k] - s->start[vertex[i]][k]);
-        along += (x[2] - x[1]) * (x[0] - x[1]);
-        square += (x[2] - x[1]) * (x[2] - x[1]);
-    }
-    return along / square;
+    tf_straight elements;
+    tf_vector x[TF_STRAIGHT_VERTICES];
+    double weight[TF_STRAIGHT_VERTICES];
+    status = tf_straight_take(2, &motion, 1, (const int[]){0}, 2, edges[edge],
+                              &elements);
+    tf_straight_positions(&elements, contact.toi_lo, x);
+    TF_REQUIRE(status == TF_OK && tf_crossing_weights(1, 2, x, weight));
+    return weight[2];
 }
 
 /// How many scenes there are of each kind.

@@ -53,9 +53,6 @@ static tf_status solve(const tf_tolerances *tolerances, const tf_motion *motion,
         tf_straight_take(3, motion, vertices, first, others, second, &elements);
     if (status != TF_OK)
         return status;
-    *contact = (tf_contact){.verdict = TF_APART};
-    if (tf_straight_separated(&elements, tolerances->distance))
-        return TF_OK;
     tf_polynomial cubic = coplanarity(&elements);
     *contact = tf_straight_touch(&elements, &cubic, tolerances);
     return TF_OK;

@@ -38,9 +38,6 @@ tf_status tf_quadratic_point_edge(const tf_tolerances *tolerances,
         tf_straight_take(2, motion, 1, &point, 2, edge, &elements);
     if (status != TF_OK)
         return status;
-    *contact = (tf_contact){.verdict = TF_APART};
-    if (tf_straight_separated(&elements, tolerances->distance))
-        return TF_OK;
     tf_polynomial quadratic = collinearity(&elements);
     *contact = tf_straight_touch(&elements, &quadratic, tolerances);
     return TF_OK;

@@ -1,36 +1,76 @@
 //: Include what linear motion needs
 #include "linear/straight.h"
 
-#include "arithmetic/clamped.h"
+#include "base/environment.h"
 #include "base/require.h"
 #include "intersect/velocity.h"
-#include "query/query.h"
 
 #include <float.h>
 #include <math.h>
+#include <stddef.h>
+
+//: Check the indices of a scene
+/// Whether the indices are distinct and name vertices.
+static bool indices_name_vertices(const tf_motion *motion, int count,
+                                  const int index[])
+{
+    bool good = true;
+    for (int i = 0; i < count; i++) {
+        good = good && index[i] >= 0 && index[i] < motion->vertices;
+        for (int j = 0; j < i; j++)
+            good = good && index[j] != index[i];
+    }
+    return good;
+}
+
+//: Copy the coordinates of a scene
+/// False if one is not finite.  Inline, for loops of constant length.
+static inline bool copy_positions(int axes, const double x[], int count,
+                                  const int index[], tf_vector position[])
+{
+    bool finite = true;
+    for (int i = 0; i < count; i++) {
+        const double *from = x + (ptrdiff_t)axes * index[i];
+        for (int k = 0; k < axes; k++) {
+            position[i].x[k] = from[k];
+            finite &= fabs(from[k]) <= DBL_MAX;
+        }
+        for (int k = axes; k < TF_AXES; k++)
+            position[i].x[k] = 0;
+    }
+    return finite;
+}
+
+static bool copy_scene(int axes, const tf_motion *motion, const int index[],
+                       tf_straight *taken)
+{
+    const double *x[] = {motion->start, motion->end};
+    bool finite = true;
+    for (int t = 0; t < 2; t++)
+        finite &= axes == 2 ? copy_positions(2, x[t], 3, index, taken->at[t])
+                            : copy_positions(3, x[t], 4, index, taken->at[t]);
+    return finite;
+}
 
 //: Take two elements in linear motion
 tf_status tf_straight_take(int axes, const tf_motion *motion, int vertices,
                            const int first[], int others, const int second[],
                            tf_straight *taken)
 {
-    // An arithmetic that takes all finite coordinates; none is used.
-    tf_query_vertices query;
-    tf_status status = tf_query_take(&tf_clamped, axes, motion, vertices, first,
-                                     others, second, &query);
-    if (status != TF_OK)
-        return status;
+    TF_REQUIRE(motion && motion->start && motion->end && first && second);
+    if (!tf_environment_is_ieee())
+        return TF_BAD_ENVIRONMENT;
+    int index[TF_STRAIGHT_VERTICES];
+    for (int i = 0; i < vertices; i++)
+        index[i] = first[i];
+    for (int i = 0; i < others; i++)
+        index[vertices + i] = second[i];
+    if (!indices_name_vertices(motion, vertices + others, index))
+        return TF_BAD_INDEX;
     taken->axes = axes;
     taken->vertices = vertices;
     taken->others = others;
-    for (int t = 0; t < 2; t++)
-        for (int i = 0; i < vertices + others; i++) {
-            const tf_worldline *line =
-                i < vertices ? &query.first[i] : &query.second[i - vertices];
-            for (int k = 0; k < TF_AXES; k++)
-                taken->at[t][i].x[k] = k < axes ? line->at[t].x[k] : 0;
-        }
-    return TF_OK;
+    return copy_scene(axes, motion, index, taken) ? TF_OK : TF_NOT_FINITE;
 }
 
 //: Find positions in linear motion
@@ -60,7 +100,9 @@ static int side_of(const tf_straight *elements, int time, int axis,
     return (low[1] - high[0] > distance) - (low[0] - high[1] > distance);
 }
 
-bool tf_straight_separated(const tf_straight *elements, double distance)
+/// Whether along some axis the elements are more than `distance` apart, on the
+/// same side, at the start and at the end, and so always.
+static bool separated(const tf_straight *elements, double distance)
 {
     for (int k = 0; k < elements->axes; k++) {
         int side = side_of(elements, 0, k, distance);
@@ -229,7 +271,8 @@ tf_contact tf_straight_touch(const tf_straight *elements,
     search s = {.elements = elements, .tolerances = tolerances};
     s.contact = (tf_contact){.verdict = TF_APART};
     s.greatest = tolerances->distance * greatest_area(elements);
-    if (!tf_polynomial_can_reach(polynomial, s.greatest))
+    if (!tf_polynomial_can_reach(polynomial, s.greatest) ||
+        separated(elements, tolerances->distance))
         return s.contact;
     s.degenerate = tf_polynomial_is_zero(polynomial);
     double cut[TF_MOST_CUTS], value = 0;

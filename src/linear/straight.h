@@ -27,10 +27,6 @@ tf_status tf_straight_take(int axes, const tf_motion *motion, int vertices,
 void tf_straight_positions(const tf_straight *elements, double time,
                            tf_vector x[TF_STRAIGHT_VERTICES]);
 
-/// Whether along some axis the elements are more than `distance` apart, on the
-/// same side, at the start and at the end, and so always.
-bool tf_straight_separated(const tf_straight *elements, double distance);
-
 //: Declare the description of a contact in linear motion
 /// What is known of a contact at the points `nearest` at a time.
 tf_contact tf_straight_contact(const tf_straight *elements, double time,

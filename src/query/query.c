@@ -252,7 +252,11 @@ tf_status tf_query(const tf_arithmetic *arithmetic, int axes, int vertices,
     return TF_OK;
 }
 
-//: Gather the elements of a scene
+//: Take the elements of a scene
+typedef struct scene_query {
+    tf_worldline first[TF_VERTICES], second[TF_VERTICES];
+} scene_query;
+
 /// False if an index names no vertex.
 static bool gather_element(const tf_motion *motion, int axes, int vertices,
                            const int index[], tf_worldline line[])
@@ -270,7 +274,7 @@ static bool gather_element(const tf_motion *motion, int axes, int vertices,
 
 static bool gather(int axes, const tf_motion *motion, int vertices,
                    const int first[], int others, const int second[],
-                   tf_query_vertices *query)
+                   scene_query *query)
 {
     TF_REQUIRE(motion && motion->start && motion->end && first && second);
     return gather_element(motion, axes, vertices, first, query->first) &&
@@ -284,24 +288,11 @@ tf_status tf_query_motion(const tf_arithmetic *arithmetic, int axes,
                           tf_contact *contact)
 {
     TF_REQUIRE(arithmetic && contact);
-    tf_query_vertices query;
+    scene_query query;
     if (!gather(axes, motion, vertices, first, others, second, &query))
         return TF_BAD_INDEX;
     return tf_query(arithmetic, axes, vertices, query.first, others,
                     query.second, contact);
-}
-
-//: Take the elements of a scene
-tf_status tf_query_take(const tf_arithmetic *arithmetic, int axes,
-                        const tf_motion *motion, int vertices,
-                        const int first[], int others, const int second[],
-                        tf_query_vertices *taken)
-{
-    TF_REQUIRE(arithmetic && taken);
-    if (!gather(axes, motion, vertices, first, others, second, taken))
-        return TF_BAD_INDEX;
-    return check_query(arithmetic, axes, vertices, taken->first, others,
-                       taken->second);
 }
 
 //: Find the verdict alone
@@ -310,10 +301,12 @@ tf_status tf_query_verdict(const tf_arithmetic *arithmetic, int axes,
                            const int first[], int others, const int second[],
                            tf_verdict *verdict, bool *separated)
 {
-    TF_REQUIRE(verdict && separated);
-    tf_query_vertices query;
-    tf_status status = tf_query_take(arithmetic, axes, motion, vertices, first,
-                                     others, second, &query);
+    TF_REQUIRE(arithmetic && verdict && separated);
+    scene_query query;
+    if (!gather(axes, motion, vertices, first, others, second, &query))
+        return TF_BAD_INDEX;
+    tf_status status = check_query(arithmetic, axes, vertices, query.first,
+                                   others, query.second);
     if (status != TF_OK)
         return status;
     *verdict = TF_APART;

@@ -28,19 +28,6 @@ tf_status tf_query_motion(const tf_arithmetic *arithmetic, int axes,
                           const int first[], int others, const int second[],
                           tf_contact *contact);
 
-//: Declare the vertices of a query
-/// The vertices of the two elements of a query.
-typedef struct tf_query_vertices {
-    tf_worldline first[TF_VERTICES], second[TF_VERTICES];
-} tf_query_vertices;
-
-/// Takes them from a scene, by their indices, and checks them and the machine
-/// as every query does.
-tf_status tf_query_take(const tf_arithmetic *arithmetic, int axes,
-                        const tf_motion *motion, int vertices,
-                        const int first[], int others, const int second[],
-                        tf_query_vertices *taken);
-
 //: Declare the verdict alone
 /// Only whether two elements of a scene touch, as tf_query_motion would answer;
 /// `*separated`: an axis shows that they do not, without any sign.

@@ -142,6 +142,8 @@ static void draw(fig_page *page, FILE *numbers)
         char key[32];
         snprintf(key, sizeof key, "sagitta_%g", turns[i]);
         fig_number(numbers, key, sagitta(turns[i]));
+        snprintf(key, sizeof key, "sagitta_percent_%g", turns[i]);
+        fig_number(numbers, key, 100 * sagitta(turns[i]));
         snprintf(key, sizeof key, "staircase_%g", turns[i]);
         fig_number(numbers, key, sagitta(turns[i]) + bend(turns[i]));
     }

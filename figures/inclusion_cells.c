@@ -25,9 +25,7 @@ typedef struct scene {
 static const scene scenes[SCENES] = {
     {"pass", "passes", {{-1.5, -1.75}, {0, -0.75}, {0, 1.25}, {1.5, -1.75}}},
     {"turn", "turns back", {{-1.5, -0.75}, {0, 0.25}, {0, 2.25}, {1.5, -0.75}}},
-    {"slide",
-     "slides",
-     {{-1.5, -0.5}, {1, 1.0 / 3}, {-1, -1.0 / 3}, {1.5, 0.5}}},
+    {"slide", "slides", {{-1.5, -0.75}, {1, 0.5}, {-1, -0.5}, {1.5, 0.75}}},
 };
 
 /// A cell of the square at some depth: its column (s) and row (t).
@@ -41,7 +39,7 @@ typedef struct division {
     cell left[MOST_CELLS];
 } division;
 
-/// The difference at a place of the square; exact enough for a picture.
+/// The difference at a place of the square, exact: all numbers have few bits.
 static void difference(const scene *s, double u, double t, double x[2])
 {
     for (int k = 0; k < 2; k++)

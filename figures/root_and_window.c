@@ -162,6 +162,7 @@ static void draw(fig_page *page, FILE *numbers)
         draw_scene(page, &scenes[i], fig_page_width(page) / SCENES * i,
                    numbers);
     fig_number(numbers, "tolerance", tolerance);
+    fig_number(numbers, "shift", scenes[1].start[0][0] - scenes[0].start[0][0]);
 }
 
 const fig_figure fig_root_and_window = {

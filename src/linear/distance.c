@@ -49,24 +49,30 @@ static void visit_segment(const tf_vector x[], int point, int start, int end,
 }
 
 //: Find where a point lies over a triangle
+/// Divides `count` coordinates by their sum, which is 1 but for rounding.
+/// False where that has left nothing of them.
+static bool normalize(int count, double weight[])
+{
+    double sum = 0;
+    for (int i = 0; i < count; i++)
+        sum += weight[i];
+    for (int i = 0; i < count; i++)
+        weight[i] /= sum;
+    return sum > 0.5 && sum < 2;
+}
+
 static bool weigh_triangle(const tf_vector x[4], double weight[4])
 {
     tf_vector normal = tf_vector_cross(tf_vector_difference(x[2], x[1]),
                                        tf_vector_difference(x[3], x[1]));
-    double sum = 0, area2 = tf_vector_dot(normal, normal);
-    if (!(area2 > 0))
-        return false;
+    double area2 = tf_vector_dot(normal, normal);
     weight[0] = 1;
     for (int i = 0; i < 3; i++) {
         tf_vector b = tf_vector_difference(x[1 + (i + 1) % 3], x[0]);
         tf_vector c = tf_vector_difference(x[1 + (i + 2) % 3], x[0]);
         weight[1 + i] = tf_vector_dot(tf_vector_cross(b, c), normal) / area2;
-        sum += weight[1 + i];
     }
-    // The sum is 1 but for rounding, which counts where the point is far.
-    for (int i = 1; i < 4; i++)
-        weight[i] /= sum;
-    return sum > 0;
+    return normalize(3, weight + 1);
 }
 
 //: Find where two lines are nearest
@@ -91,12 +97,10 @@ static bool weigh_segment(const tf_vector x[3], double weight[3])
 {
     tf_vector edge = tf_vector_difference(x[2], x[1]);
     double length2 = tf_vector_dot(edge, edge);
-    if (!(length2 > 0))
-        return false;
     weight[0] = 1;
     weight[1] = tf_vector_dot(tf_vector_difference(x[2], x[0]), edge) / length2;
     weight[2] = tf_vector_dot(tf_vector_difference(x[0], x[1]), edge) / length2;
-    return true;
+    return normalize(2, weight + 1);
 }
 
 //: Find where elements cross

@@ -132,9 +132,15 @@ static tf_vector unit_normal(const tf_straight *elements, double time)
     tf_vector x[TF_STRAIGHT_VERTICES];
     tf_straight_positions(elements, time, x);
     tf_vector normal = normal_of(elements, x);
-    double length = sqrt(tf_vector_dot(normal, normal));
-    if (!(length > 0 && length <= DBL_MAX))
+    double largest = 0;
+    for (int k = 0; k < TF_AXES; k++)
+        largest = fmax(largest, fabs(normal.x[k]));
+    if (!(largest > 0 && largest <= DBL_MAX))
         return (tf_vector){{0}};
+    // In two steps, as the square of the length may overflow or underflow.
+    for (int k = 0; k < TF_AXES; k++)
+        normal.x[k] /= largest;
+    double length = sqrt(tf_vector_dot(normal, normal));
     return tf_vector_scaled(1 / length, normal);
 }
 
@@ -272,7 +278,8 @@ tf_contact tf_straight_touch(const tf_straight *elements,
     s.contact = (tf_contact){.verdict = TF_APART};
     s.greatest = tolerances->distance * greatest_area(elements);
     if (!tf_polynomial_can_reach(polynomial, s.greatest) ||
-        separated(elements, tolerances->distance))
+        (tolerances->barycentric == 0 &&
+         separated(elements, tolerances->distance)))
         return s.contact;
     s.degenerate = tf_polynomial_is_zero(polynomial);
     double cut[TF_MOST_CUTS], value = 0;

@@ -15,7 +15,7 @@ static const advance given[] = {
     {0.1, 1.2, 2, 1e-6}, {0.25, 0.75, 3, 1e-6},
 };
 
-/// The number of advances, by the angle a that is left: each leaves a - r sin a.
+/// The number of advances; of an angle a that is left each leaves a - r sin a.
 static int count_advances(const advance *g)
 {
     int steps = 0;

@@ -40,8 +40,8 @@ static tf_advancement advance(double radius, double threshold)
     return found;
 }
 
-/// The closed form, to first order: in each step all but half a threshold of the
-/// distance shrinks to 1 - r of itself.
+/// The closed form, to first order: in each step all but half a threshold of
+/// the distance shrinks to 1 - r of itself.
 static double predicted_steps(double radius, double threshold)
 {
     double spare = threshold / 2, distance = radius * start * pi / 180;

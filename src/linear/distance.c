@@ -22,6 +22,14 @@ static double gap_between(int vertices, int others, const tf_vector x[],
 }
 
 //: Keep the nearer of two pairs of points
+/// What all points are nearer than: the first vertices.
+static tf_nearest far_apart(int vertices)
+{
+    tf_nearest far = {.distance = INFINITY};
+    far.weight[0] = far.weight[vertices] = 1;
+    return far;
+}
+
 static void keep_nearer(tf_nearest *best, const tf_nearest *other)
 {
     if (other->distance < best->distance)
@@ -124,7 +132,7 @@ bool tf_weights_reach(int count, const double weight[], double least)
 /// The least distance is between the insides, or involves a boundary.
 static tf_nearest nearest_of_four(int vertices, int others, const tf_vector x[])
 {
-    tf_nearest best = {.distance = INFINITY}, inside = {0};
+    tf_nearest best = far_apart(vertices), inside = {0};
     if (vertices == 2) {
         for (int i = 0; i < 2; i++) {
             visit_segment(x, i, 2, 3, &best);
@@ -188,7 +196,7 @@ static void visit_piercing(const tf_vector x[TF_MOST_CORNERS], int start,
 //: Find the nearest points of two triangles
 static tf_nearest nearest_of_triangles(const tf_vector x[TF_MOST_CORNERS])
 {
-    tf_nearest best = {.distance = INFINITY};
+    tf_nearest best = far_apart(3);
     for (int i = 0; i < 3; i++) {
         int next = (i + 1) % 3;
         visit_parts(x, 1, (int[]){i, 3, 4, 5}, &best);

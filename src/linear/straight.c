@@ -133,9 +133,12 @@ static tf_vector unit_normal(const tf_straight *elements, double time)
     tf_straight_positions(elements, time, x);
     tf_vector normal = normal_of(elements, x);
     double largest = 0;
-    for (int k = 0; k < TF_AXES; k++)
+    bool finite = true;
+    for (int k = 0; k < TF_AXES; k++) {
         largest = fmax(largest, fabs(normal.x[k]));
-    if (!(largest > 0 && largest <= DBL_MAX))
+        finite = finite && fabs(normal.x[k]) <= DBL_MAX;
+    }
+    if (!finite || largest == 0)
         return (tf_vector){{0}};
     // In two steps, as the square of the length may overflow or underflow.
     for (int k = 0; k < TF_AXES; k++)

@@ -30,7 +30,7 @@ static double deforming_speed(const void *motion, double time,
     return d->speed;
 }
 
-//: Bound the speed of deforming elements
+//: Find the displacements from the mean
 /// The displacements of all vertices, less their mean: what all have in common
 /// changes no distance.
 static void find_displacements(const tf_straight *elements,
@@ -48,6 +48,7 @@ static void find_displacements(const tf_straight *elements,
         displacement[i] = tf_vector_difference(displacement[i], mean);
 }
 
+//: Bound the speed of deforming elements
 static double speed_of(const tf_straight *elements)
 {
     tf_vector displacement[TF_STRAIGHT_VERTICES];

@@ -4,7 +4,7 @@
 #include "base/require.h"
 #include "linear/straight.h"
 
-//: Find the cubic of a plane
+//: Span the common plane
 /// The three vectors whose determinant is zero when the elements are in one
 /// plane: two edges, and the way from one element to the other.
 static void span(const tf_straight *elements, int t, tf_vector edge[2],
@@ -17,6 +17,7 @@ static void span(const tf_straight *elements, int t, tf_vector edge[2],
     *way = tf_vector_difference(x[two_edges ? 2 : 1], x[0]);
 }
 
+//: Find the cubic of a plane
 /// Each coefficient is the mean of the determinants with as many columns at
 /// t = 1 as its index.
 static tf_polynomial coplanarity(const tf_straight *elements)

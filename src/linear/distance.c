@@ -22,6 +22,14 @@ static double gap_between(int vertices, int others, const tf_vector x[],
 }
 
 //: Keep the nearer of two pairs of points
+/// What all points are nearer than: the first vertices.
+static tf_nearest far_apart(int vertices)
+{
+    tf_nearest far = {.distance = INFINITY};
+    far.weight[0] = far.weight[vertices] = 1;
+    return far;
+}
+
 static void keep_nearer(tf_nearest *best, const tf_nearest *other)
 {
     if (other->distance < best->distance)
@@ -124,7 +132,7 @@ bool tf_weights_reach(int count, const double weight[], double least)
 /// The least distance is between the insides, or involves a boundary.
 static tf_nearest nearest_of_four(int vertices, int others, const tf_vector x[])
 {
-    tf_nearest best = {.distance = INFINITY}, inside = {0};
+    tf_nearest best = far_apart(vertices), inside = {0};
     if (vertices == 2) {
         for (int i = 0; i < 2; i++) {
             visit_segment(x, i, 2, 3, &best);
@@ -146,8 +154,8 @@ static tf_nearest nearest_of_four(int vertices, int others, const tf_vector x[])
 //: Find the nearest points of parts of triangles
 /// Of the first `count` vertices in `corner` as one part, and the others as
 /// another part, of two triangles x[0..2] and x[3..5].
-static void visit_parts(const tf_vector x[TF_MOST_CORNERS], int count,
-                        const int corner[4], tf_nearest *best)
+static void visit_parts(const tf_vector *x, int count, const int corner[4],
+                        tf_nearest *best)
 {
     tf_vector part[4];
     for (int i = 0; i < 4; i++)
@@ -162,8 +170,8 @@ static void visit_parts(const tf_vector x[TF_MOST_CORNERS], int count,
 //: Find where an edge pierces a triangle
 /// Sets a distance of zero if the edge from x[start] to x[end] goes through the
 /// triangle x[from..from+2].
-static void visit_piercing(const tf_vector x[TF_MOST_CORNERS], int start,
-                           int end, int from, tf_nearest *best)
+static void visit_piercing(const tf_vector *x, int start, int end, int from,
+                           tf_nearest *best)
 {
     const tf_vector *corner = x + from;
     tf_vector normal =
@@ -186,9 +194,9 @@ static void visit_piercing(const tf_vector x[TF_MOST_CORNERS], int start,
 }
 
 //: Find the nearest points of two triangles
-static tf_nearest nearest_of_triangles(const tf_vector x[TF_MOST_CORNERS])
+static tf_nearest nearest_of_triangles(const tf_vector *x)
 {
-    tf_nearest best = {.distance = INFINITY};
+    tf_nearest best = far_apart(3);
     for (int i = 0; i < 3; i++) {
         int next = (i + 1) % 3;
         visit_parts(x, 1, (int[]){i, 3, 4, 5}, &best);

@@ -41,6 +41,7 @@ static inline bool copy_positions(int axes, const double x[], int count,
     return finite;
 }
 
+//: Copy a scene
 static bool copy_scene(int axes, const tf_motion *motion, const int index[],
                        tf_straight *taken)
 {
@@ -100,6 +101,7 @@ static int side_of(const tf_straight *elements, int time, int axis,
     return (low[1] - high[0] > distance) - (low[0] - high[1] > distance);
 }
 
+//: Test whether an axis separates
 /// Whether along some axis the elements are more than `distance` apart, on the
 /// same side, at the start and at the end, and so always.
 static bool separated(const tf_straight *elements, double distance)
@@ -126,16 +128,20 @@ static tf_vector normal_of(const tf_straight *elements, const tf_vector x[])
                            tf_vector_difference(x[3], x[1]));
 }
 
-/// Scaled to length 1; zero if it has none or overflows.
+//: Scale a normal to length 1
+/// Zero if it has none or overflows.
 static tf_vector unit_normal(const tf_straight *elements, double time)
 {
     tf_vector x[TF_STRAIGHT_VERTICES];
     tf_straight_positions(elements, time, x);
     tf_vector normal = normal_of(elements, x);
     double largest = 0;
-    for (int k = 0; k < TF_AXES; k++)
+    bool finite = true;
+    for (int k = 0; k < TF_AXES; k++) {
         largest = fmax(largest, fabs(normal.x[k]));
-    if (!(largest > 0 && largest <= DBL_MAX))
+        finite = finite && fabs(normal.x[k]) <= DBL_MAX;
+    }
+    if (!finite || largest == 0)
         return (tf_vector){{0}};
     // In two steps, as the square of the length may overflow or underflow.
     for (int k = 0; k < TF_AXES; k++)

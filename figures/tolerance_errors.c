@@ -69,11 +69,19 @@ static double least_sum(int set)
     return least;
 }
 
-/// Names for the zeros beside both scales, which are logarithmic.
-static void name_zeros(fig_page *page, const fig_plot *plot)
+/// The scale of tolerances, and names for the zeros, which have no place on
+/// logarithmic scales.
+static void draw_scales(fig_page *page, const fig_plot *plot)
 {
-    fig_point at = fig_plot_place(plot, zero_x, zero_y);
+    static const double tick[] = {1e-13, 1e-9, 1e-5, 1e-1};
+    static const char *const name[] = {"$10^{-13}$", "$10^{-9}$", "$10^{-5}$",
+                                       "$10^{-1}$"};
     double foot = plot->box.y + plot->box.height;
+    for (int i = 0; i < 4; i++)
+        fig_plot_tick(page,
+                      (fig_point){fig_plot_place(plot, tick[i], 1).x, foot},
+                      name[i]);
+    fig_point at = fig_plot_place(plot, zero_x, zero_y);
     fig_plot_tick(page, (fig_point){at.x, foot}, "0");
     fig_page_text(page, plot->box.x - 6, at.y + 3, FIG_ALIGN_RIGHT, "0",
                   FIG_LETTERS_SMALL, FIG_ROLE_INK);
@@ -88,11 +96,11 @@ static void draw(fig_page *page, FILE *numbers)
                          .y = {0.28, 1e5},
                          .log_x = true,
                          .log_y = true,
-                         .ticks_x = 3,
+                         .ticks_x = -1,
                          .name_x = "tolerance",
                          .name_y = s == 0 ? "queries" : NULL};
         fig_plot_frame(page, &plot);
-        name_zeros(page, &plot);
+        draw_scales(page, &plot);
         for (int e = 0; e < ERRORS; e++)
             draw_errors(page, &plot, s, e, numbers);
         char text[40];

@@ -21,7 +21,7 @@ BEGIN {
     }
     name = $1
     sub(/^published /, "", name)
-    sub(/ (soup|near|handcrafted) .*/, "", name)
+    sub(/ (soup|near|handcrafted|start|origin|wrong) .*/, "", name)
     if (!(name in seen)) {
         seen[name]
         system_name[++systems] = name

@@ -73,16 +73,17 @@ static double least_sum(int set)
 /// logarithmic scales.
 static void draw_scales(fig_page *page, const fig_plot *plot)
 {
-    static const double tick[] = {1e-13, 1e-9, 1e-5, 1e-1};
-    static const char *const name[] = {"$10^{-13}$", "$10^{-9}$", "$10^{-5}$",
-                                       "$10^{-1}$"};
+    static const double tick[] = {1e-11, 1e-6, 1e-1};
+    static const char *const name[] = {"$10^{-11}$", "$10^{-6}$", "$10^{-1}$"};
     double foot = plot->box.y + plot->box.height;
-    for (int i = 0; i < 4; i++)
+    for (int i = 0; i < 3; i++)
         fig_plot_tick(page,
                       (fig_point){fig_plot_place(plot, tick[i], 1).x, foot},
                       name[i]);
     fig_point at = fig_plot_place(plot, zero_x, zero_y);
     fig_plot_tick(page, (fig_point){at.x, foot}, "0");
+    fig_page_text(page, plot->box.x + plot->box.width / 2, foot + 30,
+                  FIG_ALIGN_CENTER, "tolerance", FIG_LETTERS, FIG_ROLE_INK);
     fig_page_text(page, plot->box.x - 6, at.y + 3, FIG_ALIGN_RIGHT, "0",
                   FIG_LETTERS_SMALL, FIG_ROLE_INK);
 }
@@ -97,7 +98,6 @@ static void draw(fig_page *page, FILE *numbers)
                          .log_x = true,
                          .log_y = true,
                          .ticks_x = -1,
-                         .name_x = "tolerance",
                          .name_y = s == 0 ? "queries" : NULL};
         fig_plot_frame(page, &plot);
         draw_scales(page, &plot);

@@ -99,6 +99,18 @@ START_TEST(ends_count)
 }
 END_TEST
 
+START_TEST(an_end_in_the_plane_is_a_root)
+{
+    // Whatever rounding makes of the distance there.
+    generator random = generator_new(50);
+    for (int i = 0; i < 1000; i++) {
+        query q = fly(uniform(&random, 0.1, 1.9), 0);
+        ck_assert_msg(cubic_answer(&q, 0).verdict == TF_HIT, "%s",
+                      query_text(&q));
+    }
+}
+END_TEST
+
 // Against the truth -----------------------------------------------------------
 
 static void expect_true(const query *q, double accuracy)
@@ -265,6 +277,7 @@ Suite *suite(void)
     tcase_add_test(c, tolerances_count);
     tcase_add_test(c, the_tolerance_of_coordinates_counts);
     tcase_add_test(c, ends_count);
+    tcase_add_test(c, an_end_in_the_plane_is_a_root);
     tcase_add_loop_test(c, soup_is_decided_right, 0, 2);
     tcase_add_loop_test(c, large_lattices_are_decided_right, 0, 2);
     tcase_add_loop_test(c, no_tolerance_is_right_about_everything, 0, 2);

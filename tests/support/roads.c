@@ -79,7 +79,8 @@ static bool sums_to_one(int vertices, const double barycentric[3])
 {
     double sum = 0;
     for (int i = 0; i < 3; i++) {
-        if (!(barycentric[i] >= 0 && (i < vertices || barycentric[i] == 0)))
+        bool used = i < vertices;
+        if (!(used ? barycentric[i] >= 0 : barycentric[i] == 0))
             return false;
         sum += barycentric[i];
     }

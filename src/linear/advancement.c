@@ -7,6 +7,7 @@
 #include "linear/advance.h"
 
 #include <math.h>
+#include <stddef.h>
 
 //: Turn a vector
 /// About the axis of a rotation, by its angle times `time`: Rodrigues' formula.
@@ -65,7 +66,7 @@ void tf_rigid_position(int axes, const tf_rigid_body *body, int vertex,
 {
     TF_REQUIRE((axes == 2 || axes == 3) && body && vertex >= 0 && x);
     tf_rigid_body one = *body;
-    one.vertices = body->vertices + axes * vertex;
+    one.vertices = body->vertices + (ptrdiff_t)axes * vertex;
     rigid taken = rigid_of(axes, &one, 1);
     tf_vector moved = position_of(&taken, 0, time);
     for (int k = 0; k < axes; k++)

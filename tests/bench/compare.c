@@ -253,12 +253,12 @@ static void make_queries(query_set *set)
 // Errors ----------------------------------------------------------------------
 
 typedef struct errors {
-    long extra, missed;
+    long queries, extra, missed;
 } errors;
 
 static errors errors_of(const contender *c, const query_set *set)
 {
-    errors found = {0};
+    errors found = {.queries = set->count};
     answerer a = answerer_of(c);
     for (long i = 0; i < set->count; i++) {
         const known_query *q = &set->query[i];
@@ -276,6 +276,7 @@ static errors errors_in_group(const contender *c, const char *group)
         if (strcmp(sets[i].group, group) != 0)
             continue;
         errors found = errors_of(c, &sets[i]);
+        sum.queries += found.queries;
         sum.extra += found.extra;
         sum.missed += found.missed;
     }
@@ -370,7 +371,10 @@ static void print_table(void)
             printf(" %6.0f", best[c][i]);
         for (int g = 0; g < GROUPS; g++) {
             errors found = errors_in_group(&contenders[c], groups[g]);
-            printf(" %7ld %7ld", found.extra, found.missed);
+            if (found.queries > 0)
+                printf(" %7ld %7ld", found.extra, found.missed);
+            else
+                printf(" %7s %7s", "-", "-");
         }
         printf("\n");
     }

@@ -168,6 +168,16 @@ START_TEST(elements_without_size_do_not_cross)
 }
 END_TEST
 
+START_TEST(coordinates_reach_what_they_equal)
+{
+    static const double weight[] = {1, 0, -0.25};
+    ck_assert(tf_weights_reach(2, weight, 0));
+    ck_assert(tf_weights_reach(3, weight, -0.25));
+    ck_assert(!tf_weights_reach(3, weight, 0));
+    ck_assert(!tf_weights_reach(1, (double[]){NAN}, -1));
+}
+END_TEST
+
 Suite *suite(void)
 {
     Suite *s = suite_create("linear/distance");
@@ -180,6 +190,7 @@ Suite *suite(void)
     tcase_add_test(c, the_order_does_not_matter);
     tcase_add_test(c, what_overflows_is_far);
     tcase_add_test(c, elements_without_size_do_not_cross);
+    tcase_add_test(c, coordinates_reach_what_they_equal);
     suite_add_tcase(s, c);
     return s;
 }

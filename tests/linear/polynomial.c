@@ -125,6 +125,16 @@ START_TEST(extrema_are_cuts)
 }
 END_TEST
 
+START_TEST(small_extrema_are_not_cancelled)
+{
+    // The derivative is 3 times 1e-17 (1 - t)^2 - 2 (1 - t) t - t^2.
+    tf_polynomial p = {.degree = 3, .coefficient = {0, 1e-17, -1, -2}};
+    double cut[TF_MOST_CUTS];
+    ck_assert_int_eq(tf_polynomial_cuts(&p, cut), 3);
+    ck_assert_double_eq_tol(cut[1], 5e-18, 1e-32);
+}
+END_TEST
+
 START_TEST(coefficients_tell_what_can_be_reached)
 {
     tf_polynomial p = {.degree = 3, .coefficient = {1, 2, 3, 4}};
@@ -147,6 +157,7 @@ Suite *suite(void)
     tcase_add_test(c, multiple_roots_do_not_keep_it_busy);
     tcase_add_test(c, cuts_are_in_order);
     tcase_add_test(c, extrema_are_cuts);
+    tcase_add_test(c, small_extrema_are_not_cancelled);
     tcase_add_test(c, coefficients_tell_what_can_be_reached);
     suite_add_tcase(s, c);
     return s;

@@ -81,26 +81,13 @@ START_TEST(motion_within_the_line_is_degenerate)
 }
 END_TEST
 
-static void expect_true(const query *q)
-{
-    double toi = 0;
-    bool hit = linear_query_truth(q, &toi);
-    tf_contact contact = cubic_answer(q, 0);
-    expect_contact(q, &contact);
-    ck_assert_msg((contact.verdict == TF_HIT) == hit, "verdict %d:\n%s",
-                  contact.verdict, query_text(q));
-    ck_assert_msg(!hit || fabs(contact.toi_lo - toi) < 1e-7,
-                  "time %.17g, not %.17g:\n%s", contact.toi_lo, toi,
-                  query_text(q));
-}
-
 START_TEST(random_queries_are_decided_right)
 {
     generator random = generator_new(1);
     for (long i = 0; i < cases(20000); i++) {
         query q = i % 2 ? query_soup(&random, POINT_EDGE)
                         : query_lattice(&random, POINT_EDGE, 1 << 20);
-        expect_true(&q);
+        expect_linear_truth(&q);
     }
 }
 END_TEST

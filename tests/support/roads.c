@@ -79,7 +79,8 @@ static bool sums_to_one(int vertices, const double barycentric[3])
 {
     double sum = 0;
     for (int i = 0; i < 3; i++) {
-        if (!(barycentric[i] >= 0 && (i < vertices || barycentric[i] == 0)))
+        bool used = i < vertices;
+        if (!(used ? barycentric[i] >= 0 : barycentric[i] == 0))
             return false;
         sum += barycentric[i];
     }
@@ -110,4 +111,17 @@ void expect_contact(const query *q, const tf_contact *contact)
     ck_assert_msg(sums_to_one(q->vertices, contact->barycentric[0]) &&
                       sums_to_one(q->others, contact->barycentric[1]),
                   "barycentric coordinates:\n%s", query_text(q));
+}
+
+void expect_linear_truth(const query *q)
+{
+    double toi = 0;
+    bool hit = linear_query_truth(q, &toi);
+    tf_contact contact = cubic_answer(q, 0);
+    expect_contact(q, &contact);
+    ck_assert_msg((contact.verdict == TF_HIT) == hit, "verdict %d:\n%s",
+                  contact.verdict, query_text(q));
+    ck_assert_msg(!hit || fabs(contact.toi_lo - toi) < 1e-7,
+                  "time %.17g, not %.17g:\n%s", contact.toi_lo, toi,
+                  query_text(q));
 }

@@ -37,4 +37,8 @@ bool linear_query_truth(const query *q, double *toi);
 /// in their ranges, or zeros.
 void expect_contact(const query *q, const tf_contact *contact);
 
+/// Fail the test, showing the query, unless the quadratic or cubic without
+/// tolerance answers it rightly.
+void expect_linear_truth(const query *q);
+
 #endif

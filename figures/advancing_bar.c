@@ -71,7 +71,7 @@ static void draw_bar(fig_page *page, const fig_plot *plot, const scene *s,
     fig_page_line(page, 2, at, stroke);
 }
 
-/// The circle around the point that the bar cannot have reached.
+/// The distance of bar and point at a step; as a circle around the point.
 static void draw_circle(fig_page *page, const fig_plot *plot, const scene *s,
                         double distance, bool last)
 {

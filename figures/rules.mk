@@ -58,10 +58,12 @@ $(BUILD)/drawing/includes.h: src/layers.awk $(wildcard src/*/*.[ch])
 	@awk '{ print "{\"" $$1 "\", \"" $$2 "\"}," }' $@.table >$@.new
 	@$(unless_same)
 
-# The lines "name,value,unit" of what was measured, as initializers.
-$(BUILD)/drawing/measured_rows.h: figures/measured.csv
-	@mkdir -p $(@D) && sed -n 's/^\(.*\),\([0-9.]*\),.*$$/{"\1", \2},/p' $< \
-	    >$@.new
+# The lines "name,value,unit" of what was measured, as initializers; those of
+# roads.csv are named "roads ...".
+row = s/^\(.*\),\([0-9.]*\),.*$$/{"$(1)\1", \2},/p
+$(BUILD)/drawing/measured_rows.h: figures/measured.csv figures/roads.csv
+	@mkdir -p $(@D) && { sed -n '$(call row,)' $<; \
+	    sed -n '$(call row,roads )' $(word 2,$^); } >$@.new
 	@$(unless_same)
 
 drawing_flags = -I$(SRC) -Ifigures -I$(BUILD)/drawing \

@@ -131,4 +131,19 @@ measure: ## time the library again for the book, in figures/measured.csv
 
 counts: $(BUILD)/tests/bench/counts ## count the contacts that the report's rule misses
 	@$<
-.PHONY: bench measure counts
+
+# Files of TF_SHARED_DATA, ../shared/data unless set, that are absent are left
+# out, with a note.
+compare: $(BUILD)/tests/bench/compare ## compare the methods: what a query costs, how often each is wrong
+	@$<
+	@awk -f tests/bench/published.awk tests/bench/published.csv
+
+measure-roads: ## compare the methods again for the book, in figures/roads.csv
+	@$(MAKE) BUILD=$(BUILD)/measured CFLAGS=-O3 LDFLAGS= \
+	    $(BUILD)/measured/tests/bench/compare
+	@echo 'measure figures/roads.csv'
+	@sh tests/bench/compare.sh '$(CC)' -O3 \
+	    $(BUILD)/measured/tests/bench/compare tests/bench/published.csv \
+	    >$(BUILD)/measured/roads.csv
+	@mv $(BUILD)/measured/roads.csv figures/roads.csv
+.PHONY: bench measure counts compare measure-roads

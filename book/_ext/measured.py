@@ -1,4 +1,5 @@
-"""Numbers of figures/measured.csv, and claims about them that the build checks.
+"""Numbers of figures/measured.csv, and claims about them that the build checks;
+those of figures/roads.csv are named "roads ...".
 
     {measured}`exact near edge-edge:.0f`
     {measured}`expansion / accumulator:.1f`     a number made of rows
@@ -18,12 +19,16 @@ from sphinx.util.docutils import SphinxRole
 import drawings
 
 
-def read(lines):
+FILES = {"measured": "", "roads": "roads "}    # and prefixes of their names
+
+
+def read(lines, prefix=""):
     """The values of the rows, and the lines of the head, by name."""
     head = dict(re.findall(r"^# (\w+): (.*)$", "\n".join(lines), re.M))
     rows = dict(line.split(",")[:2] for line in lines if line[:1] != "#")
     del rows["name"]    # the line that names the columns
-    return {name: float(value) for name, value in rows.items()}, head
+    return ({prefix + name: float(value) for name, value in rows.items()},
+            {prefix + name: value for name, value in head.items()})
 
 
 def numbers(text, rows):
@@ -42,12 +47,13 @@ def value(text, rows):
 
 class MeasuredRole(SphinxRole):
     def run(self):
-        self.env.note_dependency(str(self.env.app.measured))
+        for path in self.env.app.measured:
+            self.env.note_dependency(str(path))
         try:
             return [self.node()], []
         except (KeyError, ValueError, SyntaxError, TypeError) as error:
             return [], [self.inliner.reporter.error(
-                f"figures/measured.csv: '{self.text}': {error}",
+                f"figures/*.csv: '{self.text}': {error}",
                 line=self.lineno)]
 
     def node(self):
@@ -72,8 +78,12 @@ class ClaimRole(MeasuredRole):
 
 
 def begin(app):
-    app.measured = app.root / "figures/measured.csv"
-    app.measurements = read(app.measured.read_text().splitlines())
+    app.measured = [app.root / f"figures/{name}.csv" for name in FILES]
+    app.measurements = {}, {}
+    for path in app.measured:
+        found = read(path.read_text().splitlines(), FILES[path.stem])
+        for all_of_kind, new in zip(app.measurements, found):
+            all_of_kind.update(new)
 
 
 def setup(app):

@@ -22,6 +22,9 @@ static const char *const messages[] = {
                      "many vertices as it was created with",
     [TF_OUT_OF_MEMORY] = "not enough memory: divide the surface, or use a "
                          "machine with more",
+    [TF_BAD_TOLERANCE] = "a tolerance, threshold or limit of steps is "
+                         "negative, infinite or no number, or a fraction is 1 "
+                         "or more: use 0 or a small positive number",
 };
 
 const char *tf_status_message(tf_status status)

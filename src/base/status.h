@@ -17,6 +17,7 @@ typedef enum tf_status {
     TF_NO_ELEMENTS,     ///< a surface has neither triangles nor edges
     TF_BAD_COUNT,       ///< a surface has another number of vertices
     TF_OUT_OF_MEMORY,   ///< there is not enough memory
+    TF_BAD_TOLERANCE,   ///< a tolerance or another limit is not in its range
 } tf_status;
 
 /// One sentence that states what is wrong and how to fix it.  Thread-safe.

@@ -2,22 +2,24 @@
 #include "program/query_command.h"
 
 #include "program/arithmetics.h"
+#include "program/methods.h"
+#include "program/number.h"
 #include "program/progress.h"
 #include "program/query_file.h"
 #include "program/query_output.h"
 #include "program/visible.h"
-#include "query/edge_edge.h"
-#include "query/point_edge.h"
-#include "query/point_triangle.h"
 
 #include <argp.h>
+#include <float.h>
 #include <stdio.h>
 #include <string.h>
 
 //: Hold what the command line requests
 typedef struct query_request {
     const tf_query_kind *kind;
-    const tf_arithmetic *arithmetic;
+    const tf_method *method, *against; ///< to compare with, or NULL
+    tf_method_options options;
+    unsigned given; ///< which of these, by tf_method_option
     const tf_query_format *format;
     char **paths;
     int path_count;
@@ -38,13 +40,23 @@ static const char description[] =
     "csv and json print one answer per query: the number of the query, from 0; "
     "hit, which is 1 for a hit (and for what clamped signs leave undecided), "
     "else 0; toi_lo and toi_hi, which enclose the time of impact (with "
-    "perturbed signs, that of the moved vertices); the unit normal of the "
+    "perturbed signs, that of the moved vertices; with other methods than "
+    "spacetime both are the time found); the unit normal of the "
     "contact; the normal velocity; and the case, generic, touching or "
     "degenerate.  Without a hit these are empty, or null.  summary counts the "
     "hits and, where the ground truth is given, the hits that are not in it "
-    "(extra) and those in it alone (missed).\n\n"
+    "(extra) and those in it alone (missed); and with --against how many "
+    "answers differ and how many hits only --method or only --against "
+    "finds.\n\n"
     "Exit status: 0 if all queries were answered, 2 if the arguments or the "
     "input are invalid or the output cannot be written.";
+
+// Options without a letter.
+enum {
+    TOLERANCE = 256,
+    THRESHOLD,
+    AGAINST
+};
 
 static const struct argp_option options[] = {
     {"kind", 'k', "KIND", 0,
@@ -52,6 +64,15 @@ static const struct argp_option options[] = {
      0},
     {"arithmetic", 'a', "NAME", 0,
      "How signs are found: " TF_ARITHMETIC_NAMES "; the default is exact", 0},
+    {"method", 'm', "METHOD", 0,
+     "How queries are answered: " TF_METHOD_NAMES "; the default is spacetime",
+     0},
+    {"tolerance", TOLERANCE, "X", 0,
+     "The distance at which elements touch, for cubic; the default is 1e-6", 0},
+    {"threshold", THRESHOLD, "X", 0,
+     "The distance at which advancement ends; the default is 1e-6", 0},
+    {"against", AGAINST, "METHOD", 0,
+     "Compare with this method, for the output summary", 0},
     {"output", 'o', "FORMAT", 0,
      "Output format: " TF_QUERY_FORMAT_NAMES "; the default is csv", 0},
     {0},
@@ -65,18 +86,95 @@ static void refuse(struct argp_state *state, const char *what, const char *name,
                tf_make_visible(name).text, names);
 }
 
+//: Parse a distance
+static double parse_distance(struct argp_state *state, const char *option,
+                             const char *text)
+{
+    const char *rest = text;
+    double number = -1;
+    if (!tf_number_read(&rest, &number) || *rest != '\0' || number < 0 ||
+        number > DBL_MAX)
+        argp_error(state,
+                   "--%s needs a number, 0 or more, such as 1e-6, and not '%s'",
+                   option, tf_make_visible(text).text);
+    return number;
+}
+
+//: Find a method for an option
+static const tf_method *parse_method(struct argp_state *state, const char *text)
+{
+    const tf_method *method = tf_method_named(text);
+    if (!method)
+        refuse(state, "method", text, TF_METHOD_NAMES);
+    return method;
+}
+
+//: Check that the options go together
+/// Fails if an option was given that neither method takes.
+static void expect_taken(struct argp_state *state, tf_method_option option,
+                         const char *name, const char *method)
+{
+    const query_request *request = state->input;
+    unsigned taken = tf_method_takes(request->method);
+    if (request->against)
+        taken |= tf_method_takes(request->against);
+    if (request->given & ~taken & option)
+        argp_error(state, "--%s is for --method %s alone", name, method);
+}
+
+static void check_request(struct argp_state *state)
+{
+    const query_request *request = state->input;
+    if (!request->kind)
+        argp_error(state, "--kind is required; choose " TF_QUERY_KIND_NAMES);
+    if (request->against && request->format != tf_query_format_named("summary"))
+        argp_error(state, "--against needs --output summary, which has what "
+                          "it counts");
+    expect_taken(state, TF_TAKES_ARITHMETIC, "arithmetic", "spacetime");
+    expect_taken(state, TF_TAKES_TOLERANCE, "tolerance", "cubic");
+    expect_taken(state, TF_TAKES_THRESHOLD, "threshold", "advancement");
+}
+
+//: Parse an option of a method
+static bool parse_method_option(int key, const char *text,
+                                struct argp_state *state)
+{
+    query_request *request = state->input;
+    switch (key) {
+    case 'a':
+        request->given |= TF_TAKES_ARITHMETIC;
+        if (!(request->options.arithmetic = tf_arithmetic_named(text)))
+            refuse(state, "arithmetic", text, TF_ARITHMETIC_NAMES);
+        return true;
+    case TOLERANCE:
+        request->given |= TF_TAKES_TOLERANCE;
+        request->options.tolerance = parse_distance(state, "tolerance", text);
+        return true;
+    case THRESHOLD:
+        request->given |= TF_TAKES_THRESHOLD;
+        request->options.threshold = parse_distance(state, "threshold", text);
+        return true;
+    default:
+        return false;
+    }
+}
+
 //: Parse an argument
 static error_t parse_argument(int key, char *text, struct argp_state *state)
 {
     query_request *request = state->input;
+    if (parse_method_option(key, text, state))
+        return 0;
     switch (key) {
     case 'k':
         if (!(request->kind = tf_query_kind_named(text)))
             refuse(state, "kind", text, TF_QUERY_KIND_NAMES);
         return 0;
-    case 'a':
-        if (!(request->arithmetic = tf_arithmetic_named(text)))
-            refuse(state, "arithmetic", text, TF_ARITHMETIC_NAMES);
+    case 'm':
+        request->method = parse_method(state, text);
+        return 0;
+    case AGAINST:
+        request->against = parse_method(state, text);
         return 0;
     case 'o':
         if (!(request->format = tf_query_format_named(text)))
@@ -87,9 +185,7 @@ static error_t parse_argument(int key, char *text, struct argp_state *state)
         request->path_count = state->argc - state->next;
         return 0;
     case ARGP_KEY_END:
-        if (!request->kind)
-            argp_error(state,
-                       "--kind is required; choose " TF_QUERY_KIND_NAMES);
+        check_request(state);
         return 0;
     default:
         return ARGP_ERR_UNKNOWN;
@@ -113,7 +209,7 @@ static int vertex_count(const tf_query_kind *kind)
 //: Report a coordinate that is out of range
 static bool fault_in_range(answering *work, const tf_query_rows *query)
 {
-    const tf_arithmetic *arithmetic = work->request.arithmetic;
+    const tf_arithmetic *arithmetic = work->request.options.arithmetic;
     int axes = work->request.kind->axes;
     int end = axes * vertex_count(work->request.kind), i = 0;
     while (i < 2 * end &&
@@ -125,33 +221,30 @@ static bool fault_in_range(answering *work, const tf_query_rows *query)
         tf_arithmetic_bits(arithmetic, axes));
 }
 
-//: Query the rows
-static tf_status query_rows(const tf_query_kind *kind,
-                            const tf_arithmetic *arithmetic,
-                            const tf_query_rows *query, tf_contact *contact)
-{
-    static const int index[] = {0, 1, 2, 3};
-    tf_motion motion = {.vertices = vertex_count(kind),
-                        .start = query->x[0],
-                        .end = query->x[1]};
-    if (kind->axes == 2)
-        return tf_point_edge(arithmetic, &motion, 0, index + 1, contact);
-    if (kind->vertices[0] == 1)
-        return tf_point_triangle(arithmetic, &motion, 0, index + 1, contact);
-    return tf_edge_edge(arithmetic, &motion, index, index + 2, contact);
-}
-
 //: Answer a query
-static bool answer_query(answering *work, const tf_query_rows *query)
+static bool answer_by(answering *work, const tf_method *method,
+                      const tf_query_rows *query, tf_contact *contact)
 {
-    tf_contact contact;
-    tf_status status = query_rows(work->request.kind, work->request.arithmetic,
-                                  query, &contact);
+    const query_request *request = &work->request;
+    tf_status status = tf_method_answer(method, &request->options,
+                                        request->kind, query, contact);
     if (status == TF_OUT_OF_RANGE)
         return fault_in_range(work, query);
     if (status != TF_OK)
         return tf_query_file_fault(&work->file, query->line[0], "%s",
                                    tf_status_message(status));
+    return true;
+}
+
+static bool answer_query(answering *work, const tf_query_rows *query)
+{
+    const tf_method *against = work->request.against;
+    tf_contact contact, other;
+    if (!answer_by(work, work->request.method, query, &contact) ||
+        (against && !answer_by(work, against, query, &other)))
+        return false;
+    if (against)
+        tf_query_output_compare(&work->output, &contact, &other);
     work->rounded += query->rounded;
     tf_progress_show(&work->progress, work->output.tally.queries, "queries");
     return tf_query_output_answer(&work->output, query, &contact);
@@ -214,8 +307,12 @@ int tf_query_command(int argc, char *argv[])
 {
     static const struct argp parser = {
         options, parse_argument, "[FILE...]", description, NULL, NULL, NULL};
-    answering work = {.request = {.arithmetic = tf_arithmetic_named("exact"),
-                                  .format = tf_query_format_named("csv")}};
+    answering work = {
+        .request = {.method = tf_method_named("spacetime"),
+                    .options = {.arithmetic = tf_arithmetic_named("exact"),
+                                .tolerance = 1e-6,
+                                .threshold = 1e-6},
+                    .format = tf_query_format_named("csv")}};
     argp_parse(&parser, argc, argv, 0, NULL, &work.request);
 
     work.progress = tf_progress_begin();

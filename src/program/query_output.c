@@ -70,6 +70,10 @@ static void end_summary(const tf_query_output *output)
     if (tally->known > 0)
         fprintf(stream, "agree: %ld\nextra: %ld\nmissed: %ld\n", tally->agree,
                 tally->extra, tally->missed);
+    if (tally->compared > 0)
+        fprintf(stream, "differ: %ld\nonly_method: %ld\nonly_against: %ld\n",
+                tally->only_method + tally->only_against, tally->only_method,
+                tally->only_against);
 }
 
 //: Find a format by its name
@@ -140,4 +144,16 @@ bool tf_query_output_end(tf_query_output *output)
     output->format->end(output);
     fflush(output->stream);
     return written(output);
+}
+
+//: Compare two methods
+void tf_query_output_compare(tf_query_output *output, const tf_contact *contact,
+                             const tf_contact *against)
+{
+    tf_tally *tally = &output->tally;
+    bool hit = contact->verdict != TF_APART;
+    bool other_hit = against->verdict != TF_APART;
+    tally->compared++;
+    tally->only_method += hit && !other_hit;
+    tally->only_against += other_hit && !hit;
 }

@@ -14,6 +14,8 @@ typedef struct tf_tally {
     long classified[TF_DEGENERATE + 1]; ///< hits by tf_classification
     long known, agree;
     long extra, missed; ///< hits that are misses in truth; the reverse
+    long compared;      ///< answers with those of another method
+    long only_method, only_against; ///< hits of one alone, or of the other
 } tf_tally;
 
 //: Declare the output and its formats
@@ -41,3 +43,7 @@ bool tf_query_output_begin(tf_query_output *output, FILE *stream,
 bool tf_query_output_answer(tf_query_output *output, const tf_query_rows *query,
                             const tf_contact *contact);
 bool tf_query_output_end(tf_query_output *output);
+
+/// Counts in which way an answer differs from that of another method.
+void tf_query_output_compare(tf_query_output *output, const tf_contact *contact,
+                             const tf_contact *against);

@@ -238,6 +238,84 @@ START_TEST(summary_tells_agreement_with_the_truth)
 }
 END_TEST
 
+// Methods ---------------------------------------------------------------------
+
+// A plank turns below a fly: a hit if it bends, a miss if it stays straight.
+#define FLY "0,1\n-2,2\n2,-2\n0,1\n-2,-2\n2,2\n"
+
+START_TEST(every_kind_and_method_and_output)
+{
+    static const char *const kinds[] = {"point-edge", "point-triangle",
+                                        "edge-edge"};
+    static const char *const methods[] = {"spacetime", "cubic", "advancement"};
+    static const char *const outputs[] = {"csv", "json", "summary"};
+    for (int i = 0; i < 27; i++) {
+        outcome found =
+            run("$tf query --kind=%s --method=%s --output=%s "
+                "$QUERIES/%s.csv",
+                kinds[i / 9], methods[i / 3 % 3], outputs[i % 3], kinds[i / 9]);
+        ck_assert_str_eq(found.err, "");
+        ck_assert_int_eq(found.status, 0);
+        ck_assert_int_eq(occurrences(found.out, "nan"), 0);
+        ck_assert_int_eq(occurrences(found.out, "inf"), 0);
+        if (i % 3 < 2)
+            ck_assert_int_ge(occurrences(found.out, "\n"), 7);
+    }
+}
+END_TEST
+
+START_TEST(spacetime_is_the_method_unless_told)
+{
+    char told[10000];
+    make_file("in", HIT FLY);
+    strcpy(told, run("$tf query -k point-edge -m spacetime in").out);
+    expect(run("$tf query -k point-edge in"), 0, told, "");
+}
+END_TEST
+
+START_TEST(the_cubic_answers)
+{
+    make_file("in", HIT FLY);
+    expect(run("$tf query -k point-edge -m cubic in"), 0,
+           HEADER "0,1,0.5,0.5,0,1,,-2,generic\n1" MISS_ANSWER, "");
+}
+END_TEST
+
+START_TEST(tolerances_and_thresholds_count)
+{
+    // A point falls beside the end of an edge, at a distance of 1/16.
+    make_file("in", "2.0625,1\n-1,0\n2,0\n2.0625,-1\n-1,0\n2,0\n");
+    static const char *const options[] = {"-m cubic --tolerance=0",
+                                          "-m cubic",
+                                          "-m cubic --tolerance 0x1p-3",
+                                          "-m advancement --threshold=0.01",
+                                          "-m advancement",
+                                          "-m advancement --threshold=1e-1"};
+    for (int i = 0; i < 6; i++) {
+        outcome found =
+            run("$tf query -k point-edge -o summary %s in", options[i]);
+        ck_assert_str_eq(found.err, "");
+        expect_words(found.out, i % 3 == 2 ? "hits: 1" : "hits: 0");
+    }
+}
+END_TEST
+
+START_TEST(methods_are_compared)
+{
+    make_file("in", HIT FLY MISS);
+    expect(run("$tf query -k point-edge -o summary --against cubic in"), 0,
+           "queries: 3\nhits: 2\ngeneric: 2\ntouching: 0\ndegenerate: 0\n"
+           "differ: 1\nonly_method: 1\nonly_against: 0\n",
+           "");
+    expect(run("$tf query -k point-edge -o summary -m cubic -a exact "
+               "--against=spacetime in"),
+           0,
+           "queries: 3\nhits: 1\ngeneric: 1\ntouching: 0\ndegenerate: 0\n"
+           "differ: 1\nonly_method: 0\nonly_against: 1\n",
+           "");
+}
+END_TEST
+
 // Input -----------------------------------------------------------------------
 
 START_TEST(several_files_are_counted_through)
@@ -638,10 +716,46 @@ START_TEST(options_that_are_wrong)
     expect_usage("query -k point-edge --output=xml in",
                  "tanglefree query: unknown output format 'xml'; choose csv, "
                  "json or summary\n");
+    expect_usage("query -m cubic in", "tanglefree query: --kind is required");
+    expect_usage("query -k point-edge -m quartic in",
+                 "tanglefree query: unknown method 'quartic'; choose "
+                 "spacetime, cubic or advancement\n");
+    expect_usage("query -k point-edge --against quartic in",
+                 "tanglefree query: unknown method 'quartic'; choose "
+                 "spacetime, cubic or advancement\n");
+    expect_usage("query -k point-edge --against cubic in",
+                 "tanglefree query: --against needs --output summary");
+    expect_usage("query -k point-edge -m cubic -a exact in",
+                 "tanglefree query: --arithmetic is for --method spacetime "
+                 "alone\n");
+    expect_usage("query -k point-edge --tolerance 1 in",
+                 "tanglefree query: --tolerance is for --method cubic alone\n");
+    expect_usage("query -k point-edge -m cubic --threshold 1 in",
+                 "tanglefree query: --threshold is for --method advancement "
+                 "alone\n");
     expect_usage("query --kind", "tanglefree query: option '--kind' requires");
     expect_usage("query --speed in",
                  "tanglefree query: unrecognized option '--speed'");
     expect_usage("query -z in", "tanglefree query: invalid option -- 'z'");
+}
+END_TEST
+
+START_TEST(distances_that_are_none)
+{
+    static const char *const bad[] = {"-1",    "nan", "-nan", "inf", "-inf",
+                                      "1e999", "'' ", "1x",   "one", "-1e-300"};
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+        char arguments[100];
+        snprintf(arguments, sizeof arguments,
+                 "query -k point-edge -m cubic --tolerance %s in", bad[i]);
+        expect_usage(arguments, "tanglefree query: --tolerance needs a number, "
+                                "0 or more, such as 1e-6, and not '");
+        snprintf(arguments, sizeof arguments,
+                 "query -k point-edge -m advancement --threshold=%s in",
+                 bad[i]);
+        expect_usage(arguments, "tanglefree query: --threshold needs a number, "
+                                "0 or more, such as 1e-6, and not '");
+    }
 }
 END_TEST
 
@@ -696,6 +810,15 @@ Suite *suite(void)
     tcase_add_test(answers, summary_tells_agreement_with_the_truth);
     suite_add_tcase(suite, answers);
 
+    TCase *methods = tcase_create("methods");
+    tcase_add_checked_fixture(methods, enter_folder, leave_folder);
+    tcase_add_test(methods, every_kind_and_method_and_output);
+    tcase_add_test(methods, spacetime_is_the_method_unless_told);
+    tcase_add_test(methods, the_cubic_answers);
+    tcase_add_test(methods, tolerances_and_thresholds_count);
+    tcase_add_test(methods, methods_are_compared);
+    suite_add_tcase(suite, methods);
+
     TCase *input = tcase_create("input");
     tcase_add_checked_fixture(input, enter_folder, leave_folder);
     tcase_add_test(input, several_files_are_counted_through);
@@ -740,6 +863,7 @@ Suite *suite(void)
     tcase_add_test(usage, version);
     tcase_add_test(usage, commands_that_are_none);
     tcase_add_test(usage, options_that_are_wrong);
+    tcase_add_test(usage, distances_that_are_none);
     suite_add_tcase(suite, usage);
 
     TCase *environment = tcase_create("a broken environment");

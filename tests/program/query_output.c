@@ -126,6 +126,32 @@ START_TEST(summary_with_truth)
 }
 END_TEST
 
+START_TEST(summary_of_two_methods)
+{
+    char *text = NULL;
+    size_t length;
+    FILE *stream = open_memstream(&text, &length);
+    tf_query_output output;
+    tf_query_rows query = {.ground_truth = -1};
+    const tf_contact *pairs[][2] = {{&hit, &apart},
+                                    {&undecided, &apart},
+                                    {&apart, &hit},
+                                    {&hit, &hit},
+                                    {&apart, &apart}};
+    tf_query_output_begin(&output, stream, tf_query_format_named("summary"), 3);
+    for (int i = 0; i < 5; i++) {
+        tf_query_output_compare(&output, pairs[i][0], pairs[i][1]);
+        tf_query_output_answer(&output, &query, pairs[i][0]);
+    }
+    tf_query_output_end(&output);
+    fclose(stream);
+    ck_assert_str_eq(text, "queries: 5\nhits: 3\ngeneric: 0\ntouching: 1\n"
+                           "degenerate: 2\ndiffer: 3\nonly_method: 2\n"
+                           "only_against: 1\n");
+    free(text);
+}
+END_TEST
+
 START_TEST(formats_by_their_names)
 {
     ck_assert_ptr_null(tf_query_format_named(""));
@@ -205,6 +231,7 @@ Suite *suite(void)
     tcase_add_test(formats, json_of_some);
     tcase_add_test(formats, summary_without_truth);
     tcase_add_test(formats, summary_with_truth);
+    tcase_add_test(formats, summary_of_two_methods);
     tcase_add_test(formats, formats_by_their_names);
     suite_add_tcase(suite, formats);
 

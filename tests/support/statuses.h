@@ -20,6 +20,10 @@ void statuses_use(query_kind kind, status_query *ask);
 /// The tests of a query; `use` calls statuses_use().
 TCase *statuses_case(const char *name, void (*use)(void));
 
+/// The same for one that takes all doubles, whatever the arithmetic.  It does
+/// not take NULL for it.
+TCase *statuses_case_of_doubles(const char *name, void (*use)(void));
+
 /// Makes a broken contract end the program with the status BROKEN_CONTRACT
 /// instead of a signal, if the place and the condition are known.
 void exit_on_broken_contract(void);

@@ -1,0 +1,47 @@
+//: Declare products of vectors
+#pragma once
+
+#include "geometry/vector.h"
+
+#include <stdbool.h>
+
+static inline tf_vector tf_vector_difference(tf_vector a, tf_vector b)
+{
+    return (tf_vector){{a.x[0] - b.x[0], a.x[1] - b.x[1], a.x[2] - b.x[2]}};
+}
+
+static inline tf_vector tf_vector_cross(tf_vector a, tf_vector b)
+{
+    return (tf_vector){{a.x[1] * b.x[2] - a.x[2] * b.x[1],
+                        a.x[2] * b.x[0] - a.x[0] * b.x[2],
+                        a.x[0] * b.x[1] - a.x[1] * b.x[0]}};
+}
+
+//: Declare nearest points
+enum {
+    TF_MOST_CORNERS = 6 ///< of two elements: two triangles
+};
+
+/// A point of each of two elements: barycentric coordinates by vertex, those of
+/// the first element first; the coordinates of each element sum to 1.
+typedef struct tf_nearest {
+    double distance; ///< between the two points
+    double weight[TF_MOST_CORNERS];
+} tf_nearest;
+
+/// The nearest points of two elements, whose vertices are x[0..vertices-1] and
+/// x[vertices..vertices+others-1]: 1 + 2, 1 + 3, 2 + 2 or 3 + 3.  In the plane
+/// the third coordinates are zero.  Correct up to rounding, however degenerate
+/// the elements are.  Where products overflow the distance is infinite.
+tf_nearest tf_nearest_points(int vertices, int others, const tf_vector x[]);
+
+//: Declare the coordinates where elements cross
+/// The barycentric coordinates at which the lines or planes of two elements (1
+/// + 2, 1 + 3 or 2 + 2 vertices) are nearest, negative ones included: those of
+/// the common point, if they have one.  False where they are not defined: for
+/// elements without length or area and for parallel edges.
+bool tf_crossing_weights(int vertices, int others, const tf_vector x[],
+                         double weight[]);
+
+/// Whether all of `count` coordinates are at least `least`.
+bool tf_weights_reach(int count, const double weight[], double least);

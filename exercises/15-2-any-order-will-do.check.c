@@ -2,7 +2,7 @@
 
 #include "bench/layers.h"
 #include "support/support.h"
-#include "support/surfaces.h"
+#include "support/surface_of.h"
 #include "surface/detect.h"
 
 #include <stdlib.h>

@@ -100,7 +100,7 @@ def run_compiler(arguments):
 def compile_checks(exercise, folder):
     folder.mkdir(parents=True, exist_ok=True)
     compiled = folder / (exercise.slug + ".check.o")
-    good, errors = run_compiler(["-c", str(exercise.checks),
+    good, errors = run_compiler(["-Werror", "-c", str(exercise.checks),
                                  "-o", str(compiled)])
     if not good:
         sys.exit(errors)

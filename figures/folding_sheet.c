@@ -303,15 +303,23 @@ static void draw_still(fig_page *page, const sheet *s)
               (fig_box){side, 0, width - side, height - text_room}, false);
 }
 
+/// Smaller than the page: a film weighs as much as the pixels that change.
+static void draw_frame(fig_page *page, const sheet *s, double t)
+{
+    double width = fig_page_width(page), height = fig_page_height(page);
+    double inset = 0.04 * width;
+    draw_time(page, s, t,
+              (fig_box){inset, inset, width - 2 * inset,
+                        height - text_room - 2 * inset},
+              true);
+}
+
 static void draw(fig_page *page, FILE *numbers)
 {
     sheet s = fold();
     double t = fig_film_time(page, numbers, shown, s.toi);
     if (fig_page_moves(page))
-        draw_time(page, &s, t,
-                  (fig_box){0, 0, fig_page_width(page),
-                            fig_page_height(page) - text_room},
-                  true);
+        draw_frame(page, &s, t);
     else
         draw_still(page, &s);
     print_numbers(&s, numbers);

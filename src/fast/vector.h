@@ -17,6 +17,6 @@
 ///
 /// The rounded numbers serve tf_exact, tf_perturbed, tf_clamped and tf_report,
 /// in space.  With any other arithmetic, and in the plane, it is tf_reference.
-TF_API extern const tf_narrow_phase tf_vector;
+TF_API extern const tf_narrow_phase tf_vectorized;
 
 /// @}

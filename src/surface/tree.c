@@ -1,7 +1,7 @@
 //: Include what the tree needs
 #include "surface/tree.h"
 
-#include "surface/vectors.h"
+#include "base/vectors.h"
 
 #include <stddef.h>
 

@@ -11,11 +11,12 @@
 /// @{
 
 enum {
-    TF_BLOCK_QUERIES = 64 ///< queries a block: as many as a mask has bits
+    TF_BLOCK_QUERIES = 8, ///< queries a block: a row of it is a cache line
+    TF_MASK_QUERIES = 64, ///< queries a mask: a bit each
 };
 
-/// Up to 64 queries in space, each a lane of 24 rows of numbers, so that a
-/// vector unit takes neighboring queries at once.
+/// Up to eight queries in space, side by side, so that a vector unit takes
+/// them all at once.
 ///
 /// `at[t][v][k][i]` is coordinate k (x, y, z) of vertex v of query i, at the
 /// start (t = 0) or the end (t = 1) of the step, in any one unit of length.
@@ -25,20 +26,20 @@ enum {
 /// order in which it is swept.  Blocks that begin at a multiple of 64 bytes are
 /// read fastest.
 typedef struct tf_query_block {
-    double at[2][4][3][TF_BLOCK_QUERIES]; ///< coordinates, lane by lane
+    double at[2][4][3][TF_BLOCK_QUERIES]; ///< coordinates
 } tf_query_block;
 
-//: Declare the verdicts of a block
-/// What is certain about the queries of a block.  Bit i, which counts 2^i, is
-/// about query i; of `apart`, `hit` and `undecided` exactly one has it set.
-/// The bits of lanes without a query are zero.
+//: Declare verdicts as bits
+/// What is certain about 64 queries, eight blocks of them.  Bit i, which counts
+/// 2^i, is about query i; of `apart`, `hit` and `undecided` exactly one has it
+/// set.  Bits without a query are zero.
 typedef struct tf_query_masks {
     uint64_t apart;     ///< the elements do not meet
-    uint64_t separated; ///< nor does this need a sign, since one lies strictly
-                        ///< to the same side of the other along an axis at
-                        ///< both ends; these queries are in `apart` as well
+    uint64_t separated; ///< that needs no sign: along an axis one is strictly
+                        ///< to the same side of the other at both ends; these
+                        ///< queries are in `apart` as well
     uint64_t hit;       ///< the elements meet
-    uint64_t undecided; ///< not certain: ask tf_reference
+    uint64_t undecided; ///< not certain: leave them to tf_reference
 } tf_query_masks;
 
 //: Declare the filters
@@ -53,9 +54,10 @@ typedef struct tf_query_masks {
 /// The masks are the same bits on all machines.
 ///
 /// @param count how many queries
-/// @param block the queries, 64 a block; the last block may have fewer, and
+/// @param block the queries, eight a block; the last block may have fewer, and
 ///     then the numbers of its other lanes are read but do not matter
-/// @param[out] masks the verdicts, one a block; set only with TF_OK
+/// @param[out] masks the verdicts, those of 64 queries each; set only with
+///     TF_OK
 /// @return TF_OK, or TF_BAD_ENVIRONMENT
 TF_API tf_status tf_filter_point_triangle(size_t count,
                                           const tf_query_block block[],
@@ -64,8 +66,9 @@ TF_API tf_status tf_filter_point_triangle(size_t count,
 /// The same for pairs of edges, whose verdicts are those of tf_edge_edge.
 /// Thread-safe.
 /// @param count how many queries
-/// @param block the queries, 64 a block, as above
-/// @param[out] masks the verdicts, one a block; set only with TF_OK
+/// @param block the queries, eight a block, as above
+/// @param[out] masks the verdicts, those of 64 queries each; set only with
+///     TF_OK
 /// @return TF_OK, or TF_BAD_ENVIRONMENT
 TF_API tf_status tf_filter_edge_edge(size_t count, const tf_query_block block[],
                                      tf_query_masks masks[]);

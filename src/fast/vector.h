@@ -10,7 +10,7 @@
 /// Decides many queries at a time, several times as fast as tf_reference, with
 /// the same verdicts, statuses and counts.
 ///
-/// It gathers the vertices of 64 queries into a block, decides those that
+/// It gathers the vertices of the queries into blocks, decides those that
 /// rounded numbers decide for certain, by vector instructions, and has
 /// tf_reference decide the others.  So it gains most where few queries are
 /// degenerate; where all are, it costs a few percent.

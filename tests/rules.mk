@@ -116,7 +116,7 @@ soak: $(BUILD)/tests/soak/soak ## answer COUNT=100000000 queries in two ways, an
 
 # What is measured -------------------------------------------------------------
 
-benches = bench surfaces
+benches = bench surfaces speed
 bench: $(benches:%=$(BUILD)/tests/bench/%) ## time the library
 	@for program in $^; do $$program; done
 

@@ -112,7 +112,10 @@ COUNT = 100000000
 FROM = 0
 soak: $(BUILD)/tests/soak/soak ## answer COUNT=100000000 queries in two ways, and compare
 	@$< $(COUNT) $(FROM)
-.PHONY: soak
+
+soak-vectors: $(BUILD)/tests/soak/vectors ## compare COUNT=100000000 verdicts by vectors with the reference's
+	@$< $(COUNT)
+.PHONY: soak soak-vectors
 
 # What is measured -------------------------------------------------------------
 

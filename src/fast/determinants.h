@@ -58,6 +58,7 @@ TF_INSIDE tf_lane_range tf_lane_union(tf_lane_range a, tf_lane_range b)
     return (tf_lane_range){tf_least(a.low, b.low), tf_most(a.high, b.high)};
 }
 
+//: Find the range of four or five numbers
 TF_INSIDE tf_lane_range tf_lane_range_of_4(double a, double b, double c,
                                            double d)
 {
@@ -103,7 +104,7 @@ TF_INSIDE tf_lane_axis tf_lane_point_axis(double A, double B, double C,
                           .reach = tf_most(all.high, -all.low)};
 }
 
-//: Measure an axis of two edges
+//: Measure the gaps between two ranges
 /// How far two ranges are apart, each way, where that is positive: the first
 /// beyond the second, and the second beyond the first.
 typedef struct tf_lane_gaps {
@@ -120,6 +121,7 @@ TF_INSIDE double tf_lane_length(tf_lane_range range)
     return range.high - range.low;
 }
 
+//: Measure an axis of two edges
 /// Of the coordinates of the edges AB and CD, and later ab and cd.
 TF_INSIDE tf_lane_axis tf_lane_edges_axis(double A, double B, double C,
                                           double D, double a, double b,

@@ -5,7 +5,7 @@
 #include "base/require.h"
 #include "fast/lanes.h"
 
-//: Filter all blocks
+//: Clear the bits of no query
 /// Clears the bits of the last masks that are of no query.
 static void clear_rest(size_t count, tf_query_masks masks[])
 {
@@ -20,6 +20,7 @@ static void clear_rest(size_t count, tf_query_masks masks[])
     last->undecided &= queries;
 }
 
+//: Filter all queries
 static tf_status filter_all(tf_lanes_filter *filter, size_t count,
                             const tf_query_block block[],
                             tf_query_masks masks[])

@@ -1,4 +1,4 @@
-//: Declare blocks of queries
+//: Count the queries of a block
 #pragma once
 
 #include "base/api.h"
@@ -15,6 +15,7 @@ enum {
     TF_MASK_QUERIES = 64, ///< queries a mask: a bit each
 };
 
+//: Declare blocks of queries
 /// Up to eight queries in space, side by side, so that a vector unit takes
 /// them all at once.
 ///
@@ -42,7 +43,7 @@ typedef struct tf_query_masks {
     uint64_t undecided; ///< not certain: leave them to tf_reference
 } tf_query_masks;
 
-//: Declare the filters
+//: Declare the filter of points and triangles
 /// Decides by rounded numbers which of many points meet their triangles, where
 /// that is certain, at about the speed at which memory delivers the blocks.
 /// Thread-safe.
@@ -63,6 +64,7 @@ TF_API tf_status tf_filter_point_triangle(size_t count,
                                           const tf_query_block block[],
                                           tf_query_masks masks[]);
 
+//: Declare the filter of edges
 /// The same for pairs of edges, whose verdicts are those of tf_edge_edge.
 /// Thread-safe.
 /// @param count how many queries

@@ -121,6 +121,7 @@ TF_VECTORS TF_NO_TRAPS static void filter_edges(size_t blocks,
     filter_blocks(blocks, block, share, masks, true);
 }
 
+//: Offer the loops
 void tf_lanes_point_triangle(size_t blocks, const tf_query_block block[],
                              double share, tf_query_masks masks[])
 {

@@ -58,11 +58,13 @@ static void sort_vertices(tf_kind kind, int vertex[4])
 }
 
 //: Check the vertices of a query
-static bool are_good(const tf_motion *motion, const int vertex[4])
+static bool are_good(int vertices, const int vertex[4])
 {
+    // As unsigned numbers, negative ones are too large.
+    unsigned end = vertices < 0 ? 0 : (unsigned)vertices;
     bool bad = false;
     for (int i = 0; i < 4; i++) {
-        bad |= (vertex[i] < 0) | (vertex[i] >= motion->vertices);
+        bad |= (unsigned)vertex[i] >= end;
         for (int j = 0; j < i; j++)
             bad |= vertex[i] == vertex[j];
     }
@@ -83,7 +85,7 @@ static bool gather_query(tf_kind kind, const tf_motion *motion,
 {
     int vertex[4];
     memcpy(vertex, given, sizeof vertex);
-    if (!are_good(motion, vertex))
+    if (!are_good(motion->vertices, vertex))
         return false;
     sort_vertices(kind, vertex);
     for (int v = 0; v < 4; v++) {
@@ -152,20 +154,20 @@ static tf_status leave_to_reference(const tf_arithmetic *arithmetic,
 /// not finite leaves its query undecided.
 static tf_status spread(const tf_arithmetic *arithmetic,
                         const tf_queries *queries, size_t begin, size_t end,
-                        tf_query_masks masks, tf_verdict verdict[],
+                        const tf_query_masks *masks, tf_verdict verdict[],
                         size_t *separated)
 {
     for (size_t i = begin; i < end; i++) {
-        unsigned lane = (unsigned)(i - begin);
-        if (masks.undecided >> lane & 1) {
+        size_t lane = i - begin;
+        if (masks->undecided >> lane & 1) {
             tf_status status = leave_to_reference(arithmetic, queries, i, i + 1,
                                                   verdict, separated);
             if (status != TF_OK)
                 return status;
             continue;
         }
-        verdict[i] = masks.hit >> lane & 1 ? TF_HIT : TF_APART;
-        *separated += masks.separated >> lane & 1;
+        verdict[i] = masks->hit >> lane & 1 ? TF_HIT : TF_APART;
+        *separated += masks->separated >> lane & 1;
     }
     return TF_OK;
 }
@@ -183,7 +185,7 @@ static tf_status decide_some(const tf_arithmetic *arithmetic,
     tf_query_masks masks;
     size_t blocks = (end - begin + TF_BLOCK_QUERIES - 1) / TF_BLOCK_QUERIES;
     filter_for(queries->kind)(blocks, block, share_for(arithmetic), &masks);
-    return spread(arithmetic, queries, begin, end, masks, verdict, separated);
+    return spread(arithmetic, queries, begin, end, &masks, verdict, separated);
 }
 
 //: Decide many queries by vectors

@@ -95,6 +95,26 @@ START_TEST(near_the_line)
 }
 END_TEST
 
+/// Two points that are close to each other and far from the third, on a line
+/// with it but for the last bits: errors are as large as they get.
+START_TEST(near_each_other)
+{
+    generator random = generator_new(3);
+    double at[3][2][LANES];
+    for (int n = 0; n < 40; n++) {
+        for (int i = 0; i < LANES; i++) {
+            double far = uniform(&random, 8, 16), step = uniform(&random, 0, 1);
+            for (int k = 0; k < 2; k++) {
+                at[0][k][i] = 0.5 + 0x1p-53 * below(&random, 64);
+                at[1][k][i] = far;
+                at[2][k][i] = far + step;
+            }
+        }
+        expect(at);
+    }
+}
+END_TEST
+
 START_TEST(with_axes_of_other_units)
 {
     generator random = generator_new(2);
@@ -115,5 +135,6 @@ void add_tests(TCase *tests)
 {
     tcase_add_test(tests, far_from_the_line);
     tcase_add_test(tests, near_the_line);
+    tcase_add_test(tests, near_each_other);
     tcase_add_test(tests, with_axes_of_other_units);
 }

@@ -235,15 +235,27 @@ typedef enum format {
 static format chosen;
 static bool printed;
 
+static void print_json(const char *name, double value, const char *unit,
+                       double ratio)
+{
+    printf("%s\n{\"name\": \"%s\", \"value\": %.3f, \"unit\": \"%s\"",
+           printed ? "," : "", name, value, unit);
+    if (isnan(ratio))
+        printf("}");
+    else
+        printf(", \"ratio\": %.3f}", ratio);
+}
+
+/// A `ratio` of NaN: there is none.
 static void print_row(const char *name, double value, const char *unit,
                       double ratio)
 {
     if (chosen == CSV)
         printf("%s,%.3f,%s\n", name, value, unit);
     else if (chosen == JSON)
-        printf("%s\n{\"name\": \"%s\", \"value\": %.3f, \"unit\": \"%s\", "
-               "\"ratio\": %.3f}",
-               printed ? "," : "", name, value, unit, ratio);
+        print_json(name, value, unit, ratio);
+    else if (isnan(ratio))
+        printf("%-46s %9.2f %s\n", name, value, unit);
     else
         printf("%-46s %9.2f %-13s %8.2f\n", name, value, unit, ratio);
     printed = true;

@@ -151,7 +151,7 @@ static damage any_damage(generator *random, size_t count)
                 .index = index[below(random, 5)]};
     for (int i = 0; i < 2; i++) {
         d.query[i] = (size_t)below(random, (int)count);
-        d.what[i] = below(random, 29);
+        d.what[i] = below(random, 2) ? below(random, 29) : 0;
     }
     return d;
 }

@@ -83,7 +83,9 @@ static query scaled_any(generator *random, query_kind kind, int exponent)
 
 static query subnormal(generator *random, query_kind kind)
 {
-    return scaled_any(random, kind, -1070 + below(random, 60));
+    // The coordinates themselves, or only products of three.
+    int exponent = below(random, 2) ? -1070 : -365;
+    return scaled_any(random, kind, exponent + below(random, 50));
 }
 
 static query huge(generator *random, query_kind kind)

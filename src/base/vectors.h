@@ -17,7 +17,7 @@
 
 //: Let lanes choose without a branch
 /// Marks a function that computes what it may not need.  gcc believes that
-/// every comparison could raise a trap, and therefore keeps a choice as a
+/// every comparison could raise a trap, and may therefore keep a choice as a
 /// branch, which no vector can take, unless it is told that nobody listens to
 /// traps.  This changes no number: only flags that the library never reads.
 #if defined __GNUC__ && !defined __clang__

@@ -322,6 +322,6 @@ const fig_figure fig_layers = {
     .name = "layers",
     .title = "The layers of the library and what includes what",
     .width = FIG_PAGE_WIDTH,
-    .height = 404,
+    .height = 456,
     .draw = draw,
 };

@@ -36,7 +36,7 @@ static bool same_bits(const tf_query_masks *one, const tf_query_masks *all,
 /// A block with one query of another in each lane.
 static tf_query_block copies_of(const tf_query_block *block, int lane)
 {
-    tf_query_block copies;
+    tf_query_block copies = {0};
     const double(*from)[TF_BLOCK_QUERIES] = block->at[0][0];
     double(*to)[TF_BLOCK_QUERIES] = copies.at[0][0];
     for (int row = 0; row < 24; row++)

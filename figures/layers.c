@@ -322,6 +322,6 @@ const fig_figure fig_layers = {
     .name = "layers",
     .title = "The layers of the library and what includes what",
     .width = FIG_PAGE_WIDTH,
-    .height = 524,
+    .height = 576,
     .draw = draw,
 };

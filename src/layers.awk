@@ -8,7 +8,8 @@
 # see: public headers, besides base/.
 
 BEGIN {
-    layers = split("base geometry arithmetic intersect query linear surface program", layer)
+    layers = split("base geometry arithmetic intersect query linear surface " \
+                   "fast program", layer)
     for (i = 1; i <= layers; i++) {
         rank[layer[i]] = i
         print layer[i]

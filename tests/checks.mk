@@ -67,6 +67,9 @@ proofs: need-proofs ## prove the error bounds with the constants in the code
 check-compilers: need-compilers ## check that gcc and clang give the same answers
 	@MAKE='$(MAKE) $(parallel)' BUILD=$(BUILD) sh tests/compilers.sh
 
+check-vectors: need-compilers ## check that compilers make vectors of the lanes
+	@BUILD=$(BUILD) sh tests/vectors.sh
+
 check-reproducible: need-book ## check that two builds of HEAD are identical
 	@MAKE='$(MAKE) $(parallel)' BUILD=$(BUILD) sh tests/reproducible.sh
-.PHONY: check-compilers check-reproducible
+.PHONY: check-compilers check-vectors check-reproducible

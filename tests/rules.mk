@@ -112,11 +112,14 @@ COUNT = 100000000
 FROM = 0
 soak: $(BUILD)/tests/soak/soak ## answer COUNT=100000000 queries in two ways, and compare
 	@$< $(COUNT) $(FROM)
-.PHONY: soak
+
+soak-vectors: $(BUILD)/tests/soak/vectors ## compare COUNT=100000000 verdicts by vectors with the reference's
+	@$< $(COUNT)
+.PHONY: soak soak-vectors
 
 # What is measured -------------------------------------------------------------
 
-benches = bench surfaces
+benches = bench surfaces speed
 bench: $(benches:%=$(BUILD)/tests/bench/%) ## time the library
 	@for program in $^; do $$program; done
 

@@ -3,6 +3,7 @@
 
 #include "program/arithmetics.h"
 #include "program/frames.h"
+#include "program/narrow_phases.h"
 #include "program/progress.h"
 #include "program/surface_output.h"
 #include "program/threads.h"
@@ -17,6 +18,7 @@ typedef struct request {
     const tf_surface_format *format;
     int threads;
     const tf_arithmetic *arithmetic;
+    const tf_narrow_phase *narrow_phase;
     tf_extent extent;
     char **paths;
     int path_count;
@@ -76,6 +78,10 @@ static const struct argp_option detect_options[] = {
     {"first", 'f', NULL, 0, "Only the first contact of each step", 0},
     {"arithmetic", 'a', "NAME", 0,
      "How signs are found: " TF_ARITHMETIC_NAMES "; the default is exact", 0},
+    {"narrow-phase", 'n', "NAME", 0,
+     "What decides the candidates: " TF_NARROW_PHASE_NAMES
+     "; the default is vector, which is faster; both give the same answers",
+     0},
     TF_OUTPUT_OPTIONS,
     {0},
 };
@@ -113,6 +119,10 @@ static error_t parse_argument(int key, char *text, struct argp_state *state)
     case 'a':
         if (!(wanted->arithmetic = tf_arithmetic_named(text)))
             refuse(state, "arithmetic", text, TF_ARITHMETIC_NAMES);
+        return 0;
+    case 'n':
+        if (!(wanted->narrow_phase = tf_narrow_phase_named(text)))
+            refuse(state, "narrow phase", text, TF_NARROW_PHASE_NAMES);
         return 0;
     case 'o':
         if (!(wanted->format = tf_surface_format_named(text)))
@@ -186,6 +196,7 @@ static bool detect_step(work *w)
     tf_parallel threads = tf_threads(&w->request.threads);
     tf_detection detection = {.extent = w->request.extent,
                               .arithmetic = w->request.arithmetic,
+                              .narrow_phase = w->request.narrow_phase,
                               .parallel = &threads};
     tf_motion motion = tf_frames_motion(&w->frames);
     tf_contacts found;
@@ -254,6 +265,7 @@ static int run(int argc, char *argv[], const struct argp *parser, bool checks,
                bool (*do_all)(work *))
 {
     work w = {.request = {.format = tf_surface_format_named("csv"),
+                          .narrow_phase = tf_narrow_phase_named("vector"),
                           .threads = tf_threads_available()}};
     argp_parse(parser, argc, argv, 0, NULL, &w.request);
 

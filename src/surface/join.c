@@ -1,7 +1,7 @@
 //: Include what the join needs
 #include "surface/join.h"
 
-#include "surface/vectors.h"
+#include "base/vectors.h"
 
 #include <stdint.h>
 

@@ -580,9 +580,11 @@ START_TEST(help)
         "Usage: tanglefree detect [OPTION...] START END [END...]",
         "--first",
         "--arithmetic=NAME",
+        "--narrow-phase=NAME",
         "--output=FORMAT",
         "--threads=NUMBER",
         "exact, clamped, report",
+        "reference or vector",
         "csv, json or summary",
         "toi_lo",
         "Exit status"};
@@ -621,11 +623,16 @@ START_TEST(arguments_that_are_wrong)
         "detect -a rounded above below",
         "tanglefree detect: unknown arithmetic 'rounded'; choose exact, "
         "clamped, report, perturbed, integer64 or integer128\n");
+    expect_usage("detect --narrow-phase=scalar above below",
+                 "tanglefree detect: unknown narrow phase 'scalar'; choose "
+                 "reference or vector\n");
     expect_usage("detect -o xml above below",
                  "tanglefree detect: unknown output format 'xml'; choose csv, "
                  "json or summary\n");
     expect_usage("check -a exact clear",
                  "tanglefree check: invalid option -- 'a'");
+    expect_usage("check -n vector clear",
+                 "tanglefree check: invalid option -- 'n'");
     expect_usage("check -f clear", "tanglefree check: invalid option -- 'f'");
     static const char *const threads[] = {
         "0", "-1", "257", "two", "1.5", "''", "9999999999999999999"};

@@ -4,7 +4,7 @@ A script says in its comments what it proves, and takes its constants from the
 C code:
 
     # claim: TEXT       what is proved
-    # source: FILE      the file that it is about
+    # source: FILE      the file that the next lines are about
     # code: TEXT        must be in that file, however it is broken into lines;
                         {NAME} stands for whatever the file has there, and
                         defines NAME in the script
@@ -50,12 +50,14 @@ def find_quoted(quoted, source):
 
 
 def read_constants(script):
-    """The constants that the script takes from its source, {name: text}."""
-    constants = {}
-    for name in told(script, "source"):
-        source = (ROOT / name).read_text()
-        for quoted in told(script, "code"):
-            constants |= find_quoted(quoted, source)
+    """The constants that the script takes from its sources, {name: text}."""
+    constants, source = {}, ""
+    for what, text in re.findall("^# (source|code): (.*)$", script,
+                                 re.MULTILINE):
+        if what == "source":
+            source = (ROOT / text).read_text()
+        else:
+            constants |= find_quoted(text, source)
     return constants
 
 

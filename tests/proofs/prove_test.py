@@ -10,6 +10,8 @@ ROOT = pathlib.Path(__file__).parent.parent.parent
 FILTER = "src/arithmetic/filter.c"
 CLAMPED = "src/arithmetic/clamped.c"
 TIME = "src/intersect/time.c"
+DETERMINANTS = "src/fast/determinants.h"
+LANES = "src/fast/lanes.h"
 
 # A script, a change of a file, and what the script must tell then.
 CHANGES = [
@@ -25,6 +27,11 @@ CHANGES = [
     ("2x2", FILTER, "fabs(down) + fabs(up)", "fabs(down - up)",
      "the code has no"),
     ("3x3", FILTER, "zx - xz", "zx + xz", "the code has no"),
+    ("lanes", LANES, "(48 *", "(46 *", "NOT PROVED"),
+    ("lanes", DETERMINANTS, "0x1p-300", "0x1p-350", "NOT PROVED"),
+    ("lanes", DETERMINANTS, "a.x * b.y - a.y * b.x", "a.x * b.y",
+     "the code has no"),
+    ("lanes", DETERMINANTS, " + a.z * b.z;", ";", "the code has no"),
     ("2x2", "tests/proofs/2x2.gappa", "up * (1 - keep2)", "up * keep2",
      "a rule is no identity"),
     ("3x3", "tests/proofs/3x3.gappa", "not (7 + 0x1p-48)", "not (7 + 0x1p-47)",

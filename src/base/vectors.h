@@ -15,6 +15,17 @@
 #define TF_VECTORS
 #endif
 
+//: Let lanes choose without a branch
+/// Marks a function that computes what it may not need.  gcc believes that
+/// every comparison could raise a trap, and may therefore keep a choice as a
+/// branch, which no vector can take, unless it is told that nobody listens to
+/// traps.  This changes no number: only flags that the library never reads.
+#if defined __GNUC__ && !defined __clang__
+#define TF_NO_TRAPS __attribute__((optimize("no-trapping-math")))
+#else
+#define TF_NO_TRAPS
+#endif
+
 //: Keep a function inside others
 /// Keeps a function inside those that are compiled several times.
 #ifdef __GNUC__

@@ -1,0 +1,246 @@
+//: Hold one query
+#pragma once
+
+#include "base/vectors.h"
+
+/// A vector of space, or of what is computed with them: three numbers that
+/// stay in registers.
+typedef struct tf_lane_vector {
+    double x, y, z;
+} tf_lane_vector;
+
+/// The four vertices of a query at the start and at the end: those of the first
+/// element, then those of the second, each element's in the order of indices.
+typedef struct tf_lane {
+    tf_lane_vector start[4], end[4];
+} tf_lane;
+
+//: Choose without a branch
+TF_INSIDE double tf_least(double a, double b)
+{
+    return a < b ? a : b;
+}
+
+TF_INSIDE double tf_most(double a, double b)
+{
+    return a > b ? a : b;
+}
+
+//: Multiply vectors
+TF_INSIDE tf_lane_vector tf_lane_minus(tf_lane_vector a, tf_lane_vector b)
+{
+    return (tf_lane_vector){a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+TF_INSIDE tf_lane_vector tf_lane_cross(tf_lane_vector a, tf_lane_vector b)
+{
+    return (tf_lane_vector){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z,
+                            a.x * b.y - a.y * b.x};
+}
+
+TF_INSIDE double tf_lane_dot(tf_lane_vector a, tf_lane_vector b)
+{
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+//: Hold the range of some numbers
+typedef struct tf_lane_range {
+    double low, high;
+} tf_lane_range;
+
+TF_INSIDE tf_lane_range tf_lane_range_of(double a, double b)
+{
+    return (tf_lane_range){tf_least(a, b), tf_most(a, b)};
+}
+
+TF_INSIDE tf_lane_range tf_lane_union(tf_lane_range a, tf_lane_range b)
+{
+    return (tf_lane_range){tf_least(a.low, b.low), tf_most(a.high, b.high)};
+}
+
+//: Find the range of four or five numbers
+TF_INSIDE tf_lane_range tf_lane_range_of_4(double a, double b, double c,
+                                           double d)
+{
+    return tf_lane_union(tf_lane_range_of(a, b), tf_lane_range_of(c, d));
+}
+
+TF_INSIDE tf_lane_range tf_lane_range_of_5(double a, double b, double c,
+                                           double d, double e)
+{
+    tf_lane_range four = tf_lane_range_of_4(a, b, c, d);
+    return (tf_lane_range){tf_least(four.low, e), tf_most(four.high, e)};
+}
+
+//: State what a pair of simplices shows
+/// If this is positive, all numbers have one sign, and are at least that far
+/// from zero.
+TF_INSIDE double tf_lane_agreement(tf_lane_range range)
+{
+    return tf_most(range.low, -range.high);
+}
+
+/// If this is positive, two numbers have opposite signs, and are at least that
+/// far from zero.
+TF_INSIDE double tf_lane_conflict(tf_lane_range range)
+{
+    return tf_least(range.high, -range.low);
+}
+
+//: Measure an axis
+/// What one axis shows: how far it separates the elements, if that is positive,
+/// and the largest difference of two coordinates at one time.
+typedef struct tf_lane_axis {
+    double gap, reach;
+} tf_lane_axis;
+
+/// Of the differences of the triangle's vertices to the point.
+TF_INSIDE tf_lane_axis tf_lane_point_axis(double A, double B, double C,
+                                          double a, double b, double c)
+{
+    tf_lane_range all =
+        tf_lane_union(tf_lane_range_of_4(A, B, C, a), tf_lane_range_of(b, c));
+    return (tf_lane_axis){.gap = tf_most(all.low, -all.high),
+                          .reach = tf_most(all.high, -all.low)};
+}
+
+//: Measure the gaps between two ranges
+/// How far two ranges are apart, each way, where that is positive: the first
+/// beyond the second, and the second beyond the first.
+typedef struct tf_lane_gaps {
+    double beyond, before;
+} tf_lane_gaps;
+
+TF_INSIDE tf_lane_gaps tf_lane_gaps_of(tf_lane_range s, tf_lane_range r)
+{
+    return (tf_lane_gaps){s.low - r.high, r.low - s.high};
+}
+
+TF_INSIDE double tf_lane_length(tf_lane_range range)
+{
+    return range.high - range.low;
+}
+
+//: Measure an axis of two edges
+/// Of the coordinates of the edges AB and CD, and later ab and cd.
+TF_INSIDE tf_lane_axis tf_lane_edges_axis(double A, double B, double C,
+                                          double D, double a, double b,
+                                          double c, double d)
+{
+    tf_lane_range S = tf_lane_range_of(A, B), R = tf_lane_range_of(C, D);
+    tf_lane_range s = tf_lane_range_of(a, b), r = tf_lane_range_of(c, d);
+    tf_lane_gaps start = tf_lane_gaps_of(S, R), end = tf_lane_gaps_of(s, r);
+    return (tf_lane_axis){.gap = tf_most(tf_least(start.beyond, end.beyond),
+                                         tf_least(start.before, end.before)),
+                          .reach =
+                              tf_most(tf_lane_length(tf_lane_union(S, R)),
+                                      tf_lane_length(tf_lane_union(s, r)))};
+}
+
+//: Hold what a query shows
+typedef struct tf_lane_evidence {
+    double gap;       ///< > 0: an axis separates the elements
+    double agreement; ///< > error: the signs of some pair of simplices agree
+    double conflict;  ///< > error: those of each pair are in conflict
+    double reach;     ///< the largest difference on any axis
+    double volume;    ///< the product of the largest on each
+    double sum;       ///< finite only if all coordinates are
+} tf_lane_evidence;
+
+/// The reach of no axis counts as less, so that no product underflows.
+#define TF_LEAST_REACH 0x1p-300
+
+TF_INSIDE tf_lane_evidence tf_lane_evidence_of(tf_lane_axis x, tf_lane_axis y,
+                                               tf_lane_axis z)
+{
+    return (tf_lane_evidence){.gap = tf_most(x.gap, tf_most(y.gap, z.gap)),
+                              .reach =
+                                  tf_most(x.reach, tf_most(y.reach, z.reach)),
+                              .volume = tf_most(x.reach, TF_LEAST_REACH) *
+                                        tf_most(y.reach, TF_LEAST_REACH) *
+                                        tf_most(z.reach, TF_LEAST_REACH)};
+}
+
+//: Weigh a point and a triangle
+TF_INSIDE tf_lane_evidence tf_lane_point_triangle(const tf_lane *lane)
+{
+    //: Let the point stand still at the origin
+    const tf_lane_vector *s = lane->start, *e = lane->end;
+    tf_lane_vector A = tf_lane_minus(s[1], s[0]), a = tf_lane_minus(e[1], e[0]);
+    tf_lane_vector B = tf_lane_minus(s[2], s[0]), b = tf_lane_minus(e[2], e[0]);
+    tf_lane_vector C = tf_lane_minus(s[3], s[0]), c = tf_lane_minus(e[3], e[0]);
+    tf_lane_evidence found =
+        tf_lane_evidence_of(tf_lane_point_axis(A.x, B.x, C.x, a.x, b.x, c.x),
+                            tf_lane_point_axis(A.y, B.y, C.y, a.y, b.y, c.y),
+                            tf_lane_point_axis(A.z, B.z, C.z, a.z, b.z, c.z));
+
+    //: Compute ten determinants from four cross products
+    tf_lane_vector AB = tf_lane_cross(A, B), bc = tf_lane_cross(b, c);
+    tf_lane_vector Aa = tf_lane_cross(A, a), Cc = tf_lane_cross(C, c);
+    double ABC = tf_lane_dot(AB, C), ABb = tf_lane_dot(AB, b);
+    double ABc = tf_lane_dot(AB, c), Aab = tf_lane_dot(Aa, b);
+    double Aac = tf_lane_dot(Aa, c), BCc = tf_lane_dot(B, Cc);
+    double ACc = tf_lane_dot(A, Cc), Abc = tf_lane_dot(A, bc);
+    double Bbc = tf_lane_dot(B, bc), abc = tf_lane_dot(a, bc);
+
+    //: Compare the signs within each of three tetrahedra
+    tf_lane_range ABCc = tf_lane_range_of_4(BCc, -ACc, ABc, -ABC);
+    tf_lane_range ABbc = tf_lane_range_of_4(Bbc, -Abc, ABc, -ABb);
+    tf_lane_range Aabc = tf_lane_range_of_4(abc, -Abc, Aac, -Aab);
+    found.agreement =
+        tf_most(tf_lane_agreement(ABCc),
+                tf_most(tf_lane_agreement(ABbc), tf_lane_agreement(Aabc)));
+    found.conflict =
+        tf_least(tf_lane_conflict(ABCc),
+                 tf_least(tf_lane_conflict(ABbc), tf_lane_conflict(Aabc)));
+    found.sum = BCc + ABc + abc;
+    return found;
+}
+
+//: Weigh two edges
+TF_INSIDE tf_lane_evidence tf_lane_edge_edge(const tf_lane *lane)
+{
+    //: Take the differences of two moving edges
+    tf_lane_vector A = lane->start[0], a = lane->end[0];
+    tf_lane_vector B = lane->start[1], b = lane->end[1];
+    tf_lane_vector C = lane->start[2], c = lane->end[2];
+    tf_lane_vector D = lane->start[3], d = lane->end[3];
+    tf_lane_vector AB = tf_lane_minus(B, A), ab = tf_lane_minus(b, a);
+    tf_lane_vector AC = tf_lane_minus(C, A), ac = tf_lane_minus(c, a);
+    tf_lane_vector AD = tf_lane_minus(D, A), ad = tf_lane_minus(d, a);
+    tf_lane_vector BC = tf_lane_minus(C, B), bc = tf_lane_minus(c, b);
+    tf_lane_vector BD = tf_lane_minus(D, B), bd = tf_lane_minus(d, b);
+    tf_lane_evidence found = tf_lane_evidence_of(
+        tf_lane_edges_axis(A.x, B.x, C.x, D.x, a.x, b.x, c.x, d.x),
+        tf_lane_edges_axis(A.y, B.y, C.y, D.y, a.y, b.y, c.y, d.y),
+        tf_lane_edges_axis(A.z, B.z, C.z, D.z, a.z, b.z, c.z, d.z));
+
+    //: Compute fourteen determinants from seven cross products
+    tf_lane_vector AB_AC = tf_lane_cross(AB, AC), AB_AD = tf_lane_cross(AB, AD);
+    tf_lane_vector AC_AD = tf_lane_cross(AC, AD), AC_ac = tf_lane_cross(AC, ac);
+    tf_lane_vector bd_BC = tf_lane_cross(bd, BC), bd_AC = tf_lane_cross(bd, AC);
+    tf_lane_vector ab_ad = tf_lane_cross(ab, ad);
+    double ABCD = tf_lane_dot(AB_AC, AD), abcd = tf_lane_dot(ac, ab_ad);
+    double ABCbd = tf_lane_dot(AB_AC, bd), ABCbc = tf_lane_dot(AB_AC, bc);
+    double ABDbd = tf_lane_dot(AB_AD, bd), ACDad = tf_lane_dot(AC_AD, ad);
+    double BCDbd = tf_lane_dot(bd_BC, BD), BCbcd = tf_lane_dot(bd_BC, bc);
+    double ACDbd = tf_lane_dot(bd_AC, AD), ACbcd = tf_lane_dot(bd_AC, bc);
+    double ACabc = tf_lane_dot(AC_ac, ab), ACacd = tf_lane_dot(AC_ac, ad);
+    double ACabd = tf_lane_dot(AC, ab_ad), ADabd = tf_lane_dot(AD, ab_ad);
+
+    //: Compare the signs within each of four pairs
+    tf_lane_range ABb_CDd =
+        tf_lane_range_of_5(BCDbd, -ACDbd, -ABDbd, ABCbd, -ABCD);
+    tf_lane_range ABb_Ccd = tf_lane_range_of_4(BCbcd, -ACbcd, ABCbd, -ABCbc);
+    tf_lane_range Aab_CDd = tf_lane_range_of_4(-ADabd, ACabd, -ACDbd, ACDad);
+    tf_lane_range Aab_Ccd =
+        tf_lane_range_of_5(-abcd, -ACbcd, ACacd, ACabd, ACabc);
+    found.agreement = tf_most(
+        tf_most(tf_lane_agreement(ABb_CDd), tf_lane_agreement(ABb_Ccd)),
+        tf_most(tf_lane_agreement(Aab_CDd), tf_lane_agreement(Aab_Ccd)));
+    found.conflict = tf_least(
+        tf_least(tf_lane_conflict(ABb_CDd), tf_lane_conflict(ABb_Ccd)),
+        tf_least(tf_lane_conflict(Aab_CDd), tf_lane_conflict(Aab_Ccd)));
+    found.sum = ABCbd + ACDad + ACabc;
+    return found;
+}

@@ -1,0 +1,135 @@
+//: Include what lanes need
+#include "fast/lanes.h"
+
+#include "fast/determinants.h"
+
+#include <stdbool.h>
+
+//: Take a lane of a block
+TF_INSIDE tf_lane_vector vertex_of(const tf_query_block *block, int t, int v,
+                                   int i)
+{
+    const double(*x)[TF_BLOCK_QUERIES] = block->at[t][v];
+    return (tf_lane_vector){x[0][i], x[1][i], x[2][i]};
+}
+
+TF_INSIDE tf_lane lane_of(const tf_query_block *block, int i)
+{
+    return (tf_lane){
+        .start = {vertex_of(block, 0, 0, i), vertex_of(block, 0, 1, i),
+                  vertex_of(block, 0, 2, i), vertex_of(block, 0, 3, i)},
+        .end = {vertex_of(block, 1, 0, i), vertex_of(block, 1, 1, i),
+                vertex_of(block, 1, 2, i), vertex_of(block, 1, 3, i)}};
+}
+
+//: Judge a query
+/// Sets the bit of a query where its evidence is certain.  Nothing is, if a
+/// product may overflow or a coordinate is not finite, which the maximum and
+/// minimum of numbers can hide, but not their sum.
+TF_INSIDE void judge(tf_lane_evidence shown, double share, uint64_t bit,
+                     tf_query_masks *found)
+{
+    double error = share * shown.volume;
+    uint64_t known = shown.reach <= 0x1p300 ? bit : 0;
+    known = shown.sum - shown.sum == 0 ? known : 0;
+    uint64_t separated = shown.gap > 0 ? known : 0;
+    uint64_t conflict = shown.conflict > error ? known : 0;
+    uint64_t agreement = shown.agreement > error ? known : 0;
+    found->separated |= separated;
+    found->apart |= separated | conflict;
+    found->hit |= agreement;
+}
+
+//: Judge a block of queries
+static const uint64_t lane_bit[TF_BLOCK_QUERIES] = {
+    1 << 0, 1 << 1, 1 << 2, 1 << 3, 1 << 4, 1 << 5, 1 << 6, 1 << 7,
+};
+
+/// Once inside a function that knows of what elements, this is one loop.
+TF_INSIDE tf_query_masks judge_block(const tf_query_block *block, double share,
+                                     bool of_edges)
+{
+    tf_query_masks found = {0};
+    TF_LANE_LOOP
+    for (int i = 0; i < TF_BLOCK_QUERIES; i++) {
+        tf_lane lane = lane_of(block, i);
+        tf_lane_evidence shown =
+            of_edges ? tf_lane_edge_edge(&lane) : tf_lane_point_triangle(&lane);
+        judge(shown, share, lane_bit[i], &found);
+    }
+    return found;
+}
+
+//: Request a block early
+enum {
+    AHEAD = 8 ///< blocks, 12 kilobytes
+};
+
+/// Asks the memory for the block that comes AHEAD of this one.
+TF_INSIDE void request_ahead(size_t blocks, const tf_query_block block[],
+                             size_t i)
+{
+#ifdef __GNUC__
+    if (blocks - i <= AHEAD)
+        return;
+    const double *row = &block[i + AHEAD].at[0][0][0][0];
+    for (int j = 0; j < 2 * 4 * 3; j++)
+        __builtin_prefetch(row + (ptrdiff_t)j * TF_BLOCK_QUERIES);
+#endif
+}
+
+//: Add the bits of a block
+/// Adds what is certain about a block to the masks of the 64 queries around it.
+TF_INSIDE void add_bits(size_t i, tf_query_masks found, tf_query_masks masks[])
+{
+    size_t blocks = TF_MASK_QUERIES / TF_BLOCK_QUERIES;
+    size_t shift = i % blocks * TF_BLOCK_QUERIES;
+    tf_query_masks *all = &masks[i / blocks];
+    if (shift == 0)
+        *all = (tf_query_masks){0};
+    all->apart |= found.apart << shift;
+    all->separated |= found.separated << shift;
+    all->hit |= found.hit << shift;
+    all->undecided = ~(all->apart | all->hit);
+}
+
+//: Filter blocks
+TF_INSIDE void filter_blocks(size_t blocks, const tf_query_block block[],
+                             double share, tf_query_masks masks[],
+                             bool of_edges)
+{
+    for (size_t i = 0; i < blocks; i++) {
+        request_ahead(blocks, block, i);
+        add_bits(i, judge_block(&block[i], share, of_edges), masks);
+    }
+}
+
+//: Compile the loops for several processors
+TF_VECTORS TF_NO_TRAPS static void filter_points(size_t blocks,
+                                                 const tf_query_block block[],
+                                                 double share,
+                                                 tf_query_masks masks[])
+{
+    filter_blocks(blocks, block, share, masks, false);
+}
+
+TF_VECTORS TF_NO_TRAPS static void filter_edges(size_t blocks,
+                                                const tf_query_block block[],
+                                                double share,
+                                                tf_query_masks masks[])
+{
+    filter_blocks(blocks, block, share, masks, true);
+}
+
+//: Offer the loops
+void tf_lanes_point_triangle(size_t blocks, const tf_query_block block[],
+                             double share, tf_query_masks masks[])
+{
+    filter_points(blocks, block, share, masks);
+}
+
+void tf_lanes_edge_edge(size_t blocks, const tf_query_block block[],
+                        double share, tf_query_masks masks[])
+{
+    filter_edges(blocks, block, share, masks);
+}

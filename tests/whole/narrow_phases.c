@@ -1,0 +1,101 @@
+// Detection finds the same rows, by the same effort, with any narrow phase.
+#include "arithmetic/clamped.h"
+#include "arithmetic/exact.h"
+#include "arithmetic/integer.h"
+#include "arithmetic/perturbed.h"
+#include "bench/layers.h"
+#include "fast/vector.h"
+#include "program/threads.h"
+#include "support/support.h"
+#include "support/surface_of.h"
+#include "support/surfaces.h"
+#include "surface/detect.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static const tf_arithmetic *const arithmetics[] = {&tf_exact, &tf_perturbed,
+                                                   &tf_clamped, &tf_report};
+
+enum {
+    ARITHMETICS = sizeof arithmetics / sizeof *arithmetics
+};
+
+/// What a detection finds, in memory of its own.
+typedef struct rows {
+    tf_contacts found;
+    tf_surface_contact *row;
+} rows;
+
+static rows find(tf_surface *surface, const tf_motion *motion,
+                 const tf_arithmetic *arithmetic,
+                 const tf_narrow_phase *narrow_phase)
+{
+    int threads = 2;
+    tf_parallel parallel = tf_threads(&threads);
+    tf_detection detection = {.arithmetic = arithmetic,
+                              .narrow_phase = narrow_phase,
+                              .parallel = &parallel};
+    rows all;
+    ck_assert_int_eq(
+        tf_surface_detect(surface, motion, &detection, &all.found, NULL),
+        TF_OK);
+    size_t bytes = all.found.count * sizeof *all.row;
+    all.row = malloc(bytes + 1);
+    memcpy(all.row, all.found.contact, bytes);
+    return all;
+}
+
+static void compare(const tf_mesh *mesh, const tf_motion *motion)
+{
+    tf_surface *surface = surface_of(mesh);
+    for (int i = 0; i < ARITHMETICS; i++) {
+        rows expected = find(surface, motion, arithmetics[i], &tf_reference);
+        rows by_vectors = find(surface, motion, arithmetics[i], &tf_vectorized);
+        const tf_effort *a = &expected.found.effort;
+        const tf_effort *b = &by_vectors.found.effort;
+        ck_assert_uint_eq(a->candidates, b->candidates);
+        ck_assert_uint_eq(a->by_axis, b->by_axis);
+        ck_assert_uint_eq(a->by_filter, b->by_filter);
+        ck_assert_uint_eq(a->by_signs, b->by_signs);
+        ck_assert_uint_eq(expected.found.count, by_vectors.found.count);
+        ck_assert_mem_eq(expected.row, by_vectors.row,
+                         expected.found.count * sizeof *expected.row);
+        free(expected.row);
+        free(by_vectors.row);
+    }
+    tf_surface_free(surface);
+}
+
+START_TEST(random_surfaces)
+{
+    static some_surface of;
+    generator random = generator_new((uint64_t)_i);
+    for (long i = cases(10); i > 0; i--) {
+        random_surface(&random, 2 + _i / PLACEMENTS, SURFACE_ELEMENTS / 4,
+                       (placement)(_i % PLACEMENTS), &of);
+        compare(&of.mesh, &of.motion);
+    }
+}
+END_TEST
+
+START_TEST(cloth)
+{
+    layers crowded = layers_new(8, 1, 1);
+    compare(&crowded.mesh, &crowded.motion);
+    tf_motion rest = crowded.motion;
+    rest.end = rest.start;
+    compare(&crowded.mesh, &rest);
+    layers_free(&crowded);
+}
+END_TEST
+
+Suite *suite(void)
+{
+    Suite *suite = suite_create("whole/narrow_phases");
+    TCase *c = tcase_create("narrow phases");
+    tcase_add_loop_test(c, random_surfaces, 0, 2 * PLACEMENTS);
+    tcase_add_test(c, cloth);
+    suite_add_tcase(suite, c);
+    return suite;
+}

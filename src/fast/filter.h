@@ -10,7 +10,8 @@
 /// @addtogroup filters Filters
 /// @{
 
-enum {
+/// How many queries there are to what holds several.
+enum tf_filter_size {
     TF_BLOCK_QUERIES = 8, ///< queries a block: a row of it is a cache line
     TF_MASK_QUERIES = 64, ///< queries a mask: a bit each
 };

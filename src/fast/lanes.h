@@ -13,12 +13,14 @@ typedef void tf_lanes_filter(size_t blocks, const tf_query_block block[],
 tf_lanes_filter tf_lanes_point_triangle, tf_lanes_edge_edge;
 
 //: State which determinants are certain
-// The rounded determinant differs from the true one by less than SURE Mx My Mz:
-// tests/proofs/filter.gappa.
+// No rounded determinant is this far from the true one, as
+// tests/proofs/lanes.gappa proves; so beyond this its sign is certain.
 #define TF_UNIT_ROUNDOFF 0x1p-53
 #define TF_SHARE_SURE (48 * TF_UNIT_ROUNDOFF)
 
-// Of a determinant beyond this, tf_clamped is certain as well.  Its own
-// determinants have entries of at most 2 M, so permanents of at most 6 8 Mx My
-// Mz, and a bound of 7 u times that, which the true determinant exceeds twice.
+// Beyond this, tf_clamped is certain as well.  Its differences are at most 2 M,
+// so the six products of its permanent are at most 8 Mx My Mz each, and its
+// bound, 7 u times the permanent, is at most 336 u Mx My Mz.  It is certain of
+// what is truly twice as far from zero; and what is beyond 1024 u as rounded is
+// truly beyond 976 u.
 #define TF_SHARE_CLAMPED (1024 * TF_UNIT_ROUNDOFF)

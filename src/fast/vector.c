@@ -17,8 +17,8 @@
 /// filter, as a share of Mx My Mz; 0: the filter cannot stand in for it.
 ///
 /// A sign that is certain and not zero is that of the perturbed scene, too.
-/// Of a tf_clamped that is certain of opposite signs, or that all agree, the
-/// verdict is the exact one; and tf_report then leaves nothing out.
+/// tf_clamped is certain of the same signs where they are far enough from zero,
+/// and signs that are certain decide alike for it and for tf_report.
 static double share_for(const tf_arithmetic *arithmetic)
 {
     if (arithmetic == &tf_exact || arithmetic == &tf_perturbed)

@@ -11,7 +11,7 @@
 typedef enum tf_status {
     TF_OK = 0,          ///< success
     TF_NOT_FINITE,      ///< a coordinate is a NaN or an infinity
-    TF_OUT_OF_RANGE,    ///< a coordinate exceeds what the arithmetic can hold
+    TF_OUT_OF_RANGE,    ///< the arithmetic cannot hold a coordinate
     TF_BAD_INDEX,       ///< an index repeats, or names no vertex
     TF_BAD_ENVIRONMENT, ///< numbers are not rounded as IEEE demands
     TF_NO_ELEMENTS,     ///< a surface has neither triangles nor edges

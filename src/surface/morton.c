@@ -23,7 +23,7 @@ uint32_t tf_morton_key(const tf_box *box, const tf_box *whole)
         float place = extent > 0 ? twice / (2 * extent) : 0;
         // A float, too, where expressions are evaluated as doubles.
         float at = place * TF_CELLS;
-        // Only the high side of the whole, where it is 1, has none of its own.
+        // At the high side of the whole, rounded to 1, it has none of its own.
         uint32_t cell = at < TF_CELLS ? (uint32_t)at : TF_CELLS - 1;
         key |= spread(cell) << k;
     }

@@ -1,9 +1,9 @@
 /* Exercise 16.1.  Sixty-four at once.
  *
- * Sixty-four times three points of the plane are given, p, q and r.  The number
- * at[v][k][i] is coordinate k (x or y) of point v (0 for p, 1 for q, 2 for r)
- * in lane i.  For each lane, find on which side of the path from p to q the
- * point r is: left if
+ * You are given sixty-four triples of points in the plane, p, q and r.  The
+ * number at[v][k][i] is coordinate k (x or y) of point v (0 for p, 1 for q,
+ * 2 for r) in lane i.  For each lane, find on which side of the path from p to
+ * q the point r is: left if
  *
  *     D = (q_x - p_x) (r_y - p_y) - (q_y - p_y) (r_x - p_x)
  *

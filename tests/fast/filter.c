@@ -84,7 +84,7 @@ START_TEST(any_number_of_queries_can_be_decided)
 }
 END_TEST
 
-// Numbers that are none -------------------------------------------------------
+// Not numbers -----------------------------------------------------------------
 
 /// Gives 64 queries, that are generic otherwise, one coordinate.
 static tf_query_masks with_coordinate(query_kind kind, int i, double x)

@@ -18,7 +18,7 @@ machine_tests = $(filter-out $(figure_tests),$(TESTS))
 
 $(machines:%=check-machine-%): check-machine-%: $(BUILD)/machines/%/packages \
 		$(BUILD)/machines/%/emulated $(program_file) | need-machines
-	@$(MAKE) check BUILD=$(machine) TF_TEST_PERCENT=10 \
+	@$(MAKE) check BUILD=$(machine) TF_TEST_PERCENT=5 \
 	    CC='$(machine_cc)' \
 	    LDFLAGS='-static -L$(machine_root)/lib/$*-linux-gnu' \
 	    TESTS='$(machine_tests:$(BUILD)/%=$(machine)/%)' WHOLE= \

@@ -244,6 +244,16 @@ def faults_of_notes(chromium, page):
             yield f"note {mark.text} does not open"
 
 
+def settled(element):
+    """A picture of it once the browser has painted and moved everything."""
+    seen, picture = None, element.screenshot_as_base64
+    for _ in range(100):
+        if picture == seen:
+            break
+        seen, picture = picture, element.screenshot_as_base64
+    return picture
+
+
 class Film:
     """A film of the page that is open."""
 
@@ -276,7 +286,7 @@ class Film:
         canvas = self.figure.find_element(By.TAG_NAME, "canvas")
         self.chromium.execute_script(       # to the same place each time
             "arguments[0].scrollIntoView({block: 'center'})", canvas)
-        return (canvas.screenshot_as_base64,
+        return (settled(canvas),
                 self.slider.get_attribute("aria-valuetext"))
 
     def differ(self, first, second):

@@ -4,7 +4,7 @@
  * them.  Do it as a vector unit likes it, with the same operations for every
  * number, one running number, and no decision before the end.
  *
- * Section: Numbers that are none.
+ * Section: Not a number.
  *
  * Hint 1: Adding up keeps NaNs and infinities.  But the sum of finite numbers
  *     may overflow.

@@ -57,7 +57,7 @@ static int find_steps(const scene *s, tf_advancement at[STEPS_MOST + 1])
     do {
         count++;
         at[count] = advance(s, count);
-    } while (at[count].verdict == TF_UNDECIDED && count < STEPS_MOST);
+    } while (count < STEPS_MOST && at[count].verdict == TF_UNDECIDED);
     return count;
 }
 

@@ -53,8 +53,9 @@ static bool may_hold_zero(const scene *s, cell c, double side)
 {
     double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
     for (int i = 0; i < CORNERS; i++) {
+        int column = c.column + i % 2, row = c.row + i / 2;
         double x[2];
-        difference(s, (c.column + i % 2) * side, (c.row + i / 2) * side, x);
+        difference(s, column * side, row * side, x);
         for (int k = 0; k < 2; k++) {
             low[k] = fmin(low[k], x[k]);
             high[k] = fmax(high[k], x[k]);

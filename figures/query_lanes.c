@@ -54,8 +54,9 @@ static const struct layout {
 
 static fig_box cell_of(const struct layout *layout, int place)
 {
-    return (fig_box){layout->left + place % LINE * cell_width,
-                     top + place / LINE * cell_height, cell_width, cell_height};
+    int column = place % LINE, row = place / LINE;
+    return (fig_box){layout->left + column * cell_width,
+                     top + row * cell_height, cell_width, cell_height};
 }
 
 /// A query has one shade wherever its numbers are.

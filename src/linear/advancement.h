@@ -25,9 +25,9 @@ typedef struct tf_advancement {
     tf_verdict verdict; ///< TF_HIT: the target distance was reached; TF_APART:
                         ///< the end of the step was, at a greater distance;
                         ///< TF_UNDECIDED: the steps are used up
+    int steps;          ///< how many were made
     double time;        ///< up to here the elements do not touch, 0 to 1
     double distance;    ///< at that time, in units of length
-    int steps;          ///< how many were made
     double barycentric[2][3]; ///< of the points of the first and the second
                               ///< element that are nearest at that time
 } tf_advancement;

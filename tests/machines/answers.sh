@@ -49,5 +49,8 @@ for arithmetic in exact clamped perturbed integer64; do
         echo "status $?"
     done
 done
-echo check
-for i in 0 1 2; do "$@" check - <"$frames/$i.obj" 2>&1; done
+for i in 0 1 2; do
+    echo "check $i"
+    "$@" check - <"$frames/$i.obj" 2>&1
+    echo "status $?"
+done

@@ -15,8 +15,8 @@ list_help_options() { # program; commands, "" for none
     shift
     for command; do
         "$prefix/bin/$program" $command --help |
-            sed -n 's/^  \(    \|-.\), *\(--[a-z]*\).*/\1 \2/p
-                s/^      \(--[a-z]*\).*/\1/p' | tr -s ' ' '\n'
+            sed -n 's/^  \(    \|-.\), *\(--[a-z-]*\).*/\1 \2/p
+                s/^      \(--[a-z-]*\).*/\1/p' | tr -s ' ' '\n'
     done | grep . | LC_ALL=C sort -u
 }
 

@@ -2,6 +2,7 @@
 #include "arithmetic/exact.h"
 
 #include "arithmetic/filter.h"
+#include "arithmetic/fixed.h"
 #include "arithmetic/operations.h"
 #include "arithmetic/superaccumulator.h"
 #include "arithmetic/two_sum.h"
@@ -67,14 +68,16 @@ static void accumulate_term(tf_superaccumulator *sum, const split_entries *e,
 }
 
 //: Accumulate all terms
-static void accumulate(const split_entries *entries, tf_superaccumulator *sum)
+static void accumulate(const tf_differences *differences,
+                       tf_superaccumulator *sum)
 {
+    split_entries entries = split(differences);
     static const int column[6][TF_AXES] = {{0, 1, 2}, {1, 0, 2}, {1, 2, 0},
                                            {0, 2, 1}, {2, 0, 1}, {2, 1, 0}};
     static const int terms[TF_AXES + 1] = {0, 1, 2, 6};
     tf_superaccumulator_clear(sum);
-    for (int p = 0; p < terms[entries->n]; p++)
-        accumulate_term(sum, entries, column[p], p % 2 == 0 ? 1 : -1);
+    for (int p = 0; p < terms[entries.n]; p++)
+        accumulate_term(sum, &entries, column[p], p % 2 == 0 ? 1 : -1);
 }
 
 //: Find an exact sign
@@ -87,19 +90,25 @@ static tf_sign exact_sign(const tf_differences *differences)
     if (estimate.bound == 0)
         return TF_ZERO;
 
+    //: Try the grid
+    tf_fixed fixed;
+    if (tf_fixed_determinant(differences, &fixed))
+        return tf_fixed_sign(&fixed);
+
     //: Accumulate all products
-    split_entries entries = split(differences);
     tf_superaccumulator sum;
-    accumulate(&entries, &sum);
+    accumulate(differences, &sum);
     return tf_superaccumulator_sign(&sum);
 }
 
 //: Find an exact value
 static tf_value exact_value(const tf_differences *differences)
 {
-    split_entries entries = split(differences);
+    tf_fixed fixed;
+    if (tf_fixed_determinant(differences, &fixed))
+        return tf_fixed_value(&fixed);
     tf_superaccumulator sum;
-    accumulate(&entries, &sum);
+    accumulate(differences, &sum);
     return tf_superaccumulator_value(&sum);
 }
 

@@ -91,9 +91,9 @@ static tf_sign exact_sign(const tf_differences *differences)
         return TF_ZERO;
 
     //: Try the grid
-    tf_fixed fixed;
-    if (tf_fixed_determinant(differences, &fixed))
-        return tf_fixed_sign(&fixed);
+    tf_sign sign;
+    if (tf_fixed_sign(differences, &sign))
+        return sign;
 
     //: Accumulate all products
     tf_superaccumulator sum;
@@ -104,9 +104,9 @@ static tf_sign exact_sign(const tf_differences *differences)
 //: Find an exact value
 static tf_value exact_value(const tf_differences *differences)
 {
-    tf_fixed fixed;
-    if (tf_fixed_determinant(differences, &fixed))
-        return tf_fixed_value(&fixed);
+    tf_value value;
+    if (tf_fixed_value(differences, &value))
+        return value;
     tf_superaccumulator sum;
     accumulate(differences, &sum);
     return tf_superaccumulator_value(&sum);

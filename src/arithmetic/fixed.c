@@ -25,54 +25,52 @@ static double power_of_two(int exponent)
 }
 
 //: Choose the unit of a column
-/// Units to a coordinate of 1, and the other way round.
-typedef struct column_grid {
-    double scale, unit;
-} column_grid;
-
 /// The exponent of the least unit of which the coordinates of a column are less
 /// than 2^62 each.
-static int unit_exponent(const tf_differences *d, int axis)
+static inline int unit_exponent(const tf_differences *d, int n, int axis)
 {
     uint64_t largest = 0;
-    for (int i = 0; i < d->n; i++) {
+    for (int i = 0; i < n; i++) {
         uint64_t to = size_bits(d->to[i]->x[axis]);
         uint64_t from = size_bits(d->from[i]->x[axis]);
         largest = to > largest ? to : largest;
         largest = from > largest ? from : largest;
     }
     // All are below 2^(biased - 1022).
-    int exponent = (int)(largest >> 52) - 1022 - TF_FIXED_BITS;
+    int exponent = (int)(largest >> 52) - 1022 - TF_GRID_BITS;
 
-    // The scale must not overflow.
+    // Neither the unit nor its inverse may be out of range.
     return exponent < -1022 ? -1022 : exponent;
 }
 
-//: Put a coordinate on the grid
-/// The units of a coordinate; *off becomes true if it is between two points.
-static int64_t count_units(double x, column_grid grid, bool *off)
+//: Count the units of a coordinate
+/// The units of x; a bit of *off becomes 1 if x is between two points.
+static inline int64_t count_units(double x, double scale, double unit,
+                                  uint64_t *off)
 {
-    int64_t units = (int64_t)(x * grid.scale);
-    *off |= (double)units * grid.unit != x;
+    int64_t units = (int64_t)(x * scale);
+    *off |= size_bits((double)units * unit) ^ size_bits(x);
     return units;
 }
 
-//: Put all differences on the grid
+//: Put the differences on the grid
 /// False if some coordinate is on no grid.
-static bool count_all(const tf_differences *d, int64_t entry[TF_AXES][TF_AXES],
-                      int *exponent)
+static inline bool count_differences(const tf_differences *d, int n,
+                                     int64_t entry[TF_AXES][TF_AXES],
+                                     int *exponent)
 {
-    bool off = false;
+    uint64_t off = 0;
     *exponent = 0;
-    for (int j = 0; j < d->n; j++) {
-        int axis = d->axis[j], own = unit_exponent(d, axis);
-        column_grid grid = {power_of_two(-own), power_of_two(own)};
+    for (int j = 0; j < n; j++) {
+        int axis = d->axis[j], own = unit_exponent(d, n, axis);
+        double scale = power_of_two(-own), unit = power_of_two(own);
         *exponent += own;
-        for (int i = 0; i < d->n; i++)
-            entry[i][j] = count_units(d->to[i]->x[axis], grid, &off) -
-                          count_units(d->from[i]->x[axis], grid, &off);
+        for (int i = 0; i < n; i++)
+            entry[i][j] =
+                count_units(d->to[i]->x[axis], scale, unit, &off) -
+                count_units(d->from[i]->x[axis], scale, unit, &off);
     }
-    return !off;
+    return off == 0;
 }
 
 //: Add a product of three words
@@ -82,7 +80,7 @@ typedef struct three_words {
     tf_int128 high;
 } three_words;
 
-static void add_product(three_words *sum, int64_t a, tf_int128 b)
+static inline void add_product(three_words *sum, int64_t a, tf_int128 b)
 {
     // Times the low word of b, and then times the high one.
     tf_int128 low = (tf_int128)a * (uint64_t)b + sum->low;
@@ -92,69 +90,78 @@ static void add_product(three_words *sum, int64_t a, tf_int128 b)
 }
 
 //: Multiply out a determinant of words
-static tf_int128 minor(int64_t a, int64_t b, int64_t c, int64_t d)
+static inline tf_int128 minor_of(const int64_t row[TF_AXES],
+                                 const int64_t next[TF_AXES], int k, int l)
 {
-    return (tf_int128)a * d - (tf_int128)b * c;
+    return (tf_int128)row[k] * next[l] - (tf_int128)row[l] * next[k];
 }
 
-static three_words multiply_out(int n, int64_t e[TF_AXES][TF_AXES])
+static inline three_words multiply_out(int n, int64_t e[TF_AXES][TF_AXES])
 {
     three_words sum = {0, 0};
     if (n == 1)
-        add_product(&sum, 1, e[0][0]);
+        add_product(&sum, e[0][0], 1);
     else if (n == 2)
-        add_product(&sum, 1, minor(e[0][0], e[0][1], e[1][0], e[1][1]));
+        add_product(&sum, 1, minor_of(e[0], e[1], 0, 1));
     else
-        for (int j = 0; j < TF_AXES; j++) {
-            int k = (j + 1) % TF_AXES, l = (j + 2) % TF_AXES;
+        for (int j = 0; j < TF_AXES; j++)
             add_product(&sum, e[0][j],
-                        minor(e[1][k], e[1][l], e[2][k], e[2][l]));
-        }
+                        minor_of(e[1], e[2], (j + 1) % 3, (j + 2) % 3));
     return sum;
 }
 
 //: Evaluate a determinant on the grid
-bool tf_fixed_determinant(const tf_differences *differences, tf_fixed *fixed)
+static inline bool evaluate(const tf_differences *d, int n,
+                            three_words *sum, int *exponent)
 {
     int64_t entry[TF_AXES][TF_AXES];
-    if (!count_all(differences, entry, &fixed->exponent))
+    if (!count_differences(d, n, entry, exponent))
         return false;
-    three_words sum = multiply_out(differences->n, entry);
-    fixed->word[0] = sum.low;
-    fixed->word[1] = (uint64_t)sum.high;
-    fixed->word[2] = (uint64_t)(sum.high >> TF_WORD_BITS);
+    *sum = multiply_out(n, entry);
     return true;
 }
 
-//: Find the sign of three words
-tf_sign tf_fixed_sign(const tf_fixed *fixed)
+/// With a constant for n the compiler unrolls all loops.
+static inline bool evaluate_any(const tf_differences *d, three_words *sum,
+                                int *exponent)
 {
-    const uint64_t *word = fixed->word;
-    if (word[2] >> 63)
-        return TF_NEGATIVE;
-    return (word[0] | word[1] | word[2]) != 0 ? TF_POSITIVE : TF_ZERO;
+    return d->n == 3   ? evaluate(d, 3, sum, exponent)
+           : d->n == 2 ? evaluate(d, 2, sum, exponent)
+                       : evaluate(d, 1, sum, exponent);
+}
+
+//: Find the sign of three words
+bool tf_fixed_sign(const tf_differences *differences, tf_sign *sign)
+{
+    three_words sum;
+    int exponent;
+    if (!evaluate_any(differences, &sum, &exponent))
+        return false;
+    *sign = sum.high < 0                      ? TF_NEGATIVE
+            : sum.high != 0 || sum.low != 0 ? TF_POSITIVE
+                                            : TF_ZERO;
+    return true;
 }
 
 //: Find the value of three words
-/// Changes the sign of a number in two's complement.
-static void negate(uint64_t word[TF_FIXED_WORDS])
+bool tf_fixed_value(const tf_differences *differences, tf_value *value)
 {
-    uint64_t carry = 1;
-    for (int i = 0; i < TF_FIXED_WORDS; i++) {
-        word[i] = ~word[i] + carry;
-        carry &= word[i] == 0;
+    three_words sum;
+    int exponent;
+    if (!evaluate_any(differences, &sum, &exponent))
+        return false;
+    *value = (tf_value){.number = 0};
+    if (sum.high == 0 && sum.low == 0)
+        return true;
+    bool negative = sum.high < 0;
+    tf_uint128 high = (tf_uint128)sum.high;
+    if (negative) {
+        high = ~high + (sum.low == 0);
+        sum.low = -sum.low;
     }
-}
-
-tf_value tf_fixed_value(const tf_fixed *fixed)
-{
-    tf_sign sign = tf_fixed_sign(fixed);
-    if (sign == TF_ZERO)
-        return (tf_value){.number = 0};
-    tf_fixed size = *fixed;
-    if (sign == TF_NEGATIVE)
-        negate(size.word);
-    tf_value value = tf_words_round(size.word, TF_FIXED_WORDS, size.exponent);
-    value.number *= sign;
-    return value;
+    uint64_t word[] = {sum.low, (uint64_t)high,
+                       (uint64_t)(high >> TF_WORD_BITS)};
+    *value = tf_words_round(word, 3, exponent);
+    value->number = negative ? -value->number : value->number;
+    return true;
 }

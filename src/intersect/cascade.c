@@ -165,7 +165,8 @@ static tf_sign volume_sign(const tf_arithmetic *arithmetic, const tf_pair *pair)
 {
     if (pair->count <= pair->axes)
         return TF_ZERO;
-    tf_differences all = tf_pair_differences(pair, -1);
+    tf_differences all;
+    tf_pair_differences(pair, -1, &all);
     return arithmetic->sign(&all);
 }
 

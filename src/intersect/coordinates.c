@@ -27,7 +27,8 @@ tf_coordinates tf_pair_coordinates(const tf_arithmetic *arithmetic,
     for (int i = 0; i < pair->count; i++) {
         if (pair->operand[i] != operand || signs->of[i] == TF_ZERO)
             continue;
-        tf_differences differences = tf_pair_differences(pair, i);
+        tf_differences differences;
+        tf_pair_differences(pair, i, &differences);
         value[count] = arithmetic->value(&differences);
         value[count].number *=
             tf_pair_orientation(pair, i) * (signs->negative ? -1 : 1);

@@ -34,26 +34,23 @@ tf_pair tf_pair_of(const tf_simplex *s, const tf_simplex *r, int axes)
 }
 
 //: Take differences within each time
-/// Adds the differences of the events begin..end-1 to the first of them.
-static void add_differences(const tf_pair *pair, int without, int begin,
-                            int end, tf_differences *differences)
+void tf_pair_differences(const tf_pair *pair, int without,
+                         tf_differences *differences)
 {
-    int first = begin == without ? begin + 1 : begin;
-    for (int i = first + 1; i < end; i++) {
+    const tf_event *first = NULL;
+    int n = 0;
+    for (int i = 0; i < pair->count; i++) {
+        if (i == pair->start_count)
+            first = NULL;
         if (i == without)
             continue;
-        differences->to[differences->n] = pair->event[i];
-        differences->from[differences->n++] = pair->event[first];
+        if (first) {
+            differences->to[n] = pair->event[i];
+            differences->from[n++] = first;
+        } else {
+            first = pair->event[i];
+        }
     }
-}
-
-tf_differences tf_pair_differences(const tf_pair *pair, int without)
-{
-    tf_differences differences;
-    differences.n = 0;
-    memcpy(differences.axis, pair->axis, sizeof differences.axis);
-    add_differences(pair, without, 0, pair->start_count, &differences);
-    add_differences(pair, without, pair->start_count, pair->count,
-                    &differences);
-    return differences;
+    differences->n = n;
+    memcpy(differences->axis, pair->axis, sizeof differences->axis);
 }

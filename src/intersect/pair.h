@@ -26,4 +26,5 @@ tf_pair tf_pair_of(const tf_simplex *s, const tf_simplex *r, int axes);
 //: Declare the determinants of a pair
 /// The determinant of the pair without the event `without` (-1: all events):
 /// within each time, the differences to the first event that is left.
-tf_differences tf_pair_differences(const tf_pair *pair, int without);
+void tf_pair_differences(const tf_pair *pair, int without,
+                         tf_differences *differences);

@@ -17,7 +17,8 @@ tf_signs tf_pair_signs(const tf_arithmetic *arithmetic, const tf_pair *pair)
 {
     tf_signs found = {0};
     for (int i = 0; i < pair->count; i++) {
-        tf_differences differences = tf_pair_differences(pair, i);
+        tf_differences differences;
+        tf_pair_differences(pair, i, &differences);
         tf_sign sign = arithmetic->sign(&differences);
         if (sign == TF_POSITIVE || sign == TF_NEGATIVE)
             sign = (tf_sign)(sign * tf_pair_orientation(pair, i));

@@ -9,7 +9,8 @@
 
 static double exact_value(const tf_pair *pair, int i)
 {
-    tf_differences differences = tf_pair_differences(pair, i);
+    tf_differences differences;
+    tf_pair_differences(pair, i, &differences);
     tf_value value = oracle_arithmetic.value(&differences);
     return ldexp(value.number, value.exponent);
 }

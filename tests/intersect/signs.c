@@ -16,7 +16,8 @@ static void fill_lattice(own_pair *own, generator *random, int n)
 /// The determinant that belongs to event i, turned; of small integers exact.
 static double turned(const tf_pair *pair, int i)
 {
-    tf_differences differences = tf_pair_differences(pair, i);
+    tf_differences differences;
+    tf_pair_differences(pair, i, &differences);
     tf_value value = oracle_arithmetic.value(&differences);
     return tf_pair_orientation(pair, i) * ldexp(value.number, value.exponent);
 }

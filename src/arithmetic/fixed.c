@@ -1,56 +1,58 @@
 //: Include what fixed point needs
 #include "arithmetic/fixed.h"
 
+#include "arithmetic/bits.h"
 #include "arithmetic/int128.h"
 #include "arithmetic/words.h"
 
-#include <string.h>
 
-//: Read and make powers of two
-/// The bits of |x|, which are in the order of the numbers.
-static uint64_t size_bits(double x)
+//: Compare the sizes of a column
+/// Of the coordinates of a column the largest and the least that is not zero:
+/// their biased exponents, which may be too small by one for the latter.
+typedef struct size_range {
+    uint64_t largest, least;
+} size_range;
+
+static inline void include_size(size_range *range, double x)
 {
-    uint64_t bits;
-    memcpy(&bits, &x, sizeof bits);
-    return bits & ~(UINT64_C(1) << 63);
+    // Without its sign; zero comes last.
+    uint64_t size = tf_bits_of(x) << 1, below = size - 1;
+    range->largest = size > range->largest ? size : range->largest;
+    range->least = below < range->least ? below : range->least;
 }
 
-/// 2^exponent, a normal number.
-static double power_of_two(int exponent)
+static inline size_range column_sizes(const tf_differences *d, int n, int axis)
 {
-    uint64_t bits = (uint64_t)(exponent + 1023) << 52;
-    double x;
-    memcpy(&x, &bits, sizeof x);
-    return x;
+    size_range range = {0, UINT64_MAX};
+    for (int i = 0; i < n; i++) {
+        include_size(&range, d->to[i]->x[axis]);
+        if (i == 0 || d->from[i] != d->from[i - 1])
+            include_size(&range, d->from[i]->x[axis]);
+    }
+    return (size_range){range.largest >> 53, range.least >> 53};
 }
 
 //: Choose the unit of a column
-/// The exponent of the least unit of which the coordinates of a column are less
-/// than 2^62 each.
-static inline int unit_exponent(const tf_differences *d, int n, int axis)
+/// The exponent of the least unit of which all coordinates are less than 2^62.
+static inline int unit_exponent(const size_range *range)
 {
-    uint64_t largest = 0;
-    for (int i = 0; i < n; i++) {
-        uint64_t to = size_bits(d->to[i]->x[axis]);
-        uint64_t from = size_bits(d->from[i]->x[axis]);
-        largest = to > largest ? to : largest;
-        largest = from > largest ? from : largest;
-    }
-    // All are below 2^(biased - 1022).
-    int exponent = (int)(largest >> 52) - 1022 - TF_GRID_BITS;
-
-    // Neither the unit nor its inverse may be out of range.
+    // All are below 2^(largest - 1022).  The inverse must not overflow.
+    int exponent = (int)range->largest - 1022 - TF_GRID_BITS;
     return exponent < -1022 ? -1022 : exponent;
 }
 
-//: Count the units of a coordinate
-/// The units of x; a bit of *off becomes 1 if x is between two points.
-static inline int64_t count_units(double x, double scale, double unit,
-                                  uint64_t *off)
+//: Test whether a column is on its grid
+static bool column_fits(const tf_differences *d, int axis, int exponent)
 {
-    int64_t units = (int64_t)(x * scale);
-    *off |= size_bits((double)units * unit) ^ size_bits(x);
-    return units;
+    double scale = tf_power_of_two(-exponent);
+    double unit = tf_power_of_two(exponent);
+    for (int i = 0; i < d->n; i++) {
+        double to = d->to[i]->x[axis], from = d->from[i]->x[axis];
+        if ((double)(int64_t)(to * scale) * unit != to ||
+            (double)(int64_t)(from * scale) * unit != from)
+            return false;
+    }
+    return true;
 }
 
 //: Put the differences on the grid
@@ -59,18 +61,23 @@ static inline bool count_differences(const tf_differences *d, int n,
                                      int64_t entry[TF_AXES][TF_AXES],
                                      int *exponent)
 {
-    uint64_t off = 0;
     *exponent = 0;
     for (int j = 0; j < n; j++) {
-        int axis = d->axis[j], own = unit_exponent(d, n, axis);
-        double scale = power_of_two(-own), unit = power_of_two(own);
+        int axis = d->axis[j];
+        size_range range = column_sizes(d, n, axis);
+        int own = unit_exponent(&range);
+        if ((int)range.least - 1075 < own && !column_fits(d, axis, own))
+            return false;
+        double scale = tf_power_of_two(-own);
         *exponent += own;
-        for (int i = 0; i < n; i++)
-            entry[i][j] =
-                count_units(d->to[i]->x[axis], scale, unit, &off) -
-                count_units(d->from[i]->x[axis], scale, unit, &off);
+        int64_t from = 0;
+        for (int i = 0; i < n; i++) {
+            if (i == 0 || d->from[i] != d->from[i - 1])
+                from = (int64_t)(d->from[i]->x[axis] * scale);
+            entry[i][j] = (int64_t)(d->to[i]->x[axis] * scale) - from;
+        }
     }
-    return off == 0;
+    return true;
 }
 
 //: Add a product of three words

@@ -1,11 +1,11 @@
 //: Include what the superaccumulator needs
 #include "arithmetic/superaccumulator.h"
 
+#include "arithmetic/bits.h"
 #include "arithmetic/int128.h"
 #include "arithmetic/words.h"
 
 #include <math.h>
-#include <string.h>
 
 enum {
     UNIT_EXPONENT = -3222
@@ -41,10 +41,8 @@ typedef struct parts {
 
 static parts decompose(double a)
 {
-    uint64_t bits;
-    memcpy(&bits, &a, sizeof bits);
-    int biased = (int)(bits >> 52 & 0x7ff);
-    uint64_t fraction = bits & ((UINT64_C(1) << 52) - 1);
+    int biased = tf_biased_exponent(a);
+    uint64_t fraction = tf_bits_of(a) & ((UINT64_C(1) << 52) - 1);
 
     // A subnormal number has the exponent of the smallest normal one, without
     // its leading bit.

@@ -80,6 +80,27 @@ static void accumulate(const tf_differences *differences,
         accumulate_term(sum, &entries, column[p], p % 2 == 0 ? 1 : -1);
 }
 
+//: Compare two rows
+static bool same_place(const tf_differences *d, const tf_event *a,
+                       const tf_event *b)
+{
+    for (int j = 0; j < d->n; j++)
+        if (a->x[d->axis[j]] != b->x[d->axis[j]])
+            return false;
+    return true;
+}
+
+/// Whether two rows are differences of the same coordinates.
+static bool rows_repeat(const tf_differences *d)
+{
+    for (int i = 1; i < d->n; i++)
+        for (int j = 0; j < i; j++)
+            if (same_place(d, d->to[i], d->to[j]) &&
+                same_place(d, d->from[i], d->from[j]))
+                return true;
+    return false;
+}
+
 //: Find an exact sign
 static tf_sign exact_sign(const tf_differences *differences)
 {
@@ -88,6 +109,9 @@ static tf_sign exact_sign(const tf_differences *differences)
     if (fabs(estimate.number) > estimate.bound)
         return estimate.number > 0 ? TF_POSITIVE : TF_NEGATIVE;
     if (estimate.bound == 0)
+        return TF_ZERO;
+
+    if (rows_repeat(differences))
         return TF_ZERO;
 
     //: Try the grid

@@ -34,23 +34,27 @@ tf_pair tf_pair_of(const tf_simplex *s, const tf_simplex *r, int axes)
 }
 
 //: Take differences within each time
+/// Adds the differences of the events begin..end-1 to the first of them; returns
+/// how many rows there are then.
+static inline int add_differences(const tf_pair *pair, int without, int begin,
+                                  int end, int n, tf_differences *differences)
+{
+    int first = begin == without ? begin + 1 : begin;
+    for (int i = first + 1; i < end; i++) {
+        if (i == without)
+            continue;
+        differences->to[n] = pair->event[i];
+        differences->from[n++] = pair->event[first];
+    }
+    return n;
+}
+
 void tf_pair_differences(const tf_pair *pair, int without,
                          tf_differences *differences)
 {
-    const tf_event *first = NULL;
-    int n = 0;
-    for (int i = 0; i < pair->count; i++) {
-        if (i == pair->start_count)
-            first = NULL;
-        if (i == without)
-            continue;
-        if (first) {
-            differences->to[n] = pair->event[i];
-            differences->from[n++] = first;
-        } else {
-            first = pair->event[i];
-        }
-    }
-    differences->n = n;
+    int start = pair->start_count;
+    int n = add_differences(pair, without, 0, start, 0, differences);
+    differences->n =
+        add_differences(pair, without, start, pair->count, n, differences);
     memcpy(differences->axis, pair->axis, sizeof differences->axis);
 }

@@ -128,9 +128,10 @@ static tf_sign exact_sign(const tf_differences *differences)
 //: Find an exact value
 static tf_value exact_value(const tf_differences *differences)
 {
-    tf_value value;
-    if (tf_fixed_value(differences, &value))
-        return value;
+    double number;
+    int exponent;
+    if (tf_fixed_value(differences, &number, &exponent))
+        return (tf_value){.number = number, .exponent = exponent};
     tf_superaccumulator sum;
     accumulate(differences, &sum);
     return tf_superaccumulator_value(&sum);

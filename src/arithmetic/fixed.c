@@ -151,24 +151,27 @@ bool tf_fixed_sign(const tf_differences *differences, tf_sign *sign)
 }
 
 //: Find the value of three words
-bool tf_fixed_value(const tf_differences *differences, tf_value *value)
+bool tf_fixed_value(const tf_differences *differences, double *number,
+                    int *exponent)
 {
     three_words sum;
-    int exponent;
-    if (!evaluate_any(differences, &sum, &exponent))
+    int unit;
+    if (!evaluate_any(differences, &sum, &unit))
         return false;
-    *value = (tf_value){.number = 0};
-    if (sum.high == 0 && sum.low == 0)
+
+    //: Round the size of three words
+    // All ones if negative.
+    uint64_t sign = (uint64_t)(sum.high >> 127);
+    tf_uint128 mask = sum.high >> 127;
+    uint64_t low = (sum.low ^ sign) - sign;
+    tf_uint128 high = ((tf_uint128)sum.high ^ mask) + (low == 0 ? mask & 1 : 0);
+    uint64_t word[] = {low, (uint64_t)high, (uint64_t)(high >> TF_WORD_BITS)};
+    if ((word[0] | word[1] | word[2]) == 0) {
+        *number = *exponent = 0;
         return true;
-    bool negative = sum.high < 0;
-    tf_uint128 high = (tf_uint128)sum.high;
-    if (negative) {
-        high = ~high + (sum.low == 0);
-        sum.low = -sum.low;
     }
-    uint64_t word[] = {sum.low, (uint64_t)high,
-                       (uint64_t)(high >> TF_WORD_BITS)};
-    *value = tf_words_round(word, 3, exponent);
-    value->number = negative ? -value->number : value->number;
+    double size = tf_words_round(word, 3, exponent);
+    *exponent += unit;
+    *number = sum.high < 0 ? -size : size;
     return true;
 }

@@ -12,5 +12,7 @@ enum {
 /// that power is at least 2^-1022; false if not.
 bool tf_fixed_sign(const tf_differences *differences, tf_sign *sign);
 
-/// The same for the determinant itself, rounded to nearest once.
-bool tf_fixed_value(const tf_differences *differences, tf_value *value);
+/// The same for the determinant itself, rounded to nearest once:
+/// *number 2^*exponent.
+bool tf_fixed_value(const tf_differences *differences, double *number,
+                    int *exponent);

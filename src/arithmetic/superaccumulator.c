@@ -139,8 +139,9 @@ tf_value tf_superaccumulator_value(const tf_superaccumulator *accumulator)
     bool positive = sum[1][top] > sum[0][top];
     int count = top + 1 - first;
     subtract(&sum[positive][first], &sum[!positive][first], count, difference);
-    tf_value value =
-        tf_words_round(difference, count, first * TF_WORD_BITS + UNIT_EXPONENT);
-    value.number = positive ? value.number : -value.number;
-    return value;
+    int exponent;
+    double size = tf_words_round(difference, count, &exponent);
+    return (tf_value){.number = positive ? size : -size,
+                      .exponent =
+                          exponent + first * TF_WORD_BITS + UNIT_EXPONENT};
 }

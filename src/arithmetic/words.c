@@ -1,7 +1,7 @@
 //: Round to a double
 #include "arithmetic/words.h"
 
-tf_value tf_words_round(const uint64_t word[], int count, int unit)
+double tf_words_round(const uint64_t word[], int count, int *exponent)
 {
     int top = count - 1;
     while (word[top] == 0)
@@ -18,6 +18,6 @@ tf_value tf_words_round(const uint64_t word[], int count, int unit)
     bool follows = (next << empty) != 0;
     for (int i = 0; i < top - 1 && !follows; i++)
         follows = word[i] != 0;
-    return (tf_value){.number = (double)(leading | follows),
-                      .exponent = top * TF_WORD_BITS - empty + unit};
+    *exponent = top * TF_WORD_BITS - empty;
+    return (double)(leading | follows);
 }

@@ -14,8 +14,9 @@ void tf_complementary_describe(const tf_arithmetic *arithmetic,
     int smaller = tf_pair_smaller_operand(pair);
     if (found->detail < TF_WITH_TIME) {
         //: Find the time from the smaller operand
-        tf_coordinates coordinates =
-            tf_pair_coordinates(arithmetic, pair, &found->signs, smaller);
+        tf_coordinates coordinates;
+        tf_pair_coordinates(arithmetic, pair, &found->signs, smaller,
+                            &coordinates);
         tf_interval time = {0, 1};
         if (found->unique)
             time = tf_pair_time(pair, &coordinates);
@@ -26,8 +27,9 @@ void tf_complementary_describe(const tf_arithmetic *arithmetic,
     }
     if (detail == TF_WITH_POINT) {
         //: Find the point from the other operand as well
-        tf_coordinates coordinates =
-            tf_pair_coordinates(arithmetic, pair, &found->signs, -smaller);
+        tf_coordinates coordinates;
+        tf_pair_coordinates(arithmetic, pair, &found->signs, -smaller,
+                            &coordinates);
         tf_coordinates_normalize(&coordinates, pair, -smaller,
                                  found->barycentric);
     }

@@ -141,13 +141,14 @@ static int decide_pairs(const tf_arithmetic *arithmetic, const operands *swept,
     int count = 0;
     for (int i = 0; i < swept->first.vertices; i++)
         for (int j = 0; j < swept->second.vertices; j++) {
-            candidate *c = &found[count];
-            c->s = &swept->s[i];
-            c->r = &swept->r[j];
-            c->pair = tf_pair_of(c->s, c->r, swept->axes);
-            c->found = tf_intersect(arithmetic, &c->pair, TF_ONLY_VERDICT);
-            count += c->found.verdict != TF_APART;
-            if (stop_at_hit && c->found.verdict == TF_HIT)
+            const tf_simplex *s = &swept->s[i], *r = &swept->r[j];
+            tf_pair pair = tf_pair_of(s, r, swept->axes);
+            tf_intersection own =
+                tf_intersect(arithmetic, &pair, TF_ONLY_VERDICT);
+            if (own.verdict == TF_APART)
+                continue;
+            found[count++] = (candidate){s, r, pair, own};
+            if (stop_at_hit && own.verdict == TF_HIT)
                 return count;
         }
     return count;
@@ -238,7 +239,8 @@ tf_status tf_query(const tf_arithmetic *arithmetic, int axes, int vertices,
         check_query(arithmetic, axes, vertices, first, others, second);
     if (status != TF_OK)
         return status;
-    *contact = (tf_contact){.verdict = TF_APART};
+    static const tf_contact apart = {.verdict = TF_APART};
+    *contact = apart;
     if (tf_elements_separated(axes, vertices, first, others, second))
         return TF_OK;
 

@@ -239,8 +239,7 @@ tf_status tf_query(const tf_arithmetic *arithmetic, int axes, int vertices,
         check_query(arithmetic, axes, vertices, first, others, second);
     if (status != TF_OK)
         return status;
-    static const tf_contact apart = {.verdict = TF_APART};
-    *contact = apart;
+    *contact = (tf_contact){.verdict = TF_APART};
     if (tf_elements_separated(axes, vertices, first, others, second))
         return TF_OK;
 

@@ -48,18 +48,18 @@ bool tf_complementary_intersect(const tf_arithmetic *arithmetic,
     if (tf_pair_separated(pair))
         return true;
 
-    tf_signs signs = tf_pair_signs(arithmetic, pair);
-    bool unique = signs.positive || signs.negative;
-    if (signs.positive && signs.negative)
+    const tf_signs *signs = &found->signs;
+    tf_pair_signs(arithmetic, pair, &found->signs);
+    bool unique = signs->positive || signs->negative;
+    if (signs->positive && signs->negative)
         return true;
-    if (!unique && !signs.unknown)
+    if (!unique && !signs->unknown)
         return false;
 
-    found->verdict = signs.unknown ? TF_UNDECIDED : TF_HIT;
+    found->verdict = signs->unknown ? TF_UNDECIDED : TF_HIT;
     found->classification =
-        signs.zero || signs.unknown ? TF_TOUCHING : TF_GENERIC;
+        signs->zero || signs->unknown ? TF_TOUCHING : TF_GENERIC;
     found->unique = unique;
-    found->signs = signs;
     if (detail > TF_ONLY_VERDICT)
         tf_complementary_describe(arithmetic, pair, detail, found);
     return true;

@@ -23,6 +23,7 @@ void tf_pair_coordinates(const tf_arithmetic *arithmetic, const tf_pair *pair,
                          tf_coordinates *coordinates)
 {
     //: Evaluate each coordinate
+    int turn = signs->negative ? -1 : 1;
     int count = 0, event[TF_PAIR_EVENTS];
     tf_value value[TF_PAIR_EVENTS];
     for (int i = 0; i < pair->count; i++) {
@@ -31,9 +32,9 @@ void tf_pair_coordinates(const tf_arithmetic *arithmetic, const tf_pair *pair,
             continue;
         tf_differences differences;
         tf_pair_differences(pair, i, &differences);
-        value[count] = arithmetic->value(&differences);
-        value[count].number *=
-            tf_pair_orientation(pair, i) * (signs->negative ? -1 : 1);
+        tf_value own = arithmetic->value(&differences);
+        own.number *= tf_pair_orientation(pair, i) * turn;
+        value[count] = own;
         event[count++] = i;
     }
     tf_values_scale(count, value);

@@ -88,9 +88,7 @@ static tf_status check_query(const tf_arithmetic *arithmetic, int axes,
     TF_REQUIRE(axes == 2 || axes == 3);
     TF_REQUIRE(vertices >= 1 && others >= 1 && vertices + others == axes + 1);
 
-    //: Check what the machine and the input hold
-    if (!tf_environment_is_ieee())
-        return TF_BAD_ENVIRONMENT;
+    //: Check what the input holds
     int index[TF_AXES + 1];
     for (int i = 0; i < vertices; i++)
         index[i] = first[i].at[0].vertex;
@@ -235,6 +233,8 @@ tf_status tf_query(const tf_arithmetic *arithmetic, int axes, int vertices,
                    const tf_worldline first[], int others,
                    const tf_worldline second[], tf_contact *contact)
 {
+    if (!tf_environment_is_ieee())
+        return TF_BAD_ENVIRONMENT;
     tf_status status =
         check_query(arithmetic, axes, vertices, first, others, second);
     if (status != TF_OK)

@@ -17,19 +17,25 @@ static void add_events(tf_pair *pair, const tf_simplex *simplex, int operand,
     }
 }
 
-tf_pair tf_pair_of(const tf_simplex *s, const tf_simplex *r, int axes)
+void tf_pair_set(tf_pair *pair, const tf_simplex *s, const tf_simplex *r,
+                 int axes)
 {
     TF_REQUIRE(s->count + r->count == axes + 3);
+    pair->count = 0;
+    pair->axes = axes;
+    for (int k = 0; k < TF_AXES; k++)
+        pair->axis[k] = k;
+    add_events(pair, s, +1, 0);
+    add_events(pair, r, -1, 0);
+    pair->start_count = pair->count;
+    add_events(pair, s, +1, 1);
+    add_events(pair, r, -1, 1);
+}
+
+tf_pair tf_pair_of(const tf_simplex *s, const tf_simplex *r, int axes)
+{
     tf_pair pair;
-    pair.count = 0;
-    pair.axes = axes;
-    for (int k = 0; k < axes; k++)
-        pair.axis[k] = k;
-    add_events(&pair, s, +1, 0);
-    add_events(&pair, r, -1, 0);
-    pair.start_count = pair.count;
-    add_events(&pair, s, +1, 1);
-    add_events(&pair, r, -1, 1);
+    tf_pair_set(&pair, s, r, axes);
     return pair;
 }
 

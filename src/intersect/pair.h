@@ -20,7 +20,11 @@ typedef struct tf_pair {
     int axis[TF_AXES];                     ///< the axes not projected away
 } tf_pair;
 
-/// The pair of two swept simplices, on the first `axes` axes (2 or 3).
+/// Makes `pair` that of two swept simplices, on the first `axes` axes (2 or 3).
+void tf_pair_set(tf_pair *pair, const tf_simplex *s, const tf_simplex *r,
+                 int axes);
+
+/// The same, as a value.
 tf_pair tf_pair_of(const tf_simplex *s, const tf_simplex *r, int axes);
 
 //: Declare the determinants of a pair

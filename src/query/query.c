@@ -139,14 +139,14 @@ static int decide_pairs(const tf_arithmetic *arithmetic, const operands *swept,
     int count = 0;
     for (int i = 0; i < swept->first.vertices; i++)
         for (int j = 0; j < swept->second.vertices; j++) {
-            const tf_simplex *s = &swept->s[i], *r = &swept->r[j];
-            tf_pair pair = tf_pair_of(s, r, swept->axes);
-            tf_intersection own =
-                tf_intersect(arithmetic, &pair, TF_ONLY_VERDICT);
-            if (own.verdict == TF_APART)
-                continue;
-            found[count++] = (candidate){s, r, pair, own};
-            if (stop_at_hit && own.verdict == TF_HIT)
+            // In place: the next pair overwrites one that is apart.
+            candidate *c = &found[count];
+            c->s = &swept->s[i];
+            c->r = &swept->r[j];
+            tf_pair_set(&c->pair, c->s, c->r, swept->axes);
+            c->found = tf_intersect(arithmetic, &c->pair, TF_ONLY_VERDICT);
+            count += c->found.verdict != TF_APART;
+            if (stop_at_hit && c->found.verdict == TF_HIT)
                 return count;
         }
     return count;

@@ -152,6 +152,8 @@ static tf_intersection intersect_faces(const tf_arithmetic *arithmetic,
             continue;
         tf_pair face = without_event(pair, i);
         tf_intersection own = intersect(arithmetic, &face, detail);
+        if (own.verdict == TF_APART)
+            continue;
         restore_event(&own, i);
         earliest = tf_intersection_earlier(&earliest, &own);
     }

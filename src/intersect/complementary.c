@@ -4,6 +4,8 @@
 #include "intersect/separation.h"
 #include "intersect/time.h"
 
+#include <string.h>
+
 //: Describe the common point
 void tf_complementary_describe(const tf_arithmetic *arithmetic,
                                const tf_pair *pair, tf_detail detail,
@@ -44,22 +46,29 @@ bool tf_complementary_intersect(const tf_arithmetic *arithmetic,
                                 const tf_pair *pair, tf_detail detail,
                                 tf_intersection *found)
 {
-    *found = tf_intersection_apart;
+    // Of a pair that is apart nothing else is ever read.
+    found->detail = TF_ONLY_VERDICT;
+    found->verdict = TF_APART;
+    found->classification = TF_UNCLASSIFIED;
+    found->unique = true;
     if (tf_pair_separated(pair))
         return true;
 
-    const tf_signs *signs = &found->signs;
-    tf_pair_signs(arithmetic, pair, &found->signs);
-    bool unique = signs->positive || signs->negative;
-    if (signs->positive && signs->negative)
+    tf_signs signs;
+    tf_pair_signs(arithmetic, pair, &signs);
+    bool unique = signs.positive || signs.negative;
+    if (signs.positive && signs.negative)
         return true;
-    if (!unique && !signs->unknown)
+    if (!unique && !signs.unknown)
         return false;
 
-    found->verdict = signs->unknown ? TF_UNDECIDED : TF_HIT;
+    found->verdict = signs.unknown ? TF_UNDECIDED : TF_HIT;
     found->classification =
-        signs->zero || signs->unknown ? TF_TOUCHING : TF_GENERIC;
+        signs.zero || signs.unknown ? TF_TOUCHING : TF_GENERIC;
     found->unique = unique;
+    found->signs = signs;
+    found->toi_lo = found->toi_hi = 0;
+    memset(found->barycentric, 0, sizeof found->barycentric);
     if (detail > TF_ONLY_VERDICT)
         tf_complementary_describe(arithmetic, pair, detail, found);
     return true;

@@ -80,9 +80,9 @@ static void accumulate(const tf_differences *differences,
         accumulate_term(sum, &entries, column[p], p % 2 == 0 ? 1 : -1);
 }
 
-//: Compare two rows
-static bool same_place(const tf_differences *d, const tf_event *a,
-                       const tf_event *b)
+//: Compare the rows
+static bool at_one_place(const tf_differences *d, const tf_event *a,
+                         const tf_event *b)
 {
     for (int j = 0; j < d->n; j++)
         if (a->x[d->axis[j]] != b->x[d->axis[j]])
@@ -91,12 +91,12 @@ static bool same_place(const tf_differences *d, const tf_event *a,
 }
 
 /// Whether two rows are differences of the same coordinates.
-static bool rows_repeat(const tf_differences *d)
+static bool some_row_repeats(const tf_differences *d)
 {
     for (int i = 1; i < d->n; i++)
         for (int j = 0; j < i; j++)
-            if (same_place(d, d->to[i], d->to[j]) &&
-                same_place(d, d->from[i], d->from[j]))
+            if (at_one_place(d, d->to[i], d->to[j]) &&
+                at_one_place(d, d->from[i], d->from[j]))
                 return true;
     return false;
 }
@@ -111,7 +111,8 @@ static tf_sign exact_sign(const tf_differences *differences)
     if (estimate.bound == 0)
         return TF_ZERO;
 
-    if (rows_repeat(differences))
+    //: Recognize a repeated row
+    if (some_row_repeats(differences))
         return TF_ZERO;
 
     //: Try the grid

@@ -7,12 +7,13 @@ enum {
     TF_GRID_BITS = 62 ///< of a coordinate on the grid, besides its sign
 };
 
-/// Finds the sign of a determinant in integers, if the coordinates of each
-/// column are multiples of one power of two, less than 2^62 of them each, and
-/// that power is at least 2^-1022; false if not.
+/// Finds the exact sign of a determinant in integers of 192 bits.  That needs a
+/// grid for each column: a power of two, at least 2^-1022, of which the
+/// column's coordinates are multiples, by less than 2^62 in absolute value.
+/// False if a column has none; *sign stays as it is then.
 bool tf_fixed_sign(const tf_differences *differences, tf_sign *sign);
 
-/// The same for the determinant itself, rounded to nearest once:
+/// Finds the determinant in the same way, rounded to nearest once:
 /// *number 2^*exponent.
 bool tf_fixed_value(const tf_differences *differences, double *number,
                     int *exponent);

@@ -85,7 +85,8 @@ void tf_superaccumulator_add(tf_superaccumulator *accumulator, double a,
     //: Multiply the mantissas
     tf_uint128 two = (tf_uint128)x.mantissa * y.mantissa;
     tf_uint128 low = (tf_uint128)(uint64_t)two * z.mantissa;
-    tf_uint128 high = (two >> TF_WORD_BITS) * z.mantissa + (low >> TF_WORD_BITS);
+    tf_uint128 high =
+        (two >> TF_WORD_BITS) * z.mantissa + (low >> TF_WORD_BITS);
     uint64_t word[3] = {(uint64_t)low, (uint64_t)high,
                         (uint64_t)(high >> TF_WORD_BITS)};
 

@@ -122,7 +122,7 @@ static inline three_words multiply_out(int n, int64_t e[TF_AXES][TF_AXES])
 static inline bool evaluate_sized(const tf_differences *d, int n,
                                   three_words *sum, int *exponent)
 {
-    int64_t entry[TF_AXES][TF_AXES] = {{0}};
+    int64_t entry[TF_AXES][TF_AXES];
     *exponent = 0;
     for (int j = 0; j < n; j++)
         if (!count_column(d, n, j, entry, exponent))

@@ -43,8 +43,8 @@ static void expect_coordinates(const own_pair *own, const tf_signs *signs,
                                int operand)
 {
     const tf_pair *pair = &own->pair;
-    tf_coordinates c =
-        tf_pair_coordinates(&oracle_arithmetic, pair, signs, operand);
+    tf_coordinates c;
+    tf_pair_coordinates(&oracle_arithmetic, pair, signs, operand, &c);
     int first = first_of(pair, signs, operand);
     double scale = c.low[first] / fabs(exact_value(pair, first));
     for (int i = 0; i < pair->count; i++) {
@@ -88,7 +88,9 @@ static tf_coordinates coordinates_of(tf_value value, const own_pair *own,
     tf_arithmetic arithmetic = oracle_arithmetic;
     arithmetic.value = given_value;
     given = value;
-    return tf_pair_coordinates(&arithmetic, &own->pair, signs, +1);
+    tf_coordinates c;
+    tf_pair_coordinates(&arithmetic, &own->pair, signs, +1, &c);
+    return c;
 }
 
 /// The point of shape 0: its only two events are 0 and 3.

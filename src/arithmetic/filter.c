@@ -48,6 +48,7 @@ static tf_estimate estimate_1x1(const tf_differences *differences)
 {
     double e[TF_AXES][TF_AXES];
     tf_differences_round(differences, e);
+
     // The difference of two doubles has the sign of the rounded difference.
     return (tf_estimate){.number = e[0][0], .bound = 0};
 }
@@ -69,6 +70,7 @@ static tf_estimate estimate_3x3(const tf_differences *differences)
 {
     double e[TF_AXES][TF_AXES];
     tf_differences_round(differences, e);
+
     //: Multiply the last two rows
     double yz = e[1][1] * e[2][2], zy = e[1][2] * e[2][1];
     double zx = e[1][2] * e[2][0], xz = e[1][0] * e[2][2];

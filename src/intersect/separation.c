@@ -1,8 +1,6 @@
 //: Include what separation needs
 #include "intersect/separation.h"
 
-#include <math.h>
-
 //: Measure one operand along an axis
 typedef struct range {
     double low, high;

@@ -50,7 +50,6 @@ bool tf_complementary_intersect(const tf_arithmetic *arithmetic,
     found->detail = TF_ONLY_VERDICT;
     found->verdict = TF_APART;
     found->classification = TF_UNCLASSIFIED;
-    found->unique = true;
     if (tf_pair_separated(pair))
         return true;
 

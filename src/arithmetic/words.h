@@ -8,7 +8,7 @@ enum {
     TF_WORD_BITS = 64
 };
 
-/// The integer of `count` words, not zero, least significant word first, rounded
-/// to nearest, ties to even: the number returned times 2^*exponent, to which the
-/// exponent of a word's unit is still to be added.
+/// The integer of `count` words, not zero, least significant word first,
+/// rounded to nearest, ties to even: the number returned times 2^*exponent, to
+/// which the exponent of the unit is still to be added.
 double tf_words_round(const uint64_t word[], int count, int *exponent);

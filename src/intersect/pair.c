@@ -40,8 +40,8 @@ tf_pair tf_pair_of(const tf_simplex *s, const tf_simplex *r, int axes)
 }
 
 //: Take differences within each time
-/// Adds the differences of the events begin..end-1 to the first of them; returns
-/// how many rows there are then.
+/// Adds the differences of the events begin..end-1 to the first of them to n
+/// rows; returns how many rows there are then.
 static inline int add_differences(const tf_pair *pair, int without, int begin,
                                   int end, int n, tf_differences *differences)
 {

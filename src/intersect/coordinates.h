@@ -12,9 +12,9 @@ typedef struct tf_coordinates {
 
 /// The coordinates of the operand +1 (S) or -1 (R) of a pair whose signs, as
 /// tf_pair_signs found them, are in no conflict.
-tf_coordinates tf_pair_coordinates(const tf_arithmetic *arithmetic,
-                                   const tf_pair *pair, const tf_signs *signs,
-                                   int operand);
+void tf_pair_coordinates(const tf_arithmetic *arithmetic, const tf_pair *pair,
+                         const tf_signs *signs, int operand,
+                         tf_coordinates *coordinates);
 
 //: Declare how coordinates are normalized
 /// Divides the middles of an operand's coordinates by their sum, and puts the

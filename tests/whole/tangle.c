@@ -56,12 +56,26 @@ static int compare(int (*count)(tangle_judge *, const double[]))
     return judged;
 }
 
+/// What was in one plane, or on one line, is now off it by rounding.
+static void slant(void)
+{
+    int axes = of.mesh.axes;
+    for (int v = 0; v < of.mesh.vertices; v++) {
+        double *x = of.start + axes * v, sum = 0.7;
+        for (int k = 0; k < axes; k++)
+            sum += (0.1 + 0.2 * k) * x[k];
+        x[1] = sum;
+    }
+}
+
 START_TEST(tangles_are_those_of_the_check)
 {
     generator random = generator_new((uint64_t)_i);
     int tangled = 0;
     for (int i = 0; i < (int)cases(150); i++) {
         random_surface(&random, 2 + i % 2, 20, (placement)_i, &of);
+        if (i % 4 < 2)
+            slant();
         int all = compare(tangle_count_all);
         ck_assert_int_eq(compare(tangle_count), all);
         tangled += all > 0;

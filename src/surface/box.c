@@ -76,6 +76,7 @@ enum {
 typedef struct boxing {
     const tf_frame *frame;
     const tf_motion *motion;
+    float margin; ///< in the frame
     tf_box *box;
 } boxing;
 
@@ -89,11 +90,10 @@ static void box_vertices(void *argument, int task, int worker)
         tf_box box = {{0}, {0}};
         for (int k = 0; k < frame->axes; k++) {
             ptrdiff_t place = (ptrdiff_t)frame->axes * v + k;
-            double center = frame->center[k], scale = frame->scale;
-            float a = (float)((work->motion->start[place] - center) * scale);
-            float b = (float)((work->motion->end[place] - center) * scale);
-            box.low[k] = a < b ? a : b;
-            box.high[k] = a < b ? b : a;
+            float a = tf_frame_coordinate(frame, k, work->motion->start[place]);
+            float b = tf_frame_coordinate(frame, k, work->motion->end[place]);
+            box.low[k] = (a < b ? a : b) - work->margin;
+            box.high[k] = (a < b ? b : a) + work->margin;
         }
         work->box[v] = box;
     }
@@ -101,9 +101,9 @@ static void box_vertices(void *argument, int task, int worker)
 
 //: Put a box around the path of each vertex
 void tf_vertex_boxes(const tf_frame *frame, const tf_motion *motion,
-                     const tf_parallel *parallel, tf_box box[])
+                     double margin, const tf_parallel *parallel, tf_box box[])
 {
-    boxing work = {frame, motion, box};
+    boxing work = {frame, motion, (float)(margin * frame->scale), box};
     tf_parallel_for_each(parallel, tf_range_parts(motion->vertices, VERTICES),
                          box_vertices, &work);
 }

@@ -41,6 +41,14 @@ typedef struct tf_frame {
 tf_status tf_frame_of(int axes, const tf_motion *motion, tf_frame *frame,
                       int *bad);
 
-/// The box of the path of each vertex, from start to end.
+/// The coordinate of a box in a frame that a coordinate of space has.
+static inline float tf_frame_coordinate(const tf_frame *frame, int axis,
+                                        double x)
+{
+    return (float)((x - frame->center[axis]) * frame->scale);
+}
+
+/// The box of the path of each vertex, from start to end, with a margin of 0 or
+/// more on all sides.
 void tf_vertex_boxes(const tf_frame *frame, const tf_motion *motion,
-                     const tf_parallel *parallel, tf_box box[]);
+                     double margin, const tf_parallel *parallel, tf_box box[]);

@@ -142,6 +142,14 @@ static void count(const tf_response_report *report, resolving_counts *counts)
     counts->rounds = rounds > counts->rounds ? rounds : counts->rounds;
 }
 
+void resolving_counts_print(const resolving_counts *counts)
+{
+    printf("%ld proposals: %ld with contacts, %ld by the failsafe, %ld held "
+           "back, %ld put to rest, %ld judged on the way, %d rounds at most\n",
+           counts->tries, counts->met, counts->rescued, counts->held,
+           counts->rested, counts->exact, counts->rounds);
+}
+
 /// What is being tried, for the handler.
 static long tried;
 

@@ -3,8 +3,6 @@
 
 #include "response/equations.h"
 
-#include <math.h>
-
 //: Name the vectors of conjugate residuals
 enum {
     SOLUTION,
@@ -41,34 +39,20 @@ static void step(const tf_equations *equations, double *vector[],
 }
 
 //: Iterate conjugate residuals
-/// Whether the residual is as small as `enough`, or so close to the vectors that
-/// the matrix takes to zero, or to rounding errors, that no step helps.
-static bool is_done(const tf_equations *equations, double *vector[],
-                    double enough, double energy)
-{
-    double square =
-        tf_equations_dot(equations, vector[RESIDUAL], vector[RESIDUAL]);
-    double tolerance = tf_equations_tolerance;
-    return square <= enough * enough ||
-           !(energy > tolerance * tolerance * square);
-}
-
 static int solve(tf_zone *zone)
 {
     double *vector[VECTORS];
     tf_equations equations = tf_equations_of(zone, VECTORS, vector);
     double *residual = vector[RESIDUAL], *product = vector[RESIDUAL_PRODUCT];
-    tf_equations_start(&equations, vector[SOLUTION], residual);
+    double enough = tf_equations_start(&equations, vector[SOLUTION], residual);
     tf_equations_multiply(&equations, residual, product);
     tf_equations_add(&equations, residual, 0, residual, vector[DIRECTION]);
     tf_equations_add(&equations, product, 0, product,
                      vector[DIRECTION_PRODUCT]);
     double energy = tf_equations_dot(&equations, residual, product);
-    double enough = tf_equations_tolerance *
-                    sqrt(tf_equations_dot(&equations, residual, residual));
     int iterations = 0;
     while (iterations < zone->sweeps &&
-           !is_done(&equations, vector, enough, energy)) {
+           !tf_equations_are_solved(&equations, residual, product, enough)) {
         step(&equations, vector, &energy);
         iterations++;
     }

@@ -38,6 +38,8 @@ tf_equations tf_equations_of(const tf_zone *zone, int vectors, double *vector[])
 }
 
 //: Scale the equations
+static const double tolerance = 1e-8;
+
 /// A row that moves nothing asks for nothing: scaled by 0 it reads 0 = 0.
 static double scale_of(const tf_row *row, const double inverse_mass[])
 {
@@ -45,8 +47,8 @@ static double scale_of(const tf_row *row, const double inverse_mass[])
     return compliance > 0 ? 1 / sqrt(compliance) : 0;
 }
 
-void tf_equations_start(const tf_equations *equations, double x[],
-                        double residual[])
+double tf_equations_start(const tf_equations *equations, double x[],
+                          double residual[])
 {
     const tf_zone *zone = equations->zone;
     for (int i = 0; i < equations->count; i++) {
@@ -57,10 +59,14 @@ void tf_equations_start(const tf_equations *equations, double x[],
     }
     tf_equations_multiply(equations, x, residual);
     tf_zone_partings(zone, zone->displacement, equations->impulse);
+    double square = 0;
     for (int i = 0; i < equations->count; i++) {
         double wanted = zone->row[i].bound - equations->impulse[i];
-        residual[i] = equations->scale[i] * wanted - residual[i];
+        double right = equations->scale[i] * wanted;
+        square += right * right;
+        residual[i] = right - residual[i];
     }
+    return tolerance * sqrt(square);
 }
 
 //: Multiply by the matrix of the equations
@@ -109,4 +115,14 @@ void tf_equations_add(const tf_equations *equations, const double a[],
         sum[i] = a[i] + factor * b[i];
 }
 
-const double tf_equations_tolerance = 1e-8;
+//: See whether a residual is small
+const double tf_equations_weakest = 1e-6;
+
+bool tf_equations_are_solved(const tf_equations *equations,
+                             const double residual[], const double product[],
+                             double enough)
+{
+    double length = sqrt(tf_equations_dot(equations, residual, residual));
+    double image = sqrt(tf_equations_dot(equations, product, product));
+    return length <= enough || !(image > tf_equations_weakest * length);
+}

@@ -24,9 +24,10 @@ tf_equations tf_equations_of(const tf_zone *zone, int vectors,
                              double *vector[]);
 
 //: Declare how to solve equations
-/// Sets x to the impulses that the rows have, and residual to b - A x.
-void tf_equations_start(const tf_equations *equations, double x[],
-                        double residual[]);
+/// Sets x to the impulses that the rows have, and residual to b - A x.  Returns
+/// the length of a residual that is as good as none.
+double tf_equations_start(const tf_equations *equations, double x[],
+                          double residual[]);
 
 /// product = A x.
 void tf_equations_multiply(const tf_equations *equations, const double x[],
@@ -45,6 +46,14 @@ double tf_equations_dot(const tf_equations *equations, const double a[],
 void tf_equations_add(const tf_equations *equations, const double a[],
                       double factor, const double b[], double sum[]);
 
-/// What is left of a residual, or of its product with A, that counts as none: a
-/// part of what there was.
-extern const double tf_equations_tolerance;
+//: Declare when a residual is small
+/// What is left of a residual that no step makes much shorter: where A takes it
+/// to a vector so much shorter, equations contradict each other, or so nearly
+/// that it would take a million times the impulses to agree.
+extern const double tf_equations_weakest;
+
+/// Whether the residual is no longer than `enough`, or its product with A so
+/// much shorter than it.
+bool tf_equations_are_solved(const tf_equations *equations,
+                             const double residual[], const double product[],
+                             double enough);

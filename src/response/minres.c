@@ -90,11 +90,12 @@ static void step(const tf_equations *equations, recurrence *r, const column *c,
 }
 
 //: Start minimal residuals
-/// From the impulses that the rows have; returns the residual's length.
+/// From the impulses that the rows have; returns the length of a residual that
+/// is as good as none.
 static double start(const tf_equations *equations, double *vector[VECTORS],
                     recurrence *r)
 {
-    tf_equations_start(equations, vector[0], vector[1]);
+    double enough = tf_equations_start(equations, vector[0], vector[1]);
     for (int i = 2; i < VECTORS; i++)
         memset(vector[i], 0, (size_t)equations->count * sizeof *vector[i]);
     double length = sqrt(tf_equations_dot(equations, vector[1], vector[1]));
@@ -107,7 +108,7 @@ static double start(const tf_equations *equations, double *vector[VECTORS],
                       .cosine = 1,
                       .older_cosine = 1,
                       .residual = length};
-    return length;
+    return enough;
 }
 
 //: Iterate minimal residuals
@@ -118,7 +119,7 @@ static bool iterate(const tf_equations *equations, recurrence *r,
 {
     double below, diagonal = advance(equations, r, &below);
     column c = rotate(r, diagonal, below);
-    if (!(hypot(c.unrotated, r->cosine * below) > tf_equations_tolerance))
+    if (!(hypot(c.unrotated, r->cosine * below) > tf_equations_weakest))
         return false;
     step(equations, r, &c, below, solution);
     return true;
@@ -129,7 +130,7 @@ static int solve(tf_zone *zone)
     double *vector[VECTORS];
     recurrence r;
     tf_equations equations = tf_equations_of(zone, VECTORS, vector);
-    double enough = tf_equations_tolerance * start(&equations, vector, &r);
+    double enough = start(&equations, vector, &r);
     int iterations = 0;
     while (iterations < zone->sweeps && fabs(r.residual) > enough &&
            iterate(&equations, &r, vector[0]))

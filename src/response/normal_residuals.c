@@ -3,8 +3,6 @@
 
 #include "response/equations.h"
 
-#include <math.h>
-
 //: Name the vectors of the normal equations
 enum {
     SOLUTION,
@@ -40,31 +38,18 @@ static void step(const tf_equations *equations, double *vector[],
 }
 
 //: Iterate on the normal equations
-/// Whether the residual is as small as `enough`, or hardly changes by any step.
-static bool is_done(const tf_equations *equations, double *vector[],
-                    double enough, double steepness)
-{
-    double square =
-        tf_equations_dot(equations, vector[RESIDUAL], vector[RESIDUAL]);
-    double tolerance = tf_equations_tolerance;
-    return square <= enough * enough ||
-           !(steepness > tolerance * tolerance * square);
-}
-
 static int solve(tf_zone *zone)
 {
     double *vector[VECTORS];
     tf_equations equations = tf_equations_of(zone, VECTORS, vector);
     double *residual = vector[RESIDUAL], *gradient = vector[GRADIENT];
-    tf_equations_start(&equations, vector[SOLUTION], residual);
+    double enough = tf_equations_start(&equations, vector[SOLUTION], residual);
     tf_equations_multiply(&equations, residual, gradient);
     tf_equations_add(&equations, gradient, 0, gradient, vector[DIRECTION]);
     double steepness = tf_equations_dot(&equations, gradient, gradient);
-    double enough = tf_equations_tolerance *
-                    sqrt(tf_equations_dot(&equations, residual, residual));
     int iterations = 0;
     while (iterations < zone->sweeps &&
-           !is_done(&equations, vector, enough, steepness)) {
+           !tf_equations_are_solved(&equations, residual, gradient, enough)) {
         step(&equations, vector, &steepness);
         iterations++;
     }

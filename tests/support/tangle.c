@@ -1,5 +1,7 @@
 #include "support/tangle.h"
 
+#include "support/oracle.h"
+
 #include <gmp.h>
 #include <math.h>
 #include <stdio.h>
@@ -462,6 +464,70 @@ int tangle_count(tangle_judge *judge, const double position[])
             if (boxes_overlap(judge->axes, sorted[i], sorted[j]))
                 judge_pair(judge, sorted[i], sorted[j]);
     free(sorted);
+    return sort_tangles(judge);
+}
+
+// Steps -----------------------------------------------------------------------
+
+/// Around the paths of its vertices.
+static void find_swept_box(tangle_judge *judge, element *of,
+                           const double start[], const double end[])
+{
+    element at_start = *of;
+    judge->position = start;
+    find_box(judge, &at_start);
+    judge->position = end;
+    find_box(judge, of);
+    for (int k = 0; k < judge->axes; k++) {
+        of->least[k] = fmin(of->least[k], at_start.least[k]);
+        of->most[k] = fmax(of->most[k], at_start.most[k]);
+    }
+}
+
+static void find_worldlines(int axes, const element *of, const double start[],
+                            const double end[], tf_worldline line[])
+{
+    for (int i = 0; i < of->corners; i++) {
+        size_t first = (size_t)(axes * of->vertex[i]);
+        for (int t = 0; t < 2; t++) {
+            line[i].at[t] = (tf_event){.t = t, .vertex = of->vertex[i]};
+            memcpy(line[i].at[t].x, (t ? end : start) + first,
+                   sizeof(double) * (size_t)axes);
+        }
+    }
+}
+
+static void judge_moving_pair(tangle_judge *judge, const element *a,
+                              const element *b, const double start[],
+                              const double end[])
+{
+    tangle_kind kind;
+    tf_worldline first[3], second[3];
+    mpq_t toi;
+    if (!kind_of(judge->axes, a, b, &kind) || share_vertex(a, b) ||
+        kind == EDGE_PIERCES_TRIANGLE ||
+        (kind == EDGES_MEET && judge->axes == 2))
+        return;
+    find_worldlines(judge->axes, a, start, end, first);
+    find_worldlines(judge->axes, b, start, end, second);
+    mpq_init(toi);
+    if (oracle_meet(judge->axes, a->corners, first, b->corners, second, toi))
+        add_tangle(judge, kind, a, b);
+    mpq_clear(toi);
+}
+
+int tangle_count_in_step(tangle_judge *judge, const double start[],
+                         const double end[])
+{
+    judge->found = 0;
+    for (int i = 0; i < judge->elements; i++)
+        find_swept_box(judge, &judge->element[i], start, end);
+    for (int i = 0; i < judge->elements; i++)
+        for (int j = i + 1; j < judge->elements; j++)
+            if (boxes_overlap(judge->axes, &judge->element[i],
+                              &judge->element[j]))
+                judge_moving_pair(judge, &judge->element[i], &judge->element[j],
+                                  start, end);
     return sort_tangles(judge);
 }
 

@@ -35,6 +35,11 @@ int tangle_count(tangle_judge *judge, const double position[]);
 /// The same by trying every pair.
 int tangle_count_all(tangle_judge *judge, const double position[]);
 
+/// Counts the pairs of a vertex and a triangle and of two edges, in the plane of
+/// a vertex and an edge, that meet during a step, by the oracle: slow.
+int tangle_count_in_step(tangle_judge *judge, const double start[],
+                         const double end[]);
+
 /// What the last count has found, sorted by kind, then by vertices.
 const tangle *tangles(const tangle_judge *judge);
 

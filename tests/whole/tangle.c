@@ -6,6 +6,7 @@
 #include "support/surface_of.h"
 #include "support/surfaces.h"
 #include "surface/check.h"
+#include "surface/detect.h"
 
 #include <math.h>
 #include <string.h>
@@ -81,6 +82,28 @@ START_TEST(tangles_are_those_of_the_check)
         tangled += all > 0;
     }
     ck_assert_int_gt(tangled, 0);
+}
+END_TEST
+
+// The contacts of a step are those that detection finds.
+START_TEST(tangles_of_a_step_are_its_contacts)
+{
+    generator random = generator_new(100 + (uint64_t)_i);
+    size_t contacts = 0;
+    for (int i = 0; i < (int)cases(40); i++) {
+        random_surface(&random, 2 + i % 2, 8, (placement)_i, &of);
+        tf_surface *surface = surface_of(&of.mesh);
+        tangle_judge *judge = tangle_judge_new(&of.mesh);
+        tf_contacts found;
+        ck_assert_int_eq(
+            tf_surface_detect(surface, &of.motion, NULL, &found, NULL), TF_OK);
+        int judged = tangle_count_in_step(judge, of.start, of.end);
+        ck_assert_uint_eq((size_t)judged, found.count);
+        contacts += found.count;
+        tangle_judge_free(judge);
+        tf_surface_free(surface);
+    }
+    ck_assert(contacts > 0 || _i == AT_REST);
 }
 END_TEST
 
@@ -179,6 +202,8 @@ Suite *suite(void)
     Suite *suite = suite_create("whole/tangle");
     TCase *tcase = tcase_create("check");
     tcase_add_loop_test(tcase, tangles_are_those_of_the_check, 0, PLACEMENTS);
+    tcase_add_loop_test(tcase, tangles_of_a_step_are_its_contacts, 0,
+                        PLACEMENTS);
     suite_add_tcase(suite, tcase);
 
     TCase *planted = tcase_create("planted");

@@ -15,6 +15,7 @@ typedef struct tf_recheck {
     tf_buffer point, edge; ///< these candidates
     tf_buffer chosen;      ///< those of one kind that are tested
     tf_buffer vertex_marks, edge_marks, triangle_marks;
+    tf_buffer vertex_boxes, edge_boxes, triangle_boxes; ///< of the step now
 } tf_recheck;
 
 //: Declare the new search
@@ -27,7 +28,8 @@ tf_status tf_recheck_find(tf_recheck *recheck, tf_surface *surface,
                           const tf_parallel *parallel, tf_contacts *found,
                           int *rebuilds);
 
-/// Forgets the candidates; `margin` is for those of the next step.
+/// Forgets the candidates; those of the next step are listed with at most this
+/// margin at first.
 void tf_recheck_begin(tf_recheck *recheck, double margin);
 
 size_t tf_recheck_memory(const tf_recheck *recheck);

@@ -204,7 +204,7 @@ static int compare_times(const void *first, const void *second)
 }
 
 //: Add up the effort
-static void add_effort(tf_effort *all, const tf_effort *own)
+void tf_effort_add(tf_effort *all, const tf_effort *own)
 {
     all->candidates += own->candidates;
     all->by_axis += own->by_axis;
@@ -226,7 +226,7 @@ bool tf_pairs_gather(tf_surface *surface, tf_extent extent, tf_contacts *found)
         if (worker->rows > 0)
             memcpy(end, worker->row.data, sizeof *end * worker->rows);
         end += worker->rows;
-        add_effort(&found->effort, &b->effort);
+        tf_effort_add(&found->effort, &b->effort);
     }
     qsort(all, rows, sizeof *all,
           extent == TF_FIRST_CONTACT ? compare_times : compare_places);

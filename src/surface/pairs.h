@@ -29,3 +29,6 @@ bool tf_pairs_take(tf_pair_sink *sink, int count, const tf_candidate pair[]);
 /// Lists what all workers have found, lent by the surface, and adds up what it
 /// took; `found` was all zero.  False if there is no memory.
 bool tf_pairs_gather(tf_surface *surface, tf_extent extent, tf_contacts *found);
+
+/// Adds what one search took to what all took.
+void tf_effort_add(tf_effort *all, const tf_effort *own);

@@ -12,10 +12,10 @@
 #include <math.h>
 
 enum {
-    STEPS = 2000,    ///< random ones with a contact
-    FRACTIONS = 64,  ///< that are tried of each
-    CELLS = 200,     ///< of the scale
-    VERTICES = 4,    ///< at most
+    STEPS = 2000,   ///< random ones with a contact
+    FRACTIONS = 64, ///< that are tried of each
+    CELLS = 200,    ///< of the scale
+    VERTICES = 4,   ///< at most
     HALVINGS = 3
 };
 
@@ -33,8 +33,7 @@ static step scaled(const step *of, double fraction)
         const double *start = of->line[v].at[0].x;
         double end[TF_AXES];
         for (int k = 0; k < of->axes; k++)
-            end[k] =
-                start[k] + fraction * (of->line[v].at[1].x[k] - start[k]);
+            end[k] = start[k] + fraction * (of->line[v].at[1].x[k] - start[k]);
         made.line[v] = tf_worldline_between(of->axes, start, end);
     }
     return made;
@@ -161,8 +160,8 @@ static void draw_mark(fig_page *page, fig_box box, double fraction,
     fig_page_line(
         page, 2, at,
         (fig_stroke){.paint = {.role = role}, .width = FIG_WIDTH_LINE});
-    fig_page_text(page, x, box.y - 6, FIG_ALIGN_CENTER, name,
-                  FIG_LETTERS_SMALL, role);
+    fig_page_text(page, x, box.y - 6, FIG_ALIGN_CENTER, name, FIG_LETTERS_SMALL,
+                  role);
 }
 
 /// Whether the i-th cell of the scale is clear, in its middle.
@@ -180,10 +179,10 @@ static void draw_scale(fig_page *page, fig_box box, const step *of, double toi)
             next++;
         fig_box run = {box.x + i * box.width / CELLS, box.y,
                        (next - i) * box.width / CELLS, box.height};
-        fig_page_fill_box(page, run,
-                          (fig_paint){.role = clear ? FIG_ROLE_NEUTRAL
-                                                    : FIG_ROLE_CONTACT,
-                                      .opacity = clear ? 0.25 : 0.7});
+        fig_page_fill_box(
+            page, run,
+            (fig_paint){.role = clear ? FIG_ROLE_NEUTRAL : FIG_ROLE_CONTACT,
+                        .opacity = clear ? 0.25 : 0.7});
     }
     static const char *const names[HALVINGS] = {"1/2", "1/4", "1/8"};
     for (int k = 0; k < HALVINGS; k++)

@@ -139,12 +139,11 @@ static void draw_edges(fig_page *page, const fig_plot *plot, const scene *s,
         const double *a = x + 2 * (ptrdiff_t)s->edge[2 * e];
         const double *b = x + 2 * (ptrdiff_t)s->edge[2 * e + 1];
         bool is_wall = e >= CHAIN - 1;
-        fig_plot_curve(
-            page, plot, 2, (fig_point[]){{a[0], a[1]}, {b[0], b[1]}},
-            (fig_stroke){.paint = {.role = is_wall ? FIG_ROLE_EDGE
-                                                   : FIG_ROLE_POINT,
-                                   .shade = shade},
-                         .width = is_wall ? 3 : 1.6});
+        fig_plot_curve(page, plot, 2, (fig_point[]){{a[0], a[1]}, {b[0], b[1]}},
+                       (fig_stroke){.paint = {.role = is_wall ? FIG_ROLE_EDGE
+                                                              : FIG_ROLE_POINT,
+                                              .shade = shade},
+                                    .width = is_wall ? 3 : 1.6});
     }
     for (int v = 0; v < CHAIN && shade == 0; v++)
         fig_plot_dot(page, plot, x[2 * v], x[2 * v + 1], 4, FIG_ROLE_POINT);
@@ -156,11 +155,10 @@ static void draw_arrows(fig_page *page, const fig_plot *plot, const scene *s)
     for (int wall = 0; wall < 2; wall++) {
         ptrdiff_t place = 2 * (ptrdiff_t)(CHAIN + WALL * wall);
         double y = wall == 0 ? 1.65 : -1.65;
-        fig_plot_curve(page, plot, 2,
-                       (fig_point[]){{s->start[place], y},
-                                     {s->proposed[place], y}},
-                       (fig_stroke){.paint = {.role = FIG_ROLE_EDGE},
-                                    .arrow = true});
+        fig_plot_curve(
+            page, plot, 2,
+            (fig_point[]){{s->start[place], y}, {s->proposed[place], y}},
+            (fig_stroke){.paint = {.role = FIG_ROLE_EDGE}, .arrow = true});
     }
 }
 

@@ -163,11 +163,9 @@ static void draw_still(fig_page *page, const history *h)
     for (int round = 0; round <= h->rounds; round++) {
         char text[16];
         fig_box box = {54, height * round + 3, width - 60, height - 6};
-        fig_plot plot = {
-            .box = box, .x = {-0.12, 2.6}, .y = {-1.05, 1.05}};
-        fig_page_fill_box(page, box,
-                          (fig_paint){.role = FIG_ROLE_NEUTRAL,
-                                      .opacity = 0.09});
+        fig_plot plot = {.box = box, .x = {-0.12, 2.6}, .y = {-1.05, 1.05}};
+        fig_page_fill_box(
+            page, box, (fig_paint){.role = FIG_ROLE_NEUTRAL, .opacity = 0.09});
         draw_bars(page, &plot, h, &h->after[round], 0);
         draw_arrow(page, &plot, h, &h->after[round], 0);
         fig_page_text(page, 4, box.y + box.height / 2 + 3, FIG_ALIGN_LEFT,
@@ -188,12 +186,11 @@ static void draw_frame(fig_page *page, const history *h, double t)
     const state *now = &h->after[round];
     for (int i = 0; i < BARS; i++) {
         const double *start = h->start + 4 * (ptrdiff_t)i;
-        fig_plot_curve(page, &plot, 2,
-                       (fig_point[]){{start[0], start[1]},
-                                     {start[2], start[3]}},
-                       (fig_stroke){.paint = {.role = FIG_ROLE_NEUTRAL,
-                                              .shade = -0.6},
-                                    .width = FIG_WIDTH_THIN});
+        fig_plot_curve(
+            page, &plot, 2,
+            (fig_point[]){{start[0], start[1]}, {start[2], start[3]}},
+            (fig_stroke){.paint = {.role = FIG_ROLE_NEUTRAL, .shade = -0.6},
+                         .width = FIG_WIDTH_THIN});
     }
     draw_bars(page, &plot, h, now, part);
     fig_page_text(page, fig_page_width(page) / 2, 16, FIG_ALIGN_CENTER,

@@ -27,8 +27,7 @@ static const double length = 1, weight = 0.62, height = 0.1;
 static const double angles[ANGLES] = {1e-3, 1e-2, 3e-2, 1e-1};
 static const char *const names[ANGLES] = {"0.001", "0.01", "0.03", "0.1"};
 static const fig_role roles[ANGLES] = {FIG_ROLE_EDGE, FIG_ROLE_POINT,
-                                       FIG_ROLE_OTHER_EDGE,
-                                       FIG_ROLE_TRIANGLE};
+                                       FIG_ROLE_OTHER_EDGE, FIG_ROLE_TRIANGLE};
 
 static tf_vector turned(tf_vector at, tf_vector center, double angle)
 {
@@ -75,10 +74,10 @@ static turning random_turn(uint64_t *state, double angle, double distance)
     tf_vector center = {{between(state, -1, 1), between(state, -1, 1), 0}};
     tf_vector along = {{cos(slope), sin(slope), 0}};
     tf_vector across = {{-along.x[1], along.x[0], 0}};
-    tf_vector at[3] = {fig_combination(tf_vector_scaled(w, along), distance,
-                                       across),
-                       {{0}},
-                       along};
+    tf_vector at[3] = {
+        fig_combination(tf_vector_scaled(w, along), distance, across),
+        {{0}},
+        along};
     bool left = fig_random_bits(state) >> 63;
     return turn(at, center, left ? angle : -angle);
 }
@@ -151,9 +150,9 @@ static void draw_state(fig_page *page, const fig_plot *plot, const turning *of,
     bent[1] = fig_worldline_place(&crease, 2, t);
     bent[2] = fig_worldline_place(&of->line[2], 2, t);
     draw_line(page, plot, 3, bent,
-              (fig_stroke){.paint = {.role = FIG_ROLE_EDGE,
-                                     .shade = at_end ? -0.45 : 0},
-                           .width = FIG_WIDTH_TUBE});
+              (fig_stroke){
+                  .paint = {.role = FIG_ROLE_EDGE, .shade = at_end ? -0.45 : 0},
+                  .width = FIG_WIDTH_TUBE});
     fig_plot_dot(page, plot, point.x[0], point.x[1],
                  at_end ? 5 : FIG_WIDTH_BALL, FIG_ROLE_POINT);
     if (at_end)

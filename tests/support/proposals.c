@@ -15,17 +15,26 @@ static const double pi = 3.141592653589793;
 
 // Starts ----------------------------------------------------------------------
 
-static int add_vertex(proposal *made, double x, double y, double z)
+void proposal_begin(proposal *made, int axes)
+{
+    made->mesh =
+        (tf_mesh){.axes = axes, .triangle = made->triangle, .edge = made->edge};
+    made->unit = 1;
+}
+
+int proposal_add_vertex(proposal *made, double x, double y, double z)
 {
     int v = made->mesh.vertices++, axes = made->mesh.axes;
     if (v >= PROPOSAL_VERTICES)
         abort();
-    memcpy(made->start + axes * v, (const double[]){x, y, z},
-           sizeof(double) * (size_t)axes);
+    made->inverse_mass[v] = 1;
+    const double place[] = {x, y, z};
+    for (int k = 0; k < axes; k++)
+        made->start[axes * v + k] = made->end[axes * v + k] = place[k];
     return v;
 }
 
-static void add_triangle(proposal *made, int a, int b, int c)
+void proposal_add_triangle(proposal *made, int a, int b, int c)
 {
     if (made->mesh.triangles >= PROPOSAL_TRIANGLES)
         abort();
@@ -33,7 +42,7 @@ static void add_triangle(proposal *made, int a, int b, int c)
     corner[0] = a, corner[1] = b, corner[2] = c;
 }
 
-static void add_edge(proposal *made, int a, int b)
+void proposal_add_edge(proposal *made, int a, int b)
 {
     if (made->mesh.edges >= PROPOSAL_EDGES)
         abort();
@@ -45,12 +54,13 @@ static void make_lone_triangle(generator *random, proposal *made)
 {
     int corner[3];
     for (int i = 0; i < 3; i++)
-        corner[i] = add_vertex(made, cos(2 * pi * i / 3), sin(2 * pi * i / 3),
-                               uniform(random, 0, 0.5));
+        corner[i] =
+            proposal_add_vertex(made, cos(2 * pi * i / 3), sin(2 * pi * i / 3),
+                                uniform(random, 0, 0.5));
     for (int i = 0; i < 3 && made->mesh.axes == 2; i++)
-        add_edge(made, corner[i], corner[(i + 1) % 3]);
+        proposal_add_edge(made, corner[i], corner[(i + 1) % 3]);
     if (made->mesh.axes == 3)
-        add_triangle(made, corner[0], corner[1], corner[2]);
+        proposal_add_triangle(made, corner[0], corner[1], corner[2]);
 }
 
 /// The height of a hilly sheet.
@@ -59,30 +69,39 @@ static double hill(double x, double y)
     return 0.6 * sin(0.9 * x) * cos(0.7 * y + 1);
 }
 
-/// Level if `rough` is 0.
-static void add_sheet(generator *random, int n, double height, double rough,
-                      proposal *made)
+int proposal_add_sheet(proposal *made, int n, double height)
 {
     int first = made->mesh.vertices;
     for (int j = 0; j <= n; j++)
-        for (int i = 0; i <= n; i++) {
-            double x = i + rough * uniform(random, -0.2, 0.2);
-            double y = j + rough * uniform(random, -0.2, 0.2);
-            add_vertex(made, x, y, height + rough * hill(x, y));
-        }
+        for (int i = 0; i <= n; i++)
+            proposal_add_vertex(made, i, j, height);
     for (int j = 0; j < n; j++)
         for (int i = 0; i < n; i++) {
             int v = first + j * (n + 1) + i;
-            add_triangle(made, v, v + 1, v + n + 2);
-            add_triangle(made, v, v + n + 2, v + n + 1);
+            proposal_add_triangle(made, v, v + 1, v + n + 2);
+            proposal_add_triangle(made, v, v + n + 2, v + n + 1);
         }
+    return first;
+}
+
+/// Level if `rough` is 0.
+static void add_rough_sheet(generator *random, int n, double height,
+                            double rough, proposal *made)
+{
+    int first = proposal_add_sheet(made, n, height);
+    for (int v = first; v < made->mesh.vertices; v++) {
+        double *x = made->start + 3 * v;
+        for (int k = 0; k < 2; k++)
+            x[k] += rough * uniform(random, -0.2, 0.2);
+        x[2] += rough * hill(x[0], x[1]);
+    }
 }
 
 static void make_sheets(generator *random, int size, proposal *made)
 {
     double gap = ldexp(1, -below(random, 6)), rough = below(random, 2);
     for (int i = 0; i < 2 + below(random, 2); i++)
-        add_sheet(random, 2 * size, i * gap, rough * gap, made);
+        add_rough_sheet(random, 2 * size, i * gap, rough * gap, made);
 }
 
 /// Star-shaped about the origin: an octahedron's upper and lower half, each a
@@ -95,19 +114,21 @@ static void add_ball(generator *random, int rings, double radius,
         for (int s = 0; s < sectors; s++) {
             double up = pi * r / rings, around = pi * s / rings;
             double reach = radius + uniform(random, 0, roughness);
-            add_vertex(made, reach * sin(up) * cos(around),
-                       reach * sin(up) * sin(around), -reach * cos(up));
+            proposal_add_vertex(made, reach * sin(up) * cos(around),
+                                reach * sin(up) * sin(around),
+                                -reach * cos(up));
         }
-    int bottom = add_vertex(made, 0, 0, -radius);
-    int top = add_vertex(made, 0, 0, radius);
+    int bottom = proposal_add_vertex(made, 0, 0, -radius);
+    int top = proposal_add_vertex(made, 0, 0, radius);
     for (int s = 0; s < sectors; s++) {
         int next = (s + 1) % sectors;
         int below_top = first + (rings - 2) * sectors;
-        add_triangle(made, bottom, first + next, first + s);
-        add_triangle(made, top, below_top + s, below_top + next);
+        proposal_add_triangle(made, bottom, first + next, first + s);
+        proposal_add_triangle(made, top, below_top + s, below_top + next);
         for (int v = first; v < below_top; v += sectors) {
-            add_triangle(made, v + s, v + next, v + next + sectors);
-            add_triangle(made, v + s, v + next + sectors, v + s + sectors);
+            proposal_add_triangle(made, v + s, v + next, v + next + sectors);
+            proposal_add_triangle(made, v + s, v + next + sectors,
+                                  v + s + sectors);
         }
     }
 }
@@ -128,8 +149,8 @@ static void add_loop(generator *random, int edges, double radius,
     for (int i = 0; i < edges; i++) {
         double reach = radius + uniform(random, 0, 0.1) * radius;
         double around = 2 * pi * i / edges;
-        add_vertex(made, reach * cos(around), reach * sin(around), 0);
-        add_edge(made, first + i, first + (i + 1) % edges);
+        proposal_add_vertex(made, reach * cos(around), reach * sin(around), 0);
+        proposal_add_edge(made, first + i, first + (i + 1) % edges);
     }
 }
 
@@ -145,22 +166,24 @@ static void make_chains(generator *random, int size, proposal *made)
     double gap = ldexp(1, -below(random, 6));
     for (int c = 0; c < 2 + below(random, 3); c++)
         for (int i = 0; i <= 5 * size; i++) {
-            int v = add_vertex(made, i, gap * c + 0.4 * sin(0.8 * i), 0);
+            int v =
+                proposal_add_vertex(made, i, gap * c + 0.4 * sin(0.8 * i), 0);
             if (i > 0)
-                add_edge(made, v - 1, v);
+                proposal_add_edge(made, v - 1, v);
         }
 }
 
 static void make_rods_and_specks(generator *random, int size, proposal *made)
 {
-    add_sheet(random, 2 * size, 0, 1, made);
+    add_rough_sheet(random, 2 * size, 0, 1, made);
     for (int i = 0; i < 4 * size; i++) {
         double x = 2.0 * size * i / (4 * size), lean = uniform(random, -1, 1);
-        int low = add_vertex(made, x, uniform(random, 0, 2 * size), 1);
-        int high = add_vertex(made, x, lean, 2);
-        add_edge(made, low, high);
-        add_vertex(made, uniform(random, 0, 2 * size),
-                   uniform(random, 0, 2 * size), uniform(random, 2.1, 3));
+        int low = proposal_add_vertex(made, x, uniform(random, 0, 2 * size), 1);
+        int high = proposal_add_vertex(made, x, lean, 2);
+        proposal_add_edge(made, low, high);
+        proposal_add_vertex(made, uniform(random, 0, 2 * size),
+                            uniform(random, 0, 2 * size),
+                            uniform(random, 2.1, 3));
     }
 }
 
@@ -387,8 +410,6 @@ void proposal_make(generator *random, proposal_shape shape, int size,
     place(random, made);
     renumber(random, made);
     propose(random, way, made);
-    for (int v = 0; v < made->mesh.vertices; v++)
-        made->inverse_mass[v] = 1;
 }
 
 void proposal_weigh(generator *random, proposal *made)

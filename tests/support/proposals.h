@@ -56,6 +56,18 @@ typedef struct proposal {
     double unit; ///< the factor
 } proposal;
 
+/// Without vertices.
+void proposal_begin(proposal *made, int axes);
+
+/// Adds a vertex of inverse mass 1 that rests; returns its index.
+int proposal_add_vertex(proposal *made, double x, double y, double z);
+
+void proposal_add_edge(proposal *made, int a, int b);
+void proposal_add_triangle(proposal *made, int a, int b, int c);
+
+/// Adds n x n squares, level; returns the first vertex.
+int proposal_add_sheet(proposal *made, int n, double height);
+
 /// Fills it.  Vertices are in a random order; the start is free of tangles, but
 /// perhaps for rounding.  All inverse masses are 1.
 /// @param size how fine, from 1; the largest that fits is 4

@@ -1,10 +1,10 @@
 #include "support/resolving.h"
 
+#include "base/contract.h"
 #include "response/conjugate_residuals.h"
 #include "response/gauss_seidel.h"
 #include "response/minres.h"
 #include "response/normal_residuals.h"
-#include "support/surface_of.h"
 #include "support/tangle.h"
 
 #include <stdio.h>
@@ -92,10 +92,11 @@ const char *resolving_fault(proposal *made, bool weighed, bool exactly,
                             tf_response_report *report)
 {
     tangle_judge *judge = tangle_judge_new(&made->mesh);
-    tf_surface *surface = surface_of(&made->mesh);
+    tf_surface *surface = NULL;
     tf_resolver *resolver = NULL;
     const char *fault = "no resolver";
-    if (tf_resolver_create(surface, &resolver) == TF_OK)
+    if (tf_surface_create(&made->mesh, &surface, NULL) == TF_OK &&
+        tf_resolver_create(surface, &resolver) == TF_OK)
         fault = judged_fault(resolver, judge, made, weighed, exactly, options,
                              report);
     tf_resolver_free(resolver);
@@ -141,6 +142,23 @@ static void count(const tf_response_report *report, resolving_counts *counts)
     counts->rounds = rounds > counts->rounds ? rounds : counts->rounds;
 }
 
+void resolving_counts_print(const resolving_counts *counts)
+{
+    printf("%ld proposals: %ld with contacts, %ld by the failsafe, %ld held "
+           "back, %ld put to rest, %ld judged on the way, %d rounds at most\n",
+           counts->tries, counts->met, counts->rescued, counts->held,
+           counts->rested, counts->exact, counts->rounds);
+}
+
+/// What is being tried, for the handler.
+static long tried;
+
+static void show_tried(const char *file, int line, const char *condition)
+{
+    fprintf(stderr, "%s:%d: broken contract: %s\nproposal %ld of seed %llu\n",
+            file, line, condition, tried, (unsigned long long)seed());
+}
+
 enum {
     ALL = PROPOSAL_SHAPES * PROPOSAL_WAYS,
     SIZES = 4,
@@ -159,6 +177,8 @@ const char *numbered_fault(long number, resolving_counts *counts)
     proposal_weigh(&random, &made);
     if (!starts_clear(&made))
         return NULL;
+    tried = number;
+    tf_contract_set_handler(show_tried);
     bool weighed = below(&random, 2);
     bool exactly = made.mesh.vertices <= FEW_VERTICES && below(&random, 4) == 0;
     tf_response_options options = random_options(&random);

@@ -24,6 +24,9 @@ const char *resolving_fault(proposal *made, bool weighed, bool exactly,
                             const tf_response_options *options,
                             tf_response_report *report);
 
+/// One line to standard output.
+void resolving_counts_print(const resolving_counts *counts);
+
 /// What is wrong with the proposal of a number, by seed, with options that
 /// depend on it, too; NULL if nothing is.  Static storage.
 const char *numbered_fault(long number, resolving_counts *counts);

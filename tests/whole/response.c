@@ -14,10 +14,7 @@ START_TEST(random_proposals_are_resolved)
         const char *fault = numbered_fault(number, &counts);
         ck_assert_msg(!fault, "%s", fault);
     }
-    printf("%ld proposals: %ld with contacts, %ld by the failsafe, %ld held "
-           "back, %ld put to rest, %ld judged on the way, %d rounds at most\n",
-           counts.tries, counts.met, counts.rescued, counts.held, counts.rested,
-           counts.exact, counts.rounds);
+    resolving_counts_print(&counts);
     ck_assert_int_ge(10 * counts.tries, 9 * tries);
     ck_assert_int_ge(2 * counts.met, tries);
 }

@@ -215,8 +215,8 @@ static bool fault_in_range(answering *work, const tf_query_rows *query)
     while (i < 2 * end &&
            tf_arithmetic_fits(arithmetic, axes, query->x[i / end][i % end]))
         i++;
-    return tf_query_file_fault(
-        &work->file, query->line[i / axes], TF_OUT_OF_RANGE_FAULT,
+    return tf_text_lines_fault(
+        &work->file.lines, query->line[i / axes], TF_OUT_OF_RANGE_FAULT,
         query->x[i / end][i % end], tf_arithmetic_name(arithmetic),
         tf_arithmetic_bits(arithmetic, axes));
 }
@@ -231,7 +231,7 @@ static bool answer_by(answering *work, const tf_method *method,
     if (status == TF_OUT_OF_RANGE)
         return fault_in_range(work, query);
     if (status != TF_OK)
-        return tf_query_file_fault(&work->file, query->line[0], "%s",
+        return tf_text_lines_fault(&work->file.lines, query->line[0], "%s",
                                    tf_status_message(status));
     return true;
 }
@@ -297,8 +297,8 @@ static void print_errors(answering *work)
                 "tanglefree: standard output: cannot write: %s; the output "
                 "is incomplete\n",
                 strerror(work->output.error));
-    if (work->file.fault[0] != '\0')
-        tf_query_file_print_fault(&work->file, "tanglefree");
+    if (work->file.lines.fault[0] != '\0')
+        tf_text_lines_print_fault(&work->file.lines, "tanglefree");
     tf_query_file_close(&work->file);
 }
 

@@ -3,6 +3,7 @@
 
 #include "program/number.h"
 #include "program/rational.h"
+#include "program/visible.h"
 
 #include <ctype.h>
 #include <math.h>
@@ -115,25 +116,19 @@ static bool choose_columns(tf_query_file *file)
 }
 
 //: Describe what is wrong with a field
-/// Quote a field, cut where it is long and with a ? for each odd byte.
+/// Quotes a field, without the blanks around it.
 static bool fault_in_field(tf_query_file *file, int column, const char *field,
                            const char *verdict)
 {
-    char quoted[32];
     size_t length = strcspn(field, ",");
     while (length > 0 && strchr(" \t", field[length - 1]))
         length--;
-    bool cut = length >= sizeof quoted;
-    length = cut ? sizeof quoted - 4 : length;
-    for (size_t i = 0; i < length; i++)
-        quoted[i] = isprint((unsigned char)field[i]) ? field[i] : '?';
-    strcpy(quoted + length, cut ? "..." : "");
     if (length == 0)
         return tf_text_lines_fault(&file->lines, file->lines.line,
                                    "column %d is empty; write a number there",
                                    column);
     return tf_text_lines_fault(&file->lines, file->lines.line,
-                               "column %d is \"%s\", %s", column, quoted,
+                               "column %d is \"%s\", %s", column, tf_quote(field, length).text,
                                verdict);
 }
 

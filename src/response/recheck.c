@@ -112,18 +112,64 @@ static bool mark(tf_recheck *recheck, const tf_surface *surface,
     return true;
 }
 
+//: Put boxes around what elements sweep now
+static void box_elements(const tf_elements *list, const tf_box vertex[],
+                         tf_box box[])
+{
+    for (int i = 0; i < list->count; i++) {
+        const int *corner = list->corner + (ptrdiff_t)list->corners * i;
+        box[i] = vertex[corner[0]];
+        for (int c = 1; c < list->corners; c++)
+            box[i] = tf_box_union(box[i], vertex[corner[c]]);
+    }
+}
+
+static bool box(tf_recheck *recheck, const tf_surface *surface,
+                const tf_motion *motion, const tf_parallel *parallel)
+{
+    if (!tf_buffer_reserve(&recheck->vertex_boxes, (size_t)surface->vertices,
+                           sizeof(tf_box)) ||
+        !tf_buffer_reserve(&recheck->edge_boxes, (size_t)surface->edges.count,
+                           sizeof(tf_box)) ||
+        !tf_buffer_reserve(&recheck->triangle_boxes,
+                           (size_t)surface->triangles.count, sizeof(tf_box)))
+        return false;
+    tf_vertex_boxes(&surface->frame, motion, 0, parallel,
+                    recheck->vertex_boxes.data);
+    box_elements(&surface->edges, recheck->vertex_boxes.data,
+                 recheck->edge_boxes.data);
+    box_elements(&surface->triangles, recheck->vertex_boxes.data,
+                 recheck->triangle_boxes.data);
+    return true;
+}
+
 //: Choose the pairs that may have changed
-/// Chooses the candidates whose elements together have both marks; returns how
-/// many there are.
-static size_t choose(const tf_buffer *list, size_t count,
-                     const unsigned char first[], const unsigned char second[],
-                     tf_candidate chosen[])
+/// What is known of the elements of one kind.
+typedef struct known {
+    const unsigned char *mark;
+    const tf_box *box;
+} known;
+
+static bool overlap(const tf_box *a, const tf_box *b)
+{
+    for (int k = 0; k < 3; k++)
+        if (a->low[k] > b->high[k] || b->low[k] > a->high[k])
+            return false;
+    return true;
+}
+
+/// Chooses the candidates whose elements together have both marks and whose
+/// boxes overlap; returns how many there are.
+static size_t choose(const tf_buffer *list, size_t count, known first,
+                     known second, tf_candidate chosen[])
 {
     const tf_candidate *pair = list->data;
     size_t all = 0;
     for (size_t i = 0; i < count; i++) {
-        chosen[all] = pair[i];
-        all += (first[pair[i].first] | second[pair[i].second]) == TESTED;
+        int a = pair[i].first, b = pair[i].second;
+        if ((first.mark[a] | second.mark[b]) == TESTED &&
+            overlap(&first.box[a], &second.box[b]))
+            chosen[all++] = pair[i];
     }
     return all;
 }
@@ -162,17 +208,18 @@ static tf_status decide_all(tf_recheck *recheck, tf_surface *surface,
     if (!tf_buffer_reserve(&recheck->chosen, most + 1, sizeof(tf_candidate)) ||
         !tf_pairs_begin(surface, parallel, of))
         return TF_OUT_OF_MEMORY;
+    known vertex = {recheck->vertex_marks.data, recheck->vertex_boxes.data};
+    known edge = {recheck->edge_marks.data, recheck->edge_boxes.data};
+    known triangle = {recheck->triangle_marks.data,
+                      recheck->triangle_boxes.data};
     bool plane = surface->axes == 2;
     of->kind = plane ? TF_POINT_EDGE : TF_POINT_TRIANGLE;
-    const tf_buffer *edge = &recheck->edge_marks;
-    size_t chosen =
-        choose(&recheck->point, recheck->points, recheck->vertex_marks.data,
-               plane ? edge->data : recheck->triangle_marks.data,
-               recheck->chosen.data);
+    size_t chosen = choose(&recheck->point, recheck->points, vertex,
+                           plane ? edge : triangle, recheck->chosen.data);
     decide(surface, &recheck->chosen, chosen, parallel);
     if (!plane) {
         of->kind = TF_EDGE_EDGE;
-        chosen = choose(&recheck->edge, recheck->edges, edge->data, edge->data,
+        chosen = choose(&recheck->edge, recheck->edges, edge, edge,
                         recheck->chosen.data);
         decide(surface, &recheck->chosen, chosen, parallel);
     }
@@ -195,7 +242,8 @@ tf_status tf_recheck_find(tf_recheck *recheck, tf_surface *surface,
         complete(recheck, surface, step, of->motion, parallel, rebuilds);
     if (status != TF_OK)
         return status;
-    if (!mark(recheck, surface, step))
+    if (!mark(recheck, surface, step) ||
+        !box(recheck, surface, of->motion, parallel))
         return TF_OUT_OF_MEMORY;
     status = decide_all(recheck, surface, of, parallel);
     if (status != TF_OK)
@@ -212,7 +260,8 @@ size_t tf_recheck_memory(const tf_recheck *recheck)
 {
     return recheck->point.bytes + recheck->edge.bytes + recheck->chosen.bytes +
            recheck->vertex_marks.bytes + recheck->edge_marks.bytes +
-           recheck->triangle_marks.bytes;
+           recheck->triangle_marks.bytes + recheck->vertex_boxes.bytes +
+           recheck->edge_boxes.bytes + recheck->triangle_boxes.bytes;
 }
 
 void tf_recheck_free(tf_recheck *recheck)
@@ -223,4 +272,7 @@ void tf_recheck_free(tf_recheck *recheck)
     tf_buffer_free(&recheck->vertex_marks);
     tf_buffer_free(&recheck->edge_marks);
     tf_buffer_free(&recheck->triangle_marks);
+    tf_buffer_free(&recheck->vertex_boxes);
+    tf_buffer_free(&recheck->edge_boxes);
+    tf_buffer_free(&recheck->triangle_boxes);
 }

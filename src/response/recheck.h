@@ -15,6 +15,7 @@ typedef struct tf_recheck {
     tf_buffer point, edge; ///< these candidates
     tf_buffer chosen;      ///< those of one kind that are tested
     tf_buffer vertex_marks, edge_marks, triangle_marks;
+    tf_buffer vertex_boxes, edge_boxes, triangle_boxes; ///< of the step now
 } tf_recheck;
 
 //: Declare the new search

@@ -5,6 +5,7 @@
 #include "program/visible.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <string.h>
 
 //: Describe what is wrong with a mass or a vertex
@@ -94,18 +95,17 @@ static bool read_vertex(list *read)
     tf_text_lines *lines = read->lines;
     const char *at = lines->at;
     int64_t vertex = 0;
-    for (; *at >= '0' && *at <= '9' && vertex < read->vertices; at++)
-        vertex = 10 * vertex + (*at - '0');
-    if (at == lines->at || (vertex < read->vertices && !ends_word(*at)))
+    for (; *at >= '0' && *at <= '9'; at++)
+        if (vertex < read->vertices)
+            vertex = 10 * vertex + (*at - '0');
+    if (at == lines->at || !ends_word(*at))
         return fault_in_word(lines, "not a vertex; write its number, from 0");
-    if (vertex >= read->vertices) {
-        size_t length = strcspn(lines->at, " \t#");
+    if (vertex >= read->vertices)
         return tf_text_lines_fault(
             lines, lines->line,
-            "there is no vertex %s; those of the mesh are numbered from 0 to "
-            "%d",
-            tf_quote(lines->at, length).text, read->vertices - 1);
-    }
+            "there is no vertex %s; they are numbered from 0 to %d",
+            tf_quote(lines->at, (size_t)(at - lines->at)).text,
+            read->vertices - 1);
     read->inverse_mass[vertex] = 0;
     lines->at = at;
     return true;

@@ -33,8 +33,8 @@ static void name_element(char name[NAME], int vertices, const int vertex[])
     static const char *const names[] = {"", "vertex", "edge", "triangle"};
     int length = snprintf(name, NAME, "%s", names[vertices]);
     for (int i = 0; i < vertices; i++)
-        length += snprintf(name + length, (size_t)(NAME - length), " %d",
-                           vertex[i]);
+        length +=
+            snprintf(name + length, (size_t)(NAME - length), " %d", vertex[i]);
 }
 
 //: Describe an obstacle

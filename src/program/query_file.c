@@ -128,8 +128,8 @@ static bool fault_in_field(tf_query_file *file, int column, const char *field,
                                    "column %d is empty; write a number there",
                                    column);
     return tf_text_lines_fault(&file->lines, file->lines.line,
-                               "column %d is \"%s\", %s", column, tf_quote(field, length).text,
-                               verdict);
+                               "column %d is \"%s\", %s", column,
+                               tf_quote(field, length).text, verdict);
 }
 
 //: Describe what is wrong with the number of columns

@@ -45,12 +45,15 @@ static void remember(char *from, char *to)
         }
 }
 
+/// A file that gets larger than it may is an error of the write, and no end of
+/// the program.
 static void watch_signals(void)
 {
-    const int endings[] = {SIGHUP, SIGINT, SIGTERM};
-    for (int i = 0; i < 3; i++)
+    static const int endings[] = {SIGHUP, SIGINT, SIGQUIT, SIGPIPE, SIGTERM};
+    for (size_t i = 0; i < sizeof endings / sizeof *endings; i++)
         if (signal(endings[i], remove_scratches) == SIG_IGN)
             signal(endings[i], SIG_IGN);
+    signal(SIGXFSZ, SIG_IGN);
 }
 
 //: Name a scratch file

@@ -28,9 +28,9 @@ typedef enum tf_reading {
     TF_READ_END, ///< nothing is left, and all before was good
 } tf_reading;
 
-/// Starts to read a stream, which stays the caller's, or the file at `path`
-/// ("-": standard input).  Both borrow the name.  Close the lines in any case,
-/// also if the file cannot be opened.
+/// Starts to read a stream, or the file at `path` ("-": standard input).  Both
+/// borrow the name.  Close the lines in any case, also if the file cannot be
+/// opened; this closes the stream, too, unless it is standard input.
 void tf_text_lines_start(tf_text_lines *lines, FILE *stream, const char *name);
 bool tf_text_lines_open(tf_text_lines *lines, const char *path);
 void tf_text_lines_close(tf_text_lines *lines);

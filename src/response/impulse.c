@@ -5,23 +5,24 @@
 #include <stddef.h>
 
 //: See how elements part
+static double dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
 /// How one element moves against the other: in all directions.
 static void relative_displacement(int axes, const tf_row *row,
                                   const double displacement[],
                                   double relative[3])
 {
-    for (int k = 0; k < 3; k++)
-        relative[k] = 0;
+    relative[0] = relative[1] = relative[2] = 0;
     for (int i = 0; i < 4 && row->vertex[i] >= 0; i++) {
         const double *d = displacement + (ptrdiff_t)axes * row->vertex[i];
-        for (int k = 0; k < axes; k++)
-            relative[k] += row->coefficient[i] * d[k];
+        relative[0] += row->coefficient[i] * d[0];
+        relative[1] += row->coefficient[i] * d[1];
+        if (axes == 3)
+            relative[2] += row->coefficient[i] * d[2];
     }
-}
-
-static double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 double tf_row_parting(int axes, const tf_row *row, const double displacement[])

@@ -1,6 +1,8 @@
 //: Include what the new search needs
 #include "response/recheck.h"
 
+#include <math.h>
+#include <stddef.h>
 #include <string.h>
 
 //: See whether candidates are still complete
@@ -46,6 +48,35 @@ static tf_status list_candidates(tf_recheck *recheck, tf_surface *surface,
                : TF_OUT_OF_MEMORY;
 }
 
+//: Choose the margin
+/// The farthest that a vertex has been moved from its proposed end, along any
+/// axis.
+static double farthest_move(const tf_step *step)
+{
+    double farthest = 0;
+    for (int v = 0; v < step->vertices; v++)
+        for (int k = 0; step->changed[v] && k < step->axes; k++) {
+            ptrdiff_t place = (ptrdiff_t)step->axes * v + k;
+            farthest =
+                fmax(farthest, fabs(step->end[place] - step->proposed[place]));
+        }
+    return farthest;
+}
+
+/// Later rounds move vertices less than the first one; where they do not, the
+/// margin doubles.
+static void choose_margin(tf_recheck *recheck, const tf_step *step,
+                          int *rebuilds)
+{
+    if (recheck->listed) {
+        recheck->margin *= 2;
+        ++*rebuilds;
+    } else {
+        recheck->margin = fmin(recheck->margin, farthest_move(step) / 2);
+    }
+    recheck->listed = true;
+}
+
 //: List candidates where they are not complete
 static tf_status complete(tf_recheck *recheck, tf_surface *surface,
                           tf_step *step, const tf_motion *motion,
@@ -53,11 +84,7 @@ static tf_status complete(tf_recheck *recheck, tf_surface *surface,
 {
     if (recheck->listed && are_complete(surface, step))
         return TF_OK;
-    if (recheck->listed) {
-        recheck->margin *= 2;
-        ++*rebuilds;
-    }
-    recheck->listed = true;
+    choose_margin(recheck, step, rebuilds);
     return list_candidates(recheck, surface, motion, parallel);
 }
 

@@ -28,7 +28,8 @@ tf_status tf_recheck_find(tf_recheck *recheck, tf_surface *surface,
                           const tf_parallel *parallel, tf_contacts *found,
                           int *rebuilds);
 
-/// Forgets the candidates; `margin` is for those of the next step.
+/// Forgets the candidates; those of the next step are listed with at most this
+/// margin at first.
 void tf_recheck_begin(tf_recheck *recheck, double margin);
 
 size_t tf_recheck_memory(const tf_recheck *recheck);

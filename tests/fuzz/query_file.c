@@ -50,7 +50,7 @@ static void check_query(const tf_query_rows *query, const tf_query_kind *kind)
 
 static void check_fault(const tf_query_file *file, long most)
 {
-    require(file->lines.fault_line >= 1 && file->fault_line <= most);
+    require(file->lines.fault_line >= 1 && file->lines.fault_line <= most);
     require(strstr(file->lines.fault, "; ") != NULL);
     for (const char *c = file->lines.fault; *c; c++)
         require(*c >= ' ' && *c <= '~');

@@ -3,13 +3,13 @@
 #include "program/mesh_writer.h"
 
 #include "support/generator.h"
+#include "support/matrices.h"
 #include "support/meshes.h"
 #include "support/support.h"
 
 #include <float.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 static const tf_mesh_format formats[] = {
     TF_OBJ, TF_PLY_TEXT, TF_PLY_LITTLE_ENDIAN, TF_PLY_BIG_ENDIAN};
@@ -86,17 +86,6 @@ START_TEST(a_curve_of_the_plane)
     tf_mesh_file_free(&mesh);
 }
 END_TEST
-
-/// A finite double of random bits.
-static double any_double(generator *random)
-{
-    double x;
-    do {
-        uint64_t bits = next_bits(random);
-        memcpy(&x, &bits, sizeof x);
-    } while (!(x - x == 0));
-    return x;
-}
 
 START_TEST(doubles_of_any_size)
 {

@@ -13,8 +13,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 // Two points fall through a triangle.
@@ -485,77 +483,50 @@ START_TEST(help)
 }
 END_TEST
 
-/// Expects nothing but a message that starts with these words.
-static void expect_usage(const char *arguments, const char *words)
-{
-    outcome found = run("$tf resolve %s", arguments);
-    ck_assert_msg(strncmp(found.err, words, strlen(words)) == 0,
-                  "%s: '%s', not '%s'", arguments, found.err, words);
-    ck_assert_str_eq(found.out, "");
-    ck_assert_int_eq(found.status, 2);
-}
-
 START_TEST(arguments_that_are_wrong)
 {
     static const char two[] =
         "tanglefree resolve: two files are required, START and END\n";
-    expect_usage("", two);
-    expect_usage("-o new above", two);
-    expect_usage("-o new above below below", two);
-    expect_usage("above below", "tanglefree resolve: -o OUT is required: where "
-                                "to write the end of the step\n");
-    expect_usage("above below -o new -s cg",
+    expect_usage("resolve", two);
+    expect_usage("resolve -o new above", two);
+    expect_usage("resolve -o new above below below", two);
+    expect_usage("resolve above below",
+                 "tanglefree resolve: -o OUT is required: where "
+                 "to write the end of the step\n");
+    expect_usage("resolve above below -o new -s cg",
                  "tanglefree resolve: unknown solver 'cg'; choose "
                  "gauss-seidel, conjugate-residuals, minres or "
                  "normal-residuals\n");
-    expect_usage("above below -o new --output csv",
+    expect_usage("resolve above below -o new --output csv",
                  "tanglefree resolve: unknown output format 'csv'; choose "
                  "summary or json\n");
-    expect_usage("above below -o new --restitution 1.1",
+    expect_usage("resolve above below -o new --restitution 1.1",
                  "tanglefree resolve: --restitution needs a number, from 0 to "
                  "1, and not '1.1'\n");
-    expect_usage("above below -o new --friction=-1",
+    expect_usage("resolve above below -o new --friction=-1",
                  "tanglefree resolve: --friction needs a number, 0 or more, "
                  "such as 0.3, and not '-1'\n");
-    expect_usage("above below -o new --separation inf",
+    expect_usage("resolve above below -o new --separation inf",
                  "tanglefree resolve: --separation needs a number, 0 or more, "
                  "such as 1e-3, and not 'inf'\n");
-    expect_usage("above below -o new -t 0",
+    expect_usage("resolve above below -o new -t 0",
                  "tanglefree resolve: '0' is not a number of threads; choose 1 "
                  "to 256\n");
-    expect_usage("above below -o new -a exact",
+    expect_usage("resolve above below -o new -a exact",
                  "tanglefree resolve: invalid option -- 'a'");
 }
 END_TEST
 
 // A broken floating-point environment -----------------------------------------
 
-/// Runs the command in this process, in a broken environment, and ends it.
-static void command_in(int broken)
-{
-    static char arguments[][6] = {"name", "above", "below", "-o", "new"};
-    char *list[] = {arguments[0], arguments[1], arguments[2],
-                    arguments[3], arguments[4], NULL};
-    if (!freopen("out", "w", stdout) || !freopen("err", "w", stderr))
-        _exit(9);
-    environment_break(broken);
-    exit(tf_resolve_command(5, list));
-}
-
 START_TEST(a_broken_environment_is_reported)
 {
-    pid_t child = fork();
-    if (child == 0)
-        command_in(_i);
-    int status = 0;
-    waitpid(child, &status, 0);
-    ck_assert_msg(WIFEXITED(status), "%s: status %#x", environment_name(_i),
-                  (unsigned)status);
+    static const char *const arguments[] = {"tanglefree", "above", "below",
+                                            "-o",         "new",   NULL};
     char message[1000];
     snprintf(message, sizeof message, "tanglefree: below: %s\n",
              tf_status_message(TF_BAD_ENVIRONMENT));
-    expect((outcome){WEXITSTATUS(status), file_text("out"), file_text("err")},
-           2, "", message);
+    expect(run_broken(_i, tf_resolve_command, arguments), 2, "", message);
     ck_assert_int_ne(access("new", F_OK), 0);
 }
 END_TEST

@@ -10,6 +10,7 @@
 #include "support/support.h"
 #include "support/terminal.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -131,17 +132,70 @@ START_TEST(fixed_vertices_are_held_back_where_nothing_else_helps)
 }
 END_TEST
 
+/// A coordinate of a vertex at the resolved end of the step.
+static double coordinate(const char *start, const char *end,
+                         const char *options, int vertex, int axis)
+{
+    resolved(start, end, "new", options);
+    tf_mesh_file got = read_mesh("new");
+    double x = got.position.item[3 * vertex + axis];
+    tf_mesh_file_free(&got);
+    return x;
+}
+
 START_TEST(heavy_vertices_move_less)
 {
-    double z[2];
-    for (int i = 0; i < 2; i++) {
-        make_file("masses", i == 0 ? "1 1 1 1 1\n" : "1000 1000 1e3\n1\n1\n");
-        resolved("above", "below", "new", "--masses masses");
-        tf_mesh_file got = read_mesh("new");
-        z[i] = got.position.item[2];
-        tf_mesh_file_free(&got);
+    make_file("light", "1 1 1 1 1\n");
+    make_file("heavy", "1000 1000 1e3\n1\n1\n");
+    double light = coordinate("above", "below", "--masses light", 0, 2);
+    double heavy = coordinate("above", "below", "--masses heavy", 0, 2);
+    ck_assert_msg(light < -0.5 && heavy > -0.01 && heavy < 0, "%g %g", light,
+                  heavy);
+}
+END_TEST
+
+START_TEST(what_is_near_is_pushed_apart)
+{
+    make_file("near", TRIANGLE "v 0 0 1\nv 0.5 0.5 0.01\n");
+    double apart = coordinate("near", "below", "-f floor", 4, 2);
+    double far = coordinate("near", "below", "-f floor --separation 1", 4, 2);
+    double close = coordinate("near", "below", "-f floor --separation 0", 4, 2);
+    ck_assert_msg(close < 0.0101 && apart > 0.02 && far > 2 * apart, "%g %g %g",
+                  close, apart, far);
+}
+END_TEST
+
+START_TEST(restitution_throws_back)
+{
+    double stopped = coordinate("above", "below", "-f floor", 3, 2);
+    double thrown =
+        coordinate("above", "below", "-f floor --restitution 1", 3, 2);
+    ck_assert_msg(fabs(stopped - 1) < 1e-3 && fabs(thrown - 3) < 1e-3, "%g %g",
+                  stopped, thrown);
+}
+END_TEST
+
+START_TEST(friction_slows_what_slides)
+{
+    make_file("slid", TRIANGLE "v 0.5 0 -1\nv 1 0.5 -3\n");
+    double free = coordinate("above", "slid", "-f floor", 3, 0);
+    double held = coordinate("above", "slid", "-f floor --friction 9", 3, 0);
+    ck_assert_msg(fabs(free - 0.5) < 1e-3 && fabs(held) < 1e-3, "%g %g", free,
+                  held);
+}
+END_TEST
+
+START_TEST(solvers_differ)
+{
+    static const char iterations[] = "\niterations: ";
+    static const char *const options[] = {"", "-s gauss-seidel", "-s minres"};
+    int count[3];
+    for (int i = 0; i < 3; i++) {
+        outcome found = resolved("above", "below", "new", options[i]);
+        count[i] = atoi(strstr(found.out, iterations) + strlen(iterations));
     }
-    ck_assert_msg(z[0] < -0.5 && z[1] > -0.01 && z[1] < 0, "%g %g", z[0], z[1]);
+    ck_assert_int_eq(count[0], count[1]);
+    ck_assert_int_ne(count[0], count[2]);
 }
 END_TEST
 
@@ -428,6 +482,9 @@ START_TEST(a_full_disk)
                  "tanglefree: standard output: cannot write: No space left on "
                  "device; mend that and run again\n");
     expect(run("$tf resolve above below -o - >mesh 2>/dev/full"), 2, "", "");
+    expect_error("above below >&-",
+                 "tanglefree: standard output: cannot write: Bad file "
+                 "descriptor; mend that and run again\n");
 }
 END_TEST
 
@@ -550,6 +607,10 @@ Suite *suite(void)
     tcase_add_test(small,
                    fixed_vertices_are_held_back_where_nothing_else_helps);
     tcase_add_test(small, heavy_vertices_move_less);
+    tcase_add_test(small, what_is_near_is_pushed_apart);
+    tcase_add_test(small, restitution_throws_back);
+    tcase_add_test(small, friction_slows_what_slides);
+    tcase_add_test(small, solvers_differ);
     tcase_add_test(small, options_of_the_response);
 
     TCase *large = add_case(suite, "larger meshes");

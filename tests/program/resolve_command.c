@@ -349,6 +349,24 @@ START_TEST(formats_of_the_output)
 }
 END_TEST
 
+START_TEST(curves_in_ply)
+{
+    make_file("start.ply",
+              "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\n"
+              "property double y\nelement edge 1\nproperty int vertex1\n"
+              "property int vertex2\nend_header\n-1 0\n1 0\n0 1\n0 1\n");
+    resolved("start.ply", "flat-below", "new", "");
+    expect_words(file_text("new"), "format ascii 1.0\nelement vertex 3\n");
+    expect_words(file_text("new"), "\nelement edge 1\n");
+    resolved("flat-above", "flat-below", "same.ply", "");
+    // The same curve in text, in binary and as OBJ.
+    resolved("flat-above", "flat-below", "same", "");
+    expect(run("for f in new same.ply; do $tf resolve same $f -o again >report "
+               "|| exit; head -n 1 report; cmp again same; done"),
+           0, "status: clear\nstatus: clear\n", "");
+}
+END_TEST
+
 START_TEST(standard_input_and_output)
 {
     resolved("above", "below", "new", "");
@@ -628,6 +646,7 @@ Suite *suite(void)
 
     TCase *files = add_case(suite, "files");
     tcase_add_test(files, formats_of_the_output);
+    tcase_add_test(files, curves_in_ply);
     tcase_add_test(files, standard_input_and_output);
     tcase_add_test(files, output_over_the_input);
 

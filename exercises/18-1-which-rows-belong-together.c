@@ -1,10 +1,10 @@
 /* Exercise 18.1.  Which rows belong together.
  *
- * Two rows are neighbors if they share a vertex of positive inverse mass whose
- * coefficients in both rows are not 0, and a zone is all that can be reached
- * from a row over neighbors.  Set zone[i] to the number of the zone of row i.
- * Zones are numbered from 0, in the order of their first rows.  A row that can
- * move nothing is in no zone, and gets -1.  Return how many zones there are.
+ * Two rows are neighbors if they share a vertex of positive inverse mass, and a
+ * zone is all that can be reached from a row over neighbors.  Set zone[i] to the
+ * number of the zone of row i.  Zones are numbered from 0, in the order of their
+ * first rows.  A row that can move nothing is in no zone, and gets -1.  Return
+ * how many zones there are.
  *
  * Section: What belongs together.
  *
@@ -21,13 +21,9 @@
 static bool moves(const tf_row *row, int i, const double inverse_mass[])
 {
 #if defined TF_WRONG_1 // the floor connects all that touches it
-    (void)inverse_mass;
-    return row->vertex[i] >= 0 && row->coefficient[i] != 0;
-#elif defined TF_WRONG_2 // an end of an edge that is not touched connects, too
-    return row->vertex[i] >= 0 && inverse_mass[row->vertex[i]] > 0;
+    return row->vertex[i] >= 0 && inverse_mass[row->vertex[i]] >= 0;
 #else
-    return row->vertex[i] >= 0 && row->coefficient[i] != 0 &&
-           inverse_mass[row->vertex[i]] > 0;
+    return row->vertex[i] >= 0 && inverse_mass[row->vertex[i]] > 0;
 #endif
 }
 
@@ -35,7 +31,11 @@ static bool are_neighbors(const tf_row *a, const tf_row *b,
                           const double inverse_mass[])
 {
     for (int i = 0; i < 4; i++)
+#if defined TF_WRONG_2 // compares first vertices with first, and so on
+        for (int j = i; j <= i; j++)
+#else
         for (int j = 0; j < 4; j++)
+#endif
             if (moves(a, i, inverse_mass) && moves(b, j, inverse_mass) &&
                 a->vertex[i] == b->vertex[j])
                 return true;

@@ -26,7 +26,7 @@ static bool row_moves(const tf_row *row, int vertex,
                       const double inverse_mass[])
 {
     for (int i = 0; i < 4; i++)
-        if (row->vertex[i] == vertex && row->coefficient[i] != 0)
+        if (row->vertex[i] == vertex)
             return inverse_mass[vertex] > 0;
     return false;
 }
@@ -62,21 +62,16 @@ static void expect(int rows, const tf_row row[], const double inverse_mass[])
     char text[40 * MOST_ROWS];
     int length = 0;
     for (int i = 0; i < rows; i++)
-        length +=
-            snprintf(text + length, sizeof text - (size_t)length,
-                     "%s%d%s %d%s %d%s", i ? ", " : "", row[i].vertex[0],
-                     row[i].coefficient[0] != 0 ? "" : "(0)", row[i].vertex[1],
-                     row[i].coefficient[1] != 0 ? "" : "(0)", row[i].vertex[2],
-                     row[i].coefficient[2] != 0 ? "" : "(0)");
+        length += snprintf(text + length, sizeof text - (size_t)length,
+                           "%s%d %d %d", i ? ", " : "", row[i].vertex[0],
+                           row[i].vertex[1], row[i].vertex[2]);
     char fixed[8 * MOST_VERTICES] = "";
     length = 0;
     for (int v = 0; v < MOST_VERTICES; v++)
         if (!(inverse_mass[v] > 0))
             length += snprintf(fixed + length, sizeof fixed - (size_t)length,
                                " %d", v);
-    check_input("rows of the vertices %s, where (0) is a coefficient of 0; "
-                "fixed vertices:%s",
-                text, fixed);
+    check_input("rows of the vertices %s; fixed vertices:%s", text, fixed);
     for (int i = 0; i < MOST_ROWS; i++)
         got[i] = -2;
     int count = number_zones(rows, row, inverse_mass, got);
@@ -118,17 +113,6 @@ START_TEST(a_floor_connects_nothing)
 }
 END_TEST
 
-START_TEST(a_coefficient_of_zero_connects_nothing)
-{
-    double inverse_mass[MOST_VERTICES];
-    free_all(inverse_mass);
-    tf_row row[2] = {row_of(0, 1, 2), row_of(3, 4, 2)};
-    row[0].coefficient[1] = -1;
-    row[0].coefficient[2] = 0;
-    expect(2, row, inverse_mass);
-}
-END_TEST
-
 START_TEST(some_at_random)
 {
     generator random = generator_new(18);
@@ -143,8 +127,6 @@ START_TEST(some_at_random)
             int b = a + 1 + below(&random, MOST_VERTICES - 2 - a);
             row[i] =
                 row_of(a, b, b + 1 + below(&random, MOST_VERTICES - 1 - b));
-            if (below(&random, 3) == 0)
-                row[i].coefficient[1 + below(&random, 2)] = 0;
         }
         expect(rows, row, inverse_mass);
     }
@@ -155,6 +137,5 @@ void add_tests(TCase *tests)
 {
     tcase_add_test(tests, rows_share_a_vertex);
     tcase_add_test(tests, a_floor_connects_nothing);
-    tcase_add_test(tests, a_coefficient_of_zero_connects_nothing);
     tcase_add_test(tests, some_at_random);
 }

@@ -136,6 +136,9 @@ measure: ## time the library again for the book, in figures/measured.csv
 	    $(benches:%=$(BUILD)/measured/tests/bench/%) >$(BUILD)/measured/new.csv
 	@mv $(BUILD)/measured/new.csv figures/measured.csv
 
+bench-response: $(BUILD)/tests/bench/response ## time the response to contacts of cloth
+	@$<
+
 $(BUILD)/tests/bench/solvers.o: | need-solvers
 $(BUILD)/tests/bench/solvers: LIBRARIES = -llapacke
 compare-solvers: $(BUILD)/tests/bench/solvers ## compare the solvers of impact zones
@@ -162,4 +165,4 @@ measure-roads: ## compare the methods again for the book, in figures/roads.csv
 	    $(BUILD)/measured/tests/bench/compare tests/bench/published.csv \
 	    >$(BUILD)/measured/roads.csv
 	@mv $(BUILD)/measured/roads.csv figures/roads.csv
-.PHONY: bench measure compare-solvers collect-zones counts compare measure-roads
+.PHONY: bench bench-response measure compare-solvers collect-zones counts compare measure-roads

@@ -139,6 +139,24 @@ START_TEST(aligned_sheets)
 }
 END_TEST
 
+// Its displacement is no double.
+START_TEST(what_meets_nothing_ends_where_it_should)
+{
+    proposal_begin(&made, 3);
+    proposal_add_sheet(&made, 2, 0);
+    proposal_add_sheet(&made, 2, 1);
+    move(9, 9, 0.1, 0.1, -2);
+    int far = proposal_add_sheet(&made, 2, 9);
+    move(far, 9, 1e-17, 0x1p-60, 1e5);
+    static double proposed[3 * PROPOSAL_VERTICES];
+    memcpy(proposed, made.end, sizeof proposed);
+    tf_response_report report = expect_resolved(false, NULL);
+    ck_assert_uint_gt(report.first_contacts, 0);
+    ck_assert_mem_eq(made.end + 3 * far, proposed + 3 * far,
+                     27 * sizeof *proposed);
+}
+END_TEST
+
 START_TEST(parallel_edges)
 {
     proposal_begin(&made, 3);
@@ -557,6 +575,7 @@ Suite *suite(void)
 
     TCase *hand = tcase_create("by hand");
     tcase_add_test(hand, aligned_sheets);
+    tcase_add_test(hand, what_meets_nothing_ends_where_it_should);
     tcase_add_test(hand, parallel_edges);
     tcase_add_test(hand, vertex_on_vertex);
     tcase_add_test(hand, motion_in_a_plane);

@@ -157,6 +157,25 @@ static double bound_for(const tf_step *step, const tf_row *row,
     return bound;
 }
 
+//: Drop vertices without weight
+/// Drops the vertices that a row does not push: a zone must not move them.
+static tf_row without_idle_vertices(const tf_row *row)
+{
+    tf_row kept = *row;
+    int count = 0;
+    for (int i = 0; i < 4; i++) {
+        if (row->vertex[i] < 0 || row->coefficient[i] == 0)
+            continue;
+        kept.vertex[count] = row->vertex[i];
+        kept.coefficient[count++] = row->coefficient[i];
+    }
+    for (; count < 4; count++) {
+        kept.vertex[count] = -1;
+        kept.coefficient[count] = 0;
+    }
+    return kept;
+}
+
 //: Make the row of a contact
 tf_row tf_row_of_contact(const tf_step *step, const tf_surface_contact *contact,
                          const tf_row_rule *rule, bool by_pivots, double *gap)
@@ -170,14 +189,12 @@ tf_row tf_row_of_contact(const tf_step *step, const tf_surface_contact *contact,
     bool approach = dot(row.normal, contact->contact.velocity) <= 0;
     bool violated = parting(step, &row, step->end) < row.bound;
     bool has_normal = dot(row.normal, row.normal) > 0;
-    if (has_normal && approach && violated && !by_pivots)
-        return row;
-
     tf_row pivots = row;
     double own_gap;
-    if (!row_of_pivots(contact, &pivots, &own_gap))
-        return row;
+    if ((has_normal && approach && violated && !by_pivots) ||
+        !row_of_pivots(contact, &pivots, &own_gap))
+        return without_idle_vertices(&row);
     *gap = own_gap;
     pivots.bound = bound_for(step, &pivots, rule, own_gap);
-    return pivots;
+    return without_idle_vertices(&pivots);
 }

@@ -61,7 +61,7 @@ static double push_along(tf_row *row, double compliance,
 {
     double parting = tf_row_parting(bodies->axes, row, bodies->displacement);
     double wanted = row->impulse + (row->bound - parting) / compliance;
-    double change = fmax(wanted, 0) - row->impulse;
+    double change = (wanted > 0 ? wanted : 0) - row->impulse;
     double push[3];
     for (int k = 0; k < 3; k++)
         push[k] = change * row->normal[k];
@@ -106,5 +106,5 @@ double tf_row_visit(tf_row *row, double friction, const tf_bodies *bodies)
         return change;
     double sliding =
         push_across(row, compliance, friction * row->impulse, bodies);
-    return fmax(change, sliding);
+    return change > sliding ? change : sliding;
 }

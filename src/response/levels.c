@@ -102,22 +102,24 @@ static bool has_moved(const tf_step *step)
     return memchr(step->changed, true, (size_t)step->vertices) != NULL;
 }
 
-/// Ends after `most` rounds, or before if there are no contacts left or if
-/// a round moves nothing.
+/// Ends after `most` rounds, or before if there are no contacts left or, except
+/// for the failsafe, if a round moves nothing.
 static tf_status go_through(tf_responding *r, tf_response_level level, int most)
 {
     if (most <= 0 || !r->contacts.any)
         return TF_OK;
     if (!begin_level(r, level))
         return TF_OUT_OF_MEMORY;
-    bool moved = true;
-    for (int round = 0; round < most && r->contacts.any && moved; round++) {
+    bool goes_on = true;
+    for (int round = 0; round < most && r->contacts.any && goes_on; round++) {
         if (r->options.progress)
             r->options.progress(r->options.context, &r->report);
         r->report.rounds[level]++;
         if (!answer(r, level))
             return TF_OUT_OF_MEMORY;
-        moved = has_moved(&r->step);
+        // Where all vertices have one displacement, the failsafe unites groups
+        // without moving any.
+        goes_on = has_moved(&r->step) || level == TF_FAILSAFE;
         tf_status status = look_again(r);
         if (status != TF_OK)
             return status;

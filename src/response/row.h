@@ -14,9 +14,9 @@
 /// The impulse pushes along the same vector: it adds impulse inverse_mass_i
 /// coefficient[i] normal to the displacement of vertex i.
 typedef struct tf_row {
-    int vertex[4];         ///< the contact's vertices; -1: there is none
-    double coefficient[4]; ///< those of the first element sum to +1, those of
-                           ///< the second to -1; 0 where there is no vertex
+    int vertex[4];         ///< those that the row pushes; behind them -1
+    double coefficient[4]; ///< not 0; those of the first element's vertices sum
+                           ///< to +1, those of the second's to -1
     double normal[3];      ///< of length 1; `normal[2]` is 0 in the plane
     double bound;          ///< at least 0, a length
     double impulse;        ///< at least 0, in units of mass times length

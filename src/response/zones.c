@@ -81,7 +81,7 @@ static int root_of(tf_groups *groups, const tf_row *row,
                    const double inverse_mass[])
 {
     for (int i = 0; i < 4 && row->vertex[i] >= 0; i++)
-        if (row->coefficient[i] != 0 && inverse_mass[row->vertex[i]] > 0)
+        if (inverse_mass[row->vertex[i]] > 0)
             return tf_groups_find(groups, row->vertex[i]);
     return -1;
 }
@@ -94,8 +94,7 @@ static void unite_vertices(tf_zones *zones, const double inverse_mass[])
     for (int i = 0; i < zones->rows; i++) {
         int root = root_of(&zones->groups, &row[i], inverse_mass);
         for (int j = 0; j < 4 && root >= 0 && row[i].vertex[j] >= 0; j++)
-            if (row[i].coefficient[j] != 0 &&
-                inverse_mass[row[i].vertex[j]] > 0)
+            if (inverse_mass[row[i].vertex[j]] > 0)
                 root = tf_groups_unite(&zones->groups, root, row[i].vertex[j]);
     }
 }

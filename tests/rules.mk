@@ -115,7 +115,11 @@ soak: $(BUILD)/tests/soak/soak ## answer COUNT=100000000 queries in two ways, an
 
 soak-vectors: $(BUILD)/tests/soak/vectors ## compare COUNT=100000000 verdicts by vectors with the reference's
 	@$< $(COUNT)
-.PHONY: soak soak-vectors
+
+soak-response: COUNT = 10000
+soak-response: $(BUILD)/tests/soak/response ## resolve and judge COUNT=10000 random proposals
+	@$< $(COUNT) $(FROM)
+.PHONY: soak soak-vectors soak-response
 
 # What is measured -------------------------------------------------------------
 

@@ -2,10 +2,11 @@
 #include "draw/drawing.h"
 
 #include "draw/encoder.h"
-#include "draw/output_file.h"
 #include "draw/sheet.h"
+#include "program/output_file.h"
 #include "program/progress.h"
 #include "program/visible.h"
+#include "renderer/render.h"
 
 #include <argp.h>
 #include <errno.h>
@@ -29,6 +30,7 @@ typedef struct work {
     const fig_drawing *drawing;
     const fig_settings *settings;
     fig_page_options options; ///< of the next page
+    fig_renderer *renderer;   ///< of all pages
     int pages;                ///< drawn so far
     FILE *numbers;            ///< of the first page
     FILE *ignored;            ///< numbers of the other pages
@@ -86,7 +88,7 @@ static void set_size(work *w, int width)
         told ? settings->pixels_y : (int)lround(scale * drawing->height);
 }
 
-static fig_page_options options_of(const work *w)
+static fig_page_options options_of(work *w)
 {
     const fig_settings *settings = w->settings;
     return (fig_page_options){
@@ -98,6 +100,7 @@ static fig_page_options options_of(const work *w)
         .turned = settings->turned,
         .azimuth = settings->azimuth,
         .elevation = settings->elevation,
+        .renderer = &w->renderer,
     };
 }
 
@@ -133,13 +136,13 @@ static bool make_picture(work *w)
     const char *path = w->settings->picture;
     w->options = options_of(w);
     set_size(w, PICTURE_WIDTH);
-    fig_output_file file;
-    if (!fig_output_file_begin(&file, path))
+    tf_output_file file;
+    if (!tf_output_file_begin(&file, path))
         return report_unwritable(path);
     bool made = draw_page(w, path, put_file, file.scratch);
-    if (made && !fig_output_file_keep(&file))
+    if (made && !tf_output_file_keep(&file))
         made = report_unwritable(path);
-    fig_output_file_drop(&file);
+    tf_output_file_drop(&file);
     return made;
 }
 
@@ -215,10 +218,10 @@ static bool encode(work *w, const char *scratch, char *frame)
                       "cannot run ffmpeg, which makes the film: %s; "
                       "install it (on Debian, the package ffmpeg)",
                       strerror(errno));
-    fig_output_file_writer(f.encoder.process);
+    tf_output_file_writer(f.encoder.process);
     bool added = add_frames(w, &f);
     bool ended = fig_encoder_end(&f.encoder);
-    fig_output_file_writer(0);
+    tf_output_file_writer(0);
     return added && (ended || report_encoder(f.path, EPIPE));
 }
 
@@ -228,11 +231,11 @@ static bool encode_by_file(work *w, const char *scratch)
     char frame_path[4096];
     snprintf(frame_path, sizeof frame_path, "%s/picture.png",
              folder && *folder ? folder : "/tmp");
-    fig_output_file frame;
-    bool made = fig_output_file_begin(&frame, frame_path)
+    tf_output_file frame;
+    bool made = tf_output_file_begin(&frame, frame_path)
                     ? encode(w, scratch, frame.scratch)
                     : report_unwritable(frame_path);
-    fig_output_file_drop(&frame);
+    tf_output_file_drop(&frame);
     return made;
 }
 
@@ -259,14 +262,14 @@ static bool make_film(work *w)
     w->options = options_of(w);
     w->options.moves = !w->settings->turntable;
     set_size(w, FILM_WIDTH);
-    fig_output_file file;
-    if (!fig_output_file_begin(&file, path))
+    tf_output_file file;
+    if (!tf_output_file_begin(&file, path))
         return report_unwritable(path);
     bool made = fig_path_ends(path, ".png") ? write_sheet(w, file.scratch)
                                             : encode_by_file(w, file.scratch);
-    if (made && !fig_output_file_keep(&file))
+    if (made && !tf_output_file_keep(&file))
         made = report_unwritable(path);
-    fig_output_file_drop(&file);
+    tf_output_file_drop(&file);
     return made;
 }
 
@@ -298,6 +301,7 @@ int fig_drawing_make(const fig_drawing *drawing, const fig_settings *settings)
     bool made = w.numbers && w.ignored
                     ? make_all(&w)
                     : report("/dev/null", "%s", strerror(errno));
+    fig_renderer_free(w.renderer);
     if (w.ignored)
         fclose(w.ignored);
     if (w.numbers)

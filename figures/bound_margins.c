@@ -106,7 +106,8 @@ static void count_pair(tally *found, const tf_pair *pair, double unit,
                        quantity scene)
 {
     for (int i = 0; i < pair->count; i++) {
-        tf_differences d = tf_pair_differences(pair, i);
+        tf_differences d;
+        tf_pair_differences(pair, i, &d);
         tf_estimate e = tf_differences_estimate(&d);
         count(found, scene, fabs(e.number) / unit);
         if (scene == RESTING)

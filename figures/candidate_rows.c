@@ -267,6 +267,7 @@ static void draw(fig_page *page, FILE *numbers)
         draw_scale(page, &s[i]);
     name_rows(page);
     fig_number(numbers, "pairs", PAIRS);
+    fig_number(numbers, "most_rounds", FIG_PAIR_ROUNDS);
     for (int d = 0; d < DEFORMATIONS; d++)
         for (int k = 0; k < KINDS; k++) {
             count n[ROWS] = {{0}};

@@ -1,5 +1,5 @@
-// Which stage of the exact arithmetic finds a sign, a pixel a double, and
-// whether it is given rounded differences with their tails.
+// Where the estimate leaves a sign open, a pixel a double, and whether some
+// difference is rounded there.
 #include "arithmetic/operations.h"
 #include "figures.h"
 
@@ -97,8 +97,8 @@ static void draw_key(fig_page *page, decision by, int count)
 {
     static const char *const name[DECISIONS][2] = {
         {"estimate", ""},
-        {"superaccumulator,", "whole differences"},
-        {"superaccumulator,", "heads and tails"}};
+        {"left open,", "whole differences"},
+        {"left open,", "heads and tails"}};
     double x = map_left + side + 14, y = map_top + 24 + 50 * (double)by;
     fig_page_fill_box(page, (fig_box){x, y - 8, 9, 9}, decision_paint(by));
     for (int line = 0; line < 2; line++)
@@ -124,12 +124,12 @@ static void draw(fig_page *page, FILE *numbers)
         draw_key(page, (decision)i, count[i]);
         fig_number(numbers, key[i], count[i]);
     }
-    fig_number(numbers, "accumulator", count[OF_WHOLES] + count[OF_TAILS]);
+    fig_number(numbers, "open", count[OF_WHOLES] + count[OF_TAILS]);
 }
 
 const fig_figure fig_exact_stages = {
     .name = "exact-stages",
-    .title = "Which stage of the exact arithmetic finds a sign",
+    .title = "Where the estimate leaves a sign open",
     .width = FIG_PAGE_WIDTH,
     .height = 262,
     .draw = draw,

@@ -23,7 +23,8 @@ films = $(foreach theme,light dark,$(patsubst figures/%.c,\
 drawing: $(drawing_file) ## build the drawing program, tanglefree-draw
 figures: ## draw all figures and films, light and dark
 	@$(MAKE) $(parallel) draw-figures
-draw-figures: $(pictures) $(films)
+# Films come first: they take longer, and the last should not run alone.
+draw-figures: $(films) $(pictures)
 	@:
 .PHONY: drawing figures draw-figures
 

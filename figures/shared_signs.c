@@ -63,7 +63,8 @@ static void make_query(uint64_t *random, tf_worldline vertex[VERTICES])
 /// The coordinate without an event; integers like these are not rounded.
 static double coordinate(const tf_pair *pair, int without)
 {
-    tf_differences differences = tf_pair_differences(pair, without);
+    tf_differences differences;
+    tf_pair_differences(pair, without, &differences);
     return tf_pair_orientation(pair, without) *
            tf_differences_estimate(&differences).number;
 }

@@ -52,7 +52,8 @@ static tf_sign coordinate_sign(const tf_pair *pair, const tf_event *corner,
     int without = 0;
     while (pair->event[without] != corner)
         without++;
-    tf_differences others = tf_pair_differences(pair, without);
+    tf_differences others;
+    tf_pair_differences(pair, without, &others);
     tf_sign sign = tf_exact.sign(&others);
     return place % 2 == 0 ? sign : (tf_sign)-sign;
 }

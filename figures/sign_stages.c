@@ -10,7 +10,7 @@
 #define STEP 18.0
 
 enum {
-    SHARES = 3
+    SHARES = 4
 };
 
 static const struct share {
@@ -19,6 +19,7 @@ static const struct share {
 } shares[SHARES] = {
     {"none", "no sign needed", {.role = FIG_ROLE_NEUTRAL, .opacity = 0.3}},
     {"estimate", "estimate", {.role = FIG_ROLE_NEUTRAL}},
+    {"grid", "integers on a grid", {.role = FIG_ROLE_TRIANGLE}},
     {"accumulator", "superaccumulator", {.role = FIG_ROLE_INK}},
 };
 
@@ -71,9 +72,9 @@ static void draw_key(fig_page *page, double x, double y)
 
 static void print_shares(FILE *numbers, const fig_workload *w)
 {
-    static const char *const names[] = {"none", "estimate", "accumulator",
-                                        "tails", "heads"};
-    for (int i = 0; i < 5; i++) {
+    static const char *const names[] = {"none",        "estimate", "grid",
+                                        "accumulator", "tails",    "heads"};
+    for (int i = 0; i < 6; i++) {
         char key[80];
         snprintf(key, sizeof key, "%s_%s_%s", w->work, w->letters, names[i]);
         fig_number(numbers, key, percent_of(w, names[i]));
@@ -86,12 +87,15 @@ static void print_times(FILE *numbers)
         const char *key, *name;
     } ways[] = {
         {"ns_estimate", "estimate"},
+        {"ns_grid", "grid"},
         {"ns_whole", "accumulator"},
         {"ns_accumulator", "accumulator with tails"},
         {"ns_any_size", "accumulator of any size"},
         {"ns_expansion", "expansion"},
+        {"ns_grid_integers", "grid of integers"},
         {"ns_integers", "accumulator of integers"},
         {"ns_expansion_integers", "expansion of integers"},
+        {"ns_grid_plane", "grid in the plane"},
         {"ns_plane", "accumulator in the plane"},
         {"ns_expansion_plane", "expansion in the plane"},
     };

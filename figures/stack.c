@@ -1,193 +1,135 @@
-#include "stack.h"
+// Three edges of equal length that fall straight onto a floor, and the matrix of
+// their contacts.
+#include "figures.h"
 
-#include "base/require.h"
-#include "surface/surface.h"
+#include "pile.h"
+#include "response/gauss_seidel.h"
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
-static void *room_for(int count, size_t size)
-{
-    void *room = calloc((size_t)count + 1, size);
-    TF_REQUIRE(room);
-    return room;
-}
+enum {
+    EDGES = 4 // with the floor
+};
 
-fig_stack fig_stack_new(int edges)
+static const double half = 1, apart = 0.3, floor_half = 1.5;
+static const double fall[EDGES] = {0, 0.6, 0.95, 1.3};
+
+static fig_pile make_stack(void)
 {
-    int vertices = 2 * edges;
-    fig_stack stack = {.edges = edges,
-                       .vertices = vertices,
-                       .edge = room_for(vertices, sizeof(int)),
-                       .start = room_for(2 * vertices, sizeof(double)),
-                       .proposed = room_for(2 * vertices, sizeof(double)),
-                       .end = room_for(2 * vertices, sizeof(double)),
-                       .inverse_mass = room_for(vertices, sizeof(double))};
-    for (int v = 0; v < vertices; v++) {
-        stack.edge[v] = v;
-        stack.inverse_mass[v] = v >= 2;
+    fig_pile pile = fig_pile_new(EDGES);
+    for (int i = 0; i < EDGES; i++) {
+        double x = i == 0 ? floor_half : half, y = i * apart;
+        const double place[4] = {-x, y, x, y};
+        const double displacement[4] = {0, -fall[i], 0, -fall[i]};
+        fig_pile_put(&pile, i, place, displacement);
     }
-    return stack;
+    return pile;
 }
 
-void fig_stack_free(fig_stack *stack)
+// The edges --------------------------------------------------------------
+
+static fig_point place(const double at[2])
 {
-    free(stack->edge);
-    free(stack->start);
-    free(stack->proposed);
-    free(stack->end);
-    free(stack->inverse_mass);
-    tf_zones_free(&stack->zones);
+    return (fig_point){84 + 46 * at[0], 136 - 92 * at[1]};
 }
 
-void fig_stack_put(fig_stack *stack, int edge, const double place[2][2],
-                   const double displacement[2][2])
+static void draw_edges(fig_page *page, const fig_pile *pile)
 {
-    for (int i = 0; i < 2; i++)
-        for (int k = 0; k < 2; k++) {
-            int at = 2 * (2 * edge + i) + k;
-            stack->start[at] = place[i][k];
-            stack->proposed[at] = place[i][k] + displacement[i][k];
+    for (int i = 0; i < EDGES; i++) {
+        fig_point end[2];
+        for (int j = 0; j < 2; j++)
+            end[j] = place(pile->start + 2 * (2 * i + j));
+        fig_role role = i == 0 ? FIG_ROLE_INK : FIG_ROLE_EDGE;
+        fig_page_line(
+            page, 2, end,
+            (fig_stroke){.paint = {.role = role}, .width = FIG_WIDTH_TUBE});
+        for (int j = 0; j < 2; j++)
+            fig_page_dot(page, end[j].x, end[j].y, 5.5,
+                         (fig_paint){.role = role});
+        fig_point inner = {end[0].x + 12 * i - 4, end[0].y};
+        for (int j = 0; j < 2 && i > 0; j++) {
+            fig_point arrow[] = {inner, {inner.x, inner.y + 34 * fall[i]}};
+            fig_page_line(page, 2, arrow,
+                          (fig_stroke){.paint = {.role = FIG_ROLE_POINT},
+                                       .width = FIG_WIDTH_LINE,
+                                       .arrow = true});
+            inner.x = end[1].x - (12 * i - 4);
         }
-}
-
-// Rounds -----------------------------------------------------------------
-
-static void answer(fig_stack *stack, tf_step *step, const tf_contacts *found,
-                   const tf_zone_solver *solver, int sweeps)
-{
-    const tf_row_rule rule = {.base = stack->proposed};
-    const tf_zone_choice choice = {.solver = solver, .sweeps = sweeps};
-    tf_zone_effort effort = {.smallest_gap = INFINITY};
-    TF_REQUIRE(tf_zones_add(&stack->zones, step, found, &rule, &effort));
-    TF_REQUIRE(tf_zones_solve(&stack->zones, step, &rule, &choice, &effort));
-}
-
-void fig_stack_resolve(fig_stack *stack, const tf_zone_solver *solver,
-                       int sweeps, int most_rounds)
-{
-    const tf_mesh mesh = {.axes = 2,
-                          .vertices = stack->vertices,
-                          .edges = stack->edges,
-                          .edge = stack->edge};
-    tf_surface *surface;
-    TF_REQUIRE(tf_surface_create(&mesh, &surface, NULL) == TF_OK);
-    memcpy(stack->end, stack->proposed,
-           2 * sizeof(double) * (size_t)stack->vertices);
-    tf_step step = {.axes = 2,
-                    .vertices = stack->vertices,
-                    .start = stack->start,
-                    .proposed = stack->proposed,
-                    .inverse_mass = stack->inverse_mass,
-                    .end = stack->end,
-                    .changed = room_for(stack->vertices, sizeof(bool))};
-    const tf_motion motion = {stack->vertices, stack->start, stack->end};
-    TF_REQUIRE(tf_zones_begin(&stack->zones));
-    for (stack->rounds = 0; stack->rounds < most_rounds; stack->rounds++) {
-        tf_contacts found;
-        TF_REQUIRE(tf_surface_detect(surface, &motion, NULL, &found, NULL) ==
-                   TF_OK);
-        if (stack->rounds == 0)
-            stack->contacts = (int)found.count;
-        if (!found.any)
-            break;
-        answer(stack, &step, &found, solver, sweeps);
     }
-    free(step.changed);
-    tf_surface_free(surface);
+    fig_point below = place((double[]){0, 0});
+    fig_page_text(page, below.x, below.y + 15, FIG_ALIGN_CENTER, "floor",
+                  FIG_LETTERS_SMALL, FIG_ROLE_INK);
 }
 
-// The zone ---------------------------------------------------------------
+// The matrix -------------------------------------------------------------
 
-fig_some_zone fig_stack_zone(const fig_stack *stack, int more)
+/// Whether a row is about the left ends.
+static bool is_left(const tf_row *row)
 {
-    int rows = stack->zones.rows, numbers = 2 * stack->vertices;
-    fig_some_zone some = {.proposal = room_for(numbers, sizeof(double)),
-                          .displacement = room_for(numbers, sizeof(double)),
-                          .inverse_mass =
-                              room_for(stack->vertices, sizeof(double)),
-                          .row = room_for(rows + more, sizeof(tf_row))};
-    memcpy(some.row, stack->zones.row.data, sizeof(tf_row) * (size_t)rows);
-    memcpy(some.inverse_mass, stack->inverse_mass,
-           sizeof(double) * (size_t)stack->vertices);
-    for (int i = 0; i < numbers; i++)
-        some.proposal[i] = stack->proposed[i] - stack->start[i];
-    some.zone = (tf_zone){.axes = 2,
-                          .vertices = stack->vertices,
-                          .rows = rows,
-                          .row = some.row,
-                          .inverse_mass = some.inverse_mass,
-                          .displacement = some.displacement};
-    fig_zone_reset(&some);
-    return some;
+    return row->vertex[0] % 2 == 0;
 }
 
-void fig_some_zone_free(fig_some_zone *some)
+/// The rows by sides, and then by pairs of heights.
+static int compare(const void *a, const void *b)
 {
-    free(some->proposal);
-    free(some->displacement);
-    free(some->inverse_mass);
-    free(some->row);
-}
-
-void fig_zone_reset(fig_some_zone *some)
-{
-    const tf_zone *zone = &some->zone;
-    memcpy(some->displacement, some->proposal,
-           sizeof(double) * (size_t)(zone->axes * zone->vertices));
-    for (int i = 0; i < zone->rows; i++)
-        some->row[i].impulse = 0;
-}
-
-double fig_zone_energy(const fig_some_zone *some)
-{
-    const tf_zone *zone = &some->zone;
-    double sum = 0;
-    for (int v = 0; v < zone->vertices; v++)
-        for (int k = 0; k < zone->axes && zone->inverse_mass[v] > 0; k++) {
-            double d = zone->displacement[zone->axes * v + k];
-            sum += d * d / (2 * zone->inverse_mass[v]);
+    const tf_row *row[] = {a, b};
+    int key[2];
+    for (int i = 0; i < 2; i++) {
+        int low = row[i]->vertex[1] / 2, high = row[i]->vertex[0] / 2;
+        if (low > high) {
+            int swapped = low;
+            low = high;
+            high = swapped;
         }
-    return sum;
+        key[i] = 100 * !is_left(row[i]) + 10 * low + high;
+    }
+    return key[0] - key[1];
 }
 
-/// The matrix, row after row.
-static double *dense(const tf_zone *zone)
+static void draw_matrix(fig_page *page, fig_some_zone *some)
 {
-    int n = zone->rows;
-    double *a = room_for(n * n, sizeof *a), *unit = room_for(n, sizeof *unit);
-    double *room = room_for(zone->axes * zone->vertices, sizeof *room);
-    for (int j = 0; j < n; j++) {
-        unit[j] = 1;
-        tf_zone_multiply(zone, unit, a + (ptrdiff_t)n * j, room);
-        unit[j] = 0;
-    }
-    free(unit);
-    free(room);
-    return a;
+    const int n = some->zone.rows;
+    qsort(some->row, (size_t)n, sizeof *some->row, compare);
+    double *entry = fig_zone_matrix(&some->zone);
+    const fig_box box = {186, 12, 188, 188};
+    double side = box.width / n;
+    fig_page_fill_box(page, box,
+                      (fig_paint){.role = FIG_ROLE_NEUTRAL, .opacity = 0.09});
+    for (int i = 0; i < n; i++)
+        for (int j = 0; j < n; j++) {
+            double x = entry[n * i + j];
+            if (fabs(x) < 1e-9)
+                continue;
+            fig_page_fill_box(page,
+                              (fig_box){box.x + j * side + 0.5,
+                                        box.y + i * side + 0.5, side - 1,
+                                        side - 1},
+                              (fig_paint){.role = x > 0 ? FIG_ROLE_POSITIVE
+                                                        : FIG_ROLE_NEGATIVE,
+                                          .opacity = 0.3 + 0.35 * fabs(x)});
+        }
+    free(entry);
 }
 
-/// By elimination; the pivot is the largest entry that is left on the diagonal.
-int fig_zone_rank(const tf_zone *zone)
+static void draw(fig_page *page, FILE *numbers)
 {
-    int n = zone->rows, rank = 0;
-    double *a = dense(zone);
-    bool *used = room_for(n, sizeof *used);
-    for (; rank < n; rank++) {
-        int p = 0;
-        for (int i = 1; i < n; i++)
-            if (!used[i] && (used[p] || a[n * i + i] > a[n * p + p]))
-                p = i;
-        if (used[p] || !(a[n * p + p] > 1e-12))
-            break;
-        used[p] = true;
-        for (int i = 0; i < n; i++)
-            for (int j = 0; j < n && !used[i]; j++)
-                if (!used[j])
-                    a[n * i + j] -= a[n * i + p] * a[n * p + j] / a[n * p + p];
-    }
-    free(used);
-    free(a);
-    return rank;
+    fig_pile pile = make_stack();
+    fig_pile_resolve(&pile, &tf_gauss_seidel, 60, 1);
+    fig_some_zone some = fig_pile_zone(&pile, 0);
+    fig_number(numbers, "rows", some.zone.rows);
+    fig_number(numbers, "zones", pile.zones_solved);
+    fig_number(numbers, "rank", fig_zone_rank(&some.zone));
+    draw_edges(page, &pile);
+    draw_matrix(page, &some);
+    fig_some_zone_free(&some);
+    fig_pile_free(&pile);
 }
+
+const fig_figure fig_stack = {
+    .name = "stack",
+    .title = "Edges that fall onto a floor, and the matrix of their contacts",
+    .width = FIG_PAGE_WIDTH,
+    .height = 212,
+    .draw = draw,
+};

@@ -32,7 +32,8 @@ static uint64_t random_bits(uint64_t *state)
 /// The determinant of the differences without an event, in integers.
 static int64_t determinant(const tf_pair *pair, int without)
 {
-    tf_differences d = tf_pair_differences(pair, without);
+    tf_differences d;
+    tf_pair_differences(pair, without, &d);
     int64_t e[2][2];
     for (int i = 0; i < 2; i++)
         for (int k = 0; k < 2; k++)

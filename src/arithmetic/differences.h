@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/environment.h"
+#include "base/require.h"
 #include "geometry/event.h"
 
 /// The n x n determinant, n = 1, 2 or 3, with the rows to[i] - from[i] and the
@@ -14,8 +15,17 @@ typedef struct tf_differences {
     int axis[TF_AXES];
 } tf_differences;
 
-//: Declare the rounded differences
+//: Round the differences
 /// The entries, each rounded once: the true entry times 1 + e, |e| <= u, and
 /// zero only if the true one is.  Infinite where the difference overflows.
-void tf_differences_round(const tf_differences *differences,
-                          double entry[TF_AXES][TF_AXES]);
+static inline void tf_differences_round(const tf_differences *differences,
+                                        double entry[TF_AXES][TF_AXES])
+{
+    const tf_differences *d = differences;
+    TF_REQUIRE(d->n >= 1 && d->n <= TF_AXES);
+    for (int j = 0; j < d->n; j++) {
+        int k = d->axis[j];
+        for (int i = 0; i < d->n; i++)
+            entry[i][j] = d->to[i]->x[k] - d->from[i]->x[k];
+    }
+}

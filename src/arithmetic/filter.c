@@ -26,10 +26,13 @@
 /// Whether every term of the determinant has a factor that is exactly zero.
 /// If so, the determinant is exactly zero.  A computed number that is zero
 /// proves nothing: rounding or underflow may have made it.
-static bool every_term_vanishes(int n, double entry[TF_AXES][TF_AXES])
+static bool every_term_vanishes(const tf_differences *differences)
 {
     static const int order[6][3] = {{0, 1, 2}, {1, 0, 2}, {0, 2, 1},
                                     {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
+    double entry[TF_AXES][TF_AXES];
+    tf_differences_round(differences, entry);
+    int n = differences->n;
     for (int p = 0; p < (n == 3 ? 6 : n); p++) {
         int nonzero = 0;
         for (int i = 0; i < n; i++)
@@ -41,15 +44,20 @@ static bool every_term_vanishes(int n, double entry[TF_AXES][TF_AXES])
 }
 
 //: Estimate a 1x1 determinant
-static tf_estimate estimate_1x1(double e[TF_AXES][TF_AXES])
+static tf_estimate estimate_1x1(const tf_differences *differences)
 {
+    double e[TF_AXES][TF_AXES];
+    tf_differences_round(differences, e);
+
     // The difference of two doubles has the sign of the rounded difference.
     return (tf_estimate){.number = e[0][0], .bound = 0};
 }
 
 //: Estimate a 2x2 determinant
-static tf_estimate estimate_2x2(double e[TF_AXES][TF_AXES])
+static tf_estimate estimate_2x2(const tf_differences *differences)
 {
+    double e[TF_AXES][TF_AXES];
+    tf_differences_round(differences, e);
     double down = e[0][0] * e[1][1];
     double up = e[0][1] * e[1][0];
     double permanent = fabs(down) + fabs(up);
@@ -58,8 +66,11 @@ static tf_estimate estimate_2x2(double e[TF_AXES][TF_AXES])
 }
 
 //: Estimate a 3x3 determinant
-static tf_estimate estimate_3x3(double e[TF_AXES][TF_AXES])
+static tf_estimate estimate_3x3(const tf_differences *differences)
 {
+    double e[TF_AXES][TF_AXES];
+    tf_differences_round(differences, e);
+
     //: Multiply the last two rows
     double yz = e[1][1] * e[2][2], zy = e[1][2] * e[2][1];
     double zx = e[1][2] * e[2][0], xz = e[1][0] * e[2][2];
@@ -74,8 +85,8 @@ static tf_estimate estimate_3x3(double e[TF_AXES][TF_AXES])
 
     //: Add what underflow can lose, where it counts
     // Some processors take over a hundred cycles to multiply by a subnormal
-    // number.  Where the test holds, the product would be less than 2^-58 of the
-    // bound and round away.
+    // number.  Where the permanent is larger than this test allows, the product
+    // would be less than 2^-58 of the bound and round away.
     double row = ax + ay + az + 1, bound = SHARE_3X3 * permanent;
     if (!(permanent * 0x1p961 > row))
         bound += UNDERFLOW * row;
@@ -86,12 +97,10 @@ static tf_estimate estimate_3x3(double e[TF_AXES][TF_AXES])
 tf_estimate tf_differences_estimate(const tf_differences *differences)
 {
     int n = differences->n;
-    double entry[TF_AXES][TF_AXES];
-    tf_differences_round(differences, entry);
-    tf_estimate estimate = n == 3   ? estimate_3x3(entry)
-                           : n == 2 ? estimate_2x2(entry)
-                                    : estimate_1x1(entry);
-    if (estimate.number == 0 && every_term_vanishes(n, entry))
+    tf_estimate estimate = n == 3   ? estimate_3x3(differences)
+                           : n == 2 ? estimate_2x2(differences)
+                                    : estimate_1x1(differences);
+    if (estimate.number == 0 && every_term_vanishes(differences))
         estimate.bound = 0;
     return estimate;
 }

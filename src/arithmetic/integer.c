@@ -1,11 +1,10 @@
 //: Include what integers need
 #include "arithmetic/integer.h"
 
+#include "arithmetic/int128.h"
 #include "arithmetic/operations.h"
 
 #include <stdint.h>
-
-__extension__ typedef __int128 int128;
 
 //: Expand a determinant of integers
 // Entries are differences of integers below 2^b, so at most m < 2^(b+1).  A 2x2
@@ -50,10 +49,10 @@ static tf_value value64(const tf_differences *differences)
 }
 
 //: Evaluate a determinant in 128 bits
-static int128 determinant128(const tf_differences *differences)
+static tf_int128 determinant128(const tf_differences *differences)
 {
     int64_t narrow[TF_AXES][TF_AXES];
-    int128 entry[TF_AXES][TF_AXES];
+    tf_int128 entry[TF_AXES][TF_AXES];
     integer_entries(differences, narrow);
     for (int i = 0; i < differences->n; i++)
         for (int j = 0; j < differences->n; j++)
@@ -63,7 +62,7 @@ static int128 determinant128(const tf_differences *differences)
 
 static tf_sign sign128(const tf_differences *differences)
 {
-    int128 d = determinant128(differences);
+    tf_int128 d = determinant128(differences);
     return (tf_sign)((d > 0) - (d < 0));
 }
 

@@ -1,13 +1,13 @@
 //: Include what the superaccumulator needs
 #include "arithmetic/superaccumulator.h"
 
-#include <math.h>
-#include <string.h>
+#include "arithmetic/bits.h"
+#include "arithmetic/int128.h"
+#include "arithmetic/words.h"
 
-__extension__ typedef unsigned __int128 uint128;
+#include <math.h>
 
 enum {
-    WORD_BITS = 64,
     UNIT_EXPONENT = -3222
 };
 
@@ -41,10 +41,8 @@ typedef struct parts {
 
 static parts decompose(double a)
 {
-    uint64_t bits;
-    memcpy(&bits, &a, sizeof bits);
-    int biased = (int)(bits >> 52 & 0x7ff);
-    uint64_t fraction = bits & ((UINT64_C(1) << 52) - 1);
+    int biased = tf_biased_exponent(a);
+    uint64_t fraction = tf_bits_of(a) & ((UINT64_C(1) << 52) - 1);
 
     // A subnormal number has the exponent of the smallest normal one, without
     // its leading bit.
@@ -59,16 +57,16 @@ static parts decompose(double a)
 static void add_words(tf_superaccumulator *accumulator, bool positive,
                       const uint64_t word[3], int position)
 {
-    int index = position / WORD_BITS, shift = position % WORD_BITS;
+    int index = position / TF_WORD_BITS, shift = position % TF_WORD_BITS;
     uint64_t *sum = accumulator->sum[positive], below = 0, carry = 0;
     use_words(accumulator, index, index + 3);
     for (int i = 0; i < 3; i++) {
         uint64_t shifted = word[i] << shift | below;
         // Two shifts, because one by 64 is not defined.
-        below = word[i] >> 1 >> (WORD_BITS - 1 - shift);
-        uint128 total = (uint128)sum[index] + shifted + carry;
+        below = word[i] >> 1 >> (TF_WORD_BITS - 1 - shift);
+        tf_uint128 total = (tf_uint128)sum[index] + shifted + carry;
         sum[index++] = (uint64_t)total;
-        carry = (uint64_t)(total >> WORD_BITS);
+        carry = (uint64_t)(total >> TF_WORD_BITS);
     }
     for (carry += below; carry != 0; index++) {
         use_words(accumulator, index, index + 1);
@@ -85,11 +83,12 @@ void tf_superaccumulator_add(tf_superaccumulator *accumulator, double a,
     bool positive = !signbit(a) ^ !signbit(b) ^ !signbit(c);
 
     //: Multiply the mantissas
-    uint128 two = (uint128)x.mantissa * y.mantissa;
-    uint128 low = (uint128)(uint64_t)two * z.mantissa;
-    uint128 high = (two >> WORD_BITS) * z.mantissa + (low >> WORD_BITS);
+    tf_uint128 two = (tf_uint128)x.mantissa * y.mantissa;
+    tf_uint128 low = (tf_uint128)(uint64_t)two * z.mantissa;
+    tf_uint128 high =
+        (two >> TF_WORD_BITS) * z.mantissa + (low >> TF_WORD_BITS);
     uint64_t word[3] = {(uint64_t)low, (uint64_t)high,
-                        (uint64_t)(high >> WORD_BITS)};
+                        (uint64_t)(high >> TF_WORD_BITS)};
 
     //: Add the product to the sum of its sign
     int exponent = x.exponent + y.exponent + z.exponent;
@@ -123,36 +122,13 @@ static void subtract(const uint64_t *more, const uint64_t *less, int count,
 {
     uint64_t borrow = 0;
     for (int i = 0; i < count; i++) {
-        uint128 d = (uint128)more[i] - less[i] - borrow;
+        tf_uint128 d = (tf_uint128)more[i] - less[i] - borrow;
         difference[i] = (uint64_t)d;
-        borrow = (uint64_t)(d >> WORD_BITS) & 1;
+        borrow = (uint64_t)(d >> TF_WORD_BITS) & 1;
     }
 }
 
-//: Round to a double
-/// Rounds the number of `count` words, not zero, to nearest, ties to even; its
-/// unit is 2^unit.
-static tf_value round_words(const uint64_t *word, int count, int unit)
-{
-    int top = count - 1;
-    while (word[top] == 0)
-        top--;
-
-    //: Take the 64 leading bits
-    int empty = __builtin_clzll(word[top]);
-    uint64_t next = top > 0 ? word[top - 1] : 0;
-    uint64_t leading = word[top] << empty | next >> 1 >> (63 - empty);
-
-    //: Round the leading bits
-    // The 11 bits that the conversion rounds away must not look like a tie if
-    // anything follows.
-    bool follows = (next << empty) != 0;
-    for (int i = 0; i < top - 1 && !follows; i++)
-        follows = word[i] != 0;
-    return (tf_value){.number = (double)(leading | follows),
-                      .exponent = top * WORD_BITS - empty + unit};
-}
-
+//: Find the value of the sum
 tf_value tf_superaccumulator_value(const tf_superaccumulator *accumulator)
 {
     int top = highest_difference(accumulator), first = accumulator->first;
@@ -164,8 +140,9 @@ tf_value tf_superaccumulator_value(const tf_superaccumulator *accumulator)
     bool positive = sum[1][top] > sum[0][top];
     int count = top + 1 - first;
     subtract(&sum[positive][first], &sum[!positive][first], count, difference);
-    tf_value value =
-        round_words(difference, count, first * WORD_BITS + UNIT_EXPONENT);
-    value.number = positive ? value.number : -value.number;
-    return value;
+    int exponent;
+    double size = tf_words_round(difference, count, &exponent);
+    return (tf_value){.number = positive ? size : -size,
+                      .exponent =
+                          exponent + first * TF_WORD_BITS + UNIT_EXPONENT};
 }

@@ -1,6 +1,8 @@
 //: Include what values need
 #include "arithmetic/value.h"
 
+#include "arithmetic/bits.h"
+
 #include <limits.h>
 #include <math.h>
 #include <stddef.h>
@@ -11,9 +13,10 @@
 static int magnitude(const tf_value *value)
 {
     double largest = fabs(value->number) + value->radius;
-    return largest == 0 || !isfinite(largest)
-               ? INT_MIN
-               : value->exponent + ilogb(largest);
+    if (largest == 0 || !isfinite(largest))
+        return INT_MIN;
+    int biased = tf_biased_exponent(largest);
+    return value->exponent + (biased > 0 ? biased - 1023 : ilogb(largest));
 }
 
 /// Less than 0 if the order of a is the earlier, so that a is infinitely
@@ -47,15 +50,24 @@ static const tf_value *find_largest(int count, const tf_value value[],
 }
 
 //: Scale values to the largest
-static tf_value scale(const tf_value *value, const tf_value *largest, int size)
+/// x 2^shift
+static double scale_number(double x, int shift)
+{
+    return shift >= -1022 && shift <= 1023 ? x * tf_power_of_two(shift)
+                                           : ldexp(x, shift);
+}
+
+static void scale(tf_value *value, const tf_value *largest, int size)
 {
     bool known = isfinite(value->number + value->radius);
-    if (known && compare_orders(value, largest) != 0)
-        return (tf_value){.number = 0};
+    if (known && compare_orders(value, largest) != 0) {
+        *value = (tf_value){.number = 0};
+        return;
+    }
     int shift = value->exponent - size;
     double lost = shift < 0 && value->radius > 0 ? DBL_TRUE_MIN : 0;
-    return (tf_value){.number = ldexp(value->number, shift),
-                      .radius = ldexp(value->radius, shift) + lost};
+    *value = (tf_value){.number = scale_number(value->number, shift),
+                        .radius = scale_number(value->radius, shift) + lost};
 }
 
 void tf_values_scale(int count, tf_value value[])
@@ -66,5 +78,5 @@ void tf_values_scale(int count, tf_value value[])
         return;
     tf_value largest = *found;
     for (int i = 0; i < count; i++)
-        value[i] = scale(&value[i], &largest, size);
+        scale(&value[i], &largest, size);
 }

@@ -152,6 +152,8 @@ static tf_intersection intersect_faces(const tf_arithmetic *arithmetic,
             continue;
         tf_pair face = without_event(pair, i);
         tf_intersection own = intersect(arithmetic, &face, detail);
+        if (own.verdict == TF_APART)
+            continue;
         restore_event(&own, i);
         earliest = tf_intersection_earlier(&earliest, &own);
     }
@@ -165,7 +167,8 @@ static tf_sign volume_sign(const tf_arithmetic *arithmetic, const tf_pair *pair)
 {
     if (pair->count <= pair->axes)
         return TF_ZERO;
-    tf_differences all = tf_pair_differences(pair, -1);
+    tf_differences all;
+    tf_pair_differences(pair, -1, &all);
     return arithmetic->sign(&all);
 }
 

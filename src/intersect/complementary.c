@@ -4,6 +4,8 @@
 #include "intersect/separation.h"
 #include "intersect/time.h"
 
+#include <string.h>
+
 //: Describe the common point
 void tf_complementary_describe(const tf_arithmetic *arithmetic,
                                const tf_pair *pair, tf_detail detail,
@@ -14,8 +16,9 @@ void tf_complementary_describe(const tf_arithmetic *arithmetic,
     int smaller = tf_pair_smaller_operand(pair);
     if (found->detail < TF_WITH_TIME) {
         //: Find the time from the smaller operand
-        tf_coordinates coordinates =
-            tf_pair_coordinates(arithmetic, pair, &found->signs, smaller);
+        tf_coordinates coordinates;
+        tf_pair_coordinates(arithmetic, pair, &found->signs, smaller,
+                            &coordinates);
         tf_interval time = {0, 1};
         if (found->unique)
             time = tf_pair_time(pair, &coordinates);
@@ -26,8 +29,9 @@ void tf_complementary_describe(const tf_arithmetic *arithmetic,
     }
     if (detail == TF_WITH_POINT) {
         //: Find the point from the other operand as well
-        tf_coordinates coordinates =
-            tf_pair_coordinates(arithmetic, pair, &found->signs, -smaller);
+        tf_coordinates coordinates;
+        tf_pair_coordinates(arithmetic, pair, &found->signs, -smaller,
+                            &coordinates);
         tf_coordinates_normalize(&coordinates, pair, -smaller,
                                  found->barycentric);
     }
@@ -42,11 +46,15 @@ bool tf_complementary_intersect(const tf_arithmetic *arithmetic,
                                 const tf_pair *pair, tf_detail detail,
                                 tf_intersection *found)
 {
-    *found = tf_intersection_apart;
+    // Of a pair that is apart nothing else is ever read.
+    found->detail = TF_ONLY_VERDICT;
+    found->verdict = TF_APART;
+    found->classification = TF_UNCLASSIFIED;
     if (tf_pair_separated(pair))
         return true;
 
-    tf_signs signs = tf_pair_signs(arithmetic, pair);
+    tf_signs signs;
+    tf_pair_signs(arithmetic, pair, &signs);
     bool unique = signs.positive || signs.negative;
     if (signs.positive && signs.negative)
         return true;
@@ -58,6 +66,8 @@ bool tf_complementary_intersect(const tf_arithmetic *arithmetic,
         signs.zero || signs.unknown ? TF_TOUCHING : TF_GENERIC;
     found->unique = unique;
     found->signs = signs;
+    found->toi_lo = found->toi_hi = 0;
+    memset(found->barycentric, 0, sizeof found->barycentric);
     if (detail > TF_ONLY_VERDICT)
         tf_complementary_describe(arithmetic, pair, detail, found);
     return true;

@@ -8,38 +8,40 @@
 //: Put bounds on a coordinate
 static void set_bounds(tf_coordinates *c, int i, const tf_value *value)
 {
-    bool known = isfinite(value->number + value->radius);
-    c->low[i] = known ? fmax(value->number - value->radius, 0) : 0;
+    double low = value->number - value->radius;
+    double high = value->number + value->radius;
+    bool known = isfinite(high);
+    c->low[i] = known && low > 0 ? low : 0;
 
     // However small, what is not certainly zero must not become zero.
-    c->high[i] =
-        known ? fmax(value->number + value->radius, DBL_TRUE_MIN) : INFINITY;
+    c->high[i] = !known ? INFINITY : high > DBL_TRUE_MIN ? high : DBL_TRUE_MIN;
 }
 
 //: Enclose the barycentric coordinates
-tf_coordinates tf_pair_coordinates(const tf_arithmetic *arithmetic,
-                                   const tf_pair *pair, const tf_signs *signs,
-                                   int operand)
+void tf_pair_coordinates(const tf_arithmetic *arithmetic, const tf_pair *pair,
+                         const tf_signs *signs, int operand,
+                         tf_coordinates *coordinates)
 {
     //: Evaluate each coordinate
+    int turn = signs->negative ? -1 : 1;
     int count = 0, event[TF_PAIR_EVENTS];
     tf_value value[TF_PAIR_EVENTS];
     for (int i = 0; i < pair->count; i++) {
+        coordinates->low[i] = coordinates->high[i] = 0;
         if (pair->operand[i] != operand || signs->of[i] == TF_ZERO)
             continue;
-        tf_differences differences = tf_pair_differences(pair, i);
-        value[count] = arithmetic->value(&differences);
-        value[count].number *=
-            tf_pair_orientation(pair, i) * (signs->negative ? -1 : 1);
+        tf_differences differences;
+        tf_pair_differences(pair, i, &differences);
+        tf_value own = arithmetic->value(&differences);
+        own.number *= tf_pair_orientation(pair, i) * turn;
+        value[count] = own;
         event[count++] = i;
     }
     tf_values_scale(count, value);
 
     //: Collect the bounds
-    tf_coordinates c = {.low = {0}, .high = {0}};
     for (int i = 0; i < count; i++)
-        set_bounds(&c, event[i], &value[i]);
-    return c;
+        set_bounds(coordinates, event[i], &value[i]);
 }
 
 //: Normalize barycentric coordinates

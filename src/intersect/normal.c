@@ -56,10 +56,12 @@ static tf_vector direction(tf_value component[TF_AXES])
 tf_vector tf_contact_normal(const tf_arithmetic *arithmetic, int axes,
                             const tf_simplex *s, const tf_simplex *r)
 {
-    tf_differences edges = {.n = 0};
+    tf_differences edges;
+    edges.n = 0;
     add_horizontal_edges(s, &edges);
     add_horizontal_edges(r, &edges);
-    tf_value component[TF_AXES] = {{0}};
+    tf_value component[TF_AXES];
+    component[TF_AXES - 1] = (tf_value){.number = 0};
     if (!multiply_edges(arithmetic, axes, &edges, component))
         return (tf_vector){{0, 0, 0}};
     return direction(component);

@@ -17,43 +17,50 @@ static void add_events(tf_pair *pair, const tf_simplex *simplex, int operand,
     }
 }
 
-tf_pair tf_pair_of(const tf_simplex *s, const tf_simplex *r, int axes)
+void tf_pair_set(tf_pair *pair, const tf_simplex *s, const tf_simplex *r,
+                 int axes)
 {
     TF_REQUIRE(s->count + r->count == axes + 3);
+    pair->count = 0;
+    pair->axes = axes;
+    for (int k = 0; k < TF_AXES; k++)
+        pair->axis[k] = k;
+    add_events(pair, s, +1, 0);
+    add_events(pair, r, -1, 0);
+    pair->start_count = pair->count;
+    add_events(pair, s, +1, 1);
+    add_events(pair, r, -1, 1);
+}
+
+tf_pair tf_pair_of(const tf_simplex *s, const tf_simplex *r, int axes)
+{
     tf_pair pair;
-    pair.count = 0;
-    pair.axes = axes;
-    for (int k = 0; k < axes; k++)
-        pair.axis[k] = k;
-    add_events(&pair, s, +1, 0);
-    add_events(&pair, r, -1, 0);
-    pair.start_count = pair.count;
-    add_events(&pair, s, +1, 1);
-    add_events(&pair, r, -1, 1);
+    tf_pair_set(&pair, s, r, axes);
     return pair;
 }
 
 //: Take differences within each time
-/// Adds the differences of the events begin..end-1 to the first of them.
-static void add_differences(const tf_pair *pair, int without, int begin,
-                            int end, tf_differences *differences)
+/// Adds the differences of the events begin..end-1 to the first of them to n
+/// rows; returns how many rows there are then.
+static inline int add_differences(const tf_pair *pair, int without, int begin,
+                                  int end, int n, tf_differences *differences)
 {
     int first = begin == without ? begin + 1 : begin;
     for (int i = first + 1; i < end; i++) {
         if (i == without)
             continue;
-        differences->to[differences->n] = pair->event[i];
-        differences->from[differences->n++] = pair->event[first];
+        differences->to[n] = pair->event[i];
+        differences->from[n++] = pair->event[first];
     }
+    return n;
 }
 
-tf_differences tf_pair_differences(const tf_pair *pair, int without)
+void tf_pair_differences(const tf_pair *pair, int without,
+                         tf_differences *differences)
 {
-    tf_differences differences;
-    differences.n = 0;
-    memcpy(differences.axis, pair->axis, sizeof differences.axis);
-    add_differences(pair, without, 0, pair->start_count, &differences);
-    add_differences(pair, without, pair->start_count, pair->count,
-                    &differences);
-    return differences;
+    int start = pair->start_count;
+    int n = add_differences(pair, without, 0, start, 0, differences);
+    differences->n =
+        add_differences(pair, without, start, pair->count, n, differences);
+    memcpy(differences->axis, pair->axis, sizeof differences->axis);
 }

@@ -20,10 +20,15 @@ typedef struct tf_pair {
     int axis[TF_AXES];                     ///< the axes not projected away
 } tf_pair;
 
-/// The pair of two swept simplices, on the first `axes` axes (2 or 3).
+/// Makes `pair` that of two swept simplices, on the first `axes` axes (2 or 3).
+void tf_pair_set(tf_pair *pair, const tf_simplex *s, const tf_simplex *r,
+                 int axes);
+
+/// The same, as a value.
 tf_pair tf_pair_of(const tf_simplex *s, const tf_simplex *r, int axes);
 
 //: Declare the determinants of a pair
 /// The determinant of the pair without the event `without` (-1: all events):
 /// within each time, the differences to the first event that is left.
-tf_differences tf_pair_differences(const tf_pair *pair, int without);
+void tf_pair_differences(const tf_pair *pair, int without,
+                         tf_differences *differences);

@@ -1,21 +1,18 @@
 //: Include what separation needs
 #include "intersect/separation.h"
 
-#include <math.h>
-
 //: Measure one operand along an axis
 typedef struct range {
     double low, high;
 } range;
 
-/// The range of one operand's coordinates on an axis; starts at event *i and
-/// stops where the operand or the time ends.
-static range operand_range(const tf_pair *pair, int axis, int *i, int end)
+/// The range of the coordinates of the events begin..end-1 on an axis.
+static range event_range(const tf_pair *pair, int axis, int begin, int end)
 {
-    range r = {INFINITY, -INFINITY};
-    int operand = pair->operand[*i];
-    for (; *i < end && pair->operand[*i] == operand; ++*i) {
-        double x = pair->event[*i]->x[axis];
+    double x = pair->event[begin]->x[axis];
+    range r = {x, x};
+    for (int i = begin + 1; i < end; i++) {
+        x = pair->event[i]->x[axis];
         r.low = x < r.low ? x : r.low;
         r.high = x > r.high ? x : r.high;
     }
@@ -30,26 +27,35 @@ static int compare_ranges(range s, range r)
 }
 
 //: Separate a pair by an axis
-/// Which operand has the larger coordinates on an axis at one time, as
-/// compare_ranges.
-static int larger_operand(const tf_pair *pair, int axis, int begin, int end)
+/// Which operand has the larger coordinates on an axis among the events
+/// begin..end-1, of which those from `middle` on are of R; as compare_ranges.
+static int larger_operand(const tf_pair *pair, int axis, int begin, int middle,
+                          int end)
+{
+    return compare_ranges(event_range(pair, axis, begin, middle),
+                          event_range(pair, axis, middle, end));
+}
+
+/// The first event of R from `begin` on.
+static int first_of_r(const tf_pair *pair, int begin)
 {
     int i = begin;
-    range s = operand_range(pair, axis, &i, end);
-    range r = operand_range(pair, axis, &i, end);
-    return compare_ranges(s, r);
+    while (pair->operand[i] > 0)
+        i++;
+    return i;
 }
 
 bool tf_pair_separated(const tf_pair *pair)
 {
+    int end = pair->start_count, middle = first_of_r(pair, 0);
+    bool moving = end < pair->count;
+    int end_middle = moving ? first_of_r(pair, end) : end;
     for (int k = 0; k < pair->axes; k++) {
         int axis = pair->axis[k];
-        int larger = larger_operand(pair, axis, 0, pair->start_count);
-        if (larger == 0)
-            continue;
-        if (pair->start_count == pair->count ||
-            larger ==
-                larger_operand(pair, axis, pair->start_count, pair->count))
+        int larger = larger_operand(pair, axis, 0, middle, end);
+        if (larger != 0 &&
+            (!moving || larger == larger_operand(pair, axis, end, end_middle,
+                                                 pair->count)))
             return true;
     }
     return false;

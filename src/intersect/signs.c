@@ -13,21 +13,24 @@ int tf_pair_orientation(const tf_pair *pair, int i)
 }
 
 //: Stop at the first conflict
-tf_signs tf_pair_signs(const tf_arithmetic *arithmetic, const tf_pair *pair)
+void tf_pair_signs(const tf_arithmetic *arithmetic, const tf_pair *pair,
+                   tf_signs *signs)
 {
-    tf_signs found = {0};
-    for (int i = 0; i < pair->count; i++) {
-        tf_differences differences = tf_pair_differences(pair, i);
+    bool positive = false, negative = false, zero = false, unknown = false;
+    for (int i = 0; i < pair->count && !(positive && negative); i++) {
+        tf_differences differences;
+        tf_pair_differences(pair, i, &differences);
         tf_sign sign = arithmetic->sign(&differences);
         if (sign == TF_POSITIVE || sign == TF_NEGATIVE)
             sign = (tf_sign)(sign * tf_pair_orientation(pair, i));
-        found.of[i] = sign;
-        found.positive |= sign == TF_POSITIVE;
-        found.negative |= sign == TF_NEGATIVE;
-        found.zero |= sign == TF_ZERO;
-        found.unknown |= sign == TF_UNKNOWN;
-        if (found.positive && found.negative)
-            break;
+        signs->of[i] = sign;
+        positive |= sign == TF_POSITIVE;
+        negative |= sign == TF_NEGATIVE;
+        zero |= sign == TF_ZERO;
+        unknown |= sign == TF_UNKNOWN;
     }
-    return found;
+    signs->positive = positive;
+    signs->negative = negative;
+    signs->zero = zero;
+    signs->unknown = unknown;
 }

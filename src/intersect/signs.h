@@ -14,7 +14,8 @@ typedef struct tf_signs {
 
 /// The signs of Cramer's rule for the common point of two complementary
 /// simplices.
-tf_signs tf_pair_signs(const tf_arithmetic *arithmetic, const tf_pair *pair);
+void tf_pair_signs(const tf_arithmetic *arithmetic, const tf_pair *pair,
+                   tf_signs *signs);
 
 //: Declare the orientation of a coordinate
 /// +1 or -1: what turns the determinant of the differences without event i into

@@ -1,6 +1,7 @@
 //: Decide one query after another
 #include "query/narrow_phase.h"
 
+#include "base/environment.h"
 #include "base/require.h"
 #include "query/query.h"
 
@@ -27,6 +28,8 @@ static tf_status decide_queries(const tf_arithmetic *arithmetic,
     TF_REQUIRE(arithmetic && queries && separated);
     TF_REQUIRE((queries->vertices && verdict) || queries->count == 0);
     shape of = shape_of(queries->kind);
+    if (queries->count > 0 && !tf_environment_is_ieee())
+        return TF_BAD_ENVIRONMENT;
     const int *first = queries->vertices;
     for (size_t i = 0; i < queries->count; i++) {
         const int *second = first + of.vertices;

@@ -87,9 +87,7 @@ static tf_status check_query(const tf_arithmetic *arithmetic, int axes,
     TF_REQUIRE(axes == 2 || axes == 3);
     TF_REQUIRE(vertices >= 1 && others >= 1 && vertices + others == axes + 1);
 
-    //: Check what the machine and the input hold
-    if (!tf_environment_is_ieee())
-        return TF_BAD_ENVIRONMENT;
+    //: Check what the input holds
     int index[TF_AXES + 1];
     for (int i = 0; i < vertices; i++)
         index[i] = first[i].at[0].vertex;
@@ -140,10 +138,11 @@ static int decide_pairs(const tf_arithmetic *arithmetic, const operands *swept,
     int count = 0;
     for (int i = 0; i < swept->first.vertices; i++)
         for (int j = 0; j < swept->second.vertices; j++) {
+            // In place: the next pair overwrites one that is apart.
             candidate *c = &found[count];
             c->s = &swept->s[i];
             c->r = &swept->r[j];
-            c->pair = tf_pair_of(c->s, c->r, swept->axes);
+            tf_pair_set(&c->pair, c->s, c->r, swept->axes);
             c->found = tf_intersect(arithmetic, &c->pair, TF_ONLY_VERDICT);
             count += c->found.verdict != TF_APART;
             if (stop_at_hit && c->found.verdict == TF_HIT)
@@ -235,6 +234,8 @@ tf_status tf_query(const tf_arithmetic *arithmetic, int axes, int vertices,
                    const tf_worldline first[], int others,
                    const tf_worldline second[], tf_contact *contact)
 {
+    if (!tf_environment_is_ieee())
+        return TF_BAD_ENVIRONMENT;
     tf_status status =
         check_query(arithmetic, axes, vertices, first, others, second);
     if (status != TF_OK)

@@ -30,7 +30,9 @@ tf_status tf_query_motion(const tf_arithmetic *arithmetic, int axes,
 
 //: Declare the verdict alone
 /// Only whether two elements of a scene touch, as tf_query_motion would answer;
-/// `*separated`: an axis shows that they do not, without any sign.
+/// `*separated`: an axis shows that they do not, without any sign.  Callers
+/// with many queries check the environment once for all of them, so this
+/// function does not.
 tf_status tf_query_verdict(const tf_arithmetic *arithmetic, int axes,
                            const tf_motion *motion, int vertices,
                            const int first[], int others, const int second[],

@@ -2,6 +2,7 @@
 #include "surface/check.h"
 
 #include "arithmetic/exact.h"
+#include "base/environment.h"
 #include "base/require.h"
 #include "query/query.h"
 #include "surface/crossing.h"
@@ -68,6 +69,8 @@ static tf_status touches(const checking *of, shape s, const int vertex[],
     *found = false;
     if (!tf_are_coplanar(x[0], x[1], x[2], x[3]))
         return TF_OK;
+    if (!tf_environment_is_ieee())
+        return TF_BAD_ENVIRONMENT;
     tf_verdict verdict = TF_APART;
     bool separated = false;
     tf_status status =

@@ -1,7 +1,7 @@
 #include "arithmetic/integer.h"
 
 #include "query/query.h"
-#include "support/matrices.h"
+#include "support/exactness.h"
 #include "support/rational.h"
 
 #include <float.h>
@@ -16,22 +16,6 @@ static double largest_coordinate(const tf_arithmetic *arithmetic, int n)
     return ldexp(1, arithmetic->bits[n == 3 ? 3 : 2]) - 1;
 }
 
-static void judge(const tf_arithmetic *arithmetic, const matrix *m)
-{
-    tf_differences differences = matrix_differences(m);
-    expect_of_matrix(arithmetic->sign(&differences) ==
-                         oracle_arithmetic.sign(&differences),
-                     "The sign is wrong", m);
-
-    mpz_t determinant;
-    mpz_init(determinant);
-    int exponent = rational_determinant(determinant, &differences);
-    expect_of_matrix(
-        rational_is(determinant, exponent, arithmetic->value(&differences)),
-        "The value is not the determinant rounded to nearest", m);
-    mpz_clear(determinant);
-}
-
 // The ends of the range -------------------------------------------------------
 
 /// Each coordinate least, zero or largest.
@@ -44,7 +28,7 @@ static void judge_all_coordinates(const tf_arithmetic *arithmetic, int n)
         for (int i = 0; i < matrix_size(&m); i++)
             *matrix_coordinate(&m, i) =
                 end[i] * largest_coordinate(arithmetic, n);
-        judge(arithmetic, &m);
+        expect_exact(arithmetic, &m);
     } while (next_signs(2 * n * n, end));
 }
 
@@ -68,7 +52,7 @@ START_TEST(all_signs_of_the_largest_differences)
             *matrix_coordinate(&m, 2 * k) = end[k] * size;
             *matrix_coordinate(&m, 2 * k + 1) = -end[k] * size;
         }
-        judge(arithmetic, &m);
+        expect_exact(arithmetic, &m);
     } while (next_signs(9, end));
 }
 END_TEST
@@ -100,7 +84,7 @@ START_TEST(random_signs_and_values)
         for (int k = 0; k < matrix_size(&m); k++)
             *matrix_coordinate(&m, k) = ends ? (below(&random, 3) - 1) * size
                                              : any_coordinate(&random, size);
-        judge(arithmetic, &m);
+        expect_exact(arithmetic, &m);
     }
 }
 END_TEST
@@ -121,10 +105,10 @@ START_TEST(singular_matrices_and_their_neighbours)
             *matrix_coordinate(&m, k) = any_coordinate(&random, size);
         for (int k = 0; k < row; k++)
             *matrix_coordinate(&m, last + k) = sign * *matrix_coordinate(&m, k);
-        judge(arithmetic, &m);
+        expect_exact(arithmetic, &m);
         *matrix_coordinate(&m, below(&random, matrix_size(&m))) =
             any_coordinate(&random, size);
-        judge(arithmetic, &m);
+        expect_exact(arithmetic, &m);
     }
 }
 END_TEST

@@ -93,6 +93,30 @@ START_TEST(a_radius_grows_only_where_digits_may_be_lost)
 }
 END_TEST
 
+START_TEST(all_powers_of_two_divide)
+{
+    for (int exponent = 0; exponent <= 1080; exponent++) {
+        tf_value value[] = {value_of(1, 0, 7, 0),
+                            value_of(0x1.8p0, 0, 7 - exponent, 0)};
+        tf_values_scale(2, value);
+        ck_assert_double_eq(value[0].number, 1);
+        ck_assert_double_eq(value[1].number, ldexp(0x1.8p0, -exponent));
+    }
+}
+END_TEST
+
+START_TEST(subnormal_numbers_are_scaled_up)
+{
+    for (int exponent = -1074; exponent <= -1000; exponent++) {
+        tf_value value[] = {value_of(ldexp(1, exponent), 0, 0, 0),
+                            value_of(ldexp(-3, exponent), 0, -2, 0)};
+        tf_values_scale(2, value);
+        ck_assert_double_eq(value[0].number, 1);
+        ck_assert_double_eq(value[1].number, -0.75);
+    }
+}
+END_TEST
+
 START_TEST(what_is_all_zero_stays_so)
 {
     tf_value value[] = {value_of(0, 0, 5, 3), value_of(0, 0, 6, 0)};
@@ -125,6 +149,8 @@ Suite *suite(void)
                    a_later_infinitesimal_counts_where_the_first_are_the_same);
     tcase_add_test(values, the_radius_counts_for_the_size);
     tcase_add_test(values, a_radius_grows_only_where_digits_may_be_lost);
+    tcase_add_test(values, all_powers_of_two_divide);
+    tcase_add_test(values, subnormal_numbers_are_scaled_up);
     tcase_add_test(values, what_is_all_zero_stays_so);
     tcase_add_test(values, what_is_not_known_stays_so);
     suite_add_tcase(suite, values);

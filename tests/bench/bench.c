@@ -9,19 +9,22 @@
 //   where all coordinates are integers: on the lattice, and on the rounded
 //   version of every other workload, on which all arithmetics are timed too;
 // - a line a workload: the percentage of queries that need no sign, that
-//   estimates decide, and that need the accumulator, with exact signs; and of
-//   the signs that estimates leave open, the percentage of those with a rounded
-//   difference, and of those that the rounded differences would decide;
+//   estimates decide, that integers on a grid decide, and that need the
+//   accumulator, with exact signs; and of the signs that estimates leave open,
+//   the percentage of those with a rounded difference, and of those that the
+//   rounded differences would decide;
 // - a line a workload: how many signs a query takes, clamped and exact;
-// - a line a way to a sign: nanoseconds.  The expansion, which the library does
-//   without, finds the signs of the same differences as the accumulator does
-//   above it.
+// - a line a way to a sign: nanoseconds.  The grid and the expansion, which the
+//   library does without, find the signs of the same differences as the
+//   accumulator does above them.
 // With --csv the same as lines "name,value,unit", for figures/measured.csv.
 #define _POSIX_C_SOURCE 199309L // clock_gettime
 
+#include "arithmetic/accumulated.h"
 #include "arithmetic/clamped.h"
 #include "arithmetic/exact.h"
 #include "arithmetic/filter.h"
+#include "arithmetic/fixed.h"
 #include "arithmetic/integer.h"
 #include "arithmetic/operations.h"
 #include "arithmetic/perturbed.h"
@@ -141,6 +144,7 @@ static void print_times(const workload *w, bool csv)
 
 enum {
     BY_ESTIMATE,
+    BY_GRID,
     BY_ACCUMULATOR,
     STAGES
 };
@@ -178,19 +182,21 @@ static bool heads_decide(const tf_differences *d)
     return fabs(last) > share * tf_differences_estimate(d).bound;
 }
 
-/// What finds an exact sign: the estimate, or, where that leaves it open, the
-/// superaccumulator.
+/// What finds an exact sign: the estimate, or, where that leaves it open,
+/// integers on a grid, or else the superaccumulator.
 static int stage_of(const tf_differences *differences)
 {
-    return tf_clamped.sign(differences) == TF_UNKNOWN ? BY_ACCUMULATOR
-                                                      : BY_ESTIMATE;
+    tf_sign sign;
+    if (tf_clamped.sign(differences) != TF_UNKNOWN)
+        return BY_ESTIMATE;
+    return tf_fixed_sign(differences, &sign) ? BY_GRID : BY_ACCUMULATOR;
 }
 
 static tf_sign note_sign(const tf_differences *differences)
 {
     int stage = stage_of(differences);
     noted.farthest = stage > noted.farthest ? stage : noted.farthest;
-    if (stage == BY_ACCUMULATOR) {
+    if (stage != BY_ESTIMATE) {
         bool tail = has_tail(differences);
         noted.open++;
         noted.tails += tail;
@@ -208,9 +214,9 @@ static double percent(long part, long whole)
 static const struct share {
     const char *name, *heading;
 } shares[] = {
-    {"none", "none %"},          {"estimate", "estimate %"},
-    {"accumulator", "accum. %"}, {"tails", "tails %"},
-    {"heads", "by heads %"},
+    {"none", "none %"},   {"estimate", "estimate %"},
+    {"grid", "grid %"},   {"accumulator", "accum. %"},
+    {"tails", "tails %"}, {"heads", "by heads %"},
 };
 
 enum {
@@ -360,6 +366,32 @@ static tf_sign by_library(const tf_differences *differences)
     return tf_exact.sign(differences);
 }
 
+/// Ends the program if the estimate decides a sign that a later stage is timed
+/// with.
+static void expect_open(const tf_differences *differences)
+{
+    tf_estimate estimate = tf_differences_estimate(differences);
+    if (fabs(estimate.number) > estimate.bound) {
+        fprintf(stderr, "bench: a sign that the estimate decides\n");
+        exit(2);
+    }
+}
+
+/// As the stage after the estimate.
+static tf_sign by_accumulator(const tf_differences *differences)
+{
+    expect_open(differences);
+    return tf_accumulated_sign(differences);
+}
+
+static tf_sign by_grid(const tf_differences *differences)
+{
+    expect_open(differences);
+    tf_sign sign = TF_UNKNOWN;
+    tf_fixed_sign(differences, &sign);
+    return sign;
+}
+
 /// Whether the rounded differences are the true ones and in the range of an
 /// expansion.
 static bool expansion_suffices(const tf_differences *differences,
@@ -377,12 +409,11 @@ static bool expansion_suffices(const tf_differences *differences,
 /// As a stage of the library: after the estimate, and if it may be used.
 static tf_sign by_expansion(const tf_differences *differences)
 {
-    tf_estimate estimate = tf_differences_estimate(differences);
+    expect_open(differences);
     double entry[TF_AXES][TF_AXES];
     tf_differences_round(differences, entry);
-    if (fabs(estimate.number) > estimate.bound ||
-        !expansion_suffices(differences, entry)) {
-        fprintf(stderr, "bench: a sign that needs no expansion, or more\n");
+    if (!expansion_suffices(differences, entry)) {
+        fprintf(stderr, "bench: a sign that needs more than an expansion\n");
         exit(2);
     }
     expansion determinant;
@@ -396,36 +427,28 @@ typedef struct race {
     int n;
     double (*coordinate)(generator *random);
     sign_finder *find;
-    int stage; ///< which the signs need
+    bool open; ///< the estimate leaves the signs open, and they are zero
 } race;
 
 // Differences of fine and of coarse coordinates are doubles.
 static const race races[] = {
-    {"estimate", 3, fine, by_library, BY_ESTIMATE},
-    {"accumulator", 3, fine, by_library, BY_ACCUMULATOR},
-    {"accumulator with tails", 3, uneven, by_library, BY_ACCUMULATOR},
-    {"accumulator of any size", 3, of_any_size, by_library, BY_ACCUMULATOR},
-    {"expansion", 3, fine, by_expansion, BY_ACCUMULATOR},
-    {"accumulator of integers", 3, coarse, by_library, BY_ACCUMULATOR},
-    {"expansion of integers", 3, coarse, by_expansion, BY_ACCUMULATOR},
-    {"accumulator in the plane", 2, fine, by_library, BY_ACCUMULATOR},
-    {"expansion in the plane", 2, fine, by_expansion, BY_ACCUMULATOR},
+    {"estimate", 3, fine, by_library, false},
+    {"grid", 3, fine, by_grid, true},
+    {"accumulator", 3, fine, by_accumulator, true},
+    {"accumulator with tails", 3, uneven, by_accumulator, true},
+    {"accumulator of any size", 3, of_any_size, by_accumulator, true},
+    {"expansion", 3, fine, by_expansion, true},
+    {"grid of integers", 3, coarse, by_grid, true},
+    {"accumulator of integers", 3, coarse, by_accumulator, true},
+    {"expansion of integers", 3, coarse, by_expansion, true},
+    {"grid in the plane", 2, fine, by_grid, true},
+    {"accumulator in the plane", 2, fine, by_accumulator, true},
+    {"expansion in the plane", 2, fine, by_expansion, true},
 };
 
 enum {
     RACES = sizeof races / sizeof *races
 };
-
-static void expect_stage(const matrix m[SIGNS], int stage)
-{
-    for (int i = 0; i < SIGNS; i++) {
-        tf_differences d = differences_of(&m[i]);
-        if (stage_of(&d) == stage)
-            continue;
-        fprintf(stderr, "bench: a sign of another stage\n");
-        exit(2);
-    }
-}
 
 static double time_signs(const matrix m[SIGNS], const race *r)
 {
@@ -435,7 +458,7 @@ static double time_signs(const matrix m[SIGNS], const race *r)
         tf_differences d = differences_of(&m[i]);
         sum += r->find(&d);
     }
-    if (r->stage == BY_ACCUMULATOR && sum != 0) {
+    if (r->open && sum != 0) {
         fprintf(stderr, "bench: a wrong sign\n");
         exit(2);
     }
@@ -450,10 +473,8 @@ static void print_signs(bool csv)
         generator random = generator_new(2);
         for (int k = 0; k < SIGNS; k++) {
             m[i][k].n = races[i].n;
-            fill(&random, races[i].coordinate, races[i].stage == BY_ESTIMATE,
-                 &m[i][k]);
+            fill(&random, races[i].coordinate, !races[i].open, &m[i][k]);
         }
-        expect_stage(m[i], races[i].stage);
         best[i] = INFINITY;
     }
     for (int round = 0; round < ROUNDS; round++)

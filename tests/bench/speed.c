@@ -6,8 +6,9 @@
 // last lines a triangle, and the ratio to the first line of the workload.
 // - soup and near: reading the queries from memory, 192 bytes each; the filter
 //   on the same memory, and on a block that stays in the cache; both narrow
-//   phases on the vertices that indices name.  The reference takes a tenth of
-//   the queries; so does describing, of those that hit.
+//   phases on the vertices that indices name, and the cubic, with the tolerance
+//   that the program gives it.  The reference and the cubic take a tenth of the
+//   queries; so does describing, of those that hit.
 // - dense: the candidates of cloth of a million triangles, whose vertices are
 //   gathered, by both narrow phases.
 // - a hard family: both narrow phases, and the percentage of its queries that
@@ -23,6 +24,7 @@
 #include "bench/workloads.h"
 #include "fast/filter.h"
 #include "fast/vector.h"
+#include "linear/cubic.h"
 #include "query/edge_edge.h"
 #include "query/point_triangle.h"
 #include "support/generator.h"
@@ -201,6 +203,20 @@ static size_t decide_by_vectors(arrays *a)
     return decide(a, &tf_vectorized, a->count);
 }
 
+static size_t solve_cubics(arrays *a)
+{
+    static const tf_tolerances usual = {.distance = 1e-6};
+    for (size_t i = 0; i < a->count / COPIES; i++) {
+        const int *v = a->vertex + 4 * i;
+        tf_contact contact;
+        require(a->queries.kind == TF_EDGE_EDGE
+                    ? tf_cubic_edge_edge(&usual, &a->motion, v, v + 2, &contact)
+                    : tf_cubic_point_triangle(&usual, &a->motion, *v, v + 1,
+                                              &contact));
+    }
+    return a->count / COPIES;
+}
+
 /// Describes what hits of the first queries, whose verdicts are there.
 static size_t describe_hits(arrays *a)
 {
@@ -303,13 +319,14 @@ static void race_random(void)
         {"filter in cache", filter_in_cache},
         {"vector", decide_by_vectors},
         {"reference", decide_by_reference},
+        {"cubic", solve_cubics},
         {"describe hits", describe_hits},
     };
     workload (*const make[])(int vertices) = {workload_soup, workload_near};
     for (int i = 0; i < 4; i++) {
         workload w = make[i / 2](1 + i % 2);
         arrays a = arrays_of(&w, COPIES);
-        race(&a, w.name, workload_kind(&w), ways, 6);
+        race(&a, w.name, workload_kind(&w), ways, sizeof ways / sizeof *ways);
         arrays_free(&a);
         workload_free(&w);
     }

@@ -45,7 +45,7 @@ START_TEST(stages_are_counted)
     expect_number(text, "estimate", estimate);
     expect_number(text, "wholes", wholes);
     expect_number(text, "tails", tails);
-    expect_number(text, "accumulator", wholes + tails);
+    expect_number(text, "open", wholes + tails);
     ck_assert_int_gt(wholes, 0);
     ck_assert_int_gt(tails, 0);
     free(text);

@@ -116,7 +116,8 @@ static const double unit = 0.001 + 1e-9; // of percents
 
 /// The signs that estimates leave open are those near zero.  Of small integers
 /// these are zero, but for those all of whose products are zero too; of random
-/// numbers there are none, and of vertices of one plane all are.
+/// numbers there are none, and of vertices of one plane all are.  All of them
+/// are on a grid.
 START_TEST(shares_are_those_of_the_queries)
 {
     char *text = printed(&fig_sign_stages);
@@ -128,7 +129,8 @@ START_TEST(shares_are_those_of_the_queries)
     if (rest)
         open = 100;
     expect_timed(text, &w, "none", none, unit);
-    expect_timed(text, &w, "accumulator", open, unit);
+    expect_timed(text, &w, "grid", open, unit);
+    expect_timed(text, &w, "accumulator", 0, 0);
     expect_timed(text, &w, "estimate", 100 - none - open, 2 * unit);
     free(text);
     workload_free(&w);
@@ -157,12 +159,15 @@ START_TEST(times_are_those_of_their_ways)
 {
     static const char *const ways[][2] = {
         {"ns_estimate", "estimate"},
+        {"ns_grid", "grid"},
         {"ns_whole", "accumulator"},
         {"ns_accumulator", "accumulator with tails"},
         {"ns_any_size", "accumulator of any size"},
         {"ns_expansion", "expansion"},
+        {"ns_grid_integers", "grid of integers"},
         {"ns_integers", "accumulator of integers"},
         {"ns_expansion_integers", "expansion of integers"},
+        {"ns_grid_plane", "grid in the plane"},
         {"ns_plane", "accumulator in the plane"},
         {"ns_expansion_plane", "expansion in the plane"}};
     char *text = printed(&fig_sign_stages);

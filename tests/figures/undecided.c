@@ -39,7 +39,8 @@ static bool decided(int first, const tf_worldline vertex[VERTICES])
         tf_pair pair = tf_pair_of(&s[i / second], &r[i % second], 3);
         int positive = 0, negative = 0;
         for (int e = 0; e < pair.count; e++) {
-            tf_differences d = tf_pair_differences(&pair, e);
+            tf_differences d;
+            tf_pair_differences(&pair, e, &d);
             int sign = tf_exact.sign(&d) * tf_pair_orientation(&pair, e);
             positive += sign > 0;
             negative += sign < 0;

@@ -9,7 +9,8 @@
 
 static double exact_value(const tf_pair *pair, int i)
 {
-    tf_differences differences = tf_pair_differences(pair, i);
+    tf_differences differences;
+    tf_pair_differences(pair, i, &differences);
     tf_value value = oracle_arithmetic.value(&differences);
     return ldexp(value.number, value.exponent);
 }
@@ -22,7 +23,7 @@ static tf_signs fill_good(own_pair *own, generator *random)
     do {
         for (int i = 0; i < pair_size(own); i++)
             *pair_coordinate(own, i) = below(random, 4);
-        signs = tf_pair_signs(&oracle_arithmetic, &own->pair);
+        tf_pair_signs(&oracle_arithmetic, &own->pair, &signs);
     } while (signs.positive == signs.negative);
     return signs;
 }
@@ -42,8 +43,8 @@ static void expect_coordinates(const own_pair *own, const tf_signs *signs,
                                int operand)
 {
     const tf_pair *pair = &own->pair;
-    tf_coordinates c =
-        tf_pair_coordinates(&oracle_arithmetic, pair, signs, operand);
+    tf_coordinates c;
+    tf_pair_coordinates(&oracle_arithmetic, pair, signs, operand, &c);
     int first = first_of(pair, signs, operand);
     double scale = c.low[first] / fabs(exact_value(pair, first));
     for (int i = 0; i < pair->count; i++) {
@@ -87,7 +88,9 @@ static tf_coordinates coordinates_of(tf_value value, const own_pair *own,
     tf_arithmetic arithmetic = oracle_arithmetic;
     arithmetic.value = given_value;
     given = value;
-    return tf_pair_coordinates(&arithmetic, &own->pair, signs, +1);
+    tf_coordinates c;
+    tf_pair_coordinates(&arithmetic, &own->pair, signs, +1, &c);
+    return c;
 }
 
 /// The point of shape 0: its only two events are 0 and 3.

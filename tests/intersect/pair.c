@@ -9,7 +9,8 @@ START_TEST(differences_are_taken_within_each_time)
 {
     own_pair own = {.event = {{.t = 0}}};
     shape_moving(&own, 1);
-    tf_differences d = tf_pair_differences(&own.pair, 1);
+    tf_differences d;
+    tf_pair_differences(&own.pair, 1, &d);
     ck_assert_int_eq(d.n, 2);
     for (int i = 0; i < 2; i++) {
         ck_assert_ptr_eq(d.to[i], &own.event[3 + i]);

@@ -16,7 +16,8 @@ static void fill_lattice(own_pair *own, generator *random, int n)
 /// The determinant that belongs to event i, turned; of small integers exact.
 static double turned(const tf_pair *pair, int i)
 {
-    tf_differences differences = tf_pair_differences(pair, i);
+    tf_differences differences;
+    tf_pair_differences(pair, i, &differences);
     tf_value value = oracle_arithmetic.value(&differences);
     return tf_pair_orientation(pair, i) * ldexp(value.number, value.exponent);
 }
@@ -64,7 +65,8 @@ END_TEST
 static void expect_signs(const own_pair *own)
 {
     tf_arithmetic arithmetic = counting(&oracle_arithmetic);
-    tf_signs found = tf_pair_signs(&arithmetic, &own->pair);
+    tf_signs found;
+    tf_pair_signs(&arithmetic, &own->pair, &found);
     bool seen[3] = {false, false, false}; // by sign, from -1
     int i = 0;
     while (i < own->pair.count && !(seen[0] && seen[2])) {
@@ -106,7 +108,8 @@ START_TEST(unknown_signs_are_not_turned)
     ignorant.sign = no_sign;
     own_pair own = {.event = {{.t = 0}}};
     shape_moving(&own, _i);
-    tf_signs found = tf_pair_signs(&ignorant, &own.pair);
+    tf_signs found;
+    tf_pair_signs(&ignorant, &own.pair, &found);
     ck_assert(found.unknown && !found.zero && !found.positive &&
               !found.negative);
     for (int i = 0; i < own.pair.count; i++)

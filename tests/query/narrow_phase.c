@@ -1,6 +1,7 @@
 #include "query/narrow_phase.h"
 
 #include "query/query.h"
+#include "support/environments.h"
 #include "support/rational.h"
 #include "support/scenes.h"
 #include "support/statuses.h"
@@ -164,6 +165,18 @@ START_TEST(no_queries_are_no_trouble)
 }
 END_TEST
 
+START_TEST(no_queries_need_no_environment)
+{
+    environment_break(_i);
+    tf_queries none = {.kind = TF_EDGE_EDGE};
+    size_t separated = 0;
+    tf_status status =
+        tf_reference.decide(&oracle_arithmetic, &none, NULL, &separated);
+    environment_restore();
+    ck_assert_int_eq(status, TF_OK);
+}
+END_TEST
+
 START_TEST(an_unknown_kind_breaks_the_contract)
 {
     static const int unknown[] = {TF_NO_KIND, TF_EDGE_EDGE + 1, -1};
@@ -208,6 +221,8 @@ Suite *suite(void)
                         KINDS);
     tcase_add_test(many, the_first_bad_query_fails);
     tcase_add_test(many, no_queries_are_no_trouble);
+    tcase_add_loop_test(many, no_queries_need_no_environment, 0,
+                        environments());
     tcase_add_loop_test_raise_signal(many, an_unknown_kind_breaks_the_contract,
                                      SIGABRT, 0, 3);
     tcase_add_loop_test_raise_signal(

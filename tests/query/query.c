@@ -3,6 +3,7 @@
 #include "arithmetic/clamped.h"
 #include "arithmetic/operations.h"
 #include "base/contract.h"
+#include "base/environment.h"
 #include "support/environments.h"
 #include "support/rational.h"
 #include "support/scenes.h"
@@ -366,6 +367,9 @@ static tf_status ask_verdict(const tf_arithmetic *arithmetic,
                              const tf_motion *motion, const int vertex[],
                              tf_contact *contact)
 {
+    // Which its callers check.
+    if (!tf_environment_is_ieee())
+        return TF_BAD_ENVIRONMENT;
     return tf_query_verdict(arithmetic, 2, motion, 1, vertex, 2, vertex + 1,
                             contact ? &contact->verdict : NULL, &(bool){false});
 }

@@ -250,7 +250,7 @@ cloth *cloth_new(cloth_scene scene, int n)
         make_strip(of, n, TWIST_LENGTH * n, 0.05);
         break;
     case NARROW_TWIST:
-        make_strip(of, n, NARROW_LENGTH * n, 0.1);
+        make_strip(of, n, NARROW_LENGTH * n, 0.15);
         break;
     }
     return of;

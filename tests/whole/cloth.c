@@ -9,7 +9,7 @@
 #include <stdlib.h>
 
 static const int edges[CLOTH_SCENES] = {60, 20, 8, 8, 6, 2};
-static const int steps[CLOTH_SCENES] = {100, 100, 60, 60, 120, 120};
+static const int steps[CLOTH_SCENES] = {100, 100, 60, 60, 120, 240};
 
 START_TEST(cloth_starts_free_of_tangles_and_tangles)
 {

@@ -94,7 +94,8 @@ static bool signs_are_moved(const tf_pair *pair, const moved_pair *moved)
 {
     int factor = 0;
     for (int i = 0; i < pair->count; i++) {
-        tf_differences d = tf_pair_differences(pair, i);
+        tf_differences d;
+        tf_pair_differences(pair, i, &d);
         int sign = (int)tf_perturbed.sign(&d) * (i % 2 == 0 ? 1 : -1) *
                    (i < pair->start_count ? 1 : -1);
         int product = sign * moved_sign(moved, place_in(moved, pair->event[i]));

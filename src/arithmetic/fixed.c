@@ -1,0 +1,188 @@
+//: Include what fixed point needs
+#include "arithmetic/fixed.h"
+
+#include "arithmetic/bits.h"
+#include "arithmetic/int128.h"
+#include "arithmetic/words.h"
+
+//: Compare the sizes of a column
+/// The biased exponents of the largest coordinate of a column and of the least
+/// that is not zero.  The latter may be too small by one.
+typedef struct size_range {
+    uint64_t largest, least;
+} size_range;
+
+static inline void include_size(size_range *range, double x)
+{
+    // Without the sign, and minus one, so that zero comes last.
+    uint64_t size = tf_bits_of(x) << 1, below = size - 1;
+    range->largest = size > range->largest ? size : range->largest;
+    range->least = below < range->least ? below : range->least;
+}
+
+static inline size_range column_sizes(const tf_differences *d, int n, int axis)
+{
+    size_range range = {0, UINT64_MAX};
+    for (int i = 0; i < n; i++) {
+        include_size(&range, d->to[i]->x[axis]);
+        if (i == 0 || d->from[i] != d->from[i - 1])
+            include_size(&range, d->from[i]->x[axis]);
+    }
+    return (size_range){range.largest >> 53, range.least >> 53};
+}
+
+//: Choose the unit of a column
+/// The exponent of the least unit of which a column's coordinates are less than
+/// 2^62.
+static inline int unit_exponent(const size_range *range)
+{
+    // All of them are below 2^(largest - 1022).
+    int exponent = (int)range->largest - 1022 - TF_GRID_BITS;
+
+    // The inverse of the unit must not overflow.
+    return exponent < -1022 ? -1022 : exponent;
+}
+
+//: Test whether a column is on its grid
+static bool is_multiple(double x, int exponent)
+{
+    double units = (double)(int64_t)(x * tf_power_of_two(-exponent));
+    return units * tf_power_of_two(exponent) == x;
+}
+
+static bool column_fits(const tf_differences *d, int axis, int exponent)
+{
+    for (int i = 0; i < d->n; i++)
+        if (!is_multiple(d->to[i]->x[axis], exponent) ||
+            !is_multiple(d->from[i]->x[axis], exponent))
+            return false;
+    return true;
+}
+
+//: Count the units of a column
+/// Puts the differences of column j into the matrix, and adds the exponent of
+/// their unit; false if a coordinate lies between the points of the grid.
+static inline bool count_column(const tf_differences *d, int n, int j,
+                                int64_t entry[TF_AXES][TF_AXES], int *exponent)
+{
+    int axis = d->axis[j];
+    size_range range = column_sizes(d, n, axis);
+    int unit = unit_exponent(&range);
+    if ((int)range.least - 1075 < unit && !column_fits(d, axis, unit))
+        return false;
+    double scale = tf_power_of_two(-unit);
+    int64_t from = 0;
+    for (int i = 0; i < n; i++) {
+        if (i == 0 || d->from[i] != d->from[i - 1])
+            from = (int64_t)(d->from[i]->x[axis] * scale);
+        entry[i][j] = (int64_t)(d->to[i]->x[axis] * scale) - from;
+    }
+    *exponent += unit;
+    return true;
+}
+
+//: Add a product of three words
+/// low + high 2^64.
+typedef struct three_words {
+    uint64_t low;
+    tf_int128 high;
+} three_words;
+
+static inline void add_product(three_words *sum, int64_t a, tf_int128 b)
+{
+    // a times the low word of b, and then times the high one.
+    tf_int128 low = (tf_int128)a * (uint64_t)b + sum->low;
+    sum->low = (uint64_t)low;
+    sum->high +=
+        (tf_int128)a * (int64_t)(b >> TF_WORD_BITS) + (low >> TF_WORD_BITS);
+}
+
+//: Multiply out a determinant of words
+static inline tf_int128 minor_of(const int64_t row[TF_AXES],
+                                 const int64_t next[TF_AXES], int k, int l)
+{
+    return (tf_int128)row[k] * next[l] - (tf_int128)row[l] * next[k];
+}
+
+static inline three_words multiply_out(int n, int64_t e[TF_AXES][TF_AXES])
+{
+    three_words sum = {0, 0};
+    if (n == 1)
+        add_product(&sum, e[0][0], 1);
+    else if (n == 2)
+        add_product(&sum, 1, minor_of(e[0], e[1], 0, 1));
+    else
+        for (int j = 0; j < TF_AXES; j++)
+            add_product(&sum, e[0][j],
+                        minor_of(e[1], e[2], (j + 1) % 3, (j + 2) % 3));
+    return sum;
+}
+
+//: Evaluate a determinant on the grid
+static inline bool evaluate_sized(const tf_differences *d, int n,
+                                  three_words *sum, int *exponent)
+{
+    int64_t entry[TF_AXES][TF_AXES];
+    *exponent = 0;
+    for (int j = 0; j < n; j++)
+        if (!count_column(d, n, j, entry, exponent))
+            return false;
+    *sum = multiply_out(n, entry);
+    return true;
+}
+
+static inline bool evaluate(const tf_differences *d, three_words *sum,
+                            int *exponent)
+{
+    // Where n is a constant, the compiler unrolls every loop.
+    return d->n == 3   ? evaluate_sized(d, 3, sum, exponent)
+           : d->n == 2 ? evaluate_sized(d, 2, sum, exponent)
+                       : evaluate_sized(d, 1, sum, exponent);
+}
+
+//: Find a sign on the grid
+bool tf_fixed_sign(const tf_differences *differences, tf_sign *sign)
+{
+    three_words sum;
+    int exponent;
+    if (!evaluate(differences, &sum, &exponent))
+        return false;
+    if (sum.high < 0)
+        *sign = TF_NEGATIVE;
+    else
+        *sign = sum.high == 0 && sum.low == 0 ? TF_ZERO : TF_POSITIVE;
+    return true;
+}
+
+//: Find a value on the grid
+/// The absolute value of three words.
+static inline void take_size(const three_words *sum, uint64_t word[3])
+{
+    // In two's complement -x is ~x + 1.
+    uint64_t flip = sum->high < 0 ? UINT64_MAX : 0, carry = flip & 1;
+    word[0] = sum->low;
+    word[1] = (uint64_t)sum->high;
+    word[2] = (uint64_t)(sum->high >> TF_WORD_BITS);
+    for (int i = 0; i < 3; i++) {
+        word[i] = (word[i] ^ flip) + carry;
+        carry &= word[i] == 0;
+    }
+}
+
+bool tf_fixed_value(const tf_differences *differences, double *number,
+                    int *exponent)
+{
+    three_words sum;
+    int unit;
+    if (!evaluate(differences, &sum, &unit))
+        return false;
+    *number = *exponent = 0;
+    if (sum.high == 0 && sum.low == 0)
+        return true;
+    uint64_t word[3];
+    take_size(&sum, word);
+    double size = tf_words_round(word, 3, exponent);
+    *number = sum.high < 0 ? -size : size;
+    *exponent += unit;
+    return true;
+}

@@ -1,0 +1,19 @@
+//: Declare determinants on a grid
+#pragma once
+
+#include "arithmetic/operations.h"
+
+enum {
+    TF_GRID_BITS = 62 ///< of a coordinate on the grid, besides its sign
+};
+
+/// Finds the exact sign of a determinant in integers of 192 bits.  That needs a
+/// grid for each column: a power of two, at least 2^-1022, of which the
+/// column's coordinates are multiples, by less than 2^62 in absolute value.
+/// False if a column has none; *sign stays as it is then.
+bool tf_fixed_sign(const tf_differences *differences, tf_sign *sign);
+
+/// Finds the determinant in the same way, rounded to nearest once:
+/// *number 2^*exponent.
+bool tf_fixed_value(const tf_differences *differences, double *number,
+                    int *exponent);

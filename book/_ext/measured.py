@@ -1,5 +1,6 @@
 """Numbers of figures/measured.csv, and claims about them that the build checks;
-those of figures/roads.csv are named "roads ...".
+those of figures/roads.csv are named "roads ...", those of figures/response.csv
+"response ...".
 
     {measured}`exact near edge-edge:.0f`
     {measured}`expansion / accumulator:.1f`     a number made of rows
@@ -19,7 +20,8 @@ from sphinx.util.docutils import SphinxRole
 import drawings
 
 
-FILES = {"measured": "", "roads": "roads "}    # and prefixes of their names
+# And prefixes of their names.
+FILES = {"measured": "", "roads": "roads ", "response": "response "}
 
 
 def read(lines, prefix=""):

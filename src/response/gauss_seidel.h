@@ -12,7 +12,7 @@
 /// long as their vertices do not move, and it stops when a sweep changes no
 /// parting by more than 1/100 of the largest violation among the rows that were
 /// not solved before.  Where all bounds are 0 and what cannot be moved rests, no
-/// sweep raises the kinetic energy.
+/// sweep without friction raises the kinetic energy.
 TF_API extern const tf_zone_solver tf_gauss_seidel;
 
 /// @}

@@ -1,8 +1,8 @@
 // What it costs to resolve the steps of cloth, scene by scene:
 //
-//     response [PERCENT]
+//     response [PERCENT [SCENE]]
 //
-// of the usual number of steps.  Prints a line a scene: vertices; steps without
+// of the usual number of steps; of one scene, from 0, or of all.  Prints a line a scene: vertices; steps without
 // contacts, resolved by zones, and by the failsafe; rounds a step, mean and
 // most; contacts; seconds of processor time for the first detection of all steps
 // alone, and for resolving them, which includes that; what resolving costs in
@@ -156,7 +156,9 @@ int main(int argc, char *argv[])
     printf("%-14s %5s %12s %9s %8s %7s %7s %6s %6s %6s %6s %3s\n", "scene",
            "verts", "none/zon/fs", "rounds", "contacts", "det s", "res s",
            "ratio", "worst", "clear", "held", "mem");
-    for (int i = 0; i < CLOTH_SCENES; i++)
+    int first = argc > 2 ? atoi(argv[2]) : 0;
+    int last = argc > 2 ? first : CLOTH_SCENES - 1;
+    for (int i = first; i <= last && i < CLOTH_SCENES; i++)
         show((cloth_scene)i, edges[i], (int)(steps[i] * percent / 100));
     return EXIT_SUCCESS;
 }

@@ -172,6 +172,10 @@ static void read_zones(const char *name, variant which)
         count++;
     }
     fclose(file);
+    if (count == 0) {
+        fprintf(stderr, "%s: no zones\n", name);
+        exit(EXIT_FAILURE);
+    }
 }
 
 static void find_least_changes(void)
@@ -259,7 +263,7 @@ static void show_solver(const tf_zone_solver *solver)
 
 static void show_zones(void)
 {
-    double rows[MOST_ZONES];
+    double rows[MOST_ZONES] = {0};
     for (int i = 0; i < count; i++)
         rows[i] = zones[PLAIN][i].zone.rows;
     double middle = median(rows);

@@ -1,7 +1,9 @@
 // Responses, judged by what shares no code with detection.
+#include "program/threads.h"
 #include "response/conjugate_residuals.h"
 #include "support/cloth.h"
 #include "support/resolving.h"
+#include "support/scrambled.h"
 #include "support/support.h"
 #include "support/surface_of.h"
 #include "support/tangle.h"
@@ -135,6 +137,35 @@ START_TEST(cloth_stays_free_of_tangles_by_other_means)
 }
 END_TEST
 
+// Threads ---------------------------------------------------------------------
+
+static void expect_same(const scene *one, const scene *other)
+{
+    int numbers = one->of->mesh.axes * one->of->mesh.vertices;
+    ck_assert_mem_eq(one->end, other->end, sizeof *one->end * (size_t)numbers);
+}
+
+START_TEST(any_number_of_threads_ends_with_the_same_bits)
+{
+    scene alone = scene_new(STACK_TURNED, 8), shared[2];
+    int workers[] = {2, 3};
+    const tf_parallel parallel[] = {tf_threads(&workers[0]),
+                                    scrambled(&workers[1])};
+    for (int i = 0; i < 2; i++)
+        shared[i] = scene_new(STACK_TURNED, 8);
+    for (int i = 0; i < (int)cases(40); i++) {
+        step(&alone, NULL);
+        for (int j = 0; j < 2; j++) {
+            step(&shared[j], &(tf_response_options){.parallel = &parallel[j]});
+            expect_same(&alone, &shared[j]);
+        }
+    }
+    scene_free(&alone);
+    for (int i = 0; i < 2; i++)
+        scene_free(&shared[i]);
+}
+END_TEST
+
 Suite *suite(void)
 {
     Suite *suite = suite_create("whole/response");
@@ -147,5 +178,9 @@ Suite *suite(void)
     tcase_add_loop_test(scenes, cloth_stays_free_of_tangles_by_other_means, 0,
                         4 * CLOTH_SCENES);
     suite_add_tcase(suite, scenes);
+
+    TCase *threads = tcase_create("threads");
+    tcase_add_test(threads, any_number_of_threads_ends_with_the_same_bits);
+    suite_add_tcase(suite, threads);
     return suite;
 }

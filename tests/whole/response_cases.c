@@ -8,6 +8,7 @@
 #include "support/surface_of.h"
 #include "support/tangle.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -270,6 +271,24 @@ START_TEST(a_fixed_plate_pushes_and_is_not_held)
 }
 END_TEST
 
+// By the failsafe alone, which moves all as the plate does.
+START_TEST(a_fixed_plate_carries_what_it_meets)
+{
+    static const tf_response_options options = {.zone_rounds = -1};
+    proposal_begin(&made, 3);
+    int plate = proposal_add_sheet(&made, 2, 0);
+    int sheet = proposal_add_sheet(&made, 2, 1);
+    fix(plate, 9);
+    move(plate, 9, 0, 0, 3);
+    move(sheet, 9, 0, 0, -1);
+    tf_response_report report = expect_resolved(true, &options);
+    ck_assert_int_eq(report.held, 0);
+    ck_assert_int_eq(report.resting, 0);
+    for (int v = sheet; v < sheet + 9; v++)
+        ck_assert_double_eq(made.end[3 * v + 2], 4);
+}
+END_TEST
+
 // Translations ----------------------------------------------------------------
 
 static void make_close_sheets(double gap)
@@ -414,6 +433,50 @@ START_TEST(free_bodies_keep_their_momentum)
 }
 END_TEST
 
+// Extreme units ---------------------------------------------------------------
+
+/// Scales all coordinates by a power of two.
+static void change_unit(int exponent)
+{
+    for (int i = 0; i < made.mesh.axes * made.mesh.vertices; i++) {
+        made.start[i] = ldexp(made.start[i], exponent);
+        made.end[i] = ldexp(made.end[i], exponent);
+    }
+}
+
+static int largest_exponent(void)
+{
+    int largest = INT_MIN;
+    for (int i = 0; i < made.mesh.axes * made.mesh.vertices; i++) {
+        double x = fmax(fabs(made.start[i]), fabs(made.end[i]));
+        if (x > 0 && ilogb(x) > largest)
+            largest = ilogb(x);
+    }
+    return largest;
+}
+
+static bool starts_tangled(void)
+{
+    tangle_judge *judge = tangle_judge_new(&made.mesh);
+    bool tangled = tangle_count(judge, made.start) > 0;
+    tangle_judge_free(judge);
+    return tangled;
+}
+
+START_TEST(the_largest_and_the_least_doubles)
+{
+    static const int exponents[] = {1023, 1010, -500, -1000, -1050};
+    static const tf_response_options levels[] = {{0}, {.zone_rounds = -1}};
+    generator random = generator_new(600 + (uint64_t)_i);
+    for (int i = 0; i < (int)cases(60); i++) {
+        make_random(&random, i, i % 2);
+        change_unit(exponents[_i] - largest_exponent());
+        if (!starts_tangled()) // by rounding
+            expect_resolved(true, &levels[i % 4 / 2]);
+    }
+}
+END_TEST
+
 // Solvers of other people -----------------------------------------------------
 
 static size_t no_room(int axes, int vertices, int rows)
@@ -474,12 +537,36 @@ static int sweep_backward(tf_zone *zone)
     return sweeps;
 }
 
+static void expect_row(const tf_zone *zone, const tf_row *row)
+{
+    double square = 0, mass_moved = 0;
+    for (int k = 0; k < 3; k++)
+        square += row->normal[k] * row->normal[k];
+    for (int i = 0; i < 4 && row->vertex[i] >= 0; i++)
+        mass_moved += zone->inverse_mass[row->vertex[i]];
+    ck_assert_double_le(fabs(square - 1), 1e-12);
+    ck_assert_double_gt(mass_moved, 0);
+    ck_assert_double_ge(row->bound, 0);
+    ck_assert(isfinite(row->bound));
+}
+
+static int expect_pushes(tf_zone *zone)
+{
+    for (int i = 0; i < zone->rows; i++)
+        expect_row(zone, &zone->row[i]);
+    int sweeps = tf_gauss_seidel.solve(zone);
+    for (int i = 0; i < zone->rows; i++)
+        ck_assert_double_ge(zone->row[i].impulse, 0);
+    return sweeps;
+}
+
 START_TEST(whatever_the_solver_does_the_step_is_clear)
 {
     static const tf_zone_solver solvers[] = {
         {"idle", no_room, do_nothing},
         {"random", no_room, push_about},
-        {"backward", usual_room, sweep_backward}};
+        {"backward", usual_room, sweep_backward},
+        {"checked", usual_room, expect_pushes}};
     generator random = generator_new(400 + (uint64_t)_i);
     tf_response_options options = {.solver = &solvers[_i]};
     for (int i = 0; i < (int)cases(60); i++) {
@@ -604,6 +691,7 @@ Suite *suite(void)
     tcase_add_test(hand, a_triangle_turns_over_in_its_plane);
     tcase_add_test(hand, two_fixed_plates_close);
     tcase_add_test(hand, a_fixed_plate_pushes_and_is_not_held);
+    tcase_add_test(hand, a_fixed_plate_carries_what_it_meets);
     tcase_add_test(hand, a_huge_translation_on_a_lattice_meets_nothing);
     tcase_add_test(hand, a_huge_translation_off_a_lattice_is_refused);
     suite_add_tcase(suite, hand);
@@ -614,9 +702,13 @@ Suite *suite(void)
     tcase_add_loop_test(kept, free_bodies_keep_their_momentum, 0, 4);
     suite_add_tcase(suite, kept);
 
+    TCase *units = tcase_create("units");
+    tcase_add_loop_test(units, the_largest_and_the_least_doubles, 0, 5);
+    suite_add_tcase(suite, units);
+
     TCase *solvers = tcase_create("solvers");
     tcase_add_loop_test(solvers, whatever_the_solver_does_the_step_is_clear, 0,
-                        3);
+                        4);
     tcase_add_test(solvers, every_row_twice_ends_the_same);
     suite_add_tcase(suite, solvers);
 

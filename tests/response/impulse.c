@@ -125,7 +125,7 @@ START_TEST(keeps_momentum)
     for (long i = cases(TRIALS); i > 0; i--) {
         scene s = random_scene(&random), from = s;
         s.row.bound = 1;
-        visit(&s, i % 2);
+        visit(&s, (double)(i % 2));
         for (int k = 0; k < s.axes; k++) {
             double gained = 0;
             for (int v = 0; v <= s.axes; v++) {

@@ -34,7 +34,7 @@ $(BUILD)/tests/%.o: tests/%.c $(BUILD)/flags | need-check
 $(BUILD)/tests/%: $(BUILD)/tests/%.o $(BUILD)/support.a $(BUILD)/program.a \
 		$(library_file)
 	@echo 'link    $@'
-	$(Q)$(LINK) $^ $$(pkg-config --libs check) -lgmp -lm -o $@
+	$(Q)$(LINK) $^ $$(pkg-config --libs check) $(LIBRARIES) -lgmp -lm -o $@
 
 # The tests of the figures need more: their rule overrides the pattern above.
 figure_tests = $(FIGURE_TESTS:%.c=$(BUILD)/%)
@@ -136,6 +136,27 @@ measure: ## time the library again for the book, in figures/measured.csv
 	    $(benches:%=$(BUILD)/measured/tests/bench/%) >$(BUILD)/measured/new.csv
 	@mv $(BUILD)/measured/new.csv figures/measured.csv
 
+bench-response: $(BUILD)/tests/bench/response ## time the response to contacts of cloth
+	@$<
+
+$(BUILD)/tests/bench/solvers.o: | need-solvers
+$(BUILD)/tests/bench/solvers: LIBRARIES = -llapacke
+compare-solvers: $(BUILD)/tests/bench/solvers ## compare the solvers of impact zones
+	@$< tests/bench/zones.txt
+
+measure-solvers: ## compare them again for the book, in figures/solvers.csv
+	@$(MAKE) BUILD=$(BUILD)/measured CFLAGS=-O3 LDFLAGS= \
+	    $(BUILD)/measured/tests/bench/solvers
+	@echo 'measure figures/solvers.csv'
+	@sh tests/bench/solvers.sh '$(CC)' -O3 \
+	    $(BUILD)/measured/tests/bench/solvers tests/bench/zones.txt \
+	    >$(BUILD)/measured/solvers.csv
+	@mv $(BUILD)/measured/solvers.csv figures/solvers.csv
+
+collect-zones: $(BUILD)/tests/bench/collect_zones ## collect zones again for that, in tests/bench/zones.txt
+	@$< >$(BUILD)/zones.txt
+	@mv $(BUILD)/zones.txt tests/bench/zones.txt
+
 counts: $(BUILD)/tests/bench/counts ## count the contacts that the report's rule misses
 	@$<
 
@@ -153,4 +174,4 @@ measure-roads: ## compare the methods again for the book, in figures/roads.csv
 	    $(BUILD)/measured/tests/bench/compare tests/bench/published.csv \
 	    >$(BUILD)/measured/roads.csv
 	@mv $(BUILD)/measured/roads.csv figures/roads.csv
-.PHONY: bench measure counts compare measure-roads
+.PHONY: bench bench-response measure compare-solvers measure-solvers collect-zones counts compare measure-roads

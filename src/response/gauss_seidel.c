@@ -5,18 +5,15 @@
 #include "response/impulse.h"
 
 #include <math.h>
+#include <stdbool.h>
+#include <stddef.h>
 
 //: Start from the impulses of the last time
-/// Applies the impulses that the rows have; returns the largest violation that
-/// there was before.
+/// Applies the impulses that the rows have; returns the largest violation of a
+/// row that was not solved before.
 static double start(const tf_zone *zone, const tf_bodies *bodies)
 {
     double violation = 0;
-    for (int i = 0; i < zone->rows; i++) {
-        const tf_row *row = &zone->row[i];
-        double parting = tf_row_parting(zone->axes, row, bodies->displacement);
-        violation = fmax(violation, row->bound - parting);
-    }
     for (int i = 0; i < zone->rows; i++) {
         const tf_row *row = &zone->row[i];
         double push[3];
@@ -24,36 +21,90 @@ static double start(const tf_zone *zone, const tf_bodies *bodies)
             push[k] = row->impulse * row->normal[k] + row->friction[k];
         tf_row_push(row, push, bodies);
     }
+    for (int i = zone->solved; i < zone->rows; i++) {
+        const tf_row *row = &zone->row[i];
+        double parting = tf_row_parting(zone->axes, row, bodies->displacement);
+        violation = fmax(violation, row->bound - parting);
+    }
     return violation;
 }
 
+//: Note what has happened to a row
+/// When rows were visited and vertices were moved, in visits since the start.
+typedef struct visits {
+    double now;
+    double *of_row, *of_vertex;
+} visits;
+
+/// Rows that were solved before need a visit only after others have moved their
+/// vertices; all others need one.
+static visits no_visits(const tf_zone *zone)
+{
+    visits all = {.now = 1, .of_row = zone->room};
+    all.of_vertex = all.of_row + zone->rows;
+    for (int i = 0; i < zone->rows; i++)
+        all.of_row[i] = i < zone->solved ? 1 : 0;
+    for (int i = 0; i < zone->vertices; i++)
+        all.of_vertex[i] = 1;
+    return all;
+}
+
+/// Whether a vertex of a row has moved since the row was visited.
+static bool needs_visit(const visits *all, const tf_zone *zone, int row)
+{
+    const int *vertex = zone->row[row].vertex;
+    for (int i = 0; i < 4 && vertex[i] >= 0; i++)
+        if (all->of_vertex[vertex[i]] > all->of_row[row])
+            return true;
+    return false;
+}
+
+static void note_visit(visits *all, const tf_zone *zone, int row, bool moved)
+{
+    const int *vertex = zone->row[row].vertex;
+    all->of_row[row] = ++all->now;
+    for (int i = 0; moved && i < 4 && vertex[i] >= 0; i++)
+        all->of_vertex[vertex[i]] = all->now;
+}
+
 //: Sweep until little changes
-static const double tolerance = 1e-5;
+static const double tolerance = 1e-2;
+
+/// Visits the rows that need it; returns whether one of them changed its parting
+/// by more than `least`.
+static bool sweep(const tf_zone *zone, double least, const tf_bodies *bodies,
+                  visits *all)
+{
+    bool any = false;
+    for (int i = 0; i < zone->rows; i++) {
+        if (!needs_visit(all, zone, i))
+            continue;
+        double change = tf_row_visit(&zone->row[i], zone->friction, bodies);
+        note_visit(all, zone, i, change > least);
+        any |= change > least;
+    }
+    return any;
+}
 
 static int solve(tf_zone *zone)
 {
-    TF_REQUIRE(zone && zone->row && zone->inverse_mass && zone->displacement);
+    TF_REQUIRE(zone && zone->row && zone->inverse_mass && zone->displacement &&
+               zone->room);
     tf_bodies bodies = {zone->axes, zone->inverse_mass, zone->displacement};
-    double enough = tolerance * start(zone, &bodies);
-    for (int sweep = 1; sweep <= zone->sweeps; sweep++) {
-        double largest = 0;
-        for (int i = 0; i < zone->rows; i++)
-            largest = fmax(
-                largest, tf_row_visit(&zone->row[i], zone->friction, &bodies));
-        if (largest <= enough)
-            return sweep;
-    }
-    return zone->sweeps;
+    double least = tolerance * start(zone, &bodies);
+    visits all = no_visits(zone);
+    int sweeps = 1;
+    while (sweep(zone, least, &bodies, &all) && sweeps < zone->sweeps)
+        sweeps++;
+    return sweeps;
 }
 
 //: Offer projected Gauss-Seidel
-static size_t no_room(int axes, int vertices, int rows)
+static size_t room_for(int axes, int vertices, int rows)
 {
     (void)axes;
-    (void)vertices;
-    (void)rows;
-    return 0;
+    return (size_t)vertices + (size_t)rows;
 }
 
 const tf_zone_solver tf_gauss_seidel = {
-    .name = "gauss-seidel", .room = no_room, .solve = solve};
+    .name = "gauss-seidel", .room = room_for, .solve = solve};

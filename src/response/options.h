@@ -55,7 +55,7 @@ typedef struct tf_response_options {
     const tf_zone_solver *solver; ///< NULL: tf_gauss_seidel
     int impulse_rounds;           ///< rounds of impulses, before zones
     int zone_rounds;              ///< rounds of zones; 0: 20; negative: none
-    int sweeps;                   ///< iterations of the solver; 0: 60
+    int sweeps;                   ///< iterations of the solver; 0: 30
     bool rigid;         ///< whether to try rigid zones before the failsafe
     double separation;  ///< pairs that are nearer at the start are pushed
                         ///< apart, a part of the way; 0: 0.05 of the mean

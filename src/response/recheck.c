@@ -177,12 +177,12 @@ typedef struct known {
     const tf_box *box;
 } known;
 
-static bool overlap(const tf_box *a, const tf_box *b)
+/// Makes all comparisons, as no branch could be foretold.
+static inline bool overlap(const tf_box *a, const tf_box *b)
 {
-    for (int k = 0; k < 3; k++)
-        if (a->low[k] > b->high[k] || b->low[k] > a->high[k])
-            return false;
-    return true;
+    return (a->low[0] <= b->high[0]) & (b->low[0] <= a->high[0]) &
+           (a->low[1] <= b->high[1]) & (b->low[1] <= a->high[1]) &
+           (a->low[2] <= b->high[2]) & (b->low[2] <= a->high[2]);
 }
 
 /// Chooses the candidates whose elements together have both marks and whose
@@ -194,9 +194,9 @@ static size_t choose(const tf_buffer *list, size_t count, known first,
     size_t all = 0;
     for (size_t i = 0; i < count; i++) {
         int a = pair[i].first, b = pair[i].second;
-        if ((first.mark[a] | second.mark[b]) == TESTED &&
-            overlap(&first.box[a], &second.box[b]))
-            chosen[all++] = pair[i];
+        bool tested = (first.mark[a] | second.mark[b]) == TESTED;
+        chosen[all] = pair[i];
+        all += tested & overlap(&first.box[a], &second.box[b]);
     }
     return all;
 }

@@ -48,7 +48,7 @@ static double mean_edge(const tf_surface *surface, const tf_step *step)
 //: Choose what is left to choose
 enum {
     USUAL_ROUNDS = 20,
-    USUAL_SWEEPS = 60
+    USUAL_SWEEPS = 30
 };
 
 static const double usual_separation = 0.05; // of the mean edge

@@ -17,6 +17,8 @@ typedef struct tf_zone {
     int axes;     ///< 2 or 3
     int vertices; ///< how many
     int rows;     ///< how many, at least 1
+    int solved;   ///< the first so many rows were solved before;
+                  ///< a solver may leave them as they are
     tf_row *row;  ///< with places in this zone's lists of vertices;
                   ///< in: impulses to start from, or 0; out: those
                   ///< that were found

@@ -166,10 +166,12 @@ static void copy_rows(tf_zones *zones, division *d, int z, tf_zone *zone)
     const tf_row *row = zones->row.data;
     zone->rows = d->first[z + 1] - d->first[z];
     zone->row = zones->zone_row.data;
-    zone->vertices = 0;
+    zone->vertices = zone->solved = 0;
     for (int i = 0; i < zone->rows; i++) {
         tf_row *own = &zone->row[i];
-        *own = row[d->order[d->first[z] + i]];
+        int from = d->order[d->first[z] + i];
+        zone->solved += from < zones->old;
+        *own = row[from];
         for (int j = 0; j < 4 && own->vertex[j] >= 0; j++) {
             int *place = &d->place[own->vertex[j]];
             if (*place < 0) {
@@ -221,6 +223,19 @@ static bool pose(tf_zones *zones, const tf_step *step, const tf_row_rule *rule,
 }
 
 //: Take the answer of a solver
+enum {
+    PUSHED = -2 // in the place of a vertex
+};
+
+static bool is_changed(const tf_row *a, const tf_row *b)
+{
+    bool changed = a->impulse != b->impulse;
+    for (int k = 0; k < 3; k++)
+        changed |= a->friction[k] != b->friction[k];
+    return changed;
+}
+
+/// Notes the vertices of rows whose impulses are new.
 static void keep_impulses(tf_zones *zones, const division *d, int z,
                           const tf_zone *zone)
 {
@@ -228,6 +243,9 @@ static void keep_impulses(tf_zones *zones, const division *d, int z,
     for (int i = 0; i < zone->rows; i++) {
         tf_row *to = &row[d->order[d->first[z] + i]];
         const tf_row *from = &zone->row[i];
+        bool changed = is_changed(to, from);
+        for (int j = 0; changed && j < 4 && to->vertex[j] >= 0; j++)
+            d->place[to->vertex[j]] = PUSHED;
         // A solver that has failed shall not start there again.
         bool good = isfinite(from->impulse) != 0;
         to->impulse = good ? from->impulse : 0;
@@ -236,11 +254,17 @@ static void keep_impulses(tf_zones *zones, const division *d, int z,
     }
 }
 
+/// Moves these vertices.  The others stay where they are: rounded anew, they
+/// would have to be looked at again.
 static void move_vertices(tf_step *step, const tf_row_rule *rule,
                           const division *d, const tf_zone *zone)
 {
     for (int i = 0; i < zone->vertices; i++) {
         ptrdiff_t place = (ptrdiff_t)step->axes * d->vertex[i];
+        int *mark = &d->place[d->vertex[i]];
+        if (*mark != PUSHED)
+            continue;
+        *mark = -1;
         tf_step_place(step, d->vertex[i], rule->base + place,
                       zone->displacement + (ptrdiff_t)step->axes * i);
     }

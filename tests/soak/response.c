@@ -23,6 +23,8 @@ enum {
 static struct shared {
     atomic_long next; ///< the first proposal that no process has taken yet
     atomic_long faults;
+    long taken[MOST_PROCESSES]; ///< the proposal that each is at
+    pid_t process[MOST_PROCESSES];
     resolving_counts count[MOST_PROCESSES];
 } * all;
 
@@ -32,6 +34,7 @@ static void work(long end, int process)
         long number = atomic_fetch_add(&all->next, 1);
         if (number >= end)
             return;
+        all->taken[process] = number;
         const char *fault = numbered_fault(number, &all->count[process]);
         if (!fault)
             continue;
@@ -53,6 +56,7 @@ static int start(long end)
         }
         if (child < 0)
             break;
+        all->process[count] = child;
     }
     return count;
 }
@@ -63,7 +67,11 @@ static int wait_for(int processes)
     int good = 0;
     for (int i = 0; i < processes; i++) {
         int status;
-        good += wait(&status) > 0 && status == 0;
+        if (waitpid(all->process[i], &status, 0) > 0 && status == 0)
+            good++;
+        else
+            fprintf(stderr, "broke off at proposal %ld, signal %d\n",
+                    all->taken[i], WIFSIGNALED(status) ? WTERMSIG(status) : 0);
     }
     return good;
 }

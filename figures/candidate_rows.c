@@ -247,8 +247,8 @@ static void draw_counts(fig_page *page, const scale s[], const kind *k, int at,
 
 static void name_rows(fig_page *page)
 {
-    static const char *const name[ROWS] = {"coordinates, $W$", "gradient, $B$",
-                                           "push $W$, want $B$",
+    static const char *const name[ROWS] = {"coordinates, $c$", "gradient, $B$",
+                                           "push $c$, want $B$",
                                            "the two pivots", "as the library"};
     for (int row = 0; row < ROWS; row++)
         fig_page_text(page, left - 12, top + row * row_height + 3,

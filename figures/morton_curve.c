@@ -147,8 +147,8 @@ static double along(const forest *f, int leaf)
     return (double)leaf / (leaf_count(f) - 1);
 }
 
-/// Whether a triangle draws its edge from one vertex to the next.  All edges but
-/// those on the rim, in the last ring, are of two triangles, once each way.
+/// Whether a triangle draws its edge from one vertex to the next.  Only those
+/// on the rim, in the last ring, are not another triangle's too, the other way.
 static bool draws_edge(int from, int to)
 {
     return from < to || to > 3 * RINGS * (RINGS - 1);

@@ -144,6 +144,15 @@ $(BUILD)/tests/bench/solvers: LIBRARIES = -llapacke
 compare-solvers: $(BUILD)/tests/bench/solvers ## compare the solvers of impact zones
 	@$< tests/bench/zones.txt
 
+measure-solvers: ## compare them again for the book, in figures/solvers.csv
+	@$(MAKE) BUILD=$(BUILD)/measured CFLAGS=-O3 LDFLAGS= \
+	    $(BUILD)/measured/tests/bench/solvers
+	@echo 'measure figures/solvers.csv'
+	@sh tests/bench/solvers.sh '$(CC)' -O3 \
+	    $(BUILD)/measured/tests/bench/solvers tests/bench/zones.txt \
+	    >$(BUILD)/measured/solvers.csv
+	@mv $(BUILD)/measured/solvers.csv figures/solvers.csv
+
 collect-zones: $(BUILD)/tests/bench/collect_zones ## collect zones again for that, in tests/bench/zones.txt
 	@$< >$(BUILD)/zones.txt
 	@mv $(BUILD)/zones.txt tests/bench/zones.txt
@@ -174,5 +183,5 @@ measure-response: ## time the response again for the book, in figures/response.c
 	    $(BUILD)/measured/tests/bench/response \
 	    >$(BUILD)/measured/response.csv
 	@mv $(BUILD)/measured/response.csv figures/response.csv
-.PHONY: bench bench-response measure compare-solvers collect-zones counts \
-	compare measure-roads measure-response
+.PHONY: bench bench-response measure compare-solvers measure-solvers \
+	collect-zones counts compare measure-roads measure-response

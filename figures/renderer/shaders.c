@@ -119,9 +119,9 @@ const char *const fig_shader_under =
 
 // A solid thing that passes behind another one breaks off a little beside it:
 // then it is plain which of the two is in front.  Only things whose opacity is
-// written as 1 have such a border; thin lines are written as a half.  Where there
-// is nothing solid the loop has no rounds: Mesa spends time on both sides of an
-// if, yet leaves a loop that no pixel goes on with.
+// written as 1 have such a border; thin lines are written as a half.  Most
+// pixels have none, hence a loop of no rounds: Mesa takes the time of both
+// sides of an if.
 const char *const fig_shader_finish = VERSION
     "uniform sampler2D front, color, solid;\n"
     "uniform vec3 paper;\n"

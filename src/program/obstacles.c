@@ -4,23 +4,21 @@
 #include <stdio.h>
 
 //: Tabulate how elements meet
-/// An element is named by how many vertices it has.
 typedef struct meeting {
-    int first;
     const char *verb;
-    int second;
+    int first, second; ///< how many vertices each element has
 } meeting;
 
 static const meeting touchings[] = {
-    [TF_POINT_EDGE] = {1, "lies on", 2},
-    [TF_POINT_TRIANGLE] = {1, "lies on", 3},
-    [TF_EDGE_EDGE] = {2, "meets", 2},
+    [TF_POINT_EDGE] = {"lies on", 1, 2},
+    [TF_POINT_TRIANGLE] = {"lies on", 1, 3},
+    [TF_EDGE_EDGE] = {"meets", 2, 2},
 };
 
 static const meeting crossings[] = {
-    [TF_EDGE_THROUGH_TRIANGLE] = {2, "passes through", 3},
-    [TF_POINT_ON_TRIANGLE] = {1, "lies on", 3},
-    [TF_EDGE_ON_EDGE] = {2, "meets", 2},
+    [TF_EDGE_THROUGH_TRIANGLE] = {"passes through", 2, 3},
+    [TF_POINT_ON_TRIANGLE] = {"lies on", 1, 3},
+    [TF_EDGE_ON_EDGE] = {"meets", 2, 2},
 };
 
 //: Name an element by its vertices

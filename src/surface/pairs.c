@@ -9,7 +9,6 @@
 #include "query/point_triangle.h"
 
 #include <stddef.h>
-#include <stdlib.h>
 #include <string.h>
 
 //: Make room for a batch of pairs
@@ -184,23 +183,53 @@ bool tf_pairs_take(tf_pair_sink *sink, int count, const tf_candidate pair[])
 }
 
 //: Compare contacts
-static int compare_places(const void *first, const void *second)
+typedef const tf_surface_contact *row;
+
+static bool is_before(row a, row b)
 {
-    const tf_surface_contact *a = first, *b = second;
     if (a->kind != b->kind)
-        return a->kind < b->kind ? -1 : 1;
+        return a->kind < b->kind;
     for (int i = 0; i < 4; i++)
         if (a->vertex[i] != b->vertex[i])
-            return a->vertex[i] < b->vertex[i] ? -1 : 1;
-    return 0;
+            return a->vertex[i] < b->vertex[i];
+    return false;
 }
 
-static int compare_times(const void *first, const void *second)
+static bool is_earlier(row a, row b)
 {
-    const tf_surface_contact *a = first, *b = second;
     if (a->contact.toi_lo != b->contact.toi_lo)
-        return a->contact.toi_lo < b->contact.toi_lo ? -1 : 1;
-    return compare_places(first, second);
+        return a->contact.toi_lo < b->contact.toi_lo;
+    return is_before(a, b);
+}
+
+//: Sort contacts
+/// Merges from[begin..middle - 1] and from[middle..end - 1] into `to`.
+static void merge(row from[], size_t begin, size_t middle, size_t end, row to[],
+                  bool (*precedes)(row, row))
+{
+    size_t a = begin, b = middle;
+    for (size_t i = begin; i < end; i++) {
+        bool second = b < end && (a == middle || precedes(from[b], from[a]));
+        to[i] = second ? from[b++] : from[a++];
+    }
+}
+
+/// Sorts `count` rows that are in `from`; `to` has room for as many, and one of
+/// the two is returned.  qsort might ask for memory in each step.
+static row *sort(size_t count, row from[], row to[], bool (*precedes)(row, row))
+{
+    for (size_t width = 1; width < count; width *= 2) {
+        for (size_t begin = 0; begin < count; begin += 2 * width) {
+            size_t rest = count - begin;
+            size_t middle = rest < width ? count : begin + width;
+            size_t end = rest < 2 * width ? count : begin + 2 * width;
+            merge(from, begin, middle, end, to, precedes);
+        }
+        row *swap = from;
+        from = to;
+        to = swap;
+    }
+    return from;
 }
 
 //: Add up the effort
@@ -213,23 +242,33 @@ void tf_effort_add(tf_effort *all, const tf_effort *own)
 }
 
 //: Gather the contacts of all workers
+/// Lists where the rows of all workers are, and adds up what they took.
+static void list_rows(const tf_workers *workers, row list[], tf_effort *effort)
+{
+    for (int i = 0; i < workers->count; i++) {
+        const tf_worker *worker = workers->worker[i];
+        const batch *b = worker->batch.data;
+        row own = worker->row.data;
+        for (size_t j = 0; j < worker->rows; j++)
+            *list++ = own + j;
+        tf_effort_add(effort, &b->effort);
+    }
+}
+
 bool tf_pairs_gather(tf_surface *surface, tf_extent extent, tf_contacts *found)
 {
     size_t rows = tf_workers_rows(&surface->workers);
     if (!tf_buffer_reserve(&surface->found, rows + 1,
-                           sizeof(tf_surface_contact)))
+                           sizeof(tf_surface_contact)) ||
+        !tf_buffer_reserve(&surface->sorting, 2 * rows + 1, sizeof(row)))
         return false;
-    tf_surface_contact *all = surface->found.data, *end = all;
-    for (int i = 0; i < surface->workers.count; i++) {
-        const tf_worker *worker = surface->workers.worker[i];
-        const batch *b = worker->batch.data;
-        if (worker->rows > 0)
-            memcpy(end, worker->row.data, sizeof *end * worker->rows);
-        end += worker->rows;
-        tf_effort_add(&found->effort, &b->effort);
-    }
-    qsort(all, rows, sizeof *all,
-          extent == TF_FIRST_CONTACT ? compare_times : compare_places);
+    row *list = surface->sorting.data;
+    list_rows(&surface->workers, list, &found->effort);
+    list = sort(rows, list, list + rows,
+                extent == TF_FIRST_CONTACT ? is_earlier : is_before);
+    tf_surface_contact *all = surface->found.data;
+    for (size_t i = 0; i < rows; i++)
+        memcpy(&all[i], list[i], sizeof *all);
     found->any = rows > 0;
     found->contact = all;
     found->count = extent == TF_ALL_CONTACTS

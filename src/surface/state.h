@@ -17,7 +17,8 @@ struct tf_surface {
     tf_tree_room tree_room;
     tf_workers workers;
     tf_buffer task_rows, task_places; ///< of the tasks that list candidates
-    tf_buffer found; ///< what was found last, lent to the caller
+    tf_buffer found;   ///< what was found last, lent to the caller
+    tf_buffer sorting; ///< of these rows
 };
 
 //: Declare how a surface moves

@@ -51,6 +51,7 @@ void tf_surface_free(tf_surface *surface)
     tf_buffer_free(&surface->task_rows);
     tf_buffer_free(&surface->task_places);
     tf_buffer_free(&surface->found);
+    tf_buffer_free(&surface->sorting);
     free(surface);
 }
 
@@ -86,7 +87,8 @@ size_t tf_surface_memory(const tf_surface *surface)
            tree_bytes(&surface->triangle_tree) + room->keys.bytes +
            room->sorted.bytes + room->counts.bytes +
            tf_workers_memory(&surface->workers) + surface->task_rows.bytes +
-           surface->task_places.bytes + surface->found.bytes;
+           surface->task_places.bytes + surface->found.bytes +
+           surface->sorting.bytes;
 }
 
 //: Build the tree of one kind of element

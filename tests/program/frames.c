@@ -96,7 +96,8 @@ START_TEST(ends_that_are_changed)
 {
     tf_frames frames;
     ck_assert(read_frames(&frames, 2, (const char *[]){START, END}));
-    tf_frames_end(&frames)[2] = 7;
+    double *end = tf_frames_end(&frames);
+    end[2] = 7;
     ck_assert(tf_frames_motion(&frames).end[2] == 7);
     tf_frames_change(&frames);
     ck_assert(tf_frames_file(&frames)->position.item[2] == 7);

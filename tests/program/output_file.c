@@ -97,13 +97,19 @@ START_TEST(links_are_followed)
 }
 END_TEST
 
-START_TEST(devices_stay_what_they_are)
+START_TEST(pipes_are_written_to)
 {
-    ck_assert_int_eq(symlink("/dev/null", "link"), 0);
+    ck_assert_int_eq(mkfifo("pipe", 0600), 0);
+    ck_assert_int_eq(symlink("pipe", "link"), 0);
+    int end = open("pipe", O_RDONLY | O_NONBLOCK);
     write_file("link", "text");
+    char text[10] = "";
+    ck_assert_int_eq(read(end, text, sizeof text), 4);
+    ck_assert_str_eq(text, "text");
+    close(end);
     struct stat found;
-    ck_assert_int_eq(stat("/dev/null", &found), 0);
-    ck_assert(S_ISCHR(found.st_mode));
+    ck_assert_int_eq(stat("pipe", &found), 0);
+    ck_assert(S_ISFIFO(found.st_mode));
     ck_assert_int_eq(lstat("link", &found), 0);
     ck_assert(S_ISLNK(found.st_mode));
 }
@@ -126,15 +132,20 @@ START_TEST(what_cannot_be_a_file)
 }
 END_TEST
 
+// By its number, under which no other file could take its place.
 START_TEST(a_full_device)
 {
+    char path[100];
+    int device = open("/dev/full", O_WRONLY);
+    snprintf(path, sizeof path, "/dev/fd/%d", device);
     tf_output_file file;
-    ck_assert(tf_output_file_begin(&file, "/dev/full"));
+    ck_assert(tf_output_file_begin(&file, path));
     FILE *stream = tf_output_file_open(&file);
     fputs("text", stream);
     ck_assert(!tf_output_file_close(&file, stream));
     ck_assert_int_eq(errno, ENOSPC);
     tf_output_file_drop(&file);
+    close(device);
 }
 END_TEST
 
@@ -149,11 +160,12 @@ START_TEST(a_file_that_gets_too_large)
     FILE *stream = tf_output_file_open(&file);
     for (int i = 0; i < 100000; i++)
         fputc('x', stream);
+    // What was not written is lost, though the last bytes would fit again.
+    limit.rlim_cur = limit.rlim_max;
+    ck_assert_int_eq(setrlimit(RLIMIT_FSIZE, &limit), 0);
     ck_assert(!tf_output_file_close(&file, stream));
     ck_assert_int_eq(errno, EFBIG);
     tf_output_file_drop(&file);
-    limit.rlim_cur = limit.rlim_max;
-    setrlimit(RLIMIT_FSIZE, &limit);
     ck_assert_int_eq(files(), 0);
 }
 END_TEST
@@ -198,7 +210,7 @@ Suite *suite(void)
     tcase_add_test(written, a_file_that_is_replaced);
     tcase_add_test(written, a_file_that_is_dropped);
     tcase_add_test(written, links_are_followed);
-    tcase_add_test(written, devices_stay_what_they_are);
+    tcase_add_test(written, pipes_are_written_to);
     tcase_add_test(written, what_cannot_be_a_file);
     tcase_add_test(written, a_full_device);
     tcase_add_test(written, a_file_that_gets_too_large);

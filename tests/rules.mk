@@ -187,5 +187,4 @@ measure-response: ## time the response again for the book, in figures/response.c
 	    >$(BUILD)/measured/response.csv
 	@mv $(BUILD)/measured/response.csv figures/response.csv
 .PHONY: bench bench-response measure compare-solvers compare-sweeps \
-	measure-solvers collect-zones counts \
-	compare measure-roads measure-response
+	measure-solvers collect-zones counts compare measure-roads measure-response

@@ -99,7 +99,10 @@ static tf_status look_again(tf_responding *r)
 //: Go through the rounds of a level
 static bool has_moved(const tf_step *step)
 {
-    return memchr(step->changed, true, (size_t)step->vertices) != NULL;
+    for (int v = 0; v < step->vertices; v++)
+        if (step->changed[v])
+            return true;
+    return false;
 }
 
 /// Ends after `most` rounds, or before if there are no contacts left or, except

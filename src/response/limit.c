@@ -104,9 +104,11 @@ tf_status tf_step_limit(tf_resolver *resolver, int vertices,
 {
     TF_REQUIRE(resolver && start && end && halvings);
     static const tf_response_options usual;
-    tf_obstacle unused;
-    obstacle = obstacle ? obstacle : &unused;
-    *obstacle = (tf_obstacle){.vertex = {-1, -1, -1, -1, -1}};
+    tf_obstacle none = {.vertex = {-1, -1, -1, -1, -1}};
+    if (obstacle)
+        *obstacle = none;
+    else
+        obstacle = &none;
     if (vertices != resolver->surface->vertices)
         return TF_BAD_COUNT;
     return limit(resolver, start, end, options ? options : &usual, halvings,

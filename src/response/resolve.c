@@ -228,9 +228,11 @@ tf_status tf_step_resolve(tf_resolver *resolver, int vertices,
                                 .inverse_mass = inverse_mass},
                        .motion = {.vertices = vertices, .start = start},
                        .zones = {.smallest_gap = INFINITY}};
-    tf_obstacle unused;
-    obstacle = obstacle ? obstacle : &unused;
-    *obstacle = (tf_obstacle){.vertex = {-1, -1, -1, -1, -1}};
+    tf_obstacle none = {.vertex = {-1, -1, -1, -1, -1}};
+    if (obstacle)
+        *obstacle = none;
+    else
+        obstacle = &none;
     tf_status status = run(&r, end, obstacle);
     if (status == TF_OK && report)
         *report = r.report;

@@ -56,6 +56,10 @@ START_TEST(who_is_pushed_ends_where_it_is_displaced)
     changed[1] = false;
     tf_step_place(&step, 1, proposed + 2, d);
     ck_assert_msg(!changed[1], "the end is the same, but noted as changed");
+    d[1] = 3;
+    tf_step_place(&step, 1, proposed + 2, d);
+    ck_assert_double_eq(end[3], 5);
+    ck_assert(changed[1]);
 }
 END_TEST
 

@@ -4,8 +4,8 @@
  * stops their pivots: a coefficient for each vertex, those of the first element
  * and then those of the second; a normal of length 1, turned such that the
  * pivots start on its positive side; and the gap, the distance along the normal
- * at which they start, as the contact tells it.  The contact has a normal, and
- * its normal velocity is not zero.
+ * at which they start, which follows from the contact alone.  The contact has a
+ * normal, and its normal velocity is not zero.
  *
  * Section: When the dots are wrong.
  *

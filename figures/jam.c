@@ -204,6 +204,7 @@ static void draw(fig_page *page, FILE *numbers)
     draw_state(page, 1, &s, c.jam, "jam");
     draw_course(page, &c);
     fig_number(numbers, "steps", STEPS);
+    fig_number(numbers, "meeting", rint(wall_at / speed));
     fig_number(numbers, "first_jam", c.first_jam);
     fig_number(numbers, "jammed", c.jammed);
     fig_number(numbers, "jam_gap", c.gap[c.first_jam]);

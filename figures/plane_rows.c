@@ -2,7 +2,7 @@
 
 #include "base/require.h"
 #include "response/conjugate_residuals.h"
-#include "response/gauss_seidel.h"
+#include "response/impulse.h"
 
 #include <string.h>
 
@@ -10,6 +10,8 @@ enum {
     VERTICES = 2, ///< the vertex, and an obstacle
     ROOM = 128
 };
+
+static const double inverse_mass[VERTICES] = {1, 0};
 
 tf_row fig_plane_row(const double normal[2], double bound)
 {
@@ -19,38 +21,36 @@ tf_row fig_plane_row(const double normal[2], double bound)
                     .bound = bound};
 }
 
-static void solve(const tf_zone_solver *solver, const fig_plane_rows *rows,
-                  const double proposal[2], int most, double displacement[2],
-                  double impulse[])
-{
-    fig_plane_rows own = *rows;
-    double place[2 * VERTICES] = {proposal[0], proposal[1]}, room[ROOM];
-    const double inverse_mass[VERTICES] = {1, 0};
-    TF_REQUIRE(solver->room(2, VERTICES, own.count) <= ROOM);
-    tf_zone zone = {.axes = 2,
-                    .vertices = VERTICES,
-                    .rows = own.count,
-                    .row = own.row,
-                    .inverse_mass = inverse_mass,
-                    .displacement = place,
-                    .sweeps = most,
-                    .room = room};
-    solver->solve(&zone);
-    memcpy(displacement, place, 2 * sizeof *place);
-    for (int i = 0; i < own.count; i++)
-        impulse[i] = own.row[i].impulse;
-}
-
 void fig_plane_sweeps(const fig_plane_rows *rows, const double proposal[2],
                       int sweeps, double displacement[2], double impulse[])
 {
-    solve(&tf_gauss_seidel, rows, proposal, sweeps, displacement, impulse);
+    fig_plane_rows own = *rows;
+    double place[2 * VERTICES] = {proposal[0], proposal[1]};
+    const tf_bodies bodies = {2, inverse_mass, place};
+    for (int i = 0; i < sweeps * own.count; i++)
+        tf_row_visit(&own.row[i % own.count], 0, &bodies);
+    memcpy(displacement, place, 2 * sizeof *place);
+    for (int i = 0; i < own.count; i++)
+        impulse[i] = own.row[i].impulse;
 }
 
 void fig_plane_residuals(const fig_plane_rows *rows, const double proposal[2],
                          int iterations, double displacement[2],
                          double impulse[])
 {
-    solve(&tf_conjugate_residuals, rows, proposal, iterations, displacement,
-          impulse);
+    fig_plane_rows own = *rows;
+    double place[2 * VERTICES] = {proposal[0], proposal[1]}, room[ROOM];
+    TF_REQUIRE(tf_conjugate_residuals.room(2, VERTICES, own.count) <= ROOM);
+    tf_zone zone = {.axes = 2,
+                    .vertices = VERTICES,
+                    .rows = own.count,
+                    .row = own.row,
+                    .inverse_mass = inverse_mass,
+                    .displacement = place,
+                    .sweeps = iterations,
+                    .room = room};
+    tf_conjugate_residuals.solve(&zone);
+    memcpy(displacement, place, 2 * sizeof *place);
+    for (int i = 0; i < own.count; i++)
+        impulse[i] = own.row[i].impulse;
 }

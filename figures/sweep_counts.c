@@ -59,7 +59,7 @@ static void draw(fig_page *page, FILE *numbers)
                      .name_y = "rounds"};
     draw_curve(page, &plot, rounds, FIG_ROLE_CONTACT);
     plot.box.x += 196;
-    plot.y[1] = 12;
+    plot.y[1] = 25;
     plot.name_y = "visits, thousands";
     draw_curve(page, &plot, visits, FIG_ROLE_EDGE);
     print_rounds(numbers, "few", FEW);

@@ -1,9 +1,9 @@
 #include "wire.h"
 
 #include "base/require.h"
-#include "response/gauss_seidel.h"
 #include "response/impulse.h"
 
+#include <math.h>
 #include <stdbool.h>
 #include <string.h>
 
@@ -88,6 +88,25 @@ fig_wire fig_wire_alone(int beads, double gap)
     return course;
 }
 
+/// Sweeps, from the impulses that the rows have, until next to nothing changes;
+/// returns how often.
+static int solve(wire *w, int sweeps)
+{
+    const tf_bodies bodies = {2, w->inverse_mass, w->displacement};
+    for (int i = 0; i < w->rows; i++) {
+        double push[3] = {w->row[i].impulse};
+        tf_row_push(&w->row[i], push, &bodies);
+    }
+    for (int sweep = 1; sweep <= sweeps; sweep++) {
+        double change = 0;
+        for (int i = 0; i < w->rows; i++)
+            change = fmax(change, tf_row_visit(&w->row[i], 0, &bodies));
+        if (change < 1e-9)
+            return sweep;
+    }
+    return sweeps;
+}
+
 fig_wire fig_wire_kept(int beads, double gap, int sweeps)
 {
     wire *w = thread(beads, gap);
@@ -99,14 +118,7 @@ fig_wire fig_wire_kept(int beads, double gap, int sweeps)
                 w->row[w->rows++] = row_of(i);
             }
         propose(w);
-        tf_zone zone = {.axes = 2,
-                        .vertices = beads + 1,
-                        .rows = w->rows,
-                        .row = w->row,
-                        .inverse_mass = w->inverse_mass,
-                        .displacement = w->displacement,
-                        .sweeps = sweeps};
-        course.visits += (long)tf_gauss_seidel.solve(&zone) * w->rows;
+        course.visits += (long)solve(w, sweeps) * w->rows;
     }
     return course;
 }

@@ -144,13 +144,16 @@ $(BUILD)/tests/bench/solvers: LIBRARIES = -llapacke
 compare-solvers: $(BUILD)/tests/bench/solvers ## compare the solvers of impact zones
 	@$< tests/bench/zones.txt
 
-measure-solvers: ## compare them again for the book, in figures/solvers.csv
-	@$(MAKE) BUILD=$(BUILD)/measured CFLAGS=-O3 LDFLAGS= \
-	    $(BUILD)/measured/tests/bench/solvers
+compare-sweeps: $(BUILD)/tests/bench/sweeps ## compare numbers of sweeps on steps of cloth
+	@$<
+
+solver_benches = $(BUILD)/measured/tests/bench/solvers \
+	$(BUILD)/measured/tests/bench/sweeps
+measure-solvers: ## do both again for the book, in figures/solvers.csv
+	@$(MAKE) BUILD=$(BUILD)/measured CFLAGS=-O3 LDFLAGS= $(solver_benches)
 	@echo 'measure figures/solvers.csv'
-	@sh tests/bench/solvers.sh '$(CC)' -O3 \
-	    $(BUILD)/measured/tests/bench/solvers tests/bench/zones.txt \
-	    >$(BUILD)/measured/solvers.csv
+	@sh tests/bench/solvers.sh '$(CC)' -O3 tests/bench/zones.txt \
+	    $(solver_benches) >$(BUILD)/measured/solvers.csv
 	@mv $(BUILD)/measured/solvers.csv figures/solvers.csv
 
 collect-zones: $(BUILD)/tests/bench/collect_zones ## collect zones again for that, in tests/bench/zones.txt
@@ -174,4 +177,14 @@ measure-roads: ## compare the methods again for the book, in figures/roads.csv
 	    $(BUILD)/measured/tests/bench/compare tests/bench/published.csv \
 	    >$(BUILD)/measured/roads.csv
 	@mv $(BUILD)/measured/roads.csv figures/roads.csv
-.PHONY: bench bench-response measure compare-solvers measure-solvers collect-zones counts compare measure-roads
+
+measure-response: ## time the response again for the book, in figures/response.csv
+	@$(MAKE) BUILD=$(BUILD)/measured CFLAGS=-O3 LDFLAGS= \
+	    $(BUILD)/measured/tests/bench/response
+	@echo 'measure figures/response.csv'
+	@sh tests/bench/response.sh '$(CC)' -O3 \
+	    $(BUILD)/measured/tests/bench/response \
+	    >$(BUILD)/measured/response.csv
+	@mv $(BUILD)/measured/response.csv figures/response.csv
+.PHONY: bench bench-response measure compare-solvers compare-sweeps \
+	measure-solvers collect-zones counts compare measure-roads measure-response

@@ -1,6 +1,6 @@
 """Numbers of figures/measured.csv, and claims about them that the build checks;
 those of figures/roads.csv are named "roads ...", those of figures/solvers.csv
-"solvers ...".
+"solvers ..." and those of figures/response.csv "response ...".
 
     {measured}`exact near edge-edge:.0f`
     {measured}`expansion / accumulator:.1f`     a number made of rows
@@ -21,7 +21,8 @@ import drawings
 
 
 # And prefixes of their names.
-FILES = {"measured": "", "roads": "roads ", "solvers": "solvers "}
+FILES = {"measured": "", "roads": "roads ", "solvers": "solvers ",
+         "response": "response "}
 
 
 def read(lines, prefix=""):

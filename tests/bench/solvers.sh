@@ -1,12 +1,13 @@
-# Compare the solvers of zones and print what figures/solvers.csv holds:
+# Compare the solvers of zones, and numbers of sweeps, and print what
+# figures/solvers.csv holds:
 #
-#     solvers.sh COMPILER FLAGS PROGRAM ZONES
+#     solvers.sh COMPILER FLAGS ZONES SOLVERS SWEEPS
 #
 # A head of lines "# what: text" says where the numbers are from.  Then comes a
 # line a number, "name,value,unit".  `make measure-solvers` runs this.
 set -eu
 
-compiler=$1 flags=$2 program=$3 zones=$4
+compiler=$1 flags=$2 zones=$3 solvers=$4 sweeps=$5
 
 machine=$(sed -n 's/^model name[^:]*: *//p' /proc/cpuinfo | head -n 1)
 
@@ -19,9 +20,8 @@ cat <<END
 name,value,unit
 END
 
-# The first word or words of a line name the solver, twelve numbers before its
-# end.
-"$program" "$zones" | awk '
+# The first word of a line names the solver, and the last ten are numbers.
+"$solvers" "$zones" | awk '
     NR == 1 {
         sub(/,/, "")
         print "zones," $1 ","
@@ -35,3 +35,4 @@ END
         for (i = 1; i <= 10; i++)
             print $1 " " what[i] "," $(NF - 10 + i) "," (i == 10 ? "ms" : "")
     }'
+"$sweeps" --csv

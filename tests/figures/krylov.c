@@ -16,8 +16,9 @@ START_TEST(contradictions_do_no_harm_but_to_gradients)
     double products = number_of(text, "residuals_products");
     ck_assert_double_ge(products, number_of(text, "rank"));
     ck_assert_double_lt(products, 1.6 * number_of(text, "rank"));
-    expect_number(text, "residuals_off", products);
-    expect_number(text, "minres_off", number_of(text, "minres_products"));
+    ck_assert_double_eq_tol(number_of(text, "residuals_off"), products, 4);
+    ck_assert_double_eq_tol(number_of(text, "minres_off"), products, 4);
+    ck_assert_double_eq_tol(number_of(text, "minres_products"), products, 4);
     ck_assert_double_gt(number_of(text, "normal_products"), 2 * products);
 
     // At most one iterate could be nearer than the part that all have.

@@ -87,7 +87,7 @@ static void visit(scene *s, double friction)
 START_TEST(parts_the_elements_as_far_as_is_wanted)
 {
     generator random = generator_new(1);
-    for (int i = 0; i < TRIALS; i++) {
+    for (long i = cases(TRIALS); i > 0; i--) {
         scene s = random_scene(&random);
         s.row.bound = uniform(&random, 0, 1);
         double before = parting(&s);
@@ -101,7 +101,7 @@ END_TEST
 START_TEST(no_other_push_is_less)
 {
     generator random = generator_new(2);
-    for (int i = 0; i < TRIALS; i++) {
+    for (long i = cases(TRIALS); i > 0; i--) {
         scene s = random_scene(&random), other = s, from = s;
         s.row.bound = parting(&s) + uniform(&random, 0, 1);
         visit(&s, 0);
@@ -122,10 +122,10 @@ END_TEST
 START_TEST(keeps_momentum)
 {
     generator random = generator_new(3);
-    for (int i = 0; i < TRIALS; i++) {
+    for (long i = cases(TRIALS); i > 0; i--) {
         scene s = random_scene(&random), from = s;
         s.row.bound = 1;
-        visit(&s, i % 2);
+        visit(&s, (double)(i % 2));
         for (int k = 0; k < s.axes; k++) {
             double gained = 0;
             for (int v = 0; v <= s.axes; v++) {
@@ -142,7 +142,7 @@ END_TEST
 START_TEST(changes_the_energy_as_proved)
 {
     generator random = generator_new(4);
-    for (int i = 0; i < TRIALS; i++) {
+    for (long i = cases(TRIALS); i > 0; i--) {
         scene s = random_scene(&random);
         if (i % 2 == 0) { // the point cannot be moved, and rests
             s.inverse_mass[0] = 0;
@@ -183,7 +183,7 @@ END_TEST
 START_TEST(friction_takes_energy)
 {
     generator random = generator_new(5);
-    for (int i = 0; i < TRIALS; i++) {
+    for (long i = cases(TRIALS); i > 0; i--) {
         scene s = random_scene(&random), smooth = s;
         visit(&smooth, 0);
         visit(&s, uniform(&random, 0, 2));

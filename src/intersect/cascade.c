@@ -108,7 +108,7 @@ static tf_intersection intersect_projections(const tf_arithmetic *arithmetic,
         if (own.verdict == TF_APART)
             return own;
 
-        // A unique intersection fills its projection, which then is one-to-one.
+        // If it is unique, the events fill the projection: it is one-to-one.
         if (latest.unique)
             continue;
         if (own.unique) {

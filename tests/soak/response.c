@@ -5,11 +5,14 @@
 //
 // tries the proposals FROM to FROM + COUNT - 1 of TF_SEED's, and prints those
 // with a fault, which TF_SEED and FROM repeat, and how often what happened.
+// Interrupted, it prints where to go on.
 #define _GNU_SOURCE // MAP_ANONYMOUS
 
 #include "support/resolving.h"
 
+#include <signal.h>
 #include <stdatomic.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <sys/mman.h>
@@ -22,17 +25,25 @@ enum {
 
 static struct shared {
     atomic_long next; ///< the first proposal that no process has taken yet
+    long end;         ///< the first that none will
+    atomic_bool stop;
     atomic_long faults;
     long taken[MOST_PROCESSES]; ///< the proposal that each is at
     pid_t process[MOST_PROCESSES];
     resolving_counts count[MOST_PROCESSES];
 } * all;
 
-static void work(long end, int process)
+static void stop(int signal)
 {
-    for (;;) {
+    (void)signal;
+    all->stop = true;
+}
+
+static void work(int process)
+{
+    while (!all->stop) {
         long number = atomic_fetch_add(&all->next, 1);
-        if (number >= end)
+        if (number >= all->end)
             return;
         all->taken[process] = number;
         const char *fault = numbered_fault(number, &all->count[process]);
@@ -44,14 +55,14 @@ static void work(long end, int process)
 }
 
 /// Starts as many as there are cores; returns how many.
-static int start(long end)
+static int start(void)
 {
     int count = 0;
     for (long cores = sysconf(_SC_NPROCESSORS_ONLN);
          count < cores && count < MOST_PROCESSES; count++) {
         pid_t child = fork();
         if (child == 0) {
-            work(end, count);
+            work(count);
             _exit(EXIT_SUCCESS);
         }
         if (child < 0)
@@ -92,7 +103,7 @@ static resolving_counts total(int processes)
     return sum;
 }
 
-static void share(long from)
+static void share(long from, long count)
 {
     all = mmap(NULL, sizeof *all, PROT_READ | PROT_WRITE,
                MAP_SHARED | MAP_ANONYMOUS, -1, 0);
@@ -101,6 +112,7 @@ static void share(long from)
         exit(EXIT_FAILURE);
     }
     all->next = from;
+    all->end = from + count;
 }
 
 int main(int argc, char *argv[])
@@ -111,14 +123,19 @@ int main(int argc, char *argv[])
         fprintf(stderr, "soak: COUNT from 1, FROM from 0\n");
         return EXIT_FAILURE;
     }
-    share(from);
-    int processes = start(from + count), good = wait_for(processes);
+    share(from, count);
+    signal(SIGINT, stop);
+    signal(SIGTERM, stop);
+    int processes = start(), good = wait_for(processes);
     resolving_counts sum = total(processes);
     resolving_counts_print(&sum);
     printf("seed %llu, proposals from %ld, %d processes, %d broke off, "
            "%ld faults\n",
            (unsigned long long)seed(), from, processes, processes - good,
            (long)all->faults);
+    if (all->next < all->end)
+        printf("interrupted; go on with FROM=%ld COUNT=%ld\n", (long)all->next,
+               all->end - all->next);
     return all->faults == 0 && good == processes && processes > 0
                ? EXIT_SUCCESS
                : EXIT_FAILURE;

@@ -55,7 +55,8 @@ parallel = $(if $(filter -j%,$(MAKEFLAGS)),,-j$(shell nproc))
 .PHONY: FORCE
 
 # need-book comes first: it installs the packages of all the others at once.
-all: need-book library program drawing figures book ## build everything, as `make` does
+all: need-book ## build everything, as `make` does
+	@$(MAKE) $(parallel) library program drawing draw-figures book
 
 help: ## list the targets
 	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' Makefile */*.mk */*/*.mk | \

@@ -5,8 +5,8 @@
 #include <stdio.h>
 
 // The keel, 0 1, sinks; the ridge, 2 3, and an edge of the gable, 3 4, rest.
-static const double start[] = {-2, 0, 1, 2, 0, 1, 0, -2, 0, 0, 2, 0, 2, 2, -2};
-static const double end[] = {-2, 0, -1, 2, 1, -2, 0, -2, 0, 0, 2, 0, 2, 2, -2};
+static const double start[] = {-2, 0, 1, 2, 0, 1, 0, -2, 0, 0, 2, 0, 1, 2, -2};
+static const double end[] = {-2, 0, -1, 2, 1, -2, 0, -2, 0, 0, 2, 0, 1, 2, -2};
 static const tf_motion motion = {.vertices = 5, .start = start, .end = end};
 
 static void describe(const int first[2], const int second[2])

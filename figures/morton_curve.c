@@ -147,6 +147,13 @@ static double along(const forest *f, int leaf)
     return (double)leaf / (leaf_count(f) - 1);
 }
 
+/// Whether a triangle draws its edge from one vertex to the next.  Only those
+/// on the rim, in the last ring, are not another triangle's too, the other way.
+static bool draws_edge(int from, int to)
+{
+    return from < to || to > 3 * RINGS * (RINGS - 1);
+}
+
 static void add_leaf(fig_scene *scene, const forest *f, int leaf)
 {
     double shade = palest + (darkest - palest) * along(f, leaf) +
@@ -158,10 +165,13 @@ static void add_leaf(fig_scene *scene, const forest *f, int leaf)
                                      corner_of(f, triangle, 2)};
         fig_scene_triangle(scene, corner, 0,
                            (fig_paint){FIG_ROLE_EDGE, 1, shade});
-        for (int c = 0; c < 3; c++)
-            fig_scene_tube(scene, corner[c], corner[(c + 1) % 3],
-                           FIG_WIDTH_HAIR,
-                           (fig_paint){FIG_ROLE_EDGE, 1, shade + line_shade});
+        for (int c = 0; c < 3; c++) {
+            const int *vertex = f->mesh.triangle + 3 * (size_t)triangle;
+            if (draws_edge(vertex[c], vertex[(c + 1) % 3]))
+                fig_scene_tube(
+                    scene, corner[c], corner[(c + 1) % 3], FIG_WIDTH_HAIR,
+                    (fig_paint){FIG_ROLE_EDGE, 1, shade + line_shade});
+        }
     }
 }
 

@@ -23,7 +23,8 @@ films = $(foreach theme,light dark,$(patsubst figures/%.c,\
 drawing: $(drawing_file) ## build the drawing program, tanglefree-draw
 figures: ## draw all figures and films, light and dark
 	@$(MAKE) $(parallel) draw-figures
-draw-figures: $(pictures) $(films)
+# Films come first: they take long, and a short task had better be the last.
+draw-figures: $(films) $(pictures)
 	@:
 .PHONY: drawing figures draw-figures
 

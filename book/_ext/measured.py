@@ -33,9 +33,9 @@ def read(lines, prefix=""):
 
 def numbers(text, rows):
     """A text of names, numbers and signs with a number for each name."""
-    for name in sorted(rows, key=len, reverse=True):
-        text = re.sub(rf"(?<![\w-]){re.escape(name)}(?![\w-])",
-                      repr(rows[name]), text)
+    names = "|".join(map(re.escape, sorted(rows, key=len, reverse=True)))
+    text = re.sub(rf"(?<![\w-])(?:{names})(?![\w-])",
+                  lambda found: repr(rows[found[0]]), text)
     if not re.fullmatch(r"(?:\d+(?:\.\d+)?|[-+*/()]|[<>]=?|and|\s)+", text):
         raise ValueError(f"there is no such row in '{text}'")
     return text

@@ -3,8 +3,11 @@
     {frag}`Title`   a link to the fragment of that title, with its number
     {ex}`03-1`      "Exercise 3.1", a link
 """
+import functools
+
 from docutils import nodes
 from sphinx.domains import Domain
+from sphinx.domains.std import StandardDomain
 from sphinx.roles import XRefRole
 from sphinx.util.nodes import make_refnode
 
@@ -57,12 +60,37 @@ class BookDomain(Domain):
         return []
 
 
+# Numbers ----------------------------------------------------------------------
+
+class Pages:
+    """The environment, but pages stay in memory once they are read."""
+
+    def __init__(self, env):
+        self.env = env
+        self.get_doctree = functools.cache(env.get_doctree)
+
+    def __getattr__(self, name):
+        return getattr(self.env, name)
+
+
+class Standard(StandardDomain):
+    """Sphinx's own would read a page for every {numref} to it."""
+
+    @functools.cached_property
+    def pages(self):
+        return Pages(self.env)
+
+    def resolve_xref(self, env, *reference):
+        return super().resolve_xref(self.pages, *reference)
+
+
 def of(env):
     return env.get_domain(BookDomain.name)
 
 
 def setup(app):
     app.add_domain(BookDomain)
+    app.add_domain(Standard, override=True)
     app.add_role("frag", FragmentRole(warn_dangling=True))
     app.add_role("ex", ExerciseRole(warn_dangling=True))
     return {"version": "1", "parallel_read_safe": False}

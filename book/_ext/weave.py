@@ -14,6 +14,7 @@ shows it a second time, elsewhere, just as its chapter does.
     ```
 quotes a function, a test, a fragment or lines (`: 10-20`) of any file.
 """
+import functools
 import re
 import sys
 from pathlib import Path
@@ -233,6 +234,7 @@ def head_number(env, node):
     return number_of(env, node["title"]) if sample else node["number"]
 
 
+@functools.lru_cache(maxsize=None)
 def lexer(path):
     try:
         return get_lexer_for_filename(path, stripnl=False)

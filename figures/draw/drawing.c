@@ -6,6 +6,7 @@
 #include "draw/sheet.h"
 #include "program/progress.h"
 #include "program/visible.h"
+#include "renderer/render.h"
 
 #include <argp.h>
 #include <errno.h>
@@ -29,6 +30,7 @@ typedef struct work {
     const fig_drawing *drawing;
     const fig_settings *settings;
     fig_page_options options; ///< of the next page
+    fig_renderer *renderer;   ///< of all pages
     int pages;                ///< drawn so far
     FILE *numbers;            ///< of the first page
     FILE *ignored;            ///< numbers of the other pages
@@ -86,7 +88,7 @@ static void set_size(work *w, int width)
         told ? settings->pixels_y : (int)lround(scale * drawing->height);
 }
 
-static fig_page_options options_of(const work *w)
+static fig_page_options options_of(work *w)
 {
     const fig_settings *settings = w->settings;
     return (fig_page_options){
@@ -98,6 +100,7 @@ static fig_page_options options_of(const work *w)
         .turned = settings->turned,
         .azimuth = settings->azimuth,
         .elevation = settings->elevation,
+        .renderer = &w->renderer,
     };
 }
 
@@ -298,6 +301,7 @@ int fig_drawing_make(const fig_drawing *drawing, const fig_settings *settings)
     bool made = w.numbers && w.ignored
                     ? make_all(&w)
                     : report("/dev/null", "%s", strerror(errno));
+    fig_renderer_free(w.renderer);
     if (w.ignored)
         fclose(w.ignored);
     if (w.numbers)

@@ -47,15 +47,17 @@ static fig_status draw_page(fig_page *page, cairo_t *cairo)
         cairo_set_source_rgb(cairo, paper.r, paper.g, paper.b);
         cairo_paint(cairo);
     }
-    fig_renderer *renderer = NULL;
+    fig_renderer *own = NULL;
+    fig_renderer **renderer =
+        page->options.renderer != NULL ? page->options.renderer : &own;
     fig_status status = page->trouble;
     for (int i = 0; i < page->mark_count && status == FIG_OK; i++)
         if (page->marks[i].kind == FIG_MARK_PANEL)
-            status = draw_panel(&renderer, page->marks[i].panel,
+            status = draw_panel(renderer, page->marks[i].panel,
                                 fig_page_raster(page), cairo);
         else
             fig_mark_draw(&page->marks[i], theme, cairo);
-    fig_renderer_free(renderer);
+    fig_renderer_free(own);
     if (status == FIG_OK && !fig_page_place_tags(page))
         status = FIG_NO_MEMORY;
     if (status == FIG_OK)

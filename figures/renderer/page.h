@@ -41,6 +41,9 @@ typedef struct fig_page_options {
     bool turned;            ///< look at turnable panels from:
     double azimuth;         ///< degrees
     double elevation;       ///< degrees
+    struct fig_renderer **renderer; ///< for all pages of a film: NULL before
+                                    ///< the first, freed by the caller after
+                                    ///< the last; without, a page has its own
 } fig_page_options;
 
 /// Make an empty page.  Refuses sizes in pixels out of range and a family that

@@ -87,14 +87,20 @@ static void make_encoder(encoder *e, fig_rgb paper)
         e->paper[k] = component[k];
 }
 
+static double clamped(double x, double most)
+{
+    return x > most ? most : x > 0 ? x : 0;
+}
+
 /// The pixel which cairo, blending encoded colours over the paper, makes the
 /// light (red, green, blue) of; of an opacity as near as can be to the fourth.
 static unsigned encode(const encoder *e, const float light[4])
 {
-    double opacity = fmax(0, fmin(light[3], 1)), wanted[3];
-    double least = opacity;
+    double least = clamped(light[3], 1), wanted[3];
+    if (least == 0)
+        return 0;
     for (int k = 0; k < 3; k++) {
-        int step = (int)(STEPS * fmax(0, fmin(light[k], 1)) + 0.5);
+        int step = (int)(STEPS * clamped(light[k], 1) + 0.5);
         wanted[k] = e->encoded[step];
         double paper = e->paper[k];
         if (wanted[k] > paper)
@@ -102,13 +108,11 @@ static unsigned encode(const encoder *e, const float light[4])
         else if (wanted[k] < paper)
             least = fmax(least, 1 - wanted[k] / paper);
     }
-    if (opacity == 0)
-        return 0;
     least = ceil(255 * least) / 255;
     unsigned pixel = (unsigned)(255 * least + 0.5);
     for (int k = 0; k < 3; k++) {
         double own = wanted[k] - (1 - least) * e->paper[k];
-        pixel = pixel << 8 | (unsigned)(255 * fmax(0, fmin(own, least)) + 0.5);
+        pixel = pixel << 8 | (unsigned)(255 * clamped(own, least) + 0.5);
     }
     return pixel;
 }

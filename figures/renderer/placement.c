@@ -68,8 +68,8 @@ static double outside(const fig_box *page, const fig_box *box)
 static double covered(const fig_obstacle *o, const fig_box *box)
 {
     fig_box wide = grown(box, o->radius);
-    double length = hypot(o->to.x - o->from.x, o->to.y - o->from.y);
-    if (length < 1e-9) {
+    double dx = o->to.x - o->from.x, dy = o->to.y - o->from.y;
+    if (fabs(dx) + fabs(dy) < 1e-9) {
         bool in = o->from.x > wide.x && o->from.x < wide.x + wide.width &&
                   o->from.y > wide.y && o->from.y < wide.y + wide.height;
         return in ? 2 * o->radius + 2 : 0;
@@ -77,7 +77,7 @@ static double covered(const fig_obstacle *o, const fig_box *box)
     double part[2];
     bool inside =
         fig_box_clip(&wide, o->from, o->to, part) && part[1] > part[0];
-    return inside ? (part[1] - part[0]) * length + 4 : 0;
+    return inside ? (part[1] - part[0]) * hypot(dx, dy) + 4 : 0;
 }
 
 static double cost_of(const surroundings *s, int own, const fig_box *box)

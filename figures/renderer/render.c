@@ -220,6 +220,8 @@ static bool size_targets(fig_renderer *r, int width, int height)
                  {FRONT_FRAME, GL_COLOR_ATTACHMENT0, FRONT},
                  {SUM_FRAME, GL_COLOR_ATTACHMENT0, SUM}};
     const fig_gl *gl = &r->gl;
+    if (width == r->width && height == r->height)
+        return true;
     r->width = width;
     r->height = height;
     for (int t = 0; t < TARGETS; t++)
@@ -235,6 +237,8 @@ static bool size_targets(fig_renderer *r, int width, int height)
         complete = complete && gl->CheckFramebufferStatus(GL_FRAMEBUFFER) ==
                                    GL_FRAMEBUFFER_COMPLETE;
     }
+    if (!complete)
+        r->width = 0;
     return complete;
 }
 

@@ -31,9 +31,10 @@ static tf_value clamped_value(const tf_differences *differences)
 {
     tf_estimate estimate = tf_differences_estimate(differences);
 
-    // A value may hide the rounding of the last addition.  The 4 u cover it
-    // anyway, along with the roundings when a caller computes number - radius
-    // or number + radius, so callers need not allow for any of them.
+    // By the definition of tf_value the rounding of the last addition need not
+    // be part of the radius.  The 4 u cover it anyway, along with the roundings
+    // when a caller computes number - radius or number + radius, so callers
+    // need not allow for any of them.
     const double u = DBL_EPSILON / 2;
     return (tf_value){.number = estimate.number,
                       .radius = estimate.bound * (1 + 4 * u) +

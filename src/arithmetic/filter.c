@@ -85,8 +85,8 @@ static tf_estimate estimate_3x3(const tf_differences *differences)
 
     //: Add what underflow can lose, where it counts
     // Some processors take over a hundred cycles to multiply by a subnormal
-    // number.  Where the test holds, the product would be less than 2^-58 of the
-    // bound and round away.
+    // number.  Where the permanent is larger than this test allows, the product
+    // would be less than 2^-58 of the bound and round away.
     double row = ax + ay + az + 1, bound = SHARE_3X3 * permanent;
     if (!(permanent * 0x1p961 > row))
         bound += UNDERFLOW * row;

@@ -5,7 +5,7 @@
 
 /// A determinant in rounded arithmetic.  If |number| > bound its sign is the
 /// sign of the true determinant; if both are zero the true one is exactly zero;
-/// otherwise, NaN and infinity included, nothing is known.
+/// otherwise nothing is known, nor with a NaN or an infinite bound.
 typedef struct tf_estimate {
     double number, bound;
 } tf_estimate;

@@ -19,6 +19,6 @@
 /// Whether the calling thread rounds to nearest and keeps subnormal numbers,
 /// and the library was compiled to the operations that are written in it.
 /// Linking anything built with -ffast-math can turn subnormals off for the
-/// whole program.  Costs a few cycles where there is a control register to
-/// read.
+/// thread that loads it.  Costs some tens of cycles where there is a control
+/// register to read.
 bool tf_environment_is_ieee(void);

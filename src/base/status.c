@@ -12,8 +12,9 @@ static const char *const messages[] = {
     [TF_BAD_INDEX] = "an index is bad: the vertices of an element or a query "
                      "must be distinct, and each have an index from 0 to the "
                      "number of vertices less 1",
-    [TF_BAD_ENVIRONMENT] = "the floating-point environment is not IEEE's: "
-                           "round to nearest and keep subnormal numbers, and "
+    [TF_BAD_ENVIRONMENT] = "the floating-point environment is not the default "
+                           "of IEEE 754: round to nearest and keep subnormal "
+                           "numbers, and "
                            "compile without -ffast-math and its parts (which "
                            "may flush them to zero in the whole program)",
     [TF_NO_ELEMENTS] = "a surface has no elements: give it a triangle or an "

@@ -13,7 +13,7 @@ typedef enum tf_status {
     TF_NOT_FINITE,      ///< a coordinate is a NaN or an infinity
     TF_OUT_OF_RANGE,    ///< the arithmetic cannot hold a coordinate
     TF_BAD_INDEX,       ///< an index repeats, or names no vertex
-    TF_BAD_ENVIRONMENT, ///< numbers are not rounded as IEEE demands
+    TF_BAD_ENVIRONMENT, ///< numbers are not rounded in the default way of IEEE
     TF_NO_ELEMENTS,     ///< a surface has neither triangles nor edges
     TF_BAD_COUNT,       ///< a surface has another number of vertices
     TF_OUT_OF_MEMORY,   ///< there is not enough memory

@@ -108,7 +108,7 @@ static tf_intersection intersect_projections(const tf_arithmetic *arithmetic,
         if (own.verdict == TF_APART)
             return own;
 
-        // A unique intersection fills its projection, which then is one-to-one.
+        // If it is unique, the events fill the projection: it is one-to-one.
         if (latest.unique)
             continue;
         if (own.unique) {
@@ -233,8 +233,9 @@ tf_intersection tf_intersect(const tf_arithmetic *arithmetic,
     if (found.verdict == TF_APART && pair->axes > 1)
         return found;
 
-    // A pair that intersects later than t = 0 has a face that does so then; one
-    // that intersects at t = 0 may have none that does: the slices decide when.
+    // A pair that first intersects later than t = 0 has a face that does so
+    // then; one that intersects at t = 0 has a face that intersects, but perhaps
+    // later: the slices decide when.
     if (!is_enough(&found, detail)) {
         tf_intersection start = intersect_at_start(arithmetic, pair, detail);
         found = start.verdict == TF_HIT

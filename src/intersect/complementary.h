@@ -18,11 +18,12 @@ typedef struct tf_intersection {
     tf_detail detail; ///< how much of the following is set
     tf_verdict verdict;
     tf_classification classification;
-    bool unique; ///< some sign is certainly not zero: at most one common point
+    bool unique; ///< certainly at most one common point: none, or some sign is
+                 ///< not zero
     tf_signs signs;        ///< unless TF_DEGENERATE, the pair's
     double toi_lo, toi_hi; ///< 0 to 1
-    /// Barycentric coordinates of the point, by the pair's events: those of
-    /// each operand are >= 0 and sum to 1 up to rounding.
+    /// Barycentric coordinates of the point, indexed by the pair's events: those
+    /// of each operand are >= 0 and sum to 1 up to rounding.
     double barycentric[TF_PAIR_EVENTS];
 } tf_intersection;
 

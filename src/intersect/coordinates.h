@@ -4,8 +4,9 @@
 #include "intersect/signs.h"
 
 /// The barycentric coordinates of one operand up to a common factor, all >= 0,
-/// by the pair's events: enclosed except for the rounding that a value may
-/// hide; zero if that is certain.  Those of the other operand are zero.
+/// indexed by the pair's events.  Each is in [low, high], except for the
+/// rounding that a value may hide; one that is certainly zero has low = high =
+/// 0.  Those of the other operand are zero.
 typedef struct tf_coordinates {
     double low[TF_PAIR_EVENTS], high[TF_PAIR_EVENTS];
 } tf_coordinates;
@@ -18,8 +19,9 @@ void tf_pair_coordinates(const tf_arithmetic *arithmetic, const tf_pair *pair,
 
 //: Declare how coordinates are normalized
 /// Divides the middles of an operand's coordinates by their sum, and puts the
-/// results into `barycentric`, by the pair's events.  Where the coordinates are
-/// not known at all, the middle of the operand is as good as any point.
+/// results into `barycentric`, indexed by the pair's events.  Where the
+/// coordinates are not known at all, the middle of the operand is as good as any
+/// point.
 void tf_coordinates_normalize(const tf_coordinates *coordinates,
                               const tf_pair *pair, int operand,
                               double barycentric[TF_PAIR_EVENTS]);

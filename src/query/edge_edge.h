@@ -14,9 +14,9 @@
 /// Whether, when and how two moving edges first meet in space.  Thread-safe.
 ///
 /// Touching counts: elements that touch at the start meet at t = 0, at rest or
-/// not.  Degenerate cases are covered: an edge without length is a point, and
-/// for motion within a plane or a line the first time is found at which the
-/// shapes within it meet.  The normal is zero where the pieces of the bent edges
+/// not.  Degenerate cases are covered: an edge without length is a point; if
+/// all motion is within one plane or line, the time is the first at which the
+/// two meet there.  The normal is zero where the pieces of the bent edges
 /// that meet are parallel, or where one has no length.
 ///
 /// @param arithmetic what finds the signs, tf_exact for example

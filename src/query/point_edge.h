@@ -15,8 +15,8 @@
 /// Thread-safe.
 ///
 /// Touching counts: elements that touch at the start meet at t = 0, at rest or
-/// not.  No case is special.  An edge of no length is a point, and motion
-/// within a line finds the first time at which the shapes within it meet.
+/// not.  No case is special.  An edge of no length is a point; if all motion
+/// is within one line, the time is the first at which the two meet there.
 ///
 /// @param arithmetic what finds the signs, tf_exact for example
 /// @param motion the vertices, 2 coordinates each

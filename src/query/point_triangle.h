@@ -16,8 +16,8 @@
 ///
 /// Touching counts: elements that touch at the start meet at t = 0, at rest or
 /// not.  Degenerate cases are covered: a triangle without area is an edge or a
-/// point, and for motion within a plane the first time is found at which the
-/// shapes within it meet.
+/// point; if all motion is within one plane, the time is the first at which the
+/// two meet there.
 ///
 /// @param arithmetic what finds the signs, tf_exact for example
 /// @param motion the vertices, 3 coordinates each

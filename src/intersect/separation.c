@@ -1,6 +1,8 @@
 //: Include what separation needs
 #include "intersect/separation.h"
 
+#include <math.h>
+
 //: Measure one operand along an axis
 typedef struct range {
     double low, high;
@@ -9,10 +11,9 @@ typedef struct range {
 /// The range of the coordinates of the events begin..end-1 on an axis.
 static range event_range(const tf_pair *pair, int axis, int begin, int end)
 {
-    double x = pair->event[begin]->x[axis];
-    range r = {x, x};
-    for (int i = begin + 1; i < end; i++) {
-        x = pair->event[i]->x[axis];
+    range r = {INFINITY, -INFINITY};
+    for (int i = begin; i < end; i++) {
+        double x = pair->event[i]->x[axis];
         r.low = x < r.low ? x : r.low;
         r.high = x > r.high ? x : r.high;
     }
@@ -36,26 +37,26 @@ static int larger_operand(const tf_pair *pair, int axis, int begin, int middle,
                           event_range(pair, axis, middle, end));
 }
 
-/// The first event of R from `begin` on.
-static int first_of_r(const tf_pair *pair, int begin)
+/// The first event of R among begin..end-1.
+static int first_of_r(const tf_pair *pair, int begin, int end)
 {
     int i = begin;
-    while (pair->operand[i] > 0)
+    while (i < end && pair->operand[i] > 0)
         i++;
     return i;
 }
 
 bool tf_pair_separated(const tf_pair *pair)
 {
-    int end = pair->start_count, middle = first_of_r(pair, 0);
-    bool moving = end < pair->count;
-    int end_middle = moving ? first_of_r(pair, end) : end;
+    int start = pair->start_count, end = pair->count;
+    int r_at_start = first_of_r(pair, 0, start);
+    int r_at_end = first_of_r(pair, start, end);
     for (int k = 0; k < pair->axes; k++) {
         int axis = pair->axis[k];
-        int larger = larger_operand(pair, axis, 0, middle, end);
+        int larger = larger_operand(pair, axis, 0, r_at_start, start);
         if (larger != 0 &&
-            (!moving || larger == larger_operand(pair, axis, end, end_middle,
-                                                 pair->count)))
+            (start == end ||
+             larger == larger_operand(pair, axis, start, r_at_end, end)))
             return true;
     }
     return false;

@@ -88,6 +88,25 @@ START_TEST(separated_static_pairs_do_not_intersect)
 }
 END_TEST
 
+START_TEST(an_operand_without_events_is_not_separated)
+{
+    static const tf_event event = {.x = {1, 2, 3}};
+    tf_pair pair = {.axes = 3, .axis = {0, 1, 2}};
+    ck_assert(!tf_pair_separated(&pair));
+
+    // As many of one operand as there is room for.
+    for (int i = 0; i < TF_PAIR_EVENTS; i++) {
+        pair.event[i] = &event;
+        pair.operand[i] = _i == 0 ? +1 : -1;
+    }
+    pair.count = TF_PAIR_EVENTS;
+    for (pair.start_count = 0; pair.start_count <= pair.count;
+         pair.start_count++)
+        ck_assert_msg(!tf_pair_separated(&pair), "%d events at the start",
+                      pair.start_count);
+}
+END_TEST
+
 // Elements --------------------------------------------------------------------
 
 static bool elements_separated(const query *q)
@@ -218,6 +237,8 @@ Suite *suite(void)
     tcase_add_loop_test(pairs, separated_moving_pairs_do_not_intersect, 0,
                         SHAPES);
     tcase_add_test(pairs, separated_static_pairs_do_not_intersect);
+    tcase_add_loop_test(pairs, an_operand_without_events_is_not_separated, 0,
+                        2);
     suite_add_tcase(suite, pairs);
     TCase *elements = tcase_create("elements");
     tcase_add_loop_test(elements, separated_elements_are_apart, 0, KINDS);

@@ -38,10 +38,11 @@ static const char *const row_key[ROWS] = {"coordinates", "gradient", "both",
 
 /// What was counted for one kind of row.
 typedef struct count {
-    long parted, stuck; ///< pairs
-    long rounds;        ///< of those that were parted
-    double change;      ///< of an element's edges by the pushes, summed
-    long gained;        ///< pairs that gained kinetic energy
+    long all, stuck, gained; ///< pairs, those that stay stuck, and those that
+                             ///< gained kinetic energy
+    long like;   ///< pairs that every kind of row has parted: of these, summed,
+    long rounds; ///< how many it took, and
+    double change; ///< how much the pushes changed an element's edges
 } count;
 
 // Random pairs -----------------------------------------------------------
@@ -107,20 +108,28 @@ static double change_of_shape(const fig_pair *before, const fig_pair *after)
     return most;
 }
 
-static void try_row(const fig_pair *pair, int row, count *n)
+/// Parts a pair by every kind of row, and counts.
+static void try_rows(const fig_pair *pair, count n[ROWS])
 {
-    fig_pair pushed = *pair;
-    int rounds = row < FIG_CANDIDATES
-                     ? fig_pair_part(&pushed, (fig_candidate)row)
-                     : fig_pair_part_as_library(&pushed);
-    if (rounds < 0) {
-        n->stuck++;
-        return;
+    int rounds[ROWS];
+    fig_pair pushed[ROWS];
+    bool all_parted = true;
+    for (int row = 0; row < ROWS; row++) {
+        pushed[row] = *pair;
+        rounds[row] = row < FIG_CANDIDATES
+                          ? fig_pair_part(&pushed[row], (fig_candidate)row)
+                          : fig_pair_part_as_library(&pushed[row]);
+        n[row].all++;
+        n[row].stuck += rounds[row] < 0;
+        n[row].gained += rounds[row] >= 0 &&
+                         energy(&pushed[row]) > energy(pair) * (1 + 1e-12);
+        all_parted &= rounds[row] >= 0;
     }
-    n->parted++;
-    n->rounds += rounds;
-    n->change += change_of_shape(pair, &pushed);
-    n->gained += energy(&pushed) > energy(pair) * (1 + 1e-12);
+    for (int row = 0; all_parted && row < ROWS; row++) {
+        n[row].like++;
+        n[row].rounds += rounds[row];
+        n[row].change += change_of_shape(pair, &pushed[row]);
+    }
 }
 
 /// What the contacts of the proposed steps were like.
@@ -149,8 +158,7 @@ static void try_pairs(const kind *k, double deform, count n[ROWS],
             continue;
         i++;
         look_at(&pair, &contact, seen);
-        for (int row = 0; row < ROWS; row++)
-            try_row(&pair, row, &n[row]);
+        try_rows(&pair, n);
     }
 }
 
@@ -165,16 +173,16 @@ static void print_number(FILE *numbers, const char *what, const char *row,
     fig_number(numbers, key, value);
 }
 
-/// A measure of a kind of row: rounds, change of shape, and, of a thousand
-/// pairs, those that stay stuck and those that gain energy.
+/// A measure of a kind of row: rounds and change of shape, on average, and, of a
+/// thousand pairs, those that stay stuck and those that gain energy.
 static double measure(const count *n, int which)
 {
-    double all = (double)(n->parted + n->stuck), parted = (double)n->parted;
+    double all = (double)n->all, like = (double)n->like;
     switch (which) {
     case 0:
-        return (double)n->rounds / parted;
+        return (double)n->rounds / like;
     case 1:
-        return n->change / parted;
+        return n->change / like;
     case 2:
         return 1000 * (double)n->stuck / all;
     default:

@@ -20,6 +20,16 @@ typedef struct failure {
 } failure;
 
 static const failure failures[PANELS] = {
+    {"slide",
+     "*no side at all*",
+     {2,
+      1,
+      3,
+      {{{0, 0, 0}}, {{1, 0, 0}}, {{3, 0, 0}}},
+      {{{2, 0, 0}}, {{0, 0, 0}}, {{0, 0, 0}}}},
+     1.5,
+     0,
+     3.9},
     {"seesaw",
      "*nothing left to want*",
      {2,
@@ -39,17 +49,7 @@ static const failure failures[PANELS] = {
       {{{0, -3, 0}}, {{1, 2, 0}}, {{-2, -2, 0}}}},
      2,
      -0.2,
-     5.2},
-    {"slide",
-     "*no side at all*",
-     {2,
-      1,
-      3,
-      {{{0, 0, 0}}, {{1, 0, 0}}, {{3, 0, 0}}},
-      {{{2, 0, 0}}, {{0, 0, 0}}, {{0, 0, 0}}}},
-     1.5,
-     0,
-     3.9}};
+     5.2}};
 
 typedef struct found {
     tf_contact contact;
@@ -136,7 +136,7 @@ static void draw_pivots(fig_page *page, const fig_plot *plot, const failure *f,
     }
 }
 
-/// The way of the edge's point of contact from the start to the contact.
+/// The path of the edge's point of contact from the start to the contact.
 static void draw_way(fig_page *page, const fig_plot *plot, const failure *f,
                      const found *s, tf_vector from)
 {

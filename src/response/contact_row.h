@@ -7,13 +7,17 @@
 
 /// How contacts become rows.
 typedef struct tf_row_rule {
-    double separation;  ///< pairs that are nearer at the start are pushed apart
+    double separation;  ///< pairs that meet and start nearer than this are
+                        ///< pushed apart
     double restitution; ///< 0 to 1
-    const double *base; ///< the ends from which rows are satisfied
+    const double *base; ///< the ends from which the response sets out; their
+                        ///< approach is what restitution returns
 } tf_row_rule;
 
-/// The row of a contact in a step, by its vertices in the step.  `by_pivots`:
-/// rather the row of the contact's pivots than that of its point.  `*gap` is how
-/// far the elements are apart at the start, along the row's normal.
+/// Makes the row of a contact, with the numbers that its vertices have in the
+/// step.  If the row of the point of contact is no good, or if `by_pivots`, it
+/// is the row of the contact's two pivots, as far as they have one.  Sets
+/// `*gap` to the distance between the points, or the pivots, at the start,
+/// along the row's normal.
 tf_row tf_row_of_contact(const tf_step *step, const tf_surface_contact *contact,
                          const tf_row_rule *rule, bool by_pivots, double *gap);

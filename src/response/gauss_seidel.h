@@ -8,11 +8,11 @@
 /// @{
 
 /// Visits one row after another, sweep by sweep, and sets its impulse to the
-/// least one, 0 or more, that satisfies it; with friction.  Rows are skipped as
-/// long as their vertices do not move, and it stops when a sweep changes no
-/// parting by more than 1/100 of the largest violation among the rows that were
-/// not solved before.  Where all bounds are 0 and what cannot be moved rests, no
-/// sweep without friction raises the kinetic energy.
+/// least one, 0 or more, that satisfies it.  Knows friction.  Skips a row as
+/// long as its vertices do not move, and stops when a sweep changes no parting
+/// by more than 1/100 of the largest violation among the rows that were not
+/// solved before.  If there is no friction, all bounds are 0, and the vertices
+/// that cannot be moved are at rest, no sweep raises the kinetic energy.
 TF_API extern const tf_zone_solver tf_gauss_seidel;
 
 /// @}

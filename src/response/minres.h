@@ -7,10 +7,10 @@
 /// @addtogroup response
 /// @{
 
-/// Takes rows for equations, as tf_conjugate_residuals does, and makes the same
+/// Takes rows as equations, as tf_conjugate_residuals does, and makes the same
 /// residual least, but by the recurrences of Lanczos and by rotations, which
-/// also work for matrices that are not definite.  Method: Paige and Saunders
-/// 1975 (MINRES).
+/// also work for matrices that are not semidefinite.  Method: Paige and
+/// Saunders 1975 (MINRES).
 TF_API extern const tf_zone_solver tf_minres;
 
 /// @}

@@ -11,12 +11,12 @@
 
 /// The rows of all rounds of a step, and room to divide them into zones.
 typedef struct tf_zones {
-    int rows;          ///< kept so far
-    int old;           ///< how many of them were there when zones were solved
-    tf_buffer row;     ///< by the vertices of the step
-    tf_buffer returns; ///< how often contacts came back
+    int rows;          ///< how many rows have been kept so far
+    int old;           ///< how many there were when zones were last solved
+    tf_buffer row;     ///< the rows, with the vertices of the step
+    tf_buffer returns; ///< how often contacts have come back
     tf_groups groups;  ///< of vertices: the zones
-    tf_buffer by_vertex, by_row; ///< room for numbers for each of them
+    tf_buffer by_vertex, by_row; ///< room for numbers for each vertex and row
     tf_buffer zone_row, mass, displacement, room; ///< of one zone
 } tf_zones;
 
@@ -27,10 +27,10 @@ typedef struct tf_zone_choice {
     int sweeps;
 } tf_zone_choice;
 
-/// What became of them.
+/// What it took to solve zones.
 typedef struct tf_zone_effort {
     size_t zones, largest, iterations;
-    double violation;    ///< the most that was left
+    double violation;    ///< the largest that was left
     double smallest_gap; ///< of all contacts
 } tf_zone_effort;
 
@@ -43,8 +43,8 @@ bool tf_zones_add(tf_zones *zones, const tf_step *step,
                   const tf_contacts *contacts, const tf_row_rule *rule,
                   tf_zone_effort *effort);
 
-/// Solves all zones that have a new row, from the rule's base, and moves their
-/// vertices.  False if there is no memory.
+/// Solves all zones that have a new row, taking the rule's base as the
+/// proposal, and moves their vertices.  False if there is no memory.
 bool tf_zones_solve(tf_zones *zones, tf_step *step, const tf_row_rule *rule,
                     const tf_zone_choice *choice, tf_zone_effort *effort);
 

@@ -2,19 +2,19 @@
  *
  * The vertices of an element take turns in pulling a dot, the last vertex
  * first, each for a time that is the dot's barycentric coordinate.  Store in
- * share[i] how much of its displacement the vertex i has given to the dot by
- * the time t, so that the dot is at the sum of coordinate[i] times the start
- * plus share[i] times the displacement of each vertex.
+ * share[i] the factor with which the displacement of vertex i has entered the
+ * path of the dot by the time t.  Then the dot is at the sum, over all vertices,
+ * of coordinate[i] times the start plus share[i] times the displacement.
  *
  * `count` is 1, 2 or 3, the coordinates are at least 0 and add up to 1, and t
  * is from 0 to 1.
  *
- * Section: The way of a painted point.
+ * Section: The path of a painted point.
  *
- * Hint 1: When does the turn of the vertex i begin?  The turns of all vertices
- *     above it come first.
- * Hint 2: Before its turn it has given nothing, and after its turn all that its
- *     coordinate permits.
+ * Hint 1: When does the turn of vertex i begin?  The turns of all vertices with
+ *     higher indices come first.
+ * Hint 2: Before its turn the share is zero, and after its turn it is the
+ *     coordinate.
  * Hint 3: Go from the last vertex to the first, and add up the coordinates.
  */
 #include <math.h>

@@ -2,19 +2,20 @@
  *
  * Two elements with `first` and `second` vertices meet.  Make the row that
  * stops their pivots: a coefficient for each vertex, those of the first element
- * and then those of the second; a normal of length 1, turned such that the
- * pivots start on its positive side; and the gap, the distance along the normal
- * at which they start, which follows from the contact alone.  The contact has a
+ * and then those of the second; a normal of length 1, reversed if necessary so
+ * that the first pivot starts on the positive side of the second; and the gap,
+ * the distance along the normal at which they start, which follows from the
+ * contact alone.  The contact has a
  * normal, and its normal velocity is not zero.
  *
- * Section: When the dots are wrong.
+ * Section: Three rows that fail.
  *
  * Hint 1: Which two vertices are the pivots?  contact->pivot[0] is a place in
  *     the first element, contact->pivot[1] a place in the second.
  * Hint 2: If the first element moves along the contact's normal as seen from
  *     the second, on which side of it does it start?
  * Hint 3: Along the normal the pivots meet at the time of impact.  How far do
- *     they come until then, at the normal velocity?
+ *     they get by then, at the normal velocity?
  */
 #include "query/contact.h"
 

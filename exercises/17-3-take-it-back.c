@@ -5,7 +5,7 @@
  *     sum of coefficient[i] * move[i] >= bound
  *
  * and remembers in `*impulse` what it has pushed so far, which is at least 0.
- * Visit it: change its impulse such that the sum becomes the bound; but if the
+ * Visit it: change its impulse so that the sum becomes the bound.  But if the
  * impulse would become negative, make it 0.  Push the bodies by the change.  A
  * body with the inverse mass 0 does not move, and a row that can move no body at
  * all is left as it is.

@@ -9,8 +9,8 @@
  *
  * Section: Equations glue.
  *
- * Hint 1: The first bead has been changed by the first row alone.  So you can
- *     tell the impulse of that row, and from the second bead that of the next.
+ * Hint 1: Only the first row has pushed the first bead.  So you can compute the
+ *     impulse of that row, and then, from the second bead, that of the next.
  * Hint 2: An impulse along row i pushes bead i back and bead i + 1 forward, each
  *     by the impulse divided by its mass.
  * Hint 3: No row is violated, no impulse is negative, and where there is an

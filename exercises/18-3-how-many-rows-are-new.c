@@ -2,10 +2,10 @@
  *
  * The n x n numbers a[n * i + j] are the matrix of a zone.  It is symmetric and
  * positive semidefinite.  Return its rank: how many of the zone's rows do not
- * depend on the others.  Masses may be in any unit, so the matrix may be
- * multiplied by any positive number.  Where elimination leaves a pivot that is
- * smaller than the largest entry of the whole diagonal, as it was given, by a
- * factor of 10^9 or more, take it for a zero that was rounded.  You may
+ * depend on the rows before them.  Masses may be in any unit, so the matrix may be
+ * multiplied by any positive number.  If elimination leaves a pivot that is
+ * smaller than the largest entry of the original diagonal by a factor of 10^9 or
+ * more, take it for a zero that was rounded.  You may
  * overwrite the matrix.
  *
  * Section: Why it is singular.

@@ -10,8 +10,8 @@ typedef struct tf_row_rule {
     double separation;  ///< pairs that meet and start nearer than this are
                         ///< pushed apart
     double restitution; ///< 0 to 1
-    const double *base; ///< the ends from which the response sets out; their
-                        ///< approach is what restitution returns
+    const double *base; ///< the ends from which the response sets out;
+                        ///< restitution returns a part of their approach
 } tf_row_rule;
 
 /// Makes the row of a contact, with the numbers that its vertices have in the

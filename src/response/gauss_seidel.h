@@ -8,7 +8,7 @@
 /// @{
 
 /// Visits one row after another, sweep by sweep, and sets its impulse to the
-/// least one, 0 or more, that satisfies it.  Knows friction.  Skips a row as
+/// least one, 0 or more, that satisfies it.  Applies friction.  Skips a row as
 /// long as its vertices do not move, and stops when a sweep changes no parting
 /// by more than 1/100 of the largest violation among the rows that were not
 /// solved before.  If there is no friction, all bounds are 0, and the vertices

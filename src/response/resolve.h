@@ -20,8 +20,8 @@
 /// other step a vertex that no level moved comes back bit for bit.
 ///
 /// Vertices of inverse mass 0 are scripted: they end where they are proposed to,
-/// bit for bit, unless the failsafe had to hold them back (tf_response_report,
-/// held), such as two plates that close upon a sheet.
+/// bit for bit, unless the failsafe has to hold them back: two plates that close
+/// upon a sheet, for example.  The report counts those that were held back.
 ///
 /// The result is the same, to the last bit, for any number of threads.
 ///

@@ -5,13 +5,13 @@
  * the end of your file, sets `end` to where it ends in fact; two decisions are
  * yours.
  *
- * If all vertices can be moved, each ends at its start plus the mean of the
- * proposed displacements, weighted by mass.  If some have the inverse mass 0,
- * the others share the displacement of these, but only if they have all exactly
- * the same one, and if it is a double; otherwise the whole group stays where it
- * starts, bit for bit.
+ * If no vertex is scripted, each ends at its start plus the mean of the proposed
+ * displacements, weighted by mass.  If some are scripted, that is, have the
+ * inverse mass 0, the others take over the displacement of these, but only if
+ * all of these have exactly the same one, and if it is a double.  Otherwise the
+ * whole group stays where it starts, bit for bit.
  *
- * Section: Vertices that should not be moved.
+ * Section: Scripted vertices.
  *
  * Hint 1: tf_two_difference(a, b) yields a - b as a sum of two doubles, hi and
  *     lo, without any error.
@@ -24,7 +24,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/// The weight of a vertex that can be moved, in the mean.
+/// The weight, in the mean, of a vertex that is not scripted.
 static double weight_of(double inverse_mass)
 {
 #if defined TF_WRONG_1 // weights by inverse masses
@@ -37,9 +37,9 @@ static double weight_of(double inverse_mass)
 #endif
 }
 
-/// Whether a vertex that cannot be moved lets its group move: its displacement
-/// is proposed - start, and `before`, unless NULL, is that of the others like
-/// it.
+/// Whether a scripted vertex lets its group move: its displacement is
+/// proposed - start, and `before`, unless NULL, is that of the scripted vertices
+/// before it.
 static bool agrees(double start, double proposed, const double *before)
 {
 #if defined TF_WRONG_3 // compares rounded displacements

@@ -9,7 +9,7 @@
 bool tf_masses_read(tf_text_lines *lines, const char *path, int vertices,
                     double inverse_mass[]);
 
-/// Reads the vertices, from 0, that are not to be moved, and sets their inverse
+/// Reads the numbers, from 0, of the scripted vertices, and sets their inverse
 /// masses to 0.
 bool tf_fixed_read(tf_text_lines *lines, const char *path, int vertices,
                    double inverse_mass[]);

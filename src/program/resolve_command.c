@@ -33,19 +33,19 @@ typedef struct request {
 
 //: Describe the usage of resolve
 static const char description[] =
-    "Change the end of a step as little as possible such that nothing meets.\v"
+    "Change the end of a step such that nothing meets.\v"
     "START and END are meshes in Wavefront OBJ or PLY, as for 'tanglefree "
     "detect', with the same elements; \"-\" is standard input.  START must be "
     "free of intersections and of touching.  OUT has the same elements; "
-    "vertices that need not be moved are where END has them, to the last bit.  "
-    "It is OBJ or PLY as its ending says, .obj or .ply, or else as START is, "
-    "and appears whole or not at all.  If it is \"-\", the mesh is written to "
-    "standard output, and the report to standard error.\n\n"
+    "vertices that no contact involves are where END has them, to the last "
+    "bit.  It is OBJ or PLY as its ending says, .obj or .ply, or else as START "
+    "is, and appears whole or not at all.  If it is \"-\", the mesh is written "
+    "to standard output, and the report to standard error.\n\n"
     "In the step from START to OUT no two elements meet that share no vertex, "
     "exactly.  So OUT is free of intersections, too, and nothing has passed "
     "through anything.\n\n"
     "The report lists what it took: contacts, rounds, zones, and how many "
-    "vertices were moved or, though they are fixed, held back.\n\n"
+    "vertices were moved or, though they are scripted, held back.\n\n"
     "Exit status: 0 if OUT is written and the step to it is clear, 2 after any "
     "error; then OUT is as it was before.";
 
@@ -59,8 +59,8 @@ enum {
 static const struct argp_option options[] = {
     {"write", 'o', "OUT", 0, "Where to write the end of the step; required", 0},
     {"fixed", 'f', "FILE", 0,
-     "Vertices that end where END has them, if at all possible: their numbers, "
-     "from 0",
+     "The scripted vertices, which end where END has them unless they have to "
+     "be held back: their numbers, from 0",
      0},
     {"masses", 'm', "FILE", 0,
      "The masses of all vertices; the default is 1 for each", 0},
@@ -69,14 +69,14 @@ static const struct argp_option options[] = {
      "; the default is gauss-seidel",
      0},
     {"separation", SEPARATION, "X", 0,
-     "Push apart what is nearer than this at the start; the default is 0.05 "
-     "of the mean edge",
+     "Push apart what would meet and is nearer than this at the start; the "
+     "default is 0.05 of the mean edge",
      0},
     {"friction", FRICTION, "X", 0, "Coulomb's coefficient; the default is 0",
      0},
     {"restitution", RESTITUTION, "X", 0,
-     "The part of the normal velocity that is left after an impact, from 0 to "
-     "1; the default is 0",
+     "The part of the normal velocity that is left after a collision, from 0 "
+     "to 1; the default is 0",
      0},
     {"output", OUTPUT, "FORMAT", 0,
      "The report: " TF_RESPONSE_FORMAT_NAMES "; the default is summary", 0},

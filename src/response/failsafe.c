@@ -7,13 +7,13 @@
 #include <string.h>
 
 //: Hold a group of the failsafe
-/// What is known of a group, by its root.
+/// What is known about a group, at its root.
 typedef struct group {
-    bool resting; ///< for good
-    bool joined;  ///< in this round: its displacement has to be found
-    bool fixed;   ///< it has vertices that should not be moved
+    bool resting; ///< at rest, for good
+    bool joined;  ///< changed in this round: its members are to be moved
+    bool fixed;   ///< has scripted vertices, those of inverse mass 0
     double mass;
-    double displacement[3]; ///< of all; at first a sum
+    double displacement[3]; ///< of all vertices; at first a sum
 } group;
 
 //: Begin the failsafe
@@ -31,8 +31,9 @@ bool tf_failsafe_begin(tf_failsafe *failsafe, const tf_step *step)
 }
 
 //: Put groups to rest that touch themselves
-/// Whether all vertices of a contact are in one group; then a rounding made
-/// them touch, as without it they would keep their distance.
+/// Whether all vertices of a contact are in one group.  Then it is a rounding
+/// that made the elements touch: moved by exactly the same, they would stay
+/// apart.
 static bool is_within_group(tf_groups *groups,
                             const tf_surface_contact *contact)
 {
@@ -77,7 +78,7 @@ static void unite_all(tf_failsafe *failsafe, const tf_contacts *contacts)
 }
 
 //: Visit the members of joined groups
-/// The group of a vertex if it was joined in this round, or NULL.
+/// The group of a vertex if the group has changed in this round, or NULL.
 static group *joined_group(tf_failsafe *failsafe, int vertex)
 {
     group *own = (group *)failsafe->group.data +
@@ -86,9 +87,9 @@ static group *joined_group(tf_failsafe *failsafe, int vertex)
 }
 
 //: Agree with the vertices that should not be moved
-/// Gives a group the displacement of a vertex that should not be moved, or puts
-/// it to rest: if that displacement is not a double, or if there is another
-/// one.
+/// Gives a group the displacement of one of its scripted vertices.  Puts the
+/// group to rest instead if this displacement is not a double, or if another
+/// scripted vertex has a different one.
 static void agree(group *own, const tf_step *step, int vertex)
 {
     ptrdiff_t place = (ptrdiff_t)step->axes * vertex;
@@ -126,8 +127,7 @@ static void clear_sums(tf_failsafe *failsafe, int vertices)
     }
 }
 
-/// First the vertices that should not be moved, as they leave the others no
-/// choice.
+/// The scripted vertices come first, because they leave the others no choice.
 static void find_displacements(tf_failsafe *failsafe, const tf_step *step)
 {
     clear_sums(failsafe, step->vertices);
@@ -148,7 +148,7 @@ static void find_displacements(tf_failsafe *failsafe, const tf_step *step)
 }
 
 //: Keep positions finite
-/// Puts groups to rest that would move to where no number is.
+/// Puts groups to rest that would otherwise get an end that is not finite.
 static void rest_at_infinity(tf_failsafe *failsafe, const tf_step *step)
 {
     for (int v = 0; v < step->vertices; v++) {
@@ -202,7 +202,8 @@ void tf_failsafe_account(tf_failsafe *failsafe, const tf_step *step,
         all[v].joined = false;
     for (int v = 0; v < step->vertices; v++) {
         int root = tf_groups_find(&failsafe->groups, v);
-        // A group's root is the least of its vertices, so it comes first.
+        // The root of a group is the least of its vertices, so the first member
+        // that differs from it is the second one of the group.
         bool second = root != v && !all[root].joined;
         all[root].joined |= second;
         report->groups += second;

@@ -7,24 +7,25 @@
 
 #include <stddef.h>
 
-/// Vertices in groups that move as one.  A group of more than one vertex has one
-/// displacement, rounded at each vertex, or is at rest for good.
+/// Vertices in groups that move as one.  All vertices of a group have the same
+/// displacement, except that each end is rounded by itself; or the group is at
+/// rest for good.
 typedef struct tf_failsafe {
     tf_groups groups;
     tf_buffer entry; ///< the ends when the failsafe began
-    tf_buffer group; ///< what is known of each group, by its root
+    tf_buffer group; ///< what is known about each group, at its root
 } tf_failsafe;
 
-/// Puts each vertex into a group of its own, which ends where it does now.
-/// False if there is no memory.
+/// Puts each vertex into a group of its own and leaves its end as it is.
+/// Returns false if there is no memory.
 bool tf_failsafe_begin(tf_failsafe *failsafe, const tf_step *step);
 
-/// Answers contacts: unites the groups of each, and puts those to rest that have
-/// contacts within themselves.
+/// Answers contacts: puts each group to rest that has a contact within itself,
+/// then unites the groups that meet.
 void tf_failsafe_round(tf_failsafe *failsafe, tf_step *step,
                        const tf_contacts *contacts);
 
-/// Counts the groups.
+/// Counts the groups and their vertices in a report.
 void tf_failsafe_account(tf_failsafe *failsafe, const tf_step *step,
                          tf_response_report *report);
 

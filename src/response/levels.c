@@ -8,7 +8,7 @@
 #include <string.h>
 
 //: Begin a level
-/// Makes the ends so far those from which zones start.
+/// Makes the ends so far the ones from which impulses or zones start.
 static bool set_base(tf_responding *r)
 {
     size_t bytes =
@@ -67,8 +67,8 @@ static bool answer(tf_responding *r, tf_response_level level)
 }
 
 //: Look for the contacts that are left
-/// Marks the vertices of all contacts, too: what is in contact must be looked at
-/// again even if it has not moved.
+/// Marks the vertices of all contacts as changed: they must be looked at again
+/// even if they have not moved.
 static void mark_contacts(tf_responding *r)
 {
     for (size_t i = 0; i < r->contacts.count; i++)
@@ -105,8 +105,8 @@ static bool has_moved(const tf_step *step)
     return false;
 }
 
-/// Ends after `most` rounds, or before if there are no contacts left or, except
-/// for the failsafe, if a round moves nothing.
+/// Ends after `most` rounds, or earlier if no contacts are left or, except for
+/// the failsafe, if a round moves nothing.
 static tf_status go_through(tf_responding *r, tf_response_level level, int most)
 {
     if (most <= 0 || !r->contacts.any)
@@ -120,8 +120,8 @@ static tf_status go_through(tf_responding *r, tf_response_level level, int most)
         r->report.rounds[level]++;
         if (!answer(r, level))
             return TF_OUT_OF_MEMORY;
-        // Where all vertices have one displacement, the failsafe unites groups
-        // without moving any.
+        // If all vertices were proposed to move by the same displacement, the
+        // failsafe may unite groups without moving any vertex.
         goes_on = has_moved(&r->step) || level == TF_FAILSAFE;
         tf_status status = look_again(r);
         if (status != TF_OK)

@@ -10,8 +10,8 @@
 #include <string.h>
 
 //: Take a fraction of a step
-/// Halves both ends first, as their difference may overflow.  Returns whether
-/// any vertex moves.
+/// Halves both positions first, because their difference may overflow.  Returns
+/// whether any vertex moves.
 static bool take_fraction(const double start[], const double proposed[],
                           size_t numbers, int halvings, double end[])
 {
@@ -25,8 +25,8 @@ static bool take_fraction(const double start[], const double proposed[],
 }
 
 //: Halve a step until it is clear
-/// `*halvings` is the first power of a half to be tried.  Returns the status of
-/// the last detection.
+/// Tries k = 1, 2, ... and sets `*halvings` to the first k whose step is clear,
+/// or to -1 if nothing moves any more.  Returns the status of the last detection.
 static tf_status halve(tf_surface *surface, tf_detection *detection,
                        const double start[], const double proposed[],
                        double end[], int *halvings, tf_flaw *flaw)
@@ -48,7 +48,7 @@ static tf_status halve(tf_surface *surface, tf_detection *detection,
 }
 
 //: Test a start and a whole step
-/// `*clear`: whether the step is.
+/// Sets `*clear` to whether the whole step is clear.
 static tf_status test_whole(tf_surface *surface, const tf_motion *motion,
                             const tf_response_options *options,
                             const tf_detection *detection, bool *clear,

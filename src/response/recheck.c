@@ -6,7 +6,7 @@
 #include <string.h>
 
 //: See whether candidates are still complete
-/// Whether each vertex still ends within its box.
+/// Whether each vertex that has changed still ends within its box.
 static bool are_complete(const tf_surface *surface, const tf_step *step)
 {
     const tf_box *box = surface->boxes.data;
@@ -49,8 +49,8 @@ static tf_status list_candidates(tf_recheck *recheck, tf_surface *surface,
 }
 
 //: Choose the margin
-/// The farthest that a vertex has been moved from its proposed end, along any
-/// axis.
+/// The greatest distance, along any axis, of a changed vertex from its proposed
+/// end.
 static double farthest_move(const tf_step *step)
 {
     double farthest = 0;
@@ -63,7 +63,7 @@ static double farthest_move(const tf_step *step)
     return farthest;
 }
 
-/// Later rounds move vertices less than the first one; where they do not, the
+/// Later rounds usually move vertices less than the first one.  If not, the
 /// margin doubles.
 static void choose_margin(tf_recheck *recheck, const tf_step *step,
                           int *rebuilds)
@@ -171,7 +171,7 @@ static bool box(tf_recheck *recheck, const tf_surface *surface,
 }
 
 //: Choose the pairs that may have changed
-/// What is known of the elements of one kind.
+/// What is known about the elements of one kind.
 typedef struct known {
     const unsigned char *mark;
     const tf_box *box;
@@ -184,9 +184,9 @@ static inline bool overlap(const tf_box *a, const tf_box *b)
            (a->low[2] <= b->high[2]) & (b->low[2] <= a->high[2]);
 }
 
-/// Chooses the candidates whose elements together have both marks, then of these
-/// those whose boxes overlap; returns how many there are.  Both loops copy each
-/// pair, and then count it or not: no branch could be foretold.
+/// Chooses the candidates whose elements together have both marks and whose
+/// boxes overlap, and returns how many there are.  Both loops copy each pair and
+/// then count it or not, because a branch would be mispredicted too often.
 static size_t choose(const tf_buffer *list, size_t count, known first,
                      known second, tf_candidate chosen[])
 {

@@ -125,7 +125,7 @@ static tf_status begin(tf_responding *r, tf_obstacle *obstacle)
 }
 
 //: Sum up energies
-/// The kinetic energy of what can be moved.
+/// The kinetic energy of the vertices that are not scripted.
 static double energy(const tf_step *step, const double end[])
 {
     double sum = 0;
@@ -172,7 +172,7 @@ static void write_report(tf_responding *r)
 }
 
 //: Resolve a step that has contacts
-/// The ends are tested once more from the beginning, as if nothing were known.
+/// Tests the ends once more from the beginning, as if nothing were known.
 static tf_status resolve(tf_responding *r)
 {
     choose(r);

@@ -9,32 +9,33 @@
 /// @addtogroup response
 /// @{
 
-/// Changes the end of a step as little as it can such that no two elements meet
-/// on the way.
+/// Changes the end of a step such that no two elements meet on the way.
 ///
-/// With TF_OK each vertex and triangle and any two edges, in the plane each
-/// vertex and edge, that share no vertex are apart at all times of the stored
-/// step, its ends included, and exactly so.  So the end is free of
-/// intersections, is a legal next start, and nothing has passed through
-/// anything.  It always ends, with such an end.  A step without contacts comes
-/// back bit for bit, and of others all that had not to be moved.
+/// After TF_OK, in space every vertex and triangle and every two edges, in the
+/// plane every vertex and edge, that share no vertex are apart at all times of
+/// the stored step, its ends included, and exactly so.  So the end is free of
+/// intersections, it is a legal start for the next step, and nothing has passed
+/// through anything.  The function always returns, and there is such an end for
+/// every proposal.  A step without contacts comes back bit for bit, and in any
+/// other step a vertex that no level moved comes back bit for bit.
 ///
-/// Vertices of inverse mass 0 end where they should, bit for bit, unless there
-/// is no other way but to hold them back: two plates closing upon a sheet.
+/// Vertices of inverse mass 0 are scripted: they end where they are proposed to,
+/// bit for bit, unless the failsafe has to hold them back: two plates that close
+/// upon a sheet, for example.  The report counts those that were held back.
 ///
-/// The same bits for any number of threads.
+/// The result is the same, to the last bit, for any number of threads.
 ///
 /// @param resolver the resolver of the surface
 /// @param vertices how many vertices have positions
 /// @param start where they start, `axes` coordinates each; free of intersections
 ///     (tf_surface_check) and of touching
-/// @param[in,out] end in: where they should end, as any simulation proposes;
-///     out, only with TF_OK: where they end
-/// @param inverse_mass of each vertex, 0 or more; 0: it should not be moved;
+/// @param[in,out] end in: where any simulation proposes that they end; out, only
+///     with TF_OK: where they end
+/// @param inverse_mass of each vertex, 0 or more; 0: the vertex is scripted;
 ///     NULL: 1 for all
 /// @param options how to respond; NULL: all zero
 /// @param[out] report what it took; set only with TF_OK; may be NULL
-/// @param[out] obstacle what is wrong where the status is not TF_OK; may be NULL
+/// @param[out] obstacle what is wrong if the status is not TF_OK; may be NULL
 /// @return TF_OK; TF_BAD_COUNT if the surface has another number of vertices;
 ///     TF_NOT_FINITE; TF_BAD_MASS; TF_BAD_TOLERANCE if an option is not in its
 ///     range; TF_START_NOT_CLEAR; TF_BAD_ENVIRONMENT; or TF_OUT_OF_MEMORY

@@ -10,14 +10,14 @@
 /// @addtogroup response
 /// @{
 
-/// What responding to the contacts of a surface needs, kept from one step to
-/// the next.  One thread at a time may use it.
+/// The memory for responding to the contacts of a surface, kept from one step to
+/// the next.  Only one thread at a time may use a resolver.
 typedef struct tf_resolver tf_resolver;
 
 /// Makes a resolver.
 ///
-/// @param surface the surface, borrowed: it must stay until the resolver is
-///     freed, and what it has lent is overwritten by each step
+/// @param surface the surface, borrowed: it must live until the resolver is
+///     freed, and each step overwrites what the surface has lent
 /// @param[out] resolver the resolver, to be freed by tf_resolver_free; set only
 ///     with TF_OK
 /// @return TF_OK or TF_OUT_OF_MEMORY
@@ -28,7 +28,7 @@ TF_API tf_status tf_resolver_create(tf_surface *surface,
 /// @param resolver the resolver; may be NULL
 TF_API void tf_resolver_free(tf_resolver *resolver);
 
-/// How much memory a resolver holds by now, besides its surface.
+/// Returns how much memory a resolver holds by now, without its surface.
 /// @param resolver the resolver
 /// @return bytes
 TF_API size_t tf_resolver_memory(const tf_resolver *resolver);

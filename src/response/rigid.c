@@ -6,10 +6,10 @@
 #include <string.h>
 
 //: Hold a rigid body
-/// A zone, by its root.
+/// What is known about a zone, at its root.
 typedef struct body {
-    bool joined; ///< in this round
-    bool fixed;  ///< it has a vertex that should not be moved
+    bool joined; ///< has a contact in this round
+    bool fixed;  ///< has a scripted vertex, one of inverse mass 0
     double mass;
     double center[3];       ///< at the start
     double displacement[3]; ///< of the center
@@ -45,7 +45,7 @@ static void unite(tf_rigid *rigid, const tf_contacts *contacts)
             .joined = true;
 }
 
-/// The body of a vertex if it has to be moved, or NULL.
+/// The body of a vertex if the body is to be moved, or NULL.
 static body *moving_body(tf_rigid *rigid, int vertex)
 {
     body *own =
@@ -132,8 +132,8 @@ static void add_up(tf_rigid *rigid, const tf_step *step)
 }
 
 //: Find the turns
-/// Solves inertia turn = momentum by Cramer's rule.  Bodies that have hardly any
-/// inertia about some axis do not turn.
+/// Solves inertia * turn = momentum by Cramer's rule.  A body with hardly any
+/// inertia about some axis does not turn.
 static void find_turn(body *own, int axes)
 {
     double column[3][3], minor[3];
@@ -155,8 +155,9 @@ static void find_turn(body *own, int axes)
 }
 
 //: Move a vertex with its body
-/// Turns by Cayley's map, which needs no sines and is a rotation for any vector:
-/// about it, by twice the arc tangent of half its length.
+/// Turns the arm by Cayley's map, which needs no sines and is a rotation for any
+/// vector: about this vector, by twice the arc tangent of half its length.  `to`
+/// is a displacement from the start.
 static void move_with_body(const tf_rigid *rigid, tf_step *step,
                            const body *own, int vertex)
 {

@@ -9,17 +9,18 @@
 typedef struct tf_rigid {
     tf_groups groups;
     tf_buffer entry; ///< the ends when the level began
-    tf_buffer body;  ///< what is known of each zone, by its root
+    tf_buffer body;  ///< what is known about each zone, at its root
 } tf_rigid;
 
-/// Puts each vertex into a zone of its own, which ends where it does now.
-/// False if there is no memory.
+/// Puts each vertex into a zone of its own and leaves its end as it is.
+/// Returns false if there is no memory.
 bool tf_rigid_begin(tf_rigid *rigid, const tf_step *step);
 
-/// Unites the zones of each contact and moves those that grew as rigid bodies,
-/// with the momenta that they have.  A zone with a vertex that should not be
-/// moved stays as it is.  This is only a proposal: a body that turns is no rigid
-/// one on the way, where its elements are bent, nor in doubles.
+/// Unites the zones of each contact, and moves each zone that has a contact as a
+/// rigid body that keeps its momentum and its angular momentum.  A zone with a
+/// scripted vertex is left alone.  This is only a proposal and may make contacts:
+/// a body that turns is not rigid on the way, where its elements are bent, and
+/// its ends are rounded.
 void tf_rigid_round(tf_rigid *rigid, tf_step *step,
                     const tf_contacts *contacts);
 

@@ -22,7 +22,7 @@ tf_status tf_start_check(tf_surface *surface, const tf_motion *motion,
 }
 
 //: Check that no contact is there at the start
-/// Asks the query of a contact again, with all vertices at rest.
+/// Repeats the query of a contact with all vertices at rest.
 static tf_status touch_at_start(const tf_motion *motion, int axes,
                                 const tf_surface_contact *contact, bool *touch)
 {

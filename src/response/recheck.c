@@ -177,7 +177,6 @@ typedef struct known {
     const tf_box *box;
 } known;
 
-/// Makes all comparisons, as no branch could be foretold.
 static inline bool overlap(const tf_box *a, const tf_box *b)
 {
     return (a->low[0] <= b->high[0]) & (b->low[0] <= a->high[0]) &
@@ -185,20 +184,25 @@ static inline bool overlap(const tf_box *a, const tf_box *b)
            (a->low[2] <= b->high[2]) & (b->low[2] <= a->high[2]);
 }
 
-/// Chooses the candidates whose elements together have both marks and whose
-/// boxes overlap; returns how many there are.
+/// Chooses the candidates whose elements together have both marks, then of these
+/// those whose boxes overlap; returns how many there are.  Both loops copy each
+/// pair, and then count it or not: no branch could be foretold.
 static size_t choose(const tf_buffer *list, size_t count, known first,
                      known second, tf_candidate chosen[])
 {
     const tf_candidate *pair = list->data;
-    size_t all = 0;
+    size_t marked = 0, near = 0;
     for (size_t i = 0; i < count; i++) {
-        int a = pair[i].first, b = pair[i].second;
-        bool tested = (first.mark[a] | second.mark[b]) == TESTED;
-        chosen[all] = pair[i];
-        all += tested & overlap(&first.box[a], &second.box[b]);
+        chosen[marked] = pair[i];
+        marked +=
+            (first.mark[pair[i].first] | second.mark[pair[i].second]) == TESTED;
     }
-    return all;
+    for (size_t i = 0; i < marked; i++) {
+        tf_candidate own = chosen[i];
+        chosen[near] = own;
+        near += overlap(&first.box[own.first], &second.box[own.second]);
+    }
+    return near;
 }
 
 //: Decide the pairs that are chosen

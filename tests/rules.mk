@@ -36,6 +36,10 @@ $(BUILD)/tests/%: $(BUILD)/tests/%.o $(BUILD)/support.a $(BUILD)/program.a \
 	@echo 'link    $@'
 	$(Q)$(LINK) $^ $$(pkg-config --libs check) $(LIBRARIES) -lgmp -lm -o $@
 
+# This one counts calls of these functions.
+$(BUILD)/tests/whole/allocations: LIBRARIES = -Wl,--wrap=malloc \
+	-Wl,--wrap=calloc -Wl,--wrap=realloc -Wl,--wrap=aligned_alloc
+
 # The tests of the figures need more: their rule overrides the pattern above.
 figure_tests = $(FIGURE_TESTS:%.c=$(BUILD)/%)
 $(figure_tests:=.o): $(BUILD)/renderer.flags | $(generated)

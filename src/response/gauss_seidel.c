@@ -9,11 +9,23 @@
 #include <stddef.h>
 
 //: Start from the impulses of the last time
-/// Applies the impulses that the rows have; returns the largest violation of a
-/// row that was not solved before.
-static double start(const tf_zone *zone, const tf_bodies *bodies)
+/// The largest violation of some of the rows.
+static double worst(const tf_zone *zone, int begin, int end)
 {
     double violation = 0;
+    for (int i = begin; i < end; i++) {
+        const tf_row *row = &zone->row[i];
+        double parting = tf_row_parting(zone->axes, row, zone->displacement);
+        violation = fmax(violation, row->bound - parting);
+    }
+    return violation;
+}
+
+/// Applies the impulses that the rows have; returns how large violations were:
+/// that of rows that were solved before by the proposal, that of others now.
+static double start(const tf_zone *zone, const tf_bodies *bodies)
+{
+    double violation = worst(zone, 0, zone->solved);
     for (int i = 0; i < zone->rows; i++) {
         const tf_row *row = &zone->row[i];
         double push[3];
@@ -21,12 +33,7 @@ static double start(const tf_zone *zone, const tf_bodies *bodies)
             push[k] = row->impulse * row->normal[k] + row->friction[k];
         tf_row_push(row, push, bodies);
     }
-    for (int i = zone->solved; i < zone->rows; i++) {
-        const tf_row *row = &zone->row[i];
-        double parting = tf_row_parting(zone->axes, row, bodies->displacement);
-        violation = fmax(violation, row->bound - parting);
-    }
-    return violation;
+    return fmax(violation, worst(zone, zone->solved, zone->rows));
 }
 
 //: Note what has happened to a row
@@ -50,7 +57,7 @@ static visits no_visits(const tf_zone *zone)
 }
 
 /// Whether a vertex of a row has moved since the row was visited.
-static bool needs_visit(const visits *all, const tf_zone *zone, int row)
+static bool is_disturbed(const visits *all, const tf_zone *zone, int row)
 {
     const int *vertex = zone->row[row].vertex;
     for (int i = 0; i < 4 && vertex[i] >= 0; i++)
@@ -70,16 +77,37 @@ static void note_visit(visits *all, const tf_zone *zone, int row, bool moved)
 //: Sweep until little changes
 static const double tolerance = 1e-2;
 
-/// Visits the rows that need it; returns whether one of them changed its parting
+/// Whether a row pushes too little or, so that it can be taken back, too much,
 /// by more than `least`.
+static bool is_off(const tf_row *row, double least, const tf_bodies *bodies)
+{
+    double missing =
+        row->bound - tf_row_parting(bodies->axes, row, bodies->displacement);
+    return missing > least || (row->impulse > 0 && missing < -least);
+}
+
+/// Visits a row if it is new or off; with friction also if it may be off across
+/// the normal.  Returns by how much its parting changes.
+static double visit(tf_row *row, bool is_new, double friction, double least,
+                    const tf_bodies *bodies)
+{
+    if (!is_new && !(friction > 0) && !is_off(row, least, bodies))
+        return 0;
+    return tf_row_visit(row, friction, bodies);
+}
+
+/// Visits the rows whose vertices have moved; returns whether one of them
+/// changed its parting by more than `least`.
 static bool sweep(const tf_zone *zone, double least, const tf_bodies *bodies,
                   visits *all)
 {
     bool any = false;
     for (int i = 0; i < zone->rows; i++) {
-        if (!needs_visit(all, zone, i))
+        if (!is_disturbed(all, zone, i))
             continue;
-        double change = tf_row_visit(&zone->row[i], zone->friction, bodies);
+        bool is_new = !(all->of_row[i] > 0);
+        double change =
+            visit(&zone->row[i], is_new, zone->friction, least, bodies);
         note_visit(all, zone, i, change > least);
         any |= change > least;
     }

@@ -63,6 +63,8 @@ static double farthest_move(const tf_step *step)
     return farthest;
 }
 
+static const double margin_part = 0.2; // of the farthest move
+
 /// Later rounds usually move vertices less than the first one.  If not, the
 /// margin doubles.
 static void choose_margin(tf_recheck *recheck, const tf_step *step,
@@ -72,7 +74,8 @@ static void choose_margin(tf_recheck *recheck, const tf_step *step,
         recheck->margin *= 2;
         ++*rebuilds;
     } else {
-        recheck->margin = fmin(recheck->margin, farthest_move(step) / 2);
+        recheck->margin =
+            fmin(recheck->margin, margin_part * farthest_move(step));
     }
     recheck->listed = true;
 }

@@ -9,9 +9,9 @@
 //: Hold a group of the failsafe
 /// What is known about a group, at its root.
 typedef struct group {
-    bool resting; ///< at rest, for good
-    bool joined;  ///< changed in this round: its members are to be moved
-    bool fixed;   ///< has scripted vertices, those of inverse mass 0
+    bool resting;  ///< at rest, for good
+    bool joined;   ///< changed in this round: its members are to be moved
+    bool scripted; ///< has scripted vertices, those of inverse mass 0
     double mass;
     double displacement[3]; ///< of all vertices; at first a sum
 } group;
@@ -86,7 +86,7 @@ static group *joined_group(tf_failsafe *failsafe, int vertex)
     return own->joined ? own : NULL;
 }
 
-//: Agree with the vertices that should not be moved
+//: Agree with the scripted vertices
 /// Gives a group the displacement of one of its scripted vertices.  Puts the
 /// group to rest instead if this displacement is not a double, or if another
 /// scripted vertex has a different one.
@@ -96,11 +96,11 @@ static void agree(group *own, const tf_step *step, int vertex)
     for (int k = 0; k < step->axes; k++) {
         tf_two d = tf_two_difference(step->proposed[place + k],
                                      step->start[place + k]);
-        if (d.lo != 0 || (own->fixed && d.hi != own->displacement[k]))
+        if (d.lo != 0 || (own->scripted && d.hi != own->displacement[k]))
             own->resting = true;
         own->displacement[k] = d.hi;
     }
-    own->fixed = true;
+    own->scripted = true;
 }
 
 //: Add up momenta
@@ -121,7 +121,7 @@ static void clear_sums(tf_failsafe *failsafe, int vertices)
 {
     group *all = failsafe->group.data;
     for (int v = 0; v < vertices; v++) {
-        all[v].fixed = false;
+        all[v].scripted = false;
         all[v].mass = 0;
         memset(all[v].displacement, 0, sizeof all[v].displacement);
     }
@@ -138,7 +138,7 @@ static void find_displacements(tf_failsafe *failsafe, const tf_step *step)
     }
     for (int v = 0; v < step->vertices; v++) {
         group *own = joined_group(failsafe, v);
-        if (own && !own->fixed)
+        if (own && !own->scripted)
             add_momentum(own, failsafe, step, v);
     }
     group *all = failsafe->group.data;
@@ -166,13 +166,13 @@ static void move_groups(tf_failsafe *failsafe, tf_step *step)
 {
     for (int v = 0; v < step->vertices; v++) {
         const group *own = joined_group(failsafe, v);
-        bool movable = step->inverse_mass[v] > 0;
+        bool scripted = !(step->inverse_mass[v] > 0);
         for (int k = 0; own && k < step->axes; k++) {
             ptrdiff_t place = (ptrdiff_t)step->axes * v + k;
             double to = step->start[place];
             if (!own->resting)
-                to =
-                    movable ? to + own->displacement[k] : step->proposed[place];
+                to = scripted ? step->proposed[place]
+                              : to + own->displacement[k];
             step->changed[v] |= to != step->end[place];
             step->end[place] = to;
         }

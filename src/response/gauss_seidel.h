@@ -13,8 +13,8 @@
 /// friction, as long as it is off by no more than 1/100 of the largest violation
 /// that there was: by the proposal in rows that were solved before, and at first
 /// in the others.  Stops when a sweep changes no parting by more than that.  If
-/// there is no friction, all bounds are 0, and the vertices that cannot be moved
-/// are at rest, no sweep raises the kinetic energy.
+/// there is no friction, all bounds are 0, and the scripted vertices are at rest,
+/// no sweep raises the kinetic energy.
 TF_API extern const tf_zone_solver tf_gauss_seidel;
 
 /// @}

@@ -116,9 +116,9 @@ START_TEST(only_what_moved_as_one_is_put_to_rest)
 }
 END_TEST
 
-// Fixed vertices ----------------------------------------------------------------
+// Scripted vertices -------------------------------------------------------------
 
-START_TEST(fixed_vertices_lead)
+START_TEST(scripted_vertices_lead)
 {
     make_specks(2);
     made.inverse_mass[1] = 0;
@@ -130,7 +130,7 @@ START_TEST(fixed_vertices_lead)
 }
 END_TEST
 
-START_TEST(fixed_vertices_that_agree_lead_together)
+START_TEST(scripted_vertices_that_agree_lead_together)
 {
     make_specks(2);
     made.inverse_mass[1] = made.inverse_mass[2] = 0;
@@ -144,7 +144,7 @@ START_TEST(fixed_vertices_that_agree_lead_together)
 }
 END_TEST
 
-START_TEST(fixed_vertices_that_disagree_rest)
+START_TEST(scripted_vertices_that_disagree_rest)
 {
     make_specks(2);
     made.inverse_mass[1] = made.inverse_mass[2] = 0;
@@ -159,7 +159,7 @@ START_TEST(fixed_vertices_that_disagree_rest)
 END_TEST
 
 // 1 - 0.1 is no double of the form start + d.
-START_TEST(fixed_vertices_whose_displacement_is_no_double_rest)
+START_TEST(scripted_vertices_whose_displacement_is_no_double_rest)
 {
     make_specks(2);
     made.inverse_mass[1] = 0;
@@ -172,7 +172,7 @@ START_TEST(fixed_vertices_whose_displacement_is_no_double_rest)
 }
 END_TEST
 
-START_TEST(fixed_vertices_end_at_their_bits)
+START_TEST(scripted_vertices_end_at_their_bits)
 {
     make_specks(2);
     made.inverse_mass[1] = 0;
@@ -241,12 +241,13 @@ Suite *suite(void)
     tcase_add_test(tcase, fewer_rounds_than_vertices);
     suite_add_tcase(suite, tcase);
 
-    TCase *fixed = tcase_create("fixed vertices");
-    tcase_add_test(fixed, fixed_vertices_lead);
-    tcase_add_test(fixed, fixed_vertices_that_agree_lead_together);
-    tcase_add_loop_test(fixed, fixed_vertices_that_disagree_rest, 0, 2);
-    tcase_add_test(fixed, fixed_vertices_whose_displacement_is_no_double_rest);
-    tcase_add_test(fixed, fixed_vertices_end_at_their_bits);
-    suite_add_tcase(suite, fixed);
+    TCase *scripted = tcase_create("scripted vertices");
+    tcase_add_test(scripted, scripted_vertices_lead);
+    tcase_add_test(scripted, scripted_vertices_that_agree_lead_together);
+    tcase_add_loop_test(scripted, scripted_vertices_that_disagree_rest, 0, 2);
+    tcase_add_test(scripted,
+                   scripted_vertices_whose_displacement_is_no_double_rest);
+    tcase_add_test(scripted, scripted_vertices_end_at_their_bits);
+    suite_add_tcase(suite, scripted);
     return suite;
 }

@@ -49,8 +49,10 @@ static void draw_round(fig_page *page, const fig_wire *course, int round,
     for (int i = 0; i < 2; i++)
         draw_bead(page, left + 6 + i * apart, y, course->seen[round][i]);
     char text[48];
-    snprintf(text, sizeof text, "%.2g, %.2g", course->seen[round][0],
-             course->seen[round][1] < 1e-4 ? 0 : course->seen[round][1]);
+    double d[2]; // the sweeps leave a billionth, which is not worth showing
+    for (int i = 0; i < 2; i++)
+        d[i] = course->seen[round][i] < 1e-4 ? 0 : course->seen[round][i];
+    snprintf(text, sizeof text, "%.2g, %.2g", d[0], d[1]);
     fig_page_text(page, left + 2 * apart + 24, y + 3, FIG_ALIGN_LEFT, text,
                   FIG_LETTERS_SMALL, FIG_ROLE_INK);
 }

@@ -54,8 +54,8 @@ static tf_row row_of_point(const tf_surface_contact *contact)
 
 //: Find where the two points start
 /// The vector from the second element's point to the first one's at the start.
-/// As the coefficients add up to zero, positions may be taken relative to one of
-/// the vertices, which keeps the error small even far from the origin.
+/// As the coefficients add up to zero, positions may be taken relative to one
+/// of the vertices, which keeps the error small even far from the origin.
 static void vector_at_start(const tf_step *step, const tf_row *row,
                             double vector[3])
 {

@@ -11,13 +11,14 @@
 
 /// Changes the end of a step such that no two elements meet on the way.
 ///
-/// After TF_OK, in space every vertex and triangle and every two edges, in the
-/// plane every vertex and edge, that share no vertex are apart at all times of
-/// the stored step, its ends included, and exactly so.  So the end is free of
-/// intersections, it is a legal start for the next step, and nothing has passed
-/// through anything.  The function always returns, and there is such an end for
-/// every proposal.  A step without contacts comes back bit for bit, and in any
-/// other step a vertex that no level moved comes back bit for bit.
+/// After TF_OK no two elements that share no vertex touch at any time of the
+/// stored step, its start and its end included, where the pairs of elements are
+/// a vertex and a triangle or two edges or, in the plane, a vertex and an edge.
+/// This is exact.  So the end is free of intersections, it is a legal start for
+/// the next step, and nothing has passed through anything.  The function always
+/// returns, and there is such an end for every proposal.  A step without
+/// contacts comes back bit for bit, and in any other step so does every vertex
+/// that no level has moved.
 ///
 /// Vertices of inverse mass 0 are scripted: they end where they are proposed to,
 /// bit for bit, unless the failsafe has to hold them back: two plates that close

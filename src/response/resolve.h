@@ -20,18 +20,18 @@
 /// contacts comes back bit for bit, and in any other step so does every vertex
 /// that no level has moved.
 ///
-/// Vertices of inverse mass 0 are scripted: they end where they are proposed to,
-/// bit for bit, unless the failsafe has to hold them back: two plates that close
-/// upon a sheet, for example.  The report counts those that were held back.
+/// Vertices of inverse mass 0 are scripted: they end where they are proposed
+/// to, bit for bit, unless the failsafe has to hold them back, for example when
+/// two plates close upon a sheet.  The report counts those that it held back.
 ///
 /// The result is the same, to the last bit, for any number of threads.
 ///
 /// @param resolver the resolver of the surface
 /// @param vertices how many vertices have positions
-/// @param start where they start, `axes` coordinates each; free of intersections
-///     (tf_surface_check) and of touching
-/// @param[in,out] end in: where any simulation proposes that they end; out, only
-///     with TF_OK: where they end
+/// @param start where they start, `axes` coordinates each; free of
+///     intersections (tf_surface_check) and of touching
+/// @param[in,out] end in: where any simulation proposes that they end; out,
+///     only with TF_OK: where they end
 /// @param inverse_mass of each vertex, 0 or more; 0: the vertex is scripted;
 ///     NULL: 1 for all
 /// @param options how to respond; NULL: all zero

@@ -7,9 +7,9 @@
 //: Hold a group of the failsafe
 /// What is known about a group, at its root.
 typedef struct group {
-    bool resting; ///< at rest, for good
-    bool joined;  ///< changed in this round: its members are to be moved
-    bool fixed;   ///< has scripted vertices, those of inverse mass 0
+    bool resting;  ///< at rest, for good
+    bool joined;   ///< changed in this round: its members are to be moved
+    bool scripted; ///< has scripted vertices, those of inverse mass 0
     double mass;
     double displacement[3]; ///< of all vertices; at first a sum
 } group;
@@ -90,11 +90,11 @@ static group *joined_group(tf_failsafe *failsafe, int vertex)
 /// makes the group touch itself, the next round puts it to rest.
 static void agree(group *own, const tf_step *step, int vertex)
 {
-    if (own->fixed)
+    if (own->scripted)
         return;
     const double *proposed = step->proposed + (ptrdiff_t)step->axes * vertex;
     tf_step_displacement(step, vertex, proposed, own->displacement);
-    own->fixed = true;
+    own->scripted = true;
 }
 
 //: Add up momenta
@@ -115,7 +115,7 @@ static void clear_sums(tf_failsafe *failsafe, int vertices)
 {
     group *all = failsafe->group.data;
     for (int v = 0; v < vertices; v++) {
-        all[v].fixed = false;
+        all[v].scripted = false;
         all[v].mass = 0;
         memset(all[v].displacement, 0, sizeof all[v].displacement);
     }
@@ -132,7 +132,7 @@ static void find_displacements(tf_failsafe *failsafe, const tf_step *step)
     }
     for (int v = 0; v < step->vertices; v++) {
         group *own = joined_group(failsafe, v);
-        if (own && !own->fixed)
+        if (own && !own->scripted)
             add_momentum(own, failsafe, step, v);
     }
     group *all = failsafe->group.data;
@@ -160,13 +160,13 @@ static void move_groups(tf_failsafe *failsafe, tf_step *step)
 {
     for (int v = 0; v < step->vertices; v++) {
         const group *own = joined_group(failsafe, v);
-        bool movable = step->inverse_mass[v] > 0;
+        bool scripted = !(step->inverse_mass[v] > 0);
         for (int k = 0; own && k < step->axes; k++) {
             ptrdiff_t place = (ptrdiff_t)step->axes * v + k;
             double to = step->start[place];
             if (!own->resting)
-                to =
-                    movable ? to + own->displacement[k] : step->proposed[place];
+                to = scripted ? step->proposed[place]
+                              : to + own->displacement[k];
             if (to == step->end[place])
                 continue; // -0 must not become +0
             step->changed[v] = true;

@@ -116,9 +116,9 @@ START_TEST(only_what_moved_as_one_is_put_to_rest)
 }
 END_TEST
 
-// Fixed vertices ----------------------------------------------------------------
+// Scripted vertices -------------------------------------------------------------
 
-START_TEST(fixed_vertices_lead)
+START_TEST(scripted_vertices_lead)
 {
     make_specks(2);
     made.inverse_mass[1] = 0;
@@ -130,7 +130,7 @@ START_TEST(fixed_vertices_lead)
 }
 END_TEST
 
-START_TEST(fixed_vertices_that_agree_lead_together)
+START_TEST(scripted_vertices_that_agree_lead_together)
 {
     make_specks(2);
     made.inverse_mass[1] = made.inverse_mass[2] = 0;
@@ -145,7 +145,7 @@ START_TEST(fixed_vertices_that_agree_lead_together)
 END_TEST
 
 // By much, and by one ulp.
-START_TEST(fixed_vertices_that_disagree_go_where_they_should)
+START_TEST(scripted_vertices_that_disagree_go_where_they_should)
 {
     make_specks(3);
     made.inverse_mass[1] = made.inverse_mass[2] = 0;
@@ -167,7 +167,7 @@ START_TEST(fixed_vertices_that_disagree_go_where_they_should)
 END_TEST
 
 // 0.7 - 0.1 is no double.
-START_TEST(a_fixed_vertex_whose_displacement_is_no_double_leads)
+START_TEST(a_scripted_vertex_whose_displacement_is_no_double_leads)
 {
     make_specks(2);
     made.inverse_mass[1] = 0;
@@ -198,7 +198,7 @@ START_TEST(zeros_keep_their_signs)
 }
 END_TEST
 
-START_TEST(fixed_vertices_end_at_their_bits)
+START_TEST(scripted_vertices_end_at_their_bits)
 {
     make_specks(2);
     made.inverse_mass[1] = 0;
@@ -267,14 +267,15 @@ Suite *suite(void)
     tcase_add_test(tcase, fewer_rounds_than_vertices);
     suite_add_tcase(suite, tcase);
 
-    TCase *fixed = tcase_create("fixed vertices");
-    tcase_add_test(fixed, fixed_vertices_lead);
-    tcase_add_test(fixed, fixed_vertices_that_agree_lead_together);
+    TCase *scripted = tcase_create("scripted vertices");
+    tcase_add_test(scripted, scripted_vertices_lead);
+    tcase_add_test(scripted, scripted_vertices_that_agree_lead_together);
     tcase_add_loop_test(
-        fixed, fixed_vertices_that_disagree_go_where_they_should, 0, 2);
-    tcase_add_test(fixed, a_fixed_vertex_whose_displacement_is_no_double_leads);
-    tcase_add_test(fixed, zeros_keep_their_signs);
-    tcase_add_test(fixed, fixed_vertices_end_at_their_bits);
-    suite_add_tcase(suite, fixed);
+        scripted, scripted_vertices_that_disagree_go_where_they_should, 0, 2);
+    tcase_add_test(scripted,
+                   a_scripted_vertex_whose_displacement_is_no_double_leads);
+    tcase_add_test(scripted, zeros_keep_their_signs);
+    tcase_add_test(scripted, scripted_vertices_end_at_their_bits);
+    suite_add_tcase(suite, scripted);
     return suite;
 }

@@ -34,20 +34,25 @@ static void move(int first, int count, double x, double y, double z)
         made.end[i] += way[i % axes];
 }
 
+static const tf_response_options each_level[] = {
+    {0},
+    {.impulse_rounds = 30, .zone_rounds = -1},
+    {.zone_rounds = -1},
+    {.zone_rounds = -1, .rigid = true},
+    {.separation = -1}};
+
+enum {
+    LEVELS = sizeof each_level / sizeof *each_level
+};
+
 /// As `expect_resolved`, for a step that meets, by each level alone.
 static void expect_resolved_by_all(void)
 {
-    static const tf_response_options levels[] = {
-        {0},
-        {.impulse_rounds = 30, .zone_rounds = -1},
-        {.zone_rounds = -1},
-        {.zone_rounds = -1, .rigid = true},
-        {.separation = -1}};
     static double proposed[3 * PROPOSAL_VERTICES];
     memcpy(proposed, made.end, sizeof proposed);
-    for (size_t i = 0; i < sizeof levels / sizeof *levels; i++) {
+    for (int i = 0; i < LEVELS; i++) {
         memcpy(made.end, proposed, sizeof proposed);
-        tf_response_report report = expect_resolved(false, &levels[i]);
+        tf_response_report report = expect_resolved(false, &each_level[i]);
         ck_assert_uint_gt(report.first_contacts, 0);
         ck_assert_int_gt(report.moved, 0);
     }
@@ -140,7 +145,7 @@ START_TEST(aligned_sheets)
 }
 END_TEST
 
-// Its displacement is no double.
+// Its displacement is no double, and some of its coordinates are -0.
 START_TEST(what_meets_nothing_ends_where_it_should)
 {
     proposal_begin(&made, 3);
@@ -149,9 +154,10 @@ START_TEST(what_meets_nothing_ends_where_it_should)
     move(9, 9, 0.1, 0.1, -2);
     int far = proposal_add_sheet(&made, 2, 9);
     move(far, 9, 1e-17, 0x1p-60, 1e5);
+    made.end[3 * far] = made.end[3 * far + 4] = -0.;
     static double proposed[3 * PROPOSAL_VERTICES];
     memcpy(proposed, made.end, sizeof proposed);
-    tf_response_report report = expect_resolved(false, NULL);
+    tf_response_report report = expect_resolved(false, &each_level[_i]);
     ck_assert_uint_gt(report.first_contacts, 0);
     ck_assert_mem_eq(made.end + 3 * far, proposed + 3 * far,
                      27 * sizeof *proposed);
@@ -700,7 +706,8 @@ Suite *suite(void)
 
     TCase *hand = tcase_create("by hand");
     tcase_add_test(hand, aligned_sheets);
-    tcase_add_test(hand, what_meets_nothing_ends_where_it_should);
+    tcase_add_loop_test(hand, what_meets_nothing_ends_where_it_should, 0,
+                        LEVELS);
     tcase_add_test(hand, parallel_edges);
     tcase_add_test(hand, vertex_on_vertex);
     tcase_add_test(hand, motion_in_a_plane);

@@ -1,8 +1,6 @@
 //: Include what the failsafe needs
 #include "response/failsafe.h"
 
-#include "arithmetic/two_sum.h"
-
 #include <math.h>
 #include <string.h>
 
@@ -86,20 +84,16 @@ static group *joined_group(tf_failsafe *failsafe, int vertex)
     return own->joined ? own : NULL;
 }
 
-//: Agree with the scripted vertices
-/// Gives a group the displacement of one of its scripted vertices.  Puts the
-/// group to rest instead if this displacement is not a double, or if another
-/// scripted vertex has a different one.
-static void agree(group *own, const tf_step *step, int vertex)
+//: Follow a scripted vertex
+/// Gives a group the displacement of a scripted vertex, the first one that it
+/// has.  Others may have another displacement, if only by rounding.  Where this
+/// makes the group touch itself, the next round puts it to rest.
+static void follow(group *own, const tf_step *step, int vertex)
 {
-    ptrdiff_t place = (ptrdiff_t)step->axes * vertex;
-    for (int k = 0; k < step->axes; k++) {
-        tf_two d = tf_two_difference(step->proposed[place + k],
-                                     step->start[place + k]);
-        if (d.lo != 0 || (own->scripted && d.hi != own->displacement[k]))
-            own->resting = true;
-        own->displacement[k] = d.hi;
-    }
+    if (own->scripted)
+        return;
+    const double *proposed = step->proposed + (ptrdiff_t)step->axes * vertex;
+    tf_step_displacement(step, vertex, proposed, own->displacement);
     own->scripted = true;
 }
 
@@ -134,7 +128,7 @@ static void find_displacements(tf_failsafe *failsafe, const tf_step *step)
     for (int v = 0; v < step->vertices; v++) {
         group *own = joined_group(failsafe, v);
         if (own && !(step->inverse_mass[v] > 0))
-            agree(own, step, v);
+            follow(own, step, v);
     }
     for (int v = 0; v < step->vertices; v++) {
         group *own = joined_group(failsafe, v);
@@ -173,7 +167,9 @@ static void move_groups(tf_failsafe *failsafe, tf_step *step)
             if (!own->resting)
                 to = scripted ? step->proposed[place]
                               : to + own->displacement[k];
-            step->changed[v] |= to != step->end[place];
+            if (to == step->end[place])
+                continue; // -0 must not become +0
+            step->changed[v] = true;
             step->end[place] = to;
         }
     }

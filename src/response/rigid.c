@@ -1,7 +1,6 @@
 //: Include what rigid zones need
 #include "response/rigid.h"
 
-#include <math.h>
 #include <stddef.h>
 #include <string.h>
 

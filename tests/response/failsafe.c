@@ -144,30 +144,56 @@ START_TEST(scripted_vertices_that_agree_lead_together)
 }
 END_TEST
 
-START_TEST(scripted_vertices_that_disagree_rest)
+// By much, and by one ulp.
+START_TEST(scripted_vertices_that_disagree_go_where_they_should)
 {
-    make_specks(2);
+    make_specks(3);
     made.inverse_mass[1] = made.inverse_mass[2] = 0;
-    if (_i == 1) // in one ulp
+    if (_i == 1)
         made.end[2 * 2 + 1] = nextafter(made.start[2 * 2 + 1] - 1, 9);
     begin();
     meet(2, 0, 1);
+    ck_assert_mem_eq(of.end + 2, made.end + 2, 4 * sizeof(double));
+    ck_assert_double_eq(fall(0), 1);
+    ck_assert_int_eq(account().resting, 0);
+
+    // But not if they meet.
+    meet(2, 0, 1);
     for (int v = 0; v < 3; v++)
         ck_assert_double_eq(fall(v), 0);
+    ck_assert_int_eq(account().resting, 3);
     end();
 }
 END_TEST
 
-// 1 - 0.1 is no double of the form start + d.
-START_TEST(scripted_vertices_whose_displacement_is_no_double_rest)
+// 0.7 - 0.1 is no double.
+START_TEST(a_scripted_vertex_whose_displacement_is_no_double_leads)
 {
     make_specks(2);
     made.inverse_mass[1] = 0;
-    made.start[3] = 0x1p-60;
-    made.end[3] = -1;
+    made.start[3] = 0.1;
+    made.end[3] = 0.7;
     begin();
     meet(2, 0, 1);
-    ck_assert_mem_eq(of.end, made.start, 6 * sizeof(double));
+    ck_assert_double_eq(of.end[1], made.start[1] + (0.7 - 0.1));
+    ck_assert_double_eq(of.end[3], 0.7);
+    ck_assert_double_eq(of.end[5], made.start[5] + (0.7 - 0.1));
+    ck_assert_int_eq(account().resting, 0);
+    end();
+}
+END_TEST
+
+// -0 is where it should be, and so is 0.
+START_TEST(zeros_keep_their_signs)
+{
+    make_specks(2);
+    for (int v = 0; v < 3; v++)
+        made.end[2 * v] = made.start[2 * v] = v == 1 ? 0 : -0.;
+    made.end[2] = -0.;
+    begin();
+    meet(2, 0, 1);
+    for (int v = 0; v < 3; v++)
+        ck_assert_msg(signbit(of.end[2 * v]) != 0, "vertex %d", v);
     end();
 }
 END_TEST
@@ -244,9 +270,11 @@ Suite *suite(void)
     TCase *scripted = tcase_create("scripted vertices");
     tcase_add_test(scripted, scripted_vertices_lead);
     tcase_add_test(scripted, scripted_vertices_that_agree_lead_together);
-    tcase_add_loop_test(scripted, scripted_vertices_that_disagree_rest, 0, 2);
+    tcase_add_loop_test(
+        scripted, scripted_vertices_that_disagree_go_where_they_should, 0, 2);
     tcase_add_test(scripted,
-                   scripted_vertices_whose_displacement_is_no_double_rest);
+                   a_scripted_vertex_whose_displacement_is_no_double_leads);
+    tcase_add_test(scripted, zeros_keep_their_signs);
     tcase_add_test(scripted, scripted_vertices_end_at_their_bits);
     suite_add_tcase(suite, scripted);
     return suite;

@@ -29,9 +29,9 @@ bool tf_failsafe_begin(tf_failsafe *failsafe, const tf_step *step)
 }
 
 //: Put groups to rest that touch themselves
-/// Whether all vertices of a contact are in one group.  Then it is a rounding
-/// that made the elements touch: moved by exactly the same, they would stay
-/// apart.
+/// Whether all vertices of a contact are in one group.  Moved by exactly the
+/// same displacement, they would stay apart, so roundings or scripts that
+/// disagree are to blame.
 static bool is_within_group(tf_groups *groups,
                             const tf_surface_contact *contact)
 {

@@ -112,7 +112,6 @@ START_TEST(what_has_not_changed_is_not_tested)
         made.end[3 * i] += 0.1;
     }
     made.start[0] = made.start[1] = 0;
-    made.start[8] = made.end[8] = 2; // such that its box has the particles
     made.end[3 * 3 + 2] = made.end[3 * 4 + 2] = -1; // through the triangle
     proposal_add_triangle(&made, 0, 1, 2);
     stepped_begin(&of, &made);

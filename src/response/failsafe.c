@@ -29,9 +29,9 @@ bool tf_failsafe_begin(tf_failsafe *failsafe, const tf_step *step)
 }
 
 //: Put groups to rest that touch themselves
-/// Whether all vertices of a contact are in one group.  Then it is a rounding
-/// that made the elements touch: moved by exactly the same, they would stay
-/// apart.
+/// Whether all vertices of a contact are in one group.  Moved by exactly the
+/// same displacement, they would stay apart, so roundings or scripts that
+/// disagree are to blame.
 static bool is_within_group(tf_groups *groups,
                             const tf_surface_contact *contact)
 {
@@ -82,11 +82,11 @@ static group *joined_group(tf_failsafe *failsafe, int vertex)
     return own->joined ? own : NULL;
 }
 
-//: Agree with the vertices that should not be moved
+//: Follow a scripted vertex
 /// Gives a group the displacement of a scripted vertex, the first one that it
 /// has.  Others may have another displacement, if only by rounding.  Where this
 /// makes the group touch itself, the next round puts it to rest.
-static void agree(group *own, const tf_step *step, int vertex)
+static void follow(group *own, const tf_step *step, int vertex)
 {
     if (own->scripted)
         return;
@@ -126,7 +126,7 @@ static void find_displacements(tf_failsafe *failsafe, const tf_step *step)
     for (int v = 0; v < step->vertices; v++) {
         group *own = joined_group(failsafe, v);
         if (own && !(step->inverse_mass[v] > 0))
-            agree(own, step, v);
+            follow(own, step, v);
     }
     for (int v = 0; v < step->vertices; v++) {
         group *own = joined_group(failsafe, v);

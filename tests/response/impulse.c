@@ -144,7 +144,7 @@ START_TEST(changes_the_energy_as_proved)
     generator random = generator_new(4);
     for (long i = cases(TRIALS); i > 0; i--) {
         scene s = random_scene(&random);
-        if (i % 2 == 0) { // the point cannot be moved, and rests
+        if (i % 2 == 0) { // the point is scripted to rest
             s.inverse_mass[0] = 0;
             memset(s.move, 0, sizeof(double) * (size_t)s.axes);
         }

@@ -240,7 +240,7 @@ START_TEST(a_triangle_turns_over_in_its_plane)
 }
 END_TEST
 
-// Fixed vertices --------------------------------------------------------------
+// Scripted vertices -----------------------------------------------------------
 
 static void fix(int first, int count)
 {
@@ -248,7 +248,7 @@ static void fix(int first, int count)
         made.inverse_mass[v] = 0;
 }
 
-START_TEST(two_fixed_plates_close)
+START_TEST(two_scripted_plates_close)
 {
     proposal_begin(&made, 3);
     int low = proposal_add_sheet(&made, 2, 0);
@@ -263,7 +263,7 @@ START_TEST(two_fixed_plates_close)
 }
 END_TEST
 
-START_TEST(a_fixed_plate_pushes_and_is_not_held)
+START_TEST(a_scripted_plate_pushes_and_is_not_held)
 {
     proposal_begin(&made, 3);
     int plate = proposal_add_sheet(&made, 2, 0);
@@ -287,7 +287,7 @@ static void roughen(generator *random, int first, int count)
 
 // By the failsafe alone, which moves all as the plate does.  Of a rough plate no
 // two vertices move by the same displacement, to the last bit.
-START_TEST(a_fixed_plate_carries_what_it_meets)
+START_TEST(a_scripted_plate_carries_what_it_meets)
 {
     static const tf_response_options options = {.zone_rounds = -1};
     generator random = generator_new(700);
@@ -369,8 +369,8 @@ static double energy(double *slack)
     return sum;
 }
 
-/// Of the vertices that were proposed to move; fixed ones rest.
-static void make_random(generator *random, int number, bool fixed)
+/// Of the vertices that were proposed to move; scripted ones rest.
+static void make_random(generator *random, int number, bool scripted)
 {
     static const proposal_way ways[] = {SCATTERED, SPIKED, INSIDE_OUT,
                                         FLATTENED, SHUFFLED};
@@ -386,7 +386,7 @@ static void make_random(generator *random, int number, bool fixed)
     proposal_weigh(random, &made);
     int axes = made.mesh.axes;
     for (int v = 0; v < made.mesh.vertices; v++)
-        if (made.inverse_mass[v] == 0 && fixed)
+        if (made.inverse_mass[v] == 0 && scripted)
             memcpy(made.end + axes * v, made.start + axes * v,
                    sizeof(double) * (size_t)axes);
         else if (made.inverse_mass[v] == 0)
@@ -723,9 +723,9 @@ Suite *suite(void)
     tcase_add_test(hand, motion_in_a_plane);
     tcase_add_test(hand, isolated_vertices);
     tcase_add_test(hand, a_triangle_turns_over_in_its_plane);
-    tcase_add_test(hand, two_fixed_plates_close);
-    tcase_add_test(hand, a_fixed_plate_pushes_and_is_not_held);
-    tcase_add_loop_test(hand, a_fixed_plate_carries_what_it_meets, 0, 2);
+    tcase_add_test(hand, two_scripted_plates_close);
+    tcase_add_test(hand, a_scripted_plate_pushes_and_is_not_held);
+    tcase_add_loop_test(hand, a_scripted_plate_carries_what_it_meets, 0, 2);
     tcase_add_test(hand, a_huge_translation_on_a_lattice_meets_nothing);
     tcase_add_test(hand, a_huge_translation_off_a_lattice_is_refused);
     suite_add_tcase(suite, hand);

@@ -45,8 +45,8 @@ static tf_contacts find_in(const tf_motion *motion, const tf_parallel *parallel)
                        .arithmetic = &tf_exact,
                        .narrow_phase = &tf_vectorized};
     tf_contacts found;
-    ck_assert_int_eq(
-        tf_recheck(of.surface, &of.step, &how, parallel, &found), TF_OK);
+    ck_assert_int_eq(tf_recheck(of.surface, &of.step, &how, parallel, &found),
+                     TF_OK);
     return found;
 }
 
@@ -156,16 +156,14 @@ START_TEST(many_edges_again)
         end[3 * i + 2] = 0.5;
         edge[i] = i;
     }
-    tf_mesh mesh = {.axes = 3,
-                    .vertices = 2 * EDGES,
-                    .edges = EDGES,
-                    .edge = edge};
+    tf_mesh mesh = {
+        .axes = 3, .vertices = 2 * EDGES, .edges = EDGES, .edge = edge};
     of.surface = surface_of(&mesh);
     of.step = (tf_step){3, 2 * EDGES, start, end, NULL, end, changed};
     tf_motion motion = {2 * EDGES, start, end};
     tf_contacts found;
-    ck_assert_int_eq(
-        tf_surface_detect(of.surface, &motion, NULL, &found, NULL), TF_OK);
+    ck_assert_int_eq(tf_surface_detect(of.surface, &motion, NULL, &found, NULL),
+                     TF_OK);
     ck_assert_uint_eq(found.count, EDGES / 2);
     memset(changed, true, sizeof changed);
     ck_assert_uint_eq(find_in(&motion, &parallel).count, EDGES / 2);

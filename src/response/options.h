@@ -44,8 +44,8 @@ typedef struct tf_response_report {
     int moved;             ///< vertices whose end is not the proposed one
     tf_effort effort;      ///< that of all detections
     double energy_before;  ///< the kinetic energy of the proposed step, the sum
-                           ///< of mass |d|^2 / 2 over the vertices that are not
-                           ///< scripted, with displacements d
+                           ///< of mass |d|^2 / 2, with displacements d, over
+                           ///< all vertices that are not scripted
     double energy_after;   ///< that of the resolved step
 } tf_response_report;
 

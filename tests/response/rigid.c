@@ -1,4 +1,4 @@
-// Rigid zones: momenta, shapes, fixed vertices.
+// Rigid zones: momenta, shapes, scripted vertices.
 #include "response/rigid.h"
 
 #include "support/stepped.h"
@@ -110,7 +110,7 @@ START_TEST(momenta_are_kept)
 }
 END_TEST
 
-START_TEST(zones_with_fixed_vertices_stay_as_they_are)
+START_TEST(zones_with_scripted_vertices_stay_as_they_are)
 {
     generator random = generator_new(300);
     unite_random(&random, 3, 2);
@@ -147,7 +147,7 @@ Suite *suite(void)
     TCase *tcase = tcase_create("bodies");
     tcase_add_loop_test(tcase, shapes_are_kept, 0, 2);
     tcase_add_loop_test(tcase, momenta_are_kept, 0, 2);
-    tcase_add_test(tcase, zones_with_fixed_vertices_stay_as_they_are);
+    tcase_add_test(tcase, zones_with_scripted_vertices_stay_as_they_are);
     tcase_add_test(tcase, rods_do_not_turn_about_themselves);
     suite_add_tcase(suite, tcase);
     return suite;

@@ -50,7 +50,7 @@ static const tf_zone_solver failing = {"failing", no_room, find_no_numbers};
 // Scenes ------------------------------------------------------------------------
 
 /// Edges in the plane, level and about 2 long, each at a height; all fall by
-/// ten, but those that are fixed stay.
+/// ten, but those that are scripted stay.
 static void add_edge(double x, double height, double inverse_mass)
 {
     int a = proposal_add_vertex(&made, x, height, 0);
@@ -96,7 +96,7 @@ static int sum(const int number[])
 }
 
 // Four ends of edges fall upon a floor, each for itself.
-START_TEST(fixed_vertices_join_nothing)
+START_TEST(scripted_vertices_join_nothing)
 {
     proposal_begin(&made, 2);
     add_edge(-5, 0, 0);
@@ -230,7 +230,7 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("response/zones");
     TCase *tcase = tcase_create("division");
-    tcase_add_test(tcase, fixed_vertices_join_nothing);
+    tcase_add_test(tcase, scripted_vertices_join_nothing);
     tcase_add_test(tcase, vertices_that_move_join_zones);
     tcase_add_test(tcase, only_zones_with_new_rows_are_solved);
     suite_add_tcase(suite, tcase);

@@ -208,6 +208,53 @@ START_TEST(idle_vertices_belong_to_no_zone)
 }
 END_TEST
 
+// Zones share scripted vertices, and each numbers them for itself: a floor with a
+// single edge to the left and a pile of two to the right.
+START_TEST(each_zone_is_a_problem_on_its_own)
+{
+    proposal_begin(&made, 2);
+    add_edge(-5, 0, 0);
+    made.start[2] = made.end[2] = 9;
+    int vertex = proposal_add_vertex(&made, -4, 1, 0);
+    made.end[2 * vertex + 1] -= 10;
+    add_edge(2, 1, 1);
+    vertex = proposal_add_vertex(&made, 3, 2, 0);
+    made.end[2 * vertex + 1] -= 20;
+    begin();
+    go_on(&tf_gauss_seidel);
+    ck_assert_uint_eq(effort.zones, 2);
+    ck_assert_double_lt(effort.violation, 1e-6);
+    for (int v = 0; v < made.mesh.vertices; v++)
+        ck_assert_msg(of.end[2 * v + 1] > made.start[2 * v + 1] - 0.05,
+                      "vertex %d ends at %g", v, of.end[2 * v + 1]);
+    end();
+}
+END_TEST
+
+// Its impulses are found already: no vertex has to be looked at again.
+START_TEST(a_zone_that_is_solved_moves_nothing)
+{
+    proposal_begin(&made, 2);
+    add_edge(-5, 0, 0);
+    made.start[2] = made.end[2] = 9;
+    add_edge(-3.1, 1.3, 1);
+    add_edge(-2.3, 3.7, 1);
+    made.end[2 * 5 + 1] -= 30;
+    made.end[2 * 4 + 1] -= 30;
+    begin();
+    tf_zone_choice choice = {.solver = &tf_gauss_seidel, .sweeps = 1000};
+    tf_contacts contacts = stepped_contacts(&of);
+    for (int round = 0; round < 20; round++) {
+        memset(of.changed, 0, sizeof of.changed);
+        ck_assert(
+            tf_zones_add(&zones, &of.step, &contacts, &of.rule, &effort) &&
+            tf_zones_solve(&zones, &of.step, &of.rule, &choice, &effort));
+    }
+    ck_assert_int_eq(stepped_changes(&of), 0);
+    end();
+}
+END_TEST
+
 START_TEST(a_solver_that_fails_moves_nothing)
 {
     proposal_begin(&made, 2);
@@ -238,6 +285,8 @@ Suite *suite(void)
     TCase *answers = tcase_create("answers");
     tcase_add_test(answers, zones_start_from_the_base);
     tcase_add_test(answers, idle_vertices_belong_to_no_zone);
+    tcase_add_test(answers, each_zone_is_a_problem_on_its_own);
+    tcase_add_test(answers, a_zone_that_is_solved_moves_nothing);
     tcase_add_test(answers, a_solver_that_fails_moves_nothing);
     suite_add_tcase(suite, answers);
     return suite;

@@ -48,7 +48,10 @@ static inline float tf_frame_coordinate(const tf_frame *frame, int axis,
     return (float)((x - frame->center[axis]) * frame->scale);
 }
 
-/// The box of the path of each vertex, from start to end, with a margin of 0 or
-/// more on all sides.
+/// The box of the path of a vertex, from start to end.
+tf_box tf_vertex_box(const tf_frame *frame, const tf_motion *motion,
+                     int vertex);
+
+/// The boxes of the paths of all vertices.
 void tf_vertex_boxes(const tf_frame *frame, const tf_motion *motion,
-                     double margin, const tf_parallel *parallel, tf_box box[]);
+                     const tf_parallel *parallel, tf_box box[]);

@@ -47,11 +47,9 @@ static void put_to_rest(tf_failsafe *failsafe, const tf_contacts *contacts)
     group *all = failsafe->group.data;
     for (size_t i = 0; i < contacts->count; i++) {
         const tf_surface_contact *contact = &contacts->contact[i];
-        if (!is_within_group(&failsafe->groups, contact))
-            continue;
-        group *own =
-            &all[tf_groups_find(&failsafe->groups, contact->vertex[0])];
-        own->resting = own->joined = true;
+        int root = tf_groups_find(&failsafe->groups, contact->vertex[0]);
+        if (is_within_group(&failsafe->groups, contact))
+            all[root].resting = true;
     }
 }
 

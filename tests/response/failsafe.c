@@ -82,9 +82,45 @@ START_TEST(groups_move_as_their_masses_do)
 }
 END_TEST
 
+// However often it grows, and in whichever order: the sums are the same.
+START_TEST(a_group_moves_as_if_united_at_once)
+{
+    generator random = generator_new(200);
+    for (int times = 0; times < 20; times++) {
+        double mass = 0, momentum = 0;
+        make_specks(6);
+        for (int v = 0; v < 8; v++) {
+            made.inverse_mass[v] = uniform(&random, 0.1, 10);
+            made.end[2 * v + 1] += uniform(&random, -1, 1);
+            mass += 1 / made.inverse_mass[v];
+            momentum += (made.end[2 * v + 1] - made.start[2 * v + 1]) /
+                        made.inverse_mass[v];
+        }
+        begin();
+        for (int v = 2; v < 8; v++)
+            meet(v, v - 1, v - 2);
+        for (int v = 0; v < 8; v++)
+            ck_assert_double_eq_tol(-fall(v), momentum / mass, 1e-14);
+        double one_by_one[16];
+        memcpy(one_by_one, of.end, sizeof one_by_one);
+        end();
+
+        begin();
+        tf_surface_contact contact[6];
+        for (int v = 2; v < 8; v++)
+            contact[7 - v] = (tf_surface_contact){
+                .kind = TF_POINT_EDGE, .vertex = {v, v - 1, v - 2, -1}};
+        tf_contacts contacts = {.any = true, .count = 6, .contact = contact};
+        tf_failsafe_round(&failsafe, &of.step, &contacts);
+        ck_assert_mem_eq(of.end, one_by_one, sizeof one_by_one);
+        end();
+    }
+}
+END_TEST
+
 START_TEST(a_group_that_touches_itself_rests_for_good)
 {
-    make_specks(3);
+    make_specks(4);
     begin();
     meet(2, 0, 1);
     meet(2, 0, 1);
@@ -96,6 +132,10 @@ START_TEST(a_group_that_touches_itself_rests_for_good)
     ck_assert_double_eq(fall(3), 0);
     ck_assert_double_eq(fall(0), 0);
     ck_assert_int_eq(account().resting, 4);
+    meet(0, 4, 5);
+    for (int v = 0; v < 6; v++)
+        ck_assert_double_eq(fall(v), 0);
+    ck_assert_int_eq(account().resting, 6);
     end();
 }
 END_TEST
@@ -261,6 +301,7 @@ Suite *suite(void)
     Suite *suite = suite_create("response/failsafe");
     TCase *tcase = tcase_create("groups");
     tcase_add_test(tcase, groups_move_as_their_masses_do);
+    tcase_add_test(tcase, a_group_moves_as_if_united_at_once);
     tcase_add_test(tcase, a_group_that_touches_itself_rests_for_good);
     tcase_add_test(tcase, only_what_moved_as_one_is_put_to_rest);
     tcase_add_loop_test(tcase, no_group_moves_to_infinity, 0, 2);

@@ -7,7 +7,7 @@
 
 //: List the entries of a report
 enum {
-    ENTRIES = 26
+    ENTRIES = 25
 };
 
 static const char *status_of(const tf_response_report *report)

@@ -118,9 +118,8 @@ TF_INSIDE int visit_children(const tf_tree *s, int a, const tf_tree *t,
                              visit stack[], int top)
 {
     const tf_pack *pack = &t->level[from->level][from->pack];
-    uint32_t near =
-        overlaps(pack, box) &
-        wanted(s->marked[0][a], t->marked[from->level][from->pack]);
+    uint32_t near = overlaps(pack, box) &
+                    wanted(s->marked[0][a], t->marked[from->level][from->pack]);
     for (; near; near &= near - 1) {
         int i = first_lane(near);
         int child = from->pack * TF_LANES + i;

@@ -141,7 +141,6 @@ tf_status tf_surface_move(tf_surface *surface, const tf_motion *motion,
     if (!tf_buffer_reserve(&surface->boxes, (size_t)surface->vertices,
                            sizeof(tf_box)))
         return TF_OUT_OF_MEMORY;
-    tf_vertex_boxes(&surface->frame, motion, parallel,
-                    surface->boxes.data);
+    tf_vertex_boxes(&surface->frame, motion, parallel, surface->boxes.data);
     return build_trees(surface, parallel);
 }

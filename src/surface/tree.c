@@ -142,7 +142,8 @@ static bool make_room(tf_tree *tree, tf_tree_room *room)
                            sizeof(tf_digit_counts)))
         return false;
     tree->level[0] = tree->pack_room.data;
-    tree->marked[0] = memset(tree->mark_room.data, -1, packs * sizeof(uint32_t));
+    tree->marked[0] =
+        memset(tree->mark_room.data, -1, packs * sizeof(uint32_t));
     for (int i = 1; i < tree->levels; i++) {
         tree->level[i] = tree->level[i - 1] + tree->packs[i - 1];
         tree->marked[i] = tree->marked[i - 1] + tree->packs[i - 1];

@@ -28,11 +28,11 @@ typedef struct tf_tree {
     int corners;               ///< of an element: 1, 2 or 3 vertices
     int levels;                ///< at least 1, unless there are no elements
     int packs[TF_TREE_LEVELS]; ///< of each level; the first are the leaves
-    tf_pack *level[TF_TREE_LEVELS]; ///< their packs
+    tf_pack *level[TF_TREE_LEVELS];   ///< their packs
     uint32_t *marked[TF_TREE_LEVELS]; ///< a bit for each lane of each pack: a
                                       ///< pair needs a marked element
-    int (*element)[TF_LANES]; ///< of each leaf, -1 in an unused lane
-    int (*corner)[TF_LANES];  ///< of each leaf, for each corner: the vertices
+    int (*element)[TF_LANES];         ///< of each leaf, -1 in an unused lane
+    int (*corner)[TF_LANES]; ///< of each leaf, for each corner: the vertices
     tf_buffer pack_room, mark_room, element_room, corner_room;
 } tf_tree;
 

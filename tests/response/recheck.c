@@ -45,8 +45,8 @@ static tf_contacts find_in(const tf_motion *motion, const tf_parallel *parallel)
                        .arithmetic = &tf_exact,
                        .narrow_phase = &tf_vectorized};
     tf_contacts found;
-    ck_assert_int_eq(
-        tf_recheck(of.surface, &of.step, &how, parallel, &found), TF_OK);
+    ck_assert_int_eq(tf_recheck(of.surface, &of.step, &how, parallel, &found),
+                     TF_OK);
     return found;
 }
 
@@ -156,16 +156,14 @@ START_TEST(many_edges_again)
         end[3 * i + 2] = 0.5;
         edge[i] = i;
     }
-    tf_mesh mesh = {.axes = 3,
-                    .vertices = 2 * EDGES,
-                    .edges = EDGES,
-                    .edge = edge};
+    tf_mesh mesh = {
+        .axes = 3, .vertices = 2 * EDGES, .edges = EDGES, .edge = edge};
     of.surface = surface_of(&mesh);
     of.step = (tf_step){3, 2 * EDGES, start, end, NULL, end, changed};
     tf_motion motion = {2 * EDGES, start, end};
     tf_contacts found;
-    ck_assert_int_eq(
-        tf_surface_detect(of.surface, &motion, NULL, &found, NULL), TF_OK);
+    ck_assert_int_eq(tf_surface_detect(of.surface, &motion, NULL, &found, NULL),
+                     TF_OK);
     ck_assert_uint_eq(found.count, EDGES / 2);
     memset(changed, true, sizeof changed);
     ck_assert_uint_eq(find_in(&motion, &parallel).count, EDGES / 2);
@@ -176,6 +174,29 @@ START_TEST(many_edges_again)
 }
 END_TEST
 
+// An element with ends on all sides, far out of the frame, overlaps the boxes
+// of all elements, but not the lanes of none.
+START_TEST(ends_far_out_of_the_frame)
+{
+    generator random = generator_new(400);
+    proposal_make(&random, SHEETS, 2, RESTING, &made);
+    tf_surface *other = surface_of(&made.mesh);
+    stepped_begin(&of, &made);
+    tf_contacts found = stepped_contacts(&of);
+    mark(&found);
+    for (int i = 0; i < 3; i++) {
+        int v = made.mesh.triangle[i];
+        for (int k = 0; k < made.mesh.axes; k++)
+            of.end[made.mesh.axes * v + k] = i == k ? -0x1p1000 : 0x1p1000;
+        of.changed[v] = true;
+    }
+    found = find(NULL);
+    compare(other, &found);
+    stepped_free(&of);
+    tf_surface_free(other);
+}
+END_TEST
+
 Suite *suite(void)
 {
     Suite *suite = suite_create("response/recheck");
@@ -183,6 +204,7 @@ Suite *suite(void)
     tcase_add_loop_test(tcase, found_again_is_all_there_is, 0, PROPOSAL_SHAPES);
     tcase_add_test(tcase, what_has_not_changed_is_not_tested);
     tcase_add_test(tcase, many_edges_again);
+    tcase_add_test(tcase, ends_far_out_of_the_frame);
     suite_add_tcase(suite, tcase);
     return suite;
 }

@@ -10,8 +10,9 @@
 #include <string.h>
 
 enum {
-    SHOWN = 5, ///< rounds without memory
-    MOST = 16  ///< beads of the plot
+    SHOWN = 5,    ///< rounds without memory
+    MOST = 16,    ///< beads of the plot
+    ENOUGH = 5000 ///< sweeps, so that none of the solutions is cut short
 };
 
 static const double gap = 0x1p-10;
@@ -59,7 +60,8 @@ static void draw_round(fig_page *page, const fig_wire *course, int round,
 
 static void draw_rounds(fig_page *page)
 {
-    fig_wire alone = fig_wire_alone(2, gap), kept = fig_wire_kept(2, gap, 60);
+    fig_wire alone = fig_wire_alone(2, gap);
+    fig_wire kept = fig_wire_kept(2, gap, ENOUGH);
     double y = 14;
     fig_page_text(page, left, y, FIG_ALIGN_LEFT, "*one contact at a time*",
                   FIG_LETTERS_SMALL, FIG_ROLE_INK);
@@ -90,7 +92,8 @@ static void draw_plot(fig_page *page, FILE *numbers)
     int count = 0;
     for (int beads = 2; beads <= MOST; beads++, count++) {
         alone[count] = (fig_point){beads, fig_wire_alone(beads, gap).rounds};
-        kept[count] = (fig_point){beads, fig_wire_kept(beads, gap, 60).rounds};
+        kept[count] =
+            (fig_point){beads, fig_wire_kept(beads, gap, ENOUGH).rounds};
         char key[32];
         snprintf(key, sizeof key, "alone_%d", beads);
         fig_number(numbers, key, alone[count].y);

@@ -207,6 +207,7 @@ static void draw(fig_page *page, FILE *numbers)
     fig_number(numbers, "meeting", rint(wall_at / speed));
     fig_number(numbers, "first_jam", c.first_jam);
     fig_number(numbers, "jammed", c.jammed);
+    fig_number(numbers, "asked", c.asked[c.first_jam]);
     fig_number(numbers, "jam_gap", c.gap[c.first_jam]);
     fig_number(numbers, "speed", speed);
     fig_number(numbers, "jump", jump);

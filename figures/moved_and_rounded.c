@@ -183,7 +183,7 @@ static void draw(fig_page *page, FILE *numbers)
                      .y = {-2, 56},
                      .log_x = true,
                      .name_x = "distance from an edge of length 1",
-                     .name_y = "% on the other side"};
+                     .name_y = "% on or beyond"};
     fig_plot_frame(page, &plot);
     for (int how = 0; how < MOVES; how++)
         draw_move(page, &plot, (move)how, numbers);

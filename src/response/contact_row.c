@@ -158,7 +158,7 @@ static double bound_for(const tf_step *step, const tf_row *row,
 }
 
 //: Drop vertices that a row does not push
-/// A zone must not move them.
+/// Drops the vertices whose coefficient is 0: a zone must not move them.
 static tf_row without_idle_vertices(const tf_row *row)
 {
     tf_row kept = *row;

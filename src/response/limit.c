@@ -68,7 +68,7 @@ static tf_status test_whole(tf_surface *surface, const tf_motion *motion,
     return tf_start_check_contacts(motion, surface->axes, &found, obstacle);
 }
 
-//: Find the largest clear fraction
+//: Find a clear fraction
 static tf_status limit(tf_resolver *resolver, const double start[],
                        double end[], const tf_response_options *options,
                        int *halvings, tf_obstacle *obstacle)

@@ -1,4 +1,4 @@
-//: Declare the largest clear fraction of a step
+//: Declare a clear fraction of a step
 #pragma once
 
 #include "base/api.h"
@@ -11,7 +11,7 @@
 
 /// Finds the largest of the fractions 1, 1/2, 1/4, ... of a step that is clear.
 ///
-/// A shorter step is another step, because its elements bend otherwise on the
+/// A shorter step is another step, because its elements bend differently on the
 /// way.  So each fraction is rounded to doubles and tested by itself, and the
 /// time of the first contact says little about the answer.
 ///
@@ -23,7 +23,7 @@
 /// @param options only check_start, narrow_phase and parallel are used; NULL:
 ///     all zero
 /// @param[out] halvings the least such k; or -1 if nothing moves any more, and
-///     `end` is `start`
+///     `end` equals `start`
 /// @param[out] obstacle what is wrong if the status is not TF_OK; may be NULL
 /// @return TF_OK; TF_BAD_COUNT; TF_NOT_FINITE; TF_START_NOT_CLEAR;
 ///     TF_BAD_ENVIRONMENT; or TF_OUT_OF_MEMORY

@@ -212,6 +212,7 @@ START_TEST(rows_do_what_is_told)
     expect_rows(text, 1);
 
     // What the text says of all pairs.
+    expect_number(text, "disagree_ee_0.1", 0);
     for (int k = 0; k < 3; k++)
         for (int d = 0; d < 3; d++) {
             const double deformation[] = {0.01, 0.1, 1};

@@ -108,7 +108,8 @@ static tf_intersection intersect_projections(const tf_arithmetic *arithmetic,
         if (own.verdict == TF_APART)
             return own;
 
-        // If it is unique, the events fill the projection: it is one-to-one.
+        // Where the intersection is unique, the events fill the projection,
+        // which is then one-to-one.
         if (latest.unique)
             continue;
         if (own.unique) {

@@ -14,9 +14,9 @@
 //   the percentage of those with a rounded difference, and of those that the
 //   rounded differences would decide;
 // - a line a workload: how many signs a query takes, clamped and exact;
-// - a line a way to a sign: nanoseconds.  The grid and the expansion, which the
-//   library does without, find the signs of the same differences as the
-//   accumulator does above them.
+// - a line a way to a sign: nanoseconds.  The grid and the expansion find the
+//   signs of the same differences as the accumulator between them.  The library
+//   does without the expansion.
 // With --csv the same as lines "name,value,unit", for figures/measured.csv.
 #define _POSIX_C_SOURCE 199309L // clock_gettime
 

@@ -203,7 +203,7 @@ static void draw_bound(fig_page *page, const fig_plot *plot)
     fig_plot_curve(page, plot, 2, at,
                    (fig_stroke){.width = FIG_WIDTH_LINE, .dash = 4});
     fig_point top = fig_plot_place(plot, bound_by_ranges, plot->y[1]);
-    fig_page_text(page, top.x, top.y - 5, FIG_ALIGN_CENTER, "48",
+    fig_page_text(page, top.x, top.y - 5, FIG_ALIGN_CENTER, "256",
                   FIG_LETTERS_SMALL, FIG_ROLE_INK);
 }
 

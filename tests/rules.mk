@@ -34,7 +34,11 @@ $(BUILD)/tests/%.o: tests/%.c $(BUILD)/flags | need-check
 $(BUILD)/tests/%: $(BUILD)/tests/%.o $(BUILD)/support.a $(BUILD)/program.a \
 		$(library_file)
 	@echo 'link    $@'
-	$(Q)$(LINK) $^ $$(pkg-config --libs check) -lgmp -lm -o $@
+	$(Q)$(LINK) $^ $$(pkg-config --libs check) $(LIBRARIES) -lgmp -lm -o $@
+
+# This one counts calls of these functions.
+$(BUILD)/tests/whole/allocations: LIBRARIES = -Wl,--wrap=malloc \
+	-Wl,--wrap=calloc -Wl,--wrap=realloc -Wl,--wrap=aligned_alloc
 
 # The tests of the figures need more: their rule overrides the pattern above.
 figure_tests = $(FIGURE_TESTS:%.c=$(BUILD)/%)
@@ -115,7 +119,15 @@ soak: $(BUILD)/tests/soak/soak ## answer COUNT=100000000 queries in two ways, an
 
 soak-vectors: $(BUILD)/tests/soak/vectors ## compare COUNT=100000000 verdicts by vectors with the reference's
 	@$< $(COUNT)
-.PHONY: soak soak-vectors
+
+soak-response: COUNT = 10000
+soak_response = $(patsubst %,$(BUILD)/tests/%,soak/response whole/response \
+	whole/response_cases)
+soak-response: $(soak_response) ## resolve and judge COUNT=10000 random proposals, and longer scenes
+	@$< $(COUNT) $(FROM)
+	@TF_TEST_PERCENT=200 $(BUILD)/tests/whole/response
+	@TF_TEST_PERCENT=400 $(BUILD)/tests/whole/response_cases
+.PHONY: soak soak-vectors soak-response
 
 # What is measured -------------------------------------------------------------
 
@@ -131,6 +143,30 @@ measure: ## time the library again for the book, in figures/measured.csv
 	@sh tests/bench/measure.sh '$(CC)' -O3 \
 	    $(benches:%=$(BUILD)/measured/tests/bench/%) >$(BUILD)/measured/new.csv
 	@mv $(BUILD)/measured/new.csv figures/measured.csv
+
+bench-response: $(BUILD)/tests/bench/response ## time the response to contacts of cloth
+	@$<
+
+$(BUILD)/tests/bench/solvers.o: | need-solvers
+$(BUILD)/tests/bench/solvers: LIBRARIES = -llapacke
+compare-solvers: $(BUILD)/tests/bench/solvers ## compare the solvers of impact zones
+	@$< tests/bench/zones.txt
+
+compare-sweeps: $(BUILD)/tests/bench/sweeps ## compare numbers of sweeps on steps of cloth
+	@$<
+
+solver_benches = $(BUILD)/measured/tests/bench/solvers \
+	$(BUILD)/measured/tests/bench/sweeps
+measure-solvers: ## do both again for the book, in figures/solvers.csv
+	@$(MAKE) BUILD=$(BUILD)/measured CFLAGS=-O3 LDFLAGS= $(solver_benches)
+	@echo 'measure figures/solvers.csv'
+	@sh tests/bench/solvers.sh '$(CC)' -O3 tests/bench/zones.txt \
+	    $(solver_benches) >$(BUILD)/measured/solvers.csv
+	@mv $(BUILD)/measured/solvers.csv figures/solvers.csv
+
+collect-zones: $(BUILD)/tests/bench/collect_zones ## collect zones again for that, in tests/bench/zones.txt
+	@$< >$(BUILD)/zones.txt
+	@mv $(BUILD)/zones.txt tests/bench/zones.txt
 
 counts: $(BUILD)/tests/bench/counts ## count the contacts that the report's rule misses
 	@$<
@@ -149,4 +185,14 @@ measure-roads: ## compare the methods again for the book, in figures/roads.csv
 	    $(BUILD)/measured/tests/bench/compare tests/bench/published.csv \
 	    >$(BUILD)/measured/roads.csv
 	@mv $(BUILD)/measured/roads.csv figures/roads.csv
-.PHONY: bench measure counts compare measure-roads
+
+measure-response: ## time the response again for the book, in figures/response.csv
+	@$(MAKE) BUILD=$(BUILD)/measured CFLAGS=-O3 LDFLAGS= \
+	    $(BUILD)/measured/tests/bench/response
+	@echo 'measure figures/response.csv'
+	@sh tests/bench/response.sh '$(CC)' -O3 \
+	    $(BUILD)/measured/tests/bench/response \
+	    >$(BUILD)/measured/response.csv
+	@mv $(BUILD)/measured/response.csv figures/response.csv
+.PHONY: bench bench-response measure compare-solvers compare-sweeps \
+	measure-solvers collect-zones counts compare measure-roads measure-response

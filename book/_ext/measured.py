@@ -1,5 +1,6 @@
 """Numbers of figures/measured.csv, and claims about them that the build checks;
-those of figures/roads.csv are named "roads ...".
+those of figures/roads.csv are named "roads ...", those of figures/solvers.csv
+"solvers ..." and those of figures/response.csv "response ...".
 
     {measured}`exact near edge-edge:.0f`
     {measured}`expansion / accumulator:.1f`     a number made of rows
@@ -19,7 +20,9 @@ from sphinx.util.docutils import SphinxRole
 import drawings
 
 
-FILES = {"measured": "", "roads": "roads "}    # and prefixes of their names
+# And prefixes of their names.
+FILES = {"measured": "", "roads": "roads ", "solvers": "solvers ",
+         "response": "response "}
 
 
 def read(lines, prefix=""):
@@ -36,7 +39,8 @@ def numbers(text, rows):
     names = "|".join(map(re.escape, sorted(rows, key=len, reverse=True)))
     text = re.sub(rf"(?<![\w-])(?:{names})(?![\w-])",
                   lambda found: repr(rows[found[0]]), text)
-    if not re.fullmatch(r"(?:\d+(?:\.\d+)?|[-+*/()]|[<>]=?|and|\s)+", text):
+    number = r"\d+(?:\.\d+)?(?:e[-+]\d+)?"
+    if not re.fullmatch(rf"(?:{number}|[-+*/()]|[<>]=?|and|\s)+", text):
         raise ValueError(f"there is no such row in '{text}'")
     return text
 

@@ -2,8 +2,8 @@
 #include "draw/drawing.h"
 
 #include "draw/encoder.h"
-#include "draw/output_file.h"
 #include "draw/sheet.h"
+#include "program/output_file.h"
 #include "program/progress.h"
 #include "program/visible.h"
 #include "renderer/render.h"
@@ -136,13 +136,13 @@ static bool make_picture(work *w)
     const char *path = w->settings->picture;
     w->options = options_of(w);
     set_size(w, PICTURE_WIDTH);
-    fig_output_file file;
-    if (!fig_output_file_begin(&file, path))
+    tf_output_file file;
+    if (!tf_output_file_begin(&file, path))
         return report_unwritable(path);
     bool made = draw_page(w, path, put_file, file.scratch);
-    if (made && !fig_output_file_keep(&file))
+    if (made && !tf_output_file_keep(&file))
         made = report_unwritable(path);
-    fig_output_file_drop(&file);
+    tf_output_file_drop(&file);
     return made;
 }
 
@@ -218,10 +218,10 @@ static bool encode(work *w, const char *scratch, char *frame)
                       "cannot run ffmpeg, which makes the film: %s; "
                       "install it (on Debian, the package ffmpeg)",
                       strerror(errno));
-    fig_output_file_writer(f.encoder.process);
+    tf_output_file_writer(f.encoder.process);
     bool added = add_frames(w, &f);
     bool ended = fig_encoder_end(&f.encoder);
-    fig_output_file_writer(0);
+    tf_output_file_writer(0);
     return added && (ended || report_encoder(f.path, EPIPE));
 }
 
@@ -231,11 +231,11 @@ static bool encode_by_file(work *w, const char *scratch)
     char frame_path[4096];
     snprintf(frame_path, sizeof frame_path, "%s/picture.png",
              folder && *folder ? folder : "/tmp");
-    fig_output_file frame;
-    bool made = fig_output_file_begin(&frame, frame_path)
+    tf_output_file frame;
+    bool made = tf_output_file_begin(&frame, frame_path)
                     ? encode(w, scratch, frame.scratch)
                     : report_unwritable(frame_path);
-    fig_output_file_drop(&frame);
+    tf_output_file_drop(&frame);
     return made;
 }
 
@@ -262,14 +262,14 @@ static bool make_film(work *w)
     w->options = options_of(w);
     w->options.moves = !w->settings->turntable;
     set_size(w, FILM_WIDTH);
-    fig_output_file file;
-    if (!fig_output_file_begin(&file, path))
+    tf_output_file file;
+    if (!tf_output_file_begin(&file, path))
         return report_unwritable(path);
     bool made = fig_path_ends(path, ".png") ? write_sheet(w, file.scratch)
                                             : encode_by_file(w, file.scratch);
-    if (made && !fig_output_file_keep(&file))
+    if (made && !tf_output_file_keep(&file))
         made = report_unwritable(path);
-    fig_output_file_drop(&file);
+    tf_output_file_drop(&file);
     return made;
 }
 

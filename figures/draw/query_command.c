@@ -94,7 +94,7 @@ static bool read_query(tf_query_file *file, const request *asked,
     for (;;) {
         tf_reading reading = tf_query_file_next(file, query);
         if (reading == TF_READ_END)
-            return tf_query_file_fault(file, 0,
+            return tf_text_lines_fault(&file->lines, 0,
                                        "there is no query %ld; the file has "
                                        "%ld, numbered from 0 to %ld",
                                        asked->number, file->queries,
@@ -112,7 +112,7 @@ static bool read_file(const request *asked, tf_query_rows *query)
     bool good = tf_query_file_open(&file, asked->path, asked->kind, 0) &&
                 read_query(&file, asked, query);
     if (!good)
-        tf_query_file_print_fault(&file, "tanglefree-draw");
+        tf_text_lines_print_fault(&file.lines, "tanglefree-draw");
     tf_query_file_close(&file);
     return good;
 }

@@ -52,13 +52,16 @@ static tf_sign exact_sign(const tf_differences *differences)
 //: Find an exact value
 static tf_value exact_value(const tf_differences *differences)
 {
-    double number;
-    int exponent;
-    if (tf_fixed_value(differences, &number, &exponent))
-        return (tf_value){.number = number, .exponent = exponent};
-    return tf_accumulated_value(differences);
+    tf_value value;
+    bool on_grid = tf_fixed_value(differences, &value);
+    return on_grid ? value : tf_accumulated_value(differences);
 }
 
 //: Name the exact arithmetic
 const tf_arithmetic tf_exact = {
-    .name = "exact", .sign = exact_sign, .value = exact_value};
+    .name = "exact",
+    .sign = exact_sign,
+    .value = exact_value,
+    .six = tf_fixed_six,
+    .cross = tf_fixed_cross,
+};

@@ -5,6 +5,8 @@
 #include "arithmetic/int128.h"
 #include "arithmetic/words.h"
 
+#include <stddef.h>
+
 //: Compare the sizes of a column
 /// The biased exponents of the largest coordinate of a column and of the least
 /// that is not zero.  The latter may be too small by one.
@@ -20,6 +22,11 @@ static inline void include_size(size_range *range, double x)
     range->least = below < range->least ? below : range->least;
 }
 
+static inline size_range size_exponents(const size_range *range)
+{
+    return (size_range){range->largest >> 53, range->least >> 53};
+}
+
 static inline size_range column_sizes(const tf_differences *d, int n, int axis)
 {
     size_range range = {0, UINT64_MAX};
@@ -28,7 +35,7 @@ static inline size_range column_sizes(const tf_differences *d, int n, int axis)
         if (i == 0 || d->from[i] != d->from[i - 1])
             include_size(&range, d->from[i]->x[axis]);
     }
-    return (size_range){range.largest >> 53, range.least >> 53};
+    return size_exponents(&range);
 }
 
 //: Choose the unit of a column
@@ -169,20 +176,144 @@ static inline void take_size(const three_words *sum, uint64_t word[3])
     }
 }
 
-bool tf_fixed_value(const tf_differences *differences, double *number,
-                    int *exponent)
+/// The sum times 2^unit, rounded.
+static inline tf_value round_sum(const three_words *sum, int unit)
+{
+    tf_value value = {.number = 0};
+    if (sum->high == 0 && sum->low == 0)
+        return value;
+    uint64_t word[3];
+    take_size(sum, word);
+    double size = tf_words_round(word, 3, &value.exponent);
+    value.number = sum->high < 0 ? -size : size;
+    value.exponent += unit;
+    return value;
+}
+
+bool tf_fixed_value(const tf_differences *differences, tf_value *value)
 {
     three_words sum;
     int unit;
     if (!evaluate(differences, &sum, &unit))
         return false;
-    *number = *exponent = 0;
-    if (sum.high == 0 && sum.low == 0)
-        return true;
-    uint64_t word[3];
-    take_size(&sum, word);
-    double size = tf_words_round(word, 3, exponent);
-    *number = sum.high < 0 ? -size : size;
-    *exponent += unit;
+    *value = round_sum(&sum, unit);
+    return true;
+}
+
+//: Put several events on one grid
+/// Counts the units of each coordinate on each axis; false if one lies between
+/// the points of the grid.
+static inline bool count_units(int count, const tf_event *const event[],
+                               int64_t units[][TF_AXES], int exponent[TF_AXES])
+{
+    for (int k = 0; k < TF_AXES; k++) {
+        size_range range = {0, UINT64_MAX};
+        for (int i = 0; i < count; i++)
+            include_size(&range, event[i]->x[k]);
+        range = size_exponents(&range);
+        int unit = unit_exponent(&range);
+        bool fits = (int)range.least - 1075 >= unit;
+        double scale = tf_power_of_two(-unit);
+        for (int i = 0; i < count; i++) {
+            if (!fits && !is_multiple(event[i]->x[k], unit))
+                return false;
+            units[i][k] = (int64_t)(event[i]->x[k] * scale);
+        }
+        exponent[k] = unit;
+    }
+    return true;
+}
+
+//: Multiply two rows
+static inline void cross_rows(const int64_t a[TF_AXES],
+                              const int64_t b[TF_AXES],
+                              tf_int128 cross[TF_AXES])
+{
+    for (int k = 0; k < TF_AXES; k++)
+        cross[k] = minor_of(a, b, (k + 1) % TF_AXES, (k + 2) % TF_AXES);
+}
+
+static inline three_words dot(const int64_t row[TF_AXES],
+                              const tf_int128 cross[TF_AXES])
+{
+    three_words sum = {0, 0};
+    for (int k = 0; k < TF_AXES; k++)
+        add_product(&sum, row[k], cross[k]);
+    return sum;
+}
+
+static inline void subtract_rows(const int64_t a[TF_AXES],
+                                 const int64_t b[TF_AXES], int64_t row[TF_AXES])
+{
+    for (int k = 0; k < TF_AXES; k++)
+        row[k] = a[k] - b[k];
+}
+
+//: Evaluate a cross product on the grid
+bool tf_fixed_cross(const tf_differences *rows, tf_value component[TF_AXES])
+{
+    const tf_event *event[4] = {rows->to[0], rows->from[0], rows->to[1],
+                                rows->from[1]};
+    int64_t units[4][TF_AXES], row[2][TF_AXES];
+    int unit[TF_AXES];
+    if (!count_units(4, event, units, unit))
+        return false;
+    for (int i = 0; i < 2; i++)
+        subtract_rows(units[(ptrdiff_t)2 * i], units[2 * i + 1], row[i]);
+    tf_int128 cross[TF_AXES];
+    cross_rows(row[0], row[1], cross);
+    for (int k = 0; k < TF_AXES; k++) {
+        three_words words = {(uint64_t)cross[k], cross[k] >> TF_WORD_BITS};
+        component[k] = round_sum(&words, unit[(k + 1) % TF_AXES] +
+                                             unit[(k + 2) % TF_AXES]);
+    }
+    return true;
+}
+
+//: Evaluate six determinants from two cross products
+/// Adds other to sum, or subtracts it.
+static inline void add_words(three_words *sum, const three_words *other,
+                             bool subtract)
+{
+    uint64_t flip = subtract ? UINT64_MAX : 0;
+    tf_int128 low = (tf_int128)sum->low + (other->low ^ flip) + (flip & 1);
+    sum->low = (uint64_t)low;
+    sum->high +=
+        (other->high ^ (tf_int128)(int64_t)flip) + (low >> TF_WORD_BITS);
+}
+
+bool tf_fixed_six(int start_count, const tf_event *const event[TF_SIX],
+                  tf_value value[TF_SIX])
+{
+    //: Take four rows
+    int64_t units[TF_SIX][TF_AXES], row[4][TF_AXES];
+    int unit[TF_AXES], of[4], count = 0;
+    if (!count_units(TF_SIX, event, units, unit))
+        return false;
+    for (int i = 1; i < TF_SIX; i++) {
+        if (i == start_count)
+            continue;
+        subtract_rows(units[i], units[i < start_count ? 0 : start_count],
+                      row[count]);
+        of[count++] = i;
+    }
+
+    //: Leave out each row
+    tf_int128 first[TF_AXES], last[TF_AXES];
+    cross_rows(row[0], row[1], first);
+    cross_rows(row[2], row[3], last);
+    three_words without[TF_SIX] = {{0, 0}};
+    without[of[0]] = dot(row[1], last);
+    without[of[1]] = dot(row[0], last);
+    without[of[2]] = dot(row[3], first);
+    without[of[3]] = dot(row[2], first);
+
+    //: Leave out the first event of each time
+    for (int j = 0; j < 4; j++) {
+        int base = of[j] < start_count ? 0 : start_count;
+        add_words(&without[base], &without[of[j]], (of[j] - base) % 2 == 0);
+    }
+    for (int i = 0; i < TF_SIX; i++)
+        value[i] = round_sum(&without[i], unit[0] + unit[1] + unit[2]);
     return true;
 }

@@ -26,6 +26,11 @@ static const char *const messages[] = {
     [TF_BAD_TOLERANCE] = "a tolerance, threshold or limit of steps is "
                          "negative, infinite or no number, or a fraction is 1 "
                          "or more: use 0 or a small positive number",
+    [TF_BAD_MASS] = "an inverse mass is negative, infinite or no number: use 0 "
+                    "for a vertex that is scripted",
+    [TF_START_NOT_CLEAR] = "two elements touch or intersect when the step "
+                           "starts: start from a surface that does not "
+                           "intersect itself",
 };
 
 const char *tf_status_message(tf_status status)

@@ -18,6 +18,8 @@ typedef enum tf_status {
     TF_BAD_COUNT,       ///< a surface has another number of vertices
     TF_OUT_OF_MEMORY,   ///< there is not enough memory
     TF_BAD_TOLERANCE,   ///< a tolerance or another limit is not in its range
+    TF_BAD_MASS,        ///< an inverse mass is negative or not finite
+    TF_START_NOT_CLEAR, ///< a surface intersects itself when the step starts
 } tf_status;
 
 /// One sentence that states what is wrong and how to fix it.  Thread-safe.

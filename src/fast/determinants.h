@@ -72,16 +72,22 @@ TF_INSIDE tf_lane_range tf_lane_range_of_5(double a, double b, double c,
     return (tf_lane_range){tf_least(four.low, e), tf_most(four.high, e)};
 }
 
-//: State what a pair of simplices shows
-/// If this is positive, all numbers have one sign, and are at least that far
-/// from zero.
+//: Join what pairs of simplices show
+/// The greatest of the least numbers, and the least of the greatest.
+TF_INSIDE tf_lane_range tf_lane_common(tf_lane_range a, tf_lane_range b)
+{
+    return (tf_lane_range){tf_most(a.low, b.low), tf_least(a.high, b.high)};
+}
+
+/// If this is positive, all numbers of some pair have one sign, and are at
+/// least that far from zero.
 TF_INSIDE double tf_lane_agreement(tf_lane_range range)
 {
     return tf_most(range.low, -range.high);
 }
 
-/// If this is positive, two numbers have opposite signs, and are at least that
-/// far from zero.
+/// If this is positive, two numbers of each pair have opposite signs, and are
+/// at least that far from zero.
 TF_INSIDE double tf_lane_conflict(tf_lane_range range)
 {
     return tf_least(range.high, -range.low);
@@ -89,7 +95,7 @@ TF_INSIDE double tf_lane_conflict(tf_lane_range range)
 
 //: Measure an axis
 /// What one axis shows: how far it separates the elements, if that is positive,
-/// and the largest difference of two coordinates at one time.
+/// and the largest difference between coordinates of the two at one time.
 typedef struct tf_lane_axis {
     double gap, reach;
 } tf_lane_axis;
@@ -116,25 +122,20 @@ TF_INSIDE tf_lane_gaps tf_lane_gaps_of(tf_lane_range s, tf_lane_range r)
     return (tf_lane_gaps){s.low - r.high, r.low - s.high};
 }
 
-TF_INSIDE double tf_lane_length(tf_lane_range range)
-{
-    return range.high - range.low;
-}
-
 //: Measure an axis of two edges
 /// Of the coordinates of the edges AB and CD, and later ab and cd.
 TF_INSIDE tf_lane_axis tf_lane_edges_axis(double A, double B, double C,
                                           double D, double a, double b,
                                           double c, double d)
 {
-    tf_lane_range S = tf_lane_range_of(A, B), R = tf_lane_range_of(C, D);
-    tf_lane_range s = tf_lane_range_of(a, b), r = tf_lane_range_of(c, d);
-    tf_lane_gaps start = tf_lane_gaps_of(S, R), end = tf_lane_gaps_of(s, r);
-    return (tf_lane_axis){.gap = tf_most(tf_least(start.beyond, end.beyond),
-                                         tf_least(start.before, end.before)),
-                          .reach =
-                              tf_most(tf_lane_length(tf_lane_union(S, R)),
-                                      tf_lane_length(tf_lane_union(s, r)))};
+    tf_lane_gaps start =
+        tf_lane_gaps_of(tf_lane_range_of(A, B), tf_lane_range_of(C, D));
+    tf_lane_gaps end =
+        tf_lane_gaps_of(tf_lane_range_of(a, b), tf_lane_range_of(c, d));
+    double beyond = tf_least(start.beyond, end.beyond);
+    double before = tf_least(start.before, end.before);
+    return (tf_lane_axis){.gap = tf_most(beyond, before),
+                          .reach = -tf_least(beyond, before)};
 }
 
 //: Hold what a query shows
@@ -187,13 +188,10 @@ TF_INSIDE tf_lane_evidence tf_lane_point_triangle(const tf_lane *lane)
     tf_lane_range ABCc = tf_lane_range_of_4(BCc, -ACc, ABc, -ABC);
     tf_lane_range ABbc = tf_lane_range_of_4(Bbc, -Abc, ABc, -ABb);
     tf_lane_range Aabc = tf_lane_range_of_4(abc, -Abc, Aac, -Aab);
-    found.agreement =
-        tf_most(tf_lane_agreement(ABCc),
-                tf_most(tf_lane_agreement(ABbc), tf_lane_agreement(Aabc)));
-    found.conflict =
-        tf_least(tf_lane_conflict(ABCc),
-                 tf_least(tf_lane_conflict(ABbc), tf_lane_conflict(Aabc)));
-    found.sum = BCc + ABc + abc;
+    tf_lane_range all = tf_lane_common(ABCc, tf_lane_common(ABbc, Aabc));
+    found.agreement = tf_lane_agreement(all);
+    found.conflict = tf_lane_conflict(all);
+    found.sum = ABC + abc;
     return found;
 }
 
@@ -205,42 +203,35 @@ TF_INSIDE tf_lane_evidence tf_lane_edge_edge(const tf_lane *lane)
     tf_lane_vector B = lane->start[1], b = lane->end[1];
     tf_lane_vector C = lane->start[2], c = lane->end[2];
     tf_lane_vector D = lane->start[3], d = lane->end[3];
-    tf_lane_vector AB = tf_lane_minus(B, A), ab = tf_lane_minus(b, a);
-    tf_lane_vector AC = tf_lane_minus(C, A), ac = tf_lane_minus(c, a);
-    tf_lane_vector AD = tf_lane_minus(D, A), ad = tf_lane_minus(d, a);
-    tf_lane_vector BC = tf_lane_minus(C, B), bc = tf_lane_minus(c, b);
-    tf_lane_vector BD = tf_lane_minus(D, B), bd = tf_lane_minus(d, b);
+    tf_lane_vector AB = tf_lane_minus(B, A), ba = tf_lane_minus(a, b);
+    tf_lane_vector CA = tf_lane_minus(A, C), bc = tf_lane_minus(c, b);
+    tf_lane_vector AD = tf_lane_minus(D, A), bd = tf_lane_minus(d, b);
     tf_lane_evidence found = tf_lane_evidence_of(
         tf_lane_edges_axis(A.x, B.x, C.x, D.x, a.x, b.x, c.x, d.x),
         tf_lane_edges_axis(A.y, B.y, C.y, D.y, a.y, b.y, c.y, d.y),
         tf_lane_edges_axis(A.z, B.z, C.z, D.z, a.z, b.z, c.z, d.z));
 
-    //: Compute fourteen determinants from seven cross products
-    tf_lane_vector AB_AC = tf_lane_cross(AB, AC), AB_AD = tf_lane_cross(AB, AD);
-    tf_lane_vector AC_AD = tf_lane_cross(AC, AD), AC_ac = tf_lane_cross(AC, ac);
-    tf_lane_vector bd_BC = tf_lane_cross(bd, BC), bd_AC = tf_lane_cross(bd, AC);
-    tf_lane_vector ab_ad = tf_lane_cross(ab, ad);
-    double ABCD = tf_lane_dot(AB_AC, AD), abcd = tf_lane_dot(ac, ab_ad);
-    double ABCbd = tf_lane_dot(AB_AC, bd), ABCbc = tf_lane_dot(AB_AC, bc);
-    double ABDbd = tf_lane_dot(AB_AD, bd), ACDad = tf_lane_dot(AC_AD, ad);
-    double BCDbd = tf_lane_dot(bd_BC, BD), BCbcd = tf_lane_dot(bd_BC, bc);
-    double ACDbd = tf_lane_dot(bd_AC, AD), ACbcd = tf_lane_dot(bd_AC, bc);
-    double ACabc = tf_lane_dot(AC_ac, ab), ACacd = tf_lane_dot(AC_ac, ad);
-    double ACabd = tf_lane_dot(AC, ab_ad), ADabd = tf_lane_dot(AD, ab_ad);
+    //: Compute twelve determinants from four cross products
+    tf_lane_vector DC = tf_lane_cross(CA, AD), cC = tf_lane_cross(CA, bc);
+    tf_lane_vector ad = tf_lane_cross(ba, bd), Bd = tf_lane_cross(AB, bd);
+    double DCB = tf_lane_dot(DC, AB), cCB = tf_lane_dot(cC, AB);
+    double DCa = tf_lane_dot(DC, ba), cCa = tf_lane_dot(cC, ba);
+    double DCd = tf_lane_dot(DC, bd), cCd = tf_lane_dot(cC, bd);
+    double adC = tf_lane_dot(ad, CA), BdC = tf_lane_dot(Bd, CA);
+    double adD = tf_lane_dot(ad, AD), BdD = tf_lane_dot(Bd, AD);
+    double adc = tf_lane_dot(ad, bc), Bdc = tf_lane_dot(Bd, bc);
 
     //: Compare the signs within each of four pairs
     tf_lane_range ABb_CDd =
-        tf_lane_range_of_5(BCDbd, -ACDbd, -ABDbd, ABCbd, -ABCD);
-    tf_lane_range ABb_Ccd = tf_lane_range_of_4(BCbcd, -ACbcd, ABCbd, -ABCbc);
-    tf_lane_range Aab_CDd = tf_lane_range_of_4(-ADabd, ACabd, -ACDbd, ACDad);
+        tf_lane_range_of_5((BdC - DCd) + BdD, DCd, BdD, BdC, DCB);
+    tf_lane_range ABb_Ccd = tf_lane_range_of_4(Bdc - cCd, cCd, BdC, cCB);
+    tf_lane_range Aab_CDd = tf_lane_range_of_4(adD, adC, DCd, DCa - DCd);
     tf_lane_range Aab_Ccd =
-        tf_lane_range_of_5(-abcd, -ACbcd, ACacd, ACabd, ACabc);
-    found.agreement = tf_most(
-        tf_most(tf_lane_agreement(ABb_CDd), tf_lane_agreement(ABb_Ccd)),
-        tf_most(tf_lane_agreement(Aab_CDd), tf_lane_agreement(Aab_Ccd)));
-    found.conflict = tf_least(
-        tf_least(tf_lane_conflict(ABb_CDd), tf_lane_conflict(ABb_Ccd)),
-        tf_least(tf_lane_conflict(Aab_CDd), tf_lane_conflict(Aab_Ccd)));
-    found.sum = ABCbd + ACDad + ACabc;
+        tf_lane_range_of_5(adc, cCd, (adC - cCd) + cCa, adC, cCa);
+    tf_lane_range all = tf_lane_common(tf_lane_common(ABb_CDd, ABb_Ccd),
+                                       tf_lane_common(Aab_CDd, Aab_Ccd));
+    found.agreement = tf_lane_agreement(all);
+    found.conflict = tf_lane_conflict(all);
+    found.sum = DCB + adc;
     return found;
 }

@@ -30,8 +30,8 @@ TF_INSIDE void judge(tf_lane_evidence shown, double share, uint64_t bit,
                      tf_query_masks *found)
 {
     double error = share * shown.volume;
-    uint64_t known = shown.reach <= 0x1p300 ? bit : 0;
-    known = shown.sum - shown.sum == 0 ? known : 0;
+    double nothing = shown.sum - shown.sum;
+    uint64_t known = shown.reach + nothing <= 0x1p300 ? bit : 0;
     uint64_t separated = shown.gap > 0 ? known : 0;
     uint64_t conflict = shown.conflict > error ? known : 0;
     uint64_t agreement = shown.agreement > error ? known : 0;

@@ -14,10 +14,13 @@ void tf_complementary_describe(const tf_arithmetic *arithmetic,
     if (detail <= found->detail)
         return;
     int smaller = tf_pair_smaller_operand(pair);
+    tf_value value[TF_PAIR_EVENTS];
+    const tf_value *known =
+        tf_pair_values(arithmetic, pair, value) ? value : NULL;
     if (found->detail < TF_WITH_TIME) {
         //: Find the time from the smaller operand
         tf_coordinates coordinates;
-        tf_pair_coordinates(arithmetic, pair, &found->signs, smaller,
+        tf_pair_coordinates(arithmetic, pair, &found->signs, smaller, known,
                             &coordinates);
         tf_interval time = {0, 1};
         if (found->unique)
@@ -30,7 +33,7 @@ void tf_complementary_describe(const tf_arithmetic *arithmetic,
     if (detail == TF_WITH_POINT) {
         //: Find the point from the other operand as well
         tf_coordinates coordinates;
-        tf_pair_coordinates(arithmetic, pair, &found->signs, -smaller,
+        tf_pair_coordinates(arithmetic, pair, &found->signs, -smaller, known,
                             &coordinates);
         tf_coordinates_normalize(&coordinates, pair, -smaller,
                                  found->barycentric);

@@ -17,10 +17,26 @@ static void set_bounds(tf_coordinates *c, int i, const tf_value *value)
     c->high[i] = !known ? INFINITY : high > DBL_TRUE_MIN ? high : DBL_TRUE_MIN;
 }
 
+//: Find the values of coordinates
+bool tf_pair_values(const tf_arithmetic *arithmetic, const tf_pair *pair,
+                    tf_value value[TF_PAIR_EVENTS])
+{
+    return pair->count == TF_SIX && arithmetic->six &&
+           arithmetic->six(pair->start_count, pair->event, value);
+}
+
+static tf_value value_of(const tf_arithmetic *arithmetic, const tf_pair *pair,
+                         int i)
+{
+    tf_differences differences;
+    tf_pair_differences(pair, i, &differences);
+    return arithmetic->value(&differences);
+}
+
 //: Enclose the barycentric coordinates
 void tf_pair_coordinates(const tf_arithmetic *arithmetic, const tf_pair *pair,
                          const tf_signs *signs, int operand,
-                         tf_coordinates *coordinates)
+                         const tf_value known[], tf_coordinates *coordinates)
 {
     //: Evaluate each coordinate
     int turn = signs->negative ? -1 : 1;
@@ -30,11 +46,8 @@ void tf_pair_coordinates(const tf_arithmetic *arithmetic, const tf_pair *pair,
         coordinates->low[i] = coordinates->high[i] = 0;
         if (pair->operand[i] != operand || signs->of[i] == TF_ZERO)
             continue;
-        tf_differences differences;
-        tf_pair_differences(pair, i, &differences);
-        tf_value own = arithmetic->value(&differences);
-        own.number *= tf_pair_orientation(pair, i) * turn;
-        value[count] = own;
+        value[count] = known ? known[i] : value_of(arithmetic, pair, i);
+        value[count].number *= tf_pair_orientation(pair, i) * turn;
         event[count++] = i;
     }
     tf_values_scale(count, value);

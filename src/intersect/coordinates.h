@@ -11,11 +11,17 @@ typedef struct tf_coordinates {
     double low[TF_PAIR_EVENTS], high[TF_PAIR_EVENTS];
 } tf_coordinates;
 
+/// The values of all events of a pair, if the arithmetic finds them at once;
+/// otherwise false.
+bool tf_pair_values(const tf_arithmetic *arithmetic, const tf_pair *pair,
+                    tf_value value[TF_PAIR_EVENTS]);
+
 /// The coordinates of the operand +1 (S) or -1 (R) of a pair whose signs, as
-/// tf_pair_signs found them, are in no conflict.
+/// tf_pair_signs found them, are in no conflict.  `known`: what tf_pair_values
+/// found, or NULL.
 void tf_pair_coordinates(const tf_arithmetic *arithmetic, const tf_pair *pair,
                          const tf_signs *signs, int operand,
-                         tf_coordinates *coordinates);
+                         const tf_value known[], tf_coordinates *coordinates);
 
 //: Declare how coordinates are normalized
 /// Divides the middles of an operand's coordinates by their sum, and puts the

@@ -24,6 +24,8 @@ static void add_horizontal_edges(const tf_simplex *simplex,
 static bool multiply_edges(const tf_arithmetic *arithmetic, int axes,
                            tf_differences *edges, tf_value component[TF_AXES])
 {
+    if (axes == 3 && arithmetic->cross && arithmetic->cross(edges, component))
+        return true;
     for (int k = 0; k < axes; k++) {
         // In the order k + 1, k + 2 of space the minors need no sign; in the
         // plane the left normal of (x, y) is (-y, x).

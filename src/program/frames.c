@@ -154,6 +154,23 @@ tf_motion tf_frames_motion(const tf_frames *frames)
                        .end = positions(frames, end)};
 }
 
+//: Change a frame
+double *tf_frames_end(tf_frames *frames)
+{
+    int end = frames->current;
+    return frames->axes == 2 ? frames->flat[end]
+                             : frames->file[end].position.item;
+}
+
+void tf_frames_change(tf_frames *frames)
+{
+    tf_mesh_file *file = &frames->file[frames->current];
+    const double *flat = frames->flat[frames->current];
+    size_t vertices = (size_t)tf_mesh_file_vertices(file);
+    for (size_t v = 0; v < vertices && frames->axes == 2; v++)
+        memcpy(file->position.item + 3 * v, flat + 2 * v, 2 * sizeof *flat);
+}
+
 //: Free the frames
 void tf_frames_free(tf_frames *frames)
 {

@@ -28,6 +28,12 @@ const tf_mesh_file *tf_frames_file(const tf_frames *frames);
 /// rest.
 tf_motion tf_frames_motion(const tf_frames *frames);
 
+/// The positions at the end of that step, to be changed.
+double *tf_frames_end(tf_frames *frames);
+
+/// Gives changed positions to the current file; its z stays in the plane.
+void tf_frames_change(tf_frames *frames);
+
 /// Describes what a flaw of the surface is in the current file; false.
 bool tf_frames_fault(tf_frames *frames, tf_status status, const tf_flaw *flaw);
 

@@ -2,6 +2,7 @@
 #define _GNU_SOURCE
 #include "base/version.h"
 #include "program/query_command.h"
+#include "program/resolve_command.h"
 #include "program/surface_command.h"
 #include "program/visible.h"
 
@@ -27,6 +28,8 @@ static const command commands[] = {
      tf_detect_command},
     {"check", "tanglefree check", "find where a surface intersects itself",
      tf_check_command},
+    {"resolve", "tanglefree resolve",
+     "change the end of a step such that nothing meets", tf_resolve_command},
 };
 enum {
     COMMANDS = sizeof commands / sizeof *commands

@@ -34,22 +34,16 @@ void tf_mesh_file_print_fault(const tf_mesh_file *file, const char *program)
 }
 
 //: Describe what is wrong with a word
-/// Quotes the word, cut where it is long and with a ? for each odd byte.
 bool tf_mesh_file_fault_in_word(tf_mesh_file *file, long place,
                                 const char *word, const char *verdict)
 {
-    char quoted[32];
     size_t length = strcspn(word, " \t\r\n");
-    bool cut = length >= sizeof quoted;
-    length = cut ? sizeof quoted - 4 : length;
-    for (size_t i = 0; i < length; i++)
-        quoted[i] = word[i] >= ' ' && word[i] <= '~' ? word[i] : '?';
-    strcpy(quoted + length, cut ? "..." : "");
     if (length == 0)
         return tf_mesh_file_fault(file, place,
                                   "a NUL byte; the file must be plain text "
                                   "(ASCII or UTF-8, not UTF-16) or binary PLY");
-    return tf_mesh_file_fault(file, place, "\"%s\" is %s", quoted, verdict);
+    return tf_mesh_file_fault(file, place, "\"%s\" is %s",
+                              tf_quote(word, length).text, verdict);
 }
 
 //: Make room in a list

@@ -22,10 +22,18 @@ typedef struct tf_doubles {
     size_t count, room;
 } tf_doubles;
 
+typedef enum tf_mesh_format {
+    TF_OBJ = 0,
+    TF_PLY_TEXT,
+    TF_PLY_LITTLE_ENDIAN,
+    TF_PLY_BIG_ENDIAN,
+} tf_mesh_format;
+
 /// The contents of an OBJ or PLY file.  All indices are 0-based, and may still
 /// name no vertex.
 typedef struct tf_mesh_file {
-    const char *name;    ///< of the file, for messages; borrowed
+    const char *name; ///< of the file, for messages; borrowed
+    tf_mesh_format format;
     int first_index;     ///< what the file calls the first vertex: 0 or 1
     tf_doubles position; ///< three coordinates a vertex, z = 0 if none is given
     tf_ints triangle;    ///< three indices each

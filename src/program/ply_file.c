@@ -591,7 +591,14 @@ bool tf_ply_parse(tf_mesh_file *file, const char *text, size_t size)
 {
     reader r = {
         .file = file, .text = text, .at = text, .end = text + size, .line = 1};
+    static const tf_mesh_format formats[] = {
+        [UNKNOWN] = TF_PLY_TEXT,
+        [TEXT] = TF_PLY_TEXT,
+        [LITTLE_ENDIAN] = TF_PLY_LITTLE_ENDIAN,
+        [BIG_ENDIAN] = TF_PLY_BIG_ENDIAN,
+    };
     bool good = read_header(&r);
+    file->format = formats[r.encoding];
     file->counts_bytes = good && r.encoding != TEXT;
     return good && read_items(&r);
 }

@@ -2,8 +2,9 @@
 #define _GNU_SOURCE
 #include "program/progress.h"
 
+#include "program/clock.h"
+
 #include <stdio.h>
-#include <time.h>
 #include <unistd.h>
 
 //: Write a count with commas
@@ -17,32 +18,24 @@ static void print_grouped(FILE *stream, long count)
     fprintf(stream, ",%03ld", count % 1000);
 }
 
-//: Read the clock
-static double seconds(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
-
 //: Show, rewrite and erase the progress line
 tf_progress tf_progress_begin(void)
 {
     return (tf_progress){
         .wanted = isatty(STDERR_FILENO) && !isatty(STDOUT_FILENO),
-        .next = seconds() + 1,
+        .next = tf_clock_seconds() + 1,
     };
 }
 
 void tf_progress_show(tf_progress *progress, long count, const char *things)
 {
-    if (!progress->wanted || seconds() < progress->next)
+    if (!progress->wanted || tf_clock_seconds() < progress->next)
         return;
     fputc('\r', stderr);
     print_grouped(stderr, count);
     fprintf(stderr, " %s", things);
     progress->shown = true;
-    progress->next = seconds() + 0.2;
+    progress->next = tf_clock_seconds() + 0.2;
 }
 
 void tf_progress_end(tf_progress *progress)

@@ -1,15 +1,13 @@
 //: Include what the command query needs
 #include "program/query_command.h"
 
+#include "program/arguments.h"
 #include "program/arithmetics.h"
 #include "program/methods.h"
-#include "program/number.h"
 #include "program/progress.h"
 #include "program/query_file.h"
 #include "program/query_output.h"
-#include "program/visible.h"
 
-#include <argp.h>
 #include <float.h>
 #include <stdio.h>
 #include <string.h>
@@ -78,26 +76,12 @@ static const struct argp_option options[] = {
     {0},
 };
 
-//: Reject a name
-static void refuse(struct argp_state *state, const char *what, const char *name,
-                   const char *names)
-{
-    argp_error(state, "unknown %s '%s'; choose %s", what,
-               tf_make_visible(name).text, names);
-}
-
 //: Parse a distance
 static double parse_distance(struct argp_state *state, const char *option,
                              const char *text)
 {
-    const char *rest = text;
-    double number = -1;
-    if (!tf_number_read(&rest, &number) || *rest != '\0' || number < 0 ||
-        number > DBL_MAX)
-        argp_error(state,
-                   "--%s needs a number, 0 or more, such as 1e-6, and not '%s'",
-                   option, tf_make_visible(text).text);
-    return number;
+    return tf_parse_number(state, option, text, DBL_MAX,
+                           "0 or more, such as 1e-6");
 }
 
 //: Find a method for an option
@@ -105,7 +89,7 @@ static const tf_method *parse_method(struct argp_state *state, const char *text)
 {
     const tf_method *method = tf_method_named(text);
     if (!method)
-        refuse(state, "method", text, TF_METHOD_NAMES);
+        tf_refuse_name(state, "method", text, TF_METHOD_NAMES);
     return method;
 }
 
@@ -144,7 +128,7 @@ static bool parse_method_option(int key, const char *text,
     case 'a':
         request->given |= TF_TAKES_ARITHMETIC;
         if (!(request->options.arithmetic = tf_arithmetic_named(text)))
-            refuse(state, "arithmetic", text, TF_ARITHMETIC_NAMES);
+            tf_refuse_name(state, "arithmetic", text, TF_ARITHMETIC_NAMES);
         return true;
     case TOLERANCE:
         request->given |= TF_TAKES_TOLERANCE;
@@ -168,7 +152,7 @@ static error_t parse_argument(int key, char *text, struct argp_state *state)
     switch (key) {
     case 'k':
         if (!(request->kind = tf_query_kind_named(text)))
-            refuse(state, "kind", text, TF_QUERY_KIND_NAMES);
+            tf_refuse_name(state, "kind", text, TF_QUERY_KIND_NAMES);
         return 0;
     case 'm':
         request->method = parse_method(state, text);
@@ -178,7 +162,7 @@ static error_t parse_argument(int key, char *text, struct argp_state *state)
         return 0;
     case 'o':
         if (!(request->format = tf_query_format_named(text)))
-            refuse(state, "output format", text, TF_QUERY_FORMAT_NAMES);
+            tf_refuse_name(state, "output format", text, TF_QUERY_FORMAT_NAMES);
         return 0;
     case ARGP_KEY_ARGS:
         request->paths = state->argv + state->next;
@@ -215,8 +199,8 @@ static bool fault_in_range(answering *work, const tf_query_rows *query)
     while (i < 2 * end &&
            tf_arithmetic_fits(arithmetic, axes, query->x[i / end][i % end]))
         i++;
-    return tf_query_file_fault(
-        &work->file, query->line[i / axes], TF_OUT_OF_RANGE_FAULT,
+    return tf_text_lines_fault(
+        &work->file.lines, query->line[i / axes], TF_OUT_OF_RANGE_FAULT,
         query->x[i / end][i % end], tf_arithmetic_name(arithmetic),
         tf_arithmetic_bits(arithmetic, axes));
 }
@@ -231,7 +215,7 @@ static bool answer_by(answering *work, const tf_method *method,
     if (status == TF_OUT_OF_RANGE)
         return fault_in_range(work, query);
     if (status != TF_OK)
-        return tf_query_file_fault(&work->file, query->line[0], "%s",
+        return tf_text_lines_fault(&work->file.lines, query->line[0], "%s",
                                    tf_status_message(status));
     return true;
 }
@@ -297,8 +281,8 @@ static void print_errors(answering *work)
                 "tanglefree: standard output: cannot write: %s; the output "
                 "is incomplete\n",
                 strerror(work->output.error));
-    if (work->file.fault[0] != '\0')
-        tf_query_file_print_fault(&work->file, "tanglefree");
+    if (work->file.lines.fault[0] != '\0')
+        tf_text_lines_print_fault(&work->file.lines, "tanglefree");
     tf_query_file_close(&work->file);
 }
 

@@ -1,5 +1,4 @@
 //: Include what query files need
-#define _GNU_SOURCE
 #include "program/query_file.h"
 
 #include "program/number.h"
@@ -7,12 +6,9 @@
 #include "program/visible.h"
 
 #include <ctype.h>
-#include <errno.h>
 #include <math.h>
-#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/types.h>
 
 //: Find a kind of query by its name
 static const tf_query_kind kinds[] = {
@@ -31,103 +27,31 @@ const tf_query_kind *tf_query_kind_named(const char *name)
 }
 
 //: Open and close a query file
+static void set_kind(tf_query_file *file, const tf_query_kind *kind,
+                     long queries)
+{
+    file->kind = kind;
+    file->queries = queries;
+    file->columns = 0;
+}
+
 void tf_query_file_start(tf_query_file *file, FILE *stream, const char *name,
                          const tf_query_kind *kind, long queries)
 {
-    *file = (tf_query_file){
-        .kind = kind, .name = name, .stream = stream, .queries = queries};
+    tf_text_lines_start(&file->lines, stream, name);
+    set_kind(file, kind, queries);
 }
 
 bool tf_query_file_open(tf_query_file *file, const char *path,
                         const tf_query_kind *kind, long queries)
 {
-    bool standard = strcmp(path, "-") == 0;
-    FILE *stream = standard ? stdin : fopen(path, "r");
-    tf_query_file_start(file, stream, standard ? "standard input" : path, kind,
-                        queries);
-    return stream ||
-           tf_query_file_fault(file, 0, "cannot open: %s; check the name",
-                               strerror(errno));
+    set_kind(file, kind, queries);
+    return tf_text_lines_open(&file->lines, path);
 }
 
 void tf_query_file_close(tf_query_file *file)
 {
-    if (file->stream && file->stream != stdin)
-        fclose(file->stream);
-    free(file->row);
-    *file = (tf_query_file){0};
-}
-
-//: Describe what is wrong with a query file
-bool tf_query_file_fault(tf_query_file *file, long line, const char *format,
-                         ...)
-{
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(file->fault, sizeof file->fault, format, arguments);
-    va_end(arguments);
-    file->fault_line = line;
-    return false;
-}
-
-void tf_query_file_print_fault(const tf_query_file *file, const char *program)
-{
-    fprintf(stderr, "%s: %s:", program, tf_make_visible(file->name).text);
-    if (file->fault_line > 0)
-        fprintf(stderr, "%ld:", file->fault_line);
-    fprintf(stderr, " %s\n", file->fault);
-}
-
-//: Take the ends off a line
-static bool clean_line(tf_query_file *file, size_t length)
-{
-    if (strlen(file->row) != length)
-        return tf_query_file_fault(file, file->line,
-                                   "a NUL byte; the file must be plain text "
-                                   "(ASCII or UTF-8, not UTF-16 or binary)");
-    if (length > 0 && file->row[length - 1] == '\n')
-        file->row[--length] = '\0';
-    if (length > 0 && file->row[length - 1] == '\r')
-        file->row[--length] = '\0';
-    bool marked = file->line == 1 && strncmp(file->row, "\xEF\xBB\xBF", 3) == 0;
-    file->at = file->row + (marked ? 3 : 0);
-    return true;
-}
-
-//: Read a line
-static tf_reading read_line(tf_query_file *file)
-{
-    errno = 0;
-    ssize_t length = getline(&file->row, &file->room, file->stream);
-    if (length < 0 && feof(file->stream) && !ferror(file->stream))
-        return TF_READ_END;
-    file->line++;
-    if (length < 0) {
-        tf_query_file_fault(file, file->line,
-                            "cannot read: %s; check that this is a file",
-                            strerror(errno));
-        return TF_READ_FAULT;
-    }
-    return clean_line(file, (size_t)length) ? TF_READ_GOOD : TF_READ_FAULT;
-}
-
-//: Read the next line that holds a row
-static void skip_blanks(tf_query_file *file)
-{
-    while (*file->at == ' ' || *file->at == '\t')
-        file->at++;
-}
-
-static tf_reading read_row(tf_query_file *file)
-{
-    tf_reading reading;
-    do {
-        reading = read_line(file);
-        if (reading == TF_READ_GOOD)
-            skip_blanks(file);
-    } while (reading == TF_READ_GOOD &&
-             (*file->at == '\0' || *file->at == '#'));
-    return reading;
+    tf_text_lines_close(&file->lines);
 }
 
 //: Distinguish the columns
@@ -165,22 +89,22 @@ static bool is_word(const char *field)
 
 static bool is_header(const tf_query_file *file)
 {
-    const char *field = file->at;
+    const char *field = file->lines.at;
     while (is_word(field) && field[strcspn(field, ",")] == ',')
         field += strcspn(field, ",") + 1;
-    return field > file->at && is_word(field);
+    return field > file->lines.at && is_word(field);
 }
 
 //: Let the first row choose the columns
 static bool choose_columns(tf_query_file *file)
 {
-    long axes = file->kind->axes, columns = count_columns(file->row);
+    long axes = file->kind->axes, columns = count_columns(file->lines.row);
     if (is_header(file))
-        return tf_query_file_fault(file, file->line,
+        return tf_text_lines_fault(&file->lines, file->lines.line,
                                    "this is a header line; delete it, or "
                                    "begin it with #");
     if (columns != axes && columns != 2 * axes && columns != 2 * axes + 1)
-        return tf_query_file_fault(file, file->line,
+        return tf_text_lines_fault(&file->lines, file->lines.line,
                                    "%ld column%s; a row of %s has %ld "
                                    "(decimals), %ld (rationals) or %ld "
                                    "(rationals and the ground truth)",
@@ -192,33 +116,28 @@ static bool choose_columns(tf_query_file *file)
 }
 
 //: Describe what is wrong with a field
-/// Quote a field, cut where it is long and with a ? for each odd byte.
+/// Quotes a field, without the blanks around it.
 static bool fault_in_field(tf_query_file *file, int column, const char *field,
                            const char *verdict)
 {
-    char quoted[32];
     size_t length = strcspn(field, ",");
     while (length > 0 && strchr(" \t", field[length - 1]))
         length--;
-    bool cut = length >= sizeof quoted;
-    length = cut ? sizeof quoted - 4 : length;
-    for (size_t i = 0; i < length; i++)
-        quoted[i] = isprint((unsigned char)field[i]) ? field[i] : '?';
-    strcpy(quoted + length, cut ? "..." : "");
     if (length == 0)
-        return tf_query_file_fault(file, file->line,
+        return tf_text_lines_fault(&file->lines, file->lines.line,
                                    "column %d is empty; write a number there",
                                    column);
-    return tf_query_file_fault(file, file->line, "column %d is \"%s\", %s",
-                               column, quoted, verdict);
+    return tf_text_lines_fault(&file->lines, file->lines.line,
+                               "column %d is \"%s\", %s", column,
+                               tf_quote(field, length).text, verdict);
 }
 
 //: Describe what is wrong with the number of columns
 static bool fault_in_columns(tf_query_file *file)
 {
-    long columns = count_columns(file->row);
-    return tf_query_file_fault(
-        file, file->line,
+    long columns = count_columns(file->lines.row);
+    return tf_text_lines_fault(
+        &file->lines, file->lines.line,
         columns < file->columns
             ? "too few columns: %ld, but the first row has %d; all rows must "
               "have as many"
@@ -231,13 +150,13 @@ static bool fault_in_columns(tf_query_file *file)
 static bool end_field(tf_query_file *file, int column, const char *field,
                       const char *verdict)
 {
-    skip_blanks(file);
-    bool ends_row = *file->at == '\0';
-    if (!ends_row && *file->at != ',')
+    tf_text_lines_skip_blanks(&file->lines);
+    bool ends_row = *file->lines.at == '\0';
+    if (!ends_row && *file->lines.at != ',')
         return fault_in_field(file, column, field, verdict);
     if (ends_row != (column == file->columns))
         return fault_in_columns(file);
-    file->at += !ends_row;
+    file->lines.at += !ends_row;
     return true;
 }
 
@@ -246,9 +165,9 @@ static bool read_decimal(tf_query_file *file, int column, double *x)
 {
     static const char no_number[] =
         "not a finite number; write a decimal or a hexadecimal float";
-    skip_blanks(file);
-    const char *field = file->at;
-    if (!tf_number_read(&file->at, x))
+    tf_text_lines_skip_blanks(&file->lines);
+    const char *field = file->lines.at;
+    if (!tf_number_read(&file->lines.at, x))
         return fault_in_field(file, column, field, no_number);
     if (!end_field(file, column, field, no_number))
         return false;
@@ -262,9 +181,9 @@ static bool read_integer(tf_query_file *file, int column, tf_numeral *integer)
 {
     static const char no_integer[] =
         "not an integer; write rationals as numerator,denominator";
-    skip_blanks(file);
-    const char *field = file->at;
-    return tf_numeral_read(&file->at, integer)
+    tf_text_lines_skip_blanks(&file->lines);
+    const char *field = file->lines.at;
+    return tf_numeral_read(&file->lines.at, integer)
                ? end_field(file, column, field, no_integer)
                : fault_in_field(file, column, field, no_integer);
 }
@@ -278,7 +197,7 @@ static bool read_rational(tf_query_file *file, int column, double *x,
         !read_integer(file, column + 1, &divisor))
         return false;
     if (divisor.count == 0)
-        return tf_query_file_fault(file, file->line,
+        return tf_text_lines_fault(&file->lines, file->lines.line,
                                    "column %d is 0; a denominator must "
                                    "not be 0",
                                    column + 1);
@@ -288,7 +207,7 @@ static bool read_rational(tf_query_file *file, int column, double *x,
                               "and divided by its denominator beyond the "
                               "largest double; scale the scene down");
     if (rounding == TF_ROUNDING_FAILED)
-        return tf_query_file_fault(file, file->line,
+        return tf_text_lines_fault(&file->lines, file->lines.line,
                                    "out of memory; use shorter integers");
     *rounded += rounding == TF_ROUNDING_NEAREST;
     return true;
@@ -299,16 +218,16 @@ static bool read_truth(tf_query_file *file, tf_query_rows *query)
 {
     static const char no_truth[] =
         "not a ground truth; write 0 (apart) or 1 (hit)";
-    skip_blanks(file);
-    const char *field = file->at;
+    tf_text_lines_skip_blanks(&file->lines);
+    const char *field = file->lines.at;
     int truth = *field - '0';
     if (truth != 0 && truth != 1)
         return fault_in_field(file, file->columns, field, no_truth);
-    file->at++;
+    file->lines.at++;
     if (!end_field(file, file->columns, field, no_truth))
         return false;
     if (query->ground_truth >= 0 && query->ground_truth != truth)
-        return tf_query_file_fault(file, file->line,
+        return tf_text_lines_fault(&file->lines, file->lines.line,
                                    "the ground truth is %d, but %d on line "
                                    "%ld; it must be the same on all rows of a "
                                    "query",
@@ -336,10 +255,10 @@ static tf_reading end_early(tf_query_file *file, const tf_query_rows *query,
                             int have, int want)
 {
     if (file->columns == 0)
-        tf_query_file_fault(file, 1, "no rows; a query has %d", want);
+        tf_text_lines_fault(&file->lines, 1, "no rows; a query has %d", want);
     else
-        tf_query_file_fault(
-            file, query->line[have - 1],
+        tf_text_lines_fault(
+            &file->lines, query->line[have - 1],
             "query %ld has only %d of its %d rows; add the rest", file->queries,
             have, want);
     return TF_READ_FAULT;
@@ -351,7 +270,7 @@ tf_reading tf_query_file_next(tf_query_file *file, tf_query_rows *query)
     int vertices = file->kind->vertices[0] + file->kind->vertices[1];
     *query = (tf_query_rows){.ground_truth = -1};
     for (int row = 0; row < 2 * vertices; row++) {
-        tf_reading reading = read_row(file);
+        tf_reading reading = tf_text_lines_next(&file->lines);
         if (reading == TF_READ_END && row == 0 && file->columns > 0)
             return TF_READ_END;
         if (reading == TF_READ_END)
@@ -359,7 +278,7 @@ tf_reading tf_query_file_next(tf_query_file *file, tf_query_rows *query)
         if (reading == TF_READ_FAULT)
             return TF_READ_FAULT;
 
-        query->line[row] = file->line;
+        query->line[row] = file->lines.line;
         int place = row % vertices * file->kind->axes;
         if (!read_coordinates(file, &query->x[row / vertices][place], query))
             return TF_READ_FAULT;

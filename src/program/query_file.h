@@ -1,8 +1,9 @@
 //: Declare query files
 #pragma once
 
+#include "program/text_lines.h"
+
 #include <stdbool.h>
-#include <stddef.h>
 #include <stdio.h>
 
 //: Declare the kinds of query
@@ -36,35 +37,19 @@ typedef struct tf_query_rows {
 } tf_query_rows;
 
 //: Declare the reader of query files
-enum {
-    TF_FAULT_LENGTH = 256
-};
-
 /// Reads one query after another in memory of the size of the longest line.
 typedef struct tf_query_file {
+    tf_text_lines lines; ///< with the fault
     const tf_query_kind *kind;
-    const char *name; ///< for messages
-    FILE *stream;
     long queries; ///< the number of the next query
-    long line;    ///< the line read last
     int columns;  ///< of the first row; 0 before it was read
-    char *row;
-    size_t room;
-    const char *at;              ///< how far the row was read
-    long fault_line;             ///< 0: the fault is not in a line
-    char fault[TF_FAULT_LENGTH]; ///< what is wrong; how to mend it
 } tf_query_file;
 
 //: Declare how to read a query file
-typedef enum tf_reading {
-    TF_READ_FAULT = 0, ///< bad input, described by `fault` and `fault_line`
-    TF_READ_GOOD,
-    TF_READ_END, ///< nothing is left, and all before was good
-} tf_reading;
-
-/// Starts to read a stream, which stays the caller's, or the file at `path`
-/// ("-": standard input).  The first query has the number `queries`.  Both
-/// borrow the name.  Close the file in any case, also if it cannot be opened.
+/// Starts to read a stream, or the file at `path` ("-": standard input).  The
+/// first query has the number `queries`.  Both borrow the name.  Close the
+/// file in any case, also if it cannot be opened; this closes the stream, too,
+/// unless it is standard input.
 void tf_query_file_start(tf_query_file *file, FILE *stream, const char *name,
                          const tf_query_kind *kind, long queries);
 bool tf_query_file_open(tf_query_file *file, const char *path,
@@ -74,11 +59,3 @@ void tf_query_file_close(tf_query_file *file);
 /// Reads the next query, without lines that are blank or begin with #.
 /// Whatever it holds, coordinates are finite.
 tf_reading tf_query_file_next(tf_query_file *file, tf_query_rows *query);
-
-//: Declare the errors of a query file
-/// Sets the fault, as printf; false, for the caller to return.
-__attribute__((format(printf, 3, 4))) bool
-tf_query_file_fault(tf_query_file *file, long line, const char *format, ...);
-
-/// Prints the fault to standard error, with the names of program and file.
-void tf_query_file_print_fault(const tf_query_file *file, const char *program);

@@ -1,16 +1,14 @@
 //: Include what the commands about surfaces need
 #include "program/surface_command.h"
 
+#include "program/arguments.h"
 #include "program/arithmetics.h"
 #include "program/frames.h"
 #include "program/narrow_phases.h"
 #include "program/progress.h"
 #include "program/surface_output.h"
 #include "program/threads.h"
-#include "program/visible.h"
 
-#include <argp.h>
-#include <stdlib.h>
 #include <string.h>
 
 //: Hold what the command line requests about surfaces
@@ -70,8 +68,7 @@ static const char check_description[] =
         TF_SURFACE_FORMAT_NAMES "; the default is csv",                        \
         0},                                                                    \
     {                                                                          \
-        "threads", 't', "NUMBER", 0,                                           \
-            "How many threads to use; the default is one per processor", 0     \
+        "threads", 't', "NUMBER", 0, TF_THREADS_HELP, 0                        \
     }
 
 static const struct argp_option detect_options[] = {
@@ -92,23 +89,6 @@ static const struct argp_option check_options[] = {
 };
 
 //: Parse an argument about surfaces
-static int parse_threads(struct argp_state *state, const char *text)
-{
-    char *end;
-    long threads = strtol(text, &end, 10);
-    if (end == text || *end || threads < 1 || threads > TF_MOST_THREADS)
-        argp_error(state, "'%s' is not a number of threads; choose 1 to %d",
-                   tf_make_visible(text).text, TF_MOST_THREADS);
-    return (int)threads;
-}
-
-static void refuse(struct argp_state *state, const char *what, const char *name,
-                   const char *names)
-{
-    argp_error(state, "unknown %s '%s'; choose %s", what,
-               tf_make_visible(name).text, names);
-}
-
 static error_t parse_argument(int key, char *text, struct argp_state *state)
 {
     request *wanted = state->input;
@@ -118,18 +98,19 @@ static error_t parse_argument(int key, char *text, struct argp_state *state)
         return 0;
     case 'a':
         if (!(wanted->arithmetic = tf_arithmetic_named(text)))
-            refuse(state, "arithmetic", text, TF_ARITHMETIC_NAMES);
+            tf_refuse_name(state, "arithmetic", text, TF_ARITHMETIC_NAMES);
         return 0;
     case 'n':
         if (!(wanted->narrow_phase = tf_narrow_phase_named(text)))
-            refuse(state, "narrow phase", text, TF_NARROW_PHASE_NAMES);
+            tf_refuse_name(state, "narrow phase", text, TF_NARROW_PHASE_NAMES);
         return 0;
     case 'o':
         if (!(wanted->format = tf_surface_format_named(text)))
-            refuse(state, "output format", text, TF_SURFACE_FORMAT_NAMES);
+            tf_refuse_name(state, "output format", text,
+                           TF_SURFACE_FORMAT_NAMES);
         return 0;
     case 't':
-        wanted->threads = parse_threads(state, text);
+        wanted->threads = tf_parse_threads(state, text);
         return 0;
     case ARGP_KEY_ARGS:
         wanted->paths = state->argv + state->next;

@@ -2,6 +2,7 @@
 #include "program/surface_output.h"
 
 #include "program/contact_fields.h"
+#include "program/summary.h"
 #include "program/visible.h"
 
 #include <errno.h>
@@ -136,49 +137,35 @@ enum {
     COUNTS = 7
 };
 
-typedef struct count {
-    const char *name;
-    size_t value;
-} count;
-
 /// The counts by name; returns how many.
-static int list_counts(const tf_surface_output *output, count list[COUNTS])
+static int list_counts(const tf_surface_output *output, tf_entry list[COUNTS])
 {
     const tf_surface_tally *tally = &output->tally;
     const tf_effort *effort = &tally->effort;
-    const count all[COUNTS] = {
-        {output->checks ? "files" : "steps", (size_t)tally->parts},
-        {output->checks ? "files with intersections" : "steps with contacts",
-         (size_t)tally->tangled},
-        {output->checks ? "intersections" : "contacts", (size_t)tally->rows},
-        {"candidates", effort->candidates},
-        {"decided by axis", effort->by_axis},
-        {"decided by filter", effort->by_filter},
-        {"decided by signs", effort->by_signs},
+    bool checks = output->checks;
+    const tf_entry all[COUNTS] = {
+        tf_entry_count(checks ? "files" : "steps", (size_t)tally->parts),
+        tf_entry_count(checks ? "files with intersections"
+                              : "steps with contacts",
+                       (size_t)tally->tangled),
+        tf_entry_count(checks ? "intersections" : "contacts",
+                       (size_t)tally->rows),
+        tf_entry_count("candidates", effort->candidates),
+        tf_entry_count("decided by axis", effort->by_axis),
+        tf_entry_count("decided by filter", effort->by_filter),
+        tf_entry_count("decided by signs", effort->by_signs),
     };
     memcpy(list, all, sizeof all);
-    return output->checks ? 3 : COUNTS;
-}
-
-/// Names in JSON have no blanks.
-static void write_json_count(FILE *stream, const count *one)
-{
-    fputc('"', stream);
-    for (const char *c = one->name; *c; c++)
-        fputc(*c == ' ' ? '_' : *c, stream);
-    fprintf(stream, "\":%zu", one->value);
+    return checks ? 3 : COUNTS;
 }
 
 static void end_json(const tf_surface_output *output)
 {
-    count list[COUNTS];
+    tf_entry list[COUNTS];
     int counts = list_counts(output, list);
-    fputs("\n],\n\"summary\":{", output->stream);
-    for (int i = 0; i < counts; i++) {
-        fputs(i > 0 ? "," : "", output->stream);
-        write_json_count(output->stream, &list[i]);
-    }
-    fputs("}}\n", output->stream);
+    fputs("\n],\n\"summary\":", output->stream);
+    tf_summary_write_json(output->stream, counts, list);
+    fputs("}\n", output->stream);
 }
 
 //: Write a summary alone
@@ -205,10 +192,9 @@ static void crossing_summary(const tf_surface_output *output, const char *file,
 
 static void end_summary(const tf_surface_output *output)
 {
-    count list[COUNTS];
+    tf_entry list[COUNTS];
     int counts = list_counts(output, list);
-    for (int i = 0; i < counts; i++)
-        fprintf(output->stream, "%s: %zu\n", list[i].name, list[i].value);
+    tf_summary_write(output->stream, counts, list);
 }
 
 //: Find a format by its name about surfaces

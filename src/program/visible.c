@@ -46,3 +46,15 @@ tf_visible tf_make_visible(const char *name)
     strcpy(at, *name ? "..." : "");
     return shown;
 }
+
+//: Quote a word
+tf_quoted tf_quote(const char *word, size_t length)
+{
+    tf_quoted quoted;
+    bool cut = length >= TF_QUOTED_ROOM;
+    length = cut ? TF_QUOTED_ROOM - 4 : length;
+    for (size_t i = 0; i < length; i++)
+        quoted.text[i] = word[i] >= ' ' && word[i] <= '~' ? word[i] : '?';
+    strcpy(quoted.text + length, cut ? "..." : "");
+    return quoted;
+}

@@ -34,6 +34,9 @@ typedef struct tf_contact {
                         ///< units of length per step
     double normal_velocity; ///< `velocity` along `normal`, limited to
                             ///< `DBL_MAX` in absolute value
+    int pivot[2]; ///< the vertices whose velocities differ by `velocity`: the
+                  ///< place of one in the first and of one in the second
+                  ///< element, as given; 0 in straight motion
 } tf_contact;
 
 /// @}

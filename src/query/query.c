@@ -225,6 +225,8 @@ static void describe(const tf_arithmetic *arithmetic, const operands *swept,
         contact->velocity[k] = velocity.x[k];
     }
     contact->normal_velocity = tf_normal_velocity(velocity, normal) + 0.0;
+    contact->pivot[0] = swept->first.place[first->s->pivot];
+    contact->pivot[1] = swept->second.place[first->r->pivot];
 }
 
 //: Query two elements

@@ -4,7 +4,7 @@
 #include "base/require.h"
 #include "surface/state.h"
 
-#include <stdlib.h>
+#include <stddef.h>
 #include <string.h>
 
 //: Keep the candidates of a worker
@@ -90,22 +90,19 @@ static tf_status list_all(tf_surface *surface, const tf_parallel *parallel,
     int tasks = tf_join_tasks(&surface->vertex_tree);
     if (surface->axes == 3)
         tasks += tf_join_tasks(&surface->edge_tree);
-    tf_task_rows *rows = calloc((size_t)tasks, sizeof *rows);
-    size_t *place = calloc((size_t)tasks, sizeof *place);
-    tf_status status = TF_OUT_OF_MEMORY;
-    if (rows && place) {
-        found->point_count = join_all(surface, rows, parallel);
-        found->edge_count =
-            tf_workers_rows(&surface->workers) - found->point_count;
-        bool gathered =
-            gather(surface, tasks, rows, place, parallel, &found->points);
-        found->edges =
-            found->points ? found->points + found->point_count : NULL;
-        status = gathered ? tf_workers_status(&surface->workers) : status;
-    }
-    free(rows);
-    free(place);
-    return status;
+    if (!tf_buffer_reserve(&surface->task_rows, (size_t)tasks,
+                           sizeof(tf_task_rows)) ||
+        !tf_buffer_reserve(&surface->task_places, (size_t)tasks,
+                           sizeof(size_t)))
+        return TF_OUT_OF_MEMORY;
+    tf_task_rows *rows = surface->task_rows.data;
+    found->point_count = join_all(surface, rows, parallel);
+    found->edge_count = tf_workers_rows(&surface->workers) - found->point_count;
+    if (!gather(surface, tasks, rows, surface->task_places.data, parallel,
+                &found->points))
+        return TF_OUT_OF_MEMORY;
+    found->edges = found->points ? found->points + found->point_count : NULL;
+    return tf_workers_status(&surface->workers);
 }
 
 //: Find the candidates of a step

@@ -1,299 +1,17 @@
 //: Include what detection needs
 #include "surface/detect.h"
 
-#include "arithmetic/clamped.h"
 #include "arithmetic/exact.h"
-#include "arithmetic/integer.h"
 #include "arithmetic/operations.h"
 #include "base/require.h"
-#include "query/edge_edge.h"
-#include "query/point_edge.h"
-#include "query/point_triangle.h"
+#include "surface/pairs.h"
 #include "surface/state.h"
 
 #include <stdbool.h>
 #include <stddef.h>
-#include <stdlib.h>
-#include <string.h>
-
-//: Hold a detection
-typedef struct detecting {
-    const tf_surface *surface;
-    const tf_motion *motion;
-    const tf_arithmetic *arithmetic;
-    const tf_narrow_phase *narrow_phase;
-    tf_extent extent;
-    tf_kind kind; ///< of the pairs that are being joined
-} detecting;
-
-/// Room for a batch of pairs.
-typedef struct batch {
-    int vertex[4 * TF_BATCH];
-    tf_verdict verdict[TF_BATCH];
-    int open[TF_BATCH]; ///< the pairs that the filter leaves undecided
-    int open_vertex[4 * TF_BATCH];
-    tf_verdict open_verdict[TF_BATCH];
-    tf_effort effort;
-} batch;
-
-//: List the vertices of a pair
-/// How many vertices the two elements of a pair have.
-static int vertex_count(tf_kind kind)
-{
-    return kind == TF_POINT_EDGE ? 3 : 4;
-}
-
-static void list_vertices(const detecting *of, tf_candidate pair, int vertex[])
-{
-    const int *edge = of->surface->edges.corner;
-    const int *triangle = of->surface->triangles.corner;
-    switch (of->kind) {
-    case TF_EDGE_EDGE: {
-        // Both are sorted, and so are the two: by their first vertices, which
-        // differ.
-        const int *a = edge + 2 * (size_t)pair.first;
-        const int *b = edge + 2 * (size_t)pair.second;
-        bool swap = b[0] < a[0];
-        memcpy(vertex, swap ? b : a, 2 * sizeof *vertex);
-        memcpy(vertex + 2, swap ? a : b, 2 * sizeof *vertex);
-        return;
-    }
-    case TF_POINT_TRIANGLE:
-        vertex[0] = pair.first;
-        memcpy(vertex + 1, triangle + 3 * (size_t)pair.second,
-               3 * sizeof *vertex);
-        return;
-    default:
-        vertex[0] = pair.first;
-        memcpy(vertex + 1, edge + 2 * (size_t)pair.second, 2 * sizeof *vertex);
-    }
-}
-
-//: Describe a contact of a surface
-static tf_status describe(const detecting *of, const int vertex[],
-                          tf_contact *contact)
-{
-    switch (of->kind) {
-    case TF_EDGE_EDGE:
-        return tf_edge_edge(of->arithmetic, of->motion, vertex, vertex + 2,
-                            contact);
-    case TF_POINT_TRIANGLE:
-        return tf_point_triangle(of->arithmetic, of->motion, vertex[0],
-                                 vertex + 1, contact);
-    default:
-        return tf_point_edge(of->arithmetic, of->motion, vertex[0], vertex + 1,
-                             contact);
-    }
-}
-
-//: Add a contact
-/// Adds a contact to what a worker has found; false if that fails.
-static bool add_contact(tf_worker *worker, const int vertex[])
-{
-    const detecting *of = worker->job;
-    tf_surface_contact *row = tf_worker_add(worker, sizeof *row);
-    if (!row)
-        return false;
-    row->kind = of->kind;
-    row->vertex[3] = -1;
-    memcpy(row->vertex, vertex,
-           sizeof *vertex * (size_t)vertex_count(of->kind));
-    worker->status = describe(of, row->vertex, &row->contact);
-    return worker->status == TF_OK;
-}
-
-//: Decide the pairs of a batch by one arithmetic
-static tf_status decide_by(const tf_arithmetic *arithmetic, const detecting *of,
-                           int count, const int vertex[], tf_verdict verdict[],
-                           size_t *separated)
-{
-    tf_queries queries = {.kind = of->kind,
-                          .motion = of->motion,
-                          .count = (size_t)count,
-                          .vertices = vertex};
-    return of->narrow_phase->decide(arithmetic, &queries, verdict, separated);
-}
-
-//: Distinguish the arithmetics
-/// Whether the verdicts of an arithmetic are those of the exact one, so that a
-/// certain verdict of the filter is one of its own.
-static bool is_exact(const tf_arithmetic *arithmetic)
-{
-    return arithmetic == &tf_exact || arithmetic == &tf_integer64 ||
-           arithmetic == &tf_integer128;
-}
-
-static bool is_rounded(const tf_arithmetic *arithmetic)
-{
-    return arithmetic == &tf_clamped || arithmetic == &tf_report;
-}
-
-//: Decide what the filter leaves open
-/// Decides by the arithmetic the pairs that the filter leaves undecided; returns
-/// how many there are.
-static size_t decide_open(const detecting *of, int count, batch *b,
-                          tf_status *status)
-{
-    int vertices = vertex_count(of->kind), open = 0;
-    for (int i = 0; i < count; i++) {
-        if (b->verdict[i] != TF_UNDECIDED)
-            continue;
-        memcpy(b->open_vertex + (ptrdiff_t)open * vertices,
-               b->vertex + (ptrdiff_t)i * vertices,
-               sizeof(int) * (size_t)vertices);
-        b->open[open++] = i;
-    }
-    size_t separated = 0;
-    *status = decide_by(of->arithmetic, of, open, b->open_vertex,
-                        b->open_verdict, &separated);
-    for (int i = 0; i < open; i++)
-        b->verdict[b->open[i]] = b->open_verdict[i];
-    return (size_t)open;
-}
-
-//: Decide a batch of pairs
-/// Decides by a filter first, if the arithmetic allows one.
-static tf_status decide_batch(const detecting *of, int count,
-                              const tf_candidate pair[], batch *b)
-{
-    int vertices = vertex_count(of->kind);
-    for (int i = 0; i < count; i++)
-        list_vertices(of, pair[i], b->vertex + (ptrdiff_t)i * vertices);
-
-    bool filtered = is_exact(of->arithmetic);
-    size_t separated = 0;
-    tf_status status = decide_by(filtered ? &tf_clamped : of->arithmetic, of,
-                                 count, b->vertex, b->verdict, &separated);
-    size_t decided = (size_t)count - separated, open = 0;
-    if (status == TF_OK && filtered)
-        open = decide_open(of, count, b, &status);
-    else if (!is_rounded(of->arithmetic))
-        open = decided;
-    b->effort.candidates += (size_t)count;
-    b->effort.by_axis += separated;
-    b->effort.by_filter += decided - open;
-    b->effort.by_signs += open;
-    return status;
-}
-
-//: Take a batch of pairs
-/// Takes the pairs of a join: a tf_pair_sink's function.
-static bool take(tf_pair_sink *sink, int count, const tf_candidate pair[])
-{
-    tf_worker *worker = (tf_worker *)sink;
-    const detecting *of = worker->job;
-    batch *b = worker->batch.data;
-    worker->status = decide_batch(of, count, pair, b);
-    if (worker->status != TF_OK)
-        return false;
-    for (int i = 0; i < count; i++) {
-        if (b->verdict[i] == TF_APART)
-            continue;
-        if (!add_contact(worker,
-                         b->vertex + (ptrdiff_t)i * vertex_count(of->kind)) ||
-            of->extent == TF_ANY_CONTACT)
-            return false;
-    }
-    return true;
-}
-
-//: Compare contacts
-static int compare_places(const void *first, const void *second)
-{
-    const tf_surface_contact *a = first, *b = second;
-    if (a->kind != b->kind)
-        return a->kind < b->kind ? -1 : 1;
-    for (int i = 0; i < 4; i++)
-        if (a->vertex[i] != b->vertex[i])
-            return a->vertex[i] < b->vertex[i] ? -1 : 1;
-    return 0;
-}
-
-static int compare_times(const void *first, const void *second)
-{
-    const tf_surface_contact *a = first, *b = second;
-    if (a->contact.toi_lo != b->contact.toi_lo)
-        return a->contact.toi_lo < b->contact.toi_lo ? -1 : 1;
-    return compare_places(first, second);
-}
-
-//: Add up the effort
-static void add_effort(tf_effort *all, const tf_effort *own)
-{
-    all->candidates += own->candidates;
-    all->by_axis += own->by_axis;
-    all->by_filter += own->by_filter;
-    all->by_signs += own->by_signs;
-}
-
-//: Gather the contacts of all workers
-static bool gather(tf_surface *surface, tf_extent extent, tf_contacts *found)
-{
-    size_t rows = tf_workers_rows(&surface->workers);
-    if (!tf_buffer_reserve(&surface->found, rows + 1,
-                           sizeof(tf_surface_contact)))
-        return false;
-    tf_surface_contact *all = surface->found.data, *end = all;
-    for (int i = 0; i < surface->workers.count; i++) {
-        const tf_worker *worker = surface->workers.worker[i];
-        const batch *b = worker->batch.data;
-        if (worker->rows > 0)
-            memcpy(end, worker->row.data, sizeof *end * worker->rows);
-        end += worker->rows;
-        add_effort(&found->effort, &b->effort);
-    }
-    qsort(all, rows, sizeof *all,
-          extent == TF_FIRST_CONTACT ? compare_times : compare_places);
-    found->any = rows > 0;
-    found->contact = all;
-    found->count = extent == TF_ALL_CONTACTS
-                       ? rows
-                       : extent == TF_FIRST_CONTACT && rows > 0;
-    return true;
-}
-
-//: Ready the workers
-static bool ready_workers(tf_surface *surface, const tf_parallel *parallel,
-                          const detecting *of)
-{
-    if (!tf_workers_begin(&surface->workers, tf_parallel_workers(parallel), of))
-        return false;
-    for (int i = 0; i < surface->workers.count; i++) {
-        tf_worker *worker = surface->workers.worker[i];
-        if (!tf_buffer_reserve(&worker->batch, 1, sizeof(batch)))
-            return false;
-        ((batch *)worker->batch.data)->effort = (tf_effort){0};
-    }
-    return true;
-}
-
-//: Join and decide
-static tf_status join_kind(tf_surface *surface, const tf_tree *s,
-                           const tf_tree *t, const tf_parallel *parallel)
-{
-    tf_workers_join(&surface->workers, s, t, take, NULL, parallel);
-    return tf_workers_status(&surface->workers);
-}
-
-static tf_status join_all(tf_surface *surface, detecting *of,
-                          const tf_parallel *parallel)
-{
-    bool plane = surface->axes == 2;
-    of->kind = plane ? TF_POINT_EDGE : TF_POINT_TRIANGLE;
-    tf_status status = join_kind(
-        surface, &surface->vertex_tree,
-        plane ? &surface->edge_tree : &surface->triangle_tree, parallel);
-    bool enough =
-        of->extent == TF_ANY_CONTACT && tf_workers_rows(&surface->workers) > 0;
-    if (status != TF_OK || plane || enough)
-        return status;
-    of->kind = TF_EDGE_EDGE;
-    return join_kind(surface, &surface->edge_tree, &surface->edge_tree,
-                     parallel);
-}
 
 //: Check that an arithmetic can hold all positions
-static tf_status check_range(const tf_surface *surface, const detecting *of,
+static tf_status check_range(const tf_surface *surface, const tf_deciding *of,
                              tf_flaw *flaw)
 {
     int axes = surface->axes;
@@ -314,7 +32,7 @@ static tf_status check_range(const tf_surface *surface, const detecting *of,
 }
 
 //: Detect the contacts of a surface
-static tf_status detect(tf_surface *surface, detecting *of,
+static tf_status detect(tf_surface *surface, tf_deciding *of,
                         const tf_parallel *parallel, tf_contacts *found,
                         tf_flaw *flaw)
 {
@@ -323,13 +41,7 @@ static tf_status detect(tf_surface *surface, detecting *of,
         status = check_range(surface, of, flaw);
     if (status != TF_OK)
         return status;
-    if (!ready_workers(surface, parallel, of))
-        return TF_OUT_OF_MEMORY;
-    status = join_all(surface, of, parallel);
-    *found = (tf_contacts){0};
-    if (status == TF_OK && !gather(surface, of->extent, found))
-        status = TF_OUT_OF_MEMORY;
-    return status;
+    return tf_pairs_find(surface, of, parallel, found);
 }
 
 //: Detect with the usual choices
@@ -341,7 +53,7 @@ tf_status tf_surface_detect(tf_surface *surface, const tf_motion *motion,
     static const tf_detection usual;
     if (!detection)
         detection = &usual;
-    detecting of = {
+    tf_deciding of = {
         .surface = surface,
         .motion = motion,
         .arithmetic = detection->arithmetic ? detection->arithmetic : &tf_exact,

@@ -48,7 +48,10 @@ void tf_surface_free(tf_surface *surface)
     tf_tree_free(&surface->triangle_tree);
     tf_tree_room_free(&surface->tree_room);
     tf_workers_free(&surface->workers);
+    tf_buffer_free(&surface->task_rows);
+    tf_buffer_free(&surface->task_places);
     tf_buffer_free(&surface->found);
+    tf_buffer_free(&surface->sorting);
     free(surface);
 }
 
@@ -70,8 +73,8 @@ const int *tf_surface_triangles(const tf_surface *surface, int *count)
 //: Count the memory
 static size_t tree_bytes(const tf_tree *tree)
 {
-    return tree->pack_room.bytes + tree->element_room.bytes +
-           tree->corner_room.bytes;
+    return tree->pack_room.bytes + tree->mark_room.bytes +
+           tree->element_room.bytes + tree->corner_room.bytes;
 }
 
 size_t tf_surface_memory(const tf_surface *surface)
@@ -83,7 +86,9 @@ size_t tf_surface_memory(const tf_surface *surface)
            tree_bytes(&surface->vertex_tree) + tree_bytes(&surface->edge_tree) +
            tree_bytes(&surface->triangle_tree) + room->keys.bytes +
            room->sorted.bytes + room->counts.bytes +
-           tf_workers_memory(&surface->workers) + surface->found.bytes;
+           tf_workers_memory(&surface->workers) + surface->task_rows.bytes +
+           surface->task_places.bytes + surface->found.bytes +
+           surface->sorting.bytes;
 }
 
 //: Build the tree of one kind of element
@@ -126,9 +131,9 @@ tf_status tf_surface_move(tf_surface *surface, const tf_motion *motion,
         return TF_BAD_ENVIRONMENT;
     if (motion->vertices != surface->vertices)
         return TF_BAD_COUNT;
-    tf_frame frame;
     int bad = 0;
-    tf_status status = tf_frame_of(surface->axes, motion, &frame, &bad);
+    tf_status status =
+        tf_frame_of(surface->axes, motion, &surface->frame, &bad);
     if (status != TF_OK) {
         *flaw = (tf_flaw){TF_VERTEX, bad, bad};
         return status;
@@ -136,6 +141,6 @@ tf_status tf_surface_move(tf_surface *surface, const tf_motion *motion,
     if (!tf_buffer_reserve(&surface->boxes, (size_t)surface->vertices,
                            sizeof(tf_box)))
         return TF_OUT_OF_MEMORY;
-    tf_vertex_boxes(&frame, motion, parallel, surface->boxes.data);
+    tf_vertex_boxes(&surface->frame, motion, parallel, surface->boxes.data);
     return build_trees(surface, parallel);
 }

@@ -59,7 +59,7 @@ static tf_sign sign_on_grid(const tf_differences *differences)
 static tf_value value_on_grid(const tf_differences *differences)
 {
     tf_value value = {.number = NAN};
-    tf_fixed_value(differences, &value.number, &value.exponent);
+    tf_fixed_value(differences, &value);
     return value;
 }
 
@@ -77,10 +77,9 @@ static bool judge(const matrix *m)
         return true;
     }
     tf_sign sign = TF_UNKNOWN;
-    double number = 42;
-    int exponent = 7;
+    tf_value value;
     expect_of_matrix(!tf_fixed_sign(&differences, &sign) &&
-                         !tf_fixed_value(&differences, &number, &exponent),
+                         !tf_fixed_value(&differences, &value),
                      "On no grid, but evaluated", m);
     expect_of_matrix(sign == TF_UNKNOWN, "A sign without a grid", m);
     return false;
@@ -235,6 +234,114 @@ START_TEST(what_underflows_on_its_way_to_the_grid_is_not_on_it)
 }
 END_TEST
 
+// Several values --------------------------------------------------------------
+
+/// Six events whose coordinates on each axis are of one of several kinds.
+static void fill_events(generator *random, tf_event event[TF_SIX])
+{
+    for (int k = 0; k < TF_AXES; k++) {
+        int kind = below(random, 5), scale = below(random, 600) - 300;
+        for (int i = 0; i < TF_SIX; i++) {
+            double small = below(random, 4), any = uniform(random, -1, 1);
+            double x = kind == 0   ? small
+                       : kind == 1 ? any
+                       : kind == 2 ? (2 * below(random, 2) - 1) * largest
+                       : kind == 3 ? ldexp(any, -below(random, 18))
+                                   : ldexp(any, -below(random, 50));
+            event[i].x[k] = ldexp(x, kind == 2 ? 0 : scale);
+        }
+    }
+}
+
+/// The determinant without event i.
+static tf_differences differences_without(int i, int start_count,
+                                          const tf_event event[TF_SIX])
+{
+    tf_differences d = {.axis = {0, 1, 2}};
+    for (int t = 0; t < 2; t++) {
+        int begin = t == 0 ? 0 : start_count;
+        int first = begin == i ? begin + 1 : begin;
+        for (int j = first + 1; j < (t == 0 ? start_count : TF_SIX); j++)
+            if (j != i) {
+                d.to[d.n] = &event[j];
+                d.from[d.n++] = &event[first];
+            }
+    }
+    return d;
+}
+
+static void expect_value(const tf_value *value, const tf_differences *d)
+{
+    tf_value alone;
+    ck_assert(tf_fixed_value(d, &alone));
+    ck_assert_msg(value->number == alone.number &&
+                      value->exponent == alone.exponent && value->radius == 0,
+                  "%a 2^%d, expected %a 2^%d, seed %llu", value->number,
+                  value->exponent, alone.number, alone.exponent,
+                  (unsigned long long)seed());
+}
+
+static bool fits(const tf_event event[], int count)
+{
+    matrix m = {.n = TF_AXES, .axis = {0, 1, 2}};
+    for (int i = 0; i < 2 * TF_AXES; i++)
+        (i < TF_AXES ? m.to : m.from)[i % TF_AXES] =
+            event[i < count ? i : count - 1];
+    return is_on_grid(&m);
+}
+
+START_TEST(six_values_are_those_of_each)
+{
+    generator random = generator_new(5);
+    long count = cases(30000), on_grid = 0;
+    for (long i = 0; i < count; i++) {
+        tf_event event[TF_SIX];
+        fill_events(&random, event);
+        const tf_event *list[TF_SIX] = {&event[0], &event[1], &event[2],
+                                        &event[3], &event[4], &event[5]};
+        int start_count = 2 + below(&random, 3);
+        tf_value value[TF_SIX];
+        bool found = tf_fixed_six(start_count, list, value);
+        ck_assert(found == fits(event, TF_SIX));
+        on_grid += found;
+        for (int j = 0; j < TF_SIX && found; j++) {
+            tf_differences d = differences_without(j, start_count, event);
+            expect_value(&value[j], &d);
+        }
+    }
+    ck_assert_msg(on_grid > count / 4 && on_grid < count - count / 4,
+                  "%ld of %ld are on a grid", on_grid, count);
+}
+END_TEST
+
+START_TEST(a_cross_product_has_the_minors)
+{
+    generator random = generator_new(6);
+    long count = cases(30000), on_grid = 0;
+    for (long i = 0; i < count; i++) {
+        tf_event event[TF_SIX];
+        fill_events(&random, event);
+        int start = below(&random, 2);
+        tf_differences rows = {.n = 2,
+                               .to = {&event[1], &event[3]},
+                               .from = {&event[0], &event[2 * start]}};
+        if (start == 0)
+            event[2] = event[0];
+        tf_value component[TF_AXES];
+        bool found = tf_fixed_cross(&rows, component);
+        ck_assert(found == fits(event, 4));
+        on_grid += found;
+        for (int k = 0; k < TF_AXES && found; k++) {
+            rows.axis[0] = (k + 1) % 3;
+            rows.axis[1] = (k + 2) % 3;
+            expect_value(&component[k], &rows);
+        }
+    }
+    ck_assert_msg(on_grid > count / 4 && on_grid < count - count / 4,
+                  "%ld of %ld are on a grid", on_grid, count);
+}
+END_TEST
+
 Suite *suite(void)
 {
     Suite *suite = suite_create("fixed");
@@ -250,5 +357,9 @@ Suite *suite(void)
     tcase_add_test(ends, zeros_lie_on_every_grid);
     tcase_add_test(ends, what_underflows_on_its_way_to_the_grid_is_not_on_it);
     suite_add_tcase(suite, ends);
+    TCase *several = tcase_create("several values");
+    tcase_add_test(several, six_values_are_those_of_each);
+    tcase_add_test(several, a_cross_product_has_the_minors);
+    suite_add_tcase(suite, several);
     return suite;
 }

@@ -21,6 +21,9 @@ static const struct {
     {TF_BAD_COUNT, "not those of this surface", ": give as many vertices"},
     {TF_OUT_OF_MEMORY, "not enough memory", ": divide the surface"},
     {TF_BAD_TOLERANCE, "a tolerance", ": use 0 or a small positive number"},
+    {TF_BAD_MASS, "inverse mass", ": use 0 for a vertex that is scripted"},
+    {TF_START_NOT_CLEAR, "when the step starts",
+     ": start from a surface that does not intersect itself"},
 };
 
 enum {
@@ -39,19 +42,19 @@ END_TEST
 
 START_TEST(every_status_has_a_message_of_its_own)
 {
-    for (int a = TF_OK; a <= TF_BAD_TOLERANCE; a++) {
+    for (int a = TF_OK; a <= TF_START_NOT_CLEAR; a++) {
         const char *message = tf_status_message((tf_status)a);
         ck_assert_uint_gt(strlen(message), 5);
         for (int b = TF_OK; b < a; b++)
             ck_assert_str_ne(message, tf_status_message((tf_status)b));
     }
-    ck_assert_int_eq(MESSAGES, TF_BAD_TOLERANCE - TF_OK);
+    ck_assert_int_eq(MESSAGES, TF_START_NOT_CLEAR - TF_OK);
 }
 END_TEST
 
 START_TEST(unknown_status_breaks_the_contract)
 {
-    static const int unknown[] = {99, -1, TF_BAD_TOLERANCE + 1};
+    static const int unknown[] = {99, -1, TF_START_NOT_CLEAR + 1};
     tf_status_message((tf_status)unknown[_i]);
 }
 END_TEST

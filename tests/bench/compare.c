@@ -191,8 +191,8 @@ static void read_queries(query_set *set, const char *path,
         fail(path, "cannot read");
     while (tf_query_file_next(&file, &rows) == TF_READ_GOOD)
         add_query(set, kind, &rows);
-    if (file.fault[0] != '\0')
-        fail(path, file.fault);
+    if (file.lines.fault[0] != '\0')
+        fail(path, file.lines.fault);
     tf_query_file_close(&file);
 }
 

@@ -7,7 +7,7 @@ START_TEST(bounds_hold_and_hardly_matter)
     expect_number(text, "near_count", 4000 * (18 + 24));
     expect_number(text, "rest_count", number_of(text, "near_count"));
     expect_number(text, "error_count", number_of(text, "near_count"));
-    expect_number(text, "ranges", 48);
+    expect_number(text, "ranges", 256);
 
     // Seven roundings of a permanent of up to six terms.
     double permanent = number_of(text, "permanent_largest");

@@ -50,9 +50,9 @@ static void check_query(const tf_query_rows *query, const tf_query_kind *kind)
 
 static void check_fault(const tf_query_file *file, long most)
 {
-    require(file->fault_line >= 1 && file->fault_line <= most);
-    require(strstr(file->fault, "; ") != NULL);
-    for (const char *c = file->fault; *c; c++)
+    require(file->lines.fault_line >= 1 && file->lines.fault_line <= most);
+    require(strstr(file->lines.fault, "; ") != NULL);
+    for (const char *c = file->lines.fault; *c; c++)
         require(*c >= ' ' && *c <= '~');
 }
 
@@ -73,7 +73,7 @@ static void read_all(FILE *stream, const tf_query_kind *kind, long most)
     if (reading == TF_READ_FAULT)
         check_fault(&file, most);
     else
-        require(file.fault[0] == '\0');
+        require(file.lines.fault[0] == '\0');
     tf_query_file_close(&file);
 }
 

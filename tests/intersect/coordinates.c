@@ -44,7 +44,7 @@ static void expect_coordinates(const own_pair *own, const tf_signs *signs,
 {
     const tf_pair *pair = &own->pair;
     tf_coordinates c;
-    tf_pair_coordinates(&oracle_arithmetic, pair, signs, operand, &c);
+    tf_pair_coordinates(&oracle_arithmetic, pair, signs, operand, NULL, &c);
     int first = first_of(pair, signs, operand);
     double scale = c.low[first] / fabs(exact_value(pair, first));
     for (int i = 0; i < pair->count; i++) {
@@ -89,7 +89,7 @@ static tf_coordinates coordinates_of(tf_value value, const own_pair *own,
     arithmetic.value = given_value;
     given = value;
     tf_coordinates c;
-    tf_pair_coordinates(&arithmetic, &own->pair, signs, +1, &c);
+    tf_pair_coordinates(&arithmetic, &own->pair, signs, +1, NULL, &c);
     return c;
 }
 

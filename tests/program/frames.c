@@ -5,6 +5,7 @@
 #include "support/program.h"
 #include "support/support.h"
 
+#include <math.h>
 #include <string.h>
 
 #define START "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 2 2 2\nf 1 2 3\nf 2 3 4\nl 1 4\n"
@@ -87,6 +88,38 @@ START_TEST(a_step_of_the_plane)
     static const double start[] = {1, 2, 3, 4}, end[] = {5, 6, 7, 8};
     ck_assert_mem_eq(motion.start, start, sizeof start);
     ck_assert_mem_eq(motion.end, end, sizeof end);
+    tf_frames_free(&frames);
+}
+END_TEST
+
+START_TEST(ends_that_are_changed)
+{
+    tf_frames frames;
+    ck_assert(read_frames(&frames, 2, (const char *[]){START, END}));
+    double *end = tf_frames_end(&frames);
+    end[2] = 7;
+    ck_assert(tf_frames_motion(&frames).end[2] == 7);
+    tf_frames_change(&frames);
+    ck_assert(tf_frames_file(&frames)->position.item[2] == 7);
+    ck_assert(frames.file[0].position.item[2] == 0);
+    tf_frames_free(&frames);
+}
+END_TEST
+
+START_TEST(ends_that_are_changed_in_the_plane)
+{
+    static const char start[] = "v 0 0\nv 1 2 -0\nl 1 2\n";
+    tf_frames frames;
+    ck_assert(read_frames(&frames, 2, (const char *[]){start, start}));
+    double *end = tf_frames_end(&frames);
+    end[2] = 7;
+    end[3] = 8;
+    ck_assert(tf_frames_motion(&frames).end[3] == 8);
+    tf_frames_change(&frames);
+    const double *x = tf_frames_file(&frames)->position.item;
+    ck_assert(x[0] == 0 && x[1] == 0 && x[2] == 0);
+    ck_assert(x[3] == 7 && x[4] == 8 && x[5] == 0 && signbit(x[5]));
+    ck_assert(frames.file[0].position.item[3] == 1);
     tf_frames_free(&frames);
 }
 END_TEST
@@ -277,6 +310,8 @@ Suite *suite(void)
     tcase_add_test(steps, each_end_is_the_next_start);
     tcase_add_test(steps, a_frame_at_rest);
     tcase_add_test(steps, a_step_of_the_plane);
+    tcase_add_test(steps, ends_that_are_changed);
+    tcase_add_test(steps, ends_that_are_changed_in_the_plane);
     tcase_add_test(steps, out_of_the_plane_and_back);
     tcase_add_test(steps, two_formats_of_one_mesh);
     suite_add_tcase(suite, steps);

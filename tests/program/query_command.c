@@ -7,12 +7,10 @@
 #include "support/support.h"
 #include "support/terminal.h"
 
-#include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/resource.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 // A hit at t = 1/2 and a miss, of a point that falls on an edge.
@@ -680,16 +678,6 @@ START_TEST(version)
 }
 END_TEST
 
-/// Expect nothing but a message that starts with these words.
-static void expect_usage(const char *arguments, const char *words)
-{
-    outcome found = run("$tf %s", arguments);
-    ck_assert_msg(strncmp(found.err, words, strlen(words)) == 0,
-                  "%s: '%s', not '%s'", arguments, found.err, words);
-    ck_assert_str_eq(found.out, "");
-    ck_assert_int_eq(found.status, 2);
-}
-
 START_TEST(commands_that_are_none)
 {
     expect_usage("",
@@ -761,33 +749,15 @@ END_TEST
 
 // A broken floating-point environment ----------------------------------------
 
-/// Run the command in this process, in a broken environment, and end it.
-static void command_in(int broken)
-{
-    static char name[] = "tanglefree query", option[] = "--kind=point-edge";
-    static char file[] = "in";
-    char *arguments[] = {name, option, file, NULL};
-    if (!freopen("out", "w", stdout) || !freopen("err", "w", stderr))
-        _exit(1);
-    environment_break(broken);
-    exit(tf_query_command(3, arguments));
-}
-
 START_TEST(a_broken_environment_is_reported)
 {
+    static const char *const arguments[] = {"tanglefree query",
+                                            "--kind=point-edge", "in", NULL};
     make_file("in", HIT);
-    pid_t child = fork();
-    if (child == 0)
-        command_in(_i);
-    int status = 0;
-    waitpid(child, &status, 0);
-    ck_assert_msg(WIFEXITED(status), "%s: status %#x", environment_name(_i),
-                  (unsigned)status);
     char message[1000];
     snprintf(message, sizeof message, "tanglefree: in:1: %s\n",
              tf_status_message(TF_BAD_ENVIRONMENT));
-    expect((outcome){WEXITSTATUS(status), file_text("out"), file_text("err")},
-           2, HEADER, message);
+    expect(run_broken(_i, tf_query_command, arguments), 2, HEADER, message);
 }
 END_TEST
 

@@ -23,7 +23,7 @@ typedef struct outcome {
     long count;
     tf_reading last;
     long line;
-    char fault[TF_FAULT_LENGTH];
+    char fault[TF_LINE_FAULT_LENGTH];
 } outcome;
 
 static outcome read_stream(const char *kind, FILE *stream)
@@ -37,8 +37,8 @@ static outcome read_stream(const char *kind, FILE *stream)
             found.query[found.count] = rows;
         found.count++;
     }
-    found.line = file.fault_line;
-    strcpy(found.fault, file.fault);
+    found.line = file.lines.fault_line;
+    strcpy(found.fault, file.lines.fault);
     tf_query_file_close(&file);
     return found;
 }
@@ -552,8 +552,8 @@ static void expect_no_file(const char *path, bool opens, const char *words)
     ck_assert_int_eq(tf_query_file_open(&file, path, kind, 0), opens);
     if (opens)
         ck_assert_int_eq(tf_query_file_next(&file, &rows), TF_READ_FAULT);
-    ck_assert_msg(strstr(file.fault, words), "'%s'", file.fault);
-    ck_assert_str_eq(file.name, path);
+    ck_assert_msg(strstr(file.lines.fault, words), "'%s'", file.lines.fault);
+    ck_assert_str_eq(file.lines.name, path);
     tf_query_file_close(&file);
 }
 
@@ -596,8 +596,8 @@ START_TEST(standard_input_has_a_name)
     tf_query_file file;
     ck_assert(
         tf_query_file_open(&file, "-", tf_query_kind_named("edge-edge"), 0));
-    ck_assert_ptr_eq(file.stream, stdin);
-    ck_assert_str_eq(file.name, "standard input");
+    ck_assert_ptr_eq(file.lines.stream, stdin);
+    ck_assert_str_eq(file.lines.name, "standard input");
     tf_query_file_close(&file);
     ck_assert_msg(lseek(STDIN_FILENO, 0, SEEK_CUR) >= 0 || errno != EBADF,
                   "closed");

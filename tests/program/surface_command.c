@@ -9,12 +9,9 @@
 #include "support/support.h"
 #include "support/terminal.h"
 
-#include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 // Two points above a triangle.  The first falls through it at t = 1/2, the
 // second at t = 1/4.
@@ -599,16 +596,6 @@ START_TEST(help)
 }
 END_TEST
 
-/// Expects nothing but a message that starts with these words.
-static void expect_usage(const char *arguments, const char *words)
-{
-    outcome found = run("$tf %s", arguments);
-    ck_assert_msg(strncmp(found.err, words, strlen(words)) == 0,
-                  "%s: '%s', not '%s'", arguments, found.err, words);
-    ck_assert_str_eq(found.out, "");
-    ck_assert_int_eq(found.status, 2);
-}
-
 START_TEST(arguments_that_are_wrong)
 {
     static const char two[] =
@@ -651,32 +638,16 @@ END_TEST
 
 // A broken floating-point environment -----------------------------------------
 
-/// Runs a command in this process, in a broken environment, and ends it.
-static void command_in(int broken, bool checks)
-{
-    static char name[] = "tanglefree", one[] = "above", two[] = "below";
-    char *arguments[] = {name, one, two, NULL};
-    if (!freopen("out", "w", stdout) || !freopen("err", "w", stderr))
-        _exit(9);
-    environment_break(broken);
-    exit(checks ? tf_check_command(2, arguments)
-                : tf_detect_command(3, arguments));
-}
-
 START_TEST(a_broken_environment_is_reported)
 {
     bool checks = _i % 2;
-    pid_t child = fork();
-    if (child == 0)
-        command_in(_i / 2, checks);
-    int status = 0;
-    waitpid(child, &status, 0);
-    ck_assert_msg(WIFEXITED(status), "%s: status %#x", environment_name(_i / 2),
-                  (unsigned)status);
+    static const char *const check[] = {"tanglefree", "above", NULL};
+    static const char *const detect[] = {"tanglefree", "above", "below", NULL};
     char message[1000];
     snprintf(message, sizeof message, "tanglefree: %s: %s\n",
              checks ? "above" : "below", tf_status_message(TF_BAD_ENVIRONMENT));
-    expect((outcome){WEXITSTATUS(status), file_text("out"), file_text("err")},
+    expect(run_broken(_i / 2, checks ? tf_check_command : tf_detect_command,
+                      checks ? check : detect),
            2, checks ? CHECK_HEADER : HEADER, message);
 }
 END_TEST

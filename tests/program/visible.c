@@ -76,6 +76,21 @@ START_TEST(long_names_are_cut)
 }
 END_TEST
 
+START_TEST(words_are_quoted)
+{
+    static const char word[] = "0123456789012345678901234567890123456789";
+    ck_assert_str_eq(tf_quote("word and more", 4).text, "word");
+    ck_assert_str_eq(tf_quote("", 0).text, "");
+    ck_assert_str_eq(tf_quote("a\x1b\xc3\xa9~ ", 6).text, "a???~ ");
+    ck_assert_str_eq(tf_quote(word, 31).text,
+                     "0123456789012345678901234567890");
+    ck_assert_str_eq(tf_quote(word, 32).text,
+                     "0123456789012345678901234567...");
+    ck_assert_str_eq(tf_quote(word, 40).text,
+                     "0123456789012345678901234567...");
+}
+END_TEST
+
 Suite *suite(void)
 {
     Suite *suite = suite_create("program/visible");
@@ -84,6 +99,7 @@ Suite *suite(void)
     tcase_add_test(names, control_characters_are_shown);
     tcase_add_test(names, what_is_no_utf_8_is_shown);
     tcase_add_test(names, long_names_are_cut);
+    tcase_add_test(names, words_are_quoted);
     suite_add_tcase(suite, names);
     return suite;
 }

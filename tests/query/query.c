@@ -239,6 +239,46 @@ START_TEST(falling_point_on_a_triangle_at_rest)
 }
 END_TEST
 
+// The relative velocity is that of one vertex relative to another, and these
+// are named by their places in the elements as given.
+START_TEST(pivots_have_the_velocities)
+{
+    generator random = generator_new(700 + (uint64_t)_i);
+    int met = 0, places[2][3] = {{0}};
+    for (long n = cases(20000); n > 0; n--) {
+        query q = query_soup(&random, (query_kind)_i);
+        int all = q.vertices + q.others, index[] = {0, 1, 2, 3};
+        for (int i = 0; i < all; i++) {
+            int j = below(&random, i + 1), swap = index[j];
+            index[j] = index[i];
+            index[i] = swap;
+        }
+        for (int i = 0; i < all; i++)
+            tf_worldline_set_vertex(&q.vertex[i], index[i]);
+        tf_contact c;
+        ck_assert_int_eq(tf_query(&oracle_arithmetic, q.axes, q.vertices,
+                                  q.vertex, q.others, query_others(&q), &c),
+                         TF_OK);
+        if (c.verdict != TF_HIT)
+            continue;
+        met++;
+        places[0][c.pivot[0]]++;
+        places[1][c.pivot[1]]++;
+        const tf_event *a = q.vertex[c.pivot[0]].at;
+        const tf_event *b = query_others(&q)[c.pivot[1]].at;
+        for (int k = 0; k < q.axes; k++)
+            ck_assert_msg((a[1].x[k] - a[0].x[k]) - (b[1].x[k] - b[0].x[k]) ==
+                              c.velocity[k],
+                          "%s", query_text(&q));
+    }
+    for (int i = 0; i < 3; i++) {
+        ck_assert((places[0][i] > 0) == (i < (_i == EDGE_EDGE ? 2 : 1)));
+        ck_assert((places[1][i] > 0) == (i < (_i == POINT_TRIANGLE ? 3 : 2)));
+    }
+    ck_assert_int_gt(met, 0);
+}
+END_TEST
+
 // The ends of the range
 
 START_TEST(infinite_coordinates_are_refused)
@@ -463,6 +503,7 @@ Suite *suite(void)
     tcase_add_loop_test(tcase, contacts_in_the_plane, 0, EXPECTED);
     tcase_add_test(tcase, normal_is_that_of_the_simplex_in_contact);
     tcase_add_test(tcase, falling_point_on_a_triangle_at_rest);
+    tcase_add_loop_test(tcase, pivots_have_the_velocities, 0, KINDS);
     tcase_add_loop_test(tcase, infinite_coordinates_are_refused, 0, 3);
     tcase_add_test(tcase, coordinates_beyond_the_arithmetic_are_refused);
     tcase_add_test(tcase, normal_velocity_saturates);

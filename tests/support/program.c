@@ -2,6 +2,7 @@
 
 #include "support/program.h"
 
+#include "support/environments.h"
 #include "support/support.h"
 
 #include <ftw.h>
@@ -93,11 +94,48 @@ outcome run(const char *format, ...)
     return (outcome){WEXITSTATUS(status), file_text("out"), file_text("err")};
 }
 
+static _Noreturn void command_in(int environment,
+                                 int (*command)(int argc, char *argv[]),
+                                 const char *const arguments[])
+{
+    char *copy[16];
+    int count = 0;
+    for (; arguments[count]; count++)
+        copy[count] = strdup(arguments[count]);
+    copy[count] = NULL;
+    if (!freopen("out", "w", stdout) || !freopen("err", "w", stderr))
+        _exit(9);
+    environment_break(environment);
+    exit(command(count, copy));
+}
+
+outcome run_broken(int environment, int (*command)(int argc, char *argv[]),
+                   const char *const arguments[])
+{
+    pid_t child = fork();
+    if (child == 0)
+        command_in(environment, command, arguments);
+    int status = 0;
+    waitpid(child, &status, 0);
+    ck_assert_msg(WIFEXITED(status), "%s: status %#x",
+                  environment_name(environment), (unsigned)status);
+    return (outcome){WEXITSTATUS(status), file_text("out"), file_text("err")};
+}
+
 void expect(outcome found, int status, const char *out, const char *err)
 {
     ck_assert_str_eq(found.err, err);
     ck_assert_str_eq(found.out, out);
     ck_assert_int_eq(found.status, status);
+}
+
+void expect_usage(const char *arguments, const char *words)
+{
+    outcome found = run("$tf %s", arguments);
+    ck_assert_msg(strncmp(found.err, words, strlen(words)) == 0,
+                  "%s: '%s', not '%s'", arguments, found.err, words);
+    ck_assert_str_eq(found.out, "");
+    ck_assert_int_eq(found.status, 2);
 }
 
 void expect_words(const char *text, const char *words)

@@ -24,7 +24,16 @@ typedef struct outcome {
 /// Runs a line of shell, in which $tf is the program.
 __attribute__((format(printf, 1, 2))) outcome run(const char *format, ...);
 
+/// Runs a command of the program in a process of its own, in the i-th broken
+/// environment; the list of its arguments begins with a name and ends with NULL.
+outcome run_broken(int environment, int (*command)(int argc, char *argv[]),
+                   const char *const arguments[]);
+
 void expect(outcome found, int status, const char *out, const char *err);
+
+/// Expects that arguments are refused: nothing but a message that starts with
+/// these words.
+void expect_usage(const char *arguments, const char *words);
 
 /// Expects words in a text.
 void expect_words(const char *text, const char *words);

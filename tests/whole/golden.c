@@ -117,7 +117,7 @@ static void put_file(FILE *text, const golden_file *file)
     long query = 0;
     while ((reading = tf_query_file_next(&queries, &rows)) == TF_READ_GOOD)
         put_query(text, kind, &rows, query++);
-    ck_assert_msg(reading == TF_READ_END, "%s: %s", path, queries.fault);
+    ck_assert_msg(reading == TF_READ_END, "%s: %s", path, queries.lines.fault);
     ck_assert_int_gt(query, 0);
     tf_query_file_close(&queries);
 }

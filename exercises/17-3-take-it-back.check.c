@@ -1,0 +1,95 @@
+#include "check.h"
+
+#include "support/support.h"
+
+#include <math.h>
+#include <string.h>
+
+enum {
+    BODIES = 3
+};
+
+void visit(int count, const double coefficient[], const double inverse_mass[],
+           double bound, double *impulse, double move[]);
+
+static void ask(const double coefficient[], const double inverse_mass[],
+                double bound, double *impulse, double move[])
+{
+    check_input("coefficients %s, inverse masses %s, bound %s, impulse so far "
+                "%s, displacements %s",
+                text_point(BODIES, coefficient),
+                text_point(BODIES, inverse_mass), text_real(bound),
+                text_real(*impulse), text_point(BODIES, move));
+    visit(BODIES, coefficient, inverse_mass, bound, impulse, move);
+}
+
+/// The plate and the two stones of the chapter, one visit after another.
+START_TEST(stones_and_plate)
+{
+    const double ones[] = {1, 1, 1};
+    const double slow[] = {-1, 0, 1}, fast[] = {0, -1, 1};
+    const double expected[][BODIES] = {
+        {0.5, 3, 0.5}, {0.5, 1.75, 1.75}, {1, 1.75, 1.25}, {1, 1.5, 1.5}};
+    const double impulses[] = {0.5, 1.25, 0, 1.5};
+    double move[] = {1, 3, 0}, impulse[2] = {0, 0};
+    for (int i = 0; i < 4; i++) {
+        ask(i % 2 == 0 ? slow : fast, ones, 0, &impulse[i % 2], move);
+        check_point(BODIES, expected[i], move, 1e-12);
+        check_near(impulses[i], impulse[i % 2], 1e-12);
+    }
+}
+END_TEST
+
+START_TEST(what_cannot_be_moved)
+{
+    const double row[] = {1, -1, 0};
+    double move[] = {0, 1, 0}, impulse = 0;
+    ask(row, (double[]){0, 0, 1}, 0, &impulse, move);
+    check_point(BODIES, ((const double[]){0, 1, 0}), move, 0);
+    check_real(0, impulse);
+    ask(row, (double[]){0, 1, 1}, 0, &impulse, move);
+    check_point(BODIES, ((const double[]){0, 0, 0}), move, 1e-15);
+    check_near(1, impulse, 1e-15);
+}
+END_TEST
+
+/// The impulse is 0 or the row has exactly what it wants, and the bodies have
+/// been pushed by what was added.
+START_TEST(anything)
+{
+    generator random = generator_new(0);
+    for (int trial = 0; trial < 300; trial++) {
+        double row[BODIES], inverse_mass[BODIES], move[BODIES], before[BODIES];
+        double impulse = uniform(&random, 0, 2), old = impulse;
+        double bound = uniform(&random, 0, 1);
+        for (int i = 0; i < BODIES; i++) {
+            row[i] = uniform(&random, -1, 1);
+            inverse_mass[i] = uniform(&random, 0.5, 2);
+            move[i] = uniform(&random, -1, 1);
+        }
+        memcpy(before, move, sizeof move);
+        ask(row, inverse_mass, bound, &impulse, move);
+        check_that(impulse >= 0, "an impulse of 0 or more", "%s",
+                   text_real(impulse));
+        double sum = 0, expected[BODIES];
+        for (int i = 0; i < BODIES; i++) {
+            sum += row[i] * move[i];
+            expected[i] =
+                before[i] + (impulse - old) * row[i] * inverse_mass[i];
+        }
+        check_point(BODIES, expected, move, 1e-12);
+        if (impulse > 0)
+            check_near(bound, sum, 1e-9);
+        else
+            check_that(sum >= bound - 1e-9, "a row that has what it wants",
+                       "%s, not %s", text_real(sum), text_real(bound));
+    }
+}
+END_TEST
+
+void add_tests(TCase *tests)
+{
+    tcase_add_test(tests, stones_and_plate);
+    tcase_add_test(tests, what_cannot_be_moved);
+    tcase_add_test(tests, anything);
+}

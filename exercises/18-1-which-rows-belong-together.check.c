@@ -1,0 +1,142 @@
+#include "check.h"
+
+#include "response/row.h"
+#include "support/support.h"
+
+#include <stdbool.h>
+#include <stdio.h>
+
+enum {
+    MOST_ROWS = 24,
+    MOST_VERTICES = 40
+};
+
+int number_zones(int rows, const tf_row row[], const double inverse_mass[],
+                 int zone[]);
+
+static tf_row row_of(int a, int b, int c)
+{
+    return (tf_row){.vertex = {a, b, c, -1},
+                    .coefficient = {1, -0.5, -0.5},
+                    .normal = {0, 1}};
+}
+
+/// Whether a row moves a vertex.
+static bool row_moves(const tf_row *row, int vertex,
+                      const double inverse_mass[])
+{
+    for (int i = 0; i < 4; i++)
+        if (row->vertex[i] == vertex)
+            return inverse_mass[vertex] > 0;
+    return false;
+}
+
+/// Walks from a row to all that can be reached, vertex by vertex.
+static void spread(int rows, const tf_row row[], const double inverse_mass[],
+                   int from, int number, int zone[])
+{
+    zone[from] = number;
+    for (int v = 0; v < MOST_VERTICES; v++)
+        for (int i = 0; i < rows && row_moves(&row[from], v, inverse_mass); i++)
+            if (zone[i] < 0 && row_moves(&row[i], v, inverse_mass))
+                spread(rows, row, inverse_mass, i, number, zone);
+}
+
+static bool row_moves_any(const tf_row *row, const double inverse_mass[])
+{
+    bool any = false;
+    for (int v = 0; v < MOST_VERTICES; v++)
+        any |= row_moves(row, v, inverse_mass);
+    return any;
+}
+
+static void expect(int rows, const tf_row row[], const double inverse_mass[])
+{
+    int right[MOST_ROWS], got[MOST_ROWS], zones = 0;
+    for (int i = 0; i < rows; i++)
+        right[i] = -1;
+    for (int i = 0; i < rows; i++)
+        if (right[i] < 0 && row_moves_any(&row[i], inverse_mass))
+            spread(rows, row, inverse_mass, i, zones++, right);
+
+    char text[40 * MOST_ROWS];
+    int length = 0;
+    for (int i = 0; i < rows; i++)
+        length += snprintf(text + length, sizeof text - (size_t)length,
+                           "%s%d %d %d", i ? ", " : "", row[i].vertex[0],
+                           row[i].vertex[1], row[i].vertex[2]);
+    char scripted[8 * MOST_VERTICES] = "";
+    length = 0;
+    for (int v = 0; v < MOST_VERTICES; v++)
+        if (!(inverse_mass[v] > 0))
+            length += snprintf(scripted + length,
+                               sizeof scripted - (size_t)length, " %d", v);
+    check_input("rows of the vertices %s; scripted vertices:%s", text,
+                scripted);
+    for (int i = 0; i < MOST_ROWS; i++)
+        got[i] = -2;
+    int count = number_zones(rows, row, inverse_mass, got);
+    char number[16];
+    for (int i = 0; i < rows; i++) {
+        snprintf(number, sizeof number, "%d", right[i]);
+        check_that(got[i] == right[i], number, "%d for row %d", got[i], i);
+    }
+    snprintf(number, sizeof number, "%d", zones);
+    check_that(count == zones, number, "%d zones", count);
+}
+
+static void free_all(double inverse_mass[MOST_VERTICES])
+{
+    for (int v = 0; v < MOST_VERTICES; v++)
+        inverse_mass[v] = 1;
+}
+
+START_TEST(rows_share_a_vertex)
+{
+    double inverse_mass[MOST_VERTICES];
+    free_all(inverse_mass);
+    expect(2, (tf_row[]){row_of(0, 1, 2), row_of(3, 4, 5)}, inverse_mass);
+    expect(2, (tf_row[]){row_of(0, 1, 2), row_of(3, 4, 2)}, inverse_mass);
+    expect(3, (tf_row[]){row_of(0, 1, 2), row_of(3, 4, 5), row_of(5, 2, 6)},
+           inverse_mass);
+}
+END_TEST
+
+START_TEST(a_floor_connects_nothing)
+{
+    double inverse_mass[MOST_VERTICES];
+    free_all(inverse_mass);
+    inverse_mass[8] = inverse_mass[9] = 0;
+    expect(2, (tf_row[]){row_of(0, 8, 9), row_of(1, 8, 9)}, inverse_mass);
+    inverse_mass[0] = 0;
+    expect(3, (tf_row[]){row_of(0, 8, 9), row_of(1, 8, 9), row_of(2, 1, 9)},
+           inverse_mass);
+}
+END_TEST
+
+START_TEST(some_at_random)
+{
+    generator random = generator_new(18);
+    for (int times = 0; times < 500; times++) {
+        double inverse_mass[MOST_VERTICES];
+        tf_row row[MOST_ROWS];
+        for (int v = 0; v < MOST_VERTICES; v++)
+            inverse_mass[v] = below(&random, 4) > 0;
+        int rows = 1 + below(&random, MOST_ROWS);
+        for (int i = 0; i < rows; i++) {
+            int a = below(&random, MOST_VERTICES - 2);
+            int b = a + 1 + below(&random, MOST_VERTICES - 2 - a);
+            row[i] =
+                row_of(a, b, b + 1 + below(&random, MOST_VERTICES - 1 - b));
+        }
+        expect(rows, row, inverse_mass);
+    }
+}
+END_TEST
+
+void add_tests(TCase *tests)
+{
+    tcase_add_test(tests, rows_share_a_vertex);
+    tcase_add_test(tests, a_floor_connects_nothing);
+    tcase_add_test(tests, some_at_random);
+}

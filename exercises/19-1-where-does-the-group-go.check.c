@@ -1,0 +1,114 @@
+#include "check.h"
+
+#include "support/support.h"
+
+#include <math.h>
+#include <stdio.h>
+
+void move_group(int count, const double start[], const double proposed[],
+                const double inverse_mass[], double end[]);
+
+enum {
+    MOST = 6 ///< vertices of a group
+};
+
+typedef struct group {
+    int count;
+    double start[MOST], proposed[MOST], inverse_mass[MOST];
+} group;
+
+/// "(1, 2)", with as many numbers as the group has vertices.
+static void list(char text[400], int count, const double x[])
+{
+    char *at = text;
+    for (int i = 0; i < count; i++)
+        at += sprintf(at, "%s%.17g", i == 0 ? "(" : ", ", x[i]);
+    sprintf(at, ")");
+}
+
+static void ask(const group *of, double end[MOST])
+{
+    char start[400], proposed[400], mass[400];
+    list(start, of->count, of->start);
+    list(proposed, of->count, of->proposed);
+    list(mass, of->count, of->inverse_mass);
+    check_input("start = %s\nproposed = %s\ninverse_mass = %s", start, proposed,
+                mass);
+    for (int i = 0; i < MOST; i++)
+        end[i] = NAN;
+    move_group(of->count, of->start, of->proposed, of->inverse_mass, end);
+}
+
+/// Expects that each free vertex ends `displacement` after its start, or that
+/// close to there, and each scripted one exactly where it was proposed to end.
+static void expect(const group *of, double displacement, double tolerance)
+{
+    double end[MOST];
+    ask(of, end);
+    for (int i = 0; i < of->count; i++)
+        if (of->inverse_mass[i] > 0)
+            check_near(of->start[i] + displacement, end[i], tolerance);
+        else
+            check_near(of->proposed[i], end[i], 0);
+}
+
+START_TEST(all_are_free)
+{
+    expect(&(group){2, {0, 1}, {1, 1}, {1, 1}}, 0.5, 0);
+    expect(&(group){2, {0, 8}, {4, 8}, {1, 3}}, 3, 1e-15);
+    expect(&(group){3, {0, 1, 2}, {2, 2, 1}, {0.5, 0.25, 0.25}}, 0.4, 1e-15);
+}
+END_TEST
+
+START_TEST(some_are_scripted)
+{
+    expect(&(group){3, {0, 1, 2}, {5, 1.25, -7}, {1, 0, 1}}, 0.25, 0);
+    expect(&(group){4, {0, 1, 2, 9}, {5, 1.25, -7, 9.25}, {1, 0, 1, 0}}, 0.25,
+           0);
+    expect(&(group){2, {3, 4}, {3.5, 4.5}, {0, 0}}, 0.5, 0);
+}
+END_TEST
+
+START_TEST(scripts_disagree)
+{
+    expect(&(group){3, {0, 1, 2}, {0.5, 1, 2.25}, {0, 1, 0}}, 0.5, 0);
+    expect(&(group){3, {0, 1, 2}, {0.5, 1.25, 2.25}, {0, 0, 0}}, 0.5, 0);
+    expect(&(group){3, {-1, 1, 2}, {-1, 2, 3}, {0, 0.5, 0}}, 0, 0);
+}
+END_TEST
+
+START_TEST(the_displacement_is_no_double)
+{
+    // 2^-60 - 1 has 60 bits.
+    expect(&(group){2, {1, 3}, {0x1p-60, 4}, {0, 1}}, -1, 0);
+    expect(&(group){3, {0, 1, 2}, {0x1p60, 0x1p60, 0}, {1, 0, 1}}, 0x1p60, 0);
+}
+END_TEST
+
+START_TEST(at_random)
+{
+    generator random = generator_new(0);
+    for (int i = 0; i < 500; i++) {
+        group of = {.count = 1 + below(&random, MOST)};
+        double mass = 0, momentum = 0;
+        for (int v = 0; v < of.count; v++) {
+            double m = 1 + below(&random, 9), d = uniform(&random, -1, 1);
+            of.start[v] = uniform(&random, -1, 1);
+            of.proposed[v] = of.start[v] + d;
+            of.inverse_mass[v] = 1 / m;
+            mass += m;
+            momentum += m * d;
+        }
+        expect(&of, momentum / mass, 1e-14);
+    }
+}
+END_TEST
+
+void add_tests(TCase *tests)
+{
+    tcase_add_test(tests, all_are_free);
+    tcase_add_test(tests, some_are_scripted);
+    tcase_add_test(tests, scripts_disagree);
+    tcase_add_test(tests, the_displacement_is_no_double);
+    tcase_add_test(tests, at_random);
+}

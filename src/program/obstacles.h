@@ -1,0 +1,9 @@
+//: Declare how to describe an obstacle
+#pragma once
+
+#include "program/mesh_file.h"
+#include "response/options.h"
+
+/// Describes which elements keep a response from its start, as a fault of the
+/// file that holds the start; false.
+bool tf_obstacle_fault(tf_mesh_file *start, const tf_obstacle *obstacle);

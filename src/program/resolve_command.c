@@ -1,0 +1,361 @@
+//: Include what the command resolve needs
+#define _GNU_SOURCE // isatty
+#include "program/resolve_command.h"
+
+#include "program/arguments.h"
+#include "program/clock.h"
+#include "program/frames.h"
+#include "program/masses.h"
+#include "program/mesh_writer.h"
+#include "program/obstacles.h"
+#include "program/output_file.h"
+#include "program/progress.h"
+#include "program/response_output.h"
+#include "program/solvers.h"
+#include "program/threads.h"
+#include "response/resolve.h"
+
+#include <errno.h>
+#include <float.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+//: Hold what the command line requests of resolve
+typedef struct request {
+    const char *start, *end;
+    const char *out;            ///< "-": standard output
+    const char *fixed, *masses; ///< files, or NULL
+    const tf_response_format *format;
+    int threads;
+    tf_response_options options;
+} request;
+
+//: Describe the usage of resolve
+static const char description[] =
+    "Change the end of a step such that nothing meets.\v"
+    "START and END are meshes in Wavefront OBJ or PLY, as for 'tanglefree "
+    "detect', with the same elements; \"-\" is standard input.  START must be "
+    "free of intersections and of touching.  OUT has the same elements; "
+    "vertices that no contact involves are where END has them, to the last "
+    "bit.  It is OBJ or PLY as its ending says, .obj or .ply, or else as START "
+    "is, and appears whole or not at all.  If it is \"-\", the mesh is written "
+    "to standard output, and the report to standard error.\n\n"
+    "In the step from START to OUT no two elements meet that share no vertex, "
+    "exactly.  So OUT is free of intersections, too, and nothing has passed "
+    "through anything.\n\n"
+    "The report lists what it took: contacts, rounds, zones, and how many "
+    "vertices were moved or, though they are scripted, held back.\n\n"
+    "Exit status: 0 if OUT is written and the step to it is clear, 2 after any "
+    "error; then OUT is as it was before.";
+
+enum {
+    OUTPUT = 256, // the keys of options that have no short form
+    SEPARATION,
+    FRICTION,
+    RESTITUTION
+};
+
+static const struct argp_option options[] = {
+    {"write", 'o', "OUT", 0, "Where to write the end of the step; required", 0},
+    {"fixed", 'f', "FILE", 0,
+     "The scripted vertices, which end where END has them unless they have to "
+     "be held back: their numbers, from 0",
+     0},
+    {"masses", 'm', "FILE", 0,
+     "The masses of all vertices; the default is 1 for each", 0},
+    {"solver", 's', "NAME", 0,
+     "What solves impact zones: " TF_SOLVER_NAMES
+     "; the default is gauss-seidel",
+     0},
+    {"separation", SEPARATION, "X", 0,
+     "Push apart what would meet and is nearer than this at the start; the "
+     "default is 0.05 of the mean edge",
+     0},
+    {"friction", FRICTION, "X", 0, "Coulomb's coefficient; the default is 0",
+     0},
+    {"restitution", RESTITUTION, "X", 0,
+     "The part of the normal velocity that is left after a collision, from 0 "
+     "to 1; the default is 0",
+     0},
+    {"output", OUTPUT, "FORMAT", 0,
+     "The report: " TF_RESPONSE_FORMAT_NAMES "; the default is summary", 0},
+    {"threads", 't', "NUMBER", 0, TF_THREADS_HELP, 0},
+    {0},
+};
+
+//: Parse an option of the response
+/// To the library, 0 means the default, and a negative number means none.
+static double parse_separation(struct argp_state *state, const char *text)
+{
+    double number = tf_parse_number(state, "separation", text, DBL_MAX,
+                                    "0 or more, such as 1e-3");
+    return number > 0 ? number : -1;
+}
+
+static bool parse_response_option(int key, const char *text,
+                                  struct argp_state *state)
+{
+    tf_response_options *response = &((request *)state->input)->options;
+    switch (key) {
+    case 's':
+        if (!(response->solver = tf_solver_named(text)))
+            tf_refuse_name(state, "solver", text, TF_SOLVER_NAMES);
+        return true;
+    case SEPARATION:
+        response->separation = parse_separation(state, text);
+        return true;
+    case FRICTION:
+        response->friction = tf_parse_number(state, "friction", text, DBL_MAX,
+                                             "0 or more, such as 0.3");
+        return true;
+    case RESTITUTION:
+        response->restitution =
+            tf_parse_number(state, "restitution", text, 1, "from 0 to 1");
+        return true;
+    default:
+        return false;
+    }
+}
+
+//: Check the arguments of resolve
+static void check_request(struct argp_state *state)
+{
+    if (state->argc - state->next != 2)
+        argp_error(state, "two files are required, START and END");
+    if (!((request *)state->input)->out)
+        argp_error(state,
+                   "-o OUT is required: where to write the end of the step");
+}
+
+//: Parse an argument of resolve
+static error_t parse_argument(int key, char *text, struct argp_state *state)
+{
+    request *wanted = state->input;
+    if (parse_response_option(key, text, state))
+        return 0;
+    switch (key) {
+    case 'o':
+        wanted->out = text;
+        return 0;
+    case 'f':
+        wanted->fixed = text;
+        return 0;
+    case 'm':
+        wanted->masses = text;
+        return 0;
+    case OUTPUT:
+        if (!(wanted->format = tf_response_format_named(text)))
+            tf_refuse_name(state, "output format", text,
+                           TF_RESPONSE_FORMAT_NAMES);
+        return 0;
+    case 't':
+        wanted->threads = tf_parse_threads(state, text);
+        return 0;
+    case ARGP_KEY_ARGS:
+        wanted->start = state->argv[state->next];
+        wanted->end = state->argv[state->next + 1];
+        check_request(state);
+        return 0;
+    case ARGP_KEY_NO_ARGS:
+        check_request(state);
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+//: Hold what resolve does
+typedef struct resolving {
+    request request;
+    tf_frames frames;
+    tf_text_lines fixed, masses;
+    double *inverse_mass; ///< NULL: 1 for all
+    tf_resolver *resolver;
+    tf_response_report report;
+    double seconds; ///< that the response took
+    tf_output_file out;
+    tf_progress progress;
+    size_t contacts;    ///< that progress has seen
+    const char *target; ///< what could not be written, or NULL
+    int error;          ///< its errno
+} resolving;
+
+//: Read the masses of all vertices
+static bool allocate_masses(resolving *r, int vertices)
+{
+    r->inverse_mass = malloc(sizeof *r->inverse_mass * (size_t)vertices);
+    if (!r->inverse_mass)
+        return tf_frames_fault(&r->frames, TF_OUT_OF_MEMORY, &(tf_flaw){0});
+    for (int v = 0; v < vertices; v++)
+        r->inverse_mass[v] = 1;
+    return true;
+}
+
+static bool read_masses(resolving *r)
+{
+    const request *wanted = &r->request;
+    int vertices = tf_mesh_file_vertices(tf_frames_file(&r->frames));
+    if (!wanted->fixed && !wanted->masses)
+        return true;
+    return allocate_masses(r, vertices) &&
+           (!wanted->masses || tf_masses_read(&r->masses, wanted->masses,
+                                              vertices, r->inverse_mass)) &&
+           (!wanted->fixed ||
+            tf_fixed_read(&r->fixed, wanted->fixed, vertices, r->inverse_mass));
+}
+
+//: Show the progress of a response
+static void show_progress(void *context, const tf_response_report *so_far)
+{
+    resolving *r = context;
+    char things[64];
+    int rounds = 0;
+    for (int i = 0; i < TF_LEVELS; i++)
+        rounds += so_far->rounds[i];
+    snprintf(things, sizeof things, "rounds, %zu contacts left",
+             so_far->contacts - r->contacts);
+    r->contacts = so_far->contacts;
+    tf_progress_show(&r->progress, rounds, things);
+}
+
+//: Resolve the step between two frames
+static bool respond(resolving *r)
+{
+    tf_response_options *how = &r->request.options;
+    tf_parallel threads = tf_threads(&r->request.threads);
+    tf_motion motion = tf_frames_motion(&r->frames);
+    tf_obstacle obstacle = {0};
+    how->check_start = true;
+    how->parallel = &threads;
+    how->progress = show_progress;
+    how->context = r;
+    double begin = tf_clock_seconds();
+    tf_status status = tf_step_resolve(
+        r->resolver, motion.vertices, motion.start, tf_frames_end(&r->frames),
+        r->inverse_mass, how, &r->report, &obstacle);
+    r->seconds = tf_clock_seconds() - begin;
+    if (status == TF_START_NOT_CLEAR)
+        return tf_obstacle_fault(&r->frames.file[0], &obstacle);
+    return status == TF_OK ||
+           tf_frames_fault(&r->frames, status, &obstacle.flaw);
+}
+
+static bool resolve(resolving *r)
+{
+    tf_status status = tf_resolver_create(r->frames.surface, &r->resolver);
+    bool good = status == TF_OK
+                    ? respond(r)
+                    : tf_frames_fault(&r->frames, status, &(tf_flaw){0});
+    tf_frames_change(&r->frames);
+    return good;
+}
+
+//: Write the end of the step
+static bool fault_in_writing(resolving *r, const char *target)
+{
+    r->error = errno;
+    r->target = target;
+    return false;
+}
+
+static void write_mesh(const resolving *r, FILE *stream)
+{
+    tf_mesh_format usual = r->frames.file[0].format;
+    tf_mesh_write(stream, tf_frames_file(&r->frames),
+                  tf_mesh_format_of(r->request.out, usual));
+}
+
+static bool write_scratch(resolving *r)
+{
+    FILE *stream = tf_output_file_open(&r->out);
+    if (!stream)
+        return fault_in_writing(r, r->request.out);
+    write_mesh(r, stream);
+    return tf_output_file_close(&r->out, stream) ||
+           fault_in_writing(r, r->request.out);
+}
+
+static bool write_report(resolving *r, FILE *stream, const char *target)
+{
+    return tf_response_output_write(stream, r->request.format, &r->report,
+                                    r->seconds) ||
+           fault_in_writing(r, target);
+}
+
+//: Write to standard output
+static bool write_to_standard_output(resolving *r)
+{
+    write_mesh(r, stdout);
+    if (fflush(stdout) != 0 || ferror(stdout))
+        return fault_in_writing(r, "standard output");
+    return write_report(r, stderr, "standard error");
+}
+
+//: Write to a file
+// The file gets its name last, so that after any error it is as it was.
+static bool write_to_file(resolving *r)
+{
+    return write_scratch(r) && write_report(r, stdout, "standard output") &&
+           (tf_output_file_keep(&r->out) ||
+            fault_in_writing(r, r->request.out));
+}
+
+//: Resolve and write
+static bool do_all(resolving *r)
+{
+    const request *wanted = &r->request;
+    bool named = strcmp(wanted->out, "-") != 0;
+    if (!tf_frames_next(&r->frames, wanted->start) ||
+        !tf_frames_next(&r->frames, wanted->end) || !read_masses(r))
+        return false;
+    if (named && !tf_output_file_begin(&r->out, wanted->out))
+        return fault_in_writing(r, wanted->out);
+    bool good = resolve(r);
+    tf_progress_end(&r->progress);
+    return good && (named ? write_to_file(r) : write_to_standard_output(r));
+}
+
+//: Print what went wrong in resolve
+static void print_errors(const resolving *r)
+{
+    const tf_text_lines *lists[] = {&r->masses, &r->fixed};
+    for (int i = 0; i < 2; i++) {
+        if (r->frames.file[i].fault[0] != '\0')
+            tf_mesh_file_print_fault(&r->frames.file[i], "tanglefree");
+        if (lists[i]->fault[0] != '\0')
+            tf_text_lines_print_fault(lists[i], "tanglefree");
+    }
+    if (r->target)
+        fprintf(stderr,
+                "tanglefree: %s: cannot write: %s; mend that and run again\n",
+                tf_make_visible(r->target).text, strerror(r->error));
+}
+
+static void free_all(resolving *r)
+{
+    tf_output_file_drop(&r->out);
+    tf_resolver_free(r->resolver);
+    free(r->inverse_mass);
+    tf_text_lines_close(&r->masses);
+    tf_text_lines_close(&r->fixed);
+    tf_frames_free(&r->frames);
+}
+
+//: Run the command resolve
+int tf_resolve_command(int argc, char *argv[])
+{
+    static const struct argp parser = {
+        options, parse_argument, "START END", description, NULL, NULL, NULL};
+    resolving r = {.request = {.format = tf_response_format_named("summary"),
+                               .threads = tf_threads_available()}};
+    argp_parse(&parser, argc, argv, 0, NULL, &r.request);
+
+    // Nothing is printed until the line is erased: it may share its terminal.
+    r.progress = tf_progress_begin();
+    r.progress.wanted = isatty(STDERR_FILENO);
+    bool good = do_all(&r);
+    print_errors(&r);
+    free_all(&r);
+    return good ? 0 : 2;
+}

@@ -1,0 +1,33 @@
+//: Declare the failsafe
+#pragma once
+
+#include "response/groups.h"
+#include "response/options.h"
+#include "response/step.h"
+
+#include <stddef.h>
+
+/// Vertices in groups that move as one.  All vertices of a group have the same
+/// displacement, except that each end is rounded by itself and that scripted
+/// vertices end where they are proposed to; or the group is at rest for good.
+typedef struct tf_failsafe {
+    tf_groups groups;
+    tf_buffer entry; ///< the ends when the failsafe began
+    tf_buffer group; ///< what is known about each group, at its root
+} tf_failsafe;
+
+/// Puts each vertex into a group of its own and leaves its end as it is.
+/// Returns false if there is no memory.
+bool tf_failsafe_begin(tf_failsafe *failsafe, const tf_step *step);
+
+/// Answers contacts: puts each group to rest that has a contact within itself,
+/// then unites the groups that meet.
+void tf_failsafe_round(tf_failsafe *failsafe, tf_step *step,
+                       const tf_contacts *contacts);
+
+/// Counts the groups and their vertices in a report.
+void tf_failsafe_account(tf_failsafe *failsafe, const tf_step *step,
+                         tf_response_report *report);
+
+size_t tf_failsafe_memory(const tf_failsafe *failsafe);
+void tf_failsafe_free(tf_failsafe *failsafe);

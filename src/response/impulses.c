@@ -1,0 +1,31 @@
+//: Answer each contact by an impulse
+#include "response/impulses.h"
+
+#include "response/impulse.h"
+
+#include <stddef.h>
+
+static void read_displacements(const tf_step *step, double displacement[])
+{
+    size_t numbers = (size_t)step->axes * (size_t)step->vertices;
+    for (size_t i = 0; i < numbers; i++)
+        displacement[i] = step->end[i] - step->start[i];
+}
+
+void tf_impulses_round(tf_step *step, const tf_contacts *contacts,
+                       const tf_row_rule *rule, double friction,
+                       double displacement[])
+{
+    read_displacements(step, displacement);
+    tf_bodies bodies = {step->axes, step->inverse_mass, displacement};
+    for (size_t i = 0; i < contacts->count; i++) {
+        double gap;
+        tf_row row =
+            tf_row_of_contact(step, &contacts->contact[i], rule, false, &gap);
+        tf_row_visit(&row, friction, &bodies);
+    }
+    for (int v = 0; v < step->vertices; v++) {
+        ptrdiff_t place = (ptrdiff_t)step->axes * v;
+        tf_step_place(step, v, step->end + place, displacement + place);
+    }
+}

@@ -1,0 +1,152 @@
+//: Include what the levels need
+#include "response/levels.h"
+
+#include "arithmetic/exact.h"
+#include "response/impulses.h"
+#include "response/recheck.h"
+
+#include <limits.h>
+#include <string.h>
+
+//: Begin a level
+/// Makes the ends so far the ones from which impulses or zones start.
+static bool set_base(tf_responding *r)
+{
+    size_t bytes =
+        sizeof(double) * (size_t)r->step.axes * (size_t)r->step.vertices;
+    if (!tf_buffer_reserve(&r->resolver->base, bytes, 1))
+        return false;
+    memcpy(r->resolver->base.data, r->step.end, bytes);
+    r->rule.base = r->resolver->base.data;
+    return true;
+}
+
+static bool begin_level(tf_responding *r, tf_response_level level)
+{
+    switch (level) {
+    case TF_IMPULSES:
+        return set_base(r) && tf_buffer_reserve(&r->resolver->displacement,
+                                                (size_t)r->step.axes *
+                                                    (size_t)r->step.vertices,
+                                                sizeof(double));
+    case TF_ZONES:
+        return set_base(r) && tf_zones_begin(&r->resolver->zones);
+    case TF_RIGID:
+        return tf_rigid_begin(&r->resolver->rigid, &r->step);
+    default:
+        return tf_failsafe_begin(&r->resolver->failsafe, &r->step);
+    }
+}
+
+//: Answer contacts by one level
+static bool solve_zones(tf_responding *r)
+{
+    tf_zone_choice choice = {.solver = r->options.solver,
+                             .friction = r->options.friction,
+                             .sweeps = r->options.sweeps};
+    tf_zones *zones = &r->resolver->zones;
+    return tf_zones_add(zones, &r->step, &r->contacts, &r->rule, &r->zones) &&
+           tf_zones_solve(zones, &r->step, &r->rule, &choice, &r->zones);
+}
+
+static bool answer(tf_responding *r, tf_response_level level)
+{
+    switch (level) {
+    case TF_IMPULSES:
+        tf_impulses_round(&r->step, &r->contacts, &r->rule, r->options.friction,
+                          r->resolver->displacement.data);
+        return true;
+    case TF_ZONES:
+        return solve_zones(r);
+    case TF_RIGID:
+        tf_rigid_round(&r->resolver->rigid, &r->step, &r->contacts);
+        return true;
+    default:
+        tf_failsafe_round(&r->resolver->failsafe, &r->step, &r->contacts);
+        return true;
+    }
+}
+
+//: Look for the contacts that are left
+/// Marks the vertices of all contacts as changed: they must be looked at again
+/// even if they have not moved.
+static void mark_contacts(tf_responding *r)
+{
+    for (size_t i = 0; i < r->contacts.count; i++)
+        for (int j = 0; j < 4; j++) {
+            int vertex = r->contacts.contact[i].vertex[j];
+            if (vertex >= 0)
+                r->step.changed[vertex] = true;
+        }
+}
+
+static tf_status look_again(tf_responding *r)
+{
+    mark_contacts(r);
+    tf_deciding of = {.surface = r->resolver->surface,
+                      .motion = &r->motion,
+                      .arithmetic = &tf_exact,
+                      .narrow_phase = r->options.narrow_phase};
+    tf_status status = tf_recheck(r->resolver->surface, &r->step, &of,
+                                  r->options.parallel, &r->contacts);
+    if (status == TF_OK) {
+        r->report.contacts += r->contacts.count;
+        tf_effort_add(&r->report.effort, &r->contacts.effort);
+    }
+    return status;
+}
+
+//: Go through the rounds of a level
+static bool has_moved(const tf_step *step)
+{
+    for (int v = 0; v < step->vertices; v++)
+        if (step->changed[v])
+            return true;
+    return false;
+}
+
+/// Ends after `most` rounds, or earlier if no contacts are left or, except for
+/// the failsafe, if a round moves nothing.
+static tf_status go_through(tf_responding *r, tf_response_level level, int most)
+{
+    if (most <= 0 || !r->contacts.any)
+        return TF_OK;
+    if (!begin_level(r, level))
+        return TF_OUT_OF_MEMORY;
+    bool goes_on = true;
+    for (int round = 0; round < most && r->contacts.any && goes_on; round++) {
+        if (r->options.progress)
+            r->options.progress(r->options.context, &r->report);
+        r->report.rounds[level]++;
+        if (!answer(r, level))
+            return TF_OUT_OF_MEMORY;
+        // If all vertices were proposed to move by the same displacement, the
+        // failsafe may unite groups without moving any vertex.
+        goes_on = has_moved(&r->step) || level == TF_FAILSAFE;
+        tf_status status = look_again(r);
+        if (status != TF_OK)
+            return status;
+    }
+    return TF_OK;
+}
+
+//: Respond level by level
+enum {
+    RIGID_ROUNDS = 4
+};
+
+tf_status tf_respond(tf_responding *r)
+{
+    const int most[TF_LEVELS] = {
+        [TF_IMPULSES] = r->options.impulse_rounds,
+        [TF_ZONES] = r->options.zone_rounds,
+        [TF_RIGID] = r->options.rigid ? RIGID_ROUNDS : 0,
+        [TF_FAILSAFE] = INT_MAX,
+    };
+    for (int level = 0; level < TF_LEVELS; level++) {
+        tf_status status = go_through(r, (tf_response_level)level, most[level]);
+        if (status != TF_OK)
+            return status;
+    }
+    return TF_OK;
+}

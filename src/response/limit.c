@@ -1,0 +1,117 @@
+//: Include what the limit of a step needs
+#include "response/limit.h"
+
+#include "base/require.h"
+#include "fast/vector.h"
+#include "response/start.h"
+#include "response/state.h"
+#include "surface/state.h"
+
+#include <math.h>
+#include <string.h>
+
+//: Take a fraction of a step
+/// Halves both positions first, because their difference may overflow.  Returns
+/// whether any vertex moves.
+static bool take_fraction(const double start[], const double proposed[],
+                          size_t numbers, int halvings, double end[])
+{
+    bool moves = false;
+    for (size_t i = 0; i < numbers; i++) {
+        double half = proposed[i] / 2 - start[i] / 2;
+        end[i] = start[i] + ldexp(half, 1 - halvings);
+        moves |= end[i] != start[i];
+    }
+    return moves;
+}
+
+//: Halve a step until it is clear
+/// Tries k = 1, 2, ... and sets `*halvings` to the first k whose step is clear,
+/// or to -1 if nothing moves any more.  Returns the status of the last detection.
+static tf_status halve(tf_surface *surface, tf_detection *detection,
+                       const double start[], const double proposed[],
+                       double end[], int *halvings, tf_flaw *flaw)
+{
+    int vertices = surface->vertices;
+    size_t numbers = (size_t)surface->axes * (size_t)vertices;
+    tf_motion motion = {vertices, start, end};
+    tf_contacts found = {.any = true};
+    tf_status status = TF_OK;
+    detection->extent = TF_ANY_CONTACT;
+    for (int k = 1; status == TF_OK && found.any && *halvings >= 0; k++) {
+        bool moves = take_fraction(start, proposed, numbers, k, end);
+        *halvings = moves ? k : -1;
+        if (moves)
+            status =
+                tf_surface_detect(surface, &motion, detection, &found, flaw);
+    }
+    return status;
+}
+
+//: Test a start and a whole step
+/// Sets `*clear` to whether the whole step is clear.
+static tf_status test_whole(tf_surface *surface, const tf_motion *motion,
+                            const tf_response_options *options,
+                            const tf_detection *detection, bool *clear,
+                            tf_obstacle *obstacle)
+{
+    tf_status status = TF_OK;
+    tf_contacts found;
+    if (options->check_start)
+        status = tf_start_check(surface, motion, options->parallel, obstacle);
+    if (status == TF_OK)
+        status = tf_surface_detect(surface, motion, detection, &found,
+                                   &obstacle->flaw);
+    if (status != TF_OK)
+        return status;
+    *clear = !found.any;
+    return tf_start_check_contacts(motion, surface->axes, &found, obstacle);
+}
+
+//: Find a clear fraction
+static tf_status limit(tf_resolver *resolver, const double start[],
+                       double end[], const tf_response_options *options,
+                       int *halvings, tf_obstacle *obstacle)
+{
+    tf_surface *surface = resolver->surface;
+    tf_detection detection = {.narrow_phase = options->narrow_phase,
+                              .parallel = options->parallel};
+    if (!detection.narrow_phase)
+        detection.narrow_phase = &tf_vectorized;
+    tf_motion motion = {surface->vertices, start, end};
+    size_t bytes =
+        sizeof(double) * (size_t)surface->axes * (size_t)surface->vertices;
+    bool clear = false;
+    int found = 0;
+    if (!tf_buffer_reserve(&resolver->end, bytes, 1))
+        return TF_OUT_OF_MEMORY;
+    tf_status status =
+        test_whole(surface, &motion, options, &detection, &clear, obstacle);
+    if (status == TF_OK && !clear)
+        status = halve(surface, &detection, start, end, resolver->end.data,
+                       &found, &obstacle->flaw);
+    if (status != TF_OK)
+        return status;
+    *halvings = found;
+    if (!clear)
+        memcpy(end, resolver->end.data, bytes);
+    return TF_OK;
+}
+
+tf_status tf_step_limit(tf_resolver *resolver, int vertices,
+                        const double start[], double end[],
+                        const tf_response_options *options, int *halvings,
+                        tf_obstacle *obstacle)
+{
+    TF_REQUIRE(resolver && start && end && halvings);
+    static const tf_response_options usual;
+    tf_obstacle none = {.vertex = {-1, -1, -1, -1, -1}};
+    if (obstacle)
+        *obstacle = none;
+    else
+        obstacle = &none;
+    if (vertices != resolver->surface->vertices)
+        return TF_BAD_COUNT;
+    return limit(resolver, start, end, options ? options : &usual, halvings,
+                 obstacle);
+}

@@ -1,0 +1,35 @@
+//: Declare a clear fraction of a step
+#pragma once
+
+#include "base/api.h"
+#include "base/status.h"
+#include "response/options.h"
+#include "response/resolver.h"
+
+/// @addtogroup response
+/// @{
+
+/// Finds the largest of the fractions 1, 1/2, 1/4, ... of a step that is clear.
+///
+/// A shorter step is another step, because its elements bend differently on the
+/// way.  So each fraction is rounded to doubles and tested by itself, and the
+/// time of the first contact says little about the answer.
+///
+/// @param resolver the resolver of the surface
+/// @param vertices how many vertices have positions
+/// @param start where they start, `axes` coordinates each; free of intersections
+/// @param[in,out] end in: where they should end; out, only with TF_OK: start +
+///     2^-k (end - start), rounded, such that no two elements meet on the way
+/// @param options only check_start, narrow_phase and parallel are used; NULL:
+///     all zero
+/// @param[out] halvings the least such k; or -1 if nothing moves any more, and
+///     `end` equals `start`
+/// @param[out] obstacle what is wrong if the status is not TF_OK; may be NULL
+/// @return TF_OK; TF_BAD_COUNT; TF_NOT_FINITE; TF_START_NOT_CLEAR;
+///     TF_BAD_ENVIRONMENT; or TF_OUT_OF_MEMORY
+TF_API tf_status tf_step_limit(tf_resolver *resolver, int vertices,
+                               const double start[], double end[],
+                               const tf_response_options *options,
+                               int *halvings, tf_obstacle *obstacle);
+
+/// @}

@@ -1,0 +1,45 @@
+//: Include what resolvers need
+#include "response/state.h"
+
+#include "base/require.h"
+
+#include <stdlib.h>
+
+//: Create a resolver
+tf_status tf_resolver_create(tf_surface *surface, tf_resolver **resolver)
+{
+    TF_REQUIRE(surface && resolver);
+    tf_resolver *made = calloc(1, sizeof *made);
+    if (!made)
+        return TF_OUT_OF_MEMORY;
+    made->surface = surface;
+    *resolver = made;
+    return TF_OK;
+}
+
+//: Free a resolver
+void tf_resolver_free(tf_resolver *resolver)
+{
+    if (!resolver)
+        return;
+    tf_buffer_free(&resolver->end);
+    tf_buffer_free(&resolver->base);
+    tf_buffer_free(&resolver->ones);
+    tf_buffer_free(&resolver->changed);
+    tf_buffer_free(&resolver->displacement);
+    tf_zones_free(&resolver->zones);
+    tf_rigid_free(&resolver->rigid);
+    tf_failsafe_free(&resolver->failsafe);
+    free(resolver);
+}
+
+//: Count the memory of a resolver
+size_t tf_resolver_memory(const tf_resolver *resolver)
+{
+    TF_REQUIRE(resolver);
+    return sizeof *resolver + resolver->end.bytes + resolver->base.bytes +
+           resolver->ones.bytes + resolver->changed.bytes +
+           resolver->displacement.bytes + tf_zones_memory(&resolver->zones) +
+           tf_rigid_memory(&resolver->rigid) +
+           tf_failsafe_memory(&resolver->failsafe);
+}

@@ -1,0 +1,331 @@
+//: Include what zones need
+#include "response/zones.h"
+
+#include "response/impulse.h"
+
+#include <limits.h>
+#include <math.h>
+#include <stdint.h>
+#include <string.h>
+
+//: Count how often a contact returns
+enum {
+    RETURN_SLOTS =
+        1 << 16, // two contacts may share one, which does little harm
+    MANY_RETURNS = 4
+};
+
+/// Forgets the rows of the last step; see the header.
+bool tf_zones_begin(tf_zones *zones)
+{
+    zones->rows = zones->old = 0;
+    if (!tf_buffer_reserve(&zones->returns, RETURN_SLOTS, 1))
+        return false;
+    memset(zones->returns.data, 0, RETURN_SLOTS);
+    return true;
+}
+
+/// Whether the pivots' row shall be taken: from the fourth return on every other
+/// time, as the row of the contact's point has not helped.
+static bool is_turn_of_pivots(tf_zones *zones,
+                              const tf_surface_contact *contact)
+{
+    uint32_t hash = (uint32_t)contact->kind;
+    for (int i = 0; i < 4; i++)
+        hash = (hash ^ (uint32_t)contact->vertex[i]) * UINT32_C(0x9e3779b1);
+    unsigned char *times = (unsigned char *)zones->returns.data +
+                           hash / (UINT32_MAX / RETURN_SLOTS + 1);
+    bool turn = *times >= MANY_RETURNS && *times % 2 == 0;
+    if (*times < UCHAR_MAX - 1)
+        (*times)++;
+    else
+        (*times)--;
+    return turn;
+}
+
+//: Add the rows of contacts
+bool tf_zones_add(tf_zones *zones, const tf_step *step,
+                  const tf_contacts *contacts, const tf_row_rule *rule,
+                  tf_zone_effort *effort)
+{
+    if (contacts->count > (size_t)(INT_MAX - zones->rows) ||
+        !tf_buffer_extend(&zones->row, (size_t)zones->rows + contacts->count,
+                          sizeof(tf_row)))
+        return false;
+    tf_row *row = zones->row.data;
+    for (size_t i = 0; i < contacts->count; i++) {
+        const tf_surface_contact *contact = &contacts->contact[i];
+        bool by_pivots = is_turn_of_pivots(zones, contact);
+        double gap;
+        row[zones->rows++] =
+            tf_row_of_contact(step, contact, rule, by_pivots, &gap);
+        effort->smallest_gap = fmin(effort->smallest_gap, gap);
+    }
+    return true;
+}
+
+//: Divide the rows into zones
+/// A division of rows into zones: the rows of zone z are order[first[z]] to
+/// order[first[z + 1] - 1].
+typedef struct division {
+    int zones;
+    int *zone; ///< by root, -1: none
+    int *
+        place; ///< by vertex: its place in the zone that is being solved, or -1
+    int *vertex; ///< by this place
+    int *first, *order;
+} division;
+
+/// The root of the zone of a row, or -1 if it can move nothing.
+static int root_of(tf_groups *groups, const tf_row *row,
+                   const double inverse_mass[])
+{
+    for (int i = 0; i < 4 && row->vertex[i] >= 0; i++)
+        if (inverse_mass[row->vertex[i]] > 0)
+            return tf_groups_find(groups, row->vertex[i]);
+    return -1;
+}
+
+//: Unite the vertices of rows
+/// Joins the vertices that rows can move.
+static void unite_vertices(tf_zones *zones, const double inverse_mass[])
+{
+    const tf_row *row = zones->row.data;
+    for (int i = 0; i < zones->rows; i++) {
+        int root = root_of(&zones->groups, &row[i], inverse_mass);
+        for (int j = 0; j < 4 && root >= 0 && row[i].vertex[j] >= 0; j++)
+            if (inverse_mass[row[i].vertex[j]] > 0)
+                root = tf_groups_unite(&zones->groups, root, row[i].vertex[j]);
+    }
+}
+
+//: Number the zones that have a new row
+static void number_zones(tf_zones *zones, const double inverse_mass[],
+                         division *d)
+{
+    const tf_row *row = zones->row.data;
+    d->zones = 0;
+    for (int v = 0; v < zones->groups.count; v++)
+        d->zone[v] = d->place[v] = -1;
+    for (int i = zones->old; i < zones->rows; i++) {
+        int root = root_of(&zones->groups, &row[i], inverse_mass);
+        if (root >= 0 && d->zone[root] < 0)
+            d->zone[root] = d->zones++;
+    }
+}
+
+//: Order the rows by zones
+/// The zone of a row, or -1 if it is not solved now.
+static int zone_of(tf_zones *zones, const tf_row *row,
+                   const double inverse_mass[], const division *d)
+{
+    int root = root_of(&zones->groups, row, inverse_mass);
+    return root >= 0 ? d->zone[root] : -1;
+}
+
+static void order_rows(tf_zones *zones, const double inverse_mass[],
+                       division *d)
+{
+    const tf_row *row = zones->row.data;
+    memset(d->first, 0, sizeof *d->first * ((size_t)d->zones + 2));
+    for (int i = 0; i < zones->rows; i++)
+        d->first[zone_of(zones, &row[i], inverse_mass, d) + 2]++;
+    d->first[1] = 0; // of the rows that are in no zone
+    for (int z = 0; z < d->zones; z++)
+        d->first[z + 2] += d->first[z + 1];
+    for (int i = 0; i < zones->rows; i++) {
+        int z = zone_of(zones, &row[i], inverse_mass, d);
+        if (z >= 0)
+            d->order[d->first[z + 1]++] = i;
+    }
+}
+
+//: Divide
+static bool divide(tf_zones *zones, const tf_step *step, division *d)
+{
+    size_t vertices = (size_t)step->vertices, rows = (size_t)zones->rows;
+    if (!tf_groups_begin(&zones->groups, step->vertices) ||
+        !tf_buffer_reserve(&zones->by_vertex, 3 * vertices, sizeof(int)) ||
+        !tf_buffer_reserve(&zones->by_row, 2 * rows + 2, sizeof(int)))
+        return false;
+    d->zone = zones->by_vertex.data;
+    d->place = d->zone + vertices;
+    d->vertex = d->place + vertices;
+    d->first = zones->by_row.data;
+    d->order = d->first + rows + 2;
+    unite_vertices(zones, step->inverse_mass);
+    number_zones(zones, step->inverse_mass, d);
+    order_rows(zones, step->inverse_mass, d);
+    return true;
+}
+
+//: Number the vertices of a zone
+/// Copies the rows of a zone and gives their vertices numbers of its own.
+static void copy_rows(tf_zones *zones, division *d, int z, tf_zone *zone)
+{
+    const tf_row *row = zones->row.data;
+    zone->rows = d->first[z + 1] - d->first[z];
+    zone->row = zones->zone_row.data;
+    zone->vertices = zone->solved = 0;
+    for (int i = 0; i < zone->rows; i++) {
+        tf_row *own = &zone->row[i];
+        int from = d->order[d->first[z] + i];
+        zone->solved += from < zones->old;
+        *own = row[from];
+        for (int j = 0; j < 4 && own->vertex[j] >= 0; j++) {
+            int *place = &d->place[own->vertex[j]];
+            if (*place < 0) {
+                *place = zone->vertices;
+                d->vertex[zone->vertices++] = own->vertex[j];
+            }
+            own->vertex[j] = *place;
+        }
+    }
+}
+
+//: Make a zone a problem on its own
+/// How many rows the largest zone has.
+static int largest_zone(const division *d)
+{
+    int largest = 0;
+    for (int z = 0; z < d->zones; z++) {
+        int rows = d->first[z + 1] - d->first[z];
+        largest = rows > largest ? rows : largest;
+    }
+    return largest;
+}
+
+static bool pose(tf_zones *zones, const tf_step *step, const tf_row_rule *rule,
+                 const tf_zone_choice *choice, division *d, tf_zone *zone)
+{
+    size_t vertices = (size_t)zone->vertices, axes = (size_t)step->axes;
+    size_t room = choice->solver->room(step->axes, zone->vertices, zone->rows);
+    if (!tf_buffer_reserve(&zones->mass, vertices, sizeof(double)) ||
+        !tf_buffer_reserve(&zones->displacement, axes * vertices,
+                           sizeof(double)) ||
+        !tf_buffer_reserve(&zones->room, room, sizeof(double)))
+        return false;
+    double *inverse_mass = zones->mass.data;
+    zone->displacement = zones->displacement.data;
+    zone->room = zones->room.data;
+    for (int i = 0; i < zone->vertices; i++) {
+        int v = d->vertex[i];
+        double own[3];
+        tf_step_displacement(step, v, rule->base + (ptrdiff_t)step->axes * v,
+                             own);
+        memcpy(zone->displacement + (ptrdiff_t)step->axes * i, own,
+               axes * sizeof *own);
+        inverse_mass[i] = step->inverse_mass[v];
+        d->place[v] = -1;
+    }
+    zone->inverse_mass = inverse_mass;
+    return true;
+}
+
+//: Take the answer of a solver
+enum {
+    PUSHED = -2 // in the place of a vertex
+};
+
+static bool is_changed(const tf_row *a, const tf_row *b)
+{
+    bool changed = a->impulse != b->impulse;
+    for (int k = 0; k < 3; k++)
+        changed |= a->friction[k] != b->friction[k];
+    return changed;
+}
+
+/// Notes the vertices of rows whose impulses are new.
+static void keep_impulses(tf_zones *zones, const division *d, int z,
+                          const tf_zone *zone)
+{
+    tf_row *row = zones->row.data;
+    for (int i = 0; i < zone->rows; i++) {
+        tf_row *to = &row[d->order[d->first[z] + i]];
+        const tf_row *from = &zone->row[i];
+        bool changed = is_changed(to, from);
+        for (int j = 0; changed && j < 4 && to->vertex[j] >= 0; j++)
+            d->place[to->vertex[j]] = PUSHED;
+        // A solver that has failed shall not start there again.
+        bool good = isfinite(from->impulse) != 0;
+        to->impulse = good ? from->impulse : 0;
+        for (int k = 0; k < 3; k++)
+            to->friction[k] = good ? from->friction[k] : 0;
+    }
+}
+
+/// Moves these vertices.  The others stay where they are: rounded anew, they
+/// would have to be looked at again.
+static void move_vertices(tf_step *step, const tf_row_rule *rule,
+                          const division *d, const tf_zone *zone)
+{
+    for (int i = 0; i < zone->vertices; i++) {
+        ptrdiff_t place = (ptrdiff_t)step->axes * d->vertex[i];
+        int *mark = &d->place[d->vertex[i]];
+        if (*mark != PUSHED)
+            continue;
+        *mark = -1;
+        tf_step_place(step, d->vertex[i], rule->base + place,
+                      zone->displacement + (ptrdiff_t)step->axes * i);
+    }
+}
+
+static void account(const tf_zone *zone, int iterations, tf_zone_effort *effort)
+{
+    effort->zones++;
+    effort->iterations += (size_t)iterations;
+    if ((size_t)zone->rows > effort->largest)
+        effort->largest = (size_t)zone->rows;
+    for (int i = 0; i < zone->rows; i++) {
+        double parting =
+            tf_row_parting(zone->axes, &zone->row[i], zone->displacement);
+        effort->violation =
+            fmax(effort->violation, zone->row[i].bound - parting);
+    }
+}
+
+//: Solve the zones
+bool tf_zones_solve(tf_zones *zones, tf_step *step, const tf_row_rule *rule,
+                    const tf_zone_choice *choice, tf_zone_effort *effort)
+{
+    division d;
+    if (!divide(zones, step, &d) ||
+        !tf_buffer_reserve(&zones->zone_row, (size_t)largest_zone(&d),
+                           sizeof(tf_row)))
+        return false;
+    for (int z = 0; z < d.zones; z++) {
+        tf_zone zone = {.axes = step->axes,
+                        .friction = choice->friction,
+                        .sweeps = choice->sweeps};
+        copy_rows(zones, &d, z, &zone);
+        if (!pose(zones, step, rule, choice, &d, &zone))
+            return false;
+        account(&zone, choice->solver->solve(&zone), effort);
+        keep_impulses(zones, &d, z, &zone);
+        move_vertices(step, rule, &d, &zone);
+    }
+    zones->old = zones->rows;
+    return true;
+}
+
+//: Account for the memory of zones
+size_t tf_zones_memory(const tf_zones *zones)
+{
+    return zones->row.bytes + zones->returns.bytes + zones->groups.room.bytes +
+           zones->by_vertex.bytes + zones->by_row.bytes +
+           zones->zone_row.bytes + zones->mass.bytes +
+           zones->displacement.bytes + zones->room.bytes;
+}
+
+void tf_zones_free(tf_zones *zones)
+{
+    tf_buffer_free(&zones->row);
+    tf_buffer_free(&zones->returns);
+    tf_buffer_free(&zones->groups.room);
+    tf_buffer_free(&zones->by_vertex);
+    tf_buffer_free(&zones->by_row);
+    tf_buffer_free(&zones->zone_row);
+    tf_buffer_free(&zones->mass);
+    tf_buffer_free(&zones->displacement);
+    tf_buffer_free(&zones->room);
+}

@@ -1,0 +1,331 @@
+//: Include what the decision of pairs needs
+#include "surface/pairs.h"
+
+#include "arithmetic/clamped.h"
+#include "arithmetic/exact.h"
+#include "arithmetic/integer.h"
+#include "query/edge_edge.h"
+#include "query/point_edge.h"
+#include "query/point_triangle.h"
+
+#include <stddef.h>
+#include <string.h>
+
+//: Make room for a batch of pairs
+typedef struct batch {
+    int vertex[4 * TF_BATCH];
+    tf_verdict verdict[TF_BATCH];
+    int open[TF_BATCH]; ///< the pairs that the filter leaves undecided
+    int open_vertex[4 * TF_BATCH];
+    tf_verdict open_verdict[TF_BATCH];
+    tf_effort effort;
+} batch;
+
+//: List the vertices of a pair
+/// How many vertices the two elements of a pair have.
+static int vertex_count(tf_kind kind)
+{
+    return kind == TF_POINT_EDGE ? 3 : 4;
+}
+
+static void list_vertices(const tf_deciding *of, tf_candidate pair,
+                          int vertex[])
+{
+    const int *edge = of->surface->edges.corner;
+    const int *triangle = of->surface->triangles.corner;
+    switch (of->kind) {
+    case TF_EDGE_EDGE: {
+        // Both are sorted, and so are the two: by their first vertices, which
+        // differ.
+        const int *a = edge + 2 * (size_t)pair.first;
+        const int *b = edge + 2 * (size_t)pair.second;
+        bool swap = b[0] < a[0];
+        memcpy(vertex, swap ? b : a, 2 * sizeof *vertex);
+        memcpy(vertex + 2, swap ? a : b, 2 * sizeof *vertex);
+        return;
+    }
+    case TF_POINT_TRIANGLE:
+        vertex[0] = pair.first;
+        memcpy(vertex + 1, triangle + 3 * (size_t)pair.second,
+               3 * sizeof *vertex);
+        return;
+    default:
+        vertex[0] = pair.first;
+        memcpy(vertex + 1, edge + 2 * (size_t)pair.second, 2 * sizeof *vertex);
+    }
+}
+
+//: Describe a contact of a surface
+static tf_status describe(const tf_deciding *of, const int vertex[],
+                          tf_contact *contact)
+{
+    switch (of->kind) {
+    case TF_EDGE_EDGE:
+        return tf_edge_edge(of->arithmetic, of->motion, vertex, vertex + 2,
+                            contact);
+    case TF_POINT_TRIANGLE:
+        return tf_point_triangle(of->arithmetic, of->motion, vertex[0],
+                                 vertex + 1, contact);
+    default:
+        return tf_point_edge(of->arithmetic, of->motion, vertex[0], vertex + 1,
+                             contact);
+    }
+}
+
+//: Add a contact
+/// Adds a contact to what a worker has found; false if that fails.
+static bool add_contact(tf_worker *worker, const int vertex[])
+{
+    const tf_deciding *of = worker->job;
+    tf_surface_contact *row = tf_worker_add(worker, sizeof *row);
+    if (!row)
+        return false;
+    row->kind = of->kind;
+    row->vertex[3] = -1;
+    memcpy(row->vertex, vertex,
+           sizeof *vertex * (size_t)vertex_count(of->kind));
+    worker->status = describe(of, row->vertex, &row->contact);
+    return worker->status == TF_OK;
+}
+
+//: Decide the pairs of a batch by one arithmetic
+static tf_status decide_by(const tf_arithmetic *arithmetic,
+                           const tf_deciding *of, int count, const int vertex[],
+                           tf_verdict verdict[], size_t *separated)
+{
+    tf_queries queries = {.kind = of->kind,
+                          .motion = of->motion,
+                          .count = (size_t)count,
+                          .vertices = vertex};
+    return of->narrow_phase->decide(arithmetic, &queries, verdict, separated);
+}
+
+//: Distinguish the arithmetics
+/// Whether the verdicts of an arithmetic are those of the exact one, so that a
+/// certain verdict of the filter is one of its own.
+static bool is_exact(const tf_arithmetic *arithmetic)
+{
+    return arithmetic == &tf_exact || arithmetic == &tf_integer64 ||
+           arithmetic == &tf_integer128;
+}
+
+static bool is_rounded(const tf_arithmetic *arithmetic)
+{
+    return arithmetic == &tf_clamped || arithmetic == &tf_report;
+}
+
+//: Decide what the filter leaves open
+/// Decides by the arithmetic the pairs that the filter leaves undecided; returns
+/// how many there are.
+static size_t decide_open(const tf_deciding *of, int count, batch *b,
+                          tf_status *status)
+{
+    int vertices = vertex_count(of->kind), open = 0;
+    for (int i = 0; i < count; i++) {
+        if (b->verdict[i] != TF_UNDECIDED)
+            continue;
+        memcpy(b->open_vertex + (ptrdiff_t)open * vertices,
+               b->vertex + (ptrdiff_t)i * vertices,
+               sizeof(int) * (size_t)vertices);
+        b->open[open++] = i;
+    }
+    size_t separated = 0;
+    *status = decide_by(of->arithmetic, of, open, b->open_vertex,
+                        b->open_verdict, &separated);
+    for (int i = 0; i < open; i++)
+        b->verdict[b->open[i]] = b->open_verdict[i];
+    return (size_t)open;
+}
+
+//: Decide a batch of pairs
+/// Decides by a filter first, if the arithmetic allows one.
+static tf_status decide_batch(const tf_deciding *of, int count,
+                              const tf_candidate pair[], batch *b)
+{
+    int vertices = vertex_count(of->kind);
+    for (int i = 0; i < count; i++)
+        list_vertices(of, pair[i], b->vertex + (ptrdiff_t)i * vertices);
+
+    bool filtered = is_exact(of->arithmetic);
+    size_t separated = 0;
+    tf_status status = decide_by(filtered ? &tf_clamped : of->arithmetic, of,
+                                 count, b->vertex, b->verdict, &separated);
+    size_t decided = (size_t)count - separated, open = 0;
+    if (status == TF_OK && filtered)
+        open = decide_open(of, count, b, &status);
+    else if (!is_rounded(of->arithmetic))
+        open = decided;
+    b->effort.candidates += (size_t)count;
+    b->effort.by_axis += separated;
+    b->effort.by_filter += decided - open;
+    b->effort.by_signs += open;
+    return status;
+}
+
+//: Take a batch of pairs
+bool tf_pairs_take(tf_pair_sink *sink, int count, const tf_candidate pair[])
+{
+    tf_worker *worker = (tf_worker *)sink;
+    const tf_deciding *of = worker->job;
+    batch *b = worker->batch.data;
+    worker->status = decide_batch(of, count, pair, b);
+    if (worker->status != TF_OK)
+        return false;
+    for (int i = 0; i < count; i++) {
+        if (b->verdict[i] == TF_APART)
+            continue;
+        if (!add_contact(worker,
+                         b->vertex + (ptrdiff_t)i * vertex_count(of->kind)) ||
+            of->extent == TF_ANY_CONTACT)
+            return false;
+    }
+    return true;
+}
+
+//: Compare contacts
+typedef const tf_surface_contact *row;
+
+static bool is_before(row a, row b)
+{
+    if (a->kind != b->kind)
+        return a->kind < b->kind;
+    for (int i = 0; i < 4; i++)
+        if (a->vertex[i] != b->vertex[i])
+            return a->vertex[i] < b->vertex[i];
+    return false;
+}
+
+static bool is_earlier(row a, row b)
+{
+    if (a->contact.toi_lo != b->contact.toi_lo)
+        return a->contact.toi_lo < b->contact.toi_lo;
+    return is_before(a, b);
+}
+
+//: Sort contacts
+/// Merges from[begin..middle - 1] and from[middle..end - 1] into `to`.
+static void merge(row from[], size_t begin, size_t middle, size_t end, row to[],
+                  bool (*precedes)(row, row))
+{
+    size_t a = begin, b = middle;
+    for (size_t i = begin; i < end; i++) {
+        bool second = b < end && (a == middle || precedes(from[b], from[a]));
+        to[i] = second ? from[b++] : from[a++];
+    }
+}
+
+/// Sorts `count` rows that are in `from`; `to` has room for as many, and one of
+/// the two is returned.  qsort might ask for memory in each step.
+static row *sort(size_t count, row from[], row to[], bool (*precedes)(row, row))
+{
+    for (size_t width = 1; width < count; width *= 2) {
+        for (size_t begin = 0; begin < count; begin += 2 * width) {
+            size_t rest = count - begin;
+            size_t middle = rest < width ? count : begin + width;
+            size_t end = rest < 2 * width ? count : begin + 2 * width;
+            merge(from, begin, middle, end, to, precedes);
+        }
+        row *swap = from;
+        from = to;
+        to = swap;
+    }
+    return from;
+}
+
+//: Add up the effort
+void tf_effort_add(tf_effort *all, const tf_effort *own)
+{
+    all->candidates += own->candidates;
+    all->by_axis += own->by_axis;
+    all->by_filter += own->by_filter;
+    all->by_signs += own->by_signs;
+}
+
+//: Gather the contacts of all workers
+/// Lists where the rows of all workers are, and adds up what they took.
+static void list_rows(const tf_workers *workers, row list[], tf_effort *effort)
+{
+    for (int i = 0; i < workers->count; i++) {
+        const tf_worker *worker = workers->worker[i];
+        const batch *b = worker->batch.data;
+        row own = worker->row.data;
+        for (size_t j = 0; j < worker->rows; j++)
+            *list++ = own + j;
+        tf_effort_add(effort, &b->effort);
+    }
+}
+
+bool tf_pairs_gather(tf_surface *surface, tf_extent extent, tf_contacts *found)
+{
+    size_t rows = tf_workers_rows(&surface->workers);
+    if (!tf_buffer_reserve(&surface->found, rows + 1,
+                           sizeof(tf_surface_contact)) ||
+        !tf_buffer_reserve(&surface->sorting, 2 * rows + 1, sizeof(row)))
+        return false;
+    row *list = surface->sorting.data;
+    list_rows(&surface->workers, list, &found->effort);
+    list = sort(rows, list, list + rows,
+                extent == TF_FIRST_CONTACT ? is_earlier : is_before);
+    tf_surface_contact *all = surface->found.data;
+    for (size_t i = 0; i < rows; i++)
+        memcpy(&all[i], list[i], sizeof *all);
+    found->any = rows > 0;
+    found->contact = all;
+    found->count = extent == TF_ALL_CONTACTS
+                       ? rows
+                       : extent == TF_FIRST_CONTACT && rows > 0;
+    return true;
+}
+
+//: Ready the workers
+bool tf_pairs_begin(tf_surface *surface, const tf_parallel *parallel,
+                    const tf_deciding *of)
+{
+    if (!tf_workers_begin(&surface->workers, tf_parallel_workers(parallel), of))
+        return false;
+    for (int i = 0; i < surface->workers.count; i++) {
+        tf_worker *worker = surface->workers.worker[i];
+        if (!tf_buffer_reserve(&worker->batch, 1, sizeof(batch)))
+            return false;
+        ((batch *)worker->batch.data)->effort = (tf_effort){0};
+    }
+    return true;
+}
+
+//: Join and decide
+static tf_status join_kind(tf_surface *surface, const tf_tree *s,
+                           const tf_tree *t, const tf_parallel *parallel)
+{
+    tf_workers_join(&surface->workers, s, t, tf_pairs_take, NULL, parallel);
+    return tf_workers_status(&surface->workers);
+}
+
+static tf_status join_all(tf_surface *surface, tf_deciding *of,
+                          const tf_parallel *parallel)
+{
+    bool plane = surface->axes == 2;
+    of->kind = plane ? TF_POINT_EDGE : TF_POINT_TRIANGLE;
+    tf_status status = join_kind(
+        surface, &surface->vertex_tree,
+        plane ? &surface->edge_tree : &surface->triangle_tree, parallel);
+    bool enough =
+        of->extent == TF_ANY_CONTACT && tf_workers_rows(&surface->workers) > 0;
+    if (status != TF_OK || plane || enough)
+        return status;
+    of->kind = TF_EDGE_EDGE;
+    return join_kind(surface, &surface->edge_tree, &surface->edge_tree,
+                     parallel);
+}
+
+//: Find the pairs in contact
+tf_status tf_pairs_find(tf_surface *surface, tf_deciding *of,
+                        const tf_parallel *parallel, tf_contacts *found)
+{
+    if (!tf_pairs_begin(surface, parallel, of))
+        return TF_OUT_OF_MEMORY;
+    tf_status status = join_all(surface, of, parallel);
+    *found = (tf_contacts){0};
+    if (status == TF_OK && !tf_pairs_gather(surface, of->extent, found))
+        status = TF_OUT_OF_MEMORY;
+    return status;
+}

@@ -1,0 +1,39 @@
+//: Hold a decision
+#pragma once
+
+#include "surface/detect.h"
+#include "surface/state.h"
+
+#include <stdbool.h>
+
+/// How pairs of elements are decided: a job of the surface's workers.
+typedef struct tf_deciding {
+    const tf_surface *surface;
+    const tf_motion *motion;
+    const tf_arithmetic *arithmetic;
+    const tf_narrow_phase *narrow_phase;
+    tf_extent extent;
+    tf_kind kind; ///< of the pairs that come next
+} tf_deciding;
+
+//: Declare the decision of pairs
+/// Readies the surface's workers for deciding pairs.  False if there is no
+/// memory.
+bool tf_pairs_begin(tf_surface *surface, const tf_parallel *parallel,
+                    const tf_deciding *of);
+
+/// Decides pairs, of at most TF_BATCH, and adds those in contact to what the
+/// worker around the sink has found: a tf_pair_sink's function.
+bool tf_pairs_take(tf_pair_sink *sink, int count, const tf_candidate pair[]);
+
+/// Lists what all workers have found, lent by the surface, and adds up what it
+/// took; `found` was all zero.  False if there is no memory.
+bool tf_pairs_gather(tf_surface *surface, tf_extent extent, tf_contacts *found);
+
+/// Finds all pairs of elements in contact that the trees of the surface yield.
+/// Returns TF_OK, TF_OUT_OF_MEMORY, or what a decision returns.
+tf_status tf_pairs_find(tf_surface *surface, tf_deciding *of,
+                        const tf_parallel *parallel, tf_contacts *found);
+
+/// Adds what one search took to what all took.
+void tf_effort_add(tf_effort *all, const tf_effort *own);

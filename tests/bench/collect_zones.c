@@ -1,0 +1,69 @@
+// Prints zones that come up while cloth is twisted and stacked, as text, for
+// tests/bench/zones.txt: of those that have from 24 to 200 rows, every so many.
+#include "response/gauss_seidel.h"
+#include "response/resolve.h"
+#include "support/cloth.h"
+#include "support/zone_files.h"
+
+#include <stdlib.h>
+
+enum {
+    LEAST = 24,
+    MOST = 200
+};
+
+/// Every how many zones of a scene one is written, and how many came up.
+static long every, came;
+
+static size_t room(int axes, int vertices, int rows)
+{
+    return tf_gauss_seidel.room(axes, vertices, rows);
+}
+
+static int solve(tf_zone *zone)
+{
+    if (zone->rows >= LEAST && zone->rows <= MOST && came++ % every == 0)
+        zone_write(stdout, zone);
+    return tf_gauss_seidel.solve(zone);
+}
+
+static void require(bool good)
+{
+    if (!good)
+        abort();
+}
+
+static void run(cloth_scene scene, int edges, int steps, long part)
+{
+    static const tf_zone_solver writing = {"writing", room, solve};
+    const tf_response_options options = {.solver = &writing};
+    cloth *of = cloth_new(scene, edges);
+    tf_surface *surface = NULL;
+    tf_resolver *resolver = NULL;
+    double *end = malloc(sizeof *end * 3 * (size_t)of->mesh.vertices);
+    require(end && tf_surface_create(&of->mesh, &surface, NULL) == TF_OK &&
+            tf_resolver_create(surface, &resolver) == TF_OK);
+    every = part;
+    came = 0;
+    for (int i = 0; i < steps; i++) {
+        cloth_propose(of, end);
+        require(tf_step_resolve(resolver, of->mesh.vertices, of->position, end,
+                                of->inverse_mass, &options, NULL,
+                                NULL) == TF_OK);
+        cloth_accept(of, end);
+    }
+    fprintf(stderr, "%s: %ld zones, every %ld\n", cloth_names[scene], came,
+            every);
+    free(end);
+    tf_resolver_free(resolver);
+    tf_surface_free(surface);
+    cloth_free(of);
+}
+
+int main(void)
+{
+    run(TWIST, 8, 160, 4);
+    run(STACK_ALIGNED, 8, 60, 4);
+    run(STACK_TURNED, 8, 60, 4);
+    return EXIT_SUCCESS;
+}

@@ -1,0 +1,671 @@
+// The command resolve, as a user runs it.
+
+#include "program/resolve_command.h"
+
+#include "base/status.h"
+#include "program/mesh_file.h"
+#include "support/environments.h"
+#include "support/json.h"
+#include "support/program.h"
+#include "support/support.h"
+#include "support/terminal.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+// Two points fall through a triangle.
+#define TRIANGLE "v -1 -1 0\nv 3 -1 0\nv -1 3 0\nf 1 2 3\n"
+#define ABOVE TRIANGLE "v 0 0 1\nv 0.5 0.5 1\n"
+#define BELOW TRIANGLE "v 0 0 -1\nv 0.5 0.5 -3\n"
+
+#define AT_REST "v -1 -1 0\nv 3 -1 0\nv -1 3 0\nv 0 0 1\nv 0.5 0.5 1\nf 1 2 3\n"
+
+// A point falls through an edge in the plane.
+#define FLAT_ABOVE "v -1 0\nv 1 0\nv 0 1\nl 1 2\n"
+#define FLAT_BELOW "v -1 0\nv 1 0\nv 0 -1\nl 1 2\n"
+
+// In the plane two scripted plates close upon a bar, and pass
+// through each other.
+#define BAR "v -1 0\nv 1 0\nl 5 6\n"
+#define OPEN "v -2 -1\nv 2 -1\nv -2 1\nv 2 1\nl 1 2\nl 3 4\n" BAR
+#define CLOSED "v -2 1\nv 2 1\nv -2 -1\nv 2 -1\nl 1 2\nl 3 4\n" BAR
+
+static void enter_folder_with_files(void)
+{
+    enter_folder();
+    make_file("above", ABOVE);
+    make_file("below", BELOW);
+    make_file("flat-above", FLAT_ABOVE);
+    make_file("flat-below", FLAT_BELOW);
+    make_file("open", OPEN);
+    make_file("closed", CLOSED);
+    make_file("floor", "0 1 2 # the triangle\n");
+    make_file("plates", "0 1\n2 3\n");
+}
+
+// What is resolved ------------------------------------------------------------
+
+/// Runs resolve, and expects success and that the step to `out` is clear.
+static outcome resolved(const char *start, const char *end, const char *out,
+                        const char *options)
+{
+    outcome found = run("$tf resolve %s %s -o %s %s", start, end, out, options);
+    ck_assert_str_eq(found.err, "");
+    ck_assert_int_eq(found.status, 0);
+    static char report[10000];
+    snprintf(report, sizeof report, "%s", found.out);
+    outcome step =
+        run("$tf detect -o summary %s %s && $tf check %s", start, out, out);
+    ck_assert_msg(step.status == 0, "%s", step.out);
+    return (outcome){0, report, ""};
+}
+
+START_TEST(the_step_is_clear)
+{
+    outcome found = resolved("above", "below", "new.obj", "");
+    expect_words(found.out, "status: resolved\nfirst contacts: 2\n");
+    expect_words(found.out, "\nheld: 0\nmoved: 5\n");
+    found = resolved("flat-above", "flat-below", "new.obj", "");
+    expect_words(found.out, "status: resolved\nfirst contacts: 1\n");
+}
+END_TEST
+
+START_TEST(a_clear_step_stays_as_it_is)
+{
+    make_file("end.obj", "v -1.1 -1e-320 -0\nv 3 -1 0.1\nv -1 3 0\nf 1 2 3\n"
+                         "v 0 0 0x1.fffffffffffffp+0\nv 0.3 0.7 1e300\n");
+    outcome found = resolved("above", "end.obj", "new.obj", "");
+    ck_assert_int_eq(strncmp(found.out, "status: clear\n", 14), 0);
+    expect_words(found.out, "\nmoved: 0\n");
+    ck_assert_str_eq(
+        file_text("new.obj"),
+        "v -1.1000000000000001 -9.9998886718268301e-321 -0\n"
+        "v 3 -1 0.10000000000000001\nv -1 3 0\n"
+        "v 0 0 1.9999999999999998\n"
+        "v 0.29999999999999999 0.69999999999999996 1.0000000000000001e+300\n"
+        "f 1 2 3\n");
+}
+END_TEST
+
+START_TEST(what_it_gives)
+{
+    resolved("flat-above", "flat-below", "new.obj", "");
+    ck_assert_str_eq(file_text("new.obj"), "v -1 -0.66666666666666663 0\n"
+                                           "v 1 -0.66666666666666663 0\n"
+                                           "v 0 0.33333333333333326 0\n"
+                                           "l 1 2\n");
+    resolved("above", "below", "new.obj", "-f floor");
+    ck_assert_str_eq(file_text("new.obj"), AT_REST);
+}
+END_TEST
+
+/// The positions that a file holds.
+static tf_mesh_file read_mesh(const char *path)
+{
+    tf_mesh_file mesh;
+    ck_assert_msg(tf_mesh_file_read(&mesh, path), "%s", mesh.fault);
+    return mesh;
+}
+
+START_TEST(scripted_vertices_end_where_they_should)
+{
+    make_file("end", "v -1 -1 .1\nv 3 -1 0.2\nv -1 3 0.3\nf 1 2 3\nv 0 0 -1\n"
+                     "v 0.5 0.5 -3\n");
+    outcome found = resolved("above", "end", "new", "--fixed floor");
+    expect_words(found.out, "\nheld: 0\nmoved: 2\n");
+    tf_mesh_file wanted = read_mesh("end"), got = read_mesh("new");
+    ck_assert_mem_eq(wanted.position.item, got.position.item,
+                     9 * sizeof(double));
+    tf_mesh_file_free(&wanted);
+    tf_mesh_file_free(&got);
+}
+END_TEST
+
+START_TEST(scripted_vertices_are_held_back_where_nothing_else_helps)
+{
+    outcome found = resolved("open", "closed", "new", "-f plates");
+    ck_assert_int_eq(occurrences(found.out, "\nheld: 0\n"), 0);
+    ck_assert_int_eq(occurrences(found.out, "\nfailsafe rounds: 0\n"), 0);
+}
+END_TEST
+
+/// A coordinate of a vertex at the resolved end of the step.
+static double coordinate(const char *start, const char *end,
+                         const char *options, int vertex, int axis)
+{
+    resolved(start, end, "new", options);
+    tf_mesh_file got = read_mesh("new");
+    double x = got.position.item[3 * vertex + axis];
+    tf_mesh_file_free(&got);
+    return x;
+}
+
+START_TEST(heavy_vertices_move_less)
+{
+    make_file("light", "1 1 1 1 1\n");
+    make_file("heavy", "1000 1000 1e3\n1\n1\n");
+    double light = coordinate("above", "below", "--masses light", 0, 2);
+    double heavy = coordinate("above", "below", "--masses heavy", 0, 2);
+    ck_assert_msg(light < -0.5 && heavy > -0.01 && heavy < 0, "%g %g", light,
+                  heavy);
+}
+END_TEST
+
+START_TEST(what_is_near_is_pushed_apart)
+{
+    make_file("near", TRIANGLE "v 0 0 1\nv 0.5 0.5 0.01\n");
+    double apart = coordinate("near", "below", "-f floor", 4, 2);
+    double far = coordinate("near", "below", "-f floor --separation 1", 4, 2);
+    double close = coordinate("near", "below", "-f floor --separation 0", 4, 2);
+    ck_assert_msg(close < 0.0101 && apart > 0.02 && far > 2 * apart, "%g %g %g",
+                  close, apart, far);
+}
+END_TEST
+
+START_TEST(restitution_throws_back)
+{
+    double stopped = coordinate("above", "below", "-f floor", 3, 2);
+    double thrown =
+        coordinate("above", "below", "-f floor --restitution 1", 3, 2);
+    ck_assert_msg(fabs(stopped - 1) < 1e-3 && fabs(thrown - 3) < 1e-3, "%g %g",
+                  stopped, thrown);
+}
+END_TEST
+
+START_TEST(friction_slows_what_slides)
+{
+    make_file("slid", TRIANGLE "v 0.5 0 -1\nv 1 0.5 -3\n");
+    double free = coordinate("above", "slid", "-f floor", 3, 0);
+    double held = coordinate("above", "slid", "-f floor --friction 9", 3, 0);
+    ck_assert_msg(fabs(free - 0.5) < 1e-3 && fabs(held) < 1e-3, "%g %g", free,
+                  held);
+}
+END_TEST
+
+START_TEST(solvers_differ)
+{
+    static const char iterations[] = "\niterations: ";
+    static const char *const options[] = {"", "-s gauss-seidel", "-s minres"};
+    int count[3];
+    for (int i = 0; i < 3; i++) {
+        outcome found = resolved("above", "below", "new", options[i]);
+        count[i] = atoi(strstr(found.out, iterations) + strlen(iterations));
+    }
+    ck_assert_int_eq(count[0], count[1]);
+    ck_assert_int_ne(count[0], count[2]);
+}
+END_TEST
+
+START_TEST(options_of_the_response)
+{
+    static const char *const options[] = {
+        "-s gauss-seidel",
+        "-s conjugate-residuals",
+        "--solver=minres",
+        "-s normal-residuals",
+        "--separation 0",
+        "--separation=0.5",
+        "--friction 0.5",
+        "--restitution 1",
+        "-f floor -m ones --friction 1 --restitution .5 -t 1"};
+    make_file("ones", "1 1 1 1 1");
+    for (size_t i = 0; i < sizeof options / sizeof *options; i++)
+        resolved("above", "below", "new", options[i]);
+}
+END_TEST
+
+// Larger meshes ---------------------------------------------------------------
+
+enum {
+    SIDE = 16 // squares along a sheet
+};
+
+/// A sheet at the height `z`, wavy by `wave`, as OBJ; its first vertex has the
+/// number `first`.
+static void write_sheet(FILE *file, int first, double z, double wave,
+                        generator *random)
+{
+    for (int i = 0; i <= SIDE; i++)
+        for (int j = 0; j <= SIDE; j++)
+            fprintf(file, "v %a %a %a\n", i + uniform(random, 0, 0.1),
+                    j + uniform(random, 0, 0.1),
+                    z + uniform(random, -wave, wave));
+    for (int i = 0; i < SIDE; i++)
+        for (int j = 0; j < SIDE; j++) {
+            int corner = first + i * (SIDE + 1) + j;
+            fprintf(file, "f %d %d %d\nf %d %d %d\n", corner, corner + 1,
+                    corner + SIDE + 1, corner + SIDE + 2, corner + SIDE + 1,
+                    corner + 1);
+        }
+}
+
+/// Two sheets, the second of which falls through the first.
+static void make_sheets(void)
+{
+    generator random = generator_new(1);
+    static const char *const names[] = {"sheets", "fallen"};
+    for (int i = 0; i < 2; i++) {
+        FILE *file = fopen(names[i], "w");
+        write_sheet(file, 1, 0, 0.1, &random);
+        write_sheet(file, 1 + (SIDE + 1) * (SIDE + 1), i == 0 ? 1 : -2, 0.3,
+                    &random);
+        fclose(file);
+    }
+}
+
+START_TEST(two_sheets)
+{
+    make_sheets();
+    ck_assert_int_eq(run("$tf detect sheets fallen").status, 1);
+    outcome found = resolved("sheets", "fallen", "new.ply", "");
+    expect_words(found.out, "status: resolved\n");
+}
+END_TEST
+
+START_TEST(any_number_of_threads)
+{
+    make_sheets();
+    outcome found =
+        run("$tf resolve sheets fallen -t 1 -o one --output json | sed "
+            "'s/,\"sec.*//' >one-report; for t in 2 3 8; do $tf resolve sheets "
+            "fallen -t $t -o other --output json | sed 's/,\"sec.*//' | cmp - "
+            "one-report && cmp one other || exit 9; done");
+    expect(found, 0, "", "");
+}
+END_TEST
+
+START_TEST(several_steps)
+{
+    make_sheets();
+    resolved("sheets", "fallen", "one", "");
+    resolved("one", "sheets", "two", "--friction 0.3");
+    resolved("two", "fallen", "three", "--restitution 0.5");
+}
+END_TEST
+
+// Reports ---------------------------------------------------------------------
+
+START_TEST(a_report_as_json)
+{
+    outcome found = resolved("above", "below", "new", "--output json");
+    ck_assert_msg(!json_fault(found.out), "%s", json_fault(found.out));
+    expect_words(found.out, "{\"status\":\"resolved\",\"first_contacts\":2,"
+                            "\"contacts\":2,\"impulse_rounds\":0,");
+    expect_words(found.out, ",\"energy_before\":10,");
+    const char *seconds = strstr(found.out, "\"seconds\":");
+    ck_assert_ptr_nonnull(seconds);
+    double took = atof(strchr(seconds, ':') + 1);
+    ck_assert_msg(took > 0 && took < 60, "%g seconds", took);
+    found = resolved("above", "above", "new", "--output=json");
+    expect_words(found.out, "{\"status\":\"clear\",\"first_contacts\":0,");
+}
+END_TEST
+
+START_TEST(progress_on_a_terminal)
+{
+    terminal screen = terminal_open();
+    outcome found = run("mkfifo late; { exec 3>late; sleep 1.1; cat below >&3; "
+                        "} & $tf resolve above late -o new 2>%s",
+                        screen.name);
+    ck_assert_int_eq(found.status, 0);
+    expect_progress(terminal_close(&screen), "\r0 rounds, 2 contacts left");
+}
+END_TEST
+
+// Files -----------------------------------------------------------------------
+
+START_TEST(formats_of_the_output)
+{
+    static const struct {
+        const char *out, *beginning;
+    } files[] = {
+        {"new", "v "},
+        {"new.obj", "v "},
+        {"new.ply", "ply\nformat binary_little_endian 1.0\n"},
+    };
+    for (int i = 0; i < 3; i++) {
+        resolved("above", "below", files[i].out, "");
+        const char *text = file_text(files[i].out);
+        size_t length = strlen(files[i].beginning);
+        ck_assert_msg(strncmp(text, files[i].beginning, length) == 0, "%s",
+                      text);
+    }
+    make_file("text.ply",
+              "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\n"
+              "property float y\nproperty float z\nelement face 1\n"
+              "property list uchar int vertex_indices\nend_header\n"
+              "-1 -1 0\n3 -1 0\n-1 3 0\n0 0 1\n0.5 0.5 1\n3 0 1 2\n");
+    resolved("text.ply", "below", "new", "");
+    expect_words(file_text("new"), "ply\nformat ascii 1.0\n");
+    resolved("text.ply", "below", "new.obj", "");
+    ck_assert_int_eq(strncmp(file_text("new.obj"), "v ", 2), 0);
+    // All formats hold the same doubles.
+    expect(run("$tf resolve new new.obj -o same >report; head -n 1 report; "
+               "grep moved report; cmp same new"),
+           0, "status: clear\nmoved: 0\n", "");
+}
+END_TEST
+
+START_TEST(curves_in_ply)
+{
+    make_file("start.ply",
+              "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\n"
+              "property double y\nelement edge 1\nproperty int vertex1\n"
+              "property int vertex2\nend_header\n-1 0\n1 0\n0 1\n0 1\n");
+    resolved("start.ply", "flat-below", "new", "");
+    expect_words(file_text("new"), "format ascii 1.0\nelement vertex 3\n");
+    expect_words(file_text("new"), "\nelement edge 1\n");
+    resolved("flat-above", "flat-below", "same.ply", "");
+    // The same curve in text, in binary and as OBJ.
+    resolved("flat-above", "flat-below", "same", "");
+    expect(run("for f in new same.ply; do $tf resolve same $f -o again >report "
+               "|| exit; head -n 1 report; cmp again same; done"),
+           0, "status: clear\nstatus: clear\n", "");
+}
+END_TEST
+
+START_TEST(standard_input_and_output)
+{
+    resolved("above", "below", "new", "");
+    char right[10000];
+    snprintf(right, sizeof right, "%s", file_text("new"));
+    outcome found = run("$tf resolve above below -o -");
+    ck_assert_str_eq(found.out, right);
+    expect_words(found.err, "status: resolved\nfirst contacts: 2\n");
+    found = run("cat below | $tf resolve above - -o - 2>report");
+    expect(found, 0, right, "");
+    found = run("$tf resolve - below --write=- <above 2>report");
+    expect(found, 0, right, "");
+    found = run("$tf resolve above below -o - --output json 2>&1 >mesh");
+    ck_assert_msg(!json_fault(found.out), "%s", json_fault(found.out));
+    found = run("echo 0 1 2 | $tf resolve above below -f - -o new");
+    ck_assert_int_eq(found.status, 0);
+    expect_words(file_text("new"), "v -1 -1 0\nv 3 -1 0\nv -1 3 0\n");
+}
+END_TEST
+
+START_TEST(output_over_the_input)
+{
+    resolved("above", "below", "new", "");
+    expect(run("cp below both; $tf resolve above both -o both >report && cmp "
+               "new both"),
+           0, "", "");
+    expect(run("cp above both; $tf resolve both below -o both >report && cmp "
+               "new both; ls -A | grep -c tanglefree"),
+           1, "0\n", "");
+}
+END_TEST
+
+// Bad input -------------------------------------------------------------------
+
+/// Expects an error, and that the file `new`, if there is one, stays as it is.
+static void expect_error(const char *arguments, const char *message)
+{
+    make_file("new", "as before");
+    outcome found = run("$tf resolve -o new %s", arguments);
+    expect(found, 2, "", message);
+    ck_assert_str_eq(file_text("new"), "as before");
+    found = run("rm new; $tf resolve -o new %s", arguments);
+    expect(found, 2, "", message);
+    expect(run("ls -A | grep 'new\\|tanglefree'"), 1, "", "");
+}
+
+START_TEST(starts_that_are_not_clear)
+{
+    static const char rest[] = " (numbered from 0) before the step begins; "
+                               "move them apart, see 'tanglefree check' for "
+                               "all such pairs\n";
+    static const struct {
+        const char *start, *words;
+    } starts[] = {
+        {TRIANGLE "v 0.5 0.5 0\nv 9 9 9\n", "vertex 3 lies on triangle 0 1 2"},
+        {TRIANGLE "v 0 0 -1\nv 0.5 0.5 1\nl 4 5\n",
+         "edge 3 4 passes through triangle 0 1 2"},
+        {TRIANGLE "v 1 -1 -1\nv 1 -1 1\nl 4 5\n", "edge 0 1 meets edge 3 4"},
+        {"v 0 0\nv 2 2\nv 0 2\nv 2 0\nl 1 2\nl 3 4\n",
+         "edge 0 1 meets edge 2 3"},
+        {"v 0 0\nv 2 2\nv 1 1\nl 1 2\n", "vertex 2 lies on edge 0 1"},
+    };
+    for (size_t i = 0; i < sizeof starts / sizeof *starts; i++) {
+        char message[1000];
+        make_file("start", starts[i].start);
+        make_file("end", starts[i].start);
+        snprintf(message, sizeof message, "tanglefree: start: %s%s",
+                 starts[i].words, rest);
+        expect_error("start end", message);
+    }
+}
+END_TEST
+
+START_TEST(files_that_do_not_fit)
+{
+    make_file("nan", TRIANGLE "v nan 0 0\nv 0 0 0\n");
+    make_file("other", "v -1 -1 0\nv 3 -1 0\nv -1 3 0\nv 0 0 1\nv 1 1 1\n"
+                       "f 2 3 1\n");
+    make_file("square", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n");
+    expect_error("above nan", "tanglefree: nan:5: \"nan\" is not a finite "
+                              "number; write a decimal or a hexadecimal "
+                              "float\n");
+    expect_error("absent below",
+                 "tanglefree: absent: cannot open: No such file or directory; "
+                 "check the name\n");
+    expect_error("above .", "tanglefree: .: cannot read: Is a directory; check "
+                            "that this is a file\n");
+    expect_error("above flat-below",
+                 "tanglefree: flat-below: the number of vertices is 3, but 5 "
+                 "in above; all files must have the same elements\n");
+    expect_error("above other",
+                 "tanglefree: other:6: this triangle is not as in above; all "
+                 "files must have the same elements in the same order\n");
+    expect_error("square square",
+                 "tanglefree: square:5: a face with more than three corners; "
+                 "triangulate the mesh, for instance by Blender's export "
+                 "option Triangulated Mesh\n");
+}
+END_TEST
+
+START_TEST(lists_that_do_not_fit)
+{
+    make_file("list", "0\n1 5\n");
+    make_file("masses", "1 1\n1 0 1\n");
+    make_file("few", "1 1 1\n");
+    expect_error("above below -f list",
+                 "tanglefree: list:2: there is no vertex 5; they are numbered "
+                 "from 0 to 4\n");
+    expect_error("above below -f absent",
+                 "tanglefree: absent: cannot open: No such file or directory; "
+                 "check the name\n");
+    expect_error("above below -m masses",
+                 "tanglefree: masses:2: \"0\" is not a mass; write a positive "
+                 "number such as 0.5\n");
+    expect_error("above below -m few",
+                 "tanglefree: few: the number of masses is 3, but there are 5 "
+                 "vertices; write one for each, in their order\n");
+    expect_error("above below -m few -f few",
+                 "tanglefree: few: the number of masses is 3, but there are 5 "
+                 "vertices; write one for each, in their order\n");
+}
+END_TEST
+
+// Output that cannot be written -----------------------------------------------
+
+START_TEST(a_full_disk)
+{
+    expect(run("$tf resolve above below -o /dev/fd/3 3>/dev/full"), 2, "",
+           "tanglefree: /dev/fd/3: cannot write: No space left on device; mend "
+           "that and run again\n");
+    expect(run("$tf resolve above below -o - >/dev/full"), 2, "",
+           "tanglefree: standard output: cannot write: No space left on "
+           "device; mend that and run again\n");
+    expect_error("above below >/dev/full",
+                 "tanglefree: standard output: cannot write: No space left on "
+                 "device; mend that and run again\n");
+    expect(run("$tf resolve above below -o - >mesh 2>/dev/full"), 2, "", "");
+    expect_error("above below >&-",
+                 "tanglefree: standard output: cannot write: Bad file "
+                 "descriptor; mend that and run again\n");
+}
+END_TEST
+
+START_TEST(a_file_that_gets_too_large)
+{
+    make_sheets();
+    make_file("new", "as before");
+    expect(run("ulimit -f 1; $tf resolve sheets fallen -o new"), 2, "",
+           "tanglefree: new: cannot write: File too large; mend that and run "
+           "again\n");
+    ck_assert_str_eq(file_text("new"), "as before");
+    expect(run("ls -A | grep tanglefree"), 1, "", "");
+}
+END_TEST
+
+START_TEST(places_where_nothing_can_be_written)
+{
+    expect(run("$tf resolve above below -o absent/new"), 2, "",
+           "tanglefree: absent/new: cannot write: No such file or directory; "
+           "mend that and run again\n");
+    expect(run("$tf resolve above below -o ."), 2, "",
+           "tanglefree: .: cannot write: Is a directory; mend that and run "
+           "again\n");
+    expect(run("$tf resolve above below -o - >&-"), 2, "",
+           "tanglefree: standard output: cannot write: Bad file descriptor; "
+           "mend that and run again\n");
+}
+END_TEST
+
+// Usage -----------------------------------------------------------------------
+
+START_TEST(help)
+{
+    outcome found = run("$tf resolve --help");
+    ck_assert_int_eq(found.status, 0);
+    ck_assert_str_eq(found.err, "");
+    static const char *const words[] = {
+        "Usage: tanglefree resolve [OPTION...] START END",
+        "-o, --write=OUT",
+        "-f, --fixed=FILE",
+        "-m, --masses=FILE",
+        "-s, --solver=NAME",
+        "--separation=X",
+        "--friction=X",
+        "--restitution=X",
+        "--output=FORMAT",
+        "-t, --threads=NUMBER",
+        "summary or json",
+        "Exit status"};
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+        expect_words(found.out, words[i]);
+    expect_words(run("$tf --help").out, "\n  resolve ");
+}
+END_TEST
+
+START_TEST(arguments_that_are_wrong)
+{
+    static const char two[] =
+        "tanglefree resolve: two files are required, START and END\n";
+    expect_usage("resolve", two);
+    expect_usage("resolve -o new above", two);
+    expect_usage("resolve -o new above below below", two);
+    expect_usage("resolve above below",
+                 "tanglefree resolve: -o OUT is required: where "
+                 "to write the end of the step\n");
+    expect_usage("resolve above below -o new -s cg",
+                 "tanglefree resolve: unknown solver 'cg'; choose "
+                 "gauss-seidel, conjugate-residuals, minres or "
+                 "normal-residuals\n");
+    expect_usage("resolve above below -o new --output csv",
+                 "tanglefree resolve: unknown output format 'csv'; choose "
+                 "summary or json\n");
+    expect_usage("resolve above below -o new --restitution 1.1",
+                 "tanglefree resolve: --restitution needs a number, from 0 to "
+                 "1, and not '1.1'\n");
+    expect_usage("resolve above below -o new --friction=-1",
+                 "tanglefree resolve: --friction needs a number, 0 or more, "
+                 "such as 0.3, and not '-1'\n");
+    expect_usage("resolve above below -o new --separation inf",
+                 "tanglefree resolve: --separation needs a number, 0 or more, "
+                 "such as 1e-3, and not 'inf'\n");
+    expect_usage("resolve above below -o new -t 0",
+                 "tanglefree resolve: '0' is not a number of threads; choose 1 "
+                 "to 256\n");
+    expect_usage("resolve above below -o new -a exact",
+                 "tanglefree resolve: invalid option -- 'a'");
+}
+END_TEST
+
+// A broken floating-point environment -----------------------------------------
+
+START_TEST(a_broken_environment_is_reported)
+{
+    static const char *const arguments[] = {"tanglefree", "above", "below",
+                                            "-o",         "new",   NULL};
+    char message[1000];
+    snprintf(message, sizeof message, "tanglefree: below: %s\n",
+             tf_status_message(TF_BAD_ENVIRONMENT));
+    expect(run_broken(_i, tf_resolve_command, arguments), 2, "", message);
+    ck_assert_int_ne(access("new", F_OK), 0);
+}
+END_TEST
+
+static TCase *add_case(Suite *suite, const char *name)
+{
+    TCase *made = tcase_create(name);
+    tcase_add_checked_fixture(made, enter_folder_with_files, leave_folder);
+    suite_add_tcase(suite, made);
+    return made;
+}
+
+Suite *suite(void)
+{
+    Suite *suite = suite_create("program/resolve_command");
+    TCase *small = add_case(suite, "what is resolved");
+    tcase_add_test(small, the_step_is_clear);
+    tcase_add_test(small, a_clear_step_stays_as_it_is);
+    tcase_add_test(small, what_it_gives);
+    tcase_add_test(small, scripted_vertices_end_where_they_should);
+    tcase_add_test(small,
+                   scripted_vertices_are_held_back_where_nothing_else_helps);
+    tcase_add_test(small, heavy_vertices_move_less);
+    tcase_add_test(small, what_is_near_is_pushed_apart);
+    tcase_add_test(small, restitution_throws_back);
+    tcase_add_test(small, friction_slows_what_slides);
+    tcase_add_test(small, solvers_differ);
+    tcase_add_test(small, options_of_the_response);
+
+    TCase *large = add_case(suite, "larger meshes");
+    tcase_add_test(large, two_sheets);
+    tcase_add_test(large, any_number_of_threads);
+    tcase_add_test(large, several_steps);
+
+    TCase *reports = add_case(suite, "reports");
+    tcase_add_test(reports, a_report_as_json);
+    tcase_add_test(reports, progress_on_a_terminal);
+
+    TCase *files = add_case(suite, "files");
+    tcase_add_test(files, formats_of_the_output);
+    tcase_add_test(files, curves_in_ply);
+    tcase_add_test(files, standard_input_and_output);
+    tcase_add_test(files, output_over_the_input);
+
+    TCase *bad = add_case(suite, "bad input");
+    tcase_add_test(bad, starts_that_are_not_clear);
+    tcase_add_test(bad, files_that_do_not_fit);
+    tcase_add_test(bad, lists_that_do_not_fit);
+
+    TCase *unwritten = add_case(suite, "output that cannot be written");
+    tcase_add_test(unwritten, a_full_disk);
+    tcase_add_test(unwritten, a_file_that_gets_too_large);
+    tcase_add_test(unwritten, places_where_nothing_can_be_written);
+
+    TCase *usage = add_case(suite, "usage");
+    tcase_add_test(usage, help);
+    tcase_add_test(usage, arguments_that_are_wrong);
+
+    TCase *environment = add_case(suite, "a broken environment");
+    tcase_add_loop_test(environment, a_broken_environment_is_reported, 0,
+                        environments());
+    return suite;
+}

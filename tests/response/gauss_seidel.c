@@ -1,0 +1,223 @@
+// Projected Gauss-Seidel on random zones.
+#include "response/gauss_seidel.h"
+
+#include "support/support.h"
+#include "support/zones.h"
+
+#include <math.h>
+#include <string.h>
+
+enum {
+    VERTICES = 12,
+    MOST_ROWS = 40,
+    MANY = 2000
+};
+
+static some_zone random_zone(generator *random, int axes)
+{
+    int rows = 1 + below(random, MOST_ROWS / 2);
+    some_zone of = zone_random(random, axes, VERTICES, rows, MOST_ROWS);
+    for (int i = below(random, rows + 1); i > 0; i--)
+        zone_duplicate(&of, below(random, rows), 1);
+    return of;
+}
+
+/// Solves it until next to nothing changes.
+static void converge(some_zone *of)
+{
+    zone_solve(of, &tf_gauss_seidel, MANY);
+    for (int i = 0; i < 20; i++) {
+        // From the impulses that there are.
+        memcpy(of->displacement, of->proposal,
+               sizeof(double) * (size_t)of->zone.axes * VERTICES);
+        double room[MOST_ROWS + VERTICES];
+        of->zone.room = room;
+        of->zone.sweeps = MANY;
+        tf_gauss_seidel.solve(&of->zone);
+    }
+}
+
+static double energy(const some_zone *of)
+{
+    double sum = 0;
+    for (int i = 0; i < VERTICES; i++)
+        for (int k = 0; k < of->zone.axes; k++) {
+            double d = of->displacement[of->zone.axes * i + k];
+            if (of->inverse_mass[i] > 0)
+                sum += d * d / of->inverse_mass[i] / 2;
+        }
+    return sum;
+}
+
+// Bounds ------------------------------------------------------------------------
+
+// Where a row pushes, it is satisfied as an equation: complementarity.
+START_TEST(rows_are_satisfied_and_do_not_pull)
+{
+    generator random = generator_new(100 + (uint64_t)_i);
+    for (int times = 0; times < (int)cases(200); times++) {
+        some_zone of = zone_random(&random, 2 + _i, VERTICES, 6, MOST_ROWS);
+        converge(&of);
+        double parting[MOST_ROWS];
+        tf_zone_partings(&of.zone, of.displacement, parting);
+        for (int i = 0; i < of.zone.rows; i++) {
+            const tf_row *row = &of.row[i];
+            ck_assert_double_ge(row->impulse, 0);
+            ck_assert_double_ge(parting[i], row->bound - 1e-4);
+            if (row->impulse > 1e-2)
+                ck_assert_double_le(parting[i], row->bound + 1e-3);
+        }
+        zone_free(&of);
+    }
+}
+END_TEST
+
+START_TEST(rows_listed_twice_change_nothing)
+{
+    generator random = generator_new(200);
+    for (int times = 0; times < (int)cases(100); times++) {
+        some_zone of = zone_random(&random, 3, VERTICES, 8, MOST_ROWS);
+        double once[3 * VERTICES];
+        converge(&of);
+        memcpy(once, of.displacement, sizeof once);
+        for (int i = 0; i < 8; i++)
+            zone_duplicate(&of, i, 1);
+        converge(&of);
+        ck_assert_double_lt(zone_distance(&of, once, of.displacement), 1e-3);
+        zone_free(&of);
+    }
+}
+END_TEST
+
+// Energy ------------------------------------------------------------------------
+
+// The energy is the proposal's plus what the sweeps minimize, which is 0 at
+// first, for any number of sweeps and any rank.
+START_TEST(no_sweep_raises_the_energy)
+{
+    generator random = generator_new(300 + (uint64_t)_i);
+    for (int times = 0; times < (int)cases(200); times++) {
+        some_zone of = random_zone(&random, 2 + _i);
+        double room[MOST_ROWS + VERTICES];
+        for (int i = 0; i < of.zone.rows; i++)
+            of.row[i].bound = 0;
+        for (int i = 0; i < VERTICES; i++)
+            for (int k = 0; k < of.zone.axes && of.inverse_mass[i] == 0; k++)
+                of.proposal[of.zone.axes * i + k] = 0;
+        zone_solve(&of, &tf_gauss_seidel, 1);
+        of.zone.room = room;
+        of.zone.sweeps = 1;
+        memcpy(of.displacement, of.proposal,
+               sizeof(double) * (size_t)of.zone.axes * VERTICES);
+        double proposed = energy(&of);
+        for (int sweep = 0; sweep < 20; sweep++) {
+            memcpy(of.displacement, of.proposal,
+                   sizeof(double) * (size_t)of.zone.axes * VERTICES);
+            tf_gauss_seidel.solve(&of.zone);
+            ck_assert_double_le(energy(&of), proposed * (1 + 1e-12));
+        }
+        zone_free(&of);
+    }
+}
+END_TEST
+
+// Work --------------------------------------------------------------------------
+
+START_TEST(no_more_sweeps_than_allowed)
+{
+    generator random = generator_new(400);
+    for (int sweeps = 1; sweeps < 30; sweeps++) {
+        some_zone of = random_zone(&random, 3);
+        ck_assert_int_le(zone_solve(&of, &tf_gauss_seidel, sweeps), sweeps);
+        zone_free(&of);
+    }
+}
+END_TEST
+
+/// A row that keeps a vertex from moving down, or as fast as another.
+static tf_row row_of(int vertex, int other)
+{
+    tf_row row = {.vertex = {vertex, other, -1, -1},
+                  .coefficient = {1, other >= 0 ? -1 : 0},
+                  .normal = {0, 1, 0}};
+    return row;
+}
+
+// Row 0 holds vertex 0, and vertex 1 falls upon it; row 2 is far away.
+START_TEST(solved_rows_wait_until_their_vertices_move)
+{
+    tf_row row[] = {row_of(2, -1), row_of(0, -1), row_of(1, 0)};
+    double inverse_mass[] = {1, 1, 1}, d[] = {0, -1, 0, -2, 0, -3}, room[6];
+    row[0].impulse = 2; // wrong, but nobody has to look
+    tf_zone zone = {.axes = 2,
+                    .vertices = 3,
+                    .rows = 3,
+                    .solved = 1,
+                    .row = row,
+                    .inverse_mass = inverse_mass,
+                    .displacement = d,
+                    .sweeps = 100,
+                    .room = room};
+    tf_gauss_seidel.solve(&zone);
+    ck_assert_double_eq(row[0].impulse, 2);
+    ck_assert_double_eq(d[5], -1);
+    ck_assert_double_ge(d[1], -0.05);
+    ck_assert_double_ge(d[3], d[1] - 0.05);
+
+    double again[] = {0, -1, 0, -2, 0, -3};
+    row[0] = row_of(1, -1);
+    zone.displacement = again;
+    tf_gauss_seidel.solve(&zone);
+    ck_assert_msg(again[3] > -0.05,
+                  "vertex 1 was moved, and row 0 not visited");
+}
+END_TEST
+
+// Friction ----------------------------------------------------------------------
+
+/// Slides a vertex over a floor that it is pressed into by `pressed`.
+static double slide(double friction, double pressed)
+{
+    tf_row row = row_of(0, -1);
+    double inverse_mass = 0.5, d[] = {1, -pressed}, room[2];
+    tf_zone zone = {.axes = 2,
+                    .vertices = 1,
+                    .rows = 1,
+                    .row = &row,
+                    .inverse_mass = &inverse_mass,
+                    .displacement = d,
+                    .friction = friction,
+                    .sweeps = 100,
+                    .room = room};
+    tf_gauss_seidel.solve(&zone);
+    ck_assert_double_eq_tol(d[1], 0, 1e-12);
+    ck_assert_double_eq_tol(row.impulse, 2 * pressed, 1e-12);
+    return d[0];
+}
+
+START_TEST(friction_is_coulombs)
+{
+    ck_assert_double_eq_tol(slide(0, 0.5), 1, 1e-12);
+    ck_assert_double_eq_tol(slide(0.5, 0.5), 0.75, 1e-12);
+    ck_assert_double_eq_tol(slide(1.9, 0.5), 0.05, 1e-12);
+    ck_assert_double_eq_tol(slide(2.1, 0.5), 0, 1e-12);
+    ck_assert_double_eq_tol(slide(9, 0.5), 0, 1e-12);
+}
+END_TEST
+
+Suite *suite(void)
+{
+    Suite *suite = suite_create("response/gauss_seidel");
+    TCase *tcase = tcase_create("rows");
+    tcase_add_loop_test(tcase, rows_are_satisfied_and_do_not_pull, 0, 2);
+    tcase_add_test(tcase, rows_listed_twice_change_nothing);
+    tcase_add_loop_test(tcase, no_sweep_raises_the_energy, 0, 2);
+    suite_add_tcase(suite, tcase);
+
+    TCase *hand = tcase_create("by hand");
+    tcase_add_test(hand, no_more_sweeps_than_allowed);
+    tcase_add_test(hand, solved_rows_wait_until_their_vertices_move);
+    tcase_add_test(hand, friction_is_coulombs);
+    suite_add_tcase(suite, hand);
+    return suite;
+}

@@ -1,0 +1,92 @@
+// Rounds of impulses.
+#include "response/impulses.h"
+
+#include "support/stepped.h"
+#include "support/support.h"
+
+#include <math.h>
+#include <string.h>
+
+static proposal made;
+static stepped of;
+static int particle; ///< far away
+
+/// Two sheets; the upper one falls through the lower one, a little askew.
+static void begin(void)
+{
+    proposal_begin(&made, 3);
+    proposal_add_sheet(&made, 4, 0);
+    int upper = proposal_add_sheet(&made, 4, 1);
+    for (int v = upper; v < made.mesh.vertices; v++) {
+        made.start[3 * v] += 0.3;
+        made.end[3 * v] += 0.4;
+        made.end[3 * v + 1] += 0.21;
+        made.end[3 * v + 2] -= 1.2;
+    }
+    particle = proposal_add_vertex(&made, 3.3, 9, 9);
+    made.end[3 * particle] = 0.1; // in doubles not what its displacement gives
+    stepped_begin(&of, &made);
+}
+
+static void momentum(const double *end, double sum[3])
+{
+    memset(sum, 0, 3 * sizeof *sum);
+    for (int i = 0; i < 3 * made.mesh.vertices; i++)
+        sum[i % 3] += (end[i] - made.start[i]) / made.inverse_mass[i / 3];
+}
+
+START_TEST(momentum_is_kept)
+{
+    static double displacement[3 * PROPOSAL_VERTICES];
+    double before[3], after[3];
+    begin();
+    made.inverse_mass[3] = 2;
+    momentum(made.end, before);
+    tf_contacts contacts = stepped_contacts(&of);
+    ck_assert_uint_gt(contacts.count, 0);
+    tf_impulses_round(&of.step, &contacts, &of.rule, 0.5, displacement);
+    ck_assert_int_gt(stepped_changes(&of), 0);
+    momentum(of.end, after);
+    for (int k = 0; k < 3; k++)
+        ck_assert_double_eq_tol(after[k], before[k], 1e-12);
+    stepped_free(&of);
+}
+END_TEST
+
+START_TEST(rounds_clear_the_step)
+{
+    static double displacement[3 * PROPOSAL_VERTICES];
+    begin();
+    tf_contacts contacts = stepped_contacts(&of);
+    for (int round = 0; contacts.any && round < 60; round++) {
+        tf_impulses_round(&of.step, &contacts, &of.rule, 0, displacement);
+        contacts = stepped_contacts(&of);
+    }
+    ck_assert(!contacts.any);
+    stepped_free(&of);
+}
+END_TEST
+
+START_TEST(who_meets_nothing_ends_as_proposed)
+{
+    static double displacement[3 * PROPOSAL_VERTICES];
+    begin();
+    tf_contacts contacts = stepped_contacts(&of);
+    tf_impulses_round(&of.step, &contacts, &of.rule, 0, displacement);
+    ck_assert_mem_eq(of.end + 3 * (ptrdiff_t)particle,
+                     made.end + 3 * (ptrdiff_t)particle, 3 * sizeof(double));
+    ck_assert(!of.changed[particle]);
+    stepped_free(&of);
+}
+END_TEST
+
+Suite *suite(void)
+{
+    Suite *suite = suite_create("response/impulses");
+    TCase *tcase = tcase_create("two sheets");
+    tcase_add_test(tcase, momentum_is_kept);
+    tcase_add_test(tcase, rounds_clear_the_step);
+    tcase_add_test(tcase, who_meets_nothing_ends_as_proposed);
+    suite_add_tcase(suite, tcase);
+    return suite;
+}

@@ -1,0 +1,138 @@
+// The levels: which of them answer, and for how long.
+#include "response/resolve.h"
+
+#include "response/gauss_seidel.h"
+#include "support/proposals.h"
+#include "support/support.h"
+#include "support/surface_of.h"
+
+#include <string.h>
+
+static proposal made;
+static int calls;
+static tf_response_report last;
+
+static void note(void *context, const tf_response_report *so_far)
+{
+    calls++;
+    last = *so_far;
+    *(int *)context = calls;
+}
+
+static tf_response_report resolve(tf_response_options options)
+{
+    static double end[3 * PROPOSAL_VERTICES];
+    tf_surface *surface = surface_of(&made.mesh);
+    tf_resolver *resolver;
+    tf_response_report report;
+    int context = 0;
+    calls = 0;
+    options.progress = note;
+    options.context = &context;
+    memcpy(end, made.end, sizeof end);
+    ck_assert_int_eq(tf_resolver_create(surface, &resolver), TF_OK);
+    ck_assert_int_eq(tf_step_resolve(resolver, made.mesh.vertices, made.start,
+                                     end, made.inverse_mass, &options, &report,
+                                     NULL),
+                     TF_OK);
+    int rounds = 0;
+    for (int level = 0; level < TF_LEVELS; level++)
+        rounds += report.rounds[level];
+    ck_assert_int_eq(calls, rounds);
+    ck_assert_int_eq(context, calls);
+    tf_resolver_free(resolver);
+    tf_surface_free(surface);
+    return report;
+}
+
+static void scatter(int stream)
+{
+    generator random = generator_new((uint64_t)stream);
+    proposal_make(&random, BALLS, 3, INSIDE_OUT, &made);
+}
+
+START_TEST(each_level_has_its_rounds)
+{
+    scatter(100);
+    tf_response_report report =
+        resolve((tf_response_options){.zone_rounds = -1, .rigid = true});
+    ck_assert_int_eq(report.rounds[TF_IMPULSES], 0);
+    ck_assert_int_eq(report.rounds[TF_ZONES], 0);
+    ck_assert_int_gt(report.rounds[TF_RIGID], 0);
+    report = resolve((tf_response_options){.impulse_rounds = 1});
+    ck_assert_int_eq(report.rounds[TF_IMPULSES], 1);
+    report = resolve((tf_response_options){.zone_rounds = -1});
+    ck_assert_int_eq(report.rounds[TF_IMPULSES], 0);
+    ck_assert_int_eq(report.rounds[TF_ZONES], 0);
+    ck_assert_int_eq(report.rounds[TF_RIGID], 0);
+    ck_assert_int_gt(report.rounds[TF_FAILSAFE], 0);
+    ck_assert_uint_eq(report.rows, 0);
+    report = resolve((tf_response_options){0});
+    ck_assert_int_gt(report.rounds[TF_ZONES], 0);
+    ck_assert_int_le(report.rounds[TF_ZONES], 20);
+    ck_assert_uint_eq(report.rows, report.contacts);
+}
+END_TEST
+
+static int do_nothing(tf_zone *zone)
+{
+    (void)zone;
+    return 0;
+}
+
+static size_t no_room(int axes, int vertices, int rows)
+{
+    (void)axes, (void)vertices, (void)rows;
+    return 0;
+}
+
+// A round that moves nothing would be repeated in vain.
+START_TEST(a_solver_that_does_nothing_is_asked_once)
+{
+    static const tf_zone_solver idle = {"idle", no_room, do_nothing};
+    scatter(200);
+    tf_response_report report = resolve((tf_response_options){.solver = &idle});
+    ck_assert_int_eq(report.rounds[TF_ZONES], 1);
+    ck_assert_int_gt(report.rounds[TF_FAILSAFE], 0);
+}
+END_TEST
+
+// All of it is carried far away, so that rounding makes it touch itself: the
+// first round of the failsafe moves nothing, but unites.
+START_TEST(the_failsafe_goes_on_when_nothing_moves)
+{
+    proposal_begin(&made, 2);
+    proposal_add_vertex(&made, 0, 0, 0);
+    proposal_add_vertex(&made, 1, 1, 0);
+    proposal_add_vertex(&made, 0x1p-1 - 0x1p-40, 0x1p-1 + 0x1p-40, 0);
+    proposal_add_edge(&made, 0, 1);
+    for (int i = 0; i < 6; i++)
+        made.end[i] = made.start[i] + 0x1p20;
+    tf_response_report report =
+        resolve((tf_response_options){.zone_rounds = -1});
+    ck_assert_int_eq(report.rounds[TF_FAILSAFE], 2);
+    ck_assert_int_eq(report.resting, 3);
+}
+END_TEST
+
+START_TEST(progress_tells_what_was_done)
+{
+    scatter(300);
+    tf_response_report report = resolve((tf_response_options){0});
+    ck_assert_int_eq(last.rounds[TF_ZONES], report.rounds[TF_ZONES] - 1);
+    ck_assert_uint_le(last.contacts, report.contacts);
+    ck_assert_uint_eq(last.first_contacts, report.first_contacts);
+}
+END_TEST
+
+Suite *suite(void)
+{
+    Suite *suite = suite_create("response/levels");
+    TCase *tcase = tcase_create("rounds");
+    tcase_add_test(tcase, each_level_has_its_rounds);
+    tcase_add_test(tcase, a_solver_that_does_nothing_is_asked_once);
+    tcase_add_test(tcase, the_failsafe_goes_on_when_nothing_moves);
+    tcase_add_test(tcase, progress_tells_what_was_done);
+    suite_add_tcase(suite, tcase);
+    return suite;
+}

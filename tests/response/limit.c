@@ -1,0 +1,186 @@
+// The largest clear fraction of a step.
+#include "response/limit.h"
+
+#include "support/proposals.h"
+#include "support/support.h"
+#include "support/surface_of.h"
+
+#include <float.h>
+#include <math.h>
+#include <signal.h>
+#include <string.h>
+
+static proposal made;
+static tf_surface *surface;
+static tf_resolver *resolver;
+
+static void begin(void)
+{
+    surface = surface_of(&made.mesh);
+    ck_assert_int_eq(tf_resolver_create(surface, &resolver), TF_OK);
+}
+
+static void finish(void)
+{
+    tf_resolver_free(resolver);
+    tf_surface_free(surface);
+}
+
+static bool is_clear(const double *end)
+{
+    tf_motion motion = {made.mesh.vertices, made.start, end};
+    tf_contacts found;
+    ck_assert_int_eq(tf_surface_detect(surface, &motion, NULL, &found, NULL),
+                     TF_OK);
+    return !found.any;
+}
+
+static void fraction(int halvings, double *end)
+{
+    for (int i = 0; i < made.mesh.axes * made.mesh.vertices; i++)
+        end[i] = made.start[i] +
+                 ldexp(made.end[i] / 2 - made.start[i] / 2, 1 - halvings);
+}
+
+/// Expects the step to be limited as trying one fraction after another does.
+static int expect_limited(void)
+{
+    static double expected[3 * PROPOSAL_VERTICES], end[3 * PROPOSAL_VERTICES];
+    size_t bytes =
+        sizeof(double) * (size_t)made.mesh.axes * (size_t)made.mesh.vertices;
+    int halvings = 99, least = 0;
+    memcpy(expected, made.end, bytes);
+    while (!is_clear(expected))
+        fraction(++least, expected);
+    memcpy(end, made.end, bytes);
+    ck_assert_int_eq(tf_step_limit(resolver, made.mesh.vertices, made.start,
+                                   end, NULL, &halvings, NULL),
+                     TF_OK);
+    ck_assert_mem_eq(end, expected, bytes);
+    if (memcmp(expected, made.start, bytes) == 0)
+        ck_assert_int_eq(halvings, least == 0 ? 0 : -1);
+    else
+        ck_assert_int_eq(halvings, least);
+    return halvings;
+}
+
+START_TEST(fractions_are_the_largest_clear_ones)
+{
+    generator random = generator_new(100 + (uint64_t)_i);
+    const int all = 50;
+    int halved = 0;
+    for (int i = 0; i < cases(all) || (halved == 0 && i < all); i++) {
+        proposal_make(&random, (proposal_shape)_i, 1,
+                      (proposal_way)below(&random, PROPOSAL_WAYS), &made);
+        begin();
+        halved += expect_limited() > 0;
+        finish();
+    }
+    ck_assert_int_gt(halved, 0);
+}
+END_TEST
+
+/// A speck `gap` above an edge, falling by `fall`.
+static void make_speck(double gap, double fall)
+{
+    proposal_begin(&made, 2);
+    proposal_add_edge(&made, proposal_add_vertex(&made, -1, 0, 0),
+                      proposal_add_vertex(&made, 1, 0, 0));
+    proposal_add_vertex(&made, 0, gap, 0);
+    made.end[5] -= fall;
+    begin();
+}
+
+START_TEST(halvings_by_hand)
+{
+    make_speck(1, 0.5);
+    ck_assert_int_eq(expect_limited(), 0);
+    finish();
+    make_speck(1, 1); // touches at the end
+    ck_assert_int_eq(expect_limited(), 1);
+    finish();
+    make_speck(1, 7);
+    ck_assert_int_eq(expect_limited(), 3);
+    finish();
+}
+END_TEST
+
+// Above the edge by the least number, it cannot move.
+START_TEST(nothing_may_be_left)
+{
+    make_speck(0x1p-1074, 1);
+    ck_assert_int_eq(expect_limited(), -1);
+    finish();
+}
+END_TEST
+
+START_TEST(differences_may_overflow)
+{
+    make_speck(DBL_MAX, 0);
+    made.end[5] = -DBL_MAX;
+    ck_assert_int_eq(expect_limited(), 2);
+    finish();
+}
+END_TEST
+
+START_TEST(starts_that_touch)
+{
+    tf_obstacle obstacle;
+    int halvings = 7;
+    make_speck(0, 1);
+    double end[6];
+    memcpy(end, made.end, sizeof end);
+    ck_assert_int_eq(
+        tf_step_limit(resolver, 3, made.start, end, NULL, &halvings, &obstacle),
+        TF_START_NOT_CLEAR);
+    ck_assert_int_eq(obstacle.touching, TF_POINT_EDGE);
+    ck_assert_int_eq(obstacle.vertex[0], 2);
+    ck_assert_int_eq(halvings, 7);
+    ck_assert_mem_eq(end, made.end, sizeof end);
+    finish();
+}
+END_TEST
+
+START_TEST(trouble)
+{
+    tf_obstacle obstacle;
+    int halvings;
+    make_speck(1, 1);
+    ck_assert_int_eq(
+        tf_step_limit(resolver, 2, made.start, made.end, NULL, &halvings, NULL),
+        TF_BAD_COUNT);
+    made.end[3] = NAN;
+    ck_assert_int_eq(tf_step_limit(resolver, 3, made.start, made.end, NULL,
+                                   &halvings, &obstacle),
+                     TF_NOT_FINITE);
+    ck_assert_int_eq(obstacle.flaw.element, TF_VERTEX);
+    ck_assert_int_eq(obstacle.flaw.index, 1);
+    finish();
+}
+END_TEST
+
+START_TEST(nothing_may_be_null)
+{
+    double x = 0;
+    tf_step_limit(NULL, 1, &x, &x, NULL, NULL, NULL);
+}
+END_TEST
+
+Suite *suite(void)
+{
+    Suite *suite = suite_create("response/limit");
+    TCase *tcase = tcase_create("fractions");
+    tcase_add_loop_test(tcase, fractions_are_the_largest_clear_ones, 0,
+                        PROPOSAL_SHAPES);
+    tcase_add_test(tcase, halvings_by_hand);
+    tcase_add_test(tcase, nothing_may_be_left);
+    tcase_add_test(tcase, differences_may_overflow);
+    suite_add_tcase(suite, tcase);
+
+    TCase *bad = tcase_create("trouble");
+    tcase_add_test(bad, starts_that_touch);
+    tcase_add_test(bad, trouble);
+    tcase_add_test_raise_signal(bad, nothing_may_be_null, SIGABRT);
+    suite_add_tcase(suite, bad);
+    return suite;
+}

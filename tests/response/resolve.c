@@ -1,0 +1,289 @@
+// Steps resolved: what goes in, and what the report says.
+#include "response/resolve.h"
+
+#include "support/proposals.h"
+#include "support/support.h"
+#include "support/surface_of.h"
+
+#include <float.h>
+#include <math.h>
+#include <signal.h>
+#include <string.h>
+
+static proposal made;
+static double end[3 * PROPOSAL_VERTICES];
+static tf_response_report report;
+static tf_obstacle obstacle;
+
+static tf_status try(int vertices, const tf_response_options *options)
+{
+    tf_surface *surface = surface_of(&made.mesh);
+    tf_resolver *resolver;
+    memcpy(end, made.end, sizeof end);
+    ck_assert_int_eq(tf_resolver_create(surface, &resolver), TF_OK);
+    tf_status status =
+        tf_step_resolve(resolver, vertices, made.start, end, made.inverse_mass,
+                        options, &report, &obstacle);
+    tf_resolver_free(resolver);
+    tf_surface_free(surface);
+    return status;
+}
+
+static void resolve(tf_response_options options)
+{
+    ck_assert_int_eq(try(made.mesh.vertices, &options), TF_OK);
+}
+
+/// In the plane: an edge of two vertices of inverse mass `below` upon which a
+/// third one falls by 2 from a height of 1, to the side by 1.
+static void make_fall(double below)
+{
+    proposal_begin(&made, 2);
+    proposal_add_edge(&made, proposal_add_vertex(&made, -4, 0, 0),
+                      proposal_add_vertex(&made, 4, 0, 0));
+    proposal_add_vertex(&made, -0.5, 1, 0);
+    made.inverse_mass[0] = made.inverse_mass[1] = below;
+    made.end[4] += 1;
+    made.end[5] -= 2;
+}
+
+// Trouble -----------------------------------------------------------------------
+
+static void expect(tf_status expected, int vertices,
+                   const tf_response_options *options)
+{
+    memset(&report, 0x55, sizeof report);
+    tf_response_report before = report;
+    ck_assert_int_eq(try(vertices, options), expected);
+    ck_assert_mem_eq(end, made.end, sizeof end);
+    ck_assert_mem_eq(&report, &before, sizeof report);
+}
+
+START_TEST(options_out_of_range)
+{
+    static const tf_response_options bad[] = {
+        {.impulse_rounds = -1},     {.sweeps = -1},
+        {.separation = NAN},        {.separation = INFINITY},
+        {.separation = -INFINITY},  {.restitution = -0x1p-1074},
+        {.restitution = 1.0000001}, {.restitution = NAN},
+        {.friction = -1},           {.friction = NAN},
+        {.friction = INFINITY}};
+    make_fall(0);
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++)
+        expect(TF_BAD_TOLERANCE, 3, &bad[i]);
+}
+END_TEST
+
+START_TEST(options_at_the_ends_of_their_ranges)
+{
+    make_fall(0);
+    resolve((tf_response_options){.restitution = 1, .friction = DBL_MAX});
+    make_fall(1);
+    resolve((tf_response_options){.separation = DBL_MAX, .zone_rounds = 1});
+    resolve((tf_response_options){.separation = -DBL_MAX, .sweeps = 1});
+}
+END_TEST
+
+START_TEST(masses_that_are_none)
+{
+    static const double bad[] = {-1, -0x1p-1074, NAN, INFINITY, -INFINITY};
+    make_fall(0);
+    made.inverse_mass[1] = bad[_i];
+    expect(TF_BAD_MASS, 3, NULL);
+    ck_assert_int_eq(obstacle.flaw.element, TF_VERTEX);
+    ck_assert_int_eq(obstacle.flaw.index, 1);
+}
+END_TEST
+
+START_TEST(masses_of_any_size)
+{
+    static const double most[] = {0x1p-1074, 0x1p-1022, DBL_MAX, 1e300, -0.};
+    make_fall(0);
+    for (int i = 0; i < 5; i++)
+        for (int j = 0; j < 5; j++) {
+            made.inverse_mass[0] = most[i];
+            made.inverse_mass[2] = most[j];
+            resolve((tf_response_options){0});
+        }
+}
+END_TEST
+
+START_TEST(positions_that_are_none)
+{
+    make_fall(0);
+    expect(TF_BAD_COUNT, 2, NULL);
+    made.start[3] = INFINITY;
+    expect(TF_NOT_FINITE, 3, NULL);
+    ck_assert_int_eq(obstacle.flaw.index, 1);
+    make_fall(0);
+    made.end[5] = NAN;
+    expect(TF_NOT_FINITE, 3, NULL);
+    ck_assert_int_eq(obstacle.flaw.index, 2);
+}
+END_TEST
+
+START_TEST(starts_that_are_not_clear)
+{
+    make_fall(0);
+    made.start[5] = 0;
+    expect(TF_START_NOT_CLEAR, 3, NULL);
+    ck_assert_int_eq(obstacle.touching, TF_POINT_EDGE);
+    ck_assert_int_eq(obstacle.vertex[0], 2);
+    ck_assert_int_eq(obstacle.vertex[3], -1);
+
+    // Crossed, and it stays so: no contact tells.
+    make_fall(0);
+    proposal_add_vertex(&made, 0, -1, 0);
+    made.start[4] = made.end[4] = 0;
+    made.end[5] = 1;
+    proposal_add_edge(&made, 2, 3);
+    resolve((tf_response_options){0});
+    expect(TF_START_NOT_CLEAR, 4, &(tf_response_options){.check_start = true});
+    ck_assert_int_eq(obstacle.crossing, TF_EDGE_ON_EDGE);
+    ck_assert_int_eq(obstacle.vertex[2], 2);
+}
+END_TEST
+
+START_TEST(nothing_may_be_null)
+{
+    tf_step_resolve(NULL, 3, end, end, NULL, NULL, NULL, NULL);
+}
+END_TEST
+
+// Answers -----------------------------------------------------------------------
+
+START_TEST(clear_steps_come_back_bit_for_bit)
+{
+    make_fall(0);
+    made.end[4] = 0.1;
+    made.end[5] = 0x1p-1074;
+    made.end[0] = -0.;
+    resolve((tf_response_options){.restitution = 1, .friction = 1});
+    ck_assert_mem_eq(end, made.end, 6 * sizeof *end);
+    ck_assert_uint_eq(report.first_contacts, 0);
+    ck_assert_int_eq(report.moved, 0);
+    ck_assert_uint_gt(report.effort.candidates, 0);
+}
+END_TEST
+
+START_TEST(a_fall_is_stopped_where_it_began)
+{
+    make_fall(0);
+    resolve((tf_response_options){.separation = -1});
+    // It comes no nearer than it was.
+    ck_assert_double_eq_tol(end[5], 1, 1e-12);
+    ck_assert_double_eq_tol(end[4], 0.5, 1e-12);
+    ck_assert_mem_eq(end, made.end, 4 * sizeof *end);
+    ck_assert_int_eq(report.moved, 1);
+    ck_assert_int_eq(report.held, 0);
+    ck_assert_uint_eq(report.first_contacts, 1);
+    ck_assert_double_eq_tol(report.smallest_gap, 1, 1e-12);
+    ck_assert_double_eq_tol(report.energy_before, 2.5, 1e-12);
+    ck_assert_double_eq_tol(report.energy_after, 0.5, 1e-12);
+}
+END_TEST
+
+START_TEST(restitution_throws_back)
+{
+    make_fall(0);
+    resolve((tf_response_options){.separation = -1, .restitution = 0.75});
+    ck_assert_double_eq_tol(end[5], 2.5, 1e-12);
+    ck_assert_double_eq_tol(end[4], 0.5, 1e-12);
+}
+END_TEST
+
+START_TEST(friction_slows)
+{
+    make_fall(0);
+    resolve((tf_response_options){.separation = -1, .friction = 0.25});
+    ck_assert_double_eq_tol(end[5], 1, 1e-12);
+    ck_assert_double_eq_tol(end[4], 0, 1e-12);
+    resolve((tf_response_options){.separation = -1, .friction = 9});
+    ck_assert_double_eq_tol(end[4], -0.5, 1e-12);
+}
+END_TEST
+
+// A quarter of what is missing to the separation.
+START_TEST(what_is_near_is_pushed_apart)
+{
+    make_fall(0);
+    resolve((tf_response_options){.separation = 3});
+    ck_assert_double_eq_tol(end[5], 1.5, 1e-12);
+    // The mean edge is 8, and 0.05 of it less than the gap.
+    resolve((tf_response_options){0});
+    ck_assert_double_eq_tol(end[5], 1, 1e-12);
+    made.start[5] = 0.2;
+    made.end[5] = -1;
+    resolve((tf_response_options){0});
+    ck_assert_double_eq_tol(end[5], 0.25, 1e-12);
+}
+END_TEST
+
+// The edge is scripted to pass the point, which is scripted to stay.
+START_TEST(scripted_vertices_are_held_back_if_need_be)
+{
+    make_fall(0);
+    made.inverse_mass[2] = 0;
+    resolve((tf_response_options){0});
+    ck_assert_mem_eq(end, made.start, 6 * sizeof *end);
+    ck_assert_int_eq(report.held, 1);
+    ck_assert_int_eq(report.resting, 3);
+    ck_assert_int_eq(report.groups, 1);
+    ck_assert_int_eq(report.grouped, 3);
+    ck_assert_double_eq(report.energy_before, 0);
+}
+END_TEST
+
+START_TEST(huge_numbers)
+{
+    make_fall(1);
+    for (int i = 0; i < 6; i++) {
+        made.start[i] *= 0x1p1021;
+        made.end[i] = i % 2 ? -made.start[i] : DBL_MAX;
+    }
+    resolve((tf_response_options){.friction = 1, .restitution = 1});
+    for (int i = 0; i < 6; i++)
+        ck_assert(isfinite(end[i]));
+}
+END_TEST
+
+START_TEST(tiny_numbers)
+{
+    make_fall(1);
+    for (int i = 0; i < 6; i++) {
+        made.start[i] *= 0x1p-1072;
+        made.end[i] *= 0x1p-1072;
+    }
+    resolve((tf_response_options){.friction = 1, .restitution = 1});
+    ck_assert_int_gt(report.moved, 0);
+}
+END_TEST
+
+Suite *suite(void)
+{
+    Suite *suite = suite_create("response/resolve");
+    TCase *bad = tcase_create("trouble");
+    tcase_add_test(bad, options_out_of_range);
+    tcase_add_loop_test(bad, masses_that_are_none, 0, 5);
+    tcase_add_test(bad, positions_that_are_none);
+    tcase_add_test(bad, starts_that_are_not_clear);
+    tcase_add_test_raise_signal(bad, nothing_may_be_null, SIGABRT);
+    suite_add_tcase(suite, bad);
+
+    TCase *tcase = tcase_create("answers");
+    tcase_add_test(tcase, clear_steps_come_back_bit_for_bit);
+    tcase_add_test(tcase, a_fall_is_stopped_where_it_began);
+    tcase_add_test(tcase, restitution_throws_back);
+    tcase_add_test(tcase, friction_slows);
+    tcase_add_test(tcase, what_is_near_is_pushed_apart);
+    tcase_add_test(tcase, scripted_vertices_are_held_back_if_need_be);
+    suite_add_tcase(suite, tcase);
+
+    TCase *extreme = tcase_create("extremes");
+    tcase_add_test(extreme, options_at_the_ends_of_their_ranges);
+    tcase_add_test(extreme, masses_of_any_size);
+    tcase_add_test(extreme, huge_numbers);
+    tcase_add_test(extreme, tiny_numbers);
+    suite_add_tcase(suite, extreme);
+    return suite;
+}

@@ -1,0 +1,101 @@
+// Steps that are being resolved.
+#include "response/step.h"
+
+#include "support/support.h"
+
+#include <math.h>
+#include <string.h>
+
+static const double start[] = {3.3, 7, -1, 2}, proposed[] = {0.1, 8, 5, 5};
+static double end[4];
+static bool changed[2];
+static tf_step step = {.axes = 2,
+                       .vertices = 2,
+                       .start = start,
+                       .proposed = proposed,
+                       .end = end,
+                       .changed = changed};
+
+static void begin(void)
+{
+    memcpy(end, proposed, sizeof end);
+    memset(changed, 0, sizeof changed);
+}
+
+START_TEST(a_displacement_in_the_plane_is_level)
+{
+    double d[3] = {9, 9, 9};
+    tf_step_displacement(&step, 1, proposed + 2, d);
+    ck_assert_double_eq(d[0], 6);
+    ck_assert_double_eq(d[1], 3);
+    ck_assert_double_eq(d[2], 0);
+}
+END_TEST
+
+// 3.3 + (0.1 - 3.3) is not 0.1 in doubles.
+START_TEST(who_is_not_pushed_ends_at_the_base)
+{
+    double d[3];
+    begin();
+    tf_step_displacement(&step, 0, proposed, d);
+    ck_assert_double_ne(start[0] + d[0], proposed[0]);
+    tf_step_place(&step, 0, proposed, d);
+    ck_assert_mem_eq(end, proposed, sizeof end);
+    ck_assert(!changed[0] && !changed[1]);
+}
+END_TEST
+
+// -0 + 0 is 0 in doubles.
+START_TEST(who_is_not_pushed_keeps_the_sign_of_zero)
+{
+    static const double base[] = {-0., 8};
+    double d[3];
+    begin();
+    tf_step_displacement(&step, 0, base, d);
+    d[1] += 1;
+    tf_step_place(&step, 0, base, d);
+    ck_assert_mem_eq(end, base, sizeof *base);
+    ck_assert_double_eq(end[1], 9);
+}
+END_TEST
+
+START_TEST(who_is_pushed_ends_where_it_is_displaced)
+{
+    double d[] = {6, 4};
+    begin();
+    tf_step_place(&step, 1, proposed + 2, d);
+    ck_assert_double_eq(end[2], 5);
+    ck_assert_double_eq(end[3], 6);
+    ck_assert(!changed[0] && changed[1]);
+    changed[1] = false;
+    tf_step_place(&step, 1, proposed + 2, d);
+    ck_assert_msg(!changed[1], "the end is the same, but noted as changed");
+    d[1] = 3;
+    tf_step_place(&step, 1, proposed + 2, d);
+    ck_assert_double_eq(end[3], 5);
+    ck_assert(changed[1]);
+}
+END_TEST
+
+START_TEST(who_would_end_at_no_number_stays)
+{
+    static const double bad[][2] = {{INFINITY, 8}, {0.1, -INFINITY}, {NAN, 8}};
+    begin();
+    tf_step_place(&step, 0, proposed, bad[_i]);
+    ck_assert_mem_eq(end, proposed, sizeof end);
+    ck_assert(!changed[0]);
+}
+END_TEST
+
+Suite *suite(void)
+{
+    Suite *suite = suite_create("response/step");
+    TCase *tcase = tcase_create("ends");
+    tcase_add_test(tcase, a_displacement_in_the_plane_is_level);
+    tcase_add_test(tcase, who_is_not_pushed_ends_at_the_base);
+    tcase_add_test(tcase, who_is_not_pushed_keeps_the_sign_of_zero);
+    tcase_add_test(tcase, who_is_pushed_ends_where_it_is_displaced);
+    tcase_add_loop_test(tcase, who_would_end_at_no_number_stays, 0, 3);
+    suite_add_tcase(suite, tcase);
+    return suite;
+}

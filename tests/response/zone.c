@@ -1,0 +1,83 @@
+// The product with a zone's matrix, against its definition.
+#include "response/zone.h"
+
+#include "support/support.h"
+#include "support/zones.h"
+
+#include <math.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    VERTICES = 8,
+    ROWS = 10
+};
+
+/// Entry (i, j) of J M^-1 J'.
+static double entry(const tf_zone *zone, int i, int j)
+{
+    const tf_row *a = &zone->row[i], *b = &zone->row[j];
+    double sum = 0;
+    for (int p = 0; p < 4 && a->vertex[p] >= 0; p++)
+        for (int q = 0; q < 4 && b->vertex[q] >= 0; q++)
+            for (int k = 0; k < zone->axes; k++)
+                if (a->vertex[p] == b->vertex[q])
+                    sum += zone->inverse_mass[a->vertex[p]] *
+                           a->coefficient[p] * a->normal[k] *
+                           b->coefficient[q] * b->normal[k];
+    return sum;
+}
+
+START_TEST(columns_are_those_of_the_matrix)
+{
+    generator random = generator_new(100 + (uint64_t)_i);
+    for (int times = 0; times < (int)cases(100); times++) {
+        some_zone of = zone_random(&random, 2 + _i, VERTICES, ROWS, ROWS);
+        for (int j = 0; j < ROWS; j++) {
+            double unit[ROWS] = {0}, column[ROWS], room[3 * VERTICES];
+            unit[j] = 1;
+            of.zone.row[j].friction[0] = 7; // must not count
+            tf_zone_multiply(&of.zone, unit, column, room);
+            for (int i = 0; i < ROWS; i++)
+                ck_assert_double_eq_tol(column[i], entry(&of.zone, i, j),
+                                        1e-14);
+        }
+        zone_free(&of);
+    }
+}
+END_TEST
+
+START_TEST(pushes_add_up)
+{
+    generator random = generator_new(200);
+    some_zone of = zone_random(&random, 3, VERTICES, ROWS, ROWS);
+    double impulse[ROWS], once[3 * VERTICES] = {0}, twice[3 * VERTICES];
+    for (int i = 0; i < ROWS; i++)
+        impulse[i] = uniform(&random, -1, 1);
+    tf_zone_push(&of.zone, impulse, once);
+    memcpy(twice, once, sizeof twice);
+    tf_zone_push(&of.zone, impulse, twice);
+    for (int i = 0; i < 3 * VERTICES; i++)
+        ck_assert_double_eq_tol(twice[i], 2 * once[i], 1e-14);
+    zone_free(&of);
+}
+END_TEST
+
+START_TEST(nothing_may_be_null)
+{
+    double number = 0;
+    tf_zone_multiply(NULL, &number, &number, &number);
+}
+END_TEST
+
+Suite *suite(void)
+{
+    Suite *suite = suite_create("response/zone");
+    TCase *tcase = tcase_create("the product");
+    tcase_add_loop_test(tcase, columns_are_those_of_the_matrix, 0, 2);
+    tcase_add_test(tcase, pushes_add_up);
+    tcase_add_test_raise_signal(tcase, nothing_may_be_null, SIGABRT);
+    suite_add_tcase(suite, tcase);
+    return suite;
+}

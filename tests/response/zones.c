@@ -1,0 +1,299 @@
+// Zones: which rows they have, and what becomes of their answers.
+#include "response/zones.h"
+
+#include "response/gauss_seidel.h"
+#include "support/stepped.h"
+#include "support/support.h"
+
+#include <math.h>
+#include <string.h>
+
+static proposal made;
+static stepped of;
+static tf_zones zones;
+static tf_zone_effort effort;
+
+// A solver that only notes what it is given -------------------------------------
+
+static int solved_rows[8], solved_vertices[8], old_rows[8], solved_zones;
+
+static size_t no_room(int axes, int vertices, int rows)
+{
+    (void)axes, (void)vertices, (void)rows;
+    return 0;
+}
+
+static int note(tf_zone *zone)
+{
+    if (solved_zones < 8) {
+        solved_rows[solved_zones] = zone->rows;
+        solved_vertices[solved_zones] = zone->vertices;
+        old_rows[solved_zones++] = zone->solved;
+    }
+    return 1;
+}
+
+static const tf_zone_solver noting = {"noting", no_room, note};
+
+// A solver that finds no numbers ------------------------------------------------
+
+static int find_no_numbers(tf_zone *zone)
+{
+    for (int i = 0; i < zone->rows; i++)
+        zone->row[i].impulse = NAN;
+    for (int i = 0; i < zone->axes * zone->vertices; i++)
+        zone->displacement[i] = NAN;
+    return 1;
+}
+
+static const tf_zone_solver failing = {"failing", no_room, find_no_numbers};
+
+// A solver that moves vertices without an impulse -------------------------------
+
+static int stir(tf_zone *zone)
+{
+    for (int i = 0; i < zone->axes * zone->vertices; i++)
+        zone->displacement[i] += 1;
+    return 1;
+}
+
+static const tf_zone_solver stirring = {"stirring", no_room, stir};
+
+// Scenes ------------------------------------------------------------------------
+
+/// Edges in the plane, level and about 2 long, each at a height; all fall by
+/// ten, but those that are scripted stay.
+static void add_edge(double x, double height, double inverse_mass)
+{
+    int a = proposal_add_vertex(&made, x, height, 0);
+    int b = proposal_add_vertex(&made, x + 2, height + 0.01, 0);
+    proposal_add_edge(&made, a, b);
+    for (int v = a; v <= b; v++) {
+        made.inverse_mass[v] = inverse_mass;
+        made.end[2 * v + 1] -= inverse_mass > 0 ? 10 : 0;
+    }
+}
+
+static void begin(void)
+{
+    memset(&zones, 0, sizeof zones);
+    effort = (tf_zone_effort){.smallest_gap = INFINITY};
+    solved_zones = 0;
+    stepped_begin(&of, &made);
+    ck_assert(tf_zones_begin(&zones));
+}
+
+static void end(void)
+{
+    tf_zones_free(&zones);
+    stepped_free(&of);
+}
+
+/// One round; returns how many contacts there were.
+static size_t go_on(const tf_zone_solver *solver)
+{
+    tf_zone_choice choice = {.solver = solver, .sweeps = 1000};
+    tf_contacts contacts = stepped_contacts(&of);
+    ck_assert(tf_zones_add(&zones, &of.step, &contacts, &of.rule, &effort) &&
+              tf_zones_solve(&zones, &of.step, &of.rule, &choice, &effort));
+    return contacts.count;
+}
+
+static int sum(const int number[])
+{
+    int all = 0;
+    for (int z = 0; z < solved_zones; z++)
+        all += number[z];
+    return all;
+}
+
+// Four ends of edges fall upon a floor, each for itself.
+START_TEST(scripted_vertices_join_nothing)
+{
+    proposal_begin(&made, 2);
+    add_edge(-5, 0, 0);
+    made.start[2] = made.end[2] = 9; // one long floor
+    add_edge(-3, 1, 1);
+    add_edge(3, 1, 1);
+    begin();
+    size_t rows = go_on(&noting);
+    ck_assert_int_eq(solved_zones, 4);
+    ck_assert_uint_eq((size_t)sum(solved_rows), rows);
+    for (int z = 0; z < 4; z++)
+        ck_assert_int_eq(solved_vertices[z], 3);
+    ck_assert_uint_eq(effort.zones, 4);
+    ck_assert_int_eq(zones.rows, (int)rows);
+    end();
+}
+END_TEST
+
+START_TEST(vertices_that_move_join_zones)
+{
+    proposal_begin(&made, 2);
+    add_edge(-5, 0, 0);
+    made.start[2] = made.end[2] = 9;
+    add_edge(-3, 1, 1);
+    add_edge(-2, 3, 1);
+    made.end[2 * 5 + 1] -= 30; // the upper one overtakes the lower one
+    made.end[2 * 4 + 1] -= 30;
+    begin();
+    go_on(&noting);
+    ck_assert_int_eq(solved_zones, 1);
+    end();
+}
+END_TEST
+
+START_TEST(only_zones_with_new_rows_are_solved)
+{
+    proposal_begin(&made, 2);
+    add_edge(-5, 0, 0);
+    made.start[2] = made.end[2] = 9;
+    add_edge(-3, 1, 1);
+    add_edge(3, 1, 1);
+    begin();
+    size_t rows = go_on(&noting);
+    int first_rows = sum(solved_rows);
+    ck_assert_int_eq(sum(old_rows), 0);
+    // The first edge stays in contact, the other one is lifted.
+    for (int v = 4; v < 6; v++)
+        of.end[2 * v + 1] = made.start[2 * v + 1];
+    solved_zones = 0;
+    size_t more = go_on(&noting);
+    ck_assert_uint_gt(more, 0);
+    ck_assert_uint_lt(more, rows);
+    ck_assert_int_eq(solved_zones, 2);
+    ck_assert_int_eq(zones.rows, first_rows + (int)more);
+    ck_assert_int_eq(sum(solved_rows), sum(old_rows) + (int)more);
+    end();
+}
+END_TEST
+
+START_TEST(zones_start_from_the_base)
+{
+    proposal_begin(&made, 2);
+    add_edge(-5, 0, 0);
+    made.start[2] = made.end[2] = 9;
+    add_edge(-3, 1, 1);
+    add_edge(-3.5, 1.5, 1);
+    add_edge(-2.5, 2, 1);
+    begin();
+    int rounds = 0;
+    while (rounds < 20 && go_on(&tf_gauss_seidel) > 0)
+        rounds++;
+    ck_assert_int_lt(rounds, 20);
+    // What its rows push a vertex is all that it is pushed.
+    static double pushed[2 * PROPOSAL_VERTICES];
+    memcpy(pushed, made.end, sizeof pushed);
+    const tf_row *row = zones.row.data;
+    for (int i = 0; i < zones.rows; i++)
+        for (int j = 0; j < 4 && row[i].vertex[j] >= 0; j++)
+            for (int k = 0; k < 2; k++)
+                pushed[2 * row[i].vertex[j] + k] +=
+                    row[i].impulse * row[i].coefficient[j] * row[i].normal[k] *
+                    made.inverse_mass[row[i].vertex[j]];
+    for (int i = 0; i < 2 * made.mesh.vertices; i++)
+        ck_assert_double_eq_tol(of.end[i], pushed[i], 1e-12);
+    end();
+}
+END_TEST
+
+// Contacts at the ends of edges push one vertex each: three edges, one above the
+// other, are two zones.
+START_TEST(idle_vertices_belong_to_no_zone)
+{
+    proposal_begin(&made, 2);
+    static const double way[][2] = {{.5, .9}, {1, .6}, {1.3, 1.5}};
+    int a = proposal_add_vertex(&made, -1.6, 0, 0);
+    proposal_add_edge(&made, a, proposal_add_vertex(&made, 1.6, 0, 0));
+    made.inverse_mass[0] = made.inverse_mass[1] = 0;
+    for (int e = 0; e < 3; e++) {
+        a = proposal_add_vertex(&made, -1, 0.3 * (e + 1), 0);
+        proposal_add_edge(&made, a,
+                          proposal_add_vertex(&made, 1, 0.3 * (e + 1), 0));
+        made.end[2 * a + 1] -= way[e][0];
+        made.end[2 * a + 3] -= way[e][1];
+    }
+    begin();
+    int rounds = 0;
+    while (rounds < 20 && go_on(&tf_gauss_seidel) > 0)
+        rounds++;
+    ck_assert_int_lt(rounds, 20);
+    end();
+}
+END_TEST
+
+// Zones share scripted vertices, and each numbers them for itself: a floor, with
+// a point that falls on its left and an edge and a point on its right.
+START_TEST(each_zone_is_a_problem_on_its_own)
+{
+    proposal_begin(&made, 2);
+    add_edge(-5, 0, 0);
+    made.start[2] = made.end[2] = 9;
+    int vertex = proposal_add_vertex(&made, -4, 1, 0);
+    made.end[2 * vertex + 1] -= 10;
+    add_edge(2, 1, 1);
+    vertex = proposal_add_vertex(&made, 3, 2, 0);
+    made.end[2 * vertex + 1] -= 20;
+    begin();
+    go_on(&tf_gauss_seidel);
+    ck_assert_uint_eq(effort.zones, 2);
+    ck_assert_double_lt(effort.violation, 1e-6);
+    for (int v = 0; v < made.mesh.vertices; v++)
+        ck_assert_msg(of.end[2 * v + 1] > made.start[2 * v + 1] - 0.05,
+                      "vertex %d ends at %g", v, of.end[2 * v + 1]);
+    end();
+}
+END_TEST
+
+// Only where an impulse has changed: the others would be rounded anew, and looked
+// at again.
+START_TEST(only_what_is_pushed_is_moved)
+{
+    proposal_begin(&made, 2);
+    add_edge(-5, 0, 0);
+    made.start[2] = made.end[2] = 9;
+    add_edge(-3, 1, 1);
+    begin();
+    ck_assert_uint_gt(go_on(&stirring), 0);
+    ck_assert_int_eq(stepped_changes(&of), 0);
+    ck_assert_mem_eq(of.end, made.end, 8 * sizeof(double));
+    end();
+}
+END_TEST
+
+START_TEST(a_solver_that_fails_moves_nothing)
+{
+    proposal_begin(&made, 2);
+    add_edge(-5, 0, 0);
+    made.start[2] = made.end[2] = 9;
+    add_edge(-3, 1, 1);
+    begin();
+    go_on(&failing);
+    ck_assert_mem_eq(of.end, made.end,
+                     sizeof(double) * 2 * (size_t)made.mesh.vertices);
+    ck_assert_int_eq(stepped_changes(&of), 0);
+    const tf_row *row = zones.row.data;
+    for (int i = 0; i < zones.rows; i++)
+        ck_assert_double_eq(row[i].impulse, 0);
+    end();
+}
+END_TEST
+
+Suite *suite(void)
+{
+    Suite *suite = suite_create("response/zones");
+    TCase *tcase = tcase_create("division");
+    tcase_add_test(tcase, scripted_vertices_join_nothing);
+    tcase_add_test(tcase, vertices_that_move_join_zones);
+    tcase_add_test(tcase, only_zones_with_new_rows_are_solved);
+    suite_add_tcase(suite, tcase);
+
+    TCase *answers = tcase_create("answers");
+    tcase_add_test(answers, zones_start_from_the_base);
+    tcase_add_test(answers, idle_vertices_belong_to_no_zone);
+    tcase_add_test(answers, each_zone_is_a_problem_on_its_own);
+    tcase_add_test(answers, only_what_is_pushed_is_moved);
+    tcase_add_test(answers, a_solver_that_fails_moves_nothing);
+    suite_add_tcase(suite, answers);
+    return suite;
+}

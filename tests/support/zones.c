@@ -1,0 +1,276 @@
+#include "support/zones.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static void *allocate(size_t count, size_t size)
+{
+    void *memory = calloc(count + 1, size);
+    if (!memory)
+        abort();
+    return memory;
+}
+
+static size_t numbers(const some_zone *of)
+{
+    return (size_t)of->zone.axes * (size_t)of->zone.vertices;
+}
+
+some_zone zone_new(int axes, int vertices, int most_rows)
+{
+    some_zone of = {.zone = {.axes = axes, .vertices = vertices},
+                    .most_rows = most_rows};
+    of.proposal = allocate(numbers(&of), sizeof *of.proposal);
+    of.displacement = allocate(numbers(&of), sizeof *of.displacement);
+    of.inverse_mass = allocate((size_t)vertices, sizeof *of.inverse_mass);
+    of.row = allocate((size_t)most_rows, sizeof *of.row);
+    of.zone.displacement = of.displacement;
+    of.zone.inverse_mass = of.inverse_mass;
+    of.zone.row = of.row;
+    return of;
+}
+
+void zone_free(some_zone *of)
+{
+    free(of->proposal);
+    free(of->displacement);
+    free(of->inverse_mass);
+    free(of->row);
+}
+
+// Random zones ----------------------------------------------------------------
+
+static void random_normal(generator *random, int axes, double normal[3])
+{
+    double square = 0;
+    for (int k = 0; k < axes; k++) {
+        normal[k] = uniform(random, -1, 1);
+        square += normal[k] * normal[k];
+    }
+    for (int k = 0; k < axes; k++)
+        normal[k] /= sqrt(square);
+}
+
+/// Different vertices, as many as an element pair has.
+static void random_vertices(generator *random, int count, int vertices,
+                            int vertex[4])
+{
+    for (int i = 0; i < count; i++) {
+        bool again;
+        do {
+            vertex[i] = below(random, vertices);
+            again = false;
+            for (int j = 0; j < i; j++)
+                again |= vertex[j] == vertex[i];
+        } while (again);
+    }
+}
+
+/// A point and an edge or a triangle.  The point, an even number, is not scripted.
+static tf_row random_row(generator *random, int axes, int vertices)
+{
+    tf_row row = {.vertex = {-1, -1, -1, -1}, .coefficient = {1}};
+    random_vertices(random, axes + 1, vertices, row.vertex);
+    row.vertex[0] -= row.vertex[0] % 2;
+    for (int i = 1; i <= axes; i++)
+        while (row.vertex[i] == row.vertex[0])
+            row.vertex[i] = below(random, vertices);
+    double sum = 0, part[3] = {0};
+    for (int i = 0; i < axes; i++)
+        sum += part[i] = uniform(random, 0.1, 1);
+    for (int i = 0; i < axes; i++)
+        row.coefficient[1 + i] = -part[i] / sum;
+    random_normal(random, axes, row.normal);
+    row.bound = uniform(random, 0, 0.1);
+    return row;
+}
+
+some_zone zone_random(generator *random, int axes, int vertices, int rows,
+                      int most_rows)
+{
+    some_zone of = zone_new(axes, vertices, most_rows);
+    for (int v = 0; v < vertices; v++)
+        of.inverse_mass[v] =
+            v % 2 && below(random, 4) == 0 ? 0 : uniform(random, 0.5, 2);
+    for (size_t i = 0; i < numbers(&of); i++)
+        of.proposal[i] = uniform(random, -1, 1);
+    for (int i = 0; i < rows; i++)
+        of.row[i] = random_row(random, axes, vertices);
+    of.zone.rows = rows;
+    return of;
+}
+
+void zone_duplicate(some_zone *of, int row, double part)
+{
+    if (of->zone.rows == of->most_rows)
+        abort();
+    tf_row *copy = &of->row[of->zone.rows++];
+    *copy = of->row[row];
+    copy->bound *= part;
+}
+
+// Solutions -------------------------------------------------------------------
+
+int zone_solve(some_zone *of, const tf_zone_solver *solver, int sweeps)
+{
+    tf_zone *zone = &of->zone;
+    size_t room = solver->room(zone->axes, zone->vertices, zone->rows);
+    double *taken = allocate(room, sizeof *taken);
+    for (int i = 0; i < zone->rows; i++)
+        zone->row[i].impulse = 0;
+    memcpy(of->displacement, of->proposal, numbers(of) * sizeof *of->proposal);
+    zone->room = taken;
+    zone->sweeps = sweeps;
+    int iterations = solver->solve(zone);
+    zone->room = NULL;
+    free(taken);
+    return iterations;
+}
+
+/// The entry of a row at a coordinate, in units in which all masses are 1.
+static long double entry(const some_zone *of, const tf_row *row, int coordinate)
+{
+    int axes = of->zone.axes, vertex = coordinate / axes;
+    long double sum = 0;
+    for (int i = 0; i < 4 && row->vertex[i] >= 0; i++)
+        if (row->vertex[i] == vertex)
+            sum += (long double)row->coefficient[i];
+    return sum * (long double)row->normal[coordinate % axes] *
+           sqrtl((long double)of->inverse_mass[vertex]);
+}
+
+/// An equation between the coordinates; those kept are orthonormal.
+typedef struct equation {
+    int count;
+    long double *entry, right;
+} equation;
+
+static long double dot(const equation *a, const equation *b)
+{
+    long double sum = 0;
+    for (int i = 0; i < a->count; i++)
+        sum += a->entry[i] * b->entry[i];
+    return sum;
+}
+
+/// What the row asks of the change of the proposal.
+static void take_row(const some_zone *of, const tf_row *row, equation *taken)
+{
+    taken->right = (long double)row->bound;
+    for (int i = 0; i < taken->count; i++)
+        taken->entry[i] = entry(of, row, i);
+    for (int v = 0; v < 4 && row->vertex[v] >= 0; v++)
+        for (int k = 0; k < of->zone.axes; k++) {
+            int i = of->zone.axes * row->vertex[v] + k;
+            taken->right -= (long double)row->coefficient[v] *
+                            (long double)row->normal[k] *
+                            (long double)of->proposal[i];
+        }
+}
+
+/// Twice, for rounding.
+static void orthogonalize(equation *taken, int kept, const equation from[])
+{
+    for (int i = 0; i < 2 * kept; i++) {
+        const equation *other = &from[i % kept];
+        long double part = dot(taken, other);
+        for (int j = 0; j < taken->count; j++)
+            taken->entry[j] -= part * other->entry[j];
+        taken->right -= part * other->right;
+    }
+}
+
+/// To length 1; false if nothing is left of it.
+static bool normalize(equation *taken)
+{
+    long double length = sqrtl(dot(taken, taken));
+    if (length < 1e-12L)
+        return false;
+    for (int i = 0; i < taken->count; i++)
+        taken->entry[i] /= length;
+    taken->right /= length;
+    return true;
+}
+
+void zone_least_change(const some_zone *of, double displacement[])
+{
+    int count = (int)numbers(of), kept = 0;
+    equation *all = allocate((size_t)of->zone.rows, sizeof *all);
+    for (int i = 0; i < of->zone.rows; i++) {
+        if (!all[kept].entry)
+            all[kept] = (equation){
+                count, allocate((size_t)count, sizeof *all->entry), 0};
+        take_row(of, &of->row[i], &all[kept]);
+        orthogonalize(&all[kept], kept, all);
+        kept += normalize(&all[kept]);
+    }
+    for (int i = 0; i < count; i++) {
+        long double change = 0;
+        for (int j = 0; j < kept; j++)
+            change += all[j].right * all[j].entry[i];
+        double inverse_mass = of->inverse_mass[i / of->zone.axes];
+        displacement[i] = (double)((long double)of->proposal[i] +
+                                   change * sqrtl((long double)inverse_mass));
+    }
+    for (int i = 0; i < of->zone.rows; i++)
+        free(all[i].entry);
+    free(all);
+}
+
+// Errors ----------------------------------------------------------------------
+
+double zone_distance(const some_zone *of, const double a[], const double b[])
+{
+    double most = 0;
+    for (size_t i = 0; i < numbers(of); i++)
+        most = fmax(most, fabs(a[i] - b[i]));
+    return most;
+}
+
+/// How far a row is from its bound, and its compliance.
+static double shortage(const some_zone *of, const tf_row *row,
+                       const double displacement[], double *compliance)
+{
+    double sum = row->bound;
+    *compliance = 0;
+    for (int i = 0; i < 4 && row->vertex[i] >= 0; i++) {
+        int v = row->vertex[i];
+        double c = row->coefficient[i];
+        *compliance += of->inverse_mass[v] * c * c;
+        for (int k = 0; k < of->zone.axes; k++)
+            sum -= c * row->normal[k] * displacement[of->zone.axes * v + k];
+    }
+    return sum;
+}
+
+static double residual(const some_zone *of, const double displacement[])
+{
+    double square = 0;
+    for (int i = 0; i < of->zone.rows; i++) {
+        double compliance;
+        double is = shortage(of, &of->row[i], displacement, &compliance);
+        square += is * is / compliance;
+    }
+    return sqrt(square);
+}
+
+double zone_residual(const some_zone *of)
+{
+    return residual(of, of->displacement) / residual(of, of->proposal);
+}
+
+static double violation(const some_zone *of, const double displacement[])
+{
+    double most = 0;
+    for (int i = 0; i < of->zone.rows; i++) {
+        double compliance;
+        most = fmax(most, shortage(of, &of->row[i], displacement, &compliance));
+    }
+    return most;
+}
+
+double zone_violation(const some_zone *of)
+{
+    return violation(of, of->displacement) / violation(of, of->proposal);
+}

@@ -1,11 +1,10 @@
 // Bars that the failsafe unites one by one, a round each.
 #include "base/require.h"
+#include "failsafe_rounds.h"
 #include "figures.h"
 #include "film.h"
 
 #include "renderer/plot.h"
-#include "response/failsafe.h"
-#include "surface/detect.h"
 
 #include <math.h>
 #include <stddef.h>
@@ -52,64 +51,36 @@ static void place_bars(double x[])
     }
 }
 
-static tf_contacts detect(tf_surface *surface, const history *h, state *now)
+/// Keeps what is so before a round in a history.
+static void keep(void *context, const fig_round *round)
 {
-    tf_motion motion = {VERTICES, h->start, now->end};
-    tf_contacts found;
-    TF_REQUIRE(tf_surface_detect(surface, &motion, NULL, &found, NULL) ==
-               TF_OK);
-    now->contacts = found.count;
-    for (size_t i = 0; i < found.count; i++)
+    history *h = context;
+    const tf_contacts *found = round->found;
+    TF_REQUIRE(round->round <= ROUNDS);
+    state *now = &h->after[round->round];
+    memcpy(now->end, round->end, sizeof now->end);
+    for (int i = 0; i < BARS; i++)
+        now->root[i] = tf_groups_find(round->groups, 2 * i) / 2;
+    now->contacts = found->count;
+    for (size_t i = 0; i < found->count; i++)
         for (int k = 0; k < 3; k++)
-            now->hit[found.contact[i].vertex[k] / 2] = true;
-    return found;
-}
-
-static void go_through(tf_surface *surface, history *h)
-{
-    double end[NUMBERS], inverse_mass[VERTICES];
-    bool changed[VERTICES] = {false};
-    for (int v = 0; v < VERTICES; v++)
-        inverse_mass[v] = 1;
-    memcpy(end, h->start, sizeof end);
-    end[0] += move;
-    end[2] += move;
-    tf_step step = {.axes = 2,
-                    .vertices = VERTICES,
-                    .start = h->start,
-                    .proposed = h->start,
-                    .inverse_mass = inverse_mass,
-                    .end = end,
-                    .changed = changed};
-    tf_failsafe failsafe = {0};
-    TF_REQUIRE(tf_failsafe_begin(&failsafe, &step));
-    for (int round = 0; round <= ROUNDS; round++) {
-        state *now = &h->after[round];
-        memcpy(now->end, end, sizeof end);
-        for (int i = 0; i < BARS; i++)
-            now->root[i] = tf_groups_find(&failsafe.groups, 2 * i) / 2;
-        tf_contacts found = detect(surface, h, now);
-        h->rounds = round;
-        if (!found.any)
-            break;
-        tf_failsafe_round(&failsafe, &step, &found);
-    }
-    tf_failsafe_free(&failsafe);
+            now->hit[found->contact[i].vertex[k] / 2] = true;
 }
 
 static void answer(history *h)
 {
     int edge[VERTICES];
+    double proposed[NUMBERS];
     for (int v = 0; v < VERTICES; v++)
         edge[v] = v;
     const tf_mesh mesh = {
         .axes = 2, .vertices = VERTICES, .edges = BARS, .edge = edge};
-    tf_surface *surface;
     memset(h, 0, sizeof *h);
     place_bars(h->start);
-    TF_REQUIRE(tf_surface_create(&mesh, &surface, NULL) == TF_OK);
-    go_through(surface, h);
-    tf_surface_free(surface);
+    memcpy(proposed, h->start, sizeof proposed);
+    proposed[0] += move;
+    proposed[2] += move;
+    h->rounds = fig_failsafe_rounds(&mesh, h->start, proposed, keep, h);
 }
 
 // Drawing ---------------------------------------------------------------------

@@ -1,11 +1,10 @@
 // An edge that each round of the failsafe throws to its other side, where it
 // meets one point more: a step that needs as many rounds as there can be.
 #include "base/require.h"
+#include "failsafe_rounds.h"
 #include "figures.h"
 
 #include "renderer/plot.h"
-#include "response/failsafe.h"
-#include "surface/detect.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -70,47 +69,18 @@ static void propose(history *h, bool rounded)
 
 // The rounds ------------------------------------------------------------------
 
-static tf_contacts detect(tf_surface *surface, const history *h,
-                          const double end[], state *now)
+/// Keeps what is so before a round in a history.
+static void keep(void *context, const fig_round *round)
 {
-    tf_motion motion = {VERTICES, h->start, end};
-    tf_contacts found;
-    TF_REQUIRE(tf_surface_detect(surface, &motion, NULL, &found, NULL) ==
-               TF_OK);
-    for (size_t i = 0; i < found.count; i++)
-        now->hit[found.contact[i].vertex[0] - 2] = true;
-    return found;
-}
-
-static void go_through(tf_surface *surface, history *h)
-{
-    double end[NUMBERS], inverse_mass[VERTICES];
-    bool changed[VERTICES] = {false};
-    for (int v = 0; v < VERTICES; v++)
-        inverse_mass[v] = 1;
-    memcpy(end, h->proposed, sizeof end);
-    tf_step step = {.axes = 2,
-                    .vertices = VERTICES,
-                    .start = h->start,
-                    .proposed = h->proposed,
-                    .inverse_mass = inverse_mass,
-                    .end = end,
-                    .changed = changed};
-    tf_failsafe failsafe = {0};
-    TF_REQUIRE(tf_failsafe_begin(&failsafe, &step));
-    for (int round = 0; round <= ROUNDS; round++) {
-        state *now = &h->after[round];
-        now->displacement = end[0] - h->start[0];
-        for (int i = 0; i < POINTS; i++)
-            now->joined[i] = tf_groups_find(&failsafe.groups, 2 + i) ==
-                             tf_groups_find(&failsafe.groups, 0);
-        tf_contacts found = detect(surface, h, end, now);
-        h->rounds = round;
-        if (!found.any)
-            break;
-        tf_failsafe_round(&failsafe, &step, &found);
-    }
-    tf_failsafe_free(&failsafe);
+    history *h = context;
+    TF_REQUIRE(round->round <= ROUNDS);
+    state *now = &h->after[round->round];
+    now->displacement = round->end[0] - h->start[0];
+    for (int i = 0; i < POINTS; i++)
+        now->joined[i] = tf_groups_find(round->groups, 2 + i) ==
+                         tf_groups_find(round->groups, 0);
+    for (size_t i = 0; i < round->found->count; i++)
+        now->hit[round->found->contact[i].vertex[0] - 2] = true;
 }
 
 static void answer(history *h, bool rounded)
@@ -118,11 +88,8 @@ static void answer(history *h, bool rounded)
     const int edge[] = {0, 1};
     const tf_mesh mesh = {
         .axes = 2, .vertices = VERTICES, .edges = 1, .edge = edge};
-    tf_surface *surface;
     propose(h, rounded);
-    TF_REQUIRE(tf_surface_create(&mesh, &surface, NULL) == TF_OK);
-    go_through(surface, h);
-    tf_surface_free(surface);
+    h->rounds = fig_failsafe_rounds(&mesh, h->start, h->proposed, keep, h);
 }
 
 // Drawing ---------------------------------------------------------------------

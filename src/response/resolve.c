@@ -90,7 +90,8 @@ static bool ready(tf_responding *r)
         !tf_buffer_reserve(&resolver->changed, vertices, sizeof(bool)))
         return false;
     r->step.end = memcpy(resolver->end.data, r->step.proposed, bytes);
-    r->step.changed = memset(resolver->changed.data, 0, vertices);
+    r->step.changed =
+        memset(resolver->changed.data, 0, vertices * sizeof(bool));
     r->motion.end = r->step.end;
     return true;
 }

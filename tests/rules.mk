@@ -41,7 +41,9 @@ $(BUILD)/tests/whole/allocations: LIBRARIES = -Wl,--wrap=malloc \
 	-Wl,--wrap=calloc -Wl,--wrap=realloc -Wl,--wrap=aligned_alloc
 
 # The tests of the figures need more: their rule overrides the pattern above.
+# The library's own do without the figures' libraries.
 figure_tests = $(FIGURE_TESTS:%.c=$(BUILD)/%)
+library_tests = $(filter-out $(figure_tests),$(TESTS))
 $(figure_tests:=.o): $(BUILD)/renderer.flags | $(generated)
 $(figure_tests:=.o): USES = $(drawing_flags)
 $(figure_tests): $(BUILD)/%: $(BUILD)/%.o $(BUILD)/support.a $(figure_archives)
@@ -90,7 +92,8 @@ check-threads: need-check ## run many threads at once under ThreadSanitizer
 coverage: need-coverage ## list which lines of src/ the tests run; at least 95 %
 	@find $(BUILD)/coverage -name '*.gcda' -delete 2>/dev/null || true
 	@$(MAKE) check BUILD=$(BUILD)/coverage TF_TEST_PERCENT=10 CC=gcc \
-	    CFLAGS='-O0 --coverage -fprofile-update=atomic'
+	    CFLAGS='-O0 --coverage -fprofile-update=atomic' \
+	    TESTS='$(library_tests:$(BUILD)/%=$(BUILD)/coverage/%)' WHOLE=
 	@gcovr --filter src/ --object-directory $(BUILD)/coverage --fail-under-line 95
 .PHONY: coverage
 

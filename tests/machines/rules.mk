@@ -9,19 +9,17 @@ debian_aarch64 = arm64
 check-machines: $(machines:%=check-machine-%) ## run the tests on emulated ARM and s390x machines
 .PHONY: check-machines $(machines:%=check-machine-%)
 
-# The tests of figures would need all their libraries.
 machine = $(BUILD)/machines/$*
 machine_root = $(abspath $(machine))/packages/root/usr
 machine_cc = $*-linux-gnu-gcc $(patsubst %,-isystem $(machine_root)/%,include \
 	include/$*-linux-gnu)
-machine_tests = $(filter-out $(figure_tests),$(TESTS))
 
 $(machines:%=check-machine-%): check-machine-%: $(BUILD)/machines/%/packages \
 		$(BUILD)/machines/%/emulated $(program_file) | need-machines
 	@$(MAKE) check BUILD=$(machine) TF_TEST_PERCENT=5 \
 	    CC='$(machine_cc)' \
 	    LDFLAGS='-static -L$(machine_root)/lib/$*-linux-gnu' \
-	    TESTS='$(machine_tests:$(BUILD)/%=$(machine)/%)' WHOLE= \
+	    TESTS='$(library_tests:$(BUILD)/%=$(machine)/%)' WHOLE= \
 	    EMULATOR='env TANGLEFREE=$(abspath $(machine))/emulated qemu-$*'
 	@sh tests/machines/answers.sh $(program_file) >$(machine)/native
 	@sh tests/machines/answers.sh $(machine)/emulated >$(machine)/answers

@@ -100,7 +100,7 @@ START_TEST(figure_is_drawn_at_any_size_in_both_themes)
 {
     static const int size[3][2] = {{64, 48}, {120, 120}, {240, 180}};
     const fig_figure *figure = fig_figures[_i];
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < (int)cases(3); i++) {
         expect_figure(figure, size[i][0], size[i][1], &fig_theme_light);
         expect_figure(figure, size[i][0], size[i][1], &fig_theme_dark);
     }

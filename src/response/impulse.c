@@ -32,16 +32,23 @@ double tf_row_parting(int axes, const tf_row *row, const double displacement[])
     return dot(row->normal, relative);
 }
 
-//: Push the vertices of a row
+//: Find the compliance of a row
+/// How many times as far as it parts the elements a push may move a vertex.
+static const double most_leverage = 1024;
+
 double tf_row_compliance(const tf_row *row, const double inverse_mass[])
 {
-    double sum = 0;
-    for (int i = 0; i < 4 && row->vertex[i] >= 0; i++)
-        sum += inverse_mass[row->vertex[i]] * row->coefficient[i] *
-               row->coefficient[i];
-    return sum;
+    double sum = 0, farthest = 0;
+    for (int i = 0; i < 4 && row->vertex[i] >= 0; i++) {
+        double size = fabs(row->coefficient[i]);
+        double move = inverse_mass[row->vertex[i]] * size;
+        sum += move * size;
+        farthest = fmax(farthest, move);
+    }
+    return farthest <= most_leverage * sum ? sum : 0;
 }
 
+//: Push the vertices of a row
 void tf_row_push(const tf_row *row, const double impulse[3],
                  const tf_bodies *bodies)
 {

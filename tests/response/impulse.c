@@ -160,6 +160,42 @@ START_TEST(changes_the_energy_as_proved)
 }
 END_TEST
 
+// A scripted point comes down by 1 onto an edge of which one end is scripted, so
+// that the other end has to move 1 / free times as far.
+START_TEST(a_short_lever_pushes_nothing)
+{
+    const double least = 1. / 1024;
+    const double free[] = {nextafter(least, 0), least, 1e-200, 0.5};
+    for (int i = 0; i < 4; i++) {
+        scene s = {.axes = 2,
+                   .row = {.vertex = {0, 1, 2, -1},
+                           .coefficient = {1, free[i] - 1, -free[i]},
+                           .normal = {0, 1, 0}},
+                   .inverse_mass = {0, 0, 3},
+                   .move = {0, -1}};
+        bool pushes = free[i] >= least;
+        ck_assert_double_eq(tf_row_compliance(&s.row, s.inverse_mass),
+                            pushes ? 3 * free[i] * free[i] : 0);
+        visit(&s, 0.5);
+        ck_assert_double_eq(s.move[5], pushes ? -1 / free[i] : 0);
+    }
+}
+END_TEST
+
+// What counts is the vertex that moves farthest, however light it is.
+START_TEST(a_light_vertex_is_no_lever)
+{
+    scene s = {.axes = 2,
+               .row = {.vertex = {0, 1, 2, -1},
+                       .coefficient = {1, 1e-6 - 1, -1e-6},
+                       .normal = {0, 1, 0}},
+               .inverse_mass = {1, 0, 1e6},
+               .move = {0, -1}};
+    visit(&s, 0);
+    ck_assert_double_eq_tol(parting(&s), 0, 1e-15);
+}
+END_TEST
+
 START_TEST(friction_is_that_of_coulomb)
 {
     // A mass of 1 on a floor at rest comes down by 1 and slides by (3, 4).
@@ -238,6 +274,8 @@ Suite *suite(void)
     tcase_add_test(visits, no_other_push_is_less);
     tcase_add_test(visits, keeps_momentum);
     tcase_add_test(visits, changes_the_energy_as_proved);
+    tcase_add_test(visits, a_short_lever_pushes_nothing);
+    tcase_add_test(visits, a_light_vertex_is_no_lever);
     tcase_add_test(visits, takes_back_what_it_gave_and_no_more);
     tcase_add_test(visits, leaves_what_cannot_be_moved);
     suite_add_tcase(s, visits);

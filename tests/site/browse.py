@@ -7,6 +7,7 @@ import json
 import re
 import sys
 import time
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from urllib.parse import unquote, urldefrag, urlparse
 
@@ -91,6 +92,15 @@ def browser():
                             options=options)
 
 
+def wait(condition):
+    """Whether a condition comes true; a busy machine takes its time."""
+    for _ in range(600):
+        if condition():
+            return True
+        time.sleep(0.05)
+    return False
+
+
 def become(chromium, device, theme):
     width, height = WIDTHS[device]
     chromium.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
@@ -112,12 +122,9 @@ def settle(chromium):
     """Wait until all pictures are there, or will not come."""
     chromium.execute_script(
         "for (const i of document.images) i.loading = 'eager';")
-    for _ in range(50):
-        if chromium.execute_script("return [...document.images].filter("
-                                   "i => i.checkVisibility())"
-                                   ".every(i => i.complete)"):
-            return
-        time.sleep(0.05)
+    wait(lambda: chromium.execute_script(
+        "return [...document.images].filter(i => i.checkVisibility())"
+        ".every(i => i.complete)"))
 
 
 def faults_of_look(look, device, theme):
@@ -182,7 +189,7 @@ def search(chromium, folder, words):
     chromium.get((folder / "index.html").as_uri())
     chromium.find_element(By.CSS_SELECTOR, ".find input").send_keys(
         words + Keys.ENTER)
-    time.sleep(0.5)
+    wait(lambda: chromium.find_elements(By.CSS_SELECTOR, "#results a"))
     return chromium.find_elements(By.CSS_SELECTOR, "#results a")
 
 
@@ -270,17 +277,10 @@ class Film:
     def value(self):
         return int(self.slider.get_property("value"))
 
-    def wait(self, condition):
-        for _ in range(100):
-            if condition():
-                return True
-            time.sleep(0.05)
-        return False
-
     def press(self, *keys):
         """The picture after some keys on the slider, and the time it names."""
         self.slider.send_keys(*keys)
-        self.wait(lambda: any(
+        wait(lambda: any(
             c.get_attribute("data-frame") == str(self.value())
             for c in self.figure.find_elements(By.TAG_NAME, "canvas")))
         canvas = self.figure.find_element(By.TAG_NAME, "canvas")
@@ -332,7 +332,7 @@ def faults_of_play(film):
         if film.value() != 0:
             yield "plays unasked"
         start()
-        if not film.wait(lambda: film.value() > 3):
+        if not wait(lambda: film.value() > 3):
             yield f"does not play by the {kind}"
         start()
         stopped = film.value()
@@ -342,7 +342,7 @@ def faults_of_play(film):
     film.press(Keys.END)
     film.slider.send_keys(Keys.ARROW_LEFT)
     film.button.click()
-    if not film.wait(lambda: film.button.get_attribute("aria-label") ==
+    if not wait(lambda: film.button.get_attribute("aria-label") ==
                      "Play"):
         yield "does not stop at its end"
 
@@ -410,42 +410,48 @@ def faults_of_films(chromium, page, device, theme):
         yield from faults_without_script(chromium, page, theme)
 
 
-def faults(chromium, folder):
+def faults_of_device(folder, device):
+    """What is wrong on a device, and the last look at each page."""
     pages = sorted(folder.glob("*.html"))
-    print(f"{len(pages)} pages:", *(page.stem for page in pages))
-    for device in WIDTHS:
+    chromium = browser()
+    found, looks = [], {}
+
+    def note(place, faults):
+        found.extend(f"{place} {fault}" for fault in faults)
+
+    try:
         for theme in "light", "dark":
             become(chromium, device, theme)
-            looks = {}
             for page in pages:
-                for fault in faults_of_page(chromium, page, device, theme,
-                                            looks):
-                    yield f"{page.name} ({device}, {theme}) {fault}"
+                note(f"{page.name} ({device}, {theme})",
+                     faults_of_page(chromium, page, device, theme, looks))
         for kind in faults_of_search, faults_of_reference:
-            for fault in kind(chromium, folder):
-                yield f"({device}) {fault}"
+            note(f"({device})", kind(chromium, folder))
+        theme = "dark" if device == "phone" else "light"
+        become(chromium, device, theme)
         for page in pages:
-            for fault in faults_of_keys(chromium, page):
-                yield f"{page.name} ({device}) {fault}"
+            note(f"{page.name} ({device})", faults_of_keys(chromium, page))
             if device == "phone":
-                for fault in faults_of_notes(chromium, page):
-                    yield f"{page.name} ({device}) {fault}"
-            theme = "dark" if device == "phone" else "light"
-            become(chromium, device, theme)
-            for fault in faults_of_films(chromium, page, device, theme):
-                yield f"{page.name} ({device}, {theme}) {fault}"
-    for page, fault in faults_of_links(looks):
-        yield f"{page.name} {fault}"
+                note(f"{page.name} ({device})",
+                     faults_of_notes(chromium, page))
+            note(f"{page.name} ({device}, {theme})",
+                 faults_of_films(chromium, page, device, theme))
+    finally:
+        chromium.quit()
+    return found, looks
 
 
 def main(folder):
-    if not list(folder.glob("*.html")):
+    pages = sorted(folder.glob("*.html"))
+    if not pages:
         sys.exit(f"{folder}: no pages here")
-    chromium = browser()
-    try:
-        found = list(faults(chromium, folder))
-    finally:
-        chromium.quit()
+    print(f"{len(pages)} pages:", *(page.stem for page in pages))
+    with ThreadPoolExecutor() as pool:
+        results = list(pool.map(lambda device: faults_of_device(folder, device),
+                                WIDTHS))
+    found = [fault for faults, _ in results for fault in faults]
+    looks = results[0][1]
+    found += [f"{page.name} {fault}" for page, fault in faults_of_links(looks)]
     for fault in found:
         print(fault, file=sys.stderr)
     print(f"phone and desktop, light and dark: {len(found)} faults")

@@ -59,7 +59,7 @@ static tf_vector expected_normal(int axes, const tf_simplex *s,
 START_TEST(the_normal_is_the_cross_product_of_horizontal_edges)
 {
     generator random = generator_new((uint64_t)_i);
-    long zeros = 0, all = cases(5000);
+    long zeros = 0, all = cases(20000);
     for (long c = 0; c < all; c++) {
         query q = query_lattice(&random, (query_kind)_i, 4);
         sweeps swept;

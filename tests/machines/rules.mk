@@ -16,7 +16,7 @@ machine_cc = $*-linux-gnu-gcc $(patsubst %,-isystem $(machine_root)/%,include \
 
 $(machines:%=check-machine-%): check-machine-%: $(BUILD)/machines/%/packages \
 		$(BUILD)/machines/%/emulated $(program_file) | need-machines
-	@$(MAKE) check BUILD=$(machine) TF_TEST_PERCENT=5 \
+	@$(MAKE) check BUILD=$(machine) TF_TEST_PERCENT=2 \
 	    CC='$(machine_cc)' \
 	    LDFLAGS='-static -L$(machine_root)/lib/$*-linux-gnu' \
 	    TESTS='$(library_tests:$(BUILD)/%=$(machine)/%)' WHOLE= \

@@ -76,6 +76,17 @@ static double cotangent(const tf_body *body, int corner, int b, int c,
     return dot(to_b, to_c) / *area;
 }
 
+//: Resist stretching
+/// As stiff as the area at an edge is large, and its length small.  Each
+/// triangle at the edge adds its part.
+static void add_stretch(tf_body *body, const side *one, double stretch)
+{
+    int a = one->vertex[0], b = one->vertex[1];
+    vector along = from_to(body, a, b);
+    double area = twice_area(along, from_to(body, a, one->opposite)) / 2;
+    tf_body_add_spring(body, a, b, stretch * area / dot(along, along));
+}
+
 //: Resist folds
 /// Two triangles at an edge, whose angles there weight the four vertices.
 static void add_fold(tf_body *body, const side *one, const side *other,
@@ -119,11 +130,8 @@ void tf_cloth_stiffen(tf_body *body, int first, const tf_material *material)
     int count = 3 * (body->triangles - first);
     body->failed = !list;
     for (int i = 0; list && i < count; i++) {
-        bool again = i > 0 && same_edge(&list[i - 1], &list[i]);
-        if (!again)
-            tf_body_add_spring(body, list[i].vertex[0], list[i].vertex[1],
-                               material->stretch);
-        else
+        add_stretch(body, &list[i], material->stretch);
+        if (material->bend > 0 && i > 0 && same_edge(&list[i - 1], &list[i]))
             add_fold(body, &list[i - 1], &list[i], material->bend);
     }
     free(list);

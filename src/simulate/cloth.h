@@ -7,7 +7,7 @@
 typedef struct tf_material {
     double density; ///< in kilograms per square meter
     double stretch; ///< what an edge resists, in newtons per meter
-    double bend;    ///< what a fold resists, in newton meters
+    double bend;    ///< what a fold resists, in newton meters; may be 0
 } tf_material;
 
 /// Gives mass and elastic elements to triangles: every edge resists being

@@ -2,6 +2,8 @@
 #include "simulate/scene.h"
 
 #include "simulate/falling.h"
+#include "simulate/flag.h"
+#include "simulate/pulled.h"
 
 #include <string.h>
 
@@ -19,6 +21,81 @@ static const tf_scene scenes[] = {
         .air = {.drag = 0.3},
         .friction = 0.4,
         .build = tf_build_sphere,
+    },
+    {
+        .name = "stack",
+        .shows = "sheets fall on a column, one upon the other",
+        .size_means = "cells along a side of a sheet",
+        .size = 20,
+        .least = 4,
+        .steps = 250,
+        .step = 0.01,
+        .gravity = 9.81,
+        .air = {.drag = 0.3},
+        .friction = 0.3,
+        .build = tf_build_stack,
+    },
+    {
+        .name = "twist",
+        .shows = "a strip whose ends are turned buckles, and winds about itself",
+        .size_means = "cells across the strip",
+        .size = 16,
+        .least = 2,
+        .steps = 500,
+        .step = 0.01,
+        .air = {.drag = 0.3},
+        .friction = 0.2,
+        .build = tf_build_twist,
+    },
+    {
+        .name = "knot",
+        .shows = "a rope with a knot is pulled tight",
+        .size_means = "pairs of sides of the rope",
+        .size = 5,
+        .least = 2,
+        .steps = 350,
+        .step = 0.01,
+        .air = {.drag = 0.3},
+        .friction = 0.2,
+        .build = tf_build_knot,
+    },
+    {
+        .name = "curtain",
+        .shows = "a sheet is drawn through a ring by its middle",
+        .size_means = "cells along a side of the sheet",
+        .size = 35,
+        .least = 4,
+        .steps = 450,
+        .step = 0.01,
+        .gravity = 9.81,
+        .air = {.drag = 0.3},
+        .friction = 0.1,
+        .build = tf_build_curtain,
+    },
+    {
+        .name = "flag",
+        .shows = "a flag is blown about its pole, and flaps",
+        .size_means = "cells along the pole",
+        .size = 20,
+        .least = 4,
+        .steps = 400,
+        .step = 0.01,
+        .gravity = 9.81,
+        .air = {.drag = 1, .wind = {-6, 1, 0}, .gust = 1.5},
+        .friction = 0.2,
+        .build = tf_build_flag,
+    },
+    {
+        .name = "plane-chain",
+        .shows = "in the plane, a chain falls into a box",
+        .size_means = "links of the chain",
+        .size = 200,
+        .least = 40,
+        .steps = 400,
+        .step = 0.005,
+        .gravity = 9.81,
+        .friction = 0.3,
+        .build = tf_build_chain,
     },
 };
 

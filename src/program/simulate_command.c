@@ -62,8 +62,9 @@ static int parse_count(struct argp_state *state, const char *option,
     char *end;
     long count = strtol(text, &end, 10);
     if (end == text || *end || count < least || count > most)
-        argp_error(state, "--%s needs a whole number from %d to %d, and not "
-                          "'%s'",
+        argp_error(state,
+                   "--%s needs a whole number from %d to %d, and not "
+                   "'%s'",
                    option, least, most, tf_make_visible(text).text);
     return (int)count;
 }
@@ -160,9 +161,9 @@ typedef struct run {
 
 static bool fault_in_step(run *r, tf_status status)
 {
-    snprintf(r->fault, sizeof r->fault, "%s: step %d: %s",
-             r->request.scene->name, r->simulation ? r->simulation->step + 1 : 1,
-             tf_status_message(status));
+    snprintf(
+        r->fault, sizeof r->fault, "%s: step %d: %s", r->request.scene->name,
+        r->simulation ? r->simulation->step + 1 : 1, tf_status_message(status));
     return false;
 }
 
@@ -284,8 +285,8 @@ static void print_end(const run *r, bool good)
 //: Run the command simulate
 int tf_simulate_command(int argc, char *argv[])
 {
-    static const struct argp parser = {options, parse_argument, "SCENE\nlist",
-                                       description, NULL, NULL, NULL};
+    static const struct argp parser = {
+        options, parse_argument, "SCENE\nlist", description, NULL, NULL, NULL};
     run r = {.request = {.steps = -1, .threads = tf_threads_available()}};
     argp_parse(&parser, argc, argv, 0, NULL, &r.request);
     if (!r.request.scene)

@@ -7,8 +7,9 @@
 
 /// What a step took, which is resolved once or twice.
 typedef struct tf_step_cost {
-    tf_response_report report; ///< contacts, rounds and rows: of both times; all
-                               ///< else: of the last
+    tf_response_report
+        report; ///< contacts, rounds and rows: of both times; all
+                ///< else: of the last
     double dynamics, response; ///< seconds
 } tf_step_cost;
 

@@ -23,8 +23,8 @@ void tf_cloth_stiffen(tf_body *body, int first, const tf_material *material);
 //: Declare sheets
 /// A sheet of square cells, of two triangles each.
 typedef struct tf_sheet {
-    int across, along; ///< how many cells
-    double corner[3];  ///< where it begins, in meters
+    int across, along;                    ///< how many cells
+    double corner[3];                     ///< where it begins, in meters
     double across_step[3], along_step[3]; ///< the sides of a cell
 } tf_sheet;
 

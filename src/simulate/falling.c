@@ -83,11 +83,11 @@ static void add_links(tf_body *body, int links, double length)
         body->mass[v + 1] += density * length / 2;
     }
     for (int v = 0; v + 1 < links; v++)
-        tf_body_add_elastic(
-            body, &(tf_elastic){.count = 3,
-                                .vertex = {v, v + 1, v + 2},
-                                .weight = {1, -2, 1},
-                                .stiffness = bend / pow(length, 3)});
+        tf_body_add_elastic(body,
+                            &(tf_elastic){.count = 3,
+                                          .vertex = {v, v + 1, v + 2},
+                                          .weight = {1, -2, 1},
+                                          .stiffness = bend / pow(length, 3)});
 }
 
 //: Build the scene plane-chain

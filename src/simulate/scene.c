@@ -37,11 +37,12 @@ static const tf_scene scenes[] = {
     },
     {
         .name = "twist",
-        .shows = "a strip whose ends are turned buckles, and winds about itself",
+        .shows =
+            "a strip whose ends are turned buckles, and winds about itself",
         .size_means = "cells across the strip",
         .size = 12,
         .least = 2,
-        .steps = 600,
+        .steps = 750,
         .step = 0.005,
         .air = {.drag = 0.3},
         .friction = 0.2,

@@ -132,11 +132,10 @@ tf_status tf_simulation_resolve(tf_simulation *simulation, bool check,
     const tf_body *body = &simulation->stage.body;
     memcpy(simulation->proposed, simulation->end,
            sizeof(double) * (size_t)(body->axes * body->vertices));
-    return tf_step_resolve(simulation->resolver,
-                           simulation->stage.body.vertices,
-                           simulation->position, simulation->end,
-                           simulation->inverse_mass, &options, report,
-                           obstacle);
+    return tf_step_resolve(
+        simulation->resolver, simulation->stage.body.vertices,
+        simulation->position, simulation->end, simulation->inverse_mass,
+        &options, report, obstacle);
 }
 
 //: Follow what the response has moved

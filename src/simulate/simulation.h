@@ -14,14 +14,14 @@ typedef struct tf_simulation {
     const tf_scene *scene;
     int size;
     tf_stage stage;
-    int step;           ///< how many were made
-    int scripted;       ///< how many of them have moved all handles: while
-                        ///< scripted vertices are held back, the script waits
-    double *position;   ///< of the vertices
-    double *velocity;   ///< of the vertices, in meters per second
-    double *end;        ///< where they are to be after the step
-    double *proposed;   ///< what `end` was before the response
-    bool *moved;        ///< whether the response moved the vertex
+    int step;         ///< how many were made
+    int scripted;     ///< how many of them have moved all handles: while
+                      ///< scripted vertices are held back, the script waits
+    double *position; ///< of the vertices
+    double *velocity; ///< of the vertices, in meters per second
+    double *end;      ///< where they are to be after the step
+    double *proposed; ///< what `end` was before the response
+    bool *moved;      ///< whether the response moved the vertex
     double *inverse_mass;
     tf_surface *surface;
     tf_resolver *resolver;

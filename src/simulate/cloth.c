@@ -97,7 +97,7 @@ static void add_fold(tf_body *body, const side *one, const side *other,
         .vertex = {a, b, c, d},
         .weight = {c_at_b + d_at_b, c_at_a + d_at_a, -c_at_a - c_at_b,
                    -d_at_a - d_at_b},
-        .stiffness = 6 * bend / (area[0] + area[1]),
+        .stiffness = 2 * bend / (area[0] + area[1]),
     };
     tf_body_add_elastic(body, &fold);
 }

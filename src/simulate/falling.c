@@ -7,7 +7,7 @@
 #include <math.h>
 
 static const tf_material cotton = {
-    .density = 0.15, .stretch = 100, .bend = 5e-5};
+    .density = 0.15, .stretch = 100, .bend = 1.5e-4};
 
 //: Lay out a sheet
 /// A horizontal square above the origin, turned about the vertical.
@@ -106,7 +106,6 @@ static void add_box(tf_body *body)
 void tf_build_chain(tf_stage *stage, int size)
 {
     double length = 5.0 / size;
-    stage->body.axes = 2;
     add_joints(&stage->body, size, length);
     add_links(&stage->body, size, length);
     add_box(&stage->body);

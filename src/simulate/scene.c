@@ -17,6 +17,7 @@ static const tf_scene scenes[] = {
         .least = 4,
         .steps = 400,
         .step = 0.01,
+        .axes = 3,
         .gravity = 9.81,
         .air = {.drag = 0.3},
         .friction = 0.4,
@@ -30,6 +31,7 @@ static const tf_scene scenes[] = {
         .least = 4,
         .steps = 250,
         .step = 0.01,
+        .axes = 3,
         .gravity = 9.81,
         .air = {.drag = 0.3},
         .friction = 0.3,
@@ -44,6 +46,7 @@ static const tf_scene scenes[] = {
         .least = 2,
         .steps = 750,
         .step = 0.005,
+        .axes = 3,
         .air = {.drag = 0.3},
         .friction = 0.2,
         .build = tf_build_twist,
@@ -56,6 +59,7 @@ static const tf_scene scenes[] = {
         .least = 2,
         .steps = 550,
         .step = 0.005,
+        .axes = 3,
         .air = {.drag = 0.3},
         .friction = 0.2,
         .build = tf_build_knot,
@@ -68,6 +72,7 @@ static const tf_scene scenes[] = {
         .least = 4,
         .steps = 600,
         .step = 0.005,
+        .axes = 3,
         .gravity = 9.81,
         .air = {.drag = 0.3},
         .build = tf_build_curtain,
@@ -80,6 +85,7 @@ static const tf_scene scenes[] = {
         .least = 4,
         .steps = 800,
         .step = 0.005,
+        .axes = 3,
         .gravity = 9.81,
         .air = {.drag = 0.8, .wind = {5, 0, 0}, .veer = 1, .gust = 1.5},
         .friction = 0.2,
@@ -93,6 +99,7 @@ static const tf_scene scenes[] = {
         .least = 40,
         .steps = 400,
         .step = 0.005,
+        .axes = 2,
         .gravity = 9.81,
         .friction = 0.3,
         .build = tf_build_chain,
@@ -112,4 +119,11 @@ const tf_scene *tf_scene_named(const char *name)
         if (strcmp(name, scenes[i].name) == 0)
             return &scenes[i];
     return NULL;
+}
+
+//: Set a stage
+void tf_scene_build(const tf_scene *scene, int size, tf_stage *stage)
+{
+    *stage = (tf_stage){.body.axes = scene->axes};
+    scene->build(stage, size);
 }

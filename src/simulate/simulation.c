@@ -33,8 +33,7 @@ static bool allocate(tf_simulation *s)
 
 static tf_status set_up(tf_simulation *s)
 {
-    s->stage.body.axes = 3;
-    s->scene->build(&s->stage, s->size);
+    tf_scene_build(s->scene, s->size, &s->stage);
     if (s->stage.body.failed || !allocate(s))
         return TF_OUT_OF_MEMORY;
     tf_mesh mesh = tf_body_mesh(&s->stage.body);

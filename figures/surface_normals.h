@@ -1,8 +1,8 @@
 // Normals to light a surface by: smooth where it is, hard at its creases.
-#ifndef FIG_DRAW_SURFACE_NORMALS_H
-#define FIG_DRAW_SURFACE_NORMALS_H
+#ifndef FIG_SURFACE_NORMALS_H
+#define FIG_SURFACE_NORMALS_H
 
-#include "draw/surface_shape.h"
+#include "surface_shape.h"
 
 /// The normals of a surface in one position.
 typedef struct fig_normals {

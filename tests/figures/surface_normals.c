@@ -1,4 +1,4 @@
-#include "draw/surface_normals.h"
+#include "surface_normals.h"
 
 #include "support/support.h"
 #include "support/surface_of.h"
@@ -158,7 +158,7 @@ END_TEST
 
 Suite *suite(void)
 {
-    Suite *s = suite_create("draw/surface_normals");
+    Suite *s = suite_create("figures/surface_normals");
     TCase *normals = tcase_create("normals");
     tcase_add_test(normals, smooth_surfaces_are_lit_smoothly);
     tcase_add_test(normals, cubes_have_twelve_creases);

@@ -1,4 +1,4 @@
-#include "draw/surface_normals.h"
+#include "surface_normals.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-#include "draw/surface_shape.h"
+#include "surface_shape.h"
 
 #include "base/require.h"
 

@@ -1,8 +1,8 @@
 // A surface as it is drawn: in a box, and with what lies beside what.
-#ifndef FIG_DRAW_SURFACE_SHAPE_H
-#define FIG_DRAW_SURFACE_SHAPE_H
+#ifndef FIG_SURFACE_SHAPE_H
+#define FIG_SURFACE_SHAPE_H
 
-#include "draw/fit.h"
+#include "fit.h"
 #include "query/motion.h"
 #include "surface/surface.h"
 

@@ -51,6 +51,12 @@ void fig_shape_free(fig_shape *shape);
 int fig_shape_edge(const fig_shape *shape, const int vertex[2]);
 int fig_shape_triangle(const fig_shape *shape, const int vertex[3]);
 
+/// 1 or -1, by which the normal of the second triangle of an edge, which has
+/// two, has to be multiplied for it to be to the same side as that of the first.
+/// The normal of a triangle is to the side from which its vertices, in
+/// increasing order, go counterclockwise.
+double fig_shape_sense(const fig_shape *shape, int edge);
+
 /// Where a vertex is at the time t, 0 to 1.
 tf_vector fig_shape_place(const fig_shape *shape, int vertex, double t);
 

@@ -19,7 +19,7 @@ static trial begin(const tf_mesh *mesh, const double at[])
     trial tried = {.surface = surface_of(mesh)};
     const tf_motion rest = {mesh->vertices, at, at};
     ck_assert(fig_shape_make(&tried.shape, tried.surface, 3, &rest, FIG_UP_Z));
-    ck_assert(fig_normals_find(&tried.normals, &tried.shape, 0));
+    ck_assert(fig_normals_find(&tried.normals, &tried.shape, 0, NULL));
     return tried;
 }
 

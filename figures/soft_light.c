@@ -6,8 +6,8 @@
 
 enum {
     SIDE = 320, ///< of a map, cells
-    LAMP = 56,  ///< directions
-    SKY = 104
+    LAMP = 90,  ///< directions
+    SKY = 70
 };
 
 /// The radius of the lamp as seen from one unit away.
@@ -117,28 +117,41 @@ static float area(const float a[3], const float b[3], const float c[3])
     return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 
-/// Raise the cells whose middles are in a triangle.
-static void cover_cells(map *m, float corner[3][3])
+/// Raise the cells of a row, from x to `end`, whose middles are in a triangle.
+/// The shares that its first two corners have in a point grow evenly.
+static void cover_row(map *m, int y, int x, int end, const float *const at[3],
+                      float whole)
 {
-    float whole = area(corner[0], corner[1], corner[2]);
-    if (whole == 0)
-        return;
-    float lo[2], hi[2];
-    for (int k = 0; k < 2; k++) {
-        lo[k] = fminf(corner[0][k], fminf(corner[1][k], corner[2][k]));
-        hi[k] = fmaxf(corner[0][k], fmaxf(corner[1][k], corner[2][k]));
+    const float p[3] = {(float)x + 0.5F, (float)y + 0.5F, 0};
+    float a = area(p, at[1], at[2]) / whole, b = area(at[0], p, at[2]) / whole;
+    float a_step = (at[1][1] - at[2][1]) / whole;
+    float b_step = (at[2][1] - at[0][1]) / whole;
+    float a_rise = at[0][2] - at[2][2], b_rise = at[1][2] - at[2][2];
+    for (float *cell = m->height[y] + x; x < end; x++, cell++) {
+        float height = at[2][2] + a * a_rise + b * b_rise;
+        if (a >= 0 && b >= 0 && a + b <= 1 && height > *cell)
+            *cell = height;
+        a += a_step;
+        b += b_step;
     }
-    for (int y = (int)(lo[1] + 0.5F); (float)y + 0.5F <= hi[1]; y++)
-        for (int x = (int)(lo[0] + 0.5F); (float)x + 0.5F <= hi[0]; x++) {
-            const float p[3] = {(float)x + 0.5F, (float)y + 0.5F, 0};
-            float a = area(p, corner[1], corner[2]) / whole;
-            float b = area(corner[0], p, corner[2]) / whole;
-            float c = 1 - a - b;
-            if (a >= 0 && b >= 0 && c >= 0)
-                m->height[y][x] =
-                    fmaxf(m->height[y][x], a * corner[0][2] + b * corner[1][2] +
-                                               c * corner[2][2]);
-        }
+}
+
+static float least(float a, float b, float c)
+{
+    return fminf(a, fminf(b, c));
+}
+
+/// Raise the cells whose middles are in a triangle.
+static void cover_cells(map *m, const float *const at[3])
+{
+    float whole = area(at[0], at[1], at[2]);
+    int begin[2], end[2];
+    for (int k = 0; k < 2; k++) {
+        begin[k] = (int)(least(at[0][k], at[1][k], at[2][k]) + 0.5F);
+        end[k] = (int)(0.5F - least(-at[0][k], -at[1][k], -at[2][k]));
+    }
+    for (int y = begin[1]; y < end[1] && whole != 0; y++)
+        cover_row(m, y, begin[0], end[0], at, whole);
 }
 
 static void draw_map(map *m, const ball *all, tf_vector toward, int casters,
@@ -149,7 +162,7 @@ static void draw_map(map *m, const ball *all, tf_vector toward, int casters,
         float corner[3][3];
         for (int c = 0; c < 3; c++)
             place_on(m, caster[i].at[c], corner[c]);
-        cover_cells(m, corner);
+        cover_cells(m, (const float *const[]){corner[0], corner[1], corner[2]});
     }
 }
 

@@ -421,7 +421,8 @@ static void draw_in_space(const fig_cloth *cloth, fig_page *page, fig_box box,
                .shape = *shape,
                .view = fig_view_of(&camera, box)};
     s.lamp = lamp_of(&s.view);
-    fill_scene(&s, !look->groundless && shape->triangles > 0);
+    fill_scene(&s,
+               !look->groundless && shape->triangles > 0 && cloth->size > 0);
 }
 
 static void draw_in_plane(const fig_cloth *cloth, fig_page *page, fig_box box,

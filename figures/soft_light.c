@@ -3,6 +3,7 @@
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum {
     SIDE = 320, ///< of a map, cells
@@ -22,12 +23,14 @@ static const float off_surface = 1.6F, above = 0.3F;
 /// The triangles as seen from a direction: for each cell how high the highest
 /// one is.
 typedef struct map {
-    float across[3], along[3], toward[3]; ///< cells per unit of length
-    float origin[2];
+    float across[3], along[3]; ///< cells per unit of length
+    float toward[3];           ///< the direction, of length 1
+    float middle[3];           ///< what is seen in the middle of the map
+    float cell;                ///< its side, in units of length
     float height[SIDE][SIDE];
 } map;
 
-/// What the triangles are inside of.
+/// What the triangles are inside of, so that all of them are on a map.
 typedef struct ball {
     float middle[3], radius;
 } ball;
@@ -78,7 +81,7 @@ static ball ball_around(int casters, const fig_caster caster[])
                 lo[k] = fminf(lo[k], caster[i].at[c][k]);
                 hi[k] = fmaxf(hi[k], caster[i].at[c][k]);
             }
-    ball all = {.radius = FLT_MIN};
+    ball all = {.radius = 1e-30F}; // whose inverse is a float, too
     for (int k = 0; k < 3 && casters > 0; k++) {
         all.middle[k] = (lo[k] + hi[k]) / 2;
         all.radius = hypotf(all.radius, (hi[k] - lo[k]) / 2);
@@ -94,21 +97,23 @@ static void aim(map *m, const ball *all, tf_vector toward)
     for (int k = 0; k < 3; k++) {
         m->across[k] = cells * (float)across.x[k];
         m->along[k] = cells * (float)along.x[k];
-        m->toward[k] = cells * (float)toward.x[k];
+        m->toward[k] = (float)toward.x[k];
     }
-    m->origin[0] = SIDE / 2.0F - dot(m->across, all->middle);
-    m->origin[1] = SIDE / 2.0F - dot(m->along, all->middle);
+    m->cell = 1 / cells;
+    memcpy(m->middle, all->middle, sizeof m->middle);
     for (int y = 0; y < SIDE; y++)
         for (int x = 0; x < SIDE; x++)
             m->height[y][x] = -FLT_MAX;
 }
 
-/// Where a point is on a map, in cells: across, along and its height.
+/// Where a point is on a map: across and along, in cells, and its height.
 static void place_on(const map *m, const float at[3], float place[3])
 {
-    place[0] = dot(m->across, at) + m->origin[0];
-    place[1] = dot(m->along, at) + m->origin[1];
-    place[2] = dot(m->toward, at);
+    const float off[3] = {at[0] - m->middle[0], at[1] - m->middle[1],
+                          at[2] - m->middle[2]};
+    place[0] = dot(m->across, off) + SIDE / 2.0F;
+    place[1] = dot(m->along, off) + SIDE / 2.0F;
+    place[2] = dot(m->toward, off);
 }
 
 /// Twice the area of a triangle of the map, its sign by the way around.
@@ -168,14 +173,15 @@ static void draw_map(map *m, const ball *all, tf_vector toward, int casters,
 
 static bool in_the_dark(const map *m, const fig_lit *point)
 {
-    float place[3], off = off_surface / sqrtf(dot(m->toward, m->toward));
+    float place[3], off = off_surface * m->cell;
     const float at[3] = {point->at[0] + off * point->normal[0],
                          point->at[1] + off * point->normal[1],
                          point->at[2] + off * point->normal[2]};
     place_on(m, at, place);
     bool inside =
         place[0] >= 0 && place[0] < SIDE && place[1] >= 0 && place[1] < SIDE;
-    return inside && m->height[(int)place[1]][(int)place[0]] > place[2] + above;
+    return inside &&
+           m->height[(int)place[1]][(int)place[0]] > place[2] + above * m->cell;
 }
 
 // Light ------------------------------------------------------------------
@@ -184,9 +190,7 @@ static bool in_the_dark(const map *m, const fig_lit *point)
 static float light_from(const map *m, const fig_lit *point)
 {
     float facing = dot(m->toward, point->normal);
-    if (facing <= 0 || in_the_dark(m, point))
-        return 0;
-    return facing / sqrtf(dot(m->toward, m->toward));
+    return facing <= 0 || in_the_dark(m, point) ? 0 : facing;
 }
 
 bool fig_light_softly(int count, fig_lit lit[], int casters,

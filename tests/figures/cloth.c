@@ -45,13 +45,13 @@ static void add_square(scene *s, int first, int triangle, double half, double z)
     memcpy(s->triangle[triangle], two, sizeof two);
 }
 
-/// The triangles of the sheet go around either way, as `random` has it.
+/// The rows of the sheet and its triangles go either way, as `random` has it.
 static scene new_scene(generator *random)
 {
     scene s;
-    int count = 0;
+    int count = 0, way = below(random, 2) ? 1 : -1;
     for (int i = 0; i < SHEET; i++) {
-        s.at[i][0] = (i % ROWS - 4) / 4.0;
+        s.at[i][0] = way * (i % ROWS - 4) / 4.0;
         s.at[i][1] = (i / ROWS - 4) / 4.0;
         s.at[i][2] = 1;
     }

@@ -185,6 +185,42 @@ START_TEST(a_sheet_has_one_front)
 }
 END_TEST
 
+/// A prism of three sides without ends.
+START_TEST(a_tube_has_its_front_outside)
+{
+    double at[6][3];
+    int triangle[6][3];
+    for (int i = 0; i < 3; i++) {
+        const double turn = 2.0943951023931953 * i;
+        const double low[3] = {0, cos(turn), sin(turn)};
+        memcpy(at[i], low, sizeof low);
+        memcpy(at[3 + i], low, sizeof low);
+        at[3 + i][0] = 5;
+        const int two[2][3] = {{i, (i + 1) % 3, 3 + i},
+                               {3 + i, 3 + (i + 1) % 3, (i + 1) % 3}};
+        memcpy(triangle[2 * i], two, sizeof two);
+    }
+    tf_surface *surface = surface_of(&(tf_mesh){
+        .axes = 3, .vertices = 6, .triangles = 6, .triangle = *triangle});
+    fig_cloth *cloth = fig_cloth_new(surface, 3);
+    ck_assert(fig_cloth_add(cloth, 6, *at));
+    ck_assert(fig_cloth_end(cloth));
+    for (int i = 0; i < 6; i++) {
+        const int *v = cloth->shape.triangle + 3 * (size_t)i;
+        const tf_vector *p = cloth->at;
+        tf_vector normal = fig_cross(fig_difference(p[v[1]], p[v[0]]),
+                                     fig_difference(p[v[2]], p[v[0]]));
+        tf_vector middle = {{0}};
+        for (int c = 0; c < 3; c++)
+            for (int k = 1; k < 3; k++)
+                middle.x[k] += at[v[c]][k];
+        ck_assert_double_gt(tf_vector_dot(normal, middle) * cloth->face[i], 0);
+    }
+    fig_cloth_free(cloth);
+    tf_surface_free(surface);
+}
+END_TEST
+
 /// The floor is 30 times as large as the sheet, which fills the picture.
 START_TEST(cloth_fills_the_picture_and_paper_is_around_it)
 {
@@ -253,6 +289,7 @@ Suite *suite(void)
     TCase *cloth = tcase_create("cloth");
     tcase_add_test(cloth, what_keeps_its_shape_is_stiff);
     tcase_add_test(cloth, a_sheet_has_one_front);
+    tcase_add_test(cloth, a_tube_has_its_front_outside);
     tcase_add_test(cloth, cloth_fills_the_picture_and_paper_is_around_it);
     tcase_add_test(cloth, cloth_throws_a_shadow_on_the_ground);
     tcase_add_test(cloth, any_film_is_drawn);

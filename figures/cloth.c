@@ -95,15 +95,35 @@ static void find_soft_parts(fig_cloth *cloth)
     }
 }
 
-/// Where nothing changes its shape, all parts are soft: they are what the film
-/// is about.
-static void choose_colors(fig_cloth *cloth)
+/// Take for soft what moves at all.
+static void find_moving_parts(fig_cloth *cloth)
+{
+    const fig_shape *shape = &cloth->shape;
+    for (int f = 1, i = shape->vertices; f < cloth->frames; f++)
+        for (int v = 0; v < shape->vertices; v++, i++)
+            if (shape->part[v] >= 0 &&
+                fig_length(fig_difference(cloth->at[i], cloth->at[v])) >
+                    length_rounding)
+                cloth->soft[shape->part[v]] = true;
+}
+
+static int count_soft(const fig_cloth *cloth)
 {
     int count = 0;
     for (int p = 0; p < cloth->shape.parts; p++)
         count += cloth->soft[p];
+    return count;
+}
+
+/// The soft parts are what the film is about, so there must be some.
+static void choose_colors(fig_cloth *cloth)
+{
+    find_soft_parts(cloth);
+    if (count_soft(cloth) == 0)
+        find_moving_parts(cloth);
+    bool all = count_soft(cloth) == 0;
     for (int p = 0, next = 0; p < cloth->shape.parts; p++) {
-        cloth->soft[p] = cloth->soft[p] || count == 0;
+        cloth->soft[p] = cloth->soft[p] || all;
         cloth->color[p] = cloth->soft[p] ? next++ : 0;
     }
 }
@@ -282,7 +302,6 @@ bool fig_cloth_end(fig_cloth *cloth)
     cloth->face = calloc((size_t)shape->triangles + 1, sizeof *cloth->face);
     if (!cloth->soft || !cloth->color || !cloth->face || !find_fronts(cloth))
         return false;
-    find_soft_parts(cloth);
     choose_colors(cloth);
     find_floor(cloth);
     find_reach(cloth);

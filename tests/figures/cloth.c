@@ -153,8 +153,18 @@ START_TEST(what_keeps_its_shape_is_stiff)
     ck_assert_int_eq(cloth->floor, 2);
     fig_cloth_free(cloth);
 
-    // If nothing bends, the film is about all of it.
+    // If nothing bends, what moves is not stiff: the plate.
     cloth = film_of(surface, s, 0);
+    for (int part = 0; part < 3; part++)
+        ck_assert_int_eq(fig_cloth_is_stiff(cloth, part), part != 1);
+    ck_assert_int_eq(cloth->floor, 2);
+    fig_cloth_free(cloth);
+
+    // If nothing moves either, nothing is stiff.
+    cloth = fig_cloth_new(surface, 3);
+    add(cloth, &s);
+    add(cloth, &s);
+    ck_assert(fig_cloth_end(cloth));
     for (int part = 0; part < 3; part++)
         ck_assert(!fig_cloth_is_stiff(cloth, part));
     ck_assert_int_eq(cloth->floor, -1);

@@ -39,7 +39,7 @@ typedef struct stage {
     const fig_cloth *cloth;
     const fig_theme *theme;
     fig_scene *scene;
-    fig_shape shape; ///< in this frame; the frame's places are borrowed
+    const fig_shape *shape; ///< in this frame
     fig_normals normals;
     fig_view view;
     tf_vector lamp;
@@ -96,19 +96,19 @@ static tf_vector toward_eye(const stage *s, tf_vector at)
 
 static const int *corners_of(const stage *s, int triangle)
 {
-    return s->shape.triangle + 3 * (size_t)triangle;
+    return s->shape->triangle + 3 * (size_t)triangle;
 }
 
 static int part_of(const stage *s, int triangle)
 {
-    return s->shape.part[corners_of(s, triangle)[0]];
+    return s->shape->part[corners_of(s, triangle)[0]];
 }
 
 /// 1 or -1, by which a triangle's normal points to the eye.
 static float side_seen(const stage *s, int triangle)
 {
     const float *n = s->normals.triangle[triangle];
-    tf_vector at = s->shape.at[0][corners_of(s, triangle)[0]];
+    tf_vector at = s->shape->at[0][corners_of(s, triangle)[0]];
     double along =
         tf_vector_dot((tf_vector){{n[0], n[1], n[2]}}, toward_eye(s, at));
     return along < 0 ? -1 : 1;
@@ -119,14 +119,13 @@ static void place_corners(const stage *s, int i)
 {
     int triangle = s->triangle[i];
     float side = side_seen(s, triangle);
-    fig_lit *lit = s->lit + 3 * (size_t)i;
     for (int c = 0; c < 3; c++) {
-        tf_vector at = s->shape.at[0][corners_of(s, triangle)[c]];
-        const float *normal =
-            s->normals.corner[3 * (size_t)triangle + (size_t)c];
+        tf_vector at = s->shape->at[0][corners_of(s, triangle)[c]];
+        size_t corner = 3 * (size_t)triangle + (size_t)c;
+        fig_lit *lit = &s->lit[3 * (size_t)i + (size_t)c];
         for (int k = 0; k < 3; k++) {
-            s->caster[i].at[c][k] = lit[c].at[k] = (float)at.x[k];
-            lit[c].normal[k] = side * normal[k];
+            s->caster[i].at[c][k] = lit->at[k] = (float)at.x[k];
+            lit->normal[k] = side * s->normals.corner[corner][k];
         }
     }
 }
@@ -150,7 +149,7 @@ static void place_ground(const stage *s)
 
 static bool begin(stage *s)
 {
-    size_t triangles = (size_t)s->shape.triangles;
+    size_t triangles = (size_t)s->shape->triangles;
     size_t corners = 3 * triangles + GROUND_CORNERS;
     s->triangle = malloc((triangles + 1) * sizeof *s->triangle);
     s->caster = malloc((triangles + 1) * sizeof *s->caster);
@@ -158,7 +157,7 @@ static bool begin(stage *s)
     s->ground = fig_middle_of(FIG_CLOTH_REACH, s->cloth->reach);
     s->ground.x[2] = s->cloth->bottom - ground_below * s->cloth->size;
     return s->triangle && s->caster && s->lit &&
-           fig_normals_find(&s->normals, &s->shape, 0, s->cloth->soft);
+           fig_normals_find(&s->normals, s->shape, 0, s->cloth->soft);
 }
 
 /// Find the light on all corners of triangles and on those of the ground.
@@ -166,7 +165,7 @@ static bool light(stage *s, bool grounded)
 {
     if (!begin(s))
         return false;
-    for (int i = 0; i < s->shape.triangles; i++)
+    for (int i = 0; i < s->shape->triangles; i++)
         if (part_of(s, i) != s->cloth->floor)
             s->triangle[s->triangles++] = i;
     for (int i = 0; i < s->triangles; i++)
@@ -223,7 +222,7 @@ static void take_light(const stage *s, around *all, int i)
 /// have the teeth of the triangles.
 static bool smooth_cloth(const stage *s)
 {
-    around *all = calloc(2 * (size_t)s->shape.vertices + 1, sizeof *all);
+    around *all = calloc(2 * (size_t)s->shape->vertices + 1, sizeof *all);
     for (int i = 0; i < s->triangles && all; i++)
         if (s->cloth->soft[part_of(s, s->triangle[i])])
             add_light(s, all, i);
@@ -239,8 +238,8 @@ static bool smooth_cloth(const stage *s)
 static void smooth_row(fig_lit *row, int step)
 {
     float before_lamp = row->lamp, before_sky = row->sky;
-    for (int i = 1; i < GROUND; i++) {
-        fig_lit *here = row + i * step;
+    fig_lit *here = row + step;
+    for (int i = 1; i < GROUND; i++, here += step) {
         float lamp = here->lamp, sky = here->sky;
         here->lamp = (before_lamp + 2 * lamp + here[step].lamp) / 4;
         here->sky = (before_sky + 2 * sky + here[step].sky) / 4;
@@ -255,11 +254,15 @@ static void smooth_ground(const stage *s)
     enum {
         ROUNDS = 2
     };
-    for (int round = 0; round < ROUNDS; round++)
-        for (int i = 0; i <= GROUND; i++) {
-            smooth_row(ground_corners(s) + i * (GROUND + 1), 1);
-            smooth_row(ground_corners(s) + i, GROUND + 1);
-        }
+    const int row = GROUND + 1;
+    for (int round = 0; round < ROUNDS; round++) {
+        fig_lit *corner = ground_corners(s);
+        for (int i = 0; i < row; i++, corner += row)
+            smooth_row(corner, 1);
+        corner = ground_corners(s);
+        for (int i = 0; i < row; i++, corner++)
+            smooth_row(corner, row);
+    }
 }
 
 // Triangles --------------------------------------------------------------
@@ -355,7 +358,7 @@ static void paint_ground(const stage *s)
 /// would be seen through another sheet on them: they are drawn a bit behind.
 static tf_vector line_end(const stage *s, int vertex, bool rope)
 {
-    tf_vector at = s->shape.at[0][vertex];
+    tf_vector at = s->shape->at[0][vertex];
     double behind = 1.5 * border_width / s->view.points_per_unit;
     return rope ? at : fig_combination(at, -behind, toward_eye(s, at));
 }
@@ -363,10 +366,10 @@ static tf_vector line_end(const stage *s, int vertex, bool rope)
 /// Borders, the creases of what is stiff, and edges of no triangle.
 static void add_lines(const stage *s)
 {
-    for (int i = 0; i < s->shape.edges; i++) {
-        const int *end = s->shape.edge + 2 * (size_t)i;
-        int part = s->shape.part[end[0]];
-        bool rope = s->shape.degree[i] == 0;
+    for (int i = 0; i < s->shape->edges; i++) {
+        const int *end = s->shape->edge + 2 * (size_t)i;
+        int part = s->shape->part[end[0]];
+        bool rope = s->shape->degree[i] == 0;
         if ((!rope && !s->normals.crease[i]) || part == s->cloth->floor)
             continue;
         fig_paint paint = paint_of(s->cloth, s->theme, part);
@@ -431,7 +434,7 @@ static void draw_in_space(const fig_cloth *cloth, fig_page *page, fig_box box,
     stage s = {.cloth = cloth,
                .theme = fig_page_theme(page),
                .scene = fig_panel_scene(panel),
-               .shape = *shape,
+               .shape = shape,
                .view = fig_view_of(&camera, box)};
     s.lamp = lamp_of(&s.view);
     fill_scene(&s,

@@ -58,7 +58,7 @@ void tf_build_knot(tf_stage *stage, int size)
 }
 
 //: Build the scene curtain
-/// The cells in the middle are pulled: one or four.
+/// The cell in the middle is pulled.
 void tf_build_curtain(tf_stage *stage, int size)
 {
     static const tf_material silk = {

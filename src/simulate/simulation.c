@@ -19,11 +19,8 @@ static bool allocate(tf_simulation *s)
     s->position = malloc(size);
     s->velocity = calloc(1, size);
     s->end = malloc(size);
-    s->proposed = malloc(size);
-    s->moved = malloc(sizeof(bool) * vertices);
     s->inverse_mass = malloc(sizeof(double) * vertices);
-    if (!s->position || !s->velocity || !s->end || !s->proposed || !s->moved ||
-        !s->inverse_mass)
+    if (!s->position || !s->velocity || !s->end || !s->inverse_mass)
         return false;
     memcpy(s->position, body->position, size);
     for (size_t v = 0; v < vertices; v++)
@@ -73,8 +70,6 @@ void tf_simulation_free(tf_simulation *simulation)
     free(simulation->position);
     free(simulation->velocity);
     free(simulation->end);
-    free(simulation->proposed);
-    free(simulation->moved);
     free(simulation->inverse_mass);
     free(simulation);
 }
@@ -90,7 +85,7 @@ static void fall(tf_simulation *s)
                 s->scene->gravity * s->scene->step;
 }
 
-/// Where inertia leads.
+/// Where inertia leads, and the script.
 static void fly(tf_simulation *s)
 {
     const tf_body *body = &s->stage.body;
@@ -98,12 +93,8 @@ static void fly(tf_simulation *s)
         s->end[i] = s->position[i] + (body->mass[i / body->axes] > 0
                                           ? s->scene->step * s->velocity[i]
                                           : 0);
-}
-
-static void follow_script(tf_simulation *s)
-{
     for (int i = 0; i < s->stage.handles; i++)
-        tf_handle_place(&s->stage.handle[i], &s->stage.body,
+        tf_handle_place(&s->stage.handle[i], body,
                         (s->scripted + 1) * s->scene->step, s->end);
 }
 
@@ -115,67 +106,7 @@ tf_status tf_simulation_propose(tf_simulation *simulation)
                 simulation->step * scene->step, scene->step,
                 simulation->position, simulation->velocity);
     fly(simulation);
-    follow_script(simulation);
     return tf_dynamics_step(simulation->dynamics, simulation->end, ITERATIONS);
-}
-
-//: Resolve the step of a simulation
-/// Adds the report of another time.
-static void add_report(tf_response_report *sum, const tf_response_report *more)
-{
-    tf_response_report before = *sum;
-    *sum = *more;
-    sum->first_contacts += before.first_contacts;
-    sum->contacts += before.contacts;
-    sum->rows += before.rows;
-    for (int i = 0; i < TF_LEVELS; i++)
-        sum->rounds[i] += before.rounds[i];
-}
-
-static double now(const tf_step_way *way)
-{
-    return way->clock ? way->clock() : 0;
-}
-
-static tf_status resolve(tf_simulation *s, const tf_step_way *way, bool check,
-                         tf_step_cost *cost)
-{
-    const tf_body *body = &s->stage.body;
-    tf_response_options options = {.friction = s->scene->friction,
-                                   .check_start = check,
-                                   .parallel = way->parallel};
-    tf_response_report report;
-    double begin = now(way);
-    memcpy(s->proposed, s->end,
-           sizeof(double) * (size_t)(body->axes * body->vertices));
-    tf_status status =
-        tf_step_resolve(s->resolver, body->vertices, s->position, s->end,
-                        s->inverse_mass, &options, &report, NULL);
-    if (status == TF_OK)
-        add_report(&cost->report, &report);
-    cost->response += now(way) - begin;
-    return status;
-}
-
-//: Follow what the response has moved
-static tf_status follow(tf_simulation *s)
-{
-    const tf_body *body = &s->stage.body;
-    size_t size = sizeof(double) * (size_t)body->axes;
-    for (int v = 0; v < body->vertices; v++)
-        s->moved[v] = memcmp(s->end + body->axes * v,
-                             s->proposed + body->axes * v, size) != 0;
-    follow_script(s);
-    return tf_dynamics_follow(s->dynamics, s->moved, s->end, ITERATIONS);
-}
-
-static tf_status propose_again(tf_simulation *s, const tf_step_way *way,
-                               tf_step_cost *cost)
-{
-    double begin = now(way);
-    tf_status status = follow(s);
-    cost->dynamics += now(way) - begin;
-    return status == TF_OK ? resolve(s, way, false, cost) : status;
 }
 
 //: Go on from where a step ends
@@ -193,19 +124,34 @@ void tf_simulation_accept(tf_simulation *simulation, int held)
 }
 
 //: Make a step of a simulation
+static tf_status resolve(tf_simulation *s, const tf_step_way *way,
+                         tf_response_report *report)
+{
+    tf_response_options options = {.friction = s->scene->friction,
+                                   .check_start = way->check,
+                                   .parallel = way->parallel};
+    return tf_step_resolve(s->resolver, s->stage.body.vertices, s->position,
+                           s->end, s->inverse_mass, &options, report, NULL);
+}
+
+static double now(const tf_step_way *way)
+{
+    return way->clock ? way->clock() : 0;
+}
+
 tf_status tf_simulation_step(tf_simulation *simulation, const tf_step_way *way,
                              tf_step_cost *cost)
 {
     tf_step_cost made = {0};
     double begin = now(way);
     tf_status status = tf_simulation_propose(simulation);
-    made.dynamics = now(way) - begin;
+    double proposed = now(way);
     if (status == TF_OK)
-        status = resolve(simulation, way, way->check, &made);
-    if (status == TF_OK && made.report.moved > 0)
-        status = propose_again(simulation, way, &made);
+        status = resolve(simulation, way, &made.report);
     if (status != TF_OK)
         return status;
+    made.dynamics = proposed - begin;
+    made.response = now(way) - proposed;
     tf_simulation_accept(simulation, made.report.held);
     *cost = made;
     return TF_OK;

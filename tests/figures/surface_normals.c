@@ -1,4 +1,4 @@
-#include "draw/surface_normals.h"
+#include "surface_normals.h"
 
 #include "support/support.h"
 #include "support/surface_of.h"
@@ -19,7 +19,7 @@ static trial begin(const tf_mesh *mesh, const double at[])
     trial tried = {.surface = surface_of(mesh)};
     const tf_motion rest = {mesh->vertices, at, at};
     ck_assert(fig_shape_make(&tried.shape, tried.surface, 3, &rest, FIG_UP_Z));
-    ck_assert(fig_normals_find(&tried.normals, &tried.shape, 0));
+    ck_assert(fig_normals_find(&tried.normals, &tried.shape, 0, NULL));
     return tried;
 }
 
@@ -158,7 +158,7 @@ END_TEST
 
 Suite *suite(void)
 {
-    Suite *s = suite_create("draw/surface_normals");
+    Suite *s = suite_create("figures/surface_normals");
     TCase *normals = tcase_create("normals");
     tcase_add_test(normals, smooth_surfaces_are_lit_smoothly);
     tcase_add_test(normals, cubes_have_twelve_creases);

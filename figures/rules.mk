@@ -42,7 +42,7 @@ $(BUILD)/figures.a: $(call drawing_objects,$(wildcard figures/*.c))
 # @file, here and below: gcc reads options from that file.
 $(drawing_file): $(BUILD)/drawing/draw/main.o $(figure_archives)
 	@echo 'link    $@'
-	$(Q)$(LINK) $^ @$(BUILD)/renderer.libraries -lm -o $@
+	$(Q)$(LINK) $^ @$(BUILD)/renderer.libraries $(SPARSE) -lm -o $@
 
 # What figures include that is made.  Each is written anew only if it changes.
 generated = $(addprefix $(BUILD)/drawing/,names.h includes.h measured_rows.h)

@@ -1,0 +1,96 @@
+#include "cloth_run.h"
+
+#include "base/require.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+// Running ----------------------------------------------------------------
+
+static tf_response_report resolve(const fig_cloth_plan *plan, tf_simulation *s)
+{
+    tf_response_report report = {0};
+    if (plan->options)
+        TF_REQUIRE(tf_step_resolve(s->resolver, s->stage.body.vertices,
+                                   s->position, s->end, s->inverse_mass,
+                                   plan->options, &report, NULL) == TF_OK);
+    else if (!plan->unresolved)
+        TF_REQUIRE(tf_simulation_resolve(s, s->step == 0, NULL, &report,
+                                         NULL) == TF_OK);
+    return report;
+}
+
+static int count_crossings(const tf_simulation *s)
+{
+    tf_crossings found;
+    TF_REQUIRE(tf_surface_check(s->surface, s->position, s->stage.body.vertices,
+                                NULL, &found, NULL) == TF_OK);
+    return (int)found.count;
+}
+
+static void note(fig_cloth_run *run, const fig_cloth_plan *plan, int i)
+{
+    const tf_simulation *s = run->simulation;
+    fig_cloth_step *step = &run->step[i];
+    size_t numbers = (size_t)(run->axes * run->vertices);
+    memcpy(run->x + numbers * (size_t)i, s->position, sizeof(double) * numbers);
+    step->crossings = plan->crossings ? count_crossings(s) : 0;
+    step->stretch = tf_body_stretch(&s->stage.body, s->position);
+    step->kinetic = tf_body_kinetic_energy(&s->stage.body, s->velocity);
+    step->elastic = tf_body_elastic_energy(&s->stage.body, s->position);
+}
+
+fig_cloth_run fig_cloth_run_of(const fig_cloth_plan *plan)
+{
+    const tf_scene *scene = tf_scene_named(plan->scene);
+    fig_cloth_run run = {.steps = plan->steps};
+    TF_REQUIRE(scene && tf_simulation_create(scene, plan->size,
+                                             &run.simulation) == TF_OK);
+    run.axes = run.simulation->stage.body.axes;
+    run.vertices = run.simulation->stage.body.vertices;
+    size_t frames = (size_t)plan->steps + 1;
+    run.x = malloc(sizeof(double) * (size_t)(run.axes * run.vertices) * frames);
+    run.step = calloc(frames, sizeof *run.step);
+    TF_REQUIRE(run.x && run.step);
+    note(&run, plan, 0);
+    for (int i = 1; i <= plan->steps; i++) {
+        TF_REQUIRE(tf_simulation_propose(run.simulation) == TF_OK);
+        run.step[i].report = resolve(plan, run.simulation);
+        tf_simulation_accept(run.simulation, run.step[i].report.held);
+        note(&run, plan, i);
+    }
+    return run;
+}
+
+void fig_cloth_run_free(fig_cloth_run *run)
+{
+    tf_simulation_free(run->simulation);
+    free(run->x);
+    free(run->step);
+}
+
+// Looking at what was run ------------------------------------------------
+
+const double *fig_cloth_run_at(const fig_cloth_run *run, int step)
+{
+    return run->x + (size_t)(run->axes * run->vertices) * (size_t)step;
+}
+
+int fig_cloth_run_count(const fig_cloth_run *run, tf_response_level level)
+{
+    int count = 0;
+    for (int i = 1; i <= run->steps; i++)
+        count += run->step[i].report.rounds[level] > 0;
+    return count;
+}
+
+fig_cloth *fig_cloth_run_film(const fig_cloth_run *run, int first, int every)
+{
+    fig_cloth *cloth = fig_cloth_new(run->simulation->surface, run->axes);
+    TF_REQUIRE(cloth);
+    for (int i = first; i <= run->steps; i += every)
+        TF_REQUIRE(
+            fig_cloth_add(cloth, run->vertices, fig_cloth_run_at(run, i)));
+    TF_REQUIRE(fig_cloth_end(cloth));
+    return cloth;
+}

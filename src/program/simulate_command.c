@@ -167,22 +167,42 @@ static bool fault_in_step(run *r, tf_status status)
 }
 
 //: Make a step of the simulation
+/// Resolves, and adds what that took.
+static tf_status resolve(run *r, bool check, tf_step_cost *cost)
+{
+    tf_parallel threads = tf_threads(&r->request.threads);
+    tf_response_report report;
+    double begin = tf_clock_seconds();
+    tf_status status =
+        tf_simulation_resolve(r->simulation, check, &threads, &report, NULL);
+    cost->response += tf_clock_seconds() - begin;
+    if (status == TF_OK)
+        tf_step_cost_add(cost, &report);
+    return status;
+}
+
+static tf_status move(run *r, tf_status (*lead)(tf_simulation *),
+                      tf_step_cost *cost)
+{
+    double begin = tf_clock_seconds();
+    tf_status status = lead(r->simulation);
+    cost->dynamics += tf_clock_seconds() - begin;
+    return status;
+}
+
 static tf_status make_step(run *r, tf_step_cost *cost)
 {
-    tf_simulation *s = r->simulation;
-    tf_parallel threads = tf_threads(&r->request.threads);
-    double begin = tf_clock_seconds();
-    tf_status status = tf_simulation_propose(s);
-    double proposed = tf_clock_seconds();
+    tf_status status = move(r, tf_simulation_propose, cost);
     if (status == TF_OK)
-        status = tf_simulation_resolve(s, r->steps == 0, &threads,
-                                       &cost->report, NULL);
-    if (status != TF_OK)
-        return status;
-    tf_simulation_accept(s, cost->report.held);
-    cost->dynamics = proposed - begin;
-    cost->response = tf_clock_seconds() - proposed;
-    return TF_OK;
+        status = resolve(r, r->steps == 0, cost);
+    if (status == TF_OK && cost->report.moved > 0) {
+        status = move(r, tf_simulation_follow, cost);
+        if (status == TF_OK)
+            status = resolve(r, false, cost);
+    }
+    if (status == TF_OK)
+        tf_simulation_accept(r->simulation, cost->report.held);
+    return status;
 }
 
 static void count_step(run *r, const tf_step_cost *cost)
@@ -198,7 +218,7 @@ static void count_step(run *r, const tf_step_cost *cost)
 
 static bool add_step(run *r)
 {
-    tf_step_cost cost;
+    tf_step_cost cost = {0};
     char things[64];
     tf_status status = make_step(r, &cost);
     if (status != TF_OK)

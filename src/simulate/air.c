@@ -4,22 +4,19 @@
 #include <math.h>
 
 //: Blow from all sides
-/// Two waves that go with the wind, whose lengths have no common multiple.
+/// Two waves go with the wind, whose lengths have no common multiple.
 static void find_wind(const tf_air *air, double time, const double x[3],
                       double wind[3])
 {
-    double speed = hypot(air->wind[0], air->wind[1]), along = 0;
-    for (int k = 0; k < 3; k++)
-        wind[k] = air->wind[k];
-    if (speed == 0)
-        return;
-    for (int k = 0; k < 2; k++)
-        along += x[k] * air->wind[k] / speed;
-    double phase = 2 * (along - speed * time);
+    double speed = hypot(air->wind[0], air->wind[1]);
+    double angle = atan2(air->wind[1], air->wind[0]) + air->veer * time;
+    double ahead[] = {cos(angle), sin(angle)};
+    double phase =
+        2 * (x[0] * ahead[0] + x[1] * ahead[1] - speed * time);
     double sideways = air->gust * (sin(3 * phase) + sin(1.618 * phase));
-    wind[0] -= sideways * air->wind[1] / speed;
-    wind[1] += sideways * air->wind[0] / speed;
-    wind[2] += 0.3 * air->gust * sin(2.3 * phase + x[2]);
+    wind[0] = speed * ahead[0] - sideways * ahead[1];
+    wind[1] = speed * ahead[1] + sideways * ahead[0];
+    wind[2] = air->wind[2] + 0.3 * air->gust * sin(2.3 * phase + x[2]);
 }
 
 //: Push a triangle along its normal

@@ -7,7 +7,9 @@
 typedef struct tf_air {
     double drag;    ///< the pressure on a surface, in pascals, for each meter
                     ///< per second at which air meets it head-on
-    double wind[3]; ///< in meters per second
+    double wind[3]; ///< at the start, in meters per second
+    double veer;    ///< how fast it turns about the vertical, in radians per
+                    ///< second
     double gust;    ///< how strongly waves in the wind swing to its sides and up
                     ///< and down, in meters per second
 } tf_air;

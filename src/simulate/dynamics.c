@@ -13,7 +13,9 @@ struct tf_dynamics {
     int unknowns; ///< vertices that are not scripted
     int *column;  ///< of each vertex in the matrix; -1: it is scripted
     cholmod_common common;
+    cholmod_sparse *matrix;
     cholmod_factor *factor;
+    cholmod_factor *staying; ///< that of the matrix with vertices that stay
     cholmod_dense *inertia; ///< what does not change in a step
     cholmod_dense *right;   ///< right sides, a column for each axis
     cholmod_dense *solution, *scratch[2]; ///< CHOLMOD's, kept for the next time
@@ -82,13 +84,14 @@ static void prefer_same_bits(cholmod_common *common)
 
 static bool factorize(tf_dynamics *d)
 {
-    cholmod_sparse *matrix = make_matrix(d);
-    if (!matrix)
+    d->matrix = make_matrix(d);
+    if (!d->matrix)
         return false;
-    d->factor = cholmod_analyze(matrix, &d->common);
-    bool good = d->factor && cholmod_factorize(matrix, d->factor, &d->common);
-    cholmod_free_sparse(&matrix, &d->common);
-    return good;
+    d->factor = cholmod_analyze(d->matrix, &d->common);
+    if (!d->factor)
+        return false;
+    d->staying = cholmod_copy_factor(d->factor, &d->common);
+    return d->staying && cholmod_factorize(d->matrix, d->factor, &d->common);
 }
 
 //: Make and free dynamics
@@ -129,7 +132,9 @@ void tf_dynamics_free(tf_dynamics *dynamics)
     if (!dynamics)
         return;
     cholmod_common *common = &dynamics->common;
+    cholmod_free_sparse(&dynamics->matrix, common);
     cholmod_free_factor(&dynamics->factor, common);
+    cholmod_free_factor(&dynamics->staying, common);
     cholmod_free_dense(&dynamics->inertia, common);
     cholmod_free_dense(&dynamics->right, common);
     cholmod_free_dense(&dynamics->solution, common);
@@ -212,27 +217,73 @@ static void find_right_sides(const tf_dynamics *d, const double end[])
 }
 
 //: Find the positions that fit those sums best
-static bool fit(tf_dynamics *d, double end[])
+/// @param stays NULL: no vertex does
+static bool fit(tf_dynamics *d, cholmod_factor *factor, const bool stays[],
+                double end[])
 {
     const tf_body *body = d->body;
-    if (!cholmod_solve2(CHOLMOD_A, d->factor, d->right, NULL, &d->solution,
-                        NULL, &d->scratch[0], &d->scratch[1], &d->common))
+    if (!cholmod_solve2(CHOLMOD_A, factor, d->right, NULL, &d->solution, NULL,
+                        &d->scratch[0], &d->scratch[1], &d->common))
         return false;
     for (int v = 0; v < body->vertices; v++)
-        if (d->column[v] >= 0)
+        if (d->column[v] >= 0 && !(stays && stays[v]))
             for (int k = 0; k < body->axes; k++)
                 end[body->axes * v + k] = *entry(d, d->solution, v, k);
     return true;
+}
+
+static tf_status iterate(tf_dynamics *d, cholmod_factor *factor,
+                         const bool stays[], double end[], int iterations)
+{
+    for (int i = 0; i < iterations; i++) {
+        find_right_sides(d, end);
+        if (!fit(d, factor, stays, end))
+            return TF_OUT_OF_MEMORY;
+    }
+    return TF_OK;
 }
 
 //: Step the dynamics
 tf_status tf_dynamics_step(tf_dynamics *dynamics, double end[], int iterations)
 {
     find_inertia(dynamics, end);
-    for (int i = 0; i < iterations; i++) {
-        find_right_sides(dynamics, end);
-        if (!fit(dynamics, end))
-            return TF_OUT_OF_MEMORY;
+    return iterate(dynamics, dynamics->factor, NULL, end, iterations);
+}
+
+//: Make vertices stay
+/// The entry of a column on the diagonal: the last one, because the upper
+/// triangle is stored, and sorted.
+static double *diagonal(cholmod_sparse *matrix, int column)
+{
+    return (double *)matrix->x + ((int *)matrix->p)[column + 1] - 1;
+}
+
+/// Springs to where they stay, so stiff that nothing else matters.
+static void add_anchors(tf_dynamics *d, cholmod_sparse *matrix,
+                        const bool stays[], const double end[])
+{
+    int axes = d->body->axes;
+    for (int v = 0; v < d->body->vertices; v++) {
+        if (d->column[v] < 0 || !stays[v])
+            continue;
+        double *sum = diagonal(matrix, d->column[v]), anchor = 1e5 * *sum;
+        *sum += anchor;
+        for (int k = 0; k < axes; k++)
+            *entry(d, d->inertia, v, k) += anchor * end[axes * v + k];
     }
-    return TF_OK;
+}
+
+//: Follow vertices that stay
+tf_status tf_dynamics_follow(tf_dynamics *dynamics, const bool stays[],
+                             double end[], int iterations)
+{
+    cholmod_common *common = &dynamics->common;
+    cholmod_sparse *matrix = cholmod_copy_sparse(dynamics->matrix, common);
+    if (!matrix)
+        return TF_OUT_OF_MEMORY;
+    add_anchors(dynamics, matrix, stays, end);
+    bool good = cholmod_factorize(matrix, dynamics->staying, common);
+    cholmod_free_sparse(&matrix, common);
+    return good ? iterate(dynamics, dynamics->staying, stays, end, iterations)
+                : TF_OUT_OF_MEMORY;
 }

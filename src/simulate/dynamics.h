@@ -31,3 +31,13 @@ void tf_dynamics_free(tf_dynamics *dynamics);
 /// @param iterations 1 or more; the more, the stiffer
 /// @return TF_OK or TF_OUT_OF_MEMORY
 tf_status tf_dynamics_step(tf_dynamics *dynamics, double end[], int iterations);
+
+/// Moves the vertices again to the end of the same step, but for some that stay
+/// at other ends: those that a response has moved.  So the forces of contacts
+/// spread through the body at once.  Factorizes another matrix.
+/// @param stays for each vertex, whether it stays
+/// @param[in,out] end in: from where the iterations begin, and where those
+///     vertices stay; out: the end of the step
+/// @return TF_OK or TF_OUT_OF_MEMORY
+tf_status tf_dynamics_follow(tf_dynamics *dynamics, const bool stays[],
+                             double end[], int iterations);

@@ -7,7 +7,7 @@
 #include <math.h>
 
 static const tf_material cotton = {
-    .density = 0.15, .stretch = 400, .bend = 5e-5};
+    .density = 0.15, .stretch = 100, .bend = 5e-5};
 
 //: Lay out a sheet
 /// A horizontal square above the origin, turned about the vertical.
@@ -75,7 +75,7 @@ static void add_joints(tf_body *body, int links, double length)
 /// It resists being stretched a lot, and being bent a little.
 static void add_links(tf_body *body, int links, double length)
 {
-    const double density = 0.1, stretch = 50, bend = 2e-5;
+    const double density = 0.1, stretch = 50, bend = 2e-3;
     for (int v = 0; v < links && !body->failed; v++) {
         tf_body_add_edge(body, v, v + 1);
         tf_body_add_spring(body, v, v + 1, stretch / length);

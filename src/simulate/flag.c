@@ -8,8 +8,8 @@
 void tf_build_flag(tf_stage *stage, int size)
 {
     static const tf_material bunting = {
-        .density = 0.12, .stretch = 400, .bend = 3e-5};
-    const double height = 0.6, foot[] = {0, 0, -1};
+        .density = 0.2, .stretch = 60, .bend = 5e-5};
+    const double height = 0.6, foot[] = {0, 0, -0.3};
     double cell = height / size;
     tf_sheet sheet = {.across = size,
                       .along = 3 * size / 2,
@@ -20,5 +20,5 @@ void tf_build_flag(tf_stage *stage, int size)
     tf_sheet_add(body, &sheet, &bunting);
     for (int v = 0; v <= size && !body->failed; v++)
         body->mass[v] = 0;
-    tf_column_add(body, foot, 0.02, 1.65, 12, size);
+    tf_column_add(body, foot, 0.02, 0.95, 12, size);
 }

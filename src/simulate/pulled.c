@@ -18,9 +18,9 @@ static void take(tf_stage *stage, tf_handle handle)
 void tf_build_twist(tf_stage *stage, int size)
 {
     static const tf_material ribbon = {
-        .density = 0.2, .stretch = 300, .bend = 1e-4};
-    const double width = 0.4;
-    int along = 5 * size / 2, row = size + 1;
+        .density = 1, .stretch = 30, .bend = 1e-4};
+    const double width = 0.2;
+    int along = 6 * size, row = size + 1;
     double cell = width / size;
     tf_sheet strip = {.across = size,
                       .along = along,
@@ -32,16 +32,16 @@ void tf_build_twist(tf_stage *stage, int size)
         take(stage, (tf_handle){.first = end < 0 ? 0 : along * row,
                                 .count = row,
                                 .begin = 0,
-                                .end = 5,
+                                .end = 3,
                                 .axis = {1, 0, 0},
-                                .turn = 18 * end,
-                                .shift = {-0.2 * end, 0, 0}});
+                                .turn = 12 * end,
+                                .shift = {-0.25 * end, 0, 0}});
 }
 
 //: Build the scene knot
 void tf_build_knot(tf_stage *stage, int size)
 {
-    static const tf_material hemp = {.density = 1, .stretch = 2000};
+    static const tf_material hemp = {.density = 10, .stretch = 100};
     const double scale = 0.045, radius = 0.018;
     int sides = 2 * size;
     tf_line line = tf_knot_line(scale, 6, 7 * radius / sides);
@@ -52,7 +52,7 @@ void tf_build_knot(tf_stage *stage, int size)
         take(stage, (tf_handle){.first = end * (circles * sides - grip),
                                 .count = grip,
                                 .begin = 0,
-                                .end = 3,
+                                .end = 2.5,
                                 .axis = {0, 0, 1},
                                 .shift = {0, end == 0 ? 0.3 : -0.3, 0}});
 }
@@ -62,9 +62,9 @@ void tf_build_knot(tf_stage *stage, int size)
 void tf_build_curtain(tf_stage *stage, int size)
 {
     static const tf_material silk = {
-        .density = 0.1, .stretch = 300, .bend = 2e-5};
-    const double side = 1, center[] = {0, 0, -0.05};
-    const double radius[] = {0.12, 0.025};
+        .density = 0.3, .stretch = 60, .bend = 5e-5};
+    const double side = 1, center[] = {0, 0, -0.06};
+    const double radius[] = {0.16, 0.04};
     int row = size + 1, middle = (size - 1) / 2;
     double cell = side / size;
     tf_sheet sheet = {.across = size,
@@ -76,9 +76,9 @@ void tf_build_curtain(tf_stage *stage, int size)
     for (int i = 0; i < 2; i++)
         take(stage, (tf_handle){.first = (middle + i) * row + middle,
                                 .count = 2,
-                                .begin = 0.2,
-                                .end = 4,
+                                .begin = 0.1,
+                                .end = 2.8,
                                 .axis = {0, 0, 1},
                                 .shift = {0, 0, -0.9}});
-    tf_ring_add(&stage->body, center, radius, size + 4, size / 4 + 4);
+    tf_ring_add(&stage->body, center, radius, size + 4, size / 3 + 4);
 }

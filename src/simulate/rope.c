@@ -118,35 +118,7 @@ void tf_line_free(tf_line *line)
     *line = (tf_line){0};
 }
 
-//: Add a straight tube
-static void add_tube(tf_body *body, int circles, double spacing, double radius,
-                     int sides)
-{
-    int first = body->vertices;
-    for (int i = 0; i < circles; i++)
-        for (int s = 0; s < sides; s++) {
-            double around = 2 * pi * s / sides;
-            tf_body_add_vertex(body, (const double[]){spacing * i,
-                                                      radius * cos(around),
-                                                      radius * sin(around)});
-        }
-    for (int i = 0; i + 1 < circles; i++)
-        for (int s = 0; s < sides; s++) {
-            int v = first + i * sides + s;
-            int next = first + i * sides + (s + 1) % sides;
-            tf_body_add_triangle(body, v, next, v + sides);
-            tf_body_add_triangle(body, next, next + sides, v + sides);
-        }
-}
-
-static void add_struts(tf_body *body, int first, int sides, double stiffness)
-{
-    for (int v = first; v + sides <= body->vertices; v += sides)
-        for (int s = 0; s < sides / 2; s++)
-            tf_body_add_spring(body, v + s, v + s + sides / 2, stiffness);
-}
-
-//: Lay a rope along a line
+//: Place circles along a line
 static vector point_of(const tf_line *line, int i)
 {
     vector point;
@@ -162,8 +134,8 @@ static vector direction_at(const tf_line *line, int i)
 }
 
 /// Each circle is turned as little as possible from the one before it.
-static void lay(tf_body *body, int first, const tf_line *line, double radius,
-                int sides)
+static void add_circles(tf_body *body, const tf_line *line, double radius,
+                        int sides)
 {
     vector across = {{0, 0, 1}};
     for (int i = 0; i < line->points; i++) {
@@ -174,10 +146,34 @@ static void lay(tf_body *body, int first, const tf_line *line, double radius,
             double around = 2 * pi * s / sides;
             vector x = sum(point_of(line, i), radius * cos(around), across);
             x = sum(x, radius * sin(around), beside);
-            memcpy(body->position + 3 * (first + i * sides + s), x.x,
-                   sizeof x.x);
+            tf_body_add_vertex(body, x.x);
         }
     }
+}
+
+//: Join the circles of a rope
+static void add_tube(tf_body *body, int first, int circles, int sides)
+{
+    for (int i = 0; i + 1 < circles; i++)
+        for (int s = 0; s < sides; s++) {
+            int v = first + i * sides + s;
+            int next = first + i * sides + (s + 1) % sides;
+            tf_body_add_triangle(body, v, next, v + sides);
+            tf_body_add_triangle(body, next, next + sides, v + sides);
+        }
+}
+
+/// Across each circle, and from each to the next one.
+static void add_struts(tf_body *body, int first, int sides, double stiffness)
+{
+    for (int circle = first; circle < body->vertices; circle += sides)
+        for (int s = 0; s < sides; s++) {
+            int v = circle + s, across = circle + (s + sides / 2) % sides;
+            if (v < across)
+                tf_body_add_spring(body, v, across, stiffness);
+            if (across + sides < body->vertices)
+                tf_body_add_spring(body, v, across + sides, stiffness);
+        }
 }
 
 //: Add a rope
@@ -186,12 +182,8 @@ void tf_rope_add(tf_body *body, const tf_line *line, double radius, int sides,
 {
     int first = body->vertices, triangle = body->triangles;
     body->failed |= !line->x;
-    if (body->failed)
-        return;
-    vector step = sum(point_of(line, 1), -1, point_of(line, 0));
-    add_tube(body, line->points, sqrt(dot(step, step)), radius, sides);
+    add_circles(body, line, radius, sides);
+    add_tube(body, first, line->points, sides);
     tf_cloth_stiffen(body, triangle, material);
     add_struts(body, first, sides, material->stretch);
-    if (!body->failed)
-        lay(body, first, line, radius, sides);
 }

@@ -18,8 +18,8 @@ tf_line tf_knot_line(double scale, double tail, double spacing);
 void tf_line_free(tf_line *line);
 
 //: Declare how to add a rope
-/// Adds a rope: an elastic tube, with struts across it.  It is straight at rest,
-/// and laid along the line, with a circle of vertices at each point.
+/// Adds a rope along a line: an elastic tube, a circle of vertices at each point,
+/// with struts across it.
 /// @param radius less than the radius of the line's curvature
 /// @param sides of the tube, an even number
 /// @param material without a resistance to folds: the struts keep it in shape

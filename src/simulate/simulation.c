@@ -19,8 +19,11 @@ static bool allocate(tf_simulation *s)
     s->position = malloc(size);
     s->velocity = calloc(1, size);
     s->end = malloc(size);
+    s->proposed = malloc(size);
+    s->moved = malloc(sizeof(bool) * vertices);
     s->inverse_mass = malloc(sizeof(double) * vertices);
-    if (!s->position || !s->velocity || !s->end || !s->inverse_mass)
+    if (!s->position || !s->velocity || !s->end || !s->proposed || !s->moved ||
+        !s->inverse_mass)
         return false;
     memcpy(s->position, body->position, size);
     for (size_t v = 0; v < vertices; v++)
@@ -71,6 +74,8 @@ void tf_simulation_free(tf_simulation *simulation)
     free(simulation->position);
     free(simulation->velocity);
     free(simulation->end);
+    free(simulation->proposed);
+    free(simulation->moved);
     free(simulation->inverse_mass);
     free(simulation);
 }
@@ -86,7 +91,7 @@ static void fall(tf_simulation *s)
                 s->scene->gravity * s->scene->step;
 }
 
-/// Where inertia leads, and the script.
+/// Where inertia leads.
 static void fly(tf_simulation *s)
 {
     const tf_body *body = &s->stage.body;
@@ -94,8 +99,12 @@ static void fly(tf_simulation *s)
         s->end[i] = s->position[i] + (body->mass[i / body->axes] > 0
                                           ? s->scene->step * s->velocity[i]
                                           : 0);
+}
+
+static void follow_script(tf_simulation *s)
+{
     for (int i = 0; i < s->stage.handles; i++)
-        tf_handle_place(&s->stage.handle[i], body,
+        tf_handle_place(&s->stage.handle[i], &s->stage.body,
                         (s->scripted + 1) * s->scene->step, s->end);
 }
 
@@ -107,6 +116,7 @@ tf_status tf_simulation_propose(tf_simulation *simulation)
                 simulation->step * scene->step, scene->step,
                 simulation->position, simulation->velocity);
     fly(simulation);
+    follow_script(simulation);
     return tf_dynamics_step(simulation->dynamics, simulation->end, ITERATIONS);
 }
 
@@ -119,11 +129,29 @@ tf_status tf_simulation_resolve(tf_simulation *simulation, bool check,
     tf_response_options options = {.friction = simulation->scene->friction,
                                    .check_start = check,
                                    .parallel = parallel};
+    const tf_body *body = &simulation->stage.body;
+    memcpy(simulation->proposed, simulation->end,
+           sizeof(double) * (size_t)(body->axes * body->vertices));
     return tf_step_resolve(simulation->resolver,
                            simulation->stage.body.vertices,
                            simulation->position, simulation->end,
                            simulation->inverse_mass, &options, report,
                            obstacle);
+}
+
+//: Follow what the response has moved
+tf_status tf_simulation_follow(tf_simulation *simulation)
+{
+    const tf_body *body = &simulation->stage.body;
+    size_t size = sizeof(double) * (size_t)body->axes;
+    for (int v = 0; v < body->vertices; v++) {
+        const double *end = simulation->end + body->axes * v;
+        simulation->moved[v] =
+            memcmp(end, simulation->proposed + body->axes * v, size) != 0;
+    }
+    follow_script(simulation);
+    return tf_dynamics_follow(simulation->dynamics, simulation->moved,
+                              simulation->end, ITERATIONS);
 }
 
 //: Go on from where a step ends

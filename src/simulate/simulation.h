@@ -6,9 +6,10 @@
 #include "simulate/dynamics.h"
 #include "simulate/scene.h"
 
-/// A scene in the course of time.  A step is three calls: propose, resolve and
-/// accept.  It does not depend on what came before it except for the positions,
-/// the velocities, the number of the step and the time of the script.
+/// A scene in the course of time.  A step is these calls: propose and resolve;
+/// if something was in the way, follow and resolve again; and accept.  It does
+/// not depend on what came before it except for the positions, the velocities,
+/// the number of the step and the time of the script.
 typedef struct tf_simulation {
     const tf_scene *scene;
     int size;
@@ -19,6 +20,8 @@ typedef struct tf_simulation {
     double *position;   ///< of the vertices
     double *velocity;   ///< of the vertices, in meters per second
     double *end;        ///< where they are to be after the step
+    double *proposed;   ///< what `end` was before the response
+    bool *moved;        ///< whether the response moved the vertex
     double *inverse_mass;
     tf_surface *surface;
     tf_resolver *resolver;
@@ -45,6 +48,11 @@ tf_status tf_simulation_resolve(tf_simulation *simulation, bool check,
                                 const tf_parallel *parallel,
                                 tf_response_report *report,
                                 tf_obstacle *obstacle);
+
+/// Sets `end` to where the dynamics lead if the vertices that the response has
+/// moved stay, but for those that are scripted.
+/// @return TF_OK or TF_OUT_OF_MEMORY
+tf_status tf_simulation_follow(tf_simulation *simulation);
 
 /// Goes on to `end`: the velocities are those that lead there.
 /// @param held how many scripted vertices were held back

@@ -177,15 +177,20 @@ typedef struct heights {
     double lo, hi;
 } heights;
 
-/// The least and the greatest height in all frames of one part or, if told, of
-/// all others.
-static heights heights_of(const fig_cloth *cloth, int part, bool others)
+static bool is_of(const fig_cloth *cloth, int vertex, int part)
 {
-    const fig_shape *shape = &cloth->shape;
+    int own = cloth->shape.part[vertex];
+    return part >= 0 ? own == part : own >= 0 && cloth->soft[own];
+}
+
+/// The least and the greatest height in all frames of a part or, for -1, of all
+/// soft ones.
+static heights heights_of(const fig_cloth *cloth, int part)
+{
     heights all = {DBL_MAX, -DBL_MAX};
     for (int f = 0, i = 0; f < cloth->frames; f++)
-        for (int v = 0; v < shape->vertices; v++, i++)
-            if ((shape->part[v] != part) == others) {
+        for (int v = 0; v < cloth->shape.vertices; v++, i++)
+            if (is_of(cloth, v, part)) {
                 all.lo = fmin(all.lo, cloth->at[i].x[2]);
                 all.hi = fmax(all.hi, cloth->at[i].x[2]);
             }
@@ -194,14 +199,16 @@ static heights heights_of(const fig_cloth *cloth, int part, bool others)
 
 static void find_floor(fig_cloth *cloth)
 {
+    double lowest = heights_of(cloth, -1).lo;
     cloth->floor = -1;
-    for (int p = 0; p < cloth->shape.parts && cloth->floor < 0; p++) {
+    for (int p = 0; p < cloth->shape.parts; p++) {
         if (cloth->soft[p])
             continue;
-        heights own = heights_of(cloth, p, false);
-        if (own.hi - own.lo <= floor_height &&
-            own.hi <= heights_of(cloth, p, true).lo)
+        heights own = heights_of(cloth, p);
+        if (own.hi - own.lo <= floor_height && own.hi <= lowest) {
             cloth->floor = p;
+            lowest = own.lo;
+        }
     }
 }
 
@@ -244,7 +251,7 @@ static void find_reach(fig_cloth *cloth)
         cloth->size = fmax(cloth->size, out);
     }
     if (cloth->floor >= 0)
-        cloth->bottom = heights_of(cloth, cloth->floor, false).hi;
+        cloth->bottom = heights_of(cloth, cloth->floor).hi;
 }
 
 bool fig_cloth_end(fig_cloth *cloth)

@@ -2,8 +2,8 @@
 //
 // Each connected part has its own color, paler on its back.  What keeps its
 // shape in all frames, an obstacle for instance, is grey if anything does not.
-// If the lowest of that lies level in all frames, it is a floor, of which only
-// the height counts.  A curve of the plane is drawn as lines.
+// What lies level below all that is not grey is a floor, of which only the
+// height counts.  A curve of the plane is drawn as lines.
 #ifndef FIG_CLOTH_H
 #define FIG_CLOTH_H
 

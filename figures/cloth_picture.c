@@ -11,26 +11,25 @@
 static const double usual_azimuth = 28, usual_elevation = 24, distance = 5.5;
 
 /// Around what all frames reach, in points.
-static const double margin = 10;
+static const double margin = 13;
 
 /// Of lines along borders, and of edges of no triangle, in points.
 static const double border_width = 0.6, rope_width = 1.8;
 
 enum {
-    GROUND = 144 ///< cells across the ground
+    GROUND = 104, ///< cells across the ground
+    GROUND_CORNERS = (GROUND + 1) * (GROUND + 1)
 };
 
 /// How far below everything the ground is, and how far out it goes, in sizes of
-/// the cloth; from which part of that on it fades into the paper, and up to
-/// which.
-static const double ground_below = 0.004, ground_out = 2.2;
-static const double fades_from = 0.3, fades_to = 0.7;
+/// the cloth, and from which part of that on it fades into the paper.
+static const double ground_below = 0.004, ground_out = 1.6, ground_fades = 0.4;
 
 /// Red, green and blue of the lamp and of the sky, and of the light that comes
 /// back from the ground.
-static const float lamp_light[3] = {0.93F, 0.88F, 0.80F};
-static const float sky_light[3] = {0.36F, 0.40F, 0.46F};
-static const float ground_light = 0.13F;
+static const float lamp_light[3] = {1.06F, 1.01F, 0.93F};
+static const float sky_light[3] = {0.32F, 0.36F, 0.42F};
+static const float ground_light = 0.12F;
 
 /// How much a surface darkens where it turns away from the eye.
 static const float rim_dark = 0.35F;
@@ -60,7 +59,7 @@ static fig_paint paint_of(const fig_cloth *cloth, int part)
                                     FIG_ROLE_START,    FIG_ROLE_END};
     static const double shade[] = {-0.1, -0.45, 0.25};
     if (!cloth->soft[part])
-        return (fig_paint){.role = FIG_ROLE_NEUTRAL, .shade = -0.45};
+        return (fig_paint){.role = FIG_ROLE_NEUTRAL, .shade = -0.55};
     int color = cloth->color[part];
     return (fig_paint){.role = role[color % 6], .shade = shade[color / 6 % 3]};
 }
@@ -149,7 +148,7 @@ static void place_ground(const stage *s)
 static bool begin(stage *s)
 {
     size_t triangles = (size_t)s->shape.triangles;
-    size_t corners = 3 * triangles + (GROUND + 1) * (GROUND + 1);
+    size_t corners = 3 * triangles + GROUND_CORNERS;
     s->triangle = malloc((triangles + 1) * sizeof *s->triangle);
     s->caster = malloc((triangles + 1) * sizeof *s->caster);
     s->lit = malloc(corners * sizeof *s->lit);
@@ -171,8 +170,93 @@ static bool light(stage *s, bool grounded)
         place_corners(s, i);
     if (grounded)
         place_ground(s);
-    int count = 3 * s->triangles + (grounded ? (GROUND + 1) * (GROUND + 1) : 0);
+    int count = 3 * s->triangles + (grounded ? GROUND_CORNERS : 0);
     return fig_light_softly(count, s->lit, s->triangles, s->caster, s->lamp);
+}
+
+// Smoothing --------------------------------------------------------------
+
+/// The light around a vertex, on the front and on the back of a part.
+typedef struct around {
+    float lamp, sky;
+    int corners;
+} around;
+
+static bool shows_front(const stage *s, int triangle)
+{
+    return side_seen(s, triangle) * (float)s->cloth->face[triangle] > 0;
+}
+
+static around *around_corner(const stage *s, around *all, int i, int corner)
+{
+    int triangle = s->triangle[i], vertex = corners_of(s, triangle)[corner];
+    return &all[2 * (size_t)vertex + shows_front(s, triangle)];
+}
+
+static void add_light(const stage *s, around *all, int i)
+{
+    const fig_lit *lit = s->lit + 3 * (size_t)i;
+    for (int c = 0; c < 3; c++) {
+        around *sum = around_corner(s, all, i, c);
+        for (int k = 0; k < 3; k++) {
+            sum->lamp += lit[k].lamp;
+            sum->sky += lit[k].sky;
+        }
+        sum->corners += 3;
+    }
+}
+
+static void take_light(const stage *s, around *all, int i)
+{
+    fig_lit *lit = s->lit + 3 * (size_t)i;
+    for (int c = 0; c < 3; c++) {
+        const around *sum = around_corner(s, all, i, c);
+        lit[c].lamp = sum->lamp / (float)sum->corners;
+        lit[c].sky = sum->sky / (float)sum->corners;
+    }
+}
+
+/// Smooth the light on what is soft: shadows end between vertices, and would
+/// have the teeth of the triangles.
+static bool smooth_cloth(const stage *s)
+{
+    around *all = calloc(2 * (size_t)s->shape.vertices + 1, sizeof *all);
+    for (int i = 0; i < s->triangles && all; i++)
+        if (s->cloth->soft[part_of(s, s->triangle[i])])
+            add_light(s, all, i);
+    for (int i = 0; i < s->triangles && all; i++)
+        if (s->cloth->soft[part_of(s, s->triangle[i])])
+            take_light(s, all, i);
+    free(all);
+    return all != NULL;
+}
+
+/// Give each corner of a row of the ground, which are `step` apart, a half of
+/// its light and a quarter of that of either neighbor.
+static void smooth_row(fig_lit *row, int step)
+{
+    float before_lamp = row->lamp, before_sky = row->sky;
+    for (int i = 1; i < GROUND; i++) {
+        fig_lit *here = row + i * step;
+        float lamp = here->lamp, sky = here->sky;
+        here->lamp = (before_lamp + 2 * lamp + here[step].lamp) / 4;
+        here->sky = (before_sky + 2 * sky + here[step].sky) / 4;
+        before_lamp = lamp;
+        before_sky = sky;
+    }
+}
+
+/// Smooth the light on the ground: the lamp's shadow is a sum of sharp ones.
+static void smooth_ground(const stage *s)
+{
+    enum {
+        ROUNDS = 2
+    };
+    for (int round = 0; round < ROUNDS; round++)
+        for (int i = 0; i <= GROUND; i++) {
+            smooth_row(ground_corners(s) + i * (GROUND + 1), 1);
+            smooth_row(ground_corners(s) + i, GROUND + 1);
+        }
 }
 
 // Triangles --------------------------------------------------------------
@@ -203,9 +287,7 @@ static void paint_triangles(const stage *s)
     for (int i = 0; i < s->triangles && painted; i++) {
         float color[3];
         int triangle = s->triangle[i];
-        bool front =
-            side_seen(s, triangle) * (float)s->cloth->face[triangle] > 0;
-        set_color(s, part_of(s, triangle), front, color);
+        set_color(s, part_of(s, triangle), shows_front(s, triangle), color);
         for (int c = 0; c < 3; c++)
             paint_corner(s, &s->lit[3 * (size_t)i + (size_t)c], color,
                          painted[i].color[c]);
@@ -221,8 +303,7 @@ static float ground_fade(const stage *s, const fig_lit *corner)
     double out =
         hypot(corner->at[0] - s->ground.x[0], corner->at[1] - s->ground.x[1]) /
         (ground_out * s->cloth->size);
-    double part =
-        fmin(1, fmax(0, (out - fades_from) / (fades_to - fades_from)));
+    double part = fmin(1, fmax(0, (out - ground_fades) / (1 - ground_fades)));
     return (float)(part * part * (3 - 2 * part));
 }
 
@@ -253,6 +334,7 @@ static void paint_half(const stage *s, fig_painted *painted, const int half[3])
 /// A cell of the ground is two triangles, split along alternate diagonals.
 static void paint_ground(const stage *s)
 {
+    smooth_ground(s);
     fig_painted *painted = fig_scene_painted(s->scene, 2 * GROUND * GROUND);
     for (int y = 0; y < GROUND && painted; y++)
         for (int x = 0; x < GROUND; x++) {
@@ -306,13 +388,13 @@ static tf_vector lamp_of(const fig_view *view)
     tf_vector front =
         fig_normalized((tf_vector){{-view->right.x[1], view->right.x[0], 0}});
     tf_vector lamp = {{0, 0, 1}};
-    lamp = fig_combination(lamp, -0.62, view->right);
+    lamp = fig_combination(lamp, -0.75, view->right);
     return fig_normalized(fig_combination(lamp, -0.3, front));
 }
 
 static void fill_scene(stage *s, bool grounded)
 {
-    if (light(s, grounded)) {
+    if (light(s, grounded) && smooth_cloth(s)) {
         paint_triangles(s);
         if (grounded)
             paint_ground(s);
@@ -339,7 +421,8 @@ static void draw_in_space(const fig_cloth *cloth, fig_page *page, fig_box box,
                .shape = *shape,
                .view = fig_view_of(&camera, box)};
     s.lamp = lamp_of(&s.view);
-    fill_scene(&s, !look->groundless && shape->triangles > 0);
+    fill_scene(&s,
+               !look->groundless && shape->triangles > 0 && cloth->size > 0);
 }
 
 static void draw_in_plane(const fig_cloth *cloth, fig_page *page, fig_box box,

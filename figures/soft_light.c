@@ -3,11 +3,12 @@
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum {
     SIDE = 320, ///< of a map, cells
-    LAMP = 56,  ///< directions
-    SKY = 104
+    LAMP = 90,  ///< directions
+    SKY = 70
 };
 
 /// The radius of the lamp as seen from one unit away.
@@ -22,12 +23,14 @@ static const float off_surface = 1.6F, above = 0.3F;
 /// The triangles as seen from a direction: for each cell how high the highest
 /// one is.
 typedef struct map {
-    float across[3], along[3], toward[3]; ///< cells per unit of length
-    float origin[2];
+    float across[3], along[3]; ///< cells per unit of length
+    float toward[3];           ///< the direction, of length 1
+    float middle[3];           ///< what is seen in the middle of the map
+    float cell;                ///< its side, in units of length
     float height[SIDE][SIDE];
 } map;
 
-/// What the triangles are inside of.
+/// What the triangles are inside of, so that all of them are on a map.
 typedef struct ball {
     float middle[3], radius;
 } ball;
@@ -78,7 +81,7 @@ static ball ball_around(int casters, const fig_caster caster[])
                 lo[k] = fminf(lo[k], caster[i].at[c][k]);
                 hi[k] = fmaxf(hi[k], caster[i].at[c][k]);
             }
-    ball all = {.radius = FLT_MIN};
+    ball all = {.radius = 1e-30F}; // whose inverse is a float, too
     for (int k = 0; k < 3 && casters > 0; k++) {
         all.middle[k] = (lo[k] + hi[k]) / 2;
         all.radius = hypotf(all.radius, (hi[k] - lo[k]) / 2);
@@ -94,21 +97,23 @@ static void aim(map *m, const ball *all, tf_vector toward)
     for (int k = 0; k < 3; k++) {
         m->across[k] = cells * (float)across.x[k];
         m->along[k] = cells * (float)along.x[k];
-        m->toward[k] = cells * (float)toward.x[k];
+        m->toward[k] = (float)toward.x[k];
     }
-    m->origin[0] = SIDE / 2.0F - dot(m->across, all->middle);
-    m->origin[1] = SIDE / 2.0F - dot(m->along, all->middle);
+    m->cell = 1 / cells;
+    memcpy(m->middle, all->middle, sizeof m->middle);
     for (int y = 0; y < SIDE; y++)
         for (int x = 0; x < SIDE; x++)
             m->height[y][x] = -FLT_MAX;
 }
 
-/// Where a point is on a map, in cells: across, along and its height.
+/// Where a point is on a map: across and along, in cells, and its height.
 static void place_on(const map *m, const float at[3], float place[3])
 {
-    place[0] = dot(m->across, at) + m->origin[0];
-    place[1] = dot(m->along, at) + m->origin[1];
-    place[2] = dot(m->toward, at);
+    const float off[3] = {at[0] - m->middle[0], at[1] - m->middle[1],
+                          at[2] - m->middle[2]};
+    place[0] = dot(m->across, off) + SIDE / 2.0F;
+    place[1] = dot(m->along, off) + SIDE / 2.0F;
+    place[2] = dot(m->toward, off);
 }
 
 /// Twice the area of a triangle of the map, its sign by the way around.
@@ -117,28 +122,41 @@ static float area(const float a[3], const float b[3], const float c[3])
     return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 
-/// Raise the cells whose middles are in a triangle.
-static void cover_cells(map *m, float corner[3][3])
+/// Raise the cells of a row, from x to `end`, whose middles are in a triangle.
+/// The shares that its first two corners have in a point grow evenly.
+static void cover_row(map *m, int y, int x, int end, const float *const at[3],
+                      float whole)
 {
-    float whole = area(corner[0], corner[1], corner[2]);
-    if (whole == 0)
-        return;
-    float lo[2], hi[2];
-    for (int k = 0; k < 2; k++) {
-        lo[k] = fminf(corner[0][k], fminf(corner[1][k], corner[2][k]));
-        hi[k] = fmaxf(corner[0][k], fmaxf(corner[1][k], corner[2][k]));
+    const float p[3] = {(float)x + 0.5F, (float)y + 0.5F, 0};
+    float a = area(p, at[1], at[2]) / whole, b = area(at[0], p, at[2]) / whole;
+    float a_step = (at[1][1] - at[2][1]) / whole;
+    float b_step = (at[2][1] - at[0][1]) / whole;
+    float a_rise = at[0][2] - at[2][2], b_rise = at[1][2] - at[2][2];
+    for (float *cell = m->height[y] + x; x < end; x++, cell++) {
+        float height = at[2][2] + a * a_rise + b * b_rise;
+        if (a >= 0 && b >= 0 && a + b <= 1 && height > *cell)
+            *cell = height;
+        a += a_step;
+        b += b_step;
     }
-    for (int y = (int)(lo[1] + 0.5F); (float)y + 0.5F <= hi[1]; y++)
-        for (int x = (int)(lo[0] + 0.5F); (float)x + 0.5F <= hi[0]; x++) {
-            const float p[3] = {(float)x + 0.5F, (float)y + 0.5F, 0};
-            float a = area(p, corner[1], corner[2]) / whole;
-            float b = area(corner[0], p, corner[2]) / whole;
-            float c = 1 - a - b;
-            if (a >= 0 && b >= 0 && c >= 0)
-                m->height[y][x] =
-                    fmaxf(m->height[y][x], a * corner[0][2] + b * corner[1][2] +
-                                               c * corner[2][2]);
-        }
+}
+
+static float least(float a, float b, float c)
+{
+    return fminf(a, fminf(b, c));
+}
+
+/// Raise the cells whose middles are in a triangle.
+static void cover_cells(map *m, const float *const at[3])
+{
+    float whole = area(at[0], at[1], at[2]);
+    int begin[2], end[2];
+    for (int k = 0; k < 2; k++) {
+        begin[k] = (int)(least(at[0][k], at[1][k], at[2][k]) + 0.5F);
+        end[k] = (int)(0.5F - least(-at[0][k], -at[1][k], -at[2][k]));
+    }
+    for (int y = begin[1]; y < end[1] && whole != 0; y++)
+        cover_row(m, y, begin[0], end[0], at, whole);
 }
 
 static void draw_map(map *m, const ball *all, tf_vector toward, int casters,
@@ -149,20 +167,21 @@ static void draw_map(map *m, const ball *all, tf_vector toward, int casters,
         float corner[3][3];
         for (int c = 0; c < 3; c++)
             place_on(m, caster[i].at[c], corner[c]);
-        cover_cells(m, corner);
+        cover_cells(m, (const float *const[]){corner[0], corner[1], corner[2]});
     }
 }
 
 static bool in_the_dark(const map *m, const fig_lit *point)
 {
-    float place[3], off = off_surface / sqrtf(dot(m->toward, m->toward));
+    float place[3], off = off_surface * m->cell;
     const float at[3] = {point->at[0] + off * point->normal[0],
                          point->at[1] + off * point->normal[1],
                          point->at[2] + off * point->normal[2]};
     place_on(m, at, place);
     bool inside =
         place[0] >= 0 && place[0] < SIDE && place[1] >= 0 && place[1] < SIDE;
-    return inside && m->height[(int)place[1]][(int)place[0]] > place[2] + above;
+    return inside &&
+           m->height[(int)place[1]][(int)place[0]] > place[2] + above * m->cell;
 }
 
 // Light ------------------------------------------------------------------
@@ -171,9 +190,7 @@ static bool in_the_dark(const map *m, const fig_lit *point)
 static float light_from(const map *m, const fig_lit *point)
 {
     float facing = dot(m->toward, point->normal);
-    if (facing <= 0 || in_the_dark(m, point))
-        return 0;
-    return facing / sqrtf(dot(m->toward, m->toward));
+    return facing <= 0 || in_the_dark(m, point) ? 0 : facing;
 }
 
 bool fig_light_softly(int count, fig_lit lit[], int casters,

@@ -7,16 +7,42 @@
 
 // Running ----------------------------------------------------------------
 
-static tf_response_report resolve(const fig_cloth_plan *plan, tf_simulation *s)
+static tf_response_report resolve(const fig_cloth_plan *plan, tf_simulation *s,
+                                  bool check)
 {
-    tf_response_report report = {0};
+    tf_response_report report;
     if (plan->options)
         TF_REQUIRE(tf_step_resolve(s->resolver, s->stage.body.vertices,
                                    s->position, s->end, s->inverse_mass,
                                    plan->options, &report, NULL) == TF_OK);
-    else if (!plan->unresolved)
-        TF_REQUIRE(tf_simulation_resolve(s, s->step == 0, NULL, &report,
-                                         NULL) == TF_OK);
+    else
+        TF_REQUIRE(tf_simulation_resolve(s, check, NULL, &report, NULL) ==
+                   TF_OK);
+    return report;
+}
+
+/// Contacts and rounds are those of both times.
+static void add_report(tf_response_report *sum, const tf_response_report *more)
+{
+    sum->contacts += more->contacts;
+    for (int i = 0; i < TF_LEVELS; i++)
+        sum->rounds[i] += more->rounds[i];
+    sum->held = more->held;
+}
+
+static tf_response_report make_step(const fig_cloth_plan *plan,
+                                    tf_simulation *s)
+{
+    tf_response_report report = {0};
+    TF_REQUIRE(tf_simulation_propose(s) == TF_OK);
+    if (!plan->unresolved)
+        report = resolve(plan, s, s->step == 0);
+    if (report.moved > 0 && !plan->unfollowed) {
+        TF_REQUIRE(tf_simulation_follow(s) == TF_OK);
+        tf_response_report second = resolve(plan, s, false);
+        add_report(&report, &second);
+    }
+    tf_simulation_accept(s, report.held);
     return report;
 }
 
@@ -54,9 +80,7 @@ fig_cloth_run fig_cloth_run_of(const fig_cloth_plan *plan)
     TF_REQUIRE(run.x && run.step);
     note(&run, plan, 0);
     for (int i = 1; i <= plan->steps; i++) {
-        TF_REQUIRE(tf_simulation_propose(run.simulation) == TF_OK);
-        run.step[i].report = resolve(plan, run.simulation);
-        tf_simulation_accept(run.simulation, run.step[i].report.held);
+        run.step[i].report = make_step(plan, run.simulation);
         note(&run, plan, i);
     }
     return run;

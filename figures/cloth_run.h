@@ -9,8 +9,9 @@
 typedef struct fig_cloth_plan {
     const char *scene;
     int size, steps;
-    bool unresolved;                    ///< nothing looks after collisions
-    bool crossings;                     ///< count intersections after each step
+    bool unresolved; ///< nothing looks after collisions
+    bool unfollowed; ///< the cloth does not follow what the response has moved
+    bool crossings;  ///< count intersections after each step
     const tf_response_options *options; ///< NULL: those of the scene
 } fig_cloth_plan;
 

@@ -60,11 +60,13 @@ $(BUILD)/drawing/includes.h: src/layers.awk $(wildcard src/*/*.[ch])
 	@$(unless_same)
 
 # The lines "name,value,unit" of what was measured, as initializers; those of
-# roads.csv are named "roads ...".
+# roads.csv are named "roads ...", and those of simulation.csv "simulation ...".
 row = s/^\(.*\),\([0-9.]*\),.*$$/{"$(1)\1", \2},/p
-$(BUILD)/drawing/measured_rows.h: figures/measured.csv figures/roads.csv
+$(BUILD)/drawing/measured_rows.h: figures/measured.csv figures/roads.csv \
+		figures/simulation.csv
 	@mkdir -p $(@D) && { sed -n '$(call row,)' $<; \
-	    sed -n '$(call row,roads )' $(word 2,$^); } >$@.new
+	    sed -n '$(call row,roads )' $(word 2,$^); \
+	    sed -n '$(call row,simulation )' $(word 3,$^); } >$@.new
 	@$(unless_same)
 
 drawing_flags = -I$(SRC) -Ifigures -I$(BUILD)/drawing \

@@ -10,15 +10,16 @@
 #include <string.h>
 
 enum {
-    SIZE = 8,
-    STEPS = 240,
+    SIZE = 6,
+    EVERY = 12, ///< steps from frame to frame
+    STEPS = 48 * EVERY,
     STRIPS = 2
 };
 
 /// How far above the other one the upper strip is drawn.
-static const double apart = 0.3;
+static const double apart = 0.26;
 
-static const double still = 0.8;
+static const double still = 0.875;
 
 /// Both strips as one surface: first the one that nothing looks after.
 typedef struct pair {
@@ -73,7 +74,7 @@ static pair *run_both(void)
     both->cloth = fig_cloth_new(both->surface, 3);
     double *x = malloc(sizeof *x * 3 * STRIPS * (size_t)both->run[0].vertices);
     TF_REQUIRE(x && both->cloth);
-    for (int i = 0; i <= STEPS; i++)
+    for (int i = 0; i <= STEPS; i += EVERY)
         add_frame(both, i, x);
     TF_REQUIRE(fig_cloth_end(both->cloth));
     free(x);
@@ -116,7 +117,7 @@ static void print_numbers(FILE *numbers, const pair *both, int step)
     fig_number(numbers, "step", step);
     fig_number(numbers, "steps", STEPS);
     fig_number(numbers, "first_crossing", first_crossing(&both->run[0]));
-    fig_number(numbers, "crossings", both->run[0].step[STEPS].crossings);
+    fig_number(numbers, "crossings", both->run[0].step[step].crossings);
     fig_number(numbers, "crossings_resolved", most);
     fig_number(numbers, "triangles",
                both->run[0].simulation->stage.body.triangles);
@@ -126,16 +127,15 @@ static void draw(fig_page *page, FILE *numbers)
 {
     const pair *both = the_pair();
     double t = fig_film_time(page, numbers, still, -1);
-    int step = (int)lround(t * STEPS);
+    int frame = (int)lround(t * STEPS / EVERY), step = EVERY * frame;
     double width = fig_page_width(page), height = fig_page_height(page);
-    fig_cloth_draw(both->cloth, page, (fig_box){0, 0, width, height}, step,
-                   &(fig_cloth_look){.turned = true,
-                                     .azimuth = 90,
-                                     .elevation = 12,
-                                     .groundless = true});
-    write_count(page, 14, "without response",
+    fig_cloth_draw(
+        both->cloth, page, (fig_box){0, 0, width, height}, frame,
+        &(fig_cloth_look){
+            .turned = true, .azimuth = 0, .elevation = 12, .groundless = true});
+    write_count(page, 16, "without response",
                 both->run[0].step[step].crossings);
-    write_count(page, height - 8, "with response",
+    write_count(page, height - 10, "with response",
                 both->run[1].step[step].crossings);
     print_numbers(numbers, both, step);
 }

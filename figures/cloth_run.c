@@ -60,7 +60,8 @@ static void note(fig_cloth_run *run, const fig_cloth_plan *plan, int i)
     fig_cloth_step *step = &run->step[i];
     size_t numbers = (size_t)(run->axes * run->vertices);
     memcpy(run->x + numbers * (size_t)i, s->position, sizeof(double) * numbers);
-    step->crossings = plan->crossings ? count_crossings(s) : 0;
+    step->crossings =
+        plan->check > 0 && i % plan->check == 0 ? count_crossings(s) : 0;
     step->stretch = tf_body_stretch(&s->stage.body, s->position);
     step->kinetic = tf_body_kinetic_energy(&s->stage.body, s->velocity);
     step->elastic = tf_body_elastic_energy(&s->stage.body, s->position);

@@ -11,7 +11,7 @@ typedef struct fig_cloth_plan {
     int size, steps;
     bool unresolved; ///< nothing looks after collisions
     bool unfollowed; ///< the cloth does not follow what the response has moved
-    bool crossings;  ///< count intersections after each step
+    int check; ///< every so many steps intersections are counted; 0: never
     const tf_response_options *options; ///< NULL: those of the scene
 } fig_cloth_plan;
 

@@ -11,16 +11,12 @@ static void print_still(FILE *numbers, const fig_cloth_still *still,
     fig_number(numbers, key, still->plan.steps);
     snprintf(key, sizeof key, "triangles_%s", scene);
     fig_number(numbers, key, run->simulation->stage.body.triangles);
-    snprintf(key, sizeof key, "crossings_%s", scene);
-    fig_number(numbers, key, run->step[run->steps].crossings);
 }
 
 static void draw_still(fig_page *page, FILE *numbers, fig_box box,
                        const fig_cloth_still *still)
 {
-    fig_cloth_plan plan = still->plan;
-    plan.crossings = true;
-    fig_cloth_run run = fig_cloth_run_of(&plan);
+    fig_cloth_run run = fig_cloth_run_of(&still->plan);
     fig_cloth *cloth = fig_cloth_run_film(&run, still->first, 1);
     fig_cloth_draw(cloth, page, box, fig_cloth_frames(cloth) - 1, &still->look);
     fig_page_caption(page, box, still->plan.scene);

@@ -14,8 +14,8 @@ enum {
 };
 
 static const fig_cloth_plan plans[SCENES] = {
-    {.scene = "sphere", .size = 12, .steps = 240},
-    {.scene = "twist", .size = 6, .steps = 560},
+    {.scene = "sphere", .size = 10, .steps = 240},
+    {.scene = "twist", .size = 6, .steps = 500},
 };
 
 static const double left = 38, width = 142, apart = 200;
@@ -97,6 +97,14 @@ static double most_stretch(const fig_cloth_run *run)
     return most;
 }
 
+static double contacts_of(const fig_cloth_run *run)
+{
+    double sum = 0;
+    for (int i = 1; i <= run->steps; i++)
+        sum += (double)run->step[i].report.contacts;
+    return sum;
+}
+
 static void draw_stretch(fig_page *page, int scene,
                          const fig_cloth_run run[RUNS])
 {
@@ -111,7 +119,7 @@ static void draw_stretch(fig_page *page, int scene,
 
 static void draw_energies(fig_page *page, int scene, const fig_cloth_run *run)
 {
-    fig_plot plot = plot_of(scene, 2, 1e-5, 100);
+    fig_plot plot = plot_of(scene, 2, 1e-6, 10);
     plot.log_y = true;
     fig_plot_frame(page, &plot);
     draw_curve(page, &plot, run, kinetic_of,
@@ -127,8 +135,9 @@ static void write_keys(fig_page *page)
     fig_plot_key(page, x + 46, tops[0] + 6, "failsafe", FIG_ROLE_CONTACT);
     fig_plot_key(page, x, tops[1] + 6, "cloth follows", FIG_ROLE_EDGE);
     fig_plot_key(page, x + 80, tops[1] + 6, "does not", FIG_ROLE_NEUTRAL);
-    fig_plot_key(page, x, tops[2] + height - 18, "kinetic", FIG_ROLE_EDGE);
-    fig_plot_key(page, x, tops[2] + height - 6, "elastic", FIG_ROLE_OTHER_EDGE);
+    double low = tops[2] + height - 10;
+    fig_plot_key(page, x + 16, low, "kinetic", FIG_ROLE_EDGE);
+    fig_plot_key(page, x + 70, low, "elastic", FIG_ROLE_OTHER_EDGE);
 }
 
 static void print_number(FILE *numbers, const char *what, int scene,
@@ -159,6 +168,8 @@ static void draw_scene(fig_page *page, FILE *numbers, int scene)
                  fig_cloth_run_count(&run[0], TF_FAILSAFE));
     print_number(numbers, "held", scene, held);
     print_number(numbers, "stretch", scene, most_stretch(&run[0]));
+    print_number(numbers, "contacts", scene, contacts_of(&run[0]));
+    print_number(numbers, "contacts_rubber", scene, contacts_of(&run[1]));
     print_number(numbers, "rubber", scene, most_stretch(&run[1]));
     for (int i = 0; i < RUNS; i++)
         fig_cloth_run_free(&run[i]);

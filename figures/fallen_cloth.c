@@ -3,7 +3,7 @@
 #include "figures.h"
 
 static const fig_cloth_still stills[] = {
-    {.plan = {.scene = "sphere", .size = 18, .steps = 100}, .first = 98},
+    {.plan = {.scene = "sphere", .size = 16, .steps = 90}, .first = 88},
     {.plan = {.scene = "stack", .size = 8, .steps = 75}, .first = 73},
 };
 

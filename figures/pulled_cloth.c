@@ -5,8 +5,8 @@
 
 static const fig_cloth_still stills[] = {
     {.plan = {.scene = "knot", .size = 3, .steps = 330}, .first = 328},
-    {.plan = {.scene = "curtain", .size = 14, .steps = 200}, .first = 198},
-    {.plan = {.scene = "flag", .size = 10, .steps = 160}, .first = 158},
+    {.plan = {.scene = "curtain", .size = 16, .steps = 250}, .first = 248},
+    {.plan = {.scene = "flag", .size = 8, .steps = 240}, .first = 238},
 };
 
 static void draw(fig_page *page, FILE *numbers)

@@ -42,9 +42,9 @@ static void draw_edges(fig_page *page, const fig_plot *plot, const double x[],
 static void draw_run(fig_page *page, const fig_cloth_run *run, int i)
 {
     const tf_body *body = &run->simulation->stage.body;
-    fig_plot plot = {.box = {4 + 126.0 * i, 18, 122, 120},
+    fig_plot plot = {.box = {4 + 126.0 * i, 18, 122, 61},
                      .x = {-0.37, 0.37},
-                     .y = {-0.03, 0.7}};
+                     .y = {-0.04, 0.33}};
     char title[32];
     snprintf(title, sizeof title, "friction %g", choice[i].friction);
     fig_page_fill_box(page, plot.box,
@@ -105,6 +105,6 @@ const fig_figure fig_three_frictions = {
     .name = "three-frictions",
     .title = "A chain in a box, with more and with less friction",
     .width = FIG_PAGE_WIDTH,
-    .height = 144,
+    .height = 84,
     .draw = draw,
 };

@@ -69,7 +69,7 @@ static pair *run_both(void)
                                                           .size = SIZE,
                                                           .steps = STEPS,
                                                           .unresolved = k == 0,
-                                                          .crossings = true});
+                                                          .check = EVERY});
     both->surface = surface_of_both(&both->run[0].simulation->stage.body);
     both->cloth = fig_cloth_new(both->surface, 3);
     double *x = malloc(sizeof *x * 3 * STRIPS * (size_t)both->run[0].vertices);
@@ -129,8 +129,10 @@ static void draw(fig_page *page, FILE *numbers)
     double t = fig_film_time(page, numbers, still, -1);
     int frame = (int)lround(t * STEPS / EVERY), step = EVERY * frame;
     double width = fig_page_width(page), height = fig_page_height(page);
+    // No larger than it must be: a film weighs as much as what changes in it.
+    fig_box box = {75, 18, width - 150, height - 40};
     fig_cloth_draw(
-        both->cloth, page, (fig_box){0, 0, width, height}, frame,
+        both->cloth, page, box, frame,
         &(fig_cloth_look){
             .turned = true, .azimuth = 0, .elevation = 12, .groundless = true});
     write_count(page, 16, "without response",

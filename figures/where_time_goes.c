@@ -14,7 +14,7 @@ enum {
 static const char *const scenes[SCENES] = {
     "sphere", "stack", "twist", "knot", "curtain", "flag", "plane-chain"};
 
-static const int sizes[SIZES] = {22, 39, 69, 123, 218};
+static const int sizes[SIZES] = {22, 39, 69, 123, 181};
 
 static const char *const part[] = {"dynamics", "response"};
 

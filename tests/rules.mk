@@ -36,6 +36,11 @@ $(BUILD)/tests/%: $(BUILD)/tests/%.o $(BUILD)/support.a $(BUILD)/program.a \
 	@echo 'link    $@'
 	$(Q)$(LINK) $^ $$(pkg-config --libs check) $(LIBRARIES) -lgmp -lm -o $@
 
+# These have the simulator in them, and with it the library that it uses.
+simulating = $(BUILD)/tests/whole/scenes $(patsubst %,$(BUILD)/tests/program/%,\
+	frame_file steps_file simulation_folder simulate_command)
+$(BUILD)/tests/simulate/% $(simulating): LIBRARIES = $(SPARSE)
+
 # This one counts calls of these functions.
 $(BUILD)/tests/whole/allocations: LIBRARIES = -Wl,--wrap=malloc \
 	-Wl,--wrap=calloc -Wl,--wrap=realloc -Wl,--wrap=aligned_alloc

@@ -125,10 +125,11 @@ static bool take_vertices(tf_simulation *s, const content *read)
 
 static bool take_state(tf_simulation *s, const content *read)
 {
-    return sscanf(read->text,
-                  "ply\nformat binary_little_endian 1.0\ncomment "
-                  "tanglefree simulate %*s --size %*d, step %d, of the script %d",
-                  &s->step, &s->scripted) == 2 &&
+    return sscanf(
+               read->text,
+               "ply\nformat binary_little_endian 1.0\ncomment "
+               "tanglefree simulate %*s --size %*d, step %d, of the script %d",
+               &s->step, &s->scripted) == 2 &&
            s->step >= 0 && s->scripted >= 0 && take_vertices(s, read);
 }
 

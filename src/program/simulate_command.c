@@ -62,8 +62,9 @@ static int parse_count(struct argp_state *state, const char *option,
     char *end;
     long count = strtol(text, &end, 10);
     if (end == text || *end || count < least || count > most)
-        argp_error(state, "--%s needs a whole number from %d to %d, and not "
-                          "'%s'",
+        argp_error(state,
+                   "--%s needs a whole number from %d to %d, and not "
+                   "'%s'",
                    option, least, most, tf_make_visible(text).text);
     return (int)count;
 }
@@ -160,51 +161,13 @@ typedef struct run {
 
 static bool fault_in_step(run *r, tf_status status)
 {
-    snprintf(r->fault, sizeof r->fault, "%s: step %d: %s",
-             r->request.scene->name, r->simulation ? r->simulation->step + 1 : 1,
-             tf_status_message(status));
+    snprintf(
+        r->fault, sizeof r->fault, "%s: step %d: %s", r->request.scene->name,
+        r->simulation ? r->simulation->step + 1 : 1, tf_status_message(status));
     return false;
 }
 
-//: Make a step of the simulation
-/// Resolves, and adds what that took.
-static tf_status resolve(run *r, bool check, tf_step_cost *cost)
-{
-    tf_parallel threads = tf_threads(&r->request.threads);
-    tf_response_report report;
-    double begin = tf_clock_seconds();
-    tf_status status =
-        tf_simulation_resolve(r->simulation, check, &threads, &report, NULL);
-    cost->response += tf_clock_seconds() - begin;
-    if (status == TF_OK)
-        tf_step_cost_add(cost, &report);
-    return status;
-}
-
-static tf_status move(run *r, tf_status (*lead)(tf_simulation *),
-                      tf_step_cost *cost)
-{
-    double begin = tf_clock_seconds();
-    tf_status status = lead(r->simulation);
-    cost->dynamics += tf_clock_seconds() - begin;
-    return status;
-}
-
-static tf_status make_step(run *r, tf_step_cost *cost)
-{
-    tf_status status = move(r, tf_simulation_propose, cost);
-    if (status == TF_OK)
-        status = resolve(r, r->steps == 0, cost);
-    if (status == TF_OK && cost->report.moved > 0) {
-        status = move(r, tf_simulation_follow, cost);
-        if (status == TF_OK)
-            status = resolve(r, false, cost);
-    }
-    if (status == TF_OK)
-        tf_simulation_accept(r->simulation, cost->report.held);
-    return status;
-}
-
+//: Make a step of the simulation, and write it
 static void count_step(run *r, const tf_step_cost *cost)
 {
     tf_step_cost *total = &r->total;
@@ -218,9 +181,11 @@ static void count_step(run *r, const tf_step_cost *cost)
 
 static bool add_step(run *r)
 {
-    tf_step_cost cost = {0};
+    tf_step_cost cost;
     char things[64];
-    tf_status status = make_step(r, &cost);
+    tf_parallel threads = tf_threads(&r->request.threads);
+    tf_step_way way = {&threads, r->steps == 0, tf_clock_seconds};
+    tf_status status = tf_simulation_step(r->simulation, &way, &cost);
     if (status != TF_OK)
         return fault_in_step(r, status);
     count_step(r, &cost);
@@ -284,8 +249,8 @@ static void print_end(const run *r, bool good)
 //: Run the command simulate
 int tf_simulate_command(int argc, char *argv[])
 {
-    static const struct argp parser = {options, parse_argument, "SCENE\nlist",
-                                       description, NULL, NULL, NULL};
+    static const struct argp parser = {
+        options, parse_argument, "SCENE\nlist", description, NULL, NULL, NULL};
     run r = {.request = {.steps = -1, .threads = tf_threads_available()}};
     argp_parse(&parser, argc, argv, 0, NULL, &r.request);
     if (!r.request.scene)

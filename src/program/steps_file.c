@@ -6,18 +6,6 @@
 #include <string.h>
 #include <unistd.h>
 
-//: Add reports
-void tf_step_cost_add(tf_step_cost *cost, const tf_response_report *report)
-{
-    tf_response_report before = cost->report;
-    cost->report = *report;
-    cost->report.first_contacts += before.first_contacts;
-    cost->report.contacts += before.contacts;
-    cost->report.rows += before.rows;
-    for (int i = 0; i < TF_LEVELS; i++)
-        cost->report.rounds[i] += before.rounds[i];
-}
-
 //: Begin the table of steps
 static const char heading[] =
     "step,time,first_contacts,contacts,impulse_rounds,zone_rounds,rigid_rounds,"
@@ -82,8 +70,8 @@ static void write_report(FILE *table, const tf_response_report *report)
     fprintf(table, ",%zu,%zu", report->first_contacts, report->contacts);
     for (int i = 0; i < TF_LEVELS; i++)
         fprintf(table, ",%d", report->rounds[i]);
-    fprintf(table, ",%zu,%d,%d,%d", report->rows, report->held,
-            report->grouped, report->resting);
+    fprintf(table, ",%zu,%d,%d,%d", report->rows, report->held, report->grouped,
+            report->resting);
 }
 
 bool tf_steps_file_add(FILE *table, const tf_simulation *simulation,

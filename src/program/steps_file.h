@@ -5,16 +5,6 @@
 
 #include <stdio.h>
 
-/// What a step took, which is resolved once or twice.
-typedef struct tf_step_cost {
-    tf_response_report report; ///< contacts, rounds and rows: of both times; all
-                               ///< else: of the last
-    double dynamics, response; ///< seconds
-} tf_step_cost;
-
-/// Adds the report of another time.
-void tf_step_cost_add(tf_step_cost *cost, const tf_response_report *report);
-
 /// Makes a table without lines, over what is there; NULL, with errno, if that
 /// fails.
 FILE *tf_steps_file_begin(const char *path);

@@ -1,6 +1,8 @@
 //: Include what the air needs
 #include "simulate/air.h"
 
+#include "simulate/triple.h"
+
 #include <math.h>
 
 //: Blow from all sides
@@ -11,8 +13,7 @@ static void find_wind(const tf_air *air, double time, const double x[3],
     double speed = hypot(air->wind[0], air->wind[1]);
     double angle = atan2(air->wind[1], air->wind[0]) + air->veer * time;
     double ahead[] = {cos(angle), sin(angle)};
-    double phase =
-        2 * (x[0] * ahead[0] + x[1] * ahead[1] - speed * time);
+    double phase = 2 * (x[0] * ahead[0] + x[1] * ahead[1] - speed * time);
     double sideways = air->gust * (sin(3 * phase) + sin(1.618 * phase));
     wind[0] = speed * ahead[0] - sideways * ahead[1];
     wind[1] = speed * ahead[1] + sideways * ahead[0];
@@ -20,54 +21,42 @@ static void find_wind(const tf_air *air, double time, const double x[3],
 }
 
 //: Push a triangle along its normal
-static void cross(const double a[3], const double b[3], double product[3])
+/// The mean of what its corners have.
+static tf_triple mean_at(const int corner[3], const double of[])
 {
-    for (int k = 0; k < 3; k++) {
-        int l = (k + 1) % 3, m = (k + 2) % 3;
-        product[k] = a[l] * b[m] - a[m] * b[l];
-    }
+    tf_triple mean = {{0}};
+    for (int i = 0; i < 3; i++)
+        mean = tf_triple_sum(mean, 1.0 / 3, tf_triple_at(of, corner[i]));
+    return mean;
 }
 
-/// Its normal, of the length of twice its area; its center; its velocity.
-static void measure(const int corner[3], const double position[],
-                    const double velocity[], double normal[3], double center[3],
-                    double moving[3])
+/// Its length is twice the area.
+static tf_triple normal_of(const int corner[3], const double position[])
 {
-    double side[2][3];
-    const double *x = position + 3 * corner[0];
-    for (int k = 0; k < 3; k++) {
-        center[k] = moving[k] = 0;
-        for (int i = 0; i < 3; i++) {
-            center[k] += position[3 * corner[i] + k] / 3;
-            moving[k] += velocity[3 * corner[i] + k] / 3;
-        }
-        for (int i = 0; i < 2; i++)
-            side[i][k] = position[3 * corner[i + 1] + k] - x[k];
-    }
-    cross(side[0], side[1], normal);
+    tf_triple a = tf_triple_at(position, corner[0]);
+    tf_triple b = tf_triple_at(position, corner[1]);
+    tf_triple c = tf_triple_at(position, corner[2]);
+    return tf_triple_cross(tf_triple_between(a, b), tf_triple_between(a, c));
 }
 
 static void push(const tf_air *air, const tf_body *body, double time,
                  double step, const int corner[3], const double position[],
                  double velocity[])
 {
-    double normal[3], center[3], moving[3], wind[3], met = 0, square = 0;
-    measure(corner, position, velocity, normal, center, moving);
-    find_wind(air, time, center, wind);
-    for (int k = 0; k < 3; k++) {
-        met += normal[k] * (wind[k] - moving[k]);
-        square += normal[k] * normal[k];
-    }
-    if (square == 0)
+    tf_triple wind = {{0}}, normal = normal_of(corner, position);
+    double length = tf_triple_length(normal);
+    if (length == 0)
         return;
+    find_wind(air, time, mean_at(corner, position).x, wind.x);
+    tf_triple met = tf_triple_between(mean_at(corner, velocity), wind);
     // The force is drag times area times the part along the normal, and each
     // corner has a third of it.
-    double impulse = step * air->drag * met / sqrt(square) / 6;
+    double impulse = step * air->drag * tf_triple_dot(normal, met) / length / 6;
     for (int i = 0; i < 3; i++)
         if (body->mass[corner[i]] > 0)
             for (int k = 0; k < 3; k++)
                 velocity[3 * corner[i] + k] +=
-                    impulse * normal[k] / body->mass[corner[i]];
+                    impulse * normal.x[k] / body->mass[corner[i]];
 }
 
 //: Blow on a body

@@ -10,8 +10,8 @@ typedef struct tf_air {
     double wind[3]; ///< at the start, in meters per second
     double veer;    ///< how fast it turns about the vertical, in radians per
                     ///< second
-    double gust;    ///< how strongly waves in the wind swing to its sides and up
-                    ///< and down, in meters per second
+    double gust; ///< how strongly waves in the wind swing to its sides and up
+                 ///< and down, in meters per second
 } tf_air;
 
 /// Adds to velocities what the air does to them in a time, in seconds.

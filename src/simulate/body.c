@@ -96,8 +96,8 @@ void tf_elastic_sum(const tf_elastic *elastic, int axes,
     for (int k = 0; k < axes; k++) {
         sum[k] = 0;
         for (int i = 0; i < elastic->count; i++)
-            sum[k] += elastic->weight[i] *
-                      position[axes * elastic->vertex[i] + k];
+            sum[k] +=
+                elastic->weight[i] * position[axes * elastic->vertex[i] + k];
     }
 }
 
@@ -118,8 +118,8 @@ double tf_body_stretch(const tf_body *body, const double position[])
     for (int i = 0; i < body->elastics; i++) {
         const tf_elastic *elastic = &body->elastic[i];
         if (elastic->count == 2)
-            most = fmax(most,
-                        length_in(body, elastic, position) / elastic->rest);
+            most =
+                fmax(most, length_in(body, elastic, position) / elastic->rest);
     }
     return most;
 }

@@ -1,7 +1,8 @@
 //: Include what cloth needs
 #include "simulate/cloth.h"
 
-#include <math.h>
+#include "simulate/triple.h"
+
 #include <stdlib.h>
 
 //: List the edges of triangles, once for each triangle
@@ -34,8 +35,8 @@ static side *list_sides(const tf_body *body, int first)
     if (!list)
         return NULL;
     for (size_t i = 0; i < count; i++)
-        list[i] = side_of(body->triangle + 3 * (first + (int)(i / 3)),
-                          (int)(i % 3));
+        list[i] =
+            side_of(body->triangle + 3 * (first + (int)(i / 3)), (int)(i % 3));
     qsort(list, count, sizeof *list, compare_sides);
     return list;
 }
@@ -46,34 +47,25 @@ static bool same_edge(const side *a, const side *b)
 }
 
 //: Measure a triangle
-typedef struct vector {
-    double x[3];
-} vector;
-
-static vector from_to(const tf_body *body, int a, int b)
+static tf_triple side_between(const tf_body *body, int a, int b)
 {
-    const double *from = body->position + 3 * a, *to = body->position + 3 * b;
-    return (vector){{to[0] - from[0], to[1] - from[1], to[2] - from[2]}};
+    return tf_triple_between(tf_triple_at(body->position, a),
+                             tf_triple_at(body->position, b));
 }
 
-static double dot(vector a, vector b)
+static double twice_area(tf_triple a, tf_triple b)
 {
-    return a.x[0] * b.x[0] + a.x[1] * b.x[1] + a.x[2] * b.x[2];
-}
-
-static double twice_area(vector a, vector b)
-{
-    double square = dot(a, b);
-    return sqrt(dot(a, a) * dot(b, b) - square * square);
+    return tf_triple_length(tf_triple_cross(a, b));
 }
 
 /// The cotangent of the angle at a corner, and twice the area.
 static double cotangent(const tf_body *body, int corner, int b, int c,
                         double *area)
 {
-    vector to_b = from_to(body, corner, b), to_c = from_to(body, corner, c);
+    tf_triple to_b = side_between(body, corner, b);
+    tf_triple to_c = side_between(body, corner, c);
     *area = twice_area(to_b, to_c);
-    return dot(to_b, to_c) / *area;
+    return tf_triple_dot(to_b, to_c) / *area;
 }
 
 //: Resist stretching
@@ -82,9 +74,10 @@ static double cotangent(const tf_body *body, int corner, int b, int c,
 static void add_stretch(tf_body *body, const side *one, double stretch)
 {
     int a = one->vertex[0], b = one->vertex[1];
-    vector along = from_to(body, a, b);
-    double area = twice_area(along, from_to(body, a, one->opposite)) / 2;
-    tf_body_add_spring(body, a, b, stretch * area / dot(along, along));
+    tf_triple along = side_between(body, a, b);
+    double area = twice_area(along, side_between(body, a, one->opposite)) / 2;
+    tf_body_add_spring(body, a, b,
+                       stretch * area / tf_triple_dot(along, along));
 }
 
 //: Resist folds
@@ -104,7 +97,7 @@ static void add_fold(tf_body *body, const side *one, const side *other,
         .vertex = {a, b, c, d},
         .weight = {c_at_b + d_at_b, c_at_a + d_at_a, -c_at_a - c_at_b,
                    -d_at_a - d_at_b},
-        .stiffness = 6 * bend / (area[0] + area[1]),
+        .stiffness = 2 * bend / (area[0] + area[1]),
     };
     tf_body_add_elastic(body, &fold);
 }
@@ -114,8 +107,8 @@ static void add_masses(tf_body *body, int first, double density)
 {
     for (int t = first; t < body->triangles; t++) {
         const int *corner = body->triangle + 3 * t;
-        double area = twice_area(from_to(body, corner[0], corner[1]),
-                                 from_to(body, corner[0], corner[2])) /
+        double area = twice_area(side_between(body, corner[0], corner[1]),
+                                 side_between(body, corner[0], corner[2])) /
                       2;
         for (int i = 0; i < 3; i++)
             body->mass[corner[i]] += density * area / 3;

@@ -16,8 +16,8 @@ struct tf_dynamics {
     cholmod_sparse *matrix;
     cholmod_factor *factor;
     cholmod_factor *staying; ///< that of the matrix with vertices that stay
-    cholmod_dense *inertia; ///< what does not change in a step
-    cholmod_dense *right;   ///< right sides, a column for each axis
+    cholmod_dense *inertia;  ///< what does not change in a step
+    cholmod_dense *right;    ///< right sides, a column for each axis
     cholmod_dense *solution, *scratch[2]; ///< CHOLMOD's, kept for the next time
 };
 
@@ -57,8 +57,8 @@ static cholmod_sparse *make_matrix(tf_dynamics *d)
     const tf_body *body = d->body;
     size_t size = (size_t)d->unknowns;
     size_t entries = size + 10 * (size_t)body->elastics;
-    cholmod_triplet *list = cholmod_allocate_triplet(
-        size, size, entries, 1, CHOLMOD_REAL, &d->common);
+    cholmod_triplet *list = cholmod_allocate_triplet(size, size, entries, 1,
+                                                     CHOLMOD_REAL, &d->common);
     if (!list)
         return NULL;
     for (int v = 0; v < body->vertices; v++)
@@ -149,8 +149,7 @@ void tf_dynamics_free(tf_dynamics *dynamics)
 /// The place of an axis of a vertex in the columns.
 static double *entry(const tf_dynamics *d, cholmod_dense *in, int v, int axis)
 {
-    return (double *)in->x + (size_t)axis * (size_t)d->unknowns +
-           d->column[v];
+    return (double *)in->x + (size_t)axis * (size_t)d->unknowns + d->column[v];
 }
 
 /// Moves what scripted vertices add to an element's sum to the right side.

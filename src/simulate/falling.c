@@ -7,7 +7,7 @@
 #include <math.h>
 
 static const tf_material cotton = {
-    .density = 0.15, .stretch = 100, .bend = 5e-5};
+    .density = 0.15, .stretch = 100, .bend = 1.5e-4};
 
 //: Lay out a sheet
 /// A horizontal square above the origin, turned about the vertical.
@@ -83,11 +83,11 @@ static void add_links(tf_body *body, int links, double length)
         body->mass[v + 1] += density * length / 2;
     }
     for (int v = 0; v + 1 < links; v++)
-        tf_body_add_elastic(
-            body, &(tf_elastic){.count = 3,
-                                .vertex = {v, v + 1, v + 2},
-                                .weight = {1, -2, 1},
-                                .stiffness = bend / pow(length, 3)});
+        tf_body_add_elastic(body,
+                            &(tf_elastic){.count = 3,
+                                          .vertex = {v, v + 1, v + 2},
+                                          .weight = {1, -2, 1},
+                                          .stiffness = bend / pow(length, 3)});
 }
 
 //: Build the scene plane-chain
@@ -106,7 +106,6 @@ static void add_box(tf_body *body)
 void tf_build_chain(tf_stage *stage, int size)
 {
     double length = 5.0 / size;
-    stage->body.axes = 2;
     add_joints(&stage->body, size, length);
     add_links(&stage->body, size, length);
     add_box(&stage->body);

@@ -8,7 +8,7 @@
 void tf_build_flag(tf_stage *stage, int size)
 {
     static const tf_material bunting = {
-        .density = 0.2, .stretch = 60, .bend = 5e-5};
+        .density = 0.2, .stretch = 60, .bend = 1.5e-4};
     const double height = 0.6, foot[] = {0, 0, -0.3};
     double cell = height / size;
     tf_sheet sheet = {.across = size,

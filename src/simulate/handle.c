@@ -1,24 +1,22 @@
 //: Include what handles need
 #include "simulate/handle.h"
 
+#include "simulate/triple.h"
+
 #include <math.h>
+#include <string.h>
 
 //: Turn a vertex about an axis
 /// Rodrigues' formula.
-static void turn(const tf_handle *handle, double angle, const double from[3],
-                 double to[3])
+static tf_triple turned(const tf_handle *handle, double angle, tf_triple from)
 {
-    const double *n = handle->axis;
-    double r[3], along = 0, c = cos(angle), s = sin(angle);
-    for (int k = 0; k < 3; k++) {
-        r[k] = from[k] - handle->center[k];
-        along += n[k] * r[k];
-    }
-    for (int k = 0; k < 3; k++) {
-        int l = (k + 1) % 3, m = (k + 2) % 3;
-        to[k] = handle->center[k] + c * r[k] +
-                s * (n[l] * r[m] - n[m] * r[l]) + (1 - c) * along * n[k];
-    }
+    tf_triple axis = tf_triple_at(handle->axis, 0);
+    tf_triple center = tf_triple_at(handle->center, 0);
+    tf_triple arm = tf_triple_between(center, from);
+    double along = tf_triple_dot(axis, arm);
+    tf_triple to = tf_triple_sum(center, cos(angle), arm);
+    to = tf_triple_sum(to, sin(angle), tf_triple_cross(axis, arm));
+    return tf_triple_sum(to, (1 - cos(angle)) * along, axis);
 }
 
 //: Place a handle
@@ -35,9 +33,9 @@ void tf_handle_place(const tf_handle *handle, const tf_body *body, double time,
 {
     double part = part_at(handle, time);
     for (int v = handle->first; v < handle->first + handle->count; v++) {
-        turn(handle, part * handle->turn, body->position + 3 * v,
-             position + 3 * v);
-        for (int k = 0; k < 3; k++)
-            position[3 * v + k] += part * handle->shift[k];
+        tf_triple to = turned(handle, part * handle->turn,
+                              tf_triple_at(body->position, v));
+        to = tf_triple_sum(to, part, tf_triple_at(handle->shift, 0));
+        memcpy(position + 3 * v, to.x, sizeof to.x);
     }
 }

@@ -18,7 +18,7 @@ static void take(tf_stage *stage, tf_handle handle)
 void tf_build_twist(tf_stage *stage, int size)
 {
     static const tf_material ribbon = {
-        .density = 1, .stretch = 30, .bend = 1e-4};
+        .density = 1, .stretch = 40, .bend = 1.5e-4};
     const double width = 0.2;
     int along = 6 * size, row = size + 1;
     double cell = width / size;
@@ -32,10 +32,10 @@ void tf_build_twist(tf_stage *stage, int size)
         take(stage, (tf_handle){.first = end < 0 ? 0 : along * row,
                                 .count = row,
                                 .begin = 0,
-                                .end = 3,
+                                .end = 3.5,
                                 .axis = {1, 0, 0},
-                                .turn = 12 * end,
-                                .shift = {-0.25 * end, 0, 0}});
+                                .turn = 18 * end,
+                                .shift = {-0.3 * end, 0, 0}});
 }
 
 //: Build the scene knot
@@ -54,7 +54,7 @@ void tf_build_knot(tf_stage *stage, int size)
                                 .begin = 0,
                                 .end = 2.5,
                                 .axis = {0, 0, 1},
-                                .shift = {0, end == 0 ? 0.3 : -0.3, 0}});
+                                .shift = {0, end == 0 ? 0.38 : -0.38, 0}});
 }
 
 //: Build the scene curtain
@@ -62,7 +62,7 @@ void tf_build_knot(tf_stage *stage, int size)
 void tf_build_curtain(tf_stage *stage, int size)
 {
     static const tf_material silk = {
-        .density = 0.3, .stretch = 60, .bend = 5e-5};
+        .density = 0.3, .stretch = 60, .bend = 1.5e-4};
     const double side = 1, center[] = {0, 0, -0.06};
     const double radius[] = {0.16, 0.04};
     int row = size + 1, middle = (size - 1) / 2;

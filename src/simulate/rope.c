@@ -1,49 +1,20 @@
 //: Include what ropes need
 #include "simulate/rope.h"
 
+#include "simulate/triple.h"
+
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 static const double pi = 3.141592653589793;
-
-//: Calculate with vectors
-typedef struct vector {
-    double x[3];
-} vector;
-
-static vector sum(vector a, double factor, vector b)
-{
-    for (int k = 0; k < 3; k++)
-        a.x[k] += factor * b.x[k];
-    return a;
-}
-
-static double dot(vector a, vector b)
-{
-    return a.x[0] * b.x[0] + a.x[1] * b.x[1] + a.x[2] * b.x[2];
-}
-
-static vector unit(vector a)
-{
-    double length = sqrt(dot(a, a));
-    return (vector){{a.x[0] / length, a.x[1] / length, a.x[2] / length}};
-}
-
-static vector cross(vector a, vector b)
-{
-    return (vector){{a.x[1] * b.x[2] - a.x[2] * b.x[1],
-                     a.x[2] * b.x[0] - a.x[0] * b.x[2],
-                     a.x[0] * b.x[1] - a.x[1] * b.x[0]}};
-}
 
 //: Follow the trefoil knot
 /// It winds twice about the vertical axis, and at the same time three times
 /// about a circle of radius 2.
-static vector trefoil(double t)
+static tf_triple trefoil(double t)
 {
     double out = 2 + cos(3 * t);
-    return (vector){{out * cos(2 * t), out * sin(2 * t), sin(3 * t)}};
+    return (tf_triple){{out * cos(2 * t), out * sin(2 * t), sin(3 * t)}};
 }
 
 /// Where the first of its three lobes is cut off.
@@ -53,19 +24,21 @@ enum {
     FINE = 2000 // steps along the knot, and along each end
 };
 
-/// Follows an end from where the knot is cut; `side` is 1 for the one at the
-/// first point of the knot, and -1 for that at the last.
-static void follow_end(double side, double tail, vector point[FINE])
+/// Follows an end away from where the knot is cut: the one before the first
+/// point of the knot with the side 1, to earlier points, and the one after the
+/// last with -1, to later ones.
+static void follow_end(int side, double tail, tf_triple *point)
 {
-    double h = 1e-6, begin = side > 0 ? cut : 2 * pi - cut;
-    vector at = trefoil(begin);
-    vector along = unit(sum(trefoil(begin - side * h), -1, at));
-    vector away = {{0, side, 0}};
-    for (int i = 0; i < FINE; i++) {
-        double turned = fmin(tail * i / FINE / 2, 1);
-        vector ahead = sum(along, turned, sum(away, -1, along));
-        at = sum(at, tail / FINE, unit(ahead));
-        point[i] = at;
+    double at_cut = side > 0 ? cut : 2 * pi - cut, small = 1e-6;
+    tf_triple at = trefoil(at_cut), away = {{0, side, 0}};
+    tf_triple along =
+        tf_triple_unit(tf_triple_between(at, trefoil(at_cut - side * small)));
+    tf_triple swerve = tf_triple_between(along, away);
+    for (int i = 0; i < FINE; i++, point -= side) {
+        double part = fmin(tail * i / FINE / 2, 1);
+        tf_triple ahead = tf_triple_unit(tf_triple_sum(along, part, swerve));
+        at = tf_triple_sum(at, tail / FINE, ahead);
+        *point = at;
     }
 }
 
@@ -73,12 +46,12 @@ static void follow_end(double side, double tail, vector point[FINE])
 /// Walks along a line of many points, and puts a point wherever another spacing
 /// has been covered.
 static void space_out(tf_line *line, double scale, double spacing, int count,
-                      const vector fine[])
+                      const tf_triple fine[])
 {
     double covered = 0;
     for (int i = 0; i + 1 < count; i++) {
-        vector to_next = sum(fine[i + 1], -1, fine[i]);
-        covered += scale * sqrt(dot(to_next, to_next));
+        covered +=
+            scale * tf_triple_length(tf_triple_between(fine[i], fine[i + 1]));
         if (covered < line->points * spacing)
             continue;
         for (int k = 0; k < 3; k++)
@@ -94,15 +67,10 @@ tf_line tf_knot_line(double scale, double tail, double spacing)
         ALL = 3 * FINE
     };
     tf_line line = {0};
-    vector *fine = malloc(sizeof *fine * ALL);
+    tf_triple *fine = malloc(sizeof *fine * ALL);
     line.x = malloc(sizeof(double) * 3 * ALL);
     if (fine && line.x) {
-        follow_end(1, tail, fine);
-        for (int i = 0; i < FINE / 2; i++) {
-            vector swapped = fine[i];
-            fine[i] = fine[FINE - 1 - i];
-            fine[FINE - 1 - i] = swapped;
-        }
+        follow_end(1, tail, fine + FINE - 1);
         for (int i = 0; i < FINE; i++)
             fine[FINE + i] = trefoil(cut + 2 * (pi - cut) * i / (FINE - 1));
         follow_end(-1, tail, fine + 2 * FINE);
@@ -119,35 +87,37 @@ void tf_line_free(tf_line *line)
 }
 
 //: Place circles along a line
-static vector point_of(const tf_line *line, int i)
-{
-    vector point;
-    memcpy(point.x, line->x + 3 * i, sizeof point.x);
-    return point;
-}
-
-static vector direction_at(const tf_line *line, int i)
+static tf_triple direction_at(const tf_line *line, int i)
 {
     int before = i > 0 ? i - 1 : i;
     int after = i + 1 < line->points ? i + 1 : i;
-    return unit(sum(point_of(line, after), -1, point_of(line, before)));
+    return tf_triple_unit(tf_triple_between(tf_triple_at(line->x, before),
+                                            tf_triple_at(line->x, after)));
+}
+
+static void add_circle(tf_body *body, tf_triple center, tf_triple across,
+                       tf_triple beside, int sides)
+{
+    for (int s = 0; s < sides; s++) {
+        double around = 2 * pi * s / sides;
+        tf_triple x = tf_triple_sum(center, cos(around), across);
+        x = tf_triple_sum(x, sin(around), beside);
+        tf_body_add_vertex(body, x.x);
+    }
 }
 
 /// Each circle is turned as little as possible from the one before it.
 static void add_circles(tf_body *body, const tf_line *line, double radius,
                         int sides)
 {
-    vector across = {{0, 0, 1}};
+    tf_triple none = {{0}}, across = {{0, 0, 1}};
     for (int i = 0; i < line->points; i++) {
-        vector along = direction_at(line, i);
-        across = unit(sum(across, -dot(across, along), along));
-        vector beside = cross(along, across);
-        for (int s = 0; s < sides; s++) {
-            double around = 2 * pi * s / sides;
-            vector x = sum(point_of(line, i), radius * cos(around), across);
-            x = sum(x, radius * sin(around), beside);
-            tf_body_add_vertex(body, x.x);
-        }
+        tf_triple along = direction_at(line, i);
+        double slope = tf_triple_dot(across, along);
+        across = tf_triple_unit(tf_triple_sum(across, -slope, along));
+        add_circle(
+            body, tf_triple_at(line->x, i), tf_triple_sum(none, radius, across),
+            tf_triple_sum(none, radius, tf_triple_cross(along, across)), sides);
     }
 }
 

@@ -17,6 +17,7 @@ static const tf_scene scenes[] = {
         .least = 4,
         .steps = 400,
         .step = 0.01,
+        .axes = 3,
         .gravity = 9.81,
         .air = {.drag = 0.3},
         .friction = 0.4,
@@ -30,6 +31,7 @@ static const tf_scene scenes[] = {
         .least = 4,
         .steps = 250,
         .step = 0.01,
+        .axes = 3,
         .gravity = 9.81,
         .air = {.drag = 0.3},
         .friction = 0.3,
@@ -37,12 +39,14 @@ static const tf_scene scenes[] = {
     },
     {
         .name = "twist",
-        .shows = "a strip whose ends are turned buckles, and winds about itself",
+        .shows =
+            "a strip whose ends are turned buckles, and winds about itself",
         .size_means = "cells across the strip",
         .size = 12,
         .least = 2,
-        .steps = 600,
+        .steps = 750,
         .step = 0.005,
+        .axes = 3,
         .air = {.drag = 0.3},
         .friction = 0.2,
         .build = tf_build_twist,
@@ -55,6 +59,7 @@ static const tf_scene scenes[] = {
         .least = 2,
         .steps = 550,
         .step = 0.005,
+        .axes = 3,
         .air = {.drag = 0.3},
         .friction = 0.2,
         .build = tf_build_knot,
@@ -67,6 +72,7 @@ static const tf_scene scenes[] = {
         .least = 4,
         .steps = 600,
         .step = 0.005,
+        .axes = 3,
         .gravity = 9.81,
         .air = {.drag = 0.3},
         .build = tf_build_curtain,
@@ -79,6 +85,7 @@ static const tf_scene scenes[] = {
         .least = 4,
         .steps = 800,
         .step = 0.005,
+        .axes = 3,
         .gravity = 9.81,
         .air = {.drag = 0.8, .wind = {5, 0, 0}, .veer = 1, .gust = 1.5},
         .friction = 0.2,
@@ -92,6 +99,7 @@ static const tf_scene scenes[] = {
         .least = 40,
         .steps = 400,
         .step = 0.005,
+        .axes = 2,
         .gravity = 9.81,
         .friction = 0.3,
         .build = tf_build_chain,
@@ -111,4 +119,11 @@ const tf_scene *tf_scene_named(const char *name)
         if (strcmp(name, scenes[i].name) == 0)
             return &scenes[i];
     return NULL;
+}
+
+//: Set a stage
+void tf_scene_build(const tf_scene *scene, int size, tf_stage *stage)
+{
+    *stage = (tf_stage){.body.axes = scene->axes};
+    scene->build(stage, size);
 }

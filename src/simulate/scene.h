@@ -25,6 +25,7 @@ typedef struct tf_scene {
     int least;              ///< the smallest
     int steps;              ///< how many there usually are
     double step;            ///< how long one takes, in seconds
+    int axes;               ///< 3, or 2 in the plane
     double gravity;         ///< in meters per square second
     tf_air air;
     double friction; ///< Coulomb's coefficient
@@ -36,3 +37,8 @@ const tf_scene *tf_scenes(int *count);
 
 /// The scene of that name; NULL if there is none.
 const tf_scene *tf_scene_named(const char *name);
+
+/// Sets the stage of a scene.
+/// @param size at least scene->least
+/// @param[out] stage its body to be freed; without memory that has failed
+void tf_scene_build(const tf_scene *scene, int size, tf_stage *stage);

@@ -33,8 +33,7 @@ static bool allocate(tf_simulation *s)
 
 static tf_status set_up(tf_simulation *s)
 {
-    s->stage.body.axes = 3;
-    s->scene->build(&s->stage, s->size);
+    tf_scene_build(s->scene, s->size, &s->stage);
     if (s->stage.body.failed || !allocate(s))
         return TF_OUT_OF_MEMORY;
     tf_mesh mesh = tf_body_mesh(&s->stage.body);
@@ -121,37 +120,62 @@ tf_status tf_simulation_propose(tf_simulation *simulation)
 }
 
 //: Resolve the step of a simulation
-tf_status tf_simulation_resolve(tf_simulation *simulation, bool check,
-                                const tf_parallel *parallel,
-                                tf_response_report *report,
-                                tf_obstacle *obstacle)
+/// Adds the report of another time.
+static void add_report(tf_response_report *sum, const tf_response_report *more)
 {
-    tf_response_options options = {.friction = simulation->scene->friction,
+    tf_response_report before = *sum;
+    *sum = *more;
+    sum->first_contacts += before.first_contacts;
+    sum->contacts += before.contacts;
+    sum->rows += before.rows;
+    for (int i = 0; i < TF_LEVELS; i++)
+        sum->rounds[i] += before.rounds[i];
+}
+
+static double now(const tf_step_way *way)
+{
+    return way->clock ? way->clock() : 0;
+}
+
+static tf_status resolve(tf_simulation *s, const tf_step_way *way, bool check,
+                         tf_step_cost *cost)
+{
+    const tf_body *body = &s->stage.body;
+    tf_response_options options = {.friction = s->scene->friction,
                                    .check_start = check,
-                                   .parallel = parallel};
-    const tf_body *body = &simulation->stage.body;
-    memcpy(simulation->proposed, simulation->end,
+                                   .parallel = way->parallel};
+    tf_response_report report;
+    double begin = now(way);
+    memcpy(s->proposed, s->end,
            sizeof(double) * (size_t)(body->axes * body->vertices));
-    return tf_step_resolve(simulation->resolver,
-                           simulation->stage.body.vertices,
-                           simulation->position, simulation->end,
-                           simulation->inverse_mass, &options, report,
-                           obstacle);
+    tf_status status =
+        tf_step_resolve(s->resolver, body->vertices, s->position, s->end,
+                        s->inverse_mass, &options, &report, NULL);
+    if (status == TF_OK)
+        add_report(&cost->report, &report);
+    cost->response += now(way) - begin;
+    return status;
 }
 
 //: Follow what the response has moved
-tf_status tf_simulation_follow(tf_simulation *simulation)
+static tf_status follow(tf_simulation *s)
 {
-    const tf_body *body = &simulation->stage.body;
+    const tf_body *body = &s->stage.body;
     size_t size = sizeof(double) * (size_t)body->axes;
-    for (int v = 0; v < body->vertices; v++) {
-        const double *end = simulation->end + body->axes * v;
-        simulation->moved[v] =
-            memcmp(end, simulation->proposed + body->axes * v, size) != 0;
-    }
-    follow_script(simulation);
-    return tf_dynamics_follow(simulation->dynamics, simulation->moved,
-                              simulation->end, ITERATIONS);
+    for (int v = 0; v < body->vertices; v++)
+        s->moved[v] = memcmp(s->end + body->axes * v,
+                             s->proposed + body->axes * v, size) != 0;
+    follow_script(s);
+    return tf_dynamics_follow(s->dynamics, s->moved, s->end, ITERATIONS);
+}
+
+static tf_status propose_again(tf_simulation *s, const tf_step_way *way,
+                               tf_step_cost *cost)
+{
+    double begin = now(way);
+    tf_status status = follow(s);
+    cost->dynamics += now(way) - begin;
+    return status == TF_OK ? resolve(s, way, false, cost) : status;
 }
 
 //: Go on from where a step ends
@@ -166,4 +190,23 @@ void tf_simulation_accept(tf_simulation *simulation, int held)
     }
     simulation->step++;
     simulation->scripted += held == 0;
+}
+
+//: Make a step of a simulation
+tf_status tf_simulation_step(tf_simulation *simulation, const tf_step_way *way,
+                             tf_step_cost *cost)
+{
+    tf_step_cost made = {0};
+    double begin = now(way);
+    tf_status status = tf_simulation_propose(simulation);
+    made.dynamics = now(way) - begin;
+    if (status == TF_OK)
+        status = resolve(simulation, way, way->check, &made);
+    if (status == TF_OK && made.report.moved > 0)
+        status = propose_again(simulation, way, &made);
+    if (status != TF_OK)
+        return status;
+    tf_simulation_accept(simulation, made.report.held);
+    *cost = made;
+    return TF_OK;
 }

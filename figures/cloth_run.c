@@ -7,43 +7,31 @@
 
 // Running ----------------------------------------------------------------
 
-static tf_response_report resolve(const fig_cloth_plan *plan, tf_simulation *s,
-                                  bool check)
+/// A step that is resolved once or not at all.
+static tf_response_report make_simple_step(const fig_cloth_plan *plan,
+                                           tf_simulation *s)
 {
-    tf_response_report report;
-    if (plan->options)
+    tf_response_options usual = {.friction = s->scene->friction};
+    tf_response_report report = {0};
+    TF_REQUIRE(tf_simulation_propose(s) == TF_OK);
+    if (!plan->unresolved)
         TF_REQUIRE(tf_step_resolve(s->resolver, s->stage.body.vertices,
                                    s->position, s->end, s->inverse_mass,
-                                   plan->options, &report, NULL) == TF_OK);
-    else
-        TF_REQUIRE(tf_simulation_resolve(s, check, NULL, &report, NULL) ==
-                   TF_OK);
+                                   plan->options ? plan->options : &usual,
+                                   &report, NULL) == TF_OK);
+    tf_simulation_accept(s, report.held);
     return report;
-}
-
-/// Contacts and rounds are those of both times.
-static void add_report(tf_response_report *sum, const tf_response_report *more)
-{
-    sum->contacts += more->contacts;
-    for (int i = 0; i < TF_LEVELS; i++)
-        sum->rounds[i] += more->rounds[i];
-    sum->held = more->held;
 }
 
 static tf_response_report make_step(const fig_cloth_plan *plan,
                                     tf_simulation *s)
 {
-    tf_response_report report = {0};
-    TF_REQUIRE(tf_simulation_propose(s) == TF_OK);
-    if (!plan->unresolved)
-        report = resolve(plan, s, s->step == 0);
-    if (report.moved > 0 && !plan->unfollowed) {
-        TF_REQUIRE(tf_simulation_follow(s) == TF_OK);
-        tf_response_report second = resolve(plan, s, false);
-        add_report(&report, &second);
-    }
-    tf_simulation_accept(s, report.held);
-    return report;
+    const tf_step_way way = {.check = s->step == 0};
+    tf_step_cost cost;
+    if (plan->unresolved || plan->unfollowed || plan->options)
+        return make_simple_step(plan, s);
+    TF_REQUIRE(tf_simulation_step(s, &way, &cost) == TF_OK);
+    return cost.report;
 }
 
 static int count_crossings(const tf_simulation *s)

@@ -12,7 +12,8 @@ typedef struct fig_cloth_plan {
     bool unresolved; ///< nothing looks after collisions
     bool unfollowed; ///< the cloth does not follow what the response has moved
     int check; ///< every so many steps intersections are counted; 0: never
-    const tf_response_options *options; ///< NULL: those of the scene
+    const tf_response_options *options; ///< NULL: those of the scene; otherwise
+                                        ///< the cloth does not follow
 } fig_cloth_plan;
 
 /// What a step took, and what is so after it.

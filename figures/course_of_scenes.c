@@ -18,7 +18,7 @@ static const fig_cloth_plan plans[SCENES] = {
     {.scene = "twist", .size = 6, .steps = 500},
 };
 
-static const double left = 38, width = 142, apart = 200;
+static const double left = 38, width = 138, apart = 194;
 
 /// The top and the height of the three plots.
 static const double tops[] = {20, 108, 196}, height = 62;

@@ -130,7 +130,7 @@ static void draw(fig_page *page, FILE *numbers)
     int frame = (int)lround(t * STEPS / EVERY), step = EVERY * frame;
     double width = fig_page_width(page), height = fig_page_height(page);
     // No larger than it must be: a film weighs as much as what changes in it.
-    fig_box box = {75, 18, width - 150, height - 40};
+    fig_box box = {45, 18, width - 90, height - 36};
     fig_cloth_draw(
         both->cloth, page, box, frame,
         &(fig_cloth_look){

@@ -21,7 +21,7 @@ static void want(double r, const double z[2], double p[2])
 {
     double length = hypot(z[0], z[1]);
 #if defined TF_WRONG_1 // is content with any length
-    double scale = 1;
+    double scale = length > 0 ? 1 : 0;
 #elif defined TF_WRONG_2 // divides by zero
     double scale = r / length;
 #elif defined TF_SOLUTION || defined TF_WRONG_3 || defined TF_WRONG_4

@@ -66,14 +66,14 @@ END_TEST
 START_TEST(it_never_gets_worse)
 {
     generator random = generator_new(0);
-    for (int i = 0; i < 300; i++) {
+    for (int i = 0; i < 60; i++) {
         spring s = {uniform(&random, 0.1, 2),
                     pow(10, uniform(&random, 0, 5)),
                     uniform(&random, 0.5, 2),
                     uniform(&random, 0.01, 0.1),
                     {uniform(&random, -3, 3), uniform(&random, -3, 3)}};
         double z[2] = {uniform(&random, -3, 3), uniform(&random, -3, 3)};
-        for (int n = 0; n < 20; n++) {
+        for (int n = 0; n < 10; n++) {
             double before = objective(&s, z);
             run(&s, z);
             double after = objective(&s, z);
@@ -89,7 +89,7 @@ START_TEST(it_ends_at_the_least)
 {
     const spring s = {1, 1000, 1, 0.1, {1.5, 2}};
     double z[2] = {3, 4};
-    for (int n = 0; n < 300; n++)
+    for (int n = 0; n < 200; n++)
         run(&s, z);
     // On the ray through y, where m / h^2 (z - y) is the force of the spring.
     double length = (2.5 + 10 * 1) / 11;

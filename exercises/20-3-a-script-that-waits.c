@@ -25,8 +25,10 @@ void go_on(int count, const double end[], double step, int held,
 #elif defined TF_WRONG_2 // takes the way for the velocity
         velocity[i] = end[i] - position[i];
         position[i] = end[i];
-#elif defined TF_SOLUTION || defined TF_WRONG_3 || defined TF_WRONG_4 ||       \
-    defined TF_WRONG_5
+#elif defined TF_SOLUTION || defined TF_WRONG_3 || defined TF_WRONG_4
+        velocity[i] = (end[i] - position[i]) / step;
+        position[i] = end[i];
+#elif defined TF_WRONG_5
         velocity[i] = (end[i] - position[i]) / step;
         position[i] = end[i];
 #else

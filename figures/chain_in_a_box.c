@@ -15,7 +15,7 @@ enum {
 static const double still = 0.5;
 
 typedef struct scene {
-    fig_cloth_run run;
+    const fig_cloth_run *run;
     fig_cloth *cloth;
 } scene;
 
@@ -25,7 +25,7 @@ static scene *make_scene(void)
     TF_REQUIRE(s);
     s->run = fig_cloth_run_of(&(fig_cloth_plan){
         .scene = "plane-chain", .size = LINKS, .steps = STEPS});
-    s->cloth = fig_cloth_run_film(&s->run, 0, 1);
+    s->cloth = fig_cloth_run_film(s->run, 0, 1);
     return s;
 }
 
@@ -48,7 +48,7 @@ static void draw(fig_page *page, FILE *numbers)
     fig_number(numbers, "links", LINKS);
     fig_number(numbers, "step", step);
     fig_number(numbers, "steps", STEPS);
-    fig_number(numbers, "failsafe", fig_cloth_run_count(&s->run, TF_FAILSAFE));
+    fig_number(numbers, "failsafe", fig_cloth_run_count(s->run, TF_FAILSAFE));
 }
 
 const fig_figure fig_chain_in_a_box = {

@@ -11,14 +11,16 @@
 static tf_response_report make_simple_step(const fig_cloth_plan *plan,
                                            tf_simulation *s)
 {
-    tf_response_options usual = {.friction = s->scene->friction};
+    tf_response_options options = {.friction = s->scene->friction};
+    if (plan->chosen)
+        options = (tf_response_options){.friction = plan->friction,
+                                        .separation = plan->separation};
     tf_response_report report = {0};
     TF_REQUIRE(tf_simulation_propose(s) == TF_OK);
     if (!plan->unresolved)
         TF_REQUIRE(tf_step_resolve(s->resolver, s->stage.body.vertices,
                                    s->position, s->end, s->inverse_mass,
-                                   plan->options ? plan->options : &usual,
-                                   &report, NULL) == TF_OK);
+                                   &options, &report, NULL) == TF_OK);
     tf_simulation_accept(s, report.held);
     return report;
 }
@@ -28,7 +30,7 @@ static tf_response_report make_step(const fig_cloth_plan *plan,
 {
     const tf_step_way way = {.check = s->step == 0};
     tf_step_cost cost;
-    if (plan->unresolved || plan->unfollowed || plan->options)
+    if (plan->unresolved || plan->unfollowed || plan->chosen)
         return make_simple_step(plan, s);
     TF_REQUIRE(tf_simulation_step(s, &way, &cost) == TF_OK);
     return cost.report;
@@ -55,31 +57,55 @@ static void note(fig_cloth_run *run, const fig_cloth_plan *plan, int i)
     step->elastic = tf_body_elastic_energy(&s->stage.body, s->position);
 }
 
-fig_cloth_run fig_cloth_run_of(const fig_cloth_plan *plan)
+static void begin(fig_cloth_run *run, const fig_cloth_plan *plan)
 {
     const tf_scene *scene = tf_scene_named(plan->scene);
-    fig_cloth_run run = {.steps = plan->steps};
     TF_REQUIRE(scene && tf_simulation_create(scene, plan->size,
-                                             &run.simulation) == TF_OK);
-    run.axes = run.simulation->stage.body.axes;
-    run.vertices = run.simulation->stage.body.vertices;
+                                             &run->simulation) == TF_OK);
     size_t frames = (size_t)plan->steps + 1;
-    run.x = malloc(sizeof(double) * (size_t)(run.axes * run.vertices) * frames);
-    run.step = calloc(frames, sizeof *run.step);
-    TF_REQUIRE(run.x && run.step);
-    note(&run, plan, 0);
-    for (int i = 1; i <= plan->steps; i++) {
-        run.step[i].report = make_step(plan, run.simulation);
-        note(&run, plan, i);
-    }
-    return run;
+    run->steps = plan->steps;
+    run->axes = run->simulation->stage.body.axes;
+    run->vertices = run->simulation->stage.body.vertices;
+    run->x =
+        malloc(sizeof(double) * (size_t)(run->axes * run->vertices) * frames);
+    run->step = calloc(frames, sizeof *run->step);
+    TF_REQUIRE(run->x && run->step);
 }
 
-void fig_cloth_run_free(fig_cloth_run *run)
+// Keeping ----------------------------------------------------------------
+
+typedef struct kept {
+    fig_cloth_plan plan;
+    fig_cloth_run run;
+    struct kept *next;
+} kept;
+
+static bool same_plan(const fig_cloth_plan *a, const fig_cloth_plan *b)
 {
-    tf_simulation_free(run->simulation);
-    free(run->x);
-    free(run->step);
+    return strcmp(a->scene, b->scene) == 0 && a->size == b->size &&
+           a->steps == b->steps && a->unresolved == b->unresolved &&
+           a->unfollowed == b->unfollowed && a->check == b->check &&
+           a->chosen == b->chosen && a->friction == b->friction &&
+           a->separation == b->separation;
+}
+
+const fig_cloth_run *fig_cloth_run_of(const fig_cloth_plan *plan)
+{
+    static kept *all;
+    for (const kept *one = all; one; one = one->next)
+        if (same_plan(&one->plan, plan))
+            return &one->run;
+    kept *one = calloc(1, sizeof *one);
+    TF_REQUIRE(one);
+    begin(&one->run, plan);
+    note(&one->run, plan, 0);
+    for (int i = 1; i <= plan->steps; i++) {
+        one->run.step[i].report = make_step(plan, one->run.simulation);
+        note(&one->run, plan, i);
+    }
+    one->plan = *plan;
+    one->next = all;
+    return &(all = one)->run;
 }
 
 // Looking at what was run ------------------------------------------------

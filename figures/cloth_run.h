@@ -11,9 +11,10 @@ typedef struct fig_cloth_plan {
     int size, steps;
     bool unresolved; ///< nothing looks after collisions
     bool unfollowed; ///< the cloth does not follow what the response has moved
-    int check; ///< every so many steps intersections are counted; 0: never
-    const tf_response_options *options; ///< NULL: those of the scene; otherwise
-                                        ///< the cloth does not follow
+    int check;   ///< every so many steps intersections are counted; 0: never
+    bool chosen; ///< friction and separation are those below; the cloth does
+                 ///< not follow
+    double friction, separation;
 } fig_cloth_plan;
 
 /// What a step took, and what is so after it.
@@ -31,8 +32,9 @@ typedef struct fig_cloth_run {
     fig_cloth_step *step; ///< after 0 and more steps
 } fig_cloth_run;
 
-fig_cloth_run fig_cloth_run_of(const fig_cloth_plan *plan);
-void fig_cloth_run_free(fig_cloth_run *run);
+/// Runs a scene, or finds the run of the same plan: runs are kept as long as the
+/// program lives, since pages of a film, and those of both themes, share them.
+const fig_cloth_run *fig_cloth_run_of(const fig_cloth_plan *plan);
 
 /// Positions after a number of steps.
 const double *fig_cloth_run_at(const fig_cloth_run *run, int step);

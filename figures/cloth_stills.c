@@ -16,13 +16,12 @@ static void print_still(FILE *numbers, const fig_cloth_still *still,
 static void draw_still(fig_page *page, FILE *numbers, fig_box box,
                        const fig_cloth_still *still)
 {
-    fig_cloth_run run = fig_cloth_run_of(&still->plan);
-    fig_cloth *cloth = fig_cloth_run_film(&run, still->first, 1);
+    const fig_cloth_run *run = fig_cloth_run_of(&still->plan);
+    fig_cloth *cloth = fig_cloth_run_film(run, still->first, 1);
     fig_cloth_draw(cloth, page, box, fig_cloth_frames(cloth) - 1, &still->look);
     fig_page_caption(page, box, still->plan.scene);
-    print_still(numbers, still, &run);
+    print_still(numbers, still, run);
     fig_cloth_free(cloth);
-    fig_cloth_run_free(&run);
 }
 
 void fig_draw_stills(fig_page *page, FILE *numbers, int count,

@@ -106,14 +106,14 @@ static double contacts_of(const fig_cloth_run *run)
 }
 
 static void draw_stretch(fig_page *page, int scene,
-                         const fig_cloth_run run[RUNS])
+                         const fig_cloth_run *const run[RUNS])
 {
-    double most = fmax(most_stretch(&run[0]), most_stretch(&run[1]));
+    double most = fmax(most_stretch(run[0]), most_stretch(run[1]));
     fig_plot plot = plot_of(scene, 1, 1, 1 + 1.5 * (most - 1));
     fig_plot_frame(page, &plot);
-    draw_curve(page, &plot, &run[1], stretch_of,
+    draw_curve(page, &plot, run[1], stretch_of,
                (fig_stroke){.paint = {.role = FIG_ROLE_NEUTRAL}});
-    draw_curve(page, &plot, &run[0], stretch_of,
+    draw_curve(page, &plot, run[0], stretch_of,
                (fig_stroke){.paint = {.role = FIG_ROLE_EDGE}, .width = 1.6});
 }
 
@@ -152,27 +152,25 @@ static void draw_scene(fig_page *page, FILE *numbers, int scene)
 {
     fig_cloth_plan other = plans[scene];
     other.unfollowed = true;
-    fig_cloth_run run[RUNS] = {fig_cloth_run_of(&plans[scene]),
-                               fig_cloth_run_of(&other)};
+    const fig_cloth_run *run[RUNS] = {fig_cloth_run_of(&plans[scene]),
+                                      fig_cloth_run_of(&other)};
     int held = 0;
-    for (int i = 1; i <= run[0].steps; i++)
-        held += run[0].step[i].report.held > 0;
-    draw_rounds(page, scene, &run[0]);
+    for (int i = 1; i <= run[0]->steps; i++)
+        held += run[0]->step[i].report.held > 0;
+    draw_rounds(page, scene, run[0]);
     draw_stretch(page, scene, run);
-    draw_energies(page, scene, &run[0]);
+    draw_energies(page, scene, run[0]);
     fig_page_title(page, plot_of(scene, 0, 0, 1).box, plans[scene].scene);
     print_number(numbers, "steps", scene, plans[scene].steps);
     print_number(numbers, "zones", scene,
-                 fig_cloth_run_count(&run[0], TF_ZONES));
+                 fig_cloth_run_count(run[0], TF_ZONES));
     print_number(numbers, "failsafe", scene,
-                 fig_cloth_run_count(&run[0], TF_FAILSAFE));
+                 fig_cloth_run_count(run[0], TF_FAILSAFE));
     print_number(numbers, "held", scene, held);
-    print_number(numbers, "stretch", scene, most_stretch(&run[0]));
-    print_number(numbers, "contacts", scene, contacts_of(&run[0]));
-    print_number(numbers, "contacts_rubber", scene, contacts_of(&run[1]));
-    print_number(numbers, "rubber", scene, most_stretch(&run[1]));
-    for (int i = 0; i < RUNS; i++)
-        fig_cloth_run_free(&run[i]);
+    print_number(numbers, "stretch", scene, most_stretch(run[0]));
+    print_number(numbers, "contacts", scene, contacts_of(run[0]));
+    print_number(numbers, "contacts_rubber", scene, contacts_of(run[1]));
+    print_number(numbers, "rubber", scene, most_stretch(run[1]));
 }
 
 static void draw(fig_page *page, FILE *numbers)

@@ -4,9 +4,9 @@
 #include "figures.h"
 
 static const fig_cloth_still stills[] = {
-    {.plan = {.scene = "knot", .size = 3, .steps = 330}, .first = 328},
-    {.plan = {.scene = "curtain", .size = 16, .steps = 250}, .first = 248},
-    {.plan = {.scene = "flag", .size = 8, .steps = 240}, .first = 238},
+    {.plan = {.scene = "knot", .size = 3, .steps = 260}, .first = 258},
+    {.plan = {.scene = "curtain", .size = 14, .steps = 240}, .first = 238},
+    {.plan = {.scene = "flag", .size = 8, .steps = 200}, .first = 198},
 };
 
 static void draw(fig_page *page, FILE *numbers)

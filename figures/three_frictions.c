@@ -18,14 +18,14 @@ static const struct {
     double friction;
 } choice[FRICTIONS] = {{"none", 0}, {"some", 0.3}, {"much", 1}};
 
-static fig_cloth_run run_with(double friction, double separation)
+static const fig_cloth_run *run_with(double friction, double separation)
 {
-    const tf_response_options options = {.friction = friction,
-                                         .separation = separation};
     return fig_cloth_run_of(&(fig_cloth_plan){.scene = "plane-chain",
                                               .size = LINKS,
                                               .steps = STEPS,
-                                              .options = &options});
+                                              .chosen = true,
+                                              .friction = friction,
+                                              .separation = separation});
 }
 
 static void draw_edges(fig_page *page, const fig_plot *plot, const double x[],
@@ -87,16 +87,13 @@ static void draw(fig_page *page, FILE *numbers)
 {
     for (int i = 0; i < FRICTIONS; i++) {
         char key[32];
-        fig_cloth_run run = run_with(choice[i].friction, 0);
-        draw_run(page, &run, i);
+        const fig_cloth_run *run = run_with(choice[i].friction, 0);
+        draw_run(page, run, i);
         snprintf(key, sizeof key, "height_%s", choice[i].name);
-        fig_number(numbers, key, height_of(&run));
-        print_cost(numbers, &run, choice[i].name);
-        fig_cloth_run_free(&run);
+        fig_number(numbers, key, height_of(run));
+        print_cost(numbers, run, choice[i].name);
     }
-    fig_cloth_run close = run_with(choice[1].friction, -1);
-    print_cost(numbers, &close, "close");
-    fig_cloth_run_free(&close);
+    print_cost(numbers, run_with(choice[1].friction, -1), "close");
     fig_number(numbers, "steps", STEPS);
     fig_number(numbers, "links", LINKS);
 }

@@ -23,7 +23,7 @@ static const double still = 0.875;
 
 /// Both strips as one surface: first the one that nothing looks after.
 typedef struct pair {
-    fig_cloth_run run[STRIPS];
+    const fig_cloth_run *run[STRIPS];
     tf_surface *surface;
     fig_cloth *cloth;
 } pair;
@@ -50,14 +50,14 @@ static tf_surface *surface_of_both(const tf_body *body)
 
 static void add_frame(const pair *both, int step, double x[])
 {
-    size_t numbers = 3 * (size_t)both->run[0].vertices;
+    size_t numbers = 3 * (size_t)both->run[0]->vertices;
     for (size_t k = 0; k < STRIPS; k++) {
         double *to = x + k * numbers;
-        memcpy(to, fig_cloth_run_at(&both->run[k], step), sizeof *x * numbers);
+        memcpy(to, fig_cloth_run_at(both->run[k], step), sizeof *x * numbers);
         for (size_t i = 2; i < numbers && k == 0; i += 3)
             to[i] += apart;
     }
-    TF_REQUIRE(fig_cloth_add(both->cloth, STRIPS * both->run[0].vertices, x));
+    TF_REQUIRE(fig_cloth_add(both->cloth, STRIPS * both->run[0]->vertices, x));
 }
 
 static pair *run_both(void)
@@ -70,9 +70,9 @@ static pair *run_both(void)
                                                           .steps = STEPS,
                                                           .unresolved = k == 0,
                                                           .check = EVERY});
-    both->surface = surface_of_both(&both->run[0].simulation->stage.body);
+    both->surface = surface_of_both(&both->run[0]->simulation->stage.body);
     both->cloth = fig_cloth_new(both->surface, 3);
-    double *x = malloc(sizeof *x * 3 * STRIPS * (size_t)both->run[0].vertices);
+    double *x = malloc(sizeof *x * 3 * STRIPS * (size_t)both->run[0]->vertices);
     TF_REQUIRE(x && both->cloth);
     for (int i = 0; i <= STEPS; i += EVERY)
         add_frame(both, i, x);
@@ -113,14 +113,14 @@ static void print_numbers(FILE *numbers, const pair *both, int step)
 {
     int most = 0;
     for (int i = 0; i <= STEPS; i++)
-        most += both->run[1].step[i].crossings;
+        most += both->run[1]->step[i].crossings;
     fig_number(numbers, "step", step);
     fig_number(numbers, "steps", STEPS);
-    fig_number(numbers, "first_crossing", first_crossing(&both->run[0]));
-    fig_number(numbers, "crossings", both->run[0].step[step].crossings);
+    fig_number(numbers, "first_crossing", first_crossing(both->run[0]));
+    fig_number(numbers, "crossings", both->run[0]->step[step].crossings);
     fig_number(numbers, "crossings_resolved", most);
     fig_number(numbers, "triangles",
-               both->run[0].simulation->stage.body.triangles);
+               both->run[0]->simulation->stage.body.triangles);
 }
 
 static void draw(fig_page *page, FILE *numbers)
@@ -136,9 +136,9 @@ static void draw(fig_page *page, FILE *numbers)
         &(fig_cloth_look){
             .turned = true, .azimuth = 0, .elevation = 12, .groundless = true});
     write_count(page, 16, "without response",
-                both->run[0].step[step].crossings);
+                both->run[0]->step[step].crossings);
     write_count(page, height - 10, "with response",
-                both->run[1].step[step].crossings);
+                both->run[1]->step[step].crossings);
     print_numbers(numbers, both, step);
 }
 

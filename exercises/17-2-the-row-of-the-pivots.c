@@ -5,8 +5,7 @@
  * and then those of the second; a normal of length 1, reversed if necessary so
  * that the first pivot starts on the positive side of the second; and the gap,
  * the distance along the normal at which they start, which follows from the
- * contact alone.  The contact has a
- * normal, and its normal velocity is not zero.
+ * contact alone.  The contact has a normal, and its normal velocity is not zero.
  *
  * Section: Three rows that fail.
  *

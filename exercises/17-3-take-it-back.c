@@ -7,8 +7,8 @@
  * and remembers in `*impulse` what it has pushed so far, which is at least 0.
  * Visit it: change its impulse so that the sum becomes the bound.  But if the
  * impulse would become negative, make it 0.  Push the bodies by the change.  A
- * body with the inverse mass 0 does not move, and a row that can move no body at
- * all is left as it is.
+ * scripted body, one of inverse mass 0, is not moved, and a row whose bodies are
+ * all scripted is left as it is.
  *
  * Section: A round of impulses.
  *
@@ -81,7 +81,7 @@ void visit(int count, const double coefficient[], const double inverse_mass[],
     *impulse = fmax(before + (bound - sum) / compliance, 0);
     for (int i = 0; i < count; i++)
         move[i] += (*impulse - before) * coefficient[i];
-#elif defined TF_WRONG_5 // divides by zero where nothing can be moved
+#elif defined TF_WRONG_5 // divides by zero where all are scripted
     double sum = 0, compliance = 0;
     for (int i = 0; i < count; i++) {
         sum += coefficient[i] * move[i];

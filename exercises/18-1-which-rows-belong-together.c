@@ -1,10 +1,10 @@
 /* Exercise 18.1.  Which rows belong together.
  *
- * Two rows are neighbors if they share a vertex of positive inverse mass, and a
- * zone is all that can be reached from a row over neighbors.  Set zone[i] to the
- * number of the zone of row i.  Zones are numbered from 0, in the order of their
- * first rows.  A row that can move nothing is in no zone, and gets -1.  Return
- * how many zones there are.
+ * Two rows are neighbors if they share a free vertex, one of positive inverse
+ * mass, and a zone is all that can be reached from a row by going from neighbor
+ * to neighbor.  Set zone[i] to the number of the zone of row i.  Zones are
+ * numbered from 0, in the order of their first rows.  A row whose vertices are
+ * all scripted is in no zone, and gets -1.  Return how many zones there are.
  *
  * Section: What belongs together.
  *

@@ -65,13 +65,14 @@ static void expect(int rows, const tf_row row[], const double inverse_mass[])
         length += snprintf(text + length, sizeof text - (size_t)length,
                            "%s%d %d %d", i ? ", " : "", row[i].vertex[0],
                            row[i].vertex[1], row[i].vertex[2]);
-    char fixed[8 * MOST_VERTICES] = "";
+    char scripted[8 * MOST_VERTICES] = "";
     length = 0;
     for (int v = 0; v < MOST_VERTICES; v++)
         if (!(inverse_mass[v] > 0))
-            length += snprintf(fixed + length, sizeof fixed - (size_t)length,
-                               " %d", v);
-    check_input("rows of the vertices %s; fixed vertices:%s", text, fixed);
+            length += snprintf(scripted + length,
+                               sizeof scripted - (size_t)length, " %d", v);
+    check_input("rows of the vertices %s; scripted vertices:%s", text,
+                scripted);
     for (int i = 0; i < MOST_ROWS; i++)
         got[i] = -2;
     int count = number_zones(rows, row, inverse_mass, got);

@@ -1,7 +1,7 @@
 /* Exercise 18.2.  Is it the least change?
  *
  * Beads are on a wire, bead i before bead i + 1, and a knot is behind the last.
- * Row i says that bead i + 1, or for the last bead the knot, must not move less
+ * Row i demands that bead i + 1, or for the last bead the knot, move no less
  * than bead i does.  The knot does not move.  Bead i has the mass mass[i]; it
  * was to move by proposal[i], and a solver lets it move by d[i].  Is d the least
  * change of the proposal that satisfies all rows?  Don't solve anything: look at

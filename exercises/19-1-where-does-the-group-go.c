@@ -5,26 +5,23 @@
  * the end of your file, sets `end` to where it ends in fact; two decisions are
  * yours.
  *
- * If no vertex is scripted, each ends at its start plus the mean of the proposed
- * displacements, weighted by mass.  If some are scripted, that is, have the
- * inverse mass 0, the others take over the displacement of these, but only if
- * all of these have exactly the same one, and if it is a double.  Otherwise the
- * whole group stays where it starts, bit for bit.
+ * If no vertex is scripted, the displacement of the group is the mean of the
+ * proposed displacements, weighted by mass.  If some are scripted, that is, have
+ * the inverse mass 0, it is that of the first of them.  A free vertex ends at
+ * its start plus the displacement of the group, and a scripted one exactly where
+ * it was proposed to end.
  *
  * Section: Scripted vertices.
  *
- * Hint 1: tf_two_difference(a, b) yields a - b as a sum of two doubles, hi and
- *     lo, without any error.
- * Hint 2: a - b is a double if lo is 0.
- * Hint 3: Two displacements may be equal after they have been rounded and
- *     differ before.
+ * Hint 1: You are given inverse masses, and the weight of a vertex is its mass.
+ * Hint 2: A scripted vertex ends where its script has it, whatever its group
+ *     does.
+ * Hint 3: start + (proposed - start) may be another double than proposed.
  */
-#include "arithmetic/two_sum.h"
-
 #include <stdbool.h>
 #include <stddef.h>
 
-/// The weight, in the mean, of a vertex that is not scripted.
+/// The weight, in the mean, of a free vertex.
 static double weight_of(double inverse_mass)
 {
 #if defined TF_WRONG_1 // weights by inverse masses
@@ -37,42 +34,37 @@ static double weight_of(double inverse_mass)
 #endif
 }
 
-/// Whether a scripted vertex lets its group move: its displacement is
-/// proposed - start, and `before`, unless NULL, is that of the scripted vertices
-/// before it.
-static bool agrees(double start, double proposed, const double *before)
+/// Where a vertex ends whose group has this displacement.
+static double end_of(double start, double proposed, bool scripted,
+                     double displacement)
 {
-#if defined TF_WRONG_3 // compares rounded displacements
-    return !before || proposed - start == *before;
-#elif defined TF_WRONG_4 // lets the last one decide
-    return tf_two_difference(proposed, start).lo == 0;
+#if defined TF_WRONG_3 // rounds where a scripted vertex ends
+    return start + (scripted ? proposed - start : displacement);
 #elif defined TF_SOLUTION || defined TF_WRONG_1 || defined TF_WRONG_2
-    tf_two d = tf_two_difference(proposed, start);
-    return d.lo == 0 && (!before || d.hi == *before);
+    return scripted ? proposed : start + displacement;
 #else
-    // Your turn, part two.
-    return true;
+    // Your turn, part two: for now all follow the group.
+    return start + displacement;
 #endif
 }
 
 void move_group(int count, const double start[], const double proposed[],
                 const double inverse_mass[], double end[])
 {
-    bool fixed = false, rests = false;
+    bool any_scripted = false;
     double displacement = 0, mass = 0, momentum = 0;
     for (int i = 0; i < count; i++) {
         if (inverse_mass[i] > 0) {
             mass += weight_of(inverse_mass[i]);
             momentum += weight_of(inverse_mass[i]) * (proposed[i] - start[i]);
-        } else {
-            if (!agrees(start[i], proposed[i], fixed ? &displacement : NULL))
-                rests = true;
+        } else if (!any_scripted) {
             displacement = proposed[i] - start[i];
-            fixed = true;
+            any_scripted = true;
         }
     }
-    if (!fixed)
+    if (!any_scripted)
         displacement = momentum / mass;
     for (int i = 0; i < count; i++)
-        end[i] = rests ? start[i] : start[i] + displacement;
+        end[i] =
+            end_of(start[i], proposed[i], !(inverse_mass[i] > 0), displacement);
 }

@@ -68,7 +68,7 @@ END_TEST
 START_TEST(at_random)
 {
     generator random = generator_new(0);
-    for (int i = 0; i < 3000; i++) {
+    for (int i = 0; i < 400; i++) {
         double start[6], end[6];
         for (int k = 0; k < 6; k++) {
             start[k] = uniform(&random, 0, 1);

@@ -100,7 +100,7 @@ static size_t answer_by_zones(tf_surface *surface, const scene *s, double end[])
                     .end = end,
                     .changed = changed};
     tf_row_rule rule = {.separation = separation, .base = s->proposed};
-    tf_zone_choice choice = {.solver = &tf_gauss_seidel, .sweeps = 60};
+    tf_zone_choice choice = {.solver = &tf_gauss_seidel, .sweeps = 30};
     tf_zones zones = {0};
     tf_zone_effort effort = {.smallest_gap = INFINITY};
     memcpy(end, s->proposed, sizeof s->proposed);

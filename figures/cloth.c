@@ -95,15 +95,35 @@ static void find_soft_parts(fig_cloth *cloth)
     }
 }
 
-/// Where nothing changes its shape, all parts are soft: they are what the film
-/// is about.
-static void choose_colors(fig_cloth *cloth)
+/// Take for soft what moves at all.
+static void find_moving_parts(fig_cloth *cloth)
+{
+    const fig_shape *shape = &cloth->shape;
+    for (int f = 1, i = shape->vertices; f < cloth->frames; f++)
+        for (int v = 0; v < shape->vertices; v++, i++)
+            if (shape->part[v] >= 0 &&
+                fig_length(fig_difference(cloth->at[i], cloth->at[v])) >
+                    length_rounding)
+                cloth->soft[shape->part[v]] = true;
+}
+
+static int count_soft(const fig_cloth *cloth)
 {
     int count = 0;
     for (int p = 0; p < cloth->shape.parts; p++)
         count += cloth->soft[p];
+    return count;
+}
+
+/// The soft parts are what the film is about, so there must be some.
+static void choose_colors(fig_cloth *cloth)
+{
+    find_soft_parts(cloth);
+    if (count_soft(cloth) == 0)
+        find_moving_parts(cloth);
+    bool all = count_soft(cloth) == 0;
     for (int p = 0, next = 0; p < cloth->shape.parts; p++) {
-        cloth->soft[p] = cloth->soft[p] || count == 0;
+        cloth->soft[p] = cloth->soft[p] || all;
         cloth->color[p] = cloth->soft[p] ? next++ : 0;
     }
 }
@@ -115,13 +135,26 @@ bool fig_cloth_is_stiff(const fig_cloth *cloth, int part)
 
 // Fronts -----------------------------------------------------------------
 
-static double height_of_normal(const fig_cloth *cloth, int triangle)
+/// The normals of a sheet in the first frame, all to the same side.
+typedef struct sides {
+    double area;   ///< twice that
+    double upward; ///< how much of the area is seen from above
+    double
+        outward; ///< and how much from outside, by the distance from there to
+                 ///< the first corner
+} sides;
+
+static void add_side(const fig_cloth *cloth, int triangle, int first,
+                     sides *sum)
 {
     const int *v = cloth->shape.triangle + 3 * (size_t)triangle;
     const tf_vector *at = cloth->at;
-    return fig_cross(fig_difference(at[v[1]], at[v[0]]),
-                     fig_difference(at[v[2]], at[v[0]]))
-        .x[2];
+    tf_vector normal = fig_cross(fig_difference(at[v[1]], at[v[0]]),
+                                 fig_difference(at[v[2]], at[v[0]]));
+    tf_vector out = fig_difference(at[v[0]], at[first]);
+    sum->area += fig_length(normal);
+    sum->upward += cloth->face[triangle] * normal.x[2];
+    sum->outward += cloth->face[triangle] * tf_vector_dot(normal, out);
 }
 
 /// Turn the triangle beyond one of the sides of a triangle to the same front,
@@ -140,23 +173,27 @@ static int turn_neighbor(fig_cloth *cloth, int triangle, int side)
     return other;
 }
 
-/// Turn all that is joined to a triangle to one front: where it is up in the
-/// first frame.  `found` has room for all triangles.
+/// Turn all that is joined to a triangle to one front: what is up in the first
+/// frame or, in a tube for instance, where no side is, what is outside.  `found`
+/// has room for all triangles.
 static void turn_sheet(fig_cloth *cloth, int first, int found[])
 {
-    int count = 0;
-    double up = 0;
+    static const double mostly = 0.2;
+    int count = 0, corner = cloth->shape.triangle[3 * (size_t)first];
+    sides sum = {0};
     cloth->face[first] = 1;
     found[count++] = first;
     for (int i = 0; i < count; i++) {
-        up += cloth->face[found[i]] * height_of_normal(cloth, found[i]);
+        add_side(cloth, found[i], corner, &sum);
         for (int side = 0; side < 3; side++) {
             int other = turn_neighbor(cloth, found[i], side);
             if (other >= 0)
                 found[count++] = other;
         }
     }
-    for (int i = 0; i < count && up < 0; i++)
+    bool level = fabs(sum.upward) > mostly * sum.area;
+    bool wrong = (level ? sum.upward : sum.outward) < 0;
+    for (int i = 0; i < count && wrong; i++)
         cloth->face[found[i]] = (signed char)-cloth->face[found[i]];
 }
 
@@ -265,7 +302,6 @@ bool fig_cloth_end(fig_cloth *cloth)
     cloth->face = calloc((size_t)shape->triangles + 1, sizeof *cloth->face);
     if (!cloth->soft || !cloth->color || !cloth->face || !find_fronts(cloth))
         return false;
-    find_soft_parts(cloth);
     choose_colors(cloth);
     find_floor(cloth);
     find_reach(cloth);

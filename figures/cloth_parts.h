@@ -16,7 +16,8 @@ struct fig_cloth {
     fig_shape shape; ///< of the first frame
     tf_vector *at;   ///< of all vertices, frame by frame
     int frames, room;
-    bool *soft; ///< of each part: it does not keep its shape, or none does
+    bool *soft; ///< of each part: it does not keep its shape or, if all do, its
+                ///< place; if all do that, too, all parts are
     int *color; ///< of each part: counted among the soft ones
     int floor;  ///< a part; -1: there is none
     signed char *face; ///< of each triangle: 1 or -1, by which its normal is to

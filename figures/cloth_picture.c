@@ -52,14 +52,16 @@ typedef struct stage {
 
 // Colors -----------------------------------------------------------------
 
-static fig_paint paint_of(const fig_cloth *cloth, int part)
+static fig_paint paint_of(const fig_cloth *cloth, const fig_theme *theme,
+                          int part)
 {
     static const fig_role role[] = {FIG_ROLE_EDGE,     FIG_ROLE_OTHER_EDGE,
                                     FIG_ROLE_TRIANGLE, FIG_ROLE_POINT,
                                     FIG_ROLE_START,    FIG_ROLE_END};
     static const double shade[] = {-0.1, -0.45, 0.25};
     if (!cloth->soft[part])
-        return (fig_paint){.role = FIG_ROLE_NEUTRAL, .shade = -0.55};
+        return (fig_paint){.role = FIG_ROLE_NEUTRAL,
+                           .shade = theme->dark ? 0 : -0.55};
     int color = cloth->color[part];
     return (fig_paint){.role = role[color % 6], .shade = shade[color / 6 % 3]};
 }
@@ -75,7 +77,8 @@ static void set_linear(float linear[3], fig_rgb color)
 static void set_color(const stage *s, int part, bool front, float linear[3])
 {
     static const double back = 0.3;
-    fig_rgb color = fig_paint_color(s->theme, paint_of(s->cloth, part));
+    fig_rgb color =
+        fig_paint_color(s->theme, paint_of(s->cloth, s->theme, part));
     fig_rgb pale = {1, 1, 1};
     if (s->cloth->soft[part] && !front)
         color = fig_rgb_mix(color, pale, back);
@@ -348,6 +351,15 @@ static void paint_ground(const stage *s)
 
 // Lines ------------------------------------------------------------------
 
+/// An end of a line.  Lines along borders are wider than cloth is thick, and
+/// would be seen through another sheet on them: they are drawn a bit behind.
+static tf_vector line_end(const stage *s, int vertex, bool rope)
+{
+    tf_vector at = s->shape.at[0][vertex];
+    double behind = 1.5 * border_width / s->view.points_per_unit;
+    return rope ? at : fig_combination(at, -behind, toward_eye(s, at));
+}
+
 /// Borders, the creases of what is stiff, and edges of no triangle.
 static void add_lines(const stage *s)
 {
@@ -357,9 +369,10 @@ static void add_lines(const stage *s)
         bool rope = s->shape.degree[i] == 0;
         if ((!rope && !s->normals.crease[i]) || part == s->cloth->floor)
             continue;
-        fig_paint paint = paint_of(s->cloth, part);
+        fig_paint paint = paint_of(s->cloth, s->theme, part);
         paint.shade = rope ? paint.shade : fmax(paint.shade, 0) + 0.3;
-        fig_scene_tube(s->scene, s->shape.at[0][end[0]], s->shape.at[0][end[1]],
+        fig_scene_tube(s->scene, line_end(s, end[0], rope),
+                       line_end(s, end[1], rope),
                        rope ? rope_width : border_width, paint);
     }
 }
@@ -436,7 +449,8 @@ static void draw_in_plane(const fig_cloth *cloth, fig_page *page, fig_box box,
                                  fig_view_project(&view, shape->at[0][end[1]])};
         fig_page_line(
             page, 2, at,
-            (fig_stroke){.paint = paint_of(cloth, shape->part[end[0]]),
+            (fig_stroke){.paint = paint_of(cloth, fig_page_theme(page),
+                                           shape->part[end[0]]),
                          .width = rope_width,
                          .under_labels = true});
     }

@@ -121,9 +121,9 @@ static void draw_bodies(fig_page *page, fig_box box)
     draw_arrow(page, &plot, (fig_point){still.plank, still.fly},
                (fig_point){bounced.plank, bounced.fly}, FIG_ROLE_NEUTRAL);
     draw_dot(page, &plot, proposed.plank, proposed.fly, "proposed",
-             FIG_ROLE_CONTACT, FIG_SIDE_SE);
+             FIG_ROLE_CONTACT, FIG_SIDE_E);
     draw_dot(page, &plot, still.plank, still.fly, "pushed", FIG_ROLE_INK,
-             FIG_SIDE_E);
+             FIG_SIDE_W);
     draw_dot(page, &plot, bounced.plank, bounced.fly, "bounced", FIG_ROLE_INK,
              FIG_SIDE_NE);
 }

@@ -48,7 +48,7 @@ static void build_tree(forest *f)
     tf_frame frame;
     int bad;
     TF_REQUIRE(tf_frame_of(3, &rest, &frame, &bad) == TF_OK);
-    tf_vertex_boxes(&frame, &rest, 0, NULL, box);
+    tf_vertex_boxes(&frame, &rest, NULL, box);
     tf_box whole = tf_box_empty;
     for (int i = 0; i < mesh->vertices; i++)
         whole = tf_box_union(whole, box[i]);

@@ -6,7 +6,7 @@
 #include "response/zones.h"
 
 /// A stack of edges; edge i has the vertices 2 i and 2 i + 1, and edge 0 is the
-/// floor, which cannot be moved.
+/// floor, which is scripted to rest.
 typedef struct fig_pile {
     int edges, vertices;
     int *edge;
@@ -49,7 +49,7 @@ void fig_some_zone_free(fig_some_zone *some);
 /// The displacement as proposed, and all impulses zero.
 void fig_zone_reset(fig_some_zone *some);
 
-/// The kinetic energy of the vertices that can be moved, as displaced.
+/// The kinetic energy of the free vertices, as displaced.
 double fig_zone_energy(const fig_some_zone *some);
 
 /// The entries of a zone's matrix, row after row; to be freed.

@@ -56,14 +56,15 @@ static void draw_body(fig_page *page, const fig_plot *plot, const history *h,
 {
     static const char *const name[BODIES] = {"slow stone", "fast stone",
                                              "plate"};
+    // The plate is drawn upon the fast stone, with which it ends.
+    double width = body == 1 ? 3 : 1.4;
     fig_point at[VISITS + 1];
-    // Bodies that end together are drawn side by side.
     for (int i = 0; i <= VISITS; i++)
-        at[i] = (fig_point){i, h->at[i][body] - (body == 1 ? 0.04 : 0)};
+        at[i] = (fig_point){i, h->at[i][body]};
     fig_plot_curve(page, plot, VISITS + 1, at,
-                   (fig_stroke){.paint = {.role = role[body]}, .width = 1.6});
+                   (fig_stroke){.paint = {.role = role[body]}, .width = width});
     for (int i = 0; i <= VISITS; i++)
-        fig_plot_dot(page, plot, at[i].x, at[i].y, 3.5, role[body]);
+        fig_plot_dot(page, plot, at[i].x, at[i].y, width + 1.9, role[body]);
     // The fast stone is named where it is alone, the others at the end.
     fig_point name_at = body == 1 ? fig_plot_place(plot, 1, at[1].y)
                                   : fig_plot_place(plot, VISITS, at[VISITS].y);

@@ -48,7 +48,7 @@ static void round_ends(const double end[ENDS], double rounded[ENDS])
     TF_REQUIRE(tf_frame_of(3, &motion, &frame, &bad) == TF_OK);
     // The scale brings 1 to 1/2 or 1; here the ends shall be near 3/4.
     double back = 0.75 / (frame.scale * 0.375);
-    tf_vertex_boxes(&frame, &motion, 0, NULL, box);
+    tf_vertex_boxes(&frame, &motion, NULL, box);
     for (int i = 0; i < ENDS / 2; i++) {
         rounded[(ptrdiff_t)2 * i] =
             (back * (double)box[i + 2].low[0] - 0.75) / unit;

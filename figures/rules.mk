@@ -106,8 +106,8 @@ $(BUILD)/films/%-light.png: $(BUILD)/drawing/program
 $(BUILD)/films/%-dark.png: $(BUILD)/drawing/program
 	$(call film,dark)
 
-# The pictures in README.md, kept in figures/readme: the cover, and the query
-# that its first command makes.
+# The pictures in README.md, kept in figures/readme: the cover, the query that
+# its first command makes, and a film, which takes minutes and is not checked.
 first_query := $(shell sed -n "s/.*printf '%s.n' \(.*\) | .*/\1/p" README.md)
 README = $(foreach theme,light dark,cover-$(theme).png query-$(theme).png)
 
@@ -119,7 +119,15 @@ $(BUILD)/readme/query-%.png: $(BUILD)/drawing/program README.md
 	$(Q)printf '%s\n' $(first_query) | $< query /dev/stdin:0 \
 	    --kind point-edge --theme $* --size 800x450 -o $@ >/dev/null
 
-draw-readme: $(README:%=$(BUILD)/readme/%) ## draw the pictures of README.md anew
+$(BUILD)/stack/steps.csv: $(program_file)
+	@echo 'simulate $(@D)' && rm -rf $(@D) && $< simulate stack -o $(@D) >/dev/null
+$(BUILD)/readme/stack-%.webp: $(BUILD)/drawing/program $(BUILD)/stack/steps.csv
+	@echo 'film    $@' && mkdir -p $(@D)
+	$(Q)$< film $(BUILD)/stack --theme $* --size 640x400 --every 3 --fps 25 \
+	    -o $@ >/dev/null
+
+draw-readme: $(README:%=$(BUILD)/readme/%) $(foreach theme,light dark,\
+	$(BUILD)/readme/stack-$(theme).webp) ## draw the pictures of README.md anew
 	@mkdir -p figures/readme && cp $^ figures/readme
 
 check-readme: need-book $(README:%=$(BUILD)/readme/%) ## check the pictures of README.md

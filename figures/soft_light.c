@@ -6,9 +6,9 @@
 #include <string.h>
 
 enum {
-    SIDE = 320, ///< of a map, cells
-    LAMP = 90,  ///< directions
-    SKY = 70
+    SIDE = 256, ///< of a map, cells
+    LAMP = 64,  ///< directions
+    SKY = 60
 };
 
 /// The radius of the lamp as seen from one unit away.

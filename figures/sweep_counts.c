@@ -9,7 +9,7 @@
 enum {
     BEADS = 12,
     FEW = 5,
-    USUAL = 60,
+    USUAL = 30, ///< the library's choice
     MANY = 500
 };
 

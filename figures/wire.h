@@ -1,5 +1,5 @@
 // Beads on a wire, side by side with gaps between neighbors, before a knot that
-// cannot be moved.  The first is to move by 1, the others are at rest.
+// is scripted to rest.  The first is to move by 1, the others are at rest.
 #ifndef FIG_WIRE_H
 #define FIG_WIRE_H
 

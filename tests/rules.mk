@@ -126,8 +126,12 @@ soak-vectors: $(BUILD)/tests/soak/vectors ## compare COUNT=100000000 verdicts by
 	@$< $(COUNT)
 
 soak-response: COUNT = 10000
-soak-response: $(BUILD)/tests/soak/response ## resolve and judge COUNT=10000 random proposals
+soak_response = $(patsubst %,$(BUILD)/tests/%,soak/response whole/response \
+	whole/response_cases)
+soak-response: $(soak_response) ## resolve and judge COUNT=10000 random proposals, and longer scenes
 	@$< $(COUNT) $(FROM)
+	@TF_TEST_PERCENT=200 $(BUILD)/tests/whole/response
+	@TF_TEST_PERCENT=400 $(BUILD)/tests/whole/response_cases
 .PHONY: soak soak-vectors soak-response
 
 # What is measured -------------------------------------------------------------

@@ -84,7 +84,8 @@ static error_t understand(int key, char *text, struct argp_state *state)
 /// A film on its way from its files to a page.
 typedef struct film {
     fig_cloth *cloth;
-    tf_frames frames; ///< the last two that were read
+    tf_frames frames;            ///< the last two that were read
+    char path[2][FIG_FILM_PATH]; ///< theirs, which their messages name
     tf_surface *surface;
     fig_cloth_look look;
     int still;
@@ -126,27 +127,26 @@ static bool add(film *f, const char *path)
            lack_memory(f);
 }
 
+/// Read the i-th frame of a folder.
+static bool read_frame(film *f, const char *folder, int i)
+{
+    char *path = f->path[f->frames.count % 2];
+    fig_film_files_path(folder, i, path);
+    return add(f, path);
+}
+
 /// Read every so many of `count` frames.  False: standard error has been told
 /// why.
 static bool read_frames(film *f, const request *asked, int count)
 {
-    for (int i = 0; i < count; i += asked->every) {
-        char *path = fig_film_files_path(asked->folder, i);
-        bool good = path && add(f, path);
-        if (!good)
-            tf_mesh_file_print_fault(tf_frames_file(&f->frames),
-                                     "tanglefree-draw");
-        free(path);
-        if (!good)
-            return false;
-        if (count - i <= asked->every)
-            break;
-    }
-    if (fig_cloth_end(f->cloth))
-        return true;
-    fprintf(stderr, "tanglefree-draw: %s\n",
-            tf_status_message(TF_OUT_OF_MEMORY));
-    return false;
+    bool good = true;
+    for (long i = 0; i < count && good; i += asked->every)
+        good = read_frame(f, asked->folder, (int)i);
+    if (good && !fig_cloth_end(f->cloth))
+        good = lack_memory(f);
+    if (!good)
+        tf_mesh_file_print_fault(tf_frames_file(&f->frames), "tanglefree-draw");
+    return good;
 }
 
 // Drawing ----------------------------------------------------------------

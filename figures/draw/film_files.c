@@ -1,4 +1,3 @@
-#define _GNU_SOURCE // asprintf
 #include "draw/film_files.h"
 
 #include "program/visible.h"
@@ -7,7 +6,6 @@
 #include <errno.h>
 #include <stdbool.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -33,11 +31,11 @@ static int number_of(const char *name)
     return strcmp(name, same) == 0 ? (int)number : -1;
 }
 
-char *fig_film_files_path(const char *folder, int i)
+void fig_film_files_path(const char *folder, int i, char path[FIG_FILM_PATH])
 {
-    char name[NAME], *path;
+    char name[NAME];
     write_name(i, name);
-    return asprintf(&path, "%s/%s", folder, name) < 0 ? NULL : path;
+    snprintf(path, FIG_FILM_PATH, "%.4096s/%s", folder, name);
 }
 
 /// Print an error about a file of the folder or, if `file` is empty, about the
@@ -49,24 +47,27 @@ static int report(const char *folder, const char *file, const char *what)
     return -1;
 }
 
+static bool is_there(const char *folder, int i)
+{
+    char path[FIG_FILM_PATH];
+    fig_film_files_path(folder, i, path);
+    return access(path, F_OK) == 0;
+}
+
 /// Print an error about the first missing frame before the last one; -1.
 static int report_gap(const char *folder, int last)
 {
     char name[NAME], what[4 * NAME];
-    for (int i = 0; i < last; i++) {
-        char *path = fig_film_files_path(folder, i);
-        bool there = path && access(path, F_OK) == 0;
-        free(path);
-        write_name(last, name);
-        snprintf(what, sizeof what,
-                 "there is no such frame, but there is %s; simulate again, or "
-                 "number the frames from 0 on",
-                 name);
-        write_name(i, name);
-        if (!there)
-            return report(folder, name, what);
-    }
-    return report(folder, "", "the frames change while they are counted; wait");
+    int missing = 0;
+    while (missing < last && is_there(folder, missing))
+        missing++;
+    write_name(last, name);
+    snprintf(what, sizeof what,
+             "there is no such frame, but there is %s; simulate again, or "
+             "number the frames from 0 on",
+             name);
+    write_name(missing, name);
+    return report(folder, name, what);
 }
 
 int fig_film_files_count(const char *folder)

@@ -7,8 +7,11 @@
 /// told so.
 int fig_film_files_count(const char *folder);
 
-/// The path of the i-th frame, for the caller to free.  NULL if there is no
-/// memory.
-char *fig_film_files_path(const char *folder, int i);
+enum {
+    FIG_FILM_PATH = 4352
+}; ///< room for any path that a file can have
+
+/// Write the path of the i-th frame.
+void fig_film_files_path(const char *folder, int i, char path[FIG_FILM_PATH]);
 
 #endif

@@ -27,7 +27,7 @@ static const char *const messages[] = {
                          "negative, infinite or no number, or a fraction is 1 "
                          "or more: use 0 or a small positive number",
     [TF_BAD_MASS] = "an inverse mass is negative, infinite or no number: use 0 "
-                    "for what should not be moved",
+                    "for a vertex that is scripted",
     [TF_START_NOT_CLEAR] = "two elements touch or intersect when the step "
                            "starts: start from a surface that does not "
                            "intersect itself",

@@ -3,6 +3,7 @@
 #include "program/interruption.h"
 
 #include <signal.h>
+#include <stdbool.h>
 #include <stddef.h>
 
 static const int requests[] = {SIGINT, SIGTERM, SIGHUP};
@@ -11,12 +12,21 @@ enum {
 };
 
 //: Hold signals back, and look for them
+/// Held back, it would wait all the same.
+static bool is_ignored(int request)
+{
+    struct sigaction present;
+    return sigaction(request, NULL, &present) == 0 &&
+           present.sa_handler == SIG_IGN;
+}
+
 void tf_interruption_hold(void)
 {
     sigset_t held;
     sigemptyset(&held);
     for (int i = 0; i < REQUESTS; i++)
-        sigaddset(&held, requests[i]);
+        if (!is_ignored(requests[i]))
+            sigaddset(&held, requests[i]);
     sigprocmask(SIG_BLOCK, &held, NULL);
 }
 

@@ -89,7 +89,7 @@ bool tf_masses_read(tf_text_lines *lines, const char *path, int vertices,
                                 read.count, vertices));
 }
 
-//: Read fixed vertices
+//: Read scripted vertices
 static bool read_vertex(list *read)
 {
     tf_text_lines *lines = read->lines;

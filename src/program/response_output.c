@@ -7,7 +7,7 @@
 
 //: List the entries of a report
 enum {
-    ENTRIES = 26
+    ENTRIES = 25
 };
 
 static const char *status_of(const tf_response_report *report)
@@ -39,7 +39,6 @@ static void list_entries(const tf_response_report *report, double seconds,
         tf_entry_count("resting", (size_t)report->resting),
         tf_entry_count("held", (size_t)report->held),
         tf_entry_count("moved", (size_t)report->moved),
-        tf_entry_count("rebuilds", (size_t)report->rebuilds),
         tf_entry_count("candidates", effort->candidates),
         tf_entry_count("decided by axis", effort->by_axis),
         tf_entry_count("decided by filter", effort->by_filter),

@@ -137,14 +137,13 @@ static error_t parse_argument(int key, char *text, struct argp_state *state)
 }
 
 //: List the scenes for the user
-static bool list_scenes(void)
+static void list_scenes(void)
 {
     int count;
     const tf_scene *scene = tf_scenes(&count);
     for (int i = 0; i < count; i++, scene++)
         printf("%-12s %s; %d steps, size %d: %s\n", scene->name, scene->shows,
                scene->steps, scene->size, scene->size_means);
-    return fflush(stdout) == 0 && !ferror(stdout);
 }
 
 //: Hold what simulate does
@@ -253,8 +252,10 @@ int tf_simulate_command(int argc, char *argv[])
         options, parse_argument, "SCENE\nlist", description, NULL, NULL, NULL};
     run r = {.request = {.steps = -1, .threads = tf_threads_available()}};
     argp_parse(&parser, argc, argv, 0, NULL, &r.request);
-    if (!r.request.scene)
-        return list_scenes() ? 0 : 2;
+    if (!r.request.scene) {
+        list_scenes();
+        return 0;
+    }
 
     // Nothing is printed until the line is erased: it may share its terminal.
     tf_interruption_hold();

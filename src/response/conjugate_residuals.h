@@ -8,7 +8,7 @@
 /// @{
 
 /// Takes rows as equations, so that it also holds together elements that would
-/// part anyway, and knows no friction.  Each iteration makes the residual as
+/// part anyway, and leaves out friction.  Each iteration makes the residual as
 /// short as the directions so far allow.  Rows that repeat or contradict each
 /// other do no harm: the sum of the squares of what rows lack becomes least.
 /// Method: Stiefel 1955.

@@ -54,8 +54,8 @@ static tf_row row_of_point(const tf_surface_contact *contact)
 
 //: Find where the two points start
 /// The vector from the second element's point to the first one's at the start.
-/// Differences to one vertex are summed, as the weights sum to zero; so its
-/// error is small even far from the origin.
+/// As the coefficients add up to zero, positions may be taken relative to one
+/// of the vertices, which keeps the error small even far from the origin.
 static void vector_at_start(const tf_step *step, const tf_row *row,
                             double vector[3])
 {
@@ -82,9 +82,9 @@ static double coordinate_error(const tf_step *step, const tf_row *row)
 }
 
 //: Choose the normal
-/// Sets the normal of a row: that of the contact, turned to the side on which
-/// the first element starts, or, where that tells no side, the direction between
-/// the points that meet.  Returns the gap.
+/// Sets the normal of a row: that of the contact, reversed if need be such that
+/// the gap is positive, or, if the gap is too small to tell its sign, the
+/// direction between the points that meet.  Returns the gap.
 static double choose_normal(const tf_step *step, const tf_contact *contact,
                             tf_row *row)
 {
@@ -106,8 +106,8 @@ static double choose_normal(const tf_step *step, const tf_contact *contact,
 }
 
 //: Take the row of the pivots
-/// The row of the two vertices whose velocities the contact knows: they shall
-/// not go on.  False if they do not move against each other.
+/// The row that keeps the contact's two pivots from approaching each other.
+/// False if they do not move relative to each other.
 static bool row_of_pivots(const tf_surface_contact *contact, tf_row *row,
                           double *gap)
 {
@@ -143,7 +143,7 @@ static double parting(const tf_step *step, const tf_row *row,
 }
 
 //: Bound the parting
-/// What part of its way to the separation a pair is pushed in one step.
+/// The part of what is missing by which a pair is pushed apart in one step.
 static const double pushed_part = 0.25;
 
 static double bound_for(const tf_step *step, const tf_row *row,
@@ -157,8 +157,8 @@ static double bound_for(const tf_step *step, const tf_row *row,
     return bound;
 }
 
-//: Drop vertices without weight
-/// Drops the vertices that a row does not push: a zone must not move them.
+//: Drop vertices that a row does not push
+/// A zone must not move them.
 static tf_row without_idle_vertices(const tf_row *row)
 {
     tf_row kept = *row;

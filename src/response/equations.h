@@ -6,7 +6,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/// The rows of a zone, taken as equations A x = b: impulses shall part the
+/// The rows of a zone, taken as equations A x = b: impulses are to part the
 /// elements of each row by exactly its bound.  Rows and impulses are scaled
 /// such that A, which is symmetric and positive semidefinite, has ones on its
 /// diagonal.

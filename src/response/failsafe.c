@@ -1,17 +1,15 @@
 //: Include what the failsafe needs
 #include "response/failsafe.h"
 
-#include "arithmetic/two_sum.h"
-
 #include <math.h>
 #include <string.h>
 
 //: Hold a group of the failsafe
 /// What is known about a group, at its root.
 typedef struct group {
-    bool resting; ///< at rest, for good
-    bool joined;  ///< changed in this round: its members are to be moved
-    bool fixed;   ///< has scripted vertices, those of inverse mass 0
+    bool resting;  ///< at rest, for good
+    bool joined;   ///< changed in this round: its members are to be moved
+    bool scripted; ///< has scripted vertices, those of inverse mass 0
     double mass;
     double displacement[3]; ///< of all vertices; at first a sum
 } group;
@@ -31,9 +29,9 @@ bool tf_failsafe_begin(tf_failsafe *failsafe, const tf_step *step)
 }
 
 //: Put groups to rest that touch themselves
-/// Whether all vertices of a contact are in one group.  Then it is a rounding
-/// that made the elements touch: moved by exactly the same, they would stay
-/// apart.
+/// Whether all vertices of a contact are in one group.  Moved by exactly the
+/// same displacement, they would stay apart, so roundings or scripts that
+/// disagree are to blame.
 static bool is_within_group(tf_groups *groups,
                             const tf_surface_contact *contact)
 {
@@ -49,11 +47,9 @@ static void put_to_rest(tf_failsafe *failsafe, const tf_contacts *contacts)
     group *all = failsafe->group.data;
     for (size_t i = 0; i < contacts->count; i++) {
         const tf_surface_contact *contact = &contacts->contact[i];
-        if (!is_within_group(&failsafe->groups, contact))
-            continue;
-        group *own =
-            &all[tf_groups_find(&failsafe->groups, contact->vertex[0])];
-        own->resting = own->joined = true;
+        int root = tf_groups_find(&failsafe->groups, contact->vertex[0]);
+        if (is_within_group(&failsafe->groups, contact))
+            all[root].resting = true;
     }
 }
 
@@ -86,21 +82,17 @@ static group *joined_group(tf_failsafe *failsafe, int vertex)
     return own->joined ? own : NULL;
 }
 
-//: Agree with the vertices that should not be moved
-/// Gives a group the displacement of one of its scripted vertices.  Puts the
-/// group to rest instead if this displacement is not a double, or if another
-/// scripted vertex has a different one.
-static void agree(group *own, const tf_step *step, int vertex)
+//: Follow a scripted vertex
+/// Gives a group the displacement of a scripted vertex, the first one that it
+/// has.  Others may have another displacement, if only by rounding.  Where this
+/// makes the group touch itself, the next round puts it to rest.
+static void follow(group *own, const tf_step *step, int vertex)
 {
-    ptrdiff_t place = (ptrdiff_t)step->axes * vertex;
-    for (int k = 0; k < step->axes; k++) {
-        tf_two d = tf_two_difference(step->proposed[place + k],
-                                     step->start[place + k]);
-        if (d.lo != 0 || (own->fixed && d.hi != own->displacement[k]))
-            own->resting = true;
-        own->displacement[k] = d.hi;
-    }
-    own->fixed = true;
+    if (own->scripted)
+        return;
+    const double *proposed = step->proposed + (ptrdiff_t)step->axes * vertex;
+    tf_step_displacement(step, vertex, proposed, own->displacement);
+    own->scripted = true;
 }
 
 //: Add up momenta
@@ -121,7 +113,7 @@ static void clear_sums(tf_failsafe *failsafe, int vertices)
 {
     group *all = failsafe->group.data;
     for (int v = 0; v < vertices; v++) {
-        all[v].fixed = false;
+        all[v].scripted = false;
         all[v].mass = 0;
         memset(all[v].displacement, 0, sizeof all[v].displacement);
     }
@@ -134,11 +126,11 @@ static void find_displacements(tf_failsafe *failsafe, const tf_step *step)
     for (int v = 0; v < step->vertices; v++) {
         group *own = joined_group(failsafe, v);
         if (own && !(step->inverse_mass[v] > 0))
-            agree(own, step, v);
+            follow(own, step, v);
     }
     for (int v = 0; v < step->vertices; v++) {
         group *own = joined_group(failsafe, v);
-        if (own && !own->fixed)
+        if (own && !own->scripted)
             add_momentum(own, failsafe, step, v);
     }
     group *all = failsafe->group.data;
@@ -166,14 +158,16 @@ static void move_groups(tf_failsafe *failsafe, tf_step *step)
 {
     for (int v = 0; v < step->vertices; v++) {
         const group *own = joined_group(failsafe, v);
-        bool movable = step->inverse_mass[v] > 0;
+        bool scripted = !(step->inverse_mass[v] > 0);
         for (int k = 0; own && k < step->axes; k++) {
             ptrdiff_t place = (ptrdiff_t)step->axes * v + k;
             double to = step->start[place];
             if (!own->resting)
-                to =
-                    movable ? to + own->displacement[k] : step->proposed[place];
-            step->changed[v] |= to != step->end[place];
+                to = scripted ? step->proposed[place]
+                              : to + own->displacement[k];
+            if (to == step->end[place])
+                continue; // -0 must not become +0
+            step->changed[v] = true;
             step->end[place] = to;
         }
     }

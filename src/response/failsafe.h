@@ -8,8 +8,8 @@
 #include <stddef.h>
 
 /// Vertices in groups that move as one.  All vertices of a group have the same
-/// displacement, except that each end is rounded by itself; or the group is at
-/// rest for good.
+/// displacement, except that each end is rounded by itself and that scripted
+/// vertices end where they are proposed to; or the group is at rest for good.
 typedef struct tf_failsafe {
     tf_groups groups;
     tf_buffer entry; ///< the ends when the failsafe began

@@ -15,7 +15,7 @@ typedef struct tf_bodies {
 double tf_row_parting(int axes, const tf_row *row, const double displacement[]);
 
 /// Returns how far an impulse of 1 parts the elements of a row: its entry on
-/// the diagonal of a zone's matrix.  Zero if none of its vertices can be moved.
+/// the diagonal of a zone's matrix.  Zero if all of its vertices are scripted.
 double tf_row_compliance(const tf_row *row, const double inverse_mass[]);
 
 /// Applies an impulse to the vertices of a row, in proportion to their
@@ -28,7 +28,7 @@ void tf_row_push(const tf_row *row, const double impulse[3],
 /// present displacements satisfy the row.  Then sets its friction to the
 /// impulse across the normal that stops the elements from sliding, or to
 /// `friction` times the impulse in that direction if this is less.  Does
-/// nothing if no vertex of the row can be moved.  Returns by how much the
+/// nothing if all vertices of the row are scripted.  Returns by how much the
 /// parting along the normal has changed or, if that is more, the sliding across
 /// it.
 double tf_row_visit(tf_row *row, double friction, const tf_bodies *bodies);

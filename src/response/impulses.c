@@ -4,7 +4,6 @@
 #include "response/impulse.h"
 
 #include <stddef.h>
-#include <string.h>
 
 static void read_displacements(const tf_step *step, double displacement[])
 {

@@ -3,6 +3,7 @@
 
 #include "arithmetic/exact.h"
 #include "response/impulses.h"
+#include "response/recheck.h"
 
 #include <limits.h>
 #include <string.h>
@@ -86,9 +87,8 @@ static tf_status look_again(tf_responding *r)
                       .motion = &r->motion,
                       .arithmetic = &tf_exact,
                       .narrow_phase = r->options.narrow_phase};
-    tf_status status = tf_recheck_find(
-        &r->resolver->recheck, r->resolver->surface, &r->step, &of,
-        r->options.parallel, &r->contacts, &r->report.rebuilds);
+    tf_status status = tf_recheck(r->resolver->surface, &r->step, &of,
+                                  r->options.parallel, &r->contacts);
     if (status == TF_OK) {
         r->report.contacts += r->contacts.count;
         tf_effort_add(&r->report.effort, &r->contacts.effort);

@@ -5,6 +5,7 @@
 #include "fast/vector.h"
 #include "response/start.h"
 #include "response/state.h"
+#include "surface/state.h"
 
 #include <math.h>
 #include <string.h>

@@ -42,11 +42,10 @@ typedef struct tf_response_report {
     int resting;           ///< of these, vertices that stay at their start
     int held;              ///< scripted vertices that were held back
     int moved;             ///< vertices whose end is not the proposed one
-    int rebuilds;          ///< how often candidates had to be listed anew
     tf_effort effort;      ///< that of all detections
     double energy_before;  ///< the kinetic energy of the proposed step, the sum
-                           ///< of mass |d|^2 / 2 over the vertices that are not
-                           ///< scripted, with displacements d
+                           ///< of mass |d|^2 / 2, with displacements d, over
+                           ///< all vertices that are not scripted
     double energy_after;   ///< that of the resolved step
 } tf_response_report;
 

@@ -6,6 +6,7 @@
 #include "response/gauss_seidel.h"
 #include "response/levels.h"
 #include "response/start.h"
+#include "surface/pairs.h"
 
 #include <math.h>
 #include <string.h>
@@ -52,12 +53,10 @@ enum {
 };
 
 static const double usual_separation = 0.05; // of the mean edge
-static const double usual_margin = 1.0 / 3;  // of the mean edge
 
 static void choose(tf_responding *r)
 {
     tf_response_options *options = &r->options;
-    double edge = mean_edge(r->resolver->surface, &r->step);
     if (!options->solver)
         options->solver = &tf_gauss_seidel;
     if (options->zone_rounds == 0)
@@ -65,10 +64,10 @@ static void choose(tf_responding *r)
     if (options->sweeps == 0)
         options->sweeps = USUAL_SWEEPS;
     if (options->separation == 0)
-        options->separation = usual_separation * edge;
+        options->separation =
+            usual_separation * mean_edge(r->resolver->surface, &r->step);
     r->rule.separation = options->separation;
     r->rule.restitution = options->restitution;
-    tf_recheck_begin(&r->resolver->recheck, usual_margin * edge);
 }
 
 //: Ready a step

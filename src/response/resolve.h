@@ -11,26 +11,27 @@
 
 /// Changes the end of a step such that no two elements meet on the way.
 ///
-/// After TF_OK, in space every vertex and triangle and every two edges, in the
-/// plane every vertex and edge, that share no vertex are apart at all times of
-/// the stored step, its ends included, and exactly so.  So the end is free of
-/// intersections, it is a legal start for the next step, and nothing has passed
-/// through anything.  The function always returns, and there is such an end for
-/// every proposal.  A step without contacts comes back bit for bit, and in any
-/// other step a vertex that no level moved comes back bit for bit.
+/// After TF_OK no two elements that share no vertex touch at any time of the
+/// stored step, its start and its end included, where the pairs of elements are
+/// a vertex and a triangle or two edges or, in the plane, a vertex and an edge.
+/// This is exact.  So the end is free of intersections, it is a legal start for
+/// the next step, and nothing has passed through anything.  The function always
+/// returns, and there is such an end for every proposal.  A step without
+/// contacts comes back bit for bit, and in any other step so does every vertex
+/// that no level has moved.
 ///
-/// Vertices of inverse mass 0 are scripted: they end where they are proposed to,
-/// bit for bit, unless the failsafe has to hold them back: two plates that close
-/// upon a sheet, for example.  The report counts those that were held back.
+/// Vertices of inverse mass 0 are scripted: they end where they are proposed
+/// to, bit for bit, unless the failsafe has to hold them back, for example when
+/// two plates close upon a sheet.  The report counts those that it held back.
 ///
 /// The result is the same, to the last bit, for any number of threads.
 ///
 /// @param resolver the resolver of the surface
 /// @param vertices how many vertices have positions
-/// @param start where they start, `axes` coordinates each; free of intersections
-///     (tf_surface_check) and of touching
-/// @param[in,out] end in: where any simulation proposes that they end; out, only
-///     with TF_OK: where they end
+/// @param start where they start, `axes` coordinates each; free of
+///     intersections (tf_surface_check) and of touching
+/// @param[in,out] end in: where any simulation proposes that they end; out,
+///     only with TF_OK: where they end
 /// @param inverse_mass of each vertex, 0 or more; 0: the vertex is scripted;
 ///     NULL: 1 for all
 /// @param options how to respond; NULL: all zero

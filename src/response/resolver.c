@@ -30,7 +30,6 @@ void tf_resolver_free(tf_resolver *resolver)
     tf_zones_free(&resolver->zones);
     tf_rigid_free(&resolver->rigid);
     tf_failsafe_free(&resolver->failsafe);
-    tf_recheck_free(&resolver->recheck);
     free(resolver);
 }
 
@@ -42,6 +41,5 @@ size_t tf_resolver_memory(const tf_resolver *resolver)
            resolver->ones.bytes + resolver->changed.bytes +
            resolver->displacement.bytes + tf_zones_memory(&resolver->zones) +
            tf_rigid_memory(&resolver->rigid) +
-           tf_failsafe_memory(&resolver->failsafe) +
-           tf_recheck_memory(&resolver->recheck);
+           tf_failsafe_memory(&resolver->failsafe);
 }

@@ -1,15 +1,14 @@
 //: Include what rigid zones need
 #include "response/rigid.h"
 
-#include <math.h>
 #include <stddef.h>
 #include <string.h>
 
 //: Hold a rigid body
 /// What is known about a zone, at its root.
 typedef struct body {
-    bool joined; ///< has a contact in this round
-    bool fixed;  ///< has a scripted vertex, one of inverse mass 0
+    bool joined;   ///< has a contact in this round
+    bool scripted; ///< has a scripted vertex, one of inverse mass 0
     double mass;
     double center[3];       ///< at the start
     double displacement[3]; ///< of the center
@@ -50,7 +49,7 @@ static body *moving_body(tf_rigid *rigid, int vertex)
 {
     body *own =
         (body *)rigid->body.data + tf_groups_find(&rigid->groups, vertex);
-    return own->joined && !own->fixed ? own : NULL;
+    return own->joined && !own->scripted ? own : NULL;
 }
 
 //: Multiply vectors of a body
@@ -67,12 +66,12 @@ static double dot(const double a[3], const double b[3])
 }
 
 //: Find the centers
-static void find_fixed(tf_rigid *rigid, const tf_step *step)
+static void find_scripted(tf_rigid *rigid, const tf_step *step)
 {
     for (int v = 0; v < step->vertices; v++) {
         body *own = moving_body(rigid, v);
         if (own && !(step->inverse_mass[v] > 0))
-            own->fixed = true;
+            own->scripted = true;
     }
 }
 
@@ -179,7 +178,7 @@ void tf_rigid_round(tf_rigid *rigid, tf_step *step, const tf_contacts *contacts)
 {
     memset(rigid->body.data, 0, (size_t)step->vertices * sizeof(body));
     unite(rigid, contacts);
-    find_fixed(rigid, step);
+    find_scripted(rigid, step);
     find_centers(rigid, step);
     add_up(rigid, step);
     body *all = rigid->body.data;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "response/failsafe.h"
-#include "response/recheck.h"
 #include "response/resolver.h"
 #include "response/rigid.h"
 #include "response/zones.h"
@@ -13,5 +12,4 @@ struct tf_resolver {
     tf_zones zones;
     tf_rigid rigid;
     tf_failsafe failsafe;
-    tf_recheck recheck;
 };

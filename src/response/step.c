@@ -18,7 +18,10 @@ void tf_step_place(tf_step *step, int vertex, const double base[],
     double until_now[3], place[3];
     tf_step_displacement(step, vertex, base, until_now);
     for (int k = 0; k < step->axes; k++) {
-        place[k] = base[k] + (displacement[k] - until_now[k]);
+        // Where nothing is added, -0 must not become +0.
+        place[k] = displacement[k] == until_now[k]
+                       ? base[k]
+                       : base[k] + (displacement[k] - until_now[k]);
         if (!isfinite(place[k]))
             return;
     }

@@ -22,8 +22,8 @@ typedef struct tf_zone {
     tf_row *row;  ///< their vertices are numbered from 0 to `vertices` - 1;
                   ///< in: impulses to start from, or 0; out: the
                   ///< impulses that were found
-    const double *inverse_mass; ///< of each vertex; 0: it cannot be moved; each
-                                ///< row has at least one vertex that can
+    const double *inverse_mass; ///< of each vertex; 0: it is scripted; each
+                                ///< row has at least one vertex that is not
     double *displacement;       ///< `axes` numbers for each vertex; in: as
                                 ///< proposed; out: with all impulses applied
     double friction;            ///< Coulomb's coefficient; 0: none

@@ -68,6 +68,20 @@ tf_status tf_frame_of(int axes, const tf_motion *motion, tf_frame *frame,
     return TF_OK;
 }
 
+//: Put a box around the path of a vertex
+tf_box tf_vertex_box(const tf_frame *frame, const tf_motion *motion, int vertex)
+{
+    tf_box box = {{0}, {0}};
+    for (int k = 0; k < frame->axes; k++) {
+        ptrdiff_t place = (ptrdiff_t)frame->axes * vertex + k;
+        float a = tf_frame_coordinate(frame, k, motion->start[place]);
+        float b = tf_frame_coordinate(frame, k, motion->end[place]);
+        box.low[k] = a < b ? a : b;
+        box.high[k] = a < b ? b : a;
+    }
+    return box;
+}
+
 //: Put a box around the path of each vertex of a part
 enum {
     VERTICES = 16384 // a task
@@ -76,34 +90,23 @@ enum {
 typedef struct boxing {
     const tf_frame *frame;
     const tf_motion *motion;
-    float margin; ///< in the frame
     tf_box *box;
 } boxing;
 
 static void box_vertices(void *argument, int task, int worker)
 {
     const boxing *work = argument;
-    const tf_frame *frame = work->frame;
     tf_range part = tf_range_part(work->motion->vertices, VERTICES, task);
     (void)worker;
-    for (int v = part.begin; v < part.end; v++) {
-        tf_box box = {{0}, {0}};
-        for (int k = 0; k < frame->axes; k++) {
-            ptrdiff_t place = (ptrdiff_t)frame->axes * v + k;
-            float a = tf_frame_coordinate(frame, k, work->motion->start[place]);
-            float b = tf_frame_coordinate(frame, k, work->motion->end[place]);
-            box.low[k] = (a < b ? a : b) - work->margin;
-            box.high[k] = (a < b ? b : a) + work->margin;
-        }
-        work->box[v] = box;
-    }
+    for (int v = part.begin; v < part.end; v++)
+        work->box[v] = tf_vertex_box(work->frame, work->motion, v);
 }
 
 //: Put a box around the path of each vertex
 void tf_vertex_boxes(const tf_frame *frame, const tf_motion *motion,
-                     double margin, const tf_parallel *parallel, tf_box box[])
+                     const tf_parallel *parallel, tf_box box[])
 {
-    boxing work = {frame, motion, (float)(margin * frame->scale), box};
+    boxing work = {frame, motion, box};
     tf_parallel_for_each(parallel, tf_range_parts(motion->vertices, VERTICES),
                          box_vertices, &work);
 }

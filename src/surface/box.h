@@ -41,14 +41,21 @@ typedef struct tf_frame {
 tf_status tf_frame_of(int axes, const tf_motion *motion, tf_frame *frame,
                       int *bad);
 
-/// The coordinate of a box in a frame that a coordinate of space has.
+/// The coordinate of a box in a frame that a coordinate of space has.  Ends may
+/// move far out of the frame after it was found: no coordinate is beyond those of
+/// the empty box.
 static inline float tf_frame_coordinate(const tf_frame *frame, int axis,
                                         double x)
 {
-    return (float)((x - frame->center[axis]) * frame->scale);
+    const double most = 0x1p100;
+    double at = (x - frame->center[axis]) * frame->scale;
+    return (float)(at > most ? most : at < -most ? -most : at);
 }
 
-/// The box of the path of each vertex, from start to end, with a margin of 0 or
-/// more on all sides.
+/// The box of the path of a vertex, from start to end.
+tf_box tf_vertex_box(const tf_frame *frame, const tf_motion *motion,
+                     int vertex);
+
+/// The boxes of the paths of all vertices.
 void tf_vertex_boxes(const tf_frame *frame, const tf_motion *motion,
-                     double margin, const tf_parallel *parallel, tf_box box[]);
+                     const tf_parallel *parallel, tf_box box[]);

@@ -106,26 +106,18 @@ static tf_status list_all(tf_surface *surface, const tf_parallel *parallel,
 }
 
 //: Find the candidates of a step
-tf_status tf_surface_candidates_within(tf_surface *surface,
-                                       const tf_motion *motion, double margin,
-                                       const tf_parallel *parallel,
-                                       tf_candidates *found, tf_flaw *flaw)
-{
-    tf_status status = tf_surface_move(surface, motion, margin, parallel, flaw);
-    if (status != TF_OK)
-        return status;
-    if (!tf_workers_begin(&surface->workers, tf_parallel_workers(parallel),
-                          NULL))
-        return TF_OUT_OF_MEMORY;
-    return list_all(surface, parallel, found);
-}
-
 tf_status tf_surface_candidates(tf_surface *surface, const tf_motion *motion,
                                 const tf_parallel *parallel,
                                 tf_candidates *found, tf_flaw *flaw)
 {
     TF_REQUIRE(surface && motion && found);
     tf_flaw unused;
-    return tf_surface_candidates_within(surface, motion, 0, parallel, found,
-                                        flaw ? flaw : &unused);
+    tf_status status =
+        tf_surface_move(surface, motion, parallel, flaw ? flaw : &unused);
+    if (status != TF_OK)
+        return status;
+    if (!tf_workers_begin(&surface->workers, tf_parallel_workers(parallel),
+                          NULL))
+        return TF_OUT_OF_MEMORY;
+    return list_all(surface, parallel, found);
 }

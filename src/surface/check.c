@@ -163,7 +163,7 @@ static tf_status check(tf_surface *surface, checking *of,
                        const tf_parallel *parallel, tf_crossings *found,
                        tf_flaw *flaw)
 {
-    tf_status status = tf_surface_move(surface, &of->rest, 0, parallel, flaw);
+    tf_status status = tf_surface_move(surface, &of->rest, parallel, flaw);
     if (status != TF_OK)
         return status;
     if (!tf_workers_begin(&surface->workers, tf_parallel_workers(parallel), of))

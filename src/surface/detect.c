@@ -10,31 +10,6 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-//: Join and decide
-static tf_status join_kind(tf_surface *surface, const tf_tree *s,
-                           const tf_tree *t, const tf_parallel *parallel)
-{
-    tf_workers_join(&surface->workers, s, t, tf_pairs_take, NULL, parallel);
-    return tf_workers_status(&surface->workers);
-}
-
-static tf_status join_all(tf_surface *surface, tf_deciding *of,
-                          const tf_parallel *parallel)
-{
-    bool plane = surface->axes == 2;
-    of->kind = plane ? TF_POINT_EDGE : TF_POINT_TRIANGLE;
-    tf_status status = join_kind(
-        surface, &surface->vertex_tree,
-        plane ? &surface->edge_tree : &surface->triangle_tree, parallel);
-    bool enough =
-        of->extent == TF_ANY_CONTACT && tf_workers_rows(&surface->workers) > 0;
-    if (status != TF_OK || plane || enough)
-        return status;
-    of->kind = TF_EDGE_EDGE;
-    return join_kind(surface, &surface->edge_tree, &surface->edge_tree,
-                     parallel);
-}
-
 //: Check that an arithmetic can hold all positions
 static tf_status check_range(const tf_surface *surface, const tf_deciding *of,
                              tf_flaw *flaw)
@@ -61,18 +36,12 @@ static tf_status detect(tf_surface *surface, tf_deciding *of,
                         const tf_parallel *parallel, tf_contacts *found,
                         tf_flaw *flaw)
 {
-    tf_status status = tf_surface_move(surface, of->motion, 0, parallel, flaw);
+    tf_status status = tf_surface_move(surface, of->motion, parallel, flaw);
     if (status == TF_OK)
         status = check_range(surface, of, flaw);
     if (status != TF_OK)
         return status;
-    if (!tf_pairs_begin(surface, parallel, of))
-        return TF_OUT_OF_MEMORY;
-    status = join_all(surface, of, parallel);
-    *found = (tf_contacts){0};
-    if (status == TF_OK && !tf_pairs_gather(surface, of->extent, found))
-        status = TF_OUT_OF_MEMORY;
-    return status;
+    return tf_pairs_find(surface, of, parallel, found);
 }
 
 //: Detect with the usual choices

@@ -67,15 +67,26 @@ TF_INSIDE int first_lane(uint32_t lanes)
 #endif
 }
 
+//: Keep the lanes that are wanted
+/// A pair needs a marked element: if there is one, all lanes on the other side
+/// are wanted, otherwise those that are marked themselves.
+TF_INSIDE uint32_t wanted(uint32_t marked, uint32_t marked_on_other_side)
+{
+    return marked ? ~UINT32_C(0) : marked_on_other_side;
+}
+
 //: Join two leaves
 TF_INSIDE void join_leaves(const tf_tree *s, int a, const tf_tree *t, int b,
                            const tf_box *box_of_b, tf_pair_sink *sink)
 {
-    uint32_t near = overlaps(&s->level[0][a], box_of_b);
+    uint32_t marked = s->marked[0][a], marked_in_b = t->marked[0][b];
+    uint32_t near =
+        overlaps(&s->level[0][a], box_of_b) & wanted(marked_in_b, marked);
     for (; near; near &= near - 1) {
         int i = first_lane(near);
         tf_box own = tf_pack_box(&s->level[0][a], i);
-        uint32_t lanes = overlaps(&t->level[0][b], &own);
+        uint32_t lanes = overlaps(&t->level[0][b], &own) &
+                         wanted(marked & bit[i], marked_in_b);
         if (s == t && a == b)
             lanes &= ~UINT32_C(1) << i;
         for (int c = 0; c < s->corners && lanes; c++)
@@ -107,7 +118,9 @@ TF_INSIDE int visit_children(const tf_tree *s, int a, const tf_tree *t,
                              visit stack[], int top)
 {
     const tf_pack *pack = &t->level[from->level][from->pack];
-    for (uint32_t near = overlaps(pack, box); near; near &= near - 1) {
+    uint32_t near = overlaps(pack, box) &
+                    wanted(s->marked[0][a], t->marked[from->level][from->pack]);
+    for (; near; near &= near - 1) {
         int i = first_lane(near);
         int child = from->pack * TF_LANES + i;
         // Of the same tree's pairs, each once: not those with earlier leaves.

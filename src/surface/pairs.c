@@ -291,3 +291,41 @@ bool tf_pairs_begin(tf_surface *surface, const tf_parallel *parallel,
     }
     return true;
 }
+
+//: Join and decide
+static tf_status join_kind(tf_surface *surface, const tf_tree *s,
+                           const tf_tree *t, const tf_parallel *parallel)
+{
+    tf_workers_join(&surface->workers, s, t, tf_pairs_take, NULL, parallel);
+    return tf_workers_status(&surface->workers);
+}
+
+static tf_status join_all(tf_surface *surface, tf_deciding *of,
+                          const tf_parallel *parallel)
+{
+    bool plane = surface->axes == 2;
+    of->kind = plane ? TF_POINT_EDGE : TF_POINT_TRIANGLE;
+    tf_status status = join_kind(
+        surface, &surface->vertex_tree,
+        plane ? &surface->edge_tree : &surface->triangle_tree, parallel);
+    bool enough =
+        of->extent == TF_ANY_CONTACT && tf_workers_rows(&surface->workers) > 0;
+    if (status != TF_OK || plane || enough)
+        return status;
+    of->kind = TF_EDGE_EDGE;
+    return join_kind(surface, &surface->edge_tree, &surface->edge_tree,
+                     parallel);
+}
+
+//: Find the pairs in contact
+tf_status tf_pairs_find(tf_surface *surface, tf_deciding *of,
+                        const tf_parallel *parallel, tf_contacts *found)
+{
+    if (!tf_pairs_begin(surface, parallel, of))
+        return TF_OUT_OF_MEMORY;
+    tf_status status = join_all(surface, of, parallel);
+    *found = (tf_contacts){0};
+    if (status == TF_OK && !tf_pairs_gather(surface, of->extent, found))
+        status = TF_OUT_OF_MEMORY;
+    return status;
+}

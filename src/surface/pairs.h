@@ -30,5 +30,10 @@ bool tf_pairs_take(tf_pair_sink *sink, int count, const tf_candidate pair[]);
 /// took; `found` was all zero.  False if there is no memory.
 bool tf_pairs_gather(tf_surface *surface, tf_extent extent, tf_contacts *found);
 
+/// Finds all pairs of elements in contact that the trees of the surface yield.
+/// Returns TF_OK, TF_OUT_OF_MEMORY, or what a decision returns.
+tf_status tf_pairs_find(tf_surface *surface, tf_deciding *of,
+                        const tf_parallel *parallel, tf_contacts *found);
+
 /// Adds what one search took to what all took.
 void tf_effort_add(tf_effort *all, const tf_effort *own);

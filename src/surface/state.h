@@ -22,17 +22,8 @@ struct tf_surface {
 };
 
 //: Declare how a surface moves
-/// Builds the trees for one step.  The box of each vertex has room around its
-/// path for `margin`, a length of 0 or more.  Returns TF_OK;
-/// TF_BAD_ENVIRONMENT; TF_BAD_COUNT if the motion has another number of
-/// vertices; TF_NOT_FINITE with the vertex in `flaw`; or TF_OUT_OF_MEMORY.
+/// Builds the trees for one step.  Returns TF_OK; TF_BAD_ENVIRONMENT;
+/// TF_BAD_COUNT if the motion has another number of vertices; TF_NOT_FINITE with
+/// the vertex in `flaw`; or TF_OUT_OF_MEMORY.
 tf_status tf_surface_move(tf_surface *surface, const tf_motion *motion,
-                          double margin, const tf_parallel *parallel,
-                          tf_flaw *flaw);
-
-//: Declare the candidates within a margin
-/// As tf_surface_candidates, with a margin around the path of each vertex.
-tf_status tf_surface_candidates_within(tf_surface *surface,
-                                       const tf_motion *motion, double margin,
-                                       const tf_parallel *parallel,
-                                       tf_candidates *found, tf_flaw *flaw);
+                          const tf_parallel *parallel, tf_flaw *flaw);

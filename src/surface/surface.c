@@ -73,8 +73,8 @@ const int *tf_surface_triangles(const tf_surface *surface, int *count)
 //: Count the memory
 static size_t tree_bytes(const tf_tree *tree)
 {
-    return tree->pack_room.bytes + tree->element_room.bytes +
-           tree->corner_room.bytes;
+    return tree->pack_room.bytes + tree->mark_room.bytes +
+           tree->element_room.bytes + tree->corner_room.bytes;
 }
 
 size_t tf_surface_memory(const tf_surface *surface)
@@ -123,8 +123,7 @@ static tf_status build_trees(tf_surface *surface, const tf_parallel *parallel)
 
 //: Move a surface
 tf_status tf_surface_move(tf_surface *surface, const tf_motion *motion,
-                          double margin, const tf_parallel *parallel,
-                          tf_flaw *flaw)
+                          const tf_parallel *parallel, tf_flaw *flaw)
 {
     TF_REQUIRE(motion && motion->start && motion->end);
     *flaw = (tf_flaw){.element = TF_NO_ELEMENT};
@@ -142,7 +141,6 @@ tf_status tf_surface_move(tf_surface *surface, const tf_motion *motion,
     if (!tf_buffer_reserve(&surface->boxes, (size_t)surface->vertices,
                            sizeof(tf_box)))
         return TF_OUT_OF_MEMORY;
-    tf_vertex_boxes(&surface->frame, motion, margin, parallel,
-                    surface->boxes.data);
+    tf_vertex_boxes(&surface->frame, motion, parallel, surface->boxes.data);
     return build_trees(surface, parallel);
 }

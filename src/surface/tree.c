@@ -2,6 +2,7 @@
 #include "surface/tree.h"
 
 #include <stddef.h>
+#include <string.h>
 
 enum {
     ELEMENTS = 16384 // a task, a multiple of TF_LANES
@@ -18,14 +19,6 @@ tf_box tf_pack_union(const tf_pack *pack)
             all.high[k] = high > all.high[k] ? high : all.high[k];
         }
     return all;
-}
-
-static void set_lane(tf_pack *pack, int lane, const tf_box *box)
-{
-    for (int k = 0; k < 3; k++) {
-        pack->low[k][lane] = box->low[k];
-        pack->high[k][lane] = box->high[k];
-    }
 }
 
 //: Find the box of an element
@@ -72,7 +65,7 @@ static void fill_lane(const building *b, int leaf, int lane, int element)
     int corners = b->elements->corners;
     const int *corner = corners_of(b->elements, &element);
     tf_box box = box_of(b->elements, element);
-    set_lane(&b->tree->level[0][leaf], lane, &box);
+    tf_pack_set_box(&b->tree->level[0][leaf], lane, &box);
     b->tree->element[leaf][lane] = element;
     for (int c = 0; c < corners; c++)
         b->tree->corner[leaf * corners + c][lane] = corner[c];
@@ -81,7 +74,7 @@ static void fill_lane(const building *b, int leaf, int lane, int element)
 static void clear_lane(const building *b, int leaf, int lane)
 {
     int corners = b->elements->corners;
-    set_lane(&b->tree->level[0][leaf], lane, &tf_box_empty);
+    tf_pack_set_box(&b->tree->level[0][leaf], lane, &tf_box_empty);
     b->tree->element[leaf][lane] = -1;
     for (int c = 0; c < corners; c++)
         b->tree->corner[leaf * corners + c][lane] = -1;
@@ -110,10 +103,10 @@ static void fill_packs(void *argument, int task, int worker)
     (void)worker;
     for (int i = part.begin; i < part.end; i++) {
         tf_box box = tf_pack_union(&below[i]);
-        set_lane(&level[i / TF_LANES], i % TF_LANES, &box);
+        tf_pack_set_box(&level[i / TF_LANES], i % TF_LANES, &box);
     }
     for (int i = part.end; i % TF_LANES != 0; i++)
-        set_lane(&level[i / TF_LANES], i % TF_LANES, &tf_box_empty);
+        tf_pack_set_box(&level[i / TF_LANES], i % TF_LANES, &tf_box_empty);
 }
 
 //: Count the packs of all levels
@@ -139,6 +132,7 @@ static bool make_room(tf_tree *tree, tf_tree_room *room)
     size_t corners = leaves * (size_t)tree->corners;
     size_t count = (size_t)tree->count;
     if (!tf_buffer_reserve(&tree->pack_room, packs, sizeof(tf_pack)) ||
+        !tf_buffer_reserve(&tree->mark_room, packs, sizeof(uint32_t)) ||
         !tf_buffer_reserve(&tree->element_room, leaves,
                            sizeof *tree->element) ||
         !tf_buffer_reserve(&tree->corner_room, corners, sizeof *tree->corner) ||
@@ -148,8 +142,12 @@ static bool make_room(tf_tree *tree, tf_tree_room *room)
                            sizeof(tf_digit_counts)))
         return false;
     tree->level[0] = tree->pack_room.data;
-    for (int level = 1; level < tree->levels; level++)
-        tree->level[level] = tree->level[level - 1] + tree->packs[level - 1];
+    tree->marked[0] =
+        memset(tree->mark_room.data, -1, packs * sizeof(uint32_t));
+    for (int i = 1; i < tree->levels; i++) {
+        tree->level[i] = tree->level[i - 1] + tree->packs[i - 1];
+        tree->marked[i] = tree->marked[i - 1] + tree->packs[i - 1];
+    }
     tree->element = tree->element_room.data;
     tree->corner = tree->corner_room.data;
     return true;
@@ -184,6 +182,7 @@ bool tf_tree_build(tf_tree *tree, const tf_tree_elements *elements,
 void tf_tree_free(tf_tree *tree)
 {
     tf_buffer_free(&tree->pack_room);
+    tf_buffer_free(&tree->mark_room);
     tf_buffer_free(&tree->element_room);
     tf_buffer_free(&tree->corner_room);
 }

@@ -21,7 +21,7 @@ static const struct {
     {TF_BAD_COUNT, "not those of this surface", ": give as many vertices"},
     {TF_OUT_OF_MEMORY, "not enough memory", ": divide the surface"},
     {TF_BAD_TOLERANCE, "a tolerance", ": use 0 or a small positive number"},
-    {TF_BAD_MASS, "inverse mass", ": use 0 for what should not be moved"},
+    {TF_BAD_MASS, "inverse mass", ": use 0 for a vertex that is scripted"},
     {TF_START_NOT_CLEAR, "when the step starts",
      ": start from a surface that does not intersect itself"},
 };

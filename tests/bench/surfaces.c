@@ -81,7 +81,7 @@ static void time_moving(const layers *cloth, tf_surface *surface,
 {
     tf_flaw flaw;
     double start = nanoseconds(CLOCK_PROCESS_CPUTIME_ID);
-    require(tf_surface_move(surface, &cloth->motion, 0, NULL, &flaw));
+    require(tf_surface_move(surface, &cloth->motion, NULL, &flaw));
     double time = nanoseconds(CLOCK_PROCESS_CPUTIME_ID) - start;
     measured->moving = fmin(measured->moving, time / cloth->mesh.triangles);
 }

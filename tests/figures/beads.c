@@ -36,6 +36,7 @@ START_TEST(each_round_discovers_a_neighbor)
         double kept = number_of(text, key);
         ck_assert(kept >= beads && kept <= beads + 3);
     }
+    expect_number(text, "library_part", 128);
     free(text);
 }
 END_TEST

@@ -6,7 +6,7 @@ START_TEST(walls_are_held)
     // No motion of the chain keeps the walls apart.
     ck_assert_double_gt(number_of(text, "left"), 0);
     expect_number(text, "zone_rounds", 20);
-    expect_number(text, "failsafe_rounds", 1);
+    expect_number(text, "failsafe_rounds", 2);
     expect_number(text, "held", 4);
     free(text);
 }

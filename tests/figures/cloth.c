@@ -45,13 +45,13 @@ static void add_square(scene *s, int first, int triangle, double half, double z)
     memcpy(s->triangle[triangle], two, sizeof two);
 }
 
-/// The triangles of the sheet go around either way, as `random` has it.
+/// The rows of the sheet and its triangles go either way, as `random` has it.
 static scene new_scene(generator *random)
 {
     scene s;
-    int count = 0;
+    int count = 0, way = below(random, 2) ? 1 : -1;
     for (int i = 0; i < SHEET; i++) {
-        s.at[i][0] = (i % ROWS - 4) / 4.0;
+        s.at[i][0] = way * (i % ROWS - 4) / 4.0;
         s.at[i][1] = (i / ROWS - 4) / 4.0;
         s.at[i][2] = 1;
     }
@@ -153,8 +153,18 @@ START_TEST(what_keeps_its_shape_is_stiff)
     ck_assert_int_eq(cloth->floor, 2);
     fig_cloth_free(cloth);
 
-    // If nothing bends, the film is about all of it.
+    // If nothing bends, what moves is not stiff: the plate.
     cloth = film_of(surface, s, 0);
+    for (int part = 0; part < 3; part++)
+        ck_assert_int_eq(fig_cloth_is_stiff(cloth, part), part != 1);
+    ck_assert_int_eq(cloth->floor, 2);
+    fig_cloth_free(cloth);
+
+    // If nothing moves either, nothing is stiff.
+    cloth = fig_cloth_new(surface, 3);
+    add(cloth, &s);
+    add(cloth, &s);
+    ck_assert(fig_cloth_end(cloth));
     for (int part = 0; part < 3; part++)
         ck_assert(!fig_cloth_is_stiff(cloth, part));
     ck_assert_int_eq(cloth->floor, -1);
@@ -182,6 +192,42 @@ START_TEST(a_sheet_has_one_front)
         fig_cloth_free(cloth);
         tf_surface_free(surface);
     }
+}
+END_TEST
+
+/// A prism of three sides without ends.
+START_TEST(a_tube_has_its_front_outside)
+{
+    double at[6][3];
+    int triangle[6][3];
+    for (int i = 0; i < 3; i++) {
+        const double turn = 2.0943951023931953 * i;
+        const double low[3] = {0, cos(turn), sin(turn)};
+        memcpy(at[i], low, sizeof low);
+        memcpy(at[3 + i], low, sizeof low);
+        at[3 + i][0] = 5;
+        const int two[2][3] = {{i, (i + 1) % 3, 3 + i},
+                               {3 + i, 3 + (i + 1) % 3, (i + 1) % 3}};
+        memcpy(triangle[2 * i], two, sizeof two);
+    }
+    tf_surface *surface = surface_of(&(tf_mesh){
+        .axes = 3, .vertices = 6, .triangles = 6, .triangle = *triangle});
+    fig_cloth *cloth = fig_cloth_new(surface, 3);
+    ck_assert(fig_cloth_add(cloth, 6, *at));
+    ck_assert(fig_cloth_end(cloth));
+    for (int i = 0; i < 6; i++) {
+        const int *v = cloth->shape.triangle + 3 * (size_t)i;
+        const tf_vector *p = cloth->at;
+        tf_vector normal = fig_cross(fig_difference(p[v[1]], p[v[0]]),
+                                     fig_difference(p[v[2]], p[v[0]]));
+        tf_vector middle = {{0}};
+        for (int c = 0; c < 3; c++)
+            for (int k = 1; k < 3; k++)
+                middle.x[k] += at[v[c]][k];
+        ck_assert_double_gt(tf_vector_dot(normal, middle) * cloth->face[i], 0);
+    }
+    fig_cloth_free(cloth);
+    tf_surface_free(surface);
 }
 END_TEST
 
@@ -253,6 +299,7 @@ Suite *suite(void)
     TCase *cloth = tcase_create("cloth");
     tcase_add_test(cloth, what_keeps_its_shape_is_stiff);
     tcase_add_test(cloth, a_sheet_has_one_front);
+    tcase_add_test(cloth, a_tube_has_its_front_outside);
     tcase_add_test(cloth, cloth_fills_the_picture_and_paper_is_around_it);
     tcase_add_test(cloth, cloth_throws_a_shadow_on_the_ground);
     tcase_add_test(cloth, any_film_is_drawn);

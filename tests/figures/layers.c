@@ -5,7 +5,7 @@
 #include <unistd.h>
 
 enum {
-    MODULES_MOST = 128,
+    MODULES_MOST = 256,
     NAME = 64
 };
 

@@ -1,17 +1,22 @@
 """Break the library on purpose, one small change at a time, and see that some
 test fails.
 
-    make mutants                              all of src/ but the program
+    make mutants                              the layers up to query, and PLANTED
     make mutants FILE=src/intersect/time.c    one file, or several
 
 A mutant is a source file with one change: an operator swapped, a constant off
-by one or doubled, a condition negated, a statement dropped.  It is compiled in
-a scratch folder and linked with the other, unchanged objects; then the tests
-run, first those of its own module, then those of the whole, until one fails or
-crashes or runs out of time.  A mutant that no test notices is a survivor: write
-the test that kills it, or remove code that does nothing.  Some change nothing
-that could be observed.  They are listed in tests/mutants/equivalent, with the
-reason why, one line each of four parts between bars:
+by one or doubled, a condition negated, a statement dropped.  Mistakes that take
+more than that, and that someone might make, are listed in tests/mutants/planted,
+one line each of four parts between bars:
+
+    file | the line, without its indentation | what replaces it | what is wrong
+
+A mutant is compiled in a scratch folder and linked with the other, unchanged
+objects; then the tests run, first those of its own module, then those of the
+whole, until one fails or crashes or runs out of time.  A mutant that no test
+notices is a survivor: write the test that kills it, or remove code that does
+nothing.  Some change nothing that could be observed.  They are listed in
+tests/mutants/equivalent, with the reason why, one line each of four parts:
 
     file | the line, without its indentation | the change | why
 
@@ -35,6 +40,7 @@ import time
 WORKERS = 2
 LAYERS = ['base', 'geometry', 'arithmetic', 'intersect', 'query']
 EQUIVALENT = 'tests/mutants/equivalent'
+PLANTED = 'tests/mutants/planted'
 
 # Where the compiler sees the mistake, or `make check-sanitize` would, or where a
 # variable is not set, it need not be left to chance whether a test fails.
@@ -133,7 +139,7 @@ def changes(source, code):
         yield m.start(), m.end(), ';' + lines, 'dropped'
 
 
-def mutants_of(path):
+def small_changes(path):
     source = pathlib.Path(path).read_text()
     counts = collections.Counter()
     for start, end, text, change in sorted(changes(source, code_of(source))):
@@ -144,6 +150,48 @@ def mutants_of(path):
             change += ' (%d)' % counts[line, change]
         yield Mutant(path, line, shown, change,
                      source[:start] + text + source[end:])
+
+
+def planted(path):
+    source = pathlib.Path(path).read_text()
+    for file, text, change, _ in read_list(PLANTED):
+        if file != path:
+            continue
+        text, change = with_bars(text), with_bars(change)
+        found = list(re.finditer('^ *%s$' % re.escape(text), source, re.M))
+        if len(found) != 1:
+            sys.exit('%s: not one line of %s, but %d: %s' % (
+                PLANTED, path, len(found), text))
+        before, after = source[:found[0].start()], source[found[0].end():]
+        yield Mutant(path, before.count('\n') + 1, text, change,
+                     before + change + after)
+
+
+def mutants_of(path, all_of_it):
+    if all_of_it:
+        yield from small_changes(path)
+    yield from planted(path)
+
+
+# Lists -----------------------------------------------------------------------
+
+
+def read_list(path):
+    for line in pathlib.Path(path).read_text().splitlines():
+        if line and not line.startswith('#'):
+            parts = [part.strip() for part in re.split(r' \| ', line)]
+            if len(parts) != 4:
+                sys.exit('%s: four parts, please: %s' % (path, line))
+            yield parts
+
+
+# Where a bar between blanks would end a part, a broken one stands for it.
+def without_bars(text):
+    return re.sub(r' \|(?= |$)', ' ¦', text)
+
+
+def with_bars(text):
+    return re.sub(r' ¦(?= |$)', ' |', text)
 
 
 # Build and run ---------------------------------------------------------------
@@ -293,19 +341,12 @@ def judge(builder, tests, folder, mutant):
 
 
 def read_equivalent():
-    listed = {}
-    for line in pathlib.Path(EQUIVALENT).read_text().splitlines():
-        if line and not line.startswith('#'):
-            parts = [part.strip() for part in re.split(r' \| ', line)]
-            if len(parts) != 4:
-                sys.exit('%s: four parts, please: %s' % (EQUIVALENT, line))
-            listed[tuple(parts[:3])] = parts[3]
-    return listed
+    return {tuple(parts[:3]): parts[3] for parts in read_list(EQUIVALENT)}
 
 
 def key_of(mutant):
-    """As in the list, where a bar between blanks would end a part."""
-    return mutant.file, mutant.text.replace(' | ', ' ¦ '), mutant.change
+    """As in the list."""
+    return mutant.file, without_bars(mutant.text), without_bars(mutant.change)
 
 
 def show_progress(done, count, survivors):
@@ -376,9 +417,12 @@ def main():
     files = sys.argv[6:] or sorted(
         str(path) for layer in LAYERS
         for path in pathlib.Path('src', layer).glob('*.c'))
+    others = [] if sys.argv[6:] else sorted(
+        {parts[0] for parts in read_list(PLANTED)} - set(files))
     builder = Builder(build, shlex.split(compiler), sources.split())
     tests = Tests(build, names.split(), libraries.split())
-    mutants = [m for file in files for m in mutants_of(file)]
+    mutants = [m for file in files + others
+               for m in mutants_of(file, file in files)]
     results = run_all(builder, tests, mutants)
     shutil.rmtree(build + '/linked')
     sys.exit(0 if report(results, read_equivalent()) else 1)

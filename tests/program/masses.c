@@ -81,9 +81,9 @@ START_TEST(as_many_masses_as_vertices)
 }
 END_TEST
 
-// Fixed vertices --------------------------------------------------------------
+// Scripted vertices -----------------------------------------------------------
 
-START_TEST(fixed_vertices)
+START_TEST(scripted_vertices)
 {
     expect_read(tf_fixed_read, "", (double[]){-1, -1, -1, -1});
     expect_read(tf_fixed_read, "# none\n", (double[]){-1, -1, -1, -1});
@@ -143,7 +143,7 @@ Suite *suite(void)
     tcase_add_test(lists, masses);
     tcase_add_test(lists, masses_that_are_none);
     tcase_add_test(lists, as_many_masses_as_vertices);
-    tcase_add_test(lists, fixed_vertices);
+    tcase_add_test(lists, scripted_vertices);
     tcase_add_test(lists, vertices_that_are_none);
     tcase_add_test(lists, vertices_that_are_not_there);
     tcase_add_test(lists, files_that_cannot_be_read);

@@ -27,7 +27,7 @@
 #define FLAT_ABOVE "v -1 0\nv 1 0\nv 0 1\nl 1 2\n"
 #define FLAT_BELOW "v -1 0\nv 1 0\nv 0 -1\nl 1 2\n"
 
-// In the plane two plates that cannot be moved close upon a bar, and pass
+// In the plane two scripted plates close upon a bar, and pass
 // through each other.
 #define BAR "v -1 0\nv 1 0\nl 5 6\n"
 #define OPEN "v -2 -1\nv 2 -1\nv -2 1\nv 2 1\nl 1 2\nl 3 4\n" BAR
@@ -110,7 +110,7 @@ static tf_mesh_file read_mesh(const char *path)
     return mesh;
 }
 
-START_TEST(fixed_vertices_end_where_they_should)
+START_TEST(scripted_vertices_end_where_they_should)
 {
     make_file("end", "v -1 -1 .1\nv 3 -1 0.2\nv -1 3 0.3\nf 1 2 3\nv 0 0 -1\n"
                      "v 0.5 0.5 -3\n");
@@ -124,7 +124,7 @@ START_TEST(fixed_vertices_end_where_they_should)
 }
 END_TEST
 
-START_TEST(fixed_vertices_are_held_back_where_nothing_else_helps)
+START_TEST(scripted_vertices_are_held_back_where_nothing_else_helps)
 {
     outcome found = resolved("open", "closed", "new", "-f plates");
     ck_assert_int_eq(occurrences(found.out, "\nheld: 0\n"), 0);
@@ -625,9 +625,9 @@ Suite *suite(void)
     tcase_add_test(small, the_step_is_clear);
     tcase_add_test(small, a_clear_step_stays_as_it_is);
     tcase_add_test(small, what_it_gives);
-    tcase_add_test(small, fixed_vertices_end_where_they_should);
+    tcase_add_test(small, scripted_vertices_end_where_they_should);
     tcase_add_test(small,
-                   fixed_vertices_are_held_back_where_nothing_else_helps);
+                   scripted_vertices_are_held_back_where_nothing_else_helps);
     tcase_add_test(small, heavy_vertices_move_less);
     tcase_add_test(small, what_is_near_is_pushed_apart);
     tcase_add_test(small, restitution_throws_back);

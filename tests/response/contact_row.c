@@ -72,9 +72,14 @@ static double along(const scene *s, const tf_row *row, const double place[])
     return sum;
 }
 
+static double dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
 static double length(const double v[3])
 {
-    return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    return sqrt(dot(v, v));
 }
 
 static void expect_well_made(const scene *s, const tf_row *row)
@@ -105,6 +110,7 @@ START_TEST(rows_want_what_the_step_does_not_give)
         ck_assert_double_eq_tol(along(&s, &row, s.start), gap, 1e-9);
         ck_assert_double_lt(along(&s, &row, s.end) - along(&s, &row, s.start),
                             row.bound);
+        ck_assert_double_lt(dot(row.normal, s.contact.contact.velocity), 1e-12);
     }
 }
 END_TEST

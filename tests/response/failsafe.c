@@ -82,9 +82,45 @@ START_TEST(groups_move_as_their_masses_do)
 }
 END_TEST
 
+// However often it grows, and in whichever order: the sums are the same.
+START_TEST(a_group_moves_as_if_united_at_once)
+{
+    generator random = generator_new(200);
+    for (int times = 0; times < 20; times++) {
+        double mass = 0, momentum = 0;
+        make_specks(6);
+        for (int v = 0; v < 8; v++) {
+            made.inverse_mass[v] = uniform(&random, 0.1, 10);
+            made.end[2 * v + 1] += uniform(&random, -1, 1);
+            mass += 1 / made.inverse_mass[v];
+            momentum += (made.end[2 * v + 1] - made.start[2 * v + 1]) /
+                        made.inverse_mass[v];
+        }
+        begin();
+        for (int v = 2; v < 8; v++)
+            meet(v, v - 1, v - 2);
+        for (int v = 0; v < 8; v++)
+            ck_assert_double_eq_tol(-fall(v), momentum / mass, 1e-14);
+        double one_by_one[16];
+        memcpy(one_by_one, of.end, sizeof one_by_one);
+        end();
+
+        begin();
+        tf_surface_contact contact[6];
+        for (int v = 2; v < 8; v++)
+            contact[7 - v] = (tf_surface_contact){
+                .kind = TF_POINT_EDGE, .vertex = {v, v - 1, v - 2, -1}};
+        tf_contacts contacts = {.any = true, .count = 6, .contact = contact};
+        tf_failsafe_round(&failsafe, &of.step, &contacts);
+        ck_assert_mem_eq(of.end, one_by_one, sizeof one_by_one);
+        end();
+    }
+}
+END_TEST
+
 START_TEST(a_group_that_touches_itself_rests_for_good)
 {
-    make_specks(3);
+    make_specks(4);
     begin();
     meet(2, 0, 1);
     meet(2, 0, 1);
@@ -96,6 +132,10 @@ START_TEST(a_group_that_touches_itself_rests_for_good)
     ck_assert_double_eq(fall(3), 0);
     ck_assert_double_eq(fall(0), 0);
     ck_assert_int_eq(account().resting, 4);
+    meet(0, 4, 5);
+    for (int v = 0; v < 6; v++)
+        ck_assert_double_eq(fall(v), 0);
+    ck_assert_int_eq(account().resting, 6);
     end();
 }
 END_TEST
@@ -116,9 +156,9 @@ START_TEST(only_what_moved_as_one_is_put_to_rest)
 }
 END_TEST
 
-// Fixed vertices ----------------------------------------------------------------
+// Scripted vertices -------------------------------------------------------------
 
-START_TEST(fixed_vertices_lead)
+START_TEST(scripted_vertices_lead)
 {
     make_specks(2);
     made.inverse_mass[1] = 0;
@@ -130,7 +170,7 @@ START_TEST(fixed_vertices_lead)
 }
 END_TEST
 
-START_TEST(fixed_vertices_that_agree_lead_together)
+START_TEST(scripted_vertices_that_agree_lead_together)
 {
     make_specks(2);
     made.inverse_mass[1] = made.inverse_mass[2] = 0;
@@ -144,35 +184,61 @@ START_TEST(fixed_vertices_that_agree_lead_together)
 }
 END_TEST
 
-START_TEST(fixed_vertices_that_disagree_rest)
+// By much, and by one ulp.
+START_TEST(scripted_vertices_that_disagree_go_where_they_should)
 {
-    make_specks(2);
+    make_specks(3);
     made.inverse_mass[1] = made.inverse_mass[2] = 0;
-    if (_i == 1) // in one ulp
+    if (_i == 1)
         made.end[2 * 2 + 1] = nextafter(made.start[2 * 2 + 1] - 1, 9);
     begin();
     meet(2, 0, 1);
+    ck_assert_mem_eq(of.end + 2, made.end + 2, 4 * sizeof(double));
+    ck_assert_double_eq(fall(0), 1);
+    ck_assert_int_eq(account().resting, 0);
+
+    // But not if they meet.
+    meet(2, 0, 1);
     for (int v = 0; v < 3; v++)
         ck_assert_double_eq(fall(v), 0);
+    ck_assert_int_eq(account().resting, 3);
     end();
 }
 END_TEST
 
-// 1 - 0.1 is no double of the form start + d.
-START_TEST(fixed_vertices_whose_displacement_is_no_double_rest)
+// 0.7 - 0.1 is no double.
+START_TEST(a_scripted_vertex_whose_displacement_is_no_double_leads)
 {
     make_specks(2);
     made.inverse_mass[1] = 0;
-    made.start[3] = 0x1p-60;
-    made.end[3] = -1;
+    made.start[3] = 0.1;
+    made.end[3] = 0.7;
     begin();
     meet(2, 0, 1);
-    ck_assert_mem_eq(of.end, made.start, 6 * sizeof(double));
+    ck_assert_double_eq(of.end[1], made.start[1] + (0.7 - 0.1));
+    ck_assert_double_eq(of.end[3], 0.7);
+    ck_assert_double_eq(of.end[5], made.start[5] + (0.7 - 0.1));
+    ck_assert_int_eq(account().resting, 0);
     end();
 }
 END_TEST
 
-START_TEST(fixed_vertices_end_at_their_bits)
+// -0 is where it should be, and so is 0.
+START_TEST(zeros_keep_their_signs)
+{
+    make_specks(2);
+    for (int v = 0; v < 3; v++)
+        made.end[2 * v] = made.start[2 * v] = v == 1 ? 0 : -0.;
+    made.end[2] = -0.;
+    begin();
+    meet(2, 0, 1);
+    for (int v = 0; v < 3; v++)
+        ck_assert_msg(signbit(of.end[2 * v]) != 0, "vertex %d", v);
+    end();
+}
+END_TEST
+
+START_TEST(scripted_vertices_end_at_their_bits)
 {
     make_specks(2);
     made.inverse_mass[1] = 0;
@@ -235,18 +301,22 @@ Suite *suite(void)
     Suite *suite = suite_create("response/failsafe");
     TCase *tcase = tcase_create("groups");
     tcase_add_test(tcase, groups_move_as_their_masses_do);
+    tcase_add_test(tcase, a_group_moves_as_if_united_at_once);
     tcase_add_test(tcase, a_group_that_touches_itself_rests_for_good);
     tcase_add_test(tcase, only_what_moved_as_one_is_put_to_rest);
     tcase_add_loop_test(tcase, no_group_moves_to_infinity, 0, 2);
     tcase_add_test(tcase, fewer_rounds_than_vertices);
     suite_add_tcase(suite, tcase);
 
-    TCase *fixed = tcase_create("fixed vertices");
-    tcase_add_test(fixed, fixed_vertices_lead);
-    tcase_add_test(fixed, fixed_vertices_that_agree_lead_together);
-    tcase_add_loop_test(fixed, fixed_vertices_that_disagree_rest, 0, 2);
-    tcase_add_test(fixed, fixed_vertices_whose_displacement_is_no_double_rest);
-    tcase_add_test(fixed, fixed_vertices_end_at_their_bits);
-    suite_add_tcase(suite, fixed);
+    TCase *scripted = tcase_create("scripted vertices");
+    tcase_add_test(scripted, scripted_vertices_lead);
+    tcase_add_test(scripted, scripted_vertices_that_agree_lead_together);
+    tcase_add_loop_test(
+        scripted, scripted_vertices_that_disagree_go_where_they_should, 0, 2);
+    tcase_add_test(scripted,
+                   a_scripted_vertex_whose_displacement_is_no_double_leads);
+    tcase_add_test(scripted, zeros_keep_their_signs);
+    tcase_add_test(scripted, scripted_vertices_end_at_their_bits);
+    suite_add_tcase(suite, scripted);
     return suite;
 }

@@ -144,7 +144,7 @@ START_TEST(changes_the_energy_as_proved)
     generator random = generator_new(4);
     for (long i = cases(TRIALS); i > 0; i--) {
         scene s = random_scene(&random);
-        if (i % 2 == 0) { // the point cannot be moved, and rests
+        if (i % 2 == 0) { // the point is scripted to rest
             s.inverse_mass[0] = 0;
             memset(s.move, 0, sizeof(double) * (size_t)s.axes);
         }
@@ -171,11 +171,13 @@ START_TEST(friction_is_that_of_coulomb)
                            .normal = {0, 0, 1}},
                    .inverse_mass = {1, 0},
                    .move = {3, 4, -1}};
-        visit(&s, friction[i]);
         double left = fmax(0, 1 - friction[i] / 5);
-        ck_assert_double_eq_tol(s.move[0], 3 * left, 1e-15);
-        ck_assert_double_eq_tol(s.move[1], 4 * left, 1e-15);
-        ck_assert_double_eq_tol(s.move[2], 0, 1e-15);
+        for (int visits = 0; visits < 3; visits++) { // the later ones in vain
+            visit(&s, friction[i]);
+            ck_assert_double_eq_tol(s.move[0], 3 * left, 1e-14);
+            ck_assert_double_eq_tol(s.move[1], 4 * left, 1e-14);
+            ck_assert_double_eq_tol(s.move[2], 0, 1e-14);
+        }
     }
 }
 END_TEST

@@ -220,7 +220,7 @@ START_TEST(what_is_near_is_pushed_apart)
 END_TEST
 
 // The edge is scripted to pass the point, which is scripted to stay.
-START_TEST(fixed_vertices_are_held_back_if_need_be)
+START_TEST(scripted_vertices_are_held_back_if_need_be)
 {
     make_fall(0);
     made.inverse_mass[2] = 0;
@@ -276,7 +276,7 @@ Suite *suite(void)
     tcase_add_test(tcase, restitution_throws_back);
     tcase_add_test(tcase, friction_slows);
     tcase_add_test(tcase, what_is_near_is_pushed_apart);
-    tcase_add_test(tcase, fixed_vertices_are_held_back_if_need_be);
+    tcase_add_test(tcase, scripted_vertices_are_held_back_if_need_be);
     suite_add_tcase(suite, tcase);
 
     TCase *extreme = tcase_create("extremes");

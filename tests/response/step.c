@@ -45,6 +45,20 @@ START_TEST(who_is_not_pushed_ends_at_the_base)
 }
 END_TEST
 
+// -0 + 0 is 0 in doubles.
+START_TEST(who_is_not_pushed_keeps_the_sign_of_zero)
+{
+    static const double base[] = {-0., 8};
+    double d[3];
+    begin();
+    tf_step_displacement(&step, 0, base, d);
+    d[1] += 1;
+    tf_step_place(&step, 0, base, d);
+    ck_assert_mem_eq(end, base, sizeof *base);
+    ck_assert_double_eq(end[1], 9);
+}
+END_TEST
+
 START_TEST(who_is_pushed_ends_where_it_is_displaced)
 {
     double d[] = {6, 4};
@@ -79,6 +93,7 @@ Suite *suite(void)
     TCase *tcase = tcase_create("ends");
     tcase_add_test(tcase, a_displacement_in_the_plane_is_level);
     tcase_add_test(tcase, who_is_not_pushed_ends_at_the_base);
+    tcase_add_test(tcase, who_is_not_pushed_keeps_the_sign_of_zero);
     tcase_add_test(tcase, who_is_pushed_ends_where_it_is_displaced);
     tcase_add_loop_test(tcase, who_would_end_at_no_number_stays, 0, 3);
     suite_add_tcase(suite, tcase);

@@ -15,7 +15,7 @@ static tf_zone_effort effort;
 
 // A solver that only notes what it is given -------------------------------------
 
-static int solved_rows[8], old_rows[8], solved_zones;
+static int solved_rows[8], solved_vertices[8], old_rows[8], solved_zones;
 
 static size_t no_room(int axes, int vertices, int rows)
 {
@@ -27,6 +27,7 @@ static int note(tf_zone *zone)
 {
     if (solved_zones < 8) {
         solved_rows[solved_zones] = zone->rows;
+        solved_vertices[solved_zones] = zone->vertices;
         old_rows[solved_zones++] = zone->solved;
     }
     return 1;
@@ -47,10 +48,21 @@ static int find_no_numbers(tf_zone *zone)
 
 static const tf_zone_solver failing = {"failing", no_room, find_no_numbers};
 
+// A solver that moves vertices without an impulse -------------------------------
+
+static int stir(tf_zone *zone)
+{
+    for (int i = 0; i < zone->axes * zone->vertices; i++)
+        zone->displacement[i] += 1;
+    return 1;
+}
+
+static const tf_zone_solver stirring = {"stirring", no_room, stir};
+
 // Scenes ------------------------------------------------------------------------
 
 /// Edges in the plane, level and about 2 long, each at a height; all fall by
-/// ten, but those that are fixed stay.
+/// ten, but those that are scripted stay.
 static void add_edge(double x, double height, double inverse_mass)
 {
     int a = proposal_add_vertex(&made, x, height, 0);
@@ -96,7 +108,7 @@ static int sum(const int number[])
 }
 
 // Four ends of edges fall upon a floor, each for itself.
-START_TEST(fixed_vertices_join_nothing)
+START_TEST(scripted_vertices_join_nothing)
 {
     proposal_begin(&made, 2);
     add_edge(-5, 0, 0);
@@ -107,6 +119,8 @@ START_TEST(fixed_vertices_join_nothing)
     size_t rows = go_on(&noting);
     ck_assert_int_eq(solved_zones, 4);
     ck_assert_uint_eq((size_t)sum(solved_rows), rows);
+    for (int z = 0; z < 4; z++)
+        ck_assert_int_eq(solved_vertices[z], 3);
     ck_assert_uint_eq(effort.zones, 4);
     ck_assert_int_eq(zones.rows, (int)rows);
     end();
@@ -208,6 +222,45 @@ START_TEST(idle_vertices_belong_to_no_zone)
 }
 END_TEST
 
+// Zones share scripted vertices, and each numbers them for itself: a floor, with
+// a point that falls on its left and an edge and a point on its right.
+START_TEST(each_zone_is_a_problem_on_its_own)
+{
+    proposal_begin(&made, 2);
+    add_edge(-5, 0, 0);
+    made.start[2] = made.end[2] = 9;
+    int vertex = proposal_add_vertex(&made, -4, 1, 0);
+    made.end[2 * vertex + 1] -= 10;
+    add_edge(2, 1, 1);
+    vertex = proposal_add_vertex(&made, 3, 2, 0);
+    made.end[2 * vertex + 1] -= 20;
+    begin();
+    go_on(&tf_gauss_seidel);
+    ck_assert_uint_eq(effort.zones, 2);
+    ck_assert_double_lt(effort.violation, 1e-6);
+    for (int v = 0; v < made.mesh.vertices; v++)
+        ck_assert_msg(of.end[2 * v + 1] > made.start[2 * v + 1] - 0.05,
+                      "vertex %d ends at %g", v, of.end[2 * v + 1]);
+    end();
+}
+END_TEST
+
+// Only where an impulse has changed: the others would be rounded anew, and looked
+// at again.
+START_TEST(only_what_is_pushed_is_moved)
+{
+    proposal_begin(&made, 2);
+    add_edge(-5, 0, 0);
+    made.start[2] = made.end[2] = 9;
+    add_edge(-3, 1, 1);
+    begin();
+    ck_assert_uint_gt(go_on(&stirring), 0);
+    ck_assert_int_eq(stepped_changes(&of), 0);
+    ck_assert_mem_eq(of.end, made.end, 8 * sizeof(double));
+    end();
+}
+END_TEST
+
 START_TEST(a_solver_that_fails_moves_nothing)
 {
     proposal_begin(&made, 2);
@@ -230,7 +283,7 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("response/zones");
     TCase *tcase = tcase_create("division");
-    tcase_add_test(tcase, fixed_vertices_join_nothing);
+    tcase_add_test(tcase, scripted_vertices_join_nothing);
     tcase_add_test(tcase, vertices_that_move_join_zones);
     tcase_add_test(tcase, only_zones_with_new_rows_are_solved);
     suite_add_tcase(suite, tcase);
@@ -238,6 +291,8 @@ Suite *suite(void)
     TCase *answers = tcase_create("answers");
     tcase_add_test(answers, zones_start_from_the_base);
     tcase_add_test(answers, idle_vertices_belong_to_no_zone);
+    tcase_add_test(answers, each_zone_is_a_problem_on_its_own);
+    tcase_add_test(answers, only_what_is_pushed_is_moved);
     tcase_add_test(answers, a_solver_that_fails_moves_nothing);
     suite_add_tcase(suite, answers);
     return suite;

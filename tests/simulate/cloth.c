@@ -35,8 +35,8 @@ START_TEST(a_sheet_has_two_triangles_a_cell)
         const double *a = body.position + 3 * corner[0];
         const double *b = body.position + 3 * corner[1];
         const double *c = body.position + 3 * corner[2];
-        double twice = (b[0] - a[0]) * (c[1] - a[1]) -
-                       (c[0] - a[0]) * (b[1] - a[1]);
+        double twice =
+            (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]);
         ck_assert_double_gt(twice, 0);
         area += twice / 2;
     }
@@ -125,8 +125,8 @@ START_TEST(rolling_takes_the_energy_of_a_plate)
         for (int i = 0; i < 2; i++) {
             double coarse = rolled(16, i * pi / 2, radius);
             double fine = rolled(128, i * pi / 2, radius);
-            ck_assert_msg(fabs(fine - 1) < 0.03 && coarse < fine,
-                          "%g, then %g", coarse, fine);
+            ck_assert_msg(fabs(fine - 1) < 0.03 && coarse < fine, "%g, then %g",
+                          coarse, fine);
         }
         ck_assert_double_eq_tol(rolled(128, pi / 4, radius), 1.5, 0.03);
     }

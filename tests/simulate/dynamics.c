@@ -83,8 +83,8 @@ static double objective(const tf_body *body, const double inertia[],
 {
     double sum = tf_body_elastic_energy(body, end);
     for (int i = 0; i < 3 * body->vertices; i++)
-        sum += body->mass[i / 3] / (2 * step * step) *
-               (end[i] - inertia[i]) * (end[i] - inertia[i]);
+        sum += body->mass[i / 3] / (2 * step * step) * (end[i] - inertia[i]) *
+               (end[i] - inertia[i]);
     return sum;
 }
 

@@ -77,8 +77,8 @@ static int find_crossings(const tf_line *line, crossing found[MOST])
                 continue;
             double up = a[2] + s * (a[5] - a[2]) - b[2] - t * (b[5] - b[2]);
             ck_assert_int_lt(count, MOST);
-            found[count++] = up > 0 ? (crossing){i + s, j + t}
-                                    : (crossing){j + t, i + s};
+            found[count++] =
+                up > 0 ? (crossing){i + s, j + t} : (crossing){j + t, i + s};
         }
     return count;
 }

@@ -1,6 +1,6 @@
 #include "simulate/simulation.h"
 
-#include "program/threads.h"
+#include "support/scrambled.h"
 #include "support/simulating.h"
 #include "support/support.h"
 
@@ -69,8 +69,8 @@ START_TEST(velocities_lead_from_start_to_end)
         memcpy(before, s->position, state_size(s));
         simulate_step(s, NULL);
         for (int j = 0; j < 3 * s->stage.body.vertices; j++)
-            ck_assert_double_eq(s->velocity[j], (s->position[j] - before[j]) /
-                                                    s->scene->step);
+            ck_assert_double_eq(s->velocity[j],
+                                (s->position[j] - before[j]) / s->scene->step);
     }
     ck_assert_int_eq(s->step, 40);
     free(before);
@@ -100,15 +100,15 @@ END_TEST
 static const struct {
     const char *name;
     int size, steps;
-} shorts[] = {{"sphere", 10, 40}, {"stack", 6, 40},     {"twist", 4, 60},
-              {"knot", 3, 60},    {"curtain", 10, 100}, {"flag", 6, 60},
+} shorts[] = {{"sphere", 10, 40},      {"stack", 6, 40},     {"twist", 4, 60},
+              {"knot", 3, 60},         {"curtain", 10, 100}, {"flag", 6, 60},
               {"plane-chain", 60, 120}};
 
 START_TEST(threads_change_nothing)
 {
     const tf_scene *scene = tf_scene_named(shorts[_i].name);
     int two = 2, three = 3;
-    tf_parallel on_two = tf_threads(&two), on_three = tf_threads(&three);
+    tf_parallel on_two = scrambled(&two), on_three = scrambled(&three);
     tf_simulation *s[3];
     for (int i = 0; i < 3; i++)
         s[i] = simulation_of(scene, shorts[_i].size);

@@ -414,8 +414,8 @@ void proposal_make(generator *random, proposal_shape shape, int size,
 
 void proposal_weigh(generator *random, proposal *made)
 {
-    double fixed = uniform(random, 0, 0.5);
+    double scripted = uniform(random, 0, 0.5);
     for (int v = 0; v < made->mesh.vertices; v++)
         made->inverse_mass[v] =
-            uniform(random, 0, 1) < fixed ? 0 : uniform(random, 0.1, 10);
+            uniform(random, 0, 1) < scripted ? 0 : uniform(random, 0.1, 10);
 }

@@ -36,9 +36,9 @@ static const char *report_fault(const proposal *made, bool weighed,
     if (moved != report->moved)
         return "the report counts other vertices that were moved";
     if (held != report->held)
-        return "the report counts other fixed vertices held back";
+        return "the report counts other scripted vertices held back";
     if (held > 0 && report->rounds[TF_FAILSAFE] == 0)
-        return "fixed vertices held back, but not by the failsafe";
+        return "scripted vertices held back, but not by the failsafe";
     if (report->first_contacts == 0 && moved > 0)
         return "a clear step was changed";
     if (report->rounds[TF_FAILSAFE] >= made->mesh.vertices)

@@ -10,7 +10,7 @@ typedef struct resolving_counts {
     long tries;   ///< proposals from clear starts
     long met;     ///< of these, with contacts
     long rescued; ///< of these, such that the failsafe was needed
-    long held;    ///< of these, such that it held back fixed vertices
+    long held;    ///< of these, such that it held back scripted vertices
     long rested;  ///< or put others to rest
     long exact;   ///< judged on the way, too, pair by pair
     int rounds;   ///< of the failsafe, most

@@ -25,12 +25,13 @@ tf_simulation *simulation_of(const tf_scene *scene, int size)
     return made;
 }
 
-void simulate_step(tf_simulation *s, const tf_parallel *parallel)
+tf_step_cost simulate_step(tf_simulation *s, const tf_parallel *parallel)
 {
     tf_step_cost cost;
     tf_step_way way = {.parallel = parallel, .check = s->step == 0};
     ck_assert_msg(tf_simulation_step(s, &way, &cost) == TF_OK, "%s, step %d",
                   s->scene->name, s->step + 1);
+    return cost;
 }
 
 void simulate_blindly(tf_simulation *s)

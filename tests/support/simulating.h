@@ -14,8 +14,8 @@ const tf_scene *scene_number(int i);
 /// How many scenes there are.
 int scene_count(void);
 
-/// Makes a step, and expects that this succeeds.
-void simulate_step(tf_simulation *s, const tf_parallel *parallel);
+/// Makes a step, and expects that this succeeds; returns what it took.
+tf_step_cost simulate_step(tf_simulation *s, const tf_parallel *parallel);
 
 /// Makes a step through whatever is in the way.
 void simulate_blindly(tf_simulation *s);

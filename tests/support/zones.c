@@ -67,7 +67,7 @@ static void random_vertices(generator *random, int count, int vertices,
     }
 }
 
-/// A point and an edge or a triangle.  The point, an even number, can be moved.
+/// A point and an edge or a triangle.  The point, an even number, is not scripted.
 static tf_row random_row(generator *random, int axes, int vertices)
 {
     tf_row row = {.vertex = {-1, -1, -1, -1}, .coefficient = {1}};

@@ -21,7 +21,7 @@ typedef struct some_zone {
 some_zone zone_new(int axes, int vertices, int most_rows);
 void zone_free(some_zone *of);
 
-/// A zone of generic rows, some of its vertices fixed.
+/// A zone of generic rows, some of its vertices scripted.
 some_zone zone_random(generator *random, int axes, int vertices, int rows,
                       int most_rows);
 

@@ -18,7 +18,7 @@ START_TEST(the_order_of_coordinates_is_kept)
         random_surface(&random, axes, 60, (placement)_i, &of);
         tf_frame frame;
         ck_assert_int_eq(tf_frame_of(axes, &of.motion, &frame, &bad), TF_OK);
-        tf_vertex_boxes(&frame, &of.motion, 0, NULL, box);
+        tf_vertex_boxes(&frame, &of.motion, NULL, box);
         for (int v = 0; v < of.mesh.vertices; v++)
             for (int w = 0; w < of.mesh.vertices; w++)
                 for (int k = 0; k < axes; k++) {

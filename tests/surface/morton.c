@@ -88,10 +88,10 @@ static void sort(int count, int keys, const tf_parallel *parallel)
     memcpy(expected, from, size);
     qsort(expected, (size_t)count, sizeof *expected, compare);
     tf_keyed *sorted = tf_morton_sort(count, from, to, counts, parallel);
-    for (int i = 0; i < count; i++) {
-        ck_assert_uint_eq(sorted[i].key, expected[i].key);
-        ck_assert_int_eq(sorted[i].element, expected[i].element);
-    }
+    int alike = 0;
+    while (alike < count && compare(&sorted[alike], &expected[alike]) == 0)
+        alike++;
+    ck_assert_int_eq(alike, count);
     free(expected);
     free(from);
     free(to);

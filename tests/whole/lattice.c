@@ -42,17 +42,19 @@ static bool next_query(query *q, int values)
     return false;
 }
 
+/// All of them only at 100 percent.
 START_TEST(every_point_edge_query_of_three_values)
 {
     truth known;
     truth_init(&known);
     query q = query_new(POINT_EDGE);
+    const long all = 531441, stride = all / cases(all);
     long count = 0;
     do {
-        judge(&q, &known);
-        count++;
+        if (count++ % stride == 0)
+            judge(&q, &known);
     } while (next_query(&q, 3));
-    ck_assert_int_eq(count, 531441);
+    ck_assert_int_eq(count, all);
     truth_clear(&known);
 }
 END_TEST

@@ -34,20 +34,25 @@ static void move(int first, int count, double x, double y, double z)
         made.end[i] += way[i % axes];
 }
 
+static const tf_response_options each_level[] = {
+    {0},
+    {.impulse_rounds = 30, .zone_rounds = -1},
+    {.zone_rounds = -1},
+    {.zone_rounds = -1, .rigid = true},
+    {.separation = -1}};
+
+enum {
+    LEVELS = sizeof each_level / sizeof *each_level
+};
+
 /// As `expect_resolved`, for a step that meets, by each level alone.
 static void expect_resolved_by_all(void)
 {
-    static const tf_response_options levels[] = {
-        {0},
-        {.impulse_rounds = 30, .zone_rounds = -1},
-        {.zone_rounds = -1},
-        {.zone_rounds = -1, .rigid = true},
-        {.separation = -1}};
     static double proposed[3 * PROPOSAL_VERTICES];
     memcpy(proposed, made.end, sizeof proposed);
-    for (size_t i = 0; i < sizeof levels / sizeof *levels; i++) {
+    for (int i = 0; i < LEVELS; i++) {
         memcpy(made.end, proposed, sizeof proposed);
-        tf_response_report report = expect_resolved(false, &levels[i]);
+        tf_response_report report = expect_resolved(false, &each_level[i]);
         ck_assert_uint_gt(report.first_contacts, 0);
         ck_assert_int_gt(report.moved, 0);
     }
@@ -105,7 +110,7 @@ START_TEST(lattice_pairs_are_resolved_or_rejected)
 {
     static const tf_response_options options = {.check_start = true};
     generator random = generator_new(100 + (uint64_t)_i);
-    int rejected = 0, met = 0, tries = (int)cases(2000);
+    int rejected = 0, met = 0, tries = (int)cases(500);
     for (int i = 0; i < tries; i++) {
         tf_response_report report;
         make_lattice_pair(&random, (lattice_pair)_i);
@@ -140,7 +145,7 @@ START_TEST(aligned_sheets)
 }
 END_TEST
 
-// Its displacement is no double.
+// Its displacement is no double, and some of its coordinates are -0.
 START_TEST(what_meets_nothing_ends_where_it_should)
 {
     proposal_begin(&made, 3);
@@ -149,9 +154,10 @@ START_TEST(what_meets_nothing_ends_where_it_should)
     move(9, 9, 0.1, 0.1, -2);
     int far = proposal_add_sheet(&made, 2, 9);
     move(far, 9, 1e-17, 0x1p-60, 1e5);
+    made.end[3 * far] = made.end[3 * far + 4] = -0.;
     static double proposed[3 * PROPOSAL_VERTICES];
     memcpy(proposed, made.end, sizeof proposed);
-    tf_response_report report = expect_resolved(false, NULL);
+    tf_response_report report = expect_resolved(false, &each_level[_i]);
     ck_assert_uint_gt(report.first_contacts, 0);
     ck_assert_mem_eq(made.end + 3 * far, proposed + 3 * far,
                      27 * sizeof *proposed);
@@ -234,7 +240,7 @@ START_TEST(a_triangle_turns_over_in_its_plane)
 }
 END_TEST
 
-// Fixed vertices --------------------------------------------------------------
+// Scripted vertices -----------------------------------------------------------
 
 static void fix(int first, int count)
 {
@@ -242,7 +248,7 @@ static void fix(int first, int count)
         made.inverse_mass[v] = 0;
 }
 
-START_TEST(two_fixed_plates_close)
+START_TEST(two_scripted_plates_close)
 {
     proposal_begin(&made, 3);
     int low = proposal_add_sheet(&made, 2, 0);
@@ -257,7 +263,7 @@ START_TEST(two_fixed_plates_close)
 }
 END_TEST
 
-START_TEST(a_fixed_plate_pushes_and_is_not_held)
+START_TEST(a_scripted_plate_pushes_and_is_not_held)
 {
     proposal_begin(&made, 3);
     int plate = proposal_add_sheet(&made, 2, 0);
@@ -271,21 +277,35 @@ START_TEST(a_fixed_plate_pushes_and_is_not_held)
 }
 END_TEST
 
-// By the failsafe alone, which moves all as the plate does.
-START_TEST(a_fixed_plate_carries_what_it_meets)
+static void roughen(generator *random, int first, int count)
+{
+    for (int v = first; v < first + count; v++)
+        for (int k = 0; k < 3; k++)
+            made.start[3 * v + k] += uniform(random, -0.1, 0.1);
+    memcpy(made.end, made.start, sizeof made.end);
+}
+
+// By the failsafe alone, which moves all as the plate does.  Of a rough plate no
+// two vertices move by the same displacement, to the last bit.
+START_TEST(a_scripted_plate_carries_what_it_meets)
 {
     static const tf_response_options options = {.zone_rounds = -1};
+    generator random = generator_new(700);
+    double sideways = _i == 0 ? 0 : 0.7;
     proposal_begin(&made, 3);
     int plate = proposal_add_sheet(&made, 2, 0);
     int sheet = proposal_add_sheet(&made, 2, 1);
+    if (_i == 1)
+        roughen(&random, 0, 18);
     fix(plate, 9);
-    move(plate, 9, 0, 0, 3);
+    move(plate, 9, sideways, sideways, 3 + sideways);
     move(sheet, 9, 0, 0, -1);
     tf_response_report report = expect_resolved(true, &options);
     ck_assert_int_eq(report.held, 0);
     ck_assert_int_eq(report.resting, 0);
     for (int v = sheet; v < sheet + 9; v++)
-        ck_assert_double_eq(made.end[3 * v + 2], 4);
+        ck_assert_double_eq_tol(made.end[3 * v + 2] - made.start[3 * v + 2],
+                                3 + sideways, 1e-14);
 }
 END_TEST
 
@@ -311,7 +331,9 @@ START_TEST(a_huge_translation_on_a_lattice_meets_nothing)
 }
 END_TEST
 
-// The gap is lost in rounding, and no zone is there to make it wider.
+// The gap is lost in rounding, and no zone is there to make it wider.  The first
+// round of the failsafe only unites what moves alike; the second finds contacts
+// within a group and puts it to rest.
 START_TEST(a_huge_translation_off_a_lattice_is_refused)
 {
     static const tf_response_options options = {.zone_rounds = -1};
@@ -320,6 +342,7 @@ START_TEST(a_huge_translation_off_a_lattice_is_refused)
     move(0, made.mesh.vertices, 0, 0, 0x1p40);
     tf_response_report report = expect_resolved(true, &options);
     ck_assert_uint_gt(report.first_contacts, 0);
+    ck_assert_int_ge(report.rounds[TF_FAILSAFE], 2);
     ck_assert_int_gt(report.resting, 0);
     ck_assert_int_eq(report.held, 5);
 }
@@ -346,8 +369,8 @@ static double energy(double *slack)
     return sum;
 }
 
-/// Of the vertices that were proposed to move; fixed ones rest.
-static void make_random(generator *random, int number, bool fixed)
+/// Of the vertices that were proposed to move; scripted ones rest.
+static void make_random(generator *random, int number, bool scripted)
 {
     static const proposal_way ways[] = {SCATTERED, SPIKED, INSIDE_OUT,
                                         FLATTENED, SHUFFLED};
@@ -363,7 +386,7 @@ static void make_random(generator *random, int number, bool fixed)
     proposal_weigh(random, &made);
     int axes = made.mesh.axes;
     for (int v = 0; v < made.mesh.vertices; v++)
-        if (made.inverse_mass[v] == 0 && fixed)
+        if (made.inverse_mass[v] == 0 && scripted)
             memcpy(made.end + axes * v, made.start + axes * v,
                    sizeof(double) * (size_t)axes);
         else if (made.inverse_mass[v] == 0)
@@ -378,7 +401,7 @@ START_TEST(no_separation_and_resting_obstacles_raise_no_energy)
         {.separation = -1, .impulse_rounds = 5, .zone_rounds = -1},
         {.separation = -1, .zone_rounds = -1}};
     generator random = generator_new(200 + (uint64_t)_i);
-    for (int i = 0; i < (int)cases(120); i++) {
+    for (int i = 0; i < (int)cases(30); i++) {
         double slack, more_slack;
         make_random(&random, i, true);
         double before = energy(&slack);
@@ -416,7 +439,7 @@ START_TEST(free_bodies_keep_their_momentum)
         {.zone_rounds = -1},
         {.restitution = 1, .friction = 0.3}};
     generator random = generator_new(300 + (uint64_t)_i);
-    int kept = 0, tries = (int)cases(120);
+    int kept = 0, tries = (int)cases(30);
     for (int i = 0; i < tries; i++) {
         double before[3], slack = 0;
         make_random(&random, i, false);
@@ -468,7 +491,7 @@ START_TEST(the_largest_and_the_least_doubles)
     static const int exponents[] = {1023, 1010, -500, -1000, -1050};
     static const tf_response_options levels[] = {{0}, {.zone_rounds = -1}};
     generator random = generator_new(600 + (uint64_t)_i);
-    for (int i = 0; i < (int)cases(60); i++) {
+    for (int i = 0; i < (int)cases(15); i++) {
         make_random(&random, i, i % 2);
         change_unit(exponents[_i] - largest_exponent());
         if (!starts_tangled()) // by rounding
@@ -525,15 +548,25 @@ static tf_zone repeat_rows(const tf_zone *zone, int times)
     return repeated;
 }
 
-static int sweep_backward(tf_zone *zone)
+/// The rows in another order.
+static int sweep_shuffled(tf_zone *zone)
 {
-    tf_zone backward = repeat_rows(zone, 1);
+    generator random = generator_new((uint64_t)zone->rows);
+    tf_zone shuffled = repeat_rows(zone, 1);
+    int *from = malloc(sizeof *from * (size_t)zone->rows);
+    ck_assert_ptr_nonnull(from);
+    for (int i = 0; i < zone->rows; i++) {
+        int j = below(&random, i + 1);
+        from[i] = from[j];
+        from[j] = i;
+    }
     for (int i = 0; i < zone->rows; i++)
-        backward.row[i] = zone->row[zone->rows - 1 - i];
-    int sweeps = tf_gauss_seidel.solve(&backward);
+        shuffled.row[i] = zone->row[from[i]];
+    int sweeps = tf_gauss_seidel.solve(&shuffled);
     for (int i = 0; i < zone->rows; i++)
-        zone->row[zone->rows - 1 - i] = backward.row[i];
-    free(backward.row);
+        zone->row[from[i]] = shuffled.row[i];
+    free(shuffled.row);
+    free(from);
     return sweeps;
 }
 
@@ -565,11 +598,11 @@ START_TEST(whatever_the_solver_does_the_step_is_clear)
     static const tf_zone_solver solvers[] = {
         {"idle", no_room, do_nothing},
         {"random", no_room, push_about},
-        {"backward", usual_room, sweep_backward},
+        {"shuffled", usual_room, sweep_shuffled},
         {"checked", usual_room, expect_pushes}};
     generator random = generator_new(400 + (uint64_t)_i);
     tf_response_options options = {.solver = &solvers[_i]};
-    for (int i = 0; i < (int)cases(60); i++) {
+    for (int i = 0; i < (int)cases(15); i++) {
         make_random(&random, i, i % 2);
         expect_resolved(true, &options);
     }
@@ -583,7 +616,7 @@ static void converge(tf_zone *zone)
     double *proposed = malloc(size);
     ck_assert_ptr_nonnull(proposed);
     memcpy(proposed, zone->displacement, size);
-    for (int i = 0; i < 3000; i++) {
+    for (int i = 0; i < 1000; i++) {
         memcpy(zone->displacement, proposed, size);
         tf_gauss_seidel.solve(zone);
     }
@@ -663,7 +696,7 @@ static void expect_same_bits(const tf_parallel *parallel)
 START_TEST(any_number_of_threads_ends_with_the_same_bits)
 {
     generator random = generator_new(500);
-    for (int i = 0; i < (int)cases(60); i++) {
+    for (int i = 0; i < (int)cases(15); i++) {
         int workers = 1 + i % 3;
         tf_parallel threads = tf_threads(&workers);
         tf_parallel backward = scrambled(&workers);
@@ -683,15 +716,16 @@ Suite *suite(void)
 
     TCase *hand = tcase_create("by hand");
     tcase_add_test(hand, aligned_sheets);
-    tcase_add_test(hand, what_meets_nothing_ends_where_it_should);
+    tcase_add_loop_test(hand, what_meets_nothing_ends_where_it_should, 0,
+                        LEVELS);
     tcase_add_test(hand, parallel_edges);
     tcase_add_test(hand, vertex_on_vertex);
     tcase_add_test(hand, motion_in_a_plane);
     tcase_add_test(hand, isolated_vertices);
     tcase_add_test(hand, a_triangle_turns_over_in_its_plane);
-    tcase_add_test(hand, two_fixed_plates_close);
-    tcase_add_test(hand, a_fixed_plate_pushes_and_is_not_held);
-    tcase_add_test(hand, a_fixed_plate_carries_what_it_meets);
+    tcase_add_test(hand, two_scripted_plates_close);
+    tcase_add_test(hand, a_scripted_plate_pushes_and_is_not_held);
+    tcase_add_loop_test(hand, a_scripted_plate_carries_what_it_meets, 0, 2);
     tcase_add_test(hand, a_huge_translation_on_a_lattice_meets_nothing);
     tcase_add_test(hand, a_huge_translation_off_a_lattice_is_refused);
     suite_add_tcase(suite, hand);

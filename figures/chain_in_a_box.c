@@ -9,7 +9,7 @@
 
 enum {
     LINKS = 120,
-    STEPS = 336 ///< seven for each frame of the film
+    STEPS = 144 ///< three for each frame of the film
 };
 
 static const double still = 0.5;

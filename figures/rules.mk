@@ -42,7 +42,7 @@ $(BUILD)/figures.a: $(call drawing_objects,$(wildcard figures/*.c))
 # @file, here and below: gcc reads options from that file.
 $(drawing_file): $(BUILD)/drawing/draw/main.o $(figure_archives)
 	@echo 'link    $@'
-	$(Q)$(LINK) $^ @$(BUILD)/renderer.libraries -lm -o $@
+	$(Q)$(LINK) $^ @$(BUILD)/renderer.libraries $(SPARSE) -lm -o $@
 
 # What figures include that is made.  Each is written anew only if it changes.
 generated = $(addprefix $(BUILD)/drawing/,names.h includes.h measured_rows.h)
@@ -60,11 +60,13 @@ $(BUILD)/drawing/includes.h: src/layers.awk $(wildcard src/*/*.[ch])
 	@$(unless_same)
 
 # The lines "name,value,unit" of what was measured, as initializers; those of
-# roads.csv are named "roads ...".
+# roads.csv are named "roads ...", and those of simulation.csv "simulation ...".
 row = s/^\(.*\),\([0-9.]*\),.*$$/{"$(1)\1", \2},/p
-$(BUILD)/drawing/measured_rows.h: figures/measured.csv figures/roads.csv
+$(BUILD)/drawing/measured_rows.h: figures/measured.csv figures/roads.csv \
+		figures/simulation.csv
 	@mkdir -p $(@D) && { sed -n '$(call row,)' $<; \
-	    sed -n '$(call row,roads )' $(word 2,$^); } >$@.new
+	    sed -n '$(call row,roads )' $(word 2,$^); \
+	    sed -n '$(call row,simulation )' $(word 3,$^); } >$@.new
 	@$(unless_same)
 
 drawing_flags = -I$(SRC) -Ifigures -I$(BUILD)/drawing \

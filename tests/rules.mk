@@ -52,7 +52,7 @@ $(figure_tests:=.o): USES = $(drawing_flags)
 $(figure_tests): $(BUILD)/%: $(BUILD)/%.o $(BUILD)/support.a $(figure_archives)
 	@echo 'link    $@'
 	$(Q)$(LINK) $(filter %.o,$^) $(filter %.a,$^) @$(BUILD)/renderer.libraries \
-	    $$(pkg-config --libs check) -lgmp -lm -o $@
+	    $$(pkg-config --libs check) $(SPARSE) -lgmp -lm -o $@
 
 # Leaks of the libraries that figures use are not ours, and a test that requests
 # more memory than there is wants NULL, from the sanitizer, too.
@@ -199,5 +199,13 @@ measure-response: ## time the response again for the book, in figures/response.c
 	    $(BUILD)/measured/tests/bench/response \
 	    >$(BUILD)/measured/response.csv
 	@mv $(BUILD)/measured/response.csv figures/response.csv
+
+measure-simulation: ## run and time the scenes again for the book, in figures/simulation.csv
+	@$(MAKE) $(parallel) BUILD=$(BUILD)/measured CFLAGS=-O3 program
+	@echo 'measure figures/simulation.csv'
+	@sh tests/bench/simulation.sh '$(CC)' -O3 $(BUILD)/measured/tanglefree \
+	    $(BUILD)/measured/frames >$(BUILD)/measured/simulation.csv
+	@mv $(BUILD)/measured/simulation.csv figures/simulation.csv
+.PHONY: measure-simulation
 .PHONY: bench bench-response measure compare-solvers compare-sweeps \
 	measure-solvers collect-zones counts compare measure-roads measure-response

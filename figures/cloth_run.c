@@ -7,7 +7,7 @@
 
 // Running ----------------------------------------------------------------
 
-/// A step that is resolved once or not at all.
+/// A step that isn't resolved, or not as the scene would have it.
 static tf_response_report make_simple_step(const fig_cloth_plan *plan,
                                            tf_simulation *s)
 {
@@ -30,7 +30,7 @@ static tf_response_report make_step(const fig_cloth_plan *plan,
 {
     const tf_step_way way = {.check = s->step == 0};
     tf_step_cost cost;
-    if (plan->unresolved || plan->unfollowed || plan->chosen)
+    if (plan->unresolved || plan->chosen)
         return make_simple_step(plan, s);
     TF_REQUIRE(tf_simulation_step(s, &way, &cost) == TF_OK);
     return cost.report;
@@ -84,9 +84,8 @@ static bool same_plan(const fig_cloth_plan *a, const fig_cloth_plan *b)
 {
     return strcmp(a->scene, b->scene) == 0 && a->size == b->size &&
            a->steps == b->steps && a->unresolved == b->unresolved &&
-           a->unfollowed == b->unfollowed && a->check == b->check &&
-           a->chosen == b->chosen && a->friction == b->friction &&
-           a->separation == b->separation;
+           a->check == b->check && a->chosen == b->chosen &&
+           a->friction == b->friction && a->separation == b->separation;
 }
 
 const fig_cloth_run *fig_cloth_run_of(const fig_cloth_plan *plan)

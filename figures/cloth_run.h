@@ -10,10 +10,8 @@ typedef struct fig_cloth_plan {
     const char *scene;
     int size, steps;
     bool unresolved; ///< nothing looks after collisions
-    bool unfollowed; ///< the cloth does not follow what the response has moved
     int check;   ///< every so many steps intersections are counted; 0: never
-    bool chosen; ///< friction and separation are those below; the cloth does
-                 ///< not follow
+    bool chosen; ///< friction and separation are those below
     double friction, separation;
 } fig_cloth_plan;
 

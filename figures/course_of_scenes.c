@@ -9,8 +9,7 @@
 #include <stdlib.h>
 
 enum {
-    SCENES = 2,
-    RUNS = 2 ///< of each scene: as it is, and not following the response
+    SCENES = 2
 };
 
 static const fig_cloth_plan plans[SCENES] = {
@@ -105,15 +104,11 @@ static double contacts_of(const fig_cloth_run *run)
     return sum;
 }
 
-static void draw_stretch(fig_page *page, int scene,
-                         const fig_cloth_run *const run[RUNS])
+static void draw_stretch(fig_page *page, int scene, const fig_cloth_run *run)
 {
-    double most = fmax(most_stretch(run[0]), most_stretch(run[1]));
-    fig_plot plot = plot_of(scene, 1, 1, 1 + 1.5 * (most - 1));
+    fig_plot plot = plot_of(scene, 1, 1, 1 + 1.2 * (most_stretch(run) - 1));
     fig_plot_frame(page, &plot);
-    draw_curve(page, &plot, run[1], stretch_of,
-               (fig_stroke){.paint = {.role = FIG_ROLE_NEUTRAL}});
-    draw_curve(page, &plot, run[0], stretch_of,
+    draw_curve(page, &plot, run, stretch_of,
                (fig_stroke){.paint = {.role = FIG_ROLE_EDGE}, .width = 1.6});
 }
 
@@ -133,8 +128,6 @@ static void write_keys(fig_page *page)
     double x = left + 4;
     fig_plot_key(page, x, tops[0] + 6, "zones", FIG_ROLE_EDGE);
     fig_plot_key(page, x + 46, tops[0] + 6, "failsafe", FIG_ROLE_CONTACT);
-    fig_plot_key(page, x, tops[1] + 6, "cloth follows", FIG_ROLE_EDGE);
-    fig_plot_key(page, x + 80, tops[1] + 6, "does not", FIG_ROLE_NEUTRAL);
     double low = tops[2] + height - 10;
     fig_plot_key(page, x + 16, low, "kinetic", FIG_ROLE_EDGE);
     fig_plot_key(page, x + 70, low, "elastic", FIG_ROLE_OTHER_EDGE);
@@ -150,27 +143,17 @@ static void print_number(FILE *numbers, const char *what, int scene,
 
 static void draw_scene(fig_page *page, FILE *numbers, int scene)
 {
-    fig_cloth_plan other = plans[scene];
-    other.unfollowed = true;
-    const fig_cloth_run *run[RUNS] = {fig_cloth_run_of(&plans[scene]),
-                                      fig_cloth_run_of(&other)};
-    int held = 0;
-    for (int i = 1; i <= run[0]->steps; i++)
-        held += run[0]->step[i].report.held > 0;
-    draw_rounds(page, scene, run[0]);
+    const fig_cloth_run *run = fig_cloth_run_of(&plans[scene]);
+    draw_rounds(page, scene, run);
     draw_stretch(page, scene, run);
-    draw_energies(page, scene, run[0]);
+    draw_energies(page, scene, run);
     fig_page_title(page, plot_of(scene, 0, 0, 1).box, plans[scene].scene);
     print_number(numbers, "steps", scene, plans[scene].steps);
-    print_number(numbers, "zones", scene,
-                 fig_cloth_run_count(run[0], TF_ZONES));
+    print_number(numbers, "zones", scene, fig_cloth_run_count(run, TF_ZONES));
     print_number(numbers, "failsafe", scene,
-                 fig_cloth_run_count(run[0], TF_FAILSAFE));
-    print_number(numbers, "held", scene, held);
-    print_number(numbers, "stretch", scene, most_stretch(run[0]));
-    print_number(numbers, "contacts", scene, contacts_of(run[0]));
-    print_number(numbers, "contacts_rubber", scene, contacts_of(run[1]));
-    print_number(numbers, "rubber", scene, most_stretch(run[1]));
+                 fig_cloth_run_count(run, TF_FAILSAFE));
+    print_number(numbers, "stretch", scene, most_stretch(run));
+    print_number(numbers, "contacts", scene, contacts_of(run));
 }
 
 static void draw(fig_page *page, FILE *numbers)

@@ -34,11 +34,9 @@ tf_status tf_simulation_create(const tf_scene *scene, int size,
 void tf_simulation_free(tf_simulation *simulation);
 
 //: Declare a step of a simulation
-/// What a step took, which is resolved once or twice.
+/// What a step took.
 typedef struct tf_step_cost {
-    tf_response_report
-        report; ///< contacts, rounds and rows: of both times; all
-                ///< else: of the last
+    tf_response_report report;
     double dynamics, response; ///< seconds
 } tf_step_cost;
 

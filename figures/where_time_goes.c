@@ -8,13 +8,13 @@
 
 enum {
     SCENES = 7,
-    SIZES = 3
+    SIZES = 5
 };
 
 static const char *const scenes[SCENES] = {
     "sphere", "stack", "twist", "knot", "curtain", "flag", "plane-chain"};
 
-static const int sizes[SIZES] = {22, 39, 69};
+static const int sizes[SIZES] = {22, 39, 69, 123, 181};
 
 static const char *const part[] = {"dynamics", "response"};
 
@@ -55,8 +55,8 @@ static void draw_scenes(fig_page *page)
 static void draw_growth(fig_page *page)
 {
     fig_plot plot = {.box = {232, 22, 144, 120},
-                     .x = {1000, 20000},
-                     .y = {1, 1000},
+                     .x = {700, 150000},
+                     .y = {0.3, 30000},
                      .log_x = true,
                      .log_y = true,
                      .name_x = "triangles",

@@ -74,6 +74,6 @@ for scene in sphere stack twist knot curtain flag plane-chain; do
     run $scene $scene
 done
 echo "growth steps,$growth_steps,"
-for size in 22 39 69; do
+for size in 22 39 69 123 181; do
     run "growth $size" sphere --size $size --steps $growth_steps
 done

@@ -9,6 +9,7 @@
 #include "response/zones.h"
 
 #include <math.h>
+#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -136,7 +137,7 @@ static void draw_edges(fig_page *page, const fig_plot *plot, const scene *s,
                        const double x[], double shade)
 {
     for (int e = 0; e < EDGES; e++) {
-        const double *a = x + 2 * (ptrdiff_t)s->edge[2 * e];
+        const double *a = x + 2 * (ptrdiff_t)s->edge[(ptrdiff_t)2 * e];
         const double *b = x + 2 * (ptrdiff_t)s->edge[2 * e + 1];
         bool is_wall = e >= CHAIN - 1;
         fig_plot_curve(page, plot, 2, (fig_point[]){{a[0], a[1]}, {b[0], b[1]}},
@@ -146,7 +147,8 @@ static void draw_edges(fig_page *page, const fig_plot *plot, const scene *s,
                                     .width = is_wall ? 3 : 1.6});
     }
     for (int v = 0; v < CHAIN && shade == 0; v++)
-        fig_plot_dot(page, plot, x[2 * v], x[2 * v + 1], 4, FIG_ROLE_POINT);
+        fig_plot_dot(page, plot, x[(ptrdiff_t)2 * v], x[2 * v + 1], 4,
+                     FIG_ROLE_POINT);
 }
 
 /// Where the walls should go.

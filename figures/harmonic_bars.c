@@ -8,6 +8,7 @@
 #include "surface/detect.h"
 
 #include <math.h>
+#include <stddef.h>
 #include <string.h>
 
 enum {
@@ -128,7 +129,7 @@ static void draw_bars(fig_page *page, const fig_plot *plot, const history *h,
 {
     for (int i = 0; i < BARS; i++) {
         const double *start = h->start + 4 * (ptrdiff_t)i;
-        double d = now->end[4 * i] - start[0], x = start[0] + t * d;
+        double d = now->end[(ptrdiff_t)4 * i] - start[0], x = start[0] + t * d;
         fig_plot_curve(page, plot, 2,
                        (fig_point[]){{x, start[1]}, {x, start[3]}},
                        (fig_stroke){.paint = paint_of(now, i), .width = 2});
@@ -142,7 +143,7 @@ static void draw_arrow(fig_page *page, const fig_plot *plot, const history *h,
     int last = 0;
     for (int i = 0; i < BARS; i++)
         last = now->root[i] == 0 ? i : last;
-    double from = h->start[4 * last];
+    double from = h->start[(ptrdiff_t)4 * last];
     double to = from + now->end[0] - h->start[0];
     fig_plot_curve(
         page, plot, 2, (fig_point[]){{from, y}, {to, y}},

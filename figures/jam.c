@@ -7,6 +7,7 @@
 #include "response/resolve.h"
 
 #include <math.h>
+#include <stddef.h>
 #include <string.h>
 
 enum {
@@ -48,12 +49,12 @@ typedef struct course {
 static void place(scene *s)
 {
     for (int v = 0; v < CHAIN; v++) {
-        s->x[2 * v] = v % 2 == 0 ? -chain_width : chain_width;
+        s->x[(ptrdiff_t)2 * v] = v % 2 == 0 ? -chain_width : chain_width;
         s->x[2 * v + 1] = chain_height * (2.0 * v / (CHAIN - 1) - 1);
         s->inverse_mass[v] = 1;
     }
     for (int v = CHAIN; v < VERTICES; v++) {
-        s->x[2 * v] = v < CHAIN + WALL ? -wall_at : wall_at;
+        s->x[(ptrdiff_t)2 * v] = v < CHAIN + WALL ? -wall_at : wall_at;
         s->x[2 * v + 1] = (v - CHAIN) % WALL == 0 ? -wall_top : wall_top;
     }
 }
@@ -68,7 +69,7 @@ static void make_scene(scene *s)
         s->edge[2 * e + 1] = first + 1;
     }
     for (int e = 0; e < CHAIN - 1; e++)
-        s->length[e] = hypot(s->x[2 * e + 2] - s->x[2 * e],
+        s->length[e] = hypot(s->x[2 * e + 2] - s->x[(ptrdiff_t)2 * e],
                              s->x[2 * e + 3] - s->x[2 * e + 1]);
     s->mesh = (tf_mesh){
         .axes = 2, .vertices = VERTICES, .edges = EDGES, .edge = s->edge};
@@ -102,13 +103,15 @@ static void propose(const scene *s, int step, double end[])
     memcpy(end, s->x, sizeof s->x);
     relax(s, end);
     for (int v = CHAIN; v < VERTICES; v++)
-        end[2 * v] = (v < CHAIN + WALL ? -0.5 : 0.5) * asked_after(step);
+        end[(ptrdiff_t)2 * v] =
+            (v < CHAIN + WALL ? -0.5 : 0.5) * asked_after(step);
 }
 
 static void note(course *c, const scene *s, int step, int held)
 {
     c->asked[step] = asked_after(step);
-    c->gap[step] = s->x[2 * (CHAIN + WALL)] - s->x[2 * CHAIN];
+    c->gap[step] =
+        s->x[(ptrdiff_t)2 * (CHAIN + WALL)] - s->x[(ptrdiff_t)2 * CHAIN];
     c->held[step] = held;
     c->jammed += held > 0;
     if (held > 0 && c->first_jam == 0) {
@@ -151,7 +154,7 @@ static void draw_state(fig_page *page, int i, const scene *s, const double x[],
                       (fig_paint){.role = FIG_ROLE_NEUTRAL, .opacity = 0.09});
     fig_page_title(page, plot.box, title);
     for (int e = 0; e < EDGES; e++) {
-        const double *a = x + 2 * (ptrdiff_t)s->edge[2 * e];
+        const double *a = x + 2 * (ptrdiff_t)s->edge[(ptrdiff_t)2 * e];
         const double *b = x + 2 * (ptrdiff_t)s->edge[2 * e + 1];
         bool is_wall = e >= CHAIN - 1;
         fig_plot_curve(page, &plot, 2,

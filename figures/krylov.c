@@ -13,6 +13,7 @@
 #include "response/normal_residuals.h"
 
 #include <math.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -41,7 +42,7 @@ static fig_pile make_pile(void)
         double middle = i == 0 ? 0 : between(&random, -0.4, 0.4);
         double place[4], displacement[4] = {0};
         for (int j = 0; j < 2; j++) {
-            place[2 * j] = middle + (j == 0 ? -half : half);
+            place[(ptrdiff_t)2 * j] = middle + (j == 0 ? -half : half);
             place[2 * j + 1] =
                 0.25 * i + (i == 0 ? 0 : between(&random, 0, 0.1));
             displacement[2 * j + 1] = -0.1 * i * between(&random, 0.5, 1.5);
@@ -127,7 +128,7 @@ static void find_best(course *c)
 {
     const tf_zone *zone = &c->some->zone;
     int n = c->count, numbers = zone->axes * zone->vertices, rank = 0;
-    double *basis = calloc((size_t)(n * numbers), sizeof *basis);
+    double *basis = calloc((size_t)n * (size_t)numbers, sizeof *basis);
     TF_REQUIRE(basis);
     for (int i = 0; i < numbers; i++) {
         double *next = basis + (ptrdiff_t)n * rank;

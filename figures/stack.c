@@ -6,6 +6,7 @@
 #include "response/gauss_seidel.h"
 
 #include <math.h>
+#include <stddef.h>
 #include <stdlib.h>
 
 enum {
@@ -39,7 +40,7 @@ static void draw_edges(fig_page *page, const fig_pile *pile)
     for (int i = 0; i < EDGES; i++) {
         fig_point end[2];
         for (int j = 0; j < 2; j++)
-            end[j] = place(pile->start + 2 * (2 * i + j));
+            end[j] = place(pile->start + (ptrdiff_t)2 * (2 * i + j));
         fig_role role = i == 0 ? FIG_ROLE_INK : FIG_ROLE_EDGE;
         fig_page_line(
             page, 2, end,

@@ -118,8 +118,8 @@ static void draw_share(fig_page *page, const fig_plot *plot, FILE *numbers)
     for (int a = 0; a < ANGLES; a++) {
         for (int i = 0; i < DOTS; i++) {
             double ratio = ratio_of(i);
-            double share =
-                percentage((uint64_t)(DOTS * a + i), angles[a], ratio);
+            double share = percentage(
+                (uint64_t)DOTS * (uint64_t)a + (uint64_t)i, angles[a], ratio);
             most = fmax(most, fabs(share - expected(ratio)));
             fig_plot_dot(page, plot, ratio, share, 4.5 - 0.6 * a, roles[a]);
         }

@@ -5,6 +5,7 @@
 
 #include <math.h>
 #include <stdbool.h>
+#include <stddef.h>
 #include <string.h>
 
 enum {
@@ -41,7 +42,7 @@ static wire *thread(int beads, double gap)
 /// Whether a bead and its neighbor to the right meet.
 static bool meets(const wire *w, int bead)
 {
-    return bead * w->gap + w->displacement[2 * bead] >=
+    return bead * w->gap + w->displacement[(ptrdiff_t)2 * bead] >=
            (bead + 1) * w->gap + w->displacement[2 * bead + 2];
 }
 
@@ -62,7 +63,7 @@ static bool look(const wire *w, fig_wire *course)
         met = -1;
     if (course->rounds < FIG_WIRE_SEEN) {
         for (int i = 0; i < w->beads; i++)
-            course->seen[course->rounds][i] = w->displacement[2 * i];
+            course->seen[course->rounds][i] = w->displacement[(ptrdiff_t)2 * i];
         course->met[course->rounds] = met;
     }
     return met >= 0;

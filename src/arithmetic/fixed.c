@@ -5,6 +5,8 @@
 #include "arithmetic/int128.h"
 #include "arithmetic/words.h"
 
+#include <stddef.h>
+
 //: Compare the sizes of a column
 /// The biased exponents of the largest coordinate of a column and of the least
 /// that is not zero.  The latter may be too small by one.
@@ -257,7 +259,7 @@ bool tf_fixed_cross(const tf_differences *rows, tf_value component[TF_AXES])
     if (!count_units(4, event, units, unit))
         return false;
     for (int i = 0; i < 2; i++)
-        subtract_rows(units[2 * i], units[2 * i + 1], row[i]);
+        subtract_rows(units[(ptrdiff_t)2 * i], units[2 * i + 1], row[i]);
     tf_int128 cross[TF_AXES];
     cross_rows(row[0], row[1], cross);
     for (int k = 0; k < TF_AXES; k++) {

@@ -13,7 +13,7 @@ enum {
     VECTORS
 };
 
-static size_t room(int axes, int vertices, int rows)
+static size_t room_of_conjugate_residuals(int axes, int vertices, int rows)
 {
     return tf_equations_room(axes, vertices, rows, VECTORS);
 }
@@ -39,7 +39,7 @@ static void step(const tf_equations *equations, double *vector[],
 }
 
 //: Iterate conjugate residuals
-static int solve(tf_zone *zone)
+static int solve_by_conjugate_residuals(tf_zone *zone)
 {
     double *vector[VECTORS];
     tf_equations equations = tf_equations_of(zone, VECTORS, vector);
@@ -62,4 +62,6 @@ static int solve(tf_zone *zone)
 
 //: Offer conjugate residuals
 const tf_zone_solver tf_conjugate_residuals = {
-    .name = "conjugate-residuals", .room = room, .solve = solve};
+    .name = "conjugate-residuals",
+    .room = room_of_conjugate_residuals,
+    .solve = solve_by_conjugate_residuals};

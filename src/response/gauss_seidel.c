@@ -114,7 +114,7 @@ static bool sweep(const tf_zone *zone, double least, const tf_bodies *bodies,
     return any;
 }
 
-static int solve(tf_zone *zone)
+static int solve_by_gauss_seidel(tf_zone *zone)
 {
     TF_REQUIRE(zone && zone->row && zone->inverse_mass && zone->displacement &&
                zone->room);
@@ -135,4 +135,4 @@ static size_t room_for(int axes, int vertices, int rows)
 }
 
 const tf_zone_solver tf_gauss_seidel = {
-    .name = "gauss-seidel", .room = room_for, .solve = solve};
+    .name = "gauss-seidel", .room = room_for, .solve = solve_by_gauss_seidel};

@@ -23,7 +23,7 @@ enum {
     VECTORS = 6
 };
 
-static size_t room(int axes, int vertices, int rows)
+static size_t room_of_minres(int axes, int vertices, int rows)
 {
     return tf_equations_room(axes, vertices, rows, VECTORS);
 }
@@ -125,7 +125,7 @@ static bool iterate(const tf_equations *equations, recurrence *r,
     return true;
 }
 
-static int solve(tf_zone *zone)
+static int solve_by_minres(tf_zone *zone)
 {
     double *vector[VECTORS];
     recurrence r;
@@ -141,4 +141,4 @@ static int solve(tf_zone *zone)
 
 //: Offer minimal residuals
 const tf_zone_solver tf_minres = {
-    .name = "minres", .room = room, .solve = solve};
+    .name = "minres", .room = room_of_minres, .solve = solve_by_minres};

@@ -13,7 +13,7 @@ enum {
     VECTORS
 };
 
-static size_t room(int axes, int vertices, int rows)
+static size_t room_of_normal_residuals(int axes, int vertices, int rows)
 {
     return tf_equations_room(axes, vertices, rows, VECTORS);
 }
@@ -38,7 +38,7 @@ static void step(const tf_equations *equations, double *vector[],
 }
 
 //: Iterate on the normal equations
-static int solve(tf_zone *zone)
+static int solve_by_normal_residuals(tf_zone *zone)
 {
     double *vector[VECTORS];
     tf_equations equations = tf_equations_of(zone, VECTORS, vector);
@@ -58,5 +58,6 @@ static int solve(tf_zone *zone)
 }
 
 //: Offer conjugate gradients on the normal equations
-const tf_zone_solver tf_normal_residuals = {
-    .name = "normal-residuals", .room = room, .solve = solve};
+const tf_zone_solver tf_normal_residuals = {.name = "normal-residuals",
+                                            .room = room_of_normal_residuals,
+                                            .solve = solve_by_normal_residuals};

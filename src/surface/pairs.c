@@ -185,7 +185,7 @@ bool tf_pairs_take(tf_pair_sink *sink, int count, const tf_candidate pair[])
 //: Compare contacts
 typedef const tf_surface_contact *row;
 
-static bool is_before(row a, row b)
+static bool comes_first(row a, row b)
 {
     if (a->kind != b->kind)
         return a->kind < b->kind;
@@ -199,7 +199,7 @@ static bool is_earlier(row a, row b)
 {
     if (a->contact.toi_lo != b->contact.toi_lo)
         return a->contact.toi_lo < b->contact.toi_lo;
-    return is_before(a, b);
+    return comes_first(a, b);
 }
 
 //: Sort contacts
@@ -265,7 +265,7 @@ bool tf_pairs_gather(tf_surface *surface, tf_extent extent, tf_contacts *found)
     row *list = surface->sorting.data;
     list_rows(&surface->workers, list, &found->effort);
     list = sort(rows, list, list + rows,
-                extent == TF_FIRST_CONTACT ? is_earlier : is_before);
+                extent == TF_FIRST_CONTACT ? is_earlier : comes_first);
     tf_surface_contact *all = surface->found.data;
     for (size_t i = 0; i < rows; i++)
         memcpy(&all[i], list[i], sizeof *all);

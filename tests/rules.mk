@@ -37,8 +37,8 @@ $(BUILD)/tests/%: $(BUILD)/tests/%.o $(BUILD)/support.a $(BUILD)/program.a \
 	$(Q)$(LINK) $^ $$(pkg-config --libs check) $(LIBRARIES) -lgmp -lm -o $@
 
 # These have the simulator in them, and with it the library that it uses.
-simulating = $(BUILD)/tests/whole/scenes $(patsubst %,$(BUILD)/tests/program/%,\
-	frame_file steps_file simulation_folder simulate_command)
+simulating = $(addprefix $(BUILD)/tests/,whole/scenes soak/scenes program/frame_file \
+	program/steps_file program/simulation_folder program/simulate_command)
 $(BUILD)/tests/simulate/% $(simulating): LIBRARIES = $(SPARSE)
 
 # This one counts calls of these functions.
@@ -132,7 +132,10 @@ soak-response: $(soak_response) ## resolve and judge COUNT=10000 random proposal
 	@$< $(COUNT) $(FROM)
 	@TF_TEST_PERCENT=200 $(BUILD)/tests/whole/response
 	@TF_TEST_PERCENT=400 $(BUILD)/tests/whole/response_cases
-.PHONY: soak soak-vectors soak-response
+
+soak-scenes: $(BUILD)/tests/soak/scenes ## simulate and judge all scenes of the simulator
+	@$<
+.PHONY: soak soak-vectors soak-response soak-scenes
 
 # What is measured -------------------------------------------------------------
 

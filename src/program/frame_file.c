@@ -35,12 +35,14 @@ static bool frame_make(frame *of, const tf_simulation *s)
     const tf_body *body = &s->stage.body;
     int axes = body->axes, vertices = body->vertices;
     of->mesh = (tf_mesh_file){
-        .position = {deepen(axes, vertices, s->position), 3 * (size_t)vertices},
-        .triangle = {body->triangle},
-        .edge = {body->edge},
-        .vertex_place = {NULL, (size_t)vertices},
-        .triangle_place = {NULL, (size_t)body->triangles},
-        .edge_place = {NULL, (size_t)body->edges}};
+        .position.item = deepen(axes, vertices, s->position),
+        .position.count = 3 * (size_t)vertices,
+        .triangle.item = body->triangle,
+        .edge.item = body->edge,
+        .vertex_place.count = (size_t)vertices,
+        .triangle_place.count = (size_t)body->triangles,
+        .edge_place.count = (size_t)body->edges,
+    };
     of->velocity = deepen(axes, vertices, s->velocity);
     return of->mesh.position.item && of->velocity;
 }

@@ -5,7 +5,7 @@
 
 static const fig_cloth_still stills[] = {
     {.plan = {.scene = "knot", .size = 3, .steps = 260}, .first = 258},
-    {.plan = {.scene = "curtain", .size = 14, .steps = 240}, .first = 238},
+    {.plan = {.scene = "curtain", .size = 14, .steps = 480}, .first = 478},
     {.plan = {.scene = "flag", .size = 8, .steps = 200}, .first = 198},
 };
 

@@ -58,18 +58,18 @@ void tf_build_knot(tf_stage *stage, int size)
 }
 
 //: Build the scene curtain
-/// The cell in the middle is pulled.
+/// The cell that is pulled lies above the middle of the ring.
 void tf_build_curtain(tf_stage *stage, int size)
 {
     static const tf_material silk = {
         .density = 0.3, .stretch = 60, .bend = 1.5e-4};
     const double side = 1, center[] = {0, 0, -0.06};
-    const double radius[] = {0.16, 0.04};
+    const double radius[] = {0.22, 0.04};
     int row = size + 1, middle = (size - 1) / 2;
-    double cell = side / size;
+    double cell = side / size, before = cell * (middle + 0.5);
     tf_sheet sheet = {.across = size,
                       .along = size,
-                      .corner = {-side / 2, -side / 2, 0},
+                      .corner = {-before, -before, 0},
                       .across_step = {cell, 0, 0},
                       .along_step = {0, cell, 0}};
     tf_sheet_add(&stage->body, &sheet, &silk);

@@ -101,7 +101,7 @@ static const struct {
     const char *name;
     int size, steps;
 } shorts[] = {{"sphere", 10, 40},      {"stack", 6, 40},     {"twist", 4, 60},
-              {"knot", 3, 60},         {"curtain", 10, 100}, {"flag", 6, 60},
+              {"knot", 3, 60},         {"curtain", 10, 200}, {"flag", 6, 60},
               {"plane-chain", 60, 120}};
 
 START_TEST(threads_change_nothing)

@@ -10,7 +10,7 @@ static const struct {
     const char *name;
     int size, steps;
 } shorts[] = {{"sphere", 12, 80},      {"stack", 8, 60},     {"twist", 4, 300},
-              {"knot", 3, 300},        {"curtain", 12, 200}, {"flag", 8, 300},
+              {"knot", 3, 300},        {"curtain", 12, 500}, {"flag", 8, 300},
               {"plane-chain", 60, 200}};
 
 START_TEST(a_scene_stays_free_of_tangles)

@@ -9,6 +9,7 @@ static const int requests[] = {SIGINT, SIGTERM, SIGHUP};
 
 START_TEST(a_request_waits)
 {
+    signal(requests[_i], SIG_DFL); // nohup ignores SIGHUP
     tf_interruption_hold();
     ck_assert_int_eq(tf_interruption(), 0);
     raise(requests[_i]);

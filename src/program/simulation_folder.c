@@ -113,9 +113,10 @@ static bool make_folder(tf_simulation_folder *folder)
                          "cannot make this folder: %s; choose another with -o",
                          strerror(errno));
     return is_empty(folder->path) ||
-           set_fault(folder, NULL,
-                     "is there and is no empty folder; choose another, or go "
-                     "on with the simulation in it by --resume");
+           set_fault(
+               folder, NULL,
+               "exists, and is not an empty folder; choose another, or go "
+               "on with the simulation in it by --resume");
 }
 
 static bool begin_table(tf_simulation_folder *folder)

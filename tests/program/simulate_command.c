@@ -115,9 +115,10 @@ END_TEST
 START_TEST(a_folder_that_is_not_empty)
 {
     run("mkdir made && touch made/thesis.tex");
-    expect(run(CHAIN " -o made"), 2, "",
-           "tanglefree: made: is there and is no empty folder; choose another, "
-           "or go on with the simulation in it by --resume\n");
+    expect(
+        run(CHAIN " -o made"), 2, "",
+        "tanglefree: made: exists, and is not an empty folder; choose another, "
+        "or go on with the simulation in it by --resume\n");
     expect(run("ls made"), 0, "thesis.tex\n", "");
     expect(run(CHAIN " -o made --resume"), 2, "",
            "tanglefree: made: has no frames to go on from; leave out "

@@ -62,12 +62,13 @@ START_TEST(only_an_empty_folder_is_taken)
     ck_assert_int_eq(mkdir("made", 0777), 0);
     make_steps(0);
     ck_assert(!tf_simulation_folder_begin(&folder, "made", s));
-    ck_assert_str_eq(folder.fault,
-                     "made: is there and is no empty folder; choose another, "
-                     "or go on with the simulation in it by --resume");
+    ck_assert_str_eq(
+        folder.fault,
+        "made: exists, and is not an empty folder; choose another, "
+        "or go on with the simulation in it by --resume");
     make_file("file", "");
     ck_assert(!tf_simulation_folder_begin(&folder, "file", s));
-    expect_words(folder.fault, "file: is there and is no empty folder");
+    expect_words(folder.fault, "file: exists, and is not an empty folder");
     ck_assert(!tf_simulation_folder_begin(&folder, "missing/folder", s));
     ck_assert_str_eq(folder.fault,
                      "missing/folder: cannot make this folder: No such file or "

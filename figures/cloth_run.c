@@ -48,7 +48,7 @@ static void note(fig_cloth_run *run, const fig_cloth_plan *plan, int i)
 {
     const tf_simulation *s = run->simulation;
     fig_cloth_step *step = &run->step[i];
-    size_t numbers = (size_t)(run->axes * run->vertices);
+    size_t numbers = (size_t)run->axes * (size_t)run->vertices;
     memcpy(run->x + numbers * (size_t)i, s->position, sizeof(double) * numbers);
     step->crossings =
         plan->check > 0 && i % plan->check == 0 ? count_crossings(s) : 0;

@@ -13,8 +13,10 @@ static void *extend(tf_body *body, void *items, int count, size_t size)
         return items;
     size_t room = count > 0 ? 2 * (size_t)count : 1;
     void *longer = realloc(items, room * size);
-    body->failed = !longer;
-    return longer ? longer : items;
+    if (longer)
+        return longer;
+    body->failed = true;
+    return items;
 }
 
 //: Add to a body

@@ -1,5 +1,5 @@
 # Tanglefree: `make` builds everything, the book too, and installs the packages
-# that are missing (see need-%); `make library program` needs only a compiler.
+# that are missing (see need-%); `make library` needs only a compiler.
 # `make check` tests, `make help` lists the rest.  GNU make must be 4.2 or
 # later, for $(file <...).
 #
@@ -10,7 +10,7 @@
 #
 # book/chapters is the one list of modules: a line a chapter, its slug and then
 # its modules, which are paths below src/ without their endings.  Those below
-# program/ make the program, all others the library.
+# program/ and simulate/ make the program, all others the library.
 #
 # All output goes to $(BUILD), except for install, measure, format and the
 # exercises (WORK).
@@ -75,8 +75,12 @@ partial := $(filter-out src,$(SRC))
 MODULES := $(shell awk '/^[a-z]/ && n++ < $(CHAPTERS) { \
 	for (i = 2; i <= NF; i++) print $$i }' book/chapters)
 MAIN := $(filter program/main,$(MODULES))
-PROGRAM := $(filter-out $(MAIN),$(filter program/%,$(MODULES)))
-LIBRARY := $(filter-out program/%,$(MODULES))
+CLIENTS := $(filter program/% simulate/%,$(MODULES))
+PROGRAM := $(filter-out $(MAIN),$(CLIENTS))
+LIBRARY := $(filter-out $(CLIENTS),$(MODULES))
+
+# The program's library of sparse matrices, which the simulator uses.
+SPARSE = -lcholmod
 
 # $(call objects,MODULES): of those that have a .c file.
 objects = $(patsubst $(SRC)/%.c,$(BUILD)/src/%.o,$(wildcard $(1:%=$(SRC)/%.c)))
@@ -100,7 +104,8 @@ $(BUILD)/%.a: book/chapters
 
 $(BUILD)/tanglefree: $(call objects,$(MAIN)) $(BUILD)/program.a $(library_file)
 	@echo 'link    $@'
-	$(Q)$(LINK) $^ -lm -o $@
+	$(Q)$(LINK) $^ $(SPARSE) -lm -o $@
+$(BUILD)/src/simulate/dynamics.o: | need-program
 
 # Prerequisites after | are order-only: made first, but newer ones do not cause
 # a rebuild.

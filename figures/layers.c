@@ -32,8 +32,8 @@ typedef struct layout {
     fig_box band[ROWS]; ///< of each layer
 } layout;
 
-static const double key_height = 20, band_left = 64, band_pad = 5;
-static const double chip_height = 13.5, chip_pad = 3, chip_gap = 4;
+static const double key_height = 20, band_left = 64, band_pad = 4;
+static const double chip_height = 13, chip_pad = 2.5, chip_gap = 3;
 static const double lane_pitch = 16, lane_right = 18, dot_area = 5;
 
 // The table ------------------------------------------------------------------
@@ -322,6 +322,6 @@ const fig_figure fig_layers = {
     .name = "layers",
     .title = "The layers of the library and what includes what",
     .width = FIG_PAGE_WIDTH,
-    .height = 740,
+    .height = 756,
     .draw = draw,
 };

@@ -42,7 +42,7 @@ $(BUILD)/figures.a: $(call drawing_objects,$(wildcard figures/*.c))
 # @file, here and below: gcc reads options from that file.
 $(drawing_file): $(BUILD)/drawing/draw/main.o $(figure_archives)
 	@echo 'link    $@'
-	$(Q)$(LINK) $^ @$(BUILD)/renderer.libraries -lm -o $@
+	$(Q)$(LINK) $^ @$(BUILD)/renderer.libraries $(SPARSE) -lm -o $@
 
 # What figures include that is made.  Each is written anew only if it changes.
 generated = $(addprefix $(BUILD)/drawing/,names.h includes.h measured_rows.h)
@@ -60,11 +60,13 @@ $(BUILD)/drawing/includes.h: src/layers.awk $(wildcard src/*/*.[ch])
 	@$(unless_same)
 
 # The lines "name,value,unit" of what was measured, as initializers; those of
-# roads.csv are named "roads ...".
+# roads.csv are named "roads ...", and those of simulation.csv "simulation ...".
 row = s/^\(.*\),\([0-9.]*\),.*$$/{"$(1)\1", \2},/p
-$(BUILD)/drawing/measured_rows.h: figures/measured.csv figures/roads.csv
+$(BUILD)/drawing/measured_rows.h: figures/measured.csv figures/roads.csv \
+		figures/simulation.csv
 	@mkdir -p $(@D) && { sed -n '$(call row,)' $<; \
-	    sed -n '$(call row,roads )' $(word 2,$^); } >$@.new
+	    sed -n '$(call row,roads )' $(word 2,$^); \
+	    sed -n '$(call row,simulation )' $(word 3,$^); } >$@.new
 	@$(unless_same)
 
 drawing_flags = -I$(SRC) -Ifigures -I$(BUILD)/drawing \
@@ -104,8 +106,8 @@ $(BUILD)/films/%-light.png: $(BUILD)/drawing/program
 $(BUILD)/films/%-dark.png: $(BUILD)/drawing/program
 	$(call film,dark)
 
-# The pictures in README.md, kept in figures/readme: the cover, and the query
-# that its first command makes.
+# The pictures in README.md, kept in figures/readme: the cover, the query that
+# its first command makes, and a film, which takes minutes and is not checked.
 first_query := $(shell sed -n "s/.*printf '%s.n' \(.*\) | .*/\1/p" README.md)
 README = $(foreach theme,light dark,cover-$(theme).png query-$(theme).png)
 
@@ -117,7 +119,15 @@ $(BUILD)/readme/query-%.png: $(BUILD)/drawing/program README.md
 	$(Q)printf '%s\n' $(first_query) | $< query /dev/stdin:0 \
 	    --kind point-edge --theme $* --size 800x450 -o $@ >/dev/null
 
-draw-readme: $(README:%=$(BUILD)/readme/%) ## draw the pictures of README.md anew
+$(BUILD)/stack/steps.csv: $(program_file)
+	@echo 'simulate $(@D)' && rm -rf $(@D) && $< simulate stack -o $(@D) >/dev/null
+$(BUILD)/readme/stack-%.webp: $(BUILD)/drawing/program $(BUILD)/stack/steps.csv
+	@echo 'film    $@' && mkdir -p $(@D)
+	$(Q)$< film $(BUILD)/stack --theme $* --size 640x400 --every 3 --fps 25 \
+	    -o $@ >/dev/null
+
+draw-readme: $(README:%=$(BUILD)/readme/%) $(foreach theme,light dark,\
+	$(BUILD)/readme/stack-$(theme).webp) ## draw the pictures of README.md anew
 	@mkdir -p figures/readme && cp $^ figures/readme
 
 check-readme: need-book $(README:%=$(BUILD)/readme/%) ## check the pictures of README.md

@@ -4,12 +4,12 @@
 #
 # prints the layers, the lowest first, and then "from to" for each module that
 # another one includes, for the figure of the layers, and fails with the place
-# of each arrow that goes up.  The program sees of the library what its users
-# see: public headers, besides base/.
+# of each arrow that goes up.  The program, and the simulator in it, see of the
+# library what its users see: public headers, besides base/.
 
 BEGIN {
     layers = split("base geometry arithmetic intersect query linear surface " \
-                   "fast response program", layer)
+                   "fast response simulate program", layer)
     for (i = 1; i <= layers; i++) {
         rank[layer[i]] = i
         print layer[i]
@@ -24,8 +24,8 @@ BEGIN {
     else if (rank[layer_of(to)] > rank[layer_of(from)])
         fail("includes " to ": move what it needs to " layer_of(from) \
              "/ or below")
-    else if (layer_of(from) == "program" && layer_of(to) != "program" &&
-             layer_of(to) != "base" && !is_public(to))
+    else if (is_client(from) && !is_client(to) && layer_of(to) != "base" &&
+             !is_public(to))
         fail("includes " to ", which is not public")
     else if (from != to && !(from " " to in printed)) {
         printed[from " " to]
@@ -44,6 +44,10 @@ function module_of(file) {
 function layer_of(module) {
     sub(/\/.*/, "", module)
     return module
+}
+
+function is_client(module) {
+    return layer_of(module) ~ /^(simulate|program)$/
 }
 
 function is_public(module,    text, found) {

@@ -36,6 +36,11 @@ $(BUILD)/tests/%: $(BUILD)/tests/%.o $(BUILD)/support.a $(BUILD)/program.a \
 	@echo 'link    $@'
 	$(Q)$(LINK) $^ $$(pkg-config --libs check) $(LIBRARIES) -lgmp -lm -o $@
 
+# These have the simulator in them, and with it the library that it uses.
+simulating = $(addprefix $(BUILD)/tests/,whole/scenes soak/scenes program/frame_file \
+	program/steps_file program/simulation_folder program/simulate_command)
+$(BUILD)/tests/simulate/% $(simulating): LIBRARIES = $(SPARSE)
+
 # This one counts calls of these functions.
 $(BUILD)/tests/whole/allocations: LIBRARIES = -Wl,--wrap=malloc \
 	-Wl,--wrap=calloc -Wl,--wrap=realloc -Wl,--wrap=aligned_alloc
@@ -49,7 +54,7 @@ $(figure_tests:=.o): USES = $(drawing_flags)
 $(figure_tests): $(BUILD)/%: $(BUILD)/%.o $(BUILD)/support.a $(figure_archives)
 	@echo 'link    $@'
 	$(Q)$(LINK) $(filter %.o,$^) $(filter %.a,$^) @$(BUILD)/renderer.libraries \
-	    $$(pkg-config --libs check) -lgmp -lm -o $@
+	    $$(pkg-config --libs check) $(SPARSE) -lgmp -lm -o $@
 
 # Leaks of the libraries that figures use are not ours, and a test that requests
 # more memory than there is wants NULL, from the sanitizer, too.
@@ -130,7 +135,10 @@ soak-response: $(soak_response) ## resolve and judge COUNT=10000 random proposal
 	@$< $(COUNT) $(FROM)
 	@TF_TEST_PERCENT=200 $(BUILD)/tests/whole/response
 	@TF_TEST_PERCENT=400 $(BUILD)/tests/whole/response_cases
-.PHONY: soak soak-vectors soak-response
+
+soak-scenes: $(BUILD)/tests/soak/scenes ## simulate and judge all scenes of the simulator
+	@$<
+.PHONY: soak soak-vectors soak-response soak-scenes
 
 # What is measured -------------------------------------------------------------
 
@@ -197,5 +205,13 @@ measure-response: ## time the response again for the book, in figures/response.c
 	    $(BUILD)/measured/tests/bench/response \
 	    >$(BUILD)/measured/response.csv
 	@mv $(BUILD)/measured/response.csv figures/response.csv
+
+measure-simulation: ## run and time the scenes again for the book, in figures/simulation.csv
+	@$(MAKE) $(parallel) BUILD=$(BUILD)/measured CFLAGS=-O3 program
+	@echo 'measure figures/simulation.csv'
+	@sh tests/bench/simulation.sh '$(CC)' -O3 $(BUILD)/measured/tanglefree \
+	    $(BUILD)/measured/frames >$(BUILD)/measured/simulation.csv
+	@mv $(BUILD)/measured/simulation.csv figures/simulation.csv
+.PHONY: measure-simulation
 .PHONY: bench bench-response measure compare-solvers compare-sweeps \
 	measure-solvers collect-zones counts compare measure-roads measure-response

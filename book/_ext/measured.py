@@ -1,6 +1,5 @@
 """Numbers of figures/measured.csv, and claims about them that the build checks;
-those of figures/roads.csv are named "roads ...", those of figures/solvers.csv
-"solvers ..." and those of figures/response.csv "response ...".
+those of figures/roads.csv are named "roads ...", and so on (FILES).
 
     {measured}`exact near edge-edge:.0f`
     {measured}`expansion / accumulator:.1f`     a number made of rows
@@ -22,7 +21,7 @@ import drawings
 
 # And prefixes of their names.
 FILES = {"measured": "", "roads": "roads ", "solvers": "solvers ",
-         "response": "response "}
+         "response": "response ", "simulation": "simulation "}
 
 
 def read(lines, prefix=""):

@@ -14,6 +14,7 @@
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 enum {
@@ -131,11 +132,9 @@ static fig_status put_pixels(fig_page *page, void *pixels)
 
 // The picture ------------------------------------------------------------
 
-static bool make_picture(work *w)
+/// Draw the next page to a file.
+static bool draw_to(work *w, const char *path)
 {
-    const char *path = w->settings->picture;
-    w->options = options_of(w);
-    set_size(w, PICTURE_WIDTH);
     tf_output_file file;
     if (!tf_output_file_begin(&file, path))
         return report_unwritable(path);
@@ -144,6 +143,13 @@ static bool make_picture(work *w)
         made = report_unwritable(path);
     tf_output_file_drop(&file);
     return made;
+}
+
+static bool make_picture(work *w)
+{
+    w->options = options_of(w);
+    set_size(w, PICTURE_WIDTH);
+    return draw_to(w, w->settings->picture);
 }
 
 // The film ---------------------------------------------------------------
@@ -173,18 +179,31 @@ static void show_progress(tf_progress *progress, int done, int frames)
     tf_progress_show(progress, done, things);
 }
 
-/// A film in the making: its frames go through a file to an encoder, or as
-/// pixels to a sheet.
+/// A film in the making: its frames go to files of their own in a folder,
+/// through a file to an encoder, or as pixels to a sheet.
 typedef struct film {
-    const char *path; ///< for messages
-    char *frame;      ///< the file; NULL for a sheet
+    const char *path; ///< for messages, or the folder
+    char *frame;      ///< the file; NULL: there is no encoder
     fig_encoder encoder;
     uint32_t *pixels;
-    fig_sheet *sheet;
+    fig_sheet *sheet; ///< NULL: there is none
 } film;
 
-static bool add_frame(work *w, film *f)
+/// Draw the i-th frame to the file "FOLDER/frame-00000.png" of that number.
+static bool draw_to_folder(work *w, const char *folder, int i)
 {
+    char *path;
+    if (asprintf(&path, "%sframe-%05d.png", folder, i) < 0)
+        return report_page(folder, FIG_NO_MEMORY);
+    bool made = draw_to(w, path);
+    free(path);
+    return made;
+}
+
+static bool add_frame(work *w, film *f, int i)
+{
+    if (!f->frame && !f->sheet)
+        return draw_to_folder(w, f->path, i);
     if (!f->frame)
         return draw_page(w, f->path, put_pixels, f->pixels) &&
                (fig_sheet_add(f->sheet, f->pixels) ||
@@ -203,7 +222,7 @@ static bool add_frames(work *w, film *f)
     for (int i = 0; i < settings->frames && added; i++) {
         show_progress(&progress, i, settings->frames);
         set_frame(w, i);
-        added = add_frame(w, f);
+        added = add_frame(w, f, i);
     }
     tf_progress_end(&progress);
     return added;
@@ -256,12 +275,23 @@ static bool write_sheet(work *w, const char *scratch)
     return made;
 }
 
+/// Write the film as pictures in a folder, which is made if it is not there.
+static bool write_pictures(work *w)
+{
+    film f = {.path = w->settings->film};
+    if (mkdir(f.path, 0777) != 0 && errno != EEXIST)
+        return report_unwritable(f.path);
+    return add_frames(w, &f);
+}
+
 static bool make_film(work *w)
 {
     const char *path = w->settings->film;
     w->options = options_of(w);
     w->options.moves = !w->settings->turntable;
     set_size(w, FILM_WIDTH);
+    if (fig_path_is_folder(path))
+        return write_pictures(w);
     tf_output_file file;
     if (!tf_output_file_begin(&file, path))
         return report_unwritable(path);

@@ -14,16 +14,17 @@
 const char *argp_program_version = "tanglefree-draw " TF_VERSION;
 
 static const char description[] =
-    "Draw the figures of the book, queries and surfaces.\v"
+    "Draw the figures of the book, queries, surfaces and films of them.\v"
     "Commands:\n"
     "  figure     draw a figure of the book\n"
+    "  film       draw a film of the frames of a simulation\n"
     "  list       list the figures\n"
     "  query      draw a query of a file\n"
     "  surface    draw a surface, or its step\n"
     "\n"
     "'tanglefree-draw COMMAND --help' describes a command.";
 
-#define COMMANDS "figure, list, query or surface"
+#define COMMANDS "figure, film, list, query or surface"
 
 typedef struct command {
     const char *name;
@@ -33,6 +34,7 @@ typedef struct command {
 
 static const command commands[] = {
     {"figure", "tanglefree-draw figure", fig_draw_figure},
+    {"film", "tanglefree-draw film", fig_draw_film},
     {"list", "tanglefree-draw list", fig_draw_list},
     {"query", "tanglefree-draw query", fig_draw_query},
     {"surface", "tanglefree-draw surface", fig_draw_surface},

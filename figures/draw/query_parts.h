@@ -2,8 +2,8 @@
 #ifndef FIG_DRAW_QUERY_PARTS_H
 #define FIG_DRAW_QUERY_PARTS_H
 
-#include "draw/fit.h"
 #include "draw/query_picture.h"
+#include "fit.h"
 #include "program/query_file.h"
 #include "query/query.h"
 #include "renderer/page.h"

@@ -26,20 +26,39 @@ enum {
     DPI_MOST = 4800
 };
 
+// Options that all commands share.
+#define SIZE_OPTION                                                            \
+    {                                                                          \
+        "size", SIZE, "WxH", 0,                                                \
+            "Size in pixels; the default width is 1600, of films 960", 0       \
+    }
+#define THEME_OPTION                                                           \
+    {                                                                          \
+        "theme", 't', "THEME", 0, "light or dark; the default is light", 0     \
+    }
+#define VIEW_OPTION                                                            \
+    {                                                                          \
+        "view", 'v', "AZ,EL", 0,                                               \
+            "Look from this azimuth and elevation, in degrees", 0              \
+    }
+#define FPS_OPTION                                                             \
+    {                                                                          \
+        "fps", FPS, "N", 0, "Frames per second; the default is 30", 0          \
+    }
+
 static const struct argp_option options[] = {
     {"output", 'o', "FILE", 0,
      "Write a picture to this file: .png, or .pdf or .svg (in which text and "
      "lines are vectors)",
      0},
-    {"size", SIZE, "WxH", 0, "Size in pixels; the default width is 1600", 0},
+    SIZE_OPTION,
     {"dpi", DPI, "N", 0,
      "Resolution in pixels per inch; without --size it also determines the "
      "size in pixels",
      0},
-    {"theme", 't', "THEME", 0, "light or dark; the default is light", 0},
+    THEME_OPTION,
     {"transparent", TRANSPARENT, NULL, 0, "Leave out the background", 0},
-    {"view", 'v', "AZ,EL", 0,
-     "Look from this azimuth and elevation, in degrees", 0},
+    VIEW_OPTION,
     {NULL, 0, NULL, 0, "Films:", 0},
     {"animate", ANIMATE, "FILE", 0,
      "Write a film to this file: .mp4, .gif, .webp or .png, a sheet of tiles",
@@ -48,7 +67,20 @@ static const struct argp_option options[] = {
      "Turn the camera around once in the film, instead of letting time pass",
      0},
     {"frames", FRAMES, "N", 0, "Number of frames; the default is 90", 0},
-    {"fps", FPS, "N", 0, "Frames per second; the default is 30", 0},
+    FPS_OPTION,
+    {0},
+};
+
+static const struct argp_option film_options[] = {
+    {"output", 'o', "FILE", 0,
+     "Write a film to this file, .webp, .gif or .mp4, or to a folder, FOLDER/, "
+     "as a picture of each frame; or write a picture of one frame, .png, .pdf "
+     "or .svg",
+     0},
+    SIZE_OPTION,
+    THEME_OPTION,
+    VIEW_OPTION,
+    FPS_OPTION,
     {0},
 };
 
@@ -57,6 +89,12 @@ bool fig_path_ends(const char *path, const char *ending)
     size_t length = strlen(path), wanted = strlen(ending);
     return length > wanted && strcmp(path + length - wanted, ending) == 0 &&
            path[length - wanted - 1] != '/';
+}
+
+bool fig_path_is_folder(const char *path)
+{
+    size_t length = strlen(path);
+    return length > 0 && path[length - 1] == '/';
 }
 
 /// A name of a file with one of the endings, after which comes NULL; `endings`
@@ -85,14 +123,14 @@ static long read_digits(const char **text)
     return number;
 }
 
-static int read_count(struct argp_state *state, const char *option,
-                      const char *text, int most)
+int fig_read_count(struct argp_state *state, const char *option,
+                   const char *text, int least, int most)
 {
     const char *at = text;
     long count = read_digits(&at);
-    if (*at != '\0' || count < 1 || count > most)
-        argp_error(state, "invalid %s '%s'; give a number from 1 to %d", option,
-                   tf_make_visible(text).text, most);
+    if (*at != '\0' || count < least || count > most)
+        argp_error(state, "invalid %s '%s'; give a number from %d to %d",
+                   option, tf_make_visible(text).text, least, most);
     return (int)count;
 }
 
@@ -187,7 +225,7 @@ static error_t understand_picture(int key, char *text, struct argp_state *state)
         read_size(state, text);
         return 0;
     case DPI:
-        settings->dpi = read_count(state, "--dpi", text, DPI_MOST);
+        settings->dpi = fig_read_count(state, "--dpi", text, 1, DPI_MOST);
         return 0;
     case 't':
         read_theme(state, text);
@@ -213,10 +251,11 @@ static error_t understand_film(int key, char *text, struct argp_state *state)
                                    ".mp4, .gif, .webp or .png");
         return 0;
     case FRAMES:
-        settings->frames = read_count(state, "--frames", text, FRAMES_MOST);
+        settings->frames =
+            fig_read_count(state, "--frames", text, 1, FRAMES_MOST);
         return 0;
     case FPS:
-        settings->fps = read_count(state, "--fps", text, FPS_MOST);
+        settings->fps = fig_read_count(state, "--fps", text, 1, FPS_MOST);
         return 0;
     case TURNTABLE:
         settings->turntable = true;
@@ -242,9 +281,62 @@ static error_t understand(int key, char *text, struct argp_state *state)
     }
 }
 
+// Films of given frames ------------------------------------------------------
+
+/// A file of a film or of a picture, or a folder.
+static void read_output(struct argp_state *state, const char *text)
+{
+    static const char *const pictures[] = {".png", ".pdf", ".svg"};
+    static const char *const endings[] = {".webp", ".gif", ".mp4", ".png",
+                                          ".pdf",  ".svg", NULL};
+    fig_settings *settings = state->input;
+    settings->picture = settings->film = NULL;
+    for (int i = 0; i < 3; i++)
+        if (fig_path_ends(text, pictures[i]))
+            settings->picture = text;
+    if (!settings->picture)
+        settings->film =
+            fig_path_is_folder(text)
+                ? text
+                : read_path(state, "the output", text, endings,
+                            ".webp, .gif or .mp4, in .png, .pdf or .svg, or "
+                            "in / for a folder");
+}
+
+static error_t understand_given(int key, char *text, struct argp_state *state)
+{
+    const fig_settings *settings = state->input;
+    switch (key) {
+    case ARGP_KEY_INIT:
+        set_usual(state->input);
+        return 0;
+    case 'o':
+        read_output(state, text);
+        return 0;
+    case ARGP_KEY_END:
+        if (!settings->picture && !settings->film)
+            argp_error(state, "no output file given; add -o FILE.webp");
+        return 0;
+    default:
+        return understand_picture(key, text, state) == 0
+                   ? 0
+                   : understand_film(key, text, state);
+    }
+}
+
+// The parsers ----------------------------------------------------------------
+
 static const struct argp parser = {.options = options, .parser = understand};
 
 const struct argp_child fig_settings_options[] = {
     {&parser, 0, "Pictures:", 0},
+    {0},
+};
+
+static const struct argp film_parser = {.options = film_options,
+                                        .parser = understand_given};
+
+const struct argp_child fig_settings_film_options[] = {
+    {&film_parser, 0, "Films and pictures:", 0},
     {0},
 };

@@ -1,6 +1,6 @@
 // A surface of space as it is drawn.
-#include "draw/surface_normals.h"
 #include "draw/surface_parts.h"
+#include "surface_normals.h"
 
 #include <limits.h>
 #include <math.h>
@@ -191,7 +191,7 @@ static void add_spots(const stage *s)
 
 static void add_surface(stage *s)
 {
-    if (!fig_normals_find(&s->normals, s->shape, s->t)) {
+    if (!fig_normals_find(&s->normals, s->shape, s->t, NULL)) {
         fig_scene_fail(s->scene);
         return;
     }

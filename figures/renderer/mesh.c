@@ -249,16 +249,23 @@ static void add_facet_corner(builder *b, const fig_facet *facet, int corner)
     b->like = plain;
 }
 
+/// Room for three vertices each of `count` triangles, and no more.
+static bool make_room(builder *b, int count)
+{
+    // Three vertices each must still be an int.
+    if (count <= INT_MAX / 3 &&
+        fig_list_more(&b->mesh.vertices, b->mesh.count, 3 * count,
+                      &b->mesh.room, sizeof *b->mesh.vertices))
+        return true;
+    b->mesh.out_of_memory = true;
+    return false;
+}
+
 /// The triangles of large surfaces, in no more memory than they need.
 static void add_facets(builder *b, const fig_scene *scene)
 {
-    // Three vertices each must still be an int.
-    if (scene->facet_count > INT_MAX / 3 ||
-        !fig_list_more(&b->mesh.vertices, b->mesh.count, 3 * scene->facet_count,
-                       &b->mesh.room, sizeof *b->mesh.vertices)) {
-        b->mesh.out_of_memory = true;
+    if (!make_room(b, scene->facet_count))
         return;
-    }
     fig_paint last = {.role = FIG_ROLES};
     for (int i = 0; i < scene->facet_count; i++) {
         const fig_facet *facet = &scene->facets[i];
@@ -269,6 +276,22 @@ static void add_facets(builder *b, const fig_scene *scene)
         for (int c = 0; c < 3; c++)
             add_facet_corner(b, facet, c);
     }
+}
+
+/// Triangles that are lit already; none stands off what is behind it.
+static void add_painted(builder *b, const fig_scene *scene)
+{
+    if (!make_room(b, scene->painted_count))
+        return;
+    b->like.color[3] = 0.5F;
+    for (int i = 0; i < scene->painted_count; i++)
+        for (int c = 0; c < 3; c++) {
+            const float *at = scene->painted[i].at[c];
+            memcpy(b->like.color, scene->painted[i].color[c],
+                   sizeof scene->painted[i].color[c]);
+            add_vertex(b, (tf_vector){{at[0], at[1], at[2]}},
+                       (tf_vector){{0, 0, 0}});
+        }
 }
 
 // The scene --------------------------------------------------------------
@@ -301,6 +324,7 @@ fig_mesh fig_mesh_of(const fig_scene *scene, const fig_view *view,
     builder b = {.view = view, .theme = theme};
     add_parts(&b, scene, true);
     add_facets(&b, scene);
+    add_painted(&b, scene);
     b.mesh.opaque = b.mesh.count;
     add_parts(&b, scene, false);
     return b.mesh;

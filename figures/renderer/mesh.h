@@ -9,7 +9,7 @@
 /// A corner of a triangle.
 typedef struct fig_vertex {
     float at[3];     ///< world units from the view's center
-    float normal[3]; ///< of length 1, to either side
+    float normal[3]; ///< of length 1, to either side; zero: lit already
     float color[4];  ///< in linear light, and opacity; the opacity of a solid
                      ///< thing that is wide enough to stand off what it passes
                      ///< in front of is 1, of another 1/2

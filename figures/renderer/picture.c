@@ -127,7 +127,7 @@ typedef struct painting {
     const fig_theme *theme;
     fig_raster raster;
     area whole;
-    bool steady;
+    bool steady, coarse;
     encoder encoder;
     float *light; ///< of a tile and the pixels around it
     cairo_surface_t *surface;
@@ -159,6 +159,7 @@ static fig_status draw_tile(const painting *p, area tile)
                                    tile.right + around, tile.bottom + around});
     fig_window window = window_of(drawn, p->raster);
     window.steady = p->steady;
+    window.coarse = p->coarse;
     fig_status status = fig_renderer_draw(p->renderer, p->mesh, p->view, window,
                                           p->theme, p->light);
     if (status == FIG_OK)
@@ -219,7 +220,9 @@ fig_status fig_picture_draw(fig_renderer *renderer, const fig_panel *panel,
                       .theme = theme,
                       .raster = raster,
                       .whole = whole,
-                      .steady = panel->page->options.moves};
+                      .steady = panel->page->options.moves,
+                      .coarse = panel->page->options.moves &&
+                                panel->scene.painted_count == 0};
         make_encoder(&p.encoder, theme->color[FIG_ROLE_PAPER]);
         status = paint(&p);
         *picture = (fig_picture){p.surface, whole.left, whole.top};

@@ -490,6 +490,15 @@ static void add_to_sum(const fig_renderer *r)
     draw_whole(r, SUM_FRAME, GL_ONE);
 }
 
+/// Whether something stands off what is behind it.
+static bool stands_off(const fig_mesh *mesh)
+{
+    for (int i = 0; i < mesh->opaque; i++)
+        if (mesh->vertices[i].color[3] > 0.75F)
+            return true;
+    return false;
+}
+
 /// Tell the programs what is the same for all shifted pictures.
 static void set_scene(const fig_renderer *r, const fig_mesh *mesh,
                       const fig_view *view, fig_window window,
@@ -512,11 +521,11 @@ static void set_scene(const fig_renderer *r, const fig_mesh *mesh,
     r->gl.UseProgram(r->programs[FINISH]);
     set_paper(r, FINISH, theme);
     r->gl.Uniform1f(uniform(r, FINISH, "weight"),
-                    1.0F / (float)(window.steady ? FEW_SHIFTS : SHIFTS));
+                    1.0F / (float)(window.coarse ? FEW_SHIFTS : SHIFTS));
     r->gl.Uniform1f(uniform(r, FINISH, "halo"),
                     (float)(halo_width * pixels_per_point));
     r->gl.Uniform1f(uniform(r, FINISH, "gap"),
-                    (float)(halo_gap * depth_per_point));
+                    stands_off(mesh) ? (float)(halo_gap * depth_per_point) : 1);
 }
 
 fig_status fig_renderer_draw(fig_renderer *r, const fig_mesh *mesh,
@@ -535,8 +544,8 @@ fig_status fig_renderer_draw(fig_renderer *r, const fig_mesh *mesh,
                    seen->vertices, GL_STATIC_DRAW);
     set_scene(r, mesh, view, window, theme);
     clear(r, SUM_FRAME, 1);
-    const double(*shifts)[2] = window.steady ? few_shift : shift;
-    int count = window.steady ? FEW_SHIFTS : SHIFTS;
+    const double(*shifts)[2] = window.coarse ? few_shift : shift;
+    int count = window.coarse ? FEW_SHIFTS : SHIFTS;
     for (int i = 0; i < count && mesh->count > 0; i++) {
         draw_solid(r, seen, shifts[i]);
         draw_front(r, seen, shifts[i]);

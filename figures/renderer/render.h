@@ -20,8 +20,8 @@ typedef struct fig_window {
     fig_box box;
     int width, height;
     bool steady; ///< one of a film: colors do not fade with the distance, since
-                 ///< the farthest things change, and edges get coarser steps,
-                 ///< which takes half the time
+                 ///< the farthest things change
+    bool coarse; ///< edges get coarser steps, which takes half the time
 } fig_window;
 
 /// Draw a mesh into `pixels`, width x height x 4 floats, row after row from

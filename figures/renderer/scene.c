@@ -15,6 +15,7 @@ void fig_scene_clear(fig_scene *scene)
     free(scene->tubes);
     free(scene->faces);
     free(scene->facets);
+    free(scene->painted);
     free(scene->reached);
 }
 
@@ -140,6 +141,17 @@ fig_facet *fig_scene_facets(fig_scene *scene, int count)
     }
     scene->facet_count += count;
     return &scene->facets[scene->facet_count - count];
+}
+
+fig_painted *fig_scene_painted(fig_scene *scene, int count)
+{
+    if (!fig_list_more(&scene->painted, scene->painted_count, count,
+                       &scene->painted_room, sizeof *scene->painted)) {
+        scene->out_of_memory = true;
+        return NULL;
+    }
+    scene->painted_count += count;
+    return &scene->painted[scene->painted_count - count];
 }
 
 void fig_scene_tetrahedron(fig_scene *scene, const tf_vector corner[4],

@@ -65,6 +65,16 @@ void fig_scene_fail(fig_scene *scene);
 /// memory.
 fig_facet *fig_scene_facets(fig_scene *scene, int count);
 
+/// A triangle whose light is known: opaque, seen from both sides, with a color
+/// at each corner, which is not lit again and does not fade.
+typedef struct fig_painted {
+    float at[3][3];    ///< the corners
+    float color[3][3]; ///< red, green, blue in linear light
+} fig_painted;
+
+/// The same for these triangles.
+fig_painted *fig_scene_painted(fig_scene *scene, int count);
+
 /// The four faces of a tetrahedron, and its edges as creases.
 void fig_scene_tetrahedron(fig_scene *scene, const tf_vector corner[4],
                            double crease, fig_paint paint);

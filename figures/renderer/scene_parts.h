@@ -30,9 +30,11 @@ struct fig_scene {
     fig_tube *tubes;
     fig_face *faces;
     fig_facet *facets;
+    fig_painted *painted;
     tf_vector *reached; ///< points to which the camera is fitted
-    int ball_count, tube_count, face_count, facet_count, reached_count;
-    int ball_room, tube_room, face_room, facet_room, reached_room;
+    int ball_count, tube_count, face_count, facet_count, painted_count;
+    int ball_room, tube_room, face_room, facet_room, painted_room;
+    int reached_count, reached_room;
     bool out_of_memory;
 };
 

@@ -63,13 +63,16 @@ const char *const fig_shader_solid = VERSION LIGHT
     "out vec4 result;\n"
     "void main()\n"
     "{\n"
-    "    vec3 v = to_eye(place), n = normalize(upright);\n"
+    "    bool painted = dot(upright, upright) < 0.0625;\n"
+    "    vec3 v = to_eye(place), n = painted ? v : normalize(upright);\n"
     "    n *= dot(n, v) < 0.0 ? -1.0 : 1.0;\n"
     "    float shine = max(dot(n, normalize(lamp + v)), 0.0);\n"
     "    shine *= shine; shine *= shine; shine *= shine; shine *= shine;\n"
     "    vec3 lit = tone.rgb * (0.30 + 0.30 * sky(n) + 0.60 * key(n));\n"
     "    lit += 0.16 * shine * shine;\n"
-    "    result = vec4(faded(lit, gl_FragCoord.z), tone.a);\n"
+    "    vec3 seen = faded(lit, gl_FragCoord.z);\n"
+    "    seen = painted ? sqrt(min(tone.rgb, 1.0)) : seen;\n"
+    "    result = vec4(seen, tone.a);\n"
     "}\n";
 
 // A sheet is thicker along a slanting line of sight, hence more opaque.  All

@@ -3,6 +3,7 @@
 #include "base/version.h"
 #include "program/query_command.h"
 #include "program/resolve_command.h"
+#include "program/simulate_command.h"
 #include "program/surface_command.h"
 #include "program/visible.h"
 
@@ -30,6 +31,8 @@ static const command commands[] = {
      tf_check_command},
     {"resolve", "tanglefree resolve",
      "change the end of a step such that nothing meets", tf_resolve_command},
+    {"simulate", "tanglefree simulate", "simulate a scene of cloth",
+     tf_simulate_command},
 };
 enum {
     COMMANDS = sizeof commands / sizeof *commands

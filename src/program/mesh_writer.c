@@ -43,13 +43,22 @@ static const char *const encodings[] = {
     [TF_PLY_BIG_ENDIAN] = "binary_big_endian",
 };
 
-static void write_ply_header(FILE *stream, const tf_mesh_file *mesh,
-                             tf_mesh_format format)
+static void write_properties(FILE *stream, const char *prefix)
 {
-    fprintf(stream,
-            "ply\nformat %s 1.0\nelement vertex %d\nproperty double x\n"
-            "property double y\nproperty double z\n",
-            encodings[format], tf_mesh_file_vertices(mesh));
+    for (const char *axis = "xyz"; *axis; axis++)
+        fprintf(stream, "property double %s%c\n", prefix, *axis);
+}
+
+static void write_ply_header(FILE *stream, const tf_mesh_file *mesh,
+                             tf_mesh_format format, const tf_mesh_state *state)
+{
+    fprintf(stream, "ply\nformat %s 1.0\n", encodings[format]);
+    if (state)
+        fprintf(stream, "comment %s\n", state->comment);
+    fprintf(stream, "element vertex %d\n", tf_mesh_file_vertices(mesh));
+    write_properties(stream, "");
+    if (state)
+        write_properties(stream, "v");
     if (tf_mesh_file_triangles(mesh) > 0)
         fprintf(stream,
                 "element face %d\nproperty list uchar int vertex_indices\n",
@@ -103,10 +112,19 @@ static void write_indices(const bytes *to, const int index[], int count)
         write_bytes(to, (uint64_t)index[i], 4);
 }
 
-static void write_ply_binary(const bytes *to, const tf_mesh_file *mesh)
+static void write_vertices(const bytes *to, const tf_mesh_file *mesh,
+                           const tf_mesh_state *state)
+{
+    for (size_t i = 0; i < mesh->position.count; i += 3) {
+        write_doubles(to, mesh->position.item + i, 3);
+        if (state)
+            write_doubles(to, state->velocity + i, 3);
+    }
+}
+
+static void write_elements(const bytes *to, const tf_mesh_file *mesh)
 {
     const int *corner = mesh->triangle.item, *edge = mesh->edge.item;
-    write_doubles(to, mesh->position.item, mesh->position.count);
     for (int t = 0; t < tf_mesh_file_triangles(mesh); t++, corner += 3) {
         write_bytes(to, 3, 1);
         write_indices(to, corner, 3);
@@ -123,10 +141,22 @@ void tf_mesh_write(FILE *stream, const tf_mesh_file *mesh,
         write_obj(stream, mesh);
         return;
     }
-    write_ply_header(stream, mesh, format);
+    write_ply_header(stream, mesh, format, NULL);
     bytes to = {stream, format == TF_PLY_BIG_ENDIAN};
-    if (format == TF_PLY_TEXT)
+    if (format == TF_PLY_TEXT) {
         write_ply_text(stream, mesh);
-    else
-        write_ply_binary(&to, mesh);
+        return;
+    }
+    write_vertices(&to, mesh, NULL);
+    write_elements(&to, mesh);
+}
+
+//: Write a mesh that moves
+void tf_mesh_write_state(FILE *stream, const tf_mesh_file *mesh,
+                         const tf_mesh_state *state)
+{
+    bytes to = {stream, false};
+    write_ply_header(stream, mesh, TF_PLY_LITTLE_ENDIAN, state);
+    write_vertices(&to, mesh, state);
+    write_elements(&to, mesh);
 }

@@ -13,3 +13,15 @@ tf_mesh_format tf_mesh_format_of(const char *path, tf_mesh_format usual);
 /// in the same order.  Errors are those of the stream.
 void tf_mesh_write(FILE *stream, const tf_mesh_file *mesh,
                    tf_mesh_format format);
+
+//: Declare how to write meshes that move
+/// What binary PLY can hold besides a mesh.
+typedef struct tf_mesh_state {
+    const char *comment;    ///< a line of the header
+    const double *velocity; ///< three coordinates a vertex: vx, vy and vz
+} tf_mesh_state;
+
+/// Writes a mesh as PLY, little-endian, with the velocities of its vertices.
+/// Errors are those of the stream.
+void tf_mesh_write_state(FILE *stream, const tf_mesh_file *mesh,
+                         const tf_mesh_state *state);

@@ -114,6 +114,21 @@ static void expect_words(const char *text, const char *words)
     "v 1 1 -1\nv 2 1 1\nv 1 2 1\nf 1 2 3\nf 4 5 6\n\" >b.obj; "                \
     "printf 'v 0 0\nv 1 0\nv 0.5 1\nl 1 2\n' >p.obj; "                         \
     "printf 'v 0 0\nv 1 0\nv 0.5 -1\nl 1 2\n' >q.obj; "
+/// Make the frames of a sheet of two triangles that bends above one that does
+/// not, with velocities, in the folder f; and of a curve of the plane in g.
+#define FRAMES                                                                 \
+    "mkdir f g; for i in 0 1 2 3; do { printf 'ply\nformat ascii 1.0\n"        \
+    "element vertex 7\n'; printf 'property double %%s\n' x y z vx vy vz; "     \
+    "printf 'element face 3\nproperty list uchar int vertex_indices\n"         \
+    "end_header\n'; for v in '0 0 1' '1 0 1' \"0 1 1.$i\" '1 1 1' '0 0 0' "    \
+    "'1 0 0' '0 1 0'; do echo $v 0 0 0; done; printf '3 0 1 3\n3 0 3 2\n"      \
+    "3 4 5 6\n'; } >f/frame-0000$i.ply; { printf 'ply\nformat ascii 1.0\n"     \
+    "element vertex 4\nproperty double x\nproperty double y\nelement edge 2\n" \
+    "property int vertex1\nproperty int vertex2\nend_header\n'; "              \
+    "printf '0 0\n1 0\n0 1\n1 1.%%s\n0 1\n2 3\n' $i; } "                       \
+    ">g/frame-0000$i.ply; done; "
+#define CLEAR_FRAMES "; s=$?; rm -r f g; exit $s"
+
 #define CLEAR "; s=$?; rm ?.obj; exit $s"
 
 // Usage -----------------------------------------------------------------------
@@ -124,13 +139,14 @@ START_TEST(help_and_version_are_told)
     expect_words(say("draw figure --help"), "--animate");
     expect_words(say("draw query --help"), "FILE:N");
     expect_words(say("draw surface --help"), "START [END]");
+    expect_words(say("draw film --help"), "--every");
     expect_words(say("draw list --help"), "names and titles");
     const char *same = "test \"$(\"$TANGLEFREE\" --version | sed "
                        "'s/tanglefree/tanglefree-draw/')\" = \"$(draw %s)\"";
-    static const char *const asked[] = {"--version", "figure --version",
-                                        "query --version", "list --version",
-                                        "surface --version"};
-    for (int i = 0; i < 5; i++) {
+    static const char *const asked[] = {"--version",         "figure --version",
+                                        "query --version",   "list --version",
+                                        "surface --version", "film --version"};
+    for (int i = 0; i < 6; i++) {
         char line[200];
         snprintf(line, sizeof line, same, asked[i]);
         say("%s", line);
@@ -141,8 +157,9 @@ END_TEST
 START_TEST(commands_are_refused)
 {
     refuse("no command given; choose", "draw");
-    refuse("unknown command 'sketch'; choose figure, list, query or surface",
-           "draw sketch");
+    refuse(
+        "unknown command 'sketch'; choose figure, film, list, query or surface",
+        "draw sketch");
     refuse("unexpected 'all'; list takes no", "draw list all");
     refuse("no figure given", "draw figure -o a.png");
     refuse("unknown figure 'edge'; choose one of ",
@@ -267,6 +284,61 @@ START_TEST(bad_meshes_are_refused)
 }
 END_TEST
 
+START_TEST(films_are_refused)
+{
+    refuse("no folder given; add the one", "draw film -o a.webp");
+    refuse("unexpected 'b'; draw one film at a time",
+           "draw film a b -o a.webp");
+    refuse("no output file given; add -o FILE.webp", "draw film a");
+    refuse("the output 'a.bmp' must end in .webp, .gif or .mp4, in .png, .pdf "
+           "or .svg, or in / for a folder",
+           "draw film a -o a.bmp");
+    refuse("invalid --every '0'; give a number from 1",
+           "draw film a -o a.webp --every 0");
+    refuse("invalid --frame '-1'; give a number from 0",
+           "draw film a -o a.png --frame -1");
+    refuse("--frame is for pictures; drop it",
+           "draw film a -o a.webp --frame 1");
+    refuse("--every is for films; drop it", "draw film a -o a.png --every 2");
+    refuse("unrecognized option", "draw film a -o a.webp --turntable");
+    refuse("invalid size '1x1'", "draw film a -o a.webp --size 1x1");
+}
+END_TEST
+
+START_TEST(bad_frames_are_refused)
+{
+    refuse("tanglefree-draw: x: cannot open: No such file or directory; give "
+           "the folder that 'tanglefree simulate' wrote",
+           "draw film x -o a.webp");
+    refuse("tanglefree-draw: f: no frames frame-00000.ply, frame-00001.ply, "
+           "...; give the folder",
+           "mkdir f; touch f/frame-0.ply f/frame-00000.obj f/frame-00000.ply~; "
+           "draw film f -o a.webp; s=$?; rm -r f; exit $s");
+    refuse("tanglefree-draw: f/frame-00001.ply: there is no such frame, but "
+           "there is frame-00003.ply; simulate again, or number",
+           FRAMES "rm f/*1.ply; draw film f -o a.webp" CLEAR_FRAMES);
+    refuse("tanglefree-draw: f/frame-00000.ply: there is no such frame",
+           FRAMES "rm f/*0.ply; draw film f -o a.webp" CLEAR_FRAMES);
+    refuse("tanglefree-draw: f/frame-00002.ply: the number of vertices is 4, "
+           "but 7 in f/frame-00001.ply; all files must have the same",
+           FRAMES "cp g/*2.ply f; draw film f -o a.webp" CLEAR_FRAMES);
+    refuse("tanglefree-draw: f/frame-00003.ply:16: \"x\" is not a finite",
+           FRAMES "sed 's/^1 1 1/1 x 1/' f/*0.ply >f/frame-00003.ply; "
+                  "draw film f -o a.webp" CLEAR_FRAMES);
+    refuse("tanglefree-draw: f: there is no frame 4; the folder has 4, "
+           "numbered from 0 to 3",
+           FRAMES "draw film f -o a.png --frame 4" CLEAR_FRAMES);
+    refuse("no/a.png: cannot write: ",
+           FRAMES "draw film f " SMALL " -o no/a.png" CLEAR_FRAMES);
+    refuse("no/a.webp: cannot write: ",
+           FRAMES "draw film f " SMALL " -o no/a.webp" CLEAR_FRAMES);
+    refuse("no/a/: cannot write: ",
+           FRAMES "draw film f " SMALL " -o no/a/" CLEAR_FRAMES);
+    refuse("tanglefree-draw: a\\x1b[2J: cannot open: ",
+           "draw film \"$(printf 'a\033[2J')\" -o a.png");
+}
+END_TEST
+
 // Files -----------------------------------------------------------------------
 
 START_TEST(outputs_that_cannot_be_written_are_refused)
@@ -306,6 +378,9 @@ START_TEST(names_send_no_commands_to_the_terminal)
                                         "surface a b -m %s -o a.png",
                                         "surface a b -u %s -o a.png",
                                         "surface a b -T %s -o a.png",
+                                        "film a %s -o a.png",
+                                        "film a -o %s",
+                                        "film a -o a.png --frame %s",
                                         "list %s"};
     for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
         char line[100];
@@ -509,6 +584,33 @@ START_TEST(films_are_made)
 }
 END_TEST
 
+/// The frames of a simulation, as films, as pictures and as one picture.
+START_TEST(frames_are_drawn)
+{
+    ck_assert_str_eq(say(FRAMES "draw film f " SMALL " -o f/"),
+                     "frames 4\nvertices 7\ntriangles 3\nedges 8\nparts 2\n"
+                     "stiff_parts 1\n");
+    say("test \"$(echo f/*.png)\" = \"f/frame-00000.png f/frame-00001.png "
+        "f/frame-00002.png f/frame-00003.png\"");
+    say("! cmp f/frame-00000.png f/frame-00003.png");
+    expect_words(say("draw film g " SMALL " -o p/ --every 2"),
+                 "frames 2\nvertices 4\n");
+    say("test \"$(ls p)\" = \"frame-00000.png\nframe-00001.png\"");
+    expect_words(say("draw film g " SMALL " -o p/ --every 99"), "frames 1\n");
+    say("draw film f " SMALL " -o p.png --frame 0 && draw film f " SMALL
+        " -o q.png && draw film f " SMALL " -v 90,10 -t dark -o r.png && "
+        "! cmp p.png q.png && ! cmp q.png r.png");
+    say("draw film f --size 32x48 -o p.png && od -An -tu1 -j16 -N8 p.png | "
+        "grep -x '   0   0   0  32   0   0   0  48'");
+    static const char *const endings[] = {"mp4", "gif", "webp"};
+    for (int i = 0; i < 3; i++)
+        say("command -v ffmpeg >/dev/null || exit 0\n"
+            "draw film f " SMALL " --fps 10 -o f.%s && test -s f.%s",
+            endings[i], endings[i]);
+    ck_assert_str_eq(say("ls -A | grep '^\\.'; rm -r ?; true"), "");
+}
+END_TEST
+
 START_TEST(a_sheet_has_all_frames_and_is_the_same_every_time)
 {
     say("draw figure " FIGURE "--frames 7 --animate a.png && "
@@ -543,6 +645,9 @@ Suite *suite(void)
         films_are_made,
         a_sheet_has_all_frames_and_is_the_same_every_time,
         films_show_what_moves,
+        films_are_refused,
+        bad_frames_are_refused,
+        frames_are_drawn,
     };
     Suite *s = suite_create("draw/command");
     TCase *command = tcase_create("command");

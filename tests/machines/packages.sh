@@ -1,5 +1,6 @@
 #!/bin/sh
-# Put the libraries that the tests use into a folder, built for another machine:
+# Put the libraries that the tests and the program use into a folder, built for
+# another machine:
 #
 #     packages.sh arm64 FOLDER
 #
@@ -11,7 +12,7 @@
 set -eu
 
 architecture=$1
-packages='check libsubunit-dev libgmp-dev'
+packages='check libsubunit-dev libgmp-dev libsuitesparse-dev'
 
 if ! command -v apt-get >/dev/null || ! command -v dpkg-deb >/dev/null; then
     echo "Debian's apt-get and dpkg-deb are needed to fetch the packages for" \

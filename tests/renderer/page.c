@@ -363,6 +363,38 @@ START_TEST(facets_are_lit_from_both_sides)
 }
 END_TEST
 
+/// A painted triangle has its colors, whatever way it faces, near or far.
+START_TEST(painted_triangles_are_not_lit)
+{
+    fig_page *page = new_page(&usual);
+    fig_panel *panel = fig_page_panel(page, (fig_box){0, 0, 120, 90});
+    fig_painted *painted = fig_scene_painted(fig_panel_scene(panel), 2);
+    const fig_rgb color = {0.2, 0.5, 0.8};
+    for (int i = 0; i < 2; i++)
+        for (int c = 0; c < 3; c++) {
+            const float at[3] = {c == 1 ? 9 : 0, i == 1 ? 40 : (float)c,
+                                 c == 2 ? 9 : 0};
+            const float linear[3] = {(float)fig_rgb_to_linear(color.r),
+                                     (float)fig_rgb_to_linear(color.g),
+                                     (float)fig_rgb_to_linear(color.b)};
+            memcpy(painted[i].color[c], linear, sizeof linear);
+            for (int k = 0; k < 3; k++)
+                painted[i].at[c][k] = i == 1 && k != 1 ? -at[k] : at[k];
+        }
+    fig_panel_look(panel, (fig_camera){.height = 4});
+    cairo_surface_t *picture = picture_of(page);
+    for (int i = 0; i < 2; i++) {
+        int rgb[3];
+        pixel_of(picture, 120 + (i == 0 ? 30 : -30), i == 0 ? 60 : 120, rgb);
+        ck_assert_int_le(abs(rgb[0] - 51), 1);
+        ck_assert_int_le(abs(rgb[1] - 128), 1);
+        ck_assert_int_le(abs(rgb[2] - 204), 1);
+    }
+    cairo_surface_destroy(picture);
+    fig_page_free(page);
+}
+END_TEST
+
 START_TEST(png_records_its_resolution)
 {
     fig_page *page = new_page(&usual);
@@ -513,6 +545,7 @@ Suite *suite(void)
     tcase_add_loop_test(tests, large_pictures_miss_no_facets, 0, 3);
     tcase_add_test(tests, triangles_beyond_the_eye_are_seen);
     tcase_add_test(tests, facets_are_lit_from_both_sides);
+    tcase_add_test(tests, painted_triangles_are_not_lit);
     tcase_add_test(tests, png_records_its_resolution);
     tcase_add_test(tests, kinds_of_files_begin_as_they_should);
     tcase_add_test(tests, unwritable_files_are_told);

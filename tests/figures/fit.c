@@ -1,4 +1,4 @@
-#include "draw/fit.h"
+#include "fit.h"
 #include "support/support.h"
 
 #include <float.h>
@@ -129,7 +129,7 @@ END_TEST
 
 Suite *suite(void)
 {
-    Suite *s = suite_create("draw/fit");
+    Suite *s = suite_create("figures/fit");
     TCase *fit = tcase_create("fit");
     tcase_add_test(fit, lengths_are_kept_where_axes_are_alike);
     tcase_add_test(fit, axes_of_other_scales_fill_the_box);

@@ -1,4 +1,4 @@
-#include "draw/surface_normals.h"
+#include "surface_normals.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -39,31 +39,16 @@ static void find_triangle_normals(fig_normals *normals, const fig_shape *shape,
 
 // Creases ----------------------------------------------------------------
 
-/// Whether a triangle's boundary, from its first vertex to its second and on,
-/// runs along an edge from the lower vertex to the higher one.
-static bool runs_up(const fig_shape *shape, int triangle, int edge)
-{
-    return shape->side[3 * (size_t)triangle + 1] != edge;
-}
-
-/// 1 or -1, by which the normal of the second triangle of an edge has to be
-/// multiplied for it to be to the same side as that of the first.
-static double sense_of(const fig_shape *shape, int edge)
-{
-    const int *beside = shape->beside[edge];
-    return runs_up(shape, beside[0], edge) == runs_up(shape, beside[1], edge)
-               ? -1
-               : 1;
-}
-
 static bool is_crease(const fig_normals *normals, const fig_shape *shape,
-                      int edge)
+                      int edge, const bool soft[])
 {
     if (shape->degree[edge] != 2)
         return true;
+    if (soft && soft[shape->part[shape->edge[2 * (size_t)edge]]])
+        return false;
     tf_vector a = normal_of(normals, shape->beside[edge][0]);
     tf_vector b = normal_of(normals, shape->beside[edge][1]);
-    return sense_of(shape, edge) * tf_vector_dot(a, b) <
+    return fig_shape_sense(shape, edge) * tf_vector_dot(a, b) <
            crease_cosine * fig_length(a) * fig_length(b);
 }
 
@@ -114,7 +99,7 @@ static void add_neighbor(const fans *f, leaf *l, int i, int edge)
     if (has(l, other) || l->count == FAN)
         return;
     l->triangle[l->count] = other;
-    l->sense[l->count++] = l->sense[i] * sense_of(f->shape, edge);
+    l->sense[l->count++] = l->sense[i] * fig_shape_sense(f->shape, edge);
 }
 
 /// The triangles around a vertex that are joined to the first one there.
@@ -192,7 +177,8 @@ static bool light(fig_normals *normals, const fig_shape *shape)
     return good;
 }
 
-bool fig_normals_find(fig_normals *normals, const fig_shape *shape, double t)
+bool fig_normals_find(fig_normals *normals, const fig_shape *shape, double t,
+                      const bool soft[])
 {
     size_t triangles = (size_t)shape->triangles;
     *normals = (fig_normals){
@@ -203,7 +189,7 @@ bool fig_normals_find(fig_normals *normals, const fig_shape *shape, double t)
         return false;
     find_triangle_normals(normals, shape, t);
     for (int i = 0; i < shape->edges; i++)
-        normals->crease[i] = is_crease(normals, shape, i);
+        normals->crease[i] = is_crease(normals, shape, i, soft);
     return light(normals, shape);
 }
 

@@ -1,4 +1,4 @@
-#include "draw/surface_shape.h"
+#include "surface_shape.h"
 
 #include "support/queries.h"
 #include "support/surface_of.h"
@@ -303,7 +303,7 @@ END_TEST
 
 Suite *suite(void)
 {
-    Suite *s = suite_create("draw/surface_shape");
+    Suite *s = suite_create("figures/surface_shape");
     TCase *shapes = tcase_create("shapes");
     tcase_add_test(shapes, shapes_are_similar_and_fill_the_box);
     tcase_add_test(shapes, any_axis_may_point_up);

@@ -1,4 +1,4 @@
-#include "draw/surface_normals.h"
+#include "surface_normals.h"
 
 #include "support/support.h"
 #include "support/surface_of.h"
@@ -14,12 +14,16 @@ typedef struct trial {
     fig_normals normals;
 } trial;
 
-static trial begin(const tf_mesh *mesh, const double at[])
+/// All parts are soft, or none.
+static trial begin(const tf_mesh *mesh, const double at[], bool all_soft)
 {
+    bool soft[256];
+    for (int i = 0; i < 256; i++)
+        soft[i] = all_soft;
     trial tried = {.surface = surface_of(mesh)};
     const tf_motion rest = {mesh->vertices, at, at};
     ck_assert(fig_shape_make(&tried.shape, tried.surface, 3, &rest, FIG_UP_Z));
-    ck_assert(fig_normals_find(&tried.normals, &tried.shape, 0));
+    ck_assert(fig_normals_find(&tried.normals, &tried.shape, 0, soft));
     return tried;
 }
 
@@ -71,7 +75,7 @@ START_TEST(smooth_surfaces_are_lit_smoothly)
                     triangle[count][l] = two[k][l];
         }
     const tf_mesh mesh = {3, AROUND * ACROSS, count, *triangle, 0, NULL};
-    trial tried = begin(&mesh, *at);
+    trial tried = begin(&mesh, *at, false);
     for (int c = 0; c < 3 * tried.shape.triangles; c++)
         ck_assert_double_gt(along(&tried, c, normal[tried.shape.triangle[c]]),
                             0.995);
@@ -81,7 +85,8 @@ START_TEST(smooth_surfaces_are_lit_smoothly)
 }
 END_TEST
 
-START_TEST(cubes_have_twelve_creases)
+/// The unit cube, soft or not.
+static trial begin_cube(bool soft)
 {
     static const int triangle[][3] = {
         {0, 1, 3}, {0, 3, 2}, {4, 6, 7}, {4, 7, 5}, {0, 4, 5}, {0, 5, 1},
@@ -91,11 +96,33 @@ START_TEST(cubes_have_twelve_creases)
         for (int k = 0; k < 3; k++)
             at[i][k] = i >> k & 1;
     const tf_mesh mesh = {3, 8, 12, *triangle, 0, NULL};
-    trial tried = begin(&mesh, *at);
+    return begin(&mesh, *at, soft);
+}
+
+static int count_creases(const trial *tried)
+{
     int creases = 0;
-    for (int e = 0; e < tried.shape.edges; e++)
-        creases += tried.normals.crease[e];
-    ck_assert_int_eq(creases, 12);
+    for (int e = 0; e < tried->shape.edges; e++)
+        creases += tried->normals.crease[e];
+    return creases;
+}
+
+START_TEST(soft_cubes_have_no_creases)
+{
+    trial tried = begin_cube(true);
+    ck_assert_int_eq(count_creases(&tried), 0);
+    for (int c = 0; c < 36; c++) {
+        tf_vector at = tried.shape.at[0][tried.shape.triangle[c]];
+        ck_assert_double_gt(along(&tried, c, fig_normalized(at)), 0.9);
+    }
+    end(&tried);
+}
+END_TEST
+
+START_TEST(cubes_have_twelve_creases)
+{
+    trial tried = begin_cube(false);
+    ck_assert_int_eq(count_creases(&tried), 12);
     // Each corner is lit as its face: along an axis.
     for (int c = 0; c < 36; c++) {
         double most = 0;
@@ -117,7 +144,7 @@ static bool is_creased(double angle, int flipped)
     const int triangle[2][3] = {{0, 1, 2},
                                 {flipped ? 1 : 0, flipped ? 0 : 1, 3}};
     const tf_mesh mesh = {3, 4, 2, *triangle, 0, NULL};
-    trial tried = begin(&mesh, *at);
+    trial tried = begin(&mesh, *at, false);
     bool creased =
         tried.normals.crease[fig_shape_edge(&tried.shape, (int[]){0, 1})];
     end(&tried);
@@ -144,7 +171,7 @@ START_TEST(normals_are_of_length_one_or_zero)
     for (long n = cases(200); n > 0; n--) {
         random_surface(&random, 3, 60, (placement)below(&random, PLACEMENTS),
                        &made);
-        trial tried = begin(&made.mesh, made.start);
+        trial tried = begin(&made.mesh, made.start, below(&random, 2));
         for (int c = 0; c < 3 * tried.shape.triangles; c++) {
             const float *x = tried.normals.corner[c];
             double length = sqrt((double)x[0] * x[0] + (double)x[1] * x[1] +
@@ -158,10 +185,11 @@ END_TEST
 
 Suite *suite(void)
 {
-    Suite *s = suite_create("draw/surface_normals");
+    Suite *s = suite_create("figures/surface_normals");
     TCase *normals = tcase_create("normals");
     tcase_add_test(normals, smooth_surfaces_are_lit_smoothly);
     tcase_add_test(normals, cubes_have_twelve_creases);
+    tcase_add_test(normals, soft_cubes_have_no_creases);
     tcase_add_test(normals, folds_are_creases_however_sharp);
     tcase_add_test(normals, normals_are_of_length_one_or_zero);
     suite_add_tcase(s, normals);

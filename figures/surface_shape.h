@@ -1,8 +1,8 @@
 // A surface as it is drawn: in a box, and with what lies beside what.
-#ifndef FIG_DRAW_SURFACE_SHAPE_H
-#define FIG_DRAW_SURFACE_SHAPE_H
+#ifndef FIG_SURFACE_SHAPE_H
+#define FIG_SURFACE_SHAPE_H
 
-#include "draw/fit.h"
+#include "fit.h"
 #include "query/motion.h"
 #include "surface/surface.h"
 
@@ -50,6 +50,12 @@ void fig_shape_free(fig_shape *shape);
 /// there, in increasing order.
 int fig_shape_edge(const fig_shape *shape, const int vertex[2]);
 int fig_shape_triangle(const fig_shape *shape, const int vertex[3]);
+
+/// 1 or -1, by which the normal of the second triangle of an edge, which has
+/// two, has to be multiplied for it to be to the same side as that of the first.
+/// The normal of a triangle is to the side from which its vertices, in
+/// increasing order, go counterclockwise.
+double fig_shape_sense(const fig_shape *shape, int edge);
 
 /// Where a vertex is at the time t, 0 to 1.
 tf_vector fig_shape_place(const fig_shape *shape, int vertex, double t);

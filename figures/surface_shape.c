@@ -1,4 +1,4 @@
-#include "draw/surface_shape.h"
+#include "surface_shape.h"
 
 #include "base/require.h"
 
@@ -116,6 +116,21 @@ static bool join_sides(fig_shape *shape)
         }
     }
     return true;
+}
+
+/// Whether a triangle's boundary, from its first vertex to its second and on,
+/// runs along an edge from the lower vertex to the higher one.
+static bool runs_up(const fig_shape *shape, int triangle, int edge)
+{
+    return shape->side[3 * (size_t)triangle + 1] != edge;
+}
+
+double fig_shape_sense(const fig_shape *shape, int edge)
+{
+    const int *beside = shape->beside[edge];
+    return runs_up(shape, beside[0], edge) == runs_up(shape, beside[1], edge)
+               ? -1
+               : 1;
 }
 
 // Parts ------------------------------------------------------------------

@@ -1,8 +1,8 @@
 // Normals to light a surface by: smooth where it is, hard at its creases.
-#ifndef FIG_DRAW_SURFACE_NORMALS_H
-#define FIG_DRAW_SURFACE_NORMALS_H
+#ifndef FIG_SURFACE_NORMALS_H
+#define FIG_SURFACE_NORMALS_H
 
-#include "draw/surface_shape.h"
+#include "surface_shape.h"
 
 /// The normals of a surface in one position.
 typedef struct fig_normals {
@@ -14,9 +14,12 @@ typedef struct fig_normals {
 } fig_normals;
 
 /// Find the normals of a shape with its vertices at the time t, moved in
-/// straight lines.  Which of its two sides a normal points to is arbitrary.
-/// False if there is no memory; they are to be freed in any case.
-bool fig_normals_find(fig_normals *normals, const fig_shape *shape, double t);
+/// straight lines.  In the parts for which `soft` is true no bend is sharp; NULL:
+/// there are none.  Which of its two sides a triangle's normal points to is
+/// arbitrary, and those of its corners do as it does.  False if there is no
+/// memory; they are to be freed in any case.
+bool fig_normals_find(fig_normals *normals, const fig_shape *shape, double t,
+                      const bool soft[]);
 void fig_normals_free(fig_normals *normals);
 
 #endif

@@ -1,4 +1,4 @@
-#include "draw/fit.h"
+#include "fit.h"
 
 #include <float.h>
 #include <math.h>

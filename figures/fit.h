@@ -1,6 +1,6 @@
 // Coordinates of any size, brought into a box that can be drawn.
-#ifndef FIG_DRAW_FIT_H
-#define FIG_DRAW_FIT_H
+#ifndef FIG_FIT_H
+#define FIG_FIT_H
 
 #include "renderer/vector.h"
 

@@ -1,0 +1,126 @@
+#include "check.h"
+
+#include "support/support.h"
+
+#include <math.h>
+
+void fold_weights(const double rest[4][3], double weight[4]);
+
+/// Two triangles at an edge: its length, and where and how high the altitudes of
+/// the other corners are.
+typedef struct hinge {
+    double length, foot[2], height[2];
+} hinge;
+
+/// Places the hinge, folded by an angle; a moving frame turns all of it.
+static void place(const hinge *of, double fold, double turn, double x[4][3])
+{
+    double flat[4][3] = {
+        {0, 0, 0},
+        {of->length, 0, 0},
+        {of->foot[0], of->height[0], 0},
+        {of->foot[1], -of->height[1] * cos(fold), of->height[1] * sin(fold)}};
+    double c = cos(turn), s = sin(turn);
+    for (int i = 0; i < 4; i++) {
+        double y = c * flat[i][0] - s * flat[i][1];
+        double z = s * flat[i][0] + c * flat[i][1];
+        x[i][0] = 1 + c * y - s * flat[i][2];
+        x[i][1] = z - 2;
+        x[i][2] = s * y + c * flat[i][2] + 0.5;
+    }
+}
+
+static double length_of_sum(const double x[4][3], const double weight[4])
+{
+    double square = 0;
+    for (int k = 0; k < 3; k++) {
+        double sum = 0;
+        for (int i = 0; i < 4; i++)
+            sum += weight[i] * x[i][k];
+        square += sum * sum;
+    }
+    return sqrt(square);
+}
+
+static void find_weights(const hinge *of, double weight[4])
+{
+    double rest[4][3];
+    place(of, 0, 0.7, rest);
+    for (int i = 0; i < 4; i++)
+        weight[i] = NAN;
+    check_input("a = %s, b = %s, c = %s, d = %s", text_point(3, rest[0]),
+                text_point(3, rest[1]), text_point(3, rest[2]),
+                text_point(3, rest[3]));
+    fold_weights((const double(*)[3])rest, weight);
+}
+
+static void expect(const hinge *of, double fold, double turn)
+{
+    double weight[4], x[4][3];
+    find_weights(of, weight);
+    place(of, fold, turn, x);
+    double got = length_of_sum((const double(*)[3])x, weight);
+    double expected = 2 * of->length * sin(fabs(fold) / 2);
+    check_near(expected, got, 1e-11 * (1 + of->length));
+}
+
+static const hinge square = {1, {0, 1}, {1, 1}};
+
+START_TEST(half_a_square_each)
+{
+    double weight[4];
+    find_weights(&square, weight);
+    static const double expected[] = {1, 1, -1, -1};
+    for (int i = 0; i < 4; i++)
+        check_near(expected[i], weight[i], 1e-14);
+}
+END_TEST
+
+START_TEST(weights_add_up_to_zero)
+{
+    double weight[4];
+    find_weights(&(hinge){2, {0.5, 1.5}, {1, 0.25}}, weight);
+    check_near(0, weight[0] + weight[1] + weight[2] + weight[3], 1e-13);
+}
+END_TEST
+
+START_TEST(flat)
+{
+    expect(&square, 0, 0.7);
+    expect(&square, 0, -2);
+    expect(&(hinge){2, {0.5, 1.5}, {1, 0.25}}, 0, 1);
+    // The foot of an altitude need not be on the edge.
+    expect(&(hinge){1, {-0.5, 2}, {0.5, 3}}, 0, 3);
+}
+END_TEST
+
+START_TEST(folded)
+{
+    expect(&square, 0.5, 0.7);
+    expect(&square, -3, 0.1);
+    expect(&(hinge){2, {0.5, 1.5}, {1, 0.25}}, 1.25, 1);
+}
+END_TEST
+
+START_TEST(at_random)
+{
+    generator random = generator_new(0);
+    for (int i = 0; i < 500; i++) {
+        hinge of = {.length = uniform(&random, 0.5, 2)};
+        for (int k = 0; k < 2; k++) {
+            of.foot[k] = uniform(&random, -1, 3);
+            of.height[k] = uniform(&random, 0.25, 2);
+        }
+        expect(&of, uniform(&random, -3, 3), uniform(&random, -3, 3));
+    }
+}
+END_TEST
+
+void add_tests(TCase *tests)
+{
+    tcase_add_test(tests, half_a_square_each);
+    tcase_add_test(tests, weights_add_up_to_zero);
+    tcase_add_test(tests, flat);
+    tcase_add_test(tests, folded);
+    tcase_add_test(tests, at_random);
+}

@@ -1,0 +1,245 @@
+#include "cloth.h"
+#include "draw/commands.h"
+#include "draw/drawing.h"
+#include "draw/film_files.h"
+
+#include "program/frames.h"
+#include "program/visible.h"
+#include "renderer/figure.h"
+
+#include <limits.h>
+#include <math.h>
+#include <stdlib.h>
+
+/// The page without a size in pixels, in points.
+static const double page_height = 240;
+
+// Arguments --------------------------------------------------------------
+
+typedef struct request {
+    const char *folder;
+    int every; ///< of so many frames one is drawn
+    int still; ///< the frame of a picture; -1: the last one
+    fig_settings settings;
+} request;
+
+enum {
+    EVERY = 'e',
+    FRAME = 'f'
+};
+
+static const struct argp_option options[] = {
+    {"every", EVERY, "K", 0, "Draw only every K-th frame, from the first on",
+     0},
+    {"frame", FRAME, "N", 0,
+     "The frame of a picture, from 0; the default is the last one", 0},
+    {0},
+};
+
+/// See that the arguments go together.
+static void check(struct argp_state *state)
+{
+    const request *asked = state->input;
+    if (asked->settings.film && asked->still >= 0)
+        argp_error(state, "--frame is for pictures; drop it, or write to a "
+                          ".png file");
+    if (asked->settings.picture && asked->every > 1)
+        argp_error(state, "--every is for films; drop it, or write to a .webp "
+                          "file");
+}
+
+static error_t understand(int key, char *text, struct argp_state *state)
+{
+    request *asked = state->input;
+    switch (key) {
+    case ARGP_KEY_INIT:
+        state->child_inputs[0] = &asked->settings;
+        return 0;
+    case EVERY:
+        asked->every = fig_read_count(state, "--every", text, 1, INT_MAX);
+        return 0;
+    case FRAME:
+        asked->still = fig_read_count(state, "--frame", text, 0, INT_MAX);
+        return 0;
+    case ARGP_KEY_ARG:
+        if (asked->folder)
+            argp_error(state, "unexpected '%s'; draw one film at a time",
+                       tf_make_visible(text).text);
+        asked->folder = text;
+        return 0;
+    case ARGP_KEY_NO_ARGS:
+        argp_error(state, "no folder given; add the one that 'tanglefree "
+                          "simulate' wrote");
+        return 0;
+    case ARGP_KEY_SUCCESS:
+        check(state);
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+// Frames -----------------------------------------------------------------
+
+/// A film on its way from its files to a page.
+typedef struct film {
+    fig_cloth *cloth;
+    tf_frames frames;            ///< the last two that were read
+    char path[2][FIG_FILM_PATH]; ///< theirs, which their messages name
+    tf_surface *surface;
+    fig_cloth_look look;
+    int still;
+} film;
+
+static bool lack_memory(film *f)
+{
+    return tf_mesh_file_fault(&f->frames.file[f->frames.current], -1,
+                              "not enough memory for all frames up to this "
+                              "one; draw fewer by --every");
+}
+
+/// Make the surface from the first frame.  It is one of space, also where all
+/// frames are in the plane.
+static bool begin(film *f)
+{
+    const tf_mesh_file *file = tf_frames_file(&f->frames);
+    const tf_mesh mesh = {.axes = 3,
+                          .vertices = tf_mesh_file_vertices(file),
+                          .triangles = tf_mesh_file_triangles(file),
+                          .triangle = file->triangle.item,
+                          .edges = tf_mesh_file_edges(file),
+                          .edge = file->edge.item};
+    tf_flaw flaw;
+    tf_status status = tf_surface_create(&mesh, &f->surface, &flaw);
+    if (status != TF_OK)
+        return tf_frames_fault(&f->frames, status, &flaw);
+    f->cloth = fig_cloth_new(f->surface, 3);
+    return f->cloth || lack_memory(f);
+}
+
+static bool add(film *f, const char *path)
+{
+    if (!tf_frames_next(&f->frames, path) || (!f->cloth && !begin(f)))
+        return false;
+    const tf_mesh_file *file = tf_frames_file(&f->frames);
+    return fig_cloth_add(f->cloth, tf_mesh_file_vertices(file),
+                         file->position.item) ||
+           lack_memory(f);
+}
+
+/// Read the i-th frame of a folder.
+static bool read_frame(film *f, const char *folder, int i)
+{
+    char *path = f->path[f->frames.count % 2];
+    fig_film_files_path(folder, i, path);
+    return add(f, path);
+}
+
+/// Read every so many of `count` frames.  False: standard error has been told
+/// why.
+static bool read_frames(film *f, const request *asked, int count)
+{
+    bool good = true;
+    for (long i = 0; i < count && good; i += asked->every)
+        good = read_frame(f, asked->folder, (int)i);
+    if (good && !fig_cloth_end(f->cloth))
+        good = lack_memory(f);
+    if (!good)
+        tf_mesh_file_print_fault(tf_frames_file(&f->frames), "tanglefree-draw");
+    return good;
+}
+
+// Drawing ----------------------------------------------------------------
+
+static void print_numbers(const film *f, FILE *numbers)
+{
+    const fig_shape *shape = fig_cloth_shape(f->cloth);
+    int stiff = 0;
+    for (int p = 0; p < shape->parts; p++)
+        stiff += fig_cloth_is_stiff(f->cloth, p);
+    fig_number(numbers, "frames", fig_cloth_frames(f->cloth));
+    fig_number(numbers, "vertices", shape->vertices);
+    fig_number(numbers, "triangles", shape->triangles);
+    fig_number(numbers, "edges", shape->edges);
+    fig_number(numbers, "parts", shape->parts);
+    fig_number(numbers, "stiff_parts", stiff);
+}
+
+static void draw_frame(const void *subject, fig_page *page, FILE *numbers)
+{
+    const film *f = subject;
+    int last = fig_cloth_frames(f->cloth) - 1;
+    int frame = fig_page_moves(page) ? (int)lround(fig_page_time(page) * last)
+                                     : f->still;
+    fig_box box = {0, 0, fig_page_width(page), fig_page_height(page)};
+    fig_cloth_draw(f->cloth, page, box, frame, &f->look);
+    print_numbers(f, numbers);
+}
+
+/// Draw what was read: the page is as wide for its height as the picture.
+static int draw(film *f, fig_settings *settings)
+{
+    fig_drawing drawing = {FIG_PAGE_WIDTH, page_height, f, draw_frame};
+    if (settings->pixels_x > 0)
+        drawing.height =
+            FIG_PAGE_WIDTH * settings->pixels_y / settings->pixels_x;
+    f->look = (fig_cloth_look){.turned = settings->turned,
+                               .azimuth = settings->azimuth,
+                               .elevation = settings->elevation};
+    settings->frames = fig_cloth_frames(f->cloth);
+    return fig_drawing_make(&drawing, settings);
+}
+
+/// Which frame a picture shows; -1: there is no such frame.
+static int choose_still(const request *asked, int count)
+{
+    if (asked->still < count)
+        return asked->still < 0 ? count - 1 : asked->still;
+    fprintf(stderr,
+            "tanglefree-draw: %s: there is no frame %d; the folder has %d, "
+            "numbered from 0 to %d\n",
+            tf_make_visible(asked->folder).text, asked->still, count,
+            count - 1);
+    return -1;
+}
+
+static int draw_film(request *asked)
+{
+    int count = fig_film_files_count(asked->folder);
+    if (count < 0)
+        return 2;
+    film f = {.still = choose_still(asked, count)};
+    int status = 2;
+    if (f.still >= 0 && read_frames(&f, asked, count))
+        status = draw(&f, &asked->settings);
+    fig_cloth_free(f.cloth);
+    tf_surface_free(f.surface);
+    tf_frames_free(&f.frames);
+    return status;
+}
+
+int fig_draw_film(int argc, char *argv[])
+{
+    static const struct argp parser = {
+        .options = options,
+        .parser = understand,
+        .args_doc = "FOLDER",
+        .doc = "Draw a film of the frames of a simulation.\v"
+               "FOLDER has the frames that 'tanglefree simulate' writes: "
+               "frame-00000.ply, frame-00001.ply and so on, with the same "
+               "elements.  The third axis points up.  Each connected part has "
+               "its own color, paler on its back; what keeps its shape in all "
+               "frames, an obstacle for instance, is grey.  Cloth lies in the "
+               "light of a lamp and of the sky, and throws soft shadows, also "
+               "on the ground that is drawn below all frames.  Curves of the "
+               "plane are drawn as lines.  The camera stands still, and all "
+               "frames fit into the picture.\n\n"
+               "The numbers are printed, one key and its value per line.\n\n"
+               "Exit status: 0 on success, 2 if the arguments or the input are "
+               "invalid or the output cannot be written.",
+        .children = fig_settings_film_options,
+    };
+    request asked = {.every = 1, .still = -1};
+    argp_parse(&parser, argc, argv, 0, NULL, &asked);
+    return draw_film(&asked);
+}

@@ -1,0 +1,232 @@
+// The command simulate, as a user runs it.
+
+#include "program/simulate_command.h"
+
+#include "support/environments.h"
+#include "support/program.h"
+#include "support/simulating.h"
+#include "support/support.h"
+#include "support/terminal.h"
+
+#include <stdio.h>
+#include <string.h>
+
+// A scene that is quick.
+#define CHAIN "$tf simulate plane-chain --size 40"
+
+START_TEST(a_simulation)
+{
+    outcome found = run(CHAIN " -o made --steps 120");
+    ck_assert_str_eq(found.err, "");
+    ck_assert_int_eq(found.status, 0);
+    expect_words(found.out, "steps: 120\nvertices: 45\ntriangles: 0\n");
+    expect_words(found.out, "\nheld: 0\ndynamics seconds: ");
+    ck_assert_int_eq(occurrences(found.out, "\ncontacts: 0\n"), 0);
+    found = run("ls made | wc -l; tail -n 1 made/steps.csv | cut -d, -f 1-2");
+    expect(found, 0, "122\n120,0.6\n", "");
+}
+END_TEST
+
+START_TEST(no_step_has_a_contact)
+{
+    run(CHAIN " -o made --steps 120");
+    outcome found = run("$tf detect -o summary made/*.ply | head -n 2 && "
+                        "$tf check made/*.ply | wc -l");
+    expect(found, 0, "steps: 120\nsteps with contacts: 0\n1\n", "");
+}
+END_TEST
+
+START_TEST(the_usual_steps_and_size)
+{
+    outcome found = run("$tf simulate plane-chain -o made --steps=0 && "
+                        "$tf simulate plane-chain -o made --resume");
+    expect_words(found.out, "steps: 0\nvertices: 205\n");
+    expect_words(found.out, "steps: 400\nvertices: 205\n");
+    ck_assert_int_eq(found.status, 0);
+}
+END_TEST
+
+START_TEST(threads_change_no_bit)
+{
+    run("$tf simulate sphere --size 8 -o one --steps 40 --threads 1");
+    run("$tf simulate sphere --size 8 -o two --steps 40 -t 2");
+    expect(run("for i in one two; do cat $i/*.ply | cksum; "
+               "cut -d, -f 1-15 $i/steps.csv | cksum; done | sort | uniq -c | "
+               "wc -l"),
+           0, "2\n", "");
+}
+END_TEST
+
+START_TEST(going_on_changes_no_bit)
+{
+    run("$tf simulate flag --size 4 -o whole --steps 60");
+    run("$tf simulate flag --size 4 -o parts --steps 25");
+    outcome found =
+        run("$tf simulate flag --size 4 -o parts --steps 60 --resume");
+    expect_words(found.out, "steps: 35\n");
+    expect(run("for i in whole parts; do cat $i/*.ply | cksum; "
+               "cut -d, -f 1-15 $i/steps.csv | cksum; done | sort | uniq -c | "
+               "wc -l"),
+           0, "2\n", "");
+    found = run("$tf simulate flag --size 4 -o parts --steps 50 --resume");
+    expect_words(found.out, "steps: 0\n");
+    expect(run("ls parts | wc -l"), 0, "62\n", "");
+}
+END_TEST
+
+// Trouble -----------------------------------------------------------------------
+
+START_TEST(ctrl_c_finishes_the_step)
+{
+    outcome found = run("timeout --preserve-status -s INT 1 $tf simulate "
+                        "sphere -o made --steps 99999");
+    ck_assert_int_eq(found.status, 130);
+    ck_assert_str_eq(found.out, "");
+    expect_words(found.err, "tanglefree: interrupted after step ");
+    expect_words(found.err, " of 99999; go on with --resume\n");
+    expect(
+        run("cd made && test $(ls | wc -l) = $(($(wc -l <steps.csv) + 1)) && "
+            "ls -A | grep -v 'frame-[0-9]*.ply'; rm frame-00000.ply; "
+            "last=$(ls *.ply | tail -n 1); "
+            "$tf check $last"),
+        0, "steps.csv\nfile,kind,a,b,c,d,e,f\n", "");
+}
+END_TEST
+
+// A file system on which files can have no more than a few blocks.
+START_TEST(a_disk_that_is_full)
+{
+    outcome found = run("(ulimit -f 8; " CHAIN " -o made --steps 200)");
+    ck_assert_int_eq(found.status, 2);
+    ck_assert_str_eq(found.out, "");
+    expect_words(found.err,
+                 "tanglefree: made/steps.csv: cannot write: File too "
+                 "large; mend that, and go on with --resume\n");
+    found = run(CHAIN " -o made --steps 200 --resume");
+    ck_assert_str_eq(found.err, "");
+    run(CHAIN " -o whole --steps 200");
+    expect(run("for i in whole made; do cat $i/*.ply | cksum; "
+               "cut -d, -f 1-15 $i/steps.csv | cksum; done | sort | uniq -c | "
+               "wc -l; ls -A made | wc -l"),
+           0, "2\n202\n", "");
+}
+END_TEST
+
+START_TEST(a_folder_that_is_not_empty)
+{
+    run("mkdir made && touch made/thesis.tex");
+    expect(
+        run(CHAIN " -o made"), 2, "",
+        "tanglefree: made: exists, and is not an empty folder; choose another, "
+        "or go on with the simulation in it by --resume\n");
+    expect(run("ls made"), 0, "thesis.tex\n", "");
+    expect(run(CHAIN " -o made --resume"), 2, "",
+           "tanglefree: made: has no frames to go on from; leave out "
+           "--resume\n");
+}
+END_TEST
+
+START_TEST(another_size_cannot_go_on)
+{
+    run(CHAIN " -o made --steps 2");
+    expect(run("$tf simulate plane-chain --size 41 -o made --resume"), 2, "",
+           "tanglefree: made/frame-00002.ply: is no frame of 'tanglefree "
+           "simulate plane-chain --size 41'; correct the arguments, or delete "
+           "the file to go on from the one before\n");
+}
+END_TEST
+
+START_TEST(a_broken_environment)
+{
+    char message[300];
+    const char *arguments[] = {"tanglefree simulate", "plane-chain", "-o",
+                               "made", NULL};
+    snprintf(message, sizeof message, "tanglefree: plane-chain: step 1: %s\n",
+             tf_status_message(TF_BAD_ENVIRONMENT));
+    expect(run_broken(_i, tf_simulate_command, arguments), 2, "", message);
+}
+END_TEST
+
+// Arguments ---------------------------------------------------------------------
+
+START_TEST(the_list_of_scenes)
+{
+    outcome found = run("$tf simulate list");
+    ck_assert_int_eq(found.status, 0);
+    ck_assert_int_eq(occurrences(found.out, "\n"), scene_count());
+    for (int i = 0; i < scene_count(); i++) {
+        expect_words(found.out, scene_number(i)->name);
+        expect_words(found.out, scene_number(i)->shows);
+    }
+    expect(run("$tf simulate list >/dev/full"), 2, "",
+           "tanglefree: standard output: cannot write: No space left on "
+           "device\n");
+}
+END_TEST
+
+START_TEST(usage)
+{
+    static const char *const cases[][2] = {
+        {"simulate", "tanglefree simulate: no scene given; 'tanglefree "
+                     "simulate list' prints all\n"},
+        {"simulate cube -o made", "tanglefree simulate: unknown scene 'cube'; "
+                                  "'tanglefree simulate list' prints all\n"},
+        {"simulate sphere", "tanglefree simulate: -o DIR is required: the "
+                            "folder for the frames\n"},
+        {"simulate sphere --size 3 -o made",
+         "tanglefree simulate: the scene sphere needs a --size of 4 or more\n"},
+        {"simulate sphere --size 2001 -o made",
+         "tanglefree simulate: --size needs a whole number from 1 to 2000, and "
+         "not '2001'\n"},
+        {"simulate sphere --steps x -o made",
+         "tanglefree simulate: --steps needs a whole number from 0 to 99999, "
+         "and not 'x'\n"},
+        {"simulate sphere --steps 100000 -o made",
+         "tanglefree simulate: --steps needs"},
+        {"simulate sphere stack -o made", "tanglefree simulate: "},
+        {"simulate sphere -t 0 -o made", "tanglefree simulate: '0' is not a "},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
+        expect_usage(cases[i][0], cases[i][1]);
+    expect(run("ls made"), 2, "",
+           "ls: cannot access 'made': No such file or directory\n");
+}
+END_TEST
+
+START_TEST(progress_on_a_terminal)
+{
+    terminal screen = terminal_open();
+    run("$tf simulate sphere -o made --steps 200 -t 1 2>%s", screen.name);
+    const char *shown = terminal_close(&screen);
+    expect_words(shown, " of 200 steps, ");
+    expect_words(shown, " contacts\r\033[K");
+}
+END_TEST
+
+Suite *suite(void)
+{
+    Suite *suite = suite_create("program/simulate_command");
+    TCase *good = tcase_create("runs");
+    tcase_add_checked_fixture(good, enter_folder, leave_folder);
+    tcase_add_test(good, a_simulation);
+    tcase_add_test(good, no_step_has_a_contact);
+    tcase_add_test(good, the_usual_steps_and_size);
+    tcase_add_test(good, threads_change_no_bit);
+    tcase_add_test(good, going_on_changes_no_bit);
+    tcase_add_test(good, progress_on_a_terminal);
+    suite_add_tcase(suite, good);
+    TCase *bad = tcase_create("trouble");
+    tcase_add_checked_fixture(bad, enter_folder, leave_folder);
+    tcase_add_test(bad, ctrl_c_finishes_the_step);
+    tcase_add_test(bad, a_disk_that_is_full);
+    tcase_add_test(bad, a_folder_that_is_not_empty);
+    tcase_add_test(bad, another_size_cannot_go_on);
+    tcase_add_loop_test(bad, a_broken_environment, 0, environments());
+    suite_add_tcase(suite, bad);
+    TCase *arguments = tcase_create("arguments");
+    tcase_add_checked_fixture(arguments, enter_folder, leave_folder);
+    tcase_add_test(arguments, the_list_of_scenes);
+    tcase_add_test(arguments, usage);
+    suite_add_tcase(suite, arguments);
+    return suite;
+}

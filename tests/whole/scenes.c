@@ -1,0 +1,66 @@
+// The scenes of the simulator: step by step free of tangles, by an independent
+// judge; without response they tangle.
+#include "support/simulating.h"
+#include "support/support.h"
+
+#include <stdio.h>
+
+// Small, and long enough to meet itself or something.
+static const struct {
+    const char *name;
+    int size, steps;
+} shorts[] = {{"sphere", 12, 80},      {"stack", 8, 60},     {"twist", 4, 300},
+              {"knot", 3, 300},        {"curtain", 12, 500}, {"flag", 8, 300},
+              {"plane-chain", 60, 200}};
+
+START_TEST(a_scene_stays_free_of_tangles)
+{
+    const tf_scene *scene = tf_scene_named(shorts[_i].name);
+    tf_simulation *s = simulation_of(scene, shorts[_i].size);
+    tangle_judge *judge = judge_of(&s->stage.body);
+    double stretch = 1;
+    size_t contacts = 0;
+    for (int step = 0; step < shorts[_i].steps; step++) {
+        tf_step_cost cost = simulate_step(s, NULL);
+        contacts += cost.report.first_contacts;
+        int tangled = tangle_count(judge, s->position);
+        ck_assert_msg(tangled == 0, "%s, step %d: %d, such as %s", scene->name,
+                      s->step, tangled, tangle_text(tangles(judge)));
+        double now = tf_body_stretch(&s->stage.body, s->position);
+        stretch = now > stretch ? now : stretch;
+    }
+    printf("%s: %d steps, %zu contacts, stretched to %g\n", scene->name,
+           s->step, contacts, stretch);
+    ck_assert_uint_gt(contacts, 0);
+    ck_assert_double_lt(stretch, 2);
+    tangle_judge_free(judge);
+    tf_simulation_free(s);
+}
+END_TEST
+
+START_TEST(without_response_it_tangles)
+{
+    const tf_scene *scene = tf_scene_named(shorts[_i].name);
+    tf_simulation *s = simulation_of(scene, shorts[_i].size);
+    tangle_judge *judge = judge_of(&s->stage.body);
+    int tangled = 0;
+    for (int step = 0; step < shorts[_i].steps; step++) {
+        simulate_blindly(s);
+        tangled += tangle_count(judge, s->position) > 0;
+    }
+    printf("%s: tangled after %d of %d steps\n", scene->name, tangled, s->step);
+    ck_assert_int_gt(tangled, 0);
+    tangle_judge_free(judge);
+    tf_simulation_free(s);
+}
+END_TEST
+
+Suite *suite(void)
+{
+    Suite *suite = suite_create("whole/scenes");
+    TCase *tcase = tcase_create("scenes");
+    tcase_add_loop_test(tcase, a_scene_stays_free_of_tangles, 0, 7);
+    tcase_add_loop_test(tcase, without_response_it_tangles, 0, 7);
+    suite_add_tcase(suite, tcase);
+    return suite;
+}

@@ -212,6 +212,6 @@ measure-simulation: ## run and time the scenes again for the book, in figures/si
 	@sh tests/bench/simulation.sh '$(CC)' -O3 $(BUILD)/measured/tanglefree \
 	    $(BUILD)/measured/frames >$(BUILD)/measured/simulation.csv
 	@mv $(BUILD)/measured/simulation.csv figures/simulation.csv
-.PHONY: measure-simulation
 .PHONY: bench bench-response measure compare-solvers compare-sweeps \
-	measure-solvers collect-zones counts compare measure-roads measure-response
+	measure-solvers collect-zones counts compare measure-roads measure-response \
+	measure-simulation

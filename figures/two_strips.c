@@ -35,9 +35,10 @@ static tf_surface *surface_of_both(const tf_body *body)
     size_t corners = 3 * (size_t)body->triangles;
     int *triangle = malloc(sizeof *triangle * corners * STRIPS);
     TF_REQUIRE(triangle);
-    for (size_t i = 0; i < STRIPS * corners; i++)
-        triangle[i] =
-            body->triangle[i % corners] + (i < corners ? 0 : body->vertices);
+    for (size_t i = 0; i < corners; i++) {
+        triangle[i] = body->triangle[i];
+        triangle[corners + i] = body->triangle[i] + body->vertices;
+    }
     const tf_mesh mesh = {.axes = 3,
                           .vertices = STRIPS * body->vertices,
                           .triangles = STRIPS * body->triangles,

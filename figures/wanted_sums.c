@@ -74,7 +74,7 @@ static void draw_chain(fig_page *page, const fig_plot *plot,
 {
     fig_point at[VERTICES];
     for (int v = 0; v < VERTICES; v++)
-        at[v] = (fig_point){end[2 * v], end[2 * v + 1]};
+        at[v] = (fig_point){end[(ptrdiff_t)2 * v], end[2 * v + 1]};
     fig_plot_curve(page, plot, VERTICES, at,
                    (fig_stroke){.paint = {.role = FIG_ROLE_EDGE}});
     for (int v = 0; v < VERTICES; v++)

@@ -5,6 +5,7 @@
 #include "program/mesh_writer.h"
 
 #include <errno.h>
+#include <stddef.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -20,7 +21,8 @@ static double *deepen(int axes, int vertices, const double x[])
 {
     double *deep = calloc(3 * (size_t)vertices, sizeof *deep);
     for (int v = 0; v < vertices && deep; v++)
-        memcpy(deep + 3 * v, x + axes * v, sizeof *deep * (size_t)axes);
+        memcpy(deep + (ptrdiff_t)3 * v, x + (ptrdiff_t)axes * v,
+               sizeof *deep * (size_t)axes);
     return deep;
 }
 
@@ -118,7 +120,7 @@ static bool take_vertices(tf_simulation *s, const content *read)
     at += sizeof mark - 1;
     for (int v = 0; v < vertices; v++)
         for (int k = 0; k < axes; k++) {
-            const char *place = at + 48 * v + 8 * k;
+            const char *place = at + (ptrdiff_t)48 * v + (ptrdiff_t)8 * k;
             s->position[axes * v + k] = gather_double(place);
             s->velocity[axes * v + k] = gather_double(place + 24);
         }

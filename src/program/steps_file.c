@@ -31,7 +31,7 @@ static bool skip_line(FILE *table, const char *words)
     for (const char *c = words; *c; c++)
         if (getc(table) != *c)
             return false;
-    int c = words[strlen(words) - 1];
+    int c = (unsigned char)words[strlen(words) - 1];
     while (c != '\n' && c != EOF)
         c = getc(table);
     return c == '\n';

@@ -66,5 +66,6 @@ void tf_air_blow(const tf_air *air, const tf_body *body, double time,
     if (body->axes < 3)
         return;
     for (int t = 0; t < body->triangles; t++)
-        push(air, body, time, step, body->triangle + 3 * t, position, velocity);
+        push(air, body, time, step, body->triangle + (ptrdiff_t)3 * t, position,
+             velocity);
 }

@@ -2,6 +2,7 @@
 #include "simulate/body.h"
 
 #include <math.h>
+#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -28,7 +29,7 @@ void tf_body_add_vertex(tf_body *body, const double x[])
     body->mass = extend(body, body->mass, v, sizeof *body->mass);
     if (body->failed)
         return;
-    memcpy(body->position + body->axes * v, x, size);
+    memcpy(body->position + (ptrdiff_t)body->axes * v, x, size);
     body->mass[v] = 0;
     body->vertices++;
 }
@@ -40,7 +41,7 @@ void tf_body_add_triangle(tf_body *body, int a, int b, int c)
     body->triangle = extend(body, body->triangle, t, sizeof corners);
     if (body->failed)
         return;
-    memcpy(body->triangle + 3 * t, corners, sizeof corners);
+    memcpy(body->triangle + (ptrdiff_t)3 * t, corners, sizeof corners);
     body->triangles++;
 }
 
@@ -51,7 +52,7 @@ void tf_body_add_edge(tf_body *body, int a, int b)
     body->edge = extend(body, body->edge, e, sizeof ends);
     if (body->failed)
         return;
-    memcpy(body->edge + 2 * e, ends, sizeof ends);
+    memcpy(body->edge + (ptrdiff_t)2 * e, ends, sizeof ends);
     body->edges++;
 }
 
@@ -130,7 +131,8 @@ double tf_body_kinetic_energy(const tf_body *body, const double velocity[])
 {
     double energy = 0;
     for (int v = 0; v < body->vertices; v++) {
-        double speed = length_of(body->axes, velocity + body->axes * v);
+        double speed =
+            length_of(body->axes, velocity + (ptrdiff_t)body->axes * v);
         energy += body->mass[v] / 2 * speed * speed;
     }
     return energy;

@@ -36,7 +36,7 @@ static side *list_sides(const tf_body *body, int first)
         return NULL;
     for (size_t i = 0; i < count; i++)
         list[i] =
-            side_of(body->triangle + 3 * (first + (int)(i / 3)), (int)(i % 3));
+            side_of(body->triangle + 3 * ((size_t)first + i / 3), (int)(i % 3));
     qsort(list, count, sizeof *list, compare_sides);
     return list;
 }
@@ -106,7 +106,7 @@ static void add_fold(tf_body *body, const side *one, const side *other,
 static void add_masses(tf_body *body, int first, double density)
 {
     for (int t = first; t < body->triangles; t++) {
-        const int *corner = body->triangle + 3 * t;
+        const int *corner = body->triangle + (ptrdiff_t)3 * t;
         double area = twice_area(side_between(body, corner[0], corner[1]),
                                  side_between(body, corner[0], corner[2])) /
                       2;

@@ -36,6 +36,6 @@ void tf_handle_place(const tf_handle *handle, const tf_body *body, double time,
         tf_triple to = turned(handle, part * handle->turn,
                               tf_triple_at(body->position, v));
         to = tf_triple_sum(to, part, tf_triple_at(handle->shift, 0));
-        memcpy(position + 3 * v, to.x, sizeof to.x);
+        memcpy(position + (ptrdiff_t)3 * v, to.x, sizeof to.x);
     }
 }

@@ -73,7 +73,7 @@ tf_line tf_knot_line(double scale, double tail, double spacing)
         follow_end(1, tail, fine + FINE - 1);
         for (int i = 0; i < FINE; i++)
             fine[FINE + i] = trefoil(cut + 2 * (pi - cut) * i / (FINE - 1));
-        follow_end(-1, tail, fine + 2 * FINE);
+        follow_end(-1, tail, fine + (ptrdiff_t)2 * FINE);
         space_out(&line, scale, spacing, ALL, fine);
     }
     free(fine);
@@ -151,7 +151,10 @@ void tf_rope_add(tf_body *body, const tf_line *line, double radius, int sides,
                  const tf_material *material)
 {
     int first = body->vertices, triangle = body->triangles;
-    body->failed |= !line->x;
+    if (!line->x) {
+        body->failed = true;
+        return;
+    }
     add_circles(body, line, radius, sides);
     add_tube(body, first, line->points, sides);
     tf_cloth_stiffen(body, triangle, material);

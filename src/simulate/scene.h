@@ -24,8 +24,8 @@ typedef struct tf_scene {
     int size;               ///< the usual one
     int least;              ///< the smallest
     int steps;              ///< how many there usually are
-    double step;            ///< how long one takes, in seconds
     int axes;               ///< 3, or 2 in the plane
+    double step;            ///< how long one takes, in seconds
     double gravity;         ///< in meters per square second
     tf_air air;
     double friction; ///< Coulomb's coefficient

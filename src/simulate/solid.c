@@ -95,10 +95,11 @@ void tf_ring_add(tf_body *body, const double center[3], const double radius[2],
 void tf_floor_add(tf_body *body, double height, double side)
 {
     int first = body->vertices;
-    for (int i = 0; i < 4; i++)
-        tf_body_add_vertex(body,
-                           (const double[]){(i % 2 - 0.5) * side,
-                                            (i / 2 - 0.5) * side, height});
+    for (int i = 0; i < 4; i++) {
+        double x = i % 2 ? side / 2 : -side / 2;
+        double y = i > 1 ? side / 2 : -side / 2;
+        tf_body_add_vertex(body, (const double[]){x, y, height});
+    }
     tf_body_add_triangle(body, first, first + 1, first + 3);
     tf_body_add_triangle(body, first, first + 3, first + 2);
 }

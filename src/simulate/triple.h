@@ -2,6 +2,7 @@
 #pragma once
 
 #include <math.h>
+#include <stddef.h>
 #include <string.h>
 
 /// A point of space, or a vector from one to another.
@@ -12,7 +13,7 @@ typedef struct tf_triple {
 static inline tf_triple tf_triple_at(const double x[], int vertex)
 {
     tf_triple of;
-    memcpy(of.x, x + 3 * vertex, sizeof of.x);
+    memcpy(of.x, x + (ptrdiff_t)3 * vertex, sizeof of.x);
     return of;
 }
 

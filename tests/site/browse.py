@@ -277,6 +277,11 @@ class Film:
     def value(self):
         return int(self.slider.get_property("value"))
 
+    def rests(self):
+        before = self.value()
+        time.sleep(0.3)
+        return self.value() == before
+
     def press(self, *keys):
         """The picture after some keys on the slider, and the time it names."""
         self.slider.send_keys(*keys)
@@ -325,6 +330,7 @@ def faults_of_slider(film):
 
 def faults_of_play(film):
     """The button and the space bar begin and stop it; nothing else does."""
+    last = int(film.slider.get_property("max"))
     for kind, start in (("button", film.button.click),
                         ("space bar", lambda: film.slider.send_keys(" "))):
         film.press(Keys.HOME)
@@ -335,9 +341,7 @@ def faults_of_play(film):
         if not wait(lambda: film.value() > 3):
             yield f"does not play by the {kind}"
         start()
-        stopped = film.value()
-        time.sleep(0.3)
-        if film.value() != stopped:
+        if not wait(film.rests) or film.value() == last:
             yield f"does not stop by the {kind}"
     film.press(Keys.END)
     film.slider.send_keys(Keys.ARROW_LEFT)

@@ -196,9 +196,10 @@ END_TEST
 START_TEST(progress_on_a_terminal)
 {
     terminal screen = terminal_open();
-    run("$tf simulate sphere -o made --steps 200 -t 1 2>%s", screen.name);
+    run("$tf simulate sphere --size 12 -o made --steps 400 -t 1 2>%s",
+        screen.name);
     const char *shown = terminal_close(&screen);
-    expect_words(shown, " of 200 steps, ");
+    expect_words(shown, " of 400 steps, ");
     expect_words(shown, " contacts\r\033[K");
 }
 END_TEST

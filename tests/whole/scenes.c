@@ -59,8 +59,9 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("whole/scenes");
     TCase *tcase = tcase_create("scenes");
-    tcase_add_loop_test(tcase, a_scene_stays_free_of_tangles, 0, 7);
-    tcase_add_loop_test(tcase, without_response_it_tangles, 0, 7);
+    int scenes = (int)cases(sizeof shorts / sizeof *shorts);
+    tcase_add_loop_test(tcase, a_scene_stays_free_of_tangles, 0, scenes);
+    tcase_add_loop_test(tcase, without_response_it_tangles, 0, scenes);
     suite_add_tcase(suite, tcase);
     return suite;
 }

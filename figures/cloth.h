@@ -1,9 +1,9 @@
 // Films of cloth: a moving surface with light and shadow, on a ground.
 //
 // Each connected part has its own color, paler on its back.  What keeps its
-// shape in all frames, an obstacle for instance, is grey if anything does not;
-// where all do, what does not move is grey.  What lies level below all that is
-// not grey is a floor, of which only the height counts.  A curve of the plane is
+// shape in all frames, an obstacle for instance, is gray if anything does not;
+// where all do, what does not move is gray.  What lies level below all that is
+// not gray is a floor, of which only the height counts.  A curve of the plane is
 // drawn as lines.
 #ifndef FIG_CLOTH_H
 #define FIG_CLOTH_H
@@ -42,7 +42,7 @@ bool fig_cloth_end(fig_cloth *cloth);
 int fig_cloth_frames(const fig_cloth *cloth);
 const fig_shape *fig_cloth_shape(const fig_cloth *cloth);
 
-/// Whether a part is grey.
+/// Whether a part is gray.
 bool fig_cloth_is_stiff(const fig_cloth *cloth, int part);
 
 /// Draw a frame, from 0, in a box of the page.  In all frames the camera is the

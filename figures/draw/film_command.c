@@ -229,7 +229,7 @@ int fig_draw_film(int argc, char *argv[])
                "frame-00000.ply, frame-00001.ply and so on, with the same "
                "elements.  The third axis points up.  Each connected part has "
                "its own color, paler on its back; what keeps its shape in all "
-               "frames, an obstacle for instance, is grey.  Cloth lies in the "
+               "frames, an obstacle for instance, is gray.  Cloth lies in the "
                "light of a lamp and of the sky, and throws soft shadows, also "
                "on the ground that is drawn below all frames.  Curves of the "
                "plane are drawn as lines.  The camera stands still, and all "

@@ -23,7 +23,7 @@ typedef struct builder {
     fig_mesh mesh;
     const fig_view *view;
     const fig_theme *theme;
-    fig_vertex like; ///< the colour of the part at work
+    fig_vertex like; ///< the color of the part at work
 } builder;
 
 /// Coordinates along three orthonormal axes from an origin.
@@ -46,7 +46,7 @@ static void add_vertex(builder *b, tf_vector at, tf_vector normal)
     }
 }
 
-/// Set the colour of a part that is `width` points wide.
+/// Set the color of a part that is `width` points wide.
 static void set_paint(builder *b, fig_paint paint, double width)
 {
     fig_rgb color = fig_paint_color(b->theme, paint);

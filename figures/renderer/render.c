@@ -22,7 +22,7 @@ enum {
 /// how far behind it must be; in points.
 static const double halo_width = 0.9, halo_gap = 6;
 
-/// How much of the paper's colour the farthest things take on, in a scene half
+/// How much of the paper's color the farthest things take on, in a scene half
 /// as deep as its panel is high or deeper.
 static const double fog_most = 0.25;
 
@@ -317,7 +317,7 @@ static void find_projection(const fig_view *view, const fig_box *window,
             matrix[4 * k + i] = (float)row[i][k];
 }
 
-/// Tell a program the colour of the paper, in linear light.
+/// Tell a program the color of the paper, in linear light.
 static void set_paper(const fig_renderer *r, program p, const fig_theme *theme)
 {
     const fig_rgb *paper = &theme->color[FIG_ROLE_PAPER];

@@ -4,7 +4,7 @@
 #include <stddef.h>
 #include <string.h>
 
-/// A colour from its usual notation, 0xRRGGBB.
+/// A color from its usual notation, 0xRRGGBB.
 #define RGB(hex)                                                               \
     {                                                                          \
         ((hex) >> 16 & 255) / 255.0, ((hex) >> 8 & 255) / 255.0,               \

@@ -33,7 +33,7 @@ double tf_row_parting(int axes, const tf_row *row, const double displacement[])
 }
 
 //: Find the compliance of a row
-/// How many times as far as it parts the elements a push may move a vertex.
+/// The farthest that a push may move a vertex, if it parts the elements by 1.
 static const double most_leverage = 1024;
 
 double tf_row_compliance(const tf_row *row, const double inverse_mass[])

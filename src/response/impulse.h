@@ -16,7 +16,8 @@ double tf_row_parting(int axes, const tf_row *row, const double displacement[]);
 
 /// Returns how far an impulse of 1 parts the elements of a row: its entry on
 /// the diagonal of a zone's matrix.  Zero if all of its vertices are scripted,
-/// or if a vertex would move over 1024 times as far as the elements part.
+/// or if the push would move a vertex more than 1024 times as far as it parts
+/// the elements.
 double tf_row_compliance(const tf_row *row, const double inverse_mass[]);
 
 /// Applies an impulse to the vertices of a row, in proportion to their

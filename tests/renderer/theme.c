@@ -5,7 +5,7 @@
 #include <math.h>
 #include <stddef.h>
 
-/// What is left of a colour (linear light) to eyes with all receptors, and
+/// What is left of a color (linear light) to eyes with all receptors, and
 /// with those for long, middle or short waves missing: Machado, Oliveira and
 /// Fernandes, "A Physiologically-based Model for Simulation of Color Vision
 /// Deficiency", 2009, at full severity.

@@ -9,7 +9,7 @@
 
 BEGIN {
     layers = split("base geometry arithmetic intersect query linear surface " \
-                   "fast response simulate program", layer)
+                   "fast response adaptive simulate program", layer)
     for (i = 1; i <= layers; i++) {
         rank[layer[i]] = i
         print layer[i]

@@ -5,6 +5,7 @@
 #include "arithmetic/filter.h"
 #include "arithmetic/fixed.h"
 #include "arithmetic/operations.h"
+#include "arithmetic/six.h"
 
 #include <math.h>
 
@@ -63,5 +64,7 @@ const tf_arithmetic tf_exact = {
     .sign = exact_sign,
     .value = exact_value,
     .six = tf_fixed_six,
+    .six_signs = tf_fixed_six_signs,
+    .six_estimates = tf_estimate_six,
     .cross = tf_fixed_cross,
 };

@@ -4,6 +4,7 @@
 #include "arithmetic/bits.h"
 #include "arithmetic/int128.h"
 #include "arithmetic/words.h"
+#include "base/inside.h"
 
 #include <stddef.h>
 
@@ -148,16 +149,20 @@ static inline bool evaluate(const tf_differences *d, three_words *sum,
 }
 
 //: Find a sign on the grid
+static inline tf_sign sign_of(const three_words *sum)
+{
+    if (sum->high < 0)
+        return TF_NEGATIVE;
+    return sum->high == 0 && sum->low == 0 ? TF_ZERO : TF_POSITIVE;
+}
+
 bool tf_fixed_sign(const tf_differences *differences, tf_sign *sign)
 {
     three_words sum;
     int exponent;
     if (!evaluate(differences, &sum, &exponent))
         return false;
-    if (sum.high < 0)
-        *sign = TF_NEGATIVE;
-    else
-        *sign = sum.high == 0 && sum.low == 0 ? TF_ZERO : TF_POSITIVE;
+    *sign = sign_of(&sum);
     return true;
 }
 
@@ -282,8 +287,10 @@ static inline void add_words(three_words *sum, const three_words *other,
         (other->high ^ (tf_int128)(int64_t)flip) + (low >> TF_WORD_BITS);
 }
 
-bool tf_fixed_six(int start_count, const tf_event *const event[TF_SIX],
-                  tf_value value[TF_SIX])
+/// Returns the exponent of their unit in *exponent.
+TF_INSIDE bool evaluate_rows(int start_count,
+                             const tf_event *const event[TF_SIX],
+                             three_words without[TF_SIX], int *exponent)
 {
     //: Take four rows
     int64_t units[TF_SIX][TF_AXES], row[4][TF_AXES];
@@ -302,18 +309,50 @@ bool tf_fixed_six(int start_count, const tf_event *const event[TF_SIX],
     tf_int128 first[TF_AXES], last[TF_AXES];
     cross_rows(row[0], row[1], first);
     cross_rows(row[2], row[3], last);
-    three_words without[TF_SIX] = {{0, 0}};
     without[of[0]] = dot(row[1], last);
     without[of[1]] = dot(row[0], last);
     without[of[2]] = dot(row[3], first);
     without[of[3]] = dot(row[2], first);
 
     //: Leave out the first event of each time
+    without[0] = without[start_count] = (three_words){0, 0};
     for (int j = 0; j < 4; j++) {
         int base = of[j] < start_count ? 0 : start_count;
         add_words(&without[base], &without[of[j]], (of[j] - base) % 2 == 0);
     }
+    *exponent = unit[0] + unit[1] + unit[2];
+    return true;
+}
+
+//: Unroll the loops over six events
+static bool evaluate_six(int start_count, const tf_event *const event[TF_SIX],
+                         three_words without[TF_SIX], int *exponent)
+{
+    return start_count == 2   ? evaluate_rows(2, event, without, exponent)
+           : start_count == 3 ? evaluate_rows(3, event, without, exponent)
+                              : evaluate_rows(4, event, without, exponent);
+}
+
+bool tf_fixed_six(int start_count, const tf_event *const event[TF_SIX],
+                  tf_value value[TF_SIX])
+{
+    three_words without[TF_SIX];
+    int exponent;
+    if (!evaluate_six(start_count, event, without, &exponent))
+        return false;
     for (int i = 0; i < TF_SIX; i++)
-        value[i] = round_sum(&without[i], unit[0] + unit[1] + unit[2]);
+        value[i] = round_sum(&without[i], exponent);
+    return true;
+}
+
+bool tf_fixed_six_signs(int start_count, const tf_event *const event[TF_SIX],
+                        tf_sign sign[TF_SIX])
+{
+    three_words without[TF_SIX];
+    int exponent;
+    if (!evaluate_six(start_count, event, without, &exponent))
+        return false;
+    for (int i = 0; i < TF_SIX; i++)
+        sign[i] = sign_of(&without[i]);
     return true;
 }

@@ -50,6 +50,15 @@ struct tf_arithmetic {
     bool (*six)(int start_count, const tf_event *const event[TF_SIX],
                 tf_value value[TF_SIX]);
 
+    /// The signs of the same six.  False or NULL as above.
+    bool (*six_signs)(int start_count, const tf_event *const event[TF_SIX],
+                      tf_sign sign[TF_SIX]);
+
+    /// Those of these signs that an estimate proves; the others become
+    /// TF_UNKNOWN.  NULL: it proves none.
+    void (*six_estimates)(int start_count, const tf_event *const event[TF_SIX],
+                          tf_sign sign[TF_SIX]);
+
     /// Those of the minors of two rows in space: the components of their cross
     /// product.  False or NULL as above.
     bool (*cross)(const tf_differences *rows, tf_value component[TF_AXES]);

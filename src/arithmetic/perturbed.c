@@ -3,6 +3,7 @@
 
 #include "arithmetic/exact.h"
 #include "arithmetic/operations.h"
+#include "arithmetic/six.h"
 #include "base/require.h"
 
 //: Rank an event
@@ -201,4 +202,5 @@ const tf_arithmetic tf_perturbed = {
     .needs_indices = true,
     .sign = perturbed_sign,
     .value = perturbed_value,
+    .six_estimates = tf_estimate_six,
 };

@@ -31,6 +31,15 @@ static const char *const messages[] = {
     [TF_START_NOT_CLEAR] = "two elements touch or intersect when the step "
                            "starts: start from a surface that does not "
                            "intersect itself",
+    [TF_EDGE_NOT_MANIFOLD] = "an edge has no triangle, more than two, or two "
+                             "that pass it in one direction: give each edge "
+                             "one triangle or two, and turn them alike",
+    [TF_VERTEX_NOT_MANIFOLD] = "the triangles at a vertex form more than one "
+                               "ring or fan: give each its own vertex",
+    [TF_COLLINEAR] = "the corners of a triangle are on one line: remove it, or "
+                     "move a corner off",
+    [TF_NOT_EMBEDDED] = "a surface intersects or touches itself: move its "
+                        "parts away from each other",
 };
 
 const char *tf_status_message(tf_status status)

@@ -20,6 +20,10 @@ typedef enum tf_status {
     TF_BAD_TOLERANCE,   ///< a tolerance or another limit is not in its range
     TF_BAD_MASS,        ///< an inverse mass is negative or not finite
     TF_START_NOT_CLEAR, ///< a surface intersects itself when the step starts
+    TF_EDGE_NOT_MANIFOLD,   ///< an edge has triangles that no surface allows
+    TF_VERTEX_NOT_MANIFOLD, ///< so has a vertex
+    TF_COLLINEAR,           ///< a triangle has no area
+    TF_NOT_EMBEDDED,        ///< a surface intersects or touches itself
 } tf_status;
 
 /// One sentence that states what is wrong and how to fix it.  Thread-safe.

@@ -26,14 +26,6 @@
 #define TF_NO_TRAPS
 #endif
 
-//: Keep a function inside others
-/// Keeps a function inside those that are compiled several times.
-#ifdef __GNUC__
-#define TF_INSIDE static inline __attribute__((always_inline))
-#else
-#define TF_INSIDE static inline
-#endif
-
 //: Keep a loop whole
 /// Keeps a loop over the lanes of a vector whole: gcc unrolls short loops before
 /// it looks for vectors, and then finds none.

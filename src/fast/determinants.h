@@ -1,7 +1,7 @@
 //: Hold one query
 #pragma once
 
-#include "base/vectors.h"
+#include "base/inside.h"
 
 /// A vector of space, or of what is computed with them: three numbers that
 /// stay in registers.

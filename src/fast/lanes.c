@@ -1,6 +1,7 @@
 //: Include what lanes need
 #include "fast/lanes.h"
 
+#include "base/vectors.h"
 #include "fast/determinants.h"
 
 #include <stdbool.h>

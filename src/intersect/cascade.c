@@ -87,10 +87,44 @@ static double residual(const tf_pair *pair, const tf_intersection *found)
     return sum;
 }
 
+//: Find a flat axis
+/// Whether the events of one time, begin..end-1, agree along an axis.
+static bool agree(const tf_pair *pair, int axis, int begin, int end)
+{
+    for (int i = begin + 1; i < end; i++)
+        if (pair->event[i]->x[axis] != pair->event[begin]->x[axis])
+            return false;
+    return true;
+}
+
+/// The place among the axes of a pair of one along which all its events agree
+/// at the start, and all at the end; -1: there is none.
+static int flat_axis(const tf_pair *pair)
+{
+    for (int k = 0; k < pair->axes; k++)
+        if (agree(pair, pair->axis[k], 0, pair->start_count) &&
+            agree(pair, pair->axis[k], pair->start_count, pair->count))
+            return k;
+    return -1;
+}
+
 //: Intersect every projection
 typedef tf_intersection intersect_function(const tf_arithmetic *arithmetic,
                                            const tf_pair *pair,
                                            tf_detail detail);
+
+/// Whether a pair has a flat axis and is apart in the projection along it.
+static bool is_apart_along_flat_axis(const tf_arithmetic *arithmetic,
+                                     const tf_pair *pair,
+                                     intersect_function *intersect)
+{
+    int flat = flat_axis(pair);
+    if (flat < 0)
+        return false;
+    tf_pair projection = along_axis(pair, flat);
+    return intersect(arithmetic, &projection, TF_ONLY_VERDICT).verdict ==
+           TF_APART;
+}
 
 /// The intersection of a pair that does not fill its space.  At least one of
 /// its projections along the axes is one-to-one and decides; the others cannot
@@ -100,6 +134,8 @@ static tf_intersection intersect_projections(const tf_arithmetic *arithmetic,
                                              tf_detail detail,
                                              intersect_function *intersect)
 {
+    if (is_apart_along_flat_axis(arithmetic, pair, intersect))
+        return tf_intersection_apart;
     tf_intersection latest = {.verdict = TF_HIT};
     double smallest_residual = INFINITY;
     for (int k = 0; k < pair->axes; k++) {

@@ -17,6 +17,10 @@ void tf_complementary_describe(const tf_arithmetic *arithmetic,
     tf_value value[TF_PAIR_EVENTS];
     const tf_value *known =
         tf_pair_values(arithmetic, pair, value) ? value : NULL;
+
+    // Values that come at once cost less to use now than to find again.
+    if (known)
+        detail = TF_WITH_POINT;
     if (found->detail < TF_WITH_TIME) {
         //: Find the time from the smaller operand
         tf_coordinates coordinates;
@@ -53,11 +57,14 @@ bool tf_complementary_intersect(const tf_arithmetic *arithmetic,
     found->detail = TF_ONLY_VERDICT;
     found->verdict = TF_APART;
     found->classification = TF_UNCLASSIFIED;
-    if (tf_pair_separated(pair))
-        return true;
 
+    // Signs that are proved at once cost less than a search for an axis.
     tf_signs signs;
-    tf_pair_signs(arithmetic, pair, &signs);
+    if (!tf_pair_sure_signs(arithmetic, pair, &signs)) {
+        if (tf_pair_separated(pair))
+            return true;
+        tf_pair_other_signs(arithmetic, pair, &signs);
+    }
     bool unique = signs.positive || signs.negative;
     if (signs.positive && signs.negative)
         return true;

@@ -6,30 +6,32 @@
 #include <string.h>
 
 //: Pair two swept simplices
-static void add_events(tf_pair *pair, const tf_simplex *simplex, int operand,
-                       int t)
+/// Adds the events of a simplex at time t to n others; returns how many there
+/// are then.
+static inline int add_events(tf_pair *pair, int n, const tf_simplex *simplex,
+                             int operand, int t)
 {
     int first = t == 0 ? 0 : simplex->pivot + 1;
     int end = t == 0 ? simplex->pivot + 1 : simplex->count;
     for (int i = first; i < end; i++) {
-        pair->event[pair->count] = simplex->event[i];
-        pair->operand[pair->count++] = operand;
+        pair->event[n] = simplex->event[i];
+        pair->operand[n++] = operand;
     }
+    return n;
 }
 
 void tf_pair_set(tf_pair *pair, const tf_simplex *s, const tf_simplex *r,
                  int axes)
 {
     TF_REQUIRE(s->count + r->count == axes + 3);
-    pair->count = 0;
     pair->axes = axes;
     for (int k = 0; k < TF_AXES; k++)
         pair->axis[k] = k;
-    add_events(pair, s, +1, 0);
-    add_events(pair, r, -1, 0);
-    pair->start_count = pair->count;
-    add_events(pair, s, +1, 1);
-    add_events(pair, r, -1, 1);
+    int n = add_events(pair, 0, s, +1, 0);
+    n = add_events(pair, n, r, -1, 0);
+    pair->start_count = n;
+    n = add_events(pair, n, s, +1, 1);
+    pair->count = add_events(pair, n, r, -1, 1);
 }
 
 tf_pair tf_pair_of(const tf_simplex *s, const tf_simplex *r, int axes)

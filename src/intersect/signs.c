@@ -12,15 +12,58 @@ int tf_pair_orientation(const tf_pair *pair, int i)
     return alternating * time * pair->operand[i];
 }
 
-//: Stop at the first conflict
-void tf_pair_signs(const tf_arithmetic *arithmetic, const tf_pair *pair,
-                   tf_signs *signs)
+//: Take the signs that are proved at once
+static void estimate_signs(const tf_arithmetic *arithmetic, const tf_pair *pair,
+                           tf_sign sign[TF_PAIR_EVENTS])
 {
-    bool positive = false, negative = false, zero = false, unknown = false;
+    if (pair->count == TF_SIX && arithmetic->six_estimates)
+        arithmetic->six_estimates(pair->start_count, pair->event, sign);
+    else
+        for (int i = 0; i < pair->count; i++)
+            sign[i] = TF_UNKNOWN;
+}
+
+bool tf_pair_sure_signs(const tf_arithmetic *arithmetic, const tf_pair *pair,
+                        tf_signs *signs)
+{
+    bool positive = false, negative = false, unknown = false;
+    estimate_signs(arithmetic, pair, signs->of);
+    for (int i = 0; i < pair->count; i++) {
+        int turned = signs->of[i] * tf_pair_orientation(pair, i);
+        positive |= turned == TF_POSITIVE;
+        negative |= turned == TF_NEGATIVE;
+        unknown |= signs->of[i] == TF_UNKNOWN;
+        signs->of[i] =
+            signs->of[i] == TF_UNKNOWN ? TF_UNKNOWN : (tf_sign)turned;
+    }
+    signs->positive = positive;
+    signs->negative = negative;
+    signs->zero = signs->unknown = false;
+    return !unknown || (positive && negative);
+}
+
+//: Find one sign
+static tf_sign sign_without(const tf_arithmetic *arithmetic,
+                            const tf_pair *pair, int i)
+{
+    tf_differences differences;
+    tf_pair_differences(pair, i, &differences);
+    return arithmetic->sign(&differences);
+}
+
+//: Stop at the first conflict
+void tf_pair_other_signs(const tf_arithmetic *arithmetic, const tf_pair *pair,
+                         tf_signs *signs)
+{
+    tf_sign all[TF_SIX];
+    bool at_once = pair->count == TF_SIX && arithmetic->six_signs &&
+                   arithmetic->six_signs(pair->start_count, pair->event, all);
+    bool positive = signs->positive, negative = signs->negative;
+    bool zero = false, unknown = false;
     for (int i = 0; i < pair->count && !(positive && negative); i++) {
-        tf_differences differences;
-        tf_pair_differences(pair, i, &differences);
-        tf_sign sign = arithmetic->sign(&differences);
+        if (signs->of[i] != TF_UNKNOWN)
+            continue;
+        tf_sign sign = at_once ? all[i] : sign_without(arithmetic, pair, i);
         if (sign == TF_POSITIVE || sign == TF_NEGATIVE)
             sign = (tf_sign)(sign * tf_pair_orientation(pair, i));
         signs->of[i] = sign;

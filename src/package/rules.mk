@@ -60,6 +60,7 @@ share/man/man1/tanglefree-query.1 src/program/tanglefree-query.1
 share/man/man1/tanglefree-detect.1 src/program/tanglefree-detect.1
 share/man/man1/tanglefree-check.1 src/program/tanglefree-check.1
 share/man/man1/tanglefree-resolve.1 src/program/tanglefree-resolve.1
+share/man/man1/tanglefree-remesh.1 src/program/tanglefree-remesh.1
 share/man/man1/tanglefree-simulate.1 src/program/tanglefree-simulate.1
 endef
 define installed_draw

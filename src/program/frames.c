@@ -120,6 +120,29 @@ static bool flatten(tf_frames *frames)
     return true;
 }
 
+//: Begin frames anew
+/// With the current file, in its place; the one before is dropped.
+static void begin_anew(tf_frames *frames)
+{
+    tf_mesh_file *file = &frames->file[frames->current];
+    tf_mesh_file *before = &frames->file[1 - frames->current];
+    file->fault[0] = '\0';
+    tf_mesh_file_free(before);
+    *before = (tf_mesh_file){0};
+    tf_surface_free(frames->surface);
+    frames->surface = NULL;
+    frames->count = frames->current;
+    frames->is_new = true;
+}
+
+//: Find out whether elements may have been replaced
+/// Surfaces are remeshed, curves are not.
+static bool may_differ(const tf_frames *frames)
+{
+    return frames->may_differ && tf_mesh_file_edges(&frames->file[0]) == 0 &&
+           tf_mesh_file_edges(&frames->file[1]) == 0;
+}
+
 //: Read the next frame
 bool tf_frames_next(tf_frames *frames, const char *path)
 {
@@ -128,9 +151,13 @@ bool tf_frames_next(tf_frames *frames, const char *path)
     tf_mesh_file_free(file);
     if (!tf_mesh_file_read(file, path))
         return false;
+    frames->is_new = frames->count == 0;
     if (frames->count > 0 &&
-        !same_elements(file, &frames->file[1 - frames->current]))
-        return false;
+        !same_elements(file, &frames->file[1 - frames->current])) {
+        if (!may_differ(frames))
+            return false;
+        begin_anew(frames);
+    }
     frames->count++;
     return make_surface(frames) && flatten(frames);
 }

@@ -6,11 +6,15 @@
 #include "surface/surface.h"
 
 /// A sequence of files that hold the same elements in several positions, and
-/// the surface that they are.
+/// the surface that they are.  If they may differ, the sequence begins anew with
+/// each file that holds others, unless some are edges: a surface may have been
+/// remeshed, but curves never are.
 typedef struct tf_frames {
     tf_mesh_file file[2]; ///< the current one, and the one before it
     int current;          ///< which of the two is the current one
-    int count;            ///< how many were read
+    int count;            ///< how many were read, or one more
+    bool may_differ;      ///< to be set first
+    bool is_new;          ///< the sequence began with the last file
     int axes;             ///< of the surface
     tf_surface *surface;
     double *flat[2]; ///< in the plane: the positions, without z
@@ -18,7 +22,7 @@ typedef struct tf_frames {
 
 /// Reads the next file, and makes the surface of it and the one before: one of
 /// the plane if both are.  False: there is a fault in the current file.  It is
-/// an error if the two do not have the same elements.
+/// an error if the two do not have the same elements, unless they may differ.
 bool tf_frames_next(tf_frames *frames, const char *path);
 
 /// The file that was read last.

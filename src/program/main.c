@@ -2,6 +2,7 @@
 #define _GNU_SOURCE
 #include "base/version.h"
 #include "program/query_command.h"
+#include "program/remesh_command.h"
 #include "program/resolve_command.h"
 #include "program/simulate_command.h"
 #include "program/surface_command.h"
@@ -31,6 +32,8 @@ static const command commands[] = {
      tf_check_command},
     {"resolve", "tanglefree resolve",
      "change the end of a step such that nothing meets", tf_resolve_command},
+    {"remesh", "tanglefree remesh",
+     "give a surface triangles that are nearly equilateral", tf_remesh_command},
     {"simulate", "tanglefree simulate", "simulate a scene of cloth",
      tf_simulate_command},
 };

@@ -57,7 +57,7 @@ static void write_ply_header(FILE *stream, const tf_mesh_file *mesh,
         fprintf(stream, "comment %s\n", state->comment);
     fprintf(stream, "element vertex %d\n", tf_mesh_file_vertices(mesh));
     write_properties(stream, "");
-    if (state)
+    if (state && state->velocity)
         write_properties(stream, "v");
     if (tf_mesh_file_triangles(mesh) > 0)
         fprintf(stream,
@@ -117,7 +117,7 @@ static void write_vertices(const bytes *to, const tf_mesh_file *mesh,
 {
     for (size_t i = 0; i < mesh->position.count; i += 3) {
         write_doubles(to, mesh->position.item + i, 3);
-        if (state)
+        if (state && state->velocity)
             write_doubles(to, state->velocity + i, 3);
     }
 }

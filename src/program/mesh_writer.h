@@ -17,11 +17,13 @@ void tf_mesh_write(FILE *stream, const tf_mesh_file *mesh,
 //: Declare how to write meshes that move
 /// What binary PLY can hold besides a mesh.
 typedef struct tf_mesh_state {
-    const char *comment;    ///< a line of the header
-    const double *velocity; ///< three coordinates a vertex: vx, vy and vz
+    const char *comment; ///< a line of the header
+    const double
+        *velocity; ///< three coordinates a vertex: vx, vy and vz; NULL:
+                   ///< there are none
 } tf_mesh_state;
 
-/// Writes a mesh as PLY, little-endian, with the velocities of its vertices.
+/// Writes a mesh as PLY, little-endian, with that.
 /// Errors are those of the stream.
 void tf_mesh_write_state(FILE *stream, const tf_mesh_file *mesh,
                          const tf_mesh_state *state);

@@ -35,18 +35,43 @@ static void name_element(char name[NAME], int vertices, const int vertex[])
             snprintf(name + length, (size_t)(NAME - length), " %d", vertex[i]);
 }
 
+//: Describe a meeting
+enum {
+    MEETING = 2 * NAME + 32
+};
+
+static void describe_meeting(char text[MEETING], const meeting *how,
+                             const int vertex[])
+{
+    char first[NAME], second[NAME];
+    name_element(first, how->first, vertex);
+    name_element(second, how->second, vertex + how->first);
+    snprintf(text, MEETING, "%s %s %s (numbered from 0)", first, how->verb,
+             second);
+}
+
 //: Describe an obstacle
 bool tf_obstacle_fault(tf_mesh_file *start, const tf_obstacle *obstacle)
 {
-    const meeting *how = obstacle->touching != TF_NO_KIND
-                             ? &touchings[obstacle->touching]
-                             : &crossings[obstacle->crossing];
-    char first[NAME], second[NAME];
-    name_element(first, how->first, obstacle->vertex);
-    name_element(second, how->second, obstacle->vertex + how->first);
+    char text[MEETING];
+    describe_meeting(text,
+                     obstacle->touching != TF_NO_KIND
+                         ? &touchings[obstacle->touching]
+                         : &crossings[obstacle->crossing],
+                     obstacle->vertex);
+    return tf_mesh_file_fault(start, -1,
+                              "%s before the step begins; move them apart, see "
+                              "'tanglefree check' for "
+                              "all such pairs",
+                              text);
+}
+
+//: Describe a crossing
+bool tf_crossing_fault(tf_mesh_file *file, const tf_crossing *crossing)
+{
+    char text[MEETING];
+    describe_meeting(text, &crossings[crossing->kind], crossing->vertex);
     return tf_mesh_file_fault(
-        start, -1,
-        "%s %s %s (numbered from 0) before the step begins; move them apart, "
-        "see 'tanglefree check' for all such pairs",
-        first, how->verb, second);
+        file, -1,
+        "%s; move them apart, see 'tanglefree check' for all such pairs", text);
 }

@@ -6,9 +6,8 @@
 #include "program/clock.h"
 #include "program/frames.h"
 #include "program/masses.h"
-#include "program/mesh_writer.h"
+#include "program/mesh_output.h"
 #include "program/obstacles.h"
-#include "program/output_file.h"
 #include "program/progress.h"
 #include "program/response_output.h"
 #include "program/solvers.h"
@@ -174,11 +173,9 @@ typedef struct resolving {
     tf_resolver *resolver;
     tf_response_report report;
     double seconds; ///< that the response took
-    tf_output_file out;
+    tf_mesh_output out;
     tf_progress progress;
-    size_t contacts;    ///< that progress has seen
-    const char *target; ///< what could not be written, or NULL
-    int error;          ///< its errno
+    size_t contacts; ///< that progress has seen
 } resolving;
 
 //: Read the masses of all vertices
@@ -251,69 +248,36 @@ static bool resolve(resolving *r)
     return good;
 }
 
-//: Write the end of the step
-static bool fault_in_writing(resolving *r, const char *target)
+//: Report a response
+static bool report_response(FILE *stream, const void *context)
 {
-    r->error = errno;
-    r->target = target;
-    return false;
-}
-
-static void write_mesh(const resolving *r, FILE *stream)
-{
-    tf_mesh_format usual = r->frames.file[0].format;
-    tf_mesh_write(stream, tf_frames_file(&r->frames),
-                  tf_mesh_format_of(r->request.out, usual));
-}
-
-static bool write_scratch(resolving *r)
-{
-    FILE *stream = tf_output_file_open(&r->out);
-    if (!stream)
-        return fault_in_writing(r, r->request.out);
-    write_mesh(r, stream);
-    return tf_output_file_close(&r->out, stream) ||
-           fault_in_writing(r, r->request.out);
-}
-
-static bool write_report(resolving *r, FILE *stream, const char *target)
-{
+    const resolving *r = context;
     return tf_response_output_write(stream, r->request.format, &r->report,
-                                    r->seconds) ||
-           fault_in_writing(r, target);
+                                    r->seconds);
 }
 
-//: Write to standard output
-static bool write_to_standard_output(resolving *r)
+/// The end of the step, in the format of its start.
+static tf_mesh_file mesh_to_write(const resolving *r)
 {
-    write_mesh(r, stdout);
-    if (fflush(stdout) != 0 || ferror(stdout))
-        return fault_in_writing(r, "standard output");
-    return write_report(r, stderr, "standard error");
-}
-
-//: Write to a file
-// The file gets its name last, so that after any error it is as it was.
-static bool write_to_file(resolving *r)
-{
-    return write_scratch(r) && write_report(r, stdout, "standard output") &&
-           (tf_output_file_keep(&r->out) ||
-            fault_in_writing(r, r->request.out));
+    tf_mesh_file mesh = *tf_frames_file(&r->frames);
+    mesh.format = r->frames.file[0].format;
+    return mesh;
 }
 
 //: Resolve and write
 static bool do_all(resolving *r)
 {
     const request *wanted = &r->request;
-    bool named = strcmp(wanted->out, "-") != 0;
     if (!tf_frames_next(&r->frames, wanted->start) ||
-        !tf_frames_next(&r->frames, wanted->end) || !read_masses(r))
+        !tf_frames_next(&r->frames, wanted->end) || !read_masses(r) ||
+        !tf_mesh_output_begin(&r->out, wanted->out))
         return false;
-    if (named && !tf_output_file_begin(&r->out, wanted->out))
-        return fault_in_writing(r, wanted->out);
     bool good = resolve(r);
     tf_progress_end(&r->progress);
-    return good && (named ? write_to_file(r) : write_to_standard_output(r));
+    if (!good)
+        return false;
+    tf_mesh_file mesh = mesh_to_write(r);
+    return tf_mesh_output_write(&r->out, &mesh, report_response, r);
 }
 
 //: Print what went wrong in resolve
@@ -326,15 +290,11 @@ static void print_errors(const resolving *r)
         if (lists[i]->fault[0] != '\0')
             tf_text_lines_print_fault(lists[i], "tanglefree");
     }
-    if (r->target)
-        fprintf(stderr,
-                "tanglefree: %s: cannot write: %s; mend that and run again\n",
-                tf_make_visible(r->target).text, strerror(r->error));
 }
 
 static void free_all(resolving *r)
 {
-    tf_output_file_drop(&r->out);
+    tf_mesh_output_end(&r->out);
     tf_resolver_free(r->resolver);
     free(r->inverse_mass);
     tf_text_lines_close(&r->masses);

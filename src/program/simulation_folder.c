@@ -2,7 +2,7 @@
 #define _GNU_SOURCE // asprintf
 #include "program/simulation_folder.h"
 
-#include "program/frame_file.h"
+#include "program/steps_file.h"
 
 #include <dirent.h>
 #include <errno.h>
@@ -56,12 +56,12 @@ static char *path_of(const tf_simulation_folder *folder, const char *file)
 
 //: Write a frame whole
 static bool write_scratch(const tf_output_file *out,
-                          const tf_simulation *simulation)
+                          const tf_simulated *simulated)
 {
     FILE *stream = tf_output_file_open(out);
     if (!stream)
         return false;
-    bool made = tf_frame_write(stream, simulation);
+    bool made = simulated->kind->write_frame(stream, simulated);
     int cause = errno;
     bool closed = tf_output_file_close(out, stream);
     if (!made)
@@ -71,12 +71,12 @@ static bool write_scratch(const tf_output_file *out,
 
 /// Writes the scratch file of a frame.
 static bool begin_frame(tf_output_file *out, const tf_simulation_folder *folder,
-                        const char *name, const tf_simulation *simulation)
+                        const char *name, const tf_simulated *simulated)
 {
     char *path = path_of(folder, name);
     *out = (tf_output_file){0};
     bool good = path && tf_output_file_begin(out, path) &&
-                write_scratch(out, simulation);
+                write_scratch(out, simulated);
     int cause = errno;
     free(path);
     errno = cause;
@@ -119,25 +119,26 @@ static bool make_folder(tf_simulation_folder *folder)
                "on with the simulation in it by --resume");
 }
 
-static bool begin_table(tf_simulation_folder *folder)
+static bool begin_table(tf_simulation_folder *folder,
+                        const tf_simulated_kind *kind)
 {
     char *path = path_of(folder, table_name);
-    folder->table = path ? tf_steps_file_begin(path) : NULL;
+    folder->table = path ? tf_steps_file_begin(path, kind) : NULL;
     bool good = folder->table || fault_in_writing(folder, table_name);
     free(path);
     return good;
 }
 
 bool tf_simulation_folder_begin(tf_simulation_folder *folder, const char *path,
-                                const tf_simulation *simulation)
+                                const tf_simulated *simulated)
 {
     char name[FRAME_NAME];
     tf_output_file out;
     *folder = (tf_simulation_folder){.path = path};
-    name_frame(name, simulation->step);
-    if (!make_folder(folder) || !begin_table(folder))
+    name_frame(name, simulated->step);
+    if (!make_folder(folder) || !begin_table(folder, simulated->kind))
         return false;
-    return (begin_frame(&out, folder, name, simulation) &&
+    return (begin_frame(&out, folder, name, simulated) &&
             tf_output_file_keep(&out)) ||
            drop_frame(&out, folder, name);
 }
@@ -169,30 +170,31 @@ static int find_last_frame(const char *path)
 
 //: Go on with the simulation in a folder
 static bool read_frame(tf_simulation_folder *folder, int step,
-                       tf_simulation *simulation)
+                       tf_simulated *simulated)
 {
     char name[FRAME_NAME];
     name_frame(name, step);
     char *path = path_of(folder, name);
-    tf_frame_fault fault =
-        path ? tf_frame_read(simulation, path) : TF_FRAME_UNREADABLE;
+    tf_frame_fault fault = path ? simulated->kind->read_frame(simulated, path)
+                                : TF_FRAME_UNREADABLE;
     int cause = errno;
     free(path);
     if (fault == TF_FRAME_UNREADABLE)
         return set_fault(folder, name, "cannot read: %s; check the file",
                          strerror(cause));
-    return (fault == TF_FRAME_GOOD && simulation->step == step) ||
+    return (fault == TF_FRAME_GOOD && simulated->step == step) ||
            set_fault(folder, name,
-                     "is no frame of 'tanglefree simulate %s --size %d'; "
+                     "is no frame of 'tanglefree simulate %s'; "
                      "correct the arguments, or delete the file to go on from "
                      "the one before",
-                     simulation->scene->name, simulation->size);
+                     simulated->name);
 }
 
-static bool resume_table(tf_simulation_folder *folder, int steps)
+static bool resume_table(tf_simulation_folder *folder,
+                         const tf_simulated_kind *kind, int steps)
 {
     char *path = path_of(folder, table_name);
-    folder->table = path ? tf_steps_file_resume(path, steps) : NULL;
+    folder->table = path ? tf_steps_file_resume(path, kind, steps) : NULL;
     int cause = errno;
     free(path);
     if (folder->table)
@@ -207,27 +209,27 @@ static bool resume_table(tf_simulation_folder *folder, int steps)
 }
 
 bool tf_simulation_folder_resume(tf_simulation_folder *folder, const char *path,
-                                 tf_simulation *simulation)
+                                 tf_simulated *simulated)
 {
     *folder = (tf_simulation_folder){.path = path};
     int last = find_last_frame(path);
     if (last < 0)
         return set_fault(folder, NULL,
                          "has no frames to go on from; leave out --resume");
-    return read_frame(folder, last, simulation) && resume_table(folder, last);
+    return read_frame(folder, last, simulated) &&
+           resume_table(folder, simulated->kind, last);
 }
 
 //: Add a step to the folder of a simulation
 bool tf_simulation_folder_add(tf_simulation_folder *folder,
-                              const tf_simulation *simulation,
-                              const tf_step_cost *cost)
+                              const tf_simulated *simulated)
 {
     char name[FRAME_NAME];
     tf_output_file out;
-    name_frame(name, simulation->step);
-    if (!begin_frame(&out, folder, name, simulation))
+    name_frame(name, simulated->step);
+    if (!begin_frame(&out, folder, name, simulated))
         return drop_frame(&out, folder, name);
-    if (!tf_steps_file_add(folder->table, simulation, cost))
+    if (!tf_steps_file_add(folder->table, simulated))
         return drop_frame(&out, folder, table_name);
     return tf_output_file_keep(&out) || drop_frame(&out, folder, name);
 }

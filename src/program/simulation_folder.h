@@ -2,7 +2,7 @@
 #pragma once
 
 #include "program/output_file.h"
-#include "program/steps_file.h"
+#include "program/simulated.h"
 #include "program/visible.h"
 
 enum {
@@ -22,16 +22,15 @@ typedef struct tf_simulation_folder {
 /// Makes the folder, unless it is there and empty, and writes the start.  False:
 /// there is a fault.  Borrows the path.  Close the folder in any case.
 bool tf_simulation_folder_begin(tf_simulation_folder *folder, const char *path,
-                                const tf_simulation *simulation);
+                                const tf_simulated *simulated);
 
 /// Takes the state of the last frame in the folder.  False: there is a fault.
 bool tf_simulation_folder_resume(tf_simulation_folder *folder, const char *path,
-                                 tf_simulation *simulation);
+                                 tf_simulated *simulated);
 
 /// Writes the line and the frame of the step that was just made.  False: there
 /// is a fault, and neither or only the line is there.
 bool tf_simulation_folder_add(tf_simulation_folder *folder,
-                              const tf_simulation *simulation,
-                              const tf_step_cost *cost);
+                              const tf_simulated *simulated);
 
 void tf_simulation_folder_close(tf_simulation_folder *folder);

@@ -3,19 +3,17 @@
 #include "program/steps_file.h"
 
 #include <errno.h>
-#include <string.h>
 #include <unistd.h>
 
 //: Begin the table of steps
-static const char heading[] =
-    "step,time,first_contacts,contacts,impulse_rounds,zone_rounds,rigid_rounds,"
-    "failsafe_rounds,rows,held,grouped,resting,stretch,kinetic_energy,"
-    "elastic_energy,dynamics_seconds,response_seconds\n";
+/// The columns that all tables begin with.
+static const char first_columns[] = "step,time,";
 
-FILE *tf_steps_file_begin(const char *path)
+FILE *tf_steps_file_begin(const char *path, const tf_simulated_kind *kind)
 {
     FILE *table = fopen(path, "w");
-    if (table && (fputs(heading, table) < 0 || fflush(table) != 0)) {
+    if (table && (fprintf(table, "%s%s\n", first_columns, kind->columns) < 0 ||
+                  fflush(table) != 0)) {
         int cause = errno;
         fclose(table);
         errno = cause;
@@ -25,21 +23,27 @@ FILE *tf_steps_file_begin(const char *path)
 }
 
 //: Go on with a table of steps
-/// Reads a line up to its end; false if it does not begin with these words.
-static bool skip_line(FILE *table, const char *words)
+static bool skip_words(FILE *table, const char *words)
 {
     for (const char *c = words; *c; c++)
         if (getc(table) != *c)
             return false;
-    int c = (unsigned char)words[strlen(words) - 1];
+    return true;
+}
+
+/// Reads a line up to its end; false if it does not begin with a number.
+static bool skip_line(FILE *table, const char *number)
+{
+    int c = skip_words(table, number) ? ',' : EOF;
     while (c != '\n' && c != EOF)
         c = getc(table);
     return c == '\n';
 }
 
-static bool skip_lines(FILE *table, int steps)
+static bool skip_lines(FILE *table, const tf_simulated_kind *kind, int steps)
 {
-    bool good = skip_line(table, heading);
+    bool good = skip_words(table, first_columns) &&
+                skip_words(table, kind->columns) && getc(table) == '\n';
     for (int i = 1; i <= steps && good; i++) {
         char number[16];
         snprintf(number, sizeof number, "%d,", i);
@@ -48,13 +52,14 @@ static bool skip_lines(FILE *table, int steps)
     return good;
 }
 
-FILE *tf_steps_file_resume(const char *path, int steps)
+FILE *tf_steps_file_resume(const char *path, const tf_simulated_kind *kind,
+                           int steps)
 {
     FILE *table = fopen(path, "r+");
     if (!table)
         return NULL;
     errno = 0;
-    long end = skip_lines(table, steps) ? ftell(table) : -1;
+    long end = skip_lines(table, kind, steps) ? ftell(table) : -1;
     if (end >= 0 && fseek(table, end, SEEK_SET) == 0 &&
         ftruncate(fileno(table), end) == 0)
         return table;
@@ -65,26 +70,11 @@ FILE *tf_steps_file_resume(const char *path, int steps)
 }
 
 //: Add a line to the table of steps
-static void write_report(FILE *table, const tf_response_report *report)
+bool tf_steps_file_add(FILE *table, const tf_simulated *simulated)
 {
-    fprintf(table, ",%zu,%zu", report->first_contacts, report->contacts);
-    for (int i = 0; i < TF_LEVELS; i++)
-        fprintf(table, ",%d", report->rounds[i]);
-    fprintf(table, ",%zu,%d,%d,%d", report->rows, report->held, report->grouped,
-            report->resting);
-}
-
-bool tf_steps_file_add(FILE *table, const tf_simulation *simulation,
-                       const tf_step_cost *cost)
-{
-    const tf_simulation *s = simulation;
-    const tf_body *body = &s->stage.body;
-    fprintf(table, "%d,%.6g", s->step, s->step * s->scene->step);
-    write_report(table, &cost->report);
-    fprintf(table, ",%.6f,%.6g,%.6g,%.6f,%.6f\n",
-            tf_body_stretch(body, s->position),
-            tf_body_kinetic_energy(body, s->velocity),
-            tf_body_elastic_energy(body, s->position), cost->dynamics,
-            cost->response);
+    fprintf(table, "%d,%.6g", simulated->step,
+            simulated->step * simulated->length);
+    simulated->kind->write_line(table, simulated);
+    putc('\n', table);
     return fflush(table) == 0 && !ferror(table);
 }

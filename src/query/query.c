@@ -240,7 +240,8 @@ tf_status tf_query(const tf_arithmetic *arithmetic, int axes, int vertices,
         check_query(arithmetic, axes, vertices, first, others, second);
     if (status != TF_OK)
         return status;
-    *contact = (tf_contact){.verdict = TF_APART};
+    static const tf_contact apart = {.verdict = TF_APART};
+    *contact = apart;
     if (tf_elements_separated(axes, vertices, first, others, second))
         return TF_OK;
 
@@ -259,6 +260,16 @@ typedef struct scene_query {
     tf_worldline first[TF_VERTICES], second[TF_VERTICES];
 } scene_query;
 
+/// Makes the event in place: to copy a worldline costs more than to make it.
+static void gather_event(int axes, const double x[], int t, int vertex,
+                         tf_event *event)
+{
+    for (int k = 0; k < TF_AXES; k++)
+        event->x[k] = k < axes ? x[k] : 0;
+    event->t = t;
+    event->vertex = vertex;
+}
+
 /// False if an index names no vertex.
 static bool gather_element(const tf_motion *motion, int axes, int vertices,
                            const int index[], tf_worldline line[])
@@ -267,9 +278,8 @@ static bool gather_element(const tf_motion *motion, int axes, int vertices,
         if (index[i] < 0 || index[i] >= motion->vertices)
             return false;
         ptrdiff_t place = (ptrdiff_t)axes * index[i];
-        line[i] = tf_worldline_between(axes, motion->start + place,
-                                       motion->end + place);
-        tf_worldline_set_vertex(&line[i], index[i]);
+        gather_event(axes, motion->start + place, 0, index[i], &line[i].at[0]);
+        gather_event(axes, motion->end + place, 1, index[i], &line[i].at[1]);
     }
     return true;
 }

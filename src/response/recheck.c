@@ -24,18 +24,24 @@ typedef struct refitting {
 } refitting;
 
 //: Refit a leaf
-/// Finds the box of an element; returns whether a vertex of it has changed.
-static bool find_box(const refitting *of, int leaf, int lane, tf_box *box)
+static bool has_changed(const refitting *of, int leaf, int lane)
 {
     int corners = of->tree->corners;
     bool any = false;
-    *box = tf_box_empty;
+    for (int c = 0; c < corners; c++)
+        any |= of->changed[of->tree->corner[leaf * corners + c][lane]];
+    return any;
+}
+
+static tf_box box_around(const refitting *of, int leaf, int lane)
+{
+    int corners = of->tree->corners;
+    tf_box box = tf_box_empty;
     for (int c = 0; c < corners; c++) {
         int vertex = of->tree->corner[leaf * corners + c][lane];
-        any |= of->changed[vertex];
-        *box = tf_box_union(*box, of->box[vertex]);
+        box = tf_box_union(box, of->box[vertex]);
     }
-    return any;
+    return box;
 }
 
 /// Sets the boxes of the elements that have changed; returns their lanes.
@@ -43,9 +49,9 @@ static uint32_t refit_leaf(const refitting *of, int leaf)
 {
     uint32_t lanes = 0;
     for (int i = 0; i < TF_LANES && of->tree->element[leaf][i] >= 0; i++) {
-        tf_box box;
-        if (!find_box(of, leaf, i, &box))
+        if (!has_changed(of, leaf, i))
             continue;
+        tf_box box = box_around(of, leaf, i);
         tf_pack_set_box(&of->tree->level[0][leaf], i, &box);
         lanes |= UINT32_C(1) << i;
     }

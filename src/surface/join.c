@@ -1,6 +1,7 @@
 //: Include what the join needs
 #include "surface/join.h"
 
+#include "base/inside.h"
 #include "base/vectors.h"
 
 #include <stdint.h>

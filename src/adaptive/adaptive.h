@@ -1,0 +1,80 @@
+//: Declare adaptive surfaces
+#pragma once
+
+#include "base/api.h"
+#include "base/status.h"
+#include "surface/check.h"
+#include "surface/mesh.h"
+
+#include <stddef.h>
+
+/// @defgroup adaptive Adaptive surfaces
+/// Surfaces whose triangles are split, collapsed, flipped and moved, and that
+/// never intersect themselves, exactly.
+/// @{
+
+/// An embedded surface that operations change: each vertex has triangles all
+/// around it, or is on the boundary.  Only one thread at a time may use it.
+typedef struct tf_adaptive tf_adaptive;
+
+/// Where a mesh is no such surface.  What a status is not about is -1.
+typedef struct tf_defect {
+    int triangle;         ///< in the list that the caller gave
+    int vertex[2];        ///< a vertex, or the two of an edge
+    tf_crossing crossing; ///< with TF_NOT_EMBEDDED: the elements
+} tf_defect;
+
+//: Declare how adaptive surfaces are made
+/// Makes an adaptive surface of a mesh in space, which it copies.  It is
+/// refused, never mended, unless each edge has two triangles, which pass it in
+/// opposite directions, or one; the triangles at each vertex form one ring or
+/// one fan; none is collinear; and the surface does not intersect or touch
+/// itself.  All this is tested exactly.  A vertex without triangles stays
+/// without, and hinders nothing.
+///
+/// @param mesh its triangles; there must be no other edges
+/// @param position three coordinates a vertex
+/// @param[out] surface the surface, to be freed by tf_adaptive_free; set only
+///     with TF_OK
+/// @param[out] defect the first that is wrong, if the status is not TF_OK; may
+///     be NULL
+/// @return TF_OK; TF_NO_ELEMENTS; TF_BAD_INDEX; TF_NOT_FINITE;
+///     TF_EDGE_NOT_MANIFOLD, also for an edge of no triangle;
+///     TF_VERTEX_NOT_MANIFOLD; TF_COLLINEAR; TF_NOT_EMBEDDED;
+///     TF_BAD_ENVIRONMENT; or TF_OUT_OF_MEMORY
+TF_API tf_status tf_adaptive_create(const tf_mesh *mesh,
+                                    const double position[],
+                                    tf_adaptive **surface, tf_defect *defect);
+
+/// Frees a surface, and all that it lent.
+/// @param surface the surface; may be NULL
+TF_API void tf_adaptive_free(tf_adaptive *surface);
+
+//: Declare what an adaptive surface lends
+/// The triangles of a surface as it is now.  The numbers of vertices and
+/// triangles stay the same while they exist; the first vertex of a triangle that
+/// is gone is -1, and a vertex that is gone belongs to no triangle.
+/// @param surface the surface
+/// @return the mesh, lent until the surface is changed
+TF_API tf_mesh tf_adaptive_mesh(const tf_adaptive *surface);
+
+/// The places of its vertices.
+/// @param surface the surface
+/// @return three coordinates each, lent until the surface is changed
+TF_API const double *tf_adaptive_positions(const tf_adaptive *surface);
+
+/// Returns how much memory a surface holds by now.
+/// @param surface the surface
+/// @return bytes
+TF_API size_t tf_adaptive_memory(const tf_adaptive *surface);
+
+//: Declare how the gaps are closed
+/// Gives vertices and triangles new numbers without gaps, in the same order.
+/// Vertices without triangles are dropped, too.
+/// @param surface the surface
+/// @param[out] map the new number of each vertex, or -1 for one that is gone;
+///     room for all of them; may be NULL
+/// @return TF_OK or TF_OUT_OF_MEMORY, and then nothing is changed
+TF_API tf_status tf_adaptive_compact(tf_adaptive *surface, int map[]);
+
+/// @}

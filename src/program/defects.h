@@ -1,0 +1,10 @@
+//: Declare the defects of a mesh file
+#pragma once
+
+#include "adaptive/adaptive.h"
+#include "program/mesh_file.h"
+
+/// Describes why a file holds no adaptive surface, and where, as its fault;
+/// returns false.
+bool tf_defect_fault(tf_mesh_file *file, tf_status status,
+                     const tf_defect *defect);

@@ -1,0 +1,19 @@
+//: Declare the report of remeshing
+#pragma once
+
+#include "adaptive/remesh.h"
+
+#include <stdbool.h>
+#include <stdio.h>
+
+/// A report, and what else there is to say.
+typedef struct tf_remeshed {
+    tf_remesh_report report;
+    int triangles_before, triangles_after;
+    double edge; ///< the length that was wanted
+    double seconds;
+    bool json; ///< an object of JSON, not a summary
+} tf_remeshed;
+
+/// Writes it and flushes.  False, with errno, if a write failed.
+bool tf_remesh_output_write(FILE *stream, const tf_remeshed *remeshed);

@@ -57,7 +57,8 @@ check-static: need-static ## analyze the code: warnings, clang-tidy, cppcheck
 .PHONY: check-format format check-static
 
 proofs: need-proofs ## prove the error bounds with the constants in the code
-	@python3 tests/proofs/prove.py
+	@python3 tests/proofs/prove.py $(SCRIPT)
+	@$(if $(SCRIPT),,python3 tests/proofs/prove.py $(wildcard exercises/*.gappa))
 	@python3 tests/proofs/worst.py
 	@python3 tests/proofs/prove_test.py
 .PHONY: proofs

@@ -10,12 +10,16 @@
 # main() is.  A build of the first chapters leaves out the support that needs
 # more than they have, and the tests of the whole.
 SUPPORT := $(wildcard tests/support/*.c) tests/bench/workloads.c \
-	tests/bench/layers.c
+	tests/bench/layers.c tests/bench/measuring.c
 FIGURE_TESTS := $(wildcard tests/renderer/*.c tests/draw/*.c tests/figures/*.c)
 ifndef partial
 WHOLE := $(wildcard tests/whole/*.c) $(FIGURE_TESTS)
-# tests/whole/expansion and bench use the figures' expansion.
+# tests/whole/expansion and bench use the figures' expansion, which draws
+# nothing: it needs no library of figures.
 $(BUILD)/support.a: $(BUILD)/drawing/expansion.o
+$(BUILD)/drawing/expansion.o: figures/expansion.c $(BUILD)/flags | need-build
+	@echo 'compile $<' && mkdir -p $(@D)
+	$(Q)$(COMPILE) -I$(SRC) -Ifigures -MMD -MP -c $< -o $@
 else
 # Keep the support whose includes exist in this tree (-MM fails otherwise).
 SUPPORT := $(foreach file,$(SUPPORT),$(if \
@@ -26,7 +30,7 @@ FUZZERS := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/fuzz/*.c))
 
 $(BUILD)/support.a: $(SUPPORT:%.c=$(BUILD)/%.o)
 
-$(BUILD)/tests/%.o: tests/%.c $(BUILD)/flags | need-check
+$(BUILD)/tests/%.o: tests/%.c $(BUILD)/flags | need-tests
 	@echo 'compile $<' && mkdir -p $(@D)
 	$(Q)$(COMPILE) -I$(SRC) -Itests -Ifigures $(USES) \
 	    $$(pkg-config --cflags check) -MMD -MP -c $< -o $@
@@ -38,11 +42,12 @@ $(BUILD)/tests/%: $(BUILD)/tests/%.o $(BUILD)/support.a $(BUILD)/program.a \
 
 # These have the simulator in them, and with it the library that it uses.
 simulating = $(addprefix $(BUILD)/tests/,whole/scenes soak/scenes program/frame_file \
-	program/steps_file program/simulation_folder program/simulate_command)
+	program/simulation_folder program/simulate_command program/cloth_simulated \
+	bench/flowing)
 $(BUILD)/tests/simulate/% $(simulating): LIBRARIES = $(SPARSE)
 
-# This one counts calls of these functions.
-$(BUILD)/tests/whole/allocations: LIBRARIES = -Wl,--wrap=malloc \
+# These count calls of these functions, or let them fail.
+$(BUILD)/tests/whole/allocations $(BUILD)/tests/whole/no_memory: LIBRARIES = -Wl,--wrap=malloc \
 	-Wl,--wrap=calloc -Wl,--wrap=realloc -Wl,--wrap=aligned_alloc
 
 # The tests of the figures need more: their rule overrides the pattern above.
@@ -80,9 +85,14 @@ run-tests: $(library_file) $(program_file) $(TESTS:=.log) \
 sanitizers = -fsanitize=address,undefined,float-cast-overflow \
 	-fno-sanitize-recover=all -fno-omit-frame-pointer
 
+# Of the tests of figures, all.c draws every one, and the others would only take
+# long to link.
+sanitized_tests = $(library_tests) $(BUILD)/tests/figures/all \
+	$(filter-out $(BUILD)/tests/figures/%,$(figure_tests))
 check-sanitize: ## run the tests under AddressSanitizer and UBSan
-	@$(MAKE) check BUILD=$(BUILD)/sanitize TF_TEST_PERCENT=10 \
-	    CFLAGS='-O1 -g $(sanitizers)'
+	@$(MAKE) check BUILD=$(BUILD)/sanitize TF_TEST_PERCENT=5 \
+	    CFLAGS='-O1 -g $(sanitizers)' \
+	    TESTS='$(sanitized_tests:$(BUILD)/%=$(BUILD)/sanitize/%)'
 
 # Threads of the test answer at once what one answered before.  The log is made
 # even if checks fail; grep sees whether it says that all passed.
@@ -96,7 +106,7 @@ check-threads: need-check ## run many threads at once under ThreadSanitizer
 
 coverage: need-coverage ## list which lines of src/ the tests run; at least 95 %
 	@find $(BUILD)/coverage -name '*.gcda' -delete 2>/dev/null || true
-	@$(MAKE) check BUILD=$(BUILD)/coverage TF_TEST_PERCENT=10 CC=gcc \
+	@$(MAKE) check BUILD=$(BUILD)/coverage TF_TEST_PERCENT=5 CC=gcc \
 	    CFLAGS='-O0 --coverage -fprofile-update=atomic' \
 	    TESTS='$(library_tests:$(BUILD)/%=$(BUILD)/coverage/%)' WHOLE=
 	@gcovr --filter src/ --object-directory $(BUILD)/coverage --fail-under-line 95
@@ -136,9 +146,17 @@ soak-response: $(soak_response) ## resolve and judge COUNT=10000 random proposal
 	@TF_TEST_PERCENT=200 $(BUILD)/tests/whole/response
 	@TF_TEST_PERCENT=400 $(BUILD)/tests/whole/response_cases
 
+soak-surgery: COUNT = 500000
+soak-surgery: $(BUILD)/tests/soak/surgery ## try COUNT=500000 operations on surfaces, and judge each
+	@$< $(COUNT) $(FROM)
+
+soak-topology: COUNT = 100000
+soak-topology: $(BUILD)/tests/soak/topology ## merge, pinch and drop among COUNT=100000 operations, and judge each
+	@$< $(COUNT) $(FROM)
+
 soak-scenes: $(BUILD)/tests/soak/scenes ## simulate and judge all scenes of the simulator
 	@$<
-.PHONY: soak soak-vectors soak-response soak-scenes
+.PHONY: soak soak-vectors soak-response soak-surgery soak-topology soak-scenes
 
 # What is measured -------------------------------------------------------------
 
@@ -212,6 +230,42 @@ measure-simulation: ## run and time the scenes again for the book, in figures/si
 	@sh tests/bench/simulation.sh '$(CC)' -O3 $(BUILD)/measured/tanglefree \
 	    $(BUILD)/measured/frames >$(BUILD)/measured/simulation.csv
 	@mv $(BUILD)/measured/simulation.csv figures/simulation.csv
+
+measure-topology: ## merge, pinch and drop at random again for the book, in figures/topology.csv
+	@$(MAKE) BUILD=$(BUILD)/measured CFLAGS=-O3 LDFLAGS= \
+	    $(BUILD)/measured/tests/soak/topology
+	@echo 'measure figures/topology.csv'
+	@sh tests/bench/topology.sh '$(CC)' -O3 \
+	    $(BUILD)/measured/tests/soak/topology 500000 20000 \
+	    >$(BUILD)/measured/topology.csv
+	@mv $(BUILD)/measured/topology.csv figures/topology.csv
+
+measure-remeshing: need-remeshing ## remesh meshes of another program again for the book, in figures/remeshing.csv
+	@$(MAKE) $(parallel) BUILD=$(BUILD)/measured CFLAGS=-O3 program
+	@echo 'measure figures/remeshing.csv'
+	@sh tests/bench/remeshing.sh '$(CC)' -O3 $(BUILD)/measured/tanglefree \
+	    $(BUILD)/measured/remeshed >$(BUILD)/measured/remeshing.csv
+	@mv $(BUILD)/measured/remeshing.csv figures/remeshing.csv
+
+measure-surgery: ## leave out tests of surgery again for the book, in figures/surgery.csv
+	@$(MAKE) BUILD=$(BUILD)/measured CFLAGS=-O3 LDFLAGS= \
+	    $(BUILD)/measured/tests/soak/surgery
+	@echo 'measure figures/surgery.csv'
+	@sh tests/bench/surgery.sh '$(CC)' -O3 \
+	    $(BUILD)/measured/tests/soak/surgery 100000 \
+	    >$(BUILD)/measured/surgery.csv
+	@mv $(BUILD)/measured/surgery.csv figures/surgery.csv
+
+measure-flowing: ## let surfaces flow again for the book, in figures/flowing.csv
+	@$(MAKE) BUILD=$(BUILD)/measured CFLAGS=-O3 LDFLAGS= \
+	    $(BUILD)/measured/tests/bench/flowing
+	@echo 'measure figures/flowing.csv'
+	@sh tests/bench/flowing.sh '$(CC)' -O3 \
+	    $(BUILD)/measured/tests/bench/flowing \
+	    >$(BUILD)/measured/flowing.csv
+	@mv $(BUILD)/measured/flowing.csv figures/flowing.csv
 .PHONY: bench bench-response measure compare-solvers compare-sweeps \
-	measure-solvers collect-zones counts compare measure-roads measure-response \
-	measure-simulation
+	measure-solvers measure-topology \
+	collect-zones counts compare measure-roads measure-response \
+	measure-simulation measure-surgery \
+	measure-remeshing measure-flowing

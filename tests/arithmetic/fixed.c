@@ -2,6 +2,7 @@
 
 #include "support/exactness.h"
 #include "support/rational.h"
+#include "support/six.h"
 
 #include <float.h>
 #include <limits.h>
@@ -236,40 +237,6 @@ END_TEST
 
 // Several values --------------------------------------------------------------
 
-/// Six events whose coordinates on each axis are of one of several kinds.
-static void fill_events(generator *random, tf_event event[TF_SIX])
-{
-    for (int k = 0; k < TF_AXES; k++) {
-        int kind = below(random, 5), scale = below(random, 600) - 300;
-        for (int i = 0; i < TF_SIX; i++) {
-            double small = below(random, 4), any = uniform(random, -1, 1);
-            double x = kind == 0   ? small
-                       : kind == 1 ? any
-                       : kind == 2 ? (2 * below(random, 2) - 1) * largest
-                       : kind == 3 ? ldexp(any, -below(random, 18))
-                                   : ldexp(any, -below(random, 50));
-            event[i].x[k] = ldexp(x, kind == 2 ? 0 : scale);
-        }
-    }
-}
-
-/// The determinant without event i.
-static tf_differences differences_without(int i, int start_count,
-                                          const tf_event event[TF_SIX])
-{
-    tf_differences d = {.axis = {0, 1, 2}};
-    for (int t = 0; t < 2; t++) {
-        int begin = t == 0 ? 0 : start_count;
-        int first = begin == i ? begin + 1 : begin;
-        for (int j = first + 1; j < (t == 0 ? start_count : TF_SIX); j++)
-            if (j != i) {
-                d.to[d.n] = &event[j];
-                d.from[d.n++] = &event[first];
-            }
-    }
-    return d;
-}
-
 static void expect_value(const tf_value *value, const tf_differences *d)
 {
     tf_value alone;
@@ -290,23 +257,25 @@ static bool fits(const tf_event event[], int count)
     return is_on_grid(&m);
 }
 
-START_TEST(six_values_are_those_of_each)
+START_TEST(six_values_and_signs_are_those_of_each)
 {
     generator random = generator_new(5);
     long count = cases(30000), on_grid = 0;
     for (long i = 0; i < count; i++) {
-        tf_event event[TF_SIX];
-        fill_events(&random, event);
-        const tf_event *list[TF_SIX] = {&event[0], &event[1], &event[2],
-                                        &event[3], &event[4], &event[5]};
-        int start_count = 2 + below(&random, 3);
+        six_events six =
+            below(&random, 4) ? six_any(&random) : six_flat(&random);
+        const tf_event *list[TF_SIX];
+        six_list(&six, list);
         tf_value value[TF_SIX];
-        bool found = tf_fixed_six(start_count, list, value);
-        ck_assert(found == fits(event, TF_SIX));
+        tf_sign sign[TF_SIX], alone;
+        bool found = tf_fixed_six(six.start_count, list, value);
+        ck_assert(found == fits(six.event, TF_SIX));
+        ck_assert(found == tf_fixed_six_signs(six.start_count, list, sign));
         on_grid += found;
         for (int j = 0; j < TF_SIX && found; j++) {
-            tf_differences d = differences_without(j, start_count, event);
+            tf_differences d = six_without(&six, j);
             expect_value(&value[j], &d);
+            ck_assert(tf_fixed_sign(&d, &alone) && sign[j] == alone);
         }
     }
     ck_assert_msg(on_grid > count / 4 && on_grid < count - count / 4,
@@ -319,8 +288,8 @@ START_TEST(a_cross_product_has_the_minors)
     generator random = generator_new(6);
     long count = cases(30000), on_grid = 0;
     for (long i = 0; i < count; i++) {
-        tf_event event[TF_SIX];
-        fill_events(&random, event);
+        six_events six = six_any(&random);
+        tf_event *event = six.event;
         int start = below(&random, 2);
         tf_differences rows = {.n = 2,
                                .to = {&event[1], &event[3]},
@@ -358,7 +327,7 @@ Suite *suite(void)
     tcase_add_test(ends, what_underflows_on_its_way_to_the_grid_is_not_on_it);
     suite_add_tcase(suite, ends);
     TCase *several = tcase_create("several values");
-    tcase_add_test(several, six_values_are_those_of_each);
+    tcase_add_test(several, six_values_and_signs_are_those_of_each);
     tcase_add_test(several, a_cross_product_has_the_minors);
     suite_add_tcase(suite, several);
     return suite;

@@ -24,6 +24,10 @@ static const struct {
     {TF_BAD_MASS, "inverse mass", ": use 0 for a vertex that is scripted"},
     {TF_START_NOT_CLEAR, "when the step starts",
      ": start from a surface that does not intersect itself"},
+    {TF_EDGE_NOT_MANIFOLD, "an edge", ": give each edge one triangle or two"},
+    {TF_VERTEX_NOT_MANIFOLD, "at a vertex", ": give each its own vertex"},
+    {TF_COLLINEAR, "on one line", ": remove it, or move a corner off"},
+    {TF_NOT_EMBEDDED, "intersects or touches itself", ": move its parts away"},
 };
 
 enum {
@@ -42,19 +46,19 @@ END_TEST
 
 START_TEST(every_status_has_a_message_of_its_own)
 {
-    for (int a = TF_OK; a <= TF_START_NOT_CLEAR; a++) {
+    for (int a = TF_OK; a <= TF_NOT_EMBEDDED; a++) {
         const char *message = tf_status_message((tf_status)a);
         ck_assert_uint_gt(strlen(message), 5);
         for (int b = TF_OK; b < a; b++)
             ck_assert_str_ne(message, tf_status_message((tf_status)b));
     }
-    ck_assert_int_eq(MESSAGES, TF_START_NOT_CLEAR - TF_OK);
+    ck_assert_int_eq(MESSAGES, TF_NOT_EMBEDDED - TF_OK);
 }
 END_TEST
 
 START_TEST(unknown_status_breaks_the_contract)
 {
-    static const int unknown[] = {99, -1, TF_START_NOT_CLEAR + 1};
+    static const int unknown[] = {99, -1, TF_NOT_EMBEDDED + 1};
     tf_status_message((tf_status)unknown[_i]);
 }
 END_TEST

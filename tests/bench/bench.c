@@ -13,8 +13,10 @@
 //   accumulator, with exact signs; and of the signs that estimates leave open,
 //   the percentage of those with a rounded difference, and of those that the
 //   rounded differences would decide;
-// - a line a workload: how many signs a query takes, clamped and exact;
-// - a line a way to a sign: nanoseconds.  The grid and the expansion find the
+// - a line a workload: how many signs a query takes, clamped and exact, if they
+//   are found one by one, and for how many pairs the exact arithmetic estimates
+//   six signs at once;
+// - a line a way to a sign, or to six estimates: nanoseconds.  The grid and the expansion find the
 //   signs of the same differences as the accumulator between them.  The library
 //   does without the expansion.
 // With --csv the same as lines "name,value,unit", for figures/measured.csv.
@@ -28,6 +30,7 @@
 #include "arithmetic/integer.h"
 #include "arithmetic/operations.h"
 #include "arithmetic/perturbed.h"
+#include "arithmetic/six.h"
 #include "arithmetic/two_sum.h"
 #include "bench/workloads.h"
 #include "expansion.h"
@@ -271,6 +274,24 @@ static tf_sign count_exact(const tf_differences *differences)
     return tf_exact.sign(differences);
 }
 
+static void count_pairs(int start_count, const tf_event *const event[TF_SIX],
+                        tf_sign sign[TF_SIX])
+{
+    counted++;
+    tf_exact.six_estimates(start_count, event, sign);
+}
+
+/// The mean number of pairs of a query whose six signs are estimated.
+static double pairs_of(const workload *w)
+{
+    tf_arithmetic counting = tf_exact;
+    counting.six_estimates = count_pairs;
+    counted = 0;
+    for (long i = 0; i < w->count; i++)
+        answer(w, i, &counting);
+    return (double)counted / (double)w->count;
+}
+
 /// The mean number of signs that a query of the workload takes.
 static double signs_of(const workload *w,
                        tf_sign (*sign)(const tf_differences *),
@@ -288,15 +309,17 @@ static void print_counts(const workload *w, bool csv)
 {
     double clamped = signs_of(w, count_clamped, &tf_clamped);
     double exact = signs_of(w, count_exact, &tf_exact);
+    double pairs = pairs_of(w);
     const char *kind = workload_kind(w);
     if (csv)
         printf("clamped %s%s %s signs,%.2f,a query\n"
-               "exact %s%s %s signs,%.2f,a query\n",
+               "exact %s%s %s signs,%.2f,a query\n"
+               "exact %s%s %s pairs,%.2f,a query\n",
                rounded(w), w->name, kind, clamped, rounded(w), w->name, kind,
-               exact);
+               exact, rounded(w), w->name, kind, pairs);
     else
-        printf("%-8s%-8s %-15s %8.2f %8.2f\n", rounded(w), w->name, kind,
-               clamped, exact);
+        printf("%-8s%-8s %-15s %8.2f %8.2f %8.2f\n", rounded(w), w->name, kind,
+               clamped, exact, pairs);
 }
 
 // Signs -----------------------------------------------------------------------
@@ -465,6 +488,25 @@ static double time_signs(const matrix m[SIGNS], const race *r)
     return (nanoseconds() - start) / SIGNS;
 }
 
+/// Nanoseconds for six estimates of a pair.
+static double time_six(void)
+{
+    static tf_event event[SIGNS][TF_SIX];
+    generator random = generator_new(3);
+    for (int i = 0; i < SIGNS * TF_SIX; i++)
+        for (int k = 0; k < TF_AXES; k++)
+            event[i / TF_SIX][i % TF_SIX].x[k] = fine(&random);
+    double start = nanoseconds();
+    for (int i = 0; i < SIGNS; i++) {
+        const tf_event *of[TF_SIX];
+        tf_sign sign[TF_SIX];
+        for (int j = 0; j < TF_SIX; j++)
+            of[j] = &event[i][j];
+        tf_estimate_six(2 + i % 3, of, sign);
+    }
+    return (nanoseconds() - start) / SIGNS;
+}
+
 static void print_signs(bool csv)
 {
     static matrix m[RACES][SIGNS];
@@ -483,6 +525,10 @@ static void print_signs(bool csv)
     for (int i = 0; i < RACES; i++)
         printf(csv ? "%s,%.1f,ns a sign\n" : "%-24s %9.1f\n", races[i].name,
                best[i]);
+    double six = INFINITY;
+    for (int round = 0; round < ROUNDS; round++)
+        six = fmin(six, time_six());
+    printf(csv ? "%s,%.1f,ns a pair\n" : "%-24s %9.1f\n", "six estimates", six);
 }
 
 // Tables ----------------------------------------------------------------------
@@ -525,7 +571,8 @@ static void print_tables(void)
         printf(" %11s", shares[i].heading);
     printf("\n");
     print_workloads(print_shares, false);
-    printf("\n%-16s %-15s %8s %8s\n", "work", "signs of", "clamped", "exact");
+    printf("\n%-16s %-15s %8s %8s %8s\n", "work", "signs of", "clamped",
+           "exact", "pairs");
     print_workloads(print_counts, false);
     printf("\n%-24s %9s\n", "sign by", "ns");
     print_signs(false);

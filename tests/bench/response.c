@@ -9,8 +9,8 @@
 // units of detection, over all steps, in the worst step, and in steps without
 // contacts; vertices held back; and how often a resolver took more memory once
 // half of the steps were done.
-#define _POSIX_C_SOURCE 199309L // clock_gettime
 
+#include "bench/measuring.h"
 #include "fast/vector.h"
 #include "response/resolve.h"
 #include "support/cloth.h"
@@ -19,22 +19,6 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <time.h>
-
-static void require(tf_status status)
-{
-    if (status == TF_OK)
-        return;
-    fprintf(stderr, "bench: %s\n", tf_status_message(status));
-    exit(2);
-}
-
-static double seconds(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
 
 // A scene ---------------------------------------------------------------------
 
@@ -69,17 +53,17 @@ static double time_detection(scene *s)
     const tf_detection all = {.narrow_phase = &tf_vectorized};
     tf_motion motion = {s->of->mesh.vertices, s->of->position, s->end};
     tf_contacts found;
-    double begin = seconds();
+    double begin = processor_seconds();
     require(tf_surface_detect(s->surface, &motion, &all, &found, NULL));
-    return seconds() - begin;
+    return processor_seconds() - begin;
 }
 
 static double time_response(scene *s, tf_response_report *report)
 {
-    double begin = seconds();
+    double begin = processor_seconds();
     require(tf_step_resolve(s->resolver, s->of->mesh.vertices, s->of->position,
                             s->end, s->of->inverse_mass, NULL, report, NULL));
-    return seconds() - begin;
+    return processor_seconds() - begin;
 }
 
 // Sums ------------------------------------------------------------------------

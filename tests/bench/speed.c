@@ -16,11 +16,11 @@
 // - cloth: its candidates, and its contacts by both narrow phases.
 // With --csv lines "name,value,unit" for figures/measured.csv, with --json an
 // array of the same lines.
-#define _POSIX_C_SOURCE 199309L // clock_gettime
 
 #include "arithmetic/exact.h"
 #include "base/vectors.h"
 #include "bench/layers.h"
+#include "bench/measuring.h"
 #include "bench/workloads.h"
 #include "fast/filter.h"
 #include "fast/vector.h"
@@ -36,7 +36,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 enum {
     ROUNDS = 11,
@@ -47,17 +46,7 @@ enum {
 
 static double nanoseconds(void)
 {
-    struct timespec now;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return 1e9 * (double)now.tv_sec + (double)now.tv_nsec;
-}
-
-static void require(tf_status status)
-{
-    if (status == TF_OK)
-        return;
-    fprintf(stderr, "bench: %s\n", tf_status_message(status));
-    exit(2);
+    return 1e9 * processor_seconds();
 }
 
 static void *allocate(size_t count, size_t size)

@@ -13,6 +13,7 @@
 
 #include "arithmetic/exact.h"
 #include "bench/layers.h"
+#include "bench/measuring.h"
 #include "program/threads.h"
 #include "query/edge_edge.h"
 #include "query/point_triangle.h"
@@ -37,14 +38,6 @@ static double nanoseconds(clockid_t clock)
     struct timespec now;
     clock_gettime(clock, &now);
     return 1e9 * (double)now.tv_sec + (double)now.tv_nsec;
-}
-
-static void require(tf_status status)
-{
-    if (status == TF_OK)
-        return;
-    fprintf(stderr, "bench: %s\n", tf_status_message(status));
-    exit(2);
 }
 
 // Times -----------------------------------------------------------------------

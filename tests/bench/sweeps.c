@@ -9,8 +9,8 @@
 // them, in thousands; the sum of the energies that steps ended with, relative to
 // what was proposed, and how often a step ended with more than was proposed; the
 // seconds of processor time for resolving.  With --csv lines "name,value,unit".
-#define _POSIX_C_SOURCE 199309L // clock_gettime
 
+#include "bench/measuring.h"
 #include "response/conjugate_residuals.h"
 #include "response/gauss_seidel.h"
 #include "response/resolve.h"
@@ -19,22 +19,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
-
-static void require(tf_status status)
-{
-    if (status == TF_OK)
-        return;
-    fprintf(stderr, "sweeps: %s\n", tf_status_message(status));
-    exit(2);
-}
-
-static double seconds(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
 
 typedef struct tally {
     int steps, rounds, most_rounds, rescued, risen;
@@ -70,10 +54,10 @@ static tally run(cloth_scene which, int edges, int steps,
     for (int i = 0; i < steps; i++) {
         tf_response_report report;
         cloth_propose(of, end);
-        double begin = seconds();
+        double begin = processor_seconds();
         require(tf_step_resolve(resolver, of->mesh.vertices, of->position, end,
                                 of->inverse_mass, &options, &report, NULL));
-        sum.time += seconds() - begin;
+        sum.time += processor_seconds() - begin;
         account(&report, &sum);
         cloth_accept(of, end);
     }

@@ -22,9 +22,11 @@ import mathml
 import measured
 import pages
 import pages_test
+import places
 import reference
 import reference_test
 import sessions
+import slides
 import weave
 from fragments import parse, walk
 
@@ -114,6 +116,39 @@ class Weave(unittest.TestCase):
         self.assertEqual(weave.span("src/a.c", SOURCE, "Add one"), (12, 13))
         self.assertIsNone(weave.span("src/a.c", SOURCE, "Add two"))
         self.assertIsNone(weave.span("a.c", SOURCE, "more"))
+
+
+class Slides(unittest.TestCase):
+    def words(self, *parts):
+        return nodes.caption("", "", *(
+            nodes.math(part, part) if part[0] == "$" else nodes.Text(part)
+            for part in parts))
+
+    def test_sentences_end_before_capitals_and_formulas(self):
+        found = slides.sentences(self.words(
+            "Left, 1.5 of ", "$x", ". ", "$y", " is (e.g. here) so.\nRight, no?"))
+        self.assertEqual(["".join(n.astext() for n in s) for s in found],
+                         ["Left, 1.5 of $x. ", "$y is (e.g. here) so.\n",
+                          "Right, no?"])
+
+    def test_leads_with_what_fits_or_is_wanted(self):
+        words = self.words("One two. Three. Four five six.")
+        for room, count, wanted in ((16, None, 2), (1, None, 1), (1, 3, 3)):
+            self.assertEqual(len(slides.leading(words, room, count)), wanted)
+
+    def test_much_text_is_set_smaller(self):
+        sizes = [slides.size(nodes.container("", nodes.paragraph(
+            "", "a" * count))) for count in (100, 400, 800, 1500)]
+        self.assertEqual(sizes, list(slides.SIZES))
+
+    def test_copies_have_no_links_and_targets(self):
+        link = nodes.paragraph("", "", nodes.target(), nodes.reference(
+            "", "Figure 1", refuri="x"))
+        copy = slides.unlinked(link)
+        self.assertEqual(copy.astext(), "Figure 1")
+        self.assertFalse([*copy.findall(nodes.reference),
+                          *copy.findall(nodes.target)])
+        self.assertTrue([*link.findall(nodes.reference)])
 
 
 def chunk(kind, content):
@@ -329,6 +364,17 @@ class Texts(unittest.TestCase):
         full = nodes.entry("", nodes.paragraph("", "1"))
         blocks.drop_empty(None, nodes.row("", empty, full))
         self.assertEqual((len(empty), len(full)), (0, 1))
+
+    def test_warns_of_a_place_without_number(self):
+        domain = object.__new__(places.Standard)
+        domain.pages, words = None, nodes.Text("")
+        for kind, link, warnings in (("numref", words, 1), ("ref", words, 0),
+                                     ("numref", nodes.reference(), 0)):
+            with mock.patch.object(places.StandardDomain, "resolve_xref",
+                                   return_value=link), \
+                    mock.patch.object(places.logger, "warning") as warning:
+                domain.resolve_xref(None, "", None, kind, "a", None, words)
+            self.assertEqual(warning.call_count, warnings)
 
     def test_leaves_numbers_out_of_what_is_searched(self):
         text = nodes.paragraph(

@@ -1,6 +1,7 @@
 #define _GNU_SOURCE // mkdtemp, realpath
 
 #include "support/support.h"
+#include "support/terminal.h"
 
 #include <stdarg.h>
 #include <stdbool.h>
@@ -137,7 +138,9 @@ START_TEST(help_and_version_are_told)
 {
     expect_words(say("draw --help"), "list the figures");
     expect_words(say("draw figure --help"), "--animate");
+    expect_words(say("draw figure --help"), "--panel");
     expect_words(say("draw query --help"), "FILE:N");
+    expect_words(say("draw query --help"), "--at");
     expect_words(say("draw surface --help"), "START [END]");
     expect_words(say("draw film --help"), "--every");
     expect_words(say("draw list --help"), "names and titles");
@@ -187,6 +190,18 @@ START_TEST(settings_are_refused)
         {"invalid size '-80x60'", "-o a.png --size -80x60"},
         {"invalid size '80x60x'", "-o a.png --size 80x60x"},
         {"both from 16 to 16384 pixels", "-o a.png --size 15x15"},
+        {"or their ratio, such as 16:9", "-o a.png --size 16:"},
+        {"invalid size '16:0'", "-o a.png --size 16:0"},
+        {"invalid size '101:1'", "-o a.png --size 101:1"},
+        {"invalid size '4:3:2'", "-o a.png --size 4:3:2"},
+        {"a picture must be 16 to 16384 pixels", "-o a.png --size 1:100"},
+        {"invalid --title '$x'; write UTF-8, close each $",
+         "-o a.png --title '$x'"},
+        {"invalid --panel '0'; give a number from 1", "-o a.png --panel 0"},
+        {"--panel: there is no panel 9; the picture has ",
+         "-o a.png --panel 9"},
+        {"there is no panel 9", "--animate a.png --turntable --panel 9"},
+        {"invalid --labels 'q'; choose none", "-o a.png --labels q"},
         {"invalid --dpi '0'; give a number from 1", "-o a.png --dpi 0"},
         {"invalid --dpi 'x'", "-o a.png --dpi x"},
         {"a picture must be 16 to 16384 pixels", "-o a.png --dpi 1"},
@@ -217,6 +232,17 @@ END_TEST
 
 START_TEST(queries_are_refused)
 {
+    refuse("invalid --labels 'p,a'; choose none, or give 3 names, one a "
+           "vertex, such as q,u,v",
+           "draw query " QUERY "-o a.png --labels p,a");
+    refuse("invalid --labels 'p,,b'",
+           "draw query " QUERY "-o a.png --labels p,,b");
+    refuse("invalid --labels '$p_{'$'; write UTF-8",
+           "draw query " QUERY "-o a.png --labels p_{,a,b");
+    refuse("invalid time '2'; give a number from 0 to 1",
+           "draw query " QUERY "-o a.png --at 2");
+    refuse("--at is for pictures; add -o",
+           "draw query " QUERY "--animate a.gif --at 0.5");
     refuse("no query given", "draw query -k edge-edge -o a.png");
     refuse("--kind is required", "draw query x:0 -o a.png");
     refuse("unknown kind 'knot'; choose point-edge",
@@ -454,6 +480,94 @@ START_TEST(resolution_tells_the_size)
 }
 END_TEST
 
+/// A pixel of a vector file is 1/96 inch, 3/4 of a point, unless --dpi tells.
+START_TEST(sizes_hold_for_vectors)
+{
+    static const struct {
+        const char *options, *width, *height;
+    } sizes[] = {{"--size 800x450", "600", "337.5"},
+                 {"--size 450x800 --dpi 72", "450", "800"},
+                 {"--size 16:9", "384", "216"},
+                 {"--dpi 300", "384", "288"},
+                 {"", "384", "288"}};
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
+        say("draw query \"$QUERIES\"/point-edge.csv:0 -k point-edge -o a.svg "
+            "%s "
+            "&& draw query \"$QUERIES\"/point-edge.csv:0 -k point-edge -o "
+            "a.pdf "
+            "%s && grep -q 'width=\"%spt\" height=\"%spt\"' a.svg && "
+            "grep -aq '/MediaBox \\[ 0 0 %s %s \\]' a.pdf",
+            sizes[i].options, sizes[i].options, sizes[i].width, sizes[i].height,
+            sizes[i].width, sizes[i].height);
+    }
+}
+END_TEST
+
+/// The width and height of a.png as drawn with these options.
+static void expect_size(const char *options, int width, int height)
+{
+    int bytes[8];
+    say("draw query \"$QUERIES\"/point-edge.csv:0 -k point-edge -o a.png %s",
+        options);
+    const char *text = say("od -An -tu1 -j16 -N8 a.png");
+    ck_assert_int_eq(sscanf(text, "%d %d %d %d %d %d %d %d", &bytes[0],
+                            &bytes[1], &bytes[2], &bytes[3], &bytes[4],
+                            &bytes[5], &bytes[6], &bytes[7]),
+                     8);
+    int found[2] = {256 * bytes[2] + bytes[3], 256 * bytes[6] + bytes[7]};
+    ck_assert_msg(found[0] == width && found[1] == height, "%s: %d x %d",
+                  options, found[0], found[1]);
+}
+
+START_TEST(pictures_grow_with_what_is_added)
+{
+    expect_size("--dpi 72", 384, 288);
+    expect_size("--dpi 72 --size 16:9", 384, 216);
+    expect_size("--size 16:9", 1600, 900);
+    expect_size("--dpi 72 --title 'A $t$'", 384, 322);
+    // The head of the table, three vertices, contact, normal, and a note.
+    expect_size("--dpi 72 --coordinates", 384, 288 + 7 * 13 + 8);
+    expect_size("--dpi 72 --title A --coordinates --size 400x100", 400, 100);
+}
+END_TEST
+
+START_TEST(panels_titles_and_labels_show)
+{
+    static const char *const options[] = {
+        "",           "--title A",     "--title B",        "--panel 1",
+        "--panel 2",  "--labels none", "--labels q,a,b",   "--at 0.25",
+        "--at 0.375", "--coordinates", "--panel 1 -t dark"};
+    enum {
+        COUNT = sizeof options / sizeof *options
+    };
+    for (int i = 0; i < COUNT; i++)
+        say("draw query \"$QUERIES\"/point-edge.csv:0 -k point-edge --size "
+            "160x120 -o %d.png %s",
+            i, options[i]);
+    for (int i = 0; i < COUNT; i++)
+        for (int j = 0; j < i; j++)
+            say("! cmp %d.png %d.png", i, j);
+    say("draw query \"$QUERIES\"/point-edge.csv:0 -k point-edge --size 160x120 "
+        "-o a.png --labels p,a,b && cmp a.png 0.png");
+    say("draw query \"$QUERIES\"/point-edge.csv:0 -k point-edge --size 160x120 "
+        "-o a.png --time 0.25 && cmp a.png 7.png");
+    say(FRAMES "draw film f " SMALL " -o p.png && draw film f " SMALL
+               " -o q.png --title A && ! cmp p.png q.png; "
+               "s=$?; rm -r f g; exit $s");
+}
+END_TEST
+
+START_TEST(progress_on_a_terminal)
+{
+    terminal screen = terminal_open();
+    say("timeout 3 \"$TANGLEFREE_DRAW\" figure " FIGURE "--frames 9999 "
+        "--animate a.png 2>%s; test $? = 124",
+        screen.name);
+    const char *shown = terminal_close(&screen);
+    expect_words(shown, " of 9999 frames [");
+}
+END_TEST
+
 START_TEST(films_show_what_moves)
 {
     refuse("nothing in 'prism' moves; add --turntable",
@@ -636,6 +750,10 @@ Suite *suite(void)
         signals_leave_no_file,
         pictures_are_the_same_every_time,
         resolution_tells_the_size,
+        sizes_hold_for_vectors,
+        pictures_grow_with_what_is_added,
+        panels_titles_and_labels_show,
+        progress_on_a_terminal,
         figures_are_listed_and_tell_their_numbers,
         queries_tell_what_the_other_program_tells,
         surfaces_tell_what_the_other_program_tells,

@@ -36,12 +36,13 @@ static fig_answered answered_of(const query *q)
     return answered;
 }
 
-/// Draw a query, as a still picture (t < 0) or in a film; expect that no
-/// coordinate is found odd and that all labels are on the page.
-static void expect_picture(const query *q, double t)
+/// Draw an answered query, as a still picture (t < 0) or in a film; expect that
+/// no coordinate is found odd and that all labels are on the page.  Returns how
+/// many there are.
+static int expect_drawing(const query *q, const fig_answered *answered,
+                          double t)
 {
-    fig_answered answered = answered_of(q);
-    fig_drawing drawing = fig_query_drawing(&answered);
+    fig_drawing drawing = fig_query_drawing(answered);
     fig_page_options options = {.width = drawing.width,
                                 .height = drawing.height,
                                 .pixels_x = 32,
@@ -62,8 +63,16 @@ static void expect_picture(const query *q, double t)
                           box.y + box.height <= drawing.height,
                       "label %d leaves the page\n%s", i, query_text(q));
     }
+    int labels = fig_page_labels(page);
     fig_page_free(page);
     fclose(numbers);
+    return labels;
+}
+
+static void expect_picture(const query *q, double t)
+{
+    fig_answered answered = answered_of(q);
+    expect_drawing(q, &answered, t);
 }
 
 // Tests, by kind of query -----------------------------------------------------
@@ -110,6 +119,25 @@ START_TEST(extreme_queries_are_drawn)
 }
 END_TEST
 
+/// All vertices are named at any time; the table finds no number odd.
+START_TEST(queries_are_drawn_at_one_time)
+{
+    generator random = generator_new(40 + (uint64_t)_i);
+    for (long n = cases(10); n > 0; n--) {
+        query q = n % 2 == 0 ? query_lattice(&random, (query_kind)_i, 2)
+                             : query_extreme(&random, (query_kind)_i);
+        fig_answered answered = answered_of(&q);
+        int in_film = expect_drawing(&q, &answered, 0.5);
+        answered.still = true;
+        answered.time = 0.5;
+        int vertices = answered.kind->axes == 2 ? 0 : q.vertices + q.others;
+        ck_assert_int_eq(expect_drawing(&q, &answered, -1), in_film + vertices);
+        answered.coordinates = true;
+        ck_assert_int_ge(expect_drawing(&q, &answered, -1), in_film + vertices);
+    }
+}
+END_TEST
+
 Suite *suite(void)
 {
     Suite *s = suite_create("draw/query_picture");
@@ -119,6 +147,7 @@ Suite *suite(void)
     tcase_add_loop_test(drawn, lattice_queries_are_drawn, 0, KINDS);
     tcase_add_loop_test(drawn, hard_queries_are_drawn, 0, KINDS);
     tcase_add_loop_test(drawn, extreme_queries_are_drawn, 0, KINDS);
+    tcase_add_loop_test(drawn, queries_are_drawn_at_one_time, 0, KINDS);
     suite_add_tcase(s, drawn);
     return s;
 }

@@ -1,85 +1,22 @@
 """Tests of exercises/learn.py, on toy exercises: run by make check-exercises."""
 import json
-import os
 import subprocess
-import sys
-import tempfile
+import threading
 import unittest
-from pathlib import Path
 
-ONE = """\
-/* Exercise 1.1.  One.
- *
- * Return one.
- *
- * Section: Numbers.
- *
- * Hint 1: Not zero.
- * Hint 2: Not
- *     two.
- */
-int answer(void)
-{
-#if defined TF_SOLUTION
-    return 1;
-#elif defined TF_WRONG_1 // one too many
-    return 2;
-#elif defined TF_WRONG_2
-    return -1;
-#else
-    // Your turn.
-    return 0;
-#endif
-}
-"""
-CHECK = """\
-#include "check.h"
-int answer(void);
-START_TEST(is_one)
-{
-    check_input("nothing\\nat all");
-    int got = answer();
-    check_that(got == 1, "1", "%d", got);
-}
-END_TEST
-void add_tests(TCase *tests)
-{
-    tcase_add_test(tests, is_one);
-}
-"""
+from toy import ONE, Toy
 
 
-class Learn(unittest.TestCase):
-    def setUp(self):
-        temporary = tempfile.TemporaryDirectory()
-        self.addCleanup(temporary.cleanup)
-        self.root = Path(temporary.name)
-        self.exercises = self.root / "exercises"
-        self.exercises.mkdir()
-        for slug in ("01-1-one", "01-2-two"):
-            (self.exercises / f"{slug}.c").write_text(
-                ONE.replace("1.1", "1." + slug[3]))
-            (self.exercises / f"{slug}.check.c").write_text(CHECK)
-        self.mine = self.root / "work/01-1-one.c"
-
-    def run_learn(self, *arguments, status=0):
-        environment = dict(
-            os.environ, EXERCISES=str(self.exercises),
-            WORK=str(self.root / "work"), BUILD=str(self.root / "build"),
-            COMPILE=os.environ["COMPILE"] + " -iquote exercises")
-        run = subprocess.run(
-            [sys.executable, "exercises/learn.py", *arguments], text=True,
-            capture_output=True, env=environment)
-        self.assertEqual(run.returncode, status, run.stdout + run.stderr)
-        return run.stdout + run.stderr
-
-    def answer(self, body):
+class Learn(Toy):
+    def answer(self, body, status=1):
         self.mine.parent.mkdir(exist_ok=True)
-        self.mine.write_text("int answer(void)\n{\n" + body + "\n}\n")
-        return self.run_learn("learn")
+        self.mine.write_text("#include <stdio.h>\n#include <stdlib.h>\n"
+                             "#include <unistd.h>\n"
+                             "int answer(void)\n{\n" + body + "\n}\n")
+        return self.run_learn("learn", status=status)
 
     def test_starts_with_the_stub_without_hints(self):
-        self.assertIn("  got       0\n", self.run_learn("learn"))
+        self.assertIn("  got       0\n", self.run_learn("learn", status=1))
         text = self.mine.read_text()
         self.assertIn(" * Section: Numbers.\n */\n", text)
         self.assertNotIn("Hint", text)
@@ -90,12 +27,53 @@ class Learn(unittest.TestCase):
                       "  expected  1\n  got       3\n  where     ",
                       self.answer("return 3;"))
 
+    def test_names_a_wrong_signature(self):
+        self.mine.parent.mkdir()
+        self.mine.write_text("float answer(void)\n{\n    return 1;\n}\n")
+        told = self.run_learn("learn", status=1)
+        self.assertIn("01-1-one.check.c:2:5: error: conflicting types for", told)
+
+    def test_takes_several_exercises(self):
+        told = self.run_learn("learn", "--number=1.1 1.2", status=1)
+        self.assertIn("Exercise 1.1", told)
+        self.assertIn("Exercise 1.2", told)
+        self.answer("return 1;", status=0)
+        self.run_learn("learn", "--number=1.2 1.1", status=1)
+
+    def test_draws_the_failing_input(self):
+        self.assertNotIn("picture", self.run_learn("learn", status=1))
+        program = self.root / "build/tanglefree-draw"
+        program.write_text("#!/bin/sh\n[ \"$4\" = point-edge ] && "
+                           "cp \"${2%:0}\" \"$6\"\n")
+        program.chmod(0o755)
+        drawn = self.root / "build/learn/01-1-one.png"
+        self.assertIn(f"  picture   {drawn}\n",
+                      self.run_learn("learn", status=1))
+        self.assertEqual(drawn.read_text().strip(),
+                         "\n".join(6 * ["0x0p+0,0x0p+0"]))
+
+    def test_watches_the_file(self):
+        run = subprocess.Popen(
+            self.learn_command("learn", "--watch=1"), text=True,
+            env=self.environment(), stdout=subprocess.PIPE)
+        watchdog = threading.Timer(300, run.kill)
+        watchdog.start()
+        self.addCleanup(watchdog.cancel)
+        lines = iter(run.stdout.readline, "")
+        self.assertTrue(any("Waiting for you" in line for line in lines))
+        self.mine.write_text("int answer(void)\n{\n    return 2;\n}\n")
+        self.assertTrue(any("got       2" in line for line in lines))
+        self.assertTrue(any("Waiting for you" in line for line in lines))
+        self.mine.write_text("int answer(void)\n{\n    return 1;\n}\n")
+        self.assertIn("Solved", run.communicate()[0])
+        self.assertEqual(run.returncode, 0)
+
     def test_goes_on_after_success_when_asked(self):
-        told = self.answer("return 1;")
+        told = self.answer("return 1;", status=0)
         self.assertIn("Solved", told)
         self.assertIn("Next is exercise 1.2", told)
         self.assertFalse((self.root / "work/01-2-two.c").exists())
-        self.assertIn("Exercise 1.2", self.run_learn("learn"))
+        self.assertIn("Exercise 1.2", self.run_learn("learn", status=1))
         self.assertIn("solved", self.run_learn("list"))
 
     def test_explains_what_went_wrong(self):
@@ -108,7 +86,9 @@ class Learn(unittest.TestCase):
                 ("int a[2] = {0}; int volatile i = 2; return a[i];",
                  "index 2 out of bounds"),
                 ("__builtin_trap();", "a crash"),
-                ("_Exit(0);", "does your code call exit")):
+                ("_Exit(0);", "does your code call exit"),
+                ("sleep(100); return 1;", "in which it did not compute"),
+                ("for (;;) puts(\"again\");", "a megabyte printed")):
             with self.subTest(body):
                 self.assertIn(explanation, self.answer(body))
 
@@ -120,7 +100,7 @@ class Learn(unittest.TestCase):
     def test_never_overwrites(self):
         self.answer("return 3;")
         before = self.mine.read_text()
-        self.run_learn("learn")
+        self.run_learn("learn", status=1)
         self.assertEqual(self.mine.read_text(), before)
         for i in (1, 2):
             self.run_learn("reset", "--number=1.1")
@@ -140,17 +120,17 @@ class Learn(unittest.TestCase):
         sure = self.run_learn("solution", "--number=1.1", "--sure=1")
         self.assertIn("return 1;", sure)
         self.assertNotIn("#", sure)
-        self.answer("return 1;")
+        self.answer("return 1;", status=0)
         self.assertIn("return 1;", self.run_learn("solution",
                                                   "--number=1.1"))
 
     def test_names_what_there_is_not(self):
-        self.assertIn("There is no exercise 7.7",
+        self.assertIn("There is no exercise or chapter 7.7",
                       self.run_learn("learn", "--number=7.7", status=1))
         self.assertIn("Which exercise", self.run_learn("reset", status=1))
 
     def test_grades_as_gradescope_documents(self):
-        self.answer("return 1;")
+        self.answer("return 1;", status=0)
         self.run_learn("grade", f"--dir={self.mine.parent}")
         results = json.loads((self.root / "build/grade/results.json")
                              .read_text())

@@ -293,6 +293,44 @@ START_TEST(any_film_is_drawn)
 }
 END_TEST
 
+/// A triangle, and a square of twice its sides, in two triangles.
+START_TEST(films_one_after_the_other_share_a_box)
+{
+    static const double small[][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    static const double large[][3] = {
+        {0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {2, 2, 0}};
+    static const int triangle[] = {0, 1, 2, 2, 1, 3};
+    tf_surface *surface[2];
+    fig_cloth *cloth[2];
+    for (int i = 0; i < 2; i++) {
+        surface[i] = surface_of(&(tf_mesh){.axes = 3,
+                                           .vertices = 3 + i,
+                                           .triangles = 1 + i,
+                                           .triangle = triangle});
+        cloth[i] = fig_cloth_new(surface[i], 3);
+        ck_assert(fig_cloth_add(cloth[i], 3 + i, i == 0 ? *small : *large));
+    }
+    ck_assert(fig_cloth_end_all(2, cloth));
+    double length[2];
+    for (int i = 0; i < 2; i++) {
+        const tf_vector *at = cloth[i]->at;
+        length[i] = fig_length(fig_difference(at[1], at[0]));
+        ck_assert(!fig_cloth_is_stiff(cloth[i], 0));
+        ck_assert_int_eq(cloth[i]->floor, -1);
+        ck_assert_mem_eq(cloth[i]->reach, cloth[0]->reach,
+                         sizeof cloth[0]->reach);
+    }
+    ck_assert_double_eq_tol(length[1], 2 * length[0], 1e-14);
+    for (int i = 0; i < 2; i++) {
+        picture drawn;
+        draw(cloth[i], 0, &fig_theme_light, &drawn);
+        ck_assert_int_gt(blue_pixels(&drawn), 0);
+        fig_cloth_free(cloth[i]);
+        tf_surface_free(surface[i]);
+    }
+}
+END_TEST
+
 Suite *suite(void)
 {
     Suite *s = suite_create("figures/cloth");
@@ -303,6 +341,7 @@ Suite *suite(void)
     tcase_add_test(cloth, cloth_fills_the_picture_and_paper_is_around_it);
     tcase_add_test(cloth, cloth_throws_a_shadow_on_the_ground);
     tcase_add_test(cloth, any_film_is_drawn);
+    tcase_add_test(cloth, films_one_after_the_other_share_a_box);
     suite_add_tcase(s, cloth);
     return s;
 }

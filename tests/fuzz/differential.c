@@ -4,6 +4,8 @@
 #include "arithmetic/clamped.h"
 #include "arithmetic/exact.h"
 #include "arithmetic/integer.h"
+#include "support/fuzz_input.h"
+#include "support/hash.h"
 #include "support/invariants.h"
 #include "support/judge.h"
 
@@ -12,32 +14,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-/// What is left of the bytes; after their end, always the same random ones.
-typedef struct input {
-    const uint8_t *byte;
-    size_t left;
-    generator more;
-} input;
-
-static int next_byte(input *bytes)
-{
-    if (bytes->left == 0)
-        return below(&bytes->more, 256);
-    bytes->left--;
-    return *bytes->byte++;
-}
-
 /// An integer from -4 to 3, up to three units in the last place off.
-static double near_lattice(input *bytes)
+static double near_lattice(fuzz_input *bytes)
 {
     int byte = next_byte(bytes);
-    double x = (byte & 7) - 4;
-    for (int steps = byte >> 4 & 3; steps > 0; steps--)
-        x = nextafter(x, byte & 64 ? INFINITY : -INFINITY);
-    return x;
+    return nudged_by_byte((byte & 7) - 4, byte);
 }
 
-static double any_double(input *bytes)
+static double any_double(fuzz_input *bytes)
 {
     uint64_t bits = 0;
     for (int i = 0; i < 8; i++)
@@ -48,14 +32,14 @@ static double any_double(input *bytes)
 }
 
 /// Multiply each axis by a power of two, from 2^-1024 to 2^1016.
-static void scale_axes(input *bytes, query *q)
+static void scale_axes(fuzz_input *bytes, query *q)
 {
     for (int axis = 0; axis < q->axes; axis++)
         query_scale(q, axis, 8 * next_byte(bytes) - 1024);
 }
 
 /// Integers of all sizes that are exact in 128 bits.
-static void shear(input *bytes, query *q)
+static void shear(fuzz_input *bytes, query *q)
 {
     for (int i = 0; i < query_size(q); i++)
         *query_coordinate(q, i) = round(*query_coordinate(q, i));
@@ -63,7 +47,7 @@ static void shear(input *bytes, query *q)
     query_shear(&random, q, tf_arithmetic_bits(&tf_integer128, q->axes));
 }
 
-static query decode(input *bytes)
+static query decode(fuzz_input *bytes)
 {
     int first = next_byte(bytes), mode = first / KINDS % 4;
     query q = query_new((query_kind)(first % KINDS));
@@ -98,15 +82,6 @@ static void judge(const query *q)
     truth_clear(&known);
 }
 
-/// A number that depends on all bytes.
-static uint64_t hash_of(const uint8_t *data, size_t size)
-{
-    uint64_t hash = UINT64_C(0xcbf29ce484222325); // FNV-1a
-    for (size_t i = 0; i < size; i++)
-        hash = (hash ^ data[i]) * UINT64_C(0x100000001b3);
-    return hash;
-}
-
 enum {
     JUDGED = 1000 // one query in so many
 };
@@ -129,9 +104,9 @@ static invariant *const invariants[] = {
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
-    input bytes = {data, size, {0}};
+    fuzz_input bytes = {data, size, {0}};
     query q = decode(&bytes);
-    generator random = {hash_of(data, size)};
+    generator random = {hash_bytes(HASH_OF_NOTHING, data, size)};
     if (below(&random, JUDGED) == 0)
         judge(&q);
     tf_contact exact = ask(&tf_exact, &q);

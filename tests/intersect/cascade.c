@@ -167,6 +167,59 @@ START_TEST(a_unique_intersection_needs_no_other_projection)
 }
 END_TEST
 
+// Whichever axis a pair is flat along, the projection along that axis comes
+// first, so it takes the same signs to see that the pair is apart.
+
+static long signs_taken;
+
+static tf_sign count_sign(const tf_differences *differences)
+{
+    signs_taken++;
+    return oracle_arithmetic.sign(differences);
+}
+
+/// Puts a flat pair up along an axis: low at the start, high at the end.
+static void fill_along(own_pair *own, int flat, double plane[][2])
+{
+    for (int i = 0; i < own->pair.count; i++) {
+        double *x = own->event[i].x;
+        x[flat] = own->event[i].t;
+        x[flat == 0 ? 1 : 0] = plane[i][0];
+        x[flat == 2 ? 1 : 2] = plane[i][1];
+    }
+}
+
+START_TEST(a_flat_axis_comes_first)
+{
+    generator random = generator_new((uint64_t)_i);
+    tf_arithmetic counting = oracle_arithmetic;
+    counting.sign = count_sign;
+    own_pair own = {.event = {{.t = 0}}};
+    shape_moving(&own, _i);
+    long apart = 0;
+    for (long i = 0; i < cases(1000); i++) {
+        double plane[TF_PAIR_EVENTS][2];
+        for (int j = 0; j < own.pair.count; j++)
+            for (int k = 0; k < 2; k++)
+                plane[j][k] = uniform(&random, -1, 1);
+        long taken[TF_AXES] = {0};
+        tf_verdict verdict = TF_APART;
+        for (int flat = 0; flat < TF_AXES; flat++) {
+            fill_along(&own, flat, plane);
+            signs_taken = 0;
+            verdict = tf_intersect(&counting, &own.pair, TF_WITH_POINT).verdict;
+            taken[flat] = signs_taken;
+        }
+        if (verdict != TF_APART)
+            continue;
+        apart++;
+        ck_assert_int_eq(taken[0], taken[1]);
+        ck_assert_int_eq(taken[0], taken[2]);
+    }
+    ck_assert_int_gt(apart, 0);
+}
+END_TEST
+
 static void expect_earlier(tf_intersection a, tf_intersection b,
                            tf_intersection expected)
 {
@@ -235,6 +288,7 @@ Suite *suite(void)
                         TF_AXES);
     tcase_add_loop_test(tcase, a_unique_intersection_needs_no_other_projection,
                         0, TF_AXES);
+    tcase_add_loop_test(tcase, a_flat_axis_comes_first, 2, SHAPES);
     tcase_add_test(tcase, earlier_intersection_keeps_what_is_certain);
     tcase_add_test_raise_signal(tcase, static_pair_breaks_the_contract,
                                 SIGABRT);

@@ -23,7 +23,7 @@ static tf_signs fill_good(own_pair *own, generator *random)
     do {
         for (int i = 0; i < pair_size(own); i++)
             *pair_coordinate(own, i) = below(random, 4);
-        tf_pair_signs(&oracle_arithmetic, &own->pair, &signs);
+        find_signs(&oracle_arithmetic, &own->pair, &signs);
     } while (signs.positive == signs.negative);
     return signs;
 }

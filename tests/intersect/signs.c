@@ -66,7 +66,7 @@ static void expect_signs(const own_pair *own)
 {
     tf_arithmetic arithmetic = counting(&oracle_arithmetic);
     tf_signs found;
-    tf_pair_signs(&arithmetic, &own->pair, &found);
+    find_signs(&arithmetic, &own->pair, &found);
     bool seen[3] = {false, false, false}; // by sign, from -1
     int i = 0;
     while (i < own->pair.count && !(seen[0] && seen[2])) {
@@ -109,7 +109,7 @@ START_TEST(unknown_signs_are_not_turned)
     own_pair own = {.event = {{.t = 0}}};
     shape_moving(&own, _i);
     tf_signs found;
-    tf_pair_signs(&ignorant, &own.pair, &found);
+    find_signs(&ignorant, &own.pair, &found);
     ck_assert(found.unknown && !found.zero && !found.positive &&
               !found.negative);
     for (int i = 0; i < own.pair.count; i++)

@@ -45,6 +45,7 @@ check_page tanglefree-query tanglefree query
 check_page tanglefree-detect tanglefree detect
 check_page tanglefree-check tanglefree check
 check_page tanglefree-resolve tanglefree resolve
+check_page tanglefree-remesh tanglefree remesh
 check_page tanglefree-simulate tanglefree simulate
 check_page tanglefree-draw tanglefree-draw list figure query surface film
 readme console | sed 's|build/tanglefree|tanglefree|' >"$scratch/session"

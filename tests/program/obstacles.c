@@ -37,12 +37,26 @@ START_TEST(the_pair_is_named)
 }
 END_TEST
 
+START_TEST(a_crossing_is_named)
+{
+    static const tf_crossing crossing = {TF_POINT_ON_TRIANGLE,
+                                         {7, 0, 1, 2, -1}};
+    tf_mesh_file file = {.name = "mesh"};
+    ck_assert(!tf_crossing_fault(&file, &crossing));
+    ck_assert_str_eq(file.fault,
+                     "vertex 7 lies on triangle 0 1 2 (numbered from 0); move "
+                     "them apart, see 'tanglefree check' for all such pairs");
+    ck_assert_int_lt(file.fault_place, 0);
+}
+END_TEST
+
 Suite *suite(void)
 {
     Suite *suite = suite_create("program/obstacles");
     TCase *named = tcase_create("pairs");
     tcase_add_loop_test(named, the_pair_is_named, 0,
                         sizeof pairs / sizeof *pairs);
+    tcase_add_test(named, a_crossing_is_named);
     suite_add_tcase(suite, named);
     return suite;
 }

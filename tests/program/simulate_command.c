@@ -2,6 +2,7 @@
 
 #include "program/simulate_command.h"
 
+#include "simulate/flow_scene.h"
 #include "support/environments.h"
 #include "support/program.h"
 #include "support/simulating.h"
@@ -74,7 +75,52 @@ START_TEST(going_on_changes_no_bit)
 }
 END_TEST
 
-// Trouble -----------------------------------------------------------------------
+// Flows -----------------------------------------------------------------------
+
+// A scene that is quick.
+#define FLOW "$tf simulate dumbbell --edge 0.06"
+
+START_TEST(a_flow)
+{
+    outcome found = run(FLOW " -o made --steps 10");
+    ck_assert_str_eq(found.err, "");
+    ck_assert_int_eq(found.status, 0);
+    expect_words(found.out, "steps: 10\nvertices: ");
+    expect_words(found.out, "\ncomponents: 1\ngenus: 0\narea: 0.7");
+    expect_words(found.out, "\nadvance seconds: ");
+    expect(run("ls made | wc -l; tail -n 1 made/steps.csv | cut -d, -f 1-2; "
+               "$tf check made/*.ply"),
+           0, "12\n10,0.1\nfile,kind,a,b,c,d,e,f\n", "");
+}
+END_TEST
+
+START_TEST(a_flow_goes_on_bit_by_bit)
+{
+    run(FLOW " -o whole --steps 12 -t 1");
+    run(FLOW " -o parts --steps 5 -t 2");
+    outcome found = run(FLOW " -o parts --steps 12 --resume -t 2");
+    expect_words(found.out, "steps: 7\n");
+    expect(run("for i in whole parts; do cat $i/*.ply | cksum; rev "
+               "$i/steps.csv | cut -d, -f 4- | cksum; done | sort | uniq -c | "
+               "wc -l"),
+           0, "2\n", "");
+    expect(run("$tf simulate dumbbell --edge 0.07 -o parts --resume"), 2, "",
+           "tanglefree: parts/frame-00012.ply: is no frame of 'tanglefree "
+           "simulate dumbbell --edge 0.07'; correct the arguments, or delete "
+           "the file to go on from the one before\n");
+}
+END_TEST
+
+START_TEST(a_flow_that_is_interrupted)
+{
+    outcome found = run("timeout --preserve-status -s INT 1 $tf simulate star "
+                        "-o made --steps 99999");
+    ck_assert_int_eq(found.status, 130);
+    expect_words(found.err, "tanglefree: interrupted after step ");
+}
+END_TEST
+
+// Trouble ---------------------------------------------------------------------
 
 START_TEST(ctrl_c_finishes_the_step)
 {
@@ -147,13 +193,19 @@ START_TEST(a_broken_environment)
 }
 END_TEST
 
-// Arguments ---------------------------------------------------------------------
+// Arguments -------------------------------------------------------------------
 
 START_TEST(the_list_of_scenes)
 {
     outcome found = run("$tf simulate list");
     ck_assert_int_eq(found.status, 0);
-    ck_assert_int_eq(occurrences(found.out, "\n"), scene_count());
+    int flows;
+    const tf_flow_scene *flow = tf_flow_scenes(&flows);
+    ck_assert_int_eq(occurrences(found.out, "\n"), scene_count() + flows);
+    for (int i = 0; i < flows; i++) {
+        expect_words(found.out, flow[i].name);
+        expect_words(found.out, flow[i].shows);
+    }
     for (int i = 0; i < scene_count(); i++) {
         expect_words(found.out, scene_number(i)->name);
         expect_words(found.out, scene_number(i)->shows);
@@ -183,6 +235,22 @@ START_TEST(usage)
          "and not 'x'\n"},
         {"simulate sphere --steps 100000 -o made",
          "tanglefree simulate: --steps needs"},
+        {"simulate sphere --edge 0.1 -o made",
+         "tanglefree simulate: --edge is for surfaces that flow; the scene "
+         "sphere has a --size\n"},
+        {"simulate star --size 4 -o made",
+         "tanglefree simulate: --size is for cloth; the scene star has an "
+         "--edge\n"},
+        {"simulate star --edge 0 -o made",
+         "tanglefree simulate: --edge needs a length above 0, and not '0'\n"},
+        {"simulate star --edge 0.1x -o made",
+         "tanglefree simulate: --edge needs a length above 0, and not "
+         "'0.1x'\n"},
+        {"simulate star --edge 7 -o made",
+         "tanglefree simulate: the scene star needs an --edge from 0.001 to "
+         "0.1\n"},
+        {"simulate star", "tanglefree simulate: -o DIR is required: the "
+                          "folder for the frames\n"},
         {"simulate sphere stack -o made", "tanglefree simulate: "},
         {"simulate sphere -t 0 -o made", "tanglefree simulate: '0' is not a "},
     };
@@ -193,13 +261,16 @@ START_TEST(usage)
 }
 END_TEST
 
+// More steps than any machine makes before it is interrupted: progress is shown
+// after a second.
 START_TEST(progress_on_a_terminal)
 {
     terminal screen = terminal_open();
-    run("$tf simulate sphere --size 12 -o made --steps 400 -t 1 2>%s",
+    run("timeout -s INT 1.2 $tf simulate sphere --size 12 -o made "
+        "--steps 99999 -t 1 2>%s",
         screen.name);
     const char *shown = terminal_close(&screen);
-    expect_words(shown, " of 400 steps, ");
+    expect_words(shown, " of 99999 steps, ");
     expect_words(shown, " contacts\r\033[K");
 }
 END_TEST
@@ -215,10 +286,13 @@ Suite *suite(void)
     tcase_add_test(good, threads_change_no_bit);
     tcase_add_test(good, going_on_changes_no_bit);
     tcase_add_test(good, progress_on_a_terminal);
+    tcase_add_test(good, a_flow);
+    tcase_add_test(good, a_flow_goes_on_bit_by_bit);
     suite_add_tcase(suite, good);
     TCase *bad = tcase_create("trouble");
     tcase_add_checked_fixture(bad, enter_folder, leave_folder);
     tcase_add_test(bad, ctrl_c_finishes_the_step);
+    tcase_add_test(bad, a_flow_that_is_interrupted);
     tcase_add_test(bad, a_disk_that_is_full);
     tcase_add_test(bad, a_folder_that_is_not_empty);
     tcase_add_test(bad, another_size_cannot_go_on);

@@ -1,4 +1,5 @@
-"""Prove the error bounds of the library by Gappa: all scripts, or those named.
+"""Prove the error bounds of the library by Gappa: all scripts, or those named,
+by the name of a script here or by a path.
 
 A script says in its comments what it proves, and takes its constants from the
 C code:
@@ -97,10 +98,12 @@ def main(names):
     good = True
     for name in names or sorted(path.stem for path in FOLDER.glob("*.gappa")):
         try:
-            good = check((FOLDER / f"{name}.gappa").read_text()) and good
+            path = pathlib.Path(name) if "/" in name else \
+                FOLDER / f"{name}.gappa"
+            good = check(path.read_text()) and good
         except Trouble as trouble:
             good = False
-            print(f"{name}.gappa: {trouble}")
+            print(f"{path.name}: {trouble}")
     return 0 if good else 1
 
 

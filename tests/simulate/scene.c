@@ -38,7 +38,7 @@ START_TEST(every_scene_starts_clear)
     const tf_scene *scene = scene_number(_i);
     int sizes[] = {scene->least, scene->least + 1, scene->least + 2,
                    scene->size, scene->size * 3 / 2};
-    for (int i = 0; i < 5; i++) {
+    for (int i = 0; i < cases(5); i++) {
         tf_stage stage;
         tf_scene_build(scene, sizes[i], &stage);
         ck_assert(!stage.body.failed);

@@ -39,6 +39,9 @@ tf_arithmetic counting(const tf_arithmetic *arithmetic)
     tf_arithmetic counts = *arithmetic;
     counts.sign = count_sign;
     counts.value = count_value;
+    // Found one by one, so that as few are counted as are needed.
+    counts.six_signs = NULL;
+    counts.six_estimates = NULL;
     counts.six = arithmetic->six ? count_six : NULL;
     counts.cross = arithmetic->cross ? count_cross : NULL;
     return counts;

@@ -41,6 +41,13 @@ void shape_static(own_pair *own, int axes, int first, int second)
     add_events(own, -1, 0, second);
 }
 
+void find_signs(const tf_arithmetic *arithmetic, const tf_pair *pair,
+                tf_signs *signs)
+{
+    if (!tf_pair_sure_signs(arithmetic, pair, signs))
+        tf_pair_other_signs(arithmetic, pair, signs);
+}
+
 int pair_size(const own_pair *own)
 {
     return own->pair.count * own->pair.axes;

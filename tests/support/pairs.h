@@ -29,6 +29,10 @@ void shape_static(own_pair *own, int axes, int first, int second);
 int pair_size(const own_pair *own);
 double *pair_coordinate(own_pair *own, int i);
 
+/// All signs that are needed, as the complementary test finds them.
+void find_signs(const tf_arithmetic *arithmetic, const tf_pair *pair,
+                tf_signs *signs);
+
 /// What is wrong with `found` as the earliest common point of the pair, found
 /// with exact signs and values (or `exact` is false: then it must not claim
 /// what is not so); NULL if nothing is.

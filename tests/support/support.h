@@ -11,8 +11,8 @@
 /// The suite of the test file.  No test has a time limit.
 Suite *suite(void);
 
-/// How many of `full` random cases to try: TF_TEST_PERCENT (environment, 100
-/// unless told) percent of them, at least one.
+/// How many of `full` cases to try: TF_TEST_PERCENT (environment, 100 unless
+/// told) percent of them, at least one.
 long cases(long full);
 
 #endif

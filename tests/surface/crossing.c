@@ -1,30 +1,10 @@
 // How elements at rest intersect, against linear programs in rational numbers.
 #include "surface/crossing.h"
 
-#include "support/oracle.h"
+#include "support/at_rest.h"
 #include "support/support.h"
 
 #include <string.h>
-
-static bool meet(int axes, int count, double a[][3], int others, double b[][3])
-{
-    tf_event event[6] = {{.vertex = TF_NO_INDEX}};
-    oracle_simplex s = {.count = count}, r = {.count = others};
-    for (int i = 0; i < count + others; i++) {
-        const double *x = i < count ? a[i] : b[i - count];
-        event[i] = (tf_event){.vertex = TF_NO_INDEX};
-        memcpy(event[i].x, x, sizeof event[i].x);
-        *(i < count ? &s.event[i] : &r.event[i - count]) = &event[i];
-    }
-    return oracle_slices_meet(axes, &s, &r);
-}
-
-static void place(generator *random, int count, int n, double x[][3])
-{
-    for (int i = 0; i < count; i++)
-        for (int k = 0; k < 3; k++)
-            x[i][k] = below(random, n);
-}
 
 START_TEST(edges_cross_in_the_plane)
 {
@@ -32,9 +12,9 @@ START_TEST(edges_cross_in_the_plane)
     int crossed = 0, count = (int)cases(20000);
     for (int i = 0; i < count; i++) {
         double x[4][3];
-        place(&random, 4, 2 + i % 4, x);
+        place_on_lattice(&random, 4, 2 + i % 4, x);
         bool found = tf_edges_cross(x[0], x[1], x[2], x[3]);
-        ck_assert_int_eq(found, meet(2, 2, x, 2, x + 2));
+        ck_assert_int_eq(found, meet_at_rest(2, 2, x, 2, x + 2));
         ck_assert_int_eq(found, tf_edges_cross(x[3], x[2], x[0], x[1]));
         crossed += found;
     }
@@ -45,14 +25,15 @@ END_TEST
 /// Whether an edge passes through the inside of a triangle.
 static bool pass(double edge[][3], double triangle[][3])
 {
-    if (!meet(3, 2, edge, 3, triangle) || meet(3, 1, edge, 3, triangle) ||
-        meet(3, 1, edge + 1, 3, triangle))
+    if (!meet_at_rest(3, 2, edge, 3, triangle) ||
+        meet_at_rest(3, 1, edge, 3, triangle) ||
+        meet_at_rest(3, 1, edge + 1, 3, triangle))
         return false;
     for (int i = 0; i < 3; i++) {
         double side[2][3];
         memcpy(side[0], triangle[i], sizeof side[0]);
         memcpy(side[1], triangle[(i + 1) % 3], sizeof side[1]);
-        if (meet(3, 2, edge, 2, side))
+        if (meet_at_rest(3, 2, edge, 2, side))
             return false;
     }
     return true;
@@ -64,7 +45,7 @@ START_TEST(edges_pass_through_triangles)
     int passed = 0, count = (int)cases(20000);
     for (int i = 0; i < count; i++) {
         double x[5][3];
-        place(&random, 5, 3 + i % 6, x);
+        place_on_lattice(&random, 5, 3 + i % 6, x);
         bool found = tf_edge_crosses_triangle(x[0], x[1], x[2], x[3], x[4]);
         ck_assert_int_eq(found, pass(x, x + 2));
         ck_assert_int_eq(

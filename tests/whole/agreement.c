@@ -277,6 +277,36 @@ START_TEST(many_queries_are_decided_as_each_alone)
 }
 END_TEST
 
+// Signs and values at once ----------------------------------------------------
+
+/// The same arithmetic, which finds every sign and value by itself.
+static tf_arithmetic one_by_one(const tf_arithmetic *arithmetic)
+{
+    tf_arithmetic alone = *arithmetic;
+    alone.six = NULL;
+    alone.six_signs = NULL;
+    alone.six_estimates = NULL;
+    alone.cross = NULL;
+    return alone;
+}
+
+START_TEST(what_comes_at_once_is_what_comes_one_by_one)
+{
+    const tf_arithmetic *arithmetic = arithmetic_of(_i);
+    tf_arithmetic alone = one_by_one(arithmetic);
+    generator random = generator_new((uint64_t)(400 + _i));
+    for (long i = cases(10000); i > 0; i--) {
+        query q = held_query(&random, arithmetic, kind_of(_i));
+        int index[QUERY_VERTICES];
+        mix_indices(&random, &q, index);
+        tf_contact expected = ask(&alone, &q);
+        tf_contact contact = ask(arithmetic, &q);
+        expect(contacts_are_same(&contact, &expected),
+               "another contact one by one", arithmetic, &q);
+    }
+}
+END_TEST
+
 // Other orders ----------------------------------------------------------------
 
 /// Swap two vertices of an element of two or three.
@@ -327,6 +357,8 @@ Suite *suite(void)
     Suite *suite = suite_create("agreement");
     TCase *tcase = tcase_create("agreement");
     tcase_add_loop_test(tcase, the_verdict_alone_is_that_of_the_contact, 0,
+                        LOOPS);
+    tcase_add_loop_test(tcase, what_comes_at_once_is_what_comes_one_by_one, 0,
                         LOOPS);
     tcase_add_loop_test(tcase, more_detail_decides_nothing_else, 0, LOOPS);
     tcase_add_loop_test(tcase, many_queries_are_decided_as_each_alone, 0,

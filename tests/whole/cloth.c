@@ -40,7 +40,7 @@ Suite *suite(void)
     Suite *suite = suite_create("whole/cloth");
     TCase *tcase = tcase_create("scenes");
     tcase_add_loop_test(tcase, cloth_starts_free_of_tangles_and_tangles, 0,
-                        CLOTH_SCENES);
+                        (int)cases(CLOTH_SCENES));
     suite_add_tcase(suite, tcase);
     return suite;
 }

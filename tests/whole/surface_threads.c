@@ -62,11 +62,12 @@ static void expect_rows(rows expected, rows found)
 
 static void compare(find_function *find)
 {
+    static int numbers[] = {1, 2, 3, 8};
     tf_surface *one = surface_of(&mesh), *several = surface_of(&mesh);
     rows expected = find(one, NULL);
-    for (int workers = 1; workers <= 8; workers++) {
-        tf_parallel threads = tf_threads(&workers);
-        tf_parallel backward = scrambled(&workers);
+    for (int i = 0; i < 4; i++) {
+        tf_parallel threads = tf_threads(&numbers[i]);
+        tf_parallel backward = scrambled(&numbers[i]);
         expect_rows(expected, find(several, &threads));
         expect_rows(expected, find(several, &backward));
     }

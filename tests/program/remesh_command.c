@@ -1,0 +1,128 @@
+// The command remesh, as a user runs it.
+
+#include "program/remesh_command.h"
+
+#include "support/environments.h"
+#include "support/program.h"
+#include "support/support.h"
+
+#include <string.h>
+
+#define SQUARE "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n"
+
+static void enter_folder_with_files(void)
+{
+    enter_folder();
+    make_file("square.obj", SQUARE);
+    make_file("crossed", "v 0 0 0\nv 4 0 0\nv 0 4 0\nv 1 1 -1\nv 1 1 1\n"
+                         "v 9 9 9\nf 1 2 3\nf 4 5 6\n");
+}
+
+START_TEST(a_mesh_is_remeshed)
+{
+    outcome found = run("$tf remesh square.obj -o out.obj --edge 0.25");
+    ck_assert_str_eq(found.err, "");
+    ck_assert_int_eq(found.status, 0);
+    expect_words(found.out, "triangles before: 2\n");
+    expect_words(found.out, "rounds: 5\n");
+    expect_words(found.out, "\ndistance: ");
+    ck_assert_int_gt(occurrences(file_text("out.obj"), "f "), 20);
+    expect(run("$tf check --output summary out.obj"), 0,
+           "files: 1\nfiles with intersections: 0\nintersections: 0\n", "");
+}
+END_TEST
+
+START_TEST(from_and_to_a_pipe)
+{
+    outcome found =
+        run("cat square.obj | $tf remesh - -o - -e 9 --rounds 1 --output json");
+    ck_assert_int_eq(found.status, 0);
+    ck_assert_str_eq(found.out, SQUARE);
+    expect_words(found.err, "\"triangles\":2,");
+    expect_words(found.err, "\"rounds\":1,");
+}
+END_TEST
+
+START_TEST(the_ending_is_the_format)
+{
+    outcome found = run("$tf remesh square.obj -o out.ply -e 9");
+    ck_assert_int_eq(found.status, 0);
+    expect_words(file_text("out.ply"), "ply\n");
+}
+END_TEST
+
+START_TEST(a_mesh_that_intersects_is_refused)
+{
+    expect(run("$tf remesh crossed -o made -e 1"), 2, "",
+           "tanglefree: crossed: edge 3 4 passes through triangle 0 1 2 "
+           "(numbered from 0); move them apart, see 'tanglefree check' for all "
+           "such pairs\n");
+    ck_assert_int_eq(run("test -e made").status, 1);
+}
+END_TEST
+
+START_TEST(what_cannot_be_written_is_named)
+{
+    outcome found = run("$tf remesh square.obj -o no/out -e 1");
+    ck_assert_int_eq(found.status, 2);
+    expect_words(found.err, "tanglefree: no/out: cannot write: ");
+}
+END_TEST
+
+START_TEST(edges_of_the_wrong_scale_are_refused)
+{
+    outcome found = run("$tf remesh square.obj -o short -e 1e-9");
+    ck_assert_int_eq(found.status, 2);
+    expect_words(found.err, "tanglefree: square.obj: --edge 1e-09 would take "
+                            "too many triangles; give a longer one");
+    ck_assert_int_eq(run("test -e short").status, 1);
+}
+END_TEST
+
+START_TEST(bad_arguments_are_refused)
+{
+    expect_usage("remesh -o out -e 1", "tanglefree remesh: one file is req");
+    expect_usage("remesh a b -o out -e 1", "tanglefree remesh: one file is");
+    expect_usage("remesh square.obj -e 1", "tanglefree remesh: -o OUT is req");
+    expect_usage("remesh square.obj -o out",
+                 "tanglefree remesh: --edge L is required");
+    expect_usage("remesh square.obj -o out -e 0",
+                 "tanglefree remesh: --edge=0");
+    expect_usage("remesh square.obj -o out -e x",
+                 "tanglefree remesh: --edge needs a number");
+    expect_usage("remesh square.obj -o out -e 1 --rounds 0",
+                 "tanglefree remesh: --rounds=0");
+    expect_usage("remesh square.obj -o out -e 1 --rounds 1.5",
+                 "tanglefree remesh: --rounds=1.5");
+    expect_usage("remesh square.obj -o out -e 1 --output xml",
+                 "tanglefree remesh: ");
+}
+END_TEST
+
+START_TEST(a_broken_environment_is_refused)
+{
+    const char *const arguments[] = {
+        "tanglefree remesh", "square.obj", "-o", "out", "-e", "1", NULL};
+    outcome found = run_broken(_i, tf_remesh_command, arguments);
+    ck_assert_int_eq(found.status, 2);
+    expect_words(found.err, "floating-point environment");
+}
+END_TEST
+
+Suite *suite(void)
+{
+    Suite *suite = suite_create("program/remesh_command");
+    TCase *tcase = tcase_create("command");
+    tcase_add_checked_fixture(tcase, enter_folder_with_files, leave_folder);
+    tcase_add_test(tcase, a_mesh_is_remeshed);
+    tcase_add_test(tcase, from_and_to_a_pipe);
+    tcase_add_test(tcase, the_ending_is_the_format);
+    tcase_add_test(tcase, a_mesh_that_intersects_is_refused);
+    tcase_add_test(tcase, what_cannot_be_written_is_named);
+    tcase_add_test(tcase, edges_of_the_wrong_scale_are_refused);
+    tcase_add_test(tcase, bad_arguments_are_refused);
+    tcase_add_loop_test(tcase, a_broken_environment_is_refused, 0,
+                        environments());
+    suite_add_tcase(suite, tcase);
+    return suite;
+}

@@ -1,0 +1,257 @@
+// Adaptive surfaces without memory: each allocation fails in turn, which is
+// reported, and what there was stays good.  The linker puts the functions below
+// in the place of those of the C library: see tests/rules.mk.
+#include "adaptive/flow.h"
+#include "adaptive/operations.h"
+#include "adaptive/reconnect.h"
+#include "adaptive/remesh.h"
+#include "adaptive/topology.h"
+#include "support/adaptive_of.h"
+#include "support/blobs.h"
+#include "support/support.h"
+
+#include <stdlib.h>
+
+/// How many allocations succeed before all fail; below 0: all succeed.
+static long left = -1;
+
+// The names are the linker's.
+void *__real_malloc(size_t size);
+void *__real_calloc(size_t count, size_t size);
+void *__real_realloc(void *old, size_t size);
+void *__real_aligned_alloc(size_t alignment, size_t size);
+void *__wrap_malloc(size_t size);
+void *__wrap_calloc(size_t count, size_t size);
+void *__wrap_realloc(void *old, size_t size);
+void *__wrap_aligned_alloc(size_t alignment, size_t size);
+
+static int fails(void)
+{
+    return left == 0 || (left > 0 && left-- == 0);
+}
+
+void *__wrap_malloc(size_t size)
+{
+    return fails() ? NULL : __real_malloc(size);
+}
+
+void *__wrap_calloc(size_t count, size_t size)
+{
+    return fails() ? NULL : __real_calloc(count, size);
+}
+
+void *__wrap_realloc(void *old, size_t size)
+{
+    return fails() ? NULL : __real_realloc(old, size);
+}
+
+void *__wrap_aligned_alloc(size_t alignment, size_t size)
+{
+    return fails() ? NULL : __real_aligned_alloc(alignment, size);
+}
+
+/// Makes a surface of another one's mesh, which must be good.
+static tf_status copy(const tf_adaptive *from, tf_adaptive **made)
+{
+    tf_mesh mesh = tf_adaptive_mesh(from);
+    *made = NULL;
+    return tf_adaptive_create(&mesh, tf_adaptive_positions(from), made, NULL);
+}
+
+static void expect_good(tf_adaptive *surface)
+{
+    tf_adaptive *again;
+    ck_assert_int_eq(tf_adaptive_compact(surface, NULL), TF_OK);
+    ck_assert_int_eq(copy(surface, &again), TF_OK);
+    tf_adaptive_free(again);
+}
+
+START_TEST(a_surface_is_made_whole_or_not)
+{
+    tf_adaptive *sheet = adaptive_sheet(2, 2), *made;
+    tf_status status = TF_OUT_OF_MEMORY;
+    int failures = 0;
+    for (; status != TF_OK; failures++) {
+        left = failures;
+        status = copy(sheet, &made);
+        left = -1;
+        ck_assert(status == TF_OK || status == TF_OUT_OF_MEMORY);
+        ck_assert((status == TF_OK) == (made != NULL));
+    }
+    ck_assert_int_gt(failures, 10);
+    tf_adaptive_free(made);
+    tf_adaptive_free(sheet);
+}
+END_TEST
+
+static tf_status try_operation(tf_adaptive *surface, int which,
+                               tf_outcome *outcome)
+{
+    static const double place[] = {1, 1, 0.25};
+    int vertex;
+    switch (which) {
+    case 0:
+        return tf_adaptive_split(surface, 4, 5, place, &vertex, outcome);
+    case 1:
+        return tf_adaptive_move(surface, 4, place, outcome);
+    case 2:
+        return tf_adaptive_collapse(surface, 4, 5, outcome);
+    case 3:
+        return tf_adaptive_collapse_to(surface, 4, 5, place, outcome);
+    default:
+        return tf_adaptive_flip(surface, 0, 4, outcome);
+    }
+}
+
+START_TEST(an_operation_is_all_or_nothing)
+{
+    tf_status status = TF_OUT_OF_MEMORY;
+    int failures = 0;
+    for (; status != TF_OK; failures++) {
+        tf_adaptive *sheet = adaptive_sheet(2, 2);
+        tf_outcome outcome;
+        left = failures;
+        status = try_operation(sheet, _i, &outcome);
+        left = -1;
+        ck_assert(status == TF_OK || status == TF_OUT_OF_MEMORY);
+        ck_assert((status == TF_OK) == (outcome != TF_NO_OUTCOME));
+        if (status != TF_OK)
+            ck_assert_int_eq(triangles_of(sheet), 8);
+        expect_good(sheet);
+        tf_adaptive_free(sheet);
+    }
+    ck_assert_int_gt(failures, 1);
+}
+END_TEST
+
+/// Two necks, one beside the other: each can be pinched, one can be dropped,
+/// and they can merge.
+static tf_adaptive *two_necks(void)
+{
+    static const double radius[] = {1, 1, 0.3, 1, 1},
+                        height[] = {0, 1, 2, 3, 4};
+    static blobs made;
+    made.vertices = made.triangles = 0;
+    for (int i = 0; i < 2; i++) {
+        int first = made.vertices;
+        add_turned(&made, 3, 5, radius, height);
+        for (int v = first; i == 1 && v < made.vertices; v++)
+            made.position[v][2] += 4.7;
+    }
+    return blobs_surface(&made);
+}
+
+static tf_status try_reconnection(tf_adaptive *surface, int which,
+                                  tf_outcome *outcome)
+{
+    static const int loop[] = {6, 7, 8}, low[] = {12, 16}, high[] = {17, 33};
+    int vertex[3];
+    double place[9];
+    if (which == 0)
+        return tf_adaptive_drop(surface, 0, outcome);
+    if (which == 1)
+        return tf_adaptive_merge(surface, low, high, outcome);
+    for (int i = 0; i < 9; i++)
+        place[i] =
+            place_of(surface, loop[i / 3])[i % 3] + (i % 3 == 2 ? 0.25 : 0);
+    return tf_adaptive_pinch(surface, loop, place, vertex, outcome);
+}
+
+START_TEST(a_reconnection_is_all_or_nothing)
+{
+    tf_status status = TF_OUT_OF_MEMORY;
+    int failures = 0;
+    for (; status != TF_OK; failures++) {
+        tf_adaptive *surface = two_necks();
+        int before = triangles_of(surface);
+        tf_outcome outcome;
+        left = failures;
+        status = try_reconnection(surface, _i, &outcome);
+        left = -1;
+        ck_assert(status == TF_OK || status == TF_OUT_OF_MEMORY);
+        ck_assert((status == TF_OK) == (outcome != TF_NO_OUTCOME));
+        if (status != TF_OK)
+            ck_assert_int_eq(triangles_of(surface), before);
+        expect_good(surface);
+        tf_adaptive_free(surface);
+    }
+    ck_assert_int_gt(failures, 1);
+}
+END_TEST
+
+START_TEST(reconnecting_leaves_a_good_surface)
+{
+    static const tf_reconnect_options how = {.edge = 1, .merge = 0.8};
+    tf_status status = TF_OUT_OF_MEMORY;
+    int failures = 0;
+    for (; status != TF_OK; failures++) {
+        tf_adaptive *surface = two_necks();
+        left = failures;
+        status = tf_adaptive_reconnect(surface, &how, NULL);
+        left = -1;
+        ck_assert(status == TF_OK || status == TF_OUT_OF_MEMORY);
+        expect_good(surface);
+        tf_adaptive_free(surface);
+    }
+    ck_assert_int_gt(failures, 6);
+}
+END_TEST
+
+START_TEST(remeshing_leaves_a_good_surface)
+{
+    static const tf_remesh_options how = {.edge = 0.4, .rounds = 2};
+    tf_status status = TF_OUT_OF_MEMORY;
+    int failures = 0;
+    for (; status != TF_OK; failures++) {
+        tf_adaptive *sheet = adaptive_sheet(2, 2);
+        left = failures;
+        status = tf_adaptive_remesh(sheet, &how, NULL);
+        left = -1;
+        ck_assert(status == TF_OK || status == TF_OUT_OF_MEMORY);
+        expect_good(sheet);
+        tf_adaptive_free(sheet);
+    }
+    ck_assert_int_gt(failures, 20);
+}
+END_TEST
+
+/// The upper parts sink onto the lower ones.
+static void sink(void *context, double time, int points, const double point[],
+                 const double normal[], double velocity[])
+{
+    (void)context, (void)time, (void)normal;
+    for (int i = 0; i < 3 * points; i++)
+        velocity[i] = i % 3 == 2 ? -0.1 * point[i] : 0;
+}
+
+START_TEST(flowing_leaves_a_good_surface)
+{
+    static const tf_flow_options how = {.edge = 1, .velocity = sink};
+    tf_status status = TF_OUT_OF_MEMORY;
+    int failures = 0;
+    for (; status != TF_OK; failures++) {
+        tf_adaptive *surface = two_necks();
+        left = failures;
+        status = tf_adaptive_flow(surface, &how, 0, 1, NULL);
+        left = -1;
+        ck_assert(status == TF_OK || status == TF_OUT_OF_MEMORY);
+        expect_good(surface);
+        tf_adaptive_free(surface);
+    }
+    ck_assert_int_gt(failures, 20);
+}
+END_TEST
+
+Suite *suite(void)
+{
+    Suite *suite = suite_create("whole/no_memory");
+    TCase *tcase = tcase_create("failures");
+    tcase_add_test(tcase, a_surface_is_made_whole_or_not);
+    tcase_add_loop_test(tcase, an_operation_is_all_or_nothing, 0, 5);
+    tcase_add_loop_test(tcase, a_reconnection_is_all_or_nothing, 0, 3);
+    tcase_add_test(tcase, reconnecting_leaves_a_good_surface);
+    tcase_add_test(tcase, remeshing_leaves_a_good_surface);
+    tcase_add_test(tcase, flowing_leaves_a_good_surface);
+    suite_add_tcase(suite, tcase);
+    return suite;
+}

@@ -5,6 +5,7 @@
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 /// How far up and down a floor may reach, in sides of the box.
 static const double floor_height = 1e-6;
@@ -259,51 +260,112 @@ static tf_vector direction_of(int i)
     return (tf_vector){{out * cos(turn), out * sin(turn), up}};
 }
 
-/// The place that is farthest out, but for the floor's.
-static tf_vector farthest(const fig_cloth *cloth, tf_vector direction)
+/// A place, and how far out it is in a direction.
+typedef struct outpost {
+    tf_vector at;
+    double along;
+} outpost;
+
+/// Look for a place that is farther out, but for the floor's.
+static void find_farther(const fig_cloth *cloth, tf_vector direction,
+                         outpost *best)
 {
-    tf_vector best = {{0}};
-    double most = -DBL_MAX;
     for (int f = 0, i = 0; f < cloth->frames; f++)
         for (int v = 0; v < cloth->shape.vertices; v++, i++) {
             double along = tf_vector_dot(cloth->at[i], direction);
-            if (along > most && cloth->shape.part[v] != cloth->floor) {
-                most = along;
-                best = cloth->at[i];
-            }
+            if (along > best->along && cloth->shape.part[v] != cloth->floor)
+                *best = (outpost){cloth->at[i], along};
         }
-    return best;
 }
 
-static void find_reach(fig_cloth *cloth)
+static void find_reach(int count, fig_cloth *const cloth[])
 {
-    cloth->bottom = DBL_MAX;
+    fig_cloth *first = cloth[0];
+    first->bottom = DBL_MAX;
     for (int i = 0; i < FIG_CLOTH_REACH; i++) {
-        cloth->reach[i] = farthest(cloth, direction_of(i));
-        cloth->bottom = fmin(cloth->bottom, cloth->reach[i].x[2]);
+        outpost best = {.along = -DBL_MAX};
+        for (int c = 0; c < count; c++)
+            find_farther(cloth[c], direction_of(i), &best);
+        first->reach[i] = best.at;
+        first->bottom = fmin(first->bottom, best.at.x[2]);
     }
-    tf_vector middle = fig_middle_of(FIG_CLOTH_REACH, cloth->reach);
+    tf_vector middle = fig_middle_of(FIG_CLOTH_REACH, first->reach);
     for (int i = 0; i < FIG_CLOTH_REACH; i++) {
-        double out = fig_length(fig_difference(cloth->reach[i], middle));
-        cloth->size = fmax(cloth->size, out);
+        double out = fig_length(fig_difference(first->reach[i], middle));
+        first->size = fmax(first->size, out);
     }
-    if (cloth->floor >= 0)
-        cloth->bottom = heights_of(cloth, cloth->floor).hi;
+    if (first->floor >= 0)
+        first->bottom = heights_of(first, first->floor).hi;
+}
+
+static bool begin_parts(fig_cloth *cloth)
+{
+    const fig_shape *shape = &cloth->shape;
+    cloth->flat = cloth->flat && shape->triangles == 0;
+    cloth->soft = calloc((size_t)shape->parts + 1, sizeof *cloth->soft);
+    cloth->color = calloc((size_t)shape->parts + 1, sizeof *cloth->color);
+    cloth->face = calloc((size_t)shape->triangles + 1, sizeof *cloth->face);
+    return cloth->soft && cloth->color && cloth->face && find_fronts(cloth);
 }
 
 bool fig_cloth_end(fig_cloth *cloth)
 {
     TF_REQUIRE(cloth->frames > 0);
-    const fig_shape *shape = &cloth->shape;
-    fig_fit_points_alike(3, cloth->frames * shape->vertices, cloth->at);
-    cloth->flat = cloth->flat && shape->triangles == 0;
-    cloth->soft = calloc((size_t)shape->parts + 1, sizeof *cloth->soft);
-    cloth->color = calloc((size_t)shape->parts + 1, sizeof *cloth->color);
-    cloth->face = calloc((size_t)shape->triangles + 1, sizeof *cloth->face);
-    if (!cloth->soft || !cloth->color || !cloth->face || !find_fronts(cloth))
+    fig_fit_points_alike(3, cloth->frames * cloth->shape.vertices, cloth->at);
+    if (!begin_parts(cloth))
         return false;
     choose_colors(cloth);
     find_floor(cloth);
-    find_reach(cloth);
+    find_reach(1, &cloth);
+    return true;
+}
+
+// Several films ----------------------------------------------------------
+
+static int places_of(const fig_cloth *cloth)
+{
+    return cloth->frames * cloth->shape.vertices;
+}
+
+/// Fit the places of all into one box.
+static bool fit_all(int count, fig_cloth *const cloth[])
+{
+    int all = 0;
+    for (int c = 0; c < count; c++)
+        all += places_of(cloth[c]);
+    tf_vector *at = malloc(((size_t)all + 1) * sizeof *at), *next = at;
+    for (int c = 0; c < count && at; next += places_of(cloth[c++]))
+        memcpy(next, cloth[c]->at, (size_t)places_of(cloth[c]) * sizeof *at);
+    if (at)
+        fig_fit_points_alike(3, all, at);
+    next = at;
+    for (int c = 0; c < count && at; next += places_of(cloth[c++]))
+        memcpy(cloth[c]->at, next, (size_t)places_of(cloth[c]) * sizeof *at);
+    free(at);
+    return at != NULL;
+}
+
+static void share_reach(fig_cloth *cloth, const fig_cloth *with)
+{
+    memcpy(cloth->reach, with->reach, sizeof cloth->reach);
+    cloth->bottom = with->bottom;
+    cloth->size = with->size;
+}
+
+bool fig_cloth_end_all(int count, fig_cloth *const cloth[])
+{
+    TF_REQUIRE(count > 0);
+    if (!fit_all(count, cloth))
+        return false;
+    for (int c = 0; c < count; c++) {
+        if (!begin_parts(cloth[c]))
+            return false;
+        memset(cloth[c]->soft, true,
+               (size_t)cloth[c]->shape.parts * sizeof *cloth[c]->soft);
+        cloth[c]->floor = -1;
+    }
+    find_reach(count, cloth);
+    for (int c = 1; c < count; c++)
+        share_reach(cloth[c], cloth[0]);
     return true;
 }

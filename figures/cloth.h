@@ -38,6 +38,10 @@ bool fig_cloth_add(fig_cloth *cloth, int vertices, const double x[]);
 /// its shape.  No frame may be added later.  False if there is no memory.
 bool fig_cloth_end(fig_cloth *cloth);
 
+/// End films that are shown one after the other: as fig_cloth_end, but all fit
+/// into one box, nothing is gray, and all parts have one color.
+bool fig_cloth_end_all(int count, fig_cloth *const cloth[]);
+
 /// What there is.
 int fig_cloth_frames(const fig_cloth *cloth);
 const fig_shape *fig_cloth_shape(const fig_cloth *cloth);

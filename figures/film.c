@@ -46,6 +46,8 @@ void fig_film_clock(fig_page *page, double x, double y, double width, double t,
 void fig_film_name(fig_page *page, const fig_panel *panel, tf_vector at,
                    double dx, double dy, const char *text, fig_role role)
 {
+    if (fig_page_is_bare(page))
+        return;
     fig_point place = fig_panel_project(panel, at);
     fig_page_text(page, place.x + dx, place.y + dy + 3, FIG_ALIGN_CENTER, text,
                   FIG_LETTERS_SMALL, role);

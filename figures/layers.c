@@ -32,9 +32,9 @@ typedef struct layout {
     fig_box band[ROWS]; ///< of each layer
 } layout;
 
-static const double key_height = 20, band_left = 64, band_pad = 4;
-static const double chip_height = 13, chip_pad = 2.5, chip_gap = 3;
-static const double lane_pitch = 16, lane_right = 18, dot_area = 5;
+static const double key_height = 20, band_left = 58, band_pad = 3;
+static const double chip_height = 12, chip_pad = 2, chip_gap = 2;
+static const double lane_pitch = 14.5, lane_right = 17, dot_area = 4;
 
 // The table ------------------------------------------------------------------
 
@@ -137,7 +137,7 @@ static void draw_chip(fig_page *page, fig_box box, const char *name,
                       (fig_stroke){.paint.role = FIG_ROLE_NEUTRAL,
                                    .width = FIG_WIDTH_HAIR,
                                    .closed = true});
-    fig_page_text(page, box.x + box.width / 2, box.y + 9.6, FIG_ALIGN_CENTER,
+    fig_page_text(page, box.x + box.width / 2, box.y + 9, FIG_ALIGN_CENTER,
                   name, FIG_LETTERS_SMALL,
                   is_public ? FIG_ROLE_PAPER : FIG_ROLE_INK);
 }
@@ -252,7 +252,7 @@ static void draw_key(fig_page *page)
     double right = fig_page_width(page) - 2;
     fig_page_dot(page, right - width - 6, middle(&box), sqrt(dot_area * 5),
                  (fig_paint){.role = FIG_ROLE_INK});
-    fig_page_text(page, right, box.y + 9.6, FIG_ALIGN_RIGHT, "includes",
+    fig_page_text(page, right, box.y + 9, FIG_ALIGN_RIGHT, "includes",
                   FIG_LETTERS_SMALL, FIG_ROLE_INK);
 }
 
@@ -322,6 +322,6 @@ const fig_figure fig_layers = {
     .name = "layers",
     .title = "The layers of the library and what includes what",
     .width = FIG_PAGE_WIDTH,
-    .height = 756,
+    .height = 880,
     .draw = draw,
 };

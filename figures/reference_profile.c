@@ -24,8 +24,8 @@ static times times_of(const fig_workload *w)
                .vector = fig_measured("vector %s %s", w->work, w->kind),
                .filter =
                    fig_measured("filter streaming %s %s", w->work, w->kind)};
-    t.signs = fig_measured("exact %s %s signs", w->work, w->kind) *
-              fig_measured("estimate");
+    t.signs = fig_measured("exact %s %s pairs", w->work, w->kind) *
+              fig_measured("six estimates");
     return t;
 }
 

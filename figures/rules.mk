@@ -4,7 +4,7 @@
 # A file of the renderer uses only those before it; context_* are two ways to
 # the same, of which a build has one.
 RENDERER := status list box theme camera scene sheets mesh shaders context_egl \
-	context_osmesa gl render markup letters page panel marks placement labels \
+	context_osmesa gl render markup letters page panel marks parts placement labels \
 	axes picture output plot figure
 RENDERER := $(RENDERER:%=figures/renderer/%.c)
 DRAW := $(wildcard figures/draw/*.c)
@@ -60,13 +60,15 @@ $(BUILD)/drawing/includes.h: src/layers.awk $(wildcard src/*/*.[ch])
 	@$(unless_same)
 
 # The lines "name,value,unit" of what was measured, as initializers; those of
-# roads.csv are named "roads ...", and those of simulation.csv "simulation ...".
+# roads.csv are named "roads ...", and so on.
 row = s/^\(.*\),\([0-9.]*\),.*$$/{"$(1)\1", \2},/p
 $(BUILD)/drawing/measured_rows.h: figures/measured.csv figures/roads.csv \
-		figures/simulation.csv
+		figures/simulation.csv figures/remeshing.csv figures/flowing.csv
 	@mkdir -p $(@D) && { sed -n '$(call row,)' $<; \
 	    sed -n '$(call row,roads )' $(word 2,$^); \
-	    sed -n '$(call row,simulation )' $(word 3,$^); } >$@.new
+	    sed -n '$(call row,simulation )' $(word 3,$^); \
+	    sed -n '$(call row,remeshing )' $(word 4,$^); \
+	    sed -n '$(call row,flowing )' $(word 5,$^); } >$@.new
 	@$(unless_same)
 
 drawing_flags = -I$(SRC) -Ifigures -I$(BUILD)/drawing \
@@ -107,7 +109,7 @@ $(BUILD)/films/%-dark.png: $(BUILD)/drawing/program
 	$(call film,dark)
 
 # The pictures in README.md, kept in figures/readme: the cover, the query that
-# its first command makes, and a film, which takes minutes and is not checked.
+# its first command makes, and films, which take minutes and are not checked.
 first_query := $(shell sed -n "s/.*printf '%s.n' \(.*\) | .*/\1/p" README.md)
 README = $(foreach theme,light dark,cover-$(theme).png query-$(theme).png)
 
@@ -119,15 +121,22 @@ $(BUILD)/readme/query-%.png: $(BUILD)/drawing/program README.md
 	$(Q)printf '%s\n' $(first_query) | $< query /dev/stdin:0 \
 	    --kind point-edge --theme $* --size 800x450 -o $@ >/dev/null
 
-$(BUILD)/stack/steps.csv: $(program_file)
-	@echo 'simulate $(@D)' && rm -rf $(@D) && $< simulate stack -o $(@D) >/dev/null
-$(BUILD)/readme/stack-%.webp: $(BUILD)/drawing/program $(BUILD)/stack/steps.csv
-	@echo 'film    $@' && mkdir -p $(@D)
-	$(Q)$< film $(BUILD)/stack --theme $* --size 640x400 --every 3 --fps 25 \
-	    -o $@ >/dev/null
+# The scenes of the films, with their options.
+scene_stack = stack
+scene_enright = enright --edge 0.0113
+$(BUILD)/scenes/%/steps.csv: $(program_file)
+	@echo 'simulate $(@D)' && mkdir -p $(BUILD)/scenes && rm -rf $(@D)
+	$(Q)$< simulate $(scene_$*) -o $(@D) >/dev/null
+scene_film = @echo 'film    $@' && mkdir -p $(@D) && $< film \
+	$(BUILD)/scenes/$* --theme $1 --size 640x400 --every 3 --fps 25 -o $@ >/dev/null
+$(BUILD)/readme/%-light.webp: $(BUILD)/drawing/program $(BUILD)/scenes/%/steps.csv
+	$(call scene_film,light)
+$(BUILD)/readme/%-dark.webp: $(BUILD)/drawing/program $(BUILD)/scenes/%/steps.csv
+	$(call scene_film,dark)
 
-draw-readme: $(README:%=$(BUILD)/readme/%) $(foreach theme,light dark,\
-	$(BUILD)/readme/stack-$(theme).webp) ## draw the pictures of README.md anew
+README_FILMS = $(foreach scene,stack enright,$(scene)-light.webp $(scene)-dark.webp)
+readme_pictures = $(addprefix $(BUILD)/readme/,$(README) $(README_FILMS))
+draw-readme: $(readme_pictures) ## draw the pictures of README.md anew
 	@mkdir -p figures/readme && cp $^ figures/readme
 
 check-readme: need-book $(README:%=$(BUILD)/readme/%) ## check the pictures of README.md

@@ -4,7 +4,6 @@
 #include "draw/encoder.h"
 #include "draw/sheet.h"
 #include "program/output_file.h"
-#include "program/progress.h"
 #include "program/visible.h"
 #include "renderer/render.h"
 
@@ -20,7 +19,9 @@
 enum {
     PICTURE_WIDTH = 1600, ///< pixels, by default
     FILM_WIDTH = 960,
-    BAR = 30 ///< letters of the progress bar
+    CSS_DPI = 96, ///< pixels per inch of paper, by default
+    SHARP = 2,    ///< pixels of a picture in a vector file for each of them
+    BAR = 30      ///< letters of the progress bar
 };
 
 /// How far above the horizon a turntable's camera is by default.
@@ -31,6 +32,8 @@ typedef struct work {
     const fig_drawing *drawing;
     const fig_settings *settings;
     fig_page_options options; ///< of the next page
+    fig_box panel;            ///< the one that is drawn, on the page
+    fig_box box;              ///< what the pages show, without the title
     fig_renderer *renderer;   ///< of all pages
     int pages;                ///< drawn so far
     FILE *numbers;            ///< of the first page
@@ -75,18 +78,47 @@ static bool report_encoder(const char *path, int error)
 
 // Pages ------------------------------------------------------------------
 
+/// The height of what a picture shows, title and all, in points.
+static double shown_height(const work *w)
+{
+    double title = w->settings->title ? fig_page_heading_height(w->box) : 0;
+    return w->box.height + title;
+}
+
 /// How many pixels a page of the work gets, `width` of them wide by default.
 static void set_size(work *w, int width)
 {
     const fig_settings *settings = w->settings;
-    const fig_drawing *drawing = w->drawing;
-    double scale =
-        settings->dpi > 0 ? settings->dpi / 72.0 : width / drawing->width;
+    double height =
+        settings->shape > 0 ? settings->shape * w->box.width : shown_height(w);
+    double side =
+        settings->panel > 0 ? fmax(w->box.width, height) : w->box.width;
+    double scale = settings->dpi > 0 ? settings->dpi / 72.0 : width / side;
     bool told = settings->pixels_x > 0;
     w->options.pixels_x =
-        told ? settings->pixels_x : (int)lround(scale * drawing->width);
+        told ? settings->pixels_x : (int)lround(scale * w->box.width);
     w->options.pixels_y =
-        told ? settings->pixels_y : (int)lround(scale * drawing->height);
+        told ? settings->pixels_y : (int)lround(scale * height);
+}
+
+/// The paper of a vector file: of a size in pixels, or of a shape.
+static void set_paper(work *w)
+{
+    const fig_settings *settings = w->settings;
+    if (settings->pixels_x > 0) {
+        double points = 72.0 / (settings->dpi > 0 ? settings->dpi : CSS_DPI);
+        w->options.paper_x = settings->pixels_x * points;
+        w->options.paper_y = settings->pixels_y * points;
+        int most = settings->pixels_x > settings->pixels_y ? settings->pixels_x
+                                                           : settings->pixels_y;
+        if (settings->dpi == 0 && most <= FIG_PIXELS_MOST / SHARP) {
+            w->options.pixels_x *= SHARP;
+            w->options.pixels_y *= SHARP;
+        }
+    } else if (settings->shape > 0) {
+        w->options.paper_x = w->box.width;
+        w->options.paper_y = w->box.width * settings->shape;
+    }
 }
 
 static fig_page_options options_of(work *w)
@@ -98,11 +130,50 @@ static fig_page_options options_of(work *w)
         .theme = settings->theme,
         .dpi = settings->dpi,
         .transparent = settings->transparent,
+        .bare = settings->bare,
         .turned = settings->turned,
         .azimuth = settings->azimuth,
         .elevation = settings->elevation,
         .renderer = &w->renderer,
     };
+}
+
+/// Find the box of the panel to draw, and what is shown of it.  False: there is
+/// no such panel.
+static bool find_panel(work *w, fig_page *page)
+{
+    int wanted = w->settings->panel, parts = fig_page_parts(page);
+    if (wanted <= parts) {
+        w->panel = fig_page_part(page, wanted - 1);
+        w->box = fig_page_crop(page, w->panel);
+        return true;
+    }
+    if (parts == 0)
+        return report("--panel", "the picture has no panels; drop the option");
+    return report(
+        "--panel",
+        "there is no panel %d; the picture has %d, counted from 1 row "
+        "by row",
+        wanted, parts);
+}
+
+/// Draw the first page to find what is shown of all pages.
+static bool find_box(work *w)
+{
+    w->box = (fig_box){0, 0, w->drawing->width, w->drawing->height};
+    if (w->settings->panel == 0)
+        return true;
+    fig_page_options options = w->options;
+    options.pixels_x = options.pixels_y = FIG_PIXELS_LEAST;
+    fig_page *page;
+    fig_status status = fig_page_new(&options, &page);
+    bool found = status == FIG_OK || report_page("--panel", status);
+    if (found) {
+        w->drawing->draw(w->drawing->subject, page, w->ignored);
+        found = find_panel(w, page);
+    }
+    fig_page_free(page);
+    return found;
 }
 
 /// Draw a page, and hand it to `put`.
@@ -114,6 +185,10 @@ static bool draw_page(work *w, const char *path,
     fig_status status = fig_page_new(&w->options, &page);
     if (status == FIG_OK) {
         w->drawing->draw(w->drawing->subject, page, numbers);
+        if (w->settings->panel > 0)
+            fig_page_crop(page, w->panel);
+        if (w->settings->title)
+            fig_page_heading(page, w->settings->title);
         status = put(page, to);
     }
     fig_page_free(page);
@@ -148,7 +223,11 @@ static bool draw_to(work *w, const char *path)
 static bool make_picture(work *w)
 {
     w->options = options_of(w);
+    if (!find_box(w))
+        return false;
     set_size(w, PICTURE_WIDTH);
+    if (!fig_path_ends(w->settings->picture, ".png"))
+        set_paper(w);
     return draw_to(w, w->settings->picture);
 }
 
@@ -170,13 +249,21 @@ static void set_frame(work *w, int i)
         settings->turned ? settings->elevation : turntable_elevation;
 }
 
-static void show_progress(tf_progress *progress, int done, int frames)
+tf_progress fig_progress_begin(void)
 {
-    char things[BAR + 64];
-    int full = (int)((long)BAR * done / frames);
-    snprintf(things, sizeof things, "of %d frames [%.*s%*s]", frames, full,
+    tf_progress progress = tf_progress_begin();
+    progress.wanted = isatty(STDERR_FILENO);
+    return progress;
+}
+
+void fig_progress_show(tf_progress *progress, int done, int count,
+                       const char *things)
+{
+    char text[BAR + 64];
+    int full = (int)((long)BAR * done / count);
+    snprintf(text, sizeof text, "of %d %s [%.*s%*s]", count, things, full,
              "##############################", BAR - full, "");
-    tf_progress_show(progress, done, things);
+    tf_progress_show(progress, done, text);
 }
 
 /// A film in the making: its frames go to files of their own in a folder,
@@ -216,11 +303,10 @@ static bool add_frame(work *w, film *f, int i)
 static bool add_frames(work *w, film *f)
 {
     const fig_settings *settings = w->settings;
-    tf_progress progress = tf_progress_begin();
-    progress.wanted = isatty(STDERR_FILENO);
+    tf_progress progress = fig_progress_begin();
     bool added = true;
     for (int i = 0; i < settings->frames && added; i++) {
-        show_progress(&progress, i, settings->frames);
+        fig_progress_show(&progress, i, settings->frames, "frames");
         set_frame(w, i);
         added = add_frame(w, f, i);
     }
@@ -289,6 +375,8 @@ static bool make_film(work *w)
     const char *path = w->settings->film;
     w->options = options_of(w);
     w->options.moves = !w->settings->turntable;
+    if (!find_box(w))
+        return false;
     set_size(w, FILM_WIDTH);
     if (fig_path_is_folder(path))
         return write_pictures(w);

@@ -3,6 +3,7 @@
 #define FIG_DRAW_DRAWING_H
 
 #include "draw/settings.h"
+#include "program/progress.h"
 #include "renderer/page.h"
 
 #include <stdbool.h>
@@ -20,5 +21,11 @@ typedef struct fig_drawing {
 /// Returns the exit status, 0 or 2; in the latter case standard error has
 /// been told why, and a file is either whole or as it was before.
 int fig_drawing_make(const fig_drawing *drawing, const fig_settings *settings);
+
+/// A line on the terminal about the frames of a film, with a bar.  Numbers are
+/// printed at the end, so it may share the terminal with standard output.
+tf_progress fig_progress_begin(void);
+void fig_progress_show(tf_progress *progress, int done, int count,
+                       const char *things);
 
 #endif

@@ -55,6 +55,7 @@ static error_t understand_figure(int key, char *text, struct argp_state *state)
                           "them");
         return 0;
     case ARGP_KEY_SUCCESS:
+        fig_refuse_names(state, &asked->settings);
         check_film(state);
         return 0;
     default:

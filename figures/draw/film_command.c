@@ -6,6 +6,7 @@
 #include "program/frames.h"
 #include "program/visible.h"
 #include "renderer/figure.h"
+#include "renderer/list.h"
 
 #include <limits.h>
 #include <math.h>
@@ -81,13 +82,20 @@ static error_t understand(int key, char *text, struct argp_state *state)
 
 // Frames -----------------------------------------------------------------
 
+/// Frames with the same elements.
+typedef struct take {
+    tf_surface *surface;
+    fig_cloth *cloth;
+} take;
+
 /// A film on its way from its files to a page.
 typedef struct film {
-    fig_cloth *cloth;
+    take *take;
+    int takes, room;
     tf_frames frames;            ///< the last two that were read
     char path[2][FIG_FILM_PATH]; ///< theirs, which their messages name
-    tf_surface *surface;
     fig_cloth_look look;
+    int count; ///< frames of all takes
     int still;
 } film;
 
@@ -98,8 +106,8 @@ static bool lack_memory(film *f)
                               "one; draw fewer by --every");
 }
 
-/// Make the surface from the first frame.  It is one of space, also where all
-/// frames are in the plane.
+/// Make the surface of a take from its first frame.  It is one of space, also
+/// where all frames are in the plane.
 static bool begin(film *f)
 {
     const tf_mesh_file *file = tf_frames_file(&f->frames);
@@ -109,21 +117,26 @@ static bool begin(film *f)
                           .triangle = file->triangle.item,
                           .edges = tf_mesh_file_edges(file),
                           .edge = file->edge.item};
+    if (!fig_list_room(&f->take, f->takes, 1, &f->room, sizeof *f->take))
+        return lack_memory(f);
+    take *made = &f->take[f->takes++];
+    *made = (take){0};
     tf_flaw flaw;
-    tf_status status = tf_surface_create(&mesh, &f->surface, &flaw);
+    tf_status status = tf_surface_create(&mesh, &made->surface, &flaw);
     if (status != TF_OK)
         return tf_frames_fault(&f->frames, status, &flaw);
-    f->cloth = fig_cloth_new(f->surface, 3);
-    return f->cloth || lack_memory(f);
+    made->cloth = fig_cloth_new(made->surface, 3);
+    return made->cloth || lack_memory(f);
 }
 
 static bool add(film *f, const char *path)
 {
-    if (!tf_frames_next(&f->frames, path) || (!f->cloth && !begin(f)))
+    if (!tf_frames_next(&f->frames, path) || (f->frames.is_new && !begin(f)))
         return false;
     const tf_mesh_file *file = tf_frames_file(&f->frames);
-    return fig_cloth_add(f->cloth, tf_mesh_file_vertices(file),
-                         file->position.item) ||
+    f->count++;
+    return fig_cloth_add(f->take[f->takes - 1].cloth,
+                         tf_mesh_file_vertices(file), file->position.item) ||
            lack_memory(f);
 }
 
@@ -135,29 +148,56 @@ static bool read_frame(film *f, const char *folder, int i)
     return add(f, path);
 }
 
+static bool end(film *f)
+{
+    if (f->takes == 1)
+        return fig_cloth_end(f->take[0].cloth);
+    fig_cloth **all = malloc(((size_t)f->takes + 1) * sizeof *all);
+    for (int i = 0; i < f->takes && all; i++)
+        all[i] = f->take[i].cloth;
+    bool good = all && fig_cloth_end_all(f->takes, all);
+    free(all);
+    return good;
+}
+
 /// Read every so many of `count` frames.  False: standard error has been told
 /// why.
 static bool read_frames(film *f, const request *asked, int count)
 {
     bool good = true;
-    for (long i = 0; i < count && good; i += asked->every)
+    tf_progress progress = fig_progress_begin();
+    for (long i = 0; i < count && good; i += asked->every) {
+        fig_progress_show(&progress, (int)i, count, "frames read");
         good = read_frame(f, asked->folder, (int)i);
-    if (good && !fig_cloth_end(f->cloth))
+    }
+    tf_progress_end(&progress);
+    if (good && !end(f))
         good = lack_memory(f);
     if (!good)
         tf_mesh_file_print_fault(tf_frames_file(&f->frames), "tanglefree-draw");
     return good;
 }
 
+static void free_film(film *f)
+{
+    for (int i = 0; i < f->takes; i++) {
+        fig_cloth_free(f->take[i].cloth);
+        tf_surface_free(f->take[i].surface);
+    }
+    free(f->take);
+    tf_frames_free(&f->frames);
+}
+
 // Drawing ----------------------------------------------------------------
 
-static void print_numbers(const film *f, FILE *numbers)
+/// Those of a take, but for the number of frames.
+static void print_numbers(const film *f, const fig_cloth *cloth, FILE *numbers)
 {
-    const fig_shape *shape = fig_cloth_shape(f->cloth);
+    const fig_shape *shape = fig_cloth_shape(cloth);
     int stiff = 0;
     for (int p = 0; p < shape->parts; p++)
-        stiff += fig_cloth_is_stiff(f->cloth, p);
-    fig_number(numbers, "frames", fig_cloth_frames(f->cloth));
+        stiff += fig_cloth_is_stiff(cloth, p);
+    fig_number(numbers, "frames", f->count);
     fig_number(numbers, "vertices", shape->vertices);
     fig_number(numbers, "triangles", shape->triangles);
     fig_number(numbers, "edges", shape->edges);
@@ -168,25 +208,38 @@ static void print_numbers(const film *f, FILE *numbers)
 static void draw_frame(const void *subject, fig_page *page, FILE *numbers)
 {
     const film *f = subject;
-    int last = fig_cloth_frames(f->cloth) - 1;
-    int frame = fig_page_moves(page) ? (int)lround(fig_page_time(page) * last)
-                                     : f->still;
+    const take *t = f->take;
+    int frame = fig_page_moves(page)
+                    ? (int)lround(fig_page_time(page) * (f->count - 1))
+                    : f->still;
+    for (; frame >= fig_cloth_frames(t->cloth); t++)
+        frame -= fig_cloth_frames(t->cloth);
     fig_box box = {0, 0, fig_page_width(page), fig_page_height(page)};
-    fig_cloth_draw(f->cloth, page, box, frame, &f->look);
-    print_numbers(f, numbers);
+    fig_cloth_draw(t->cloth, page, box, frame, &f->look);
+    print_numbers(f, t->cloth, numbers);
+}
+
+/// The height of a page that has that shape together with its title.
+static double height_of(const fig_settings *settings)
+{
+    double height = FIG_PAGE_WIDTH * settings->shape;
+    double title =
+        settings->title
+            ? fig_page_heading_height((fig_box){.width = FIG_PAGE_WIDTH})
+            : 0;
+    return fmax(height - title, height / 2);
 }
 
 /// Draw what was read: the page is as wide for its height as the picture.
 static int draw(film *f, fig_settings *settings)
 {
     fig_drawing drawing = {FIG_PAGE_WIDTH, page_height, f, draw_frame};
-    if (settings->pixels_x > 0)
-        drawing.height =
-            FIG_PAGE_WIDTH * settings->pixels_y / settings->pixels_x;
+    if (settings->shape > 0)
+        drawing.height = height_of(settings);
     f->look = (fig_cloth_look){.turned = settings->turned,
                                .azimuth = settings->azimuth,
                                .elevation = settings->elevation};
-    settings->frames = fig_cloth_frames(f->cloth);
+    settings->frames = f->count;
     return fig_drawing_make(&drawing, settings);
 }
 
@@ -208,13 +261,11 @@ static int draw_film(request *asked)
     int count = fig_film_files_count(asked->folder);
     if (count < 0)
         return 2;
-    film f = {.still = choose_still(asked, count)};
+    film f = {.frames.may_differ = true, .still = choose_still(asked, count)};
     int status = 2;
     if (f.still >= 0 && read_frames(&f, asked, count))
         status = draw(&f, &asked->settings);
-    fig_cloth_free(f.cloth);
-    tf_surface_free(f.surface);
-    tf_frames_free(&f.frames);
+    free_film(&f);
     return status;
 }
 
@@ -226,10 +277,12 @@ int fig_draw_film(int argc, char *argv[])
         .args_doc = "FOLDER",
         .doc = "Draw a film of the frames of a simulation.\v"
                "FOLDER has the frames that 'tanglefree simulate' writes: "
-               "frame-00000.ply, frame-00001.ply and so on, with the same "
-               "elements.  The third axis points up.  Each connected part has "
+               "frame-00000.ply, frame-00001.ply and so on.  The third axis "
+               "points up.  Each connected part has "
                "its own color, paler on its back; what keeps its shape in all "
-               "frames, an obstacle for instance, is gray.  Cloth lies in the "
+               "frames, an obstacle for instance, is gray; but where the "
+               "elements change from frame to frame, as those of a surface "
+               "that flows do, all has one color.  Cloth lies in the "
                "light of a lamp and of the sky, and throws soft shadows, also "
                "on the ground that is drawn below all frames.  Curves of the "
                "plane are drawn as lines.  The camera stands still, and all "

@@ -19,12 +19,30 @@ typedef struct request {
     const tf_query_kind *kind;
     char *path;
     long number;
+    char *names; ///< those of --labels, cut at their commas
+    char *name[FIG_QUERY_VERTICES];
+    bool coordinates;
+    double time; ///< -1: not told
     fig_settings settings;
 } request;
+
+enum {
+    TIME = 'T',
+    COORDINATES = 'C'
+};
 
 static const struct argp_option options[] = {
     {"kind", 'k', "KIND", 0,
      "Which elements: " TF_QUERY_KIND_NAMES " (vertex-face is point-triangle)",
+     0},
+    {"at", TIME, "T", 0,
+     "Draw the elements at this time of the step, from 0 to 1, in place of "
+     "four times",
+     0},
+    {"time", 0, NULL, OPTION_ALIAS, NULL, 0},
+    {"coordinates", COORDINATES, NULL, 0,
+     "Write the coordinates of the vertices, of the contact and of its normal "
+     "below, and draw the normal as an arrow",
      0},
     {0},
 };
@@ -56,6 +74,51 @@ static void read_query_name(struct argp_state *state, char *text)
     asked->path = text;
 }
 
+/// Split text at its commas.  Returns how many names there are; -1: one of
+/// them is empty or too long.
+static int split_names(char *text, char *name[FIG_QUERY_VERTICES])
+{
+    int count = 0;
+    for (char *next; (next = strsep(&text, ",")); count++) {
+        if (*next == '\0' || strlen(next) > FIG_NAME_TEXT - 4)
+            return -1;
+        if (count < FIG_QUERY_VERTICES)
+            name[count] = next;
+    }
+    return count;
+}
+
+/// Read the names that --labels gives, one a vertex.
+static void read_names(struct argp_state *state)
+{
+    request *asked = state->input;
+    const tf_query_kind *kind = asked->kind;
+    const char *given = asked->settings.names;
+    int wanted = kind->vertices[0] + kind->vertices[1];
+    asked->names = strdup(given);
+    if (split_names(asked->names, asked->name) != wanted)
+        argp_error(state,
+                   "invalid --labels '%s'; choose none, or give %d names, one "
+                   "a vertex, such as %s",
+                   tf_make_visible(given).text, wanted,
+                   wanted == 3 ? "q,u,v" : "q,u,v,w");
+    for (int i = 0; i < wanted; i++) {
+        char text[FIG_NAME_TEXT];
+        snprintf(text, sizeof text, "$%s'$", asked->name[i]);
+        fig_check_text(state, "--labels", text);
+    }
+}
+
+/// See that the options go together.
+static void check(struct argp_state *state)
+{
+    const request *asked = state->input;
+    if (asked->settings.names)
+        read_names(state);
+    if (asked->time >= 0 && !asked->settings.picture)
+        argp_error(state, "--at is for pictures; add -o FILE.png");
+}
+
 static error_t understand(int key, char *text, struct argp_state *state)
 {
     request *asked = state->input;
@@ -68,6 +131,15 @@ static error_t understand(int key, char *text, struct argp_state *state)
         if (!asked->kind)
             argp_error(state, "unknown kind '%s'; choose " TF_QUERY_KIND_NAMES,
                        tf_make_visible(text).text);
+        return 0;
+    case TIME:
+        asked->time = fig_read_time(state, text);
+        return 0;
+    case COORDINATES:
+        asked->coordinates = true;
+        return 0;
+    case ARGP_KEY_SUCCESS:
+        check(state);
         return 0;
     case ARGP_KEY_ARG:
         read_query_name(state, text);
@@ -156,14 +228,23 @@ int fig_draw_query(int argc, char *argv[])
                "the input are invalid or something failed.",
         .children = fig_settings_options,
     };
-    request asked = {0};
+    request asked = {.time = -1};
     argp_parse(&parser, argc, argv, 0, NULL, &asked);
-    fig_answered answered = {.kind = asked.kind, .number = asked.number};
+    fig_answered answered = {.kind = asked.kind,
+                             .number = asked.number,
+                             .names = asked.names ? asked.name : NULL,
+                             .titled = asked.settings.title != NULL,
+                             .still = asked.time >= 0,
+                             .time = asked.time,
+                             .coordinates = asked.coordinates};
     tf_query_rows query;
-    if (!read_file(&asked, &query))
-        return 2;
-    take_vertices(&query, &answered);
-    answer(&answered);
-    fig_drawing drawing = fig_query_drawing(&answered);
-    return fig_drawing_make(&drawing, &asked.settings);
+    int status = 2;
+    if (read_file(&asked, &query)) {
+        take_vertices(&query, &answered);
+        answer(&answered);
+        fig_drawing drawing = fig_query_drawing(&answered);
+        status = fig_drawing_make(&drawing, &asked.settings);
+    }
+    free(asked.names);
+    return status;
 }

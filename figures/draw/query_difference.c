@@ -10,7 +10,6 @@
 #include "worlds.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 enum {
@@ -106,9 +105,8 @@ static void show_sweep(fig_panel *panel, const difference *d, double t)
 static void label_sweep(fig_panel *panel, const difference *d)
 {
     for (int i = 0; i < 2 * d->pairs; i++) {
-        char text[16];
-        snprintf(text, sizeof text, "$%s$",
-                 fig_shown_name(d->shown, 1, i / 2, i % 2));
+        char text[FIG_NAME_TEXT];
+        fig_shown_name(d->shown, 1, i / 2, i % 2, text);
         fig_panel_label(
             panel, end_of(d, i / 2, i % 2),
             (fig_label){.text = text,
@@ -229,10 +227,11 @@ static void mark_origin(fig_page *page, fig_panel *panel, const difference *d)
                    (fig_paint){.role = role});
     fig_point at = fig_panel_project(panel, d->origin);
     fig_page_dot(page, at.x, at.y, dot_diameter, (fig_paint){.role = role});
+    char text[FIG_NAME_TEXT] = "$0$";
+    if (!edges)
+        fig_shown_name(d->shown, 0, 0, 0, text);
     fig_panel_label(panel, d->origin,
-                    (fig_label){.text = edges ? "$0$" : "$p$",
-                                .role = role,
-                                .leader = true});
+                    (fig_label){.text = text, .role = role, .leader = true});
 }
 
 bool fig_show_difference(fig_page *page, fig_panel *panel,

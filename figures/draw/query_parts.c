@@ -3,7 +3,11 @@
 #include "worlds.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
+
+/// How far a contact's normal reaches, in sides of the box.
+static const double normal_length = 0.3;
 
 const fig_camera fig_shown_camera = {.azimuth = 28, .elevation = 24};
 
@@ -48,17 +52,26 @@ static tf_vector place_of(int vertices, const tf_worldline element[],
     return place;
 }
 
-fig_shown fig_shown_of(const tf_query_kind *kind, const tf_worldline given[],
-                       const tf_contact *contact)
+fig_shown fig_shown_of(const fig_answered *answered)
 {
-    fig_shown shown = {.kind = kind, .given = given, .contact = *contact};
-    shown.fit = fit_vertices(kind, given, shown.vertex);
+    const tf_query_kind *kind = answered->kind;
+    fig_shown shown = {.answered = answered,
+                       .kind = kind,
+                       .given = answered->vertex,
+                       .contact = answered->contact};
+    shown.fit = fit_vertices(kind, shown.given, shown.vertex);
     if (fig_shown_hits(&shown)) {
-        shown.toi = fig_toi(contact);
+        shown.toi = fig_toi(&shown.contact);
         shown.meeting = place_of(kind->vertices[0], shown.vertex,
-                                 contact->barycentric[0], shown.toi);
+                                 shown.contact.barycentric[0], shown.toi);
     }
     return shown;
+}
+
+tf_vector fig_shown_meeting(const fig_shown *shown)
+{
+    return place_of(shown->kind->vertices[0], shown->given,
+                    shown->contact.barycentric[0], shown->toi);
 }
 
 bool fig_shown_hits(const fig_shown *shown)
@@ -83,23 +96,39 @@ fig_role fig_shown_role(const fig_shown *shown, int element)
     return shown->kind->vertices[1] == 2 ? FIG_ROLE_EDGE : FIG_ROLE_TRIANGLE;
 }
 
-const char *fig_shown_name(const fig_shown *shown, int element, int vertex,
-                           int t)
+void fig_shown_name(const fig_shown *shown, int element, int vertex, int t,
+                    char text[FIG_NAME_TEXT])
 {
-    static const char *const edges[2][2][2] = {
-        {{"a_0", "a_0'"}, {"a_1", "a_1'"}}, {{"b_0", "b_0'"}, {"b_1", "b_1'"}}};
-    static const char *const others[3][2] = {
-        {"a", "a'"}, {"b", "b'"}, {"c", "c'"}};
-    if (are_edges(shown->kind))
-        return edges[element][vertex][t];
-    if (element == 0)
-        return t == 0 ? "p" : "p'";
-    return others[vertex][t];
+    static const char *const edges[] = {"a_0", "a_1", "b_0", "b_1"};
+    static const char *const others[] = {"p", "a", "b", "c"};
+    int row = element == 0 ? vertex : shown->kind->vertices[0] + vertex;
+    const char *name = shown->answered->names   ? shown->answered->names[row]
+                       : are_edges(shown->kind) ? edges[row]
+                                                : others[row];
+    snprintf(text, FIG_NAME_TEXT, "$%s%s$", name, t == 0 ? "" : "'");
 }
 
 const tf_worldline *fig_shown_element(const fig_shown *shown, int element)
 {
     return shown->vertex + (element == 0 ? 0 : shown->kind->vertices[0]);
+}
+
+// The normal -------------------------------------------------------------
+
+void fig_add_normal(fig_panel *panel, const fig_shown *shown, tf_vector from)
+{
+    const fig_paint paint = {.role = FIG_ROLE_CONTACT};
+    tf_vector normal = fig_vector_of(shown->contact.normal);
+    if (!shown->fit.alike || fig_length(normal) == 0)
+        return;
+    tf_vector tip = fig_combination(from, normal_length, normal);
+    fig_scene_arrow(fig_panel_scene(panel), from, tip, FIG_WIDTH_LINE, paint);
+    if (shown->answered->coordinates)
+        fig_panel_label(panel, tip,
+                        (fig_label){.text = "$\\b{n}$",
+                                    .role = FIG_ROLE_CONTACT,
+                                    .size = FIG_LETTERS_SMALL,
+                                    .gap = 3});
 }
 
 // Polygons ---------------------------------------------------------------

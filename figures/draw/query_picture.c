@@ -133,7 +133,7 @@ static void draw_strip(fig_page *page, const fig_shown *shown)
                    fig_shown_hits(shown) && time[i] == shown->toi);
 }
 
-/// `t` < 0: a still picture.
+/// `t` < 0: at some times.
 static void draw_elements(fig_page *page, const fig_shown *shown, double t)
 {
     if (shown->kind->axes == 2)
@@ -153,6 +153,18 @@ static const char *difference_title(const tf_query_kind *kind)
                                   : "seen from the point";
 }
 
+static void draw_titles(fig_page *page, const fig_shown *shown)
+{
+    char text[TEXT];
+    snprintf(text, sizeof text, "%s, query %ld", shown->kind->name,
+             shown->answered->number);
+    if (shown->answered->titled)
+        snprintf(text, sizeof text,
+                 shown->kind->axes == 2 ? "in space-time" : "in space");
+    fig_page_title(page, left_box, text);
+    fig_page_title(page, right_box, difference_title(shown->kind));
+}
+
 static void draw_captions(fig_page *page, const fig_shown *shown, bool alike)
 {
     double middle = fig_page_width(page) / 2;
@@ -169,26 +181,27 @@ static void draw_captions(fig_page *page, const fig_shown *shown, bool alike)
 static void draw_query(const void *subject, fig_page *page, FILE *numbers)
 {
     const fig_answered *answered = subject;
-    fig_shown shown =
-        fig_shown_of(answered->kind, answered->vertex, &answered->contact);
-    double t = fig_page_moves(page) ? fig_page_time(page) : -1;
+    fig_shown shown = fig_shown_of(answered);
+    double t = fig_page_moves(page) ? fig_page_time(page)
+               : answered->still    ? answered->time
+                                    : -1;
     draw_elements(page, &shown, t);
-    if (!fig_page_moves(page) && fig_shown_hits(&shown))
+    if (t < 0 && fig_shown_hits(&shown))
         t = shown.toi;
     fig_panel *panel = fig_page_panel(page, right_box);
     fig_panel_margin(panel, margin);
     bool alike = fig_show_difference(page, panel, &shown, t);
 
-    char text[TEXT];
-    snprintf(text, sizeof text, "%s, query %ld", shown.kind->name,
-             answered->number);
-    fig_page_title(page, left_box, text);
-    fig_page_title(page, right_box, difference_title(shown.kind));
+    draw_titles(page, &shown);
     draw_captions(page, &shown, alike);
+    if (answered->coordinates)
+        fig_show_coordinates(page, &shown, FIG_PAGE_HEIGHT);
     print_numbers(&shown, numbers);
 }
 
 fig_drawing fig_query_drawing(const fig_answered *answered)
 {
-    return (fig_drawing){FIG_PAGE_WIDTH, FIG_PAGE_HEIGHT, answered, draw_query};
+    double more = answered->coordinates ? fig_coordinates_height(answered) : 0;
+    return (fig_drawing){FIG_PAGE_WIDTH, FIG_PAGE_HEIGHT + more, answered,
+                         draw_query};
 }

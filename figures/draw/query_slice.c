@@ -2,11 +2,7 @@
 #include "draw/query_parts.h"
 #include "worlds.h"
 
-#include <stdio.h>
 #include <string.h>
-
-/// How far a contact's normal reaches, in sides of the box.
-static const double normal_length = 0.3;
 
 /// Of the balls at the ends of an edge, in points.
 static const double end_diameter = 4;
@@ -67,34 +63,32 @@ static void add_element(fig_scene *scene, const fig_shown *shown, int element,
         add_ends(scene, shown, element, t);
 }
 
-/// Name the vertices where they are at t = 0 or t = 1, if it is that time.
+/// Name the vertices where they are at t = 0 or t = 1, or at the one time of a
+/// picture.
 static void label_vertices(fig_panel *panel, const fig_shown *shown, double t)
 {
-    for (int element = 0; element < 2 && (t == 0 || t == 1); element++) {
+    bool named = t == 0 || t == 1 || shown->answered->still;
+    for (int element = 0; element < 2 && named; element++) {
         const tf_worldline *vertex = fig_shown_element(shown, element);
         for (int i = 0; i < shown->kind->vertices[element]; i++) {
-            char text[16];
-            snprintf(text, sizeof text, "$%s$",
-                     fig_shown_name(shown, element, i, (int)t));
+            char text[FIG_NAME_TEXT];
+            fig_shown_name(shown, element, i, t == 1, text);
             fig_label label = {.text = text,
                                .role = fig_shown_role(shown, element),
                                .size = FIG_LETTERS_SMALL,
                                .gap = 3};
-            fig_panel_label(panel, fig_vector_of(vertex[i].at[(int)t].x),
-                            label);
+            fig_panel_label(
+                panel, fig_worldline_place(&vertex[i], shown->kind->axes, t),
+                label);
         }
     }
 }
 
-static void add_contact(fig_scene *scene, const fig_shown *shown)
+static void add_contact(fig_panel *panel, const fig_shown *shown)
 {
-    const fig_paint paint = {.role = FIG_ROLE_CONTACT};
-    fig_scene_ball(scene, shown->meeting, FIG_WIDTH_BALL + 1.5, paint);
-    tf_vector normal = fig_vector_of(shown->contact.normal);
-    if (shown->fit.alike && fig_length(normal) > 0)
-        fig_scene_arrow(scene, shown->meeting,
-                        fig_combination(shown->meeting, normal_length, normal),
-                        FIG_WIDTH_LINE, paint);
+    fig_scene_ball(fig_panel_scene(panel), shown->meeting, FIG_WIDTH_BALL + 1.5,
+                   (fig_paint){.role = FIG_ROLE_CONTACT});
+    fig_add_normal(panel, shown, shown->meeting);
 }
 
 void fig_show_slice(fig_panel *panel, const fig_shown *shown, double t,
@@ -106,6 +100,6 @@ void fig_show_slice(fig_panel *panel, const fig_shown *shown, double t,
     for (int element = 0; element < 2; element++)
         add_element(scene, shown, element, t);
     if (marked)
-        add_contact(scene, shown);
+        add_contact(panel, shown);
     label_vertices(panel, shown, t);
 }

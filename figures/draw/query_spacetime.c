@@ -2,7 +2,6 @@
 #include "draw/query_parts.h"
 #include "worlds.h"
 
-#include <stdio.h>
 #include <string.h>
 
 /// Half the side of the planes at t = 0 and t = 1.
@@ -52,9 +51,8 @@ static void add_events(fig_panel *panel, const fig_shown *shown, int element)
             &fig_shown_element(shown, element)[i / 2].at[i % 2]);
         fig_scene_ball(fig_panel_scene(panel), at, FIG_WIDTH_BALL,
                        (fig_paint){.role = role});
-        char text[16];
-        snprintf(text, sizeof text, "$%s$",
-                 fig_shown_name(shown, element, i / 2, i % 2));
+        char text[FIG_NAME_TEXT];
+        fig_shown_name(shown, element, i / 2, i % 2, text);
         fig_panel_label(panel, at, (fig_label){.text = text, .role = role});
     }
 }
@@ -100,4 +98,6 @@ void fig_show_spacetime(fig_panel *panel, const fig_shown *shown, double t)
     meeting.x[2] = shown->toi;
     fig_scene_ball(scene, meeting, FIG_WIDTH_MARK,
                    (fig_paint){.role = FIG_ROLE_CONTACT});
+    if (shown->answered->coordinates)
+        fig_add_normal(panel, shown, meeting);
 }

@@ -3,6 +3,7 @@
 
 #include "program/number.h"
 #include "program/visible.h"
+#include "renderer/markup.h"
 #include "renderer/page.h"
 
 #include <limits.h>
@@ -17,20 +18,31 @@ enum {
     ANIMATE,
     FRAMES,
     FPS,
-    TURNTABLE
+    TURNTABLE,
+    TITLE,
+    PANEL,
+    LABELS
 };
 
 enum {
     FRAMES_MOST = 10000,
     FPS_MOST = 120,
-    DPI_MOST = 4800
+    DPI_MOST = 4800,
+    RATIO_MOST = 100
 };
 
 // Options that all commands share.
 #define SIZE_OPTION                                                            \
     {                                                                          \
         "size", SIZE, "WxH", 0,                                                \
-            "Size in pixels; the default width is 1600, of films 960", 0       \
+            "Size in pixels, or W:H, the shape, such as 16:9; the default "    \
+            "width is 1600, of films 960",                                     \
+            0                                                                  \
+    }
+#define TITLE_OPTION                                                           \
+    {                                                                          \
+        "title", TITLE, "TEXT", 0,                                             \
+            "Write a title above the picture; $...$ is mathematics", 0         \
     }
 #define THEME_OPTION                                                           \
     {                                                                          \
@@ -59,6 +71,13 @@ static const struct argp_option options[] = {
     THEME_OPTION,
     {"transparent", TRANSPARENT, NULL, 0, "Leave out the background", 0},
     VIEW_OPTION,
+    TITLE_OPTION,
+    {"panel", PANEL, "N", 0,
+     "Draw only panel N, counted from 1 row by row, from left to right", 0},
+    {"labels", LABELS, "none|NAMES", 0,
+     "Leave out the labels; or name the vertices of a query, in the order of "
+     "its rows, such as q,u,v,w",
+     0},
     {NULL, 0, NULL, 0, "Films:", 0},
     {"animate", ANIMATE, "FILE", 0,
      "Write a film to this file: .mp4, .gif, .webp or .png, a sheet of tiles",
@@ -80,6 +99,7 @@ static const struct argp_option film_options[] = {
     SIZE_OPTION,
     THEME_OPTION,
     VIEW_OPTION,
+    TITLE_OPTION,
     FPS_OPTION,
     {0},
 };
@@ -134,28 +154,77 @@ int fig_read_count(struct argp_state *state, const char *option,
     return (int)count;
 }
 
+double fig_read_time(struct argp_state *state, const char *text)
+{
+    const char *at = text;
+    double time = 0;
+    if (!tf_number_read(&at, &time) || *at != '\0' || !(time >= 0 && time <= 1))
+        argp_error(state, "invalid time '%s'; give a number from 0 to 1",
+                   tf_make_visible(text).text);
+    return time;
+}
+
 static bool good_size(long pixels)
 {
     return pixels >= FIG_PIXELS_LEAST && pixels <= FIG_PIXELS_MOST;
 }
 
+static bool good_ratio(long part)
+{
+    return part >= 1 && part <= RATIO_MOST;
+}
+
+/// Width and height in pixels, or their ratio.
 static void read_size(struct argp_state *state, const char *text)
 {
     fig_settings *settings = state->input;
     const char *at = text;
     long x = read_digits(&at), y = -1;
-    if (*at == 'x') {
+    bool ratio = *at == ':';
+    if (*at == 'x' || ratio) {
         at++;
         y = read_digits(&at);
     }
-    if (*at != '\0' || !good_size(x) || !good_size(y))
+    bool good =
+        ratio ? good_ratio(x) && good_ratio(y) : good_size(x) && good_size(y);
+    if (*at != '\0' || !good)
         argp_error(state,
                    "invalid size '%s'; give width and height, such as "
-                   "1600x1200, both from %d to %d pixels",
+                   "1600x1200, both from %d to %d pixels, or their ratio, such "
+                   "as 16:9, both from 1 to %d",
                    tf_make_visible(text).text, FIG_PIXELS_LEAST,
-                   FIG_PIXELS_MOST);
-    settings->pixels_x = (int)x;
-    settings->pixels_y = (int)y;
+                   FIG_PIXELS_MOST, RATIO_MOST);
+    settings->pixels_x = ratio ? 0 : (int)x;
+    settings->pixels_y = ratio ? 0 : (int)y;
+    settings->shape = (double)y / (double)x;
+}
+
+void fig_check_text(struct argp_state *state, const char *option,
+                    const char *text)
+{
+    fig_markup markup;
+    bool good = fig_markup_read(&markup, text, FIG_LETTERS);
+    fig_markup_free(&markup);
+    if (!good)
+        argp_error(state,
+                   "invalid %s '%s'; write UTF-8, close each $, * and {, and "
+                   "write \\$, \\* and \\\\ for the signs themselves",
+                   option, tf_make_visible(text).text);
+}
+
+static void read_labels(fig_settings *settings, const char *text)
+{
+    settings->bare = strcmp(text, "none") == 0;
+    settings->names = settings->bare ? NULL : text;
+}
+
+void fig_refuse_names(struct argp_state *state, const fig_settings *settings)
+{
+    if (settings->names)
+        argp_error(state,
+                   "invalid --labels '%s'; choose none: only the vertices of a "
+                   "query can be named",
+                   tf_make_visible(settings->names).text);
 }
 
 static void read_view(struct argp_state *state, const char *text)
@@ -235,6 +304,17 @@ static error_t understand_picture(int key, char *text, struct argp_state *state)
         return 0;
     case 'v':
         read_view(state, text);
+        return 0;
+    case TITLE:
+        fig_check_text(state, "--title", text);
+        settings->title = text;
+        return 0;
+    case PANEL:
+        settings->panel =
+            fig_read_count(state, "--panel", text, 1, FIG_PARTS_MOST);
+        return 0;
+    case LABELS:
+        read_labels(settings, text);
         return 0;
     default:
         return ARGP_ERR_UNKNOWN;

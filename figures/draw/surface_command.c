@@ -2,7 +2,6 @@
 #include "draw/surface_picture.h"
 
 #include "program/frames.h"
-#include "program/number.h"
 #include "program/threads.h"
 #include "program/visible.h"
 
@@ -36,6 +35,7 @@ static const struct argp_option options[] = {
      "The time of the step to draw, from 0 to 1; the default is that of the "
      "first contact if contacts are marked and there is one, otherwise 1",
      0},
+    {"at", 0, NULL, OPTION_ALIAS, NULL, 0},
     {"up", 'u', "AXIS", 0,
      "The axis that points up: x, y or z; the default is z", 0},
     {0},
@@ -51,16 +51,6 @@ static void read_motion(struct argp_state *state, const char *text)
         asked->motion = FIG_STRAIGHT;
     else
         argp_error(state, "unknown motion '%s'; choose bent or straight",
-                   tf_make_visible(text).text);
-}
-
-static void read_time(struct argp_state *state, const char *text)
-{
-    request *asked = state->input;
-    const char *at = text;
-    if (!tf_number_read(&at, &asked->time) || *at != '\0' ||
-        !(asked->time >= 0 && asked->time <= 1))
-        argp_error(state, "invalid time '%s'; give a number from 0 to 1",
                    tf_make_visible(text).text);
 }
 
@@ -116,7 +106,7 @@ static error_t understand(int key, char *text, struct argp_state *state)
         read_motion(state, text);
         return 0;
     case TIME:
-        read_time(state, text);
+        asked->time = fig_read_time(state, text);
         return 0;
     case 'u':
         read_up(state, text);
@@ -128,6 +118,7 @@ static error_t understand(int key, char *text, struct argp_state *state)
         argp_error(state, "no surface given; add its file");
         return 0;
     case ARGP_KEY_SUCCESS:
+        fig_refuse_names(state, &asked->settings);
         check(state);
         return 0;
     default:

@@ -26,6 +26,8 @@ static const double border = 2;
 static void add_tag(fig_page *page, const fig_panel *panel, tf_vector at,
                     fig_label label)
 {
+    if (page->options.bare)
+        return;
     fig_tag tag = {.panel = panel, .at = at, .label = label};
     tag.letters = fig_page_letters(page, label.text, label.size);
     if (tag.letters == NULL)
@@ -145,8 +147,10 @@ static fig_wish wish_of(fig_tag *tag)
 static bool place_among(fig_page *page, const crowd *c, fig_wish *wishes,
                         fig_box *placed)
 {
-    fig_box inside = {border, border, page->options.width - 2 * border,
-                      page->options.height - 2 * border};
+    const fig_box *content = &page->content;
+    fig_box inside = {content->x + border, content->y + border,
+                      content->width - 2 * border,
+                      content->height - 2 * border};
     for (int i = 0; i < page->tag_count; i++)
         wishes[i] = wish_of(&page->tags[i]);
     if (!fig_place(inside, page->tag_count, wishes, c->taken_count, c->taken,

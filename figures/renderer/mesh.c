@@ -18,12 +18,23 @@ static const double head_length = 3.6, head_width = 2.9;
 /// From how many points on a solid thing stands off what is behind it.
 static const double stands_off = 1.4;
 
+/// How near to a plane, in points, a face lies in it.
+static const double flat = 1e-3;
+
+/// The points x for which dot(normal, x) = level, from the view's center.
+typedef struct plane {
+    tf_vector normal;
+    double level;
+} plane;
+
 /// What is being built, and what all its vertices share.
 typedef struct builder {
     fig_mesh mesh;
     const fig_view *view;
     const fig_theme *theme;
     fig_vertex like; ///< the color of the part at work
+    plane *planes;   ///< of the flat translucent faces so far
+    int plane_count, plane_room;
 } builder;
 
 /// Coordinates along three orthonormal axes from an origin.
@@ -194,7 +205,7 @@ static void add_tube(builder *b, const fig_tube *tube)
 
 // Faces ------------------------------------------------------------------
 
-static int compare_corners(tf_vector a, tf_vector b)
+static int compare_vectors(tf_vector a, tf_vector b)
 {
     for (int k = 0; k < 3; k++)
         if (a.x[k] != b.x[k])
@@ -209,20 +220,68 @@ static void order_corners(const fig_face *face, int order[3])
     for (int i = 0; i < 3; i++) {
         int j = i;
         for (; j > 0 &&
-               compare_corners(face->corner[i], face->corner[order[j - 1]]) < 0;
+               compare_vectors(face->corner[i], face->corner[order[j - 1]]) < 0;
              j--)
             order[j] = order[j - 1];
         order[j] = i;
     }
 }
 
+static double level_of(const builder *b, tf_vector normal, tf_vector at)
+{
+    return tf_vector_dot(normal, fig_difference(at, b->view->center));
+}
+
+static bool lies_in(const builder *b, const plane *p, const fig_face *face)
+{
+    for (int i = 0; i < 3; i++)
+        if (fabs(level_of(b, p->normal, face->corner[i]) - p->level) *
+                b->view->points_per_unit >
+            flat)
+            return false;
+    return true;
+}
+
+/// The plane of a flat face: one that other faces have, or a new one.  NULL if
+/// there is no memory.
+static const plane *plane_of(builder *b, const fig_face *face)
+{
+    for (int i = 0; i < b->plane_count; i++)
+        if (lies_in(b, &b->planes[i], face))
+            return &b->planes[i];
+    if (!fig_list_room(&b->planes, b->plane_count, 1, &b->plane_room,
+                       sizeof *b->planes)) {
+        b->mesh.out_of_memory = true;
+        return NULL;
+    }
+    tf_vector normal = face->normal[0];
+    b->planes[b->plane_count] =
+        (plane){normal, level_of(b, normal, face->corner[0])};
+    return &b->planes[b->plane_count++];
+}
+
+static bool is_flat(const fig_face *face)
+{
+    const tf_vector *normal = face->normal;
+    return compare_vectors(normal[0], normal[1]) == 0 &&
+           compare_vectors(normal[0], normal[2]) == 0;
+}
+
+/// Flat translucent faces have the depth of their plane, so that where some of
+/// one plane overlap, one of them is seen too.
 static void add_face(builder *b, const fig_face *face)
 {
     int order[3];
     order_corners(face, order);
     set_paint(b, face->paint, 0);
+    const plane *own = NULL;
+    if (fig_paint_opacity(face->paint) < 1 && is_flat(face))
+        own = plane_of(b, face);
+    b->like.level = own ? (float)own->level : FIG_NO_LEVEL;
     for (int i = 0; i < 3; i++)
-        add_vertex(b, face->corner[order[i]], face->normal[order[i]]);
+        add_vertex(b, face->corner[order[i]],
+                   own ? own->normal : face->normal[order[i]]);
+    b->like.level = FIG_NO_LEVEL;
 }
 
 /// How bright a facet is in the light from the reader's left, on top of how
@@ -321,11 +380,12 @@ static void add_parts(builder *b, const fig_scene *scene, bool opaque)
 fig_mesh fig_mesh_of(const fig_scene *scene, const fig_view *view,
                      const fig_theme *theme)
 {
-    builder b = {.view = view, .theme = theme};
+    builder b = {.view = view, .theme = theme, .like.level = FIG_NO_LEVEL};
     add_parts(&b, scene, true);
     add_facets(&b, scene);
     add_painted(&b, scene);
     b.mesh.opaque = b.mesh.count;
     add_parts(&b, scene, false);
+    free(b.planes);
     return b.mesh;
 }

@@ -13,7 +13,12 @@ typedef struct fig_vertex {
     float color[4];  ///< in linear light, and opacity; the opacity of a solid
                      ///< thing that is wide enough to stand off what it passes
                      ///< in front of is 1, of another 1/2
+    float level;     ///< dot(normal, at) on the plane of a flat translucent
+                     ///< triangle, the same for all that lie in one plane;
+                     ///< FIG_NO_LEVEL: there is no such plane
 } fig_vertex;
+
+#define FIG_NO_LEVEL 1e30F
 
 typedef struct fig_mesh {
     fig_vertex *vertices; ///< three a triangle; the opaque triangles first

@@ -38,6 +38,16 @@ static fig_status draw_panel(fig_renderer **renderer, const fig_panel *panel,
     return status;
 }
 
+/// Let no line of another part reach into the one that is shown.
+static void clip(const fig_page *page, cairo_t *cairo)
+{
+    const fig_box *box = &page->content;
+    if (!page->cropped)
+        return;
+    cairo_rectangle(cairo, box->x, box->y, box->width, box->height);
+    cairo_clip(cairo);
+}
+
 /// Draw all; `cairo` counts in points.
 static fig_status draw_page(fig_page *page, cairo_t *cairo)
 {
@@ -51,6 +61,8 @@ static fig_status draw_page(fig_page *page, cairo_t *cairo)
     fig_renderer **renderer =
         page->options.renderer != NULL ? page->options.renderer : &own;
     fig_status status = page->trouble;
+    cairo_save(cairo);
+    clip(page, cairo);
     for (int i = 0; i < page->mark_count && status == FIG_OK; i++)
         if (page->marks[i].kind == FIG_MARK_PANEL)
             status = draw_panel(renderer, page->marks[i].panel,
@@ -58,10 +70,12 @@ static fig_status draw_page(fig_page *page, cairo_t *cairo)
         else
             fig_mark_draw(&page->marks[i], theme, cairo);
     fig_renderer_free(own);
+    cairo_restore(cairo);
     if (status == FIG_OK && !fig_page_place_tags(page))
         status = FIG_NO_MEMORY;
     if (status == FIG_OK)
         fig_page_draw_tags(page, cairo);
+    fig_page_draw_heading(page, cairo);
     if (status == FIG_OK && cairo_status(cairo) != CAIRO_STATUS_SUCCESS)
         status = FIG_NO_MEMORY;
     return status;
@@ -118,13 +132,29 @@ static cairo_surface_t *new_svg(sink *s, double width, double height)
 
 typedef cairo_surface_t *vector_surface(sink *s, double width, double height);
 
+/// Let `cairo` count in points of the page, what is shown of it being fitted to
+/// paper of that size.
+static void fit_to_paper(const fig_page *page, double width, double height,
+                         cairo_t *cairo)
+{
+    const fig_box *box = &page->shown;
+    double scale = fmin(width / box->width, height / box->height);
+    cairo_translate(cairo, (width - scale * box->width) / 2,
+                    (height - scale * box->height) / 2);
+    cairo_scale(cairo, scale, scale);
+    cairo_translate(cairo, -box->x, -box->y);
+}
+
 static fig_status write_vectors(fig_page *page, sink *s,
                                 vector_surface *new_surface)
 {
-    cairo_surface_t *surface =
-        new_surface(s, page->options.width, page->options.height);
+    const fig_page_options *o = &page->options;
+    double width = o->paper_x > 0 ? o->paper_x : page->shown.width;
+    double height = o->paper_y > 0 ? o->paper_y : page->shown.height;
+    cairo_surface_t *surface = new_surface(s, width, height);
     cairo_surface_set_fallback_resolution(surface, fallback_dpi, fallback_dpi);
     cairo_t *cairo = cairo_create(surface);
+    fit_to_paper(page, width, height, cairo);
     fig_status status = draw_page(page, cairo);
     cairo_destroy(cairo);
     cairo_surface_finish(surface);

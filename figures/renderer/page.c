@@ -28,6 +28,8 @@ fig_status fig_page_new(const fig_page_options *options, fig_page **page)
     if (made == NULL)
         return FIG_NO_MEMORY;
     made->options = *options;
+    made->shown = made->content =
+        (fig_box){0, 0, options->width, options->height};
     if (options->theme == NULL)
         made->options.theme = &fig_theme_light;
     made->family = fig_list_copy(family, (int)strlen(family) + 1, 1);
@@ -62,6 +64,8 @@ void fig_page_free(fig_page *page)
     free(page->marks);
     free(page->tags);
     free(page->panels);
+    free(page->plots);
+    fig_letters_free(page->heading);
     free(page->family);
     free(page);
 }
@@ -91,6 +95,11 @@ double fig_page_time(const fig_page *page)
     return page->options.time;
 }
 
+bool fig_page_is_bare(const fig_page *page)
+{
+    return page->options.bare;
+}
+
 void fig_page_note(fig_page *page, fig_status status)
 {
     if (page->trouble == FIG_OK)
@@ -109,6 +118,15 @@ fig_mark *fig_page_add_mark(fig_page *page, fig_mark mark)
     return &page->marks[page->mark_count++];
 }
 
+void fig_page_add_plot(fig_page *page, fig_box box)
+{
+    if (fig_list_room(&page->plots, page->plot_count, 1, &page->plot_room,
+                      sizeof *page->plots))
+        page->plots[page->plot_count++] = box;
+    else
+        fig_page_note(page, FIG_NO_MEMORY);
+}
+
 fig_letters *fig_page_letters(fig_page *page, const char *text, double size)
 {
     fig_letters *letters;
@@ -123,9 +141,12 @@ fig_raster fig_page_raster(const fig_page *page)
 {
     const fig_page_options *o = &page->options;
     fig_raster raster = {.pixels_x = o->pixels_x, .pixels_y = o->pixels_y};
-    raster.scale = fmin(o->pixels_x / o->width, o->pixels_y / o->height);
-    raster.shift_x = (int)((o->pixels_x - raster.scale * o->width) / 2);
-    raster.shift_y = (int)((o->pixels_y - raster.scale * o->height) / 2);
+    const fig_box *box = &page->shown;
+    raster.scale = fmin(o->pixels_x / box->width, o->pixels_y / box->height);
+    raster.shift_x = (int)((o->pixels_x - raster.scale * box->width) / 2 -
+                           raster.scale * box->x);
+    raster.shift_y = (int)((o->pixels_y - raster.scale * box->height) / 2 -
+                           raster.scale * box->y);
     return raster;
 }
 

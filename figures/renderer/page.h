@@ -29,18 +29,21 @@ typedef struct fig_panel fig_panel;
 
 /// How a page is to be made; zero stands for a default where one is told.
 typedef struct fig_page_options {
-    double width, height;   ///< points, > 0
-    int pixels_x, pixels_y; ///< of the picture; also of pictures in vector
-                            ///< files.  The page is scaled to fit and centred
-    const fig_theme *theme; ///< NULL: light
-    const char *family;     ///< of letters; NULL: STIXGeneral
-    double dpi;             ///< of a PNG, for print; 0: as the width tells
-    bool transparent;       ///< no paper behind the page
-    bool moves;             ///< one of a film in which time passes
-    double time;            ///< 0..1, of such a film
-    bool turned;            ///< look at turnable panels from:
-    double azimuth;         ///< degrees
-    double elevation;       ///< degrees
+    double width, height;    ///< points, > 0
+    int pixels_x, pixels_y;  ///< of the picture; also of pictures in vector
+                             ///< files.  The page is scaled to fit and centred
+    const fig_theme *theme;  ///< NULL: light
+    const char *family;      ///< of letters; NULL: STIXGeneral
+    double dpi;              ///< of a PNG, for print; 0: as the width tells
+    double paper_x, paper_y; ///< of a vector file, points: the page is scaled
+                             ///< to fit and centred; 0: as large as the page
+    bool transparent;        ///< no paper behind the page
+    bool bare;               ///< no labels; exact texts stay
+    bool moves;              ///< one of a film in which time passes
+    double time;             ///< 0..1, of such a film
+    bool turned;             ///< look at turnable panels from:
+    double azimuth;          ///< degrees
+    double elevation;        ///< degrees
     struct fig_renderer **renderer; ///< for all pages of a film: NULL before
                                     ///< the first, freed by the caller after
                                     ///< the last; without, a page has its own
@@ -60,6 +63,9 @@ const fig_theme *fig_page_theme(const fig_page *page);
 /// Whether the page is one of a film in which time passes, and its time, 0..1.
 bool fig_page_moves(const fig_page *page);
 double fig_page_time(const fig_page *page);
+
+/// Whether the page is one without labels.
+bool fig_page_is_bare(const fig_page *page);
 
 /// Draw the page to a file of the kind that its name ends in: .png, .pdf or
 /// .svg.  PNG records the resolution.  May be called again.
@@ -97,6 +103,32 @@ fig_point fig_panel_project(const fig_panel *panel, tf_vector world);
 /// "$t$".  A length of 0 or a NULL name leaves that axis out.
 void fig_panel_axes(fig_panel *panel, tf_vector origin, tf_vector length,
                     const char *const name[3]);
+
+// Parts ------------------------------------------------------------------
+
+enum {
+    FIG_PARTS_MOST = 64
+}; ///< what a page has beyond is no part
+
+/// How many parts the page has: panels, and frames of plots.  Those that
+/// overlap are one part, and those that hold no more than an axis are none.
+int fig_page_parts(const fig_page *page);
+
+/// The box around the i-th part and the texts beside it that are nearest to it.
+/// From 0 on, in the order one reads: row by row, from left to right.
+fig_box fig_page_part(const fig_page *page, int i);
+
+/// Show only what the page has now in a box: the panels, texts and labels of a
+/// part.  A small box is magnified, but neither letters nor widths of lines.
+/// Returns the box of what is shown.
+fig_box fig_page_crop(fig_page *page, fig_box box);
+
+/// The height of a heading over a box, in points.
+double fig_page_heading_height(fig_box box);
+
+/// Put a line above all that the page shows, in letters small enough for its
+/// width.
+void fig_page_heading(fig_page *page, const char *text);
 
 // Labels -----------------------------------------------------------------
 

@@ -54,9 +54,14 @@ struct fig_page {
     fig_mark *marks;
     fig_tag *tags;
     fig_panel **panels;
-    int mark_count, tag_count, panel_count;
-    int mark_room, tag_room, panel_room;
-    fig_status trouble; ///< the first
+    fig_box *plots; ///< the frames of plots
+    int mark_count, tag_count, panel_count, plot_count;
+    int mark_room, tag_room, panel_room, plot_room;
+    fig_box shown;        ///< what the picture shows of the page
+    fig_box content;      ///< the same without the heading
+    bool cropped;         ///< to the content
+    fig_letters *heading; ///< NULL: there is none
+    fig_status trouble;   ///< the first
 };
 
 /// How page points become pixels: x pixels are scale * points + shift.
@@ -85,6 +90,9 @@ void fig_mark_clear(fig_mark *mark);
 
 fig_raster fig_page_raster(const fig_page *page);
 
+/// Note the frame of a plot.
+void fig_page_add_plot(fig_page *page, fig_box box);
+
 // panel.c ----------------------------------------------------------------
 
 /// The panel's view of what is in its scene now.
@@ -101,6 +109,11 @@ void fig_mark_draw(const fig_mark *mark, const fig_theme *theme,
 
 /// The box of the ink of a text mark.
 fig_box fig_mark_text_box(const fig_mark *mark);
+
+// parts.c ----------------------------------------------------------------
+
+/// Draw the heading; `cairo` counts in points of the page.
+void fig_page_draw_heading(const fig_page *page, cairo_t *cairo);
 
 // labels.c ---------------------------------------------------------------
 

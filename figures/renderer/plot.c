@@ -122,6 +122,7 @@ static double draw_ticks(fig_page *page, const fig_plot *plot, int axis,
 void fig_plot_frame(fig_page *page, const fig_plot *plot)
 {
     const fig_box *box = &plot->box;
+    fig_page_add_plot(page, *box);
     const fig_point corner[] = {{box->x, box->y},
                                 {box->x, box->y + box->height},
                                 {box->x + box->width, box->y + box->height}};

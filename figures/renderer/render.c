@@ -135,8 +135,9 @@ static void make_vertex_arrays(fig_renderer *r)
         uintptr_t offset;
     } attribute[] = {{3, offsetof(fig_vertex, at)},
                      {3, offsetof(fig_vertex, normal)},
-                     {4, offsetof(fig_vertex, color)}};
-    for (GLuint i = 0; i < 3; i++) {
+                     {4, offsetof(fig_vertex, color)},
+                     {1, offsetof(fig_vertex, level)}};
+    for (GLuint i = 0; i < 4; i++) {
         // OpenGL takes an offset for a pointer.
         const void *offset =
             (const void *)attribute[i].offset; // NOLINT(*-no-int-to-ptr)

@@ -76,12 +76,22 @@ const char *const fig_shader_solid = VERSION LIGHT
     "}\n";
 
 // A sheet is thicker along a slanting line of sight, hence more opaque.  All
-// of this varies so little over a triangle that its corners do.
+// of this varies so little over a triangle that its corners do.  Its plane
+// gives the depth z = x plane.x + y plane.y + plane.z of each place (x, y) of
+// the picture, to the same bit for all sheets of that plane; if it has none, or
+// one that is seen edge-on, plane.w is 0.
 const char *const fig_shader_sheet_corner = VERSION CORNER LIGHT
+    "layout(location = 3) in float level;\n"
     "out vec4 light;\n"
+    "flat out vec4 plane;\n"
     "void main()\n"
     "{\n"
     "    project();\n"
+    "    vec4 seen = transpose(inverse(projection)) * vec4(normal, -level);\n"
+    "    bool fit = level < 1e20 &&\n"
+    "        dot(abs(seen), vec4(1)) < 1000.0 * abs(seen.z);\n"
+    "    plane = fit ? vec4(-seen.xyw / seen.z, 1) : vec4(0);\n"
+    "    plane.z -= dot(plane.xy, jitter);\n"
     "    vec3 v = to_eye(at), n = normal;\n"
     "    float slant = dot(n, v);\n"
     "    n *= slant < 0.0 ? -1.0 : 1.0;\n"
@@ -94,14 +104,24 @@ const char *const fig_shader_sheet_corner = VERSION CORNER LIGHT
 
 const char *const fig_shader_layer =
     VERSION "in vec4 light;\n"
+            "flat in vec4 plane;\n"
             "uniform sampler2D before, solid;\n"
             "out vec4 result;\n"
+            "float depth()\n"
+            "{\n"
+            "    vec2 size = vec2(textureSize(solid, 0));\n"
+            "    vec2 at = 2.0 * gl_FragCoord.xy / size - 1.0;\n"
+            "    float z = dot(plane.xyz, vec3(at, 1));\n"
+            "    return plane.w > 0.0 ? 0.5 + 0.5 * z : gl_FragCoord.z;\n"
+            "}\n"
             "void main()\n"
             "{\n"
             "    ivec2 pixel = ivec2(gl_FragCoord.xy);\n"
-            "    if (gl_FragCoord.z <= texelFetch(before, pixel, 0).r ||\n"
-            "        gl_FragCoord.z >= texelFetch(solid, pixel, 0).r)\n"
+            "    float z = depth();\n"
+            "    if (z <= texelFetch(before, pixel, 0).r ||\n"
+            "        z >= texelFetch(solid, pixel, 0).r)\n"
             "        discard;\n"
+            "    gl_FragDepth = z;\n"
             "    result = light;\n"
             "}\n";
 

@@ -14,7 +14,8 @@ weave = BUILD=$(abspath $(BUILD)) sphinx-build -q
 
 book: $(BUILD)/book/html/index.html ## build the book as web pages, in build/book/html
 pdf: $(BUILD)/book/tanglefree.pdf ## build the book as a PDF, in build/book
-.PHONY: book pdf
+slides: $(BUILD)/slides/index.html ## make slides of each part for lectures, in build/slides
+.PHONY: book pdf slides
 
 $(reference): $(BUILD)/include/tanglefree.h book/Doxyfile | need-book
 	@echo 'extract $(@D)'
@@ -38,6 +39,13 @@ $(BUILD)/book/tanglefree.pdf: $(BOOK) $(program_file) $(prints) $(films) \
 	    { grep -A 5 '^!' tanglefree.log; false; }
 	$(Q)cp $(@D)/latex/tanglefree.pdf $@
 
+# A deck for each part of the book, from the chapters that its pages are made of.
+$(BUILD)/slides/index.html: $(BUILD)/book/html/index.html | need-slides
+	@echo 'weave   $(@D)'
+	$(Q)$(weave) -b slides -d $(BUILD)/book/read book $(@D)
+	@echo 'print   $(@D)'
+	$(Q)BUILD=$(BUILD) sh book/print-slides.sh && touch $@
+
 # Warnings are errors, and all is read anew; then the pages are taken apart
 # again, and what they show of src/ must be src/.
 check-book: $(reference) check-readme
@@ -51,6 +59,9 @@ check-book: $(program_file) $(pictures) $(films) need-book ## check the book aga
 	$(python) tests/book/reference_test.py $(BUILD)/include/tanglefree.h \
 	    $$folder/html
 
+check-slides: slides need-site ## check the slides in a browser
+	@$(python) tests/site/slides.py $(BUILD)/slides
+
 check-site: book need-site ## check the pages in a browser
 	@$(python) tests/site/browse.py $(BUILD)/book/html
-.PHONY: check-book check-site
+.PHONY: check-book check-slides check-site

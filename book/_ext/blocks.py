@@ -156,11 +156,13 @@ KINDS = {kind.__name__.replace("formal_", ""): kind for kind in (
 class Statement(SphinxDirective):
     has_content, optional_arguments = True, 1
     final_argument_whitespace = True
-    option_spec = {"name": directives.unchanged_required}
+    option_spec = {"name": directives.unchanged_required,
+                   "slide": directives.flag}
 
     def run(self):
         self.assert_has_content()
-        node = KINDS[self.name]("", *parsed(self), title="", difficulty=0)
+        node = KINDS[self.name]("", *parsed(self), title="", difficulty=0,
+                                slide="slide" in self.options)
         if self.arguments:
             node["title"] = self.arguments[0]
         node["ids"] = [f"{self.name}-{self.env.new_serialno(self.name) + 1}"]

@@ -66,7 +66,8 @@ def listed(program):
 class FigureDirective(SphinxDirective):
     required_arguments, has_content = 1, True
     option_spec = {"alt": directives.unchanged_required,
-                   "wide": directives.flag}
+                   "wide": directives.flag,
+                   "slide": directives.positive_int}
     classes = ["drawing"]
 
     def run(self):
@@ -77,6 +78,7 @@ class FigureDirective(SphinxDirective):
         figure = nodes.figure("", classes=self.classes, align="default")
         if "wide" in self.options:
             figure["classes"].append("wide")
+        figure["slide"] = self.options.get("slide")     # for slides.py
         figure += [self.image("light"), self.dark_image(), *self.controls(),
                    self.caption()]
         figure["names"] = ["fig-" + name]
@@ -173,7 +175,8 @@ class FilmDirective(FigureDirective):
         self.env.get_domain("book").note(
             "film", name, "fig-" + self.arguments[0], name)
         still = float(numbers(program, name)["film_still"])
-        return [nodes.raw("", controls(sheets, still), format="html")]
+        return [nodes.raw("", controls(sheets, still), format="html",
+                          sheets=sheets, still=still)]
 
 
 def copy_sheets(app, error):

@@ -2,7 +2,7 @@
 
 A chapter without a text file is absent from the book, yet it keeps its number.
 
-    ```{book-contents} preface | reference notation bibliography
+    ```{book-contents} preface | epilogue reference notation bibliography
     ```
 lists the book on its first page: pages before the chapters, then pages after.
 
@@ -118,7 +118,7 @@ def read_all_when_files_come_or_go(app, env, added, changed, removed):
 def tell_latex(app, doctree):
     """The number of a chapter, the title of its part, and the end matter."""
     docname = app.env.docname
-    tex = {"reference": r"\tfback"}.get(docname, "")
+    tex = {"epilogue": r"\tfback"}.get(docname, "")
     chapter = app.chapters.get(docname)
     if chapter:
         here = written(app.env)

@@ -20,8 +20,11 @@ import drawings
 
 
 # And prefixes of their names.
-FILES = {"measured": "", "roads": "roads ", "solvers": "solvers ",
-         "response": "response ", "simulation": "simulation "}
+FILES = {"measured": "", "roads": "roads ", "topology": "topology ",
+         "solvers": "solvers ",
+         "response": "response ", "simulation": "simulation ",
+         "surgery": "surgery ", "remeshing": "remeshing ",
+         "flowing": "flowing "}
 
 
 def read(lines, prefix=""):

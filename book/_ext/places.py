@@ -9,7 +9,10 @@ from docutils import nodes
 from sphinx.domains import Domain
 from sphinx.domains.std import StandardDomain
 from sphinx.roles import XRefRole
+from sphinx.util import logging
 from sphinx.util.nodes import make_refnode
+
+logger = logging.getLogger(__name__)
 
 
 class PlaceRole(XRefRole):
@@ -74,14 +77,19 @@ class Pages:
 
 
 class Standard(StandardDomain):
-    """Sphinx's own would read a page for every {numref} to it."""
+    """Sphinx's own would read a page for every {numref} to it, and would not
+    mind if that has no number."""
 
     @functools.cached_property
     def pages(self):
         return Pages(self.env)
 
-    def resolve_xref(self, env, *reference):
-        return super().resolve_xref(self.pages, *reference)
+    def resolve_xref(self, env, page, builder, kind, target, node, words):
+        link = super().resolve_xref(self.pages, page, builder, kind, target,
+                                    node, words)
+        if kind == "numref" and link is words:
+            logger.warning("'%s' has no number", target, location=node)
+        return link
 
 
 def of(env):

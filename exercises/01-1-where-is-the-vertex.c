@@ -2,8 +2,9 @@
  *
  * A vertex moves along a worldline, in a straight line and at a constant rate,
  * from its event at t = 0 to its event at t = 1.  Find where it is at time t,
- * 0 <= t <= 1, on the axes 0 to axes - 1.  At t = 0 and at t = 1 the answer
- * must be the stored position to the last bit.
+ * 0 <= t <= 1, on the axes 0 to axes - 1, and write nothing else: in the plane
+ * there is no position[2].  At t = 0 and at t = 1 the answer must be the stored
+ * position to the last bit.
  *
  * Section: Events and worldlines.
  *
@@ -31,6 +32,9 @@ void position_at(int axes, const tf_worldline *line, double t,
     for (int k = 0; k < axes; k++)
         position[k] =
             line->at[0].x[k] + t * (line->at[1].x[k] - line->at[0].x[k]);
+#elif defined TF_WRONG_4 // writes as in space, in the plane, too
+    for (int k = 0; k < TF_AXES; k++)
+        position[k] = (1 - t) * line->at[0].x[k] + t * line->at[1].x[k];
 #else
     // Your turn.  For now the vertex never leaves the origin.
     for (int k = 0; k < axes; k++)

@@ -19,7 +19,7 @@ static const bent expected[] = {
     {{{{0, 0}, {0, 4}}, {{4, 0}, {8, 0}}}, 0.75, {{0, 3}, {6, 0}, {7, 0}}},
 };
 
-START_TEST(has_three_corners)
+TEST(has_three_corners)
 {
     const bent *given = &expected[_i];
     tf_worldline edge[2];
@@ -28,17 +28,15 @@ START_TEST(has_three_corners)
     double corner[3][2] = {{0}};
     check_input("%s\nt = %s", text_lines(2, "vertex", 2, edge),
                 text_real(given->t));
-    bent_edge(edge, given->t, corner);
+    check_call(corner, bent_edge(edge, given->t, corner));
     for (int i = 0; i < 3; i++)
         check_that(corner[i][0] == given->corner[i][0] &&
                        corner[i][1] == given->corner[i][1],
                    text_point(2, given->corner[i]), "%s as corner[%d]",
                    text_point(2, corner[i]), i);
 }
-END_TEST
 
-void add_tests(TCase *tests)
+void run_tests(void)
 {
-    tcase_add_loop_test(tests, has_three_corners, 0,
-                        (int)(sizeof expected / sizeof *expected));
+    check_run(sizeof expected / sizeof *expected, has_three_corners);
 }

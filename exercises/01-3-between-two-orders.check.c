@@ -18,10 +18,11 @@ static bool hits(const tf_worldline *point, const tf_worldline edge[2])
     return hits;
 }
 
-START_TEST(hits_in_one_order_only)
+TEST(hits_in_one_order_only)
 {
     check_input("none: the function gives an encounter");
-    encounter e = between_two_orders();
+    encounter e;
+    check_value(e, between_two_orders());
     tf_worldline point = tf_worldline_between(2, e.point, e.point);
     tf_worldline edge[2], turned[2];
     for (int v = 0; v < 2; v++) {
@@ -32,14 +33,14 @@ START_TEST(hits_in_one_order_only)
     check_finite(2, 2, edge);
     check_input("point %s\n%s", text_point(2, e.point),
                 text_lines(2, "vertex", 2, edge));
+    check_picture(2, 1, &point, 2, edge);
     check_that(hits(&point, edge), "a hit in the order 0, 1",
                "no hit in the order 0, 1");
     check_that(!hits(&point, turned), "no hit in the order 1, 0",
                "a hit in the order 1, 0");
 }
-END_TEST
 
-void add_tests(TCase *tests)
+void run_tests(void)
 {
-    tcase_add_test(tests, hits_in_one_order_only);
+    check_run(1, hits_in_one_order_only);
 }

@@ -10,20 +10,20 @@ static void expect(const tf_event *a, const tf_event *b, const tf_event *c,
 {
     check_input("a = %s, b = %s, c = %s", text_point(2, a->x),
                 text_point(2, b->x), text_point(2, c->x));
-    tf_sign got = left_turn(a, b, c);
+    tf_sign got;
+    check_value(got, left_turn(a, b, c));
     check_that(got == expected, text_sign(expected), "%s", text_sign(got));
 }
 
-START_TEST(turns_on_a_lattice)
+TEST(turns_on_a_lattice)
 {
     tf_event a = {.x = {0, 0}}, b = {.x = {1, 0}};
     expect(&a, &b, &(tf_event){.x = {2, 1}}, TF_POSITIVE);
     expect(&a, &b, &(tf_event){.x = {2, -1}}, TF_NEGATIVE);
     expect(&a, &b, &(tf_event){.x = {3, 0}}, TF_ZERO);
 }
-END_TEST
 
-START_TEST(turns_anywhere)
+TEST(turns_anywhere)
 {
     generator random = generator_new(0);
     for (long i = 0; i < 500; i++) {
@@ -37,10 +37,9 @@ START_TEST(turns_anywhere)
         expect(&e[0], &e[1], &e[2], oracle_arithmetic.sign(&rows));
     }
 }
-END_TEST
 
-void add_tests(TCase *tests)
+void run_tests(void)
 {
-    tcase_add_test(tests, turns_on_a_lattice);
-    tcase_add_test(tests, turns_anywhere);
+    check_run(1, turns_on_a_lattice);
+    check_run(1, turns_anywhere);
 }

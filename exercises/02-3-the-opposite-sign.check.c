@@ -15,10 +15,11 @@ static tf_event at(const double x[2])
     return (tf_event){.x = {x[0], x[1]}};
 }
 
-START_TEST(rounded_sign_is_opposite)
+TEST(rounded_sign_is_opposite)
 {
     check_input("none: the function gives three points");
-    three_points p = opposite_sign();
+    three_points p;
+    check_value(p, opposite_sign());
     check_input("a = %s, b = %s, c = %s", text_point(2, p.a),
                 text_point(2, p.b), text_point(2, p.c));
     const double all[] = {p.a[0], p.a[1], p.b[0], p.b[1], p.c[0], p.c[1]};
@@ -38,9 +39,8 @@ START_TEST(rounded_sign_is_opposite)
                "rounded: %s, true: %s", text_sign(rounded_sign),
                text_sign(true_sign));
 }
-END_TEST
 
-void add_tests(TCase *tests)
+void run_tests(void)
 {
-    tcase_add_test(tests, rounded_sign_is_opposite);
+    check_run(1, rounded_sign_is_opposite);
 }

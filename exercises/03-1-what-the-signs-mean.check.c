@@ -46,7 +46,7 @@ static const char *const verdicts[] = {[TF_UNDECIDED] = "TF_UNDECIDED",
                                        [TF_APART] = "TF_APART",
                                        [TF_HIT] = "TF_HIT"};
 
-START_TEST(all_patterns)
+TEST(all_patterns)
 {
     for (int pattern = 0; pattern < 1 << (2 * SIGNS); pattern++) {
         tf_sign sign[SIGNS];
@@ -58,14 +58,14 @@ START_TEST(all_patterns)
         }
         tf_verdict expected = read_all(sign);
         check_input("the signs%s", text);
-        tf_verdict got = read_signs(SIGNS, sign);
+        tf_verdict got;
+        check_value(got, read_signs(SIGNS, sign));
         check_that(got == expected, verdicts[expected], "%s",
                    (unsigned)got <= TF_HIT ? verdicts[got] : "no verdict");
     }
 }
-END_TEST
 
-void add_tests(TCase *tests)
+void run_tests(void)
 {
-    tcase_add_test(tests, all_patterns);
+    check_run(1, all_patterns);
 }

@@ -30,10 +30,13 @@ static void expect(const tf_worldline *point, const tf_worldline edge[2])
     mpq_clear(toi);
     check_input("point: %s\n%s", text_line(2, point),
                 text_lines(2, "vertex", 2, edge));
-    check_bool(expected, point_meets_edge(point, edge));
+    check_picture(2, 1, point, 2, edge);
+    bool got;
+    check_value(got, point_meets_edge(point, edge));
+    check_bool(expected, got);
 }
 
-START_TEST(a_point_falls_on_an_edge)
+TEST(a_point_falls_on_an_edge)
 {
     tf_worldline point =
         tf_worldline_between(2, (double[]){1, 2}, (double[]){1, -2});
@@ -42,9 +45,8 @@ START_TEST(a_point_falls_on_an_edge)
         tf_worldline_between(2, (double[]){4, 0}, (double[]){4, 0})};
     expect(&point, edge);
 }
-END_TEST
 
-START_TEST(small_integers)
+TEST(small_integers)
 {
     generator random = generator_new(0);
     for (int i = 0; i < 2000; i++) {
@@ -52,10 +54,9 @@ START_TEST(small_integers)
         expect(&q.vertex[0], &q.vertex[1]);
     }
 }
-END_TEST
 
-void add_tests(TCase *tests)
+void run_tests(void)
 {
-    tcase_add_test(tests, a_point_falls_on_an_edge);
-    tcase_add_test(tests, small_integers);
+    check_run(1, a_point_falls_on_an_edge);
+    check_run(1, small_integers);
 }

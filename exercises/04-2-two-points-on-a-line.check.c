@@ -16,17 +16,17 @@ static const meeting expected[] = {
     {{5, 0}, {0, 0}, 1},    {{-3, 3}, {0, 0}, 0.5},
 };
 
-START_TEST(is_the_first_time)
+TEST(is_the_first_time)
 {
     const meeting *given = &expected[_i];
     check_input("p: %g to %g, q: %g to %g", given->p[0], given->p[1],
                 given->q[0], given->q[1]);
-    check_real(given->t, first_meeting(given->p, given->q));
+    double got;
+    check_value(got, first_meeting(given->p, given->q));
+    check_real(given->t, got);
 }
-END_TEST
 
-void add_tests(TCase *tests)
+void run_tests(void)
 {
-    tcase_add_loop_test(tests, is_the_first_time, 0,
-                        (int)(sizeof expected / sizeof *expected));
+    check_run(sizeof expected / sizeof *expected, is_the_first_time);
 }

@@ -73,16 +73,18 @@ static void expect_one_instant(const tf_worldline *point,
     mpq_clears(first, last, at_vertex, NULL);
 }
 
-START_TEST(meets_for_one_instant)
+TEST(meets_for_one_instant)
 {
     check_input("none: the function gives an encounter");
-    encounter e = for_one_instant();
+    encounter e;
+    check_value(e, for_one_instant());
     tf_worldline point = tf_worldline_between(2, e.point[0], e.point[1]);
     tf_worldline edge[2];
     for (int v = 0; v < 2; v++)
         edge[v] = tf_worldline_between(2, e.edge[v][0], e.edge[v][1]);
     check_input("point: %s\n%s", text_line(2, &point),
                 text_lines(2, "vertex", 2, edge));
+    check_picture(2, 1, &point, 2, edge);
     check_finite(2, 1, &point);
     check_finite(2, 2, edge);
     for (int t = 0; t < 2; t++)
@@ -91,9 +93,8 @@ START_TEST(meets_for_one_instant)
                    "an edge that has a length", "none at t = %d", t);
     expect_one_instant(&point, edge);
 }
-END_TEST
 
-void add_tests(TCase *tests)
+void run_tests(void)
 {
-    tcase_add_test(tests, meets_for_one_instant);
+    check_run(1, meets_for_one_instant);
 }

@@ -18,7 +18,7 @@ static const expectation expected[] = {
     {{{{1, 1}, {0, 0}}, {{1, 1}, {-7, 0}}}, {{0, 0}, {0, -1}}},
 };
 
-START_TEST(is_the_left_normal_of_the_horizontal_edge)
+TEST(is_the_left_normal_of_the_horizontal_edge)
 {
     const expectation *given = &expected[_i];
     tf_worldline edge[2];
@@ -30,14 +30,13 @@ START_TEST(is_the_left_normal_of_the_horizontal_edge)
         double got[2] = {0};
         check_input("the triangle with pivot %d of\n%s", sweep[i].pivot,
                     text_lines(2, "vertex", 2, edge));
-        edge_normal(&sweep[i], got);
+        check_call(got, edge_normal(&sweep[i], got));
         check_point(2, given->normal[i], got, 1e-15);
     }
 }
-END_TEST
 
-void add_tests(TCase *tests)
+void run_tests(void)
 {
-    tcase_add_loop_test(tests, is_the_left_normal_of_the_horizontal_edge, 0,
-                        (int)(sizeof expected / sizeof *expected));
+    check_run(sizeof expected / sizeof *expected,
+              is_the_left_normal_of_the_horizontal_edge);
 }

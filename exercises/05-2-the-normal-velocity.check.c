@@ -26,7 +26,7 @@ static const expectation expected[] = {
      {2, 2}},
 };
 
-START_TEST(is_relative_and_along_the_normal)
+TEST(is_relative_and_along_the_normal)
 {
     const expectation *given = &expected[_i];
     tf_worldline point =
@@ -42,15 +42,15 @@ START_TEST(is_relative_and_along_the_normal)
                     text_line(2, &point), r[i].pivot,
                     text_lines(2, "vertex", 2, edge),
                     text_point(2, given->normal));
-        check_near(given->normal_velocity[i],
-                   relative_normal_velocity(&s[0], &r[i], given->normal),
-                   1e-14);
+        check_picture(2, 1, &point, 2, edge);
+        double got;
+        check_value(got, relative_normal_velocity(&s[0], &r[i], given->normal));
+        check_near(given->normal_velocity[i], got, 1e-14);
     }
 }
-END_TEST
 
-void add_tests(TCase *tests)
+void run_tests(void)
 {
-    tcase_add_loop_test(tests, is_relative_and_along_the_normal, 0,
-                        (int)(sizeof expected / sizeof *expected));
+    check_run(sizeof expected / sizeof *expected,
+              is_relative_and_along_the_normal);
 }

@@ -36,16 +36,18 @@ static double turn(const tf_worldline edge[2])
     return d[0][0] * d[1][1] - d[0][1] * d[1][0];
 }
 
-START_TEST(meets_and_does_not_approach)
+TEST(meets_and_does_not_approach)
 {
     check_input("none: the function gives an encounter");
-    encounter e = contact_without_approach();
+    encounter e;
+    check_value(e, contact_without_approach());
     tf_worldline point = tf_worldline_between(2, e.point[0], e.point[1]);
     tf_worldline edge[2];
     for (int v = 0; v < 2; v++)
         edge[v] = tf_worldline_between(2, e.edge[v][0], e.edge[v][1]);
     check_input("point: %s\n%s", text_line(2, &point),
                 text_lines(2, "vertex", 2, edge));
+    check_picture(2, 1, &point, 2, edge);
     check_finite(2, 1, &point);
     check_finite(2, 2, edge);
     check_that(turn(edge) != 0, "an edge that turns", "one that does not");
@@ -57,9 +59,8 @@ START_TEST(meets_and_does_not_approach)
     check_that(oracle_meet(2, 1, &point, 2, edge, toi), "a contact", "none");
     mpq_clear(toi);
 }
-END_TEST
 
-void add_tests(TCase *tests)
+void run_tests(void)
 {
-    tcase_add_test(tests, meets_and_does_not_approach);
+    check_run(1, meets_and_does_not_approach);
 }

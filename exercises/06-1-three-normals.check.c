@@ -20,7 +20,7 @@ static const expectation expected[] = {
      {{0, 0, 1}, {0, -2, -1}, {2, 2, 1}}},
 };
 
-START_TEST(is_that_of_the_horizontal_edges)
+TEST(is_that_of_the_horizontal_edges)
 {
     const expectation *given = &expected[_i];
     tf_worldline triangle[3];
@@ -33,14 +33,13 @@ START_TEST(is_that_of_the_horizontal_edges)
         double got[3] = {0};
         check_input("the simplex with pivot %d of\n%s", sweep[i].pivot,
                     text_lines(3, "vertex", 3, triangle));
-        simplex_normal(&sweep[i], got);
+        check_call(got, simplex_normal(&sweep[i], got));
         check_point(3, given->normal[i], got, 0);
     }
 }
-END_TEST
 
-void add_tests(TCase *tests)
+void run_tests(void)
 {
-    tcase_add_loop_test(tests, is_that_of_the_horizontal_edges, 0,
-                        (int)(sizeof expected / sizeof *expected));
+    check_run(sizeof expected / sizeof *expected,
+              is_that_of_the_horizontal_edges);
 }

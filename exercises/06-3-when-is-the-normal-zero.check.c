@@ -41,10 +41,11 @@ static void expect_no_normal(const tf_worldline *point,
     check_point(3, ((const double[]){0, 0, 0}), contact.normal, 0);
 }
 
-START_TEST(meets_without_a_normal)
+TEST(meets_without_a_normal)
 {
     check_input("none: the function gives an encounter");
-    encounter e = no_normal();
+    encounter e;
+    check_value(e, no_normal());
     tf_worldline point = tf_worldline_between(3, e.point[0], e.point[1]);
     tf_worldline triangle[3];
     for (int v = 0; v < 3; v++)
@@ -52,6 +53,7 @@ START_TEST(meets_without_a_normal)
             tf_worldline_between(3, e.triangle[v][0], e.triangle[v][1]);
     check_input("point: %s\n%s", text_line(3, &point),
                 text_lines(3, "vertex", 3, triangle));
+    check_picture(3, 1, &point, 3, triangle);
     check_finite(3, 1, &point);
     check_finite(3, 3, triangle);
     for (int t = 0; t < 2; t++)
@@ -59,9 +61,8 @@ START_TEST(meets_without_a_normal)
                    "none at t = %d", t);
     expect_no_normal(&point, triangle);
 }
-END_TEST
 
-void add_tests(TCase *tests)
+void run_tests(void)
 {
-    tcase_add_test(tests, meets_without_a_normal);
+    check_run(1, meets_without_a_normal);
 }

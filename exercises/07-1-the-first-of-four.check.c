@@ -16,7 +16,9 @@ static void expect_first(const tf_worldline first[2],
 {
     check_input("%s\n%s", text_lines(3, "first, vertex", 2, first),
                 text_lines(3, "second, vertex", 2, second));
-    tf_intersection got = first_of_four(&oracle_arithmetic, first, second);
+    check_picture(3, 2, first, 2, second);
+    tf_intersection got;
+    check_value(got, first_of_four(&oracle_arithmetic, first, second));
     mpq_t toi;
     mpq_init(toi);
     bool meet = oracle_meet(3, 2, first, 2, second, toi);
@@ -28,7 +30,7 @@ static void expect_first(const tf_worldline first[2],
         check_near(expected, (got.toi_lo + got.toi_hi) / 2, 1e-12);
 }
 
-START_TEST(edges_anywhere)
+TEST(edges_anywhere)
 {
     generator random = generator_new(0);
     for (int i = 0; i < 500; i++) {
@@ -41,9 +43,8 @@ START_TEST(edges_anywhere)
         expect_first(&q.vertex[0], &q.vertex[2]);
     }
 }
-END_TEST
 
-void add_tests(TCase *tests)
+void run_tests(void)
 {
-    tcase_add_test(tests, edges_anywhere);
+    check_run(1, edges_anywhere);
 }

@@ -12,10 +12,10 @@ static void ask(const tf_worldline edge[2], const double weight[2], double t,
 {
     check_input("%s\nweights: %s, t = %s", text_lines(3, "vertex", 2, edge),
                 text_point(2, weight), text_real(t));
-    place_on_edge(edge, weight, t, got);
+    check_call_n(3, got, place_on_edge(edge, weight, t, got));
 }
 
-START_TEST(middle_of_a_propeller)
+TEST(middle_of_a_propeller)
 {
     const tf_worldline edge[2] = {
         tf_worldline_between(3, (double[]){-1, 0, 0}, (double[]){-1, 0, -1}),
@@ -27,9 +27,8 @@ START_TEST(middle_of_a_propeller)
         check_point(3, ((const double[]){0, 0, height[i]}), got, 1e-15);
     }
 }
-END_TEST
 
-START_TEST(both_edges_are_there)
+TEST(both_edges_are_there)
 {
     generator random = generator_new(0);
     for (int i = 0; i < 500; i++) {
@@ -46,10 +45,9 @@ START_TEST(both_edges_are_there)
         check_point(3, second, first, 1e-9);
     }
 }
-END_TEST
 
-void add_tests(TCase *tests)
+void run_tests(void)
 {
-    tcase_add_test(tests, middle_of_a_propeller);
-    tcase_add_test(tests, both_edges_are_there);
+    check_run(1, middle_of_a_propeller);
+    check_run(1, both_edges_are_there);
 }

@@ -41,10 +41,11 @@ static void expect_no_normal(const tf_worldline first[2],
     check_point(3, ((const double[]){0, 0, 0}), contact.normal, 0);
 }
 
-START_TEST(meets_without_a_normal)
+TEST(meets_without_a_normal)
 {
     check_input("none: the function gives an encounter");
-    encounter e = parallel_at_different_times();
+    encounter e;
+    check_value(e, parallel_at_different_times());
     tf_worldline first[2], second[2];
     for (int v = 0; v < 2; v++) {
         first[v] = tf_worldline_between(3, e.first[v][0], e.first[v][1]);
@@ -52,6 +53,7 @@ START_TEST(meets_without_a_normal)
     }
     check_input("%s\n%s", text_lines(3, "first, vertex", 2, first),
                 text_lines(3, "second, vertex", 2, second));
+    check_picture(3, 2, first, 2, second);
     check_finite(3, 2, first);
     check_finite(3, 2, second);
     for (int t = 0; t < 2; t++)
@@ -60,9 +62,8 @@ START_TEST(meets_without_a_normal)
                    "parallel edges, or one without a length, at t = %d", t);
     expect_no_normal(first, second);
 }
-END_TEST
 
-void add_tests(TCase *tests)
+void run_tests(void)
 {
-    tcase_add_test(tests, meets_without_a_normal);
+    check_run(1, meets_without_a_normal);
 }

@@ -47,11 +47,12 @@ static void expect(const tf_event event[5])
                  "%sevent %d: %s at t = %d", i == 0 ? "" : "\n", i,
                  text_point(3, event[i].x), event[i].t);
     check_input("%s", text);
-    tf_sign expected = expected_sign(event), got = orientation(event);
+    tf_sign expected = expected_sign(event), got;
+    check_value(got, orientation(event));
     check_that(got == expected, text_sign(expected), "%s", text_sign(got));
 }
 
-START_TEST(one_event_late)
+TEST(one_event_late)
 {
     expect((const tf_event[5]){{.x = {1, 0, 0}},
                                {.x = {0, 1, 0}},
@@ -59,9 +60,8 @@ START_TEST(one_event_late)
                                {.x = {2, 2, 2}, .t = 1},
                                {.x = {0, 0, 0}}});
 }
-END_TEST
 
-START_TEST(events_of_any_times)
+TEST(events_of_any_times)
 {
     generator random = generator_new(0);
     for (int i = 0; i < 500; i++) {
@@ -74,10 +74,9 @@ START_TEST(events_of_any_times)
         expect(event);
     }
 }
-END_TEST
 
-void add_tests(TCase *tests)
+void run_tests(void)
 {
-    tcase_add_test(tests, one_event_late);
-    tcase_add_test(tests, events_of_any_times);
+    check_run(1, one_event_late);
+    check_run(1, events_of_any_times);
 }

@@ -40,7 +40,8 @@ static void expect(const place p[6])
                 "R = {(%lld, %lld) | (%lld, %lld), (%lld, %lld)}",
                 p[0].x, p[0].y, p[1].x, p[1].y, p[2].x, p[2].y, p[3].x, p[3].y,
                 p[4].x, p[4].y, p[5].x, p[5].y);
-    common c = before_the_end(p[0], p[1], p[2], p[3], p[4], p[5]);
+    common c;
+    check_value(c, before_the_end(p[0], p[1], p[2], p[3], p[4], p[5]));
     char got[160];
     snprintf(got, sizeof got, "%lld, %lld, %lld and %lld, %lld, %lld", c.s,
              c.s1, c.s2, c.r, c.r1, c.r2);
@@ -61,13 +62,12 @@ static void expect(const place p[6])
                a.x, a.y, b.x, b.y, got);
 }
 
-START_TEST(the_example_of_the_chapter)
+TEST(the_example_of_the_chapter)
 {
     expect((const place[6]){{-2, 3}, {0, 0}, {4, 0}, {4, 1}, {2, -2}, {2, 2}});
 }
-END_TEST
 
-START_TEST(edges_anywhere)
+TEST(edges_anywhere)
 {
     generator random = generator_new(0);
     for (int i = 0; i < 500;) {
@@ -80,10 +80,9 @@ START_TEST(edges_anywhere)
         i++;
     }
 }
-END_TEST
 
-void add_tests(TCase *tests)
+void run_tests(void)
 {
-    tcase_add_test(tests, the_example_of_the_chapter);
-    tcase_add_test(tests, edges_anywhere);
+    check_run(1, the_example_of_the_chapter);
+    check_run(1, edges_anywhere);
 }

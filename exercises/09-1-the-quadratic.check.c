@@ -10,14 +10,15 @@ static void expect(const double expected[3], const tf_worldline *point,
 {
     check_input("point: %s\n%s", text_line(2, point),
                 text_lines(2, "end", 2, edge));
+    check_picture(2, 1, point, 2, edge);
     double c[3] = {0};
-    find_quadratic(point, edge, c);
+    check_call(c, find_quadratic(point, edge, c));
     for (int i = 0; i < 3; i++)
         check_that(c[i] == expected[i], text_real(expected[i]), "c[%d] = %s", i,
                    text_real(c[i]));
 }
 
-START_TEST(is_that_of_the_running_example)
+TEST(is_that_of_the_running_example)
 {
     tf_worldline point =
         tf_worldline_between(2, (double[]){1, 3}, (double[]){2, 0});
@@ -26,7 +27,6 @@ START_TEST(is_that_of_the_running_example)
         tf_worldline_between(2, (double[]){4, 0}, (double[]){4, 2})};
     expect((const double[]){12, -17, -1}, &point, edge);
 }
-END_TEST
 
 /// The determinant at a time, of places of integers.
 static double value_at(const tf_worldline *point, const tf_worldline edge[2],
@@ -41,7 +41,7 @@ static double value_at(const tf_worldline *point, const tf_worldline edge[2],
     return d[0][0] * d[1][1] - d[0][1] * d[1][0];
 }
 
-START_TEST(has_the_values_of_the_determinant)
+TEST(has_the_values_of_the_determinant)
 {
     generator random = generator_new(0);
     for (int i = 0; i < 200; i++) {
@@ -61,10 +61,9 @@ START_TEST(has_the_values_of_the_determinant)
                &line[0], line + 1);
     }
 }
-END_TEST
 
-void add_tests(TCase *tests)
+void run_tests(void)
 {
-    tcase_add_test(tests, is_that_of_the_running_example);
-    tcase_add_test(tests, has_the_values_of_the_determinant);
+    check_run(1, is_that_of_the_running_example);
+    check_run(1, has_the_values_of_the_determinant);
 }

@@ -27,7 +27,9 @@ static void expect_root(const double c[3], double lo, double hi)
     check_input("%s + %s t + %s t^2 between %s and %s", text_real(c[0]),
                 text_real(c[1]), text_real(c[2]), text_real(lo), text_real(hi));
     evaluations = 0;
-    double t = root_between(c, lo, hi);
+    double t;
+    check_value(t, root_between(c, lo, hi));
+    check_also(evaluations);
     check_that(evaluations <= 100, "at most 100 evaluations", "%d",
                evaluations);
     check_that(t >= lo && t <= hi, "a time in the bracket", "%s", text_real(t));
@@ -36,13 +38,12 @@ static void expect_root(const double c[3], double lo, double hi)
                "a change of sign at the last bit", "%s", text_real(t));
 }
 
-START_TEST(finds_the_root_of_the_running_example)
+TEST(finds_the_root_of_the_running_example)
 {
     expect_root((const double[]){12, -17, -1}, 0, 1);
 }
-END_TEST
 
-START_TEST(finds_roots_where_newton_leaves_the_bracket)
+TEST(finds_roots_where_newton_leaves_the_bracket)
 {
     // Nearly flat at one end: Newton's step from there goes far away.
     expect_root((const double[]){-0x1p-40, 0, 1}, 0, 1);
@@ -50,16 +51,14 @@ START_TEST(finds_roots_where_newton_leaves_the_bracket)
     expect_root((const double[]){1e-3, -2, 1}, 0, 1);
     expect_root((const double[]){1, -0x1.00001p0, 0x1p-21}, 0, 1);
 }
-END_TEST
 
-START_TEST(finds_small_roots)
+TEST(finds_small_roots)
 {
     expect_root((const double[]){-1e-20, 1, 1}, 0, 1);
     expect_root((const double[]){-1e-15, 1e-3, 1}, 0, 1);
 }
-END_TEST
 
-START_TEST(finds_random_roots)
+TEST(finds_random_roots)
 {
     generator random = generator_new(0);
     for (int i = 0; i < 500; i++) {
@@ -74,12 +73,11 @@ START_TEST(finds_random_roots)
             expect_root(c, 0, 1);
     }
 }
-END_TEST
 
-void add_tests(TCase *tests)
+void run_tests(void)
 {
-    tcase_add_test(tests, finds_the_root_of_the_running_example);
-    tcase_add_test(tests, finds_roots_where_newton_leaves_the_bracket);
-    tcase_add_test(tests, finds_small_roots);
-    tcase_add_test(tests, finds_random_roots);
+    check_run(1, finds_the_root_of_the_running_example);
+    check_run(1, finds_roots_where_newton_leaves_the_bracket);
+    check_run(1, finds_small_roots);
+    check_run(1, finds_random_roots);
 }

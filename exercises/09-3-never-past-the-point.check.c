@@ -24,13 +24,16 @@ static int count_advances(const advance *g)
     return steps;
 }
 
-START_TEST(ends_at_the_threshold)
+TEST(ends_at_the_threshold)
 {
     const advance *g = &given[_i];
     int steps = -1;
     check_input("radius %g, %g radians ahead, turn %g, threshold %g", g->radius,
                 g->ahead, g->turn, g->threshold);
-    double t = advance_bar(g->radius, g->ahead, g->turn, g->threshold, &steps);
+    double t;
+    check_value(
+        t, advance_bar(g->radius, g->ahead, g->turn, g->threshold, &steps));
+    check_also(steps);
     check_that(t <= g->ahead / g->turn, "a time before the contact", "%s",
                text_real(t));
     double distance = g->radius * sin(g->ahead - g->turn * t);
@@ -39,21 +42,20 @@ START_TEST(ends_at_the_threshold)
     check_that(steps == count_advances(g), text_real(count_advances(g)), "%d",
                steps);
 }
-END_TEST
 
-START_TEST(ends_with_the_step)
+TEST(ends_with_the_step)
 {
     int steps = -1;
     check_input("radius 0.5, 1.5 radians ahead, turn 1, threshold 0.1");
-    double t = advance_bar(0.5, 1.5, 1, 0.1, &steps);
+    double t;
+    check_value(t, advance_bar(0.5, 1.5, 1, 0.1, &steps));
+    check_also(steps);
     check_that(t == 1, "1", "%s", text_real(t));
     check_that(steps == 3, "3", "%d", steps);
 }
-END_TEST
 
-void add_tests(TCase *tests)
+void run_tests(void)
 {
-    tcase_add_loop_test(tests, ends_at_the_threshold, 0,
-                        (int)(sizeof given / sizeof *given));
-    tcase_add_test(tests, ends_with_the_step);
+    check_run(sizeof given / sizeof *given, ends_at_the_threshold);
+    check_run(1, ends_with_the_step);
 }

@@ -27,30 +27,30 @@ static void expect(double cell, int bits, const double place[3])
     }
     check_input("cell = %s, bits = %d, place = %s", text_real(cell), bits,
                 text_point(3, place));
-    bool answer = snap(cell, bits, place, got);
+    bool answer;
+    check_value(answer, snap(cell, bits, place, got));
+    check_also(got);
     check_bool(inside, answer);
     if (inside)
         check_point(3, expected, got, 0);
 }
 
-START_TEST(places_between)
+TEST(places_between)
 {
     expect(1, 19, (double[]){0.25, 0.75, -0.75});
     expect(0.25, 19, (double[]){10.0625, -10.0625, 3});
     expect(4, 19, (double[]){5, 7, -7});
 }
-END_TEST
 
-START_TEST(places_in_the_middle)
+TEST(places_in_the_middle)
 {
     expect(1, 19, (double[]){0.5, -0.5, 1.5});
     expect(1, 19, (double[]){2.5, -2.5, -1.5});
     expect(1, 19, (double[]){0x1.fffffffffffffp-2, -0x1.fffffffffffffp-2, 0});
     expect(1, 53, (double[]){0x1.0000000000001p52, -0x1.0000000000001p52, 0});
 }
-END_TEST
 
-START_TEST(ends_of_the_range)
+TEST(ends_of_the_range)
 {
     for (int bits = 1; bits <= 53; bits++)
         for (int quarter = -4; quarter <= 4; quarter++)
@@ -62,9 +62,8 @@ START_TEST(ends_of_the_range)
             }
     expect(1, 19, (double[]){0, 1e300, 0});
 }
-END_TEST
 
-START_TEST(any_place)
+TEST(any_place)
 {
     generator random = generator_new(0);
     for (int i = 0; i < 2000; i++) {
@@ -74,12 +73,11 @@ START_TEST(any_place)
         expect(cell, 8, place);
     }
 }
-END_TEST
 
-void add_tests(TCase *tests)
+void run_tests(void)
 {
-    tcase_add_test(tests, places_between);
-    tcase_add_test(tests, places_in_the_middle);
-    tcase_add_test(tests, ends_of_the_range);
-    tcase_add_test(tests, any_place);
+    check_run(1, places_between);
+    check_run(1, places_in_the_middle);
+    check_run(1, ends_of_the_range);
+    check_run(1, any_place);
 }

@@ -60,12 +60,13 @@ static void expect(const tf_event event[5])
     check_input("edge %s, %s, triangle %s, %s, %s", text_point(3, event[0].x),
                 text_point(3, event[1].x), text_point(3, event[2].x),
                 text_point(3, event[3].x), text_point(3, event[4].x));
-    tf_verdict got = edge_intersects_triangle(event, event + 2);
+    tf_verdict got;
+    check_value(got, edge_intersects_triangle(event, event + 2));
     check_that(got == expected, verdicts[expected], "%s",
                (unsigned)got <= TF_HIT ? verdicts[got] : "no verdict");
 }
 
-START_TEST(a_simple_triangle)
+TEST(a_simple_triangle)
 {
     // Through the interior, past it, short of it, at a corner, from its plane.
     static const double ends[][2][3] = {{{1, 1, 1}, {1, 1, -1}},
@@ -85,7 +86,6 @@ START_TEST(a_simple_triangle)
         expect(event);
     }
 }
-END_TEST
 
 /// Five points whose coordinates are among n integers around 0, times a size.
 static void expect_lattice(generator *random, int n, double size)
@@ -98,25 +98,23 @@ static void expect_lattice(generator *random, int n, double size)
         expect(event);
 }
 
-START_TEST(small_integers)
+TEST(small_integers)
 {
     generator random = generator_new(0);
     for (int i = 0; i < 600; i++)
         expect_lattice(&random, 3 + i % 4, 1);
 }
-END_TEST
 
-START_TEST(large_integers)
+TEST(large_integers)
 {
     generator random = generator_new(1);
     for (int i = 0; i < 300; i++)
         expect_lattice(&random, 3, 0x1p19 - 1);
 }
-END_TEST
 
-void add_tests(TCase *tests)
+void run_tests(void)
 {
-    tcase_add_test(tests, a_simple_triangle);
-    tcase_add_test(tests, small_integers);
-    tcase_add_test(tests, large_integers);
+    check_run(1, a_simple_triangle);
+    check_run(1, small_integers);
+    check_run(1, large_integers);
 }

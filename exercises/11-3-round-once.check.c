@@ -23,7 +23,8 @@ static void expect(uint64_t high, uint64_t middle, uint64_t low)
     check_input("words %016" PRIx64 " %016" PRIx64 " %016" PRIx64
                 ", the highest first",
                 high, middle, low);
-    double got = round_once(word);
+    double got;
+    check_value(got, round_once(word));
     check_that(isfinite(got), "a finite number", "%g", got);
     mpz_t number;
     mpz_init(number);
@@ -33,7 +34,7 @@ static void expect(uint64_t high, uint64_t middle, uint64_t low)
     check_that(nearest, "the nearest double", "%a", got);
 }
 
-START_TEST(numbers_of_one_word)
+TEST(numbers_of_one_word)
 {
     expect(0, 0, 0);
     expect(0, 0, 1);
@@ -41,9 +42,8 @@ START_TEST(numbers_of_one_word)
     expect(0, 0, (UINT64_C(1) << 63) + (UINT64_C(1) << 10));
     expect(0, 0, (UINT64_C(3) << 62) + (UINT64_C(3) << 10));
 }
-END_TEST
 
-START_TEST(numbers_of_more_words)
+TEST(numbers_of_more_words)
 {
     expect(0, 1, 0);
     expect(1, 0, 0);
@@ -51,9 +51,8 @@ START_TEST(numbers_of_more_words)
     expect(UINT64_MAX, UINT64_MAX, UINT64_MAX);
     expect(UINT64_C(1) << 63, 0, 0);
 }
-END_TEST
 
-START_TEST(halfway_and_beside)
+TEST(halfway_and_beside)
 {
     uint64_t half = UINT64_C(1) << 10, one = UINT64_C(1) << 63;
     for (uint64_t odd = 0; odd < 2; odd++)
@@ -66,9 +65,8 @@ START_TEST(halfway_and_beside)
             expect(1, odd << 12 | UINT64_C(1) << 11, low);
         }
 }
-END_TEST
 
-START_TEST(any_words)
+TEST(any_words)
 {
     generator random = generator_new(0);
     for (int i = 0; i < 3000; i++) {
@@ -80,12 +78,11 @@ START_TEST(any_words)
         expect(word[2], word[1], word[0]);
     }
 }
-END_TEST
 
-void add_tests(TCase *tests)
+void run_tests(void)
 {
-    tcase_add_test(tests, numbers_of_one_word);
-    tcase_add_test(tests, numbers_of_more_words);
-    tcase_add_test(tests, halfway_and_beside);
-    tcase_add_test(tests, any_words);
+    check_run(1, numbers_of_one_word);
+    check_run(1, numbers_of_more_words);
+    check_run(1, halfway_and_beside);
+    check_run(1, any_words);
 }

@@ -140,26 +140,25 @@ static void try_surfaces(int boxes)
         int around = count_around(&s, boxes, &p);
         if (around < 0)
             around = count_moved(&s, &p, &far);
-        bool inside =
-            is_inside(&p, &far, s.triangles, (const tf_event(*)[3])s.triangle);
+        bool inside;
+        check_value(inside, is_inside(&p, &far, s.triangles,
+                                      (const tf_event(*)[3])s.triangle));
         check_bool(around % 2 == 1, inside);
     }
 }
 
-START_TEST(one_box)
+TEST(one_box)
 {
     try_surfaces(1);
 }
-END_TEST
 
-START_TEST(two_boxes)
+TEST(two_boxes)
 {
     try_surfaces(2);
 }
-END_TEST
 
-void add_tests(TCase *tests)
+void run_tests(void)
 {
-    tcase_add_test(tests, one_box);
-    tcase_add_test(tests, two_boxes);
+    check_run(1, one_box);
+    check_run(1, two_boxes);
 }

@@ -30,18 +30,17 @@ static const example examples[] = {
     {{0, 0}, {1 + 0x1p-30, 1}, {1, 1 - 0x1p-30}, false},
 };
 
-START_TEST(same_direction)
+TEST(same_direction)
 {
     const example *given = &examples[_i];
     check_input("v: %s, a: %s, c: %s", text_point(2, given->v),
                 text_point(2, given->a), text_point(2, given->c));
-    check_bool(given->expected,
-               lie_upon_each_other(given->v, given->a, given->c));
+    bool got;
+    check_value(got, lie_upon_each_other(given->v, given->a, given->c));
+    check_bool(given->expected, got);
 }
-END_TEST
 
-void add_tests(TCase *tests)
+void run_tests(void)
 {
-    tcase_add_loop_test(tests, same_direction, 0,
-                        (int)(sizeof examples / sizeof *examples));
+    check_run(sizeof examples / sizeof *examples, same_direction);
 }

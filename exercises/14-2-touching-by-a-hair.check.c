@@ -24,7 +24,9 @@ static void expect(const double first[2], const double second[2])
     float high = fminf(nearest(first[1]), nearest(second[1]));
     check_input("first = %s, second = %s", text_point(2, first),
                 text_point(2, second));
-    check_bool(low <= high, touch(first, second));
+    bool got;
+    check_value(got, touch(first, second));
+    check_bool(low <= high, got);
 }
 
 static void expect_both(const double first[2], const double second[2])
@@ -33,25 +35,23 @@ static void expect_both(const double first[2], const double second[2])
     expect(second, first);
 }
 
-START_TEST(clearly)
+TEST(clearly)
 {
     expect_both((double[]){0, 0.25}, (double[]){0.5, 0.75});
     expect_both((double[]){0, 0.5}, (double[]){0.25, 0.75});
     expect_both((double[]){0, 0.75}, (double[]){0.25, 0.5});
     expect_both((double[]){0, 0.5}, (double[]){0.5, 0.75});
 }
-END_TEST
 
-START_TEST(by_a_hair)
+TEST(by_a_hair)
 {
     // Less than half a spacing of floats apart, and a little more.
     expect_both((double[]){0, 0.75}, (double[]){0.75 + 0x1p-27, 0.875});
     expect_both((double[]){0, 0.75}, (double[]){0.75 + 0x1.1p-25, 0.875});
     expect_both((double[]){0, 0}, (double[]){0x1p-160, 0.5});
 }
-END_TEST
 
-START_TEST(anywhere_near)
+TEST(anywhere_near)
 {
     generator random = generator_new(0);
     for (int i = 0; i < 3000; i++) {
@@ -62,11 +62,10 @@ START_TEST(anywhere_near)
         expect_both(first, second);
     }
 }
-END_TEST
 
-void add_tests(TCase *tests)
+void run_tests(void)
 {
-    tcase_add_test(tests, clearly);
-    tcase_add_test(tests, by_a_hair);
-    tcase_add_test(tests, anywhere_near);
+    check_run(1, clearly);
+    check_run(1, by_a_hair);
+    check_run(1, anywhere_near);
 }

@@ -50,7 +50,9 @@ static void expect(size_t count, const double lo[], const double hi[])
             right[rights++] = i;
     list(wanted, sizeof wanted, rights, right);
     check_input("%s", input);
-    size_t found = may_be_first(count, row, place);
+    size_t found;
+    check_value(found, may_be_first(count, row, place));
+    check_also(place);
     check_that(found <= count, wanted, "%zu rows of %zu", found, count);
     list(got, sizeof got, found, place);
     check_that(found == rights &&
@@ -58,32 +60,28 @@ static void expect(size_t count, const double lo[], const double hi[])
                wanted, "%s", got);
 }
 
-START_TEST(no_contact)
+TEST(no_contact)
 {
     expect(0, NULL, NULL);
 }
-END_TEST
 
-START_TEST(a_long_interval_before_a_short_one)
+TEST(a_long_interval_before_a_short_one)
 {
     expect(3, (const double[]){0.1, 0.2, 0.35},
            (const double[]){0.4, 0.3, 0.5});
 }
-END_TEST
 
-START_TEST(intervals_with_a_common_end)
+TEST(intervals_with_a_common_end)
 {
     expect(2, (const double[]){0.5, 0.25}, (const double[]){0.75, 0.5});
 }
-END_TEST
 
-START_TEST(contacts_at_the_end)
+TEST(contacts_at_the_end)
 {
     expect(2, (const double[]){1, 1}, (const double[]){1, 1});
 }
-END_TEST
 
-START_TEST(any_intervals)
+TEST(any_intervals)
 {
     generator random = generator_new(0);
     for (int i = 0; i < 500; i++) {
@@ -96,13 +94,12 @@ START_TEST(any_intervals)
         expect(count, lo, hi);
     }
 }
-END_TEST
 
-void add_tests(TCase *tests)
+void run_tests(void)
 {
-    tcase_add_test(tests, no_contact);
-    tcase_add_test(tests, a_long_interval_before_a_short_one);
-    tcase_add_test(tests, intervals_with_a_common_end);
-    tcase_add_test(tests, contacts_at_the_end);
-    tcase_add_test(tests, any_intervals);
+    check_run(1, no_contact);
+    check_run(1, a_long_interval_before_a_short_one);
+    check_run(1, intervals_with_a_common_end);
+    check_run(1, contacts_at_the_end);
+    check_run(1, any_intervals);
 }

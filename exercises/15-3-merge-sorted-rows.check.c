@@ -46,7 +46,7 @@ static void expect(generator *random, int rows, int workers)
     memset(merged, 0, sizeof merged);
     check_input("%d rows of %d workers, of which the first has %zu", rows,
                 workers, count[0]);
-    merge_rows(workers, count, row, merged);
+    check_call(merged, merge_rows(workers, count, row, merged));
     for (int i = 0; i < rows; i++) {
         tf_surface_contact right = row_at(i);
         check_that(
@@ -58,31 +58,28 @@ static void expect(generator *random, int rows, int workers)
     check_that(merged[rows].kind == TF_NO_KIND, "no more rows", "another one");
 }
 
-START_TEST(no_rows)
+TEST(no_rows)
 {
     generator random = generator_new(0);
     expect(&random, 0, 3);
 }
-END_TEST
 
-START_TEST(rows_of_one_worker)
+TEST(rows_of_one_worker)
 {
     generator random = generator_new(1);
     expect(&random, 20, 1);
 }
-END_TEST
 
-START_TEST(rows_of_several_workers)
+TEST(rows_of_several_workers)
 {
     generator random = generator_new(2);
     for (int i = 0; i < 100; i++)
         expect(&random, 1 + below(&random, MOST), 1 + below(&random, WORKERS));
 }
-END_TEST
 
-void add_tests(TCase *tests)
+void run_tests(void)
 {
-    tcase_add_test(tests, no_rows);
-    tcase_add_test(tests, rows_of_one_worker);
-    tcase_add_test(tests, rows_of_several_workers);
+    check_run(1, no_rows);
+    check_run(1, rows_of_one_worker);
+    check_run(1, rows_of_several_workers);
 }

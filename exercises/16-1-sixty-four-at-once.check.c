@@ -46,7 +46,8 @@ static void expect(const double at[3][2][LANES])
     uint64_t left = 0, right = 0;
     check_input("64 lanes, the first with p = (%s, %s)", text_real(at[0][0][0]),
                 text_real(at[0][1][0]));
-    sides(at, &left, &right);
+    check_call(left, sides(at, &left, &right));
+    check_also(right);
     for (int i = 0; i < LANES; i++) {
         tf_sign sign = sign_of(at, i);
         int got = (int)(left >> i & 1) - (int)(right >> i & 1);
@@ -66,7 +67,7 @@ static void expect(const double at[3][2][LANES])
     }
 }
 
-START_TEST(far_from_the_line)
+TEST(far_from_the_line)
 {
     generator random = generator_new(1);
     double at[3][2][LANES];
@@ -77,10 +78,9 @@ START_TEST(far_from_the_line)
         expect(at);
     }
 }
-END_TEST
 
 /// The square of the chapter on signs, some rows of it.
-START_TEST(near_the_line)
+TEST(near_the_line)
 {
     double at[3][2][LANES];
     for (int row = 0; row < 256; row += 8) {
@@ -93,11 +93,10 @@ START_TEST(near_the_line)
         expect(at);
     }
 }
-END_TEST
 
 /// Two points that are close to each other and far from the third, on a line
 /// with it but for the last bits: errors are as large as they get.
-START_TEST(near_each_other)
+TEST(near_each_other)
 {
     generator random = generator_new(3);
     double at[3][2][LANES];
@@ -113,9 +112,8 @@ START_TEST(near_each_other)
         expect(at);
     }
 }
-END_TEST
 
-START_TEST(with_axes_of_other_units)
+TEST(with_axes_of_other_units)
 {
     generator random = generator_new(2);
     double at[3][2][LANES];
@@ -129,12 +127,11 @@ START_TEST(with_axes_of_other_units)
         expect(at);
     }
 }
-END_TEST
 
-void add_tests(TCase *tests)
+void run_tests(void)
 {
-    tcase_add_test(tests, far_from_the_line);
-    tcase_add_test(tests, near_the_line);
-    tcase_add_test(tests, near_each_other);
-    tcase_add_test(tests, with_axes_of_other_units);
+    check_run(1, far_from_the_line);
+    check_run(1, near_the_line);
+    check_run(1, near_each_other);
+    check_run(1, with_axes_of_other_units);
 }

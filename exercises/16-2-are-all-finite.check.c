@@ -18,7 +18,9 @@ static void expect(bool expected, int count, const double x[])
         if (!isfinite(x[i]))
             special = i;
     check_input("%d numbers, x[%d] = %g", count, special, x[special]);
-    check_bool(expected, all_finite(count, x));
+    bool got;
+    check_value(got, all_finite(count, x));
+    check_bool(expected, got);
 }
 
 static const double limits[] = {0.0,      -0.0,    1,           DBL_MAX,
@@ -28,7 +30,7 @@ enum {
     LIMITS = sizeof limits / sizeof *limits
 };
 
-START_TEST(finite_ones)
+TEST(finite_ones)
 {
     generator random = generator_new(1);
     expect(true, 2, (double[]){DBL_MAX, DBL_MAX});
@@ -41,9 +43,8 @@ START_TEST(finite_ones)
         expect(true, count, x);
     }
 }
-END_TEST
 
-START_TEST(one_that_is_not)
+TEST(one_that_is_not)
 {
     static const double bad[] = {NAN, INFINITY, -INFINITY};
     generator random = generator_new(2);
@@ -56,19 +57,17 @@ START_TEST(one_that_is_not)
         expect(false, count, x);
     }
 }
-END_TEST
 
-START_TEST(several_that_are_not)
+TEST(several_that_are_not)
 {
     expect(false, 2, (double[]){INFINITY, -INFINITY});
     expect(false, 3, (double[]){-INFINITY, 1, INFINITY});
     expect(false, 2, (double[]){NAN, -NAN});
 }
-END_TEST
 
-void add_tests(TCase *tests)
+void run_tests(void)
 {
-    tcase_add_test(tests, finite_ones);
-    tcase_add_test(tests, one_that_is_not);
-    tcase_add_test(tests, several_that_are_not);
+    check_run(1, finite_ones);
+    check_run(1, one_that_is_not);
+    check_run(1, several_that_are_not);
 }

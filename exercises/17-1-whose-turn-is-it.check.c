@@ -13,10 +13,10 @@ static void ask(int count, const double coordinate[], double t, double share[])
                 text_real(t));
     for (int i = 0; i < count; i++)
         share[i] = -1;
-    shares(count, coordinate, t, share);
+    check_call_n((size_t)count, share, shares(count, coordinate, t, share));
 }
 
-START_TEST(as_in_the_book)
+TEST(as_in_the_book)
 {
     const double coordinate[] = {0.25, 0.5, 0.25};
     const double expected[][3] = {{0, 0, 0},      {0, 0, 0.125},
@@ -29,7 +29,6 @@ START_TEST(as_in_the_book)
         check_point(3, expected[i], got, 0);
     }
 }
-END_TEST
 
 /// Where the dot is if only the vertex i moves, by 1.
 static double pulled(int count, const double coordinate[], double t, int i)
@@ -43,7 +42,7 @@ static double pulled(int count, const double coordinate[], double t, int i)
     return place[0];
 }
 
-START_TEST(as_the_staircase_has_it)
+TEST(as_the_staircase_has_it)
 {
     generator random = generator_new(0);
     for (int trial = 0; trial < 300; trial++) {
@@ -60,10 +59,9 @@ START_TEST(as_the_staircase_has_it)
         check_point(count, expected, got, 1e-14);
     }
 }
-END_TEST
 
-void add_tests(TCase *tests)
+void run_tests(void)
 {
-    tcase_add_test(tests, as_in_the_book);
-    tcase_add_test(tests, as_the_staircase_has_it);
+    check_run(1, as_in_the_book);
+    check_run(1, as_the_staircase_has_it);
 }

@@ -59,10 +59,12 @@ static void expect(int beads, const double mass[], const double proposal[],
     check_input("masses %s, proposal %s, displacements %s",
                 numbers(beads, mass, text[0]),
                 numbers(beads, proposal, text[1]), numbers(beads, d, text[2]));
-    check_bool(same, is_least_change(beads, mass, proposal, d));
+    bool got;
+    check_value(got, is_least_change(beads, mass, proposal, d));
+    check_bool(same, got);
 }
 
-START_TEST(one_bead)
+TEST(one_bead)
 {
     const double mass[] = {2};
     expect(1, mass, (double[]){1}, (double[]){0});
@@ -71,9 +73,8 @@ START_TEST(one_bead)
     expect(1, mass, (double[]){-1}, (double[]){-1});
     expect(1, mass, (double[]){-1}, (double[]){0});
 }
-END_TEST
 
-START_TEST(two_beads)
+TEST(two_beads)
 {
     const double equal[] = {1, 1}, mass[] = {1, 3};
     expect(2, equal, (double[]){1, 0}, (double[]){0, 0});
@@ -87,9 +88,8 @@ START_TEST(two_beads)
     expect(2, mass, (double[]){-1, -3}, (double[]){-2.5, -2.5});
     expect(2, mass, (double[]){-1, -3}, (double[]){-2, -2});
 }
-END_TEST
 
-START_TEST(some_at_random)
+TEST(some_at_random)
 {
     static const double factor[] = {1, 0.5, 0, 2};
     generator random = generator_new(18);
@@ -118,11 +118,10 @@ START_TEST(some_at_random)
         }
     }
 }
-END_TEST
 
-void add_tests(TCase *tests)
+void run_tests(void)
 {
-    tcase_add_test(tests, one_bead);
-    tcase_add_test(tests, two_beads);
-    tcase_add_test(tests, some_at_random);
+    check_run(1, one_bead);
+    check_run(1, two_beads);
+    check_run(1, some_at_random);
 }

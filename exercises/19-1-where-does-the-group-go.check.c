@@ -36,7 +36,9 @@ static void ask(const group *of, double end[MOST])
                 mass);
     for (int i = 0; i < MOST; i++)
         end[i] = NAN;
-    move_group(of->count, of->start, of->proposed, of->inverse_mass, end);
+    check_call_n(
+        MOST, end,
+        move_group(of->count, of->start, of->proposed, of->inverse_mass, end));
 }
 
 /// Expects that each free vertex ends `displacement` after its start, or that
@@ -52,40 +54,36 @@ static void expect(const group *of, double displacement, double tolerance)
             check_near(of->proposed[i], end[i], 0);
 }
 
-START_TEST(all_are_free)
+TEST(all_are_free)
 {
     expect(&(group){2, {0, 1}, {1, 1}, {1, 1}}, 0.5, 0);
     expect(&(group){2, {0, 8}, {4, 8}, {1, 3}}, 3, 1e-15);
     expect(&(group){3, {0, 1, 2}, {2, 2, 1}, {0.5, 0.25, 0.25}}, 0.4, 1e-15);
 }
-END_TEST
 
-START_TEST(some_are_scripted)
+TEST(some_are_scripted)
 {
     expect(&(group){3, {0, 1, 2}, {5, 1.25, -7}, {1, 0, 1}}, 0.25, 0);
     expect(&(group){4, {0, 1, 2, 9}, {5, 1.25, -7, 9.25}, {1, 0, 1, 0}}, 0.25,
            0);
     expect(&(group){2, {3, 4}, {3.5, 4.5}, {0, 0}}, 0.5, 0);
 }
-END_TEST
 
-START_TEST(scripts_disagree)
+TEST(scripts_disagree)
 {
     expect(&(group){3, {0, 1, 2}, {0.5, 1, 2.25}, {0, 1, 0}}, 0.5, 0);
     expect(&(group){3, {0, 1, 2}, {0.5, 1.25, 2.25}, {0, 0, 0}}, 0.5, 0);
     expect(&(group){3, {-1, 1, 2}, {-1, 2, 3}, {0, 0.5, 0}}, 0, 0);
 }
-END_TEST
 
-START_TEST(the_displacement_is_no_double)
+TEST(the_displacement_is_no_double)
 {
     // 2^-60 - 1 has 60 bits.
     expect(&(group){2, {1, 3}, {0x1p-60, 4}, {0, 1}}, -1, 0);
     expect(&(group){3, {0, 1, 2}, {0x1p60, 0x1p60, 0}, {1, 0, 1}}, 0x1p60, 0);
 }
-END_TEST
 
-START_TEST(at_random)
+TEST(at_random)
 {
     generator random = generator_new(0);
     for (int i = 0; i < 500; i++) {
@@ -102,13 +100,12 @@ START_TEST(at_random)
         expect(&of, momentum / mass, 1e-14);
     }
 }
-END_TEST
 
-void add_tests(TCase *tests)
+void run_tests(void)
 {
-    tcase_add_test(tests, all_are_free);
-    tcase_add_test(tests, some_are_scripted);
-    tcase_add_test(tests, scripts_disagree);
-    tcase_add_test(tests, the_displacement_is_no_double);
-    tcase_add_test(tests, at_random);
+    check_run(1, all_are_free);
+    check_run(1, some_are_scripted);
+    check_run(1, scripts_disagree);
+    check_run(1, the_displacement_is_no_double);
+    check_run(1, at_random);
 }

@@ -51,7 +51,7 @@ static void find_weights(const hinge *of, double weight[4])
     check_input("a = %s, b = %s, c = %s, d = %s", text_point(3, rest[0]),
                 text_point(3, rest[1]), text_point(3, rest[2]),
                 text_point(3, rest[3]));
-    fold_weights((const double(*)[3])rest, weight);
+    check_call_n(4, weight, fold_weights((const double(*)[3])rest, weight));
 }
 
 static void expect(const hinge *of, double fold, double turn)
@@ -66,7 +66,7 @@ static void expect(const hinge *of, double fold, double turn)
 
 static const hinge square = {1, {0, 1}, {1, 1}};
 
-START_TEST(half_a_square_each)
+TEST(half_a_square_each)
 {
     double weight[4];
     find_weights(&square, weight);
@@ -74,17 +74,15 @@ START_TEST(half_a_square_each)
     for (int i = 0; i < 4; i++)
         check_near(expected[i], weight[i], 1e-14);
 }
-END_TEST
 
-START_TEST(weights_add_up_to_zero)
+TEST(weights_add_up_to_zero)
 {
     double weight[4];
     find_weights(&(hinge){2, {0.5, 1.5}, {1, 0.25}}, weight);
     check_near(0, weight[0] + weight[1] + weight[2] + weight[3], 1e-13);
 }
-END_TEST
 
-START_TEST(flat)
+TEST(flat)
 {
     expect(&square, 0, 0.7);
     expect(&square, 0, -2);
@@ -92,17 +90,15 @@ START_TEST(flat)
     // The foot of an altitude need not be on the edge.
     expect(&(hinge){1, {-0.5, 2}, {0.5, 3}}, 0, 3);
 }
-END_TEST
 
-START_TEST(folded)
+TEST(folded)
 {
     expect(&square, 0.5, 0.7);
     expect(&square, -3, 0.1);
     expect(&(hinge){2, {0.5, 1.5}, {1, 0.25}}, 1.25, 1);
 }
-END_TEST
 
-START_TEST(at_random)
+TEST(at_random)
 {
     generator random = generator_new(0);
     for (int i = 0; i < 500; i++) {
@@ -114,13 +110,12 @@ START_TEST(at_random)
         expect(&of, uniform(&random, -3, 3), uniform(&random, -3, 3));
     }
 }
-END_TEST
 
-void add_tests(TCase *tests)
+void run_tests(void)
 {
-    tcase_add_test(tests, half_a_square_each);
-    tcase_add_test(tests, weights_add_up_to_zero);
-    tcase_add_test(tests, flat);
-    tcase_add_test(tests, folded);
-    tcase_add_test(tests, at_random);
+    check_run(1, half_a_square_each);
+    check_run(1, weights_add_up_to_zero);
+    check_run(1, flat);
+    check_run(1, folded);
+    check_run(1, at_random);
 }

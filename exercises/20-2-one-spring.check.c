@@ -16,7 +16,7 @@ static void run(const spring *s, double z[2])
     check_input("m = %s, k = %s, r = %s, h = %s, y = %s, z = %s",
                 text_real(s->m), text_real(s->k), text_real(s->r),
                 text_real(s->h), text_point(2, s->y), text_point(2, z));
-    iterate(s->m, s->k, s->r, s->h, s->y, z);
+    check_call_n(2, z, iterate(s->m, s->k, s->r, s->h, s->y, z));
 }
 
 static double objective(const spring *s, const double z[2])
@@ -26,7 +26,7 @@ static double objective(const spring *s, const double z[2])
     return s->m / (2 * s->h * s->h) * off * off + s->k / 2 * amiss * amiss;
 }
 
-START_TEST(one_iteration)
+TEST(one_iteration)
 {
     // m = h^2 k: half of y and half of the wanted sum.
     const spring s = {1, 4, 2, 0.5, {3, 0}};
@@ -34,36 +34,32 @@ START_TEST(one_iteration)
     run(&s, z);
     check_point(2, ((const double[]){1.5, 1}), z, 1e-15);
 }
-END_TEST
 
-START_TEST(stiffer_and_lighter)
+TEST(stiffer_and_lighter)
 {
     const spring s = {1, 300, 1, 0.1, {0, 2}};
     double z[2] = {0, 2};
     run(&s, z);
     check_point(2, ((const double[]){0, 1.25}), z, 1e-15);
 }
-END_TEST
 
-START_TEST(at_the_origin)
+TEST(at_the_origin)
 {
     const spring s = {1, 4, 2, 0.5, {3, -1}};
     double z[2] = {0, 0};
     run(&s, z);
     check_point(2, ((const double[]){1.5, -0.5}), z, 1e-15);
 }
-END_TEST
 
-START_TEST(at_rest)
+TEST(at_rest)
 {
     const spring s = {2, 50, 1.5, 0.1, {0.9, 1.2}};
     double z[2] = {0.9, 1.2};
     run(&s, z);
     check_point(2, s.y, z, 1e-15);
 }
-END_TEST
 
-START_TEST(it_never_gets_worse)
+TEST(it_never_gets_worse)
 {
     generator random = generator_new(0);
     for (int i = 0; i < 60; i++) {
@@ -83,9 +79,8 @@ START_TEST(it_never_gets_worse)
         }
     }
 }
-END_TEST
 
-START_TEST(it_ends_at_the_least)
+TEST(it_ends_at_the_least)
 {
     const spring s = {1, 1000, 1, 0.1, {1.5, 2}};
     double z[2] = {3, 4};
@@ -95,14 +90,13 @@ START_TEST(it_ends_at_the_least)
     double length = (2.5 + 10 * 1) / 11;
     check_point(2, ((const double[]){0.6 * length, 0.8 * length}), z, 1e-9);
 }
-END_TEST
 
-void add_tests(TCase *tests)
+void run_tests(void)
 {
-    tcase_add_test(tests, one_iteration);
-    tcase_add_test(tests, stiffer_and_lighter);
-    tcase_add_test(tests, at_the_origin);
-    tcase_add_test(tests, at_rest);
-    tcase_add_test(tests, it_never_gets_worse);
-    tcase_add_test(tests, it_ends_at_the_least);
+    check_run(1, one_iteration);
+    check_run(1, stiffer_and_lighter);
+    check_run(1, at_the_origin);
+    check_run(1, at_rest);
+    check_run(1, it_never_gets_worse);
+    check_run(1, it_ends_at_the_least);
 }

@@ -1,19 +1,72 @@
-// What the checks of all exercises share: they tell what a student's function
-// was given, what was expected of it and what it gave.  A check file defines
-// add_tests(); main() is in check.c, and the first failure ends the program.
+// What the checks of all exercises share: they show what a student's function
+// was given, what was expected of it and what it returned.
+//
+// The same checks run in two processes at once.  The answer's process contains
+// the student's code; the judge does not.  Where the checks call that code, by
+// check_call(), only the answer's process makes the call, and the judge receives
+// the bytes of the result.  It alone compares them, and decides.  So an answer
+// has nothing that it could forge but its own results.  Both processes must do
+// the same up to the first failure, which ends them: no check may depend on
+// addresses, the clock or anything else in which they differ.
+//
+// A check file has tests, TEST(name) { ... }, and a function run_tests() that runs
+// them; main() is in judge.c.
 #ifndef EXERCISES_CHECK_H
 #define EXERCISES_CHECK_H
 
 #include "geometry/event.h"
 
-#include <check.h>
 #include <stdbool.h>
+#include <stddef.h>
 
-/// Add the tests of the exercise.  Defined by each check file.
-void add_tests(TCase *tests);
+/// A test, a function of the number of the run.
+#define TEST(name) static void name(int _i __attribute__((unused)))
 
-/// Tell, before the call, what the student's function is given.
+/// Run all tests of the exercise, by check_run().  Defined by each check file.
+void run_tests(void);
+
+/// Run a test a number of times, with _i = 0, 1, ...
+void check_run(size_t times, void test(int _i));
+
+/// Let the answer's process make a call; take the bytes of `result`, a variable
+/// or array, which it leaves its result in.
+#define check_call(result, ...)                                                \
+    do {                                                                       \
+        if (check_makes_calls()) {                                             \
+            __VA_ARGS__;                                                       \
+        }                                                                      \
+        check_take(&(result), sizeof(result));                                 \
+    } while (0)
+
+/// The same of a call that returns its result.
+#define check_value(result, ...) check_call(result, (result) = __VA_ARGS__)
+
+/// The same of a call that leaves `count` elements where `result` points.
+#define check_call_n(count, result, ...)                                       \
+    do {                                                                       \
+        if (check_makes_calls()) {                                             \
+            __VA_ARGS__;                                                       \
+        }                                                                      \
+        check_take(result, (count) * sizeof *(result));                        \
+    } while (0)
+
+/// Take another variable or array that the last call has left something in.
+#define check_also(result) check_take(&(result), sizeof(result))
+
+/// Whether this is the answer's process.
+bool check_makes_calls(void);
+
+/// Hand the bytes over: from the answer's process to the judge.
+void check_take(void *result, size_t size);
+
+/// Note, before the call, what the student's function is given.
 void check_input(const char *format, ...) __attribute__((format(printf, 1, 2)));
+
+/// Note, after check_input(), that the input is a query of two elements, which
+/// can be drawn: a point and an edge in the plane, a point and a triangle, or two
+/// edges, each of as many vertices as it has.
+void check_picture(int axes, int first, const tf_worldline a[], int second,
+                   const tf_worldline b[]);
 
 /// Fail unless `good`; `got`, and what follows as for printf, says what came.
 #define check_that(good, expected, ...)                                        \
@@ -49,7 +102,7 @@ void check_point_at(const char *file, int line, int n, const double expected[],
 void check_finite_at(const char *file, int line, int axes, int count,
                      const tf_worldline lines[]);
 
-// Words for what is told.  They stay good for the next fifteen such calls.
+// Words for what is shown.  They stay good for the next fifteen such calls.
 
 /// The shortest decimals that read back as x.
 const char *text_real(double x);

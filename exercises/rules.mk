@@ -1,45 +1,55 @@
 # The exercises.  A student's files are in $(WORK), which no target removes.
 WORK = work
 
-learn: ## work on the next exercise, or on N=1.2
+learn: ## work on the next exercise, or on N='1.2 1.3'; WATCH=1: as you edit
 hint: ## show one more hint for the current exercise, or for N=1.2
 list: ## list the exercises and your progress
 reset: ## start exercise N=1.2 over; your file is kept as a backup
 solution: ## show the solution of N=1.2; SURE=1 if not solved yet
-grade: ## grade your files, or those in DIR=; only chapter N=1 or exercise N=1.2
-check-exercises: check-format-exercises ## check all variants of all exercises
+grade: ## grade your files, or those in DIR=; only chapters or exercises N='1 2.3'
+grade-all: ## grade the folders and zip files of a course, DIR=submissions
+gradescope: ## make an autograder for Gradescope, of exercises N='1 2.3' or all
+handout: ## make an edition of the exercises without solutions
+ready: ## build what learn and grade need
+check-exercises: check-format-exercises ## check all variants of all exercises, or of N=1.2
 
-exercise_commands = learn hint list reset solution grade
-exercise_targets = $(exercise_commands) check-exercises
-.PHONY: $(exercise_targets) check-format-exercises format-exercises
-.PHONY: test-exercises
+trying = ready learn grade grade-all check-exercises
+reading = hint list reset solution gradescope handout
+.PHONY: $(trying) $(reading) check-format-exercises format-exercises
 
 # The stubs do not use their parameters yet.
 exercise_compile = $(CC) $(WARNINGS) -Wno-unused-parameter -Wfatal-errors \
-	-O1 -g $(sanitizers) -std=c17 -ffp-contract=off -Isrc -Itests -Ifigures \
-	$$(pkg-config --cflags check)
-exercise_archives = $(BUILD)/exercises/check.o $(BUILD)/support.a \
-	$(library_file)
+	-O1 -g $(sanitizers) -std=c17 -ffp-contract=off -Isrc -Ifigures
 
-$(exercise_targets): need-exercises
-learn grade check-exercises: $(exercise_archives)
-$(exercise_targets): export WORK := $(WORK)
-$(exercise_targets): export BUILD := $(BUILD)
-$(exercise_targets): learn_py = COMPILE="$(exercise_compile)" \
-	LINK="$(exercise_archives) $$(pkg-config --libs check) -lgmp -lm" \
+# What the checks are made of, which answers are not linked to, and what both
+# use: the library and the arithmetic of a figure.
+harness = $(patsubst %,$(BUILD)/exercises/%.o,check judge confine) \
+	$(BUILD)/support.a
+exercise_library = $(BUILD)/drawing/expansion.o $(library_file)
+
+$(trying) $(reading): export WORK := $(WORK)
+$(trying) $(reading): export BUILD := $(BUILD)
+$(trying) $(reading): learn_py = COMPILE="$(exercise_compile)" \
+	HARNESS="$(harness)" LINK="$(exercise_library) \
+	$$(pkg-config --libs check 2>/dev/null) -lgmp -lm" \
 	PYTHONDONTWRITEBYTECODE=1 python3
+$(trying): need-exercises $(harness) $(exercise_library)
+$(reading): need-reading
 
-$(exercise_commands):
+$(filter-out ready check-exercises,$(trying)) $(reading):
 	@$(learn_py) exercises/learn.py $@ --number='$(N)' --dir='$(DIR)' \
-	    --sure='$(SURE)'
+	    --weights='$(WEIGHTS)' --watch='$(WATCH)' --sure='$(SURE)'
 
 check-exercises:
-	@$(learn_py) exercises/learn.py check
+	@$(learn_py) exercises/learn.py check --number='$(N)'
+	@$(learn_py) tests/exercises/rows_test.py
 	@$(learn_py) tests/exercises/learn_test.py
+	@$(learn_py) tests/exercises/forgery_test.py
+	@$(learn_py) tests/exercises/course_test.py
 
-$(BUILD)/exercises/check.o: exercises/check.c exercises/check.h | need-exercises
+$(BUILD)/exercises/%.o: exercises/%.c $(wildcard exercises/*.h) | need-exercises
 	@echo 'compile $<' && mkdir -p $(@D)
-	$(Q)$(exercise_compile) -c $< -o $@
+	$(Q)$(exercise_compile) -Itests $$(pkg-config --cflags check) -c $< -o $@
 
 exercise_code = $(wildcard exercises/*.[ch])
 check-format: check-format-exercises

@@ -1,0 +1,104 @@
+/* Exercise 12.4.  Project: a predicate of your own.
+ *
+ * Which of two points q and r of the plane is nearer to a point p?  Decide it
+ * in the way of this part of the book.  First an estimate: the squared
+ * distance of r from p minus that of q, rounded, and a bound on its error,
+ * which is at most 16 u times the sum of the two, where u = 2^-53.  Then the
+ * sign, exact for all points: positive if q is nearer, and zero if both are
+ * equally near.  Take the sign of the estimate where the bound allows it, and
+ * compute exactly where not.  All coordinates are multiples of 2^-450 and
+ * below 2^400.
+ *
+ * The checks try your bound on many points, which proves nothing.  Prove it:
+ * write a script for Gappa like those in `tests/proofs`, which quotes the
+ * lines of your file, say `work/nearer.gappa`, and run `make proofs
+ * SCRIPT=work/nearer.gappa`.  How small may your constant be?  Then perturb
+ * the points: which one is nearer in a tie, if every coordinate is moved by
+ * its symbol?
+ *
+ * Section: Three ways, compared.
+ *
+ * Hint 1: How many roundings are there on the way from the coordinates to a
+ *     squared distance?  The relative error of a square is twice that of the
+ *     number.  The last difference is rounded once more.
+ * Hint 2: All terms of a squared distance are positive, so its relative error
+ *     is at most that of its terms.  Five times u and a little more is enough.
+ * Hint 3: Multiplied out, p^2 drops out: r^2 - 2 p r - q^2 + 2 p q on each
+ *     axis.  These are 8 products of doubles, and two_product() makes 16
+ *     doubles of them without an error.
+ * Hint 4: For Gappa, write the true terms as computed ones times factors 1 +
+ *     e, as in tests/proofs/2x2.gappa.  Then one term is as good as another.
+ */
+#include "arithmetic/operations.h"
+#include "expansion.h"
+
+#include <math.h>
+
+typedef struct estimate {
+    double value, bound;
+} estimate;
+
+#if defined TF_SOLUTION || defined TF_WRONG_2 || defined TF_WRONG_3
+#define SHARE (6 * 0x1p-53)
+#elif defined TF_WRONG_1 // counts the last rounding alone
+#define SHARE (1 * 0x1p-53)
+#else
+#define SHARE (0 * 0x1p-53) // Your turn: as if nothing were rounded.
+#endif
+
+static double squared_distance(const double a[2], const double b[2])
+{
+    double x = a[0] - b[0], y = a[1] - b[1];
+    return x * x + y * y;
+}
+
+estimate estimate_nearer(const double p[2], const double q[2],
+                         const double r[2])
+{
+    double far = squared_distance(r, p), near = squared_distance(q, p);
+#if defined TF_WRONG_2 // believes that errors cancel, too
+    return (estimate){far - near, SHARE * fabs(far - near)};
+#else
+    return (estimate){far - near, SHARE * (far + near)};
+#endif
+}
+
+#if defined TF_SOLUTION || defined TF_WRONG_1 || defined TF_WRONG_2
+/// Adds a b without an error.
+static void add_product(double a, double b, expansion *sum)
+{
+    tf_two product = two_product(a, b);
+    const double term[2] = {product.lo, product.hi};
+    for (int i = 0; i < 2; i++) {
+        expansion before = *sum, next = {.count = term[i] != 0};
+        next.term[0] = term[i];
+        expansion_add(&before, &next, sum);
+    }
+}
+
+static tf_sign exact_nearer(const double p[2], const double q[2],
+                            const double r[2])
+{
+    expansion sum = {.count = 0};
+    for (int k = 0; k < 2; k++) {
+        add_product(r[k], r[k], &sum);
+        add_product(-2 * p[k], r[k], &sum);
+        add_product(-q[k], q[k], &sum);
+        add_product(2 * p[k], q[k], &sum);
+    }
+    return expansion_sign(&sum);
+}
+#endif
+
+tf_sign nearer(const double p[2], const double q[2], const double r[2])
+{
+    estimate rounded = estimate_nearer(p, q, r);
+    if (fabs(rounded.value) > rounded.bound)
+        return rounded.value > 0 ? TF_POSITIVE : TF_NEGATIVE;
+#if defined TF_SOLUTION || defined TF_WRONG_1 || defined TF_WRONG_2
+    return exact_nearer(p, q, r);
+#else
+    // Your turn: what if the estimate does not decide?
+    return TF_ZERO;
+#endif
+}

@@ -42,9 +42,11 @@ openmp = book/openmp.c
 # memleak: it believes that a pointer is lost when its bytes are copied.
 check-static: $(BUILD)/renderer.flags $(generated) $(public_header)
 check-static: need-static ## analyze the code: warnings, clang-tidy, cppcheck
-	@for cc in gcc clang; do $$cc $(WARNINGS) -Werror -std=c17 $(include_paths) \
-	    $$(pkg-config --cflags check) -fsyntax-only \
-	    $(filter-out $(openmp),$(filter %.c,$(source_files))) || exit 1; done
+	@for cc in gcc clang; do \
+	    echo $(filter-out $(openmp),$(filter %.c,$(source_files))) | \
+	    xargs -P $$(nproc) -n 16 $$cc $(WARNINGS) -Werror -std=c17 \
+	    $(include_paths) $$(pkg-config --cflags check) -fsyntax-only || \
+	    exit 1; done
 	@gcc $(WARNINGS) -Werror -std=c17 $(include_paths) -fopenmp -fsyntax-only \
 	    $(openmp)
 	@cppcheck --quiet --error-exitcode=1 --std=c11 -Isrc -Ifigures \

@@ -14,17 +14,20 @@ static const fig_flow_plan plans[SCENES] = {
 
 /// The surface of a scene after its last step, alone in its box.
 typedef struct still {
-    const fig_flow_frame *frame;
-    fig_cloth *cloth;
+    const fig_flow_run *run;
+    fig_cloth **cloth; ///< one
 } still;
+
+static fig_flow_frame *last_frame(const fig_flow_run *run)
+{
+    return &run->frame[run->frames - 1];
+}
 
 static still still_of(const fig_flow_plan *plan)
 {
-    const fig_flow_run *run = fig_flow_run_new(plan);
-    still made = {.frame = &run->frame[run->frames - 1]};
-    fig_flow_run last = {.frames = 1, .frame = &run->frame[run->frames - 1]};
-    made.cloth = fig_flow_run_films(1, (fig_flow_run *[]){&last})[0];
-    return made;
+    fig_flow_run *run = fig_flow_run_new(plan);
+    fig_flow_run last = {.frames = 1, .frame = last_frame(run)};
+    return (still){run, fig_flow_run_films(1, (fig_flow_run *[]){&last})};
 }
 
 static void print_still(FILE *numbers, const fig_flow_plan *plan,
@@ -34,7 +37,7 @@ static void print_still(FILE *numbers, const fig_flow_plan *plan,
     snprintf(key, sizeof key, "step_%s", plan->scene);
     fig_number(numbers, key, plan->steps);
     snprintf(key, sizeof key, "triangles_%s", plan->scene);
-    fig_number(numbers, key, of->frame->measures.triangles);
+    fig_number(numbers, key, last_frame(of->run)->measures.triangles);
 }
 
 static void draw(fig_page *page, FILE *numbers)
@@ -47,7 +50,7 @@ static void draw(fig_page *page, FILE *numbers)
         fig_box box = {width * i, 0, width, fig_page_height(page) - 16};
         if (!stills[i].cloth)
             stills[i] = still_of(&plans[i]);
-        fig_cloth_draw(stills[i].cloth, page, box, 0, &look);
+        fig_cloth_draw(stills[i].cloth[0], page, box, 0, &look);
         fig_page_caption(page, box, plans[i].scene);
         print_still(numbers, &plans[i], &stills[i]);
     }

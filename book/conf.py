@@ -8,6 +8,9 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).parent / "_ext"))
 import mathml
 
+# Everything that is built is in one folder.
+built = Path(os.environ.get("BUILD", "build")).resolve()
+
 project = "Tanglefree"
 html_title = "Tanglefree"
 author = "The Tanglefree authors"
@@ -16,7 +19,7 @@ version = release = ""
 language = "en"
 root_doc = "index"
 templates_path = []
-exclude_patterns = ["_*"]
+exclude_patterns = ["_*", "chapters"]
 nitpicky = True
 # Names of the library have an entry in the reference; others need none.
 nitpick_ignore_regex = [("c:.*", "(?!tf_|TF_).*")]
@@ -34,6 +37,8 @@ suppress_warnings = ["myst.header"]
 bibtex_bibfiles = ["references.bib"]
 bibtex_reference_style = "label"
 
+breathe_projects = {"tanglefree": str(built / "reference/xml")}
+breathe_default_project = "tanglefree"
 breathe_domain_by_extension = {"h": "c"}
 breathe_show_include = False
 toc_object_entries = False
@@ -51,10 +56,6 @@ numfig_format = {
     **{kind: kind.capitalize() + "\u00a0%s" for kind in (
         "theorem", "lemma", "corollary", "proposition", "definition",
         "algorithm", "example", "remark", "problem")}}
-
-
-# Everything that is built is in one folder.
-built = Path(os.environ.get("BUILD", "build")).resolve()
 
 
 def setup(app):

@@ -156,7 +156,6 @@ def abstract(app, docname):
 
 def begin(app):
     app.chapters = chapters(Path(app.srcdir) / "chapters")
-    app.config.exclude_patterns.append("chapters")
     if not hasattr(app.env, "abstracts"):
         app.env.abstracts = {}
 

@@ -71,8 +71,6 @@ def faults(folder, groups):
 def begin(app):
     """Read the groups: the title, Doxygen's name for it, and the names."""
     folder = app.built / "reference" / "xml"
-    app.config.breathe_projects = {"tanglefree": str(folder)}
-    app.config.breathe_default_project = "tanglefree"
     lines = lines_of_names(folder)
     app.groups = [(e.findtext("title"), e.findtext("compoundname"),
                    names(e, lines)) for e in compounds(folder, "group")]

@@ -86,9 +86,9 @@ sanitizers = -fsanitize=address,undefined,float-cast-overflow \
 	-fno-sanitize-recover=all -fno-omit-frame-pointer
 
 # Of the tests of figures, all.c draws every one, and the others would only take
-# long to link.
-sanitized_tests = $(library_tests) $(BUILD)/tests/figures/all \
-	$(filter-out $(BUILD)/tests/figures/%,$(figure_tests))
+# long to link.  It comes first since it takes longest.
+sanitized_tests = $(BUILD)/tests/figures/all \
+	$(filter-out $(BUILD)/tests/figures/%,$(figure_tests)) $(library_tests)
 # Counters tell at the same time which lines are run.
 check-sanitize: ## run the tests under AddressSanitizer and UBSan
 	@find $(BUILD)/sanitize -name '*.gcda' -delete 2>/dev/null || true

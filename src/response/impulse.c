@@ -56,7 +56,7 @@ void tf_row_push(const tf_row *row, const double impulse[3],
         int vertex = row->vertex[i];
         double share = bodies->inverse_mass[vertex] * row->coefficient[i];
         double *d = bodies->displacement + (ptrdiff_t)bodies->axes * vertex;
-        for (int k = 0; k < bodies->axes; k++)
+        for (int k = 0; k < 3 && k < bodies->axes; k++)
             d[k] += share * impulse[k];
     }
 }

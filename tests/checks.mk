@@ -73,6 +73,6 @@ check-compilers: need-compilers ## check that gcc and clang give the same answer
 check-vectors: need-compilers ## check that compilers make vectors of the lanes
 	@BUILD=$(BUILD) sh tests/vectors.sh
 
-check-reproducible: need-book ## check that two builds of HEAD are identical
-	@MAKE='$(MAKE) $(parallel)' BUILD=$(BUILD) sh tests/reproducible.sh
+check-reproducible: need-book ## check that two builds of HEAD are identical, of films only FILM= or all
+	@MAKE='$(MAKE) $(parallel)' BUILD=$(BUILD) FILM=$(FILM) sh tests/reproducible.sh
 .PHONY: check-compilers check-vectors check-reproducible

@@ -89,16 +89,10 @@ sanitizers = -fsanitize=address,undefined,float-cast-overflow \
 # long to link.  It comes first since it takes longest.
 sanitized_tests = $(BUILD)/tests/figures/all \
 	$(filter-out $(BUILD)/tests/figures/%,$(figure_tests)) $(library_tests)
-# Counters tell at the same time which lines are run.
 check-sanitize: ## run the tests under AddressSanitizer and UBSan
-	@find $(BUILD)/sanitize -name '*.gcda' -delete 2>/dev/null || true
-	@$(MAKE) check BUILD=$(BUILD)/sanitize TF_TEST_PERCENT=5 CC=gcc \
-	    CFLAGS='-O1 -g $(sanitizers) --coverage -fprofile-update=atomic' \
+	@$(MAKE) check BUILD=$(BUILD)/sanitize TF_TEST_PERCENT=5 \
+	    CFLAGS='-O1 -g $(sanitizers)' \
 	    TESTS='$(sanitized_tests:$(BUILD)/%=$(BUILD)/sanitize/%)'
-
-coverage: need-coverage check-sanitize ## do so, and list which lines of src/ are run: at least 95 %
-	@gcovr --filter src/ --object-directory $(BUILD)/sanitize --fail-under-line 95
-.PHONY: check-sanitize coverage
 
 # Threads of the test answer at once what one answered before.  The log is made
 # even if checks fail; grep sees whether it says that all passed.
@@ -108,7 +102,15 @@ check-threads: need-check ## run many threads at once under ThreadSanitizer
 	@$(MAKE) $(thread_logs) BUILD=$(BUILD)/threads TF_TEST_PERCENT=10 \
 	    CFLAGS='-O1 -g -fsanitize=thread'
 	@for log in $(thread_logs); do grep -q '^100%' $$log || exit 1; done
-.PHONY: check-threads
+.PHONY: check-sanitize check-threads
+
+coverage: need-coverage ## list which lines of src/ the tests run; at least 95 %
+	@find $(BUILD)/coverage -name '*.gcda' -delete 2>/dev/null || true
+	@$(MAKE) check BUILD=$(BUILD)/coverage TF_TEST_PERCENT=5 CC=gcc \
+	    CFLAGS='-O0 --coverage -fprofile-update=atomic' \
+	    TESTS='$(library_tests:$(BUILD)/%=$(BUILD)/coverage/%)' WHOLE=
+	@gcovr --filter src/ --object-directory $(BUILD)/coverage --fail-under-line 95
+.PHONY: coverage
 
 # Fuzzing finds new inputs in a copy of each corpus.  To trace comparisons of
 # numbers, too, would take two thirds of the time and find nothing.

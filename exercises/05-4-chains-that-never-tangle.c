@@ -3,7 +3,7 @@
  * Chains of edges move in the plane, step by step.  A simulation proposes
  * where the vertices end, without a thought of contacts.  Change the proposed
  * ends so that in the step from `start` to `end` no vertex touches an edge,
- * except for the edges that it is an end of.  At the start none does. 
+ * except for the edges that it is an end of.  At the start none does.
  * Vertices far from any contact must end where they were proposed to end, and
  * if there is no contact at all, nothing may change.
  *

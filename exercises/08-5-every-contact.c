@@ -11,7 +11,7 @@
  * stay joined on the way.
  *
  * You need no more than this part of the book.  The checks compare your list
- * with one that was found with exact signs; some contacts are mere touches. 
+ * with one that was found with exact signs; some contacts are mere touches.
  * Once they pass, refine the mesh and see how the time grows.  Which pairs
  * could you rule out without a query?  Part IV goes on from there.
  *

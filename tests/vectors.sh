@@ -1,39 +1,47 @@
-# See that compilers make vectors of the loops over lanes, by their own reports:
+# See in what compilers make of src/fast that they did what its speed needs:
 #
 #     BUILD=dir vectors.sh
 #
-# Each of the two loops of src/fast/lanes.c, and for gcc each for every processor
-# that base/vectors.h lists.
+# By their own reports, each of the two loops over lanes is made of vectors, and
+# for gcc each for every processor that base/vectors.h lists.  And requests to
+# the memory ahead of time are still there.
 set -eu
 
 report=$BUILD/vectors
 mkdir -p "$BUILD"
 
-count() { # pattern
-    grep -c "fast/lanes.c.*$1" "$report" || true
+fail() { # what
+    echo "check-vectors: $cc: $1" >&2
+    exit 1
 }
 
 expect() { # loops, pattern
-    found=$(count "$2")
+    found=$(grep -c "fast/lanes.c.*$2" "$report") || true
     [ "$found" -ge "$1" ] || {
         cat "$report" >&2
-        echo "check-vectors: $cc: $found of $1 loops are vectors: $2" >&2
-        exit 1
+        fail "$found of $1 loops are vectors: $2"
     }
     echo "vectors: $cc: $found loops: $2"
 }
 
-compile() { # compiler, options
-    cc=$1
+compile() { # module, options
+    module=$1
     shift
-    $cc -O3 -std=c17 -ffp-contract=off -Isrc "$@" -c src/fast/lanes.c \
-        -o "$report.o" >"$report" 2>&1
+    $cc -O3 -std=c17 -ffp-contract=off -Isrc "$@" -S "src/fast/$module.c" \
+        -o "$report.s" >"$report" 2>&1
+    found=$(grep -cE '[[:space:]](prefetch|prfm)' "$report.s") ||
+        fail "nothing is requested early in src/fast/$module.c"
+    echo "vectors: $cc: $found requests in $module.c"
 }
 
-compile gcc -fopt-info-vec-optimized
+cc=gcc
+compile vector
+compile lanes -fopt-info-vec-optimized
 for bytes in $(case $(uname -m) in x86_64) echo 16 32 64 ;; *) echo 16 ;; esac)
 do
     expect 2 "loop vectorized using $bytes byte vectors"
 done
-compile clang -Rpass=loop-vectorize
+cc=clang
+compile vector
+compile lanes -Rpass=loop-vectorize
 expect 2 "vectorized loop (vectorization width: [2-8]"

@@ -5,14 +5,20 @@
 /// several kinds of processors, and the program takes the best that its
 /// processor has when it starts.  Elsewhere it is compiled once, for whatever
 /// the options choose.  The answers are the same bits in each.
+///
+/// TF_HALF_VECTORS stops at registers of 256 bits, for loops that collect a bit
+/// of each lane: with 512 bits gcc takes longer to collect them.
 #if defined __GNUC__ && !defined __clang__ && defined __x86_64__ &&            \
     defined __gnu_linux__ && !defined __SANITIZE_ADDRESS__ &&                  \
     !defined __SANITIZE_THREAD__
 #define TF_VECTORS                                                             \
     __attribute__((                                                            \
         target_clones("default", "arch=x86-64-v3", "arch=x86-64-v4")))
+#define TF_HALF_VECTORS                                                        \
+    __attribute__((target_clones("default", "arch=x86-64-v3")))
 #else
 #define TF_VECTORS
+#define TF_HALF_VECTORS
 #endif
 
 //: Let lanes choose without a branch

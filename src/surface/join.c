@@ -77,12 +77,15 @@ TF_INSIDE uint32_t wanted(uint32_t marked, uint32_t marked_on_other_side)
 }
 
 //: Join two leaves
-TF_INSIDE void join_leaves(const tf_tree *s, int a, const tf_tree *t, int b,
-                           const tf_box *box_of_b, tf_pair_sink *sink)
+TF_INSIDE void join_leaves(const tf_tree *s, int a, const tf_box *box_of_a,
+                           const tf_tree *t, int b, const tf_box *box_of_b,
+                           tf_pair_sink *sink)
 {
     uint32_t marked = s->marked[0][a], marked_in_b = t->marked[0][b];
     uint32_t near =
         overlaps(&s->level[0][a], box_of_b) & wanted(marked_in_b, marked);
+    if (near == 0 || overlaps(&t->level[0][b], box_of_a) == 0)
+        return;
     for (; near; near &= near - 1) {
         int i = first_lane(near);
         tf_box own = tf_pack_box(&s->level[0][a], i);
@@ -133,8 +136,8 @@ TF_INSIDE int visit_children(const tf_tree *s, int a, const tf_tree *t,
 }
 
 //: Join a leaf with a tree
-TF_VECTORS static void join_leaf(const tf_tree *s, int a, const tf_tree *t,
-                                 tf_pair_sink *sink)
+TF_HALF_VECTORS static void join_leaf(const tf_tree *s, int a, const tf_tree *t,
+                                      tf_pair_sink *sink)
 {
     visit stack[STACK];
     tf_box box = tf_pack_union(&s->level[0][a]);
@@ -148,7 +151,7 @@ TF_VECTORS static void join_leaf(const tf_tree *s, int a, const tf_tree *t,
         }
         if (sink->count > TF_BATCH - TF_LANES * TF_LANES)
             hand_on(sink);
-        join_leaves(s, a, t, at.pack, &at.box, sink);
+        join_leaves(s, a, &box, t, at.pack, &at.box, sink);
     }
 }
 

@@ -75,7 +75,14 @@ static void draw_roof(fig_page *page, const fig_plot *plot, int kind)
                    (fig_stroke){.paint.role = kinds[kind].role,
                                 .width = FIG_WIDTH_LINE,
                                 .under_labels = true});
-    fig_point place = fig_plot_place(plot, 6, level);
+}
+
+/// Names the levels of both kinds, above the higher one.
+static void name_levels(fig_page *page, const fig_plot *plot)
+{
+    double highest =
+        fmax(time_of("filter in cache", 0), time_of("filter in cache", 1));
+    fig_point place = fig_plot_place(plot, 6, highest);
     fig_page_text(page, place.x, place.y - 4, FIG_ALIGN_LEFT, "in the cache",
                   FIG_LETTERS_SMALL, FIG_ROLE_INK);
 }
@@ -120,6 +127,7 @@ static void draw(fig_page *page, FILE *numbers)
         snprintf(key, sizeof key, "%s_cache", kinds[kind].key);
         fig_number(numbers, key, time_of("filter in cache", kind));
     }
+    name_levels(page, &plot);
     for (int i = 0; i < WAYS; i++)
         draw_way(page, &plot, &ways[i], numbers);
     fig_number(numbers, "read", time_of("read", 0));

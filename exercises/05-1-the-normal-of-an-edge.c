@@ -4,6 +4,7 @@
  * its two events at the same time, whether that is t = 0 or t = 1.  Find the
  * unit normal of that edge: the direction from its first event to its second,
  * turned left by 90 degrees.  If the edge has no length the normal is zero.
+ * (No length is so large or so small that its square is out of range.)
  *
  * Section: The normal, a determinant at a time.
  *

@@ -5,12 +5,14 @@
  * edge in the plane that first meet in mid-step (0 < t < 1) such that
  * tf_point_edge reports a normal and a relative velocity that are not zero, but
  * a normal velocity that is.  And the edge must turn: it has a length at t = 0
- * and at t = 1, in directions that are not parallel.
+ * and at t = 1, in directions that are not parallel.  Use whole numbers:
+ * decimals like 0.1 are rounded, and the point runs along another line.
  *
  * Section: Relative and normal velocity.
  *
  * Hint 1: Velocity and normal are those of one triangle of the edge's sweep,
- *     and each triangle leaves out one event of the edge.
+ *     and each triangle leaves out one event of the edge.  “The normal, a
+ *     determinant at a time” shows which.
  * Hint 2: The triangle with pivot 1 does not have vertex 0 at t = 1.  So let
  *     the point run along the line of the edge at t = 0, keep vertex 1 at rest,
  *     and turn the edge by moving vertex 0.

@@ -4,6 +4,7 @@
 #include "support/rational.h"
 #include "support/support.h"
 
+#include <stdio.h>
 #include <string.h>
 
 void untangle(int vertices, const double start[][2], int edges,
@@ -30,42 +31,49 @@ static void add_chain(chains *all, int count, const double place[][2])
     }
 }
 
+/// Those of a vertex and of the ends of an edge.
+static void worldlines(const chains *all, const double end[][2], int vertex,
+                       const int edge[2], tf_worldline line[3])
+{
+    const int index[3] = {vertex, edge[0], edge[1]};
+    for (int i = 0; i < 3; i++)
+        line[i] = tf_worldline_between(2, all->place[index[i]], end[index[i]]);
+}
+
 /// Whether a vertex touches an edge, exactly.
 static bool touch(const chains *all, const double end[][2], int vertex,
                   const int edge[2])
 {
     tf_worldline line[3];
-    const int index[3] = {vertex, edge[0], edge[1]};
-    for (int i = 0; i < 3; i++)
-        line[i] = tf_worldline_between(2, all->place[index[i]], end[index[i]]);
+    worldlines(all, end, vertex, edge, line);
     tf_contact contact;
     tf_query(&oracle_arithmetic, 2, 1, line, 2, line + 1, &contact);
     return contact.verdict == TF_HIT;
 }
 
 /// Fails where a vertex touches an edge that it is no end of.
-static void expect_clear(const chains *all, const double end[][2])
+static void expect_apart(const chains *all, const double end[][2],
+                         const char *where, int vertex, const int edge[2])
 {
-    for (int v = 0; v < all->vertices; v++)
-        for (int e = 0; e < all->edges; e++) {
-            const int *edge = all->edge[e];
-            check_that(
-                v == edge[0] || v == edge[1] || !touch(all, end, v, edge),
-                "no contact",
-                "vertex %d, which ends at %s, touches the edge %d, %d, "
-                "which ends at %s and %s",
-                v, text_point(2, end[v]), edge[0], edge[1],
-                text_point(2, end[edge[0]]), text_point(2, end[edge[1]]));
-        }
+    if (vertex == edge[0] || vertex == edge[1] ||
+        !touch(all, end, vertex, edge))
+        return;
+    tf_worldline line[3];
+    worldlines(all, end, vertex, edge, line);
+    check_input("%s\nthe vertex %d: %s\nand an edge from %d: %s\nto %d: %s",
+                where, vertex, text_line(2, &line[0]), edge[0],
+                text_line(2, &line[1]), edge[1], text_line(2, &line[2]));
+    check_picture(2, 1, line, 2, line + 1);
+    check_that(false, "no contact", "one");
 }
 
 /// Lets the answer change the ends, and looks at them.
 static void step(chains *all, const char *scene, int number, double end[][2])
 {
-    check_input("%s, step %d: %d vertices, %d edges\nthe first at %s, proposed "
-                "to end at %s",
-                scene, number, all->vertices, all->edges,
-                text_point(2, all->place[0]), text_point(2, end[0]));
+    char where[160];
+    snprintf(where, sizeof where, "%s, step %d: %d vertices, %d edges", scene,
+             number, all->vertices, all->edges);
+    check_input("%s", where);
     check_call_n((size_t)all->vertices, end,
                  untangle(all->vertices, (const double(*)[2])all->place,
                           all->edges, (const int(*)[2])all->edge, end));
@@ -73,7 +81,9 @@ static void step(chains *all, const char *scene, int number, double end[][2])
         for (int k = 0; k < 2; k++)
             check_that(end[v][k] == end[v][k], "a place for each vertex",
                        "vertex %d at %s", v, text_point(2, end[v]));
-    expect_clear(all, (const double(*)[2])end);
+    for (int v = 0; v < all->vertices; v++)
+        for (int e = 0; e < all->edges; e++)
+            expect_apart(all, (const double(*)[2])end, where, v, all->edge[e]);
 }
 
 static chains two_bars(void)
@@ -85,13 +95,15 @@ static chains two_bars(void)
     return all;
 }
 
-static void expect_places(const chains *all, int from, int to,
-                          const double right[][2], const double got[][2])
+/// Fails if some of the vertices, which touch nothing, do not end as proposed.
+static void expect_as_proposed(const char *why, int from, int to,
+                               const double proposed[][2],
+                               const double got[][2])
 {
-    for (int v = from; v < to && v < all->vertices; v++)
-        check_that(memcmp(right[v], got[v], sizeof right[v]) == 0,
-                   text_point(2, right[v]), "%s as the end of vertex %d",
-                   text_point(2, got[v]), v);
+    for (int v = from; v < to; v++)
+        check_that(memcmp(proposed[v], got[v], sizeof got[v]) == 0, why,
+                   "vertex %d, proposed to end at %s, ends at %s", v,
+                   text_point(2, proposed[v]), text_point(2, got[v]));
 }
 
 TEST(nothing_in_the_way)
@@ -102,8 +114,8 @@ TEST(nothing_in_the_way)
         for (int k = 0; k < 2; k++)
             proposed[v][k] = end[v][k] = all.place[v][k] + 2 - k;
     step(&all, "all are shifted by (2, 1)", 0, end);
-    expect_places(&all, 0, all.vertices, (const double(*)[2])proposed,
-                  (const double(*)[2])end);
+    expect_as_proposed("ends as proposed, as nothing touches", 0, all.vertices,
+                       (const double(*)[2])proposed, (const double(*)[2])end);
 }
 
 TEST(far_from_it_nothing_changes)
@@ -116,8 +128,9 @@ TEST(far_from_it_nothing_changes)
     memcpy(end, proposed, sizeof end);
     step(&all, "the second bar falls through the first, the third turns", 0,
          end);
-    expect_places(&all, 4, 6, (const double(*)[2])proposed,
-                  (const double(*)[2])end);
+    expect_as_proposed(
+        "a chain that ends as proposed, as no other comes near it", 4, 6,
+        (const double(*)[2])proposed, (const double(*)[2])end);
 }
 
 TEST(ends_that_touch)

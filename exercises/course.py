@@ -244,12 +244,21 @@ def write_zip(path, files):
             archive.writestr(entry, text)
 
 
+def without(word, text):
+    """The text without the lines that have a word."""
+    return b"".join(line for line in text.splitlines(keepends=True)
+                    if word not in line)
+
+
 def handed_out(path):
-    """Without unifdef: a handout's exercises are cut already."""
+    """What a handout has instead of a file; its exercises are cut already, and
+    its README is what ours tells students."""
     text = path.read_bytes()
     if path == Path("tests/packages"):
-        lines = text.splitlines(keepends=True)
-        return b"".join(line for line in lines if b"unifdef" not in line)
+        return without(b"unifdef", text)
+    if path == Path("README.md"):
+        text = Path("exercises/README.md").read_bytes()
+        return without(b"make solution", text.partition(b"## For courses")[0])
     return text
 
 
@@ -258,7 +267,8 @@ def write_handout(exercises, options):
     wanted = chosen_exercises(exercises, options.number)
     path = BUILD / "handout.zip"
     top = Path("tanglefree-exercises")
-    files = [(top / part, handed_out(part)) for part in parts()]
+    files = [(top / part, handed_out(part)) for part in parts()
+             if part != Path("exercises/README.md")]
     for e in wanted:
         files += [(top / "exercises" / e.path.name, e.variant(None).encode()),
                   (top / "exercises" / e.checks.name, e.checks.read_bytes())]

@@ -77,7 +77,7 @@ def learn(exercises, progress, options):
         print("\n" + "-" * 78)
         solved = learn_each(chosen, progress)
     if all(solved):
-        announce_next(exercises, progress)
+        announce_next(exercises, chosen[-1], progress)
     else:
         print("\nEdit your file " + ("and save it." if options.watch else
                                      "and run `make learn` again.")
@@ -160,13 +160,17 @@ def draw(picture, path):
     return field("picture", str(drawn)) if run.returncode == 0 else ""
 
 
-def announce_next(exercises, progress):
+def announce_next(exercises, last, progress):
+    """Announce the next unsolved exercise after `last`, if there is one."""
     unsolved = [e for e in exercises if not progress.get(e)["solved"]]
-    if unsolved:
-        print(f"Next is exercise {unsolved[0].number}, {unsolved[0].title}  "
-              "`make learn` starts it.")
-    else:
+    if not unsolved:
         print("That was the last one: you have solved all exercises.")
+        return
+    after = [e for e in unsolved if e.order > last.order]
+    following = (after or unsolved)[0]
+    chosen = "" if following is unsolved[0] else f" N={following.number}"
+    print(f"Next is exercise {following.number}, {following.title}  "
+          f"`make learn{chosen}` starts it.")
 
 
 # Help -------------------------------------------------------------------------
@@ -191,8 +195,9 @@ def hint_one(exercise, progress):
     place = exercise.place()
     print("That was the last hint.  Reread the section "
           f"“{exercise.section}” of chapter {exercise.order[0]}"
-          + (f" ({place})" if place else "") + ", or run "
-          f"`make solution N={exercise.number}`.")
+          + (f" ({place})" if place else "")
+          + (f", or run `make solution N={exercise.number}`."
+             if exercise.variants() else "."))
 
 
 def list_all(exercises, progress, options):

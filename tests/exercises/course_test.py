@@ -119,6 +119,7 @@ class Course(Toy):
             names = [Path(name) for name in archive.namelist()]
             texts = [archive.read(name) for name in archive.namelist()
                      if name.endswith("-two.c")]
+            readme = archive.read("tanglefree-exercises/README.md")
         self.assertEqual([name.name for name in names if "01-" in name.name],
                          ["01-2-two.c", "01-2-two.check.c"])
         self.assertEqual({name.parts[0] for name in names},
@@ -127,6 +128,8 @@ class Course(Toy):
         self.assertIn(b"Hint 2", texts[0])
         self.assertNotIn(b"TF_", texts[0])
         self.assertNotIn(b"return 1", texts[0])
+        self.assertIn(b"make learn", readme)
+        self.assertNotIn(b"make solution", readme)
 
     def test_makes_an_autograder(self):
         self.run_learn("gradescope", f"--weights={self.weights}")

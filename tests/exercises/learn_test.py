@@ -76,6 +76,19 @@ class Learn(Toy):
         self.assertIn("Exercise 1.2", self.run_learn("learn", status=1))
         self.assertIn("solved", self.run_learn("list"))
 
+    def test_goes_on_from_what_was_chosen(self):
+        self.add_exercise("01-3-three")
+        self.mine.parent.mkdir()
+        for slug in "01-2-two", "01-3-three":
+            (self.root / "work" / f"{slug}.c").write_text(
+                "int answer(void)\n{\n    return 1;\n}\n")
+        told = self.run_learn("learn", "--number=1.2")
+        self.assertIn("Next is exercise 1.3", told)
+        self.assertIn("`make learn N=1.3` starts it", told)
+        told = self.run_learn("learn", "--number=1.3")
+        self.assertIn("Next is exercise 1.1", told)
+        self.assertIn("`make learn` starts it", told)
+
     def test_explains_what_went_wrong(self):
         for body, explanation in (
                 ("return 1", "error: expected"),

@@ -57,11 +57,14 @@ class Toy(unittest.TestCase):
         self.root = Path(temporary.name)
         self.exercises = self.root / "exercises"
         self.exercises.mkdir()
-        for slug in ("01-1-one", "01-2-two"):
-            (self.exercises / f"{slug}.c").write_text(
-                ONE.replace("1.1", "1." + slug[3]))
-            (self.exercises / f"{slug}.check.c").write_text(CHECK)
+        self.add_exercise("01-1-one")
+        self.add_exercise("01-2-two")
         self.mine = self.root / "work/01-1-one.c"
+
+    def add_exercise(self, slug):
+        (self.exercises / f"{slug}.c").write_text(
+            ONE.replace("1.1", "1." + slug[3]))
+        (self.exercises / f"{slug}.check.c").write_text(CHECK)
 
     def environment(self):
         return dict(

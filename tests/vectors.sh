@@ -1,4 +1,4 @@
-# See in what compilers make of src/fast that they did what its speed needs:
+# See in what compilers make of the code that they did what its speed needs:
 #
 #     BUILD=dir vectors.sh
 #
@@ -27,21 +27,23 @@ expect() { # loops, pattern
 compile() { # module, options
     module=$1
     shift
-    $cc -O3 -std=c17 -ffp-contract=off -Isrc "$@" -S "src/fast/$module.c" \
+    $cc -O3 -std=c17 -ffp-contract=off -Isrc "$@" -S "src/$module.c" \
         -o "$report.s" >"$report" 2>&1
     found=$(grep -cE '[[:space:]](prefetch|prfm)' "$report.s") ||
-        fail "nothing is requested early in src/fast/$module.c"
+        fail "nothing is requested early in src/$module.c"
     echo "vectors: $cc: $found requests in $module.c"
 }
 
 cc=gcc
-compile vector
-compile lanes -fopt-info-vec-optimized
+compile surface/tree
+compile fast/vector
+compile fast/lanes -fopt-info-vec-optimized
 for bytes in $(case $(uname -m) in x86_64) echo 16 32 64 ;; *) echo 16 ;; esac)
 do
     expect 2 "loop vectorized using $bytes byte vectors"
 done
 cc=clang
-compile vector
-compile lanes -Rpass=loop-vectorize
+compile surface/tree
+compile fast/vector
+compile fast/lanes -Rpass=loop-vectorize
 expect 2 "vectorized loop (vectorization width: [2-8]"

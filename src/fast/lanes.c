@@ -1,6 +1,7 @@
 //: Include what lanes need
 #include "fast/lanes.h"
 
+#include "base/request.h"
 #include "base/vectors.h"
 #include "fast/determinants.h"
 
@@ -63,9 +64,7 @@ TF_INSIDE tf_query_masks judge_block(const tf_query_block *block, double share,
 
 //: Request a block early
 enum {
-    AHEAD = 32, ///< blocks, 48 kilobytes
-    READ = 0,
-    SECOND_CACHE = 2 ///< how near, from 3, the first cache, to 0
+    AHEAD = 32 ///< blocks, 48 kilobytes
 };
 
 /// Asks the memory for the block that comes AHEAD of this one.  The first cache
@@ -74,14 +73,11 @@ enum {
 TF_INSIDE void request_ahead(size_t blocks, const tf_query_block block[],
                              size_t i)
 {
-#ifdef __GNUC__
     if (blocks - i <= AHEAD)
         return;
     const double *row = &block[i + AHEAD].at[0][0][0][0];
     for (int j = 0; j < 2 * 4 * 3; j++)
-        __builtin_prefetch(row + (ptrdiff_t)j * TF_BLOCK_QUERIES, READ,
-                           SECOND_CACHE);
-#endif
+        tf_request_far(row + (ptrdiff_t)j * TF_BLOCK_QUERIES);
 }
 
 //: Add the bits of a block

@@ -5,7 +5,7 @@
 #include "arithmetic/exact.h"
 #include "arithmetic/perturbed.h"
 #include "base/environment.h"
-#include "base/inside.h"
+#include "base/request.h"
 #include "base/require.h"
 #include "fast/lanes.h"
 
@@ -102,19 +102,15 @@ enum {
     QUERIES_AHEAD = 48
 };
 
-// gcc leaves out calls of a function that only requests, because it changes
-// nothing; so it is inside its caller.
 TF_INSIDE void request_vertices(const tf_motion *motion, const int vertex[4])
 {
-#ifdef __GNUC__
     for (int v = 0; v < 4; v++) {
         if (vertex[v] < 0 || vertex[v] >= motion->vertices)
             return;
         ptrdiff_t place = (ptrdiff_t)3 * vertex[v];
-        __builtin_prefetch(motion->start + place);
-        __builtin_prefetch(motion->end + place);
+        tf_request(motion->start + place);
+        tf_request(motion->end + place);
     }
-#endif
 }
 
 //: Gather as many queries as a mask has bits

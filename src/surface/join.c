@@ -4,6 +4,7 @@
 #include "base/inside.h"
 #include "base/vectors.h"
 
+#include <stddef.h>
 #include <stdint.h>
 
 enum {
@@ -41,17 +42,35 @@ TF_INSIDE uint32_t overlaps(const tf_pack *pack, const tf_box *box)
     return lanes;
 }
 
-//: Find the lanes that have a vertex
-TF_INSIDE uint32_t lanes_with(const tf_tree *tree, int leaf, int vertex)
+//: Find the lanes that share a vertex
+/// The lanes of the elements that have one of `own` vertices.  With constants for
+/// the numbers of corners the inner loops are unrolled, and one loop is left.
+TF_INSIDE uint32_t lanes_with(int corners, const int own[], int others,
+                              int (*other)[TF_LANES])
 {
     uint32_t lanes = 0;
-    for (int c = 0; c < tree->corners; c++) {
-        const int *corner = tree->corner[leaf * tree->corners + c];
-        TF_LANE_LOOP
-        for (int i = 0; i < TF_LANES; i++)
-            lanes |= corner[i] == vertex ? bit[i] : 0;
+    TF_LANE_LOOP
+    for (int i = 0; i < TF_LANES; i++) {
+        bool shares = false;
+        for (int c = 0; c < others; c++)
+            for (int d = 0; d < corners; d++)
+                shares |= other[c][i] == own[d];
+        lanes |= shares ? bit[i] : 0;
     }
     return lanes;
+}
+
+/// The lanes of leaf b that share a vertex with an element of leaf a.
+TF_INSIDE uint32_t lanes_that_share(const tf_tree *s, int a, int lane,
+                                    const tf_tree *t, int b)
+{
+    int own[2] = {-1, -1};
+    for (int c = 0; c < s->corners; c++)
+        own[c] = s->corner[a * s->corners + c][lane];
+    int(*other)[TF_LANES] = t->corner + (ptrdiff_t)b * t->corners;
+    return s->corners == 2   ? lanes_with(2, own, 2, other)
+           : t->corners == 2 ? lanes_with(1, own, 2, other)
+                             : lanes_with(1, own, 3, other);
 }
 
 //: Find the first lane
@@ -86,6 +105,8 @@ TF_INSIDE void join_leaves(const tf_tree *s, int a, const tf_box *box_of_a,
         overlaps(&s->level[0][a], box_of_b) & wanted(marked_in_b, marked);
     if (near == 0 || overlaps(&t->level[0][b], box_of_a) == 0)
         return;
+    const int *element = s->element[a], *other = t->element[b];
+    tf_candidate *pair = sink->pair + sink->count;
     for (; near; near &= near - 1) {
         int i = first_lane(near);
         tf_box own = tf_pack_box(&s->level[0][a], i);
@@ -93,12 +114,12 @@ TF_INSIDE void join_leaves(const tf_tree *s, int a, const tf_box *box_of_a,
                          wanted(marked & bit[i], marked_in_b);
         if (s == t && a == b)
             lanes &= ~UINT32_C(1) << i;
-        for (int c = 0; c < s->corners && lanes; c++)
-            lanes &= ~lanes_with(t, b, s->corner[a * s->corners + c][i]);
+        if (lanes)
+            lanes &= ~lanes_that_share(s, a, i, t, b);
         for (; lanes; lanes &= lanes - 1)
-            sink->pair[sink->count++] = (tf_candidate){
-                s->element[a][i], t->element[b][first_lane(lanes)]};
+            *pair++ = (tf_candidate){element[i], other[first_lane(lanes)]};
     }
+    sink->count = (int)(pair - sink->pair);
 }
 
 //: Hold a visit

@@ -12,12 +12,13 @@
  *     number of intersections add up to an even number.
  * Hint 2: count_meetings counts pairs of simplices.  You need to count two
  *     points against the triangle and the edge against three edges.
- * Hint 3: An edge of the triangle sweeps as the triangle does only if its
- *     vertices are in the same order: 0, 1 and 0, 2 and 1, 2.
+ * Hint 3: A point is an element with one vertex, and &edge[v] is an array of one
+ *     worldline.
  */
 #include "intersect/cascade.h"
 
-/// How many pairs of a simplex of each intersect.
+/// How many pairs of a simplex of each intersect.  The two elements have four
+/// vertices together.
 static int count_meetings(const tf_arithmetic *arithmetic, int vertices,
                           const tf_worldline first[], int others,
                           const tf_worldline second[])
@@ -43,6 +44,7 @@ bool cross_at_end(const tf_arithmetic *arithmetic, bool cross_at_start,
 #if defined TF_WRONG_3 // forgets the crossing at the start
     count = 0;
 #endif
+    // In the triangle's order of vertices, in which it sweeps, too.
 #if defined TF_WRONG_2 // goes around: reverses the order of the last edge
     static const int side[3][2] = {{0, 1}, {1, 2}, {2, 0}};
 #else

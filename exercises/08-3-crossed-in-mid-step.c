@@ -6,8 +6,9 @@
  * contact of a point with a triangle or of an edge with an edge in the whole
  * step, which cross in mid-step; and a time t, 0 < t < 1, at which they do.
  *
- * This is hard.  Your function may find its answer by a search that takes a
- * second or two, or you may search elsewhere and only put the answer here.
+ * Such steps are hard to imagine.  Your function may find its answer by a search
+ * that takes a second or two, or you may search elsewhere and only put the answer
+ * here.
  *
  * Section: What the theorems do not promise.
  *
@@ -16,14 +17,14 @@
  *     triangle.  Bend both triangles a lot, that is, let their vertices move
  *     differently.
  * Hint 2: Let the computer search.  Take coordinates at random, from -1 to 1 at
- *     t = 0, and for t = 1 add random displacements of up to 0.3.  Of the steps
+ *     t = 0, and for t = 1 add random displacements of up to 1.  Of the steps
  *     that start clear and have no contact, a few in a thousand will do.
  * Hint 3: To find out whether two triangles cross at time t, cut the sweeps:
  *     where event i at the start and event j at the end are both in a simplex,
  *     its slice has the corner (1 - t) start + t end.  Two slices are
  *     triangles, one is a parallelogram.  They cross if an edge of one slice
- *     crosses a triangle of the other: tf_complementary_intersect decides that
- *     for a pair at one time.
+ *     crosses a triangle of the other: tf_complementary_intersect, of
+ *     intersect/complementary.h, decides that for a pair at one time.
  */
 typedef struct crossing {
     double triangle[2][3][2][3]; // [triangle][vertex][time][axis]
@@ -33,7 +34,7 @@ typedef struct crossing {
 crossing crossed_in_mid_step(void)
 {
 #if defined TF_SOLUTION
-    // Found by a search as in hint 2.
+    // Found by a search as in hint 2, with displacements of up to 0.3.
     return (crossing){{{{{-0.872, 0.676, 0.823}, {-0.946, 0.844, 1.005}},
                         {{0.713, -0.982, -0.792}, {0.656, -1.159, -1.030}},
                         {{-0.490, -0.936, -0.491}, {-0.268, -0.777, -0.223}}},

@@ -1,13 +1,14 @@
 /* Exercise 8.4.  Before the end.
  *
  * This is a proof, of the hard case of the lemma on time, for two edges in a
- * plane.  At t = 1 they cross in their middles.  Prove that they have crossed
- * before: find coordinates of a common point of S = {s | s1, s2} and
+ * plane.  At t = 1 they cross, away from their ends.  Prove that they have
+ * crossed before: find coordinates of a common point of S = {s | s1, s2} and
  * R = {r | r1, r2} at some time t < 1.
  *
- * The input is six places with integer coordinates.  The edges from s1 to s2 and
- * from r1 to r2 cross in a single point, which is an end of neither.  Return
- * six integers, the coordinates of a common point times any common factor.
+ * The input is six places with integer coordinates from -20 to 20.  The edges
+ * from s1 to s2 and from r1 to r2 cross in a single point, which is an end of
+ * neither.  Return six integers, the coordinates of a common point times any
+ * positive common factor.
  * They are a certificate that anyone can check; so a program that finds them
  * for every input, and a reason why it always does, make a proof.
  *
@@ -20,7 +21,8 @@
  *     D = det(s2 - s1, r1 - r2).  By Cramer's rule L is a determinant, and the
  *     shift adds a multiple of 1 / k to it.
  * Hint 3: D, L and D - L are integers that are not zero and have one sign.  So
- *     k times each of them is farther from zero than any number below k.
+ *     k times each of them is farther from zero than any number between -k
+ *     and k.
  */
 typedef struct place {
     long long x, y;

@@ -6,13 +6,12 @@
  * and in any order, and return how many there are; there is room for all.  A
  * row's `kind` is 1 for a vertex and a triangle, and `vertex` has the vertex
  * and then the corners; it is 2 for two edges, and `vertex` has the ends of
- * one and then those of the other.  Pass the ends of an edge and the corners
- * of a triangle to queries in ascending order, so that neighbors in the mesh
- * stay joined on the way.
+ * one and then those of the other.  Those of an element may be in any order, in
+ * queries too, which sort them.
  *
  * You need no more than this part of the book.  The checks compare your list
  * with one that was found with exact signs; some contacts are mere touches.
- * Once they pass, refine the mesh and see how the time grows.  Which pairs
+ * Once they pass, try finer meshes of your own and see how the time grows.  Which pairs
  * could you rule out without a query?  Part IV goes on from there.
  *
  * Section: The theorem.
@@ -36,7 +35,7 @@ typedef struct row {
     int vertex[4];
 } row;
 
-/// The corners of a triangle in ascending order.
+/// The corners of a triangle in ascending order: equal edges become the same.
 static void sort_three(const int triangle[3], int sorted[3])
 {
     memcpy(sorted, triangle, 3 * sizeof *sorted);

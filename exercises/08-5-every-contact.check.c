@@ -166,7 +166,8 @@ static void expect_rows(int rights, const row right[], int count, row found[])
             i > 0 && i < count && compare_rows(&found[i], &found[i - 1]) == 0;
         check_that(!twice, "each contact once", "%s twice",
                    text_row(&found[i < count ? i : 0]));
-        check_that(order <= 0, text_row(&right[i < rights ? i : 0]), "not it");
+        check_that(order <= 0, text_row(&right[i < rights ? i : 0]),
+                   "not in your list");
         check_that(order >= 0, "no such contact", "%s",
                    text_row(&found[i < count ? i : 0]));
     }

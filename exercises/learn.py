@@ -79,9 +79,11 @@ def learn(exercises, progress, options):
     if all(solved):
         announce_next(exercises, chosen[-1], progress)
     else:
+        failed = chosen[solved.index(False)].number
         print("\nEdit your file " + ("and save it." if options.watch else
                                      "and run `make learn` again.")
-              + "  `make hint` gives a hint.")
+              + "  `make hint" + (f" N={failed}" if options.number else "")
+              + "` gives a hint.")
     sys.exit(not all(solved))
 
 

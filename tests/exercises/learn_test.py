@@ -37,6 +37,7 @@ class Learn(Toy):
         told = self.run_learn("learn", "--number=1.1 1.2", status=1)
         self.assertIn("Exercise 1.1", told)
         self.assertIn("Exercise 1.2", told)
+        self.assertIn("`make hint N=1.1` gives", told)
         self.answer("return 1;", status=0)
         self.run_learn("learn", "--number=1.2 1.1", status=1)
 

@@ -21,11 +21,7 @@ TF_INSIDE void tf_request(const void *place)
 TF_INSIDE void tf_request_far(const void *place)
 {
 #ifdef __GNUC__
-    enum {
-        READ = 0,
-        SECOND_CACHE = 2
-    }; // of 3, the first cache, to 0
-    __builtin_prefetch(place, READ, SECOND_CACHE);
+    __builtin_prefetch(place, 0, 2); // to be read; 3 would be the first cache
 #else
     (void)place;
 #endif

@@ -43,18 +43,17 @@ TF_INSIDE uint32_t overlaps(const tf_pack *pack, const tf_box *box)
 }
 
 //: Find the lanes that share a vertex
-/// The lanes of the elements that have one of `own` vertices.  With constants for
-/// the numbers of corners the inner loops are unrolled, and one loop is left.
-TF_INSIDE uint32_t lanes_with(int corners, const int own[], int others,
-                              int (*other)[TF_LANES])
+/// The lanes of the elements that have one of two vertices.  With a constant for
+/// the number of corners the inner loop is unrolled, and one loop is left.
+TF_INSIDE uint32_t lanes_with(const int own[2], int corners,
+                              int (*corner)[TF_LANES])
 {
     uint32_t lanes = 0;
     TF_LANE_LOOP
     for (int i = 0; i < TF_LANES; i++) {
         bool shares = false;
-        for (int c = 0; c < others; c++)
-            for (int d = 0; d < corners; d++)
-                shares |= other[c][i] == own[d];
+        for (int c = 0; c < corners; c++)
+            shares |= (corner[c][i] == own[0]) | (corner[c][i] == own[1]);
         lanes |= shares ? bit[i] : 0;
     }
     return lanes;
@@ -64,13 +63,12 @@ TF_INSIDE uint32_t lanes_with(int corners, const int own[], int others,
 TF_INSIDE uint32_t lanes_that_share(const tf_tree *s, int a, int lane,
                                     const tf_tree *t, int b)
 {
-    int own[2] = {-1, -1};
-    for (int c = 0; c < s->corners; c++)
-        own[c] = s->corner[a * s->corners + c][lane];
-    int(*other)[TF_LANES] = t->corner + (ptrdiff_t)b * t->corners;
-    return s->corners == 2   ? lanes_with(2, own, 2, other)
-           : t->corners == 2 ? lanes_with(1, own, 2, other)
-                             : lanes_with(1, own, 3, other);
+    int(*corner)[TF_LANES] = s->corner + (ptrdiff_t)a * s->corners;
+    const int own[2] = {corner[0][lane], corner[s->corners - 1][lane]};
+    corner = t->corner + (ptrdiff_t)b * t->corners;
+    return t->corners == 3   ? lanes_with(own, 3, corner)
+           : t->corners == 2 ? lanes_with(own, 2, corner)
+                             : lanes_with(own, 1, corner);
 }
 
 //: Find the first lane

@@ -10,12 +10,12 @@ enum {
     MOST = 700
 };
 
-/// Edges with vertices at random, in a tree.
-typedef struct edges {
-    int count, corner[2 * MOST];
+/// Elements with vertices at random, which differ, in a tree.
+typedef struct elements {
+    int count, corners, corner[3 * MOST];
     tf_box box[MOST];
     tf_tree tree;
-} edges;
+} elements;
 
 static tf_box vertex[MOST];
 static tf_box whole;
@@ -32,18 +32,21 @@ static void place_vertices(generator *random, float size)
     }
 }
 
-static void fill(generator *random, int count, edges *list)
+static void fill(generator *random, int count, int corners, elements *list)
 {
-    *list = (edges){.count = count};
+    *list = (elements){.count = count, .corners = corners};
     for (int i = 0; i < count; i++) {
-        int a = below(random, MOST), b = (a + 1 + below(random, 5)) % MOST;
-        list->corner[2 * i] = a;
-        list->corner[2 * i + 1] = b;
-        list->box[i] = tf_box_union(vertex[a], vertex[b]);
+        int *corner = list->corner + corners * i, v = below(random, MOST);
+        list->box[i] = vertex[v];
+        for (int c = 0; c < corners; c++) {
+            corner[c] = v;
+            list->box[i] = tf_box_union(list->box[i], vertex[v]);
+            v = (v + 1 + below(random, 5)) % MOST;
+        }
     }
     tf_tree_room room = {0};
     tf_tree_elements elements = {.count = count,
-                                 .corners = 2,
+                                 .corners = corners,
                                  .corner = list->corner,
                                  .vertex = vertex,
                                  .whole = &whole};
@@ -59,11 +62,19 @@ static bool overlap(const tf_box *a, const tf_box *b)
     return true;
 }
 
-static bool is_pair(const edges *s, int i, const edges *t, int j)
+static bool share(const elements *s, int i, const elements *t, int j)
 {
-    const int *a = s->corner + 2 * i, *b = t->corner + 2 * j;
-    bool apart = a[0] != b[0] && a[0] != b[1] && a[1] != b[0] && a[1] != b[1];
-    return apart && (s != t || i != j) && overlap(&s->box[i], &t->box[j]);
+    for (int a = 0; a < s->corners; a++)
+        for (int b = 0; b < t->corners; b++)
+            if (s->corner[s->corners * i + a] == t->corner[t->corners * j + b])
+                return true;
+    return false;
+}
+
+static bool is_pair(const elements *s, int i, const elements *t, int j)
+{
+    return !share(s, i, t, j) && (s != t || i != j) &&
+           overlap(&s->box[i], &t->box[j]);
 }
 
 // Sinks -----------------------------------------------------------------------
@@ -88,7 +99,7 @@ static bool take(tf_pair_sink *sink, int count, const tf_candidate pair[])
     return --all->left > 0;
 }
 
-static table *join(const edges *s, const edges *t, int batches)
+static table *join(const elements *s, const elements *t, int batches)
 {
     table *all = calloc(1, sizeof *all);
     all->sink.take = take;
@@ -102,7 +113,7 @@ static table *join(const edges *s, const edges *t, int batches)
     return all;
 }
 
-static void compare(const edges *s, const edges *t)
+static void compare(const elements *s, const elements *t)
 {
     table *all = join(s, t, 1 << 30);
     for (int i = 0; i < s->count; i++)
@@ -115,12 +126,13 @@ START_TEST(every_pair_once)
 {
     static const int counts[] = {1, 16, 17, 300, MOST};
     static const float sizes[] = {0.001f, 0.1f, 2};
-    static edges s, t;
+    static elements s, t;
     generator random = generator_new((uint64_t)_i);
-    place_vertices(&random, sizes[_i]);
+    int corners = 1 + _i / 3 % 2, others = 1 + _i / 6;
+    place_vertices(&random, sizes[_i % 3]);
     for (int i = 0; i < 5; i++) {
-        fill(&random, counts[i], &s);
-        fill(&random, counts[4 - i], &t);
+        fill(&random, counts[i], corners, &s);
+        fill(&random, counts[4 - i], others, &t);
         compare(&s, &s);
         compare(&s, &t);
         tf_tree_free(&s.tree);
@@ -131,10 +143,10 @@ END_TEST
 
 START_TEST(a_join_stops_when_told)
 {
-    static edges s;
+    static elements s;
     generator random = generator_new(9);
     place_vertices(&random, 2);
-    fill(&random, MOST, &s);
+    fill(&random, MOST, 2, &s);
     table *all = join(&s, &s, 2);
     ck_assert(all->sink.stopped);
     ck_assert_int_eq(all->left, 0);
@@ -145,10 +157,10 @@ END_TEST
 
 START_TEST(an_empty_tree_has_no_pairs)
 {
-    static edges s, none;
+    static elements s, none;
     generator random = generator_new(10);
     place_vertices(&random, 2);
-    fill(&random, 20, &s);
+    fill(&random, 20, 2, &s);
     compare(&s, &none);
     tf_tree_free(&s.tree);
 }
@@ -158,7 +170,7 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("surface/join");
     TCase *tcase = tcase_create("join");
-    tcase_add_loop_test(tcase, every_pair_once, 0, 3);
+    tcase_add_loop_test(tcase, every_pair_once, 0, 18);
     tcase_add_test(tcase, a_join_stops_when_told);
     tcase_add_test(tcase, an_empty_tree_has_no_pairs);
     suite_add_tcase(suite, tcase);

@@ -47,16 +47,13 @@ static void build_tree(forest *f)
     TF_REQUIRE(box);
     tf_frame frame;
     int bad;
-    TF_REQUIRE(tf_frame_of(3, &rest, &frame, &bad) == TF_OK);
+    TF_REQUIRE(tf_frame_of(3, &rest, NULL, &frame, &bad) == TF_OK);
     tf_vertex_boxes(&frame, &rest, NULL, box);
-    tf_box whole = tf_box_empty;
-    for (int i = 0; i < mesh->vertices; i++)
-        whole = tf_box_union(whole, box[i]);
     tf_tree_elements elements = {.count = mesh->triangles,
                                  .corners = 3,
                                  .corner = mesh->triangle,
                                  .vertex = box,
-                                 .whole = &whole};
+                                 .whole = &frame.whole};
     tf_tree_room room = {0};
     TF_REQUIRE(tf_tree_build(&f->tree, &elements, &room, NULL));
     tf_tree_room_free(&room);

@@ -13,6 +13,9 @@ typedef struct bounds {
     double low[3], high[3];
 } bounds;
 
+static const bounds no_bounds = {{INFINITY, INFINITY, INFINITY},
+                                 {-INFINITY, -INFINITY, -INFINITY}};
+
 /// Takes in the coordinates of one vertex; false if one of them is not finite.
 static bool take_in(bounds *all, int axes, const double *x)
 {
@@ -46,26 +49,11 @@ static tf_frame frame_of(int axes, const bounds *all)
         size = fmax(size, all->high[k] / 2 - all->low[k] / 2);
     }
     frame.scale = scale_of(size);
-    return frame;
-}
-
-//: Find the frame of a motion
-tf_status tf_frame_of(int axes, const tf_motion *motion, tf_frame *frame,
-                      int *bad)
-{
-    bounds all = {{INFINITY, INFINITY, INFINITY},
-                  {-INFINITY, -INFINITY, -INFINITY}};
-    for (int v = 0; v < motion->vertices; v++) {
-        ptrdiff_t place = (ptrdiff_t)axes * v;
-        bool start = take_in(&all, axes, motion->start + place);
-        bool end = take_in(&all, axes, motion->end + place);
-        if (!start || !end) {
-            *bad = v;
-            return TF_NOT_FINITE;
-        }
+    for (int k = 0; k < axes; k++) {
+        frame.whole.low[k] = tf_frame_coordinate(&frame, k, all->low[k]);
+        frame.whole.high[k] = tf_frame_coordinate(&frame, k, all->high[k]);
     }
-    *frame = frame_of(axes, &all);
-    return TF_OK;
+    return frame;
 }
 
 //: Put a box around the path of a vertex
@@ -109,4 +97,59 @@ void tf_vertex_boxes(const tf_frame *frame, const tf_motion *motion,
     boxing work = {frame, motion, box};
     tf_parallel_for_each(parallel, tf_range_parts(motion->vertices, VERTICES),
                          box_vertices, &work);
+}
+
+//: Find the extent of a part
+enum {
+    PARTS = 64 // at most
+};
+
+typedef struct measuring {
+    int axes;
+    const tf_motion *motion;
+    int size; ///< of a part, in vertices
+    bounds extent[PARTS];
+    int bad[PARTS]; ///< the first vertex that is not finite, or -1
+} measuring;
+
+static void measure_part(void *argument, int task, int worker)
+{
+    measuring *work = argument;
+    const tf_motion *motion = work->motion;
+    tf_range part = tf_range_part(motion->vertices, work->size, task);
+    bounds all = no_bounds;
+    (void)worker;
+    work->bad[task] = -1;
+    for (int v = part.begin; v < part.end; v++) {
+        ptrdiff_t place = (ptrdiff_t)work->axes * v;
+        bool start = take_in(&all, work->axes, motion->start + place);
+        bool end = take_in(&all, work->axes, motion->end + place);
+        if (!start || !end) {
+            work->bad[task] = v;
+            return;
+        }
+    }
+    work->extent[task] = all;
+}
+
+//: Find the frame of a motion
+tf_status tf_frame_of(int axes, const tf_motion *motion,
+                      const tf_parallel *parallel, tf_frame *frame, int *bad)
+{
+    measuring work = {.axes = axes,
+                      .motion = motion,
+                      .size = tf_range_size(motion->vertices, PARTS, VERTICES)};
+    int tasks = tf_range_parts(motion->vertices, work.size);
+    tf_parallel_for_each(parallel, tasks, measure_part, &work);
+    bounds all = no_bounds;
+    for (int task = 0; task < tasks; task++) {
+        if (work.bad[task] >= 0) {
+            *bad = work.bad[task];
+            return TF_NOT_FINITE;
+        }
+        take_in(&all, axes, work.extent[task].low);
+        take_in(&all, axes, work.extent[task].high);
+    }
+    *frame = frame_of(axes, &all);
+    return TF_OK;
 }

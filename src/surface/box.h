@@ -34,12 +34,13 @@ typedef struct tf_frame {
     int axes;
     double center[3];
     double scale;
+    tf_box whole; ///< the union of the boxes of all paths
 } tf_frame;
 
 /// The frame of all vertices of a motion.  Returns TF_NOT_FINITE, and the first
 /// such vertex in `*bad`, if a coordinate is a NaN or infinite.
-tf_status tf_frame_of(int axes, const tf_motion *motion, tf_frame *frame,
-                      int *bad);
+tf_status tf_frame_of(int axes, const tf_motion *motion,
+                      const tf_parallel *parallel, tf_frame *frame, int *bad);
 
 /// The coordinate of a box in a frame that a coordinate of space has.  Ends may
 /// move far out of the frame after it was found: no coordinate is beyond those of

@@ -61,13 +61,22 @@ static void count_digits(void *argument, int task, int worker)
 /// task: so equal digits stay in their order.
 static void place_digits(const pass *p)
 {
-    int place = 0;
     int tasks = tf_range_parts(p->count, p->size);
-    for (int d = 0; d < TF_DIGITS; d++)
-        for (int task = 0; task < tasks; task++) {
+    tf_digit_counts next = {0};
+    for (int task = 0; task < tasks; task++)
+        for (int d = 0; d < TF_DIGITS; d++)
+            next[d] += p->counts[task][d];
+    int place = 0;
+    for (int d = 0; d < TF_DIGITS; d++) {
+        int count = next[d];
+        next[d] = place;
+        place += count;
+    }
+    for (int task = 0; task < tasks; task++)
+        for (int d = 0; d < TF_DIGITS; d++) {
             int count = p->counts[task][d];
-            p->counts[task][d] = place;
-            place += count;
+            p->counts[task][d] = next[d];
+            next[d] += count;
         }
 }
 
@@ -86,9 +95,8 @@ static void move_items(void *argument, int task, int worker)
 tf_keyed *tf_morton_sort(int count, tf_keyed *from, tf_keyed *to,
                          tf_digit_counts *counts, const tf_parallel *parallel)
 {
-    int size = tf_range_parts(count, TF_SORT_PARTS);
     pass p = {.count = count,
-              .size = size < TF_SORT_PART ? TF_SORT_PART : size,
+              .size = tf_range_size(count, TF_SORT_PARTS, TF_SORT_PART),
               .counts = counts};
     for (p.shift = 0; p.shift < 30; p.shift += 10) {
         p.from = from;

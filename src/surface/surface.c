@@ -106,10 +106,7 @@ static bool build_tree(tf_surface *surface, tf_tree *tree,
 static tf_status build_trees(tf_surface *surface, const tf_parallel *parallel)
 {
     const tf_box *box = surface->boxes.data;
-    tf_box whole = tf_box_empty;
-    for (int v = 0; v < surface->vertices; v++)
-        whole = tf_box_union(whole, box[v]);
-    tf_tree_elements of = {.vertex = box, .whole = &whole};
+    tf_tree_elements of = {.vertex = box, .whole = &surface->frame.whole};
     const tf_elements *edges = &surface->edges;
     const tf_elements *triangles = &surface->triangles;
     bool good = build_tree(surface, &surface->vertex_tree, &of,
@@ -133,7 +130,7 @@ tf_status tf_surface_move(tf_surface *surface, const tf_motion *motion,
         return TF_BAD_COUNT;
     int bad = 0;
     tf_status status =
-        tf_frame_of(surface->axes, motion, &surface->frame, &bad);
+        tf_frame_of(surface->axes, motion, parallel, &surface->frame, &bad);
     if (status != TF_OK) {
         *flaw = (tf_flaw){TF_VERTEX, bad, bad};
         return status;

@@ -30,6 +30,12 @@ int tf_range_parts(int count, int size)
     return count / size + (count % size != 0);
 }
 
+int tf_range_size(int count, int parts, int least)
+{
+    int size = tf_range_parts(count, parts);
+    return size < least ? least : size;
+}
+
 tf_range tf_range_part(int count, int size, int part)
 {
     int begin = part * size;

@@ -17,6 +17,10 @@ typedef struct tf_range {
     int end;   ///< one more than the last
 } tf_range;
 
+/// The size of the parts when a range is divided into at most `parts`, each but
+/// the last of at least `least` items.
+int tf_range_size(int count, int parts, int least);
+
 /// How many parts of at most `size` items a range of `count` has.
 int tf_range_parts(int count, int size);
 

@@ -45,7 +45,7 @@ static placed *order_of(const fig_some_mesh *mesh)
     tf_box whole = tf_box_empty;
     tf_frame frame;
     int bad;
-    ck_assert_int_eq(tf_frame_of(3, &rest, &frame, &bad), TF_OK);
+    ck_assert_int_eq(tf_frame_of(3, &rest, NULL, &frame, &bad), TF_OK);
     tf_vertex_boxes(&frame, &rest, NULL, box);
     for (int v = 0; v < mesh->vertices; v++)
         whole = tf_box_union(whole, box[v]);

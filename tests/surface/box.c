@@ -1,11 +1,13 @@
 // Boxes: rounding keeps the order of numbers, so it keeps overlaps.
 #include "surface/box.h"
 
+#include "support/scrambled.h"
 #include "support/support.h"
 #include "support/surfaces.h"
 
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
 static some_surface of;
 
@@ -17,8 +19,10 @@ START_TEST(the_order_of_coordinates_is_kept)
         int axes = 2 + i % 2, bad;
         random_surface(&random, axes, 60, (placement)_i, &of);
         tf_frame frame;
-        ck_assert_int_eq(tf_frame_of(axes, &of.motion, &frame, &bad), TF_OK);
+        ck_assert_int_eq(tf_frame_of(axes, &of.motion, NULL, &frame, &bad),
+                         TF_OK);
         tf_vertex_boxes(&frame, &of.motion, NULL, box);
+        bool finite = true, kept = true;
         for (int v = 0; v < of.mesh.vertices; v++)
             for (int w = 0; w < of.mesh.vertices; w++)
                 for (int k = 0; k < axes; k++) {
@@ -26,9 +30,10 @@ START_TEST(the_order_of_coordinates_is_kept)
                         fmin(of.start[axes * v + k], of.end[axes * v + k]);
                     double high =
                         fmax(of.start[axes * w + k], of.end[axes * w + k]);
-                    ck_assert(isfinite(box[v].low[k]));
-                    ck_assert(low > high || box[v].low[k] <= box[w].high[k]);
+                    finite &= isfinite(box[v].low[k]) != 0;
+                    kept &= low > high || box[v].low[k] <= box[w].high[k];
                 }
+        ck_assert(finite && kept);
     }
 }
 END_TEST
@@ -40,7 +45,7 @@ static tf_frame frame_of(double a, double b)
     tf_motion motion = {2, x, x};
     tf_frame frame;
     int bad;
-    ck_assert_int_eq(tf_frame_of(3, &motion, &frame, &bad), TF_OK);
+    ck_assert_int_eq(tf_frame_of(3, &motion, NULL, &frame, &bad), TF_OK);
     return frame;
 }
 
@@ -57,6 +62,82 @@ START_TEST(the_largest_coordinates_come_near_one)
     // Far from the origin, too, a small scene keeps its shape.
     tf_frame far = frame_of(1e6, 1e6 + 1e-3);
     ck_assert((float)((1e6 + 1e-3 - far.center[0]) * far.scale) > 0.4f);
+}
+END_TEST
+
+START_TEST(the_whole_is_the_union_of_all_boxes)
+{
+    static tf_box box[SURFACE_VERTICES];
+    generator random = generator_new((uint64_t)_i);
+    for (int i = 0; i < (int)cases(50); i++) {
+        int axes = 2 + i % 2, bad;
+        random_surface(&random, axes, 60, (placement)_i, &of);
+        tf_frame frame;
+        ck_assert_int_eq(tf_frame_of(axes, &of.motion, NULL, &frame, &bad),
+                         TF_OK);
+        tf_vertex_boxes(&frame, &of.motion, NULL, box);
+        tf_box whole = tf_box_empty;
+        for (int v = 0; v < of.mesh.vertices; v++)
+            whole = tf_box_union(whole, box[v]);
+        for (int k = 0; k < 3; k++) {
+            ck_assert(frame.whole.low[k] == whole.low[k]);
+            ck_assert(frame.whole.high[k] == whole.high[k]);
+        }
+    }
+}
+END_TEST
+
+enum {
+    MANY = 100000 // vertices, for several tasks
+};
+
+static double many_start[3 * MANY], many_end[3 * MANY];
+
+static tf_status frame_of_many(tf_frame *frame, int *bad)
+{
+    static const int workers = 3;
+    tf_parallel parallel = scrambled(&workers);
+    tf_motion motion = {MANY, many_start, many_end};
+    return tf_frame_of(3, &motion, &parallel, frame, bad);
+}
+
+START_TEST(each_vertex_extends_the_frame)
+{
+    generator random = generator_new((uint64_t)_i);
+    for (int i = 0; i < 3 * MANY; i++) {
+        many_start[i] = uniform(&random, -1, 1);
+        many_end[i] = uniform(&random, -1, 1);
+    }
+    for (int i = 0; i < (int)cases(200); i++) {
+        int v = i == 0 ? 0 : i == 1 ? MANY - 1 : below(&random, MANY);
+        double *x = (i % 2 ? many_end : many_start) + 3 * v + i % 3, old = *x;
+        int bad;
+        tf_frame frame;
+        *x = i % 4 < 2 ? 8 : -8;
+        ck_assert_int_eq(frame_of_many(&frame, &bad), TF_OK);
+        *x = old;
+        // The center of the axis is half of that, give or take half of 1.
+        double center = frame.center[i % 3] * (i % 4 < 2 ? 1 : -1);
+        ck_assert(center >= 3.5 && center <= 4.5);
+        ck_assert(frame.scale == 0.125);
+    }
+}
+END_TEST
+
+START_TEST(the_first_vertex_that_is_not_finite_is_named)
+{
+    generator random = generator_new((uint64_t)_i);
+    memset(many_start, 0, sizeof many_start);
+    memset(many_end, 0, sizeof many_end);
+    for (int i = 0; i < (int)cases(200); i++) {
+        int v = below(&random, MANY), w = below(&random, MANY), bad;
+        tf_frame frame;
+        many_start[3 * v + i % 3] = i % 4 < 2 ? NAN : INFINITY;
+        many_end[3 * w + i % 3] = i % 4 < 2 ? -INFINITY : NAN;
+        ck_assert_int_eq(frame_of_many(&frame, &bad), TF_NOT_FINITE);
+        ck_assert_int_eq(bad, v < w ? v : w);
+        many_start[3 * v + i % 3] = many_end[3 * w + i % 3] = 0;
+    }
 }
 END_TEST
 
@@ -77,6 +158,10 @@ Suite *suite(void)
     TCase *tcase = tcase_create("boxes");
     tcase_add_loop_test(tcase, the_order_of_coordinates_is_kept, 0, PLACEMENTS);
     tcase_add_test(tcase, the_largest_coordinates_come_near_one);
+    tcase_add_loop_test(tcase, the_whole_is_the_union_of_all_boxes, 0,
+                        PLACEMENTS);
+    tcase_add_test(tcase, each_vertex_extends_the_frame);
+    tcase_add_test(tcase, the_first_vertex_that_is_not_finite_is_named);
     tcase_add_test(tcase, empty_boxes_change_nothing);
     suite_add_tcase(suite, tcase);
     return suite;

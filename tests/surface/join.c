@@ -45,12 +45,12 @@ static void fill(generator *random, int count, int corners, elements *list)
         }
     }
     tf_tree_room room = {0};
-    tf_tree_elements elements = {.count = count,
-                                 .corners = corners,
-                                 .corner = list->corner,
-                                 .vertex = vertex,
-                                 .whole = &whole};
-    ck_assert(tf_tree_build(&list->tree, &elements, &room, NULL));
+    tf_tree_elements given = {.count = count,
+                              .corners = corners,
+                              .corner = list->corner,
+                              .vertex = vertex,
+                              .whole = &whole};
+    ck_assert(tf_tree_build(&list->tree, &given, &room, NULL));
     tf_tree_room_free(&room);
 }
 

@@ -76,6 +76,23 @@ START_TEST(parts_cover_a_range_once)
 }
 END_TEST
 
+START_TEST(ranges_are_divided_into_few_parts_of_many)
+{
+    static const struct {
+        int count, parts, least, size;
+    } row[] = {
+        {0, 4, 10, 10},  {1, 4, 10, 10},
+        {40, 4, 10, 10}, {41, 4, 10, 11},
+        {44, 4, 10, 11}, {45, 4, 10, 12},
+        {45, 1, 10, 45}, {INT_MAX, 64, 16384, 1 << 25},
+    };
+    for (size_t i = 0; i < sizeof row / sizeof *row; i++)
+        ck_assert_int_eq(
+            tf_range_size(row[i].count, row[i].parts, row[i].least),
+            row[i].size);
+}
+END_TEST
+
 Suite *suite(void)
 {
     Suite *suite = suite_create("surface/tasks");
@@ -83,6 +100,7 @@ Suite *suite(void)
     tcase_add_test(tcase, every_task_runs_once);
     tcase_add_test_raise_signal(tcase, there_is_a_worker, SIGABRT);
     tcase_add_test(tcase, parts_cover_a_range_once);
+    tcase_add_test(tcase, ranges_are_divided_into_few_parts_of_many);
     suite_add_tcase(suite, tcase);
     return suite;
 }

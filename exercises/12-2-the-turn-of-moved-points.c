@@ -14,8 +14,8 @@
  * Hint 1: First try with nothing moved.  While the answer is zero, try the
  *     coefficients of products of symbols, the largest product first.
  * Hint 2: Let q, r and s be the points in the order of their indices.  The
- *     products are, from the largest: q's x; q's y; r's x; r's x times q's y;
- *     and more, but the coefficient of this last one is 1 or -1.
+ *     products are, from the largest: q's x; q's y; r's x; r's x times q's y.
+ *     The list can end there, since the coefficient of this product is 1 or -1.
  * Hint 3: In the coefficient of q's x, replace the x of q by 1 and the x of the
  *     two others by 0.  In a product of two symbols replace all x and all y.
  * Hint 4: Replace coordinates in a copy of p, in which the points keep their

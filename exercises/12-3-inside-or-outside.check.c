@@ -106,10 +106,11 @@ static void show_input(const surface *s, int boxes, const tf_event *p,
         box[i] = text_line(3, &diagonal);
     }
     check_input("point (vertex %d) at %s, far end (vertex %d) at %s\n"
-                "%d triangles of %s %s %s",
+                "%d triangles of %s %s%s%s",
                 p->vertex, text_point(3, p->x), far->vertex,
                 text_point(3, far->x), s->triangles,
-                boxes == 1 ? "the box" : "the boxes", box[0], box[1]);
+                boxes == 1 ? "the box" : "the boxes", box[0],
+                boxes == 1 ? "" : " and ", box[1]);
 }
 
 /// Numbers the corners and the two ends at random.
@@ -140,10 +141,13 @@ static void try_surfaces(int boxes)
         int around = count_around(&s, boxes, &p);
         if (around < 0)
             around = count_moved(&s, &p, &far);
-        bool inside;
+        bool inside, right = around % 2 == 1;
         check_value(inside, is_inside(&p, &far, s.triangles,
                                       (const tf_event(*)[3])s.triangle));
-        check_bool(around % 2 == 1, inside);
+        int count = inside == right ? 0 : count_moved(&s, &p, &far);
+        check_that(inside == right, right ? "true" : "false",
+                   "%s, and the moved segment intersects %d of the triangles",
+                   inside ? "true" : "false", count);
     }
 }
 

@@ -2,32 +2,37 @@
  *
  * Which of two points q and r of the plane is nearer to a point p?  Decide it
  * in the way of this part of the book.  First an estimate: the squared
- * distance of r from p minus that of q, rounded, and a bound on its error,
- * which is at most 16 u times the sum of the two, where u = 2^-53.  Then the
- * sign, exact for all points: positive if q is nearer, and zero if both are
- * equally near.  Take the sign of the estimate where the bound allows it, and
- * compute exactly where not.  All coordinates are multiples of 2^-450 and
- * below 2^400.
+ * distance of r from p minus that of q, rounded, and a bound on its error.  The
+ * bound may be at most 16 u times the sum of the two squared distances, where
+ * u = 2^-53.  Then the sign, exact for all points: positive if q is nearer, and
+ * zero if both are equally near.  Take the sign of the estimate where the bound
+ * allows it, and compute exactly where not.  All coordinates are multiples of
+ * 2^-450 and below 2^400.  Estimates, expansions and proofs by Gappa are in
+ * chapters 2 and 11.
  *
  * The checks try your bound on many points, which proves nothing.  Prove it:
- * write a script for Gappa like those in `tests/proofs`, which quotes the
- * lines of your file, say `work/nearer.gappa`, and run `make proofs
- * SCRIPT=work/nearer.gappa`.  How small may your constant be?  Then perturb
+ * write a script for Gappa, say `work/nearer.gappa`, like those in
+ * `tests/proofs`.  It quotes the lines of your file.  Then run `make proofs
+ * SCRIPT=work/nearer.gappa`.  How small may your constant be?  Finally, perturb
  * the points: which one is nearer in a tie, if every coordinate is moved by
- * its symbol?
+ * its symbol?  Let the indices be in the order p, q, r.  A squared distance is
+ * no determinant, and a symbol may occur in it squared, so you have to extend
+ * the rule.
  *
  * Section: Three ways, compared.
  *
  * Hint 1: How many roundings are there on the way from the coordinates to a
  *     squared distance?  The relative error of a square is twice that of the
  *     number.  The last difference is rounded once more.
- * Hint 2: All terms of a squared distance are positive, so its relative error
- *     is at most that of its terms.  Five times u and a little more is enough.
+ * Hint 2: The terms of a squared distance are not negative, so adding them
+ *     makes the relative error no larger, except for one more rounding.  Five
+ *     times u and a little more is enough.
  * Hint 3: Multiplied out, p^2 drops out: r^2 - 2 p r - q^2 + 2 p q on each
  *     axis.  These are 8 products of doubles, and two_product() makes 16
  *     doubles of them without an error.
  * Hint 4: For Gappa, write the true terms as computed ones times factors 1 +
- *     e, as in tests/proofs/2x2.gappa.  Then one term is as good as another.
+ *     e, as in tests/proofs/2x2.gappa.  Then every term has the same share of
+ *     the bound, whatever its size.
  */
 #include "arithmetic/operations.h"
 #include "expansion.h"

@@ -1,18 +1,20 @@
 /* Exercise 17.2.  The row of the pivots.
  *
- * Two elements with `first` and `second` vertices meet.  Make the row that
- * stops their pivots: a coefficient for each vertex, those of the first element
+ * Two elements meet, the first with `first` vertices and the second with
+ * `second`.  Make the row that stops their pivots: a coefficient for each
+ * vertex, 1 or -1 for a pivot and 0 for the others, those of the first element
  * and then those of the second; a normal of length 1, reversed if necessary so
  * that the first pivot starts on the positive side of the second; and the gap,
  * the distance along the normal at which they start, which follows from the
- * contact alone.  The contact has a normal, and its normal velocity is not zero.
+ * contact alone.  For the time of impact take `toi_lo`.  The contact has a
+ * normal, and its normal velocity is not zero.
  *
  * Section: Three rows that fail.
  *
  * Hint 1: Which two vertices are the pivots?  contact->pivot[0] is a place in
  *     the first element, contact->pivot[1] a place in the second.
  * Hint 2: If the first element moves along the contact's normal as seen from
- *     the second, on which side of it does it start?
+ *     the second, on which side of the second does it start?
  * Hint 3: Along the normal the pivots meet at the time of impact.  How far do
  *     they get by then, at the normal velocity?
  */

@@ -5,6 +5,7 @@
 #include "support/rational.h"
 
 #include <math.h>
+#include <stdio.h>
 
 typedef struct pivot_row {
     double coefficient[4], normal[3], gap;
@@ -29,6 +30,21 @@ static double length(const double v[3])
     return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
 }
 
+/// That only the pivots have coefficients, 1 and -1.
+static void check_coefficients(const query *q, const tf_contact *contact,
+                               const pivot_row *row)
+{
+    for (int i = 0; i < q->vertices + q->others; i++) {
+        double expected = i == contact->pivot[0]                 ? 1
+                          : i == q->vertices + contact->pivot[1] ? -1
+                                                                 : 0;
+        char text[60];
+        snprintf(text, sizeof text, "coefficient %g at vertex %d", expected, i);
+        check_that(row->coefficient[i] == expected, text, "%s",
+                   text_real(row->coefficient[i]));
+    }
+}
+
 static void try_query(query *q)
 {
     tf_contact contact;
@@ -38,8 +54,9 @@ static void try_query(query *q)
     if (contact.verdict != TF_HIT || contact.classification != TF_GENERIC)
         return;
     check_input(
-        "%s\nfirst element: %d vertices, pivots: %d and %d, normal %s, "
-        "normal velocity %s, toi %s",
+        "%s\nvertices of the first element: %d\npivots: place %d of the first "
+        "element, place %d of the second\nnormal %s, normal velocity %s, toi "
+        "%s",
         text_lines(q->axes, "vertex", q->vertices + q->others, q->vertex),
         q->vertices, contact.pivot[0], contact.pivot[1],
         text_point(3, contact.normal), text_real(contact.normal_velocity),
@@ -47,23 +64,20 @@ static void try_query(query *q)
     check_picture(q->axes, q->vertices, q->vertex, q->others, query_others(q));
     pivot_row row;
     check_value(row, row_of_pivots(&contact, q->vertices, q->others));
-    double part[2] = {0, 0};
-    int used = 0;
-    for (int i = 0; i < q->vertices + q->others; i++) {
-        part[i >= q->vertices] += row.coefficient[i];
-        used += row.coefficient[i] != 0;
-    }
-    check_near(1, part[0], 1e-12);
-    check_near(-1, part[1], 1e-12);
-    check_that(used == 2, "two coefficients that are not 0", "%d", used);
-    check_near(1, length(row.normal), 1e-12);
+    check_coefficients(q, &contact, &row);
+    check_that(fabs(length(row.normal) - 1) <= 1e-12, "a normal of length 1",
+               "length %s", text_real(length(row.normal)));
 
     // They start at the gap, on the positive side, and end on the other side.
     double start = distance(q, &row, 0), end = distance(q, &row, 1);
-    check_that(start > 0, "a normal to whose positive side the pivots start",
+    check_that(start > 0,
+               "the first pivot to start on the positive side of the second",
                "distance %s at the start", text_real(start));
-    check_near(start, row.gap, 1e-9);
-    check_that(end < 0, "pivots that end on the negative side",
+    check_that(fabs(start - row.gap) <= 1e-9,
+               "the distance along the normal at the start as the gap",
+               "gap %s, while that distance is %s", text_real(row.gap),
+               text_real(start));
+    check_that(end < 0, "the first pivot to end on the negative side",
                "distance %s at the end", text_real(end));
 }
 

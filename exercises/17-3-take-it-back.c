@@ -6,9 +6,10 @@
  *
  * and remembers in `*impulse` what it has pushed so far, which is at least 0.
  * Visit it: change its impulse so that the sum becomes the bound.  But if the
- * impulse would become negative, make it 0.  Push the bodies by the change.  A
+ * impulse would become negative, make it 0.  Push the bodies by the change: to
+ * each move add the change times the body's coefficient and inverse mass.  A
  * scripted body, one of inverse mass 0, is not moved, and a row whose bodies are
- * all scripted is left as it is.
+ * all scripted is left as it is, with the impulse that it has.
  *
  * Section: A round of impulses.
  *
@@ -16,8 +17,9 @@
  *     how much does it raise the sum?
  * Hint 2: Divide what is missing by that.  It may be negative: then there is
  *     too much.
- * Hint 3: The new impulse is the old one plus the quotient, or 0.  The bodies
- *     are pushed by the difference between the new one and the old one.
+ * Hint 3: The new impulse is the old one plus the quotient, or 0 if that is
+ *     negative.  The bodies are pushed by the difference between the new one
+ *     and the old one.
  */
 #include <math.h>
 

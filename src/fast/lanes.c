@@ -78,9 +78,9 @@ TF_INSIDE void request_ahead(size_t blocks, const tf_query_block block[],
         return;
     const double *near = &block[i + NEAR].at[0][0][0][0];
     const double *far = &block[i + FAR].at[0][0][0][0];
-    for (ptrdiff_t line = 0; line < 2 * 4 * 3; line++) {
-        tf_request(near + line * TF_BLOCK_QUERIES);
-        tf_request_far(far + line * TF_BLOCK_QUERIES);
+    for (int line = 0; line < 2 * 4 * 3; line++) {
+        tf_request(near + (ptrdiff_t)line * TF_BLOCK_QUERIES);
+        tf_request_far(far + (ptrdiff_t)line * TF_BLOCK_QUERIES);
     }
 }
 

@@ -64,8 +64,8 @@ TF_INSIDE tf_query_masks judge_block(const tf_query_block *block, double share,
 
 //: Request a block early
 enum {
-    NEAR = 4, ///< blocks ahead, 6 kilobytes, for the first cache
-    FAR = 12  ///< 18 kilobytes, for the second
+    NEAR = 6, ///< blocks ahead, 9 kilobytes, for the first cache
+    FAR = 10  ///< 15 kilobytes, for the second
 };
 
 /// Asks for blocks that come later.  The first cache can wait for a few lines

@@ -143,23 +143,23 @@ typedef struct tf_lane_evidence {
     double gap;       ///< > 0: an axis separates the elements
     double agreement; ///< > error: the signs of some pair of simplices agree
     double conflict;  ///< > error: those of each pair are in conflict
-    double reach;     ///< the largest difference on any axis
-    double volume;    ///< the product of the largest on each
+    double reach;     ///< the largest difference on each axis, added up
+    double volume;    ///< the product of the three, a little more if tiny
     double sum;       ///< finite only if all coordinates are
 } tf_lane_evidence;
 
-/// The reach of no axis counts as less, so that no product underflows.
+/// Added to the reach of each axis, so that no product underflows.  It vanishes
+/// in the rounding unless the reach is tiny.
 #define TF_LEAST_REACH 0x1p-300
 
 TF_INSIDE tf_lane_evidence tf_lane_evidence_of(tf_lane_axis x, tf_lane_axis y,
                                                tf_lane_axis z)
 {
     return (tf_lane_evidence){.gap = tf_most(x.gap, tf_most(y.gap, z.gap)),
-                              .reach =
-                                  tf_most(x.reach, tf_most(y.reach, z.reach)),
-                              .volume = tf_most(x.reach, TF_LEAST_REACH) *
-                                        tf_most(y.reach, TF_LEAST_REACH) *
-                                        tf_most(z.reach, TF_LEAST_REACH)};
+                              .reach = x.reach + y.reach + z.reach,
+                              .volume = (x.reach + TF_LEAST_REACH) *
+                                        (y.reach + TF_LEAST_REACH) *
+                                        (z.reach + TF_LEAST_REACH)};
 }
 
 //: Weigh a point and a triangle

@@ -52,8 +52,10 @@ typedef struct tf_query_masks {
 /// A certain verdict is that of tf_point_triangle with tf_exact or
 /// tf_perturbed, proved by a bound on the rounding errors.  Undecided are
 /// queries with a sign that may be zero, such as those of elements that touch;
-/// with coordinates that differ by more than 2^300; and with NaNs and
-/// infinities.  The masks are the same bits on all machines.
+/// those whose elements are too far apart or too large, so that the largest
+/// differences between their coordinates, one on each axis, add up to more than
+/// 2^300; and those with NaNs and infinities.  The masks are the same bits on
+/// all machines.
 ///
 /// @param count how many queries
 /// @param block the queries, eight a block; the last block may have fewer, and

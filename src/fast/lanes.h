@@ -6,7 +6,7 @@
 /// A filter of all lanes of some blocks, in an IEEE environment.  A determinant
 /// counts as certain if it is more than `share` Mx My Mz away from zero, where
 /// M is the largest difference between coordinates of the two elements, at one
-/// time and on one axis, or 2^-300 if that is larger.  `masks`: one for every
+/// time and on one axis, plus 2^-300.  `masks`: one for every
 /// TF_MASK_QUERIES, or part of them.
 typedef void tf_lanes_filter(size_t blocks, const tf_query_block block[],
                              double share, tf_query_masks masks[]);

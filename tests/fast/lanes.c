@@ -70,24 +70,29 @@ END_TEST
 
 // Shares ----------------------------------------------------------------------
 
-/// A query whose signs are determinants of integers, one of them, d, small: the
-/// point (0, 0, 0) and a triangle at the height 1 that comes down to -1.  Its
-/// corner is d off the axis through the point.
-static tf_query_masks thin_hit(double d, double share)
+/// Eight copies of a query of a point and a triangle.
+static tf_query_masks judged(const double at[2][4][3], double share)
 {
-    static const double rows[2][4][3] = {
-        {{0, 0, 0}, {-1, 0, 1}, {1, -1, 1}, {1, 1, 1}},
-        {{0, 0, 0}, {-1, 0, -1}, {1, -1, -1}, {1, 1, -1}}};
     tf_query_block block;
     for (int t = 0; t < 2; t++)
         for (int v = 0; v < 4; v++)
             for (int k = 0; k < 3; k++)
                 for (int i = 0; i < TF_BLOCK_QUERIES; i++)
-                    block.at[t][v][k][i] =
-                        rows[t][v][k] + (k == 0 && v == 1 ? 1 - d : 0);
+                    block.at[t][v][k][i] = at[t][v][k];
     tf_query_masks masks;
     tf_lanes_point_triangle(1, &block, share, &masks);
     return masks;
+}
+
+/// A query whose signs are determinants of integers, one of them, d, small: the
+/// point (0, 0, 0) and a triangle at the height 1 that comes down to -1.  Its
+/// corner is d off the axis through the point.
+static tf_query_masks thin_hit(double d, double share)
+{
+    const double at[2][4][3] = {
+        {{0, 0, 0}, {-d, 0, 1}, {1, -1, 1}, {1, 1, 1}},
+        {{0, 0, 0}, {-d, 0, -1}, {1, -1, -1}, {1, 1, -1}}};
+    return judged(at, share);
 }
 
 START_TEST(a_determinant_within_its_share_is_uncertain)
@@ -101,12 +106,39 @@ START_TEST(a_determinant_within_its_share_is_uncertain)
 }
 END_TEST
 
+// Limits ----------------------------------------------------------------------
+
+/// A triangle to the right of the point (0, 0, 0), with these largest
+/// differences.
+static tf_query_masks right_of_point(double x, double y, double z)
+{
+    const double at[2][4][3] = {{{0, 0, 0}, {x, 0, 0}, {x, -y, 0}, {x, 0, z}},
+                                {{0, 0, 0}, {x, y, 0}, {x, 0, -z}, {x, 0, 0}}};
+    return judged(at, TF_SHARE_SURE);
+}
+
+START_TEST(differences_add_up_to_the_limit_at_most)
+{
+    const double half = 0x1p299, quarter = 0x1p298;
+    const double more = 0x1.0000000000002p299; // an ulp of the sum
+    ck_assert_uint_eq(right_of_point(half, quarter, quarter).separated & 255,
+                      255);
+    ck_assert_uint_eq(right_of_point(more, quarter, quarter).undecided & 255,
+                      255);
+    ck_assert_uint_eq(right_of_point(quarter, more, quarter).undecided & 255,
+                      255);
+    ck_assert_uint_eq(right_of_point(quarter, quarter, more).undecided & 255,
+                      255);
+}
+END_TEST
+
 Suite *suite(void)
 {
     Suite *suite = suite_create("fast/lanes");
     TCase *c = tcase_create("lanes");
     tcase_add_loop_test(c, each_lane_is_judged_by_itself, 0, 2 * FAMILIES);
     tcase_add_test(c, a_determinant_within_its_share_is_uncertain);
+    tcase_add_test(c, differences_add_up_to_the_limit_at_most);
     suite_add_tcase(suite, c);
     return suite;
 }

@@ -105,7 +105,7 @@ static size_t answer_by_zones(tf_surface *surface, const scene *s, double end[])
     tf_zones zones = {0};
     tf_zone_effort effort = {.smallest_gap = INFINITY};
     memcpy(end, s->proposed, sizeof s->proposed);
-    TF_REQUIRE(tf_zones_begin(&zones));
+    TF_REQUIRE(tf_zones_begin(&zones, &step));
     tf_contacts found = detect(surface, s, end);
     for (int round = 0; round < ROUNDS && found.any; round++) {
         TF_REQUIRE(tf_zones_add(&zones, &step, &found, &rule, &effort));

@@ -82,7 +82,7 @@ void fig_pile_resolve(fig_pile *pile, const tf_zone_solver *solver, int sweeps,
                     .end = pile->end,
                     .changed = room_for(pile->vertices, sizeof(bool))};
     const tf_motion motion = {pile->vertices, pile->start, pile->end};
-    TF_REQUIRE(tf_zones_begin(&pile->zones));
+    TF_REQUIRE(tf_zones_begin(&pile->zones, &step));
     for (pile->rounds = 0; pile->rounds < most_rounds; pile->rounds++) {
         tf_contacts found;
         TF_REQUIRE(tf_surface_detect(surface, &motion, NULL, &found, NULL) ==

@@ -1,7 +1,6 @@
 //: Include what the levels need
 #include "response/levels.h"
 
-#include "arithmetic/exact.h"
 #include "response/impulses.h"
 #include "response/recheck.h"
 
@@ -30,7 +29,7 @@ static bool begin_level(tf_responding *r, tf_response_level level)
                                                     (size_t)r->step.vertices,
                                                 sizeof(double));
     case TF_ZONES:
-        return set_base(r) && tf_zones_begin(&r->resolver->zones);
+        return set_base(r) && tf_zones_begin(&r->resolver->zones, &r->step);
     case TF_RIGID:
         return tf_rigid_begin(&r->resolver->rigid, &r->step);
     default:
@@ -68,31 +67,29 @@ static bool answer(tf_responding *r, tf_response_level level)
 }
 
 //: Look for the contacts that are left
-/// Marks the vertices of all contacts as changed: they must be looked at again
-/// even if they have not moved.
-static void mark_contacts(tf_responding *r)
+static void account(tf_responding *r)
 {
-    for (size_t i = 0; i < r->contacts.count; i++)
-        for (int j = 0; j < 4; j++) {
-            int vertex = r->contacts.contact[i].vertex[j];
-            if (vertex >= 0)
-                r->step.changed[vertex] = true;
-        }
+    r->report.contacts += r->contacts.count;
+    tf_effort_add(&r->report.effort, &r->contacts.effort);
 }
 
+/// Looks at the pairs that were kept, and if these are clear, at all.  So if no
+/// contacts are left, a detection from the beginning has found none.
 static tf_status look_again(tf_responding *r)
 {
-    mark_contacts(r);
-    tf_deciding of = {.surface = r->resolver->surface,
-                      .motion = &r->motion,
-                      .arithmetic = &tf_exact,
-                      .narrow_phase = r->options.narrow_phase};
-    tf_status status = tf_recheck(r->resolver->surface, &r->step, &of,
+    tf_surface *surface = r->resolver->surface;
+    tf_status status = tf_recheck(surface, &r->step, r->options.narrow_phase,
                                   r->options.parallel, &r->contacts);
-    if (status == TF_OK) {
-        r->report.contacts += r->contacts.count;
-        tf_effort_add(&r->report.effort, &r->contacts.effort);
-    }
+    if (status != TF_OK)
+        return status;
+    account(r);
+    if (r->contacts.any)
+        return TF_OK;
+    tf_flaw flaw;
+    status = tf_check_all(surface, &r->step, r->options.narrow_phase,
+                          r->options.parallel, &r->contacts, &flaw);
+    if (status == TF_OK)
+        account(r);
     return status;
 }
 

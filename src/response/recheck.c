@@ -1,117 +1,154 @@
-//: Include what the new search needs
+//: Include what looking for contacts needs
 #include "response/recheck.h"
 
+#include "arithmetic/exact.h"
+
 #include <stddef.h>
-#include <stdint.h>
 #include <string.h>
 
-//: Put boxes around the paths that have changed
-static void box_changed(tf_surface *surface, const tf_motion *motion,
-                        const bool changed[])
+//: Choose how pairs are decided
+static tf_motion motion_of(const tf_step *step)
 {
-    tf_box *box = surface->boxes.data;
-    for (int v = 0; v < surface->vertices; v++)
-        if (changed[v])
-            box[v] = tf_vertex_box(&surface->frame, motion, v);
+    return (tf_motion){step->vertices, step->start, step->end};
 }
 
-//: Hold what is refitted
-typedef struct refitting {
-    tf_tree *tree;
-    const tf_box *box; ///< of each vertex
-    const bool *changed;
-    int level; ///< whose packs are being refitted
-} refitting;
-
-//: Refit a leaf
-static bool has_changed(const refitting *of, int leaf, int lane)
+static tf_deciding deciding(const tf_surface *surface, const tf_motion *motion,
+                            const tf_narrow_phase *narrow_phase, bool keeps)
 {
-    int corners = of->tree->corners;
-    bool any = false;
-    for (int c = 0; c < corners; c++)
-        any |= of->changed[of->tree->corner[leaf * corners + c][lane]];
-    return any;
+    return (tf_deciding){.surface = surface,
+                         .motion = motion,
+                         .arithmetic = &tf_exact,
+                         .narrow_phase = narrow_phase,
+                         .keeps = keeps};
 }
 
-static tf_box box_around(const refitting *of, int leaf, int lane)
+static void unmark(tf_step *step)
 {
-    int corners = of->tree->corners;
-    tf_box box = tf_box_empty;
-    for (int c = 0; c < corners; c++) {
-        int vertex = of->tree->corner[leaf * corners + c][lane];
-        box = tf_box_union(box, of->box[vertex]);
+    memset(step->changed, 0, (size_t)step->vertices * sizeof *step->changed);
+}
+
+//: Look for contacts from the beginning
+tf_status tf_check_all(tf_surface *surface, tf_step *step,
+                       const tf_narrow_phase *narrow_phase,
+                       const tf_parallel *parallel, tf_contacts *found,
+                       tf_flaw *flaw)
+{
+    tf_motion motion = motion_of(step);
+    tf_status status = tf_surface_move(surface, &motion, parallel, flaw);
+    if (status != TF_OK)
+        return status;
+    tf_deciding of = deciding(surface, &motion, narrow_phase, true);
+    unmark(step);
+    return tf_pairs_find(surface, &of, parallel, found);
+}
+
+//: Mark the elements that have changed
+/// Those that have a changed vertex.
+static void mark_elements(const tf_elements *elements, int corners,
+                          const bool changed[], bool mark[])
+{
+    const int *corner = elements->corner;
+    for (int i = 0; i < elements->count; i++, corner += corners) {
+        mark[i] = changed[corner[0]];
+        for (int c = 1; c < corners; c++)
+            mark[i] |= changed[corner[c]];
     }
-    return box;
 }
 
-/// Sets the boxes of the elements that have changed; returns their lanes.
-static uint32_t refit_leaf(const refitting *of, int leaf)
+//: Hold what is looked at again
+typedef struct rechecking {
+    tf_workers *workers;
+    bool of_edges; ///< the pairs of two edges, not those with a vertex
+    const bool *first, *second; ///< whether an element has changed
+} rechecking;
+
+static const tf_pair_list *list_of(const rechecking *of, int worker)
 {
-    uint32_t lanes = 0;
-    for (int i = 0; i < TF_LANES && of->tree->element[leaf][i] >= 0; i++) {
-        if (!has_changed(of, leaf, i))
-            continue;
-        tf_box box = box_around(of, leaf, i);
-        tf_pack_set_box(&of->tree->level[0][leaf], i, &box);
-        lanes |= UINT32_C(1) << i;
+    const tf_worker *keeper = of->workers->worker[worker];
+    return of->of_edges ? &keeper->edges : &keeper->points;
+}
+
+/// Each batch of a list is a task.
+static int tasks_of(const tf_pair_list *list)
+{
+    return (int)(list->count / TF_BATCH + (list->count % TF_BATCH != 0));
+}
+
+//: Look at a batch of pairs again
+/// Writes those of some pairs that have changed to `to`; returns how many.
+static int select_changed(const rechecking *of, size_t count,
+                          const tf_candidate pair[], tf_candidate to[])
+{
+    int changed = 0;
+    for (size_t i = 0; i < count; i++) {
+        to[changed] = pair[i];
+        changed += of->first[pair[i].first] | of->second[pair[i].second];
     }
-    return lanes;
+    return changed;
 }
 
-//: Refit a pack
-/// Sets the boxes of the packs below that have changed; returns their lanes.
-static uint32_t refit_pack(const refitting *of, int pack)
+static void recheck_batch(void *argument, int task, int number)
 {
-    const tf_tree *tree = of->tree;
-    int below = of->level - 1;
-    uint32_t lanes = 0;
-    for (int i = 0; i < TF_LANES; i++) {
-        int child = pack * TF_LANES + i;
-        if (child >= tree->packs[below] || !tree->marked[below][child])
-            continue;
-        tf_box box = tf_pack_union(&tree->level[below][child]);
-        tf_pack_set_box(&tree->level[of->level][pack], i, &box);
-        lanes |= UINT32_C(1) << i;
-    }
-    return lanes;
+    const rechecking *of = argument;
+    int keeper = 0;
+    for (; task >= tasks_of(list_of(of, keeper)); keeper++)
+        task -= tasks_of(list_of(of, keeper));
+    const tf_pair_list *list = list_of(of, keeper);
+    size_t begin = (size_t)task * TF_BATCH, rest = list->count - begin;
+    const tf_candidate *pair = list->pair.data;
+    tf_pair_sink *sink = &of->workers->worker[number]->sink;
+    sink->take = tf_pairs_take;
+    sink->count = select_changed(of, rest < TF_BATCH ? rest : TF_BATCH,
+                                 pair + begin, sink->pair);
+    tf_pair_sink_hand_on(sink);
 }
 
-//: Refit a tree
-enum {
-    PACKS = 1024 // a task
-};
-
-static void refit_part(void *argument, int task, int worker)
+//: Look at all pairs of a kind again
+static tf_status recheck_kind(const tf_parallel *parallel, rechecking *of)
 {
-    const refitting *of = argument;
-    uint32_t *marked = of->tree->marked[of->level];
-    tf_range part = tf_range_part(of->tree->packs[of->level], PACKS, task);
-    (void)worker;
-    for (int i = part.begin; i < part.end; i++)
-        marked[i] = of->level == 0 ? refit_leaf(of, i) : refit_pack(of, i);
+    int tasks = 0;
+    for (int i = 0; i < of->workers->count; i++)
+        tasks += tasks_of(list_of(of, i));
+    tf_parallel_for_each(parallel, tasks, recheck_batch, of);
+    return tf_workers_status(of->workers);
 }
 
-static void refit(const tf_surface *surface, tf_tree *tree,
-                  const bool changed[], const tf_parallel *parallel)
+static tf_status recheck_kinds(tf_surface *surface, const tf_step *step,
+                               tf_deciding *how, const tf_parallel *parallel)
 {
-    refitting of = {tree, surface->boxes.data, changed, 0};
-    for (; of.level < tree->levels; of.level++)
-        tf_parallel_for_each(parallel,
-                             tf_range_parts(tree->packs[of.level], PACKS),
-                             refit_part, &of);
+    bool plane = surface->axes == 2;
+    bool *edge = surface->changed.data, *triangle = edge + surface->edges.count;
+    mark_elements(&surface->edges, 2, step->changed, edge);
+    mark_elements(&surface->triangles, 3, step->changed, triangle);
+    rechecking of = {.workers = &surface->workers,
+                     .first = step->changed,
+                     .second = plane ? edge : triangle};
+    how->kind = plane ? TF_POINT_EDGE : TF_POINT_TRIANGLE;
+    tf_status status = recheck_kind(parallel, &of);
+    if (status != TF_OK || plane)
+        return status;
+    of.of_edges = true;
+    of.first = of.second = edge;
+    how->kind = TF_EDGE_EDGE;
+    return recheck_kind(parallel, &of);
 }
 
-//: Look for contacts again
-tf_status tf_recheck(tf_surface *surface, tf_step *step, tf_deciding *of,
+//: Look at what has changed again
+tf_status tf_recheck(tf_surface *surface, tf_step *step,
+                     const tf_narrow_phase *narrow_phase,
                      const tf_parallel *parallel, tf_contacts *found)
 {
-    box_changed(surface, of->motion, step->changed);
-    refit(surface, &surface->vertex_tree, step->changed, parallel);
-    refit(surface, &surface->edge_tree, step->changed, parallel);
-    refit(surface, &surface->triangle_tree, step->changed, parallel);
-    tf_status status = tf_pairs_find(surface, of, parallel, found);
-    if (status == TF_OK)
-        memset(step->changed, 0,
-               (size_t)step->vertices * sizeof *step->changed);
+    tf_motion motion = motion_of(step);
+    tf_deciding how = deciding(surface, &motion, narrow_phase, false);
+    size_t elements =
+        (size_t)surface->edges.count + (size_t)surface->triangles.count;
+    if (!tf_buffer_reserve(&surface->changed, elements, sizeof(bool)) ||
+        !tf_pairs_begin(surface, parallel, &how))
+        return TF_OUT_OF_MEMORY;
+    tf_status status = recheck_kinds(surface, step, &how, parallel);
+    *found = (tf_contacts){0};
+    if (status == TF_OK && !tf_pairs_gather(surface, how.extent, found))
+        status = TF_OUT_OF_MEMORY;
+    unmark(step);
     return status;
 }

@@ -1,13 +1,20 @@
-//: Declare how contacts are looked for again
+//: Declare how contacts are looked for
 #pragma once
 
 #include "response/step.h"
 #include "surface/pairs.h"
 
-/// Finds all contacts of a step, and unmarks all vertices.  Requires that the
-/// trees of the surface are those of this step, except that vertices that are
-/// marked as changed may have other ends by now; that each contact of the last
-/// time has a marked vertex; and that no unmarked vertex has moved since.  `of`
-/// says how to decide.  Returns TF_OK or TF_OUT_OF_MEMORY.
-tf_status tf_recheck(tf_surface *surface, tf_step *step, tf_deciding *of,
+/// Finds all contacts of a step from the beginning, and unmarks all vertices.
+/// Keeps all pairs of elements whose boxes overlap.  Returns what
+/// tf_surface_move does, with the reason in `flaw`.
+tf_status tf_check_all(tf_surface *surface, tf_step *step,
+                       const tf_narrow_phase *narrow_phase,
+                       const tf_parallel *parallel, tf_contacts *found,
+                       tf_flaw *flaw);
+
+/// Finds the contacts among those of the pairs that tf_check_all has kept that
+/// have a vertex marked as changed, and unmarks all vertices.  Returns TF_OK or
+/// TF_OUT_OF_MEMORY.
+tf_status tf_recheck(tf_surface *surface, tf_step *step,
+                     const tf_narrow_phase *narrow_phase,
                      const tf_parallel *parallel, tf_contacts *found);

@@ -5,8 +5,8 @@
 #include "fast/vector.h"
 #include "response/gauss_seidel.h"
 #include "response/levels.h"
+#include "response/recheck.h"
 #include "response/start.h"
-#include "surface/pairs.h"
 
 #include <math.h>
 #include <string.h>
@@ -97,18 +97,6 @@ static bool ready(tf_responding *r)
 }
 
 //: Detect what the proposal does
-static tf_status detect(tf_responding *r, tf_extent extent, tf_flaw *flaw)
-{
-    tf_detection detection = {.extent = extent,
-                              .narrow_phase = r->options.narrow_phase,
-                              .parallel = r->options.parallel};
-    tf_status status = tf_surface_detect(r->resolver->surface, &r->motion,
-                                         &detection, &r->contacts, flaw);
-    if (status == TF_OK)
-        tf_effort_add(&r->report.effort, &r->contacts.effort);
-    return status;
-}
-
 static tf_status begin(tf_responding *r, tf_obstacle *obstacle)
 {
     tf_status status = TF_OK;
@@ -116,11 +104,14 @@ static tf_status begin(tf_responding *r, tf_obstacle *obstacle)
         status = tf_start_check(r->resolver->surface, &r->motion,
                                 r->options.parallel, obstacle);
     if (status == TF_OK)
-        status = detect(r, TF_ALL_CONTACTS, &obstacle->flaw);
+        status = tf_check_all(r->resolver->surface, &r->step,
+                              r->options.narrow_phase, r->options.parallel,
+                              &r->contacts, &obstacle->flaw);
     if (status == TF_OK)
         status = tf_start_check_contacts(&r->motion, r->step.axes, &r->contacts,
                                          obstacle);
     r->report.first_contacts = r->report.contacts = r->contacts.count;
+    r->report.effort = r->contacts.effort;
     return status;
 }
 
@@ -172,15 +163,10 @@ static void write_report(tf_responding *r)
 }
 
 //: Resolve a step that has contacts
-/// Tests the ends once more from the beginning, as if nothing were known.
 static tf_status resolve(tf_responding *r)
 {
     choose(r);
     tf_status status = tf_respond(r);
-    if (status != TF_OK)
-        return status;
-    tf_flaw flaw;
-    status = detect(r, TF_ANY_CONTACT, &flaw);
     TF_REQUIRE(status != TF_OK || !r->contacts.any);
     return status;
 }

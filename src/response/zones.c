@@ -16,10 +16,11 @@ enum {
 };
 
 /// Forgets the rows of the last step; see the header.
-bool tf_zones_begin(tf_zones *zones)
+bool tf_zones_begin(tf_zones *zones, const tf_step *step)
 {
     zones->rows = zones->old = 0;
-    if (!tf_buffer_reserve(&zones->returns, RETURN_SLOTS, 1))
+    if (!tf_groups_begin(&zones->groups, step->vertices) ||
+        !tf_buffer_reserve(&zones->returns, RETURN_SLOTS, 1))
         return false;
     memset(zones->returns.data, 0, RETURN_SLOTS);
     return true;
@@ -87,11 +88,11 @@ static int root_of(tf_groups *groups, const tf_row *row,
 }
 
 //: Unite the vertices of rows
-/// Joins the vertices that rows can move.
+/// Joins the vertices that new rows can move.
 static void unite_vertices(tf_zones *zones, const double inverse_mass[])
 {
     const tf_row *row = zones->row.data;
-    for (int i = 0; i < zones->rows; i++) {
+    for (int i = zones->old; i < zones->rows; i++) {
         int root = root_of(&zones->groups, &row[i], inverse_mass);
         for (int j = 0; j < 4 && root >= 0 && row[i].vertex[j] >= 0; j++)
             if (inverse_mass[row[i].vertex[j]] > 0)
@@ -144,8 +145,7 @@ static void order_rows(tf_zones *zones, const double inverse_mass[],
 static bool divide(tf_zones *zones, const tf_step *step, division *d)
 {
     size_t vertices = (size_t)step->vertices, rows = (size_t)zones->rows;
-    if (!tf_groups_begin(&zones->groups, step->vertices) ||
-        !tf_buffer_reserve(&zones->by_vertex, 3 * vertices, sizeof(int)) ||
+    if (!tf_buffer_reserve(&zones->by_vertex, 3 * vertices, sizeof(int)) ||
         !tf_buffer_reserve(&zones->by_row, 2 * rows + 2, sizeof(int)))
         return false;
     d->zone = zones->by_vertex.data;

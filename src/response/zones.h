@@ -35,8 +35,9 @@ typedef struct tf_zone_effort {
 } tf_zone_effort;
 
 //: Declare how zones grow and are solved
-/// Forgets the rows of the last step.  False if there is no memory.
-bool tf_zones_begin(tf_zones *zones);
+/// Forgets the rows of the last step, and begins with this one.  False if there
+/// is no memory.
+bool tf_zones_begin(tf_zones *zones, const tf_step *step);
 
 /// Adds a row for each contact.  False if there is no memory.
 bool tf_zones_add(tf_zones *zones, const tf_step *step,

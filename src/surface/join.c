@@ -12,7 +12,7 @@ enum {
 };
 
 //: Hand on pairs
-static void hand_on(tf_pair_sink *sink)
+void tf_pair_sink_hand_on(tf_pair_sink *sink)
 {
     if (sink->count > 0 && !sink->stopped)
         sink->stopped = !sink->take(sink, sink->count, sink->pair);
@@ -85,22 +85,12 @@ TF_INSIDE int first_lane(uint32_t lanes)
 #endif
 }
 
-//: Keep the lanes that are wanted
-/// A pair needs a marked element: if there is one, all lanes on the other side
-/// are wanted, otherwise those that are marked themselves.
-TF_INSIDE uint32_t wanted(uint32_t marked, uint32_t marked_on_other_side)
-{
-    return marked ? ~UINT32_C(0) : marked_on_other_side;
-}
-
 //: Join two leaves
 TF_INSIDE void join_leaves(const tf_tree *s, int a, const tf_box *box_of_a,
                            const tf_tree *t, int b, const tf_box *box_of_b,
                            tf_pair_sink *sink)
 {
-    uint32_t marked = s->marked[0][a], marked_in_b = t->marked[0][b];
-    uint32_t near =
-        overlaps(&s->level[0][a], box_of_b) & wanted(marked_in_b, marked);
+    uint32_t near = overlaps(&s->level[0][a], box_of_b);
     if (near == 0 || overlaps(&t->level[0][b], box_of_a) == 0)
         return;
     const int *element = s->element[a], *other = t->element[b];
@@ -108,8 +98,7 @@ TF_INSIDE void join_leaves(const tf_tree *s, int a, const tf_box *box_of_a,
     for (; near; near &= near - 1) {
         int i = first_lane(near);
         tf_box own = tf_pack_box(&s->level[0][a], i);
-        uint32_t lanes = overlaps(&t->level[0][b], &own) &
-                         wanted(marked & bit[i], marked_in_b);
+        uint32_t lanes = overlaps(&t->level[0][b], &own);
         if (s == t && a == b)
             lanes &= ~UINT32_C(1) << i;
         if (lanes)
@@ -141,8 +130,7 @@ TF_INSIDE int visit_children(const tf_tree *s, int a, const tf_tree *t,
                              visit stack[], int top)
 {
     const tf_pack *pack = &t->level[from->level][from->pack];
-    uint32_t near = overlaps(pack, box) &
-                    wanted(s->marked[0][a], t->marked[from->level][from->pack]);
+    uint32_t near = overlaps(pack, box);
     for (; near; near &= near - 1) {
         int i = first_lane(near);
         int child = from->pack * TF_LANES + i;
@@ -169,7 +157,7 @@ TF_HALF_VECTORS static void join_leaf(const tf_tree *s, int a, const tf_tree *t,
             continue;
         }
         if (sink->count > TF_BATCH - TF_LANES * TF_LANES)
-            hand_on(sink);
+            tf_pair_sink_hand_on(sink);
         join_leaves(s, a, &box, t, at.pack, &at.box, sink);
     }
 }
@@ -182,5 +170,5 @@ void tf_tree_join(const tf_tree *s, const tf_tree *t, tf_range leaves,
         return;
     for (int leaf = leaves.begin; leaf < leaves.end && !sink->stopped; leaf++)
         join_leaf(s, leaf, t, sink);
-    hand_on(sink);
+    tf_pair_sink_hand_on(sink);
 }

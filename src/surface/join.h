@@ -18,6 +18,9 @@ struct tf_pair_sink {
     tf_candidate pair[TF_BATCH];
 };
 
+/// Hands on the pairs that the sink has, unless it is stopped.
+void tf_pair_sink_hand_on(tf_pair_sink *sink);
+
 //: Declare the join of leaves
 enum {
     TF_JOIN_PART = 64 ///< leaves a task of a join has

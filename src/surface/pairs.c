@@ -162,11 +162,25 @@ static tf_status decide_batch(const tf_deciding *of, int count,
     return status;
 }
 
+//: Keep the pairs of a batch
+static bool keep(tf_worker *worker, int count, const tf_candidate pair[])
+{
+    const tf_deciding *of = worker->job;
+    tf_pair_list *list =
+        of->kind == TF_EDGE_EDGE ? &worker->edges : &worker->points;
+    if (tf_pair_list_add(list, count, pair))
+        return true;
+    worker->status = TF_OUT_OF_MEMORY;
+    return false;
+}
+
 //: Take a batch of pairs
 bool tf_pairs_take(tf_pair_sink *sink, int count, const tf_candidate pair[])
 {
     tf_worker *worker = (tf_worker *)sink;
     const tf_deciding *of = worker->job;
+    if (of->keeps && !keep(worker, count, pair))
+        return false;
     batch *b = worker->batch.data;
     worker->status = decide_batch(of, count, pair, b);
     if (worker->status != TF_OK)
@@ -288,6 +302,8 @@ bool tf_pairs_begin(tf_surface *surface, const tf_parallel *parallel,
         if (!tf_buffer_reserve(&worker->batch, 1, sizeof(batch)))
             return false;
         ((batch *)worker->batch.data)->effort = (tf_effort){0};
+        if (of->keeps)
+            worker->points.count = worker->edges.count = 0;
     }
     return true;
 }

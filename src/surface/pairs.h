@@ -13,6 +13,8 @@ typedef struct tf_deciding {
     const tf_arithmetic *arithmetic;
     const tf_narrow_phase *narrow_phase;
     tf_extent extent;
+    bool keeps;   ///< whether the workers keep the pairs for later, in place of
+                  ///< those that they have kept before
     tf_kind kind; ///< of the pairs that come next
 } tf_deciding;
 

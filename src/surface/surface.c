@@ -52,6 +52,7 @@ void tf_surface_free(tf_surface *surface)
     tf_buffer_free(&surface->task_places);
     tf_buffer_free(&surface->found);
     tf_buffer_free(&surface->sorting);
+    tf_buffer_free(&surface->changed);
     free(surface);
 }
 
@@ -73,8 +74,8 @@ const int *tf_surface_triangles(const tf_surface *surface, int *count)
 //: Count the memory
 static size_t tree_bytes(const tf_tree *tree)
 {
-    return tree->pack_room.bytes + tree->mark_room.bytes +
-           tree->element_room.bytes + tree->corner_room.bytes;
+    return tree->pack_room.bytes + tree->element_room.bytes +
+           tree->corner_room.bytes;
 }
 
 size_t tf_surface_memory(const tf_surface *surface)
@@ -88,7 +89,7 @@ size_t tf_surface_memory(const tf_surface *surface)
            room->sorted.bytes + room->counts.bytes +
            tf_workers_memory(&surface->workers) + surface->task_rows.bytes +
            surface->task_places.bytes + surface->found.bytes +
-           surface->sorting.bytes;
+           surface->sorting.bytes + surface->changed.bytes;
 }
 
 //: Build the tree of one kind of element

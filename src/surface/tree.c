@@ -4,7 +4,6 @@
 #include "base/request.h"
 
 #include <stddef.h>
-#include <string.h>
 
 enum {
     ELEMENTS = 16384 // a task, a multiple of TF_LANES
@@ -156,7 +155,6 @@ static bool make_room(tf_tree *tree, tf_tree_room *room)
     size_t corners = leaves * (size_t)tree->corners;
     size_t count = (size_t)tree->count;
     if (!tf_buffer_reserve(&tree->pack_room, packs, sizeof(tf_pack)) ||
-        !tf_buffer_reserve(&tree->mark_room, packs, sizeof(uint32_t)) ||
         !tf_buffer_reserve(&tree->element_room, leaves,
                            sizeof *tree->element) ||
         !tf_buffer_reserve(&tree->corner_room, corners, sizeof *tree->corner) ||
@@ -166,12 +164,8 @@ static bool make_room(tf_tree *tree, tf_tree_room *room)
                            sizeof(tf_digit_counts)))
         return false;
     tree->level[0] = tree->pack_room.data;
-    tree->marked[0] =
-        memset(tree->mark_room.data, -1, packs * sizeof(uint32_t));
-    for (int i = 1; i < tree->levels; i++) {
+    for (int i = 1; i < tree->levels; i++)
         tree->level[i] = tree->level[i - 1] + tree->packs[i - 1];
-        tree->marked[i] = tree->marked[i - 1] + tree->packs[i - 1];
-    }
     tree->element = tree->element_room.data;
     tree->corner = tree->corner_room.data;
     return true;
@@ -206,7 +200,6 @@ bool tf_tree_build(tf_tree *tree, const tf_tree_elements *elements,
 void tf_tree_free(tf_tree *tree)
 {
     tf_buffer_free(&tree->pack_room);
-    tf_buffer_free(&tree->mark_room);
     tf_buffer_free(&tree->element_room);
     tf_buffer_free(&tree->corner_room);
 }

@@ -5,8 +5,6 @@
 #include "surface/buffer.h"
 #include "surface/morton.h"
 
-#include <stdint.h>
-
 enum {
     TF_LANES = 16,      ///< boxes a pack, which are as many as a vector holds
     TF_TREE_LEVELS = 8, ///< enough for any number of elements: 16^8 > 2^31
@@ -28,12 +26,10 @@ typedef struct tf_tree {
     int corners;               ///< of an element: 1, 2 or 3 vertices
     int levels;                ///< at least 1, unless there are no elements
     int packs[TF_TREE_LEVELS]; ///< of each level; the first are the leaves
-    tf_pack *level[TF_TREE_LEVELS];   ///< their packs
-    uint32_t *marked[TF_TREE_LEVELS]; ///< a bit for each lane of each pack: a
-                                      ///< pair needs a marked element
-    int (*element)[TF_LANES];         ///< of each leaf, -1 in an unused lane
+    tf_pack *level[TF_TREE_LEVELS]; ///< their packs
+    int (*element)[TF_LANES];       ///< of each leaf, -1 in an unused lane
     int (*corner)[TF_LANES]; ///< of each leaf, for each corner: the vertices
-    tf_buffer pack_room, mark_room, element_room, corner_room;
+    tf_buffer pack_room, element_room, corner_room;
 } tf_tree;
 
 //: Declare how to build a tree
@@ -51,8 +47,7 @@ typedef struct tf_tree_elements {
     const tf_box *whole;  ///< the union of all of these
 } tf_tree_elements;
 
-/// Builds the tree anew, in memory that is kept, and marks all elements.  False
-/// if there is not enough.
+/// Builds the tree anew, in memory that is kept.  False if there is not enough.
 bool tf_tree_build(tf_tree *tree, const tf_tree_elements *elements,
                    tf_tree_room *room, const tf_parallel *parallel);
 

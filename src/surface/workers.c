@@ -49,6 +49,17 @@ void *tf_worker_add(tf_worker *worker, size_t size)
     return memset(row, 0, size);
 }
 
+bool tf_pair_list_add(tf_pair_list *list, int count, const tf_candidate pair[])
+{
+    size_t all = list->count + (size_t)count;
+    if (!tf_buffer_extend(&list->pair, all, sizeof *pair))
+        return false;
+    memcpy((tf_candidate *)list->pair.data + list->count, pair,
+           sizeof *pair * (size_t)count);
+    list->count = all;
+    return true;
+}
+
 tf_status tf_workers_status(const tf_workers *workers)
 {
     for (int i = 0; i < workers->count; i++)
@@ -69,18 +80,23 @@ size_t tf_workers_rows(const tf_workers *workers)
 size_t tf_workers_memory(const tf_workers *workers)
 {
     size_t bytes = 0;
-    for (int i = 0; i < workers->count; i++)
-        bytes += sizeof(tf_worker) + workers->worker[i]->row.bytes +
-                 workers->worker[i]->batch.bytes;
+    for (int i = 0; i < workers->count; i++) {
+        const tf_worker *worker = workers->worker[i];
+        bytes += sizeof *worker + worker->row.bytes + worker->batch.bytes +
+                 worker->points.pair.bytes + worker->edges.pair.bytes;
+    }
     return bytes;
 }
 
 void tf_workers_free(tf_workers *workers)
 {
     for (int i = 0; i < workers->count; i++) {
-        tf_buffer_free(&workers->worker[i]->row);
-        tf_buffer_free(&workers->worker[i]->batch);
-        free(workers->worker[i]);
+        tf_worker *worker = workers->worker[i];
+        tf_buffer_free(&worker->row);
+        tf_buffer_free(&worker->batch);
+        tf_buffer_free(&worker->points.pair);
+        tf_buffer_free(&worker->edges.pair);
+        free(worker);
     }
     free(workers->worker);
     *workers = (tf_workers){0};

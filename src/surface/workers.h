@@ -4,14 +4,22 @@
 #include "base/status.h"
 #include "surface/join.h"
 
+/// Pairs of elements that are kept for later.
+typedef struct tf_pair_list {
+    size_t count;
+    tf_buffer pair; ///< each a tf_candidate
+} tf_pair_list;
+
 /// What one of several threads finds, in memory that is kept.
 typedef struct tf_worker {
-    tf_pair_sink sink; ///< first, so that a sink is its worker
-    const void *job;   ///< what all workers share
-    tf_status status;  ///< other than TF_OK: it could not go on
-    size_t rows;       ///< how many it has found
-    tf_buffer row;     ///< these rows
-    tf_buffer batch;   ///< room for what it needs for a batch of pairs
+    tf_pair_sink sink;          ///< first, so that a sink is its worker
+    const void *job;            ///< what all workers share
+    tf_status status;           ///< other than TF_OK: it could not go on
+    size_t rows;                ///< how many it has found
+    tf_buffer row;              ///< these rows
+    tf_buffer batch;            ///< room for what it needs for a batch of pairs
+    tf_pair_list points, edges; ///< the pairs with a vertex, and of two edges,
+                                ///< that it has kept, if it was to
 } tf_worker;
 
 /// The workers of a surface.
@@ -27,6 +35,9 @@ bool tf_workers_begin(tf_workers *workers, int count, const void *job);
 /// between its members, so that rows can be compared by their bytes); NULL, with
 /// a status, if there is no memory.
 void *tf_worker_add(tf_worker *worker, size_t size);
+
+/// Adds pairs to a list; false if there is no memory.
+bool tf_pair_list_add(tf_pair_list *list, int count, const tf_candidate pair[]);
 
 /// The first status that is not TF_OK, or TF_OK.
 tf_status tf_workers_status(const tf_workers *workers);

@@ -80,7 +80,7 @@ static void begin(void)
     effort = (tf_zone_effort){.smallest_gap = INFINITY};
     solved_zones = 0;
     stepped_begin(&of, &made);
-    ck_assert(tf_zones_begin(&zones));
+    ck_assert(tf_zones_begin(&zones, &of.step));
 }
 
 static void end(void)

@@ -8,7 +8,7 @@
 #include <stdio.h>
 
 enum {
-    LINKS = 100,
+    LINKS = 97,
     STEPS = 300,
     FRICTIONS = 3
 };

@@ -87,16 +87,18 @@ static double error_of(const tf_differences *d, double number)
     return sum;
 }
 
-/// The product over the axes of the largest difference at one time.
-static double volume_of(const tf_worldline vertex[VERTICES])
+/// The product over the axes of the largest difference at one time between a
+/// vertex of the first element, which has `first` of them, and one of the second.
+static double volume_of(int first, const tf_worldline vertex[VERTICES])
 {
     double volume = 1;
     for (int k = 0; k < TF_AXES; k++) {
         double reach = 0;
-        for (int i = 0; i < VERTICES * VERTICES; i++)
-            for (int t = 0; t < 2; t++)
-                reach = fmax(reach, vertex[i / VERTICES].at[t].x[k] -
-                                        vertex[i % VERTICES].at[t].x[k]);
+        for (int i = 0; i < first; i++)
+            for (int j = first; j < VERTICES; j++)
+                for (int t = 0; t < 2; t++)
+                    reach = fmax(reach, fabs(vertex[i].at[t].x[k] -
+                                             vertex[j].at[t].x[k]));
         volume *= reach;
     }
     return volume;
@@ -122,7 +124,7 @@ static void count_query(tally *found, int first, const tf_worldline vertex[],
 {
     tf_simplex s[TF_VERTICES], r[TF_VERTICES];
     int second = VERTICES - first;
-    double unit = unit_roundoff * volume_of(vertex);
+    double unit = unit_roundoff * volume_of(first, vertex);
     tf_sweep(first, vertex, s);
     tf_sweep(second, vertex + first, r);
     for (int i = 0; i < first * second; i++) {

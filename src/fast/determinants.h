@@ -148,8 +148,8 @@ typedef struct tf_lane_evidence {
     double sum;       ///< finite only if all coordinates are
 } tf_lane_evidence;
 
-/// Added to the reach of each axis, so that no product underflows.  It vanishes
-/// in the rounding unless the reach is tiny.
+/// Added to the reach of each axis, so that the volume does not underflow.  It
+/// vanishes in the rounding unless the reach is tiny.
 #define TF_LEAST_REACH 0x1p-300
 
 TF_INSIDE tf_lane_evidence tf_lane_evidence_of(tf_lane_axis x, tf_lane_axis y,

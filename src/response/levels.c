@@ -73,8 +73,8 @@ static void account(tf_responding *r)
     tf_effort_add(&r->report.effort, &r->contacts.effort);
 }
 
-/// Looks at the pairs that were kept, and if these are clear, at all.  So if no
-/// contacts are left, a detection from the beginning has found none.
+/// Looks at the pairs that were kept, and if these are clear, at everything.  So
+/// if no contacts are left, a detection from the beginning has found none.
 static tf_status look_again(tf_responding *r)
 {
     tf_surface *surface = r->resolver->surface;
@@ -103,26 +103,28 @@ static bool has_moved(const tf_step *step)
 }
 
 /// Ends after `most` rounds, or earlier if no contacts are left or, except for
-/// the failsafe, if a round moves nothing.
+/// the failsafe, if a round moves nothing: its contacts stay as they are.
 static tf_status go_through(tf_responding *r, tf_response_level level, int most)
 {
     if (most <= 0 || !r->contacts.any)
         return TF_OK;
     if (!begin_level(r, level))
         return TF_OUT_OF_MEMORY;
-    bool goes_on = true;
-    for (int round = 0; round < most && r->contacts.any && goes_on; round++) {
+    for (int round = 0; round < most && r->contacts.any; round++) {
         if (r->options.progress)
             r->options.progress(r->options.context, &r->report);
         r->report.rounds[level]++;
         if (!answer(r, level))
             return TF_OUT_OF_MEMORY;
-        // If all vertices were proposed to move by the same displacement, the
-        // failsafe may unite groups without moving any vertex.
-        goes_on = has_moved(&r->step) || level == TF_FAILSAFE;
-        tf_status status = look_again(r);
-        if (status != TF_OK)
-            return status;
+        if (has_moved(&r->step)) {
+            tf_status status = look_again(r);
+            if (status != TF_OK)
+                return status;
+        } else if (level != TF_FAILSAFE) {
+            // The failsafe may unite groups without moving any vertex, if all
+            // of these were proposed to move by the same displacement.
+            return TF_OK;
+        }
     }
     return TF_OK;
 }

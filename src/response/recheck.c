@@ -22,13 +22,8 @@ static tf_deciding deciding(const tf_surface *surface, const tf_motion *motion,
                          .keeps = keeps};
 }
 
-static void unmark(tf_step *step)
-{
-    memset(step->changed, 0, (size_t)step->vertices * sizeof *step->changed);
-}
-
 //: Look for contacts from the beginning
-tf_status tf_check_all(tf_surface *surface, tf_step *step,
+tf_status tf_check_all(tf_surface *surface, const tf_step *step,
                        const tf_narrow_phase *narrow_phase,
                        const tf_parallel *parallel, tf_contacts *found,
                        tf_flaw *flaw)
@@ -38,7 +33,6 @@ tf_status tf_check_all(tf_surface *surface, tf_step *step,
     if (status != TF_OK)
         return status;
     tf_deciding of = deciding(surface, &motion, narrow_phase, true);
-    unmark(step);
     return tf_pairs_find(surface, &of, parallel, found);
 }
 
@@ -49,8 +43,8 @@ static void mark_elements(const tf_elements *elements, int corners,
 {
     const int *corner = elements->corner;
     for (int i = 0; i < elements->count; i++, corner += corners) {
-        mark[i] = changed[corner[0]];
-        for (int c = 1; c < corners; c++)
+        mark[i] = false;
+        for (int c = 0; c < corners; c++)
             mark[i] |= changed[corner[c]];
     }
 }
@@ -71,7 +65,7 @@ static const tf_pair_list *list_of(const rechecking *of, int worker)
 /// Each batch of a list is a task.
 static int tasks_of(const tf_pair_list *list)
 {
-    return (int)(list->count / TF_BATCH + (list->count % TF_BATCH != 0));
+    return (int)((list->count + TF_BATCH - 1) / TF_BATCH);
 }
 
 //: Look at a batch of pairs again
@@ -125,7 +119,7 @@ static tf_status recheck_kinds(tf_surface *surface, const tf_step *step,
                      .second = plane ? edge : triangle};
     how->kind = plane ? TF_POINT_EDGE : TF_POINT_TRIANGLE;
     tf_status status = recheck_kind(parallel, &of);
-    if (status != TF_OK || plane)
+    if (status != TF_OK)
         return status;
     of.of_edges = true;
     of.first = of.second = edge;
@@ -149,6 +143,6 @@ tf_status tf_recheck(tf_surface *surface, tf_step *step,
     *found = (tf_contacts){0};
     if (status == TF_OK && !tf_pairs_gather(surface, how.extent, found))
         status = TF_OUT_OF_MEMORY;
-    unmark(step);
+    memset(step->changed, 0, (size_t)step->vertices * sizeof *step->changed);
     return status;
 }

@@ -9,7 +9,8 @@ typedef struct tf_step {
     const double *start, *proposed;
     const double *inverse_mass;
     double *end;   ///< as it is so far
-    bool *changed; ///< whether a vertex has moved since the last detection
+    bool *changed; ///< whether a vertex has moved since contacts were last
+                   ///< looked for
 } tf_step;
 
 //: Declare how a step is changed

@@ -9,9 +9,10 @@ START_TEST(bounds_hold_and_hardly_matter)
     expect_number(text, "error_count", number_of(text, "near_count"));
     expect_number(text, "ranges", 256);
 
-    // Seven roundings of a permanent of up to six terms.
+    // Seven roundings of a permanent of up to six terms, which are at most one
+    // volume each, or two where a vector is that of an edge.
     double permanent = number_of(text, "permanent_largest");
-    ck_assert_double_lt(permanent, 42.1);
+    ck_assert_double_lt(permanent, 84.1);
     ck_assert_double_gt(permanent, number_of(text, "error_largest"));
     ck_assert_double_gt(number_of(text, "error_largest"), 1);
 

@@ -5,14 +5,15 @@ mutants: need-mutants ## break src/ on purpose, and check that tests fail; FILE=
 	@$(MAKE) $(parallel) run-mutants BUILD=$(BUILD)/mutants \
 	    CFLAGS='-O2 -fPIC' FILE='$(FILE)'
 
-# The tests of the library, but for those that take longer than all others.
-noticing = $(filter-out $(BUILD)/tests/whole/lattice \
-	$(BUILD)/tests/whole/neighbours,$(filter $(BUILD)/tests/whole/% \
-	$(LIBRARY:%=$(BUILD)/tests/%),$(TESTS)))
+# The tests of the library, but for those that take longer than all others, and
+# those that put an allocator of their own into a library, which takes a static one.
+unnoticing = lattice neighbours allocations no_memory
+noticing = $(filter-out $(unnoticing:%=$(BUILD)/tests/whole/%),$(filter \
+	$(BUILD)/tests/whole/% $(LIBRARY:%=$(BUILD)/tests/%),$(TESTS)))
 breakable = $(wildcard $(patsubst %,src/%.c,$(LIBRARY) $(PROGRAM)))
 
 run-mutants: $(noticing:=.o) $(BUILD)/support.a
 	@TF_TEST_PERCENT=10 python3 tests/mutants/mutants.py $(BUILD) \
-	    '$(COMPILE)' "$$(pkg-config --libs check) -lgmp -lm" '$(breakable)' \
-	    '$(noticing:$(BUILD)/%=%)' $(FILE)
+	    '$(COMPILE)' "$$(pkg-config --libs check) -lgmp $(SPARSE) -lm" \
+	    '$(breakable)' '$(noticing:$(BUILD)/%=%)' $(FILE)
 .PHONY: mutants run-mutants

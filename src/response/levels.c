@@ -67,6 +67,18 @@ static bool answer(tf_responding *r, tf_response_level level)
 }
 
 //: Look for the contacts that are left
+/// Marks the vertices of all contacts as changed: they must be looked at again
+/// even if they have not moved.
+static void mark_contacts(tf_responding *r)
+{
+    for (size_t i = 0; i < r->contacts.count; i++)
+        for (int j = 0; j < 4; j++) {
+            int vertex = r->contacts.contact[i].vertex[j];
+            if (vertex >= 0)
+                r->step.changed[vertex] = true;
+        }
+}
+
 static void account(tf_responding *r)
 {
     r->report.contacts += r->contacts.count;
@@ -78,6 +90,7 @@ static void account(tf_responding *r)
 static tf_status look_again(tf_responding *r)
 {
     tf_surface *surface = r->resolver->surface;
+    mark_contacts(r);
     tf_status status = tf_recheck(surface, &r->step, r->options.narrow_phase,
                                   r->options.parallel, &r->contacts);
     if (status != TF_OK)
@@ -116,15 +129,13 @@ static tf_status go_through(tf_responding *r, tf_response_level level, int most)
         r->report.rounds[level]++;
         if (!answer(r, level))
             return TF_OUT_OF_MEMORY;
-        if (has_moved(&r->step)) {
-            tf_status status = look_again(r);
-            if (status != TF_OK)
-                return status;
-        } else if (level != TF_FAILSAFE) {
-            // The failsafe may unite groups without moving any vertex, if all
-            // of these were proposed to move by the same displacement.
+        // If all vertices were proposed to move by the same displacement, the
+        // failsafe may unite groups without moving any vertex.
+        if (!has_moved(&r->step) && level != TF_FAILSAFE)
             return TF_OK;
-        }
+        tf_status status = look_again(r);
+        if (status != TF_OK)
+            return status;
     }
     return TF_OK;
 }

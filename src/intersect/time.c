@@ -1,7 +1,7 @@
 //: Include what the time of impact needs
 #include "intersect/time.h"
 
-#include <math.h>
+#include <float.h>
 
 //: Find the smaller operand
 int tf_pair_smaller_operand(const tf_pair *pair)
@@ -39,12 +39,9 @@ tf_interval tf_pair_time(const tf_pair *pair, const tf_coordinates *c)
     double last = high[1] / (high[1] + low[0]);
     bool start_only = high[0] > high[1] && high[1] == 0;
     bool end_only = high[1] > high[0] && high[0] == 0;
+    double lo = first - ratio_margin(first), hi = last + ratio_margin(last);
     tf_interval time;
-    time.lo = end_only     ? 1
-              : first >= 0 ? fmax(first - ratio_margin(first), 0)
-                           : 0;
-    time.hi = start_only  ? 0
-              : last <= 1 ? fmin(last + ratio_margin(last), 1)
-                          : 1;
+    time.lo = end_only ? 1 : first >= 0 && lo > 0 ? lo : 0;
+    time.hi = start_only ? 0 : last <= 1 && hi < 1 ? hi : 1;
     return time;
 }

@@ -11,15 +11,7 @@
 static bool keep(tf_pair_sink *sink, int count, const tf_candidate pair[])
 {
     tf_worker *worker = (tf_worker *)sink;
-    size_t rows = worker->rows + (size_t)count;
-    if (!tf_buffer_extend(&worker->row, rows, sizeof *pair)) {
-        worker->status = TF_OUT_OF_MEMORY;
-        return false;
-    }
-    memcpy((tf_candidate *)worker->row.data + worker->rows, pair,
-           sizeof *pair * (size_t)count);
-    worker->rows = rows;
-    return true;
+    return tf_worker_keep(worker, &worker->row, &worker->rows, count, pair);
 }
 
 //: Copy the candidates of a task

@@ -168,10 +168,7 @@ static bool keep(tf_worker *worker, int count, const tf_candidate pair[])
     const tf_deciding *of = worker->job;
     tf_pair_list *list =
         of->kind == TF_EDGE_EDGE ? &worker->edges : &worker->points;
-    if (tf_pair_list_add(list, count, pair))
-        return true;
-    worker->status = TF_OUT_OF_MEMORY;
-    return false;
+    return tf_worker_keep(worker, &list->pair, &list->count, count, pair);
 }
 
 //: Take a batch of pairs

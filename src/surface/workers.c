@@ -49,14 +49,17 @@ void *tf_worker_add(tf_worker *worker, size_t size)
     return memset(row, 0, size);
 }
 
-bool tf_pair_list_add(tf_pair_list *list, int count, const tf_candidate pair[])
+bool tf_worker_keep(tf_worker *worker, tf_buffer *list, size_t *kept, int count,
+                    const tf_candidate pair[])
 {
-    size_t all = list->count + (size_t)count;
-    if (!tf_buffer_extend(&list->pair, all, sizeof *pair))
+    size_t all = *kept + (size_t)count;
+    if (!tf_buffer_extend(list, all, sizeof *pair)) {
+        worker->status = TF_OUT_OF_MEMORY;
         return false;
-    memcpy((tf_candidate *)list->pair.data + list->count, pair,
+    }
+    memcpy((tf_candidate *)list->data + *kept, pair,
            sizeof *pair * (size_t)count);
-    list->count = all;
+    *kept = all;
     return true;
 }
 

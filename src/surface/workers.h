@@ -36,8 +36,10 @@ bool tf_workers_begin(tf_workers *workers, int count, const void *job);
 /// a status, if there is no memory.
 void *tf_worker_add(tf_worker *worker, size_t size);
 
-/// Adds pairs to a list; false if there is no memory.
-bool tf_pair_list_add(tf_pair_list *list, int count, const tf_candidate pair[]);
+/// Adds pairs to one of a worker's lists, which has `*kept` of them; false, with a
+/// status, if there is no memory.
+bool tf_worker_keep(tf_worker *worker, tf_buffer *list, size_t *kept, int count,
+                    const tf_candidate pair[]);
 
 /// The first status that is not TF_OK, or TF_OK.
 tf_status tf_workers_status(const tf_workers *workers);

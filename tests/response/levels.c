@@ -115,6 +115,39 @@ START_TEST(the_failsafe_goes_on_when_nothing_moves)
 }
 END_TEST
 
+static void add_edge(double left, double right, double from, double to,
+                     double inverse_mass)
+{
+    int first = made.mesh.vertices;
+    proposal_add_vertex(&made, left, from, 0);
+    proposal_add_vertex(&made, right, from, 0);
+    proposal_add_edge(&made, first, first + 1);
+    for (int v = first; v < first + 2; v++) {
+        made.end[2 * v + 1] = to;
+        made.inverse_mass[v] = inverse_mass;
+    }
+}
+
+// Two pairs of edges.  Of the scripted ones one passes through the other, and no
+// zone can help; of the others the lower one stops at the floor, and in the next
+// round the upper one at the lower one.
+START_TEST(contacts_that_nothing_moves_stay_listed)
+{
+    proposal_begin(&made, 2);
+    add_edge(-9, -3, 0, 0, 0);
+    add_edge(-7, -5, 1, -1, 0);
+    add_edge(0, 9, 0, 0, 0);
+    add_edge(2, 6, 1, -0.5, 1);
+    add_edge(3, 5, 1.5, 0.9, 1);
+    tf_response_report report = resolve((tf_response_options){0});
+    ck_assert_int_eq(report.rounds[TF_ZONES], 3);
+    ck_assert_int_eq(report.rounds[TF_FAILSAFE], 2);
+    // Two ends of each pair in turn, and those of the scripted ones each time,
+    // also after the first round of the failsafe, which only unites.
+    ck_assert_uint_eq(report.contacts, (2 + 2) + (2 + 2) + 2 + 2);
+}
+END_TEST
+
 START_TEST(progress_tells_what_was_done)
 {
     scatter(300);
@@ -132,6 +165,7 @@ Suite *suite(void)
     tcase_add_test(tcase, each_level_has_its_rounds);
     tcase_add_test(tcase, a_solver_that_does_nothing_is_asked_once);
     tcase_add_test(tcase, the_failsafe_goes_on_when_nothing_moves);
+    tcase_add_test(tcase, contacts_that_nothing_moves_stay_listed);
     tcase_add_test(tcase, progress_tells_what_was_done);
     suite_add_tcase(suite, tcase);
     return suite;

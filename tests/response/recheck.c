@@ -44,7 +44,6 @@ static tf_contacts check_in(const tf_parallel *parallel)
     ck_assert_int_eq(tf_check_all(of.surface, &of.step, &tf_vectorized,
                                   parallel, &found, &flaw),
                      TF_OK);
-    ck_assert_int_eq(stepped_changes(&of), 0);
     return found;
 }
 
@@ -54,6 +53,7 @@ static tf_contacts find(const tf_parallel *parallel)
     ck_assert_int_eq(
         tf_recheck(of.surface, &of.step, &tf_vectorized, parallel, &found),
         TF_OK);
+    ck_assert_int_eq(stepped_changes(&of), 0);
     return found;
 }
 
@@ -149,7 +149,6 @@ static void search_again(generator *random, const tf_parallel *parallel)
         move_some(random, round % 4 == 3 ? 2 : 0.05);
         found = find(parallel);
         compare(other, &found, false);
-        ck_assert_int_eq(stepped_changes(&of), 0);
         if (round % 5 != 4)
             continue;
         found = check_in(parallel);

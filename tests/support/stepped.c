@@ -38,6 +38,6 @@ int stepped_changes(const stepped *of)
 {
     int changes = 0;
     for (int v = 0; v < of->step.vertices; v++)
-        changes += of->changed[v];
+        changes += of->step.changed[v];
     return changes;
 }

@@ -63,8 +63,8 @@ bool tf_pair_separated(const tf_pair *pair)
 }
 
 //: Separate two elements by an axis
-static range element_range(int vertices, const tf_worldline element[], int t,
-                           int axis)
+static inline range element_range(int vertices, const tf_worldline element[],
+                                  int t, int axis)
 {
     range r = {element->at[t].x[axis], element->at[t].x[axis]};
     for (int i = 1; i < vertices; i++) {
@@ -75,8 +75,8 @@ static range element_range(int vertices, const tf_worldline element[], int t,
     return r;
 }
 
-bool tf_elements_separated(int axes, int vertices, const tf_worldline first[],
-                           int others, const tf_worldline second[])
+static inline bool separate(int axes, int vertices, const tf_worldline first[],
+                            int others, const tf_worldline second[])
 {
     for (int axis = 0; axis < axes; axis++) {
         int larger[2];
@@ -87,4 +87,15 @@ bool tf_elements_separated(int axes, int vertices, const tf_worldline first[],
             return true;
     }
     return false;
+}
+
+bool tf_elements_separated(int axes, int vertices, const tf_worldline first[],
+                           int others, const tf_worldline second[])
+{
+    // With constants the compiler unrolls every loop.
+    if (axes == 3 && vertices == 1 && others == 3)
+        return separate(3, 1, first, 3, second);
+    if (axes == 3 && vertices == 2 && others == 2)
+        return separate(3, 2, first, 2, second);
+    return separate(axes, vertices, first, others, second);
 }

@@ -23,12 +23,11 @@ static void estimate_signs(const tf_arithmetic *arithmetic, const tf_pair *pair,
             sign[i] = TF_UNKNOWN;
 }
 
-bool tf_pair_sure_signs(const tf_arithmetic *arithmetic, const tf_pair *pair,
-                        tf_signs *signs)
+/// Turns them into signs of barycentric coordinates; as tf_pair_sure_signs.
+static inline bool turn_signs(const tf_pair *pair, int count, tf_signs *signs)
 {
     bool positive = false, negative = false, unknown = false;
-    estimate_signs(arithmetic, pair, signs->of);
-    for (int i = 0; i < pair->count; i++) {
+    for (int i = 0; i < count; i++) {
         int turned = signs->of[i] * tf_pair_orientation(pair, i);
         positive |= turned == TF_POSITIVE;
         negative |= turned == TF_NEGATIVE;
@@ -40,6 +39,15 @@ bool tf_pair_sure_signs(const tf_arithmetic *arithmetic, const tf_pair *pair,
     signs->negative = negative;
     signs->zero = signs->unknown = false;
     return !unknown || (positive && negative);
+}
+
+bool tf_pair_sure_signs(const tf_arithmetic *arithmetic, const tf_pair *pair,
+                        tf_signs *signs)
+{
+    estimate_signs(arithmetic, pair, signs->of);
+    // With a constant the compiler unrolls the loop.
+    return pair->count == TF_SIX ? turn_signs(pair, TF_SIX, signs)
+                                 : turn_signs(pair, pair->count, signs);
 }
 
 //: Find one sign

@@ -7,6 +7,7 @@
 #include "wire.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 enum {
@@ -119,7 +120,7 @@ static void draw_plot(fig_page *page, FILE *numbers)
 static double left_by_library(void)
 {
     const double inverse_mass[] = {1, 1, 0};
-    double displacement[6], room[5];
+    double displacement[6];
     tf_row row[] = {
         {.vertex = {1, 0, -1, -1}, .coefficient = {1, -1}, .normal = {1}},
         {.vertex = {2, 1, -1, -1}, .coefficient = {1, -1}, .normal = {1}}};
@@ -128,14 +129,17 @@ static double left_by_library(void)
                     .row = row,
                     .inverse_mass = inverse_mass,
                     .displacement = displacement,
-                    .sweeps = 30,
-                    .room = room};
+                    .sweeps = 30};
+    zone.room = malloc(tf_gauss_seidel.room(2, 3, 2) * sizeof(double));
+    if (!zone.room)
+        return 0;
     for (zone.rows = 1; zone.rows <= 2; zone.rows++) {
         zone.solved = zone.rows - 1;
         memset(displacement, 0, sizeof displacement);
         displacement[0] = 1;
         tf_gauss_seidel.solve(&zone);
     }
+    free(zone.room);
     return displacement[0];
 }
 

@@ -8,7 +8,7 @@
 #include <stdio.h>
 
 enum {
-    LINKS = 97,
+    LINKS = 98,
     STEPS = 300,
     FRICTIONS = 3
 };

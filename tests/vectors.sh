@@ -36,7 +36,7 @@ compile() { # module, options
 
 cc=gcc
 compile surface/tree
-compile fast/vector
+compile fast/gather
 compile fast/lanes -fopt-info-vec-optimized
 for bytes in $(case $(uname -m) in x86_64) echo 16 32 64 ;; *) echo 16 ;; esac)
 do
@@ -44,6 +44,6 @@ do
 done
 cc=clang
 compile surface/tree
-compile fast/vector
+compile fast/gather
 compile fast/lanes -Rpass=loop-vectorize
 expect 2 "vectorized loop (vectorization width: [2-8]"

@@ -5,13 +5,12 @@
 #include "arithmetic/exact.h"
 #include "arithmetic/perturbed.h"
 #include "base/environment.h"
-#include "base/request.h"
 #include "base/require.h"
+#include "fast/gather.h"
 #include "fast/lanes.h"
 
 #include <stdalign.h>
 #include <stdbool.h>
-#include <string.h>
 
 //: Choose when a determinant is certain
 /// How far from zero a determinant must be for an arithmetic to agree with the
@@ -35,105 +34,6 @@ static tf_lanes_filter *filter_for(tf_kind kind)
     return kind == TF_POINT_TRIANGLE ? tf_lanes_point_triangle
            : kind == TF_EDGE_EDGE    ? tf_lanes_edge_edge
                                      : NULL;
-}
-
-//: Sort the vertices of a query
-static void sort_two(int *a, int *b)
-{
-    int low = *a < *b ? *a : *b, high = *a < *b ? *b : *a;
-    *a = low;
-    *b = high;
-}
-
-/// Puts those of each element in order.
-static void sort_vertices(tf_kind kind, int vertex[4])
-{
-    if (kind == TF_EDGE_EDGE) {
-        sort_two(&vertex[0], &vertex[1]);
-        sort_two(&vertex[2], &vertex[3]);
-    } else {
-        sort_two(&vertex[1], &vertex[2]);
-        sort_two(&vertex[2], &vertex[3]);
-        sort_two(&vertex[1], &vertex[2]);
-    }
-}
-
-//: Check the vertices of a query
-static bool are_good(int vertices, const int vertex[4])
-{
-    // As unsigned numbers, negative ones are too large.
-    unsigned end = vertices < 0 ? 0 : (unsigned)vertices;
-    bool bad = false;
-    for (int i = 0; i < 4; i++) {
-        bad |= (unsigned)vertex[i] >= end;
-        for (int j = 0; j < i; j++)
-            bad |= vertex[i] == vertex[j];
-    }
-    return !bad;
-}
-
-//: Gather the coordinates of a query
-static void gather_vertex(const double x[3], double row[3][TF_BLOCK_QUERIES],
-                          size_t lane)
-{
-    for (int k = 0; k < 3; k++)
-        row[k][lane] = x[k];
-}
-
-/// Puts a query into its lane; false if an index is bad.
-static bool gather_query(tf_kind kind, const tf_motion *motion,
-                         const int given[4], tf_query_block *block, size_t lane)
-{
-    int vertex[4];
-    memcpy(vertex, given, sizeof vertex);
-    if (!are_good(motion->vertices, vertex))
-        return false;
-    sort_vertices(kind, vertex);
-    for (int v = 0; v < 4; v++) {
-        ptrdiff_t place = (ptrdiff_t)3 * vertex[v];
-        gather_vertex(motion->start + place, block->at[0][v], lane);
-        gather_vertex(motion->end + place, block->at[1][v], lane);
-    }
-    return true;
-}
-
-//: Request the vertices of a query early
-enum {
-    QUERIES_AHEAD = 48
-};
-
-TF_INSIDE void request_vertices(const tf_motion *motion, const int vertex[4])
-{
-    for (int v = 0; v < 4; v++) {
-        if (vertex[v] < 0 || vertex[v] >= motion->vertices)
-            return;
-        ptrdiff_t place = (ptrdiff_t)3 * vertex[v];
-        tf_request(motion->start + place);
-        tf_request(motion->end + place);
-    }
-}
-
-//: Gather as many queries as a mask has bits
-enum {
-    MASK_BLOCKS = TF_MASK_QUERIES / TF_BLOCK_QUERIES
-};
-
-/// Gathers the queries begin to end - 1; false if an index is bad.
-static bool gather_queries(const tf_queries *queries, size_t begin, size_t end,
-                           tf_query_block block[MASK_BLOCKS])
-{
-    const int *vertex = queries->vertices;
-    if ((end - begin) % TF_BLOCK_QUERIES != 0)
-        memset(&block[(end - begin) / TF_BLOCK_QUERIES], 0, sizeof *block);
-    for (size_t i = begin; i < end; i++) {
-        if (queries->count - i > QUERIES_AHEAD)
-            request_vertices(queries->motion, vertex + 4 * (i + QUERIES_AHEAD));
-        if (!gather_query(queries->kind, queries->motion, vertex + 4 * i,
-                          &block[(i - begin) / TF_BLOCK_QUERIES],
-                          (i - begin) % TF_BLOCK_QUERIES))
-            return false;
-    }
-    return true;
 }
 
 //: Leave queries to the reference
@@ -177,8 +77,8 @@ static tf_status decide_some(const tf_arithmetic *arithmetic,
                              size_t end, tf_verdict verdict[],
                              size_t *separated)
 {
-    alignas(64) tf_query_block block[MASK_BLOCKS];
-    if (!gather_queries(queries, begin, end, block))
+    alignas(64) tf_query_block block[TF_MASK_QUERIES / TF_BLOCK_QUERIES];
+    if (!tf_gather(queries, begin, end, block))
         return leave_to_reference(arithmetic, queries, begin, end, verdict,
                                   separated);
     tf_query_masks masks;

@@ -7,6 +7,7 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
+#include <string.h>
 
 //: Start from the impulses of the last time
 /// The largest violation of some of the rows.
@@ -36,81 +37,111 @@ static double start(const tf_zone *zone, const tf_bodies *bodies)
     return fmax(violation, worst(zone, zone->solved, zone->rows));
 }
 
-//: Note what has happened to a row
-/// When rows were visited and vertices were moved, in visits since the start.
-typedef struct visits {
-    double now;
-    double *of_row, *of_vertex;
-} visits;
+//: List the rows of each vertex
+/// Which rows are to be visited, and which rows push a vertex: those of vertex v
+/// are row[begin[v]] to row[begin[v + 1] - 1].
+typedef struct agenda {
+    int *begin, *row;
+    bool *due; ///< of each row
+} agenda;
 
-/// Rows that were solved before need a visit only after others have moved their
-/// vertices; all others need one.
-static visits no_visits(const tf_zone *zone)
+static void list_rows(const tf_zone *zone, const agenda *all)
 {
-    visits all = {.now = 1, .of_row = zone->room};
-    all.of_vertex = all.of_row + zone->rows;
+    int *begin = all->begin;
+    memset(begin, 0, sizeof *begin * ((size_t)zone->vertices + 2));
     for (int i = 0; i < zone->rows; i++)
-        all.of_row[i] = i < zone->solved ? 1 : 0;
-    for (int i = 0; i < zone->vertices; i++)
-        all.of_vertex[i] = 1;
+        for (int j = 0; j < 4 && zone->row[i].vertex[j] >= 0; j++)
+            begin[zone->row[i].vertex[j] + 2]++;
+    for (int v = 0; v < zone->vertices; v++)
+        begin[v + 2] += begin[v + 1];
+    for (int i = 0; i < zone->rows; i++)
+        for (int j = 0; j < 4 && zone->row[i].vertex[j] >= 0; j++)
+            all->row[begin[zone->row[i].vertex[j] + 1]++] = i;
+}
+
+//: Begin the agenda
+static size_t room_for(int axes, int vertices, int rows)
+{
+    (void)axes;
+    size_t numbers = (size_t)vertices + 2 + 4 * (size_t)rows;
+    size_t bytes = numbers * sizeof(int) + (size_t)rows * sizeof(bool);
+    return bytes / sizeof(double) + 1;
+}
+
+/// Only new rows are due.  Those that were solved before need a visit when
+/// others have moved their vertices.
+static agenda begin_agenda(const tf_zone *zone)
+{
+    agenda all = {.begin = (void *)zone->room};
+    all.row = all.begin + zone->vertices + 2;
+    all.due = (void *)(all.row + 4 * (ptrdiff_t)zone->rows);
+    list_rows(zone, &all);
+    for (int i = 0; i < zone->rows; i++)
+        all.due[i] = i >= zone->solved;
     return all;
 }
 
-/// Whether a vertex of a row has moved since the row was visited.
-static bool is_disturbed(const visits *all, const tf_zone *zone, int row)
+//: See whether a row is off
+static const double tolerance = 1e-2;
+
+/// An impulse is taken back only if it pushes too much by this many tolerances:
+/// too little lets elements touch, too much does not.
+static const double generosity = 3;
+
+/// How the rows of a zone are swept.
+typedef struct sweeping {
+    const tf_zone *zone;
+    tf_bodies bodies;
+    double least; ///< the least length that counts
+    agenda all;
+} sweeping;
+
+/// Whether a row pushes too little or, so that it can be taken back, too much.
+static bool is_off(const sweeping *of, const tf_row *row)
 {
-    const int *vertex = zone->row[row].vertex;
-    for (int i = 0; i < 4 && vertex[i] >= 0; i++)
-        if (all->of_vertex[vertex[i]] > all->of_row[row])
-            return true;
-    return false;
+    const tf_bodies *bodies = &of->bodies;
+    double missing =
+        row->bound - tf_row_parting(bodies->axes, row, bodies->displacement);
+    return missing > of->least ||
+           (row->impulse > 0 && missing < -generosity * of->least);
 }
 
-static void note_visit(visits *all, const tf_zone *zone, int row, bool moved)
+//: Visit a row that is due
+/// Puts the rows on the agenda that share a vertex with a row, but not itself.
+static void tell_neighbors(const sweeping *of, int row)
 {
-    const int *vertex = zone->row[row].vertex;
-    all->of_row[row] = ++all->now;
-    for (int i = 0; moved && i < 4 && vertex[i] >= 0; i++)
-        all->of_vertex[vertex[i]] = all->now;
+    const agenda *all = &of->all;
+    const int *vertex = of->zone->row[row].vertex;
+    for (int i = 0; i < 4 && vertex[i] >= 0; i++)
+        for (int j = all->begin[vertex[i]]; j < all->begin[vertex[i] + 1]; j++)
+            all->due[all->row[j]] = true;
+    all->due[row] = false;
+}
+
+/// Visits a row that is due, if it is new or off; with friction also if it may
+/// be off across the normal.  Returns whether that changes its parting by what
+/// counts.
+static bool visit(const sweeping *of, int row, bool is_new)
+{
+    double friction = of->zone->friction;
+    tf_row *own = &of->zone->row[row];
+    of->all.due[row] = false;
+    if (!is_new && !(friction > 0) && !is_off(of, own))
+        return false;
+    bool changed = tf_row_visit(own, friction, &of->bodies) > of->least;
+    if (changed)
+        tell_neighbors(of, row);
+    return changed;
 }
 
 //: Sweep until little changes
-static const double tolerance = 1e-2;
-
-/// Whether a row pushes too little or, so that it can be taken back, too much,
-/// by more than `least`.
-static bool is_off(const tf_row *row, double least, const tf_bodies *bodies)
-{
-    double missing =
-        row->bound - tf_row_parting(bodies->axes, row, bodies->displacement);
-    return missing > least || (row->impulse > 0 && missing < -least);
-}
-
-/// Visits a row if it is new or off; with friction also if it may be off across
-/// the normal.  Returns by how much its parting changes.
-static double visit(tf_row *row, bool is_new, double friction, double least,
-                    const tf_bodies *bodies)
-{
-    if (!is_new && !(friction > 0) && !is_off(row, least, bodies))
-        return 0;
-    return tf_row_visit(row, friction, bodies);
-}
-
-/// Visits the rows whose vertices have moved; returns whether one of them
-/// changed its parting by more than `least`.
-static bool sweep(const tf_zone *zone, double least, const tf_bodies *bodies,
-                  visits *all)
+/// Returns whether a row changed its parting by what counts.
+static bool sweep(const sweeping *of, bool is_first)
 {
     bool any = false;
-    for (int i = 0; i < zone->rows; i++) {
-        if (!is_disturbed(all, zone, i))
-            continue;
-        bool is_new = !(all->of_row[i] > 0);
-        double change =
-            visit(&zone->row[i], is_new, zone->friction, least, bodies);
-        note_visit(all, zone, i, change > least);
-        any |= change > least;
-    }
+    for (int i = 0; i < of->zone->rows; i++)
+        if (of->all.due[i])
+            any |= visit(of, i, is_first && i >= of->zone->solved);
     return any;
 }
 
@@ -118,21 +149,17 @@ static int solve_by_gauss_seidel(tf_zone *zone)
 {
     TF_REQUIRE(zone && zone->row && zone->inverse_mass && zone->displacement &&
                zone->room);
-    tf_bodies bodies = {zone->axes, zone->inverse_mass, zone->displacement};
-    double least = tolerance * start(zone, &bodies);
-    visits all = no_visits(zone);
+    sweeping of = {
+        .zone = zone,
+        .bodies = {zone->axes, zone->inverse_mass, zone->displacement}};
+    of.least = tolerance * start(zone, &of.bodies);
+    of.all = begin_agenda(zone);
     int sweeps = 1;
-    while (sweep(zone, least, &bodies, &all) && sweeps < zone->sweeps)
+    while (sweep(&of, sweeps == 1) && sweeps < zone->sweeps)
         sweeps++;
     return sweeps;
 }
 
 //: Offer projected Gauss-Seidel
-static size_t room_for(int axes, int vertices, int rows)
-{
-    (void)axes;
-    return (size_t)vertices + (size_t)rows;
-}
-
 const tf_zone_solver tf_gauss_seidel = {
     .name = "gauss-seidel", .room = room_for, .solve = solve_by_gauss_seidel};

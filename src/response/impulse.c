@@ -43,7 +43,7 @@ double tf_row_compliance(const tf_row *row, const double inverse_mass[])
         double size = fabs(row->coefficient[i]);
         double move = inverse_mass[row->vertex[i]] * size;
         sum += move * size;
-        farthest = fmax(farthest, move);
+        farthest = move > farthest ? move : farthest;
     }
     return farthest <= most_leverage * sum ? sum : 0;
 }

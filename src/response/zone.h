@@ -28,7 +28,9 @@ typedef struct tf_zone {
                                 ///< proposed; out: with all impulses applied
     double friction;            ///< Coulomb's coefficient; 0: none
     int sweeps;                 ///< the most iterations to make, at least 1
-    double *room;               ///< as many numbers as the solver asks for
+    double *room;               ///< as many numbers as the solver asks for,
+                                ///< in allocated memory, as a solver may keep
+                                ///< other types there
 } tf_zone;
 
 //: Declare solvers

@@ -28,6 +28,18 @@ static int vertex_count(tf_kind kind)
     return kind == TF_POINT_EDGE ? 3 : 4;
 }
 
+/// Lists those of two edges, which are sorted, and sorts the edges by their first
+/// vertices, which differ.  No branch: nobody could guess which comes first.
+static void list_edges(const int a[2], const int b[2], int vertex[4])
+{
+    int swap = -(b[0] < a[0]); // all bits or none
+    for (int i = 0; i < 2; i++) {
+        int change = (a[i] ^ b[i]) & swap;
+        vertex[i] = a[i] ^ change;
+        vertex[2 + i] = b[i] ^ change;
+    }
+}
+
 static void list_vertices(const tf_deciding *of, tf_candidate pair,
                           int vertex[])
 {
@@ -35,13 +47,9 @@ static void list_vertices(const tf_deciding *of, tf_candidate pair,
     const int *triangle = of->surface->triangles.corner;
     switch (of->kind) {
     case TF_EDGE_EDGE: {
-        // Both are sorted, and so are the two: by their first vertices, which
-        // differ.
         const int *a = edge + 2 * (size_t)pair.first;
         const int *b = edge + 2 * (size_t)pair.second;
-        bool swap = b[0] < a[0];
-        memcpy(vertex, swap ? b : a, 2 * sizeof *vertex);
-        memcpy(vertex + 2, swap ? a : b, 2 * sizeof *vertex);
+        list_edges(a, b, vertex);
         return;
     }
     case TF_POINT_TRIANGLE:

@@ -112,13 +112,11 @@ void zone_duplicate(some_zone *of, int row, double part)
 
 // Solutions -------------------------------------------------------------------
 
-int zone_solve(some_zone *of, const tf_zone_solver *solver, int sweeps)
+int zone_solve_again(some_zone *of, const tf_zone_solver *solver, int sweeps)
 {
     tf_zone *zone = &of->zone;
     size_t room = solver->room(zone->axes, zone->vertices, zone->rows);
     double *taken = allocate(room, sizeof *taken);
-    for (int i = 0; i < zone->rows; i++)
-        zone->row[i].impulse = 0;
     memcpy(of->displacement, of->proposal, numbers(of) * sizeof *of->proposal);
     zone->room = taken;
     zone->sweeps = sweeps;
@@ -126,6 +124,13 @@ int zone_solve(some_zone *of, const tf_zone_solver *solver, int sweeps)
     zone->room = NULL;
     free(taken);
     return iterations;
+}
+
+int zone_solve(some_zone *of, const tf_zone_solver *solver, int sweeps)
+{
+    for (int i = 0; i < of->zone.rows; i++)
+        of->zone.row[i].impulse = 0;
+    return zone_solve_again(of, solver, sweeps);
 }
 
 /// The entry of a row at a coordinate, in units in which all masses are 1.

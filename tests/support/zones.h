@@ -32,6 +32,9 @@ void zone_duplicate(some_zone *of, int row, double part);
 /// iterations; returns how many.
 int zone_solve(some_zone *of, const tf_zone_solver *solver, int sweeps);
 
+/// The same, but starts from the impulses that the rows have.
+int zone_solve_again(some_zone *of, const tf_zone_solver *solver, int sweeps);
+
 /// The least change of the proposal, masses taken into account, that satisfies
 /// all rows as equations, where a row that depends on those before it is left
 /// out: by orthogonalization in long doubles.

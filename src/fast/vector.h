@@ -13,7 +13,7 @@
 /// It gathers the vertices of the queries into blocks, decides those that
 /// rounded numbers decide for certain, by vector instructions, and has
 /// tf_reference decide the others.  So it gains most where few queries are
-/// degenerate; where all are, it takes up to a quarter longer.
+/// degenerate; where all are, it takes up to a third longer.
 ///
 /// The rounded numbers serve tf_exact, tf_perturbed, tf_clamped and tf_report,
 /// in space.  With any other arithmetic, and in the plane, it is tf_reference.

@@ -6,8 +6,9 @@
 /// processor has when it starts.  Elsewhere it is compiled once, for whatever
 /// the options choose.  The answers are the same bits in each.
 ///
-/// TF_HALF_VECTORS stops at registers of 256 bits, for loops that collect a bit
-/// of each lane: with 512 bits gcc takes longer to collect them.
+/// TF_HALF_VECTORS stops at registers of 256 bits: for what is made of four
+/// numbers, and for loops that collect a bit of each lane, for which gcc takes
+/// longer with 512 bits.
 #if defined __GNUC__ && !defined __clang__ && defined __x86_64__ &&            \
     defined __gnu_linux__ && !defined __SANITIZE_ADDRESS__ &&                  \
     !defined __SANITIZE_THREAD__

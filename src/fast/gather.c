@@ -10,7 +10,7 @@
 
 //: Request the vertices of a query early
 enum {
-    QUERIES_AHEAD = 48,
+    QUERIES_AHEAD = 48,   // enough for memory to answer
     NEAR_VERTICES = 20000 // a megabyte: about what the second cache holds
 };
 
@@ -25,7 +25,8 @@ TF_INSIDE void request_vertices(const tf_motion *motion, const int vertex[4])
     }
 }
 
-/// Requests those of a query that comes later, unless all vertices are near.
+/// Requests those of a query that comes later, unless all vertices are near: the
+/// lines in which they begin, as most also end there.
 TF_INSIDE void request_later(const tf_queries *queries, size_t i)
 {
     if (queries->motion->vertices > NEAR_VERTICES &&
@@ -174,7 +175,7 @@ TF_INSIDE void gather_four(const positions *all, const int vertex[FOUR],
 }
 
 //: Gather queries
-/// The rows of a block, from one of its lanes on.
+/// The rows of a vertex in a block, from one of its lanes on.
 TF_INSIDE double (*from_lane(double row[3][TF_BLOCK_QUERIES],
                              int lane))[TF_BLOCK_QUERIES]
 {

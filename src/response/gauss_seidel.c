@@ -22,8 +22,9 @@ static double worst(const tf_zone *zone, int begin, int end)
     return violation;
 }
 
-/// Applies the impulses that the rows have; returns how large violations were:
-/// that of rows that were solved before by the proposal, that of others now.
+/// Applies the impulses that the rows have.  Returns the largest violation: of
+/// rows that were solved before as the proposal has it, of the others after
+/// these impulses.
 static double start(const tf_zone *zone, const tf_bodies *bodies)
 {
     double violation = worst(zone, 0, zone->solved);
@@ -92,7 +93,7 @@ static const double generosity = 3;
 typedef struct sweeping {
     const tf_zone *zone;
     tf_bodies bodies;
-    double least; ///< the least length that counts
+    double least; ///< the tolerance, a length
     agenda all;
 } sweeping;
 
@@ -107,7 +108,8 @@ static bool is_off(const sweeping *of, const tf_row *row)
 }
 
 //: Visit a row that is due
-/// Puts the rows on the agenda that share a vertex with a row, but not itself.
+/// Puts on the agenda all other rows that share a vertex with a row, even one
+/// that cannot move: with friction another visit improves such rows as well.
 static void tell_neighbors(const sweeping *of, int row)
 {
     const agenda *all = &of->all;
@@ -118,9 +120,9 @@ static void tell_neighbors(const sweeping *of, int row)
     all->due[row] = false;
 }
 
-/// Visits a row that is due, if it is new or off; with friction also if it may
-/// be off across the normal.  Returns whether that changes its parting by what
-/// counts.
+/// Visits a row that is due, if it is new or off; with friction always, as it may
+/// be off across the normal.  Returns whether that changes its parting, or its
+/// sliding, by more than the tolerance.
 static bool visit(const sweeping *of, int row, bool is_new)
 {
     double friction = of->zone->friction;
@@ -135,7 +137,7 @@ static bool visit(const sweeping *of, int row, bool is_new)
 }
 
 //: Sweep until little changes
-/// Returns whether a row changed its parting by what counts.
+/// Returns whether a visit made a change of more than the tolerance.
 static bool sweep(const sweeping *of, bool is_first)
 {
     bool any = false;

@@ -15,7 +15,6 @@
 #include <limits.h>
 #include <math.h>
 #include <signal.h>
-#include <stdlib.h>
 #include <string.h>
 
 static const tf_arithmetic *const arithmetics[] = {&tf_exact, &tf_perturbed,
@@ -235,41 +234,6 @@ static void use_edge_edge(void)
     statuses_use(EDGE_EDGE, decide_one);
 }
 
-// A vertex is loaded with the number behind it; behind the last one, which comes
-// in each place here, the sanitizer allows nothing.
-START_TEST(nothing_behind_the_last_vertex_is_read)
-{
-    tf_kind kind = _i % 2 ? TF_EDGE_EDGE : TF_POINT_TRIANGLE;
-    generator random = generator_new(700 + (uint64_t)_i);
-    size_t bytes = 12 * sizeof(double);
-    double *start = malloc(bytes), *end = malloc(bytes);
-    ck_assert(start && end);
-    for (int times = 0; times < (int)cases(1000); times++) {
-        for (int i = 0; i < 12; i++) {
-            start[i] = uniform(&random, -1, 1);
-            end[i] = uniform(&random, -1, 1);
-        }
-        int vertex[4] = {0, 1, 2, 3}, last = _i / 2;
-        vertex[3] = last;
-        vertex[last] = 3;
-        tf_motion motion = {4, start, end};
-        tf_queries one = {kind, &motion, 1, vertex};
-        tf_verdict verdict[2];
-        size_t separated[2] = {0};
-        ck_assert_int_eq(
-            tf_reference.decide(&tf_exact, &one, &verdict[0], &separated[0]),
-            TF_OK);
-        ck_assert_int_eq(
-            tf_vectorized.decide(&tf_exact, &one, &verdict[1], &separated[1]),
-            TF_OK);
-        ck_assert_int_eq(verdict[1], verdict[0]);
-        ck_assert_uint_eq(separated[1], separated[0]);
-    }
-    free(start);
-    free(end);
-}
-END_TEST
-
 START_TEST(no_queries_are_no_trouble)
 {
     tf_queries none = {.kind = TF_EDGE_EDGE};
@@ -315,7 +279,6 @@ Suite *suite(void)
     tcase_add_loop_test(c, the_first_bad_query_has_its_status, 0, 2);
     tcase_add_loop_test(c, a_broken_environment_is_reported, 0, environments());
     tcase_add_test(c, no_queries_are_no_trouble);
-    tcase_add_loop_test(c, nothing_behind_the_last_vertex_is_read, 0, 8);
     tcase_add_loop_exit_test(c, missing_queries_or_room_break_the_contract,
                              BROKEN_CONTRACT, 0, 5);
     suite_add_tcase(suite, c);

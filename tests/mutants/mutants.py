@@ -103,7 +103,7 @@ def number_changes(text):
     if re.fullmatch(r'\d+', text):
         n = int(text)
         return [str(n + 1)] + ([str(n - 1)] if n > 0 else [])
-    if '.' in text or 'p' in text.lower():
+    if not re.fullmatch(r'0[xX][0-9a-fA-F]+', text):
         return ['(2 * %s)' % text] if float_value(text) else []
     return [hex(int(text, 16) + 1)]
 

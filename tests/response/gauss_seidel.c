@@ -170,6 +170,43 @@ START_TEST(solved_rows_wait_until_their_vertices_move)
 }
 END_TEST
 
+/// Swaps what two places of a row have.
+static void swap_places(tf_row *row, int a, int b)
+{
+    int vertex = row->vertex[a];
+    double coefficient = row->coefficient[a];
+    row->vertex[a] = row->vertex[b];
+    row->coefficient[a] = row->coefficient[b];
+    row->vertex[b] = vertex;
+    row->coefficient[b] = coefficient;
+}
+
+// Row 1 is new and pushes vertex 6 down, which row 0 has above others.
+START_TEST(a_row_is_told_of_each_of_its_vertices)
+{
+    tf_row row[] = {{.vertex = {0, 1, 2, 6},
+                     .coefficient = {-0.5, -0.5, 0.5, 0.5},
+                     .normal = {0, 0, 1}},
+                    {.vertex = {3, 4, 5, 6},
+                     .coefficient = {0.5, 0.5, -0.5, -0.5},
+                     .normal = {0, 0, 1}}};
+    swap_places(&row[0], 3, _i / 4);
+    swap_places(&row[1], 3, _i % 4);
+    double inverse_mass[] = {1, 1, 1, 1, 1, 1, 1}, d[21] = {0};
+    d[3 * 3 + 2] = d[3 * 4 + 2] = -1;
+    tf_zone zone = {.axes = 3,
+                    .vertices = 7,
+                    .rows = 2,
+                    .solved = 1,
+                    .row = row,
+                    .inverse_mass = inverse_mass,
+                    .displacement = d,
+                    .sweeps = 100};
+    solve(&zone);
+    ck_assert_double_gt(row[0].impulse, 0.1);
+}
+END_TEST
+
 // Row 0 has stopped a fall of 1; row 1 pushes the vertex on by `more`.
 static double impulse_left(double more)
 {
@@ -240,6 +277,7 @@ Suite *suite(void)
     TCase *hand = tcase_create("by hand");
     tcase_add_test(hand, no_more_sweeps_than_allowed);
     tcase_add_test(hand, solved_rows_wait_until_their_vertices_move);
+    tcase_add_loop_test(hand, a_row_is_told_of_each_of_its_vertices, 0, 16);
     tcase_add_test(hand, impulses_are_taken_back_if_they_push_much_too_much);
     tcase_add_test(hand, friction_is_coulombs);
     suite_add_tcase(suite, hand);

@@ -123,6 +123,20 @@ START_TEST(no_more_sweeps_than_allowed)
 }
 END_TEST
 
+/// A zone in the plane, of which only the last row is new.
+static tf_zone zone_of(int vertices, int rows, tf_row row[],
+                       const double inverse_mass[], double displacement[])
+{
+    return (tf_zone){.axes = 2,
+                     .vertices = vertices,
+                     .rows = rows,
+                     .solved = rows - 1,
+                     .row = row,
+                     .inverse_mass = inverse_mass,
+                     .displacement = displacement,
+                     .sweeps = 100};
+}
+
 static void solve(tf_zone *zone)
 {
     size_t room = tf_gauss_seidel.room(zone->axes, zone->vertices, zone->rows);
@@ -147,14 +161,8 @@ START_TEST(solved_rows_wait_until_their_vertices_move)
     tf_row row[] = {row_of(2, -1), row_of(0, -1), row_of(1, 0)};
     double inverse_mass[] = {1, 1, 1}, d[] = {0, -1, 0, -2, 0, -3};
     row[0].impulse = 2; // wrong, but nobody has to look
-    tf_zone zone = {.axes = 2,
-                    .vertices = 3,
-                    .rows = 3,
-                    .solved = 1,
-                    .row = row,
-                    .inverse_mass = inverse_mass,
-                    .displacement = d,
-                    .sweeps = 100};
+    tf_zone zone = zone_of(3, 3, row, inverse_mass, d);
+    zone.solved = 1;
     solve(&zone);
     ck_assert_double_eq(row[0].impulse, 2);
     ck_assert_double_eq(d[5], -1);
@@ -194,14 +202,8 @@ START_TEST(a_row_is_told_of_each_of_its_vertices)
     swap_places(&row[1], 3, _i % 4);
     double inverse_mass[] = {1, 1, 1, 1, 1, 1, 1}, d[21] = {0};
     d[3 * 3 + 2] = d[3 * 4 + 2] = -1;
-    tf_zone zone = {.axes = 3,
-                    .vertices = 7,
-                    .rows = 2,
-                    .solved = 1,
-                    .row = row,
-                    .inverse_mass = inverse_mass,
-                    .displacement = d,
-                    .sweeps = 100};
+    tf_zone zone = zone_of(7, 2, row, inverse_mass, d);
+    zone.axes = 3;
     solve(&zone);
     ck_assert_double_gt(row[0].impulse, 0.1);
 }
@@ -214,14 +216,7 @@ static double impulse_left(double more)
     double inverse_mass = 1, d[] = {0, -1};
     row[0].impulse = 1;
     row[1].bound = more;
-    tf_zone zone = {.axes = 2,
-                    .vertices = 1,
-                    .rows = 2,
-                    .solved = 1,
-                    .row = row,
-                    .inverse_mass = &inverse_mass,
-                    .displacement = d,
-                    .sweeps = 100};
+    tf_zone zone = zone_of(1, 2, row, &inverse_mass, d);
     solve(&zone);
     ck_assert_double_ge(d[1], more - 0.01);
     return row[0].impulse;
@@ -241,14 +236,8 @@ static double slide(double friction, double pressed)
 {
     tf_row row = row_of(0, -1);
     double inverse_mass = 0.5, d[] = {1, -pressed};
-    tf_zone zone = {.axes = 2,
-                    .vertices = 1,
-                    .rows = 1,
-                    .row = &row,
-                    .inverse_mass = &inverse_mass,
-                    .displacement = d,
-                    .friction = friction,
-                    .sweeps = 100};
+    tf_zone zone = zone_of(1, 1, &row, &inverse_mass, d);
+    zone.friction = friction;
     solve(&zone);
     ck_assert_double_eq_tol(d[1], 0, 1e-12);
     ck_assert_double_eq_tol(row.impulse, 2 * pressed, 1e-12);

@@ -42,9 +42,10 @@ static void draw_edges(fig_page *page, const fig_plot *plot, const double x[],
 static void draw_run(fig_page *page, const fig_cloth_run *run, int i)
 {
     const tf_body *body = &run->simulation->stage.body;
-    fig_plot plot = {.box = {4 + 126.0 * i, 18, 122, 61},
+    // The walls are cut off above the heap.
+    fig_plot plot = {.box = {4, 18 + 74.0 * i, 374, 55},
                      .x = {-0.37, 0.37},
-                     .y = {-0.04, 0.33}};
+                     .y = {-0.03, 0.0788}};
     char title[32];
     snprintf(title, sizeof title, "friction %g", choice[i].friction);
     fig_page_fill_box(page, plot.box,
@@ -102,6 +103,6 @@ const fig_figure fig_three_frictions = {
     .name = "three-frictions",
     .title = "A chain in a box, with more and with less friction",
     .width = FIG_PAGE_WIDTH,
-    .height = 84,
+    .height = 224,
     .draw = draw,
 };

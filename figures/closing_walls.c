@@ -92,14 +92,12 @@ static tf_contacts detect(tf_surface *surface, const scene *s,
 /// contacts are left.
 static size_t answer_by_zones(tf_surface *surface, const scene *s, double end[])
 {
-    bool changed[VERTICES] = {false};
     tf_step step = {.axes = 2,
                     .vertices = VERTICES,
                     .start = s->start,
                     .proposed = s->proposed,
                     .inverse_mass = s->inverse_mass,
-                    .end = end,
-                    .changed = changed};
+                    .end = end};
     tf_row_rule rule = {.separation = separation, .base = s->proposed};
     tf_zone_choice choice = {.solver = &tf_gauss_seidel, .sweeps = 30};
     tf_zones zones = {0};

@@ -33,9 +33,8 @@ int fig_failsafe_rounds(const tf_mesh *mesh, const double start[],
     size_t vertices = (size_t)mesh->vertices;
     double *end = malloc(2 * vertices * sizeof *end);
     double *inverse_mass = malloc(vertices * sizeof *inverse_mass);
-    bool *changed = calloc(vertices, sizeof *changed);
     tf_surface *surface;
-    TF_REQUIRE(end && inverse_mass && changed &&
+    TF_REQUIRE(end && inverse_mass &&
                tf_surface_create(mesh, &surface, NULL) == TF_OK);
     memcpy(end, proposed, 2 * vertices * sizeof *end);
     for (size_t v = 0; v < vertices; v++)
@@ -45,12 +44,10 @@ int fig_failsafe_rounds(const tf_mesh *mesh, const double start[],
                     .start = start,
                     .proposed = proposed,
                     .inverse_mass = inverse_mass,
-                    .end = end,
-                    .changed = changed};
+                    .end = end};
     int rounds = go_through_rounds(surface, &step, show, context);
     tf_surface_free(surface);
     free(end);
     free(inverse_mass);
-    free(changed);
     return rounds;
 }

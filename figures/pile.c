@@ -79,8 +79,7 @@ void fig_pile_resolve(fig_pile *pile, const tf_zone_solver *solver, int sweeps,
                     .start = pile->start,
                     .proposed = pile->proposed,
                     .inverse_mass = pile->inverse_mass,
-                    .end = pile->end,
-                    .changed = room_for(pile->vertices, sizeof(bool))};
+                    .end = pile->end};
     const tf_motion motion = {pile->vertices, pile->start, pile->end};
     TF_REQUIRE(tf_zones_begin(&pile->zones, &step));
     for (pile->rounds = 0; pile->rounds < most_rounds; pile->rounds++) {
@@ -93,7 +92,6 @@ void fig_pile_resolve(fig_pile *pile, const tf_zone_solver *solver, int sweeps,
             break;
         answer(pile, &step, &found, solver, sweeps);
     }
-    free(step.changed);
     tf_surface_free(surface);
 }
 

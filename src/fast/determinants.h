@@ -162,8 +162,29 @@ TF_INSIDE tf_lane_evidence tf_lane_evidence_of(tf_lane_axis x, tf_lane_axis y,
                                         (z.reach + TF_LEAST_REACH)};
 }
 
+//: Hold the weights of vertices
+/// The weights of the vertices of the three tetrahedra that a triangle sweeps.
+/// The path of the point crosses a tetrahedron if its weights have one sign, and
+/// then they are in proportion to the barycentric coordinates of the crossing.
+typedef struct tf_lane_tetrahedra {
+    double ABCc[4], ABbc[4], Aabc[4];
+} tf_lane_tetrahedra;
+
+/// The range of the weights of a tetrahedron.
+TF_INSIDE tf_lane_range tf_lane_range_of_weights(const double weight[4])
+{
+    return tf_lane_range_of_4(weight[0], weight[1], weight[2], weight[3]);
+}
+
+/// The weights of the vertices of four pairs of triangles that two edges sweep,
+/// those of the first triangle, then those of the second.
+typedef struct tf_lane_triangles {
+    double ABb_CDd[6], ABb_Ccd[6], Aab_CDd[6], Aab_Ccd[6];
+} tf_lane_triangles;
+
 //: Weigh a point and a triangle
-TF_INSIDE tf_lane_evidence tf_lane_point_triangle(const tf_lane *lane)
+TF_INSIDE tf_lane_evidence tf_lane_point_triangle(const tf_lane *lane,
+                                                  tf_lane_tetrahedra *weights)
 {
     //: Let the point stand still at the origin
     const tf_lane_vector *s = lane->start, *e = lane->end;
@@ -185,9 +206,12 @@ TF_INSIDE tf_lane_evidence tf_lane_point_triangle(const tf_lane *lane)
     double Bbc = tf_lane_dot(B, bc), abc = tf_lane_dot(a, bc);
 
     //: Compare the signs within each of three tetrahedra
-    tf_lane_range ABCc = tf_lane_range_of_4(BCc, -ACc, ABc, -ABC);
-    tf_lane_range ABbc = tf_lane_range_of_4(Bbc, -Abc, ABc, -ABb);
-    tf_lane_range Aabc = tf_lane_range_of_4(abc, -Abc, Aac, -Aab);
+    *weights = (tf_lane_tetrahedra){.ABCc = {BCc, -ACc, ABc, -ABC},
+                                    .ABbc = {Bbc, -Abc, ABc, -ABb},
+                                    .Aabc = {abc, -Abc, Aac, -Aab}};
+    tf_lane_range ABCc = tf_lane_range_of_weights(weights->ABCc);
+    tf_lane_range ABbc = tf_lane_range_of_weights(weights->ABbc);
+    tf_lane_range Aabc = tf_lane_range_of_weights(weights->Aabc);
     tf_lane_range all = tf_lane_common(ABCc, tf_lane_common(ABbc, Aabc));
     found.agreement = tf_lane_agreement(all);
     found.conflict = tf_lane_conflict(all);
@@ -196,7 +220,8 @@ TF_INSIDE tf_lane_evidence tf_lane_point_triangle(const tf_lane *lane)
 }
 
 //: Weigh two edges
-TF_INSIDE tf_lane_evidence tf_lane_edge_edge(const tf_lane *lane)
+TF_INSIDE tf_lane_evidence tf_lane_edge_edge(const tf_lane *lane,
+                                             tf_lane_triangles *weights)
 {
     //: Take the differences of two moving edges
     tf_lane_vector A = lane->start[0], a = lane->end[0];
@@ -220,6 +245,15 @@ TF_INSIDE tf_lane_evidence tf_lane_edge_edge(const tf_lane *lane)
     double adC = tf_lane_dot(ad, CA), BdC = tf_lane_dot(Bd, CA);
     double adD = tf_lane_dot(ad, AD), BdD = tf_lane_dot(Bd, AD);
     double adc = tf_lane_dot(ad, bc), Bdc = tf_lane_dot(Bd, bc);
+
+    //: Assign them to the vertices of four pairs of triangles
+    // Those of a triangle add up to what those of the other one do, and so do
+    // those at the end.
+    *weights = (tf_lane_triangles){
+        .ABb_CDd = {(BdC - DCd) + BdD, DCd, DCB, BdD, BdC, DCB},
+        .ABb_Ccd = {Bdc - cCd, cCd, BdC + cCB, Bdc, BdC, cCB},
+        .Aab_CDd = {adD + adC, DCd, DCa - DCd, adD, adC, DCa},
+        .Aab_Ccd = {adc, cCd, (adC - cCd) + cCa, adc, adC, cCa}};
 
     //: Compare the signs within each of four pairs
     tf_lane_range ABb_CDd =

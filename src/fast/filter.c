@@ -29,7 +29,7 @@ static tf_status filter_all(tf_lanes_filter *filter, size_t count,
     if (!tf_environment_is_ieee())
         return TF_BAD_ENVIRONMENT;
     size_t blocks = count / TF_BLOCK_QUERIES + (count % TF_BLOCK_QUERIES != 0);
-    filter(blocks, block, TF_SHARE_SURE, masks);
+    filter(blocks, block, TF_SHARE_SURE, masks, NULL);
     clear_rest(count, masks);
     return TF_OK;
 }

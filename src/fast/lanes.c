@@ -3,9 +3,12 @@
 
 #include "base/request.h"
 #include "base/vectors.h"
+#include "fast/clearance.h"
 #include "fast/determinants.h"
 
 #include <stdbool.h>
+#include <stddef.h>
+#include <string.h>
 
 //: Take a lane of a block
 TF_INSIDE tf_lane_vector vertex_of(const tf_query_block *block, int t, int v,
@@ -47,16 +50,23 @@ static const uint64_t lane_bit[TF_BLOCK_QUERIES] = {
     1 << 0, 1 << 1, 1 << 2, 1 << 3, 1 << 4, 1 << 5, 1 << 6, 1 << 7,
 };
 
-/// Once inside a function that knows of what elements, this is one loop.
+/// Once inside a function that knows of what elements, and whether clearances are
+/// wanted, this is one loop.
 TF_INSIDE tf_query_masks judge_block(const tf_query_block *block, double share,
-                                     bool of_edges)
+                                     bool of_edges,
+                                     double clearance[TF_BLOCK_QUERIES])
 {
     tf_query_masks found = {0};
     TF_LANE_LOOP
     for (int i = 0; i < TF_BLOCK_QUERIES; i++) {
         tf_lane lane = lane_of(block, i);
+        tf_lane_tetrahedra tetrahedra;
+        tf_lane_triangles triangles;
         tf_lane_evidence shown =
-            of_edges ? tf_lane_edge_edge(&lane) : tf_lane_point_triangle(&lane);
+            of_edges ? tf_lane_edge_edge(&lane, &triangles)
+                     : tf_lane_point_triangle(&lane, &tetrahedra);
+        if (clearance)
+            clearance[i] = tf_lane_clearance(&lane, &shown, of_edges);
         judge(shown, share, lane_bit[i], &found);
     }
     return found;
@@ -106,7 +116,20 @@ TF_INSIDE void filter_blocks(size_t blocks, const tf_query_block block[],
 {
     for (size_t i = 0; i < blocks; i++) {
         request_ahead(blocks, block, i);
-        add_bits(i, judge_block(&block[i], share, of_edges), masks);
+        add_bits(i, judge_block(&block[i], share, of_edges, NULL), masks);
+    }
+}
+
+/// Measures clearances as well.  This is for blocks that were just gathered and
+/// are in the cache: none are requested.
+TF_INSIDE void measure_blocks(size_t blocks, const tf_query_block block[],
+                              double share, tf_query_masks masks[],
+                              bool of_edges, double clearance[])
+{
+    for (size_t i = 0; i < blocks; i++) {
+        double own[TF_BLOCK_QUERIES];
+        add_bits(i, judge_block(&block[i], share, of_edges, own), masks);
+        memcpy(clearance + i * TF_BLOCK_QUERIES, own, sizeof own);
     }
 }
 
@@ -127,15 +150,37 @@ TF_VECTORS TF_NO_TRAPS static void filter_edges(size_t blocks,
     filter_blocks(blocks, block, share, masks, true);
 }
 
+TF_VECTORS TF_NO_TRAPS static void
+measure_points(size_t blocks, const tf_query_block block[], double share,
+               tf_query_masks masks[], double clearance[])
+{
+    measure_blocks(blocks, block, share, masks, false, clearance);
+}
+
+TF_VECTORS TF_NO_TRAPS static void
+measure_edges(size_t blocks, const tf_query_block block[], double share,
+              tf_query_masks masks[], double clearance[])
+{
+    measure_blocks(blocks, block, share, masks, true, clearance);
+}
+
 //: Offer the loops
 void tf_lanes_point_triangle(size_t blocks, const tf_query_block block[],
-                             double share, tf_query_masks masks[])
+                             double share, tf_query_masks masks[],
+                             double clearance[])
 {
-    filter_points(blocks, block, share, masks);
+    if (clearance)
+        measure_points(blocks, block, share, masks, clearance);
+    else
+        filter_points(blocks, block, share, masks);
 }
 
 void tf_lanes_edge_edge(size_t blocks, const tf_query_block block[],
-                        double share, tf_query_masks masks[])
+                        double share, tf_query_masks masks[],
+                        double clearance[])
 {
-    filter_edges(blocks, block, share, masks);
+    if (clearance)
+        measure_edges(blocks, block, share, masks, clearance);
+    else
+        filter_edges(blocks, block, share, masks);
 }

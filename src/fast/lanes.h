@@ -7,9 +7,11 @@
 /// counts as certain if it is more than `share` Mx My Mz away from zero, where
 /// M is the largest difference between coordinates of the two elements, at one
 /// time and on one axis, plus 2^-300.  `masks`: one for every
-/// TF_MASK_QUERIES, or part of them.
+/// TF_MASK_QUERIES, or part of them.  `clearance`: one number for each lane, as
+/// tf_narrow_phase measures it; NULL: none are wanted.
 typedef void tf_lanes_filter(size_t blocks, const tf_query_block block[],
-                             double share, tf_query_masks masks[]);
+                             double share, tf_query_masks masks[],
+                             double clearance[]);
 
 tf_lanes_filter tf_lanes_point_triangle, tf_lanes_edge_edge;
 

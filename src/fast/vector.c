@@ -11,6 +11,8 @@
 
 #include <stdalign.h>
 #include <stdbool.h>
+#include <stddef.h>
+#include <string.h>
 
 //: Choose when a determinant is certain
 /// How far from zero a determinant must be for an arithmetic to agree with the
@@ -37,6 +39,7 @@ static tf_lanes_filter *filter_for(tf_kind kind)
 }
 
 //: Leave queries to the reference
+/// Their clearances remain unknown.
 static tf_status leave_to_reference(const tf_arithmetic *arithmetic,
                                     const tf_queries *queries, size_t begin,
                                     size_t end, tf_verdict verdict[],
@@ -72,27 +75,35 @@ static tf_status spread(const tf_arithmetic *arithmetic,
 }
 
 //: Decide as many queries as a mask has bits
+/// Sets clearances as well, unless they are NULL; they were all 0.
 static tf_status decide_some(const tf_arithmetic *arithmetic,
                              const tf_queries *queries, size_t begin,
                              size_t end, tf_verdict verdict[],
-                             size_t *separated)
+                             size_t *separated, double clearance[])
 {
     alignas(64) tf_query_block block[TF_MASK_QUERIES / TF_BLOCK_QUERIES];
     if (!tf_gather(queries, begin, end, block))
         return leave_to_reference(arithmetic, queries, begin, end, verdict,
                                   separated);
     tf_query_masks masks;
+    double own[TF_MASK_QUERIES];
     size_t blocks = (end - begin + TF_BLOCK_QUERIES - 1) / TF_BLOCK_QUERIES;
-    filter_for(queries->kind)(blocks, block, share_for(arithmetic), &masks);
+    filter_for(queries->kind)(blocks, block, share_for(arithmetic), &masks,
+                              clearance ? own : NULL);
+    if (clearance)
+        memcpy(clearance + begin, own, sizeof *own * (end - begin));
     return spread(arithmetic, queries, begin, end, &masks, verdict, separated);
 }
 
 //: Decide many queries by vectors
-static tf_status decide_by_vectors(const tf_arithmetic *arithmetic,
-                                   const tf_queries *queries,
-                                   tf_verdict verdict[], size_t *separated)
+static tf_status decide_and_measure(const tf_arithmetic *arithmetic,
+                                    const tf_queries *queries,
+                                    tf_verdict verdict[], size_t *separated,
+                                    double clearance[])
 {
     TF_REQUIRE(arithmetic && queries && separated);
+    if (clearance)
+        memset(clearance, 0, sizeof *clearance * queries->count);
     if (share_for(arithmetic) == 0 || !filter_for(queries->kind) ||
         !tf_environment_is_ieee())
         return tf_reference.decide(arithmetic, queries, verdict, separated);
@@ -104,12 +115,21 @@ static tf_status decide_by_vectors(const tf_arithmetic *arithmetic,
         size_t end =
             count - begin < TF_MASK_QUERIES ? count : begin + TF_MASK_QUERIES;
         tf_status status =
-            decide_some(arithmetic, queries, begin, end, verdict, separated);
+            decide_some(arithmetic, queries, begin, end, verdict, separated,
+                        clearance);
         if (status != TF_OK)
             return status;
     }
     return TF_OK;
 }
 
+static tf_status decide_by_vectors(const tf_arithmetic *arithmetic,
+                                   const tf_queries *queries,
+                                   tf_verdict verdict[], size_t *separated)
+{
+    return decide_and_measure(arithmetic, queries, verdict, separated, NULL);
+}
+
 const tf_narrow_phase tf_vectorized = {.name = "vector",
-                                       .decide = decide_by_vectors};
+                                       .decide = decide_by_vectors,
+                                       .measure = decide_and_measure};

@@ -48,6 +48,16 @@ typedef struct tf_narrow_phase {
     tf_status (*decide)(const tf_arithmetic *arithmetic,
                         const tf_queries *queries, tf_verdict verdict[],
                         size_t *separated);
+
+    /// The same, and stores in `clearance[count]` how far the ends of the
+    /// elements of each query may move and still be apart for sure: as long as
+    /// the most that a vertex of the one moves, and the most that one of the
+    /// other does, add up to less, where a movement by (dx, dy, dz) counts as
+    /// |dx| + |dy| + |dz|.  0 where that is not known.  NULL: the narrow phase
+    /// does not measure.
+    tf_status (*measure)(const tf_arithmetic *arithmetic,
+                         const tf_queries *queries, tf_verdict verdict[],
+                         size_t *separated, double clearance[]);
 } tf_narrow_phase;
 
 /// Decides one query after another.

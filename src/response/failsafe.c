@@ -167,7 +167,6 @@ static void move_groups(tf_failsafe *failsafe, tf_step *step)
                               : to + own->displacement[k];
             if (to == step->end[place])
                 continue; // -0 must not become +0
-            step->changed[v] = true;
             step->end[place] = to;
         }
     }

@@ -67,18 +67,6 @@ static bool answer(tf_responding *r, tf_response_level level)
 }
 
 //: Look for the contacts that are left
-/// Marks the vertices of all contacts as changed: they must be looked at again
-/// even if they have not moved.
-static void mark_contacts(tf_responding *r)
-{
-    for (size_t i = 0; i < r->contacts.count; i++)
-        for (int j = 0; j < 4; j++) {
-            int vertex = r->contacts.contact[i].vertex[j];
-            if (vertex >= 0)
-                r->step.changed[vertex] = true;
-        }
-}
-
 static void account(tf_responding *r)
 {
     r->report.contacts += r->contacts.count;
@@ -90,7 +78,6 @@ static void account(tf_responding *r)
 static tf_status look_again(tf_responding *r)
 {
     tf_surface *surface = r->resolver->surface;
-    mark_contacts(r);
     tf_status status = tf_recheck(surface, &r->step, r->options.narrow_phase,
                                   r->options.parallel, &r->contacts);
     if (status != TF_OK)
@@ -109,10 +96,8 @@ static tf_status look_again(tf_responding *r)
 //: Go through the rounds of a level
 static bool has_moved(const tf_step *step)
 {
-    for (int v = 0; v < step->vertices; v++)
-        if (step->changed[v])
-            return true;
-    return false;
+    size_t numbers = (size_t)step->axes * (size_t)step->vertices;
+    return memcmp(step->end, step->looked, sizeof *step->end * numbers) != 0;
 }
 
 /// Ends after `most` rounds, or earlier if no contacts are left or, except for

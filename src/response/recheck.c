@@ -2,7 +2,9 @@
 #include "response/recheck.h"
 
 #include "arithmetic/exact.h"
+#include "fast/estimate.h"
 
+#include <math.h>
 #include <stddef.h>
 #include <string.h>
 
@@ -13,17 +15,51 @@ static tf_motion motion_of(const tf_step *step)
 }
 
 static tf_deciding deciding(const tf_surface *surface, const tf_motion *motion,
-                            const tf_narrow_phase *narrow_phase, bool keeps)
+                            const tf_narrow_phase *narrow_phase)
 {
     return (tf_deciding){.surface = surface,
                          .motion = motion,
                          .arithmetic = &tf_exact,
                          .narrow_phase = narrow_phase,
-                         .keeps = keeps};
+                         .estimate = tf_contact_estimate};
+}
+
+static void note_ends(tf_step *step)
+{
+    size_t numbers = (size_t)step->axes * (size_t)step->vertices;
+    memcpy(step->looked, step->end, sizeof *step->end * numbers);
+}
+
+//: Hold how far everything has moved
+/// How far each vertex has moved since the last look, and how far each vertex,
+/// edge and triangle has since pairs were kept: the sum, over all looks, of the
+/// most that one of its vertices moved, where a movement by (dx, dy, dz) counts
+/// as |dx| + |dy| + |dz|.
+typedef struct movements {
+    double *last, *vertex, *edge, *triangle;
+} movements;
+
+static movements movements_of(const tf_surface *surface)
+{
+    double *last = surface->moved.data, *vertex = last + surface->vertices;
+    double *edge = vertex + surface->vertices;
+    return (movements){last, vertex, edge, edge + surface->edges.count};
+}
+
+/// False if there is no memory.
+static bool begin_movements(tf_surface *surface)
+{
+    size_t count = 2 * (size_t)surface->vertices +
+                   (size_t)surface->edges.count +
+                   (size_t)surface->triangles.count;
+    if (!tf_buffer_reserve(&surface->moved, count, sizeof(double)))
+        return false;
+    memset(surface->moved.data, 0, sizeof(double) * count);
+    return true;
 }
 
 //: Look for contacts from the beginning
-tf_status tf_check_all(tf_surface *surface, const tf_step *step,
+tf_status tf_check_all(tf_surface *surface, tf_step *step,
                        const tf_narrow_phase *narrow_phase,
                        const tf_parallel *parallel, tf_contacts *found,
                        tf_flaw *flaw)
@@ -32,33 +68,60 @@ tf_status tf_check_all(tf_surface *surface, const tf_step *step,
     tf_status status = tf_surface_move(surface, &motion, parallel, flaw);
     if (status != TF_OK)
         return status;
-    tf_deciding of = deciding(surface, &motion, narrow_phase, true);
-    return tf_pairs_find(surface, &of, parallel, found);
+    tf_deciding how = deciding(surface, &motion, narrow_phase);
+    how.keeps = true;
+    if (!begin_movements(surface))
+        return TF_OUT_OF_MEMORY;
+    note_ends(step);
+    return tf_pairs_find(surface, &how, parallel, found);
 }
 
-//: Mark the elements that have changed
-/// Those that have a changed vertex.
-static void mark_elements(const tf_elements *elements, int corners,
-                          const bool changed[], bool mark[])
+//: Add up movements
+static void move_vertices(const tf_step *step, const movements *moved)
+{
+    const double *from = step->looked, *to = step->end;
+    for (int v = 0; v < step->vertices; v++) {
+        double sum = 0;
+        for (int k = 0; k < step->axes; k++)
+            sum += fabs(*to++ - *from++);
+        moved->last[v] = sum;
+        moved->vertex[v] += sum;
+    }
+}
+
+static void move_elements(const tf_elements *elements, int corners,
+                          const double last[], double moved[])
 {
     const int *corner = elements->corner;
     for (int i = 0; i < elements->count; i++, corner += corners) {
-        mark[i] = false;
-        for (int c = 0; c < corners; c++)
-            mark[i] |= changed[corner[c]];
+        double most = last[corner[0]];
+        for (int c = 1; c < corners; c++)
+            most = last[corner[c]] > most ? last[corner[c]] : most;
+        moved[i] += most;
     }
+}
+
+/// Adds the movements since the last look.
+static movements add_movements(const tf_surface *surface, tf_step *step)
+{
+    movements moved = movements_of(surface);
+    move_vertices(step, &moved);
+    move_elements(&surface->edges, 2, moved.last, moved.edge);
+    move_elements(&surface->triangles, 3, moved.last, moved.triangle);
+    note_ends(step);
+    return moved;
 }
 
 //: Hold what is looked at again
 typedef struct rechecking {
     tf_workers *workers;
     bool of_edges; ///< the pairs of two edges, not those with a vertex
-    const bool *first, *second; ///< whether an element has changed
+    const double *first, *second; ///< how far elements have moved
 } rechecking;
 
-static const tf_pair_list *list_of(const rechecking *of, int worker)
+static tf_pair_list *list_of(const rechecking *of, int worker)
 {
-    const tf_worker *keeper = of->workers->worker[worker];
+    tf_worker *keeper = of->workers->worker[worker];
     return of->of_edges ? &keeper->edges : &keeper->points;
 }
 
@@ -68,19 +131,55 @@ static int tasks_of(const tf_pair_list *list)
     return (int)((list->count + TF_BATCH - 1) / TF_BATCH);
 }
 
-//: Look at a batch of pairs again
-/// Writes those of some pairs that have changed to `to`; returns how many.
-static int select_changed(const rechecking *of, size_t count,
-                          const tf_candidate pair[], tf_candidate to[])
+//: Select the pairs that have moved too far
+/// How far the elements of a pair have moved, in all.
+static double movement_of(const rechecking *of, tf_candidate pair)
 {
-    int changed = 0;
-    for (size_t i = 0; i < count; i++) {
-        to[changed] = pair[i];
-        changed += of->first[pair[i].first] | of->second[pair[i].second];
-    }
-    return changed;
+    return of->first[pair.first] + of->second[pair.second];
 }
 
+/// Some pairs of a list.
+typedef struct selection {
+    int count;
+    const tf_candidate *pair;
+    double *limit;       ///< how far each may move
+    int place[TF_BATCH]; ///< of those that have moved farther
+} selection;
+
+/// Writes the pairs that have moved too far to `to`; returns how many.
+static int select_moved(const rechecking *of, selection *some,
+                        tf_candidate to[])
+{
+    int moved = 0;
+    for (int i = 0; i < some->count; i++) {
+        to[moved] = some->pair[i];
+        some->place[moved] = i;
+        moved += movement_of(of, some->pair[i]) > some->limit[i];
+    }
+    return moved;
+}
+
+//: Limit how far a pair may move
+/// How far a pair that has moved so far may move until it must be looked at
+/// again; less than 0: it must be, moved or not.  What is taken off is more than
+/// the roundings of all sums, for thousands of looks.
+static double limit_of(double moved, double clearance)
+{
+    double limit = (moved + clearance) * (1 - 0x1p-40);
+    if (clearance < 0 || !isfinite(limit))
+        return -1;
+    return limit > moved ? limit : moved;
+}
+
+static void set_limits(const rechecking *of, const selection *some, int count,
+                       const tf_candidate pair[], const double clearance[])
+{
+    for (int i = 0; i < count; i++)
+        some->limit[some->place[i]] =
+            limit_of(movement_of(of, pair[i]), clearance[i]);
+}
+
+//: Look at a batch of pairs again
 static void recheck_batch(void *argument, int task, int number)
 {
     const rechecking *of = argument;
@@ -89,12 +188,16 @@ static void recheck_batch(void *argument, int task, int number)
         task -= tasks_of(list_of(of, keeper));
     const tf_pair_list *list = list_of(of, keeper);
     size_t begin = (size_t)task * TF_BATCH, rest = list->count - begin;
-    const tf_candidate *pair = list->pair.data;
-    tf_pair_sink *sink = &of->workers->worker[number]->sink;
+    selection some = {.count = rest < TF_BATCH ? (int)rest : TF_BATCH,
+                      .pair = (const tf_candidate *)list->pair.data + begin,
+                      .limit = (double *)list->limit.data + begin};
+    tf_worker *worker = of->workers->worker[number];
+    tf_pair_sink *sink = &worker->sink;
     sink->take = tf_pairs_take;
-    sink->count = select_changed(of, rest < TF_BATCH ? rest : TF_BATCH,
-                                 pair + begin, sink->pair);
+    int count = select_moved(of, &some, sink->pair);
+    sink->count = count;
     tf_pair_sink_hand_on(sink);
+    set_limits(of, &some, count, sink->pair, worker->clearance);
 }
 
 //: Look at all pairs of a kind again
@@ -107,42 +210,37 @@ static tf_status recheck_kind(const tf_parallel *parallel, rechecking *of)
     return tf_workers_status(of->workers);
 }
 
-static tf_status recheck_kinds(tf_surface *surface, const tf_step *step,
+static tf_status recheck_kinds(tf_surface *surface, const movements *moved,
                                tf_deciding *how, const tf_parallel *parallel)
 {
     bool plane = surface->axes == 2;
-    bool *edge = surface->changed.data, *triangle = edge + surface->edges.count;
-    mark_elements(&surface->edges, 2, step->changed, edge);
-    mark_elements(&surface->triangles, 3, step->changed, triangle);
     rechecking of = {.workers = &surface->workers,
-                     .first = step->changed,
-                     .second = plane ? edge : triangle};
+                     .first = moved->vertex,
+                     .second = plane ? moved->edge : moved->triangle};
     how->kind = plane ? TF_POINT_EDGE : TF_POINT_TRIANGLE;
     tf_status status = recheck_kind(parallel, &of);
     if (status != TF_OK)
         return status;
     of.of_edges = true;
-    of.first = of.second = edge;
+    of.first = of.second = moved->edge;
     how->kind = TF_EDGE_EDGE;
     return recheck_kind(parallel, &of);
 }
 
-//: Look at what has changed again
+//: Look again
 tf_status tf_recheck(tf_surface *surface, tf_step *step,
                      const tf_narrow_phase *narrow_phase,
                      const tf_parallel *parallel, tf_contacts *found)
 {
     tf_motion motion = motion_of(step);
-    tf_deciding how = deciding(surface, &motion, narrow_phase, false);
-    size_t elements =
-        (size_t)surface->edges.count + (size_t)surface->triangles.count;
-    if (!tf_buffer_reserve(&surface->changed, elements, sizeof(bool)) ||
-        !tf_pairs_begin(surface, parallel, &how))
+    tf_deciding how = deciding(surface, &motion, narrow_phase);
+    how.measures = true;
+    if (!tf_pairs_begin(surface, parallel, &how))
         return TF_OUT_OF_MEMORY;
-    tf_status status = recheck_kinds(surface, step, &how, parallel);
+    movements moved = add_movements(surface, step);
+    tf_status status = recheck_kinds(surface, &moved, &how, parallel);
     *found = (tf_contacts){0};
     if (status == TF_OK && !tf_pairs_gather(surface, how.extent, found))
         status = TF_OUT_OF_MEMORY;
-    memset(step->changed, 0, (size_t)step->vertices * sizeof *step->changed);
     return status;
 }

@@ -87,11 +87,10 @@ static bool ready(tf_responding *r)
     size_t vertices = (size_t)r->step.vertices;
     size_t bytes = sizeof(double) * (size_t)r->step.axes * vertices;
     if (!tf_buffer_reserve(&resolver->end, bytes, 1) ||
-        !tf_buffer_reserve(&resolver->changed, vertices, sizeof(bool)))
+        !tf_buffer_reserve(&resolver->looked, bytes, 1))
         return false;
     r->step.end = memcpy(resolver->end.data, r->step.proposed, bytes);
-    r->step.changed =
-        memset(resolver->changed.data, 0, vertices * sizeof(bool));
+    r->step.looked = resolver->looked.data;
     r->motion.end = r->step.end;
     return true;
 }

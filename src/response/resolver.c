@@ -25,7 +25,7 @@ void tf_resolver_free(tf_resolver *resolver)
     tf_buffer_free(&resolver->end);
     tf_buffer_free(&resolver->base);
     tf_buffer_free(&resolver->ones);
-    tf_buffer_free(&resolver->changed);
+    tf_buffer_free(&resolver->looked);
     tf_buffer_free(&resolver->displacement);
     tf_zones_free(&resolver->zones);
     tf_rigid_free(&resolver->rigid);
@@ -38,7 +38,7 @@ size_t tf_resolver_memory(const tf_resolver *resolver)
 {
     TF_REQUIRE(resolver);
     return sizeof *resolver + resolver->end.bytes + resolver->base.bytes +
-           resolver->ones.bytes + resolver->changed.bytes +
+           resolver->ones.bytes + resolver->looked.bytes +
            resolver->displacement.bytes + tf_zones_memory(&resolver->zones) +
            tf_rigid_memory(&resolver->rigid) +
            tf_failsafe_memory(&resolver->failsafe);

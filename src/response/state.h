@@ -8,7 +8,7 @@
 
 struct tf_resolver {
     tf_surface *surface;
-    tf_buffer end, base, ones, changed, displacement; ///< of the vertices
+    tf_buffer end, looked, base, ones, displacement; ///< of the vertices
     tf_zones zones;
     tf_rigid rigid;
     tf_failsafe failsafe;

@@ -26,8 +26,6 @@ void tf_step_place(tf_step *step, int vertex, const double base[],
             return;
     }
     double *end = step->end + (ptrdiff_t)step->axes * vertex;
-    for (int k = 0; k < step->axes; k++) {
-        step->changed[vertex] |= end[k] != place[k];
+    for (int k = 0; k < step->axes; k++)
         end[k] = place[k];
-    }
 }

@@ -8,9 +8,8 @@ typedef struct tf_step {
     int axes, vertices;
     const double *start, *proposed;
     const double *inverse_mass;
-    double *end;   ///< as it is so far
-    bool *changed; ///< whether a vertex has moved since contacts were last
-                   ///< looked for
+    double *end;    ///< as it is so far
+    double *looked; ///< as it was when contacts were last looked for
 } tf_step;
 
 //: Declare how a step is changed

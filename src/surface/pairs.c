@@ -67,6 +67,8 @@ static void list_vertices(const tf_deciding *of, tf_candidate pair,
 static tf_status describe(const tf_deciding *of, const int vertex[],
                           tf_contact *contact)
 {
+    if (of->estimate && of->estimate(of->kind, of->motion, vertex, contact))
+        return TF_OK;
     switch (of->kind) {
     case TF_EDGE_EDGE:
         return tf_edge_edge(of->arithmetic, of->motion, vertex, vertex + 2,
@@ -97,14 +99,19 @@ static bool add_contact(tf_worker *worker, const int vertex[])
 }
 
 //: Decide the pairs of a batch by one arithmetic
+/// Measures clearances as well, if it can, unless they are NULL.
 static tf_status decide_by(const tf_arithmetic *arithmetic,
                            const tf_deciding *of, int count, const int vertex[],
-                           tf_verdict verdict[], size_t *separated)
+                           tf_verdict verdict[], size_t *separated,
+                           double clearance[])
 {
     tf_queries queries = {.kind = of->kind,
                           .motion = of->motion,
                           .count = (size_t)count,
                           .vertices = vertex};
+    if (clearance && of->narrow_phase->measure)
+        return of->narrow_phase->measure(arithmetic, &queries, verdict,
+                                         separated, clearance);
     return of->narrow_phase->decide(arithmetic, &queries, verdict, separated);
 }
 
@@ -139,7 +146,7 @@ static size_t decide_open(const tf_deciding *of, int count, batch *b,
     }
     size_t separated = 0;
     *status = decide_by(of->arithmetic, of, open, b->open_vertex,
-                        b->open_verdict, &separated);
+                        b->open_verdict, &separated, NULL);
     for (int i = 0; i < open; i++)
         b->verdict[b->open[i]] = b->open_verdict[i];
     return (size_t)open;
@@ -148,7 +155,8 @@ static size_t decide_open(const tf_deciding *of, int count, batch *b,
 //: Decide a batch of pairs
 /// Decides by a filter first, if the arithmetic allows one.
 static tf_status decide_batch(const tf_deciding *of, int count,
-                              const tf_candidate pair[], batch *b)
+                              const tf_candidate pair[], batch *b,
+                              double clearance[])
 {
     int vertices = vertex_count(of->kind);
     for (int i = 0; i < count; i++)
@@ -157,7 +165,8 @@ static tf_status decide_batch(const tf_deciding *of, int count,
     bool filtered = is_exact(of->arithmetic);
     size_t separated = 0;
     tf_status status = decide_by(filtered ? &tf_clamped : of->arithmetic, of,
-                                 count, b->vertex, b->verdict, &separated);
+                                 count, b->vertex, b->verdict, &separated,
+                                 of->measures ? clearance : NULL);
     size_t decided = (size_t)count - separated, open = 0;
     if (status == TF_OK && filtered)
         open = decide_open(of, count, b, &status);
@@ -170,13 +179,30 @@ static tf_status decide_batch(const tf_deciding *of, int count,
     return status;
 }
 
+//: Mark pairs in contact
+static void mark_contacts(const batch *b, int count, double mark[])
+{
+    for (int i = 0; i < count; i++)
+        mark[i] = b->verdict[i] == TF_APART ? mark[i] : -1;
+}
+
 //: Keep the pairs of a batch
 static bool keep(tf_worker *worker, int count, const tf_candidate pair[])
 {
     const tf_deciding *of = worker->job;
     tf_pair_list *list =
         of->kind == TF_EDGE_EDGE ? &worker->edges : &worker->points;
-    return tf_worker_keep(worker, &list->pair, &list->count, count, pair);
+    size_t kept = list->count;
+    if (!tf_worker_keep(worker, &list->pair, &list->count, count, pair))
+        return false;
+    if (!tf_buffer_extend(&list->limit, list->count, sizeof(double))) {
+        worker->status = TF_OUT_OF_MEMORY;
+        return false;
+    }
+    double *limit = (double *)list->limit.data + kept;
+    memset(limit, 0, sizeof *limit * (size_t)count);
+    mark_contacts(worker->batch.data, count, limit);
+    return true;
 }
 
 //: Take a batch of pairs
@@ -184,11 +210,15 @@ bool tf_pairs_take(tf_pair_sink *sink, int count, const tf_candidate pair[])
 {
     tf_worker *worker = (tf_worker *)sink;
     const tf_deciding *of = worker->job;
-    if (of->keeps && !keep(worker, count, pair))
-        return false;
     batch *b = worker->batch.data;
-    worker->status = decide_batch(of, count, pair, b);
+    if (of->measures)
+        memset(worker->clearance, 0, sizeof(double) * (size_t)count);
+    worker->status = decide_batch(of, count, pair, b, worker->clearance);
     if (worker->status != TF_OK)
+        return false;
+    if (of->measures)
+        mark_contacts(b, count, worker->clearance);
+    if (of->keeps && !keep(worker, count, pair))
         return false;
     for (int i = 0; i < count; i++) {
         if (b->verdict[i] == TF_APART)

@@ -6,15 +6,23 @@
 
 #include <stdbool.h>
 
+/// Estimates a contact of two elements that meet; false, and no contact, if it
+/// cannot.  The vertices are in the order of a tf_surface_contact.
+typedef bool tf_contact_estimator(tf_kind kind, const tf_motion *motion,
+                                  const int vertex[4], tf_contact *contact);
+
 /// How pairs of elements are decided: a job of the surface's workers.
 typedef struct tf_deciding {
     const tf_surface *surface;
     const tf_motion *motion;
     const tf_arithmetic *arithmetic;
     const tf_narrow_phase *narrow_phase;
+    tf_contact_estimator *estimate; ///< describes contacts where it can; NULL:
+                                    ///< the arithmetic describes all of them
     tf_extent extent;
     bool keeps;   ///< whether the workers keep the pairs for later, in place of
                   ///< those that they have kept before
+    bool measures; ///< whether the workers note the clearances of pairs
     tf_kind kind; ///< of the pairs that come next
 } tf_deciding;
 

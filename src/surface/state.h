@@ -19,7 +19,8 @@ struct tf_surface {
     tf_buffer task_rows, task_places; ///< of the tasks that list candidates
     tf_buffer found;   ///< what was found last, lent to the caller
     tf_buffer sorting; ///< of these rows
-    tf_buffer changed; ///< of the elements, which are to be looked at again
+    tf_buffer moved;   ///< how far vertices and elements have moved since
+                       ///< pairs were kept
 };
 
 //: Declare how a surface moves

@@ -52,7 +52,7 @@ void tf_surface_free(tf_surface *surface)
     tf_buffer_free(&surface->task_places);
     tf_buffer_free(&surface->found);
     tf_buffer_free(&surface->sorting);
-    tf_buffer_free(&surface->changed);
+    tf_buffer_free(&surface->moved);
     free(surface);
 }
 
@@ -89,7 +89,7 @@ size_t tf_surface_memory(const tf_surface *surface)
            room->sorted.bytes + room->counts.bytes +
            tf_workers_memory(&surface->workers) + surface->task_rows.bytes +
            surface->task_places.bytes + surface->found.bytes +
-           surface->sorting.bytes + surface->changed.bytes;
+           surface->sorting.bytes + surface->moved.bytes;
 }
 
 //: Build the tree of one kind of element

@@ -80,13 +80,24 @@ size_t tf_workers_rows(const tf_workers *workers)
 }
 
 //: Account for workers
+static size_t list_bytes(const tf_pair_list *list)
+{
+    return list->pair.bytes + list->limit.bytes;
+}
+
+static void free_list(tf_pair_list *list)
+{
+    tf_buffer_free(&list->pair);
+    tf_buffer_free(&list->limit);
+}
+
 size_t tf_workers_memory(const tf_workers *workers)
 {
     size_t bytes = 0;
     for (int i = 0; i < workers->count; i++) {
         const tf_worker *worker = workers->worker[i];
         bytes += sizeof *worker + worker->row.bytes + worker->batch.bytes +
-                 worker->points.pair.bytes + worker->edges.pair.bytes;
+                 list_bytes(&worker->points) + list_bytes(&worker->edges);
     }
     return bytes;
 }
@@ -97,8 +108,8 @@ void tf_workers_free(tf_workers *workers)
         tf_worker *worker = workers->worker[i];
         tf_buffer_free(&worker->row);
         tf_buffer_free(&worker->batch);
-        tf_buffer_free(&worker->points.pair);
-        tf_buffer_free(&worker->edges.pair);
+        free_list(&worker->points);
+        free_list(&worker->edges);
         free(worker);
     }
     free(workers->worker);

@@ -7,7 +7,9 @@
 /// Pairs of elements that are kept for later.
 typedef struct tf_pair_list {
     size_t count;
-    tf_buffer pair; ///< each a tf_candidate
+    tf_buffer pair;  ///< each a tf_candidate
+    tf_buffer limit; ///< a number for each pair: at first 0, or -1 if it is in
+                     ///< contact
 } tf_pair_list;
 
 /// What one of several threads finds, in memory that is kept.
@@ -18,6 +20,9 @@ typedef struct tf_worker {
     size_t rows;                ///< how many it has found
     tf_buffer row;              ///< these rows
     tf_buffer batch;            ///< room for what it needs for a batch of pairs
+    double clearance[TF_BATCH]; ///< of the pairs of the last batch, if wanted:
+                                ///< how far their ends may move before they
+                                ///< could meet; -1: they are in contact
     tf_pair_list points, edges; ///< the pairs with a vertex, and of two edges,
                                 ///< that it has kept, if it was to
 } tf_worker;

@@ -52,12 +52,19 @@ START_TEST(each_lane_is_judged_by_itself)
     batch_fill(&b, &random, &families[_i / 2], kind_of(_i),
                BLOCKS * TF_BLOCK_QUERIES);
     tf_lanes_filter *filter = filter_of(kind_of(_i));
-    filter(BLOCKS, b.block, TF_SHARE_SURE, b.masks);
+    static double clearance[BLOCKS * TF_BLOCK_QUERIES];
+    static tf_query_masks unmeasured[BLOCKS * TF_BLOCK_QUERIES];
+    filter(BLOCKS, b.block, TF_SHARE_SURE, b.masks, clearance);
+    filter(BLOCKS, b.block, TF_SHARE_SURE, unmeasured, NULL);
     for (size_t i = 0; i < BLOCKS * TF_BLOCK_QUERIES; i++) {
         tf_query_block copies = copies_of(&b.block[i / TF_BLOCK_QUERIES],
                                           (int)(i % TF_BLOCK_QUERIES));
         tf_query_masks own;
-        filter(1, &copies, TF_SHARE_SURE, &own);
+        double own_clearance[TF_BLOCK_QUERIES];
+        filter(1, &copies, TF_SHARE_SURE, &own, own_clearance);
+        ck_assert_mem_eq(&own_clearance[i % 3], &clearance[i], sizeof *clearance);
+        ck_assert(same_bits(&own, &unmeasured[i / TF_MASK_QUERIES],
+                            i % TF_MASK_QUERIES));
         ck_assert_msg(
             same_bits(&own, &b.masks[i / TF_MASK_QUERIES], i % TF_MASK_QUERIES),
             "%s, query %zu, seed %llu", families[_i / 2].name, i,
@@ -80,7 +87,7 @@ static tf_query_masks judged(const double at[2][4][3], double share)
                 for (int i = 0; i < TF_BLOCK_QUERIES; i++)
                     block.at[t][v][k][i] = at[t][v][k];
     tf_query_masks masks;
-    tf_lanes_point_triangle(1, &block, share, &masks);
+    tf_lanes_point_triangle(1, &block, share, &masks, NULL);
     return masks;
 }
 

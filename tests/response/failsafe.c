@@ -68,7 +68,7 @@ START_TEST(groups_move_as_their_masses_do)
     for (int v = 0; v < 3; v++)
         ck_assert_double_eq(fall(v), 1.25);
     ck_assert_double_eq(fall(3), 3);
-    ck_assert(of.changed[2] && !of.changed[3]);
+    ck_assert(stepped_has_moved(&of, 2) && !stepped_has_moved(&of, 3));
     tf_response_report report = account();
     ck_assert_int_eq(report.groups, 1);
     ck_assert_int_eq(report.grouped, 3);

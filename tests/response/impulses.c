@@ -75,7 +75,7 @@ START_TEST(who_meets_nothing_ends_as_proposed)
     tf_impulses_round(&of.step, &contacts, &of.rule, 0, displacement);
     ck_assert_mem_eq(of.end + 3 * (ptrdiff_t)particle,
                      made.end + 3 * (ptrdiff_t)particle, 3 * sizeof(double));
-    ck_assert(!of.changed[particle]);
+    ck_assert(!stepped_has_moved(&of, particle));
     stepped_free(&of);
 }
 END_TEST

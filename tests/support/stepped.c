@@ -7,8 +7,8 @@
 
 void stepped_begin(stepped *of, const proposal *made)
 {
-    memset(of->changed, 0, sizeof of->changed);
     memcpy(of->end, made->end, sizeof of->end);
+    memcpy(of->looked, made->end, sizeof of->looked);
     of->surface = surface_of(&made->mesh);
     of->step = (tf_step){.axes = made->mesh.axes,
                          .vertices = made->mesh.vertices,
@@ -16,7 +16,7 @@ void stepped_begin(stepped *of, const proposal *made)
                          .proposed = made->end,
                          .inverse_mass = made->inverse_mass,
                          .end = of->end,
-                         .changed = of->changed};
+                         .looked = of->looked};
     of->rule = (tf_row_rule){.base = made->end};
 }
 
@@ -34,10 +34,17 @@ tf_contacts stepped_contacts(stepped *of)
     return found;
 }
 
+bool stepped_has_moved(const stepped *of, int vertex)
+{
+    ptrdiff_t place = (ptrdiff_t)of->step.axes * vertex;
+    return memcmp(of->step.end + place, of->step.looked + place,
+                  sizeof(double) * (size_t)of->step.axes) != 0;
+}
+
 int stepped_changes(const stepped *of)
 {
     int changes = 0;
     for (int v = 0; v < of->step.vertices; v++)
-        changes += of->step.changed[v];
+        changes += stepped_has_moved(of, v);
     return changes;
 }

@@ -1,0 +1,103 @@
+//: Measure along a direction
+#pragma once
+
+#include "fast/determinants.h"
+
+#include <math.h>
+#include <stdbool.h>
+
+/// The ranges of the two elements along a direction, at one time.
+typedef struct tf_lane_extents {
+    tf_lane_range first, second;
+} tf_lane_extents;
+
+/// Relative to the last vertex, so that the error does not grow with the distance
+/// from the origin.
+TF_INSIDE tf_lane_extents tf_lane_extents_along(const tf_lane_vector x[4],
+                                                tf_lane_vector along,
+                                                bool of_edges)
+{
+    double a = tf_lane_dot(tf_lane_minus(x[0], x[3]), along);
+    double b = tf_lane_dot(tf_lane_minus(x[1], x[3]), along);
+    double c = tf_lane_dot(tf_lane_minus(x[2], x[3]), along);
+    tf_lane_range c_and_d = tf_lane_range_of(c, 0);
+    if (of_edges)
+        return (tf_lane_extents){tf_lane_range_of(a, b), c_and_d};
+    return (tf_lane_extents){{a, a},
+                             tf_lane_union(tf_lane_range_of(b, b), c_and_d)};
+}
+
+//: Find the clearance along a direction
+/// The largest coordinate.
+TF_INSIDE double tf_lane_norm(tf_lane_vector v)
+{
+    return tf_most(tf_most(tf_most(v.x, -v.x), tf_most(v.y, -v.y)),
+                   tf_most(v.z, -v.z));
+}
+
+/// How far apart the elements are at the end along a direction, if they are on
+/// the same sides at the start; otherwise 0 or less, or NaN.
+TF_INSIDE double tf_lane_clearance_along(const tf_lane *lane,
+                                         tf_lane_vector along, double error,
+                                         bool of_edges)
+{
+    tf_lane_extents at_start =
+        tf_lane_extents_along(lane->start, along, of_edges);
+    tf_lane_extents at_end = tf_lane_extents_along(lane->end, along, of_edges);
+    tf_lane_gaps start = tf_lane_gaps_of(at_start.second, at_start.first);
+    tf_lane_gaps end = tf_lane_gaps_of(at_end.second, at_end.first);
+    double norm = tf_lane_norm(along);
+    // So small a bound could have lost its accuracy, and so could the gaps.
+    double least = error * norm > 0x1p-1000 ? error * norm : INFINITY;
+    double beyond = start.beyond > least ? end.beyond : 0;
+    double before = start.before > least ? end.before : 0;
+    return tf_most(beyond, before) / norm;
+}
+
+//: Choose directions
+/// The direction in which the elements lie upon each other at the end: that of
+/// the triangle's normal, or across both edges.
+TF_INSIDE tf_lane_vector tf_lane_across(const tf_lane_vector x[4],
+                                        bool of_edges)
+{
+    tf_lane_vector first = tf_lane_minus(x[1], x[of_edges ? 0 : 3]);
+    return tf_lane_cross(first, tf_lane_minus(x[2], x[3]));
+}
+
+/// The direction in which they lie beside each other at the end: from the center
+/// of one toward that of the other.
+TF_INSIDE tf_lane_vector tf_lane_toward(const tf_lane_vector x[4],
+                                        bool of_edges)
+{
+    tf_lane_vector u = tf_lane_minus(x[1], x[0]);
+    tf_lane_vector v = tf_lane_minus(x[2], x[0]);
+    tf_lane_vector w = tf_lane_minus(x[3], x[0]);
+    double side = of_edges ? -1 : 1;
+    return (tf_lane_vector){side * u.x + v.x + w.x, side * u.y + v.y + w.y,
+                            side * u.z + v.z + w.z};
+}
+
+//: Find the clearance of two elements
+/// How far the ends of their vertices may move before the elements could meet, as
+/// the narrow phase measures it; 0 if that is not known.
+///
+/// A movement of |dx| + |dy| + |dz| changes a coordinate along a direction by at
+/// most that times the direction's largest coordinate, its norm.  The difference
+/// of two vertices has a sum of coordinates of at most twice the reach.  So with
+/// u = 2^-53 a number along a direction errs by at most 4 u times that times the
+/// norm, a gap by twice as much, and a clearance, a quotient, by less than 32 u
+/// times the reach, which is far less than what is taken off.
+TF_INSIDE double tf_lane_clearance(const tf_lane *lane,
+                                   const tf_lane_evidence *shown, bool of_edges)
+{
+    double error = 0x1p-40 * shown->reach;
+    double across = tf_lane_clearance_along(
+        lane, tf_lane_across(lane->end, of_edges), error, of_edges);
+    double toward = tf_lane_clearance_along(
+        lane, tf_lane_toward(lane->end, of_edges), error, of_edges);
+    // NaNs, which are not greater than anything, come first.
+    double most = tf_most(across, tf_most(toward, shown->gap)) - error;
+    double nothing = shown->sum - shown->sum;
+    bool known = (most > 0) & (shown->reach + nothing <= 0x1p300);
+    return known ? most : 0;
+}

@@ -163,24 +163,27 @@ TF_INSIDE tf_lane_evidence tf_lane_evidence_of(tf_lane_axis x, tf_lane_axis y,
 }
 
 //: Hold the weights of vertices
-/// The weights of the vertices of the three tetrahedra that a triangle sweeps.
-/// The path of the point crosses a tetrahedron if its weights have one sign, and
-/// then they are in proportion to the barycentric coordinates of the crossing.
+/// What the determinants show about the vertices of the three tetrahedra that a
+/// triangle sweeps, in the order of their names.  The path of the point crosses a
+/// tetrahedron if its four weights have one sign, and then they are in proportion
+/// to the barycentric coordinates of the place where it does.
 typedef struct tf_lane_tetrahedra {
     double ABCc[4], ABbc[4], Aabc[4];
 } tf_lane_tetrahedra;
 
+/// The same for the four pairs of triangles that two edges sweep: the weights of
+/// the first triangle's vertices, then of the second's.  The weights of the two
+/// have the same sum, and so have those of their vertices at the end.
+typedef struct tf_lane_triangles {
+    double ABb_CDd[6], ABb_Ccd[6], Aab_CDd[6], Aab_Ccd[6];
+} tf_lane_triangles;
+
+//: Find the range of weights
 /// The range of the weights of a tetrahedron.
 TF_INSIDE tf_lane_range tf_lane_range_of_weights(const double weight[4])
 {
     return tf_lane_range_of_4(weight[0], weight[1], weight[2], weight[3]);
 }
-
-/// The weights of the vertices of four pairs of triangles that two edges sweep,
-/// those of the first triangle, then those of the second.
-typedef struct tf_lane_triangles {
-    double ABb_CDd[6], ABb_Ccd[6], Aab_CDd[6], Aab_Ccd[6];
-} tf_lane_triangles;
 
 //: Weigh a point and a triangle
 TF_INSIDE tf_lane_evidence tf_lane_point_triangle(const tf_lane *lane,
@@ -205,10 +208,12 @@ TF_INSIDE tf_lane_evidence tf_lane_point_triangle(const tf_lane *lane,
     double ACc = tf_lane_dot(A, Cc), Abc = tf_lane_dot(A, bc);
     double Bbc = tf_lane_dot(B, bc), abc = tf_lane_dot(a, bc);
 
-    //: Compare the signs within each of three tetrahedra
+    //: Weigh the vertices of three tetrahedra
     *weights = (tf_lane_tetrahedra){.ABCc = {BCc, -ACc, ABc, -ABC},
                                     .ABbc = {Bbc, -Abc, ABc, -ABb},
                                     .Aabc = {abc, -Abc, Aac, -Aab}};
+
+    //: Compare the signs within each of three tetrahedra
     tf_lane_range ABCc = tf_lane_range_of_weights(weights->ABCc);
     tf_lane_range ABbc = tf_lane_range_of_weights(weights->ABbc);
     tf_lane_range Aabc = tf_lane_range_of_weights(weights->Aabc);
@@ -246,9 +251,7 @@ TF_INSIDE tf_lane_evidence tf_lane_edge_edge(const tf_lane *lane,
     double adD = tf_lane_dot(ad, AD), BdD = tf_lane_dot(Bd, AD);
     double adc = tf_lane_dot(ad, bc), Bdc = tf_lane_dot(Bd, bc);
 
-    //: Assign them to the vertices of four pairs of triangles
-    // Those of a triangle add up to what those of the other one do, and so do
-    // those at the end.
+    //: Weigh the vertices of four pairs of triangles
     *weights = (tf_lane_triangles){
         .ABb_CDd = {(BdC - DCd) + BdD, DCd, DCB, BdD, BdC, DCB},
         .ABb_Ccd = {Bdc - cCd, cCd, BdC + cCB, Bdc, BdC, cCB},
@@ -256,12 +259,15 @@ TF_INSIDE tf_lane_evidence tf_lane_edge_edge(const tf_lane *lane,
         .Aab_Ccd = {adc, cCd, (adC - cCd) + cCa, adc, adC, cCa}};
 
     //: Compare the signs within each of four pairs
-    tf_lane_range ABb_CDd =
-        tf_lane_range_of_5((BdC - DCd) + BdD, DCd, BdD, BdC, DCB);
-    tf_lane_range ABb_Ccd = tf_lane_range_of_4(Bdc - cCd, cCd, BdC, cCB);
-    tf_lane_range Aab_CDd = tf_lane_range_of_4(adD, adC, DCd, DCa - DCd);
-    tf_lane_range Aab_Ccd =
-        tf_lane_range_of_5(adc, cCd, (adC - cCd) + cCa, adC, cCa);
+    // A weight that is the same as another, or the sum of two, adds nothing.
+    const double *w = weights->ABb_CDd;
+    tf_lane_range ABb_CDd = tf_lane_range_of_5(w[0], w[1], w[3], w[4], w[5]);
+    w = weights->ABb_Ccd;
+    tf_lane_range ABb_Ccd = tf_lane_range_of_4(w[0], w[1], w[4], w[5]);
+    w = weights->Aab_CDd;
+    tf_lane_range Aab_CDd = tf_lane_range_of_4(w[3], w[4], w[1], w[2]);
+    w = weights->Aab_Ccd;
+    tf_lane_range Aab_Ccd = tf_lane_range_of_5(w[0], w[1], w[2], w[4], w[5]);
     tf_lane_range all = tf_lane_common(tf_lane_common(ABb_CDd, ABb_Ccd),
                                        tf_lane_common(Aab_CDd, Aab_Ccd));
     found.agreement = tf_lane_agreement(all);

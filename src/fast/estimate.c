@@ -5,7 +5,6 @@
 
 #include <math.h>
 #include <stddef.h>
-#include <string.h>
 
 //: Choose when an estimate is good enough
 // The weights err by at most TF_SHARE_SURE, 2^-45, as a share of Mx My Mz (see
@@ -99,6 +98,7 @@ static const pieces *find_first(const all_pieces *all, double error,
                                 double *time)
 {
     const pieces *first = NULL;
+    *time = INFINITY;
     for (const pieces *pair = all->pair; pair < all->pair + all->count;
          pair++) {
         tf_lane_range range = range_of_pieces(all, pair);
@@ -107,7 +107,7 @@ static const pieces *find_first(const all_pieces *all, double error,
         if (!(tf_lane_agreement(range) > error))
             return NULL;
         double own = time_of(all->corners[1], pair->pivot[1], pair->weight[1]);
-        if (first && !(own < *time))
+        if (!(own < *time))
             continue;
         *time = own;
         first = pair;

@@ -2,7 +2,7 @@
 #
 #     BUILD=dir vectors.sh
 #
-# By their own reports, each of the two loops over lanes is made of vectors, and
+# By their own reports, each of the four loops over lanes is made of vectors, and
 # for gcc each for every processor that base/vectors.h lists.  And requests to
 # the memory ahead of time are still there.
 set -eu
@@ -40,10 +40,10 @@ compile fast/gather
 compile fast/lanes -fopt-info-vec-optimized
 for bytes in $(case $(uname -m) in x86_64) echo 16 32 64 ;; *) echo 16 ;; esac)
 do
-    expect 2 "loop vectorized using $bytes byte vectors"
+    expect 4 "loop vectorized using $bytes byte vectors"
 done
 cc=clang
 compile surface/tree
 compile fast/gather
 compile fast/lanes -Rpass=loop-vectorize
-expect 2 "vectorized loop (vectorization width: [2-8]"
+expect 4 "vectorized loop (vectorization width: [2-8]"

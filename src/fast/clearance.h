@@ -3,7 +3,6 @@
 
 #include "fast/determinants.h"
 
-#include <math.h>
 #include <stdbool.h>
 
 /// The ranges of the two elements along a direction, at one time.
@@ -35,23 +34,21 @@ TF_INSIDE double tf_lane_norm(tf_lane_vector v)
                    tf_most(v.z, -v.z));
 }
 
-/// How far apart the elements are at the end along a direction, if they are on
-/// the same sides at the start; otherwise 0 or less, or NaN.
+/// How far the elements are apart along a direction, on the same sides at the
+/// start and at the end; not greater than 0 if they are not.
 TF_INSIDE double tf_lane_clearance_along(const tf_lane *lane,
-                                         tf_lane_vector along, double error,
-                                         bool of_edges)
+                                         tf_lane_vector along, bool of_edges)
 {
     tf_lane_extents at_start =
         tf_lane_extents_along(lane->start, along, of_edges);
     tf_lane_extents at_end = tf_lane_extents_along(lane->end, along, of_edges);
     tf_lane_gaps start = tf_lane_gaps_of(at_start.second, at_start.first);
     tf_lane_gaps end = tf_lane_gaps_of(at_end.second, at_end.first);
-    double norm = tf_lane_norm(along);
-    // So small a bound could have lost its accuracy, and so could the gaps.
-    double least = error * norm > 0x1p-1000 ? error * norm : INFINITY;
-    double beyond = start.beyond > least ? end.beyond : 0;
-    double before = start.before > least ? end.before : 0;
-    return tf_most(beyond, before) / norm;
+    double gap = tf_most(tf_least(start.beyond, end.beyond),
+                         tf_least(start.before, end.before));
+    // What products lose where they underflow is far less than this.
+    const double least = 0x1p-1000;
+    return (gap - least) / (tf_lane_norm(along) + least);
 }
 
 //: Choose directions
@@ -81,23 +78,23 @@ TF_INSIDE tf_lane_vector tf_lane_toward(const tf_lane_vector x[4],
 /// How far the ends of their vertices may move before the elements could meet, as
 /// the narrow phase measures it; 0 if that is not known.
 ///
-/// A movement of |dx| + |dy| + |dz| changes a coordinate along a direction by at
-/// most that times the direction's largest coordinate, its norm.  The difference
-/// of two vertices has a sum of coordinates of at most twice the reach.  So with
-/// u = 2^-53 a number along a direction errs by at most 4 u times that times the
-/// norm, a gap by twice as much, and a clearance, a quotient, by less than 32 u
-/// times the reach, which is far less than what is taken off.
+/// A movement of |dx| + |dy| + |dz| changes a number along a direction by at most
+/// that times the direction's largest coordinate, its norm.  The coordinates of
+/// the difference of two vertices add up to at most twice the reach.  So a number
+/// along a direction errs by about 4 u times that times the norm, with u = 2^-53,
+/// a gap by twice as much, and the quotient by less than 32 u times the reach,
+/// which is far less than what is taken off.
 TF_INSIDE double tf_lane_clearance(const tf_lane *lane,
                                    const tf_lane_evidence *shown, bool of_edges)
 {
-    double error = 0x1p-40 * shown->reach;
     double across = tf_lane_clearance_along(
-        lane, tf_lane_across(lane->end, of_edges), error, of_edges);
+        lane, tf_lane_across(lane->end, of_edges), of_edges);
     double toward = tf_lane_clearance_along(
-        lane, tf_lane_toward(lane->end, of_edges), error, of_edges);
-    // NaNs, which are not greater than anything, come first.
+        lane, tf_lane_toward(lane->end, of_edges), of_edges);
+    double error = 0x1p-40 * shown->reach;
     double most = tf_most(across, tf_most(toward, shown->gap)) - error;
+    // Nothing is known if products may overflow or a coordinate is not finite.
     double nothing = shown->sum - shown->sum;
-    bool known = (most > 0) & (shown->reach + nothing <= 0x1p300);
-    return known ? most : 0;
+    double known = 0x1p300 - (shown->reach + nothing);
+    return tf_most(tf_least(most, known), 0);
 }

@@ -2,13 +2,14 @@
 //
 //     response [PERCENT [SCENE]]
 //
-// of the usual number of steps; of one scene, from 0, or of all.  Prints a line a scene: vertices; steps without
-// contacts, resolved by zones, and by the failsafe; rounds a step, mean and
-// most; contacts; seconds of processor time for the first detection of all steps
-// alone, and for resolving them, which includes that; what resolving costs in
-// units of detection, over all steps, in the worst step, and in steps without
-// contacts; vertices held back; and how often a resolver took more memory once
-// half of the steps were done.
+// of the usual number of steps; of one scene, from 0, or of all.  Prints a line a
+// scene: vertices; steps without contacts, resolved by zones, and by the failsafe;
+// rounds a step, mean and most; contacts; seconds of processor time for the first
+// detection of all steps alone, and for resolving them, which includes that; what
+// resolving costs in units of detection, over all steps, in the worst step, and in
+// steps without contacts; vertices held back; how often a resolver took more
+// memory once half of the steps were done; and how many pairs resolving decides,
+// in units of those that detection does.
 
 #include "bench/measuring.h"
 #include "fast/vector.h"
@@ -48,14 +49,16 @@ static void scene_free(scene *s)
     cloth_free(s->of);
 }
 
-static double time_detection(scene *s)
+static double time_detection(scene *s, size_t *pairs)
 {
     const tf_detection all = {.narrow_phase = &tf_vectorized};
     tf_motion motion = {s->of->mesh.vertices, s->of->position, s->end};
     tf_contacts found;
     double begin = processor_seconds();
     require(tf_surface_detect(s->surface, &motion, &all, &found, NULL));
-    return processor_seconds() - begin;
+    double seconds = processor_seconds() - begin;
+    *pairs += found.effort.candidates;
+    return seconds;
 }
 
 static double time_response(scene *s, tf_response_report *report)
@@ -71,7 +74,7 @@ static double time_response(scene *s, tf_response_report *report)
 typedef struct costs {
     int steps, clear, rescued, rounds, most_rounds, grown;
     long held;
-    size_t contacts;
+    size_t contacts, detected_pairs, resolved_pairs;
     double detection, response, worst;
     double clear_detection, clear_response;
 } costs;
@@ -87,6 +90,7 @@ static void account(const tf_response_report *report, double detection,
     sum->rounds += rounds;
     sum->most_rounds = rounds > sum->most_rounds ? rounds : sum->most_rounds;
     sum->contacts += report->contacts;
+    sum->resolved_pairs += report->effort.candidates;
     sum->held += report->held;
     sum->detection += detection;
     sum->response += response;
@@ -105,7 +109,7 @@ static costs measure(scene *s, int steps)
     for (int i = 0; i < steps; i++) {
         tf_response_report report;
         cloth_propose(s->of, s->end);
-        double detection = time_detection(s);
+        double detection = time_detection(s, &sum.detected_pairs);
         double response = time_response(s, &report);
         account(&report, detection, response, &sum);
         size_t taken = tf_resolver_memory(s->resolver);
@@ -121,13 +125,13 @@ static void show(cloth_scene which, int edges, int steps)
     scene s = scene_new(which, edges);
     costs sum = measure(&s, steps);
     printf("%-14s %5d %4d/%3d/%3d %5.1f %3d %8zu %7.2f %7.2f %6.2f %6.2f "
-           "%6.2f %6ld %3d\n",
+           "%6.2f %6ld %3d %5.2f\n",
            cloth_names[which], s.of->mesh.vertices, sum.clear,
            sum.steps - sum.clear - sum.rescued, sum.rescued,
            (double)sum.rounds / sum.steps, sum.most_rounds, sum.contacts,
            sum.detection, sum.response, sum.response / sum.detection, sum.worst,
            sum.clear ? sum.clear_response / sum.clear_detection : 0, sum.held,
-           sum.grown);
+           sum.grown, (double)sum.resolved_pairs / (double)sum.detected_pairs);
     fflush(stdout);
     scene_free(&s);
 }
@@ -137,9 +141,9 @@ int main(int argc, char *argv[])
     static const int edges[CLOTH_SCENES] = {1000, 50, 19, 19, 21, 6};
     static const int steps[CLOTH_SCENES] = {200, 180, 120, 120, 300, 240};
     double percent = argc > 1 ? atof(argv[1]) : 100;
-    printf("%-14s %5s %12s %9s %8s %7s %7s %6s %6s %6s %6s %3s\n", "scene",
+    printf("%-14s %5s %12s %9s %8s %7s %7s %6s %6s %6s %6s %3s %5s\n", "scene",
            "verts", "none/zon/fs", "rounds", "contacts", "det s", "res s",
-           "ratio", "worst", "clear", "held", "mem");
+           "ratio", "worst", "clear", "held", "mem", "pairs");
     int first = argc > 2 ? atoi(argv[2]) : 0;
     int last = argc > 2 ? first : CLOTH_SCENES - 1;
     for (int i = first; i <= last && i < CLOTH_SCENES; i++)

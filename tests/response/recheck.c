@@ -191,19 +191,31 @@ static void expect_contact(tf_contacts found, int particle)
     ck_assert_int_eq(found.contact->vertex[0], particle);
 }
 
-// Two particles near a triangle; only what has moved far enough is tested.
-START_TEST(what_cannot_be_in_contact_is_not_tested)
+/// Two particles that fall through a triangle, 3 and 4, and one that falls past
+/// it, but within its box.
+static void begin_with_particles(void)
 {
     proposal_begin(&made, 3);
-    for (int i = 0; i < 5; i++) {
+    for (int i = 0; i < 6; i++) {
         proposal_add_vertex(&made, i == 1 ? 4 : 1, i == 2 ? 4 : 1, i > 2);
         made.end[3 * i] += 0.1;
     }
     made.start[0] = made.start[1] = 0;
-    made.end[3 * 3 + 2] = made.end[3 * 4 + 2] = -1; // through the triangle
+    for (int i = 3; i < 6; i++)
+        made.end[3 * i + 2] = -1;
+    made.start[3 * 5] = made.start[3 * 5 + 1] = 3.5;
+    made.end[3 * 5] = made.end[3 * 5 + 1] = 3.5;
     proposal_add_triangle(&made, 0, 1, 2);
     stepped_begin(&of, &made);
-    ck_assert_uint_eq(check_in(NULL).count, 2);
+    tf_contacts found = check_in(NULL);
+    ck_assert_uint_eq(found.count, 2);
+    ck_assert_uint_eq(found.effort.candidates, 3);
+}
+
+// Only what has moved far enough is tested.
+START_TEST(what_cannot_be_in_contact_is_not_tested)
+{
+    begin_with_particles();
     expect_candidates(2, 2); // those in contact, though nothing has moved
 
     of.end[3 * 3 + 2] = 0.5; // above the triangle
@@ -217,7 +229,7 @@ START_TEST(what_cannot_be_in_contact_is_not_tested)
     // The triangle may move as well, and movements add up.
     of.end[3 * 3 + 2] = 0.5;
     of.end[2] = 0.01;
-    expect_candidates(1, 2);
+    expect_candidates(1, 3);
     for (int i = 0; i < 12; i++) {
         of.end[2] += i % 2 ? 0.02 : -0.02;
         of.end[3 * 3] += i % 2 ? 0.02 : -0.02;
@@ -226,6 +238,23 @@ START_TEST(what_cannot_be_in_contact_is_not_tested)
     of.end[3 * 3] += 0.02;
     expect_candidates(1, 2);
     stepped_free(&of);
+}
+END_TEST
+
+START_TEST(where_clearances_are_not_known_all_that_moves_is_tested)
+{
+    narrow_phase = &tf_reference;
+    begin_with_particles();
+    of.end[3 * 3 + 2] = 0.5;
+    expect_candidates(1, 2);
+    expect_candidates(1, 1);
+    of.end[3 * 3 + 2] = 0.49;
+    expect_candidates(1, 2);
+    of.end[2] = 0.01;
+    expect_candidates(1, 3);
+    expect_candidates(1, 1);
+    stepped_free(&of);
+    narrow_phase = &tf_vectorized;
 }
 END_TEST
 
@@ -338,6 +367,8 @@ Suite *suite(void)
     TCase *tcase = tcase_create("contacts");
     tcase_add_loop_test(tcase, what_is_kept_is_found_again, 0, PROPOSAL_SHAPES);
     tcase_add_test(tcase, what_cannot_be_in_contact_is_not_tested);
+    tcase_add_test(tcase,
+                   where_clearances_are_not_known_all_that_moves_is_tested);
     tcase_add_test(tcase, what_is_not_kept_is_not_found);
     tcase_add_test(tcase, many_edges_again);
     tcase_add_test(tcase, ends_far_out_of_the_frame);

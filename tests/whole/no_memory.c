@@ -1,16 +1,20 @@
-// Adaptive surfaces without memory: each allocation fails in turn, which is
-// reported, and what there was stays good.  The linker puts the functions below
+// Adaptive surfaces and responses without memory: each allocation fails in turn,
+// which is reported, and what there was stays good.  The linker puts the functions below
 // in the place of those of the C library: see tests/rules.mk.
 #include "adaptive/flow.h"
 #include "adaptive/operations.h"
 #include "adaptive/reconnect.h"
 #include "adaptive/remesh.h"
 #include "adaptive/topology.h"
+#include "response/resolve.h"
 #include "support/adaptive_of.h"
 #include "support/blobs.h"
+#include "support/proposals.h"
+#include "support/scrambled.h"
 #include "support/support.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 /// How many allocations succeed before all fail; below 0: all succeed.
 static long left = -1;
@@ -242,6 +246,61 @@ START_TEST(flowing_leaves_a_good_surface)
 }
 END_TEST
 
+// Responses -------------------------------------------------------------------
+
+static proposal made;
+static int workers = 2;
+
+static tf_status resolve(tf_resolver *resolver, double end[])
+{
+    const tf_parallel parallel = scrambled(&workers);
+    const tf_response_options all_levels = {.impulse_rounds = 1,
+                                            .zone_rounds = 1,
+                                            .rigid = true,
+                                            .check_start = true,
+                                            .parallel = &parallel};
+    return tf_step_resolve(resolver, made.mesh.vertices, made.start, end, NULL,
+                           &all_levels, NULL, NULL);
+}
+
+/// Resolves with new memory, of which only some is to be had, and if that fails,
+/// again with enough.  Returns the status of the first try.
+static tf_status resolve_anew(int allocations, double end[])
+{
+    tf_surface *surface;
+    tf_resolver *resolver;
+    ck_assert_int_eq(tf_surface_create(&made.mesh, &surface, NULL), TF_OK);
+    ck_assert_int_eq(tf_resolver_create(surface, &resolver), TF_OK);
+    memcpy(end, made.end, sizeof made.end);
+    left = allocations;
+    tf_status status = resolve(resolver, end);
+    left = -1;
+    if (status != TF_OK) {
+        ck_assert_int_eq(status, TF_OUT_OF_MEMORY);
+        ck_assert_mem_eq(end, made.end, sizeof made.end);
+        ck_assert_int_eq(resolve(resolver, end), TF_OK);
+    }
+    tf_resolver_free(resolver);
+    tf_surface_free(surface);
+    return status;
+}
+
+START_TEST(a_response_is_all_or_nothing)
+{
+    static double expected[3 * PROPOSAL_VERTICES], end[3 * PROPOSAL_VERTICES];
+    generator random = generator_new(5);
+    proposal_make(&random, (proposal_shape)_i, 2, SHUFFLED, &made);
+    ck_assert_int_eq(resolve_anew(-1, expected), TF_OK);
+    ck_assert_mem_ne(expected, made.end, sizeof expected);
+    int failures = 0;
+    while (resolve_anew(failures, end) != TF_OK) {
+        ck_assert_mem_eq(end, expected, sizeof end);
+        failures++;
+    }
+    ck_assert_int_gt(failures, 20);
+}
+END_TEST
+
 Suite *suite(void)
 {
     Suite *suite = suite_create("whole/no_memory");
@@ -252,6 +311,8 @@ Suite *suite(void)
     tcase_add_test(tcase, reconnecting_leaves_a_good_surface);
     tcase_add_test(tcase, remeshing_leaves_a_good_surface);
     tcase_add_test(tcase, flowing_leaves_a_good_surface);
+    tcase_add_loop_test(tcase, a_response_is_all_or_nothing, SHEETS,
+                        PROPOSAL_SHAPES);
     suite_add_tcase(suite, tcase);
     return suite;
 }

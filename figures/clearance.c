@@ -59,9 +59,8 @@ static fig_point in_strip(const double n[2], double gap, double across,
 static void draw_strip(fig_page *page, const double n[2], double gap)
 {
     const double low = -0.95, high = 2.4;
-    fig_point strip[] = {
-        in_strip(n, gap, 0, low), in_strip(n, gap, 0, high),
-        in_strip(n, gap, 1, high), in_strip(n, gap, 1, low)};
+    fig_point strip[] = {in_strip(n, gap, 0, low), in_strip(n, gap, 0, high),
+                         in_strip(n, gap, 1, high), in_strip(n, gap, 1, low)};
     fig_page_fill(page, 4, strip,
                   (fig_paint){.role = FIG_ROLE_NEUTRAL, .opacity = 0.18});
     fig_point middle[] = {in_strip(n, gap, 0.5, low),
@@ -86,9 +85,8 @@ static void draw_strip(fig_page *page, const double n[2], double gap)
 static void draw_reach(fig_page *page, const double x[3], double far,
                        fig_role role)
 {
-    fig_point diamond[] = {
-        place(x[0] + far, x[1]), place(x[0], x[1] + far),
-        place(x[0] - far, x[1]), place(x[0], x[1] - far)};
+    fig_point diamond[] = {place(x[0] + far, x[1]), place(x[0], x[1] + far),
+                           place(x[0] - far, x[1]), place(x[0], x[1] - far)};
     fig_page_fill(page, 4, diamond, (fig_paint){.role = role, .opacity = 0.3});
 }
 
@@ -107,9 +105,9 @@ static void draw_edge(fig_page *page, int first, double far, fig_role role,
     for (int i = 0; i < 2; i++) {
         fig_page_dot(page, edge[i].x, edge[i].y, FIG_WIDTH_BALL,
                      (fig_paint){.role = role});
-        fig_page_label(page, edge[i].x, edge[i].y,
-                       (fig_label){.text = names[i], .role = role,
-                                   .side = side});
+        fig_page_label(
+            page, edge[i].x, edge[i].y,
+            (fig_label){.text = names[i], .role = role, .side = side});
     }
 }
 
@@ -117,8 +115,7 @@ static void draw(fig_page *page, FILE *numbers)
 {
     double n[2], clearance = clearance_of_edges();
     find_direction(n);
-    double gap =
-        n[0] * (at[2][0] - at[1][0]) + n[1] * (at[2][1] - at[1][1]);
+    double gap = n[0] * (at[2][0] - at[1][0]) + n[1] * (at[2][1] - at[1][1]);
     TF_REQUIRE(fabs(gap / n[1] - clearance) < 1e-9);
 
     draw_strip(page, n, gap);

@@ -209,8 +209,8 @@ bool tf_contact_estimate(tf_kind kind, const tf_motion *motion,
         of.lane.start[i] = position(motion->start, vertex[i]);
         of.lane.end[i] = position(motion->end, vertex[i]);
     }
-    all_pieces all = kind == TF_EDGE_EDGE ? weigh_edge_edge(&of)
-                                          : weigh_point_triangle(&of);
+    all_pieces all =
+        kind == TF_EDGE_EDGE ? weigh_edge_edge(&of) : weigh_point_triangle(&of);
     double time;
     const pieces *first =
         find_first(&all, TF_SHARE_GOOD * of.shown.volume, &time);

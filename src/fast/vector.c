@@ -114,9 +114,8 @@ static tf_status decide_and_measure(const tf_arithmetic *arithmetic,
     for (size_t begin = 0; begin < count; begin += TF_MASK_QUERIES) {
         size_t end =
             count - begin < TF_MASK_QUERIES ? count : begin + TF_MASK_QUERIES;
-        tf_status status =
-            decide_some(arithmetic, queries, begin, end, verdict, separated,
-                        clearance);
+        tf_status status = decide_some(arithmetic, queries, begin, end, verdict,
+                                       separated, clearance);
         if (status != TF_OK)
             return status;
     }

@@ -164,9 +164,9 @@ static tf_status decide_batch(const tf_deciding *of, int count,
 
     bool filtered = is_exact(of->arithmetic);
     size_t separated = 0;
-    tf_status status = decide_by(filtered ? &tf_clamped : of->arithmetic, of,
-                                 count, b->vertex, b->verdict, &separated,
-                                 of->measures ? clearance : NULL);
+    tf_status status =
+        decide_by(filtered ? &tf_clamped : of->arithmetic, of, count, b->vertex,
+                  b->verdict, &separated, of->measures ? clearance : NULL);
     size_t decided = (size_t)count - separated, open = 0;
     if (status == TF_OK && filtered)
         open = decide_open(of, count, b, &status);

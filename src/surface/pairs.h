@@ -20,10 +20,10 @@ typedef struct tf_deciding {
     tf_contact_estimator *estimate; ///< describes contacts where it can; NULL:
                                     ///< the arithmetic describes all of them
     tf_extent extent;
-    bool keeps;   ///< whether the workers keep the pairs for later, in place of
-                  ///< those that they have kept before
+    bool keeps; ///< whether the workers keep the pairs for later, in place of
+                ///< those that they have kept before
     bool measures; ///< whether the workers note the clearances of pairs
-    tf_kind kind; ///< of the pairs that come next
+    tf_kind kind;  ///< of the pairs that come next
 } tf_deciding;
 
 //: Declare the decision of pairs

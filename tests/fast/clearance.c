@@ -30,9 +30,9 @@ static void measure(const batch *b, double clearance[])
 static void decide(const batch *b)
 {
     size_t separated = 0;
-    ck_assert_int_eq(tf_reference.decide(&tf_exact, &b->queries, b->verdict[1],
-                                         &separated),
-                     TF_OK);
+    ck_assert_int_eq(
+        tf_reference.decide(&tf_exact, &b->queries, b->verdict[1], &separated),
+        TF_OK);
 }
 
 // What is within the clearance stays apart ------------------------------------
@@ -48,10 +48,10 @@ static void move(generator *random, double far, int count, const int vertex[],
         if (!together)
             toward = -toward;
         for (int k = 0; k < 3; k++)
-            end[3 * vertex[i] + k] +=
-                axis == 3   ? uniform(random, -far / 3, far / 3)
-                : axis == k ? toward * far
-                            : 0;
+            end[3 * vertex[i] + k] += axis == 3
+                                          ? uniform(random, -far / 3, far / 3)
+                                      : axis == k ? toward * far
+                                                  : 0;
     }
 }
 
@@ -84,9 +84,8 @@ static int move_all(generator *random, batch *b, const double before[],
         move(random, part * own, first, vertex, b->end);
         move(random, part * (clearance[i] - own), 4 - first, vertex + first,
              b->end);
-        double sum =
-            movement(first, vertex, before, b->end) +
-            movement(4 - first, vertex + first, before, b->end);
+        double sum = movement(first, vertex, before, b->end) +
+                     movement(4 - first, vertex + first, before, b->end);
         moved += sum < clearance[i];
         for (int v = 0; v < 4 && !(sum < clearance[i]); v++)
             memcpy(b->end + (ptrdiff_t)3 * vertex[v],
@@ -115,8 +114,8 @@ START_TEST(within_the_clearance_elements_stay_apart)
             ck_assert_msg(clearance[j] >= 0, "%s", query_text(&q));
             ck_assert_msg(b.verdict[0][j] != TF_APART || clearance[j] == 0 ||
                               b.verdict[1][j] == TF_APART,
-                          "%s, clearance %a, seed %llu, moved to\n%s",
-                          of->name, clearance[j], (unsigned long long)seed(),
+                          "%s, clearance %a, seed %llu, moved to\n%s", of->name,
+                          clearance[j], (unsigned long long)seed(),
                           query_text(&q));
         }
     }

@@ -101,8 +101,7 @@ static void try_query(const batch *b, size_t i, const char *name, counts *all)
     if (!tf_contact_estimate(b->queries.kind, &b->motion, vertex, &found))
         return;
     all->estimates++;
-    all->others +=
-        memcmp(found.pivot, expected.pivot, sizeof found.pivot) != 0;
+    all->others += memcmp(found.pivot, expected.pivot, sizeof found.pivot) != 0;
     const char *fault = fault_of(&found, &expected);
     query q = batch_query(b, i);
     ck_assert_msg(!fault, "%s: %s, seed %llu\n%s", name, fault,

@@ -62,7 +62,8 @@ START_TEST(each_lane_is_judged_by_itself)
         tf_query_masks own;
         double own_clearance[TF_BLOCK_QUERIES];
         filter(1, &copies, TF_SHARE_SURE, &own, own_clearance);
-        ck_assert_mem_eq(&own_clearance[i % 3], &clearance[i], sizeof *clearance);
+        ck_assert_mem_eq(&own_clearance[i % 3], &clearance[i],
+                         sizeof *clearance);
         ck_assert(same_bits(&own, &unmeasured[i / TF_MASK_QUERIES],
                             i % TF_MASK_QUERIES));
         ck_assert_msg(

@@ -34,8 +34,8 @@ static tf_contacts check_in(const tf_parallel *parallel)
 {
     tf_contacts found;
     tf_flaw flaw;
-    ck_assert_int_eq(tf_check_all(of.surface, &of.step, narrow_phase,
-                                  parallel, &found, &flaw),
+    ck_assert_int_eq(tf_check_all(of.surface, &of.step, narrow_phase, parallel,
+                                  &found, &flaw),
                      TF_OK);
     return found;
 }

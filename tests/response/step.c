@@ -8,11 +8,8 @@
 
 static const double start[] = {3.3, 7, -1, 2}, proposed[] = {0.1, 8, 5, 5};
 static double end[4];
-static tf_step step = {.axes = 2,
-                       .vertices = 2,
-                       .start = start,
-                       .proposed = proposed,
-                       .end = end};
+static tf_step step = {
+    .axes = 2, .vertices = 2, .start = start, .proposed = proposed, .end = end};
 
 static void begin(void)
 {

@@ -27,7 +27,7 @@ TF_INSIDE tf_lane_extents tf_lane_extents_along(const tf_lane_vector x[4],
 }
 
 //: Find the clearance along a direction
-/// The largest coordinate.
+/// The largest coordinate, in absolute value.
 TF_INSIDE double tf_lane_norm(tf_lane_vector v)
 {
     return tf_most(tf_most(tf_most(v.x, -v.x), tf_most(v.y, -v.y)),
@@ -52,8 +52,8 @@ TF_INSIDE double tf_lane_clearance_along(const tf_lane *lane,
 }
 
 //: Choose directions
-/// The direction in which the elements lie upon each other at the end: that of
-/// the triangle's normal, or across both edges.
+/// The direction in which the elements lie one above the other at the end: that
+/// of the triangle's normal, or across both edges.
 TF_INSIDE tf_lane_vector tf_lane_across(const tf_lane_vector x[4],
                                         bool of_edges)
 {
@@ -61,8 +61,8 @@ TF_INSIDE tf_lane_vector tf_lane_across(const tf_lane_vector x[4],
     return tf_lane_cross(first, tf_lane_minus(x[2], x[3]));
 }
 
-/// The direction in which they lie beside each other at the end: from the center
-/// of one toward that of the other.
+/// The direction in which they lie side by side at the end: from the center of
+/// one toward that of the other, three times for a triangle, twice for edges.
 TF_INSIDE tf_lane_vector tf_lane_toward(const tf_lane_vector x[4],
                                         bool of_edges)
 {
@@ -80,10 +80,11 @@ TF_INSIDE tf_lane_vector tf_lane_toward(const tf_lane_vector x[4],
 ///
 /// A movement of |dx| + |dy| + |dz| changes a number along a direction by at most
 /// that times the direction's largest coordinate, its norm.  The coordinates of
-/// the difference of two vertices add up to at most twice the reach.  So a number
-/// along a direction errs by about 4 u times that times the norm, with u = 2^-53,
-/// a gap by twice as much, and the quotient by less than 32 u times the reach,
-/// which is far less than what is taken off.
+/// the difference of two vertices add up to at most twice the reach, and no term
+/// of a number goes through more than four roundings.  So with u = 2^-53 a number
+/// errs by about 8 u times reach times norm, a gap by twice as much, and the
+/// quotient, with roundings of its own, by less than 32 u times the reach, which
+/// is far less than what is taken off.
 TF_INSIDE double tf_lane_clearance(const tf_lane *lane,
                                    const tf_lane_evidence *shown, bool of_edges)
 {
@@ -93,7 +94,8 @@ TF_INSIDE double tf_lane_clearance(const tf_lane *lane,
         lane, tf_lane_toward(lane->end, of_edges), of_edges);
     double error = 0x1p-40 * shown->reach;
     double most = tf_most(across, tf_most(toward, shown->gap)) - error;
-    // Nothing is known if products may overflow or a coordinate is not finite.
+    // Negative if products may overflow, and a NaN if a coordinate is not finite:
+    // as the second operand it survives the minimum, and then 0 is the greater.
     double nothing = shown->sum - shown->sum;
     double known = 0x1p300 - (shown->reach + nothing);
     return tf_most(tf_least(most, known), 0);

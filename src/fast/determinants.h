@@ -162,18 +162,18 @@ TF_INSIDE tf_lane_evidence tf_lane_evidence_of(tf_lane_axis x, tf_lane_axis y,
                                         (z.reach + TF_LEAST_REACH)};
 }
 
-//: Hold the weights of vertices
-/// What the determinants show about the vertices of the three tetrahedra that a
-/// triangle sweeps, in the order of their names.  The path of the point crosses a
-/// tetrahedron if its four weights have one sign, and then they are in proportion
-/// to the barycentric coordinates of the place where it does.
+//: Hold the weights of events
+/// The weights of the events of the three tetrahedra that a triangle sweeps, in
+/// the order of their names.  The path of the point crosses a tetrahedron if its
+/// four weights have one sign, and then they are in proportion to the barycentric
+/// coordinates of the place where it does.
 typedef struct tf_lane_tetrahedra {
     double ABCc[4], ABbc[4], Aabc[4];
 } tf_lane_tetrahedra;
 
 /// The same for the four pairs of triangles that two edges sweep: the weights of
-/// the first triangle's vertices, then of the second's.  The weights of the two
-/// have the same sum, and so have those of their vertices at the end.
+/// the first triangle's events, then of the second's.  The weights of the two
+/// have the same sum, and so have those of their events at the end.
 typedef struct tf_lane_triangles {
     double ABb_CDd[6], ABb_Ccd[6], Aab_CDd[6], Aab_Ccd[6];
 } tf_lane_triangles;
@@ -208,7 +208,7 @@ TF_INSIDE tf_lane_evidence tf_lane_point_triangle(const tf_lane *lane,
     double ACc = tf_lane_dot(A, Cc), Abc = tf_lane_dot(A, bc);
     double Bbc = tf_lane_dot(B, bc), abc = tf_lane_dot(a, bc);
 
-    //: Weigh the vertices of three tetrahedra
+    //: Weigh the events of three tetrahedra
     *weights = (tf_lane_tetrahedra){.ABCc = {BCc, -ACc, ABc, -ABC},
                                     .ABbc = {Bbc, -Abc, ABc, -ABb},
                                     .Aabc = {abc, -Abc, Aac, -Aab}};
@@ -251,7 +251,7 @@ TF_INSIDE tf_lane_evidence tf_lane_edge_edge(const tf_lane *lane,
     double adD = tf_lane_dot(ad, AD), BdD = tf_lane_dot(Bd, AD);
     double adc = tf_lane_dot(ad, bc), Bdc = tf_lane_dot(Bd, bc);
 
-    //: Weigh the vertices of four pairs of triangles
+    //: Weigh the events of four pairs of triangles
     *weights = (tf_lane_triangles){
         .ABb_CDd = {(BdC - DCd) + BdD, DCd, DCB, BdD, BdC, DCB},
         .ABb_Ccd = {Bdc - cCd, cCd, BdC + cCB, Bdc, BdC, cCB},

@@ -8,15 +8,15 @@
 
 //: Choose when an estimate is good enough
 // The weights err by at most TF_SHARE_SURE, 2^-45, as a share of Mx My Mz (see
-// fast/lanes.h).  If each is at least this far from zero, so is their sum, and
-// the coordinates, which are the weights divided by it, are right to about 2^-20.
+// fast/lanes.h).  If each is at least this far from zero, it is right to 2^-21 of
+// itself, and a coordinate, the quotient of two sums, to about 2^-20.
 #define TF_SHARE_GOOD 0x1p-24
 
 //: Hold a pair of pieces
 /// A pair of simplices that two elements sweep.
 typedef struct pieces {
     int pivot[2];            ///< the place of each one's pivot in its element
-    const double *weight[2]; ///< of the vertices of each; a point has none
+    const double *weight[2]; ///< of the events of each; a point has none
 } pieces;
 
 /// All pairs of pieces of two elements.
@@ -84,7 +84,7 @@ static double sum_of(int count, const double number[])
     return sum;
 }
 
-/// The share of the weights of the vertices at the end.
+/// The share of the weights of the events at the end.
 static double time_of(int corners, int pivot, const double weight[])
 {
     return sum_of(corners - pivot, weight + pivot + 1) /
@@ -116,14 +116,16 @@ static const pieces *find_first(const all_pieces *all, double error,
 }
 
 //: Find where they meet
-/// A vertex gets the sum of the weights that it has at the start and the end, as
-/// a share of all.
+/// A vertex gets the weights of its events, as a share of all.
 static void set_coordinates(int corners, int pivot, const double weight[],
                             double barycentric[3])
 {
-    double sum = corners > 1 ? sum_of(corners + 1, weight) : 1;
-    barycentric[0] = 1;
-    for (int v = 0; v < corners && corners > 1; v++) {
+    if (corners == 1) {
+        barycentric[0] = 1;
+        return;
+    }
+    double sum = sum_of(corners + 1, weight);
+    for (int v = 0; v < corners; v++) {
         double at_start = v <= pivot ? weight[v] : 0;
         double at_end = v >= pivot ? weight[v + 1] : 0;
         barycentric[v] = (at_start + at_end) / sum;
@@ -177,14 +179,15 @@ static bool describe(const tf_lane *lane, const all_pieces *all,
         return false;
     tf_lane_vector velocity =
         velocity_of(lane, pivot[0], corners[0] + pivot[1]);
-    *contact = (tf_contact){.verdict = TF_HIT,
-                            .classification = TF_GENERIC,
-                            .toi_lo = time,
-                            .toi_hi = time,
-                            .pivot = {pivot[0], pivot[1]}};
-    for (int i = 0; i < 2; i++)
+    static const tf_contact hit = {.verdict = TF_HIT,
+                                   .classification = TF_GENERIC};
+    *contact = hit;
+    contact->toi_lo = contact->toi_hi = time;
+    for (int i = 0; i < 2; i++) {
         set_coordinates(corners[i], pivot[i], first->weight[i],
                         contact->barycentric[i]);
+        contact->pivot[i] = pivot[i];
+    }
     double length = sqrt(square);
     set_vector(normal, length, contact->normal);
     set_vector(velocity, 1, contact->velocity);

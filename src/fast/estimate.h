@@ -7,11 +7,11 @@
 
 #include <stdbool.h>
 
-/// Estimates the contact of a point and a triangle or of two edges, whose vertices
-/// are in increasing order, in an IEEE environment.  False, and no contact, if
-/// rounded numbers cannot tell for sure that the elements meet, between which of
-/// their pieces first, and where and when within about 2^-20.  As in an exact
-/// contact, everything depends on the two elements alone, and no time of contact
-/// that is not 0 is estimated as 0.
+/// Estimates the contact of a point and a triangle or of two edges, whose
+/// vertices are in increasing order, in an IEEE environment.  Time and place are
+/// right to about 2^-20; where pairs of pieces meet at times as near as that, it
+/// may describe any of them.  False, and no contact, if rounded numbers cannot
+/// tell for sure, and as accurately, which pairs of pieces meet.  No contact is
+/// estimated to be at the start.
 bool tf_contact_estimate(tf_kind kind, const tf_motion *motion,
                          const int vertex[4], tf_contact *contact);

@@ -39,7 +39,7 @@ static tf_lanes_filter *filter_for(tf_kind kind)
 }
 
 //: Leave queries to the reference
-/// Their clearances remain unknown.
+/// Leaves clearances as they are.
 static tf_status leave_to_reference(const tf_arithmetic *arithmetic,
                                     const tf_queries *queries, size_t begin,
                                     size_t end, tf_verdict verdict[],

@@ -162,7 +162,8 @@ static int select_moved(const rechecking *of, selection *some,
 //: Limit how far a pair may move
 /// How far a pair that has moved so far may move until it must be looked at
 /// again; less than 0: it must be, moved or not.  What is taken off is more than
-/// the roundings of all sums, for thousands of looks.
+/// the roundings of all sums, for thousands of looks.  Where that is more than the
+/// clearance, the limit is what it has moved by now.
 static double limit_of(double moved, double clearance)
 {
     double limit = (moved + clearance) * (1 - 0x1p-40);

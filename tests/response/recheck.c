@@ -258,6 +258,22 @@ START_TEST(where_clearances_are_not_known_all_that_moves_is_tested)
 }
 END_TEST
 
+// The sum of its movements is no number any more.
+START_TEST(what_has_moved_beyond_all_numbers_is_tested)
+{
+    begin_with_particles();
+    of.end[3 * 3] = of.end[3 * 3 + 1] = 1.5e308;
+    ck_assert_uint_eq(find(NULL).count, 1);
+    of.end[3 * 3] = of.end[3 * 3 + 1] = 1;
+    ck_assert_uint_eq(find(NULL).count, 2);
+    of.end[3 * 3 + 2] = 0.5;
+    ck_assert_uint_eq(find(NULL).count, 1);
+    of.end[3 * 3 + 2] = -1;
+    ck_assert_uint_eq(find(NULL).count, 2);
+    stepped_free(&of);
+}
+END_TEST
+
 // A particle through a triangle, and one that is pushed to a triangle that it didn't come near before.
 START_TEST(what_is_not_kept_is_not_found)
 {
@@ -369,6 +385,7 @@ Suite *suite(void)
     tcase_add_test(tcase, what_cannot_be_in_contact_is_not_tested);
     tcase_add_test(tcase,
                    where_clearances_are_not_known_all_that_moves_is_tested);
+    tcase_add_test(tcase, what_has_moved_beyond_all_numbers_is_tested);
     tcase_add_test(tcase, what_is_not_kept_is_not_found);
     tcase_add_test(tcase, many_edges_again);
     tcase_add_test(tcase, ends_far_out_of_the_frame);

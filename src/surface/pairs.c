@@ -99,7 +99,8 @@ static bool add_contact(tf_worker *worker, const int vertex[])
 }
 
 //: Decide the pairs of a batch by one arithmetic
-/// Measures clearances as well, if it can, unless they are NULL.
+/// Sets clearances as well, unless they are NULL: to 0 if the narrow phase does
+/// not measure.
 static tf_status decide_by(const tf_arithmetic *arithmetic,
                            const tf_deciding *of, int count, const int vertex[],
                            tf_verdict verdict[], size_t *separated,
@@ -112,6 +113,8 @@ static tf_status decide_by(const tf_arithmetic *arithmetic,
     if (clearance && of->narrow_phase->measure)
         return of->narrow_phase->measure(arithmetic, &queries, verdict,
                                          separated, clearance);
+    if (clearance)
+        memset(clearance, 0, sizeof *clearance * (size_t)count);
     return of->narrow_phase->decide(arithmetic, &queries, verdict, separated);
 }
 
@@ -166,7 +169,7 @@ static tf_status decide_batch(const tf_deciding *of, int count,
     size_t separated = 0;
     tf_status status =
         decide_by(filtered ? &tf_clamped : of->arithmetic, of, count, b->vertex,
-                  b->verdict, &separated, of->measures ? clearance : NULL);
+                  b->verdict, &separated, clearance);
     size_t decided = (size_t)count - separated, open = 0;
     if (status == TF_OK && filtered)
         open = decide_open(of, count, b, &status);
@@ -211,13 +214,12 @@ bool tf_pairs_take(tf_pair_sink *sink, int count, const tf_candidate pair[])
     tf_worker *worker = (tf_worker *)sink;
     const tf_deciding *of = worker->job;
     batch *b = worker->batch.data;
-    if (of->measures)
-        memset(worker->clearance, 0, sizeof(double) * (size_t)count);
-    worker->status = decide_batch(of, count, pair, b, worker->clearance);
+    double *clearance = of->measures ? worker->clearance : NULL;
+    worker->status = decide_batch(of, count, pair, b, clearance);
     if (worker->status != TF_OK)
         return false;
-    if (of->measures)
-        mark_contacts(b, count, worker->clearance);
+    if (clearance)
+        mark_contacts(b, count, clearance);
     if (of->keeps && !keep(worker, count, pair))
         return false;
     for (int i = 0; i < count; i++) {

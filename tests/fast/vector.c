@@ -89,6 +89,51 @@ START_TEST(any_number_of_queries_can_be_decided)
 }
 END_TEST
 
+START_TEST(measuring_changes_no_verdict)
+{
+    generator random = generator_new((uint64_t)_i);
+    batch b = batch_new(BATCH);
+    static double clearance[2 * BATCH];
+    for (int k = 0; k < ARITHMETICS; k++) {
+        size_t count = 1 + (size_t)below(&random, BATCH), separated[2] = {0};
+        batch_fill(&b, &random, &families[_i / 2], kind_of(_i), count);
+        for (int i = 0; i < 2 * BATCH; i++)
+            clearance[i] = -42;
+        ck_assert_int_eq(tf_vectorized.decide(arithmetics[k], &b.queries,
+                                              b.verdict[0], &separated[0]),
+                         TF_OK);
+        ck_assert_int_eq(tf_vectorized.measure(arithmetics[k], &b.queries,
+                                               b.verdict[1], &separated[1],
+                                               clearance),
+                         TF_OK);
+        ck_assert_mem_eq(b.verdict[0], b.verdict[1],
+                         count * sizeof *b.verdict[0]);
+        ck_assert_uint_eq(separated[0], separated[1]);
+        for (size_t i = 0; i < 2 * BATCH; i++)
+            ck_assert(i < count ? clearance[i] >= 0 : clearance[i] == -42);
+    }
+    batch_free(&b);
+}
+END_TEST
+
+START_TEST(what_the_reference_decides_has_no_clearance)
+{
+    generator random = generator_new(5);
+    batch b = batch_new(BATCH);
+    batch_fill(&b, &random, &families[2], kind_of(_i), BATCH);
+    static double clearance[BATCH];
+    clearance[0] = clearance[BATCH - 1] = 42;
+    size_t separated = 0;
+    ck_assert_int_eq(tf_vectorized.measure(&tf_integer64, &b.queries,
+                                           b.verdict[0], &separated, clearance),
+                     TF_OK);
+    for (int i = 0; i < BATCH; i++)
+        ck_assert_double_eq(clearance[i], 0);
+    ck_assert(!tf_reference.measure);
+    batch_free(&b);
+}
+END_TEST
+
 START_TEST(the_plane_is_left_to_the_reference)
 {
     generator random = generator_new(3);
@@ -275,6 +320,8 @@ Suite *suite(void)
                         2 * FAMILIES);
     tcase_add_loop_test(c, integers_are_decided_by_the_reference, 0, 2);
     tcase_add_loop_test(c, any_number_of_queries_can_be_decided, 0, 2);
+    tcase_add_loop_test(c, measuring_changes_no_verdict, 0, 2 * FAMILIES);
+    tcase_add_loop_test(c, what_the_reference_decides_has_no_clearance, 0, 2);
     tcase_add_test(c, the_plane_is_left_to_the_reference);
     tcase_add_loop_test(c, the_first_bad_query_has_its_status, 0, 2);
     tcase_add_loop_test(c, a_broken_environment_is_reported, 0, environments());

@@ -5,7 +5,7 @@
  * in common with the triangle.  Return whether the edge and the triangle meet
  * at any time, exactly, without looking at any time in between.
  *
- * `tf_side` and `tf_edge_touches_triangle` are in "adaptive/touch.h".
+ * `tf_side` and `tf_edge_touches_triangle` are in "surgery/touch.h".
  *
  * Section: Five tests.
  *
@@ -15,7 +15,7 @@
  * Hint 3: A point is inside if, put in the place of any of the corners, it
  *     leaves the sign of the volume as it is.
  */
-#include "adaptive/touch.h"
+#include "surgery/touch.h"
 
 /// Whether a point is inside a tetrahedron, which may be flat: then it is not.
 static bool is_inside(const double *const corner[4], const double *p)

@@ -1,6 +1,6 @@
 #include "check.h"
 
-#include "adaptive/touch.h"
+#include "surgery/touch.h"
 #include "arithmetic/exact.h"
 #include "query/query.h"
 #include "support/support.h"

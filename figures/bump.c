@@ -3,10 +3,10 @@
 #include "base/require.h"
 #include "figures.h"
 
-#include "adaptive/butterfly.h"
-#include "adaptive/operations.h"
-#include "adaptive/patch.h"
-#include "adaptive/star.h"
+#include "flow/butterfly.h"
+#include "surgery/operations.h"
+#include "flow/patch.h"
+#include "surgery/star.h"
 #include "renderer/plot.h"
 
 #include <math.h>

@@ -3,8 +3,8 @@
 #include "figures.h"
 #include "patches.h"
 
-#include "adaptive/operations.h"
-#include "adaptive/state.h"
+#include "surgery/operations.h"
+#include "surgery/state.h"
 
 #include <stdio.h>
 

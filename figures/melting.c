@@ -4,9 +4,9 @@
 #include "figures.h"
 #include "remeshed.h"
 
-#include "adaptive/measure.h"
-#include "adaptive/operations.h"
-#include "adaptive/original.h"
+#include "remesh/measure.h"
+#include "surgery/operations.h"
+#include "remesh/original.h"
 
 #include "renderer/plot.h"
 

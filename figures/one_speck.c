@@ -3,9 +3,9 @@
 #include "figures.h"
 #include "patches.h"
 
-#include "adaptive/state.h"
-#include "adaptive/topology.h"
-#include "adaptive/winding.h"
+#include "surgery/state.h"
+#include "topology/topology.h"
+#include "topology/winding.h"
 
 enum {
     BOX = 8,         ///< corners of a box

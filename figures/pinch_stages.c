@@ -5,8 +5,8 @@
 #include "film.h"
 #include "patches.h"
 
-#include "adaptive/component.h"
-#include "adaptive/topology.h"
+#include "topology/component.h"
+#include "topology/topology.h"
 
 #include <math.h>
 

@@ -3,7 +3,7 @@
 #include "figures.h"
 #include "patches.h"
 
-#include "adaptive/topology.h"
+#include "topology/topology.h"
 
 #include <math.h>
 

@@ -1,7 +1,7 @@
 #include "remeshed.h"
 
-#include "adaptive/measure.h"
-#include "adaptive/remesher.h"
+#include "remesh/measure.h"
+#include "remesh/remesher.h"
 #include "base/require.h"
 
 #include <math.h>

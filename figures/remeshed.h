@@ -2,7 +2,7 @@
 #ifndef FIG_REMESHED_H
 #define FIG_REMESHED_H
 
-#include "adaptive/remesh.h"
+#include "remesh/remesh.h"
 #include "meshes.h"
 #include "renderer/scene.h"
 

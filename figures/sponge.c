@@ -3,9 +3,9 @@
 #include "base/require.h"
 #include "figures.h"
 
-#include "adaptive/operations.h"
-#include "adaptive/reconnector.h"
-#include "adaptive/topology.h"
+#include "surgery/operations.h"
+#include "topology/reconnector.h"
+#include "topology/topology.h"
 #include "simulate/geodesic.h"
 
 #include <stdlib.h>

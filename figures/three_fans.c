@@ -3,7 +3,7 @@
 // other's.
 #include "figures.h"
 
-#include "adaptive/touch.h"
+#include "surgery/touch.h"
 
 enum {
     CASES = 3,

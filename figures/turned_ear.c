@@ -4,7 +4,7 @@
 #include "figures.h"
 #include "patches.h"
 
-#include "adaptive/operations.h"
+#include "surgery/operations.h"
 
 enum {
     SHOWN = 3,

@@ -4,8 +4,8 @@
 #include "figures.h"
 #include "patches.h"
 
-#include "adaptive/state.h"
-#include "adaptive/topology.h"
+#include "surgery/state.h"
+#include "topology/topology.h"
 
 enum {
     CORNERS = 8,

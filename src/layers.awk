@@ -9,7 +9,7 @@
 
 BEGIN {
     layers = split("base geometry arithmetic intersect query linear surface " \
-                   "fast response adaptive simulate program", layer)
+                   "fast response surgery remesh topology flow simulate program", layer)
     for (i = 1; i <= layers; i++) {
         rank[layer[i]] = i
         print layer[i]

@@ -1,7 +1,7 @@
 //: Declare the defects of a mesh file
 #pragma once
 
-#include "adaptive/adaptive.h"
+#include "surgery/adaptive.h"
 #include "program/mesh_file.h"
 
 /// Describes why a file holds no adaptive surface, and where, as its fault;

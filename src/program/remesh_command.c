@@ -2,7 +2,7 @@
 #define _GNU_SOURCE // isatty
 #include "program/remesh_command.h"
 
-#include "adaptive/remesh.h"
+#include "remesh/remesh.h"
 #include "program/arguments.h"
 #include "program/clock.h"
 #include "program/defects.h"

@@ -1,7 +1,7 @@
 //: Declare the report of remeshing
 #pragma once
 
-#include "adaptive/remesh.h"
+#include "remesh/remesh.h"
 
 #include <stdbool.h>
 #include <stdio.h>

@@ -1,7 +1,7 @@
 //: Declare velocity fields
 #pragma once
 
-#include "adaptive/flow.h"
+#include "flow/flow.h"
 
 // None of these has sources, except growth, which depends on the surface and is
 // not a field in space.

@@ -1,7 +1,7 @@
 //: Declare what can be measured on a surface
 #pragma once
 
-#include "adaptive/adaptive.h"
+#include "surgery/adaptive.h"
 
 #include <stdbool.h>
 

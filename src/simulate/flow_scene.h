@@ -1,7 +1,7 @@
 //: Declare the scenes of surfaces that flow
 #pragma once
 
-#include "adaptive/flow.h"
+#include "flow/flow.h"
 #include "simulate/body.h"
 
 /// A scene in which a surface flows.  It is stirred, and has no masses.

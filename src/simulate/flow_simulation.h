@@ -1,7 +1,7 @@
 //: Declare simulations of flows
 #pragma once
 
-#include "adaptive/flow.h"
+#include "flow/flow.h"
 #include "simulate/flow_scene.h"
 #include "simulate/simulation.h"
 

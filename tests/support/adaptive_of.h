@@ -2,7 +2,7 @@
 #ifndef SUPPORT_ADAPTIVE_OF_H
 #define SUPPORT_ADAPTIVE_OF_H
 
-#include "adaptive/adaptive.h"
+#include "surgery/adaptive.h"
 
 /// The surface of good triangles.
 tf_adaptive *adaptive_of(int vertices, double position[][3], int triangles,

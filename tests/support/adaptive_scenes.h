@@ -3,7 +3,7 @@
 #ifndef SUPPORT_ADAPTIVE_SCENES_H
 #define SUPPORT_ADAPTIVE_SCENES_H
 
-#include "adaptive/adaptive.h"
+#include "surgery/adaptive.h"
 #include "support/generator.h"
 
 enum {

@@ -2,7 +2,7 @@
 #ifndef SUPPORT_BLOBS_H
 #define SUPPORT_BLOBS_H
 
-#include "adaptive/adaptive.h"
+#include "surgery/adaptive.h"
 
 enum {
     BLOB_VERTICES = 4000

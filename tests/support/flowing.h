@@ -2,7 +2,7 @@
 #ifndef SUPPORT_FLOWING_H
 #define SUPPORT_FLOWING_H
 
-#include "adaptive/flowing.h"
+#include "flow/flowing.h"
 
 #include <gmp.h>
 

@@ -1,6 +1,6 @@
 #include "support/operating.h"
 
-#include "adaptive/state.h"
+#include "surgery/state.h"
 #include "support/dyadic.h"
 #include "support/hash.h"
 #include "support/tangle.h"

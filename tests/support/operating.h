@@ -4,7 +4,7 @@
 #ifndef SUPPORT_OPERATING_H
 #define SUPPORT_OPERATING_H
 
-#include "adaptive/operations.h"
+#include "surgery/operations.h"
 #include "support/adaptive_scenes.h"
 
 enum {

@@ -1,7 +1,7 @@
 #include "support/reconnecting.h"
 
-#include "adaptive/star.h"
-#include "adaptive/state.h"
+#include "surgery/star.h"
+#include "surgery/state.h"
 
 #include <math.h>
 #include <stdio.h>

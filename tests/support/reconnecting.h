@@ -4,8 +4,8 @@
 #ifndef SUPPORT_RECONNECTING_H
 #define SUPPORT_RECONNECTING_H
 
-#include "adaptive/reconnect.h"
-#include "adaptive/topology.h"
+#include "topology/reconnect.h"
+#include "topology/topology.h"
 #include "support/operating.h"
 
 typedef struct reconnecting_counts {

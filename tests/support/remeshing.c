@@ -1,6 +1,6 @@
 #include "support/remeshing.h"
 
-#include "adaptive/measure.h"
+#include "remesh/measure.h"
 
 #include <stdlib.h>
 

@@ -2,7 +2,7 @@
 #ifndef SUPPORT_REMESHING_H
 #define SUPPORT_REMESHING_H
 
-#include "adaptive/remesher.h"
+#include "remesh/remesher.h"
 
 /// Begins to remesh a surface, which it then owns, to edges of that length.
 tf_remesher *remeshing_begin(tf_adaptive *surface, double edge);

@@ -1,11 +1,11 @@
 // Adaptive surfaces and responses without memory: each allocation fails in turn,
 // which is reported, and what there was stays good.  The linker puts the functions below
 // in the place of those of the C library: see tests/rules.mk.
-#include "adaptive/flow.h"
-#include "adaptive/operations.h"
-#include "adaptive/reconnect.h"
-#include "adaptive/remesh.h"
-#include "adaptive/topology.h"
+#include "flow/flow.h"
+#include "surgery/operations.h"
+#include "topology/reconnect.h"
+#include "remesh/remesh.h"
+#include "topology/topology.h"
 #include "response/resolve.h"
 #include "support/adaptive_of.h"
 #include "support/blobs.h"

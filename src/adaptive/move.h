@@ -1,7 +1,0 @@
-//: Declare how a vertex is put elsewhere
-#pragma once
-
-#include "adaptive/state.h"
-
-/// Puts a vertex elsewhere, untested.
-void tf_vertex_put(tf_adaptive *of, int vertex, const double place[3]);

@@ -1,0 +1,69 @@
+//: Compare the diagonals
+#include "remesh/remesher.h"
+
+#include "remesh/crease.h"
+#include "remesh/measure.h"
+#include "surgery/operations.h"
+#include "surgery/star.h"
+
+tf_diagonals tf_diagonals_of(const tf_adaptive *of, int forth, int back)
+{
+    tf_vector a = tf_vector_at(of, tf_vertex_at(of, forth));
+    tf_vector b = tf_vector_at(of, tf_vertex_at(of, back));
+    tf_vector c = tf_vector_at(of, tf_vertex_at(of, tf_corner_before(forth)));
+    tf_vector d = tf_vector_at(of, tf_vertex_at(of, tf_corner_before(back)));
+    return (tf_diagonals){.own = {{{a, b, c}}, {{b, a, d}}},
+                          .other = {{{c, d, b}}, {{d, c, a}}}};
+}
+
+static double worse_of(const tf_shape pair[2])
+{
+    return fmin(tf_shape_quality(&pair[0]), tf_shape_quality(&pair[1]));
+}
+
+//: Find out whether a flip is wanted
+bool tf_diagonals_agree(const tf_diagonals *of)
+{
+    tf_vector normal = tf_vector_sum(tf_shape_normal(&of->own[0]), 1,
+                                     tf_shape_normal(&of->own[1]));
+    for (int i = 0; i < 2; i++)
+        if (!tf_normals_agree(tf_shape_normal(&of->other[i]), normal, 0.9))
+            return false;
+    return true;
+}
+
+/// Whether it improves the worse triangle, and bends the surface little.
+static bool is_better(const tf_diagonals *of)
+{
+    return tf_diagonals_agree(of) &&
+           worse_of(of->other) > 1.02 * worse_of(of->own);
+}
+
+//: Flip an edge if it is wanted
+static tf_status flip_edge(tf_remesher *of, const tf_edge_row *edge)
+{
+    int forth = tf_find_edge(of->of, edge->a, edge->b);
+    int back = tf_find_edge(of->of, edge->b, edge->a);
+    if (forth == TF_NONE || back == TF_NONE || tf_is_crease(of->of, forth))
+        return TF_OK;
+    tf_diagonals both = tf_diagonals_of(of->of, forth, back);
+    if (!is_better(&both))
+        return TF_OK;
+    tf_outcome outcome;
+    tf_status status = tf_adaptive_flip(of->of, edge->a, edge->b, &outcome);
+    if (status == TF_OK)
+        tf_remesher_count(of, TF_FLIP, outcome);
+    return status;
+}
+
+//: Flip all edges that are wanted
+tf_status tf_flip_pass(tf_remesher *of)
+{
+    if (!tf_remesher_list(of, 0, INFINITY))
+        return TF_OUT_OF_MEMORY;
+    const tf_edge_row *row = of->row.data;
+    tf_status status = TF_OK;
+    for (int i = of->rows - 1; i >= 0 && status == TF_OK; i--)
+        status = flip_edge(of, &row[i]);
+    return status;
+}

@@ -1,0 +1,168 @@
+//: Include what adaptive surfaces need
+#include "surgery/load.h"
+#include "surgery/star.h"
+
+#include "base/environment.h"
+#include "base/require.h"
+
+#include <limits.h>
+#include <stdlib.h>
+#include <string.h>
+
+//: Make room for elements
+bool tf_adaptive_reserve(tf_adaptive *of, int vertices, int triangles, int more)
+{
+    if (more > INT_MAX / 3 - triangles || vertices > INT_MAX - TF_MOST_PLACED)
+        return false;
+    size_t places = (size_t)vertices + TF_MOST_PLACED;
+    size_t count = (size_t)triangles + (size_t)more;
+    return tf_buffer_extend(&of->position, places, 3 * sizeof(double)) &&
+           tf_buffer_extend(&of->first, places, sizeof(int)) &&
+           tf_buffer_extend(&of->vertex, count, 3 * sizeof(int)) &&
+           tf_buffer_extend(&of->next, count, 3 * sizeof(int)) &&
+           tf_buffer_extend(&of->found, count, sizeof(int)) &&
+           tf_hierarchy_reserve(&of->boxes, triangles + more);
+}
+
+//: Fill an adaptive surface
+static tf_status fill_surface(const tf_mesh *mesh, const double position[],
+                              tf_adaptive *of)
+{
+    if (!tf_adaptive_reserve(of, mesh->vertices, mesh->triangles, 0) ||
+        !tf_buffer_extend(&of->cuboid, (size_t)mesh->triangles,
+                          sizeof(tf_cuboid)))
+        return TF_OUT_OF_MEMORY;
+    of->vertices = mesh->vertices;
+    of->triangles = mesh->triangles;
+    memcpy(of->position.data, position,
+           3 * sizeof *position * (size_t)mesh->vertices);
+    memcpy(of->vertex.data, mesh->triangle,
+           3 * sizeof *mesh->triangle * (size_t)mesh->triangles);
+    tf_stars_build(of, of->cuboid.data);
+    return TF_OK;
+}
+
+//: Check an adaptive surface
+static tf_status make_surface(const tf_mesh *mesh, const double position[],
+                              tf_adaptive *of, tf_defect *defect)
+{
+    tf_status status = fill_surface(mesh, position, of);
+    if (status == TF_OK)
+        status = tf_check_manifold(of, defect);
+    return status == TF_OK ? tf_check_embedding(of, mesh, position, defect)
+                           : status;
+}
+
+//: Create an adaptive surface
+tf_status tf_adaptive_create(const tf_mesh *mesh, const double position[],
+                             tf_adaptive **surface, tf_defect *defect)
+{
+    TF_REQUIRE(mesh && mesh->axes == 3 && position && surface);
+    tf_defect unused = {0}, *first = defect ? defect : &unused;
+    *first = (tf_defect){TF_NONE, {TF_NONE, TF_NONE}, {.kind = TF_NO_CROSSING}};
+    if (!tf_environment_is_ieee())
+        return TF_BAD_ENVIRONMENT;
+    tf_status status = tf_check_mesh(mesh, position, first);
+    if (status != TF_OK)
+        return status;
+    tf_adaptive *made = calloc(1, sizeof *made);
+    status =
+        made ? make_surface(mesh, position, made, first) : TF_OUT_OF_MEMORY;
+    if (status == TF_OK)
+        *surface = made;
+    else
+        tf_adaptive_free(made);
+    return status;
+}
+
+//: Free an adaptive surface
+void tf_adaptive_free(tf_adaptive *surface)
+{
+    if (!surface)
+        return;
+    tf_buffer_free(&surface->position);
+    tf_buffer_free(&surface->vertex);
+    tf_buffer_free(&surface->first);
+    tf_buffer_free(&surface->next);
+    tf_buffer_free(&surface->found);
+    tf_buffer_free(&surface->cuboid);
+    tf_hierarchy_free(&surface->boxes);
+    tf_surgery_free(&surface->surgery);
+    free(surface);
+}
+
+//: Count the memory of an adaptive surface
+size_t tf_adaptive_memory(const tf_adaptive *surface)
+{
+    TF_REQUIRE(surface);
+    const tf_surgery *surgery = &surface->surgery;
+    const tf_hierarchy *boxes = &surface->boxes;
+    return sizeof *surface + surface->position.bytes + surface->vertex.bytes +
+           surface->first.bytes + surface->next.bytes + surface->found.bytes +
+           surface->cuboid.bytes + boxes->branch.bytes + boxes->parent.bytes +
+           boxes->stack.bytes + surgery->removed.bytes + surgery->graft.bytes +
+           surgery->sweep.bytes + surgery->rim.bytes;
+}
+
+//: Lend an adaptive surface
+tf_mesh tf_adaptive_mesh(const tf_adaptive *surface)
+{
+    TF_REQUIRE(surface);
+    return (tf_mesh){.axes = 3,
+                     .vertices = surface->vertices,
+                     .triangles = surface->triangles,
+                     .triangle = surface->vertex.data};
+}
+
+const double *tf_adaptive_positions(const tf_adaptive *surface)
+{
+    TF_REQUIRE(surface);
+    return surface->position.data;
+}
+
+//: Close the gaps
+/// Moves the vertices that have triangles to the front; their new numbers, or
+/// TF_NONE, replace their first corners.
+static void move_vertices(tf_adaptive *of)
+{
+    int kept = 0, *number = of->first.data;
+    double *position = of->position.data;
+    for (int v = 0; v < of->vertices; v++) {
+        if (number[v] == TF_NONE)
+            continue;
+        memmove(position + 3 * (ptrdiff_t)kept, position + 3 * (ptrdiff_t)v,
+                3 * sizeof *position);
+        number[v] = kept++;
+    }
+    of->vertices = kept;
+}
+
+static void move_triangles(tf_adaptive *of)
+{
+    int kept = 0, *vertex = of->vertex.data;
+    const int *number = of->first.data;
+    for (int t = 0; t < of->triangles; t++) {
+        if (!tf_is_triangle(of, t))
+            continue;
+        for (int i = 0; i < 3; i++)
+            vertex[3 * kept + i] = number[vertex[3 * t + i]];
+        kept++;
+    }
+    of->triangles = kept;
+}
+
+//: Compact an adaptive surface
+tf_status tf_adaptive_compact(tf_adaptive *surface, int map[])
+{
+    TF_REQUIRE(surface);
+    if (!tf_buffer_extend(&surface->cuboid, (size_t)surface->triangles,
+                          sizeof(tf_cuboid)))
+        return TF_OUT_OF_MEMORY;
+    int before = surface->vertices;
+    move_vertices(surface);
+    move_triangles(surface);
+    if (map && before > 0)
+        memcpy(map, surface->first.data, sizeof *map * (size_t)before);
+    tf_stars_build(surface, surface->cuboid.data);
+    return TF_OK;
+}

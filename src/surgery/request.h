@@ -1,0 +1,9 @@
+//: Declare the check of a request
+#pragma once
+
+#include "surgery/state.h"
+
+/// Begins an operation on one vertex or two; `place` may be NULL.  Returns
+/// TF_OK, TF_BAD_ENVIRONMENT, TF_BAD_INDEX or TF_NOT_FINITE.
+tf_status tf_request_check(const tf_adaptive *of, int a, int b,
+                           const double place[], tf_outcome *outcome);

@@ -1,0 +1,32 @@
+//: Declare the stars of vertices
+#pragma once
+
+#include "surgery/state.h"
+
+/// The corner at `from` of the triangle that has the edge from `from` to `to`,
+/// in this direction; TF_NONE if there is none.
+int tf_find_edge(const tf_adaptive *of, int from, int to);
+
+/// Whether the edge from this corner to the next has no other triangle.
+bool tf_is_bare(const tf_adaptive *of, int corner);
+
+/// Whether all three edges of a triangle are bare.
+bool tf_is_lone(const tf_adaptive *of, int triangle);
+
+/// How many triangles a vertex has.
+int tf_star_size(const tf_adaptive *of, int vertex);
+
+/// Whether a vertex is on the boundary.
+bool tf_is_rim(const tf_adaptive *of, int vertex);
+
+/// How many neighbors two vertices have in common.
+int tf_common_neighbors(const tf_adaptive *of, int a, int b);
+
+//: Declare how triangles come and go
+/// Links all triangles to their vertices and puts them into the hierarchy; `box`
+/// has room for one for each.  There must be no gaps.
+void tf_stars_build(tf_adaptive *of, tf_cuboid box[]);
+
+/// Adds a triangle, for which there is room; returns its number.
+int tf_triangle_add(tf_adaptive *of, const int vertex[3]);
+void tf_triangle_remove(tf_adaptive *of, int triangle);

@@ -1,0 +1,95 @@
+//: Declare what an adaptive surface holds
+#pragma once
+
+#include "surgery/adaptive.h"
+#include "surgery/hierarchy.h"
+#include "surgery/surgery.h"
+
+enum {
+    TF_NONE = -1 ///< no vertex, triangle or corner
+};
+
+/// The corner i of the triangle t has the number 3 t + i.
+struct tf_adaptive {
+    int vertices, triangles; ///< places that are or were in use
+    int free_triangle;       ///< the first of a list, linked by corner 1
+    tf_buffer position;      ///< of each vertex, and of those to be placed
+    tf_buffer vertex;        ///< of each corner; TF_NONE: there is no triangle
+    tf_buffer first;         ///< of each vertex: a corner there, or TF_NONE
+    tf_buffer next;          ///< of each corner: another one at its vertex
+    tf_hierarchy boxes;      ///< of the triangles
+    tf_buffer found;         ///< room for a search
+    tf_buffer cuboid;        ///< room for the boxes of all triangles
+    tf_surgery surgery;      ///< that is being tried
+    unsigned left_out;       ///< tests: a bit 1 << outcome for each that tests
+                             ///< of the library leave out
+};
+
+/// Makes room for so many vertices and triangles, for what a surgery places,
+/// and for `more` triangles more.  False if there is no memory.
+bool tf_adaptive_reserve(tf_adaptive *of, int vertices, int triangles,
+                         int more);
+
+//: Look at an adaptive surface
+static inline const double *tf_place(const tf_adaptive *of, int vertex)
+{
+    return (const double *)of->position.data + 3 * (ptrdiff_t)vertex;
+}
+
+static inline int tf_vertex_at(const tf_adaptive *of, int corner)
+{
+    return ((const int *)of->vertex.data)[corner];
+}
+
+static inline int tf_corner_after(int corner)
+{
+    return corner % 3 == 2 ? corner - 2 : corner + 1;
+}
+
+static inline int tf_corner_before(int corner)
+{
+    return corner % 3 == 0 ? corner + 2 : corner - 1;
+}
+
+static inline bool tf_is_triangle(const tf_adaptive *of, int triangle)
+{
+    return tf_vertex_at(of, 3 * triangle) != TF_NONE;
+}
+
+//: Go through the star of a vertex
+/// The triangles at a vertex are those of the corners from the first one on
+/// until TF_NONE, in no particular order.
+static inline int tf_first_corner(const tf_adaptive *of, int vertex)
+{
+    return ((const int *)of->first.data)[vertex];
+}
+
+static inline int tf_next_corner(const tf_adaptive *of, int corner)
+{
+    return ((const int *)of->next.data)[corner];
+}
+
+//: View triangles as facets
+static inline tf_facet tf_facet_of(const tf_adaptive *of, const int vertex[3])
+{
+    tf_facet facet;
+    for (int i = 0; i < 3; i++) {
+        facet.vertex[i] = vertex[i];
+        facet.corner[i] = tf_place(of, vertex[i]);
+    }
+    return facet;
+}
+
+static inline const int *tf_triangle(const tf_adaptive *of, int triangle)
+{
+    return (const int *)of->vertex.data + 3 * (ptrdiff_t)triangle;
+}
+
+static inline tf_cuboid tf_cuboid_of(const tf_adaptive *of, int count,
+                                     const int vertex[])
+{
+    tf_cuboid box = tf_cuboid_empty();
+    for (int i = 0; i < count; i++)
+        tf_cuboid_add(&box, tf_place(of, vertex[i]));
+    return box;
+}

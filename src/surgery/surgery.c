@@ -1,0 +1,105 @@
+//: Include what surgery needs
+#include "surgery/surgery.h"
+
+#include "surgery/star.h"
+
+#include <string.h>
+
+//: Make room for a surgery
+static bool reserve_lists(tf_surgery *surgery, size_t most)
+{
+    return tf_buffer_extend(&surgery->removed, most, sizeof(int)) &&
+           tf_buffer_extend(&surgery->graft, most, sizeof(tf_graft)) &&
+           tf_buffer_extend(&surgery->sweep, most, sizeof(tf_swept)) &&
+           tf_buffer_extend(&surgery->rim, most, 2 * sizeof(int));
+}
+
+bool tf_surgery_begin(tf_adaptive *of, int most)
+{
+    tf_surgery *surgery = &of->surgery;
+    surgery->removals = surgery->grafts = surgery->sweeps = surgery->rims = 0;
+    surgery->placed = surgery->settled = 0;
+    surgery->axis[0] = surgery->axis[1] = TF_NONE;
+    return reserve_lists(surgery, (size_t)most) &&
+           tf_adaptive_reserve(of, of->vertices, of->triangles, most);
+}
+
+void tf_surgery_free(tf_surgery *surgery)
+{
+    tf_buffer_free(&surgery->removed);
+    tf_buffer_free(&surgery->graft);
+    tf_buffer_free(&surgery->sweep);
+    tf_buffer_free(&surgery->rim);
+}
+
+//: Place a vertex
+int tf_surgery_place(tf_adaptive *of, const double place[3])
+{
+    int vertex = of->vertices + of->surgery.placed++;
+    memcpy((double *)of->position.data + 3 * (ptrdiff_t)vertex, place,
+           3 * sizeof *place);
+    return vertex;
+}
+
+//: Exchange triangles
+void tf_surgery_remove(tf_adaptive *of, int triangle)
+{
+    tf_surgery *surgery = &of->surgery;
+    ((int *)surgery->removed.data)[surgery->removals++] = triangle;
+}
+
+void tf_surgery_add(tf_adaptive *of, int a, int b, int c)
+{
+    tf_surgery *surgery = &of->surgery;
+    const int vertex[] = {a, b, c};
+    ((tf_graft *)surgery->graft.data)[surgery->grafts++] =
+        (tf_graft){tf_facet_of(of, vertex), tf_cuboid_of(of, 3, vertex)};
+}
+
+//: Sweep
+void tf_surgery_sweep(tf_adaptive *of, int a, int b, int c, int d)
+{
+    tf_surgery *surgery = &of->surgery;
+    const int vertex[] = {a, b, c, d};
+    const double *corner[4];
+    for (int i = 0; i < 4; i++)
+        corner[i] = tf_place(of, vertex[i]);
+    ((tf_swept *)surgery->sweep.data)[surgery->sweeps++] = (tf_swept){
+        tf_tetrahedron_of(vertex, corner), tf_cuboid_of(of, 4, vertex)};
+}
+
+void tf_surgery_move(tf_adaptive *of, int from, int to)
+{
+    of->surgery.axis[0] = from;
+    of->surgery.axis[1] = to;
+}
+
+//: Keep the boundary
+void tf_surgery_keep(tf_adaptive *of, int corner)
+{
+    tf_surgery *surgery = &of->surgery;
+    if (!tf_is_bare(of, corner))
+        return;
+    int *rim = (int *)surgery->rim.data + 2 * (ptrdiff_t)surgery->rims++;
+    rim[0] = tf_vertex_at(of, corner);
+    rim[1] = tf_vertex_at(of, tf_corner_after(corner));
+}
+
+//: Do a surgery
+void tf_surgery_commit(tf_adaptive *of)
+{
+    const tf_surgery *surgery = &of->surgery;
+    const int *removed = surgery->removed.data;
+    const tf_graft *graft = surgery->graft.data;
+    for (int i = 0; i < surgery->removals; i++)
+        tf_triangle_remove(of, removed[i]);
+    for (int i = 0; i < surgery->grafts; i++)
+        tf_triangle_add(of, graft[i].facet.vertex);
+}
+
+//: Accept what was placed
+void tf_surgery_accept(tf_adaptive *of)
+{
+    for (int i = 0; i < of->surgery.placed; i++)
+        ((int *)of->first.data)[of->vertices++] = TF_NONE;
+}

@@ -1,0 +1,223 @@
+//: Include what a trial needs
+#include "surgery/surgery.h"
+
+#include "surgery/star.h"
+
+//: Hold a trial
+typedef struct trial {
+    tf_adaptive *of;
+    int removals, grafts, sweeps;
+    const int *removed;
+    const tf_graft *graft; ///< those of this stage, after the settled ones
+    const tf_swept *sweep;
+} trial;
+
+static trial trial_of(tf_adaptive *of)
+{
+    const tf_surgery *s = &of->surgery;
+    return (trial){.of = of,
+                   .removals = s->removals,
+                   .grafts = s->grafts - s->settled,
+                   .sweeps = s->sweeps,
+                   .removed = s->removed.data,
+                   .graft = (const tf_graft *)s->graft.data + s->settled,
+                   .sweep = s->sweep.data};
+}
+
+/// Whether a test takes part.
+static bool tests(const trial *t, tf_outcome refusal)
+{
+    return (t->of->left_out >> refusal & 1) == 0;
+}
+
+//: Test D: no new triangle is collinear
+static bool some_graft_is_flat(const trial *t)
+{
+    if (!tests(t, TF_FLATTENED))
+        return false;
+    for (int i = 0; i < t->grafts; i++) {
+        const double *const *x = t->graft[i].facet.corner;
+        if (tf_are_collinear(x[0], x[1], x[2]))
+            return true;
+    }
+    return false;
+}
+
+//: Test S: new triangles overlap no other
+static bool grafts_overlap(const trial *t)
+{
+    if (!tests(t, TF_OVERLAPPED))
+        return false;
+    for (int i = 0; i < t->grafts; i++)
+        for (int j = 0; j < i; j++)
+            if (tf_facets_overlap(&t->graft[i].facet, &t->graft[j].facet))
+                return true;
+    return false;
+}
+
+static bool overlaps_a_graft(const trial *t, const tf_graft *kept)
+{
+    if (!tests(t, TF_OVERLAPPED))
+        return false;
+    for (int i = 0; i < t->grafts; i++)
+        if (tf_cuboids_overlap(&t->graft[i].box, &kept->box) &&
+            tf_facets_overlap(&t->graft[i].facet, &kept->facet))
+            return true;
+    return false;
+}
+
+//: Test E: no edge is swept over
+static bool sweeps_edge(const tf_tetrahedron *body, int count,
+                        const tf_facet *kept, const unsigned outside[], int i)
+{
+    int j = (i + 1) % count;
+    tf_thread edge = {{kept->vertex[i], kept->vertex[j]},
+                      {kept->corner[i], kept->corner[j]},
+                      {outside[i], outside[j]}};
+    return tf_tetrahedron_meets(body, &edge);
+}
+
+//: Sweep over a kept element
+/// Test V, no vertex is swept over, and test E, for a triangle that is kept or an
+/// edge: `count` is 3 or 2.
+static tf_outcome try_sweep(const trial *t, const tf_tetrahedron *body,
+                            int count, const tf_facet *kept)
+{
+    unsigned outside[3] = {0};
+    for (int i = 0; i < count; i++) {
+        if (tf_tetrahedron_corner(body, kept->vertex[i]) >= 0)
+            continue;
+        outside[i] = tf_tetrahedron_outside(body, kept->corner[i]);
+        if (tests(t, TF_PASSED_VERTEX) &&
+            tf_tetrahedron_holds(body, kept->corner[i], outside[i]))
+            return TF_PASSED_VERTEX;
+    }
+    for (int i = 0; tests(t, TF_PASSED_EDGE) && i < 2 * count - 3; i++)
+        if (sweeps_edge(body, count, kept, outside, i))
+            return TF_PASSED_EDGE;
+    return TF_COMMITTED;
+}
+
+static tf_outcome try_sweeps(const trial *t, int count, const tf_graft *kept)
+{
+    for (int i = 0; i < t->sweeps; i++) {
+        const tf_tetrahedron *body = &t->sweep[i].body;
+        if (!tf_cuboids_overlap(&t->sweep[i].box, &kept->box) ||
+            tf_tetrahedron_is_apart(body, count, &kept->facet))
+            continue;
+        tf_outcome outcome = try_sweep(t, body, count, &kept->facet);
+        if (outcome != TF_COMMITTED)
+            return outcome;
+    }
+    return TF_COMMITTED;
+}
+
+//: Test X: the vertex that moves passes through no triangle
+static bool axis_touches(const trial *t, const tf_graft *kept)
+{
+    const int *axis = t->of->surgery.axis;
+    if (axis[0] == TF_NONE || !tests(t, TF_PASSED_TRIANGLE))
+        return false;
+    tf_cuboid box = tf_cuboid_of(t->of, 2, axis);
+    return tf_cuboids_overlap(&box, &kept->box) &&
+           tf_edge_touches_triangle(tf_place(t->of, axis[0]),
+                                    tf_place(t->of, axis[1]),
+                                    kept->facet.corner);
+}
+
+//: Try a triangle that is kept
+static bool is_removed(const trial *t, int triangle)
+{
+    for (int i = 0; i < t->removals; i++)
+        if (t->removed[i] == triangle)
+            return true;
+    return false;
+}
+
+static tf_outcome try_kept(const trial *t, const tf_graft *kept)
+{
+    if (overlaps_a_graft(t, kept))
+        return TF_OVERLAPPED;
+    if (axis_touches(t, kept))
+        return TF_PASSED_TRIANGLE;
+    return try_sweeps(t, 3, kept);
+}
+
+static tf_outcome try_triangle(const trial *t, int triangle)
+{
+    if (is_removed(t, triangle))
+        return TF_COMMITTED;
+    const int *vertex = tf_triangle(t->of, triangle);
+    tf_graft kept = {tf_facet_of(t->of, vertex),
+                     tf_cuboid_of(t->of, 3, vertex)};
+    return try_kept(t, &kept);
+}
+
+/// The triangles that earlier stages of the surgery have added are kept.
+static tf_outcome try_settled(const trial *t)
+{
+    const tf_surgery *s = &t->of->surgery;
+    const tf_graft *settled = s->graft.data;
+    tf_outcome outcome = TF_COMMITTED;
+    for (int i = 0; i < s->settled && outcome == TF_COMMITTED; i++)
+        outcome = try_kept(t, &settled[i]);
+    return outcome;
+}
+
+//: Try all triangles nearby
+static tf_cuboid whole_of(const trial *t)
+{
+    tf_cuboid whole = tf_cuboid_empty();
+    for (int i = 0; i < t->grafts; i++)
+        whole = tf_cuboid_union(whole, &t->graft[i].box);
+    for (int i = 0; i < t->sweeps; i++)
+        whole = tf_cuboid_union(whole, &t->sweep[i].box);
+    return whole;
+}
+
+static tf_outcome try_triangles(const trial *t)
+{
+    tf_cuboid whole = whole_of(t);
+    int *found = t->of->found.data;
+    int count = tf_hierarchy_find(&t->of->boxes, &whole, found);
+    tf_outcome outcome = TF_COMMITTED;
+    for (int i = 0; i < count && outcome == TF_COMMITTED; i++)
+        outcome = try_triangle(t, found[i]);
+    return outcome;
+}
+
+//: Try the boundary of the patch
+/// An edge of the boundary that the two patches share belongs to no triangle
+/// that is kept.
+static tf_outcome try_rim(const trial *t, const int rim[2])
+{
+    tf_graft kept = {.box = tf_cuboid_of(t->of, 2, rim)};
+    for (int i = 0; i < 2; i++) {
+        kept.facet.vertex[i] = rim[i];
+        kept.facet.corner[i] = tf_place(t->of, rim[i]);
+    }
+    return try_sweeps(t, 2, &kept);
+}
+
+static tf_outcome try_rims(const trial *t)
+{
+    const int *rim = t->of->surgery.rim.data;
+    tf_outcome outcome = TF_COMMITTED;
+    for (int i = 0; i < t->of->surgery.rims && outcome == TF_COMMITTED; i++)
+        outcome = try_rim(t, rim + 2 * (size_t)i);
+    return outcome;
+}
+
+//: Try a surgery
+tf_outcome tf_surgery_try(tf_adaptive *of)
+{
+    trial t = trial_of(of);
+    if (some_graft_is_flat(&t))
+        return TF_FLATTENED;
+    if (grafts_overlap(&t))
+        return TF_OVERLAPPED;
+    tf_outcome outcome = try_settled(&t);
+    if (outcome == TF_COMMITTED)
+        outcome = try_rims(&t);
+    return outcome == TF_COMMITTED ? try_triangles(&t) : outcome;
+}

@@ -1,0 +1,67 @@
+//: Find out whether a merge is wanted
+#include "topology/reconnector.h"
+
+#include "surgery/star.h"
+#include "topology/topology.h"
+
+/// Whether the triangle of the corner has two other sides that are long.
+static bool has_long_sides(const tf_reconnector *of, int corner)
+{
+    int a = tf_vertex_at(of->of, corner);
+    int b = tf_vertex_at(of->of, tf_corner_after(corner));
+    int c = tf_vertex_at(of->of, tf_corner_before(corner));
+    return tf_length_of(of->of, b, c) >= of->options.pinch &&
+           tf_length_of(of->of, c, a) >= of->options.pinch;
+}
+
+/// Whether the tube that would start there is not so thin that it would be
+/// pinched next.
+static bool starts_wide(const tf_reconnector *of, const int edge[2])
+{
+    int forth = tf_find_edge(of->of, edge[0], edge[1]);
+    int back = tf_find_edge(of->of, edge[1], edge[0]);
+    return forth != TF_NONE && back != TF_NONE && has_long_sides(of, forth) &&
+           has_long_sides(of, back);
+}
+
+/// One merge is enough between two pieces: a second one would make a handle.
+static bool is_merge_wanted(tf_reconnector *of, const tf_facing *pair)
+{
+    return tf_piece_of(of, pair->first[0]) !=
+               tf_piece_of(of, pair->second[0]) &&
+           starts_wide(of, pair->first) && starts_wide(of, pair->second);
+}
+
+//: Merge two pieces
+static tf_status merge_pieces(tf_reconnector *of, const tf_facing *pair)
+{
+    if (!is_merge_wanted(of, pair))
+        return TF_OK;
+    const int ends[] = {pair->first[0], pair->first[1], pair->second[0],
+                        pair->second[1]};
+    double before = tf_volume_at(of->of, 4, ends);
+    tf_outcome outcome;
+    tf_status status =
+        tf_adaptive_merge(of->of, pair->first, pair->second, &outcome);
+    if (status != TF_OK)
+        return status;
+    tf_reconnector_count(of, TF_MERGE, outcome,
+                         tf_volume_at(of->of, 4, ends) - before);
+    if (outcome == TF_COMMITTED)
+        tf_unite_pieces(of, pair->first[0], pair->second[0]);
+    return TF_OK;
+}
+
+//: Merge what is in contact
+tf_status tf_merge_pass(tf_reconnector *of)
+{
+    if (!tf_list_facing(of, of->options.patch) || !tf_find_pieces(of))
+        return TF_OUT_OF_MEMORY;
+    const tf_facing *row = of->row.data;
+    tf_status status = TF_OK;
+    for (int i = 0;
+         i < of->rows && status == TF_OK && row[i].distance < of->options.merge;
+         i++)
+        status = merge_pieces(of, &row[i]);
+    return status;
+}

@@ -1,0 +1,197 @@
+//: List the loops of three edges
+#include "topology/reconnector.h"
+
+#include "surgery/star.h"
+#include "topology/topology.h"
+
+#include <stdlib.h>
+
+/// Three vertices, with short edges between them and no triangle.
+typedef struct tf_loop {
+    double length; ///< of the three edges together
+    int vertex[3];
+} tf_loop;
+
+static int compare_loops(const void *first, const void *second)
+{
+    const tf_loop *a = first, *b = second;
+    if (a->length != b->length)
+        return a->length < b->length ? -1 : 1;
+    for (int i = 0; i < 3; i++)
+        if (a->vertex[i] != b->vertex[i])
+            return a->vertex[i] < b->vertex[i] ? -1 : 1;
+    return 0;
+}
+
+static bool add_loop(tf_reconnector *of, int a, int b, int c)
+{
+    if (!tf_buffer_extend(&of->row, (size_t)of->rows + 1, sizeof(tf_loop)))
+        return false;
+    double length = tf_length_of(of->of, a, b) + tf_length_of(of->of, b, c) +
+                    tf_length_of(of->of, c, a);
+    ((tf_loop *)of->row.data)[of->rows++] = (tf_loop){length, {a, b, c}};
+    return true;
+}
+
+//: Find the loops at an edge
+/// Whether the edge from a corner on is the short one of a loop in which
+/// `third` is the last vertex.
+static bool closes_loop(const tf_reconnector *of, int a, int b, int third)
+{
+    double most = of->options.pinch;
+    int left = tf_find_edge(of->of, a, b), right = tf_find_edge(of->of, b, a);
+    return right != TF_NONE && tf_find_edge(of->of, third, b) != TF_NONE &&
+           tf_vertex_at(of->of, tf_corner_before(left)) != third &&
+           tf_vertex_at(of->of, tf_corner_before(right)) != third &&
+           tf_length_of(of->of, a, third) < most &&
+           tf_length_of(of->of, b, third) < most;
+}
+
+/// A loop is listed once, with its vertices in order.
+static bool list_loops(tf_reconnector *of, int corner)
+{
+    int a = tf_vertex_at(of->of, corner);
+    int b = tf_vertex_at(of->of, tf_corner_after(corner));
+    if (a >= b || tf_length_of(of->of, a, b) >= of->options.pinch)
+        return true;
+    for (int c = tf_first_corner(of->of, a); c != TF_NONE;
+         c = tf_next_corner(of->of, c)) {
+        int third = tf_vertex_at(of->of, tf_corner_after(c));
+        if (third > b && closes_loop(of, a, b, third) &&
+            !add_loop(of, a, b, third))
+            return false;
+    }
+    return true;
+}
+
+static bool list_all_loops(tf_reconnector *of)
+{
+    of->rows = 0;
+    for (int c = 0; c < 3 * of->of->triangles; c++)
+        if (tf_is_triangle(of->of, c / 3) && !list_loops(of, c))
+            return false;
+    if (of->rows > 0)
+        qsort(of->row.data, (size_t)of->rows, sizeof(tf_loop), compare_loops);
+    return true;
+}
+
+//: Look to the left of a loop
+/// The middle of the neighbors of a vertex of the loop that are to its left;
+/// returns how many.
+static int left_middle(const tf_adaptive *of, const int loop[3], int i,
+                       tf_vector *middle)
+{
+    int count = 0, end, from = loop[i], last = loop[(i + 2) % 3];
+    tf_vector sum = {{0}};
+    int c = tf_find_edge(of, from, loop[(i + 1) % 3]);
+    while ((end = tf_vertex_at(of, tf_corner_before(c))) != last) {
+        sum = tf_vector_sum(sum, 1, tf_vector_at(of, end));
+        count++;
+        c = tf_find_edge(of, from, end);
+    }
+    *middle = tf_vector_scaled(1.0 / count, sum);
+    return count;
+}
+
+/// False if there is only a tip of three triangles: that is no neck.
+static bool find_middles(const tf_adaptive *of, const int loop[3],
+                         tf_vector middle[3])
+{
+    int most = 0;
+    for (int i = 0; i < 3; i++) {
+        int count = left_middle(of, loop, i, &middle[i]);
+        most = count > most ? count : most;
+    }
+    return most > 1;
+}
+
+//: Choose how far the left side retreats
+/// The part of the way to the middles on which the two sides get so far apart
+/// that they are not merged at once; but no more than most of it.
+static double wanted_part(const tf_reconnector *of, const int loop[3],
+                          const tf_vector middle[3])
+{
+    tf_vector x[3], ways = {{0}};
+    for (int i = 0; i < 3; i++) {
+        x[i] = tf_vector_at(of->of, loop[i]);
+        ways =
+            tf_vector_sum(ways, 1.0 / 3, tf_vector_difference(middle[i], x[i]));
+    }
+    tf_vector normal = tf_vector_cross(tf_vector_difference(x[1], x[0]),
+                                       tf_vector_difference(x[2], x[0]));
+    double far = fabs(tf_vector_dot(ways, normal)) / tf_vector_length(normal);
+    return fmin(0.75, 1.1 * of->options.merge / far);
+}
+
+//: Pinch a loop by so much
+/// The new vertices go this part of the way to the middles.
+static tf_status pinch_by(tf_reconnector *of, const int loop[3],
+                          const tf_vector middle[3], double part,
+                          tf_outcome *outcome)
+{
+    int all[6] = {loop[0], loop[1], loop[2]};
+    double place[9], before = tf_volume_at(of->of, 3, loop);
+    for (int i = 0; i < 9; i++) {
+        double x = tf_place(of->of, loop[i / 3])[i % 3];
+        place[i] = x + part * (middle[i / 3].x[i % 3] - x);
+    }
+    tf_status status = tf_adaptive_pinch(of->of, loop, place, all + 3, outcome);
+    if (status != TF_OK)
+        return status;
+    int count = *outcome == TF_COMMITTED ? 6 : 3;
+    tf_reconnector_count(of, TF_PINCH, *outcome,
+                         tf_volume_at(of->of, count, all) - before);
+    return TF_OK;
+}
+
+//: Pinch a loop to its left
+/// By less and less, until it is done.
+static tf_status pinch_side(tf_reconnector *of, const int loop[3],
+                            const tf_vector middle[3], tf_outcome *outcome)
+{
+    tf_status status = TF_OK;
+    *outcome = TF_NO_OUTCOME;
+    for (double part = wanted_part(of, loop, middle);
+         part > 0.01 && status == TF_OK && *outcome != TF_COMMITTED &&
+         *outcome != TF_IMPOSSIBLE;
+         part /= 3)
+        status = pinch_by(of, loop, middle, part, outcome);
+    return status;
+}
+
+//: Pinch a loop on either side
+/// Whether it is still a loop, that is not on the boundary.
+static bool is_still_loop(const tf_reconnector *of, const int v[3])
+{
+    for (int i = 0; i < 3; i++)
+        if (tf_find_edge(of->of, v[i], v[(i + 1) % 3]) == TF_NONE ||
+            tf_is_rim(of->of, v[i]))
+            return false;
+    return closes_loop(of, v[0], v[1], v[2]);
+}
+
+static tf_status pinch_loop(tf_reconnector *of, const int v[3])
+{
+    const int back[] = {v[0], v[2], v[1]};
+    tf_vector left[3], right[3];
+    if (!is_still_loop(of, v) || !find_middles(of->of, v, left) ||
+        !find_middles(of->of, back, right))
+        return TF_OK;
+    tf_outcome outcome;
+    tf_status status = pinch_side(of, v, left, &outcome);
+    if (status == TF_OK && outcome != TF_COMMITTED)
+        status = pinch_side(of, back, right, &outcome);
+    return status;
+}
+
+//: Pinch all loops
+tf_status tf_pinch_pass(tf_reconnector *of)
+{
+    if (!list_all_loops(of))
+        return TF_OUT_OF_MEMORY;
+    const tf_loop *row = of->row.data;
+    tf_status status = TF_OK;
+    for (int i = 0; i < of->rows && status == TF_OK; i++)
+        status = pinch_loop(of, row[i].vertex);
+    return status;
+}

@@ -1,0 +1,58 @@
+//: Check how to reconnect
+#include "topology/reconnect.h"
+
+#include "topology/reconnector.h"
+#include "base/environment.h"
+#include "base/require.h"
+
+static bool is_length(double x)
+{
+    return x >= 0 && isfinite(x);
+}
+
+static bool are_good(const tf_reconnect_options *options)
+{
+    return options->edge > 0 && isfinite(options->edge) &&
+           is_length(options->merge) && is_length(options->patch) &&
+           is_length(options->pinch) && is_length(options->drop);
+}
+
+//: Scale the lengths
+static double or_usual(double x, double usual)
+{
+    return x > 0 ? x : usual;
+}
+
+static tf_reconnect_options scaled(const tf_reconnect_options *options)
+{
+    double edge = options->edge, merge = or_usual(options->merge, 0.3);
+    return (tf_reconnect_options){
+        .edge = edge,
+        .merge = edge * merge,
+        .patch = edge * fmax(or_usual(options->patch, 0.5), merge),
+        .pinch = edge * or_usual(options->pinch, 0.7),
+        .drop = edge * edge * edge * or_usual(options->drop, 0.5)};
+}
+
+//: Reconnect a surface
+tf_status tf_adaptive_reconnect(tf_adaptive *surface,
+                                const tf_reconnect_options *options,
+                                tf_reconnect_report *report)
+{
+    TF_REQUIRE(surface && options);
+    if (!tf_environment_is_ieee())
+        return TF_BAD_ENVIRONMENT;
+    if (!are_good(options))
+        return TF_BAD_TOLERANCE;
+    tf_reconnect_report unused = {0};
+    tf_reconnector of = {.of = surface,
+                         .options = scaled(options),
+                         .report = report ? report : &unused};
+    tf_status status = tf_merge_pass(&of);
+    if (status == TF_OK)
+        status = tf_pinch_pass(&of);
+    if (status == TF_OK)
+        status = tf_drop_pass(&of);
+    tf_reconnector_free(&of);
+    return status;
+}

@@ -1,0 +1,13 @@
+//: Declare surgery in stages
+#pragma once
+
+#include "surgery/state.h"
+
+/// Ends a stage, once it is tried: what the surgery has added is there then,
+/// and what follows is another surgery, which is done together with it or not
+/// at all.
+void tf_surgery_settle(tf_adaptive *of);
+
+/// Removes a triangle that an earlier stage has added, before this one adds
+/// any.
+void tf_surgery_withdraw(tf_adaptive *of, int a, int b, int c);

@@ -1,0 +1,205 @@
+// All vertices move along a velocity, as far as nothing is in their way.
+#include "support/adaptive_of.h"
+#include "support/flowing.h"
+#include "support/support.h"
+
+#include <math.h>
+#include <string.h>
+
+static const double pi = 3.141592653589793, origin[3];
+
+/// Advances a surface once by a velocity.
+static tf_status advance(tf_flowing *of, tf_flow_velocity *velocity,
+                         double step)
+{
+    const tf_flow_options *before = of->options;
+    tf_flow_options options = *before;
+    options.velocity = velocity;
+    of->options = &options;
+    tf_status status = tf_advect(of, 0, step);
+    of->options = before;
+    return status;
+}
+
+// Fields ----------------------------------------------------------------------
+
+/// Around the third axis, once in 1.
+static void turn(void *context, double time, int points, const double point[],
+                 const double normal[], double velocity[])
+{
+    (void)context, (void)time, (void)normal;
+    for (int i = 0; i < points; i++) {
+        velocity[3 * i] = -2 * pi * point[3 * i + 1];
+        velocity[3 * i + 1] = 2 * pi * point[3 * i];
+        velocity[3 * i + 2] = 0;
+    }
+}
+
+START_TEST(a_sphere_turns)
+{
+    tf_flowing *of = flowing_begin(adaptive_sphere(4, origin, 1), 0.4, 0);
+    const double first[] = {place_of(of->remesher.of, 0)[0],
+                            place_of(of->remesher.of, 0)[1]};
+    ck_assert_int_eq(advance(of, turn, 1.0 / 8), TF_OK);
+    const double *now = place_of(of->remesher.of, 0);
+    ck_assert_double_eq_tol(now[0], (first[0] - first[1]) * sqrt(0.5), 4e-3);
+    ck_assert_double_eq_tol(now[1], (first[0] + first[1]) * sqrt(0.5), 4e-3);
+    ck_assert_uint_eq(of->report->response.contacts, 0);
+    flowing_end(of);
+}
+END_TEST
+
+START_TEST(a_sphere_turns_back)
+{
+    tf_flowing *of = flowing_begin(adaptive_sphere(4, origin, 1), 0.4, 0);
+    double before[3];
+    memcpy(before, place_of(of->remesher.of, 5), sizeof before);
+    ck_assert_int_eq(advance(of, turn, 1.0 / 32), TF_OK);
+    ck_assert_int_eq(advance(of, turn, -1.0 / 32), TF_OK);
+    for (int k = 0; k < 3; k++)
+        ck_assert_double_eq_tol(place_of(of->remesher.of, 5)[k], before[k],
+                                1e-4);
+    flowing_end(of);
+}
+END_TEST
+
+/// Along the normals, and the longer the later.
+static void grow(void *context, double time, int points, const double point[],
+                 const double normal[], double velocity[])
+{
+    (void)context, (void)point;
+    for (int i = 0; i < 3 * points; i++)
+        velocity[i] = 6 * time * normal[i];
+}
+
+START_TEST(normals_and_times_are_those_of_the_stages)
+{
+    tf_flowing *of = flowing_begin(adaptive_tetrahedron(), 2, 0);
+    ck_assert_int_eq(advance(of, grow, 0.5), TF_OK);
+    for (int i = 0; i < 12; i++)
+        ck_assert_double_eq_tol(fabs(place_of(of->remesher.of, 0)[i]),
+                                1 + 0.75 * sqrt(1.0 / 3), 1e-15);
+    flowing_end(of);
+}
+END_TEST
+
+/// Without sources, and not linear.
+static void bend(void *context, double time, int points, const double point[],
+                 const double normal[], double velocity[])
+{
+    (void)context, (void)time, (void)normal;
+    for (int i = 0; i < points; i++) {
+        const double *x = point + 3 * i;
+        velocity[3 * i] = x[0] * x[0];
+        velocity[3 * i + 1] = -2 * x[0] * x[1];
+        velocity[3 * i + 2] = x[0] * x[1];
+    }
+}
+
+/// How much volume a sphere gains when it is bent.
+static double gain_by_bending(unsigned careless)
+{
+    static const double center[] = {0.5, 0, 0};
+    tf_flowing *of =
+        flowing_begin(adaptive_sphere(8, center, 1), 0.2, careless);
+    mpq_t before;
+    mpq_init(before);
+    exact_volume(of->remesher.of, before);
+    ck_assert_int_eq(advance(of, bend, 0.1), TF_OK);
+    double gained = volume_gained(of->remesher.of, before);
+    mpq_clear(before);
+    flowing_end(of);
+    return fabs(gained);
+}
+
+START_TEST(chords_are_made_up_for)
+{
+    double careless = gain_by_bending(1U << TF_OPERATIONS);
+    double careful = gain_by_bending(0);
+    ck_assert_double_gt(careless, 1e-3);
+    ck_assert_double_lt(careful, careless / 10);
+}
+END_TEST
+
+// Obstacles -------------------------------------------------------------------
+
+/// What is to the left goes to the right, and what is to the right to the left.
+static void collide(void *context, double time, int points,
+                    const double point[], const double normal[],
+                    double velocity[])
+{
+    (void)context, (void)time, (void)normal;
+    memset(velocity, 0, sizeof *velocity * 3 * (size_t)points);
+    for (int i = 0; i < points; i++)
+        velocity[3 * i] = point[3 * i] < 0 ? 1 : -1;
+}
+
+/// A box of eight corners and, apart from it, a tetrahedron.
+static tf_adaptive *two_tetrahedra(void)
+{
+    static const int triangle[] = {0, 1, 2, 0, 2, 3, 0, 3, 1, 1, 3, 2,
+                                   4, 5, 6, 4, 6, 7, 4, 7, 5, 5, 7, 6};
+    static double place[][3] = {{3, 1, 1},   {3, -1, -1}, {1, 1, -1},
+                                {1, -1, 1},  {-1, 1, 1},  {-1, -1, -1},
+                                {-3, 1, -1}, {-3, -1, 1}};
+    return adaptive_of(8, place, 8, triangle);
+}
+
+START_TEST(what_is_in_the_way_stays_there)
+{
+    tf_flowing *of = flowing_begin(two_tetrahedra(), 2, 0);
+    ck_assert_int_eq(advance(of, collide, 6), TF_OK);
+    ck_assert_uint_gt(of->report->response.contacts, 0);
+    expect_embedded(of->remesher.of);
+    flowing_end(of);
+}
+END_TEST
+
+// A triangle with a boundary all around could turn over in its plane.
+START_TEST(a_lone_triangle_stays)
+{
+    static const int triangle[] = {0, 1, 2};
+    static double place[][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    tf_flowing *of = flowing_begin(adaptive_of(3, place, 1, triangle), 1, 0);
+    ck_assert_int_eq(advance(of, collide, 1), TF_OK);
+    ck_assert_mem_eq(place_of(of->remesher.of, 0), place, sizeof place);
+    flowing_end(of);
+}
+END_TEST
+
+static void explode(void *context, double time, int points,
+                    const double point[], const double normal[],
+                    double velocity[])
+{
+    (void)context, (void)time, (void)normal, (void)point;
+    for (int i = 0; i < 3 * points; i++)
+        velocity[i] = i == 7 ? NAN : 0;
+}
+
+START_TEST(a_velocity_that_is_no_number)
+{
+    tf_flowing *of = flowing_begin(adaptive_tetrahedron(), 1, 0);
+    double before[12];
+    memcpy(before, place_of(of->remesher.of, 0), sizeof before);
+    ck_assert_int_eq(advance(of, explode, 1), TF_NOT_FINITE);
+    ck_assert_mem_eq(place_of(of->remesher.of, 0), before, sizeof before);
+    flowing_end(of);
+}
+END_TEST
+
+Suite *suite(void)
+{
+    Suite *suite = suite_create("flow/advection");
+    TCase *tcase = tcase_create("fields");
+    tcase_add_test(tcase, a_sphere_turns);
+    tcase_add_test(tcase, a_sphere_turns_back);
+    tcase_add_test(tcase, normals_and_times_are_those_of_the_stages);
+    tcase_add_test(tcase, chords_are_made_up_for);
+    suite_add_tcase(suite, tcase);
+    tcase = tcase_create("obstacles");
+    tcase_add_test(tcase, what_is_in_the_way_stays_there);
+    tcase_add_test(tcase, a_lone_triangle_stays);
+    tcase_add_test(tcase, a_velocity_that_is_no_number);
+    suite_add_tcase(suite, tcase);
+    return suite;
+}

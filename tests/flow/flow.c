@@ -1,0 +1,225 @@
+// A surface flows: it stays embedded, keeps its volume, and comes back.
+#include "simulate/flow_fields.h"
+#include "support/adaptive_of.h"
+#include "support/flowing.h"
+#include "support/scrambled.h"
+#include "support/support.h"
+
+#include <math.h>
+#include <signal.h>
+
+enum {
+    STEPS = 100
+};
+
+static const double center[] = {0.35, 0.35, 0.35}, radius = 0.15;
+
+/// The root of the mean square of the distances of vertices from the sphere.
+static double radius_error(const tf_adaptive *surface)
+{
+    double sum = 0;
+    for (int v = 0; v < surface->vertices; v++) {
+        const double *x = place_of(surface, v);
+        double error =
+            hypot(hypot(x[0] - center[0], x[1] - center[1]), x[2] - center[2]) -
+            radius;
+        sum += error * error;
+    }
+    return sqrt(sum / surface->vertices);
+}
+
+// There and back --------------------------------------------------------------
+
+START_TEST(vortices_lose_nothing)
+{
+    tf_adaptive *surface = adaptive_sphere(12, center, radius);
+    tf_flow_options options = {.edge = 0.023, .velocity = tf_flow_vortices};
+    tf_flow_report report;
+    mpq_t before;
+    mpq_init(before);
+    exact_volume(surface, before);
+    for (int i = 0; i < STEPS; i++) {
+        ck_assert_int_eq(tf_adaptive_flow(surface, &options, 3.0 * i / STEPS,
+                                          3.0 / STEPS, &report),
+                         TF_OK);
+        if (i % 10 == 9)
+            expect_embedded(surface);
+        if (i == STEPS / 2)
+            ck_assert_int_gt(surface->triangles, 3000);
+    }
+    double volume = mpq_get_d(before) / 6;
+    ck_assert_double_lt(fabs(volume_gained(surface, before)), 2e-4 * volume);
+    ck_assert_double_lt(radius_error(surface), 0.015 * radius);
+    ck_assert_int_lt(surface->triangles, 2500);
+    mpq_clear(before);
+    tf_adaptive_free(surface);
+}
+END_TEST
+
+/// Lets a surface flow a little, on some workers.
+static tf_adaptive *flow_on(int workers)
+{
+    tf_parallel parallel = scrambled(&workers);
+    tf_adaptive *surface = adaptive_sphere(6, center, radius);
+    tf_flow_options options = {
+        .edge = 0.03, .velocity = tf_flow_vortices, .parallel = &parallel};
+    for (int i = 0; i < 20; i++)
+        ck_assert_int_eq(
+            tf_adaptive_flow(surface, &options, 0.05 * i, 0.05, NULL), TF_OK);
+    return surface;
+}
+
+START_TEST(workers_change_no_bit)
+{
+    tf_adaptive *one = flow_on(1), *two = flow_on(2);
+    ck_assert_int_eq(one->vertices, two->vertices);
+    ck_assert_int_eq(one->triangles, two->triangles);
+    ck_assert_mem_eq(place_of(one, 0), place_of(two, 0),
+                     3 * sizeof(double) * (size_t)one->vertices);
+    ck_assert_mem_eq(tf_adaptive_mesh(one).triangle,
+                     tf_adaptive_mesh(two).triangle,
+                     3 * sizeof(int) * (size_t)one->triangles);
+    tf_adaptive_free(one);
+    tf_adaptive_free(two);
+}
+END_TEST
+
+// Topology --------------------------------------------------------------------
+
+/// Towards the plane x = 0.
+static void approach(void *context, double time, int points,
+                     const double point[], const double normal[],
+                     double velocity[])
+{
+    (void)context, (void)time, (void)normal;
+    for (int i = 0; i < points; i++) {
+        velocity[3 * i] = point[3 * i] < 0 ? 1 : -1;
+        velocity[3 * i + 1] = velocity[3 * i + 2] = 0;
+    }
+}
+
+/// Two spheres of one surface.
+static tf_adaptive *two_spheres(void)
+{
+    static const double left[] = {-1.2, 0, 0};
+    static double place[2000][3];
+    static int triangle[6000];
+    tf_adaptive *one = adaptive_sphere(5, left, 1);
+    tf_mesh mesh = tf_adaptive_mesh(one);
+    for (int v = 0; v < mesh.vertices; v++)
+        for (int k = 0; k < 3; k++) {
+            double x = place_of(one, v)[k];
+            place[v][k] = x;
+            place[mesh.vertices + v][k] = x + (k == 0 ? 2.4 : 0);
+        }
+    for (int i = 0; i < 3 * mesh.triangles; i++) {
+        triangle[i] = mesh.triangle[i];
+        triangle[3 * mesh.triangles + i] = mesh.triangle[i] + mesh.vertices;
+    }
+    tf_adaptive *both =
+        adaptive_of(2 * mesh.vertices, place, 2 * mesh.triangles, triangle);
+    tf_adaptive_free(one);
+    return both;
+}
+
+/// Lets two spheres meet; returns how many times they merged.
+static size_t meet(bool keep_topology)
+{
+    tf_adaptive *surface = two_spheres();
+    tf_flow_options options = {
+        .edge = 0.3, .velocity = approach, .keep_topology = keep_topology};
+    size_t merges = 0;
+    for (int i = 0; i < 20; i++) {
+        tf_flow_report report;
+        ck_assert_int_eq(tf_adaptive_flow(surface, &options, 0, 0.02, &report),
+                         TF_OK);
+        expect_embedded(surface);
+        merges += report.reconnected.tried[TF_MERGE][TF_COMMITTED];
+    }
+    tf_adaptive_free(surface);
+    return merges;
+}
+
+START_TEST(spheres_that_meet_merge_if_they_may)
+{
+    ck_assert_uint_ge(meet(false), 1);
+    ck_assert_uint_eq(meet(true), 0);
+}
+END_TEST
+
+START_TEST(what_is_small_vanishes)
+{
+    tf_adaptive *surface = adaptive_tetrahedron();
+    tf_flow_options options = {.edge = 6, .velocity = approach};
+    for (int i = 0; i < 2; i++) {
+        tf_flow_report report;
+        ck_assert_int_eq(tf_adaptive_flow(surface, &options, 0, 0.1, &report),
+                         TF_OK);
+        ck_assert_int_eq(surface->triangles, 0);
+        ck_assert_uint_eq(report.reconnected.tried[TF_DROP][TF_COMMITTED],
+                          i == 0);
+    }
+    tf_adaptive_free(surface);
+}
+END_TEST
+
+// Arguments -------------------------------------------------------------------
+
+START_TEST(bad_lengths_are_refused)
+{
+    static const double edges[] = {0, -1, NAN, INFINITY};
+    tf_adaptive *surface = adaptive_tetrahedron();
+    for (int i = 0; i < 4; i++) {
+        tf_flow_options options = {.edge = edges[i],
+                                   .velocity = tf_flow_vortices};
+        ck_assert_int_eq(tf_adaptive_flow(surface, &options, 0, 1, NULL),
+                         TF_BAD_TOLERANCE);
+    }
+    tf_adaptive_free(surface);
+}
+END_TEST
+
+START_TEST(a_flow_needs_a_velocity)
+{
+    tf_flow_options options = {.edge = 1};
+    tf_adaptive_flow(adaptive_tetrahedron(), &options, 0, 1, NULL);
+}
+END_TEST
+
+static double count_calls(void)
+{
+    static int calls;
+    return ++calls;
+}
+
+START_TEST(the_report_has_times_by_a_clock)
+{
+    tf_adaptive *surface = adaptive_tetrahedron();
+    tf_flow_options options = {
+        .edge = 2, .velocity = approach, .clock = count_calls};
+    tf_flow_report report;
+    ck_assert_int_eq(tf_adaptive_flow(surface, &options, 0, 0, &report), TF_OK);
+    for (int i = 0; i < TF_FLOW_PARTS; i++)
+        ck_assert_double_eq(report.seconds[i], 1);
+    tf_adaptive_free(surface);
+}
+END_TEST
+
+Suite *suite(void)
+{
+    Suite *suite = suite_create("flow/flow");
+    TCase *tcase = tcase_create("there and back");
+    tcase_add_test(tcase, vortices_lose_nothing);
+    tcase_add_test(tcase, workers_change_no_bit);
+    suite_add_tcase(suite, tcase);
+    tcase = tcase_create("topology");
+    tcase_add_test(tcase, spheres_that_meet_merge_if_they_may);
+    tcase_add_test(tcase, what_is_small_vanishes);
+    suite_add_tcase(suite, tcase);
+    tcase = tcase_create("arguments");
+    tcase_add_test(tcase, bad_lengths_are_refused);
+    tcase_add_test_raise_signal(tcase, a_flow_needs_a_velocity, SIGABRT);
+    tcase_add_test(tcase, the_report_has_times_by_a_clock);
+    suite_add_tcase(suite, tcase);
+    return suite;
+}

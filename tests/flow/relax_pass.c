@@ -1,0 +1,32 @@
+// Vertices move to the middles of their stars, and the volume is kept.
+#include "support/flowing.h"
+#include "support/support.h"
+
+START_TEST(the_volume_is_kept)
+{
+    tf_flowing *of =
+        flowing_begin(adaptive_bumpy_sphere(8, 0.05, (uint64_t)_i), 0.2, 0);
+    expect_kept_volume(of, TF_SMOOTH, tf_relax_pass, true);
+    expect_embedded(of->remesher.of);
+    flowing_end(of);
+}
+END_TEST
+
+START_TEST(it_is_not_kept_without_care)
+{
+    tf_flowing *of =
+        flowing_begin(adaptive_bumpy_sphere(8, 0.05, 0), 0.2, 1U << TF_SMOOTH);
+    expect_kept_volume(of, TF_SMOOTH, tf_relax_pass, false);
+    flowing_end(of);
+}
+END_TEST
+
+Suite *suite(void)
+{
+    Suite *suite = suite_create("flow/relax_pass");
+    TCase *tcase = tcase_create("volume");
+    tcase_add_loop_test(tcase, the_volume_is_kept, 0, 3);
+    tcase_add_test(tcase, it_is_not_kept_without_care);
+    suite_add_tcase(suite, tcase);
+    return suite;
+}

@@ -1,0 +1,32 @@
+// Edges turn to shorter diagonals, and the volume is kept.
+#include "support/flowing.h"
+#include "support/support.h"
+
+START_TEST(the_volume_is_kept)
+{
+    tf_flowing *of =
+        flowing_begin(adaptive_bumpy_sphere(12, 0.033, (uint64_t)_i), 0.2, 0);
+    expect_kept_volume(of, TF_FLIP, tf_turn_pass, true);
+    expect_embedded(of->remesher.of);
+    flowing_end(of);
+}
+END_TEST
+
+START_TEST(it_is_not_kept_without_care)
+{
+    tf_flowing *of =
+        flowing_begin(adaptive_bumpy_sphere(12, 0.033, 0), 0.2, 1U << TF_FLIP);
+    expect_kept_volume(of, TF_FLIP, tf_turn_pass, false);
+    flowing_end(of);
+}
+END_TEST
+
+Suite *suite(void)
+{
+    Suite *suite = suite_create("flow/turn_pass");
+    TCase *tcase = tcase_create("volume");
+    tcase_add_loop_test(tcase, the_volume_is_kept, 0, 3);
+    tcase_add_test(tcase, it_is_not_kept_without_care);
+    suite_add_tcase(suite, tcase);
+    return suite;
+}

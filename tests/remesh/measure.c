@@ -1,0 +1,60 @@
+// What is measured of triangles.
+#include "remesh/measure.h"
+
+#include "support/adaptive_of.h"
+#include "support/support.h"
+
+START_TEST(edges_have_lengths_and_middles)
+{
+    tf_adaptive *sheet = adaptive_sheet(3, 4);
+    ck_assert_double_eq(tf_length_of(sheet, 0, 19), 5);
+    tf_vector middle = tf_middle_of(sheet, 1, 6);
+    ck_assert_double_eq(middle.x[0], 1.5);
+    ck_assert_double_eq(middle.x[1], 0.5);
+    ck_assert_double_eq(middle.x[2], 0);
+    tf_adaptive_free(sheet);
+}
+END_TEST
+
+START_TEST(triangles_have_normals)
+{
+    tf_adaptive *sheet = adaptive_sheet(1, 1);
+    tf_shape shape = tf_shape_of(sheet, 0);
+    tf_vector normal = tf_shape_normal(&shape);
+    ck_assert_double_eq(normal.x[0], 0);
+    ck_assert_double_eq(normal.x[1], 0);
+    ck_assert_double_eq(normal.x[2], 1);
+    tf_vector other = {{0, 3, 3}};
+    ck_assert(tf_normals_agree(normal, other, 0.707));
+    ck_assert(!tf_normals_agree(normal, other, 0.708));
+    tf_adaptive_free(sheet);
+}
+END_TEST
+
+START_TEST(quality_is_from_0_to_1)
+{
+    static const struct {
+        tf_shape shape;
+        double quality;
+    } rows[] = {
+        {{{{{1, 0, 0}}, {{0, 1, 0}}, {{0, 0, 1}}}}, 1},
+        {{{{{0, 0, 0}}, {{7, 0, 0}}, {{0, 7, 0}}}}, 0.8660254},
+        {{{{{0, 0, 0}}, {{1, 0, 0}}, {{2, 0, 0}}}}, 0},
+        {{{{{0, 0, 0}}, {{1, 0, 0}}, {{0.5, 0.01, 0}}}}, 0.02309093},
+    };
+    for (int i = 0; i < 4; i++)
+        ck_assert_double_eq_tol(tf_shape_quality(&rows[i].shape),
+                                rows[i].quality, 1e-7);
+}
+END_TEST
+
+Suite *suite(void)
+{
+    Suite *suite = suite_create("remesh/measure");
+    TCase *tcase = tcase_create("measures");
+    tcase_add_test(tcase, edges_have_lengths_and_middles);
+    tcase_add_test(tcase, triangles_have_normals);
+    tcase_add_test(tcase, quality_is_from_0_to_1);
+    suite_add_tcase(suite, tcase);
+    return suite;
+}

@@ -1,0 +1,61 @@
+// Flips of edges.
+#include "surgery/operations.h"
+
+#include "support/adaptive_of.h"
+#include "support/support.h"
+
+static tf_outcome flip(tf_adaptive *surface, int a, int b)
+{
+    tf_outcome outcome;
+    ck_assert_int_eq(tf_adaptive_flip(surface, a, b, &outcome), TF_OK);
+    return outcome;
+}
+
+START_TEST(an_edge_becomes_the_other_diagonal)
+{
+    tf_adaptive *surface = adaptive_sheet(2, 2);
+    ck_assert_int_eq(flip(surface, 0, 4), TF_COMMITTED);
+    ck_assert(has_triangle(surface, 0, 1, 3));
+    ck_assert(has_triangle(surface, 4, 3, 1));
+    ck_assert_int_eq(triangles_of(surface), 8);
+    ck_assert_int_eq(flip(surface, 1, 3), TF_COMMITTED); // and back
+    ck_assert(has_triangle(surface, 0, 1, 4));
+    tf_adaptive_free(surface);
+}
+END_TEST
+
+START_TEST(a_quadrilateral_must_be_convex)
+{
+    static double place[][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.1, 0.1, 0}};
+    static const int triangle[] = {0, 1, 3, 0, 3, 2};
+    tf_adaptive *surface = adaptive_of(4, place, 2, triangle);
+    ck_assert_int_eq(flip(surface, 0, 3), TF_OVERLAPPED);
+    tf_adaptive_free(surface);
+}
+END_TEST
+
+// The edge is bare, or no edge; or the other diagonal exists; or a ring of
+// three would lose one.
+START_TEST(some_edges_do_not_flip)
+{
+    tf_adaptive *surface = adaptive_sheet(2, 2);
+    ck_assert_int_eq(flip(surface, 0, 1), TF_IMPOSSIBLE);
+    ck_assert_int_eq(flip(surface, 0, 8), TF_IMPOSSIBLE);
+    tf_adaptive_free(surface);
+    surface = adaptive_tetrahedron();
+    for (int i = 0; i < 16; i++)
+        ck_assert_int_eq(flip(surface, i / 4, i % 4), TF_IMPOSSIBLE);
+    tf_adaptive_free(surface);
+}
+END_TEST
+
+Suite *suite(void)
+{
+    Suite *suite = suite_create("surgery/flip");
+    TCase *tcase = tcase_create("flips");
+    tcase_add_test(tcase, an_edge_becomes_the_other_diagonal);
+    tcase_add_test(tcase, a_quadrilateral_must_be_convex);
+    tcase_add_test(tcase, some_edges_do_not_flip);
+    suite_add_tcase(suite, tcase);
+    return suite;
+}

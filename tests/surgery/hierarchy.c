@@ -1,0 +1,122 @@
+// Boxes that come and go, against trying each.
+#include "surgery/hierarchy.h"
+
+#include "support/support.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    ELEMENTS = 200
+};
+
+static tf_hierarchy hierarchy;
+static tf_cuboid box[ELEMENTS];
+static bool is_in[ELEMENTS];
+
+static tf_cuboid some_box(generator *random)
+{
+    tf_cuboid made = tf_cuboid_empty();
+    for (int i = 0; i < 2; i++) {
+        double x[3];
+        for (int k = 0; k < 3; k++)
+            x[k] =
+                i == 0 ? below(random, 8) : made.low[k] + below(random, 12) / 4;
+        tf_cuboid_add(&made, x);
+    }
+    return made;
+}
+
+static int compare(const void *a, const void *b)
+{
+    return *(const int *)a - *(const int *)b;
+}
+
+static void expect_found(generator *random)
+{
+    int found[ELEMENTS];
+    tf_cuboid wanted = some_box(random);
+    int count = tf_hierarchy_find(&hierarchy, &wanted, found), next = 0;
+    qsort(found, (size_t)count, sizeof *found, compare);
+    for (int i = 0; i < ELEMENTS; i++)
+        if (is_in[i] && tf_cuboids_overlap(&box[i], &wanted)) {
+            ck_assert_int_lt(next, count);
+            ck_assert_int_eq(found[next++], i);
+        }
+    ck_assert_int_eq(next, count);
+}
+
+static void change_some(generator *random)
+{
+    int i = below(random, ELEMENTS);
+    bool goes = is_in[i] && below(random, 2);
+    if (goes)
+        tf_hierarchy_remove(&hierarchy, i);
+    else
+        box[i] = some_box(random);
+    if (is_in[i] && !goes)
+        tf_hierarchy_change(&hierarchy, i, box[i]);
+    else if (!is_in[i])
+        tf_hierarchy_insert(&hierarchy, i, box[i]);
+    is_in[i] = !goes;
+}
+
+static void begin(generator *random, int built)
+{
+    int order[ELEMENTS];
+    ck_assert(tf_hierarchy_reserve(&hierarchy, ELEMENTS));
+    for (int i = 0; i < ELEMENTS; i++) {
+        box[i] = some_box(random);
+        is_in[i] = i < built;
+        order[i] = i;
+    }
+    tf_hierarchy_build(&hierarchy, box, order, built);
+}
+
+START_TEST(what_overlaps_is_found)
+{
+    generator random = generator_new(1 + (uint64_t)_i);
+    for (long times = 0; times < cases(20); times++) {
+        begin(&random, _i);
+        for (int i = 0; i < 1000; i++) {
+            change_some(&random);
+            if (i % 10 == 0)
+                expect_found(&random);
+        }
+    }
+    tf_hierarchy_free(&hierarchy);
+}
+END_TEST
+
+// All elements go, and come again, in the branches that they had.
+START_TEST(branches_are_used_again)
+{
+    generator random = generator_new(9);
+    begin(&random, ELEMENTS);
+    int branches = hierarchy.branches;
+    for (int i = 0; i < ELEMENTS; i++)
+        tf_hierarchy_remove(&hierarchy, i);
+    memset(is_in, 0, sizeof is_in);
+    expect_found(&random);
+    for (int i = 0; i < ELEMENTS; i++) {
+        tf_hierarchy_insert(&hierarchy, i, box[i]);
+        is_in[i] = true;
+    }
+    expect_found(&random);
+    ck_assert_int_eq(hierarchy.branches, branches);
+    tf_hierarchy_free(&hierarchy);
+}
+END_TEST
+
+Suite *suite(void)
+{
+    static const int built[] = {0, 1, 2, ELEMENTS};
+    Suite *suite = suite_create("surgery/hierarchy");
+    TCase *tcase = tcase_create("search");
+    for (int i = 0; i < 4; i++)
+        tcase_add_loop_test(tcase, what_overlaps_is_found, built[i],
+                            built[i] + 1);
+    tcase_add_test(tcase, branches_are_used_again);
+    suite_add_tcase(suite, tcase);
+    return suite;
+}

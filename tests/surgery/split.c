@@ -1,0 +1,93 @@
+// Splits of edges.
+#include "surgery/operations.h"
+
+#include "support/adaptive_of.h"
+#include "support/support.h"
+
+static tf_outcome split(tf_adaptive *surface, int a, int b, double x, double y,
+                        double z, int *vertex)
+{
+    const double place[] = {x, y, z};
+    tf_outcome outcome;
+    *vertex = -1;
+    ck_assert_int_eq(tf_adaptive_split(surface, a, b, place, vertex, &outcome),
+                     TF_OK);
+    ck_assert(outcome == TF_COMMITTED || *vertex == -1);
+    return outcome;
+}
+
+START_TEST(an_edge_has_two_triangles_split)
+{
+    tf_adaptive *surface = adaptive_tetrahedron();
+    int vertex;
+    ck_assert_int_eq(split(surface, 0, 1, 2, 0.1, 0, &vertex), TF_COMMITTED);
+    ck_assert_int_eq(vertex, 4);
+    ck_assert_int_eq(triangles_of(surface), 6);
+    ck_assert(has_triangle(surface, 0, 4, 2));
+    ck_assert(has_triangle(surface, 4, 1, 2));
+    ck_assert(has_triangle(surface, 1, 4, 3));
+    ck_assert(has_triangle(surface, 4, 0, 3));
+    ck_assert_double_eq(place_of(surface, 4)[1], 0.1);
+    tf_adaptive_free(surface);
+}
+END_TEST
+
+START_TEST(an_edge_of_the_boundary_has_one)
+{
+    tf_adaptive *surface = adaptive_sheet(2, 2);
+    int vertex;
+    ck_assert_int_eq(split(surface, 1, 0, 0.5, 0, 0, &vertex), TF_COMMITTED);
+    ck_assert_int_eq(triangles_of(surface), 9);
+    ck_assert(has_triangle(surface, 0, 9, 4));
+    ck_assert(has_triangle(surface, 9, 1, 4));
+    tf_adaptive_free(surface);
+}
+END_TEST
+
+// In the plane of the sheet: inside, on an edge, and beyond.
+START_TEST(a_split_stays_in_its_place)
+{
+    tf_adaptive *surface = adaptive_sheet(2, 2);
+    int vertex;
+    ck_assert_int_eq(split(surface, 4, 5, 1.5, 2, 0, &vertex), TF_OVERLAPPED);
+    ck_assert_int_eq(split(surface, 4, 5, 1.5, 1.5, 0, &vertex), TF_FLATTENED);
+    ck_assert_int_eq(split(surface, 4, 5, 1.5, 1.25, 0, &vertex), TF_COMMITTED);
+    tf_adaptive_free(surface);
+}
+END_TEST
+
+START_TEST(there_must_be_an_edge_to_split)
+{
+    tf_adaptive *surface = adaptive_sheet(2, 2);
+    int vertex;
+    ck_assert_int_eq(split(surface, 0, 8, 1, 1, 1, &vertex), TF_IMPOSSIBLE);
+    ck_assert_int_eq(split(surface, 3, 3, 1, 1, 1, &vertex), TF_IMPOSSIBLE);
+    tf_adaptive_free(surface);
+}
+END_TEST
+
+// In its own plane a lone triangle could be turned over by no test's notice.
+START_TEST(a_lone_triangle_is_left_alone)
+{
+    static double place[][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    static const int triangle[] = {0, 1, 2};
+    tf_adaptive *surface = adaptive_of(3, place, 1, triangle);
+    int vertex;
+    ck_assert_int_eq(split(surface, 0, 1, -0.5, 2.5, 0, &vertex),
+                     TF_IMPOSSIBLE);
+    tf_adaptive_free(surface);
+}
+END_TEST
+
+Suite *suite(void)
+{
+    Suite *suite = suite_create("surgery/split");
+    TCase *tcase = tcase_create("splits");
+    tcase_add_test(tcase, an_edge_has_two_triangles_split);
+    tcase_add_test(tcase, an_edge_of_the_boundary_has_one);
+    tcase_add_test(tcase, a_split_stays_in_its_place);
+    tcase_add_test(tcase, there_must_be_an_edge_to_split);
+    tcase_add_test(tcase, a_lone_triangle_is_left_alone);
+    suite_add_tcase(suite, tcase);
+    return suite;
+}

@@ -1,0 +1,94 @@
+// A surgery is described, tried, and done or not.
+#include "surgery/surgery.h"
+
+#include "surgery/operations.h"
+#include "surgery/star.h"
+#include "support/adaptive_of.h"
+#include "support/operating.h"
+#include "support/support.h"
+
+#include <limits.h>
+
+// A tetrahedron's corner 0 gets a roof: its three triangles become those of a
+// vertex outside.
+START_TEST(a_patch_replaces_a_patch)
+{
+    static const double place[] = {2, 2, 2};
+    tf_adaptive *surface = adaptive_tetrahedron();
+    ck_assert(tf_surgery_begin(surface, 3));
+    int added = tf_surgery_place(surface, place);
+    ck_assert_int_eq(added, 4);
+    int c = tf_first_corner(surface, 0);
+    for (; c != TF_NONE; c = tf_next_corner(surface, c)) {
+        tf_surgery_remove(surface, c / 3);
+        tf_surgery_add(surface, added,
+                       tf_vertex_at(surface, tf_corner_after(c)),
+                       tf_vertex_at(surface, tf_corner_before(c)));
+    }
+    ck_assert_int_eq(tf_surgery_try(surface), TF_COMMITTED);
+    ck_assert_int_eq(triangles_of(surface), 4);
+    ck_assert(has_triangle(surface, 0, 1, 2)); // nothing is changed yet
+    tf_surgery_accept(surface);
+    tf_surgery_commit(surface);
+    ck_assert_int_eq(triangles_of(surface), 4);
+    ck_assert(has_triangle(surface, 4, 1, 2));
+    ck_assert_int_eq(tf_first_corner(surface, 0), TF_NONE);
+    ck_assert_int_eq(tf_star_size(surface, 4), 3);
+    tf_adaptive_free(surface);
+}
+END_TEST
+
+START_TEST(only_the_boundary_is_kept_by_itself)
+{
+    tf_adaptive *surface = adaptive_sheet(2, 2);
+    ck_assert(tf_surgery_begin(surface, 2));
+    tf_surgery_keep(surface, tf_find_edge(surface, 0, 1));
+    tf_surgery_keep(surface, tf_find_edge(surface, 1, 4));
+    ck_assert_int_eq(surface->surgery.rims, 1);
+    const int *rim = surface->surgery.rim.data;
+    ck_assert_int_eq(rim[0], 0);
+    ck_assert_int_eq(rim[1], 1);
+    tf_adaptive_free(surface);
+}
+END_TEST
+
+START_TEST(too_many_triangles_are_refused)
+{
+    tf_adaptive *surface = adaptive_tetrahedron();
+    ck_assert(!tf_surgery_begin(surface, INT_MAX / 3 - 2));
+    ck_assert_int_eq(triangles_of(surface), 4);
+    tf_adaptive_free(surface);
+}
+END_TEST
+
+START_TEST(a_refusal_changes_no_bit)
+{
+    static operating run;
+    static operating_counts counts;
+    int refused = 0;
+    operating_begin(&run, generator_new((uint64_t)_i), (adaptive_scene_kind)_i,
+                    &counts);
+    for (long i = 0; i < cases(1500); i++) {
+        uint64_t hash = operating_hash(&run);
+        chosen request = operating_choose(&run);
+        if (operate(&run, &request) == TF_COMMITTED)
+            continue;
+        ck_assert_uint_eq(operating_hash(&run), hash);
+        refused++;
+    }
+    ck_assert_int_gt(refused, 0);
+    operating_end(&run);
+}
+END_TEST
+
+Suite *suite(void)
+{
+    Suite *suite = suite_create("surgery/surgery");
+    TCase *tcase = tcase_create("surgery");
+    tcase_add_test(tcase, a_patch_replaces_a_patch);
+    tcase_add_test(tcase, only_the_boundary_is_kept_by_itself);
+    tcase_add_test(tcase, too_many_triangles_are_refused);
+    tcase_add_loop_test(tcase, a_refusal_changes_no_bit, 0, ADAPTIVE_SCENES);
+    suite_add_tcase(suite, tcase);
+    return suite;
+}

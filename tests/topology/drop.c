@@ -1,0 +1,89 @@
+// Drops of a part.
+#include "topology/topology.h"
+
+#include "surgery/star.h"
+#include "support/adaptive_of.h"
+#include "support/adaptive_scenes.h"
+#include "support/blobs.h"
+#include "support/support.h"
+
+static tf_outcome drop(tf_adaptive *surface, int vertex)
+{
+    tf_outcome outcome;
+    ck_assert_int_eq(tf_adaptive_drop(surface, vertex, &outcome), TF_OK);
+    return outcome;
+}
+
+/// A box in a box, and one beside, in the corner of a bent one.
+static tf_adaptive *boxes(int first[4])
+{
+    static adaptive_scene scene;
+    static const int box[3][2][3] = {{{0, 0, 0}, {5, 3, 3}},
+                                     {{1, 1, 1}, {2, 2, 2}},
+                                     {{9, 0, 0}, {10, 1, 1}}};
+    scene = (adaptive_scene){.unit = 1};
+    for (int i = 0; i < 3; i++) {
+        first[i] = scene.vertices;
+        add_box(&scene, box[i][0], box[i][1]);
+    }
+    tf_mesh mesh = adaptive_scene_mesh(&scene);
+    tf_adaptive *made = NULL;
+    ck_assert_int_eq(tf_adaptive_create(&mesh, scene.position, &made, NULL),
+                     TF_OK);
+    return made;
+}
+
+START_TEST(what_holds_another_part_stays)
+{
+    int first[4];
+    tf_adaptive *surface = boxes(first);
+    int all = triangles_of(surface);
+    ck_assert_int_eq(drop(surface, first[0]), TF_PASSED_VERTEX);
+    ck_assert_int_eq(triangles_of(surface), all);
+    ck_assert_int_eq(drop(surface, first[1]), TF_COMMITTED);
+    ck_assert_int_eq(triangles_of(surface), all - 12);
+    ck_assert_int_eq(drop(surface, first[1]), TF_IMPOSSIBLE); // it is gone
+    ck_assert_int_eq(drop(surface, first[0]), TF_COMMITTED);
+    ck_assert_int_eq(drop(surface, first[2]), TF_COMMITTED);
+    ck_assert_int_eq(triangles_of(surface), 0);
+    tf_adaptive_free(surface);
+}
+END_TEST
+
+// In the hole of a ring is not inside it.
+START_TEST(what_surrounds_another_part_goes)
+{
+    static blobs made;
+    static const double at[] = {0, 0, 0.01};
+    made.vertices = made.triangles = 0;
+    add_ring(&made, at, 1, 0.4, 8, 5);
+    add_ball(&made, at, 0.3, 2);
+    tf_adaptive *surface = blobs_surface(&made);
+    ck_assert_int_eq(parts_of(surface), 2);
+    ck_assert_int_eq(drop(surface, 0), TF_COMMITTED);
+    ck_assert_int_eq(parts_of(surface), 1);
+    ck_assert_int_eq(euler_of(surface), 2);
+    tf_adaptive_free(surface);
+}
+END_TEST
+
+START_TEST(a_boundary_has_no_inside)
+{
+    tf_adaptive *surface = adaptive_sheet(2, 2);
+    tf_outcome outcome;
+    ck_assert_int_eq(drop(surface, 0), TF_IMPOSSIBLE);
+    ck_assert_int_eq(tf_adaptive_drop(surface, 9, &outcome), TF_BAD_INDEX);
+    tf_adaptive_free(surface);
+}
+END_TEST
+
+Suite *suite(void)
+{
+    Suite *suite = suite_create("topology/drop");
+    TCase *tcase = tcase_create("drops");
+    tcase_add_test(tcase, what_holds_another_part_stays);
+    tcase_add_test(tcase, what_surrounds_another_part_goes);
+    tcase_add_test(tcase, a_boundary_has_no_inside);
+    suite_add_tcase(suite, tcase);
+    return suite;
+}

@@ -1,0 +1,149 @@
+// Edges that face each other, and the pieces that they make.
+#include "topology/reconnector.h"
+
+#include "support/adaptive_of.h"
+#include "support/blobs.h"
+#include "support/support.h"
+
+static blobs made;
+static tf_reconnect_report report;
+static tf_reconnector of;
+
+/// Two balls with a gap at the height 0, the first of them below, or above.
+static void begin(double gap, int divisions, bool above)
+{
+    made.vertices = made.triangles = 0;
+    for (int i = 0; i < 2; i++) {
+        const double middle[] = {0, 0, (i == above ? -1 : 1) * (1 + gap / 2)};
+        add_ball(&made, middle, 1, divisions);
+    }
+    of = (tf_reconnector){.of = blobs_surface(&made), .report = &report};
+}
+
+static void end(void)
+{
+    tf_adaptive_free(of.of);
+    tf_reconnector_free(&of);
+}
+
+static const tf_facing *row_at(int i)
+{
+    return (const tf_facing *)of.row.data + i;
+}
+
+/// The distance of two edges, by points on them.
+static double about(const int first[2], const int second[2])
+{
+    double least = INFINITY;
+    for (int i = 0; i <= 2500; i++) {
+        double s = i % 51 / 50.0, t = i / 51 / 48.0;
+        tf_vector p = tf_vector_sum(
+            tf_vector_scaled(1 - s, tf_vector_at(of.of, first[0])), s,
+            tf_vector_at(of.of, first[1]));
+        tf_vector q = tf_vector_sum(
+            tf_vector_scaled(1 - t, tf_vector_at(of.of, second[0])), t,
+            tf_vector_at(of.of, second[1]));
+        least = fmin(least, tf_vector_length(tf_vector_difference(p, q)));
+    }
+    return least;
+}
+
+START_TEST(edges_across_a_gap_are_listed_the_nearest_first)
+{
+    begin(0.05, 4, false);
+    ck_assert(tf_list_facing(&of, 0.2));
+    ck_assert_int_gt(of.rows, 10);
+    for (int i = 0; i < of.rows; i++) {
+        const tf_facing *row = row_at(i);
+        ck_assert(i == 0 || row[-1].distance <= row->distance);
+        ck_assert_double_lt(row->distance, 0.2);
+        ck_assert_double_eq_tol(about(row->first, row->second), row->distance,
+                                0.02);
+        bool lower = tf_vector_at(of.of, row->first[0]).x[2] < 0;
+        ck_assert(lower != (tf_vector_at(of.of, row->second[0]).x[2] < 0));
+        for (int j = 0; j < i; j++)
+            ck_assert(row_at(j)->first[0] != row->first[0] ||
+                      row_at(j)->first[1] != row->first[1] ||
+                      row_at(j)->second[0] != row->second[0] ||
+                      row_at(j)->second[1] != row->second[1]);
+    }
+    end();
+}
+END_TEST
+
+// All pairs, without the hierarchy: those whose ends are within reach are
+// there.
+START_TEST(none_is_missing)
+{
+    begin(0.05, 3, _i);
+    ck_assert(tf_list_facing(&of, 0.3));
+    int near = 0, corners = 3 * of.of->triangles;
+    for (int c = 0; c < corners; c++)
+        for (int d = 0; d < c; d++) {
+            int a[] = {tf_vertex_at(of.of, c),
+                       tf_vertex_at(of.of, tf_corner_after(c))};
+            int b[] = {tf_vertex_at(of.of, d),
+                       tf_vertex_at(of.of, tf_corner_after(d))};
+            bool across =
+                (a[0] < made.vertices / 2) != (b[0] < made.vertices / 2);
+            if (a[0] < a[1] && b[0] < b[1] && across)
+                near += about(a, b) < 0.25;
+        }
+    ck_assert_int_gt(near, 4);
+    ck_assert_int_ge(of.rows, near);
+    end();
+}
+END_TEST
+
+// The inner sides of a wall face away from each other.
+START_TEST(the_gap_must_be_outside)
+{
+    made.vertices = made.triangles = 0;
+    const double middle[] = {0, 0, 0};
+    add_ball(&made, middle, 1, 4);
+    add_ball(&made, middle, 1.1, 4);
+    for (int t = made.triangles / 2; t < made.triangles; t++) {
+        int *v = made.triangle + 3 * t, swap = v[1];
+        v[1] = v[2];
+        v[2] = swap;
+    }
+    for (int inward = 0; inward < 2; inward++) {
+        of = (tf_reconnector){.of = blobs_surface(&made), .report = &report};
+        ck_assert(tf_list_facing(&of, 0.2));
+        ck_assert_int_eq(of.rows > 0, inward == 0);
+        end();
+        for (int i = 0; i < made.triangles; i++) {
+            int *v = made.triangle + 3 * i, swap = v[1];
+            v[1] = v[2];
+            v[2] = swap;
+        }
+    }
+}
+END_TEST
+
+// Two squares at a right angle, each before the other.
+START_TEST(normals_must_oppose)
+{
+    static double place[][3] = {{0, 0, 0},      {1, 0, 0},      {1, 1, 0},
+                                {0, 1, 0},      {-0.1, 0, 0.1}, {-0.1, 1, 0.1},
+                                {-0.1, 1, 1.1}, {-0.1, 0, 1.1}};
+    static const int triangle[] = {0, 1, 2, 0, 2, 3, 4, 5, 6, 4, 6, 7};
+    of = (tf_reconnector){.of = adaptive_of(8, place, 4, triangle),
+                          .report = &report};
+    ck_assert(tf_list_facing(&of, 2));
+    ck_assert_int_eq(of.rows, 0);
+    end();
+}
+END_TEST
+
+Suite *suite(void)
+{
+    Suite *suite = suite_create("topology/facing");
+    TCase *tcase = tcase_create("edges");
+    tcase_add_test(tcase, edges_across_a_gap_are_listed_the_nearest_first);
+    tcase_add_loop_test(tcase, none_is_missing, 0, 2);
+    tcase_add_test(tcase, normals_must_oppose);
+    tcase_add_test(tcase, the_gap_must_be_outside);
+    suite_add_tcase(suite, tcase);
+    return suite;
+}

@@ -1,0 +1,173 @@
+// Merges of two edges.
+#include "topology/topology.h"
+
+#include "surgery/star.h"
+#include "surgery/state.h"
+#include "support/adaptive_of.h"
+#include "support/adaptive_scenes.h"
+#include "support/blobs.h"
+#include "support/support.h"
+
+static adaptive_scene scene;
+
+/// Two boxes of unit squares, one above the other, and a speck between them if
+/// it is wanted; the upper one is turned over, or not.
+static tf_adaptive *two_boxes(bool speck, bool turned)
+{
+    static const double corner[4][3] = {
+        {0.5, 0.4, 1.5}, {0.6, 0.4, 1.5}, {0.5, 0.5, 1.5}, {0.5, 0.4, 1.6}};
+    scene = (adaptive_scene){.unit = 1};
+    add_box(&scene, (const int[]){0, 0, 0}, (const int[]){2, 2, 1});
+    add_box(&scene, (const int[]){0, 0, 2}, (const int[]){2, 2, 3});
+    if (turned)
+        turn_part_over(&scene);
+    if (speck)
+        add_tetrahedron(&scene, corner);
+    tf_mesh mesh = adaptive_scene_mesh(&scene);
+    tf_adaptive *made = NULL;
+    ck_assert_int_eq(tf_adaptive_create(&mesh, scene.position, &made, NULL),
+                     TF_OK);
+    return made;
+}
+
+static int vertex_at(double x, double y, double z)
+{
+    for (int v = 0; v < scene.vertices; v++)
+        if (scene.position[3 * v] == x && scene.position[3 * v + 1] == y &&
+            scene.position[3 * v + 2] == z)
+            return v;
+    ck_abort_msg("no vertex there");
+}
+
+/// Merges the diagonals of the squares that face each other at 0 <= x, y <= 1.
+static tf_outcome merge_diagonals(tf_adaptive *surface)
+{
+    const int low[] = {vertex_at(0, 0, 1), vertex_at(1, 1, 1)};
+    const int high[2][2] = {{vertex_at(0, 0, 2), vertex_at(1, 1, 2)},
+                            {vertex_at(0, 1, 2), vertex_at(1, 0, 2)}};
+    int way = tf_find_edge(surface, high[0][0], high[0][1]) == TF_NONE;
+    tf_outcome outcome;
+    ck_assert_int_eq(tf_adaptive_merge(surface, low, high[way], &outcome),
+                     TF_OK);
+    return outcome;
+}
+
+START_TEST(two_become_one)
+{
+    tf_adaptive *surface = two_boxes(false, false);
+    int before = triangles_of(surface);
+    ck_assert_int_eq(parts_of(surface), 2);
+    ck_assert_int_eq(merge_diagonals(surface), TF_COMMITTED);
+    ck_assert_int_eq(triangles_of(surface), before + 4);
+    ck_assert_int_eq(parts_of(surface), 1);
+    ck_assert_int_eq(euler_of(surface), 2);
+    ck_assert_double_eq_tol(volume_of(surface), 4 + 4 + 1, 1e-12);
+    ck_assert(is_sound(surface));
+    ck_assert_int_eq(merge_diagonals(surface), TF_IMPOSSIBLE); // it is gone
+    tf_adaptive_free(surface);
+}
+END_TEST
+
+// A speck between would be inside after that.
+START_TEST(nothing_is_swallowed)
+{
+    tf_adaptive *surface = two_boxes(true, false);
+    ck_assert_int_eq(merge_diagonals(surface), TF_PASSED_VERTEX);
+    surface->left_out = 1U << TF_PASSED_VERTEX;
+    ck_assert_int_eq(merge_diagonals(surface), TF_COMMITTED);
+    tf_adaptive_free(surface);
+}
+END_TEST
+
+// An outer side does not fit to an inner one: the tube would cross itself.
+START_TEST(sides_must_fit)
+{
+    tf_adaptive *surface = two_boxes(false, true);
+    ck_assert_int_eq(merge_diagonals(surface), TF_OVERLAPPED);
+    tf_adaptive_free(surface);
+}
+END_TEST
+
+static tf_outcome merge(tf_adaptive *surface, int a, int b, int c, int d)
+{
+    tf_outcome outcome;
+    ck_assert_int_eq(tf_adaptive_merge(surface, (const int[]){a, b},
+                                       (const int[]){c, d}, &outcome),
+                     TF_OK);
+    return outcome;
+}
+
+// No edge; on the boundary; a common vertex; neighbors; a second edge between
+// the same two triangles.
+START_TEST(some_edges_do_not_merge)
+{
+    tf_adaptive *surface = adaptive_sheet(8, 2);
+    ck_assert_int_eq(merge(surface, 0, 26, 13, 23), TF_IMPOSSIBLE);
+    ck_assert_int_eq(merge(surface, 0, 1, 13, 23), TF_IMPOSSIBLE);
+    ck_assert_int_eq(merge(surface, 0, 10, 10, 20), TF_IMPOSSIBLE);
+    ck_assert_int_eq(merge(surface, 0, 10, 2, 12), TF_IMPOSSIBLE);
+    ck_assert_int_eq(merge(surface, 0, 10, 0, 10), TF_IMPOSSIBLE);
+    tf_adaptive_free(surface);
+    static blobs made;
+    for (int i = 0; i < 2; i++) {
+        static const double radius[] = {1, 1, 1}, height[] = {0, 1, 2};
+        int first = made.vertices;
+        add_turned(&made, 3, 3, radius, height);
+        for (int v = first; v < made.vertices; v++)
+            made.position[v][0] += 2.2 * i;
+    }
+    // The vertex 9 below the first ring has three triangles.
+    surface = blobs_surface(&made);
+    ck_assert_int_eq(merge(surface, 9, 0, 14, 18), TF_IMPOSSIBLE);
+    ck_assert_int_eq(merge(surface, 14, 18, 9, 0), TF_IMPOSSIBLE);
+    tf_adaptive_free(surface);
+}
+END_TEST
+
+// Two squares with a boundary, the upper of which looks down: what is left is a
+// tube, with the same boundary.
+START_TEST(a_boundary_stays_where_it_is)
+{
+    static double place[][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
+                                {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
+    static const int triangle[] = {0, 1, 2, 0, 2, 3, 4, 6, 5, 4, 7, 6};
+    tf_adaptive *surface = adaptive_of(8, place, 4, triangle);
+    ck_assert_int_eq(merge(surface, 0, 2, 4, 6), TF_COMMITTED);
+    ck_assert_int_eq(triangles_of(surface), 8);
+    ck_assert(is_sound(surface));
+    for (int i = 0; i < 4; i++) {
+        int c = tf_find_edge(surface, i, (i + 1) % 4);
+        ck_assert_int_ne(c, TF_NONE);
+        ck_assert(tf_is_bare(surface, c));
+    }
+    tf_adaptive_free(surface);
+}
+END_TEST
+
+START_TEST(bad_requests_are_refused)
+{
+    tf_adaptive *surface = adaptive_sheet(3, 1);
+    tf_outcome outcome;
+    ck_assert_int_eq(tf_adaptive_merge(surface, (const int[]){0, 8},
+                                       (const int[]){0, 5}, &outcome),
+                     TF_BAD_INDEX);
+    ck_assert_int_eq(tf_adaptive_merge(surface, (const int[]){0, 5},
+                                       (const int[]){-1, 5}, &outcome),
+                     TF_BAD_INDEX);
+    tf_adaptive_free(surface);
+}
+END_TEST
+
+Suite *suite(void)
+{
+    Suite *suite = suite_create("topology/merge");
+    TCase *tcase = tcase_create("merges");
+    tcase_add_test(tcase, two_become_one);
+    tcase_add_test(tcase, nothing_is_swallowed);
+    tcase_add_test(tcase, sides_must_fit);
+    tcase_add_test(tcase, some_edges_do_not_merge);
+    tcase_add_test(tcase, a_boundary_stays_where_it_is);
+    tcase_add_test(tcase, bad_requests_are_refused);
+    suite_add_tcase(suite, tcase);
+    return suite;
+}

@@ -1,0 +1,82 @@
+// The pass that merges: once in each contact, and nothing that would be
+// pinched.
+#include "topology/reconnector.h"
+
+#include "support/blobs.h"
+#include "support/support.h"
+
+static blobs made;
+static tf_reconnect_report report;
+static tf_reconnector of;
+
+/// Two balls, one above the other; `edge` is the mean length of an edge.
+static void begin(double gap, double edge)
+{
+    made.vertices = made.triangles = 0;
+    for (int i = 0; i < 2; i++) {
+        const double middle[] = {0, 0.1 * i, (i ? 1 : -1) * (1 + gap / 2)};
+        add_ball(&made, middle, 1, 6);
+    }
+    report = (tf_reconnect_report){0};
+    of = (tf_reconnector){.of = blobs_surface(&made),
+                          .options = {.edge = edge,
+                                      .merge = 0.3 * edge,
+                                      .patch = 0.5 * edge,
+                                      .pinch = 0.7 * edge},
+                          .report = &report};
+}
+
+static size_t merges(void)
+{
+    ck_assert_int_eq(tf_merge_pass(&of), TF_OK);
+    return report.tried[TF_MERGE][TF_COMMITTED];
+}
+
+static void end(void)
+{
+    tf_adaptive_free(of.of);
+    tf_reconnector_free(&of);
+}
+
+START_TEST(a_contact_is_merged_once)
+{
+    begin(0.02, 0.3);
+    double before = volume_of(of.of);
+    ck_assert_uint_eq(merges(), 1);
+    ck_assert_int_eq(euler_of(of.of), 2);
+    ck_assert_double_eq_tol(volume_of(of.of) - before, report.gained[TF_MERGE],
+                            1e-12);
+    ck_assert_uint_eq(merges(), 1); // and not again
+    end();
+}
+END_TEST
+
+START_TEST(what_is_far_is_not_merged)
+{
+    begin(0.1, 0.3);
+    ck_assert_uint_eq(merges(), 0);
+    ck_assert_int_gt(of.rows, 0); // though it is in contact
+    end();
+}
+END_TEST
+
+// If edges should be longer than they are, a tube would be too thin.
+START_TEST(no_thin_tube_is_made)
+{
+    begin(0.02, 0.3);
+    of.options.pinch = 0.45;
+    ck_assert_uint_eq(merges(), 0);
+    end();
+}
+END_TEST
+
+Suite *suite(void)
+{
+    Suite *suite = suite_create("topology/merge_pass");
+    TCase *tcase = tcase_create("merging");
+    tcase_add_test(tcase, a_contact_is_merged_once);
+    tcase_add_test(tcase, what_is_far_is_not_merged);
+    tcase_add_test(tcase, no_thin_tube_is_made);
+    suite_add_tcase(suite, tcase);
+    return suite;
+}

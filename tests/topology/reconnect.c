@@ -1,0 +1,230 @@
+// Reconnecting whole scenes: what meets becomes one, and what gets thin becomes
+// two.
+#include "topology/reconnect.h"
+
+#include "surgery/operations.h"
+#include "support/adaptive_of.h"
+#include "support/blobs.h"
+#include "support/support.h"
+
+#include <math.h>
+
+static blobs made;
+static tf_reconnect_report report;
+
+static void reconnect(tf_adaptive *surface, double edge)
+{
+    tf_reconnect_options how = {.edge = edge};
+    ck_assert_int_eq(tf_adaptive_reconnect(surface, &how, &report), TF_OK);
+}
+
+static size_t done(tf_reconnection what)
+{
+    return report.tried[what][TF_COMMITTED];
+}
+
+/// Moves each vertex by what `way` says, if that is possible.
+static void move_all(tf_adaptive *surface,
+                     void (*way)(const double from[3], double to[3]))
+{
+    int vertices = tf_adaptive_mesh(surface).vertices;
+    for (int v = 0; v < vertices; v++) {
+        double to[3];
+        tf_outcome outcome;
+        way(place_of(surface, v), to);
+        ck_assert_int_eq(tf_adaptive_move(surface, v, to, &outcome), TF_OK);
+    }
+}
+
+// Balls -----------------------------------------------------------------------
+
+enum {
+    DIVISIONS = 6
+};
+
+static const double ball_edge = 1.9 / DIVISIONS; // the mean
+
+/// Towards the plane between, up to some distance.
+static void press(const double from[3], double to[3])
+{
+    for (int k = 0; k < 3; k++)
+        to[k] = from[k];
+    to[0] += from[0] < 0 ? 0.02 : -0.02;
+}
+
+static tf_adaptive *make_balls(uint64_t stream)
+{
+    generator random = generator_new(stream);
+    made.vertices = made.triangles = 0;
+    for (int i = 0; i < 2; i++) {
+        double middle[] = {i ? 1.06 : -1.06, uniform(&random, -0.25, 0.25),
+                           uniform(&random, -0.25, 0.25)};
+        add_ball(&made, middle, 1, DIVISIONS);
+    }
+    return blobs_surface(&made);
+}
+
+/// Presses balls together, and reconnects from some step on.
+static void meet(tf_adaptive *surface, int steps, int from)
+{
+    report = (tf_reconnect_report){0};
+    for (int i = 0; i < steps; i++) {
+        move_all(surface, press);
+        if (i < from)
+            continue;
+        reconnect(surface, ball_edge);
+        ck_assert(is_sound(surface));
+    }
+}
+
+START_TEST(balls_that_meet_are_one)
+{
+    tf_adaptive *surface = make_balls((uint64_t)_i);
+    meet(surface, 12, 0);
+    ck_assert_uint_eq(done(TF_MERGE), 1);
+    ck_assert_int_eq(parts_of(surface), 1);
+    ck_assert_int_eq(euler_of(surface), 2);
+    ck_assert_double_gt(report.gained[TF_MERGE], 0);
+    tf_adaptive_free(surface);
+}
+END_TEST
+
+// Where they are pressed together there is much that could merge.
+START_TEST(one_contact_makes_one_merge)
+{
+    tf_adaptive *surface = make_balls(100 + (uint64_t)_i);
+    meet(surface, 18, 14);
+    ck_assert_uint_eq(done(TF_MERGE), 1);
+    ck_assert_int_eq(euler_of(surface), 2);
+    tf_adaptive_free(surface);
+}
+END_TEST
+
+// Four balls in a ring meet in four places: that makes a handle.
+START_TEST(a_ring_of_balls_is_a_ring)
+{
+    static const double way[4][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+    made.vertices = made.triangles = 0;
+    for (int i = 0; i < 4; i++) {
+        double middle[] = {1.42 * way[i][0], 1.42 * way[i][1], 0.03 * i};
+        add_ball(&made, middle, 1, 12);
+    }
+    tf_adaptive *surface = blobs_surface(&made);
+    report = (tf_reconnect_report){0};
+    for (int i = 0; i < 3; i++)
+        reconnect(surface, 1.9 / 12);
+    ck_assert_uint_eq(done(TF_MERGE), 4);
+    ck_assert_int_eq(parts_of(surface), 1);
+    ck_assert_int_eq(euler_of(surface), 0);
+    ck_assert(is_sound(surface));
+    tf_adaptive_free(surface);
+}
+END_TEST
+
+// A dumbbell ------------------------------------------------------------------
+
+static const double dumbbell_edge = 0.22;
+
+static tf_adaptive *make_dumbbell(void)
+{
+    enum {
+        RINGS = 25
+    };
+    double radius[RINGS], height[RINGS];
+    for (int i = 0; i < RINGS; i++) {
+        double z = -1.95 + 3.9 * i / (RINGS - 1), from = fabs(z) - 1;
+        double ball = from * from < 1 ? sqrt(1 - from * from) : 0;
+        height[i] = z;
+        radius[i] = fabs(z) < 1 ? fmax(0.4, ball) : ball;
+    }
+    made.vertices = made.triangles = 0;
+    add_turned(&made, 16, RINGS, radius, height);
+    return blobs_surface(&made);
+}
+
+/// In the middle towards the axis 2.
+static void squeeze(const double from[3], double to[3])
+{
+    double z = from[2] / 0.4, factor = 1 - 0.1 * exp(-z * z);
+    to[0] = factor * from[0];
+    to[1] = factor * from[1];
+    to[2] = from[2];
+}
+
+static double length_between(const double a[3], const double b[3])
+{
+    return hypot(hypot(a[0] - b[0], a[1] - b[1]), a[2] - b[2]);
+}
+
+/// Splits the long edges in the middle, and collapses the short ones there.
+static void even_out(tf_adaptive *surface)
+{
+    for (int c = 0; c < 3 * tf_adaptive_mesh(surface).triangles; c++) {
+        const int *t = tf_adaptive_mesh(surface).triangle + c / 3 * 3;
+        int from = t[c % 3], to = t[(c + 1) % 3], added;
+        if (t[0] < 0)
+            continue;
+        const double *a = place_of(surface, from), *b = place_of(surface, to);
+        double length = length_between(a, b);
+        const double middle[] = {(a[0] + b[0]) / 2, (a[1] + b[1]) / 2,
+                                 (a[2] + b[2]) / 2};
+        tf_outcome outcome;
+        tf_status status = TF_OK;
+        if (length > 1.5 * dumbbell_edge)
+            status =
+                tf_adaptive_split(surface, from, to, middle, &added, &outcome);
+        else if (length < 0.5 * dumbbell_edge)
+            status =
+                tf_adaptive_collapse_to(surface, from, to, middle, &outcome);
+        ck_assert_int_eq(status, TF_OK);
+    }
+}
+
+START_TEST(a_neck_is_pinched)
+{
+    tf_adaptive *surface = make_dumbbell();
+    report = (tf_reconnect_report){0};
+    for (int i = 0; i < 25; i++) {
+        even_out(surface);
+        reconnect(surface, dumbbell_edge);
+        ck_assert(is_sound(surface));
+        move_all(surface, squeeze);
+    }
+    ck_assert_int_eq(parts_of(surface), 2);
+    ck_assert_int_eq(euler_of(surface), 4);
+    ck_assert_uint_gt(done(TF_PINCH), 0);
+    ck_assert_uint_eq(done(TF_DROP) + 1, done(TF_PINCH));
+    tf_adaptive_free(surface);
+}
+END_TEST
+
+// -----------------------------------------------------------------------------
+
+START_TEST(bad_options_are_refused)
+{
+    tf_adaptive *surface = adaptive_tetrahedron();
+    tf_reconnect_options how[] = {{.edge = 0},
+                                  {.edge = INFINITY},
+                                  {.edge = 1, .merge = -1},
+                                  {.edge = 1, .patch = NAN},
+                                  {.edge = 1, .pinch = -1},
+                                  {.edge = 1, .drop = INFINITY}};
+    for (size_t i = 0; i < sizeof how / sizeof *how; i++)
+        ck_assert_int_eq(tf_adaptive_reconnect(surface, &how[i], NULL),
+                         TF_BAD_TOLERANCE);
+    tf_adaptive_free(surface);
+}
+END_TEST
+
+Suite *suite(void)
+{
+    Suite *suite = suite_create("topology/reconnect");
+    TCase *tcase = tcase_create("reconnections");
+    tcase_add_loop_test(tcase, balls_that_meet_are_one, 0, 10);
+    tcase_add_loop_test(tcase, one_contact_makes_one_merge, 0, 10);
+    tcase_add_test(tcase, a_ring_of_balls_is_a_ring);
+    tcase_add_test(tcase, a_neck_is_pinched);
+    tcase_add_test(tcase, bad_options_are_refused);
+    suite_add_tcase(suite, tcase);
+    return suite;
+}

@@ -13,7 +13,7 @@
  * Hint 3: The terms do not overlap and the last is the largest: its sign is
  *     that of the sum.  Without terms the sum is zero.
  */
-#include "expansion.h"
+#include "kit/expansion.h"
 
 #include <math.h>
 

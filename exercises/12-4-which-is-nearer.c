@@ -35,7 +35,7 @@
  *     the bound, whatever its size.
  */
 #include "arithmetic/operations.h"
-#include "expansion.h"
+#include "kit/expansion.h"
 
 #include <math.h>
 

@@ -1,9 +1,9 @@
 #include "check.h"
 
-#include "surgery/touch.h"
 #include "arithmetic/exact.h"
 #include "query/query.h"
 #include "support/support.h"
+#include "surgery/touch.h"
 
 bool is_swept_over(const double from[3], const double to[3], const double x[3],
                    const double y[3], const double p[3], const double q[3]);

@@ -206,7 +206,7 @@ def write_report(path, submission, outcomes):
 PARTS = ["Makefile", "LICENSE", "README.md", "book/chapters", "src/**/*",
          "*/rules.mk", "*/*/rules.mk", "tests/checks.mk", "tests/packages",
          "tests/install-packages.sh", "tests/support/*", "tests/bench/*.[ch]",
-         "tests/proofs/*", "figures/expansion.[ch]", "exercises/README.md",
+         "tests/proofs/*", "figures/kit/expansion.[ch]", "exercises/README.md",
          "exercises/*.py", "exercises/*.h", "exercises/check.c",
          "exercises/judge.c", "exercises/confine.c"]
 

@@ -25,7 +25,7 @@ exercise_compile = $(CC) $(WARNINGS) -Wno-unused-parameter -Wfatal-errors \
 # use: the library and the arithmetic of a figure.
 harness = $(patsubst %,$(BUILD)/exercises/%.o,check judge confine) \
 	$(BUILD)/support.a
-exercise_library = $(BUILD)/drawing/expansion.o $(library_file)
+exercise_library = $(BUILD)/drawing/kit/expansion.o $(library_file)
 
 $(trying) $(reading): export WORK := $(WORK)
 $(trying) $(reading): export BUILD := $(BUILD)

@@ -1,5 +1,6 @@
-# The figures: figures/renderer draws, figures/draw is the program, and a figure
-# is a file here that defines one, edge_sweep.c the one named edge-sweep.
+# The figures: figures/renderer draws, figures/draw is the program, and each part
+# of the book has a folder, with a file for each figure: plane/edge_sweep.c
+# defines the figure edge-sweep.  What several figures share is in figures/kit.
 
 # A file of the renderer uses only those before it; context_* are two ways to
 # the same, of which a build has one.
@@ -8,17 +9,19 @@ RENDERER := status list box theme camera scene sheets mesh shaders context_egl \
 	axes picture output plot figure
 RENDERER := $(RENDERER:%=figures/renderer/%.c)
 DRAW := $(wildcard figures/draw/*.c)
-FIGURES := $(sort $(shell grep -l '^const fig_figure fig_' figures/*.c))
+FIGURES := $(shell grep -l '^const fig_figure fig_' figures/*/*.c)
+figure_ids := $(sort $(basename $(notdir $(FIGURES))))
 
 drawing_file = $(BUILD)/tanglefree-draw
-figure_names = $(subst _,-,$(FIGURES:figures/%.c=%))
+figure_names = $(subst _,-,$(figure_ids))
 pictures = $(foreach theme,light dark,\
 	$(figure_names:%=$(BUILD)/figures/%-$(theme).png))
 
 # Figures that move, and their films as sheets.
-moving := $(shell grep -l '^    \.moves = true' figures/*.c)
-films = $(foreach theme,light dark,$(patsubst figures/%.c,\
-	$(BUILD)/films/%-$(theme).png,$(subst _,-,$(moving))))
+moving := $(basename $(notdir \
+	$(shell grep -l '^    \.moves = true' figures/*/*.c)))
+films = $(foreach theme,light dark,\
+	$(patsubst %,$(BUILD)/films/%-$(theme).png,$(subst _,-,$(moving))))
 
 drawing: $(drawing_file) ## build the drawing program, tanglefree-draw
 figures: ## draw all figures and films, light and dark
@@ -37,7 +40,7 @@ figure_archives = $(addprefix $(BUILD)/,draw.a figures.a renderer.a program.a) \
 
 $(BUILD)/renderer.a: $(call drawing_objects,$(RENDERER)) figures/rules.mk
 $(BUILD)/draw.a: $(call drawing_objects,$(filter-out %/main.c,$(DRAW)))
-$(BUILD)/figures.a: $(call drawing_objects,$(wildcard figures/*.c))
+$(BUILD)/figures.a: $(call drawing_objects,$(FIGURES) $(wildcard figures/kit/*.c))
 
 # @file, here and below: gcc reads options from that file.
 $(drawing_file): $(BUILD)/drawing/draw/main.o $(figure_archives)
@@ -50,7 +53,7 @@ unless_same = cmp -s $@.new $@ || cp $@.new $@
 
 # All figures, a line FIG_NAME(edge_sweep) each.
 $(BUILD)/drawing/names.h: FORCE
-	@mkdir -p $(@D) && printf 'FIG_NAME(%s)\n' $(FIGURES:figures/%.c=%) >$@.new
+	@mkdir -p $(@D) && printf 'FIG_NAME(%s)\n' $(figure_ids) >$@.new
 	@$(unless_same)
 
 # The layers of src/ and all its includes, an initializer of two strings each.

@@ -16,8 +16,8 @@ ifndef partial
 WHOLE := $(wildcard tests/whole/*.c) $(FIGURE_TESTS)
 # tests/whole/expansion and bench use the figures' expansion, which draws
 # nothing: it needs no library of figures.
-$(BUILD)/support.a: $(BUILD)/drawing/expansion.o
-$(BUILD)/drawing/expansion.o: figures/expansion.c $(BUILD)/flags | need-build
+$(BUILD)/support.a: $(BUILD)/drawing/kit/expansion.o
+$(BUILD)/drawing/kit/expansion.o: figures/kit/expansion.c $(BUILD)/flags | need-build
 	@echo 'compile $<' && mkdir -p $(@D)
 	$(Q)$(COMPILE) -I$(SRC) -Ifigures -MMD -MP -c $< -o $@
 else

@@ -1,6 +1,6 @@
 #include "draw/commands.h"
 #include "draw/drawing.h"
-#include "figures.h"
+#include "kit/figures.h"
 #include "program/visible.h"
 
 #include <stdio.h>

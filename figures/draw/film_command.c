@@ -1,7 +1,7 @@
-#include "cloth.h"
 #include "draw/commands.h"
 #include "draw/drawing.h"
 #include "draw/film_files.h"
+#include "kit/cloth.h"
 
 #include "program/frames.h"
 #include "program/visible.h"

@@ -7,7 +7,7 @@
 // give a pyramid or a tetrahedron.  The elements meet where these hold the
 // origin.
 #include "draw/query_parts.h"
-#include "worlds.h"
+#include "kit/worlds.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,6 +1,6 @@
 #include "draw/query_parts.h"
 
-#include "worlds.h"
+#include "kit/worlds.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,6 +1,6 @@
 // The elements of a query in space at one time.
 #include "draw/query_parts.h"
-#include "worlds.h"
+#include "kit/worlds.h"
 
 #include <string.h>
 

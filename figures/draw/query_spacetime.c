@@ -1,6 +1,6 @@
 // A query of the plane in space-time.
 #include "draw/query_parts.h"
-#include "worlds.h"
+#include "kit/worlds.h"
 
 #include <string.h>
 

@@ -2,9 +2,9 @@
 #ifndef FIG_DRAW_SURFACE_MARKS_H
 #define FIG_DRAW_SURFACE_MARKS_H
 
+#include "kit/surface_shape.h"
 #include "surface/check.h"
 #include "surface/detect.h"
-#include "surface_shape.h"
 
 /// A place of contact: a point of an element, by the weights of its vertices.
 typedef struct fig_spot {

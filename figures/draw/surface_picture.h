@@ -5,7 +5,7 @@
 #include "draw/drawing.h"
 #include "draw/surface_marks.h"
 #include "draw/surface_view.h"
-#include "surface_shape.h"
+#include "kit/surface_shape.h"
 
 /// A surface to be drawn.
 typedef struct fig_shown_surface {

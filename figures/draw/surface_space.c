@@ -1,6 +1,6 @@
 // A surface of space as it is drawn.
 #include "draw/surface_parts.h"
-#include "surface_normals.h"
+#include "kit/surface_normals.h"
 
 #include <limits.h>
 #include <math.h>

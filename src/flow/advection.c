@@ -2,8 +2,8 @@
 #include "flow/flowing.h"
 
 #include "flow/patch.h"
-#include "surgery/star.h"
 #include "response/resolve.h"
+#include "surgery/star.h"
 
 #include <string.h>
 

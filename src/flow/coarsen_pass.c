@@ -2,9 +2,9 @@
 #include "flow/flowing.h"
 
 #include "flow/butterfly.h"
+#include "flow/patch.h"
 #include "remesh/crease.h"
 #include "surgery/operations.h"
-#include "flow/patch.h"
 #include "surgery/star.h"
 
 /// Which vertex goes, which stays, and where.

@@ -1,8 +1,8 @@
 //: Find where volume is given back
 #include "flow/flowing.h"
 
-#include "surgery/operations.h"
 #include "flow/patch.h"
+#include "surgery/operations.h"
 
 /// Where a vertex gives 1/6 of `more`; false if that is too far away.
 static bool find_place(const tf_flowing *of, int vertex, double more,

@@ -1,12 +1,12 @@
 //: Declare what a flow reports
 #pragma once
 
-#include "surgery/adaptive.h"
-#include "topology/reconnect.h"
-#include "remesh/remesh.h"
 #include "base/api.h"
 #include "base/status.h"
+#include "remesh/remesh.h"
 #include "response/options.h"
+#include "surgery/adaptive.h"
+#include "topology/reconnect.h"
 
 /// @addtogroup adaptive
 /// @{

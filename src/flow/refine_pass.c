@@ -2,8 +2,8 @@
 #include "flow/flowing.h"
 
 #include "flow/butterfly.h"
-#include "surgery/operations.h"
 #include "flow/patch.h"
+#include "surgery/operations.h"
 #include "surgery/star.h"
 
 /// The butterfly point, unless it is far from the middle.

@@ -1,8 +1,8 @@
 //: Find out whether a star is smooth
 #include "flow/flowing.h"
 
-#include "surgery/operations.h"
 #include "flow/patch.h"
+#include "surgery/operations.h"
 #include "surgery/star.h"
 
 /// Whether the normals at a vertex differ so little that it is on no feature:

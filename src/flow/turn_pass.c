@@ -1,8 +1,8 @@
 //: Describe a flip in a flow
 #include "flow/flowing.h"
 
-#include "surgery/operations.h"
 #include "flow/patch.h"
+#include "surgery/operations.h"
 #include "surgery/star.h"
 
 /// What a flip changes: the vertices a, b of the edge and c, d of the other

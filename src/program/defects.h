@@ -1,8 +1,8 @@
 //: Declare the defects of a mesh file
 #pragma once
 
-#include "surgery/adaptive.h"
 #include "program/mesh_file.h"
+#include "surgery/adaptive.h"
 
 /// Describes why a file holds no adaptive surface, and where, as its fault;
 /// returns false.

@@ -2,7 +2,6 @@
 #define _GNU_SOURCE // isatty
 #include "program/remesh_command.h"
 
-#include "remesh/remesh.h"
 #include "program/arguments.h"
 #include "program/clock.h"
 #include "program/defects.h"
@@ -10,6 +9,7 @@
 #include "program/mesh_output.h"
 #include "program/progress.h"
 #include "program/remesh_output.h"
+#include "remesh/remesh.h"
 
 #include <float.h>
 #include <limits.h>

@@ -1,8 +1,8 @@
 //: Declare what is measured of triangles
 #pragma once
 
-#include "surgery/state.h"
 #include "linear/distance.h"
+#include "surgery/state.h"
 
 #include <math.h>
 

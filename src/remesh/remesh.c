@@ -1,10 +1,10 @@
 //: Include what remeshing needs
 #include "remesh/remesh.h"
 
-#include "remesh/measure.h"
-#include "remesh/remesher.h"
 #include "base/environment.h"
 #include "base/require.h"
+#include "remesh/measure.h"
+#include "remesh/remesher.h"
 
 #include <limits.h>
 

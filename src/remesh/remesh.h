@@ -1,10 +1,10 @@
 //: Declare what remeshing does
 #pragma once
 
-#include "surgery/adaptive.h"
-#include "surgery/outcome.h"
 #include "base/api.h"
 #include "base/status.h"
+#include "surgery/adaptive.h"
+#include "surgery/outcome.h"
 
 /// @addtogroup adaptive
 /// @{

@@ -1,10 +1,10 @@
 //: Find out whether an edge may collapse
 #include "surgery/operations.h"
 
+#include "base/require.h"
 #include "surgery/move.h"
 #include "surgery/request.h"
 #include "surgery/star.h"
-#include "base/require.h"
 
 #include <string.h>
 

@@ -1,8 +1,8 @@
 //: Declare the hierarchy of boxes
 #pragma once
 
-#include "surgery/cuboid.h"
 #include "surface/buffer.h"
+#include "surgery/cuboid.h"
 
 /// A binary tree of boxes over elements that come and go.  Each branch holds
 /// the boxes of its two children, and the first one is above the root, as its

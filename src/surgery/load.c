@@ -1,10 +1,10 @@
 //: Include what the conditions need
 #include "surgery/load.h"
 
-#include "surgery/side.h"
-#include "surgery/star.h"
 #include "surface/derive.h"
 #include "surface/surface.h"
+#include "surgery/side.h"
+#include "surgery/star.h"
 
 #include <math.h>
 #include <stddef.h>

@@ -1,10 +1,10 @@
 //: Sweep the star of a vertex
 #include "surgery/move.h"
 
+#include "base/require.h"
 #include "surgery/operations.h"
 #include "surgery/request.h"
 #include "surgery/star.h"
-#include "base/require.h"
 
 #include <string.h>
 

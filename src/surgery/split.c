@@ -1,9 +1,9 @@
 //: Split one triangle
 #include "surgery/operations.h"
 
+#include "base/require.h"
 #include "surgery/request.h"
 #include "surgery/star.h"
-#include "base/require.h"
 
 enum {
     SPLIT_ROOM = 4 ///< for the lists of the surgery

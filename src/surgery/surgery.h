@@ -1,11 +1,11 @@
 //: Declare surgery
 #pragma once
 
+#include "surface/buffer.h"
 #include "surgery/adaptive.h"
 #include "surgery/cuboid.h"
 #include "surgery/outcome.h"
 #include "surgery/tetrahedron.h"
-#include "surface/buffer.h"
 
 /// A triangle to be added.
 typedef struct tf_graft {

@@ -1,9 +1,9 @@
 //: Find what is inside of a part
 #include "topology/topology.h"
 
-#include "topology/component.h"
 #include "surgery/request.h"
 #include "surgery/star.h"
+#include "topology/component.h"
 #include "topology/winding.h"
 
 /// Whether a part of the surface, the first in the list, has no boundary.

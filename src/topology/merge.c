@@ -1,11 +1,11 @@
 //: Find the triangles on an edge
 #include "topology/topology.h"
 
+#include "base/require.h"
 #include "remesh/measure.h"
 #include "surgery/request.h"
 #include "surgery/star.h"
 #include "topology/walls.h"
-#include "base/require.h"
 
 enum {
     MERGE_ROOM = 8 ///< for the lists of the surgery

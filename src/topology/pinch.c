@@ -1,11 +1,11 @@
 //: Hold a pinch
 #include "topology/topology.h"
 
-#include "surgery/request.h"
-#include "topology/stage.h"
-#include "surgery/star.h"
-#include "topology/walls.h"
 #include "base/require.h"
+#include "surgery/request.h"
+#include "surgery/star.h"
+#include "topology/stage.h"
+#include "topology/walls.h"
 
 /// A loop that is being cut open.
 typedef struct tf_cut {

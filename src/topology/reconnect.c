@@ -1,9 +1,9 @@
 //: Check how to reconnect
 #include "topology/reconnect.h"
 
-#include "topology/reconnector.h"
 #include "base/environment.h"
 #include "base/require.h"
+#include "topology/reconnector.h"
 
 static bool is_length(double x)
 {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "remesh/measure.h"
-#include "topology/reconnect.h"
 #include "surgery/state.h"
+#include "topology/reconnect.h"
 
 /// Two edges that face each other.
 typedef struct tf_facing {

@@ -33,7 +33,7 @@
 #include "arithmetic/six.h"
 #include "arithmetic/two_sum.h"
 #include "bench/workloads.h"
-#include "expansion.h"
+#include "kit/expansion.h"
 #include "query/query.h"
 #include "support/generator.h"
 

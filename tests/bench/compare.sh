@@ -10,7 +10,7 @@ set -eu
 machine=$(sed -n 's/^model name[^:]*: *//p' /proc/cpuinfo | head -n 1)
 
 cat <<END
-# Written by \`make measure-roads\`; figures/roads.c and the book read it.
+# Written by \`make measure-roads\`; figures/kit/measured.c and the book read it.
 # machine: ${machine:-$(uname -m)}
 # compiler: $($1 --version | head -n 1), $2
 # date: $(date +%Y-%m-%d)

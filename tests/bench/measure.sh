@@ -12,7 +12,7 @@ shift 2
 machine=$(sed -n 's/^model name[^:]*: *//p' /proc/cpuinfo | head -n 1)
 
 cat <<END
-# Written by \`make measure\`; figures/measured.c and the book read it.
+# Written by \`make measure\`; figures/kit/measured.c and the book read it.
 # machine: ${machine:-$(uname -m)}
 # compiler: $($compiler --version | head -n 1), $flags
 # date: $(date +%Y-%m-%d)

@@ -1,6 +1,6 @@
 #define _GNU_SOURCE // mkdtemp
 
-#include "figures.h"
+#include "kit/figures.h"
 #include "support/support.h"
 
 #include "renderer/box.h"

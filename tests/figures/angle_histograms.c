@@ -1,6 +1,6 @@
 #include "figures/numbers.h"
 
-#include "measured.h"
+#include "kit/measured.h"
 
 START_TEST(angles_grow)
 {

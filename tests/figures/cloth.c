@@ -1,4 +1,4 @@
-#include "cloth_parts.h"
+#include "kit/cloth_parts.h"
 #include "renderer/figure.h"
 
 #include "support/support.h"

@@ -1,6 +1,6 @@
 #include "figures/numbers.h"
 
-#include "random.h"
+#include "kit/random.h"
 
 enum {
     QUERIES = 32768,

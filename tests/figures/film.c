@@ -2,7 +2,7 @@
 #define _GNU_SOURCE // mkdtemp
 #include "figures/numbers.h"
 
-#include "film.h"
+#include "kit/film.h"
 
 #include <unistd.h>
 

@@ -1,4 +1,4 @@
-#include "fit.h"
+#include "kit/fit.h"
 #include "support/support.h"
 
 #include <float.h>

@@ -1,7 +1,7 @@
 #include "figures/numbers.h"
 
 #include "arithmetic/exact.h"
-#include "meshes.h"
+#include "kit/meshes.h"
 #include "query/edge_edge.h"
 #include "query/point_triangle.h"
 

@@ -1,6 +1,6 @@
 #include "figures/numbers.h"
 
-#include "meshes.h"
+#include "kit/meshes.h"
 #include "surface/box.h"
 
 enum {

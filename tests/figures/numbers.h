@@ -5,7 +5,7 @@
 
 #define _POSIX_C_SOURCE 200809L // open_memstream
 
-#include "figures.h"
+#include "kit/figures.h"
 #include "support/oracle.h"
 #include "support/support.h"
 

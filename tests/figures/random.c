@@ -1,4 +1,4 @@
-#include "random.h"
+#include "kit/random.h"
 
 #include "support/support.h"
 

@@ -1,4 +1,4 @@
-#include "soft_light.h"
+#include "kit/soft_light.h"
 
 #include "support/support.h"
 

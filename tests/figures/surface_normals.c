@@ -1,4 +1,4 @@
-#include "surface_normals.h"
+#include "kit/surface_normals.h"
 
 #include "support/support.h"
 #include "support/surface_of.h"

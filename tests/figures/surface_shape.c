@@ -1,9 +1,9 @@
-#include "surface_shape.h"
+#include "kit/surface_shape.h"
 
+#include "kit/worlds.h"
 #include "support/queries.h"
 #include "support/surface_of.h"
 #include "support/surfaces.h"
-#include "worlds.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,6 +1,6 @@
 #include "figures/numbers.h"
 
-#include "cloth_run.h"
+#include "kit/cloth_run.h"
 
 START_TEST(only_one_strip_tangles)
 {

@@ -2,7 +2,7 @@
 
 #include "arithmetic/exact.h"
 #include "intersect/signs.h"
-#include "random.h"
+#include "kit/random.h"
 
 enum {
     QUERIES = 1 << 14,

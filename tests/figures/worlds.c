@@ -1,6 +1,6 @@
 #include "figures/numbers.h"
 
-#include "worlds.h"
+#include "kit/worlds.h"
 
 static void expect_place(tf_vector place, double x, double y, double z)
 {

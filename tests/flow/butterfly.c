@@ -1,10 +1,10 @@
 // Butterfly points.
 #include "flow/butterfly.h"
 
-#include "surgery/star.h"
 #include "support/adaptive_of.h"
 #include "support/flowing.h"
 #include "support/support.h"
+#include "surgery/star.h"
 
 START_TEST(flat_triangles_are_split_in_the_middle)
 {

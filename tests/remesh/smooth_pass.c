@@ -1,10 +1,10 @@
 // Vertices move to the middles of their stars.
 #include "remesh/remesher.h"
 
-#include "surgery/move.h"
 #include "support/adaptive_of.h"
 #include "support/remeshing.h"
 #include "support/support.h"
+#include "surgery/move.h"
 
 #include <math.h>
 

@@ -3,8 +3,8 @@
 #ifndef SUPPORT_ADAPTIVE_SCENES_H
 #define SUPPORT_ADAPTIVE_SCENES_H
 
-#include "surgery/adaptive.h"
 #include "support/generator.h"
+#include "surgery/adaptive.h"
 
 enum {
     SCENE_PARTS = 32,

@@ -1,10 +1,10 @@
 #include "support/operating.h"
 
-#include "surgery/state.h"
 #include "support/dyadic.h"
 #include "support/hash.h"
 #include "support/tangle.h"
 #include "support/winding.h"
+#include "surgery/state.h"
 
 #include <gmp.h>
 #include <math.h>

@@ -4,8 +4,8 @@
 #ifndef SUPPORT_OPERATING_H
 #define SUPPORT_OPERATING_H
 
-#include "surgery/operations.h"
 #include "support/adaptive_scenes.h"
+#include "surgery/operations.h"
 
 enum {
     LABELLED = 20000 ///< the most vertices in a run

@@ -4,9 +4,9 @@
 #ifndef SUPPORT_RECONNECTING_H
 #define SUPPORT_RECONNECTING_H
 
+#include "support/operating.h"
 #include "topology/reconnect.h"
 #include "topology/topology.h"
-#include "support/operating.h"
 
 typedef struct reconnecting_counts {
     long count[TF_RECONNECTIONS][TF_OUTCOMES];

@@ -1,10 +1,10 @@
 // What an adaptive surface keeps and lends.
 #include "surgery/adaptive.h"
 
-#include "surgery/operations.h"
 #include "support/adaptive_of.h"
 #include "support/operating.h"
 #include "support/support.h"
+#include "surgery/operations.h"
 
 #include <signal.h>
 #include <string.h>

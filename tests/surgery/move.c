@@ -2,12 +2,12 @@
 // finds one, and no others.
 #include "surgery/move.h"
 
-#include "surgery/operations.h"
 #include "support/adaptive_of.h"
 #include "support/operating.h"
 #include "support/support.h"
 #include "support/surface_of.h"
 #include "surface/detect.h"
+#include "surgery/operations.h"
 
 #include <string.h>
 

@@ -1,9 +1,9 @@
 // What every operation refuses to begin with.
 #include "surgery/request.h"
 
-#include "surgery/operations.h"
 #include "support/adaptive_of.h"
 #include "support/support.h"
+#include "surgery/operations.h"
 
 #include <math.h>
 #include <signal.h>

@@ -1,11 +1,11 @@
 // A surgery is described, tried, and done or not.
 #include "surgery/surgery.h"
 
-#include "surgery/operations.h"
-#include "surgery/star.h"
 #include "support/adaptive_of.h"
 #include "support/operating.h"
 #include "support/support.h"
+#include "surgery/operations.h"
+#include "surgery/star.h"
 
 #include <limits.h>
 

@@ -1,11 +1,11 @@
 // Drops of a part.
 #include "topology/topology.h"
 
-#include "surgery/star.h"
 #include "support/adaptive_of.h"
 #include "support/adaptive_scenes.h"
 #include "support/blobs.h"
 #include "support/support.h"
+#include "surgery/star.h"
 
 static tf_outcome drop(tf_adaptive *surface, int vertex)
 {

@@ -1,12 +1,12 @@
 // Merges of two edges.
 #include "topology/topology.h"
 
-#include "surgery/star.h"
-#include "surgery/state.h"
 #include "support/adaptive_of.h"
 #include "support/adaptive_scenes.h"
 #include "support/blobs.h"
 #include "support/support.h"
+#include "surgery/star.h"
+#include "surgery/state.h"
 
 static adaptive_scene scene;
 

@@ -1,10 +1,10 @@
 // Pinches of loops of three edges.
 #include "topology/topology.h"
 
-#include "surgery/star.h"
 #include "support/adaptive_of.h"
 #include "support/blobs.h"
 #include "support/support.h"
+#include "surgery/star.h"
 
 #include <string.h>
 

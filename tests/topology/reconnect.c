@@ -2,10 +2,10 @@
 // two.
 #include "topology/reconnect.h"
 
-#include "surgery/operations.h"
 #include "support/adaptive_of.h"
 #include "support/blobs.h"
 #include "support/support.h"
+#include "surgery/operations.h"
 
 #include <math.h>
 

@@ -1,9 +1,9 @@
 // Surgery in stages.
 #include "topology/stage.h"
 
-#include "surgery/star.h"
 #include "support/adaptive_of.h"
 #include "support/support.h"
+#include "surgery/star.h"
 
 // A corner of a tetrahedron moves out, and then further: the triangles of the
 // first stage are there in the second one, and go then.

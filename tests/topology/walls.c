@@ -2,9 +2,9 @@
 // come.
 #include "topology/walls.h"
 
-#include "topology/stage.h"
 #include "support/adaptive_of.h"
 #include "support/support.h"
+#include "topology/stage.h"
 
 enum {
     SPECK = 4 ///< its first vertex

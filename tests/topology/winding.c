@@ -1,11 +1,11 @@
 // Winding numbers, against those of the judge, at special points.
 #include "topology/winding.h"
 
-#include "surgery/state.h"
-#include "surgery/touch.h"
 #include "support/adaptive_scenes.h"
 #include "support/support.h"
 #include "support/winding.h"
+#include "surgery/state.h"
+#include "surgery/touch.h"
 
 #include <string.h>
 

@@ -1,5 +1,5 @@
 // The contender of the accumulator is exact, too.
-#include "expansion.h"
+#include "kit/expansion.h"
 #include "support/dyadic.h"
 #include "support/matrices.h"
 #include "support/sums.h"

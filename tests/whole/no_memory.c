@@ -2,16 +2,16 @@
 // which is reported, and what there was stays good.  The linker puts the functions below
 // in the place of those of the C library: see tests/rules.mk.
 #include "flow/flow.h"
-#include "surgery/operations.h"
-#include "topology/reconnect.h"
 #include "remesh/remesh.h"
-#include "topology/topology.h"
 #include "response/resolve.h"
 #include "support/adaptive_of.h"
 #include "support/blobs.h"
 #include "support/proposals.h"
 #include "support/scrambled.h"
 #include "support/support.h"
+#include "surgery/operations.h"
+#include "topology/reconnect.h"
+#include "topology/topology.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,0 +1,21 @@
+// Cloth on a ball, and sheets on a column.
+#include "kit/cloth_stills.h"
+#include "kit/figures.h"
+
+static const fig_cloth_still stills[] = {
+    {.plan = {.scene = "sphere", .size = 14, .steps = 80}, .first = 78},
+    {.plan = {.scene = "stack", .size = 7, .steps = 65}, .first = 63},
+};
+
+static void draw(fig_page *page, FILE *numbers)
+{
+    fig_draw_stills(page, numbers, 2, stills);
+}
+
+const fig_figure fig_fallen_cloth = {
+    .name = "fallen-cloth",
+    .title = "Cloth that has fallen",
+    .width = FIG_PAGE_WIDTH,
+    .height = 190,
+    .draw = draw,
+};

@@ -1,0 +1,23 @@
+// A knot that is pulled tight, a curtain that is drawn through a ring, and a
+// flag.
+#include "kit/cloth_stills.h"
+#include "kit/figures.h"
+
+static const fig_cloth_still stills[] = {
+    {.plan = {.scene = "knot", .size = 3, .steps = 260}, .first = 258},
+    {.plan = {.scene = "curtain", .size = 14, .steps = 480}, .first = 478},
+    {.plan = {.scene = "flag", .size = 8, .steps = 200}, .first = 198},
+};
+
+static void draw(fig_page *page, FILE *numbers)
+{
+    fig_draw_stills(page, numbers, 3, stills);
+}
+
+const fig_figure fig_pulled_cloth = {
+    .name = "pulled-cloth",
+    .title = "Cloth that is pulled, and a flag",
+    .width = FIG_PAGE_WIDTH,
+    .height = 160,
+    .draw = draw,
+};

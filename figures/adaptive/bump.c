@@ -67,7 +67,7 @@ static tf_adaptive *make_lattice(void)
 /// How far a vertex is above the paraboloid, in sagittas.
 static double height_of(const tf_adaptive *of, int vertex)
 {
-    tf_vector at = tf_vector_at(of, vertex);
+    tf_vector at = tf_position_of(of, vertex);
     double square = at.x[0] * at.x[0] + at.x[1] * at.x[1];
     return (at.x[2] + square / (2 * radius)) / sagitta();
 }
@@ -87,7 +87,7 @@ static void give_back(tf_adaptive *of, double more, const int vertex[AROUND])
 {
     for (int i = 0; i < AROUND; i++) {
         tf_patch star =
-            tf_patch_of_star(of, vertex[i], tf_vector_at(of, vertex[i]));
+            tf_patch_of_star(of, vertex[i], tf_position_of(of, vertex[i]));
         tf_vector place = tf_patch_place(&star, more / AROUND);
         tf_outcome outcome;
         TF_REQUIRE(tf_adaptive_move(of, vertex[i], place.x, &outcome) ==
@@ -138,7 +138,7 @@ static void draw_heights(fig_page *page, const tf_adaptive *of, int way,
     };
     fig_point at[COUNT];
     for (int i = 0; i < COUNT; i++)
-        at[i] = (fig_point){tf_vector_at(of, along[i]).x[0],
+        at[i] = (fig_point){tf_position_of(of, along[i]).x[0],
                             height_of(of, along[i])};
     fig_plot_curve(page, &plot, COUNT, at,
                    (fig_stroke){.paint = {.role = FIG_ROLE_EDGE}});

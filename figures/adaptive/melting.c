@@ -106,7 +106,7 @@ static void smooth(tf_adaptive *of, tf_original *original, way chosen)
 {
     for (int v = 0; v < of->vertices; v++) {
         tf_vector area, place = middle_and_area(of, v, &area);
-        tf_vector path = tf_vector_difference(place, tf_vector_at(of, v));
+        tf_vector path = tf_vector_difference(place, tf_position_of(of, v));
         if (chosen == SIDEWAYS)
             place = tf_vector_sum(
                 place, -tf_vector_dot(path, area) / tf_vector_dot(area, area),

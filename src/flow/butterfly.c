@@ -22,9 +22,9 @@ static bool add_wings(const tf_adaptive *of, int corner, tf_vector *sum)
     int apex = tf_vertex_at(of, tf_corner_before(corner));
     if (wing[0] == TF_NONE || wing[1] == TF_NONE)
         return false;
-    *sum = tf_vector_sum(*sum, 0.125, tf_vector_at(of, apex));
+    *sum = tf_vector_sum(*sum, 0.125, tf_position_of(of, apex));
     for (int i = 0; i < 2; i++)
-        *sum = tf_vector_sum(*sum, -0.0625, tf_vector_at(of, wing[i]));
+        *sum = tf_vector_sum(*sum, -0.0625, tf_position_of(of, wing[i]));
     return true;
 }
 

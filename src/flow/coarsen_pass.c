@@ -56,7 +56,7 @@ static bool choose_at_rim(const tf_adaptive *of, int corner, coarsening *chosen)
         chosen->to = swap;
         own = other;
     }
-    chosen->place = tf_vector_at(of, chosen->to);
+    chosen->place = tf_position_of(of, chosen->to);
     return own == TF_FREE || (own == TF_ALONG_CREASE && tf_is_bare(of, corner));
 }
 

@@ -8,7 +8,7 @@
 static bool find_place(const tf_flowing *of, int vertex, double more,
                        tf_vector *place)
 {
-    tf_vector from = tf_vector_at(of->remesher.of, vertex);
+    tf_vector from = tf_position_of(of->remesher.of, vertex);
     tf_patch star = tf_patch_of_star(of->remesher.of, vertex, from);
     *place = tf_patch_place(&star, more);
     double way = tf_vector_length(tf_vector_difference(*place, from));

@@ -10,7 +10,7 @@
 static bool is_smooth(const tf_adaptive *of, int vertex)
 {
     tf_vector mean =
-        tf_patch_of_star(of, vertex, tf_vector_at(of, vertex)).normal;
+        tf_patch_of_star(of, vertex, tf_position_of(of, vertex)).normal;
     double along = 0, all = 0, square = tf_vector_dot(mean, mean);
     int c = tf_first_corner(of, vertex);
     for (; c != TF_NONE; c = tf_next_corner(of, c)) {

@@ -20,7 +20,7 @@ static turning turning_of(const tf_adaptive *of, int forth, int back)
                   tf_vertex_at(of, tf_corner_before(back))},
                  tf_diagonals_of(of, forth, back),
                  0};
-    tf_patch patch = {.apex = tf_vector_at(of, t.vertex[2])};
+    tf_patch patch = {.apex = tf_position_of(of, t.vertex[2])};
     for (int i = 0; i < 2; i++)
         tf_patch_add(&patch, &t.both.own[i]);
     t.gained = -patch.below;

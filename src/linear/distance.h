@@ -1,23 +1,10 @@
-//: Declare products of vectors
+//: Declare nearest points
 #pragma once
 
 #include "geometry/vector.h"
 
 #include <stdbool.h>
 
-static inline tf_vector tf_vector_difference(tf_vector a, tf_vector b)
-{
-    return (tf_vector){{a.x[0] - b.x[0], a.x[1] - b.x[1], a.x[2] - b.x[2]}};
-}
-
-static inline tf_vector tf_vector_cross(tf_vector a, tf_vector b)
-{
-    return (tf_vector){{a.x[1] * b.x[2] - a.x[2] * b.x[1],
-                        a.x[2] * b.x[0] - a.x[0] * b.x[2],
-                        a.x[0] * b.x[1] - a.x[1] * b.x[0]}};
-}
-
-//: Declare nearest points
 enum {
     TF_MOST_CORNERS = 6 ///< of two elements: two triangles
 };

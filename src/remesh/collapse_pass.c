@@ -30,7 +30,7 @@ static bool choose_collapse(tf_remesher *of, int corner, collapsing *chosen)
     bool swap = of_b > of_a;
     chosen->from = swap ? b : a;
     chosen->to = swap ? a : b;
-    chosen->place = tf_vector_at(of->of, chosen->to);
+    chosen->place = tf_position_of(of->of, chosen->to);
     if (of_a == TF_FREE && of_b == TF_FREE)
         chosen->place = tf_remesher_project(of, tf_middle_of(of->of, a, b));
     return may_go(of->of, corner, swap ? of_b : of_a);
@@ -44,7 +44,8 @@ bool tf_edges_stay_short(const tf_adaptive *of, int vertex, int other,
     for (; c != TF_NONE; c = tf_next_corner(of, c))
         for (int i = 1; i < 3; i++) {
             int end = tf_vertex_at(of, c / 3 * 3 + (c + i) % 3);
-            tf_vector way = tf_vector_difference(tf_vector_at(of, end), place);
+            tf_vector way =
+                tf_vector_difference(tf_position_of(of, end), place);
             if (end != other && tf_vector_length(way) > most)
                 return false;
         }

@@ -26,8 +26,8 @@ typedef struct creases {
 static void add_crease(const tf_adaptive *of, int vertex, int other,
                        creases *all)
 {
-    tf_vector along =
-        tf_vector_difference(tf_vector_at(of, other), tf_vector_at(of, vertex));
+    tf_vector along = tf_vector_difference(tf_position_of(of, other),
+                                           tf_position_of(of, vertex));
     all->sum = tf_vector_sum(all->sum, 1 / tf_vector_length(along), along);
     all->count++;
 }

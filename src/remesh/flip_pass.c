@@ -8,10 +8,10 @@
 
 tf_diagonals tf_diagonals_of(const tf_adaptive *of, int forth, int back)
 {
-    tf_vector a = tf_vector_at(of, tf_vertex_at(of, forth));
-    tf_vector b = tf_vector_at(of, tf_vertex_at(of, back));
-    tf_vector c = tf_vector_at(of, tf_vertex_at(of, tf_corner_before(forth)));
-    tf_vector d = tf_vector_at(of, tf_vertex_at(of, tf_corner_before(back)));
+    tf_vector a = tf_position_of(of, tf_vertex_at(of, forth));
+    tf_vector b = tf_position_of(of, tf_vertex_at(of, back));
+    tf_vector c = tf_position_of(of, tf_vertex_at(of, tf_corner_before(forth)));
+    tf_vector d = tf_position_of(of, tf_vertex_at(of, tf_corner_before(back)));
     return (tf_diagonals){.own = {{{a, b, c}}, {{b, a, d}}},
                           .other = {{{c, d, b}}, {{d, c, a}}}};
 }

@@ -4,13 +4,13 @@
 double tf_length_of(const tf_adaptive *of, int a, int b)
 {
     return tf_vector_length(
-        tf_vector_difference(tf_vector_at(of, a), tf_vector_at(of, b)));
+        tf_vector_difference(tf_position_of(of, a), tf_position_of(of, b)));
 }
 
 tf_vector tf_middle_of(const tf_adaptive *of, int a, int b)
 {
-    tf_vector half = tf_vector_scaled(0.5, tf_vector_at(of, a));
-    return tf_vector_sum(half, 0.5, tf_vector_at(of, b));
+    tf_vector half = tf_vector_scaled(0.5, tf_position_of(of, a));
+    return tf_vector_sum(half, 0.5, tf_position_of(of, b));
 }
 
 //: Measure triangles
@@ -19,7 +19,7 @@ tf_shape tf_shape_of(const tf_adaptive *of, int triangle)
     const int *vertex = tf_triangle(of, triangle);
     tf_shape shape;
     for (int i = 0; i < 3; i++)
-        shape.corner[i] = tf_vector_at(of, vertex[i]);
+        shape.corner[i] = tf_position_of(of, vertex[i]);
     return shape;
 }
 

@@ -1,29 +1,16 @@
 //: Declare what is measured of triangles
 #pragma once
 
-#include "linear/distance.h"
+#include "geometry/vector.h"
 #include "surgery/state.h"
 
 #include <math.h>
 
 // All of this is rounded: it decides what is wanted, never what is safe.
 
-static inline tf_vector tf_vector_at(const tf_adaptive *of, int vertex)
+static inline tf_vector tf_position_of(const tf_adaptive *of, int vertex)
 {
-    const double *x = tf_place(of, vertex);
-    return (tf_vector){{x[0], x[1], x[2]}};
-}
-
-/// a + factor b.
-static inline tf_vector tf_vector_sum(tf_vector a, double factor, tf_vector b)
-{
-    return (tf_vector){{a.x[0] + factor * b.x[0], a.x[1] + factor * b.x[1],
-                        a.x[2] + factor * b.x[2]}};
-}
-
-static inline double tf_vector_length(tf_vector a)
-{
-    return sqrt(tf_vector_dot(a, a));
+    return tf_vector_at(tf_place(of, vertex), 0);
 }
 
 double tf_length_of(const tf_adaptive *of, int a, int b);

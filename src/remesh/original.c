@@ -1,6 +1,7 @@
 //: Make room for an original
 #include "remesh/original.h"
 
+#include "linear/distance.h"
 #include "remesh/measure.h"
 
 #include <string.h>

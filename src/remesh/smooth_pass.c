@@ -24,7 +24,7 @@ tf_vector tf_star_middle(const tf_adaptive *of, int vertex)
 //: Smooth a vertex
 bool tf_is_worth_a_move(const tf_remesher *of, int vertex, tf_vector place)
 {
-    tf_vector way = tf_vector_difference(place, tf_vector_at(of->of, vertex));
+    tf_vector way = tf_vector_difference(place, tf_position_of(of->of, vertex));
     return tf_vector_length(way) > of->edge / 20;
 }
 

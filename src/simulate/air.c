@@ -1,7 +1,7 @@
 //: Include what the air needs
 #include "simulate/air.h"
 
-#include "simulate/triple.h"
+#include "geometry/vector.h"
 
 #include <math.h>
 
@@ -22,36 +22,37 @@ static void find_wind(const tf_air *air, double time, const double x[3],
 
 //: Push a triangle along its normal
 /// The mean of what its corners have.
-static tf_triple mean_at(const int corner[3], const double of[])
+static tf_vector mean_at(const int corner[3], const double of[])
 {
-    tf_triple mean = {{0}};
+    tf_vector mean = {{0}};
     for (int i = 0; i < 3; i++)
-        mean = tf_triple_sum(mean, 1.0 / 3, tf_triple_at(of, corner[i]));
+        mean = tf_vector_sum(mean, 1.0 / 3, tf_vector_at(of, corner[i]));
     return mean;
 }
 
 /// Its length is twice the area.
-static tf_triple normal_of(const int corner[3], const double position[])
+static tf_vector normal_of(const int corner[3], const double position[])
 {
-    tf_triple a = tf_triple_at(position, corner[0]);
-    tf_triple b = tf_triple_at(position, corner[1]);
-    tf_triple c = tf_triple_at(position, corner[2]);
-    return tf_triple_cross(tf_triple_between(a, b), tf_triple_between(a, c));
+    tf_vector a = tf_vector_at(position, corner[0]);
+    tf_vector b = tf_vector_at(position, corner[1]);
+    tf_vector c = tf_vector_at(position, corner[2]);
+    return tf_vector_cross(tf_vector_difference(b, a),
+                           tf_vector_difference(c, a));
 }
 
 static void push(const tf_air *air, const tf_body *body, double time,
                  double step, const int corner[3], const double position[],
                  double velocity[])
 {
-    tf_triple wind = {{0}}, normal = normal_of(corner, position);
-    double length = tf_triple_length(normal);
+    tf_vector wind = {{0}}, normal = normal_of(corner, position);
+    double length = tf_vector_length(normal);
     if (length == 0)
         return;
     find_wind(air, time, mean_at(corner, position).x, wind.x);
-    tf_triple met = tf_triple_between(mean_at(corner, velocity), wind);
+    tf_vector met = tf_vector_difference(wind, mean_at(corner, velocity));
     // The force is drag times area times the part along the normal, and each
     // corner has a third of it.
-    double impulse = step * air->drag * tf_triple_dot(normal, met) / length / 6;
+    double impulse = step * air->drag * tf_vector_dot(normal, met) / length / 6;
     for (int i = 0; i < 3; i++)
         if (body->mass[corner[i]] > 0)
             for (int k = 0; k < 3; k++)

@@ -1,7 +1,7 @@
 //: Include what cloth needs
 #include "simulate/cloth.h"
 
-#include "simulate/triple.h"
+#include "geometry/vector.h"
 
 #include <stdlib.h>
 
@@ -47,25 +47,25 @@ static bool same_edge(const side *a, const side *b)
 }
 
 //: Measure a triangle
-static tf_triple side_between(const tf_body *body, int a, int b)
+static tf_vector side_between(const tf_body *body, int a, int b)
 {
-    return tf_triple_between(tf_triple_at(body->position, a),
-                             tf_triple_at(body->position, b));
+    return tf_vector_difference(tf_vector_at(body->position, b),
+                                tf_vector_at(body->position, a));
 }
 
-static double twice_area(tf_triple a, tf_triple b)
+static double twice_area(tf_vector a, tf_vector b)
 {
-    return tf_triple_length(tf_triple_cross(a, b));
+    return tf_vector_length(tf_vector_cross(a, b));
 }
 
 /// The cotangent of the angle at a corner, and twice the area.
 static double cotangent(const tf_body *body, int corner, int b, int c,
                         double *area)
 {
-    tf_triple to_b = side_between(body, corner, b);
-    tf_triple to_c = side_between(body, corner, c);
+    tf_vector to_b = side_between(body, corner, b);
+    tf_vector to_c = side_between(body, corner, c);
     *area = twice_area(to_b, to_c);
-    return tf_triple_dot(to_b, to_c) / *area;
+    return tf_vector_dot(to_b, to_c) / *area;
 }
 
 //: Resist stretching
@@ -74,10 +74,10 @@ static double cotangent(const tf_body *body, int corner, int b, int c,
 static void add_stretch(tf_body *body, const side *one, double stretch)
 {
     int a = one->vertex[0], b = one->vertex[1];
-    tf_triple along = side_between(body, a, b);
+    tf_vector along = side_between(body, a, b);
     double area = twice_area(along, side_between(body, a, one->opposite)) / 2;
     tf_body_add_spring(body, a, b,
-                       stretch * area / tf_triple_dot(along, along));
+                       stretch * area / tf_vector_dot(along, along));
 }
 
 //: Resist folds

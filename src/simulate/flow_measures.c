@@ -1,7 +1,7 @@
 //: Include what measures of surfaces need
 #include "simulate/flow_measures.h"
 
-#include "simulate/triple.h"
+#include "geometry/vector.h"
 
 #include <stdlib.h>
 
@@ -80,16 +80,19 @@ static void measure_topology(const tf_mesh *mesh, const side_row row[],
 static void measure_size(const tf_mesh *mesh, const double position[],
                          tf_flow_measures *measures)
 {
-    tf_triple origin = tf_triple_at(position, mesh->triangle[0]);
+    tf_vector origin = tf_vector_at(position, mesh->triangle[0]);
     for (const int *v = mesh->triangle;
          v < mesh->triangle + (ptrdiff_t)3 * mesh->triangles; v += 3) {
-        tf_triple a = tf_triple_between(origin, tf_triple_at(position, v[0]));
-        tf_triple b = tf_triple_between(origin, tf_triple_at(position, v[1]));
-        tf_triple c = tf_triple_between(origin, tf_triple_at(position, v[2]));
-        tf_triple normal =
-            tf_triple_cross(tf_triple_between(a, b), tf_triple_between(a, c));
-        measures->area += tf_triple_length(normal) / 2;
-        measures->volume += tf_triple_dot(a, normal) / 6;
+        tf_vector a =
+            tf_vector_difference(tf_vector_at(position, v[0]), origin);
+        tf_vector b =
+            tf_vector_difference(tf_vector_at(position, v[1]), origin);
+        tf_vector c =
+            tf_vector_difference(tf_vector_at(position, v[2]), origin);
+        tf_vector normal = tf_vector_cross(tf_vector_difference(b, a),
+                                           tf_vector_difference(c, a));
+        measures->area += tf_vector_length(normal) / 2;
+        measures->volume += tf_vector_dot(a, normal) / 6;
     }
 }
 

@@ -1,40 +1,41 @@
 //: Include what scenes of flows need
 #include "simulate/flow_scene.h"
 
+#include "geometry/vector.h"
 #include "simulate/flow_fields.h"
 #include "simulate/geodesic.h"
-#include "simulate/triple.h"
 
 #include <math.h>
+#include <string.h>
 
 //: Build surfaces from spheres
 /// Adds a sphere, and then moves each of its points, which comes from the origin
 /// at distance 1, to where `place` has it.
 static void add_deformed(tf_body *body, int division,
-                         tf_triple place(tf_triple from))
+                         tf_vector place(tf_vector from))
 {
     int first = body->vertices;
     tf_geodesic_add(body, division);
     for (int v = first; v < body->vertices; v++) {
-        tf_triple at = place(tf_triple_at(body->position, v));
+        tf_vector at = place(tf_vector_at(body->position, v));
         memcpy(body->position + (ptrdiff_t)3 * v, at.x, sizeof at.x);
     }
 }
 
-static tf_triple ball_around(tf_triple center, double radius, tf_triple from)
+static tf_vector ball_around(tf_vector center, double radius, tf_vector from)
 {
-    return tf_triple_sum(center, radius, from);
+    return tf_vector_sum(center, radius, from);
 }
 
 //: Build the scene spheres
-static tf_triple left_ball(tf_triple from)
+static tf_vector left_ball(tf_vector from)
 {
-    return ball_around((tf_triple){{-0.18, 0, 0}}, 0.15, from);
+    return ball_around((tf_vector){{-0.18, 0, 0}}, 0.15, from);
 }
 
-static tf_triple right_ball(tf_triple from)
+static tf_vector right_ball(tf_vector from)
 {
-    return ball_around((tf_triple){{0.18, 0.03, 0.02}}, 0.15, from);
+    return ball_around((tf_vector){{0.18, 0.03, 0.02}}, 0.15, from);
 }
 
 static void build_spheres(tf_body *body, double edge)
@@ -46,10 +47,10 @@ static void build_spheres(tf_body *body, double edge)
 
 //: Build the scene dumbbell
 /// A quarter as thick in the middle as it is long.
-static tf_triple dumbbell_place(tf_triple from)
+static tf_vector dumbbell_place(tf_vector from)
 {
     double radius = 0.08 + 0.3 * from.x[0] * from.x[0];
-    return ball_around((tf_triple){{0}}, radius, from);
+    return ball_around((tf_vector){{0}}, radius, from);
 }
 
 static void build_dumbbell(tf_body *body, double edge)
@@ -58,9 +59,9 @@ static void build_dumbbell(tf_body *body, double edge)
 }
 
 //: Build the scenes enright and turbulence
-static tf_triple enright_ball(tf_triple from)
+static tf_vector enright_ball(tf_vector from)
 {
-    return ball_around((tf_triple){{0.35, 0.35, 0.35}}, 0.15, from);
+    return ball_around((tf_vector){{0.35, 0.35, 0.35}}, 0.15, from);
 }
 
 static void build_enright(tf_body *body, double edge)
@@ -68,9 +69,9 @@ static void build_enright(tf_body *body, double edge)
     add_deformed(body, tf_geodesic_division(0.15, edge), enright_ball);
 }
 
-static tf_triple blob(tf_triple from)
+static tf_vector blob(tf_vector from)
 {
-    return ball_around((tf_triple){{0}}, 0.25, from);
+    return ball_around((tf_vector){{0}}, 0.25, from);
 }
 
 static void build_turbulence(tf_body *body, double edge)
@@ -80,14 +81,14 @@ static void build_turbulence(tf_body *body, double edge)
 
 //: Build the scene star
 /// Points out along the axes.
-static tf_triple star_place(tf_triple from)
+static tf_vector star_place(tf_vector from)
 {
     double far = 0;
     for (int k = 0; k < 3; k++) {
         double square = from.x[k] * from.x[k];
         far += square * square * square * square;
     }
-    return ball_around((tf_triple){{0}}, 0.12 + 0.28 * far, from);
+    return ball_around((tf_vector){{0}}, 0.12 + 0.28 * far, from);
 }
 
 static void build_star(tf_body *body, double edge)

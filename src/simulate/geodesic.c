@@ -1,7 +1,7 @@
 //: Include what geodesic spheres need
 #include "simulate/geodesic.h"
 
-#include "simulate/triple.h"
+#include "geometry/vector.h"
 
 #include <math.h>
 
@@ -13,11 +13,11 @@ enum {
 /// The icosahedron; phi is the golden ratio.
 static const double phi = 1.618033988749895;
 
-static tf_triple tip_place(int tip)
+static tf_vector tip_place(int tip)
 {
     double one = tip & 1 ? 1 : -1, other = tip & 2 ? phi : -phi;
     int axis = tip / 4;
-    tf_triple at = {{0}};
+    tf_vector at = {{0}};
     at.x[axis] = one;
     at.x[(axis + 1) % 3] = other;
     return at;
@@ -42,10 +42,10 @@ typedef struct dividing {
 
 static int add_point(dividing *d, const int tip[3], const int part[3])
 {
-    tf_triple at = {{0}};
+    tf_vector at = {{0}};
     for (int i = 0; i < 3; i++)
-        at = tf_triple_sum(at, part[i], tip_place(tip[i]));
-    at = tf_triple_unit(at);
+        at = tf_vector_sum(at, part[i], tip_place(tip[i]));
+    at = tf_vector_unit(at);
     tf_body_add_vertex(d->body, at.x);
     return d->body->vertices - 1;
 }

@@ -1,7 +1,7 @@
 //: Include what ropes need
 #include "simulate/rope.h"
 
-#include "simulate/triple.h"
+#include "geometry/vector.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -11,10 +11,10 @@ static const double pi = 3.141592653589793;
 //: Follow the trefoil knot
 /// It winds twice about the vertical axis, and at the same time three times
 /// about a circle of radius 2.
-static tf_triple trefoil(double t)
+static tf_vector trefoil(double t)
 {
     double out = 2 + cos(3 * t);
-    return (tf_triple){{out * cos(2 * t), out * sin(2 * t), sin(3 * t)}};
+    return (tf_vector){{out * cos(2 * t), out * sin(2 * t), sin(3 * t)}};
 }
 
 /// Where the first of its three lobes is cut off.
@@ -27,17 +27,17 @@ enum {
 /// Follows an end away from where the knot is cut: the one before the first
 /// point of the knot with the side 1, to earlier points, and the one after the
 /// last with -1, to later ones.
-static void follow_end(int side, double tail, tf_triple *point)
+static void follow_end(int side, double tail, tf_vector *point)
 {
     double at_cut = side > 0 ? cut : 2 * pi - cut, small = 1e-6;
-    tf_triple at = trefoil(at_cut), away = {{0, side, 0}};
-    tf_triple along =
-        tf_triple_unit(tf_triple_between(at, trefoil(at_cut - side * small)));
-    tf_triple swerve = tf_triple_between(along, away);
+    tf_vector at = trefoil(at_cut), away = {{0, side, 0}};
+    tf_vector along = tf_vector_unit(
+        tf_vector_difference(trefoil(at_cut - side * small), at));
+    tf_vector swerve = tf_vector_difference(away, along);
     for (int i = 0; i < FINE; i++, point -= side) {
         double part = fmin(tail * i / FINE / 2, 1);
-        tf_triple ahead = tf_triple_unit(tf_triple_sum(along, part, swerve));
-        at = tf_triple_sum(at, tail / FINE, ahead);
+        tf_vector ahead = tf_vector_unit(tf_vector_sum(along, part, swerve));
+        at = tf_vector_sum(at, tail / FINE, ahead);
         *point = at;
     }
 }
@@ -46,12 +46,12 @@ static void follow_end(int side, double tail, tf_triple *point)
 /// Walks along a line of many points, and puts a point wherever another spacing
 /// has been covered.
 static void space_out(tf_line *line, double scale, double spacing, int count,
-                      const tf_triple fine[])
+                      const tf_vector fine[])
 {
     double covered = 0;
     for (int i = 0; i + 1 < count; i++) {
-        covered +=
-            scale * tf_triple_length(tf_triple_between(fine[i], fine[i + 1]));
+        covered += scale *
+                   tf_vector_length(tf_vector_difference(fine[i + 1], fine[i]));
         if (covered < line->points * spacing)
             continue;
         for (int k = 0; k < 3; k++)
@@ -67,7 +67,7 @@ tf_line tf_knot_line(double scale, double tail, double spacing)
         ALL = 3 * FINE
     };
     tf_line line = {0};
-    tf_triple *fine = malloc(sizeof *fine * ALL);
+    tf_vector *fine = malloc(sizeof *fine * ALL);
     line.x = malloc(sizeof(double) * 3 * ALL);
     if (fine && line.x) {
         follow_end(1, tail, fine + FINE - 1);
@@ -87,21 +87,21 @@ void tf_line_free(tf_line *line)
 }
 
 //: Place circles along a line
-static tf_triple direction_at(const tf_line *line, int i)
+static tf_vector direction_at(const tf_line *line, int i)
 {
     int before = i > 0 ? i - 1 : i;
     int after = i + 1 < line->points ? i + 1 : i;
-    return tf_triple_unit(tf_triple_between(tf_triple_at(line->x, before),
-                                            tf_triple_at(line->x, after)));
+    return tf_vector_unit(tf_vector_difference(tf_vector_at(line->x, after),
+                                               tf_vector_at(line->x, before)));
 }
 
-static void add_circle(tf_body *body, tf_triple center, tf_triple across,
-                       tf_triple beside, int sides)
+static void add_circle(tf_body *body, tf_vector center, tf_vector across,
+                       tf_vector beside, int sides)
 {
     for (int s = 0; s < sides; s++) {
         double around = 2 * pi * s / sides;
-        tf_triple x = tf_triple_sum(center, cos(around), across);
-        x = tf_triple_sum(x, sin(around), beside);
+        tf_vector x = tf_vector_sum(center, cos(around), across);
+        x = tf_vector_sum(x, sin(around), beside);
         tf_body_add_vertex(body, x.x);
     }
 }
@@ -110,14 +110,14 @@ static void add_circle(tf_body *body, tf_triple center, tf_triple across,
 static void add_circles(tf_body *body, const tf_line *line, double radius,
                         int sides)
 {
-    tf_triple none = {{0}}, across = {{0, 0, 1}};
+    tf_vector none = {{0}}, across = {{0, 0, 1}};
     for (int i = 0; i < line->points; i++) {
-        tf_triple along = direction_at(line, i);
-        double slope = tf_triple_dot(across, along);
-        across = tf_triple_unit(tf_triple_sum(across, -slope, along));
+        tf_vector along = direction_at(line, i);
+        double slope = tf_vector_dot(across, along);
+        across = tf_vector_unit(tf_vector_sum(across, -slope, along));
         add_circle(
-            body, tf_triple_at(line->x, i), tf_triple_sum(none, radius, across),
-            tf_triple_sum(none, radius, tf_triple_cross(along, across)), sides);
+            body, tf_vector_at(line->x, i), tf_vector_sum(none, radius, across),
+            tf_vector_sum(none, radius, tf_vector_cross(along, across)), sides);
     }
 }
 

@@ -7,7 +7,7 @@
 static double volume_of_part(const tf_adaptive *of, int count,
                              const int triangle[])
 {
-    tf_vector point = tf_vector_at(of, *tf_triangle(of, triangle[0]));
+    tf_vector point = tf_position_of(of, *tf_triangle(of, triangle[0]));
     double sum = 0;
     for (int i = 0; i < count; i++)
         sum += tf_volume_below(of, triangle[i], point);

@@ -1,6 +1,7 @@
 //: Find the normals of edges
 #include "topology/reconnector.h"
 
+#include "linear/distance.h"
 #include "surgery/star.h"
 
 #include <stdlib.h>
@@ -55,7 +56,7 @@ static tf_vector gap_of(const tf_adaptive *of, tf_facing *pair)
     const int *ends[] = {pair->first, pair->second};
     tf_vector x[4], gap = {{0}};
     for (int i = 0; i < 4; i++)
-        x[i] = tf_vector_at(of, ends[i / 2][i % 2]);
+        x[i] = tf_position_of(of, ends[i / 2][i % 2]);
     tf_nearest nearest = tf_nearest_points(2, 2, x);
     for (int i = 0; i < 4; i++)
         gap = tf_vector_sum(gap, (i < 2 ? -1 : 1) * nearest.weight[i], x[i]);

@@ -85,7 +85,7 @@ static int left_middle(const tf_adaptive *of, const int loop[3], int i,
     tf_vector sum = {{0}};
     int c = tf_find_edge(of, from, loop[(i + 1) % 3]);
     while ((end = tf_vertex_at(of, tf_corner_before(c))) != last) {
-        sum = tf_vector_sum(sum, 1, tf_vector_at(of, end));
+        sum = tf_vector_sum(sum, 1, tf_position_of(of, end));
         count++;
         c = tf_find_edge(of, from, end);
     }
@@ -113,7 +113,7 @@ static double wanted_part(const tf_reconnector *of, const int loop[3],
 {
     tf_vector x[3], ways = {{0}};
     for (int i = 0; i < 3; i++) {
-        x[i] = tf_vector_at(of->of, loop[i]);
+        x[i] = tf_position_of(of->of, loop[i]);
         ways =
             tf_vector_sum(ways, 1.0 / 3, tf_vector_difference(middle[i], x[i]));
     }

@@ -23,7 +23,7 @@ double tf_volume_below(const tf_adaptive *of, int triangle, tf_vector point)
     tf_vector side[3];
     for (int i = 0; i < 3; i++)
         side[i] = tf_vector_difference(
-            tf_vector_at(of, tf_triangle(of, triangle)[i]), point);
+            tf_position_of(of, tf_triangle(of, triangle)[i]), point);
     return tf_vector_dot(side[0], tf_vector_cross(side[1], side[2])) / 6;
 }
 
@@ -40,7 +40,7 @@ static bool has_any(const tf_adaptive *of, int triangle, int count,
 
 double tf_volume_at(const tf_adaptive *of, int count, const int vertex[])
 {
-    tf_vector point = tf_vector_at(of, vertex[0]);
+    tf_vector point = tf_position_of(of, vertex[0]);
     double sum = 0;
     for (int i = 0; i < count; i++) {
         int c = tf_first_corner(of, vertex[i]);

@@ -11,11 +11,11 @@
 // chooses one of these.
 
 #include "bench/measuring.h"
+#include "geometry/vector.h"
 #include "simulate/flow_fields.h"
 #include "simulate/flow_measures.h"
 #include "simulate/flow_scene.h"
 #include "simulate/geodesic.h"
-#include "simulate/triple.h"
 #include "support/generator.h"
 #include "support/tangle.h"
 
@@ -119,7 +119,7 @@ static void print_parts(const char *name, const run *r)
 
 // Enright's test --------------------------------------------------------------
 
-static const tf_triple center = {{0.35, 0.35, 0.35}};
+static const tf_vector center = {{0.35, 0.35, 0.35}};
 static const double radius = 0.15;
 
 static run run_ball(int n, unsigned careless, int steps)
@@ -146,7 +146,7 @@ static void measure_distances(const run *r, double *mean, double *most)
     *most = 0;
     for (int v = 0; v < r->last.vertices; v++) {
         double far =
-            tf_triple_length(tf_triple_between(center, tf_triple_at(x, v)));
+            tf_vector_length(tf_vector_difference(tf_vector_at(x, v), center));
         squares += (far - radius) * (far - radius);
         *most = fmax(*most, 1000 * fabs(far - radius));
     }

@@ -30,7 +30,7 @@ START_TEST(a_move_gains_what_it_should)
     tf_adaptive *surface = adaptive_bumpy_sphere(4, 0.02, 1);
     generator random = generator_new(2);
     for (int v = 0; v < surface->vertices; v++) {
-        tf_vector apex = tf_vector_at(surface, v);
+        tf_vector apex = tf_position_of(surface, v);
         for (int k = 0; k < 3; k++)
             apex.x[k] += uniform(&random, -0.02, 0.02);
         double more = v % 2 ? uniform(&random, -0.01, 0.01) : 0;

@@ -1,6 +1,7 @@
 // The nearest points of a surface, against trying each triangle.
 #include "remesh/original.h"
 
+#include "linear/distance.h"
 #include "remesh/measure.h"
 #include "support/adaptive_of.h"
 #include "support/operating.h"

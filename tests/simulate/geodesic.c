@@ -1,7 +1,7 @@
 // Geodesic spheres.
 #include "simulate/geodesic.h"
 
-#include "simulate/triple.h"
+#include "geometry/vector.h"
 #include "support/support.h"
 
 static tf_body sphere(int n)
@@ -29,7 +29,7 @@ START_TEST(it_is_closed_and_round)
     ck_assert_int_eq(body.vertices, 10 * _i * _i + 2);
     for (int v = 0; v < body.vertices; v++)
         ck_assert_double_eq_tol(
-            tf_triple_length(tf_triple_at(body.position, v)), 1, 1e-15);
+            tf_vector_length(tf_vector_at(body.position, v)), 1, 1e-15);
     for (int i = 0; i < 3 * body.triangles; i++)
         ck_assert_int_eq(sides(&body, body.triangle[i % 3 == 2 ? i - 2 : i + 1],
                                body.triangle[i]),
@@ -43,11 +43,11 @@ START_TEST(triangles_face_outwards)
     tf_body body = sphere(5);
     for (const int *t = body.triangle; t < body.triangle + 3 * body.triangles;
          t += 3) {
-        tf_triple a = tf_triple_at(body.position, t[0]);
-        tf_triple normal = tf_triple_cross(
-            tf_triple_between(a, tf_triple_at(body.position, t[1])),
-            tf_triple_between(a, tf_triple_at(body.position, t[2])));
-        ck_assert_double_gt(tf_triple_dot(a, normal), 0);
+        tf_vector a = tf_vector_at(body.position, t[0]);
+        tf_vector normal = tf_vector_cross(
+            tf_vector_difference(tf_vector_at(body.position, t[1]), a),
+            tf_vector_difference(tf_vector_at(body.position, t[2]), a));
+        ck_assert_double_gt(tf_vector_dot(a, normal), 0);
     }
     tf_body_free(&body);
 }
@@ -60,10 +60,10 @@ START_TEST(edges_are_as_long_as_they_should_be)
         tf_body body = sphere(tf_geodesic_division(1, edges[i]));
         double sum = 0;
         for (int c = 0; c < 3 * body.triangles; c++)
-            sum += tf_triple_length(tf_triple_between(
-                tf_triple_at(body.position, body.triangle[c]),
-                tf_triple_at(body.position,
-                             body.triangle[c % 3 == 2 ? c - 2 : c + 1])));
+            sum += tf_vector_length(tf_vector_difference(
+                tf_vector_at(body.position,
+                             body.triangle[c % 3 == 2 ? c - 2 : c + 1]),
+                tf_vector_at(body.position, body.triangle[c])));
         ck_assert_double_eq_tol(sum / (3 * body.triangles), edges[i],
                                 edges[i] / 10);
         tf_body_free(&body);

@@ -38,11 +38,11 @@ static double about(const int first[2], const int second[2])
     for (int i = 0; i <= 2500; i++) {
         double s = i % 51 / 50.0, t = i / 51 / 48.0;
         tf_vector p = tf_vector_sum(
-            tf_vector_scaled(1 - s, tf_vector_at(of.of, first[0])), s,
-            tf_vector_at(of.of, first[1]));
+            tf_vector_scaled(1 - s, tf_position_of(of.of, first[0])), s,
+            tf_position_of(of.of, first[1]));
         tf_vector q = tf_vector_sum(
-            tf_vector_scaled(1 - t, tf_vector_at(of.of, second[0])), t,
-            tf_vector_at(of.of, second[1]));
+            tf_vector_scaled(1 - t, tf_position_of(of.of, second[0])), t,
+            tf_position_of(of.of, second[1]));
         least = fmin(least, tf_vector_length(tf_vector_difference(p, q)));
     }
     return least;
@@ -59,8 +59,8 @@ START_TEST(edges_across_a_gap_are_listed_the_nearest_first)
         ck_assert_double_lt(row->distance, 0.2);
         ck_assert_double_eq_tol(about(row->first, row->second), row->distance,
                                 0.02);
-        bool lower = tf_vector_at(of.of, row->first[0]).x[2] < 0;
-        ck_assert(lower != (tf_vector_at(of.of, row->second[0]).x[2] < 0));
+        bool lower = tf_position_of(of.of, row->first[0]).x[2] < 0;
+        ck_assert(lower != (tf_position_of(of.of, row->second[0]).x[2] < 0));
         for (int j = 0; j < i; j++)
             ck_assert(row_at(j)->first[0] != row->first[0] ||
                       row_at(j)->first[1] != row->first[1] ||

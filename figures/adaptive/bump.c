@@ -35,7 +35,7 @@ static int at_row(int i, int j)
 }
 
 /// A regular lattice of triangles on a paraboloid, raised by a sagitta.
-static tf_adaptive *make_lattice(void)
+static tf_adaptive_surface *make_lattice(void)
 {
     static double x[ROW * ROW][3];
     static int triangle[6 * (ROW - 1) * (ROW - 1)];
@@ -59,15 +59,15 @@ static tf_adaptive *make_lattice(void)
                     .vertices = ROW * ROW,
                     .triangles = 2 * (ROW - 1) * (ROW - 1),
                     .triangle = triangle};
-    tf_adaptive *surface = NULL;
+    tf_adaptive_surface *surface = NULL;
     TF_REQUIRE(tf_adaptive_create(&mesh, &x[0][0], &surface, NULL) == TF_OK);
     return surface;
 }
 
 /// How far a vertex is above the paraboloid, in sagittas.
-static double height_of(const tf_adaptive *of, int vertex)
+static double height_of(const tf_adaptive_surface *surface, int vertex)
 {
-    tf_vector at = tf_position_of(of, vertex);
+    tf_vector at = tf_position_of(surface, vertex);
     double square = at.x[0] * at.x[0] + at.x[1] * at.x[1];
     return (at.x[2] + square / (2 * radius)) / sagitta();
 }
@@ -83,45 +83,47 @@ static void find_around(int vertex[AROUND])
     vertex[3] = at_row(1, -1);
 }
 
-static void give_back(tf_adaptive *of, double more, const int vertex[AROUND])
+static void give_back(tf_adaptive_surface *surface, double more,
+                      const int vertex[AROUND])
 {
     for (int i = 0; i < AROUND; i++) {
-        tf_patch star =
-            tf_patch_of_star(of, vertex[i], tf_position_of(of, vertex[i]));
+        tf_patch star = tf_patch_of_star(surface, vertex[i],
+                                         tf_position_of(surface, vertex[i]));
         tf_vector place = tf_patch_place(&star, more / AROUND);
         tf_outcome outcome;
-        TF_REQUIRE(tf_adaptive_move(of, vertex[i], place.x, &outcome) ==
+        TF_REQUIRE(tf_adaptive_move(surface, vertex[i], place.x, &outcome) ==
                        TF_OK &&
                    outcome == TF_COMMITTED);
     }
 }
 
 /// Returns the new vertex.
-static int split(tf_adaptive *of, bool on_level, const int around[AROUND])
+static int split(tf_adaptive_surface *surface, bool on_level,
+                 const int around[AROUND])
 {
-    int forth = tf_find_edge(of, around[0], around[1]);
-    int back = tf_find_edge(of, around[1], around[0]);
+    int forth = tf_find_edge(surface, around[0], around[1]);
+    int back = tf_find_edge(surface, around[1], around[0]);
     TF_REQUIRE(forth != TF_NONE && back != TF_NONE);
-    tf_shape own = tf_shape_of(of, forth / 3);
-    tf_shape other = tf_shape_of(of, back / 3);
-    tf_patch patch = {.apex = tf_butterfly_point(of, forth)};
+    tf_shape own = tf_shape_of(surface, forth / 3);
+    tf_shape other = tf_shape_of(surface, back / 3);
+    tf_patch patch = {.apex = tf_butterfly_point(surface, forth)};
     tf_patch_add(&patch, &own);
     tf_patch_add(&patch, &other);
     tf_vector place = on_level ? tf_patch_place(&patch, 0) : patch.apex;
     int vertex;
     tf_outcome outcome;
-    TF_REQUIRE(tf_adaptive_split(of, around[0], around[1], place.x, &vertex,
-                                 &outcome) == TF_OK &&
+    TF_REQUIRE(tf_adaptive_split(surface, around[0], around[1], place.x,
+                                 &vertex, &outcome) == TF_OK &&
                outcome == TF_COMMITTED);
     if (!on_level)
-        give_back(of, patch.below, around);
+        give_back(surface, patch.below, around);
     return vertex;
 }
 
 // Drawing ---------------------------------------------------------------------
 
-static void draw_heights(fig_page *page, const tf_adaptive *of, int way,
-                         int vertex)
+static void draw_heights(fig_page *page, const tf_adaptive_surface *surface,
+                         int way, int vertex)
 {
     fig_plot plot = {.box = {46 + 186.0 * way, 20, 140, 84},
                      .x = {-2.3, 3.3},
@@ -138,8 +140,8 @@ static void draw_heights(fig_page *page, const tf_adaptive *of, int way,
     };
     fig_point at[COUNT];
     for (int i = 0; i < COUNT; i++)
-        at[i] = (fig_point){tf_position_of(of, along[i]).x[0],
-                            height_of(of, along[i])};
+        at[i] = (fig_point){tf_position_of(surface, along[i]).x[0],
+                            height_of(surface, along[i])};
     fig_plot_curve(page, &plot, COUNT, at,
                    (fig_stroke){.paint = {.role = FIG_ROLE_EDGE}});
     for (int i = 0; i < COUNT; i++)
@@ -148,13 +150,13 @@ static void draw_heights(fig_page *page, const tf_adaptive *of, int way,
     fig_page_title(page, plot.box, way == 0 ? "on the level" : "given back");
 }
 
-static void print_around(FILE *numbers, const tf_adaptive *of,
+static void print_around(FILE *numbers, const tf_adaptive_surface *surface,
                          const int around[AROUND])
 {
     double lowest = INFINITY, highest = -INFINITY;
     for (int i = 0; i < AROUND; i++) {
-        lowest = fmin(lowest, height_of(of, around[i]));
-        highest = fmax(highest, height_of(of, around[i]));
+        lowest = fmin(lowest, height_of(surface, around[i]));
+        highest = fmax(highest, height_of(surface, around[i]));
     }
     fig_number(numbers, "lowest", lowest);
     fig_number(numbers, "highest", highest);
@@ -166,7 +168,7 @@ static void draw(fig_page *page, FILE *numbers)
     int around[AROUND];
     find_around(around);
     for (int way = 0; way < WAYS; way++) {
-        tf_adaptive *surface = make_lattice();
+        tf_adaptive_surface *surface = make_lattice();
         int vertex = split(surface, way == 0, around);
         draw_heights(page, surface, way, vertex);
         fig_number(numbers, keys[way], height_of(surface, vertex));

@@ -101,7 +101,7 @@ static tf_outcome try_it(const witness *of, unsigned left_out)
                           .vertices = of->vertices,
                           .triangles = of->triangles,
                           .triangle = of->triangle[0]};
-    tf_adaptive *surface;
+    tf_adaptive_surface *surface;
     TF_REQUIRE(tf_adaptive_create(&mesh, of->place[0], &surface, NULL) ==
                TF_OK);
     surface->left_out = left_out;

@@ -154,7 +154,7 @@ static tf_outcome try_surgery(int i)
                           .vertices = of->places,
                           .triangles = of->patch[0].count,
                           .triangle = of->patch[0].triangle[0]};
-    tf_adaptive *surface;
+    tf_adaptive_surface *surface;
     tf_outcome outcome;
     int vertex;
     TF_REQUIRE(tf_adaptive_create(&mesh, place[0], &surface, NULL) == TF_OK);

@@ -86,14 +86,14 @@ static fig_some_mesh make_sphere(void)
 
 /// The mean of the triangles' middles, and twice the vector area, which is the
 /// sum of the normals.
-static tf_vector middle_and_area(const tf_adaptive *of, int vertex,
+static tf_vector middle_and_area(const tf_adaptive_surface *surface, int vertex,
                                  tf_vector *area)
 {
     tf_vector sum = {{0}};
-    int count = 0, c = tf_first_corner(of, vertex);
+    int count = 0, c = tf_first_corner(surface, vertex);
     *area = sum;
-    for (; c != TF_NONE; c = tf_next_corner(of, c)) {
-        tf_shape shape = tf_shape_of(of, c / 3);
+    for (; c != TF_NONE; c = tf_next_corner(surface, c)) {
+        tf_shape shape = tf_shape_of(surface, c / 3);
         *area = tf_vector_sum(*area, 1, tf_shape_normal(&shape));
         for (int i = 0; i < 3; i++)
             sum = tf_vector_sum(sum, 1, shape.corner[i]);
@@ -102,11 +102,13 @@ static tf_vector middle_and_area(const tf_adaptive *of, int vertex,
     return tf_vector_scaled(1.0 / count, sum);
 }
 
-static void smooth(tf_adaptive *of, tf_original *original, way chosen)
+static void smooth(tf_adaptive_surface *surface, tf_original *original,
+                   way chosen)
 {
-    for (int v = 0; v < of->vertices; v++) {
-        tf_vector area, place = middle_and_area(of, v, &area);
-        tf_vector path = tf_vector_difference(place, tf_position_of(of, v));
+    for (int v = 0; v < surface->vertices; v++) {
+        tf_vector area, place = middle_and_area(surface, v, &area);
+        tf_vector path =
+            tf_vector_difference(place, tf_position_of(surface, v));
         if (chosen == SIDEWAYS)
             place = tf_vector_sum(
                 place, -tf_vector_dot(path, area) / tf_vector_dot(area, area),
@@ -116,15 +118,15 @@ static void smooth(tf_adaptive *of, tf_original *original, way chosen)
             tf_original_nearest(original, from.x, place.x);
         }
         tf_outcome outcome;
-        TF_REQUIRE(tf_adaptive_move(of, v, place.x, &outcome) == TF_OK);
+        TF_REQUIRE(tf_adaptive_move(surface, v, place.x, &outcome) == TF_OK);
     }
 }
 
-static double volume_of(const tf_adaptive *of)
+static double volume_of(const tf_adaptive_surface *surface)
 {
     double sum = 0;
-    for (int t = 0; t < of->triangles; t++) {
-        tf_shape shape = tf_shape_of(of, t);
+    for (int t = 0; t < surface->triangles; t++) {
+        tf_shape shape = tf_shape_of(surface, t);
         sum += tf_vector_dot(shape.corner[0],
                              tf_vector_cross(shape.corner[1], shape.corner[2]));
     }
@@ -136,7 +138,7 @@ static void run(const fig_some_mesh *mesh, way chosen,
                 double volume[PASSES + 1])
 {
     tf_mesh given = fig_mesh_in_space(mesh);
-    tf_adaptive *surface = NULL;
+    tf_adaptive_surface *surface = NULL;
     tf_original original = {0};
     TF_REQUIRE(tf_adaptive_create(&given, mesh->x, &surface, NULL) == TF_OK);
     TF_REQUIRE(tf_original_copy(&original, surface));

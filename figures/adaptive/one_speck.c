@@ -39,7 +39,7 @@ static void make_places(double place[PLACES][3])
             speck_place[i % 3] + (i / 3 == i % 3 + 1 ? speck_size : 0);
 }
 
-static tf_adaptive *make_surface(void)
+static tf_adaptive_surface *make_surface(void)
 {
     double place[PLACES][3];
     make_places(place);
@@ -47,13 +47,13 @@ static tf_adaptive *make_surface(void)
                           .vertices = PLACES,
                           .triangles = TRIANGLES,
                           .triangle = triangles[0]};
-    tf_adaptive *surface;
+    tf_adaptive_surface *surface;
     TF_REQUIRE(tf_adaptive_create(&mesh, place[0], &surface, NULL) == TF_OK);
     return surface;
 }
 
 /// Merges the faces between the boxes, leaving out tests.
-static tf_outcome merge(tf_adaptive *surface, unsigned left_out)
+static tf_outcome merge(tf_adaptive_surface *surface, unsigned left_out)
 {
     static const int low[] = {4, 6}, high[] = {8, 10};
     tf_outcome outcome;
@@ -68,7 +68,7 @@ static bool is_of_speck(const int triangle[3])
 }
 
 /// How often all but the speck goes around the speck.
-static int winding_of(const tf_adaptive *surface)
+static int winding_of(const tf_adaptive_surface *surface)
 {
     int sum = 0;
     for (int t = 0; t < surface->triangles; t++) {
@@ -88,7 +88,7 @@ static bool is_of_tube(const int v[3])
 }
 
 static void draw_surface(fig_page *page, fig_box box,
-                         const tf_adaptive *surface)
+                         const tf_adaptive_surface *surface)
 {
     fig_panel *panel = fig_page_panel(page, box);
     fig_panel_look(panel, (fig_camera){.azimuth = 24, .elevation = 16});
@@ -114,7 +114,7 @@ static void draw_surface(fig_page *page, fig_box box,
 static void draw(fig_page *page, FILE *numbers)
 {
     double width = fig_page_width(page) / 2, height = fig_page_height(page);
-    tf_adaptive *surface = make_surface();
+    tf_adaptive_surface *surface = make_surface();
     draw_surface(page, (fig_box){0, 0, width, height}, surface);
     fig_number(numbers, "winding_before", winding_of(surface));
     fig_number(numbers, "refused", merge(surface, 0) == TF_PASSED_VERTEX);

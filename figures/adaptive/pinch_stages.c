@@ -72,7 +72,7 @@ static void make_triangles(int triangle[TRIANGLES][3])
 
 // Trying ----------------------------------------------------------------------
 
-static int count_parts(const tf_adaptive *surface)
+static int count_parts(const tf_adaptive_surface *surface)
 {
     tf_parts parts = {0};
     int count = 0;
@@ -101,7 +101,7 @@ static void print_numbers(FILE *numbers)
                           .vertices = COPIES,
                           .triangles = TRIANGLES,
                           .triangle = triangle[0]};
-    tf_adaptive *surface;
+    tf_adaptive_surface *surface;
     tf_outcome outcome;
     TF_REQUIRE(tf_adaptive_create(&mesh, place[0], &surface, NULL) == TF_OK);
     fig_number(numbers, "parts_before", count_parts(surface));

@@ -41,7 +41,7 @@ static tf_outcome pinch(double up)
                           .triangle = triangles[0]};
     double place[3 * LOOP];
     int vertex[LOOP];
-    tf_adaptive *surface;
+    tf_adaptive_surface *surface;
     tf_outcome outcome;
     for (int i = 0; i < 3 * LOOP; i++)
         place[i] = places[i / 3][i % 3] + (i % 3 == 2 ? up : 0);

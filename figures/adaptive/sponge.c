@@ -33,7 +33,7 @@ typedef struct result {
 
 // Pressing --------------------------------------------------------------------
 
-static tf_adaptive *make_balls(void)
+static tf_adaptive_surface *make_balls(void)
 {
     tf_body body = {.axes = 3};
     for (int i = 0; i < 2; i++) {
@@ -47,7 +47,7 @@ static tf_adaptive *make_balls(void)
     }
     TF_REQUIRE(!body.failed);
     tf_mesh mesh = tf_body_mesh(&body);
-    tf_adaptive *surface;
+    tf_adaptive_surface *surface;
     TF_REQUIRE(tf_adaptive_create(&mesh, body.position, &surface, NULL) ==
                TF_OK);
     tf_body_free(&body);
@@ -55,7 +55,7 @@ static tf_adaptive *make_balls(void)
 }
 
 /// Each vertex goes towards the plane, if it can.
-static void press(tf_adaptive *surface)
+static void press(tf_adaptive_surface *surface)
 {
     for (int v = 0; v < surface->vertices; v++) {
         double to[3];
@@ -66,7 +66,7 @@ static void press(tf_adaptive *surface)
     }
 }
 
-static double usual_edge(const tf_adaptive *surface)
+static double usual_edge(const tf_adaptive_surface *surface)
 {
     double sum = 0;
     int corners = 3 * surface->triangles;
@@ -79,20 +79,20 @@ static double usual_edge(const tf_adaptive *surface)
 // Merging ---------------------------------------------------------------------
 
 /// Whatever is near enough, the nearest first.
-static void merge_all(tf_reconnector *of)
+static void merge_all(tf_reconnector *reconnector)
 {
-    TF_REQUIRE(tf_list_facing(of, of->options.merge));
-    const tf_facing *row = of->row.data;
-    for (int i = 0; i < of->rows; i++) {
+    TF_REQUIRE(tf_list_facing(reconnector, reconnector->options.merge));
+    const tf_facing_edges *row = reconnector->row.data;
+    for (int i = 0; i < reconnector->rows; i++) {
         tf_outcome outcome;
-        TF_REQUIRE(tf_adaptive_merge(of->of, row[i].first, row[i].second,
-                                     &outcome) == TF_OK);
-        tf_reconnector_count(of, TF_MERGE, outcome, 0);
+        TF_REQUIRE(tf_adaptive_merge(reconnector->surface, row[i].first,
+                                     row[i].second, &outcome) == TF_OK);
+        tf_reconnector_count(reconnector, TF_MERGE, outcome, 0);
     }
 }
 
 /// The genus of a surface of one part.
-static int genus_of(const tf_adaptive *surface)
+static int genus_of(const tf_adaptive_surface *surface)
 {
     int vertices = 0, triangles = 0;
     for (int v = 0; v < surface->vertices; v++)
@@ -103,42 +103,43 @@ static int genus_of(const tf_adaptive *surface)
 }
 
 /// What is near, and what has another triangle in its place than before.
-static void note(const tf_reconnector *of, const tf_adaptive *before,
-                 result *made)
+static void note(const tf_reconnector *reconnector,
+                 const tf_adaptive_surface *before, result *made)
 {
-    const int *piece = of->piece.data;
+    const int *piece = reconnector->piece.data;
     made->gone = calloc((size_t)before->triangles, sizeof *made->gone);
     made->near = calloc((size_t)before->vertices, sizeof *made->near);
     TF_REQUIRE(made->gone && made->near);
     for (int t = 0; t < before->triangles; t++)
-        made->gone[t] = memcmp(tf_triangle(before, t), tf_triangle(of->of, t),
-                               3 * sizeof(int)) != 0;
+        made->gone[t] =
+            memcmp(tf_triangle(before, t), tf_triangle(reconnector->surface, t),
+                   3 * sizeof(int)) != 0;
     for (int v = 0; v < before->vertices && piece; v++)
         made->near[v] = piece[v] != TF_NONE;
 }
 
-static result merge(const tf_adaptive *before, bool once)
+static result merge(const tf_adaptive_surface *before, bool once)
 {
     tf_mesh mesh = tf_adaptive_mesh(before);
-    tf_adaptive *surface;
+    tf_adaptive_surface *surface;
     TF_REQUIRE(tf_adaptive_create(&mesh, tf_adaptive_positions(before),
                                   &surface, NULL) == TF_OK);
     double edge = usual_edge(before);
     tf_reconnect_report report = {0};
-    tf_reconnector of = {.of = surface,
-                         .options = {.edge = edge,
-                                     .merge = limit * edge,
-                                     .patch = contact * edge,
-                                     .pinch = wide * edge},
-                         .report = &report};
+    tf_reconnector reconnector = {.surface = surface,
+                                  .options = {.edge = edge,
+                                              .merge = limit * edge,
+                                              .patch = contact * edge,
+                                              .pinch = wide * edge},
+                                  .report = &report};
     if (once)
-        TF_REQUIRE(tf_merge_pass(&of) == TF_OK);
+        TF_REQUIRE(tf_merge_pass(&reconnector) == TF_OK);
     else
-        merge_all(&of);
+        merge_all(&reconnector);
     result made = {.merges = (int)report.tried[TF_MERGE][TF_COMMITTED],
                    .genus = genus_of(surface)};
-    note(&of, before, &made);
-    tf_reconnector_free(&of);
+    note(&reconnector, before, &made);
+    tf_reconnector_free(&reconnector);
     tf_adaptive_free(surface);
     return made;
 }
@@ -146,11 +147,11 @@ static result merge(const tf_adaptive *before, bool once)
 // Drawing ---------------------------------------------------------------------
 
 /// Whether a triangle is one of those that face the other ball.
-static bool is_shown(const tf_adaptive *of, const int v[3])
+static bool is_shown(const tf_adaptive_surface *surface, const int v[3])
 {
     for (int i = 0; i < 3; i++) {
-        const double *x = tf_place(of, v[i]);
-        if (2 * v[i] >= of->vertices || x[2] < -0.8 ||
+        const double *x = tf_place(surface, v[i]);
+        if (2 * v[i] >= surface->vertices || x[2] < -0.8 ||
             hypot(x[0], x[1]) > reach)
             return false;
     }
@@ -167,8 +168,8 @@ static fig_paint paint_of(const result *made, int triangle, const int v[3])
 }
 
 /// The lower ball from above.
-static void draw_contact(fig_page *page, int i, const tf_adaptive *of,
-                         const result *made)
+static void draw_contact(fig_page *page, int i,
+                         const tf_adaptive_surface *surface, const result *made)
 {
     static const char *const titles[WAYS] = {"wherever it is near",
                                              "once in each contact"};
@@ -178,13 +179,13 @@ static void draw_contact(fig_page *page, int i, const tf_adaptive *of,
     fig_panel_look(panel, (fig_camera){.elevation = 90});
     fig_panel_fix(panel);
     fig_panel_margin(panel, 6);
-    for (int t = 0; t < of->triangles; t++) {
-        const int *v = tf_triangle(of, t);
+    for (int t = 0; t < surface->triangles; t++) {
+        const int *v = tf_triangle(surface, t);
         tf_vector corner[3];
-        if (!is_shown(of, v))
+        if (!is_shown(surface, v))
             continue;
         for (int k = 0; k < 3; k++) {
-            const double *x = tf_place(of, v[k]);
+            const double *x = tf_place(surface, v[k]);
             corner[k] = (tf_vector){{x[0], x[1], 0}};
         }
         fig_scene_triangle(fig_panel_scene(panel), corner, FIG_WIDTH_HAIR,
@@ -195,7 +196,7 @@ static void draw_contact(fig_page *page, int i, const tf_adaptive *of,
 
 static void draw(fig_page *page, FILE *numbers)
 {
-    static tf_adaptive *pressed;
+    static tf_adaptive_surface *pressed;
     static result made[WAYS];
     if (!pressed) {
         pressed = make_balls();

@@ -22,7 +22,7 @@ static tf_outcome try_move(void)
     static const int triangle[] = {0, 1, 2, 2, 1, 3};
     const tf_mesh mesh = {
         .axes = 3, .vertices = VERTICES, .triangles = 2, .triangle = triangle};
-    tf_adaptive *surface;
+    tf_adaptive_surface *surface;
     tf_outcome outcome;
     TF_REQUIRE(tf_adaptive_create(&mesh, places[0], &surface, NULL) == TF_OK);
     TF_REQUIRE(tf_adaptive_move(surface, 0, end, &outcome) == TF_OK);

@@ -27,7 +27,7 @@ static int merge(int tube[TUBE][3])
                           .vertices = CORNERS,
                           .triangles = WALLS,
                           .triangle = walls[0]};
-    tf_adaptive *surface;
+    tf_adaptive_surface *surface;
     tf_outcome outcome;
     TF_REQUIRE(tf_adaptive_create(&mesh, places[0], &surface, NULL) == TF_OK);
     TF_REQUIRE(tf_adaptive_merge(surface, (const int[]){0, 2},

@@ -7,12 +7,12 @@
 
 // Running ----------------------------------------------------------------
 
-static tf_adaptive *begin(const tf_flow_scene *scene, double edge)
+static tf_adaptive_surface *begin(const tf_flow_scene *scene, double edge)
 {
     tf_body body = {.axes = 3};
     scene->build(&body, edge);
     tf_mesh mesh = tf_body_mesh(&body);
-    tf_adaptive *surface = NULL;
+    tf_adaptive_surface *surface = NULL;
     TF_REQUIRE(!body.failed && tf_adaptive_create(&mesh, body.position,
                                                   &surface, NULL) == TF_OK);
     tf_body_free(&body);
@@ -20,7 +20,7 @@ static tf_adaptive *begin(const tf_flow_scene *scene, double edge)
 }
 
 static void make_step(const fig_flow_plan *plan, const tf_flow_scene *scene,
-                      tf_adaptive *surface, int step, fig_flow_run *run)
+                      tf_adaptive_surface *surface, int step, fig_flow_run *run)
 {
     const tf_flow_options options = {.edge = plan->edge,
                                      .velocity = scene->velocity,
@@ -36,7 +36,7 @@ static void make_step(const fig_flow_plan *plan, const tf_flow_scene *scene,
 }
 
 /// After a step a surface has no gaps.
-static void keep_frame(const tf_adaptive *surface, fig_flow_run *run)
+static void keep_frame(const tf_adaptive_surface *surface, fig_flow_run *run)
 {
     fig_flow_frame *frame = &run->frame[run->frames++];
     tf_mesh mesh = tf_adaptive_mesh(surface);
@@ -55,7 +55,7 @@ fig_flow_run *fig_flow_run_new(const fig_flow_plan *plan)
     int frames = plan->steps / plan->every + 1;
     run->frame = calloc((size_t)frames, sizeof *run->frame);
     TF_REQUIRE(run->frame);
-    tf_adaptive *surface = begin(scene, plan->edge);
+    tf_adaptive_surface *surface = begin(scene, plan->edge);
     keep_frame(surface, run);
     for (int step = 1; step <= plan->steps; step++) {
         make_step(plan, scene, surface, step, run);

@@ -107,12 +107,12 @@ fig_some_mesh fig_roll_of_sheet(double radius, double gap, double turns,
 
 // Remeshing -------------------------------------------------------------------
 
-static fig_some_mesh copy_of(const tf_adaptive *of)
+static fig_some_mesh copy_of(const tf_adaptive_surface *surface)
 {
-    tf_mesh now = tf_adaptive_mesh(of);
+    tf_mesh now = tf_adaptive_mesh(surface);
     fig_some_mesh mesh = with_room(now.vertices, now.triangles);
     mesh.vertices = now.vertices;
-    memcpy(mesh.x, tf_adaptive_positions(of),
+    memcpy(mesh.x, tf_adaptive_positions(surface),
            3 * sizeof *mesh.x * (size_t)now.vertices);
     for (int t = 0; t < now.triangles; t++) {
         const int *v = now.triangle + 3 * (ptrdiff_t)t;
@@ -122,39 +122,39 @@ static fig_some_mesh copy_of(const tf_adaptive *of)
     return mesh;
 }
 
-static void note_stage(fig_remeshing *all, const tf_remesher *of)
+static void note_stage(fig_remeshing *all, const tf_remesher *remesher)
 {
     TF_REQUIRE(all->stages <= FIG_REMESH_STAGES);
-    all->stage[all->stages++] = copy_of(of->of);
+    all->stage[all->stages++] = copy_of(remesher->surface);
 }
 
-static void pass(fig_remeshing *all, tf_remesher *of,
-                 tf_status (*go)(tf_remesher *of))
+static void pass(fig_remeshing *all, tf_remesher *remesher,
+                 tf_status (*go)(tf_remesher *remesher))
 {
-    TF_REQUIRE(go(of) == TF_OK);
-    note_stage(all, of);
+    TF_REQUIRE(go(remesher) == TF_OK);
+    note_stage(all, remesher);
 }
 
-static void split_all(fig_remeshing *all, tf_remesher *of)
+static void split_all(fig_remeshing *all, tf_remesher *remesher)
 {
-    const size_t *done = &of->report->tried[TF_SPLIT][TF_COMMITTED];
+    const size_t *done = &remesher->report->tried[TF_SPLIT][TF_COMMITTED];
     size_t before = *done - 1;
     for (int i = 0; i < SPLIT_PASSES && *done != before; i++) {
         before = *done;
-        pass(all, of, tf_split_pass);
+        pass(all, remesher, tf_split_pass);
     }
 }
 
-static void do_rounds(fig_remeshing *all, tf_remesher *of, int rounds)
+static void do_rounds(fig_remeshing *all, tf_remesher *remesher, int rounds)
 {
-    note_stage(all, of);
+    note_stage(all, remesher);
     for (int i = 0; i < rounds; i++) {
-        split_all(all, of);
-        pass(all, of, tf_collapse_pass);
-        pass(all, of, tf_flip_pass);
-        pass(all, of, tf_smooth_pass);
-        TF_REQUIRE(tf_adaptive_compact(of->of, NULL) == TF_OK);
-        all->report[i] = *of->report;
+        split_all(all, remesher);
+        pass(all, remesher, tf_collapse_pass);
+        pass(all, remesher, tf_flip_pass);
+        pass(all, remesher, tf_smooth_pass);
+        TF_REQUIRE(tf_adaptive_compact(remesher->surface, NULL) == TF_OK);
+        all->report[i] = *remesher->report;
     }
 }
 
@@ -164,18 +164,21 @@ void fig_remesh(const fig_some_mesh *mesh, double edge, int rounds,
     TF_REQUIRE(rounds <= FIG_REMESH_ROUNDS);
     tf_remesh_options options = {.edge = edge};
     tf_remesh_report report = {0};
-    tf_remesher of = {.edge = edge, .options = &options, .report = &report};
+    tf_remesher remesher = {
+        .edge = edge, .options = &options, .report = &report};
     tf_mesh given = fig_mesh_in_space(mesh);
-    TF_REQUIRE(tf_adaptive_create(&given, mesh->x, &of.of, NULL) == TF_OK);
-    TF_REQUIRE(tf_original_copy(&of.original, of.of));
+    TF_REQUIRE(tf_adaptive_create(&given, mesh->x, &remesher.surface, NULL) ==
+               TF_OK);
+    TF_REQUIRE(tf_original_copy(&remesher.original, remesher.surface));
     if (tangled)
-        of.of->left_out = 1U << TF_OVERLAPPED | 1U << TF_PASSED_VERTEX |
-                          1U << TF_PASSED_EDGE | 1U << TF_PASSED_TRIANGLE;
+        remesher.surface->left_out =
+            1U << TF_OVERLAPPED | 1U << TF_PASSED_VERTEX |
+            1U << TF_PASSED_EDGE | 1U << TF_PASSED_TRIANGLE;
     *remeshing = (fig_remeshing){0};
-    do_rounds(remeshing, &of, rounds);
-    tf_adaptive_free(of.of);
-    tf_original_free(&of.original);
-    tf_buffer_free(&of.row);
+    do_rounds(remeshing, &remesher, rounds);
+    tf_adaptive_free(remesher.surface);
+    tf_original_free(&remesher.original);
+    tf_buffer_free(&remesher.row);
 }
 
 void fig_remeshing_free(fig_remeshing *remeshing)

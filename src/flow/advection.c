@@ -1,5 +1,5 @@
 //: Include what the advance needs
-#include "flow/flowing.h"
+#include "flow/flow_state.h"
 
 #include "flow/patch.h"
 #include "response/resolve.h"
@@ -10,7 +10,7 @@
 //: Hold the points of an advance
 /// The vertices, and after them the middles of the edges.
 typedef struct advancing {
-    tf_flowing *of;
+    tf_flow_state *flow;
     int vertices, edges, points;
     const int *edge; ///< two vertices each
     double time, step;
@@ -43,12 +43,12 @@ static bool reserve_points(advancing *a, tf_buffer *room)
 //: Place the points of an advance
 static void place_points(advancing *a)
 {
-    const tf_adaptive *of = a->of->remesher.of;
-    memcpy(a->start, of->position.data,
+    const tf_adaptive_surface *surface = a->flow->remesher.surface;
+    memcpy(a->start, surface->position.data,
            3 * sizeof *a->start * (size_t)a->vertices);
     for (int e = 0; e < a->edges; e++) {
         const int *end = a->edge + 2 * (ptrdiff_t)e;
-        tf_vector middle = tf_middle_of(of, end[0], end[1]);
+        tf_vector middle = tf_middle_of(surface, end[0], end[1]);
         memcpy(a->start + 3 * (ptrdiff_t)(a->vertices + e), middle.x,
                sizeof middle.x);
     }
@@ -57,7 +57,7 @@ static void place_points(advancing *a)
 //: Set an advance up
 static tf_status begin_advance(advancing *a, tf_buffer *room)
 {
-    tf_mesh mesh = tf_adaptive_mesh(a->of->remesher.of);
+    tf_mesh mesh = tf_adaptive_mesh(a->flow->remesher.surface);
     tf_status status = tf_surface_create(&mesh, &a->surface, NULL);
     if (status == TF_OK)
         status = tf_resolver_create(a->surface, &a->resolver);
@@ -88,7 +88,7 @@ static void put_in(double x[], int point, tf_vector value)
 static void sum_normals(const advancing *a, const double position[],
                         double normal[])
 {
-    tf_mesh mesh = tf_adaptive_mesh(a->of->remesher.of);
+    tf_mesh mesh = tf_adaptive_mesh(a->flow->remesher.surface);
     memset(normal, 0, 3 * sizeof *normal * (size_t)a->vertices);
     for (int t = 0; t < mesh.triangles; t++) {
         const int *v = mesh.triangle + 3 * (ptrdiff_t)t;
@@ -127,7 +127,7 @@ static void find_normals(advancing *a)
 /// last ones, and goes on by `weight` of the step along them.
 static void go_on(advancing *a, double part, double weight)
 {
-    const tf_flow_options *options = a->of->options;
+    const tf_flow_options *options = a->flow->options;
     double along = part * a->step;
     for (int i = 0; i < 3 * a->points; i++)
         a->stage[i] = a->start[i] + (part > 0 ? along * a->velocity[i] : 0);
@@ -156,7 +156,7 @@ static void add_debts(const advancing *a, int corner, tf_vector rise,
 {
     if (corner == TF_NONE)
         return;
-    const int *v = tf_triangle(a->of->remesher.of, corner / 3);
+    const int *v = tf_triangle(a->flow->remesher.surface, corner / 3);
     tf_shape shape = {{vector_in(a->end, v[0]), vector_in(a->end, v[1]),
                        vector_in(a->end, v[2])}};
     double lost = tf_vector_dot(tf_shape_normal(&shape), rise);
@@ -174,9 +174,9 @@ static void find_debts(const advancing *a, double owed[])
                                                 vector_in(a->end, end[1])));
         tf_vector rise =
             tf_vector_difference(vector_in(a->end, a->vertices + e), middle);
-        const tf_adaptive *of = a->of->remesher.of;
-        add_debts(a, tf_find_edge(of, end[0], end[1]), rise, owed);
-        add_debts(a, tf_find_edge(of, end[1], end[0]), rise, owed);
+        const tf_adaptive_surface *surface = a->flow->remesher.surface;
+        add_debts(a, tf_find_edge(surface, end[0], end[1]), rise, owed);
+        add_debts(a, tf_find_edge(surface, end[1], end[0]), rise, owed);
     }
 }
 
@@ -184,7 +184,7 @@ static void find_debts(const advancing *a, double owed[])
 /// Shifts the ends along their normals, by a tenth of an edge at most.
 static void pay_debts(advancing *a)
 {
-    double *owed = a->velocity, most = 0.1 * a->of->remesher.edge;
+    double *owed = a->velocity, most = 0.1 * a->flow->remesher.edge;
     find_debts(a, owed);
     sum_normals(a, a->end, a->normal);
     for (int v = 0; v < a->vertices; v++) {
@@ -201,12 +201,13 @@ static void pay_debts(advancing *a)
 /// A lone triangle could turn over without touching anything.
 static void hold_lone_triangles(advancing *a)
 {
-    const tf_adaptive *of = a->of->remesher.of;
+    const tf_adaptive_surface *surface = a->flow->remesher.surface;
     for (int v = 0; v < a->vertices; v++)
         a->inverse_mass[v] = 1;
-    for (int t = 0; t < of->triangles; t++) {
-        const int *v = tf_triangle(of, t);
-        for (int i = 0, count = tf_is_lone(of, t) ? 3 : 0; i < count; i++) {
+    for (int t = 0; t < surface->triangles; t++) {
+        const int *v = tf_triangle(surface, t);
+        for (int i = 0, count = tf_is_isolated(surface, t) ? 3 : 0; i < count;
+             i++) {
             a->inverse_mass[v[i]] = 0;
             put_in(a->end, v[i], vector_in(a->start, v[i]));
         }
@@ -216,33 +217,34 @@ static void hold_lone_triangles(advancing *a)
 //: Make an advance
 static void put_ends(const advancing *a)
 {
-    tf_adaptive *of = a->of->remesher.of;
-    memcpy(of->position.data, a->end, 3 * sizeof *a->end * (size_t)a->vertices);
-    tf_stars_build(of, of->cuboid.data);
+    tf_adaptive_surface *surface = a->flow->remesher.surface;
+    memcpy(surface->position.data, a->end,
+           3 * sizeof *a->end * (size_t)a->vertices);
+    tf_stars_build(surface, surface->cuboid.data);
 }
 
 static tf_status make_advance(advancing *a)
 {
-    tf_response_options options = {.parallel = a->of->options->parallel};
+    tf_response_options options = {.parallel = a->flow->options->parallel};
     propose_advance(a);
-    if (tf_flowing_keeps(a->of, (tf_operation)TF_OPERATIONS))
+    if (tf_flow_keeps_volume(a->flow, (tf_operation)TF_OPERATIONS))
         pay_debts(a);
     hold_lone_triangles(a);
     tf_status status = tf_step_resolve(a->resolver, a->vertices, a->start,
                                        a->end, a->inverse_mass, &options,
-                                       &a->of->report->response, NULL);
+                                       &a->flow->report->response, NULL);
     if (status == TF_OK)
         put_ends(a);
     return status;
 }
 
 //: Advance a surface that flows
-tf_status tf_advect(tf_flowing *of, double time, double step)
+tf_status tf_advect(tf_flow_state *flow, double time, double step)
 {
-    advancing a = {.of = of, .time = time, .step = step};
+    advancing a = {.flow = flow, .time = time, .step = step};
     tf_buffer room = {0};
-    tf_status status = tf_adaptive_compact(of->remesher.of, NULL);
-    if (status != TF_OK || of->remesher.of->triangles == 0)
+    tf_status status = tf_adaptive_compact(flow->remesher.surface, NULL);
+    if (status != TF_OK || flow->remesher.surface->triangles == 0)
         return status;
     status = begin_advance(&a, &room);
     if (status == TF_OK)

@@ -84,7 +84,7 @@ typedef struct tf_flow_options {
 ///     TF_NOT_FINITE if a velocity leads out of what doubles can hold;
 ///     TF_BAD_ENVIRONMENT; or TF_OUT_OF_MEMORY; unless it is TF_OK the surface
 ///     is still embedded, but may have other triangles than before
-TF_API tf_status tf_adaptive_flow(tf_adaptive *surface,
+TF_API tf_status tf_adaptive_flow(tf_adaptive_surface *surface,
                                   const tf_flow_options *options, double time,
                                   double step, tf_flow_report *report);
 

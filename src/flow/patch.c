@@ -9,12 +9,13 @@ void tf_patch_add(tf_patch *patch, const tf_shape *shape)
     patch->below += tf_vector_dot(way, normal);
 }
 
-tf_patch tf_patch_of_star(const tf_adaptive *of, int vertex, tf_vector apex)
+tf_patch tf_patch_of_star(const tf_adaptive_surface *surface, int vertex,
+                          tf_vector apex)
 {
     tf_patch patch = {.apex = apex};
-    int c = tf_first_corner(of, vertex);
-    for (; c != TF_NONE; c = tf_next_corner(of, c)) {
-        tf_shape shape = tf_shape_of(of, c / 3);
+    int c = tf_first_corner(surface, vertex);
+    for (; c != TF_NONE; c = tf_next_corner(surface, c)) {
+        tf_shape shape = tf_shape_of(surface, c / 3);
         tf_patch_add(&patch, &shape);
     }
     return patch;

@@ -18,7 +18,8 @@ typedef struct tf_patch {
 void tf_patch_add(tf_patch *patch, const tf_shape *shape);
 
 /// The star of a vertex, as a patch with this apex.
-tf_patch tf_patch_of_star(const tf_adaptive *of, int vertex, tf_vector apex);
+tf_patch tf_patch_of_star(const tf_adaptive_surface *surface, int vertex,
+                          tf_vector apex);
 
 /// The place nearest to the apex from which 1/6 of `more` is gained.
 tf_vector tf_patch_place(const tf_patch *patch, double more);

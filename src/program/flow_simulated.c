@@ -125,7 +125,7 @@ static int summarize_flow(const tf_simulated *of,
 }
 
 //: Copy the surface of a flow
-static bool copy_surface(const tf_adaptive *surface, tf_mesh_file *copy)
+static bool copy_surface(const tf_adaptive_surface *surface, tf_mesh_file *copy)
 {
     tf_mesh mesh = tf_adaptive_mesh(surface);
     size_t numbers = 3 * (size_t)mesh.vertices;

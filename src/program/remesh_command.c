@@ -132,7 +132,7 @@ static error_t parse_argument(int key, char *text, struct argp_state *state)
 typedef struct remeshing {
     request request;
     tf_frames frames;
-    tf_adaptive *surface;
+    tf_adaptive_surface *surface;
     tf_remeshed done;
     tf_mesh_file mesh; ///< that is written
     tf_mesh_output out;

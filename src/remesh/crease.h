@@ -5,7 +5,7 @@
 
 /// Whether the edge of a corner is on the boundary, or its triangles' normals
 /// are more than 60 degrees apart.
-bool tf_is_crease(const tf_adaptive *of, int corner);
+bool tf_is_crease(const tf_adaptive_surface *surface, int corner);
 
 /// How a vertex may move without changing the shape.
 typedef enum tf_freedom {
@@ -14,4 +14,4 @@ typedef enum tf_freedom {
     TF_FREE,         ///< on no crease
 } tf_freedom;
 
-tf_freedom tf_freedom_of(const tf_adaptive *of, int vertex);
+tf_freedom tf_freedom_of(const tf_adaptive_surface *surface, int vertex);

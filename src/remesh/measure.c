@@ -1,25 +1,25 @@
 //: Measure edges
 #include "remesh/measure.h"
 
-double tf_length_of(const tf_adaptive *of, int a, int b)
+double tf_length_of(const tf_adaptive_surface *surface, int a, int b)
 {
-    return tf_vector_length(
-        tf_vector_difference(tf_position_of(of, a), tf_position_of(of, b)));
+    return tf_vector_length(tf_vector_difference(tf_position_of(surface, a),
+                                                 tf_position_of(surface, b)));
 }
 
-tf_vector tf_middle_of(const tf_adaptive *of, int a, int b)
+tf_vector tf_middle_of(const tf_adaptive_surface *surface, int a, int b)
 {
-    tf_vector half = tf_vector_scaled(0.5, tf_position_of(of, a));
-    return tf_vector_sum(half, 0.5, tf_position_of(of, b));
+    tf_vector half = tf_vector_scaled(0.5, tf_position_of(surface, a));
+    return tf_vector_sum(half, 0.5, tf_position_of(surface, b));
 }
 
 //: Measure triangles
-tf_shape tf_shape_of(const tf_adaptive *of, int triangle)
+tf_shape tf_shape_of(const tf_adaptive_surface *surface, int triangle)
 {
-    const int *vertex = tf_triangle(of, triangle);
+    const int *vertex = tf_triangle(surface, triangle);
     tf_shape shape;
     for (int i = 0; i < 3; i++)
-        shape.corner[i] = tf_position_of(of, vertex[i]);
+        shape.corner[i] = tf_position_of(surface, vertex[i]);
     return shape;
 }
 

@@ -8,15 +8,16 @@
 
 // All of this is rounded: it decides what is wanted, never what is safe.
 
-static inline tf_vector tf_position_of(const tf_adaptive *of, int vertex)
+static inline tf_vector tf_position_of(const tf_adaptive_surface *surface,
+                                       int vertex)
 {
-    return tf_vector_at(tf_place(of, vertex), 0);
+    return tf_vector_at(tf_place(surface, vertex), 0);
 }
 
-double tf_length_of(const tf_adaptive *of, int a, int b);
+double tf_length_of(const tf_adaptive_surface *surface, int a, int b);
 
 /// The point in the middle between two vertices.
-tf_vector tf_middle_of(const tf_adaptive *of, int a, int b);
+tf_vector tf_middle_of(const tf_adaptive_surface *surface, int a, int b);
 
 //: Declare what is measured of a triangle
 /// The corners of a triangle.
@@ -24,7 +25,7 @@ typedef struct tf_shape {
     tf_vector corner[3];
 } tf_shape;
 
-tf_shape tf_shape_of(const tf_adaptive *of, int triangle);
+tf_shape tf_shape_of(const tf_adaptive_surface *surface, int triangle);
 
 /// The normal, as long as twice the area.
 tf_vector tf_shape_normal(const tf_shape *shape);

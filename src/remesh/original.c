@@ -12,29 +12,29 @@ static bool reserve_original(tf_original *original)
     return tf_buffer_extend(&original->position, (size_t)original->vertices,
                             3 * sizeof(double)) &&
            tf_buffer_extend(&original->vertex, triangles, 3 * sizeof(int)) &&
-           tf_buffer_extend(&original->cuboid, triangles, sizeof(tf_cuboid)) &&
+           tf_buffer_extend(&original->cuboid, triangles, sizeof(tf_aabb)) &&
            tf_buffer_extend(&original->order, triangles, sizeof(int)) &&
-           tf_hierarchy_reserve(&original->boxes, original->triangles);
+           tf_dynamic_tree_reserve(&original->boxes, original->triangles);
 }
 
 //: Copy a surface
-bool tf_original_copy(tf_original *original, const tf_adaptive *of)
+bool tf_original_copy(tf_original *original, const tf_adaptive_surface *surface)
 {
-    original->vertices = of->vertices;
-    original->triangles = of->triangles;
+    original->vertices = surface->vertices;
+    original->triangles = surface->triangles;
     if (!reserve_original(original))
         return false;
-    memcpy(original->position.data, of->position.data,
-           3 * sizeof(double) * (size_t)of->vertices);
-    memcpy(original->vertex.data, of->vertex.data,
-           3 * sizeof(int) * (size_t)of->triangles);
-    tf_cuboid *box = original->cuboid.data;
+    memcpy(original->position.data, surface->position.data,
+           3 * sizeof(double) * (size_t)surface->vertices);
+    memcpy(original->vertex.data, surface->vertex.data,
+           3 * sizeof(int) * (size_t)surface->triangles);
+    tf_aabb *box = original->cuboid.data;
     int *order = original->order.data;
-    for (int t = 0; t < of->triangles; t++) {
-        box[t] = tf_cuboid_of(of, 3, tf_triangle(of, t));
+    for (int t = 0; t < surface->triangles; t++) {
+        box[t] = tf_aabb_of(surface, 3, tf_triangle(surface, t));
         order[t] = t;
     }
-    tf_hierarchy_build(&original->boxes, box, order, of->triangles);
+    tf_dynamic_tree_build(&original->boxes, box, order, surface->triangles);
     return true;
 }
 
@@ -45,7 +45,7 @@ void tf_original_free(tf_original *original)
     tf_buffer_free(&original->vertex);
     tf_buffer_free(&original->cuboid);
     tf_buffer_free(&original->order);
-    tf_hierarchy_free(&original->boxes);
+    tf_dynamic_tree_free(&original->boxes);
 }
 
 //: Take the corners of a triangle
@@ -66,10 +66,10 @@ typedef struct looking {
     tf_vector x[4]; ///< the point, and the corners of a triangle
 } looking;
 
-static tf_nearest nearest_of(looking *of, int triangle)
+static tf_nearest nearest_of(looking *search, int triangle)
 {
-    take_corners(of->original, triangle, of->x + 1);
-    return tf_nearest_points(1, 3, of->x);
+    take_corners(search->original, triangle, search->x + 1);
+    return tf_nearest_points(1, 3, search->x);
 }
 
 static double squared_distance(void *context, int triangle)
@@ -82,26 +82,26 @@ static double squared_distance(void *context, int triangle)
 double tf_original_nearest(tf_original *original, const double x[3],
                            double point[3])
 {
-    looking of = {.original = original, .x = {{{x[0], x[1], x[2]}}}};
+    looking search = {.original = original, .x = {{{x[0], x[1], x[2]}}}};
     double least;
-    int triangle = tf_hierarchy_nearest(&original->boxes, x, squared_distance,
-                                        &of, &least);
+    int triangle = tf_dynamic_tree_nearest(&original->boxes, x,
+                                           squared_distance, &search, &least);
     memcpy(point, x, 3 * sizeof *point);
     if (triangle < 0)
         return INFINITY;
-    tf_nearest nearest = nearest_of(&of, triangle);
+    tf_nearest nearest = nearest_of(&search, triangle);
     for (int k = 0; k < 3; k++)
-        point[k] = nearest.weight[1] * of.x[1].x[k] +
-                   nearest.weight[2] * of.x[2].x[k] +
-                   nearest.weight[3] * of.x[3].x[k];
+        point[k] = nearest.weight[1] * search.x[1].x[k] +
+                   nearest.weight[2] * search.x[2].x[k] +
+                   nearest.weight[3] * search.x[3].x[k];
     return nearest.distance;
 }
 
 //: Find the greatest distance from the original
-static tf_vector middle_of(const tf_original *of, int triangle)
+static tf_vector middle_of(const tf_original *original, int triangle)
 {
     tf_vector corner[3], middle = {{0}};
-    take_corners(of, triangle, corner);
+    take_corners(original, triangle, corner);
     for (int i = 0; i < 3; i++)
         middle = tf_vector_sum(middle, 1.0 / 3, corner[i]);
     return middle;

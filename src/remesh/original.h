@@ -7,12 +7,13 @@
 typedef struct tf_original {
     int vertices, triangles;
     tf_buffer position, vertex, cuboid, order;
-    tf_hierarchy boxes;
+    tf_dynamic_tree boxes;
 } tf_original;
 
 /// Copies a surface without gaps.  False if there is no memory; free it in any
 /// case.
-bool tf_original_copy(tf_original *original, const tf_adaptive *of);
+bool tf_original_copy(tf_original *original,
+                      const tf_adaptive_surface *surface);
 void tf_original_free(tf_original *original);
 
 /// Finds the nearest point of the original; returns its distance.

@@ -14,55 +14,58 @@ enum {
 };
 
 //: Measure the quality of a surface
-static void measure_quality(const tf_adaptive *of, double *least, double *mean)
+static void measure_quality(const tf_adaptive_surface *surface, double *least,
+                            double *mean)
 {
     double sum = 0;
     *least = 1;
-    for (int t = 0; t < of->triangles; t++) {
-        tf_shape shape = tf_shape_of(of, t);
+    for (int t = 0; t < surface->triangles; t++) {
+        tf_shape shape = tf_shape_of(surface, t);
         double quality = tf_shape_quality(&shape);
         *least = fmin(*least, quality);
         sum += quality;
     }
-    *mean = sum / of->triangles;
+    *mean = sum / surface->triangles;
 }
 
 //: Split until no edge is long
-static tf_status split_all(tf_remesher *of)
+static tf_status split_all(tf_remesher *remesher)
 {
-    const size_t *done = &of->report->tried[TF_SPLIT][TF_COMMITTED];
+    const size_t *done = &remesher->report->tried[TF_SPLIT][TF_COMMITTED];
     tf_status status = TF_OK;
     size_t before = *done - 1;
     for (int i = 0; i < SPLIT_PASSES && status == TF_OK && *done != before;
          i++) {
         before = *done;
-        status = tf_split_pass(of);
+        status = tf_split_pass(remesher);
     }
     return status;
 }
 
 //: Go through all operations
-static tf_status do_round(tf_remesher *of)
+static tf_status do_round(tf_remesher *remesher)
 {
-    tf_status status = split_all(of);
+    tf_status status = split_all(remesher);
     if (status == TF_OK)
-        status = tf_collapse_pass(of);
+        status = tf_collapse_pass(remesher);
     if (status == TF_OK)
-        status = tf_flip_pass(of);
+        status = tf_flip_pass(remesher);
     if (status == TF_OK)
-        status = tf_smooth_pass(of);
-    of->report->rounds++;
-    return status == TF_OK ? tf_adaptive_compact(of->of, NULL) : status;
+        status = tf_smooth_pass(remesher);
+    remesher->report->rounds++;
+    return status == TF_OK ? tf_adaptive_compact(remesher->surface, NULL)
+                           : status;
 }
 
 //: Measure how far the shape has changed
-static tf_status measure_distance(tf_remesher *of)
+static tf_status measure_distance(tf_remesher *remesher)
 {
     tf_original now = {0};
     tf_status status = TF_OUT_OF_MEMORY;
-    if (tf_original_copy(&now, of->of)) {
-        of->report->distance = fmax(tf_original_farthest(&of->original, &now),
-                                    tf_original_farthest(&now, &of->original));
+    if (tf_original_copy(&now, remesher->surface)) {
+        remesher->report->distance =
+            fmax(tf_original_farthest(&remesher->original, &now),
+                 tf_original_farthest(&now, &remesher->original));
         status = TF_OK;
     }
     tf_original_free(&now);
@@ -70,30 +73,34 @@ static tf_status measure_distance(tf_remesher *of)
 }
 
 //: Remesh from the original on
-static tf_status do_rounds(tf_remesher *of)
+static tf_status do_rounds(tf_remesher *remesher)
 {
-    tf_remesh_report *report = of->report;
-    int rounds = of->options->rounds ? of->options->rounds : USUAL_ROUNDS;
-    tf_status status = tf_adaptive_compact(of->of, NULL);
-    if (status == TF_OK && !tf_original_copy(&of->original, of->of))
+    tf_remesh_report *report = remesher->report;
+    int rounds =
+        remesher->options->rounds ? remesher->options->rounds : USUAL_ROUNDS;
+    tf_status status = tf_adaptive_compact(remesher->surface, NULL);
+    if (status == TF_OK &&
+        !tf_original_copy(&remesher->original, remesher->surface))
         status = TF_OUT_OF_MEMORY;
-    measure_quality(of->of, &report->least_before, &report->mean_before);
+    measure_quality(remesher->surface, &report->least_before,
+                    &report->mean_before);
     for (int i = 0; i < rounds && status == TF_OK; i++)
-        status = do_round(of);
-    measure_quality(of->of, &report->least_after, &report->mean_after);
-    return status == TF_OK ? measure_distance(of) : status;
+        status = do_round(remesher);
+    measure_quality(remesher->surface, &report->least_after,
+                    &report->mean_after);
+    return status == TF_OK ? measure_distance(remesher) : status;
 }
 
 //: Estimate how many triangles there will be
 /// Equilateral ones with sides of that length, which have as much area as the
 /// surface.
-static double triangles_of(const tf_adaptive *of, double edge)
+static double triangles_of(const tf_adaptive_surface *surface, double edge)
 {
     double count = 0;
-    for (int t = 0; t < of->triangles; t++) {
-        if (!tf_is_triangle(of, t))
+    for (int t = 0; t < surface->triangles; t++) {
+        if (!tf_is_triangle(surface, t))
             continue;
-        tf_shape shape = tf_shape_of(of, t);
+        tf_shape shape = tf_shape_of(surface, t);
         for (int i = 0; i < 3; i++)
             shape.corner[i] = tf_vector_scaled(1 / edge, shape.corner[i]);
         count += tf_vector_length(tf_shape_normal(&shape)) * 2 / sqrt(3);
@@ -101,15 +108,16 @@ static double triangles_of(const tf_adaptive *of, double edge)
     return count;
 }
 
-static bool is_possible(const tf_adaptive *of, const tf_remesh_options *options)
+static bool is_possible(const tf_adaptive_surface *surface,
+                        const tf_remesh_options *options)
 {
     double edge = options->edge;
     return edge > 0 && isfinite(edge) && options->rounds >= 0 &&
-           triangles_of(of, edge) <= INT_MAX / 3.0;
+           triangles_of(surface, edge) <= INT_MAX / 3.0;
 }
 
 //: Remesh a surface
-tf_status tf_adaptive_remesh(tf_adaptive *surface,
+tf_status tf_adaptive_remesh(tf_adaptive_surface *surface,
                              const tf_remesh_options *options,
                              tf_remesh_report *report)
 {
@@ -119,13 +127,13 @@ tf_status tf_adaptive_remesh(tf_adaptive *surface,
     if (!is_possible(surface, options))
         return TF_BAD_TOLERANCE;
     tf_remesh_report unused = {0};
-    tf_remesher of = {.of = surface,
-                      .edge = options->edge,
-                      .options = options,
-                      .report = report ? report : &unused};
-    *of.report = (tf_remesh_report){0};
-    tf_status status = do_rounds(&of);
-    tf_original_free(&of.original);
-    tf_buffer_free(&of.row);
+    tf_remesher remesher = {.surface = surface,
+                            .edge = options->edge,
+                            .options = options,
+                            .report = report ? report : &unused};
+    *remesher.report = (tf_remesh_report){0};
+    tf_status status = do_rounds(&remesher);
+    tf_original_free(&remesher.original);
+    tf_buffer_free(&remesher.row);
     return status;
 }

@@ -64,7 +64,7 @@ typedef struct tf_remesh_options {
 ///     so short that there would be more triangles than numbers for their
 ///     corners, or if there are fewer rounds than 0; TF_BAD_ENVIRONMENT; or
 ///     TF_OUT_OF_MEMORY, and then the surface is still embedded
-TF_API tf_status tf_adaptive_remesh(tf_adaptive *surface,
+TF_API tf_status tf_adaptive_remesh(tf_adaptive_surface *surface,
                                     const tf_remesh_options *options,
                                     tf_remesh_report *report);
 

@@ -97,7 +97,8 @@ static void measure_size(const tf_mesh *mesh, const double position[],
 }
 
 //: Measure a surface
-bool tf_flow_measure(const tf_adaptive *surface, tf_flow_measures *measures)
+bool tf_flow_measure(const tf_adaptive_surface *surface,
+                     tf_flow_measures *measures)
 {
     tf_mesh mesh = tf_adaptive_mesh(surface);
     *measures = (tf_flow_measures){.vertices = mesh.vertices,

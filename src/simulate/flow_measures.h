@@ -14,4 +14,5 @@ typedef struct tf_flow_measures {
 } tf_flow_measures;
 
 /// Measures a surface without gaps.  False if there is no memory.
-bool tf_flow_measure(const tf_adaptive *surface, tf_flow_measures *measures);
+bool tf_flow_measure(const tf_adaptive_surface *surface,
+                     tf_flow_measures *measures);

@@ -5,7 +5,7 @@
 
 //: Set a scene of a flow up
 static tf_status build_surface(const tf_flow_scene *scene, double edge,
-                               tf_adaptive **surface)
+                               tf_adaptive_surface **surface)
 {
     tf_body body = {.axes = 3};
     scene->build(&body, edge);
@@ -69,7 +69,7 @@ tf_status tf_flow_simulation_restore(tf_flow_simulation *simulation, int step,
                                      const tf_mesh *mesh,
                                      const double position[])
 {
-    tf_adaptive *surface;
+    tf_adaptive_surface *surface;
     tf_status status = tf_adaptive_create(mesh, position, &surface, NULL);
     if (status != TF_OK)
         return status;

@@ -11,7 +11,7 @@ typedef struct tf_flow_simulation {
     const tf_flow_scene *scene;
     double edge;
     int step; ///< how many were made
-    tf_adaptive *surface;
+    tf_adaptive_surface *surface;
 } tf_flow_simulation;
 
 /// Sets a scene up.

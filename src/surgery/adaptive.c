@@ -10,52 +10,53 @@
 #include <string.h>
 
 //: Make room for elements
-bool tf_adaptive_reserve(tf_adaptive *of, int vertices, int triangles, int more)
+bool tf_adaptive_reserve(tf_adaptive_surface *surface, int vertices,
+                         int triangles, int more)
 {
     if (more > INT_MAX / 3 - triangles || vertices > INT_MAX - TF_MOST_PLACED)
         return false;
     size_t places = (size_t)vertices + TF_MOST_PLACED;
     size_t count = (size_t)triangles + (size_t)more;
-    return tf_buffer_extend(&of->position, places, 3 * sizeof(double)) &&
-           tf_buffer_extend(&of->first, places, sizeof(int)) &&
-           tf_buffer_extend(&of->vertex, count, 3 * sizeof(int)) &&
-           tf_buffer_extend(&of->next, count, 3 * sizeof(int)) &&
-           tf_buffer_extend(&of->found, count, sizeof(int)) &&
-           tf_hierarchy_reserve(&of->boxes, triangles + more);
+    return tf_buffer_extend(&surface->position, places, 3 * sizeof(double)) &&
+           tf_buffer_extend(&surface->first, places, sizeof(int)) &&
+           tf_buffer_extend(&surface->vertex, count, 3 * sizeof(int)) &&
+           tf_buffer_extend(&surface->next, count, 3 * sizeof(int)) &&
+           tf_buffer_extend(&surface->found, count, sizeof(int)) &&
+           tf_dynamic_tree_reserve(&surface->boxes, triangles + more);
 }
 
 //: Fill an adaptive surface
 static tf_status fill_surface(const tf_mesh *mesh, const double position[],
-                              tf_adaptive *of)
+                              tf_adaptive_surface *surface)
 {
-    if (!tf_adaptive_reserve(of, mesh->vertices, mesh->triangles, 0) ||
-        !tf_buffer_extend(&of->cuboid, (size_t)mesh->triangles,
-                          sizeof(tf_cuboid)))
+    if (!tf_adaptive_reserve(surface, mesh->vertices, mesh->triangles, 0) ||
+        !tf_buffer_extend(&surface->cuboid, (size_t)mesh->triangles,
+                          sizeof(tf_aabb)))
         return TF_OUT_OF_MEMORY;
-    of->vertices = mesh->vertices;
-    of->triangles = mesh->triangles;
-    memcpy(of->position.data, position,
+    surface->vertices = mesh->vertices;
+    surface->triangles = mesh->triangles;
+    memcpy(surface->position.data, position,
            3 * sizeof *position * (size_t)mesh->vertices);
-    memcpy(of->vertex.data, mesh->triangle,
+    memcpy(surface->vertex.data, mesh->triangle,
            3 * sizeof *mesh->triangle * (size_t)mesh->triangles);
-    tf_stars_build(of, of->cuboid.data);
+    tf_stars_build(surface, surface->cuboid.data);
     return TF_OK;
 }
 
 //: Check an adaptive surface
 static tf_status make_surface(const tf_mesh *mesh, const double position[],
-                              tf_adaptive *of, tf_defect *defect)
+                              tf_adaptive_surface *surface, tf_defect *defect)
 {
-    tf_status status = fill_surface(mesh, position, of);
+    tf_status status = fill_surface(mesh, position, surface);
     if (status == TF_OK)
-        status = tf_check_manifold(of, defect);
-    return status == TF_OK ? tf_check_embedding(of, mesh, position, defect)
+        status = tf_check_manifold(surface, defect);
+    return status == TF_OK ? tf_check_embedding(surface, mesh, position, defect)
                            : status;
 }
 
 //: Create an adaptive surface
 tf_status tf_adaptive_create(const tf_mesh *mesh, const double position[],
-                             tf_adaptive **surface, tf_defect *defect)
+                             tf_adaptive_surface **surface, tf_defect *defect)
 {
     TF_REQUIRE(mesh && mesh->axes == 3 && position && surface);
     tf_defect unused = {0}, *first = defect ? defect : &unused;
@@ -65,7 +66,7 @@ tf_status tf_adaptive_create(const tf_mesh *mesh, const double position[],
     tf_status status = tf_check_mesh(mesh, position, first);
     if (status != TF_OK)
         return status;
-    tf_adaptive *made = calloc(1, sizeof *made);
+    tf_adaptive_surface *made = calloc(1, sizeof *made);
     status =
         made ? make_surface(mesh, position, made, first) : TF_OUT_OF_MEMORY;
     if (status == TF_OK)
@@ -76,7 +77,7 @@ tf_status tf_adaptive_create(const tf_mesh *mesh, const double position[],
 }
 
 //: Free an adaptive surface
-void tf_adaptive_free(tf_adaptive *surface)
+void tf_adaptive_free(tf_adaptive_surface *surface)
 {
     if (!surface)
         return;
@@ -86,17 +87,17 @@ void tf_adaptive_free(tf_adaptive *surface)
     tf_buffer_free(&surface->next);
     tf_buffer_free(&surface->found);
     tf_buffer_free(&surface->cuboid);
-    tf_hierarchy_free(&surface->boxes);
+    tf_dynamic_tree_free(&surface->boxes);
     tf_surgery_free(&surface->surgery);
     free(surface);
 }
 
 //: Count the memory of an adaptive surface
-size_t tf_adaptive_memory(const tf_adaptive *surface)
+size_t tf_adaptive_memory(const tf_adaptive_surface *surface)
 {
     TF_REQUIRE(surface);
     const tf_surgery *surgery = &surface->surgery;
-    const tf_hierarchy *boxes = &surface->boxes;
+    const tf_dynamic_tree *boxes = &surface->boxes;
     return sizeof *surface + surface->position.bytes + surface->vertex.bytes +
            surface->first.bytes + surface->next.bytes + surface->found.bytes +
            surface->cuboid.bytes + boxes->branch.bytes + boxes->parent.bytes +
@@ -105,7 +106,7 @@ size_t tf_adaptive_memory(const tf_adaptive *surface)
 }
 
 //: Lend an adaptive surface
-tf_mesh tf_adaptive_mesh(const tf_adaptive *surface)
+tf_mesh tf_adaptive_mesh(const tf_adaptive_surface *surface)
 {
     TF_REQUIRE(surface);
     return (tf_mesh){.axes = 3,
@@ -114,7 +115,7 @@ tf_mesh tf_adaptive_mesh(const tf_adaptive *surface)
                      .triangle = surface->vertex.data};
 }
 
-const double *tf_adaptive_positions(const tf_adaptive *surface)
+const double *tf_adaptive_positions(const tf_adaptive_surface *surface)
 {
     TF_REQUIRE(surface);
     return surface->position.data;
@@ -123,40 +124,40 @@ const double *tf_adaptive_positions(const tf_adaptive *surface)
 //: Close the gaps
 /// Moves the vertices that have triangles to the front; their new numbers, or
 /// TF_NONE, replace their first corners.
-static void move_vertices(tf_adaptive *of)
+static void move_vertices(tf_adaptive_surface *surface)
 {
-    int kept = 0, *number = of->first.data;
-    double *position = of->position.data;
-    for (int v = 0; v < of->vertices; v++) {
+    int kept = 0, *number = surface->first.data;
+    double *position = surface->position.data;
+    for (int v = 0; v < surface->vertices; v++) {
         if (number[v] == TF_NONE)
             continue;
         memmove(position + 3 * (ptrdiff_t)kept, position + 3 * (ptrdiff_t)v,
                 3 * sizeof *position);
         number[v] = kept++;
     }
-    of->vertices = kept;
+    surface->vertices = kept;
 }
 
-static void move_triangles(tf_adaptive *of)
+static void move_triangles(tf_adaptive_surface *surface)
 {
-    int kept = 0, *vertex = of->vertex.data;
-    const int *number = of->first.data;
-    for (int t = 0; t < of->triangles; t++) {
-        if (!tf_is_triangle(of, t))
+    int kept = 0, *vertex = surface->vertex.data;
+    const int *number = surface->first.data;
+    for (int t = 0; t < surface->triangles; t++) {
+        if (!tf_is_triangle(surface, t))
             continue;
         for (int i = 0; i < 3; i++)
             vertex[3 * kept + i] = number[vertex[3 * t + i]];
         kept++;
     }
-    of->triangles = kept;
+    surface->triangles = kept;
 }
 
 //: Compact an adaptive surface
-tf_status tf_adaptive_compact(tf_adaptive *surface, int map[])
+tf_status tf_adaptive_compact(tf_adaptive_surface *surface, int map[])
 {
     TF_REQUIRE(surface);
     if (!tf_buffer_extend(&surface->cuboid, (size_t)surface->triangles,
-                          sizeof(tf_cuboid)))
+                          sizeof(tf_aabb)))
         return TF_OUT_OF_MEMORY;
     int before = surface->vertices;
     move_vertices(surface);

@@ -15,7 +15,7 @@
 
 /// An embedded surface that operations change: each vertex has triangles all
 /// around it, or is on the boundary.  Only one thread at a time may use it.
-typedef struct tf_adaptive tf_adaptive;
+typedef struct tf_adaptive_surface tf_adaptive_surface;
 
 /// Where a mesh is no such surface.  What a status is not about is -1.
 typedef struct tf_defect {
@@ -44,11 +44,12 @@ typedef struct tf_defect {
 ///     TF_BAD_ENVIRONMENT; or TF_OUT_OF_MEMORY
 TF_API tf_status tf_adaptive_create(const tf_mesh *mesh,
                                     const double position[],
-                                    tf_adaptive **surface, tf_defect *defect);
+                                    tf_adaptive_surface **surface,
+                                    tf_defect *defect);
 
 /// Frees a surface, and all that it lent.
 /// @param surface the surface; may be NULL
-TF_API void tf_adaptive_free(tf_adaptive *surface);
+TF_API void tf_adaptive_free(tf_adaptive_surface *surface);
 
 //: Declare what an adaptive surface lends
 /// The triangles of a surface as it is now.  The numbers of vertices and
@@ -56,17 +57,17 @@ TF_API void tf_adaptive_free(tf_adaptive *surface);
 /// is gone is -1, and a vertex that is gone belongs to no triangle.
 /// @param surface the surface
 /// @return the mesh, lent until the surface is changed
-TF_API tf_mesh tf_adaptive_mesh(const tf_adaptive *surface);
+TF_API tf_mesh tf_adaptive_mesh(const tf_adaptive_surface *surface);
 
 /// The places of its vertices.
 /// @param surface the surface
 /// @return three coordinates each, lent until the surface is changed
-TF_API const double *tf_adaptive_positions(const tf_adaptive *surface);
+TF_API const double *tf_adaptive_positions(const tf_adaptive_surface *surface);
 
 /// Returns how much memory a surface holds by now.
 /// @param surface the surface
 /// @return bytes
-TF_API size_t tf_adaptive_memory(const tf_adaptive *surface);
+TF_API size_t tf_adaptive_memory(const tf_adaptive_surface *surface);
 
 //: Declare how the gaps are closed
 /// Gives vertices and triangles new numbers without gaps, in the same order.
@@ -75,6 +76,6 @@ TF_API size_t tf_adaptive_memory(const tf_adaptive *surface);
 /// @param[out] map the new number of each vertex, or -1 for one that is gone;
 ///     room for all of them; may be NULL
 /// @return TF_OK or TF_OUT_OF_MEMORY, and then nothing is changed
-TF_API tf_status tf_adaptive_compact(tf_adaptive *surface, int map[]);
+TF_API tf_status tf_adaptive_compact(tf_adaptive_surface *surface, int map[]);
 
 /// @}

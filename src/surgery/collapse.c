@@ -10,77 +10,81 @@
 
 /// Whether the vertex opposite to the edge of a corner keeps enough triangles:
 /// a ring of three, or a fan of one.
-static bool apex_survives(const tf_adaptive *of, int corner)
+static bool apex_survives(const tf_adaptive_surface *surface, int corner)
 {
-    int apex = tf_vertex_at(of, tf_corner_before(corner));
-    return tf_star_size(of, apex) >= (tf_is_rim(of, apex) ? 2 : 4);
+    int apex = tf_vertex_at(surface, tf_corner_before(corner));
+    return tf_star_size(surface, apex) >=
+           (tf_is_boundary_vertex(surface, apex) ? 2 : 4);
 }
 
 //: Find out what would be left
 /// Whether only a lone triangle would be left: one, on the boundary all around.
-static bool leaves_lone_triangle(const tf_adaptive *of, int from, int edges)
+static bool leaves_lone_triangle(const tf_adaptive_surface *surface, int from,
+                                 int edges)
 {
-    int bare = 0, c = tf_first_corner(of, from);
-    for (; c != TF_NONE; c = tf_next_corner(of, c))
-        bare += tf_is_bare(of, tf_corner_after(c));
-    int size = tf_star_size(of, from);
+    int bare = 0, c = tf_first_corner(surface, from);
+    for (; c != TF_NONE; c = tf_next_corner(surface, c))
+        bare += tf_is_boundary_edge(surface, tf_corner_after(c));
+    int size = tf_star_size(surface, from);
     return size == edges + 1 && bare == size;
 }
 
 /// The corners where the edge begins, in each direction.
-static bool may_collapse(const tf_adaptive *of, int from, int to,
+static bool may_collapse(const tf_adaptive_surface *surface, int from, int to,
                          const int corner[2])
 {
     int edges = 0;
     for (int i = 0; i < 2; i++) {
         if (corner[i] == TF_NONE)
             continue;
-        if (!apex_survives(of, corner[i]))
+        if (!apex_survives(surface, corner[i]))
             return false;
         edges++;
     }
-    return edges > 0 && tf_common_neighbors(of, from, to) == edges &&
-           (edges == 1 || !tf_is_rim(of, from)) &&
-           !leaves_lone_triangle(of, from, edges);
+    return edges > 0 && tf_common_neighbors(surface, from, to) == edges &&
+           (edges == 1 || !tf_is_boundary_vertex(surface, from)) &&
+           !leaves_lone_triangle(surface, from, edges);
 }
 
 //: Describe a collapse
-static bool has_vertex(const tf_adaptive *of, int triangle, int vertex)
+static bool has_vertex(const tf_adaptive_surface *surface, int triangle,
+                       int vertex)
 {
-    const int *v = tf_triangle(of, triangle);
+    const int *v = tf_triangle(surface, triangle);
     return v[0] == vertex || v[1] == vertex || v[2] == vertex;
 }
 
-static void collapse_triangle(tf_adaptive *of, int corner, int to)
+static void collapse_triangle(tf_adaptive_surface *surface, int corner, int to)
 {
-    int from = tf_vertex_at(of, corner);
-    int x = tf_vertex_at(of, tf_corner_after(corner));
-    int y = tf_vertex_at(of, tf_corner_before(corner));
-    tf_surgery_remove(of, corner / 3);
-    tf_surgery_keep(of, tf_corner_after(corner));
-    if (has_vertex(of, corner / 3, to))
+    int from = tf_vertex_at(surface, corner);
+    int x = tf_vertex_at(surface, tf_corner_after(corner));
+    int y = tf_vertex_at(surface, tf_corner_before(corner));
+    tf_surgery_remove(surface, corner / 3);
+    tf_surgery_keep(surface, tf_corner_after(corner));
+    if (has_vertex(surface, corner / 3, to))
         return;
-    tf_surgery_add(of, to, x, y);
-    tf_surgery_sweep(of, from, to, x, y);
+    tf_surgery_add(surface, to, x, y);
+    tf_surgery_sweep(surface, from, to, x, y);
 }
 
 //: Collapse an edge as far as it is possible
-static tf_outcome collapse(tf_adaptive *of, int from, int to)
+static tf_outcome collapse(tf_adaptive_surface *surface, int from, int to)
 {
-    int corner[] = {tf_find_edge(of, from, to), tf_find_edge(of, to, from)};
-    if (!may_collapse(of, from, to, corner))
+    int corner[] = {tf_find_edge(surface, from, to),
+                    tf_find_edge(surface, to, from)};
+    if (!may_collapse(surface, from, to, corner))
         return TF_IMPOSSIBLE;
-    int c = tf_first_corner(of, from);
-    for (; c != TF_NONE; c = tf_next_corner(of, c))
-        collapse_triangle(of, c, to);
-    tf_outcome outcome = tf_surgery_try(of);
+    int c = tf_first_corner(surface, from);
+    for (; c != TF_NONE; c = tf_next_corner(surface, c))
+        collapse_triangle(surface, c, to);
+    tf_outcome outcome = tf_surgery_try(surface);
     if (outcome == TF_COMMITTED)
-        tf_surgery_commit(of);
+        tf_surgery_commit(surface);
     return outcome;
 }
 
 //: Collapse an edge
-tf_status tf_adaptive_collapse(tf_adaptive *surface, int from, int to,
+tf_status tf_adaptive_collapse(tf_adaptive_surface *surface, int from, int to,
                                tf_outcome *outcome)
 {
     tf_status status = tf_request_check(surface, from, to, NULL, outcome);
@@ -93,8 +97,9 @@ tf_status tf_adaptive_collapse(tf_adaptive *surface, int from, int to,
 }
 
 //: Collapse an edge to a place
-tf_status tf_adaptive_collapse_to(tf_adaptive *surface, int from, int to,
-                                  const double place[3], tf_outcome *outcome)
+tf_status tf_adaptive_collapse_to(tf_adaptive_surface *surface, int from,
+                                  int to, const double place[3],
+                                  tf_outcome *outcome)
 {
     TF_REQUIRE(place);
     tf_status status = tf_request_check(surface, from, to, place, outcome);

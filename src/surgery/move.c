@@ -9,45 +9,48 @@
 #include <string.h>
 
 /// Moves the triangle of a corner there to another vertex.
-static void sweep_triangle(tf_adaptive *of, int corner, int to)
+static void sweep_triangle(tf_adaptive_surface *surface, int corner, int to)
 {
-    int from = tf_vertex_at(of, corner);
-    int x = tf_vertex_at(of, tf_corner_after(corner));
-    int y = tf_vertex_at(of, tf_corner_before(corner));
-    tf_surgery_remove(of, corner / 3);
-    tf_surgery_add(of, to, x, y);
-    tf_surgery_sweep(of, from, to, x, y);
-    tf_surgery_keep(of, tf_corner_after(corner));
+    int from = tf_vertex_at(surface, corner);
+    int x = tf_vertex_at(surface, tf_corner_after(corner));
+    int y = tf_vertex_at(surface, tf_corner_before(corner));
+    tf_surgery_remove(surface, corner / 3);
+    tf_surgery_add(surface, to, x, y);
+    tf_surgery_sweep(surface, from, to, x, y);
+    tf_surgery_keep(surface, tf_corner_after(corner));
 }
 
 //: Try a move
 /// Tries the surgery that gives the triangles of a vertex to one placed
 /// elsewhere.
-static tf_outcome try_move(tf_adaptive *of, int vertex, const double place[3])
+static tf_outcome try_move(tf_adaptive_surface *surface, int vertex,
+                           const double place[3])
 {
-    int c = tf_first_corner(of, vertex);
-    if (c == TF_NONE || tf_is_lone(of, c / 3))
+    int c = tf_first_corner(surface, vertex);
+    if (c == TF_NONE || tf_is_isolated(surface, c / 3))
         return TF_IMPOSSIBLE;
-    int moved = tf_surgery_place(of, place);
-    for (; c != TF_NONE; c = tf_next_corner(of, c))
-        sweep_triangle(of, c, moved);
-    tf_surgery_move(of, vertex, moved);
-    return tf_surgery_try(of);
+    int moved = tf_surgery_place(surface, place);
+    for (; c != TF_NONE; c = tf_next_corner(surface, c))
+        sweep_triangle(surface, c, moved);
+    tf_surgery_move(surface, vertex, moved);
+    return tf_surgery_try(surface);
 }
 
 //: Put a vertex elsewhere
-void tf_vertex_put(tf_adaptive *of, int vertex, const double place[3])
+void tf_vertex_put(tf_adaptive_surface *surface, int vertex,
+                   const double place[3])
 {
-    memcpy((double *)of->position.data + 3 * (ptrdiff_t)vertex, place,
+    memcpy((double *)surface->position.data + 3 * (ptrdiff_t)vertex, place,
            3 * sizeof *place);
-    int c = tf_first_corner(of, vertex);
-    for (; c != TF_NONE; c = tf_next_corner(of, c))
-        tf_hierarchy_change(&of->boxes, c / 3,
-                            tf_cuboid_of(of, 3, tf_triangle(of, c / 3)));
+    int c = tf_first_corner(surface, vertex);
+    for (; c != TF_NONE; c = tf_next_corner(surface, c))
+        tf_dynamic_tree_change(
+            &surface->boxes, c / 3,
+            tf_aabb_of(surface, 3, tf_triangle(surface, c / 3)));
 }
 
 //: Move a vertex
-tf_status tf_adaptive_move(tf_adaptive *surface, int vertex,
+tf_status tf_adaptive_move(tf_adaptive_surface *surface, int vertex,
                            const double place[3], tf_outcome *outcome)
 {
     TF_REQUIRE(place);

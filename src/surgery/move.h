@@ -4,4 +4,5 @@
 #include "surgery/state.h"
 
 /// Puts a vertex elsewhere, untested.
-void tf_vertex_put(tf_adaptive *of, int vertex, const double place[3]);
+void tf_vertex_put(tf_adaptive_surface *surface, int vertex,
+                   const double place[3]);

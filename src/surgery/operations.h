@@ -25,7 +25,7 @@
 /// @param[out] outcome what became of it
 /// @return TF_OK, also if it is refused; TF_NOT_FINITE; TF_BAD_INDEX if a number
 ///     is that of no vertex; TF_BAD_ENVIRONMENT; or TF_OUT_OF_MEMORY
-TF_API tf_status tf_adaptive_split(tf_adaptive *surface, int a, int b,
+TF_API tf_status tf_adaptive_split(tf_adaptive_surface *surface, int a, int b,
                                    const double place[3], int *vertex,
                                    tf_outcome *outcome);
 
@@ -36,7 +36,7 @@ TF_API tf_status tf_adaptive_split(tf_adaptive *surface, int a, int b,
 /// @param place where it ends, three coordinates
 /// @param[out] outcome what became of it
 /// @return as for tf_adaptive_split
-TF_API tf_status tf_adaptive_move(tf_adaptive *surface, int vertex,
+TF_API tf_status tf_adaptive_move(tf_adaptive_surface *surface, int vertex,
                                   const double place[3], tf_outcome *outcome);
 
 //: Declare how an edge collapses
@@ -47,8 +47,8 @@ TF_API tf_status tf_adaptive_move(tf_adaptive *surface, int vertex,
 /// @param to the vertex that stays where it is
 /// @param[out] outcome what became of it
 /// @return as for tf_adaptive_split
-TF_API tf_status tf_adaptive_collapse(tf_adaptive *surface, int from, int to,
-                                      tf_outcome *outcome);
+TF_API tf_status tf_adaptive_collapse(tf_adaptive_surface *surface, int from,
+                                      int to, tf_outcome *outcome);
 
 /// Moves one end of an edge to a place, and then collapses the edge into it.
 /// @param surface the surface
@@ -57,8 +57,8 @@ TF_API tf_status tf_adaptive_collapse(tf_adaptive *surface, int from, int to,
 /// @param place where it stays, three coordinates
 /// @param[out] outcome what became of it: of the move, or of the collapse
 /// @return as for tf_adaptive_split
-TF_API tf_status tf_adaptive_collapse_to(tf_adaptive *surface, int from, int to,
-                                         const double place[3],
+TF_API tf_status tf_adaptive_collapse_to(tf_adaptive_surface *surface, int from,
+                                         int to, const double place[3],
                                          tf_outcome *outcome);
 
 //: Declare how an edge flips
@@ -68,7 +68,7 @@ TF_API tf_status tf_adaptive_collapse_to(tf_adaptive *surface, int from, int to,
 /// @param b the other end
 /// @param[out] outcome what became of it
 /// @return as for tf_adaptive_split
-TF_API tf_status tf_adaptive_flip(tf_adaptive *surface, int a, int b,
+TF_API tf_status tf_adaptive_flip(tf_adaptive_surface *surface, int a, int b,
                                   tf_outcome *outcome);
 
 /// @}

@@ -6,14 +6,14 @@
 
 #include <math.h>
 
-tf_status tf_request_check(const tf_adaptive *of, int a, int b,
+tf_status tf_request_check(const tf_adaptive_surface *surface, int a, int b,
                            const double place[], tf_outcome *outcome)
 {
-    TF_REQUIRE(of && outcome);
+    TF_REQUIRE(surface && outcome);
     *outcome = TF_NO_OUTCOME;
     if (!tf_environment_is_ieee())
         return TF_BAD_ENVIRONMENT;
-    if (a < 0 || a >= of->vertices || b < 0 || b >= of->vertices)
+    if (a < 0 || a >= surface->vertices || b < 0 || b >= surface->vertices)
         return TF_BAD_INDEX;
     for (int k = 0; place && k < 3; k++)
         if (!isfinite(place[k]))

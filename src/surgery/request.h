@@ -5,5 +5,5 @@
 
 /// Begins an operation on one vertex or two; `place` may be NULL.  Returns
 /// TF_OK, TF_BAD_ENVIRONMENT, TF_BAD_INDEX or TF_NOT_FINITE.
-tf_status tf_request_check(const tf_adaptive *of, int a, int b,
+tf_status tf_request_check(const tf_adaptive_surface *surface, int a, int b,
                            const double place[], tf_outcome *outcome);

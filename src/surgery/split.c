@@ -10,36 +10,36 @@ enum {
 };
 
 /// Splits the triangle at whose corner the edge begins.
-static void split_triangle(tf_adaptive *of, int corner, int middle)
+static void split_triangle(tf_adaptive_surface *surface, int corner, int middle)
 {
-    int a = tf_vertex_at(of, corner);
-    int b = tf_vertex_at(of, tf_corner_after(corner));
-    int c = tf_vertex_at(of, tf_corner_before(corner));
-    tf_surgery_remove(of, corner / 3);
-    tf_surgery_add(of, a, middle, c);
-    tf_surgery_add(of, middle, b, c);
-    tf_surgery_sweep(of, a, b, c, middle);
-    tf_surgery_keep(of, tf_corner_after(corner));
-    tf_surgery_keep(of, tf_corner_before(corner));
+    int a = tf_vertex_at(surface, corner);
+    int b = tf_vertex_at(surface, tf_corner_after(corner));
+    int c = tf_vertex_at(surface, tf_corner_before(corner));
+    tf_surgery_remove(surface, corner / 3);
+    tf_surgery_add(surface, a, middle, c);
+    tf_surgery_add(surface, middle, b, c);
+    tf_surgery_sweep(surface, a, b, c, middle);
+    tf_surgery_keep(surface, tf_corner_after(corner));
+    tf_surgery_keep(surface, tf_corner_before(corner));
 }
 
 //: Describe a split
 /// The corners where the edge begins, in each direction.
-static tf_outcome try_split(tf_adaptive *of, const int corner[2],
+static tf_outcome try_split(tf_adaptive_surface *surface, const int corner[2],
                             const double place[3], int *vertex)
 {
     for (int i = 0; i < 2; i++)
-        if (corner[i] != TF_NONE && tf_is_lone(of, corner[i] / 3))
+        if (corner[i] != TF_NONE && tf_is_isolated(surface, corner[i] / 3))
             return TF_IMPOSSIBLE;
-    *vertex = tf_surgery_place(of, place);
+    *vertex = tf_surgery_place(surface, place);
     for (int i = 0; i < 2; i++)
         if (corner[i] != TF_NONE)
-            split_triangle(of, corner[i], *vertex);
-    return tf_surgery_try(of);
+            split_triangle(surface, corner[i], *vertex);
+    return tf_surgery_try(surface);
 }
 
 //: Split an edge
-tf_status tf_adaptive_split(tf_adaptive *surface, int a, int b,
+tf_status tf_adaptive_split(tf_adaptive_surface *surface, int a, int b,
                             const double place[3], int *vertex,
                             tf_outcome *outcome)
 {

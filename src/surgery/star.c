@@ -1,126 +1,130 @@
 //: Find an edge
 #include "surgery/star.h"
 
-int tf_find_edge(const tf_adaptive *of, int from, int to)
+int tf_find_edge(const tf_adaptive_surface *surface, int from, int to)
 {
-    int corner = tf_first_corner(of, from);
-    while (corner != TF_NONE && tf_vertex_at(of, tf_corner_after(corner)) != to)
-        corner = tf_next_corner(of, corner);
+    int corner = tf_first_corner(surface, from);
+    while (corner != TF_NONE &&
+           tf_vertex_at(surface, tf_corner_after(corner)) != to)
+        corner = tf_next_corner(surface, corner);
     return corner;
 }
 
 //: Recognize the boundary
-bool tf_is_bare(const tf_adaptive *of, int corner)
+bool tf_is_boundary_edge(const tf_adaptive_surface *surface, int corner)
 {
-    int from = tf_vertex_at(of, corner);
-    int to = tf_vertex_at(of, tf_corner_after(corner));
-    return tf_find_edge(of, to, from) == TF_NONE;
+    int from = tf_vertex_at(surface, corner);
+    int to = tf_vertex_at(surface, tf_corner_after(corner));
+    return tf_find_edge(surface, to, from) == TF_NONE;
 }
 
-bool tf_is_lone(const tf_adaptive *of, int triangle)
+bool tf_is_isolated(const tf_adaptive_surface *surface, int triangle)
 {
-    return tf_is_bare(of, 3 * triangle) && tf_is_bare(of, 3 * triangle + 1) &&
-           tf_is_bare(of, 3 * triangle + 2);
+    return tf_is_boundary_edge(surface, 3 * triangle) &&
+           tf_is_boundary_edge(surface, 3 * triangle + 1) &&
+           tf_is_boundary_edge(surface, 3 * triangle + 2);
 }
 
-bool tf_is_rim(const tf_adaptive *of, int vertex)
+bool tf_is_boundary_vertex(const tf_adaptive_surface *surface, int vertex)
 {
-    int c = tf_first_corner(of, vertex);
-    for (; c != TF_NONE; c = tf_next_corner(of, c))
-        if (tf_is_bare(of, c))
+    int c = tf_first_corner(surface, vertex);
+    for (; c != TF_NONE; c = tf_next_corner(surface, c))
+        if (tf_is_boundary_edge(surface, c))
             return true;
     return false;
 }
 
 //: Count triangles and neighbors
-int tf_star_size(const tf_adaptive *of, int vertex)
+int tf_star_size(const tf_adaptive_surface *surface, int vertex)
 {
-    int count = 0, c = tf_first_corner(of, vertex);
-    for (; c != TF_NONE; c = tf_next_corner(of, c))
+    int count = 0, c = tf_first_corner(surface, vertex);
+    for (; c != TF_NONE; c = tf_next_corner(surface, c))
         count++;
     return count;
 }
 
-static bool are_neighbors(const tf_adaptive *of, int a, int b)
+static bool are_neighbors(const tf_adaptive_surface *surface, int a, int b)
 {
-    return tf_find_edge(of, a, b) != TF_NONE ||
-           tf_find_edge(of, b, a) != TF_NONE;
+    return tf_find_edge(surface, a, b) != TF_NONE ||
+           tf_find_edge(surface, b, a) != TF_NONE;
 }
 
 /// Each neighbor follows the vertex in one triangle, except for one, on the
 /// boundary, that only precedes it.
-int tf_common_neighbors(const tf_adaptive *of, int a, int b)
+int tf_common_neighbors(const tf_adaptive_surface *surface, int a, int b)
 {
-    int count = 0, c = tf_first_corner(of, a);
-    for (; c != TF_NONE; c = tf_next_corner(of, c)) {
+    int count = 0, c = tf_first_corner(surface, a);
+    for (; c != TF_NONE; c = tf_next_corner(surface, c)) {
         int before = tf_corner_before(c);
-        count += are_neighbors(of, tf_vertex_at(of, tf_corner_after(c)), b);
-        count += tf_is_bare(of, before) &&
-                 are_neighbors(of, tf_vertex_at(of, before), b);
+        count += are_neighbors(surface,
+                               tf_vertex_at(surface, tf_corner_after(c)), b);
+        count += tf_is_boundary_edge(surface, before) &&
+                 are_neighbors(surface, tf_vertex_at(surface, before), b);
     }
     return count;
 }
 
 //: Link the corners of a triangle
-static void link_corner(tf_adaptive *of, int corner)
+static void link_corner(tf_adaptive_surface *surface, int corner)
 {
-    int *first = (int *)of->first.data + tf_vertex_at(of, corner);
-    ((int *)of->next.data)[corner] = *first;
+    int *first = (int *)surface->first.data + tf_vertex_at(surface, corner);
+    ((int *)surface->next.data)[corner] = *first;
     *first = corner;
 }
 
-static void unlink_corner(tf_adaptive *of, int corner)
+static void unlink_corner(tf_adaptive_surface *surface, int corner)
 {
-    int *link = (int *)of->first.data + tf_vertex_at(of, corner);
+    int *link = (int *)surface->first.data + tf_vertex_at(surface, corner);
     while (*link != corner)
-        link = (int *)of->next.data + *link;
-    *link = tf_next_corner(of, corner);
+        link = (int *)surface->next.data + *link;
+    *link = tf_next_corner(surface, corner);
 }
 
 //: Link all triangles
-void tf_stars_build(tf_adaptive *of, tf_cuboid box[])
+void tf_stars_build(tf_adaptive_surface *surface, tf_aabb box[])
 {
-    int *order = of->found.data;
-    of->free_triangle = TF_NONE;
-    for (int v = 0; v < of->vertices; v++)
-        ((int *)of->first.data)[v] = TF_NONE;
-    for (int t = of->triangles - 1; t >= 0; t--) {
+    int *order = surface->found.data;
+    surface->free_triangle = TF_NONE;
+    for (int v = 0; v < surface->vertices; v++)
+        ((int *)surface->first.data)[v] = TF_NONE;
+    for (int t = surface->triangles - 1; t >= 0; t--) {
         for (int i = 0; i < 3; i++)
-            link_corner(of, 3 * t + i);
-        box[t] = tf_cuboid_of(of, 3, tf_triangle(of, t));
+            link_corner(surface, 3 * t + i);
+        box[t] = tf_aabb_of(surface, 3, tf_triangle(surface, t));
         order[t] = t;
     }
-    tf_hierarchy_build(&of->boxes, box, order, of->triangles);
+    tf_dynamic_tree_build(&surface->boxes, box, order, surface->triangles);
 }
 
 //: Add and remove triangles
-static int take_place(tf_adaptive *of)
+static int take_place(tf_adaptive_surface *surface)
 {
-    int taken = of->free_triangle;
+    int taken = surface->free_triangle;
     if (taken == TF_NONE)
-        return of->triangles++;
-    of->free_triangle = tf_vertex_at(of, 3 * taken + 1);
+        return surface->triangles++;
+    surface->free_triangle = tf_vertex_at(surface, 3 * taken + 1);
     return taken;
 }
 
-int tf_triangle_add(tf_adaptive *of, const int vertex[3])
+int tf_triangle_add(tf_adaptive_surface *surface, const int vertex[3])
 {
-    int added = take_place(of);
+    int added = take_place(surface);
     for (int i = 0; i < 3; i++) {
-        ((int *)of->vertex.data)[3 * added + i] = vertex[i];
-        link_corner(of, 3 * added + i);
+        ((int *)surface->vertex.data)[3 * added + i] = vertex[i];
+        link_corner(surface, 3 * added + i);
     }
-    tf_hierarchy_insert(&of->boxes, added, tf_cuboid_of(of, 3, vertex));
+    tf_dynamic_tree_insert(&surface->boxes, added,
+                           tf_aabb_of(surface, 3, vertex));
     return added;
 }
 
-void tf_triangle_remove(tf_adaptive *of, int triangle)
+void tf_triangle_remove(tf_adaptive_surface *surface, int triangle)
 {
-    int *vertex = (int *)of->vertex.data + 3 * (ptrdiff_t)triangle;
+    int *vertex = (int *)surface->vertex.data + 3 * (ptrdiff_t)triangle;
     for (int i = 0; i < 3; i++)
-        unlink_corner(of, 3 * triangle + i);
-    tf_hierarchy_remove(&of->boxes, triangle);
+        unlink_corner(surface, 3 * triangle + i);
+    tf_dynamic_tree_remove(&surface->boxes, triangle);
     vertex[0] = vertex[2] = TF_NONE;
-    vertex[1] = of->free_triangle;
-    of->free_triangle = triangle;
+    vertex[1] = surface->free_triangle;
+    surface->free_triangle = triangle;
 }

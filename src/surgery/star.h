@@ -5,28 +5,28 @@
 
 /// The corner at `from` of the triangle that has the edge from `from` to `to`,
 /// in this direction; TF_NONE if there is none.
-int tf_find_edge(const tf_adaptive *of, int from, int to);
+int tf_find_edge(const tf_adaptive_surface *surface, int from, int to);
 
 /// Whether the edge from this corner to the next has no other triangle.
-bool tf_is_bare(const tf_adaptive *of, int corner);
+bool tf_is_boundary_edge(const tf_adaptive_surface *surface, int corner);
 
 /// Whether all three edges of a triangle are bare.
-bool tf_is_lone(const tf_adaptive *of, int triangle);
+bool tf_is_isolated(const tf_adaptive_surface *surface, int triangle);
 
 /// How many triangles a vertex has.
-int tf_star_size(const tf_adaptive *of, int vertex);
+int tf_star_size(const tf_adaptive_surface *surface, int vertex);
 
 /// Whether a vertex is on the boundary.
-bool tf_is_rim(const tf_adaptive *of, int vertex);
+bool tf_is_boundary_vertex(const tf_adaptive_surface *surface, int vertex);
 
 /// How many neighbors two vertices have in common.
-int tf_common_neighbors(const tf_adaptive *of, int a, int b);
+int tf_common_neighbors(const tf_adaptive_surface *surface, int a, int b);
 
 //: Declare how triangles come and go
 /// Links all triangles to their vertices and puts them into the hierarchy; `box`
 /// has room for one for each.  There must be no gaps.
-void tf_stars_build(tf_adaptive *of, tf_cuboid box[]);
+void tf_stars_build(tf_adaptive_surface *surface, tf_aabb box[]);
 
 /// Adds a triangle, for which there is room; returns its number.
-int tf_triangle_add(tf_adaptive *of, const int vertex[3]);
-void tf_triangle_remove(tf_adaptive *of, int triangle);
+int tf_triangle_add(tf_adaptive_surface *surface, const int vertex[3]);
+void tf_triangle_remove(tf_adaptive_surface *surface, int triangle);

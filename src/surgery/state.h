@@ -2,7 +2,7 @@
 #pragma once
 
 #include "surgery/adaptive.h"
-#include "surgery/hierarchy.h"
+#include "surgery/dynamic_tree.h"
 #include "surgery/surgery.h"
 
 enum {
@@ -10,14 +10,14 @@ enum {
 };
 
 /// The corner i of the triangle t has the number 3 t + i.
-struct tf_adaptive {
+struct tf_adaptive_surface {
     int vertices, triangles; ///< places that are or were in use
     int free_triangle;       ///< the first of a list, linked by corner 1
     tf_buffer position;      ///< of each vertex, and of those to be placed
     tf_buffer vertex;        ///< of each corner; TF_NONE: there is no triangle
     tf_buffer first;         ///< of each vertex: a corner there, or TF_NONE
     tf_buffer next;          ///< of each corner: another one at its vertex
-    tf_hierarchy boxes;      ///< of the triangles
+    tf_dynamic_tree boxes;   ///< of the triangles
     tf_buffer found;         ///< room for a search
     tf_buffer cuboid;        ///< room for the boxes of all triangles
     tf_surgery surgery;      ///< that is being tried
@@ -27,18 +27,19 @@ struct tf_adaptive {
 
 /// Makes room for so many vertices and triangles, for what a surgery places,
 /// and for `more` triangles more.  False if there is no memory.
-bool tf_adaptive_reserve(tf_adaptive *of, int vertices, int triangles,
-                         int more);
+bool tf_adaptive_reserve(tf_adaptive_surface *surface, int vertices,
+                         int triangles, int more);
 
 //: Look at an adaptive surface
-static inline const double *tf_place(const tf_adaptive *of, int vertex)
+static inline const double *tf_place(const tf_adaptive_surface *surface,
+                                     int vertex)
 {
-    return (const double *)of->position.data + 3 * (ptrdiff_t)vertex;
+    return (const double *)surface->position.data + 3 * (ptrdiff_t)vertex;
 }
 
-static inline int tf_vertex_at(const tf_adaptive *of, int corner)
+static inline int tf_vertex_at(const tf_adaptive_surface *surface, int corner)
 {
-    return ((const int *)of->vertex.data)[corner];
+    return ((const int *)surface->vertex.data)[corner];
 }
 
 static inline int tf_corner_after(int corner)
@@ -51,45 +52,49 @@ static inline int tf_corner_before(int corner)
     return corner % 3 == 0 ? corner + 2 : corner - 1;
 }
 
-static inline bool tf_is_triangle(const tf_adaptive *of, int triangle)
+static inline bool tf_is_triangle(const tf_adaptive_surface *surface,
+                                  int triangle)
 {
-    return tf_vertex_at(of, 3 * triangle) != TF_NONE;
+    return tf_vertex_at(surface, 3 * triangle) != TF_NONE;
 }
 
 //: Go through the star of a vertex
 /// The triangles at a vertex are those of the corners from the first one on
 /// until TF_NONE, in no particular order.
-static inline int tf_first_corner(const tf_adaptive *of, int vertex)
+static inline int tf_first_corner(const tf_adaptive_surface *surface,
+                                  int vertex)
 {
-    return ((const int *)of->first.data)[vertex];
+    return ((const int *)surface->first.data)[vertex];
 }
 
-static inline int tf_next_corner(const tf_adaptive *of, int corner)
+static inline int tf_next_corner(const tf_adaptive_surface *surface, int corner)
 {
-    return ((const int *)of->next.data)[corner];
+    return ((const int *)surface->next.data)[corner];
 }
 
 //: View triangles as facets
-static inline tf_facet tf_facet_of(const tf_adaptive *of, const int vertex[3])
+static inline tf_facet tf_facet_of(const tf_adaptive_surface *surface,
+                                   const int vertex[3])
 {
     tf_facet facet;
     for (int i = 0; i < 3; i++) {
         facet.vertex[i] = vertex[i];
-        facet.corner[i] = tf_place(of, vertex[i]);
+        facet.corner[i] = tf_place(surface, vertex[i]);
     }
     return facet;
 }
 
-static inline const int *tf_triangle(const tf_adaptive *of, int triangle)
+static inline const int *tf_triangle(const tf_adaptive_surface *surface,
+                                     int triangle)
 {
-    return (const int *)of->vertex.data + 3 * (ptrdiff_t)triangle;
+    return (const int *)surface->vertex.data + 3 * (ptrdiff_t)triangle;
 }
 
-static inline tf_cuboid tf_cuboid_of(const tf_adaptive *of, int count,
-                                     const int vertex[])
+static inline tf_aabb tf_aabb_of(const tf_adaptive_surface *surface, int count,
+                                 const int vertex[])
 {
-    tf_cuboid box = tf_cuboid_empty();
+    tf_aabb box = tf_aabb_empty();
     for (int i = 0; i < count; i++)
-        tf_cuboid_add(&box, tf_place(of, vertex[i]));
+        tf_aabb_add(&box, tf_place(surface, vertex[i]));
     return box;
 }

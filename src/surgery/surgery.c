@@ -9,19 +9,20 @@
 static bool reserve_lists(tf_surgery *surgery, size_t most)
 {
     return tf_buffer_extend(&surgery->removed, most, sizeof(int)) &&
-           tf_buffer_extend(&surgery->graft, most, sizeof(tf_graft)) &&
+           tf_buffer_extend(&surgery->graft, most, sizeof(tf_added_triangle)) &&
            tf_buffer_extend(&surgery->sweep, most, sizeof(tf_swept)) &&
            tf_buffer_extend(&surgery->rim, most, 2 * sizeof(int));
 }
 
-bool tf_surgery_begin(tf_adaptive *of, int most)
+bool tf_surgery_begin(tf_adaptive_surface *surface, int most)
 {
-    tf_surgery *surgery = &of->surgery;
+    tf_surgery *surgery = &surface->surgery;
     surgery->removals = surgery->grafts = surgery->sweeps = surgery->rims = 0;
     surgery->placed = surgery->settled = 0;
     surgery->axis[0] = surgery->axis[1] = TF_NONE;
     return reserve_lists(surgery, (size_t)most) &&
-           tf_adaptive_reserve(of, of->vertices, of->triangles, most);
+           tf_adaptive_reserve(surface, surface->vertices, surface->triangles,
+                               most);
 }
 
 void tf_surgery_free(tf_surgery *surgery)
@@ -33,73 +34,74 @@ void tf_surgery_free(tf_surgery *surgery)
 }
 
 //: Place a vertex
-int tf_surgery_place(tf_adaptive *of, const double place[3])
+int tf_surgery_place(tf_adaptive_surface *surface, const double place[3])
 {
-    int vertex = of->vertices + of->surgery.placed++;
-    memcpy((double *)of->position.data + 3 * (ptrdiff_t)vertex, place,
+    int vertex = surface->vertices + surface->surgery.placed++;
+    memcpy((double *)surface->position.data + 3 * (ptrdiff_t)vertex, place,
            3 * sizeof *place);
     return vertex;
 }
 
 //: Exchange triangles
-void tf_surgery_remove(tf_adaptive *of, int triangle)
+void tf_surgery_remove(tf_adaptive_surface *surface, int triangle)
 {
-    tf_surgery *surgery = &of->surgery;
+    tf_surgery *surgery = &surface->surgery;
     ((int *)surgery->removed.data)[surgery->removals++] = triangle;
 }
 
-void tf_surgery_add(tf_adaptive *of, int a, int b, int c)
+void tf_surgery_add(tf_adaptive_surface *surface, int a, int b, int c)
 {
-    tf_surgery *surgery = &of->surgery;
+    tf_surgery *surgery = &surface->surgery;
     const int vertex[] = {a, b, c};
-    ((tf_graft *)surgery->graft.data)[surgery->grafts++] =
-        (tf_graft){tf_facet_of(of, vertex), tf_cuboid_of(of, 3, vertex)};
+    ((tf_added_triangle *)surgery->graft.data)[surgery->grafts++] =
+        (tf_added_triangle){tf_facet_of(surface, vertex),
+                            tf_aabb_of(surface, 3, vertex)};
 }
 
 //: Sweep
-void tf_surgery_sweep(tf_adaptive *of, int a, int b, int c, int d)
+void tf_surgery_sweep(tf_adaptive_surface *surface, int a, int b, int c, int d)
 {
-    tf_surgery *surgery = &of->surgery;
+    tf_surgery *surgery = &surface->surgery;
     const int vertex[] = {a, b, c, d};
     const double *corner[4];
     for (int i = 0; i < 4; i++)
-        corner[i] = tf_place(of, vertex[i]);
+        corner[i] = tf_place(surface, vertex[i]);
     ((tf_swept *)surgery->sweep.data)[surgery->sweeps++] = (tf_swept){
-        tf_tetrahedron_of(vertex, corner), tf_cuboid_of(of, 4, vertex)};
+        tf_tetrahedron_of(vertex, corner), tf_aabb_of(surface, 4, vertex)};
 }
 
-void tf_surgery_move(tf_adaptive *of, int from, int to)
+void tf_surgery_move(tf_adaptive_surface *surface, int from, int to)
 {
-    of->surgery.axis[0] = from;
-    of->surgery.axis[1] = to;
+    surface->surgery.axis[0] = from;
+    surface->surgery.axis[1] = to;
 }
 
 //: Keep the boundary
-void tf_surgery_keep(tf_adaptive *of, int corner)
+void tf_surgery_keep(tf_adaptive_surface *surface, int corner)
 {
-    tf_surgery *surgery = &of->surgery;
-    if (!tf_is_bare(of, corner))
+    tf_surgery *surgery = &surface->surgery;
+    if (!tf_is_boundary_edge(surface, corner))
         return;
     int *rim = (int *)surgery->rim.data + 2 * (ptrdiff_t)surgery->rims++;
-    rim[0] = tf_vertex_at(of, corner);
-    rim[1] = tf_vertex_at(of, tf_corner_after(corner));
+    rim[0] = tf_vertex_at(surface, corner);
+    rim[1] = tf_vertex_at(surface, tf_corner_after(corner));
 }
 
 //: Do a surgery
-void tf_surgery_commit(tf_adaptive *of)
+void tf_surgery_commit(tf_adaptive_surface *surface)
 {
-    const tf_surgery *surgery = &of->surgery;
+    const tf_surgery *surgery = &surface->surgery;
     const int *removed = surgery->removed.data;
-    const tf_graft *graft = surgery->graft.data;
+    const tf_added_triangle *graft = surgery->graft.data;
     for (int i = 0; i < surgery->removals; i++)
-        tf_triangle_remove(of, removed[i]);
+        tf_triangle_remove(surface, removed[i]);
     for (int i = 0; i < surgery->grafts; i++)
-        tf_triangle_add(of, graft[i].facet.vertex);
+        tf_triangle_add(surface, graft[i].facet.vertex);
 }
 
 //: Accept what was placed
-void tf_surgery_accept(tf_adaptive *of)
+void tf_surgery_accept(tf_adaptive_surface *surface)
 {
-    for (int i = 0; i < of->surgery.placed; i++)
-        ((int *)of->first.data)[of->vertices++] = TF_NONE;
+    for (int i = 0; i < surface->surgery.placed; i++)
+        ((int *)surface->first.data)[surface->vertices++] = TF_NONE;
 }

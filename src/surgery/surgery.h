@@ -2,21 +2,21 @@
 #pragma once
 
 #include "surface/buffer.h"
+#include "surgery/aabb.h"
 #include "surgery/adaptive.h"
-#include "surgery/cuboid.h"
 #include "surgery/outcome.h"
 #include "surgery/tetrahedron.h"
 
 /// A triangle to be added.
-typedef struct tf_graft {
+typedef struct tf_added_triangle {
     tf_facet facet;
-    tf_cuboid box;
-} tf_graft;
+    tf_aabb box;
+} tf_added_triangle;
 
 /// A tetrahedron to be swept over.
 typedef struct tf_swept {
     tf_tetrahedron body;
-    tf_cuboid box;
+    tf_aabb box;
 } tf_swept;
 
 enum {
@@ -30,7 +30,7 @@ typedef struct tf_surgery {
     int placed;        ///< vertices, with the numbers after the last
     int settled;       ///< the first grafts, which earlier stages have added
     tf_buffer removed; ///< numbers of triangles
-    tf_buffer graft;   ///< tf_graft each
+    tf_buffer graft;   ///< tf_added_triangle each
     tf_buffer sweep;   ///< tf_swept each
     tf_buffer rim;     ///< edges of the surface's boundary that both patches
                        ///< have: two vertices each
@@ -40,36 +40,36 @@ typedef struct tf_surgery {
 //: Declare how a surgery is described
 /// Begins to describe a surgery, none of whose lists gets longer than `most`,
 /// and makes room for it.  False if there is no memory.
-bool tf_surgery_begin(tf_adaptive *of, int most);
+bool tf_surgery_begin(tf_adaptive_surface *surface, int most);
 
 /// Places a vertex that the surface gets if the surgery is done; returns its
 /// number.
-int tf_surgery_place(tf_adaptive *of, const double place[3]);
+int tf_surgery_place(tf_adaptive_surface *surface, const double place[3]);
 
 /// Removes a triangle.
-void tf_surgery_remove(tf_adaptive *of, int triangle);
+void tf_surgery_remove(tf_adaptive_surface *surface, int triangle);
 
 /// Adds a triangle.
-void tf_surgery_add(tf_adaptive *of, int a, int b, int c);
+void tf_surgery_add(tf_adaptive_surface *surface, int a, int b, int c);
 
 /// Sweeps over a tetrahedron.
-void tf_surgery_sweep(tf_adaptive *of, int a, int b, int c, int d);
+void tf_surgery_sweep(tf_adaptive_surface *surface, int a, int b, int c, int d);
 
 /// Keeps the edge from this corner to the next.
-void tf_surgery_keep(tf_adaptive *of, int corner);
+void tf_surgery_keep(tf_adaptive_surface *surface, int corner);
 
 /// Moves a vertex to the place of another one.
-void tf_surgery_move(tf_adaptive *of, int from, int to);
+void tf_surgery_move(tf_adaptive_surface *surface, int from, int to);
 
 void tf_surgery_free(tf_surgery *surgery);
 
 //: Declare how a surgery is tried and done
 /// Tries the surgery: what the first test to refuse it says, or TF_COMMITTED if
 /// none does.  Changes nothing.
-tf_outcome tf_surgery_try(tf_adaptive *of);
+tf_outcome tf_surgery_try(tf_adaptive_surface *surface);
 
 /// Keeps the vertices that were placed.
-void tf_surgery_accept(tf_adaptive *of);
+void tf_surgery_accept(tf_adaptive_surface *surface);
 
 /// Replaces the one patch by the other.
-void tf_surgery_commit(tf_adaptive *of);
+void tf_surgery_commit(tf_adaptive_surface *surface);

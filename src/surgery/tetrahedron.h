@@ -15,20 +15,21 @@ tf_tetrahedron tf_tetrahedron_of(const int vertex[4],
                                  const double *const corner[4]);
 
 /// Which corner a vertex is; -1: none.
-int tf_tetrahedron_corner(const tf_tetrahedron *of, int vertex);
+int tf_tetrahedron_corner(const tf_tetrahedron *tetrahedron, int vertex);
 
 //: Declare what is outside of a tetrahedron
 /// Whether the plane of a face separates a triangle or an edge (`count` is 3 or
 /// 2) from the tetrahedron, so that they have only common vertices in common.
-bool tf_tetrahedron_is_apart(const tf_tetrahedron *of, int count,
+bool tf_tetrahedron_is_apart(const tf_tetrahedron *tetrahedron, int count,
                              const tf_facet *element);
 
 /// A bit for each face, 1 << i for the one opposite to corner i: whether a point
 /// is strictly on the other side of it.  None if the tetrahedron is flat.
-unsigned tf_tetrahedron_outside(const tf_tetrahedron *of, const double *p);
+unsigned tf_tetrahedron_outside(const tf_tetrahedron *tetrahedron,
+                                const double *p);
 
 /// Whether a point, which is outside of these faces, is in the tetrahedron.
-bool tf_tetrahedron_holds(const tf_tetrahedron *of, const double *p,
+bool tf_tetrahedron_holds(const tf_tetrahedron *tetrahedron, const double *p,
                           unsigned outside);
 
 //: Declare how an edge enters a tetrahedron
@@ -42,4 +43,5 @@ typedef struct tf_thread {
 /// Whether an edge, whose ends are outside unless they are corners, meets the
 /// tetrahedron in more than their common vertices.  An edge whose ends are both
 /// corners does not.
-bool tf_tetrahedron_meets(const tf_tetrahedron *of, const tf_thread *edge);
+bool tf_tetrahedron_meets(const tf_tetrahedron *tetrahedron,
+                          const tf_thread *edge);

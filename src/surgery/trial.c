@@ -5,29 +5,31 @@
 
 //: Hold a trial
 typedef struct trial {
-    tf_adaptive *of;
+    tf_adaptive_surface *surface;
     int removals, grafts, sweeps;
     const int *removed;
-    const tf_graft *graft; ///< those of this stage, after the settled ones
+    const tf_added_triangle
+        *graft; ///< those of this stage, after the settled ones
     const tf_swept *sweep;
 } trial;
 
-static trial trial_of(tf_adaptive *of)
+static trial trial_of(tf_adaptive_surface *surface)
 {
-    const tf_surgery *s = &of->surgery;
-    return (trial){.of = of,
+    const tf_surgery *s = &surface->surgery;
+    return (trial){.surface = surface,
                    .removals = s->removals,
                    .grafts = s->grafts - s->settled,
                    .sweeps = s->sweeps,
                    .removed = s->removed.data,
-                   .graft = (const tf_graft *)s->graft.data + s->settled,
+                   .graft =
+                       (const tf_added_triangle *)s->graft.data + s->settled,
                    .sweep = s->sweep.data};
 }
 
 /// Whether a test takes part.
 static bool tests(const trial *t, tf_outcome refusal)
 {
-    return (t->of->left_out >> refusal & 1) == 0;
+    return (t->surface->left_out >> refusal & 1) == 0;
 }
 
 //: Test D: no new triangle is collinear
@@ -55,12 +57,12 @@ static bool grafts_overlap(const trial *t)
     return false;
 }
 
-static bool overlaps_a_graft(const trial *t, const tf_graft *kept)
+static bool overlaps_a_graft(const trial *t, const tf_added_triangle *kept)
 {
     if (!tests(t, TF_OVERLAPPED))
         return false;
     for (int i = 0; i < t->grafts; i++)
-        if (tf_cuboids_overlap(&t->graft[i].box, &kept->box) &&
+        if (tf_aabbs_overlap(&t->graft[i].box, &kept->box) &&
             tf_facets_overlap(&t->graft[i].facet, &kept->facet))
             return true;
     return false;
@@ -98,11 +100,12 @@ static tf_outcome try_sweep(const trial *t, const tf_tetrahedron *body,
     return TF_COMMITTED;
 }
 
-static tf_outcome try_sweeps(const trial *t, int count, const tf_graft *kept)
+static tf_outcome try_sweeps(const trial *t, int count,
+                             const tf_added_triangle *kept)
 {
     for (int i = 0; i < t->sweeps; i++) {
         const tf_tetrahedron *body = &t->sweep[i].body;
-        if (!tf_cuboids_overlap(&t->sweep[i].box, &kept->box) ||
+        if (!tf_aabbs_overlap(&t->sweep[i].box, &kept->box) ||
             tf_tetrahedron_is_apart(body, count, &kept->facet))
             continue;
         tf_outcome outcome = try_sweep(t, body, count, &kept->facet);
@@ -113,15 +116,15 @@ static tf_outcome try_sweeps(const trial *t, int count, const tf_graft *kept)
 }
 
 //: Test X: the vertex that moves passes through no triangle
-static bool axis_touches(const trial *t, const tf_graft *kept)
+static bool axis_touches(const trial *t, const tf_added_triangle *kept)
 {
-    const int *axis = t->of->surgery.axis;
+    const int *axis = t->surface->surgery.axis;
     if (axis[0] == TF_NONE || !tests(t, TF_PASSED_TRIANGLE))
         return false;
-    tf_cuboid box = tf_cuboid_of(t->of, 2, axis);
-    return tf_cuboids_overlap(&box, &kept->box) &&
-           tf_edge_touches_triangle(tf_place(t->of, axis[0]),
-                                    tf_place(t->of, axis[1]),
+    tf_aabb box = tf_aabb_of(t->surface, 2, axis);
+    return tf_aabbs_overlap(&box, &kept->box) &&
+           tf_edge_touches_triangle(tf_place(t->surface, axis[0]),
+                                    tf_place(t->surface, axis[1]),
                                     kept->facet.corner);
 }
 
@@ -134,7 +137,7 @@ static bool is_removed(const trial *t, int triangle)
     return false;
 }
 
-static tf_outcome try_kept(const trial *t, const tf_graft *kept)
+static tf_outcome try_kept(const trial *t, const tf_added_triangle *kept)
 {
     if (overlaps_a_graft(t, kept))
         return TF_OVERLAPPED;
@@ -147,17 +150,17 @@ static tf_outcome try_triangle(const trial *t, int triangle)
 {
     if (is_removed(t, triangle))
         return TF_COMMITTED;
-    const int *vertex = tf_triangle(t->of, triangle);
-    tf_graft kept = {tf_facet_of(t->of, vertex),
-                     tf_cuboid_of(t->of, 3, vertex)};
+    const int *vertex = tf_triangle(t->surface, triangle);
+    tf_added_triangle kept = {tf_facet_of(t->surface, vertex),
+                              tf_aabb_of(t->surface, 3, vertex)};
     return try_kept(t, &kept);
 }
 
 /// The triangles that earlier stages of the surgery have added are kept.
 static tf_outcome try_settled(const trial *t)
 {
-    const tf_surgery *s = &t->of->surgery;
-    const tf_graft *settled = s->graft.data;
+    const tf_surgery *s = &t->surface->surgery;
+    const tf_added_triangle *settled = s->graft.data;
     tf_outcome outcome = TF_COMMITTED;
     for (int i = 0; i < s->settled && outcome == TF_COMMITTED; i++)
         outcome = try_kept(t, &settled[i]);
@@ -165,21 +168,21 @@ static tf_outcome try_settled(const trial *t)
 }
 
 //: Try all triangles nearby
-static tf_cuboid whole_of(const trial *t)
+static tf_aabb whole_of(const trial *t)
 {
-    tf_cuboid whole = tf_cuboid_empty();
+    tf_aabb whole = tf_aabb_empty();
     for (int i = 0; i < t->grafts; i++)
-        whole = tf_cuboid_union(whole, &t->graft[i].box);
+        whole = tf_aabb_union(whole, &t->graft[i].box);
     for (int i = 0; i < t->sweeps; i++)
-        whole = tf_cuboid_union(whole, &t->sweep[i].box);
+        whole = tf_aabb_union(whole, &t->sweep[i].box);
     return whole;
 }
 
 static tf_outcome try_triangles(const trial *t)
 {
-    tf_cuboid whole = whole_of(t);
-    int *found = t->of->found.data;
-    int count = tf_hierarchy_find(&t->of->boxes, &whole, found);
+    tf_aabb whole = whole_of(t);
+    int *found = t->surface->found.data;
+    int count = tf_dynamic_tree_find(&t->surface->boxes, &whole, found);
     tf_outcome outcome = TF_COMMITTED;
     for (int i = 0; i < count && outcome == TF_COMMITTED; i++)
         outcome = try_triangle(t, found[i]);
@@ -191,27 +194,28 @@ static tf_outcome try_triangles(const trial *t)
 /// that is kept.
 static tf_outcome try_rim(const trial *t, const int rim[2])
 {
-    tf_graft kept = {.box = tf_cuboid_of(t->of, 2, rim)};
+    tf_added_triangle kept = {.box = tf_aabb_of(t->surface, 2, rim)};
     for (int i = 0; i < 2; i++) {
         kept.facet.vertex[i] = rim[i];
-        kept.facet.corner[i] = tf_place(t->of, rim[i]);
+        kept.facet.corner[i] = tf_place(t->surface, rim[i]);
     }
     return try_sweeps(t, 2, &kept);
 }
 
 static tf_outcome try_rims(const trial *t)
 {
-    const int *rim = t->of->surgery.rim.data;
+    const int *rim = t->surface->surgery.rim.data;
     tf_outcome outcome = TF_COMMITTED;
-    for (int i = 0; i < t->of->surgery.rims && outcome == TF_COMMITTED; i++)
+    for (int i = 0; i < t->surface->surgery.rims && outcome == TF_COMMITTED;
+         i++)
         outcome = try_rim(t, rim + 2 * (size_t)i);
     return outcome;
 }
 
 //: Try a surgery
-tf_outcome tf_surgery_try(tf_adaptive *of)
+tf_outcome tf_surgery_try(tf_adaptive_surface *surface)
 {
-    trial t = trial_of(of);
+    trial t = trial_of(surface);
     if (some_graft_is_flat(&t))
         return TF_FLATTENED;
     if (grafts_overlap(&t))

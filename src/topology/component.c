@@ -3,9 +3,9 @@
 
 #include <string.h>
 
-bool tf_parts_begin(tf_parts *parts, const tf_adaptive *of)
+bool tf_parts_begin(tf_parts *parts, const tf_adaptive_surface *surface)
 {
-    size_t count = (size_t)of->triangles;
+    size_t count = (size_t)surface->triangles;
     parts->count = 0;
     if (!tf_buffer_extend(&parts->listed, count, sizeof(bool)) ||
         !tf_buffer_extend(&parts->list, count, sizeof(int)))
@@ -31,21 +31,23 @@ static void list_triangle(tf_parts *parts, int triangle)
     ((int *)parts->list.data)[parts->count++] = triangle;
 }
 
-static void list_star(tf_parts *parts, const tf_adaptive *of, int vertex)
+static void list_star(tf_parts *parts, const tf_adaptive_surface *surface,
+                      int vertex)
 {
-    int c = tf_first_corner(of, vertex);
-    for (; c != TF_NONE; c = tf_next_corner(of, c))
+    int c = tf_first_corner(surface, vertex);
+    for (; c != TF_NONE; c = tf_next_corner(surface, c))
         list_triangle(parts, c / 3);
 }
 
-int tf_parts_add(tf_parts *parts, const tf_adaptive *of, int triangle)
+int tf_parts_add(tf_parts *parts, const tf_adaptive_surface *surface,
+                 int triangle)
 {
     int first = parts->count;
     list_triangle(parts, triangle);
     for (int i = first; i < parts->count; i++) {
-        const int *vertex = tf_triangle(of, tf_parts_list(parts)[i]);
+        const int *vertex = tf_triangle(surface, tf_parts_list(parts)[i]);
         for (int k = 0; k < 3; k++)
-            list_star(parts, of, vertex[k]);
+            list_star(parts, surface, vertex[k]);
     }
     return parts->count - first;
 }

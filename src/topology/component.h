@@ -12,12 +12,13 @@ typedef struct tf_parts {
 
 /// Begins with an empty list.  False if there is no memory; free it in any
 /// case.
-bool tf_parts_begin(tf_parts *parts, const tf_adaptive *of);
+bool tf_parts_begin(tf_parts *parts, const tf_adaptive_surface *surface);
 void tf_parts_free(tf_parts *parts);
 
 /// Adds all triangles that are connected with one, and that one, to the list,
 /// if they are not in it; returns how many.
-int tf_parts_add(tf_parts *parts, const tf_adaptive *of, int triangle);
+int tf_parts_add(tf_parts *parts, const tf_adaptive_surface *surface,
+                 int triangle);
 
 static inline const int *tf_parts_list(const tf_parts *parts)
 {

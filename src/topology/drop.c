@@ -7,36 +7,37 @@
 #include "topology/winding.h"
 
 /// Whether a part of the surface, the first in the list, has no boundary.
-static bool is_closed(const tf_adaptive *of, const tf_parts *parts, int count)
+static bool is_closed(const tf_adaptive_surface *surface, const tf_parts *parts,
+                      int count)
 {
     const int *list = tf_parts_list(parts);
     for (int i = 0; i < 3 * count; i++)
-        if (tf_is_bare(of, 3 * list[i / 3] + i % 3))
+        if (tf_is_boundary_edge(surface, 3 * list[i / 3] + i % 3))
             return false;
     return true;
 }
 
-static tf_cuboid box_of_part(const tf_adaptive *of, const tf_parts *parts,
-                             int count)
+static tf_aabb box_of_part(const tf_adaptive_surface *surface,
+                           const tf_parts *parts, int count)
 {
-    tf_cuboid box = tf_cuboid_empty();
+    tf_aabb box = tf_aabb_empty();
     for (int i = 0; i < count; i++) {
-        tf_cuboid own =
-            tf_cuboid_of(of, 3, tf_triangle(of, tf_parts_list(parts)[i]));
-        box = tf_cuboid_union(box, &own);
+        tf_aabb own = tf_aabb_of(surface, 3,
+                                 tf_triangle(surface, tf_parts_list(parts)[i]));
+        box = tf_aabb_union(box, &own);
     }
     return box;
 }
 
 /// How often the first part in the list goes around a vertex.
-static int winding_of_part(const tf_adaptive *of, const tf_parts *parts,
-                           int count, int vertex)
+static int winding_of_part(const tf_adaptive_surface *surface,
+                           const tf_parts *parts, int count, int vertex)
 {
     int sum = 0;
     for (int i = 0; i < count; i++) {
         tf_facet side =
-            tf_facet_of(of, tf_triangle(of, tf_parts_list(parts)[i]));
-        sum += tf_winding_part(side.corner, tf_place(of, vertex));
+            tf_facet_of(surface, tf_triangle(surface, tf_parts_list(parts)[i]));
+        sum += tf_winding_part(side.corner, tf_place(surface, vertex));
     }
     return sum;
 }
@@ -44,35 +45,38 @@ static int winding_of_part(const tf_adaptive *of, const tf_parts *parts,
 //: Find out whether a part is hollow
 /// Whether no other part is inside of the first in the list.  As none crosses
 /// another, one vertex of each decides.
-static bool holds_nothing(tf_adaptive *of, tf_parts *parts, int count)
+static bool holds_nothing(tf_adaptive_surface *surface, tf_parts *parts,
+                          int count)
 {
-    tf_cuboid box = box_of_part(of, parts, count);
-    int *found = of->found.data;
-    int near = tf_hierarchy_find(&of->boxes, &box, found);
+    tf_aabb box = box_of_part(surface, parts, count);
+    int *found = surface->found.data;
+    int near = tf_dynamic_tree_find(&surface->boxes, &box, found);
     for (int i = 0; i < near; i++) {
         if (tf_is_listed(parts, found[i]))
             continue;
-        if (winding_of_part(of, parts, count, *tf_triangle(of, found[i])))
+        if (winding_of_part(surface, parts, count,
+                            *tf_triangle(surface, found[i])))
             return false;
-        tf_parts_add(parts, of, found[i]);
+        tf_parts_add(parts, surface, found[i]);
     }
     return true;
 }
 
 //: Drop a part as far as it is possible
-static tf_outcome try_drop(tf_adaptive *of, tf_parts *parts, int count)
+static tf_outcome try_drop(tf_adaptive_surface *surface, tf_parts *parts,
+                           int count)
 {
-    if (!is_closed(of, parts, count))
+    if (!is_closed(surface, parts, count))
         return TF_IMPOSSIBLE;
-    if (!holds_nothing(of, parts, count))
+    if (!holds_nothing(surface, parts, count))
         return TF_PASSED_VERTEX;
     for (int i = 0; i < count; i++)
-        tf_triangle_remove(of, tf_parts_list(parts)[i]);
+        tf_triangle_remove(surface, tf_parts_list(parts)[i]);
     return TF_COMMITTED;
 }
 
 //: Drop a part
-tf_status tf_adaptive_drop(tf_adaptive *surface, int vertex,
+tf_status tf_adaptive_drop(tf_adaptive_surface *surface, int vertex,
                            tf_outcome *outcome)
 {
     tf_status status = tf_request_check(surface, vertex, vertex, NULL, outcome);

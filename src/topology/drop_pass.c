@@ -4,41 +4,46 @@
 #include "topology/component.h"
 #include "topology/topology.h"
 
-static double volume_of_part(const tf_adaptive *of, int count,
+static double volume_of_part(const tf_adaptive_surface *surface, int count,
                              const int triangle[])
 {
-    tf_vector point = tf_position_of(of, *tf_triangle(of, triangle[0]));
+    tf_vector point =
+        tf_position_of(surface, *tf_triangle(surface, triangle[0]));
     double sum = 0;
     for (int i = 0; i < count; i++)
-        sum += tf_volume_below(of, triangle[i], point);
+        sum += tf_volume_below(surface, triangle[i], point);
     return sum;
 }
 
 //: Drop a part if it is small
-static tf_status drop_part(tf_reconnector *of, int count, const int triangle[])
+static tf_status drop_part(tf_reconnector *reconnector, int count,
+                           const int triangle[])
 {
-    double volume = volume_of_part(of->of, count, triangle);
-    if (!(fabs(volume) < of->options.drop))
+    double volume = volume_of_part(reconnector->surface, count, triangle);
+    if (!(fabs(volume) < reconnector->options.drop))
         return TF_OK;
     tf_outcome outcome;
-    tf_status status =
-        tf_adaptive_drop(of->of, *tf_triangle(of->of, *triangle), &outcome);
+    tf_status status = tf_adaptive_drop(
+        reconnector->surface, *tf_triangle(reconnector->surface, *triangle),
+        &outcome);
     if (status == TF_OK)
-        tf_reconnector_count(of, TF_DROP, outcome, -volume);
+        tf_reconnector_count(reconnector, TF_DROP, outcome, -volume);
     return status;
 }
 
 //: Drop all small parts
-tf_status tf_drop_pass(tf_reconnector *of)
+tf_status tf_drop_pass(tf_reconnector *reconnector)
 {
     tf_parts parts = {0};
-    bool room = tf_parts_begin(&parts, of->of);
+    bool room = tf_parts_begin(&parts, reconnector->surface);
     tf_status status = room ? TF_OK : TF_OUT_OF_MEMORY;
-    for (int t = 0; t < of->of->triangles && status == TF_OK; t++) {
-        if (!tf_is_triangle(of->of, t) || tf_is_listed(&parts, t))
+    for (int t = 0; t < reconnector->surface->triangles && status == TF_OK;
+         t++) {
+        if (!tf_is_triangle(reconnector->surface, t) || tf_is_listed(&parts, t))
             continue;
-        int before = parts.count, count = tf_parts_add(&parts, of->of, t);
-        status = drop_part(of, count, tf_parts_list(&parts) + before);
+        int before = parts.count,
+            count = tf_parts_add(&parts, reconnector->surface, t);
+        status = drop_part(reconnector, count, tf_parts_list(&parts) + before);
     }
     tf_parts_free(&parts);
     return status;

@@ -8,42 +8,45 @@
 
 /// The unit normal of an edge, or zero if there is none, or the edge is another
 /// corner's.
-static tf_vector normal_of_edge(const tf_adaptive *of, int corner)
+static tf_vector normal_of_edge(const tf_adaptive_surface *surface, int corner)
 {
-    int from = tf_vertex_at(of, corner);
-    int to = tf_vertex_at(of, tf_corner_after(corner));
-    int back = from < to ? tf_find_edge(of, to, from) : TF_NONE;
+    int from = tf_vertex_at(surface, corner);
+    int to = tf_vertex_at(surface, tf_corner_after(corner));
+    int back = from < to ? tf_find_edge(surface, to, from) : TF_NONE;
     if (back == TF_NONE)
         return (tf_vector){{0}};
-    tf_shape left = tf_shape_of(of, corner / 3);
-    tf_shape right = tf_shape_of(of, back / 3);
+    tf_shape left = tf_shape_of(surface, corner / 3);
+    tf_shape right = tf_shape_of(surface, back / 3);
     tf_vector sum =
         tf_vector_sum(tf_shape_normal(&left), 1, tf_shape_normal(&right));
     double length = tf_vector_length(sum);
     return tf_vector_scaled(length > 0 ? 1 / length : 0, sum);
 }
 
-static bool find_normals(tf_reconnector *of)
+static bool find_normals(tf_reconnector *reconnector)
 {
-    int corners = 3 * of->of->triangles;
-    if (!tf_buffer_extend(&of->normal, (size_t)corners, sizeof(tf_vector)))
+    int corners = 3 * reconnector->surface->triangles;
+    if (!tf_buffer_extend(&reconnector->normal, (size_t)corners,
+                          sizeof(tf_vector)))
         return false;
-    tf_vector *normal = of->normal.data;
+    tf_vector *normal = reconnector->normal.data;
     for (int c = 0; c < corners; c++)
-        normal[c] = tf_is_triangle(of->of, c / 3) ? normal_of_edge(of->of, c)
-                                                  : (tf_vector){{0}};
+        normal[c] = tf_is_triangle(reconnector->surface, c / 3)
+                        ? normal_of_edge(reconnector->surface, c)
+                        : (tf_vector){{0}};
     return true;
 }
 
 //: Find out whether two edges face each other
 /// The two edges of these corners, if no vertex is common.
-static bool ends_of(const tf_adaptive *of, int corner, int other,
-                    tf_facing *pair)
+static bool ends_of(const tf_adaptive_surface *surface, int corner, int other,
+                    tf_facing_edges *pair)
 {
-    *pair = (tf_facing){.first = {tf_vertex_at(of, corner),
-                                  tf_vertex_at(of, tf_corner_after(corner))},
-                        .second = {tf_vertex_at(of, other),
-                                   tf_vertex_at(of, tf_corner_after(other))}};
+    *pair = (tf_facing_edges){
+        .first = {tf_vertex_at(surface, corner),
+                  tf_vertex_at(surface, tf_corner_after(corner))},
+        .second = {tf_vertex_at(surface, other),
+                   tf_vertex_at(surface, tf_corner_after(other))}};
     return pair->first[0] != pair->second[0] &&
            pair->first[0] != pair->second[1] &&
            pair->first[1] != pair->second[0] &&
@@ -51,12 +54,13 @@ static bool ends_of(const tf_adaptive *of, int corner, int other,
 }
 
 /// From the nearest point of the first edge to that of the second.
-static tf_vector gap_of(const tf_adaptive *of, tf_facing *pair)
+static tf_vector gap_of(const tf_adaptive_surface *surface,
+                        tf_facing_edges *pair)
 {
     const int *ends[] = {pair->first, pair->second};
     tf_vector x[4], gap = {{0}};
     for (int i = 0; i < 4; i++)
-        x[i] = tf_position_of(of, ends[i / 2][i % 2]);
+        x[i] = tf_position_of(surface, ends[i / 2][i % 2]);
     tf_nearest nearest = tf_nearest_points(2, 2, x);
     for (int i = 0; i < 4; i++)
         gap = tf_vector_sum(gap, (i < 2 ? -1 : 1) * nearest.weight[i], x[i]);
@@ -64,46 +68,49 @@ static tf_vector gap_of(const tf_adaptive *of, tf_facing *pair)
     return gap;
 }
 
-static bool face_each_other(const tf_reconnector *of, int corner, int other,
-                            double distance, tf_facing *pair)
+static bool face_each_other(const tf_reconnector *reconnector, int corner,
+                            int other, double distance, tf_facing_edges *pair)
 {
-    const tf_vector *normal = of->normal.data;
+    const tf_vector *normal = reconnector->normal.data;
     if (tf_vector_dot(normal[corner], normal[other]) >= -0.5 ||
-        !ends_of(of->of, corner, other, pair))
+        !ends_of(reconnector->surface, corner, other, pair))
         return false;
-    tf_vector gap = gap_of(of->of, pair);
+    tf_vector gap = gap_of(reconnector->surface, pair);
     return pair->distance < distance &&
            tf_vector_dot(gap, normal[corner]) > 0 &&
            tf_vector_dot(gap, normal[other]) < 0;
 }
 
 //: List what faces an edge
-static bool add_facing(tf_reconnector *of, const tf_facing *pair)
+static bool add_facing(tf_reconnector *reconnector, const tf_facing_edges *pair)
 {
-    if (!tf_buffer_extend(&of->row, (size_t)of->rows + 1, sizeof *pair))
+    if (!tf_buffer_extend(&reconnector->row, (size_t)reconnector->rows + 1,
+                          sizeof *pair))
         return false;
-    ((tf_facing *)of->row.data)[of->rows++] = *pair;
+    ((tf_facing_edges *)reconnector->row.data)[reconnector->rows++] = *pair;
     return true;
 }
 
 /// Each pair is listed for the edge of the lower corner.
-static bool list_facing(tf_reconnector *of, int corner, double distance)
+static bool list_facing(tf_reconnector *reconnector, int corner,
+                        double distance)
 {
-    const int ends[] = {tf_vertex_at(of->of, corner),
-                        tf_vertex_at(of->of, tf_corner_after(corner))};
-    tf_cuboid box = tf_cuboid_of(of->of, 2, ends);
+    const int ends[] = {
+        tf_vertex_at(reconnector->surface, corner),
+        tf_vertex_at(reconnector->surface, tf_corner_after(corner))};
+    tf_aabb box = tf_aabb_of(reconnector->surface, 2, ends);
     for (int k = 0; k < 3; k++) {
         box.low[k] -= distance;
         box.high[k] += distance;
     }
-    int *found = of->of->found.data;
-    int count = tf_hierarchy_find(&of->of->boxes, &box, found);
-    tf_facing pair;
+    int *found = reconnector->surface->found.data;
+    int count = tf_dynamic_tree_find(&reconnector->surface->boxes, &box, found);
+    tf_facing_edges pair;
     for (int i = 0; i < 3 * count; i++) {
         int other = 3 * found[i / 3] + i % 3;
         if (other > corner &&
-            face_each_other(of, corner, other, distance, &pair) &&
-            !add_facing(of, &pair))
+            face_each_other(reconnector, corner, other, distance, &pair) &&
+            !add_facing(reconnector, &pair))
             return false;
     }
     return true;
@@ -112,7 +119,7 @@ static bool list_facing(tf_reconnector *of, int corner, double distance)
 //: List all edges that face each other
 static int compare_facing(const void *first, const void *second)
 {
-    const tf_facing *a = first, *b = second;
+    const tf_facing_edges *a = first, *b = second;
     if (a->distance != b->distance)
         return a->distance < b->distance ? -1 : 1;
     for (int i = 0; i < 4; i++) {
@@ -124,18 +131,18 @@ static int compare_facing(const void *first, const void *second)
     return 0;
 }
 
-bool tf_list_facing(tf_reconnector *of, double distance)
+bool tf_list_facing(tf_reconnector *reconnector, double distance)
 {
-    of->rows = 0;
-    if (!find_normals(of))
+    reconnector->rows = 0;
+    if (!find_normals(reconnector))
         return false;
-    const tf_vector *normal = of->normal.data;
-    for (int c = 0; c < 3 * of->of->triangles; c++)
+    const tf_vector *normal = reconnector->normal.data;
+    for (int c = 0; c < 3 * reconnector->surface->triangles; c++)
         if (tf_vector_dot(normal[c], normal[c]) > 0 &&
-            !list_facing(of, c, distance))
+            !list_facing(reconnector, c, distance))
             return false;
-    if (of->rows > 0)
-        qsort(of->row.data, (size_t)of->rows, sizeof(tf_facing),
-              compare_facing);
+    if (reconnector->rows > 0)
+        qsort(reconnector->row.data, (size_t)reconnector->rows,
+              sizeof(tf_facing_edges), compare_facing);
     return true;
 }

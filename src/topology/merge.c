@@ -18,44 +18,45 @@ typedef struct tf_quad {
 } tf_quad;
 
 /// False if the edge does not have two triangles.
-static bool find_quad(const tf_adaptive *of, const int edge[2], tf_quad *quad)
+static bool find_quad(const tf_adaptive_surface *surface, const int edge[2],
+                      tf_quad *quad)
 {
-    int forth = tf_find_edge(of, edge[0], edge[1]);
-    int back = tf_find_edge(of, edge[1], edge[0]);
+    int forth = tf_find_edge(surface, edge[0], edge[1]);
+    int back = tf_find_edge(surface, edge[1], edge[0]);
     if (forth == TF_NONE || back == TF_NONE)
         return false;
     quad->triangle[0] = forth / 3;
     quad->triangle[1] = back / 3;
     quad->corner[0] = edge[0];
-    quad->corner[1] = tf_vertex_at(of, tf_corner_before(back));
+    quad->corner[1] = tf_vertex_at(surface, tf_corner_before(back));
     quad->corner[2] = edge[1];
-    quad->corner[3] = tf_vertex_at(of, tf_corner_before(forth));
+    quad->corner[3] = tf_vertex_at(surface, tf_corner_before(forth));
     return true;
 }
 
 //: Find out whether two quads may merge
-static bool are_linked(const tf_adaptive *of, int a, int b)
+static bool are_linked(const tf_adaptive_surface *surface, int a, int b)
 {
-    return a == b || tf_find_edge(of, a, b) != TF_NONE ||
-           tf_find_edge(of, b, a) != TF_NONE;
+    return a == b || tf_find_edge(surface, a, b) != TF_NONE ||
+           tf_find_edge(surface, b, a) != TF_NONE;
 }
 
 /// The new edges must not exist yet, nor triangles within one quad.
-static bool may_merge(const tf_adaptive *of, const tf_quad quad[2])
+static bool may_merge(const tf_adaptive_surface *surface, const tf_quad quad[2])
 {
     for (int i = 0; i < 2; i++)
-        if (are_linked(of, quad[i].corner[1], quad[i].corner[3]))
+        if (are_linked(surface, quad[i].corner[1], quad[i].corner[3]))
             return false;
     for (int i = 0; i < 16; i++)
-        if (are_linked(of, quad[0].corner[i / 4], quad[1].corner[i % 4]))
+        if (are_linked(surface, quad[0].corner[i / 4], quad[1].corner[i % 4]))
             return false;
     return true;
 }
 
 //: Match the corners of two quads
-static double squared_length(const tf_adaptive *of, int a, int b)
+static double squared_length(const tf_adaptive_surface *surface, int a, int b)
 {
-    double length = tf_length_of(of, a, b);
+    double length = tf_length_of(surface, a, b);
     return length * length;
 }
 
@@ -67,15 +68,15 @@ static int partner(const tf_quad quad[2], int turned, int corner)
 }
 
 /// How the second quad is turned so that the corners are nearest.
-static int best_turn(const tf_adaptive *of, const tf_quad quad[2])
+static int best_turn(const tf_adaptive_surface *surface, const tf_quad quad[2])
 {
     int best = 0;
     double least = INFINITY;
     for (int turned = 0; turned < 4; turned++) {
         double sum = 0;
         for (int i = 0; i < 4; i++)
-            sum +=
-                squared_length(of, quad[0].corner[i], partner(quad, turned, i));
+            sum += squared_length(surface, quad[0].corner[i],
+                                  partner(quad, turned, i));
         if (sum < least) {
             least = sum;
             best = turned;
@@ -87,44 +88,45 @@ static int best_turn(const tf_adaptive *of, const tf_quad quad[2])
 //: Describe the tube
 /// Adds two triangles between edges that face each other, p[0] to p[1] and q[0]
 /// to q[1], with the shorter diagonal.
-static void add_side(tf_adaptive *of, const int p[2], const int q[2])
+static void add_side(tf_adaptive_surface *surface, const int p[2],
+                     const int q[2])
 {
-    if (tf_length_of(of, p[0], q[1]) < tf_length_of(of, p[1], q[0])) {
-        tf_surgery_add(of, p[0], p[1], q[1]);
-        tf_surgery_add(of, p[0], q[1], q[0]);
+    if (tf_length_of(surface, p[0], q[1]) < tf_length_of(surface, p[1], q[0])) {
+        tf_surgery_add(surface, p[0], p[1], q[1]);
+        tf_surgery_add(surface, p[0], q[1], q[0]);
     } else {
-        tf_surgery_add(of, p[0], p[1], q[0]);
-        tf_surgery_add(of, p[1], q[1], q[0]);
+        tf_surgery_add(surface, p[0], p[1], q[0]);
+        tf_surgery_add(surface, p[1], q[1], q[0]);
     }
 }
 
-static void add_tube(tf_adaptive *of, const tf_quad quad[2])
+static void add_tube(tf_adaptive_surface *surface, const tf_quad quad[2])
 {
-    int turned = best_turn(of, quad);
+    int turned = best_turn(surface, quad);
     for (int i = 0; i < 4; i++) {
         const int p[] = {quad[0].corner[i], quad[0].corner[(i + 1) % 4]};
         const int q[] = {partner(quad, turned, i),
                          partner(quad, turned, i + 1)};
-        add_side(of, p, q);
+        add_side(surface, p, q);
     }
 }
 
 //: Describe a merge
-static tf_outcome try_merge(tf_adaptive *of, const tf_quad quad[2])
+static tf_outcome try_merge(tf_adaptive_surface *surface, const tf_quad quad[2])
 {
     tf_walls walls = {0};
     for (int i = 0; i < 4; i++) {
         int gone = quad[i / 2].triangle[i % 2];
-        const int *v = tf_triangle(of, gone);
-        tf_surgery_remove(of, gone);
-        tf_walls_add(&walls, of, v[0], v[1], v[2]);
+        const int *v = tf_triangle(surface, gone);
+        tf_surgery_remove(surface, gone);
+        tf_walls_add(&walls, surface, v[0], v[1], v[2]);
     }
-    add_tube(of, quad);
-    return tf_walls_try(&walls, of);
+    add_tube(surface, quad);
+    return tf_walls_try(&walls, surface);
 }
 
 //: Merge two edges
-tf_status tf_adaptive_merge(tf_adaptive *surface, const int first[2],
+tf_status tf_adaptive_merge(tf_adaptive_surface *surface, const int first[2],
                             const int second[2], tf_outcome *outcome)
 {
     TF_REQUIRE(first && second);

@@ -5,63 +5,70 @@
 #include "topology/topology.h"
 
 /// Whether the triangle of the corner has two other sides that are long.
-static bool has_long_sides(const tf_reconnector *of, int corner)
+static bool has_long_sides(const tf_reconnector *reconnector, int corner)
 {
-    int a = tf_vertex_at(of->of, corner);
-    int b = tf_vertex_at(of->of, tf_corner_after(corner));
-    int c = tf_vertex_at(of->of, tf_corner_before(corner));
-    return tf_length_of(of->of, b, c) >= of->options.pinch &&
-           tf_length_of(of->of, c, a) >= of->options.pinch;
+    int a = tf_vertex_at(reconnector->surface, corner);
+    int b = tf_vertex_at(reconnector->surface, tf_corner_after(corner));
+    int c = tf_vertex_at(reconnector->surface, tf_corner_before(corner));
+    return tf_length_of(reconnector->surface, b, c) >=
+               reconnector->options.pinch &&
+           tf_length_of(reconnector->surface, c, a) >=
+               reconnector->options.pinch;
 }
 
 /// Whether the tube that would start there is not so thin that it would be
 /// pinched next.
-static bool starts_wide(const tf_reconnector *of, const int edge[2])
+static bool starts_wide(const tf_reconnector *reconnector, const int edge[2])
 {
-    int forth = tf_find_edge(of->of, edge[0], edge[1]);
-    int back = tf_find_edge(of->of, edge[1], edge[0]);
-    return forth != TF_NONE && back != TF_NONE && has_long_sides(of, forth) &&
-           has_long_sides(of, back);
+    int forth = tf_find_edge(reconnector->surface, edge[0], edge[1]);
+    int back = tf_find_edge(reconnector->surface, edge[1], edge[0]);
+    return forth != TF_NONE && back != TF_NONE &&
+           has_long_sides(reconnector, forth) &&
+           has_long_sides(reconnector, back);
 }
 
 /// One merge is enough between two pieces: a second one would make a handle.
-static bool is_merge_wanted(tf_reconnector *of, const tf_facing *pair)
+static bool is_merge_wanted(tf_reconnector *reconnector,
+                            const tf_facing_edges *pair)
 {
-    return tf_piece_of(of, pair->first[0]) !=
-               tf_piece_of(of, pair->second[0]) &&
-           starts_wide(of, pair->first) && starts_wide(of, pair->second);
+    return tf_piece_of(reconnector, pair->first[0]) !=
+               tf_piece_of(reconnector, pair->second[0]) &&
+           starts_wide(reconnector, pair->first) &&
+           starts_wide(reconnector, pair->second);
 }
 
 //: Merge two pieces
-static tf_status merge_pieces(tf_reconnector *of, const tf_facing *pair)
+static tf_status merge_pieces(tf_reconnector *reconnector,
+                              const tf_facing_edges *pair)
 {
-    if (!is_merge_wanted(of, pair))
+    if (!is_merge_wanted(reconnector, pair))
         return TF_OK;
     const int ends[] = {pair->first[0], pair->first[1], pair->second[0],
                         pair->second[1]};
-    double before = tf_volume_at(of->of, 4, ends);
+    double before = tf_volume_at(reconnector->surface, 4, ends);
     tf_outcome outcome;
-    tf_status status =
-        tf_adaptive_merge(of->of, pair->first, pair->second, &outcome);
+    tf_status status = tf_adaptive_merge(reconnector->surface, pair->first,
+                                         pair->second, &outcome);
     if (status != TF_OK)
         return status;
-    tf_reconnector_count(of, TF_MERGE, outcome,
-                         tf_volume_at(of->of, 4, ends) - before);
+    tf_reconnector_count(reconnector, TF_MERGE, outcome,
+                         tf_volume_at(reconnector->surface, 4, ends) - before);
     if (outcome == TF_COMMITTED)
-        tf_unite_pieces(of, pair->first[0], pair->second[0]);
+        tf_unite_pieces(reconnector, pair->first[0], pair->second[0]);
     return TF_OK;
 }
 
 //: Merge what is in contact
-tf_status tf_merge_pass(tf_reconnector *of)
+tf_status tf_merge_pass(tf_reconnector *reconnector)
 {
-    if (!tf_list_facing(of, of->options.patch) || !tf_find_pieces(of))
+    if (!tf_list_facing(reconnector, reconnector->options.patch) ||
+        !tf_find_pieces(reconnector))
         return TF_OUT_OF_MEMORY;
-    const tf_facing *row = of->row.data;
+    const tf_facing_edges *row = reconnector->row.data;
     tf_status status = TF_OK;
-    for (int i = 0;
-         i < of->rows && status == TF_OK && row[i].distance < of->options.merge;
+    for (int i = 0; i < reconnector->rows && status == TF_OK &&
+                    row[i].distance < reconnector->options.merge;
          i++)
-        status = merge_pieces(of, &row[i]);
+        status = merge_pieces(reconnector, &row[i]);
     return status;
 }

@@ -23,83 +23,94 @@ static int compare_loops(const void *first, const void *second)
     return 0;
 }
 
-static bool add_loop(tf_reconnector *of, int a, int b, int c)
+static bool add_loop(tf_reconnector *reconnector, int a, int b, int c)
 {
-    if (!tf_buffer_extend(&of->row, (size_t)of->rows + 1, sizeof(tf_loop)))
+    if (!tf_buffer_extend(&reconnector->row, (size_t)reconnector->rows + 1,
+                          sizeof(tf_loop)))
         return false;
-    double length = tf_length_of(of->of, a, b) + tf_length_of(of->of, b, c) +
-                    tf_length_of(of->of, c, a);
-    ((tf_loop *)of->row.data)[of->rows++] = (tf_loop){length, {a, b, c}};
+    double length = tf_length_of(reconnector->surface, a, b) +
+                    tf_length_of(reconnector->surface, b, c) +
+                    tf_length_of(reconnector->surface, c, a);
+    ((tf_loop *)reconnector->row.data)[reconnector->rows++] =
+        (tf_loop){length, {a, b, c}};
     return true;
 }
 
 //: Find the loops at an edge
 /// Whether the edge from a corner on is the short one of a loop in which
 /// `third` is the last vertex.
-static bool closes_loop(const tf_reconnector *of, int a, int b, int third)
+static bool closes_loop(const tf_reconnector *reconnector, int a, int b,
+                        int third)
 {
-    double most = of->options.pinch;
-    int left = tf_find_edge(of->of, a, b), right = tf_find_edge(of->of, b, a);
-    return right != TF_NONE && tf_find_edge(of->of, third, b) != TF_NONE &&
-           tf_vertex_at(of->of, tf_corner_before(left)) != third &&
-           tf_vertex_at(of->of, tf_corner_before(right)) != third &&
-           tf_length_of(of->of, a, third) < most &&
-           tf_length_of(of->of, b, third) < most;
+    double most = reconnector->options.pinch;
+    int left = tf_find_edge(reconnector->surface, a, b),
+        right = tf_find_edge(reconnector->surface, b, a);
+    return right != TF_NONE &&
+           tf_find_edge(reconnector->surface, third, b) != TF_NONE &&
+           tf_vertex_at(reconnector->surface, tf_corner_before(left)) !=
+               third &&
+           tf_vertex_at(reconnector->surface, tf_corner_before(right)) !=
+               third &&
+           tf_length_of(reconnector->surface, a, third) < most &&
+           tf_length_of(reconnector->surface, b, third) < most;
 }
 
 /// A loop is listed once, with its vertices in order.
-static bool list_loops(tf_reconnector *of, int corner)
+static bool list_loops(tf_reconnector *reconnector, int corner)
 {
-    int a = tf_vertex_at(of->of, corner);
-    int b = tf_vertex_at(of->of, tf_corner_after(corner));
-    if (a >= b || tf_length_of(of->of, a, b) >= of->options.pinch)
+    int a = tf_vertex_at(reconnector->surface, corner);
+    int b = tf_vertex_at(reconnector->surface, tf_corner_after(corner));
+    if (a >= b ||
+        tf_length_of(reconnector->surface, a, b) >= reconnector->options.pinch)
         return true;
-    for (int c = tf_first_corner(of->of, a); c != TF_NONE;
-         c = tf_next_corner(of->of, c)) {
-        int third = tf_vertex_at(of->of, tf_corner_after(c));
-        if (third > b && closes_loop(of, a, b, third) &&
-            !add_loop(of, a, b, third))
+    for (int c = tf_first_corner(reconnector->surface, a); c != TF_NONE;
+         c = tf_next_corner(reconnector->surface, c)) {
+        int third = tf_vertex_at(reconnector->surface, tf_corner_after(c));
+        if (third > b && closes_loop(reconnector, a, b, third) &&
+            !add_loop(reconnector, a, b, third))
             return false;
     }
     return true;
 }
 
-static bool list_all_loops(tf_reconnector *of)
+static bool list_all_loops(tf_reconnector *reconnector)
 {
-    of->rows = 0;
-    for (int c = 0; c < 3 * of->of->triangles; c++)
-        if (tf_is_triangle(of->of, c / 3) && !list_loops(of, c))
+    reconnector->rows = 0;
+    for (int c = 0; c < 3 * reconnector->surface->triangles; c++)
+        if (tf_is_triangle(reconnector->surface, c / 3) &&
+            !list_loops(reconnector, c))
             return false;
-    if (of->rows > 0)
-        qsort(of->row.data, (size_t)of->rows, sizeof(tf_loop), compare_loops);
+    if (reconnector->rows > 0)
+        qsort(reconnector->row.data, (size_t)reconnector->rows, sizeof(tf_loop),
+              compare_loops);
     return true;
 }
 
 //: Look to the left of a loop
 /// The middle of the neighbors of a vertex of the loop that are to its left;
 /// returns how many.
-static int left_middle(const tf_adaptive *of, const int loop[3], int i,
-                       tf_vector *middle)
+static int left_middle(const tf_adaptive_surface *surface, const int loop[3],
+                       int i, tf_vector *middle)
 {
     int count = 0, end, from = loop[i], last = loop[(i + 2) % 3];
     tf_vector sum = {{0}};
-    int c = tf_find_edge(of, from, loop[(i + 1) % 3]);
-    while ((end = tf_vertex_at(of, tf_corner_before(c))) != last) {
-        sum = tf_vector_sum(sum, 1, tf_position_of(of, end));
+    int c = tf_find_edge(surface, from, loop[(i + 1) % 3]);
+    while ((end = tf_vertex_at(surface, tf_corner_before(c))) != last) {
+        sum = tf_vector_sum(sum, 1, tf_position_of(surface, end));
         count++;
-        c = tf_find_edge(of, from, end);
+        c = tf_find_edge(surface, from, end);
     }
     *middle = tf_vector_scaled(1.0 / count, sum);
     return count;
 }
 
 /// False if there is only a tip of three triangles: that is no neck.
-static bool find_middles(const tf_adaptive *of, const int loop[3],
+static bool find_middles(const tf_adaptive_surface *surface, const int loop[3],
                          tf_vector middle[3])
 {
     int most = 0;
     for (int i = 0; i < 3; i++) {
-        int count = left_middle(of, loop, i, &middle[i]);
+        int count = left_middle(surface, loop, i, &middle[i]);
         most = count > most ? count : most;
     }
     return most > 1;
@@ -108,90 +119,94 @@ static bool find_middles(const tf_adaptive *of, const int loop[3],
 //: Choose how far the left side retreats
 /// The part of the way to the middles on which the two sides get so far apart
 /// that they are not merged at once; but no more than most of it.
-static double wanted_part(const tf_reconnector *of, const int loop[3],
+static double wanted_part(const tf_reconnector *reconnector, const int loop[3],
                           const tf_vector middle[3])
 {
     tf_vector x[3], ways = {{0}};
     for (int i = 0; i < 3; i++) {
-        x[i] = tf_position_of(of->of, loop[i]);
+        x[i] = tf_position_of(reconnector->surface, loop[i]);
         ways =
             tf_vector_sum(ways, 1.0 / 3, tf_vector_difference(middle[i], x[i]));
     }
     tf_vector normal = tf_vector_cross(tf_vector_difference(x[1], x[0]),
                                        tf_vector_difference(x[2], x[0]));
     double far = fabs(tf_vector_dot(ways, normal)) / tf_vector_length(normal);
-    return fmin(0.75, 1.1 * of->options.merge / far);
+    return fmin(0.75, 1.1 * reconnector->options.merge / far);
 }
 
 //: Pinch a loop by so much
 /// The new vertices go this part of the way to the middles.
-static tf_status pinch_by(tf_reconnector *of, const int loop[3],
+static tf_status pinch_by(tf_reconnector *reconnector, const int loop[3],
                           const tf_vector middle[3], double part,
                           tf_outcome *outcome)
 {
     int all[6] = {loop[0], loop[1], loop[2]};
-    double place[9], before = tf_volume_at(of->of, 3, loop);
+    double place[9], before = tf_volume_at(reconnector->surface, 3, loop);
     for (int i = 0; i < 9; i++) {
-        double x = tf_place(of->of, loop[i / 3])[i % 3];
+        double x = tf_place(reconnector->surface, loop[i / 3])[i % 3];
         place[i] = x + part * (middle[i / 3].x[i % 3] - x);
     }
-    tf_status status = tf_adaptive_pinch(of->of, loop, place, all + 3, outcome);
+    tf_status status =
+        tf_adaptive_pinch(reconnector->surface, loop, place, all + 3, outcome);
     if (status != TF_OK)
         return status;
     int count = *outcome == TF_COMMITTED ? 6 : 3;
-    tf_reconnector_count(of, TF_PINCH, *outcome,
-                         tf_volume_at(of->of, count, all) - before);
+    tf_reconnector_count(reconnector, TF_PINCH, *outcome,
+                         tf_volume_at(reconnector->surface, count, all) -
+                             before);
     return TF_OK;
 }
 
 //: Pinch a loop to its left
 /// By less and less, until it is done.
-static tf_status pinch_side(tf_reconnector *of, const int loop[3],
+static tf_status pinch_side(tf_reconnector *reconnector, const int loop[3],
                             const tf_vector middle[3], tf_outcome *outcome)
 {
     tf_status status = TF_OK;
     *outcome = TF_NO_OUTCOME;
-    for (double part = wanted_part(of, loop, middle);
+    for (double part = wanted_part(reconnector, loop, middle);
          part > 0.01 && status == TF_OK && *outcome != TF_COMMITTED &&
          *outcome != TF_IMPOSSIBLE;
          part /= 3)
-        status = pinch_by(of, loop, middle, part, outcome);
+        status = pinch_by(reconnector, loop, middle, part, outcome);
     return status;
 }
 
 //: Pinch a loop on either side
 /// Whether it is still a loop, that is not on the boundary.
-static bool is_still_loop(const tf_reconnector *of, const int v[3])
+static bool is_still_loop(const tf_reconnector *reconnector, const int v[3])
 {
     for (int i = 0; i < 3; i++)
-        if (tf_find_edge(of->of, v[i], v[(i + 1) % 3]) == TF_NONE ||
-            tf_is_rim(of->of, v[i]))
+        if (tf_find_edge(reconnector->surface, v[i], v[(i + 1) % 3]) ==
+                TF_NONE ||
+            tf_is_boundary_vertex(reconnector->surface, v[i]))
             return false;
-    return closes_loop(of, v[0], v[1], v[2]);
+    return closes_loop(reconnector, v[0], v[1], v[2]);
 }
 
-static tf_status pinch_loop(tf_reconnector *of, const int v[3])
+static tf_status pinch_loop(tf_reconnector *reconnector, const int v[3])
 {
     const int back[] = {v[0], v[2], v[1]};
     tf_vector left[3], right[3];
-    if (!is_still_loop(of, v) || !find_middles(of->of, v, left) ||
-        !find_middles(of->of, back, right))
+    if (!is_still_loop(reconnector, v) ||
+        !find_middles(reconnector->surface, v, left) ||
+        !find_middles(reconnector->surface, back, right))
         return TF_OK;
     tf_outcome outcome;
-    tf_status status = pinch_side(of, v, left, &outcome);
+    tf_status status = pinch_side(reconnector, v, left, &outcome);
     if (status == TF_OK && outcome != TF_COMMITTED)
-        status = pinch_side(of, back, right, &outcome);
+        status = pinch_side(reconnector, back, right, &outcome);
     return status;
 }
 
 //: Pinch all loops
-tf_status tf_pinch_pass(tf_reconnector *of)
+tf_status tf_pinch_pass(tf_reconnector *reconnector)
 {
-    if (!list_all_loops(of))
+    if (!list_all_loops(reconnector))
         return TF_OUT_OF_MEMORY;
-    const tf_loop *row = of->row.data;
+    const tf_loop *row = reconnector->row.data;
     tf_status status = TF_OK;
-    for (int i = 0; i < of->rows && status == TF_OK; i++)
-        status = pinch_loop(of, row[i].vertex);
+    for (int i = 0; i < reconnector->rows && status == TF_OK; i++)
+        status = pinch_loop(reconnector, row[i].vertex);
     return status;
 }

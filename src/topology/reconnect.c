@@ -35,7 +35,7 @@ static tf_reconnect_options scaled(const tf_reconnect_options *options)
 }
 
 //: Reconnect a surface
-tf_status tf_adaptive_reconnect(tf_adaptive *surface,
+tf_status tf_adaptive_reconnect(tf_adaptive_surface *surface,
                                 const tf_reconnect_options *options,
                                 tf_reconnect_report *report)
 {
@@ -45,14 +45,14 @@ tf_status tf_adaptive_reconnect(tf_adaptive *surface,
     if (!are_good(options))
         return TF_BAD_TOLERANCE;
     tf_reconnect_report unused = {0};
-    tf_reconnector of = {.of = surface,
-                         .options = scaled(options),
-                         .report = report ? report : &unused};
-    tf_status status = tf_merge_pass(&of);
+    tf_reconnector reconnector = {.surface = surface,
+                                  .options = scaled(options),
+                                  .report = report ? report : &unused};
+    tf_status status = tf_merge_pass(&reconnector);
     if (status == TF_OK)
-        status = tf_pinch_pass(&of);
+        status = tf_pinch_pass(&reconnector);
     if (status == TF_OK)
-        status = tf_drop_pass(&of);
-    tf_reconnector_free(&of);
+        status = tf_drop_pass(&reconnector);
+    tf_reconnector_free(&reconnector);
     return status;
 }

@@ -48,7 +48,7 @@ typedef struct tf_reconnect_options {
 /// @return TF_OK; TF_BAD_TOLERANCE if a length is negative or not finite, or
 ///     that of edges zero; TF_BAD_ENVIRONMENT; or TF_OUT_OF_MEMORY, and then
 ///     the surface is still embedded
-TF_API tf_status tf_adaptive_reconnect(tf_adaptive *surface,
+TF_API tf_status tf_adaptive_reconnect(tf_adaptive_surface *surface,
                                        const tf_reconnect_options *options,
                                        tf_reconnect_report *report);
 

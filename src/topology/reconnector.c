@@ -1,52 +1,54 @@
 //: Free a reconnection
 #include "topology/reconnector.h"
 
-void tf_reconnector_free(tf_reconnector *of)
+void tf_reconnector_free(tf_reconnector *reconnector)
 {
-    tf_buffer_free(&of->row);
-    tf_buffer_free(&of->normal);
-    tf_buffer_free(&of->piece);
+    tf_buffer_free(&reconnector->row);
+    tf_buffer_free(&reconnector->normal);
+    tf_buffer_free(&reconnector->piece);
 }
 
 //: Count reconnections
-void tf_reconnector_count(tf_reconnector *of, tf_reconnection what,
+void tf_reconnector_count(tf_reconnector *reconnector, tf_reconnection what,
                           tf_outcome outcome, double gained)
 {
-    of->report->tried[what][outcome]++;
+    reconnector->report->tried[what][outcome]++;
     if (outcome == TF_COMMITTED)
-        of->report->gained[what] += gained;
+        reconnector->report->gained[what] += gained;
 }
 
 //: Measure volumes
-double tf_volume_below(const tf_adaptive *of, int triangle, tf_vector point)
+double tf_volume_below(const tf_adaptive_surface *surface, int triangle,
+                       tf_vector point)
 {
     tf_vector side[3];
     for (int i = 0; i < 3; i++)
         side[i] = tf_vector_difference(
-            tf_position_of(of, tf_triangle(of, triangle)[i]), point);
+            tf_position_of(surface, tf_triangle(surface, triangle)[i]), point);
     return tf_vector_dot(side[0], tf_vector_cross(side[1], side[2])) / 6;
 }
 
 /// Whether a triangle has one of some vertices.
-static bool has_any(const tf_adaptive *of, int triangle, int count,
+static bool has_any(const tf_adaptive_surface *surface, int triangle, int count,
                     const int vertex[])
 {
-    const int *v = tf_triangle(of, triangle);
+    const int *v = tf_triangle(surface, triangle);
     for (int i = 0; i < count; i++)
         if (v[0] == vertex[i] || v[1] == vertex[i] || v[2] == vertex[i])
             return true;
     return false;
 }
 
-double tf_volume_at(const tf_adaptive *of, int count, const int vertex[])
+double tf_volume_at(const tf_adaptive_surface *surface, int count,
+                    const int vertex[])
 {
-    tf_vector point = tf_position_of(of, vertex[0]);
+    tf_vector point = tf_position_of(surface, vertex[0]);
     double sum = 0;
     for (int i = 0; i < count; i++) {
-        int c = tf_first_corner(of, vertex[i]);
-        for (; c != TF_NONE; c = tf_next_corner(of, c))
-            if (!has_any(of, c / 3, i, vertex)) // it is not counted yet
-                sum += tf_volume_below(of, c / 3, point);
+        int c = tf_first_corner(surface, vertex[i]);
+        for (; c != TF_NONE; c = tf_next_corner(surface, c))
+            if (!has_any(surface, c / 3, i, vertex)) // it is not counted yet
+                sum += tf_volume_below(surface, c / 3, point);
     }
     return sum;
 }

@@ -25,8 +25,9 @@
 ///     to the two others
 /// @param[out] outcome what became of it
 /// @return as for tf_adaptive_split
-TF_API tf_status tf_adaptive_merge(tf_adaptive *surface, const int first[2],
-                                   const int second[2], tf_outcome *outcome);
+TF_API tf_status tf_adaptive_merge(tf_adaptive_surface *surface,
+                                   const int first[2], const int second[2],
+                                   tf_outcome *outcome);
 
 //: Declare how a surface is pinched
 /// Cuts a surface along three edges and closes both holes with a triangle.
@@ -44,9 +45,9 @@ TF_API tf_status tf_adaptive_merge(tf_adaptive *surface, const int first[2],
 ///     committed
 /// @param[out] outcome what became of it
 /// @return as for tf_adaptive_split
-TF_API tf_status tf_adaptive_pinch(tf_adaptive *surface, const int loop[3],
-                                   const double place[9], int vertex[3],
-                                   tf_outcome *outcome);
+TF_API tf_status tf_adaptive_pinch(tf_adaptive_surface *surface,
+                                   const int loop[3], const double place[9],
+                                   int vertex[3], tf_outcome *outcome);
 
 //: Declare how a part of a surface is dropped
 /// Removes the part of a surface that is connected with a vertex, unless it has
@@ -56,7 +57,7 @@ TF_API tf_status tf_adaptive_pinch(tf_adaptive *surface, const int loop[3],
 /// @param vertex the number of a vertex of that part
 /// @param[out] outcome what became of it
 /// @return as for tf_adaptive_split
-TF_API tf_status tf_adaptive_drop(tf_adaptive *surface, int vertex,
+TF_API tf_status tf_adaptive_drop(tf_adaptive_surface *surface, int vertex,
                                   tf_outcome *outcome);
 
 /// @}

@@ -3,26 +3,29 @@
 
 #include "topology/winding.h"
 
-void tf_walls_add(tf_walls *walls, const tf_adaptive *of, int a, int b, int c)
+void tf_walls_add(tf_walls *walls, const tf_adaptive_surface *surface, int a,
+                  int b, int c)
 {
     const int vertex[] = {a, b, c};
-    walls->wall[walls->count++] =
-        (tf_graft){tf_facet_of(of, vertex), tf_cuboid_of(of, 3, vertex)};
+    walls->wall[walls->count++] = (tf_added_triangle){
+        tf_facet_of(surface, vertex), tf_aabb_of(surface, 3, vertex)};
 }
 
 //: Test S: what is new overlaps no wall
 /// The triangles that the surgery, or its last stage, has added.
-static const tf_graft *grafts_of(const tf_adaptive *of, int *count)
+static const tf_added_triangle *grafts_of(const tf_adaptive_surface *surface,
+                                          int *count)
 {
-    const tf_surgery *surgery = &of->surgery;
+    const tf_surgery *surgery = &surface->surgery;
     *count = surgery->grafts - surgery->settled;
-    return (const tf_graft *)surgery->graft.data + surgery->settled;
+    return (const tf_added_triangle *)surgery->graft.data + surgery->settled;
 }
 
-static bool overlaps_wall(const tf_walls *walls, const tf_adaptive *of)
+static bool overlaps_wall(const tf_walls *walls,
+                          const tf_adaptive_surface *surface)
 {
     int count;
-    const tf_graft *graft = grafts_of(of, &count);
+    const tf_added_triangle *graft = grafts_of(surface, &count);
     for (int i = 0; i < walls->count * count; i++)
         if (tf_facets_overlap(&walls->wall[i / count].facet,
                               &graft[i % count].facet))
@@ -41,11 +44,12 @@ static bool is_corner_of(const tf_walls *walls, int vertex)
 }
 
 /// The walls face the other way than what is new.
-static bool is_in_ball(const tf_walls *walls, const tf_adaptive *of, int vertex)
+static bool is_in_ball(const tf_walls *walls,
+                       const tf_adaptive_surface *surface, int vertex)
 {
     int count, sum = 0;
-    const tf_graft *graft = grafts_of(of, &count);
-    const double *x = tf_place(of, vertex);
+    const tf_added_triangle *graft = grafts_of(surface, &count);
+    const double *x = tf_place(surface, vertex);
     for (int i = 0; i < count; i++)
         sum += tf_winding_part(graft[i].facet.corner, x);
     for (int i = 0; i < walls->count; i++)
@@ -54,47 +58,48 @@ static bool is_in_ball(const tf_walls *walls, const tf_adaptive *of, int vertex)
 }
 
 //: Test V: a ball holds no vertex
-static tf_cuboid box_of_ball(const tf_walls *walls, const tf_adaptive *of)
+static tf_aabb box_of_ball(const tf_walls *walls,
+                           const tf_adaptive_surface *surface)
 {
     int count;
-    const tf_graft *graft = grafts_of(of, &count);
-    tf_cuboid box = tf_cuboid_empty();
+    const tf_added_triangle *graft = grafts_of(surface, &count);
+    tf_aabb box = tf_aabb_empty();
     for (int i = 0; i < walls->count; i++)
-        box = tf_cuboid_union(box, &walls->wall[i].box);
+        box = tf_aabb_union(box, &walls->wall[i].box);
     for (int i = 0; i < count; i++)
-        box = tf_cuboid_union(box, &graft[i].box);
+        box = tf_aabb_union(box, &graft[i].box);
     return box;
 }
 
-static bool holds_vertex(const tf_walls *walls, tf_adaptive *of)
+static bool holds_vertex(const tf_walls *walls, tf_adaptive_surface *surface)
 {
-    tf_cuboid box = box_of_ball(walls, of);
-    int *found = of->found.data;
-    int count = tf_hierarchy_find(&of->boxes, &box, found);
+    tf_aabb box = box_of_ball(walls, surface);
+    int *found = surface->found.data;
+    int count = tf_dynamic_tree_find(&surface->boxes, &box, found);
     for (int i = 0; i < 3 * count; i++) {
-        int vertex = tf_triangle(of, found[i / 3])[i % 3];
-        tf_cuboid point = tf_cuboid_of(of, 1, &vertex);
-        if (tf_cuboids_overlap(&box, &point) && !is_corner_of(walls, vertex) &&
-            is_in_ball(walls, of, vertex))
+        int vertex = tf_triangle(surface, found[i / 3])[i % 3];
+        tf_aabb point = tf_aabb_of(surface, 1, &vertex);
+        if (tf_aabbs_overlap(&box, &point) && !is_corner_of(walls, vertex) &&
+            is_in_ball(walls, surface, vertex))
             return true;
     }
     return false;
 }
 
 //: Try surgery on a ball
-static bool tests_ball(const tf_adaptive *of, tf_outcome refusal)
+static bool tests_ball(const tf_adaptive_surface *surface, tf_outcome refusal)
 {
-    return (of->left_out >> refusal & 1) == 0;
+    return (surface->left_out >> refusal & 1) == 0;
 }
 
-tf_outcome tf_walls_try(const tf_walls *walls, tf_adaptive *of)
+tf_outcome tf_walls_try(const tf_walls *walls, tf_adaptive_surface *surface)
 {
-    tf_outcome outcome = tf_surgery_try(of);
+    tf_outcome outcome = tf_surgery_try(surface);
     if (outcome != TF_COMMITTED)
         return outcome;
-    if (tests_ball(of, TF_OVERLAPPED) && overlaps_wall(walls, of))
+    if (tests_ball(surface, TF_OVERLAPPED) && overlaps_wall(walls, surface))
         return TF_OVERLAPPED;
-    if (tests_ball(of, TF_PASSED_VERTEX) && holds_vertex(walls, of))
+    if (tests_ball(surface, TF_PASSED_VERTEX) && holds_vertex(walls, surface))
         return TF_PASSED_VERTEX;
     return TF_COMMITTED;
 }

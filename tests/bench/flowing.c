@@ -32,7 +32,7 @@ enum {
 
 /// What has been done in some steps, and what was measured before and after.
 typedef struct run {
-    tf_adaptive *surface;
+    tf_adaptive_surface *surface;
     tf_flow_measures first, last;
     int most; ///< triangles
     size_t done[TF_RECONNECTIONS];
@@ -42,7 +42,7 @@ typedef struct run {
     double seconds[TF_FLOW_PARTS];
 } run;
 
-static tf_flow_measures measure(const tf_adaptive *surface)
+static tf_flow_measures measure(const tf_adaptive_surface *surface)
 {
     tf_flow_measures found;
     require(tf_flow_measure(surface, &found) ? TF_OK : TF_OUT_OF_MEMORY);

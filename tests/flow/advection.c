@@ -9,15 +9,15 @@
 static const double pi = 3.141592653589793, origin[3];
 
 /// Advances a surface once by a velocity.
-static tf_status advance(tf_flowing *of, tf_flow_velocity *velocity,
+static tf_status advance(tf_flow_state *flow, tf_flow_velocity *velocity,
                          double step)
 {
-    const tf_flow_options *before = of->options;
+    const tf_flow_options *before = flow->options;
     tf_flow_options options = *before;
     options.velocity = velocity;
-    of->options = &options;
-    tf_status status = tf_advect(of, 0, step);
-    of->options = before;
+    flow->options = &options;
+    tf_status status = tf_advect(flow, 0, step);
+    flow->options = before;
     return status;
 }
 
@@ -37,29 +37,29 @@ static void turn(void *context, double time, int points, const double point[],
 
 START_TEST(a_sphere_turns)
 {
-    tf_flowing *of = flowing_begin(adaptive_sphere(4, origin, 1), 0.4, 0);
-    const double first[] = {place_of(of->remesher.of, 0)[0],
-                            place_of(of->remesher.of, 0)[1]};
-    ck_assert_int_eq(advance(of, turn, 1.0 / 8), TF_OK);
-    const double *now = place_of(of->remesher.of, 0);
+    tf_flow_state *flow = flowing_begin(adaptive_sphere(4, origin, 1), 0.4, 0);
+    const double first[] = {place_of(flow->remesher.surface, 0)[0],
+                            place_of(flow->remesher.surface, 0)[1]};
+    ck_assert_int_eq(advance(flow, turn, 1.0 / 8), TF_OK);
+    const double *now = place_of(flow->remesher.surface, 0);
     ck_assert_double_eq_tol(now[0], (first[0] - first[1]) * sqrt(0.5), 4e-3);
     ck_assert_double_eq_tol(now[1], (first[0] + first[1]) * sqrt(0.5), 4e-3);
-    ck_assert_uint_eq(of->report->response.contacts, 0);
-    flowing_end(of);
+    ck_assert_uint_eq(flow->report->response.contacts, 0);
+    flowing_end(flow);
 }
 END_TEST
 
 START_TEST(a_sphere_turns_back)
 {
-    tf_flowing *of = flowing_begin(adaptive_sphere(4, origin, 1), 0.4, 0);
+    tf_flow_state *flow = flowing_begin(adaptive_sphere(4, origin, 1), 0.4, 0);
     double before[3];
-    memcpy(before, place_of(of->remesher.of, 5), sizeof before);
-    ck_assert_int_eq(advance(of, turn, 1.0 / 32), TF_OK);
-    ck_assert_int_eq(advance(of, turn, -1.0 / 32), TF_OK);
+    memcpy(before, place_of(flow->remesher.surface, 5), sizeof before);
+    ck_assert_int_eq(advance(flow, turn, 1.0 / 32), TF_OK);
+    ck_assert_int_eq(advance(flow, turn, -1.0 / 32), TF_OK);
     for (int k = 0; k < 3; k++)
-        ck_assert_double_eq_tol(place_of(of->remesher.of, 5)[k], before[k],
-                                1e-4);
-    flowing_end(of);
+        ck_assert_double_eq_tol(place_of(flow->remesher.surface, 5)[k],
+                                before[k], 1e-4);
+    flowing_end(flow);
 }
 END_TEST
 
@@ -74,12 +74,12 @@ static void grow(void *context, double time, int points, const double point[],
 
 START_TEST(normals_and_times_are_those_of_the_stages)
 {
-    tf_flowing *of = flowing_begin(adaptive_tetrahedron(), 2, 0);
-    ck_assert_int_eq(advance(of, grow, 0.5), TF_OK);
+    tf_flow_state *flow = flowing_begin(adaptive_tetrahedron(), 2, 0);
+    ck_assert_int_eq(advance(flow, grow, 0.5), TF_OK);
     for (int i = 0; i < 12; i++)
-        ck_assert_double_eq_tol(fabs(place_of(of->remesher.of, 0)[i]),
+        ck_assert_double_eq_tol(fabs(place_of(flow->remesher.surface, 0)[i]),
                                 1 + 0.75 * sqrt(1.0 / 3), 1e-15);
-    flowing_end(of);
+    flowing_end(flow);
 }
 END_TEST
 
@@ -100,15 +100,15 @@ static void bend(void *context, double time, int points, const double point[],
 static double gain_by_bending(unsigned careless)
 {
     static const double center[] = {0.5, 0, 0};
-    tf_flowing *of =
+    tf_flow_state *flow =
         flowing_begin(adaptive_sphere(8, center, 1), 0.2, careless);
     mpq_t before;
     mpq_init(before);
-    exact_volume(of->remesher.of, before);
-    ck_assert_int_eq(advance(of, bend, 0.1), TF_OK);
-    double gained = volume_gained(of->remesher.of, before);
+    exact_volume(flow->remesher.surface, before);
+    ck_assert_int_eq(advance(flow, bend, 0.1), TF_OK);
+    double gained = volume_gained(flow->remesher.surface, before);
     mpq_clear(before);
-    flowing_end(of);
+    flowing_end(flow);
     return fabs(gained);
 }
 
@@ -135,7 +135,7 @@ static void collide(void *context, double time, int points,
 }
 
 /// A box of eight corners and, apart from it, a tetrahedron.
-static tf_adaptive *two_tetrahedra(void)
+static tf_adaptive_surface *two_tetrahedra(void)
 {
     static const int triangle[] = {0, 1, 2, 0, 2, 3, 0, 3, 1, 1, 3, 2,
                                    4, 5, 6, 4, 6, 7, 4, 7, 5, 5, 7, 6};
@@ -147,11 +147,11 @@ static tf_adaptive *two_tetrahedra(void)
 
 START_TEST(what_is_in_the_way_stays_there)
 {
-    tf_flowing *of = flowing_begin(two_tetrahedra(), 2, 0);
-    ck_assert_int_eq(advance(of, collide, 6), TF_OK);
-    ck_assert_uint_gt(of->report->response.contacts, 0);
-    expect_embedded(of->remesher.of);
-    flowing_end(of);
+    tf_flow_state *flow = flowing_begin(two_tetrahedra(), 2, 0);
+    ck_assert_int_eq(advance(flow, collide, 6), TF_OK);
+    ck_assert_uint_gt(flow->report->response.contacts, 0);
+    expect_embedded(flow->remesher.surface);
+    flowing_end(flow);
 }
 END_TEST
 
@@ -160,10 +160,11 @@ START_TEST(a_lone_triangle_stays)
 {
     static const int triangle[] = {0, 1, 2};
     static double place[][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-    tf_flowing *of = flowing_begin(adaptive_of(3, place, 1, triangle), 1, 0);
-    ck_assert_int_eq(advance(of, collide, 1), TF_OK);
-    ck_assert_mem_eq(place_of(of->remesher.of, 0), place, sizeof place);
-    flowing_end(of);
+    tf_flow_state *flow =
+        flowing_begin(adaptive_of(3, place, 1, triangle), 1, 0);
+    ck_assert_int_eq(advance(flow, collide, 1), TF_OK);
+    ck_assert_mem_eq(place_of(flow->remesher.surface, 0), place, sizeof place);
+    flowing_end(flow);
 }
 END_TEST
 
@@ -178,12 +179,13 @@ static void explode(void *context, double time, int points,
 
 START_TEST(a_velocity_that_is_no_number)
 {
-    tf_flowing *of = flowing_begin(adaptive_tetrahedron(), 1, 0);
+    tf_flow_state *flow = flowing_begin(adaptive_tetrahedron(), 1, 0);
     double before[12];
-    memcpy(before, place_of(of->remesher.of, 0), sizeof before);
-    ck_assert_int_eq(advance(of, explode, 1), TF_NOT_FINITE);
-    ck_assert_mem_eq(place_of(of->remesher.of, 0), before, sizeof before);
-    flowing_end(of);
+    memcpy(before, place_of(flow->remesher.surface, 0), sizeof before);
+    ck_assert_int_eq(advance(flow, explode, 1), TF_NOT_FINITE);
+    ck_assert_mem_eq(place_of(flow->remesher.surface, 0), before,
+                     sizeof before);
+    flowing_end(flow);
 }
 END_TEST
 

@@ -8,7 +8,7 @@
 
 START_TEST(flat_triangles_are_split_in_the_middle)
 {
-    tf_adaptive *sheet = adaptive_sheet(4, 4);
+    tf_adaptive_surface *sheet = adaptive_sheet(4, 4);
     for (int c = 0; c < 3 * sheet->triangles; c++) {
         int a = tf_vertex_at(sheet, c);
         int b = tf_vertex_at(sheet, tf_corner_after(c));
@@ -26,7 +26,7 @@ END_TEST
 START_TEST(a_sphere_curves_on)
 {
     static const double origin[3];
-    tf_adaptive *sphere = adaptive_sphere(8, origin, 1);
+    tf_adaptive_surface *sphere = adaptive_sphere(8, origin, 1);
     int nearer = 0;
     for (int c = 0; c < 3 * sphere->triangles; c++) {
         int a = tf_vertex_at(sphere, c);

@@ -6,7 +6,7 @@
 
 START_TEST(what_is_given_is_gained)
 {
-    tf_flowing *of =
+    tf_flow_state *flow =
         flowing_begin(adaptive_bumpy_sphere(6, 0.02, (uint64_t)_i), 0.3, 0);
     generator random = generator_new(100);
     mpq_t before;
@@ -16,28 +16,29 @@ START_TEST(what_is_given_is_gained)
         for (int k = 0; k < 4; k++)
             vertex[k] = 25 * k + below(&random, 25);
         double more = uniform(&random, -0.004, 0.004);
-        exact_volume(of->remesher.of, before);
-        ck_assert_int_eq(tf_flowing_give(of, more, 4, vertex), TF_OK);
-        double gained = volume_gained(of->remesher.of, before);
+        exact_volume(flow->remesher.surface, before);
+        ck_assert_int_eq(tf_flow_restore_volume(flow, more, 4, vertex), TF_OK);
+        double gained = volume_gained(flow->remesher.surface, before);
         ck_assert_double_eq_tol(gained, more / 6, 1e-16);
     }
-    ck_assert_uint_eq(of->report->shifted[TF_COMMITTED], 80);
+    ck_assert_uint_eq(flow->report->shifted[TF_COMMITTED], 80);
     mpq_clear(before);
-    flowing_end(of);
+    flowing_end(flow);
 }
 END_TEST
 
 START_TEST(nothing_moves_far)
 {
     static const int vertex[] = {3};
-    tf_flowing *of = flowing_begin(adaptive_bumpy_sphere(6, 0.02, 0), 0.3, 0);
+    tf_flow_state *flow =
+        flowing_begin(adaptive_bumpy_sphere(6, 0.02, 0), 0.3, 0);
     mpq_t before;
     mpq_init(before);
-    exact_volume(of->remesher.of, before);
-    ck_assert_int_eq(tf_flowing_give(of, 1, 1, vertex), TF_OK);
-    ck_assert_double_eq(volume_gained(of->remesher.of, before), 0);
+    exact_volume(flow->remesher.surface, before);
+    ck_assert_int_eq(tf_flow_restore_volume(flow, 1, 1, vertex), TF_OK);
+    ck_assert_double_eq(volume_gained(flow->remesher.surface, before), 0);
     mpq_clear(before);
-    flowing_end(of);
+    flowing_end(flow);
 }
 END_TEST
 

@@ -15,7 +15,7 @@ enum {
 static const double center[] = {0.35, 0.35, 0.35}, radius = 0.15;
 
 /// The root of the mean square of the distances of vertices from the sphere.
-static double radius_error(const tf_adaptive *surface)
+static double radius_error(const tf_adaptive_surface *surface)
 {
     double sum = 0;
     for (int v = 0; v < surface->vertices; v++) {
@@ -32,7 +32,7 @@ static double radius_error(const tf_adaptive *surface)
 
 START_TEST(vortices_lose_nothing)
 {
-    tf_adaptive *surface = adaptive_sphere(12, center, radius);
+    tf_adaptive_surface *surface = adaptive_sphere(12, center, radius);
     tf_flow_options options = {.edge = 0.023, .velocity = tf_flow_vortices};
     tf_flow_report report;
     mpq_t before;
@@ -57,10 +57,10 @@ START_TEST(vortices_lose_nothing)
 END_TEST
 
 /// Lets a surface flow a little, on some workers.
-static tf_adaptive *flow_on(int workers)
+static tf_adaptive_surface *flow_on(int workers)
 {
     tf_parallel parallel = scrambled(&workers);
-    tf_adaptive *surface = adaptive_sphere(6, center, radius);
+    tf_adaptive_surface *surface = adaptive_sphere(6, center, radius);
     tf_flow_options options = {
         .edge = 0.03, .velocity = tf_flow_vortices, .parallel = &parallel};
     for (int i = 0; i < 20; i++)
@@ -71,7 +71,7 @@ static tf_adaptive *flow_on(int workers)
 
 START_TEST(workers_change_no_bit)
 {
-    tf_adaptive *one = flow_on(1), *two = flow_on(2);
+    tf_adaptive_surface *one = flow_on(1), *two = flow_on(2);
     ck_assert_int_eq(one->vertices, two->vertices);
     ck_assert_int_eq(one->triangles, two->triangles);
     ck_assert_mem_eq(place_of(one, 0), place_of(two, 0),
@@ -99,12 +99,12 @@ static void approach(void *context, double time, int points,
 }
 
 /// Two spheres of one surface.
-static tf_adaptive *two_spheres(void)
+static tf_adaptive_surface *two_spheres(void)
 {
     static const double left[] = {-1.2, 0, 0};
     static double place[2000][3];
     static int triangle[6000];
-    tf_adaptive *one = adaptive_sphere(5, left, 1);
+    tf_adaptive_surface *one = adaptive_sphere(5, left, 1);
     tf_mesh mesh = tf_adaptive_mesh(one);
     for (int v = 0; v < mesh.vertices; v++)
         for (int k = 0; k < 3; k++) {
@@ -116,7 +116,7 @@ static tf_adaptive *two_spheres(void)
         triangle[i] = mesh.triangle[i];
         triangle[3 * mesh.triangles + i] = mesh.triangle[i] + mesh.vertices;
     }
-    tf_adaptive *both =
+    tf_adaptive_surface *both =
         adaptive_of(2 * mesh.vertices, place, 2 * mesh.triangles, triangle);
     tf_adaptive_free(one);
     return both;
@@ -125,7 +125,7 @@ static tf_adaptive *two_spheres(void)
 /// Lets two spheres meet; returns how many times they merged.
 static size_t meet(bool keep_topology)
 {
-    tf_adaptive *surface = two_spheres();
+    tf_adaptive_surface *surface = two_spheres();
     tf_flow_options options = {
         .edge = 0.3, .velocity = approach, .keep_topology = keep_topology};
     size_t merges = 0;
@@ -149,7 +149,7 @@ END_TEST
 
 START_TEST(what_is_small_vanishes)
 {
-    tf_adaptive *surface = adaptive_tetrahedron();
+    tf_adaptive_surface *surface = adaptive_tetrahedron();
     tf_flow_options options = {.edge = 6, .velocity = approach};
     for (int i = 0; i < 2; i++) {
         tf_flow_report report;
@@ -168,7 +168,7 @@ END_TEST
 START_TEST(bad_lengths_are_refused)
 {
     static const double edges[] = {0, -1, NAN, INFINITY};
-    tf_adaptive *surface = adaptive_tetrahedron();
+    tf_adaptive_surface *surface = adaptive_tetrahedron();
     for (int i = 0; i < 4; i++) {
         tf_flow_options options = {.edge = edges[i],
                                    .velocity = tf_flow_vortices};
@@ -194,7 +194,7 @@ static double count_calls(void)
 
 START_TEST(the_report_has_times_by_a_clock)
 {
-    tf_adaptive *surface = adaptive_tetrahedron();
+    tf_adaptive_surface *surface = adaptive_tetrahedron();
     tf_flow_options options = {
         .edge = 2, .velocity = approach, .clock = count_calls};
     tf_flow_report report;

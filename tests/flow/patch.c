@@ -8,8 +8,8 @@
 
 /// Moves a vertex to where its star gains 1/6 of `more`; returns by how much the
 /// surface then differs from that.
-static double error_of_move(tf_adaptive *surface, int vertex, tf_vector apex,
-                            double more)
+static double error_of_move(tf_adaptive_surface *surface, int vertex,
+                            tf_vector apex, double more)
 {
     mpq_t before;
     tf_outcome outcome;
@@ -27,7 +27,7 @@ static double error_of_move(tf_adaptive *surface, int vertex, tf_vector apex,
 
 START_TEST(a_move_gains_what_it_should)
 {
-    tf_adaptive *surface = adaptive_bumpy_sphere(4, 0.02, 1);
+    tf_adaptive_surface *surface = adaptive_bumpy_sphere(4, 0.02, 1);
     generator random = generator_new(2);
     for (int v = 0; v < surface->vertices; v++) {
         tf_vector apex = tf_position_of(surface, v);

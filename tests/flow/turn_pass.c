@@ -4,20 +4,20 @@
 
 START_TEST(the_volume_is_kept)
 {
-    tf_flowing *of =
+    tf_flow_state *flow =
         flowing_begin(adaptive_bumpy_sphere(12, 0.033, (uint64_t)_i), 0.2, 0);
-    expect_kept_volume(of, TF_FLIP, tf_turn_pass, true);
-    expect_embedded(of->remesher.of);
-    flowing_end(of);
+    expect_kept_volume(flow, TF_FLIP, tf_turn_pass, true);
+    expect_embedded(flow->remesher.surface);
+    flowing_end(flow);
 }
 END_TEST
 
 START_TEST(it_is_not_kept_without_care)
 {
-    tf_flowing *of =
+    tf_flow_state *flow =
         flowing_begin(adaptive_bumpy_sphere(12, 0.033, 0), 0.2, 1U << TF_FLIP);
-    expect_kept_volume(of, TF_FLIP, tf_turn_pass, false);
-    flowing_end(of);
+    expect_kept_volume(flow, TF_FLIP, tf_turn_pass, false);
+    flowing_end(flow);
 }
 END_TEST
 

@@ -33,7 +33,7 @@ START_TEST(the_place_of_a_defect_is_named)
                     file.triangle.item,
                     tf_mesh_file_edges(&file),
                     file.edge.item};
-    tf_adaptive *surface;
+    tf_adaptive_surface *surface;
     tf_defect defect;
     tf_status status =
         tf_adaptive_create(&mesh, file.position.item, &surface, &defect);

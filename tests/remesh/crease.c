@@ -10,13 +10,13 @@
 
 static adaptive_scene scene;
 
-static tf_adaptive *box(void)
+static tf_adaptive_surface *box(void)
 {
     static const int low[] = {0, 0, 0}, high[] = {2, 2, 2};
     scene = (adaptive_scene){0};
     add_box(&scene, low, high);
     tf_mesh mesh = adaptive_scene_mesh(&scene);
-    tf_adaptive *made = NULL;
+    tf_adaptive_surface *made = NULL;
     if (tf_adaptive_create(&mesh, scene.position, &made, NULL) != TF_OK)
         abort();
     return made;
@@ -35,7 +35,7 @@ START_TEST(a_vertex_of_a_box_is_free_on_one_side)
 {
     static const tf_freedom freedom[] = {TF_FREE, TF_FREE, TF_ALONG_CREASE,
                                          TF_HELD};
-    tf_adaptive *surface = box();
+    tf_adaptive_surface *surface = box();
     for (int v = 0; v < surface->vertices; v++)
         ck_assert_int_eq(tf_freedom_of(surface, v),
                          freedom[sides(place_of(surface, v))]);
@@ -45,7 +45,7 @@ END_TEST
 
 START_TEST(an_edge_of_a_box_is_a_crease)
 {
-    tf_adaptive *surface = box();
+    tf_adaptive_surface *surface = box();
     for (int c = 0; c < 3 * surface->triangles; c++) {
         const double *a = place_of(surface, tf_vertex_at(surface, c));
         const double *b =
@@ -61,7 +61,7 @@ END_TEST
 
 START_TEST(the_boundary_is_a_crease)
 {
-    tf_adaptive *sheet = adaptive_sheet(2, 2);
+    tf_adaptive_surface *sheet = adaptive_sheet(2, 2);
     static const tf_freedom freedom[] = {
         TF_HELD,         TF_ALONG_CREASE, TF_HELD,
         TF_ALONG_CREASE, TF_FREE,         TF_ALONG_CREASE,

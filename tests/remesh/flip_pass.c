@@ -19,23 +19,24 @@ static tf_remesher *kite(double height)
 
 START_TEST(the_short_diagonal_is_better)
 {
-    tf_remesher *of = kite(0);
-    ck_assert_int_eq(tf_flip_pass(of), TF_OK);
-    ck_assert_int_eq(done(of, TF_FLIP), 1);
-    ck_assert(has_triangle(of->of, 0, 1, 3));
-    ck_assert_int_eq(tf_flip_pass(of), TF_OK); // and stays
-    ck_assert_int_eq(done(of, TF_FLIP), 1);
-    remeshing_end(of);
+    tf_remesher *remesher = kite(0);
+    ck_assert_int_eq(tf_flip_pass(remesher), TF_OK);
+    ck_assert_int_eq(done(remesher, TF_FLIP), 1);
+    ck_assert(has_triangle(remesher->surface, 0, 1, 3));
+    ck_assert_int_eq(tf_flip_pass(remesher), TF_OK); // and stays
+    ck_assert_int_eq(done(remesher, TF_FLIP), 1);
+    remeshing_end(remesher);
 }
 END_TEST
 
 START_TEST(a_bent_kite_stays)
 {
     for (int i = 1; i < 3; i++) { // a little, and at a crease
-        tf_remesher *of = kite(i);
-        ck_assert_int_eq(tf_flip_pass(of), TF_OK);
-        ck_assert_int_eq(done(of, TF_FLIP) + refused(of, TF_FLIP), 0);
-        remeshing_end(of);
+        tf_remesher *remesher = kite(i);
+        ck_assert_int_eq(tf_flip_pass(remesher), TF_OK);
+        ck_assert_int_eq(done(remesher, TF_FLIP) + refused(remesher, TF_FLIP),
+                         0);
+        remeshing_end(remesher);
     }
 }
 END_TEST
@@ -43,10 +44,10 @@ END_TEST
 // All diagonals of squares are alike.
 START_TEST(nothing_flips_for_nothing)
 {
-    tf_remesher *of = remeshing_begin(adaptive_sheet(3, 3), 1);
-    ck_assert_int_eq(tf_flip_pass(of), TF_OK);
-    ck_assert_int_eq(done(of, TF_FLIP), 0);
-    remeshing_end(of);
+    tf_remesher *remesher = remeshing_begin(adaptive_sheet(3, 3), 1);
+    ck_assert_int_eq(tf_flip_pass(remesher), TF_OK);
+    ck_assert_int_eq(done(remesher, TF_FLIP), 0);
+    remeshing_end(remesher);
 }
 END_TEST
 

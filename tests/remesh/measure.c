@@ -6,7 +6,7 @@
 
 START_TEST(edges_have_lengths_and_middles)
 {
-    tf_adaptive *sheet = adaptive_sheet(3, 4);
+    tf_adaptive_surface *sheet = adaptive_sheet(3, 4);
     ck_assert_double_eq(tf_length_of(sheet, 0, 19), 5);
     tf_vector middle = tf_middle_of(sheet, 1, 6);
     ck_assert_double_eq(middle.x[0], 1.5);
@@ -18,7 +18,7 @@ END_TEST
 
 START_TEST(triangles_have_normals)
 {
-    tf_adaptive *sheet = adaptive_sheet(1, 1);
+    tf_adaptive_surface *sheet = adaptive_sheet(1, 1);
     tf_shape shape = tf_shape_of(sheet, 0);
     tf_vector normal = tf_shape_normal(&shape);
     ck_assert_double_eq(normal.x[0], 0);

@@ -7,7 +7,8 @@
 #include "support/operating.h"
 #include "support/support.h"
 
-static double least_distance(const tf_adaptive *surface, const double x[3])
+static double least_distance(const tf_adaptive_surface *surface,
+                             const double x[3])
 {
     double least = INFINITY;
     tf_vector corner[4] = {{{x[0], x[1], x[2]}}};
@@ -47,8 +48,8 @@ START_TEST(the_distance_is_that_of_the_farthest)
 {
     static double place[][3] = {{0, 0, 0.5}, {3, 0, 0}, {0, 3, 0}};
     static const int triangle[] = {0, 1, 2};
-    tf_adaptive *sheet = adaptive_sheet(3, 3);
-    tf_adaptive *other = adaptive_of(3, place, 1, triangle);
+    tf_adaptive_surface *sheet = adaptive_sheet(3, 3);
+    tf_adaptive_surface *other = adaptive_of(3, place, 1, triangle);
     tf_original a = {0}, b = {0};
     ck_assert(tf_original_copy(&a, sheet) && tf_original_copy(&b, other));
     ck_assert_double_eq(tf_original_farthest(&a, &b), 0.5);

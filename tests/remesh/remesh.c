@@ -48,15 +48,15 @@ START_TEST(close_surfaces_are_divided)
 {
     operating_begin(&run, generator_new((uint64_t)_i), (adaptive_scene_kind)_i,
                     &counts);
-    tf_remesher *of = remeshing_begin(run.surface, run.scene.unit / 3);
+    tf_remesher *remesher = remeshing_begin(run.surface, run.scene.unit / 3);
     for (int i = 0; i < 3; i++)
-        ck_assert_int_eq(tf_split_pass(of), TF_OK);
-    ck_assert_int_eq(tf_flip_pass(of), TF_OK);
-    ck_assert_int_eq(tf_smooth_pass(of), TF_OK);
+        ck_assert_int_eq(tf_split_pass(remesher), TF_OK);
+    ck_assert_int_eq(tf_flip_pass(remesher), TF_OK);
+    ck_assert_int_eq(tf_smooth_pass(remesher), TF_OK);
     label_parts(run.scene.vertices);
     const char *fault = first_fault();
     ck_assert_msg(!fault, "%s", fault);
-    remeshing_end(of);
+    remeshing_end(remesher);
 }
 END_TEST
 
@@ -92,7 +92,7 @@ START_TEST(a_sphere_gets_good_triangles)
     scene = (adaptive_scene){0};
     add_sphere(&scene, 1);
     tf_mesh mesh = adaptive_scene_mesh(&scene);
-    tf_adaptive *surface = NULL;
+    tf_adaptive_surface *surface = NULL;
     ck_assert_int_eq(tf_adaptive_create(&mesh, scene.position, &surface, NULL),
                      TF_OK);
     tf_remesh_options how = {.edge = 0.2};
@@ -116,7 +116,7 @@ START_TEST(creases_stay)
     scene = (adaptive_scene){0};
     add_box(&scene, low, high);
     tf_mesh mesh = adaptive_scene_mesh(&scene);
-    tf_adaptive *surface = NULL;
+    tf_adaptive_surface *surface = NULL;
     ck_assert_int_eq(tf_adaptive_create(&mesh, scene.position, &surface, NULL),
                      TF_OK);
     for (int i = 1; i < 4; i++) {
@@ -133,7 +133,7 @@ END_TEST
 START_TEST(bad_options_are_refused)
 {
     static const double edges[] = {0, -1, NAN, INFINITY, 1e-9, 5e-324};
-    tf_adaptive *surface = adaptive_tetrahedron();
+    tf_adaptive_surface *surface = adaptive_tetrahedron();
     for (int i = 0; i < 6; i++) {
         tf_remesh_options how = {.edge = edges[i]};
         ck_assert_int_eq(tf_adaptive_remesh(surface, &how, NULL),

@@ -11,19 +11,20 @@
 START_TEST(a_vertex_goes_back_to_the_middle)
 {
     static const double off[] = {1.3, 0.8, 0};
-    tf_remesher *of = remeshing_begin(adaptive_sheet(2, 2), 1);
-    tf_vertex_put(of->of, 4, off);
+    tf_remesher *remesher = remeshing_begin(adaptive_sheet(2, 2), 1);
+    tf_vertex_put(remesher->surface, 4, off);
     for (int i = 0; i < 20; i++)
-        ck_assert_int_eq(tf_smooth_pass(of), TF_OK);
-    const double *place = place_of(of->of, 4);
+        ck_assert_int_eq(tf_smooth_pass(remesher), TF_OK);
+    const double *place = place_of(remesher->surface, 4);
     ck_assert_double_lt(hypot(place[0] - 1, place[1] - 1), 0.2);
     ck_assert_double_eq(place[2], 0);
-    ck_assert_int_gt(done(of, TF_SMOOTH), 0);
-    ck_assert_int_lt(done(of, TF_SMOOTH), 10); // small moves are not worth it
+    ck_assert_int_gt(done(remesher, TF_SMOOTH), 0);
+    ck_assert_int_lt(done(remesher, TF_SMOOTH),
+                     10); // small moves are not worth it
     for (int v = 0; v < 9; v++)
         if (v != 4)
-            ck_assert_double_eq(place_of(of->of, v)[0], v % 3);
-    remeshing_end(of);
+            ck_assert_double_eq(place_of(remesher->surface, v)[0], v % 3);
+    remeshing_end(remesher);
 }
 END_TEST
 

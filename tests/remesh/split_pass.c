@@ -7,18 +7,18 @@
 
 START_TEST(long_edges_are_split_the_longest_first)
 {
-    tf_remesher *of = remeshing_begin(adaptive_sheet(1, 1), 0.76);
-    ck_assert_int_eq(tf_split_pass(of), TF_OK);
-    ck_assert_int_eq(done(of, TF_SPLIT), 1); // the diagonal
-    ck_assert_double_eq(place_of(of->of, 4)[0], 0.5);
-    ck_assert_double_eq(longest_edge(of->of), 1);
-    remeshing_end(of);
+    tf_remesher *remesher = remeshing_begin(adaptive_sheet(1, 1), 0.76);
+    ck_assert_int_eq(tf_split_pass(remesher), TF_OK);
+    ck_assert_int_eq(done(remesher, TF_SPLIT), 1); // the diagonal
+    ck_assert_double_eq(place_of(remesher->surface, 4)[0], 0.5);
+    ck_assert_double_eq(longest_edge(remesher->surface), 1);
+    remeshing_end(remesher);
 
-    of = remeshing_begin(adaptive_sheet(1, 1), 0.74);
-    ck_assert_int_eq(tf_split_pass(of), TF_OK);
-    ck_assert_int_eq(done(of, TF_SPLIT), 5);
-    ck_assert_int_eq(triangles_of(of->of), 8);
-    remeshing_end(of);
+    remesher = remeshing_begin(adaptive_sheet(1, 1), 0.74);
+    ck_assert_int_eq(tf_split_pass(remesher), TF_OK);
+    ck_assert_int_eq(done(remesher, TF_SPLIT), 5);
+    ck_assert_int_eq(triangles_of(remesher->surface), 8);
+    remeshing_end(remesher);
 }
 END_TEST
 
@@ -29,16 +29,17 @@ START_TEST(middles_stay_on_the_original)
     static double place[][3] = {
         {0, 0, 0}, {2, 0, 0.25}, {2, 2, 0}, {0, 2, 0.25}};
     static const int triangle[] = {0, 1, 2, 0, 2, 3};
-    tf_remesher *of = remeshing_begin(adaptive_of(4, place, 2, triangle), 1);
-    ck_assert_int_eq(tf_split_pass(of), TF_OK);
-    ck_assert_double_eq(place_of(of->of, 4)[2], 0);
+    tf_remesher *remesher =
+        remeshing_begin(adaptive_of(4, place, 2, triangle), 1);
+    ck_assert_int_eq(tf_split_pass(remesher), TF_OK);
+    ck_assert_double_eq(place_of(remesher->surface, 4)[2], 0);
     tf_original now = {0};
-    ck_assert_int_eq(tf_adaptive_compact(of->of, NULL), TF_OK);
-    ck_assert(tf_original_copy(&now, of->of));
-    ck_assert_double_eq_tol(tf_original_farthest(&of->original, &now), 0,
+    ck_assert_int_eq(tf_adaptive_compact(remesher->surface, NULL), TF_OK);
+    ck_assert(tf_original_copy(&now, remesher->surface));
+    ck_assert_double_eq_tol(tf_original_farthest(&remesher->original, &now), 0,
                             1e-15);
     tf_original_free(&now);
-    remeshing_end(of);
+    remeshing_end(remesher);
 }
 END_TEST
 

@@ -9,7 +9,7 @@
 
 START_TEST(a_tetrahedron)
 {
-    tf_adaptive *surface = adaptive_tetrahedron();
+    tf_adaptive_surface *surface = adaptive_tetrahedron();
     tf_flow_measures found;
     ck_assert(tf_flow_measure(surface, &found));
     ck_assert_int_eq(found.vertices, 4);
@@ -25,7 +25,7 @@ END_TEST
 
 START_TEST(a_sheet)
 {
-    tf_adaptive *surface = adaptive_sheet(3, 4);
+    tf_adaptive_surface *surface = adaptive_sheet(3, 4);
     tf_flow_measures found;
     ck_assert(tf_flow_measure(surface, &found));
     ck_assert_int_eq(found.components, 1);
@@ -47,7 +47,7 @@ START_TEST(scenes_of_several_parts)
         generator random = generator_new(1);
         adaptive_scene_make(&random, kinds[i], &scene);
         tf_mesh mesh = adaptive_scene_mesh(&scene);
-        tf_adaptive *surface = NULL;
+        tf_adaptive_surface *surface = NULL;
         tf_flow_measures found;
         ck_assert_int_eq(
             tf_adaptive_create(&mesh, scene.position, &surface, NULL), TF_OK);

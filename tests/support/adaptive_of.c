@@ -6,20 +6,20 @@ enum {
     SHEET_VERTICES = 100
 };
 
-tf_adaptive *adaptive_of(int vertices, double position[][3], int triangles,
-                         const int triangle[])
+tf_adaptive_surface *adaptive_of(int vertices, double position[][3],
+                                 int triangles, const int triangle[])
 {
     tf_mesh mesh = {.axes = 3,
                     .vertices = vertices,
                     .triangles = triangles,
                     .triangle = triangle};
-    tf_adaptive *made = NULL;
+    tf_adaptive_surface *made = NULL;
     if (tf_adaptive_create(&mesh, position[0], &made, NULL) != TF_OK)
         abort();
     return made;
 }
 
-tf_adaptive *adaptive_tetrahedron(void)
+tf_adaptive_surface *adaptive_tetrahedron(void)
 {
     static const int triangle[] = {0, 1, 2, 0, 2, 3, 0, 3, 1, 1, 3, 2};
     static double place[][3] = {
@@ -27,7 +27,7 @@ tf_adaptive *adaptive_tetrahedron(void)
     return adaptive_of(4, place, 4, triangle);
 }
 
-tf_adaptive *adaptive_sheet(int columns, int rows)
+tf_adaptive_surface *adaptive_sheet(int columns, int rows)
 {
     static double place[SHEET_VERTICES][3];
     static int triangle[6 * SHEET_VERTICES];
@@ -50,12 +50,12 @@ tf_adaptive *adaptive_sheet(int columns, int rows)
                        triangle);
 }
 
-const double *place_of(const tf_adaptive *surface, int vertex)
+const double *place_of(const tf_adaptive_surface *surface, int vertex)
 {
     return tf_adaptive_positions(surface) + 3 * vertex;
 }
 
-int triangles_of(const tf_adaptive *surface)
+int triangles_of(const tf_adaptive_surface *surface)
 {
     tf_mesh mesh = tf_adaptive_mesh(surface);
     int count = 0;
@@ -64,7 +64,7 @@ int triangles_of(const tf_adaptive *surface)
     return count;
 }
 
-int has_triangle(const tf_adaptive *surface, int a, int b, int c)
+int has_triangle(const tf_adaptive_surface *surface, int a, int b, int c)
 {
     tf_mesh mesh = tf_adaptive_mesh(surface);
     for (int i = 0; i < 3 * mesh.triangles; i++) {

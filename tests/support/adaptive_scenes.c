@@ -208,7 +208,7 @@ static void make_spheres(generator *random, adaptive_scene *made)
 static bool is_good(const adaptive_scene *made)
 {
     tf_mesh mesh = adaptive_scene_mesh(made);
-    tf_adaptive *surface = NULL;
+    tf_adaptive_surface *surface = NULL;
     tf_status status =
         tf_adaptive_create(&mesh, made->position, &surface, NULL);
     tf_adaptive_free(surface);

@@ -135,7 +135,7 @@ void add_ring(blobs *to, const double at[3], double radius, double thickness,
         }
 }
 
-tf_adaptive *blobs_surface(const blobs *of)
+tf_adaptive_surface *blobs_surface(const blobs *of)
 {
     return adaptive_of(of->vertices, (double(*)[3])of->position[0],
                        of->triangles, of->triangle);
@@ -143,13 +143,13 @@ tf_adaptive *blobs_surface(const blobs *of)
 
 // From afar -------------------------------------------------------------------
 
-int parts_of(const tf_adaptive *surface)
+int parts_of(const tf_adaptive_surface *surface)
 {
     static int part[LABELLED];
     return label_parts(surface, part);
 }
 
-int euler_of(const tf_adaptive *surface)
+int euler_of(const tf_adaptive_surface *surface)
 {
     static int part[LABELLED];
     tf_mesh mesh = tf_adaptive_mesh(surface);
@@ -160,7 +160,7 @@ int euler_of(const tf_adaptive *surface)
     return vertices - triangles / 2;
 }
 
-double volume_of(const tf_adaptive *surface)
+double volume_of(const tf_adaptive_surface *surface)
 {
     tf_mesh mesh = tf_adaptive_mesh(surface);
     double sum = 0;
@@ -177,7 +177,7 @@ double volume_of(const tf_adaptive *surface)
     return sum / 6;
 }
 
-int is_sound(const tf_adaptive *surface)
+int is_sound(const tf_adaptive_surface *surface)
 {
     static int kept[3 * LABELLED];
     tf_mesh mesh = tf_adaptive_mesh(surface);
@@ -185,7 +185,7 @@ int is_sound(const tf_adaptive *surface)
     for (int t = 0; t < mesh.triangles; t++)
         if (mesh.triangle[3 * t] >= 0)
             memcpy(kept + 3 * count++, mesh.triangle + 3 * t, 3 * sizeof *kept);
-    tf_adaptive *again = NULL;
+    tf_adaptive_surface *again = NULL;
     mesh.triangle = kept;
     mesh.triangles = count;
     tf_status status =

@@ -30,19 +30,19 @@ void add_ring(blobs *to, const double at[3], double radius, double thickness,
               int around, int across);
 
 /// The surface.
-tf_adaptive *blobs_surface(const blobs *of);
+tf_adaptive_surface *blobs_surface(const blobs *of);
 
 /// How many parts a surface has.
-int parts_of(const tf_adaptive *surface);
+int parts_of(const tf_adaptive_surface *surface);
 
 /// Vertices less edges plus triangles: 2 for each ball, 0 for each ring.
-int euler_of(const tf_adaptive *surface);
+int euler_of(const tf_adaptive_surface *surface);
 
 /// The volume of a closed surface, rounded.
-double volume_of(const tf_adaptive *surface);
+double volume_of(const tf_adaptive_surface *surface);
 
 /// Whether a surface is free of intersections and collinear triangles, as far
 /// as making a new one of it shows.
-int is_sound(const tf_adaptive *surface);
+int is_sound(const tf_adaptive_surface *surface);
 
 #endif

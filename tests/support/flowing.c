@@ -68,7 +68,8 @@ static void stretch(double at[3], double distance)
         at[k] *= distance / length;
 }
 
-tf_adaptive *adaptive_sphere(int n, const double center[3], double radius)
+tf_adaptive_surface *adaptive_sphere(int n, const double center[3],
+                                     double radius)
 {
     make_octahedron(n);
     for (int v = 0; v < places; v++) {
@@ -79,7 +80,7 @@ tf_adaptive *adaptive_sphere(int n, const double center[3], double radius)
     return adaptive_of(places, place, corners / 3, triangle);
 }
 
-tf_adaptive *adaptive_bumpy_sphere(int n, double bump, uint64_t stream)
+tf_adaptive_surface *adaptive_bumpy_sphere(int n, double bump, uint64_t stream)
 {
     generator random = generator_new(stream);
     make_octahedron(n);
@@ -93,9 +94,10 @@ tf_adaptive *adaptive_bumpy_sphere(int n, double bump, uint64_t stream)
 
 // Steps of a flow -------------------------------------------------------------
 
-tf_flowing *flowing_begin(tf_adaptive *surface, double edge, unsigned careless)
+tf_flow_state *flowing_begin(tf_adaptive_surface *surface, double edge,
+                             unsigned careless)
 {
-    static tf_flowing made;
+    static tf_flow_state made;
     static tf_remesh_report counts;
     static tf_remesh_options quiet;
     static tf_flow_options options;
@@ -104,19 +106,19 @@ tf_flowing *flowing_begin(tf_adaptive *surface, double edge, unsigned careless)
     quiet = (tf_remesh_options){.edge = edge};
     options = (tf_flow_options){.edge = edge, .careless = careless};
     report = (tf_flow_report){0};
-    made = (tf_flowing){.remesher = {.of = surface,
-                                     .edge = edge,
-                                     .options = &quiet,
-                                     .report = &counts},
-                        .options = &options,
-                        .report = &report};
+    made = (tf_flow_state){.remesher = {.surface = surface,
+                                        .edge = edge,
+                                        .options = &quiet,
+                                        .report = &counts},
+                           .options = &options,
+                           .report = &report};
     return &made;
 }
 
-void flowing_end(tf_flowing *of)
+void flowing_end(tf_flow_state *flow)
 {
-    tf_adaptive_free(of->remesher.of);
-    tf_buffer_free(&of->remesher.row);
+    tf_adaptive_free(flow->remesher.surface);
+    tf_buffer_free(&flow->remesher.row);
 }
 
 // Volumes ---------------------------------------------------------------------
@@ -137,7 +139,7 @@ static void add_product(mpq_t volume, int sign, double a, double b, double c)
     mpq_clear(factor);
 }
 
-void exact_volume(const tf_adaptive *surface, mpq_t volume)
+void exact_volume(const tf_adaptive_surface *surface, mpq_t volume)
 {
     tf_mesh mesh = tf_adaptive_mesh(surface);
     const double *x = tf_adaptive_positions(surface);
@@ -153,7 +155,7 @@ void exact_volume(const tf_adaptive *surface, mpq_t volume)
         }
 }
 
-double volume_gained(const tf_adaptive *surface, const mpq_t before)
+double volume_gained(const tf_adaptive_surface *surface, const mpq_t before)
 {
     mpq_t now;
     mpq_init(now);
@@ -164,16 +166,17 @@ double volume_gained(const tf_adaptive *surface, const mpq_t before)
     return gained;
 }
 
-void expect_kept_volume(tf_flowing *of, tf_operation operation,
-                        tf_status pass(tf_flowing *of), bool kept)
+void expect_kept_volume(tf_flow_state *flow, tf_operation operation,
+                        tf_status pass(tf_flow_state *flow), bool kept)
 {
     mpq_t before;
     mpq_init(before);
-    exact_volume(of->remesher.of, before);
-    ck_assert_int_eq(pass(of), TF_OK);
-    double gained = fabs(volume_gained(of->remesher.of, before));
+    exact_volume(flow->remesher.surface, before);
+    ck_assert_int_eq(pass(flow), TF_OK);
+    double gained = fabs(volume_gained(flow->remesher.surface, before));
     mpq_clear(before);
-    ck_assert_uint_gt(of->remesher.report->tried[operation][TF_COMMITTED], 10);
+    ck_assert_uint_gt(flow->remesher.report->tried[operation][TF_COMMITTED],
+                      10);
     if (kept)
         ck_assert_double_lt(gained, 1e-14);
     else
@@ -182,7 +185,7 @@ void expect_kept_volume(tf_flowing *of, tf_operation operation,
 
 // The judge -------------------------------------------------------------------
 
-void expect_embedded(tf_adaptive *surface)
+void expect_embedded(tf_adaptive_surface *surface)
 {
     ck_assert_int_eq(tf_adaptive_compact(surface, NULL), TF_OK);
     tf_mesh mesh = tf_adaptive_mesh(surface);

@@ -320,8 +320,9 @@ chosen operating_choose(operating *run)
 
 // Operating -------------------------------------------------------------------
 
-static tf_status do_operation(tf_adaptive *surface, const chosen *request,
-                              int *vertex, tf_outcome *outcome)
+static tf_status do_operation(tf_adaptive_surface *surface,
+                              const chosen *request, int *vertex,
+                              tf_outcome *outcome)
 {
     const chosen *r = request;
     switch (r->what) {
@@ -339,7 +340,8 @@ static tf_status do_operation(tf_adaptive *surface, const chosen *request,
     }
 }
 
-tf_outcome chosen_try(tf_adaptive *surface, const chosen *request, int *vertex)
+tf_outcome chosen_try(tf_adaptive_surface *surface, const chosen *request,
+                      int *vertex)
 {
     tf_outcome outcome;
     *vertex = -1;
@@ -375,7 +377,7 @@ void operating_compact(operating *run)
 
 uint64_t operating_hash(const operating *run)
 {
-    const tf_adaptive *s = run->surface;
+    const tf_adaptive_surface *s = run->surface;
     size_t vertices = (size_t)s->vertices, triangles = (size_t)s->triangles;
     const int counts[] = {s->vertices, s->triangles, s->free_triangle,
                           s->boxes.branches, s->boxes.free_branch};

@@ -40,7 +40,7 @@ typedef struct operating_counts {
 typedef struct operating {
     generator random;
     adaptive_scene scene;
-    tf_adaptive *surface;
+    tf_adaptive_surface *surface;
     int part[LABELLED]; ///< of each vertex
     int nesting[SCENE_PARTS]
                [SCENE_PARTS]; ///< how often one goes around another
@@ -64,7 +64,8 @@ int operating_corner(operating *run);
 chosen operating_choose(operating *run);
 
 /// Tries it on any surface; `vertex` becomes the number of a new vertex, or -1.
-tf_outcome chosen_try(tf_adaptive *surface, const chosen *request, int *vertex);
+tf_outcome chosen_try(tf_adaptive_surface *surface, const chosen *request,
+                      int *vertex);
 
 /// Tries it on the surface of a run.
 tf_outcome operate(operating *run, const chosen *request);

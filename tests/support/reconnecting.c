@@ -17,7 +17,7 @@ static int root_of(int parent[], int v)
     return v;
 }
 
-int label_parts(const tf_adaptive *surface, int part[])
+int label_parts(const tf_adaptive_surface *surface, int part[])
 {
     static int parent[LABELLED], label[LABELLED];
     tf_mesh mesh = tf_adaptive_mesh(surface);
@@ -142,10 +142,11 @@ static const char *merge_fault(const operating *run, const comparison *before,
     return NULL;
 }
 
-static bool is_neighbor(const tf_adaptive *of, int a, int b)
+static bool is_neighbor(const tf_adaptive_surface *surface, int a, int b)
 {
-    tf_mesh mesh = tf_adaptive_mesh(of);
-    for (int c = tf_first_corner(of, a); c >= 0; c = tf_next_corner(of, c))
+    tf_mesh mesh = tf_adaptive_mesh(surface);
+    for (int c = tf_first_corner(surface, a); c >= 0;
+         c = tf_next_corner(surface, c))
         for (int i = 0; i < 3; i++)
             if (mesh.triangle[c / 3 * 3 + i] == b)
                 return true;
@@ -173,13 +174,13 @@ static void edge_at(const operating *run, int corner, int edge[2])
 }
 
 /// Whether an edge has two triangles, without a second edge between these.
-static bool is_good_edge(const tf_adaptive *of, const int edge[2])
+static bool is_good_edge(const tf_adaptive_surface *surface, const int edge[2])
 {
-    int forth = tf_find_edge(of, edge[0], edge[1]);
-    int back = tf_find_edge(of, edge[1], edge[0]);
+    int forth = tf_find_edge(surface, edge[0], edge[1]);
+    int back = tf_find_edge(surface, edge[1], edge[0]);
     return forth >= 0 && back >= 0 &&
-           !is_neighbor(of, tf_vertex_at(of, tf_corner_before(forth)),
-                        tf_vertex_at(of, tf_corner_before(back)));
+           !is_neighbor(surface, tf_vertex_at(surface, tf_corner_before(forth)),
+                        tf_vertex_at(surface, tf_corner_before(back)));
 }
 
 static void choose_edge(operating *run, int edge[2])
@@ -261,10 +262,11 @@ static const char *pinch_fault(const operating *run, const comparison *before,
     return NULL;
 }
 
-static bool is_face(const tf_adaptive *of, const int v[3])
+static bool is_face(const tf_adaptive_surface *surface, const int v[3])
 {
-    tf_mesh mesh = tf_adaptive_mesh(of);
-    for (int c = tf_first_corner(of, v[0]); c >= 0; c = tf_next_corner(of, c)) {
+    tf_mesh mesh = tf_adaptive_mesh(surface);
+    for (int c = tf_first_corner(surface, v[0]); c >= 0;
+         c = tf_next_corner(surface, c)) {
         const int *t = mesh.triangle + c / 3 * 3;
         int common = 0;
         for (int i = 0; i < 9; i++)
@@ -292,16 +294,16 @@ static void choose_loop(operating *run, int loop[3])
 }
 
 /// The middle of the neighbors of a vertex that are to the left of the loop.
-static void left_middle(const tf_adaptive *of, const int loop[3], int i,
-                        double middle[3])
+static void left_middle(const tf_adaptive_surface *surface, const int loop[3],
+                        int i, double middle[3])
 {
-    const double *x = tf_adaptive_positions(of);
+    const double *x = tf_adaptive_positions(surface);
     int count = 0, end = loop[(i + 1) % 3];
     for (int k = 0; k < 3; k++)
         middle[k] = 0;
     for (;;) {
-        int c = tf_find_edge(of, loop[i], end);
-        end = c < 0 ? -1 : tf_vertex_at(of, tf_corner_before(c));
+        int c = tf_find_edge(surface, loop[i], end);
+        end = c < 0 ? -1 : tf_vertex_at(surface, tf_corner_before(c));
         if (end < 0 || end == loop[(i + 2) % 3] || end == loop[(i + 1) % 3])
             break;
         count++;

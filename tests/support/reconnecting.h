@@ -27,6 +27,6 @@ void reconnecting_counts_print(const reconnecting_counts *counts);
 
 /// Gives each vertex of a surface the number of its part; returns how many
 /// parts there are.  -1: it has no triangles.
-int label_parts(const tf_adaptive *surface, int part[]);
+int label_parts(const tf_adaptive_surface *surface, int part[]);
 
 #endif

@@ -4,41 +4,43 @@
 
 #include <stdlib.h>
 
-tf_remesher *remeshing_begin(tf_adaptive *surface, double edge)
+tf_remesher *remeshing_begin(tf_adaptive_surface *surface, double edge)
 {
     static tf_remesher made;
     static tf_remesh_report report;
     static tf_remesh_options options;
     report = (tf_remesh_report){0};
     options = (tf_remesh_options){.edge = edge};
-    made = (tf_remesher){
-        .of = surface, .edge = edge, .options = &options, .report = &report};
+    made = (tf_remesher){.surface = surface,
+                         .edge = edge,
+                         .options = &options,
+                         .report = &report};
     if (!tf_original_copy(&made.original, surface))
         abort();
     return &made;
 }
 
-void remeshing_end(tf_remesher *of)
+void remeshing_end(tf_remesher *remesher)
 {
-    tf_adaptive_free(of->of);
-    tf_original_free(&of->original);
-    tf_buffer_free(&of->row);
+    tf_adaptive_free(remesher->surface);
+    tf_original_free(&remesher->original);
+    tf_buffer_free(&remesher->row);
 }
 
-int done(const tf_remesher *of, tf_operation operation)
+int done(const tf_remesher *remesher, tf_operation operation)
 {
-    return (int)of->report->tried[operation][TF_COMMITTED];
+    return (int)remesher->report->tried[operation][TF_COMMITTED];
 }
 
-int refused(const tf_remesher *of, tf_operation operation)
+int refused(const tf_remesher *remesher, tf_operation operation)
 {
     int sum = 0;
     for (int i = TF_IMPOSSIBLE; i < TF_OUTCOMES; i++)
-        sum += (int)of->report->tried[operation][i];
+        sum += (int)remesher->report->tried[operation][i];
     return sum;
 }
 
-static double extreme_edge(const tf_adaptive *surface, double sign)
+static double extreme_edge(const tf_adaptive_surface *surface, double sign)
 {
     double extreme = -INFINITY;
     tf_mesh mesh = tf_adaptive_mesh(surface);
@@ -51,12 +53,12 @@ static double extreme_edge(const tf_adaptive *surface, double sign)
     return sign * extreme;
 }
 
-double shortest_edge(const tf_adaptive *surface)
+double shortest_edge(const tf_adaptive_surface *surface)
 {
     return extreme_edge(surface, -1);
 }
 
-double longest_edge(const tf_adaptive *surface)
+double longest_edge(const tf_adaptive_surface *surface)
 {
     return extreme_edge(surface, 1);
 }

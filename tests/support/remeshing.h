@@ -5,15 +5,15 @@
 #include "remesh/remesher.h"
 
 /// Begins to remesh a surface, which it then owns, to edges of that length.
-tf_remesher *remeshing_begin(tf_adaptive *surface, double edge);
-void remeshing_end(tf_remesher *of);
+tf_remesher *remeshing_begin(tf_adaptive_surface *surface, double edge);
+void remeshing_end(tf_remesher *remesher);
 
 /// How often an operation was done, and refused.
-int done(const tf_remesher *of, tf_operation operation);
-int refused(const tf_remesher *of, tf_operation operation);
+int done(const tf_remesher *remesher, tf_operation operation);
+int refused(const tf_remesher *remesher, tf_operation operation);
 
 /// The lengths of the shortest and the longest edge.
-double shortest_edge(const tf_adaptive *surface);
-double longest_edge(const tf_adaptive *surface);
+double shortest_edge(const tf_adaptive_surface *surface);
+double longest_edge(const tf_adaptive_surface *surface);
 
 #endif

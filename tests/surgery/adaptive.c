@@ -15,7 +15,7 @@ START_TEST(a_surface_is_lent_as_it_was_given)
     generator random = generator_new(1);
     adaptive_scene_make(&random, SLABS, &scene);
     tf_mesh mesh = adaptive_scene_mesh(&scene);
-    tf_adaptive *surface = NULL;
+    tf_adaptive_surface *surface = NULL;
     ck_assert_int_eq(tf_adaptive_create(&mesh, scene.position, &surface, NULL),
                      TF_OK);
     tf_mesh lent = tf_adaptive_mesh(surface);
@@ -33,7 +33,7 @@ END_TEST
 // never had triangles.
 START_TEST(compaction_keeps_the_order)
 {
-    tf_adaptive *surface = adaptive_sheet(2, 2);
+    tf_adaptive_surface *surface = adaptive_sheet(2, 2);
     tf_outcome outcome;
     int map[9];
     ck_assert_int_eq(tf_adaptive_collapse(surface, 4, 5, &outcome), TF_OK);
@@ -93,7 +93,7 @@ END_TEST
 START_TEST(a_surface_needs_positions)
 {
     tf_mesh mesh = {.axes = 3};
-    tf_adaptive *surface;
+    tf_adaptive_surface *surface;
     tf_adaptive_create(&mesh, NULL, &surface, NULL);
 }
 END_TEST

@@ -6,15 +6,15 @@
 
 #include <string.h>
 
-static tf_outcome collapse(tf_adaptive *surface, int from, int to)
+static tf_outcome collapse(tf_adaptive_surface *surface, int from, int to)
 {
     tf_outcome outcome;
     ck_assert_int_eq(tf_adaptive_collapse(surface, from, to, &outcome), TF_OK);
     return outcome;
 }
 
-static tf_outcome collapse_to(tf_adaptive *surface, int from, int to, double x,
-                              double y, double z)
+static tf_outcome collapse_to(tf_adaptive_surface *surface, int from, int to,
+                              double x, double y, double z)
 {
     const double place[] = {x, y, z};
     tf_outcome outcome;
@@ -25,7 +25,7 @@ static tf_outcome collapse_to(tf_adaptive *surface, int from, int to, double x,
 
 START_TEST(the_triangles_on_the_edge_vanish)
 {
-    tf_adaptive *surface = adaptive_sheet(2, 2);
+    tf_adaptive_surface *surface = adaptive_sheet(2, 2);
     ck_assert_int_eq(collapse(surface, 4, 8), TF_COMMITTED);
     ck_assert_int_eq(triangles_of(surface), 6);
     ck_assert(has_triangle(surface, 0, 1, 8));
@@ -39,7 +39,7 @@ END_TEST
 // across.
 START_TEST(the_boundary_stays)
 {
-    tf_adaptive *surface = adaptive_sheet(2, 2);
+    tf_adaptive_surface *surface = adaptive_sheet(2, 2);
     ck_assert_int_eq(collapse(surface, 1, 4), TF_IMPOSSIBLE);
     ck_assert_int_eq(collapse(surface, 1, 3), TF_IMPOSSIBLE); // no edge
     ck_assert_int_eq(collapse(surface, 1, 1), TF_IMPOSSIBLE);
@@ -57,7 +57,7 @@ END_TEST
 // around either may vanish, but the other then must not move, nor vanish.
 START_TEST(something_stays)
 {
-    tf_adaptive *surface = adaptive_tetrahedron();
+    tf_adaptive_surface *surface = adaptive_tetrahedron();
     ck_assert_int_eq(collapse(surface, 0, 1), TF_IMPOSSIBLE);
     tf_adaptive_free(surface);
     surface = adaptive_sheet(1, 1);
@@ -78,7 +78,7 @@ START_TEST(a_ring_of_three_stays)
         {1, 0, 0}, {-1, 1, 0}, {-1, -1, 0}, {0, 0, 1}, {0, 0, -1}};
     static const int triangle[] = {0, 1, 3, 1, 2, 3, 2, 0, 3,
                                    1, 0, 4, 2, 1, 4, 0, 2, 4};
-    tf_adaptive *surface = adaptive_of(5, place, 6, triangle);
+    tf_adaptive_surface *surface = adaptive_of(5, place, 6, triangle);
     ck_assert_int_eq(collapse(surface, 0, 1), TF_IMPOSSIBLE);
     ck_assert_int_eq(collapse(surface, 3, 0), TF_COMMITTED);
     ck_assert_int_eq(triangles_of(surface), 4);
@@ -88,7 +88,7 @@ END_TEST
 
 START_TEST(an_edge_collapses_to_a_place)
 {
-    tf_adaptive *surface = adaptive_sheet(3, 3);
+    tf_adaptive_surface *surface = adaptive_sheet(3, 3);
     ck_assert_int_eq(collapse_to(surface, 5, 6, 1.5, 1, 0.5), TF_COMMITTED);
     ck_assert_int_eq(triangles_of(surface), 16);
     ck_assert_double_eq(place_of(surface, 6)[0], 1.5);
@@ -99,7 +99,7 @@ END_TEST
 // The move of 6 is legal, but then 5 passes over itself: all is as before.
 START_TEST(what_is_half_done_is_undone)
 {
-    tf_adaptive *surface = adaptive_sheet(3, 3);
+    tf_adaptive_surface *surface = adaptive_sheet(3, 3);
     double before[48];
     memcpy(before, tf_adaptive_positions(surface), sizeof before);
     ck_assert_int_eq(collapse_to(surface, 1, 6, 2, 1, 0.5), TF_IMPOSSIBLE);

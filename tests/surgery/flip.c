@@ -4,7 +4,7 @@
 #include "support/adaptive_of.h"
 #include "support/support.h"
 
-static tf_outcome flip(tf_adaptive *surface, int a, int b)
+static tf_outcome flip(tf_adaptive_surface *surface, int a, int b)
 {
     tf_outcome outcome;
     ck_assert_int_eq(tf_adaptive_flip(surface, a, b, &outcome), TF_OK);
@@ -13,7 +13,7 @@ static tf_outcome flip(tf_adaptive *surface, int a, int b)
 
 START_TEST(an_edge_becomes_the_other_diagonal)
 {
-    tf_adaptive *surface = adaptive_sheet(2, 2);
+    tf_adaptive_surface *surface = adaptive_sheet(2, 2);
     ck_assert_int_eq(flip(surface, 0, 4), TF_COMMITTED);
     ck_assert(has_triangle(surface, 0, 1, 3));
     ck_assert(has_triangle(surface, 4, 3, 1));
@@ -28,7 +28,7 @@ START_TEST(a_quadrilateral_must_be_convex)
 {
     static double place[][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.1, 0.1, 0}};
     static const int triangle[] = {0, 1, 3, 0, 3, 2};
-    tf_adaptive *surface = adaptive_of(4, place, 2, triangle);
+    tf_adaptive_surface *surface = adaptive_of(4, place, 2, triangle);
     ck_assert_int_eq(flip(surface, 0, 3), TF_OVERLAPPED);
     tf_adaptive_free(surface);
 }
@@ -38,7 +38,7 @@ END_TEST
 // three would lose one.
 START_TEST(some_edges_do_not_flip)
 {
-    tf_adaptive *surface = adaptive_sheet(2, 2);
+    tf_adaptive_surface *surface = adaptive_sheet(2, 2);
     ck_assert_int_eq(flip(surface, 0, 1), TF_IMPOSSIBLE);
     ck_assert_int_eq(flip(surface, 0, 8), TF_IMPOSSIBLE);
     tf_adaptive_free(surface);

@@ -181,7 +181,7 @@ START_TEST(the_first_defect_is_named)
     const faulty *f = &meshes[_i];
     tf_mesh mesh = {3,           f->vertices, f->triangles,
                     f->triangle, f->edges,    f->edge};
-    tf_adaptive *made = NULL;
+    tf_adaptive_surface *made = NULL;
     tf_defect defect;
     tf_status status = tf_adaptive_create(&mesh, f->place[0], &made, &defect);
     ck_assert_msg(status == f->status, "%s: %d", f->what, status);

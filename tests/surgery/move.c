@@ -12,8 +12,8 @@
 #include <string.h>
 
 /// Whether a vertex of a surface without gaps meets something on its way.
-static bool has_contact(tf_surface *detected, const tf_adaptive *surface,
-                        const chosen *move)
+static bool has_contact(tf_surface *detected,
+                        const tf_adaptive_surface *surface, const chosen *move)
 {
     static double end[3 * LABELLED];
     tf_mesh mesh = tf_adaptive_mesh(surface);
@@ -68,7 +68,7 @@ START_TEST(a_vertex_without_triangles_does_not_move)
     static double place[][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {3, 3, 3}};
     static const double to[] = {4, 4, 4};
     static const int triangle[] = {0, 1, 2};
-    tf_adaptive *surface = adaptive_of(4, place, 1, triangle);
+    tf_adaptive_surface *surface = adaptive_of(4, place, 1, triangle);
     tf_outcome outcome;
     ck_assert_int_eq(tf_adaptive_move(surface, 3, to, &outcome), TF_OK);
     ck_assert_int_eq(outcome, TF_IMPOSSIBLE);

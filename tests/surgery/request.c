@@ -8,7 +8,7 @@
 #include <math.h>
 #include <signal.h>
 
-static tf_status all_statuses(tf_adaptive *surface, int a, int b,
+static tf_status all_statuses(tf_adaptive_surface *surface, int a, int b,
                               const double place[3])
 {
     tf_outcome outcome[5];
@@ -33,7 +33,7 @@ START_TEST(bad_requests_are_refused)
 {
     static const double place[] = {2, 2, 2}, nan[] = {NAN, 0, 0};
     static const double infinite[] = {0, 0, -INFINITY};
-    tf_adaptive *surface = adaptive_tetrahedron();
+    tf_adaptive_surface *surface = adaptive_tetrahedron();
     ck_assert_int_eq(all_statuses(surface, -1, 0, place), TF_BAD_INDEX);
     ck_assert_int_eq(all_statuses(surface, 4, 0, place), TF_BAD_INDEX);
     ck_assert_int_eq(all_statuses(surface, 0, 1, nan), TF_NOT_FINITE);

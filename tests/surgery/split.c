@@ -4,8 +4,8 @@
 #include "support/adaptive_of.h"
 #include "support/support.h"
 
-static tf_outcome split(tf_adaptive *surface, int a, int b, double x, double y,
-                        double z, int *vertex)
+static tf_outcome split(tf_adaptive_surface *surface, int a, int b, double x,
+                        double y, double z, int *vertex)
 {
     const double place[] = {x, y, z};
     tf_outcome outcome;
@@ -18,7 +18,7 @@ static tf_outcome split(tf_adaptive *surface, int a, int b, double x, double y,
 
 START_TEST(an_edge_has_two_triangles_split)
 {
-    tf_adaptive *surface = adaptive_tetrahedron();
+    tf_adaptive_surface *surface = adaptive_tetrahedron();
     int vertex;
     ck_assert_int_eq(split(surface, 0, 1, 2, 0.1, 0, &vertex), TF_COMMITTED);
     ck_assert_int_eq(vertex, 4);
@@ -34,7 +34,7 @@ END_TEST
 
 START_TEST(an_edge_of_the_boundary_has_one)
 {
-    tf_adaptive *surface = adaptive_sheet(2, 2);
+    tf_adaptive_surface *surface = adaptive_sheet(2, 2);
     int vertex;
     ck_assert_int_eq(split(surface, 1, 0, 0.5, 0, 0, &vertex), TF_COMMITTED);
     ck_assert_int_eq(triangles_of(surface), 9);
@@ -47,7 +47,7 @@ END_TEST
 // In the plane of the sheet: inside, on an edge, and beyond.
 START_TEST(a_split_stays_in_its_place)
 {
-    tf_adaptive *surface = adaptive_sheet(2, 2);
+    tf_adaptive_surface *surface = adaptive_sheet(2, 2);
     int vertex;
     ck_assert_int_eq(split(surface, 4, 5, 1.5, 2, 0, &vertex), TF_OVERLAPPED);
     ck_assert_int_eq(split(surface, 4, 5, 1.5, 1.5, 0, &vertex), TF_FLATTENED);
@@ -58,7 +58,7 @@ END_TEST
 
 START_TEST(there_must_be_an_edge_to_split)
 {
-    tf_adaptive *surface = adaptive_sheet(2, 2);
+    tf_adaptive_surface *surface = adaptive_sheet(2, 2);
     int vertex;
     ck_assert_int_eq(split(surface, 0, 8, 1, 1, 1, &vertex), TF_IMPOSSIBLE);
     ck_assert_int_eq(split(surface, 3, 3, 1, 1, 1, &vertex), TF_IMPOSSIBLE);
@@ -71,7 +71,7 @@ START_TEST(a_lone_triangle_is_left_alone)
 {
     static double place[][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     static const int triangle[] = {0, 1, 2};
-    tf_adaptive *surface = adaptive_of(3, place, 1, triangle);
+    tf_adaptive_surface *surface = adaptive_of(3, place, 1, triangle);
     int vertex;
     ck_assert_int_eq(split(surface, 0, 1, -0.5, 2.5, 0, &vertex),
                      TF_IMPOSSIBLE);

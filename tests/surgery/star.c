@@ -10,7 +10,7 @@
 #include "support/adaptive_of.h"
 #include "support/support.h"
 
-static tf_adaptive *sheet;
+static tf_adaptive_surface *sheet;
 
 static void begin(void)
 {
@@ -33,8 +33,8 @@ START_TEST(edges_are_found_in_their_direction)
     ck_assert_int_ne(tf_find_edge(sheet, 4, 0), TF_NONE);
     ck_assert_int_ne(tf_find_edge(sheet, 0, 4), TF_NONE);
     ck_assert_int_eq(tf_find_edge(sheet, 1, 3), TF_NONE);
-    ck_assert(tf_is_bare(sheet, corner));
-    ck_assert(!tf_is_bare(sheet, tf_find_edge(sheet, 0, 4)));
+    ck_assert(tf_is_boundary_edge(sheet, corner));
+    ck_assert(!tf_is_boundary_edge(sheet, tf_find_edge(sheet, 0, 4)));
 }
 END_TEST
 
@@ -43,7 +43,7 @@ START_TEST(triangles_and_neighbors_are_counted)
     static const int size[] = {2, 3, 1, 3, 6, 3, 1, 3, 2};
     for (int v = 0; v < 9; v++) {
         ck_assert_int_eq(tf_star_size(sheet, v), size[v]);
-        ck_assert(tf_is_rim(sheet, v) == (v != 4));
+        ck_assert(tf_is_boundary_vertex(sheet, v) == (v != 4));
     }
     ck_assert_int_eq(tf_common_neighbors(sheet, 0, 1), 1);
     ck_assert_int_eq(tf_common_neighbors(sheet, 1, 0), 1);
@@ -58,17 +58,18 @@ START_TEST(triangles_come_and_go)
 {
     int corner = tf_find_edge(sheet, 1, 2), found[8];
     const int vertex[] = {1, 2, 5};
-    tf_cuboid box = tf_cuboid_of(sheet, 3, vertex);
+    tf_aabb box = tf_aabb_of(sheet, 3, vertex);
     int gone = corner / 3,
-        count = tf_hierarchy_find(&sheet->boxes, &box, found);
+        count = tf_dynamic_tree_find(&sheet->boxes, &box, found);
     tf_triangle_remove(sheet, gone);
     ck_assert(!tf_is_triangle(sheet, gone));
     ck_assert_int_eq(tf_first_corner(sheet, 2), TF_NONE);
     ck_assert_int_eq(tf_star_size(sheet, 5), 2);
-    ck_assert_int_eq(tf_hierarchy_find(&sheet->boxes, &box, found), count - 1);
+    ck_assert_int_eq(tf_dynamic_tree_find(&sheet->boxes, &box, found),
+                     count - 1);
     ck_assert_int_eq(tf_triangle_add(sheet, vertex), gone);
     ck_assert_int_eq(tf_star_size(sheet, 5), 3);
-    ck_assert_int_eq(tf_hierarchy_find(&sheet->boxes, &box, found), count);
+    ck_assert_int_eq(tf_dynamic_tree_find(&sheet->boxes, &box, found), count);
 }
 END_TEST
 
@@ -76,10 +77,10 @@ START_TEST(a_lone_triangle_has_no_neighbor)
 {
     static double place[][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     static const int triangle[] = {0, 1, 2};
-    tf_adaptive *alone = adaptive_of(3, place, 1, triangle);
-    ck_assert(tf_is_lone(alone, 0));
+    tf_adaptive_surface *alone = adaptive_of(3, place, 1, triangle);
+    ck_assert(tf_is_isolated(alone, 0));
     for (int t = 0; t < 8; t++)
-        ck_assert(!tf_is_lone(sheet, t));
+        ck_assert(!tf_is_isolated(sheet, t));
     tf_adaptive_free(alone);
 }
 END_TEST

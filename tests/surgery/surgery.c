@@ -14,7 +14,7 @@
 START_TEST(a_patch_replaces_a_patch)
 {
     static const double place[] = {2, 2, 2};
-    tf_adaptive *surface = adaptive_tetrahedron();
+    tf_adaptive_surface *surface = adaptive_tetrahedron();
     ck_assert(tf_surgery_begin(surface, 3));
     int added = tf_surgery_place(surface, place);
     ck_assert_int_eq(added, 4);
@@ -40,7 +40,7 @@ END_TEST
 
 START_TEST(only_the_boundary_is_kept_by_itself)
 {
-    tf_adaptive *surface = adaptive_sheet(2, 2);
+    tf_adaptive_surface *surface = adaptive_sheet(2, 2);
     ck_assert(tf_surgery_begin(surface, 2));
     tf_surgery_keep(surface, tf_find_edge(surface, 0, 1));
     tf_surgery_keep(surface, tf_find_edge(surface, 1, 4));
@@ -54,7 +54,7 @@ END_TEST
 
 START_TEST(too_many_triangles_are_refused)
 {
-    tf_adaptive *surface = adaptive_tetrahedron();
+    tf_adaptive_surface *surface = adaptive_tetrahedron();
     ck_assert(!tf_surgery_begin(surface, INT_MAX / 3 - 2));
     ck_assert_int_eq(triangles_of(surface), 4);
     tf_adaptive_free(surface);

@@ -6,8 +6,8 @@
 #include "support/adaptive_of.h"
 #include "support/support.h"
 
-static tf_outcome move(tf_adaptive *surface, int vertex, double x, double y,
-                       double z)
+static tf_outcome move(tf_adaptive_surface *surface, int vertex, double x,
+                       double y, double z)
 {
     const double place[] = {x, y, z};
     tf_outcome outcome;
@@ -15,7 +15,7 @@ static tf_outcome move(tf_adaptive *surface, int vertex, double x, double y,
     return outcome;
 }
 
-static tf_outcome flip(tf_adaptive *surface, int a, int b)
+static tf_outcome flip(tf_adaptive_surface *surface, int a, int b)
 {
     tf_outcome outcome;
     ck_assert_int_eq(tf_adaptive_flip(surface, a, b, &outcome), TF_OK);
@@ -27,7 +27,7 @@ START_TEST(a_flip_could_flatten_a_triangle)
 {
     static double place[][3] = {{0, 0, 0}, {1, 1, 0}, {0, 2, 0}, {2, 2, 0}};
     static const int triangle[] = {0, 1, 2, 1, 3, 2};
-    tf_adaptive *surface = adaptive_of(4, place, 2, triangle);
+    tf_adaptive_surface *surface = adaptive_of(4, place, 2, triangle);
     ck_assert_int_eq(flip(surface, 1, 2), TF_FLATTENED);
     surface->left_out = 1U << TF_FLATTENED;
     ck_assert_int_eq(flip(surface, 1, 2), TF_COMMITTED);
@@ -37,7 +37,7 @@ START_TEST(a_flip_could_flatten_a_triangle)
 END_TEST
 
 /// A tetrahedron below a large triangle, whose edges are far away.
-static tf_adaptive *under_a_roof(void)
+static tf_adaptive_surface *under_a_roof(void)
 {
     static double place[][3] = {{0, 0, 0},   {1, 0, 0},   {0, 1, 0},  {0, 0, 1},
                                 {-9, -9, 2}, {20, -9, 2}, {-9, 20, 2}};
@@ -49,7 +49,7 @@ static tf_adaptive *under_a_roof(void)
 START_TEST(a_split_could_pierce_a_triangle)
 {
     static const double place[] = {0.25, 0.25, 3};
-    tf_adaptive *surface = under_a_roof();
+    tf_adaptive_surface *surface = under_a_roof();
     tf_outcome outcome;
     int vertex;
     for (int i = 0; i < 2; i++) {
@@ -70,7 +70,7 @@ START_TEST(a_move_could_swallow_a_speck)
                                 {3, 3.1, 2}, {3, 3, 2.1}};
     static const int triangle[] = {0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3,
                                    4, 6, 5, 4, 5, 7, 5, 6, 7, 6, 4, 7};
-    tf_adaptive *surface = adaptive_of(8, place, 8, triangle);
+    tf_adaptive_surface *surface = adaptive_of(8, place, 8, triangle);
     ck_assert_int_eq(move(surface, 3, 8, 8, 8), TF_PASSED_VERTEX);
     surface->left_out = 1U << TF_PASSED_VERTEX;
     ck_assert_int_eq(move(surface, 3, 8, 8, 8), TF_COMMITTED);
@@ -81,7 +81,7 @@ END_TEST
 // E: a corner passes an edge of its own tetrahedron, which turns inside out.
 START_TEST(a_move_could_pass_an_edge)
 {
-    tf_adaptive *surface = adaptive_tetrahedron();
+    tf_adaptive_surface *surface = adaptive_tetrahedron();
     ck_assert_int_eq(move(surface, 0, 0.5, 0.5, -3), TF_PASSED_EDGE);
     surface->left_out = 1U << TF_PASSED_EDGE;
     ck_assert_int_eq(move(surface, 0, 0.5, 0.5, -3), TF_COMMITTED);
@@ -92,7 +92,7 @@ END_TEST
 // X: a corner passes through the face opposite, with the same result.
 START_TEST(a_move_could_pass_a_triangle)
 {
-    tf_adaptive *surface = adaptive_tetrahedron();
+    tf_adaptive_surface *surface = adaptive_tetrahedron();
     ck_assert_int_eq(move(surface, 0, -2, -2, -2), TF_PASSED_TRIANGLE);
     surface->left_out = 1U << TF_PASSED_TRIANGLE;
     ck_assert_int_eq(move(surface, 0, -2, -2, -2), TF_COMMITTED);
@@ -104,7 +104,7 @@ END_TEST
 // middle of a sheet of four squares passes vertices and edges there.
 START_TEST(the_boundary_of_a_patch_is_in_the_way)
 {
-    tf_adaptive *surface = adaptive_sheet(2, 2);
+    tf_adaptive_surface *surface = adaptive_sheet(2, 2);
     ck_assert_int_eq(move(surface, 4, 3, 1, 0), TF_OVERLAPPED);
     ck_assert_int_eq(move(surface, 4, 1, 1, 5), TF_COMMITTED);
     ck_assert_int_eq(move(surface, 4, 3, 3, 0), TF_OVERLAPPED);
@@ -119,7 +119,7 @@ END_TEST
 // To touch is to fail: by one unit in the last place it is done or refused.
 START_TEST(touching_is_refused)
 {
-    tf_adaptive *surface = under_a_roof();
+    tf_adaptive_surface *surface = under_a_roof();
     ck_assert_int_eq(move(surface, 3, 0, 0, 2), TF_OVERLAPPED);
     ck_assert_int_eq(move(surface, 3, 0, 0, 2 - 0x1p-52), TF_COMMITTED);
     tf_adaptive_free(surface);

@@ -4,7 +4,7 @@
 #include "support/blobs.h"
 #include "support/support.h"
 
-static tf_adaptive *three_balls(void)
+static tf_adaptive_surface *three_balls(void)
 {
     static blobs made;
     made.vertices = made.triangles = 0;
@@ -17,7 +17,7 @@ static tf_adaptive *three_balls(void)
 
 START_TEST(each_part_is_listed_once)
 {
-    tf_adaptive *surface = three_balls();
+    tf_adaptive_surface *surface = three_balls();
     tf_parts parts = {0};
     ck_assert(tf_parts_begin(&parts, surface));
     ck_assert_int_eq(tf_parts_add(&parts, surface, 40), 32);

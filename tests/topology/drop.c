@@ -7,7 +7,7 @@
 #include "support/support.h"
 #include "surgery/star.h"
 
-static tf_outcome drop(tf_adaptive *surface, int vertex)
+static tf_outcome drop(tf_adaptive_surface *surface, int vertex)
 {
     tf_outcome outcome;
     ck_assert_int_eq(tf_adaptive_drop(surface, vertex, &outcome), TF_OK);
@@ -15,7 +15,7 @@ static tf_outcome drop(tf_adaptive *surface, int vertex)
 }
 
 /// A box in a box, and one beside, in the corner of a bent one.
-static tf_adaptive *boxes(int first[4])
+static tf_adaptive_surface *boxes(int first[4])
 {
     static adaptive_scene scene;
     static const int box[3][2][3] = {{{0, 0, 0}, {5, 3, 3}},
@@ -27,7 +27,7 @@ static tf_adaptive *boxes(int first[4])
         add_box(&scene, box[i][0], box[i][1]);
     }
     tf_mesh mesh = adaptive_scene_mesh(&scene);
-    tf_adaptive *made = NULL;
+    tf_adaptive_surface *made = NULL;
     ck_assert_int_eq(tf_adaptive_create(&mesh, scene.position, &made, NULL),
                      TF_OK);
     return made;
@@ -36,7 +36,7 @@ static tf_adaptive *boxes(int first[4])
 START_TEST(what_holds_another_part_stays)
 {
     int first[4];
-    tf_adaptive *surface = boxes(first);
+    tf_adaptive_surface *surface = boxes(first);
     int all = triangles_of(surface);
     ck_assert_int_eq(drop(surface, first[0]), TF_PASSED_VERTEX);
     ck_assert_int_eq(triangles_of(surface), all);
@@ -58,7 +58,7 @@ START_TEST(what_surrounds_another_part_goes)
     made.vertices = made.triangles = 0;
     add_ring(&made, at, 1, 0.4, 8, 5);
     add_ball(&made, at, 0.3, 2);
-    tf_adaptive *surface = blobs_surface(&made);
+    tf_adaptive_surface *surface = blobs_surface(&made);
     ck_assert_int_eq(parts_of(surface), 2);
     ck_assert_int_eq(drop(surface, 0), TF_COMMITTED);
     ck_assert_int_eq(parts_of(surface), 1);
@@ -69,7 +69,7 @@ END_TEST
 
 START_TEST(a_boundary_has_no_inside)
 {
-    tf_adaptive *surface = adaptive_sheet(2, 2);
+    tf_adaptive_surface *surface = adaptive_sheet(2, 2);
     tf_outcome outcome;
     ck_assert_int_eq(drop(surface, 0), TF_IMPOSSIBLE);
     ck_assert_int_eq(tf_adaptive_drop(surface, 9, &outcome), TF_BAD_INDEX);

@@ -7,13 +7,13 @@
 static blobs made;
 static tf_reconnect_report report;
 
-static size_t dropped(tf_adaptive *surface, double limit)
+static size_t dropped(tf_adaptive_surface *surface, double limit)
 {
     report = (tf_reconnect_report){0};
-    tf_reconnector of = {
-        .of = surface, .options = {.drop = limit}, .report = &report};
-    ck_assert_int_eq(tf_drop_pass(&of), TF_OK);
-    tf_reconnector_free(&of);
+    tf_reconnector reconnector = {
+        .surface = surface, .options = {.drop = limit}, .report = &report};
+    ck_assert_int_eq(tf_drop_pass(&reconnector), TF_OK);
+    tf_reconnector_free(&reconnector);
     return report.tried[TF_DROP][TF_COMMITTED];
 }
 
@@ -26,7 +26,7 @@ START_TEST(small_parts_that_hold_nothing_go)
         const double middle[] = {at[i], 0, 0};
         add_ball(&made, middle, radius[i], 2);
     }
-    tf_adaptive *surface = blobs_surface(&made);
+    tf_adaptive_surface *surface = blobs_surface(&made);
     double before = volume_of(surface);
     ck_assert_uint_eq(dropped(surface, 1e-5), 0);
     ck_assert_uint_eq(dropped(surface, 5e-4), 1); // 0.05
@@ -48,7 +48,7 @@ START_TEST(what_is_held_may_go_later)
         const double middle[] = {at[i], 0, 0};
         add_ball(&made, middle, radius[i], 2);
     }
-    tf_adaptive *surface = blobs_surface(&made);
+    tf_adaptive_surface *surface = blobs_surface(&made);
     ck_assert_uint_eq(dropped(surface, 1), 1);
     ck_assert_uint_eq(report.tried[TF_DROP][TF_PASSED_VERTEX], 1);
     ck_assert_uint_eq(dropped(surface, 1), 1);

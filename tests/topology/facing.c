@@ -7,7 +7,7 @@
 
 static blobs made;
 static tf_reconnect_report report;
-static tf_reconnector of;
+static tf_reconnector reconnector;
 
 /// Two balls with a gap at the height 0, the first of them below, or above.
 static void begin(double gap, int divisions, bool above)
@@ -17,18 +17,19 @@ static void begin(double gap, int divisions, bool above)
         const double middle[] = {0, 0, (i == above ? -1 : 1) * (1 + gap / 2)};
         add_ball(&made, middle, 1, divisions);
     }
-    of = (tf_reconnector){.of = blobs_surface(&made), .report = &report};
+    reconnector =
+        (tf_reconnector){.surface = blobs_surface(&made), .report = &report};
 }
 
 static void end(void)
 {
-    tf_adaptive_free(of.of);
-    tf_reconnector_free(&of);
+    tf_adaptive_free(reconnector.surface);
+    tf_reconnector_free(&reconnector);
 }
 
-static const tf_facing *row_at(int i)
+static const tf_facing_edges *row_at(int i)
 {
-    return (const tf_facing *)of.row.data + i;
+    return (const tf_facing_edges *)reconnector.row.data + i;
 }
 
 /// The distance of two edges, by points on them.
@@ -38,11 +39,13 @@ static double about(const int first[2], const int second[2])
     for (int i = 0; i <= 2500; i++) {
         double s = i % 51 / 50.0, t = i / 51 / 48.0;
         tf_vector p = tf_vector_sum(
-            tf_vector_scaled(1 - s, tf_position_of(of.of, first[0])), s,
-            tf_position_of(of.of, first[1]));
+            tf_vector_scaled(1 - s,
+                             tf_position_of(reconnector.surface, first[0])),
+            s, tf_position_of(reconnector.surface, first[1]));
         tf_vector q = tf_vector_sum(
-            tf_vector_scaled(1 - t, tf_position_of(of.of, second[0])), t,
-            tf_position_of(of.of, second[1]));
+            tf_vector_scaled(1 - t,
+                             tf_position_of(reconnector.surface, second[0])),
+            t, tf_position_of(reconnector.surface, second[1]));
         least = fmin(least, tf_vector_length(tf_vector_difference(p, q)));
     }
     return least;
@@ -51,16 +54,19 @@ static double about(const int first[2], const int second[2])
 START_TEST(edges_across_a_gap_are_listed_the_nearest_first)
 {
     begin(0.05, 4, false);
-    ck_assert(tf_list_facing(&of, 0.2));
-    ck_assert_int_gt(of.rows, 10);
-    for (int i = 0; i < of.rows; i++) {
-        const tf_facing *row = row_at(i);
+    ck_assert(tf_list_facing(&reconnector, 0.2));
+    ck_assert_int_gt(reconnector.rows, 10);
+    for (int i = 0; i < reconnector.rows; i++) {
+        const tf_facing_edges *row = row_at(i);
         ck_assert(i == 0 || row[-1].distance <= row->distance);
         ck_assert_double_lt(row->distance, 0.2);
         ck_assert_double_eq_tol(about(row->first, row->second), row->distance,
                                 0.02);
-        bool lower = tf_position_of(of.of, row->first[0]).x[2] < 0;
-        ck_assert(lower != (tf_position_of(of.of, row->second[0]).x[2] < 0));
+        bool lower =
+            tf_position_of(reconnector.surface, row->first[0]).x[2] < 0;
+        ck_assert(
+            lower !=
+            (tf_position_of(reconnector.surface, row->second[0]).x[2] < 0));
         for (int j = 0; j < i; j++)
             ck_assert(row_at(j)->first[0] != row->first[0] ||
                       row_at(j)->first[1] != row->first[1] ||
@@ -76,21 +82,21 @@ END_TEST
 START_TEST(none_is_missing)
 {
     begin(0.05, 3, _i);
-    ck_assert(tf_list_facing(&of, 0.3));
-    int near = 0, corners = 3 * of.of->triangles;
+    ck_assert(tf_list_facing(&reconnector, 0.3));
+    int near = 0, corners = 3 * reconnector.surface->triangles;
     for (int c = 0; c < corners; c++)
         for (int d = 0; d < c; d++) {
-            int a[] = {tf_vertex_at(of.of, c),
-                       tf_vertex_at(of.of, tf_corner_after(c))};
-            int b[] = {tf_vertex_at(of.of, d),
-                       tf_vertex_at(of.of, tf_corner_after(d))};
+            int a[] = {tf_vertex_at(reconnector.surface, c),
+                       tf_vertex_at(reconnector.surface, tf_corner_after(c))};
+            int b[] = {tf_vertex_at(reconnector.surface, d),
+                       tf_vertex_at(reconnector.surface, tf_corner_after(d))};
             bool across =
                 (a[0] < made.vertices / 2) != (b[0] < made.vertices / 2);
             if (a[0] < a[1] && b[0] < b[1] && across)
                 near += about(a, b) < 0.25;
         }
     ck_assert_int_gt(near, 4);
-    ck_assert_int_ge(of.rows, near);
+    ck_assert_int_ge(reconnector.rows, near);
     end();
 }
 END_TEST
@@ -108,9 +114,10 @@ START_TEST(the_gap_must_be_outside)
         v[2] = swap;
     }
     for (int inward = 0; inward < 2; inward++) {
-        of = (tf_reconnector){.of = blobs_surface(&made), .report = &report};
-        ck_assert(tf_list_facing(&of, 0.2));
-        ck_assert_int_eq(of.rows > 0, inward == 0);
+        reconnector = (tf_reconnector){.surface = blobs_surface(&made),
+                                       .report = &report};
+        ck_assert(tf_list_facing(&reconnector, 0.2));
+        ck_assert_int_eq(reconnector.rows > 0, inward == 0);
         end();
         for (int i = 0; i < made.triangles; i++) {
             int *v = made.triangle + 3 * i, swap = v[1];
@@ -128,10 +135,10 @@ START_TEST(normals_must_oppose)
                                 {0, 1, 0},      {-0.1, 0, 0.1}, {-0.1, 1, 0.1},
                                 {-0.1, 1, 1.1}, {-0.1, 0, 1.1}};
     static const int triangle[] = {0, 1, 2, 0, 2, 3, 4, 5, 6, 4, 6, 7};
-    of = (tf_reconnector){.of = adaptive_of(8, place, 4, triangle),
-                          .report = &report};
-    ck_assert(tf_list_facing(&of, 2));
-    ck_assert_int_eq(of.rows, 0);
+    reconnector = (tf_reconnector){
+        .surface = adaptive_of(8, place, 4, triangle), .report = &report};
+    ck_assert(tf_list_facing(&reconnector, 2));
+    ck_assert_int_eq(reconnector.rows, 0);
     end();
 }
 END_TEST

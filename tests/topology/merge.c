@@ -12,7 +12,7 @@ static adaptive_scene scene;
 
 /// Two boxes of unit squares, one above the other, and a speck between them if
 /// it is wanted; the upper one is turned over, or not.
-static tf_adaptive *two_boxes(bool speck, bool turned)
+static tf_adaptive_surface *two_boxes(bool speck, bool turned)
 {
     static const double corner[4][3] = {
         {0.5, 0.4, 1.5}, {0.6, 0.4, 1.5}, {0.5, 0.5, 1.5}, {0.5, 0.4, 1.6}};
@@ -24,7 +24,7 @@ static tf_adaptive *two_boxes(bool speck, bool turned)
     if (speck)
         add_tetrahedron(&scene, corner);
     tf_mesh mesh = adaptive_scene_mesh(&scene);
-    tf_adaptive *made = NULL;
+    tf_adaptive_surface *made = NULL;
     ck_assert_int_eq(tf_adaptive_create(&mesh, scene.position, &made, NULL),
                      TF_OK);
     return made;
@@ -40,7 +40,7 @@ static int vertex_at(double x, double y, double z)
 }
 
 /// Merges the diagonals of the squares that face each other at 0 <= x, y <= 1.
-static tf_outcome merge_diagonals(tf_adaptive *surface)
+static tf_outcome merge_diagonals(tf_adaptive_surface *surface)
 {
     const int low[] = {vertex_at(0, 0, 1), vertex_at(1, 1, 1)};
     const int high[2][2] = {{vertex_at(0, 0, 2), vertex_at(1, 1, 2)},
@@ -54,7 +54,7 @@ static tf_outcome merge_diagonals(tf_adaptive *surface)
 
 START_TEST(two_become_one)
 {
-    tf_adaptive *surface = two_boxes(false, false);
+    tf_adaptive_surface *surface = two_boxes(false, false);
     int before = triangles_of(surface);
     ck_assert_int_eq(parts_of(surface), 2);
     ck_assert_int_eq(merge_diagonals(surface), TF_COMMITTED);
@@ -71,7 +71,7 @@ END_TEST
 // A speck between would be inside after that.
 START_TEST(nothing_is_swallowed)
 {
-    tf_adaptive *surface = two_boxes(true, false);
+    tf_adaptive_surface *surface = two_boxes(true, false);
     ck_assert_int_eq(merge_diagonals(surface), TF_PASSED_VERTEX);
     surface->left_out = 1U << TF_PASSED_VERTEX;
     ck_assert_int_eq(merge_diagonals(surface), TF_COMMITTED);
@@ -82,13 +82,14 @@ END_TEST
 // An outer side does not fit to an inner one: the tube would cross itself.
 START_TEST(sides_must_fit)
 {
-    tf_adaptive *surface = two_boxes(false, true);
+    tf_adaptive_surface *surface = two_boxes(false, true);
     ck_assert_int_eq(merge_diagonals(surface), TF_OVERLAPPED);
     tf_adaptive_free(surface);
 }
 END_TEST
 
-static tf_outcome merge(tf_adaptive *surface, int a, int b, int c, int d)
+static tf_outcome merge(tf_adaptive_surface *surface, int a, int b, int c,
+                        int d)
 {
     tf_outcome outcome;
     ck_assert_int_eq(tf_adaptive_merge(surface, (const int[]){a, b},
@@ -101,7 +102,7 @@ static tf_outcome merge(tf_adaptive *surface, int a, int b, int c, int d)
 // the same two triangles.
 START_TEST(some_edges_do_not_merge)
 {
-    tf_adaptive *surface = adaptive_sheet(8, 2);
+    tf_adaptive_surface *surface = adaptive_sheet(8, 2);
     ck_assert_int_eq(merge(surface, 0, 26, 13, 23), TF_IMPOSSIBLE);
     ck_assert_int_eq(merge(surface, 0, 1, 13, 23), TF_IMPOSSIBLE);
     ck_assert_int_eq(merge(surface, 0, 10, 10, 20), TF_IMPOSSIBLE);
@@ -131,14 +132,14 @@ START_TEST(a_boundary_stays_where_it_is)
     static double place[][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
                                 {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
     static const int triangle[] = {0, 1, 2, 0, 2, 3, 4, 6, 5, 4, 7, 6};
-    tf_adaptive *surface = adaptive_of(8, place, 4, triangle);
+    tf_adaptive_surface *surface = adaptive_of(8, place, 4, triangle);
     ck_assert_int_eq(merge(surface, 0, 2, 4, 6), TF_COMMITTED);
     ck_assert_int_eq(triangles_of(surface), 8);
     ck_assert(is_sound(surface));
     for (int i = 0; i < 4; i++) {
         int c = tf_find_edge(surface, i, (i + 1) % 4);
         ck_assert_int_ne(c, TF_NONE);
-        ck_assert(tf_is_bare(surface, c));
+        ck_assert(tf_is_boundary_edge(surface, c));
     }
     tf_adaptive_free(surface);
 }
@@ -146,7 +147,7 @@ END_TEST
 
 START_TEST(bad_requests_are_refused)
 {
-    tf_adaptive *surface = adaptive_sheet(3, 1);
+    tf_adaptive_surface *surface = adaptive_sheet(3, 1);
     tf_outcome outcome;
     ck_assert_int_eq(tf_adaptive_merge(surface, (const int[]){0, 8},
                                        (const int[]){0, 5}, &outcome),

@@ -7,7 +7,7 @@
 
 static blobs made;
 static tf_reconnect_report report;
-static tf_reconnector of;
+static tf_reconnector reconnector;
 
 /// Two balls, one above the other; `edge` is the mean length of an edge.
 static void begin(double gap, double edge)
@@ -18,34 +18,34 @@ static void begin(double gap, double edge)
         add_ball(&made, middle, 1, 6);
     }
     report = (tf_reconnect_report){0};
-    of = (tf_reconnector){.of = blobs_surface(&made),
-                          .options = {.edge = edge,
-                                      .merge = 0.3 * edge,
-                                      .patch = 0.5 * edge,
-                                      .pinch = 0.7 * edge},
-                          .report = &report};
+    reconnector = (tf_reconnector){.surface = blobs_surface(&made),
+                                   .options = {.edge = edge,
+                                               .merge = 0.3 * edge,
+                                               .patch = 0.5 * edge,
+                                               .pinch = 0.7 * edge},
+                                   .report = &report};
 }
 
 static size_t merges(void)
 {
-    ck_assert_int_eq(tf_merge_pass(&of), TF_OK);
+    ck_assert_int_eq(tf_merge_pass(&reconnector), TF_OK);
     return report.tried[TF_MERGE][TF_COMMITTED];
 }
 
 static void end(void)
 {
-    tf_adaptive_free(of.of);
-    tf_reconnector_free(&of);
+    tf_adaptive_free(reconnector.surface);
+    tf_reconnector_free(&reconnector);
 }
 
 START_TEST(a_contact_is_merged_once)
 {
     begin(0.02, 0.3);
-    double before = volume_of(of.of);
+    double before = volume_of(reconnector.surface);
     ck_assert_uint_eq(merges(), 1);
-    ck_assert_int_eq(euler_of(of.of), 2);
-    ck_assert_double_eq_tol(volume_of(of.of) - before, report.gained[TF_MERGE],
-                            1e-12);
+    ck_assert_int_eq(euler_of(reconnector.surface), 2);
+    ck_assert_double_eq_tol(volume_of(reconnector.surface) - before,
+                            report.gained[TF_MERGE], 1e-12);
     ck_assert_uint_eq(merges(), 1); // and not again
     end();
 }
@@ -55,7 +55,7 @@ START_TEST(what_is_far_is_not_merged)
 {
     begin(0.1, 0.3);
     ck_assert_uint_eq(merges(), 0);
-    ck_assert_int_gt(of.rows, 0); // though it is in contact
+    ck_assert_int_gt(reconnector.rows, 0); // though it is in contact
     end();
 }
 END_TEST
@@ -64,7 +64,7 @@ END_TEST
 START_TEST(no_thin_tube_is_made)
 {
     begin(0.02, 0.3);
-    of.options.pinch = 0.45;
+    reconnector.options.pinch = 0.45;
     ck_assert_uint_eq(merges(), 0);
     end();
 }

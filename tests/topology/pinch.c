@@ -35,7 +35,7 @@ static void add_speck(double x, double y, double z, double size)
 
 /// The loop of the middle ring, with the upper part to its left, or with the
 /// lower; its new vertices go up or down by so much.
-static tf_outcome pinch(tf_adaptive *surface, bool down, double by,
+static tf_outcome pinch(tf_adaptive_surface *surface, bool down, double by,
                         int vertex[3])
 {
     const int up_loop[] = {6, 7, 8}, down_loop[] = {6, 8, 7};
@@ -54,7 +54,7 @@ START_TEST(one_becomes_two)
     int vertex[3];
     make_neck();
     for (int down = 0; down < 2; down++) {
-        tf_adaptive *surface = blobs_surface(&made);
+        tf_adaptive_surface *surface = blobs_surface(&made);
         int before = triangles_of(surface);
         double by = down ? -0.25 : 0.25;
         ck_assert_int_eq(pinch(surface, down, by, vertex), TF_COMMITTED);
@@ -76,7 +76,7 @@ START_TEST(nothing_falls_out)
     int vertex[3];
     make_neck();
     add_speck(0, 0, 2.1, 0.02);
-    tf_adaptive *surface = blobs_surface(&made);
+    tf_adaptive_surface *surface = blobs_surface(&made);
     ck_assert_int_eq(pinch(surface, false, 0.25, vertex), TF_PASSED_VERTEX);
     ck_assert_int_eq(pinch(surface, false, 0.05, vertex), TF_COMMITTED);
     tf_adaptive_free(surface);
@@ -93,7 +93,7 @@ START_TEST(nothing_is_cut)
     int vertex[3];
     make_neck();
     add_speck(0, 0, 1.9, 0.12);
-    tf_adaptive *surface = blobs_surface(&made);
+    tf_adaptive_surface *surface = blobs_surface(&made);
     ck_assert_int_eq(pinch(surface, false, 0.25, vertex), TF_OVERLAPPED);
     ck_assert_int_eq(pinch(surface, true, -0.25, vertex), TF_OVERLAPPED);
     tf_adaptive_free(surface);
@@ -106,7 +106,7 @@ START_TEST(nothing_is_run_over)
     int vertex[3];
     make_neck();
     add_speck(0.5, 0, 2.08, 0.02);
-    tf_adaptive *surface = blobs_surface(&made);
+    tf_adaptive_surface *surface = blobs_surface(&made);
     double place[9];
     const int loop[] = {6, 7, 8};
     for (int i = 0; i < 9; i++)
@@ -127,7 +127,7 @@ START_TEST(no_tip_turns_inside_out)
                                 {0, 0, 1}, {0.1, 0, -1}, {-0.1, 0, -3}};
     static const int triangle[] = {0, 1, 3, 1, 2, 3, 2, 0, 3, 1, 0, 4,
                                    4, 0, 2, 1, 4, 5, 4, 2, 5, 2, 1, 5};
-    tf_adaptive *surface = adaptive_of(6, place, 8, triangle);
+    tf_adaptive_surface *surface = adaptive_of(6, place, 8, triangle);
     const int loop[] = {0, 1, 2};
     double up[9];
     int vertex[3];
@@ -153,7 +153,7 @@ START_TEST(a_hole_is_closed)
     static const double at[3] = {0};
     made.vertices = made.triangles = 0;
     add_ring(&made, at, 1, 0.4, 3, 3);
-    tf_adaptive *surface = blobs_surface(&made);
+    tf_adaptive_surface *surface = blobs_surface(&made);
     ck_assert_int_eq(euler_of(surface), 0);
     const int loop[] = {1, 4, 7}; // the inner ones
     double place[9];
@@ -182,7 +182,7 @@ START_TEST(a_hole_is_closed)
 }
 END_TEST
 
-static tf_outcome try_loop(tf_adaptive *surface, int a, int b, int c)
+static tf_outcome try_loop(tf_adaptive_surface *surface, int a, int b, int c)
 {
     static const double place[9] = {9, 9, 9, 9, 9, 8, 9, 8, 8};
     int vertex[3];
@@ -197,7 +197,7 @@ static tf_outcome try_loop(tf_adaptive *surface, int a, int b, int c)
 START_TEST(some_loops_are_not_pinched)
 {
     make_neck();
-    tf_adaptive *surface = blobs_surface(&made);
+    tf_adaptive_surface *surface = blobs_surface(&made);
     ck_assert_int_eq(try_loop(surface, 6, 7, 4), TF_IMPOSSIBLE);
     ck_assert_int_eq(try_loop(surface, 0, 1, 15), TF_IMPOSSIBLE);
     ck_assert_int_eq(try_loop(surface, 1, 0, 15), TF_IMPOSSIBLE);
@@ -225,7 +225,7 @@ START_TEST(a_gap_beside_the_loop_is_in_the_way)
         memcpy(v, made.triangle + 3 * --made.triangles, 3 * sizeof *v);
         break;
     }
-    tf_adaptive *surface = blobs_surface(&made);
+    tf_adaptive_surface *surface = blobs_surface(&made);
     ck_assert_int_eq(try_loop(surface, 6, 7, 8), TF_IMPOSSIBLE);
     ck_assert_int_eq(try_loop(surface, 6, 8, 7), TF_IMPOSSIBLE);
     tf_adaptive_free(surface);
@@ -238,7 +238,7 @@ START_TEST(bad_requests_are_refused)
     double place[9] = {0};
     tf_outcome outcome;
     make_neck();
-    tf_adaptive *surface = blobs_surface(&made);
+    tf_adaptive_surface *surface = blobs_surface(&made);
     const int bad[] = {6, 7, 99}, good[] = {6, 7, 8};
     ck_assert_int_eq(tf_adaptive_pinch(surface, bad, place, vertex, &outcome),
                      TF_BAD_INDEX);

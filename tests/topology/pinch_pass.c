@@ -7,29 +7,29 @@
 
 static blobs made;
 static tf_reconnect_report report;
-static tf_reconnector of;
+static tf_reconnector reconnector;
 
 static void begin(int rings, const double radius[], const double height[])
 {
     made.vertices = made.triangles = 0;
     add_turned(&made, 3, rings, radius, height);
     report = (tf_reconnect_report){0};
-    of = (tf_reconnector){
-        .of = blobs_surface(&made),
+    reconnector = (tf_reconnector){
+        .surface = blobs_surface(&made),
         .options = {.edge = 1, .merge = 0.3, .patch = 0.5, .pinch = 0.7},
         .report = &report};
 }
 
 static size_t pinches(void)
 {
-    ck_assert_int_eq(tf_pinch_pass(&of), TF_OK);
+    ck_assert_int_eq(tf_pinch_pass(&reconnector), TF_OK);
     return report.tried[TF_PINCH][TF_COMMITTED];
 }
 
 static void end(void)
 {
-    tf_adaptive_free(of.of);
-    tf_reconnector_free(&of);
+    tf_adaptive_free(reconnector.surface);
+    tf_reconnector_free(&reconnector);
 }
 
 // The edges of a ring are the square root of 3 times its radius long.
@@ -38,18 +38,18 @@ START_TEST(a_neck_of_short_edges_is_pinched)
     static const double radius[] = {1, 1, 0.3, 1, 1},
                         height[] = {0, 1, 2, 3, 4};
     begin(5, radius, height);
-    double before = volume_of(of.of);
+    double before = volume_of(reconnector.surface);
     ck_assert_uint_eq(pinches(), 1);
-    ck_assert_int_eq(parts_of(of.of), 2);
-    ck_assert(is_sound(of.of));
-    ck_assert_double_eq_tol(volume_of(of.of) - before, report.gained[TF_PINCH],
-                            1e-12);
+    ck_assert_int_eq(parts_of(reconnector.surface), 2);
+    ck_assert(is_sound(reconnector.surface));
+    ck_assert_double_eq_tol(volume_of(reconnector.surface) - before,
+                            report.gained[TF_PINCH], 1e-12);
     ck_assert_double_lt(report.gained[TF_PINCH], 0);
     // The caps are so far apart that they do not merge again.
     double low = 9, high = 0;
-    for (int v = 6; v < tf_adaptive_mesh(of.of).vertices; v++)
+    for (int v = 6; v < tf_adaptive_mesh(reconnector.surface).vertices; v++)
         if (v < 9 || v >= made.vertices) {
-            double z = place_of(of.of, v)[2];
+            double z = place_of(reconnector.surface, v)[2];
             low = fmin(low, z);
             high = fmax(high, z);
         }
@@ -74,7 +74,7 @@ START_TEST(a_tip_stays)
     static const double radius[] = {0.3, 0.3}, height[] = {0, 1};
     begin(2, radius, height);
     ck_assert_uint_eq(pinches(), 0);
-    ck_assert_int_eq(parts_of(of.of), 1);
+    ck_assert_int_eq(parts_of(reconnector.surface), 1);
     end();
 }
 END_TEST
@@ -87,8 +87,8 @@ START_TEST(a_thread_is_cut)
     begin(6, radius, height);
     size_t count = pinches();
     ck_assert_uint_ge(count, 1);
-    ck_assert_int_eq(parts_of(of.of), (int)count + 1);
-    ck_assert(is_sound(of.of));
+    ck_assert_int_eq(parts_of(reconnector.surface), (int)count + 1);
+    ck_assert(is_sound(reconnector.surface));
     end();
 }
 END_TEST
@@ -99,9 +99,10 @@ START_TEST(a_boundary_is_not_pinched)
     begin(3, radius, height);
     end();
     made.triangles -= 6; // open at both ends
-    of = (tf_reconnector){.of = blobs_surface(&made),
-                          .options = {.edge = 1, .merge = 0.3, .pinch = 0.7},
-                          .report = &report};
+    reconnector =
+        (tf_reconnector){.surface = blobs_surface(&made),
+                         .options = {.edge = 1, .merge = 0.3, .pinch = 0.7},
+                         .report = &report};
     report = (tf_reconnect_report){0};
     ck_assert_uint_eq(pinches(), 1); // the ring between
     ck_assert_uint_eq(report.tried[TF_PINCH][TF_IMPOSSIBLE], 0);

@@ -12,7 +12,7 @@
 static blobs made;
 static tf_reconnect_report report;
 
-static void reconnect(tf_adaptive *surface, double edge)
+static void reconnect(tf_adaptive_surface *surface, double edge)
 {
     tf_reconnect_options how = {.edge = edge};
     ck_assert_int_eq(tf_adaptive_reconnect(surface, &how, &report), TF_OK);
@@ -24,7 +24,7 @@ static size_t done(tf_reconnection what)
 }
 
 /// Moves each vertex by what `way` says, if that is possible.
-static void move_all(tf_adaptive *surface,
+static void move_all(tf_adaptive_surface *surface,
                      void (*way)(const double from[3], double to[3]))
 {
     int vertices = tf_adaptive_mesh(surface).vertices;
@@ -52,7 +52,7 @@ static void press(const double from[3], double to[3])
     to[0] += from[0] < 0 ? 0.02 : -0.02;
 }
 
-static tf_adaptive *make_balls(uint64_t stream)
+static tf_adaptive_surface *make_balls(uint64_t stream)
 {
     generator random = generator_new(stream);
     made.vertices = made.triangles = 0;
@@ -65,7 +65,7 @@ static tf_adaptive *make_balls(uint64_t stream)
 }
 
 /// Presses balls together, and reconnects from some step on.
-static void meet(tf_adaptive *surface, int steps, int from)
+static void meet(tf_adaptive_surface *surface, int steps, int from)
 {
     report = (tf_reconnect_report){0};
     for (int i = 0; i < steps; i++) {
@@ -79,7 +79,7 @@ static void meet(tf_adaptive *surface, int steps, int from)
 
 START_TEST(balls_that_meet_are_one)
 {
-    tf_adaptive *surface = make_balls((uint64_t)_i);
+    tf_adaptive_surface *surface = make_balls((uint64_t)_i);
     meet(surface, 12, 0);
     ck_assert_uint_eq(done(TF_MERGE), 1);
     ck_assert_int_eq(parts_of(surface), 1);
@@ -92,7 +92,7 @@ END_TEST
 // Where they are pressed together there is much that could merge.
 START_TEST(one_contact_makes_one_merge)
 {
-    tf_adaptive *surface = make_balls(100 + (uint64_t)_i);
+    tf_adaptive_surface *surface = make_balls(100 + (uint64_t)_i);
     meet(surface, 18, 14);
     ck_assert_uint_eq(done(TF_MERGE), 1);
     ck_assert_int_eq(euler_of(surface), 2);
@@ -109,7 +109,7 @@ START_TEST(a_ring_of_balls_is_a_ring)
         double middle[] = {1.42 * way[i][0], 1.42 * way[i][1], 0.03 * i};
         add_ball(&made, middle, 1, 12);
     }
-    tf_adaptive *surface = blobs_surface(&made);
+    tf_adaptive_surface *surface = blobs_surface(&made);
     report = (tf_reconnect_report){0};
     for (int i = 0; i < 3; i++)
         reconnect(surface, 1.9 / 12);
@@ -125,7 +125,7 @@ END_TEST
 
 static const double dumbbell_edge = 0.22;
 
-static tf_adaptive *make_dumbbell(void)
+static tf_adaptive_surface *make_dumbbell(void)
 {
     enum {
         RINGS = 25
@@ -157,7 +157,7 @@ static double length_between(const double a[3], const double b[3])
 }
 
 /// Splits the long edges in the middle, and collapses the short ones there.
-static void even_out(tf_adaptive *surface)
+static void even_out(tf_adaptive_surface *surface)
 {
     for (int c = 0; c < 3 * tf_adaptive_mesh(surface).triangles; c++) {
         const int *t = tf_adaptive_mesh(surface).triangle + c / 3 * 3;
@@ -182,7 +182,7 @@ static void even_out(tf_adaptive *surface)
 
 START_TEST(a_neck_is_pinched)
 {
-    tf_adaptive *surface = make_dumbbell();
+    tf_adaptive_surface *surface = make_dumbbell();
     report = (tf_reconnect_report){0};
     for (int i = 0; i < 25; i++) {
         even_out(surface);
@@ -202,7 +202,7 @@ END_TEST
 
 START_TEST(bad_options_are_refused)
 {
-    tf_adaptive *surface = adaptive_tetrahedron();
+    tf_adaptive_surface *surface = adaptive_tetrahedron();
     tf_reconnect_options how[] = {{.edge = 0},
                                   {.edge = INFINITY},
                                   {.edge = 1, .merge = -1},

@@ -7,22 +7,22 @@
 START_TEST(outcomes_are_counted)
 {
     tf_reconnect_report report = {0};
-    tf_reconnector of = {.report = &report};
-    tf_reconnector_count(&of, TF_PINCH, TF_OVERLAPPED, 3);
-    tf_reconnector_count(&of, TF_PINCH, TF_COMMITTED, -0.5);
-    tf_reconnector_count(&of, TF_PINCH, TF_COMMITTED, -0.25);
+    tf_reconnector reconnector = {.report = &report};
+    tf_reconnector_count(&reconnector, TF_PINCH, TF_OVERLAPPED, 3);
+    tf_reconnector_count(&reconnector, TF_PINCH, TF_COMMITTED, -0.5);
+    tf_reconnector_count(&reconnector, TF_PINCH, TF_COMMITTED, -0.25);
     ck_assert_uint_eq(report.tried[TF_PINCH][TF_OVERLAPPED], 1);
     ck_assert_uint_eq(report.tried[TF_PINCH][TF_COMMITTED], 2);
     ck_assert_double_eq(report.gained[TF_PINCH], -0.75);
     ck_assert_double_eq(report.gained[TF_MERGE], 0);
-    tf_reconnector_free(&of);
+    tf_reconnector_free(&reconnector);
 }
 END_TEST
 
 // A regular tetrahedron in a cube with sides of 2: a third of that.
 START_TEST(volumes_are_measured)
 {
-    tf_adaptive *surface = adaptive_tetrahedron();
+    tf_adaptive_surface *surface = adaptive_tetrahedron();
     const int all[] = {3, 1, 0, 2};
     ck_assert_double_eq_tol(tf_volume_at(surface, 4, all), 8 / 3.0, 1e-15);
     ck_assert_double_eq_tol(tf_volume_at(surface, 1, all), 0, 1e-15);

@@ -10,7 +10,7 @@
 START_TEST(a_stage_follows_another)
 {
     static const double near[] = {2, 2, 2}, far[] = {3, 3, 3};
-    tf_adaptive *surface = adaptive_tetrahedron();
+    tf_adaptive_surface *surface = adaptive_tetrahedron();
     ck_assert(tf_surgery_begin(surface, 6));
     int first = tf_surgery_place(surface, near);
     for (int c = tf_first_corner(surface, 0); c != TF_NONE;
@@ -47,7 +47,7 @@ START_TEST(a_stage_follows_another)
 END_TEST
 
 /// Adds a triangle on an edge of the sheet, upwards.
-static void add_fin(tf_adaptive *surface, double x, double y, double z)
+static void add_fin(tf_adaptive_surface *surface, double x, double y, double z)
 {
     const double place[] = {x, y, z};
     tf_surgery_add(surface, 0, 1, tf_surgery_place(surface, place));
@@ -55,7 +55,7 @@ static void add_fin(tf_adaptive *surface, double x, double y, double z)
 
 START_TEST(what_is_settled_is_in_the_way)
 {
-    tf_adaptive *surface = adaptive_sheet(1, 1);
+    tf_adaptive_surface *surface = adaptive_sheet(1, 1);
     ck_assert(tf_surgery_begin(surface, 6));
     add_fin(surface, 0.5, -1, 1);
     ck_assert_int_eq(tf_surgery_try(surface), TF_COMMITTED);

@@ -11,7 +11,7 @@ enum {
 };
 
 /// A unit square that looks up, and a speck somewhere.
-static tf_adaptive *square_and_speck(double x, double y, double z)
+static tf_adaptive_surface *square_and_speck(double x, double y, double z)
 {
     static double place[8][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
     static const int triangle[] = {0, 1, 2, 0, 2, 3, 4, 6, 5,
@@ -25,7 +25,7 @@ static tf_adaptive *square_and_speck(double x, double y, double z)
 }
 
 /// Tries to replace the square by a pyramid, upwards or downwards.
-static tf_outcome try_pyramid(tf_adaptive *surface, double height)
+static tf_outcome try_pyramid(tf_adaptive_surface *surface, double height)
 {
     const double tip[] = {0.5, 0.4, height}, far[] = {-9, 0.5, 90};
     tf_walls walls = {0};
@@ -60,7 +60,8 @@ START_TEST(a_ball_may_hold_nothing)
         {0.25, 0.2, 0.498, 1, TF_OVERLAPPED}, // on a side
     };
     for (size_t i = 0; i < sizeof row / sizeof *row; i++) {
-        tf_adaptive *surface = square_and_speck(row[i].x, row[i].y, row[i].z);
+        tf_adaptive_surface *surface =
+            square_and_speck(row[i].x, row[i].y, row[i].z);
         ck_assert_int_eq(try_pyramid(surface, row[i].height), row[i].expected);
         if (row[i].expected == TF_PASSED_VERTEX) {
             surface->left_out = 1U << TF_PASSED_VERTEX;
@@ -73,7 +74,7 @@ END_TEST
 
 START_TEST(walls_are_in_the_way)
 {
-    tf_adaptive *surface = square_and_speck(9, 9, 9);
+    tf_adaptive_surface *surface = square_and_speck(9, 9, 9);
     ck_assert_int_eq(try_pyramid(surface, 0), TF_OVERLAPPED);
     surface->left_out = 1U << TF_OVERLAPPED;
     ck_assert_int_eq(try_pyramid(surface, 0), TF_COMMITTED);

@@ -22,21 +22,21 @@ static void choose_point(generator *random, const adaptive_scene *scene,
     }
 }
 
-static bool is_on(const tf_adaptive *of, const double x[3])
+static bool is_on(const tf_adaptive_surface *surface, const double x[3])
 {
-    for (int t = 0; t < of->triangles; t++) {
-        tf_facet facet = tf_facet_of(of, tf_triangle(of, t));
+    for (int t = 0; t < surface->triangles; t++) {
+        tf_facet facet = tf_facet_of(surface, tf_triangle(surface, t));
         if (tf_point_touches_triangle(x, facet.corner))
             return true;
     }
     return false;
 }
 
-static int winding_of(const tf_adaptive *of, const double x[3])
+static int winding_of(const tf_adaptive_surface *surface, const double x[3])
 {
     int sum = 0;
-    for (int t = 0; t < of->triangles; t++) {
-        tf_facet facet = tf_facet_of(of, tf_triangle(of, t));
+    for (int t = 0; t < surface->triangles; t++) {
+        tf_facet facet = tf_facet_of(surface, tf_triangle(surface, t));
         sum += tf_winding_part(facet.corner, x);
     }
     return sum;
@@ -48,7 +48,7 @@ START_TEST(winding_numbers_are_exact)
     static const adaptive_scene_kind kinds[] = {NESTED_SPHERES, SLABS,
                                                 FACING_BOXES, LINKED_TORI};
     generator random = generator_new(1000 + (uint64_t)_i);
-    tf_adaptive *surface = NULL;
+    tf_adaptive_surface *surface = NULL;
     int inside = 0;
     adaptive_scene_make(&random, kinds[_i], &scene);
     tf_mesh mesh = adaptive_scene_mesh(&scene);

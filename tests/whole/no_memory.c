@@ -55,16 +55,17 @@ void *__wrap_aligned_alloc(size_t alignment, size_t size)
 }
 
 /// Makes a surface of another one's mesh, which must be good.
-static tf_status copy(const tf_adaptive *from, tf_adaptive **made)
+static tf_status copy(const tf_adaptive_surface *from,
+                      tf_adaptive_surface **made)
 {
     tf_mesh mesh = tf_adaptive_mesh(from);
     *made = NULL;
     return tf_adaptive_create(&mesh, tf_adaptive_positions(from), made, NULL);
 }
 
-static void expect_good(tf_adaptive *surface)
+static void expect_good(tf_adaptive_surface *surface)
 {
-    tf_adaptive *again;
+    tf_adaptive_surface *again;
     ck_assert_int_eq(tf_adaptive_compact(surface, NULL), TF_OK);
     ck_assert_int_eq(copy(surface, &again), TF_OK);
     tf_adaptive_free(again);
@@ -72,7 +73,7 @@ static void expect_good(tf_adaptive *surface)
 
 START_TEST(a_surface_is_made_whole_or_not)
 {
-    tf_adaptive *sheet = adaptive_sheet(2, 2), *made;
+    tf_adaptive_surface *sheet = adaptive_sheet(2, 2), *made;
     tf_status status = TF_OUT_OF_MEMORY;
     int failures = 0;
     for (; status != TF_OK; failures++) {
@@ -88,7 +89,7 @@ START_TEST(a_surface_is_made_whole_or_not)
 }
 END_TEST
 
-static tf_status try_operation(tf_adaptive *surface, int which,
+static tf_status try_operation(tf_adaptive_surface *surface, int which,
                                tf_outcome *outcome)
 {
     static const double place[] = {1, 1, 0.25};
@@ -112,7 +113,7 @@ START_TEST(an_operation_is_all_or_nothing)
     tf_status status = TF_OUT_OF_MEMORY;
     int failures = 0;
     for (; status != TF_OK; failures++) {
-        tf_adaptive *sheet = adaptive_sheet(2, 2);
+        tf_adaptive_surface *sheet = adaptive_sheet(2, 2);
         tf_outcome outcome;
         left = failures;
         status = try_operation(sheet, _i, &outcome);
@@ -130,7 +131,7 @@ END_TEST
 
 /// Two necks, one beside the other: each can be pinched, one can be dropped,
 /// and they can merge.
-static tf_adaptive *two_necks(void)
+static tf_adaptive_surface *two_necks(void)
 {
     static const double radius[] = {1, 1, 0.3, 1, 1},
                         height[] = {0, 1, 2, 3, 4};
@@ -145,7 +146,7 @@ static tf_adaptive *two_necks(void)
     return blobs_surface(&made);
 }
 
-static tf_status try_reconnection(tf_adaptive *surface, int which,
+static tf_status try_reconnection(tf_adaptive_surface *surface, int which,
                                   tf_outcome *outcome)
 {
     static const int loop[] = {6, 7, 8}, low[] = {12, 16}, high[] = {17, 33};
@@ -166,7 +167,7 @@ START_TEST(a_reconnection_is_all_or_nothing)
     tf_status status = TF_OUT_OF_MEMORY;
     int failures = 0;
     for (; status != TF_OK; failures++) {
-        tf_adaptive *surface = two_necks();
+        tf_adaptive_surface *surface = two_necks();
         int before = triangles_of(surface);
         tf_outcome outcome;
         left = failures;
@@ -189,7 +190,7 @@ START_TEST(reconnecting_leaves_a_good_surface)
     tf_status status = TF_OUT_OF_MEMORY;
     int failures = 0;
     for (; status != TF_OK; failures++) {
-        tf_adaptive *surface = two_necks();
+        tf_adaptive_surface *surface = two_necks();
         left = failures;
         status = tf_adaptive_reconnect(surface, &how, NULL);
         left = -1;
@@ -207,7 +208,7 @@ START_TEST(remeshing_leaves_a_good_surface)
     tf_status status = TF_OUT_OF_MEMORY;
     int failures = 0;
     for (; status != TF_OK; failures++) {
-        tf_adaptive *sheet = adaptive_sheet(2, 2);
+        tf_adaptive_surface *sheet = adaptive_sheet(2, 2);
         left = failures;
         status = tf_adaptive_remesh(sheet, &how, NULL);
         left = -1;
@@ -234,7 +235,7 @@ START_TEST(flowing_leaves_a_good_surface)
     tf_status status = TF_OUT_OF_MEMORY;
     int failures = 0;
     for (; status != TF_OK; failures++) {
-        tf_adaptive *surface = two_necks();
+        tf_adaptive_surface *surface = two_necks();
         left = failures;
         status = tf_adaptive_flow(surface, &how, 0, 1, NULL);
         left = -1;

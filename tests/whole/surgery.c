@@ -21,8 +21,8 @@ END_TEST
 
 /// The surface of a scene, mirrored in the plane x = 0, with vertices numbered
 /// anew, and triangles listed in another order, turned over, from any corner on.
-static tf_adaptive *mirrored(const adaptive_scene *scene, generator *random,
-                             int number[])
+static tf_adaptive_surface *mirrored(const adaptive_scene *scene,
+                                     generator *random, int number[])
 {
     static double place[PLACED_VERTICES][3];
     static int triangle[3 * PLACED_TRIANGLES];
@@ -50,7 +50,7 @@ START_TEST(the_same_surgery_is_accepted_in_a_mirror)
     static int number[LABELLED];
     operating_begin(&run, generator_new(50 + (uint64_t)_i),
                     (adaptive_scene_kind)_i, &counts);
-    tf_adaptive *other = mirrored(&run.scene, &run.random, number);
+    tf_adaptive_surface *other = mirrored(&run.scene, &run.random, number);
     for (long i = 0; i < cases(1000); i++) {
         int vertex, others;
         chosen one = operating_choose(&run), its = one;

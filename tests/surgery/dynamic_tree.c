@@ -1,5 +1,5 @@
 // Boxes that come and go, against trying each.
-#include "surgery/hierarchy.h"
+#include "surgery/dynamic_tree.h"
 
 #include "support/support.h"
 
@@ -10,19 +10,19 @@ enum {
     ELEMENTS = 200
 };
 
-static tf_hierarchy hierarchy;
-static tf_cuboid box[ELEMENTS];
+static tf_dynamic_tree hierarchy;
+static tf_aabb box[ELEMENTS];
 static bool is_in[ELEMENTS];
 
-static tf_cuboid some_box(generator *random)
+static tf_aabb some_box(generator *random)
 {
-    tf_cuboid made = tf_cuboid_empty();
+    tf_aabb made = tf_aabb_empty();
     for (int i = 0; i < 2; i++) {
         double x[3];
         for (int k = 0; k < 3; k++)
             x[k] =
                 i == 0 ? below(random, 8) : made.low[k] + below(random, 12) / 4;
-        tf_cuboid_add(&made, x);
+        tf_aabb_add(&made, x);
     }
     return made;
 }
@@ -35,11 +35,11 @@ static int compare(const void *a, const void *b)
 static void expect_found(generator *random)
 {
     int found[ELEMENTS];
-    tf_cuboid wanted = some_box(random);
-    int count = tf_hierarchy_find(&hierarchy, &wanted, found), next = 0;
+    tf_aabb wanted = some_box(random);
+    int count = tf_dynamic_tree_find(&hierarchy, &wanted, found), next = 0;
     qsort(found, (size_t)count, sizeof *found, compare);
     for (int i = 0; i < ELEMENTS; i++)
-        if (is_in[i] && tf_cuboids_overlap(&box[i], &wanted)) {
+        if (is_in[i] && tf_aabbs_overlap(&box[i], &wanted)) {
             ck_assert_int_lt(next, count);
             ck_assert_int_eq(found[next++], i);
         }
@@ -51,26 +51,26 @@ static void change_some(generator *random)
     int i = below(random, ELEMENTS);
     bool goes = is_in[i] && below(random, 2);
     if (goes)
-        tf_hierarchy_remove(&hierarchy, i);
+        tf_dynamic_tree_remove(&hierarchy, i);
     else
         box[i] = some_box(random);
     if (is_in[i] && !goes)
-        tf_hierarchy_change(&hierarchy, i, box[i]);
+        tf_dynamic_tree_change(&hierarchy, i, box[i]);
     else if (!is_in[i])
-        tf_hierarchy_insert(&hierarchy, i, box[i]);
+        tf_dynamic_tree_insert(&hierarchy, i, box[i]);
     is_in[i] = !goes;
 }
 
 static void begin(generator *random, int built)
 {
     int order[ELEMENTS];
-    ck_assert(tf_hierarchy_reserve(&hierarchy, ELEMENTS));
+    ck_assert(tf_dynamic_tree_reserve(&hierarchy, ELEMENTS));
     for (int i = 0; i < ELEMENTS; i++) {
         box[i] = some_box(random);
         is_in[i] = i < built;
         order[i] = i;
     }
-    tf_hierarchy_build(&hierarchy, box, order, built);
+    tf_dynamic_tree_build(&hierarchy, box, order, built);
 }
 
 START_TEST(what_overlaps_is_found)
@@ -84,7 +84,7 @@ START_TEST(what_overlaps_is_found)
                 expect_found(&random);
         }
     }
-    tf_hierarchy_free(&hierarchy);
+    tf_dynamic_tree_free(&hierarchy);
 }
 END_TEST
 
@@ -95,23 +95,23 @@ START_TEST(branches_are_used_again)
     begin(&random, ELEMENTS);
     int branches = hierarchy.branches;
     for (int i = 0; i < ELEMENTS; i++)
-        tf_hierarchy_remove(&hierarchy, i);
+        tf_dynamic_tree_remove(&hierarchy, i);
     memset(is_in, 0, sizeof is_in);
     expect_found(&random);
     for (int i = 0; i < ELEMENTS; i++) {
-        tf_hierarchy_insert(&hierarchy, i, box[i]);
+        tf_dynamic_tree_insert(&hierarchy, i, box[i]);
         is_in[i] = true;
     }
     expect_found(&random);
     ck_assert_int_eq(hierarchy.branches, branches);
-    tf_hierarchy_free(&hierarchy);
+    tf_dynamic_tree_free(&hierarchy);
 }
 END_TEST
 
 Suite *suite(void)
 {
     static const int built[] = {0, 1, 2, ELEMENTS};
-    Suite *suite = suite_create("surgery/hierarchy");
+    Suite *suite = suite_create("surgery/dynamic_tree");
     TCase *tcase = tcase_create("search");
     for (int i = 0; i < 4; i++)
         tcase_add_loop_test(tcase, what_overlaps_is_found, built[i],

@@ -6,18 +6,18 @@
 
 /// A closed box with sides along the axes, in the coordinates of the surface,
 /// which it has without rounding.
-typedef struct tf_cuboid {
+typedef struct tf_aabb {
     double low[3], high[3];
-} tf_cuboid;
+} tf_aabb;
 
 /// Holds nothing, and overlaps none.
-static inline tf_cuboid tf_cuboid_empty(void)
+static inline tf_aabb tf_aabb_empty(void)
 {
-    return (tf_cuboid){{INFINITY, INFINITY, INFINITY},
-                       {-INFINITY, -INFINITY, -INFINITY}};
+    return (tf_aabb){{INFINITY, INFINITY, INFINITY},
+                     {-INFINITY, -INFINITY, -INFINITY}};
 }
 
-static inline void tf_cuboid_add(tf_cuboid *box, const double *x)
+static inline void tf_aabb_add(tf_aabb *box, const double *x)
 {
     for (int k = 0; k < 3; k++) {
         box->low[k] = x[k] < box->low[k] ? x[k] : box->low[k];
@@ -26,7 +26,7 @@ static inline void tf_cuboid_add(tf_cuboid *box, const double *x)
 }
 
 //: Join and compare cuboids
-static inline tf_cuboid tf_cuboid_union(tf_cuboid a, const tf_cuboid *b)
+static inline tf_aabb tf_aabb_union(tf_aabb a, const tf_aabb *b)
 {
     for (int k = 0; k < 3; k++) {
         a.low[k] = b->low[k] < a.low[k] ? b->low[k] : a.low[k];
@@ -35,7 +35,7 @@ static inline tf_cuboid tf_cuboid_union(tf_cuboid a, const tf_cuboid *b)
     return a;
 }
 
-static inline bool tf_cuboids_overlap(const tf_cuboid *a, const tf_cuboid *b)
+static inline bool tf_aabbs_overlap(const tf_aabb *a, const tf_aabb *b)
 {
     for (int k = 0; k < 3; k++)
         if (!(a->low[k] <= b->high[k] && b->low[k] <= a->high[k]))

@@ -34,7 +34,7 @@ typedef struct layout {
 
 static const double key_height = 20, band_left = 58, band_pad = 3;
 static const double chip_height = 12, chip_pad = 2, chip_gap = 2;
-static const double lane_pitch = 14.5, lane_right = 17, dot_area = 4;
+static const double lane_pitch = 13, lane_right = 17, dot_area = 4;
 
 // The table ------------------------------------------------------------------
 
@@ -322,6 +322,6 @@ const fig_figure fig_layers = {
     .name = "layers",
     .title = "The layers of the library and what includes what",
     .width = FIG_PAGE_WIDTH,
-    .height = 880,
+    .height = 1020,
     .draw = draw,
 };

@@ -70,9 +70,9 @@ proofs: need-proofs ## prove the error bounds with the constants in the code
 check-compilers: need-compilers ## check that gcc and clang give the same answers
 	@MAKE='$(MAKE) $(parallel)' BUILD=$(BUILD) sh tests/compilers.sh
 
-check-vectors: need-compilers ## check that compilers make vectors of the lanes
-	@BUILD=$(BUILD) sh tests/vectors.sh
+check-simd: need-compilers ## check that compilers vectorize the loops over lanes
+	@BUILD=$(BUILD) sh tests/simd.sh
 
 check-reproducible: need-book ## check that two builds of HEAD are identical, of films only FILM= or all
 	@MAKE='$(MAKE) $(parallel)' BUILD=$(BUILD) FILM=$(FILM) sh tests/reproducible.sh
-.PHONY: check-compilers check-vectors check-reproducible
+.PHONY: check-compilers check-simd check-reproducible

@@ -10,7 +10,7 @@
 #
 # book/chapters is the one list of modules: a line a chapter, its slug and then
 # its modules, which are paths below src/ without their endings.  Those below
-# program/ and simulate/ make the program, all others the library.
+# files/, simulate/ and program/ make the program, all others the library.
 #
 # All output goes to $(BUILD), except for install, measure, format and the
 # exercises (WORK).
@@ -75,7 +75,7 @@ partial := $(filter-out src,$(SRC))
 MODULES := $(shell awk '/^[a-z]/ && n++ < $(CHAPTERS) { \
 	for (i = 2; i <= NF; i++) print $$i }' book/chapters)
 MAIN := $(filter program/main,$(MODULES))
-CLIENTS := $(filter program/% simulate/%,$(MODULES))
+CLIENTS := $(filter files/% simulate/% program/%,$(MODULES))
 PROGRAM := $(filter-out $(MAIN),$(CLIENTS))
 LIBRARY := $(filter-out $(CLIENTS),$(MODULES))
 

@@ -1,9 +1,9 @@
 //: Include what arguments need
 #include "program/arguments.h"
 
-#include "program/number.h"
+#include "files/number.h"
+#include "files/visible.h"
 #include "program/threads.h"
-#include "program/visible.h"
 
 #include <stdlib.h>
 

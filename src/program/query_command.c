@@ -1,11 +1,11 @@
 //: Include what the command query needs
 #include "program/query_command.h"
 
+#include "files/query_file.h"
 #include "program/arguments.h"
 #include "program/arithmetics.h"
 #include "program/methods.h"
 #include "program/progress.h"
-#include "program/query_file.h"
 #include "program/query_output.h"
 
 #include <float.h>

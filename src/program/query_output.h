@@ -1,7 +1,7 @@
 //: Declare the output of queries
 #pragma once
 
-#include "program/query_file.h"
+#include "files/query_file.h"
 #include "query/contact.h"
 
 #include <stdbool.h>

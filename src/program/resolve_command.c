@@ -2,10 +2,10 @@
 #define _GNU_SOURCE // isatty
 #include "program/resolve_command.h"
 
+#include "files/masses.h"
 #include "program/arguments.h"
 #include "program/clock.h"
 #include "program/frames.h"
-#include "program/masses.h"
 #include "program/mesh_output.h"
 #include "program/obstacles.h"
 #include "program/progress.h"

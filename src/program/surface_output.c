@@ -1,9 +1,9 @@
 //: Include what the output about surfaces needs
 #include "program/surface_output.h"
 
+#include "files/visible.h"
 #include "program/contact_fields.h"
 #include "program/summary.h"
-#include "program/visible.h"
 
 #include <errno.h>
 #include <string.h>

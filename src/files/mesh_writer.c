@@ -1,6 +1,6 @@
 //: Include what writing meshes needs
 #define _GNU_SOURCE // strcasecmp
-#include "program/mesh_writer.h"
+#include "files/mesh_writer.h"
 
 #include <stdint.h>
 #include <string.h>

@@ -1,6 +1,6 @@
 #define _GNU_SOURCE // memfd_create
 
-#include "program/number.h"
+#include "files/number.h"
 
 #include "support/support.h"
 
@@ -208,7 +208,7 @@ END_TEST
 
 Suite *suite(void)
 {
-    Suite *suite = suite_create("program/number");
+    Suite *suite = suite_create("files/number");
     TCase *numbers = tcase_create("numbers");
     tcase_add_test(numbers, numbers_at_the_limits);
     tcase_add_test(numbers, a_number_ends_where_it_ends);

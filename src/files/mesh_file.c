@@ -1,9 +1,9 @@
 //: Include what mesh files need
 #define _GNU_SOURCE
-#include "program/mesh_file.h"
+#include "files/mesh_file.h"
 
-#include "program/obj_file.h"
-#include "program/ply_file.h"
+#include "files/obj_file.h"
+#include "files/ply_file.h"
 
 #include <errno.h>
 #include <limits.h>

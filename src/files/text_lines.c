@@ -1,8 +1,8 @@
 //: Include what the lines of a text need
 #define _GNU_SOURCE
-#include "program/text_lines.h"
+#include "files/text_lines.h"
 
-#include "program/visible.h"
+#include "files/visible.h"
 
 #include <errno.h>
 #include <stdarg.h>

@@ -1,7 +1,7 @@
 //: Declare mesh files
 #pragma once
 
-#include "program/visible.h"
+#include "files/visible.h"
 
 #include <stdbool.h>
 #include <stddef.h>

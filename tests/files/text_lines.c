@@ -1,4 +1,4 @@
-#include "program/text_lines.h"
+#include "files/text_lines.h"
 
 #include "support/program.h"
 #include "support/support.h"
@@ -108,7 +108,7 @@ END_TEST
 
 Suite *suite(void)
 {
-    Suite *suite = suite_create("program/text_lines");
+    Suite *suite = suite_create("files/text_lines");
     TCase *lines = tcase_create("lines");
     tcase_add_checked_fixture(lines, enter_folder, leave_folder);
     tcase_add_test(lines, lines_that_hold_something);

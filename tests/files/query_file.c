@@ -1,6 +1,6 @@
 #define _GNU_SOURCE // fopencookie, memmem
 
-#include "program/query_file.h"
+#include "files/query_file.h"
 
 #include "support/queries.h"
 #include "support/support.h"
@@ -606,7 +606,7 @@ END_TEST
 
 Suite *suite(void)
 {
-    Suite *suite = suite_create("program/query_file");
+    Suite *suite = suite_create("files/query_file");
     TCase *good = tcase_create("good files");
     tcase_add_test(good, rows_are_vertices_at_0_then_at_1);
     tcase_add_test(good, three_vertices_in_the_plane);

@@ -1,6 +1,6 @@
 //: Include what output files need
 #define _GNU_SOURCE // asprintf, mkstemps
-#include "program/output_file.h"
+#include "files/output_file.h"
 
 #include <errno.h>
 #include <signal.h>

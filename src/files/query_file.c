@@ -1,9 +1,9 @@
 //: Include what query files need
-#include "program/query_file.h"
+#include "files/query_file.h"
 
-#include "program/number.h"
-#include "program/rational.h"
-#include "program/visible.h"
+#include "files/number.h"
+#include "files/rational.h"
+#include "files/visible.h"
 
 #include <ctype.h>
 #include <math.h>

@@ -1,4 +1,4 @@
-#include "program/masses.h"
+#include "files/masses.h"
 
 #include "support/program.h"
 #include "support/support.h"
@@ -137,7 +137,7 @@ END_TEST
 
 Suite *suite(void)
 {
-    Suite *suite = suite_create("program/masses");
+    Suite *suite = suite_create("files/masses");
     TCase *lists = tcase_create("lists");
     tcase_add_checked_fixture(lists, enter_folder, leave_folder);
     tcase_add_test(lists, masses);

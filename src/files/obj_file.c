@@ -1,7 +1,7 @@
 //: Include what OBJ files need
-#include "program/obj_file.h"
+#include "files/obj_file.h"
 
-#include "program/number.h"
+#include "files/number.h"
 
 #include <limits.h>
 #include <math.h>

@@ -1,5 +1,5 @@
 //: Include what visible names need
-#include "program/visible.h"
+#include "files/visible.h"
 
 #include <stdbool.h>
 #include <stdio.h>

@@ -1,5 +1,5 @@
 //: Include what numbers need
-#include "program/number.h"
+#include "files/number.h"
 
 #include <stdint.h>
 #include <stdlib.h>

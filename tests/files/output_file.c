@@ -1,6 +1,6 @@
 #define _GNU_SOURCE // lstat, symlink
 
-#include "program/output_file.h"
+#include "files/output_file.h"
 
 #include "support/program.h"
 #include "support/support.h"
@@ -203,7 +203,7 @@ END_TEST
 
 Suite *suite(void)
 {
-    Suite *suite = suite_create("program/output_file");
+    Suite *suite = suite_create("files/output_file");
     TCase *written = tcase_create("what is written");
     tcase_add_checked_fixture(written, enter_folder, leave_folder);
     tcase_add_test(written, a_new_file);

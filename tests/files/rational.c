@@ -1,4 +1,4 @@
-#include "program/rational.h"
+#include "files/rational.h"
 
 #include "support/support.h"
 
@@ -322,7 +322,7 @@ END_TEST
 
 Suite *suite(void)
 {
-    Suite *suite = suite_create("program/rational");
+    Suite *suite = suite_create("files/rational");
     TCase *numerals = tcase_create("numerals");
     tcase_add_test(numerals, what_is_no_integer_is_left_alone);
     tcase_add_test(numerals, an_integer_ends_where_it_ends);

@@ -1,7 +1,7 @@
 //: Declare query files
 #pragma once
 
-#include "program/text_lines.h"
+#include "files/text_lines.h"
 
 #include <stdbool.h>
 #include <stdio.h>

@@ -1,7 +1,7 @@
 //: Declare files of masses
 #pragma once
 
-#include "program/text_lines.h"
+#include "files/text_lines.h"
 
 /// Reads the masses of all vertices, in their order, from the file at `path`
 /// ("-": standard input), and sets their inverses.  False: there is a fault.

@@ -1,8 +1,8 @@
 //: Include what files of masses need
-#include "program/masses.h"
+#include "files/masses.h"
 
-#include "program/number.h"
-#include "program/visible.h"
+#include "files/number.h"
+#include "files/visible.h"
 
 #include <math.h>
 #include <stdint.h>

@@ -1,7 +1,7 @@
 //: Include what PLY files need
-#include "program/ply_file.h"
+#include "files/ply_file.h"
 
-#include "program/number.h"
+#include "files/number.h"
 
 #include <limits.h>
 #include <math.h>

@@ -1,5 +1,5 @@
 //: Include what rationals need
-#include "program/rational.h"
+#include "files/rational.h"
 
 #include "base/require.h"
 

@@ -1,5 +1,5 @@
 // PLY, as text and in binary, good and bad.
-#include "program/ply_file.h"
+#include "files/ply_file.h"
 
 #include "support/meshes.h"
 #include "support/support.h"
@@ -678,7 +678,7 @@ END_TEST
 
 Suite *suite(void)
 {
-    Suite *suite = suite_create("program/ply_file");
+    Suite *suite = suite_create("files/ply_file");
     TCase *good = tcase_create("good files");
     tcase_add_test(good, how_it_begins);
     tcase_add_test(good, a_triangle_as_text);

@@ -1,6 +1,6 @@
 #define _GNU_SOURCE // open_memstream
 
-#include "program/mesh_writer.h"
+#include "files/mesh_writer.h"
 
 #include "support/generator.h"
 #include "support/matrices.h"
@@ -170,7 +170,7 @@ END_TEST
 
 Suite *suite(void)
 {
-    Suite *suite = suite_create("program/mesh_writer");
+    Suite *suite = suite_create("files/mesh_writer");
     TCase *written = tcase_create("what is written");
     tcase_add_test(written, a_mesh_of_all_elements);
     tcase_add_test(written, meshes_of_one_element);

@@ -1,7 +1,7 @@
 // Files of any format, and what is wrong with the whole of one.
 #define _GNU_SOURCE // dup, pipe
 
-#include "program/mesh_file.h"
+#include "files/mesh_file.h"
 
 #include "support/meshes.h"
 #include "support/program.h"
@@ -311,7 +311,7 @@ END_TEST
 
 Suite *suite(void)
 {
-    Suite *suite = suite_create("program/mesh_file");
+    Suite *suite = suite_create("files/mesh_file");
     TCase *texts = tcase_create("texts");
     tcase_add_test(texts, formats_by_their_content);
     tcase_add_test(texts, the_plane);

@@ -1,4 +1,4 @@
-#include "program/visible.h"
+#include "files/visible.h"
 
 #include "support/support.h"
 
@@ -93,7 +93,7 @@ END_TEST
 
 Suite *suite(void)
 {
-    Suite *suite = suite_create("program/visible");
+    Suite *suite = suite_create("files/visible");
     TCase *names = tcase_create("names");
     tcase_add_test(names, plain_names_stay);
     tcase_add_test(names, control_characters_are_shown);

@@ -81,9 +81,9 @@ proofs: need-proofs ## prove the error bounds with the constants in the code
 check-compilers: need-compilers ## check that gcc and clang give the same answers
 	@MAKE='$(MAKE) $(parallel)' BUILD=$(BUILD) sh tests/compilers.sh
 
-check-vectors: need-compilers ## check that compilers make vectors of the lanes
-	@BUILD=$(BUILD) sh tests/vectors.sh
+check-simd: need-compilers ## check that compilers vectorize the loops over lanes
+	@BUILD=$(BUILD) sh tests/simd.sh
 
 check-reproducible: need-book ## check that two builds are identical, films or FILM= too
 	@MAKE='$(MAKE) $(parallel)' BUILD=$(BUILD) FILM=$(FILM) sh tests/reproducible.sh
-.PHONY: check-compilers check-vectors check-reproducible
+.PHONY: check-compilers check-simd check-reproducible

@@ -91,7 +91,7 @@ static double time_queries(const workload *w, const tf_arithmetic *arithmetic,
 
 // The last two need integers.
 static const tf_arithmetic *const contenders[] = {
-    &tf_clamped,   &tf_report,    &tf_exact,
+    &tf_clamped,   &tf_published, &tf_exact,
     &tf_perturbed, &tf_integer64, &tf_integer128};
 
 enum {

@@ -18,7 +18,7 @@
 // array of the same lines.
 
 #include "arithmetic/exact.h"
-#include "base/vectors.h"
+#include "base/simd.h"
 #include "bench/layers.h"
 #include "bench/measuring.h"
 #include "bench/workloads.h"
@@ -130,7 +130,7 @@ typedef size_t way_function(arrays *a);
 
 static volatile uint64_t used; ///< so that no reading is left out
 
-TF_VECTORS static uint64_t read_words(const uint64_t *word, size_t count)
+TF_SIMD static uint64_t read_words(const uint64_t *word, size_t count)
 {
     uint64_t sum[32] = {0}, all = 0;
     for (size_t i = 0; i < count; i += 32)

@@ -1,7 +1,7 @@
 // Queries about linear motion: what the library's methods answer, and what is
 // true.
-#ifndef SUPPORT_ROADS_H
-#define SUPPORT_ROADS_H
+#ifndef SUPPORT_LINEAR_METHODS_H
+#define SUPPORT_LINEAR_METHODS_H
 
 #include "linear/advancement.h"
 #include "linear/tolerances.h"
@@ -13,14 +13,14 @@
 
 /// The quadratic's or cubic's status about the vertices of the indices
 /// vertex[], those of the first element first.
-tf_status road_cubic(query_kind kind, const tf_tolerances *tolerances,
-                     const tf_motion *motion, const int vertex[],
-                     tf_contact *contact);
+tf_status cubic_query(query_kind kind, const tf_tolerances *tolerances,
+                      const tf_motion *motion, const int vertex[],
+                      tf_contact *contact);
 
 /// The same of additive advancement.
-tf_status road_additive(query_kind kind, const tf_advance_limits *limits,
-                        const tf_motion *motion, const int vertex[],
-                        tf_contact *contact, tf_advancement *advancement);
+tf_status additive_query(query_kind kind, const tf_advance_limits *limits,
+                         const tf_motion *motion, const int vertex[],
+                         tf_contact *contact, tf_advancement *advancement);
 
 /// The answer of the quadratic or cubic to a query, with a tolerance for the
 /// distance.

@@ -1,17 +1,17 @@
 # See in what compilers make of the code that they did what its speed needs:
 #
-#     BUILD=dir vectors.sh
+#     BUILD=dir simd.sh
 #
 # By their own reports, each of the four loops over lanes is made of vectors, and
-# for gcc each for every processor that base/vectors.h lists.  And requests to
-# the memory ahead of time are still there.
+# for gcc each for every processor that base/simd.h lists.  And the prefetches
+# are still there.
 set -eu
 
-report=$BUILD/vectors
+report=$BUILD/simd
 mkdir -p "$BUILD"
 
 fail() { # what
-    echo "check-vectors: $cc: $1" >&2
+    echo "check-simd: $cc: $1" >&2
     exit 1
 }
 
@@ -21,7 +21,7 @@ expect() { # loops, pattern
         cat "$report" >&2
         fail "$found of $1 loops are vectors: $2"
     }
-    echo "vectors: $cc: $found loops: $2"
+    echo "simd: $cc: $found loops: $2"
 }
 
 compile() { # module, options
@@ -30,8 +30,8 @@ compile() { # module, options
     $cc -O3 -std=c17 -ffp-contract=off -Isrc "$@" -S "src/$module.c" \
         -o "$report.s" >"$report" 2>&1
     found=$(grep -cE '[[:space:]](prefetch|prfm)' "$report.s") ||
-        fail "nothing is requested early in src/$module.c"
-    echo "vectors: $cc: $found requests in $module.c"
+        fail "src/$module.c prefetches nothing"
+    echo "simd: $cc: $found prefetches in $module.c"
 }
 
 cc=gcc

@@ -1,4 +1,4 @@
-//: Compile for the vectors of the processor
+//: Compile for the vector registers of the processor
 #pragma once
 
 /// Marks a function whose loops become vector instructions: gcc compiles it for
@@ -6,20 +6,19 @@
 /// processor has when it starts.  Elsewhere it is compiled once, for whatever
 /// the options choose.  The answers are the same bits in each.
 ///
-/// TF_HALF_VECTORS stops at registers of 256 bits: for what is made of four
-/// numbers, and for loops that collect a bit of each lane, for which gcc takes
-/// longer with 512 bits.
+/// TF_SIMD_256 stops at registers of 256 bits: for functions that work on four
+/// numbers at a time, and for loops that collect a bit of each lane, for which
+/// gcc takes longer with 512 bits.
 #if defined __GNUC__ && !defined __clang__ && defined __x86_64__ &&            \
     defined __gnu_linux__ && !defined __SANITIZE_ADDRESS__ &&                  \
     !defined __SANITIZE_THREAD__
-#define TF_VECTORS                                                             \
+#define TF_SIMD                                                                \
     __attribute__((                                                            \
         target_clones("default", "arch=x86-64-v3", "arch=x86-64-v4")))
-#define TF_HALF_VECTORS                                                        \
-    __attribute__((target_clones("default", "arch=x86-64-v3")))
+#define TF_SIMD_256 __attribute__((target_clones("default", "arch=x86-64-v3")))
 #else
-#define TF_VECTORS
-#define TF_HALF_VECTORS
+#define TF_SIMD
+#define TF_SIMD_256
 #endif
 
 //: Let lanes choose without a branch

@@ -1,4 +1,4 @@
-#include "support/roads.h"
+#include "support/linear_methods.h"
 
 #include "linear/additive.h"
 #include "linear/cubic.h"
@@ -9,9 +9,9 @@
 #include <math.h>
 #include <string.h>
 
-tf_status road_cubic(query_kind kind, const tf_tolerances *tolerances,
-                     const tf_motion *motion, const int vertex[],
-                     tf_contact *contact)
+tf_status cubic_query(query_kind kind, const tf_tolerances *tolerances,
+                      const tf_motion *motion, const int vertex[],
+                      tf_contact *contact)
 {
     if (kind == POINT_EDGE)
         return tf_quadratic_point_edge(tolerances, motion, vertex[0],
@@ -22,9 +22,9 @@ tf_status road_cubic(query_kind kind, const tf_tolerances *tolerances,
     return tf_cubic_edge_edge(tolerances, motion, vertex, vertex + 2, contact);
 }
 
-tf_status road_additive(query_kind kind, const tf_advance_limits *limits,
-                        const tf_motion *motion, const int vertex[],
-                        tf_contact *contact, tf_advancement *advancement)
+tf_status additive_query(query_kind kind, const tf_advance_limits *limits,
+                         const tf_motion *motion, const int vertex[],
+                         tf_contact *contact, tf_advancement *advancement)
 {
     if (kind == POINT_EDGE)
         return tf_additive_point_edge(limits, motion, vertex[0], vertex + 1,
@@ -52,7 +52,7 @@ tf_contact cubic_answer(const query *q, double tolerance)
     tf_tolerances tolerances = {.distance = tolerance};
     tf_contact contact;
     ck_assert_int_eq(
-        road_cubic(kind_of(q), &tolerances, &motion, in_order, &contact),
+        cubic_query(kind_of(q), &tolerances, &motion, in_order, &contact),
         TF_OK);
     return contact;
 }
@@ -63,8 +63,8 @@ tf_contact additive_answer(const query *q, const tf_advance_limits *limits,
     scene s = scene_of(q, in_order);
     tf_motion motion = scene_motion(&s);
     tf_contact contact;
-    ck_assert_int_eq(road_additive(kind_of(q), limits, &motion, in_order,
-                                   &contact, advancement),
+    ck_assert_int_eq(additive_query(kind_of(q), limits, &motion, in_order,
+                                    &contact, advancement),
                      TF_OK);
     return contact;
 }

@@ -1,6 +1,7 @@
 #include "kit/flow_run.h"
 
 #include "base/require.h"
+#include "flow/flow_state.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -20,16 +21,15 @@ static tf_adaptive_surface *begin(const tf_flow_scene *scene, double edge)
 }
 
 static void make_step(const fig_flow_plan *plan, const tf_flow_scene *scene,
-                      tf_adaptive_surface *surface, int step, fig_flow_run *run)
+                      tf_flow *flow, int step, fig_flow_run *run)
 {
     const tf_flow_options options = {.edge = plan->edge,
                                      .velocity = scene->velocity,
-                                     .careless = plan->careless,
                                      .keep_topology = scene->keep_topology ||
                                                       plan->keep_topology};
     tf_flow_report report;
-    TF_REQUIRE(tf_adaptive_flow(surface, &options, (step - 1) * scene->step,
-                                scene->step, &report) == TF_OK);
+    TF_REQUIRE(tf_flow_step(flow, &options, (step - 1) * scene->step,
+                            scene->step, &report) == TF_OK);
     for (int i = 0; i < TF_RECONNECTIONS; i++)
         if (run->first[i] == 0 && report.reconnected.tried[i][TF_COMMITTED] > 0)
             run->first[i] = step;
@@ -56,12 +56,17 @@ fig_flow_run *fig_flow_run_new(const fig_flow_plan *plan)
     run->frame = calloc((size_t)frames, sizeof *run->frame);
     TF_REQUIRE(run->frame);
     tf_adaptive_surface *surface = begin(scene, plan->edge);
+    tf_flow *flow = NULL;
+    TF_REQUIRE(tf_flow_create(surface, &flow) == TF_OK);
+    if (plan->policy)
+        flow->remesher.policy = plan->policy;
     keep_frame(surface, run);
     for (int step = 1; step <= plan->steps; step++) {
-        make_step(plan, scene, surface, step, run);
+        make_step(plan, scene, flow, step, run);
         if (step % plan->every == 0)
             keep_frame(surface, run);
     }
+    tf_flow_free(flow);
     tf_adaptive_free(surface);
     return run;
 }

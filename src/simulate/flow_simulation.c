@@ -28,6 +28,8 @@ tf_status tf_flow_simulation_create(const tf_flow_scene *scene, double edge,
     s->edge = edge;
     tf_status status = build_surface(scene, edge, &s->surface);
     if (status == TF_OK)
+        status = tf_flow_create(s->surface, &s->flow);
+    if (status == TF_OK)
         *simulation = s;
     else
         tf_flow_simulation_free(s);
@@ -38,6 +40,7 @@ void tf_flow_simulation_free(tf_flow_simulation *simulation)
 {
     if (!simulation)
         return;
+    tf_flow_free(simulation->flow);
     tf_adaptive_free(simulation->surface);
     free(simulation);
 }
@@ -55,8 +58,8 @@ tf_status tf_flow_simulation_step(tf_flow_simulation *simulation,
                                .clock = way->clock};
     tf_flow_report made;
     tf_status status =
-        tf_adaptive_flow(simulation->surface, &options,
-                         simulation->step * scene->step, scene->step, &made);
+        tf_flow_step(simulation->flow, &options, simulation->step * scene->step,
+                     scene->step, &made);
     if (status != TF_OK)
         return status;
     simulation->step++;
@@ -70,10 +73,18 @@ tf_status tf_flow_simulation_restore(tf_flow_simulation *simulation, int step,
                                      const double position[])
 {
     tf_adaptive_surface *surface;
+    tf_flow *flow;
     tf_status status = tf_adaptive_create(mesh, position, &surface, NULL);
     if (status != TF_OK)
         return status;
+    status = tf_flow_create(surface, &flow);
+    if (status != TF_OK) {
+        tf_adaptive_free(surface);
+        return status;
+    }
+    tf_flow_free(simulation->flow);
     tf_adaptive_free(simulation->surface);
+    simulation->flow = flow;
     simulation->surface = surface;
     simulation->step = step;
     return TF_OK;

@@ -12,6 +12,7 @@ typedef struct tf_flow_simulation {
     double edge;
     int step; ///< how many were made
     tf_adaptive_surface *surface;
+    tf_flow *flow; ///< of the surface
 } tf_flow_simulation;
 
 /// Sets a scene up.
@@ -26,7 +27,7 @@ void tf_flow_simulation_free(tf_flow_simulation *simulation);
 //: Declare how a flow goes on
 /// Makes a step.
 /// @param[out] report set only with TF_OK
-/// @return as tf_adaptive_flow
+/// @return as tf_flow_step
 tf_status tf_flow_simulation_step(tf_flow_simulation *simulation,
                                   const tf_step_way *way,
                                   tf_flow_report *report);

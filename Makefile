@@ -10,7 +10,7 @@
 #
 # book/chapters is the one list of modules: a line a chapter, its slug and then
 # its modules, which are paths below src/ without their endings.  Those below
-# program/ and simulate/ make the program, all others the library.
+# files/, simulate/ and program/ make the program, all others the library.
 #
 # All output goes to $(BUILD), except for install, measure, format and the
 # exercises (WORK).
@@ -78,11 +78,16 @@ CHAPTERS := $(shell grep -c '^[a-z]' book/chapters)
 SRC = src
 partial := $(filter-out src,$(SRC))
 
+# $(call compiling,FILES): in such a build, those whose includes are in its tree
+# (-MM fails otherwise).
+compiling = $(if $(partial),$(foreach file,$(1),$(if $(shell \
+	$(CC) -MM -I$(SRC) -Itests -Ifigures $(file) 2>/dev/null),$(file))),$(1))
+
 # '#' and 'Part:' lines of the list are skipped.
 MODULES := $(shell awk '/^[a-z]/ && n++ < $(CHAPTERS) { \
 	for (i = 2; i <= NF; i++) print $$i }' book/chapters)
 MAIN := $(filter program/main,$(MODULES))
-CLIENTS := $(filter program/% simulate/%,$(MODULES))
+CLIENTS := $(filter files/% simulate/% program/%,$(MODULES))
 PROGRAM := $(filter-out $(MAIN),$(CLIENTS))
 LIBRARY := $(filter-out $(CLIENTS),$(MODULES))
 

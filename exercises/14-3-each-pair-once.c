@@ -1,4 +1,4 @@
-/* Exercise 14.3.  Who finds the pair?
+/* Exercise 14.3.  Each pair once in a tree that is joined with itself.
  *
  * A tree is joined with itself: every leaf visits every leaf, itself too.  When
  * the leaf `own` visits the leaf `other`, its element in `lane` takes some of the

@@ -1,4 +1,4 @@
-/* Exercise 13.2.  Upon each other.
+/* Exercise 13.2.  Do two edges with a common vertex overlap?
  *
  * Two edges of a curve in the plane share the vertex v; one ends at a, the
  * other at c.  They are no pair for the static check, which looks only at

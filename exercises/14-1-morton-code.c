@@ -1,4 +1,4 @@
-/* Exercise 14.1.  Half a deck.
+/* Exercise 14.1.  Half a deck: bits shuffled to a Morton code.
  *
  * Shuffle the bits of two numbers of 16 bits each: bit i of x becomes bit 2 i of
  * the result, and bit i of y becomes bit 2 i + 1.  This is the place of a cell

@@ -168,8 +168,8 @@ static void draw(fig_page *page, FILE *numbers)
     sort_records(0, record);
     write_column(page, 2, record);
     print_numbers(&edges, numbers);
-    tf_buffer_free(&triangles.room);
-    tf_buffer_free(&edges.room);
+    tf_buffer_free(&triangles.storage);
+    tf_buffer_free(&edges.storage);
 }
 
 const fig_figure fig_derived_edges = {

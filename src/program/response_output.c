@@ -18,7 +18,7 @@ static const char *status_of(const tf_response_report *report)
 static void list_entries(const tf_response_report *report, double seconds,
                          tf_entry list[ENTRIES])
 {
-    const tf_effort *effort = &report->effort;
+    const tf_detect_statistics *statistics = &report->statistics;
     const int *rounds = report->rounds;
     const tf_entry all[ENTRIES] = {
         tf_entry_word("status", status_of(report)),
@@ -28,7 +28,7 @@ static void list_entries(const tf_response_report *report, double seconds,
         tf_entry_count("zone rounds", (size_t)rounds[TF_ZONES]),
         tf_entry_count("rigid rounds", (size_t)rounds[TF_RIGID]),
         tf_entry_count("failsafe rounds", (size_t)rounds[TF_FAILSAFE]),
-        tf_entry_count("rows", report->rows),
+        tf_entry_count("rows", report->constraints),
         tf_entry_count("zones", report->zones),
         tf_entry_count("largest zone", report->largest_zone),
         tf_entry_count("iterations", report->iterations),
@@ -39,10 +39,10 @@ static void list_entries(const tf_response_report *report, double seconds,
         tf_entry_count("resting", (size_t)report->resting),
         tf_entry_count("held", (size_t)report->held),
         tf_entry_count("moved", (size_t)report->moved),
-        tf_entry_count("candidates", effort->candidates),
-        tf_entry_count("decided by axis", effort->by_axis),
-        tf_entry_count("decided by filter", effort->by_filter),
-        tf_entry_count("decided by signs", effort->by_signs),
+        tf_entry_count("candidates", statistics->candidates),
+        tf_entry_count("decided by axis", statistics->by_axis),
+        tf_entry_count("decided by filter", statistics->by_filter),
+        tf_entry_count("decided by signs", statistics->by_signs),
         tf_entry_number("energy before", report->energy_before),
         tf_entry_number("energy after", report->energy_after),
         tf_entry_number("seconds", seconds),

@@ -141,7 +141,7 @@ enum {
 static int list_counts(const tf_surface_output *output, tf_entry list[COUNTS])
 {
     const tf_surface_tally *tally = &output->tally;
-    const tf_effort *effort = &tally->effort;
+    const tf_detect_statistics *statistics = &tally->statistics;
     bool checks = output->checks;
     const tf_entry all[COUNTS] = {
         tf_entry_count(checks ? "files" : "steps", (size_t)tally->parts),
@@ -150,10 +150,10 @@ static int list_counts(const tf_surface_output *output, tf_entry list[COUNTS])
                        (size_t)tally->tangled),
         tf_entry_count(checks ? "intersections" : "contacts",
                        (size_t)tally->rows),
-        tf_entry_count("candidates", effort->candidates),
-        tf_entry_count("decided by axis", effort->by_axis),
-        tf_entry_count("decided by filter", effort->by_filter),
-        tf_entry_count("decided by signs", effort->by_signs),
+        tf_entry_count("candidates", statistics->candidates),
+        tf_entry_count("decided by axis", statistics->by_axis),
+        tf_entry_count("decided by filter", statistics->by_filter),
+        tf_entry_count("decided by signs", statistics->by_signs),
     };
     memcpy(list, all, sizeof all);
     return checks ? 3 : COUNTS;
@@ -250,10 +250,10 @@ bool tf_surface_output_contacts(tf_surface_output *output, int axes,
     }
     tally->parts++;
     tally->tangled += contacts->any;
-    tally->effort.candidates += contacts->effort.candidates;
-    tally->effort.by_axis += contacts->effort.by_axis;
-    tally->effort.by_filter += contacts->effort.by_filter;
-    tally->effort.by_signs += contacts->effort.by_signs;
+    tally->statistics.candidates += contacts->statistics.candidates;
+    tally->statistics.by_axis += contacts->statistics.by_axis;
+    tally->statistics.by_filter += contacts->statistics.by_filter;
+    tally->statistics.by_signs += contacts->statistics.by_signs;
     return written(output);
 }
 

@@ -22,7 +22,7 @@ typedef struct tf_surface_tally {
     long parts;   ///< files checked, or steps
     long tangled; ///< of these, with rows
     long rows;
-    tf_effort effort; ///< of detection
+    tf_detect_statistics statistics; ///< of detection
 } tf_surface_tally;
 
 typedef struct tf_surface_output {

@@ -56,7 +56,7 @@ bool tf_elements_sort(tf_elements *list, int count, int vertices)
     bool good = tf_buffer_reserve(&other, (size_t)count * corners + 1,
                                   sizeof *list->corner) &&
                 tf_buffer_reserve(&place, (size_t)vertices + 1, sizeof(int));
-    int *from = list->room.data, *to = other.data;
+    int *from = list->storage.data, *to = other.data;
     for (int at = list->corners - 1; good && at >= 0; at--) {
         sort_by_vertex(list->corners, count, from, to, at, vertices,
                        place.data);
@@ -66,9 +66,9 @@ bool tf_elements_sort(tf_elements *list, int count, int vertices)
     }
     if (good) {
         list->count = drop_repetitions(list->corners, count, from);
-        memmove(list->room.data, from,
+        memmove(list->storage.data, from,
                 (size_t)list->count * corners * sizeof *from);
-        list->corner = list->room.data;
+        list->corner = list->storage.data;
     }
     tf_buffer_free(&other);
     tf_buffer_free(&place);

@@ -9,12 +9,12 @@ typedef struct tf_elements {
     int corners; ///< 2 or 3
     int count;
     int *corner; ///< `corners` indices each
-    tf_buffer room;
+    tf_buffer storage;
 } tf_elements;
 
 /// Sorts the vertices of one element.
 void tf_element_sort(int corners, int corner[]);
 
-/// Makes a list of `count` elements that are in its room, in any order.  False
-/// if there is no memory.
+/// Makes a list of `count` elements that are in its storage, in any order.
+/// False if there is no memory.
 bool tf_elements_sort(tf_elements *list, int count, int vertices);

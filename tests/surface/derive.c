@@ -45,8 +45,8 @@ START_TEST(edges_are_those_of_the_elements)
                     count++;
                 }
         ck_assert_int_eq(edges.count, count);
-        tf_buffer_free(&triangles.room);
-        tf_buffer_free(&edges.room);
+        tf_buffer_free(&triangles.storage);
+        tf_buffer_free(&edges.storage);
     }
 }
 END_TEST
@@ -64,8 +64,8 @@ START_TEST(triangles_are_listed_once)
     ck_assert_mem_eq(triangles.corner, expected, sizeof expected);
     ck_assert(tf_mesh_edges(&mesh, &triangles, &edges));
     ck_assert_int_eq(edges.count, 7);
-    tf_buffer_free(&triangles.room);
-    tf_buffer_free(&edges.room);
+    tf_buffer_free(&triangles.storage);
+    tf_buffer_free(&edges.storage);
 }
 END_TEST
 

@@ -23,6 +23,8 @@ moving := $(basename $(notdir \
 films = $(foreach theme,light dark,\
 	$(patsubst %,$(BUILD)/films/%-$(theme).png,$(subst _,-,$(moving))))
 
+##@ Book and figures
+
 drawing: $(drawing_file) ## build the drawing program, tanglefree-draw
 figures: ## draw all figures and films, light and dark
 	@$(MAKE) $(parallel) draw-figures
@@ -63,15 +65,11 @@ $(BUILD)/drawing/includes.h: src/layers.awk $(wildcard src/*/*.[ch])
 	@$(unless_same)
 
 # The lines "name,value,unit" of what was measured, as initializers; those of
-# roads.csv are named "roads ...", and so on.
-row = s/^\(.*\),\([0-9.]*\),.*$$/{"$(1)\1", \2},/p
-$(BUILD)/drawing/measured_rows.h: figures/measured.csv figures/roads.csv \
-		figures/simulation.csv figures/remeshing.csv figures/flowing.csv
-	@mkdir -p $(@D) && { sed -n '$(call row,)' $<; \
-	    sed -n '$(call row,roads )' $(word 2,$^); \
-	    sed -n '$(call row,simulation )' $(word 3,$^); \
-	    sed -n '$(call row,remeshing )' $(word 4,$^); \
-	    sed -n '$(call row,flowing )' $(word 5,$^); } >$@.new
+# methods.csv are named "methods ...", and so on, but for those of library.csv.
+$(BUILD)/drawing/measured_rows.h: $(wildcard figures/measured/*.csv)
+	@mkdir -p $(@D) && for file in $(^:figures/measured/%.csv=%); do \
+	    sed -n "s/^\([^#].*\),\([-+0-9.e]*\),.*$$/{\"$$file \1\", \2},/p" \
+	    figures/measured/$$file.csv; done | sed 's/"library /"/' >$@.new
 	@$(unless_same)
 
 drawing_flags = -I$(SRC) -Ifigures -I$(BUILD)/drawing \
@@ -141,6 +139,8 @@ README_FILMS = $(foreach scene,stack enright,$(scene)-light.webp $(scene)-dark.w
 readme_pictures = $(addprefix $(BUILD)/readme/,$(README) $(README_FILMS))
 draw-readme: $(readme_pictures) ## draw the pictures of README.md anew
 	@mkdir -p figures/readme && cp $^ figures/readme
+
+##@ Check
 
 check-readme: need-book $(README:%=$(BUILD)/readme/%) ## check the pictures of README.md
 	@python3 tests/figures/same_pictures.py $(BUILD)/readme figures/readme

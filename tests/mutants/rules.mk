@@ -1,5 +1,7 @@
 # The mutants: see tests/mutants/mutants.py.
 
+##@ Check for long
+
 # Everything is compiled anew, for a shared object.
 mutants: need-mutants ## break src/ on purpose, and check that tests fail; FILE=
 	@$(MAKE) $(parallel) run-mutants BUILD=$(BUILD)/mutants \

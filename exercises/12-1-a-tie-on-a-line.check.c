@@ -1,6 +1,6 @@
 #include "check.h"
 
-#include "arithmetic/operations.h"
+#include "arithmetic/sign.h"
 #include "support/generator.h"
 
 #include <gmp.h>

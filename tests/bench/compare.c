@@ -11,13 +11,13 @@
 //
 // Prints a table, or with --csv all numbers as lines "name,value,unit", for
 // figures/roads.csv: more tolerances and thresholds, each set of queries by its
-// name, and the rotating bar of tests/linear/advancement.c.
+// name, and the rotating bar of tests/linear/rigid_motion.c.
 #define _POSIX_C_SOURCE 199309L // clock_gettime
 
 #include "arithmetic/clamped.h"
 #include "arithmetic/exact.h"
 #include "bench/workloads.h"
-#include "linear/advancement.h"
+#include "linear/rigid_motion.h"
 #include "program/methods.h"
 #include "support/linear_truth.h"
 

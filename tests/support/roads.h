@@ -3,7 +3,7 @@
 #ifndef SUPPORT_ROADS_H
 #define SUPPORT_ROADS_H
 
-#include "linear/advancement.h"
+#include "linear/rigid_motion.h"
 #include "linear/tolerances.h"
 #include "query/contact.h"
 #include "query/motion.h"

@@ -14,6 +14,7 @@
  *     conversion to an integer would make it zero.
  */
 #include "arithmetic/sign.h"
+#include "geometry/event.h"
 
 tf_sign left_turn(const tf_event *a, const tf_event *b, const tf_event *c)
 {

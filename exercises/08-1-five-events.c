@@ -18,6 +18,7 @@
  *     sign of (-1)^(i + 3): minus for the first.
  */
 #include "arithmetic/sign.h"
+#include "geometry/event.h"
 
 static double det3(const double a[3], const double b[3], const double c[3])
 {

@@ -15,6 +15,7 @@
  *     them, fails for places that are closer than that.
  */
 #include "arithmetic/sign.h"
+#include "geometry/event.h"
 
 /// The coordinate is x[0], the index `vertex`.
 tf_sign farther_right(const tf_event *a, const tf_event *b)

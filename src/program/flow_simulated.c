@@ -1,8 +1,8 @@
 //: Include what simulated flows need
 #include "program/flow_simulated.h"
 
-#include "program/mesh_file.h"
-#include "program/mesh_writer.h"
+#include "files/mesh_file.h"
+#include "files/mesh_writer.h"
 
 #include <errno.h>
 #include <math.h>

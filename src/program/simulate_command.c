@@ -2,6 +2,7 @@
 #define _GNU_SOURCE // isatty
 #include "program/simulate_command.h"
 
+#include "files/visible.h"
 #include "program/arguments.h"
 #include "program/clock.h"
 #include "program/cloth_simulated.h"
@@ -11,7 +12,6 @@
 #include "program/simulation_folder.h"
 #include "program/summary.h"
 #include "program/threads.h"
-#include "program/visible.h"
 
 #include <math.h>
 #include <stdlib.h>

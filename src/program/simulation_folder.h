@@ -1,9 +1,9 @@
 //: Declare the folder of a simulation
 #pragma once
 
-#include "program/output_file.h"
+#include "files/output_file.h"
+#include "files/visible.h"
 #include "program/simulated.h"
-#include "program/visible.h"
 
 enum {
     TF_FOLDER_FAULT_LENGTH = TF_VISIBLE_ROOM + 512,

@@ -14,7 +14,7 @@
 // - a hard family: both narrow phases, and the percentage of its queries that
 //   the filter leaves undecided.
 // - cloth: its candidates, and its contacts by both narrow phases.
-// With --csv lines "name,value,unit" for figures/measured.csv, with --json an
+// With --csv lines "name,value,unit" for figures/measured/library.csv, with --json an
 // array of the same lines.
 
 #include "arithmetic/exact.h"

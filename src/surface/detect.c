@@ -2,7 +2,7 @@
 #include "surface/detect.h"
 
 #include "arithmetic/exact.h"
-#include "arithmetic/operations.h"
+#include "arithmetic/functions.h"
 #include "base/require.h"
 #include "surface/pairs.h"
 #include "surface/state.h"

@@ -227,7 +227,7 @@ static void put_ends(const tf_advance *a)
 {
     memcpy(a->surface->position.data, a->end,
            3 * sizeof *a->end * (size_t)a->vertices);
-    tf_stars_build(a->surface, a->surface->cuboid.data);
+    tf_stars_build(a->surface, a->surface->box.data);
 }
 
 tf_status tf_advance_resolve(tf_advance *a, tf_response_report *report)

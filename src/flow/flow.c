@@ -6,6 +6,7 @@
 #include "flow/flow_state.h"
 #include "flow/keep_volume.h"
 #include "remesh/passes.h"
+#include "topology/reconnect.h"
 
 #include <math.h>
 #include <stdlib.h>

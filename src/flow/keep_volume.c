@@ -3,7 +3,7 @@
 
 #include "flow/butterfly.h"
 #include "flow/patch.h"
-#include "surgery/operations.h"
+#include "surgery/move.h"
 #include "surgery/star.h"
 
 //: Choose between the butterfly point and the middle

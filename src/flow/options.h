@@ -4,7 +4,7 @@
 #include "base/api.h"
 #include "remesh/options.h"
 #include "response/options.h"
-#include "topology/reconnect.h"
+#include "topology/options.h"
 
 /// @addtogroup adaptive
 /// @{

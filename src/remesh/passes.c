@@ -2,7 +2,10 @@
 #include "remesh/passes.h"
 
 #include "remesh/policy.h"
-#include "surgery/operations.h"
+#include "surgery/collapse.h"
+#include "surgery/flip.h"
+#include "surgery/move.h"
+#include "surgery/split.h"
 #include "surgery/star.h"
 
 //: Try a split

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/vector.h"
-#include "surgery/state.h"
+#include "surgery/adaptive_surface.h"
 
 /// Whether the edge of a corner is on the boundary, or its triangles' normals
 /// are more than 60 degrees apart.

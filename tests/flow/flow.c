@@ -7,7 +7,7 @@
 #include "support/flowing.h"
 #include "support/scrambled.h"
 #include "support/support.h"
-#include "surgery/state.h"
+#include "surgery/adaptive_surface.h"
 
 #include <math.h>
 #include <signal.h>

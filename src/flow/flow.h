@@ -48,9 +48,6 @@ TF_API size_t tf_flow_memory(const tf_flow *flow);
 /// A triangle whose edges are all on the boundary stays where it is.  The
 /// vertices and triangles get new numbers.
 ///
-/// A step of a surface that has grown no larger than in earlier steps asks for
-/// no memory, unless it drops a part.
-///
 /// @param flow the flow
 /// @param options how
 /// @param time when the step begins

@@ -5,6 +5,7 @@
 #include "flow/keep_volume.h"
 #include "remesh/passes.h"
 #include "surgery/star.h"
+#include "topology/reconnect.h"
 
 // The policy ------------------------------------------------------------------
 

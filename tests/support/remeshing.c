@@ -1,6 +1,7 @@
 #include "support/remeshing.h"
 
 #include "remesh/measure.h"
+#include "surgery/adaptive.h"
 
 #include <stdlib.h>
 

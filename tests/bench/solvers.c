@@ -128,31 +128,30 @@ typedef enum variant {
     VARIANTS
 } variant;
 
-static some_zone zones[VARIANTS][MOST_ZONES];
+static zone_case zones[VARIANTS][MOST_ZONES];
 static double *least_change[MOST_ZONES]; ///< the displacements
 static int count;
 
 /// What the row asks of impulses: its bound, and how far the proposal is from
 /// parting its elements.
-static double right_side(const some_zone *of, const tf_row *row)
+static double right_side(const zone_case *z, const tf_row *row)
 {
     double sum = row->bound;
     for (int i = 0; i < 4 && row->vertex[i] >= 0; i++)
-        for (int k = 0; k < of->zone.axes; k++)
+        for (int k = 0; k < z->zone.axes; k++)
             sum -= row->coefficient[i] * row->normal[k] *
-                   of->proposal[of->zone.axes * row->vertex[i] + k];
+                   z->proposal[z->zone.axes * row->vertex[i] + k];
     return sum;
 }
 
-static void add_rows(generator *random, double difference, some_zone *of)
+static void add_rows(generator *random, double difference, zone_case *z)
 {
-    int rows = of->zone.rows;
+    int rows = z->zone.rows;
     for (int added = 0; added < rows / MOST_DUPLICATES; added++) {
         int row = below(random, rows);
         double part = uniform(random, -difference, difference);
-        zone_duplicate(of, row, 1);
-        of->row[of->zone.rows - 1].bound +=
-            part * right_side(of, &of->row[row]);
+        zone_duplicate(z, row, 1);
+        z->row[z->zone.rows - 1].bound += part * right_side(z, &z->row[row]);
     }
 }
 
@@ -181,22 +180,22 @@ static void read_zones(const char *name, variant which)
 static void find_least_changes(void)
 {
     for (int i = 0; i < count; i++) {
-        const some_zone *of = &zones[PLAIN][i];
-        least_change[i] = allocate((size_t)(of->zone.axes * of->zone.vertices),
-                                   sizeof(double));
-        zone_least_change(of, least_change[i]);
+        const zone_case *z = &zones[PLAIN][i];
+        least_change[i] =
+            allocate((size_t)(z->zone.axes * z->zone.vertices), sizeof(double));
+        zone_least_change(z, least_change[i]);
     }
 }
 
 // Measurements ----------------------------------------------------------------
 
 /// The change of the proposal, masses counted.
-static double change(const some_zone *of, const double displacement[])
+static double change(const zone_case *z, const double displacement[])
 {
     double square = 0;
-    for (int i = 0; i < of->zone.axes * of->zone.vertices; i++) {
-        double inverse_mass = of->inverse_mass[i / of->zone.axes];
-        double d = displacement[i] - of->proposal[i];
+    for (int i = 0; i < z->zone.axes * z->zone.vertices; i++) {
+        double inverse_mass = z->inverse_mass[i / z->zone.axes];
+        double d = displacement[i] - z->proposal[i];
         square += inverse_mass > 0 ? d * d / inverse_mass : 0;
     }
     return sqrt(square);
@@ -232,16 +231,16 @@ static void solve_all(const tf_zone_solver *solver, variant which,
 {
     found->time = 0;
     for (int i = 0; i < count; i++) {
-        some_zone *of = &zones[which][i];
+        zone_case *z = &zones[which][i];
         double begin = milliseconds();
-        found->iterations[i] = zone_solve(of, solver, 4 * of->zone.rows + 100);
+        found->iterations[i] = zone_solve(z, solver, 4 * z->zone.rows + 100);
         found->time += milliseconds() - begin;
         found->residual[i] =
-            solver == &tf_gauss_seidel ? zone_violation(of) : zone_residual(of);
+            solver == &tf_gauss_seidel ? zone_violation(z) : zone_residual(z);
         if (!isfinite(found->residual[i]))
             found->residual[i] = DBL_MAX;
         found->part[i] =
-            change(of, of->displacement) / change(of, least_change[i]);
+            change(z, z->displacement) / change(z, least_change[i]);
     }
 }
 

@@ -2,7 +2,7 @@
 
 #include "files/mesh_file.h"
 #include "support/program.h"
-#include "support/simulating.h"
+#include "support/simulations.h"
 #include "support/support.h"
 
 #include <errno.h>

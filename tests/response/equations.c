@@ -13,27 +13,27 @@ enum {
     AXES = 3
 };
 
-static some_zone of;
+static zone_case z;
 static tf_equations equations;
 static double *vector[2];
 
 static void set_up(void)
 {
     generator random = generator_new(1);
-    of = zone_random(&random, AXES, VERTICES, ROWS, ROWS);
+    z = zone_random(&random, AXES, VERTICES, ROWS, ROWS);
     size_t room = tf_equations_room(AXES, VERTICES, ROWS, 2);
-    of.zone.room = malloc(room * sizeof(double));
-    ck_assert_ptr_nonnull(of.zone.room);
+    z.zone.room = malloc(room * sizeof(double));
+    ck_assert_ptr_nonnull(z.zone.room);
     for (int i = 0; i < AXES * VERTICES; i++)
-        of.displacement[i] = of.proposal[i];
-    equations = tf_equations_of(&of.zone, 2, vector);
+        z.displacement[i] = z.proposal[i];
+    equations = tf_equations_of(&z.zone, 2, vector);
     tf_equations_start(&equations, vector[0], vector[1]);
 }
 
 static void tear_down(void)
 {
-    free(of.zone.room);
-    zone_free(&of);
+    free(z.zone.room);
+    zone_free(&z);
 }
 
 /// How far the unit impulse of row j parts row i.
@@ -46,7 +46,7 @@ static double entry(const tf_row *i, const tf_row *j)
                 for (int k = 0; k < AXES; k++)
                     sum += i->coefficient[a] * i->normal[k] *
                            j->coefficient[b] * j->normal[k] *
-                           of.inverse_mass[i->vertex[a]];
+                           z.inverse_mass[i->vertex[a]];
     return sum;
 }
 
@@ -58,7 +58,7 @@ START_TEST(products_are_those_of_the_scaled_matrix)
         tf_equations_multiply(&equations, x, product);
         x[j] = 0;
         for (int i = 0; i < ROWS; i++) {
-            const tf_row *one = &of.row[i], *other = &of.row[j];
+            const tf_row *one = &z.row[i], *other = &z.row[j];
             double scaled =
                 entry(one, other) / sqrt(entry(one, one) * entry(other, other));
             ck_assert_double_eq_tol(product[i], scaled, 1e-12);
@@ -73,17 +73,16 @@ START_TEST(a_residual_counts_the_impulses_that_there_are)
     double none[ROWS];
     for (int i = 0; i < ROWS; i++) {
         none[i] = vector[1][i];
-        of.row[i].impulse = i - 3;
+        z.row[i].impulse = i - 3;
     }
     double enough = tf_equations_start(&equations, vector[0], vector[1]);
     double square = tf_equations_dot(&equations, none, none);
     ck_assert_double_eq_tol(enough, 1e-8 * sqrt(square), 1e-15);
     for (int i = 0; i < ROWS; i++) {
-        const tf_row *row = &of.row[i];
+        const tf_row *row = &z.row[i];
         double expected = none[i];
         for (int j = 0; j < ROWS; j++)
-            expected -=
-                entry(row, &of.row[j]) * (j - 3) / sqrt(entry(row, row));
+            expected -= entry(row, &z.row[j]) * (j - 3) / sqrt(entry(row, row));
         ck_assert_double_eq_tol(vector[1][i], expected, 1e-12);
     }
 }
@@ -94,19 +93,19 @@ START_TEST(impulses_are_left_in_the_rows_and_applied)
     double change[ROWS];
     for (int i = 0; i < ROWS; i++) {
         vector[0][i] = 0.1 * i;
-        of.row[i].friction[1] = 1;
+        z.row[i].friction[1] = 1;
     }
-    tf_zone_partings(&of.zone, of.proposal, change);
+    tf_zone_partings(&z.zone, z.proposal, change);
     tf_equations_finish(&equations, vector[0]);
-    tf_zone_partings(&of.zone, of.displacement, vector[1]);
+    tf_zone_partings(&z.zone, z.displacement, vector[1]);
     for (int i = 0; i < ROWS; i++) {
-        const tf_row *row = &of.row[i];
+        const tf_row *row = &z.row[i];
         ck_assert_double_eq_tol(row->impulse * sqrt(entry(row, row)), 0.1 * i,
                                 1e-12);
         ck_assert_double_eq(row->friction[1], 0);
         double expected = change[i];
         for (int j = 0; j < ROWS; j++)
-            expected += entry(row, &of.row[j]) * of.row[j].impulse;
+            expected += entry(row, &z.row[j]) * z.row[j].impulse;
         ck_assert_double_eq_tol(vector[1][i], expected, 1e-12);
     }
 }
@@ -115,7 +114,7 @@ END_TEST
 START_TEST(a_row_that_moves_nothing_asks_for_nothing)
 {
     for (int i = 0; i < 4; i++)
-        of.row[5].coefficient[i] = 0;
+        z.row[5].coefficient[i] = 0;
     tf_equations_start(&equations, vector[0], vector[1]);
     ck_assert_double_eq(vector[1][5], 0);
     tf_equations_multiply(&equations, vector[1], vector[0]);

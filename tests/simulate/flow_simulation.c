@@ -2,8 +2,8 @@
 #include "simulate/flow_simulation.h"
 
 #include "simulate/flow_measures.h"
-#include "support/flowing.h"
-#include "support/scrambled.h"
+#include "support/flows.h"
+#include "support/scrambled_workers.h"
 #include "support/support.h"
 
 #include <math.h>
@@ -51,7 +51,7 @@ END_TEST
 START_TEST(workers_and_pauses_change_no_bit)
 {
     static const int two = 2;
-    tf_parallel parallel = scrambled(&two);
+    tf_parallel parallel = scrambled_workers(&two);
     tf_flow_simulation *one = simulation_of("star", 0.06);
     tf_flow_simulation *other = simulation_of("star", 0.06);
     for (int i = 0; i < 80; i++) {

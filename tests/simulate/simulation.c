@@ -1,7 +1,7 @@
 #include "simulate/simulation.h"
 
-#include "support/scrambled.h"
-#include "support/simulating.h"
+#include "support/scrambled_workers.h"
+#include "support/simulations.h"
 #include "support/support.h"
 
 #include <math.h>
@@ -108,7 +108,8 @@ START_TEST(threads_change_nothing)
 {
     const tf_scene *scene = tf_scene_named(shorts[_i].name);
     int two = 2, three = 3;
-    tf_parallel on_two = scrambled(&two), on_three = scrambled(&three);
+    tf_parallel on_two = scrambled_workers(&two),
+                on_three = scrambled_workers(&three);
     tf_simulation *s[3];
     for (int i = 0; i < 3; i++)
         s[i] = simulation_of(scene, shorts[_i].size);

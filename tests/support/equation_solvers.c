@@ -19,29 +19,29 @@ enum {
 };
 
 /// Generic, with fewer equations than coordinates that can be changed.
-static some_zone random_zone(generator *random)
+static zone_case random_zone(generator *random)
 {
     int axes = 2 + below(random, 2);
     int rows = 1 + below(random, MOST_ROWS / 3);
     return zone_random(random, axes, 6 + rows, rows, MOST_ROWS);
 }
 
-static void expect_displacement(some_zone *of, const double expected[])
+static void expect_displacement(zone_case *z, const double expected[])
 {
-    int iterations = zone_solve(of, solver, ENOUGH);
-    double distance = zone_distance(of, of->displacement, expected);
-    ck_assert_msg(distance < 1e-6 && zone_residual(of) < 1e-6,
+    int iterations = zone_solve(z, solver, ENOUGH);
+    double distance = zone_distance(z, z->displacement, expected);
+    ck_assert_msg(distance < 1e-6 && zone_residual(z) < 1e-6,
                   "%d rows: %g off, residual %g after %d iterations",
-                  of->zone.rows, distance, zone_residual(of), iterations);
+                  z->zone.rows, distance, zone_residual(z), iterations);
     ck_assert_int_lt(iterations, ENOUGH);
 }
 
-static double *least_change(const some_zone *of)
+static double *least_change(const zone_case *z)
 {
     double *expected =
-        malloc(sizeof *expected * (size_t)(of->zone.axes * of->zone.vertices));
+        malloc(sizeof *expected * (size_t)(z->zone.axes * z->zone.vertices));
     ck_assert_ptr_nonnull(expected);
-    zone_least_change(of, expected);
+    zone_least_change(z, expected);
     return expected;
 }
 
@@ -49,11 +49,11 @@ START_TEST(the_change_is_the_least)
 {
     generator random = generator_new(1);
     for (int i = 0; i < (int)cases(ZONES); i++) {
-        some_zone of = random_zone(&random);
-        double *expected = least_change(&of);
-        expect_displacement(&of, expected);
+        zone_case z = random_zone(&random);
+        double *expected = least_change(&z);
+        expect_displacement(&z, expected);
         free(expected);
-        zone_free(&of);
+        zone_free(&z);
     }
 }
 END_TEST
@@ -62,14 +62,14 @@ START_TEST(repeated_rows_change_nothing)
 {
     generator random = generator_new(2);
     for (int i = 0; i < (int)cases(ZONES); i++) {
-        some_zone of = random_zone(&random);
-        double *expected = least_change(&of);
-        int rows = of.zone.rows;
+        zone_case z = random_zone(&random);
+        double *expected = least_change(&z);
+        int rows = z.zone.rows;
         for (int copies = 0; copies < 2 * rows; copies++)
-            zone_duplicate(&of, below(&random, rows), 1);
-        expect_displacement(&of, expected);
+            zone_duplicate(&z, below(&random, rows), 1);
+        expect_displacement(&z, expected);
         free(expected);
-        zone_free(&of);
+        zone_free(&z);
     }
 }
 END_TEST
@@ -80,20 +80,20 @@ START_TEST(contradicting_rows_meet_halfway)
 {
     generator random = generator_new(3);
     for (int i = 0; i < (int)cases(ZONES); i++) {
-        some_zone of = random_zone(&random);
-        int rows = of.zone.rows;
+        zone_case z = random_zone(&random);
+        int rows = z.zone.rows;
         for (int row = 0; row < rows; row++)
-            of.row[row].bound *= 1.05;
-        double *expected = least_change(&of);
+            z.row[row].bound *= 1.05;
+        double *expected = least_change(&z);
         for (int row = 0; row < rows; row++) {
-            of.row[row].bound /= 1.05;
-            zone_duplicate(&of, row, 1.1);
+            z.row[row].bound /= 1.05;
+            zone_duplicate(&z, row, 1.1);
         }
-        zone_solve(&of, solver, ENOUGH);
-        double distance = zone_distance(&of, of.displacement, expected);
+        zone_solve(&z, solver, ENOUGH);
+        double distance = zone_distance(&z, z.displacement, expected);
         ck_assert_msg(distance < 1e-5, "%d rows: %g off", rows, distance);
         free(expected);
-        zone_free(&of);
+        zone_free(&z);
     }
 }
 END_TEST
@@ -101,73 +101,73 @@ END_TEST
 // The rows of a vertex that is told to move in more directions than there are.
 START_TEST(too_many_rows_for_a_vertex)
 {
-    some_zone of = zone_new(2, 4, 6);
+    zone_case z = zone_new(2, 4, 6);
     for (int v = 0; v < 4; v++)
-        of.inverse_mass[v] = v == 0;
+        z.inverse_mass[v] = v == 0;
     for (int i = 0; i < 6; i++)
-        of.row[i] = (tf_row){.vertex = {0, 1, 2, -1},
-                             .coefficient = {1, -0.5, -0.5},
-                             .normal = {cos(i), sin(i), 0},
-                             .bound = 1};
-    of.zone.rows = 6;
-    of.proposal[0] = 0.25;
-    zone_solve(&of, solver, ENOUGH);
-    double residual = zone_residual(&of);
+        z.row[i] = (tf_row){.vertex = {0, 1, 2, -1},
+                            .coefficient = {1, -0.5, -0.5},
+                            .normal = {cos(i), sin(i), 0},
+                            .bound = 1};
+    z.zone.rows = 6;
+    z.proposal[0] = 0.25;
+    zone_solve(&z, solver, ENOUGH);
+    double residual = zone_residual(&z);
     for (int k = 0; k < 2; k++) { // a least square has no slope
-        of.displacement[k] += 1e-3;
-        ck_assert_double_gt(zone_residual(&of), residual);
-        of.displacement[k] -= 2e-3;
-        ck_assert_double_gt(zone_residual(&of), residual);
-        of.displacement[k] += 1e-3;
+        z.displacement[k] += 1e-3;
+        ck_assert_double_gt(zone_residual(&z), residual);
+        z.displacement[k] -= 2e-3;
+        ck_assert_double_gt(zone_residual(&z), residual);
+        z.displacement[k] += 1e-3;
     }
-    zone_free(&of);
+    zone_free(&z);
 }
 END_TEST
 
 START_TEST(what_is_satisfied_stays_and_what_was_found_is_found_again)
 {
     generator random = generator_new(4);
-    some_zone of = zone_random(&random, 3, 20, 8, 8);
-    ck_assert_int_gt(zone_solve(&of, solver, ENOUGH), 0);
-    double *first = least_change(&of);
+    zone_case z = zone_random(&random, 3, 20, 8, 8);
+    ck_assert_int_gt(zone_solve(&z, solver, ENOUGH), 0);
+    double *first = least_change(&z);
     for (int i = 0; i < 60; i++)
-        of.proposal[i] = of.displacement[i];
-    ck_assert_int_le(zone_solve(&of, solver, 1), 1);
-    ck_assert_double_lt(zone_distance(&of, of.displacement, first), 1e-6);
+        z.proposal[i] = z.displacement[i];
+    ck_assert_int_le(zone_solve(&z, solver, 1), 1);
+    ck_assert_double_lt(zone_distance(&z, z.displacement, first), 1e-6);
     free(first);
-    zone_free(&of);
+    zone_free(&z);
 }
 END_TEST
 
 START_TEST(impulses_are_where_to_start_from)
 {
     generator random = generator_new(5);
-    some_zone of = zone_random(&random, 3, 20, 8, 8);
-    zone_solve(&of, solver, ENOUGH);
-    double *expected = least_change(&of);
+    zone_case z = zone_random(&random, 3, 20, 8, 8);
+    zone_solve(&z, solver, ENOUGH);
+    double *expected = least_change(&z);
     for (int i = 0; i < 60; i++)
-        of.displacement[i] = of.proposal[i];
+        z.displacement[i] = z.proposal[i];
     for (int i = 0; i < 8; i++)
-        of.row[i].friction[0] = 1;
+        z.row[i].friction[0] = 1;
     double *room =
-        malloc(sizeof *room * (1 + solver->room(3, 20, of.zone.rows)));
-    of.zone.room = room;
-    ck_assert_int_eq(solver->solve(&of.zone), 0);
-    ck_assert_double_lt(zone_distance(&of, of.displacement, expected), 1e-6);
-    ck_assert_double_eq(of.row[7].friction[0], 0);
+        malloc(sizeof *room * (1 + solver->room(3, 20, z.zone.rows)));
+    z.zone.room = room;
+    ck_assert_int_eq(solver->solve(&z.zone), 0);
+    ck_assert_double_lt(zone_distance(&z, z.displacement, expected), 1e-6);
+    ck_assert_double_eq(z.row[7].friction[0], 0);
     free(room);
     free(expected);
-    zone_free(&of);
+    zone_free(&z);
 }
 END_TEST
 
 START_TEST(a_limit_of_iterations_is_kept)
 {
     generator random = generator_new(6);
-    some_zone of = zone_random(&random, 3, 30, 24, 24);
-    ck_assert_int_eq(zone_solve(&of, solver, 3), 3);
-    ck_assert_double_lt(zone_residual(&of), 1);
-    zone_free(&of);
+    zone_case z = zone_random(&random, 3, 30, 24, 24);
+    ck_assert_int_eq(zone_solve(&z, solver, 3), 3);
+    ck_assert_double_lt(zone_residual(&z), 1);
+    zone_free(&z);
 }
 END_TEST
 

@@ -49,7 +49,7 @@ static void read_row(FILE *file, int axes, tf_row *row)
     read_numbers(file, 1, &row->bound);
 }
 
-bool zone_read(FILE *file, double more, some_zone *read)
+bool zone_read(FILE *file, double more, zone_case *read)
 {
     int axes, vertices, rows;
     int found = fscanf(file, " zone %d %d %d", &axes, &vertices, &rows);

@@ -12,31 +12,31 @@ static void *allocate(size_t count, size_t size)
     return memory;
 }
 
-static size_t numbers(const some_zone *of)
+static size_t numbers(const zone_case *z)
 {
-    return (size_t)of->zone.axes * (size_t)of->zone.vertices;
+    return (size_t)z->zone.axes * (size_t)z->zone.vertices;
 }
 
-some_zone zone_new(int axes, int vertices, int most_rows)
+zone_case zone_new(int axes, int vertices, int most_rows)
 {
-    some_zone of = {.zone = {.axes = axes, .vertices = vertices},
-                    .most_rows = most_rows};
-    of.proposal = allocate(numbers(&of), sizeof *of.proposal);
-    of.displacement = allocate(numbers(&of), sizeof *of.displacement);
-    of.inverse_mass = allocate((size_t)vertices, sizeof *of.inverse_mass);
-    of.row = allocate((size_t)most_rows, sizeof *of.row);
-    of.zone.displacement = of.displacement;
-    of.zone.inverse_mass = of.inverse_mass;
-    of.zone.row = of.row;
-    return of;
+    zone_case z = {.zone = {.axes = axes, .vertices = vertices},
+                   .most_rows = most_rows};
+    z.proposal = allocate(numbers(&z), sizeof *z.proposal);
+    z.displacement = allocate(numbers(&z), sizeof *z.displacement);
+    z.inverse_mass = allocate((size_t)vertices, sizeof *z.inverse_mass);
+    z.row = allocate((size_t)most_rows, sizeof *z.row);
+    z.zone.displacement = z.displacement;
+    z.zone.inverse_mass = z.inverse_mass;
+    z.zone.row = z.row;
+    return z;
 }
 
-void zone_free(some_zone *of)
+void zone_free(zone_case *z)
 {
-    free(of->proposal);
-    free(of->displacement);
-    free(of->inverse_mass);
-    free(of->row);
+    free(z->proposal);
+    free(z->displacement);
+    free(z->inverse_mass);
+    free(z->row);
 }
 
 // Random zones ----------------------------------------------------------------
@@ -86,38 +86,38 @@ static tf_row random_row(generator *random, int axes, int vertices)
     return row;
 }
 
-some_zone zone_random(generator *random, int axes, int vertices, int rows,
+zone_case zone_random(generator *random, int axes, int vertices, int rows,
                       int most_rows)
 {
-    some_zone of = zone_new(axes, vertices, most_rows);
+    zone_case z = zone_new(axes, vertices, most_rows);
     for (int v = 0; v < vertices; v++)
-        of.inverse_mass[v] =
+        z.inverse_mass[v] =
             v % 2 && below(random, 4) == 0 ? 0 : uniform(random, 0.5, 2);
-    for (size_t i = 0; i < numbers(&of); i++)
-        of.proposal[i] = uniform(random, -1, 1);
+    for (size_t i = 0; i < numbers(&z); i++)
+        z.proposal[i] = uniform(random, -1, 1);
     for (int i = 0; i < rows; i++)
-        of.row[i] = random_row(random, axes, vertices);
-    of.zone.rows = rows;
-    return of;
+        z.row[i] = random_row(random, axes, vertices);
+    z.zone.rows = rows;
+    return z;
 }
 
-void zone_duplicate(some_zone *of, int row, double part)
+void zone_duplicate(zone_case *z, int row, double part)
 {
-    if (of->zone.rows == of->most_rows)
+    if (z->zone.rows == z->most_rows)
         abort();
-    tf_row *copy = &of->row[of->zone.rows++];
-    *copy = of->row[row];
+    tf_row *copy = &z->row[z->zone.rows++];
+    *copy = z->row[row];
     copy->bound *= part;
 }
 
 // Solutions -------------------------------------------------------------------
 
-int zone_solve_again(some_zone *of, const tf_zone_solver *solver, int sweeps)
+int zone_solve_again(zone_case *z, const tf_zone_solver *solver, int sweeps)
 {
-    tf_zone *zone = &of->zone;
+    tf_zone *zone = &z->zone;
     size_t room = solver->room(zone->axes, zone->vertices, zone->rows);
     double *taken = allocate(room, sizeof *taken);
-    memcpy(of->displacement, of->proposal, numbers(of) * sizeof *of->proposal);
+    memcpy(z->displacement, z->proposal, numbers(z) * sizeof *z->proposal);
     zone->room = taken;
     zone->sweeps = sweeps;
     int iterations = solver->solve(zone);
@@ -126,23 +126,23 @@ int zone_solve_again(some_zone *of, const tf_zone_solver *solver, int sweeps)
     return iterations;
 }
 
-int zone_solve(some_zone *of, const tf_zone_solver *solver, int sweeps)
+int zone_solve(zone_case *z, const tf_zone_solver *solver, int sweeps)
 {
-    for (int i = 0; i < of->zone.rows; i++)
-        of->zone.row[i].impulse = 0;
-    return zone_solve_again(of, solver, sweeps);
+    for (int i = 0; i < z->zone.rows; i++)
+        z->zone.row[i].impulse = 0;
+    return zone_solve_again(z, solver, sweeps);
 }
 
 /// The entry of a row at a coordinate, in units in which all masses are 1.
-static long double entry(const some_zone *of, const tf_row *row, int coordinate)
+static long double entry(const zone_case *z, const tf_row *row, int coordinate)
 {
-    int axes = of->zone.axes, vertex = coordinate / axes;
+    int axes = z->zone.axes, vertex = coordinate / axes;
     long double sum = 0;
     for (int i = 0; i < 4 && row->vertex[i] >= 0; i++)
         if (row->vertex[i] == vertex)
             sum += (long double)row->coefficient[i];
     return sum * (long double)row->normal[coordinate % axes] *
-           sqrtl((long double)of->inverse_mass[vertex]);
+           sqrtl((long double)z->inverse_mass[vertex]);
 }
 
 /// An equation between the coordinates; those kept are orthonormal.
@@ -160,17 +160,17 @@ static long double dot(const equation *a, const equation *b)
 }
 
 /// What the row asks of the change of the proposal.
-static void take_row(const some_zone *of, const tf_row *row, equation *taken)
+static void take_row(const zone_case *z, const tf_row *row, equation *taken)
 {
     taken->right = (long double)row->bound;
     for (int i = 0; i < taken->count; i++)
-        taken->entry[i] = entry(of, row, i);
+        taken->entry[i] = entry(z, row, i);
     for (int v = 0; v < 4 && row->vertex[v] >= 0; v++)
-        for (int k = 0; k < of->zone.axes; k++) {
-            int i = of->zone.axes * row->vertex[v] + k;
+        for (int k = 0; k < z->zone.axes; k++) {
+            int i = z->zone.axes * row->vertex[v] + k;
             taken->right -= (long double)row->coefficient[v] *
                             (long double)row->normal[k] *
-                            (long double)of->proposal[i];
+                            (long double)z->proposal[i];
         }
 }
 
@@ -198,15 +198,15 @@ static bool normalize(equation *taken)
     return true;
 }
 
-void zone_least_change(const some_zone *of, double displacement[])
+void zone_least_change(const zone_case *z, double displacement[])
 {
-    int count = (int)numbers(of), kept = 0;
-    equation *all = allocate((size_t)of->zone.rows, sizeof *all);
-    for (int i = 0; i < of->zone.rows; i++) {
+    int count = (int)numbers(z), kept = 0;
+    equation *all = allocate((size_t)z->zone.rows, sizeof *all);
+    for (int i = 0; i < z->zone.rows; i++) {
         if (!all[kept].entry)
             all[kept] = (equation){
                 count, allocate((size_t)count, sizeof *all->entry), 0};
-        take_row(of, &of->row[i], &all[kept]);
+        take_row(z, &z->row[i], &all[kept]);
         orthogonalize(&all[kept], kept, all);
         kept += normalize(&all[kept]);
     }
@@ -214,27 +214,27 @@ void zone_least_change(const some_zone *of, double displacement[])
         long double change = 0;
         for (int j = 0; j < kept; j++)
             change += all[j].right * all[j].entry[i];
-        double inverse_mass = of->inverse_mass[i / of->zone.axes];
-        displacement[i] = (double)((long double)of->proposal[i] +
+        double inverse_mass = z->inverse_mass[i / z->zone.axes];
+        displacement[i] = (double)((long double)z->proposal[i] +
                                    change * sqrtl((long double)inverse_mass));
     }
-    for (int i = 0; i < of->zone.rows; i++)
+    for (int i = 0; i < z->zone.rows; i++)
         free(all[i].entry);
     free(all);
 }
 
 // Errors ----------------------------------------------------------------------
 
-double zone_distance(const some_zone *of, const double a[], const double b[])
+double zone_distance(const zone_case *z, const double a[], const double b[])
 {
     double most = 0;
-    for (size_t i = 0; i < numbers(of); i++)
+    for (size_t i = 0; i < numbers(z); i++)
         most = fmax(most, fabs(a[i] - b[i]));
     return most;
 }
 
 /// How far a row is from its bound, and its compliance.
-static double shortage(const some_zone *of, const tf_row *row,
+static double shortage(const zone_case *z, const tf_row *row,
                        const double displacement[], double *compliance)
 {
     double sum = row->bound;
@@ -242,40 +242,40 @@ static double shortage(const some_zone *of, const tf_row *row,
     for (int i = 0; i < 4 && row->vertex[i] >= 0; i++) {
         int v = row->vertex[i];
         double c = row->coefficient[i];
-        *compliance += of->inverse_mass[v] * c * c;
-        for (int k = 0; k < of->zone.axes; k++)
-            sum -= c * row->normal[k] * displacement[of->zone.axes * v + k];
+        *compliance += z->inverse_mass[v] * c * c;
+        for (int k = 0; k < z->zone.axes; k++)
+            sum -= c * row->normal[k] * displacement[z->zone.axes * v + k];
     }
     return sum;
 }
 
-static double residual(const some_zone *of, const double displacement[])
+static double residual(const zone_case *z, const double displacement[])
 {
     double square = 0;
-    for (int i = 0; i < of->zone.rows; i++) {
+    for (int i = 0; i < z->zone.rows; i++) {
         double compliance;
-        double is = shortage(of, &of->row[i], displacement, &compliance);
+        double is = shortage(z, &z->row[i], displacement, &compliance);
         square += is * is / compliance;
     }
     return sqrt(square);
 }
 
-double zone_residual(const some_zone *of)
+double zone_residual(const zone_case *z)
 {
-    return residual(of, of->displacement) / residual(of, of->proposal);
+    return residual(z, z->displacement) / residual(z, z->proposal);
 }
 
-static double violation(const some_zone *of, const double displacement[])
+static double violation(const zone_case *z, const double displacement[])
 {
     double most = 0;
-    for (int i = 0; i < of->zone.rows; i++) {
+    for (int i = 0; i < z->zone.rows; i++) {
         double compliance;
-        most = fmax(most, shortage(of, &of->row[i], displacement, &compliance));
+        most = fmax(most, shortage(z, &z->row[i], displacement, &compliance));
     }
     return most;
 }
 
-double zone_violation(const some_zone *of)
+double zone_violation(const zone_case *z)
 {
-    return violation(of, of->displacement) / violation(of, of->proposal);
+    return violation(z, z->displacement) / violation(z, z->proposal);
 }

@@ -4,7 +4,7 @@
 #include "surgery/state.h"
 
 #include "experiments/leave_out.h"
-#include "support/adaptive_of.h"
+#include "support/adaptive_surfaces.h"
 #include "support/support.h"
 
 static tf_outcome move(tf_adaptive_surface *surface, int vertex, double x,

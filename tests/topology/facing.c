@@ -1,7 +1,7 @@
 // Edges that face each other, and the pieces that they make.
 #include "topology/reconnector.h"
 
-#include "support/adaptive_of.h"
+#include "support/adaptive_surfaces.h"
 #include "support/blobs.h"
 #include "support/support.h"
 

@@ -1,7 +1,7 @@
 // The pieces of a surface that are in contact.
 #include "topology/reconnector.h"
 
-#include "support/adaptive_of.h"
+#include "support/adaptive_surfaces.h"
 #include "support/support.h"
 
 static tf_reconnect_report report;

@@ -1,6 +1,6 @@
-#include "support/flowing.h"
+#include "support/flows.h"
 
-#include "support/adaptive_of.h"
+#include "support/adaptive_surfaces.h"
 #include "support/generator.h"
 #include "support/tangle.h"
 
@@ -94,8 +94,8 @@ tf_adaptive_surface *adaptive_bumpy_sphere(int n, double bump, uint64_t stream)
 
 // Steps of a flow -------------------------------------------------------------
 
-tf_flow_state *flowing_begin(tf_adaptive_surface *surface, double edge,
-                             unsigned careless)
+tf_flow_state *flow_begin(tf_adaptive_surface *surface, double edge,
+                          unsigned careless)
 {
     static tf_flow_state made;
     static tf_remesh_report counts;
@@ -115,7 +115,7 @@ tf_flow_state *flowing_begin(tf_adaptive_surface *surface, double edge,
     return &made;
 }
 
-void flowing_end(tf_flow_state *flow)
+void flow_end(tf_flow_state *flow)
 {
     tf_adaptive_free(flow->remesher.surface);
     tf_buffer_free(&flow->remesher.row);

@@ -1,6 +1,6 @@
 // An arithmetic that counts what is asked of it.
-#ifndef SUPPORT_COUNTING_H
-#define SUPPORT_COUNTING_H
+#ifndef SUPPORT_COUNTING_ARITHMETIC_H
+#define SUPPORT_COUNTING_ARITHMETIC_H
 
 #include "arithmetic/arithmetic.h"
 

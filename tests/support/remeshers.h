@@ -1,12 +1,12 @@
 // A sheet or another surface that is being remeshed.
-#ifndef SUPPORT_REMESHING_H
-#define SUPPORT_REMESHING_H
+#ifndef SUPPORT_REMESHERS_H
+#define SUPPORT_REMESHERS_H
 
 #include "remesh/remesher.h"
 
 /// Begins to remesh a surface, which it then owns, to edges of that length.
-tf_remesher *remeshing_begin(tf_adaptive_surface *surface, double edge);
-void remeshing_end(tf_remesher *remesher);
+tf_remesher *remesher_begin(tf_adaptive_surface *surface, double edge);
+void remesher_end(tf_remesher *remesher);
 
 /// How often an operation was done, and refused.
 int done(const tf_remesher *remesher, tf_operation operation);

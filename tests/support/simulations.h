@@ -1,6 +1,6 @@
 // Scenes of the simulator, and whether their steps are free of tangles.
-#ifndef SUPPORT_SIMULATING_H
-#define SUPPORT_SIMULATING_H
+#ifndef SUPPORT_SIMULATIONS_H
+#define SUPPORT_SIMULATIONS_H
 
 #include "simulate/simulation.h"
 #include "support/tangle.h"

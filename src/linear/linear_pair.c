@@ -1,5 +1,5 @@
 //: Include what linear motion needs
-#include "linear/straight.h"
+#include "linear/linear_pair.h"
 
 #include "base/environment.h"
 #include "base/require.h"
@@ -43,7 +43,7 @@ static inline bool copy_positions(int axes, const double x[], int count,
 
 //: Copy a scene
 static bool copy_scene(int axes, const tf_motion *motion, const int index[],
-                       tf_straight *taken)
+                       tf_linear_pair *taken)
 {
     const double *x[] = {motion->start, motion->end};
     bool finite = true;
@@ -54,14 +54,14 @@ static bool copy_scene(int axes, const tf_motion *motion, const int index[],
 }
 
 //: Take two elements in linear motion
-tf_status tf_straight_take(int axes, const tf_motion *motion, int vertices,
-                           const int first[], int others, const int second[],
-                           tf_straight *taken)
+tf_status tf_linear_pair_take(int axes, const tf_motion *motion, int vertices,
+                              const int first[], int others, const int second[],
+                              tf_linear_pair *taken)
 {
     TF_REQUIRE(motion && motion->start && motion->end && first && second);
     if (!tf_environment_is_ieee())
         return TF_BAD_ENVIRONMENT;
-    int index[TF_STRAIGHT_VERTICES];
+    int index[TF_LINEAR_PAIR_VERTICES];
     for (int i = 0; i < vertices; i++)
         index[i] = first[i];
     for (int i = 0; i < others; i++)
@@ -75,8 +75,8 @@ tf_status tf_straight_take(int axes, const tf_motion *motion, int vertices,
 }
 
 //: Find positions in linear motion
-void tf_straight_positions(const tf_straight *elements, double time,
-                           tf_vector x[TF_STRAIGHT_VERTICES])
+void tf_linear_pair_positions(const tf_linear_pair *elements, double time,
+                              tf_vector x[TF_LINEAR_PAIR_VERTICES])
 {
     for (int i = 0; i < elements->vertices + elements->others; i++)
         for (int k = 0; k < TF_AXES; k++)
@@ -87,7 +87,7 @@ void tf_straight_positions(const tf_straight *elements, double time,
 //: Separate elements by more than a distance
 /// +1 or -1: the second element is more than `distance` above or below the
 /// first along an axis, at the time 0 or 1; 0: neither.
-static int side_of(const tf_straight *elements, int time, int axis,
+static int side_of(const tf_linear_pair *elements, int time, int axis,
                    double distance)
 {
     const tf_vector *x = elements->at[time];
@@ -104,7 +104,7 @@ static int side_of(const tf_straight *elements, int time, int axis,
 //: Test whether an axis separates
 /// Whether along some axis the elements are more than `distance` apart, on the
 /// same side, at the start and at the end, and so always.
-static bool separated(const tf_straight *elements, double distance)
+static bool separated(const tf_linear_pair *elements, double distance)
 {
     for (int k = 0; k < elements->axes; k++) {
         int side = side_of(elements, 0, k, distance);
@@ -116,7 +116,7 @@ static bool separated(const tf_straight *elements, double distance)
 
 //: Find the normal at a time
 /// Of an edge in the plane, of a triangle, or of two edges.
-static tf_vector normal_of(const tf_straight *elements, const tf_vector x[])
+static tf_vector normal_of(const tf_linear_pair *elements, const tf_vector x[])
 {
     static const tf_vector up = {{0, 0, 1}};
     if (elements->axes == 2)
@@ -130,10 +130,10 @@ static tf_vector normal_of(const tf_straight *elements, const tf_vector x[])
 
 //: Scale a normal to length 1
 /// Zero if it has none or overflows.
-static tf_vector unit_normal(const tf_straight *elements, double time)
+static tf_vector unit_normal(const tf_linear_pair *elements, double time)
 {
-    tf_vector x[TF_STRAIGHT_VERTICES];
-    tf_straight_positions(elements, time, x);
+    tf_vector x[TF_LINEAR_PAIR_VERTICES];
+    tf_linear_pair_positions(elements, time, x);
     tf_vector normal = normal_of(elements, x);
     double largest = 0;
     bool finite = true;
@@ -156,15 +156,15 @@ static double limited(double value)
     return fmin(fmax(value, -DBL_MAX), DBL_MAX);
 }
 
-static tf_vector velocity_between(const tf_straight *elements,
+static tf_vector velocity_between(const tf_linear_pair *elements,
                                   const double weight[])
 {
     tf_vector velocity = {{0}};
     for (int i = 0; i < elements->vertices + elements->others; i++) {
-        double of = i < elements->vertices ? weight[i] : -weight[i];
+        double part = i < elements->vertices ? weight[i] : -weight[i];
         for (int k = 0; k < TF_AXES; k++)
-            velocity.x[k] +=
-                of * limited(elements->at[1][i].x[k] - elements->at[0][i].x[k]);
+            velocity.x[k] += part * limited(elements->at[1][i].x[k] -
+                                            elements->at[0][i].x[k]);
     }
     for (int k = 0; k < TF_AXES; k++)
         velocity.x[k] = limited(velocity.x[k]);
@@ -172,9 +172,9 @@ static tf_vector velocity_between(const tf_straight *elements,
 }
 
 //: Describe a contact in linear motion
-tf_contact tf_straight_contact(const tf_straight *elements, double time,
-                               const tf_nearest *nearest,
-                               tf_classification classification)
+tf_contact tf_linear_pair_contact(const tf_linear_pair *elements, double time,
+                                  const tf_point_pair *nearest,
+                                  tf_classification classification)
 {
     tf_contact contact = {.verdict = TF_HIT,
                           .classification = classification,
@@ -211,7 +211,7 @@ bool tf_tolerances_valid(const tf_tolerances *tolerances)
 //: Bound the area that the polynomial measures
 /// The height of one element over the plane of the other, times this, is at
 /// least the polynomial's absolute value, at every time.
-static double longest(const tf_straight *elements, int from, int to)
+static double longest(const tf_linear_pair *elements, int from, int to)
 {
     double length2 = 0;
     for (int t = 0; t < 2; t++) {
@@ -222,7 +222,7 @@ static double longest(const tf_straight *elements, int from, int to)
     return sqrt(length2);
 }
 
-static double greatest_area(const tf_straight *elements)
+static double greatest_area(const tf_linear_pair *elements)
 {
     if (elements->axes == 2)
         return longest(elements, 1, 2);
@@ -233,7 +233,7 @@ static double greatest_area(const tf_straight *elements)
 
 //: Hold a search for the first touch
 typedef struct search {
-    const tf_straight *elements;
+    const tf_linear_pair *elements;
     const tf_tolerances *tolerances;
     double greatest; ///< what the polynomial may be where they touch
     bool degenerate; ///< it is zero
@@ -241,9 +241,9 @@ typedef struct search {
 } search;
 
 //: Test the elements at a root
-static bool cross_at(const search *s, const tf_vector x[], tf_nearest *found)
+static bool cross_at(const search *s, const tf_vector x[], tf_point_pair *found)
 {
-    const tf_straight *elements = s->elements;
+    const tf_linear_pair *elements = s->elements;
     int vertices = elements->vertices, others = elements->others;
     return tf_crossing_weights(vertices, others, x, found->weight) &&
            tf_weights_reach(vertices + others, found->weight,
@@ -254,31 +254,31 @@ static bool cross_at(const search *s, const tf_vector x[], tf_nearest *found)
 /// Whether they touch at a time; if so describes how.
 static bool touch_at(search *s, double time, bool root)
 {
-    const tf_straight *elements = s->elements;
-    tf_vector x[TF_STRAIGHT_VERTICES];
-    tf_nearest crossing;
-    tf_straight_positions(elements, time, x);
+    const tf_linear_pair *elements = s->elements;
+    tf_vector x[TF_LINEAR_PAIR_VERTICES];
+    tf_point_pair crossing;
+    tf_linear_pair_positions(elements, time, x);
     bool crosses = root && cross_at(s, x, &crossing);
     if (crosses && tf_weights_reach(elements->vertices + elements->others,
                                     crossing.weight, 0)) {
         s->contact =
-            tf_straight_contact(elements, time, &crossing,
-                                s->degenerate ? TF_DEGENERATE : TF_GENERIC);
+            tf_linear_pair_contact(elements, time, &crossing,
+                                   s->degenerate ? TF_DEGENERATE : TF_GENERIC);
         return true;
     }
-    tf_nearest nearest =
+    tf_point_pair nearest =
         tf_nearest_points(elements->vertices, elements->others, x);
     if (!crosses && !(nearest.distance <= s->tolerances->distance))
         return false;
-    s->contact = tf_straight_contact(
+    s->contact = tf_linear_pair_contact(
         elements, time, &nearest, s->degenerate ? TF_DEGENERATE : TF_TOUCHING);
     return true;
 }
 
 //: Find the first touch
-tf_contact tf_straight_touch(const tf_straight *elements,
-                             const tf_polynomial *polynomial,
-                             const tf_tolerances *tolerances)
+tf_contact tf_linear_pair_touch(const tf_linear_pair *elements,
+                                const tf_polynomial *polynomial,
+                                const tf_tolerances *tolerances)
 {
     search s = {.elements = elements, .tolerances = tolerances};
     s.contact = (tf_contact){.verdict = TF_APART};

@@ -1,4 +1,4 @@
-#include "support/any_mesh.h"
+#include "support/arbitrary_mesh.h"
 
 #include "files/mesh_file.h"
 #include "surface/check.h"
@@ -120,7 +120,7 @@ static void try_surface(const tf_mesh_file *file)
     tf_surface_free(surface);
 }
 
-void try_any_mesh(const void *bytes, size_t size)
+void try_arbitrary_mesh(const void *bytes, size_t size)
 {
     char *text = malloc(size + 1);
     require(text != NULL);

@@ -1,8 +1,8 @@
 // Random operations on adaptive surfaces, and the judge of what they leave: the
 // surface must not intersect itself, every closed part must be where it was,
 // inside or outside of every other, and the right side out.
-#ifndef SUPPORT_OPERATING_H
-#define SUPPORT_OPERATING_H
+#ifndef SUPPORT_SURGERY_RUNS_H
+#define SUPPORT_SURGERY_RUNS_H
 
 #include "support/adaptive_scenes.h"
 #include "surgery/operations.h"
@@ -24,20 +24,20 @@ enum {
 };
 
 /// What to do: to the edge from a to b, or to the vertex a.
-typedef struct chosen {
+typedef struct surgery_choice {
     operation what;
     int a, b;
     double place[3];
-} chosen;
+} surgery_choice;
 
 /// How often which operation ended how.
-typedef struct operating_counts {
+typedef struct surgery_counts {
     long count[OPERATIONS][TF_OUTCOMES];
     long judged;
-} operating_counts;
+} surgery_counts;
 
 /// A surface that is operated on.
-typedef struct operating {
+typedef struct surgery_run {
     generator random;
     adaptive_scene scene;
     tf_adaptive_surface *surface;
@@ -46,48 +46,48 @@ typedef struct operating {
                [SCENE_PARTS]; ///< how often one goes around another
     int sign[SCENE_PARTS];    ///< of the volume; 0: open
     int changed; ///< the part that the last operation was meant for
-    operating_counts *counts;
-} operating;
+    surgery_counts *counts;
+} surgery_run;
 
 /// Begins a run on a scene; `counts` may be shared by runs.
-void operating_begin(operating *run, generator random, adaptive_scene_kind kind,
-                     operating_counts *counts);
-void operating_end(operating *run);
+void surgery_run_begin(surgery_run *run, generator random,
+                       adaptive_scene_kind kind, surgery_counts *counts);
+void surgery_run_end(surgery_run *run);
 
 /// Notes how the parts are nested now, and the signs of their volumes.
-void operating_note(operating *run);
+void surgery_run_note(surgery_run *run);
 
 /// A corner of some triangle that exists.
-int operating_corner(operating *run);
+int surgery_run_corner(surgery_run *run);
 
 /// Chooses an operation.
-chosen operating_choose(operating *run);
+surgery_choice surgery_run_choose(surgery_run *run);
 
 /// Tries it on any surface; `vertex` becomes the number of a new vertex, or -1.
-tf_outcome chosen_try(tf_adaptive_surface *surface, const chosen *request,
-                      int *vertex);
+tf_outcome surgery_choice_try(tf_adaptive_surface *surface,
+                              const surgery_choice *request, int *vertex);
 
 /// Tries it on the surface of a run.
-tf_outcome operate(operating *run, const chosen *request);
+tf_outcome operate(surgery_run *run, const surgery_choice *request);
 
 /// Closes the gaps in the numbers of vertices.
-void operating_compact(operating *run);
+void surgery_run_compact(surgery_run *run);
 
 /// What is wrong with the surface: tangles, or what the last operation can have
 /// changed of the nesting and the volumes.  NULL: nothing.  Static storage.
-const char *operating_fault(const operating *run);
+const char *surgery_run_fault(const surgery_run *run);
 
 /// A number that depends on all that the surface is.
-uint64_t operating_hash(const operating *run);
+uint64_t surgery_run_hash(const surgery_run *run);
 
 /// Runs `operations` of them on a scene, leaving out tests of the library (bits
 /// 1 << outcome); judges after each that is done, and compares the surface after
 /// each that is not.  Returns the first fault, or NULL.  Static storage.
-const char *operating_run(generator random, adaptive_scene_kind kind,
-                          int operations, unsigned left_out,
-                          operating_counts *counts);
+const char *run_surgery(generator random, adaptive_scene_kind kind,
+                        int operations, unsigned left_out,
+                        surgery_counts *counts);
 
 /// Prints a table.
-void operating_counts_print(const operating_counts *counts);
+void surgery_counts_print(const surgery_counts *counts);
 
 #endif

@@ -1,4 +1,4 @@
-#include "support/scrambled.h"
+#include "support/scrambled_workers.h"
 
 static void for_each(void *context, int count, tf_task *run, void *argument)
 {
@@ -7,7 +7,7 @@ static void for_each(void *context, int count, tf_task *run, void *argument)
         run(argument, task, task % *workers);
 }
 
-tf_parallel scrambled(const int *workers)
+tf_parallel scrambled_workers(const int *workers)
 {
     return (tf_parallel){*workers, for_each, (int *)workers};
 }

@@ -1,6 +1,6 @@
 // Surfaces that flow, and the volumes that they enclose, exactly.
-#ifndef SUPPORT_FLOWING_H
-#define SUPPORT_FLOWING_H
+#ifndef SUPPORT_FLOWS_H
+#define SUPPORT_FLOWS_H
 
 #include "flow/flow_state.h"
 
@@ -16,9 +16,9 @@ tf_adaptive_surface *adaptive_bumpy_sphere(int n, double bump, uint64_t stream);
 
 /// Begins a step in which that surface flows, which it then owns, with edges of
 /// that length; some operations may be careless.
-tf_flow_state *flowing_begin(tf_adaptive_surface *surface, double edge,
-                             unsigned careless);
-void flowing_end(tf_flow_state *flow);
+tf_flow_state *flow_begin(tf_adaptive_surface *surface, double edge,
+                          unsigned careless);
+void flow_end(tf_flow_state *flow);
 
 /// 6 times the volume that a surface encloses.
 void exact_volume(const tf_adaptive_surface *surface, mpq_t volume);

@@ -1,4 +1,4 @@
-#include "support/operating.h"
+#include "support/surgery_runs.h"
 
 #include "experiments/leave_out.h"
 #include "support/dyadic.h"
@@ -24,7 +24,7 @@ typedef struct snapshot {
     int triangle[3 * LABELLED];
 } snapshot;
 
-static int number_of(snapshot *taken, const operating *run, int vertex)
+static int number_of(snapshot *taken, const surgery_run *run, int vertex)
 {
     int *number = &taken->number[vertex];
     if (*number < 0) {
@@ -37,7 +37,7 @@ static int number_of(snapshot *taken, const operating *run, int vertex)
     return *number;
 }
 
-static void take_snapshot(const operating *run, snapshot *taken)
+static void take_snapshot(const surgery_run *run, snapshot *taken)
 {
     tf_mesh mesh = tf_adaptive_mesh(run->surface);
     taken->vertices = taken->triangles = 0;
@@ -112,7 +112,7 @@ static void add_minor(mpz_t sum, int k, mpz_t x[3][3])
     mpz_clear(minor);
 }
 
-static int volume_sign(const snapshot *taken, const cycle *of)
+static int volume_sign(const snapshot *taken, const cycle *part)
 {
     mpz_t sum, x[3][3];
     int exponent = 0;
@@ -121,8 +121,8 @@ static int volume_sign(const snapshot *taken, const cycle *of)
         mpz_init(x[i / 3][i % 3]);
     for (int i = 0; i < 3 * taken->vertices; i++)
         exponent = dyadic_least(exponent, taken->position[i]);
-    for (int t = 0; t < of->count; t++) {
-        take_corners(taken, of->vertices + 3 * t, exponent, x);
+    for (int t = 0; t < part->count; t++) {
+        take_corners(taken, part->vertices + 3 * t, exponent, x);
         for (int k = 0; k < 3; k++)
             add_minor(sum, k, x);
     }
@@ -174,7 +174,7 @@ static int nesting_of(const snapshot *taken, const cycle *outer, int inner)
 }
 
 /// Compares, or at first notes, what concerns a part.
-static const char *nesting_fault(const operating *run, const snapshot *taken,
+static const char *nesting_fault(const surgery_run *run, const snapshot *taken,
                                  int part)
 {
     static int list[3 * LABELLED], others[3 * LABELLED];
@@ -192,7 +192,7 @@ static const char *nesting_fault(const operating *run, const snapshot *taken,
     return NULL;
 }
 
-void operating_note(operating *run)
+void surgery_run_note(surgery_run *run)
 {
     static snapshot taken;
     static int list[3 * LABELLED];
@@ -206,7 +206,7 @@ void operating_note(operating *run)
     }
 }
 
-const char *operating_fault(const operating *run)
+const char *surgery_run_fault(const surgery_run *run)
 {
     static snapshot taken;
     take_snapshot(run, &taken);
@@ -220,8 +220,8 @@ const char *operating_fault(const operating *run)
 
 // Running ---------------------------------------------------------------------
 
-void operating_begin(operating *run, generator random, adaptive_scene_kind kind,
-                     operating_counts *counts)
+void surgery_run_begin(surgery_run *run, generator random,
+                       adaptive_scene_kind kind, surgery_counts *counts)
 {
     run->random = random;
     run->counts = counts;
@@ -233,17 +233,17 @@ void operating_begin(operating *run, generator random, adaptive_scene_kind kind,
         abort();
     memcpy(run->part, run->scene.part, sizeof run->scene.part);
     if (kind != SHEETS)
-        operating_note(run);
+        surgery_run_note(run);
 }
 
-void operating_end(operating *run)
+void surgery_run_end(surgery_run *run)
 {
     tf_adaptive_free(run->surface);
 }
 
 // Choosing --------------------------------------------------------------------
 
-int operating_corner(operating *run)
+int surgery_run_corner(surgery_run *run)
 {
     tf_mesh mesh = tf_adaptive_mesh(run->surface);
     int corner = 3 * below(&run->random, mesh.triangles);
@@ -260,11 +260,11 @@ static double length_between(const double a[], const double b[])
 
 /// Onto another vertex, the middle of an edge or the plane of a triangle, or
 /// nearly so.
-static void choose_special(operating *run, double place[3])
+static void choose_special(surgery_run *run, double place[3])
 {
     tf_mesh mesh = tf_adaptive_mesh(run->surface);
     const double *x = tf_adaptive_positions(run->surface);
-    int corner = operating_corner(run), first = corner / 3 * 3,
+    int corner = surgery_run_corner(run), first = corner / 3 * 3,
         corners = 1 + below(&run->random, 3);
     for (int k = 0; k < 3; k++) {
         double sum = 0;
@@ -275,7 +275,7 @@ static void choose_special(operating *run, double place[3])
 }
 
 /// Near the point between two vertices, or far, or on the lattice, or special.
-static void choose_place(operating *run, int a, int b, double place[3])
+static void choose_place(surgery_run *run, int a, int b, double place[3])
 {
     generator *random = &run->random;
     const double *x = tf_adaptive_positions(run->surface);
@@ -297,7 +297,7 @@ static void choose_place(operating *run, int a, int b, double place[3])
     }
 }
 
-static operation choose_operation(operating *run)
+static operation choose_operation(surgery_run *run)
 {
     static const operation list[] = {SPLIT_EDGE,        MOVE_VERTEX,
                                      MOVE_VERTEX,       COLLAPSE_HALF,
@@ -307,11 +307,11 @@ static operation choose_operation(operating *run)
     return list[many + below(&run->random, 6 - many)];
 }
 
-chosen operating_choose(operating *run)
+surgery_choice surgery_run_choose(surgery_run *run)
 {
     tf_mesh mesh = tf_adaptive_mesh(run->surface);
-    chosen made = {.what = choose_operation(run)};
-    int corner = operating_corner(run);
+    surgery_choice made = {.what = choose_operation(run)};
+    int corner = surgery_run_corner(run);
     made.a = mesh.triangle[corner];
     made.b = mesh.triangle[corner % 3 == 2 ? corner - 2 : corner + 1];
     choose_place(run, made.a, made.what == MOVE_VERTEX ? made.a : made.b,
@@ -322,10 +322,10 @@ chosen operating_choose(operating *run)
 // Operating -------------------------------------------------------------------
 
 static tf_status do_operation(tf_adaptive_surface *surface,
-                              const chosen *request, int *vertex,
+                              const surgery_choice *request, int *vertex,
                               tf_outcome *outcome)
 {
-    const chosen *r = request;
+    const surgery_choice *r = request;
     switch (r->what) {
     case SPLIT_EDGE:
         return tf_adaptive_split(surface, r->a, r->b, r->place, vertex,
@@ -341,8 +341,8 @@ static tf_status do_operation(tf_adaptive_surface *surface,
     }
 }
 
-tf_outcome chosen_try(tf_adaptive_surface *surface, const chosen *request,
-                      int *vertex)
+tf_outcome surgery_choice_try(tf_adaptive_surface *surface,
+                              const surgery_choice *request, int *vertex)
 {
     tf_outcome outcome;
     *vertex = -1;
@@ -352,18 +352,18 @@ tf_outcome chosen_try(tf_adaptive_surface *surface, const chosen *request,
     return outcome;
 }
 
-tf_outcome operate(operating *run, const chosen *request)
+tf_outcome operate(surgery_run *run, const surgery_choice *request)
 {
     int vertex;
     run->changed = run->part[request->a];
-    tf_outcome outcome = chosen_try(run->surface, request, &vertex);
+    tf_outcome outcome = surgery_choice_try(run->surface, request, &vertex);
     if (vertex >= 0)
         run->part[vertex] = run->changed;
     run->counts->count[request->what][outcome]++;
     return outcome;
 }
 
-void operating_compact(operating *run)
+void surgery_run_compact(surgery_run *run)
 {
     static int map[LABELLED];
     int before = tf_adaptive_mesh(run->surface).vertices;
@@ -376,7 +376,7 @@ void operating_compact(operating *run)
 
 // The whole state -------------------------------------------------------------
 
-uint64_t operating_hash(const operating *run)
+uint64_t surgery_run_hash(const surgery_run *run)
 {
     const tf_adaptive_surface *s = run->surface;
     size_t vertices = (size_t)s->vertices, triangles = (size_t)s->triangles;
@@ -389,31 +389,31 @@ uint64_t operating_hash(const operating *run)
     return hash_bytes(hash, s->next.data, 12 * triangles);
 }
 
-const char *operating_run(generator random, adaptive_scene_kind kind,
-                          int operations, unsigned left_out,
-                          operating_counts *counts)
+const char *run_surgery(generator random, adaptive_scene_kind kind,
+                        int operations, unsigned left_out,
+                        surgery_counts *counts)
 {
-    static operating run;
+    static surgery_run run;
     const char *found = NULL;
-    operating_begin(&run, random, kind, counts);
+    surgery_run_begin(&run, random, kind, counts);
     leave_out(left_out);
     for (int i = 0; i < operations && !found; i++) {
-        chosen request = operating_choose(&run);
-        uint64_t hash = operating_hash(&run);
+        surgery_choice request = surgery_run_choose(&run);
+        uint64_t hash = surgery_run_hash(&run);
         if (operate(&run, &request) == TF_COMMITTED) {
-            found = operating_fault(&run);
+            found = surgery_run_fault(&run);
             counts->judged++;
-        } else if (operating_hash(&run) != hash)
+        } else if (surgery_run_hash(&run) != hash)
             found = "a refusal has changed the surface";
         if (i % 128 == 127)
-            operating_compact(&run);
+            surgery_run_compact(&run);
     }
     leave_out(0);
-    operating_end(&run);
+    surgery_run_end(&run);
     return found;
 }
 
-void operating_counts_print(const operating_counts *counts)
+void surgery_counts_print(const surgery_counts *counts)
 {
     static const char *const operations[] = {"split", "move", "collapse",
                                              "collapse to", "flip"};

@@ -1,4 +1,4 @@
-#include "support/moved.h"
+#include "support/moved_simplices.h"
 
 #include <limits.h>
 #include <stdlib.h>
@@ -11,7 +11,7 @@ enum {
 };
 
 typedef struct weights {
-    long of[MOST_EVENTS][TF_AXES];
+    long weight[MOST_EVENTS][TF_AXES];
 } weights;
 
 /// The weights of events by rank: each is one more than the greatest sum of
@@ -28,9 +28,9 @@ static weights make_weights(void)
             long before = 0;
             for (int set = 0; set < SUBSETS; set++)
                 before = with_own[set] > before ? with_own[set] : before;
-            w.of[e][k] = before + 1;
+            w.weight[e][k] = before + 1;
             for (int set = 0; set < SUBSETS; set++) {
-                long sum = greatest[set] + w.of[e][k];
+                long sum = greatest[set] + w.weight[e][k];
                 int also = set | 1 << k;
                 if (!(set >> k & 1) && sum > with_own[also])
                     with_own[also] = sum;
@@ -145,7 +145,7 @@ static term coordinate(const moved_pair *pair, const weights *w, int without)
             if (place++ == without)
                 continue;
             const tf_event *event = sides[side]->event[i];
-            m.weight[m.size] = w->of[rank_in_pair(pair, event)];
+            m.weight[m.size] = w->weight[rank_in_pair(pair, event)];
             m.row[m.size++] = event;
         }
     sum s;
@@ -221,7 +221,7 @@ bool moved_pair_meets_by_oracle(const moved_pair *pair, int bits, mpq_t toi)
         for (int i = 0; i < sides[side]->count; i++)
             for (int k = 0; k < TF_AXES; k++) {
                 int rank = rank_in_pair(pair, sides[side]->event[i]);
-                moves.shift[side][i][k] = (int)(bits * w.of[rank][k]);
+                moves.shift[side][i][k] = (int)(bits * w.weight[rank][k]);
             }
     if (pair->timed)
         return oracle_moved_simplices_meet(pair->axes, &pair->s, &pair->r,

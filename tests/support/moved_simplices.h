@@ -8,8 +8,8 @@
 // What is true of them is found in exact numbers, twice: by determinants of all
 // the homogeneous coordinates, expanded into sums of powers of two, and by the
 // oracle.
-#ifndef SUPPORT_MOVED_H
-#define SUPPORT_MOVED_H
+#ifndef SUPPORT_MOVED_SIMPLICES_H
+#define SUPPORT_MOVED_SIMPLICES_H
 
 #include "support/oracle.h"
 

@@ -1,6 +1,6 @@
 // Changes of a query after which the answer is known from that before.
-#ifndef SUPPORT_CHANGES_H
-#define SUPPORT_CHANGES_H
+#ifndef SUPPORT_QUERY_CHANGES_H
+#define SUPPORT_QUERY_CHANGES_H
 
 #include "support/queries.h"
 

@@ -1,4 +1,4 @@
-#include "support/counting.h"
+#include "support/counting_arithmetic.h"
 
 #include "arithmetic/functions.h"
 

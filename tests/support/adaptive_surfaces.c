@@ -1,4 +1,4 @@
-#include "support/adaptive_of.h"
+#include "support/adaptive_surfaces.h"
 
 #include <stdlib.h>
 

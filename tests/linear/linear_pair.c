@@ -1,4 +1,4 @@
-#include "linear/straight.h"
+#include "linear/linear_pair.h"
 
 #include "support/linear_methods.h"
 #include "support/scenes.h"
@@ -7,14 +7,15 @@
 
 #include <math.h>
 
-static tf_straight take(const query *q)
+static tf_linear_pair take(const query *q)
 {
     static const int index[] = {3, 0, 5, 1};
     scene s = scene_of(q, index);
     tf_motion motion = scene_motion(&s);
-    tf_straight taken;
-    ck_assert_int_eq(tf_straight_take(q->axes, &motion, q->vertices, index,
-                                      q->others, index + q->vertices, &taken),
+    tf_linear_pair taken;
+    ck_assert_int_eq(tf_linear_pair_take(q->axes, &motion, q->vertices, index,
+                                         q->others, index + q->vertices,
+                                         &taken),
                      TF_OK);
     return taken;
 }
@@ -23,7 +24,7 @@ START_TEST(vertices_are_taken_by_index)
 {
     generator random = generator_new((uint64_t)_i);
     query q = query_soup(&random, (query_kind)_i);
-    tf_straight taken = take(&q);
+    tf_linear_pair taken = take(&q);
     ck_assert_int_eq(taken.axes, q.axes);
     ck_assert_int_eq(taken.vertices, q.vertices);
     ck_assert_int_eq(taken.others, q.others);
@@ -39,11 +40,11 @@ START_TEST(positions_are_straight)
 {
     generator random = generator_new(5);
     query q = query_soup(&random, EDGE_EDGE);
-    tf_straight taken = take(&q);
-    tf_vector x[TF_STRAIGHT_VERTICES];
+    tf_linear_pair taken = take(&q);
+    tf_vector x[TF_LINEAR_PAIR_VERTICES];
     for (int n = 0; n <= 4; n++) {
         double t = n / 4.0;
-        tf_straight_positions(&taken, t, x);
+        tf_linear_pair_positions(&taken, t, x);
         for (int i = 0; i < 4; i++)
             for (int k = 0; k < TF_AXES; k++) {
                 double a = taken.at[0][i].x[k], b = taken.at[1][i].x[k];
@@ -62,9 +63,9 @@ START_TEST(a_contact_is_described)
     static const double x[] = {1, 1, 0, 0, 4, 0, 1, -1, 0, 0, 4, 1};
     for (int i = 0; i < query_size(&q); i++)
         *query_coordinate(&q, i) = x[i];
-    tf_straight taken = take(&q);
-    tf_nearest at = {.weight = {1, 0.75, 0.25}};
-    tf_contact contact = tf_straight_contact(&taken, 0, &at, TF_TOUCHING);
+    tf_linear_pair taken = take(&q);
+    tf_point_pair at = {.weight = {1, 0.75, 0.25}};
+    tf_contact contact = tf_linear_pair_contact(&taken, 0, &at, TF_TOUCHING);
     expect_contact(&q, &contact);
     ck_assert_int_eq(contact.classification, TF_TOUCHING);
     ck_assert_double_eq(contact.barycentric[1][1], 0.25);
@@ -79,9 +80,9 @@ START_TEST(a_contact_of_huge_elements_is_finite)
     query q = query_new(POINT_EDGE);
     for (int i = 0; i < query_size(&q); i++)
         *query_coordinate(&q, i) = i < 6 ? -1.7e308 : 1.7e308;
-    tf_straight taken = take(&q);
-    tf_nearest at = {.weight = {1, 0.5, 0.5}};
-    tf_contact contact = tf_straight_contact(&taken, 0.5, &at, TF_TOUCHING);
+    tf_linear_pair taken = take(&q);
+    tf_point_pair at = {.weight = {1, 0.5, 0.5}};
+    tf_contact contact = tf_linear_pair_contact(&taken, 0.5, &at, TF_TOUCHING);
     expect_contact(&q, &contact);
 }
 END_TEST
@@ -103,15 +104,16 @@ END_TEST
 START_TEST(the_polynomial_decides_where_to_look)
 {
     query q = scene_hit(POINT_TRIANGLE);
-    tf_straight taken = take(&q);
+    tf_linear_pair taken = take(&q);
     tf_polynomial far = {.degree = 3, .coefficient = {1, 1, 1, 1}};
     tf_polynomial zero = {.degree = 3};
     tf_polynomial half = {.degree = 3, .coefficient = {3, 1, -1, -3}};
     tf_tolerances none = {0};
-    ck_assert_int_eq(tf_straight_touch(&taken, &far, &none).verdict, TF_APART);
-    ck_assert_int_eq(tf_straight_touch(&taken, &zero, &none).classification,
+    ck_assert_int_eq(tf_linear_pair_touch(&taken, &far, &none).verdict,
+                     TF_APART);
+    ck_assert_int_eq(tf_linear_pair_touch(&taken, &zero, &none).classification,
                      TF_DEGENERATE);
-    tf_contact contact = tf_straight_touch(&taken, &half, &none);
+    tf_contact contact = tf_linear_pair_touch(&taken, &half, &none);
     ck_assert_int_eq(contact.classification, TF_GENERIC);
     ck_assert_double_eq(contact.toi_lo, 0.5);
 }
@@ -135,7 +137,7 @@ static void use_straight(void)
 
 Suite *suite(void)
 {
-    Suite *s = suite_create("linear/straight");
+    Suite *s = suite_create("linear/linear_pair");
     TCase *c = tcase_create("linear motion");
     tcase_add_loop_test(c, vertices_are_taken_by_index, 0, KINDS);
     tcase_add_test(c, positions_are_straight);

@@ -1,4 +1,4 @@
-#include "support/reconnecting.h"
+#include "support/reconnections.h"
 
 #include "experiments/leave_out.h"
 #include "surgery/star.h"
@@ -52,7 +52,7 @@ typedef struct comparison {
     bool done;            ///< whether there was one
 } comparison;
 
-static void remember(const operating *run, comparison *before)
+static void remember(const surgery_run *run, comparison *before)
 {
     before->parts = run->scene.parts;
     memcpy(before->nesting, run->nesting, sizeof run->nesting);
@@ -60,7 +60,7 @@ static void remember(const operating *run, comparison *before)
 }
 
 /// Labels the parts anew; `was` becomes the part that each comes from.
-static void relabel(operating *run, comparison *before)
+static void relabel(surgery_run *run, comparison *before)
 {
     static int now[LABELLED];
     int vertices = tf_adaptive_mesh(run->surface).vertices;
@@ -73,23 +73,23 @@ static void relabel(operating *run, comparison *before)
             run->part[v] = now[v];
         }
     if (run->scene.kind != SHEETS)
-        operating_note(run);
+        surgery_run_note(run);
 }
 
 /// The surface itself, at all parts.
-static const char *surface_fault(operating *run)
+static const char *surface_fault(surgery_run *run)
 {
     const char *found = NULL;
     for (int part = 0; part < run->scene.parts && !found; part++) {
         run->changed = part;
-        found = operating_fault(run);
+        found = surgery_run_fault(run);
     }
     return found;
 }
 
 /// What concerns parts now, other than `a` and `b`, each of which was one part.
-static const char *others_fault(const operating *run, const comparison *before,
-                                int a, int b)
+static const char *others_fault(const surgery_run *run,
+                                const comparison *before, int a, int b)
 {
     for (int i = 0; i < run->scene.parts; i++) {
         if (i == a || i == b)
@@ -117,7 +117,7 @@ static int joined_sign(const comparison *before, int a, int b)
 }
 
 /// After a merge of the parts a and b, which are now one.
-static const char *merge_fault(const operating *run, const comparison *before,
+static const char *merge_fault(const surgery_run *run, const comparison *before,
                                int a, int b)
 {
     int both = 0;
@@ -154,7 +154,7 @@ static bool is_neighbor(const tf_adaptive_surface *surface, int a, int b)
     return false;
 }
 
-static double distance_of_edges(const operating *run, const int a[2],
+static double distance_of_edges(const surgery_run *run, const int a[2],
                                 const int b[2])
 {
     const double *x = tf_adaptive_positions(run->surface);
@@ -167,7 +167,7 @@ static double distance_of_edges(const operating *run, const int a[2],
     return sum;
 }
 
-static void edge_at(const operating *run, int corner, int edge[2])
+static void edge_at(const surgery_run *run, int corner, int edge[2])
 {
     tf_mesh mesh = tf_adaptive_mesh(run->surface);
     edge[0] = mesh.triangle[corner];
@@ -184,20 +184,20 @@ static bool is_good_edge(const tf_adaptive_surface *surface, const int edge[2])
                         tf_vertex_at(surface, tf_corner_before(back)));
 }
 
-static void choose_edge(operating *run, int edge[2])
+static void choose_edge(surgery_run *run, int edge[2])
 {
-    edge_at(run, operating_corner(run), edge);
+    edge_at(run, surgery_run_corner(run), edge);
     for (int i = 0; i < 20 && !is_good_edge(run->surface, edge); i++)
-        edge_at(run, operating_corner(run), edge);
+        edge_at(run, surgery_run_corner(run), edge);
 }
 
 /// An edge that is near another one, of another part if possible.
-static void choose_near(operating *run, const int first[2], int second[2])
+static void choose_near(surgery_run *run, const int first[2], int second[2])
 {
     double least = INFINITY;
     int edge[2], tries = 1 + below(&run->random, 200);
     for (int i = 0; i < tries; i++) {
-        edge_at(run, operating_corner(run), edge);
+        edge_at(run, surgery_run_corner(run), edge);
         double far = distance_of_edges(run, first, edge);
         if (edge[0] == first[0] || edge[0] == first[1] || edge[1] == first[0] ||
             edge[1] == first[1] || !is_good_edge(run->surface, edge))
@@ -211,8 +211,8 @@ static void choose_near(operating *run, const int first[2], int second[2])
     }
 }
 
-static const char *try_merging(operating *run, comparison *before,
-                               reconnecting_counts *counts)
+static const char *try_merging(surgery_run *run, comparison *before,
+                               reconnection_counts *counts)
 {
     int first[2], second[2];
     choose_edge(run, first);
@@ -236,7 +236,7 @@ static const char *try_merging(operating *run, comparison *before,
 // Pinching --------------------------------------------------------------------
 
 /// After a pinch of a part into the parts a and b, or a == b.
-static const char *pinch_fault(const operating *run, const comparison *before,
+static const char *pinch_fault(const surgery_run *run, const comparison *before,
                                int a, int b)
 {
     int whole = before->was[a];
@@ -279,10 +279,10 @@ static bool is_face(const tf_adaptive_surface *surface, const int v[3])
 }
 
 /// Three vertices with edges between them, mostly not those of a triangle.
-static void choose_loop(operating *run, int loop[3])
+static void choose_loop(surgery_run *run, int loop[3])
 {
     for (int i = 0; i < 50; i++) {
-        edge_at(run, operating_corner(run), loop);
+        edge_at(run, surgery_run_corner(run), loop);
         int c = tf_first_corner(run->surface, loop[0]);
         for (; c >= 0; c = tf_next_corner(run->surface, c)) {
             loop[2] = tf_vertex_at(run->surface, tf_corner_after(c));
@@ -316,7 +316,7 @@ static void left_middle(const tf_adaptive_surface *surface, const int loop[3],
 }
 
 /// Near the vertices of the loop, towards neighbors, or anywhere.
-static void choose_places(operating *run, const int loop[3], double place[9])
+static void choose_places(surgery_run *run, const int loop[3], double place[9])
 {
     const double *x = tf_adaptive_positions(run->surface);
     double part = pow(10, uniform(&run->random, -3, 0.2)), to[3];
@@ -326,7 +326,7 @@ static void choose_places(operating *run, const int loop[3], double place[9])
         if (way == 0)
             memcpy(to,
                    x + 3 * tf_adaptive_mesh(run->surface)
-                               .triangle[operating_corner(run)],
+                               .triangle[surgery_run_corner(run)],
                    sizeof to);
         for (int k = 0; k < 3; k++) {
             double from = x[3 * loop[i] + k];
@@ -337,8 +337,8 @@ static void choose_places(operating *run, const int loop[3], double place[9])
     }
 }
 
-static const char *try_pinching(operating *run, comparison *before,
-                                reconnecting_counts *counts)
+static const char *try_pinching(surgery_run *run, comparison *before,
+                                reconnection_counts *counts)
 {
     int loop[3], vertex[3];
     double place[9];
@@ -365,7 +365,7 @@ static const char *try_pinching(operating *run, comparison *before,
 // Dropping --------------------------------------------------------------------
 
 /// The outcome that a drop must have.
-static tf_outcome expected_drop(const operating *run, int part)
+static tf_outcome expected_drop(const surgery_run *run, int part)
 {
     for (int i = 0; i < run->scene.parts; i++)
         if (i != part && run->nesting[part][i] != 0)
@@ -373,11 +373,11 @@ static tf_outcome expected_drop(const operating *run, int part)
     return TF_COMMITTED;
 }
 
-static const char *try_dropping(operating *run, comparison *before,
-                                reconnecting_counts *counts)
+static const char *try_dropping(surgery_run *run, comparison *before,
+                                reconnection_counts *counts)
 {
     int edge[2];
-    edge_at(run, operating_corner(run), edge);
+    edge_at(run, surgery_run_corner(run), edge);
     int part = run->part[edge[0]];
     tf_outcome outcome, expected = expected_drop(run, part);
     if (tf_adaptive_drop(run->surface, edge[0], &outcome) != TF_OK)
@@ -397,8 +397,8 @@ static const char *try_dropping(operating *run, comparison *before,
 // Running ---------------------------------------------------------------------
 
 /// Merges and pinches leave out tests.
-static const char *reconnect(operating *run, unsigned left_out,
-                             comparison *before, reconnecting_counts *counts)
+static const char *reconnect(surgery_run *run, unsigned left_out,
+                             comparison *before, reconnection_counts *counts)
 {
     int way = below(&run->random, 20);
     remember(run, before);
@@ -413,45 +413,45 @@ static const char *reconnect(operating *run, unsigned left_out,
     return found;
 }
 
-static const char *step(operating *run, unsigned left_out,
-                        reconnecting_counts *counts)
+static const char *step(surgery_run *run, unsigned left_out,
+                        reconnection_counts *counts)
 {
     static comparison before;
-    uint64_t hash = operating_hash(run);
+    uint64_t hash = surgery_run_hash(run);
     const char *found = NULL;
     if (below(&run->random, 2)) {
-        chosen request = operating_choose(run);
+        surgery_choice request = surgery_run_choose(run);
         before.done = operate(run, &request) == TF_COMMITTED;
         if (before.done)
-            found = operating_fault(run);
+            found = surgery_run_fault(run);
     } else {
         found = reconnect(run, left_out, &before, counts);
         if (!found && before.done)
             found = surface_fault(run);
     }
     counts->others.judged += before.done;
-    if (!found && !before.done && operating_hash(run) != hash)
+    if (!found && !before.done && surgery_run_hash(run) != hash)
         found = "a refusal has changed the surface";
     return found;
 }
 
-const char *reconnecting_run(generator random, adaptive_scene_kind kind,
-                             int operations, unsigned left_out,
-                             reconnecting_counts *counts)
+const char *run_reconnections(generator random, adaptive_scene_kind kind,
+                              int operations, unsigned left_out,
+                              reconnection_counts *counts)
 {
-    static operating run;
+    static surgery_run run;
     const char *found = NULL;
-    operating_begin(&run, random, kind, &counts->others);
+    surgery_run_begin(&run, random, kind, &counts->others);
     for (int i = 0; i < operations && !found; i++) {
         found = step(&run, left_out, counts);
         if (i % 128 == 127)
-            operating_compact(&run);
+            surgery_run_compact(&run);
     }
-    operating_end(&run);
+    surgery_run_end(&run);
     return found;
 }
 
-void reconnecting_counts_print(const reconnecting_counts *counts)
+void reconnection_counts_print(const reconnection_counts *counts)
 {
     static const char *const names[] = {"merge", "pinch", "drop"};
     printf("%-12s %8s %10s %9s %10s %9s\n", "", "done", "impossible",
@@ -464,5 +464,5 @@ void reconnecting_counts_print(const reconnecting_counts *counts)
     }
     printf("%ld merges joined two parts, %ld pinches made two\n",
            counts->joined, counts->split);
-    operating_counts_print(&counts->others);
+    surgery_counts_print(&counts->others);
 }

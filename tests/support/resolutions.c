@@ -1,4 +1,4 @@
-#include "support/resolving.h"
+#include "support/resolutions.h"
 
 #include "base/contract.h"
 #include "response/conjugate_residuals.h"
@@ -89,9 +89,9 @@ static const char *judged_fault(tf_resolver *resolver, tangle_judge *judge,
     return fault ? fault : report_fault(made, weighed, proposed, report);
 }
 
-const char *resolving_fault(proposal *made, bool weighed, bool exactly,
-                            const tf_response_options *options,
-                            tf_response_report *report)
+const char *resolution_fault(proposal *made, bool weighed, bool exactly,
+                             const tf_response_options *options,
+                             tf_response_report *report)
 {
     tangle_judge *judge = tangle_judge_new(&made->mesh);
     tf_surface *surface = NULL;
@@ -134,7 +134,7 @@ static bool starts_clear(const proposal *made)
     return clear;
 }
 
-static void count(const tf_response_report *report, resolving_counts *counts)
+static void count(const tf_response_report *report, resolution_counts *counts)
 {
     int rounds = report->rounds[TF_FAILSAFE];
     counts->met += report->first_contacts > 0;
@@ -144,7 +144,7 @@ static void count(const tf_response_report *report, resolving_counts *counts)
     counts->rounds = rounds > counts->rounds ? rounds : counts->rounds;
 }
 
-void resolving_counts_print(const resolving_counts *counts)
+void resolution_counts_print(const resolution_counts *counts)
 {
     printf("%ld proposals: %ld with contacts, %ld by the failsafe, %ld held "
            "back, %ld put to rest, %ld judged on the way, %d rounds at most\n",
@@ -167,7 +167,7 @@ enum {
     FEW_VERTICES = 30
 };
 
-const char *numbered_fault(long number, resolving_counts *counts)
+const char *numbered_fault(long number, resolution_counts *counts)
 {
     static proposal made;
     static char text[400];
@@ -186,7 +186,7 @@ const char *numbered_fault(long number, resolving_counts *counts)
     tf_response_options options = random_options(&random);
     tf_response_report report = {0};
     const char *fault =
-        resolving_fault(&made, weighed, exactly, &options, &report);
+        resolution_fault(&made, weighed, exactly, &options, &report);
     counts->tries++;
     counts->exact += exactly;
     count(&report, counts);

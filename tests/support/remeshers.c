@@ -1,10 +1,10 @@
-#include "support/remeshing.h"
+#include "support/remeshers.h"
 
 #include "remesh/measure.h"
 
 #include <stdlib.h>
 
-tf_remesher *remeshing_begin(tf_adaptive_surface *surface, double edge)
+tf_remesher *remesher_begin(tf_adaptive_surface *surface, double edge)
 {
     static tf_remesher made;
     static tf_remesh_report report;
@@ -20,7 +20,7 @@ tf_remesher *remeshing_begin(tf_adaptive_surface *surface, double edge)
     return &made;
 }
 
-void remeshing_end(tf_remesher *remesher)
+void remesher_end(tf_remesher *remesher)
 {
     tf_adaptive_free(remesher->surface);
     tf_original_free(&remesher->original);

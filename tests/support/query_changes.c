@@ -1,4 +1,4 @@
-#include "support/changes.h"
+#include "support/query_changes.h"
 
 #include <math.h>
 

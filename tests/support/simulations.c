@@ -1,4 +1,4 @@
-#include "support/simulating.h"
+#include "support/simulations.h"
 
 #include "support/support.h"
 #include "support/surface_of.h"

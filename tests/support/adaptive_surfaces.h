@@ -1,6 +1,6 @@
 // Small adaptive surfaces, given by numbers.
-#ifndef SUPPORT_ADAPTIVE_OF_H
-#define SUPPORT_ADAPTIVE_OF_H
+#ifndef SUPPORT_ADAPTIVE_SURFACES_H
+#define SUPPORT_ADAPTIVE_SURFACES_H
 
 #include "surgery/adaptive.h"
 

@@ -4,7 +4,7 @@
 #include "support/adaptive_surfaces.h"
 #include "support/remeshers.h"
 #include "support/support.h"
-#include "surgery/move.h"
+#include "surgery/star.h"
 
 #include <math.h>
 

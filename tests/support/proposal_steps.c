@@ -17,7 +17,7 @@ void proposal_step_begin(proposal_step *s, const proposal *made)
                         .inverse_mass = made->inverse_mass,
                         .end = s->end,
                         .looked = s->looked};
-    s->rule = (tf_row_rule){.base = made->end};
+    s->rule = (tf_contact_rule){.base = made->end};
 }
 
 void proposal_step_free(proposal_step *s)

@@ -6,7 +6,6 @@
 
 #include "support/surgery_runs.h"
 #include "topology/reconnect.h"
-#include "topology/topology.h"
 
 typedef struct reconnection_counts {
     long count[TF_RECONNECTIONS][TF_OUTCOMES];

@@ -17,17 +17,17 @@ static size_t numbers(const zone_case *z)
     return (size_t)z->zone.axes * (size_t)z->zone.vertices;
 }
 
-zone_case zone_new(int axes, int vertices, int most_rows)
+zone_case zone_new(int axes, int vertices, int most_constraints)
 {
     zone_case z = {.zone = {.axes = axes, .vertices = vertices},
-                   .most_rows = most_rows};
+                   .most_constraints = most_constraints};
     z.proposal = allocate(numbers(&z), sizeof *z.proposal);
     z.displacement = allocate(numbers(&z), sizeof *z.displacement);
     z.inverse_mass = allocate((size_t)vertices, sizeof *z.inverse_mass);
-    z.row = allocate((size_t)most_rows, sizeof *z.row);
+    z.constraint = allocate((size_t)most_constraints, sizeof *z.constraint);
     z.zone.displacement = z.displacement;
     z.zone.inverse_mass = z.inverse_mass;
-    z.zone.row = z.row;
+    z.zone.constraint = z.constraint;
     return z;
 }
 
@@ -36,7 +36,7 @@ void zone_free(zone_case *z)
     free(z->proposal);
     free(z->displacement);
     free(z->inverse_mass);
-    free(z->row);
+    free(z->constraint);
 }
 
 // Random zones ----------------------------------------------------------------
@@ -67,46 +67,48 @@ static void random_vertices(generator *random, int count, int vertices,
     }
 }
 
-/// A point and an edge or a triangle.  The point, an even number, is not scripted.
-static tf_row random_row(generator *random, int axes, int vertices)
+/// A point and an edge or a triangle.  The point, an even number, is not
+/// scripted.
+static tf_constraint random_constraint(generator *random, int axes,
+                                       int vertices)
 {
-    tf_row row = {.vertex = {-1, -1, -1, -1}, .coefficient = {1}};
-    random_vertices(random, axes + 1, vertices, row.vertex);
-    row.vertex[0] -= row.vertex[0] % 2;
+    tf_constraint constraint = {.vertex = {-1, -1, -1, -1}, .coefficient = {1}};
+    random_vertices(random, axes + 1, vertices, constraint.vertex);
+    constraint.vertex[0] -= constraint.vertex[0] % 2;
     for (int i = 1; i <= axes; i++)
-        while (row.vertex[i] == row.vertex[0])
-            row.vertex[i] = below(random, vertices);
+        while (constraint.vertex[i] == constraint.vertex[0])
+            constraint.vertex[i] = below(random, vertices);
     double sum = 0, part[3] = {0};
     for (int i = 0; i < axes; i++)
         sum += part[i] = uniform(random, 0.1, 1);
     for (int i = 0; i < axes; i++)
-        row.coefficient[1 + i] = -part[i] / sum;
-    random_normal(random, axes, row.normal);
-    row.bound = uniform(random, 0, 0.1);
-    return row;
+        constraint.coefficient[1 + i] = -part[i] / sum;
+    random_normal(random, axes, constraint.normal);
+    constraint.bound = uniform(random, 0, 0.1);
+    return constraint;
 }
 
-zone_case zone_random(generator *random, int axes, int vertices, int rows,
-                      int most_rows)
+zone_case zone_random(generator *random, int axes, int vertices,
+                      int constraints, int most_constraints)
 {
-    zone_case z = zone_new(axes, vertices, most_rows);
+    zone_case z = zone_new(axes, vertices, most_constraints);
     for (int v = 0; v < vertices; v++)
         z.inverse_mass[v] =
             v % 2 && below(random, 4) == 0 ? 0 : uniform(random, 0.5, 2);
     for (size_t i = 0; i < numbers(&z); i++)
         z.proposal[i] = uniform(random, -1, 1);
-    for (int i = 0; i < rows; i++)
-        z.row[i] = random_row(random, axes, vertices);
-    z.zone.rows = rows;
+    for (int i = 0; i < constraints; i++)
+        z.constraint[i] = random_constraint(random, axes, vertices);
+    z.zone.constraints = constraints;
     return z;
 }
 
-void zone_duplicate(zone_case *z, int row, double part)
+void zone_duplicate(zone_case *z, int constraint, double part)
 {
-    if (z->zone.rows == z->most_rows)
+    if (z->zone.constraints == z->most_constraints)
         abort();
-    tf_row *copy = &z->row[z->zone.rows++];
-    *copy = z->row[row];
+    tf_constraint *copy = &z->constraint[z->zone.constraints++];
+    *copy = z->constraint[constraint];
     copy->bound *= part;
 }
 
@@ -115,33 +117,36 @@ void zone_duplicate(zone_case *z, int row, double part)
 int zone_solve_again(zone_case *z, const tf_zone_solver *solver, int sweeps)
 {
     tf_zone *zone = &z->zone;
-    size_t room = solver->room(zone->axes, zone->vertices, zone->rows);
-    double *taken = allocate(room, sizeof *taken);
+    size_t workspace =
+        solver->workspace(zone->axes, zone->vertices, zone->constraints);
+    double *taken = allocate(workspace, sizeof *taken);
     memcpy(z->displacement, z->proposal, numbers(z) * sizeof *z->proposal);
-    zone->room = taken;
+    zone->workspace = taken;
     zone->sweeps = sweeps;
     int iterations = solver->solve(zone);
-    zone->room = NULL;
+    zone->workspace = NULL;
     free(taken);
     return iterations;
 }
 
 int zone_solve(zone_case *z, const tf_zone_solver *solver, int sweeps)
 {
-    for (int i = 0; i < z->zone.rows; i++)
-        z->zone.row[i].impulse = 0;
+    for (int i = 0; i < z->zone.constraints; i++)
+        z->zone.constraint[i].impulse = 0;
     return zone_solve_again(z, solver, sweeps);
 }
 
-/// The entry of a row at a coordinate, in units in which all masses are 1.
-static long double entry(const zone_case *z, const tf_row *row, int coordinate)
+/// The entry of a constraint at a coordinate, in units in which all masses
+/// are 1.
+static long double entry(const zone_case *z, const tf_constraint *constraint,
+                         int coordinate)
 {
     int axes = z->zone.axes, vertex = coordinate / axes;
     long double sum = 0;
-    for (int i = 0; i < 4 && row->vertex[i] >= 0; i++)
-        if (row->vertex[i] == vertex)
-            sum += (long double)row->coefficient[i];
-    return sum * (long double)row->normal[coordinate % axes] *
+    for (int i = 0; i < 4 && constraint->vertex[i] >= 0; i++)
+        if (constraint->vertex[i] == vertex)
+            sum += (long double)constraint->coefficient[i];
+    return sum * (long double)constraint->normal[coordinate % axes] *
            sqrtl((long double)z->inverse_mass[vertex]);
 }
 
@@ -159,17 +164,18 @@ static long double dot(const equation *a, const equation *b)
     return sum;
 }
 
-/// What the row asks of the change of the proposal.
-static void take_row(const zone_case *z, const tf_row *row, equation *taken)
+/// What the constraint asks of the change of the proposal.
+static void take_constraint(const zone_case *z, const tf_constraint *constraint,
+                            equation *taken)
 {
-    taken->right = (long double)row->bound;
+    taken->right = (long double)constraint->bound;
     for (int i = 0; i < taken->count; i++)
-        taken->entry[i] = entry(z, row, i);
-    for (int v = 0; v < 4 && row->vertex[v] >= 0; v++)
+        taken->entry[i] = entry(z, constraint, i);
+    for (int v = 0; v < 4 && constraint->vertex[v] >= 0; v++)
         for (int k = 0; k < z->zone.axes; k++) {
-            int i = z->zone.axes * row->vertex[v] + k;
-            taken->right -= (long double)row->coefficient[v] *
-                            (long double)row->normal[k] *
+            int i = z->zone.axes * constraint->vertex[v] + k;
+            taken->right -= (long double)constraint->coefficient[v] *
+                            (long double)constraint->normal[k] *
                             (long double)z->proposal[i];
         }
 }
@@ -201,12 +207,12 @@ static bool normalize(equation *taken)
 void zone_least_change(const zone_case *z, double displacement[])
 {
     int count = (int)numbers(z), kept = 0;
-    equation *all = allocate((size_t)z->zone.rows, sizeof *all);
-    for (int i = 0; i < z->zone.rows; i++) {
+    equation *all = allocate((size_t)z->zone.constraints, sizeof *all);
+    for (int i = 0; i < z->zone.constraints; i++) {
         if (!all[kept].entry)
             all[kept] = (equation){
                 count, allocate((size_t)count, sizeof *all->entry), 0};
-        take_row(z, &z->row[i], &all[kept]);
+        take_constraint(z, &z->constraint[i], &all[kept]);
         orthogonalize(&all[kept], kept, all);
         kept += normalize(&all[kept]);
     }
@@ -218,7 +224,7 @@ void zone_least_change(const zone_case *z, double displacement[])
         displacement[i] = (double)((long double)z->proposal[i] +
                                    change * sqrtl((long double)inverse_mass));
     }
-    for (int i = 0; i < z->zone.rows; i++)
+    for (int i = 0; i < z->zone.constraints; i++)
         free(all[i].entry);
     free(all);
 }
@@ -233,18 +239,19 @@ double zone_distance(const zone_case *z, const double a[], const double b[])
     return most;
 }
 
-/// How far a row is from its bound, and its compliance.
-static double shortage(const zone_case *z, const tf_row *row,
+/// How far a constraint is from its bound, and its compliance.
+static double shortage(const zone_case *z, const tf_constraint *constraint,
                        const double displacement[], double *compliance)
 {
-    double sum = row->bound;
+    double sum = constraint->bound;
     *compliance = 0;
-    for (int i = 0; i < 4 && row->vertex[i] >= 0; i++) {
-        int v = row->vertex[i];
-        double c = row->coefficient[i];
+    for (int i = 0; i < 4 && constraint->vertex[i] >= 0; i++) {
+        int v = constraint->vertex[i];
+        double c = constraint->coefficient[i];
         *compliance += z->inverse_mass[v] * c * c;
         for (int k = 0; k < z->zone.axes; k++)
-            sum -= c * row->normal[k] * displacement[z->zone.axes * v + k];
+            sum -=
+                c * constraint->normal[k] * displacement[z->zone.axes * v + k];
     }
     return sum;
 }
@@ -252,9 +259,9 @@ static double shortage(const zone_case *z, const tf_row *row,
 static double residual(const zone_case *z, const double displacement[])
 {
     double square = 0;
-    for (int i = 0; i < z->zone.rows; i++) {
+    for (int i = 0; i < z->zone.constraints; i++) {
         double compliance;
-        double is = shortage(z, &z->row[i], displacement, &compliance);
+        double is = shortage(z, &z->constraint[i], displacement, &compliance);
         square += is * is / compliance;
     }
     return sqrt(square);
@@ -268,9 +275,10 @@ double zone_residual(const zone_case *z)
 static double violation(const zone_case *z, const double displacement[])
 {
     double most = 0;
-    for (int i = 0; i < z->zone.rows; i++) {
+    for (int i = 0; i < z->zone.constraints; i++) {
         double compliance;
-        most = fmax(most, shortage(z, &z->row[i], displacement, &compliance));
+        most = fmax(most,
+                    shortage(z, &z->constraint[i], displacement, &compliance));
     }
     return most;
 }

@@ -4,7 +4,7 @@
 #include "support/adaptive_surfaces.h"
 #include "support/support.h"
 #include "support/surgery_runs.h"
-#include "surgery/operations.h"
+#include "surgery/collapse.h"
 
 #include <signal.h>
 #include <string.h>

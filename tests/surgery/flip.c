@@ -1,5 +1,5 @@
 // Flips of edges.
-#include "surgery/operations.h"
+#include "surgery/flip.h"
 
 #include "support/adaptive_surfaces.h"
 #include "support/support.h"

@@ -7,7 +7,7 @@
 #include "support/surface_of.h"
 #include "support/surgery_runs.h"
 #include "surface/detect.h"
-#include "surgery/operations.h"
+#include "surgery/outcome.h"
 
 #include <string.h>
 

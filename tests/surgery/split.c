@@ -1,5 +1,5 @@
 // Splits of edges.
-#include "surgery/operations.h"
+#include "surgery/split.h"
 
 #include "support/adaptive_surfaces.h"
 #include "support/support.h"

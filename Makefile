@@ -5,12 +5,12 @@
 #
 # This file builds the library and the program.  Each folder's rules.mk has its
 # own rules and checks: src/package (the library as users get it), figures,
-# book, exercises, tests, tests/machines and tests/mutants.  The checks of the
-# whole source are in tests/checks.mk.
+# book, exercises, tests, tests/bench, tests/machines and tests/mutants.  The checks of
+# the whole source are in tests/checks.mk.
 #
 # book/chapters is the one list of modules: a line a chapter, its slug and then
 # its modules, which are paths below src/ without their endings.  Those below
-# program/ and simulate/ make the program, all others the library.
+# files/, simulate/ and program/ make the program, all others the library.
 #
 # All output goes to $(BUILD), except for install, measure, format and the
 # exercises (WORK).
@@ -55,12 +55,19 @@ parallel = $(if $(filter -j%,$(MAKEFLAGS)),,-j$(shell nproc))
 .PHONY: FORCE
 
 # need-book comes first: it installs the packages of all the others at once.
+##@ Start here
+
 all: need-book ## build everything, as `make` does
 	@$(MAKE) $(parallel) library program drawing draw-figures book
 
+# The groups in their order; those of the targets are where their rules are.
+groups = Start here|Build|Check|Check for long|Book and figures|Exercises|$\
+	A course|Measure|Measure again for the book, in figures/measured|$\
+	Package and install
 help: ## list the targets
-	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' Makefile */*.mk */*/*.mk | \
-	    expand -t 18
+	@awk -v order='$(groups)' -f tests/help.awk \
+	    $(filter Makefile %rules.mk %checks.mk,$(MAKEFILE_LIST))
+	@echo
 	@echo 'Settings: BUILD=dir, CC=clang, CFLAGS=-O2, V=1 (show the commands).'
 
 # The modules ------------------------------------------------------------------
@@ -71,11 +78,16 @@ CHAPTERS := $(shell grep -c '^[a-z]' book/chapters)
 SRC = src
 partial := $(filter-out src,$(SRC))
 
+# $(call compiling,FILES): in such a build, those whose includes are in its tree
+# (-MM fails otherwise).
+compiling = $(if $(partial),$(foreach file,$(1),$(if $(shell \
+	$(CC) -MM -I$(SRC) -Itests -Ifigures $(file) 2>/dev/null),$(file))),$(1))
+
 # '#' and 'Part:' lines of the list are skipped.
 MODULES := $(shell awk '/^[a-z]/ && n++ < $(CHAPTERS) { \
 	for (i = 2; i <= NF; i++) print $$i }' book/chapters)
 MAIN := $(filter program/main,$(MODULES))
-CLIENTS := $(filter program/% simulate/%,$(MODULES))
+CLIENTS := $(filter files/% simulate/% program/%,$(MODULES))
 PROGRAM := $(filter-out $(MAIN),$(CLIENTS))
 LIBRARY := $(filter-out $(CLIENTS),$(MODULES))
 
@@ -88,7 +100,7 @@ objects = $(patsubst $(SRC)/%.c,$(BUILD)/src/%.o,$(wildcard $(1:%=$(SRC)/%.c)))
 library_file = $(BUILD)/libtanglefree.a
 program_file = $(MAIN:program/main=$(BUILD)/tanglefree)
 
-library: $(library_file) ## build the library, libtanglefree.a
+library: $(library_file) ## build the library alone, which needs only a compiler
 program: $(program_file) ## build the program, tanglefree
 .PHONY: all help library program
 
@@ -122,6 +134,8 @@ endif
 $(BUILD):
 	@mkdir -p $@
 
+##@ Build
+
 clean: ## remove all output
 	rm -rf $(BUILD)
 .PHONY: clean
@@ -142,6 +156,7 @@ include figures/rules.mk
 include book/rules.mk
 include tests/rules.mk
 include tests/checks.mk
+include tests/bench/rules.mk
 include tests/machines/rules.mk
 include exercises/rules.mk
 include tests/mutants/rules.mk

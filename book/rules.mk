@@ -5,16 +5,20 @@
 
 BOOK := $(wildcard book/*.md book/*.c book/*.py book/*.bib book/chapters \
 	book/_ext/*.py book/_print/* book/_theme/* book/_theme/static/* \
-	figures/*.csv) $(shell find src -name '*.[ch]')
+	figures/measured/*.csv) $(shell find src -name '*.[ch]')
 reference = $(BUILD)/reference/xml/index.xml
 prints = $(figure_names:%=$(BUILD)/figures/%-light.pdf)
 # Debian's own Python has Sphinx and Selenium.
 python = /usr/bin/python3
 weave = BUILD=$(abspath $(BUILD)) sphinx-build -q
 
+##@ Start here
+
 book: $(BUILD)/book/html/index.html ## build the book as web pages, in build/book/html
+##@ Book and figures
+
 pdf: $(BUILD)/book/tanglefree.pdf ## build the book as a PDF, in build/book
-slides: $(BUILD)/slides/index.html ## make slides of each part for lectures, in build/slides
+slides: $(BUILD)/slides/index.html ## make slides for lectures, in build/slides
 .PHONY: book pdf slides
 
 $(reference): $(BUILD)/include/tanglefree.h book/Doxyfile | need-book
@@ -49,6 +53,8 @@ $(BUILD)/slides/index.html: $(BUILD)/book/html/index.html | need-slides
 	$(Q)$(weave) -b slides -d $(BUILD)/book/read book $(@D)
 	@echo 'print   $(@D)'
 	$(Q)BUILD=$(BUILD) sh book/print-slides.sh && touch $@
+
+##@ Check
 
 # Warnings are errors; then the pages are taken apart again, and what they show
 # of src/ must be src/.

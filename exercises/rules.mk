@@ -1,17 +1,27 @@
 # The exercises.  A student's files are in $(WORK), which no target removes.
 WORK = work
 
-learn: ## work on the next exercise, or on N='1.2 1.3'; WATCH=1: as you edit
+##@ Start here
+
+learn: ## work on the next exercise, or on N=1.2; WATCH=1 goes on
+
+##@ Exercises
+
+ready: ## build what learn and grade need
 hint: ## show one more hint for the current exercise, or for N=1.2
 list: ## list the exercises and your progress
-reset: ## start exercise N=1.2 over; your file is kept as a backup
+reset: ## start exercise N=1.2 over, and keep your file as a backup
 solution: ## show the solution of N=1.2; SURE=1 if not solved yet
-grade: ## grade your files, or those in DIR=; only chapters or exercises N='1 2.3'
-grade-all: ## grade the folders and zip files of a course, DIR=submissions
-gradescope: ## make an autograder for Gradescope, of exercises N='1 2.3' or all
+##@ A course
+
+grade: ## grade your files, or those in DIR=; only N='1 2.3'
+grade-all: ## grade the folders and zip files in DIR=submissions
+gradescope: ## make an autograder for Gradescope, of all or N='1 2.3'
 handout: ## make an edition of the exercises without solutions
-ready: ## build what learn and grade need
-check-exercises: check-format-exercises ## check all variants of all exercises, or of N=1.2
+
+##@ Check
+
+check-exercises: check-format-exercises ## check all exercises, or N=1.2, in all variants
 
 trying = ready learn grade grade-all check-exercises
 reading = hint list reset solution gradescope handout

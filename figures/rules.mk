@@ -1,6 +1,11 @@
 # The figures: figures/renderer draws, figures/draw is the program, and each part
 # of the book has a folder, with a file for each figure: plane/edge_sweep.c
 # defines the figure edge-sweep.  What several figures share is in figures/kit.
+#
+# Experiments do without something that the library always does, to see what it
+# is needed for: for the tests and the drawing program, the linker puts what
+# figures/experiments calls __wrap_NAME in the place of the library's NAME, here
+# __real_NAME.  The library itself has no switch.
 
 # A file of the renderer uses only those before it; context_* are two ways to
 # the same, of which a build has one.
@@ -23,6 +28,8 @@ moving := $(basename $(notdir \
 films = $(foreach theme,light dark,\
 	$(patsubst %,$(BUILD)/films/%-$(theme).png,$(subst _,-,$(moving))))
 
+##@ Book and figures
+
 drawing: $(drawing_file) ## build the drawing program, tanglefree-draw
 figures: ## draw all figures and films, light and dark
 	@$(MAKE) $(parallel) draw-figures
@@ -34,9 +41,19 @@ draw-figures: $(films) $(pictures)
 # $(call drawing_objects,FILES): of .c files below figures/.
 drawing_objects = $(patsubst figures/%.c,$(BUILD)/drawing/%.o,$(1))
 
+EXPERIMENTS := $(call compiling,$(wildcard figures/experiments/*.c))
+wrapped := $(shell sed -n 's/^.*__wrap_\(tf_[a-z_0-9]*\).*/-Wl,--wrap=\1/p' \
+	$(EXPERIMENTS) /dev/null)
+$(BUILD)/experiments.a: $(call drawing_objects,$(EXPERIMENTS))
+
+# The library with its experiments: both refer to each other.
+experimental_library = $(BUILD)/experiments.a $(library_file)
+link_experiments = $(LINK) $(wrapped) \
+	-Wl,--start-group $(filter %.o %.a,$^) -Wl,--end-group
+
 # Tests link these archives, which hold everything but main.
 figure_archives = $(addprefix $(BUILD)/,draw.a figures.a renderer.a program.a) \
-	$(library_file)
+	$(experimental_library)
 
 $(BUILD)/renderer.a: $(call drawing_objects,$(RENDERER)) figures/rules.mk
 $(BUILD)/draw.a: $(call drawing_objects,$(filter-out %/main.c,$(DRAW)))
@@ -45,7 +62,7 @@ $(BUILD)/figures.a: $(call drawing_objects,$(FIGURES) $(wildcard figures/kit/*.c
 # @file, here and below: gcc reads options from that file.
 $(drawing_file): $(BUILD)/drawing/draw/main.o $(figure_archives)
 	@echo 'link    $@'
-	$(Q)$(LINK) $^ @$(BUILD)/renderer.libraries $(SPARSE) -lm -o $@
+	$(Q)$(link_experiments) @$(BUILD)/renderer.libraries $(SPARSE) -lm -o $@
 
 # What figures include that is made.  Each is written anew only if it changes.
 generated = $(addprefix $(BUILD)/drawing/,names.h includes.h measured_rows.h)
@@ -63,15 +80,11 @@ $(BUILD)/drawing/includes.h: src/layers.awk $(wildcard src/*/*.[ch])
 	@$(unless_same)
 
 # The lines "name,value,unit" of what was measured, as initializers; those of
-# roads.csv are named "roads ...", and so on.
-row = s/^\(.*\),\([0-9.]*\),.*$$/{"$(1)\1", \2},/p
-$(BUILD)/drawing/measured_rows.h: figures/measured.csv figures/roads.csv \
-		figures/simulation.csv figures/remeshing.csv figures/flowing.csv
-	@mkdir -p $(@D) && { sed -n '$(call row,)' $<; \
-	    sed -n '$(call row,roads )' $(word 2,$^); \
-	    sed -n '$(call row,simulation )' $(word 3,$^); \
-	    sed -n '$(call row,remeshing )' $(word 4,$^); \
-	    sed -n '$(call row,flowing )' $(word 5,$^); } >$@.new
+# methods.csv are named "methods ...", and so on, but for those of library.csv.
+$(BUILD)/drawing/measured_rows.h: $(wildcard figures/measured/*.csv)
+	@mkdir -p $(@D) && for file in $(^:figures/measured/%.csv=%); do \
+	    sed -n "s/^\([^#].*\),\([-+0-9.e]*\),.*$$/{\"$$file \1\", \2},/p" \
+	    figures/measured/$$file.csv; done | sed 's/"library /"/' >$@.new
 	@$(unless_same)
 
 drawing_flags = -I$(SRC) -Ifigures -I$(BUILD)/drawing \
@@ -80,6 +93,12 @@ $(BUILD)/drawing/%.o: figures/%.c $(BUILD)/flags $(BUILD)/renderer.flags \
 		$(BUILD)/renderer.libraries | $(generated)
 	@echo 'compile $<' && mkdir -p $(@D)
 	$(Q)$(COMPILE) $(drawing_flags) -MMD -MP -c $< -o $@
+
+# These draw nothing, and need no library of figures.
+$(BUILD)/drawing/kit/expansion.o $(call drawing_objects,$(EXPERIMENTS)): \
+		$(BUILD)/drawing/%.o: figures/%.c $(BUILD)/flags | need-build
+	@echo 'compile $<' && mkdir -p $(@D)
+	$(Q)$(COMPILE) -I$(SRC) -Ifigures -MMD -MP -c $< -o $@
 
 # The two files of options, for compiling and for linking, are made here.  Where
 # Mesa has given up OSMesa, the renderer draws by EGL.
@@ -141,6 +160,8 @@ README_FILMS = $(foreach scene,stack enright,$(scene)-light.webp $(scene)-dark.w
 readme_pictures = $(addprefix $(BUILD)/readme/,$(README) $(README_FILMS))
 draw-readme: $(readme_pictures) ## draw the pictures of README.md anew
 	@mkdir -p figures/readme && cp $^ figures/readme
+
+##@ Check
 
 check-readme: need-book $(README:%=$(BUILD)/readme/%) ## check the pictures of README.md
 	@python3 tests/figures/same_pictures.py $(BUILD)/readme figures/readme

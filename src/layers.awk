@@ -4,12 +4,14 @@
 #
 # prints the layers, the lowest first, and then "from to" for each module that
 # another one includes, for the figure of the layers, and fails with the place
-# of each arrow that goes up.  The program, and the simulator in it, see of the
-# library what its users see: public headers, besides base/ and vectors.
+# of each arrow that goes up.  The program, and the files and the simulator in
+# it, see of the library what its users see: public headers, besides base/ and
+# vectors.
 
 BEGIN {
     layers = split("base geometry arithmetic intersect query linear surface " \
-                   "fast response surgery remesh topology flow simulate program", layer)
+                   "fast response surgery remesh topology flow files " \
+                   "simulate program", layer)
     for (i = 1; i <= layers; i++) {
         rank[layer[i]] = i
         print layer[i]
@@ -47,7 +49,7 @@ function layer_of(module) {
 }
 
 function is_client(module) {
-    return layer_of(module) ~ /^(simulate|program)$/
+    return layer_of(module) ~ /^(files|simulate|program)$/
 }
 
 function is_public(module,    text, found) {

@@ -3,16 +3,23 @@
 
 # The chapters -----------------------------------------------------------------
 
+##@ Check
+
 check-manifest: ## compare book/chapters with src/ and tests/
 	@sh tests/manifest.sh
+	@$(MAKE) help >/dev/null
 
 check-layers: ## check that includes only go down the layers of src/
 	@awk -f src/layers.awk $(sort $(shell find src -name '*.[ch]')) >/dev/null
 
 run_chapters = BUILD=$(BUILD) COMPILE='$(CC) $(WARNINGS) -std=c17' \
 	sh tests/chapters.sh
+##@ Build
+
 chapter: need-check ## build and test the code of chapters 1 to N=3
 	@MAKE='$(MAKE)' $(run_chapters) '$(N)'
+
+##@ Check
 
 check-chapters: need-chapters ## check that no chapter needs a later one
 check-chapters: check-manifest check-layers
@@ -28,11 +35,15 @@ source_files = $(shell find src figures tests book -name '*.[ch]')
 check-format: need-format ## check that the code is formatted as .clang-format says
 	@clang-format --dry-run -Werror $(source_files)
 
+##@ Build
+
 format: need-format ## format the code as .clang-format says
 	@clang-format -i $(source_files)
 
 include_paths = -Isrc -Ifigures -Itests -I$(BUILD)/drawing \
 	-I$(dir $(public_header)) $$(cat $(BUILD)/renderer.flags)
+
+##@ Check
 
 # Of OpenMP only gcc has the header at hand.
 openmp = book/openmp.c
@@ -70,9 +81,9 @@ proofs: need-proofs ## prove the error bounds with the constants in the code
 check-compilers: need-compilers ## check that gcc and clang give the same answers
 	@MAKE='$(MAKE) $(parallel)' BUILD=$(BUILD) sh tests/compilers.sh
 
-check-vectors: need-compilers ## check that compilers make vectors of the lanes
-	@BUILD=$(BUILD) sh tests/vectors.sh
+check-simd: need-compilers ## check that compilers vectorize the loops over lanes
+	@BUILD=$(BUILD) sh tests/simd.sh
 
-check-reproducible: need-book ## check that two builds of HEAD are identical, of films only FILM= or all
+check-reproducible: need-book ## check that two builds are identical, films or FILM= too
 	@MAKE='$(MAKE) $(parallel)' BUILD=$(BUILD) FILM=$(FILM) sh tests/reproducible.sh
-.PHONY: check-compilers check-vectors check-reproducible
+.PHONY: check-compilers check-simd check-reproducible

@@ -1,5 +1,6 @@
-"""Numbers of figures/measured.csv, and claims about them that the build checks;
-those of figures/roads.csv are named "roads ...", and so on (FILES).
+"""Numbers of figures/measured, and claims about them that the build checks; those
+of library.csv go by their names, those of methods.csv are named "methods ...",
+and so on.
 
     {measured}`exact near edge-edge:.0f`
     {measured}`expansion / accumulator:.1f`     a number made of rows
@@ -17,14 +18,6 @@ from docutils import nodes
 from sphinx.util.docutils import SphinxRole
 
 import drawings
-
-
-# And prefixes of their names.
-FILES = {"measured": "", "roads": "roads ", "topology": "topology ",
-         "solvers": "solvers ",
-         "response": "response ", "simulation": "simulation ",
-         "surgery": "surgery ", "remeshing": "remeshing ",
-         "flowing": "flowing "}
 
 
 def read(lines, prefix=""):
@@ -59,7 +52,7 @@ class MeasuredRole(SphinxRole):
             return [self.node()], []
         except (KeyError, ValueError, SyntaxError, TypeError) as error:
             return [], [self.inliner.reporter.error(
-                f"figures/*.csv: '{self.text}': {error}",
+                f"figures/measured: '{self.text}': {error}",
                 line=self.lineno)]
 
     def node(self):
@@ -84,10 +77,11 @@ class ClaimRole(MeasuredRole):
 
 
 def begin(app):
-    app.measured = [app.root / f"figures/{name}.csv" for name in FILES]
+    app.measured = sorted((app.root / "figures/measured").glob("*.csv"))
     app.measurements = {}, {}
     for path in app.measured:
-        found = read(path.read_text().splitlines(), FILES[path.stem])
+        prefix = "" if path.stem == "library" else path.stem + " "
+        found = read(path.read_text().splitlines(), prefix)
         for all_of_kind, new in zip(app.measurements, found):
             all_of_kind.update(new)
 

@@ -7,8 +7,9 @@
 shows the text and compares it with the real output, a line `...` standing for
 any lines; `{run}` takes the commands alone and puts the real output in.  A
 line that begins with "> " continues a command.  `:status: 1` is the expected
-exit status of the last command; all others must exit with 0.  `build/` is the
-folder of this build, whatever its name.
+exit status of the last command; all others must exit with 0.  `build/` has what
+is in the folder of this build, whatever its name; what commands write there is
+gone after the build.
 """
 import re
 import subprocess
@@ -107,13 +108,19 @@ def open_lines(app, page, template, context, doctree):
         context["body"] = open_at_commas(context["body"])
 
 
+def link(paths, folder):
+    for path in paths:
+        (folder / path.name).symlink_to(path)
+
+
 def lay_out_desk(root, built):
-    """A folder of links to what is in the root, and to the build."""
+    """A folder of links to what is in the root, and in its folder build to what
+    is built; what commands write there stays there."""
     desk = tempfile.TemporaryDirectory()
-    for path in root.iterdir():
-        if path.name != "build":
-            (Path(desk.name) / path.name).symlink_to(path)
-    (Path(desk.name) / "build").symlink_to(built)
+    build = Path(desk.name, "build")
+    link((p for p in root.iterdir() if p.name != build.name), build.parent)
+    build.mkdir()
+    link(built.iterdir(), build)
     return desk
 
 

@@ -3,8 +3,8 @@
 
 #include "draw/encoder.h"
 #include "draw/sheet.h"
-#include "program/output_file.h"
-#include "program/visible.h"
+#include "files/output_file.h"
+#include "files/visible.h"
 #include "renderer/render.h"
 
 #include <argp.h>

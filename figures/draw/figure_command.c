@@ -1,7 +1,7 @@
 #include "draw/commands.h"
 #include "draw/drawing.h"
+#include "files/visible.h"
 #include "kit/figures.h"
-#include "program/visible.h"
 
 #include <stdio.h>
 #include <string.h>

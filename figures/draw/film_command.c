@@ -3,8 +3,8 @@
 #include "draw/film_files.h"
 #include "kit/cloth.h"
 
+#include "files/visible.h"
 #include "program/frames.h"
-#include "program/visible.h"
 #include "renderer/figure.h"
 #include "renderer/list.h"
 

@@ -1,6 +1,6 @@
 #include "draw/film_files.h"
 
-#include "program/visible.h"
+#include "files/visible.h"
 
 #include <dirent.h>
 #include <errno.h>

@@ -2,7 +2,7 @@
 #include "base/require.h"
 #include "base/version.h"
 #include "draw/commands.h"
-#include "program/visible.h"
+#include "files/visible.h"
 
 #include <argp.h>
 #include <errno.h>

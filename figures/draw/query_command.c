@@ -4,8 +4,8 @@
 
 #include "base/require.h"
 #include "base/status.h"
+#include "files/visible.h"
 #include "program/arithmetics.h"
-#include "program/visible.h"
 
 #include <errno.h>
 #include <limits.h>

@@ -3,8 +3,8 @@
 #define FIG_DRAW_QUERY_PARTS_H
 
 #include "draw/query_picture.h"
+#include "files/query_file.h"
 #include "kit/fit.h"
-#include "program/query_file.h"
 #include "query/query.h"
 #include "renderer/page.h"
 

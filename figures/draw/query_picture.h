@@ -3,7 +3,7 @@
 #define FIG_DRAW_QUERY_PICTURE_H
 
 #include "draw/drawing.h"
-#include "program/query_file.h"
+#include "files/query_file.h"
 #include "query/query.h"
 
 enum {

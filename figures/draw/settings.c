@@ -1,8 +1,8 @@
 #define _GNU_SOURCE
 #include "draw/settings.h"
 
-#include "program/number.h"
-#include "program/visible.h"
+#include "files/number.h"
+#include "files/visible.h"
 #include "renderer/markup.h"
 #include "renderer/page.h"
 

@@ -1,9 +1,9 @@
 #include "draw/commands.h"
 #include "draw/surface_picture.h"
 
+#include "files/visible.h"
 #include "program/frames.h"
 #include "program/threads.h"
-#include "program/visible.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -17,7 +17,7 @@ static const struct row {
     const char *name;
     double value;
 } rows[] = {
-// The build makes this of the lines of measured.csv.
+// The build makes this of the lines of figures/measured.
 #include "measured_rows.h"
 };
 

@@ -1,4 +1,4 @@
-// What `make measure` has measured, as it is in figures/measured.csv.
+// What `make measure-all` has measured, as it is in figures/measured.
 #ifndef FIG_MEASURED_H
 #define FIG_MEASURED_H
 

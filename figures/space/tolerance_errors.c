@@ -29,10 +29,10 @@ static const double zero_x = 1e-17, zero_y = 0.4; ///< where zeros are drawn
 static double count_of(int set, int error, int i)
 {
     if (i == 0)
-        return fig_measured("roads cubic 0 %s %s", sets[set],
+        return fig_measured("methods cubic 0 %s %s", sets[set],
                             errors[error].name);
-    return fig_measured("roads cubic 1e-%02d %s %s", TOLERANCES - i, sets[set],
-                        errors[error].name);
+    return fig_measured("methods cubic 1e-%02d %s %s", TOLERANCES - i,
+                        sets[set], errors[error].name);
 }
 
 static double tolerance_of(int i)

@@ -21,7 +21,7 @@ static tf_sign clamped_sign(const tf_differences *differences)
     return clamp(tf_differences_estimate(differences), TF_UNKNOWN);
 }
 
-static tf_sign report_sign(const tf_differences *differences)
+static tf_sign published_sign(const tf_differences *differences)
 {
     return clamp(tf_differences_estimate(differences), TF_ZERO);
 }
@@ -45,5 +45,5 @@ static tf_value clamped_value(const tf_differences *differences)
 const tf_arithmetic tf_clamped = {
     .name = "clamped", .sign = clamped_sign, .value = clamped_value};
 
-const tf_arithmetic tf_report = {
-    .name = "report", .sign = report_sign, .value = clamped_value};
+const tf_arithmetic tf_published = {
+    .name = "report", .sign = published_sign, .value = clamped_value};

@@ -16,6 +16,6 @@ TF_API extern const tf_arithmetic tf_clamped;
 /// The rule of Brochu and Bridson's report: inside the bound the sign counts
 /// as zero.  Any finite doubles.  Kept for teaching; unsound, it misses some
 /// real contacts.
-TF_API extern const tf_arithmetic tf_report;
+TF_API extern const tf_arithmetic tf_published;
 
 /// @}

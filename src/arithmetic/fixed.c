@@ -4,7 +4,7 @@
 #include "arithmetic/bits.h"
 #include "arithmetic/int128.h"
 #include "arithmetic/words.h"
-#include "base/inside.h"
+#include "base/always_inline.h"
 
 #include <stddef.h>
 
@@ -288,9 +288,9 @@ static inline void add_words(three_words *sum, const three_words *other,
 }
 
 /// Returns the exponent of their unit in *exponent.
-TF_INSIDE bool evaluate_rows(int start_count,
-                             const tf_event *const event[TF_SIX],
-                             three_words without[TF_SIX], int *exponent)
+TF_ALWAYS_INLINE bool evaluate_rows(int start_count,
+                                    const tf_event *const event[TF_SIX],
+                                    three_words without[TF_SIX], int *exponent)
 {
     //: Take four rows
     int64_t units[TF_SIX][TF_AXES], row[4][TF_AXES];

@@ -10,7 +10,7 @@
 /// The sign of a determinant.
 typedef enum tf_sign {
     TF_NEGATIVE = -1,
-    TF_ZERO = 0, ///< certainly zero (but see tf_report)
+    TF_ZERO = 0, ///< certainly zero (but see tf_published)
     TF_POSITIVE = 1,
     TF_UNKNOWN = 2, ///< any of the three
 } tf_sign;

@@ -1,7 +1,7 @@
 //: Include what six signs need
 #include "arithmetic/six.h"
 
-#include "base/inside.h"
+#include "base/always_inline.h"
 
 #include <math.h>
 
@@ -12,8 +12,9 @@ typedef struct rounded_rows {
     int of[4]; ///< which event has the row
 } rounded_rows;
 
-TF_INSIDE void round_rows(int start_count, const tf_event *const event[TF_SIX],
-                          rounded_rows *rows)
+TF_ALWAYS_INLINE void round_rows(int start_count,
+                                 const tf_event *const event[TF_SIX],
+                                 rounded_rows *rows)
 {
     int count = 0;
     for (int i = 1; i < TF_SIX; i++) {
@@ -43,7 +44,7 @@ static inline bool is_safe(double product)
 }
 
 /// Infinite where something may overflow or underflow.
-TF_INSIDE double bound_of(const rounded_rows *rows)
+TF_ALWAYS_INLINE double bound_of(const rounded_rows *rows)
 {
     double reach[TF_AXES] = {0, 0, 0};
     for (int k = 0; k < TF_AXES; k++)
@@ -69,8 +70,8 @@ static inline double dot_rounded(const double a[TF_AXES], tf_vector b)
 }
 
 //: Estimate six determinants
-TF_INSIDE void multiply_rows(int start_count, const rounded_rows *rows,
-                             double without[TF_SIX])
+TF_ALWAYS_INLINE void multiply_rows(int start_count, const rounded_rows *rows,
+                                    double without[TF_SIX])
 {
     const int *of = rows->of;
     tf_vector first = cross_rounded(rows->row[0], rows->row[1]);
@@ -88,9 +89,9 @@ TF_INSIDE void multiply_rows(int start_count, const rounded_rows *rows,
 }
 
 //: Find the signs that are certain
-TF_INSIDE void estimate_six(int start_count,
-                            const tf_event *const event[TF_SIX],
-                            tf_sign sign[TF_SIX])
+TF_ALWAYS_INLINE void estimate_six(int start_count,
+                                   const tf_event *const event[TF_SIX],
+                                   tf_sign sign[TF_SIX])
 {
     rounded_rows rows;
     double without[TF_SIX];

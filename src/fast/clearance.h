@@ -12,9 +12,8 @@ typedef struct tf_lane_extents {
 
 /// Relative to the last vertex, so that the error does not grow with the distance
 /// from the origin.
-TF_INSIDE tf_lane_extents tf_lane_extents_along(const tf_lane_vector x[4],
-                                                tf_lane_vector along,
-                                                bool of_edges)
+TF_ALWAYS_INLINE tf_lane_extents tf_lane_extents_along(
+    const tf_lane_vector x[4], tf_lane_vector along, bool of_edges)
 {
     double a = tf_lane_dot(tf_lane_minus(x[0], x[3]), along);
     double b = tf_lane_dot(tf_lane_minus(x[1], x[3]), along);
@@ -28,7 +27,7 @@ TF_INSIDE tf_lane_extents tf_lane_extents_along(const tf_lane_vector x[4],
 
 //: Find the clearance along a direction
 /// The largest coordinate, in absolute value.
-TF_INSIDE double tf_lane_norm(tf_lane_vector v)
+TF_ALWAYS_INLINE double tf_lane_norm(tf_lane_vector v)
 {
     return tf_most(tf_most(tf_most(v.x, -v.x), tf_most(v.y, -v.y)),
                    tf_most(v.z, -v.z));
@@ -36,8 +35,9 @@ TF_INSIDE double tf_lane_norm(tf_lane_vector v)
 
 /// How far the elements are apart along a direction, on the same sides at the
 /// start and at the end; not greater than 0 if they are not.
-TF_INSIDE double tf_lane_clearance_along(const tf_lane *lane,
-                                         tf_lane_vector along, bool of_edges)
+TF_ALWAYS_INLINE double tf_lane_clearance_along(const tf_lane *lane,
+                                                tf_lane_vector along,
+                                                bool of_edges)
 {
     tf_lane_extents at_start =
         tf_lane_extents_along(lane->start, along, of_edges);
@@ -54,8 +54,8 @@ TF_INSIDE double tf_lane_clearance_along(const tf_lane *lane,
 //: Choose directions
 /// The direction in which the elements lie one above the other at the end: that
 /// of the triangle's normal, or across both edges.
-TF_INSIDE tf_lane_vector tf_lane_across(const tf_lane_vector x[4],
-                                        bool of_edges)
+TF_ALWAYS_INLINE tf_lane_vector tf_lane_across(const tf_lane_vector x[4],
+                                               bool of_edges)
 {
     tf_lane_vector first = tf_lane_minus(x[1], x[of_edges ? 0 : 3]);
     return tf_lane_cross(first, tf_lane_minus(x[2], x[3]));
@@ -63,8 +63,8 @@ TF_INSIDE tf_lane_vector tf_lane_across(const tf_lane_vector x[4],
 
 /// The direction in which they lie side by side at the end: from the center of
 /// one toward that of the other, three times for a triangle, twice for edges.
-TF_INSIDE tf_lane_vector tf_lane_toward(const tf_lane_vector x[4],
-                                        bool of_edges)
+TF_ALWAYS_INLINE tf_lane_vector tf_lane_toward(const tf_lane_vector x[4],
+                                               bool of_edges)
 {
     tf_lane_vector u = tf_lane_minus(x[1], x[0]);
     tf_lane_vector v = tf_lane_minus(x[2], x[0]);
@@ -85,8 +85,9 @@ TF_INSIDE tf_lane_vector tf_lane_toward(const tf_lane_vector x[4],
 /// errs by about 8 u times reach times norm, a gap by twice as much, and the
 /// quotient, with roundings of its own, by less than 32 u times the reach, which
 /// is far less than what is taken off.
-TF_INSIDE double tf_lane_clearance(const tf_lane *lane,
-                                   const tf_lane_evidence *shown, bool of_edges)
+TF_ALWAYS_INLINE double tf_lane_clearance(const tf_lane *lane,
+                                          const tf_lane_evidence *shown,
+                                          bool of_edges)
 {
     double across = tf_lane_clearance_along(
         lane, tf_lane_across(lane->end, of_edges), of_edges);

@@ -1,7 +1,7 @@
 //: Hold one query
 #pragma once
 
-#include "base/inside.h"
+#include "base/always_inline.h"
 
 /// A vector of space, or of what is computed with them: three numbers that
 /// stay in registers.
@@ -16,29 +16,31 @@ typedef struct tf_lane {
 } tf_lane;
 
 //: Choose without a branch
-TF_INSIDE double tf_least(double a, double b)
+TF_ALWAYS_INLINE double tf_least(double a, double b)
 {
     return a < b ? a : b;
 }
 
-TF_INSIDE double tf_most(double a, double b)
+TF_ALWAYS_INLINE double tf_most(double a, double b)
 {
     return a > b ? a : b;
 }
 
 //: Multiply vectors
-TF_INSIDE tf_lane_vector tf_lane_minus(tf_lane_vector a, tf_lane_vector b)
+TF_ALWAYS_INLINE tf_lane_vector tf_lane_minus(tf_lane_vector a,
+                                              tf_lane_vector b)
 {
     return (tf_lane_vector){a.x - b.x, a.y - b.y, a.z - b.z};
 }
 
-TF_INSIDE tf_lane_vector tf_lane_cross(tf_lane_vector a, tf_lane_vector b)
+TF_ALWAYS_INLINE tf_lane_vector tf_lane_cross(tf_lane_vector a,
+                                              tf_lane_vector b)
 {
     return (tf_lane_vector){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z,
                             a.x * b.y - a.y * b.x};
 }
 
-TF_INSIDE double tf_lane_dot(tf_lane_vector a, tf_lane_vector b)
+TF_ALWAYS_INLINE double tf_lane_dot(tf_lane_vector a, tf_lane_vector b)
 {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
@@ -48,25 +50,25 @@ typedef struct tf_lane_range {
     double low, high;
 } tf_lane_range;
 
-TF_INSIDE tf_lane_range tf_lane_range_of(double a, double b)
+TF_ALWAYS_INLINE tf_lane_range tf_lane_range_of(double a, double b)
 {
     return (tf_lane_range){tf_least(a, b), tf_most(a, b)};
 }
 
-TF_INSIDE tf_lane_range tf_lane_union(tf_lane_range a, tf_lane_range b)
+TF_ALWAYS_INLINE tf_lane_range tf_lane_union(tf_lane_range a, tf_lane_range b)
 {
     return (tf_lane_range){tf_least(a.low, b.low), tf_most(a.high, b.high)};
 }
 
 //: Find the range of four or five numbers
-TF_INSIDE tf_lane_range tf_lane_range_of_4(double a, double b, double c,
-                                           double d)
+TF_ALWAYS_INLINE tf_lane_range tf_lane_range_of_4(double a, double b, double c,
+                                                  double d)
 {
     return tf_lane_union(tf_lane_range_of(a, b), tf_lane_range_of(c, d));
 }
 
-TF_INSIDE tf_lane_range tf_lane_range_of_5(double a, double b, double c,
-                                           double d, double e)
+TF_ALWAYS_INLINE tf_lane_range tf_lane_range_of_5(double a, double b, double c,
+                                                  double d, double e)
 {
     tf_lane_range four = tf_lane_range_of_4(a, b, c, d);
     return (tf_lane_range){tf_least(four.low, e), tf_most(four.high, e)};
@@ -74,21 +76,21 @@ TF_INSIDE tf_lane_range tf_lane_range_of_5(double a, double b, double c,
 
 //: Join what pairs of simplices show
 /// The greatest of the least numbers, and the least of the greatest.
-TF_INSIDE tf_lane_range tf_lane_common(tf_lane_range a, tf_lane_range b)
+TF_ALWAYS_INLINE tf_lane_range tf_lane_common(tf_lane_range a, tf_lane_range b)
 {
     return (tf_lane_range){tf_most(a.low, b.low), tf_least(a.high, b.high)};
 }
 
 /// If this is positive, all numbers of some pair have one sign, and are at
 /// least that far from zero.
-TF_INSIDE double tf_lane_agreement(tf_lane_range range)
+TF_ALWAYS_INLINE double tf_lane_agreement(tf_lane_range range)
 {
     return tf_most(range.low, -range.high);
 }
 
 /// If this is positive, two numbers of each pair have opposite signs, and are
 /// at least that far from zero.
-TF_INSIDE double tf_lane_conflict(tf_lane_range range)
+TF_ALWAYS_INLINE double tf_lane_conflict(tf_lane_range range)
 {
     return tf_least(range.high, -range.low);
 }
@@ -101,8 +103,8 @@ typedef struct tf_lane_axis {
 } tf_lane_axis;
 
 /// Of the differences of the triangle's vertices to the point.
-TF_INSIDE tf_lane_axis tf_lane_point_axis(double A, double B, double C,
-                                          double a, double b, double c)
+TF_ALWAYS_INLINE tf_lane_axis tf_lane_point_axis(double A, double B, double C,
+                                                 double a, double b, double c)
 {
     tf_lane_range all =
         tf_lane_union(tf_lane_range_of_4(A, B, C, a), tf_lane_range_of(b, c));
@@ -117,16 +119,16 @@ typedef struct tf_lane_gaps {
     double beyond, before;
 } tf_lane_gaps;
 
-TF_INSIDE tf_lane_gaps tf_lane_gaps_of(tf_lane_range s, tf_lane_range r)
+TF_ALWAYS_INLINE tf_lane_gaps tf_lane_gaps_of(tf_lane_range s, tf_lane_range r)
 {
     return (tf_lane_gaps){s.low - r.high, r.low - s.high};
 }
 
 //: Measure an axis of two edges
 /// Of the coordinates of the edges AB and CD, and later ab and cd.
-TF_INSIDE tf_lane_axis tf_lane_edges_axis(double A, double B, double C,
-                                          double D, double a, double b,
-                                          double c, double d)
+TF_ALWAYS_INLINE tf_lane_axis tf_lane_edges_axis(double A, double B, double C,
+                                                 double D, double a, double b,
+                                                 double c, double d)
 {
     tf_lane_gaps start =
         tf_lane_gaps_of(tf_lane_range_of(A, B), tf_lane_range_of(C, D));
@@ -152,8 +154,9 @@ typedef struct tf_lane_evidence {
 /// vanishes in the rounding unless the reach is tiny.
 #define TF_LEAST_REACH 0x1p-300
 
-TF_INSIDE tf_lane_evidence tf_lane_evidence_of(tf_lane_axis x, tf_lane_axis y,
-                                               tf_lane_axis z)
+TF_ALWAYS_INLINE tf_lane_evidence tf_lane_evidence_of(tf_lane_axis x,
+                                                      tf_lane_axis y,
+                                                      tf_lane_axis z)
 {
     return (tf_lane_evidence){.gap = tf_most(x.gap, tf_most(y.gap, z.gap)),
                               .reach = x.reach + y.reach + z.reach,
@@ -180,14 +183,14 @@ typedef struct tf_lane_triangles {
 
 //: Find the range of weights
 /// The range of the weights of a tetrahedron.
-TF_INSIDE tf_lane_range tf_lane_range_of_weights(const double weight[4])
+TF_ALWAYS_INLINE tf_lane_range tf_lane_range_of_weights(const double weight[4])
 {
     return tf_lane_range_of_4(weight[0], weight[1], weight[2], weight[3]);
 }
 
 //: Weigh a point and a triangle
-TF_INSIDE tf_lane_evidence tf_lane_point_triangle(const tf_lane *lane,
-                                                  tf_lane_tetrahedra *weights)
+TF_ALWAYS_INLINE tf_lane_evidence
+tf_lane_point_triangle(const tf_lane *lane, tf_lane_tetrahedra *weights)
 {
     //: Let the point stand still at the origin
     const tf_lane_vector *s = lane->start, *e = lane->end;
@@ -225,8 +228,8 @@ TF_INSIDE tf_lane_evidence tf_lane_point_triangle(const tf_lane *lane,
 }
 
 //: Weigh two edges
-TF_INSIDE tf_lane_evidence tf_lane_edge_edge(const tf_lane *lane,
-                                             tf_lane_triangles *weights)
+TF_ALWAYS_INLINE tf_lane_evidence tf_lane_edge_edge(const tf_lane *lane,
+                                                    tf_lane_triangles *weights)
 {
     //: Take the differences of two moving edges
     tf_lane_vector A = lane->start[0], a = lane->end[0];

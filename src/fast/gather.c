@@ -1,38 +1,39 @@
 //: Include what gathering needs
 #include "fast/gather.h"
 
-#include "base/inside.h"
-#include "base/request.h"
-#include "base/vectors.h"
+#include "base/always_inline.h"
+#include "base/prefetch.h"
+#include "base/simd.h"
 
 #include <stddef.h>
 #include <string.h>
 
-//: Request the vertices of a query early
+//: Prefetch the vertices of a query
 enum {
     QUERIES_AHEAD = 48,   // enough for memory to answer
     NEAR_VERTICES = 20000 // a megabyte: about what the second cache holds
 };
 
-TF_INSIDE void request_vertices(const tf_motion *motion, const int vertex[4])
+TF_ALWAYS_INLINE void prefetch_vertices(const tf_motion *motion,
+                                        const int vertex[4])
 {
     for (int v = 0; v < 4; v++) {
         if (vertex[v] < 0 || vertex[v] >= motion->vertices)
             return;
         ptrdiff_t place = (ptrdiff_t)3 * vertex[v];
-        tf_request(motion->start + place);
-        tf_request(motion->end + place);
+        tf_prefetch(motion->start + place);
+        tf_prefetch(motion->end + place);
     }
 }
 
 /// Requests those of a query that comes later, unless all vertices are near: the
 /// lines in which they begin, as most also end there.
-TF_INSIDE void request_later(const tf_queries *queries, size_t i)
+TF_ALWAYS_INLINE void prefetch_later(const tf_queries *queries, size_t i)
 {
     if (queries->motion->vertices > NEAR_VERTICES &&
         queries->count - i > QUERIES_AHEAD)
-        request_vertices(queries->motion,
-                         queries->vertices + 4 * (i + QUERIES_AHEAD));
+        prefetch_vertices(queries->motion,
+                          queries->vertices + 4 * (i + QUERIES_AHEAD));
 }
 
 //: Shuffle numbers
@@ -56,7 +57,8 @@ typedef unsigned four_unsigned __attribute__((vector_size(16)));
 
 //: Check the vertices of queries
 /// Whether all indices are below `vertices`, and those of each query differ.
-TF_INSIDE bool are_good(size_t count, const int vertex[], unsigned vertices)
+TF_ALWAYS_INLINE bool are_good(size_t count, const int vertex[],
+                               unsigned vertices)
 {
 #ifdef TF_SHUFFLES
     four_ints bad = {0};
@@ -81,7 +83,7 @@ TF_INSIDE bool are_good(size_t count, const int vertex[], unsigned vertices)
 }
 
 //: Sort the vertices of a query
-TF_INSIDE void sort_two(int *a, int *b)
+TF_ALWAYS_INLINE void sort_two(int *a, int *b)
 {
     int low = *a < *b ? *a : *b, high = *a < *b ? *b : *a;
     *a = low;
@@ -89,7 +91,7 @@ TF_INSIDE void sort_two(int *a, int *b)
 }
 
 /// Puts those of each element in order.
-TF_INSIDE void sort_vertices(tf_kind kind, int vertex[4])
+TF_ALWAYS_INLINE void sort_vertices(tf_kind kind, int vertex[4])
 {
     if (kind == TF_EDGE_EDGE) {
         sort_two(&vertex[0], &vertex[1]);
@@ -108,14 +110,14 @@ typedef struct corners {
 } corners;
 
 /// Fills the last block with copies of the last query.
-TF_INSIDE void take_vertices(const tf_queries *queries, size_t begin,
-                             size_t end, corners *of)
+TF_ALWAYS_INLINE void take_vertices(const tf_queries *queries, size_t begin,
+                                    size_t end, corners *of)
 {
     for (size_t lane = 0; lane % TF_BLOCK_QUERIES != 0 || begin + lane < end;
          lane++) {
         size_t i = begin + lane < end ? begin + lane : end - 1;
         int own[4];
-        request_later(queries, i);
+        prefetch_later(queries, i);
         memcpy(own, queries->vertices + 4 * i, sizeof own);
         sort_vertices(queries->kind, own);
         for (int v = 0; v < 4; v++)
@@ -126,8 +128,8 @@ TF_INSIDE void take_vertices(const tf_queries *queries, size_t begin,
 //: Turn the coordinates of four vertices
 /// Writes x, y and z of four vertices side by side.  May read the number behind
 /// each.
-TF_INSIDE void turn(const double *const x[FOUR],
-                    double row[3][TF_BLOCK_QUERIES])
+TF_ALWAYS_INLINE void turn(const double *const x[FOUR],
+                           double row[3][TF_BLOCK_QUERIES])
 {
 #ifdef TF_SHUFFLES
     four_doubles a = *(const four_doubles *)x[0];
@@ -157,15 +159,15 @@ typedef struct positions {
     double of_last[FOUR];
 } positions;
 
-TF_INSIDE positions positions_of(const double x[], int vertices)
+TF_ALWAYS_INLINE positions positions_of(const double x[], int vertices)
 {
     positions all = {.x = x, .last = vertices - 1};
     memcpy(all.of_last, x + (ptrdiff_t)3 * all.last, 3 * sizeof *x);
     return all;
 }
 
-TF_INSIDE void gather_four(const positions *all, const int vertex[FOUR],
-                           double row[3][TF_BLOCK_QUERIES])
+TF_ALWAYS_INLINE void gather_four(const positions *all, const int vertex[FOUR],
+                                  double row[3][TF_BLOCK_QUERIES])
 {
     const double *x[FOUR];
     for (int i = 0; i < FOUR; i++)
@@ -176,14 +178,14 @@ TF_INSIDE void gather_four(const positions *all, const int vertex[FOUR],
 
 //: Gather queries
 /// The rows of a vertex in a block, from one of its lanes on.
-TF_INSIDE double (*from_lane(double row[3][TF_BLOCK_QUERIES],
-                             int lane))[TF_BLOCK_QUERIES]
+TF_ALWAYS_INLINE double (*from_lane(double row[3][TF_BLOCK_QUERIES],
+                                    int lane))[TF_BLOCK_QUERIES]
 {
     return (double(*)[TF_BLOCK_QUERIES])(row[0] + lane);
 }
 
-TF_HALF_VECTORS static bool gather(const tf_queries *queries, size_t begin,
-                                   size_t end, tf_query_block block[])
+TF_SIMD_256 static bool gather(const tf_queries *queries, size_t begin,
+                               size_t end, tf_query_block block[])
 {
     const tf_motion *motion = queries->motion;
     if (motion->vertices < 0 ||

@@ -1,8 +1,8 @@
 //: Include what lanes need
 #include "fast/lanes.h"
 
-#include "base/request.h"
-#include "base/vectors.h"
+#include "base/prefetch.h"
+#include "base/simd.h"
 #include "fast/clearance.h"
 #include "fast/determinants.h"
 
@@ -11,14 +11,14 @@
 #include <string.h>
 
 //: Take a lane of a block
-TF_INSIDE tf_lane_vector vertex_of(const tf_query_block *block, int t, int v,
-                                   int i)
+TF_ALWAYS_INLINE tf_lane_vector vertex_of(const tf_query_block *block, int t,
+                                          int v, int i)
 {
     const double(*x)[TF_BLOCK_QUERIES] = block->at[t][v];
     return (tf_lane_vector){x[0][i], x[1][i], x[2][i]};
 }
 
-TF_INSIDE tf_lane lane_of(const tf_query_block *block, int i)
+TF_ALWAYS_INLINE tf_lane lane_of(const tf_query_block *block, int i)
 {
     return (tf_lane){
         .start = {vertex_of(block, 0, 0, i), vertex_of(block, 0, 1, i),
@@ -31,8 +31,8 @@ TF_INSIDE tf_lane lane_of(const tf_query_block *block, int i)
 /// Sets the bit of a query where its evidence is certain.  Nothing is, if a
 /// product may overflow or a coordinate is not finite, which the maximum and
 /// minimum of numbers can hide, but not their sum.
-TF_INSIDE void judge(tf_lane_evidence shown, double share, uint64_t bit,
-                     tf_query_masks *found)
+TF_ALWAYS_INLINE void judge(tf_lane_evidence shown, double share, uint64_t bit,
+                            tf_query_masks *found)
 {
     double error = share * shown.volume;
     double nothing = shown.sum - shown.sum;
@@ -52,9 +52,9 @@ static const uint64_t lane_bit[TF_BLOCK_QUERIES] = {
 
 /// Once inside a function that knows of what elements, and whether clearances are
 /// wanted, this is one loop.
-TF_INSIDE tf_query_masks judge_block(const tf_query_block *block, double share,
-                                     bool of_edges,
-                                     double clearance[TF_BLOCK_QUERIES])
+TF_ALWAYS_INLINE tf_query_masks judge_block(const tf_query_block *block,
+                                            double share, bool of_edges,
+                                            double clearance[TF_BLOCK_QUERIES])
 {
     tf_query_masks found = {0};
     TF_LANE_LOOP
@@ -72,7 +72,7 @@ TF_INSIDE tf_query_masks judge_block(const tf_query_block *block, double share,
     return found;
 }
 
-//: Request a block early
+//: Prefetch a block
 enum {
     NEAR = 6, ///< blocks ahead, 9 kilobytes, for the first cache
     FAR = 10  ///< 15 kilobytes, for the second
@@ -81,22 +81,23 @@ enum {
 /// Asks for blocks that come later.  The first cache can wait for a few lines
 /// only, so they come to it in two steps: from memory to the second cache, which
 /// can wait for many, and from there in a moment.
-TF_INSIDE void request_ahead(size_t blocks, const tf_query_block block[],
-                             size_t i)
+TF_ALWAYS_INLINE void prefetch_ahead(size_t blocks,
+                                     const tf_query_block block[], size_t i)
 {
     if (blocks - i <= FAR)
         return;
     const double *near = &block[i + NEAR].at[0][0][0][0];
     const double *far = &block[i + FAR].at[0][0][0][0];
     for (int line = 0; line < 2 * 4 * 3; line++) {
-        tf_request(near + (ptrdiff_t)line * TF_BLOCK_QUERIES);
-        tf_request_far(far + (ptrdiff_t)line * TF_BLOCK_QUERIES);
+        tf_prefetch(near + (ptrdiff_t)line * TF_BLOCK_QUERIES);
+        tf_prefetch_far(far + (ptrdiff_t)line * TF_BLOCK_QUERIES);
     }
 }
 
 //: Add the bits of a block
 /// Adds what is certain about a block to the masks of the 64 queries around it.
-TF_INSIDE void add_bits(size_t i, tf_query_masks found, tf_query_masks masks[])
+TF_ALWAYS_INLINE void add_bits(size_t i, tf_query_masks found,
+                               tf_query_masks masks[])
 {
     size_t blocks = TF_MASK_QUERIES / TF_BLOCK_QUERIES;
     size_t shift = i % blocks * TF_BLOCK_QUERIES;
@@ -110,21 +111,22 @@ TF_INSIDE void add_bits(size_t i, tf_query_masks found, tf_query_masks masks[])
 }
 
 //: Filter blocks
-TF_INSIDE void filter_blocks(size_t blocks, const tf_query_block block[],
-                             double share, tf_query_masks masks[],
-                             bool of_edges)
+TF_ALWAYS_INLINE void filter_blocks(size_t blocks, const tf_query_block block[],
+                                    double share, tf_query_masks masks[],
+                                    bool of_edges)
 {
     for (size_t i = 0; i < blocks; i++) {
-        request_ahead(blocks, block, i);
+        prefetch_ahead(blocks, block, i);
         add_bits(i, judge_block(&block[i], share, of_edges, NULL), masks);
     }
 }
 
 /// Measures clearances as well.  This is for blocks that were just gathered and
-/// are in the cache: none are requested.
-TF_INSIDE void measure_blocks(size_t blocks, const tf_query_block block[],
-                              double share, tf_query_masks masks[],
-                              bool of_edges, double clearance[])
+/// are in the cache: none are prefetched.
+TF_ALWAYS_INLINE void measure_blocks(size_t blocks,
+                                     const tf_query_block block[], double share,
+                                     tf_query_masks masks[], bool of_edges,
+                                     double clearance[])
 {
     for (size_t i = 0; i < blocks; i++) {
         double own[TF_BLOCK_QUERIES];
@@ -134,30 +136,30 @@ TF_INSIDE void measure_blocks(size_t blocks, const tf_query_block block[],
 }
 
 //: Compile the loops for several processors
-TF_VECTORS TF_NO_TRAPS static void filter_points(size_t blocks,
-                                                 const tf_query_block block[],
-                                                 double share,
-                                                 tf_query_masks masks[])
+TF_SIMD TF_NO_TRAPS static void filter_points(size_t blocks,
+                                              const tf_query_block block[],
+                                              double share,
+                                              tf_query_masks masks[])
 {
     filter_blocks(blocks, block, share, masks, false);
 }
 
-TF_VECTORS TF_NO_TRAPS static void filter_edges(size_t blocks,
-                                                const tf_query_block block[],
-                                                double share,
-                                                tf_query_masks masks[])
+TF_SIMD TF_NO_TRAPS static void filter_edges(size_t blocks,
+                                             const tf_query_block block[],
+                                             double share,
+                                             tf_query_masks masks[])
 {
     filter_blocks(blocks, block, share, masks, true);
 }
 
-TF_VECTORS TF_NO_TRAPS static void
+TF_SIMD TF_NO_TRAPS static void
 measure_points(size_t blocks, const tf_query_block block[], double share,
                tf_query_masks masks[], double clearance[])
 {
     measure_blocks(blocks, block, share, masks, false, clearance);
 }
 
-TF_VECTORS TF_NO_TRAPS static void
+TF_SIMD TF_NO_TRAPS static void
 measure_edges(size_t blocks, const tf_query_block block[], double share,
               tf_query_masks masks[], double clearance[])
 {

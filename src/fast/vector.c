@@ -20,12 +20,12 @@
 ///
 /// A sign that is certain and not zero is that of the perturbed scene, too.
 /// tf_clamped is certain of the same signs where they are far enough from zero,
-/// and signs that are certain decide alike for it and for tf_report.
+/// and signs that are certain decide alike for it and for tf_published.
 static double share_for(const tf_arithmetic *arithmetic)
 {
     if (arithmetic == &tf_exact || arithmetic == &tf_perturbed)
         return TF_SHARE_SURE;
-    if (arithmetic == &tf_clamped || arithmetic == &tf_report)
+    if (arithmetic == &tf_clamped || arithmetic == &tf_published)
         return TF_SHARE_CLAMPED;
     return 0;
 }

@@ -14,7 +14,9 @@ shared_links = $(BUILD)/$(soname) $(BUILD)/libtanglefree.so
 single_files = $(BUILD)/single/tanglefree.c $(BUILD)/single/tanglefree.h
 
 library: $(public_header) $(shared_library) $(shared_links)
-single: $(single_files) ## make the library a single file, build/single/tanglefree.c
+##@ Package and install
+
+single: $(single_files) ## make the library a single file, in build/single
 .PHONY: single
 
 # $(call paste,SCRIPT): what it makes of the library's files.
@@ -89,6 +91,8 @@ uninstall: ## remove what install and install-draw installed
 package_check = BUILD=$(abspath $(BUILD)) CC='$(CC)' VERSION=$(version) \
 	MAKE='$(MAKE)' sh tests/package
 
+##@ Check
+
 check-install: library program need-install ## install to build/install, and test what is there
 	@$(package_check)/tree.sh install
 	@$(package_check)/use.sh
@@ -96,7 +100,7 @@ check-install: library program need-install ## install to build/install, and tes
 	@$(package_check)/tree.sh uninstall
 	@echo 'installed, used and removed'
 
-check-single: library single need-single ## check that the single file gives the same answers
+check-single: library single need-single ## test that the single file answers the same
 	@$(package_check)/paste.sh
 	@$(package_check)/single.sh
 .PHONY: check-install check-single

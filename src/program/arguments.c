@@ -1,11 +1,12 @@
 //: Include what arguments need
 #include "program/arguments.h"
 
-#include "program/number.h"
+#include "files/number.h"
+#include "files/visible.h"
 #include "program/threads.h"
-#include "program/visible.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 //: Refuse a name
 void tf_refuse_name(struct argp_state *state, const char *what,
@@ -37,4 +38,17 @@ int tf_parse_threads(struct argp_state *state, const char *text)
         argp_error(state, "'%s' is not a number of threads; choose 1 to %d",
                    tf_make_visible(text).text, TF_MOST_THREADS);
     return (int)threads;
+}
+
+//: Parse a format
+tf_format tf_parse_format(struct argp_state *state, const char *text, bool rows)
+{
+    if (strcmp(text, "json") == 0)
+        return TF_JSON;
+    if (rows && strcmp(text, "csv") == 0)
+        return TF_CSV;
+    if (strcmp(text, "summary") != 0)
+        tf_refuse_name(state, "output format", text,
+                       rows ? TF_ROWS_FORMAT_NAMES : TF_REPORT_FORMAT_NAMES);
+    return TF_SUMMARY;
 }

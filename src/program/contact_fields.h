@@ -1,16 +1,25 @@
 //: Declare the fields of a contact
 #pragma once
 
+#include "files/record.h"
 #include "query/contact.h"
 
-#include <stdio.h>
+/// What is written of a contact.  Without one no number is a number, nor is nz
+/// in the plane.
+typedef struct tf_contact_values {
+    double toi_lo, toi_hi, normal[3], normal_velocity;
+    const char *name; ///< of its case; NULL: there is no contact
+} tf_contact_values;
 
-/// The names of the cases, from TF_GENERIC to TF_DEGENERATE.
-extern const char *const tf_classification_names[];
+tf_contact_values tf_contact_values_of(const tf_contact *contact, int axes);
 
-/// Write the fields toi_lo, toi_hi, nx, ny, nz, normal_velocity and case to the
-/// end of a row or object: their names, the numbers as %.17g, and nothing, or
-/// null, where there is no contact or, in the plane, no nz.
-void tf_contact_head_csv(FILE *stream);
-void tf_contact_write_csv(FILE *stream, int axes, const tf_contact *contact);
-void tf_contact_write_json(FILE *stream, int axes, const tf_contact *contact);
+/// The fields of the values that are a member of a record.
+#define TF_CONTACT_FIELDS(record, member)                                      \
+    TF_FIELD("toi_lo", TF_NUMBER, record, member.toi_lo),                      \
+        TF_FIELD("toi_hi", TF_NUMBER, record, member.toi_hi),                  \
+        TF_FIELD("nx", TF_NUMBER, record, member.normal[0]),                   \
+        TF_FIELD("ny", TF_NUMBER, record, member.normal[1]),                   \
+        TF_FIELD("nz", TF_NUMBER, record, member.normal[2]),                   \
+        TF_FIELD("normal_velocity", TF_NUMBER, record,                         \
+                 member.normal_velocity),                                      \
+        TF_FIELD("case", TF_WORD, record, member.name)

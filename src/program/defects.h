@@ -1,7 +1,7 @@
 //: Declare the defects of a mesh file
 #pragma once
 
-#include "program/mesh_file.h"
+#include "files/mesh_file.h"
 #include "surgery/adaptive.h"
 
 /// Describes why a file holds no adaptive surface, and where, as its fault;

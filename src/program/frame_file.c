@@ -2,7 +2,7 @@
 #define _GNU_SOURCE // memmem, open_memstream
 #include "program/frame_file.h"
 
-#include "program/mesh_writer.h"
+#include "files/mesh_writer.h"
 
 #include <errno.h>
 #include <stddef.h>

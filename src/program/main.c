@@ -1,12 +1,12 @@
 //: Include what the program needs
 #define _GNU_SOURCE
 #include "base/version.h"
+#include "files/visible.h"
 #include "program/query_command.h"
 #include "program/remesh_command.h"
 #include "program/resolve_command.h"
 #include "program/simulate_command.h"
 #include "program/surface_command.h"
-#include "program/visible.h"
 
 #include <argp.h>
 #include <errno.h>

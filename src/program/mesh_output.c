@@ -1,8 +1,8 @@
 //: Include what the output of a mesh needs
 #include "program/mesh_output.h"
 
-#include "program/mesh_writer.h"
-#include "program/visible.h"
+#include "files/mesh_writer.h"
+#include "files/visible.h"
 
 #include <errno.h>
 #include <string.h>

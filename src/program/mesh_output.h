@@ -1,8 +1,8 @@
 //: Declare the output of a mesh with a report
 #pragma once
 
-#include "program/mesh_file.h"
-#include "program/output_file.h"
+#include "files/mesh_file.h"
+#include "files/output_file.h"
 
 #include <stdbool.h>
 #include <stdio.h>

@@ -3,7 +3,7 @@
 
 #include "arithmetic/arithmetic.h"
 #include "base/status.h"
-#include "program/query_file.h"
+#include "files/query_file.h"
 #include "query/contact.h"
 
 #include <stdbool.h>

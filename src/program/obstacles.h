@@ -1,7 +1,7 @@
 //: Declare how to describe an obstacle
 #pragma once
 
-#include "program/mesh_file.h"
+#include "files/mesh_file.h"
 #include "response/options.h"
 
 /// Describes which elements keep a response from its start, as a fault of the

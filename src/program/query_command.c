@@ -1,11 +1,11 @@
 //: Include what the command query needs
 #include "program/query_command.h"
 
+#include "files/query_file.h"
 #include "program/arguments.h"
 #include "program/arithmetics.h"
 #include "program/methods.h"
 #include "program/progress.h"
-#include "program/query_file.h"
 #include "program/query_output.h"
 
 #include <float.h>
@@ -18,7 +18,7 @@ typedef struct query_request {
     const tf_method *method, *against; ///< to compare with, or NULL
     tf_method_options options;
     unsigned given; ///< which of these, by tf_method_option
-    const tf_query_format *format;
+    tf_format format;
     char **paths;
     int path_count;
 } query_request;
@@ -72,7 +72,7 @@ static const struct argp_option options[] = {
     {"against", AGAINST, "METHOD", 0,
      "Compare with this method, for the output summary", 0},
     {"output", 'o', "FORMAT", 0,
-     "Output format: " TF_QUERY_FORMAT_NAMES "; the default is csv", 0},
+     "Output format: " TF_ROWS_FORMAT_NAMES "; the default is csv", 0},
     {0},
 };
 
@@ -111,7 +111,7 @@ static void check_request(struct argp_state *state)
     const query_request *request = state->input;
     if (!request->kind)
         argp_error(state, "--kind is required; choose " TF_QUERY_KIND_NAMES);
-    if (request->against && request->format != tf_query_format_named("summary"))
+    if (request->against && request->format != TF_SUMMARY)
         argp_error(state, "--against needs --output summary, which has what "
                           "it counts");
     expect_taken(state, TF_TAKES_ARITHMETIC, "arithmetic", "spacetime");
@@ -161,8 +161,7 @@ static error_t parse_argument(int key, char *text, struct argp_state *state)
         request->against = parse_method(state, text);
         return 0;
     case 'o':
-        if (!(request->format = tf_query_format_named(text)))
-            tf_refuse_name(state, "output format", text, TF_QUERY_FORMAT_NAMES);
+        request->format = tf_parse_format(state, text, true);
         return 0;
     case ARGP_KEY_ARGS:
         request->paths = state->argv + state->next;
@@ -230,7 +229,8 @@ static bool answer_query(answering *work, const tf_query_rows *query)
     if (against)
         tf_query_output_compare(&work->output, &contact, &other);
     work->rounded += query->rounded;
-    tf_progress_show(&work->progress, work->output.tally.queries, "queries");
+    tf_progress_show(&work->progress, (long)work->output.tally.queries,
+                     "queries");
     return tf_query_output_answer(&work->output, query, &contact);
 }
 
@@ -249,7 +249,7 @@ static bool answer_open_file(answering *work)
 static bool answer_file(answering *work, const char *path)
 {
     if (!tf_query_file_open(&work->file, path, work->request.kind,
-                            work->output.tally.queries) ||
+                            (long)work->output.tally.queries) ||
         !answer_open_file(work))
         return false;
     tf_query_file_close(&work->file);
@@ -276,11 +276,11 @@ static void print_errors(answering *work)
                 "tanglefree: rounded %ld rational coordinate%s to the nearest "
                 "double\n",
                 work->rounded, work->rounded == 1 ? "" : "s");
-    if (work->output.error != 0)
+    if (work->output.records.error != 0)
         fprintf(stderr,
                 "tanglefree: standard output: cannot write: %s; the output "
                 "is incomplete\n",
-                strerror(work->output.error));
+                strerror(work->output.records.error));
     if (work->file.lines.fault[0] != '\0')
         tf_text_lines_print_fault(&work->file.lines, "tanglefree");
     tf_query_file_close(&work->file);
@@ -295,8 +295,7 @@ int tf_query_command(int argc, char *argv[])
         .request = {.method = tf_method_named("spacetime"),
                     .options = {.arithmetic = tf_arithmetic_named("exact"),
                                 .tolerance = 1e-6,
-                                .threshold = 1e-6},
-                    .format = tf_query_format_named("csv")}};
+                                .threshold = 1e-6}}};
     argp_parse(&parser, argc, argv, 0, NULL, &work.request);
 
     work.progress = tf_progress_begin();

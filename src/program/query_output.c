@@ -3,109 +3,43 @@
 
 #include "program/contact_fields.h"
 
-#include <errno.h>
-#include <string.h>
+//: List the fields of an answer
+typedef struct answer {
+    size_t query;
+    int hit;
+    tf_contact_values contact;
+} answer;
 
-//: Begin and end CSV
-static void begin_csv(const tf_query_output *output)
-{
-    fputs("query,hit", output->stream);
-    tf_contact_head_csv(output->stream);
-}
-
-static void end_csv(const tf_query_output *output)
-{
-    (void)output;
-}
-
-//: Write answers as CSV
-static void answer_csv(const tf_query_output *output, const tf_contact *contact)
-{
-    fprintf(output->stream, "%ld,%d", output->tally.queries,
-            contact->verdict != TF_APART);
-    tf_contact_write_csv(output->stream, output->axes, contact);
-}
-
-//: Write answers as JSON
-static void begin_json(const tf_query_output *output)
-{
-    fputc('[', output->stream);
-}
-
-static void answer_json(const tf_query_output *output,
-                        const tf_contact *contact)
-{
-    fprintf(output->stream, "%s\n{\"query\":%ld,\"hit\":%d",
-            output->tally.queries > 0 ? "," : "", output->tally.queries,
-            contact->verdict != TF_APART);
-    tf_contact_write_json(output->stream, output->axes, contact);
-}
-
-static void end_json(const tf_query_output *output)
-{
-    fputs("\n]\n", output->stream);
-}
-
-//: Write a summary
-static void begin_summary(const tf_query_output *output)
-{
-    (void)output;
-}
-
-static void answer_summary(const tf_query_output *output,
-                           const tf_contact *contact)
-{
-    (void)output;
-    (void)contact;
-}
-
-static void end_summary(const tf_query_output *output)
-{
-    const tf_tally *tally = &output->tally;
-    FILE *stream = output->stream;
-    fprintf(stream, "queries: %ld\nhits: %ld\n", tally->queries, tally->hits);
-    for (int i = TF_GENERIC; i <= TF_DEGENERATE; i++)
-        fprintf(stream, "%s: %ld\n", tf_classification_names[i],
-                tally->classified[i]);
-    if (tally->known > 0)
-        fprintf(stream, "agree: %ld\nextra: %ld\nmissed: %ld\n", tally->agree,
-                tally->extra, tally->missed);
-    if (tally->compared > 0)
-        fprintf(stream, "differ: %ld\nonly_method: %ld\nonly_against: %ld\n",
-                tally->only_method + tally->only_against, tally->only_method,
-                tally->only_against);
-}
-
-//: Find a format by its name
-struct tf_query_format {
-    const char *name;
-    void (*begin)(const tf_query_output *output);
-    void (*answer)(const tf_query_output *output, const tf_contact *contact);
-    void (*end)(const tf_query_output *output);
+static const tf_field answer_fields[] = {
+    TF_FIELD("query", TF_COUNT, answer, query),
+    TF_FIELD("hit", TF_INTEGER, answer, hit),
+    TF_CONTACT_FIELDS(answer, contact),
+    {0},
 };
 
-static const tf_query_format formats[] = {
-    {"csv", begin_csv, answer_csv, end_csv},
-    {"json", begin_json, answer_json, end_json},
-    {"summary", begin_summary, answer_summary, end_summary},
+//: List the counts of queries
+static const tf_field counts[] = {
+    TF_FIELD("queries", TF_COUNT, tf_tally, queries),
+    TF_FIELD("hits", TF_COUNT, tf_tally, hits),
+    TF_FIELD("generic", TF_COUNT, tf_tally, classified[TF_GENERIC]),
+    TF_FIELD("touching", TF_COUNT, tf_tally, classified[TF_TOUCHING]),
+    TF_FIELD("degenerate", TF_COUNT, tf_tally, classified[TF_DEGENERATE]),
+    {0},
 };
 
-const tf_query_format *tf_query_format_named(const char *name)
-{
-    for (size_t i = 0; i < sizeof formats / sizeof *formats; i++)
-        if (strcmp(name, formats[i].name) == 0)
-            return &formats[i];
-    return NULL;
-}
+static const tf_field counts_of_truth[] = {
+    TF_FIELD("agree", TF_COUNT, tf_tally, agree),
+    TF_FIELD("extra", TF_COUNT, tf_tally, extra),
+    TF_FIELD("missed", TF_COUNT, tf_tally, missed),
+    {0},
+};
 
-//: Notice a write that failed
-// Called after every answer, before errno can change.
-static bool written(tf_query_output *output)
-{
-    if (ferror(output->stream) && output->error == 0)
-        output->error = errno;
-    return output->error == 0;
-}
+static const tf_field counts_of_methods[] = {
+    TF_FIELD("differ", TF_COUNT, tf_tally, differ),
+    TF_FIELD("only_method", TF_COUNT, tf_tally, only_method),
+    TF_FIELD("only_against", TF_COUNT, tf_tally, only_against),
+    {0},
+};
 
 //: Count an answer
 static void count(tf_tally *tally, int truth, const tf_contact *contact)
@@ -123,27 +57,34 @@ static void count(tf_tally *tally, int truth, const tf_contact *contact)
 
 //: Write the answers
 bool tf_query_output_begin(tf_query_output *output, FILE *stream,
-                           const tf_query_format *format, int axes)
+                           tf_format format, int axes)
 {
-    *output =
-        (tf_query_output){.stream = stream, .format = format, .axes = axes};
-    format->begin(output);
-    return written(output);
+    *output = (tf_query_output){.axes = axes};
+    return tf_records_begin(&output->records, stream, format, NULL,
+                            answer_fields);
 }
 
 bool tf_query_output_answer(tf_query_output *output, const tf_query_rows *query,
                             const tf_contact *contact)
 {
-    output->format->answer(output, contact);
+    answer made = {output->tally.queries, contact->verdict != TF_APART,
+                   tf_contact_values_of(contact, output->axes)};
     count(&output->tally, query->ground_truth, contact);
-    return written(output);
+    return tf_records_add(&output->records, &made);
 }
 
 bool tf_query_output_end(tf_query_output *output)
 {
-    output->format->end(output);
-    fflush(output->stream);
-    return written(output);
+    const tf_tally *tally = &output->tally;
+    tf_records *records = &output->records;
+    if (records->format == TF_SUMMARY) {
+        tf_record_write_lines(records->stream, counts, tally);
+        if (tally->known > 0)
+            tf_record_write_lines(records->stream, counts_of_truth, tally);
+        if (tally->compared > 0)
+            tf_record_write_lines(records->stream, counts_of_methods, tally);
+    }
+    return tf_records_end(records, NULL, NULL);
 }
 
 //: Compare two methods
@@ -154,6 +95,7 @@ void tf_query_output_compare(tf_query_output *output, const tf_contact *contact,
     bool hit = contact->verdict != TF_APART;
     bool other_hit = against->verdict != TF_APART;
     tally->compared++;
+    tally->differ += hit != other_hit;
     tally->only_method += hit && !other_hit;
     tally->only_against += other_hit && !hit;
 }

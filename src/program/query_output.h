@@ -1,45 +1,32 @@
 //: Declare the output of queries
 #pragma once
 
-#include "program/query_file.h"
+#include "files/query_file.h"
+#include "files/record.h"
 #include "query/contact.h"
 
-#include <stdbool.h>
-#include <stdio.h>
-
 //: Declare the tally
-/// What was counted; the last four over queries whose file has a truth column.
+/// What was counted.
 typedef struct tf_tally {
-    long queries, hits;
-    long classified[TF_DEGENERATE + 1]; ///< hits by tf_classification
-    long known, agree;
-    long extra, missed; ///< hits that are misses in truth; the reverse
-    long compared;      ///< answers with those of another method
-    long only_method, only_against; ///< hits of one alone, or of the other
+    size_t queries, hits;
+    size_t classified[TF_DEGENERATE + 1]; ///< hits by tf_classification
+    size_t known, agree;                  ///< queries with ground truth
+    size_t extra, missed; ///< hits that are misses in truth; the reverse
+    size_t compared;      ///< answers with those of another method
+    size_t differ, only_method, only_against; ///< hits of one alone
 } tf_tally;
 
-//: Declare the output and its formats
-typedef struct tf_query_format tf_query_format;
-
 typedef struct tf_query_output {
-    FILE *stream;
-    const tf_query_format *format;
+    tf_records records;
     int axes;
-    int error; ///< the errno of the first write that failed, or 0
     tf_tally tally;
 } tf_query_output;
 
-/// The names that tf_query_format_named accepts, for help and messages.
-#define TF_QUERY_FORMAT_NAMES "csv, json or summary"
-
-/// The format of that name; NULL if there is none.
-const tf_query_format *tf_query_format_named(const char *name);
-
 //: Declare how to write the answers
-/// Writes what comes before all answers, an answer, and what comes after them;
+/// Write what comes before all answers, an answer, and what comes after them;
 /// the last also flushes.  False after a write that failed.
 bool tf_query_output_begin(tf_query_output *output, FILE *stream,
-                           const tf_query_format *format, int axes);
+                           tf_format format, int axes);
 bool tf_query_output_answer(tf_query_output *output, const tf_query_rows *query,
                             const tf_contact *contact);
 bool tf_query_output_end(tf_query_output *output);

@@ -20,7 +20,7 @@
 typedef struct request {
     const char *in, *out;
     tf_remesh_options options;
-    bool json;
+    tf_format format;
 } request;
 
 //: Describe the usage of remesh
@@ -54,7 +54,7 @@ static const struct argp_option options[] = {
     {"rounds", ROUNDS, "N", 0,
      "How often to go through all changes; the default is 5", 0},
     {"output", OUTPUT, "FORMAT", 0,
-     "The report: summary or json; the default is summary", 0},
+     "The report: " TF_REPORT_FORMAT_NAMES "; the default is summary", 0},
     {0},
 };
 
@@ -76,14 +76,6 @@ static void parse_rounds(request *wanted, const char *text,
     wanted->options.rounds = (int)number;
     if (wanted->options.rounds != number || number < 1)
         argp_error(state, "--rounds=%s: there must be %s", text, words);
-}
-
-static void parse_format(request *wanted, const char *text,
-                         struct argp_state *state)
-{
-    wanted->json = strcmp(text, "json") == 0;
-    if (!wanted->json && strcmp(text, "summary") != 0)
-        tf_refuse_name(state, "output format", text, "summary or json");
 }
 
 //: Check the arguments of remesh
@@ -114,7 +106,7 @@ static error_t parse_argument(int key, char *text, struct argp_state *state)
         parse_rounds(wanted, text, state);
         return 0;
     case OUTPUT:
-        parse_format(wanted, text, state);
+        wanted->format = tf_parse_format(state, text, false);
         return 0;
     case ARGP_KEY_ARGS:
         wanted->in = state->argv[state->next];
@@ -175,7 +167,6 @@ static bool remesh(remeshing *r)
     tf_status status = tf_adaptive_remesh(r->surface, how, &r->done.report);
     r->done.seconds = tf_clock_seconds() - begin;
     r->done.edge = how->edge;
-    r->done.json = r->request.json;
     tf_mesh_file *file = &r->frames.file[r->frames.current];
     if (status == TF_BAD_TOLERANCE)
         return tf_mesh_file_fault(
@@ -206,7 +197,8 @@ static bool fill_file(remeshing *r)
 //: Remesh and write
 static bool report_remeshing(FILE *stream, const void *context)
 {
-    return tf_remesh_output_write(stream, context);
+    const remeshing *r = context;
+    return tf_remesh_output_write(stream, r->request.format, &r->done);
 }
 
 static bool do_all(remeshing *r)
@@ -217,8 +209,7 @@ static bool do_all(remeshing *r)
         return false;
     bool good = remesh(r) && fill_file(r);
     tf_progress_end(&r->progress);
-    return good &&
-           tf_mesh_output_write(&r->out, &r->mesh, report_remeshing, &r->done);
+    return good && tf_mesh_output_write(&r->out, &r->mesh, report_remeshing, r);
 }
 
 //: Print what went wrong in remesh
@@ -236,7 +227,7 @@ int tf_remesh_command(int argc, char *argv[])
 {
     static const struct argp parser = {
         options, parse_argument, "IN", description, NULL, NULL, NULL};
-    remeshing r = {0};
+    remeshing r = {.request.format = TF_SUMMARY};
     argp_parse(&parser, argc, argv, 0, NULL, &r.request);
     r.progress = tf_progress_begin();
     r.progress.wanted = isatty(STDERR_FILENO);

@@ -1,10 +1,8 @@
 //: Declare the report of remeshing
 #pragma once
 
+#include "files/record.h"
 #include "remesh/remesh.h"
-
-#include <stdbool.h>
-#include <stdio.h>
 
 /// A report, and what else there is to say.
 typedef struct tf_remeshed {
@@ -12,8 +10,8 @@ typedef struct tf_remeshed {
     int triangles_before, triangles_after;
     double edge; ///< the length that was wanted
     double seconds;
-    bool json; ///< an object of JSON, not a summary
 } tf_remeshed;
 
 /// Writes it and flushes.  False, with errno, if a write failed.
-bool tf_remesh_output_write(FILE *stream, const tf_remeshed *remeshed);
+bool tf_remesh_output_write(FILE *stream, tf_format format,
+                            const tf_remeshed *remeshed);

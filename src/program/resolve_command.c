@@ -2,10 +2,10 @@
 #define _GNU_SOURCE // isatty
 #include "program/resolve_command.h"
 
+#include "files/masses.h"
 #include "program/arguments.h"
 #include "program/clock.h"
 #include "program/frames.h"
-#include "program/masses.h"
 #include "program/mesh_output.h"
 #include "program/obstacles.h"
 #include "program/progress.h"
@@ -25,7 +25,7 @@ typedef struct request {
     const char *start, *end;
     const char *out;            ///< "-": standard output
     const char *fixed, *masses; ///< files, or NULL
-    const tf_response_format *format;
+    tf_format format;
     int threads;
     tf_response_options options;
 } request;
@@ -78,7 +78,7 @@ static const struct argp_option options[] = {
      "to 1; the default is 0",
      0},
     {"output", OUTPUT, "FORMAT", 0,
-     "The report: " TF_RESPONSE_FORMAT_NAMES "; the default is summary", 0},
+     "The report: " TF_REPORT_FORMAT_NAMES "; the default is summary", 0},
     {"threads", 't', "NUMBER", 0, TF_THREADS_HELP, 0},
     {0},
 };
@@ -144,9 +144,7 @@ static error_t parse_argument(int key, char *text, struct argp_state *state)
         wanted->masses = text;
         return 0;
     case OUTPUT:
-        if (!(wanted->format = tf_response_format_named(text)))
-            tf_refuse_name(state, "output format", text,
-                           TF_RESPONSE_FORMAT_NAMES);
+        wanted->format = tf_parse_format(state, text, false);
         return 0;
     case 't':
         wanted->threads = tf_parse_threads(state, text);
@@ -307,8 +305,8 @@ int tf_resolve_command(int argc, char *argv[])
 {
     static const struct argp parser = {
         options, parse_argument, "START END", description, NULL, NULL, NULL};
-    resolving r = {.request = {.format = tf_response_format_named("summary"),
-                               .threads = tf_threads_available()}};
+    resolving r = {
+        .request = {.format = TF_SUMMARY, .threads = tf_threads_available()}};
     argp_parse(&parser, argc, argv, 0, NULL, &r.request);
 
     // Nothing is printed until the line is erased: it may share its terminal.

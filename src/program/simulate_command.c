@@ -7,9 +7,9 @@
 #include "program/interruption.h"
 #include "program/progress.h"
 #include "program/simulation_folder.h"
-#include "program/step_columns.h"
+#include "program/step_fields.h"
 #include "program/threads.h"
-#include "program/visible.h"
+#include "files/visible.h"
 #include "simulate/cloth_scenes.h"
 #include "simulate/flow_scenes.h"
 

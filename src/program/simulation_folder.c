@@ -3,7 +3,7 @@
 #include "program/simulation_folder.h"
 
 #include "program/frame_file.h"
-#include "program/output_file.h"
+#include "files/output_file.h"
 #include "program/steps_file.h"
 
 #include <dirent.h>

@@ -1,7 +1,7 @@
 //: Declare the folder of a simulation
 #pragma once
 
-#include "program/visible.h"
+#include "files/visible.h"
 #include "simulate/simulation.h"
 
 #include <limits.h>

@@ -2,22 +2,12 @@
 #define _POSIX_C_SOURCE 200809L
 #include "program/steps_file.h"
 
-#include "program/step_columns.h"
+#include "program/step_fields.h"
 
 #include <errno.h>
 #include <unistd.h>
 
 //: Begin the table of steps
-static bool write_heading(FILE *table, const tf_simulation_kind *kind)
-{
-    fputs("step,time", table);
-    for (const tf_step_column *c = tf_step_columns(kind); c->type; c++)
-        if (c->name)
-            fprintf(table, ",%s", c->name);
-    putc('\n', table);
-    return fflush(table) == 0 && !ferror(table);
-}
-
 /// Closes a table after an error.  Returns NULL.
 static FILE *give_up(FILE *table)
 {
@@ -30,7 +20,10 @@ static FILE *give_up(FILE *table)
 FILE *tf_steps_file_begin(const char *path, const tf_simulation_kind *kind)
 {
     FILE *table = fopen(path, "w");
-    return table && !write_heading(table, kind) ? give_up(table) : table;
+    if (table)
+        tf_record_write_head(table, tf_step_columns(kind));
+    return table && (fflush(table) != 0 || ferror(table)) ? give_up(table)
+                                                          : table;
 }
 
 //: Go on with a table of steps
@@ -44,11 +37,11 @@ static bool skip_words(FILE *table, const char *words)
 
 static bool skip_heading(FILE *table, const tf_simulation_kind *kind)
 {
-    bool good = skip_words(table, "step,time");
-    for (const tf_step_column *c = tf_step_columns(kind); c->type && good; c++)
-        good =
-            !c->name || (skip_words(table, ",") && skip_words(table, c->name));
-    return good && skip_words(table, "\n");
+    bool good = true;
+    for (const tf_field *c = tf_step_columns(kind); c->name && good; c++)
+        good = skip_words(table, c->name) &&
+               skip_words(table, c[1].name ? "," : "\n");
+    return good;
 }
 
 /// Reads a line up to its end; false if it does not begin with a number.
@@ -82,13 +75,7 @@ FILE *tf_steps_file_resume(const char *path, const tf_simulation_kind *kind,
 //: Add a line to the table of steps
 bool tf_steps_file_add(FILE *table, const tf_simulation *simulation)
 {
-    const tf_scene *scene = simulation->scene;
-    fprintf(table, "%d,%.6g", simulation->step, simulation->step * scene->step);
-    for (const tf_step_column *c = tf_step_columns(scene->kind); c->type; c++)
-        if (c->name) {
-            putc(',', table);
-            fprintf(table, c->format, tf_step_number(c, simulation));
-        }
-    putc('\n', table);
+    tf_record_write_csv(table, tf_step_columns(simulation->scene->kind),
+                        simulation);
     return fflush(table) == 0 && !ferror(table);
 }

@@ -13,7 +13,7 @@
 
 //: Hold what the command line requests about surfaces
 typedef struct request {
-    const tf_surface_format *format;
+    tf_format format;
     int threads;
     const tf_arithmetic *arithmetic;
     const tf_narrow_phase *narrow_phase;
@@ -60,13 +60,8 @@ static const char check_description[] =
     "written.";
 
 #define TF_OUTPUT_OPTIONS                                                      \
-    {                                                                          \
-        "output",                                                              \
-        'o',                                                                   \
-        "FORMAT",                                                              \
-        0,                                                                     \
-        TF_SURFACE_FORMAT_NAMES "; the default is csv",                        \
-        0},                                                                    \
+    {"output", 'o', "FORMAT", 0, TF_ROWS_FORMAT_NAMES "; the default is csv",  \
+     0},                                                                       \
     {                                                                          \
         "threads", 't', "NUMBER", 0, TF_THREADS_HELP, 0                        \
     }
@@ -105,9 +100,7 @@ static error_t parse_argument(int key, char *text, struct argp_state *state)
             tf_refuse_name(state, "narrow phase", text, TF_NARROW_PHASE_NAMES);
         return 0;
     case 'o':
-        if (!(wanted->format = tf_surface_format_named(text)))
-            tf_refuse_name(state, "output format", text,
-                           TF_SURFACE_FORMAT_NAMES);
+        wanted->format = tf_parse_format(state, text, true);
         return 0;
     case 't':
         wanted->threads = tf_parse_threads(state, text);
@@ -196,7 +189,7 @@ static bool detect_all(work *w)
         if (!tf_frames_next(&w->frames, w->request.paths[i]) ||
             (i > 0 && !detect_step(w)))
             return false;
-        tf_progress_show(&w->progress, w->output.tally.parts, "steps");
+        tf_progress_show(&w->progress, (long)w->output.tally.parts, "steps");
     }
     return true;
 }
@@ -223,7 +216,7 @@ static bool check_all(work *w)
     for (int i = 0; i < w->request.path_count; i++) {
         if (!check_file(w, w->request.paths[i]))
             return false;
-        tf_progress_show(&w->progress, w->output.tally.parts, "files");
+        tf_progress_show(&w->progress, (long)w->output.tally.parts, "files");
     }
     return true;
 }
@@ -231,11 +224,11 @@ static bool check_all(work *w)
 //: Print what went wrong about surfaces
 static void print_errors(const work *w)
 {
-    if (w->output.error != 0)
+    if (w->output.records.error != 0)
         fprintf(stderr,
                 "tanglefree: standard output: cannot write: %s; mend that and "
                 "run again\n",
-                strerror(w->output.error));
+                strerror(w->output.records.error));
     for (int i = 0; i < 2; i++)
         if (w->frames.file[i].fault[0] != '\0')
             tf_mesh_file_print_fault(&w->frames.file[i], "tanglefree");
@@ -245,8 +238,7 @@ static void print_errors(const work *w)
 static int run(int argc, char *argv[], const struct argp *parser, bool checks,
                bool (*do_all)(work *))
 {
-    work w = {.request = {.format = tf_surface_format_named("csv"),
-                          .narrow_phase = tf_narrow_phase_named("vector"),
+    work w = {.request = {.narrow_phase = tf_narrow_phase_named("vector"),
                           .threads = tf_threads_available()}};
     argp_parse(parser, argc, argv, 0, NULL, &w.request);
 

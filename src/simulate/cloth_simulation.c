@@ -90,9 +90,8 @@ tf_status tf_cloth_propose(tf_cloth_simulation *cloth)
 {
     const tf_scene *scene = cloth->base.scene;
     fall(cloth);
-    tf_air_blow(&scene->air, &cloth->base.stage.body,
-                cloth->base.step * scene->step, scene->step, cloth->position,
-                cloth->velocity);
+    tf_air_blow(&scene->air, &cloth->base.stage.body, cloth->base.time,
+                scene->step, cloth->position, cloth->velocity);
     fly(cloth);
     return tf_dynamics_step(cloth->dynamics, cloth->end, ITERATIONS);
 }
@@ -106,7 +105,7 @@ void tf_cloth_accept(tf_cloth_simulation *cloth, int held)
             (cloth->end[i] - cloth->position[i]) / cloth->base.scene->step;
         cloth->position[i] = cloth->end[i];
     }
-    cloth->base.step++;
+    tf_simulation_go_to(&cloth->base, cloth->base.step + 1);
     cloth->script_steps += held == 0;
 }
 
@@ -175,7 +174,7 @@ static tf_status restore_cloth(tf_simulation *simulation,
         return TF_BAD_COUNT;
     memcpy(c->position, snapshot->position, bytes_of(body));
     memcpy(c->velocity, snapshot->velocity, bytes_of(body));
-    simulation->step = snapshot->step;
+    tf_simulation_go_to(simulation, snapshot->step);
     c->script_steps = snapshot->script_steps;
     return TF_OK;
 }

@@ -54,12 +54,12 @@ static tf_status step_flow(tf_simulation *simulation,
     tf_flow_options flow = tf_flow_options_of(scene, simulation->resolution);
     flow.parallel = options->parallel;
     flow.clock = options->clock;
-    tf_status status =
-        tf_adaptive_flow(f->surface, &flow, simulation->step * scene->step,
-                         scene->step, &f->report);
+    tf_status status = tf_adaptive_flow(f->surface, &flow, simulation->time,
+                                        scene->step, &f->report);
     if (status == TF_OK && !tf_flow_measure(f->surface, &f->measures))
         status = TF_OUT_OF_MEMORY;
-    simulation->step += status == TF_OK;
+    if (status == TF_OK)
+        tf_simulation_go_to(simulation, simulation->step + 1);
     return status;
 }
 
@@ -78,7 +78,7 @@ static tf_status restore_flow(tf_simulation *simulation,
     tf_status status = set_surface((tf_flow_simulation *)simulation,
                                    &snapshot->mesh, snapshot->position);
     if (status == TF_OK)
-        simulation->step = snapshot->step;
+        tf_simulation_go_to(simulation, snapshot->step);
     return status;
 }
 

@@ -23,6 +23,12 @@ tf_status tf_simulation_create(const tf_scene *scene, double resolution,
     return status;
 }
 
+void tf_simulation_go_to(tf_simulation *simulation, int step)
+{
+    simulation->step = step;
+    simulation->time = step * simulation->scene->step;
+}
+
 void tf_simulation_free(tf_simulation *simulation)
 {
     if (!simulation)

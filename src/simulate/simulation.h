@@ -11,6 +11,7 @@ typedef struct tf_simulation {
     double resolution;
     tf_stage stage; ///< the scene's, or empty if its kind needs it no more
     int step;       ///< how many were made
+    double time;    ///< after those, in seconds
 } tf_simulation;
 
 /// Sets a scene up.
@@ -19,6 +20,9 @@ typedef struct tf_simulation {
 /// @return TF_OK or TF_OUT_OF_MEMORY
 tf_status tf_simulation_create(const tf_scene *scene, double resolution,
                                tf_simulation **simulation);
+
+/// Goes on, or back, to the time after a number of steps.
+void tf_simulation_go_to(tf_simulation *simulation, int step);
 
 /// Frees a simulation; NULL is none.
 void tf_simulation_free(tf_simulation *simulation);

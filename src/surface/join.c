@@ -1,8 +1,8 @@
 //: Include what the join needs
 #include "surface/join.h"
 
-#include "base/inside.h"
-#include "base/vectors.h"
+#include "base/always_inline.h"
+#include "base/simd.h"
 
 #include <stddef.h>
 #include <stdint.h>
@@ -26,7 +26,7 @@ static const uint32_t bit[TF_LANES] = {
 };
 
 /// The lanes of the pack whose boxes overlap the box, a bit each.
-TF_INSIDE uint32_t overlaps(const tf_pack *pack, const tf_box *box)
+TF_ALWAYS_INLINE uint32_t overlaps(const tf_pack *pack, const tf_box *box)
 {
     uint32_t lanes = 0;
     TF_LANE_LOOP
@@ -45,8 +45,8 @@ TF_INSIDE uint32_t overlaps(const tf_pack *pack, const tf_box *box)
 //: Find the lanes that share a vertex
 /// The lanes of the elements that have one of two vertices.  With a constant for
 /// the number of corners the inner loop is unrolled, and one loop is left.
-TF_INSIDE uint32_t lanes_with(const int own[2], int corners,
-                              int (*corner)[TF_LANES])
+TF_ALWAYS_INLINE uint32_t lanes_with(const int own[2], int corners,
+                                     int (*corner)[TF_LANES])
 {
     uint32_t lanes = 0;
     TF_LANE_LOOP
@@ -60,8 +60,8 @@ TF_INSIDE uint32_t lanes_with(const int own[2], int corners,
 }
 
 /// The lanes of leaf b that share a vertex with an element of leaf a.
-TF_INSIDE uint32_t lanes_that_share(const tf_tree *s, int a, int lane,
-                                    const tf_tree *t, int b)
+TF_ALWAYS_INLINE uint32_t lanes_that_share(const tf_tree *s, int a, int lane,
+                                           const tf_tree *t, int b)
 {
     int(*corner)[TF_LANES] = s->corner + (ptrdiff_t)a * s->corners;
     const int own[2] = {corner[0][lane], corner[s->corners - 1][lane]};
@@ -73,7 +73,7 @@ TF_INSIDE uint32_t lanes_that_share(const tf_tree *s, int a, int lane,
 
 //: Find the first lane
 /// The lowest lane of a nonempty set.
-TF_INSIDE int first_lane(uint32_t lanes)
+TF_ALWAYS_INLINE int first_lane(uint32_t lanes)
 {
 #ifdef __GNUC__
     return __builtin_ctz(lanes);
@@ -86,9 +86,10 @@ TF_INSIDE int first_lane(uint32_t lanes)
 }
 
 //: Join two leaves
-TF_INSIDE void join_leaves(const tf_tree *s, int a, const tf_box *box_of_a,
-                           const tf_tree *t, int b, const tf_box *box_of_b,
-                           tf_pair_sink *sink)
+TF_ALWAYS_INLINE void join_leaves(const tf_tree *s, int a,
+                                  const tf_box *box_of_a, const tf_tree *t,
+                                  int b, const tf_box *box_of_b,
+                                  tf_pair_sink *sink)
 {
     uint32_t near = overlaps(&s->level[0][a], box_of_b);
     if (near == 0 || overlaps(&t->level[0][b], box_of_a) == 0)
@@ -117,7 +118,7 @@ typedef struct visit {
 } visit;
 
 /// Whether all leaves below a pack come before a leaf.
-TF_INSIDE bool is_before(int level, int pack, int leaf)
+TF_ALWAYS_INLINE bool is_before(int level, int pack, int leaf)
 {
     return ((int64_t)pack + 1) << (4 * level) <= leaf;
 }
@@ -125,9 +126,9 @@ TF_INSIDE bool is_before(int level, int pack, int leaf)
 //: Visit the children of a pack
 /// Puts those children of a pack on the stack that overlap the box; returns the
 /// stack's new height.
-TF_INSIDE int visit_children(const tf_tree *s, int a, const tf_tree *t,
-                             const visit *from, const tf_box *box,
-                             visit stack[], int top)
+TF_ALWAYS_INLINE int visit_children(const tf_tree *s, int a, const tf_tree *t,
+                                    const visit *from, const tf_box *box,
+                                    visit stack[], int top)
 {
     const tf_pack *pack = &t->level[from->level][from->pack];
     uint32_t near = overlaps(pack, box);
@@ -143,8 +144,8 @@ TF_INSIDE int visit_children(const tf_tree *s, int a, const tf_tree *t,
 }
 
 //: Join a leaf with a tree
-TF_HALF_VECTORS static void join_leaf(const tf_tree *s, int a, const tf_tree *t,
-                                      tf_pair_sink *sink)
+TF_SIMD_256 static void join_leaf(const tf_tree *s, int a, const tf_tree *t,
+                                  tf_pair_sink *sink)
 {
     visit stack[STACK];
     tf_box box = tf_pack_union(&s->level[0][a]);

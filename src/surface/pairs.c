@@ -129,7 +129,7 @@ static bool is_exact(const tf_arithmetic *arithmetic)
 
 static bool is_rounded(const tf_arithmetic *arithmetic)
 {
-    return arithmetic == &tf_clamped || arithmetic == &tf_report;
+    return arithmetic == &tf_clamped || arithmetic == &tf_published;
 }
 
 //: Decide what the filter leaves open

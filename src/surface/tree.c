@@ -1,7 +1,7 @@
 //: Include what the tree needs
 #include "surface/tree.h"
 
-#include "base/request.h"
+#include "base/prefetch.h"
 
 #include <stddef.h>
 
@@ -81,24 +81,24 @@ static void clear_lane(const building *b, int leaf, int lane)
         b->tree->corner[leaf * corners + c][lane] = -1;
 }
 
-//: Request the boxes of an element early
+//: Prefetch the boxes of an element
 enum {
     CORNERS_AHEAD = 24, ///< elements
     BOXES_AHEAD = 12
 };
 
 /// Asks for what will be needed to fill the lanes that come after number i.
-TF_INSIDE void request_boxes(const building *b, int i, int end)
+TF_ALWAYS_INLINE void prefetch_boxes(const building *b, int i, int end)
 {
     const tf_tree_elements *elements = b->elements;
     const tf_keyed *sorted = b->sorted + i;
     if (end - i > CORNERS_AHEAD)
-        tf_request(corners_of(elements, &sorted[CORNERS_AHEAD].element));
+        tf_prefetch(corners_of(elements, &sorted[CORNERS_AHEAD].element));
     if (end - i <= BOXES_AHEAD)
         return;
     const int *corner = corners_of(elements, &sorted[BOXES_AHEAD].element);
     for (int c = 0; c < elements->corners; c++)
-        tf_request(elements->vertex + corner[c]);
+        tf_prefetch(elements->vertex + corner[c]);
 }
 
 //: Fill the leaves of a part
@@ -108,7 +108,7 @@ static void fill_leaves(void *argument, int task, int worker)
     tf_range part = tf_range_part(b->elements->count, ELEMENTS, task);
     (void)worker;
     for (int i = part.begin; i < part.end; i++) {
-        request_boxes(b, i, part.end);
+        prefetch_boxes(b, i, part.end);
         fill_lane(b, i / TF_LANES, i % TF_LANES, b->sorted[i].element);
     }
     for (int i = part.end; i % TF_LANES != 0; i++)

@@ -15,7 +15,7 @@ static void judge_signs(const matrix *m, const judged *j)
     tf_sign report = sign == TF_UNKNOWN ? TF_ZERO : sign;
     expect_of_matrix(sign == TF_UNKNOWN || sign == sum_sign(j->truth),
                      "The sign is known and wrong", m);
-    expect_of_matrix(tf_report.sign(&differences) == report,
+    expect_of_matrix(tf_published.sign(&differences) == report,
                      "The report's sign is not clamped's, unknown as zero", m);
 }
 
@@ -214,7 +214,7 @@ START_TEST(clamped_arithmetics_hold_all_doubles)
 {
     for (int axes = 2; axes <= TF_AXES; axes++) {
         ck_assert_int_eq(tf_clamped.bits[axes], 0);
-        ck_assert_int_eq(tf_report.bits[axes], 0);
+        ck_assert_int_eq(tf_published.bits[axes], 0);
     }
 }
 END_TEST

@@ -19,7 +19,7 @@
 // - a line a way to a sign, or to six estimates: nanoseconds.  The grid and the expansion find the
 //   signs of the same differences as the accumulator between them.  The library
 //   does without the expansion.
-// With --csv the same as lines "name,value,unit", for figures/measured.csv.
+// With --csv the same as lines "name,value,unit", for figures/measured/library.csv.
 #define _POSIX_C_SOURCE 199309L // clock_gettime
 
 #include "arithmetic/accumulated.h"
@@ -91,7 +91,7 @@ static double time_queries(const workload *w, const tf_arithmetic *arithmetic,
 
 // The last two need integers.
 static const tf_arithmetic *const contenders[] = {
-    &tf_clamped,   &tf_report,    &tf_exact,
+    &tf_clamped,   &tf_published, &tf_exact,
     &tf_perturbed, &tf_integer64, &tf_integer128};
 
 enum {
@@ -554,7 +554,6 @@ static void print_workloads(print_workload *print, bool csv)
 
 static void print_csv(void)
 {
-    printf("name,value,unit\n");
     print_workloads(print_times, true);
     print_workloads(print_shares, true);
     print_workloads(print_counts, true);

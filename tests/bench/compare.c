@@ -10,7 +10,7 @@
 // where the two models differ.
 //
 // Prints a table, or with --csv all numbers as lines "name,value,unit", for
-// figures/roads.csv: more tolerances and thresholds, each set of queries by its
+// figures/measured/methods.csv: more tolerances and thresholds, each set of queries by its
 // name, and the rotating bar of tests/linear/advancement.c.
 #define _POSIX_C_SOURCE 199309L // clock_gettime
 
@@ -407,7 +407,6 @@ static void print_bar(int digits)
 
 static void print_csv(void)
 {
-    printf("name,value,unit\n");
     for (int i = 0; i < SETS; i++)
         printf("%s queries,%ld,\n%s hits,%ld,\n", sets[i].name, sets[i].count,
                sets[i].name, sets[i].hits);

@@ -76,7 +76,7 @@ static void count(const source *from)
         if (ask(&tf_exact, &q).verdict != TF_HIT)
             continue;
         contacts++;
-        missed += ask(&tf_report, &q).verdict == TF_APART;
+        missed += ask(&tf_published, &q).verdict == TF_APART;
     }
     printf("%-15s %4d %8ld %8ld %7ld\n", from->name, from->ulps, from->count,
            contacts, missed);

@@ -1,22 +1,10 @@
-# Let surfaces flow and print what figures/flowing.csv holds:
+# Let surfaces flow, see measure.sh:
 #
-#     flowing.sh COMPILER FLAGS FLOWING
+#     flowing.sh FLOWING
 #
-# A head of lines "# what: text" says where the numbers are from.  Then comes a
-# line a number, "name,value,unit": some that were measured once, and those that
-# the program FLOWING prints.  `make measure-flowing` runs this.
+# The numbers are some that were measured once, and those that the program
+# FLOWING prints.
 set -eu
-
-machine=$(sed -n 's/^model name[^:]*: *//p' /proc/cpuinfo | head -n 1)
-
-cat <<END
-# Written by \`make measure-flowing\`; the book reads it.
-# machine: ${machine:-$(uname -m)}
-# compiler: $($1 --version | head -n 1), $2
-# date: $(date +%Y-%m-%d)
-# command: make measure-flowing
-name,value,unit
-END
 
 # On 2026-11-23: with splits on the level; with flips of up to a tenth of the
 # cube of an edge; and by El Topo, with its enright-parameters.txt.
@@ -32,4 +20,4 @@ El Topo volume,-0.23,%
 El Topo time,2.12,
 El Topo most,25252,
 END
-"$3"
+"$1"

@@ -1,23 +1,23 @@
-# Time the library and print what figures/measured.csv holds:
+# Print what figures/measured/NAME.csv holds:
 #
-#     measure.sh COMPILER FLAGS PROGRAM...
+#     measure.sh NAME COMPILER FLAGS PROGRAM... ARGUMENT...
 #
-# A head of lines "# what: text" says where the numbers are from.  Then comes a
-# line a number, "name,value,unit".  `make measure` runs this.
+# Lines "# what: text" say where the numbers are from.  Then come "name,value,unit"
+# and a line a number in that form, which NAME.sh prints.  tests/rules.mk has the
+# programs and arguments of each name; `make measure-NAME` runs this.
 set -eu
 
-compiler=$1 flags=$2
-shift 2
+name=$1 compiler=$2 flags=$3
+shift 3
 
 machine=$(sed -n 's/^model name[^:]*: *//p' /proc/cpuinfo | head -n 1)
 
 cat <<END
-# Written by \`make measure\`; figures/kit/measured.c and the book read it.
+# Written by \`make measure-$name\`; the book and its figures read it.
 # machine: ${machine:-$(uname -m)}
 # compiler: $($compiler --version | head -n 1), $flags
 # date: $(date +%Y-%m-%d)
-# command: make measure
+# command: make measure-$name
+name,value,unit
 END
-for program; do
-    "$program" --csv
-done
+sh "tests/bench/$name.sh" "$@"

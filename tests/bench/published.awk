@@ -13,6 +13,11 @@ BEGIN {
         "ee", "extra", "missed", "extra", "missed"
 }
 
+# The first line says where the numbers are from.
+/^#/ {
+    next
+}
+
 {
     for (i = 1; i <= columns; i++) {
         size = length($1) - length(column[i])

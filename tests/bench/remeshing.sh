@@ -1,27 +1,15 @@
-# Remesh meshes made by another program and print what figures/remeshing.csv
-# holds:
+# Remesh meshes made by another program, see measure.sh:
 #
-#     remeshing.sh COMPILER FLAGS TANGLEFREE FOLDER [STL]
+#     remeshing.sh TANGLEFREE [STL]
 #
-# A head of lines "# what: text" says where the numbers are from.  Then comes a
-# line a number, "name,value,unit".  The meshes are examples of Open CASCADE, as
-# Debian's package occt-misc has them in the folder STL.  Files go to FOLDER,
-# which is removed.  `make measure-remeshing` runs this.
+# The meshes are examples of Open CASCADE, as Debian's package occt-misc has
+# them in the folder STL.
 set -eu
-program=$3
-folder=$4
-examples=${5:-/usr/share/opencascade/data/stl}
+program=$1
+examples=${2:-/usr/share/opencascade/data/stl}
 
-machine=$(sed -n 's/^model name[^:]*: *//p' /proc/cpuinfo | head -n 1)
-
-cat <<END
-# Written by \`make measure-remeshing\`; the book reads it.
-# machine: ${machine:-$(uname -m)}
-# compiler: $($1 --version | head -n 1), $2
-# date: $(date +%Y-%m-%d)
-# command: make measure-remeshing
-name,value,unit
-END
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
 
 # Triangles given by the places of their corners become an OBJ: corners at the
 # same place become one vertex.
@@ -129,8 +117,6 @@ run() {
         }' "$folder/report"
 }
 
-mkdir -p "$folder"
 run clamp shape.stl 8
 run piston sh1.stl 3
 run fitting sh2.stl 2
-rm -r "$folder"

@@ -1,23 +1,11 @@
-# Time responses and print what figures/response.csv holds:
+# Time responses, see measure.sh:
 #
-#     response.sh COMPILER FLAGS RESPONSE
+#     response.sh RESPONSE
 #
-# A head of lines "# what: text" says where the numbers are from.  Then comes a
-# line a number, "name,value,unit", of the table that the program RESPONSE
-# prints.  `make measure-response` runs this.
+# The numbers are those of the table that the program RESPONSE prints.
 set -eu
 
-machine=$(sed -n 's/^model name[^:]*: *//p' /proc/cpuinfo | head -n 1)
-
-cat <<END
-# Written by \`make measure-response\`; the book reads it.
-# machine: ${machine:-$(uname -m)}
-# compiler: $($1 --version | head -n 1), $2
-# date: $(date +%Y-%m-%d)
-# command: make measure-response
-name,value,unit
-END
-"$3" | awk '
+"$1" | awk '
     # "14/186/  0" is one field; a name may be more than one.
     { gsub(/\/ */, "/") }
     NR == 1 { next }

@@ -1,37 +1,28 @@
-# Run the scenes of the simulator and print what figures/simulation.csv holds:
+# Run the scenes of the simulator, see measure.sh:
 #
-#     simulation.sh COMPILER FLAGS TANGLEFREE FOLDER
+#     simulation.sh TANGLEFREE
 #
-# A head of lines "# what: text" says where the numbers are from.  Then comes a
-# line a number, "name,value,unit", of each scene at its usual size, and of the
-# first steps of the sphere at growing sizes ("growth 22", cells along a side).
-# Times are of a step, on the mean.  `make measure-simulation` runs this; frames
-# go to FOLDER and are removed.
+# The numbers are those of each scene at its usual size, and of the first steps
+# of the sphere at growing sizes ("growth 22", cells along a side).  Times are
+# of a step, on the mean.
 set -eu
-program=$3
-folder=$4
+program=$1
 growth_steps=60
 
-machine=$(sed -n 's/^model name[^:]*: *//p' /proc/cpuinfo | head -n 1)
-
-cat <<END
-# Written by \`make measure-simulation\`; the book reads it.
-# machine: ${machine:-$(uname -m)}
-# compiler: $($1 --version | head -n 1), $2
-# date: $(date +%Y-%m-%d)
-# command: make measure-simulation
-name,value,unit
-END
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+folder=$scratch/frames
+summary=$scratch/summary
 
 # run NAME SCENE OPTIONS...
 run() {
     name=$1
     shift
     rm -rf "$folder"
-    "$program" simulate "$@" --threads 1 -o "$folder" >"$folder.summary"
+    "$program" simulate "$@" --threads 1 -o "$folder" >"$summary"
     sed -n "s/^\(vertices\|triangles\): \([0-9]*\)$/$name \1,\2,/p" \
-        "$folder.summary"
-    vertices=$(sed -n 's/^vertices: //p' "$folder.summary")
+        "$summary"
+    vertices=$(sed -n 's/^vertices: //p' "$summary")
     awk -F, -v name="$name" -v vertices="$vertices" '
         NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; next }
         {
@@ -67,7 +58,6 @@ run() {
             printf "%s dynamics,%.3f,ms\n", name, 1000 * dynamics / steps
             printf "%s response,%.3f,ms\n", name, 1000 * response / steps
         }' "$folder/steps.csv"
-    rm -rf "$folder" "$folder.summary"
 }
 
 for scene in sphere stack twist knot curtain flag plane-chain; do

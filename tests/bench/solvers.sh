@@ -1,24 +1,9 @@
-# Compare the solvers of zones, and numbers of sweeps, and print what
-# figures/solvers.csv holds:
+# Compare the solvers of zones, and numbers of sweeps, see measure.sh:
 #
-#     solvers.sh COMPILER FLAGS ZONES SOLVERS SWEEPS
-#
-# A head of lines "# what: text" says where the numbers are from.  Then comes a
-# line a number, "name,value,unit".  `make measure-solvers` runs this.
+#     solvers.sh SOLVERS SWEEPS ZONES
 set -eu
 
-compiler=$1 flags=$2 zones=$3 solvers=$4 sweeps=$5
-
-machine=$(sed -n 's/^model name[^:]*: *//p' /proc/cpuinfo | head -n 1)
-
-cat <<END
-# Written by \`make measure-solvers\`; the book reads it.
-# machine: ${machine:-$(uname -m)}
-# compiler: $($compiler --version | head -n 1), $flags
-# date: $(date +%Y-%m-%d)
-# command: make measure-solvers
-name,value,unit
-END
+solvers=$1 sweeps=$2 zones=$3
 
 # The first word of a line names the solver, and the last ten are numbers.
 "$solvers" "$zones" | awk '

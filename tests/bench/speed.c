@@ -14,11 +14,11 @@
 // - a hard family: both narrow phases, and the percentage of its queries that
 //   the filter leaves undecided.
 // - cloth: its candidates, and its contacts by both narrow phases.
-// With --csv lines "name,value,unit" for figures/measured.csv, with --json an
+// With --csv lines "name,value,unit" for figures/measured/library.csv, with --json an
 // array of the same lines.
 
 #include "arithmetic/exact.h"
-#include "base/vectors.h"
+#include "base/simd.h"
 #include "bench/layers.h"
 #include "bench/measuring.h"
 #include "bench/workloads.h"
@@ -130,7 +130,7 @@ typedef size_t way_function(arrays *a);
 
 static volatile uint64_t used; ///< so that no reading is left out
 
-TF_VECTORS static uint64_t read_words(const uint64_t *word, size_t count)
+TF_SIMD static uint64_t read_words(const uint64_t *word, size_t count)
 {
     uint64_t sum[32] = {0}, all = 0;
     for (size_t i = 0; i < count; i += 32)

@@ -7,7 +7,7 @@
 // all of it on two threads, by the clock on the wall; contacts; bytes a triangle.
 // Dense cloth has layers at a distance of 3 edge lengths that move by about one,
 // sparse 10 and 0.1; in crowded cloth, with 1 and 1, layers pass through each
-// other.  With --csv lines "name,value,unit", for figures/measured.csv, and also
+// other.  With --csv lines "name,value,unit", for figures/measured/library.csv, and also
 // how many pairs of elements there are, and what decided the candidates.
 #define _POSIX_C_SOURCE 199309L // clock_gettime
 

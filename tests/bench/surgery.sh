@@ -1,25 +1,13 @@
-# Leave out tests of surgery and print what figures/surgery.csv holds:
+# Leave out tests of surgery, see measure.sh:
 #
-#     surgery.sh COMPILER FLAGS SURGERY COUNT
+#     surgery.sh SURGERY COUNT
 #
-# A head of lines "# what: text" says where the numbers are from.  Then comes a
-# line a number, "name,value,unit", for each choice of tests: how many
-# operations were tried and done, in runs of 500 that end with the first fault,
-# how many runs had one, and of which kind.  `make measure-surgery` runs this.
+# The numbers are, for each choice of tests: how many operations were tried and
+# done, in runs of 500 that end with the first fault, how many runs had one, and
+# of which kind.
 set -eu
-surgery=$3
-count=$4
-
-machine=$(sed -n 's/^model name[^:]*: *//p' /proc/cpuinfo | head -n 1)
-
-cat <<END
-# Written by \`make measure-surgery\`; the book reads it.
-# machine: ${machine:-$(uname -m)}
-# compiler: $($1 --version | head -n 1), $2
-# date: $(date +%Y-%m-%d)
-# command: make measure-surgery
-name,value,unit
-END
+surgery=$1
+count=$2
 
 # run NAME LEFT_OUT
 run() {

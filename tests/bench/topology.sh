@@ -1,29 +1,16 @@
-# Try random merges, pinches and drops and print what figures/topology.csv
-# holds:
+# Try random merges, pinches and drops, see measure.sh:
 #
-#     topology.sh COMPILER FLAGS TOPOLOGY COUNT FROM
+#     topology.sh TOPOLOGY COUNT FROM
 #
-# A head of lines "# what: text" says where the numbers are from.  Then comes a
-# line a number, "name,value,unit": for each operation how often it was done,
-# was impossible, and was refused by each test; how many merges joined two parts
-# and pinches made two; and how many surfaces were judged, and faults found.
-# `make measure-topology` runs this.
+# The numbers are: for each operation how often it was done, was impossible, and
+# was refused by each test; how many merges joined two parts and pinches made
+# two; and how many surfaces were judged, and faults found.
 set -eu
-topology=$3
-count=$4
-from=$5
+topology=$1
+count=$2
+from=$3
 
-machine=$(sed -n 's/^model name[^:]*: *//p' /proc/cpuinfo | head -n 1)
-
-cat <<END
-# Written by \`make measure-topology\`; the book reads it.
-# machine: ${machine:-$(uname -m)}
-# compiler: $($1 --version | head -n 1), $2
-# date: $(date +%Y-%m-%d)
-# command: make measure-topology
-name,value,unit
-operations,$count,
-END
+echo "operations,$count,"
 
 { "$topology" "$count" "$from" || true; } | awk '
     /^stream/ { faults++ }

@@ -244,6 +244,14 @@ class Sessions(unittest.TestCase):
             real, status = sessions.run(["ls build/chapters Makefile"], desk)
         self.assertEqual((real, status), (["Makefile", "build/chapters"], 0))
 
+    def test_commands_write_nothing_into_the_build(self):
+        with tempfile.TemporaryDirectory() as built:
+            with sessions.lay_out_desk(ROOT, Path(built)) as desk:
+                real, status = sessions.run(
+                    ["echo a >build/b; cat build/b"], desk)
+            self.assertEqual((real, status), (["a"], 0))
+            self.assertEqual(list(Path(built).iterdir()), [])
+
 
 class Texts(unittest.TestCase):
     def test_numbers_chapters_and_parts(self):

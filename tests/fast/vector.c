@@ -18,7 +18,7 @@
 #include <string.h>
 
 static const tf_arithmetic *const arithmetics[] = {&tf_exact, &tf_perturbed,
-                                                   &tf_clamped, &tf_report};
+                                                   &tf_clamped, &tf_published};
 
 enum {
     ARITHMETICS = sizeof arithmetics / sizeof *arithmetics,

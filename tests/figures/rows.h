@@ -1,5 +1,4 @@
-// The rows of figures/measured.csv and roads.csv, for the tests of figures that
-// show them.
+// The rows of figures/measured, for the tests of figures that show them.
 #ifndef FIGURES_ROWS_H
 #define FIGURES_ROWS_H
 
@@ -22,12 +21,12 @@ static inline double value_in(const char *path, const char *name)
 
 static inline double row_value(const char *name)
 {
-    return value_in("figures/measured.csv", name);
+    return value_in("figures/measured/library.csv", name);
 }
 
-static inline double roads_value(const char *name)
+static inline double methods_value(const char *name)
 {
-    return value_in("figures/roads.csv", name);
+    return value_in("figures/measured/methods.csv", name);
 }
 
 #endif

@@ -9,10 +9,10 @@ static double least_of(const char *set, const char *first, const char *second)
         if (digits > 0)
             snprintf(tolerance, sizeof tolerance, "1e-%02d", digits);
         snprintf(row, sizeof row, "cubic %s %s %s", tolerance, set, first);
-        double count = roads_value(row);
+        double count = methods_value(row);
         if (second) {
             snprintf(row, sizeof row, "cubic %s %s %s", tolerance, set, second);
-            count += roads_value(row);
+            count += methods_value(row);
         }
         least = fmin(least, count);
     }

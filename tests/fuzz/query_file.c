@@ -2,7 +2,7 @@
 // Whatever they are, the reader ends with finite numbers or a fault in a line.
 #define _GNU_SOURCE // fmemopen
 
-#include "program/query_file.h"
+#include "files/query_file.h"
 
 #include <math.h>
 #include <stdint.h>

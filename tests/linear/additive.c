@@ -1,6 +1,6 @@
 #include "linear/additive.h"
 
-#include "support/roads.h"
+#include "support/linear_methods.h"
 #include "support/scenes.h"
 #include "support/statuses.h"
 #include "support/support.h"
@@ -114,8 +114,8 @@ static tf_status ask_additive(const tf_arithmetic *arithmetic,
                               tf_contact *contact)
 {
     static const tf_advance_limits limits = {.threshold = 1e-6};
-    return road_additive(kind, arithmetic ? &limits : NULL, motion, vertex,
-                         contact, NULL);
+    return additive_query(kind, arithmetic ? &limits : NULL, motion, vertex,
+                          contact, NULL);
 }
 
 static void use_point_edge(void)
@@ -143,7 +143,7 @@ START_TEST(bad_limits_are_refused)
     tf_contact contact;
     tf_advance_limits limits = {.threshold = NAN};
     ck_assert_int_eq(
-        road_additive(kind, &limits, &motion, index, &contact, NULL),
+        additive_query(kind, &limits, &motion, index, &contact, NULL),
         TF_BAD_TOLERANCE);
 }
 END_TEST

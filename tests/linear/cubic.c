@@ -1,6 +1,6 @@
 #include "linear/cubic.h"
 
-#include "support/roads.h"
+#include "support/linear_methods.h"
 #include "support/scenes.h"
 #include "support/statuses.h"
 #include "support/support.h"
@@ -219,8 +219,8 @@ static tf_status ask_cubic(const tf_arithmetic *arithmetic,
                            tf_contact *contact)
 {
     static const tf_tolerances none = {0};
-    return road_cubic(asked, arithmetic ? &none : NULL, motion, vertex,
-                      contact);
+    return cubic_query(asked, arithmetic ? &none : NULL, motion, vertex,
+                       contact);
 }
 
 static void use_triangle(void)
@@ -245,10 +245,10 @@ START_TEST(bad_tolerances_are_refused)
         tf_tolerances distance = {.distance = bad[i]};
         tf_tolerances barycentric = {.barycentric = bad[i]};
         ck_assert_int_eq(
-            road_cubic(kind_of_case(_i), &distance, &motion, index, &contact),
+            cubic_query(kind_of_case(_i), &distance, &motion, index, &contact),
             TF_BAD_TOLERANCE);
-        ck_assert_int_eq(road_cubic(kind_of_case(_i), &barycentric, &motion,
-                                    index, &contact),
+        ck_assert_int_eq(cubic_query(kind_of_case(_i), &barycentric, &motion,
+                                     index, &contact),
                          TF_BAD_TOLERANCE);
     }
     ck_assert_double_eq(contact.normal_velocity, 42);

@@ -1,6 +1,6 @@
 #include "linear/quadratic.h"
 
-#include "support/roads.h"
+#include "support/linear_methods.h"
 #include "support/scenes.h"
 #include "support/statuses.h"
 #include "support/support.h"

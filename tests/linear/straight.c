@@ -1,6 +1,6 @@
 #include "linear/straight.h"
 
-#include "support/roads.h"
+#include "support/linear_methods.h"
 #include "support/scenes.h"
 #include "support/statuses.h"
 #include "support/support.h"
@@ -124,8 +124,8 @@ static tf_status ask_straight(const tf_arithmetic *arithmetic,
                               tf_contact *contact)
 {
     static const tf_tolerances none = {0};
-    return road_cubic(EDGE_EDGE, arithmetic ? &none : NULL, motion, vertex,
-                      contact);
+    return cubic_query(EDGE_EDGE, arithmetic ? &none : NULL, motion, vertex,
+                       contact);
 }
 
 static void use_straight(void)

@@ -6,6 +6,8 @@
 machines = aarch64 s390x
 debian_aarch64 = arm64
 
+##@ Check for long
+
 check-machines: $(machines:%=check-machine-%) ## run the tests on emulated ARM and s390x machines
 .PHONY: check-machines $(machines:%=check-machine-%)
 

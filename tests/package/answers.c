@@ -114,7 +114,7 @@ static void print_contact(const tf_contact *contact)
 static void answer(const kind *asked, const tf_motion *motion)
 {
     const tf_arithmetic *const arithmetics[] = {
-        &tf_exact,     &tf_clamped,   &tf_report,
+        &tf_exact,     &tf_clamped,   &tf_published,
         &tf_perturbed, &tf_integer64, &tf_integer128,
     };
     for (size_t i = 0; i < sizeof arithmetics / sizeof *arithmetics; i++) {

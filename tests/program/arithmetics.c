@@ -14,7 +14,7 @@ START_TEST(every_name_finds_its_arithmetic)
 {
     ck_assert_ptr_eq(tf_arithmetic_named("exact"), &tf_exact);
     ck_assert_ptr_eq(tf_arithmetic_named("clamped"), &tf_clamped);
-    ck_assert_ptr_eq(tf_arithmetic_named("report"), &tf_report);
+    ck_assert_ptr_eq(tf_arithmetic_named("report"), &tf_published);
     ck_assert_ptr_eq(tf_arithmetic_named("perturbed"), &tf_perturbed);
     ck_assert_ptr_eq(tf_arithmetic_named("integer64"), &tf_integer64);
     ck_assert_ptr_eq(tf_arithmetic_named("integer128"), &tf_integer128);

@@ -1,6 +1,6 @@
 #include "program/frame_file.h"
 
-#include "program/mesh_file.h"
+#include "files/mesh_file.h"
 #include "support/program.h"
 #include "support/simulating.h"
 #include "support/support.h"

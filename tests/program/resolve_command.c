@@ -3,7 +3,7 @@
 #include "program/resolve_command.h"
 
 #include "base/status.h"
-#include "program/mesh_file.h"
+#include "files/mesh_file.h"
 #include "support/environments.h"
 #include "support/json.h"
 #include "support/program.h"

@@ -35,19 +35,18 @@ static const tf_response_report report = {
 
 static char *text;
 
-static void write_report(const tf_response_report *of, const char *format)
+static void write_report(const tf_response_report *of, tf_format format)
 {
     size_t size;
     free(text);
     FILE *stream = open_memstream(&text, &size);
-    ck_assert(tf_response_output_write(stream, tf_response_format_named(format),
-                                       of, 0.125));
+    ck_assert(tf_response_output_write(stream, format, of, 0.125));
     fclose(stream);
 }
 
-START_TEST(a_report_for_people)
+START_TEST(a_summary_has_a_line_for_each_number)
 {
-    write_report(&report, "summary");
+    write_report(&report, TF_SUMMARY);
     ck_assert_str_eq(
         text, "status: resolved\nfirst contacts: 1\ncontacts: 2\n"
               "impulse rounds: 3\nzone rounds: 4\nrigid rounds: 5\n"
@@ -60,9 +59,9 @@ START_TEST(a_report_for_people)
 }
 END_TEST
 
-START_TEST(a_report_as_json)
+START_TEST(json_has_a_member_for_each_number)
 {
-    write_report(&report, "json");
+    write_report(&report, TF_JSON);
     ck_assert_str_eq(
         text,
         "{\"status\":\"resolved\",\"first_contacts\":1,\"contacts\":2,"
@@ -77,30 +76,20 @@ START_TEST(a_report_as_json)
 }
 END_TEST
 
-START_TEST(a_step_that_was_clear)
+START_TEST(a_step_without_contacts_was_clear)
 {
     tf_response_report clear = {.energy_before = 1, .energy_after = 1};
-    write_report(&clear, "json");
+    write_report(&clear, TF_JSON);
     ck_assert_int_eq(strncmp(text, "{\"status\":\"clear\",", 18), 0);
-    write_report(&clear, "summary");
+    write_report(&clear, TF_SUMMARY);
     ck_assert_int_eq(strncmp(text, "status: clear\n", 14), 0);
 }
 END_TEST
 
-START_TEST(formats_by_their_names)
-{
-    ck_assert_ptr_nonnull(tf_response_format_named("json"));
-    ck_assert_ptr_null(tf_response_format_named("csv"));
-    ck_assert_ptr_null(tf_response_format_named(""));
-    ck_assert_str_eq(TF_RESPONSE_FORMAT_NAMES, "summary or json");
-}
-END_TEST
-
-START_TEST(a_full_disk)
+START_TEST(a_full_disk_is_noticed)
 {
     FILE *stream = fopen("/dev/full", "w");
-    ck_assert(!tf_response_output_write(
-        stream, tf_response_format_named("json"), &report, 1));
+    ck_assert(!tf_response_output_write(stream, TF_JSON, &report, 1));
     ck_assert_int_eq(errno, ENOSPC);
     fclose(stream);
 }
@@ -110,11 +99,10 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("program/response_output");
     TCase *reports = tcase_create("reports");
-    tcase_add_test(reports, a_report_for_people);
-    tcase_add_test(reports, a_report_as_json);
-    tcase_add_test(reports, a_step_that_was_clear);
-    tcase_add_test(reports, formats_by_their_names);
-    tcase_add_test(reports, a_full_disk);
+    tcase_add_test(reports, a_summary_has_a_line_for_each_number);
+    tcase_add_test(reports, json_has_a_member_for_each_number);
+    tcase_add_test(reports, a_step_without_contacts_was_clear);
+    tcase_add_test(reports, a_full_disk_is_noticed);
     suite_add_tcase(suite, reports);
     return suite;
 }

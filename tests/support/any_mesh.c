@@ -1,6 +1,6 @@
 #include "support/any_mesh.h"
 
-#include "program/mesh_file.h"
+#include "files/mesh_file.h"
 #include "surface/check.h"
 #include "surface/detect.h"
 

@@ -2,7 +2,7 @@
 #ifndef SUPPORT_MESHES_H
 #define SUPPORT_MESHES_H
 
-#include "program/mesh_file.h"
+#include "files/mesh_file.h"
 
 /// Reads a text from memory that ends with it, and calls it "mesh".
 bool parse_mesh(tf_mesh_file *file, const void *text, size_t size);

@@ -20,7 +20,7 @@
 #include <string.h>
 
 static const tf_arithmetic *const arithmetics[] = {
-    &tf_exact,     &tf_clamped,   &tf_report,
+    &tf_exact,     &tf_clamped,   &tf_published,
     &tf_perturbed, &tf_integer64, &tf_integer128,
 };
 

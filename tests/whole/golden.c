@@ -6,8 +6,8 @@
 //     TF_GOLDEN=write build/tests/whole/golden && git diff tests/queries
 #define _POSIX_C_SOURCE 200809L // strtok_r
 
+#include "files/query_file.h"
 #include "program/arithmetics.h"
-#include "program/query_file.h"
 #include "query/edge_edge.h"
 #include "query/point_edge.h"
 #include "query/point_triangle.h"

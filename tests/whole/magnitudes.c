@@ -265,8 +265,8 @@ static bool has_good_fields(const tf_arithmetic *arithmetic, const query *q)
     return n[0] != 0 || n[1] != 0 || n[2] != 0;
 }
 
-static const tf_arithmetic *const arithmetics[] = {&tf_exact, &tf_clamped,
-                                                   &tf_report, &tf_perturbed};
+static const tf_arithmetic *const arithmetics[] = {
+    &tf_exact, &tf_clamped, &tf_published, &tf_perturbed};
 enum {
     ARITHMETICS = sizeof arithmetics / sizeof *arithmetics
 };

@@ -24,7 +24,7 @@ enum {
 };
 
 static const tf_arithmetic *const arithmetics[ARITHMETICS] = {
-    &tf_exact,     &tf_clamped,   &tf_report,
+    &tf_exact,     &tf_clamped,   &tf_published,
     &tf_perturbed, &tf_integer64, &tf_integer128,
 };
 

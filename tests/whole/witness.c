@@ -38,7 +38,7 @@ END_TEST
 
 START_TEST(the_report_misses_it)
 {
-    ck_assert_int_eq(meet_witness(&tf_report).verdict, TF_APART);
+    ck_assert_int_eq(meet_witness(&tf_published).verdict, TF_APART);
 }
 END_TEST
 
@@ -72,7 +72,7 @@ START_TEST(a_whole_query_is_missed_alike)
     expect_truth(&q, &known);
 
     tf_contact contact;
-    tf_query(&tf_report, 3, 1, q.vertex, 3, query_others(&q), &contact);
+    tf_query(&tf_published, 3, 1, q.vertex, 3, query_others(&q), &contact);
     ck_assert_int_eq(contact.verdict, TF_APART);
     truth_clear(&known);
 }

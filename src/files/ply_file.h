@@ -1,0 +1,13 @@
+//: Declare how to read PLY
+#pragma once
+
+#include "files/mesh_file.h"
+
+/// Whether a file begins as PLY does.
+bool tf_is_ply(const char *text, size_t size);
+
+/// Reads PLY 1.0, as text or in binary of either byte order: the properties x, y
+/// and perhaps z of the element `vertex`, the list vertex_indices (or
+/// vertex_index) of `face`, vertex1 and vertex2 of `edge`; all else is skipped.
+/// In text each vertex, face or edge has a line.  The text ends with a zero.
+bool tf_ply_parse(tf_mesh_file *file, const char *text, size_t size);

@@ -1,0 +1,183 @@
+#define _GNU_SOURCE // open_memstream
+
+#include "files/mesh_writer.h"
+
+#include "support/generator.h"
+#include "support/matrices.h"
+#include "support/meshes.h"
+#include "support/support.h"
+
+#include <float.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+static const tf_mesh_format formats[] = {
+    TF_OBJ, TF_PLY_TEXT, TF_PLY_LITTLE_ENDIAN, TF_PLY_BIG_ENDIAN};
+
+enum {
+    FORMATS = 4
+};
+
+/// Writes a mesh and reads it again.
+static tf_mesh_file rewritten(const tf_mesh_file *mesh, tf_mesh_format format)
+{
+    char *text = NULL;
+    size_t size;
+    FILE *stream = open_memstream(&text, &size);
+    ck_assert_ptr_nonnull(stream);
+    tf_mesh_write(stream, mesh, format);
+    ck_assert_int_eq(fclose(stream), 0);
+    tf_mesh_file read = good_bytes(text, size);
+    ck_assert_int_eq(read.format, format);
+    free(text);
+    return read;
+}
+
+static void expect_same_ints(const tf_ints *a, const tf_ints *b)
+{
+    ck_assert_uint_eq(a->count, b->count);
+    for (size_t i = 0; i < a->count; i++)
+        ck_assert_int_eq(a->item[i], b->item[i]);
+}
+
+/// Expects that a mesh is written, in each format, as what is read again.
+static void expect_rewritten(const tf_mesh_file *mesh)
+{
+    for (int f = 0; f < FORMATS; f++) {
+        tf_mesh_file read = rewritten(mesh, formats[f]);
+        expect_vertices(&read, tf_mesh_file_vertices(mesh),
+                        mesh->position.item);
+        expect_same_ints(&mesh->triangle, &read.triangle);
+        expect_same_ints(&mesh->edge, &read.edge);
+        tf_mesh_file_free(&read);
+    }
+}
+
+START_TEST(a_mesh_of_all_elements)
+{
+    tf_mesh_file mesh = good_mesh(
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 7 7 7\nl 4 1 2\nf 3 1 2\nf 2 1 4\nl 3 4\n"
+        "v 5 5 5\n");
+    expect_rewritten(&mesh);
+    tf_mesh_file_free(&mesh);
+}
+END_TEST
+
+START_TEST(meshes_of_one_element)
+{
+    tf_mesh_file mesh = good_mesh("v 0 0 1\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    expect_rewritten(&mesh);
+    tf_mesh_file_free(&mesh);
+    mesh = good_mesh("v 0 0 1\nv 1 0 0\nl 2 1\n");
+    expect_rewritten(&mesh);
+    tf_mesh_file_free(&mesh);
+}
+END_TEST
+
+START_TEST(a_curve_of_the_plane)
+{
+    tf_mesh_file mesh = good_mesh("v 0 0.1\nv 1 0\nv 0 1\nl 1 2 3 1\n");
+    expect_rewritten(&mesh);
+    for (int f = 0; f < FORMATS; f++) {
+        tf_mesh_file read = rewritten(&mesh, formats[f]);
+        ck_assert(tf_mesh_file_is_flat(&read));
+        tf_mesh_file_free(&read);
+    }
+    tf_mesh_file_free(&mesh);
+}
+END_TEST
+
+START_TEST(doubles_of_any_size)
+{
+    static const double extremes[] = {0.0,
+                                      -0.0,
+                                      0.1,
+                                      1.0 / 3,
+                                      DBL_MAX,
+                                      -DBL_MAX,
+                                      DBL_MIN,
+                                      -DBL_MIN,
+                                      0x1p-1074,
+                                      -0x1p-1074,
+                                      0x1.fffffffffffffp-1,
+                                      1 + 0x1p-52};
+    enum {
+        EXTREMES = sizeof extremes / sizeof *extremes,
+        COUNT = 3000
+    };
+    generator random = generator_new(1);
+    tf_mesh_file mesh = {.name = "mesh"};
+    for (int v = 0; v < COUNT; v++) {
+        double x[3];
+        for (int k = 0; k < 3; k++)
+            x[k] = 3 * v + k < EXTREMES ? extremes[3 * v + k]
+                                        : any_double(&random);
+        ck_assert(tf_mesh_file_add_vertex(&mesh, x, 0));
+    }
+    int corner[3] = {COUNT - 1, 0, 300};
+    ck_assert(tf_mesh_file_add_triangle(&mesh, corner, 0));
+    expect_rewritten(&mesh);
+    tf_mesh_file_free(&mesh);
+}
+END_TEST
+
+START_TEST(what_is_written)
+{
+    char *text = NULL;
+    size_t size;
+    tf_mesh_file mesh =
+        good_mesh("v 0.5 0 1\nv 1 0 0\nv 0 1 0\nf 1 2 3\nl 3 1");
+    FILE *stream = open_memstream(&text, &size);
+    tf_mesh_write(stream, &mesh, TF_OBJ);
+    tf_mesh_write(stream, &mesh, TF_PLY_TEXT);
+    fclose(stream);
+    ck_assert_str_eq(
+        text, "v 0.5 0 1\nv 1 0 0\nv 0 1 0\nf 1 2 3\nl 3 1\n"
+              "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\n"
+              "property double y\nproperty double z\nelement face 1\n"
+              "property list uchar int vertex_indices\nelement edge 1\n"
+              "property int vertex1\nproperty int vertex2\nend_header\n"
+              "0.5 0 1\n1 0 0\n0 1 0\n3 0 1 2\n2 0\n");
+    free(text);
+    tf_mesh_file_free(&mesh);
+}
+END_TEST
+
+START_TEST(the_ending_chooses_the_format)
+{
+    static const struct {
+        const char *path;
+        tf_mesh_format usual, format;
+    } cases[] = {
+        {"a.obj", TF_OBJ, TF_OBJ},
+        {"a.OBJ", TF_PLY_TEXT, TF_OBJ},
+        {"a.ply", TF_OBJ, TF_PLY_LITTLE_ENDIAN},
+        {"a.ply", TF_PLY_TEXT, TF_PLY_TEXT},
+        {"a.Ply", TF_PLY_BIG_ENDIAN, TF_PLY_BIG_ENDIAN},
+        {"a", TF_PLY_BIG_ENDIAN, TF_PLY_BIG_ENDIAN},
+        {"-", TF_OBJ, TF_OBJ},
+        {"", TF_OBJ, TF_OBJ},
+        {"obj", TF_PLY_TEXT, TF_PLY_TEXT},
+        {"a.ply.gz", TF_OBJ, TF_OBJ},
+        {"a.obj/b", TF_PLY_TEXT, TF_PLY_TEXT},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
+        ck_assert_msg(tf_mesh_format_of(cases[i].path, cases[i].usual) ==
+                          cases[i].format,
+                      "%s, usual %d", cases[i].path, (int)cases[i].usual);
+}
+END_TEST
+
+Suite *suite(void)
+{
+    Suite *suite = suite_create("files/mesh_writer");
+    TCase *written = tcase_create("what is written");
+    tcase_add_test(written, a_mesh_of_all_elements);
+    tcase_add_test(written, meshes_of_one_element);
+    tcase_add_test(written, a_curve_of_the_plane);
+    tcase_add_test(written, doubles_of_any_size);
+    tcase_add_test(written, what_is_written);
+    tcase_add_test(written, the_ending_chooses_the_format);
+    suite_add_tcase(suite, written);
+    return suite;
+}

@@ -1,0 +1,718 @@
+// PLY, as text and in binary, good and bad.
+#include "files/ply_file.h"
+
+#include "support/meshes.h"
+#include "support/support.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+// Three vertices, on lines 10 to 12, and a triangle of them on line 13.
+#define VERTICES                                                               \
+    "element vertex 3\nproperty double x\nproperty double y\n"                 \
+    "property double z\n"
+#define FACES "element face 1\nproperty list uchar int vertex_indices\n"
+#define HEADER "ply\nformat ascii 1.0\n" VERTICES FACES "end_header\n"
+#define THREE "0 0 0\n1 0 0\n0 1 0\n"
+
+static const int first_three[] = {0, 1, 2};
+static const double three[] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+
+// Building binary files -------------------------------------------------------
+
+/// Bytes that are appended to.
+typedef struct bytes {
+    char at[2000];
+    size_t count;
+    bool big; ///< the order of the bytes of a number
+} bytes;
+
+static void put(bytes *to, const void *from, size_t size)
+{
+    // The machine's own order is the little one, or the reverse is put.
+    const char *byte = from;
+    static const short one = 1;
+    bool reverse = to->big == *(const char *)&one;
+    for (size_t i = 0; i < size; i++)
+        to->at[to->count++] = byte[reverse ? size - 1 - i : i];
+}
+
+static void put_text(bytes *to, const char *text)
+{
+    memcpy(to->at + to->count, text, strlen(text));
+    to->count += strlen(text);
+}
+
+static bytes binary(bool big, const char *declarations)
+{
+    bytes made = {.big = big};
+    put_text(&made, "ply\nformat binary_");
+    put_text(&made, big ? "big" : "little");
+    put_text(&made, "_endian 1.0\n");
+    put_text(&made, declarations);
+    put_text(&made, "end_header\n");
+    return made;
+}
+
+static void put_double(bytes *to, double x)
+{
+    put(to, &x, sizeof x);
+}
+
+static void put_float(bytes *to, float x)
+{
+    put(to, &x, sizeof x);
+}
+
+static void put_int(bytes *to, int size, int64_t number)
+{
+    uint64_t bits = (uint64_t)number;
+    for (int i = 0; i < size; i++) {
+        int shift = to->big ? size - 1 - i : i;
+        to->at[to->count++] = (char)(bits >> 8 * shift);
+    }
+}
+
+static void put_face(bytes *to)
+{
+    put_int(to, 1, 3);
+    for (int i = 0; i < 3; i++)
+        put_int(to, 4, i);
+}
+
+/// The triangle of HEADER and THREE.
+static bytes binary_triangle(bool big)
+{
+    bytes made = binary(big, VERTICES FACES);
+    for (int i = 0; i < 9; i++)
+        put_double(&made, three[i]);
+    put_face(&made);
+    return made;
+}
+
+// Good files ------------------------------------------------------------------
+
+START_TEST(how_it_begins)
+{
+    static const char *const good[] = {"ply\n", "ply\r", "ply\r\n",
+                                       "ply\nplenty"};
+    static const char *const bad[] = {"",      "\n",   "ply",   "pl\n",
+                                      "plx\n", "ply ", "PLY\n", "plyx\n"};
+    for (int i = 0; i < 4; i++)
+        ck_assert_msg(tf_is_ply(good[i], strlen(good[i])), "%s", good[i]);
+    for (int i = 0; i < 8; i++)
+        ck_assert_msg(!tf_is_ply(bad[i], strlen(bad[i])), "%s", bad[i]);
+    ck_assert(!tf_is_ply("ply\n", 3));
+}
+END_TEST
+
+START_TEST(a_triangle_as_text)
+{
+    tf_mesh_file file = good_mesh(HEADER THREE "3 0 1 2\n");
+    expect_vertices(&file, 3, three);
+    expect_triangles(&file, 1, first_three);
+    expect_edges(&file, 0, NULL);
+    ck_assert_int_eq(file.first_index, 0);
+    ck_assert(!file.counts_bytes);
+    ck_assert_int_eq(file.vertex_place.item[0], 10);
+    ck_assert_int_eq(file.triangle_place.item[0], 13);
+    tf_mesh_file_free(&file);
+}
+END_TEST
+
+START_TEST(a_triangle_in_binary)
+{
+    bytes made = binary_triangle(_i);
+    tf_mesh_file file = good_bytes(made.at, made.count);
+    expect_vertices(&file, 3, three);
+    expect_triangles(&file, 1, first_three);
+    ck_assert(file.counts_bytes);
+    ck_assert_int_eq(file.triangle_place.item[0], (int)made.count - 13);
+    ck_assert_int_eq(file.vertex_place.item[1], (int)made.count - 13 - 48);
+    tf_mesh_file_free(&file);
+}
+END_TEST
+
+static double any_double(generator *random)
+{
+    double x;
+    do {
+        uint64_t bits = next_bits(random);
+        if (below(random, 8) == 0)
+            bits &= ~(UINT64_C(0x7ff) << 52);
+        memcpy(&x, &bits, sizeof x);
+    } while (!isfinite(x));
+    return x;
+}
+
+START_TEST(random_doubles_come_back_to_the_last_bit)
+{
+    generator random = generator_new(1);
+    for (long i = 0; i < cases(10000); i++) {
+        double x[9];
+        char text[1000] = HEADER;
+        bytes made = binary(i % 2, VERTICES FACES);
+        for (int j = 0; j < 9; j++) {
+            x[j] = any_double(&random);
+            put_double(&made, x[j]);
+            sprintf(text + strlen(text), i % 2 ? "%a%c" : "%.17g%c", x[j],
+                    j % 3 < 2 ? ' ' : '\n');
+        }
+        put_face(&made);
+        strcat(text, "3 0 1 2\n");
+        tf_mesh_file file = good_mesh(text);
+        expect_vertices(&file, 3, x);
+        tf_mesh_file_free(&file);
+        file = good_bytes(made.at, made.count);
+        expect_vertices(&file, 3, x);
+        tf_mesh_file_free(&file);
+    }
+}
+END_TEST
+
+START_TEST(random_floats_come_back_to_the_last_bit)
+{
+    generator random = generator_new(2);
+    for (long i = 0; i < cases(10000); i++) {
+        bytes made = binary(i % 2, "element vertex 1\nproperty float x\n"
+                                   "property float32 y\nproperty float z\n"
+                                   "element edge 1\nproperty int vertex1\n"
+                                   "property int vertex2\n");
+        double x[3];
+        for (int k = 0; k < 3; k++) {
+            float single = INFINITY;
+            while (!isfinite(single)) {
+                uint32_t bits = (uint32_t)next_bits(&random);
+                memcpy(&single, &bits, sizeof single);
+            }
+            put_float(&made, single);
+            x[k] = (double)single;
+        }
+        put_int(&made, 4, 0);
+        put_int(&made, 4, 0);
+        tf_mesh_file file = good_bytes(made.at, made.count);
+        expect_vertices(&file, 1, x);
+        tf_mesh_file_free(&file);
+    }
+}
+END_TEST
+
+/// Every type of integers, its size, and its least and largest index.
+static const struct {
+    const char *names[2];
+    int size;
+    int64_t least, most;
+} integers[] = {
+    {{"char", "int8"}, 1, -128, 127},
+    {{"uchar", "uint8"}, 1, 0, 255},
+    {{"short", "int16"}, 2, -32768, 32767},
+    {{"ushort", "uint16"}, 2, 0, 65535},
+    {{"int", "int32"}, 4, INT32_MIN, INT32_MAX},
+    {{"uint", "uint32"}, 4, 0, UINT32_MAX},
+};
+
+static void try_integers(int i, int name, bool big)
+{
+    char declarations[500];
+    const char *type = integers[i].names[name];
+    snprintf(declarations, sizeof declarations,
+             "element vertex 1\nproperty %s x\nproperty %s y\n"
+             "property %s z\nelement face 1\n"
+             "property list %s %s vertex_index\n",
+             type, type, type, type, type);
+    bytes made = binary(big, declarations);
+    int size = integers[i].size;
+    put_int(&made, size, integers[i].least);
+    put_int(&made, size, integers[i].most);
+    put_int(&made, size, 100);
+    put_int(&made, size, 3);
+    put_int(&made, size, 0);
+    put_int(&made, size, 127);
+    put_int(&made, size, integers[i].most & INT32_MAX);
+    tf_mesh_file file = good_bytes(made.at, made.count);
+    expect_vertices(
+        &file, 1,
+        (double[]){(double)integers[i].least, (double)integers[i].most, 100});
+    expect_triangles(&file, 1,
+                     (int[]){0, 127, (int)(integers[i].most & INT32_MAX)});
+    tf_mesh_file_free(&file);
+}
+
+START_TEST(all_types_of_integers)
+{
+    for (int i = 0; i < 6; i++)
+        for (int j = 0; j < 4; j++)
+            try_integers(i, j / 2, j % 2);
+}
+END_TEST
+
+START_TEST(edges)
+{
+    static const char declarations[] =
+        "element vertex 3\nproperty float x\nproperty float y\n"
+        "element edge 2\nproperty uchar red\nproperty uint vertex2\n"
+        "property short vertex1\n";
+    char text[400];
+    snprintf(text, sizeof text,
+             "ply\nformat ascii 1.0\n%send_header\n0 0\n1 0\n0 1\n255 1 0\n"
+             "0 2 1\n",
+             declarations);
+    tf_mesh_file file = good_mesh(text);
+    expect_vertices(&file, 3, three);
+    expect_edges(&file, 2, (int[]){0, 1, 1, 2});
+    ck_assert_int_eq(file.edge_place.item[1], 15);
+    ck_assert(tf_mesh_file_is_flat(&file));
+    tf_mesh_file_free(&file);
+
+    bytes made = binary(true, declarations);
+    for (int i = 0; i < 6; i++)
+        put_float(&made, (float)three[i / 2 * 3 + i % 2]);
+    for (int i = 0; i < 2; i++) {
+        put_int(&made, 1, 255);
+        put_int(&made, 4, i + 1);
+        put_int(&made, 2, i);
+    }
+    file = good_bytes(made.at, made.count);
+    expect_vertices(&file, 3, three);
+    expect_edges(&file, 2, (int[]){0, 1, 1, 2});
+    tf_mesh_file_free(&file);
+}
+END_TEST
+
+// All that is not asked for: normals, colors, lists, elements.
+#define MORE                                                                   \
+    "comment x\nobj_info y\nelement camera 1\n"                                \
+    "property list uchar float x\nproperty double y\n"                         \
+    "element nothing 1000000000\n"                                             \
+    "element vertex 3\nproperty list int uchar a\nproperty uchar red\n"        \
+    "property double z\nproperty float nx\nproperty double y\n"                \
+    "property double x\n\n"                                                    \
+    "element face 1\nproperty list uint double texcoord\n"                     \
+    "property list uchar int vertex_indices\nproperty int vertex_index\n"      \
+    "element material 2\nproperty int id\n"
+
+START_TEST(what_is_unknown_is_skipped_as_text)
+{
+    tf_mesh_file file =
+        good_mesh("ply\nformat ascii 1.0\n" MORE "end_header\n"
+                  "2 1.5 nan -inf\n"
+                  "1 7 255 0 nan 0 0\n0 x 0 inf 0 1\n2 5 5 1 0 nan 1 0\n"
+                  "2 0.5 NaN 3 0 1 2 -9\n"
+                  "none\n18446744073709551616\n");
+    expect_vertices(&file, 3, three);
+    expect_triangles(&file, 1, first_three);
+    tf_mesh_file_free(&file);
+}
+END_TEST
+
+static void put_more_vertex(bytes *to, int list, const double x[3])
+{
+    put_int(to, 4, list);
+    for (int i = 0; i < list; i++)
+        put_int(to, 1, i);
+    put_int(to, 1, 255);
+    put_double(to, x[2]);
+    put_float(to, NAN);
+    put_double(to, x[1]);
+    put_double(to, x[0]);
+}
+
+static bytes binary_more(bool big)
+{
+    bytes made = binary(big, MORE);
+    put_int(&made, 1, 1);
+    put_float(&made, INFINITY);
+    put_double(&made, NAN);
+    for (int i = 0; i < 3; i++)
+        put_more_vertex(&made, 5 * i, three + 3 * i);
+    put_int(&made, 4, 1);
+    put_double(&made, NAN);
+    put_face(&made);
+    put_int(&made, 4, -9);
+    put_int(&made, 4, 1);
+    put_int(&made, 4, 2);
+    return made;
+}
+
+START_TEST(what_is_unknown_is_skipped_in_binary)
+{
+    bytes made = binary_more(_i);
+    tf_mesh_file file = good_bytes(made.at, made.count);
+    expect_vertices(&file, 3, three);
+    expect_triangles(&file, 1, first_three);
+    tf_mesh_file_free(&file);
+}
+END_TEST
+
+START_TEST(windows_text)
+{
+    static const char text[] = HEADER THREE "3 0 1 2\n";
+    char windows[2 * sizeof text], *to = windows;
+    for (const char *from = text; *from; from++) {
+        if (*from == '\n')
+            *to++ = '\r';
+        *to++ = *from;
+    }
+    *to = '\0';
+    tf_mesh_file file = good_mesh(windows);
+    expect_vertices(&file, 3, three);
+    expect_triangles(&file, 1, first_three);
+    ck_assert_int_eq(file.triangle_place.item[0], 13);
+    tf_mesh_file_free(&file);
+}
+END_TEST
+
+START_TEST(a_windows_header_of_binary)
+{
+    bytes made = {0};
+    put_text(&made, "ply\r\nformat binary_little_endian 1.0\r\n"
+                    "element vertex 3\r\nproperty double x\r\n"
+                    "property double y\r\nproperty double z\r\n"
+                    "element face 1\r\n"
+                    "property list uchar int vertex_indices\r\nend_header\r\n");
+    for (int i = 0; i < 9; i++)
+        put_double(&made, three[i]);
+    put_face(&made);
+    tf_mesh_file file = good_bytes(made.at, made.count);
+    expect_vertices(&file, 3, three);
+    tf_mesh_file_free(&file);
+}
+END_TEST
+
+START_TEST(blanks_and_blank_lines)
+{
+    expect_triangles_of(HEADER "\n 0  0\t0 \n1 0 0\n\n \t\n0 1 0\n3 0 1 2", 1,
+                        first_three);
+    expect_triangles_of("ply\n format\tascii  1.0 \n\n\t" VERTICES FACES
+                        "end_header \n" THREE "3 0 1 2\n\n \n",
+                        1, first_three);
+}
+END_TEST
+
+START_TEST(faces_before_vertices)
+{
+    expect_triangles_of("ply\nformat ascii 1.0\n" FACES VERTICES "end_header\n"
+                        "3 0 1 2\n" THREE,
+                        1, first_three);
+}
+END_TEST
+
+// Faults of the header --------------------------------------------------------
+
+static const struct {
+    const char *text;
+    long line;
+    const char *words;
+} headers[] = {
+    {"ply\n", 2, "the header ends too early; the file may be cut short"},
+    {"ply\r", 1, "the header ends too early"},
+    {"ply\nformat ascii 1.0\n" VERTICES FACES, 9, "the header ends too early"},
+    {"ply\nformat ascii 1.0\n" VERTICES FACES "end_header", 9,
+     "nothing follows the header; the file may be cut short"},
+    {"ply\n" VERTICES FACES "end_header\n" THREE "3 0 1 2\n", 8,
+     "the header has no format; add"},
+    {"ply\nformat utf8 1.0\n", 2, "unknown format \"utf8\"; write ascii"},
+    {"ply\nformat\n", 2, "unknown format \"\"; write ascii"},
+    {"ply\nformat binary_little_endian_and_more_than_that 1.0\n", 2,
+     "unknown format \"binary_little_endian_and_more_t\""},
+    {"ply\nformat ascii 1.0\nversion 7\n", 3,
+     "a header line cannot begin with \"version\"; begin comments"},
+    {"ply\nformat ascii 1.0\nelement vertex\n", 3,
+     "\"\" is not a number of elements; write an integer from 0 to 2147483647"},
+    {"ply\nformat ascii 1.0\nelement vertex -1\n", 3, "\"-1\" is not a number"},
+    {"ply\nformat ascii 1.0\nelement vertex 3x\n", 3, "\"3x\" is not a number"},
+    {"ply\nformat ascii 1.0\nelement vertex 1e3\n", 3,
+     "\"1e3\" is not a number"},
+    {"ply\nformat ascii 1.0\nelement vertex 2147483648\n", 3,
+     "\"2147483648\" is not a number"},
+    {"ply\nformat ascii 1.0\nelement vertex 99999999999999999999\n", 3,
+     "\"99999999999999999999\" is not a number"},
+    {"ply\nformat ascii 1.0\nelement a 1\nproperty real x\n", 4,
+     "unknown type \"real\"; use one of PLY's"},
+    {"ply\nformat ascii 1.0\nelement a 1\nproperty\n", 4, "unknown type \"\""},
+    {"ply\nformat ascii 1.0\nelement a 1\nproperty list uchar\n", 4,
+     "unknown type \"\""},
+    {"ply\nformat ascii 1.0\nelement a 1\nproperty list x int a\n", 4,
+     "unknown type \"x\""},
+    {"ply\nformat ascii 1.0\nproperty float x\n", 3,
+     "a property before all elements; write an element line first"},
+    {"ply\nformat ascii 1.0\n" VERTICES VERTICES, 7,
+     "a second element vertex; declare it once"},
+    {"ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"
+     "property float z\nend_header\n0 0\n",
+     3, "the vertices have no x or no y; declare the properties"},
+    {"ply\nformat ascii 1.0\nelement vertex 3\nproperty list uchar float x\n"
+     "property float y\nend_header\n0 0\n",
+     3, "the vertices have no x or no y"},
+    {"ply\nformat ascii 1.0\n" VERTICES
+     "element face 1\nproperty int vertex_indices\nend_header\n" THREE
+     "3 0 1 2\n",
+     7, "the faces have no corners; declare the property list"},
+    {"ply\nformat ascii 1.0\n" VERTICES
+     "element edge 1\nproperty int vertex1\nend_header\n" THREE "0 1\n",
+     7, "the edges have no ends; declare the properties int vertex1"},
+    {"ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"
+     "property float y\n" FACES "end_header\n0 0\n1 0\n0 1\n3 0 1 2\n",
+     3,
+     "vertices without z; the vertices of triangles must have three "
+     "coordinates"},
+    {"ply\nformat binary_little_endian 1.0\nelement vertex 3\n"
+     "property float x\nproperty float y\nproperty list int int z\n" FACES
+     "end_header\n",
+     3, "vertices without z"},
+};
+
+START_TEST(bad_headers)
+{
+    expect_bad_mesh(headers[_i].text, headers[_i].line, headers[_i].words);
+}
+END_TEST
+
+START_TEST(too_many_declarations)
+{
+    char text[4000] = "ply\nformat ascii 1.0\n";
+    for (int i = 0; i < 17; i++)
+        strcat(text, "element a 0\n");
+    expect_bad_mesh(text, 19, "more than 16 elements; delete");
+    strcpy(text, "ply\nformat ascii 1.0\nelement a 0\n");
+    for (int i = 0; i < 65; i++)
+        strcat(text, "property int a\n");
+    expect_bad_mesh(text, 68, "more than 64 properties; delete");
+}
+END_TEST
+
+START_TEST(sixteen_elements_of_sixty_four_properties)
+{
+    char text[20000] = "ply\nformat ascii 1.0\n" VERTICES;
+    for (int i = 3; i < 64; i++)
+        strcat(text, "property int a\n");
+    strcat(text, FACES);
+    for (int i = 2; i < 16; i++)
+        strcat(text, "element a 0\n");
+    strcat(text, "end_header\n");
+    for (int v = 0; v < 3; v++) {
+        sprintf(text + strlen(text), "%g %g %g", three[3 * v], three[3 * v + 1],
+                three[3 * v + 2]);
+        for (int i = 3; i < 64; i++)
+            strcat(text, " 7");
+        strcat(text, "\n");
+    }
+    strcat(text, "3 0 1 2\n");
+    tf_mesh_file file = good_mesh(text);
+    expect_vertices(&file, 3, three);
+    tf_mesh_file_free(&file);
+}
+END_TEST
+
+// Faults of what follows, as text ---------------------------------------------
+
+static const struct {
+    const char *rows;
+    long line;
+    const char *words;
+} texts[] = {
+    {"", 10, "the file ends too early; it may be cut short, or the header"},
+    {"0 0 0\n1 0", 11, "the file ends too early"},
+    {THREE, 13, "the file ends too early"},
+    {THREE "3 0 1", 13, "the file ends too early"},
+    {THREE "3", 13, "the file ends too early"},
+    {"0 0\n1 0 0\n", 10,
+     "the line ends too early; it must have all that the header"},
+    {THREE "3 0 1\n", 13, "the line ends too early"},
+    {"0 0 0 0\n", 10, "\"0\" is more than the header declares"},
+    {THREE "3 0 1 2 2\n", 13, "\"2\" is more than the header declares"},
+    {THREE "3 0 1 2\n3 0 1 2\n", 14,
+     "more follows than the header declares; correct"},
+    {THREE "0 0 1\n3 0 1 2\n", 13,
+     "a face with 0 corners; each must have three"},
+    {"0 0 nan\n", 10, "\"nan\" is not a finite number; write a decimal"},
+    {"0 0 0\n0 inf 0\n", 11, "\"inf\" is not a finite number"},
+    {"0 0 0\n0 1e999 0\n", 11, "a coordinate is not finite; remove"},
+    {"0 0 0\n0 x 0\n", 11, "\"x\" is not a finite number"},
+    {"0 0 0\n0 1,5 0\n", 11, "\"1,5\" is not a finite number"},
+    {"0 0 0\n0 1.5.5 0\n", 11, "\"1.5.5\" is not a finite number"},
+    {THREE "4 0 1 2 0\n", 13,
+     "a face with 4 corners; triangulate the mesh, for instance by Blender"},
+    {THREE "2 0 1\n", 13, "a face with 2 corners; each must have three"},
+    {THREE "-3 0 1 2\n", 13,
+     "-3 is not an index or a length; write an integer from 0"},
+    {THREE "3.5 0 1 2\n", 13, "3.5 is not an index or a length"},
+    {THREE "3 0 1 -2\n", 13, "-2 is not an index or a length"},
+    {THREE "3 0 1 1.5\n", 13, "1.5 is not an index or a length"},
+    {THREE "3 0 1 2147483648\n", 13, "2147483648 is not an index or a length"},
+    {THREE "3 0 1 1e30\n", 13, "1e+30 is not an index"},
+    {THREE "3 0 1 two\n", 13, "\"two\" is not a finite number"},
+    {THREE "3 0 1 2;\n", 13, "\"2;\" is not a finite number"},
+    {THREE "three 0 1 2\n", 13, "\"three\" is not a finite number"},
+};
+
+START_TEST(bad_texts)
+{
+    char text[500];
+    snprintf(text, sizeof text, HEADER "%s", texts[_i].rows);
+    expect_bad_mesh(text, texts[_i].line, texts[_i].words);
+}
+END_TEST
+
+START_TEST(counts_that_are_wrong)
+{
+    static const struct {
+        const char *vertices;
+        long line;
+        const char *words;
+    } counts[] = {
+        {"4", 13, "\"2\" is more than the header declares for an element"},
+        {"2147483647", 13, "\"2\" is more than the header declares"},
+        {"2", 12, "a face with 0 corners"},
+        {"0", 10, "a face with 0 corners"},
+    };
+    for (int i = 0; i < 4; i++) {
+        char text[500];
+        snprintf(text, sizeof text,
+                 "ply\nformat ascii 1.0\nelement vertex %s\n"
+                 "property float x\nproperty float y\nproperty float z\n" FACES
+                 "end_header\n" THREE "3 0 1 2\n",
+                 counts[i].vertices);
+        expect_bad_mesh(text, counts[i].line, counts[i].words);
+    }
+}
+END_TEST
+
+START_TEST(nul_bytes)
+{
+    static const char text[] = HEADER THREE "3 0 1 2\n";
+    size_t header = strlen(HEADER);
+    for (size_t at = 4; at < sizeof text - 1; at++) {
+        char broken[sizeof text];
+        memcpy(broken, text, sizeof text);
+        broken[at] = '\0';
+        tf_mesh_file file;
+        bool good = parse_mesh(&file, broken, sizeof text - 1);
+        ck_assert_msg(!good || at < header, "byte %zu", at);
+        ck_assert_msg(good || strstr(file.fault, "; "), "%s", file.fault);
+        tf_mesh_file_free(&file);
+    }
+    expect_bad_bytes(HEADER "0 0 0\n1 0 0\0\n", strlen(HEADER) + 13, 11,
+                     "a NUL byte; the file must be plain text");
+}
+END_TEST
+
+// Faults of what follows, in binary -------------------------------------------
+
+START_TEST(cut_short_at_each_byte)
+{
+    bytes made = _i < 2 ? binary_triangle(_i) : binary_more(_i - 2);
+    size_t header = (size_t)(strstr(made.at, "end_header\n") - made.at) + 11;
+    for (size_t size = 4; size < made.count; size++) {
+        tf_mesh_file file;
+        ck_assert_msg(!parse_mesh(&file, made.at, size), "%zu bytes", size);
+        ck_assert_msg(strstr(file.fault, "; "), "%s", file.fault);
+        ck_assert(file.counts_bytes == (size >= header));
+        if (size >= header) {
+            ck_assert_msg(strstr(file.fault, "the file ends too early"),
+                          "%zu: %s", size, file.fault);
+            ck_assert_int_ge(file.fault_place, (long)size - 7);
+            ck_assert_int_le(file.fault_place, (long)size);
+        }
+        tf_mesh_file_free(&file);
+    }
+}
+END_TEST
+
+START_TEST(bytes_to_spare)
+{
+    bytes made = binary_triangle(_i);
+    put_int(&made, 1, 0);
+    expect_bad_bytes(made.at, made.count, (long)made.count - 1,
+                     "more follows than the header declares; correct");
+}
+END_TEST
+
+START_TEST(bad_numbers_in_binary)
+{
+    bytes made = binary(_i, VERTICES FACES);
+    bytes rows = made;
+    put_double(&rows, 1);
+    put_double(&rows, NAN);
+    put_double(&rows, 1);
+    expect_bad_bytes(rows.at, rows.count, (long)made.count + 8,
+                     "a coordinate is not finite; remove");
+    rows = made;
+    put_double(&rows, -INFINITY);
+    expect_bad_bytes(rows.at, rows.count, (long)made.count,
+                     "a coordinate is not finite");
+    rows = binary_triangle(_i);
+    rows.count -= 4;
+    put_int(&rows, 4, -2);
+    expect_bad_bytes(rows.at, rows.count, (long)rows.count - 4,
+                     "-2 is not an index or a length");
+    rows.count -= 13;
+    put_int(&rows, 1, 4);
+    for (int i = 0; i < 4; i++)
+        put_int(&rows, 4, i);
+    expect_bad_bytes(rows.at, rows.count, (long)rows.count - 17,
+                     "a face with 4 corners; triangulate");
+}
+END_TEST
+
+START_TEST(counts_that_no_file_has)
+{
+    // Neither memory nor time is spent on what is declared alone.
+    bytes made =
+        binary(_i, "element a 2147483647\nproperty list uint double b\n"
+                   "element vertex 2147483647\nproperty char x\n"
+                   "property char y\n");
+    bytes rows = made;
+    put_int(&rows, 4, INT32_MAX);
+    put_double(&rows, 1);
+    expect_bad_bytes(rows.at, rows.count, (long)rows.count,
+                     "the file ends too early; it may be cut short");
+    rows = made;
+    put_int(&rows, 4, UINT32_MAX);
+    expect_bad_bytes(rows.at, rows.count, (long)made.count,
+                     "4294967295 is not an index or a length");
+}
+END_TEST
+
+Suite *suite(void)
+{
+    Suite *suite = suite_create("files/ply_file");
+    TCase *good = tcase_create("good files");
+    tcase_add_test(good, how_it_begins);
+    tcase_add_test(good, a_triangle_as_text);
+    tcase_add_loop_test(good, a_triangle_in_binary, 0, 2);
+    tcase_add_test(good, random_doubles_come_back_to_the_last_bit);
+    tcase_add_test(good, random_floats_come_back_to_the_last_bit);
+    tcase_add_test(good, all_types_of_integers);
+    tcase_add_test(good, edges);
+    tcase_add_test(good, what_is_unknown_is_skipped_as_text);
+    tcase_add_loop_test(good, what_is_unknown_is_skipped_in_binary, 0, 2);
+    tcase_add_test(good, windows_text);
+    tcase_add_test(good, a_windows_header_of_binary);
+    tcase_add_test(good, blanks_and_blank_lines);
+    tcase_add_test(good, faces_before_vertices);
+    suite_add_tcase(suite, good);
+
+    TCase *header = tcase_create("faults of the header");
+    tcase_add_loop_test(header, bad_headers, 0,
+                        sizeof headers / sizeof *headers);
+    tcase_add_test(header, too_many_declarations);
+    tcase_add_test(header, sixteen_elements_of_sixty_four_properties);
+    suite_add_tcase(suite, header);
+
+    TCase *text = tcase_create("faults of text");
+    tcase_add_loop_test(text, bad_texts, 0, sizeof texts / sizeof *texts);
+    tcase_add_test(text, counts_that_are_wrong);
+    tcase_add_test(text, nul_bytes);
+    suite_add_tcase(suite, text);
+
+    TCase *cut = tcase_create("faults of binary");
+    tcase_add_loop_test(cut, cut_short_at_each_byte, 0, 4);
+    tcase_add_loop_test(cut, bytes_to_spare, 0, 2);
+    tcase_add_loop_test(cut, bad_numbers_in_binary, 0, 2);
+    tcase_add_loop_test(cut, counts_that_no_file_has, 0, 2);
+    suite_add_tcase(suite, cut);
+    return suite;
+}

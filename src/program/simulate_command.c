@@ -2,6 +2,7 @@
 #define _GNU_SOURCE // isatty
 #include "program/simulate_command.h"
 
+#include "files/visible.h"
 #include "program/arguments.h"
 #include "program/clock.h"
 #include "program/interruption.h"
@@ -9,7 +10,6 @@
 #include "program/simulation_folder.h"
 #include "program/step_fields.h"
 #include "program/threads.h"
-#include "files/visible.h"
 #include "simulate/cloth_scenes.h"
 #include "simulate/flow_scenes.h"
 

@@ -40,7 +40,7 @@ static void expect_ends(const char *text, const char *failure,
 START_TEST(failures_are_as_told)
 {
     const double root = sqrt(17);
-    char *text = printed(&fig_coordinate_row_failures);
+    char *text = printed(&fig_row_failures);
     expect_ends(text, "seesaw", (double[3][2]){{0, 1}, {-2, 2}, {2, -2}},
                 (double[3][2]){{0, 1}, {-2, -2}, {2, 2}},
                 (double[3][2]){{1, 2}, {-2, -2}, {1, 1}});
@@ -70,5 +70,5 @@ END_TEST
 
 Suite *suite(void)
 {
-    return suite_of("figures/coordinate_row_failures", failures_are_as_told);
+    return suite_of("figures/row_failures", failures_are_as_told);
 }

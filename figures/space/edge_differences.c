@@ -207,8 +207,8 @@ static void draw(fig_page *page, FILE *numbers)
     fig_number(numbers, "winding_end", fabs(winding_number(band)));
 }
 
-const fig_figure fig_edge_edge_differences = {
-    .name = "edge-edge-differences",
+const fig_figure fig_edge_differences = {
+    .name = "edge-differences",
     .title = "The differences of two edges, a band around the origin",
     .width = FIG_PAGE_WIDTH,
     .height = 272,

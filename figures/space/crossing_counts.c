@@ -209,8 +209,8 @@ static void draw(fig_page *page, FILE *numbers)
     name_ends(page, &plot);
 }
 
-const fig_figure fig_crossings_and_contacts = {
-    .name = "crossings-and-contacts",
+const fig_figure fig_crossing_counts = {
+    .name = "crossing-counts",
     .title = "An edge that meets a point once, twice, or not at all",
     .width = FIG_PAGE_WIDTH,
     .height = 250,

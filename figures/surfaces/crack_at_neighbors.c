@@ -201,9 +201,9 @@ static void draw(fig_page *page, FILE *numbers)
     print_numbers(numbers);
 }
 
-const fig_figure fig_crack_between_neighbors = {
-    .name = "crack-between-neighbors",
-    .title = "The crack between neighbors that are swept in different orders",
+const fig_figure fig_crack_at_neighbors = {
+    .name = "crack-at-neighbors",
+    .title = "The crack between neighbors swept in different orders",
     .width = FIG_PAGE_WIDTH,
     .height = 284,
     .moves = true,

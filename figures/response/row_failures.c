@@ -228,8 +228,8 @@ static void draw(fig_page *page, FILE *numbers)
     }
 }
 
-const fig_figure fig_coordinate_row_failures = {
-    .name = "coordinate-row-failures",
+const fig_figure fig_row_failures = {
+    .name = "row-failures",
     .title = "Three contacts that a row by coordinates cannot handle",
     .width = FIG_PAGE_WIDTH,
     .height = 142,

@@ -319,9 +319,9 @@ static void draw(fig_page *page, FILE *numbers)
     fig_number(numbers, "degree_end", fabs(degree(&last)));
 }
 
-const fig_figure fig_edge_triangle_differences = {
-    .name = "edge-triangle-differences",
-    .title = "The differences of an edge and a triangle, around the origin",
+const fig_figure fig_triangle_differences = {
+    .name = "triangle-differences",
+    .title = "Differences of an edge and a triangle, around the origin",
     .width = FIG_PAGE_WIDTH,
     .height = 264,
     .draw = draw,

@@ -27,7 +27,7 @@ static bool meet(int a, int b, int c, double *time)
 
 START_TEST(a_private_order_opens_a_crack)
 {
-    char *text = printed(&fig_crack_between_neighbors);
+    char *text = printed(&fig_crack_at_neighbors);
     double time = -1;
     expect_number(text, "private_hits",
                   meet(0, 1, 2, &time) + meet(1, 0, 3, &time));
@@ -45,6 +45,6 @@ END_TEST
 
 Suite *suite(void)
 {
-    return suite_of("figures/crack_between_neighbors",
+    return suite_of("figures/crack_at_neighbors",
                     a_private_order_opens_a_crack);
 }

@@ -5,7 +5,7 @@
 /// y = -3/16 at t = 1/8 and t = 3/8, and at y = -1/2 never.
 START_TEST(edge_meets_the_points)
 {
-    char *text = printed(&fig_crossings_and_contacts);
+    char *text = printed(&fig_crossing_counts);
     expect_number(text, "toi_once", 0.75);
     expect_number(text, "toi_twice", 0.125);
     expect_number(text, "toi_never", -1);
@@ -21,5 +21,5 @@ END_TEST
 
 Suite *suite(void)
 {
-    return suite_of("figures/crossings_and_contacts", edge_meets_the_points);
+    return suite_of("figures/crossing_counts", edge_meets_the_points);
 }

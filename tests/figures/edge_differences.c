@@ -18,7 +18,7 @@ START_TEST(band_winds_where_edges_cross)
     const tf_worldline g[2] = {
         tf_worldline_between(2, (double[]){0.3, -0.9}, (double[]){0.1, -0.7}),
         tf_worldline_between(2, (double[]){0.5, 0.8}, (double[]){0.15, 1})};
-    char *text = printed(&fig_edge_edge_differences);
+    char *text = printed(&fig_edge_differences);
     expect_number(text, "toi", oracle_time(2, 1, &e[1], 2, g));
 
     // The border of a parallelogram winds around what is inside, once.
@@ -30,6 +30,5 @@ END_TEST
 
 Suite *suite(void)
 {
-    return suite_of("figures/edge_edge_differences",
-                    band_winds_where_edges_cross);
+    return suite_of("figures/edge_differences", band_winds_where_edges_cross);
 }

@@ -21,7 +21,7 @@ START_TEST(balloon_wraps_where_the_edge_crosses)
         e[i] = tf_worldline_between(3, edge_at[0][i], edge_at[1][i]);
     for (int i = 0; i < 3; i++)
         v[i] = tf_worldline_between(3, triangle_at[0][i], triangle_at[1][i]);
-    char *text = printed(&fig_edge_triangle_differences);
+    char *text = printed(&fig_triangle_differences);
     expect_number(text, "toi", oracle_time(3, 1, &e[0], 3, v));
     expect_number(text, "degree_start", cross_at(e, v, 0));
     expect_number(text, "degree_end", cross_at(e, v, 1));
@@ -38,6 +38,6 @@ END_TEST
 
 Suite *suite(void)
 {
-    return suite_of("figures/edge_triangle_differences",
+    return suite_of("figures/triangle_differences",
                     balloon_wraps_where_the_edge_crosses);
 }

@@ -10,21 +10,21 @@
 #include <stdlib.h>
 #include <string.h>
 
-//: Find a kind of query by its name
+//: Name the kinds of query
 static const tf_query_kind kinds[] = {
     {"point-edge", 2, {1, 2}},
     {"point-triangle", 3, {1, 3}},
-    {"vertex-face", 3, {1, 3}},
     {"edge-edge", 3, {2, 2}},
+    {"vertex-face", 3, {1, 3}},
 };
 
-const tf_query_kind *tf_query_kind_named(const char *name)
-{
-    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
-        if (strcmp(name, kinds[i].name) == 0)
-            return &kinds[i];
-    return NULL;
-}
+const tf_choice tf_query_kinds[] = {
+    {"point-edge", &kinds[0]},
+    {"point-triangle", &kinds[1]},
+    {"edge-edge", &kinds[2]},
+    {"vertex-face", &kinds[3]},
+    {NULL, NULL},
+};
 
 //: Open and close a query file
 static void set_kind(tf_query_file *file, const tf_query_kind *kind,

@@ -1,6 +1,7 @@
 //: Declare query files
 #pragma once
 
+#include "files/choice.h"
 #include "files/text_lines.h"
 
 #include <stdbool.h>
@@ -14,12 +15,8 @@ typedef struct tf_query_kind {
     int vertices[2]; ///< of the first and the second element
 } tf_query_kind;
 
-/// The names that tf_query_kind_named accepts, for help and messages.
-#define TF_QUERY_KIND_NAMES "point-edge, point-triangle or edge-edge"
-
-/// The kind of that name (vertex-face is point-triangle too); NULL if there is
-/// none.
-const tf_query_kind *tf_query_kind_named(const char *name);
+/// The kinds by their names; vertex-face is point-triangle, too.
+extern const tf_choice tf_query_kinds[];
 
 //: Declare a query as the file gives it
 enum {

@@ -2,10 +2,10 @@
 #include "draw/commands.h"
 #include "draw/query_picture.h"
 
+#include "arithmetic/exact.h"
 #include "base/require.h"
 #include "base/status.h"
 #include "files/visible.h"
-#include "program/arithmetics.h"
 
 #include <errno.h>
 #include <limits.h>
@@ -33,7 +33,8 @@ enum {
 
 static const struct argp_option options[] = {
     {"kind", 'k', "KIND", 0,
-     "Which elements: " TF_QUERY_KIND_NAMES " (vertex-face is point-triangle)",
+     "Which elements: point-edge, point-triangle, edge-edge or vertex-face "
+     "(which is point-triangle)",
      0},
     {"at", TIME, "T", 0,
      "Draw the elements at this time of the step, from 0 to 1, in place of "
@@ -127,9 +128,10 @@ static error_t understand(int key, char *text, struct argp_state *state)
         state->child_inputs[0] = &asked->settings;
         return 0;
     case 'k':
-        asked->kind = tf_query_kind_named(text);
+        asked->kind = tf_choice_named(tf_query_kinds, text);
         if (!asked->kind)
-            argp_error(state, "unknown kind '%s'; choose " TF_QUERY_KIND_NAMES,
+            argp_error(state, "--kind must be %s, got '%s'",
+                       tf_list_choices(tf_query_kinds).text,
                        tf_make_visible(text).text);
         return 0;
     case TIME:
@@ -149,8 +151,7 @@ static error_t understand(int key, char *text, struct argp_state *state)
         return 0;
     case ARGP_KEY_END:
         if (!asked->kind)
-            argp_error(state,
-                       "--kind is required; choose " TF_QUERY_KIND_NAMES);
+            argp_error(state, "--kind KIND is required: which elements");
         return 0;
     default:
         return ARGP_ERR_UNKNOWN;
@@ -205,7 +206,7 @@ static void answer(fig_answered *answered)
 {
     const tf_query_kind *kind = answered->kind;
     const tf_worldline *first = answered->vertex;
-    tf_status status = tf_query(tf_arithmetic_named("exact"), kind->axes,
+    tf_status status = tf_query(&tf_exact, kind->axes,
                                 kind->vertices[0], first, kind->vertices[1],
                                 first + kind->vertices[0], &answered->contact);
     // Read from a file, all coordinates are finite.

@@ -30,7 +30,7 @@ static outcome read_stream(const char *kind, FILE *stream)
 {
     outcome found = {0};
     tf_query_file file;
-    tf_query_file_start(&file, stream, "text", tf_query_kind_named(kind), 100);
+    tf_query_file_start(&file, stream, "text", tf_choice_named(tf_query_kinds, kind), 100);
     tf_query_rows rows;
     while ((found.last = tf_query_file_next(&file, &rows)) == TF_READ_GOOD) {
         if (found.count < KEPT)
@@ -548,7 +548,7 @@ static void expect_no_file(const char *path, bool opens, const char *words)
 {
     tf_query_file file;
     tf_query_rows rows;
-    const tf_query_kind *kind = tf_query_kind_named("edge-edge");
+    const tf_query_kind *kind = tf_choice_named(tf_query_kinds, "edge-edge");
     ck_assert_int_eq(tf_query_file_open(&file, path, kind, 0), opens);
     if (opens)
         ck_assert_int_eq(tf_query_file_next(&file, &rows), TF_READ_FAULT);
@@ -574,20 +574,20 @@ END_TEST
 
 START_TEST(kinds_by_their_names)
 {
-    const tf_query_kind *kind = tf_query_kind_named("point-edge");
+    const tf_query_kind *kind = tf_choice_named(tf_query_kinds, "point-edge");
     ck_assert(kind->axes == 2 && kind->vertices[0] == 1 &&
               kind->vertices[1] == 2);
-    kind = tf_query_kind_named("edge-edge");
+    kind = tf_choice_named(tf_query_kinds, "edge-edge");
     ck_assert(kind->axes == 3 && kind->vertices[0] == 2 &&
               kind->vertices[1] == 2);
     static const char *const names[] = {"point-triangle", "vertex-face"};
     for (int i = 0; i < 2; i++) {
-        kind = tf_query_kind_named(names[i]);
+        kind = tf_choice_named(tf_query_kinds, names[i]);
         ck_assert(kind->axes == 3 && kind->vertices[0] == 1 &&
                   kind->vertices[1] == 3);
     }
-    ck_assert_ptr_null(tf_query_kind_named(""));
-    ck_assert_ptr_null(tf_query_kind_named("face-vertex"));
+    ck_assert_ptr_null(tf_choice_named(tf_query_kinds, ""));
+    ck_assert_ptr_null(tf_choice_named(tf_query_kinds, "face-vertex"));
 }
 END_TEST
 
@@ -595,7 +595,7 @@ START_TEST(standard_input_has_a_name)
 {
     tf_query_file file;
     ck_assert(
-        tf_query_file_open(&file, "-", tf_query_kind_named("edge-edge"), 0));
+        tf_query_file_open(&file, "-", tf_choice_named(tf_query_kinds, "edge-edge"), 0));
     ck_assert_ptr_eq(file.lines.stream, stdin);
     ck_assert_str_eq(file.lines.name, "standard input");
     tf_query_file_close(&file);

@@ -1,5 +1,6 @@
 // Two boxes that merge, and a speck between them, which is inside then.
 #include "base/require.h"
+#include "experiments/leave_out.h"
 #include "kit/figures.h"
 #include "kit/patches.h"
 
@@ -57,8 +58,9 @@ static tf_outcome merge(tf_adaptive_surface *surface, unsigned left_out)
 {
     static const int low[] = {4, 6}, high[] = {8, 10};
     tf_outcome outcome;
-    surface->left_out = left_out;
+    leave_out(left_out);
     TF_REQUIRE(tf_adaptive_merge(surface, low, high, &outcome) == TF_OK);
+    leave_out(0);
     return outcome;
 }
 

@@ -156,8 +156,9 @@ static void print_numbers(const tf_elements *edges, FILE *numbers)
 static void draw(fig_page *page, FILE *numbers)
 {
     tf_elements triangles = {0}, edges = {0};
-    bool good = tf_mesh_triangles(&mesh, &triangles) &&
-                tf_mesh_edges(&mesh, &triangles, &edges);
+    tf_sort_room room = {0};
+    bool good = tf_mesh_triangles(&mesh, &triangles, &room) &&
+                tf_mesh_edges(&mesh, &triangles, &edges, &room);
     TF_REQUIRE(good);
     int record[RECORDS][2];
     copy_records(&triangles, record);
@@ -170,6 +171,7 @@ static void draw(fig_page *page, FILE *numbers)
     print_numbers(&edges, numbers);
     tf_buffer_free(&triangles.room);
     tf_buffer_free(&edges.room);
+    tf_sort_room_free(&room);
 }
 
 const fig_figure fig_derived_edges = {

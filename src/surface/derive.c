@@ -62,7 +62,8 @@ static void copy_element(int corners, const int from[], int to[])
     tf_element_sort(corners, to);
 }
 
-bool tf_mesh_triangles(const tf_mesh *mesh, tf_elements *list)
+bool tf_mesh_triangles(const tf_mesh *mesh, tf_elements *list,
+                       tf_sort_room *room)
 {
     list->corners = 3;
     if (!tf_buffer_reserve(&list->room, (size_t)mesh->triangles + 1,
@@ -71,7 +72,7 @@ bool tf_mesh_triangles(const tf_mesh *mesh, tf_elements *list)
     int *corner = list->room.data;
     for (int i = 0; i < mesh->triangles; i++)
         copy_element(3, mesh->triangle + 3 * (size_t)i, corner + 3 * (size_t)i);
-    return tf_elements_sort(list, mesh->triangles, mesh->vertices);
+    return tf_elements_sort(list, mesh->triangles, mesh->vertices, room);
 }
 
 //: Derive the edges
@@ -84,7 +85,7 @@ static void copy_edges(const int triangle[3], int edge[6])
 }
 
 bool tf_mesh_edges(const tf_mesh *mesh, const tf_elements *triangles,
-                   tf_elements *list)
+                   tf_elements *list, tf_sort_room *room)
 {
     list->corners = 2;
     int count = 3 * triangles->count + mesh->edges;
@@ -95,5 +96,5 @@ bool tf_mesh_edges(const tf_mesh *mesh, const tf_elements *triangles,
         copy_edges(triangles->corner + 3 * (size_t)i, edge);
     for (int i = 0; i < mesh->edges; i++, edge += 2)
         copy_element(2, mesh->edge + 2 * (size_t)i, edge);
-    return tf_elements_sort(list, count, mesh->vertices);
+    return tf_elements_sort(list, count, mesh->vertices, room);
 }

@@ -15,6 +15,15 @@ typedef struct tf_elements {
 /// Sorts the vertices of one element.
 void tf_element_sort(int corners, int corner[]);
 
+/// Room for sorting lists of elements, one after another.
+typedef struct tf_sort_room {
+    tf_buffer other; ///< as many elements as the list has
+    tf_buffer place; ///< of each vertex: where the next element with it goes
+} tf_sort_room;
+
 /// Makes a list of `count` elements that are in its room, in any order.  False
 /// if there is no memory.
-bool tf_elements_sort(tf_elements *list, int count, int vertices);
+bool tf_elements_sort(tf_elements *list, int count, int vertices,
+                      tf_sort_room *room);
+
+void tf_sort_room_free(tf_sort_room *room);

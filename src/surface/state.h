@@ -15,6 +15,7 @@ struct tf_surface {
     tf_buffer boxes; ///< of the vertices
     tf_tree vertex_tree, edge_tree, triangle_tree;
     tf_tree_room tree_room;
+    tf_sort_room sort_room; ///< of the elements
     tf_workers workers;
     tf_buffer task_rows, task_places; ///< of the tasks that list candidates
     tf_buffer found;   ///< what was found last, lent to the caller
@@ -22,6 +23,11 @@ struct tf_surface {
     tf_buffer moved;   ///< how far vertices and elements have moved since
                        ///< pairs were kept
 };
+
+/// Gives a surface another mesh, which is good, in memory that is kept; nothing
+/// of the last mesh is left.  False if there is no memory: then the surface
+/// needs another mesh before it is used.
+bool tf_surface_refill(tf_surface *surface, const tf_mesh *mesh);
 
 //: Declare how a surface moves
 /// Builds the trees for one step.  Returns TF_OK; TF_BAD_ENVIRONMENT;

@@ -8,14 +8,13 @@
 #include <stdlib.h>
 
 //: Create a surface
-static tf_status fill(const tf_mesh *mesh, tf_surface *surface)
+bool tf_surface_refill(tf_surface *surface, const tf_mesh *mesh)
 {
+    tf_sort_room *room = &surface->sort_room;
     surface->axes = mesh->axes;
     surface->vertices = mesh->vertices;
-    if (!tf_mesh_triangles(mesh, &surface->triangles) ||
-        !tf_mesh_edges(mesh, &surface->triangles, &surface->edges))
-        return TF_OUT_OF_MEMORY;
-    return TF_OK;
+    return tf_mesh_triangles(mesh, &surface->triangles, room) &&
+           tf_mesh_edges(mesh, &surface->triangles, &surface->edges, room);
 }
 
 tf_status tf_surface_create(const tf_mesh *mesh, tf_surface **surface,
@@ -27,12 +26,14 @@ tf_status tf_surface_create(const tf_mesh *mesh, tf_surface **surface,
     if (status != TF_OK)
         return status;
     tf_surface *made = calloc(1, sizeof *made);
-    status = made ? fill(mesh, made) : TF_OUT_OF_MEMORY;
-    if (status == TF_OK)
-        *surface = made;
-    else
+    if (!made || !tf_surface_refill(made, mesh)) {
         tf_surface_free(made);
-    return status;
+        return TF_OUT_OF_MEMORY;
+    }
+    // Most surfaces keep their mesh.
+    tf_sort_room_free(&made->sort_room);
+    *surface = made;
+    return TF_OK;
 }
 
 //: Free a surface
@@ -47,6 +48,7 @@ void tf_surface_free(tf_surface *surface)
     tf_tree_free(&surface->edge_tree);
     tf_tree_free(&surface->triangle_tree);
     tf_tree_room_free(&surface->tree_room);
+    tf_sort_room_free(&surface->sort_room);
     tf_workers_free(&surface->workers);
     tf_buffer_free(&surface->task_rows);
     tf_buffer_free(&surface->task_places);
@@ -87,6 +89,7 @@ size_t tf_surface_memory(const tf_surface *surface)
            tree_bytes(&surface->vertex_tree) + tree_bytes(&surface->edge_tree) +
            tree_bytes(&surface->triangle_tree) + room->keys.bytes +
            room->sorted.bytes + room->counts.bytes +
+           surface->sort_room.other.bytes + surface->sort_room.place.bytes +
            tf_workers_memory(&surface->workers) + surface->task_rows.bytes +
            surface->task_places.bytes + surface->found.bytes +
            surface->sorting.bytes + surface->moved.bytes;

@@ -21,8 +21,6 @@ struct tf_adaptive_surface {
     tf_buffer found;         ///< room for a search
     tf_buffer cuboid;        ///< room for the boxes of all triangles
     tf_surgery surgery;      ///< that is being tried
-    unsigned left_out;       ///< tests: a bit 1 << outcome for each that tests
-                             ///< of the library leave out
 };
 
 /// Makes room for so many vertices and triangles, for what a surgery places,

@@ -26,17 +26,9 @@ static trial trial_of(tf_adaptive_surface *surface)
                    .sweep = s->sweep.data};
 }
 
-/// Whether a test takes part.
-static bool tests(const trial *t, tf_outcome refusal)
-{
-    return (t->surface->left_out >> refusal & 1) == 0;
-}
-
 //: Test D: no new triangle is collinear
 static bool some_graft_is_flat(const trial *t)
 {
-    if (!tests(t, TF_FLATTENED))
-        return false;
     for (int i = 0; i < t->grafts; i++) {
         const double *const *x = t->graft[i].facet.corner;
         if (tf_are_collinear(x[0], x[1], x[2]))
@@ -48,8 +40,6 @@ static bool some_graft_is_flat(const trial *t)
 //: Test S: new triangles overlap no other
 static bool grafts_overlap(const trial *t)
 {
-    if (!tests(t, TF_OVERLAPPED))
-        return false;
     for (int i = 0; i < t->grafts; i++)
         for (int j = 0; j < i; j++)
             if (tf_facets_overlap(&t->graft[i].facet, &t->graft[j].facet))
@@ -59,8 +49,6 @@ static bool grafts_overlap(const trial *t)
 
 static bool overlaps_a_graft(const trial *t, const tf_added_triangle *kept)
 {
-    if (!tests(t, TF_OVERLAPPED))
-        return false;
     for (int i = 0; i < t->grafts; i++)
         if (tf_aabbs_overlap(&t->graft[i].box, &kept->box) &&
             tf_facets_overlap(&t->graft[i].facet, &kept->facet))
@@ -82,19 +70,18 @@ static bool sweeps_edge(const tf_tetrahedron *body, int count,
 //: Sweep over a kept element
 /// Test V, no vertex is swept over, and test E, for a triangle that is kept or an
 /// edge: `count` is 3 or 2.
-static tf_outcome try_sweep(const trial *t, const tf_tetrahedron *body,
-                            int count, const tf_facet *kept)
+static tf_outcome try_sweep(const tf_tetrahedron *body, int count,
+                            const tf_facet *kept)
 {
     unsigned outside[3] = {0};
     for (int i = 0; i < count; i++) {
         if (tf_tetrahedron_corner(body, kept->vertex[i]) >= 0)
             continue;
         outside[i] = tf_tetrahedron_outside(body, kept->corner[i]);
-        if (tests(t, TF_PASSED_VERTEX) &&
-            tf_tetrahedron_holds(body, kept->corner[i], outside[i]))
+        if (tf_tetrahedron_holds(body, kept->corner[i], outside[i]))
             return TF_PASSED_VERTEX;
     }
-    for (int i = 0; tests(t, TF_PASSED_EDGE) && i < 2 * count - 3; i++)
+    for (int i = 0; i < 2 * count - 3; i++)
         if (sweeps_edge(body, count, kept, outside, i))
             return TF_PASSED_EDGE;
     return TF_COMMITTED;
@@ -108,7 +95,7 @@ static tf_outcome try_sweeps(const trial *t, int count,
         if (!tf_aabbs_overlap(&t->sweep[i].box, &kept->box) ||
             tf_tetrahedron_is_apart(body, count, &kept->facet))
             continue;
-        tf_outcome outcome = try_sweep(t, body, count, &kept->facet);
+        tf_outcome outcome = try_sweep(body, count, &kept->facet);
         if (outcome != TF_COMMITTED)
             return outcome;
     }
@@ -119,7 +106,7 @@ static tf_outcome try_sweeps(const trial *t, int count,
 static bool axis_touches(const trial *t, const tf_added_triangle *kept)
 {
     const int *axis = t->surface->surgery.axis;
-    if (axis[0] == TF_NONE || !tests(t, TF_PASSED_TRIANGLE))
+    if (axis[0] == TF_NONE)
         return false;
     tf_aabb box = tf_aabb_of(t->surface, 2, axis);
     return tf_aabbs_overlap(&box, &kept->box) &&

@@ -87,19 +87,12 @@ static bool holds_vertex(const tf_walls *walls, tf_adaptive_surface *surface)
 }
 
 //: Try surgery on a ball
-static bool tests_ball(const tf_adaptive_surface *surface, tf_outcome refusal)
-{
-    return (surface->left_out >> refusal & 1) == 0;
-}
-
 tf_outcome tf_walls_try(const tf_walls *walls, tf_adaptive_surface *surface)
 {
     tf_outcome outcome = tf_surgery_try(surface);
     if (outcome != TF_COMMITTED)
         return outcome;
-    if (tests_ball(surface, TF_OVERLAPPED) && overlaps_wall(walls, surface))
+    if (overlaps_wall(walls, surface))
         return TF_OVERLAPPED;
-    if (tests_ball(surface, TF_PASSED_VERTEX) && holds_vertex(walls, surface))
-        return TF_PASSED_VERTEX;
-    return TF_COMMITTED;
+    return holds_vertex(walls, surface) ? TF_PASSED_VERTEX : TF_COMMITTED;
 }

@@ -1,5 +1,6 @@
 #include "support/operating.h"
 
+#include "experiments/leave_out.h"
 #include "support/dyadic.h"
 #include "support/hash.h"
 #include "support/tangle.h"
@@ -395,7 +396,7 @@ const char *operating_run(generator random, adaptive_scene_kind kind,
     static operating run;
     const char *found = NULL;
     operating_begin(&run, random, kind, counts);
-    run.surface->left_out = left_out;
+    leave_out(left_out);
     for (int i = 0; i < operations && !found; i++) {
         chosen request = operating_choose(&run);
         uint64_t hash = operating_hash(&run);
@@ -407,6 +408,7 @@ const char *operating_run(generator random, adaptive_scene_kind kind,
         if (i % 128 == 127)
             operating_compact(&run);
     }
+    leave_out(0);
     operating_end(&run);
     return found;
 }

@@ -206,9 +206,9 @@ static void answer(fig_answered *answered)
 {
     const tf_query_kind *kind = answered->kind;
     const tf_worldline *first = answered->vertex;
-    tf_status status = tf_query(&tf_exact, kind->axes,
-                                kind->vertices[0], first, kind->vertices[1],
-                                first + kind->vertices[0], &answered->contact);
+    tf_status status = tf_query(&tf_exact, kind->axes, kind->vertices[0], first,
+                                kind->vertices[1], first + kind->vertices[0],
+                                &answered->contact);
     // Read from a file, all coordinates are finite.
     TF_REQUIRE(status == TF_OK);
 }

@@ -236,7 +236,8 @@ static void make_queries(query_set *set)
 {
     for (int vertices = 1; vertices <= 2; vertices++) {
         workload w = workload_named(set->name, vertices);
-        const tf_query_kind *kind = tf_choice_named(tf_query_kinds, workload_kind(&w));
+        const tf_query_kind *kind =
+            tf_choice_named(tf_query_kinds, workload_kind(&w));
         for (long i = 0; i < w.count; i++) {
             tf_query_rows rows = {.ground_truth = -1};
             for (int t = 0; t < 2; t++)

@@ -30,7 +30,8 @@ static outcome read_stream(const char *kind, FILE *stream)
 {
     outcome found = {0};
     tf_query_file file;
-    tf_query_file_start(&file, stream, "text", tf_choice_named(tf_query_kinds, kind), 100);
+    tf_query_file_start(&file, stream, "text",
+                        tf_choice_named(tf_query_kinds, kind), 100);
     tf_query_rows rows;
     while ((found.last = tf_query_file_next(&file, &rows)) == TF_READ_GOOD) {
         if (found.count < KEPT)
@@ -594,8 +595,8 @@ END_TEST
 START_TEST(standard_input_has_a_name)
 {
     tf_query_file file;
-    ck_assert(
-        tf_query_file_open(&file, "-", tf_choice_named(tf_query_kinds, "edge-edge"), 0));
+    ck_assert(tf_query_file_open(
+        &file, "-", tf_choice_named(tf_query_kinds, "edge-edge"), 0));
     ck_assert_ptr_eq(file.lines.stream, stdin);
     ck_assert_str_eq(file.lines.name, "standard input");
     tf_query_file_close(&file);

@@ -83,7 +83,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
                                         "edge-edge"};
     if (size < 2)
         return 0;
-    const tf_query_kind *kind = tf_choice_named(tf_query_kinds, names[bytes[0] % 3]);
+    const tf_query_kind *kind =
+        tf_choice_named(tf_query_kinds, names[bytes[0] % 3]);
     FILE *stream = fmemopen((void *)(bytes + 1), size - 1, "r");
     require(stream != NULL);
     read_all(stream, kind, lines((const char *)bytes + 1, size - 1));

@@ -8,9 +8,9 @@
 
 START_TEST(every_arithmetic_is_found_by_its_own_name)
 {
-    static const tf_arithmetic *const all[] = {
-        &tf_exact,     &tf_clamped,   &tf_published,
-        &tf_perturbed, &tf_integer64, &tf_integer128};
+    static const tf_arithmetic *const all[] = {&tf_exact,     &tf_clamped,
+                                               &tf_published, &tf_perturbed,
+                                               &tf_integer64, &tf_integer128};
     for (int i = 0; i < 6; i++)
         ck_assert_ptr_eq(
             tf_choice_named(tf_arithmetics, tf_arithmetic_name(all[i])),

@@ -46,8 +46,8 @@ START_TEST(each_method_answers_each_kind)
     tf_method_options options = {
         .arithmetic = &tf_exact, .tolerance = 1e-6, .threshold = 1e-6};
     tf_contact contact;
-    ck_assert_int_eq(tf_method_answer(method_named(methods[_i % 3]),
-                                      &options, kind, &query, &contact),
+    ck_assert_int_eq(tf_method_answer(method_named(methods[_i % 3]), &options,
+                                      kind, &query, &contact),
                      TF_OK);
     ck_assert_int_eq(contact.verdict, TF_HIT);
     ck_assert_double_eq_tol(contact.toi_lo, 0.5, 1e-6);

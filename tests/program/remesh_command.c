@@ -83,7 +83,8 @@ START_TEST(bad_arguments_are_refused)
 {
     expect_usage("remesh -o out -e 1", "tanglefree remesh: one file is req");
     expect_usage("remesh a b -o out -e 1", "tanglefree remesh: one file is");
-    expect_usage("remesh square.obj -e 1", "tanglefree remesh: --write OUT is required: where to write "
+    expect_usage("remesh square.obj -e 1",
+                 "tanglefree remesh: --write OUT is required: where to write "
                  "the new mesh\n");
     expect_usage("remesh square.obj -o out",
                  "tanglefree remesh: --edge L is required: the length that "

@@ -612,9 +612,10 @@ START_TEST(wrong_arguments_are_refused)
     expect_usage("detect --narrow-phase=scalar above below",
                  "tanglefree detect: --narrow-phase must be reference or "
                  "vector, got 'scalar'\n");
-    expect_usage("detect -o xml above below",
-                 "tanglefree detect: --output must be csv, json or summary, got "
-                 "'xml'\n");
+    expect_usage(
+        "detect -o xml above below",
+        "tanglefree detect: --output must be csv, json or summary, got "
+        "'xml'\n");
     expect_usage("check -a exact clear",
                  "tanglefree check: invalid option -- 'a'");
     expect_usage("check -n vector clear",

@@ -85,8 +85,8 @@ static void put_answer(FILE *text, const char *name, const tf_query_kind *kind,
 {
     fprintf(text, "%ld %s%s:", query, name, backwards ? " backwards" : "");
     tf_contact contact;
-    tf_status status =
-        ask(tf_choice_named(tf_arithmetics, name), kind, rows, backwards, &contact);
+    tf_status status = ask(tf_choice_named(tf_arithmetics, name), kind, rows,
+                           backwards, &contact);
     if (status == TF_OK)
         put_contact(text, &contact);
     else

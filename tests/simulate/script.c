@@ -1,11 +1,11 @@
-#include "simulate/handle.h"
+#include "simulate/script.h"
 
 #include "support/support.h"
 
 #include <math.h>
 
 /// Of four vertices the middle two.
-static const tf_handle middle = {.first = 1,
+static const tf_script middle = {.first = 1,
                                  .count = 2,
                                  .begin = 1,
                                  .end = 3,
@@ -26,7 +26,7 @@ static void expect_at(double time, int vertex, double x, double y, double z)
 {
     tf_body body = four();
     double position[12] = {0};
-    tf_handle_place(&middle, &body, time, position);
+    tf_script_place(&middle, &body, time, position);
     const double expected[] = {x, y, z};
     for (int k = 0; k < 3; k++)
         ck_assert_double_eq_tol(position[3 * vertex + k], expected[k], 1e-14);
@@ -66,7 +66,7 @@ END_TEST
 
 Suite *suite(void)
 {
-    Suite *suite = suite_create("simulate/handle");
+    Suite *suite = suite_create("simulate/script");
     TCase *tcase = tcase_create("places");
     tcase_add_test(tcase, it_turns_and_shifts);
     tcase_add_test(tcase, it_rests_before_and_after);

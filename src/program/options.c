@@ -93,8 +93,8 @@ const tf_option tf_options[] = {
      .help = "Where to write the end of the step"},
     {TF_REMESH, OPTION("write", 'o', "OUT", out, TF_TEXT), .required = true,
      .help = "Where to write the new mesh"},
-    {TF_SIMULATE, OPTION("write", 'o', "DIR", out, TF_TEXT), .required = true,
-     .help = "The folder for the frames"},
+    {TF_SIMULATE, OPTION("write", 'o', "DIR", out, TF_TEXT),
+     .help = "The folder for the frames; required"},
     {TF_RESOLVE, OPTION("fixed", 'f', "FILE", fixed, TF_TEXT),
      .help = "The scripted vertices, which end where END has them unless they "
              "have to be held back: their numbers, from 0"},

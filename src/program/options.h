@@ -32,7 +32,7 @@ typedef struct tf_request {
     double separation, friction, restitution;
     double edge; ///< of remesh and simulate: a length, 0 if not given
     int rounds;
-    int steps, size; ///< of simulate; 0 if not given
+    int steps, size; ///< of simulate
     bool resume;
 } tf_request;
 

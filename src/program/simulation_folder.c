@@ -2,8 +2,8 @@
 #define _POSIX_C_SOURCE 200809L
 #include "program/simulation_folder.h"
 
-#include "program/frame_file.h"
 #include "files/output_file.h"
+#include "program/frame_file.h"
 #include "program/steps_file.h"
 
 #include <dirent.h>

@@ -167,14 +167,14 @@ static bool read_query(tf_query_file *file, const request *asked,
     for (;;) {
         tf_reading reading = tf_query_file_next(file, query);
         if (reading == TF_READ_END)
-            return tf_text_lines_fault(&file->lines, 0,
-                                       "there is no query %ld; the file has "
-                                       "%ld, numbered from 0 to %ld",
-                                       asked->number, file->queries,
-                                       file->queries - 1);
+            return tf_fault_set(
+                file->lines.text.fault, file->lines.text.name, -1,
+                "there is no query %ld; the file has %zu, "
+                "numbered from 0 to %zu",
+                asked->number, file->queries, file->queries - 1);
         if (reading == TF_READ_FAULT)
             return false;
-        if (file->queries > asked->number)
+        if (file->queries > (size_t)asked->number)
             return true;
     }
 }
@@ -182,10 +182,11 @@ static bool read_query(tf_query_file *file, const request *asked,
 static bool read_file(const request *asked, tf_query_rows *query)
 {
     tf_query_file file;
-    bool good = tf_query_file_open(&file, asked->path, asked->kind, 0) &&
-                read_query(&file, asked, query);
-    if (!good)
-        tf_text_lines_print_fault(&file.lines, "tanglefree-draw");
+    tf_fault fault = {0};
+    bool good =
+        tf_query_file_open(&file, asked->path, asked->kind, 0, &fault) &&
+        read_query(&file, asked, query);
+    tf_fault_print(&fault, "tanglefree-draw");
     tf_query_file_close(&file);
     return good;
 }

@@ -36,21 +36,23 @@ typedef struct tf_query_rows {
 //: Declare the reader of query files
 /// Reads one query after another in memory of the size of the longest line.
 typedef struct tf_query_file {
-    tf_text_lines lines; ///< with the fault
+    tf_text_lines lines;
     const tf_query_kind *kind;
-    long queries; ///< the number of the next query
-    int columns;  ///< of the first row; 0 before it was read
+    size_t queries; ///< the number of the next query
+    int columns;    ///< of the first row; 0 before it was read
 } tf_query_file;
 
 //: Declare how to read a query file
 /// Starts to read a stream, or the file at `path` ("-": standard input).  The
-/// first query has the number `queries`.  Both borrow the name.  Close the
+/// first query has the number `queries`.  Both borrow the name and the fault.  Close the
 /// file in any case, also if it cannot be opened; this closes the stream, too,
 /// unless it is standard input.
 void tf_query_file_start(tf_query_file *file, FILE *stream, const char *name,
-                         const tf_query_kind *kind, long queries);
+                         const tf_query_kind *kind, size_t queries,
+                         tf_fault *fault);
 bool tf_query_file_open(tf_query_file *file, const char *path,
-                        const tf_query_kind *kind, long queries);
+                        const tf_query_kind *kind, size_t queries,
+                        tf_fault *fault);
 void tf_query_file_close(tf_query_file *file);
 
 /// Reads the next query, without lines that are blank or begin with #.

@@ -57,6 +57,7 @@ typedef struct answering {
     const tf_request *request;
     tf_query_file file;
     tf_query_output output;
+    tf_fault fault;
     tf_progress progress;
     long rounded; ///< coordinates
 } answering;
@@ -75,10 +76,10 @@ static bool fault_in_range(answering *work, const tf_query_rows *query)
     while (i < 2 * end &&
            tf_arithmetic_fits(arithmetic, axes, query->x[i / end][i % end]))
         i++;
-    return tf_text_lines_fault(
-        &work->file.lines, query->line[i / axes], TF_OUT_OF_RANGE_FAULT,
-        query->x[i / end][i % end], tf_arithmetic_name(arithmetic),
-        tf_arithmetic_bits(arithmetic, axes));
+    return tf_fault_set(
+        &work->fault, work->file.lines.text.name, query->line[i / axes],
+        TF_OUT_OF_RANGE_FAULT, query->x[i / end][i % end],
+        tf_arithmetic_name(arithmetic), tf_arithmetic_bits(arithmetic, axes));
 }
 
 //: Answer a query
@@ -91,8 +92,8 @@ static bool answer_by(answering *work, const tf_method *method,
     if (status == TF_OUT_OF_RANGE)
         return fault_in_range(work, query);
     if (status != TF_OK)
-        return tf_text_lines_fault(&work->file.lines, query->line[0], "%s",
-                                   tf_status_message(status));
+        return tf_fault_set(&work->fault, work->file.lines.text.name,
+                            query->line[0], "%s", tf_status_message(status));
     return true;
 }
 
@@ -122,15 +123,13 @@ static bool answer_open_file(answering *work)
     return reading == TF_READ_END;
 }
 
-// A file with a fault stays open, for it holds the description of the fault.
 static bool answer_file(answering *work, const char *path)
 {
-    if (!tf_query_file_open(&work->file, path, work->request->kind,
-                            (long)work->output.tally.queries) ||
-        !answer_open_file(work))
-        return false;
+    bool good = tf_query_file_open(&work->file, path, work->request->kind,
+                                   work->output.tally.queries, &work->fault) &&
+                answer_open_file(work);
     tf_query_file_close(&work->file);
-    return true;
+    return good;
 }
 
 //: Answer all queries
@@ -146,33 +145,29 @@ static bool answer_files(answering *work)
 
 //: Print what went wrong
 // After the answers, so that those of good queries are out by then.
-static void print_errors(answering *work)
+static void print_rounded(long rounded)
 {
-    if (work->rounded > 0)
+    if (rounded > 0)
         fprintf(stderr,
                 "tanglefree: rounded %ld rational coordinate%s to the nearest "
                 "double\n",
-                work->rounded, work->rounded == 1 ? "" : "s");
-    if (work->output.records.error != 0)
-        fprintf(stderr,
-                "tanglefree: standard output: cannot write: %s; the output "
-                "is incomplete\n",
-                strerror(work->output.records.error));
-    if (work->file.lines.fault[0] != '\0')
-        tf_text_lines_print_fault(&work->file.lines, "tanglefree");
-    tf_query_file_close(&work->file);
+                rounded, rounded == 1 ? "" : "s");
 }
 
 //: Run the command query
 static int run(const tf_request *request)
 {
-    answering work = {.request = request, .progress = tf_progress_begin()};
+    answering work = {.request = request, .progress = tf_progress_begin(false)};
     bool good = tf_query_output_begin(&work.output, stdout, *request->format,
                                       request->kind->axes) &&
                 answer_files(&work);
     tf_progress_end(&work.progress);
     good = tf_query_output_end(&work.output) && good;
-    print_errors(&work);
+    if (work.output.records.error)
+        tf_fault_set_unwritten(&work.fault, "standard output",
+                               work.output.records.error);
+    print_rounded(work.rounded);
+    tf_fault_print(&work.fault, "tanglefree");
     return good ? 0 : 2;
 }
 

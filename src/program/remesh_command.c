@@ -1,15 +1,12 @@
 //: Include what the command remesh needs
-#define _GNU_SOURCE // isatty
 #include "program/clock.h"
 #include "program/command.h"
-#include "program/defects.h"
+#include "program/flaws.h"
 #include "program/frames.h"
 #include "program/mesh_output.h"
 #include "program/progress.h"
-#include "program/remesh_output.h"
+#include "program/reports.h"
 #include "remesh/remesh.h"
-
-#include <unistd.h>
 
 //: Describe the usage of remesh
 static const char description[] =
@@ -37,7 +34,6 @@ typedef struct remeshing {
     tf_frames frames;
     tf_adaptive_surface *surface;
     tf_remeshed done;
-    tf_mesh_file mesh; ///< that is written
     tf_mesh_output out;
     tf_progress progress;
 } remeshing;
@@ -45,13 +41,8 @@ typedef struct remeshing {
 //: Make the surface of a file adaptive
 static bool load(remeshing *r)
 {
-    tf_mesh_file *file = &r->frames.file[r->frames.current];
-    tf_mesh mesh = {.axes = 3,
-                    .vertices = tf_mesh_file_vertices(file),
-                    .triangles = tf_mesh_file_triangles(file),
-                    .triangle = file->triangle.item,
-                    .edges = tf_mesh_file_edges(file),
-                    .edge = file->edge.item};
+    const tf_mesh_file *file = tf_frames_file(&r->frames);
+    tf_mesh mesh = tf_mesh_file_elements(file, 3);
     tf_defect defect;
     r->done.triangles_before = mesh.triangles;
     tf_status status =
@@ -79,7 +70,7 @@ static bool remesh(remeshing *r)
     tf_status status = tf_adaptive_remesh(r->surface, &how, &r->done.report);
     r->done.seconds = tf_clock_seconds() - begin;
     r->done.edge = how.edge;
-    tf_mesh_file *file = &r->frames.file[r->frames.current];
+    const tf_mesh_file *file = tf_frames_file(&r->frames);
     if (status == TF_BAD_TOLERANCE)
         return tf_mesh_file_fault(
             file, -1,
@@ -88,62 +79,36 @@ static bool remesh(remeshing *r)
     return status == TF_OK || tf_defect_fault(file, status, &(tf_defect){0});
 }
 
-//: Fill a file with the surface
-static bool fill_file(remeshing *r)
-{
-    const tf_mesh_file *in = tf_frames_file(&r->frames);
-    tf_mesh mesh = tf_adaptive_mesh(r->surface);
-    const double *x = tf_adaptive_positions(r->surface);
-    bool good = true;
-    r->mesh = (tf_mesh_file){
-        .name = in->name, .format = in->format, .first_index = in->first_index};
-    r->done.triangles_after = mesh.triangles;
-    for (int v = 0; v < mesh.vertices && good; v++)
-        good = tf_mesh_file_add_vertex(&r->mesh, x + 3 * (size_t)v, v);
-    for (int t = 0; t < mesh.triangles && good; t++)
-        good = tf_mesh_file_add_triangle(&r->mesh,
-                                         mesh.triangle + 3 * (size_t)t, t);
-    return good;
-}
-
 //: Remesh and write
-static bool report_remeshing(FILE *stream, const void *context)
+static bool write(remeshing *r)
 {
-    const remeshing *r = context;
-    return tf_remesh_output_write(stream, *r->request->format, &r->done);
+    tf_mesh_content content = {.mesh = tf_adaptive_mesh(r->surface),
+                               .position = tf_adaptive_positions(r->surface)};
+    tf_mesh_report report = {*r->request->format, tf_remeshed_fields, &r->done};
+    r->done.triangles_after = content.mesh.triangles;
+    return tf_mesh_output_write(&r->out, &content,
+                                tf_frames_file(&r->frames)->format, &report);
 }
 
 static bool do_all(remeshing *r)
 {
     const tf_request *wanted = r->request;
     if (!tf_frames_next(&r->frames, wanted->operand[0]) || !load(r) ||
-        !tf_mesh_output_begin(&r->out, wanted->out))
+        !tf_mesh_output_begin(&r->out, wanted->out, &r->frames.fault))
         return false;
-    bool good = remesh(r) && fill_file(r);
+    bool good = remesh(r);
     tf_progress_end(&r->progress);
-    return good && tf_mesh_output_write(&r->out, &r->mesh, report_remeshing, r);
-}
-
-//: Print what went wrong in remesh
-static void print_errors(const remeshing *r)
-{
-    const tf_mesh_file *files[] = {&r->frames.file[0], &r->frames.file[1],
-                                   &r->mesh};
-    for (int i = 0; i < 3; i++)
-        if (files[i]->fault[0] != '\0')
-            tf_mesh_file_print_fault(files[i], "tanglefree");
+    return good && write(r);
 }
 
 //: Run the command remesh
 static int run(const tf_request *request)
 {
-    remeshing r = {.request = request, .progress = tf_progress_begin()};
-    r.progress.wanted = isatty(STDERR_FILENO);
+    remeshing r = {.request = request, .progress = tf_progress_begin(true)};
     bool good = do_all(&r);
-    print_errors(&r);
+    tf_fault_print(&r.frames.fault, "tanglefree");
     tf_mesh_output_end(&r.out);
     tf_adaptive_free(r.surface);
-    tf_mesh_file_free(&r.mesh);
     tf_frames_free(&r.frames);
     return good ? 0 : 2;
 }

@@ -1,21 +1,18 @@
 //: Include what the command resolve needs
-#define _GNU_SOURCE // isatty
 
 #include "files/masses.h"
 #include "program/clock.h"
 #include "program/command.h"
+#include "program/flaws.h"
 #include "program/frames.h"
 #include "program/mesh_output.h"
-#include "program/obstacles.h"
 #include "program/progress.h"
-#include "program/response_output.h"
+#include "program/reports.h"
 #include "program/threads.h"
 #include "response/resolve.h"
 
-#include <errno.h>
+#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
-#include <unistd.h>
 
 //: Describe the usage of resolve
 static const char description[] =
@@ -39,11 +36,9 @@ static const char description[] =
 typedef struct resolving {
     const tf_request *request;
     tf_frames frames;
-    tf_text_lines fixed, masses;
     double *inverse_mass; ///< NULL: 1 for all
     tf_resolver *resolver;
-    tf_response_report report;
-    double seconds; ///< that the response took
+    tf_resolved done;
     tf_mesh_output out;
     tf_progress progress;
     size_t contacts; ///< that progress has seen
@@ -67,10 +62,11 @@ static bool read_masses(resolving *r)
     if (!wanted->fixed && !wanted->masses)
         return true;
     return allocate_masses(r, vertices) &&
-           (!wanted->masses || tf_masses_read(&r->masses, wanted->masses,
-                                              vertices, r->inverse_mass)) &&
-           (!wanted->fixed ||
-            tf_fixed_read(&r->fixed, wanted->fixed, vertices, r->inverse_mass));
+           (!wanted->masses ||
+            tf_masses_read(wanted->masses, vertices, r->inverse_mass,
+                           &r->frames.fault)) &&
+           (!wanted->fixed || tf_fixed_read(wanted->fixed, vertices,
+                                            r->inverse_mass, &r->frames.fault));
 }
 
 //: Show the progress of a response
@@ -115,8 +111,8 @@ static bool respond(resolving *r)
     double begin = tf_clock_seconds();
     tf_status status = tf_step_resolve(
         r->resolver, motion.vertices, motion.start, tf_frames_end(&r->frames),
-        r->inverse_mass, &how, &r->report, &obstacle);
-    r->seconds = tf_clock_seconds() - begin;
+        r->inverse_mass, &how, &r->done.report, &obstacle);
+    r->done.seconds = tf_clock_seconds() - begin;
     if (status == TF_START_NOT_CLEAR)
         return tf_obstacle_fault(&r->frames.file[0], &obstacle);
     return status == TF_OK ||
@@ -133,69 +129,48 @@ static bool resolve(resolving *r)
     return good;
 }
 
-//: Report a response
-static bool report_response(FILE *stream, const void *context)
-{
-    const resolving *r = context;
-    return tf_response_output_write(stream, *r->request->format, &r->report,
-                                    r->seconds);
-}
-
-/// The end of the step, in the format of its start.
-static tf_mesh_file mesh_to_write(const resolving *r)
-{
-    tf_mesh_file mesh = *tf_frames_file(&r->frames);
-    mesh.format = r->frames.file[0].format;
-    return mesh;
-}
-
 //: Resolve and write
+/// Writes the end of the step, in the format of its start.
+static bool write(resolving *r)
+{
+    const tf_mesh_file *end = tf_frames_file(&r->frames);
+    tf_mesh_content content = {.mesh = tf_mesh_file_elements(end, 3),
+                               .position = end->position.item};
+    tf_mesh_report report = {*r->request->format, tf_resolved_fields, &r->done};
+    r->done.status = r->done.report.first_contacts == 0 ? "clear" : "resolved";
+    return tf_mesh_output_write(&r->out, &content, r->frames.file[0].format,
+                                &report);
+}
+
 static bool do_all(resolving *r)
 {
     const tf_request *wanted = r->request;
     if (!tf_frames_next(&r->frames, wanted->operand[0]) ||
         !tf_frames_next(&r->frames, wanted->operand[1]) || !read_masses(r) ||
-        !tf_mesh_output_begin(&r->out, wanted->out))
+        !tf_mesh_output_begin(&r->out, wanted->out, &r->frames.fault))
         return false;
     bool good = resolve(r);
     tf_progress_end(&r->progress);
     if (!good)
         return false;
-    tf_mesh_file mesh = mesh_to_write(r);
-    return tf_mesh_output_write(&r->out, &mesh, report_response, r);
+    return write(r);
 }
 
-//: Print what went wrong in resolve
-static void print_errors(const resolving *r)
-{
-    const tf_text_lines *lists[] = {&r->masses, &r->fixed};
-    for (int i = 0; i < 2; i++) {
-        if (r->frames.file[i].fault[0] != '\0')
-            tf_mesh_file_print_fault(&r->frames.file[i], "tanglefree");
-        if (lists[i]->fault[0] != '\0')
-            tf_text_lines_print_fault(lists[i], "tanglefree");
-    }
-}
-
+//: End resolve
 static void free_all(resolving *r)
 {
     tf_mesh_output_end(&r->out);
     tf_resolver_free(r->resolver);
     free(r->inverse_mass);
-    tf_text_lines_close(&r->masses);
-    tf_text_lines_close(&r->fixed);
     tf_frames_free(&r->frames);
 }
 
 //: Run the command resolve
 static int run(const tf_request *request)
 {
-    resolving r = {.request = request};
-    // Nothing is printed until the line is erased: it may share its terminal.
-    r.progress = tf_progress_begin();
-    r.progress.wanted = isatty(STDERR_FILENO);
+    resolving r = {.request = request, .progress = tf_progress_begin(true)};
     bool good = do_all(&r);
-    print_errors(&r);
+    tf_fault_print(&r.frames.fault, "tanglefree");
     free_all(&r);
     return good ? 0 : 2;
 }

@@ -1,5 +1,5 @@
 //: Include what the command simulate needs
-#define _GNU_SOURCE // isatty
+#define _GNU_SOURCE // PATH_MAX
 
 #include "files/visible.h"
 #include "program/clock.h"
@@ -13,7 +13,6 @@
 #include "simulate/flow_scenes.h"
 
 #include <string.h>
-#include <unistd.h>
 
 //: Describe the usage of simulate
 static const char description[] =
@@ -190,10 +189,8 @@ static int run_scene(const tf_request *request, const tf_scene *scene)
     run r = {.request = request, .scene = scene, .steps = scene->steps};
     if (tf_request_gave(request, "steps"))
         r.steps = request->steps;
-    // Nothing is printed until the line is erased: it may share its terminal.
     tf_interruption_hold();
-    r.progress = tf_progress_begin();
-    r.progress.wanted = isatty(STDERR_FILENO);
+    r.progress = tf_progress_begin(true);
     bool good = simulate(&r);
     tf_progress_end(&r.progress);
     print_end(&r, good);

@@ -7,7 +7,6 @@
 #include "program/threads.h"
 
 #include <limits.h>
-#include <string.h>
 
 //: Describe the usage about surfaces
 static const char detect_description[] =
@@ -137,29 +136,19 @@ static bool check_all(work *w)
     return true;
 }
 
-//: Print what went wrong about surfaces
-static void print_errors(const work *w)
-{
-    if (w->output.records.error != 0)
-        fprintf(stderr,
-                "tanglefree: standard output: cannot write: %s; mend that and "
-                "run again\n",
-                strerror(w->output.records.error));
-    for (int i = 0; i < 2; i++)
-        if (w->frames.file[i].fault[0] != '\0')
-            tf_mesh_file_print_fault(&w->frames.file[i], "tanglefree");
-}
-
 //: Run a command about surfaces
 static int run(const tf_request *request, bool checks, bool (*do_all)(work *))
 {
-    work w = {.request = request, .progress = tf_progress_begin()};
+    work w = {.request = request, .progress = tf_progress_begin(false)};
     bool good =
         tf_surface_output_begin(&w.output, stdout, *request->format, checks) &&
         do_all(&w);
     tf_progress_end(&w.progress);
     good = tf_surface_output_end(&w.output) && good;
-    print_errors(&w);
+    if (w.output.records.error)
+        tf_fault_set_unwritten(&w.frames.fault, "standard output",
+                               w.output.records.error);
+    tf_fault_print(&w.frames.fault, "tanglefree");
     tf_frames_free(&w.frames);
     return !good ? 2 : w.output.tally.tangled > 0;
 }

@@ -186,13 +186,14 @@ static void read_queries(query_set *set, const char *path,
                          const tf_query_kind *kind)
 {
     tf_query_file file;
+    tf_fault fault = {0};
     tf_query_rows rows;
-    if (!tf_query_file_open(&file, path, kind, 0))
+    if (!tf_query_file_open(&file, path, kind, 0, &fault))
         fail(path, "cannot read");
     while (tf_query_file_next(&file, &rows) == TF_READ_GOOD)
         add_query(set, kind, &rows);
-    if (file.lines.fault[0] != '\0')
-        fail(path, file.lines.fault);
+    if (fault.text[0] != '\0')
+        fail(path, fault.text);
     tf_query_file_close(&file);
 }
 

@@ -591,7 +591,8 @@ START_TEST(nul_bytes)
         tf_mesh_file file;
         bool good = parse_mesh(&file, broken, sizeof text - 1);
         ck_assert_msg(!good || at < header, "byte %zu", at);
-        ck_assert_msg(good || strstr(file.fault, "; "), "%s", file.fault);
+        ck_assert_msg(good || strstr(file.fault->text, "; "), "%s",
+                      file.fault->text);
         tf_mesh_file_free(&file);
     }
     expect_bad_bytes(HEADER "0 0 0\n1 0 0\0\n", strlen(HEADER) + 13, 11,
@@ -608,13 +609,13 @@ START_TEST(cut_short_at_each_byte)
     for (size_t size = 4; size < made.count; size++) {
         tf_mesh_file file;
         ck_assert_msg(!parse_mesh(&file, made.at, size), "%zu bytes", size);
-        ck_assert_msg(strstr(file.fault, "; "), "%s", file.fault);
+        ck_assert_msg(strstr(file.fault->text, "; "), "%s", file.fault->text);
         ck_assert(file.counts_bytes == (size >= header));
         if (size >= header) {
-            ck_assert_msg(strstr(file.fault, "the file ends too early"),
-                          "%zu: %s", size, file.fault);
-            ck_assert_int_ge(file.fault_place, (long)size - 7);
-            ck_assert_int_le(file.fault_place, (long)size);
+            ck_assert_msg(strstr(file.fault->text, "the file ends too early"),
+                          "%zu: %s", size, file.fault->text);
+            ck_assert_int_ge(file.fault->place, (long)size - 7);
+            ck_assert_int_le(file.fault->place, (long)size);
         }
         tf_mesh_file_free(&file);
     }

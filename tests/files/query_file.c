@@ -22,8 +22,7 @@ typedef struct outcome {
     tf_query_rows query[KEPT];
     long count;
     tf_reading last;
-    long line;
-    char fault[TF_LINE_FAULT_LENGTH];
+    tf_fault fault;
 } outcome;
 
 static outcome read_stream(const char *kind, FILE *stream)
@@ -31,15 +30,14 @@ static outcome read_stream(const char *kind, FILE *stream)
     outcome found = {0};
     tf_query_file file;
     tf_query_file_start(&file, stream, "text",
-                        tf_choice_named(tf_query_kinds, kind), 100);
+                        tf_choice_named(tf_query_kinds, kind), 100,
+                        &found.fault.text);
     tf_query_rows rows;
     while ((found.last = tf_query_file_next(&file, &rows)) == TF_READ_GOOD) {
         if (found.count < KEPT)
             found.query[found.count] = rows;
         found.count++;
     }
-    found.line = file.lines.fault_line;
-    strcpy(found.fault, file.lines.fault);
     tf_query_file_close(&file);
     return found;
 }
@@ -63,12 +61,12 @@ static void expect_same(const outcome *found, const char *kind, long line,
 {
     ck_assert_msg(found->last == TF_READ_FAULT, "%s: no fault, but %s", kind,
                   words);
-    ck_assert_msg(strstr(found->fault, words), "'%s' and not '%s'",
-                  found->fault, words);
-    ck_assert_msg(strstr(found->fault, "; "), "'%s': how to mend it?",
-                  found->fault);
-    ck_assert_msg(found->line == line, "line %ld, not %ld: %s", found->line,
-                  line, found->fault);
+    ck_assert_msg(strstr(found->fault.text, words), "'%s' and not '%s'",
+                  found->fault.text, words);
+    ck_assert_msg(strstr(found->fault.text, "; "), "'%s': how to mend it?",
+                  found->fault.text);
+    ck_assert_msg(found->fault.place == line, "line %ld, not %ld: %s",
+                  found->fault.place, line, found->fault.text);
 }
 
 /// Expect `good` queries, then a fault in a line, told in these words.
@@ -83,8 +81,8 @@ static void expect_fault(const char *kind, const char *text, long good,
 static outcome expect_good(const char *kind, const char *text, long good)
 {
     outcome found = read_text(kind, text);
-    ck_assert_msg(found.last == TF_READ_END, "%ld: %s", found.line,
-                  found.fault);
+    ck_assert_msg(found.last == TF_READ_END, "%ld: %s", found.fault.place,
+                  found.fault.text);
     ck_assert_int_eq(found.count, good);
     return found;
 }
@@ -549,12 +547,13 @@ static void expect_no_file(const char *path, bool opens, const char *words)
 {
     tf_query_file file;
     tf_query_rows rows;
+    tf_fault fault;
     const tf_query_kind *kind = tf_choice_named(tf_query_kinds, "edge-edge");
-    ck_assert_int_eq(tf_query_file_open(&file, path, kind, 0), opens);
+    ck_assert_int_eq(tf_query_file_open(&file, path, kind, 0, &fault), opens);
     if (opens)
         ck_assert_int_eq(tf_query_file_next(&file, &rows), TF_READ_FAULT);
-    ck_assert_msg(strstr(file.lines.fault, words), "'%s'", file.lines.fault);
-    ck_assert_str_eq(file.lines.name, path);
+    ck_assert_msg(strstr(fault.text, words), "'%s'", fault.text);
+    ck_assert_str_eq(file.lines.text.name, path);
     tf_query_file_close(&file);
 }
 
@@ -595,10 +594,11 @@ END_TEST
 START_TEST(standard_input_has_a_name)
 {
     tf_query_file file;
+    tf_fault fault;
     ck_assert(tf_query_file_open(
-        &file, "-", tf_choice_named(tf_query_kinds, "edge-edge"), 0));
+        &file, "-", tf_choice_named(tf_query_kinds, "edge-edge"), 0, &fault));
     ck_assert_ptr_eq(file.lines.stream, stdin);
-    ck_assert_str_eq(file.lines.name, "standard input");
+    ck_assert_str_eq(file.lines.text.name, "standard input");
     tf_query_file_close(&file);
     ck_assert_msg(lseek(STDIN_FILENO, 0, SEEK_CUR) >= 0 || errno != EBADF,
                   "closed");

@@ -111,13 +111,15 @@ static void put_file(FILE *text, const golden_file *file)
     snprintf(path, sizeof path, "tests/queries/%s.csv", file->name);
     const tf_query_kind *kind = tf_choice_named(tf_query_kinds, file->kind);
     tf_query_file queries;
-    ck_assert_msg(tf_query_file_open(&queries, path, kind, 0), "%s", path);
+    tf_fault fault;
+    ck_assert_msg(tf_query_file_open(&queries, path, kind, 0, &fault), "%s",
+                  path);
     tf_query_rows rows;
     tf_reading reading;
     long query = 0;
     while ((reading = tf_query_file_next(&queries, &rows)) == TF_READ_GOOD)
         put_query(text, kind, &rows, query++);
-    ck_assert_msg(reading == TF_READ_END, "%s: %s", path, queries.lines.fault);
+    ck_assert_msg(reading == TF_READ_END, "%s: %s", path, fault.text);
     ck_assert_int_gt(query, 0);
     tf_query_file_close(&queries);
 }

@@ -1,4 +1,4 @@
-/* Exercise 2.1.  A left turn.
+/* Exercise 2.1.  A left turn: the sign of a determinant.
  *
  * Walk from a to b and on to c, in the plane.  Do you turn left (positive),
  * turn right (negative) or go straight (zero)?  Return the sign of the

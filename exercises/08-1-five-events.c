@@ -1,4 +1,4 @@
-/* Exercise 8.1.  Five events.
+/* Exercise 8.1.  The orientation of five events.
  *
  * The orientation of five events in space-time is the sign of the determinant
  * of the five rows (x, y, z, t, 1).  The events are in any order, some at t = 0

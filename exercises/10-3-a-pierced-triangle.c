@@ -1,4 +1,4 @@
-/* Exercise 10.3.  A pierced triangle.
+/* Exercise 10.3.  Do an edge and a triangle on a grid intersect?
  *
  * An edge and a triangle of a mesh were rounded to a grid: do they intersect?
  * All coordinates are integers below 2^19 in absolute value, everything is at

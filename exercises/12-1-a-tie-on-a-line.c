@@ -1,4 +1,4 @@
-/* Exercise 12.1.  A tie on a line.
+/* Exercise 12.1.  A tie on a line, broken by perturbation.
  *
  * Vertices lie on the x axis.  Each is moved slightly to the right, a vertex of
  * lower index infinitely more than one of higher index.  Of two moved vertices

@@ -1,4 +1,4 @@
-/* Exercise 12.2.  The turn of moved points.
+/* Exercise 12.2.  The turn of three perturbed points.
  *
  * Walk from p[0] to p[1] and on to p[2], in the plane.  `turn` computes exactly
  * whether you turn left (positive), turn right (negative) or go straight

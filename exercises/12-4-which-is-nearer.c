@@ -1,4 +1,4 @@
-/* Exercise 12.4.  Project: a predicate of your own.
+/* Exercise 12.4.  Project: which of two points is nearer?
  *
  * Which of two points q and r of the plane is nearer to a point p?  Decide it
  * in the way of this part of the book.  First an estimate: the squared

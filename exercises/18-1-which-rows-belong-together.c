@@ -1,4 +1,4 @@
-/* Exercise 18.1.  Which rows belong together.
+/* Exercise 18.1.  Zones: which rows belong together.
  *
  * Two rows are neighbors if they share a free vertex, one of positive inverse
  * mass, and a zone is all that can be reached from a row by going from neighbor

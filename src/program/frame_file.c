@@ -80,7 +80,7 @@ static bool read_content(content *of, const char *path)
     return good;
 }
 
-//: Take the state of a frame
+//: Take the numbers of a frame
 /// The bytes of a double, the least significant one first.
 static double gather_double(const char *bytes)
 {
@@ -112,6 +112,7 @@ static double *take_numbers(const content *read, const tf_mesh *mesh,
     return x;
 }
 
+//: Restore the state of a frame
 static bool restore(tf_simulation *s, const content *read, tf_snapshot *state)
 {
     int numbers = state->velocity ? 6 : 3;

@@ -1,4 +1,4 @@
-//: Declare scenes of cloth
+//: Declare the scenes of cloth
 #pragma once
 
 #include "simulate/scene.h"

@@ -1,4 +1,4 @@
-//: Declare scenes of surfaces that flow
+//: Declare the scenes of flows
 #pragma once
 
 #include "simulate/scene.h"

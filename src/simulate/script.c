@@ -19,7 +19,7 @@ static tf_vector turned(const tf_script *script, double angle, tf_vector from)
     return tf_vector_sum(to, (1 - cos(angle)) * along, axis);
 }
 
-//: Place a script
+//: Place the vertices of a script
 /// From 0 to 1, with a velocity that is 0 at both ends.
 static double part_at(const tf_script *script, double time)
 {

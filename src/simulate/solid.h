@@ -1,4 +1,4 @@
-//: Declare solids
+//: Declare circles of vertices
 #pragma once
 
 #include "geometry/vector.h"
@@ -9,7 +9,7 @@
 void tf_circle_add(tf_body *body, tf_vector center, tf_vector across,
                    tf_vector beside, int vertices);
 
-//: Declare solids that are scripted
+//: Declare solids
 /// Each adds a surface whose vertices are scripted.
 
 /// A ball.

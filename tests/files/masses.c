@@ -4,6 +4,7 @@
 #include "support/support.h"
 
 #include <float.h>
+#include <stdio.h>
 #include <string.h>
 
 enum {

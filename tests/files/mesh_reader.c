@@ -179,11 +179,11 @@ START_TEST(standard_input_is_read_once)
 }
 END_TEST
 
-static void expect_unread(const char *path, const char *fault)
+static void expect_unread(const char *path, const char *words)
 {
     tf_mesh_file file;
     ck_assert(!tf_mesh_file_read(&file, path, &fault));
-    ck_assert_str_eq(fault.text, fault);
+    ck_assert_str_eq(fault.text, words);
     ck_assert_str_eq(file.name, path);
     ck_assert_int_lt(fault.place, 0);
     tf_mesh_file_free(&file);

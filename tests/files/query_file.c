@@ -31,7 +31,7 @@ static outcome read_stream(const char *kind, FILE *stream)
     tf_query_file file;
     tf_query_file_start(&file, stream, "text",
                         tf_choice_named(tf_query_kinds, kind), 100,
-                        &found.fault.text);
+                        &found.fault);
     tf_query_rows rows;
     while ((found.last = tf_query_file_next(&file, &rows)) == TF_READ_GOOD) {
         if (found.count < KEPT)

@@ -18,9 +18,8 @@ bool tf_text_fault(const tf_text *text, const char *format, ...)
 
 bool tf_text_fault_in_nul(const tf_text *text)
 {
-    return tf_text_fault(text,
-                         "a NUL byte; the file must be plain text (ASCII "
-                         "or UTF-8, not UTF-16), or a mesh in binary PLY");
+    return tf_text_fault(text, "a NUL byte; the file must be plain text (ASCII "
+                               "or UTF-8, not UTF-16)");
 }
 
 bool tf_text_fault_in_word(const tf_text *text, const char *word, size_t length,

@@ -416,7 +416,7 @@ static const struct {
     {"ply\nformat utf8 1.0\n", 2, "unknown format \"utf8\"; write ascii"},
     {"ply\nformat\n", 2, "unknown format \"\"; write ascii"},
     {"ply\nformat binary_little_endian_and_more_than_that 1.0\n", 2,
-     "unknown format \"binary_little_endian_and_more_t\""},
+     "unknown format \"binary_little_endian_and_mor...\""},
     {"ply\nformat ascii 1.0\nversion 7\n", 3,
      "a header line cannot begin with \"version\"; begin comments"},
     {"ply\nformat ascii 1.0\nelement vertex\n", 3,
@@ -529,7 +529,7 @@ static const struct {
      "a face with 0 corners; each must have three"},
     {"0 0 nan\n", 10, "\"nan\" is not a finite number; write a decimal"},
     {"0 0 0\n0 inf 0\n", 11, "\"inf\" is not a finite number"},
-    {"0 0 0\n0 1e999 0\n", 11, "a coordinate is not finite; remove"},
+    {"0 0 0\n0 1e999 0\n", 11, "\"1e999\" is beyond the largest double; scale"},
     {"0 0 0\n0 x 0\n", 11, "\"x\" is not a finite number"},
     {"0 0 0\n0 1,5 0\n", 11, "\"1,5\" is not a finite number"},
     {"0 0 0\n0 1.5.5 0\n", 11, "\"1.5.5\" is not a finite number"},
@@ -639,7 +639,7 @@ START_TEST(bad_numbers_in_binary)
     put_double(&rows, NAN);
     put_double(&rows, 1);
     expect_bad_bytes(rows.at, rows.count, (long)made.count + 8,
-                     "a coordinate is not finite; remove");
+                     "a coordinate is infinite or NaN; write");
     rows = made;
     put_double(&rows, -INFINITY);
     expect_bad_bytes(rows.at, rows.count, (long)made.count,

@@ -3,7 +3,7 @@
 #include "program/command.h"
 
 #include "base/status.h"
-#include "files/mesh_file.h"
+#include "files/mesh_reader.h"
 #include "support/environments.h"
 #include "support/json.h"
 #include "support/program.h"
@@ -105,8 +105,9 @@ END_TEST
 /// The positions that a file holds.
 static tf_mesh_file read_mesh(const char *path)
 {
+    static tf_fault fault;
     tf_mesh_file mesh;
-    ck_assert_msg(tf_mesh_file_read(&mesh, path), "%s", mesh.fault);
+    ck_assert_msg(tf_mesh_file_read(&mesh, path, &fault), "%s", fault.text);
     return mesh;
 }
 

@@ -110,7 +110,7 @@ bool tf_number_read(const char **text, double *number)
     return true;
 }
 
-//: Read an integer
+//: Read an integer that an int holds
 bool tf_integer_read(const char **text, int64_t *integer)
 {
     bool negative = **text == '-';

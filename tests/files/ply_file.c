@@ -643,7 +643,7 @@ START_TEST(bad_numbers_in_binary)
     rows = made;
     put_double(&rows, -INFINITY);
     expect_bad_bytes(rows.at, rows.count, (long)made.count,
-                     "a coordinate is not finite");
+                     "a coordinate is infinite or NaN");
     rows = binary_triangle(_i);
     rows.count -= 4;
     put_int(&rows, 4, -2);

@@ -13,7 +13,8 @@
  * Hint 3: A sign has three values.  A determinant of 1/4 is positive, and a
  *     conversion to an integer would make it zero.
  */
-#include "arithmetic/operations.h"
+#include "arithmetic/sign.h"
+#include "geometry/event.h"
 
 tf_sign left_turn(const tf_event *a, const tf_event *b, const tf_event *c)
 {

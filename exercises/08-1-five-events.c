@@ -17,7 +17,8 @@
  * Hint 3: The column of times is the fourth, so row i, counted from 0, has the
  *     sign of (-1)^(i + 3): minus for the first.
  */
-#include "arithmetic/operations.h"
+#include "arithmetic/sign.h"
+#include "geometry/event.h"
 
 static double det3(const double a[3], const double b[3], const double c[3])
 {

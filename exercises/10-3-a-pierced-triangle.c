@@ -15,6 +15,7 @@
  *     is, if everything lies in one plane.  That cannot be; any verdict will do
  *     there.
  */
+#include "arithmetic/functions.h"
 #include "arithmetic/integer.h"
 #include "intersect/complementary.h"
 

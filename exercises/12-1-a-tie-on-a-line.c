@@ -14,7 +14,8 @@
  * Hint 3: Compare the coordinates.  A tolerance, or a small number added to
  *     them, fails for places that are closer than that.
  */
-#include "arithmetic/operations.h"
+#include "arithmetic/sign.h"
+#include "geometry/event.h"
 
 /// The coordinate is x[0], the index `vertex`.
 tf_sign farther_right(const tf_event *a, const tf_event *b)

@@ -22,7 +22,8 @@
  *     places 0, 1, 2: their order in the walk has nothing to do with their
  *     indices.
  */
-#include "arithmetic/operations.h"
+#include "arithmetic/arithmetic.h"
+#include "arithmetic/functions.h"
 
 enum {
     POINTS = 3,

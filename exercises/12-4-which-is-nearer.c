@@ -34,7 +34,7 @@
  *     e, as in tests/proofs/2x2.gappa.  Then every term has the same share of
  *     the bound, whatever its size.
  */
-#include "arithmetic/operations.h"
+#include "arithmetic/sign.h"
 #include "kit/expansion.h"
 
 #include <math.h>

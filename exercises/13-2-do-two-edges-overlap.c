@@ -16,7 +16,7 @@
  *     differences would be rounded.
  */
 #include "arithmetic/exact.h"
-#include "arithmetic/operations.h"
+#include "arithmetic/functions.h"
 
 #include <stdbool.h>
 

@@ -1,5 +1,5 @@
 // How the bits of an integer are spent on a determinant.
-#include "arithmetic/operations.h"
+#include "arithmetic/functions.h"
 #include "kit/figures.h"
 
 #include "arithmetic/integer.h"

@@ -1,6 +1,6 @@
 // On which side of a plane points are, by determinants in 64 bits, for
 // coordinates of 19, 20 and 21 bits.
-#include "arithmetic/operations.h"
+#include "arithmetic/functions.h"
 #include "kit/figures.h"
 
 #include "arithmetic/integer.h"

@@ -1,6 +1,6 @@
 // How many products of symbols are tried until one has a coefficient that is
 // not zero, for the vanishing determinants of queries on a small lattice.
-#include "arithmetic/operations.h"
+#include "arithmetic/functions.h"
 #include "base/require.h"
 #include "kit/figures.h"
 

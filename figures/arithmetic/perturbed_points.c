@@ -1,6 +1,6 @@
 // Three points in a row, and where explicit numbers for the symbols take them:
 // the turn that the points make then is the perturbed one.
-#include "arithmetic/operations.h"
+#include "arithmetic/functions.h"
 #include "kit/figures.h"
 
 #include "arithmetic/perturbed.h"

@@ -1,6 +1,6 @@
 // The two triangles of a swept edge in the frame of the point, and the signs of
 // the three determinants around each.
-#include "arithmetic/operations.h"
+#include "arithmetic/functions.h"
 #include "kit/figures.h"
 
 #include "arithmetic/exact.h"

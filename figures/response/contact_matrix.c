@@ -1,5 +1,5 @@
-// Three edges of equal length that fall straight onto a floor, and the matrix of
-// their contacts.
+// Three edges of equal length that fall straight onto a floor, and the matrix
+// of their contacts.
 #include "kit/figures.h"
 
 #include "kit/pile.h"
@@ -66,7 +66,7 @@ static void draw_edges(fig_page *page, const fig_pile *pile)
 // The matrix -------------------------------------------------------------
 
 /// Whether a row is about the left ends.
-static bool is_left(const tf_row *row)
+static bool is_left(const tf_constraint *row)
 {
     return row->vertex[0] % 2 == 0;
 }
@@ -74,7 +74,7 @@ static bool is_left(const tf_row *row)
 /// The rows by sides, and then by pairs of heights.
 static int compare(const void *a, const void *b)
 {
-    const tf_row *row[] = {a, b};
+    const tf_constraint *row[] = {a, b};
     int key[2];
     for (int i = 0; i < 2; i++) {
         int low = row[i]->vertex[1] / 2, high = row[i]->vertex[0] / 2;
@@ -90,7 +90,7 @@ static int compare(const void *a, const void *b)
 
 static void draw_matrix(fig_page *page, fig_some_zone *some)
 {
-    const int n = some->zone.rows;
+    const int n = some->zone.constraints;
     qsort(some->row, (size_t)n, sizeof *some->row, compare);
     double *entry = fig_zone_matrix(&some->zone);
     const fig_box box = {186, 12, 188, 188};
@@ -118,7 +118,7 @@ static void draw(fig_page *page, FILE *numbers)
     fig_pile pile = make_stack();
     fig_pile_resolve(&pile, &tf_gauss_seidel, 60, 1);
     fig_some_zone some = fig_pile_zone(&pile, 0);
-    fig_number(numbers, "rows", some.zone.rows);
+    fig_number(numbers, "rows", some.zone.constraints);
     fig_number(numbers, "zones", pile.zones_solved);
     fig_number(numbers, "rank", fig_zone_rank(&some.zone));
     draw_edges(page, &pile);

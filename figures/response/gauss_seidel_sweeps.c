@@ -49,10 +49,10 @@ static int make_visits(fig_some_zone *some, int visits,
     const tf_bodies bodies = {2, some->inverse_mass, some->displacement};
     energy[0] = fig_zone_energy(some);
     for (int i = 0; i < visits; i++) {
-        tf_row_visit(&some->row[i % some->zone.rows], 0, &bodies);
+        tf_constraint_visit(&some->row[i % some->zone.constraints], 0, &bodies);
         energy[i + 1] = fig_zone_energy(some);
     }
-    return visits > 0 ? (visits - 1) % some->zone.rows : -1;
+    return visits > 0 ? (visits - 1) % some->zone.constraints : -1;
 }
 
 // The stack --------------------------------------------------------------
@@ -83,7 +83,8 @@ static void draw_edges(fig_page *page, const fig_pile *pile,
 
 /// The impulse of a row, at its vertex, as it is displaced.
 static void draw_push(fig_page *page, const fig_pile *pile,
-                      const fig_some_zone *some, const tf_row *row, bool last)
+                      const fig_some_zone *some, const tf_constraint *row,
+                      bool last)
 {
     if (!(row->impulse > 0.005) && !last)
         return;
@@ -121,7 +122,7 @@ static void draw_stack(fig_page *page, const fig_pile *pile,
         true);
     fig_point ends[] = {on_page(pile->start), on_page(pile->start + 2)};
     fig_page_line(page, 2, ends, (fig_stroke){.width = FIG_WIDTH_TUBE});
-    for (int i = 0; i < some->zone.rows; i++)
+    for (int i = 0; i < some->zone.constraints; i++)
         if (i != last)
             draw_push(page, pile, some, &some->row[i], false);
     if (last >= 0)
@@ -165,7 +166,7 @@ static int count_taken_back(fig_some_zone *some)
 {
     double energy[VISITS + 1];
     int taken_back = 0;
-    for (int row = 0; row < some->zone.rows; row++) {
+    for (int row = 0; row < some->zone.constraints; row++) {
         double most = 0;
         for (int visits = row + 1; visits <= VISITS; visits++) {
             make_visits(some, visits, energy);
@@ -180,7 +181,7 @@ static void draw(fig_page *page, FILE *numbers)
 {
     fig_pile pile = make_stack();
     fig_some_zone some = fig_pile_zone(&pile, 0);
-    fig_number(numbers, "rows", some.zone.rows);
+    fig_number(numbers, "rows", some.zone.constraints);
     fig_number(numbers, "rounds", pile.rounds);
     fig_number(numbers, "taken_back", count_taken_back(&some));
     double t = fig_film_time(page, numbers, still, -1), energy[VISITS + 1];
@@ -192,7 +193,7 @@ static void draw(fig_page *page, FILE *numbers)
     fig_number(numbers, "left", energy[shown] / energy[0]);
     int last = make_visits(&some, visits, energy);
     draw_stack(page, &pile, &some, last);
-    draw_energy(page, visits, some.zone.rows, energy);
+    draw_energy(page, visits, some.zone.constraints, energy);
     char text[32];
     snprintf(text, sizeof text, "visit %d", visits);
     fig_page_text(page, 8, 14, FIG_ALIGN_LEFT, text, FIG_LETTERS_SMALL,

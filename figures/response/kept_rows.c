@@ -121,25 +121,26 @@ static double left_by_library(void)
 {
     const double inverse_mass[] = {1, 1, 0};
     double displacement[6];
-    tf_row row[] = {
+    tf_constraint row[] = {
         {.vertex = {1, 0, -1, -1}, .coefficient = {1, -1}, .normal = {1}},
         {.vertex = {2, 1, -1, -1}, .coefficient = {1, -1}, .normal = {1}}};
     tf_zone zone = {.axes = 2,
                     .vertices = 3,
-                    .row = row,
+                    .constraint = row,
                     .inverse_mass = inverse_mass,
                     .displacement = displacement,
                     .sweeps = 30};
-    zone.room = malloc(tf_gauss_seidel.room(2, 3, 2) * sizeof(double));
-    if (!zone.room)
+    zone.workspace =
+        malloc(tf_gauss_seidel.workspace(2, 3, 2) * sizeof(double));
+    if (!zone.workspace)
         return 0;
-    for (zone.rows = 1; zone.rows <= 2; zone.rows++) {
-        zone.solved = zone.rows - 1;
+    for (zone.constraints = 1; zone.constraints <= 2; zone.constraints++) {
+        zone.solved = zone.constraints - 1;
         memset(displacement, 0, sizeof displacement);
         displacement[0] = 1;
         tf_gauss_seidel.solve(&zone);
     }
-    free(zone.room);
+    free(zone.workspace);
     return displacement[0];
 }
 

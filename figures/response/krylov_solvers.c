@@ -58,12 +58,12 @@ static void repeat_rows(fig_some_zone *some, double off)
 {
     uint64_t random = 5;
     tf_zone *zone = &some->zone;
-    double *parting = calloc((size_t)zone->rows, sizeof *parting);
+    double *parting = calloc((size_t)zone->constraints, sizeof *parting);
     TF_REQUIRE(parting);
-    tf_zone_partings(zone, some->proposal, parting);
-    int rows = zone->rows;
+    tf_zone_separations(zone, some->proposal, parting);
+    int rows = zone->constraints;
     for (int i = 0; i < rows; i += EACH) {
-        tf_row *copy = &some->row[zone->rows++];
+        tf_constraint *copy = &some->row[zone->constraints++];
         *copy = some->row[i];
         copy->bound += between(&random, -off, off) * (copy->bound - parting[i]);
     }
@@ -75,10 +75,10 @@ static void repeat_rows(fig_some_zone *some, double off)
 /// The equations of a zone, with what is left of each iterate.
 typedef struct course {
     fig_some_zone *some;
-    int count;     ///< of equations
-    double *room;  ///< of the zone
-    double *best;  ///< the part of the right side that no impulses reach
-    double length; ///< of the right side
+    int count;         ///< of equations
+    double *workspace; ///< of the zone
+    double *best;      ///< the part of the right side that no impulses reach
+    double length;     ///< of the right side
     fig_point at[PRODUCTS + 1];
     int points;
 } course;
@@ -95,10 +95,10 @@ static double dot(int count, const double a[], const double b[])
 static void find_residual(const course *c, double residual[])
 {
     const tf_zone *zone = &c->some->zone;
-    tf_zone_partings(zone, zone->displacement, residual);
+    tf_zone_separations(zone, zone->displacement, residual);
     for (int i = 0; i < c->count; i++) {
         double compliance = 0;
-        const tf_row *row = &zone->row[i];
+        const tf_constraint *row = &zone->constraint[i];
         for (int j = 0; j < 4 && row->vertex[j] >= 0; j++)
             compliance += zone->inverse_mass[row->vertex[j]] *
                           row->coefficient[j] * row->coefficient[j];
@@ -158,12 +158,13 @@ static void find_best(course *c)
 static course begin(fig_some_zone *some)
 {
     const tf_zone *zone = &some->zone;
-    course c = {.some = some, .count = zone->rows};
-    c.room = calloc(tf_equations_room(2, zone->vertices, zone->rows, 8),
-                    sizeof *c.room);
+    course c = {.some = some, .count = zone->constraints};
+    c.workspace =
+        calloc(tf_equations_workspace(2, zone->vertices, zone->constraints, 8),
+               sizeof *c.workspace);
     c.best = calloc((size_t)c.count, sizeof *c.best);
-    TF_REQUIRE(c.room && c.best);
-    some->zone.room = c.room;
+    TF_REQUIRE(c.workspace && c.best);
+    some->zone.workspace = c.workspace;
     fig_zone_reset(some);
     find_residual(&c, c.best);
     c.length = sqrt(dot(c.count, c.best, c.best));
@@ -173,7 +174,7 @@ static course begin(fig_some_zone *some)
 
 static void end(course *c)
 {
-    free(c->room);
+    free(c->workspace);
     free(c->best);
 }
 
@@ -293,7 +294,7 @@ static void draw_side(fig_page *page, const fig_pile *pile, bool off,
                   FIG_ALIGN_CENTER,
                   off ? "*copies that differ*" : "*copies that agree*",
                   FIG_LETTERS_SMALL, FIG_ROLE_INK);
-    fig_some_zone some = fig_pile_zone(pile, pile->zones.rows);
+    fig_some_zone some = fig_pile_zone(pile, pile->zones.constraints);
     repeat_rows(&some, off ? most_off : 0);
     course c = begin(&some);
     follow(&c, &tf_normal_residuals, 2);
@@ -318,7 +319,7 @@ static void draw_side(fig_page *page, const fig_pile *pile, bool off,
     fig_number(numbers, off ? "minres_off" : "minres_products",
                products_of(&c, &tf_minres, 1));
     if (off) {
-        fig_number(numbers, "rows", some.zone.rows);
+        fig_number(numbers, "rows", some.zone.constraints);
         fig_number(numbers, "rank", fig_zone_rank(&some.zone));
     }
     end(&c);
@@ -332,7 +333,7 @@ static void draw(fig_page *page, FILE *numbers)
     draw_side(page, &pile, true, numbers);
     fig_number(numbers, "edges", EDGES - 1);
     fig_number(numbers, "rounds", pile.rounds);
-    fig_number(numbers, "different_rows", pile.zones.rows);
+    fig_number(numbers, "different_rows", pile.zones.constraints);
     fig_pile_free(&pile);
     fig_plot_key(page, 40, 12, "conjugate gradients", FIG_ROLE_CONTACT);
     fig_plot_key(page, 152, 12, "conjugate residuals", FIG_ROLE_EDGE);

@@ -21,7 +21,8 @@ static fig_point place(double x, double y)
 }
 
 /// The line on which a row holds as an equation, between two places along it.
-static void draw_line(fig_page *page, const tf_row *row, double from, double to)
+static void draw_line(fig_page *page, const tf_constraint *row, double from,
+                      double to)
 {
     const double *n = row->normal, u = row->bound;
     fig_point at[] = {place(u * n[0] + n[1] * from, u * n[1] - n[0] * from),

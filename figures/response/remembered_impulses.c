@@ -25,19 +25,19 @@ static history visit_rows(bool remember)
 {
     const double inverse_mass[BODIES] = {1, 1, 1};
     double move[2 * BODIES] = {0};
-    tf_row row[ROWS];
+    tf_constraint row[ROWS];
     for (int i = 0; i < BODIES; i++)
         move[2 * i + 1] = proposed[i];
     for (int i = 0; i < ROWS; i++)
-        row[i] = (tf_row){
+        row[i] = (tf_constraint){
             .vertex = {2, i, -1, -1}, .coefficient = {1, -1}, .normal = {0, 1}};
     history h = {{{0}}, {0}};
     memcpy(h.at[0], proposed, sizeof proposed);
     for (int visit = 1; visit <= VISITS; visit++) {
-        tf_row *now = &row[(visit - 1) % ROWS];
+        tf_constraint *now = &row[(visit - 1) % ROWS];
         if (!remember)
             now->impulse = 0;
-        tf_row_visit(now, 0, &(tf_bodies){2, inverse_mass, move});
+        tf_constraint_visit(now, 0, &(tf_bodies){2, inverse_mass, move});
         for (int i = 0; i < BODIES; i++)
             h.at[visit][i] = move[2 * i + 1];
     }

@@ -28,11 +28,11 @@ static bodies visited(double restitution)
     const double inverse_mass[2] = {1, 1 / plank_mass};
     double move[4] = {0, proposed.fly, 0, proposed.plank};
     double parting = proposed.fly - proposed.plank;
-    tf_row row = {.vertex = {0, 1, -1, -1},
-                  .coefficient = {1, -1},
-                  .normal = {0, 1},
-                  .bound = fmax(bound, -restitution * parting)};
-    tf_row_visit(&row, 0, &(tf_bodies){2, inverse_mass, move});
+    tf_constraint row = {.vertex = {0, 1, -1, -1},
+                         .coefficient = {1, -1},
+                         .normal = {0, 1},
+                         .bound = fmax(bound, -restitution * parting)};
+    tf_constraint_visit(&row, 0, &(tf_bodies){2, inverse_mass, move});
     return (bodies){move[1], move[3]};
 }
 
@@ -41,9 +41,9 @@ static double slides(double friction)
 {
     const double inverse_mass[2] = {1, 0};
     double move[4] = {sliding, -approach, 0, 0};
-    tf_row row = {
+    tf_constraint row = {
         .vertex = {0, 1, -1, -1}, .coefficient = {1, -1}, .normal = {0, 1}};
-    tf_row_visit(&row, friction, &(tf_bodies){2, inverse_mass, move});
+    tf_constraint_visit(&row, friction, &(tf_bodies){2, inverse_mass, move});
     return move[0];
 }
 

@@ -1,5 +1,5 @@
 // How many signs a point-triangle query asks for, counted by an arithmetic.
-#include "arithmetic/operations.h"
+#include "arithmetic/functions.h"
 #include "base/require.h"
 #include "kit/figures.h"
 

@@ -80,7 +80,7 @@ static finding find(int workers)
     const tf_mesh mesh = fig_mesh_in_space(&at[0]);
     const tf_motion motion = {at[0].vertices, at[0].x, at[1].x};
     tf_parallel parallel = {workers, in_turn, &f};
-    tf_detection detection = {.parallel = workers > 1 ? &parallel : NULL};
+    tf_detect_options detection = {.parallel = workers > 1 ? &parallel : NULL};
     tf_surface *surface;
     tf_contacts found;
     TF_REQUIRE(tf_surface_create(&mesh, &surface, NULL) == TF_OK);

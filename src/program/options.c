@@ -2,7 +2,7 @@
 #define _GNU_SOURCE // asprintf
 #include "program/options.h"
 
-#include "fast/vector.h"
+#include "fast/vectorized.h"
 #include "files/number.h"
 #include "files/visible.h"
 #include "program/arithmetics.h"

@@ -37,7 +37,7 @@ static const tf_field cloth_columns[] = {
     {"zone_rounds", RESPONSE(rounds[TF_ZONES]), NULL},
     {"rigid_rounds", RESPONSE(rounds[TF_RIGID]), NULL},
     {"failsafe_rounds", RESPONSE(rounds[TF_FAILSAFE]), NULL},
-    {"rows", RESPONSE(rows), NULL},
+    {"rows", RESPONSE(constraints), NULL},
     {"held", RESPONSE(held), NULL},
     {"grouped", RESPONSE(grouped), NULL},
     {"resting", RESPONSE(resting), NULL},

@@ -82,11 +82,11 @@ static bool fault_in_range(work *w, int vertex)
 static bool detect_step(work *w)
 {
     tf_parallel threads = tf_threads(&w->request->threads);
-    tf_detection detection = {.extent = w->request->first ? TF_FIRST_CONTACT
-                                                          : TF_ALL_CONTACTS,
-                              .arithmetic = w->request->answering.arithmetic,
-                              .narrow_phase = w->request->narrow_phase,
-                              .parallel = &threads};
+    tf_detect_options detection = {
+        .selection = w->request->first ? TF_FIRST_CONTACT : TF_ALL_CONTACTS,
+        .arithmetic = w->request->answering.arithmetic,
+        .narrow_phase = w->request->narrow_phase,
+        .parallel = &threads};
     tf_motion motion = tf_frames_motion(&w->frames);
     tf_contacts found;
     tf_flaw flaw;

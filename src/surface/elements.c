@@ -50,30 +50,31 @@ static int drop_repetitions(int corners, int count, int *corner)
 
 //: Sort a list of elements
 bool tf_elements_sort(tf_elements *list, int count, int vertices,
-                      tf_sort_room *room)
+                      tf_sort_workspace *workspace)
 {
     size_t corners = (size_t)list->corners;
-    if (!tf_buffer_reserve(&room->other, (size_t)count * corners + 1,
+    if (!tf_buffer_reserve(&workspace->other, (size_t)count * corners + 1,
                            sizeof *list->corner) ||
-        !tf_buffer_reserve(&room->place, (size_t)vertices + 1, sizeof(int)))
+        !tf_buffer_reserve(&workspace->place, (size_t)vertices + 1,
+                           sizeof(int)))
         return false;
-    int *from = list->room.data, *to = room->other.data;
+    int *from = list->storage.data, *to = workspace->other.data;
     for (int at = list->corners - 1; at >= 0; at--) {
         sort_by_vertex(list->corners, count, from, to, at, vertices,
-                       room->place.data);
+                       workspace->place.data);
         int *swap = from;
         from = to;
         to = swap;
     }
     list->count = drop_repetitions(list->corners, count, from);
-    memmove(list->room.data, from,
+    memmove(list->storage.data, from,
             (size_t)list->count * corners * sizeof *from);
-    list->corner = list->room.data;
+    list->corner = list->storage.data;
     return true;
 }
 
-void tf_sort_room_free(tf_sort_room *room)
+void tf_sort_workspace_free(tf_sort_workspace *workspace)
 {
-    tf_buffer_free(&room->other);
-    tf_buffer_free(&room->place);
+    tf_buffer_free(&workspace->other);
+    tf_buffer_free(&workspace->place);
 }

@@ -10,11 +10,11 @@
 //: Create a surface
 bool tf_surface_refill(tf_surface *surface, const tf_mesh *mesh)
 {
-    tf_sort_room *room = &surface->sort_room;
+    tf_sort_workspace *workspace = &surface->sort_workspace;
     surface->axes = mesh->axes;
     surface->vertices = mesh->vertices;
-    return tf_mesh_triangles(mesh, &surface->triangles, room) &&
-           tf_mesh_edges(mesh, &surface->triangles, &surface->edges, room);
+    return tf_mesh_triangles(mesh, &surface->triangles, workspace) &&
+           tf_mesh_edges(mesh, &surface->triangles, &surface->edges, workspace);
 }
 
 tf_status tf_surface_create(const tf_mesh *mesh, tf_surface **surface,
@@ -31,7 +31,7 @@ tf_status tf_surface_create(const tf_mesh *mesh, tf_surface **surface,
         return TF_OUT_OF_MEMORY;
     }
     // Most surfaces keep their mesh.
-    tf_sort_room_free(&made->sort_room);
+    tf_sort_workspace_free(&made->sort_workspace);
     *surface = made;
     return TF_OK;
 }
@@ -41,14 +41,14 @@ void tf_surface_free(tf_surface *surface)
 {
     if (!surface)
         return;
-    tf_buffer_free(&surface->edges.room);
-    tf_buffer_free(&surface->triangles.room);
+    tf_buffer_free(&surface->edges.storage);
+    tf_buffer_free(&surface->triangles.storage);
     tf_buffer_free(&surface->boxes);
     tf_tree_free(&surface->vertex_tree);
     tf_tree_free(&surface->edge_tree);
     tf_tree_free(&surface->triangle_tree);
-    tf_tree_room_free(&surface->tree_room);
-    tf_sort_room_free(&surface->sort_room);
+    tf_tree_workspace_free(&surface->tree_workspace);
+    tf_sort_workspace_free(&surface->sort_workspace);
     tf_workers_free(&surface->workers);
     tf_buffer_free(&surface->task_rows);
     tf_buffer_free(&surface->task_places);
@@ -76,20 +76,21 @@ const int *tf_surface_triangles(const tf_surface *surface, int *count)
 //: Count the memory
 static size_t tree_bytes(const tf_tree *tree)
 {
-    return tree->pack_room.bytes + tree->element_room.bytes +
-           tree->corner_room.bytes;
+    return tree->pack_storage.bytes + tree->element_storage.bytes +
+           tree->corner_storage.bytes;
 }
 
 size_t tf_surface_memory(const tf_surface *surface)
 {
     TF_REQUIRE(surface);
-    const tf_tree_room *room = &surface->tree_room;
-    return sizeof *surface + surface->edges.room.bytes +
-           surface->triangles.room.bytes + surface->boxes.bytes +
+    const tf_tree_workspace *workspace = &surface->tree_workspace;
+    return sizeof *surface + surface->edges.storage.bytes +
+           surface->triangles.storage.bytes + surface->boxes.bytes +
            tree_bytes(&surface->vertex_tree) + tree_bytes(&surface->edge_tree) +
-           tree_bytes(&surface->triangle_tree) + room->keys.bytes +
-           room->sorted.bytes + room->counts.bytes +
-           surface->sort_room.other.bytes + surface->sort_room.place.bytes +
+           tree_bytes(&surface->triangle_tree) + workspace->keys.bytes +
+           workspace->sorted.bytes + workspace->counts.bytes +
+           surface->sort_workspace.other.bytes +
+           surface->sort_workspace.place.bytes +
            tf_workers_memory(&surface->workers) + surface->task_rows.bytes +
            surface->task_places.bytes + surface->found.bytes +
            surface->sorting.bytes + surface->moved.bytes;
@@ -103,7 +104,7 @@ static bool build_tree(tf_surface *surface, tf_tree *tree,
     elements->count = count;
     elements->corners = corners;
     elements->corner = corner;
-    return tf_tree_build(tree, elements, &surface->tree_room, parallel);
+    return tf_tree_build(tree, elements, &surface->tree_workspace, parallel);
 }
 
 //: Build all trees

@@ -20,7 +20,7 @@ START_TEST(all_workers_together_find_the_contacts)
     const tf_motion motion = {at[0].vertices, at[0].x, at[1].x};
     int threads = 3;
     tf_parallel parallel = tf_threads(&threads);
-    tf_detection detection = {.parallel = &parallel};
+    tf_detect_options detection = {.parallel = &parallel};
     tf_surface *surface;
     tf_contacts found;
     ck_assert_int_eq(tf_surface_create(&mesh, &surface, NULL), TF_OK);

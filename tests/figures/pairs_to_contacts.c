@@ -30,9 +30,11 @@ START_TEST(crowded_layers_are_detected_again)
         tf_surface_detect(surface, &cloth.motion, NULL, &found, NULL), TF_OK);
     expect_number(text, "crowded_triangles", cloth.mesh.triangles);
     expect_number(text, "crowded_pairs", count_pairs(&cloth.mesh, surface));
-    expect_number(text, "crowded_candidates", (double)found.effort.candidates);
-    expect_number(text, "crowded_open",
-                  (double)(found.effort.by_filter + found.effort.by_signs));
+    expect_number(text, "crowded_candidates",
+                  (double)found.statistics.candidates);
+    expect_number(
+        text, "crowded_open",
+        (double)(found.statistics.by_filter + found.statistics.by_signs));
     expect_number(text, "crowded_contacts", (double)found.count);
     tf_surface_free(surface);
     layers_free(&cloth);

@@ -1,5 +1,6 @@
 #include "figures/numbers.h"
 
+#include "arithmetic/functions.h"
 #include "query/query.h"
 #include "support/sums.h"
 

@@ -2,7 +2,7 @@
 #include "figures/timed.h"
 
 #include "arithmetic/exact.h"
-#include "arithmetic/operations.h"
+#include "arithmetic/functions.h"
 #include "query/query.h"
 
 // Signs of small integers --------------------------------------------------

@@ -1,6 +1,7 @@
 #include "figures/numbers.h"
 
 #include "arithmetic/exact.h"
+#include "arithmetic/functions.h"
 #include "intersect/signs.h"
 #include "kit/random.h"
 

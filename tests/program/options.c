@@ -1,7 +1,7 @@
 #include "program/options.h"
 
 #include "arithmetic/exact.h"
-#include "fast/vector.h"
+#include "fast/vectorized.h"
 #include "program/arithmetics.h"
 #include "program/threads.h"
 #include "response/gauss_seidel.h"

@@ -164,7 +164,7 @@ START_TEST(a_step_reports_what_it_took)
         options.check = false;
     } while (s->report.response.first_contacts == 0);
     ck_assert_int_ge(s->report.response.rounds[TF_ZONES], 1);
-    ck_assert_uint_ge(s->report.response.rows,
+    ck_assert_uint_ge(s->report.response.constraints,
                       s->report.response.first_contacts);
     const tf_body *body = &s->base.stage.body;
     ck_assert_double_eq(s->report.stretch, tf_body_stretch(body, s->position));

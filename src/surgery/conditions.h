@@ -1,7 +1,8 @@
 //: Declare the conditions of an adaptive surface
 #pragma once
 
-#include "surgery/state.h"
+#include "surgery/adaptive_surface.h"
+#include "surgery/defect.h"
 
 /// Whether a mesh has triangles and nothing else, with good indices, and all
 /// its vertices have a place.  Returns TF_OK or what is wrong with it.

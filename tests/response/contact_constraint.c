@@ -1,5 +1,5 @@
-// Rows of contacts: whom they push, in which direction and how far.
-#include "response/contact_row.h"
+// Constraints of contacts: whom they push, in which direction and how far.
+#include "response/contact_constraint.h"
 
 #include "arithmetic/exact.h"
 #include "query/query.h"
@@ -55,20 +55,22 @@ static bool random_scene(generator *random, query_kind kind, scene *s)
     return ready(s, kind, q.axes);
 }
 
-static tf_row row_of(const scene *s, bool by_pivots, double *gap)
+static tf_constraint constraint_of(const scene *s, bool by_pivots, double *gap)
 {
-    tf_row_rule rule = {.base = s->end};
-    return tf_row_of_contact(&s->step, &s->contact, &rule, by_pivots, gap);
+    tf_contact_rule rule = {.base = s->end};
+    return tf_contact_constraint(&s->step, &s->contact, &rule, by_pivots, gap);
 }
 
-/// The sum over a row's vertices of coefficient times place along the normal.
-static double along(const scene *s, const tf_row *row, const double place[])
+/// The sum over a constraint's vertices of coefficient times place along the
+/// normal.
+static double along(const scene *s, const tf_constraint *constraint,
+                    const double place[])
 {
     double sum = 0;
-    for (int i = 0; i < 4 && row->vertex[i] >= 0; i++)
+    for (int i = 0; i < 4 && constraint->vertex[i] >= 0; i++)
         for (int k = 0; k < s->step.axes; k++)
-            sum += row->coefficient[i] * row->normal[k] *
-                   place[s->step.axes * row->vertex[i] + k];
+            sum += constraint->coefficient[i] * constraint->normal[k] *
+                   place[s->step.axes * constraint->vertex[i] + k];
     return sum;
 }
 
@@ -82,21 +84,21 @@ static double length(const double v[3])
     return sqrt(dot(v, v));
 }
 
-static void expect_well_made(const scene *s, const tf_row *row)
+static void expect_well_made(const scene *s, const tf_constraint *constraint)
 {
     int first = s->contact.kind == TF_EDGE_EDGE ? 2 : 1;
     double part[2] = {0, 0};
-    for (int i = 0; i < 4 && row->vertex[i] >= 0; i++) {
-        ck_assert(row->coefficient[i] != 0);
-        part[row->vertex[i] >= first] += row->coefficient[i];
+    for (int i = 0; i < 4 && constraint->vertex[i] >= 0; i++) {
+        ck_assert(constraint->coefficient[i] != 0);
+        part[constraint->vertex[i] >= first] += constraint->coefficient[i];
     }
     ck_assert_double_eq_tol(part[0], 1, 1e-12);
     ck_assert_double_eq_tol(part[1], -1, 1e-12);
-    ck_assert_double_eq_tol(length(row->normal), 1, 1e-12);
-    ck_assert(row->bound >= 0 && row->impulse == 0);
+    ck_assert_double_eq_tol(length(constraint->normal), 1, 1e-12);
+    ck_assert(constraint->bound >= 0 && constraint->impulse == 0);
 }
 
-START_TEST(rows_want_what_the_step_does_not_give)
+START_TEST(constraints_want_what_the_step_does_not_give)
 {
     generator random = generator_new((uint64_t)_i);
     for (long i = cases(TRIALS); i > 0; i--) {
@@ -104,13 +106,15 @@ START_TEST(rows_want_what_the_step_does_not_give)
         double gap;
         if (!random_scene(&random, (query_kind)_i, &s))
             continue;
-        tf_row row = row_of(&s, false, &gap);
-        expect_well_made(&s, &row);
+        tf_constraint constraint = constraint_of(&s, false, &gap);
+        expect_well_made(&s, &constraint);
         ck_assert_double_gt(gap, 0);
-        ck_assert_double_eq_tol(along(&s, &row, s.start), gap, 1e-9);
-        ck_assert_double_lt(along(&s, &row, s.end) - along(&s, &row, s.start),
-                            row.bound);
-        ck_assert_double_lt(dot(row.normal, s.contact.contact.velocity), 1e-12);
+        ck_assert_double_eq_tol(along(&s, &constraint, s.start), gap, 1e-9);
+        ck_assert_double_lt(along(&s, &constraint, s.end) -
+                                along(&s, &constraint, s.start),
+                            constraint.bound);
+        ck_assert_double_lt(dot(constraint.normal, s.contact.contact.velocity),
+                            1e-12);
     }
 }
 END_TEST
@@ -125,49 +129,50 @@ START_TEST(pivots_meet_along_the_normal)
             continue;
         const tf_contact *contact = &s.contact.contact;
         double velocity = fabs(contact->normal_velocity);
-        tf_row row = row_of(&s, true, &gap);
-        expect_well_made(&s, &row);
-        ck_assert(row.vertex[1] >= 0 && row.vertex[2] < 0);
+        tf_constraint constraint = constraint_of(&s, true, &gap);
+        expect_well_made(&s, &constraint);
+        ck_assert(constraint.vertex[1] >= 0 && constraint.vertex[2] < 0);
         ck_assert_double_eq_tol(gap, contact->toi_lo * velocity, 1e-12);
-        ck_assert_double_eq_tol(along(&s, &row, s.start), gap, 1e-9);
-        ck_assert_double_eq_tol(along(&s, &row, s.end),
+        ck_assert_double_eq_tol(along(&s, &constraint, s.start), gap, 1e-9);
+        ck_assert_double_eq_tol(along(&s, &constraint, s.end),
                                 (contact->toi_lo - 1) * velocity, 1e-9);
     }
 }
 END_TEST
 
-static tf_row row_in_plane(scene *s, const double start[6], const double end[6],
-                           double *gap)
+static tf_constraint constraint_in_plane(scene *s, const double start[6],
+                                         const double end[6], double *gap)
 {
     memcpy(s->start, start, 6 * sizeof *start);
     memcpy(s->end, end, 6 * sizeof *end);
     ck_assert(ready(s, POINT_EDGE, 2));
-    tf_row row = row_of(s, false, gap);
-    expect_well_made(s, &row);
-    return row;
+    tf_constraint constraint = constraint_of(s, false, gap);
+    expect_well_made(s, &constraint);
+    return constraint;
 }
 
-static void expect_pair(const tf_row *row, int first, int second, double x,
-                        double y)
+static void expect_pair(const tf_constraint *constraint, int first, int second,
+                        double x, double y)
 {
-    ck_assert_int_eq(row->vertex[0], first);
-    ck_assert_int_eq(row->vertex[1], second);
-    ck_assert_int_eq(row->vertex[2], -1);
-    ck_assert_double_eq_tol(row->normal[0], x, 1e-15);
-    ck_assert_double_eq_tol(row->normal[1], y, 1e-15);
-    ck_assert_double_eq(row->normal[2], 0);
+    ck_assert_int_eq(constraint->vertex[0], first);
+    ck_assert_int_eq(constraint->vertex[1], second);
+    ck_assert_int_eq(constraint->vertex[2], -1);
+    ck_assert_double_eq_tol(constraint->normal[0], x, 1e-15);
+    ck_assert_double_eq_tol(constraint->normal[1], y, 1e-15);
+    ck_assert_double_eq(constraint->normal[2], 0);
 }
 
 START_TEST(coordinates_share_a_push)
 {
     scene s;
     double gap;
-    tf_row row = row_in_plane(&s, (double[]){0, 0.125, -2, 0, 2, 0},
-                              (double[]){0, 0.125, -2, 1, 2, 1}, &gap);
+    tf_constraint constraint =
+        constraint_in_plane(&s, (double[]){0, 0.125, -2, 0, 2, 0},
+                            (double[]){0, 0.125, -2, 1, 2, 1}, &gap);
     ck_assert_double_eq(gap, 0.125);
-    ck_assert_double_eq_tol(row.coefficient[1], -0.5, 1e-15);
-    ck_assert_double_eq_tol(row.coefficient[2], -0.5, 1e-15);
-    ck_assert_double_eq(row.normal[1], 1);
+    ck_assert_double_eq_tol(constraint.coefficient[1], -0.5, 1e-15);
+    ck_assert_double_eq_tol(constraint.coefficient[2], -0.5, 1e-15);
+    ck_assert_double_eq(constraint.normal[1], 1);
 }
 END_TEST
 
@@ -176,9 +181,10 @@ START_TEST(pivots_are_pushed_where_the_dots_want_nothing)
     // A plank turns under a fly, and its middle comes back.
     scene s;
     double gap;
-    tf_row row = row_in_plane(&s, (double[]){0, 1, -2, 2, 2, -2},
-                              (double[]){0, 1, -2, -2, 2, 2}, &gap);
-    expect_pair(&row, 0, 2, sqrt(0.5), sqrt(0.5));
+    tf_constraint constraint =
+        constraint_in_plane(&s, (double[]){0, 1, -2, 2, 2, -2},
+                            (double[]){0, 1, -2, -2, 2, 2}, &gap);
+    expect_pair(&constraint, 0, 2, sqrt(0.5), sqrt(0.5));
     ck_assert_double_eq_tol(gap, sqrt(0.5), 1e-15);
 }
 END_TEST
@@ -187,9 +193,9 @@ START_TEST(pivots_are_pushed_where_the_dots_start_on_the_other_side)
 {
     scene s;
     double gap;
-    tf_row row = row_in_plane(&s, (double[]){1, 1, 0, 0, 4, 0},
-                              (double[]){1, -2, 1, 2, 2, -2}, &gap);
-    expect_pair(&row, 0, 1, 4 / sqrt(17), 1 / sqrt(17));
+    tf_constraint constraint = constraint_in_plane(
+        &s, (double[]){1, 1, 0, 0, 4, 0}, (double[]){1, -2, 1, 2, 2, -2}, &gap);
+    expect_pair(&constraint, 0, 1, 4 / sqrt(17), 1 / sqrt(17));
     ck_assert_double_eq_tol(gap, 5 / sqrt(17), 1e-14);
 }
 END_TEST
@@ -198,9 +204,9 @@ START_TEST(dots_part_in_their_direction_where_there_is_no_side)
 {
     scene s;
     double gap;
-    tf_row row = row_in_plane(&s, (double[]){0, 0, 1, 0, 3, 0},
-                              (double[]){2, 0, 1, 0, 3, 0}, &gap);
-    expect_pair(&row, 0, 1, -1, 0);
+    tf_constraint constraint = constraint_in_plane(
+        &s, (double[]){0, 0, 1, 0, 3, 0}, (double[]){2, 0, 1, 0, 3, 0}, &gap);
+    expect_pair(&constraint, 0, 1, -1, 0);
     ck_assert_double_eq(gap, 1);
 }
 END_TEST
@@ -213,10 +219,10 @@ START_TEST(edges_without_a_normal_part)
     double gap;
     ck_assert(ready(&s, EDGE_EDGE, 3));
     ck_assert_double_eq(length(s.contact.contact.normal), 0);
-    tf_row row = row_of(&s, false, &gap);
-    expect_well_made(&s, &row);
+    tf_constraint constraint = constraint_of(&s, false, &gap);
+    expect_well_made(&s, &constraint);
     ck_assert_double_eq(gap, 1);
-    ck_assert_double_eq(row.normal[2], 1);
+    ck_assert_double_eq(constraint.normal[2], 1);
 }
 END_TEST
 
@@ -224,26 +230,28 @@ START_TEST(bounds_ask_for_room_and_for_a_bounce)
 {
     scene s;
     double gap;
-    row_in_plane(&s, (double[]){0, 0.125, -2, 0, 2, 0},
-                 (double[]){0, 0.125, -2, 1, 2, 1}, &gap);
+    constraint_in_plane(&s, (double[]){0, 0.125, -2, 0, 2, 0},
+                        (double[]){0, 0.125, -2, 1, 2, 1}, &gap);
     const struct {
         double separation, restitution, bound;
     } expected[] = {{0, 0, 0},          {0.125, 0, 0},     {0.525, 0, 0.1},
                     {0.525, 0.05, 0.1}, {0.525, 0.5, 0.5}, {0, 1, 1}};
     for (int i = 0; i < 6; i++) {
-        tf_row_rule rule = {expected[i].separation, expected[i].restitution,
-                            s.end};
-        tf_row row = tf_row_of_contact(&s.step, &s.contact, &rule, false, &gap);
-        ck_assert_double_eq_tol(row.bound, expected[i].bound, 1e-15);
+        tf_contact_rule rule = {expected[i].separation, expected[i].restitution,
+                                s.end};
+        tf_constraint constraint =
+            tf_contact_constraint(&s.step, &s.contact, &rule, false, &gap);
+        ck_assert_double_eq_tol(constraint.bound, expected[i].bound, 1e-15);
     }
 }
 END_TEST
 
 Suite *suite(void)
 {
-    Suite *s = suite_create("response/contact_row");
+    Suite *s = suite_create("response/contact_constraint");
     TCase *any = tcase_create("any contacts");
-    tcase_add_loop_test(any, rows_want_what_the_step_does_not_give, 0, KINDS);
+    tcase_add_loop_test(any, constraints_want_what_the_step_does_not_give, 0,
+                        KINDS);
     tcase_add_loop_test(any, pivots_meet_along_the_normal, 0, KINDS);
     suite_add_tcase(s, any);
     TCase *one = tcase_create("single contacts");

@@ -1,5 +1,5 @@
 // What a mesh must be, and that the first defect is named.
-#include "surgery/load.h"
+#include "surgery/conditions.h"
 
 #include "support/adaptive_of.h"
 #include "support/support.h"
@@ -214,7 +214,7 @@ END_TEST
 
 Suite *suite(void)
 {
-    Suite *suite = suite_create("surgery/load");
+    Suite *suite = suite_create("surgery/conditions");
     TCase *tcase = tcase_create("defects");
     tcase_add_loop_test(tcase, the_first_defect_is_named, 0,
                         sizeof meshes / sizeof *meshes);

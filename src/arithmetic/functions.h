@@ -1,36 +1,12 @@
-//: Declare the signs
+//: Declare what an arithmetic does
 #pragma once
 
-#include "arithmetic/arithmetic.h"
 #include "arithmetic/differences.h"
+#include "arithmetic/sign.h"
 
+#include <math.h>
 #include <stdbool.h>
-#include <stdint.h>
 
-/// The sign of a determinant.
-typedef enum tf_sign {
-    TF_NEGATIVE = -1,
-    TF_ZERO = 0, ///< certainly zero (but see tf_published)
-    TF_POSITIVE = 1,
-    TF_UNKNOWN = 2, ///< any of the three
-} tf_sign;
-
-//: Declare the value of a determinant
-/// A real number v with |v - number 2^exponent| <= (radius + u |number|)
-/// 2^exponent, u = 2^-53: besides the rounding of `number`, at most `radius`
-/// off.  A zero `number` with a zero `radius` is exactly zero.
-typedef struct tf_value {
-    double number; ///< NaN or infinite: nothing is known
-    double radius; ///< >= 0, or NaN: nothing is known
-    int exponent;
-    /// Zeros, except where the value is infinitely small: then it is `number`
-    /// 2^exponent times the infinitesimals named here.  Of two values the one
-    /// with the later order (by the first entry that differs) is infinitely
-    /// smaller.
-    int64_t order[TF_AXES];
-} tf_value;
-
-//: Declare what an arithmetic does
 enum {
     TF_SIX = 6 ///< the events of a pair in space
 };
@@ -64,6 +40,14 @@ struct tf_arithmetic {
     bool (*cross)(const tf_differences *rows, tf_value component[TF_AXES]);
 };
 
+//: Test whether an arithmetic holds a coordinate
 /// Whether `arithmetic` can hold the coordinate `x` of a scene with `axes`
 /// axes.
-bool tf_arithmetic_holds(const tf_arithmetic *arithmetic, int axes, double x);
+static inline bool tf_arithmetic_holds(const struct tf_arithmetic *arithmetic,
+                                       int axes, double x)
+{
+    int bits = arithmetic->bits[axes];
+    if (bits == 0)
+        return isfinite(x);
+    return fabs(x) < ldexp(1, bits) && x == trunc(x);
+}

@@ -1,36 +1,64 @@
 //: Declare what an adaptive surface holds
 #pragma once
 
-#include "surgery/adaptive.h"
+#include "surface/buffer.h"
 #include "surgery/dynamic_tree.h"
-#include "surgery/surgery.h"
+#include "surgery/tetrahedron.h"
 
 enum {
     TF_NONE = -1 ///< no vertex, triangle or corner
 };
 
+//: Declare what a surgery holds
+/// A triangle to be added.
+typedef struct tf_added_triangle {
+    tf_facet facet;
+    tf_aabb box;
+} tf_added_triangle;
+
+/// A tetrahedron to be swept over.
+typedef struct tf_swept_tetrahedron {
+    tf_tetrahedron body;
+    tf_aabb box;
+} tf_swept_tetrahedron;
+
+enum {
+    TF_MOST_PLACED = 3 ///< vertices that a surgery may place
+};
+
+/// A patch of the surface that is replaced by another one, and what the surface
+/// sweeps over meanwhile.
+typedef struct tf_surgery {
+    int removals, additions, sweeps, boundary_edges;
+    int placed;         ///< vertices, with the numbers after the last
+    int earlier;        ///< how many of the additions, which are the first, are
+                        ///< of earlier stages
+    tf_buffer removed;  ///< numbers of triangles
+    tf_buffer added;    ///< tf_added_triangle each
+    tf_buffer swept;    ///< tf_swept_tetrahedron each
+    tf_buffer boundary; ///< edges of the surface's boundary that both patches
+                        ///< have: two vertices each
+    int path[2];        ///< a vertex that moves, before and after, or TF_NONE
+} tf_surgery;
+
+//: Hold an adaptive surface
 /// The corner i of the triangle t has the number 3 t + i.
-struct tf_adaptive_surface {
-    int vertices, triangles; ///< places that are or were in use
+typedef struct tf_adaptive_surface {
+    int vertices, triangles; ///< numbers that are or were in use
     int free_triangle;       ///< the first of a list, linked by corner 1
     tf_buffer position;      ///< of each vertex, and of those to be placed
     tf_buffer vertex;        ///< of each corner; TF_NONE: there is no triangle
     tf_buffer first;         ///< of each vertex: a corner there, or TF_NONE
     tf_buffer next;          ///< of each corner: another one at its vertex
-    tf_dynamic_tree boxes;   ///< of the triangles
-    tf_buffer found;         ///< room for a search
-    tf_buffer cuboid;        ///< room for the boxes of all triangles
+    tf_dynamic_tree tree;    ///< of the boxes of the triangles
+    tf_buffer found;         ///< memory for a search
+    tf_buffer box;           ///< memory for the boxes of all triangles
     tf_surgery surgery;      ///< that is being tried
-};
-
-/// Makes room for so many vertices and triangles, for what a surgery places,
-/// and for `more` triangles more.  False if there is no memory.
-bool tf_adaptive_reserve(tf_adaptive_surface *surface, int vertices,
-                         int triangles, int more);
+} tf_adaptive_surface;
 
 //: Look at an adaptive surface
-static inline const double *tf_place(const tf_adaptive_surface *surface,
-                                     int vertex)
+static inline const double *tf_coordinates(const tf_adaptive_surface *surface,
+                                           int vertex)
 {
     return (const double *)surface->position.data + 3 * (ptrdiff_t)vertex;
 }
@@ -77,7 +105,7 @@ static inline tf_facet tf_facet_of(const tf_adaptive_surface *surface,
     tf_facet facet;
     for (int i = 0; i < 3; i++) {
         facet.vertex[i] = vertex[i];
-        facet.corner[i] = tf_place(surface, vertex[i]);
+        facet.corner[i] = tf_coordinates(surface, vertex[i]);
     }
     return facet;
 }
@@ -93,6 +121,6 @@ static inline tf_aabb tf_aabb_of(const tf_adaptive_surface *surface, int count,
 {
     tf_aabb box = tf_aabb_empty();
     for (int i = 0; i < count; i++)
-        tf_aabb_add(&box, tf_place(surface, vertex[i]));
+        tf_aabb_add(&box, tf_coordinates(surface, vertex[i]));
     return box;
 }

@@ -1,5 +1,5 @@
 //: Include what rigid advancement needs
-#include "linear/advancement.h"
+#include "linear/rigid_motion.h"
 
 #include "base/environment.h"
 #include "base/require.h"

@@ -1,5 +1,5 @@
 // The vector narrow phase, against the reference.
-#include "fast/vector.h"
+#include "fast/vectorized.h"
 
 #include "arithmetic/clamped.h"
 #include "arithmetic/exact.h"
@@ -314,7 +314,7 @@ END_TEST
 
 Suite *suite(void)
 {
-    Suite *suite = suite_create("fast/vector");
+    Suite *suite = suite_create("fast/vectorized");
     TCase *c = tcase_create("vector");
     tcase_add_loop_test(c, verdicts_are_those_of_the_reference, 0,
                         2 * FAMILIES);

@@ -1,5 +1,5 @@
 // The filters, against exact signs.
-#include "fast/filter.h"
+#include "fast/block_filter.h"
 
 #include "support/environments.h"
 #include "support/families.h"
@@ -154,7 +154,7 @@ END_TEST
 
 Suite *suite(void)
 {
-    Suite *suite = suite_create("fast/filter");
+    Suite *suite = suite_create("fast/block_filter");
     TCase *c = tcase_create("filter");
     tcase_add_loop_test(c, no_certain_verdict_is_wrong, 0, 2 * FAMILIES);
     tcase_add_loop_test(c, any_number_of_queries_can_be_decided, 0, 2);

@@ -1,5 +1,5 @@
 //: Include what the vector narrow phase needs
-#include "fast/vector.h"
+#include "fast/vectorized.h"
 
 #include "arithmetic/clamped.h"
 #include "arithmetic/exact.h"

@@ -15,8 +15,9 @@
 /// tf_reference decide the others.  So it gains most where few queries are
 /// degenerate; where all are, it takes up to a third longer.
 ///
-/// The rounded numbers serve tf_exact, tf_perturbed, tf_clamped and tf_published,
-/// in space.  With any other arithmetic, and in the plane, it is tf_reference.
+/// The rounded numbers serve tf_exact, tf_perturbed, tf_clamped and
+/// tf_published, in space.  With any other arithmetic, and in the plane, it is
+/// tf_reference.
 TF_API extern const tf_narrow_phase tf_vectorized;
 
 /// @}

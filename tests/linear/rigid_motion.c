@@ -1,4 +1,4 @@
-#include "linear/advancement.h"
+#include "linear/rigid_motion.h"
 
 #include "support/environments.h"
 #include "support/statuses.h"
@@ -295,7 +295,7 @@ END_TEST
 
 Suite *suite(void)
 {
-    Suite *s = suite_create("linear/advancement");
+    Suite *s = suite_create("linear/rigid_motion");
     TCase *c = tcase_create("rigid motion");
     tcase_add_loop_test(c, a_bar_turns_into_a_point, 0, 2);
     tcase_add_test(c, beyond_the_bar_is_apart);

@@ -1,5 +1,5 @@
 //: Include what the filters need
-#include "fast/filter.h"
+#include "fast/block_filter.h"
 
 #include "base/environment.h"
 #include "base/require.h"

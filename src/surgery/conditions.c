@@ -1,5 +1,5 @@
 //: Include what the conditions need
-#include "surgery/load.h"
+#include "surgery/conditions.h"
 
 #include "surface/derive.h"
 #include "surface/surface.h"

@@ -1,4 +1,4 @@
-//: Declare rows
+//: Declare constraints
 #pragma once
 
 #include "base/api.h"
@@ -17,8 +17,8 @@
 ///     impulse inverse_mass_i coefficient[i] normal
 ///
 /// to the displacement of vertex i.
-typedef struct tf_row {
-    int vertex[4];         ///< those that the row pushes, followed by -1s
+typedef struct tf_constraint {
+    int vertex[4]; ///< those that the constraint pushes, followed by -1s
     double coefficient[4]; ///< not 0; the coefficients of the first element's
                            ///< vertices add up to +1, the others to -1
     double normal[3];      ///< of length 1; `normal[2]` is 0 in the plane
@@ -26,6 +26,6 @@ typedef struct tf_row {
     double impulse;        ///< at least 0, in units of mass times length
     double friction[3];    ///< an impulse across the normal, which pushes the
                            ///< vertices in the same proportions
-} tf_row;
+} tf_constraint;
 
 /// @}

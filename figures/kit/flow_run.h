@@ -4,8 +4,7 @@
 
 #include "kit/cloth.h"
 #include "remesh/policy.h"
-#include "simulate/flow_measures.h"
-#include "simulate/flow_scene.h"
+#include "simulate/flow_simulation.h"
 
 /// What is to be run.
 typedef struct fig_flow_plan {

@@ -1,8 +1,8 @@
 // All vertices move along a velocity, as far as nothing is in their way.
 #include "flow/advance.h"
 
-#include "support/adaptive_of.h"
-#include "support/flowing.h"
+#include "support/adaptive_surfaces.h"
+#include "support/flows.h"
 #include "support/support.h"
 
 #include <math.h>

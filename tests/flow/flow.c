@@ -2,10 +2,10 @@
 #include "flow/flow.h"
 
 #include "simulate/flow_fields.h"
-#include "support/adaptive_of.h"
+#include "support/adaptive_surfaces.h"
 #include "support/careless.h"
-#include "support/flowing.h"
-#include "support/scrambled.h"
+#include "support/flows.h"
+#include "support/scrambled_workers.h"
 #include "support/support.h"
 #include "surgery/adaptive_surface.h"
 
@@ -17,6 +17,8 @@ enum {
 };
 
 static const double center[] = {0.35, 0.35, 0.35}, radius = 0.15;
+
+static tf_velocity_field *vortices = tf_vortices;
 
 static tf_flow *flow_of(tf_adaptive_surface *surface)
 {
@@ -45,7 +47,8 @@ START_TEST(vortices_lose_nothing)
 {
     tf_adaptive_surface *surface = adaptive_sphere(12, center, radius);
     tf_flow *flow = flow_of(surface);
-    tf_flow_options options = {.edge = 0.023, .velocity = tf_flow_vortices};
+    tf_flow_options options = {
+        .edge = 0.023, .velocity = tf_field_apply, .context = &vortices};
     tf_flow_report report;
     mpq_t before;
     mpq_init(before);
@@ -72,11 +75,13 @@ END_TEST
 /// Lets a surface flow a little, on some workers.
 static tf_adaptive_surface *flow_on(int workers)
 {
-    tf_parallel parallel = scrambled(&workers);
+    tf_parallel parallel = scrambled_workers(&workers);
     tf_adaptive_surface *surface = adaptive_sphere(6, center, radius);
     tf_flow *flow = flow_of(surface);
-    tf_flow_options options = {
-        .edge = 0.03, .velocity = tf_flow_vortices, .parallel = &parallel};
+    tf_flow_options options = {.edge = 0.03,
+                               .velocity = tf_field_apply,
+                               .context = &vortices,
+                               .parallel = &parallel};
     for (int i = 0; i < 20; i++)
         ck_assert_int_eq(tf_flow_step(flow, &options, 0.05 * i, 0.05, NULL),
                          TF_OK);
@@ -111,7 +116,8 @@ START_TEST(a_flow_remembers_nothing_of_its_steps)
     tf_adaptive_surface *surface = adaptive_sphere(6, center, radius);
     tf_adaptive_surface *same = adaptive_sphere(6, center, radius);
     tf_flow *flow = flow_of(surface);
-    tf_flow_options options = {.edge = 0.03, .velocity = tf_flow_vortices};
+    tf_flow_options options = {
+        .edge = 0.03, .velocity = tf_field_apply, .context = &vortices};
     for (int i = 0; i < 20; i++) {
         tf_flow *anew = flow_of(same);
         ck_assert_int_eq(tf_flow_step(flow, &options, 0.05 * i, 0.05, NULL),
@@ -134,7 +140,8 @@ START_TEST(a_step_is_its_parts)
     tf_adaptive_surface *surface = adaptive_sphere(6, center, radius);
     tf_adaptive_surface *same = adaptive_sphere(6, center, radius);
     tf_flow *flow = flow_of(surface), *other = flow_of(same);
-    tf_flow_options options = {.edge = 0.03, .velocity = tf_flow_vortices};
+    tf_flow_options options = {
+        .edge = 0.03, .velocity = tf_field_apply, .context = &vortices};
     for (int i = 0; i < 20; i++) {
         tf_flow_report report;
         ck_assert_int_eq(tf_flow_step(flow, &options, 0.05 * i, 0.05, NULL),
@@ -239,8 +246,8 @@ START_TEST(bad_lengths_are_refused)
     tf_adaptive_surface *surface = adaptive_tetrahedron();
     tf_flow *flow = flow_of(surface);
     for (int i = 0; i < 4; i++) {
-        tf_flow_options options = {.edge = edges[i],
-                                   .velocity = tf_flow_vortices};
+        tf_flow_options options = {
+            .edge = edges[i], .velocity = tf_field_apply, .context = &vortices};
         ck_assert_int_eq(tf_flow_step(flow, &options, 0, 1, NULL),
                          TF_BAD_TOLERANCE);
     }

@@ -4,9 +4,9 @@
 
 #include "remesh/passes.h"
 #include "support/careless.h"
-#include "support/flowing.h"
+#include "support/flows.h"
 #include "support/generator.h"
-#include "support/remeshing.h"
+#include "support/remeshers.h"
 #include "support/support.h"
 
 // Passes ----------------------------------------------------------------------
@@ -28,7 +28,7 @@ static double change_by(int pass, const tf_remesh_policy *policy,
                         uint64_t stream)
 {
     tf_operation operation = passes[pass].operation;
-    tf_remesher *remesher = remeshing_begin(
+    tf_remesher *remesher = remesher_begin(
         adaptive_bumpy_sphere(passes[pass].n, passes[pass].bump, stream),
         policy, passes[pass].edge);
     mpq_t before;
@@ -39,7 +39,7 @@ static double change_by(int pass, const tf_remesh_policy *policy,
     double gained = volume_gained(remesher->surface, before);
     mpq_clear(before);
     expect_embedded(remesher->surface);
-    remeshing_end(remesher);
+    remesher_end(remesher);
     return fabs(gained);
 }
 
@@ -61,8 +61,8 @@ END_TEST
 
 START_TEST(a_split_that_was_refused_is_tried_in_the_middle)
 {
-    tf_remesher *remesher = remeshing_begin(adaptive_bumpy_sphere(4, 0.02, 0),
-                                            &tf_keep_volume, 0.2);
+    tf_remesher *remesher =
+        remesher_begin(adaptive_bumpy_sphere(4, 0.02, 0), &tf_keep_volume, 0.2);
     const int *v = tf_triangle(remesher->surface, 0);
     tf_vector middle = tf_middle_of(remesher->surface, v[0], v[1]), position;
     tf_volume_error error;
@@ -72,7 +72,7 @@ START_TEST(a_split_that_was_refused_is_tried_in_the_middle)
         ck_assert_int_eq(error.count, refused == 0 ? 4 : 0);
         ck_assert((position.x[0] == middle.x[0]) == (refused > 0));
     }
-    remeshing_end(remesher);
+    remesher_end(remesher);
 }
 END_TEST
 
@@ -82,13 +82,13 @@ static tf_remesher *made;
 
 static void begin(void)
 {
-    made = remeshing_begin(adaptive_bumpy_sphere(6, 0.02, 0), &tf_keep_volume,
-                           0.3);
+    made =
+        remesher_begin(adaptive_bumpy_sphere(6, 0.02, 0), &tf_keep_volume, 0.3);
 }
 
 static void end(void)
 {
-    remeshing_end(made);
+    remesher_end(made);
 }
 
 static double gain_by_restoring(const tf_volume_error *error)

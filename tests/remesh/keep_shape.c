@@ -1,8 +1,8 @@
 // Where the policy that keeps the shape puts vertices.
 #include "remesh/keep_shape.h"
 
-#include "support/adaptive_of.h"
-#include "support/remeshing.h"
+#include "support/adaptive_surfaces.h"
+#include "support/remeshers.h"
 #include "support/support.h"
 #include "surgery/star.h"
 
@@ -12,13 +12,13 @@ static tf_remesher *made;
 static void begin(void)
 {
     static const double lifted[] = {1, 1, 0.75};
-    made = remeshing_begin(adaptive_sheet(2, 2), &tf_keep_shape, 0.5);
+    made = remesher_begin(adaptive_sheet(2, 2), &tf_keep_shape, 0.5);
     tf_vertex_put(made->surface, 4, lifted);
 }
 
 static void end(void)
 {
-    remeshing_end(made);
+    remesher_end(made);
 }
 
 /// How high the edge of two vertices is split.

@@ -2,8 +2,8 @@
 #include "remesh/passes.h"
 
 #include "remesh/keep_shape.h"
-#include "support/adaptive_of.h"
-#include "support/remeshing.h"
+#include "support/adaptive_surfaces.h"
+#include "support/remeshers.h"
 #include "support/support.h"
 #include "surgery/star.h"
 
@@ -11,7 +11,7 @@
 
 static tf_remesher *begin(tf_adaptive_surface *surface, double edge)
 {
-    return remeshing_begin(surface, &tf_keep_shape, edge);
+    return remesher_begin(surface, &tf_keep_shape, edge);
 }
 
 static void make_pass(tf_remesher *remesher, tf_operation operation)
@@ -43,13 +43,13 @@ START_TEST(long_edges_are_split_the_longest_first)
     ck_assert_int_eq(done(remesher, TF_SPLIT), 1); // the diagonal
     ck_assert_double_eq(place_of(remesher->surface, 4)[0], 0.5);
     ck_assert_double_eq(longest_edge(remesher->surface), 1);
-    remeshing_end(remesher);
+    remesher_end(remesher);
 
     remesher = begin(adaptive_sheet(1, 1), 0.74);
     make_pass(remesher, TF_SPLIT);
     ck_assert_int_eq(done(remesher, TF_SPLIT), 5);
     ck_assert_int_eq(triangles_of(remesher->surface), 8);
-    remeshing_end(remesher);
+    remesher_end(remesher);
 }
 END_TEST
 
@@ -64,7 +64,7 @@ START_TEST(middles_stay_on_the_original)
     make_pass(remesher, TF_SPLIT);
     ck_assert_double_eq(place_of(remesher->surface, 4)[2], 0);
     expect_on_original(remesher, false);
-    remeshing_end(remesher);
+    remesher_end(remesher);
 }
 END_TEST
 
@@ -83,7 +83,7 @@ START_TEST(short_edges_collapse_and_corners_stay)
         ck_assert_double_eq(x[1], i / 2 * 6);
     }
     expect_on_original(remesher, true);
-    remeshing_end(remesher);
+    remesher_end(remesher);
 }
 END_TEST
 
@@ -93,7 +93,7 @@ START_TEST(edges_that_are_long_enough_stay)
     make_pass(remesher, TF_COLLAPSE);
     ck_assert_int_eq(done(remesher, TF_COLLAPSE), 0);
     ck_assert_int_eq(triangles_of(remesher->surface), 32);
-    remeshing_end(remesher);
+    remesher_end(remesher);
 }
 END_TEST
 
@@ -119,7 +119,7 @@ START_TEST(edges_flip_to_better_triangles_once)
     ck_assert(has_triangle(remesher->surface, 0, 1, 3));
     make_pass(remesher, TF_FLIP);
     ck_assert_int_eq(done(remesher, TF_FLIP), 1);
-    remeshing_end(remesher);
+    remesher_end(remesher);
 }
 END_TEST
 
@@ -130,7 +130,7 @@ START_TEST(edges_that_are_bent_do_not_flip)
         make_pass(remesher, TF_FLIP);
         ck_assert_int_eq(done(remesher, TF_FLIP) + refused(remesher, TF_FLIP),
                          0);
-        remeshing_end(remesher);
+        remesher_end(remesher);
     }
 }
 END_TEST
@@ -140,7 +140,7 @@ START_TEST(diagonals_of_squares_do_not_flip)
     tf_remesher *remesher = begin(adaptive_sheet(3, 3), 1);
     make_pass(remesher, TF_FLIP);
     ck_assert_int_eq(done(remesher, TF_FLIP), 0);
-    remeshing_end(remesher);
+    remesher_end(remesher);
 }
 END_TEST
 
@@ -162,7 +162,7 @@ START_TEST(vertices_go_to_the_middles_of_their_stars)
     for (int v = 0; v < 9; v++)
         if (v != 4)
             ck_assert_double_eq(place_of(remesher->surface, v)[0], v % 3);
-    remeshing_end(remesher);
+    remesher_end(remesher);
 }
 END_TEST
 
@@ -175,7 +175,7 @@ static int splits_of(int passes)
     for (int i = 0; i < passes; i++)
         make_pass(remesher, TF_SPLIT);
     int splits = done(remesher, TF_SPLIT);
-    remeshing_end(remesher);
+    remesher_end(remesher);
     return splits;
 }
 
@@ -187,10 +187,10 @@ START_TEST(a_round_repeats_a_pass_until_it_does_nothing_or_often_enough)
                                    .pass = {{TF_SPLIT, most}},
                                    .choose_split = tf_keep_shape.choose_split};
         tf_remesher *remesher =
-            remeshing_begin(adaptive_tetrahedron(), &policy, 0.3);
+            remesher_begin(adaptive_tetrahedron(), &policy, 0.3);
         ck_assert_int_eq(tf_remesh_round(remesher), TF_OK);
         int splits = done(remesher, TF_SPLIT);
-        remeshing_end(remesher);
+        remesher_end(remesher);
         ck_assert_int_eq(splits, splits_of(most));
     }
     ck_assert_int_lt(splits_of(1), splits_of(4));
@@ -209,11 +209,11 @@ START_TEST(what_a_policy_does_not_choose_is_not_tried)
 {
     tf_remesh_policy policy = tf_keep_shape;
     policy.choose_collapse = choose_nothing;
-    tf_remesher *remesher = remeshing_begin(adaptive_sheet(6, 6), &policy, 3);
+    tf_remesher *remesher = remesher_begin(adaptive_sheet(6, 6), &policy, 3);
     ck_assert_int_eq(tf_remesh_round(remesher), TF_OK);
     ck_assert_int_eq(
         done(remesher, TF_COLLAPSE) + refused(remesher, TF_COLLAPSE), 0);
-    remeshing_end(remesher);
+    remesher_end(remesher);
 }
 END_TEST
 

@@ -3,16 +3,16 @@
 
 #include "remesh/keep_shape.h"
 #include "remesh/passes.h"
-#include "support/adaptive_of.h"
-#include "support/operating.h"
-#include "support/remeshing.h"
+#include "support/adaptive_surfaces.h"
+#include "support/remeshers.h"
 #include "support/support.h"
+#include "support/surgery_runs.h"
 
 #include <signal.h>
 #include <string.h>
 
-static operating run;
-static operating_counts counts;
+static surgery_run run;
+static surgery_counts counts;
 
 /// Gives new vertices the part of a neighbor that has one.
 static void label_parts(int before)
@@ -38,7 +38,7 @@ static const char *first_fault(void)
     const char *fault = NULL;
     for (int part = 0; part < run.scene.parts && !fault; part++) {
         run.changed = part;
-        fault = operating_fault(&run);
+        fault = surgery_run_fault(&run);
     }
     return fault;
 }
@@ -47,18 +47,18 @@ static const char *first_fault(void)
 // lose track of the parts.
 START_TEST(no_close_surfaces_are_tangled_by_passes)
 {
-    operating_begin(&run, generator_new((uint64_t)_i), (adaptive_scene_kind)_i,
-                    &counts);
+    surgery_run_begin(&run, generator_new((uint64_t)_i),
+                      (adaptive_scene_kind)_i, &counts);
     static const tf_operation passes[] = {TF_SPLIT, TF_SPLIT, TF_SPLIT, TF_FLIP,
                                           TF_SMOOTH};
     tf_remesher *remesher =
-        remeshing_begin(run.surface, &tf_keep_shape, run.scene.unit / 3);
+        remesher_begin(run.surface, &tf_keep_shape, run.scene.unit / 3);
     for (int i = 0; i < 5; i++)
         ck_assert_int_eq(tf_remesh_pass(remesher, passes[i]), TF_OK);
     label_parts(run.scene.vertices);
     const char *fault = first_fault();
     ck_assert_msg(!fault, "%s", fault);
-    remeshing_end(remesher);
+    remesher_end(remesher);
 }
 END_TEST
 
@@ -74,16 +74,16 @@ START_TEST(no_scene_is_tangled_by_remeshing)
 {
     static const double fractions[] = {2, 1, 0.5};
     for (int i = 0; i < 3; i++) {
-        operating_begin(&run, generator_new((uint64_t)_i),
-                        (adaptive_scene_kind)_i, &counts);
+        surgery_run_begin(&run, generator_new((uint64_t)_i),
+                          (adaptive_scene_kind)_i, &counts);
         tf_remesh_options how = {.edge = run.scene.unit * fractions[i]};
         tf_remesh_report report;
         ck_assert_int_eq(tf_adaptive_remesh(run.surface, &how, &report), TF_OK);
         ck_assert_int_eq(report.rounds, 5);
         begin_unlabelled();
-        const char *fault = operating_fault(&run);
+        const char *fault = surgery_run_fault(&run);
         ck_assert_msg(!fault, "%s", fault);
-        operating_end(&run);
+        surgery_run_end(&run);
     }
 }
 END_TEST

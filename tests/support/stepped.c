@@ -8,15 +8,13 @@
 void stepped_begin(stepped *of, const proposal *made)
 {
     memcpy(of->end, made->end, sizeof of->end);
-    memcpy(of->looked, made->end, sizeof of->looked);
     of->surface = surface_of(&made->mesh);
     of->step = (tf_step){.axes = made->mesh.axes,
                          .vertices = made->mesh.vertices,
                          .start = made->start,
                          .proposed = made->end,
                          .inverse_mass = made->inverse_mass,
-                         .end = of->end,
-                         .looked = of->looked};
+                         .end = of->end};
     of->rule = (tf_contact_rule){.base = made->end};
 }
 
@@ -37,7 +35,7 @@ tf_contacts stepped_contacts(stepped *of)
 bool stepped_has_moved(const stepped *of, int vertex)
 {
     ptrdiff_t place = (ptrdiff_t)of->step.axes * vertex;
-    return memcmp(of->step.end + place, of->step.looked + place,
+    return memcmp(of->step.end + place, of->step.proposed + place,
                   sizeof(double) * (size_t)of->step.axes) != 0;
 }
 

@@ -12,7 +12,6 @@ typedef struct stepped {
     tf_step step;
     tf_contact_rule rule; ///< without separation, from the proposed ends
     double end[3 * PROPOSAL_VERTICES];
-    double looked[3 * PROPOSAL_VERTICES];
 } stepped;
 
 /// Refers to the proposal, and to `of` itself; to be freed.
@@ -22,8 +21,8 @@ void stepped_free(stepped *of);
 /// All contacts from the start to the ends so far, lent by the surface.
 tf_contacts stepped_contacts(stepped *of);
 
-/// Whether a vertex has moved since contacts were last looked for, and how many
-/// have.
+/// Whether a vertex no longer ends where it was proposed to, and how many do
+/// not.
 bool stepped_has_moved(const stepped *of, int vertex);
 int stepped_changes(const stepped *of);
 

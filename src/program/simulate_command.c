@@ -5,13 +5,13 @@
 #include "files/visible.h"
 #include "program/arguments.h"
 #include "program/clock.h"
-#include "program/cloth_simulated.h"
-#include "program/flow_simulated.h"
 #include "program/interruption.h"
 #include "program/progress.h"
 #include "program/simulation_folder.h"
-#include "program/summary.h"
+#include "program/step_fields.h"
 #include "program/threads.h"
+#include "simulate/cloth_scenes.h"
+#include "simulate/flow_scenes.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -20,11 +20,11 @@
 
 //: Hold what the command line requests of simulate
 typedef struct request {
-    const tf_scene *scene;     ///< of cloth, or NULL
-    const tf_flow_scene *flow; ///< or of a flow; if both are NULL, list all
+    const tf_scene *scene; ///< NULL: list all
     const char *folder;
-    int steps, size, threads; ///< 0: the usual number
-    double edge;              ///< 0: the usual length
+    int steps;         ///< below 0: the usual number
+    double size, edge; ///< the resolution; 0: the usual one
+    int threads;
     bool resume;
 } request;
 
@@ -51,8 +51,6 @@ enum {
     RESUME,
     MOST_SIZE = 2000
 };
-
-static const double least_edge = 0.001;
 
 static const struct argp_option options[] = {
     {"write", 'o', "DIR", 0, "The folder for the frames; required", 0},
@@ -100,55 +98,56 @@ static void choose_scene(struct argp_state *state, const char *name)
     request *wanted = state->input;
     if (strcmp(name, "list") == 0)
         return;
-    wanted->scene = tf_scene_named(name);
-    wanted->flow = tf_flow_scene_named(name);
-    if (!wanted->scene && !wanted->flow)
+    wanted->scene = tf_scene_named(tf_cloth_scenes, name);
+    if (!wanted->scene)
+        wanted->scene = tf_scene_named(tf_flow_scenes, name);
+    if (!wanted->scene)
         argp_error(state,
                    "unknown scene '%s'; 'tanglefree simulate list' prints all",
                    tf_make_visible(name).text);
 }
 
 //: Check the arguments of simulate against its scene
-/// The smallest size depends on the scene.
-static void check_cloth(struct argp_state *state, request *wanted)
+/// The range of the resolution depends on the scene.
+static void check_cloth(struct argp_state *state, const request *wanted)
 {
+    const tf_scene *scene = wanted->scene;
     if (wanted->edge > 0)
         argp_error(state,
                    "--edge is for surfaces that flow; the scene %s has "
                    "a --size",
-                   wanted->scene->name);
-    if (wanted->size == 0)
-        wanted->size = wanted->scene->size;
-    if (wanted->steps < 0)
-        wanted->steps = wanted->scene->steps;
-    if (wanted->size < wanted->scene->least)
-        argp_error(state, "the scene %s needs a --size of %d or more",
-                   wanted->scene->name, wanted->scene->least);
+                   scene->name);
+    if (wanted->size > 0 && wanted->size < scene->resolution.least)
+        argp_error(state, "the scene %s needs a --size of %g or more",
+                   scene->name, scene->resolution.least);
 }
 
-static void check_flow(struct argp_state *state, request *wanted)
+static void check_flow(struct argp_state *state, const request *wanted)
 {
+    const tf_scene *scene = wanted->scene;
     if (wanted->size > 0)
         argp_error(state, "--size is for cloth; the scene %s has an --edge",
-                   wanted->flow->name);
-    if (wanted->edge == 0)
-        wanted->edge = wanted->flow->edge;
-    if (wanted->steps < 0)
-        wanted->steps = wanted->flow->steps;
-    if (wanted->edge > wanted->flow->most || wanted->edge < least_edge)
+                   scene->name);
+    if (wanted->edge > 0 && (wanted->edge > scene->resolution.most ||
+                             wanted->edge < scene->resolution.least))
         argp_error(state, "the scene %s needs an --edge from %g to %g",
-                   wanted->flow->name, least_edge, wanted->flow->most);
+                   scene->name, scene->resolution.least,
+                   scene->resolution.most);
 }
 
 static void check_request(struct argp_state *state)
 {
     request *wanted = state->input;
-    if ((wanted->scene || wanted->flow) && !wanted->folder)
+    if (!wanted->scene)
+        return;
+    if (!wanted->folder)
         argp_error(state, "-o DIR is required: the folder for the frames");
-    if (wanted->scene)
-        check_cloth(state, wanted);
-    if (wanted->flow)
+    if (wanted->scene->field)
         check_flow(state, wanted);
+    else
+        check_cloth(state, wanted);
+    if (wanted->steps < 0)
+        wanted->steps = wanted->scene->steps;
 }
 
 //: Parse an argument of simulate
@@ -192,80 +191,67 @@ static error_t parse_argument(int key, char *text, struct argp_state *state)
 }
 
 //: List the scenes for the user
-static void list_scenes(void)
+static void list_scenes(const tf_scene list[])
 {
-    int count;
-    const tf_scene *scene = tf_scenes(&count);
-    for (int i = 0; i < count; i++, scene++)
-        printf("%-12s %s; %d steps, size %d: %s\n", scene->name, scene->shows,
-               scene->steps, scene->size, scene->size_means);
-    const tf_flow_scene *flow = tf_flow_scenes(&count);
-    for (int i = 0; i < count; i++, flow++)
-        printf("%-12s %s; %d steps, edge %g\n", flow->name, flow->shows,
-               flow->steps, flow->edge);
+    for (const tf_scene *s = list; s->name; s++) {
+        printf("%-12s %s; %d steps, %s %g", s->name, s->shows, s->steps,
+               s->kind->option, s->resolution.usual);
+        printf(s->resolution.counts ? ": %s\n" : "\n", s->resolution.counts);
+    }
 }
 
 //: Hold what simulate does
 typedef struct run {
     request request;
-    tf_simulated *simulated;
+    tf_simulation *simulation;
     tf_simulation_folder folder;
+    tf_step_totals totals;
     tf_progress progress;
-    bool begun; ///< whether a step was made
     int signal; ///< that ended the run, or 0
     char fault[TF_FOLDER_FAULT_LENGTH];
 } run;
 
-static const char *name_of_scene(const request *wanted)
-{
-    return wanted->flow ? wanted->flow->name : wanted->scene->name;
-}
-
 static bool fault_in_step(run *r, tf_status status)
 {
-    snprintf(r->fault, sizeof r->fault, "%s: step %d: %s",
-             name_of_scene(&r->request),
-             r->simulated ? r->simulated->step + 1 : 1,
-             tf_status_message(status));
+    snprintf(
+        r->fault, sizeof r->fault, "%s: step %d: %s", r->request.scene->name,
+        r->simulation ? r->simulation->step + 1 : 1, tf_status_message(status));
     return false;
 }
 
 //: Make a step of the simulation, and write it
 static bool add_step(run *r)
 {
-    char words[TF_SIMULATED_NAME], things[TF_SIMULATED_NAME + 32];
+    char things[TF_STEP_WORDS + 32], words[TF_STEP_WORDS];
+    tf_simulation *s = r->simulation;
     tf_parallel threads = tf_threads(&r->request.threads);
-    tf_step_way way = {&threads, !r->begun, tf_clock_seconds};
-    tf_status status = r->simulated->kind->advance(r->simulated, &way, words);
+    tf_step_options how = {&threads, r->totals.steps == 0, tf_clock_seconds};
+    tf_status status = s->scene->kind->step(s, &how);
     if (status != TF_OK)
         return fault_in_step(r, status);
-    r->begun = true;
+    tf_step_totals_add(&r->totals, s);
+    tf_step_describe(s, words);
     snprintf(things, sizeof things, "of %d steps, %s", r->request.steps, words);
-    tf_progress_show(&r->progress, r->simulated->step, things);
-    return tf_simulation_folder_add(&r->folder, r->simulated);
+    tf_progress_show(&r->progress, s->step, things);
+    return tf_simulation_folder_add(&r->folder, s);
 }
 
 //: Simulate
-static tf_status set_up(run *r)
-{
-    const request *wanted = &r->request;
-    return wanted->flow
-               ? tf_flow_simulate(wanted->flow, wanted->edge, &r->simulated)
-               : tf_cloth_simulate(wanted->scene, wanted->size, &r->simulated);
-}
-
 static bool simulate(run *r)
 {
     const request *wanted = &r->request;
-    tf_status status = set_up(r);
+    double chosen = wanted->size + wanted->edge; // at most one is not 0
+    tf_status status = tf_simulation_create(
+        wanted->scene, chosen > 0 ? chosen : wanted->scene->resolution.usual,
+        &r->simulation);
     if (status != TF_OK)
         return fault_in_step(r, status);
     bool good = wanted->resume
                     ? tf_simulation_folder_resume(&r->folder, wanted->folder,
-                                                  r->simulated)
+                                                  r->simulation)
                     : tf_simulation_folder_begin(&r->folder, wanted->folder,
-                                                 r->simulated);
-    while (good && !r->signal && r->simulated->step < wanted->steps) {
+                                                 r->simulation);
+    while (good && !r->signal && r->simulation->step < wanted->steps) {
         good = add_step(r);
         r->signal = tf_interruption();
     }
@@ -273,13 +259,6 @@ static bool simulate(run *r)
 }
 
 //: Print what was simulated
-static void print_total(const run *r)
-{
-    tf_entry entry[TF_SIMULATED_ENTRIES];
-    int count = r->simulated->kind->summarize(r->simulated, entry);
-    tf_summary_write(stdout, count, entry);
-}
-
 static void print_end(const run *r, bool good)
 {
     const char *fault = r->fault[0] ? r->fault : r->folder.fault;
@@ -289,9 +268,9 @@ static void print_end(const run *r, bool good)
         fprintf(stderr,
                 "tanglefree: interrupted after step %d of %d; go on with "
                 "--resume\n",
-                r->simulated->step, r->request.steps);
+                r->simulation->step, r->request.steps);
     else
-        print_total(r);
+        tf_step_totals_write(stdout, &r->totals, r->simulation);
 }
 
 //: Run the command simulate
@@ -301,8 +280,9 @@ int tf_simulate_command(int argc, char *argv[])
         options, parse_argument, "SCENE\nlist", description, NULL, NULL, NULL};
     run r = {.request = {.steps = -1, .threads = tf_threads_available()}};
     argp_parse(&parser, argc, argv, 0, NULL, &r.request);
-    if (!r.request.scene && !r.request.flow) {
-        list_scenes();
+    if (!r.request.scene) {
+        list_scenes(tf_cloth_scenes);
+        list_scenes(tf_flow_scenes);
         return 0;
     }
 
@@ -314,7 +294,6 @@ int tf_simulate_command(int argc, char *argv[])
     tf_progress_end(&r.progress);
     print_end(&r, good);
     tf_simulation_folder_close(&r.folder);
-    if (r.simulated)
-        r.simulated->kind->free(r.simulated);
+    tf_simulation_free(r.simulation);
     return !good ? 2 : r.signal ? 128 + r.signal : 0;
 }

@@ -2,7 +2,7 @@
 
 #include "program/simulate_command.h"
 
-#include "simulate/flow_scene.h"
+#include "simulate/flow_scenes.h"
 #include "support/environments.h"
 #include "support/program.h"
 #include "support/simulating.h"
@@ -199,17 +199,21 @@ START_TEST(the_list_of_scenes)
 {
     outcome found = run("$tf simulate list");
     ck_assert_int_eq(found.status, 0);
-    int flows;
-    const tf_flow_scene *flow = tf_flow_scenes(&flows);
-    ck_assert_int_eq(occurrences(found.out, "\n"), scene_count() + flows);
-    for (int i = 0; i < flows; i++) {
-        expect_words(found.out, flow[i].name);
-        expect_words(found.out, flow[i].shows);
+    ck_assert_int_eq(occurrences(found.out, "\n"),
+                     scene_count(tf_cloth_scenes) +
+                         scene_count(tf_flow_scenes));
+    for (const tf_scene *s = tf_cloth_scenes; s->name; s++) {
+        expect_words(found.out, s->name);
+        expect_words(found.out, s->shows);
+        expect_words(found.out, s->resolution.counts);
     }
-    for (int i = 0; i < scene_count(); i++) {
-        expect_words(found.out, scene_number(i)->name);
-        expect_words(found.out, scene_number(i)->shows);
+    for (const tf_scene *s = tf_flow_scenes; s->name; s++) {
+        expect_words(found.out, s->name);
+        expect_words(found.out, s->shows);
     }
+    expect_words(found.out, "; 400 steps, size 35: cells along a side of the "
+                            "cloth\nstack  ");
+    expect_words(found.out, "; 300 steps, edge 0.0226\nturbulence  ");
     expect(run("$tf simulate list >/dev/full"), 2, "",
            "tanglefree: standard output: cannot write: No space left on "
            "device\n");

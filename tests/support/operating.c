@@ -5,7 +5,11 @@
 #include "support/hash.h"
 #include "support/tangle.h"
 #include "support/winding.h"
-#include "surgery/state.h"
+#include "surgery/adaptive_surface.h"
+#include "surgery/collapse.h"
+#include "surgery/flip.h"
+#include "surgery/move.h"
+#include "surgery/split.h"
 
 #include <gmp.h>
 #include <math.h>
@@ -381,7 +385,7 @@ uint64_t operating_hash(const operating *run)
     const tf_adaptive_surface *s = run->surface;
     size_t vertices = (size_t)s->vertices, triangles = (size_t)s->triangles;
     const int counts[] = {s->vertices, s->triangles, s->free_triangle,
-                          s->boxes.branches, s->boxes.free_branch};
+                          s->tree.branches, s->tree.free_branch};
     uint64_t hash = hash_bytes(HASH_OF_NOTHING, counts, sizeof counts);
     hash = hash_bytes(hash, s->position.data, 24 * vertices);
     hash = hash_bytes(hash, s->vertex.data, 12 * triangles);

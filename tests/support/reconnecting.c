@@ -1,8 +1,11 @@
 #include "support/reconnecting.h"
 
 #include "experiments/leave_out.h"
+#include "surgery/adaptive_surface.h"
 #include "surgery/star.h"
-#include "surgery/state.h"
+#include "topology/drop.h"
+#include "topology/merge.h"
+#include "topology/pinch.h"
 
 #include <math.h>
 #include <stdio.h>

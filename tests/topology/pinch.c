@@ -1,5 +1,5 @@
 // Pinches of loops of three edges.
-#include "topology/topology.h"
+#include "topology/pinch.h"
 
 #include "experiments/leave_out.h"
 #include "support/adaptive_of.h"

@@ -3,7 +3,7 @@
 
 #include "remesh/measure.h"
 #include "response/resolve.h"
-#include "surface/state.h"
+#include "surface/surface_memory.h"
 #include "surgery/star.h"
 
 #include <string.h>

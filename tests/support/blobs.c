@@ -135,10 +135,10 @@ void add_ring(blobs *to, const double at[3], double radius, double thickness,
         }
 }
 
-tf_adaptive_surface *blobs_surface(const blobs *of)
+tf_adaptive_surface *blobs_surface(const blobs *made)
 {
-    return adaptive_of(of->vertices, (double(*)[3])of->position[0],
-                       of->triangles, of->triangle);
+    return adaptive_of(made->vertices, (double(*)[3])made->position[0],
+                       made->triangles, made->triangle);
 }
 
 // From afar -------------------------------------------------------------------

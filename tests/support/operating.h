@@ -27,7 +27,7 @@ enum {
 typedef struct chosen {
     operation what;
     int a, b;
-    double place[3];
+    double position[3];
 } chosen;
 
 /// How often which operation ended how.

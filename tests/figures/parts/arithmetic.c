@@ -2,6 +2,7 @@
 #include "figures/numbers.h"
 
 #include "arithmetic/exact.h"
+#include "arithmetic/int128.h"
 #include "arithmetic/operations.h"
 #include "bench/workloads.h"
 #include "query/query.h"
@@ -136,18 +137,11 @@ static double from_half(int i)
     return i < 0 ? 0.5 + ldexp(i, -54) : 0.5 + ldexp(i, -53);
 }
 
-/// Whether to - from is rounded.
+/// Whether to - from is rounded: in units of 2^-54 all are integers.
 static bool is_rounded(double to, double from)
 {
-    mpq_t exact, other;
-    mpq_inits(exact, other, NULL);
-    mpq_set_d(exact, to);
-    mpq_set_d(other, from);
-    mpq_sub(exact, exact, other);
-    mpq_set_d(other, to - from);
-    bool rounded = !mpq_equal(exact, other);
-    mpq_clears(exact, other, NULL);
-    return rounded;
+    int64_t exact = (int64_t)ldexp(to, 54) - (int64_t)ldexp(from, 54);
+    return (int64_t)ldexp(to - from, 54) != exact;
 }
 
 static void cells_of_stages_are_counted(void)
@@ -208,45 +202,27 @@ static void largest_determinants_have_as_many_bits(void)
     expect(largest_bits(3, 40), "largest_space_128");
 }
 
-/// The sign of the number from -2^63 to 2^63 - 1 that differs from `value` by
-/// a multiple of 2^64.
-static int sign_around(const mpz_t value)
-{
-    mpz_t rest;
-    mpz_init(rest);
-    mpz_fdiv_r_2exp(rest, value, 64);
-    int sign = mpz_sgn(rest) == 0 ? 0 : mpz_tstbit(rest, 63) ? -1 : 1;
-    mpz_clear(rest);
-    return sign;
-}
-
 /// Six times the volume of the tetrahedron that (x, y, 0) makes with three
 /// corners of a cube is 4 most^2 (x + y + most): its base has the normal
 /// (1, 1, 1).
 static void expect_stripes(int bits)
 {
-    enum {
-        ACROSS = 255
-    };
-    long most = (1L << bits) - 1;
+    const long across = 255, most = (1L << bits) - 1;
     int wrong = 0;
-    mpz_t volume, largest;
-    mpz_inits(volume, largest, NULL);
-    for (int i = 0; i < ACROSS * ACROSS; i++) {
+    double largest = 0;
+    for (long i = 0; i < across * across; i++) {
         // C cuts quotients toward zero.
-        long x = most * (2 * (i / ACROSS) - 254) / 255;
-        long y = most * (2 * (i % ACROSS) - 254) / 255;
-        mpz_set_si(volume, x + y + most);
-        mpz_mul_si(volume, volume, 4 * most);
-        mpz_mul_si(volume, volume, most);
-        wrong += sign_around(volume) != mpz_sgn(volume);
-        if (mpz_cmpabs(volume, largest) > 0)
-            mpz_abs(largest, volume);
+        long x = most * (2 * (i / across) - 254) / 255;
+        long y = most * (2 * (i % across) - 254) / 255;
+        tf_int128 volume = (tf_int128)(4 * most * most) * (x + y + most);
+        // What 64 bits have of it, from -2^63 to 2^63 - 1.
+        int64_t around = (int64_t)(uint64_t)volume;
+        wrong += (around > 0) - (around < 0) != (volume > 0) - (volume < 0);
+        largest = fmax(largest, fabs((double)volume));
     }
     expect(wrong, "wrong_%d", bits);
     expect(wrong / 650.25, "wrong_percent_%d", bits);
-    expect(log2(mpz_get_d(largest)), "largest_log2_%d", bits);
-    mpz_clears(volume, largest, NULL);
+    expect(log2(largest), "largest_log2_%d", bits);
 }
 
 static void signs_go_around_from_twenty_bits_on(void)
@@ -304,9 +280,7 @@ static void rounding_turns_and_crosses(void)
 
 enum {
     SIDE = 7,
-    VERTICES = SIDE * SIDE,
-    TRIANGLES = 2 * (SIDE - 1) * (SIDE - 1),
-    EDGES = VERTICES + TRIANGLES - 1
+    VERTICES = SIDE * SIDE
 };
 
 /// A sheet at rest, rotated by a matrix over 157, rounded to nearest with
@@ -330,45 +304,44 @@ static void make_sheet(int sheet, const int rotation[3][3], bool rounded,
     }
 }
 
-/// Lists the edges and the triangles of a sheet.
-static void list_elements(int edge[EDGES][2], int triangle[TRIANGLES][3])
+/// Whether from a vertex of a sheet one may go on by a step to the right, up, or
+/// both.
+static bool has_step(int vertex, int step)
 {
-    int edges = 0, triangles = 0;
-    for (int a = 0; a < VERTICES; a++) {
-        bool right = a % SIDE + 1 < SIDE, up = a + SIDE < VERTICES;
-        const int steps[3] = {right ? 1 : 0, up ? SIDE : 0,
-                              right && up ? SIDE + 1 : 0};
-        for (int i = 0; i < 3; i++)
-            if (steps[i] > 0) {
-                edge[edges][0] = a;
-                edge[edges++][1] = a + steps[i];
-            }
-        for (int i = 0; i < 2 && right && up; i++) {
-            triangle[triangles][0] = a;
-            triangle[triangles][1] = a + SIDE + 1;
-            triangle[triangles++][2] = a + (i == 0 ? 1 : SIDE);
-        }
+    return vertex % SIDE + step % SIDE < SIDE && vertex + step < VERTICES;
+}
+
+/// How many triangles of a sheet an edge meets.
+static int count_triangles(const tf_worldline edge[2],
+                           const tf_worldline sheet[VERTICES])
+{
+    int count = 0;
+    for (int i = 0; i < 2 * VERTICES; i++) {
+        int a = i / 2, beside = i % 2 ? 1 : SIDE;
+        if (!has_step(a, SIDE + 1))
+            continue;
+        const tf_worldline corner[3] = {sheet[a], sheet[a + SIDE + 1],
+                                        sheet[a + beside]};
+        count += !boxes_apart(3, 2, edge, 3, corner) &&
+                 meet_at(0, 3, 2, edge, 3, corner);
     }
-    ck_assert(edges == EDGES && triangles == TRIANGLES);
+    return count;
 }
 
 /// How often an edge of one of two sheets meets a triangle of the other.
 static int count_crossings(const int rotation[3][3], bool rounded)
 {
-    static int edge[EDGES][2], triangle[TRIANGLES][3];
+    static const int steps[] = {1, SIDE, SIDE + 1};
     tf_worldline sheet[2][VERTICES];
     int count = 0;
-    list_elements(edge, triangle);
     for (int i = 0; i < 2; i++)
         make_sheet(i, rotation, rounded, sheet[i]);
-    for (int i = 0; i < 2 * EDGES * TRIANGLES; i++) {
-        const int *e = edge[i % EDGES], *t = triangle[i / EDGES % TRIANGLES];
-        int own = i / EDGES / TRIANGLES;
-        const tf_worldline *v = sheet[own], *w = sheet[1 - own];
-        const tf_worldline end[2] = {v[e[0]], v[e[1]]};
-        const tf_worldline corner[3] = {w[t[0]], w[t[1]], w[t[2]]};
-        count += !boxes_apart(3, 2, end, 3, corner) &&
-                 meet_at(0, 3, 2, end, 3, corner);
+    for (int i = 0; i < 2 * 3 * VERTICES; i++) {
+        int own = i % 2, a = i / 6, step = steps[i / 2 % 3];
+        const tf_worldline *v = sheet[own] + a;
+        if (has_step(a, step))
+            count += count_triangles((tf_worldline[]){v[0], v[step]},
+                                     sheet[1 - own]);
     }
     return count;
 }
@@ -386,24 +359,14 @@ static void crossings_of_the_sheets_are_counted(void)
 
 // Perturbed points ------------------------------------------------------------
 
-/// (b - a) x (c - a) in rational numbers.
+/// The sign of (b - a) x (c - a), exactly.
 static int turn_of(double x[3][2])
 {
-    mpq_t entry[4], origin;
-    mpq_init(origin);
-    for (int i = 0; i < 4; i++) {
-        mpq_init(entry[i]);
-        mpq_set_d(entry[i], x[1 + i / 2][i % 2]);
-        mpq_set_d(origin, x[0][i % 2]);
-        mpq_sub(entry[i], entry[i], origin);
-    }
-    mpq_mul(entry[0], entry[0], entry[3]);
-    mpq_mul(entry[1], entry[1], entry[2]);
-    int turn = mpq_cmp(entry[0], entry[1]);
+    matrix m = matrix_of(2, x[1]);
     for (int i = 0; i < 4; i++)
-        mpq_clear(entry[i]);
-    mpq_clear(origin);
-    return (turn > 0) - (turn < 0);
+        *matrix_coordinate(&m, 2 * i + 1) = x[0][i % 2];
+    tf_differences differences = matrix_differences(&m);
+    return oracle_arithmetic.sign(&differences);
 }
 
 /// The symbols may be any numbers that shrink so fast: a moves by the first

@@ -6,6 +6,7 @@
 #include "arithmetic/exact.h"
 #include "intersect/complementary.h"
 #include "kit/random.h"
+#include "support/linear_truth.h"
 #include "support/queries.h"
 
 #include <float.h>
@@ -401,8 +402,7 @@ static void bent_and_straight_edges_are_so_far_apart(void)
 
 enum {
     RANDOM = 200000,
-    JUDGED = 500, ///< of those, by the oracle too
-    HALVINGS = 60
+    JUDGED = 500 ///< of those, by the oracle too
 };
 
 /// The edge's ends at the time t, less the point.
@@ -416,14 +416,6 @@ static void see(const tf_worldline vertex[3], double t, double seen[2][2])
                     vertex[i + 1].at[late].x[k] - vertex[0].at[late].x[k];
             seen[i][k] = (1 - t) * at[0] + t * at[1];
         }
-}
-
-/// On which side the edge has the point, a quadratic function of the time.
-static double side(const tf_worldline vertex[3], double t)
-{
-    double seen[2][2];
-    see(vertex, t, seen);
-    return cross(seen[0], seen[1]);
 }
 
 static bool origin_within(const double a[2], const double b[2],
@@ -444,33 +436,14 @@ static bool meets_bent(const tf_worldline vertex[3])
            origin_within(start[0], end[0], end[1]);
 }
 
-/// Whether the straight edge meets the point from lo to hi, while the side
-/// changes at most once.
-static bool meets_straight_within(const tf_worldline vertex[3], double lo,
-                                  double hi)
-{
-    bool left = side(vertex, lo) > 0;
-    double seen[2][2];
-    if (left == (side(vertex, hi) > 0))
-        return false;
-    for (int i = 0; i < HALVINGS; i++) {
-        double middle = (lo + hi) / 2;
-        *((side(vertex, middle) > 0) == left ? &lo : &hi) = middle;
-    }
-    see(vertex, lo, seen);
-    return seen[0][0] * seen[1][0] + seen[0][1] * seen[1][1] <= 0;
-}
-
-/// The time is cut where the side is largest or smallest.
+/// Whether the straight edge meets the point.
 static bool meets_straight(const tf_worldline vertex[3])
 {
-    double start = side(vertex, 0), half = side(vertex, 0.5),
-           end = side(vertex, 1);
-    double top = (3 * start - 4 * half + end) / (4 * (start - 2 * half + end));
-    if (!(top > 0 && top < 1))
-        return meets_straight_within(vertex, 0, 1);
-    return meets_straight_within(vertex, 0, top) ||
-           meets_straight_within(vertex, top, 1);
+    double x[2][3][2], toi;
+    for (int i = 0; i < 12; i++)
+        x[i / 6][i / 2 % 3][i % 2] = vertex[i / 2 % 3].at[i / 6].x[i % 2];
+    return !boxes_apart(2, 1, vertex, 2, vertex + 1) &&
+           linear_truth(2, 1, *x[0], *x[1], &toi);
 }
 
 /// Count among the figure's random points and edges.

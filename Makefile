@@ -78,6 +78,11 @@ CHAPTERS := $(shell grep -c '^[a-z]' book/chapters)
 SRC = src
 partial := $(filter-out src,$(SRC))
 
+# $(call compiling,FILES): in such a build, those whose includes are in its tree
+# (-MM fails otherwise).
+compiling = $(if $(partial),$(foreach file,$(1),$(if $(shell \
+	$(CC) -MM -I$(SRC) -Itests -Ifigures $(file) 2>/dev/null),$(file))),$(1))
+
 # '#' and 'Part:' lines of the list are skipped.
 MODULES := $(shell awk '/^[a-z]/ && n++ < $(CHAPTERS) { \
 	for (i = 2; i <= NF; i++) print $$i }' book/chapters)

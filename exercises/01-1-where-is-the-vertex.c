@@ -1,4 +1,4 @@
-/* Exercise 1.1.  Where is the vertex?
+/* Exercise 1.1.  Where is the vertex at time t?
  *
  * A vertex moves along a worldline, in a straight line and at a constant rate,
  * from its event at t = 0 to its event at t = 1.  Find where it is at time t,

@@ -1,4 +1,4 @@
-/* Exercise 1.2.  The bent edge.
+/* Exercise 1.2.  The bent edge, cut at a time.
  *
  * An edge sweeps out two triangles of space-time.  Cut them at time t,
  * 0 < t < 1: the slice of each is a straight piece, and the two pieces share an

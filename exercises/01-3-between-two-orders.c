@@ -1,4 +1,4 @@
-/* Exercise 1.3.  Between two orders.
+/* Exercise 1.3.  An edge that hits in one order of its vertices only.
  *
  * Neighboring elements share an edge, and its sweep must be the same for both.
  * That is why vertices are taken in the order of their indices.  What goes

@@ -1,4 +1,4 @@
-/* Exercise 2.1.  A left turn.
+/* Exercise 2.1.  A left turn: the sign of a determinant.
  *
  * Walk from a to b and on to c, in the plane.  Do you turn left (positive),
  * turn right (negative) or go straight (zero)?  Return the sign of the
@@ -13,7 +13,8 @@
  * Hint 3: A sign has three values.  A determinant of 1/4 is positive, and a
  *     conversion to an integer would make it zero.
  */
-#include "arithmetic/operations.h"
+#include "arithmetic/sign.h"
+#include "geometry/event.h"
 
 tf_sign left_turn(const tf_event *a, const tf_event *b, const tf_event *c)
 {

@@ -1,4 +1,4 @@
-/* Exercise 2.2.  A bound for a sum.
+/* Exercise 2.2.  A bound on the error of a sum.
  *
  * The sum (a + b) + c of three doubles is rounded twice.  Find a bound on how
  * far it is from the true sum.  It must hold for all doubles (none so large

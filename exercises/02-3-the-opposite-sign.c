@@ -1,4 +1,4 @@
-/* Exercise 2.3.  The opposite sign.
+/* Exercise 2.3.  A determinant that is rounded to the opposite sign.
  *
  * A determinant in rounded arithmetic may come out as zero where the true one
  * is not.  Worse, it may have the opposite sign!  Find three points a, b, c

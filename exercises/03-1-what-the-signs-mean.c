@@ -1,4 +1,4 @@
-/* Exercise 3.1.  What the signs mean.
+/* Exercise 3.1.  What barycentric signs mean, if some are unknown.
  *
  * Two complementary simplices intersect if the signs of their barycentric
  * coordinates, turned so that those of S and R count alike, agree: none is

@@ -1,4 +1,4 @@
-/* Exercise 3.2.  Time of impact.
+/* Exercise 3.2.  The time of impact from barycentric coordinates.
  *
  * The barycentric coordinates of the event that two simplices have in common
  * are known up to a common factor: c[i] belongs to event number i of the pair.

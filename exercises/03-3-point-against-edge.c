@@ -1,4 +1,4 @@
-/* Exercise 3.3.  A point against an edge.
+/* Exercise 3.3.  A point against an edge, in the frame of the point.
  *
  * From every event of the edge e0 e1 subtract the position of the point at the
  * same time.  Now the point is at rest at the origin, and the question is

@@ -1,4 +1,4 @@
-/* Exercise 4.1.  Two segments on a line.
+/* Exercise 4.1.  Do two segments on a line meet?
  *
  * Near the bottom of the cascade, with time fixed and one axis left, two
  * segments lie on a line.  One has the ends a[0] and a[1], in either order and

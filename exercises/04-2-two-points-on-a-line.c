@@ -1,4 +1,4 @@
-/* Exercise 4.2.  Two points on a line.
+/* Exercise 4.2.  When do two points on a line meet?
  *
  * Two points move along one line, each at its own constant velocity, from p[0]
  * and q[0] at t = 0 to p[1] and q[1] at t = 1.  When do they first meet?

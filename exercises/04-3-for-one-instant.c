@@ -1,4 +1,4 @@
-/* Exercise 4.3.  For one instant.
+/* Exercise 4.3.  A contact for one instant, at a vertex.
  *
  * Find a point and an edge in the plane, moving or at rest, that meet in a
  * single instant, in mid-step (0 < t < 1), with the point at vertex 0 of the

@@ -1,4 +1,4 @@
-/* Exercise 5.2.  The normal velocity.
+/* Exercise 5.2.  The normal velocity of a contact.
  *
  * A point meets an edge: the point's worldline intersects a triangle of the
  * edge's sweep.  Find the component along `normal` of the velocity of the point

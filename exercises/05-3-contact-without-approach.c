@@ -1,4 +1,4 @@
-/* Exercise 5.3.  Contact without approach.
+/* Exercise 5.3.  A contact with a normal velocity of zero.
  *
  * A point that runs along the line of an edge at rest meets it with a normal
  * velocity of zero.  Must the edge be at rest for that?  Find a point and an

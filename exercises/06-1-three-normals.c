@@ -1,4 +1,4 @@
-/* Exercise 6.1.  Three normals.
+/* Exercise 6.1.  The normals of the three simplices of a sweep.
  *
  * Each of the three simplices of a triangle's sweep has four events.  Joining
  * the first event of each time to the others of that time yields two horizontal

@@ -1,4 +1,4 @@
-/* Exercise 6.2.  In a tetrahedron.
+/* Exercise 6.2.  Is the origin in a tetrahedron?
  *
  * In the frame of the point a query is whether the origin of space lies in a
  * tetrahedron.  Decide that for corners with small integer coordinates and a

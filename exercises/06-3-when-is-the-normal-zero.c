@@ -1,4 +1,4 @@
-/* Exercise 6.3.  When is the normal zero?
+/* Exercise 6.3.  When is the normal of a contact zero?
  *
  * A triangle without area has no normal.  But even if a triangle has an area at
  * t = 0 and at t = 1, and a point meets it in mid-step, tf_point_triangle may

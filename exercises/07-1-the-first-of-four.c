@@ -1,4 +1,4 @@
-/* Exercise 7.1.  The first of four.
+/* Exercise 7.1.  The first of four intersections of two sweeps.
  *
  * The sweeps of two moving edges have two simplices each.  Find their first
  * intersection with tf_intersect and tf_intersection_earlier.  The edges are in

@@ -1,4 +1,4 @@
-/* Exercise 7.2.  Where do they touch?
+/* Exercise 7.2.  The position of a contact.
  *
  * A contact has a time and barycentric coordinates, but no place.  Find it: the
  * place at time t of the point of a moving edge that has the barycentric

@@ -1,4 +1,4 @@
-/* Exercise 7.3.  Parallel at different times.
+/* Exercise 7.3.  Two edges whose contact has no normal.
  *
  * The contact of two parallel edges has no normal.  Find two edges that are not
  * parallel at t = 0 and not parallel at t = 1, that have a length at both,

@@ -1,3 +1,4 @@
+#include "arithmetic/functions.h"
 #include "check.h"
 
 #include "query/query.h"

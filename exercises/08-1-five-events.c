@@ -1,4 +1,4 @@
-/* Exercise 8.1.  Five events.
+/* Exercise 8.1.  The orientation of five events.
  *
  * The orientation of five events in space-time is the sign of the determinant
  * of the five rows (x, y, z, t, 1).  The events are in any order, some at t = 0
@@ -17,7 +17,8 @@
  * Hint 3: The column of times is the fourth, so row i, counted from 0, has the
  *     sign of (-1)^(i + 3): minus for the first.
  */
-#include "arithmetic/operations.h"
+#include "arithmetic/sign.h"
+#include "geometry/event.h"
 
 static double det3(const double a[3], const double b[3], const double c[3])
 {

@@ -1,6 +1,7 @@
 #include "check.h"
 
-#include "arithmetic/operations.h"
+#include "arithmetic/sign.h"
+#include "geometry/event.h"
 #include "support/support.h"
 
 #include <stdio.h>

@@ -1,4 +1,4 @@
-/* Exercise 8.2.  Even or odd?
+/* Exercise 8.2.  Even or odd: crossings at the end from contacts.
  *
  * An edge and a triangle without a common vertex move, in general position.
  * Whether they cross at the start is given.  Find out whether they cross at the

@@ -1,4 +1,4 @@
-/* Exercise 8.3.  Crossed in mid-step.
+/* Exercise 8.3.  Triangles that cross in mid-step without a contact.
  *
  * If no point meets a triangle and no edge meets an edge, then triangles that
  * do not intersect at the start do not intersect at the end.  In between they

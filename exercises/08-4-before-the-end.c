@@ -1,4 +1,4 @@
-/* Exercise 8.4.  Before the end.
+/* Exercise 8.4.  Before the end: a proof for two crossing edges.
  *
  * This is a proof, of the hard case of the lemma on time, for two edges in a
  * plane.  At t = 1 they cross, away from their ends.  Prove that they have

@@ -1,4 +1,4 @@
-/* Exercise 9.1.  The quadratic.
+/* Exercise 9.1.  The quadratic of a point and an edge.
  *
  * A point and the two ends of an edge move in the plane, each in a straight
  * line, and the edge stays straight.  The determinant of the edge and the way

@@ -1,4 +1,4 @@
-/* Exercise 9.2.  A root in a bracket.
+/* Exercise 9.2.  A root in a bracket, to the last bit.
  *
  * The polynomial c[0] + c[1] t + c[2] t^2 is negative at `lo` and positive at
  * `hi`, or the reverse, and monotone between them.  Return its root to the last

@@ -1,4 +1,4 @@
-/* Exercise 9.3.  Never past the point.
+/* Exercise 9.3.  Never past the point: advancing a bar that turns.
  *
  * A bar of length 1 turns about one end, counterclockwise by `turn` radians per
  * step.  A point rests at the distance `radius` < 1 from that end, `ahead`

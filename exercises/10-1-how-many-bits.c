@@ -1,4 +1,4 @@
-/* Exercise 10.1.  How many bits?
+/* Exercise 10.1.  How many bits may coordinates have?
  *
  * Coordinates are integers x with |x| < 2^b, and `word` is the length in bits
  * of a signed integer, from 12 to 128, the sign bit included: it can hold

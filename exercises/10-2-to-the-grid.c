@@ -1,4 +1,4 @@
-/* Exercise 10.2.  To the grid.
+/* Exercise 10.2.  Rounding to a grid.
  *
  * Round a place in space to a grid of cells of size `cell`, a power of two:
  * `snapped` becomes the nearest point of the grid, counted in cells, each

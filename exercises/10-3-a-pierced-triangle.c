@@ -1,4 +1,4 @@
-/* Exercise 10.3.  A pierced triangle.
+/* Exercise 10.3.  Do an edge and a triangle on a grid intersect?
  *
  * An edge and a triangle of a mesh were rounded to a grid: do they intersect?
  * All coordinates are integers below 2^19 in absolute value, everything is at
@@ -15,6 +15,7 @@
  *     is, if everything lies in one plane.  That cannot be; any verdict will do
  *     there.
  */
+#include "arithmetic/functions.h"
 #include "arithmetic/integer.h"
 #include "intersect/complementary.h"
 

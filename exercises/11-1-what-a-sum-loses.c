@@ -1,4 +1,4 @@
-/* Exercise 11.1.  What a sum loses.
+/* Exercise 11.1.  The rounding error of a sum, exactly.
  *
  * A program has rounded the sum a + b of two doubles and needs to find what the
  * rounding took away: the number r that, added to the rounded sum, gives the

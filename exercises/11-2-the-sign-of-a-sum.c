@@ -1,4 +1,4 @@
-/* Exercise 11.2.  The sign of a sum.
+/* Exercise 11.2.  The sign of a sum of doubles, exactly.
  *
  * Return the sign, -1, 0 or 1, of x[0] + x[1] + ... + x[n - 1] as real numbers,
  * for at most 24 doubles below 2^1000 in absolute value.  You may use

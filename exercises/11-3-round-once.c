@@ -1,4 +1,4 @@
-/* Exercise 11.3.  Round once.
+/* Exercise 11.3.  Round once: from 192 bits to a double.
  *
  * A number of 192 bits is given as three words of 64 bits, the least
  * significant first.  Return the double that is nearest to it, and of two that

@@ -1,4 +1,4 @@
-/* Exercise 12.1.  A tie on a line.
+/* Exercise 12.1.  A tie on a line, broken by perturbation.
  *
  * Vertices lie on the x axis.  Each is moved slightly to the right, a vertex of
  * lower index infinitely more than one of higher index.  Of two moved vertices
@@ -14,7 +14,8 @@
  * Hint 3: Compare the coordinates.  A tolerance, or a small number added to
  *     them, fails for places that are closer than that.
  */
-#include "arithmetic/operations.h"
+#include "arithmetic/sign.h"
+#include "geometry/event.h"
 
 /// The coordinate is x[0], the index `vertex`.
 tf_sign farther_right(const tf_event *a, const tf_event *b)

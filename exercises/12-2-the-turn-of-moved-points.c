@@ -1,4 +1,4 @@
-/* Exercise 12.2.  The turn of moved points.
+/* Exercise 12.2.  The turn of three perturbed points.
  *
  * Walk from p[0] to p[1] and on to p[2], in the plane.  `turn` computes exactly
  * whether you turn left (positive), turn right (negative) or go straight
@@ -22,7 +22,8 @@
  *     places 0, 1, 2: their order in the walk has nothing to do with their
  *     indices.
  */
-#include "arithmetic/operations.h"
+#include "arithmetic/arithmetic.h"
+#include "arithmetic/functions.h"
 
 enum {
     POINTS = 3,

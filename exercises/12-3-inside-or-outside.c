@@ -1,4 +1,4 @@
-/* Exercise 12.3.  Inside or outside?
+/* Exercise 12.3.  Inside or outside of a closed surface?
  *
  * A closed surface is made of triangles: of boxes, say.  Is the point p inside?
  * The point `far` is outside, and perhaps badly chosen: the segment from p to

@@ -1,4 +1,4 @@
-/* Exercise 12.4.  Project: a predicate of your own.
+/* Exercise 12.4.  Project: which of two points is nearer?
  *
  * Which of two points q and r of the plane is nearer to a point p?  Decide it
  * in the way of this part of the book.  First an estimate: the squared
@@ -34,7 +34,7 @@
  *     e, as in tests/proofs/2x2.gappa.  Then every term has the same share of
  *     the bound, whatever its size.
  */
-#include "arithmetic/operations.h"
+#include "arithmetic/sign.h"
 #include "kit/expansion.h"
 
 #include <math.h>

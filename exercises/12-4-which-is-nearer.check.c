@@ -1,6 +1,6 @@
 #include "check.h"
 
-#include "arithmetic/operations.h"
+#include "arithmetic/sign.h"
 #include "support/support.h"
 
 #include <gmp.h>

@@ -1,4 +1,4 @@
-/* Exercise 13.1.  Is it closed?
+/* Exercise 13.1.  Is a surface closed?
  *
  * A surface is closed if every edge is run through as often in one direction as
  * in the other, when the corners of each triangle are passed in the order in

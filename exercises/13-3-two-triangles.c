@@ -1,4 +1,4 @@
-/* Exercise 13.3.  Two triangles.
+/* Exercise 13.3.  Do two triangles with common vertices intersect?
  *
  * Two triangles at rest are given by the indices of their vertices, of which
  * they may share some.  Find out whether they have more in common than the

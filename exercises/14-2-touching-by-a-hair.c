@@ -1,4 +1,4 @@
-/* Exercise 14.2.  Touching by a hair.
+/* Exercise 14.2.  Touching by a hair: overlap after rounding to float.
  *
  * Two intervals of a line, first[0] <= first[1] and second[0] <= second[1], are
  * given in doubles, finite and of an absolute value below 1.  Answer whether

@@ -1,4 +1,4 @@
-/* Exercise 15.1.  Which may be the first?
+/* Exercise 15.1.  Which contacts may be the first?
  *
  * A row gives the time of a contact as an interval, from toi_lo to toi_hi; the
  * exact time is somewhere in it.  List the places of all rows that may be the

@@ -1,4 +1,4 @@
-/* Exercise 15.2.  Any order will do.
+/* Exercise 15.2.  Any order will do: an adverse scheduler of tasks.
  *
  * Write the `for_each` of a tf_parallel that is as adverse as a system of
  * threads can be, without threads: it runs every task once, but not in order,

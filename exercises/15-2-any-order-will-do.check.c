@@ -79,7 +79,7 @@ TEST(a_detection_gives_the_same_rows)
     check_that(status == TF_OK && row, "memory", "none");
     for (int workers = 1; workers <= WORKERS; workers++) {
         tf_parallel parallel = {workers, adverse, &workers};
-        tf_detection detection = {.parallel = &parallel};
+        tf_detect_options detection = {.parallel = &parallel};
         check_input("a step with %zu contacts, %d workers", expected.count,
                     workers);
         check_call(found.count, tf_surface_detect(several, &cloth.motion,

@@ -1,4 +1,4 @@
-/* Exercise 15.3.  Merge sorted rows.
+/* Exercise 15.3.  Merging the sorted rows of all workers.
  *
  * The library sorts the rows of all workers at once, on one thread.  Each worker
  * could sort its own while the others do the same, and only merging would be

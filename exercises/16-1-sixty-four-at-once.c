@@ -1,4 +1,4 @@
-/* Exercise 16.1.  Sixty-four at once.
+/* Exercise 16.1.  The signs of sixty-four determinants at once.
  *
  * You are given sixty-four triples of points in the plane, p, q and r.  The
  * number at[v][k][i] is coordinate k (x or y) of point v (0 for p, 1 for q,

@@ -1,7 +1,7 @@
 #include "check.h"
 
 #include "arithmetic/exact.h"
-#include "arithmetic/operations.h"
+#include "arithmetic/functions.h"
 #include "support/support.h"
 
 #include <math.h>

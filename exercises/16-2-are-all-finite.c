@@ -1,4 +1,4 @@
-/* Exercise 16.2.  Are all of them finite?
+/* Exercise 16.2.  Are all numbers finite, without a branch?
  *
  * Answer whether all `count` numbers are finite: no NaN and no infinity among
  * them.  Do it as a vector unit likes it, with the same operations for every

@@ -1,4 +1,4 @@
-/* Exercise 16.3.  From four signs.
+/* Exercise 16.3.  A verdict from four of six signs.
  *
  * Of the six coordinates of the triangles S_1 = {A, B | b} and
  * R_0 = {C | c, d} four were computed: those of A, B, c and d.  The true ones

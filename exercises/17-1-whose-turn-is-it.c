@@ -1,4 +1,4 @@
-/* Exercise 17.1.  Whose turn is it?
+/* Exercise 17.1.  Whose turn is it: shares of a displacement over time.
  *
  * The vertices of an element take turns in pulling a dot, the last vertex
  * first, each for a time that is the dot's barycentric coordinate.  Store in

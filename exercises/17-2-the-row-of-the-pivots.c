@@ -1,4 +1,4 @@
-/* Exercise 17.2.  The row of the pivots.
+/* Exercise 17.2.  The row of a contact's pivots.
  *
  * Two elements meet, the first with `first` vertices and the second with
  * `second`.  Make the row that stops their pivots: a coefficient for each

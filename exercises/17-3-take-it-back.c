@@ -1,4 +1,4 @@
-/* Exercise 17.3.  Take it back.
+/* Exercise 17.3.  Taking an impulse back: one visit of a row.
  *
  * Bodies move along a line.  A row wants that
  *

@@ -1,4 +1,4 @@
-/* Exercise 18.1.  Which rows belong together.
+/* Exercise 18.1.  Zones: which rows belong together.
  *
  * Two rows are neighbors if they share a free vertex, one of positive inverse
  * mass, and a zone is all that can be reached from a row by going from neighbor
@@ -13,12 +13,12 @@
  *     different labels, give both the smaller one.
  * Hint 3: A vertex of -1 is none.
  */
-#include "response/row.h"
+#include "response/constraint.h"
 
 #include <stdbool.h>
 
 /// Whether impulses of a row move its i-th vertex.
-static bool moves(const tf_row *row, int i, const double inverse_mass[])
+static bool moves(const tf_constraint *row, int i, const double inverse_mass[])
 {
 #if defined TF_WRONG_1 // the floor connects all that touches it
     return row->vertex[i] >= 0 && inverse_mass[row->vertex[i]] >= 0;
@@ -27,7 +27,7 @@ static bool moves(const tf_row *row, int i, const double inverse_mass[])
 #endif
 }
 
-static bool are_neighbors(const tf_row *a, const tf_row *b,
+static bool are_neighbors(const tf_constraint *a, const tf_constraint *b,
                           const double inverse_mass[])
 {
     for (int i = 0; i < 4; i++)
@@ -43,13 +43,13 @@ static bool are_neighbors(const tf_row *a, const tf_row *b,
 }
 
 /// Whether a row moves anything.
-static bool moves_any(const tf_row *row, const double inverse_mass[])
+static bool moves_any(const tf_constraint *row, const double inverse_mass[])
 {
     return are_neighbors(row, row, inverse_mass);
 }
 
-int number_zones(int rows, const tf_row row[], const double inverse_mass[],
-                 int zone[])
+int number_zones(int rows, const tf_constraint row[],
+                 const double inverse_mass[], int zone[])
 {
     int zones = 0;
 #if defined TF_SOLUTION || defined TF_WRONG_1 || defined TF_WRONG_2

@@ -1,6 +1,6 @@
 #include "check.h"
 
-#include "response/row.h"
+#include "response/constraint.h"
 #include "support/support.h"
 
 #include <stdbool.h>
@@ -11,18 +11,18 @@ enum {
     MOST_VERTICES = 40
 };
 
-int number_zones(int rows, const tf_row row[], const double inverse_mass[],
-                 int zone[]);
+int number_zones(int rows, const tf_constraint row[],
+                 const double inverse_mass[], int zone[]);
 
-static tf_row row_of(int a, int b, int c)
+static tf_constraint row_of(int a, int b, int c)
 {
-    return (tf_row){.vertex = {a, b, c, -1},
-                    .coefficient = {1, -0.5, -0.5},
-                    .normal = {0, 1}};
+    return (tf_constraint){.vertex = {a, b, c, -1},
+                           .coefficient = {1, -0.5, -0.5},
+                           .normal = {0, 1}};
 }
 
 /// Whether a row moves a vertex.
-static bool row_moves(const tf_row *row, int vertex,
+static bool row_moves(const tf_constraint *row, int vertex,
                       const double inverse_mass[])
 {
     for (int i = 0; i < 4; i++)
@@ -32,8 +32,9 @@ static bool row_moves(const tf_row *row, int vertex,
 }
 
 /// Walks from a row to all that can be reached, vertex by vertex.
-static void spread(int rows, const tf_row row[], const double inverse_mass[],
-                   int from, int number, int zone[])
+static void spread(int rows, const tf_constraint row[],
+                   const double inverse_mass[], int from, int number,
+                   int zone[])
 {
     zone[from] = number;
     for (int v = 0; v < MOST_VERTICES; v++)
@@ -42,7 +43,7 @@ static void spread(int rows, const tf_row row[], const double inverse_mass[],
                 spread(rows, row, inverse_mass, i, number, zone);
 }
 
-static bool row_moves_any(const tf_row *row, const double inverse_mass[])
+static bool row_moves_any(const tf_constraint *row, const double inverse_mass[])
 {
     bool any = false;
     for (int v = 0; v < MOST_VERTICES; v++)
@@ -50,7 +51,8 @@ static bool row_moves_any(const tf_row *row, const double inverse_mass[])
     return any;
 }
 
-static void expect(int rows, const tf_row row[], const double inverse_mass[])
+static void expect(int rows, const tf_constraint row[],
+                   const double inverse_mass[])
 {
     int right[MOST_ROWS], got[MOST_ROWS], zones = 0;
     for (int i = 0; i < rows; i++)
@@ -97,9 +99,12 @@ TEST(rows_share_a_vertex)
 {
     double inverse_mass[MOST_VERTICES];
     free_all(inverse_mass);
-    expect(2, (tf_row[]){row_of(0, 1, 2), row_of(3, 4, 5)}, inverse_mass);
-    expect(2, (tf_row[]){row_of(0, 1, 2), row_of(3, 4, 2)}, inverse_mass);
-    expect(3, (tf_row[]){row_of(0, 1, 2), row_of(3, 4, 5), row_of(5, 2, 6)},
+    expect(2, (tf_constraint[]){row_of(0, 1, 2), row_of(3, 4, 5)},
+           inverse_mass);
+    expect(2, (tf_constraint[]){row_of(0, 1, 2), row_of(3, 4, 2)},
+           inverse_mass);
+    expect(3,
+           (tf_constraint[]){row_of(0, 1, 2), row_of(3, 4, 5), row_of(5, 2, 6)},
            inverse_mass);
 }
 
@@ -108,9 +113,11 @@ TEST(a_floor_connects_nothing)
     double inverse_mass[MOST_VERTICES];
     free_all(inverse_mass);
     inverse_mass[8] = inverse_mass[9] = 0;
-    expect(2, (tf_row[]){row_of(0, 8, 9), row_of(1, 8, 9)}, inverse_mass);
+    expect(2, (tf_constraint[]){row_of(0, 8, 9), row_of(1, 8, 9)},
+           inverse_mass);
     inverse_mass[0] = 0;
-    expect(3, (tf_row[]){row_of(0, 8, 9), row_of(1, 8, 9), row_of(2, 1, 9)},
+    expect(3,
+           (tf_constraint[]){row_of(0, 8, 9), row_of(1, 8, 9), row_of(2, 1, 9)},
            inverse_mass);
 }
 
@@ -119,7 +126,7 @@ TEST(some_at_random)
     generator random = generator_new(18);
     for (int times = 0; times < 500; times++) {
         double inverse_mass[MOST_VERTICES];
-        tf_row row[MOST_ROWS];
+        tf_constraint row[MOST_ROWS];
         for (int v = 0; v < MOST_VERTICES; v++)
             inverse_mass[v] = below(&random, 4) > 0;
         int rows = 1 + below(&random, MOST_ROWS);

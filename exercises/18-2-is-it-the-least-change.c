@@ -1,4 +1,4 @@
-/* Exercise 18.2.  Is it the least change?
+/* Exercise 18.2.  Is a solution the least change?
  *
  * Beads are on a wire, bead i before bead i + 1, and a knot is behind the last.
  * Row i demands that bead i + 1, or for the last bead the knot, move no less

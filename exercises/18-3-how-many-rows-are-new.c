@@ -1,4 +1,4 @@
-/* Exercise 18.3.  How many rows are new.
+/* Exercise 18.3.  How many rows are new: the rank of a zone's matrix.
  *
  * The n x n numbers a[n * i + j] are the matrix of a zone.  It is symmetric and
  * positive semidefinite.  Return its rank: how many of the zone's rows do not

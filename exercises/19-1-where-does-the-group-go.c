@@ -1,4 +1,4 @@
-/* Exercise 19.1.  Where does the group go?
+/* Exercise 19.1.  The displacement of a group of the failsafe.
  *
  * The vertices of a group move along a line.  Given are where each of them
  * starts, where it was proposed to end, and its inverse mass.  move_group(), at

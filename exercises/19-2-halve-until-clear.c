@@ -1,4 +1,4 @@
-/* Exercise 19.2.  Halve until clear.
+/* Exercise 19.2.  Halving a step until it is clear.
  *
  * A point, vertex 0, and an edge, vertices 1 and 2, move in the plane, from
  * `start` to `end`, two coordinates a vertex.  They do not touch at the start.

@@ -1,4 +1,4 @@
-/* Exercise 19.3.  Room to move.
+/* Exercise 19.3.  How far may vertices move without a contact?
  *
  * A point and an edge are at rest in the plane.  In the next step each of the
  * three vertices may move by up to some distance r, in any direction.  Find an

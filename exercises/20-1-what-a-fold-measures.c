@@ -1,4 +1,4 @@
-/* Exercise 20.1.  What a fold measures.
+/* Exercise 20.1.  What a fold measures: the weights of bending.
  *
  * Two triangles share the edge from a to b; their other corners are c and d.
  * Given are the positions of a, b, c and d, in that order, when the two lie flat.

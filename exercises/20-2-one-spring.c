@@ -1,4 +1,4 @@
-/* Exercise 20.2.  One spring.
+/* Exercise 20.2.  One spring: an iteration of projective dynamics.
  *
  * In the plane a vertex of mass m hangs on a spring from a scripted vertex at the
  * origin.  The spring has the stiffness k and is r long at rest.  Inertia would

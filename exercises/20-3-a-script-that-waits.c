@@ -1,4 +1,4 @@
-/* Exercise 20.3.  A script that waits.
+/* Exercise 20.3.  A script that waits for vertices that are held back.
  *
  * A step of a simulation has been resolved.  go_on() ends it: given are the
  * resolved ends, `count` numbers, the length of the step in seconds, and how many

@@ -1,4 +1,4 @@
-/* Exercise 24.2.  Equal shares.
+/* Exercise 24.2.  Equal shares: restoring a volume, vertex by vertex.
  *
  * A closed surface owes the volume `debt`, and `count` of its vertices are to
  * give it, one after the other.  Each moves along the normal of its star.  In its

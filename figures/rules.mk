@@ -1,6 +1,11 @@
 # The figures: figures/renderer draws, figures/draw is the program, and each part
 # of the book has a folder, with a file for each figure: plane/edge_sweep.c
 # defines the figure edge-sweep.  What several figures share is in figures/kit.
+#
+# Experiments do without something that the library always does, to see what it
+# is needed for: for the tests and the drawing program, the linker puts what
+# figures/experiments calls __wrap_NAME in the place of the library's NAME, here
+# __real_NAME.  The library itself has no switch.
 
 # A file of the renderer uses only those before it; context_* are two ways to
 # the same, of which a build has one.
@@ -36,9 +41,19 @@ draw-figures: $(films) $(pictures)
 # $(call drawing_objects,FILES): of .c files below figures/.
 drawing_objects = $(patsubst figures/%.c,$(BUILD)/drawing/%.o,$(1))
 
+EXPERIMENTS := $(call compiling,$(wildcard figures/experiments/*.c))
+wrapped := $(shell sed -n 's/^.*__wrap_\(tf_[a-z_0-9]*\).*/-Wl,--wrap=\1/p' \
+	$(EXPERIMENTS) /dev/null)
+$(BUILD)/experiments.a: $(call drawing_objects,$(EXPERIMENTS))
+
+# The library with its experiments: both refer to each other.
+experimental_library = $(BUILD)/experiments.a $(library_file)
+link_experiments = $(LINK) $(wrapped) \
+	-Wl,--start-group $(filter %.o %.a,$^) -Wl,--end-group
+
 # Tests link these archives, which hold everything but main.
 figure_archives = $(addprefix $(BUILD)/,draw.a figures.a renderer.a program.a) \
-	$(library_file)
+	$(experimental_library)
 
 $(BUILD)/renderer.a: $(call drawing_objects,$(RENDERER)) figures/rules.mk
 $(BUILD)/draw.a: $(call drawing_objects,$(filter-out %/main.c,$(DRAW)))
@@ -47,7 +62,7 @@ $(BUILD)/figures.a: $(call drawing_objects,$(FIGURES) $(wildcard figures/kit/*.c
 # @file, here and below: gcc reads options from that file.
 $(drawing_file): $(BUILD)/drawing/draw/main.o $(figure_archives)
 	@echo 'link    $@'
-	$(Q)$(LINK) $^ @$(BUILD)/renderer.libraries $(SPARSE) -lm -o $@
+	$(Q)$(link_experiments) @$(BUILD)/renderer.libraries $(SPARSE) -lm -o $@
 
 # What figures include that is made.  Each is written anew only if it changes.
 generated = $(addprefix $(BUILD)/drawing/,names.h includes.h measured_rows.h)
@@ -78,6 +93,12 @@ $(BUILD)/drawing/%.o: figures/%.c $(BUILD)/flags $(BUILD)/renderer.flags \
 		$(BUILD)/renderer.libraries | $(generated)
 	@echo 'compile $<' && mkdir -p $(@D)
 	$(Q)$(COMPILE) $(drawing_flags) -MMD -MP -c $< -o $@
+
+# These draw nothing, and need no library of figures.
+$(BUILD)/drawing/kit/expansion.o $(call drawing_objects,$(EXPERIMENTS)): \
+		$(BUILD)/drawing/%.o: figures/%.c $(BUILD)/flags | need-build
+	@echo 'compile $<' && mkdir -p $(@D)
+	$(Q)$(COMPILE) -I$(SRC) -Ifigures -MMD -MP -c $< -o $@
 
 # The two files of options, for compiling and for linking, are made here.  Where
 # Mesa has given up OSMesa, the renderer draws by EGL.

@@ -15,16 +15,10 @@ FIGURE_TESTS := $(wildcard $(addsuffix /*.c,$(addprefix tests/,renderer draw kit
 	figures)))
 ifndef partial
 WHOLE := $(wildcard tests/whole/*.c) $(FIGURE_TESTS)
-# tests/whole/expansion and bench use the figures' expansion, which draws
-# nothing: it needs no library of figures.
+# tests/whole/expansion and bench use the figures' expansion.
 $(BUILD)/support.a: $(BUILD)/drawing/kit/expansion.o
-$(BUILD)/drawing/kit/expansion.o: figures/kit/expansion.c $(BUILD)/flags | need-build
-	@echo 'compile $<' && mkdir -p $(@D)
-	$(Q)$(COMPILE) -I$(SRC) -Ifigures -MMD -MP -c $< -o $@
 else
-# Keep the support whose includes exist in this tree (-MM fails otherwise).
-SUPPORT := $(foreach file,$(SUPPORT),$(if \
-	$(shell $(CC) -MM -I$(SRC) -Itests $(file) 2>/dev/null),$(file)))
+SUPPORT := $(call compiling,$(SUPPORT))
 endif
 TESTS := $(patsubst %.c,$(BUILD)/%,$(wildcard $(MODULES:%=tests/%.c)) $(WHOLE))
 FUZZERS := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/fuzz/*.c))
@@ -37,9 +31,10 @@ $(BUILD)/tests/%.o: tests/%.c $(BUILD)/flags | need-tests
 	    $$(pkg-config --cflags check) -MMD -MP -c $< -o $@
 
 $(BUILD)/tests/%: $(BUILD)/tests/%.o $(BUILD)/support.a $(BUILD)/program.a \
-		$(library_file)
+		$(experimental_library)
 	@echo 'link    $@'
-	$(Q)$(LINK) $^ $$(pkg-config --libs check) $(LIBRARIES) -lgmp -lm -o $@
+	$(Q)$(link_experiments) $$(pkg-config --libs check) $(LIBRARIES) -lgmp \
+	    -lm -o $@
 
 # These have the simulator in them, and with it the library that it uses.
 simulating = $(addprefix $(BUILD)/tests/,whole/scenes soak/scenes program/frame_file \
@@ -62,7 +57,7 @@ $(figure_tests:=.o) $(figure_parts): USES = $(drawing_flags)
 $(BUILD)/tests/figures/numbers: $(figure_parts)
 $(figure_tests): $(BUILD)/%: $(BUILD)/%.o $(BUILD)/support.a $(figure_archives)
 	@echo 'link    $@'
-	$(Q)$(LINK) $(filter %.o,$^) $(filter %.a,$^) @$(BUILD)/renderer.libraries \
+	$(Q)$(link_experiments) @$(BUILD)/renderer.libraries \
 	    $$(pkg-config --libs check) $(SPARSE) -lgmp -lm -o $@
 
 # Leaks of the libraries that figures use are not ours, and a test that requests

@@ -1,6 +1,6 @@
 // Where the estimate leaves a sign open, a pixel a double, and whether some
 // difference is rounded there.
-#include "arithmetic/operations.h"
+#include "arithmetic/functions.h"
 #include "kit/figures.h"
 
 #include "arithmetic/clamped.h"

@@ -1,6 +1,6 @@
 // What a determinant is made of: the terms of expansions, each from its lowest
 // bit to its highest, on the way from a product to the whole.
-#include "arithmetic/operations.h"
+#include "arithmetic/functions.h"
 #include "kit/figures.h"
 
 #include "arithmetic/filter.h"

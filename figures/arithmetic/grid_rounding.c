@@ -1,5 +1,5 @@
 // What rounding to a grid does to a point, to a triangle and to two edges.
-#include "arithmetic/operations.h"
+#include "arithmetic/functions.h"
 #include "kit/figures.h"
 
 #include "arithmetic/exact.h"

@@ -138,7 +138,7 @@ static bool mark_contacts(tf_frames *frames, fig_shown_surface *shown)
 {
     int threads = tf_threads_available();
     tf_parallel parallel = tf_threads(&threads);
-    tf_detection detection = {.parallel = &parallel};
+    tf_detect_options detection = {.parallel = &parallel};
     tf_motion motion = tf_frames_motion(frames);
     tf_contacts found;
     tf_flaw flaw;

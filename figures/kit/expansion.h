@@ -3,7 +3,7 @@
 #ifndef FIG_EXPANSION_H
 #define FIG_EXPANSION_H
 
-#include "arithmetic/operations.h"
+#include "arithmetic/sign.h"
 #include "arithmetic/two_sum.h"
 
 /// a b exactly, if |a|, |b| and |a b| are below 2^990 and the last bits set in a

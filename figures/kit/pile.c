@@ -55,12 +55,12 @@ void fig_pile_put(fig_pile *pile, int edge, const double place[4],
 static void answer(fig_pile *pile, tf_step *step, const tf_contacts *found,
                    const tf_zone_solver *solver, int sweeps)
 {
-    const tf_row_rule rule = {.base = pile->proposed};
-    const tf_zone_choice choice = {.solver = solver, .sweeps = sweeps};
-    tf_zone_effort effort = {.smallest_gap = INFINITY};
-    TF_REQUIRE(tf_zones_add(&pile->zones, step, found, &rule, &effort));
-    TF_REQUIRE(tf_zones_solve(&pile->zones, step, &rule, &choice, &effort));
-    pile->zones_solved = (int)effort.zones;
+    const tf_contact_rule rule = {.base = pile->proposed};
+    const tf_zone_options choice = {.solver = solver, .sweeps = sweeps};
+    tf_zone_statistics statistics = {.smallest_gap = INFINITY};
+    TF_REQUIRE(tf_zones_add(&pile->zones, step, found, &rule, &statistics));
+    TF_REQUIRE(tf_zones_solve(&pile->zones, step, &rule, &choice, &statistics));
+    pile->zones_solved = (int)statistics.zones;
 }
 
 void fig_pile_resolve(fig_pile *pile, const tf_zone_solver *solver, int sweeps,
@@ -99,21 +99,22 @@ void fig_pile_resolve(fig_pile *pile, const tf_zone_solver *solver, int sweeps,
 
 fig_some_zone fig_pile_zone(const fig_pile *pile, int more)
 {
-    int rows = pile->zones.rows, numbers = 2 * pile->vertices;
+    int rows = pile->zones.constraints, numbers = 2 * pile->vertices;
     fig_some_zone some = {.proposal = room_for(numbers, sizeof(double)),
                           .displacement = room_for(numbers, sizeof(double)),
                           .inverse_mass =
                               room_for(pile->vertices, sizeof(double)),
-                          .row = room_for(rows + more, sizeof(tf_row))};
-    memcpy(some.row, pile->zones.row.data, sizeof(tf_row) * (size_t)rows);
+                          .row = room_for(rows + more, sizeof(tf_constraint))};
+    memcpy(some.row, pile->zones.constraint.data,
+           sizeof(tf_constraint) * (size_t)rows);
     memcpy(some.inverse_mass, pile->inverse_mass,
            sizeof(double) * (size_t)pile->vertices);
     for (int i = 0; i < numbers; i++)
         some.proposal[i] = pile->proposed[i] - pile->start[i];
     some.zone = (tf_zone){.axes = 2,
                           .vertices = pile->vertices,
-                          .rows = rows,
-                          .row = some.row,
+                          .constraints = rows,
+                          .constraint = some.row,
                           .inverse_mass = some.inverse_mass,
                           .displacement = some.displacement};
     fig_zone_reset(&some);
@@ -133,7 +134,7 @@ void fig_zone_reset(fig_some_zone *some)
     const tf_zone *zone = &some->zone;
     memcpy(some->displacement, some->proposal,
            sizeof(double) * (size_t)(zone->axes * zone->vertices));
-    for (int i = 0; i < zone->rows; i++)
+    for (int i = 0; i < zone->constraints; i++)
         some->row[i].impulse = 0;
 }
 
@@ -151,7 +152,7 @@ double fig_zone_energy(const fig_some_zone *some)
 
 double *fig_zone_matrix(const tf_zone *zone)
 {
-    int n = zone->rows;
+    int n = zone->constraints;
     double *a = room_for(n * n, sizeof *a), *unit = room_for(n, sizeof *unit);
     double *room = room_for(zone->axes * zone->vertices, sizeof *room);
     for (int j = 0; j < n; j++) {
@@ -167,7 +168,7 @@ double *fig_zone_matrix(const tf_zone *zone)
 /// By elimination; the pivot is the largest entry that is left on the diagonal.
 int fig_zone_rank(const tf_zone *zone)
 {
-    int n = zone->rows, rank = 0;
+    int n = zone->constraints, rank = 0;
     double *a = fig_zone_matrix(zone);
     bool *used = room_for(n, sizeof *used);
     for (; rank < n; rank++) {

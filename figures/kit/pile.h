@@ -39,7 +39,7 @@ typedef struct fig_some_zone {
     double *proposal;     ///< the displacement, before any solver
     double *displacement; ///< the zone's
     double *inverse_mass; ///< the zone's
-    tf_row *row;          ///< the zone's
+    tf_constraint *row;   ///< the zone's
 } fig_some_zone;
 
 /// All rows of a stack, with room for `more` others, before they are solved.

@@ -13,12 +13,12 @@ enum {
 
 static const double inverse_mass[VERTICES] = {1, 0};
 
-tf_row fig_plane_row(const double normal[2], double bound)
+tf_constraint fig_plane_row(const double normal[2], double bound)
 {
-    return (tf_row){.vertex = {0, 1, -1, -1},
-                    .coefficient = {1, -1},
-                    .normal = {normal[0], normal[1]},
-                    .bound = bound};
+    return (tf_constraint){.vertex = {0, 1, -1, -1},
+                           .coefficient = {1, -1},
+                           .normal = {normal[0], normal[1]},
+                           .bound = bound};
 }
 
 void fig_plane_sweeps(const fig_plane_rows *rows, const double proposal[2],
@@ -28,7 +28,7 @@ void fig_plane_sweeps(const fig_plane_rows *rows, const double proposal[2],
     double place[2 * VERTICES] = {proposal[0], proposal[1]};
     const tf_bodies bodies = {2, inverse_mass, place};
     for (int i = 0; i < sweeps * own.count; i++)
-        tf_row_visit(&own.row[i % own.count], 0, &bodies);
+        tf_constraint_visit(&own.row[i % own.count], 0, &bodies);
     memcpy(displacement, place, 2 * sizeof *place);
     for (int i = 0; i < own.count; i++)
         impulse[i] = own.row[i].impulse;
@@ -40,15 +40,16 @@ void fig_plane_residuals(const fig_plane_rows *rows, const double proposal[2],
 {
     fig_plane_rows own = *rows;
     double place[2 * VERTICES] = {proposal[0], proposal[1]}, room[ROOM];
-    TF_REQUIRE(tf_conjugate_residuals.room(2, VERTICES, own.count) <= ROOM);
+    TF_REQUIRE(tf_conjugate_residuals.workspace(2, VERTICES, own.count) <=
+               ROOM);
     tf_zone zone = {.axes = 2,
                     .vertices = VERTICES,
-                    .rows = own.count,
-                    .row = own.row,
+                    .constraints = own.count,
+                    .constraint = own.row,
                     .inverse_mass = inverse_mass,
                     .displacement = place,
                     .sweeps = iterations,
-                    .room = room};
+                    .workspace = room};
     tf_conjugate_residuals.solve(&zone);
     memcpy(displacement, place, 2 * sizeof *place);
     for (int i = 0; i < own.count; i++)

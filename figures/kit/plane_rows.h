@@ -10,11 +10,11 @@ enum {
 
 typedef struct fig_plane_rows {
     int count;
-    tf_row row[FIG_PLANE_ROWS];
+    tf_constraint row[FIG_PLANE_ROWS];
 } fig_plane_rows;
 
 /// The row that asks for at least `bound` along a normal of length 1.
-tf_row fig_plane_row(const double normal[2], double bound);
+tf_constraint fig_plane_row(const double normal[2], double bound);
 
 /// The displacement, and the impulses, after so many sweeps of projected
 /// Gauss-Seidel from impulses of zero.

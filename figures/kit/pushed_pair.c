@@ -2,7 +2,7 @@
 
 #include "arithmetic/exact.h"
 #include "query/query.h"
-#include "response/contact_row.h"
+#include "response/contact_constraint.h"
 #include "response/impulse.h"
 
 #include <math.h>
@@ -171,11 +171,13 @@ static void push_as_library(fig_pair *pair, const tf_contact *contact,
                     .start = flat.start,
                     .end = flat.end,
                     .inverse_mass = inverse_mass};
-    tf_row_rule rule = {.base = flat.end};
+    tf_contact_rule rule = {.base = flat.end};
     tf_surface_contact named = name_contact(pair, contact);
     double gap;
-    tf_row row = tf_row_of_contact(&step, &named, &rule, by_pivots, &gap);
-    tf_row_visit(&row, 0, &(tf_bodies){pair->axes, inverse_mass, flat.move});
+    tf_constraint row =
+        tf_contact_constraint(&step, &named, &rule, by_pivots, &gap);
+    tf_constraint_visit(&row, 0,
+                        &(tf_bodies){pair->axes, inverse_mass, flat.move});
     for (int i = 0; i < pair->count; i++)
         for (int k = 0; k < pair->axes; k++)
             pair->move[i].x[k] = flat.move[pair->axes * i + k];

@@ -1,6 +1,7 @@
 #include "kit/remeshed.h"
 
 #include "base/require.h"
+#include "experiments/leave_out.h"
 #include "remesh/measure.h"
 #include "remesh/remesher.h"
 
@@ -170,12 +171,12 @@ void fig_remesh(const fig_some_mesh *mesh, double edge, int rounds,
     TF_REQUIRE(tf_adaptive_create(&given, mesh->x, &remesher.surface, NULL) ==
                TF_OK);
     TF_REQUIRE(tf_original_copy(&remesher.original, remesher.surface));
-    if (tangled)
-        remesher.surface->left_out =
-            1U << TF_OVERLAPPED | 1U << TF_PASSED_VERTEX |
-            1U << TF_PASSED_EDGE | 1U << TF_PASSED_TRIANGLE;
     *remeshing = (fig_remeshing){0};
+    if (tangled)
+        leave_out(1U << TF_OVERLAPPED | 1U << TF_PASSED_VERTEX |
+                  1U << TF_PASSED_EDGE | 1U << TF_PASSED_TRIANGLE);
     do_rounds(remeshing, &remesher, rounds);
+    leave_out(0);
     tf_adaptive_free(remesher.surface);
     tf_original_free(&remesher.original);
     tf_buffer_free(&remesher.row);

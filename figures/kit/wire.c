@@ -19,7 +19,7 @@ typedef struct wire {
     double inverse_mass[FIG_WIRE_BEADS + 1];
     double displacement[2 * (FIG_WIRE_BEADS + 1)];
     int rows;
-    tf_row row[MOST_ROWS];
+    tf_constraint row[MOST_ROWS];
 } wire;
 
 static void propose(wire *w)
@@ -46,11 +46,11 @@ static bool meets(const wire *w, int bead)
            (bead + 1) * w->gap + w->displacement[2 * bead + 2];
 }
 
-static tf_row row_of(int bead)
+static tf_constraint row_of(int bead)
 {
-    return (tf_row){.vertex = {bead + 1, bead, -1, -1},
-                    .coefficient = {1, -1},
-                    .normal = {1}};
+    return (tf_constraint){.vertex = {bead + 1, bead, -1, -1},
+                           .coefficient = {1, -1},
+                           .normal = {1}};
 }
 
 /// Notes what is proposed now; whether anything meets.
@@ -81,8 +81,8 @@ fig_wire fig_wire_alone(int beads, double gap)
             met[i] = meets(w, i);
         for (int i = 0; i < beads; i++)
             if (met[i]) {
-                tf_row row = row_of(i);
-                tf_row_visit(&row, 0, &bodies);
+                tf_constraint row = row_of(i);
+                tf_constraint_visit(&row, 0, &bodies);
                 course.visits++;
             }
     }
@@ -96,12 +96,12 @@ static int solve(wire *w, int sweeps)
     const tf_bodies bodies = {2, w->inverse_mass, w->displacement};
     for (int i = 0; i < w->rows; i++) {
         double push[3] = {w->row[i].impulse};
-        tf_row_push(&w->row[i], push, &bodies);
+        tf_constraint_push(&w->row[i], push, &bodies);
     }
     for (int sweep = 1; sweep <= sweeps; sweep++) {
         double change = 0;
         for (int i = 0; i < w->rows; i++)
-            change = fmax(change, tf_row_visit(&w->row[i], 0, &bodies));
+            change = fmax(change, tf_constraint_visit(&w->row[i], 0, &bodies));
         if (change < 1e-9)
             return sweep;
     }

@@ -1,6 +1,6 @@
 // The determinant along one row of the sign maps: the true one, the computed
 // one and the bound on the error.
-#include "arithmetic/operations.h"
+#include "arithmetic/functions.h"
 #include "kit/figures.h"
 
 #include "arithmetic/filter.h"

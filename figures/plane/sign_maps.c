@@ -1,5 +1,5 @@
 // The sign of a determinant near the line where it is zero, a pixel a double.
-#include "arithmetic/operations.h"
+#include "arithmetic/functions.h"
 #include "kit/figures.h"
 
 #include "arithmetic/clamped.h"

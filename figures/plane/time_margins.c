@@ -1,5 +1,5 @@
 // How far the ends of the interval are from the true time, query by query.
-#include "arithmetic/operations.h"
+#include "arithmetic/functions.h"
 #include "kit/figures.h"
 
 #include "arithmetic/exact.h"

@@ -98,16 +98,16 @@ static size_t answer_by_zones(tf_surface *surface, const scene *s, double end[])
                     .proposed = s->proposed,
                     .inverse_mass = s->inverse_mass,
                     .end = end};
-    tf_row_rule rule = {.separation = separation, .base = s->proposed};
-    tf_zone_choice choice = {.solver = &tf_gauss_seidel, .sweeps = 30};
+    tf_contact_rule rule = {.separation = separation, .base = s->proposed};
+    tf_zone_options choice = {.solver = &tf_gauss_seidel, .sweeps = 30};
     tf_zones zones = {0};
-    tf_zone_effort effort = {.smallest_gap = INFINITY};
+    tf_zone_statistics statistics = {.smallest_gap = INFINITY};
     memcpy(end, s->proposed, sizeof s->proposed);
     TF_REQUIRE(tf_zones_begin(&zones, &step));
     tf_contacts found = detect(surface, s, end);
     for (int round = 0; round < ROUNDS && found.any; round++) {
-        TF_REQUIRE(tf_zones_add(&zones, &step, &found, &rule, &effort));
-        TF_REQUIRE(tf_zones_solve(&zones, &step, &rule, &choice, &effort));
+        TF_REQUIRE(tf_zones_add(&zones, &step, &found, &rule, &statistics));
+        TF_REQUIRE(tf_zones_solve(&zones, &step, &rule, &choice, &statistics));
         found = detect(surface, s, end);
     }
     tf_zones_free(&zones);

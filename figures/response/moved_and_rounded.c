@@ -5,7 +5,7 @@
 #include "kit/random.h"
 
 #include "arithmetic/exact.h"
-#include "arithmetic/operations.h"
+#include "arithmetic/functions.h"
 #include "renderer/plot.h"
 #include "response/resolve.h"
 

@@ -16,7 +16,7 @@ static void draw(fig_page *page, FILE *numbers)
 
 const fig_figure fig_pulled_cloth = {
     .name = "pulled-cloth",
-    .title = "Cloth that is pulled, and a flag",
+    .title = "A knot, a curtain and a flag",
     .width = FIG_PAGE_WIDTH,
     .height = 160,
     .draw = draw,

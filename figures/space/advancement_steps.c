@@ -3,7 +3,7 @@
 #include "kit/figures.h"
 
 #include "base/require.h"
-#include "linear/advancement.h"
+#include "linear/rigid_motion.h"
 #include "renderer/plot.h"
 
 #include <math.h>

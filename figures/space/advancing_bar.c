@@ -4,7 +4,7 @@
 
 #include "base/require.h"
 #include "kit/film.h"
-#include "linear/advancement.h"
+#include "linear/rigid_motion.h"
 #include "renderer/plot.h"
 
 #include <math.h>

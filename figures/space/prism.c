@@ -1,5 +1,5 @@
 // What a triangle sweeps in plane space-time: a prism of three tetrahedra.
-#include "arithmetic/operations.h"
+#include "arithmetic/functions.h"
 #include "kit/figures.h"
 
 #include "arithmetic/exact.h"

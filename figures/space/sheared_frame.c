@@ -1,7 +1,7 @@
 // The frame in which the point stands still: is the origin of space in one of
 // three tetrahedra?
 #include "arithmetic/exact.h"
-#include "arithmetic/operations.h"
+#include "arithmetic/functions.h"
 #include "intersect/cascade.h"
 #include "kit/figures.h"
 #include "kit/worlds.h"

@@ -1,6 +1,6 @@
 // How large determinants are, their errors, and two bounds on these: by the
 // permanent, and by the ranges of the query.  All in units of u Mx My Mz.
-#include "arithmetic/operations.h"
+#include "arithmetic/functions.h"
 #include "kit/figures.h"
 
 #include "arithmetic/filter.h"

@@ -72,9 +72,9 @@ static scenery *make_scenery(void)
                                  .corner = s->corner,
                                  .vertex = s->vertex,
                                  .whole = &s->whole};
-    tf_tree_room room = {0};
-    TF_REQUIRE(tf_tree_build(&s->tree, &elements, &room, NULL));
-    tf_tree_room_free(&room);
+    tf_tree_workspace workspace = {0};
+    TF_REQUIRE(tf_tree_build(&s->tree, &elements, &workspace, NULL));
+    tf_tree_workspace_free(&workspace);
     return s;
 }
 

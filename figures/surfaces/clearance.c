@@ -4,7 +4,7 @@
 
 #include "arithmetic/exact.h"
 #include "base/require.h"
-#include "fast/vector.h"
+#include "fast/vectorized.h"
 
 #include <math.h>
 
@@ -44,7 +44,7 @@ static void find_direction(double n[2])
         n[k] = (at[2][k] + at[3][k] - at[0][k] - at[1][k]) / 2;
 }
 
-// The strip between the edges ---------------------------------------------------
+// The strip between the edges -------------------------------------------------
 
 /// A point of the strip: `across` is 0 on the side of b, 1 on that of c.
 static fig_point in_strip(const double n[2], double gap, double across,
@@ -79,7 +79,7 @@ static void draw_strip(fig_page *page, const double n[2], double gap)
                   FIG_LETTERS, FIG_ROLE_INK);
 }
 
-// The edges, and where their vertices may go ------------------------------------
+// The edges, and where their vertices may go ----------------------------------
 
 /// All places with |dx| + |dy| of at most `far`.
 static void draw_reach(fig_page *page, const double x[3], double far,

@@ -156,8 +156,9 @@ static void print_numbers(const tf_elements *edges, FILE *numbers)
 static void draw(fig_page *page, FILE *numbers)
 {
     tf_elements triangles = {0}, edges = {0};
-    bool good = tf_mesh_triangles(&mesh, &triangles) &&
-                tf_mesh_edges(&mesh, &triangles, &edges);
+    tf_sort_workspace workspace = {0};
+    bool good = tf_mesh_triangles(&mesh, &triangles, &workspace) &&
+                tf_mesh_edges(&mesh, &triangles, &edges, &workspace);
     TF_REQUIRE(good);
     int record[RECORDS][2];
     copy_records(&triangles, record);
@@ -168,8 +169,9 @@ static void draw(fig_page *page, FILE *numbers)
     sort_records(0, record);
     write_column(page, 2, record);
     print_numbers(&edges, numbers);
-    tf_buffer_free(&triangles.room);
-    tf_buffer_free(&edges.room);
+    tf_buffer_free(&triangles.storage);
+    tf_buffer_free(&edges.storage);
+    tf_sort_workspace_free(&workspace);
 }
 
 const fig_figure fig_derived_edges = {

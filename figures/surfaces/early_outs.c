@@ -3,7 +3,7 @@
 #include "kit/figures.h"
 
 #include "base/require.h"
-#include "fast/filter.h"
+#include "fast/block_filter.h"
 #include "kit/meshes.h"
 #include "kit/random.h"
 #include "renderer/plot.h"

@@ -120,7 +120,7 @@ static void print_numbers(const sheet *s, FILE *numbers)
     for (size_t i = 0; i < s->found.count; i++)
         kinds[s->found.contact[i].kind]++;
     fig_number(numbers, "triangles", s->mesh[0].triangles);
-    fig_number(numbers, "candidates", (double)s->found.effort.candidates);
+    fig_number(numbers, "candidates", (double)s->found.statistics.candidates);
     fig_number(numbers, "contacts", (double)s->found.count);
     fig_number(numbers, "point_triangle", kinds[TF_POINT_TRIANGLE]);
     fig_number(numbers, "edge_edge", kinds[TF_EDGE_EDGE]);

@@ -19,8 +19,8 @@ static const fig_camera camera[MESHES] = {{.elevation = 90},
                                           {.azimuth = 62, .elevation = 46}};
 static const double text_room = 24;
 
-/// The shades of the first and of the last leaf, and how much those of neighbors
-/// differ besides.
+/// The shades of the first and of the last leaf, and how much those of
+/// neighbors differ besides.
 static const double palest = -0.8, darkest = 0.3, between = 0.09;
 
 /// How much darker lines are than their leaf.
@@ -54,9 +54,9 @@ static void build_tree(forest *f)
                                  .corner = mesh->triangle,
                                  .vertex = box,
                                  .whole = &frame.whole};
-    tf_tree_room room = {0};
-    TF_REQUIRE(tf_tree_build(&f->tree, &elements, &room, NULL));
-    tf_tree_room_free(&room);
+    tf_tree_workspace workspace = {0};
+    TF_REQUIRE(tf_tree_build(&f->tree, &elements, &workspace, NULL));
+    tf_tree_workspace_free(&workspace);
     free(box);
 }
 

@@ -1,8 +1,8 @@
-// The numbers of eight queries in memory, line by line: one query after another,
-// and in a block, one lane a query.
+// The numbers of eight queries in memory, line by line: one query after
+// another, and in a block, one lane a query.
 #include "kit/figures.h"
 
-#include "fast/filter.h"
+#include "fast/block_filter.h"
 
 #include <stddef.h>
 #include <stdio.h>

@@ -1,7 +1,8 @@
 //: Declare accumulated determinants
 #pragma once
 
-#include "arithmetic/operations.h"
+#include "arithmetic/differences.h"
+#include "arithmetic/sign.h"
 
 /// The sign and the value of a determinant, exact for any finite doubles: the
 /// sum of its products in a superaccumulator, rounded once for the value.

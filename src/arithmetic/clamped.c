@@ -2,7 +2,7 @@
 #include "arithmetic/clamped.h"
 
 #include "arithmetic/filter.h"
-#include "arithmetic/operations.h"
+#include "arithmetic/functions.h"
 
 #include <math.h>
 

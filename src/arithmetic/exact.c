@@ -4,7 +4,7 @@
 #include "arithmetic/accumulated.h"
 #include "arithmetic/filter.h"
 #include "arithmetic/fixed.h"
-#include "arithmetic/operations.h"
+#include "arithmetic/functions.h"
 #include "arithmetic/six.h"
 
 #include <math.h>

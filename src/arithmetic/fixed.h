@@ -1,7 +1,7 @@
 //: Declare determinants on a grid
 #pragma once
 
-#include "arithmetic/operations.h"
+#include "arithmetic/functions.h"
 
 enum {
     TF_GRID_BITS = 62 ///< of a coordinate on the grid, besides its sign

@@ -1,8 +1,8 @@
 //: Include what integers need
 #include "arithmetic/integer.h"
 
+#include "arithmetic/functions.h"
 #include "arithmetic/int128.h"
-#include "arithmetic/operations.h"
 
 #include <stdint.h>
 

@@ -2,7 +2,7 @@
 #include "arithmetic/perturbed.h"
 
 #include "arithmetic/exact.h"
-#include "arithmetic/operations.h"
+#include "arithmetic/functions.h"
 #include "arithmetic/six.h"
 #include "base/require.h"
 

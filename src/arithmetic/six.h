@@ -1,7 +1,7 @@
 //: Declare six signs at once
 #pragma once
 
-#include "arithmetic/operations.h"
+#include "arithmetic/functions.h"
 
 /// What tf_arithmetic calls `six_estimates`, for any finite coordinates.
 void tf_estimate_six(int start_count, const tf_event *const event[TF_SIX],

@@ -1,7 +1,7 @@
 //: Declare the superaccumulator
 #pragma once
 
-#include "arithmetic/operations.h"
+#include "arithmetic/sign.h"
 
 // A product of three finite doubles is a multiple of (2^-1074)^3 = 2^-3222 and
 // below (2^1024)^3 = 2^3072, and the sum of the 48 that a determinant can have

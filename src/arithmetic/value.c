@@ -3,8 +3,10 @@
 
 #include "arithmetic/bits.h"
 
+#include <float.h>
 #include <limits.h>
 #include <math.h>
+#include <stdbool.h>
 #include <stddef.h>
 
 //: Compare two values by size

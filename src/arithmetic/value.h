@@ -1,7 +1,7 @@
 //: Declare how values are scaled
 #pragma once
 
-#include "arithmetic/operations.h"
+#include "arithmetic/sign.h"
 
 /// Divides values by one power of two, so that the largest comes near 1, and
 /// leaves them with the exponent and the order zero: an infinitely smaller one

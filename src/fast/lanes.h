@@ -1,7 +1,7 @@
 //: Declare the loops over lanes
 #pragma once
 
-#include "fast/filter.h"
+#include "fast/block_filter.h"
 
 /// A filter of all lanes of some blocks, in an IEEE environment.  A determinant
 /// counts as certain if it is more than `share` Mx My Mz away from zero, where

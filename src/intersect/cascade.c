@@ -1,6 +1,7 @@
 //: Include what the cascade needs
 #include "intersect/cascade.h"
 
+#include "arithmetic/functions.h"
 #include "base/require.h"
 
 #include <math.h>

@@ -1,6 +1,7 @@
 //: Include what barycentric coordinates need
 #include "intersect/coordinates.h"
 
+#include "arithmetic/functions.h"
 #include "arithmetic/value.h"
 
 #include <math.h>

@@ -1,6 +1,7 @@
 //: Include what the normal needs
 #include "intersect/normal.h"
 
+#include "arithmetic/functions.h"
 #include "arithmetic/value.h"
 
 #include <math.h>

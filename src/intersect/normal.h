@@ -1,7 +1,7 @@
 //: Declare the normal
 #pragma once
 
-#include "arithmetic/operations.h"
+#include "arithmetic/arithmetic.h"
 #include "geometry/sweep.h"
 
 /// The normal of a contact of two simplices: the cross product of the axes - 1

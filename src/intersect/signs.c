@@ -1,6 +1,8 @@
 //: Orient a barycentric coordinate
 #include "intersect/signs.h"
 
+#include "arithmetic/functions.h"
+
 // Sorting a determinant's rows by time, subtracting the first of each time and
 // expanding along the columns t and 1 leaves (-1)^(number at t = 0) times the
 // determinant of the differences, so apart from the (-1)^i of Cramer's rule,

@@ -1,7 +1,8 @@
 //: Declare barycentric signs
 #pragma once
 
-#include "arithmetic/operations.h"
+#include "arithmetic/arithmetic.h"
+#include "arithmetic/sign.h"
 #include "intersect/pair.h"
 
 /// Which signs occur among the barycentric coordinates of a pair's common

@@ -1,7 +1,6 @@
 //: Declare the steps of advancement
 #pragma once
 
-#include "base/status.h"
 #include "linear/advancement.h"
 #include "linear/distance.h"
 

@@ -44,8 +44,8 @@ static void write_report(FILE *table, const tf_response_report *report)
     fprintf(table, ",%zu,%zu", report->first_contacts, report->contacts);
     for (int i = 0; i < TF_LEVELS; i++)
         fprintf(table, ",%d", report->rounds[i]);
-    fprintf(table, ",%zu,%d,%d,%d", report->rows, report->held, report->grouped,
-            report->resting);
+    fprintf(table, ",%zu,%d,%d,%d", report->constraints, report->held,
+            report->grouped, report->resting);
 }
 
 static void write_cloth_line(FILE *table, const tf_simulated *of)

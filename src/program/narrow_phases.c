@@ -1,7 +1,7 @@
 //: Include what the names of narrow phases need
 #include "program/narrow_phases.h"
 
-#include "fast/vector.h"
+#include "fast/vectorized.h"
 
 #include <string.h>
 

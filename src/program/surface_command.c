@@ -17,7 +17,7 @@ typedef struct request {
     int threads;
     const tf_arithmetic *arithmetic;
     const tf_narrow_phase *narrow_phase;
-    tf_extent extent;
+    tf_contact_selection selection;
     char **paths;
     int path_count;
 } request;
@@ -89,7 +89,7 @@ static error_t parse_argument(int key, char *text, struct argp_state *state)
     request *wanted = state->input;
     switch (key) {
     case 'f':
-        wanted->extent = TF_FIRST_CONTACT;
+        wanted->selection = TF_FIRST_CONTACT;
         return 0;
     case 'a':
         if (!(wanted->arithmetic = tf_arithmetic_named(text)))
@@ -168,10 +168,10 @@ static bool fault_in_range(work *w, int vertex)
 static bool detect_step(work *w)
 {
     tf_parallel threads = tf_threads(&w->request.threads);
-    tf_detection detection = {.extent = w->request.extent,
-                              .arithmetic = w->request.arithmetic,
-                              .narrow_phase = w->request.narrow_phase,
-                              .parallel = &threads};
+    tf_detect_options detection = {.selection = w->request.selection,
+                                   .arithmetic = w->request.arithmetic,
+                                   .narrow_phase = w->request.narrow_phase,
+                                   .parallel = &threads};
     tf_motion motion = tf_frames_motion(&w->frames);
     tf_contacts found;
     tf_flaw flaw;

@@ -59,10 +59,12 @@ static const tf_field counts_of_steps[] = {
     TF_FIELD("steps", TF_COUNT, tf_surface_tally, parts),
     TF_FIELD("steps with contacts", TF_COUNT, tf_surface_tally, tangled),
     TF_FIELD("contacts", TF_COUNT, tf_surface_tally, rows),
-    TF_FIELD("candidates", TF_COUNT, tf_surface_tally, effort.candidates),
-    TF_FIELD("decided by axis", TF_COUNT, tf_surface_tally, effort.by_axis),
-    TF_FIELD("decided by filter", TF_COUNT, tf_surface_tally, effort.by_filter),
-    TF_FIELD("decided by signs", TF_COUNT, tf_surface_tally, effort.by_signs),
+    TF_FIELD("candidates", TF_COUNT, tf_surface_tally, statistics.candidates),
+    TF_FIELD("decided by axis", TF_COUNT, tf_surface_tally, statistics.by_axis),
+    TF_FIELD("decided by filter", TF_COUNT, tf_surface_tally,
+             statistics.by_filter),
+    TF_FIELD("decided by signs", TF_COUNT, tf_surface_tally,
+             statistics.by_signs),
     {0},
 };
 
@@ -97,12 +99,13 @@ static bool add_row(tf_surface_output *output, const void *row)
     return tf_records_add(&output->records, row);
 }
 
-static void add_effort(tf_effort *total, const tf_effort *effort)
+static void add_statistics(tf_detect_statistics *total,
+                           const tf_detect_statistics *statistics)
 {
-    total->candidates += effort->candidates;
-    total->by_axis += effort->by_axis;
-    total->by_filter += effort->by_filter;
-    total->by_signs += effort->by_signs;
+    total->candidates += statistics->candidates;
+    total->by_axis += statistics->by_axis;
+    total->by_filter += statistics->by_filter;
+    total->by_signs += statistics->by_signs;
 }
 
 bool tf_surface_output_contacts(tf_surface_output *output, int axes,
@@ -121,7 +124,7 @@ bool tf_surface_output_contacts(tf_surface_output *output, int axes,
     }
     tally->parts++;
     tally->tangled += contacts->any;
-    add_effort(&tally->effort, &contacts->effort);
+    add_statistics(&tally->statistics, &contacts->statistics);
     return good;
 }
 

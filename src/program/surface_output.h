@@ -10,7 +10,7 @@ typedef struct tf_surface_tally {
     size_t parts;   ///< files checked, or steps
     size_t tangled; ///< of these, with rows
     size_t rows;
-    tf_effort effort; ///< of detection
+    tf_detect_statistics statistics; ///< of detection
 } tf_surface_tally;
 
 typedef struct tf_surface_output {

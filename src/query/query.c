@@ -1,6 +1,7 @@
 //: Include what queries need
 #include "query/query.h"
 
+#include "arithmetic/functions.h"
 #include "base/environment.h"
 #include "base/require.h"
 #include "intersect/cascade.h"

@@ -13,9 +13,10 @@ enum {
     VECTORS
 };
 
-static size_t room_of_conjugate_residuals(int axes, int vertices, int rows)
+static size_t workspace_of_conjugate_residuals(int axes, int vertices,
+                                               int constraints)
 {
-    return tf_equations_room(axes, vertices, rows, VECTORS);
+    return tf_equations_workspace(axes, vertices, constraints, VECTORS);
 }
 
 //: Step along directions whose products are orthogonal
@@ -63,5 +64,5 @@ static int solve_by_conjugate_residuals(tf_zone *zone)
 //: Offer conjugate residuals
 const tf_zone_solver tf_conjugate_residuals = {
     .name = "conjugate-residuals",
-    .room = room_of_conjugate_residuals,
+    .workspace = workspace_of_conjugate_residuals,
     .solve = solve_by_conjugate_residuals};

@@ -7,14 +7,15 @@
 #include <math.h>
 #include <string.h>
 
-//: Divide the room of a zone
-size_t tf_equations_room(int axes, int vertices, int rows, int vectors)
+//: Divide the workspace of a zone
+size_t tf_equations_workspace(int axes, int vertices, int constraints,
+                              int vectors)
 {
     return (size_t)axes * (size_t)vertices +
-           ((size_t)vectors + 2) * (size_t)rows;
+           ((size_t)vectors + 2) * (size_t)constraints;
 }
 
-/// Takes `count` numbers off the room that is left.
+/// Takes `count` numbers off the workspace that is left.
 static double *take(double **left, size_t count)
 {
     double *taken = *left;
@@ -24,15 +25,15 @@ static double *take(double **left, size_t count)
 
 tf_equations tf_equations_of(const tf_zone *zone, int vectors, double *vector[])
 {
-    TF_REQUIRE(zone && zone->row && zone->inverse_mass && zone->displacement &&
-               zone->room);
-    double *left = zone->room;
-    size_t rows = (size_t)zone->rows;
-    tf_equations equations = {.zone = zone, .count = zone->rows};
-    equations.scale = take(&left, rows);
-    equations.impulse = take(&left, rows);
+    TF_REQUIRE(zone && zone->constraint && zone->inverse_mass &&
+               zone->displacement && zone->workspace);
+    double *left = zone->workspace;
+    size_t constraints = (size_t)zone->constraints;
+    tf_equations equations = {.zone = zone, .count = zone->constraints};
+    equations.scale = take(&left, constraints);
+    equations.impulse = take(&left, constraints);
     for (int i = 0; i < vectors; i++)
-        vector[i] = take(&left, rows);
+        vector[i] = take(&left, constraints);
     equations.displacement = left;
     return equations;
 }
@@ -40,10 +41,12 @@ tf_equations tf_equations_of(const tf_zone *zone, int vectors, double *vector[])
 //: Scale the equations
 static const double tolerance = 1e-8;
 
-/// A row that moves nothing asks for nothing: scaled by 0 it reads 0 = 0.
-static double scale_of(const tf_row *row, const double inverse_mass[])
+/// A constraint that moves nothing asks for nothing: scaled by 0 it reads 0 =
+/// 0.
+static double scale_of(const tf_constraint *constraint,
+                       const double inverse_mass[])
 {
-    double compliance = tf_row_compliance(row, inverse_mass);
+    double compliance = tf_constraint_compliance(constraint, inverse_mass);
     return compliance > 0 ? 1 / sqrt(compliance) : 0;
 }
 
@@ -52,16 +55,16 @@ double tf_equations_start(const tf_equations *equations, double x[],
 {
     const tf_zone *zone = equations->zone;
     for (int i = 0; i < equations->count; i++) {
-        const tf_row *row = &zone->row[i];
-        double scale = scale_of(row, zone->inverse_mass);
+        const tf_constraint *constraint = &zone->constraint[i];
+        double scale = scale_of(constraint, zone->inverse_mass);
         equations->scale[i] = scale;
-        x[i] = scale > 0 ? row->impulse / scale : 0;
+        x[i] = scale > 0 ? constraint->impulse / scale : 0;
     }
     tf_equations_multiply(equations, x, residual);
-    tf_zone_partings(zone, zone->displacement, equations->impulse);
+    tf_zone_separations(zone, zone->displacement, equations->impulse);
     double square = 0;
     for (int i = 0; i < equations->count; i++) {
-        double wanted = zone->row[i].bound - equations->impulse[i];
+        double wanted = zone->constraint[i].bound - equations->impulse[i];
         double right = equations->scale[i] * wanted;
         square += right * right;
         residual[i] = right - residual[i];
@@ -92,8 +95,9 @@ void tf_equations_finish(const tf_equations *equations, const double x[])
     const tf_zone *zone = equations->zone;
     scale_impulses(equations, x);
     for (int i = 0; i < equations->count; i++) {
-        zone->row[i].impulse = equations->impulse[i];
-        memset(zone->row[i].friction, 0, sizeof zone->row[i].friction);
+        zone->constraint[i].impulse = equations->impulse[i];
+        memset(zone->constraint[i].friction, 0,
+               sizeof zone->constraint[i].friction);
     }
     tf_zone_push(zone, equations->impulse, zone->displacement);
 }

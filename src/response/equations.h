@@ -6,10 +6,10 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/// The rows of a zone, taken as equations A x = b: impulses are to part the
-/// elements of each row by exactly its bound.  Rows and impulses are scaled
-/// such that A, which is symmetric and positive semidefinite, has ones on its
-/// diagonal.
+/// The constraints of a zone, taken as equations A x = b: impulses are to part
+/// the elements of each constraint by exactly its bound.  Constraints and
+/// impulses are scaled such that A, which is symmetric and positive
+/// semidefinite, has ones on its diagonal.
 typedef struct tf_equations {
     const tf_zone *zone;
     int count;     ///< how many equations, and numbers in a vector
@@ -17,18 +17,19 @@ typedef struct tf_equations {
     double *impulse, *displacement;
 } tf_equations;
 
-/// Returns how many numbers of a zone's room the equations need, together with
-/// some vectors.
-size_t tf_equations_room(int axes, int vertices, int rows, int vectors);
+/// Returns how many numbers of a zone's workspace the equations need, together
+/// with some vectors.
+size_t tf_equations_workspace(int axes, int vertices, int constraints,
+                              int vectors);
 
-/// Takes a zone's rows as equations, and gives each vector a part of the zone's
-/// room.
+/// Takes a zone's constraints as equations, and gives each vector a part of the
+/// zone's workspace.
 tf_equations tf_equations_of(const tf_zone *zone, int vectors,
                              double *vector[]);
 
 //: Declare how to solve equations
-/// Sets x to the impulses that the rows have, and residual to b - A x.  Returns
-/// the length below which a residual counts as zero.
+/// Sets x to the impulses that the constraints have, and residual to b - A x.
+/// Returns the length below which a residual counts as zero.
 double tf_equations_start(const tf_equations *equations, double x[],
                           double residual[]);
 
@@ -36,8 +37,8 @@ double tf_equations_start(const tf_equations *equations, double x[],
 void tf_equations_multiply(const tf_equations *equations, const double x[],
                            double product[]);
 
-/// Stores the impulses in the rows and applies them.  Friction, for which there
-/// is no equation, becomes zero.
+/// Stores the impulses in the constraints and applies them.  Friction, for
+/// which there is no equation, becomes zero.
 void tf_equations_finish(const tf_equations *equations, const double x[]);
 
 //: Declare sums of vectors

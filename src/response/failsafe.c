@@ -208,13 +208,13 @@ void tf_failsafe_account(tf_failsafe *failsafe, const tf_step *step,
 //: Account for the memory of the failsafe
 size_t tf_failsafe_memory(const tf_failsafe *failsafe)
 {
-    return failsafe->groups.room.bytes + failsafe->entry.bytes +
+    return failsafe->groups.storage.bytes + failsafe->entry.bytes +
            failsafe->group.bytes;
 }
 
 void tf_failsafe_free(tf_failsafe *failsafe)
 {
-    tf_buffer_free(&failsafe->groups.room);
+    tf_buffer_free(&failsafe->groups.storage);
     tf_buffer_free(&failsafe->entry);
     tf_buffer_free(&failsafe->group);
 }

@@ -10,86 +10,88 @@
 #include <string.h>
 
 //: Start from the impulses of the last time
-/// The largest violation of some of the rows.
+/// The largest violation of some of the constraints.
 static double worst(const tf_zone *zone, int begin, int end)
 {
     double violation = 0;
     for (int i = begin; i < end; i++) {
-        const tf_row *row = &zone->row[i];
-        double parting = tf_row_parting(zone->axes, row, zone->displacement);
-        violation = fmax(violation, row->bound - parting);
+        const tf_constraint *constraint = &zone->constraint[i];
+        double separation = tf_constraint_separation(zone->axes, constraint,
+                                                     zone->displacement);
+        violation = fmax(violation, constraint->bound - separation);
     }
     return violation;
 }
 
-/// Applies the impulses that the rows have.  Returns the largest violation: of
-/// rows that were solved before as the proposal has it, of the others after
-/// these impulses.
+/// Applies the impulses that the constraints have.  Returns the largest
+/// violation: of constraints that were solved before as the proposal has it, of
+/// the others after these impulses.
 static double start(const tf_zone *zone, const tf_bodies *bodies)
 {
     double violation = worst(zone, 0, zone->solved);
-    for (int i = 0; i < zone->rows; i++) {
-        const tf_row *row = &zone->row[i];
+    for (int i = 0; i < zone->constraints; i++) {
+        const tf_constraint *constraint = &zone->constraint[i];
         double push[3];
         for (int k = 0; k < 3; k++)
-            push[k] = row->impulse * row->normal[k] + row->friction[k];
-        tf_row_push(row, push, bodies);
+            push[k] = constraint->impulse * constraint->normal[k] +
+                      constraint->friction[k];
+        tf_constraint_push(constraint, push, bodies);
     }
-    return fmax(violation, worst(zone, zone->solved, zone->rows));
+    return fmax(violation, worst(zone, zone->solved, zone->constraints));
 }
 
-//: List the rows of each vertex
-/// Which rows are to be visited, and which rows push a vertex: those of vertex v
-/// are row[begin[v]] to row[begin[v + 1] - 1].
+//: List the constraints of each vertex
+/// Which constraints are to be visited, and which constraints push a vertex:
+/// those of vertex v are constraint[begin[v]] to constraint[begin[v + 1] - 1].
 typedef struct agenda {
-    int *begin, *row;
-    bool *due; ///< of each row
+    int *begin, *constraint;
+    bool *due; ///< of each constraint
 } agenda;
 
-static void list_rows(const tf_zone *zone, const agenda *all)
+static void list_constraints(const tf_zone *zone, const agenda *all)
 {
     int *begin = all->begin;
     memset(begin, 0, sizeof *begin * ((size_t)zone->vertices + 2));
-    for (int i = 0; i < zone->rows; i++)
-        for (int j = 0; j < 4 && zone->row[i].vertex[j] >= 0; j++)
-            begin[zone->row[i].vertex[j] + 2]++;
+    for (int i = 0; i < zone->constraints; i++)
+        for (int j = 0; j < 4 && zone->constraint[i].vertex[j] >= 0; j++)
+            begin[zone->constraint[i].vertex[j] + 2]++;
     for (int v = 0; v < zone->vertices; v++)
         begin[v + 2] += begin[v + 1];
-    for (int i = 0; i < zone->rows; i++)
-        for (int j = 0; j < 4 && zone->row[i].vertex[j] >= 0; j++)
-            all->row[begin[zone->row[i].vertex[j] + 1]++] = i;
+    for (int i = 0; i < zone->constraints; i++)
+        for (int j = 0; j < 4 && zone->constraint[i].vertex[j] >= 0; j++)
+            all->constraint[begin[zone->constraint[i].vertex[j] + 1]++] = i;
 }
 
 //: Begin the agenda
-static size_t room_for(int axes, int vertices, int rows)
+static size_t workspace_for(int axes, int vertices, int constraints)
 {
     (void)axes;
-    size_t numbers = (size_t)vertices + 2 + 4 * (size_t)rows;
-    size_t bytes = numbers * sizeof(int) + (size_t)rows * sizeof(bool);
+    size_t numbers = (size_t)vertices + 2 + 4 * (size_t)constraints;
+    size_t bytes = numbers * sizeof(int) + (size_t)constraints * sizeof(bool);
     return bytes / sizeof(double) + 1;
 }
 
-/// Only new rows are due.  Those that were solved before need a visit when
-/// others have moved their vertices.
+/// Only new constraints are due.  Those that were solved before need a visit
+/// when others have moved their vertices.
 static agenda begin_agenda(const tf_zone *zone)
 {
-    agenda all = {.begin = (void *)zone->room};
-    all.row = all.begin + zone->vertices + 2;
-    all.due = (void *)(all.row + 4 * (ptrdiff_t)zone->rows);
-    list_rows(zone, &all);
-    for (int i = 0; i < zone->rows; i++)
+    agenda all = {.begin = (void *)zone->workspace};
+    all.constraint = all.begin + zone->vertices + 2;
+    all.due = (void *)(all.constraint + 4 * (ptrdiff_t)zone->constraints);
+    list_constraints(zone, &all);
+    for (int i = 0; i < zone->constraints; i++)
         all.due[i] = i >= zone->solved;
     return all;
 }
 
-//: See whether a row is off
+//: See whether a constraint is off
 static const double tolerance = 1e-2;
 
 /// An impulse is taken back only if it pushes too much by this many tolerances:
 /// too little lets elements touch, too much does not.
 static const double generosity = 3;
 
-/// How the rows of a zone are swept.
+/// How the constraints of a zone are swept.
 typedef struct sweeping {
     const tf_zone *zone;
     tf_bodies bodies;
@@ -97,42 +99,45 @@ typedef struct sweeping {
     agenda all;
 } sweeping;
 
-/// Whether a row pushes too little or, so that it can be taken back, too much.
-static bool is_off(const sweeping *of, const tf_row *row)
+/// Whether a constraint pushes too little or, so that it can be taken back, too
+/// much.
+static bool is_off(const sweeping *of, const tf_constraint *constraint)
 {
     const tf_bodies *bodies = &of->bodies;
     double missing =
-        row->bound - tf_row_parting(bodies->axes, row, bodies->displacement);
+        constraint->bound - tf_constraint_separation(bodies->axes, constraint,
+                                                     bodies->displacement);
     return missing > of->least ||
-           (row->impulse > 0 && missing < -generosity * of->least);
+           (constraint->impulse > 0 && missing < -generosity * of->least);
 }
 
-//: Visit a row that is due
-/// Puts on the agenda all other rows that share a vertex with a row, even one
-/// that cannot move: with friction another visit improves such rows as well.
-static void tell_neighbors(const sweeping *of, int row)
+//: Visit a constraint that is due
+/// Puts on the agenda all other constraints that share a vertex with a
+/// constraint, even one that cannot move: with friction another visit improves
+/// such constraints as well.
+static void tell_neighbors(const sweeping *of, int constraint)
 {
     const agenda *all = &of->all;
-    const int *vertex = of->zone->row[row].vertex;
+    const int *vertex = of->zone->constraint[constraint].vertex;
     for (int i = 0; i < 4 && vertex[i] >= 0; i++)
         for (int j = all->begin[vertex[i]]; j < all->begin[vertex[i] + 1]; j++)
-            all->due[all->row[j]] = true;
-    all->due[row] = false;
+            all->due[all->constraint[j]] = true;
+    all->due[constraint] = false;
 }
 
-/// Visits a row that is due, if it is new or off; with friction always, as it may
-/// be off across the normal.  Returns whether that changes its parting, or its
-/// sliding, by more than the tolerance.
-static bool visit(const sweeping *of, int row, bool is_new)
+/// Visits a constraint that is due, if it is new or off; with friction always,
+/// as it may be off across the normal.  Returns whether that changes its
+/// separation, or its sliding, by more than the tolerance.
+static bool visit(const sweeping *of, int constraint, bool is_new)
 {
     double friction = of->zone->friction;
-    tf_row *own = &of->zone->row[row];
-    of->all.due[row] = false;
+    tf_constraint *own = &of->zone->constraint[constraint];
+    of->all.due[constraint] = false;
     if (!is_new && !(friction > 0) && !is_off(of, own))
         return false;
-    bool changed = tf_row_visit(own, friction, &of->bodies) > of->least;
+    bool changed = tf_constraint_visit(own, friction, &of->bodies) > of->least;
     if (changed)
-        tell_neighbors(of, row);
+        tell_neighbors(of, constraint);
     return changed;
 }
 
@@ -141,7 +146,7 @@ static bool visit(const sweeping *of, int row, bool is_new)
 static bool sweep(const sweeping *of, bool is_first)
 {
     bool any = false;
-    for (int i = 0; i < of->zone->rows; i++)
+    for (int i = 0; i < of->zone->constraints; i++)
         if (of->all.due[i])
             any |= visit(of, i, is_first && i >= of->zone->solved);
     return any;
@@ -149,8 +154,8 @@ static bool sweep(const sweeping *of, bool is_first)
 
 static int solve_by_gauss_seidel(tf_zone *zone)
 {
-    TF_REQUIRE(zone && zone->row && zone->inverse_mass && zone->displacement &&
-               zone->room);
+    TF_REQUIRE(zone && zone->constraint && zone->inverse_mass &&
+               zone->displacement && zone->workspace);
     sweeping of = {
         .zone = zone,
         .bodies = {zone->axes, zone->inverse_mass, zone->displacement}};
@@ -163,5 +168,6 @@ static int solve_by_gauss_seidel(tf_zone *zone)
 }
 
 //: Offer projected Gauss-Seidel
-const tf_zone_solver tf_gauss_seidel = {
-    .name = "gauss-seidel", .room = room_for, .solve = solve_by_gauss_seidel};
+const tf_zone_solver tf_gauss_seidel = {.name = "gauss-seidel",
+                                        .workspace = workspace_for,
+                                        .solve = solve_by_gauss_seidel};

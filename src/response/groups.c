@@ -5,11 +5,11 @@
 
 bool tf_groups_begin(tf_groups *groups, int count)
 {
-    if (!tf_buffer_reserve(&groups->room, (size_t)count,
+    if (!tf_buffer_reserve(&groups->storage, (size_t)count,
                            sizeof *groups->parent))
         return false;
     groups->count = count;
-    groups->parent = groups->room.data;
+    groups->parent = groups->storage.data;
     for (int i = 0; i < count; i++)
         groups->parent[i] = i;
     return true;

@@ -10,7 +10,7 @@ typedef struct tf_groups {
     int count;
     int *parent; ///< one of the group that is nearer to its root;
                  ///< of the root itself: the root
-    tf_buffer room;
+    tf_buffer storage;
 } tf_groups;
 
 /// Puts each number into a group of its own.  False if there is no memory.

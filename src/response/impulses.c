@@ -13,16 +13,16 @@ static void read_displacements(const tf_step *step, double displacement[])
 }
 
 void tf_impulses_round(tf_step *step, const tf_contacts *contacts,
-                       const tf_row_rule *rule, double friction,
+                       const tf_contact_rule *rule, double friction,
                        double displacement[])
 {
     read_displacements(step, displacement);
     tf_bodies bodies = {step->axes, step->inverse_mass, displacement};
     for (size_t i = 0; i < contacts->count; i++) {
         double gap;
-        tf_row row =
-            tf_row_of_contact(step, &contacts->contact[i], rule, false, &gap);
-        tf_row_visit(&row, friction, &bodies);
+        tf_constraint constraint = tf_contact_constraint(
+            step, &contacts->contact[i], rule, false, &gap);
+        tf_constraint_visit(&constraint, friction, &bodies);
     }
     for (int v = 0; v < step->vertices; v++) {
         ptrdiff_t place = (ptrdiff_t)step->axes * v;

@@ -1,12 +1,12 @@
 //: Declare a round of impulses
 #pragma once
 
-#include "response/contact_row.h"
+#include "response/contact_constraint.h"
 #include "surface/detect.h"
 
-/// Visits the row of each contact once, one after another, and then moves the
-/// vertices.  `displacement` is room for `axes` numbers for each vertex of the
-/// step.
+/// Visits the constraint of each contact once, one after another, and then
+/// moves the vertices.  `displacement` is room for `axes` numbers for each
+/// vertex of the step.
 void tf_impulses_round(tf_step *step, const tf_contacts *contacts,
-                       const tf_row_rule *rule, double friction,
+                       const tf_contact_rule *rule, double friction,
                        double displacement[]);

@@ -9,7 +9,7 @@
 
 //: Begin a level
 /// Makes the ends so far the ones from which impulses or zones start.
-static bool set_base(tf_responding *r)
+static bool set_base(tf_resolution *r)
 {
     size_t bytes =
         sizeof(double) * (size_t)r->step.axes * (size_t)r->step.vertices;
@@ -20,7 +20,7 @@ static bool set_base(tf_responding *r)
     return true;
 }
 
-static bool begin_level(tf_responding *r, tf_response_level level)
+static bool begin_level(tf_resolution *r, tf_response_level level)
 {
     switch (level) {
     case TF_IMPULSES:
@@ -38,17 +38,17 @@ static bool begin_level(tf_responding *r, tf_response_level level)
 }
 
 //: Answer contacts by one level
-static bool solve_zones(tf_responding *r)
+static bool solve_zones(tf_resolution *r)
 {
-    tf_zone_choice choice = {.solver = r->options.solver,
-                             .friction = r->options.friction,
-                             .sweeps = r->options.sweeps};
+    tf_zone_options choice = {.solver = r->options.solver,
+                              .friction = r->options.friction,
+                              .sweeps = r->options.sweeps};
     tf_zones *zones = &r->resolver->zones;
     return tf_zones_add(zones, &r->step, &r->contacts, &r->rule, &r->zones) &&
            tf_zones_solve(zones, &r->step, &r->rule, &choice, &r->zones);
 }
 
-static bool answer(tf_responding *r, tf_response_level level)
+static bool answer(tf_resolution *r, tf_response_level level)
 {
     switch (level) {
     case TF_IMPULSES:
@@ -67,15 +67,15 @@ static bool answer(tf_responding *r, tf_response_level level)
 }
 
 //: Look for the contacts that are left
-static void account(tf_responding *r)
+static void account(tf_resolution *r)
 {
     r->report.contacts += r->contacts.count;
-    tf_effort_add(&r->report.effort, &r->contacts.effort);
+    tf_detect_statistics_add(&r->report.statistics, &r->contacts.statistics);
 }
 
-/// Looks at the pairs that were kept, and if these are clear, at everything.  So
+/// Looks at the pairs that were kept, and if these are clear, at everything. So
 /// if no contacts are left, a detection from the beginning has found none.
-static tf_status look_again(tf_responding *r)
+static tf_status look_again(tf_resolution *r)
 {
     tf_surface *surface = r->resolver->surface;
     tf_status status = tf_recheck(surface, &r->step, r->options.narrow_phase,
@@ -102,7 +102,7 @@ static bool has_moved(const tf_step *step)
 
 /// Ends after `most` rounds, or earlier if no contacts are left or, except for
 /// the failsafe, if a round moves nothing: its contacts stay as they are.
-static tf_status go_through(tf_responding *r, tf_response_level level, int most)
+static tf_status go_through(tf_resolution *r, tf_response_level level, int most)
 {
     if (most <= 0 || !r->contacts.any)
         return TF_OK;
@@ -130,7 +130,7 @@ enum {
     RIGID_ROUNDS = 4
 };
 
-tf_status tf_respond(tf_responding *r)
+tf_status tf_respond(tf_resolution *r)
 {
     const int most[TF_LEVELS] = {
         [TF_IMPULSES] = r->options.impulse_rounds,

@@ -4,17 +4,17 @@
 #include "response/state.h"
 
 /// A step that is being resolved, with everything that resolving it needs.
-typedef struct tf_responding {
+typedef struct tf_resolution {
     tf_resolver *resolver;
     tf_response_options options; ///< with the defaults filled in
     tf_step step;
     tf_motion motion; ///< from the start to the end so far
-    tf_row_rule rule;
+    tf_contact_rule rule;
     tf_contacts contacts; ///< those of this motion
-    tf_zone_effort zones;
+    tf_zone_statistics zones;
     tf_response_report report;
-} tf_responding;
+} tf_resolution;
 
 /// Answers the contacts, level by level, until none are left.  Returns TF_OK or
 /// TF_OUT_OF_MEMORY.
-tf_status tf_respond(tf_responding *responding);
+tf_status tf_respond(tf_resolution *responding);

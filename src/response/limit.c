@@ -2,7 +2,7 @@
 #include "response/limit.h"
 
 #include "base/require.h"
-#include "fast/vector.h"
+#include "fast/vectorized.h"
 #include "response/start.h"
 #include "response/state.h"
 #include "surface/state.h"
@@ -27,8 +27,9 @@ static bool take_fraction(const double start[], const double proposed[],
 
 //: Halve a step until it is clear
 /// Tries k = 1, 2, ... and sets `*halvings` to the first k whose step is clear,
-/// or to -1 if nothing moves any more.  Returns the status of the last detection.
-static tf_status halve(tf_surface *surface, tf_detection *detection,
+/// or to -1 if nothing moves any more.  Returns the status of the last
+/// detection.
+static tf_status halve(tf_surface *surface, tf_detect_options *detection,
                        const double start[], const double proposed[],
                        double end[], int *halvings, tf_flaw *flaw)
 {
@@ -37,7 +38,7 @@ static tf_status halve(tf_surface *surface, tf_detection *detection,
     tf_motion motion = {vertices, start, end};
     tf_contacts found = {.any = true};
     tf_status status = TF_OK;
-    detection->extent = TF_ANY_CONTACT;
+    detection->selection = TF_ANY_CONTACT;
     for (int k = 1; status == TF_OK && found.any && *halvings >= 0; k++) {
         bool moves = take_fraction(start, proposed, numbers, k, end);
         *halvings = moves ? k : -1;
@@ -52,7 +53,7 @@ static tf_status halve(tf_surface *surface, tf_detection *detection,
 /// Sets `*clear` to whether the whole step is clear.
 static tf_status test_whole(tf_surface *surface, const tf_motion *motion,
                             const tf_response_options *options,
-                            const tf_detection *detection, bool *clear,
+                            const tf_detect_options *detection, bool *clear,
                             tf_obstacle *obstacle)
 {
     tf_status status = TF_OK;
@@ -74,8 +75,8 @@ static tf_status limit(tf_resolver *resolver, const double start[],
                        int *halvings, tf_obstacle *obstacle)
 {
     tf_surface *surface = resolver->surface;
-    tf_detection detection = {.narrow_phase = options->narrow_phase,
-                              .parallel = options->parallel};
+    tf_detect_options detection = {.narrow_phase = options->narrow_phase,
+                                   .parallel = options->parallel};
     if (!detection.narrow_phase)
         detection.narrow_phase = &tf_vectorized;
     tf_motion motion = {surface->vertices, start, end};

@@ -23,9 +23,9 @@ enum {
     VECTORS = 6
 };
 
-static size_t room_of_minres(int axes, int vertices, int rows)
+static size_t workspace_of_minres(int axes, int vertices, int constraints)
 {
-    return tf_equations_room(axes, vertices, rows, VECTORS);
+    return tf_equations_workspace(axes, vertices, constraints, VECTORS);
 }
 
 static void swap(double **a, double **b)
@@ -52,8 +52,8 @@ static double advance(const tf_equations *equations, recurrence *r,
 }
 
 //: Rotate the next column
-/// One column: two entries above the diagonal, and the diagonal before and after
-/// the entry below it is rotated away.
+/// One column: two entries above the diagonal, and the diagonal before and
+/// after the entry below it is rotated away.
 typedef struct column {
     double two_above, above, unrotated, diagonal;
 } column;
@@ -90,8 +90,8 @@ static void step(const tf_equations *equations, recurrence *r, const column *c,
 }
 
 //: Start minimal residuals
-/// From the impulses that the rows have; returns the length of a residual that
-/// is as good as none.
+/// From the impulses that the constraints have; returns the length of a
+/// residual that is as good as none.
 static double start(const tf_equations *equations, double *vector[VECTORS],
                     recurrence *r)
 {
@@ -140,5 +140,6 @@ static int solve_by_minres(tf_zone *zone)
 }
 
 //: Offer minimal residuals
-const tf_zone_solver tf_minres = {
-    .name = "minres", .room = room_of_minres, .solve = solve_by_minres};
+const tf_zone_solver tf_minres = {.name = "minres",
+                                  .workspace = workspace_of_minres,
+                                  .solve = solve_by_minres};

@@ -13,9 +13,10 @@ enum {
     VECTORS
 };
 
-static size_t room_of_normal_residuals(int axes, int vertices, int rows)
+static size_t workspace_of_normal_residuals(int axes, int vertices,
+                                            int constraints)
 {
-    return tf_equations_room(axes, vertices, rows, VECTORS);
+    return tf_equations_workspace(axes, vertices, constraints, VECTORS);
 }
 
 //: Step along conjugate directions
@@ -59,5 +60,6 @@ static int solve_by_normal_residuals(tf_zone *zone)
 
 //: Offer conjugate gradients on the normal equations
 const tf_zone_solver tf_normal_residuals = {.name = "normal-residuals",
-                                            .room = room_of_normal_residuals,
+                                            .workspace =
+                                                workspace_of_normal_residuals,
                                             .solve = solve_by_normal_residuals};

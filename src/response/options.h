@@ -29,24 +29,24 @@ typedef struct tf_response_report {
     size_t first_contacts; ///< contacts of the proposed step
     size_t contacts;       ///< those of all rounds, the first ones included
     int rounds[TF_LEVELS]; ///< how often each level answered
-    size_t rows;           ///< inequalities that were kept
+    size_t constraints;    ///< inequalities that were kept
     size_t zones;          ///< how many zones were solved
-    size_t largest_zone;   ///< rows of the largest
+    size_t largest_zone;   ///< constraints of the largest
     size_t iterations;     ///< those of the solver, in all zones
-    double violation;      ///< the most by which a solver left a row short of
-                           ///< its bound, a length
-    double smallest_gap;   ///< the least distance, along a contact's normal, at
-                           ///< the start; 0 if there was no contact
-    int groups;            ///< groups of the failsafe, of more than one vertex
-    int grouped;           ///< vertices in them
-    int resting;           ///< of these, vertices that stay at their start
-    int held;              ///< scripted vertices that were held back
-    int moved;             ///< vertices whose end is not the proposed one
-    tf_effort effort;      ///< that of all detections
-    double energy_before;  ///< the kinetic energy of the proposed step, the sum
-                           ///< of mass |d|^2 / 2, with displacements d, over
-                           ///< all vertices that are not scripted
-    double energy_after;   ///< that of the resolved step
+    double violation; ///< the most by which a solver left a constraint short of
+                      ///< its bound, a length
+    double smallest_gap; ///< the least distance, along a contact's normal, at
+                         ///< the start; 0 if there was no contact
+    int groups;          ///< groups of the failsafe, of more than one vertex
+    int grouped;         ///< vertices in them
+    int resting;         ///< of these, vertices that stay at their start
+    int held;            ///< scripted vertices that were held back
+    int moved;           ///< vertices whose end is not the proposed one
+    tf_detect_statistics statistics; ///< that of all detections
+    double energy_before; ///< the kinetic energy of the proposed step, the sum
+                          ///< of mass |d|^2 / 2, with displacements d, over
+                          ///< all vertices that are not scripted
+    double energy_after;  ///< that of the resolved step
 } tf_response_report;
 
 //: Declare how to respond

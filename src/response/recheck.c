@@ -14,10 +14,10 @@ static tf_motion motion_of(const tf_step *step)
     return (tf_motion){step->vertices, step->start, step->end};
 }
 
-static tf_deciding deciding(const tf_surface *surface, const tf_motion *motion,
+static tf_pair_job deciding(const tf_surface *surface, const tf_motion *motion,
                             const tf_narrow_phase *narrow_phase)
 {
-    return (tf_deciding){.surface = surface,
+    return (tf_pair_job){.surface = surface,
                          .motion = motion,
                          .arithmetic = &tf_exact,
                          .narrow_phase = narrow_phase,
@@ -68,7 +68,7 @@ tf_status tf_check_all(tf_surface *surface, tf_step *step,
     tf_status status = tf_surface_move(surface, &motion, parallel, flaw);
     if (status != TF_OK)
         return status;
-    tf_deciding how = deciding(surface, &motion, narrow_phase);
+    tf_pair_job how = deciding(surface, &motion, narrow_phase);
     how.keeps = true;
     if (!begin_movements(surface))
         return TF_OUT_OF_MEMORY;
@@ -161,9 +161,9 @@ static int select_moved(const rechecking *of, selection *some,
 
 //: Limit how far a pair may move
 /// How far a pair that has moved so far may move until it must be looked at
-/// again; less than 0: it must be, moved or not.  What is taken off is more than
-/// the roundings of all sums, for thousands of looks.  Where that is more than the
-/// clearance, the limit is what it has moved by now.
+/// again; less than 0: it must be, moved or not.  What is taken off is more
+/// than the roundings of all sums, for thousands of looks.  Where that is more
+/// than the clearance, the limit is what it has moved by now.
 static double limit_of(double moved, double clearance)
 {
     double limit = (moved + clearance) * (1 - 0x1p-40);
@@ -212,7 +212,7 @@ static tf_status recheck_kind(const tf_parallel *parallel, rechecking *of)
 }
 
 static tf_status recheck_kinds(tf_surface *surface, const movements *moved,
-                               tf_deciding *how, const tf_parallel *parallel)
+                               tf_pair_job *how, const tf_parallel *parallel)
 {
     bool plane = surface->axes == 2;
     rechecking of = {.workers = &surface->workers,
@@ -234,14 +234,14 @@ tf_status tf_recheck(tf_surface *surface, tf_step *step,
                      const tf_parallel *parallel, tf_contacts *found)
 {
     tf_motion motion = motion_of(step);
-    tf_deciding how = deciding(surface, &motion, narrow_phase);
+    tf_pair_job how = deciding(surface, &motion, narrow_phase);
     how.measures = true;
     if (!tf_pairs_begin(surface, parallel, &how))
         return TF_OUT_OF_MEMORY;
     movements moved = add_movements(surface, step);
     tf_status status = recheck_kinds(surface, &moved, &how, parallel);
     *found = (tf_contacts){0};
-    if (status == TF_OK && !tf_pairs_gather(surface, how.extent, found))
+    if (status == TF_OK && !tf_pairs_gather(surface, how.selection, found))
         status = TF_OUT_OF_MEMORY;
     return status;
 }

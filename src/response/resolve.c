@@ -2,7 +2,7 @@
 #include "response/resolve.h"
 
 #include "base/require.h"
-#include "fast/vector.h"
+#include "fast/vectorized.h"
 #include "response/gauss_seidel.h"
 #include "response/levels.h"
 #include "response/recheck.h"
@@ -54,7 +54,7 @@ enum {
 
 static const double usual_separation = 0.05; // of the mean edge
 
-static void choose(tf_responding *r)
+static void choose(tf_resolution *r)
 {
     tf_response_options *options = &r->options;
     if (!options->solver)
@@ -81,7 +81,7 @@ static const double *all_ones(tf_resolver *resolver, int vertices)
     return one;
 }
 
-static bool ready(tf_responding *r)
+static bool ready(tf_resolution *r)
 {
     tf_resolver *resolver = r->resolver;
     size_t vertices = (size_t)r->step.vertices;
@@ -96,7 +96,7 @@ static bool ready(tf_responding *r)
 }
 
 //: Detect what the proposal does
-static tf_status begin(tf_responding *r, tf_obstacle *obstacle)
+static tf_status begin(tf_resolution *r, tf_obstacle *obstacle)
 {
     tf_status status = TF_OK;
     if (r->options.check_start)
@@ -110,7 +110,7 @@ static tf_status begin(tf_responding *r, tf_obstacle *obstacle)
         status = tf_start_check_contacts(&r->motion, r->step.axes, &r->contacts,
                                          obstacle);
     r->report.first_contacts = r->report.contacts = r->contacts.count;
-    r->report.effort = r->contacts.effort;
+    r->report.statistics = r->contacts.statistics;
     return status;
 }
 
@@ -143,14 +143,15 @@ static void count_moved(const tf_step *step, tf_response_report *report)
     }
 }
 
-static void write_report(tf_responding *r)
+static void write_report(tf_resolution *r)
 {
     tf_response_report *report = &r->report;
     report->energy_before = energy(&r->step, r->step.proposed);
     report->energy_after = energy(&r->step, r->step.end);
     count_moved(&r->step, report);
-    report->rows =
-        report->rounds[TF_ZONES] > 0 ? (size_t)r->resolver->zones.rows : 0;
+    report->constraints = report->rounds[TF_ZONES] > 0
+                              ? (size_t)r->resolver->zones.constraints
+                              : 0;
     report->zones = r->zones.zones;
     report->largest_zone = r->zones.largest;
     report->iterations = r->zones.iterations;
@@ -162,7 +163,7 @@ static void write_report(tf_responding *r)
 }
 
 //: Resolve a step that has contacts
-static tf_status resolve(tf_responding *r)
+static tf_status resolve(tf_resolution *r)
 {
     choose(r);
     tf_status status = tf_respond(r);
@@ -171,7 +172,7 @@ static tf_status resolve(tf_responding *r)
 }
 
 //: Resolve a step
-static tf_status run(tf_responding *r, double end[], tf_obstacle *obstacle)
+static tf_status run(tf_resolution *r, double end[], tf_obstacle *obstacle)
 {
     if (!are_good(&r->options))
         return TF_BAD_TOLERANCE;
@@ -204,7 +205,7 @@ tf_status tf_step_resolve(tf_resolver *resolver, int vertices,
 {
     TF_REQUIRE(resolver && start && end);
     static const tf_response_options usual;
-    tf_responding r = {.resolver = resolver,
+    tf_resolution r = {.resolver = resolver,
                        .options = options ? *options : usual,
                        .step = {.axes = resolver->surface->axes,
                                 .vertices = vertices,

@@ -154,9 +154,9 @@ static void find_turn(body *own, int axes)
 }
 
 //: Move a vertex with its body
-/// Turns the arm by Cayley's map, which needs no sines and is a rotation for any
-/// vector: about this vector, by twice the arc tangent of half its length.  `to`
-/// is a displacement from the start.
+/// Turns the arm by Cayley's map, which needs no sines and is a rotation for
+/// any vector: about this vector, by twice the arc tangent of half its length.
+/// `to` is a displacement from the start.
 static void move_with_body(const tf_rigid *rigid, tf_step *step,
                            const body *own, int vertex)
 {
@@ -195,12 +195,12 @@ void tf_rigid_round(tf_rigid *rigid, tf_step *step, const tf_contacts *contacts)
 //: Account for the memory of rigid zones
 size_t tf_rigid_memory(const tf_rigid *rigid)
 {
-    return rigid->groups.room.bytes + rigid->entry.bytes + rigid->body.bytes;
+    return rigid->groups.storage.bytes + rigid->entry.bytes + rigid->body.bytes;
 }
 
 void tf_rigid_free(tf_rigid *rigid)
 {
-    tf_buffer_free(&rigid->groups.room);
+    tf_buffer_free(&rigid->groups.storage);
     tf_buffer_free(&rigid->entry);
     tf_buffer_free(&rigid->body);
 }

@@ -11,29 +11,30 @@ void tf_zone_push(const tf_zone *zone, const double impulse[],
 {
     TF_REQUIRE(zone && impulse && displacement);
     tf_bodies bodies = {zone->axes, zone->inverse_mass, displacement};
-    for (int i = 0; i < zone->rows; i++) {
-        const tf_row *row = &zone->row[i];
+    for (int i = 0; i < zone->constraints; i++) {
+        const tf_constraint *constraint = &zone->constraint[i];
         double push[3];
         for (int k = 0; k < 3; k++)
-            push[k] = impulse[i] * row->normal[k];
-        tf_row_push(row, push, &bodies);
+            push[k] = impulse[i] * constraint->normal[k];
+        tf_constraint_push(constraint, push, &bodies);
     }
 }
 
-void tf_zone_partings(const tf_zone *zone, const double displacement[],
-                      double parting[])
+void tf_zone_separations(const tf_zone *zone, const double displacement[],
+                         double separation[])
 {
-    TF_REQUIRE(zone && displacement && parting);
-    for (int i = 0; i < zone->rows; i++)
-        parting[i] = tf_row_parting(zone->axes, &zone->row[i], displacement);
+    TF_REQUIRE(zone && displacement && separation);
+    for (int i = 0; i < zone->constraints; i++)
+        separation[i] = tf_constraint_separation(
+            zone->axes, &zone->constraint[i], displacement);
 }
 
 void tf_zone_multiply(const tf_zone *zone, const double impulse[],
-                      double parting[], double room[])
+                      double separation[], double workspace[])
 {
-    TF_REQUIRE(zone && impulse && parting && room);
+    TF_REQUIRE(zone && impulse && separation && workspace);
     size_t numbers = (size_t)zone->axes * (size_t)zone->vertices;
-    memset(room, 0, numbers * sizeof *room);
-    tf_zone_push(zone, impulse, room);
-    tf_zone_partings(zone, room, parting);
+    memset(workspace, 0, numbers * sizeof *workspace);
+    tf_zone_push(zone, impulse, workspace);
+    tf_zone_separations(zone, workspace, separation);
 }

@@ -2,33 +2,34 @@
 #pragma once
 
 #include "base/api.h"
-#include "response/row.h"
+#include "response/constraint.h"
 
 #include <stddef.h>
 
 /// @addtogroup response
 /// @{
 
-/// An impact zone: rows that share vertices, to be satisfied together with as
-/// little change as possible.  It is a problem on its own, with its own
-/// numbering of vertices: find the displacements d that satisfy all rows with
-/// the least sum of mass |d - proposal|^2.
+/// An impact zone: constraints that share vertices, to be satisfied together
+/// with as little change as possible.  It is a problem on its own, with its own
+/// numbering of vertices: find the displacements d that satisfy all constraints
+/// with the least sum of mass |d - proposal|^2.
 typedef struct tf_zone {
-    int axes;     ///< 2 or 3
-    int vertices; ///< how many
-    int rows;     ///< how many, at least 1
-    int solved;   ///< how many rows, at the beginning of the list,
-                  ///< were solved before; a solver may skip them
-    tf_row *row;  ///< their vertices are numbered from 0 to `vertices` - 1;
-                  ///< in: impulses to start from, or 0; out: the
-                  ///< impulses that were found
+    int axes;        ///< 2 or 3
+    int vertices;    ///< how many
+    int constraints; ///< how many, at least 1
+    int solved;      ///< how many constraints, at the beginning of the list,
+                     ///< were solved before; a solver may skip them
+    tf_constraint *constraint;  ///< their vertices are numbered from 0 to
+                                ///< `vertices` - 1; in: impulses to start from,
+                                ///< or 0; out: the impulses that were found
     const double *inverse_mass; ///< of each vertex; 0: it is scripted; each
-                                ///< row has at least one vertex that is not
+                                ///< constraint has at least one vertex that is
+                                ///< not
     double *displacement;       ///< `axes` numbers for each vertex; in: as
                                 ///< proposed; out: with all impulses applied
     double friction;            ///< Coulomb's coefficient; 0: none
     int sweeps;                 ///< the most iterations to make, at least 1
-    double *room;               ///< as many numbers as the solver asks for,
+    double *workspace;          ///< as many numbers as the solver asks for,
                                 ///< in allocated memory, as a solver may keep
                                 ///< other types there
 } tf_zone;
@@ -38,40 +39,41 @@ typedef struct tf_zone {
 typedef struct tf_zone_solver {
     const char *name; ///< in static storage
 
-    /// Returns how many numbers `solve` needs in the zone's `room`.
-    size_t (*room)(int axes, int vertices, int rows);
+    /// Returns how many numbers `solve` needs in the zone's `workspace`.
+    size_t (*workspace)(int axes, int vertices, int constraints);
 
     /// Finds impulses, applies them, and returns how many iterations that took.
-    /// It need not satisfy all rows, but the impulses must depend on nothing
-    /// but the zone.  Thread-safe.
+    /// It need not satisfy all constraints, but the impulses must depend on
+    /// nothing but the zone.  Thread-safe.
     int (*solve)(tf_zone *zone);
 } tf_zone_solver;
 
 //: Declare the product with a zone's matrix
-/// Adds the effect of one impulse for each row, along its normal, to the
-/// displacements of a zone's vertices.  The rows' own impulses and friction
-/// play no part.  Thread-safe.
+/// Adds the effect of one impulse for each constraint, along its normal, to the
+/// displacements of a zone's vertices.  The constraints' own impulses and
+/// friction play no part.  Thread-safe.
 /// @param zone the zone
-/// @param impulse one number for each row
+/// @param impulse one number for each constraint
 /// @param[in,out] displacement `axes` numbers for each vertex
 TF_API void tf_zone_push(const tf_zone *zone, const double impulse[],
                          double displacement[]);
 
-/// Finds how far displacements part the elements of each row along its normal.
-/// Thread-safe.
+/// Finds how far displacements part the elements of each constraint along its
+/// normal.  Thread-safe.
 /// @param zone the zone
 /// @param displacement `axes` numbers for each vertex
-/// @param[out] parting the left side of the inequality of each row
-TF_API void tf_zone_partings(const tf_zone *zone, const double displacement[],
-                             double parting[]);
+/// @param[out] separation the left side of the inequality of each constraint
+TF_API void tf_zone_separations(const tf_zone *zone,
+                                const double displacement[],
+                                double separation[]);
 
 /// Multiplies a zone's matrix by a vector of impulses: finds how far they part
-/// the elements of each row if all vertices are at rest.  Thread-safe.
+/// the elements of each constraint if all vertices are at rest.  Thread-safe.
 /// @param zone the zone
-/// @param impulse one number for each row
-/// @param[out] parting one number for each row
-/// @param room `axes` numbers for each vertex, overwritten
+/// @param impulse one number for each constraint
+/// @param[out] separation one number for each constraint
+/// @param workspace `axes` numbers for each vertex, overwritten
 TF_API void tf_zone_multiply(const tf_zone *zone, const double impulse[],
-                             double parting[], double room[]);
+                             double separation[], double workspace[]);
 
 /// @}

@@ -15,10 +15,10 @@ enum {
     MANY_RETURNS = 4
 };
 
-/// Forgets the rows of the last step; see the header.
+/// Forgets the constraints of the last step; see the header.
 bool tf_zones_begin(tf_zones *zones, const tf_step *step)
 {
-    zones->rows = zones->old = 0;
+    zones->constraints = zones->old = 0;
     if (!tf_groups_begin(&zones->groups, step->vertices) ||
         !tf_buffer_reserve(&zones->returns, RETURN_SLOTS, 1))
         return false;
@@ -26,8 +26,8 @@ bool tf_zones_begin(tf_zones *zones, const tf_step *step)
     return true;
 }
 
-/// Whether the pivots' row shall be taken: from the fourth return on every other
-/// time, as the row of the contact's point has not helped.
+/// Whether the pivots' constraint shall be taken: from the fourth return on
+/// every other time, as the constraint of the contact's point has not helped.
 static bool is_turn_of_pivots(tf_zones *zones,
                               const tf_surface_contact *contact)
 {
@@ -44,30 +44,31 @@ static bool is_turn_of_pivots(tf_zones *zones,
     return turn;
 }
 
-//: Add the rows of contacts
+//: Add the constraints of contacts
 bool tf_zones_add(tf_zones *zones, const tf_step *step,
-                  const tf_contacts *contacts, const tf_row_rule *rule,
-                  tf_zone_effort *effort)
+                  const tf_contacts *contacts, const tf_contact_rule *rule,
+                  tf_zone_statistics *statistics)
 {
-    if (contacts->count > (size_t)(INT_MAX - zones->rows) ||
-        !tf_buffer_extend(&zones->row, (size_t)zones->rows + contacts->count,
-                          sizeof(tf_row)))
+    if (contacts->count > (size_t)(INT_MAX - zones->constraints) ||
+        !tf_buffer_extend(&zones->constraint,
+                          (size_t)zones->constraints + contacts->count,
+                          sizeof(tf_constraint)))
         return false;
-    tf_row *row = zones->row.data;
+    tf_constraint *constraint = zones->constraint.data;
     for (size_t i = 0; i < contacts->count; i++) {
         const tf_surface_contact *contact = &contacts->contact[i];
         bool by_pivots = is_turn_of_pivots(zones, contact);
         double gap;
-        row[zones->rows++] =
-            tf_row_of_contact(step, contact, rule, by_pivots, &gap);
-        effort->smallest_gap = fmin(effort->smallest_gap, gap);
+        constraint[zones->constraints++] =
+            tf_contact_constraint(step, contact, rule, by_pivots, &gap);
+        statistics->smallest_gap = fmin(statistics->smallest_gap, gap);
     }
     return true;
 }
 
-//: Divide the rows into zones
-/// A division of rows into zones: the rows of zone z are order[first[z]] to
-/// order[first[z + 1] - 1].
+//: Divide the constraints into zones
+/// A division of constraints into zones: the constraints of zone z are
+/// order[first[z]] to order[first[z + 1] - 1].
 typedef struct division {
     int zones;
     int *zone; ///< by root, -1: none
@@ -77,65 +78,66 @@ typedef struct division {
     int *first, *order;
 } division;
 
-/// The root of the zone of a row, or -1 if it can move nothing.
-static int root_of(tf_groups *groups, const tf_row *row,
+/// The root of the zone of a constraint, or -1 if it can move nothing.
+static int root_of(tf_groups *groups, const tf_constraint *constraint,
                    const double inverse_mass[])
 {
-    for (int i = 0; i < 4 && row->vertex[i] >= 0; i++)
-        if (inverse_mass[row->vertex[i]] > 0)
-            return tf_groups_find(groups, row->vertex[i]);
+    for (int i = 0; i < 4 && constraint->vertex[i] >= 0; i++)
+        if (inverse_mass[constraint->vertex[i]] > 0)
+            return tf_groups_find(groups, constraint->vertex[i]);
     return -1;
 }
 
-//: Unite the vertices of rows
-/// Joins the vertices that new rows can move.
+//: Unite the vertices of constraints
+/// Joins the vertices that new constraints can move.
 static void unite_vertices(tf_zones *zones, const double inverse_mass[])
 {
-    const tf_row *row = zones->row.data;
-    for (int i = zones->old; i < zones->rows; i++) {
-        int root = root_of(&zones->groups, &row[i], inverse_mass);
-        for (int j = 0; j < 4 && root >= 0 && row[i].vertex[j] >= 0; j++)
-            if (inverse_mass[row[i].vertex[j]] > 0)
-                root = tf_groups_unite(&zones->groups, root, row[i].vertex[j]);
+    const tf_constraint *constraint = zones->constraint.data;
+    for (int i = zones->old; i < zones->constraints; i++) {
+        int root = root_of(&zones->groups, &constraint[i], inverse_mass);
+        for (int j = 0; j < 4 && root >= 0 && constraint[i].vertex[j] >= 0; j++)
+            if (inverse_mass[constraint[i].vertex[j]] > 0)
+                root = tf_groups_unite(&zones->groups, root,
+                                       constraint[i].vertex[j]);
     }
 }
 
-//: Number the zones that have a new row
+//: Number the zones that have a new constraint
 static void number_zones(tf_zones *zones, const double inverse_mass[],
                          division *d)
 {
-    const tf_row *row = zones->row.data;
+    const tf_constraint *constraint = zones->constraint.data;
     d->zones = 0;
     for (int v = 0; v < zones->groups.count; v++)
         d->zone[v] = d->place[v] = -1;
-    for (int i = zones->old; i < zones->rows; i++) {
-        int root = root_of(&zones->groups, &row[i], inverse_mass);
+    for (int i = zones->old; i < zones->constraints; i++) {
+        int root = root_of(&zones->groups, &constraint[i], inverse_mass);
         if (root >= 0 && d->zone[root] < 0)
             d->zone[root] = d->zones++;
     }
 }
 
-//: Order the rows by zones
-/// The zone of a row, or -1 if it is not solved now.
-static int zone_of(tf_zones *zones, const tf_row *row,
+//: Order the constraints by zones
+/// The zone of a constraint, or -1 if it is not solved now.
+static int zone_of(tf_zones *zones, const tf_constraint *constraint,
                    const double inverse_mass[], const division *d)
 {
-    int root = root_of(&zones->groups, row, inverse_mass);
+    int root = root_of(&zones->groups, constraint, inverse_mass);
     return root >= 0 ? d->zone[root] : -1;
 }
 
-static void order_rows(tf_zones *zones, const double inverse_mass[],
-                       division *d)
+static void order_constraints(tf_zones *zones, const double inverse_mass[],
+                              division *d)
 {
-    const tf_row *row = zones->row.data;
+    const tf_constraint *constraint = zones->constraint.data;
     memset(d->first, 0, sizeof *d->first * ((size_t)d->zones + 2));
-    for (int i = 0; i < zones->rows; i++)
-        d->first[zone_of(zones, &row[i], inverse_mass, d) + 2]++;
-    d->first[1] = 0; // of the rows that are in no zone
+    for (int i = 0; i < zones->constraints; i++)
+        d->first[zone_of(zones, &constraint[i], inverse_mass, d) + 2]++;
+    d->first[1] = 0; // of the constraints that are in no zone
     for (int z = 0; z < d->zones; z++)
         d->first[z + 2] += d->first[z + 1];
-    for (int i = 0; i < zones->rows; i++) {
-        int z = zone_of(zones, &row[i], inverse_mass, d);
+    for (int i = 0; i < zones->constraints; i++) {
+        int z = zone_of(zones, &constraint[i], inverse_mass, d);
         if (z >= 0)
             d->order[d->first[z + 1]++] = i;
     }
@@ -144,34 +146,37 @@ static void order_rows(tf_zones *zones, const double inverse_mass[],
 //: Divide
 static bool divide(tf_zones *zones, const tf_step *step, division *d)
 {
-    size_t vertices = (size_t)step->vertices, rows = (size_t)zones->rows;
+    size_t vertices = (size_t)step->vertices,
+           constraints = (size_t)zones->constraints;
     if (!tf_buffer_reserve(&zones->by_vertex, 3 * vertices, sizeof(int)) ||
-        !tf_buffer_reserve(&zones->by_row, 2 * rows + 2, sizeof(int)))
+        !tf_buffer_reserve(&zones->by_constraint, 2 * constraints + 2,
+                           sizeof(int)))
         return false;
     d->zone = zones->by_vertex.data;
     d->place = d->zone + vertices;
     d->vertex = d->place + vertices;
-    d->first = zones->by_row.data;
-    d->order = d->first + rows + 2;
+    d->first = zones->by_constraint.data;
+    d->order = d->first + constraints + 2;
     unite_vertices(zones, step->inverse_mass);
     number_zones(zones, step->inverse_mass, d);
-    order_rows(zones, step->inverse_mass, d);
+    order_constraints(zones, step->inverse_mass, d);
     return true;
 }
 
 //: Number the vertices of a zone
-/// Copies the rows of a zone and gives their vertices numbers of its own.
-static void copy_rows(tf_zones *zones, division *d, int z, tf_zone *zone)
+/// Copies the constraints of a zone and gives their vertices numbers of its
+/// own.
+static void copy_constraints(tf_zones *zones, division *d, int z, tf_zone *zone)
 {
-    const tf_row *row = zones->row.data;
-    zone->rows = d->first[z + 1] - d->first[z];
-    zone->row = zones->zone_row.data;
+    const tf_constraint *constraint = zones->constraint.data;
+    zone->constraints = d->first[z + 1] - d->first[z];
+    zone->constraint = zones->zone_constraint.data;
     zone->vertices = zone->solved = 0;
-    for (int i = 0; i < zone->rows; i++) {
-        tf_row *own = &zone->row[i];
+    for (int i = 0; i < zone->constraints; i++) {
+        tf_constraint *own = &zone->constraint[i];
         int from = d->order[d->first[z] + i];
         zone->solved += from < zones->old;
-        *own = row[from];
+        *own = constraint[from];
         for (int j = 0; j < 4 && own->vertex[j] >= 0; j++) {
             int *place = &d->place[own->vertex[j]];
             if (*place < 0) {
@@ -184,30 +189,32 @@ static void copy_rows(tf_zones *zones, division *d, int z, tf_zone *zone)
 }
 
 //: Make a zone a problem on its own
-/// How many rows the largest zone has.
+/// How many constraints the largest zone has.
 static int largest_zone(const division *d)
 {
     int largest = 0;
     for (int z = 0; z < d->zones; z++) {
-        int rows = d->first[z + 1] - d->first[z];
-        largest = rows > largest ? rows : largest;
+        int constraints = d->first[z + 1] - d->first[z];
+        largest = constraints > largest ? constraints : largest;
     }
     return largest;
 }
 
-static bool pose(tf_zones *zones, const tf_step *step, const tf_row_rule *rule,
-                 const tf_zone_choice *choice, division *d, tf_zone *zone)
+static bool pose(tf_zones *zones, const tf_step *step,
+                 const tf_contact_rule *rule, const tf_zone_options *choice,
+                 division *d, tf_zone *zone)
 {
     size_t vertices = (size_t)zone->vertices, axes = (size_t)step->axes;
-    size_t room = choice->solver->room(step->axes, zone->vertices, zone->rows);
+    size_t workspace = choice->solver->workspace(step->axes, zone->vertices,
+                                                 zone->constraints);
     if (!tf_buffer_reserve(&zones->mass, vertices, sizeof(double)) ||
         !tf_buffer_reserve(&zones->displacement, axes * vertices,
                            sizeof(double)) ||
-        !tf_buffer_reserve(&zones->room, room, sizeof(double)))
+        !tf_buffer_reserve(&zones->workspace, workspace, sizeof(double)))
         return false;
     double *inverse_mass = zones->mass.data;
     zone->displacement = zones->displacement.data;
-    zone->room = zones->room.data;
+    zone->workspace = zones->workspace.data;
     for (int i = 0; i < zone->vertices; i++) {
         int v = d->vertex[i];
         double own[3];
@@ -227,7 +234,7 @@ enum {
     PUSHED = -2 // in the place of a vertex
 };
 
-static bool is_changed(const tf_row *a, const tf_row *b)
+static bool is_changed(const tf_constraint *a, const tf_constraint *b)
 {
     bool changed = a->impulse != b->impulse;
     for (int k = 0; k < 3; k++)
@@ -235,14 +242,14 @@ static bool is_changed(const tf_row *a, const tf_row *b)
     return changed;
 }
 
-/// Notes the vertices of rows whose impulses are new.
+/// Notes the vertices of constraints whose impulses are new.
 static void keep_impulses(tf_zones *zones, const division *d, int z,
                           const tf_zone *zone)
 {
-    tf_row *row = zones->row.data;
-    for (int i = 0; i < zone->rows; i++) {
-        tf_row *to = &row[d->order[d->first[z] + i]];
-        const tf_row *from = &zone->row[i];
+    tf_constraint *constraint = zones->constraint.data;
+    for (int i = 0; i < zone->constraints; i++) {
+        tf_constraint *to = &constraint[d->order[d->first[z] + i]];
+        const tf_constraint *from = &zone->constraint[i];
         bool changed = is_changed(to, from);
         for (int j = 0; changed && j < 4 && to->vertex[j] >= 0; j++)
             d->place[to->vertex[j]] = PUSHED;
@@ -256,7 +263,7 @@ static void keep_impulses(tf_zones *zones, const division *d, int z,
 
 /// Moves these vertices.  The others stay where they are: rounded anew, they
 /// would have to be looked at again.
-static void move_vertices(tf_step *step, const tf_row_rule *rule,
+static void move_vertices(tf_step *step, const tf_contact_rule *rule,
                           const division *d, const tf_zone *zone)
 {
     for (int i = 0; i < zone->vertices; i++) {
@@ -270,62 +277,65 @@ static void move_vertices(tf_step *step, const tf_row_rule *rule,
     }
 }
 
-static void account(const tf_zone *zone, int iterations, tf_zone_effort *effort)
+static void account(const tf_zone *zone, int iterations,
+                    tf_zone_statistics *statistics)
 {
-    effort->zones++;
-    effort->iterations += (size_t)iterations;
-    if ((size_t)zone->rows > effort->largest)
-        effort->largest = (size_t)zone->rows;
-    for (int i = 0; i < zone->rows; i++) {
-        double parting =
-            tf_row_parting(zone->axes, &zone->row[i], zone->displacement);
-        effort->violation =
-            fmax(effort->violation, zone->row[i].bound - parting);
+    statistics->zones++;
+    statistics->iterations += (size_t)iterations;
+    if ((size_t)zone->constraints > statistics->largest)
+        statistics->largest = (size_t)zone->constraints;
+    for (int i = 0; i < zone->constraints; i++) {
+        double separation = tf_constraint_separation(
+            zone->axes, &zone->constraint[i], zone->displacement);
+        statistics->violation =
+            fmax(statistics->violation, zone->constraint[i].bound - separation);
     }
 }
 
 //: Solve the zones
-bool tf_zones_solve(tf_zones *zones, tf_step *step, const tf_row_rule *rule,
-                    const tf_zone_choice *choice, tf_zone_effort *effort)
+bool tf_zones_solve(tf_zones *zones, tf_step *step, const tf_contact_rule *rule,
+                    const tf_zone_options *choice,
+                    tf_zone_statistics *statistics)
 {
     division d;
     if (!divide(zones, step, &d) ||
-        !tf_buffer_reserve(&zones->zone_row, (size_t)largest_zone(&d),
-                           sizeof(tf_row)))
+        !tf_buffer_reserve(&zones->zone_constraint, (size_t)largest_zone(&d),
+                           sizeof(tf_constraint)))
         return false;
     for (int z = 0; z < d.zones; z++) {
         tf_zone zone = {.axes = step->axes,
                         .friction = choice->friction,
                         .sweeps = choice->sweeps};
-        copy_rows(zones, &d, z, &zone);
+        copy_constraints(zones, &d, z, &zone);
         if (!pose(zones, step, rule, choice, &d, &zone))
             return false;
-        account(&zone, choice->solver->solve(&zone), effort);
+        account(&zone, choice->solver->solve(&zone), statistics);
         keep_impulses(zones, &d, z, &zone);
         move_vertices(step, rule, &d, &zone);
     }
-    zones->old = zones->rows;
+    zones->old = zones->constraints;
     return true;
 }
 
 //: Account for the memory of zones
 size_t tf_zones_memory(const tf_zones *zones)
 {
-    return zones->row.bytes + zones->returns.bytes + zones->groups.room.bytes +
-           zones->by_vertex.bytes + zones->by_row.bytes +
-           zones->zone_row.bytes + zones->mass.bytes +
-           zones->displacement.bytes + zones->room.bytes;
+    return zones->constraint.bytes + zones->returns.bytes +
+           zones->groups.storage.bytes + zones->by_vertex.bytes +
+           zones->by_constraint.bytes + zones->zone_constraint.bytes +
+           zones->mass.bytes + zones->displacement.bytes +
+           zones->workspace.bytes;
 }
 
 void tf_zones_free(tf_zones *zones)
 {
-    tf_buffer_free(&zones->row);
+    tf_buffer_free(&zones->constraint);
     tf_buffer_free(&zones->returns);
-    tf_buffer_free(&zones->groups.room);
+    tf_buffer_free(&zones->groups.storage);
     tf_buffer_free(&zones->by_vertex);
-    tf_buffer_free(&zones->by_row);
-    tf_buffer_free(&zones->zone_row);
+    tf_buffer_free(&zones->by_constraint);
+    tf_buffer_free(&zones->zone_constraint);
     tf_buffer_free(&zones->mass);
     tf_buffer_free(&zones->displacement);
-    tf_buffer_free(&zones->room);
+    tf_buffer_free(&zones->workspace);
 }

@@ -2,52 +2,54 @@
 #pragma once
 
 #include "base/status.h"
-#include "response/contact_row.h"
+#include "response/contact_constraint.h"
 #include "response/groups.h"
 #include "response/zone.h"
 #include "surface/detect.h"
 
 #include <stddef.h>
 
-/// The rows of all rounds of a step, and room to divide them into zones.
+/// The constraints of all rounds of a step, and room to divide them into zones.
 typedef struct tf_zones {
-    int rows;          ///< how many rows have been kept so far
-    int old;           ///< how many there were when zones were last solved
-    tf_buffer row;     ///< the rows, with the vertices of the step
-    tf_buffer returns; ///< how often contacts have come back
-    tf_groups groups;  ///< of vertices: the zones
-    tf_buffer by_vertex, by_row; ///< room for numbers for each vertex and row
-    tf_buffer zone_row, mass, displacement, room; ///< of one zone
+    int constraints;      ///< how many constraints have been kept so far
+    int old;              ///< how many there were when zones were last solved
+    tf_buffer constraint; ///< the constraints, with the vertices of the step
+    tf_buffer returns;    ///< how often contacts have come back
+    tf_groups groups;     ///< of vertices: the zones
+    tf_buffer by_vertex,
+        by_constraint; ///< room for numbers for each vertex and constraint
+    tf_buffer zone_constraint, mass, displacement, workspace; ///< of one zone
 } tf_zones;
 
 /// How zones are solved.
-typedef struct tf_zone_choice {
+typedef struct tf_zone_options {
     const tf_zone_solver *solver;
     double friction;
     int sweeps;
-} tf_zone_choice;
+} tf_zone_options;
 
 /// What it took to solve zones.
-typedef struct tf_zone_effort {
+typedef struct tf_zone_statistics {
     size_t zones, largest, iterations;
     double violation;    ///< the largest that was left
     double smallest_gap; ///< of all contacts
-} tf_zone_effort;
+} tf_zone_statistics;
 
 //: Declare how zones grow and are solved
-/// Forgets the rows of the last step, and begins with this one.  False if there
-/// is no memory.
+/// Forgets the constraints of the last step, and begins with this one.  False
+/// if there is no memory.
 bool tf_zones_begin(tf_zones *zones, const tf_step *step);
 
-/// Adds a row for each contact.  False if there is no memory.
+/// Adds a constraint for each contact.  False if there is no memory.
 bool tf_zones_add(tf_zones *zones, const tf_step *step,
-                  const tf_contacts *contacts, const tf_row_rule *rule,
-                  tf_zone_effort *effort);
+                  const tf_contacts *contacts, const tf_contact_rule *rule,
+                  tf_zone_statistics *statistics);
 
-/// Solves all zones that have a new row, taking the rule's base as the
+/// Solves all zones that have a new constraint, taking the rule's base as the
 /// proposal, and moves their vertices.  False if there is no memory.
-bool tf_zones_solve(tf_zones *zones, tf_step *step, const tf_row_rule *rule,
-                    const tf_zone_choice *choice, tf_zone_effort *effort);
+bool tf_zones_solve(tf_zones *zones, tf_step *step, const tf_contact_rule *rule,
+                    const tf_zone_options *choice,
+                    tf_zone_statistics *statistics);
 
 size_t tf_zones_memory(const tf_zones *zones);
 void tf_zones_free(tf_zones *zones);

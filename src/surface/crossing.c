@@ -2,7 +2,7 @@
 #include "surface/crossing.h"
 
 #include "arithmetic/exact.h"
-#include "arithmetic/operations.h"
+#include "arithmetic/functions.h"
 
 static tf_event event_at(int axes, const double *x)
 {

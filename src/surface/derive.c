@@ -62,16 +62,17 @@ static void copy_element(int corners, const int from[], int to[])
     tf_element_sort(corners, to);
 }
 
-bool tf_mesh_triangles(const tf_mesh *mesh, tf_elements *list)
+bool tf_mesh_triangles(const tf_mesh *mesh, tf_elements *list,
+                       tf_sort_workspace *workspace)
 {
     list->corners = 3;
-    if (!tf_buffer_reserve(&list->room, (size_t)mesh->triangles + 1,
+    if (!tf_buffer_reserve(&list->storage, (size_t)mesh->triangles + 1,
                            3 * sizeof(int)))
         return false;
-    int *corner = list->room.data;
+    int *corner = list->storage.data;
     for (int i = 0; i < mesh->triangles; i++)
         copy_element(3, mesh->triangle + 3 * (size_t)i, corner + 3 * (size_t)i);
-    return tf_elements_sort(list, mesh->triangles, mesh->vertices);
+    return tf_elements_sort(list, mesh->triangles, mesh->vertices, workspace);
 }
 
 //: Derive the edges
@@ -84,16 +85,16 @@ static void copy_edges(const int triangle[3], int edge[6])
 }
 
 bool tf_mesh_edges(const tf_mesh *mesh, const tf_elements *triangles,
-                   tf_elements *list)
+                   tf_elements *list, tf_sort_workspace *workspace)
 {
     list->corners = 2;
     int count = 3 * triangles->count + mesh->edges;
-    if (!tf_buffer_reserve(&list->room, (size_t)count + 1, 2 * sizeof(int)))
+    if (!tf_buffer_reserve(&list->storage, (size_t)count + 1, 2 * sizeof(int)))
         return false;
-    int *edge = list->room.data;
+    int *edge = list->storage.data;
     for (int i = 0; i < triangles->count; i++, edge += 6)
         copy_edges(triangles->corner + 3 * (size_t)i, edge);
     for (int i = 0; i < mesh->edges; i++, edge += 2)
         copy_element(2, mesh->edge + 2 * (size_t)i, edge);
-    return tf_elements_sort(list, count, mesh->vertices);
+    return tf_elements_sort(list, count, mesh->vertices, workspace);
 }

@@ -2,7 +2,7 @@
 #include "surface/detect.h"
 
 #include "arithmetic/exact.h"
-#include "arithmetic/operations.h"
+#include "arithmetic/functions.h"
 #include "base/require.h"
 #include "surface/pairs.h"
 #include "surface/state.h"
@@ -11,7 +11,7 @@
 #include <stddef.h>
 
 //: Check that an arithmetic can hold all positions
-static tf_status check_range(const tf_surface *surface, const tf_deciding *of,
+static tf_status check_range(const tf_surface *surface, const tf_pair_job *of,
                              tf_flaw *flaw)
 {
     int axes = surface->axes;
@@ -32,7 +32,7 @@ static tf_status check_range(const tf_surface *surface, const tf_deciding *of,
 }
 
 //: Detect the contacts of a surface
-static tf_status detect(tf_surface *surface, tf_deciding *of,
+static tf_status detect(tf_surface *surface, tf_pair_job *of,
                         const tf_parallel *parallel, tf_contacts *found,
                         tf_flaw *flaw)
 {
@@ -46,20 +46,20 @@ static tf_status detect(tf_surface *surface, tf_deciding *of,
 
 //: Detect with the usual choices
 tf_status tf_surface_detect(tf_surface *surface, const tf_motion *motion,
-                            const tf_detection *detection, tf_contacts *found,
-                            tf_flaw *flaw)
+                            const tf_detect_options *detection,
+                            tf_contacts *found, tf_flaw *flaw)
 {
     TF_REQUIRE(surface && motion && found);
-    static const tf_detection usual;
+    static const tf_detect_options usual;
     if (!detection)
         detection = &usual;
-    tf_deciding of = {
+    tf_pair_job of = {
         .surface = surface,
         .motion = motion,
         .arithmetic = detection->arithmetic ? detection->arithmetic : &tf_exact,
         .narrow_phase =
             detection->narrow_phase ? detection->narrow_phase : &tf_reference,
-        .extent = detection->extent};
+        .selection = detection->selection};
     tf_flaw unused;
     return detect(surface, &of, detection->parallel, found,
                   flaw ? flaw : &unused);

@@ -14,22 +14,22 @@
 /// @{
 
 /// Which contacts of a step are wanted.
-typedef enum tf_extent {
+typedef enum tf_contact_selection {
     TF_ALL_CONTACTS = 0, ///< all of them
     TF_FIRST_CONTACT,    ///< the one with the least `toi_lo`; of several, the
                          ///< first in the order of all
     TF_ANY_CONTACT, ///< none, only whether there is one; ends with the first
                     ///< that is found
-} tf_extent;
+} tf_contact_selection;
 
 /// How to detect.  All zero: all contacts, exactly, on the caller's thread.
-typedef struct tf_detection {
-    tf_extent extent;                    ///< which contacts are wanted
+typedef struct tf_detect_options {
+    tf_contact_selection selection;      ///< which contacts are wanted
     const tf_arithmetic *arithmetic;     ///< NULL: tf_exact
     const tf_narrow_phase *narrow_phase; ///< NULL: tf_reference; with
                                          ///< tf_vectorized it is faster
     const tf_parallel *parallel;         ///< NULL: the caller's thread alone
-} tf_detection;
+} tf_detect_options;
 
 //: Declare the contacts of a surface
 /// Two elements of a surface that touch during a step.
@@ -43,20 +43,21 @@ typedef struct tf_surface_contact {
 } tf_surface_contact;
 
 /// What it took to find the contacts of a step: how many candidates there were
-/// (with TF_ANY_CONTACT, were tried), and how many of them were decided by what.
-typedef struct tf_effort {
+/// (with TF_ANY_CONTACT, were tried), and how many of them were decided by
+/// what.
+typedef struct tf_detect_statistics {
     size_t candidates; ///< pairs that share no vertex and whose boxes overlap
     size_t by_axis;    ///< an axis separates the elements at both ends
     size_t by_filter;  ///< by estimates with a bound on their error
     size_t by_signs;   ///< by the signs of the arithmetic
-} tf_effort;
+} tf_detect_statistics;
 
 /// The contacts of a step, and what it took to find them.
 typedef struct tf_contacts {
     bool any;     ///< whether there is a contact, or with tf_clamped may be one
     size_t count; ///< how many are listed
     const tf_surface_contact *contact; ///< sorted by kind, then by vertices
-    tf_effort effort;                  ///< what it took
+    tf_detect_statistics statistics;   ///< what it took
 } tf_contacts;
 
 //: Declare how to detect
@@ -83,7 +84,7 @@ typedef struct tf_contacts {
 ///     than the surface; TF_NOT_FINITE; TF_OUT_OF_RANGE; TF_BAD_ENVIRONMENT; or
 ///     TF_OUT_OF_MEMORY
 TF_API tf_status tf_surface_detect(tf_surface *surface, const tf_motion *motion,
-                                   const tf_detection *detection,
+                                   const tf_detect_options *detection,
                                    tf_contacts *found, tf_flaw *flaw);
 
 /// @}

@@ -49,28 +49,32 @@ static int drop_repetitions(int corners, int count, int *corner)
 }
 
 //: Sort a list of elements
-bool tf_elements_sort(tf_elements *list, int count, int vertices)
+bool tf_elements_sort(tf_elements *list, int count, int vertices,
+                      tf_sort_workspace *workspace)
 {
-    tf_buffer other = {0}, place = {0};
     size_t corners = (size_t)list->corners;
-    bool good = tf_buffer_reserve(&other, (size_t)count * corners + 1,
-                                  sizeof *list->corner) &&
-                tf_buffer_reserve(&place, (size_t)vertices + 1, sizeof(int));
-    int *from = list->room.data, *to = other.data;
-    for (int at = list->corners - 1; good && at >= 0; at--) {
+    if (!tf_buffer_reserve(&workspace->other, (size_t)count * corners + 1,
+                           sizeof *list->corner) ||
+        !tf_buffer_reserve(&workspace->place, (size_t)vertices + 1,
+                           sizeof(int)))
+        return false;
+    int *from = list->storage.data, *to = workspace->other.data;
+    for (int at = list->corners - 1; at >= 0; at--) {
         sort_by_vertex(list->corners, count, from, to, at, vertices,
-                       place.data);
+                       workspace->place.data);
         int *swap = from;
         from = to;
         to = swap;
     }
-    if (good) {
-        list->count = drop_repetitions(list->corners, count, from);
-        memmove(list->room.data, from,
-                (size_t)list->count * corners * sizeof *from);
-        list->corner = list->room.data;
-    }
-    tf_buffer_free(&other);
-    tf_buffer_free(&place);
-    return good;
+    list->count = drop_repetitions(list->corners, count, from);
+    memmove(list->storage.data, from,
+            (size_t)list->count * corners * sizeof *from);
+    list->corner = list->storage.data;
+    return true;
+}
+
+void tf_sort_workspace_free(tf_sort_workspace *workspace)
+{
+    tf_buffer_free(&workspace->other);
+    tf_buffer_free(&workspace->place);
 }

@@ -18,7 +18,7 @@ typedef struct batch {
     int open[TF_BATCH]; ///< the pairs that the filter leaves undecided
     int open_vertex[4 * TF_BATCH];
     tf_verdict open_verdict[TF_BATCH];
-    tf_effort effort;
+    tf_detect_statistics statistics;
 } batch;
 
 //: List the vertices of a pair
@@ -28,8 +28,9 @@ static int vertex_count(tf_kind kind)
     return kind == TF_POINT_EDGE ? 3 : 4;
 }
 
-/// Lists those of two edges, which are sorted, and sorts the edges by their first
-/// vertices, which differ.  No branch: nobody could guess which comes first.
+/// Lists those of two edges, which are sorted, and sorts the edges by their
+/// first vertices, which differ.  No branch: nobody could guess which comes
+/// first.
 static void list_edges(const int a[2], const int b[2], int vertex[4])
 {
     int swap = -(b[0] < a[0]); // all bits or none
@@ -40,7 +41,7 @@ static void list_edges(const int a[2], const int b[2], int vertex[4])
     }
 }
 
-static void list_vertices(const tf_deciding *of, tf_candidate pair,
+static void list_vertices(const tf_pair_job *of, tf_candidate pair,
                           int vertex[])
 {
     const int *edge = of->surface->edges.corner;
@@ -64,7 +65,7 @@ static void list_vertices(const tf_deciding *of, tf_candidate pair,
 }
 
 //: Describe a contact of a surface
-static tf_status describe(const tf_deciding *of, const int vertex[],
+static tf_status describe(const tf_pair_job *of, const int vertex[],
                           tf_contact *contact)
 {
     if (of->estimate && of->estimate(of->kind, of->motion, vertex, contact))
@@ -86,7 +87,7 @@ static tf_status describe(const tf_deciding *of, const int vertex[],
 /// Adds a contact to what a worker has found; false if that fails.
 static bool add_contact(tf_worker *worker, const int vertex[])
 {
-    const tf_deciding *of = worker->job;
+    const tf_pair_job *of = worker->job;
     tf_surface_contact *row = tf_worker_add(worker, sizeof *row);
     if (!row)
         return false;
@@ -102,7 +103,7 @@ static bool add_contact(tf_worker *worker, const int vertex[])
 /// Sets clearances as well, unless they are NULL: to 0 if the narrow phase does
 /// not measure.
 static tf_status decide_by(const tf_arithmetic *arithmetic,
-                           const tf_deciding *of, int count, const int vertex[],
+                           const tf_pair_job *of, int count, const int vertex[],
                            tf_verdict verdict[], size_t *separated,
                            double clearance[])
 {
@@ -133,9 +134,9 @@ static bool is_rounded(const tf_arithmetic *arithmetic)
 }
 
 //: Decide what the filter leaves open
-/// Decides by the arithmetic the pairs that the filter leaves undecided; returns
-/// how many there are.
-static size_t decide_open(const tf_deciding *of, int count, batch *b,
+/// Decides by the arithmetic the pairs that the filter leaves undecided;
+/// returns how many there are.
+static size_t decide_open(const tf_pair_job *of, int count, batch *b,
                           tf_status *status)
 {
     int vertices = vertex_count(of->kind), open = 0;
@@ -157,7 +158,7 @@ static size_t decide_open(const tf_deciding *of, int count, batch *b,
 
 //: Decide a batch of pairs
 /// Decides by a filter first, if the arithmetic allows one.
-static tf_status decide_batch(const tf_deciding *of, int count,
+static tf_status decide_batch(const tf_pair_job *of, int count,
                               const tf_candidate pair[], batch *b,
                               double clearance[])
 {
@@ -175,10 +176,10 @@ static tf_status decide_batch(const tf_deciding *of, int count,
         open = decide_open(of, count, b, &status);
     else if (!is_rounded(of->arithmetic))
         open = decided;
-    b->effort.candidates += (size_t)count;
-    b->effort.by_axis += separated;
-    b->effort.by_filter += decided - open;
-    b->effort.by_signs += open;
+    b->statistics.candidates += (size_t)count;
+    b->statistics.by_axis += separated;
+    b->statistics.by_filter += decided - open;
+    b->statistics.by_signs += open;
     return status;
 }
 
@@ -192,7 +193,7 @@ static void mark_contacts(const batch *b, int count, double mark[])
 //: Keep the pairs of a batch
 static bool keep(tf_worker *worker, int count, const tf_candidate pair[])
 {
-    const tf_deciding *of = worker->job;
+    const tf_pair_job *of = worker->job;
     tf_pair_list *list =
         of->kind == TF_EDGE_EDGE ? &worker->edges : &worker->points;
     size_t kept = list->count;
@@ -212,7 +213,7 @@ static bool keep(tf_worker *worker, int count, const tf_candidate pair[])
 bool tf_pairs_take(tf_pair_sink *sink, int count, const tf_candidate pair[])
 {
     tf_worker *worker = (tf_worker *)sink;
-    const tf_deciding *of = worker->job;
+    const tf_pair_job *of = worker->job;
     batch *b = worker->batch.data;
     double *clearance = of->measures ? worker->clearance : NULL;
     worker->status = decide_batch(of, count, pair, b, clearance);
@@ -227,7 +228,7 @@ bool tf_pairs_take(tf_pair_sink *sink, int count, const tf_candidate pair[])
             continue;
         if (!add_contact(worker,
                          b->vertex + (ptrdiff_t)i * vertex_count(of->kind)) ||
-            of->extent == TF_ANY_CONTACT)
+            of->selection == TF_ANY_CONTACT)
             return false;
     }
     return true;
@@ -283,8 +284,9 @@ static row *sort(size_t count, row from[], row to[], bool (*precedes)(row, row))
     return from;
 }
 
-//: Add up the effort
-void tf_effort_add(tf_effort *all, const tf_effort *own)
+//: Add up the statistics
+void tf_detect_statistics_add(tf_detect_statistics *all,
+                              const tf_detect_statistics *own)
 {
     all->candidates += own->candidates;
     all->by_axis += own->by_axis;
@@ -294,7 +296,8 @@ void tf_effort_add(tf_effort *all, const tf_effort *own)
 
 //: Gather the contacts of all workers
 /// Lists where the rows of all workers are, and adds up what they took.
-static void list_rows(const tf_workers *workers, row list[], tf_effort *effort)
+static void list_rows(const tf_workers *workers, row list[],
+                      tf_detect_statistics *statistics)
 {
     for (int i = 0; i < workers->count; i++) {
         const tf_worker *worker = workers->worker[i];
@@ -302,11 +305,12 @@ static void list_rows(const tf_workers *workers, row list[], tf_effort *effort)
         row own = worker->row.data;
         for (size_t j = 0; j < worker->rows; j++)
             *list++ = own + j;
-        tf_effort_add(effort, &b->effort);
+        tf_detect_statistics_add(statistics, &b->statistics);
     }
 }
 
-bool tf_pairs_gather(tf_surface *surface, tf_extent extent, tf_contacts *found)
+bool tf_pairs_gather(tf_surface *surface, tf_contact_selection selection,
+                     tf_contacts *found)
 {
     size_t rows = tf_workers_rows(&surface->workers);
     if (!tf_buffer_reserve(&surface->found, rows + 1,
@@ -314,23 +318,23 @@ bool tf_pairs_gather(tf_surface *surface, tf_extent extent, tf_contacts *found)
         !tf_buffer_reserve(&surface->sorting, 2 * rows + 1, sizeof(row)))
         return false;
     row *list = surface->sorting.data;
-    list_rows(&surface->workers, list, &found->effort);
+    list_rows(&surface->workers, list, &found->statistics);
     list = sort(rows, list, list + rows,
-                extent == TF_FIRST_CONTACT ? is_earlier : comes_first);
+                selection == TF_FIRST_CONTACT ? is_earlier : comes_first);
     tf_surface_contact *all = surface->found.data;
     for (size_t i = 0; i < rows; i++)
         memcpy(&all[i], list[i], sizeof *all);
     found->any = rows > 0;
     found->contact = all;
-    found->count = extent == TF_ALL_CONTACTS
+    found->count = selection == TF_ALL_CONTACTS
                        ? rows
-                       : extent == TF_FIRST_CONTACT && rows > 0;
+                       : selection == TF_FIRST_CONTACT && rows > 0;
     return true;
 }
 
 //: Ready the workers
 bool tf_pairs_begin(tf_surface *surface, const tf_parallel *parallel,
-                    const tf_deciding *of)
+                    const tf_pair_job *of)
 {
     if (!tf_workers_begin(&surface->workers, tf_parallel_workers(parallel), of))
         return false;
@@ -338,7 +342,7 @@ bool tf_pairs_begin(tf_surface *surface, const tf_parallel *parallel,
         tf_worker *worker = surface->workers.worker[i];
         if (!tf_buffer_reserve(&worker->batch, 1, sizeof(batch)))
             return false;
-        ((batch *)worker->batch.data)->effort = (tf_effort){0};
+        ((batch *)worker->batch.data)->statistics = (tf_detect_statistics){0};
         if (of->keeps)
             worker->points.count = worker->edges.count = 0;
     }
@@ -353,7 +357,7 @@ static tf_status join_kind(tf_surface *surface, const tf_tree *s,
     return tf_workers_status(&surface->workers);
 }
 
-static tf_status join_all(tf_surface *surface, tf_deciding *of,
+static tf_status join_all(tf_surface *surface, tf_pair_job *of,
                           const tf_parallel *parallel)
 {
     bool plane = surface->axes == 2;
@@ -361,8 +365,8 @@ static tf_status join_all(tf_surface *surface, tf_deciding *of,
     tf_status status = join_kind(
         surface, &surface->vertex_tree,
         plane ? &surface->edge_tree : &surface->triangle_tree, parallel);
-    bool enough =
-        of->extent == TF_ANY_CONTACT && tf_workers_rows(&surface->workers) > 0;
+    bool enough = of->selection == TF_ANY_CONTACT &&
+                  tf_workers_rows(&surface->workers) > 0;
     if (status != TF_OK || plane || enough)
         return status;
     of->kind = TF_EDGE_EDGE;
@@ -371,14 +375,14 @@ static tf_status join_all(tf_surface *surface, tf_deciding *of,
 }
 
 //: Find the pairs in contact
-tf_status tf_pairs_find(tf_surface *surface, tf_deciding *of,
+tf_status tf_pairs_find(tf_surface *surface, tf_pair_job *of,
                         const tf_parallel *parallel, tf_contacts *found)
 {
     if (!tf_pairs_begin(surface, parallel, of))
         return TF_OUT_OF_MEMORY;
     tf_status status = join_all(surface, of, parallel);
     *found = (tf_contacts){0};
-    if (status == TF_OK && !tf_pairs_gather(surface, of->extent, found))
+    if (status == TF_OK && !tf_pairs_gather(surface, of->selection, found))
         status = TF_OUT_OF_MEMORY;
     return status;
 }

@@ -12,25 +12,25 @@ typedef bool tf_contact_estimator(tf_kind kind, const tf_motion *motion,
                                   const int vertex[4], tf_contact *contact);
 
 /// How pairs of elements are decided: a job of the surface's workers.
-typedef struct tf_deciding {
+typedef struct tf_pair_job {
     const tf_surface *surface;
     const tf_motion *motion;
     const tf_arithmetic *arithmetic;
     const tf_narrow_phase *narrow_phase;
     tf_contact_estimator *estimate; ///< describes contacts where it can; NULL:
                                     ///< the arithmetic describes all of them
-    tf_extent extent;
+    tf_contact_selection selection;
     bool keeps; ///< whether the workers keep the pairs for later, in place of
                 ///< those that they have kept before
     bool measures; ///< whether the workers note the clearances of pairs
     tf_kind kind;  ///< of the pairs that come next
-} tf_deciding;
+} tf_pair_job;
 
 //: Declare the decision of pairs
 /// Readies the surface's workers for deciding pairs.  False if there is no
 /// memory.
 bool tf_pairs_begin(tf_surface *surface, const tf_parallel *parallel,
-                    const tf_deciding *of);
+                    const tf_pair_job *of);
 
 /// Decides pairs, of at most TF_BATCH, and adds those in contact to what the
 /// worker around the sink has found: a tf_pair_sink's function.
@@ -38,12 +38,14 @@ bool tf_pairs_take(tf_pair_sink *sink, int count, const tf_candidate pair[]);
 
 /// Lists what all workers have found, lent by the surface, and adds up what it
 /// took; `found` was all zero.  False if there is no memory.
-bool tf_pairs_gather(tf_surface *surface, tf_extent extent, tf_contacts *found);
+bool tf_pairs_gather(tf_surface *surface, tf_contact_selection selection,
+                     tf_contacts *found);
 
 /// Finds all pairs of elements in contact that the trees of the surface yield.
 /// Returns TF_OK, TF_OUT_OF_MEMORY, or what a decision returns.
-tf_status tf_pairs_find(tf_surface *surface, tf_deciding *of,
+tf_status tf_pairs_find(tf_surface *surface, tf_pair_job *of,
                         const tf_parallel *parallel, tf_contacts *found);
 
 /// Adds what one search took to what all took.
-void tf_effort_add(tf_effort *all, const tf_effort *own);
+void tf_detect_statistics_add(tf_detect_statistics *all,
+                              const tf_detect_statistics *own);

@@ -8,14 +8,13 @@
 #include <stdlib.h>
 
 //: Create a surface
-static tf_status fill(const tf_mesh *mesh, tf_surface *surface)
+bool tf_surface_refill(tf_surface *surface, const tf_mesh *mesh)
 {
+    tf_sort_workspace *workspace = &surface->sort_workspace;
     surface->axes = mesh->axes;
     surface->vertices = mesh->vertices;
-    if (!tf_mesh_triangles(mesh, &surface->triangles) ||
-        !tf_mesh_edges(mesh, &surface->triangles, &surface->edges))
-        return TF_OUT_OF_MEMORY;
-    return TF_OK;
+    return tf_mesh_triangles(mesh, &surface->triangles, workspace) &&
+           tf_mesh_edges(mesh, &surface->triangles, &surface->edges, workspace);
 }
 
 tf_status tf_surface_create(const tf_mesh *mesh, tf_surface **surface,
@@ -27,12 +26,14 @@ tf_status tf_surface_create(const tf_mesh *mesh, tf_surface **surface,
     if (status != TF_OK)
         return status;
     tf_surface *made = calloc(1, sizeof *made);
-    status = made ? fill(mesh, made) : TF_OUT_OF_MEMORY;
-    if (status == TF_OK)
-        *surface = made;
-    else
+    if (!made || !tf_surface_refill(made, mesh)) {
         tf_surface_free(made);
-    return status;
+        return TF_OUT_OF_MEMORY;
+    }
+    // Most surfaces keep their mesh.
+    tf_sort_workspace_free(&made->sort_workspace);
+    *surface = made;
+    return TF_OK;
 }
 
 //: Free a surface
@@ -40,13 +41,14 @@ void tf_surface_free(tf_surface *surface)
 {
     if (!surface)
         return;
-    tf_buffer_free(&surface->edges.room);
-    tf_buffer_free(&surface->triangles.room);
+    tf_buffer_free(&surface->edges.storage);
+    tf_buffer_free(&surface->triangles.storage);
     tf_buffer_free(&surface->boxes);
     tf_tree_free(&surface->vertex_tree);
     tf_tree_free(&surface->edge_tree);
     tf_tree_free(&surface->triangle_tree);
-    tf_tree_room_free(&surface->tree_room);
+    tf_tree_workspace_free(&surface->tree_workspace);
+    tf_sort_workspace_free(&surface->sort_workspace);
     tf_workers_free(&surface->workers);
     tf_buffer_free(&surface->task_rows);
     tf_buffer_free(&surface->task_places);
@@ -74,19 +76,21 @@ const int *tf_surface_triangles(const tf_surface *surface, int *count)
 //: Count the memory
 static size_t tree_bytes(const tf_tree *tree)
 {
-    return tree->pack_room.bytes + tree->element_room.bytes +
-           tree->corner_room.bytes;
+    return tree->pack_storage.bytes + tree->element_storage.bytes +
+           tree->corner_storage.bytes;
 }
 
 size_t tf_surface_memory(const tf_surface *surface)
 {
     TF_REQUIRE(surface);
-    const tf_tree_room *room = &surface->tree_room;
-    return sizeof *surface + surface->edges.room.bytes +
-           surface->triangles.room.bytes + surface->boxes.bytes +
+    const tf_tree_workspace *workspace = &surface->tree_workspace;
+    return sizeof *surface + surface->edges.storage.bytes +
+           surface->triangles.storage.bytes + surface->boxes.bytes +
            tree_bytes(&surface->vertex_tree) + tree_bytes(&surface->edge_tree) +
-           tree_bytes(&surface->triangle_tree) + room->keys.bytes +
-           room->sorted.bytes + room->counts.bytes +
+           tree_bytes(&surface->triangle_tree) + workspace->keys.bytes +
+           workspace->sorted.bytes + workspace->counts.bytes +
+           surface->sort_workspace.other.bytes +
+           surface->sort_workspace.place.bytes +
            tf_workers_memory(&surface->workers) + surface->task_rows.bytes +
            surface->task_places.bytes + surface->found.bytes +
            surface->sorting.bytes + surface->moved.bytes;
@@ -100,7 +104,7 @@ static bool build_tree(tf_surface *surface, tf_tree *tree,
     elements->count = count;
     elements->corners = corners;
     elements->corner = corner;
-    return tf_tree_build(tree, elements, &surface->tree_room, parallel);
+    return tf_tree_build(tree, elements, &surface->tree_workspace, parallel);
 }
 
 //: Build all trees

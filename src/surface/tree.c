@@ -148,46 +148,48 @@ static size_t count_packs(tf_tree *tree)
 }
 
 //: Make room for a tree
-static bool make_room(tf_tree *tree, tf_tree_room *room)
+static bool make_room(tf_tree *tree, tf_tree_workspace *workspace)
 {
     size_t packs = count_packs(tree);
     size_t leaves = (size_t)tree->packs[0];
     size_t corners = leaves * (size_t)tree->corners;
     size_t count = (size_t)tree->count;
-    if (!tf_buffer_reserve(&tree->pack_room, packs, sizeof(tf_pack)) ||
-        !tf_buffer_reserve(&tree->element_room, leaves,
+    if (!tf_buffer_reserve(&tree->pack_storage, packs, sizeof(tf_pack)) ||
+        !tf_buffer_reserve(&tree->element_storage, leaves,
                            sizeof *tree->element) ||
-        !tf_buffer_reserve(&tree->corner_room, corners, sizeof *tree->corner) ||
-        !tf_buffer_reserve(&room->keys, count, sizeof(tf_keyed)) ||
-        !tf_buffer_reserve(&room->sorted, count, sizeof(tf_keyed)) ||
-        !tf_buffer_reserve(&room->counts, TF_SORT_PARTS,
+        !tf_buffer_reserve(&tree->corner_storage, corners,
+                           sizeof *tree->corner) ||
+        !tf_buffer_reserve(&workspace->keys, count, sizeof(tf_keyed)) ||
+        !tf_buffer_reserve(&workspace->sorted, count, sizeof(tf_keyed)) ||
+        !tf_buffer_reserve(&workspace->counts, TF_SORT_PARTS,
                            sizeof(tf_digit_counts)))
         return false;
-    tree->level[0] = tree->pack_room.data;
+    tree->level[0] = tree->pack_storage.data;
     for (int i = 1; i < tree->levels; i++)
         tree->level[i] = tree->level[i - 1] + tree->packs[i - 1];
-    tree->element = tree->element_room.data;
-    tree->corner = tree->corner_room.data;
+    tree->element = tree->element_storage.data;
+    tree->corner = tree->corner_storage.data;
     return true;
 }
 
 //: Build a tree
 bool tf_tree_build(tf_tree *tree, const tf_tree_elements *elements,
-                   tf_tree_room *room, const tf_parallel *parallel)
+                   tf_tree_workspace *workspace, const tf_parallel *parallel)
 {
     tree->count = elements->count;
     tree->corners = elements->corners;
     tree->levels = 0;
     if (tree->count == 0)
         return true;
-    if (!make_room(tree, room))
+    if (!make_room(tree, workspace))
         return false;
 
-    building b = {.tree = tree, .elements = elements, .keys = room->keys.data};
+    building b = {
+        .tree = tree, .elements = elements, .keys = workspace->keys.data};
     int tasks = tf_range_parts(tree->count, ELEMENTS);
     tf_parallel_for_each(parallel, tasks, find_keys, &b);
-    b.sorted = tf_morton_sort(tree->count, b.keys, room->sorted.data,
-                              room->counts.data, parallel);
+    b.sorted = tf_morton_sort(tree->count, b.keys, workspace->sorted.data,
+                              workspace->counts.data, parallel);
     tf_parallel_for_each(parallel, tasks, fill_leaves, &b);
     for (b.level = 1; b.level < tree->levels; b.level++)
         tf_parallel_for_each(parallel,
@@ -199,14 +201,14 @@ bool tf_tree_build(tf_tree *tree, const tf_tree_elements *elements,
 //: Free a tree
 void tf_tree_free(tf_tree *tree)
 {
-    tf_buffer_free(&tree->pack_room);
-    tf_buffer_free(&tree->element_room);
-    tf_buffer_free(&tree->corner_room);
+    tf_buffer_free(&tree->pack_storage);
+    tf_buffer_free(&tree->element_storage);
+    tf_buffer_free(&tree->corner_storage);
 }
 
-void tf_tree_room_free(tf_tree_room *room)
+void tf_tree_workspace_free(tf_tree_workspace *workspace)
 {
-    tf_buffer_free(&room->keys);
-    tf_buffer_free(&room->sorted);
-    tf_buffer_free(&room->counts);
+    tf_buffer_free(&workspace->keys);
+    tf_buffer_free(&workspace->sorted);
+    tf_buffer_free(&workspace->counts);
 }

@@ -10,8 +10,8 @@ enum {
     TF_TREE_LEVELS = 8, ///< enough for any number of elements: 16^8 > 2^31
 };
 
-/// The boxes of up to TF_LANES elements or packs, by coordinate.  Those of lanes
-/// that are not used are empty.
+/// The boxes of up to TF_LANES elements or packs, by coordinate.  Those of
+/// lanes that are not used are empty.
 typedef struct tf_pack {
     float low[3][TF_LANES], high[3][TF_LANES];
 } tf_pack;
@@ -29,14 +29,14 @@ typedef struct tf_tree {
     tf_pack *level[TF_TREE_LEVELS]; ///< their packs
     int (*element)[TF_LANES];       ///< of each leaf, -1 in an unused lane
     int (*corner)[TF_LANES]; ///< of each leaf, for each corner: the vertices
-    tf_buffer pack_room, element_room, corner_room;
+    tf_buffer pack_storage, element_storage, corner_storage;
 } tf_tree;
 
 //: Declare how to build a tree
 /// Room for building trees, one after another.
-typedef struct tf_tree_room {
+typedef struct tf_tree_workspace {
     tf_buffer keys, sorted, counts;
-} tf_tree_room;
+} tf_tree_workspace;
 
 /// What a tree is built of.
 typedef struct tf_tree_elements {
@@ -49,10 +49,10 @@ typedef struct tf_tree_elements {
 
 /// Builds the tree anew, in memory that is kept.  False if there is not enough.
 bool tf_tree_build(tf_tree *tree, const tf_tree_elements *elements,
-                   tf_tree_room *room, const tf_parallel *parallel);
+                   tf_tree_workspace *workspace, const tf_parallel *parallel);
 
 void tf_tree_free(tf_tree *tree);
-void tf_tree_room_free(tf_tree_room *room);
+void tf_tree_workspace_free(tf_tree_workspace *workspace);
 
 //: Declare how to read and write a pack
 static inline tf_box tf_pack_box(const tf_pack *pack, int lane)

@@ -2,6 +2,7 @@
 #include "surgery/side.h"
 
 #include "arithmetic/exact.h"
+#include "arithmetic/functions.h"
 
 #include <float.h>
 #include <math.h>

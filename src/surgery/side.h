@@ -1,7 +1,7 @@
 //: Declare sides and turns
 #pragma once
 
-#include "arithmetic/operations.h"
+#include "arithmetic/sign.h"
 
 #include <stdbool.h>
 

@@ -1,5 +1,6 @@
 #include "arithmetic/accumulated.h"
 
+#include "arithmetic/functions.h"
 #include "support/exactness.h"
 
 static const tf_arithmetic accumulated = {.name = "accumulated",

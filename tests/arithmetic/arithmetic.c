@@ -1,6 +1,6 @@
 #include "arithmetic/arithmetic.h"
 
-#include "arithmetic/operations.h"
+#include "arithmetic/functions.h"
 #include "support/support.h"
 
 #include <float.h>

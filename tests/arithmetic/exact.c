@@ -1,5 +1,6 @@
 #include "arithmetic/exact.h"
 
+#include "arithmetic/functions.h"
 #include "support/exactness.h"
 
 #include <float.h>

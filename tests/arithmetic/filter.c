@@ -1,6 +1,6 @@
 #include "arithmetic/filter.h"
 
-#include "arithmetic/operations.h"
+#include "arithmetic/functions.h"
 #include "support/estimates.h"
 #include "support/rational.h"
 #include "support/sums.h"

@@ -1,5 +1,6 @@
 #include "arithmetic/integer.h"
 
+#include "arithmetic/functions.h"
 #include "query/query.h"
 #include "support/exactness.h"
 #include "support/rational.h"

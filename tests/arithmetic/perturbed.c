@@ -1,7 +1,7 @@
 #include "arithmetic/perturbed.h"
 
 #include "arithmetic/exact.h"
-#include "arithmetic/operations.h"
+#include "arithmetic/functions.h"
 #include "support/matrices.h"
 
 #include <limits.h>

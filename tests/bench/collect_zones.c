@@ -1,5 +1,6 @@
 // Prints zones that come up while cloth is twisted and stacked, as text, for
-// tests/bench/zones.txt: of those that have from 24 to 200 rows, every so many.
+// tests/bench/zones.txt: of those that have from 24 to 200 constraints, every
+// so many.
 #include "response/gauss_seidel.h"
 #include "response/resolve.h"
 #include "support/cloth.h"
@@ -15,14 +16,15 @@ enum {
 /// Every how many zones of a scene one is written, and how many came up.
 static long every, came;
 
-static size_t room(int axes, int vertices, int rows)
+static size_t workspace(int axes, int vertices, int constraints)
 {
-    return tf_gauss_seidel.room(axes, vertices, rows);
+    return tf_gauss_seidel.workspace(axes, vertices, constraints);
 }
 
 static int solve(tf_zone *zone)
 {
-    if (zone->rows >= LEAST && zone->rows <= MOST && came++ % every == 0)
+    if (zone->constraints >= LEAST && zone->constraints <= MOST &&
+        came++ % every == 0)
         zone_write(stdout, zone);
     return tf_gauss_seidel.solve(zone);
 }
@@ -35,7 +37,7 @@ static void require(bool good)
 
 static void run(cloth_scene scene, int edges, int steps, long part)
 {
-    static const tf_zone_solver writing = {"writing", room, solve};
+    static const tf_zone_solver writing = {"writing", workspace, solve};
     const tf_response_options options = {.solver = &writing};
     cloth *of = cloth_new(scene, edges);
     tf_surface *surface = NULL;

@@ -10,14 +10,14 @@
 // where the two models differ.
 //
 // Prints a table, or with --csv all numbers as lines "name,value,unit", for
-// figures/measured/methods.csv: more tolerances and thresholds, each set of queries by its
-// name, and the rotating bar of tests/linear/advancement.c.
+// figures/measured/methods.csv: more tolerances and thresholds, each set of
+// queries by its name, and the rotating bar of tests/linear/rigid_motion.c.
 #define _POSIX_C_SOURCE 199309L // clock_gettime
 
 #include "arithmetic/clamped.h"
 #include "arithmetic/exact.h"
 #include "bench/workloads.h"
-#include "linear/advancement.h"
+#include "linear/rigid_motion.h"
 #include "program/methods.h"
 #include "support/linear_truth.h"
 

@@ -2,17 +2,17 @@
 //
 //     response [PERCENT [SCENE]]
 //
-// of the usual number of steps; of one scene, from 0, or of all.  Prints a line a
-// scene: vertices; steps without contacts, resolved by zones, and by the failsafe;
-// rounds a step, mean and most; contacts; seconds of processor time for the first
-// detection of all steps alone, and for resolving them, which includes that; what
-// resolving costs in units of detection, over all steps, in the worst step, and in
-// steps without contacts; vertices held back; how often a resolver took more
-// memory once half of the steps were done; and how many pairs resolving decides,
-// in units of those that detection does.
+// of the usual number of steps; of one scene, from 0, or of all.  Prints a line
+// a scene: vertices; steps without contacts, resolved by zones, and by the
+// failsafe; rounds a step, mean and most; contacts; seconds of processor time
+// for the first detection of all steps alone, and for resolving them, which
+// includes that; what resolving costs in units of detection, over all steps, in
+// the worst step, and in steps without contacts; vertices held back; how often
+// a resolver took more memory once half of the steps were done; and how many
+// pairs resolving decides, in units of those that detection does.
 
 #include "bench/measuring.h"
-#include "fast/vector.h"
+#include "fast/vectorized.h"
 #include "response/resolve.h"
 #include "support/cloth.h"
 #include "surface/detect.h"
@@ -51,13 +51,13 @@ static void scene_free(scene *s)
 
 static double time_detection(scene *s, size_t *pairs)
 {
-    const tf_detection all = {.narrow_phase = &tf_vectorized};
+    const tf_detect_options all = {.narrow_phase = &tf_vectorized};
     tf_motion motion = {s->of->mesh.vertices, s->of->position, s->end};
     tf_contacts found;
     double begin = processor_seconds();
     require(tf_surface_detect(s->surface, &motion, &all, &found, NULL));
     double seconds = processor_seconds() - begin;
-    *pairs += found.effort.candidates;
+    *pairs += found.statistics.candidates;
     return seconds;
 }
 
@@ -90,7 +90,7 @@ static void account(const tf_response_report *report, double detection,
     sum->rounds += rounds;
     sum->most_rounds = rounds > sum->most_rounds ? rounds : sum->most_rounds;
     sum->contacts += report->contacts;
-    sum->resolved_pairs += report->effort.candidates;
+    sum->resolved_pairs += report->statistics.candidates;
     sum->held += report->held;
     sum->detection += detection;
     sum->response += response;

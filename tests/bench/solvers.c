@@ -3,15 +3,15 @@
 //
 //     solvers FILE
 //
-// Rows are equations but for Gauss-Seidel, which takes them for inequalities;
-// each solver has as many iterations as four times the rows and 100 more.
-// Prints a line a solver: its iterations, median and most; what it leaves of the
-// residual (Gauss-Seidel: of the largest violation), relative to what the
-// proposal has, median and worst; the same after a fifth of the rows were added
-// once more, exactly ("dup") or asking for up to a tenth more or less ("dup10");
-// by how much it changes the proposal, masses counted, relative to the least
-// change that satisfies the equations; and the processor time for all zones in
-// milliseconds.
+// Constraints are equations but for Gauss-Seidel, which takes them for
+// inequalities; each solver has as many iterations as four times the
+// constraints and 100 more. Prints a line a solver: its iterations, median and
+// most; what it leaves of the residual (Gauss-Seidel: of the largest
+// violation), relative to what the proposal has, median and worst; the same
+// after a fifth of the constraints were added once more, exactly ("dup") or
+// asking for up to a tenth more or less ("dup10"); by how much it changes the
+// proposal, masses counted, relative to the least change that satisfies the
+// equations; and the processor time for all zones in milliseconds.
 #define _POSIX_C_SOURCE 199309L // clock_gettime
 
 #include "response/conjugate_residuals.h"
@@ -30,7 +30,7 @@
 
 enum {
     MOST_ZONES = 200,
-    MOST_DUPLICATES = 5 // one for each so many rows
+    MOST_DUPLICATES = 5 // one for each so many constraints
 };
 
 static void *allocate(size_t count, size_t size)
@@ -43,10 +43,10 @@ static void *allocate(size_t count, size_t size)
 
 // The singular value decomposition --------------------------------------------
 
-static size_t dense_room(int axes, int vertices, int rows)
+static size_t dense_workspace(int axes, int vertices, int constraints)
 {
-    return tf_equations_room(axes, vertices, rows, 3) +
-           (size_t)rows * (size_t)rows;
+    return tf_equations_workspace(axes, vertices, constraints, 3) +
+           (size_t)constraints * (size_t)constraints;
 }
 
 /// The matrix column by column.
@@ -67,10 +67,11 @@ static int solve_densely(tf_zone *zone)
 {
     double *vector[3];
     tf_equations equations = tf_equations_of(zone, 3, vector);
-    double *matrix = zone->room + tf_equations_room(zone->axes, zone->vertices,
-                                                    zone->rows, 3);
+    double *matrix =
+        zone->workspace + tf_equations_workspace(zone->axes, zone->vertices,
+                                                 zone->constraints, 3);
     double *x = vector[0], *right = vector[1], *value = vector[2];
-    lapack_int n = zone->rows, rank;
+    lapack_int n = zone->constraints, rank;
     tf_equations_start(&equations, x, right);
     fill(&equations, x, matrix);
     if (LAPACKE_dgelsd(LAPACK_COL_MAJOR, n, n, 1, matrix, n, right, n, value,
@@ -80,14 +81,14 @@ static int solve_densely(tf_zone *zone)
     return 0;
 }
 
-static const tf_zone_solver tf_dense = {"SVD (LAPACK dgelsd)", dense_room,
+static const tf_zone_solver tf_dense = {"SVD (LAPACK dgelsd)", dense_workspace,
                                         solve_densely};
 
 // Conjugate gradients ---------------------------------------------------------
 
-static size_t gradients_room(int axes, int vertices, int rows)
+static size_t gradients_workspace(int axes, int vertices, int constraints)
 {
-    return tf_equations_room(axes, vertices, rows, 4);
+    return tf_equations_workspace(axes, vertices, constraints, 4);
 }
 
 /// Needs a matrix that is definite, or equations that agree: else it diverges.
@@ -115,12 +116,13 @@ static int solve_by_gradients(tf_zone *zone)
     return iterations;
 }
 
-static const tf_zone_solver tf_gradients = {"conjugate-gradients",
-                                            gradients_room, solve_by_gradients};
+static const tf_zone_solver tf_gradients = {
+    "conjugate-gradients", gradients_workspace, solve_by_gradients};
 
 // Zones -----------------------------------------------------------------------
 
-/// Each zone as it is, with rows added again, and with such that disagree.
+/// Each zone as it is, with constraints added again, and with such that
+/// disagree.
 typedef enum variant {
     PLAIN,
     DUP,
@@ -132,27 +134,27 @@ static some_zone zones[VARIANTS][MOST_ZONES];
 static double *least_change[MOST_ZONES]; ///< the displacements
 static int count;
 
-/// What the row asks of impulses: its bound, and how far the proposal is from
-/// parting its elements.
-static double right_side(const some_zone *of, const tf_row *row)
+/// What the constraint asks of impulses: its bound, and how far the proposal is
+/// from separation its elements.
+static double right_side(const some_zone *of, const tf_constraint *constraint)
 {
-    double sum = row->bound;
-    for (int i = 0; i < 4 && row->vertex[i] >= 0; i++)
+    double sum = constraint->bound;
+    for (int i = 0; i < 4 && constraint->vertex[i] >= 0; i++)
         for (int k = 0; k < of->zone.axes; k++)
-            sum -= row->coefficient[i] * row->normal[k] *
-                   of->proposal[of->zone.axes * row->vertex[i] + k];
+            sum -= constraint->coefficient[i] * constraint->normal[k] *
+                   of->proposal[of->zone.axes * constraint->vertex[i] + k];
     return sum;
 }
 
-static void add_rows(generator *random, double difference, some_zone *of)
+static void add_constraints(generator *random, double difference, some_zone *of)
 {
-    int rows = of->zone.rows;
-    for (int added = 0; added < rows / MOST_DUPLICATES; added++) {
-        int row = below(random, rows);
+    int constraints = of->zone.constraints;
+    for (int added = 0; added < constraints / MOST_DUPLICATES; added++) {
+        int constraint = below(random, constraints);
         double part = uniform(random, -difference, difference);
-        zone_duplicate(of, row, 1);
-        of->row[of->zone.rows - 1].bound +=
-            part * right_side(of, &of->row[row]);
+        zone_duplicate(of, constraint, 1);
+        of->constraint[of->zone.constraints - 1].bound +=
+            part * right_side(of, &of->constraint[constraint]);
     }
 }
 
@@ -168,7 +170,8 @@ static void read_zones(const char *name, variant which)
     while (count < MOST_ZONES &&
            zone_read(file, 1.0 / MOST_DUPLICATES, &zones[which][count])) {
         if (which != PLAIN)
-            add_rows(&random, which == DUP10 ? 0.1 : 0, &zones[which][count]);
+            add_constraints(&random, which == DUP10 ? 0.1 : 0,
+                            &zones[which][count]);
         count++;
     }
     fclose(file);
@@ -234,7 +237,8 @@ static void solve_all(const tf_zone_solver *solver, variant which,
     for (int i = 0; i < count; i++) {
         some_zone *of = &zones[which][i];
         double begin = milliseconds();
-        found->iterations[i] = zone_solve(of, solver, 4 * of->zone.rows + 100);
+        found->iterations[i] =
+            zone_solve(of, solver, 4 * of->zone.constraints + 100);
         found->time += milliseconds() - begin;
         found->residual[i] =
             solver == &tf_gauss_seidel ? zone_violation(of) : zone_residual(of);
@@ -263,12 +267,12 @@ static void show_solver(const tf_zone_solver *solver)
 
 static void show_zones(void)
 {
-    double rows[MOST_ZONES] = {0};
+    double constraints[MOST_ZONES] = {0};
     for (int i = 0; i < count; i++)
-        rows[i] = zones[PLAIN][i].zone.rows;
-    double middle = median(rows);
-    printf("%d zones of %.0f to %.0f rows, median %.0f\n", count, rows[0],
-           rows[count - 1], middle);
+        constraints[i] = zones[PLAIN][i].zone.constraints;
+    double middle = median(constraints);
+    printf("%d zones of %.0f to %.0f constraints, median %.0f\n", count,
+           constraints[0], constraints[count - 1], middle);
 }
 
 int main(int argc, char *argv[])

@@ -7,8 +7,8 @@
 // - soup and near: reading the queries from memory, 192 bytes each; the filter
 //   on the same memory, and on a block that stays in the cache; both narrow
 //   phases on the vertices that indices name, and the cubic, with the tolerance
-//   that the program gives it.  The reference and the cubic take each query once
-//   only; describing takes eight times those that hit.
+//   that the program gives it.  The reference and the cubic take each query
+//   once only; describing takes eight times those that hit.
 // - dense: the candidates of cloth of a million triangles, whose vertices are
 //   gathered, by both narrow phases.
 // - a hard family: both narrow phases, and the percentage of its queries that
@@ -22,8 +22,8 @@
 #include "bench/layers.h"
 #include "bench/measuring.h"
 #include "bench/workloads.h"
-#include "fast/filter.h"
-#include "fast/vector.h"
+#include "fast/block_filter.h"
+#include "fast/vectorized.h"
 #include "linear/cubic.h"
 #include "query/edge_edge.h"
 #include "query/point_triangle.h"
@@ -217,8 +217,8 @@ static void describe_hit(const arrays *a, size_t i)
             : tf_point_triangle(&tf_exact, &a->motion, *v, v + 1, &contact));
 }
 
-/// Describes what hits of all queries, several times: what has just been decided
-/// is in the cache.
+/// Describes what hits of all queries, several times: what has just been
+/// decided is in the cache.
 static size_t describe_hits(arrays *a)
 {
     size_t hits = 0;
@@ -464,7 +464,7 @@ static double time_candidates(tf_surface *surface, const tf_motion *motion)
 static double time_contacts(tf_surface *surface, const tf_motion *motion,
                             const tf_narrow_phase *narrow_phase)
 {
-    tf_detection detection = {.narrow_phase = narrow_phase};
+    tf_detect_options detection = {.narrow_phase = narrow_phase};
     tf_contacts found;
     double start = nanoseconds();
     require(tf_surface_detect(surface, motion, &detection, &found, NULL));

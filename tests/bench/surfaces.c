@@ -46,7 +46,7 @@ static double nanoseconds(clockid_t clock)
 typedef struct result {
     double moving, candidates, contacts, describing, two_threads;
     size_t candidate_count, contact_count, bytes;
-    tf_effort effort;
+    tf_detect_statistics statistics;
     double pairs;
 } result;
 
@@ -95,7 +95,7 @@ static tf_contacts time_contacts(const layers *cloth, tf_surface *surface,
                                  int threads, clockid_t clock, double *best)
 {
     tf_parallel parallel = tf_threads(&threads);
-    tf_detection detection = {.parallel = threads > 1 ? &parallel : NULL};
+    tf_detect_options detection = {.parallel = threads > 1 ? &parallel : NULL};
     tf_contacts found;
     double start = nanoseconds(clock);
     require(
@@ -133,7 +133,7 @@ static void time_round(const layers *cloth, tf_surface *surface,
     tf_contacts found = time_contacts(
         cloth, surface, 1, CLOCK_PROCESS_CPUTIME_ID, &measured->contacts);
     time_describing(cloth, &found, measured);
-    measured->effort = found.effort;
+    measured->statistics = found.statistics;
     measured->contact_count = found.count;
     time_contacts(cloth, surface, 2, CLOCK_MONOTONIC, &measured->two_threads);
 }
@@ -170,9 +170,9 @@ static void print_csv(const char *name, int triangles, const result *r)
         {"finding contacts", "ns a triangle", r->contacts},
         {"describing contacts", "ns a triangle", r->describing},
         {"finding contacts by two threads", "ns a triangle", r->two_threads},
-        {"decided by an axis", "", (double)r->effort.by_axis},
-        {"decided by the filter", "", (double)r->effort.by_filter},
-        {"decided by signs", "", (double)r->effort.by_signs},
+        {"decided by an axis", "", (double)r->statistics.by_axis},
+        {"decided by the filter", "", (double)r->statistics.by_filter},
+        {"decided by signs", "", (double)r->statistics.by_signs},
         {"contacts", "", (double)r->contact_count},
         {"memory", "bytes a triangle", (double)r->bytes / triangles},
     };

@@ -2,7 +2,7 @@
 #include "fast/clearance.h"
 
 #include "arithmetic/exact.h"
-#include "fast/vector.h"
+#include "fast/vectorized.h"
 #include "support/families.h"
 #include "support/support.h"
 
@@ -69,8 +69,9 @@ static double movement(int count, const int vertex[], const double from[],
     return most;
 }
 
-/// Moves the ends of each query that is apart as far as its clearance allows; puts
-/// those back that rounding has moved farther.  Returns how many have moved.
+/// Moves the ends of each query that is apart as far as its clearance allows;
+/// puts those back that rounding has moved farther.  Returns how many have
+/// moved.
 static int move_all(generator *random, batch *b, const double before[],
                     const double clearance[])
 {

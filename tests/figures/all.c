@@ -134,7 +134,7 @@ START_TEST(solids_turn)
 {
     static const char *const solid[] = {"edge-sweep",  "prism",
                                         "bent-slices", "sheared-frame",
-                                        "contact",     "edge-edge-sheets"};
+                                        "contact",     "edge-edge-distances"};
     for (size_t i = 0; i < sizeof solid / sizeof *solid; i++) {
         const fig_figure *figure = fig_figure_named(solid[i]);
         double before = place_labels(figure, 30);

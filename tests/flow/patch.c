@@ -4,7 +4,7 @@
 
 #include "support/flowing.h"
 #include "support/support.h"
-#include "surgery/operations.h"
+#include "surgery/move.h"
 
 /// Moves a vertex to where its star gains 1/6 of `more`; returns by how much the
 /// surface then differs from that.

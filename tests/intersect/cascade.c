@@ -1,6 +1,7 @@
 #include "intersect/cascade.h"
 
 #include "arithmetic/clamped.h"
+#include "arithmetic/functions.h"
 #include "support/pairs.h"
 #include "support/queries.h"
 #include "support/rational.h"

@@ -1,6 +1,7 @@
 #include "intersect/complementary.h"
 
 #include "arithmetic/clamped.h"
+#include "arithmetic/functions.h"
 #include "support/pairs.h"
 #include "support/rational.h"
 #include "support/support.h"

@@ -1,5 +1,6 @@
 #include "intersect/coordinates.h"
 
+#include "arithmetic/functions.h"
 #include "support/pairs.h"
 #include "support/rational.h"
 #include "support/support.h"

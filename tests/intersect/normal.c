@@ -1,6 +1,7 @@
 #include "intersect/normal.h"
 
 #include "arithmetic/clamped.h"
+#include "arithmetic/functions.h"
 #include "geometry/vector.h"
 #include "support/queries.h"
 #include "support/rational.h"

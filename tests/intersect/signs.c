@@ -1,5 +1,6 @@
 #include "intersect/signs.h"
 
+#include "arithmetic/functions.h"
 #include "support/counting.h"
 #include "support/pairs.h"
 #include "support/rational.h"

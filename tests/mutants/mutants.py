@@ -273,8 +273,9 @@ class Tests:
 class Builder:
     """The library, and the program but for main(), as a shared object."""
 
-    def __init__(self, build, compiler, sources):
+    def __init__(self, build, compiler, experiments, sources):
         self.build, self.compiler = build, compiler
+        self.experiments = experiments
         self.sources = sources
         for folder in ['linked', *map(self.worker, range(WORKERS))]:
             os.makedirs('%s/%s' % (build, folder), exist_ok=True)
@@ -305,7 +306,7 @@ class Builder:
     def link(self, folder, replaced, by):
         objects = [by if file == replaced else self.original(file)
                    for file in self.sources]
-        must(['cc', '-shared', *objects, '-lm', '-o',
+        must(['cc', '-shared', *objects, *self.experiments, '-lm', '-o',
               folder + '/libtanglefree.so'])
 
 
@@ -413,13 +414,14 @@ def report(results, listed):
 
 
 def main():
-    build, compiler, libraries, sources, names = sys.argv[1:6]
-    files = sys.argv[6:] or sorted(
+    build, compiler, experiments, libraries, sources, names = sys.argv[1:7]
+    files = sys.argv[7:] or sorted(
         str(path) for layer in LAYERS
         for path in pathlib.Path('src', layer).glob('*.c'))
-    others = [] if sys.argv[6:] else sorted(
+    others = [] if sys.argv[7:] else sorted(
         {parts[0] for parts in read_list(PLANTED)} - set(files))
-    builder = Builder(build, shlex.split(compiler), sources.split())
+    builder = Builder(build, shlex.split(compiler), experiments.split(),
+                      sources.split())
     tests = Tests(build, names.split(), libraries.split())
     mutants = [m for file in files + others
                for m in mutants_of(file, file in files)]

@@ -14,8 +14,9 @@ noticing = $(filter-out $(unnoticing:%=$(BUILD)/tests/whole/%),$(filter \
 	$(BUILD)/tests/whole/% $(LIBRARY:%=$(BUILD)/tests/%),$(TESTS)))
 breakable = $(wildcard $(patsubst %,src/%.c,$(LIBRARY) $(PROGRAM)))
 
-run-mutants: $(noticing:=.o) $(BUILD)/support.a
+run-mutants: $(noticing:=.o) $(BUILD)/support.a $(BUILD)/experiments.a
 	@TF_TEST_PERCENT=10 python3 tests/mutants/mutants.py $(BUILD) \
-	    '$(COMPILE)' "$$(pkg-config --libs check) -lgmp $(SPARSE) -lm" \
+	    '$(COMPILE)' '$(wrapped) $(BUILD)/experiments.a' \
+	    "$$(pkg-config --libs check) -lgmp $(SPARSE) -lm" \
 	    '$(breakable)' '$(noticing:$(BUILD)/%=%)' $(FILE)
 .PHONY: mutants run-mutants

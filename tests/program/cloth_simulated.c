@@ -18,7 +18,7 @@ static const tf_step_cost cost = {
     .report = {.first_contacts = 2,
                .contacts = 3,
                .rounds = {4, 5, 6, 7},
-               .rows = 8,
+               .constraints = 8,
                .held = 9,
                .grouped = 10,
                .resting = 11},

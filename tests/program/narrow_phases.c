@@ -1,6 +1,6 @@
 #include "program/narrow_phases.h"
 
-#include "fast/vector.h"
+#include "fast/vectorized.h"
 #include "support/support.h"
 
 START_TEST(every_name_finds_its_narrow_phase)

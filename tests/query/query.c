@@ -1,7 +1,7 @@
 #include "query/query.h"
 
 #include "arithmetic/clamped.h"
-#include "arithmetic/operations.h"
+#include "arithmetic/functions.h"
 #include "base/contract.h"
 #include "base/environment.h"
 #include "support/environments.h"

@@ -4,7 +4,7 @@
 #include "support/adaptive_of.h"
 #include "support/remeshing.h"
 #include "support/support.h"
-#include "surgery/move.h"
+#include "surgery/star.h"
 
 #include <math.h>
 

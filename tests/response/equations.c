@@ -1,4 +1,4 @@
-// The equations of a zone, against sums over its rows.
+// The equations of a zone, against sums over its constraints.
 #include "response/equations.h"
 
 #include "support/support.h"
@@ -8,7 +8,7 @@
 #include <stdlib.h>
 
 enum {
-    ROWS = 12,
+    CONSTRAINTS = 12,
     VERTICES = 9,
     AXES = 3
 };
@@ -20,10 +20,10 @@ static double *vector[2];
 static void set_up(void)
 {
     generator random = generator_new(1);
-    of = zone_random(&random, AXES, VERTICES, ROWS, ROWS);
-    size_t room = tf_equations_room(AXES, VERTICES, ROWS, 2);
-    of.zone.room = malloc(room * sizeof(double));
-    ck_assert_ptr_nonnull(of.zone.room);
+    of = zone_random(&random, AXES, VERTICES, CONSTRAINTS, CONSTRAINTS);
+    size_t workspace = tf_equations_workspace(AXES, VERTICES, CONSTRAINTS, 2);
+    of.zone.workspace = malloc(workspace * sizeof(double));
+    ck_assert_ptr_nonnull(of.zone.workspace);
     for (int i = 0; i < AXES * VERTICES; i++)
         of.displacement[i] = of.proposal[i];
     equations = tf_equations_of(&of.zone, 2, vector);
@@ -32,12 +32,12 @@ static void set_up(void)
 
 static void tear_down(void)
 {
-    free(of.zone.room);
+    free(of.zone.workspace);
     zone_free(&of);
 }
 
-/// How far the unit impulse of row j parts row i.
-static double entry(const tf_row *i, const tf_row *j)
+/// How far the unit impulse of constraint j parts constraint i.
+static double entry(const tf_constraint *i, const tf_constraint *j)
 {
     double sum = 0;
     for (int a = 0; a < 4; a++)
@@ -52,13 +52,14 @@ static double entry(const tf_row *i, const tf_row *j)
 
 START_TEST(products_are_those_of_the_scaled_matrix)
 {
-    double x[ROWS] = {0}, product[ROWS];
-    for (int j = 0; j < ROWS; j++) {
+    double x[CONSTRAINTS] = {0}, product[CONSTRAINTS];
+    for (int j = 0; j < CONSTRAINTS; j++) {
         x[j] = 1;
         tf_equations_multiply(&equations, x, product);
         x[j] = 0;
-        for (int i = 0; i < ROWS; i++) {
-            const tf_row *one = &of.row[i], *other = &of.row[j];
+        for (int i = 0; i < CONSTRAINTS; i++) {
+            const tf_constraint *one = &of.constraint[i],
+                                *other = &of.constraint[j];
             double scaled =
                 entry(one, other) / sqrt(entry(one, one) * entry(other, other));
             ck_assert_double_eq_tol(product[i], scaled, 1e-12);
@@ -70,52 +71,54 @@ END_TEST
 
 START_TEST(a_residual_counts_the_impulses_that_there_are)
 {
-    double none[ROWS];
-    for (int i = 0; i < ROWS; i++) {
+    double none[CONSTRAINTS];
+    for (int i = 0; i < CONSTRAINTS; i++) {
         none[i] = vector[1][i];
-        of.row[i].impulse = i - 3;
+        of.constraint[i].impulse = i - 3;
     }
     double enough = tf_equations_start(&equations, vector[0], vector[1]);
     double square = tf_equations_dot(&equations, none, none);
     ck_assert_double_eq_tol(enough, 1e-8 * sqrt(square), 1e-15);
-    for (int i = 0; i < ROWS; i++) {
-        const tf_row *row = &of.row[i];
+    for (int i = 0; i < CONSTRAINTS; i++) {
+        const tf_constraint *constraint = &of.constraint[i];
         double expected = none[i];
-        for (int j = 0; j < ROWS; j++)
-            expected -=
-                entry(row, &of.row[j]) * (j - 3) / sqrt(entry(row, row));
+        for (int j = 0; j < CONSTRAINTS; j++)
+            expected -= entry(constraint, &of.constraint[j]) * (j - 3) /
+                        sqrt(entry(constraint, constraint));
         ck_assert_double_eq_tol(vector[1][i], expected, 1e-12);
     }
 }
 END_TEST
 
-START_TEST(impulses_are_left_in_the_rows_and_applied)
+START_TEST(impulses_are_left_in_the_constraints_and_applied)
 {
-    double change[ROWS];
-    for (int i = 0; i < ROWS; i++) {
+    double change[CONSTRAINTS];
+    for (int i = 0; i < CONSTRAINTS; i++) {
         vector[0][i] = 0.1 * i;
-        of.row[i].friction[1] = 1;
+        of.constraint[i].friction[1] = 1;
     }
-    tf_zone_partings(&of.zone, of.proposal, change);
+    tf_zone_separations(&of.zone, of.proposal, change);
     tf_equations_finish(&equations, vector[0]);
-    tf_zone_partings(&of.zone, of.displacement, vector[1]);
-    for (int i = 0; i < ROWS; i++) {
-        const tf_row *row = &of.row[i];
-        ck_assert_double_eq_tol(row->impulse * sqrt(entry(row, row)), 0.1 * i,
-                                1e-12);
-        ck_assert_double_eq(row->friction[1], 0);
+    tf_zone_separations(&of.zone, of.displacement, vector[1]);
+    for (int i = 0; i < CONSTRAINTS; i++) {
+        const tf_constraint *constraint = &of.constraint[i];
+        ck_assert_double_eq_tol(constraint->impulse *
+                                    sqrt(entry(constraint, constraint)),
+                                0.1 * i, 1e-12);
+        ck_assert_double_eq(constraint->friction[1], 0);
         double expected = change[i];
-        for (int j = 0; j < ROWS; j++)
-            expected += entry(row, &of.row[j]) * of.row[j].impulse;
+        for (int j = 0; j < CONSTRAINTS; j++)
+            expected +=
+                entry(constraint, &of.constraint[j]) * of.constraint[j].impulse;
         ck_assert_double_eq_tol(vector[1][i], expected, 1e-12);
     }
 }
 END_TEST
 
-START_TEST(a_row_that_moves_nothing_asks_for_nothing)
+START_TEST(a_constraint_that_moves_nothing_asks_for_nothing)
 {
     for (int i = 0; i < 4; i++)
-        of.row[5].coefficient[i] = 0;
+        of.constraint[5].coefficient[i] = 0;
     tf_equations_start(&equations, vector[0], vector[1]);
     ck_assert_double_eq(vector[1][5], 0);
     tf_equations_multiply(&equations, vector[1], vector[0]);
@@ -125,7 +128,7 @@ END_TEST
 
 START_TEST(small_residuals)
 {
-    double product[ROWS] = {0}, residual[ROWS] = {3, 4};
+    double product[CONSTRAINTS] = {0}, residual[CONSTRAINTS] = {3, 4};
     product[0] = 1;
     ck_assert(tf_equations_are_solved(&equations, residual, product, 5.1));
     ck_assert(!tf_equations_are_solved(&equations, residual, product, 4.9));
@@ -143,8 +146,8 @@ Suite *suite(void)
     tcase_add_checked_fixture(tcase, set_up, tear_down);
     tcase_add_test(tcase, products_are_those_of_the_scaled_matrix);
     tcase_add_test(tcase, a_residual_counts_the_impulses_that_there_are);
-    tcase_add_test(tcase, impulses_are_left_in_the_rows_and_applied);
-    tcase_add_test(tcase, a_row_that_moves_nothing_asks_for_nothing);
+    tcase_add_test(tcase, impulses_are_left_in_the_constraints_and_applied);
+    tcase_add_test(tcase, a_constraint_that_moves_nothing_asks_for_nothing);
     tcase_add_test(tcase, small_residuals);
     suite_add_tcase(suite, tcase);
     return suite;

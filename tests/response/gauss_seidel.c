@@ -10,16 +10,17 @@
 
 enum {
     VERTICES = 12,
-    MOST_ROWS = 40,
+    MOST_CONSTRAINTS = 40,
     MANY = 2000
 };
 
 static some_zone random_zone(generator *random, int axes)
 {
-    int rows = 1 + below(random, MOST_ROWS / 2);
-    some_zone of = zone_random(random, axes, VERTICES, rows, MOST_ROWS);
-    for (int i = below(random, rows + 1); i > 0; i--)
-        zone_duplicate(&of, below(random, rows), 1);
+    int constraints = 1 + below(random, MOST_CONSTRAINTS / 2);
+    some_zone of =
+        zone_random(random, axes, VERTICES, constraints, MOST_CONSTRAINTS);
+    for (int i = below(random, constraints + 1); i > 0; i--)
+        zone_duplicate(&of, below(random, constraints), 1);
     return of;
 }
 
@@ -43,34 +44,35 @@ static double energy(const some_zone *of)
     return sum;
 }
 
-// Bounds ------------------------------------------------------------------------
+// Bounds ----------------------------------------------------------------------
 
-// Where a row pushes, it is satisfied as an equation: complementarity.
-START_TEST(rows_are_satisfied_and_do_not_pull)
+// Where a constraint pushes, it is satisfied as an equation: complementarity.
+START_TEST(constraints_are_satisfied_and_do_not_pull)
 {
     generator random = generator_new(100 + (uint64_t)_i);
     for (int times = 0; times < (int)cases(200); times++) {
-        some_zone of = zone_random(&random, 2 + _i, VERTICES, 6, MOST_ROWS);
+        some_zone of =
+            zone_random(&random, 2 + _i, VERTICES, 6, MOST_CONSTRAINTS);
         converge(&of);
-        double parting[MOST_ROWS];
-        tf_zone_partings(&of.zone, of.displacement, parting);
-        for (int i = 0; i < of.zone.rows; i++) {
-            const tf_row *row = &of.row[i];
-            ck_assert_double_ge(row->impulse, 0);
-            ck_assert_double_ge(parting[i], row->bound - 1e-4);
-            if (row->impulse > 1e-2)
-                ck_assert_double_le(parting[i], row->bound + 1e-3);
+        double separation[MOST_CONSTRAINTS];
+        tf_zone_separations(&of.zone, of.displacement, separation);
+        for (int i = 0; i < of.zone.constraints; i++) {
+            const tf_constraint *constraint = &of.constraint[i];
+            ck_assert_double_ge(constraint->impulse, 0);
+            ck_assert_double_ge(separation[i], constraint->bound - 1e-4);
+            if (constraint->impulse > 1e-2)
+                ck_assert_double_le(separation[i], constraint->bound + 1e-3);
         }
         zone_free(&of);
     }
 }
 END_TEST
 
-START_TEST(rows_listed_twice_change_nothing)
+START_TEST(constraints_listed_twice_change_nothing)
 {
     generator random = generator_new(200);
     for (int times = 0; times < (int)cases(100); times++) {
-        some_zone of = zone_random(&random, 3, VERTICES, 8, MOST_ROWS);
+        some_zone of = zone_random(&random, 3, VERTICES, 8, MOST_CONSTRAINTS);
         double once[3 * VERTICES];
         converge(&of);
         memcpy(once, of.displacement, sizeof once);
@@ -83,7 +85,7 @@ START_TEST(rows_listed_twice_change_nothing)
 }
 END_TEST
 
-// Energy ------------------------------------------------------------------------
+// Energy ----------------------------------------------------------------------
 
 // The energy is the proposal's plus what the sweeps minimize, which is 0 at
 // first, for any number of sweeps and any rank.
@@ -92,8 +94,8 @@ START_TEST(no_sweep_raises_the_energy)
     generator random = generator_new(300 + (uint64_t)_i);
     for (int times = 0; times < (int)cases(200); times++) {
         some_zone of = random_zone(&random, 2 + _i);
-        for (int i = 0; i < of.zone.rows; i++)
-            of.row[i].bound = 0;
+        for (int i = 0; i < of.zone.constraints; i++)
+            of.constraint[i].bound = 0;
         for (int i = 0; i < VERTICES; i++)
             for (int k = 0; k < of.zone.axes && of.inverse_mass[i] == 0; k++)
                 of.proposal[of.zone.axes * i + k] = 0;
@@ -110,7 +112,7 @@ START_TEST(no_sweep_raises_the_energy)
 }
 END_TEST
 
-// Work --------------------------------------------------------------------------
+// Work ------------------------------------------------------------------------
 
 START_TEST(no_more_sweeps_than_allowed)
 {
@@ -123,15 +125,16 @@ START_TEST(no_more_sweeps_than_allowed)
 }
 END_TEST
 
-/// A zone in the plane, of which only the last row is new.
-static tf_zone zone_of(int vertices, int rows, tf_row row[],
-                       const double inverse_mass[], double displacement[])
+/// A zone in the plane, of which only the last constraint is new.
+static tf_zone zone_of(int vertices, int constraints,
+                       tf_constraint constraint[], const double inverse_mass[],
+                       double displacement[])
 {
     return (tf_zone){.axes = 2,
                      .vertices = vertices,
-                     .rows = rows,
-                     .solved = rows - 1,
-                     .row = row,
+                     .constraints = constraints,
+                     .solved = constraints - 1,
+                     .constraint = constraint,
                      .inverse_mass = inverse_mass,
                      .displacement = displacement,
                      .sweeps = 100};
@@ -139,87 +142,92 @@ static tf_zone zone_of(int vertices, int rows, tf_row row[],
 
 static void solve(tf_zone *zone)
 {
-    size_t room = tf_gauss_seidel.room(zone->axes, zone->vertices, zone->rows);
-    zone->room = malloc(room * sizeof(double));
-    ck_assert_ptr_nonnull(zone->room);
+    size_t workspace = tf_gauss_seidel.workspace(zone->axes, zone->vertices,
+                                                 zone->constraints);
+    zone->workspace = malloc(workspace * sizeof(double));
+    ck_assert_ptr_nonnull(zone->workspace);
     tf_gauss_seidel.solve(zone);
-    free(zone->room);
+    free(zone->workspace);
 }
 
-/// A row that keeps a vertex from moving down, or as fast as another.
-static tf_row row_of(int vertex, int other)
+/// A constraint that keeps a vertex from moving down, or as fast as another.
+static tf_constraint constraint_of(int vertex, int other)
 {
-    tf_row row = {.vertex = {vertex, other, -1, -1},
-                  .coefficient = {1, other >= 0 ? -1 : 0},
-                  .normal = {0, 1, 0}};
-    return row;
+    tf_constraint constraint = {.vertex = {vertex, other, -1, -1},
+                                .coefficient = {1, other >= 0 ? -1 : 0},
+                                .normal = {0, 1, 0}};
+    return constraint;
 }
 
-// Row 0 holds vertex 0, and vertex 1 falls upon it; row 2 is far away.
-START_TEST(solved_rows_wait_until_their_vertices_move)
+// Constraint 0 holds vertex 0, and vertex 1 falls upon it; constraint 2 is far
+// away.
+START_TEST(solved_constraints_wait_until_their_vertices_move)
 {
-    tf_row row[] = {row_of(2, -1), row_of(0, -1), row_of(1, 0)};
+    tf_constraint constraint[] = {constraint_of(2, -1), constraint_of(0, -1),
+                                  constraint_of(1, 0)};
     double inverse_mass[] = {1, 1, 1}, d[] = {0, -1, 0, -2, 0, -3};
-    row[0].impulse = 2; // wrong, but nobody has to look
-    tf_zone zone = zone_of(3, 3, row, inverse_mass, d);
+    constraint[0].impulse = 2; // wrong, but nobody has to look
+    tf_zone zone = zone_of(3, 3, constraint, inverse_mass, d);
     zone.solved = 1;
     solve(&zone);
-    ck_assert_double_eq(row[0].impulse, 2);
+    ck_assert_double_eq(constraint[0].impulse, 2);
     ck_assert_double_eq(d[5], -1);
     ck_assert_double_ge(d[1], -0.05);
     ck_assert_double_ge(d[3], d[1] - 0.05);
 
     double again[] = {0, -1, 0, -2, 0, -3};
-    row[0] = row_of(1, -1);
+    constraint[0] = constraint_of(1, -1);
     zone.displacement = again;
     solve(&zone);
     ck_assert_msg(again[3] > -0.05,
-                  "vertex 1 was moved, and row 0 not visited");
+                  "vertex 1 was moved, and constraint 0 not visited");
 }
 END_TEST
 
-/// Swaps what two places of a row have.
-static void swap_places(tf_row *row, int a, int b)
+/// Swaps what two places of a constraint have.
+static void swap_places(tf_constraint *constraint, int a, int b)
 {
-    int vertex = row->vertex[a];
-    double coefficient = row->coefficient[a];
-    row->vertex[a] = row->vertex[b];
-    row->coefficient[a] = row->coefficient[b];
-    row->vertex[b] = vertex;
-    row->coefficient[b] = coefficient;
+    int vertex = constraint->vertex[a];
+    double coefficient = constraint->coefficient[a];
+    constraint->vertex[a] = constraint->vertex[b];
+    constraint->coefficient[a] = constraint->coefficient[b];
+    constraint->vertex[b] = vertex;
+    constraint->coefficient[b] = coefficient;
 }
 
-// Row 1 is new and pushes vertex 6 down, which row 0 has above others.
-START_TEST(a_row_is_told_of_each_of_its_vertices)
+// Constraint 1 is new and pushes vertex 6 down, which constraint 0 has above
+// others.
+START_TEST(a_constraint_is_told_of_each_of_its_vertices)
 {
-    tf_row row[] = {{.vertex = {0, 1, 2, 6},
-                     .coefficient = {-0.5, -0.5, 0.5, 0.5},
-                     .normal = {0, 0, 1}},
-                    {.vertex = {3, 4, 5, 6},
-                     .coefficient = {0.5, 0.5, -0.5, -0.5},
-                     .normal = {0, 0, 1}}};
-    swap_places(&row[0], 3, _i / 4);
-    swap_places(&row[1], 3, _i % 4);
+    tf_constraint constraint[] = {{.vertex = {0, 1, 2, 6},
+                                   .coefficient = {-0.5, -0.5, 0.5, 0.5},
+                                   .normal = {0, 0, 1}},
+                                  {.vertex = {3, 4, 5, 6},
+                                   .coefficient = {0.5, 0.5, -0.5, -0.5},
+                                   .normal = {0, 0, 1}}};
+    swap_places(&constraint[0], 3, _i / 4);
+    swap_places(&constraint[1], 3, _i % 4);
     double inverse_mass[] = {1, 1, 1, 1, 1, 1, 1}, d[21] = {0};
     d[3 * 3 + 2] = d[3 * 4 + 2] = -1;
-    tf_zone zone = zone_of(7, 2, row, inverse_mass, d);
+    tf_zone zone = zone_of(7, 2, constraint, inverse_mass, d);
     zone.axes = 3;
     solve(&zone);
-    ck_assert_double_gt(row[0].impulse, 0.1);
+    ck_assert_double_gt(constraint[0].impulse, 0.1);
 }
 END_TEST
 
-// Row 0 has stopped a fall of 1; row 1 pushes the vertex on by `more`.
+// Constraint 0 has stopped a fall of 1; constraint 1 pushes the vertex on by
+// `more`.
 static double impulse_left(double more)
 {
-    tf_row row[] = {row_of(0, -1), row_of(0, -1)};
+    tf_constraint constraint[] = {constraint_of(0, -1), constraint_of(0, -1)};
     double inverse_mass = 1, d[] = {0, -1};
-    row[0].impulse = 1;
-    row[1].bound = more;
-    tf_zone zone = zone_of(1, 2, row, &inverse_mass, d);
+    constraint[0].impulse = 1;
+    constraint[1].bound = more;
+    tf_zone zone = zone_of(1, 2, constraint, &inverse_mass, d);
     solve(&zone);
     ck_assert_double_ge(d[1], more - 0.01);
-    return row[0].impulse;
+    return constraint[0].impulse;
 }
 
 START_TEST(impulses_are_taken_back_if_they_push_much_too_much)
@@ -229,18 +237,18 @@ START_TEST(impulses_are_taken_back_if_they_push_much_too_much)
 }
 END_TEST
 
-// Friction ----------------------------------------------------------------------
+// Friction --------------------------------------------------------------------
 
 /// Slides a vertex over a floor that it is pressed into by `pressed`.
 static double slide(double friction, double pressed)
 {
-    tf_row row = row_of(0, -1);
+    tf_constraint constraint = constraint_of(0, -1);
     double inverse_mass = 0.5, d[] = {1, -pressed};
-    tf_zone zone = zone_of(1, 1, &row, &inverse_mass, d);
+    tf_zone zone = zone_of(1, 1, &constraint, &inverse_mass, d);
     zone.friction = friction;
     solve(&zone);
     ck_assert_double_eq_tol(d[1], 0, 1e-12);
-    ck_assert_double_eq_tol(row.impulse, 2 * pressed, 1e-12);
+    ck_assert_double_eq_tol(constraint.impulse, 2 * pressed, 1e-12);
     return d[0];
 }
 
@@ -257,16 +265,17 @@ END_TEST
 Suite *suite(void)
 {
     Suite *suite = suite_create("response/gauss_seidel");
-    TCase *tcase = tcase_create("rows");
-    tcase_add_loop_test(tcase, rows_are_satisfied_and_do_not_pull, 0, 2);
-    tcase_add_test(tcase, rows_listed_twice_change_nothing);
+    TCase *tcase = tcase_create("constraints");
+    tcase_add_loop_test(tcase, constraints_are_satisfied_and_do_not_pull, 0, 2);
+    tcase_add_test(tcase, constraints_listed_twice_change_nothing);
     tcase_add_loop_test(tcase, no_sweep_raises_the_energy, 0, 2);
     suite_add_tcase(suite, tcase);
 
     TCase *hand = tcase_create("by hand");
     tcase_add_test(hand, no_more_sweeps_than_allowed);
-    tcase_add_test(hand, solved_rows_wait_until_their_vertices_move);
-    tcase_add_loop_test(hand, a_row_is_told_of_each_of_its_vertices, 0, 16);
+    tcase_add_test(hand, solved_constraints_wait_until_their_vertices_move);
+    tcase_add_loop_test(hand, a_constraint_is_told_of_each_of_its_vertices, 0,
+                        16);
     tcase_add_test(hand, impulses_are_taken_back_if_they_push_much_too_much);
     tcase_add_test(hand, friction_is_coulombs);
     suite_add_tcase(suite, hand);

@@ -35,7 +35,7 @@ START_TEST(roots_are_the_least)
         for (int i = 0; i < NUMBERS; i++)
             ck_assert_int_eq(tf_groups_find(&groups, i), least_of[i]);
     }
-    tf_buffer_free(&groups.room);
+    tf_buffer_free(&groups.storage);
 }
 END_TEST
 
@@ -50,7 +50,7 @@ START_TEST(a_chain_gets_short)
     for (int i = NUMBERS - 1; groups.parent[i] != i; i = groups.parent[i])
         steps++;
     ck_assert_int_le(steps, NUMBERS / 2 + 1);
-    tf_buffer_free(&groups.room);
+    tf_buffer_free(&groups.storage);
 }
 END_TEST
 

@@ -1,4 +1,4 @@
-// Visits of a row, and what they preserve.
+// Visits of a constraint, and what they preserve.
 #include "response/impulse.h"
 
 #include "support/support.h"
@@ -12,10 +12,10 @@ enum {
     TRIALS = 500
 };
 
-/// A row, and the vertices that it is about.
+/// A constraint, and the vertices that it is about.
 typedef struct scene {
     int axes;
-    tf_row row;
+    tf_constraint constraint;
     double inverse_mass[VERTICES], move[3 * VERTICES];
 } scene;
 
@@ -24,35 +24,35 @@ static tf_bodies bodies_of(scene *s)
     return (tf_bodies){s->axes, s->inverse_mass, s->move};
 }
 
-/// A row of a point and an element of two or three vertices.
+/// A constraint of a point and an element of two or three vertices.
 static scene random_scene(generator *random)
 {
     scene s = {.axes = 2 + below(random, 2)};
     double sum = 0, square = 0;
     for (int i = 0; i < VERTICES; i++) {
         bool used = i <= s.axes;
-        s.row.vertex[i] = used ? i : -1;
-        s.row.coefficient[i] = used ? uniform(random, 0.01, 1) : 0;
+        s.constraint.vertex[i] = used ? i : -1;
+        s.constraint.coefficient[i] = used ? uniform(random, 0.01, 1) : 0;
         s.inverse_mass[i] = uniform(random, 0.1, 2);
-        sum += i > 0 ? s.row.coefficient[i] : 0;
+        sum += i > 0 ? s.constraint.coefficient[i] : 0;
     }
-    s.row.coefficient[0] = 1;
+    s.constraint.coefficient[0] = 1;
     for (int i = 1; i <= s.axes; i++)
-        s.row.coefficient[i] /= -sum;
+        s.constraint.coefficient[i] /= -sum;
     for (int k = 0; k < s.axes; k++) {
-        s.row.normal[k] = uniform(random, -1, 1);
-        square += s.row.normal[k] * s.row.normal[k];
+        s.constraint.normal[k] = uniform(random, -1, 1);
+        square += s.constraint.normal[k] * s.constraint.normal[k];
     }
     for (int k = 0; k < s.axes; k++)
-        s.row.normal[k] /= sqrt(square);
+        s.constraint.normal[k] /= sqrt(square);
     for (int i = 0; i < 3 * VERTICES; i++)
         s.move[i] = uniform(random, -1, 1);
     return s;
 }
 
-static double parting(const scene *s)
+static double separation(const scene *s)
 {
-    return tf_row_parting(s->axes, &s->row, s->move);
+    return tf_constraint_separation(s->axes, &s->constraint, s->move);
 }
 
 static double energy(const scene *s)
@@ -81,7 +81,7 @@ static double change(const scene *s, const scene *from)
 static void visit(scene *s, double friction)
 {
     tf_bodies bodies = bodies_of(s);
-    tf_row_visit(&s->row, friction, &bodies);
+    tf_constraint_visit(&s->constraint, friction, &bodies);
 }
 
 START_TEST(parts_the_elements_as_far_as_is_wanted)
@@ -89,11 +89,12 @@ START_TEST(parts_the_elements_as_far_as_is_wanted)
     generator random = generator_new(1);
     for (long i = cases(TRIALS); i > 0; i--) {
         scene s = random_scene(&random);
-        s.row.bound = uniform(&random, 0, 1);
-        double before = parting(&s);
+        s.constraint.bound = uniform(&random, 0, 1);
+        double before = separation(&s);
         visit(&s, 0);
-        ck_assert_double_eq_tol(parting(&s), fmax(before, s.row.bound), 1e-12);
-        ck_assert((s.row.impulse > 0) == (before < s.row.bound));
+        ck_assert_double_eq_tol(separation(&s),
+                                fmax(before, s.constraint.bound), 1e-12);
+        ck_assert((s.constraint.impulse > 0) == (before < s.constraint.bound));
     }
 }
 END_TEST
@@ -103,16 +104,17 @@ START_TEST(no_other_push_is_less)
     generator random = generator_new(2);
     for (long i = cases(TRIALS); i > 0; i--) {
         scene s = random_scene(&random), other = s, from = s;
-        s.row.bound = parting(&s) + uniform(&random, 0, 1);
+        s.constraint.bound = separation(&s) + uniform(&random, 0, 1);
         visit(&s, 0);
 
         // Any change, scaled to part the elements as far.
         for (int v = 0; v < 3 * VERTICES; v++)
             other.move[v] = uniform(&random, -1, 1);
-        double part = (s.row.bound - parting(&from)) / parting(&other);
+        double part =
+            (s.constraint.bound - separation(&from)) / separation(&other);
         for (int v = 0; v < 3 * VERTICES; v++)
             other.move[v] = from.move[v] + part * other.move[v];
-        ck_assert_double_eq_tol(parting(&other), s.row.bound, 1e-9);
+        ck_assert_double_eq_tol(separation(&other), s.constraint.bound, 1e-9);
         ck_assert_double_le(change(&s, &from),
                             change(&other, &from) * (1 + 1e-12));
     }
@@ -124,7 +126,7 @@ START_TEST(keeps_momentum)
     generator random = generator_new(3);
     for (long i = cases(TRIALS); i > 0; i--) {
         scene s = random_scene(&random), from = s;
-        s.row.bound = 1;
+        s.constraint.bound = 1;
         visit(&s, (double)(i % 2));
         for (int k = 0; k < s.axes; k++) {
             double gained = 0;
@@ -148,34 +150,37 @@ START_TEST(changes_the_energy_as_proved)
             s.inverse_mass[0] = 0;
             memset(s.move, 0, sizeof(double) * (size_t)s.axes);
         }
-        double before = energy(&s), at = parting(&s);
+        double before = energy(&s), at = separation(&s);
         double restitution = uniform(&random, 0, 1);
-        s.row.bound = fmax(0, -restitution * at);
+        s.constraint.bound = fmax(0, -restitution * at);
         visit(&s, 0);
-        double lost = at < 0 ? at * at - s.row.bound * s.row.bound : 0;
-        double compliance = tf_row_compliance(&s.row, s.inverse_mass);
+        double lost =
+            at < 0 ? at * at - s.constraint.bound * s.constraint.bound : 0;
+        double compliance =
+            tf_constraint_compliance(&s.constraint, s.inverse_mass);
         ck_assert_double_eq_tol(before - energy(&s), lost / (2 * compliance),
                                 1e-12);
     }
 }
 END_TEST
 
-// A scripted point comes down by 1 onto an edge of which one end is scripted, so
-// that the other end has to move 1 / free times as far.
+// A scripted point comes down by 1 onto an edge of which one end is scripted,
+// so that the other end has to move 1 / free times as far.
 START_TEST(a_short_lever_pushes_nothing)
 {
     const double least = 1. / 1024;
     const double free[] = {nextafter(least, 0), least, 1e-200, 0.5};
     for (int i = 0; i < 4; i++) {
         scene s = {.axes = 2,
-                   .row = {.vertex = {0, 1, 2, -1},
-                           .coefficient = {1, free[i] - 1, -free[i]},
-                           .normal = {0, 1, 0}},
+                   .constraint = {.vertex = {0, 1, 2, -1},
+                                  .coefficient = {1, free[i] - 1, -free[i]},
+                                  .normal = {0, 1, 0}},
                    .inverse_mass = {0, 0, 3},
                    .move = {0, -1}};
         bool pushes = free[i] >= least;
-        ck_assert_double_eq(tf_row_compliance(&s.row, s.inverse_mass),
-                            pushes ? 3 * free[i] * free[i] : 0);
+        ck_assert_double_eq(
+            tf_constraint_compliance(&s.constraint, s.inverse_mass),
+            pushes ? 3 * free[i] * free[i] : 0);
         visit(&s, 0.5);
         ck_assert_double_eq(s.move[5], pushes ? -1 / free[i] : 0);
     }
@@ -186,13 +191,13 @@ END_TEST
 START_TEST(a_light_vertex_is_no_lever)
 {
     scene s = {.axes = 2,
-               .row = {.vertex = {0, 1, 2, -1},
-                       .coefficient = {1, 1e-6 - 1, -1e-6},
-                       .normal = {0, 1, 0}},
+               .constraint = {.vertex = {0, 1, 2, -1},
+                              .coefficient = {1, 1e-6 - 1, -1e-6},
+                              .normal = {0, 1, 0}},
                .inverse_mass = {1, 0, 1e6},
                .move = {0, -1}};
     visit(&s, 0);
-    ck_assert_double_eq_tol(parting(&s), 0, 1e-15);
+    ck_assert_double_eq_tol(separation(&s), 0, 1e-15);
 }
 END_TEST
 
@@ -202,9 +207,9 @@ START_TEST(friction_is_that_of_coulomb)
     const double friction[] = {0, 0.5, 2, 6};
     for (int i = 0; i < 4; i++) {
         scene s = {.axes = 3,
-                   .row = {.vertex = {0, 1, -1, -1},
-                           .coefficient = {1, -1},
-                           .normal = {0, 0, 1}},
+                   .constraint = {.vertex = {0, 1, -1, -1},
+                                  .coefficient = {1, -1},
+                                  .normal = {0, 0, 1}},
                    .inverse_mass = {1, 0},
                    .move = {3, 4, -1}};
         double left = fmax(0, 1 - friction[i] / 5);
@@ -233,22 +238,22 @@ END_TEST
 START_TEST(takes_back_what_it_gave_and_no_more)
 {
     scene s = {.axes = 2,
-               .row = {.vertex = {0, 1, -1, -1},
-                       .coefficient = {1, -1},
-                       .normal = {0, 1}},
+               .constraint = {.vertex = {0, 1, -1, -1},
+                              .coefficient = {1, -1},
+                              .normal = {0, 1}},
                .inverse_mass = {1, 1},
                .move = {0, 0, 0, 1}};
     visit(&s, 0);
-    ck_assert_double_eq(s.row.impulse, 0.5);
+    ck_assert_double_eq(s.constraint.impulse, 0.5);
 
-    // Another row has pushed the second vertex away in the meantime.
+    // Another constraint has pushed the second vertex away in the meantime.
     s.move[3] -= 0.75;
     visit(&s, 0);
-    ck_assert_double_eq(s.row.impulse, 0.125);
-    ck_assert_double_eq(parting(&s), 0);
+    ck_assert_double_eq(s.constraint.impulse, 0.125);
+    ck_assert_double_eq(separation(&s), 0);
     s.move[3] -= 3;
     visit(&s, 0);
-    ck_assert_double_eq(s.row.impulse, 0);
+    ck_assert_double_eq(s.constraint.impulse, 0);
     ck_assert_double_eq(s.move[1], 0);
 }
 END_TEST
@@ -256,9 +261,9 @@ END_TEST
 START_TEST(leaves_what_cannot_be_moved)
 {
     scene s = {.axes = 2,
-               .row = {.vertex = {0, 1, -1, -1},
-                       .coefficient = {1, -1},
-                       .normal = {0, 1}},
+               .constraint = {.vertex = {0, 1, -1, -1},
+                              .coefficient = {1, -1},
+                              .normal = {0, 1}},
                .move = {0, 0, 0, 1}};
     scene before = s;
     visit(&s, 1);

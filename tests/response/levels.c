@@ -66,11 +66,11 @@ START_TEST(each_level_has_its_rounds)
     ck_assert_int_eq(report.rounds[TF_ZONES], 0);
     ck_assert_int_eq(report.rounds[TF_RIGID], 0);
     ck_assert_int_gt(report.rounds[TF_FAILSAFE], 0);
-    ck_assert_uint_eq(report.rows, 0);
+    ck_assert_uint_eq(report.constraints, 0);
     report = resolve((tf_response_options){0});
     ck_assert_int_gt(report.rounds[TF_ZONES], 0);
     ck_assert_int_le(report.rounds[TF_ZONES], 20);
-    ck_assert_uint_eq(report.rows, report.contacts);
+    ck_assert_uint_eq(report.constraints, report.contacts);
 }
 END_TEST
 
@@ -80,16 +80,16 @@ static int do_nothing(tf_zone *zone)
     return 0;
 }
 
-static size_t no_room(int axes, int vertices, int rows)
+static size_t no_workspace(int axes, int vertices, int constraints)
 {
-    (void)axes, (void)vertices, (void)rows;
+    (void)axes, (void)vertices, (void)constraints;
     return 0;
 }
 
 // A round that moves nothing would be repeated in vain.
 START_TEST(a_solver_that_does_nothing_is_asked_once)
 {
-    static const tf_zone_solver idle = {"idle", no_room, do_nothing};
+    static const tf_zone_solver idle = {"idle", no_workspace, do_nothing};
     scatter(200);
     tf_response_report report = resolve((tf_response_options){.solver = &idle});
     ck_assert_int_eq(report.rounds[TF_ZONES], 1);
@@ -128,9 +128,9 @@ static void add_edge(double left, double right, double from, double to,
     }
 }
 
-// Two pairs of edges.  Of the scripted ones one passes through the other, and no
-// zone can help; of the others the lower one stops at the floor, and in the next
-// round the upper one at the lower one.
+// Two pairs of edges.  Of the scripted ones one passes through the other, and
+// no zone can help; of the others the lower one stops at the floor, and in the
+// next round the upper one at the lower one.
 START_TEST(contacts_that_nothing_moves_stay_listed)
 {
     proposal_begin(&made, 2);

@@ -1,7 +1,7 @@
 // The two searches of a step, against a detection by a surface of its own.
 #include "response/recheck.h"
 
-#include "fast/vector.h"
+#include "fast/vectorized.h"
 #include "support/scrambled.h"
 #include "support/stepped.h"
 #include "support/support.h"
@@ -112,8 +112,8 @@ static bool is_kept(const tf_surface_contact *contact)
 
 /// Expects the contacts of a detection on a surface of its own: all of them, or
 /// those of pairs that are kept.  They may be estimated.
-static void compare_row(const tf_surface_contact *found,
-                        const tf_surface_contact *expected)
+static void compare_constraint(const tf_surface_contact *found,
+                               const tf_surface_contact *expected)
 {
     ck_assert_int_eq(found->kind, expected->kind);
     ck_assert_mem_eq(found->vertex, expected->vertex, sizeof found->vertex);
@@ -134,7 +134,7 @@ static void compare(tf_surface *other, const tf_contacts *found, bool all)
         if (!all && !is_kept(contact))
             continue;
         ck_assert_uint_lt(expected, found->count);
-        compare_row(&found->contact[expected++], contact);
+        compare_constraint(&found->contact[expected++], contact);
     }
     ck_assert_uint_eq(found->count, expected);
     ck_assert(found->any == (expected > 0));
@@ -182,7 +182,7 @@ static void expect_candidates(size_t contacts, size_t candidates)
 {
     tf_contacts found = find(NULL);
     ck_assert_uint_eq(found.count, contacts);
-    ck_assert_uint_eq(found.effort.candidates, candidates);
+    ck_assert_uint_eq(found.statistics.candidates, candidates);
 }
 
 static void expect_contact(tf_contacts found, int particle)
@@ -209,7 +209,7 @@ static void begin_with_particles(void)
     stepped_begin(&of, &made);
     tf_contacts found = check_in(NULL);
     ck_assert_uint_eq(found.count, 2);
-    ck_assert_uint_eq(found.effort.candidates, 3);
+    ck_assert_uint_eq(found.statistics.candidates, 3);
 }
 
 // Only what has moved far enough is tested.
@@ -274,7 +274,8 @@ START_TEST(what_has_moved_beyond_all_numbers_is_tested)
 }
 END_TEST
 
-// A particle through a triangle, and one that is pushed to a triangle that it didn't come near before.
+// A particle through a triangle, and one that is pushed to a triangle that it
+// didn't come near before.
 START_TEST(what_is_not_kept_is_not_found)
 {
     proposal_begin(&made, 3);
@@ -317,7 +318,8 @@ START_TEST(many_edges_again)
     int workers = 3;
     tf_parallel parallel = scrambled(&workers);
     for (int i = 0; i < 2 * EDGES; i++) {
-        // Crosses far from each other; the edges of one pass through each other.
+        // Crosses far from each other; the edges of one pass through each
+        // other.
         double at[] = {4 * (i / 4) + (i % 4 == 1) - (i % 4 == 0),
                        (i % 4 == 3) - (i % 4 == 2), i % 4 < 2 ? 0 : 1};
         memcpy(start + (ptrdiff_t)3 * i, at, sizeof at);
@@ -342,10 +344,10 @@ START_TEST(many_edges_again)
         lower(end, 2 * EDGES, 0.3);
         found = find(&parallel);
         ck_assert_uint_eq(found.count, EDGES / 8);
-        ck_assert_uint_eq(found.effort.candidates, EDGES / 2);
+        ck_assert_uint_eq(found.statistics.candidates, EDGES / 2);
         found = find(parallel_first ? &parallel : NULL);
         ck_assert_uint_eq(found.count, EDGES / 8);
-        ck_assert_uint_eq(found.effort.candidates, EDGES / 8);
+        ck_assert_uint_eq(found.statistics.candidates, EDGES / 8);
         lower(end, 2 * EDGES, -0.3);
         ck_assert_uint_eq(find(&parallel).count, EDGES / 2);
     }

@@ -47,7 +47,7 @@ static void make_fall(double below)
     made.end[5] -= 2;
 }
 
-// Trouble -----------------------------------------------------------------------
+// Trouble ---------------------------------------------------------------------
 
 static void expect(tf_status expected, int vertices,
                    const tf_response_options *options)
@@ -150,7 +150,7 @@ START_TEST(nothing_may_be_null)
 }
 END_TEST
 
-// Answers -----------------------------------------------------------------------
+// Answers ---------------------------------------------------------------------
 
 START_TEST(clear_steps_come_back_bit_for_bit)
 {
@@ -162,7 +162,7 @@ START_TEST(clear_steps_come_back_bit_for_bit)
     ck_assert_mem_eq(end, made.end, 6 * sizeof *end);
     ck_assert_uint_eq(report.first_contacts, 0);
     ck_assert_int_eq(report.moved, 0);
-    ck_assert_uint_gt(report.effort.candidates, 0);
+    ck_assert_uint_gt(report.statistics.candidates, 0);
 }
 END_TEST
 

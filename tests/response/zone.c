@@ -11,13 +11,13 @@
 
 enum {
     VERTICES = 8,
-    ROWS = 10
+    CONSTRAINTS = 10
 };
 
 /// Entry (i, j) of J M^-1 J'.
 static double entry(const tf_zone *zone, int i, int j)
 {
-    const tf_row *a = &zone->row[i], *b = &zone->row[j];
+    const tf_constraint *a = &zone->constraint[i], *b = &zone->constraint[j];
     double sum = 0;
     for (int p = 0; p < 4 && a->vertex[p] >= 0; p++)
         for (int q = 0; q < 4 && b->vertex[q] >= 0; q++)
@@ -33,13 +33,15 @@ START_TEST(columns_are_those_of_the_matrix)
 {
     generator random = generator_new(100 + (uint64_t)_i);
     for (int times = 0; times < (int)cases(100); times++) {
-        some_zone of = zone_random(&random, 2 + _i, VERTICES, ROWS, ROWS);
-        for (int j = 0; j < ROWS; j++) {
-            double unit[ROWS] = {0}, column[ROWS], room[3 * VERTICES];
+        some_zone of =
+            zone_random(&random, 2 + _i, VERTICES, CONSTRAINTS, CONSTRAINTS);
+        for (int j = 0; j < CONSTRAINTS; j++) {
+            double unit[CONSTRAINTS] = {0}, column[CONSTRAINTS],
+                   workspace[3 * VERTICES];
             unit[j] = 1;
-            of.zone.row[j].friction[0] = 7; // must not count
-            tf_zone_multiply(&of.zone, unit, column, room);
-            for (int i = 0; i < ROWS; i++)
+            of.zone.constraint[j].friction[0] = 7; // must not count
+            tf_zone_multiply(&of.zone, unit, column, workspace);
+            for (int i = 0; i < CONSTRAINTS; i++)
                 ck_assert_double_eq_tol(column[i], entry(&of.zone, i, j),
                                         1e-14);
         }
@@ -51,9 +53,9 @@ END_TEST
 START_TEST(pushes_add_up)
 {
     generator random = generator_new(200);
-    some_zone of = zone_random(&random, 3, VERTICES, ROWS, ROWS);
-    double impulse[ROWS], once[3 * VERTICES] = {0}, twice[3 * VERTICES];
-    for (int i = 0; i < ROWS; i++)
+    some_zone of = zone_random(&random, 3, VERTICES, CONSTRAINTS, CONSTRAINTS);
+    double impulse[CONSTRAINTS], once[3 * VERTICES] = {0}, twice[3 * VERTICES];
+    for (int i = 0; i < CONSTRAINTS; i++)
         impulse[i] = uniform(&random, -1, 1);
     tf_zone_push(&of.zone, impulse, once);
     memcpy(twice, once, sizeof twice);

@@ -1,4 +1,4 @@
-// Zones: which rows they have, and what becomes of their answers.
+// Zones: which constraints they have, and what becomes of their answers.
 #include "response/zones.h"
 
 #include "response/gauss_seidel.h"
@@ -11,44 +11,46 @@
 static proposal made;
 static stepped of;
 static tf_zones zones;
-static tf_zone_effort effort;
+static tf_zone_statistics statistics;
 
-// A solver that only notes what it is given -------------------------------------
+// A solver that only notes what it is given -----------------------------------
 
-static int solved_rows[8], solved_vertices[8], old_rows[8], solved_zones;
+static int solved_constraints[8], solved_vertices[8], old_constraints[8],
+    solved_zones;
 
-static size_t no_room(int axes, int vertices, int rows)
+static size_t no_workspace(int axes, int vertices, int constraints)
 {
-    (void)axes, (void)vertices, (void)rows;
+    (void)axes, (void)vertices, (void)constraints;
     return 0;
 }
 
 static int note(tf_zone *zone)
 {
     if (solved_zones < 8) {
-        solved_rows[solved_zones] = zone->rows;
+        solved_constraints[solved_zones] = zone->constraints;
         solved_vertices[solved_zones] = zone->vertices;
-        old_rows[solved_zones++] = zone->solved;
+        old_constraints[solved_zones++] = zone->solved;
     }
     return 1;
 }
 
-static const tf_zone_solver noting = {"noting", no_room, note};
+static const tf_zone_solver noting = {"noting", no_workspace, note};
 
-// A solver that finds no numbers ------------------------------------------------
+// A solver that finds no numbers ----------------------------------------------
 
 static int find_no_numbers(tf_zone *zone)
 {
-    for (int i = 0; i < zone->rows; i++)
-        zone->row[i].impulse = NAN;
+    for (int i = 0; i < zone->constraints; i++)
+        zone->constraint[i].impulse = NAN;
     for (int i = 0; i < zone->axes * zone->vertices; i++)
         zone->displacement[i] = NAN;
     return 1;
 }
 
-static const tf_zone_solver failing = {"failing", no_room, find_no_numbers};
+static const tf_zone_solver failing = {"failing", no_workspace,
+                                       find_no_numbers};
 
-// A solver that moves vertices without an impulse -------------------------------
+// A solver that moves vertices without an impulse -----------------------------
 
 static int stir(tf_zone *zone)
 {
@@ -57,9 +59,9 @@ static int stir(tf_zone *zone)
     return 1;
 }
 
-static const tf_zone_solver stirring = {"stirring", no_room, stir};
+static const tf_zone_solver stirring = {"stirring", no_workspace, stir};
 
-// Scenes ------------------------------------------------------------------------
+// Scenes ----------------------------------------------------------------------
 
 /// Edges in the plane, level and about 2 long, each at a height; all fall by
 /// ten, but those that are scripted stay.
@@ -77,7 +79,7 @@ static void add_edge(double x, double height, double inverse_mass)
 static void begin(void)
 {
     memset(&zones, 0, sizeof zones);
-    effort = (tf_zone_effort){.smallest_gap = INFINITY};
+    statistics = (tf_zone_statistics){.smallest_gap = INFINITY};
     solved_zones = 0;
     stepped_begin(&of, &made);
     ck_assert(tf_zones_begin(&zones, &of.step));
@@ -92,10 +94,11 @@ static void end(void)
 /// One round; returns how many contacts there were.
 static size_t go_on(const tf_zone_solver *solver)
 {
-    tf_zone_choice choice = {.solver = solver, .sweeps = 1000};
+    tf_zone_options choice = {.solver = solver, .sweeps = 1000};
     tf_contacts contacts = stepped_contacts(&of);
-    ck_assert(tf_zones_add(&zones, &of.step, &contacts, &of.rule, &effort) &&
-              tf_zones_solve(&zones, &of.step, &of.rule, &choice, &effort));
+    ck_assert(
+        tf_zones_add(&zones, &of.step, &contacts, &of.rule, &statistics) &&
+        tf_zones_solve(&zones, &of.step, &of.rule, &choice, &statistics));
     return contacts.count;
 }
 
@@ -116,13 +119,13 @@ START_TEST(scripted_vertices_join_nothing)
     add_edge(-3, 1, 1);
     add_edge(3, 1, 1);
     begin();
-    size_t rows = go_on(&noting);
+    size_t constraints = go_on(&noting);
     ck_assert_int_eq(solved_zones, 4);
-    ck_assert_uint_eq((size_t)sum(solved_rows), rows);
+    ck_assert_uint_eq((size_t)sum(solved_constraints), constraints);
     for (int z = 0; z < 4; z++)
         ck_assert_int_eq(solved_vertices[z], 3);
-    ck_assert_uint_eq(effort.zones, 4);
-    ck_assert_int_eq(zones.rows, (int)rows);
+    ck_assert_uint_eq(statistics.zones, 4);
+    ck_assert_int_eq(zones.constraints, (int)constraints);
     end();
 }
 END_TEST
@@ -143,7 +146,7 @@ START_TEST(vertices_that_move_join_zones)
 }
 END_TEST
 
-START_TEST(only_zones_with_new_rows_are_solved)
+START_TEST(only_zones_with_new_constraints_are_solved)
 {
     proposal_begin(&made, 2);
     add_edge(-5, 0, 0);
@@ -151,19 +154,19 @@ START_TEST(only_zones_with_new_rows_are_solved)
     add_edge(-3, 1, 1);
     add_edge(3, 1, 1);
     begin();
-    size_t rows = go_on(&noting);
-    int first_rows = sum(solved_rows);
-    ck_assert_int_eq(sum(old_rows), 0);
+    size_t constraints = go_on(&noting);
+    int first_constraints = sum(solved_constraints);
+    ck_assert_int_eq(sum(old_constraints), 0);
     // The first edge stays in contact, the other one is lifted.
     for (int v = 4; v < 6; v++)
         of.end[2 * v + 1] = made.start[2 * v + 1];
     solved_zones = 0;
     size_t more = go_on(&noting);
     ck_assert_uint_gt(more, 0);
-    ck_assert_uint_lt(more, rows);
+    ck_assert_uint_lt(more, constraints);
     ck_assert_int_eq(solved_zones, 2);
-    ck_assert_int_eq(zones.rows, first_rows + (int)more);
-    ck_assert_int_eq(sum(solved_rows), sum(old_rows) + (int)more);
+    ck_assert_int_eq(zones.constraints, first_constraints + (int)more);
+    ck_assert_int_eq(sum(solved_constraints), sum(old_constraints) + (int)more);
     end();
 }
 END_TEST
@@ -181,24 +184,25 @@ START_TEST(zones_start_from_the_base)
     while (rounds < 20 && go_on(&tf_gauss_seidel) > 0)
         rounds++;
     ck_assert_int_lt(rounds, 20);
-    // What its rows push a vertex is all that it is pushed.
+    // What its constraints push a vertex is all that it is pushed.
     static double pushed[2 * PROPOSAL_VERTICES];
     memcpy(pushed, made.end, sizeof pushed);
-    const tf_row *row = zones.row.data;
-    for (int i = 0; i < zones.rows; i++)
-        for (int j = 0; j < 4 && row[i].vertex[j] >= 0; j++)
+    const tf_constraint *constraint = zones.constraint.data;
+    for (int i = 0; i < zones.constraints; i++)
+        for (int j = 0; j < 4 && constraint[i].vertex[j] >= 0; j++)
             for (int k = 0; k < 2; k++)
-                pushed[2 * row[i].vertex[j] + k] +=
-                    row[i].impulse * row[i].coefficient[j] * row[i].normal[k] *
-                    made.inverse_mass[row[i].vertex[j]];
+                pushed[2 * constraint[i].vertex[j] + k] +=
+                    constraint[i].impulse * constraint[i].coefficient[j] *
+                    constraint[i].normal[k] *
+                    made.inverse_mass[constraint[i].vertex[j]];
     for (int i = 0; i < 2 * made.mesh.vertices; i++)
         ck_assert_double_eq_tol(of.end[i], pushed[i], 1e-12);
     end();
 }
 END_TEST
 
-// Contacts at the ends of edges push one vertex each: three edges, one above the
-// other, are two zones.
+// Contacts at the ends of edges push one vertex each: three edges, one above
+// the other, are two zones.
 START_TEST(idle_vertices_belong_to_no_zone)
 {
     proposal_begin(&made, 2);
@@ -222,8 +226,8 @@ START_TEST(idle_vertices_belong_to_no_zone)
 }
 END_TEST
 
-// Zones share scripted vertices, and each numbers them for itself: a floor, with
-// a point that falls on its left and an edge and a point on its right.
+// Zones share scripted vertices, and each numbers them for itself: a floor,
+// with a point that falls on its left and an edge and a point on its right.
 START_TEST(each_zone_is_a_problem_on_its_own)
 {
     proposal_begin(&made, 2);
@@ -236,8 +240,8 @@ START_TEST(each_zone_is_a_problem_on_its_own)
     made.end[2 * vertex + 1] -= 20;
     begin();
     go_on(&tf_gauss_seidel);
-    ck_assert_uint_eq(effort.zones, 2);
-    ck_assert_double_lt(effort.violation, 1e-6);
+    ck_assert_uint_eq(statistics.zones, 2);
+    ck_assert_double_lt(statistics.violation, 1e-6);
     for (int v = 0; v < made.mesh.vertices; v++)
         ck_assert_msg(of.end[2 * v + 1] > made.start[2 * v + 1] - 0.05,
                       "vertex %d ends at %g", v, of.end[2 * v + 1]);
@@ -245,8 +249,8 @@ START_TEST(each_zone_is_a_problem_on_its_own)
 }
 END_TEST
 
-// Only where an impulse has changed: the others would be rounded anew, and looked
-// at again.
+// Only where an impulse has changed: the others would be rounded anew, and
+// looked at again.
 START_TEST(only_what_is_pushed_is_moved)
 {
     proposal_begin(&made, 2);
@@ -272,9 +276,9 @@ START_TEST(a_solver_that_fails_moves_nothing)
     ck_assert_mem_eq(of.end, made.end,
                      sizeof(double) * 2 * (size_t)made.mesh.vertices);
     ck_assert_int_eq(stepped_changes(&of), 0);
-    const tf_row *row = zones.row.data;
-    for (int i = 0; i < zones.rows; i++)
-        ck_assert_double_eq(row[i].impulse, 0);
+    const tf_constraint *constraint = zones.constraint.data;
+    for (int i = 0; i < zones.constraints; i++)
+        ck_assert_double_eq(constraint[i].impulse, 0);
     end();
 }
 END_TEST
@@ -285,7 +289,7 @@ Suite *suite(void)
     TCase *tcase = tcase_create("division");
     tcase_add_test(tcase, scripted_vertices_join_nothing);
     tcase_add_test(tcase, vertices_that_move_join_zones);
-    tcase_add_test(tcase, only_zones_with_new_rows_are_solved);
+    tcase_add_test(tcase, only_zones_with_new_constraints_are_solved);
     suite_add_tcase(suite, tcase);
 
     TCase *answers = tcase_create("answers");

@@ -167,7 +167,7 @@ START_TEST(the_cost_is_known)
         way.check = false;
     } while (cost.report.first_contacts == 0);
     ck_assert_int_ge(cost.report.rounds[TF_ZONES], 1);
-    ck_assert_uint_ge(cost.report.rows, cost.report.first_contacts);
+    ck_assert_uint_ge(cost.report.constraints, cost.report.first_contacts);
     tf_simulation_free(s);
 }
 END_TEST

@@ -1,5 +1,7 @@
 #include "support/counting.h"
 
+#include "arithmetic/functions.h"
+
 #include <stddef.h>
 
 static const tf_arithmetic *counted_one;

@@ -2,7 +2,7 @@
 #ifndef SUPPORT_COUNTING_H
 #define SUPPORT_COUNTING_H
 
-#include "arithmetic/operations.h"
+#include "arithmetic/arithmetic.h"
 
 typedef struct evaluations {
     int signs, values;

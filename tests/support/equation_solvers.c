@@ -14,7 +14,7 @@ void equation_solver_use(const tf_zone_solver *used)
 
 enum {
     ZONES = 200,
-    MOST_ROWS = 60,
+    MOST_CONSTRAINTS = 60,
     ENOUGH = 2000 // iterations
 };
 
@@ -22,8 +22,9 @@ enum {
 static some_zone random_zone(generator *random)
 {
     int axes = 2 + below(random, 2);
-    int rows = 1 + below(random, MOST_ROWS / 3);
-    return zone_random(random, axes, 6 + rows, rows, MOST_ROWS);
+    int constraints = 1 + below(random, MOST_CONSTRAINTS / 3);
+    return zone_random(random, axes, 6 + constraints, constraints,
+                       MOST_CONSTRAINTS);
 }
 
 static void expect_displacement(some_zone *of, const double expected[])
@@ -31,8 +32,9 @@ static void expect_displacement(some_zone *of, const double expected[])
     int iterations = zone_solve(of, solver, ENOUGH);
     double distance = zone_distance(of, of->displacement, expected);
     ck_assert_msg(distance < 1e-6 && zone_residual(of) < 1e-6,
-                  "%d rows: %g off, residual %g after %d iterations",
-                  of->zone.rows, distance, zone_residual(of), iterations);
+                  "%d constraints: %g off, residual %g after %d iterations",
+                  of->zone.constraints, distance, zone_residual(of),
+                  iterations);
     ck_assert_int_lt(iterations, ENOUGH);
 }
 
@@ -58,15 +60,15 @@ START_TEST(the_change_is_the_least)
 }
 END_TEST
 
-START_TEST(repeated_rows_change_nothing)
+START_TEST(repeated_constraints_change_nothing)
 {
     generator random = generator_new(2);
     for (int i = 0; i < (int)cases(ZONES); i++) {
         some_zone of = random_zone(&random);
         double *expected = least_change(&of);
-        int rows = of.zone.rows;
-        for (int copies = 0; copies < 2 * rows; copies++)
-            zone_duplicate(&of, below(&random, rows), 1);
+        int constraints = of.zone.constraints;
+        for (int copies = 0; copies < 2 * constraints; copies++)
+            zone_duplicate(&of, below(&random, constraints), 1);
         expect_displacement(&of, expected);
         free(expected);
         zone_free(&of);
@@ -74,42 +76,44 @@ START_TEST(repeated_rows_change_nothing)
 }
 END_TEST
 
-// Of equations that contradict each other, each is half as wrong as they differ:
-// the least sum of squares is that of the mean.
-START_TEST(contradicting_rows_meet_halfway)
+// Of equations that contradict each other, each is half as wrong as they
+// differ: the least sum of squares is that of the mean.
+START_TEST(contradicting_constraints_meet_halfway)
 {
     generator random = generator_new(3);
     for (int i = 0; i < (int)cases(ZONES); i++) {
         some_zone of = random_zone(&random);
-        int rows = of.zone.rows;
-        for (int row = 0; row < rows; row++)
-            of.row[row].bound *= 1.05;
+        int constraints = of.zone.constraints;
+        for (int constraint = 0; constraint < constraints; constraint++)
+            of.constraint[constraint].bound *= 1.05;
         double *expected = least_change(&of);
-        for (int row = 0; row < rows; row++) {
-            of.row[row].bound /= 1.05;
-            zone_duplicate(&of, row, 1.1);
+        for (int constraint = 0; constraint < constraints; constraint++) {
+            of.constraint[constraint].bound /= 1.05;
+            zone_duplicate(&of, constraint, 1.1);
         }
         zone_solve(&of, solver, ENOUGH);
         double distance = zone_distance(&of, of.displacement, expected);
-        ck_assert_msg(distance < 1e-5, "%d rows: %g off", rows, distance);
+        ck_assert_msg(distance < 1e-5, "%d constraints: %g off", constraints,
+                      distance);
         free(expected);
         zone_free(&of);
     }
 }
 END_TEST
 
-// The rows of a vertex that is told to move in more directions than there are.
-START_TEST(too_many_rows_for_a_vertex)
+// The constraints of a vertex that is told to move in more directions than
+// there are.
+START_TEST(too_many_constraints_for_a_vertex)
 {
     some_zone of = zone_new(2, 4, 6);
     for (int v = 0; v < 4; v++)
         of.inverse_mass[v] = v == 0;
     for (int i = 0; i < 6; i++)
-        of.row[i] = (tf_row){.vertex = {0, 1, 2, -1},
-                             .coefficient = {1, -0.5, -0.5},
-                             .normal = {cos(i), sin(i), 0},
-                             .bound = 1};
-    of.zone.rows = 6;
+        of.constraint[i] = (tf_constraint){.vertex = {0, 1, 2, -1},
+                                           .coefficient = {1, -0.5, -0.5},
+                                           .normal = {cos(i), sin(i), 0},
+                                           .bound = 1};
+    of.zone.constraints = 6;
     of.proposal[0] = 0.25;
     zone_solve(&of, solver, ENOUGH);
     double residual = zone_residual(&of);
@@ -148,14 +152,15 @@ START_TEST(impulses_are_where_to_start_from)
     for (int i = 0; i < 60; i++)
         of.displacement[i] = of.proposal[i];
     for (int i = 0; i < 8; i++)
-        of.row[i].friction[0] = 1;
-    double *room =
-        malloc(sizeof *room * (1 + solver->room(3, 20, of.zone.rows)));
-    of.zone.room = room;
+        of.constraint[i].friction[0] = 1;
+    double *workspace =
+        malloc(sizeof *workspace *
+               (1 + solver->workspace(3, 20, of.zone.constraints)));
+    of.zone.workspace = workspace;
     ck_assert_int_eq(solver->solve(&of.zone), 0);
     ck_assert_double_lt(zone_distance(&of, of.displacement, expected), 1e-6);
-    ck_assert_double_eq(of.row[7].friction[0], 0);
-    free(room);
+    ck_assert_double_eq(of.constraint[7].friction[0], 0);
+    free(workspace);
     free(expected);
     zone_free(&of);
 }
@@ -177,9 +182,9 @@ Suite *equation_solver_suite(const char *name, void (*use)(void))
     TCase *tcase = tcase_create("equations");
     tcase_add_checked_fixture(tcase, use, NULL);
     tcase_add_test(tcase, the_change_is_the_least);
-    tcase_add_test(tcase, repeated_rows_change_nothing);
-    tcase_add_test(tcase, contradicting_rows_meet_halfway);
-    tcase_add_test(tcase, too_many_rows_for_a_vertex);
+    tcase_add_test(tcase, repeated_constraints_change_nothing);
+    tcase_add_test(tcase, contradicting_constraints_meet_halfway);
+    tcase_add_test(tcase, too_many_constraints_for_a_vertex);
     tcase_add_test(tcase,
                    what_is_satisfied_stays_and_what_was_found_is_found_again);
     tcase_add_test(tcase, impulses_are_where_to_start_from);

@@ -1,4 +1,4 @@
-// The tests of a solver that takes the rows of a zone for equations.
+// The tests of a solver that takes the constraints of a zone for equations.
 #ifndef SUPPORT_EQUATION_SOLVERS_H
 #define SUPPORT_EQUATION_SOLVERS_H
 

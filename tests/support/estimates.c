@@ -1,6 +1,7 @@
 #include "support/estimates.h"
 
 #include "arithmetic/clamped.h"
+#include "arithmetic/functions.h"
 #include "support/sums.h"
 
 #include <float.h>

@@ -3,7 +3,7 @@
 #define SUPPORT_ESTIMATES_H
 
 #include "arithmetic/filter.h"
-#include "arithmetic/operations.h"
+#include "arithmetic/sign.h"
 #include "support/matrices.h"
 
 #include <gmp.h>

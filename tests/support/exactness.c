@@ -1,6 +1,7 @@
 #include "support/exactness.h"
 
 #include "arithmetic/clamped.h"
+#include "arithmetic/functions.h"
 #include "support/matrices.h"
 #include "support/rational.h"
 

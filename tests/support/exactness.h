@@ -3,7 +3,7 @@
 #ifndef SUPPORT_EXACTNESS_H
 #define SUPPORT_EXACTNESS_H
 
-#include "arithmetic/operations.h"
+#include "arithmetic/arithmetic.h"
 #include "support/matrices.h"
 
 /// Expect the sign of a matrix, and its determinant rounded to nearest.

@@ -1,7 +1,7 @@
 #include "support/families.h"
 
 #include "arithmetic/exact.h"
-#include "fast/vector.h"
+#include "fast/vectorized.h"
 
 #include <float.h>
 #include <math.h>

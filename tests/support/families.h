@@ -3,7 +3,7 @@
 #ifndef SUPPORT_FAMILIES_H
 #define SUPPORT_FAMILIES_H
 
-#include "fast/filter.h"
+#include "fast/block_filter.h"
 #include "query/narrow_phase.h"
 #include "support/queries.h"
 

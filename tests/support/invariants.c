@@ -2,8 +2,8 @@
 
 #include "arithmetic/clamped.h"
 #include "arithmetic/exact.h"
+#include "arithmetic/functions.h"
 #include "arithmetic/integer.h"
-#include "arithmetic/operations.h"
 #include "intersect/cascade.h"
 #include "query/narrow_phase.h"
 #include "support/changes.h"

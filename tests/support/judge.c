@@ -2,7 +2,7 @@
 
 #include "arithmetic/clamped.h"
 #include "arithmetic/exact.h"
-#include "arithmetic/operations.h"
+#include "arithmetic/functions.h"
 #include "arithmetic/perturbed.h"
 #include "base/require.h"
 

@@ -3,7 +3,7 @@
 #ifndef SUPPORT_LINEAR_METHODS_H
 #define SUPPORT_LINEAR_METHODS_H
 
-#include "linear/advancement.h"
+#include "linear/rigid_motion.h"
 #include "linear/tolerances.h"
 #include "query/contact.h"
 #include "query/motion.h"

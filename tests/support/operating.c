@@ -1,10 +1,15 @@
 #include "support/operating.h"
 
+#include "experiments/leave_out.h"
 #include "support/dyadic.h"
 #include "support/hash.h"
 #include "support/tangle.h"
 #include "support/winding.h"
-#include "surgery/state.h"
+#include "surgery/adaptive_surface.h"
+#include "surgery/collapse.h"
+#include "surgery/flip.h"
+#include "surgery/move.h"
+#include "surgery/split.h"
 
 #include <gmp.h>
 #include <math.h>
@@ -380,7 +385,7 @@ uint64_t operating_hash(const operating *run)
     const tf_adaptive_surface *s = run->surface;
     size_t vertices = (size_t)s->vertices, triangles = (size_t)s->triangles;
     const int counts[] = {s->vertices, s->triangles, s->free_triangle,
-                          s->boxes.branches, s->boxes.free_branch};
+                          s->tree.branches, s->tree.free_branch};
     uint64_t hash = hash_bytes(HASH_OF_NOTHING, counts, sizeof counts);
     hash = hash_bytes(hash, s->position.data, 24 * vertices);
     hash = hash_bytes(hash, s->vertex.data, 12 * triangles);
@@ -395,7 +400,7 @@ const char *operating_run(generator random, adaptive_scene_kind kind,
     static operating run;
     const char *found = NULL;
     operating_begin(&run, random, kind, counts);
-    run.surface->left_out = left_out;
+    leave_out(left_out);
     for (int i = 0; i < operations && !found; i++) {
         chosen request = operating_choose(&run);
         uint64_t hash = operating_hash(&run);
@@ -407,6 +412,7 @@ const char *operating_run(generator random, adaptive_scene_kind kind,
         if (i % 128 == 127)
             operating_compact(&run);
     }
+    leave_out(0);
     operating_end(&run);
     return found;
 }

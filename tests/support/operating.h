@@ -5,7 +5,7 @@
 #define SUPPORT_OPERATING_H
 
 #include "support/adaptive_scenes.h"
-#include "surgery/operations.h"
+#include "surgery/outcome.h"
 
 enum {
     LABELLED = 20000 ///< the most vertices in a run

@@ -1,5 +1,6 @@
 #include "support/rational.h"
 
+#include "arithmetic/functions.h"
 #include "support/dyadic.h"
 
 #include <gmp.h>

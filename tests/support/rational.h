@@ -3,7 +3,9 @@
 #ifndef SUPPORT_RATIONAL_H
 #define SUPPORT_RATIONAL_H
 
-#include "arithmetic/operations.h"
+#include "arithmetic/arithmetic.h"
+#include "arithmetic/differences.h"
+#include "arithmetic/sign.h"
 
 #include <gmp.h>
 

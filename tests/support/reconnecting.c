@@ -1,7 +1,11 @@
 #include "support/reconnecting.h"
 
+#include "experiments/leave_out.h"
+#include "surgery/adaptive_surface.h"
 #include "surgery/star.h"
-#include "surgery/state.h"
+#include "topology/drop.h"
+#include "topology/merge.h"
+#include "topology/pinch.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -395,20 +399,23 @@ static const char *try_dropping(operating *run, comparison *before,
 
 // Running ---------------------------------------------------------------------
 
-static const char *reconnect(operating *run, comparison *before,
-                             reconnecting_counts *counts)
+/// Merges and pinches leave out tests.
+static const char *reconnect(operating *run, unsigned left_out,
+                             comparison *before, reconnecting_counts *counts)
 {
     int way = below(&run->random, 20);
     remember(run, before);
     before->done = false;
     if (way == 0 && run->scene.parts > 1)
         return try_dropping(run, before, counts);
-    if (way < 6 && run->scene.parts < SCENE_PARTS)
-        return try_pinching(run, before, counts);
-    return try_merging(run, before, counts);
+    leave_out(left_out);
+    const char *found = way < 6 && run->scene.parts < SCENE_PARTS
+                            ? try_pinching(run, before, counts)
+                            : try_merging(run, before, counts);
+    leave_out(0);
+    return found;
 }
 
-/// Only operations that reconnect leave out tests.
 static const char *step(operating *run, unsigned left_out,
                         reconnecting_counts *counts)
 {
@@ -421,9 +428,7 @@ static const char *step(operating *run, unsigned left_out,
         if (before.done)
             found = operating_fault(run);
     } else {
-        run->surface->left_out = left_out;
-        found = reconnect(run, &before, counts);
-        run->surface->left_out = 0;
+        found = reconnect(run, left_out, &before, counts);
         if (!found && before.done)
             found = surface_fault(run);
     }

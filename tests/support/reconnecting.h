@@ -6,7 +6,6 @@
 
 #include "support/operating.h"
 #include "topology/reconnect.h"
-#include "topology/topology.h"
 
 typedef struct reconnecting_counts {
     long count[TF_RECONNECTIONS][TF_OUTCOMES];

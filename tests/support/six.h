@@ -2,7 +2,7 @@
 #ifndef SUPPORT_SIX_H
 #define SUPPORT_SIX_H
 
-#include "arithmetic/operations.h"
+#include "arithmetic/functions.h"
 #include "support/generator.h"
 
 typedef struct six_events {

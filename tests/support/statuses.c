@@ -1,6 +1,7 @@
 #include "support/statuses.h"
 
-#include "arithmetic/operations.h"
+#include "arithmetic/arithmetic.h"
+#include "arithmetic/functions.h"
 #include "base/contract.h"
 #include "support/environments.h"
 #include "support/rational.h"

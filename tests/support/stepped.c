@@ -17,7 +17,7 @@ void stepped_begin(stepped *of, const proposal *made)
                          .inverse_mass = made->inverse_mass,
                          .end = of->end,
                          .looked = of->looked};
-    of->rule = (tf_row_rule){.base = made->end};
+    of->rule = (tf_contact_rule){.base = made->end};
 }
 
 void stepped_free(stepped *of)

@@ -2,7 +2,7 @@
 #ifndef SUPPORT_STEPPED_H
 #define SUPPORT_STEPPED_H
 
-#include "response/contact_row.h"
+#include "response/contact_constraint.h"
 #include "support/proposals.h"
 #include "surface/surface.h"
 
@@ -10,7 +10,7 @@
 typedef struct stepped {
     tf_surface *surface;
     tf_step step;
-    tf_row_rule rule; ///< without separation, from the proposed ends
+    tf_contact_rule rule; ///< without separation, from the proposed ends
     double end[3 * PROPOSAL_VERTICES];
     double looked[3 * PROPOSAL_VERTICES];
 } stepped;

@@ -3,7 +3,8 @@
 #ifndef SUPPORT_SUMS_H
 #define SUPPORT_SUMS_H
 
-#include "arithmetic/operations.h"
+#include "arithmetic/differences.h"
+#include "arithmetic/sign.h"
 
 #include <gmp.h>
 

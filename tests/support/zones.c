@@ -17,17 +17,17 @@ static size_t numbers(const some_zone *of)
     return (size_t)of->zone.axes * (size_t)of->zone.vertices;
 }
 
-some_zone zone_new(int axes, int vertices, int most_rows)
+some_zone zone_new(int axes, int vertices, int most_constraints)
 {
     some_zone of = {.zone = {.axes = axes, .vertices = vertices},
-                    .most_rows = most_rows};
+                    .most_constraints = most_constraints};
     of.proposal = allocate(numbers(&of), sizeof *of.proposal);
     of.displacement = allocate(numbers(&of), sizeof *of.displacement);
     of.inverse_mass = allocate((size_t)vertices, sizeof *of.inverse_mass);
-    of.row = allocate((size_t)most_rows, sizeof *of.row);
+    of.constraint = allocate((size_t)most_constraints, sizeof *of.constraint);
     of.zone.displacement = of.displacement;
     of.zone.inverse_mass = of.inverse_mass;
-    of.zone.row = of.row;
+    of.zone.constraint = of.constraint;
     return of;
 }
 
@@ -36,7 +36,7 @@ void zone_free(some_zone *of)
     free(of->proposal);
     free(of->displacement);
     free(of->inverse_mass);
-    free(of->row);
+    free(of->constraint);
 }
 
 // Random zones ----------------------------------------------------------------
@@ -67,46 +67,48 @@ static void random_vertices(generator *random, int count, int vertices,
     }
 }
 
-/// A point and an edge or a triangle.  The point, an even number, is not scripted.
-static tf_row random_row(generator *random, int axes, int vertices)
+/// A point and an edge or a triangle.  The point, an even number, is not
+/// scripted.
+static tf_constraint random_constraint(generator *random, int axes,
+                                       int vertices)
 {
-    tf_row row = {.vertex = {-1, -1, -1, -1}, .coefficient = {1}};
-    random_vertices(random, axes + 1, vertices, row.vertex);
-    row.vertex[0] -= row.vertex[0] % 2;
+    tf_constraint constraint = {.vertex = {-1, -1, -1, -1}, .coefficient = {1}};
+    random_vertices(random, axes + 1, vertices, constraint.vertex);
+    constraint.vertex[0] -= constraint.vertex[0] % 2;
     for (int i = 1; i <= axes; i++)
-        while (row.vertex[i] == row.vertex[0])
-            row.vertex[i] = below(random, vertices);
+        while (constraint.vertex[i] == constraint.vertex[0])
+            constraint.vertex[i] = below(random, vertices);
     double sum = 0, part[3] = {0};
     for (int i = 0; i < axes; i++)
         sum += part[i] = uniform(random, 0.1, 1);
     for (int i = 0; i < axes; i++)
-        row.coefficient[1 + i] = -part[i] / sum;
-    random_normal(random, axes, row.normal);
-    row.bound = uniform(random, 0, 0.1);
-    return row;
+        constraint.coefficient[1 + i] = -part[i] / sum;
+    random_normal(random, axes, constraint.normal);
+    constraint.bound = uniform(random, 0, 0.1);
+    return constraint;
 }
 
-some_zone zone_random(generator *random, int axes, int vertices, int rows,
-                      int most_rows)
+some_zone zone_random(generator *random, int axes, int vertices,
+                      int constraints, int most_constraints)
 {
-    some_zone of = zone_new(axes, vertices, most_rows);
+    some_zone of = zone_new(axes, vertices, most_constraints);
     for (int v = 0; v < vertices; v++)
         of.inverse_mass[v] =
             v % 2 && below(random, 4) == 0 ? 0 : uniform(random, 0.5, 2);
     for (size_t i = 0; i < numbers(&of); i++)
         of.proposal[i] = uniform(random, -1, 1);
-    for (int i = 0; i < rows; i++)
-        of.row[i] = random_row(random, axes, vertices);
-    of.zone.rows = rows;
+    for (int i = 0; i < constraints; i++)
+        of.constraint[i] = random_constraint(random, axes, vertices);
+    of.zone.constraints = constraints;
     return of;
 }
 
-void zone_duplicate(some_zone *of, int row, double part)
+void zone_duplicate(some_zone *of, int constraint, double part)
 {
-    if (of->zone.rows == of->most_rows)
+    if (of->zone.constraints == of->most_constraints)
         abort();
-    tf_row *copy = &of->row[of->zone.rows++];
-    *copy = of->row[row];
+    tf_constraint *copy = &of->constraint[of->zone.constraints++];
+    *copy = of->constraint[constraint];
     copy->bound *= part;
 }
 
@@ -115,33 +117,36 @@ void zone_duplicate(some_zone *of, int row, double part)
 int zone_solve_again(some_zone *of, const tf_zone_solver *solver, int sweeps)
 {
     tf_zone *zone = &of->zone;
-    size_t room = solver->room(zone->axes, zone->vertices, zone->rows);
-    double *taken = allocate(room, sizeof *taken);
+    size_t workspace =
+        solver->workspace(zone->axes, zone->vertices, zone->constraints);
+    double *taken = allocate(workspace, sizeof *taken);
     memcpy(of->displacement, of->proposal, numbers(of) * sizeof *of->proposal);
-    zone->room = taken;
+    zone->workspace = taken;
     zone->sweeps = sweeps;
     int iterations = solver->solve(zone);
-    zone->room = NULL;
+    zone->workspace = NULL;
     free(taken);
     return iterations;
 }
 
 int zone_solve(some_zone *of, const tf_zone_solver *solver, int sweeps)
 {
-    for (int i = 0; i < of->zone.rows; i++)
-        of->zone.row[i].impulse = 0;
+    for (int i = 0; i < of->zone.constraints; i++)
+        of->zone.constraint[i].impulse = 0;
     return zone_solve_again(of, solver, sweeps);
 }
 
-/// The entry of a row at a coordinate, in units in which all masses are 1.
-static long double entry(const some_zone *of, const tf_row *row, int coordinate)
+/// The entry of a constraint at a coordinate, in units in which all masses
+/// are 1.
+static long double entry(const some_zone *of, const tf_constraint *constraint,
+                         int coordinate)
 {
     int axes = of->zone.axes, vertex = coordinate / axes;
     long double sum = 0;
-    for (int i = 0; i < 4 && row->vertex[i] >= 0; i++)
-        if (row->vertex[i] == vertex)
-            sum += (long double)row->coefficient[i];
-    return sum * (long double)row->normal[coordinate % axes] *
+    for (int i = 0; i < 4 && constraint->vertex[i] >= 0; i++)
+        if (constraint->vertex[i] == vertex)
+            sum += (long double)constraint->coefficient[i];
+    return sum * (long double)constraint->normal[coordinate % axes] *
            sqrtl((long double)of->inverse_mass[vertex]);
 }
 
@@ -159,17 +164,18 @@ static long double dot(const equation *a, const equation *b)
     return sum;
 }
 
-/// What the row asks of the change of the proposal.
-static void take_row(const some_zone *of, const tf_row *row, equation *taken)
+/// What the constraint asks of the change of the proposal.
+static void take_constraint(const some_zone *of,
+                            const tf_constraint *constraint, equation *taken)
 {
-    taken->right = (long double)row->bound;
+    taken->right = (long double)constraint->bound;
     for (int i = 0; i < taken->count; i++)
-        taken->entry[i] = entry(of, row, i);
-    for (int v = 0; v < 4 && row->vertex[v] >= 0; v++)
+        taken->entry[i] = entry(of, constraint, i);
+    for (int v = 0; v < 4 && constraint->vertex[v] >= 0; v++)
         for (int k = 0; k < of->zone.axes; k++) {
-            int i = of->zone.axes * row->vertex[v] + k;
-            taken->right -= (long double)row->coefficient[v] *
-                            (long double)row->normal[k] *
+            int i = of->zone.axes * constraint->vertex[v] + k;
+            taken->right -= (long double)constraint->coefficient[v] *
+                            (long double)constraint->normal[k] *
                             (long double)of->proposal[i];
         }
 }
@@ -201,12 +207,12 @@ static bool normalize(equation *taken)
 void zone_least_change(const some_zone *of, double displacement[])
 {
     int count = (int)numbers(of), kept = 0;
-    equation *all = allocate((size_t)of->zone.rows, sizeof *all);
-    for (int i = 0; i < of->zone.rows; i++) {
+    equation *all = allocate((size_t)of->zone.constraints, sizeof *all);
+    for (int i = 0; i < of->zone.constraints; i++) {
         if (!all[kept].entry)
             all[kept] = (equation){
                 count, allocate((size_t)count, sizeof *all->entry), 0};
-        take_row(of, &of->row[i], &all[kept]);
+        take_constraint(of, &of->constraint[i], &all[kept]);
         orthogonalize(&all[kept], kept, all);
         kept += normalize(&all[kept]);
     }
@@ -218,7 +224,7 @@ void zone_least_change(const some_zone *of, double displacement[])
         displacement[i] = (double)((long double)of->proposal[i] +
                                    change * sqrtl((long double)inverse_mass));
     }
-    for (int i = 0; i < of->zone.rows; i++)
+    for (int i = 0; i < of->zone.constraints; i++)
         free(all[i].entry);
     free(all);
 }
@@ -233,18 +239,19 @@ double zone_distance(const some_zone *of, const double a[], const double b[])
     return most;
 }
 
-/// How far a row is from its bound, and its compliance.
-static double shortage(const some_zone *of, const tf_row *row,
+/// How far a constraint is from its bound, and its compliance.
+static double shortage(const some_zone *of, const tf_constraint *constraint,
                        const double displacement[], double *compliance)
 {
-    double sum = row->bound;
+    double sum = constraint->bound;
     *compliance = 0;
-    for (int i = 0; i < 4 && row->vertex[i] >= 0; i++) {
-        int v = row->vertex[i];
-        double c = row->coefficient[i];
+    for (int i = 0; i < 4 && constraint->vertex[i] >= 0; i++) {
+        int v = constraint->vertex[i];
+        double c = constraint->coefficient[i];
         *compliance += of->inverse_mass[v] * c * c;
         for (int k = 0; k < of->zone.axes; k++)
-            sum -= c * row->normal[k] * displacement[of->zone.axes * v + k];
+            sum -=
+                c * constraint->normal[k] * displacement[of->zone.axes * v + k];
     }
     return sum;
 }
@@ -252,9 +259,9 @@ static double shortage(const some_zone *of, const tf_row *row,
 static double residual(const some_zone *of, const double displacement[])
 {
     double square = 0;
-    for (int i = 0; i < of->zone.rows; i++) {
+    for (int i = 0; i < of->zone.constraints; i++) {
         double compliance;
-        double is = shortage(of, &of->row[i], displacement, &compliance);
+        double is = shortage(of, &of->constraint[i], displacement, &compliance);
         square += is * is / compliance;
     }
     return sqrt(square);
@@ -268,9 +275,10 @@ double zone_residual(const some_zone *of)
 static double violation(const some_zone *of, const double displacement[])
 {
     double most = 0;
-    for (int i = 0; i < of->zone.rows; i++) {
+    for (int i = 0; i < of->zone.constraints; i++) {
         double compliance;
-        most = fmax(most, shortage(of, &of->row[i], displacement, &compliance));
+        most = fmax(
+            most, shortage(of, &of->constraint[i], displacement, &compliance));
     }
     return most;
 }

@@ -33,8 +33,9 @@ START_TEST(edges_are_those_of_the_elements)
     for (int i = 0; i < (int)cases(2000); i++) {
         random_surface(&random, 2 + i % 2, 1 + i % 40, ANYWHERE, &of);
         tf_elements triangles = {0}, edges = {0};
-        ck_assert(tf_mesh_triangles(&of.mesh, &triangles));
-        ck_assert(tf_mesh_edges(&of.mesh, &triangles, &edges));
+        tf_sort_workspace workspace = {0};
+        ck_assert(tf_mesh_triangles(&of.mesh, &triangles, &workspace));
+        ck_assert(tf_mesh_edges(&of.mesh, &triangles, &edges, &workspace));
         join_all(&of.mesh);
         int count = 0;
         for (int a = 0; a < of.mesh.vertices; a++)
@@ -45,8 +46,9 @@ START_TEST(edges_are_those_of_the_elements)
                     count++;
                 }
         ck_assert_int_eq(edges.count, count);
-        tf_buffer_free(&triangles.room);
-        tf_buffer_free(&edges.room);
+        tf_buffer_free(&triangles.storage);
+        tf_buffer_free(&edges.storage);
+        tf_sort_workspace_free(&workspace);
     }
 }
 END_TEST
@@ -59,13 +61,15 @@ START_TEST(triangles_are_listed_once)
     tf_mesh mesh = {
         .axes = 3, .vertices = 5, .triangles = 4, .triangle = triangle};
     tf_elements triangles = {0}, edges = {0};
-    ck_assert(tf_mesh_triangles(&mesh, &triangles));
+    tf_sort_workspace workspace = {0};
+    ck_assert(tf_mesh_triangles(&mesh, &triangles, &workspace));
     ck_assert_int_eq(triangles.count, 3);
     ck_assert_mem_eq(triangles.corner, expected, sizeof expected);
-    ck_assert(tf_mesh_edges(&mesh, &triangles, &edges));
+    ck_assert(tf_mesh_edges(&mesh, &triangles, &edges, &workspace));
     ck_assert_int_eq(edges.count, 7);
-    tf_buffer_free(&triangles.room);
-    tf_buffer_free(&edges.room);
+    tf_buffer_free(&triangles.storage);
+    tf_buffer_free(&edges.storage);
+    tf_sort_workspace_free(&workspace);
 }
 END_TEST
 

@@ -132,10 +132,11 @@ static void compare(const tf_contacts *found, const answers *all)
                       "row %zu, seed %llu", i, (unsigned long long)seed());
 }
 
-static void check_effort(const tf_effort *effort)
+static void check_statistics(const tf_detect_statistics *statistics)
 {
-    ck_assert_uint_eq(effort->by_axis + effort->by_filter + effort->by_signs,
-                      effort->candidates);
+    ck_assert_uint_eq(statistics->by_axis + statistics->by_filter +
+                          statistics->by_signs,
+                      statistics->candidates);
 }
 
 static size_t first_of(const answers *all)
@@ -149,8 +150,8 @@ static size_t first_of(const answers *all)
 
 static void compare_extents(tf_surface *surface, const answers *all)
 {
-    tf_detection detection = {.extent = TF_FIRST_CONTACT,
-                              .arithmetic = all->arithmetic};
+    tf_detect_options detection = {.selection = TF_FIRST_CONTACT,
+                                   .arithmetic = all->arithmetic};
     tf_contacts found;
     ck_assert_int_eq(
         tf_surface_detect(surface, all->motion, &detection, &found, NULL),
@@ -158,7 +159,7 @@ static void compare_extents(tf_surface *surface, const answers *all)
     ck_assert_uint_eq(found.count, all->count > 0);
     if (all->count > 0)
         ck_assert(same_row(found.contact, &all->contact[first_of(all)]));
-    detection.extent = TF_ANY_CONTACT;
+    detection.selection = TF_ANY_CONTACT;
     ck_assert_int_eq(
         tf_surface_detect(surface, all->motion, &detection, &found, NULL),
         TF_OK);
@@ -175,14 +176,14 @@ static void compare_surface(const tf_arithmetic *arithmetic,
     try_all(all, &of, surface);
     int workers = 3;
     tf_parallel parallel = scrambled(&workers);
-    tf_detection detection = {.arithmetic = arithmetic};
+    tf_detect_options detection = {.arithmetic = arithmetic};
     tf_contacts found;
     for (int i = 0; i < 2; i++) {
         ck_assert_int_eq(
             tf_surface_detect(surface, &of.motion, &detection, &found, NULL),
             TF_OK);
         compare(&found, all);
-        check_effort(&found.effort);
+        check_statistics(&found.statistics);
         detection.parallel = &parallel;
     }
     compare_extents(surface, all);
@@ -254,7 +255,7 @@ static tf_status try_positions(const double *start, const double *end,
 {
     tf_surface *surface = surface_of(&simple);
     tf_motion motion = {4, start, end};
-    tf_detection detection = {.arithmetic = arithmetic};
+    tf_detect_options detection = {.arithmetic = arithmetic};
     tf_contacts found;
     tf_status status =
         tf_surface_detect(surface, &motion, &detection, &found, flaw);

@@ -57,17 +57,19 @@ START_TEST(lists_are_sorted_without_repetitions)
         int corners = 2 + below(&random, 2), count = below(&random, MOST + 1);
         int vertices = 3 + below(&random, 40), expected[3 * MOST];
         tf_elements list = {.corners = corners};
-        ck_assert(tf_buffer_reserve(&list.room, MOST, 3 * sizeof(int)));
-        int *corner = list.room.data;
+        tf_sort_workspace workspace = {0};
+        ck_assert(tf_buffer_reserve(&list.storage, MOST, 3 * sizeof(int)));
+        int *corner = list.storage.data;
         for (int j = 0; j < count * corners; j++)
             corner[j] = below(&random, vertices);
         memcpy(expected, corner, sizeof expected);
         int kept = sort_plainly(corners, count, expected);
-        ck_assert(tf_elements_sort(&list, count, vertices));
+        ck_assert(tf_elements_sort(&list, count, vertices, &workspace));
         ck_assert_int_eq(list.count, kept);
         ck_assert_mem_eq(list.corner, expected,
                          sizeof *expected * (size_t)(kept * corners));
-        tf_buffer_free(&list.room);
+        tf_buffer_free(&list.storage);
+        tf_sort_workspace_free(&workspace);
     }
 }
 END_TEST

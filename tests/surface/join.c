@@ -44,14 +44,14 @@ static void fill(generator *random, int count, int corners, elements *list)
             v = (v + 1 + below(random, 5)) % MOST;
         }
     }
-    tf_tree_room room = {0};
+    tf_tree_workspace workspace = {0};
     tf_tree_elements given = {.count = count,
                               .corners = corners,
                               .corner = list->corner,
                               .vertex = vertex,
                               .whole = &whole};
-    ck_assert(tf_tree_build(&list->tree, &given, &room, NULL));
-    tf_tree_room_free(&room);
+    ck_assert(tf_tree_build(&list->tree, &given, &workspace, NULL));
+    tf_tree_workspace_free(&workspace);
 }
 
 static bool overlap(const tf_box *a, const tf_box *b)

@@ -36,16 +36,16 @@ static tf_surface *rain(void)
 }
 
 /// Decides the given specks, by batches.
-static tf_contacts decide(tf_surface *surface, tf_extent extent, int count,
-                          const int speck[])
+static tf_contacts decide(tf_surface *surface, tf_contact_selection selection,
+                          int count, const int speck[])
 {
     static tf_candidate pair[TF_BATCH];
     tf_motion motion = {SPECKS + 3, start, end};
-    tf_deciding of = {.surface = surface,
+    tf_pair_job of = {.surface = surface,
                       .motion = &motion,
                       .arithmetic = &tf_exact,
                       .narrow_phase = &tf_reference,
-                      .extent = extent,
+                      .selection = selection,
                       .kind = TF_POINT_TRIANGLE};
     tf_contacts found = {0};
     ck_assert(tf_pairs_begin(surface, NULL, &of));
@@ -58,7 +58,7 @@ static tf_contacts decide(tf_surface *surface, tf_extent extent, int count,
         more = tf_pairs_take(&worker->sink, part, pair);
     }
     ck_assert_int_eq(worker->status, TF_OK);
-    ck_assert(tf_pairs_gather(surface, extent, &found));
+    ck_assert(tf_pairs_gather(surface, selection, &found));
     return found;
 }
 
@@ -88,8 +88,8 @@ START_TEST(rows_are_sorted_however_they_come)
             ck_assert_int_eq(found.contact[expected++].vertex[0], v);
         }
     ck_assert_uint_eq(found.count, expected);
-    ck_assert_uint_eq(found.effort.candidates, (size_t)count);
-    ck_assert_uint_eq(found.effort.by_axis, (size_t)((count + 2) / 3));
+    ck_assert_uint_eq(found.statistics.candidates, (size_t)count);
+    ck_assert_uint_eq(found.statistics.by_axis, (size_t)((count + 2) / 3));
     tf_surface_free(surface);
 }
 END_TEST
@@ -113,8 +113,8 @@ END_TEST
 
 START_TEST(effort_adds_up)
 {
-    tf_effort all = {1, 2, 3, 4}, own = {10, 20, 30, 40};
-    tf_effort_add(&all, &own);
+    tf_detect_statistics all = {1, 2, 3, 4}, own = {10, 20, 30, 40};
+    tf_detect_statistics_add(&all, &own);
     ck_assert_uint_eq(all.candidates, 11);
     ck_assert_uint_eq(all.by_axis, 22);
     ck_assert_uint_eq(all.by_filter, 33);

@@ -102,7 +102,7 @@ static void check_levels(const tf_tree *tree)
     ck_assert_int_eq(wrong, 0);
 }
 
-static void check_tree(tf_tree *tree, tf_tree_room *room, int count,
+static void check_tree(tf_tree *tree, tf_tree_workspace *workspace, int count,
                        int corners, const tf_parallel *parallel)
 {
     generator random = generator_new((uint64_t)count);
@@ -115,7 +115,7 @@ static void check_tree(tf_tree *tree, tf_tree_room *room, int count,
                                  .corner = corners == 1 ? NULL : corner,
                                  .vertex = vertex,
                                  .whole = &whole};
-    ck_assert(tf_tree_build(tree, &elements, room, parallel));
+    ck_assert(tf_tree_build(tree, &elements, workspace, parallel));
     check_leaves(tree, &elements);
     check_levels(tree);
     free(corner);
@@ -126,29 +126,29 @@ START_TEST(every_element_is_in_one_leaf)
     static const int counts[] = {1,   2,   15,   16,    17,    255,  256,
                                  257, 400, 4097, 16384, 16385, 65537};
     tf_tree tree = {0};
-    tf_tree_room room = {0};
+    tf_tree_workspace workspace = {0};
     int workers = 3;
     tf_parallel parallel = scrambled(&workers);
     for (int i = 0; i < 13; i++)
         for (int corners = 1; corners <= 3; corners++) {
-            check_tree(&tree, &room, counts[i], corners, NULL);
-            check_tree(&tree, &room, counts[i], corners, &parallel);
+            check_tree(&tree, &workspace, counts[i], corners, NULL);
+            check_tree(&tree, &workspace, counts[i], corners, &parallel);
         }
     tf_tree_free(&tree);
-    tf_tree_room_free(&room);
+    tf_tree_workspace_free(&workspace);
 }
 END_TEST
 
 START_TEST(a_tree_of_nothing)
 {
     tf_tree tree = {0};
-    tf_tree_room room = {0};
+    tf_tree_workspace workspace = {0};
     tf_tree_elements none = {.corners = 3};
-    ck_assert(tf_tree_build(&tree, &none, &room, NULL));
+    ck_assert(tf_tree_build(&tree, &none, &workspace, NULL));
     ck_assert_int_eq(tree.count, 0);
     ck_assert_int_eq(tree.levels, 0);
     tf_tree_free(&tree);
-    tf_tree_room_free(&room);
+    tf_tree_workspace_free(&workspace);
 }
 END_TEST
 

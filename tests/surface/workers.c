@@ -66,11 +66,11 @@ static void build(tf_tree *tree)
     tf_box whole = {{0, 0, 0}, {1, 0, 0}};
     for (int i = 0; i < POINTS; i++)
         point[i].low[0] = point[i].high[0] = (float)(i % 2);
-    tf_tree_room room = {0};
+    tf_tree_workspace workspace = {0};
     tf_tree_elements elements = {
         .count = POINTS, .corners = 1, .vertex = point, .whole = &whole};
-    ck_assert(tf_tree_build(tree, &elements, &room, NULL));
-    tf_tree_room_free(&room);
+    ck_assert(tf_tree_build(tree, &elements, &workspace, NULL));
+    tf_tree_workspace_free(&workspace);
 }
 
 static int batches;

@@ -4,7 +4,7 @@
 #include "support/adaptive_of.h"
 #include "support/operating.h"
 #include "support/support.h"
-#include "surgery/operations.h"
+#include "surgery/collapse.h"
 
 #include <signal.h>
 #include <string.h>

@@ -1,5 +1,5 @@
 // Collapses of edges.
-#include "surgery/operations.h"
+#include "surgery/collapse.h"
 
 #include "support/adaptive_of.h"
 #include "support/support.h"

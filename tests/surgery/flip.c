@@ -1,5 +1,5 @@
 // Flips of edges.
-#include "surgery/operations.h"
+#include "surgery/flip.h"
 
 #include "support/adaptive_of.h"
 #include "support/support.h"

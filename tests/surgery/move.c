@@ -7,7 +7,7 @@
 #include "support/support.h"
 #include "support/surface_of.h"
 #include "surface/detect.h"
-#include "surgery/operations.h"
+#include "surgery/outcome.h"
 
 #include <string.h>
 

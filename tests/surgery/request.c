@@ -3,7 +3,10 @@
 
 #include "support/adaptive_of.h"
 #include "support/support.h"
-#include "surgery/operations.h"
+#include "surgery/collapse.h"
+#include "surgery/flip.h"
+#include "surgery/move.h"
+#include "surgery/split.h"
 
 #include <math.h>
 #include <signal.h>

@@ -1,5 +1,5 @@
 // Splits of edges.
-#include "surgery/operations.h"
+#include "surgery/split.h"
 
 #include "support/adaptive_of.h"
 #include "support/support.h"

@@ -4,8 +4,9 @@
 #include "support/adaptive_of.h"
 #include "support/operating.h"
 #include "support/support.h"
-#include "surgery/operations.h"
+#include "surgery/outcome.h"
 #include "surgery/star.h"
+#include "surgery/trial.h"
 
 #include <limits.h>
 
@@ -44,10 +45,10 @@ START_TEST(only_the_boundary_is_kept_by_itself)
     ck_assert(tf_surgery_begin(surface, 2));
     tf_surgery_keep(surface, tf_find_edge(surface, 0, 1));
     tf_surgery_keep(surface, tf_find_edge(surface, 1, 4));
-    ck_assert_int_eq(surface->surgery.rims, 1);
-    const int *rim = surface->surgery.rim.data;
-    ck_assert_int_eq(rim[0], 0);
-    ck_assert_int_eq(rim[1], 1);
+    ck_assert_int_eq(surface->surgery.boundary_edges, 1);
+    const int *edge = surface->surgery.boundary.data;
+    ck_assert_int_eq(edge[0], 0);
+    ck_assert_int_eq(edge[1], 1);
     tf_adaptive_free(surface);
 }
 END_TEST

@@ -1,5 +1,5 @@
 // Drops of a part.
-#include "topology/topology.h"
+#include "topology/drop.h"
 
 #include "support/adaptive_of.h"
 #include "support/adaptive_scenes.h"

@@ -5,7 +5,9 @@
 #include "support/adaptive_of.h"
 #include "support/blobs.h"
 #include "support/support.h"
-#include "surgery/operations.h"
+#include "surgery/collapse.h"
+#include "surgery/move.h"
+#include "surgery/split.h"
 
 #include <math.h>
 

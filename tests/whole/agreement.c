@@ -2,8 +2,8 @@
 // the point, many queries at once, and the vertices in another order.
 #include "arithmetic/clamped.h"
 #include "arithmetic/exact.h"
+#include "arithmetic/functions.h"
 #include "arithmetic/integer.h"
-#include "arithmetic/operations.h"
 #include "arithmetic/perturbed.h"
 #include "intersect/cascade.h"
 #include "query/edge_edge.h"

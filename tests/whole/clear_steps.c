@@ -28,7 +28,7 @@ static bool is_clear(tf_surface *surface, const double position[])
 
 static tf_contacts detect(tf_surface *surface)
 {
-    tf_detection any = {.extent = TF_ANY_CONTACT};
+    tf_detect_options any = {.selection = TF_ANY_CONTACT};
     tf_contacts found;
     ck_assert_int_eq(tf_surface_detect(surface, &of.motion, &any, &found, NULL),
                      TF_OK);
@@ -44,8 +44,8 @@ static void check_end(const tf_surface *surface)
                   all.count, (unsigned long long)seed());
 }
 
-/// One step without a contact from a clear start; returns how many candidates it
-/// had.
+/// One step without a contact from a clear start; returns how many candidates
+/// it had.
 static size_t try_step(generator *random, int axes, placement placed)
 {
     for (int i = 0; i < MOST_TRIES; i++) {
@@ -58,7 +58,7 @@ static size_t try_step(generator *random, int axes, placement placed)
             check_end(surface);
         tf_surface_free(surface);
         if (!found.any)
-            return found.effort.candidates;
+            return found.statistics.candidates;
     }
     ck_abort_msg("no clear step in %d tries", MOST_TRIES);
 }

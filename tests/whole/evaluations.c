@@ -1,5 +1,6 @@
 // What a query evaluates: signs decide, and only what is described has values.
 #include "arithmetic/exact.h"
+#include "arithmetic/functions.h"
 #include "intersect/cascade.h"
 #include "intersect/separation.h"
 #include "query/query.h"

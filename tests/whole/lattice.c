@@ -2,8 +2,8 @@
 // degeneracy there is comes up, over and over.
 #include "arithmetic/clamped.h"
 #include "arithmetic/exact.h"
+#include "arithmetic/functions.h"
 #include "arithmetic/integer.h"
-#include "arithmetic/operations.h"
 #include "support/judge.h"
 
 #include <math.h>

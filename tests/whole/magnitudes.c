@@ -3,7 +3,7 @@
 // other fields, that all are finite, whatever overflows on the way to them.
 #include "arithmetic/clamped.h"
 #include "arithmetic/exact.h"
-#include "arithmetic/operations.h"
+#include "arithmetic/functions.h"
 #include "arithmetic/perturbed.h"
 #include "support/judge.h"
 

@@ -4,7 +4,7 @@
 #include "arithmetic/integer.h"
 #include "arithmetic/perturbed.h"
 #include "bench/layers.h"
-#include "fast/vector.h"
+#include "fast/vectorized.h"
 #include "program/threads.h"
 #include "support/support.h"
 #include "support/surface_of.h"
@@ -33,9 +33,9 @@ static rows find(tf_surface *surface, const tf_motion *motion,
 {
     int threads = 2;
     tf_parallel parallel = tf_threads(&threads);
-    tf_detection detection = {.arithmetic = arithmetic,
-                              .narrow_phase = narrow_phase,
-                              .parallel = &parallel};
+    tf_detect_options detection = {.arithmetic = arithmetic,
+                                   .narrow_phase = narrow_phase,
+                                   .parallel = &parallel};
     rows all;
     ck_assert_int_eq(
         tf_surface_detect(surface, motion, &detection, &all.found, NULL),
@@ -52,8 +52,8 @@ static void compare(const tf_mesh *mesh, const tf_motion *motion)
     for (int i = 0; i < ARITHMETICS; i++) {
         rows expected = find(surface, motion, arithmetics[i], &tf_reference);
         rows by_vectors = find(surface, motion, arithmetics[i], &tf_vectorized);
-        const tf_effort *a = &expected.found.effort;
-        const tf_effort *b = &by_vectors.found.effort;
+        const tf_detect_statistics *a = &expected.found.statistics;
+        const tf_detect_statistics *b = &by_vectors.found.statistics;
         ck_assert_uint_eq(a->candidates, b->candidates);
         ck_assert_uint_eq(a->by_axis, b->by_axis);
         ck_assert_uint_eq(a->by_filter, b->by_filter);

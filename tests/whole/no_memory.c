@@ -9,9 +9,14 @@
 #include "support/proposals.h"
 #include "support/scrambled.h"
 #include "support/support.h"
-#include "surgery/operations.h"
+#include "surgery/collapse.h"
+#include "surgery/flip.h"
+#include "surgery/move.h"
+#include "surgery/split.h"
+#include "topology/drop.h"
+#include "topology/merge.h"
+#include "topology/pinch.h"
 #include "topology/reconnect.h"
-#include "topology/topology.h"
 
 #include <stdlib.h>
 #include <string.h>

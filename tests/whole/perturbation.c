@@ -3,7 +3,7 @@
 #include "arithmetic/perturbed.h"
 
 #include "arithmetic/exact.h"
-#include "arithmetic/operations.h"
+#include "arithmetic/functions.h"
 #include "intersect/pair.h"
 #include "query/query.h"
 #include "support/judge.h"

@@ -285,8 +285,8 @@ static void roughen(generator *random, int first, int count)
     memcpy(made.end, made.start, sizeof made.end);
 }
 
-// By the failsafe alone, which moves all as the plate does.  Of a rough plate no
-// two vertices move by the same displacement, to the last bit.
+// By the failsafe alone, which moves all as the plate does.  Of a rough plate
+// no two vertices move by the same displacement, to the last bit.
 START_TEST(a_scripted_plate_carries_what_it_meets)
 {
     static const tf_response_options options = {.zone_rounds = -1};
@@ -331,9 +331,9 @@ START_TEST(a_huge_translation_on_a_lattice_meets_nothing)
 }
 END_TEST
 
-// The gap is lost in rounding, and no zone is there to make it wider.  The first
-// round of the failsafe only unites what moves alike; the second finds contacts
-// within a group and puts it to rest.
+// The gap is lost in rounding, and no zone is there to make it wider.  The
+// first round of the failsafe only unites what moves alike; the second finds
+// contacts within a group and puts it to rest.
 START_TEST(a_huge_translation_off_a_lattice_is_refused)
 {
     static const tf_response_options options = {.zone_rounds = -1};
@@ -502,11 +502,11 @@ END_TEST
 
 // Solvers of other people -----------------------------------------------------
 
-static size_t no_room(int axes, int vertices, int rows)
+static size_t no_workspace(int axes, int vertices, int constraints)
 {
     (void)axes;
     (void)vertices;
-    (void)rows;
+    (void)constraints;
     return 0;
 }
 
@@ -518,88 +518,91 @@ static int do_nothing(tf_zone *zone)
 
 static int push_about(tf_zone *zone)
 {
-    generator random = generator_new((uint64_t)zone->rows);
-    double *impulse = malloc(sizeof *impulse * (size_t)zone->rows);
+    generator random = generator_new((uint64_t)zone->constraints);
+    double *impulse = malloc(sizeof *impulse * (size_t)zone->constraints);
     ck_assert_ptr_nonnull(impulse);
-    for (int i = 0; i < zone->rows; i++)
-        impulse[i] = zone->row[i].impulse = uniform(&random, -1, 1);
+    for (int i = 0; i < zone->constraints; i++)
+        impulse[i] = zone->constraint[i].impulse = uniform(&random, -1, 1);
     tf_zone_push(zone, impulse, zone->displacement);
     free(impulse);
     return 1;
 }
 
-static size_t usual_room(int axes, int vertices, int rows)
+static size_t usual_workspace(int axes, int vertices, int constraints)
 {
-    return tf_gauss_seidel.room(axes, vertices, 2 * rows);
+    return tf_gauss_seidel.workspace(axes, vertices, 2 * constraints);
 }
 
-/// A copy of the zone with each row so many times, none of them solved yet.
-static tf_zone repeat_rows(const tf_zone *zone, int times)
+/// A copy of the zone with each constraint so many times, none of them solved
+/// yet.
+static tf_zone repeat_constraints(const tf_zone *zone, int times)
 {
     tf_zone repeated = *zone;
     repeated.solved = 0;
-    repeated.rows = times * zone->rows;
-    repeated.row = malloc(sizeof *zone->row * (size_t)repeated.rows);
-    ck_assert_ptr_nonnull(repeated.row);
-    for (int i = 0; i < repeated.rows; i++) {
-        repeated.row[i] = zone->row[i / times];
-        repeated.row[i].impulse /= times;
+    repeated.constraints = times * zone->constraints;
+    repeated.constraint =
+        malloc(sizeof *zone->constraint * (size_t)repeated.constraints);
+    ck_assert_ptr_nonnull(repeated.constraint);
+    for (int i = 0; i < repeated.constraints; i++) {
+        repeated.constraint[i] = zone->constraint[i / times];
+        repeated.constraint[i].impulse /= times;
     }
     return repeated;
 }
 
-/// The rows in another order.
+/// The constraints in another order.
 static int sweep_shuffled(tf_zone *zone)
 {
-    generator random = generator_new((uint64_t)zone->rows);
-    tf_zone shuffled = repeat_rows(zone, 1);
-    int *from = malloc(sizeof *from * (size_t)zone->rows);
+    generator random = generator_new((uint64_t)zone->constraints);
+    tf_zone shuffled = repeat_constraints(zone, 1);
+    int *from = malloc(sizeof *from * (size_t)zone->constraints);
     ck_assert_ptr_nonnull(from);
-    for (int i = 0; i < zone->rows; i++) {
+    for (int i = 0; i < zone->constraints; i++) {
         int j = below(&random, i + 1);
         from[i] = from[j];
         from[j] = i;
     }
-    for (int i = 0; i < zone->rows; i++)
-        shuffled.row[i] = zone->row[from[i]];
+    for (int i = 0; i < zone->constraints; i++)
+        shuffled.constraint[i] = zone->constraint[from[i]];
     int sweeps = tf_gauss_seidel.solve(&shuffled);
-    for (int i = 0; i < zone->rows; i++)
-        zone->row[from[i]] = shuffled.row[i];
-    free(shuffled.row);
+    for (int i = 0; i < zone->constraints; i++)
+        zone->constraint[from[i]] = shuffled.constraint[i];
+    free(shuffled.constraint);
     free(from);
     return sweeps;
 }
 
-static void expect_row(const tf_zone *zone, const tf_row *row)
+static void expect_constraint(const tf_zone *zone,
+                              const tf_constraint *constraint)
 {
     double square = 0, mass_moved = 0;
     for (int k = 0; k < 3; k++)
-        square += row->normal[k] * row->normal[k];
-    for (int i = 0; i < 4 && row->vertex[i] >= 0; i++)
-        mass_moved += zone->inverse_mass[row->vertex[i]];
+        square += constraint->normal[k] * constraint->normal[k];
+    for (int i = 0; i < 4 && constraint->vertex[i] >= 0; i++)
+        mass_moved += zone->inverse_mass[constraint->vertex[i]];
     ck_assert_double_le(fabs(square - 1), 1e-12);
     ck_assert_double_gt(mass_moved, 0);
-    ck_assert_double_ge(row->bound, 0);
-    ck_assert(isfinite(row->bound));
+    ck_assert_double_ge(constraint->bound, 0);
+    ck_assert(isfinite(constraint->bound));
 }
 
 static int expect_pushes(tf_zone *zone)
 {
-    for (int i = 0; i < zone->rows; i++)
-        expect_row(zone, &zone->row[i]);
+    for (int i = 0; i < zone->constraints; i++)
+        expect_constraint(zone, &zone->constraint[i]);
     int sweeps = tf_gauss_seidel.solve(zone);
-    for (int i = 0; i < zone->rows; i++)
-        ck_assert_double_ge(zone->row[i].impulse, 0);
+    for (int i = 0; i < zone->constraints; i++)
+        ck_assert_double_ge(zone->constraint[i].impulse, 0);
     return sweeps;
 }
 
 START_TEST(whatever_the_solver_does_the_step_is_clear)
 {
     static const tf_zone_solver solvers[] = {
-        {"idle", no_room, do_nothing},
-        {"random", no_room, push_about},
-        {"shuffled", usual_room, sweep_shuffled},
-        {"checked", usual_room, expect_pushes}};
+        {"idle", no_workspace, do_nothing},
+        {"random", no_workspace, push_about},
+        {"shuffled", usual_workspace, sweep_shuffled},
+        {"checked", usual_workspace, expect_pushes}};
     generator random = generator_new(400 + (uint64_t)_i);
     tf_response_options options = {.solver = &solvers[_i]};
     for (int i = 0; i < (int)cases(15); i++) {
@@ -626,13 +629,13 @@ static void converge(tf_zone *zone)
 /// Without friction.
 static int solve_repeated(tf_zone *zone, int times)
 {
-    tf_zone repeated = repeat_rows(zone, times);
+    tf_zone repeated = repeat_constraints(zone, times);
     converge(&repeated);
-    for (int i = 0; i < zone->rows; i++)
-        zone->row[i].impulse = 0;
-    for (int i = 0; i < repeated.rows; i++)
-        zone->row[i / times].impulse += repeated.row[i].impulse;
-    free(repeated.row);
+    for (int i = 0; i < zone->constraints; i++)
+        zone->constraint[i].impulse = 0;
+    for (int i = 0; i < repeated.constraints; i++)
+        zone->constraint[i / times].impulse += repeated.constraint[i].impulse;
+    free(repeated.constraint);
     return 1;
 }
 
@@ -646,10 +649,10 @@ static int solve_doubled(tf_zone *zone)
     return solve_repeated(zone, 2);
 }
 
-START_TEST(every_row_twice_ends_the_same)
+START_TEST(every_constraint_twice_ends_the_same)
 {
-    static const tf_zone_solver once = {"once", usual_room, solve_once};
-    static const tf_zone_solver doubled = {"doubled", usual_room,
+    static const tf_zone_solver once = {"once", usual_workspace, solve_once};
+    static const tf_zone_solver doubled = {"doubled", usual_workspace,
                                            solve_doubled};
     static double end[3 * PROPOSAL_VERTICES];
     proposal_begin(&made, 3);
@@ -743,7 +746,7 @@ Suite *suite(void)
     TCase *solvers = tcase_create("solvers");
     tcase_add_loop_test(solvers, whatever_the_solver_does_the_step_is_clear, 0,
                         4);
-    tcase_add_test(solvers, every_row_twice_ends_the_same);
+    tcase_add_test(solvers, every_constraint_twice_ends_the_same);
     suite_add_tcase(suite, solvers);
 
     TCase *threads = tcase_create("threads");

@@ -35,7 +35,7 @@ static rows find_candidates(tf_surface *surface, const tf_parallel *parallel)
 
 static rows find_contacts(tf_surface *surface, const tf_parallel *parallel)
 {
-    tf_detection detection = {.parallel = parallel};
+    tf_detect_options detection = {.parallel = parallel};
     tf_contacts found;
     ck_assert_int_eq(
         tf_surface_detect(surface, &motion, &detection, &found, NULL), TF_OK);

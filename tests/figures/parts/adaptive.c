@@ -61,6 +61,6 @@ static void the_corner_meets_the_triangle(void)
 
 const figure_test adaptive_tests[] = {
     {&fig_angle_histograms, shares_of_angles_add_up},
-    {&fig_around_the_rim, edges_meet_and_the_corner_misses_the_triangle},
-    {&fig_inside_out, the_corner_meets_the_triangle},
+    {&fig_corner_past_triangle, edges_meet_and_the_corner_misses_the_triangle},
+    {&fig_inverted_tetrahedron, the_corner_meets_the_triangle},
     {NULL, NULL}};

@@ -3,7 +3,7 @@
 
 #include "arithmetic/exact.h"
 #include "arithmetic/int128.h"
-#include "arithmetic/operations.h"
+#include "arithmetic/functions.h"
 #include "bench/workloads.h"
 #include "query/query.h"
 #include "support/matrices.h"
@@ -773,15 +773,15 @@ static void shares_of_stages_are_those_of_the_queries(void)
 
 const figure_test arithmetic_tests[] = {
     {&fig_accumulator_words, words_of_sums_are_counted},
-    {&fig_bits_spent, largest_determinants_have_as_many_bits},
-    {&fig_column_grid, last_places_are_odd},
+    {&fig_determinant_bits, largest_determinants_have_as_many_bits},
+    {&fig_coordinates_on_grid, last_places_are_odd},
     {&fig_exact_stages, cells_of_stages_are_counted},
     {&fig_expansion_terms, bits_and_terms_of_the_determinant_are_counted},
     {&fig_grid_rounding, rounding_turns_and_crosses},
-    {&fig_integer_stripes, signs_go_around_from_twenty_bits_on},
-    {&fig_leading_terms, terms_of_perturbed_signs_are_counted},
-    {&fig_moved_row, moved_points_turn_as_printed},
-    {&fig_needle_counts, needles_meet_as_many_triangles},
+    {&fig_integer_overflow, signs_go_around_from_twenty_bits_on},
+    {&fig_perturbation_terms, terms_of_perturbed_signs_are_counted},
+    {&fig_perturbed_points, moved_points_turn_as_printed},
+    {&fig_needle_through_box, needles_meet_as_many_triangles},
     {&fig_rounded_sheets, crossings_of_the_sheets_are_counted},
     {&fig_sign_costs, hits_are_the_oracles},
     {&fig_sign_stages, shares_of_stages_are_those_of_the_queries},

@@ -364,15 +364,15 @@ static void a_run_counts_every_intersection(void)
 }
 
 const figure_test response_tests[] = {
-    {&fig_beads, single_impulses_take_these_rounds},
-    {&fig_candidate_rows, rows_do_what_is_told},
+    {&fig_kept_rows, single_impulses_take_these_rounds},
+    {&fig_kinds_of_rows, rows_do_what_is_told},
     {&fig_clear_fractions, half_the_step_has_a_contact_and_a_quarter_has_none},
-    {&fig_first_push, times_are_those_of_the_displacements},
-    {&fig_harmonic_bars, each_bar_moves_less},
-    {&fig_three_failures, pairs_meet_until_they_are_pushed},
+    {&fig_rising_plank, times_are_those_of_the_displacements},
+    {&fig_failsafe_bars, each_bar_moves_less},
+    {&fig_coordinate_row_failures, pairs_meet_until_they_are_pushed},
     {&fig_thrown_edge, points_are_met_farther_and_farther},
     {&fig_turned_together, the_turned_pair_meets_when_the_oracle_says},
-    {&fig_turns_taken, turns_are_those_of_the_staircase},
-    {&fig_two_rows, distances_of_two_rows_are_those_of_geometry},
-    {&fig_two_strips, a_run_counts_every_intersection},
+    {&fig_shares_over_time, turns_are_those_of_the_staircase},
+    {&fig_nearly_parallel_rows, distances_of_two_rows_are_those_of_geometry},
+    {&fig_twisted_strips, a_run_counts_every_intersection},
     {NULL, NULL}};

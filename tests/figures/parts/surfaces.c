@@ -2,6 +2,7 @@
 #include "figures/numbers.h"
 
 #include "arithmetic/exact.h"
+#include "arithmetic/functions.h"
 #include "bench/layers.h"
 #include "intersect/signs.h"
 #include "kit/meshes.h"
@@ -305,7 +306,7 @@ static void contacts_of_the_sheet_are_those_of_all_pairs(void)
 
 /// The contacts of a step, lent until the surface is freed.
 static tf_contacts detect(const tf_mesh *mesh, const tf_motion *motion,
-                          const tf_detection *detection, tf_surface **surface)
+                          const tf_detect_options *detection, tf_surface **surface)
 {
     tf_contacts found;
     ck_assert_int_eq(tf_surface_create(mesh, surface, NULL), TF_OK);
@@ -324,7 +325,7 @@ static void workers_find_the_contacts_of_three_threads(void)
     tf_parallel parallel = tf_threads(&threads);
     tf_surface *surface;
     tf_contacts found = detect(
-        &mesh, &motion, &(tf_detection){.parallel = &parallel}, &surface);
+        &mesh, &motion, &(tf_detect_options){.parallel = &parallel}, &surface);
     for (size_t i = 0; i < found.count; i++)
         points += found.contact[i].kind == TF_POINT_TRIANGLE;
     expect_within(0, (double)found.count, "contacts");
@@ -357,8 +358,8 @@ static void crowded_layers_are_detected_again(void)
     tf_contacts found = detect(&cloth.mesh, &cloth.motion, NULL, &surface);
     expect(cloth.mesh.triangles, "crowded_triangles");
     expect(count_pairs(&cloth.mesh, surface), "crowded_pairs");
-    expect((double)found.effort.candidates, "crowded_candidates");
-    expect((double)(found.effort.by_filter + found.effort.by_signs),
+    expect((double)found.statistics.candidates, "crowded_candidates");
+    expect((double)(found.statistics.by_filter + found.statistics.by_signs),
            "crowded_open");
     expect((double)found.count, "crowded_contacts");
     tf_surface_free(surface);
@@ -492,12 +493,12 @@ static void leaves_are_along_the_morton_curve(void)
 
 const figure_test surfaces_tests[] = {
     {&fig_box_tree, candidates_of_the_tree_are_those_of_all_pairs},
-    {&fig_crowding, candidates_of_the_crowd_are_those_of_all_pairs},
+    {&fig_candidate_counts, candidates_of_the_crowd_are_those_of_all_pairs},
     {&fig_early_outs, shares_are_those_of_separated_queries},
     {&fig_folding_sheet, contacts_of_the_sheet_are_those_of_all_pairs},
-    {&fig_found_rows, workers_find_the_contacts_of_three_threads},
-    {&fig_funnel, crowded_layers_are_detected_again},
+    {&fig_contact_order, workers_find_the_contacts_of_three_threads},
+    {&fig_pairs_to_contacts, crowded_layers_are_detected_again},
     {&fig_morton_curve, leaves_are_along_the_morton_curve},
-    {&fig_private_order, a_private_order_opens_a_crack},
-    {&fig_undecided, zeros_are_undecided},
+    {&fig_crack_between_neighbors, a_private_order_opens_a_crack},
+    {&fig_undecided_queries, zeros_are_undecided},
     {NULL, NULL}};

@@ -1,0 +1,134 @@
+//: Include what the vector narrow phase needs
+#include "fast/vectorized.h"
+
+#include "arithmetic/clamped.h"
+#include "arithmetic/exact.h"
+#include "arithmetic/perturbed.h"
+#include "base/environment.h"
+#include "base/require.h"
+#include "fast/gather.h"
+#include "fast/lanes.h"
+
+#include <stdalign.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <string.h>
+
+//: Choose when a determinant is certain
+/// How far from zero a determinant must be for an arithmetic to agree with the
+/// filter, as a share of Mx My Mz; 0: the filter cannot stand in for it.
+///
+/// A sign that is certain and not zero is that of the perturbed scene, too.
+/// tf_clamped is certain of the same signs where they are far enough from zero,
+/// and signs that are certain decide alike for it and for tf_published.
+static double share_for(const tf_arithmetic *arithmetic)
+{
+    if (arithmetic == &tf_exact || arithmetic == &tf_perturbed)
+        return TF_SHARE_SURE;
+    if (arithmetic == &tf_clamped || arithmetic == &tf_published)
+        return TF_SHARE_CLAMPED;
+    return 0;
+}
+
+/// The filter of a kind of queries; NULL: there is none.
+static tf_lanes_filter *filter_for(tf_kind kind)
+{
+    return kind == TF_POINT_TRIANGLE ? tf_lanes_point_triangle
+           : kind == TF_EDGE_EDGE    ? tf_lanes_edge_edge
+                                     : NULL;
+}
+
+//: Leave queries to the reference
+/// Leaves clearances as they are.
+static tf_status leave_to_reference(const tf_arithmetic *arithmetic,
+                                    const tf_queries *queries, size_t begin,
+                                    size_t end, tf_verdict verdict[],
+                                    size_t *separated)
+{
+    tf_queries some = *queries;
+    some.count = end - begin;
+    some.vertices += 4 * begin;
+    return tf_reference.decide(arithmetic, &some, verdict + begin, separated);
+}
+
+//: Turn bits into verdicts
+/// Stops at the first bad query, as the reference does: a coordinate that is
+/// not finite leaves its query undecided.
+static tf_status spread(const tf_arithmetic *arithmetic,
+                        const tf_queries *queries, size_t begin, size_t end,
+                        const tf_query_masks *masks, tf_verdict verdict[],
+                        size_t *separated)
+{
+    for (size_t i = begin; i < end; i++) {
+        size_t lane = i - begin;
+        if (masks->undecided >> lane & 1) {
+            tf_status status = leave_to_reference(arithmetic, queries, i, i + 1,
+                                                  verdict, separated);
+            if (status != TF_OK)
+                return status;
+            continue;
+        }
+        verdict[i] = masks->hit >> lane & 1 ? TF_HIT : TF_APART;
+        *separated += masks->separated >> lane & 1;
+    }
+    return TF_OK;
+}
+
+//: Decide as many queries as a mask has bits
+/// Sets clearances as well, unless they are NULL; they were all 0.
+static tf_status decide_some(const tf_arithmetic *arithmetic,
+                             const tf_queries *queries, size_t begin,
+                             size_t end, tf_verdict verdict[],
+                             size_t *separated, double clearance[])
+{
+    alignas(64) tf_query_block block[TF_MASK_QUERIES / TF_BLOCK_QUERIES];
+    if (!tf_gather(queries, begin, end, block))
+        return leave_to_reference(arithmetic, queries, begin, end, verdict,
+                                  separated);
+    tf_query_masks masks;
+    double own[TF_MASK_QUERIES];
+    size_t blocks = (end - begin + TF_BLOCK_QUERIES - 1) / TF_BLOCK_QUERIES;
+    filter_for(queries->kind)(blocks, block, share_for(arithmetic), &masks,
+                              clearance ? own : NULL);
+    if (clearance)
+        memcpy(clearance + begin, own, sizeof *own * (end - begin));
+    return spread(arithmetic, queries, begin, end, &masks, verdict, separated);
+}
+
+//: Decide many queries by vectors
+static tf_status decide_and_measure(const tf_arithmetic *arithmetic,
+                                    const tf_queries *queries,
+                                    tf_verdict verdict[], size_t *separated,
+                                    double clearance[])
+{
+    TF_REQUIRE(arithmetic && queries && separated);
+    if (clearance)
+        memset(clearance, 0, sizeof *clearance * queries->count);
+    if (share_for(arithmetic) == 0 || !filter_for(queries->kind) ||
+        !tf_environment_is_ieee())
+        return tf_reference.decide(arithmetic, queries, verdict, separated);
+    TF_REQUIRE((queries->vertices && verdict) || queries->count == 0);
+    const tf_motion *motion = queries->motion;
+    TF_REQUIRE((motion && motion->start && motion->end) || queries->count == 0);
+    size_t count = queries->count;
+    for (size_t begin = 0; begin < count; begin += TF_MASK_QUERIES) {
+        size_t end =
+            count - begin < TF_MASK_QUERIES ? count : begin + TF_MASK_QUERIES;
+        tf_status status = decide_some(arithmetic, queries, begin, end, verdict,
+                                       separated, clearance);
+        if (status != TF_OK)
+            return status;
+    }
+    return TF_OK;
+}
+
+static tf_status decide_by_vectors(const tf_arithmetic *arithmetic,
+                                   const tf_queries *queries,
+                                   tf_verdict verdict[], size_t *separated)
+{
+    return decide_and_measure(arithmetic, queries, verdict, separated, NULL);
+}
+
+const tf_narrow_phase tf_vectorized = {.name = "vector",
+                                       .decide = decide_by_vectors,
+                                       .measure = decide_and_measure};

@@ -1,0 +1,205 @@
+//: Include what the constraints of contacts need
+#include "response/contact_constraint.h"
+
+#include <math.h>
+#include <stddef.h>
+#include <string.h>
+
+//: Measure vectors
+static double dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/// Scales a vector to length 1 and returns the length that it had.  Its largest
+/// component is brought near 1 first, so that no square overflows or vanishes.
+static double normalize(double v[3])
+{
+    double most = fmax(fabs(v[0]), fmax(fabs(v[1]), fabs(v[2])));
+    if (!(most > 0))
+        return 0;
+    for (int k = 0; k < 3; k++)
+        v[k] /= most;
+    double length = sqrt(dot(v, v));
+    for (int k = 0; k < 3; k++)
+        v[k] /= length;
+    return most * length;
+}
+
+//: Weight the vertices of a contact
+static int corners_of_first(tf_kind kind)
+{
+    return kind == TF_EDGE_EDGE ? 2 : 1;
+}
+
+static int corners_of_both(tf_kind kind)
+{
+    return kind == TF_POINT_EDGE ? 3 : 4;
+}
+
+/// The constraint of the two points that meet.
+static tf_constraint constraint_of_point(const tf_surface_contact *contact)
+{
+    int first = corners_of_first(contact->kind);
+    int both = corners_of_both(contact->kind);
+    tf_constraint constraint = {.vertex = {-1, -1, -1, -1}};
+    for (int i = 0; i < both; i++) {
+        constraint.vertex[i] = contact->vertex[i];
+        constraint.coefficient[i] =
+            i < first ? contact->contact.barycentric[0][i]
+                      : -contact->contact.barycentric[1][i - first];
+    }
+    return constraint;
+}
+
+//: Find where the two points start
+/// The vector from the second element's point to the first one's at the start.
+/// As the coefficients add up to zero, positions may be taken relative to one
+/// of the vertices, which keeps the error small even far from the origin.
+static void vector_at_start(const tf_step *step,
+                            const tf_constraint *constraint, double vector[3])
+{
+    const double *origin =
+        step->start + (ptrdiff_t)step->axes * constraint->vertex[0];
+    vector[0] = vector[1] = vector[2] = 0;
+    for (int i = 1; i < 4 && constraint->vertex[i] >= 0; i++) {
+        double apart[3];
+        tf_step_displacement(step, constraint->vertex[i], origin, apart);
+        for (int k = 0; k < 3; k++)
+            vector[k] -= constraint->coefficient[i] * apart[k];
+    }
+}
+
+/// The size of a rounding error in the coordinates of a constraint's vertices.
+static double coordinate_error(const tf_step *step,
+                               const tf_constraint *constraint)
+{
+    double largest = 0;
+    for (int i = 0; i < 4 && constraint->vertex[i] >= 0; i++)
+        for (int k = 0; k < step->axes; k++) {
+            ptrdiff_t place = (ptrdiff_t)step->axes * constraint->vertex[i] + k;
+            largest = fmax(largest, fabs(step->start[place]));
+        }
+    return largest * 0x1p-52;
+}
+
+//: Choose the normal
+/// Sets the normal of a constraint: that of the contact, reversed if need be
+/// such that the gap is positive, or, if the gap is too small to tell its sign,
+/// the direction between the points that meet.  Returns the gap.
+static double choose_normal(const tf_step *step, const tf_contact *contact,
+                            tf_constraint *constraint)
+{
+    double between[3];
+    vector_at_start(step, constraint, between);
+    double gap = dot(contact->normal, between);
+    double side = gap < 0 ? -1 : 1;
+    for (int k = 0; k < 3; k++)
+        constraint->normal[k] = side * contact->normal[k];
+    gap = fabs(gap);
+
+    double distance = normalize(between);
+    bool tells_side = gap > 0x1p-10 * distance &&
+                      gap > 32 * coordinate_error(step, constraint);
+    if (tells_side || !(distance > 0))
+        return gap;
+    memcpy(constraint->normal, between, sizeof between);
+    return distance;
+}
+
+//: Take the constraint of the pivots
+/// The constraint that keeps the contact's two pivots from approaching each
+/// other. False if they do not move relative to each other.
+static bool constraint_of_pivots(const tf_surface_contact *contact,
+                                 tf_constraint *constraint, double *gap)
+{
+    const tf_contact *c = &contact->contact;
+    int pivot[2] = {c->pivot[0], corners_of_first(contact->kind) + c->pivot[1]};
+    memset(constraint->coefficient, 0, sizeof constraint->coefficient);
+    constraint->coefficient[pivot[0]] = 1;
+    constraint->coefficient[pivot[1]] = -1;
+
+    bool along_normal = c->normal_velocity != 0;
+    double toward = c->normal_velocity > 0 || !along_normal ? -1 : 1;
+    for (int k = 0; k < 3; k++)
+        constraint->normal[k] =
+            toward * (along_normal ? c->normal[k] : c->velocity[k]);
+    double length = normalize(constraint->normal);
+    *gap = c->toi_lo * (along_normal ? fabs(c->normal_velocity) : length);
+    return length > 0;
+}
+
+//: See how a constraint's elements part
+/// How far the elements of a constraint part along its normal with these ends.
+static double separation(const tf_step *step, const tf_constraint *constraint,
+                         const double end[])
+{
+    double sum = 0;
+    for (int i = 0; i < 4 && constraint->vertex[i] >= 0; i++) {
+        double d[3];
+        tf_step_displacement(
+            step, constraint->vertex[i],
+            end + (ptrdiff_t)step->axes * constraint->vertex[i], d);
+        sum += constraint->coefficient[i] * dot(constraint->normal, d);
+    }
+    return sum;
+}
+
+//: Bound the separation
+/// The part of what is missing by which a pair is pushed apart in one step.
+static const double pushed_part = 0.25;
+
+static double bound_for(const tf_step *step, const tf_constraint *constraint,
+                        const tf_contact_rule *rule, double gap)
+{
+    double bound =
+        gap < rule->separation ? pushed_part * (rule->separation - gap) : 0;
+    if (rule->restitution > 0)
+        bound = fmax(bound, -rule->restitution *
+                                separation(step, constraint, rule->base));
+    return bound;
+}
+
+//: Drop vertices that a constraint does not push
+/// Drops the vertices whose coefficient is 0: a zone must not move them.
+static tf_constraint without_idle_vertices(const tf_constraint *constraint)
+{
+    tf_constraint kept = *constraint;
+    int count = 0;
+    for (int i = 0; i < 4; i++) {
+        if (constraint->vertex[i] < 0 || constraint->coefficient[i] == 0)
+            continue;
+        kept.vertex[count] = constraint->vertex[i];
+        kept.coefficient[count++] = constraint->coefficient[i];
+    }
+    for (; count < 4; count++) {
+        kept.vertex[count] = -1;
+        kept.coefficient[count] = 0;
+    }
+    return kept;
+}
+
+//: Make the constraint of a contact
+tf_constraint tf_contact_constraint(const tf_step *step,
+                                    const tf_surface_contact *contact,
+                                    const tf_contact_rule *rule, bool by_pivots,
+                                    double *gap)
+{
+    tf_constraint constraint = constraint_of_point(contact);
+    *gap = choose_normal(step, &contact->contact, &constraint);
+    constraint.bound = bound_for(step, &constraint, rule, *gap);
+
+    // The points have to approach each other from the side on which they start,
+    // and the constraint must not be satisfied already.
+    bool approach = dot(constraint.normal, contact->contact.velocity) <= 0;
+    bool violated = separation(step, &constraint, step->end) < constraint.bound;
+    bool has_normal = dot(constraint.normal, constraint.normal) > 0;
+    tf_constraint pivots = constraint;
+    double own_gap;
+    if ((has_normal && approach && violated && !by_pivots) ||
+        !constraint_of_pivots(contact, &pivots, &own_gap))
+        return without_idle_vertices(&constraint);
+    *gap = own_gap;
+    pivots.bound = bound_for(step, &pivots, rule, own_gap);
+    return without_idle_vertices(&pivots);
+}

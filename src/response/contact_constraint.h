@@ -1,0 +1,25 @@
+//: Declare the constraint of a contact
+#pragma once
+
+#include "response/constraint.h"
+#include "response/step.h"
+#include "surface/detect.h"
+
+/// How contacts become constraints.
+typedef struct tf_contact_rule {
+    double separation;  ///< pairs that meet and start nearer than this are
+                        ///< pushed apart
+    double restitution; ///< 0 to 1
+    const double *base; ///< the ends from which the response sets out;
+                        ///< restitution returns a part of their approach
+} tf_contact_rule;
+
+/// Makes the constraint of a contact, with the numbers that its vertices have
+/// in the step.  If the constraint of the point of contact is no good, or if
+/// `by_pivots`, it is the constraint of the contact's two pivots, as far as
+/// they have one.  Sets `*gap` to the distance between the points, or the
+/// pivots, at the start, along the constraint's normal.
+tf_constraint tf_contact_constraint(const tf_step *step,
+                                    const tf_surface_contact *contact,
+                                    const tf_contact_rule *rule, bool by_pivots,
+                                    double *gap);

@@ -1,0 +1,267 @@
+// Constraints of contacts: whom they push, in which direction and how far.
+#include "response/contact_constraint.h"
+
+#include "arithmetic/exact.h"
+#include "query/query.h"
+#include "support/queries.h"
+#include "support/support.h"
+
+#include <math.h>
+#include <stdbool.h>
+#include <string.h>
+
+enum {
+    TRIALS = 2000
+};
+
+/// Two elements in a step, and their contact.
+typedef struct scene {
+    tf_step step;
+    double start[12], end[12];
+    tf_surface_contact contact;
+} scene;
+
+/// Whether they meet.  The scene must stay where it is.
+static bool ready(scene *s, query_kind kind, int axes)
+{
+    static const tf_kind kinds[] = {TF_POINT_EDGE, TF_POINT_TRIANGLE,
+                                    TF_EDGE_EDGE};
+    s->step = (tf_step){.axes = axes,
+                        .vertices = axes + 1,
+                        .start = s->start,
+                        .proposed = s->end,
+                        .end = s->end};
+    s->contact.kind = kinds[kind];
+    for (int v = 0; v < 4; v++)
+        s->contact.vertex[v] = v <= axes ? v : -1;
+    tf_worldline vertex[4];
+    for (int v = 0; v <= axes; v++)
+        vertex[v] =
+            tf_worldline_between(axes, s->start + axes * v, s->end + axes * v);
+    int first = kind == EDGE_EDGE ? 2 : 1;
+    ck_assert(tf_query(&tf_exact, axes, first, vertex, axes + 1 - first,
+                       vertex + first, &s->contact.contact) == TF_OK);
+    return s->contact.contact.verdict == TF_HIT;
+}
+
+static bool random_scene(generator *random, query_kind kind, scene *s)
+{
+    query q = query_soup(random, kind);
+    for (int v = 0; v <= q.axes; v++)
+        for (int k = 0; k < q.axes; k++) {
+            s->start[q.axes * v + k] = q.vertex[v].at[0].x[k];
+            s->end[q.axes * v + k] = q.vertex[v].at[1].x[k];
+        }
+    return ready(s, kind, q.axes);
+}
+
+static tf_constraint constraint_of(const scene *s, bool by_pivots, double *gap)
+{
+    tf_contact_rule rule = {.base = s->end};
+    return tf_contact_constraint(&s->step, &s->contact, &rule, by_pivots, gap);
+}
+
+/// The sum over a constraint's vertices of coefficient times place along the
+/// normal.
+static double along(const scene *s, const tf_constraint *constraint,
+                    const double place[])
+{
+    double sum = 0;
+    for (int i = 0; i < 4 && constraint->vertex[i] >= 0; i++)
+        for (int k = 0; k < s->step.axes; k++)
+            sum += constraint->coefficient[i] * constraint->normal[k] *
+                   place[s->step.axes * constraint->vertex[i] + k];
+    return sum;
+}
+
+static double dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static double length(const double v[3])
+{
+    return sqrt(dot(v, v));
+}
+
+static void expect_well_made(const scene *s, const tf_constraint *constraint)
+{
+    int first = s->contact.kind == TF_EDGE_EDGE ? 2 : 1;
+    double part[2] = {0, 0};
+    for (int i = 0; i < 4 && constraint->vertex[i] >= 0; i++) {
+        ck_assert(constraint->coefficient[i] != 0);
+        part[constraint->vertex[i] >= first] += constraint->coefficient[i];
+    }
+    ck_assert_double_eq_tol(part[0], 1, 1e-12);
+    ck_assert_double_eq_tol(part[1], -1, 1e-12);
+    ck_assert_double_eq_tol(length(constraint->normal), 1, 1e-12);
+    ck_assert(constraint->bound >= 0 && constraint->impulse == 0);
+}
+
+START_TEST(constraints_want_what_the_step_does_not_give)
+{
+    generator random = generator_new((uint64_t)_i);
+    for (long i = cases(TRIALS); i > 0; i--) {
+        scene s;
+        double gap;
+        if (!random_scene(&random, (query_kind)_i, &s))
+            continue;
+        tf_constraint constraint = constraint_of(&s, false, &gap);
+        expect_well_made(&s, &constraint);
+        ck_assert_double_gt(gap, 0);
+        ck_assert_double_eq_tol(along(&s, &constraint, s.start), gap, 1e-9);
+        ck_assert_double_lt(along(&s, &constraint, s.end) -
+                                along(&s, &constraint, s.start),
+                            constraint.bound);
+        ck_assert_double_lt(dot(constraint.normal, s.contact.contact.velocity),
+                            1e-12);
+    }
+}
+END_TEST
+
+START_TEST(pivots_meet_along_the_normal)
+{
+    generator random = generator_new((uint64_t)_i);
+    for (long i = cases(TRIALS); i > 0; i--) {
+        scene s;
+        double gap;
+        if (!random_scene(&random, (query_kind)_i, &s))
+            continue;
+        const tf_contact *contact = &s.contact.contact;
+        double velocity = fabs(contact->normal_velocity);
+        tf_constraint constraint = constraint_of(&s, true, &gap);
+        expect_well_made(&s, &constraint);
+        ck_assert(constraint.vertex[1] >= 0 && constraint.vertex[2] < 0);
+        ck_assert_double_eq_tol(gap, contact->toi_lo * velocity, 1e-12);
+        ck_assert_double_eq_tol(along(&s, &constraint, s.start), gap, 1e-9);
+        ck_assert_double_eq_tol(along(&s, &constraint, s.end),
+                                (contact->toi_lo - 1) * velocity, 1e-9);
+    }
+}
+END_TEST
+
+static tf_constraint constraint_in_plane(scene *s, const double start[6],
+                                         const double end[6], double *gap)
+{
+    memcpy(s->start, start, 6 * sizeof *start);
+    memcpy(s->end, end, 6 * sizeof *end);
+    ck_assert(ready(s, POINT_EDGE, 2));
+    tf_constraint constraint = constraint_of(s, false, gap);
+    expect_well_made(s, &constraint);
+    return constraint;
+}
+
+static void expect_pair(const tf_constraint *constraint, int first, int second,
+                        double x, double y)
+{
+    ck_assert_int_eq(constraint->vertex[0], first);
+    ck_assert_int_eq(constraint->vertex[1], second);
+    ck_assert_int_eq(constraint->vertex[2], -1);
+    ck_assert_double_eq_tol(constraint->normal[0], x, 1e-15);
+    ck_assert_double_eq_tol(constraint->normal[1], y, 1e-15);
+    ck_assert_double_eq(constraint->normal[2], 0);
+}
+
+START_TEST(coordinates_share_a_push)
+{
+    scene s;
+    double gap;
+    tf_constraint constraint =
+        constraint_in_plane(&s, (double[]){0, 0.125, -2, 0, 2, 0},
+                            (double[]){0, 0.125, -2, 1, 2, 1}, &gap);
+    ck_assert_double_eq(gap, 0.125);
+    ck_assert_double_eq_tol(constraint.coefficient[1], -0.5, 1e-15);
+    ck_assert_double_eq_tol(constraint.coefficient[2], -0.5, 1e-15);
+    ck_assert_double_eq(constraint.normal[1], 1);
+}
+END_TEST
+
+START_TEST(pivots_are_pushed_where_the_dots_want_nothing)
+{
+    // A plank turns under a fly, and its middle comes back.
+    scene s;
+    double gap;
+    tf_constraint constraint =
+        constraint_in_plane(&s, (double[]){0, 1, -2, 2, 2, -2},
+                            (double[]){0, 1, -2, -2, 2, 2}, &gap);
+    expect_pair(&constraint, 0, 2, sqrt(0.5), sqrt(0.5));
+    ck_assert_double_eq_tol(gap, sqrt(0.5), 1e-15);
+}
+END_TEST
+
+START_TEST(pivots_are_pushed_where_the_dots_start_on_the_other_side)
+{
+    scene s;
+    double gap;
+    tf_constraint constraint = constraint_in_plane(
+        &s, (double[]){1, 1, 0, 0, 4, 0}, (double[]){1, -2, 1, 2, 2, -2}, &gap);
+    expect_pair(&constraint, 0, 1, 4 / sqrt(17), 1 / sqrt(17));
+    ck_assert_double_eq_tol(gap, 5 / sqrt(17), 1e-14);
+}
+END_TEST
+
+START_TEST(dots_part_in_their_direction_where_there_is_no_side)
+{
+    scene s;
+    double gap;
+    tf_constraint constraint = constraint_in_plane(
+        &s, (double[]){0, 0, 1, 0, 3, 0}, (double[]){2, 0, 1, 0, 3, 0}, &gap);
+    expect_pair(&constraint, 0, 1, -1, 0);
+    ck_assert_double_eq(gap, 1);
+}
+END_TEST
+
+START_TEST(edges_without_a_normal_part)
+{
+    // Two parallel edges in space, one of which moves through the other.
+    scene s = {.start = {0, 0, 1, 2, 0, 1, 0, 0, 0, 2, 0, 0},
+               .end = {0, 0, -1, 2, 0, -1, 0, 0, 0, 2, 0, 0}};
+    double gap;
+    ck_assert(ready(&s, EDGE_EDGE, 3));
+    ck_assert_double_eq(length(s.contact.contact.normal), 0);
+    tf_constraint constraint = constraint_of(&s, false, &gap);
+    expect_well_made(&s, &constraint);
+    ck_assert_double_eq(gap, 1);
+    ck_assert_double_eq(constraint.normal[2], 1);
+}
+END_TEST
+
+START_TEST(bounds_ask_for_room_and_for_a_bounce)
+{
+    scene s;
+    double gap;
+    constraint_in_plane(&s, (double[]){0, 0.125, -2, 0, 2, 0},
+                        (double[]){0, 0.125, -2, 1, 2, 1}, &gap);
+    const struct {
+        double separation, restitution, bound;
+    } expected[] = {{0, 0, 0},          {0.125, 0, 0},     {0.525, 0, 0.1},
+                    {0.525, 0.05, 0.1}, {0.525, 0.5, 0.5}, {0, 1, 1}};
+    for (int i = 0; i < 6; i++) {
+        tf_contact_rule rule = {expected[i].separation, expected[i].restitution,
+                                s.end};
+        tf_constraint constraint =
+            tf_contact_constraint(&s.step, &s.contact, &rule, false, &gap);
+        ck_assert_double_eq_tol(constraint.bound, expected[i].bound, 1e-15);
+    }
+}
+END_TEST
+
+Suite *suite(void)
+{
+    Suite *s = suite_create("response/contact_constraint");
+    TCase *any = tcase_create("any contacts");
+    tcase_add_loop_test(any, constraints_want_what_the_step_does_not_give, 0,
+                        KINDS);
+    tcase_add_loop_test(any, pivots_meet_along_the_normal, 0, KINDS);
+    suite_add_tcase(s, any);
+    TCase *one = tcase_create("single contacts");
+    tcase_add_test(one, coordinates_share_a_push);
+    tcase_add_test(one, pivots_are_pushed_where_the_dots_want_nothing);
+    tcase_add_test(one,
+                   pivots_are_pushed_where_the_dots_start_on_the_other_side);
+    tcase_add_test(one, dots_part_in_their_direction_where_there_is_no_side);
+    tcase_add_test(one, edges_without_a_normal_part);
+    tcase_add_test(one, bounds_ask_for_room_and_for_a_bounce);
+    suite_add_tcase(s, one);
+    return s;
+}

@@ -2,8 +2,8 @@
 #include "figures/numbers.h"
 
 #include "arithmetic/exact.h"
-#include "arithmetic/int128.h"
 #include "arithmetic/functions.h"
+#include "arithmetic/int128.h"
 #include "bench/workloads.h"
 #include "query/query.h"
 #include "support/matrices.h"

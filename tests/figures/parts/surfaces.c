@@ -306,7 +306,8 @@ static void contacts_of_the_sheet_are_those_of_all_pairs(void)
 
 /// The contacts of a step, lent until the surface is freed.
 static tf_contacts detect(const tf_mesh *mesh, const tf_motion *motion,
-                          const tf_detect_options *detection, tf_surface **surface)
+                          const tf_detect_options *detection,
+                          tf_surface **surface)
 {
     tf_contacts found;
     ck_assert_int_eq(tf_surface_create(mesh, surface, NULL), TF_OK);

@@ -4,40 +4,50 @@
 #include "support/surface_of.h"
 #include "surface/check.h"
 
-const tf_scene *scene_number(int i)
+tf_cloth_simulation *cloth_of(const char *scene, int size)
 {
-    int count;
-    return &tf_scenes(&count)[i];
+    tf_simulation *made = NULL;
+    const tf_scene *found = tf_scene_named(tf_cloth_scenes, scene);
+    ck_assert_ptr_nonnull(found);
+    ck_assert_int_eq(tf_simulation_create(found, size, &made), TF_OK);
+    return (tf_cloth_simulation *)made;
 }
 
-int scene_count(void)
+void cloth_simulation_free(tf_cloth_simulation *cloth)
 {
-    int count;
-    tf_scenes(&count);
+    tf_simulation_free(&cloth->base);
+}
+
+tf_stage stage_of(const tf_scene *scene, double resolution)
+{
+    tf_stage stage = {.body.axes = scene->plane ? 2 : 3};
+    scene->build(&stage, resolution);
+    ck_assert(!stage.body.failed);
+    return stage;
+}
+
+int scene_count(const tf_scene list[])
+{
+    int count = 0;
+    while (list[count].name)
+        count++;
     return count;
 }
 
-tf_simulation *simulation_of(const tf_scene *scene, int size)
+tf_cloth_report simulate_step(tf_cloth_simulation *c,
+                              const tf_parallel *parallel)
 {
-    tf_simulation *made = NULL;
-    ck_assert_ptr_nonnull(scene);
-    ck_assert_int_eq(tf_simulation_create(scene, size, &made), TF_OK);
-    return made;
+    tf_step_options options = {.parallel = parallel,
+                               .check = c->base.step == 0};
+    ck_assert_msg(tf_cloth_kind.step(&c->base, &options) == TF_OK,
+                  "%s, step %d", c->base.scene->name, c->base.step + 1);
+    return c->report;
 }
 
-tf_step_cost simulate_step(tf_simulation *s, const tf_parallel *parallel)
+void simulate_blindly(tf_cloth_simulation *c)
 {
-    tf_step_cost cost;
-    tf_step_way way = {.parallel = parallel, .check = s->step == 0};
-    ck_assert_msg(tf_simulation_step(s, &way, &cost) == TF_OK, "%s, step %d",
-                  s->scene->name, s->step + 1);
-    return cost;
-}
-
-void simulate_blindly(tf_simulation *s)
-{
-    ck_assert_int_eq(tf_simulation_propose(s), TF_OK);
-    tf_simulation_accept(s, 0);
+    ck_assert_int_eq(tf_cloth_propose(c), TF_OK);
+    tf_cloth_accept(c, 0);
 }
 
 tangle_judge *judge_of(const tf_body *body)

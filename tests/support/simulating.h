@@ -2,23 +2,26 @@
 #ifndef SUPPORT_SIMULATING_H
 #define SUPPORT_SIMULATING_H
 
-#include "simulate/simulation.h"
+#include "simulate/cloth_scenes.h"
+#include "simulate/cloth_simulation.h"
 #include "support/tangle.h"
 
-/// A scene at its start; to be freed.
-tf_simulation *simulation_of(const tf_scene *scene, int size);
+/// A scene of cloth at its start; to be freed by cloth_simulation_free.
+tf_cloth_simulation *cloth_of(const char *scene, int size);
+void cloth_simulation_free(tf_cloth_simulation *cloth);
 
-/// Its scene i of all.
-const tf_scene *scene_number(int i);
+/// The stage of a scene at its start; its body is to be freed.
+tf_stage stage_of(const tf_scene *scene, double resolution);
 
-/// How many scenes there are.
-int scene_count(void);
+/// How many scenes a list has.
+int scene_count(const tf_scene list[]);
 
 /// Makes a step, and expects that this succeeds; returns what it took.
-tf_step_cost simulate_step(tf_simulation *s, const tf_parallel *parallel);
+tf_cloth_report simulate_step(tf_cloth_simulation *c,
+                              const tf_parallel *parallel);
 
 /// Makes a step through whatever is in the way.
-void simulate_blindly(tf_simulation *s);
+void simulate_blindly(tf_cloth_simulation *c);
 
 /// A judge of a body's elements.
 tangle_judge *judge_of(const tf_body *body);

@@ -1,8 +1,8 @@
 // A surface flows: it stays embedded, keeps its volume, and comes back.
 #include "simulate/flow_fields.h"
-#include "support/adaptive_of.h"
-#include "support/flowing.h"
-#include "support/scrambled.h"
+#include "support/adaptive_surfaces.h"
+#include "support/flows.h"
+#include "support/scrambled_workers.h"
 #include "support/support.h"
 
 #include <math.h>
@@ -62,7 +62,7 @@ END_TEST
 /// Lets a surface flow a little, on some workers.
 static tf_adaptive_surface *flow_on(int workers)
 {
-    tf_parallel parallel = scrambled(&workers);
+    tf_parallel parallel = scrambled_workers(&workers);
     tf_adaptive_surface *surface = adaptive_sphere(6, center, radius);
     tf_flow_options options = {.edge = 0.03,
                                .velocity = tf_field_apply,

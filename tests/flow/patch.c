@@ -2,7 +2,7 @@
 // rational numbers.
 #include "flow/patch.h"
 
-#include "support/flowing.h"
+#include "support/flows.h"
 #include "support/support.h"
 #include "surgery/move.h"
 

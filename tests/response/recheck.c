@@ -2,8 +2,8 @@
 #include "response/recheck.h"
 
 #include "fast/vectorized.h"
-#include "support/scrambled.h"
-#include "support/stepped.h"
+#include "support/proposal_steps.h"
+#include "support/scrambled_workers.h"
 #include "support/support.h"
 #include "support/surface_of.h"
 
@@ -12,7 +12,7 @@
 #include <string.h>
 
 static proposal made;
-static stepped of;
+static proposal_step s;
 static const tf_narrow_phase *narrow_phase = &tf_vectorized;
 
 /// Moves some vertices on from where they end.
@@ -22,9 +22,9 @@ static void move_some(generator *random, double far)
     for (int moved = 1 + below(random, 6); moved > 0; moved--) {
         int v = below(random, made.mesh.vertices);
         for (int k = 0; k < axes; k++)
-            of.end[axes * v + k] += uniform(random, -far, far) * made.unit;
+            s.end[axes * v + k] += uniform(random, -far, far) * made.unit;
         if (below(random, 4) == 0) // to rest
-            memcpy(of.end + (ptrdiff_t)axes * v,
+            memcpy(s.end + (ptrdiff_t)axes * v,
                    made.start + (ptrdiff_t)axes * v,
                    sizeof(double) * (size_t)axes);
     }
@@ -34,9 +34,9 @@ static tf_contacts check_in(const tf_parallel *parallel)
 {
     tf_contacts found;
     tf_flaw flaw;
-    ck_assert_int_eq(tf_check_all(of.surface, &of.step, narrow_phase, parallel,
-                                  &found, &flaw),
-                     TF_OK);
+    ck_assert_int_eq(
+        tf_check_all(s.surface, &s.step, narrow_phase, parallel, &found, &flaw),
+        TF_OK);
     return found;
 }
 
@@ -44,9 +44,8 @@ static tf_contacts find(const tf_parallel *parallel)
 {
     tf_contacts found;
     ck_assert_int_eq(
-        tf_recheck(of.surface, &of.step, narrow_phase, parallel, &found),
-        TF_OK);
-    ck_assert_int_eq(stepped_changes(&of), 0);
+        tf_recheck(s.surface, &s.step, narrow_phase, parallel, &found), TF_OK);
+    ck_assert_int_eq(proposal_step_changes(&s), 0);
     return found;
 }
 
@@ -79,7 +78,7 @@ static corners corners_of(tf_kind kind, const int first[], int firsts,
 /// Lists all pairs whose boxes overlap, by a surface of its own.
 static void note_kept(tf_surface *other)
 {
-    tf_motion motion = {of.step.vertices, of.step.start, of.end};
+    tf_motion motion = {s.step.vertices, s.step.start, s.end};
     tf_candidates all;
     ck_assert_int_eq(tf_surface_candidates(other, &motion, NULL, &all, NULL),
                      TF_OK);
@@ -124,7 +123,7 @@ static void compare_constraint(const tf_surface_contact *found,
 
 static void compare(tf_surface *other, const tf_contacts *found, bool all)
 {
-    tf_motion motion = {of.step.vertices, of.step.start, of.end};
+    tf_motion motion = {s.step.vertices, s.step.start, s.end};
     tf_contacts true_ones;
     ck_assert_int_eq(tf_surface_detect(other, &motion, NULL, &true_ones, NULL),
                      TF_OK);
@@ -143,7 +142,7 @@ static void compare(tf_surface *other, const tf_contacts *found, bool all)
 static void search_again(generator *random, const tf_parallel *parallel)
 {
     tf_surface *other = surface_of(&made.mesh);
-    stepped_begin(&of, &made);
+    proposal_step_begin(&s, &made);
     tf_contacts found = check_in(parallel);
     compare(other, &found, true);
     note_kept(other);
@@ -157,7 +156,7 @@ static void search_again(generator *random, const tf_parallel *parallel)
         compare(other, &found, true);
         note_kept(other);
     }
-    stepped_free(&of);
+    proposal_step_free(&s);
     tf_surface_free(other);
 }
 
@@ -167,7 +166,7 @@ START_TEST(what_is_kept_is_found_again)
 {
     generator random = generator_new(100 + (uint64_t)_i);
     int workers = 3;
-    tf_parallel parallel = scrambled(&workers);
+    tf_parallel parallel = scrambled_workers(&workers);
     for (int times = 0; times < (int)cases(40); times++) {
         proposal_make(&random, (proposal_shape)_i, 2,
                       below(&random, 2) ? SCATTERED : RESTING, &made);
@@ -206,7 +205,7 @@ static void begin_with_particles(void)
     made.start[3 * 5] = made.start[3 * 5 + 1] = 3.5;
     made.end[3 * 5] = made.end[3 * 5 + 1] = 3.5;
     proposal_add_triangle(&made, 0, 1, 2);
-    stepped_begin(&of, &made);
+    proposal_step_begin(&s, &made);
     tf_contacts found = check_in(NULL);
     ck_assert_uint_eq(found.count, 2);
     ck_assert_uint_eq(found.statistics.candidates, 3);
@@ -218,26 +217,26 @@ START_TEST(what_cannot_be_in_contact_is_not_tested)
     begin_with_particles();
     expect_candidates(2, 2); // those in contact, though nothing has moved
 
-    of.end[3 * 3 + 2] = 0.5; // above the triangle
+    s.end[3 * 3 + 2] = 0.5; // above the triangle
     expect_candidates(1, 2);
     expect_candidates(1, 1); // only the one in contact
-    of.end[3 * 3 + 2] = 0.01;
+    s.end[3 * 3 + 2] = 0.01;
     expect_candidates(1, 1); // it is still above the triangle for sure
-    of.end[3 * 3 + 2] = -0.01;
+    s.end[3 * 3 + 2] = -0.01;
     expect_candidates(2, 2);
 
     // The triangle may move as well, and movements add up.
-    of.end[3 * 3 + 2] = 0.5;
-    of.end[2] = 0.01;
+    s.end[3 * 3 + 2] = 0.5;
+    s.end[2] = 0.01;
     expect_candidates(1, 3);
     for (int i = 0; i < 12; i++) {
-        of.end[2] += i % 2 ? 0.02 : -0.02;
-        of.end[3 * 3] += i % 2 ? 0.02 : -0.02;
+        s.end[2] += i % 2 ? 0.02 : -0.02;
+        s.end[3 * 3] += i % 2 ? 0.02 : -0.02;
         expect_candidates(1, 1);
     }
-    of.end[3 * 3] += 0.02;
+    s.end[3 * 3] += 0.02;
     expect_candidates(1, 2);
-    stepped_free(&of);
+    proposal_step_free(&s);
 }
 END_TEST
 
@@ -245,15 +244,15 @@ START_TEST(where_clearances_are_not_known_all_that_moves_is_tested)
 {
     narrow_phase = &tf_reference;
     begin_with_particles();
-    of.end[3 * 3 + 2] = 0.5;
+    s.end[3 * 3 + 2] = 0.5;
     expect_candidates(1, 2);
     expect_candidates(1, 1);
-    of.end[3 * 3 + 2] = 0.49;
+    s.end[3 * 3 + 2] = 0.49;
     expect_candidates(1, 2);
-    of.end[2] = 0.01;
+    s.end[2] = 0.01;
     expect_candidates(1, 3);
     expect_candidates(1, 1);
-    stepped_free(&of);
+    proposal_step_free(&s);
     narrow_phase = &tf_vectorized;
 }
 END_TEST
@@ -262,15 +261,15 @@ END_TEST
 START_TEST(what_has_moved_beyond_all_numbers_is_tested)
 {
     begin_with_particles();
-    of.end[3 * 3] = of.end[3 * 3 + 1] = 1.5e308;
+    s.end[3 * 3] = s.end[3 * 3 + 1] = 1.5e308;
     ck_assert_uint_eq(find(NULL).count, 1);
-    of.end[3 * 3] = of.end[3 * 3 + 1] = 1;
+    s.end[3 * 3] = s.end[3 * 3 + 1] = 1;
     ck_assert_uint_eq(find(NULL).count, 2);
-    of.end[3 * 3 + 2] = 0.5;
+    s.end[3 * 3 + 2] = 0.5;
     ck_assert_uint_eq(find(NULL).count, 1);
-    of.end[3 * 3 + 2] = -1;
+    s.end[3 * 3 + 2] = -1;
     ck_assert_uint_eq(find(NULL).count, 2);
-    stepped_free(&of);
+    proposal_step_free(&s);
 }
 END_TEST
 
@@ -285,16 +284,16 @@ START_TEST(what_is_not_kept_is_not_found)
     for (int k = 0; k < 3; k++)
         made.end[3 * 4 + k] = k < 2 ? 1 : -1;
     proposal_add_triangle(&made, 0, 1, 2);
-    stepped_begin(&of, &made);
+    proposal_step_begin(&s, &made);
     expect_contact(check_in(NULL), 4);
 
-    of.end[3 * 3] = -7; // through (1, 0, 0) at half time
-    of.end[3 * 3 + 1] = 2;
-    of.end[3 * 3 + 2] = -1;
+    s.end[3 * 3] = -7; // through (1, 0, 0) at half time
+    s.end[3 * 3 + 1] = 2;
+    s.end[3 * 3 + 2] = -1;
     expect_candidates(1, 1);
     ck_assert_uint_eq(check_in(NULL).count, 2);
     expect_candidates(2, 2);
-    stepped_free(&of);
+    proposal_step_free(&s);
 }
 END_TEST
 
@@ -316,7 +315,7 @@ START_TEST(many_edges_again)
     static double looked[6 * EDGES];
     static int edge[2 * EDGES];
     int workers = 3;
-    tf_parallel parallel = scrambled(&workers);
+    tf_parallel parallel = scrambled_workers(&workers);
     for (int i = 0; i < 2 * EDGES; i++) {
         // Crosses far from each other; the edges of one pass through each
         // other.
@@ -329,12 +328,12 @@ START_TEST(many_edges_again)
     }
     tf_mesh mesh = {
         .axes = 3, .vertices = 2 * EDGES, .edges = EDGES, .edge = edge};
-    of.surface = surface_of(&mesh);
-    of.step = (tf_step){3, 2 * EDGES, start, end, NULL, end, looked};
+    s.surface = surface_of(&mesh);
+    s.step = (tf_step){3, 2 * EDGES, start, end, NULL, end, looked};
     for (int parallel_first = 0; parallel_first < 2; parallel_first++) {
         tf_contacts found;
         tf_flaw flaw;
-        ck_assert_int_eq(tf_check_all(of.surface, &of.step, &tf_vectorized,
+        ck_assert_int_eq(tf_check_all(s.surface, &s.step, &tf_vectorized,
                                       parallel_first ? &parallel : NULL, &found,
                                       &flaw),
                          TF_OK);
@@ -351,7 +350,7 @@ START_TEST(many_edges_again)
         lower(end, 2 * EDGES, -0.3);
         ck_assert_uint_eq(find(&parallel).count, EDGES / 2);
     }
-    tf_surface_free(of.surface);
+    tf_surface_free(s.surface);
 }
 END_TEST
 
@@ -362,19 +361,19 @@ START_TEST(ends_far_out_of_the_frame)
     generator random = generator_new(400);
     proposal_make(&random, SHEETS, 2, RESTING, &made);
     tf_surface *other = surface_of(&made.mesh);
-    stepped_begin(&of, &made);
+    proposal_step_begin(&s, &made);
     tf_contacts found = check_in(NULL);
     note_kept(other);
     for (int i = 0; i < 3; i++) {
         int v = made.mesh.triangle[i];
         for (int k = 0; k < made.mesh.axes; k++)
-            of.end[made.mesh.axes * v + k] = i == k ? -0x1p1000 : 0x1p1000;
+            s.end[made.mesh.axes * v + k] = i == k ? -0x1p1000 : 0x1p1000;
     }
     found = find(NULL);
     compare(other, &found, false);
     found = check_in(NULL);
     compare(other, &found, true);
-    stepped_free(&of);
+    proposal_step_free(&s);
     tf_surface_free(other);
 }
 END_TEST

@@ -85,15 +85,15 @@ static int list_edges(const tf_mesh *mesh, int list[])
 
 START_TEST(edges_of_random_surfaces)
 {
-    static some_surface of;
+    static surface_case given;
     static int expected[8 * SURFACE_ELEMENTS];
     generator random = generator_new(1);
     for (int i = 0; i < (int)cases(200); i++) {
-        random_surface(&random, 2 + i % 2, SURFACE_ELEMENTS, ANYWHERE, &of);
-        tf_surface *surface = surface_of(&of.mesh);
+        random_surface(&random, 2 + i % 2, SURFACE_ELEMENTS, ANYWHERE, &given);
+        tf_surface *surface = surface_of(&given.mesh);
         int count;
         const int *list = tf_surface_edges(surface, &count);
-        check_list(2, count, list, list_edges(&of.mesh, expected), expected);
+        check_list(2, count, list, list_edges(&given.mesh, expected), expected);
         tf_surface_free(surface);
     }
 }
@@ -102,15 +102,15 @@ END_TEST
 // A surface takes other meshes in the same memory, also in another space.
 START_TEST(a_refilled_surface_is_like_a_new_one)
 {
-    static some_surface of;
+    static surface_case given;
     generator random = generator_new(2);
-    random_surface(&random, 2, 1, ANYWHERE, &of);
-    tf_surface *refilled = surface_of(&of.mesh);
+    random_surface(&random, 2, 1, ANYWHERE, &given);
+    tf_surface *refilled = surface_of(&given.mesh);
     for (int i = 0; i < (int)cases(200); i++) {
         random_surface(&random, 2 + below(&random, 2),
-                       1 + below(&random, SURFACE_ELEMENTS), ANYWHERE, &of);
-        ck_assert(tf_surface_refill(refilled, &of.mesh));
-        tf_surface *surface = surface_of(&of.mesh);
+                       1 + below(&random, SURFACE_ELEMENTS), ANYWHERE, &given);
+        ck_assert(tf_surface_refill(refilled, &given.mesh));
+        tf_surface *surface = surface_of(&given.mesh);
         int count, same;
         const int *list = tf_surface_edges(surface, &count);
         const int *own = tf_surface_edges(refilled, &same);
@@ -120,10 +120,11 @@ START_TEST(a_refilled_surface_is_like_a_new_one)
         check_list(3, same, own, count, list);
         tf_contacts contacts, again;
         ck_assert_int_eq(
-            tf_surface_detect(surface, &of.motion, NULL, &contacts, NULL),
+            tf_surface_detect(surface, &given.motion, NULL, &contacts, NULL),
             TF_OK);
         ck_assert_int_eq(
-            tf_surface_detect(refilled, &of.motion, NULL, &again, NULL), TF_OK);
+            tf_surface_detect(refilled, &given.motion, NULL, &again, NULL),
+            TF_OK);
         ck_assert_uint_eq(again.count, contacts.count);
         if (again.count > 0)
             ck_assert_mem_eq(again.contact, contacts.contact,

@@ -1,7 +1,7 @@
 // What a mesh must be, and that the first defect is named.
 #include "surgery/conditions.h"
 
-#include "support/adaptive_of.h"
+#include "support/adaptive_surfaces.h"
 #include "support/support.h"
 
 #include <math.h>

@@ -1,7 +1,7 @@
 // What every operation refuses to begin with.
 #include "surgery/request.h"
 
-#include "support/adaptive_of.h"
+#include "support/adaptive_surfaces.h"
 #include "support/support.h"
 #include "surgery/collapse.h"
 #include "surgery/flip.h"

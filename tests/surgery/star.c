@@ -7,7 +7,7 @@
 //     0 - 1 - 2
 #include "surgery/star.h"
 
-#include "support/adaptive_of.h"
+#include "support/adaptive_surfaces.h"
 #include "support/support.h"
 
 static tf_adaptive_surface *sheet;

@@ -1,9 +1,9 @@
 // A surgery is described, tried, and done or not.
 #include "surgery/surgery.h"
 
-#include "support/adaptive_of.h"
-#include "support/operating.h"
+#include "support/adaptive_surfaces.h"
 #include "support/support.h"
+#include "support/surgery_runs.h"
 #include "surgery/outcome.h"
 #include "surgery/star.h"
 #include "surgery/trial.h"
@@ -64,21 +64,21 @@ END_TEST
 
 START_TEST(a_refusal_changes_no_bit)
 {
-    static operating run;
-    static operating_counts counts;
+    static surgery_run run;
+    static surgery_counts counts;
     int refused = 0;
-    operating_begin(&run, generator_new((uint64_t)_i), (adaptive_scene_kind)_i,
-                    &counts);
+    surgery_run_begin(&run, generator_new((uint64_t)_i),
+                      (adaptive_scene_kind)_i, &counts);
     for (long i = 0; i < cases(1500); i++) {
-        uint64_t hash = operating_hash(&run);
-        chosen request = operating_choose(&run);
+        uint64_t hash = surgery_run_hash(&run);
+        surgery_choice request = surgery_run_choose(&run);
         if (operate(&run, &request) == TF_COMMITTED)
             continue;
-        ck_assert_uint_eq(operating_hash(&run), hash);
+        ck_assert_uint_eq(surgery_run_hash(&run), hash);
         refused++;
     }
     ck_assert_int_gt(refused, 0);
-    operating_end(&run);
+    surgery_run_end(&run);
 }
 END_TEST
 

@@ -3,7 +3,7 @@
 #include "surgery/trial.h"
 
 #include "experiments/leave_out.h"
-#include "support/adaptive_of.h"
+#include "support/adaptive_surfaces.h"
 #include "support/support.h"
 #include "surgery/adaptive_surface.h"
 #include "surgery/flip.h"

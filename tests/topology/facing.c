@@ -2,7 +2,7 @@
 #include "topology/facing.h"
 
 #include "remesh/measure.h"
-#include "support/adaptive_of.h"
+#include "support/adaptive_surfaces.h"
 #include "support/blobs.h"
 #include "support/support.h"
 #include "topology/reconnector.h"

@@ -2,8 +2,8 @@
 #include "topology/merge.h"
 
 #include "experiments/leave_out.h"
-#include "support/adaptive_of.h"
 #include "support/adaptive_scenes.h"
+#include "support/adaptive_surfaces.h"
 #include "support/blobs.h"
 #include "support/support.h"
 #include "surgery/adaptive_surface.h"

@@ -1,7 +1,7 @@
 // The pieces of a surface that are in contact.
 #include "topology/pieces.h"
 
-#include "support/adaptive_of.h"
+#include "support/adaptive_surfaces.h"
 #include "support/support.h"
 #include "topology/facing.h"
 #include "topology/reconnector.h"

@@ -2,7 +2,7 @@
 #include "topology/pinch.h"
 
 #include "experiments/leave_out.h"
-#include "support/adaptive_of.h"
+#include "support/adaptive_surfaces.h"
 #include "support/blobs.h"
 #include "support/support.h"
 #include "surgery/star.h"

@@ -2,7 +2,7 @@
 // two.
 #include "topology/reconnect.h"
 
-#include "support/adaptive_of.h"
+#include "support/adaptive_surfaces.h"
 #include "support/blobs.h"
 #include "support/support.h"
 #include "surgery/collapse.h"

@@ -1,7 +1,7 @@
 // Surgery in stages.
 #include "topology/stage.h"
 
-#include "support/adaptive_of.h"
+#include "support/adaptive_surfaces.h"
 #include "support/support.h"
 #include "surgery/star.h"
 #include "surgery/surgery.h"

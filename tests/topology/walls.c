@@ -3,7 +3,7 @@
 #include "topology/walls.h"
 
 #include "experiments/leave_out.h"
-#include "support/adaptive_of.h"
+#include "support/adaptive_surfaces.h"
 #include "support/support.h"
 #include "surgery/surgery.h"
 #include "topology/stage.h"

@@ -7,7 +7,7 @@
 #include "bench/workloads.h"
 #include "query/query.h"
 #include "support/matrices.h"
-#include "support/moved.h"
+#include "support/moved_simplices.h"
 #include "support/rational.h"
 #include "support/sums.h"
 

@@ -369,7 +369,7 @@ const figure_test response_tests[] = {
     {&fig_clear_fractions, half_the_step_has_a_contact_and_a_quarter_has_none},
     {&fig_rising_plank, times_are_those_of_the_displacements},
     {&fig_failsafe_bars, each_bar_moves_less},
-    {&fig_coordinate_row_failures, pairs_meet_until_they_are_pushed},
+    {&fig_row_failures, pairs_meet_until_they_are_pushed},
     {&fig_thrown_edge, points_are_met_farther_and_farther},
     {&fig_turned_together, the_turned_pair_meets_when_the_oracle_says},
     {&fig_shares_over_time, turns_are_those_of_the_staircase},

@@ -689,7 +689,7 @@ static void signs_that_are_spent_are_counted(void)
 const figure_test space_tests[] = {
     {&fig_advancement_steps, steps_and_errors_are_those_of_the_recursion},
     {&fig_advancing_bar, the_bar_advances_by_the_recursion},
-    {&fig_edge_triangle_differences, the_balloon_wraps_where_the_edge_crosses},
+    {&fig_triangle_differences, the_balloon_wraps_where_the_edge_crosses},
     {&fig_crease_crossing, none_of_the_fifteen_queries_hits},
     {&fig_crease_crossing, triangles_cross_in_mid_step_only},
     {&fig_edge_edge_distances, four_pairs_do_what_the_oracle_says},
@@ -704,5 +704,5 @@ const figure_test space_tests[] = {
     {&fig_winding_of_contacts, edges_cross_at_the_ends_as_the_shell_winds},
     {&fig_signs_evaluated, signs_that_are_spent_are_counted},
     {&fig_tolerance_errors, errors_are_those_counted},
-    {&fig_edge_edge_differences, the_band_winds_where_edges_cross},
+    {&fig_edge_differences, the_band_winds_where_edges_cross},
     {NULL, NULL}};

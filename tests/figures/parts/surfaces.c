@@ -500,6 +500,6 @@ const figure_test surfaces_tests[] = {
     {&fig_contact_order, workers_find_the_contacts_of_three_threads},
     {&fig_pairs_to_contacts, crowded_layers_are_detected_again},
     {&fig_morton_curve, leaves_are_along_the_morton_curve},
-    {&fig_crack_between_neighbors, a_private_order_opens_a_crack},
+    {&fig_crack_at_neighbors, a_private_order_opens_a_crack},
     {&fig_undecided_queries, zeros_are_undecided},
     {NULL, NULL}};

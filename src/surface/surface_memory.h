@@ -1,14 +1,14 @@
 //: Declare what a surface holds
 #pragma once
 
+#include "base/status.h"
 #include "surface/box.h"
-#include "surface/candidates.h"
 #include "surface/elements.h"
-#include "surface/surface.h"
+#include "surface/mesh.h"
 #include "surface/tree.h"
 #include "surface/workers.h"
 
-struct tf_surface {
+typedef struct tf_surface {
     int axes, vertices;
     tf_elements edges, triangles;
     tf_frame frame;  ///< of the boxes
@@ -20,9 +20,7 @@ struct tf_surface {
     tf_buffer task_rows, task_places; ///< of the tasks that list candidates
     tf_buffer found;   ///< what was found last, lent to the caller
     tf_buffer sorting; ///< of these rows
-    tf_buffer moved;   ///< how far vertices and elements have moved since
-                       ///< pairs were kept
-};
+} tf_surface;
 
 /// Gives a surface another mesh, which is good, in memory that is kept; nothing
 /// of the last mesh is left.  False if there is no memory: then the surface

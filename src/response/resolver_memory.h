@@ -2,14 +2,15 @@
 #pragma once
 
 #include "response/failsafe.h"
-#include "response/resolver.h"
 #include "response/rigid.h"
 #include "response/zones.h"
+#include "surface/pair_cache.h"
 
-struct tf_resolver {
+typedef struct tf_resolver {
     tf_surface *surface;
-    tf_buffer end, looked, base, ones, displacement; ///< of the vertices
+    tf_pair_cache pairs;
+    tf_buffer end, base, ones, displacement; ///< of the vertices
     tf_zones zones;
     tf_rigid rigid;
     tf_failsafe failsafe;
-};
+} tf_resolver;

@@ -93,7 +93,7 @@ START_TEST(the_last_frame_is_the_state)
 }
 END_TEST
 
-START_TEST(what_cannot_be_gone_on_with)
+START_TEST(missing_and_foreign_files_cannot_be_resumed)
 {
     ck_assert_int_eq(
         resumed("made: has no frames to go on from; leave out --resume"), -1);
@@ -114,7 +114,7 @@ START_TEST(what_cannot_be_gone_on_with)
 }
 END_TEST
 
-START_TEST(what_cannot_be_written)
+START_TEST(a_frame_that_cannot_be_written_leaves_nothing)
 {
     tf_simulation *s = chain();
     tf_simulation_folder folder;
@@ -140,8 +140,8 @@ Suite *suite(void)
     tcase_add_test(tcase, a_folder_has_a_frame_and_a_line_a_step);
     tcase_add_test(tcase, only_an_empty_folder_is_taken);
     tcase_add_test(tcase, the_last_frame_is_the_state);
-    tcase_add_test(tcase, what_cannot_be_gone_on_with);
-    tcase_add_test(tcase, what_cannot_be_written);
+    tcase_add_test(tcase, missing_and_foreign_files_cannot_be_resumed);
+    tcase_add_test(tcase, a_frame_that_cannot_be_written_leaves_nothing);
     suite_add_tcase(suite, tcase);
     return suite;
 }

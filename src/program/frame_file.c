@@ -2,6 +2,7 @@
 #define _GNU_SOURCE // memmem, open_memstream
 #include "program/frame_file.h"
 
+#include "files/mesh_reader.h"
 #include "files/mesh_writer.h"
 
 #include <errno.h>
@@ -25,16 +26,6 @@ void tf_simulation_name(const tf_simulation *simulation,
 }
 
 //: Write a frame of a simulation
-/// Copies coordinates; in the plane the third of each vertex is 0.
-static double *deepen(const tf_mesh *mesh, const double x[])
-{
-    size_t vertices = (size_t)mesh->vertices, axes = (size_t)mesh->axes;
-    double *deep = x ? calloc(3 * vertices + 1, sizeof *deep) : NULL;
-    for (size_t v = 0; v < vertices && deep; v++)
-        memcpy(deep + 3 * v, x + axes * v, sizeof *deep * axes);
-    return deep;
-}
-
 static void write_comment(const tf_simulation *s, const tf_snapshot *now,
                           char comment[TF_SIMULATION_NAME + 100])
 {
@@ -47,27 +38,15 @@ static void write_comment(const tf_simulation *s, const tf_snapshot *now,
              "tanglefree simulate %s, step %d%s", name, now->step, script);
 }
 
-bool tf_frame_write(FILE *stream, const tf_simulation *simulation)
+void tf_frame_write(FILE *stream, const tf_simulation *simulation)
 {
     tf_snapshot now = simulation->scene->kind->snapshot(simulation);
     char comment[TF_SIMULATION_NAME + 100];
-    double *position = deepen(&now.mesh, now.position);
-    double *velocity = deepen(&now.mesh, now.velocity);
-    bool good = position && (velocity || !now.velocity);
-    tf_mesh_file mesh = {
-        .position = {.item = position, .count = 3 * (size_t)now.mesh.vertices},
-        .triangle.item = (int *)now.mesh.triangle, // only to be read
-        .edge.item = (int *)now.mesh.edge,
-        .vertex_place.count = (size_t)now.mesh.vertices,
-        .triangle_place.count = (size_t)now.mesh.triangles,
-        .edge_place.count = (size_t)now.mesh.edges,
-    };
     write_comment(simulation, &now, comment);
-    if (good)
-        tf_mesh_write_state(stream, &mesh, &(tf_mesh_state){comment, velocity});
-    free(position);
-    free(velocity);
-    return good;
+    tf_mesh_write(
+        stream,
+        &(tf_mesh_content){now.mesh, now.position, now.velocity, comment},
+        TF_PLY_LITTLE_ENDIAN);
 }
 
 //: Read a whole frame
@@ -80,8 +59,9 @@ typedef struct content {
 static bool write_content(content *of, const tf_simulation *s)
 {
     FILE *stream = open_memstream(&of->text, &of->size);
-    bool good = stream && tf_frame_write(stream, s);
-    return stream && fclose(stream) == 0 && good;
+    if (stream)
+        tf_frame_write(stream, s);
+    return stream && fclose(stream) == 0;
 }
 
 static bool read_content(content *of, const char *path)
@@ -149,6 +129,7 @@ static bool restore(tf_simulation *s, const content *read, tf_snapshot *state)
 
 static bool take_state(tf_simulation *s, const content *read)
 {
+    tf_fault unused;
     tf_mesh_file file = {0};
     tf_snapshot state = s->scene->kind->snapshot(s);
     bool good =
@@ -158,13 +139,8 @@ static bool take_state(tf_simulation *s, const content *read)
             "tanglefree simulate %*s --%*s %*[^,], step %d, of the script %d",
             &state.step, &state.script_steps) > 0 &&
         state.step >= 0 && state.script_steps >= 0 &&
-        tf_mesh_file_parse(&file, "frame", read->text, read->size);
-    state.mesh = (tf_mesh){.axes = state.mesh.axes,
-                           .vertices = tf_mesh_file_vertices(&file),
-                           .triangles = tf_mesh_file_triangles(&file),
-                           .triangle = file.triangle.item,
-                           .edges = tf_mesh_file_edges(&file),
-                           .edge = file.edge.item};
+        tf_mesh_file_parse(&file, "frame", read->text, read->size, &unused);
+    state.mesh = tf_mesh_file_elements(&file, state.mesh.axes);
     good = good && restore(s, read, &state);
     tf_mesh_file_free(&file);
     return good;

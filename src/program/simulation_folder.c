@@ -67,11 +67,8 @@ static bool begin_frame(tf_output_file *out, tf_simulation_folder *folder,
         tf_output_file_begin(out, path) ? tf_output_file_open(out) : NULL;
     if (!stream)
         return false;
-    bool made = tf_frame_write(stream, simulation);
-    bool closed = tf_output_file_close(out, stream);
-    if (!made)
-        errno = ENOMEM;
-    return made && closed;
+    tf_frame_write(stream, simulation);
+    return tf_output_file_close(out, stream);
 }
 
 /// The start has no line in the table.

@@ -1,6 +1,6 @@
 #include "support/any_mesh.h"
 
-#include "files/mesh_file.h"
+#include "files/mesh_reader.h"
 #include "surface/check.h"
 #include "surface/detect.h"
 
@@ -24,10 +24,10 @@ static void check_fault(const tf_mesh_file *file, const char *text, size_t size)
         most += text[i] == '\n';
     if (file->counts_bytes)
         most = (long)size;
-    require(file->fault_place >= -1 && file->fault_place <= most);
-    require(file->counts_bytes || file->fault_place != 0);
-    require(strstr(file->fault, "; ") != NULL);
-    for (const char *c = file->fault; *c; c++)
+    require(file->fault->place >= -1 && file->fault->place <= most);
+    require(file->counts_bytes || file->fault->place != 0);
+    require(strstr(file->fault->text, "; ") != NULL);
+    for (const char *c = file->fault->text; *c; c++)
         require(*c >= ' ' && *c <= '~');
 }
 
@@ -44,7 +44,7 @@ static void check_list(const tf_ints *list, const tf_ints *places,
 
 static void check_file(const tf_mesh_file *file)
 {
-    require(file->fault[0] == '\0');
+    require(file->fault->text[0] == '\0');
     require(file->position.count == 3 * file->vertex_place.count);
     for (size_t i = 0; i < file->position.count; i++)
         require(isfinite(file->position.item[i]));
@@ -127,7 +127,8 @@ void try_any_mesh(const void *bytes, size_t size)
     memcpy(text, bytes, size);
     text[size] = '\0';
     tf_mesh_file file;
-    if (!tf_mesh_file_parse(&file, "fuzz", text, size)) {
+    tf_fault fault = {0};
+    if (!tf_mesh_file_parse(&file, "fuzz", text, size, &fault)) {
         check_fault(&file, text, size);
     } else {
         check_file(&file);

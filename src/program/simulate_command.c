@@ -211,7 +211,7 @@ static int run_simulate(const tf_request *request)
 const tf_command tf_simulate_command = {
     .set = TF_SIMULATE,
     .name = "simulate",
-    .purpose = "simulate a scene of cloth",
+    .purpose = "simulate a scene of cloth, or of a surface that flows",
     .operands = "SCENE\nlist",
     .least = 1,
     .most = 1,

@@ -693,8 +693,9 @@ END_TEST
 START_TEST(wrong_options_are_refused)
 {
     make_file("in", MISS);
-    expect_usage("query in", "tanglefree query: --kind KIND is required: which "
-                             "elements\n");
+    expect_usage("query in", "tanglefree query: --kind KIND is required: "
+                             "point-edge, point-triangle, edge-edge or "
+                             "vertex-face\n");
     expect_usage("query -k edge in",
                  "tanglefree query: --kind must be point-edge, point-triangle, "
                  "edge-edge or vertex-face, got 'edge'\n");

@@ -2,7 +2,6 @@
 #define _GNU_SOURCE // PATH_MAX
 
 #include "files/visible.h"
-#include "program/clock.h"
 #include "program/command.h"
 #include "program/interruption.h"
 #include "program/progress.h"

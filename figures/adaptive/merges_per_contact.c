@@ -221,7 +221,7 @@ static void draw(fig_page *page, FILE *numbers)
 
 const fig_figure fig_merges_per_contact = {
     .name = "merges-per-contact",
-    .title = "Merges wherever two balls are near, and one for each contact",
+    .title = "Merges where two balls are near, and one for each contact",
     .width = FIG_PAGE_WIDTH,
     .height = 204,
     .draw = draw,

@@ -2,7 +2,6 @@
 #define _GNU_SOURCE // PATH_MAX
 
 #include "files/visible.h"
-#include "program/clock.h"
 #include "program/command.h"
 #include "program/interruption.h"
 #include "program/progress.h"
@@ -207,7 +206,7 @@ static int run_simulate(const tf_request *request)
 const tf_command tf_simulate_command = {
     .set = TF_SIMULATE,
     .name = "simulate",
-    .purpose = "simulate a scene of cloth",
+    .purpose = "simulate a scene of cloth, or of a surface that flows",
     .operands = "SCENE\nlist",
     .least = 1,
     .most = 1,

@@ -62,7 +62,7 @@ static tf_vector gap_of(const tf_adaptive_surface *surface,
     tf_vector x[4], gap = {{0}};
     for (int i = 0; i < 4; i++)
         x[i] = tf_position_of(surface, ends[i / 2][i % 2]);
-    tf_nearest nearest = tf_nearest_points(2, 2, x);
+    tf_point_pair nearest = tf_nearest_points(2, 2, x);
     for (int i = 0; i < 4; i++)
         gap = tf_vector_sum(gap, (i < 2 ? -1 : 1) * nearest.weight[i], x[i]);
     pair->distance = nearest.distance;

@@ -5,7 +5,7 @@
 #include "simulate/flow_scenes.h"
 #include "support/environments.h"
 #include "support/program.h"
-#include "support/simulating.h"
+#include "support/simulations.h"
 #include "support/support.h"
 #include "support/terminal.h"
 

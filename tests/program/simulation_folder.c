@@ -1,7 +1,7 @@
 #include "program/simulation_folder.h"
 
 #include "support/program.h"
-#include "support/simulating.h"
+#include "support/simulations.h"
 #include "support/support.h"
 
 #include <string.h>

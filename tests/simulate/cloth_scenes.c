@@ -1,7 +1,7 @@
 // The scenes of cloth: each starts clear, and has what its name says.
 #include "simulate/cloth_scenes.h"
 
-#include "support/simulating.h"
+#include "support/simulations.h"
 #include "support/support.h"
 
 #include <math.h>

@@ -1,7 +1,7 @@
 #include "simulate/cloth_simulation.h"
 
-#include "support/scrambled.h"
-#include "support/simulating.h"
+#include "support/scrambled_workers.h"
+#include "support/simulations.h"
 #include "support/support.h"
 
 #include <math.h>
@@ -109,7 +109,8 @@ static const struct {
 START_TEST(threads_change_nothing)
 {
     int two = 2, three = 3;
-    tf_parallel on_two = scrambled(&two), on_three = scrambled(&three);
+    tf_parallel on_two = scrambled_workers(&two),
+                on_three = scrambled_workers(&three);
     tf_cloth_simulation *s[3];
     for (int i = 0; i < 3; i++)
         s[i] = cloth_of(shorts[_i].name, shorts[_i].size);

@@ -1,8 +1,8 @@
 // What is measured on a surface.
 #include "simulate/flow_measures.h"
 
-#include "support/adaptive_of.h"
 #include "support/adaptive_scenes.h"
+#include "support/adaptive_surfaces.h"
 #include "support/support.h"
 
 #include <math.h>

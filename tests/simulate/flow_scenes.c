@@ -2,7 +2,7 @@
 #include "simulate/flow_scenes.h"
 
 #include "simulate/flow_simulation.h"
-#include "support/simulating.h"
+#include "support/simulations.h"
 #include "support/support.h"
 
 #include <string.h>

@@ -2,8 +2,8 @@
 #include "simulate/flow_simulation.h"
 
 #include "simulate/flow_scenes.h"
-#include "support/flowing.h"
-#include "support/scrambled.h"
+#include "support/flows.h"
+#include "support/scrambled_workers.h"
 #include "support/support.h"
 
 #include <math.h>
@@ -67,7 +67,7 @@ static void expect_same(const tf_flow_simulation *one,
 START_TEST(workers_and_pauses_change_no_bit)
 {
     static const int two = 2;
-    tf_parallel parallel = scrambled(&two);
+    tf_parallel parallel = scrambled_workers(&two);
     tf_flow_simulation *one = flow_of("star", 0.06);
     tf_flow_simulation *other = flow_of("star", 0.06);
     for (int i = 0; i < 80; i++) {

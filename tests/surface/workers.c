@@ -1,7 +1,7 @@
 // Workers: what they find, and how they stop.
 #include "surface/workers.h"
 
-#include "support/scrambled.h"
+#include "support/scrambled_workers.h"
 #include "support/support.h"
 
 #include <string.h>
@@ -28,6 +28,7 @@ START_TEST(rows_stay_and_are_forgotten)
         for (int i = 0; i < 1000; i++) {
             tf_worker *own = workers.worker[i % 2];
             ck_assert_ptr_eq(own->job, &job);
+            ck_assert_int_eq(own->number, i % 2);
             ck_assert_int_eq(((int *)own->row.data)[i / 2], i + 1);
         }
     }
@@ -91,7 +92,7 @@ START_TEST(workers_share_a_join)
     build(&tree);
     tf_workers workers = {0};
     int threads = 3;
-    tf_parallel parallel = scrambled(&threads);
+    tf_parallel parallel = scrambled_workers(&threads);
     ck_assert(tf_workers_begin(&workers, threads, NULL));
     tf_workers_join(&workers, &tree, &tree, count, NULL, &parallel);
     size_t half = POINTS / 2;

@@ -1,6 +1,6 @@
 // The scenes of the simulator: step by step free of tangles, by an independent
 // judge; without response they tangle.
-#include "support/simulating.h"
+#include "support/simulations.h"
 #include "support/support.h"
 
 #include <stdio.h>

@@ -1,16 +1,16 @@
 // Random merges, pinches and drops on adaptive surfaces, judged after each; and
 // that the judge sees what happens if one of the tests is left out.
-#include "support/reconnecting.h"
+#include "support/reconnections.h"
 #include "support/support.h"
 
-static reconnecting_counts counts;
+static reconnection_counts counts;
 
-START_TEST(reconnecting_changes_sides_only_as_it_must)
+START_TEST(only_what_reconnects_changes_sides)
 {
     long runs = cases(5);
     for (long i = 0; i < runs; i++) {
         uint64_t stream = (uint64_t)(100 * i + _i);
-        const char *fault = reconnecting_run(
+        const char *fault = run_reconnections(
             generator_new(stream), (adaptive_scene_kind)_i, 100, 0, &counts);
         ck_assert_msg(!fault, "stream %llu: %s", (unsigned long long)stream,
                       fault);
@@ -28,12 +28,12 @@ static const struct {
     {TF_PASSED_VERTEX, FACING_BOXES},
 };
 
-START_TEST(every_test_is_needed)
+START_TEST(each_test_left_out_is_noticed)
 {
     const char *fault = NULL;
     for (uint64_t i = 0; i < 40 && !fault; i++)
-        fault = reconnecting_run(generator_new(i), needed[_i].kind, 150,
-                                 1U << needed[_i].left_out, &counts);
+        fault = run_reconnections(generator_new(i), needed[_i].kind, 150,
+                                  1U << needed[_i].left_out, &counts);
     ck_assert(fault);
 }
 END_TEST
@@ -42,9 +42,9 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("whole/topology");
     TCase *tcase = tcase_create("reconnections");
-    tcase_add_loop_test(tcase, reconnecting_changes_sides_only_as_it_must, 0,
+    tcase_add_loop_test(tcase, only_what_reconnects_changes_sides, 0,
                         MERGING_SCENES);
-    tcase_add_loop_test(tcase, every_test_is_needed, 0,
+    tcase_add_loop_test(tcase, each_test_left_out_is_noticed, 0,
                         sizeof needed / sizeof *needed);
     suite_add_tcase(suite, tcase);
     return suite;

@@ -5,7 +5,7 @@
 #include "kit/meshes.h"
 #include "renderer/plot.h"
 #include "surface/detect.h"
-#include "surface/state.h"
+#include "surface/surface_memory.h"
 
 #include <stdio.h>
 #include <stdlib.h>

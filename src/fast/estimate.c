@@ -27,17 +27,17 @@ typedef struct all_pieces {
 } all_pieces;
 
 //: Weigh all pieces
-typedef struct weighing {
+typedef struct weighed_query {
     tf_lane lane;
     tf_lane_evidence shown;
     tf_lane_tetrahedra tetrahedra;
     tf_lane_triangles triangles;
-} weighing;
+} weighed_query;
 
-static all_pieces weigh_point_triangle(weighing *of)
+static all_pieces weigh_point_triangle(weighed_query *query)
 {
-    const tf_lane_tetrahedra *w = &of->tetrahedra;
-    of->shown = tf_lane_point_triangle(&of->lane, &of->tetrahedra);
+    const tf_lane_tetrahedra *w = &query->tetrahedra;
+    query->shown = tf_lane_point_triangle(&query->lane, &query->tetrahedra);
     return (all_pieces){{1, 3},
                         3,
                         {{{0, 2}, {NULL, w->ABCc}},
@@ -45,10 +45,10 @@ static all_pieces weigh_point_triangle(weighing *of)
                          {{0, 0}, {NULL, w->Aabc}}}};
 }
 
-static all_pieces weigh_edge_edge(weighing *of)
+static all_pieces weigh_edge_edge(weighed_query *query)
 {
-    const tf_lane_triangles *w = &of->triangles;
-    of->shown = tf_lane_edge_edge(&of->lane, &of->triangles);
+    const tf_lane_triangles *w = &query->triangles;
+    query->shown = tf_lane_edge_edge(&query->lane, &query->triangles);
     return (all_pieces){{2, 2},
                         4,
                         {{{1, 1}, {w->ABb_CDd, w->ABb_CDd + 3}},
@@ -207,16 +207,16 @@ bool tf_contact_estimate(tf_kind kind, const tf_motion *motion,
 {
     if (kind != TF_POINT_TRIANGLE && kind != TF_EDGE_EDGE)
         return false;
-    weighing of;
+    weighed_query query;
     for (int i = 0; i < 4; i++) {
-        of.lane.start[i] = position(motion->start, vertex[i]);
-        of.lane.end[i] = position(motion->end, vertex[i]);
+        query.lane.start[i] = position(motion->start, vertex[i]);
+        query.lane.end[i] = position(motion->end, vertex[i]);
     }
-    all_pieces all =
-        kind == TF_EDGE_EDGE ? weigh_edge_edge(&of) : weigh_point_triangle(&of);
+    all_pieces all = kind == TF_EDGE_EDGE ? weigh_edge_edge(&query)
+                                          : weigh_point_triangle(&query);
     double time;
     const pieces *first =
-        find_first(&all, TF_SHARE_GOOD * of.shown.volume, &time);
-    return first && of.shown.reach <= 0x1p300 &&
-           describe(&of.lane, &all, first, time, contact);
+        find_first(&all, TF_SHARE_GOOD * query.shown.volume, &time);
+    return first && query.shown.reach <= 0x1p300 &&
+           describe(&query.lane, &all, first, time, contact);
 }

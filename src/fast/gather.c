@@ -111,7 +111,7 @@ typedef struct corners {
 
 /// Fills the last block with copies of the last query.
 TF_ALWAYS_INLINE void take_vertices(const tf_queries *queries, size_t begin,
-                                    size_t end, corners *of)
+                                    size_t end, corners *taken)
 {
     for (size_t lane = 0; lane % TF_BLOCK_QUERIES != 0 || begin + lane < end;
          lane++) {
@@ -121,7 +121,7 @@ TF_ALWAYS_INLINE void take_vertices(const tf_queries *queries, size_t begin,
         memcpy(own, queries->vertices + 4 * i, sizeof own);
         sort_vertices(queries->kind, own);
         for (int v = 0; v < 4; v++)
-            of->vertex[v][lane] = own[v];
+            taken->vertex[v][lane] = own[v];
     }
 }
 
@@ -192,14 +192,14 @@ TF_SIMD_256 static bool gather(const tf_queries *queries, size_t begin,
         !are_good(end - begin, queries->vertices + 4 * begin,
                   (unsigned)motion->vertices))
         return false;
-    corners of;
-    take_vertices(queries, begin, end, &of);
+    corners taken;
+    take_vertices(queries, begin, end, &taken);
     positions start = positions_of(motion->start, motion->vertices);
     positions last = positions_of(motion->end, motion->vertices);
     for (size_t i = 0; i < end - begin; i += TF_BLOCK_QUERIES, block++)
         for (int v = 0; v < 4; v++)
             for (int lane = 0; lane < TF_BLOCK_QUERIES; lane += FOUR) {
-                const int *vertex = of.vertex[v] + i + lane;
+                const int *vertex = taken.vertex[v] + i + lane;
                 gather_four(&start, vertex, from_lane(block->at[0][v], lane));
                 gather_four(&last, vertex, from_lane(block->at[1][v], lane));
             }

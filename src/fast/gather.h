@@ -1,7 +1,7 @@
 //: Declare the gathering of queries
 #pragma once
 
-#include "fast/block_filter.h"
+#include "fast/query_block.h"
 #include "query/narrow_phase.h"
 
 #include <stdbool.h>

@@ -1,7 +1,9 @@
 //: Declare the loops over lanes
 #pragma once
 
-#include "fast/block_filter.h"
+#include "fast/query_block.h"
+
+#include <stddef.h>
 
 /// A filter of all lanes of some blocks, in an IEEE environment.  A determinant
 /// counts as certain if it is more than `share` Mx My Mz away from zero, where

@@ -92,33 +92,33 @@ static const double tolerance = 1e-2;
 static const double generosity = 3;
 
 /// How the constraints of a zone are swept.
-typedef struct sweeping {
+typedef struct sweep_state {
     const tf_zone *zone;
     tf_bodies bodies;
     double least; ///< the tolerance, a length
     agenda all;
-} sweeping;
+} sweep_state;
 
 /// Whether a constraint pushes too little or, so that it can be taken back, too
 /// much.
-static bool is_off(const sweeping *of, const tf_constraint *constraint)
+static bool is_off(const sweep_state *state, const tf_constraint *constraint)
 {
-    const tf_bodies *bodies = &of->bodies;
+    const tf_bodies *bodies = &state->bodies;
     double missing =
         constraint->bound - tf_constraint_separation(bodies->axes, constraint,
                                                      bodies->displacement);
-    return missing > of->least ||
-           (constraint->impulse > 0 && missing < -generosity * of->least);
+    return missing > state->least ||
+           (constraint->impulse > 0 && missing < -generosity * state->least);
 }
 
 //: Visit a constraint that is due
 /// Puts on the agenda all other constraints that share a vertex with a
 /// constraint, even one that cannot move: with friction another visit improves
 /// such constraints as well.
-static void tell_neighbors(const sweeping *of, int constraint)
+static void tell_neighbors(const sweep_state *state, int constraint)
 {
-    const agenda *all = &of->all;
-    const int *vertex = of->zone->constraint[constraint].vertex;
+    const agenda *all = &state->all;
+    const int *vertex = state->zone->constraint[constraint].vertex;
     for (int i = 0; i < 4 && vertex[i] >= 0; i++)
         for (int j = all->begin[vertex[i]]; j < all->begin[vertex[i] + 1]; j++)
             all->due[all->constraint[j]] = true;
@@ -128,27 +128,28 @@ static void tell_neighbors(const sweeping *of, int constraint)
 /// Visits a constraint that is due, if it is new or off; with friction always,
 /// as it may be off across the normal.  Returns whether that changes its
 /// separation, or its sliding, by more than the tolerance.
-static bool visit(const sweeping *of, int constraint, bool is_new)
+static bool visit(const sweep_state *state, int constraint, bool is_new)
 {
-    double friction = of->zone->friction;
-    tf_constraint *own = &of->zone->constraint[constraint];
-    of->all.due[constraint] = false;
-    if (!is_new && !(friction > 0) && !is_off(of, own))
+    double friction = state->zone->friction;
+    tf_constraint *own = &state->zone->constraint[constraint];
+    state->all.due[constraint] = false;
+    if (!is_new && !(friction > 0) && !is_off(state, own))
         return false;
-    bool changed = tf_constraint_visit(own, friction, &of->bodies) > of->least;
+    bool changed =
+        tf_constraint_visit(own, friction, &state->bodies) > state->least;
     if (changed)
-        tell_neighbors(of, constraint);
+        tell_neighbors(state, constraint);
     return changed;
 }
 
 //: Sweep until little changes
 /// Returns whether a visit made a change of more than the tolerance.
-static bool sweep(const sweeping *of, bool is_first)
+static bool sweep(const sweep_state *state, bool is_first)
 {
     bool any = false;
-    for (int i = 0; i < of->zone->constraints; i++)
-        if (of->all.due[i])
-            any |= visit(of, i, is_first && i >= of->zone->solved);
+    for (int i = 0; i < state->zone->constraints; i++)
+        if (state->all.due[i])
+            any |= visit(state, i, is_first && i >= state->zone->solved);
     return any;
 }
 
@@ -156,13 +157,13 @@ static int solve_by_gauss_seidel(tf_zone *zone)
 {
     TF_REQUIRE(zone && zone->constraint && zone->inverse_mass &&
                zone->displacement && zone->workspace);
-    sweeping of = {
+    sweep_state state = {
         .zone = zone,
         .bodies = {zone->axes, zone->inverse_mass, zone->displacement}};
-    of.least = tolerance * start(zone, &of.bodies);
-    of.all = begin_agenda(zone);
+    state.least = tolerance * start(zone, &state.bodies);
+    state.all = begin_agenda(zone);
     int sweeps = 1;
-    while (sweep(&of, sweeps == 1) && sweeps < zone->sweeps)
+    while (sweep(&state, sweeps == 1) && sweeps < zone->sweeps)
         sweeps++;
     return sweeps;
 }

@@ -2,7 +2,6 @@
 #include "response/levels.h"
 
 #include "response/impulses.h"
-#include "response/recheck.h"
 
 #include <limits.h>
 #include <string.h>
@@ -66,40 +65,33 @@ static bool answer(tf_resolution *r, tf_response_level level)
     }
 }
 
-//: Look for the contacts that are left
+//: Find the contacts that are left
 static void account(tf_resolution *r)
 {
     r->report.contacts += r->contacts.count;
     tf_detect_statistics_add(&r->report.statistics, &r->contacts.statistics);
 }
 
-/// Looks at the pairs that were kept, and if these are clear, at everything. So
-/// if no contacts are left, a detection from the beginning has found none.
-static tf_status look_again(tf_resolution *r)
+/// Updates the cache of pairs, and if no contacts are left among these, builds it
+/// anew.  So if none are left at all, a detection from the beginning has found
+/// none.
+static tf_status find_contacts(tf_resolution *r)
 {
-    tf_surface *surface = r->resolver->surface;
-    tf_status status = tf_recheck(surface, &r->step, r->options.narrow_phase,
-                                  r->options.parallel, &r->contacts);
+    tf_pair_cache *pairs = &r->resolver->pairs;
+    tf_status status = tf_pair_cache_update(pairs, &r->search, &r->contacts);
     if (status != TF_OK)
         return status;
     account(r);
     if (r->contacts.any)
         return TF_OK;
     tf_flaw flaw;
-    status = tf_check_all(surface, &r->step, r->options.narrow_phase,
-                          r->options.parallel, &r->contacts, &flaw);
+    status = tf_pair_cache_build(pairs, &r->search, &r->contacts, &flaw);
     if (status == TF_OK)
         account(r);
     return status;
 }
 
 //: Go through the rounds of a level
-static bool has_moved(const tf_step *step)
-{
-    size_t numbers = (size_t)step->axes * (size_t)step->vertices;
-    return memcmp(step->end, step->looked, sizeof *step->end * numbers) != 0;
-}
-
 /// Ends after `most` rounds, or earlier if no contacts are left or, except for
 /// the failsafe, if a round moves nothing: its contacts stay as they are.
 static tf_status go_through(tf_resolution *r, tf_response_level level, int most)
@@ -116,9 +108,10 @@ static tf_status go_through(tf_resolution *r, tf_response_level level, int most)
             return TF_OUT_OF_MEMORY;
         // If all vertices were proposed to move by the same displacement, the
         // failsafe may unite groups without moving any vertex.
-        if (!has_moved(&r->step) && level != TF_FAILSAFE)
+        bool moved = !tf_pair_cache_is_current(&r->resolver->pairs, &r->search);
+        if (!moved && level != TF_FAILSAFE)
             return TF_OK;
-        tf_status status = look_again(r);
+        tf_status status = find_contacts(r);
         if (status != TF_OK)
             return status;
     }

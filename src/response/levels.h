@@ -1,14 +1,16 @@
 //: Declare the levels of a response
 #pragma once
 
-#include "response/state.h"
+#include "response/options.h"
+#include "response/resolver_memory.h"
 
 /// A step that is being resolved, with everything that resolving it needs.
 typedef struct tf_resolution {
     tf_resolver *resolver;
     tf_response_options options; ///< with the defaults filled in
     tf_step step;
-    tf_motion motion; ///< from the start to the end so far
+    tf_motion motion;         ///< from the start to the end so far
+    tf_contact_search search; ///< of this motion
     tf_contact_rule rule;
     tf_contacts contacts; ///< those of this motion
     tf_zone_statistics zones;
@@ -17,4 +19,4 @@ typedef struct tf_resolution {
 
 /// Answers the contacts, level by level, until none are left.  Returns TF_OK or
 /// TF_OUT_OF_MEMORY.
-tf_status tf_respond(tf_resolution *responding);
+tf_status tf_respond(tf_resolution *resolution);

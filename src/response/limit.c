@@ -3,9 +3,8 @@
 
 #include "base/require.h"
 #include "fast/vectorized.h"
+#include "response/resolver_memory.h"
 #include "response/start.h"
-#include "response/state.h"
-#include "surface/state.h"
 
 #include <math.h>
 #include <string.h>
@@ -33,8 +32,8 @@ static tf_status halve(tf_surface *surface, tf_detect_options *detection,
                        const double start[], const double proposed[],
                        double end[], int *halvings, tf_flaw *flaw)
 {
-    int vertices = surface->vertices;
-    size_t numbers = (size_t)surface->axes * (size_t)vertices;
+    int vertices = tf_surface_vertices(surface);
+    size_t numbers = (size_t)tf_surface_axes(surface) * (size_t)vertices;
     tf_motion motion = {vertices, start, end};
     tf_contacts found = {.any = true};
     tf_status status = TF_OK;
@@ -66,7 +65,8 @@ static tf_status test_whole(tf_surface *surface, const tf_motion *motion,
     if (status != TF_OK)
         return status;
     *clear = !found.any;
-    return tf_start_check_contacts(motion, surface->axes, &found, obstacle);
+    return tf_start_check_contacts(motion, tf_surface_axes(surface), &found,
+                                   obstacle);
 }
 
 //: Find a clear fraction
@@ -79,9 +79,9 @@ static tf_status limit(tf_resolver *resolver, const double start[],
                                    .parallel = options->parallel};
     if (!detection.narrow_phase)
         detection.narrow_phase = &tf_vectorized;
-    tf_motion motion = {surface->vertices, start, end};
-    size_t bytes =
-        sizeof(double) * (size_t)surface->axes * (size_t)surface->vertices;
+    tf_motion motion = {tf_surface_vertices(surface), start, end};
+    size_t bytes = sizeof(double) * (size_t)tf_surface_axes(surface) *
+                   (size_t)motion.vertices;
     bool clear = false;
     int found = 0;
     if (!tf_buffer_reserve(&resolver->end, bytes, 1))
@@ -111,7 +111,7 @@ tf_status tf_step_limit(tf_resolver *resolver, int vertices,
         *obstacle = none;
     else
         obstacle = &none;
-    if (vertices != resolver->surface->vertices)
+    if (vertices != tf_surface_vertices(resolver->surface))
         return TF_BAD_COUNT;
     return limit(resolver, start, end, options ? options : &usual, halvings,
                  obstacle);

@@ -2,10 +2,10 @@
 #include "response/resolve.h"
 
 #include "base/require.h"
+#include "fast/estimate.h"
 #include "fast/vectorized.h"
 #include "response/gauss_seidel.h"
 #include "response/levels.h"
-#include "response/recheck.h"
 #include "response/start.h"
 
 #include <math.h>
@@ -34,15 +34,16 @@ static tf_status check_masses(const tf_step *step, tf_flaw *flaw)
 //: Find the mean edge
 static double mean_edge(const tf_surface *surface, const tf_step *step)
 {
+    int count;
+    const int *edge = tf_surface_edges(surface, &count);
     double sum = 0;
-    for (int e = 0; e < surface->edges.count; e++) {
-        const int *edge = surface->edges.corner + 2 * (ptrdiff_t)e;
+    for (int i = 0; i < count; i++, edge += 2) {
         const double *end = step->start + (ptrdiff_t)step->axes * edge[1];
         double d[3];
         tf_step_displacement(step, edge[0], end, d);
         sum += sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
     }
-    double mean = surface->edges.count > 0 ? sum / surface->edges.count : 0;
+    double mean = count > 0 ? sum / count : 0;
     return isfinite(mean) ? mean : 0;
 }
 
@@ -86,12 +87,15 @@ static bool ready(tf_resolution *r)
     tf_resolver *resolver = r->resolver;
     size_t vertices = (size_t)r->step.vertices;
     size_t bytes = sizeof(double) * (size_t)r->step.axes * vertices;
-    if (!tf_buffer_reserve(&resolver->end, bytes, 1) ||
-        !tf_buffer_reserve(&resolver->looked, bytes, 1))
+    if (!tf_buffer_reserve(&resolver->end, bytes, 1))
         return false;
     r->step.end = memcpy(resolver->end.data, r->step.proposed, bytes);
-    r->step.looked = resolver->looked.data;
     r->motion.end = r->step.end;
+    r->search = (tf_contact_search){.surface = resolver->surface,
+                                    .motion = &r->motion,
+                                    .narrow_phase = r->options.narrow_phase,
+                                    .estimate = tf_contact_estimate,
+                                    .parallel = r->options.parallel};
     return true;
 }
 
@@ -103,9 +107,8 @@ static tf_status begin(tf_resolution *r, tf_obstacle *obstacle)
         status = tf_start_check(r->resolver->surface, &r->motion,
                                 r->options.parallel, obstacle);
     if (status == TF_OK)
-        status = tf_check_all(r->resolver->surface, &r->step,
-                              r->options.narrow_phase, r->options.parallel,
-                              &r->contacts, &obstacle->flaw);
+        status = tf_pair_cache_build(&r->resolver->pairs, &r->search,
+                                     &r->contacts, &obstacle->flaw);
     if (status == TF_OK)
         status = tf_start_check_contacts(&r->motion, r->step.axes, &r->contacts,
                                          obstacle);
@@ -176,14 +179,14 @@ static tf_status run(tf_resolution *r, double end[], tf_obstacle *obstacle)
 {
     if (!are_good(&r->options))
         return TF_BAD_TOLERANCE;
-    if (r->step.vertices != r->resolver->surface->vertices)
+    if (r->step.vertices != tf_surface_vertices(r->resolver->surface))
         return TF_BAD_COUNT;
+    if (!r->options.narrow_phase)
+        r->options.narrow_phase = &tf_vectorized;
     if (!r->step.inverse_mass)
         r->step.inverse_mass = all_ones(r->resolver, r->step.vertices);
     if (!r->step.inverse_mass || !ready(r))
         return TF_OUT_OF_MEMORY;
-    if (!r->options.narrow_phase)
-        r->options.narrow_phase = &tf_vectorized;
     tf_status status = check_masses(&r->step, &obstacle->flaw);
     if (status == TF_OK)
         status = begin(r, obstacle);
@@ -207,7 +210,7 @@ tf_status tf_step_resolve(tf_resolver *resolver, int vertices,
     static const tf_response_options usual;
     tf_resolution r = {.resolver = resolver,
                        .options = options ? *options : usual,
-                       .step = {.axes = resolver->surface->axes,
+                       .step = {.axes = tf_surface_axes(resolver->surface),
                                 .vertices = vertices,
                                 .start = start,
                                 .proposed = end,

@@ -1,7 +1,8 @@
 //: Include what resolvers need
-#include "response/state.h"
+#include "response/resolver.h"
 
 #include "base/require.h"
+#include "response/resolver_memory.h"
 
 #include <stdlib.h>
 
@@ -22,10 +23,10 @@ void tf_resolver_free(tf_resolver *resolver)
 {
     if (!resolver)
         return;
+    tf_pair_cache_free(&resolver->pairs);
     tf_buffer_free(&resolver->end);
     tf_buffer_free(&resolver->base);
     tf_buffer_free(&resolver->ones);
-    tf_buffer_free(&resolver->looked);
     tf_buffer_free(&resolver->displacement);
     tf_zones_free(&resolver->zones);
     tf_rigid_free(&resolver->rigid);
@@ -37,8 +38,8 @@ void tf_resolver_free(tf_resolver *resolver)
 size_t tf_resolver_memory(const tf_resolver *resolver)
 {
     TF_REQUIRE(resolver);
-    return sizeof *resolver + resolver->end.bytes + resolver->base.bytes +
-           resolver->ones.bytes + resolver->looked.bytes +
+    return sizeof *resolver + tf_pair_cache_memory(&resolver->pairs) +
+           resolver->end.bytes + resolver->base.bytes + resolver->ones.bytes +
            resolver->displacement.bytes + tf_zones_memory(&resolver->zones) +
            tf_rigid_memory(&resolver->rigid) +
            tf_failsafe_memory(&resolver->failsafe);

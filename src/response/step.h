@@ -8,8 +8,7 @@ typedef struct tf_step {
     int axes, vertices;
     const double *start, *proposed;
     const double *inverse_mass;
-    double *end;    ///< as it is so far
-    double *looked; ///< as it was when contacts were last looked for
+    double *end; ///< as it is so far
 } tf_step;
 
 //: Declare how a step is changed

@@ -75,28 +75,28 @@ enum {
     VERTICES = 16384 // a task
 };
 
-typedef struct boxing {
+typedef struct box_job {
     const tf_frame *frame;
     const tf_motion *motion;
     tf_box *box;
-} boxing;
+} box_job;
 
 static void box_vertices(void *argument, int task, int worker)
 {
-    const boxing *work = argument;
-    tf_range part = tf_range_part(work->motion->vertices, VERTICES, task);
+    const box_job *job = argument;
+    tf_range part = tf_range_part(job->motion->vertices, VERTICES, task);
     (void)worker;
     for (int v = part.begin; v < part.end; v++)
-        work->box[v] = tf_vertex_box(work->frame, work->motion, v);
+        job->box[v] = tf_vertex_box(job->frame, job->motion, v);
 }
 
 //: Put a box around the path of each vertex
 void tf_vertex_boxes(const tf_frame *frame, const tf_motion *motion,
                      const tf_parallel *parallel, tf_box box[])
 {
-    boxing work = {frame, motion, box};
+    box_job job = {frame, motion, box};
     tf_parallel_for_each(parallel, tf_range_parts(motion->vertices, VERTICES),
-                         box_vertices, &work);
+                         box_vertices, &job);
 }
 
 //: Find the extent of a part
@@ -104,51 +104,51 @@ enum {
     PARTS = 64 // at most
 };
 
-typedef struct measuring {
+typedef struct extent_job {
     int axes;
     const tf_motion *motion;
     int size; ///< of a part, in vertices
     bounds extent[PARTS];
     int bad[PARTS]; ///< the first vertex that is not finite, or -1
-} measuring;
+} extent_job;
 
 static void measure_part(void *argument, int task, int worker)
 {
-    measuring *work = argument;
-    const tf_motion *motion = work->motion;
-    tf_range part = tf_range_part(motion->vertices, work->size, task);
+    extent_job *job = argument;
+    const tf_motion *motion = job->motion;
+    tf_range part = tf_range_part(motion->vertices, job->size, task);
     bounds all = no_bounds;
     (void)worker;
-    work->bad[task] = -1;
+    job->bad[task] = -1;
     for (int v = part.begin; v < part.end; v++) {
-        ptrdiff_t place = (ptrdiff_t)work->axes * v;
-        bool start = take_in(&all, work->axes, motion->start + place);
-        bool end = take_in(&all, work->axes, motion->end + place);
+        ptrdiff_t place = (ptrdiff_t)job->axes * v;
+        bool start = take_in(&all, job->axes, motion->start + place);
+        bool end = take_in(&all, job->axes, motion->end + place);
         if (!start || !end) {
-            work->bad[task] = v;
+            job->bad[task] = v;
             return;
         }
     }
-    work->extent[task] = all;
+    job->extent[task] = all;
 }
 
 //: Find the frame of a motion
 tf_status tf_frame_of(int axes, const tf_motion *motion,
                       const tf_parallel *parallel, tf_frame *frame, int *bad)
 {
-    measuring work = {.axes = axes,
+    extent_job job = {.axes = axes,
                       .motion = motion,
                       .size = tf_range_size(motion->vertices, PARTS, VERTICES)};
-    int tasks = tf_range_parts(motion->vertices, work.size);
-    tf_parallel_for_each(parallel, tasks, measure_part, &work);
+    int tasks = tf_range_parts(motion->vertices, job.size);
+    tf_parallel_for_each(parallel, tasks, measure_part, &job);
     bounds all = no_bounds;
     for (int task = 0; task < tasks; task++) {
-        if (work.bad[task] >= 0) {
-            *bad = work.bad[task];
+        if (job.bad[task] >= 0) {
+            *bad = job.bad[task];
             return TF_NOT_FINITE;
         }
-        take_in(&all, axes, work.extent[task].low);
-        take_in(&all, axes, work.extent[task].high);
+        take_in(&all, axes, job.extent[task].low);
+        take_in(&all, axes, job.extent[task].high);
     }
     *frame = frame_of(axes, &all);
     return TF_OK;

@@ -2,7 +2,7 @@
 #include "surface/candidates.h"
 
 #include "base/require.h"
-#include "surface/state.h"
+#include "surface/surface_memory.h"
 
 #include <stddef.h>
 #include <string.h>
@@ -11,25 +11,25 @@
 static bool keep(tf_pair_sink *sink, int count, const tf_candidate pair[])
 {
     tf_worker *worker = (tf_worker *)sink;
-    return tf_worker_keep(worker, &worker->row, &worker->rows, count, pair);
+    return tf_worker_add_pairs(worker, count, pair);
 }
 
 //: Copy the candidates of a task
-typedef struct gathering {
+typedef struct copy_job {
     const tf_workers *workers;
     const tf_task_rows *rows;
     const size_t *place; ///< of the first row of each task
     tf_candidate *to;
-} gathering;
+} copy_job;
 
-static void gather_task(void *argument, int task, int number)
+static void copy_rows(void *argument, int task, int number)
 {
-    const gathering *of = argument;
-    const tf_task_rows *rows = &of->rows[task];
-    const tf_candidate *from = of->workers->worker[rows->worker]->row.data;
+    const copy_job *job = argument;
+    const tf_task_rows *rows = &job->rows[task];
+    const tf_candidate *from = job->workers->worker[rows->worker]->row.data;
     (void)number;
     if (rows->end > rows->begin)
-        memcpy(of->to + of->place[task], from + rows->begin,
+        memcpy(job->to + job->place[task], from + rows->begin,
                sizeof *from * (rows->end - rows->begin));
 }
 
@@ -51,9 +51,9 @@ static bool gather(tf_surface *surface, int tasks, const tf_task_rows rows[],
     }
     if (!tf_buffer_reserve(&surface->found, all + 1, sizeof(tf_candidate)))
         return false;
-    gathering of = {&surface->workers, rows, place, surface->found.data};
-    tf_parallel_for_each(parallel, tasks, gather_task, &of);
-    *gathered = of.to;
+    copy_job job = {&surface->workers, rows, place, surface->found.data};
+    tf_parallel_for_each(parallel, tasks, copy_rows, &job);
+    *gathered = job.to;
     return true;
 }
 

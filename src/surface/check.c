@@ -6,17 +6,17 @@
 #include "base/require.h"
 #include "query/query.h"
 #include "surface/crossing.h"
-#include "surface/state.h"
+#include "surface/surface_memory.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 //: Hold a check
-typedef struct checking {
+typedef struct check_job {
     const tf_surface *surface;
     tf_motion rest;        ///< the surface, at rest for a step
     tf_crossing_kind kind; ///< that is being looked for
-} checking;
+} check_job;
 
 /// How many vertices the two elements have.
 typedef struct shape {
@@ -44,12 +44,12 @@ static const int *vertices_of(const tf_surface *surface, int corners,
     return list->corner + (size_t)*element * (size_t)corners;
 }
 
-static tf_crossing crossing_of(const checking *of, tf_candidate pair)
+static tf_crossing crossing_of(const check_job *job, tf_candidate pair)
 {
-    shape s = shape_of(of->kind);
-    tf_crossing row = {of->kind, {-1, -1, -1, -1, -1}};
-    const int *first = vertices_of(of->surface, s.first, &pair.first);
-    const int *second = vertices_of(of->surface, s.second, &pair.second);
+    shape s = shape_of(job->kind);
+    tf_crossing row = {job->kind, {-1, -1, -1, -1, -1}};
+    const int *first = vertices_of(job->surface, s.first, &pair.first);
+    const int *second = vertices_of(job->surface, s.second, &pair.second);
     if (s.first == s.second && second[0] < first[0]) {
         const int *swap = first;
         first = second;
@@ -63,7 +63,7 @@ static tf_crossing crossing_of(const checking *of, tf_candidate pair)
 //: Decide whether four vertices at rest touch
 /// Whether two elements of four vertices touch.  At rest that is a contact at
 /// once; but first of all the four must lie in a plane.
-static tf_status touches(const checking *of, shape s, const int vertex[],
+static tf_status touches(const check_job *job, shape s, const int vertex[],
                          const double *const x[], bool *found)
 {
     *found = false;
@@ -74,25 +74,26 @@ static tf_status touches(const checking *of, shape s, const int vertex[],
     tf_verdict verdict = TF_APART;
     bool separated = false;
     tf_status status =
-        tf_query_verdict(&tf_exact, 3, &of->rest, s.first, vertex, s.second,
+        tf_query_verdict(&tf_exact, 3, &job->rest, s.first, vertex, s.second,
                          vertex + s.first, &verdict, &separated);
     *found = verdict == TF_HIT;
     return status;
 }
 
 //: Decide whether a pair at rest intersects
-static tf_status intersects(const checking *of, const int vertex[], bool *found)
+static tf_status intersects(const check_job *job, const int vertex[],
+                            bool *found)
 {
-    int axes = of->surface->axes;
+    int axes = job->surface->axes;
     const double *x[5] = {NULL};
     for (int i = 0; i < 5 && vertex[i] >= 0; i++)
-        x[i] = of->rest.start + (size_t)axes * (size_t)vertex[i];
-    if (of->kind == TF_EDGE_THROUGH_TRIANGLE)
+        x[i] = job->rest.start + (size_t)axes * (size_t)vertex[i];
+    if (job->kind == TF_EDGE_THROUGH_TRIANGLE)
         *found = tf_edge_crosses_triangle(x[0], x[1], x[2], x[3], x[4]);
     else if (axes == 2)
         *found = tf_edges_cross(x[0], x[1], x[2], x[3]);
     else
-        return touches(of, shape_of(of->kind), vertex, x, found);
+        return touches(job, shape_of(job->kind), vertex, x, found);
     return TF_OK;
 }
 
@@ -146,33 +147,34 @@ static tf_status gather(tf_surface *surface, tf_crossings *found)
 }
 
 //: Join for one kind of crossing
-static void join(tf_surface *surface, checking *of, tf_crossing_kind kind,
+static void join(tf_surface *surface, check_job *job, tf_crossing_kind kind,
                  const tf_parallel *parallel)
 {
     const tf_tree *s = kind == TF_POINT_ON_TRIANGLE ? &surface->vertex_tree
                                                     : &surface->edge_tree;
     const tf_tree *t =
         kind == TF_EDGE_ON_EDGE ? &surface->edge_tree : &surface->triangle_tree;
-    of->kind = kind;
+    job->kind = kind;
     if (tf_workers_status(&surface->workers) == TF_OK)
         tf_workers_join(&surface->workers, s, t, take, NULL, parallel);
 }
 
 //: Check a surface
-static tf_status check(tf_surface *surface, checking *of,
+static tf_status check(tf_surface *surface, check_job *job,
                        const tf_parallel *parallel, tf_crossings *found,
                        tf_flaw *flaw)
 {
-    tf_status status = tf_surface_move(surface, &of->rest, parallel, flaw);
+    tf_status status = tf_surface_move(surface, &job->rest, parallel, flaw);
     if (status != TF_OK)
         return status;
-    if (!tf_workers_begin(&surface->workers, tf_parallel_workers(parallel), of))
+    if (!tf_workers_begin(&surface->workers, tf_parallel_workers(parallel),
+                          job))
         return TF_OUT_OF_MEMORY;
     if (surface->axes == 3) {
-        join(surface, of, TF_EDGE_THROUGH_TRIANGLE, parallel);
-        join(surface, of, TF_POINT_ON_TRIANGLE, parallel);
+        join(surface, job, TF_EDGE_THROUGH_TRIANGLE, parallel);
+        join(surface, job, TF_POINT_ON_TRIANGLE, parallel);
     }
-    join(surface, of, TF_EDGE_ON_EDGE, parallel);
+    join(surface, job, TF_EDGE_ON_EDGE, parallel);
     status = tf_workers_status(&surface->workers);
     return status == TF_OK ? gather(surface, found) : status;
 }
@@ -182,7 +184,8 @@ tf_status tf_surface_check(tf_surface *surface, const double position[],
                            tf_crossings *found, tf_flaw *flaw)
 {
     TF_REQUIRE(surface && position && found);
-    checking of = {.surface = surface, .rest = {vertices, position, position}};
+    check_job job = {.surface = surface,
+                     .rest = {vertices, position, position}};
     tf_flaw unused;
-    return check(surface, &of, parallel, found, flaw ? flaw : &unused);
+    return check(surface, &job, parallel, found, flaw ? flaw : &unused);
 }

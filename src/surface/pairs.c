@@ -11,7 +11,7 @@
 #include <stddef.h>
 #include <string.h>
 
-//: Make room for a batch of pairs
+//: Hold a batch of pairs
 typedef struct batch {
     int vertex[4 * TF_BATCH];
     tf_verdict verdict[TF_BATCH];
@@ -41,12 +41,12 @@ static void list_edges(const int a[2], const int b[2], int vertex[4])
     }
 }
 
-static void list_vertices(const tf_pair_job *of, tf_candidate pair,
+static void list_vertices(const tf_pair_job *job, tf_candidate pair,
                           int vertex[])
 {
-    const int *edge = of->surface->edges.corner;
-    const int *triangle = of->surface->triangles.corner;
-    switch (of->kind) {
+    const int *edge = job->surface->edges.corner;
+    const int *triangle = job->surface->triangles.corner;
+    switch (job->kind) {
     case TF_EDGE_EDGE: {
         const int *a = edge + 2 * (size_t)pair.first;
         const int *b = edge + 2 * (size_t)pair.second;
@@ -65,21 +65,21 @@ static void list_vertices(const tf_pair_job *of, tf_candidate pair,
 }
 
 //: Describe a contact of a surface
-static tf_status describe(const tf_pair_job *of, const int vertex[],
+static tf_status describe(const tf_pair_job *job, const int vertex[],
                           tf_contact *contact)
 {
-    if (of->estimate && of->estimate(of->kind, of->motion, vertex, contact))
+    if (job->estimate && job->estimate(job->kind, job->motion, vertex, contact))
         return TF_OK;
-    switch (of->kind) {
+    switch (job->kind) {
     case TF_EDGE_EDGE:
-        return tf_edge_edge(of->arithmetic, of->motion, vertex, vertex + 2,
+        return tf_edge_edge(job->arithmetic, job->motion, vertex, vertex + 2,
                             contact);
     case TF_POINT_TRIANGLE:
-        return tf_point_triangle(of->arithmetic, of->motion, vertex[0],
+        return tf_point_triangle(job->arithmetic, job->motion, vertex[0],
                                  vertex + 1, contact);
     default:
-        return tf_point_edge(of->arithmetic, of->motion, vertex[0], vertex + 1,
-                             contact);
+        return tf_point_edge(job->arithmetic, job->motion, vertex[0],
+                             vertex + 1, contact);
     }
 }
 
@@ -87,36 +87,37 @@ static tf_status describe(const tf_pair_job *of, const int vertex[],
 /// Adds a contact to what a worker has found; false if that fails.
 static bool add_contact(tf_worker *worker, const int vertex[])
 {
-    const tf_pair_job *of = worker->job;
+    const tf_pair_job *job = worker->job;
     tf_surface_contact *row = tf_worker_add(worker, sizeof *row);
     if (!row)
         return false;
-    row->kind = of->kind;
+    row->kind = job->kind;
     row->vertex[3] = -1;
     memcpy(row->vertex, vertex,
-           sizeof *vertex * (size_t)vertex_count(of->kind));
-    worker->status = describe(of, row->vertex, &row->contact);
+           sizeof *vertex * (size_t)vertex_count(job->kind));
+    worker->status = describe(job, row->vertex, &row->contact);
     return worker->status == TF_OK;
 }
 
 //: Decide the pairs of a batch by one arithmetic
 /// Sets clearances as well, unless they are NULL: to 0 if the narrow phase does
-/// not measure.
+/// not measure, or if the job wants no more.
 static tf_status decide_by(const tf_arithmetic *arithmetic,
-                           const tf_pair_job *of, int count, const int vertex[],
-                           tf_verdict verdict[], size_t *separated,
-                           double clearance[])
+                           const tf_pair_job *job, int count,
+                           const int vertex[], tf_verdict verdict[],
+                           size_t *separated, double clearance[])
 {
-    tf_queries queries = {.kind = of->kind,
-                          .motion = of->motion,
+    const tf_narrow_phase *narrow_phase = job->narrow_phase;
+    tf_queries queries = {.kind = job->kind,
+                          .motion = job->motion,
                           .count = (size_t)count,
                           .vertices = vertex};
-    if (clearance && of->narrow_phase->measure)
-        return of->narrow_phase->measure(arithmetic, &queries, verdict,
-                                         separated, clearance);
+    if (clearance && job->measures && narrow_phase->measure)
+        return narrow_phase->measure(arithmetic, &queries, verdict, separated,
+                                     clearance);
     if (clearance)
         memset(clearance, 0, sizeof *clearance * (size_t)count);
-    return of->narrow_phase->decide(arithmetic, &queries, verdict, separated);
+    return narrow_phase->decide(arithmetic, &queries, verdict, separated);
 }
 
 //: Distinguish the arithmetics
@@ -136,10 +137,10 @@ static bool is_rounded(const tf_arithmetic *arithmetic)
 //: Decide what the filter leaves open
 /// Decides by the arithmetic the pairs that the filter leaves undecided;
 /// returns how many there are.
-static size_t decide_open(const tf_pair_job *of, int count, batch *b,
+static size_t decide_open(const tf_pair_job *job, int count, batch *b,
                           tf_status *status)
 {
-    int vertices = vertex_count(of->kind), open = 0;
+    int vertices = vertex_count(job->kind), open = 0;
     for (int i = 0; i < count; i++) {
         if (b->verdict[i] != TF_UNDECIDED)
             continue;
@@ -149,7 +150,7 @@ static size_t decide_open(const tf_pair_job *of, int count, batch *b,
         b->open[open++] = i;
     }
     size_t separated = 0;
-    *status = decide_by(of->arithmetic, of, open, b->open_vertex,
+    *status = decide_by(job->arithmetic, job, open, b->open_vertex,
                         b->open_verdict, &separated, NULL);
     for (int i = 0; i < open; i++)
         b->verdict[b->open[i]] = b->open_verdict[i];
@@ -158,23 +159,23 @@ static size_t decide_open(const tf_pair_job *of, int count, batch *b,
 
 //: Decide a batch of pairs
 /// Decides by a filter first, if the arithmetic allows one.
-static tf_status decide_batch(const tf_pair_job *of, int count,
+static tf_status decide_batch(const tf_pair_job *job, int count,
                               const tf_candidate pair[], batch *b,
                               double clearance[])
 {
-    int vertices = vertex_count(of->kind);
+    int vertices = vertex_count(job->kind);
     for (int i = 0; i < count; i++)
-        list_vertices(of, pair[i], b->vertex + (ptrdiff_t)i * vertices);
+        list_vertices(job, pair[i], b->vertex + (ptrdiff_t)i * vertices);
 
-    bool filtered = is_exact(of->arithmetic);
+    bool filtered = is_exact(job->arithmetic);
     size_t separated = 0;
     tf_status status =
-        decide_by(filtered ? &tf_clamped : of->arithmetic, of, count, b->vertex,
-                  b->verdict, &separated, clearance);
+        decide_by(filtered ? &tf_clamped : job->arithmetic, job, count,
+                  b->vertex, b->verdict, &separated, clearance);
     size_t decided = (size_t)count - separated, open = 0;
     if (status == TF_OK && filtered)
-        open = decide_open(of, count, b, &status);
-    else if (!is_rounded(of->arithmetic))
+        open = decide_open(job, count, b, &status);
+    else if (!is_rounded(job->arithmetic))
         open = decided;
     b->statistics.candidates += (size_t)count;
     b->statistics.by_axis += separated;
@@ -190,48 +191,44 @@ static void mark_contacts(const batch *b, int count, double mark[])
         mark[i] = b->verdict[i] == TF_APART ? mark[i] : -1;
 }
 
-//: Keep the pairs of a batch
+//: Take a batch of pairs
+/// Has the pairs kept, if the job wants that; false if there is no memory.
 static bool keep(tf_worker *worker, int count, const tf_candidate pair[])
 {
-    const tf_pair_job *of = worker->job;
-    tf_pair_list *list =
-        of->kind == TF_EDGE_EDGE ? &worker->edges : &worker->points;
-    size_t kept = list->count;
-    if (!tf_worker_keep(worker, &list->pair, &list->count, count, pair))
-        return false;
-    if (!tf_buffer_extend(&list->limit, list->count, sizeof(double))) {
+    const tf_pair_job *job = worker->job;
+    if (job->keep && !job->keep(job->keeper, worker, count, pair))
         worker->status = TF_OUT_OF_MEMORY;
-        return false;
-    }
-    double *limit = (double *)list->limit.data + kept;
-    memset(limit, 0, sizeof *limit * (size_t)count);
-    mark_contacts(worker->batch.data, count, limit);
-    return true;
+    return worker->status == TF_OK;
 }
 
-//: Take a batch of pairs
-bool tf_pairs_take(tf_pair_sink *sink, int count, const tf_candidate pair[])
+/// Adds the contacts of a batch; false if no more pairs are wanted.
+static bool add_contacts(tf_worker *worker, int count)
 {
-    tf_worker *worker = (tf_worker *)sink;
-    const tf_pair_job *of = worker->job;
-    batch *b = worker->batch.data;
-    double *clearance = of->measures ? worker->clearance : NULL;
-    worker->status = decide_batch(of, count, pair, b, clearance);
-    if (worker->status != TF_OK)
-        return false;
-    if (clearance)
-        mark_contacts(b, count, clearance);
-    if (of->keeps && !keep(worker, count, pair))
-        return false;
+    const tf_pair_job *job = worker->job;
+    const batch *b = worker->batch.data;
     for (int i = 0; i < count; i++) {
         if (b->verdict[i] == TF_APART)
             continue;
         if (!add_contact(worker,
-                         b->vertex + (ptrdiff_t)i * vertex_count(of->kind)) ||
-            of->selection == TF_ANY_CONTACT)
+                         b->vertex + (ptrdiff_t)i * vertex_count(job->kind)) ||
+            job->selection == TF_ANY_CONTACT)
             return false;
     }
     return true;
+}
+
+bool tf_pairs_take(tf_pair_sink *sink, int count, const tf_candidate pair[])
+{
+    tf_worker *worker = (tf_worker *)sink;
+    const tf_pair_job *job = worker->job;
+    batch *b = worker->batch.data;
+    double *clearance = job->keep || job->measures ? worker->clearance : NULL;
+    worker->status = decide_batch(job, count, pair, b, clearance);
+    if (worker->status != TF_OK)
+        return false;
+    if (clearance)
+        mark_contacts(b, count, clearance);
+    return keep(worker, count, pair) && add_contacts(worker, count);
 }
 
 //: Compare contacts
@@ -334,17 +331,16 @@ bool tf_pairs_gather(tf_surface *surface, tf_contact_selection selection,
 
 //: Ready the workers
 bool tf_pairs_begin(tf_surface *surface, const tf_parallel *parallel,
-                    const tf_pair_job *of)
+                    const tf_pair_job *job)
 {
-    if (!tf_workers_begin(&surface->workers, tf_parallel_workers(parallel), of))
+    if (!tf_workers_begin(&surface->workers, tf_parallel_workers(parallel),
+                          job))
         return false;
     for (int i = 0; i < surface->workers.count; i++) {
         tf_worker *worker = surface->workers.worker[i];
         if (!tf_buffer_reserve(&worker->batch, 1, sizeof(batch)))
             return false;
         ((batch *)worker->batch.data)->statistics = (tf_detect_statistics){0};
-        if (of->keeps)
-            worker->points.count = worker->edges.count = 0;
     }
     return true;
 }
@@ -357,32 +353,32 @@ static tf_status join_kind(tf_surface *surface, const tf_tree *s,
     return tf_workers_status(&surface->workers);
 }
 
-static tf_status join_all(tf_surface *surface, tf_pair_job *of,
+static tf_status join_all(tf_surface *surface, tf_pair_job *job,
                           const tf_parallel *parallel)
 {
     bool plane = surface->axes == 2;
-    of->kind = plane ? TF_POINT_EDGE : TF_POINT_TRIANGLE;
+    job->kind = plane ? TF_POINT_EDGE : TF_POINT_TRIANGLE;
     tf_status status = join_kind(
         surface, &surface->vertex_tree,
         plane ? &surface->edge_tree : &surface->triangle_tree, parallel);
-    bool enough = of->selection == TF_ANY_CONTACT &&
+    bool enough = job->selection == TF_ANY_CONTACT &&
                   tf_workers_rows(&surface->workers) > 0;
     if (status != TF_OK || plane || enough)
         return status;
-    of->kind = TF_EDGE_EDGE;
+    job->kind = TF_EDGE_EDGE;
     return join_kind(surface, &surface->edge_tree, &surface->edge_tree,
                      parallel);
 }
 
 //: Find the pairs in contact
-tf_status tf_pairs_find(tf_surface *surface, tf_pair_job *of,
+tf_status tf_pairs_find(tf_surface *surface, tf_pair_job *job,
                         const tf_parallel *parallel, tf_contacts *found)
 {
-    if (!tf_pairs_begin(surface, parallel, of))
+    if (!tf_pairs_begin(surface, parallel, job))
         return TF_OUT_OF_MEMORY;
-    tf_status status = join_all(surface, of, parallel);
+    tf_status status = join_all(surface, job, parallel);
     *found = (tf_contacts){0};
-    if (status == TF_OK && !tf_pairs_gather(surface, of->selection, found))
+    if (status == TF_OK && !tf_pairs_gather(surface, job->selection, found))
         status = TF_OUT_OF_MEMORY;
     return status;
 }

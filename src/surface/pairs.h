@@ -1,8 +1,8 @@
-//: Hold a decision
+//: Declare how pairs are decided
 #pragma once
 
-#include "surface/detect.h"
-#include "surface/state.h"
+#include "surface/contacts.h"
+#include "surface/surface_memory.h"
 
 #include <stdbool.h>
 
@@ -20,17 +20,21 @@ typedef struct tf_pair_job {
     tf_contact_estimator *estimate; ///< describes contacts where it can; NULL:
                                     ///< the arithmetic describes all of them
     tf_contact_selection selection;
-    bool keeps; ///< whether the workers keep the pairs for later, in place of
-                ///< those that they have kept before
     bool measures; ///< whether the workers note the clearances of pairs
     tf_kind kind;  ///< of the pairs that come next
+
+    /// Keeps the pairs of a batch that a worker has decided; false if there is
+    /// no memory.  NULL: none are kept.
+    bool (*keep)(void *keeper, const tf_worker *worker, int count,
+                 const tf_candidate pair[]);
+    void *keeper; ///< passed on to `keep`
 } tf_pair_job;
 
 //: Declare the decision of pairs
 /// Readies the surface's workers for deciding pairs.  False if there is no
 /// memory.
 bool tf_pairs_begin(tf_surface *surface, const tf_parallel *parallel,
-                    const tf_pair_job *of);
+                    const tf_pair_job *job);
 
 /// Decides pairs, of at most TF_BATCH, and adds those in contact to what the
 /// worker around the sink has found: a tf_pair_sink's function.
@@ -43,7 +47,7 @@ bool tf_pairs_gather(tf_surface *surface, tf_contact_selection selection,
 
 /// Finds all pairs of elements in contact that the trees of the surface yield.
 /// Returns TF_OK, TF_OUT_OF_MEMORY, or what a decision returns.
-tf_status tf_pairs_find(tf_surface *surface, tf_pair_job *of,
+tf_status tf_pairs_find(tf_surface *surface, tf_pair_job *job,
                         const tf_parallel *parallel, tf_contacts *found);
 
 /// Adds what one search took to what all took.

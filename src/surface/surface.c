@@ -1,22 +1,13 @@
 //: Include what surfaces need
-#include "surface/state.h"
+#include "surface/surface.h"
 
-#include "base/environment.h"
 #include "base/require.h"
 #include "surface/derive.h"
+#include "surface/surface_memory.h"
 
 #include <stdlib.h>
 
 //: Create a surface
-bool tf_surface_refill(tf_surface *surface, const tf_mesh *mesh)
-{
-    tf_sort_workspace *workspace = &surface->sort_workspace;
-    surface->axes = mesh->axes;
-    surface->vertices = mesh->vertices;
-    return tf_mesh_triangles(mesh, &surface->triangles, workspace) &&
-           tf_mesh_edges(mesh, &surface->triangles, &surface->edges, workspace);
-}
-
 tf_status tf_surface_create(const tf_mesh *mesh, tf_surface **surface,
                             tf_flaw *flaw)
 {
@@ -54,8 +45,20 @@ void tf_surface_free(tf_surface *surface)
     tf_buffer_free(&surface->task_places);
     tf_buffer_free(&surface->found);
     tf_buffer_free(&surface->sorting);
-    tf_buffer_free(&surface->moved);
     free(surface);
+}
+
+//: Tell the size of a surface
+int tf_surface_axes(const tf_surface *surface)
+{
+    TF_REQUIRE(surface);
+    return surface->axes;
+}
+
+int tf_surface_vertices(const tf_surface *surface)
+{
+    TF_REQUIRE(surface);
+    return surface->vertices;
 }
 
 //: Lend the elements
@@ -93,56 +96,5 @@ size_t tf_surface_memory(const tf_surface *surface)
            surface->sort_workspace.place.bytes +
            tf_workers_memory(&surface->workers) + surface->task_rows.bytes +
            surface->task_places.bytes + surface->found.bytes +
-           surface->sorting.bytes + surface->moved.bytes;
-}
-
-//: Build the tree of one kind of element
-static bool build_tree(tf_surface *surface, tf_tree *tree,
-                       tf_tree_elements *elements, int count, int corners,
-                       const int *corner, const tf_parallel *parallel)
-{
-    elements->count = count;
-    elements->corners = corners;
-    elements->corner = corner;
-    return tf_tree_build(tree, elements, &surface->tree_workspace, parallel);
-}
-
-//: Build all trees
-static tf_status build_trees(tf_surface *surface, const tf_parallel *parallel)
-{
-    const tf_box *box = surface->boxes.data;
-    tf_tree_elements of = {.vertex = box, .whole = &surface->frame.whole};
-    const tf_elements *edges = &surface->edges;
-    const tf_elements *triangles = &surface->triangles;
-    bool good = build_tree(surface, &surface->vertex_tree, &of,
-                           surface->vertices, 1, NULL, parallel) &&
-                build_tree(surface, &surface->edge_tree, &of, edges->count, 2,
-                           edges->corner, parallel) &&
-                build_tree(surface, &surface->triangle_tree, &of,
-                           triangles->count, 3, triangles->corner, parallel);
-    return good ? TF_OK : TF_OUT_OF_MEMORY;
-}
-
-//: Move a surface
-tf_status tf_surface_move(tf_surface *surface, const tf_motion *motion,
-                          const tf_parallel *parallel, tf_flaw *flaw)
-{
-    TF_REQUIRE(motion && motion->start && motion->end);
-    *flaw = (tf_flaw){.element = TF_NO_ELEMENT};
-    if (!tf_environment_is_ieee())
-        return TF_BAD_ENVIRONMENT;
-    if (motion->vertices != surface->vertices)
-        return TF_BAD_COUNT;
-    int bad = 0;
-    tf_status status =
-        tf_frame_of(surface->axes, motion, parallel, &surface->frame, &bad);
-    if (status != TF_OK) {
-        *flaw = (tf_flaw){TF_VERTEX, bad, bad};
-        return status;
-    }
-    if (!tf_buffer_reserve(&surface->boxes, (size_t)surface->vertices,
-                           sizeof(tf_box)))
-        return TF_OUT_OF_MEMORY;
-    tf_vertex_boxes(&surface->frame, motion, parallel, surface->boxes.data);
-    return build_trees(surface, parallel);
+           surface->sorting.bytes;
 }

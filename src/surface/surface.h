@@ -32,6 +32,17 @@ TF_API tf_status tf_surface_create(const tf_mesh *mesh, tf_surface **surface,
 /// @param surface the surface; may be NULL
 TF_API void tf_surface_free(tf_surface *surface);
 
+//: Declare the size of a surface
+/// The number of coordinates of a position.
+/// @param surface the surface
+/// @return 3 for a surface in space, 2 for a curve in the plane
+TF_API int tf_surface_axes(const tf_surface *surface);
+
+/// The number of vertices of a surface, particles included.
+/// @param surface the surface
+/// @return how many positions a motion of the surface has
+TF_API int tf_surface_vertices(const tf_surface *surface);
+
 //: Declare the edges of a surface
 /// The edges of a surface, each once: those of its triangles and the others.
 /// @param surface the surface

@@ -39,46 +39,46 @@ static tf_box box_of(const tf_tree_elements *elements, int i)
     return box;
 }
 
-//: Hold what is being built
-typedef struct building {
+//: Hold the build of a tree
+typedef struct build_job {
     tf_tree *tree;
     const tf_tree_elements *elements;
     tf_keyed *keys;
     const tf_keyed *sorted;
     int level; ///< whose packs are being filled
-} building;
+} build_job;
 
 //: Find the keys of a part
 static void find_keys(void *argument, int task, int worker)
 {
-    const building *b = argument;
-    tf_range part = tf_range_part(b->elements->count, ELEMENTS, task);
+    const build_job *job = argument;
+    tf_range part = tf_range_part(job->elements->count, ELEMENTS, task);
     (void)worker;
     for (int i = part.begin; i < part.end; i++) {
-        tf_box box = box_of(b->elements, i);
-        b->keys[i] = (tf_keyed){tf_morton_key(&box, b->elements->whole), i};
+        tf_box box = box_of(job->elements, i);
+        job->keys[i] = (tf_keyed){tf_morton_key(&box, job->elements->whole), i};
     }
 }
 
 //: Fill a lane
-static void fill_lane(const building *b, int leaf, int lane, int element)
+static void fill_lane(const build_job *job, int leaf, int lane, int element)
 {
-    int corners = b->elements->corners;
-    const int *corner = corners_of(b->elements, &element);
-    tf_box box = box_of(b->elements, element);
-    tf_pack_set_box(&b->tree->level[0][leaf], lane, &box);
-    b->tree->element[leaf][lane] = element;
+    int corners = job->elements->corners;
+    const int *corner = corners_of(job->elements, &element);
+    tf_box box = box_of(job->elements, element);
+    tf_pack_set_box(&job->tree->level[0][leaf], lane, &box);
+    job->tree->element[leaf][lane] = element;
     for (int c = 0; c < corners; c++)
-        b->tree->corner[leaf * corners + c][lane] = corner[c];
+        job->tree->corner[leaf * corners + c][lane] = corner[c];
 }
 
-static void clear_lane(const building *b, int leaf, int lane)
+static void clear_lane(const build_job *job, int leaf, int lane)
 {
-    int corners = b->elements->corners;
-    tf_pack_set_box(&b->tree->level[0][leaf], lane, &tf_box_empty);
-    b->tree->element[leaf][lane] = -1;
+    int corners = job->elements->corners;
+    tf_pack_set_box(&job->tree->level[0][leaf], lane, &tf_box_empty);
+    job->tree->element[leaf][lane] = -1;
     for (int c = 0; c < corners; c++)
-        b->tree->corner[leaf * corners + c][lane] = -1;
+        job->tree->corner[leaf * corners + c][lane] = -1;
 }
 
 //: Prefetch the boxes of an element
@@ -88,10 +88,10 @@ enum {
 };
 
 /// Asks for what will be needed to fill the lanes that come after number i.
-TF_ALWAYS_INLINE void prefetch_boxes(const building *b, int i, int end)
+TF_ALWAYS_INLINE void prefetch_boxes(const build_job *job, int i, int end)
 {
-    const tf_tree_elements *elements = b->elements;
-    const tf_keyed *sorted = b->sorted + i;
+    const tf_tree_elements *elements = job->elements;
+    const tf_keyed *sorted = job->sorted + i;
     if (end - i > CORNERS_AHEAD)
         tf_prefetch(corners_of(elements, &sorted[CORNERS_AHEAD].element));
     if (end - i <= BOXES_AHEAD)
@@ -104,25 +104,25 @@ TF_ALWAYS_INLINE void prefetch_boxes(const building *b, int i, int end)
 //: Fill the leaves of a part
 static void fill_leaves(void *argument, int task, int worker)
 {
-    const building *b = argument;
-    tf_range part = tf_range_part(b->elements->count, ELEMENTS, task);
+    const build_job *job = argument;
+    tf_range part = tf_range_part(job->elements->count, ELEMENTS, task);
     (void)worker;
     for (int i = part.begin; i < part.end; i++) {
-        prefetch_boxes(b, i, part.end);
-        fill_lane(b, i / TF_LANES, i % TF_LANES, b->sorted[i].element);
+        prefetch_boxes(job, i, part.end);
+        fill_lane(job, i / TF_LANES, i % TF_LANES, job->sorted[i].element);
     }
     for (int i = part.end; i % TF_LANES != 0; i++)
-        clear_lane(b, i / TF_LANES, i % TF_LANES);
+        clear_lane(job, i / TF_LANES, i % TF_LANES);
 }
 
 //: Fill the packs of a level
 static void fill_packs(void *argument, int task, int worker)
 {
-    const building *b = argument;
-    const tf_tree *tree = b->tree;
-    tf_range part = tf_range_part(tree->packs[b->level - 1], ELEMENTS, task);
-    const tf_pack *below = tree->level[b->level - 1];
-    tf_pack *level = tree->level[b->level];
+    const build_job *job = argument;
+    const tf_tree *tree = job->tree;
+    tf_range part = tf_range_part(tree->packs[job->level - 1], ELEMENTS, task);
+    const tf_pack *below = tree->level[job->level - 1];
+    tf_pack *level = tree->level[job->level];
     (void)worker;
     for (int i = part.begin; i < part.end; i++) {
         tf_box box = tf_pack_union(&below[i]);
@@ -184,17 +184,17 @@ bool tf_tree_build(tf_tree *tree, const tf_tree_elements *elements,
     if (!make_room(tree, workspace))
         return false;
 
-    building b = {
+    build_job job = {
         .tree = tree, .elements = elements, .keys = workspace->keys.data};
     int tasks = tf_range_parts(tree->count, ELEMENTS);
-    tf_parallel_for_each(parallel, tasks, find_keys, &b);
-    b.sorted = tf_morton_sort(tree->count, b.keys, workspace->sorted.data,
-                              workspace->counts.data, parallel);
-    tf_parallel_for_each(parallel, tasks, fill_leaves, &b);
-    for (b.level = 1; b.level < tree->levels; b.level++)
-        tf_parallel_for_each(parallel,
-                             tf_range_parts(tree->packs[b.level - 1], ELEMENTS),
-                             fill_packs, &b);
+    tf_parallel_for_each(parallel, tasks, find_keys, &job);
+    job.sorted = tf_morton_sort(tree->count, job.keys, workspace->sorted.data,
+                                workspace->counts.data, parallel);
+    tf_parallel_for_each(parallel, tasks, fill_leaves, &job);
+    for (job.level = 1; job.level < tree->levels; job.level++)
+        tf_parallel_for_each(
+            parallel, tf_range_parts(tree->packs[job.level - 1], ELEMENTS),
+            fill_packs, &job);
     return true;
 }
 

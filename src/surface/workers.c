@@ -18,6 +18,7 @@ static bool hire(tf_workers *workers, int count)
         all[workers->count] = calloc(1, sizeof **all);
         if (!all[workers->count])
             return false;
+        all[workers->count]->number = workers->count;
     }
     return true;
 }
@@ -49,17 +50,17 @@ void *tf_worker_add(tf_worker *worker, size_t size)
     return memset(row, 0, size);
 }
 
-bool tf_worker_keep(tf_worker *worker, tf_buffer *list, size_t *kept, int count,
-                    const tf_candidate pair[])
+bool tf_worker_add_pairs(tf_worker *worker, int count,
+                         const tf_candidate pair[])
 {
-    size_t all = *kept + (size_t)count;
-    if (!tf_buffer_extend(list, all, sizeof *pair)) {
+    size_t rows = worker->rows + (size_t)count;
+    if (!tf_buffer_extend(&worker->row, rows, sizeof *pair)) {
         worker->status = TF_OUT_OF_MEMORY;
         return false;
     }
-    memcpy((tf_candidate *)list->data + *kept, pair,
+    memcpy((tf_candidate *)worker->row.data + worker->rows, pair,
            sizeof *pair * (size_t)count);
-    *kept = all;
+    worker->rows = rows;
     return true;
 }
 
@@ -80,24 +81,12 @@ size_t tf_workers_rows(const tf_workers *workers)
 }
 
 //: Account for workers
-static size_t list_bytes(const tf_pair_list *list)
-{
-    return list->pair.bytes + list->limit.bytes;
-}
-
-static void free_list(tf_pair_list *list)
-{
-    tf_buffer_free(&list->pair);
-    tf_buffer_free(&list->limit);
-}
-
 size_t tf_workers_memory(const tf_workers *workers)
 {
     size_t bytes = 0;
     for (int i = 0; i < workers->count; i++) {
         const tf_worker *worker = workers->worker[i];
-        bytes += sizeof *worker + worker->row.bytes + worker->batch.bytes +
-                 list_bytes(&worker->points) + list_bytes(&worker->edges);
+        bytes += sizeof *worker + worker->row.bytes + worker->batch.bytes;
     }
     return bytes;
 }
@@ -108,8 +97,6 @@ void tf_workers_free(tf_workers *workers)
         tf_worker *worker = workers->worker[i];
         tf_buffer_free(&worker->row);
         tf_buffer_free(&worker->batch);
-        free_list(&worker->points);
-        free_list(&worker->edges);
         free(worker);
     }
     free(workers->worker);
@@ -117,27 +104,27 @@ void tf_workers_free(tf_workers *workers)
 }
 
 //: Join a part of a tree
-typedef struct joining {
+typedef struct join_job {
     tf_workers *workers;
     const tf_tree *s, *t;
     tf_task_rows *rows;
     atomic_bool stopped;
-} joining;
+} join_job;
 
 static void join_part(void *argument, int task, int number)
 {
-    joining *join = argument;
-    tf_worker *worker = join->workers->worker[number];
+    join_job *job = argument;
+    tf_worker *worker = job->workers->worker[number];
     size_t begin = worker->rows;
-    if (!atomic_load(&join->stopped)) {
-        tf_tree_join(join->s, join->t,
-                     tf_range_part(join->s->packs[0], TF_JOIN_PART, task),
+    if (!atomic_load(&job->stopped)) {
+        tf_tree_join(job->s, job->t,
+                     tf_range_part(job->s->packs[0], TF_JOIN_PART, task),
                      &worker->sink);
         if (worker->sink.stopped)
-            atomic_store(&join->stopped, true);
+            atomic_store(&job->stopped, true);
     }
-    if (join->rows)
-        join->rows[task] = (tf_task_rows){number, begin, worker->rows};
+    if (job->rows)
+        job->rows[task] = (tf_task_rows){number, begin, worker->rows};
 }
 
 //: Join two trees in parallel
@@ -150,8 +137,8 @@ void tf_workers_join(tf_workers *workers, const tf_tree *s, const tf_tree *t,
                      bool (*take)(tf_pair_sink *, int, const tf_candidate[]),
                      tf_task_rows rows[], const tf_parallel *parallel)
 {
-    joining join = {.workers = workers, .s = s, .t = t, .rows = rows};
+    join_job job = {.workers = workers, .s = s, .t = t, .rows = rows};
     for (int i = 0; i < workers->count; i++)
         workers->worker[i]->sink.take = take;
-    tf_parallel_for_each(parallel, tf_join_tasks(s), join_part, &join);
+    tf_parallel_for_each(parallel, tf_join_tasks(s), join_part, &job);
 }

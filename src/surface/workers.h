@@ -4,27 +4,19 @@
 #include "base/status.h"
 #include "surface/join.h"
 
-/// Pairs of elements that are kept for later.
-typedef struct tf_pair_list {
-    size_t count;
-    tf_buffer pair;  ///< each a tf_candidate
-    tf_buffer limit; ///< a number for each pair: at first 0, or -1 if it is in
-                     ///< contact
-} tf_pair_list;
-
 /// What one of several threads finds, in memory that is kept.
 typedef struct tf_worker {
     tf_pair_sink sink;          ///< first, so that a sink is its worker
+    int number;                 ///< of the worker, from 0
     const void *job;            ///< what all workers share
     tf_status status;           ///< other than TF_OK: it could not go on
     size_t rows;                ///< how many it has found
     tf_buffer row;              ///< these rows
-    tf_buffer batch;            ///< room for what it needs for a batch of pairs
-    double clearance[TF_BATCH]; ///< of the pairs of the last batch, if wanted:
-                                ///< how far their ends may move before they
-                                ///< could meet; -1: they are in contact
-    tf_pair_list points, edges; ///< the pairs with a vertex, and of two edges,
-                                ///< that it has kept, if it was to
+    tf_buffer batch;            ///< workspace for a batch of pairs
+    double clearance[TF_BATCH]; ///< of the pairs of the last batch, if the job
+                                ///< asks for it: how far their ends may move
+                                ///< before they could meet, at least; -1: they
+                                ///< are in contact
 } tf_worker;
 
 /// The workers of a surface.
@@ -41,10 +33,10 @@ bool tf_workers_begin(tf_workers *workers, int count, const void *job);
 /// a status, if there is no memory.
 void *tf_worker_add(tf_worker *worker, size_t size);
 
-/// Adds pairs to one of a worker's lists, which has `*kept` of them; false, with a
-/// status, if there is no memory.
-bool tf_worker_keep(tf_worker *worker, tf_buffer *list, size_t *kept, int count,
-                    const tf_candidate pair[]);
+/// Adds pairs to what a worker has found; false, with a status, if there is no
+/// memory.
+bool tf_worker_add_pairs(tf_worker *worker, int count,
+                         const tf_candidate pair[]);
 
 /// The first status that is not TF_OK, or TF_OK.
 tf_status tf_workers_status(const tf_workers *workers);

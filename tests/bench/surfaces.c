@@ -19,7 +19,7 @@
 #include "query/point_triangle.h"
 #include "surface/candidates.h"
 #include "surface/detect.h"
-#include "surface/state.h"
+#include "surface/surface_memory.h"
 
 #include <math.h>
 #include <stdio.h>

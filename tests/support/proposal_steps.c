@@ -8,15 +8,13 @@
 void proposal_step_begin(proposal_step *s, const proposal *made)
 {
     memcpy(s->end, made->end, sizeof s->end);
-    memcpy(s->looked, made->end, sizeof s->looked);
     s->surface = surface_of(&made->mesh);
     s->step = (tf_step){.axes = made->mesh.axes,
                         .vertices = made->mesh.vertices,
                         .start = made->start,
                         .proposed = made->end,
                         .inverse_mass = made->inverse_mass,
-                        .end = s->end,
-                        .looked = s->looked};
+                        .end = s->end};
     s->rule = (tf_contact_rule){.base = made->end};
 }
 
@@ -37,7 +35,7 @@ tf_contacts proposal_step_contacts(proposal_step *s)
 bool proposal_step_has_moved(const proposal_step *s, int vertex)
 {
     ptrdiff_t place = (ptrdiff_t)s->step.axes * vertex;
-    return memcmp(s->step.end + place, s->step.looked + place,
+    return memcmp(s->step.end + place, s->step.proposed + place,
                   sizeof(double) * (size_t)s->step.axes) != 0;
 }
 

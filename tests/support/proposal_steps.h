@@ -12,7 +12,6 @@ typedef struct proposal_step {
     tf_step step;
     tf_contact_rule rule; ///< without separation, from the proposed ends
     double end[3 * PROPOSAL_VERTICES];
-    double looked[3 * PROPOSAL_VERTICES];
 } proposal_step;
 
 /// Refers to the proposal, and to `s` itself; to be freed.
@@ -22,8 +21,8 @@ void proposal_step_free(proposal_step *s);
 /// All contacts from the start to the ends so far, lent by the surface.
 tf_contacts proposal_step_contacts(proposal_step *s);
 
-/// Whether a vertex has moved since contacts were last looked for, and how many
-/// have.
+/// Whether a vertex no longer ends where it was proposed to, and how many do
+/// not.
 bool proposal_step_has_moved(const proposal_step *s, int vertex);
 int proposal_step_changes(const proposal_step *s);
 

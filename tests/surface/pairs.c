@@ -41,14 +41,14 @@ static tf_contacts decide(tf_surface *surface, tf_contact_selection selection,
 {
     static tf_candidate pair[TF_BATCH];
     tf_motion motion = {SPECKS + 3, start, end};
-    tf_pair_job of = {.surface = surface,
-                      .motion = &motion,
-                      .arithmetic = &tf_exact,
-                      .narrow_phase = &tf_reference,
-                      .selection = selection,
-                      .kind = TF_POINT_TRIANGLE};
+    tf_pair_job job = {.surface = surface,
+                       .motion = &motion,
+                       .arithmetic = &tf_exact,
+                       .narrow_phase = &tf_reference,
+                       .selection = selection,
+                       .kind = TF_POINT_TRIANGLE};
     tf_contacts found = {0};
-    ck_assert(tf_pairs_begin(surface, NULL, &of));
+    ck_assert(tf_pairs_begin(surface, NULL, &job));
     tf_worker *worker = surface->workers.worker[0];
     bool more = true;
     for (int begin = 0; begin < count && more; begin += TF_BATCH) {
@@ -72,7 +72,7 @@ static void shuffle(generator *random, int count, int number[])
     }
 }
 
-START_TEST(rows_are_sorted_however_they_come)
+START_TEST(contacts_are_sorted_in_whatever_order_they_come)
 {
     static int speck[SPECKS];
     generator random = generator_new(100);
@@ -94,7 +94,7 @@ START_TEST(rows_are_sorted_however_they_come)
 }
 END_TEST
 
-START_TEST(the_first_and_any)
+START_TEST(the_first_contact_or_none_is_listed)
 {
     static int speck[SPECKS];
     generator random = generator_new(200);
@@ -111,7 +111,7 @@ START_TEST(the_first_and_any)
 }
 END_TEST
 
-START_TEST(effort_adds_up)
+START_TEST(statistics_add_up)
 {
     tf_detect_statistics all = {1, 2, 3, 4}, own = {10, 20, 30, 40};
     tf_detect_statistics_add(&all, &own);
@@ -141,9 +141,10 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("surface/pairs");
     TCase *tcase = tcase_create("specks and a triangle");
-    tcase_add_loop_test(tcase, rows_are_sorted_however_they_come, 0, 9);
-    tcase_add_test(tcase, the_first_and_any);
-    tcase_add_test(tcase, effort_adds_up);
+    tcase_add_loop_test(tcase, contacts_are_sorted_in_whatever_order_they_come,
+                        0, 9);
+    tcase_add_test(tcase, the_first_contact_or_none_is_listed);
+    tcase_add_test(tcase, statistics_add_up);
     tcase_add_test(tcase, steady_work_takes_no_more_memory);
     suite_add_tcase(suite, tcase);
     return suite;

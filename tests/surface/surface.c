@@ -4,8 +4,6 @@
 #include "support/support.h"
 #include "support/surface_of.h"
 #include "support/surfaces.h"
-#include "surface/detect.h"
-#include "surface/state.h"
 
 #include <limits.h>
 #include <signal.h>
@@ -50,6 +48,8 @@ START_TEST(elements_are_sorted_and_listed_once)
     static const int edges[] = {0, 2, 0, 4, 0, 5, 1, 2, 1,
                                 3, 2, 3, 2, 4, 3, 4, 5, 6};
     check_list(2, count, list, 9, edges);
+    ck_assert_int_eq(tf_surface_axes(surface), 3);
+    ck_assert_int_eq(tf_surface_vertices(surface), 7);
     ck_assert_uint_gt(tf_surface_memory(surface), 0);
     tf_surface_free(surface);
 }
@@ -96,42 +96,6 @@ START_TEST(edges_of_random_surfaces)
         check_list(2, count, list, list_edges(&given.mesh, expected), expected);
         tf_surface_free(surface);
     }
-}
-END_TEST
-
-// A surface takes other meshes in the same memory, also in another space.
-START_TEST(a_refilled_surface_is_like_a_new_one)
-{
-    static surface_case given;
-    generator random = generator_new(2);
-    random_surface(&random, 2, 1, ANYWHERE, &given);
-    tf_surface *refilled = surface_of(&given.mesh);
-    for (int i = 0; i < (int)cases(200); i++) {
-        random_surface(&random, 2 + below(&random, 2),
-                       1 + below(&random, SURFACE_ELEMENTS), ANYWHERE, &given);
-        ck_assert(tf_surface_refill(refilled, &given.mesh));
-        tf_surface *surface = surface_of(&given.mesh);
-        int count, same;
-        const int *list = tf_surface_edges(surface, &count);
-        const int *own = tf_surface_edges(refilled, &same);
-        check_list(2, same, own, count, list);
-        list = tf_surface_triangles(surface, &count);
-        own = tf_surface_triangles(refilled, &same);
-        check_list(3, same, own, count, list);
-        tf_contacts contacts, again;
-        ck_assert_int_eq(
-            tf_surface_detect(surface, &given.motion, NULL, &contacts, NULL),
-            TF_OK);
-        ck_assert_int_eq(
-            tf_surface_detect(refilled, &given.motion, NULL, &again, NULL),
-            TF_OK);
-        ck_assert_uint_eq(again.count, contacts.count);
-        if (again.count > 0)
-            ck_assert_mem_eq(again.contact, contacts.contact,
-                             again.count * sizeof *again.contact);
-        tf_surface_free(surface);
-    }
-    tf_surface_free(refilled);
 }
 END_TEST
 
@@ -215,7 +179,6 @@ Suite *suite(void)
     TCase *tcase = tcase_create("surface");
     tcase_add_test(tcase, elements_are_sorted_and_listed_once);
     tcase_add_test(tcase, edges_of_random_surfaces);
-    tcase_add_test(tcase, a_refilled_surface_is_like_a_new_one);
     tcase_add_test(tcase, bad_indices_are_named);
     tcase_add_test(tcase, repeated_vertices_are_named);
     tcase_add_test(tcase, a_surface_has_elements);

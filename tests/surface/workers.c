@@ -28,6 +28,7 @@ START_TEST(rows_stay_and_are_forgotten)
         for (int i = 0; i < 1000; i++) {
             tf_worker *own = workers.worker[i % 2];
             ck_assert_ptr_eq(own->job, &job);
+            ck_assert_int_eq(own->number, i % 2);
             ck_assert_int_eq(((int *)own->row.data)[i / 2], i + 1);
         }
     }

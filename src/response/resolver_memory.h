@@ -1,0 +1,16 @@
+//: Declare what a resolver holds
+#pragma once
+
+#include "response/failsafe.h"
+#include "response/rigid.h"
+#include "response/zones.h"
+#include "surface/pair_cache.h"
+
+typedef struct tf_resolver {
+    tf_surface *surface;
+    tf_pair_cache pairs;
+    tf_buffer end, base, ones, displacement; ///< of the vertices
+    tf_zones zones;
+    tf_rigid rigid;
+    tf_failsafe failsafe;
+} tf_resolver;

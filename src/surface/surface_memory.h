@@ -1,0 +1,35 @@
+//: Declare what a surface holds
+#pragma once
+
+#include "base/status.h"
+#include "surface/box.h"
+#include "surface/elements.h"
+#include "surface/mesh.h"
+#include "surface/tree.h"
+#include "surface/workers.h"
+
+typedef struct tf_surface {
+    int axes, vertices;
+    tf_elements edges, triangles;
+    tf_frame frame;  ///< of the boxes
+    tf_buffer boxes; ///< of the vertices
+    tf_tree vertex_tree, edge_tree, triangle_tree;
+    tf_tree_workspace tree_workspace;
+    tf_sort_workspace sort_workspace; ///< of the elements
+    tf_workers workers;
+    tf_buffer task_rows, task_places; ///< of the tasks that list candidates
+    tf_buffer found;   ///< what was found last, lent to the caller
+    tf_buffer sorting; ///< of these rows
+} tf_surface;
+
+/// Gives a surface another mesh, which is good, in memory that is kept; nothing
+/// of the last mesh is left.  False if there is no memory: then the surface
+/// needs another mesh before it is used.
+bool tf_surface_refill(tf_surface *surface, const tf_mesh *mesh);
+
+//: Declare how a surface moves
+/// Builds the trees for one step.  Returns TF_OK; TF_BAD_ENVIRONMENT;
+/// TF_BAD_COUNT if the motion has another number of vertices; TF_NOT_FINITE
+/// with the vertex in `flaw`; or TF_OUT_OF_MEMORY.
+tf_status tf_surface_move(tf_surface *surface, const tf_motion *motion,
+                          const tf_parallel *parallel, tf_flaw *flaw);

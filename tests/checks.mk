@@ -5,7 +5,7 @@
 
 ##@ Check
 
-check-manifest: ## compare book/chapters with src/ and tests/
+check-manifest: ## compare book/chapters, README.md, src/ and tests/
 	@sh tests/manifest.sh
 	@$(MAKE) help >/dev/null
 

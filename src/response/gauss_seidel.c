@@ -31,11 +31,11 @@ static double start(const tf_zone *zone, const tf_bodies *bodies)
     double violation = worst(zone, 0, zone->solved);
     for (int i = 0; i < zone->constraints; i++) {
         const tf_constraint *constraint = &zone->constraint[i];
-        double push[3];
-        for (int k = 0; k < 3; k++)
-            push[k] = constraint->impulse * constraint->normal[k] +
-                      constraint->friction[k];
-        tf_constraint_push(constraint, push, bodies);
+        tf_vector normal = tf_vector_at(constraint->normal, 0);
+        tf_vector friction = tf_vector_at(constraint->friction, 0);
+        tf_constraint_push(constraint,
+                           tf_vector_sum(friction, constraint->impulse, normal),
+                           bodies);
     }
     return fmax(violation, worst(zone, zone->solved, zone->constraints));
 }

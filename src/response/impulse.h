@@ -1,6 +1,7 @@
 //: Declare what a constraint sees and does
 #pragma once
 
+#include "geometry/vector.h"
 #include "response/constraint.h"
 
 /// The vertices that constraints push, in the numbering that the constraints
@@ -25,8 +26,8 @@ double tf_constraint_compliance(const tf_constraint *constraint,
 
 /// Applies an impulse to the vertices of a constraint, in proportion to their
 /// coefficients.
-void tf_constraint_push(const tf_constraint *constraint,
-                        const double impulse[3], const tf_bodies *bodies);
+void tf_constraint_push(const tf_constraint *constraint, tf_vector impulse,
+                        const tf_bodies *bodies);
 
 //: Declare the visit of a constraint
 /// Sets the impulse of a constraint to the least one, 0 or more, with which the

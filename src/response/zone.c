@@ -13,10 +13,9 @@ void tf_zone_push(const tf_zone *zone, const double impulse[],
     tf_bodies bodies = {zone->axes, zone->inverse_mass, displacement};
     for (int i = 0; i < zone->constraints; i++) {
         const tf_constraint *constraint = &zone->constraint[i];
-        double push[3];
-        for (int k = 0; k < 3; k++)
-            push[k] = impulse[i] * constraint->normal[k];
-        tf_constraint_push(constraint, push, &bodies);
+        tf_vector normal = tf_vector_at(constraint->normal, 0);
+        tf_constraint_push(constraint, tf_vector_scaled(impulse[i], normal),
+                           &bodies);
     }
 }
 

@@ -217,11 +217,10 @@ static bool pose(tf_zones *zones, const tf_step *step,
     zone->workspace = zones->workspace.data;
     for (int i = 0; i < zone->vertices; i++) {
         int v = d->vertex[i];
-        double own[3];
-        tf_step_displacement(step, v, rule->base + (ptrdiff_t)step->axes * v,
-                             own);
-        memcpy(zone->displacement + (ptrdiff_t)step->axes * i, own,
-               axes * sizeof *own);
+        tf_vector own = tf_step_displacement(
+            step, v, rule->base + (ptrdiff_t)step->axes * v);
+        memcpy(zone->displacement + (ptrdiff_t)step->axes * i, own.x,
+               axes * sizeof *own.x);
         inverse_mass[i] = step->inverse_mass[v];
         d->place[v] = -1;
     }
@@ -272,8 +271,8 @@ static void move_vertices(tf_step *step, const tf_contact_rule *rule,
         if (*mark != PUSHED)
             continue;
         *mark = -1;
-        tf_step_place(step, d->vertex[i], rule->base + place,
-                      zone->displacement + (ptrdiff_t)step->axes * i);
+        tf_step_move(step, d->vertex[i], rule->base + place,
+                     zone->displacement + (ptrdiff_t)step->axes * i);
     }
 }
 

@@ -1,6 +1,6 @@
 #include "check.h"
 
-#include "support/moved.h"
+#include "support/moved_simplices.h"
 #include "support/support.h"
 
 bool is_inside(const tf_event *p, const tf_event *far, int triangles,

@@ -16,7 +16,7 @@ static void draw(fig_page *page, FILE *numbers)
 
 const fig_figure fig_corner_past_triangle = {
     .name = "corner-past-triangle",
-    .title = "A tetrahedron whose corner passes beside the opposite triangle",
+    .title = "A tetrahedron's corner that passes the opposite triangle",
     .width = FIG_PAGE_WIDTH,
     .height = 160,
     .moves = true,

@@ -4,8 +4,9 @@
 #include "kit/figures.h"
 #include "kit/patches.h"
 
-#include "surgery/operations.h"
-#include "surgery/state.h"
+#include "surgery/adaptive_surface.h"
+#include "surgery/flip.h"
+#include "surgery/move.h"
 
 #include <stdio.h>
 

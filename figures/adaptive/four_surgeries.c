@@ -4,7 +4,10 @@
 #include "kit/figures.h"
 #include "kit/patches.h"
 
-#include "surgery/operations.h"
+#include "surgery/collapse.h"
+#include "surgery/flip.h"
+#include "surgery/move.h"
+#include "surgery/split.h"
 
 enum {
     SURGERIES = 4,

@@ -4,8 +4,8 @@
 #include "kit/figures.h"
 #include "kit/patches.h"
 
-#include "surgery/state.h"
-#include "topology/topology.h"
+#include "surgery/adaptive_surface.h"
+#include "topology/merge.h"
 #include "topology/winding.h"
 
 enum {
@@ -78,7 +78,7 @@ static int winding_of(const tf_adaptive_surface *surface)
         if (*v == TF_NONE || is_of_speck(v))
             continue;
         tf_facet facet = tf_facet_of(surface, v);
-        sum += tf_winding_part(facet.corner, tf_place(surface, SPECK));
+        sum += tf_winding_part(facet.corner, tf_coordinates(surface, SPECK));
     }
     return sum;
 }
@@ -98,7 +98,7 @@ static void draw_surface(fig_page *page, fig_box box,
     fig_scene *scene = fig_panel_scene(panel);
     tf_vector at[PLACES];
     for (int v = 0; v < PLACES; v++)
-        at[v] = fig_vector_of(tf_place(surface, v));
+        at[v] = fig_vector_of(tf_coordinates(surface, v));
     for (int t = 0; t < surface->triangles; t++) {
         const int *v = tf_triangle(surface, t);
         if (*v == TF_NONE)

@@ -4,8 +4,8 @@
 #include "kit/figures.h"
 #include "kit/patches.h"
 
-#include "surgery/state.h"
-#include "topology/topology.h"
+#include "surgery/adaptive_surface.h"
+#include "topology/merge.h"
 
 enum {
     CORNERS = 8,

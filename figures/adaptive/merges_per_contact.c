@@ -3,10 +3,13 @@
 #include "base/require.h"
 #include "kit/figures.h"
 
+#include "remesh/measure.h"
 #include "simulate/geodesic.h"
-#include "surgery/operations.h"
+#include "surgery/move.h"
+#include "topology/facing.h"
+#include "topology/merge.h"
+#include "topology/merge_pass.h"
 #include "topology/reconnector.h"
-#include "topology/topology.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -60,7 +63,7 @@ static void press(tf_adaptive_surface *surface)
     for (int v = 0; v < surface->vertices; v++) {
         double to[3];
         tf_outcome outcome;
-        memcpy(to, tf_place(surface, v), sizeof to);
+        memcpy(to, tf_coordinates(surface, v), sizeof to);
         to[2] += 2 * v < surface->vertices ? way : -way;
         TF_REQUIRE(tf_adaptive_move(surface, v, to, &outcome) == TF_OK);
     }
@@ -82,11 +85,11 @@ static double usual_edge(const tf_adaptive_surface *surface)
 static void merge_all(tf_reconnector *reconnector)
 {
     TF_REQUIRE(tf_list_facing(reconnector, reconnector->options.merge));
-    const tf_facing_edges *row = reconnector->row.data;
-    for (int i = 0; i < reconnector->rows; i++) {
+    const tf_facing_edges *pair = reconnector->candidate.data;
+    for (int i = 0; i < reconnector->candidates; i++) {
         tf_outcome outcome;
-        TF_REQUIRE(tf_adaptive_merge(reconnector->surface, row[i].first,
-                                     row[i].second, &outcome) == TF_OK);
+        TF_REQUIRE(tf_adaptive_merge(reconnector->surface, pair[i].first,
+                                     pair[i].second, &outcome) == TF_OK);
         tf_reconnector_count(reconnector, TF_MERGE, outcome, 0);
     }
 }
@@ -150,7 +153,7 @@ static result merge(const tf_adaptive_surface *before, bool once)
 static bool is_shown(const tf_adaptive_surface *surface, const int v[3])
 {
     for (int i = 0; i < 3; i++) {
-        const double *x = tf_place(surface, v[i]);
+        const double *x = tf_coordinates(surface, v[i]);
         if (2 * v[i] >= surface->vertices || x[2] < -0.8 ||
             hypot(x[0], x[1]) > reach)
             return false;
@@ -185,7 +188,7 @@ static void draw_contact(fig_page *page, int i,
         if (!is_shown(surface, v))
             continue;
         for (int k = 0; k < 3; k++) {
-            const double *x = tf_place(surface, v[k]);
+            const double *x = tf_coordinates(surface, v[k]);
             corner[k] = (tf_vector){{x[0], x[1], 0}};
         }
         fig_scene_triangle(fig_panel_scene(panel), corner, FIG_WIDTH_HAIR,
@@ -218,7 +221,7 @@ static void draw(fig_page *page, FILE *numbers)
 
 const fig_figure fig_merges_per_contact = {
     .name = "merges-per-contact",
-    .title = "Merges wherever two balls are near, and one for each contact",
+    .title = "Merges where two balls are near, and one for each contact",
     .width = FIG_PAGE_WIDTH,
     .height = 204,
     .draw = draw,

@@ -6,7 +6,7 @@
 #include "kit/patches.h"
 
 #include "topology/component.h"
-#include "topology/topology.h"
+#include "topology/pinch.h"
 
 #include <math.h>
 
@@ -74,13 +74,13 @@ static void make_triangles(int triangle[TRIANGLES][3])
 
 static int count_parts(const tf_adaptive_surface *surface)
 {
-    tf_parts parts = {0};
+    tf_components parts = {0};
     int count = 0;
-    TF_REQUIRE(tf_parts_begin(&parts, surface));
+    TF_REQUIRE(tf_components_begin(&parts, surface));
     for (int t = 0; t < surface->triangles; t++)
         if (tf_is_triangle(surface, t))
-            count += tf_parts_add(&parts, surface, t) > 0;
-    tf_parts_free(&parts);
+            count += tf_components_add(&parts, surface, t) > 0;
+    tf_components_free(&parts);
     return count;
 }
 

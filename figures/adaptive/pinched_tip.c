@@ -3,7 +3,7 @@
 #include "kit/figures.h"
 #include "kit/patches.h"
 
-#include "topology/topology.h"
+#include "topology/pinch.h"
 
 #include <math.h>
 

@@ -6,7 +6,7 @@
 
 #include "remesh/measure.h"
 #include "remesh/original.h"
-#include "surgery/operations.h"
+#include "surgery/move.h"
 
 #include "renderer/plot.h"
 

@@ -6,7 +6,8 @@
 #include "flow/butterfly.h"
 #include "flow/patch.h"
 #include "renderer/plot.h"
-#include "surgery/operations.h"
+#include "surgery/move.h"
+#include "surgery/split.h"
 #include "surgery/star.h"
 
 #include <math.h>

@@ -4,7 +4,7 @@
 #include "kit/figures.h"
 #include "kit/patches.h"
 
-#include "surgery/operations.h"
+#include "surgery/move.h"
 
 enum {
     SHOWN = 3,

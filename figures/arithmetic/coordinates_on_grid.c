@@ -62,7 +62,7 @@ static void draw(fig_page *page, FILE *numbers)
 
 const fig_figure fig_coordinates_on_grid = {
     .name = "coordinates-on-grid",
-    .title = "Coordinates on one grid, bit by bit, and one that is not on it",
+    .title = "Coordinates on one grid, bit by bit, and one beside it",
     .width = FIG_PAGE_WIDTH,
     .height = 112,
     .draw = draw,

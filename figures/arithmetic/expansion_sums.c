@@ -189,7 +189,7 @@ static void draw(fig_page *page, FILE *numbers)
 
 const fig_figure fig_expansion_sums = {
     .name = "expansion-sums",
-    .title = "Two sums of expansions, term by term, in numbers of four bits",
+    .title = "Two sums of expansions, term by term, in four bits",
     .width = FIG_PAGE_WIDTH,
     .height = 192,
     .draw = draw,

@@ -139,7 +139,7 @@ static void draw(fig_page *page, FILE *numbers)
 
 const fig_figure fig_expansion_terms = {
     .name = "expansion-terms",
-    .title = "The terms of a determinant's expansion on the exponent axis",
+    .title = "The terms of a determinant's expansion, by exponent",
     .width = FIG_PAGE_WIDTH,
     .height = 136,
     .draw = draw,

@@ -251,9 +251,7 @@ static void set_frame(work *w, int i)
 
 tf_progress fig_progress_begin(void)
 {
-    tf_progress progress = tf_progress_begin();
-    progress.wanted = isatty(STDERR_FILENO);
-    return progress;
+    return tf_progress_begin(true);
 }
 
 void fig_progress_show(tf_progress *progress, int done, int count,

@@ -106,6 +106,6 @@ int fig_draw_list(int argc, char *argv[])
     };
     argp_parse(&parser, argc, argv, 0, NULL, NULL);
     for (int i = 0; fig_figures[i]; i++)
-        printf("%-18s %s\n", fig_figures[i]->name, fig_figures[i]->title);
+        printf("%-21s %s\n", fig_figures[i]->name, fig_figures[i]->title);
     return 0;
 }

@@ -174,7 +174,7 @@ static bool read_frames(film *f, const request *asked, int count)
     if (good && !end(f))
         good = lack_memory(f);
     if (!good)
-        tf_mesh_file_print_fault(tf_frames_file(&f->frames), "tanglefree-draw");
+        tf_fault_print(&f->frames.fault, "tanglefree-draw");
     return good;
 }
 

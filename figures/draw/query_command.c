@@ -2,10 +2,10 @@
 #include "draw/commands.h"
 #include "draw/query_picture.h"
 
+#include "arithmetic/exact.h"
 #include "base/require.h"
 #include "base/status.h"
 #include "files/visible.h"
-#include "program/arithmetics.h"
 
 #include <errno.h>
 #include <limits.h>
@@ -33,7 +33,8 @@ enum {
 
 static const struct argp_option options[] = {
     {"kind", 'k', "KIND", 0,
-     "Which elements: " TF_QUERY_KIND_NAMES " (vertex-face is point-triangle)",
+     "Which elements: point-edge, point-triangle, edge-edge or vertex-face "
+     "(which is point-triangle)",
      0},
     {"at", TIME, "T", 0,
      "Draw the elements at this time of the step, from 0 to 1, in place of "
@@ -127,9 +128,10 @@ static error_t understand(int key, char *text, struct argp_state *state)
         state->child_inputs[0] = &asked->settings;
         return 0;
     case 'k':
-        asked->kind = tf_query_kind_named(text);
+        asked->kind = tf_choice_named(tf_query_kinds, text);
         if (!asked->kind)
-            argp_error(state, "unknown kind '%s'; choose " TF_QUERY_KIND_NAMES,
+            argp_error(state, "--kind must be %s, got '%s'",
+                       tf_list_choices(tf_query_kinds).text,
                        tf_make_visible(text).text);
         return 0;
     case TIME:
@@ -149,8 +151,7 @@ static error_t understand(int key, char *text, struct argp_state *state)
         return 0;
     case ARGP_KEY_END:
         if (!asked->kind)
-            argp_error(state,
-                       "--kind is required; choose " TF_QUERY_KIND_NAMES);
+            argp_error(state, "--kind KIND is required: which elements");
         return 0;
     default:
         return ARGP_ERR_UNKNOWN;
@@ -166,14 +167,14 @@ static bool read_query(tf_query_file *file, const request *asked,
     for (;;) {
         tf_reading reading = tf_query_file_next(file, query);
         if (reading == TF_READ_END)
-            return tf_text_lines_fault(&file->lines, 0,
-                                       "there is no query %ld; the file has "
-                                       "%ld, numbered from 0 to %ld",
-                                       asked->number, file->queries,
-                                       file->queries - 1);
+            return tf_fault_set(
+                file->lines.text.fault, file->lines.text.name, -1,
+                "there is no query %ld; the file has %zu, "
+                "numbered from 0 to %zu",
+                asked->number, file->queries, file->queries - 1);
         if (reading == TF_READ_FAULT)
             return false;
-        if (file->queries > asked->number)
+        if (file->queries > (size_t)asked->number)
             return true;
     }
 }
@@ -181,10 +182,11 @@ static bool read_query(tf_query_file *file, const request *asked,
 static bool read_file(const request *asked, tf_query_rows *query)
 {
     tf_query_file file;
-    bool good = tf_query_file_open(&file, asked->path, asked->kind, 0) &&
-                read_query(&file, asked, query);
-    if (!good)
-        tf_text_lines_print_fault(&file.lines, "tanglefree-draw");
+    tf_fault fault = {0};
+    bool good =
+        tf_query_file_open(&file, asked->path, asked->kind, 0, &fault) &&
+        read_query(&file, asked, query);
+    tf_fault_print(&fault, "tanglefree-draw");
     tf_query_file_close(&file);
     return good;
 }
@@ -205,9 +207,9 @@ static void answer(fig_answered *answered)
 {
     const tf_query_kind *kind = answered->kind;
     const tf_worldline *first = answered->vertex;
-    tf_status status = tf_query(tf_arithmetic_named("exact"), kind->axes,
-                                kind->vertices[0], first, kind->vertices[1],
-                                first + kind->vertices[0], &answered->contact);
+    tf_status status = tf_query(&tf_exact, kind->axes, kind->vertices[0], first,
+                                kind->vertices[1], first + kind->vertices[0],
+                                &answered->contact);
     // Read from a file, all coordinates are finite.
     TF_REQUIRE(status == TF_OK);
 }

@@ -205,7 +205,7 @@ static int draw(const request *asked, fig_shown_surface *shown)
         fig_drawing drawing = fig_surface_drawing(shown);
         status = fig_drawing_make(&drawing, &asked->settings);
     } else {
-        tf_mesh_file_print_fault(tf_frames_file(&frames), "tanglefree-draw");
+        tf_fault_print(&frames.fault, "tanglefree-draw");
     }
     fig_marks_free(&shown->marks);
     fig_shape_free(&shown->shape);

@@ -42,9 +42,9 @@ bool __wrap_tf_tetrahedron_holds(const tf_tetrahedron *tetrahedron,
 
 // E: does an edge meet a tetrahedron?
 bool __real_tf_tetrahedron_meets(const tf_tetrahedron *tetrahedron,
-                                 const tf_thread *edge);
+                                 const tf_located_edge *edge);
 bool __wrap_tf_tetrahedron_meets(const tf_tetrahedron *tetrahedron,
-                                 const tf_thread *edge)
+                                 const tf_located_edge *edge)
 {
     return !is_left_out(TF_PASSED_EDGE) &&
            __real_tf_tetrahedron_meets(tetrahedron, edge);

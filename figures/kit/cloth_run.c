@@ -1,6 +1,7 @@
 #include "kit/cloth_run.h"
 
 #include "base/require.h"
+#include "simulate/cloth_scenes.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -9,63 +10,65 @@
 
 /// A step that isn't resolved, or not as the scene would have it.
 static tf_response_report make_simple_step(const fig_cloth_plan *plan,
-                                           tf_simulation *s)
+                                           tf_cloth_simulation *s)
 {
-    tf_response_options options = {.friction = s->scene->friction};
+    tf_response_options options = {.friction = s->base.scene->friction};
     if (plan->chosen)
         options = (tf_response_options){.friction = plan->friction,
                                         .separation = plan->separation};
     tf_response_report report = {0};
-    TF_REQUIRE(tf_simulation_propose(s) == TF_OK);
+    TF_REQUIRE(tf_cloth_propose(s) == TF_OK);
     if (!plan->unresolved)
-        TF_REQUIRE(tf_step_resolve(s->resolver, s->stage.body.vertices,
+        TF_REQUIRE(tf_step_resolve(s->resolver, s->base.stage.body.vertices,
                                    s->position, s->end, s->inverse_mass,
                                    &options, &report, NULL) == TF_OK);
-    tf_simulation_accept(s, report.held);
+    tf_cloth_accept(s, report.held);
     return report;
 }
 
 static tf_response_report make_step(const fig_cloth_plan *plan,
-                                    tf_simulation *s)
+                                    tf_cloth_simulation *s)
 {
-    const tf_step_way way = {.check = s->step == 0};
-    tf_step_cost cost;
+    const tf_step_options options = {.check = s->base.step == 0};
     if (plan->unresolved || plan->chosen)
         return make_simple_step(plan, s);
-    TF_REQUIRE(tf_simulation_step(s, &way, &cost) == TF_OK);
-    return cost.report;
+    TF_REQUIRE(tf_cloth_kind.step(&s->base, &options) == TF_OK);
+    return s->report.response;
 }
 
-static int count_crossings(const tf_simulation *s)
+static int count_crossings(const tf_cloth_simulation *s)
 {
     tf_crossings found;
-    TF_REQUIRE(tf_surface_check(s->surface, s->position, s->stage.body.vertices,
-                                NULL, &found, NULL) == TF_OK);
+    TF_REQUIRE(tf_surface_check(s->surface, s->position,
+                                s->base.stage.body.vertices, NULL, &found,
+                                NULL) == TF_OK);
     return (int)found.count;
 }
 
 static void note(fig_cloth_run *run, const fig_cloth_plan *plan, int i)
 {
-    const tf_simulation *s = run->simulation;
+    const tf_cloth_simulation *s = run->simulation;
     fig_cloth_step *step = &run->step[i];
     size_t numbers = (size_t)run->axes * (size_t)run->vertices;
     memcpy(run->x + numbers * (size_t)i, s->position, sizeof(double) * numbers);
     step->crossings =
         plan->check > 0 && i % plan->check == 0 ? count_crossings(s) : 0;
-    step->stretch = tf_body_stretch(&s->stage.body, s->position);
-    step->kinetic = tf_body_kinetic_energy(&s->stage.body, s->velocity);
-    step->elastic = tf_body_elastic_energy(&s->stage.body, s->position);
+    step->stretch = tf_body_stretch(&s->base.stage.body, s->position);
+    step->kinetic = tf_body_kinetic_energy(&s->base.stage.body, s->velocity);
+    step->elastic = tf_body_elastic_energy(&s->base.stage.body, s->position);
 }
 
 static void begin(fig_cloth_run *run, const fig_cloth_plan *plan)
 {
-    const tf_scene *scene = tf_scene_named(plan->scene);
-    TF_REQUIRE(scene && tf_simulation_create(scene, plan->size,
-                                             &run->simulation) == TF_OK);
+    const tf_scene *scene = tf_scene_named(tf_cloth_scenes, plan->scene);
+    tf_simulation *made;
+    TF_REQUIRE(scene &&
+               tf_simulation_create(scene, plan->size, &made) == TF_OK);
+    run->simulation = (tf_cloth_simulation *)made;
     size_t frames = (size_t)plan->steps + 1;
     run->steps = plan->steps;
-    run->axes = run->simulation->stage.body.axes;
-    run->vertices = run->simulation->stage.body.vertices;
+    run->axes = run->simulation->base.stage.body.axes;
+    run->vertices = run->simulation->base.stage.body.vertices;
     run->x =
         malloc(sizeof(double) * (size_t)(run->axes * run->vertices) * frames);
     run->step = calloc(frames, sizeof *run->step);

@@ -3,7 +3,7 @@
 #define FIG_CLOTH_RUN_H
 
 #include "kit/cloth.h"
-#include "simulate/simulation.h"
+#include "simulate/cloth_simulation.h"
 
 /// What is to be run.
 typedef struct fig_cloth_plan {
@@ -24,7 +24,7 @@ typedef struct fig_cloth_step {
 
 /// A scene after it was run.
 typedef struct fig_cloth_run {
-    tf_simulation *simulation; ///< after the last step
+    tf_cloth_simulation *simulation; ///< after the last step
     int steps, axes, vertices;
     double *x;            ///< positions after 0 and more steps
     fig_cloth_step *step; ///< after 0 and more steps

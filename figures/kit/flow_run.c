@@ -1,38 +1,27 @@
 #include "kit/flow_run.h"
 
 #include "base/require.h"
+#include "simulate/flow_scenes.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 // Running ----------------------------------------------------------------
 
-static tf_adaptive_surface *begin(const tf_flow_scene *scene, double edge)
+static void make_step(const fig_flow_plan *plan, tf_flow_simulation *flow,
+                      fig_flow_run *run)
 {
-    tf_body body = {.axes = 3};
-    scene->build(&body, edge);
-    tf_mesh mesh = tf_body_mesh(&body);
-    tf_adaptive_surface *surface = NULL;
-    TF_REQUIRE(!body.failed && tf_adaptive_create(&mesh, body.position,
-                                                  &surface, NULL) == TF_OK);
-    tf_body_free(&body);
-    return surface;
-}
-
-static void make_step(const fig_flow_plan *plan, const tf_flow_scene *scene,
-                      tf_adaptive_surface *surface, int step, fig_flow_run *run)
-{
-    const tf_flow_options options = {.edge = plan->edge,
-                                     .velocity = scene->velocity,
-                                     .careless = plan->careless,
-                                     .keep_topology = scene->keep_topology ||
-                                                      plan->keep_topology};
+    const tf_scene *scene = flow->base.scene;
+    tf_flow_options options = tf_flow_options_of(scene, plan->edge);
+    options.careless = plan->careless;
+    options.keep_topology |= plan->keep_topology;
     tf_flow_report report;
-    TF_REQUIRE(tf_adaptive_flow(surface, &options, (step - 1) * scene->step,
+    TF_REQUIRE(tf_adaptive_flow(flow->surface, &options, flow->base.time,
                                 scene->step, &report) == TF_OK);
+    tf_simulation_go_to(&flow->base, flow->base.step + 1);
     for (int i = 0; i < TF_RECONNECTIONS; i++)
         if (run->first[i] == 0 && report.reconnected.tried[i][TF_COMMITTED] > 0)
-            run->first[i] = step;
+            run->first[i] = flow->base.step;
 }
 
 /// After a step a surface has no gaps.
@@ -49,20 +38,22 @@ static void keep_frame(const tf_adaptive_surface *surface, fig_flow_run *run)
 
 fig_flow_run *fig_flow_run_new(const fig_flow_plan *plan)
 {
-    const tf_flow_scene *scene = tf_flow_scene_named(plan->scene);
+    const tf_scene *scene = tf_scene_named(tf_flow_scenes, plan->scene);
     fig_flow_run *run = calloc(1, sizeof *run);
-    TF_REQUIRE(scene && run);
+    tf_simulation *s;
+    TF_REQUIRE(scene && run &&
+               tf_simulation_create(scene, plan->edge, &s) == TF_OK);
+    tf_flow_simulation *flow = (tf_flow_simulation *)s;
     int frames = plan->steps / plan->every + 1;
     run->frame = calloc((size_t)frames, sizeof *run->frame);
     TF_REQUIRE(run->frame);
-    tf_adaptive_surface *surface = begin(scene, plan->edge);
-    keep_frame(surface, run);
-    for (int step = 1; step <= plan->steps; step++) {
-        make_step(plan, scene, surface, step, run);
-        if (step % plan->every == 0)
-            keep_frame(surface, run);
+    keep_frame(flow->surface, run);
+    while (s->step < plan->steps) {
+        make_step(plan, flow, run);
+        if (s->step % plan->every == 0)
+            keep_frame(flow->surface, run);
     }
-    tf_adaptive_free(surface);
+    tf_simulation_free(s);
     return run;
 }
 

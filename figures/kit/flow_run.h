@@ -3,8 +3,7 @@
 #define FIG_FLOW_RUN_H
 
 #include "kit/cloth.h"
-#include "simulate/flow_measures.h"
-#include "simulate/flow_scene.h"
+#include "simulate/flow_simulation.h"
 
 /// What is to be run.
 typedef struct fig_flow_plan {

@@ -1,5 +1,5 @@
-// The layers of src/, their modules, and how many includes go down from one to
-// another.
+// The layers of src/, their public modules, and how many includes go down from
+// one to another.
 #include "base/require.h"
 #include "kit/figures.h"
 
@@ -30,11 +30,12 @@ typedef struct layout {
     int count;
     module modules[MODULES_MOST];
     fig_box band[ROWS]; ///< of each layer
+    fig_box rest[ROWS]; ///< where the number of its other modules is
 } layout;
 
-static const double key_height = 20, band_left = 58, band_pad = 3;
+static const double key_height = 20, band_left = 60, band_pad = 3;
 static const double chip_height = 12, chip_pad = 2, chip_gap = 2;
-static const double lane_pitch = 13, lane_right = 17, dot_area = 4;
+static const double lane_pitch = 15.5, lane_right = 17, dot_area = 2.5;
 
 // The table ------------------------------------------------------------------
 
@@ -86,16 +87,13 @@ static void add_module(layout *plan, const char *path)
         .path = path, .layer = layer_of(path), .is_public = includes_api(path)};
 }
 
-/// Public ones first, otherwise by name.
 static int compare_modules(const void *a, const void *b)
 {
     const module *first = a, *second = b;
-    if (first->is_public != second->is_public)
-        return first->is_public ? -1 : 1;
     return strcmp(first->path, second->path);
 }
 
-/// All modules, as they are shown.
+/// All modules, by name.
 static void find_modules(layout *plan)
 {
     for (int i = layer_count(); i < ROWS; i++) {
@@ -104,6 +102,16 @@ static void find_modules(layout *plan)
     }
     qsort(plan->modules, (size_t)plan->count, sizeof *plan->modules,
           compare_modules);
+}
+
+/// How many modules of a layer are public, or are not.
+static int count_modules(const layout *plan, int layer, bool is_public)
+{
+    int count = 0;
+    for (int i = 0; i < plan->count; i++)
+        count += plan->modules[i].layer == layer &&
+                 plan->modules[i].is_public == is_public;
+    return count;
 }
 
 // Chips ----------------------------------------------------------------------
@@ -120,26 +128,26 @@ static fig_box chip_at(fig_page *page, double x, double y, const char *name)
     return (fig_box){x, y, width + 2 * chip_pad, chip_height};
 }
 
-/// Public ones are full.
-static void draw_chip(fig_page *page, fig_box box, const char *name,
-                      bool is_public)
+static void write_in(fig_page *page, fig_box box, const char *text,
+                     fig_role role)
 {
-    fig_point corner[4] = {{box.x, box.y},
-                           {box.x + box.width, box.y},
-                           {box.x + box.width, box.y + box.height},
-                           {box.x, box.y + box.height}};
-    fig_page_fill_box(
-        page, box,
-        (fig_paint){.role = is_public ? FIG_ROLE_INK : FIG_ROLE_PAPER,
-                    .shade = is_public ? -0.15 : 0});
-    if (!is_public)
-        fig_page_line(page, 4, corner,
-                      (fig_stroke){.paint.role = FIG_ROLE_NEUTRAL,
-                                   .width = FIG_WIDTH_HAIR,
-                                   .closed = true});
     fig_page_text(page, box.x + box.width / 2, box.y + 9, FIG_ALIGN_CENTER,
-                  name, FIG_LETTERS_SMALL,
-                  is_public ? FIG_ROLE_PAPER : FIG_ROLE_INK);
+                  text, FIG_LETTERS_SMALL, role);
+}
+
+static void draw_chip(fig_page *page, fig_box box, const char *name)
+{
+    fig_page_fill_box(page, box,
+                      (fig_paint){.role = FIG_ROLE_INK, .shade = -0.15});
+    write_in(page, box, name, FIG_ROLE_PAPER);
+}
+
+/// Of the modules that are not public, their number alone.
+static const char *rest_of(const layout *plan, int layer, char text[24])
+{
+    int count = count_modules(plan, layer, false);
+    snprintf(text, 24, "%d internal", count);
+    return text;
 }
 
 /// Where the lane goes down to a layer: the lower the layer, the farther right.
@@ -148,23 +156,31 @@ static double lane_of(const fig_page *page, int to)
     return fig_page_width(page) - lane_right - lane_pitch * to;
 }
 
+/// Place a chip to the right of another one, or below it at the left.
+static fig_box chip_after(fig_page *page, fig_box last, const char *name,
+                          double right)
+{
+    fig_box box = chip_at(page, last.x + last.width + chip_gap, last.y, name);
+    if (box.x + box.width <= right)
+        return box;
+    return chip_at(page, band_left, last.y + chip_height + chip_gap, name);
+}
+
 /// Place the chips of a layer in rows from the height y on; the height below.
 static double place_chips(fig_page *page, layout *plan, int layer, double right,
                           double y)
 {
-    double x = band_left;
+    char text[24];
+    fig_box last = {.x = band_left - chip_gap, .y = y};
     for (int i = 0; i < plan->count; i++) {
         module *m = &plan->modules[i];
-        if (m->layer != layer)
-            continue;
-        m->box = chip_at(page, x, y, name_of(m));
-        if (m->box.x + m->box.width > right) {
-            m->box.x = band_left;
-            m->box.y = y += chip_height + chip_gap;
-        }
-        x = m->box.x + m->box.width + chip_gap;
+        if (m->layer == layer && m->is_public)
+            last = m->box = chip_after(page, last, name_of(m), right);
     }
-    return y + chip_height;
+    if (count_modules(plan, layer, false) > 0)
+        last = plan->rest[layer] =
+            chip_after(page, last, rest_of(plan, layer, text), right);
+    return last.y + chip_height;
 }
 
 /// Place them left of the lanes, in rows about equally long: as narrow as they
@@ -244,9 +260,7 @@ static void draw_lane(fig_page *page, const fig_box band[], int to)
 static void draw_key(fig_page *page)
 {
     fig_box box = chip_at(page, band_left, 1, "in tanglefree.h");
-    draw_chip(page, box, "in tanglefree.h", true);
-    box = chip_at(page, box.x + box.width + chip_gap, 1, "internal");
-    draw_chip(page, box, "internal", false);
+    draw_chip(page, box, "in tanglefree.h");
     double width, height;
     fig_page_measure(page, "includes", FIG_LETTERS_SMALL, &width, &height);
     double right = fig_page_width(page) - 2;
@@ -256,17 +270,11 @@ static void draw_key(fig_page *page)
                   FIG_LETTERS_SMALL, FIG_ROLE_INK);
 }
 
-static int count_public(const layout *plan)
-{
-    int count = 0;
-    for (int i = 0; i < plan->count; i++)
-        count += plan->modules[i].is_public;
-    return count;
-}
-
 static void print_numbers(FILE *numbers, const layout *plan)
 {
-    int down = 0, within = 0, up = 0;
+    int down = 0, within = 0, up = 0, public = 0;
+    for (int i = 0; i < layer_count(); i++)
+    public += count_modules(plan, i, true);
     for (int i = layer_count(); i < ROWS; i++) {
         int from = layer_of(table[i].from), to = layer_of(table[i].to);
         down += from > to;
@@ -275,7 +283,7 @@ static void print_numbers(FILE *numbers, const layout *plan)
     }
     fig_number(numbers, "layers", layer_count());
     fig_number(numbers, "modules", plan->count);
-    fig_number(numbers, "public", count_public(plan));
+    fig_number(numbers, "public", public);
     fig_number(numbers, "includes", ROWS - layer_count());
     fig_number(numbers, "down", down);
     fig_number(numbers, "within", within);
@@ -288,17 +296,30 @@ static void print_layers(FILE *numbers, const layout *plan)
 {
     char key[80];
     for (int from = 0; from < layer_count(); from++) {
-        int count = 0;
-        for (int i = 0; i < plan->count; i++)
-            count += plan->modules[i].layer == from;
         snprintf(key, sizeof key, "%s_modules", table[from].from);
-        fig_number(numbers, key, count);
+        fig_number(numbers, key,
+                   count_modules(plan, from, true) +
+                       count_modules(plan, from, false));
         for (int to = 0; to < from; to++) {
             snprintf(key, sizeof key, "%s_%s", table[from].from,
                      table[to].from);
             fig_number(numbers, key, includes_between(from, to));
         }
     }
+}
+
+static void draw_layer(fig_page *page, const layout *plan, int layer)
+{
+    char text[24];
+    draw_band(page, &plan->band[layer], table[layer].from);
+    for (int i = 0; i < plan->count; i++) {
+        const module *m = &plan->modules[i];
+        if (m->layer == layer && m->is_public)
+            draw_chip(page, m->box, name_of(m));
+    }
+    if (count_modules(plan, layer, false) > 0)
+        write_in(page, plan->rest[layer], rest_of(plan, layer, text),
+                 FIG_ROLE_INK);
 }
 
 static void draw(fig_page *page, FILE *numbers)
@@ -308,10 +329,7 @@ static void draw(fig_page *page, FILE *numbers)
     place_bands(page, &plan);
     draw_key(page);
     for (int i = 0; i < layer_count(); i++)
-        draw_band(page, &plan.band[i], table[i].from);
-    for (int i = 0; i < plan.count; i++)
-        draw_chip(page, plan.modules[i].box, name_of(&plan.modules[i]),
-                  plan.modules[i].is_public);
+        draw_layer(page, &plan, i);
     for (int to = 0; to < layer_count() - 1; to++)
         draw_lane(page, plan.band, to);
     print_numbers(numbers, &plan);
@@ -322,6 +340,6 @@ const fig_figure fig_layers = {
     .name = "layers",
     .title = "The layers of the library and what includes what",
     .width = FIG_PAGE_WIDTH,
-    .height = 1020,
+    .height = 440,
     .draw = draw,
 };

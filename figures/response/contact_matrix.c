@@ -129,7 +129,7 @@ static void draw(fig_page *page, FILE *numbers)
 
 const fig_figure fig_contact_matrix = {
     .name = "contact-matrix",
-    .title = "Edges that fall onto a floor, and the matrix of their contacts",
+    .title = "Edges that fall on a floor, and the matrix of contacts",
     .width = FIG_PAGE_WIDTH,
     .height = 212,
     .draw = draw,

@@ -14,7 +14,7 @@ static void draw(fig_page *page, FILE *numbers)
 
 const fig_figure fig_fallen_cloth = {
     .name = "fallen-cloth",
-    .title = "Cloth that has fallen on a ball, and five sheets on a column",
+    .title = "Cloth fallen on a ball, and five sheets on a column",
     .width = FIG_PAGE_WIDTH,
     .height = 190,
     .draw = draw,

@@ -153,7 +153,7 @@ static void draw(fig_page *page, FILE *numbers)
 
 const fig_figure fig_kept_rows = {
     .name = "kept-rows",
-    .title = "Beads on a wire: one contact at a time, and rows that are kept",
+    .title = "Beads on a wire: contacts one at a time, and rows kept",
     .width = FIG_PAGE_WIDTH,
     .height = 218,
     .draw = draw,

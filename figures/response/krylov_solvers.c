@@ -342,8 +342,7 @@ static void draw(fig_page *page, FILE *numbers)
 
 const fig_figure fig_krylov_solvers = {
     .name = "krylov-solvers",
-    .title =
-        "Iterations that solve the equations of a zone with copies of rows",
+    .title = "Krylov solvers of a zone's equations, with copies of rows",
     .width = FIG_PAGE_WIDTH,
     .height = 228,
     .draw = draw,

@@ -172,7 +172,7 @@ static void draw(fig_page *page, FILE *numbers)
 
 const fig_figure fig_rising_plank = {
     .name = "rising-plank",
-    .title = "A plank that rises to a fly, and two ways to push them apart",
+    .title = "A plank that rises to a fly, and two ways to part them",
     .width = FIG_PAGE_WIDTH,
     .height = 166,
     .moves = true,

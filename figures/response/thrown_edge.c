@@ -156,7 +156,7 @@ static void draw(fig_page *page, FILE *numbers)
 
 const fig_figure fig_thrown_edge = {
     .name = "thrown-edge",
-    .title = "An edge that each round of the failsafe throws to its other side",
+    .title = "An edge that each round of the failsafe throws across",
     .width = FIG_PAGE_WIDTH,
     .height = 246,
     .draw = draw,

@@ -121,7 +121,7 @@ static void draw(fig_page *page, FILE *numbers)
 
 const fig_figure fig_advancement_steps = {
     .name = "advancement-steps",
-    .title = "Steps and error of conservative advancement by its threshold",
+    .title = "Conservative advancement: steps and error by threshold",
     .width = FIG_PAGE_WIDTH,
     .height = 190,
     .draw = draw,

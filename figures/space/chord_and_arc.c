@@ -151,7 +151,7 @@ static void draw(fig_page *page, FILE *numbers)
 
 const fig_figure fig_chord_and_arc = {
     .name = "chord-and-arc",
-    .title = "A bar that turns, and one whose ends move in straight lines",
+    .title = "A bar that turns, and one whose ends move straight",
     .width = FIG_PAGE_WIDTH,
     .height = 178,
     .draw = draw,

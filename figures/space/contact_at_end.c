@@ -183,7 +183,7 @@ static void draw(fig_page *page, FILE *numbers)
 
 const fig_figure fig_contact_at_end = {
     .name = "contact-at-end",
-    .title = "Two simplices that first touch at the end, and an idle event",
+    .title = "Two simplices that first touch at t = 1, and an idle event",
     .width = FIG_PAGE_WIDTH,
     .height = 220,
     .draw = draw,

@@ -167,7 +167,7 @@ static void draw(fig_page *page, FILE *numbers)
 
 const fig_figure fig_contact_parity = {
     .name = "contact-parity",
-    .title = "How many contacts a step has, and with the crossings at its ends",
+    .title = "Contacts of a step, alone and with crossings at its ends",
     .width = FIG_PAGE_WIDTH,
     .height = 180,
     .draw = draw,

@@ -311,7 +311,7 @@ static void draw(fig_page *page, FILE *numbers)
 
 const fig_figure fig_crease_crossing = {
     .name = "crease-crossing",
-    .title = "Bent triangles that cross at their creases without a contact",
+    .title = "Bent triangles that cross at creases without a contact",
     .width = FIG_PAGE_WIDTH,
     .height = 300,
     .moves = true,

@@ -5,8 +5,8 @@
 #include "arithmetic/exact.h"
 #include "base/require.h"
 #include "kit/random.h"
+#include "linear/linear_pair.h"
 #include "linear/quadratic.h"
-#include "linear/straight.h"
 #include "query/point_edge.h"
 #include "renderer/plot.h"
 
@@ -84,12 +84,12 @@ static double far_coordinate(const scene *s, int edge)
         tf_quadratic_point_edge(&(tf_tolerances){.barycentric = 1e-6}, &motion,
                                 0, edges[edge], &contact);
     TF_REQUIRE(status == TF_OK && contact.verdict == TF_HIT);
-    tf_straight elements;
-    tf_vector x[TF_STRAIGHT_VERTICES];
-    double weight[TF_STRAIGHT_VERTICES];
-    status = tf_straight_take(2, &motion, 1, (const int[]){0}, 2, edges[edge],
-                              &elements);
-    tf_straight_positions(&elements, contact.toi_lo, x);
+    tf_linear_pair elements;
+    tf_vector x[TF_LINEAR_PAIR_VERTICES];
+    double weight[TF_LINEAR_PAIR_VERTICES];
+    status = tf_linear_pair_take(2, &motion, 1, (const int[]){0}, 2,
+                                 edges[edge], &elements);
+    tf_linear_pair_positions(&elements, contact.toi_lo, x);
     TF_REQUIRE(status == TF_OK && tf_crossing_weights(1, 2, x, weight));
     return weight[2];
 }

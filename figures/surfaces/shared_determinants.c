@@ -265,7 +265,7 @@ static void draw(fig_page *page, FILE *numbers)
 
 const fig_figure fig_shared_determinants = {
     .name = "shared-determinants",
-    .title = "The determinants of a query, and which coordinates are sums",
+    .title = "The determinants of a query, and which are sums of others",
     .width = FIG_PAGE_WIDTH,
     .height = 268,
     .draw = draw,

@@ -17,7 +17,7 @@ typedef struct split_entry {
 
 typedef struct split_entries {
     int n;
-    split_entry of[TF_AXES][TF_AXES];
+    split_entry entry[TF_AXES][TF_AXES];
 } split_entries;
 
 //: Split a difference
@@ -41,7 +41,7 @@ static split_entries split(const tf_differences *d)
     for (int i = 0; i < d->n; i++)
         for (int j = 0; j < d->n; j++) {
             int k = d->axis[j];
-            entries.of[i][j] =
+            entries.entry[i][j] =
                 split_difference(d->to[i]->x[k], d->from[i]->x[k]);
         }
     return entries;
@@ -54,9 +54,9 @@ static void accumulate_term(tf_superaccumulator *sum, const split_entries *e,
                             const int column[TF_AXES], double sign)
 {
     static const split_entry one = {.count = 1, .part = {1}};
-    const split_entry *a = &e->of[0][column[0]];
-    const split_entry *b = e->n > 1 ? &e->of[1][column[1]] : &one;
-    const split_entry *c = e->n > 2 ? &e->of[2][column[2]] : &one;
+    const split_entry *a = &e->entry[0][column[0]];
+    const split_entry *b = e->n > 1 ? &e->entry[1][column[1]] : &one;
+    const split_entry *c = e->n > 2 ? &e->entry[2][column[2]] : &one;
     for (int i = 0; i < a->count; i++)
         for (int j = 0; j < b->count; j++)
             for (int k = 0; k < c->count; k++)

@@ -294,7 +294,7 @@ TF_ALWAYS_INLINE bool evaluate_rows(int start_count,
 {
     //: Take four rows
     int64_t units[TF_SIX][TF_AXES], row[4][TF_AXES];
-    int unit[TF_AXES], of[4], count = 0;
+    int unit[TF_AXES], owner[4], count = 0;
     if (!count_units(TF_SIX, event, units, unit))
         return false;
     for (int i = 1; i < TF_SIX; i++) {
@@ -302,23 +302,24 @@ TF_ALWAYS_INLINE bool evaluate_rows(int start_count,
             continue;
         subtract_rows(units[i], units[i < start_count ? 0 : start_count],
                       row[count]);
-        of[count++] = i;
+        owner[count++] = i;
     }
 
     //: Leave out each row
     tf_int128 first[TF_AXES], last[TF_AXES];
     cross_rows(row[0], row[1], first);
     cross_rows(row[2], row[3], last);
-    without[of[0]] = dot(row[1], last);
-    without[of[1]] = dot(row[0], last);
-    without[of[2]] = dot(row[3], first);
-    without[of[3]] = dot(row[2], first);
+    without[owner[0]] = dot(row[1], last);
+    without[owner[1]] = dot(row[0], last);
+    without[owner[2]] = dot(row[3], first);
+    without[owner[3]] = dot(row[2], first);
 
     //: Leave out the first event of each time
     without[0] = without[start_count] = (three_words){0, 0};
     for (int j = 0; j < 4; j++) {
-        int base = of[j] < start_count ? 0 : start_count;
-        add_words(&without[base], &without[of[j]], (of[j] - base) % 2 == 0);
+        int base = owner[j] < start_count ? 0 : start_count;
+        add_words(&without[base], &without[owner[j]],
+                  (owner[j] - base) % 2 == 0);
     }
     *exponent = unit[0] + unit[1] + unit[2];
     return true;

@@ -17,8 +17,8 @@ bool tf_fixed_sign(const tf_differences *differences, tf_sign *sign);
 bool tf_fixed_value(const tf_differences *differences, tf_value *value);
 
 //: Declare several values on one grid
-/// The values that tf_arithmetic calls `six`, `six_signs` and `cross`, on a grid
-/// for each axis that holds all of their events.  False if an axis has none.
+/// The values that tf_arithmetic calls `six`, `six_signs` and `cross`, on a
+/// grid for each axis that holds all of their events.  False if an axis has none.
 bool tf_fixed_six(int start_count, const tf_event *const event[TF_SIX],
                   tf_value value[TF_SIX]);
 bool tf_fixed_six_signs(int start_count, const tf_event *const event[TF_SIX],

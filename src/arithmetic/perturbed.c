@@ -20,59 +20,59 @@ enum {
     MOST_EVENTS = 2 * TF_AXES
 };
 
-/// A determinant and its events by rank; to[i] and from[i] are places in
+/// A determinant and its events by rank; to[i] and from[i] are indices of
 /// `event`.
-typedef struct ranked {
+typedef struct ranked_determinant {
     int n, axis[TF_AXES], to[TF_AXES], from[TF_AXES];
     int count;
     const tf_event *event[MOST_EVENTS];
-} ranked;
+} ranked_determinant;
 
 //: Rank the events of a determinant
-/// The first place whose event does not rank below `event`.
-static int place_of(const ranked *r, const tf_event *event)
+/// The first index whose event does not rank below `event`.
+static int index_of(const ranked_determinant *r, const tf_event *event)
 {
-    int place = 0;
-    while (place < r->count && rank_of(r->event[place]) < rank_of(event))
-        place++;
-    return place;
+    int index = 0;
+    while (index < r->count && rank_of(r->event[index]) < rank_of(event))
+        index++;
+    return index;
 }
 
-static bool vertex_has_its_own_index(const ranked *r, int place,
+static bool vertex_has_its_own_index(const ranked_determinant *r, int index,
                                      const tf_event *event)
 {
-    return place == r->count || rank_of(r->event[place]) != rank_of(event);
+    return index == r->count || rank_of(r->event[index]) != rank_of(event);
 }
 
-static void add_event(ranked *r, const tf_event *event)
+static void add_event(ranked_determinant *r, const tf_event *event)
 {
-    int place = place_of(r, event);
-    if (place < r->count && r->event[place] == event)
+    int index = index_of(r, event);
+    if (index < r->count && r->event[index] == event)
         return;
-    TF_REQUIRE(vertex_has_its_own_index(r, place, event));
-    for (int i = r->count++; i > place; i--)
+    TF_REQUIRE(vertex_has_its_own_index(r, index, event));
+    for (int i = r->count++; i > index; i--)
         r->event[i] = r->event[i - 1];
-    r->event[place] = event;
+    r->event[index] = event;
 }
 
-static ranked rank_events(const tf_differences *differences)
+static ranked_determinant rank_events(const tf_differences *differences)
 {
-    ranked r = {.n = differences->n};
+    ranked_determinant r = {.n = differences->n};
     for (int i = 0; i < r.n; i++) {
         add_event(&r, differences->to[i]);
         add_event(&r, differences->from[i]);
     }
     for (int i = 0; i < r.n; i++) {
         r.axis[i] = differences->axis[i];
-        r.to[i] = place_of(&r, differences->to[i]);
-        r.from[i] = place_of(&r, differences->from[i]);
+        r.to[i] = index_of(&r, differences->to[i]);
+        r.from[i] = index_of(&r, differences->from[i]);
     }
     return r;
 }
 
 //: Hold a term
 /// A term of the determinant, a polynomial in the infinitesimals: on each axis
-/// the place of the event whose infinitesimal is a factor, or STAYS.
+/// the index of the event whose infinitesimal is a factor, or STAYS.
 typedef struct term {
     int moved[TF_AXES];
 } term;
@@ -85,7 +85,7 @@ enum {
 /// The determinant that multiplies the infinitesimals of a term.  On an axis
 /// along which an event moves it has the coordinate 1 for that event and 0 for
 /// all others.  Refers to `event`.
-static tf_differences coefficient(const ranked *r, const term *t,
+static tf_differences coefficient(const ranked_determinant *r, const term *t,
                                   tf_event event[MOST_EVENTS])
 {
     for (int e = 0; e < r->count; e++) {
@@ -104,7 +104,7 @@ static tf_differences coefficient(const ranked *r, const term *t,
 }
 
 //: Find the leading term
-static bool has_axis(const ranked *r, int axis)
+static bool has_axis(const ranked_determinant *r, int axis)
 {
     for (int j = 0; j < r->n; j++)
         if (r->axis[j] == axis)
@@ -124,7 +124,7 @@ static bool moves_nothing(const term *t)
 /// and, of the others, only the first `count` may move.  The determinant
 /// without moves is known to be zero.  If the sign is not zero, *t becomes the
 /// leading term.
-static tf_sign find_leading(const ranked *r, int count, term *t)
+static tf_sign find_leading(const ranked_determinant *r, int count, term *t)
 {
     //: Let no more events move
     if (count == 0) {
@@ -150,7 +150,7 @@ static tf_sign find_leading(const ranked *r, int count, term *t)
 
 /// The leading term of a determinant that is zero where nothing moves, and its
 /// sign.
-static tf_sign leading_term(const ranked *r, term *t)
+static tf_sign leading_term(const ranked_determinant *r, term *t)
 {
     *t = (term){.moved = {STAYS, STAYS, STAYS}};
     tf_sign sign = find_leading(r, r->count, t);
@@ -160,13 +160,14 @@ static tf_sign leading_term(const ranked *r, term *t)
 
 //: Order a term among all
 /// Lists the infinitesimals of a term, the smallest first, as numbers from 1.
-static void order_term(const ranked *r, const term *t, int64_t order[TF_AXES])
+static void order_term(const ranked_determinant *r, const term *t,
+                       int64_t order[TF_AXES])
 {
     int count = 0;
-    for (int place = r->count - 1; place >= 0; place--)
+    for (int index = r->count - 1; index >= 0; index--)
         for (int axis = 0; axis < TF_AXES; axis++)
-            if (t->moved[axis] == place)
-                order[count++] = TF_AXES * rank_of(r->event[place]) + axis + 1;
+            if (t->moved[axis] == index)
+                order[count++] = TF_AXES * rank_of(r->event[index]) + axis + 1;
 }
 
 //: Find a perturbed sign
@@ -175,7 +176,7 @@ static tf_sign perturbed_sign(const tf_differences *differences)
     tf_sign sign = tf_exact.sign(differences);
     if (sign != TF_ZERO)
         return sign;
-    ranked r = rank_events(differences);
+    ranked_determinant r = rank_events(differences);
     term t;
     return leading_term(&r, &t);
 }
@@ -186,7 +187,7 @@ static tf_value perturbed_value(const tf_differences *differences)
     tf_value value = tf_exact.value(differences);
     if (value.number != 0)
         return value;
-    ranked r = rank_events(differences);
+    ranked_determinant r = rank_events(differences);
     term t;
     leading_term(&r, &t);
     tf_event event[MOST_EVENTS];

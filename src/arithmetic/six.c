@@ -9,7 +9,7 @@
 /// The differences of four of six events to the first of their time.
 typedef struct rounded_rows {
     double row[4][TF_AXES];
-    int of[4]; ///< which event has the row
+    int event[4]; ///< which event has the row
 } rounded_rows;
 
 TF_ALWAYS_INLINE void round_rows(int start_count,
@@ -23,7 +23,7 @@ TF_ALWAYS_INLINE void round_rows(int start_count,
         const tf_event *first = event[i < start_count ? 0 : start_count];
         for (int k = 0; k < TF_AXES; k++)
             rows->row[count][k] = event[i]->x[k] - first->x[k];
-        rows->of[count++] = i;
+        rows->event[count++] = i;
     }
 }
 
@@ -73,18 +73,18 @@ static inline double dot_rounded(const double a[TF_AXES], tf_vector b)
 TF_ALWAYS_INLINE void multiply_rows(int start_count, const rounded_rows *rows,
                                     double without[TF_SIX])
 {
-    const int *of = rows->of;
+    const int *event = rows->event;
     tf_vector first = cross_rounded(rows->row[0], rows->row[1]);
     tf_vector last = cross_rounded(rows->row[2], rows->row[3]);
-    without[of[0]] = dot_rounded(rows->row[1], last);
-    without[of[1]] = dot_rounded(rows->row[0], last);
-    without[of[2]] = dot_rounded(rows->row[3], first);
-    without[of[3]] = dot_rounded(rows->row[2], first);
+    without[event[0]] = dot_rounded(rows->row[1], last);
+    without[event[1]] = dot_rounded(rows->row[0], last);
+    without[event[2]] = dot_rounded(rows->row[3], first);
+    without[event[3]] = dot_rounded(rows->row[2], first);
     without[0] = without[start_count] = 0;
     for (int j = 0; j < 4; j++) {
-        int base = of[j] < start_count ? 0 : start_count;
-        double own = without[of[j]];
-        without[base] += (of[j] - base) % 2 != 0 ? own : -own;
+        int base = event[j] < start_count ? 0 : start_count;
+        double own = without[event[j]];
+        without[base] += (event[j] - base) % 2 != 0 ? own : -own;
     }
 }
 

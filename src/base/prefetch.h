@@ -3,10 +3,10 @@
 
 #include "base/always_inline.h"
 
-/// Loads the cache line at an address that will be read soon.  It does not wait,
-/// and cannot fail, whatever the address; no result depends on it.  A function
-/// that only prefetches must be inlined into its callers, too: gcc leaves out
-/// calls of a function that returns and stores nothing.
+/// Loads the cache line at an address that will be read soon.  It does not
+/// wait, and cannot fail, whatever the address; no result depends on it.  A
+/// function that only prefetches must be inlined into its callers, too: gcc
+/// leaves out calls of a function that returns and stores nothing.
 TF_ALWAYS_INLINE void tf_prefetch(const void *address)
 {
 #ifdef __GNUC__

@@ -33,8 +33,8 @@
 #endif
 
 //: Keep a loop whole
-/// Keeps a loop over the lanes of a vector whole: gcc unrolls short loops before
-/// it looks for vectors, and then finds none.
+/// Keeps a loop over the lanes of a vector whole: gcc unrolls short loops
+/// before it looks for vectors, and then finds none.
 #if defined __GNUC__ && !defined __clang__
 #define TF_LANE_LOOP _Pragma("GCC unroll 1")
 #else

@@ -5,8 +5,7 @@
 
 static const char *const messages[] = {
     [TF_OK] = "no error",
-    [TF_NOT_FINITE] = "a coordinate is not finite: remove NaNs and infinities "
-                      "from the positions",
+    [TF_NOT_FINITE] = "a coordinate is infinite or NaN: give finite positions",
     [TF_OUT_OF_RANGE] = "out of range: a coordinate is not an integer of as "
                         "many bits as this arithmetic holds; use exact",
     [TF_BAD_INDEX] = "an index is bad: the vertices of an element or a query "
@@ -23,17 +22,19 @@ static const char *const messages[] = {
                      "many vertices as it was created with",
     [TF_OUT_OF_MEMORY] = "not enough memory: divide the surface, or use a "
                          "machine with more",
-    [TF_BAD_TOLERANCE] = "a tolerance, threshold or limit of steps is "
-                         "negative, infinite or no number, or a fraction is 1 "
-                         "or more: use 0 or a small positive number",
-    [TF_BAD_MASS] = "an inverse mass is negative, infinite or no number: use 0 "
-                    "for a vertex that is scripted",
+    [TF_BAD_TOLERANCE] = "a tolerance, threshold, length or limit of steps is "
+                         "negative, infinite, NaN, or 0 where it must be "
+                         "above 0, or a fraction is above its limit: give a "
+                         "small positive number",
+    [TF_BAD_MASS] = "an inverse mass is negative, infinite or NaN: use 0 for a "
+                    "vertex that is scripted",
     [TF_START_NOT_CLEAR] = "two elements touch or intersect when the step "
                            "starts: start from a surface that does not "
                            "intersect itself",
     [TF_EDGE_NOT_MANIFOLD] = "an edge has no triangle, more than two, or two "
                              "that pass it in one direction: give each edge "
-                             "one triangle or two, and turn them alike",
+                             "one triangle or two, and orient them "
+                             "consistently",
     [TF_VERTEX_NOT_MANIFOLD] = "the triangles at a vertex form more than one "
                                "ring or fan: give each its own vertex",
     [TF_COLLINEAR] = "the corners of a triangle are on one line: remove it, or "

@@ -18,7 +18,7 @@ typedef enum tf_status {
     TF_BAD_COUNT,       ///< a surface has another number of vertices
     TF_OUT_OF_MEMORY,   ///< there is not enough memory
     TF_BAD_TOLERANCE,   ///< a tolerance or another limit is not in its range
-    TF_BAD_MASS,        ///< an inverse mass is negative or not finite
+    TF_BAD_MASS,        ///< an inverse mass is negative, infinite or NaN
     TF_START_NOT_CLEAR, ///< a surface intersects itself when the step starts
     TF_EDGE_NOT_MANIFOLD,   ///< an edge has triangles that no surface allows
     TF_VERTEX_NOT_MANIFOLD, ///< so has a vertex

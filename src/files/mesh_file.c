@@ -1,49 +1,21 @@
 //: Include what mesh files need
-#define _GNU_SOURCE
 #include "files/mesh_file.h"
 
-#include "files/obj_file.h"
-#include "files/ply_file.h"
-
-#include <errno.h>
 #include <limits.h>
-#include <stdarg.h>
 #include <stdint.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 //: Describe what is wrong with a mesh file
-bool tf_mesh_file_fault(tf_mesh_file *file, long place, const char *format, ...)
+bool tf_mesh_file_fault(const tf_mesh_file *file, long place,
+                        const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(file->fault, sizeof file->fault, format, arguments);
+    tf_fault_set_list(file->fault, file->name, place, format, arguments);
     va_end(arguments);
-    file->fault_place = place;
+    file->fault->counts_bytes = file->counts_bytes;
     return false;
-}
-
-void tf_mesh_file_print_fault(const tf_mesh_file *file, const char *program)
-{
-    fprintf(stderr, "%s: %s:", program, tf_make_visible(file->name).text);
-    if (file->fault_place >= 0)
-        fprintf(stderr,
-                file->counts_bytes ? " byte %ld:" : "%ld:", file->fault_place);
-    fprintf(stderr, " %s\n", file->fault);
-}
-
-//: Describe what is wrong with a word
-bool tf_mesh_file_fault_in_word(tf_mesh_file *file, long place,
-                                const char *word, const char *verdict)
-{
-    size_t length = strcspn(word, " \t\r\n");
-    if (length == 0)
-        return tf_mesh_file_fault(file, place,
-                                  "a NUL byte; the file must be plain text "
-                                  "(ASCII or UTF-8, not UTF-16) or binary PLY");
-    return tf_mesh_file_fault(file, place, "\"%s\" is %s",
-                              tf_quote(word, length).text, verdict);
 }
 
 //: Make room in a list
@@ -61,32 +33,35 @@ static void *extend(void *item, size_t count, size_t *room, size_t more,
     return moved;
 }
 
-static bool add_ints(tf_ints *list, int count, const int item[])
+/// Appends items to a list; returns the list, moved, or NULL.
+static void *append(void *list, size_t *count, size_t *room, const void *item,
+                    size_t more, size_t size)
 {
-    int *moved = extend(list->item, list->count, &list->room, (size_t)count,
-                        sizeof *item);
-    if (!moved)
-        return false;
-    list->item = moved;
-    memcpy(moved + list->count, item, sizeof *item * (size_t)count);
-    list->count += (size_t)count;
-    return true;
+    char *moved = extend(list, *count, room, more, size);
+    if (moved)
+        memcpy(moved + *count * size, item, more * size);
+    *count += moved ? more : 0;
+    return moved;
 }
 
-static bool add_doubles(tf_doubles *list, int count, const double item[])
+static bool add_ints(tf_ints *list, size_t count, const int item[])
 {
-    double *moved = extend(list->item, list->count, &list->room, (size_t)count,
+    int *moved = append(list->item, &list->count, &list->room, item, count,
+                        sizeof *item);
+    list->item = moved ? moved : list->item;
+    return moved;
+}
+
+static bool add_doubles(tf_doubles *list, size_t count, const double item[])
+{
+    double *moved = append(list->item, &list->count, &list->room, item, count,
                            sizeof *item);
-    if (!moved)
-        return false;
-    list->item = moved;
-    memcpy(moved + list->count, item, sizeof *item * (size_t)count);
-    list->count += (size_t)count;
-    return true;
+    list->item = moved ? moved : list->item;
+    return moved;
 }
 
 //: Add to a mesh
-static bool fault_in_memory(tf_mesh_file *file)
+bool tf_mesh_file_fault_in_memory(const tf_mesh_file *file)
 {
     return tf_mesh_file_fault(
         file, -1,
@@ -105,26 +80,29 @@ static bool add_place(tf_mesh_file *file, tf_ints *places, long place)
         return tf_mesh_file_fault(
             file, place,
             "more than %d vertices, triangles or edges; divide the mesh", MOST);
-    return add_ints(places, 1, &kept) || fault_in_memory(file);
+    return add_ints(places, 1, &kept) || tf_mesh_file_fault_in_memory(file);
 }
 
 bool tf_mesh_file_add_vertex(tf_mesh_file *file, const double x[3], long place)
 {
     return add_place(file, &file->vertex_place, place) &&
-           (add_doubles(&file->position, 3, x) || fault_in_memory(file));
+           (add_doubles(&file->position, 3, x) ||
+            tf_mesh_file_fault_in_memory(file));
 }
 
 bool tf_mesh_file_add_triangle(tf_mesh_file *file, const int vertex[3],
                                long place)
 {
     return add_place(file, &file->triangle_place, place) &&
-           (add_ints(&file->triangle, 3, vertex) || fault_in_memory(file));
+           (add_ints(&file->triangle, 3, vertex) ||
+            tf_mesh_file_fault_in_memory(file));
 }
 
 bool tf_mesh_file_add_edge(tf_mesh_file *file, const int vertex[2], long place)
 {
     return add_place(file, &file->edge_place, place) &&
-           (add_ints(&file->edge, 2, vertex) || fault_in_memory(file));
+           (add_ints(&file->edge, 2, vertex) ||
+            tf_mesh_file_fault_in_memory(file));
 }
 
 //: Count what a file holds
@@ -151,89 +129,15 @@ bool tf_mesh_file_is_flat(const tf_mesh_file *file)
     return flat;
 }
 
-//: Check the whole of a file
-static bool check_whole(tf_mesh_file *file)
+//: Lend the elements of a file
+tf_mesh tf_mesh_file_elements(const tf_mesh_file *file, int axes)
 {
-    if (tf_mesh_file_vertices(file) == 0)
-        return tf_mesh_file_fault(
-            file, -1, "no vertices; the file must be a mesh in OBJ or PLY");
-    if (tf_mesh_file_triangles(file) + tf_mesh_file_edges(file) == 0)
-        return tf_mesh_file_fault(
-            file, -1, "no triangles and no edges; a mesh must have some");
-    if (file->flat_place > 0 && tf_mesh_file_triangles(file) > 0)
-        return tf_mesh_file_fault(file, file->flat_place,
-                                  "a vertex without z; the vertices of "
-                                  "triangles must have three coordinates");
-    return true;
-}
-
-//: Read all bytes
-typedef struct bytes {
-    char *item;
-    size_t count, room;
-} bytes;
-
-/// Whether the last bytes show that no more need be read, for the text is none.
-static bool is_hopeless(const bytes *text, size_t last)
-{
-    return !tf_is_ply(text->item, text->count) &&
-           memchr(text->item + text->count - last, '\0', last);
-}
-
-static bool read_all(FILE *stream, bytes *text)
-{
-    size_t got, wanted;
-    do {
-        char *moved = extend(text->item, text->count, &text->room, 1 << 16, 1);
-        if (!moved)
-            return false;
-        text->item = moved;
-        wanted = text->room - text->count - 1;
-        got = fread(moved + text->count, 1, wanted, stream);
-        text->count += got;
-    } while (got == wanted && !is_hopeless(text, got));
-    text->item[text->count] = '\0';
-    return true;
-}
-
-//: Read a mesh file
-bool tf_mesh_file_parse(tf_mesh_file *file, const char *name, const char *text,
-                        size_t size)
-{
-    *file = (tf_mesh_file){.name = name};
-    bool good = tf_is_ply(text, size) ? tf_ply_parse(file, text, size)
-                                      : tf_obj_parse(file, text, size);
-    return good && check_whole(file);
-}
-
-static bool read_stream(tf_mesh_file *file, const char *name, FILE *stream)
-{
-    bytes text = {0};
-    *file = (tf_mesh_file){.name = name};
-    errno = 0;
-    bool good =
-        !read_all(stream, &text) ? fault_in_memory(file)
-        : ferror(stream)
-            ? tf_mesh_file_fault(file, -1,
-                                 "cannot read: %s; check that this is a file",
-                                 strerror(errno))
-            : tf_mesh_file_parse(file, name, text.item, text.count);
-    free(text.item);
-    return good;
-}
-
-bool tf_mesh_file_read(tf_mesh_file *file, const char *path)
-{
-    if (strcmp(path, "-") == 0)
-        return read_stream(file, "standard input", stdin);
-    *file = (tf_mesh_file){.name = path};
-    FILE *stream = fopen(path, "rb");
-    if (!stream)
-        return tf_mesh_file_fault(file, -1, "cannot open: %s; check the name",
-                                  strerror(errno));
-    bool good = read_stream(file, path, stream);
-    fclose(stream);
-    return good;
+    return (tf_mesh){.axes = axes,
+                     .vertices = tf_mesh_file_vertices(file),
+                     .triangles = tf_mesh_file_triangles(file),
+                     .triangle = file->triangle.item,
+                     .edges = tf_mesh_file_edges(file),
+                     .edge = file->edge.item};
 }
 
 //: Free a mesh file

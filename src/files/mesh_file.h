@@ -1,16 +1,12 @@
 //: Declare mesh files
 #pragma once
 
-#include "files/visible.h"
+#include "files/fault.h"
+#include "surface/mesh.h"
 
-#include <stdbool.h>
 #include <stddef.h>
 
 //: Declare what a mesh file holds
-enum {
-    TF_MESH_FAULT_LENGTH = TF_VISIBLE_ROOM + 256 ///< a fault may name a file
-};
-
 /// A list of integers or coordinates that grows.
 typedef struct tf_ints {
     int *item;
@@ -33,6 +29,7 @@ typedef enum tf_mesh_format {
 /// name no vertex.
 typedef struct tf_mesh_file {
     const char *name; ///< of the file, for messages; borrowed
+    tf_fault *fault;  ///< to be set
     tf_mesh_format format;
     int first_index;     ///< what the file calls the first vertex: 0 or 1
     tf_doubles position; ///< three coordinates a vertex, z = 0 if none is given
@@ -42,21 +39,11 @@ typedef struct tf_mesh_file {
     /// Where each item is in the file: a line from 1, or a byte from 0; below 0
     /// where that is no int.
     tf_ints vertex_place, triangle_place, edge_place;
-    long flat_place;  ///< that of the first vertex without z; 0: there is none
-    long fault_place; ///< below 0: the whole file is meant
-    char fault[TF_MESH_FAULT_LENGTH]; ///< what is wrong; how to mend it
+    long flat_place; ///< that of the first vertex without z; 0: there is none
 } tf_mesh_file;
 
-//: Declare how to read a mesh file
-/// Reads the file at `path` ("-": standard input), an OBJ or PLY file, told
-/// apart by its content.  False: there is a fault.  Borrows the path.  Free the
-/// file in any case.
-bool tf_mesh_file_read(tf_mesh_file *file, const char *path);
-
-/// Reads `size` bytes of text, for tests and fuzzers; text[size] must be 0.
-bool tf_mesh_file_parse(tf_mesh_file *file, const char *name, const char *text,
-                        size_t size);
-
+//: Declare how to look at a mesh
+/// Frees what a file holds, and makes it empty.
 void tf_mesh_file_free(tf_mesh_file *file);
 
 /// How many vertices, triangles and edges a file has.
@@ -68,17 +55,18 @@ int tf_mesh_file_edges(const tf_mesh_file *file);
 /// throughout.
 bool tf_mesh_file_is_flat(const tf_mesh_file *file);
 
+/// The elements of a file, which lends them.
+tf_mesh tf_mesh_file_elements(const tf_mesh_file *file, int axes);
+
 //: Declare the faults of a mesh file
-/// Sets the fault, as printf; false, for the caller to return.
+/// Sets a fault at a place, below 0 of the whole file, as printf; false, for the
+/// caller to return.
 __attribute__((format(printf, 3, 4))) bool
-tf_mesh_file_fault(tf_mesh_file *file, long place, const char *format, ...);
+tf_mesh_file_fault(const tf_mesh_file *file, long place, const char *format,
+                   ...);
 
-/// Sets the fault that a word, up to a blank, is what the verdict says.
-bool tf_mesh_file_fault_in_word(tf_mesh_file *file, long place,
-                                const char *word, const char *verdict);
-
-/// Prints "PROGRAM: FILE:PLACE: FAULT" on standard error.
-void tf_mesh_file_print_fault(const tf_mesh_file *file, const char *program);
+/// Sets the fault that there is no memory; false.
+bool tf_mesh_file_fault_in_memory(const tf_mesh_file *file);
 
 //: Declare how to add to a mesh
 /// Each adds an item, and sets a fault and returns false if there is no memory

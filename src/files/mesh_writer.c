@@ -21,21 +21,6 @@ tf_mesh_format tf_mesh_format_of(const char *path, tf_mesh_format usual)
     return usual;
 }
 
-//: Write OBJ
-// 17 digits determine a double.
-static void write_obj(FILE *stream, const tf_mesh_file *mesh)
-{
-    const double *x = mesh->position.item;
-    const int *corner = mesh->triangle.item, *edge = mesh->edge.item;
-    for (int v = 0; v < tf_mesh_file_vertices(mesh); v++, x += 3)
-        fprintf(stream, "v %.17g %.17g %.17g\n", x[0], x[1], x[2]);
-    for (int t = 0; t < tf_mesh_file_triangles(mesh); t++, corner += 3)
-        fprintf(stream, "f %d %d %d\n", corner[0] + 1, corner[1] + 1,
-                corner[2] + 1);
-    for (int e = 0; e < tf_mesh_file_edges(mesh); e++, edge += 2)
-        fprintf(stream, "l %d %d\n", edge[0] + 1, edge[1] + 1);
-}
-
 //: Write the header of PLY
 static const char *const encodings[] = {
     [TF_PLY_TEXT] = "ascii",
@@ -49,114 +34,133 @@ static void write_properties(FILE *stream, const char *prefix)
         fprintf(stream, "property double %s%c\n", prefix, *axis);
 }
 
-static void write_ply_header(FILE *stream, const tf_mesh_file *mesh,
-                             tf_mesh_format format, const tf_mesh_state *state)
+static void write_ply_header(FILE *stream, const tf_mesh_content *content,
+                             tf_mesh_format format)
 {
+    const tf_mesh *mesh = &content->mesh;
     fprintf(stream, "ply\nformat %s 1.0\n", encodings[format]);
-    if (state)
-        fprintf(stream, "comment %s\n", state->comment);
-    fprintf(stream, "element vertex %d\n", tf_mesh_file_vertices(mesh));
+    if (content->comment)
+        fprintf(stream, "comment %s\n", content->comment);
+    fprintf(stream, "element vertex %d\n", mesh->vertices);
     write_properties(stream, "");
-    if (state && state->velocity)
+    if (content->velocity)
         write_properties(stream, "v");
-    if (tf_mesh_file_triangles(mesh) > 0)
+    if (mesh->triangles > 0)
         fprintf(stream,
                 "element face %d\nproperty list uchar int vertex_indices\n",
-                tf_mesh_file_triangles(mesh));
-    if (tf_mesh_file_edges(mesh) > 0)
+                mesh->triangles);
+    if (mesh->edges > 0)
         fprintf(stream,
                 "element edge %d\nproperty int vertex1\nproperty int vertex2\n",
-                tf_mesh_file_edges(mesh));
+                mesh->edges);
     fputs("end_header\n", stream);
 }
 
-//: Write what follows the header of PLY as text
-static void write_ply_text(FILE *stream, const tf_mesh_file *mesh)
-{
-    const double *x = mesh->position.item;
-    const int *corner = mesh->triangle.item, *edge = mesh->edge.item;
-    for (int v = 0; v < tf_mesh_file_vertices(mesh); v++, x += 3)
-        fprintf(stream, "%.17g %.17g %.17g\n", x[0], x[1], x[2]);
-    for (int t = 0; t < tf_mesh_file_triangles(mesh); t++, corner += 3)
-        fprintf(stream, "3 %d %d %d\n", corner[0], corner[1], corner[2]);
-    for (int e = 0; e < tf_mesh_file_edges(mesh); e++, edge += 2)
-        fprintf(stream, "%d %d\n", edge[0], edge[1]);
-}
-
-//: Write what follows the header of PLY in binary
-typedef struct bytes {
+//: Write numbers in an encoding
+/// How numbers are written.
+typedef struct encoder {
     FILE *stream;
-    bool big_endian;
-} bytes;
+    tf_mesh_format format;
+} encoder;
 
-static void write_bytes(const bytes *to, uint64_t bits, int count)
+static void write_bytes(const encoder *to, uint64_t bits, int count)
 {
+    bool big = to->format == TF_PLY_BIG_ENDIAN;
     for (int i = 0; i < count; i++) {
-        int place = to->big_endian ? count - 1 - i : i;
+        int place = big ? count - 1 - i : i;
         fputc((int)(bits >> 8 * place & 0xff), to->stream);
     }
 }
 
-static void write_doubles(const bytes *to, const double x[], size_t count)
+static bool is_text(const encoder *to)
 {
-    for (size_t i = 0; i < count; i++) {
+    return to->format == TF_OBJ || to->format == TF_PLY_TEXT;
+}
+
+/// In the plane the third is 0.  17 digits determine a double.
+static void write_coordinates(const encoder *to, const double x[], int axes)
+{
+    for (int k = 0; k < 3; k++) {
+        double number = k < axes ? x[k] : 0;
         uint64_t bits;
-        memcpy(&bits, &x[i], sizeof bits);
-        write_bytes(to, bits, 8);
+        memcpy(&bits, &number, sizeof bits);
+        if (is_text(to))
+            fprintf(to->stream, k > 0 ? " %.17g" : "%.17g", number);
+        else
+            write_bytes(to, bits, 8);
     }
 }
 
-static void write_indices(const bytes *to, const int index[], int count)
+/// OBJ counts from 1.
+static void write_indices(const encoder *to, const int index[], int count)
 {
+    int first = to->format == TF_OBJ;
     for (int i = 0; i < count; i++)
-        write_bytes(to, (uint64_t)index[i], 4);
+        if (is_text(to))
+            fprintf(to->stream, i > 0 ? " %d" : "%d", index[i] + first);
+        else
+            write_bytes(to, (uint64_t)index[i], 4);
 }
 
-static void write_vertices(const bytes *to, const tf_mesh_file *mesh,
-                           const tf_mesh_state *state)
+//: Write the items of a mesh
+/// In OBJ with the word that begins its line.
+static void begin_item(const encoder *to, const char *word)
 {
-    for (size_t i = 0; i < mesh->position.count; i += 3) {
-        write_doubles(to, mesh->position.item + i, 3);
-        if (state && state->velocity)
-            write_doubles(to, state->velocity + i, 3);
-    }
+    if (to->format == TF_OBJ)
+        fputs(word, to->stream);
 }
 
-static void write_elements(const bytes *to, const tf_mesh_file *mesh)
+static void end_item(const encoder *to)
 {
-    const int *corner = mesh->triangle.item, *edge = mesh->edge.item;
-    for (int t = 0; t < tf_mesh_file_triangles(mesh); t++, corner += 3) {
-        write_bytes(to, 3, 1);
-        write_indices(to, corner, 3);
+    if (is_text(to))
+        fputc('\n', to->stream);
+}
+
+static void write_vertex(const encoder *to, const tf_mesh_content *content,
+                         int vertex)
+{
+    int axes = content->mesh.axes;
+    size_t place = (size_t)axes * (size_t)vertex;
+    begin_item(to, "v ");
+    write_coordinates(to, content->position + place, axes);
+    if (content->velocity && to->format != TF_OBJ) {
+        fputs(is_text(to) ? " " : "", to->stream);
+        write_coordinates(to, content->velocity + place, axes);
     }
-    for (int e = 0; e < tf_mesh_file_edges(mesh); e++, edge += 2)
-        write_indices(to, edge, 2);
+    end_item(to);
+}
+
+/// PLY has the number of corners first.
+static void write_triangle(const encoder *to, const int corner[3])
+{
+    begin_item(to, "f ");
+    if (to->format == TF_PLY_TEXT)
+        fputs("3 ", to->stream);
+    else if (!is_text(to))
+        fputc(3, to->stream);
+    write_indices(to, corner, 3);
+    end_item(to);
+}
+
+static void write_edge(const encoder *to, const int end[2])
+{
+    begin_item(to, "l ");
+    write_indices(to, end, 2);
+    end_item(to);
 }
 
 //: Write a mesh
-void tf_mesh_write(FILE *stream, const tf_mesh_file *mesh,
+void tf_mesh_write(FILE *stream, const tf_mesh_content *content,
                    tf_mesh_format format)
 {
-    if (format == TF_OBJ) {
-        write_obj(stream, mesh);
-        return;
-    }
-    write_ply_header(stream, mesh, format, NULL);
-    bytes to = {stream, format == TF_PLY_BIG_ENDIAN};
-    if (format == TF_PLY_TEXT) {
-        write_ply_text(stream, mesh);
-        return;
-    }
-    write_vertices(&to, mesh, NULL);
-    write_elements(&to, mesh);
-}
-
-//: Write a mesh that moves
-void tf_mesh_write_state(FILE *stream, const tf_mesh_file *mesh,
-                         const tf_mesh_state *state)
-{
-    bytes to = {stream, false};
-    write_ply_header(stream, mesh, TF_PLY_LITTLE_ENDIAN, state);
-    write_vertices(&to, mesh, state);
-    write_elements(&to, mesh);
+    const tf_mesh *mesh = &content->mesh;
+    const encoder to = {stream, format};
+    if (format != TF_OBJ)
+        write_ply_header(stream, content, format);
+    for (int v = 0; v < mesh->vertices; v++)
+        write_vertex(&to, content, v);
+    for (int t = 0; t < mesh->triangles; t++)
+        write_triangle(&to, mesh->triangle + 3 * (size_t)t);
+    for (int e = 0; e < mesh->edges; e++)
+        write_edge(&to, mesh->edge + 2 * (size_t)e);
 }

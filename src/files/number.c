@@ -1,7 +1,7 @@
 //: Include what numbers need
 #include "files/number.h"
 
-#include <stdint.h>
+#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -107,5 +107,21 @@ bool tf_number_read(const char **text, double *number)
     char *end;
     *number = strtod(*text, &end);
     *text = end;
+    return true;
+}
+
+//: Read an integer that an int holds
+bool tf_integer_read(const char **text, int64_t *integer)
+{
+    bool negative = **text == '-';
+    const char *first = *text + (negative || **text == '+'), *at = first;
+    int64_t size = 0;
+    for (; *at >= '0' && *at <= '9'; at++)
+        if (size <= INT_MAX)
+            size = 10 * size + (*at - '0');
+    if (at == first)
+        return false;
+    *integer = negative ? -size : size;
+    *text = at;
     return true;
 }

@@ -2,66 +2,54 @@
 #include "files/obj_file.h"
 
 #include "files/number.h"
+#include "files/text.h"
 
 #include <limits.h>
-#include <math.h>
-#include <stdint.h>
+#include <stdlib.h>
 #include <string.h>
 
 //: Walk through the text
 typedef struct reader {
+    tf_text text;
     tf_mesh_file *file;
-    const char *at; ///< in the text
-    long line;
 } reader;
 
 /// Steps over blanks, and over the end of a line that a backslash continues.
-static void skip_blanks(reader *r)
+static void skip_blanks(tf_text *text)
 {
     for (;;) {
-        while (*r->at == ' ' || *r->at == '\t' || *r->at == '\r')
-            r->at++;
-        size_t end = r->at[0] != '\\' ? 0 : 1 + (r->at[1] == '\r');
-        if (end == 0 || r->at[end] != '\n')
+        tf_text_skip_blanks(text);
+        size_t end = text->at[0] != '\\' ? 0 : 1 + (text->at[1] == '\r');
+        if (end == 0 || text->at[end] != '\n')
             return;
-        r->at += end + 1;
-        r->line++;
+        text->at += end + 1;
+        text->line++;
     }
-}
-
-static bool ends_line(char c)
-{
-    return c == '\n' || c == '\0' || c == '#';
 }
 
 static bool ends_word(char c)
 {
-    return c == ' ' || c == '\t' || c == '\r' || c == '\\' || ends_line(c);
+    return tf_ends_word(c, " \t\r\n\\#");
+}
+
+/// Finds the next word of the line; false at its end.
+static bool find_word(reader *r)
+{
+    skip_blanks(&r->text);
+    return !tf_ends_word(*r->text.at, "\n#");
 }
 
 //: Describe what is wrong with a line
-static bool fault_in_word(reader *r, const char *word, const char *verdict)
+static bool fault_in_word(const reader *r, const char *word,
+                          const char *verdict)
 {
-    return tf_mesh_file_fault_in_word(r->file, r->line, word, verdict);
+    return tf_text_fault_in_word(&r->text, word, strcspn(word, " \t\r\n"),
+                                 verdict);
 }
 
-static bool fault_in_end(reader *r, const char *wanted)
+static bool fault_in_end(const reader *r, const char *wanted)
 {
-    return tf_mesh_file_fault(r->file, r->line, "the line ends too early; %s",
-                              wanted);
-}
-
-//: Read a coordinate
-static bool read_coordinate(reader *r, double *x)
-{
-    const char *word = r->at;
-    if (!tf_number_read(&r->at, x) || !ends_word(*r->at))
-        return fault_in_word(
-            r, word,
-            "not a finite number; write a decimal or a hexadecimal float");
-    return isfinite(*x) ||
-           fault_in_word(r, word,
-                         "beyond the largest double; scale the scene down");
+    return tf_text_fault(&r->text, "the line ends too early; %s", wanted);
 }
 
 //: Read a vertex
@@ -69,10 +57,11 @@ static bool read_coordinate(reader *r, double *x)
 static bool read_vertex(reader *r)
 {
     double x[3] = {0}, extra;
-    long place = r->line;
+    long place = r->text.line;
     int count = 0;
-    for (skip_blanks(r); !ends_line(*r->at); skip_blanks(r), count++)
-        if (!read_coordinate(r, count < 3 ? &x[count] : &extra))
+    for (; find_word(r); count++)
+        if (!tf_text_read_number(&r->text, " \t\r\n\\#",
+                                 count < 3 ? &x[count] : &extra))
             return false;
     if (count < 2)
         return fault_in_end(r, "a vertex is v x y z");
@@ -82,18 +71,10 @@ static bool read_vertex(reader *r)
 }
 
 //: Read the index of a corner
-/// Reads the integer that starts here; false if there is none, or its size is
-/// beyond that of an int.
-static bool read_integer(const char **at, int64_t *number)
+/// Reads an integer that an int holds.
+static bool read_index(const char **at, int64_t *index)
 {
-    bool negative = **at == '-';
-    const char *first = *at + (negative || **at == '+'), *digit = first;
-    int64_t size = 0;
-    for (; *digit >= '0' && *digit <= '9' && size <= INT_MAX; digit++)
-        size = 10 * size + (*digit - '0');
-    *number = negative ? -size : size;
-    *at = digit;
-    return digit > first && size <= INT_MAX;
+    return tf_integer_read(at, index) && llabs(*index) <= INT_MAX;
 }
 
 /// Steps over the indices of a texture and a normal, either of which may be
@@ -104,7 +85,7 @@ static bool skip_other_indices(const char **at)
     for (int i = 0; i < 2 && **at == '/'; i++) {
         ++*at;
         bool left_out = **at == '/' || ends_word(**at);
-        if (!left_out && !read_integer(at, &unused))
+        if (!left_out && !read_index(at, &unused))
             return false;
     }
     return ends_word(**at);
@@ -113,9 +94,9 @@ static bool skip_other_indices(const char **at)
 /// Negative numbers count back from the last vertex so far.
 static bool read_corner(reader *r, int *vertex)
 {
-    const char *word = r->at;
+    const char *word = r->text.at;
     int64_t number, vertices = tf_mesh_file_vertices(r->file);
-    if (!read_integer(&r->at, &number) || !skip_other_indices(&r->at) ||
+    if (!read_index(&r->text.at, &number) || !skip_other_indices(&r->text.at) ||
         number == 0)
         return fault_in_word(r, word,
                              "not a corner; write the number of a vertex, from "
@@ -133,11 +114,11 @@ static bool read_face(reader *r)
 {
     int corner[3];
     int count = 0;
-    long place = r->line;
-    for (skip_blanks(r); !ends_line(*r->at); skip_blanks(r), count++) {
+    long place = r->text.line;
+    for (; find_word(r); count++) {
         if (count == 3)
-            return tf_mesh_file_fault(
-                r->file, r->line,
+            return tf_text_fault(
+                &r->text,
                 "a face with more than three corners; triangulate the mesh, "
                 "for instance by Blender's export option Triangulated Mesh");
         if (!read_corner(r, &corner[count]))
@@ -153,8 +134,8 @@ static bool read_edges(reader *r)
 {
     int corner[2] = {0};
     int count = 0;
-    long place = r->line;
-    for (skip_blanks(r); !ends_line(*r->at); skip_blanks(r), count++) {
+    long place = r->text.line;
+    for (; find_word(r); count++) {
         corner[0] = corner[1];
         if (!read_corner(r, &corner[1]) ||
             (count > 0 && !tf_mesh_file_add_edge(r->file, corner, place)))
@@ -164,36 +145,28 @@ static bool read_edges(reader *r)
 }
 
 //: Read a line of OBJ
-typedef bool line_reader(reader *r);
-
-static bool skip_line(reader *r)
+/// By its first word; lines of other words are skipped.
+static bool read_content(reader *r)
 {
-    (void)r;
-    return true;
-}
-
-/// What reads a line, by its first word.
-static line_reader *reader_of(const char *word)
-{
-    if (word[0] == '\0' || !ends_word(word[1]))
-        return skip_line;
-    return word[0] == 'v'   ? read_vertex
-           : word[0] == 'f' ? read_face
-           : word[0] == 'l' ? read_edges
-                            : skip_line;
+    char word = *r->text.at;
+    if (word == '\0' || !ends_word(r->text.at[1]) || !strchr("vfl", word))
+        return true;
+    r->text.at++;
+    return word == 'v'   ? read_vertex(r)
+           : word == 'f' ? read_face(r)
+                         : read_edges(r);
 }
 
 static bool read_line(reader *r)
 {
-    skip_blanks(r);
-    line_reader *read_rest = reader_of(r->at);
-    r->at += read_rest != skip_line;
-    if (!read_rest(r))
+    tf_text *text = &r->text;
+    skip_blanks(text);
+    if (!read_content(r))
         return false;
-    r->at += strcspn(r->at, "\n");
-    if (*r->at == '\n') {
-        r->at++;
-        r->line++;
+    text->at += strcspn(text->at, "\n");
+    if (*text->at == '\n') {
+        text->at++;
+        text->line++;
     }
     return true;
 }
@@ -202,11 +175,14 @@ static bool read_line(reader *r)
 bool tf_obj_parse(tf_mesh_file *file, const char *text, size_t size)
 {
     bool marked = strncmp(text, "\xEF\xBB\xBF", 3) == 0;
-    reader r = {file, text + (marked ? 3 : 0), 1};
+    reader r = {.text = {.name = file->name,
+                         .at = text + (marked ? 3 : 0),
+                         .line = 1,
+                         .fault = file->fault},
+                .file = file};
     file->first_index = 1;
-    while (*r.at)
+    while (*r.text.at)
         if (!read_line(&r))
             return false;
-    // What ends a text that goes on is a NUL byte.
-    return r.at == text + size || fault_in_word(&r, r.at, "");
+    return r.text.at == text + size || tf_text_fault_in_nul(&r.text);
 }

@@ -2,15 +2,13 @@
 #include "files/ply_file.h"
 
 #include "files/number.h"
+#include "files/text.h"
 
 #include <limits.h>
 #include <math.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
-//: List the types of properties
+//: Declare the types of properties
 typedef enum kind {
     SIGNED,
     UNSIGNED,
@@ -18,130 +16,129 @@ typedef enum kind {
 } kind;
 
 typedef struct type {
-    const char *name;
     kind kind;
     int bytes;
 } type;
 
-static const type types[] = {
-    {"char", SIGNED, 1},     {"int8", SIGNED, 1},     {"uchar", UNSIGNED, 1},
-    {"uint8", UNSIGNED, 1},  {"short", SIGNED, 2},    {"int16", SIGNED, 2},
-    {"ushort", UNSIGNED, 2}, {"uint16", UNSIGNED, 2}, {"int", SIGNED, 4},
-    {"int32", SIGNED, 4},    {"uint", UNSIGNED, 4},   {"uint32", UNSIGNED, 4},
-    {"float", FLOAT, 4},     {"float32", FLOAT, 4},   {"double", FLOAT, 8},
-    {"float64", FLOAT, 8},
-};
+/// Each has two names, one after the other.
+static const char *const type_names[] = {
+    "char",   "int8",    "uchar",  "uint8",  "short", "int16",
+    "ushort", "uint16",  "int",    "int32",  "uint",  "uint32",
+    "float",  "float32", "double", "float64"};
+
+static const type types[] = {{SIGNED, 1},   {UNSIGNED, 1}, {SIGNED, 2},
+                             {UNSIGNED, 2}, {SIGNED, 4},   {UNSIGNED, 4},
+                             {FLOAT, 4},    {FLOAT, 8}};
 
 //: Declare the header
 enum {
     PROPERTIES = 64, // of an element
     ELEMENTS = 16,
-    WORD = 32
+    WORDS = 5, // of a line that are looked at
+    NONE = -1
 };
-
-/// What a property means for the mesh.
-typedef enum role {
-    NOTHING = -1,
-    FIRST = 0, ///< x, or vertex1, or the list of the corners of a face
-    SECOND,    ///< y, or vertex2
-    THIRD,     ///< z
-} role;
 
 typedef struct property {
     const type *length; ///< of a list: of its length; NULL: it is no list
     const type *item;
-    role role;
+    int role; ///< what it means: the place of its name, or NONE
 } property;
 
+/// What is read of a file.
 typedef enum target {
-    SKIPPED,
     VERTICES,
     FACES,
     EDGES,
+    TARGETS
 } target;
 
+static const char *const target_names[] = {"vertex", "face", "edge"};
+
+static const char *const role_names[TARGETS][3] = {
+    [VERTICES] = {"x", "y", "z"},
+    [FACES] = {"vertex_indices", "vertex_index", ""}, // either is the corners
+    [EDGES] = {"vertex1", "vertex2", ""},
+};
+
 typedef struct element {
-    target target;
-    long line; ///< that declares it
-    long count;
+    int target; ///< or NONE
+    long line;  ///< that declares it
+    int count;
     int properties;
     property property[PROPERTIES];
 } element;
 
-typedef enum encoding {
-    UNKNOWN,
-    TEXT,
-    LITTLE_ENDIAN,
-    BIG_ENDIAN,
-} encoding;
-
+//: Declare the reader of PLY
 typedef struct reader {
-    tf_mesh_file *file;
-    const char *text, *at, *end;
-    long line; ///< of the text; in binary of the header only
-    encoding encoding;
+    tf_text text; ///< its line is, in binary, that of the header
+    const char *start, *end;
+    tf_mesh_file *file; ///< its format is TF_OBJ until that is known
     int elements;
     element element[ELEMENTS];
 } reader;
 
 static long place(const reader *r)
 {
-    return r->file->counts_bytes ? (long)(r->at - r->text) : r->line;
+    return r->file->counts_bytes ? (long)(r->text.at - r->start) : r->text.line;
 }
 
-//: Read a word of the header
-/// Reads the next word of the line, cut where it is long; empty at its end.
-static void read_word(reader *r, char word[WORD])
+static bool is_text(const reader *r)
 {
-    size_t length = 0;
-    while (*r->at == ' ' || *r->at == '\t')
-        r->at++;
-    for (; r->at < r->end && !strchr(" \t\r\n", *r->at); r->at++)
-        if (length < WORD - 1)
-            word[length++] = *r->at >= ' ' && *r->at <= '~' ? *r->at : '?';
-    word[length] = '\0';
+    return r->file->format == TF_PLY_TEXT;
 }
 
+/// The place of a name in a list, or NONE.
+static int place_of(const char *name, const char *const names[], int count)
+{
+    for (int i = 0; i < count; i++)
+        if (strcmp(name, names[i]) == 0)
+            return i;
+    return NONE;
+}
+
+//: Walk through the header
 /// Steps over the end of a line; false at the end of the file.
 static bool end_line(reader *r)
 {
-    while (r->at < r->end && *r->at != '\n')
-        r->at++;
-    if (r->at == r->end)
+    tf_text *text = &r->text;
+    const char *end = memchr(text->at, '\n', (size_t)(r->end - text->at));
+    if (!end)
         return false;
-    r->at++;
-    r->line++;
+    text->at = end + 1;
+    text->line++;
     return true;
 }
 
+/// Takes the words of a line; those that are not there are empty.
+static void split_line(reader *r, tf_quoted word[WORDS])
+{
+    tf_text *text = &r->text;
+    for (int i = 0; i < WORDS; i++) {
+        tf_text_skip_blanks(text);
+        size_t length = strcspn(text->at, " \t\r\n");
+        word[i] = tf_quote(text->at, length);
+        text->at += length;
+    }
+}
+
 //: Read the format
-static bool read_format(reader *r)
+static bool read_format(reader *r, const char *name)
 {
     static const char *const names[] = {"ascii", "binary_little_endian",
                                         "binary_big_endian"};
-    char word[WORD];
-    read_word(r, word);
-    for (int i = 0; i < 3; i++)
-        if (strcmp(word, names[i]) == 0)
-            r->encoding = (encoding)(TEXT + i);
-    return r->encoding != UNKNOWN ||
-           tf_mesh_file_fault(r->file, r->line,
-                              "unknown format \"%s\"; write ascii, "
-                              "binary_little_endian or binary_big_endian",
-                              word);
+    int found = place_of(name, names, 3);
+    if (found != NONE)
+        r->file->format = (tf_mesh_format)(TF_PLY_TEXT + found);
+    return found != NONE ||
+           tf_text_fault(&r->text,
+                         "unknown format \"%s\"; write ascii, "
+                         "binary_little_endian or binary_big_endian",
+                         name);
 }
 
 //: Read the declaration of an element
-static target target_named(const char *name)
-{
-    return strcmp(name, "vertex") == 0 ? VERTICES
-           : strcmp(name, "face") == 0 ? FACES
-           : strcmp(name, "edge") == 0 ? EDGES
-                                       : SKIPPED;
-}
-
 /// The element for a target; NULL if none is declared.
-static const element *element_for(const reader *r, target wanted)
+static const element *element_for(const reader *r, int wanted)
 {
     for (int i = 0; i < r->elements; i++)
         if (r->element[i].target == wanted)
@@ -149,113 +146,91 @@ static const element *element_for(const reader *r, target wanted)
     return NULL;
 }
 
-static bool read_count(reader *r, long *count)
+static bool read_count(const reader *r, const char *word, int *count)
 {
-    char word[WORD], *end;
-    read_word(r, word);
-    long long read = strtoll(word, &end, 10);
-    if (end == word || *end || read < 0 || read > INT_MAX)
-        return tf_mesh_file_fault(
-            r->file, r->line,
+    const char *at = word;
+    int64_t read = NONE;
+    if (!tf_integer_read(&at, &read) || *at || read < 0 || read > INT_MAX)
+        return tf_text_fault(
+            &r->text,
             "\"%s\" is not a number of elements; write an integer from 0 to %d",
             word, INT_MAX);
-    *count = (long)read;
+    *count = (int)read;
     return true;
 }
 
-static bool read_element(reader *r)
+static bool read_element(reader *r, const char *name, const char *count)
 {
-    char name[WORD];
-    read_word(r, name);
-    element made = {.target = target_named(name), .line = r->line};
+    element made = {.target = place_of(name, target_names, TARGETS),
+                    .line = r->text.line};
     if (r->elements == ELEMENTS)
-        return tf_mesh_file_fault(r->file, r->line,
-                                  "more than %d elements; delete those that "
-                                  "are no vertices, faces or edges",
-                                  ELEMENTS);
-    if (made.target != SKIPPED && element_for(r, made.target))
-        return tf_mesh_file_fault(r->file, r->line,
-                                  "a second element %s; declare it once", name);
-    if (!read_count(r, &made.count))
+        return tf_text_fault(&r->text,
+                             "more than %d elements; delete those that are no "
+                             "vertices, faces or edges",
+                             ELEMENTS);
+    if (made.target != NONE && element_for(r, made.target))
+        return tf_text_fault(&r->text, "a second element %s; declare it once",
+                             name);
+    if (!read_count(r, count, &made.count))
         return false;
     r->element[r->elements++] = made;
     return true;
 }
 
 //: Read the declaration of a property
-static const type *type_named(const char *name)
+static bool find_type(const reader *r, const char *name, const type **found)
 {
-    for (size_t i = 0; i < sizeof types / sizeof *types; i++)
-        if (strcmp(name, types[i].name) == 0)
-            return &types[i];
-    return NULL;
+    int i = place_of(name, type_names, sizeof type_names / sizeof *type_names);
+    if (i == NONE)
+        return tf_text_fault(
+            &r->text, "unknown type \"%s\"; use one of PLY's, such as double",
+            name);
+    *found = &types[i / 2];
+    return true;
 }
 
 /// The corners of a face are a list; all others that have a role are none.
-static role role_named(target of, bool list, const char *name)
+static int role_named(int of, bool list, const char *name)
 {
-    static const char *const names[][3] = {
-        [VERTICES] = {"x", "y", "z"},
-        [FACES] = {"vertex_indices", "vertex_index", ""},
-        [EDGES] = {"vertex1", "vertex2", ""},
-    };
-    if (of == SKIPPED || list != (of == FACES))
-        return NOTHING;
-    for (int i = 0; i < 3; i++)
-        if (strcmp(name, names[of][i]) == 0)
-            return of == FACES ? FIRST : (role)i;
-    return NOTHING;
+    if (of == NONE || list != (of == FACES))
+        return NONE;
+    int role = place_of(name, role_names[of], 3);
+    return of == FACES && role > 0 ? 0 : role;
 }
 
-/// Reads the name of a type.
-static bool read_type(reader *r, char word[WORD], const type **found)
+static bool read_property(reader *r, const tf_quoted word[])
 {
-    *found = type_named(word);
-    return *found ||
-           tf_mesh_file_fault(
-               r->file, r->line,
-               "unknown type \"%s\"; use one of PLY's, such as double", word);
-}
-
-static bool read_property(reader *r)
-{
-    char word[WORD];
+    bool list = strcmp(word[0].text, "list") == 0;
+    const tf_quoted *item = list ? word + 2 : word;
     property made = {0};
     if (r->elements == 0)
-        return tf_mesh_file_fault(
-            r->file, r->line,
+        return tf_text_fault(
+            &r->text,
             "a property before all elements; write an element line first");
     element *of = &r->element[r->elements - 1];
-    read_word(r, word);
-    if (strcmp(word, "list") == 0) {
-        read_word(r, word);
-        if (!read_type(r, word, &made.length))
-            return false;
-        read_word(r, word);
-    }
-    if (!read_type(r, word, &made.item))
+    if ((list && !find_type(r, word[1].text, &made.length)) ||
+        !find_type(r, item[0].text, &made.item))
         return false;
-    read_word(r, word);
-    made.role = role_named(of->target, made.length, word);
+    made.role = role_named(of->target, list, item[1].text);
     if (of->properties == PROPERTIES)
-        return tf_mesh_file_fault(r->file, r->line,
-                                  "more than %d properties; delete those that "
-                                  "are no coordinates or indices",
-                                  PROPERTIES);
+        return tf_text_fault(&r->text,
+                             "more than %d properties; delete those that are "
+                             "no coordinates or indices",
+                             PROPERTIES);
     of->property[of->properties++] = made;
     return true;
 }
 
 //: Check a declaration
-static bool declares(const element *of, role wanted)
+static bool declares(const element *of, int role)
 {
     bool found = false;
     for (int i = 0; i < of->properties; i++)
-        found |= of->property[i].role == wanted;
+        found |= of->property[i].role == role;
     return found;
 }
 
-static bool check_element(reader *r, const element *of)
+static bool check_element(const reader *r, const element *of)
 {
     static const char *const faults[] = {
         [VERTICES] = "the vertices have no x or no y; declare the properties "
@@ -265,85 +240,76 @@ static bool check_element(reader *r, const element *of)
         [EDGES] = "the edges have no ends; declare the properties int vertex1 "
                   "and int vertex2",
     };
-    return of->target == SKIPPED ||
-           (declares(of, FIRST) &&
-            (of->target == FACES || declares(of, SECOND))) ||
+    return of->target == NONE ||
+           (declares(of, 0) && (of->target == FACES || declares(of, 1))) ||
            tf_mesh_file_fault(r->file, of->line, "%s", faults[of->target]);
 }
 
-static bool check_depth(reader *r)
+static bool check_header(const reader *r)
 {
     const element *vertices = element_for(r, VERTICES);
     const element *faces = element_for(r, FACES);
-    return !vertices || !faces || faces->count == 0 ||
-           declares(vertices, THIRD) ||
-           tf_mesh_file_fault(r->file, vertices->line,
-                              "vertices without z; the vertices of triangles "
-                              "must have three coordinates");
-}
-
-static bool check_header(reader *r)
-{
     for (int i = 0; i < r->elements; i++)
         if (!check_element(r, &r->element[i]))
             return false;
-    return check_depth(r) &&
-           (r->encoding != UNKNOWN ||
-            tf_mesh_file_fault(r->file, r->line,
-                               "the header has no format; add a line such as "
-                               "\"format ascii 1.0\""));
+    if (vertices && faces && faces->count > 0 && !declares(vertices, 2))
+        return tf_mesh_file_fault(r->file, vertices->line,
+                                  "vertices without z; the vertices of "
+                                  "triangles must have three coordinates");
+    return r->file->format != TF_OBJ ||
+           tf_text_fault(&r->text, "the header has no format; add a line such "
+                                   "as \"format ascii 1.0\"");
 }
 
 //: Read the header
 /// Reads a line; `*last`: it is the last one.
 static bool read_header_line(reader *r, bool *last)
 {
-    char word[WORD];
-    read_word(r, word);
-    *last = strcmp(word, "end_header") == 0;
-    if (*last || !*word || strcmp(word, "comment") == 0 ||
-        strcmp(word, "obj_info") == 0)
+    tf_quoted word[WORDS];
+    split_line(r, word);
+    const char *first = word[0].text;
+    *last = strcmp(first, "end_header") == 0;
+    if (*last || !*first || strcmp(first, "comment") == 0 ||
+        strcmp(first, "obj_info") == 0)
         return true;
-    if (strcmp(word, "format") == 0)
-        return read_format(r);
-    if (strcmp(word, "element") == 0)
-        return read_element(r);
-    if (strcmp(word, "property") == 0)
-        return read_property(r);
-    return tf_mesh_file_fault(r->file, r->line,
-                              "a header line cannot begin with \"%s\"; begin "
-                              "comments with \"comment\"",
-                              word);
+    if (strcmp(first, "format") == 0)
+        return read_format(r, word[1].text);
+    if (strcmp(first, "element") == 0)
+        return read_element(r, word[1].text, word[2].text);
+    if (strcmp(first, "property") == 0)
+        return read_property(r, word + 1);
+    return tf_text_fault(&r->text,
+                         "a header line cannot begin with \"%s\"; begin "
+                         "comments with \"comment\"",
+                         first);
 }
 
 static bool read_header(reader *r)
 {
     for (bool last = false; !last;) {
         if (!end_line(r))
-            return tf_mesh_file_fault(
-                r->file, r->line,
+            return tf_text_fault(
+                &r->text,
                 "the header ends too early; the file may be cut short");
         if (!read_header_line(r, &last))
             return false;
     }
-    if (!check_header(r))
-        return false;
-    return end_line(r) ||
-           tf_mesh_file_fault(
-               r->file, r->line,
-               "nothing follows the header; the file may be cut short");
+    return check_header(r) &&
+           (end_line(r) ||
+            tf_text_fault(
+                &r->text,
+                "nothing follows the header; the file may be cut short"));
 }
 
 //: Read a number in binary
 /// The unsigned number of some bytes.
 static uint64_t gather_bytes(const reader *r, int bytes)
 {
-    const unsigned char *at = (const unsigned char *)r->at;
+    const unsigned char *at = (const unsigned char *)r->text.at;
+    bool big = r->file->format == TF_PLY_BIG_ENDIAN;
     uint64_t number = 0;
-    for (int i = 0; i < bytes; i++) {
-        int shift = r->encoding == BIG_ENDIAN ? bytes - 1 - i : i;
-        number |= (uint64_t)at[i] << 8 * shift;
-    }
+    for (int i = 0; i < bytes; i++)
+        number |= (uint64_t)at[i] << 8 * (big ? bytes - 1 - i : i);
     return number;
 }
 
@@ -363,98 +329,57 @@ static double decode(const type *of, uint64_t bits)
     return of->bytes == 8 ? wide : (double)narrow;
 }
 
-static bool fault_in_end(reader *r)
+static bool fault_in_end(const reader *r)
 {
     return tf_mesh_file_fault(r->file, place(r),
                               "the file ends too early; it may be cut short, "
                               "or the header declares too many elements");
 }
 
-static bool read_binary(reader *r, const type *of, double *number)
+//: Find a value
+static void skip_blank_lines(tf_text *text)
 {
-    if (r->end - r->at < of->bytes)
-        return fault_in_end(r);
-    *number = decode(of, gather_bytes(r, of->bytes));
-    r->at += of->bytes;
-    return true;
-}
-
-//: Find a word in text
-static bool is_blank(char c)
-{
-    return c == ' ' || c == '\t' || c == '\r';
-}
-
-static void skip_blanks(reader *r)
-{
-    while (is_blank(*r->at))
-        r->at++;
-}
-
-static void skip_blank_lines(reader *r)
-{
-    for (skip_blanks(r); *r->at == '\n'; skip_blanks(r)) {
-        r->at++;
-        r->line++;
+    for (tf_text_skip_blanks(text); *text->at == '\n';
+         tf_text_skip_blanks(text)) {
+        text->at++;
+        text->line++;
     }
 }
 
-/// Finds the next word of the line.
-static bool find_word(reader *r)
+/// Finds the next value, in text in the same line.
+static bool find_value(reader *r, const type *of)
 {
-    skip_blanks(r);
-    if (r->at == r->end)
+    tf_text *text = &r->text;
+    if (is_text(r))
+        tf_text_skip_blanks(text);
+    if (r->end - text->at < (is_text(r) ? 1 : of->bytes))
         return fault_in_end(r);
-    return *r->at != '\n' ||
-           tf_mesh_file_fault(r->file, r->line,
-                              "the line ends too early; it must have all that "
-                              "the header declares for an element");
+    return !is_text(r) || *text->at != '\n' ||
+           tf_text_fault(text, "the line ends too early; it must have all that "
+                               "the header declares for an element");
 }
 
-//: Read a number in text
-static bool fault_in_word(reader *r, const char *word, const char *verdict)
-{
-    return tf_mesh_file_fault_in_word(r->file, r->line, word, verdict);
-}
-
-static bool read_text(reader *r, double *number)
-{
-    if (!find_word(r))
-        return false;
-    const char *word = r->at;
-    return (tf_number_read(&r->at, number) &&
-            (is_blank(*r->at) || *r->at == '\n' || *r->at == '\0')) ||
-           fault_in_word(
-               r, word,
-               "not a finite number; write a decimal or a hexadecimal float");
-}
-
+//: Read or skip a value
 static bool read_number(reader *r, const type *of, double *number)
 {
-    return r->encoding == TEXT ? read_text(r, number)
-                               : read_binary(r, of, number);
-}
-
-//: Skip a value
-/// Skips a word, which may be no number, not even a finite one.
-static bool skip_word(reader *r)
-{
-    if (!find_word(r))
+    if (!find_value(r, of))
         return false;
-    if (*r->at == '\0')
-        return fault_in_word(r, r->at, "");
-    r->at += strcspn(r->at, " \t\r\n");
+    if (is_text(r))
+        return tf_text_read_number(&r->text, " \t\r\n", number);
+    *number = decode(of, gather_bytes(r, of->bytes));
+    r->text.at += of->bytes;
     return true;
 }
 
+/// In text a word may be skipped that is no number, not even a finite one.
 static bool skip_value(reader *r, const type *of)
 {
-    if (r->encoding == TEXT)
-        return skip_word(r);
-    if (r->end - r->at < of->bytes)
-        return fault_in_end(r);
-    r->at += of->bytes;
-    return true;
+    if (!find_value(r, of))
+        return false;
+    size_t length =
+        is_text(r) ? strcspn(r->text.at, " \t\r\n") : (size_t)of->bytes;
+    r->text.at += length;
+    return length > 0 || tf_text_fault_in_nul(&r->text);
 }
 
 //: Read an index
@@ -481,7 +406,7 @@ static bool read_list(reader *r, const property *of, int corner[3])
     int length = 0;
     if (!read_index(r, of->length, &length))
         return false;
-    bool corners = of->role != NOTHING;
+    bool corners = of->role != NONE;
     if (corners && length != 3)
         return tf_mesh_file_fault(
             r->file, at,
@@ -507,16 +432,17 @@ static bool read_coordinate(reader *r, const type *of, double *x)
 {
     long at = place(r);
     return read_number(r, of, x) &&
-           (isfinite(*x) || tf_mesh_file_fault(r->file, at,
-                                               "a coordinate is not finite; "
-                                               "remove NaNs and infinities"));
+           (isfinite(*x) ||
+            tf_mesh_file_fault(r->file, at,
+                               "a coordinate is infinite or NaN; write finite "
+                               "numbers"));
 }
 
-static bool read_value(reader *r, target to, const property *of, item *made)
+static bool read_value(reader *r, int to, const property *of, item *made)
 {
     if (of->length)
         return read_list(r, of, made->vertex);
-    if (of->role == NOTHING)
+    if (of->role == NONE)
         return skip_value(r, of->item);
     return to == VERTICES ? read_coordinate(r, of->item, &made->x[of->role])
                           : read_index(r, of->item, &made->vertex[of->role]);
@@ -531,7 +457,7 @@ static bool read_values(reader *r, const element *of, item *made)
 }
 
 //: Add an item to the mesh
-static bool add_item(reader *r, target to, const item *made, long at)
+static bool add_item(const reader *r, int to, const item *made, long at)
 {
     switch (to) {
     case VERTICES:
@@ -545,36 +471,38 @@ static bool add_item(reader *r, target to, const item *made, long at)
     }
 }
 
-static bool end_text(reader *r)
+static bool end_item(reader *r)
 {
-    skip_blanks(r);
-    return *r->at == '\n' || r->at == r->end ||
-           fault_in_word(r, r->at,
-                         "more than the header declares for an element; begin "
-                         "each element on a new line");
+    tf_text *text = &r->text;
+    if (!is_text(r))
+        return true;
+    tf_text_skip_blanks(text);
+    return *text->at == '\n' || text->at == r->end ||
+           tf_text_fault_in_word(text, text->at, strcspn(text->at, " \t\r\n"),
+                                 "more than the header declares for an "
+                                 "element; begin each element on a new line");
 }
 
 static bool read_item(reader *r, const element *of)
 {
     item made = {0};
-    if (r->encoding == TEXT)
-        skip_blank_lines(r);
+    if (is_text(r))
+        skip_blank_lines(&r->text);
     long at = place(r);
-    return read_values(r, of, &made) && (r->encoding != TEXT || end_text(r)) &&
+    return read_values(r, of, &made) && end_item(r) &&
            add_item(r, of->target, &made, at);
 }
 
 //: Read what follows the header
 static bool read_items(reader *r)
 {
-    for (int e = 0; e < r->elements; e++)
-        for (long i = 0;
-             r->element[e].properties > 0 && i < r->element[e].count; i++)
-            if (!read_item(r, &r->element[e]))
+    for (const element *e = r->element; e < r->element + r->elements; e++)
+        for (int i = 0; e->properties > 0 && i < e->count; i++)
+            if (!read_item(r, e))
                 return false;
-    if (r->encoding == TEXT)
-        skip_blank_lines(r);
-    return r->at == r->end ||
+    if (is_text(r))
+        skip_blank_lines(&r->text);
+    return r->text.at == r->end ||
            tf_mesh_file_fault(r->file, place(r),
                               "more follows than the header declares; correct "
                               "the numbers of elements");
@@ -589,16 +517,14 @@ bool tf_is_ply(const char *text, size_t size)
 
 bool tf_ply_parse(tf_mesh_file *file, const char *text, size_t size)
 {
-    reader r = {
-        .file = file, .text = text, .at = text, .end = text + size, .line = 1};
-    static const tf_mesh_format formats[] = {
-        [UNKNOWN] = TF_PLY_TEXT,
-        [TEXT] = TF_PLY_TEXT,
-        [LITTLE_ENDIAN] = TF_PLY_LITTLE_ENDIAN,
-        [BIG_ENDIAN] = TF_PLY_BIG_ENDIAN,
-    };
+    reader r = {.text = {.name = file->name,
+                         .at = text,
+                         .line = 1,
+                         .fault = file->fault},
+                .start = text,
+                .end = text + size,
+                .file = file};
     bool good = read_header(&r);
-    file->format = formats[r.encoding];
-    file->counts_bytes = good && r.encoding != TEXT;
+    file->counts_bytes = good && !is_text(&r);
     return good && read_items(&r);
 }

@@ -1,6 +1,7 @@
 //: Declare query files
 #pragma once
 
+#include "files/choice.h"
 #include "files/text_lines.h"
 
 #include <stdbool.h>
@@ -14,12 +15,8 @@ typedef struct tf_query_kind {
     int vertices[2]; ///< of the first and the second element
 } tf_query_kind;
 
-/// The names that tf_query_kind_named accepts, for help and messages.
-#define TF_QUERY_KIND_NAMES "point-edge, point-triangle or edge-edge"
-
-/// The kind of that name (vertex-face is point-triangle too); NULL if there is
-/// none.
-const tf_query_kind *tf_query_kind_named(const char *name);
+/// The kinds by their names; vertex-face is point-triangle, too.
+extern const tf_choice tf_query_kinds[];
 
 //: Declare a query as the file gives it
 enum {
@@ -39,21 +36,23 @@ typedef struct tf_query_rows {
 //: Declare the reader of query files
 /// Reads one query after another in memory of the size of the longest line.
 typedef struct tf_query_file {
-    tf_text_lines lines; ///< with the fault
+    tf_text_lines lines;
     const tf_query_kind *kind;
-    long queries; ///< the number of the next query
-    int columns;  ///< of the first row; 0 before it was read
+    size_t queries; ///< the number of the next query
+    int columns;    ///< of the first row; 0 before it was read
 } tf_query_file;
 
 //: Declare how to read a query file
 /// Starts to read a stream, or the file at `path` ("-": standard input).  The
-/// first query has the number `queries`.  Both borrow the name.  Close the
+/// first query has the number `queries`.  Both borrow the name and the fault.  Close the
 /// file in any case, also if it cannot be opened; this closes the stream, too,
 /// unless it is standard input.
 void tf_query_file_start(tf_query_file *file, FILE *stream, const char *name,
-                         const tf_query_kind *kind, long queries);
+                         const tf_query_kind *kind, size_t queries,
+                         tf_fault *fault);
 bool tf_query_file_open(tf_query_file *file, const char *path,
-                        const tf_query_kind *kind, long queries);
+                        const tf_query_kind *kind, size_t queries,
+                        tf_fault *fault);
 void tf_query_file_close(tf_query_file *file);
 
 /// Reads the next query, without lines that are blank or begin with #.

@@ -220,7 +220,7 @@ static void put_ends(const advancing *a)
     tf_adaptive_surface *surface = a->flow->remesher.surface;
     memcpy(surface->position.data, a->end,
            3 * sizeof *a->end * (size_t)a->vertices);
-    tf_stars_build(surface, surface->cuboid.data);
+    tf_stars_build(surface, surface->box.data);
 }
 
 static tf_status make_advance(advancing *a)

@@ -4,7 +4,7 @@
 #include "flow/butterfly.h"
 #include "flow/patch.h"
 #include "remesh/crease.h"
-#include "surgery/operations.h"
+#include "surgery/collapse.h"
 #include "surgery/star.h"
 
 /// Which vertex goes, which stays, and where.

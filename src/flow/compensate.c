@@ -2,7 +2,7 @@
 #include "flow/flow_state.h"
 
 #include "flow/patch.h"
-#include "surgery/operations.h"
+#include "surgery/move.h"
 
 /// Where a vertex gives 1/6 of `more`; false if that is too far away.
 static bool find_place(const tf_flow_state *flow, int vertex, double more,

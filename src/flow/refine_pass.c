@@ -3,7 +3,7 @@
 
 #include "flow/butterfly.h"
 #include "flow/patch.h"
-#include "surgery/operations.h"
+#include "surgery/split.h"
 #include "surgery/star.h"
 
 /// The butterfly point, unless it is far from the middle.

@@ -2,7 +2,7 @@
 #include "flow/flow_state.h"
 
 #include "flow/patch.h"
-#include "surgery/operations.h"
+#include "surgery/move.h"
 #include "surgery/star.h"
 
 /// Whether the normals at a vertex differ so little that it is on no feature:

@@ -2,7 +2,7 @@
 #include "flow/flow_state.h"
 
 #include "flow/patch.h"
-#include "surgery/operations.h"
+#include "surgery/flip.h"
 #include "surgery/star.h"
 
 /// What a flip changes: the vertices a, b of the edge and c, d of the other

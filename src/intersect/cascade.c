@@ -272,8 +272,8 @@ tf_intersection tf_intersect(const tf_arithmetic *arithmetic,
         return found;
 
     // A pair that first intersects later than t = 0 has a face that does so
-    // then; one that intersects at t = 0 has a face that intersects, but perhaps
-    // later: the slices decide when.
+    // then; one that intersects at t = 0 has a face that intersects, but
+    // perhaps later: the slices decide when.
     if (!is_enough(&found, detail)) {
         tf_intersection start = intersect_at_start(arithmetic, pair, detail);
         found = start.verdict == TF_HIT

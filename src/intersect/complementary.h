@@ -22,8 +22,8 @@ typedef struct tf_intersection {
                  ///< not zero
     tf_signs signs;        ///< unless TF_DEGENERATE, the pair's
     double toi_lo, toi_hi; ///< 0 to 1
-    /// Barycentric coordinates of the point, indexed by the pair's events: those
-    /// of each operand are >= 0 and sum to 1 up to rounding.
+    /// Barycentric coordinates of the point, indexed by the pair's events:
+    /// those of each operand are >= 0 and sum to 1 up to rounding.
     double barycentric[TF_PAIR_EVENTS];
 } tf_intersection;
 

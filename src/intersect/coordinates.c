@@ -45,7 +45,7 @@ void tf_pair_coordinates(const tf_arithmetic *arithmetic, const tf_pair *pair,
     tf_value value[TF_PAIR_EVENTS];
     for (int i = 0; i < pair->count; i++) {
         coordinates->low[i] = coordinates->high[i] = 0;
-        if (pair->operand[i] != operand || signs->of[i] == TF_ZERO)
+        if (pair->operand[i] != operand || signs->sign[i] == TF_ZERO)
             continue;
         value[count] = known ? known[i] : value_of(arithmetic, pair, i);
         value[count].number *= tf_pair_orientation(pair, i) * turn;

@@ -26,8 +26,8 @@ void tf_pair_coordinates(const tf_arithmetic *arithmetic, const tf_pair *pair,
 //: Declare how coordinates are normalized
 /// Divides the middles of an operand's coordinates by their sum, and puts the
 /// results into `barycentric`, indexed by the pair's events.  Where the
-/// coordinates are not known at all, the middle of the operand is as good as any
-/// point.
+/// coordinates are not known at all, the middle of the operand is as good as
+/// any point.
 void tf_coordinates_normalize(const tf_coordinates *coordinates,
                               const tf_pair *pair, int operand,
                               double barycentric[TF_PAIR_EVENTS]);

@@ -30,12 +30,12 @@ static inline bool turn_signs(const tf_pair *pair, int count, tf_signs *signs)
 {
     bool positive = false, negative = false, unknown = false;
     for (int i = 0; i < count; i++) {
-        int turned = signs->of[i] * tf_pair_orientation(pair, i);
+        int turned = signs->sign[i] * tf_pair_orientation(pair, i);
         positive |= turned == TF_POSITIVE;
         negative |= turned == TF_NEGATIVE;
-        unknown |= signs->of[i] == TF_UNKNOWN;
-        signs->of[i] =
-            signs->of[i] == TF_UNKNOWN ? TF_UNKNOWN : (tf_sign)turned;
+        unknown |= signs->sign[i] == TF_UNKNOWN;
+        signs->sign[i] =
+            signs->sign[i] == TF_UNKNOWN ? TF_UNKNOWN : (tf_sign)turned;
     }
     signs->positive = positive;
     signs->negative = negative;
@@ -46,7 +46,7 @@ static inline bool turn_signs(const tf_pair *pair, int count, tf_signs *signs)
 bool tf_pair_sure_signs(const tf_arithmetic *arithmetic, const tf_pair *pair,
                         tf_signs *signs)
 {
-    estimate_signs(arithmetic, pair, signs->of);
+    estimate_signs(arithmetic, pair, signs->sign);
     // With a constant the compiler unrolls the loop.
     return pair->count == TF_SIX ? turn_signs(pair, TF_SIX, signs)
                                  : turn_signs(pair, pair->count, signs);
@@ -71,12 +71,12 @@ void tf_pair_other_signs(const tf_arithmetic *arithmetic, const tf_pair *pair,
     bool positive = signs->positive, negative = signs->negative;
     bool zero = false, unknown = false;
     for (int i = 0; i < pair->count && !(positive && negative); i++) {
-        if (signs->of[i] != TF_UNKNOWN)
+        if (signs->sign[i] != TF_UNKNOWN)
             continue;
         tf_sign sign = at_once ? all[i] : sign_without(arithmetic, pair, i);
         if (sign == TF_POSITIVE || sign == TF_NEGATIVE)
             sign = (tf_sign)(sign * tf_pair_orientation(pair, i));
-        signs->of[i] = sign;
+        signs->sign[i] = sign;
         positive |= sign == TF_POSITIVE;
         negative |= sign == TF_NEGATIVE;
         zero |= sign == TF_ZERO;

@@ -10,7 +10,7 @@
 /// positive and a negative one have been found, the others may be unset.
 typedef struct tf_signs {
     bool positive, negative, zero, unknown;
-    tf_sign of[TF_PAIR_EVENTS];
+    tf_sign sign[TF_PAIR_EVENTS];
 } tf_signs;
 
 /// The signs of Cramer's rule for the common point of two complementary

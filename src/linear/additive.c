@@ -3,37 +3,37 @@
 
 #include "base/require.h"
 #include "linear/advance.h"
-#include "linear/straight.h"
+#include "linear/linear_pair.h"
 
 #include <math.h>
 #include <string.h>
 
 //: Hold elements that deform
-typedef struct deforming {
-    tf_straight elements;
+typedef struct deforming_pair {
+    tf_linear_pair elements;
     double speed; ///< of approach, at most
-} deforming;
+} deforming_pair;
 
 static void deforming_positions(const void *motion, double time, tf_vector x[])
 {
-    const deforming *d = motion;
-    tf_straight_positions(&d->elements, time, x);
+    const deforming_pair *d = motion;
+    tf_linear_pair_positions(&d->elements, time, x);
 }
 
 static double deforming_speed(const void *motion, double time,
-                              const tf_vector x[], const tf_nearest *nearest)
+                              const tf_vector x[], const tf_point_pair *nearest)
 {
     (void)time;
     (void)x;
     (void)nearest;
-    const deforming *d = motion;
+    const deforming_pair *d = motion;
     return d->speed;
 }
 
 //: Find the displacements from the mean
 /// The displacements of all vertices, less their mean: what all have in common
 /// changes no distance.
-static void find_displacements(const tf_straight *elements,
+static void find_displacements(const tf_linear_pair *elements,
                                tf_vector displacement[])
 {
     int count = elements->vertices + elements->others;
@@ -49,31 +49,31 @@ static void find_displacements(const tf_straight *elements,
 }
 
 //: Bound the speed of deforming elements
-static double speed_of(const tf_straight *elements)
+static double speed_of(const tf_linear_pair *elements)
 {
-    tf_vector displacement[TF_STRAIGHT_VERTICES];
+    tf_vector displacement[TF_LINEAR_PAIR_VERTICES];
     find_displacements(elements, displacement);
     double greatest[2] = {0};
     for (int i = 0; i < elements->vertices + elements->others; i++) {
-        double *of = &greatest[i >= elements->vertices];
-        *of = fmax(*of, tf_vector_dot(displacement[i], displacement[i]));
+        double *most = &greatest[i >= elements->vertices];
+        *most = fmax(*most, tf_vector_dot(displacement[i], displacement[i]));
     }
     return sqrt(greatest[0]) + sqrt(greatest[1]);
 }
 
 //: Describe where additive advancement ended
-static tf_contact contact_at(const tf_straight *elements,
+static tf_contact contact_at(const tf_linear_pair *elements,
                              const tf_advancement *at)
 {
     if (at->verdict == TF_APART)
         return (tf_contact){.verdict = TF_APART};
-    tf_nearest nearest = {.distance = at->distance};
+    tf_point_pair nearest = {.distance = at->distance};
     memcpy(nearest.weight, at->barycentric[0],
            (size_t)elements->vertices * sizeof *nearest.weight);
     memcpy(nearest.weight + elements->vertices, at->barycentric[1],
            (size_t)elements->others * sizeof *nearest.weight);
     tf_contact contact =
-        tf_straight_contact(elements, at->time, &nearest, TF_TOUCHING);
+        tf_linear_pair_contact(elements, at->time, &nearest, TF_TOUCHING);
     contact.verdict = at->verdict;
     return contact;
 }
@@ -88,9 +88,9 @@ static tf_status advance_additively(const tf_advance_limits *limits, int axes,
     TF_REQUIRE(limits && contact);
     if (!tf_advance_limits_valid(limits))
         return TF_BAD_TOLERANCE;
-    deforming pair;
-    tf_status status = tf_straight_take(axes, motion, vertices, first, others,
-                                        second, &pair.elements);
+    deforming_pair pair;
+    tf_status status = tf_linear_pair_take(axes, motion, vertices, first,
+                                           others, second, &pair.elements);
     if (status != TF_OK)
         return status;
     pair.speed = speed_of(&pair.elements);

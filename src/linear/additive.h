@@ -15,11 +15,11 @@
 /// each other, if every point of the edge moves in a straight line.
 /// Thread-safe.
 ///
-/// Additive advancement: as conservative advancement, with elements that deform.
-/// The bound on the speed at which they can approach each other is the greatest
-/// displacement of a vertex of the first element plus that of the second, after
-/// their mean is taken from all.  See Li, Kaufman and Jiang, "Codimensional
-/// incremental potential contact" (2021), section 6.
+/// Additive advancement: as conservative advancement, with elements that
+/// deform. The bound on the speed at which they can approach each other is the
+/// greatest displacement of a vertex of the first element plus that of the
+/// second, after their mean is taken from all.  See Li, Kaufman and Jiang,
+/// "Codimensional incremental potential contact" (2021), section 6.
 ///
 /// In `contact` both bounds of the time are the time reached, which is not
 /// after the true contact; the rest is the answer of the cubic at that time for

@@ -18,7 +18,7 @@ static double look(const tf_approach *approach, tf_advancement *at)
 {
     tf_vector x[TF_MOST_CORNERS];
     approach->positions(approach->motion, at->time, x);
-    tf_nearest nearest =
+    tf_point_pair nearest =
         tf_nearest_points(approach->vertices, approach->others, x);
     at->distance = fmin(nearest.distance, DBL_MAX);
     memset(at->barycentric, 0, sizeof at->barycentric);

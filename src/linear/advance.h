@@ -15,7 +15,7 @@ typedef struct tf_approach {
     /// No less than the speed at which the elements can approach each other
     /// from a time on, given what is nearest then; negative if they part.
     double (*speed)(const void *motion, double time, const tf_vector x[],
-                    const tf_nearest *nearest);
+                    const tf_point_pair *nearest);
 } tf_approach;
 
 /// Whether limits are in their ranges.

@@ -10,9 +10,9 @@
 
 /// When advancement ends: as soon as the elements are at most a target distance
 /// apart, the larger of `threshold` and `fraction` times their distance at the
-/// start.  Each step spends all of the distance but half the target, so rounding
-/// cannot carry the elements through each other as long as the target is large
-/// beside the roundoff of a coordinate.
+/// start.  Each step spends all of the distance but half the target, so
+/// rounding cannot carry the elements through each other as long as the target
+/// is large beside the roundoff of a coordinate.
 typedef struct tf_advance_limits {
     double threshold; ///< finite, at least 0, in units of length
     double fraction;  ///< 0 or more, below 1; Li et al. use 0.1

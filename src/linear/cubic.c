@@ -2,12 +2,12 @@
 #include "linear/cubic.h"
 
 #include "base/require.h"
-#include "linear/straight.h"
+#include "linear/linear_pair.h"
 
 //: Span the common plane
 /// The three vectors whose determinant is zero when the elements are in one
 /// plane: two edges, and the way from one element to the other.
-static void span(const tf_straight *elements, int t, tf_vector edge[2],
+static void span(const tf_linear_pair *elements, int t, tf_vector edge[2],
                  tf_vector *way)
 {
     const tf_vector *x = elements->at[t];
@@ -20,7 +20,7 @@ static void span(const tf_straight *elements, int t, tf_vector edge[2],
 //: Find the cubic of a plane
 /// Each coefficient is the mean of the determinants with as many columns at
 /// t = 1 as its index.
-static tf_polynomial coplanarity(const tf_straight *elements)
+static tf_polynomial coplanarity(const tf_linear_pair *elements)
 {
     tf_vector edge[2][2], way[2], normal[3];
     span(elements, 0, edge[0], &way[0]);
@@ -49,13 +49,13 @@ static tf_status solve(const tf_tolerances *tolerances, const tf_motion *motion,
     TF_REQUIRE(tolerances && contact);
     if (!tf_tolerances_valid(tolerances))
         return TF_BAD_TOLERANCE;
-    tf_straight elements;
-    tf_status status =
-        tf_straight_take(3, motion, vertices, first, others, second, &elements);
+    tf_linear_pair elements;
+    tf_status status = tf_linear_pair_take(3, motion, vertices, first, others,
+                                           second, &elements);
     if (status != TF_OK)
         return status;
     tf_polynomial cubic = coplanarity(&elements);
-    *contact = tf_straight_touch(&elements, &cubic, tolerances);
+    *contact = tf_linear_pair_touch(&elements, &cubic, tolerances);
     return TF_OK;
 }
 

@@ -23,14 +23,14 @@ static double gap_between(int vertices, int others, const tf_vector x[],
 
 //: Keep the nearer of two pairs of points
 /// What all points are nearer than: the first vertices.
-static tf_nearest far_apart(int vertices)
+static tf_point_pair far_apart(int vertices)
 {
-    tf_nearest far = {.distance = INFINITY};
+    tf_point_pair far = {.distance = INFINITY};
     far.weight[0] = far.weight[vertices] = 1;
     return far;
 }
 
-static void keep_nearer(tf_nearest *best, const tf_nearest *other)
+static void keep_nearer(tf_point_pair *best, const tf_point_pair *other)
 {
     if (other->distance < best->distance)
         *best = *other;
@@ -39,7 +39,7 @@ static void keep_nearer(tf_nearest *best, const tf_nearest *other)
 //: Find the point of a segment nearest to a point
 /// Of x[start] to x[end] the point nearest to x[point].
 static void visit_segment(const tf_vector x[], int point, int start, int end,
-                          tf_nearest *best)
+                          tf_point_pair *best)
 {
     tf_vector edge = tf_vector_difference(x[end], x[start]);
     tf_vector gap = tf_vector_difference(x[point], x[start]);
@@ -49,7 +49,7 @@ static void visit_segment(const tf_vector x[], int point, int start, int end,
     for (int k = 0; k < TF_AXES; k++)
         gap.x[k] -= along * edge.x[k];
 
-    tf_nearest found = {.distance = sqrt(tf_vector_dot(gap, gap))};
+    tf_point_pair found = {.distance = sqrt(tf_vector_dot(gap, gap))};
     found.weight[point] = 1;
     found.weight[start] = 1 - along;
     found.weight[end] = along;
@@ -130,9 +130,10 @@ bool tf_weights_reach(int count, const double weight[], double least)
 
 //: Find the nearest points of small elements
 /// The least distance is between the insides, or involves a boundary.
-static tf_nearest nearest_of_four(int vertices, int others, const tf_vector x[])
+static tf_point_pair nearest_of_four(int vertices, int others,
+                                     const tf_vector x[])
 {
-    tf_nearest best = far_apart(vertices), inside = {0};
+    tf_point_pair best = far_apart(vertices), inside = {0};
     if (vertices == 2) {
         for (int i = 0; i < 2; i++) {
             visit_segment(x, i, 2, 3, &best);
@@ -155,13 +156,13 @@ static tf_nearest nearest_of_four(int vertices, int others, const tf_vector x[])
 /// Of the first `count` vertices in `corner` as one part, and the others as
 /// another part, of two triangles x[0..2] and x[3..5].
 static void visit_parts(const tf_vector *x, int count, const int corner[4],
-                        tf_nearest *best)
+                        tf_point_pair *best)
 {
     tf_vector part[4];
     for (int i = 0; i < 4; i++)
         part[i] = x[corner[i]];
-    tf_nearest among = nearest_of_four(count, 4 - count, part);
-    tf_nearest found = {.distance = among.distance};
+    tf_point_pair among = nearest_of_four(count, 4 - count, part);
+    tf_point_pair found = {.distance = among.distance};
     for (int i = 0; i < 4; i++)
         found.weight[corner[i]] = among.weight[i];
     keep_nearer(best, &found);
@@ -171,7 +172,7 @@ static void visit_parts(const tf_vector *x, int count, const int corner[4],
 /// Sets a distance of zero if the edge from x[start] to x[end] goes through the
 /// triangle x[from..from+2].
 static void visit_piercing(const tf_vector *x, int start, int end, int from,
-                           tf_nearest *best)
+                           tf_point_pair *best)
 {
     const tf_vector *corner = x + from;
     tf_vector normal =
@@ -187,16 +188,16 @@ static void visit_piercing(const tf_vector *x, int start, int end, int from,
         over[0].x[k] = (1 - along) * x[start].x[k] + along * x[end].x[k];
     if (!weigh_triangle(over, weight) || !tf_weights_reach(4, weight, 0))
         return;
-    *best = (tf_nearest){.distance = 0};
+    *best = (tf_point_pair){.distance = 0};
     best->weight[start] = 1 - along;
     best->weight[end] = along;
     memcpy(best->weight + from, weight + 1, 3 * sizeof *weight);
 }
 
 //: Find the nearest points of two triangles
-static tf_nearest nearest_of_triangles(const tf_vector *x)
+static tf_point_pair nearest_of_triangles(const tf_vector *x)
 {
-    tf_nearest best = far_apart(3);
+    tf_point_pair best = far_apart(3);
     for (int i = 0; i < 3; i++) {
         int next = (i + 1) % 3;
         visit_parts(x, 1, (int[]){i, 3, 4, 5}, &best);
@@ -212,7 +213,7 @@ static tf_nearest nearest_of_triangles(const tf_vector *x)
 }
 
 //: Find nearest points
-tf_nearest tf_nearest_points(int vertices, int others, const tf_vector x[])
+tf_point_pair tf_nearest_points(int vertices, int others, const tf_vector x[])
 {
     TF_REQUIRE(vertices + others <= 4 || (vertices == 3 && others == 3));
     return vertices == 3 ? nearest_of_triangles(x)

@@ -11,16 +11,16 @@ enum {
 
 /// A point of each of two elements: barycentric coordinates by vertex, those of
 /// the first element first; the coordinates of each element sum to 1.
-typedef struct tf_nearest {
+typedef struct tf_point_pair {
     double distance; ///< between the two points
     double weight[TF_MOST_CORNERS];
-} tf_nearest;
+} tf_point_pair;
 
 /// The nearest points of two elements, whose vertices are x[0..vertices-1] and
 /// x[vertices..vertices+others-1]: 1 + 2, 1 + 3, 2 + 2 or 3 + 3.  In the plane
 /// the third coordinates are zero.  Correct up to rounding, however degenerate
 /// the elements are.  Where products overflow the distance is infinite.
-tf_nearest tf_nearest_points(int vertices, int others, const tf_vector x[]);
+tf_point_pair tf_nearest_points(int vertices, int others, const tf_vector x[]);
 
 //: Declare the coordinates where elements cross
 /// The barycentric coordinates at which the lines or planes of two elements (1

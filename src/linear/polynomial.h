@@ -24,8 +24,8 @@ double tf_polynomial_value(const tf_polynomial *p, double t);
 /// but for rounding: 0, its extrema in increasing order, 1.  Returns how many.
 int tf_polynomial_cuts(const tf_polynomial *p, double cut[TF_MOST_CUTS]);
 
-/// The root between two times at which the values have opposite strict signs, as
-/// far as rounded values show where it is.
+/// The root between two times at which the values have opposite strict signs,
+/// as far as rounded values show where it is.
 double tf_polynomial_root(const tf_polynomial *p, double lo, double hi);
 
 //: Declare what coefficients tell

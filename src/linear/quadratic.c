@@ -2,7 +2,7 @@
 #include "linear/quadratic.h"
 
 #include "base/require.h"
-#include "linear/straight.h"
+#include "linear/linear_pair.h"
 
 /// Twice the area of the triangle of two vectors of the plane.
 static double area_of(tf_vector a, tf_vector b)
@@ -11,7 +11,7 @@ static double area_of(tf_vector a, tf_vector b)
 }
 
 /// The quadratic that is zero when the point is on the edge's line.
-static tf_polynomial collinearity(const tf_straight *elements)
+static tf_polynomial collinearity(const tf_linear_pair *elements)
 {
     tf_vector a[2], b[2];
     for (int t = 0; t < 2; t++) {
@@ -33,12 +33,12 @@ tf_status tf_quadratic_point_edge(const tf_tolerances *tolerances,
     TF_REQUIRE(tolerances && contact);
     if (!tf_tolerances_valid(tolerances))
         return TF_BAD_TOLERANCE;
-    tf_straight elements;
+    tf_linear_pair elements;
     tf_status status =
-        tf_straight_take(2, motion, 1, &point, 2, edge, &elements);
+        tf_linear_pair_take(2, motion, 1, &point, 2, edge, &elements);
     if (status != TF_OK)
         return status;
     tf_polynomial quadratic = collinearity(&elements);
-    *contact = tf_straight_touch(&elements, &quadratic, tolerances);
+    *contact = tf_linear_pair_touch(&elements, &quadratic, tolerances);
     return TF_OK;
 }

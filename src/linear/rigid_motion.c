@@ -27,17 +27,17 @@ static tf_vector turned(tf_vector rotation, double time, tf_vector r)
 
 //: Hold a rigid element
 /// With all components that the plane does not have set to zero.
-typedef struct rigid {
+typedef struct rigid_element {
     int vertices;
     tf_vector center, velocity, rotation;
     tf_vector arm[TF_VERTICES]; ///< of each vertex, from the center, at t = 0
     double reach;               ///< the length of the longest
-} rigid;
+} rigid_element;
 
 //: Take a rigid element
-static rigid rigid_of(int axes, const tf_rigid_body *body, int vertices)
+static rigid_element rigid_of(int axes, const tf_rigid_body *body, int vertices)
 {
-    rigid taken = {.vertices = vertices};
+    rigid_element taken = {.vertices = vertices};
     for (int k = 0; k < axes; k++) {
         taken.center.x[k] = body->center[k];
         taken.velocity.x[k] = body->velocity[k];
@@ -53,7 +53,7 @@ static rigid rigid_of(int axes, const tf_rigid_body *body, int vertices)
 }
 
 //: Find the position of a rigid vertex
-static tf_vector position_of(const rigid *body, int vertex, double time)
+static tf_vector position_of(const rigid_element *body, int vertex, double time)
 {
     tf_vector x = turned(body->rotation, time, body->arm[vertex]);
     for (int k = 0; k < TF_AXES; k++)
@@ -67,7 +67,7 @@ void tf_rigid_position(int axes, const tf_rigid_body *body, int vertex,
     TF_REQUIRE((axes == 2 || axes == 3) && body && vertex >= 0 && x);
     tf_rigid_body one = *body;
     one.vertices = body->vertices + (ptrdiff_t)axes * vertex;
-    rigid taken = rigid_of(axes, &one, 1);
+    rigid_element taken = rigid_of(axes, &one, 1);
     tf_vector moved = position_of(&taken, 0, time);
     for (int k = 0; k < axes; k++)
         x[k] = moved.x[k];
@@ -76,7 +76,7 @@ void tf_rigid_position(int axes, const tf_rigid_body *body, int vertex,
 //: Find the positions of two rigid elements
 static void rigid_positions(const void *motion, double time, tf_vector x[])
 {
-    const rigid *body = motion;
+    const rigid_element *body = motion;
     for (int b = 0, count = 0; b < 2; b++)
         for (int i = 0; i < body[b].vertices; i++)
             x[count++] = position_of(&body[b], i, time);
@@ -85,17 +85,17 @@ static void rigid_positions(const void *motion, double time, tf_vector x[])
 //: Bound the speed of approach
 /// A vertex turns toward the normal at no more than |normal x rotation| times
 /// its distance from the center.
-static double turning(const rigid *body, tf_vector normal)
+static double turning_speed(const rigid_element *body, tf_vector normal)
 {
     tf_vector rate = tf_vector_cross(normal, body->rotation);
     return sqrt(tf_vector_dot(rate, rate)) * body->reach;
 }
 
 static double rigid_speed(const void *motion, double time, const tf_vector x[],
-                          const tf_nearest *nearest)
+                          const tf_point_pair *nearest)
 {
     (void)time;
-    const rigid *body = motion;
+    const rigid_element *body = motion;
     tf_vector normal = {{0}};
     int first = body[0].vertices, count = first + body[1].vertices;
     for (int i = 0; i < count; i++)
@@ -105,8 +105,8 @@ static double rigid_speed(const void *motion, double time, const tf_vector x[],
     double length = sqrt(tf_vector_dot(normal, normal));
     normal = tf_vector_scaled(length > 0 ? 1 / length : 0, normal);
     tf_vector toward = tf_vector_difference(body[0].velocity, body[1].velocity);
-    return tf_vector_dot(toward, normal) + turning(&body[0], normal) +
-           turning(&body[1], normal);
+    return tf_vector_dot(toward, normal) + turning_speed(&body[0], normal) +
+           turning_speed(&body[1], normal);
 }
 
 //: Check a rigid body
@@ -141,8 +141,8 @@ static tf_status advance_bodies(const tf_advance_limits *limits, int axes,
     if (!body_is_finite(axes, vertices, first) ||
         !body_is_finite(axes, others, second))
         return TF_NOT_FINITE;
-    rigid body[] = {rigid_of(axes, first, vertices),
-                    rigid_of(axes, second, others)};
+    rigid_element body[] = {rigid_of(axes, first, vertices),
+                            rigid_of(axes, second, others)};
     tf_approach approach = {.motion = body,
                             .vertices = vertices,
                             .others = others,

@@ -23,7 +23,7 @@ typedef struct tf_rigid_body {
 /// Where a vertex of a rigid body is at a time.  Thread-safe.
 /// @param axes 2 for a body in the plane, 3 for one in space
 /// @param body the body, finite
-/// @param vertex the place of the vertex in its list
+/// @param vertex the index of the vertex in its list
 /// @param time the time, from 0 to 1
 /// @param[out] x its `axes` coordinates, correct up to rounding
 TF_API void tf_rigid_position(int axes, const tf_rigid_body *body, int vertex,
@@ -34,8 +34,8 @@ TF_API void tf_rigid_position(int axes, const tf_rigid_body *body, int vertex,
 ///
 /// Conservative advancement: the elements are advanced by their distance over a
 /// bound on the speed at which they can approach each other, again and again.
-/// The bound is (v1 - v2) . n + |n x w1| r1 + |n x w2| r2 with the velocities v,
-/// the angular velocities w, the greatest distances r of a vertex from its
+/// The bound is (v1 - v2) . n + |n x w1| r1 + |n x w2| r2 with the velocities
+/// v, the angular velocities w, the greatest distances r of a vertex from its
 /// center, and the direction n from the first element's nearest point to the
 /// second's.  See Mirtich, "Impulse-based dynamic simulation of rigid body
 /// systems" (1996), and Zhang, Lee and Kim, "Interactive continuous collision

@@ -7,21 +7,18 @@
 #include "arithmetic/perturbed.h"
 
 #include <math.h>
-#include <string.h>
+#include <stddef.h>
 
-//: Find an arithmetic by its name
-static const tf_arithmetic *const arithmetics[] = {
-    &tf_exact,     &tf_clamped,   &tf_published,
-    &tf_perturbed, &tf_integer64, &tf_integer128,
+//: Name the arithmetics
+const tf_choice tf_arithmetics[] = {
+    {"exact", &tf_exact},
+    {"clamped", &tf_clamped},
+    {"report", &tf_published},
+    {"perturbed", &tf_perturbed},
+    {"integer64", &tf_integer64},
+    {"integer128", &tf_integer128},
+    {NULL, NULL},
 };
-
-const tf_arithmetic *tf_arithmetic_named(const char *name)
-{
-    for (size_t i = 0; i < sizeof arithmetics / sizeof *arithmetics; i++)
-        if (strcmp(name, tf_arithmetic_name(arithmetics[i])) == 0)
-            return arithmetics[i];
-    return NULL;
-}
 
 //: Compare a coordinate with the range of an arithmetic
 bool tf_arithmetic_fits(const tf_arithmetic *arithmetic, int axes, double x)

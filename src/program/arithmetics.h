@@ -2,15 +2,12 @@
 #pragma once
 
 #include "arithmetic/arithmetic.h"
+#include "files/choice.h"
 
 #include <stdbool.h>
 
-/// The names that tf_arithmetic_named accepts, for help and messages.
-#define TF_ARITHMETIC_NAMES                                                    \
-    "exact, clamped, report, perturbed, integer64 or integer128"
-
-/// The arithmetic of that name; NULL if there is none.
-const tf_arithmetic *tf_arithmetic_named(const char *name);
+/// The arithmetics by their names.
+extern const tf_choice tf_arithmetics[];
 
 //: Declare what an arithmetic can hold
 /// Whether an arithmetic can hold a coordinate of a scene with that many axes.

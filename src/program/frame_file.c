@@ -2,6 +2,7 @@
 #define _GNU_SOURCE // memmem, open_memstream
 #include "program/frame_file.h"
 
+#include "files/mesh_reader.h"
 #include "files/mesh_writer.h"
 
 #include <errno.h>
@@ -9,68 +10,48 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
-//: Give a frame three axes
-/// In the plane only copies of the coordinates have three axes.
-typedef struct frame {
-    tf_mesh_file mesh; ///< its elements are those of the simulation
-    double *velocity;
-} frame;
-
-static double *deepen(int axes, int vertices, const double x[])
+//: Name a simulation
+void tf_simulation_name(const tf_simulation *simulation,
+                        char name[TF_SIMULATION_NAME])
 {
-    double *deep = calloc(3 * (size_t)vertices, sizeof *deep);
-    for (int v = 0; v < vertices && deep; v++)
-        memcpy(deep + (ptrdiff_t)3 * v, x + (ptrdiff_t)axes * v,
-               sizeof *deep * (size_t)axes);
-    return deep;
-}
-
-static void frame_free(frame *of)
-{
-    free(of->mesh.position.item);
-    free(of->velocity);
-}
-
-static bool frame_make(frame *of, const tf_simulation *s)
-{
-    const tf_body *body = &s->stage.body;
-    int axes = body->axes, vertices = body->vertices;
-    of->mesh = (tf_mesh_file){
-        .position.item = deepen(axes, vertices, s->position),
-        .position.count = 3 * (size_t)vertices,
-        .triangle.item = body->triangle,
-        .edge.item = body->edge,
-        .vertex_place.count = (size_t)vertices,
-        .triangle_place.count = (size_t)body->triangles,
-        .edge_place.count = (size_t)body->edges,
-    };
-    of->velocity = deepen(axes, vertices, s->velocity);
-    return of->mesh.position.item && of->velocity;
+    const tf_scene *scene = simulation->scene;
+    int digits = 6;
+    do
+        snprintf(name, TF_SIMULATION_NAME, "%s --%s %.*g", scene->name,
+                 scene->kind->option, digits, simulation->resolution);
+    while (strtod(strrchr(name, ' '), NULL) != simulation->resolution &&
+           digits++ < 17);
 }
 
 //: Write a frame of a simulation
-#define COMMENT "tanglefree simulate %s --size %d, step %d, of the script %d"
-
-bool tf_frame_write(FILE *stream, const tf_simulation *simulation)
+static void write_comment(const tf_simulation *s, const tf_snapshot *now,
+                          char comment[TF_SIMULATION_NAME + 100])
 {
-    frame made;
-    char comment[200];
-    bool good = frame_make(&made, simulation);
-    snprintf(comment, sizeof comment, COMMENT, simulation->scene->name,
-             simulation->size, simulation->step, simulation->scripted);
-    if (good)
-        tf_mesh_write_state(stream, &made.mesh,
-                            &(tf_mesh_state){comment, made.velocity});
-    else
-        errno = ENOMEM;
-    frame_free(&made);
-    return good;
+    char name[TF_SIMULATION_NAME], script[50] = "";
+    tf_simulation_name(s, name);
+    if (now->velocity)
+        snprintf(script, sizeof script, ", of the script %d",
+                 now->script_steps);
+    snprintf(comment, TF_SIMULATION_NAME + 100,
+             "tanglefree simulate %s, step %d%s", name, now->step, script);
+}
+
+void tf_frame_write(FILE *stream, const tf_simulation *simulation)
+{
+    tf_snapshot now = simulation->scene->kind->snapshot(simulation);
+    char comment[TF_SIMULATION_NAME + 100];
+    write_comment(simulation, &now, comment);
+    tf_mesh_write(
+        stream,
+        &(tf_mesh_content){now.mesh, now.position, now.velocity, comment},
+        TF_PLY_LITTLE_ENDIAN);
 }
 
 //: Read a whole frame
 typedef struct content {
-    char *text;
+    char *text; ///< a zero follows it
     size_t size;
 } content;
 
@@ -78,17 +59,19 @@ typedef struct content {
 static bool write_content(content *of, const tf_simulation *s)
 {
     FILE *stream = open_memstream(&of->text, &of->size);
-    bool good = stream && tf_frame_write(stream, s);
-    return stream && fclose(stream) == 0 && good;
+    if (stream)
+        tf_frame_write(stream, s);
+    return stream && fclose(stream) == 0;
 }
 
-/// Reads no more than `most` bytes; a zero follows them.
-static bool read_content(content *of, const char *path, size_t most)
+static bool read_content(content *of, const char *path)
 {
+    struct stat status;
     FILE *stream = fopen(path, "rb");
-    of->text = stream ? malloc(most + 1) : NULL;
+    if (stream && fstat(fileno(stream), &status) == 0)
+        of->text = malloc((size_t)status.st_size + 1);
     if (of->text) {
-        of->size = fread(of->text, 1, most, stream);
+        of->size = fread(of->text, 1, (size_t)status.st_size, stream);
         of->text[of->size] = '\0';
     }
     bool good = of->text && !ferror(stream);
@@ -97,7 +80,8 @@ static bool read_content(content *of, const char *path, size_t most)
     return good;
 }
 
-//: Take the state of a frame
+//: Take the numbers of a frame
+/// The bytes of a double, the least significant one first.
 static double gather_double(const char *bytes)
 {
     uint64_t bits = 0;
@@ -108,33 +92,58 @@ static double gather_double(const char *bytes)
     return number;
 }
 
-/// The vertices follow the header, six numbers each.
-static bool take_vertices(tf_simulation *s, const content *read)
+/// Three coordinates follow the header for each vertex, and its velocity if
+/// `numbers` is 6.  Takes the numbers from the first one on.  To be freed; NULL:
+/// they are not there.
+static double *take_numbers(const content *read, const tf_mesh *mesh,
+                            int numbers, int first)
 {
     static const char mark[] = "\nend_header\n";
-    int axes = s->stage.body.axes, vertices = s->stage.body.vertices;
     const char *at = memmem(read->text, read->size, mark, sizeof mark - 1);
-    if (!at || (size_t)(read->text + read->size - at) <
-                   sizeof mark + 48 * (size_t)vertices)
-        return false;
-    at += sizeof mark - 1;
-    for (int v = 0; v < vertices; v++)
-        for (int k = 0; k < axes; k++) {
-            const char *place = at + (ptrdiff_t)48 * v + (ptrdiff_t)8 * k;
-            s->position[axes * v + k] = gather_double(place);
-            s->velocity[axes * v + k] = gather_double(place + 24);
-        }
-    return true;
+    size_t size = 8 * (size_t)numbers * (size_t)mesh->vertices;
+    int count = mesh->axes * mesh->vertices;
+    at = at ? at + sizeof mark - 1 : NULL;
+    if (!at || (size_t)(read->text + read->size - at) < size)
+        return NULL;
+    double *x = malloc(sizeof *x * (size_t)(count + 1));
+    for (int i = 0; i < count && x; i++)
+        x[i] = gather_double(at + 8 * (ptrdiff_t)(i / mesh->axes * numbers +
+                                                  i % mesh->axes + first));
+    return x;
+}
+
+//: Restore the state of a frame
+static bool restore(tf_simulation *s, const content *read, tf_snapshot *state)
+{
+    int numbers = state->velocity ? 6 : 3;
+    double *position = take_numbers(read, &state->mesh, numbers, 0);
+    double *velocity = take_numbers(read, &state->mesh, numbers, numbers - 3);
+    state->position = position;
+    state->velocity = velocity;
+    bool good =
+        position && velocity && s->scene->kind->restore(s, state) == TF_OK;
+    free(position);
+    free(velocity);
+    return good;
 }
 
 static bool take_state(tf_simulation *s, const content *read)
 {
-    return sscanf(
-               read->text,
-               "ply\nformat binary_little_endian 1.0\ncomment "
-               "tanglefree simulate %*s --size %*d, step %d, of the script %d",
-               &s->step, &s->scripted) == 2 &&
-           s->step >= 0 && s->scripted >= 0 && take_vertices(s, read);
+    tf_fault unused;
+    tf_mesh_file file = {0};
+    tf_snapshot state = s->scene->kind->snapshot(s);
+    bool good =
+        sscanf(
+            read->text,
+            "ply\nformat binary_little_endian 1.0\ncomment "
+            "tanglefree simulate %*s --%*s %*[^,], step %d, of the script %d",
+            &state.step, &state.script_steps) > 0 &&
+        state.step >= 0 && state.script_steps >= 0 &&
+        tf_mesh_file_parse(&file, "frame", read->text, read->size, &unused);
+    state.mesh = tf_mesh_file_elements(&file, state.mesh.axes);
+    good = good && restore(s, read, &state);
+    tf_mesh_file_free(&file);
+    return good;
 }
 
 //: Read a frame of a simulation
@@ -144,23 +153,17 @@ static tf_frame_fault compare_content(tf_simulation *s, const content *read)
     content written = {0};
     if (!take_state(s, read))
         return TF_FRAME_FOREIGN;
-    if (!write_content(&written, s)) {
-        free(written.text);
-        return TF_FRAME_UNREADABLE;
-    }
-    bool same = written.size == read->size &&
+    bool good = write_content(&written, s);
+    bool same = good && written.size == read->size &&
                 memcmp(written.text, read->text, read->size) == 0;
     free(written.text);
-    return same ? TF_FRAME_GOOD : TF_FRAME_FOREIGN;
+    return same ? TF_FRAME_GOOD : good ? TF_FRAME_FOREIGN : TF_FRAME_UNREADABLE;
 }
 
 tf_frame_fault tf_frame_read(tf_simulation *simulation, const char *path)
 {
-    const tf_body *body = &simulation->stage.body;
-    size_t most = 1000 + 48 * (size_t)body->vertices +
-                  13 * (size_t)body->triangles + 8 * (size_t)body->edges;
     content read = {0};
-    tf_frame_fault fault = read_content(&read, path, most)
+    tf_frame_fault fault = read_content(&read, path)
                                ? compare_content(simulation, &read)
                                : TF_FRAME_UNREADABLE;
     free(read.text);

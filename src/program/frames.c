@@ -1,12 +1,15 @@
 //: Include what frames need
 #include "program/frames.h"
 
+#include "files/mesh_reader.h"
+#include "program/flaws.h"
+
 #include <stdlib.h>
 #include <string.h>
 
 //: Compare the elements of two files
-static bool same_count(tf_mesh_file *file, const tf_mesh_file *before, int own,
-                       int other, const char *things)
+static bool same_count(const tf_mesh_file *file, const tf_mesh_file *before,
+                       int own, int other, const char *things)
 {
     return own == other ||
            tf_mesh_file_fault(file, -1,
@@ -16,7 +19,7 @@ static bool same_count(tf_mesh_file *file, const tf_mesh_file *before, int own,
                               tf_make_visible(before->name).text);
 }
 
-static bool same_list(tf_mesh_file *file, const tf_mesh_file *before,
+static bool same_list(const tf_mesh_file *file, const tf_mesh_file *before,
                       const tf_ints *own, const tf_ints *other,
                       const tf_ints *places, const char *thing)
 {
@@ -32,7 +35,7 @@ static bool same_list(tf_mesh_file *file, const tf_mesh_file *before,
 }
 
 /// Describes the first difference, if there is one.
-static bool same_elements(tf_mesh_file *a, const tf_mesh_file *b)
+static bool same_elements(const tf_mesh_file *a, const tf_mesh_file *b)
 {
     return same_count(a, b, tf_mesh_file_vertices(a), tf_mesh_file_vertices(b),
                       "vertices") &&
@@ -45,34 +48,11 @@ static bool same_elements(tf_mesh_file *a, const tf_mesh_file *b)
                       "edges");
 }
 
-//: Describe a flaw by its place in the file
-static bool fault_in_index(tf_mesh_file *file, long place, int vertex)
+//: Describe what is wrong with a frame
+bool tf_frames_fault(const tf_frames *frames, tf_status status,
+                     const tf_flaw *flaw)
 {
-    int vertices = tf_mesh_file_vertices(file), first = file->first_index;
-    if (vertex >= 0 && vertex < vertices)
-        return tf_mesh_file_fault(file, place,
-                                  "vertex %d is a corner twice; delete the "
-                                  "triangle or edge, here and in all files",
-                                  vertex + first);
-    return tf_mesh_file_fault(
-        file, place,
-        "there is no vertex %lld; the file has those from %d to %lld",
-        (long long)vertex + first, first, (long long)vertices + first - 1);
-}
-
-bool tf_frames_fault(tf_frames *frames, tf_status status, const tf_flaw *flaw)
-{
-    tf_mesh_file *file = &frames->file[frames->current];
-    const tf_ints *places[] = {[TF_VERTEX] = &file->vertex_place,
-                               [TF_EDGE] = &file->edge_place,
-                               [TF_TRIANGLE] = &file->triangle_place};
-    long place = flaw->element == TF_NO_ELEMENT
-                     ? -1
-                     : places[flaw->element]->item[flaw->index];
-    return status == TF_BAD_INDEX
-               ? fault_in_index(file, place, flaw->vertex)
-               : tf_mesh_file_fault(file, place, "%s",
-                                    tf_status_message(status));
+    return tf_flaw_fault(tf_frames_file(frames), status, flaw);
 }
 
 //: Make the surface of a step
@@ -87,13 +67,7 @@ static bool make_surface(tf_frames *frames)
     int axes = is_flat(frames) ? 2 : 3;
     if (frames->surface && axes == frames->axes)
         return true;
-    const tf_mesh_file *file = tf_frames_file(frames);
-    tf_mesh mesh = {.axes = axes,
-                    .vertices = tf_mesh_file_vertices(file),
-                    .triangles = tf_mesh_file_triangles(file),
-                    .triangle = file->triangle.item,
-                    .edges = tf_mesh_file_edges(file),
-                    .edge = file->edge.item};
+    tf_mesh mesh = tf_mesh_file_elements(tf_frames_file(frames), axes);
     tf_flaw flaw;
     tf_surface_free(frames->surface);
     frames->surface = NULL;
@@ -111,8 +85,7 @@ static bool flatten(tf_frames *frames)
         double *flat =
             realloc(frames->flat[i], 2 * (vertices + 1) * sizeof *flat);
         if (!flat)
-            return tf_mesh_file_fault(&frames->file[frames->current], -1,
-                                      "not enough memory; divide the mesh");
+            return tf_mesh_file_fault_in_memory(file);
         frames->flat[i] = flat;
         for (size_t v = 0; v < vertices; v++)
             memcpy(flat + 2 * v, file->position.item + 3 * v, 2 * sizeof *flat);
@@ -124,11 +97,8 @@ static bool flatten(tf_frames *frames)
 /// With the current file, in its place; the one before is dropped.
 static void begin_anew(tf_frames *frames)
 {
-    tf_mesh_file *file = &frames->file[frames->current];
-    tf_mesh_file *before = &frames->file[1 - frames->current];
-    file->fault[0] = '\0';
-    tf_mesh_file_free(before);
-    *before = (tf_mesh_file){0};
+    frames->fault.text[0] = '\0';
+    tf_mesh_file_free(&frames->file[1 - frames->current]);
     tf_surface_free(frames->surface);
     frames->surface = NULL;
     frames->count = frames->current;
@@ -149,7 +119,7 @@ bool tf_frames_next(tf_frames *frames, const char *path)
     frames->current = frames->count % 2;
     tf_mesh_file *file = &frames->file[frames->current];
     tf_mesh_file_free(file);
-    if (!tf_mesh_file_read(file, path))
+    if (!tf_mesh_file_read(file, path, &frames->fault))
         return false;
     frames->is_new = frames->count == 0;
     if (frames->count > 0 &&

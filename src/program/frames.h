@@ -18,10 +18,11 @@ typedef struct tf_frames {
     int axes;             ///< of the surface
     tf_surface *surface;
     double *flat[2]; ///< in the plane: the positions, without z
+    tf_fault fault;
 } tf_frames;
 
 /// Reads the next file, and makes the surface of it and the one before: one of
-/// the plane if both are.  False: there is a fault in the current file.  It is
+/// the plane if both are.  False: there is a fault.  It is
 /// an error if the two do not have the same elements, unless they may differ.
 bool tf_frames_next(tf_frames *frames, const char *path);
 
@@ -39,6 +40,7 @@ double *tf_frames_end(tf_frames *frames);
 void tf_frames_change(tf_frames *frames);
 
 /// Describes what a flaw of the surface is in the current file; false.
-bool tf_frames_fault(tf_frames *frames, tf_status status, const tf_flaw *flaw);
+bool tf_frames_fault(const tf_frames *frames, tf_status status,
+                     const tf_flaw *flaw);
 
 void tf_frames_free(tf_frames *frames);

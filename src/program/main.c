@@ -2,11 +2,7 @@
 #define _GNU_SOURCE
 #include "base/version.h"
 #include "files/visible.h"
-#include "program/query_command.h"
-#include "program/remesh_command.h"
-#include "program/resolve_command.h"
-#include "program/simulate_command.h"
-#include "program/surface_command.h"
+#include "program/command.h"
 
 #include <argp.h>
 #include <errno.h>
@@ -16,26 +12,9 @@
 #include <unistd.h>
 
 //: List the commands
-typedef struct command {
-    const char *name;
-    char *full_name; ///< for messages
-    const char *purpose;
-    int (*run)(int argc, char *argv[]);
-} command;
-
-static const command commands[] = {
-    {"query", "tanglefree query",
-     "compute whether, when and how elements first meet", tf_query_command},
-    {"detect", "tanglefree detect", "find every contact of a moving surface",
-     tf_detect_command},
-    {"check", "tanglefree check", "find where a surface intersects itself",
-     tf_check_command},
-    {"resolve", "tanglefree resolve",
-     "change the end of a step such that nothing meets", tf_resolve_command},
-    {"remesh", "tanglefree remesh",
-     "give a surface triangles that are nearly equilateral", tf_remesh_command},
-    {"simulate", "tanglefree simulate", "simulate a scene of cloth",
-     tf_simulate_command},
+static const tf_command *const commands[] = {
+    &tf_query_command,   &tf_detect_command, &tf_check_command,
+    &tf_resolve_command, &tf_remesh_command, &tf_simulate_command,
 };
 enum {
     COMMANDS = sizeof commands / sizeof *commands
@@ -56,7 +35,8 @@ static char *describe(int key, const char *text, void *input)
         return NULL;
     fputs("Commands:\n", stream);
     for (int i = 0; i < COMMANDS; i++)
-        fprintf(stream, "  %-10s %s\n", commands[i].name, commands[i].purpose);
+        fprintf(stream, "  %-10s %s\n", commands[i]->name,
+                commands[i]->purpose);
     fputs("\n'tanglefree COMMAND --help' describes a command.", stream);
     fclose(stream);
     return list;
@@ -64,7 +44,7 @@ static char *describe(int key, const char *text, void *input)
 
 //: Find the command among the arguments
 typedef struct choice {
-    const command *command;
+    const tf_command *command;
     int argc;
     char **argv; ///< of the command, its name first
 } choice;
@@ -72,8 +52,8 @@ typedef struct choice {
 static void choose(choice *chosen, struct argp_state *state, const char *name)
 {
     for (int i = 0; i < COMMANDS; i++)
-        if (strcmp(name, commands[i].name) == 0)
-            chosen->command = &commands[i];
+        if (strcmp(name, commands[i]->name) == 0)
+            chosen->command = commands[i];
     if (!chosen->command)
         argp_error(state, "unknown command '%s'; --help lists the commands",
                    tf_make_visible(name).text);
@@ -127,6 +107,5 @@ int main(int argc, char *argv[])
 
     argv[0] = name;
     choice chosen = choose_command(argc, argv);
-    chosen.argv[0] = chosen.command->full_name;
-    return chosen.command->run(chosen.argc, chosen.argv);
+    return tf_command_run(chosen.command, chosen.argc, chosen.argv);
 }

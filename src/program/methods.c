@@ -8,7 +8,7 @@
 #include "query/point_edge.h"
 #include "query/point_triangle.h"
 
-#include <string.h>
+#include <stddef.h>
 
 //: Number the vertices of a row
 // The first element's, then the second's.
@@ -58,37 +58,28 @@ static tf_status answer_advancement(const tf_method_options *options,
     return tf_additive_edge_edge(&limits, motion, row, row + 2, contact, NULL);
 }
 
-//: Find a method by its name
+//: Name the methods
 struct tf_method {
-    const char *name;
-    tf_method_option takes;
+    const char *option;
     tf_status (*answer)(const tf_method_options *options,
                         const tf_query_kind *kind, const tf_motion *motion,
                         tf_contact *contact);
 };
 
-static const tf_method methods[] = {
-    {"spacetime", TF_TAKES_ARITHMETIC, answer_spacetime},
-    {"cubic", TF_TAKES_TOLERANCE, answer_cubic},
-    {"advancement", TF_TAKES_THRESHOLD, answer_advancement},
+static const tf_method spacetime = {"arithmetic", answer_spacetime};
+static const tf_method cubic = {"tolerance", answer_cubic};
+static const tf_method advancement = {"threshold", answer_advancement};
+
+const tf_choice tf_methods[] = {
+    {"spacetime", &spacetime},
+    {"cubic", &cubic},
+    {"advancement", &advancement},
+    {NULL, NULL},
 };
 
-const tf_method *tf_method_named(const char *name)
+const char *tf_method_option(const tf_method *method)
 {
-    for (size_t i = 0; i < sizeof methods / sizeof *methods; i++)
-        if (strcmp(name, methods[i].name) == 0)
-            return &methods[i];
-    return NULL;
-}
-
-const char *tf_method_name(const tf_method *method)
-{
-    return method->name;
-}
-
-tf_method_option tf_method_takes(const tf_method *method)
-{
-    return method->takes;
+    return method->option;
 }
 
 //: Answer a query of a file

@@ -3,34 +3,20 @@
 
 #include "arithmetic/arithmetic.h"
 #include "base/status.h"
+#include "files/choice.h"
 #include "files/query_file.h"
 #include "query/contact.h"
-
-#include <stdbool.h>
 
 /// A way to answer a query.
 typedef struct tf_method tf_method;
 
-/// The names that tf_method_named accepts, for help and messages.
-#define TF_METHOD_NAMES "spacetime, cubic or advancement"
+/// The methods by their names.
+extern const tf_choice tf_methods[];
 
-/// The method of that name; NULL if there is none.
-const tf_method *tf_method_named(const char *name);
+/// The name of the one option that a method takes.
+const char *tf_method_option(const tf_method *method);
 
-/// The name of a method.
-const char *tf_method_name(const tf_method *method);
-
-//: Declare what methods take
-/// What a method takes besides the query.
-typedef enum tf_method_option {
-    TF_TAKES_ARITHMETIC = 1,
-    TF_TAKES_TOLERANCE = 2,
-    TF_TAKES_THRESHOLD = 4
-} tf_method_option;
-
-/// Which of the options a method takes.
-tf_method_option tf_method_takes(const tf_method *method);
-
+//: Declare how to answer a query
 /// The options of all methods; each reads its own.
 typedef struct tf_method_options {
     const tf_arithmetic *arithmetic;

@@ -19,10 +19,10 @@ static void print_grouped(FILE *stream, long count)
 }
 
 //: Show, rewrite and erase the progress line
-tf_progress tf_progress_begin(void)
+tf_progress tf_progress_begin(bool silent)
 {
     return (tf_progress){
-        .wanted = isatty(STDERR_FILENO) && !isatty(STDOUT_FILENO),
+        .wanted = isatty(STDERR_FILENO) && (silent || !isatty(STDOUT_FILENO)),
         .next = tf_clock_seconds() + 1,
     };
 }

@@ -5,12 +5,13 @@
 
 /// A line on the terminal about work that takes more than a second, written
 /// over five times a second and erased at the end.  Shown only if standard
-/// error is a terminal, and standard output, which it would garble, is not.
+/// error is a terminal, and it would not garble standard output.
 typedef struct tf_progress {
     bool wanted, shown;
     double next; ///< when to show it again, in seconds
 } tf_progress;
 
-tf_progress tf_progress_begin(void);
+/// @param silent nothing is printed on standard output until the end
+tf_progress tf_progress_begin(bool silent);
 void tf_progress_show(tf_progress *progress, long count, const char *things);
 void tf_progress_end(tf_progress *progress);

@@ -1,34 +1,18 @@
 //: Include what the command resolve needs
-#define _GNU_SOURCE // isatty
-#include "program/resolve_command.h"
 
 #include "files/masses.h"
-#include "program/arguments.h"
 #include "program/clock.h"
+#include "program/command.h"
+#include "program/flaws.h"
 #include "program/frames.h"
 #include "program/mesh_output.h"
-#include "program/obstacles.h"
 #include "program/progress.h"
-#include "program/response_output.h"
-#include "program/solvers.h"
+#include "program/reports.h"
 #include "program/threads.h"
 #include "response/resolve.h"
 
-#include <errno.h>
-#include <float.h>
+#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
-#include <unistd.h>
-
-//: Hold what the command line requests of resolve
-typedef struct request {
-    const char *start, *end;
-    const char *out;            ///< "-": standard output
-    const char *fixed, *masses; ///< files, or NULL
-    tf_format format;
-    int threads;
-    tf_response_options options;
-} request;
 
 //: Describe the usage of resolve
 static const char description[] =
@@ -48,129 +32,13 @@ static const char description[] =
     "Exit status: 0 if OUT is written and the step to it is clear, 2 after any "
     "error; then OUT is as it was before.";
 
-enum {
-    OUTPUT = 256, // the keys of options that have no short form
-    SEPARATION,
-    FRICTION,
-    RESTITUTION
-};
-
-static const struct argp_option options[] = {
-    {"write", 'o', "OUT", 0, "Where to write the end of the step; required", 0},
-    {"fixed", 'f', "FILE", 0,
-     "The scripted vertices, which end where END has them unless they have to "
-     "be held back: their numbers, from 0",
-     0},
-    {"masses", 'm', "FILE", 0,
-     "The masses of all vertices; the default is 1 for each", 0},
-    {"solver", 's', "NAME", 0,
-     "What solves impact zones: " TF_SOLVER_NAMES
-     "; the default is gauss-seidel",
-     0},
-    {"separation", SEPARATION, "X", 0,
-     "Push apart what would meet and is nearer than this at the start; the "
-     "default is 0.05 of the mean edge",
-     0},
-    {"friction", FRICTION, "X", 0, "Coulomb's coefficient; the default is 0",
-     0},
-    {"restitution", RESTITUTION, "X", 0,
-     "The part of the normal velocity that is left after a collision, from 0 "
-     "to 1; the default is 0",
-     0},
-    {"output", OUTPUT, "FORMAT", 0,
-     "The report: " TF_REPORT_FORMAT_NAMES "; the default is summary", 0},
-    {"threads", 't', "NUMBER", 0, TF_THREADS_HELP, 0},
-    {0},
-};
-
-//: Parse an option of the response
-/// To the library, 0 means the default, and a negative number means none.
-static double parse_separation(struct argp_state *state, const char *text)
-{
-    double number = tf_parse_number(state, "separation", text, DBL_MAX,
-                                    "0 or more, such as 1e-3");
-    return number > 0 ? number : -1;
-}
-
-static bool parse_response_option(int key, const char *text,
-                                  struct argp_state *state)
-{
-    tf_response_options *response = &((request *)state->input)->options;
-    switch (key) {
-    case 's':
-        if (!(response->solver = tf_solver_named(text)))
-            tf_refuse_name(state, "solver", text, TF_SOLVER_NAMES);
-        return true;
-    case SEPARATION:
-        response->separation = parse_separation(state, text);
-        return true;
-    case FRICTION:
-        response->friction = tf_parse_number(state, "friction", text, DBL_MAX,
-                                             "0 or more, such as 0.3");
-        return true;
-    case RESTITUTION:
-        response->restitution =
-            tf_parse_number(state, "restitution", text, 1, "from 0 to 1");
-        return true;
-    default:
-        return false;
-    }
-}
-
-//: Check the arguments of resolve
-static void check_request(struct argp_state *state)
-{
-    if (state->argc - state->next != 2)
-        argp_error(state, "two files are required, START and END");
-    if (!((request *)state->input)->out)
-        argp_error(state,
-                   "-o OUT is required: where to write the end of the step");
-}
-
-//: Parse an argument of resolve
-static error_t parse_argument(int key, char *text, struct argp_state *state)
-{
-    request *wanted = state->input;
-    if (parse_response_option(key, text, state))
-        return 0;
-    switch (key) {
-    case 'o':
-        wanted->out = text;
-        return 0;
-    case 'f':
-        wanted->fixed = text;
-        return 0;
-    case 'm':
-        wanted->masses = text;
-        return 0;
-    case OUTPUT:
-        wanted->format = tf_parse_format(state, text, false);
-        return 0;
-    case 't':
-        wanted->threads = tf_parse_threads(state, text);
-        return 0;
-    case ARGP_KEY_ARGS:
-        wanted->start = state->argv[state->next];
-        wanted->end = state->argv[state->next + 1];
-        check_request(state);
-        return 0;
-    case ARGP_KEY_NO_ARGS:
-        check_request(state);
-        return 0;
-    default:
-        return ARGP_ERR_UNKNOWN;
-    }
-}
-
 //: Hold what resolve does
 typedef struct resolving {
-    request request;
+    const tf_request *request;
     tf_frames frames;
-    tf_text_lines fixed, masses;
     double *inverse_mass; ///< NULL: 1 for all
     tf_resolver *resolver;
-    tf_response_report report;
-    double seconds; ///< that the response took
+    tf_resolved done;
     tf_mesh_output out;
     tf_progress progress;
     size_t contacts; ///< that progress has seen
@@ -189,15 +57,16 @@ static bool allocate_masses(resolving *r, int vertices)
 
 static bool read_masses(resolving *r)
 {
-    const request *wanted = &r->request;
+    const tf_request *wanted = r->request;
     int vertices = tf_mesh_file_vertices(tf_frames_file(&r->frames));
     if (!wanted->fixed && !wanted->masses)
         return true;
     return allocate_masses(r, vertices) &&
-           (!wanted->masses || tf_masses_read(&r->masses, wanted->masses,
-                                              vertices, r->inverse_mass)) &&
-           (!wanted->fixed ||
-            tf_fixed_read(&r->fixed, wanted->fixed, vertices, r->inverse_mass));
+           (!wanted->masses ||
+            tf_masses_read(wanted->masses, vertices, r->inverse_mass,
+                           &r->frames.fault)) &&
+           (!wanted->fixed || tf_fixed_read(wanted->fixed, vertices,
+                                            r->inverse_mass, &r->frames.fault));
 }
 
 //: Show the progress of a response
@@ -215,21 +84,35 @@ static void show_progress(void *context, const tf_response_report *so_far)
 }
 
 //: Resolve the step between two frames
+/// To the library, a separation of 0 is the usual one, and a negative one none.
+static tf_response_options options_of(resolving *r, const tf_parallel *threads)
+{
+    const tf_request *wanted = r->request;
+    bool none =
+        tf_request_gave(wanted, "separation") && wanted->separation == 0;
+    return (tf_response_options){
+        .solver = wanted->solver,
+        .separation = none ? -1 : wanted->separation,
+        .restitution = wanted->restitution,
+        .friction = wanted->friction,
+        .check_start = true,
+        .parallel = threads,
+        .progress = show_progress,
+        .context = r,
+    };
+}
+
 static bool respond(resolving *r)
 {
-    tf_response_options *how = &r->request.options;
-    tf_parallel threads = tf_threads(&r->request.threads);
+    tf_parallel threads = tf_threads(&r->request->threads);
+    tf_response_options how = options_of(r, &threads);
     tf_motion motion = tf_frames_motion(&r->frames);
     tf_obstacle obstacle = {0};
-    how->check_start = true;
-    how->parallel = &threads;
-    how->progress = show_progress;
-    how->context = r;
     double begin = tf_clock_seconds();
     tf_status status = tf_step_resolve(
         r->resolver, motion.vertices, motion.start, tf_frames_end(&r->frames),
-        r->inverse_mass, how, &r->report, &obstacle);
-    r->seconds = tf_clock_seconds() - begin;
+        r->inverse_mass, &how, &r->done.report, &obstacle);
+    r->done.seconds = tf_clock_seconds() - begin;
     if (status == TF_START_NOT_CLEAR)
         return tf_obstacle_fault(&r->frames.file[0], &obstacle);
     return status == TF_OK ||
@@ -246,74 +129,60 @@ static bool resolve(resolving *r)
     return good;
 }
 
-//: Report a response
-static bool report_response(FILE *stream, const void *context)
-{
-    const resolving *r = context;
-    return tf_response_output_write(stream, r->request.format, &r->report,
-                                    r->seconds);
-}
-
-/// The end of the step, in the format of its start.
-static tf_mesh_file mesh_to_write(const resolving *r)
-{
-    tf_mesh_file mesh = *tf_frames_file(&r->frames);
-    mesh.format = r->frames.file[0].format;
-    return mesh;
-}
-
 //: Resolve and write
+/// Writes the end of the step, in the format of its start.
+static bool write(resolving *r)
+{
+    const tf_mesh_file *end = tf_frames_file(&r->frames);
+    tf_mesh_content content = {.mesh = tf_mesh_file_elements(end, 3),
+                               .position = end->position.item};
+    tf_mesh_report report = {*r->request->format, tf_resolved_fields, &r->done};
+    r->done.status = r->done.report.first_contacts == 0 ? "clear" : "resolved";
+    return tf_mesh_output_write(&r->out, &content, r->frames.file[0].format,
+                                &report);
+}
+
 static bool do_all(resolving *r)
 {
-    const request *wanted = &r->request;
-    if (!tf_frames_next(&r->frames, wanted->start) ||
-        !tf_frames_next(&r->frames, wanted->end) || !read_masses(r) ||
-        !tf_mesh_output_begin(&r->out, wanted->out))
+    const tf_request *wanted = r->request;
+    if (!tf_frames_next(&r->frames, wanted->operand[0]) ||
+        !tf_frames_next(&r->frames, wanted->operand[1]) || !read_masses(r) ||
+        !tf_mesh_output_begin(&r->out, wanted->out, &r->frames.fault))
         return false;
     bool good = resolve(r);
     tf_progress_end(&r->progress);
     if (!good)
         return false;
-    tf_mesh_file mesh = mesh_to_write(r);
-    return tf_mesh_output_write(&r->out, &mesh, report_response, r);
+    return write(r);
 }
 
-//: Print what went wrong in resolve
-static void print_errors(const resolving *r)
-{
-    const tf_text_lines *lists[] = {&r->masses, &r->fixed};
-    for (int i = 0; i < 2; i++) {
-        if (r->frames.file[i].fault[0] != '\0')
-            tf_mesh_file_print_fault(&r->frames.file[i], "tanglefree");
-        if (lists[i]->fault[0] != '\0')
-            tf_text_lines_print_fault(lists[i], "tanglefree");
-    }
-}
-
+//: End resolve
 static void free_all(resolving *r)
 {
     tf_mesh_output_end(&r->out);
     tf_resolver_free(r->resolver);
     free(r->inverse_mass);
-    tf_text_lines_close(&r->masses);
-    tf_text_lines_close(&r->fixed);
     tf_frames_free(&r->frames);
 }
 
 //: Run the command resolve
-int tf_resolve_command(int argc, char *argv[])
+static int run(const tf_request *request)
 {
-    static const struct argp parser = {
-        options, parse_argument, "START END", description, NULL, NULL, NULL};
-    resolving r = {
-        .request = {.format = TF_SUMMARY, .threads = tf_threads_available()}};
-    argp_parse(&parser, argc, argv, 0, NULL, &r.request);
-
-    // Nothing is printed until the line is erased: it may share its terminal.
-    r.progress = tf_progress_begin();
-    r.progress.wanted = isatty(STDERR_FILENO);
+    resolving r = {.request = request, .progress = tf_progress_begin(true)};
     bool good = do_all(&r);
-    print_errors(&r);
+    tf_fault_print(&r.frames.fault, "tanglefree");
     free_all(&r);
     return good ? 0 : 2;
 }
+
+const tf_command tf_resolve_command = {
+    .set = TF_RESOLVE,
+    .name = "resolve",
+    .purpose = "change the end of a step such that nothing meets",
+    .operands = "START END",
+    .least = 2,
+    .most = 2,
+    .wanted = "two files are required, START and END",
+    .description = description,
+    .run = run,
+};

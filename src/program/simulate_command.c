@@ -1,32 +1,18 @@
 //: Include what the command simulate needs
-#define _GNU_SOURCE // isatty
-#include "program/simulate_command.h"
+#define _GNU_SOURCE // PATH_MAX
 
 #include "files/visible.h"
-#include "program/arguments.h"
 #include "program/clock.h"
-#include "program/cloth_simulated.h"
-#include "program/flow_simulated.h"
+#include "program/command.h"
 #include "program/interruption.h"
 #include "program/progress.h"
 #include "program/simulation_folder.h"
-#include "program/summary.h"
+#include "program/step_fields.h"
 #include "program/threads.h"
+#include "simulate/cloth_scenes.h"
+#include "simulate/flow_scenes.h"
 
-#include <math.h>
-#include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
-
-//: Hold what the command line requests of simulate
-typedef struct request {
-    const tf_scene *scene;     ///< of cloth, or NULL
-    const tf_flow_scene *flow; ///< or of a flow; if both are NULL, list all
-    const char *folder;
-    int steps, size, threads; ///< 0: the usual number
-    double edge;              ///< 0: the usual length
-    bool resume;
-} request;
 
 //: Describe the usage of simulate
 static const char description[] =
@@ -44,188 +30,96 @@ static const char description[] =
     "Exit status: 0 if all steps are made, 2 after any error, 130 after "
     "Ctrl-C, when the step that was being made is finished.";
 
-enum {
-    STEPS = 256, // the keys of options that have no short form
-    SIZE,
-    EDGE,
-    RESUME,
-    MOST_SIZE = 2000
-};
-
-static const double least_edge = 0.001;
-
-static const struct argp_option options[] = {
-    {"write", 'o', "DIR", 0, "The folder for the frames; required", 0},
-    {"steps", STEPS, "N", 0, "How many steps; 'list' shows the default", 0},
-    {"size", SIZE, "N", 0,
-     "The resolution of cloth; 'list' shows what it counts, and the default",
-     0},
-    {"edge", EDGE, "LENGTH", 0,
-     "The usual length of edges of a surface that flows; 'list' shows the "
-     "default",
-     0},
-    {"resume", RESUME, NULL, 0, "Go on from the last frame in DIR", 0},
-    {"threads", 't', "NUMBER", 0, TF_THREADS_HELP, 0},
-    {0},
-};
-
-//: Parse a whole number
-static int parse_count(struct argp_state *state, const char *option,
-                       const char *text, int least, int most)
+//: Find the scene that is requested
+/// NULL: none has that name.
+static const tf_scene *scene_of(const tf_request *request)
 {
-    char *end;
-    long count = strtol(text, &end, 10);
-    if (end == text || *end || count < least || count > most)
-        argp_error(state,
-                   "--%s needs a whole number from %d to %d, and not "
-                   "'%s'",
-                   option, least, most, tf_make_visible(text).text);
-    return (int)count;
+    const char *name = request->operand[0];
+    const tf_scene *scene = tf_scene_named(tf_cloth_scenes, name);
+    return scene ? scene : tf_scene_named(tf_flow_scenes, name);
 }
 
-static double parse_length(struct argp_state *state, const char *option,
-                           const char *text)
+static bool wants_list(const tf_request *request)
 {
-    char *end;
-    double length = strtod(text, &end);
-    if (end == text || *end || !(length > 0) || !isfinite(length))
-        argp_error(state, "--%s needs a length above 0, and not '%s'", option,
-                   tf_make_visible(text).text);
-    return length;
+    return strcmp(request->operand[0], "list") == 0;
 }
 
-//: Find the scene among the arguments of simulate
-static void choose_scene(struct argp_state *state, const char *name)
+//: Check the resolution against the scene
+static void check_size(const tf_request *request, const tf_scene *scene)
 {
-    request *wanted = state->input;
-    if (strcmp(name, "list") == 0)
+    if (tf_request_gave(request, "edge"))
+        tf_request_refuse(request,
+                          "--edge is for surfaces that flow; the scene %s has "
+                          "a --size",
+                          scene->name);
+    if (tf_request_gave(request, "size") &&
+        request->size < scene->resolution.least)
+        tf_request_refuse(
+            request, "--size must be %g or more for the scene %s, got '%d'",
+            scene->resolution.least, scene->name, request->size);
+}
+
+static void check_edge(const tf_request *request, const tf_scene *scene)
+{
+    const tf_resolution *range = &scene->resolution;
+    if (tf_request_gave(request, "size"))
+        tf_request_refuse(request,
+                          "--size is for cloth; the scene %s has an --edge",
+                          scene->name);
+    if (tf_request_gave(request, "edge") &&
+        (request->edge > range->most || request->edge < range->least))
+        tf_request_refuse(
+            request, "--edge must be from %g to %g for the scene %s, got '%g'",
+            range->least, range->most, scene->name, request->edge);
+}
+
+//: Check the arguments of simulate
+static void check(tf_request *request)
+{
+    const tf_scene *scene = scene_of(request);
+    if (wants_list(request))
         return;
-    wanted->scene = tf_scene_named(name);
-    wanted->flow = tf_flow_scene_named(name);
-    if (!wanted->scene && !wanted->flow)
-        argp_error(state,
-                   "unknown scene '%s'; 'tanglefree simulate list' prints all",
-                   tf_make_visible(name).text);
-}
-
-//: Check the arguments of simulate against its scene
-/// The smallest size depends on the scene.
-static void check_cloth(struct argp_state *state, request *wanted)
-{
-    if (wanted->edge > 0)
-        argp_error(state,
-                   "--edge is for surfaces that flow; the scene %s has "
-                   "a --size",
-                   wanted->scene->name);
-    if (wanted->size == 0)
-        wanted->size = wanted->scene->size;
-    if (wanted->steps < 0)
-        wanted->steps = wanted->scene->steps;
-    if (wanted->size < wanted->scene->least)
-        argp_error(state, "the scene %s needs a --size of %d or more",
-                   wanted->scene->name, wanted->scene->least);
-}
-
-static void check_flow(struct argp_state *state, request *wanted)
-{
-    if (wanted->size > 0)
-        argp_error(state, "--size is for cloth; the scene %s has an --edge",
-                   wanted->flow->name);
-    if (wanted->edge == 0)
-        wanted->edge = wanted->flow->edge;
-    if (wanted->steps < 0)
-        wanted->steps = wanted->flow->steps;
-    if (wanted->edge > wanted->flow->most || wanted->edge < least_edge)
-        argp_error(state, "the scene %s needs an --edge from %g to %g",
-                   wanted->flow->name, least_edge, wanted->flow->most);
-}
-
-static void check_request(struct argp_state *state)
-{
-    request *wanted = state->input;
-    if ((wanted->scene || wanted->flow) && !wanted->folder)
-        argp_error(state, "-o DIR is required: the folder for the frames");
-    if (wanted->scene)
-        check_cloth(state, wanted);
-    if (wanted->flow)
-        check_flow(state, wanted);
-}
-
-//: Parse an argument of simulate
-static error_t parse_argument(int key, char *text, struct argp_state *state)
-{
-    request *wanted = state->input;
-    switch (key) {
-    case 'o':
-        wanted->folder = text;
-        return 0;
-    case STEPS:
-        wanted->steps = parse_count(state, "steps", text, 0, TF_MOST_STEPS);
-        return 0;
-    case SIZE:
-        wanted->size = parse_count(state, "size", text, 1, MOST_SIZE);
-        return 0;
-    case EDGE:
-        wanted->edge = parse_length(state, "edge", text);
-        return 0;
-    case RESUME:
-        wanted->resume = true;
-        return 0;
-    case 't':
-        wanted->threads = tf_parse_threads(state, text);
-        return 0;
-    case ARGP_KEY_ARG:
-        if (state->arg_num > 0)
-            return ARGP_ERR_UNKNOWN;
-        choose_scene(state, text);
-        return 0;
-    case ARGP_KEY_NO_ARGS:
-        argp_error(state,
-                   "no scene given; 'tanglefree simulate list' prints all");
-        return 0;
-    case ARGP_KEY_END:
-        check_request(state);
-        return 0;
-    default:
-        return ARGP_ERR_UNKNOWN;
-    }
+    if (!scene)
+        tf_request_refuse(
+            request,
+            "unknown scene '%s'; 'tanglefree simulate list' prints all",
+            tf_make_visible(request->operand[0]).text);
+    if (!request->out)
+        tf_request_refuse(request,
+                          "--write DIR is required: the folder for the frames");
+    if (scene->field)
+        check_edge(request, scene);
+    else
+        check_size(request, scene);
 }
 
 //: List the scenes for the user
-static void list_scenes(void)
+static void list_scenes(const tf_scene list[])
 {
-    int count;
-    const tf_scene *scene = tf_scenes(&count);
-    for (int i = 0; i < count; i++, scene++)
-        printf("%-12s %s; %d steps, size %d: %s\n", scene->name, scene->shows,
-               scene->steps, scene->size, scene->size_means);
-    const tf_flow_scene *flow = tf_flow_scenes(&count);
-    for (int i = 0; i < count; i++, flow++)
-        printf("%-12s %s; %d steps, edge %g\n", flow->name, flow->shows,
-               flow->steps, flow->edge);
+    for (const tf_scene *s = list; s->name; s++) {
+        printf("%-12s %s; %d steps, %s %g", s->name, s->shows, s->steps,
+               s->kind->option, s->resolution.usual);
+        printf(s->resolution.counts ? ": %s\n" : "\n", s->resolution.counts);
+    }
 }
 
 //: Hold what simulate does
 typedef struct run {
-    request request;
-    tf_simulated *simulated;
+    const tf_request *request;
+    const tf_scene *scene;
+    int steps; ///< to be made in all
+    tf_simulation *simulation;
     tf_simulation_folder folder;
+    tf_step_totals totals;
     tf_progress progress;
-    bool begun; ///< whether a step was made
     int signal; ///< that ended the run, or 0
     char fault[TF_FOLDER_FAULT_LENGTH];
 } run;
 
-static const char *name_of_scene(const request *wanted)
-{
-    return wanted->flow ? wanted->flow->name : wanted->scene->name;
-}
-
 static bool fault_in_step(run *r, tf_status status)
 {
-    snprintf(r->fault, sizeof r->fault, "%s: step %d: %s",
-             name_of_scene(&r->request),
-             r->simulated ? r->simulated->step + 1 : 1,
+    snprintf(r->fault, sizeof r->fault, "%s: step %d: %s", r->scene->name,
+             r->simulation ? r->simulation->step + 1 : 1,
              tf_status_message(status));
     return false;
 }
@@ -233,39 +127,41 @@ static bool fault_in_step(run *r, tf_status status)
 //: Make a step of the simulation, and write it
 static bool add_step(run *r)
 {
-    char words[TF_SIMULATED_NAME], things[TF_SIMULATED_NAME + 32];
-    tf_parallel threads = tf_threads(&r->request.threads);
-    tf_step_way way = {&threads, !r->begun, tf_clock_seconds};
-    tf_status status = r->simulated->kind->advance(r->simulated, &way, words);
+    char things[TF_STEP_WORDS + 32], words[TF_STEP_WORDS];
+    tf_simulation *s = r->simulation;
+    tf_parallel threads = tf_threads(&r->request->threads);
+    tf_step_options how = {&threads, r->totals.steps == 0, tf_clock_seconds};
+    tf_status status = s->scene->kind->step(s, &how);
     if (status != TF_OK)
         return fault_in_step(r, status);
-    r->begun = true;
-    snprintf(things, sizeof things, "of %d steps, %s", r->request.steps, words);
-    tf_progress_show(&r->progress, r->simulated->step, things);
-    return tf_simulation_folder_add(&r->folder, r->simulated);
+    tf_step_totals_add(&r->totals, s);
+    tf_step_describe(s, words);
+    snprintf(things, sizeof things, "of %d steps, %s", r->steps, words);
+    tf_progress_show(&r->progress, s->step, things);
+    return tf_simulation_folder_add(&r->folder, s);
 }
 
 //: Simulate
-static tf_status set_up(run *r)
+static double resolution_of(const run *r)
 {
-    const request *wanted = &r->request;
-    return wanted->flow
-               ? tf_flow_simulate(wanted->flow, wanted->edge, &r->simulated)
-               : tf_cloth_simulate(wanted->scene, wanted->size, &r->simulated);
+    return tf_request_gave(r->request, "size")   ? r->request->size
+           : tf_request_gave(r->request, "edge") ? r->request->edge
+                                                 : r->scene->resolution.usual;
 }
 
 static bool simulate(run *r)
 {
-    const request *wanted = &r->request;
-    tf_status status = set_up(r);
+    const tf_request *wanted = r->request;
+    tf_status status =
+        tf_simulation_create(r->scene, resolution_of(r), &r->simulation);
     if (status != TF_OK)
         return fault_in_step(r, status);
     bool good = wanted->resume
-                    ? tf_simulation_folder_resume(&r->folder, wanted->folder,
-                                                  r->simulated)
-                    : tf_simulation_folder_begin(&r->folder, wanted->folder,
-                                                 r->simulated);
-    while (good && !r->signal && r->simulated->step < wanted->steps) {
+                    ? tf_simulation_folder_resume(&r->folder, wanted->out,
+                                                  r->simulation)
+                    : tf_simulation_folder_begin(&r->folder, wanted->out,
+                                                 r->simulation);
+    while (good && !r->signal && r->simulation->step < r->steps) {
         good = add_step(r);
         r->signal = tf_interruption();
     }
@@ -273,13 +169,6 @@ static bool simulate(run *r)
 }
 
 //: Print what was simulated
-static void print_total(const run *r)
-{
-    tf_entry entry[TF_SIMULATED_ENTRIES];
-    int count = r->simulated->kind->summarize(r->simulated, entry);
-    tf_summary_write(stdout, count, entry);
-}
-
 static void print_end(const run *r, bool good)
 {
     const char *fault = r->fault[0] ? r->fault : r->folder.fault;
@@ -289,32 +178,45 @@ static void print_end(const run *r, bool good)
         fprintf(stderr,
                 "tanglefree: interrupted after step %d of %d; go on with "
                 "--resume\n",
-                r->simulated->step, r->request.steps);
+                r->simulation->step, r->steps);
     else
-        print_total(r);
+        tf_step_totals_write(stdout, &r->totals, r->simulation);
 }
 
 //: Run the command simulate
-int tf_simulate_command(int argc, char *argv[])
+static int run_scene(const tf_request *request, const tf_scene *scene)
 {
-    static const struct argp parser = {
-        options, parse_argument, "SCENE\nlist", description, NULL, NULL, NULL};
-    run r = {.request = {.steps = -1, .threads = tf_threads_available()}};
-    argp_parse(&parser, argc, argv, 0, NULL, &r.request);
-    if (!r.request.scene && !r.request.flow) {
-        list_scenes();
-        return 0;
-    }
-
-    // Nothing is printed until the line is erased: it may share its terminal.
+    run r = {.request = request, .scene = scene, .steps = scene->steps};
+    if (tf_request_gave(request, "steps"))
+        r.steps = request->steps;
     tf_interruption_hold();
-    r.progress = tf_progress_begin();
-    r.progress.wanted = isatty(STDERR_FILENO);
+    r.progress = tf_progress_begin(true);
     bool good = simulate(&r);
     tf_progress_end(&r.progress);
     print_end(&r, good);
     tf_simulation_folder_close(&r.folder);
-    if (r.simulated)
-        r.simulated->kind->free(r.simulated);
+    tf_simulation_free(r.simulation);
     return !good ? 2 : r.signal ? 128 + r.signal : 0;
 }
+
+static int run_simulate(const tf_request *request)
+{
+    if (!wants_list(request))
+        return run_scene(request, scene_of(request));
+    list_scenes(tf_cloth_scenes);
+    list_scenes(tf_flow_scenes);
+    return 0;
+}
+
+const tf_command tf_simulate_command = {
+    .set = TF_SIMULATE,
+    .name = "simulate",
+    .purpose = "simulate a scene of cloth",
+    .operands = "SCENE\nlist",
+    .least = 1,
+    .most = 1,
+    .wanted = "one scene is required; 'tanglefree simulate list' prints all",
+    .description = description,
+    .check = check,
+    .run = run_simulate,
+};

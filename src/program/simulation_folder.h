@@ -1,11 +1,14 @@
 //: Declare the folder of a simulation
 #pragma once
 
-#include "files/output_file.h"
 #include "files/visible.h"
-#include "program/simulated.h"
+#include "simulate/simulation.h"
+
+#include <limits.h>
+#include <stdio.h>
 
 enum {
+    TF_FOLDER_NAME = 32,
     TF_FOLDER_FAULT_LENGTH = TF_VISIBLE_ROOM + 512,
     TF_MOST_STEPS = 99999 ///< so that frames are sorted by their names
 };
@@ -14,23 +17,25 @@ enum {
 /// frame after each step, and the table steps.csv.  A frame is there whole or
 /// not at all, and with it the line of its step.
 typedef struct tf_simulation_folder {
-    const char *path; ///< borrowed
-    FILE *table;
+    const char *path;          ///< borrowed
+    FILE *table;               ///< NULL: it is not open
+    char name[TF_FOLDER_NAME]; ///< of the file that is at work; "": none is
+    char file[PATH_MAX];       ///< its path
     char fault[TF_FOLDER_FAULT_LENGTH]; ///< what is wrong, and how to mend it
 } tf_simulation_folder;
 
 /// Makes the folder, unless it is there and empty, and writes the start.  False:
 /// there is a fault.  Borrows the path.  Close the folder in any case.
 bool tf_simulation_folder_begin(tf_simulation_folder *folder, const char *path,
-                                const tf_simulated *simulated);
+                                const tf_simulation *simulation);
 
 /// Takes the state of the last frame in the folder.  False: there is a fault.
 bool tf_simulation_folder_resume(tf_simulation_folder *folder, const char *path,
-                                 tf_simulated *simulated);
+                                 tf_simulation *simulation);
 
 /// Writes the line and the frame of the step that was just made.  False: there
 /// is a fault, and neither or only the line is there.
 bool tf_simulation_folder_add(tf_simulation_folder *folder,
-                              const tf_simulated *simulated);
+                              const tf_simulation *simulation);
 
 void tf_simulation_folder_close(tf_simulation_folder *folder);

@@ -1,26 +1,12 @@
 //: Include what the commands about surfaces need
-#include "program/surface_command.h"
-
-#include "program/arguments.h"
 #include "program/arithmetics.h"
+#include "program/command.h"
 #include "program/frames.h"
-#include "program/narrow_phases.h"
 #include "program/progress.h"
 #include "program/surface_output.h"
 #include "program/threads.h"
 
-#include <string.h>
-
-//: Hold what the command line requests about surfaces
-typedef struct request {
-    tf_format format;
-    int threads;
-    const tf_arithmetic *arithmetic;
-    const tf_narrow_phase *narrow_phase;
-    tf_contact_selection selection;
-    char **paths;
-    int path_count;
-} request;
+#include <limits.h>
 
 //: Describe the usage about surfaces
 static const char detect_description[] =
@@ -59,81 +45,9 @@ static const char check_description[] =
     "not, 2 if the arguments or the input are invalid or the output cannot be "
     "written.";
 
-#define TF_OUTPUT_OPTIONS                                                      \
-    {"output", 'o', "FORMAT", 0, TF_ROWS_FORMAT_NAMES "; the default is csv",  \
-     0},                                                                       \
-    {                                                                          \
-        "threads", 't', "NUMBER", 0, TF_THREADS_HELP, 0                        \
-    }
-
-static const struct argp_option detect_options[] = {
-    {"first", 'f', NULL, 0, "Only the first contact of each step", 0},
-    {"arithmetic", 'a', "NAME", 0,
-     "How signs are found: " TF_ARITHMETIC_NAMES "; the default is exact", 0},
-    {"narrow-phase", 'n', "NAME", 0,
-     "What decides the candidates: " TF_NARROW_PHASE_NAMES
-     "; the default is vector, which is faster; both give the same answers",
-     0},
-    TF_OUTPUT_OPTIONS,
-    {0},
-};
-
-static const struct argp_option check_options[] = {
-    TF_OUTPUT_OPTIONS,
-    {0},
-};
-
-//: Parse an argument about surfaces
-static error_t parse_argument(int key, char *text, struct argp_state *state)
-{
-    request *wanted = state->input;
-    switch (key) {
-    case 'f':
-        wanted->selection = TF_FIRST_CONTACT;
-        return 0;
-    case 'a':
-        if (!(wanted->arithmetic = tf_arithmetic_named(text)))
-            tf_refuse_name(state, "arithmetic", text, TF_ARITHMETIC_NAMES);
-        return 0;
-    case 'n':
-        if (!(wanted->narrow_phase = tf_narrow_phase_named(text)))
-            tf_refuse_name(state, "narrow phase", text, TF_NARROW_PHASE_NAMES);
-        return 0;
-    case 'o':
-        wanted->format = tf_parse_format(state, text, true);
-        return 0;
-    case 't':
-        wanted->threads = tf_parse_threads(state, text);
-        return 0;
-    case ARGP_KEY_ARGS:
-        wanted->paths = state->argv + state->next;
-        wanted->path_count = state->argc - state->next;
-        return 0;
-    default:
-        return ARGP_ERR_UNKNOWN;
-    }
-}
-
-//: Check the number of files
-static error_t parse_detect(int key, char *text, struct argp_state *state)
-{
-    const request *wanted = state->input;
-    if (key == ARGP_KEY_END && wanted->path_count < 2)
-        argp_error(state, "two files or more are required, START and END");
-    return parse_argument(key, text, state);
-}
-
-static error_t parse_check(int key, char *text, struct argp_state *state)
-{
-    const request *wanted = state->input;
-    if (key == ARGP_KEY_END && wanted->path_count < 1)
-        argp_error(state, "a file is required, or - for standard input");
-    return parse_argument(key, text, state);
-}
-
 //: Hold what a command does
 typedef struct work {
-    request request;
+    const tf_request *request;
     tf_frames frames;
     tf_surface_output output;
     tf_progress progress;
@@ -148,7 +62,7 @@ static bool succeeded(work *w, tf_status status, const tf_flaw *flaw)
 //: Report a coordinate that is out of range about surfaces
 static bool fault_in_range(work *w, int vertex)
 {
-    const tf_arithmetic *arithmetic = w->request.arithmetic;
+    const tf_arithmetic *arithmetic = w->request->answering.arithmetic;
     int axes = w->frames.axes;
     const double *x[2];
     for (int i = 0; i < 2; i++)
@@ -167,11 +81,12 @@ static bool fault_in_range(work *w, int vertex)
 //: Detect the contacts of all steps
 static bool detect_step(work *w)
 {
-    tf_parallel threads = tf_threads(&w->request.threads);
-    tf_detect_options detection = {.selection = w->request.selection,
-                                   .arithmetic = w->request.arithmetic,
-                                   .narrow_phase = w->request.narrow_phase,
-                                   .parallel = &threads};
+    tf_parallel threads = tf_threads(&w->request->threads);
+    tf_detect_options detection = {
+        .selection = w->request->first ? TF_FIRST_CONTACT : TF_ALL_CONTACTS,
+        .arithmetic = w->request->answering.arithmetic,
+        .narrow_phase = w->request->narrow_phase,
+        .parallel = &threads};
     tf_motion motion = tf_frames_motion(&w->frames);
     tf_contacts found;
     tf_flaw flaw;
@@ -185,8 +100,8 @@ static bool detect_step(work *w)
 
 static bool detect_all(work *w)
 {
-    for (int i = 0; i < w->request.path_count; i++) {
-        if (!tf_frames_next(&w->frames, w->request.paths[i]) ||
+    for (int i = 0; i < w->request->operands; i++) {
+        if (!tf_frames_next(&w->frames, w->request->operand[i]) ||
             (i > 0 && !detect_step(w)))
             return false;
         tf_progress_show(&w->progress, (long)w->output.tally.parts, "steps");
@@ -197,7 +112,7 @@ static bool detect_all(work *w)
 //: Check all surfaces
 static bool check_file(work *w, const char *path)
 {
-    tf_parallel threads = tf_threads(&w->request.threads);
+    tf_parallel threads = tf_threads(&w->request->threads);
     tf_frames_free(&w->frames);
     if (!tf_frames_next(&w->frames, path))
         return false;
@@ -213,62 +128,62 @@ static bool check_file(work *w, const char *path)
 
 static bool check_all(work *w)
 {
-    for (int i = 0; i < w->request.path_count; i++) {
-        if (!check_file(w, w->request.paths[i]))
+    for (int i = 0; i < w->request->operands; i++) {
+        if (!check_file(w, w->request->operand[i]))
             return false;
         tf_progress_show(&w->progress, (long)w->output.tally.parts, "files");
     }
     return true;
 }
 
-//: Print what went wrong about surfaces
-static void print_errors(const work *w)
+//: Run a command about surfaces
+static int run(const tf_request *request, bool checks, bool (*do_all)(work *))
 {
-    if (w->output.records.error != 0)
-        fprintf(stderr,
-                "tanglefree: standard output: cannot write: %s; mend that and "
-                "run again\n",
-                strerror(w->output.records.error));
-    for (int i = 0; i < 2; i++)
-        if (w->frames.file[i].fault[0] != '\0')
-            tf_mesh_file_print_fault(&w->frames.file[i], "tanglefree");
-}
-
-//: Run a command
-static int run(int argc, char *argv[], const struct argp *parser, bool checks,
-               bool (*do_all)(work *))
-{
-    work w = {.request = {.narrow_phase = tf_narrow_phase_named("vector"),
-                          .threads = tf_threads_available()}};
-    argp_parse(parser, argc, argv, 0, NULL, &w.request);
-
-    w.progress = tf_progress_begin();
+    work w = {.request = request, .progress = tf_progress_begin(false)};
     bool good =
-        tf_surface_output_begin(&w.output, stdout, w.request.format, checks) &&
+        tf_surface_output_begin(&w.output, stdout, *request->format, checks) &&
         do_all(&w);
     tf_progress_end(&w.progress);
     good = tf_surface_output_end(&w.output) && good;
-    print_errors(&w);
+    if (w.output.records.error)
+        tf_fault_set_unwritten(&w.frames.fault, "standard output",
+                               w.output.records.error);
+    tf_fault_print(&w.frames.fault, "tanglefree");
     tf_frames_free(&w.frames);
     return !good ? 2 : w.output.tally.tangled > 0;
 }
 
-int tf_detect_command(int argc, char *argv[])
+static int run_detect(const tf_request *request)
 {
-    static const struct argp parser = {detect_options,
-                                       parse_detect,
-                                       "START END [END...]",
-                                       detect_description,
-                                       NULL,
-                                       NULL,
-                                       NULL};
-    return run(argc, argv, &parser, false, detect_all);
+    return run(request, false, detect_all);
 }
 
-int tf_check_command(int argc, char *argv[])
+static int run_check(const tf_request *request)
 {
-    static const struct argp parser = {
-        check_options, parse_check, "FILE...", check_description,
-        NULL,          NULL,        NULL};
-    return run(argc, argv, &parser, true, check_all);
+    return run(request, true, check_all);
 }
+
+//: Describe the commands about surfaces
+const tf_command tf_detect_command = {
+    .set = TF_DETECT,
+    .name = "detect",
+    .purpose = "find every contact of a moving surface",
+    .operands = "START END [END...]",
+    .least = 2,
+    .most = INT_MAX,
+    .wanted = "two files or more are required, START and END",
+    .description = detect_description,
+    .run = run_detect,
+};
+
+const tf_command tf_check_command = {
+    .set = TF_CHECK,
+    .name = "check",
+    .purpose = "find where a surface intersects itself",
+    .operands = "FILE...",
+    .least = 1,
+    .most = INT_MAX,
+    .wanted = "a file is required, or - for standard input",
+    .description = check_description,
+    .run = run_check,
+};

@@ -35,8 +35,8 @@ typedef struct tf_contact {
     double normal_velocity; ///< `velocity` along `normal`, limited to
                             ///< `DBL_MAX` in absolute value
     int pivot[2]; ///< the vertices whose velocities differ by `velocity`: the
-                  ///< place of one in the first and of one in the second
-                  ///< element, as given; 0 in straight motion
+                  ///< index of one in the first and of one in the second
+                  ///< element, as given; 0 in linear motion
 } tf_contact;
 
 /// @}

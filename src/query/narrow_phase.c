@@ -27,20 +27,20 @@ static tf_status decide_queries(const tf_arithmetic *arithmetic,
 {
     TF_REQUIRE(arithmetic && queries && separated);
     TF_REQUIRE((queries->vertices && verdict) || queries->count == 0);
-    shape of = shape_of(queries->kind);
+    shape pair = shape_of(queries->kind);
     if (queries->count > 0 && !tf_environment_is_ieee())
         return TF_BAD_ENVIRONMENT;
     const int *first = queries->vertices;
     for (size_t i = 0; i < queries->count; i++) {
-        const int *second = first + of.vertices;
+        const int *second = first + pair.vertices;
         bool by_axis = false;
-        tf_status status =
-            tf_query_verdict(arithmetic, of.axes, queries->motion, of.vertices,
-                             first, of.others, second, &verdict[i], &by_axis);
+        tf_status status = tf_query_verdict(
+            arithmetic, pair.axes, queries->motion, pair.vertices, first,
+            pair.others, second, &verdict[i], &by_axis);
         if (status != TF_OK)
             return status;
         *separated += by_axis;
-        first = second + of.others;
+        first = second + pair.others;
     }
     return TF_OK;
 }

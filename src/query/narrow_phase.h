@@ -33,8 +33,8 @@ typedef struct tf_queries {
 
 //: Declare the narrow phase
 /// A narrow phase decides which of many pairs of elements meet.  It is a
-/// constant that is passed, by its address, to whatever needs verdicts.  With an
-/// exact arithmetic all narrow phases give the same answers; they differ in
+/// constant that is passed, by its address, to whatever needs verdicts.  With
+/// an exact arithmetic all narrow phases give the same answers; they differ in
 /// speed.
 typedef struct tf_narrow_phase {
     const char *name; ///< in static storage

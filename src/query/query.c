@@ -53,8 +53,8 @@ typedef struct ordered_element {
     int vertices;
     const tf_worldline *vertex; ///< the given ones, or `copy`
     tf_worldline copy[TF_VERTICES];
-    int place[TF_VERTICES]; ///< where the given element has the vertex
-    int parity;             ///< +1: ordered by an even number of swaps, -1: odd
+    int source[TF_VERTICES]; ///< which vertex of the given element each is
+    int parity; ///< +1: ordered by an even number of swaps, -1: odd
 } ordered_element;
 
 //: Order the vertices of an element
@@ -67,16 +67,16 @@ static void order_vertices(int vertices, const tf_worldline given[],
     for (int i = 0; i < vertices; i++) {
         int to = i, index = given[i].at[0].vertex;
         for (; to > 0; to--) {
-            if (given[ordered->place[to - 1]].at[0].vertex <= index)
+            if (given[ordered->source[to - 1]].at[0].vertex <= index)
                 break;
-            ordered->place[to] = ordered->place[to - 1];
+            ordered->source[to] = ordered->source[to - 1];
             ordered->parity = -ordered->parity;
             ordered->vertex = ordered->copy;
         }
-        ordered->place[to] = i;
+        ordered->source[to] = i;
     }
     for (int i = 0; i < vertices && ordered->vertex != given; i++)
-        ordered->copy[i] = given[ordered->place[i]];
+        ordered->copy[i] = given[ordered->source[i]];
 }
 
 //: Check a query
@@ -197,7 +197,7 @@ static void add_up_vertices(const tf_pair *pair, const tf_intersection *found,
             if (pair->operand[i] == operand &&
                 (pair->event[i] == &at[0] || pair->event[i] == &at[1]))
                 sum += found->barycentric[i];
-        barycentric[ordered->place[v]] = sum;
+        barycentric[ordered->source[v]] = sum;
     }
 }
 
@@ -226,8 +226,8 @@ static void describe(const tf_arithmetic *arithmetic, const operands *swept,
         contact->velocity[k] = velocity.x[k];
     }
     contact->normal_velocity = tf_normal_velocity(velocity, normal) + 0.0;
-    contact->pivot[0] = swept->first.place[first->s->pivot];
-    contact->pivot[1] = swept->second.place[first->r->pivot];
+    contact->pivot[0] = swept->first.source[first->s->pivot];
+    contact->pivot[1] = swept->second.source[first->r->pivot];
 }
 
 //: Query two elements
@@ -278,9 +278,9 @@ static bool gather_element(const tf_motion *motion, int axes, int vertices,
     for (int i = 0; i < vertices; i++) {
         if (index[i] < 0 || index[i] >= motion->vertices)
             return false;
-        ptrdiff_t place = (ptrdiff_t)axes * index[i];
-        gather_event(axes, motion->start + place, 0, index[i], &line[i].at[0]);
-        gather_event(axes, motion->end + place, 1, index[i], &line[i].at[1]);
+        ptrdiff_t first = (ptrdiff_t)axes * index[i];
+        gather_event(axes, motion->start + first, 0, index[i], &line[i].at[0]);
+        gather_event(axes, motion->end + first, 1, index[i], &line[i].at[1]);
     }
     return true;
 }

@@ -3,7 +3,7 @@
 
 #include "remesh/crease.h"
 #include "remesh/measure.h"
-#include "surgery/operations.h"
+#include "surgery/collapse.h"
 #include "surgery/star.h"
 
 /// A collapse: which vertex goes, which stays, and where.

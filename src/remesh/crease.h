@@ -1,7 +1,7 @@
 //: Declare creases
 #pragma once
 
-#include "surgery/state.h"
+#include "surgery/adaptive_surface.h"
 
 /// Whether the edge of a corner is on the boundary, or its triangles' normals
 /// are more than 60 degrees apart.

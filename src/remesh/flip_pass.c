@@ -3,7 +3,7 @@
 
 #include "remesh/crease.h"
 #include "remesh/measure.h"
-#include "surgery/operations.h"
+#include "surgery/flip.h"
 #include "surgery/star.h"
 
 tf_diagonals tf_diagonals_of(const tf_adaptive_surface *surface, int forth,

@@ -66,7 +66,7 @@ typedef struct looking {
     tf_vector x[4]; ///< the point, and the corners of a triangle
 } looking;
 
-static tf_nearest nearest_of(looking *search, int triangle)
+static tf_point_pair nearest_of(looking *search, int triangle)
 {
     take_corners(search->original, triangle, search->x + 1);
     return tf_nearest_points(1, 3, search->x);
@@ -89,7 +89,7 @@ double tf_original_nearest(tf_original *original, const double x[3],
     memcpy(point, x, 3 * sizeof *point);
     if (triangle < 0)
         return INFINITY;
-    tf_nearest nearest = nearest_of(&search, triangle);
+    tf_point_pair nearest = nearest_of(&search, triangle);
     for (int k = 0; k < 3; k++)
         point[k] = nearest.weight[1] * search.x[1].x[k] +
                    nearest.weight[2] * search.x[2].x[k] +

@@ -1,7 +1,7 @@
 //: Declare the original of a surface
 #pragma once
 
-#include "surgery/state.h"
+#include "surgery/adaptive_surface.h"
 
 /// A copy of a surface, to which the nearest points are found.
 typedef struct tf_original {

@@ -3,7 +3,7 @@
 
 #include "remesh/crease.h"
 #include "remesh/measure.h"
-#include "surgery/operations.h"
+#include "surgery/move.h"
 #include "surgery/star.h"
 
 tf_vector tf_star_middle(const tf_adaptive_surface *surface, int vertex)

@@ -3,7 +3,7 @@
 
 #include "remesh/crease.h"
 #include "remesh/measure.h"
-#include "surgery/operations.h"
+#include "surgery/split.h"
 #include "surgery/star.h"
 
 /// A corner where the edge begins, in either direction, or TF_NONE.

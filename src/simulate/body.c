@@ -6,64 +6,53 @@
 #include <stdlib.h>
 #include <string.h>
 
-//: Make room for one more
-/// Room for a power of two of items: it grows where the count is one.
-static void *extend(tf_body *body, void *items, int count, size_t size)
+//: Append an item to a list
+/// Counts it in, and returns the list, which has room for a power of two of
+/// items: it grows where the count is one.
+static void *append(tf_body *body, void *items, int *count, const void *item,
+                    size_t size)
 {
-    if (body->failed || (count > 0 && (count & (count - 1)) != 0))
-        return items;
-    size_t room = count > 0 ? 2 * (size_t)count : 1;
-    void *longer = realloc(items, room * size);
-    if (longer)
-        return longer;
-    body->failed = true;
+    size_t old = (size_t)*count;
+    bool full = old == 0 || (old & (old - 1)) == 0;
+    if (full && !body->failed) {
+        void *longer = realloc(items, (old > 0 ? 2 * old : 1) * size);
+        body->failed = !longer;
+        items = longer ? longer : items;
+    }
+    if (!body->failed) {
+        memcpy((char *)items + old * size, item, size);
+        ++*count;
+    }
     return items;
 }
 
 //: Add to a body
 void tf_body_add_vertex(tf_body *body, const double x[])
 {
-    size_t size = sizeof *x * (size_t)body->axes;
-    int v = body->vertices;
-    body->position = extend(body, body->position, v, size);
-    body->mass = extend(body, body->mass, v, sizeof *body->mass);
-    if (body->failed)
-        return;
-    memcpy(body->position + (ptrdiff_t)body->axes * v, x, size);
-    body->mass[v] = 0;
-    body->vertices++;
+    int count = body->vertices;
+    body->position =
+        append(body, body->position, &count, x, sizeof *x * (size_t)body->axes);
+    body->mass = append(body, body->mass, &body->vertices, &(double){0},
+                        sizeof *body->mass);
 }
 
 void tf_body_add_triangle(tf_body *body, int a, int b, int c)
 {
     const int corners[] = {a, b, c};
-    int t = body->triangles;
-    body->triangle = extend(body, body->triangle, t, sizeof corners);
-    if (body->failed)
-        return;
-    memcpy(body->triangle + (ptrdiff_t)3 * t, corners, sizeof corners);
-    body->triangles++;
+    body->triangle =
+        append(body, body->triangle, &body->triangles, corners, sizeof corners);
 }
 
 void tf_body_add_edge(tf_body *body, int a, int b)
 {
     const int ends[] = {a, b};
-    int e = body->edges;
-    body->edge = extend(body, body->edge, e, sizeof ends);
-    if (body->failed)
-        return;
-    memcpy(body->edge + (ptrdiff_t)2 * e, ends, sizeof ends);
-    body->edges++;
+    body->edge = append(body, body->edge, &body->edges, ends, sizeof ends);
 }
 
 void tf_body_add_elastic(tf_body *body, const tf_elastic *elastic)
 {
-    int e = body->elastics;
-    body->elastic = extend(body, body->elastic, e, sizeof *elastic);
-    if (body->failed)
-        return;
-    body->elastic[e] = *elastic;
-    body->elastics++;
+    body->elastic =
+        append(body, body->elastic, &body->elastics, elastic, sizeof *elastic);
 }
 
 //: Add a spring

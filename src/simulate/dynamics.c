@@ -147,11 +147,22 @@ static double *entry(const tf_dynamics *d, cholmod_dense *in, int v, int axis)
     return (double *)in->x + (size_t)axis * (size_t)d->unknowns + d->column[v];
 }
 
+/// Adds the share of each vertex that an element pulls by a force.
+static void add_shares(const tf_dynamics *d, cholmod_dense *to,
+                       const tf_elastic *elastic, double scale,
+                       const double force[3])
+{
+    for (int i = 0; i < elastic->count; i++)
+        if (d->column[elastic->vertex[i]] >= 0)
+            for (int k = 0; k < d->body->axes; k++)
+                *entry(d, to, elastic->vertex[i], k) +=
+                    scale * elastic->weight[i] * force[k];
+}
+
 /// Moves what scripted vertices add to an element's sum to the right side.
 static void subtract_scripted(const tf_dynamics *d, const tf_elastic *elastic,
                               const double end[])
 {
-    int axes = d->body->axes;
     tf_elastic scripted = {.count = 0};
     for (int i = 0; i < elastic->count; i++)
         if (d->column[elastic->vertex[i]] < 0) {
@@ -160,13 +171,10 @@ static void subtract_scripted(const tf_dynamics *d, const tf_elastic *elastic,
         }
     if (scripted.count == 0)
         return;
-    double sum[3], scale = d->step_squared * elastic->stiffness;
-    tf_elastic_sum(&scripted, axes, end, sum);
-    for (int i = 0; i < elastic->count; i++)
-        if (d->column[elastic->vertex[i]] >= 0)
-            for (int k = 0; k < axes; k++)
-                *entry(d, d->inertia, elastic->vertex[i], k) -=
-                    scale * elastic->weight[i] * sum[k];
+    double sum[3];
+    tf_elastic_sum(&scripted, d->body->axes, end, sum);
+    add_shares(d, d->inertia, elastic, -d->step_squared * elastic->stiffness,
+               sum);
 }
 
 static void find_inertia(const tf_dynamics *d, const double end[])
@@ -186,19 +194,14 @@ static void pull(const tf_dynamics *d, const tf_elastic *elastic,
                  const double end[])
 {
     double sum[3], square = 0;
-    int axes = d->body->axes;
-    tf_elastic_sum(elastic, axes, end, sum);
-    for (int k = 0; k < axes; k++)
+    tf_elastic_sum(elastic, d->body->axes, end, sum);
+    for (int k = 0; k < d->body->axes; k++)
         square += sum[k] * sum[k];
-    if (square == 0)
-        return;
-    double scale =
-        d->step_squared * elastic->stiffness * elastic->rest / sqrt(square);
-    for (int i = 0; i < elastic->count; i++)
-        if (d->column[elastic->vertex[i]] >= 0)
-            for (int k = 0; k < axes; k++)
-                *entry(d, d->right, elastic->vertex[i], k) +=
-                    scale * elastic->weight[i] * sum[k];
+    if (square != 0)
+        add_shares(d, d->right, elastic,
+                   d->step_squared * elastic->stiffness * elastic->rest /
+                       sqrt(square),
+                   sum);
 }
 
 static void find_right_sides(const tf_dynamics *d, const double end[])

@@ -7,10 +7,10 @@
 
 typedef struct tf_flow_measures {
     int vertices, triangles, components;
-    int genus; ///< the sum of those of all components: handles
-    int rims;  ///< loops of the boundary
+    int genus;      ///< the sum of those of all components: handles
+    int boundaries; ///< loops of the boundary
     double area;
-    double volume; ///< that is enclosed; 0 if there are rims
+    double volume; ///< that is enclosed; 0 if there are boundaries
 } tf_flow_measures;
 
 /// Measures a surface without gaps.  False if there is no memory.

@@ -1,80 +1,94 @@
 //: Include what simulations of flows need
 #include "simulate/flow_simulation.h"
 
-#include <stdlib.h>
+#include "simulate/flow_fields.h"
 
-//: Set a scene of a flow up
-static tf_status build_surface(const tf_flow_scene *scene, double edge,
-                               tf_adaptive_surface **surface)
-{
-    tf_body body = {.axes = 3};
-    scene->build(&body, edge);
-    tf_mesh mesh = tf_body_mesh(&body);
-    tf_status status =
-        body.failed ? TF_OUT_OF_MEMORY
-                    : tf_adaptive_create(&mesh, body.position, surface, NULL);
-    tf_body_free(&body);
-    return status;
-}
-
-//: Create a simulation of a flow
-tf_status tf_flow_simulation_create(const tf_flow_scene *scene, double edge,
-                                    tf_flow_simulation **simulation)
-{
-    tf_flow_simulation *s = calloc(1, sizeof *s);
-    if (!s)
-        return TF_OUT_OF_MEMORY;
-    s->scene = scene;
-    s->edge = edge;
-    tf_status status = build_surface(scene, edge, &s->surface);
-    if (status == TF_OK)
-        *simulation = s;
-    else
-        tf_flow_simulation_free(s);
-    return status;
-}
-
-void tf_flow_simulation_free(tf_flow_simulation *simulation)
-{
-    if (!simulation)
-        return;
-    tf_adaptive_free(simulation->surface);
-    free(simulation);
-}
-
-//: Make a step of a flow's simulation
-tf_status tf_flow_simulation_step(tf_flow_simulation *simulation,
-                                  const tf_step_way *way,
-                                  tf_flow_report *report)
-{
-    const tf_flow_scene *scene = simulation->scene;
-    tf_flow_options options = {.edge = simulation->edge,
-                               .velocity = scene->velocity,
-                               .keep_topology = scene->keep_topology,
-                               .parallel = way->parallel,
-                               .clock = way->clock};
-    tf_flow_report made;
-    tf_status status =
-        tf_adaptive_flow(simulation->surface, &options,
-                         simulation->step * scene->step, scene->step, &made);
-    if (status != TF_OK)
-        return status;
-    simulation->step++;
-    *report = made;
-    return TF_OK;
-}
-
-//: Go on from another surface
-tf_status tf_flow_simulation_restore(tf_flow_simulation *simulation, int step,
-                                     const tf_mesh *mesh,
-                                     const double position[])
+//: Set the surface of a flow
+/// Unless this is TF_OK, the surface is the one that it was.
+static tf_status set_surface(tf_flow_simulation *f, const tf_mesh *mesh,
+                             const double position[])
 {
     tf_adaptive_surface *surface;
     tf_status status = tf_adaptive_create(mesh, position, &surface, NULL);
+    if (status == TF_OK && !tf_flow_measure(surface, &f->measures)) {
+        tf_adaptive_free(surface);
+        return TF_OUT_OF_MEMORY;
+    }
     if (status != TF_OK)
         return status;
-    tf_adaptive_free(simulation->surface);
-    simulation->surface = surface;
-    simulation->step = step;
+    tf_adaptive_free(f->surface);
+    f->surface = surface;
     return TF_OK;
 }
+
+//: Begin and end a simulation of a flow
+static tf_status begin_flow(tf_simulation *simulation)
+{
+    tf_body *body = &simulation->stage.body;
+    tf_mesh mesh = tf_body_mesh(body);
+    tf_status status =
+        set_surface((tf_flow_simulation *)simulation, &mesh, body->position);
+    tf_body_free(body);
+    return status;
+}
+
+static void end_flow(tf_simulation *simulation)
+{
+    tf_adaptive_free(((tf_flow_simulation *)simulation)->surface);
+}
+
+//: Make a step of a flow's simulation
+tf_flow_options tf_flow_options_of(const tf_scene *scene, double edge)
+{
+    return (tf_flow_options){.edge = edge,
+                             .velocity = tf_field_apply,
+                             .context = (void *)&scene->field,
+                             .keep_topology = scene->keep_topology};
+}
+
+static tf_status step_flow(tf_simulation *simulation,
+                           const tf_step_options *options)
+{
+    tf_flow_simulation *f = (tf_flow_simulation *)simulation;
+    const tf_scene *scene = simulation->scene;
+    tf_flow_options flow = tf_flow_options_of(scene, simulation->resolution);
+    flow.parallel = options->parallel;
+    flow.clock = options->clock;
+    tf_status status = tf_adaptive_flow(f->surface, &flow, simulation->time,
+                                        scene->step, &f->report);
+    if (status == TF_OK && !tf_flow_measure(f->surface, &f->measures))
+        status = TF_OUT_OF_MEMORY;
+    if (status == TF_OK)
+        tf_simulation_go_to(simulation, simulation->step + 1);
+    return status;
+}
+
+//: Take and restore a snapshot of a flow
+static tf_snapshot take_flow(const tf_simulation *simulation)
+{
+    const tf_flow_simulation *f = (const tf_flow_simulation *)simulation;
+    return (tf_snapshot){.step = simulation->step,
+                         .mesh = tf_adaptive_mesh(f->surface),
+                         .position = tf_adaptive_positions(f->surface)};
+}
+
+static tf_status restore_flow(tf_simulation *simulation,
+                              const tf_snapshot *snapshot)
+{
+    tf_status status = set_surface((tf_flow_simulation *)simulation,
+                                   &snapshot->mesh, snapshot->position);
+    if (status == TF_OK)
+        tf_simulation_go_to(simulation, snapshot->step);
+    return status;
+}
+
+//: Describe simulations of flows
+const tf_simulation_kind tf_flow_kind = {
+    .option = "edge",
+    .size = sizeof(tf_flow_simulation),
+    .begin = begin_flow,
+    .end = end_flow,
+    .step = step_flow,
+    .snapshot = take_flow,
+    .restore = restore_flow,
+};

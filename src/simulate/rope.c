@@ -1,7 +1,7 @@
 //: Include what ropes need
 #include "simulate/rope.h"
 
-#include "geometry/vector.h"
+#include "simulate/solid.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -95,29 +95,19 @@ static tf_vector direction_at(const tf_line *line, int i)
                                                tf_vector_at(line->x, before)));
 }
 
-static void add_circle(tf_body *body, tf_vector center, tf_vector across,
-                       tf_vector beside, int sides)
-{
-    for (int s = 0; s < sides; s++) {
-        double around = 2 * pi * s / sides;
-        tf_vector x = tf_vector_sum(center, cos(around), across);
-        x = tf_vector_sum(x, sin(around), beside);
-        tf_body_add_vertex(body, x.x);
-    }
-}
-
 /// Each circle is turned as little as possible from the one before it.
 static void add_circles(tf_body *body, const tf_line *line, double radius,
                         int sides)
 {
-    tf_vector none = {{0}}, across = {{0, 0, 1}};
+    tf_vector across = {{0, 0, 1}};
     for (int i = 0; i < line->points; i++) {
         tf_vector along = direction_at(line, i);
         double slope = tf_vector_dot(across, along);
         across = tf_vector_unit(tf_vector_sum(across, -slope, along));
-        add_circle(
-            body, tf_vector_at(line->x, i), tf_vector_sum(none, radius, across),
-            tf_vector_sum(none, radius, tf_vector_cross(along, across)), sides);
+        tf_vector beside = tf_vector_cross(along, across);
+        tf_circle_add(body, tf_vector_at(line->x, i),
+                      tf_vector_scaled(radius, across),
+                      tf_vector_scaled(radius, beside), sides);
     }
 }
 

@@ -1,44 +1,58 @@
-//: Declare the scenes
+//: Declare scenes
 #pragma once
 
+#include "geometry/vector.h"
 #include "simulate/air.h"
 #include "simulate/body.h"
-#include "simulate/handle.h"
+#include "simulate/script.h"
 
 enum {
-    TF_MOST_HANDLES = 2
+    TF_MOST_SCRIPTS = 2
 };
 
 /// What a scene begins with.
 typedef struct tf_stage {
     tf_body body;
-    int handles;
-    tf_handle handle[TF_MOST_HANDLES];
+    int scripts;
+    tf_script script[TF_MOST_SCRIPTS];
 } tf_stage;
+
+/// Lets a script move its vertices, from now on scripted.
+void tf_stage_add_script(tf_stage *stage, tf_script script);
+
+//: Declare what scenes are
+/// The velocity of a surface at a point where it has that normal, of length 1.
+typedef tf_vector tf_velocity_field(double time, tf_vector at,
+                                    tf_vector normal);
+
+/// How fine a scene is: for cloth a whole number, of cells along a side for
+/// instance; for a surface that flows the usual length of an edge.
+typedef struct tf_resolution {
+    double usual, least, most;
+    const char *counts; ///< of what it is the number; NULL: it is a length
+} tf_resolution;
 
 /// A scene that can be simulated.
 typedef struct tf_scene {
+    const struct tf_simulation_kind *kind;
     const char *name;
-    const char *shows;      ///< what happens in it, in a line
-    const char *size_means; ///< of what the size is the number
-    int size;               ///< the usual one
-    int least;              ///< the smallest
-    int steps;              ///< how many there usually are
-    int axes;               ///< 3, or 2 in the plane
-    double step;            ///< how long one takes, in seconds
-    double gravity;         ///< in meters per square second
+    const char *shows; ///< what happens in it, in a line
+    tf_resolution resolution;
+    int steps;   ///< how many there usually are
+    double step; ///< how long one takes, in seconds
+    bool plane;  ///< whether it has two axes instead of three
+
+    /// Adds what there is at the start to an empty stage; without memory, its
+    /// body has failed.
+    void (*build)(tf_stage *stage, double resolution);
+
+    double gravity; ///< on cloth, in meters per square second
     tf_air air;
-    double friction; ///< Coulomb's coefficient
-    void (*build)(tf_stage *stage, int size);
+    double friction;          ///< Coulomb's coefficient
+    tf_velocity_field *field; ///< along which a surface flows
+    bool keep_topology;       ///< whether it neither merges nor comes apart
 } tf_scene;
 
-/// All scenes, and how many there are.
-const tf_scene *tf_scenes(int *count);
-
-/// The scene of that name; NULL if there is none.
-const tf_scene *tf_scene_named(const char *name);
-
-/// Sets the stage of a scene.
-/// @param size at least scene->least
-/// @param[out] stage its body to be freed; without memory that has failed
-void tf_scene_build(const tf_scene *scene, int size, tf_stage *stage);
+/// The scene of that name in a list that ends with one without a name; NULL if
+/// there is none.
+const tf_scene *tf_scene_named(const tf_scene list[], const char *name);

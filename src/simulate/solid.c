@@ -6,16 +6,24 @@
 static const double pi = 3.141592653589793;
 
 //: Add a circle of vertices
-static void add_circle(tf_body *body, const double center[3], double up,
-                       double radius, int sectors)
+void tf_circle_add(tf_body *body, tf_vector center, tf_vector across,
+                   tf_vector beside, int vertices)
 {
-    for (int s = 0; s < sectors; s++) {
-        double around = 2 * pi * s / sectors;
-        tf_body_add_vertex(body,
-                           (const double[]){center[0] + radius * cos(around),
-                                            center[1] + radius * sin(around),
-                                            center[2] + up});
+    for (int i = 0; i < vertices; i++) {
+        double around = 2 * pi * i / vertices;
+        tf_vector x = tf_vector_sum(center, cos(around), across);
+        x = tf_vector_sum(x, sin(around), beside);
+        tf_body_add_vertex(body, x.x);
     }
+}
+
+/// A level circle, some way up from a center.
+static void add_level(tf_body *body, const double center[3], double up,
+                      double radius, int sectors)
+{
+    tf_vector middle = {{center[0], center[1], center[2] + up}};
+    tf_circle_add(body, middle, (tf_vector){{radius}}, (tf_vector){{0, radius}},
+                  sectors);
 }
 
 //: Add triangles between circles
@@ -41,8 +49,8 @@ static void add_ends(tf_body *body, const double center[3], double top,
                      double bottom, const int circle[2], int sectors)
 {
     int first = body->vertices;
-    add_circle(body, center, top, 0, 1);
-    add_circle(body, center, bottom, 0, 1);
+    add_level(body, center, top, 0, 1);
+    add_level(body, center, bottom, 0, 1);
     for (int s = 0; s < sectors; s++) {
         int next = (s + 1) % sectors;
         tf_body_add_triangle(body, first, circle[0] + s, circle[0] + next);
@@ -57,8 +65,8 @@ void tf_ball_add(tf_body *body, const double center[3], double radius,
     int first = body->vertices, circles = sectors / 2;
     for (int i = 1; i <= circles; i++) {
         double down = pi * i / (circles + 1);
-        add_circle(body, center, radius * cos(down), radius * sin(down),
-                   sectors);
+        add_level(body, center, radius * cos(down), radius * sin(down),
+                  sectors);
     }
     add_belts(body, first, circles, sectors);
     const int outer[] = {first, first + (circles - 1) * sectors};
@@ -71,7 +79,7 @@ void tf_column_add(tf_body *body, const double foot[3], double radius,
 {
     int first = body->vertices;
     for (int i = rows; i >= 0; i--)
-        add_circle(body, foot, height * i / rows, radius, sectors);
+        add_level(body, foot, height * i / rows, radius, sectors);
     add_belts(body, first, rows + 1, sectors);
     const int outer[] = {first, first + rows * sectors};
     add_ends(body, foot, height, 0, outer, sectors);
@@ -84,8 +92,8 @@ void tf_ring_add(tf_body *body, const double center[3], const double radius[2],
     int first = body->vertices;
     for (int i = 0; i < sides; i++) {
         double around = 2 * pi * i / sides;
-        add_circle(body, center, radius[1] * cos(around),
-                   radius[0] + radius[1] * sin(around), sectors);
+        add_level(body, center, radius[1] * cos(around),
+                  radius[0] + radius[1] * sin(around), sectors);
     }
     add_belts(body, first, sides, sectors);
     add_belt(body, first + (sides - 1) * sectors, first, sectors);

@@ -1,8 +1,15 @@
-//: Declare solids
+//: Declare circles of vertices
 #pragma once
 
+#include "geometry/vector.h"
 #include "simulate/body.h"
 
+/// Adds the vertices of a circle or, if the radii differ, an ellipse.
+/// @param across, beside perpendicular radii; the first vertex is at the former
+void tf_circle_add(tf_body *body, tf_vector center, tf_vector across,
+                   tf_vector beside, int vertices);
+
+//: Declare solids
 /// Each adds a surface whose vertices are scripted.
 
 /// A ball.

@@ -1,4 +1,4 @@
-//: Declare cuboids
+//: Declare bounding boxes
 #pragma once
 
 #include <math.h>
@@ -25,7 +25,7 @@ static inline void tf_aabb_add(tf_aabb *box, const double *x)
     }
 }
 
-//: Join and compare cuboids
+//: Join and compare bounding boxes
 static inline tf_aabb tf_aabb_union(tf_aabb a, const tf_aabb *b)
 {
     for (int k = 0; k < 3; k++) {

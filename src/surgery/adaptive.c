@@ -1,36 +1,21 @@
 //: Include what adaptive surfaces need
-#include "surgery/load.h"
-#include "surgery/star.h"
+#include "surgery/adaptive.h"
 
 #include "base/environment.h"
 #include "base/require.h"
+#include "surgery/conditions.h"
+#include "surgery/star.h"
+#include "surgery/surgery.h"
 
-#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
-
-//: Make room for elements
-bool tf_adaptive_reserve(tf_adaptive_surface *surface, int vertices,
-                         int triangles, int more)
-{
-    if (more > INT_MAX / 3 - triangles || vertices > INT_MAX - TF_MOST_PLACED)
-        return false;
-    size_t places = (size_t)vertices + TF_MOST_PLACED;
-    size_t count = (size_t)triangles + (size_t)more;
-    return tf_buffer_extend(&surface->position, places, 3 * sizeof(double)) &&
-           tf_buffer_extend(&surface->first, places, sizeof(int)) &&
-           tf_buffer_extend(&surface->vertex, count, 3 * sizeof(int)) &&
-           tf_buffer_extend(&surface->next, count, 3 * sizeof(int)) &&
-           tf_buffer_extend(&surface->found, count, sizeof(int)) &&
-           tf_dynamic_tree_reserve(&surface->boxes, triangles + more);
-}
 
 //: Fill an adaptive surface
 static tf_status fill_surface(const tf_mesh *mesh, const double position[],
                               tf_adaptive_surface *surface)
 {
     if (!tf_adaptive_reserve(surface, mesh->vertices, mesh->triangles, 0) ||
-        !tf_buffer_extend(&surface->cuboid, (size_t)mesh->triangles,
+        !tf_buffer_extend(&surface->box, (size_t)mesh->triangles,
                           sizeof(tf_aabb)))
         return TF_OUT_OF_MEMORY;
     surface->vertices = mesh->vertices;
@@ -39,7 +24,7 @@ static tf_status fill_surface(const tf_mesh *mesh, const double position[],
            3 * sizeof *position * (size_t)mesh->vertices);
     memcpy(surface->vertex.data, mesh->triangle,
            3 * sizeof *mesh->triangle * (size_t)mesh->triangles);
-    tf_stars_build(surface, surface->cuboid.data);
+    tf_stars_build(surface, surface->box.data);
     return TF_OK;
 }
 
@@ -86,8 +71,8 @@ void tf_adaptive_free(tf_adaptive_surface *surface)
     tf_buffer_free(&surface->first);
     tf_buffer_free(&surface->next);
     tf_buffer_free(&surface->found);
-    tf_buffer_free(&surface->cuboid);
-    tf_dynamic_tree_free(&surface->boxes);
+    tf_buffer_free(&surface->box);
+    tf_dynamic_tree_free(&surface->tree);
     tf_surgery_free(&surface->surgery);
     free(surface);
 }
@@ -97,12 +82,12 @@ size_t tf_adaptive_memory(const tf_adaptive_surface *surface)
 {
     TF_REQUIRE(surface);
     const tf_surgery *surgery = &surface->surgery;
-    const tf_dynamic_tree *boxes = &surface->boxes;
+    const tf_dynamic_tree *boxes = &surface->tree;
     return sizeof *surface + surface->position.bytes + surface->vertex.bytes +
            surface->first.bytes + surface->next.bytes + surface->found.bytes +
-           surface->cuboid.bytes + boxes->branch.bytes + boxes->parent.bytes +
-           boxes->stack.bytes + surgery->removed.bytes + surgery->graft.bytes +
-           surgery->sweep.bytes + surgery->rim.bytes;
+           surface->box.bytes + boxes->branch.bytes + boxes->parent.bytes +
+           boxes->stack.bytes + surgery->removed.bytes + surgery->added.bytes +
+           surgery->swept.bytes + surgery->boundary.bytes;
 }
 
 //: Lend an adaptive surface
@@ -156,7 +141,7 @@ static void move_triangles(tf_adaptive_surface *surface)
 tf_status tf_adaptive_compact(tf_adaptive_surface *surface, int map[])
 {
     TF_REQUIRE(surface);
-    if (!tf_buffer_extend(&surface->cuboid, (size_t)surface->triangles,
+    if (!tf_buffer_extend(&surface->box, (size_t)surface->triangles,
                           sizeof(tf_aabb)))
         return TF_OUT_OF_MEMORY;
     int before = surface->vertices;
@@ -164,6 +149,6 @@ tf_status tf_adaptive_compact(tf_adaptive_surface *surface, int map[])
     move_triangles(surface);
     if (map && before > 0)
         memcpy(map, surface->first.data, sizeof *map * (size_t)before);
-    tf_stars_build(surface, surface->cuboid.data);
+    tf_stars_build(surface, surface->box.data);
     return TF_OK;
 }

@@ -3,8 +3,8 @@
 
 #include "base/api.h"
 #include "base/status.h"
-#include "surface/check.h"
 #include "surface/mesh.h"
+#include "surgery/defect.h"
 
 #include <stddef.h>
 
@@ -16,13 +16,6 @@
 /// An embedded surface that operations change: each vertex has triangles all
 /// around it, or is on the boundary.  Only one thread at a time may use it.
 typedef struct tf_adaptive_surface tf_adaptive_surface;
-
-/// Where a mesh is no such surface.  What a status is not about is -1.
-typedef struct tf_defect {
-    int triangle;         ///< in the list that the caller gave
-    int vertex[2];        ///< a vertex, or the two of an edge
-    tf_crossing crossing; ///< with TF_NOT_EMBEDDED: the elements
-} tf_defect;
 
 //: Declare how adaptive surfaces are made
 /// Makes an adaptive surface of a mesh in space, which it copies.  It is
@@ -59,7 +52,7 @@ TF_API void tf_adaptive_free(tf_adaptive_surface *surface);
 /// @return the mesh, lent until the surface is changed
 TF_API tf_mesh tf_adaptive_mesh(const tf_adaptive_surface *surface);
 
-/// The places of its vertices.
+/// The positions of its vertices.
 /// @param surface the surface
 /// @return three coordinates each, lent until the surface is changed
 TF_API const double *tf_adaptive_positions(const tf_adaptive_surface *surface);

@@ -1,10 +1,12 @@
 //: Find out whether an edge may collapse
-#include "surgery/operations.h"
+#include "surgery/collapse.h"
 
 #include "base/require.h"
 #include "surgery/move.h"
 #include "surgery/request.h"
 #include "surgery/star.h"
+#include "surgery/surgery.h"
+#include "surgery/trial.h"
 
 #include <string.h>
 
@@ -18,15 +20,15 @@ static bool apex_survives(const tf_adaptive_surface *surface, int corner)
 }
 
 //: Find out what would be left
-/// Whether only a lone triangle would be left: one, on the boundary all around.
-static bool leaves_lone_triangle(const tf_adaptive_surface *surface, int from,
-                                 int edges)
+/// Whether only an isolated triangle would be left.
+static bool leaves_isolated_triangle(const tf_adaptive_surface *surface,
+                                     int from, int edges)
 {
-    int bare = 0, c = tf_first_corner(surface, from);
+    int boundary = 0, c = tf_first_corner(surface, from);
     for (; c != TF_NONE; c = tf_next_corner(surface, c))
-        bare += tf_is_boundary_edge(surface, tf_corner_after(c));
+        boundary += tf_is_boundary_edge(surface, tf_corner_after(c));
     int size = tf_star_size(surface, from);
-    return size == edges + 1 && bare == size;
+    return size == edges + 1 && boundary == size;
 }
 
 /// The corners where the edge begins, in each direction.
@@ -43,7 +45,7 @@ static bool may_collapse(const tf_adaptive_surface *surface, int from, int to,
     }
     return edges > 0 && tf_common_neighbors(surface, from, to) == edges &&
            (edges == 1 || !tf_is_boundary_vertex(surface, from)) &&
-           !leaves_lone_triangle(surface, from, edges);
+           !leaves_isolated_triangle(surface, from, edges);
 }
 
 //: Describe a collapse
@@ -96,18 +98,18 @@ tf_status tf_adaptive_collapse(tf_adaptive_surface *surface, int from, int to,
     return TF_OK;
 }
 
-//: Collapse an edge to a place
+//: Collapse an edge to a position
 tf_status tf_adaptive_collapse_to(tf_adaptive_surface *surface, int from,
-                                  int to, const double place[3],
+                                  int to, const double position[3],
                                   tf_outcome *outcome)
 {
-    TF_REQUIRE(place);
-    tf_status status = tf_request_check(surface, from, to, place, outcome);
+    TF_REQUIRE(position);
+    tf_status status = tf_request_check(surface, from, to, position, outcome);
     if (status != TF_OK)
         return status;
     double before[3];
-    memcpy(before, tf_place(surface, to), sizeof before);
-    status = tf_adaptive_move(surface, to, place, outcome);
+    memcpy(before, tf_coordinates(surface, to), sizeof before);
+    status = tf_adaptive_move(surface, to, position, outcome);
     if (status != TF_OK || *outcome != TF_COMMITTED)
         return status;
     status = tf_adaptive_collapse(surface, from, to, outcome);

@@ -1,4 +1,4 @@
-//: Include what the hierarchy needs
+//: Include what the dynamic tree needs
 #include "surgery/dynamic_tree.h"
 
 #include <stddef.h>
@@ -30,7 +30,7 @@ static int child_of_element(int element)
     return -2 - element;
 }
 
-//: Make room in the hierarchy
+//: Make room in the dynamic tree
 bool tf_dynamic_tree_reserve(tf_dynamic_tree *tree, int elements)
 {
     size_t count = (size_t)elements + 1;
@@ -296,8 +296,8 @@ static void part_at(const tf_aabb box[], int axis, int order[], int count,
     }
 }
 
-//: Build a part of the hierarchy
-/// Builds the hierarchy of some elements below a branch.
+//: Build a subtree
+/// Builds the tree of some elements below a branch.
 static void build_part(tf_dynamic_tree *tree, int at, int lane,
                        const tf_aabb box[], int order[], int count)
 {
@@ -313,7 +313,7 @@ static void build_part(tf_dynamic_tree *tree, int at, int lane,
     set_child(tree, at, lane, made, tf_aabb_union(b->box[0], &b->box[1]));
 }
 
-//: Build a hierarchy
+//: Build a dynamic tree
 void tf_dynamic_tree_build(tf_dynamic_tree *tree, const tf_aabb box[],
                            int order[], int count)
 {

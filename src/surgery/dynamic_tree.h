@@ -1,4 +1,4 @@
-//: Declare the hierarchy of boxes
+//: Declare the dynamic tree
 #pragma once
 
 #include "surface/buffer.h"
@@ -20,7 +20,7 @@ bool tf_dynamic_tree_reserve(tf_dynamic_tree *tree, int elements);
 void tf_dynamic_tree_free(tf_dynamic_tree *tree);
 
 //: Declare how elements come and go
-/// Builds a balanced hierarchy of the elements order[0] to order[count - 1],
+/// Builds a balanced tree of the elements order[0] to order[count - 1],
 /// of those boxes; changes their order.
 void tf_dynamic_tree_build(tf_dynamic_tree *tree, const tf_aabb box[],
                            int order[], int count);

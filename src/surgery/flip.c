@@ -1,8 +1,10 @@
 //: Find out whether an edge may flip
-#include "surgery/operations.h"
+#include "surgery/flip.h"
 
 #include "surgery/request.h"
 #include "surgery/star.h"
+#include "surgery/surgery.h"
+#include "surgery/trial.h"
 
 enum {
     FLIP_ROOM = 4 ///< for the lists of the surgery

@@ -2,11 +2,10 @@
 #include "surgery/move.h"
 
 #include "base/require.h"
-#include "surgery/operations.h"
 #include "surgery/request.h"
 #include "surgery/star.h"
-
-#include <string.h>
+#include "surgery/surgery.h"
+#include "surgery/trial.h"
 
 /// Moves the triangle of a corner there to another vertex.
 static void sweep_triangle(tf_adaptive_surface *surface, int corner, int to)
@@ -24,44 +23,31 @@ static void sweep_triangle(tf_adaptive_surface *surface, int corner, int to)
 /// Tries the surgery that gives the triangles of a vertex to one placed
 /// elsewhere.
 static tf_outcome try_move(tf_adaptive_surface *surface, int vertex,
-                           const double place[3])
+                           const double position[3])
 {
     int c = tf_first_corner(surface, vertex);
     if (c == TF_NONE || tf_is_isolated(surface, c / 3))
         return TF_IMPOSSIBLE;
-    int moved = tf_surgery_place(surface, place);
+    int moved = tf_surgery_place(surface, position);
     for (; c != TF_NONE; c = tf_next_corner(surface, c))
         sweep_triangle(surface, c, moved);
     tf_surgery_move(surface, vertex, moved);
     return tf_surgery_try(surface);
 }
 
-//: Put a vertex elsewhere
-void tf_vertex_put(tf_adaptive_surface *surface, int vertex,
-                   const double place[3])
-{
-    memcpy((double *)surface->position.data + 3 * (ptrdiff_t)vertex, place,
-           3 * sizeof *place);
-    int c = tf_first_corner(surface, vertex);
-    for (; c != TF_NONE; c = tf_next_corner(surface, c))
-        tf_dynamic_tree_change(
-            &surface->boxes, c / 3,
-            tf_aabb_of(surface, 3, tf_triangle(surface, c / 3)));
-}
-
 //: Move a vertex
 tf_status tf_adaptive_move(tf_adaptive_surface *surface, int vertex,
-                           const double place[3], tf_outcome *outcome)
+                           const double position[3], tf_outcome *outcome)
 {
-    TF_REQUIRE(place);
+    TF_REQUIRE(position);
     tf_status status =
-        tf_request_check(surface, vertex, vertex, place, outcome);
+        tf_request_check(surface, vertex, vertex, position, outcome);
     if (status != TF_OK)
         return status;
     if (!tf_surgery_begin(surface, tf_star_size(surface, vertex)))
         return TF_OUT_OF_MEMORY;
-    *outcome = try_move(surface, vertex, place);
+    *outcome = try_move(surface, vertex, position);
     if (*outcome == TF_COMMITTED)
-        tf_vertex_put(surface, vertex, place);
+        tf_vertex_put(surface, vertex, position);
     return TF_OK;
 }

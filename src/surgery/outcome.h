@@ -6,8 +6,13 @@
 /// @addtogroup adaptive
 /// @{
 
-/// What became of an operation on a surface.  One that is refused has changed
-/// nothing.
+/// What became of an operation on a surface.  Each is all or nothing: one that
+/// is refused has changed nothing.
+///
+/// A split, a move, a collapse or a flip that is done is a continuous motion of
+/// the surface, in which it never touches itself: so it stays embedded, no part
+/// of it passes through another, and none is turned inside out.  This is exact;
+/// what might not be such a motion is refused.
 typedef enum tf_outcome {
     TF_NO_OUTCOME = 0,  ///< it failed, with a status other than TF_OK
     TF_COMMITTED,       ///< it is done

@@ -1,9 +1,11 @@
 //: Split one triangle
-#include "surgery/operations.h"
+#include "surgery/split.h"
 
 #include "base/require.h"
 #include "surgery/request.h"
 #include "surgery/star.h"
+#include "surgery/surgery.h"
+#include "surgery/trial.h"
 
 enum {
     SPLIT_ROOM = 4 ///< for the lists of the surgery
@@ -26,12 +28,12 @@ static void split_triangle(tf_adaptive_surface *surface, int corner, int middle)
 //: Describe a split
 /// The corners where the edge begins, in each direction.
 static tf_outcome try_split(tf_adaptive_surface *surface, const int corner[2],
-                            const double place[3], int *vertex)
+                            const double position[3], int *vertex)
 {
     for (int i = 0; i < 2; i++)
         if (corner[i] != TF_NONE && tf_is_isolated(surface, corner[i] / 3))
             return TF_IMPOSSIBLE;
-    *vertex = tf_surgery_place(surface, place);
+    *vertex = tf_surgery_place(surface, position);
     for (int i = 0; i < 2; i++)
         if (corner[i] != TF_NONE)
             split_triangle(surface, corner[i], *vertex);
@@ -40,11 +42,11 @@ static tf_outcome try_split(tf_adaptive_surface *surface, const int corner[2],
 
 //: Split an edge
 tf_status tf_adaptive_split(tf_adaptive_surface *surface, int a, int b,
-                            const double place[3], int *vertex,
+                            const double position[3], int *vertex,
                             tf_outcome *outcome)
 {
-    TF_REQUIRE(place && vertex);
-    tf_status status = tf_request_check(surface, a, b, place, outcome);
+    TF_REQUIRE(position && vertex);
+    tf_status status = tf_request_check(surface, a, b, position, outcome);
     if (status != TF_OK)
         return status;
     int corner[] = {tf_find_edge(surface, a, b), tf_find_edge(surface, b, a)};
@@ -56,7 +58,7 @@ tf_status tf_adaptive_split(tf_adaptive_surface *surface, int a, int b,
         *outcome = TF_NO_OUTCOME;
         return TF_OUT_OF_MEMORY;
     }
-    *outcome = try_split(surface, corner, place, &middle);
+    *outcome = try_split(surface, corner, position, &middle);
     if (*outcome != TF_COMMITTED)
         return TF_OK;
     tf_surgery_accept(surface);

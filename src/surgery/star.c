@@ -1,6 +1,9 @@
 //: Find an edge
 #include "surgery/star.h"
 
+#include <limits.h>
+#include <string.h>
+
 int tf_find_edge(const tf_adaptive_surface *surface, int from, int to)
 {
     int corner = tf_first_corner(surface, from);
@@ -64,6 +67,22 @@ int tf_common_neighbors(const tf_adaptive_surface *surface, int a, int b)
     return count;
 }
 
+//: Make room for elements
+bool tf_adaptive_reserve(tf_adaptive_surface *surface, int vertices,
+                         int triangles, int more)
+{
+    if (more > INT_MAX / 3 - triangles || vertices > INT_MAX - TF_MOST_PLACED)
+        return false;
+    size_t points = (size_t)vertices + TF_MOST_PLACED;
+    size_t count = (size_t)triangles + (size_t)more;
+    return tf_buffer_extend(&surface->position, points, 3 * sizeof(double)) &&
+           tf_buffer_extend(&surface->first, points, sizeof(int)) &&
+           tf_buffer_extend(&surface->vertex, count, 3 * sizeof(int)) &&
+           tf_buffer_extend(&surface->next, count, 3 * sizeof(int)) &&
+           tf_buffer_extend(&surface->found, count, sizeof(int)) &&
+           tf_dynamic_tree_reserve(&surface->tree, triangles + more);
+}
+
 //: Link the corners of a triangle
 static void link_corner(tf_adaptive_surface *surface, int corner)
 {
@@ -93,11 +112,11 @@ void tf_stars_build(tf_adaptive_surface *surface, tf_aabb box[])
         box[t] = tf_aabb_of(surface, 3, tf_triangle(surface, t));
         order[t] = t;
     }
-    tf_dynamic_tree_build(&surface->boxes, box, order, surface->triangles);
+    tf_dynamic_tree_build(&surface->tree, box, order, surface->triangles);
 }
 
 //: Add and remove triangles
-static int take_place(tf_adaptive_surface *surface)
+static int take_number(tf_adaptive_surface *surface)
 {
     int taken = surface->free_triangle;
     if (taken == TF_NONE)
@@ -108,12 +127,12 @@ static int take_place(tf_adaptive_surface *surface)
 
 int tf_triangle_add(tf_adaptive_surface *surface, const int vertex[3])
 {
-    int added = take_place(surface);
+    int added = take_number(surface);
     for (int i = 0; i < 3; i++) {
         ((int *)surface->vertex.data)[3 * added + i] = vertex[i];
         link_corner(surface, 3 * added + i);
     }
-    tf_dynamic_tree_insert(&surface->boxes, added,
+    tf_dynamic_tree_insert(&surface->tree, added,
                            tf_aabb_of(surface, 3, vertex));
     return added;
 }
@@ -123,8 +142,21 @@ void tf_triangle_remove(tf_adaptive_surface *surface, int triangle)
     int *vertex = (int *)surface->vertex.data + 3 * (ptrdiff_t)triangle;
     for (int i = 0; i < 3; i++)
         unlink_corner(surface, 3 * triangle + i);
-    tf_dynamic_tree_remove(&surface->boxes, triangle);
+    tf_dynamic_tree_remove(&surface->tree, triangle);
     vertex[0] = vertex[2] = TF_NONE;
     vertex[1] = surface->free_triangle;
     surface->free_triangle = triangle;
+}
+
+//: Put a vertex elsewhere
+void tf_vertex_put(tf_adaptive_surface *surface, int vertex,
+                   const double position[3])
+{
+    memcpy((double *)surface->position.data + 3 * (ptrdiff_t)vertex, position,
+           3 * sizeof *position);
+    int c = tf_first_corner(surface, vertex);
+    for (; c != TF_NONE; c = tf_next_corner(surface, c))
+        tf_dynamic_tree_change(
+            &surface->tree, c / 3,
+            tf_aabb_of(surface, 3, tf_triangle(surface, c / 3)));
 }

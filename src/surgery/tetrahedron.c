@@ -93,7 +93,7 @@ bool tf_tetrahedron_holds(const tf_tetrahedron *tetrahedron, const double *p,
 
 //: Meet a face
 static bool meets_face(const tf_tetrahedron *tetrahedron, int corner,
-                       const tf_thread *edge)
+                       const tf_located_edge *edge)
 {
     const double *face[3];
     face_opposite(tetrahedron, corner, face);
@@ -105,7 +105,7 @@ static bool meets_face(const tf_tetrahedron *tetrahedron, int corner,
 /// a face at that corner; and it leaves the tetrahedron through the face
 /// opposite, if not there, then nowhere.
 static bool enters_at(const tf_tetrahedron *tetrahedron, int corner,
-                      const tf_thread *edge, unsigned outside)
+                      const tf_located_edge *edge, unsigned outside)
 {
     return (outside & ~(1U << corner)) == 0 &&
            meets_face(tetrahedron, corner, edge);
@@ -113,7 +113,7 @@ static bool enters_at(const tf_tetrahedron *tetrahedron, int corner,
 
 //: Meet an edge
 bool tf_tetrahedron_meets(const tf_tetrahedron *tetrahedron,
-                          const tf_thread *edge)
+                          const tf_located_edge *edge)
 {
     int first = tf_tetrahedron_corner(tetrahedron, edge->vertex[0]);
     int second = tf_tetrahedron_corner(tetrahedron, edge->vertex[1]);

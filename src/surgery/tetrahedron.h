@@ -34,14 +34,14 @@ bool tf_tetrahedron_holds(const tf_tetrahedron *tetrahedron, const double *p,
 
 //: Declare how an edge enters a tetrahedron
 /// An edge: its ends, and the faces that these are outside of.
-typedef struct tf_thread {
+typedef struct tf_located_edge {
     int vertex[2];
     const double *end[2];
     unsigned outside[2];
-} tf_thread;
+} tf_located_edge;
 
 /// Whether an edge, whose ends are outside unless they are corners, meets the
 /// tetrahedron in more than their common vertices.  An edge whose ends are both
 /// corners does not.
 bool tf_tetrahedron_meets(const tf_tetrahedron *tetrahedron,
-                          const tf_thread *edge);
+                          const tf_located_edge *edge);

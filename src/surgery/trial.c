@@ -1,36 +1,32 @@
-//: Include what a trial needs
-#include "surgery/surgery.h"
-
-#include "surgery/star.h"
-
 //: Hold a trial
+#include "surgery/trial.h"
+
 typedef struct trial {
     tf_adaptive_surface *surface;
-    int removals, grafts, sweeps;
+    int removals, additions, sweeps;
     const int *removed;
-    const tf_added_triangle
-        *graft; ///< those of this stage, after the settled ones
-    const tf_swept *sweep;
+    const tf_added_triangle *added; ///< by this stage
+    const tf_swept_tetrahedron *swept;
 } trial;
 
 static trial trial_of(tf_adaptive_surface *surface)
 {
     const tf_surgery *s = &surface->surgery;
+    const tf_added_triangle *added = s->added.data;
     return (trial){.surface = surface,
                    .removals = s->removals,
-                   .grafts = s->grafts - s->settled,
+                   .additions = s->additions - s->earlier,
                    .sweeps = s->sweeps,
                    .removed = s->removed.data,
-                   .graft =
-                       (const tf_added_triangle *)s->graft.data + s->settled,
-                   .sweep = s->sweep.data};
+                   .added = added + s->earlier,
+                   .swept = s->swept.data};
 }
 
 //: Test D: no new triangle is collinear
-static bool some_graft_is_flat(const trial *t)
+static bool some_triangle_is_collinear(const trial *t)
 {
-    for (int i = 0; i < t->grafts; i++) {
-        const double *const *x = t->graft[i].facet.corner;
+    for (int i = 0; i < t->additions; i++) {
+        const double *const *x = t->added[i].facet.corner;
         if (tf_are_collinear(x[0], x[1], x[2]))
             return true;
     }
@@ -38,20 +34,20 @@ static bool some_graft_is_flat(const trial *t)
 }
 
 //: Test S: new triangles overlap no other
-static bool grafts_overlap(const trial *t)
+static bool added_overlap(const trial *t)
 {
-    for (int i = 0; i < t->grafts; i++)
+    for (int i = 0; i < t->additions; i++)
         for (int j = 0; j < i; j++)
-            if (tf_facets_overlap(&t->graft[i].facet, &t->graft[j].facet))
+            if (tf_facets_overlap(&t->added[i].facet, &t->added[j].facet))
                 return true;
     return false;
 }
 
-static bool overlaps_a_graft(const trial *t, const tf_added_triangle *kept)
+static bool overlaps_added(const trial *t, const tf_added_triangle *kept)
 {
-    for (int i = 0; i < t->grafts; i++)
-        if (tf_aabbs_overlap(&t->graft[i].box, &kept->box) &&
-            tf_facets_overlap(&t->graft[i].facet, &kept->facet))
+    for (int i = 0; i < t->additions; i++)
+        if (tf_aabbs_overlap(&t->added[i].box, &kept->box) &&
+            tf_facets_overlap(&t->added[i].facet, &kept->facet))
             return true;
     return false;
 }
@@ -61,9 +57,9 @@ static bool sweeps_edge(const tf_tetrahedron *body, int count,
                         const tf_facet *kept, const unsigned outside[], int i)
 {
     int j = (i + 1) % count;
-    tf_thread edge = {{kept->vertex[i], kept->vertex[j]},
-                      {kept->corner[i], kept->corner[j]},
-                      {outside[i], outside[j]}};
+    tf_located_edge edge = {{kept->vertex[i], kept->vertex[j]},
+                            {kept->corner[i], kept->corner[j]},
+                            {outside[i], outside[j]}};
     return tf_tetrahedron_meets(body, &edge);
 }
 
@@ -91,8 +87,8 @@ static tf_outcome try_sweeps(const trial *t, int count,
                              const tf_added_triangle *kept)
 {
     for (int i = 0; i < t->sweeps; i++) {
-        const tf_tetrahedron *body = &t->sweep[i].body;
-        if (!tf_aabbs_overlap(&t->sweep[i].box, &kept->box) ||
+        const tf_tetrahedron *body = &t->swept[i].body;
+        if (!tf_aabbs_overlap(&t->swept[i].box, &kept->box) ||
             tf_tetrahedron_is_apart(body, count, &kept->facet))
             continue;
         tf_outcome outcome = try_sweep(body, count, &kept->facet);
@@ -103,15 +99,15 @@ static tf_outcome try_sweeps(const trial *t, int count,
 }
 
 //: Test X: the vertex that moves passes through no triangle
-static bool axis_touches(const trial *t, const tf_added_triangle *kept)
+static bool path_touches(const trial *t, const tf_added_triangle *kept)
 {
-    const int *axis = t->surface->surgery.axis;
-    if (axis[0] == TF_NONE)
+    const int *path = t->surface->surgery.path;
+    if (path[0] == TF_NONE)
         return false;
-    tf_aabb box = tf_aabb_of(t->surface, 2, axis);
+    tf_aabb box = tf_aabb_of(t->surface, 2, path);
     return tf_aabbs_overlap(&box, &kept->box) &&
-           tf_edge_touches_triangle(tf_place(t->surface, axis[0]),
-                                    tf_place(t->surface, axis[1]),
+           tf_edge_touches_triangle(tf_coordinates(t->surface, path[0]),
+                                    tf_coordinates(t->surface, path[1]),
                                     kept->facet.corner);
 }
 
@@ -126,9 +122,9 @@ static bool is_removed(const trial *t, int triangle)
 
 static tf_outcome try_kept(const trial *t, const tf_added_triangle *kept)
 {
-    if (overlaps_a_graft(t, kept))
+    if (overlaps_added(t, kept))
         return TF_OVERLAPPED;
-    if (axis_touches(t, kept))
+    if (path_touches(t, kept))
         return TF_PASSED_TRIANGLE;
     return try_sweeps(t, 3, kept);
 }
@@ -144,32 +140,32 @@ static tf_outcome try_triangle(const trial *t, int triangle)
 }
 
 /// The triangles that earlier stages of the surgery have added are kept.
-static tf_outcome try_settled(const trial *t)
+static tf_outcome try_earlier(const trial *t)
 {
     const tf_surgery *s = &t->surface->surgery;
-    const tf_added_triangle *settled = s->graft.data;
+    const tf_added_triangle *kept = s->added.data;
     tf_outcome outcome = TF_COMMITTED;
-    for (int i = 0; i < s->settled && outcome == TF_COMMITTED; i++)
-        outcome = try_kept(t, &settled[i]);
+    for (int i = 0; i < s->earlier && outcome == TF_COMMITTED; i++)
+        outcome = try_kept(t, &kept[i]);
     return outcome;
 }
 
 //: Try all triangles nearby
-static tf_aabb whole_of(const trial *t)
+static tf_aabb box_of(const trial *t)
 {
-    tf_aabb whole = tf_aabb_empty();
-    for (int i = 0; i < t->grafts; i++)
-        whole = tf_aabb_union(whole, &t->graft[i].box);
+    tf_aabb box = tf_aabb_empty();
+    for (int i = 0; i < t->additions; i++)
+        box = tf_aabb_union(box, &t->added[i].box);
     for (int i = 0; i < t->sweeps; i++)
-        whole = tf_aabb_union(whole, &t->sweep[i].box);
-    return whole;
+        box = tf_aabb_union(box, &t->swept[i].box);
+    return box;
 }
 
 static tf_outcome try_triangles(const trial *t)
 {
-    tf_aabb whole = whole_of(t);
+    tf_aabb box = box_of(t);
     int *found = t->surface->found.data;
-    int count = tf_dynamic_tree_find(&t->surface->boxes, &whole, found);
+    int count = tf_dynamic_tree_find(&t->surface->tree, &box, found);
     tf_outcome outcome = TF_COMMITTED;
     for (int i = 0; i < count && outcome == TF_COMMITTED; i++)
         outcome = try_triangle(t, found[i]);
@@ -179,23 +175,23 @@ static tf_outcome try_triangles(const trial *t)
 //: Try the boundary of the patch
 /// An edge of the boundary that the two patches share belongs to no triangle
 /// that is kept.
-static tf_outcome try_rim(const trial *t, const int rim[2])
+static tf_outcome try_boundary_edge(const trial *t, const int edge[2])
 {
-    tf_added_triangle kept = {.box = tf_aabb_of(t->surface, 2, rim)};
+    tf_added_triangle kept = {.box = tf_aabb_of(t->surface, 2, edge)};
     for (int i = 0; i < 2; i++) {
-        kept.facet.vertex[i] = rim[i];
-        kept.facet.corner[i] = tf_place(t->surface, rim[i]);
+        kept.facet.vertex[i] = edge[i];
+        kept.facet.corner[i] = tf_coordinates(t->surface, edge[i]);
     }
     return try_sweeps(t, 2, &kept);
 }
 
-static tf_outcome try_rims(const trial *t)
+static tf_outcome try_boundary(const trial *t)
 {
-    const int *rim = t->surface->surgery.rim.data;
+    const tf_surgery *s = &t->surface->surgery;
+    const int *edge = s->boundary.data;
     tf_outcome outcome = TF_COMMITTED;
-    for (int i = 0; i < t->surface->surgery.rims && outcome == TF_COMMITTED;
-         i++)
-        outcome = try_rim(t, rim + 2 * (size_t)i);
+    for (int i = 0; i < s->boundary_edges && outcome == TF_COMMITTED; i++)
+        outcome = try_boundary_edge(t, edge + 2 * (size_t)i);
     return outcome;
 }
 
@@ -203,12 +199,12 @@ static tf_outcome try_rims(const trial *t)
 tf_outcome tf_surgery_try(tf_adaptive_surface *surface)
 {
     trial t = trial_of(surface);
-    if (some_graft_is_flat(&t))
+    if (some_triangle_is_collinear(&t))
         return TF_FLATTENED;
-    if (grafts_overlap(&t))
+    if (added_overlap(&t))
         return TF_OVERLAPPED;
-    tf_outcome outcome = try_settled(&t);
+    tf_outcome outcome = try_earlier(&t);
     if (outcome == TF_COMMITTED)
-        outcome = try_rims(&t);
+        outcome = try_boundary(&t);
     return outcome == TF_COMMITTED ? try_triangles(&t) : outcome;
 }

@@ -1,53 +1,55 @@
-//: Begin a search for parts
+//: Begin a search for components
 #include "topology/component.h"
 
 #include <string.h>
 
-bool tf_parts_begin(tf_parts *parts, const tf_adaptive_surface *surface)
+bool tf_components_begin(tf_components *components,
+                         const tf_adaptive_surface *surface)
 {
     size_t count = (size_t)surface->triangles;
-    parts->count = 0;
-    if (!tf_buffer_extend(&parts->listed, count, sizeof(bool)) ||
-        !tf_buffer_extend(&parts->list, count, sizeof(int)))
+    components->count = 0;
+    if (!tf_buffer_extend(&components->listed, count, sizeof(bool)) ||
+        !tf_buffer_extend(&components->list, count, sizeof(int)))
         return false;
     if (count > 0)
-        memset(parts->listed.data, false, count * sizeof(bool));
+        memset(components->listed.data, false, count * sizeof(bool));
     return true;
 }
 
-void tf_parts_free(tf_parts *parts)
+void tf_components_free(tf_components *components)
 {
-    tf_buffer_free(&parts->listed);
-    tf_buffer_free(&parts->list);
+    tf_buffer_free(&components->listed);
+    tf_buffer_free(&components->list);
 }
 
-//: Add a part
-static void list_triangle(tf_parts *parts, int triangle)
+//: Add a component
+static void list_triangle(tf_components *components, int triangle)
 {
-    bool *listed = (bool *)parts->listed.data + triangle;
+    bool *listed = (bool *)components->listed.data + triangle;
     if (*listed)
         return;
     *listed = true;
-    ((int *)parts->list.data)[parts->count++] = triangle;
+    ((int *)components->list.data)[components->count++] = triangle;
 }
 
-static void list_star(tf_parts *parts, const tf_adaptive_surface *surface,
-                      int vertex)
+static void list_star(tf_components *components,
+                      const tf_adaptive_surface *surface, int vertex)
 {
     int c = tf_first_corner(surface, vertex);
     for (; c != TF_NONE; c = tf_next_corner(surface, c))
-        list_triangle(parts, c / 3);
+        list_triangle(components, c / 3);
 }
 
-int tf_parts_add(tf_parts *parts, const tf_adaptive_surface *surface,
-                 int triangle)
+int tf_components_add(tf_components *components,
+                      const tf_adaptive_surface *surface, int triangle)
 {
-    int first = parts->count;
-    list_triangle(parts, triangle);
-    for (int i = first; i < parts->count; i++) {
-        const int *vertex = tf_triangle(surface, tf_parts_list(parts)[i]);
+    int first = components->count;
+    list_triangle(components, triangle);
+    for (int i = first; i < components->count; i++) {
+        const int *vertex =
+            tf_triangle(surface, tf_components_list(components)[i]);
         for (int k = 0; k < 3; k++)
-            list_star(parts, surface, vertex[k]);
+            list_star(components, surface, vertex[k]);
     }
-    return parts->count - first;
+    return components->count - first;
 }

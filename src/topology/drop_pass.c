@@ -1,11 +1,12 @@
-//: Measure a part
-#include "topology/reconnector.h"
+//: Measure a component
+#include "topology/drop_pass.h"
 
+#include "remesh/measure.h"
 #include "topology/component.h"
-#include "topology/topology.h"
+#include "topology/drop.h"
 
-static double volume_of_part(const tf_adaptive_surface *surface, int count,
-                             const int triangle[])
+static double volume_of_component(const tf_adaptive_surface *surface, int count,
+                                  const int triangle[])
 {
     tf_vector point =
         tf_position_of(surface, *tf_triangle(surface, triangle[0]));
@@ -15,11 +16,11 @@ static double volume_of_part(const tf_adaptive_surface *surface, int count,
     return sum;
 }
 
-//: Drop a part if it is small
-static tf_status drop_part(tf_reconnector *reconnector, int count,
-                           const int triangle[])
+//: Drop a component if it is small
+static tf_status drop_component(tf_reconnector *reconnector, int count,
+                                const int triangle[])
 {
-    double volume = volume_of_part(reconnector->surface, count, triangle);
+    double volume = volume_of_component(reconnector->surface, count, triangle);
     if (!(fabs(volume) < reconnector->options.drop))
         return TF_OK;
     tf_outcome outcome;
@@ -31,20 +32,22 @@ static tf_status drop_part(tf_reconnector *reconnector, int count,
     return status;
 }
 
-//: Drop all small parts
+//: Drop all small components
 tf_status tf_drop_pass(tf_reconnector *reconnector)
 {
-    tf_parts parts = {0};
-    bool room = tf_parts_begin(&parts, reconnector->surface);
+    tf_components components = {0};
+    bool room = tf_components_begin(&components, reconnector->surface);
     tf_status status = room ? TF_OK : TF_OUT_OF_MEMORY;
     for (int t = 0; t < reconnector->surface->triangles && status == TF_OK;
          t++) {
-        if (!tf_is_triangle(reconnector->surface, t) || tf_is_listed(&parts, t))
+        if (!tf_is_triangle(reconnector->surface, t) ||
+            tf_is_listed(&components, t))
             continue;
-        int before = parts.count,
-            count = tf_parts_add(&parts, reconnector->surface, t);
-        status = drop_part(reconnector, count, tf_parts_list(&parts) + before);
+        int before = components.count,
+            count = tf_components_add(&components, reconnector->surface, t);
+        status = drop_component(reconnector, count,
+                                tf_components_list(&components) + before);
     }
-    tf_parts_free(&parts);
+    tf_components_free(&components);
     return status;
 }

@@ -1,7 +1,8 @@
 //: Find the normals of edges
-#include "topology/reconnector.h"
+#include "topology/facing.h"
 
 #include "linear/distance.h"
+#include "remesh/measure.h"
 #include "surgery/star.h"
 
 #include <stdlib.h>
@@ -61,7 +62,7 @@ static tf_vector gap_of(const tf_adaptive_surface *surface,
     tf_vector x[4], gap = {{0}};
     for (int i = 0; i < 4; i++)
         x[i] = tf_position_of(surface, ends[i / 2][i % 2]);
-    tf_nearest nearest = tf_nearest_points(2, 2, x);
+    tf_point_pair nearest = tf_nearest_points(2, 2, x);
     for (int i = 0; i < 4; i++)
         gap = tf_vector_sum(gap, (i < 2 ? -1 : 1) * nearest.weight[i], x[i]);
     pair->distance = nearest.distance;
@@ -84,10 +85,11 @@ static bool face_each_other(const tf_reconnector *reconnector, int corner,
 //: List what faces an edge
 static bool add_facing(tf_reconnector *reconnector, const tf_facing_edges *pair)
 {
-    if (!tf_buffer_extend(&reconnector->row, (size_t)reconnector->rows + 1,
-                          sizeof *pair))
+    if (!tf_buffer_extend(&reconnector->candidate,
+                          (size_t)reconnector->candidates + 1, sizeof *pair))
         return false;
-    ((tf_facing_edges *)reconnector->row.data)[reconnector->rows++] = *pair;
+    ((tf_facing_edges *)
+         reconnector->candidate.data)[reconnector->candidates++] = *pair;
     return true;
 }
 
@@ -104,7 +106,7 @@ static bool list_facing(tf_reconnector *reconnector, int corner,
         box.high[k] += distance;
     }
     int *found = reconnector->surface->found.data;
-    int count = tf_dynamic_tree_find(&reconnector->surface->boxes, &box, found);
+    int count = tf_dynamic_tree_find(&reconnector->surface->tree, &box, found);
     tf_facing_edges pair;
     for (int i = 0; i < 3 * count; i++) {
         int other = 3 * found[i / 3] + i % 3;
@@ -133,7 +135,7 @@ static int compare_facing(const void *first, const void *second)
 
 bool tf_list_facing(tf_reconnector *reconnector, double distance)
 {
-    reconnector->rows = 0;
+    reconnector->candidates = 0;
     if (!find_normals(reconnector))
         return false;
     const tf_vector *normal = reconnector->normal.data;
@@ -141,8 +143,8 @@ bool tf_list_facing(tf_reconnector *reconnector, double distance)
         if (tf_vector_dot(normal[c], normal[c]) > 0 &&
             !list_facing(reconnector, c, distance))
             return false;
-    if (reconnector->rows > 0)
-        qsort(reconnector->row.data, (size_t)reconnector->rows,
+    if (reconnector->candidates > 0)
+        qsort(reconnector->candidate.data, (size_t)reconnector->candidates,
               sizeof(tf_facing_edges), compare_facing);
     return true;
 }

@@ -1,10 +1,11 @@
 //: Find the triangles on an edge
-#include "topology/topology.h"
+#include "topology/merge.h"
 
 #include "base/require.h"
 #include "remesh/measure.h"
 #include "surgery/request.h"
 #include "surgery/star.h"
+#include "surgery/surgery.h"
 #include "topology/walls.h"
 
 enum {

@@ -1,8 +1,11 @@
 //: Find out whether a merge is wanted
-#include "topology/reconnector.h"
+#include "topology/merge_pass.h"
 
+#include "remesh/measure.h"
 #include "surgery/star.h"
-#include "topology/topology.h"
+#include "topology/facing.h"
+#include "topology/merge.h"
+#include "topology/pieces.h"
 
 /// Whether the triangle of the corner has two other sides that are long.
 static bool has_long_sides(const tf_reconnector *reconnector, int corner)
@@ -64,11 +67,11 @@ tf_status tf_merge_pass(tf_reconnector *reconnector)
     if (!tf_list_facing(reconnector, reconnector->options.patch) ||
         !tf_find_pieces(reconnector))
         return TF_OUT_OF_MEMORY;
-    const tf_facing_edges *row = reconnector->row.data;
+    const tf_facing_edges *pair = reconnector->candidate.data;
     tf_status status = TF_OK;
-    for (int i = 0; i < reconnector->rows && status == TF_OK &&
-                    row[i].distance < reconnector->options.merge;
+    for (int i = 0; i < reconnector->candidates && status == TF_OK &&
+                    pair[i].distance < reconnector->options.merge;
          i++)
-        status = merge_pieces(reconnector, &row[i]);
+        status = merge_pieces(reconnector, &pair[i]);
     return status;
 }

@@ -1,5 +1,7 @@
 //: Find the piece of a vertex
-#include "topology/reconnector.h"
+#include "topology/pieces.h"
+
+#include "topology/facing.h"
 
 enum {
     BESIDE = -2 ///< a vertex that is only a neighbor of one that is marked
@@ -23,13 +25,13 @@ void tf_unite_pieces(tf_reconnector *reconnector, int a, int b)
 static void mark_contacts(tf_reconnector *reconnector)
 {
     int *piece = reconnector->piece.data;
-    const tf_facing_edges *row = reconnector->row.data;
+    const tf_facing_edges *pair = reconnector->candidate.data;
     for (int v = 0; v < reconnector->surface->vertices; v++)
         piece[v] = TF_NONE;
-    for (int i = 0; i < reconnector->rows; i++)
+    for (int i = 0; i < reconnector->candidates; i++)
         for (int k = 0; k < 2; k++) {
-            piece[row[i].first[k]] = row[i].first[k];
-            piece[row[i].second[k]] = row[i].second[k];
+            piece[pair[i].first[k]] = pair[i].first[k];
+            piece[pair[i].second[k]] = pair[i].second[k];
         }
 }
 

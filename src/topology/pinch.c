@@ -1,9 +1,11 @@
 //: Hold a pinch
-#include "topology/topology.h"
+#include "topology/pinch.h"
 
 #include "base/require.h"
 #include "surgery/request.h"
 #include "surgery/star.h"
+#include "surgery/surgery.h"
+#include "surgery/trial.h"
 #include "topology/stage.h"
 #include "topology/walls.h"
 
@@ -94,9 +96,9 @@ static void give_triangle(tf_cut *cut, int corner, int to)
 
 //: Open the loop at a vertex
 /// Adds a triangle between the two sides of the loop.
-static void add_to_ring(tf_cut *cut, int place, int a, int b, int c)
+static void add_to_ring(tf_cut *cut, int index, int a, int b, int c)
 {
-    int *v = cut->ring[place];
+    int *v = cut->ring[index];
     v[0] = a;
     v[1] = b;
     v[2] = c;
@@ -104,9 +106,9 @@ static void add_to_ring(tf_cut *cut, int place, int a, int b, int c)
 }
 
 /// A collapse of the new vertex into the old one, backwards.
-static tf_outcome open_vertex(tf_cut *cut, int i, const double place[3])
+static tf_outcome open_vertex(tf_cut *cut, int i, const double position[3])
 {
-    int from = cut->loop[i], to = tf_surgery_place(cut->surface, place);
+    int from = cut->loop[i], to = tf_surgery_place(cut->surface, position);
     int before = cut->left[(i + 2) % 3], after = cut->left[(i + 1) % 3], c;
     for (c = first_to_the_left(cut, i); c != TF_NONE;
          c = next_to_the_left(cut, i, c))
@@ -117,7 +119,7 @@ static tf_outcome open_vertex(tf_cut *cut, int i, const double place[3])
     add_to_ring(cut, 2 * i, from, after, to);
     add_to_ring(cut, 2 * i + 1, before, from, to);
     tf_outcome outcome = tf_surgery_try(cut->surface);
-    tf_surgery_settle(cut->surface);
+    tf_surgery_end_stage(cut->surface);
     cut->left[i] = to;
     return outcome;
 }
@@ -137,11 +139,11 @@ static tf_outcome close_sides(tf_cut *cut)
 }
 
 //: Describe a pinch
-static tf_outcome try_pinch(tf_cut *cut, const double place[9])
+static tf_outcome try_pinch(tf_cut *cut, const double position[9])
 {
     tf_outcome outcome = TF_COMMITTED;
     for (int i = 0; i < 3 && outcome == TF_COMMITTED; i++)
-        outcome = open_vertex(cut, i, place + 3 * (ptrdiff_t)i);
+        outcome = open_vertex(cut, i, position + 3 * (ptrdiff_t)i);
     return outcome == TF_COMMITTED ? close_sides(cut) : outcome;
 }
 
@@ -156,14 +158,14 @@ static bool begin_pinch(tf_adaptive_surface *surface, const int loop[3])
 
 //: Pinch a loop as far as it is possible
 static tf_outcome pinch(tf_adaptive_surface *surface, const int loop[3],
-                        const double place[9], int vertex[3])
+                        const double position[9], int vertex[3])
 {
     tf_cut cut = {.surface = surface};
     if (!may_pinch(surface, loop))
         return TF_IMPOSSIBLE;
     for (int i = 0; i < 3; i++)
         cut.loop[i] = cut.left[i] = loop[i];
-    tf_outcome outcome = try_pinch(&cut, place);
+    tf_outcome outcome = try_pinch(&cut, position);
     if (outcome != TF_COMMITTED)
         return outcome;
     tf_surgery_accept(surface);
@@ -175,18 +177,18 @@ static tf_outcome pinch(tf_adaptive_surface *surface, const int loop[3],
 
 //: Pinch a loop
 tf_status tf_adaptive_pinch(tf_adaptive_surface *surface, const int loop[3],
-                            const double place[9], int vertex[3],
+                            const double position[9], int vertex[3],
                             tf_outcome *outcome)
 {
-    TF_REQUIRE(loop && place && vertex);
+    TF_REQUIRE(loop && position && vertex);
     tf_status status = TF_OK;
     for (int i = 0; i < 3 && status == TF_OK; i++)
         status = tf_request_check(surface, loop[i], loop[(i + 1) % 3],
-                                  place + 3 * (ptrdiff_t)i, outcome);
+                                  position + 3 * (ptrdiff_t)i, outcome);
     if (status != TF_OK)
         return status;
     if (!begin_pinch(surface, loop))
         return TF_OUT_OF_MEMORY;
-    *outcome = pinch(surface, loop, place, vertex);
+    *outcome = pinch(surface, loop, position, vertex);
     return TF_OK;
 }

@@ -1,8 +1,9 @@
 //: List the loops of three edges
-#include "topology/reconnector.h"
+#include "topology/pinch_pass.h"
 
+#include "remesh/measure.h"
 #include "surgery/star.h"
-#include "topology/topology.h"
+#include "topology/pinch.h"
 
 #include <stdlib.h>
 
@@ -25,13 +26,13 @@ static int compare_loops(const void *first, const void *second)
 
 static bool add_loop(tf_reconnector *reconnector, int a, int b, int c)
 {
-    if (!tf_buffer_extend(&reconnector->row, (size_t)reconnector->rows + 1,
-                          sizeof(tf_loop)))
+    if (!tf_buffer_extend(&reconnector->candidate,
+                          (size_t)reconnector->candidates + 1, sizeof(tf_loop)))
         return false;
     double length = tf_length_of(reconnector->surface, a, b) +
                     tf_length_of(reconnector->surface, b, c) +
                     tf_length_of(reconnector->surface, c, a);
-    ((tf_loop *)reconnector->row.data)[reconnector->rows++] =
+    ((tf_loop *)reconnector->candidate.data)[reconnector->candidates++] =
         (tf_loop){length, {a, b, c}};
     return true;
 }
@@ -75,14 +76,14 @@ static bool list_loops(tf_reconnector *reconnector, int corner)
 
 static bool list_all_loops(tf_reconnector *reconnector)
 {
-    reconnector->rows = 0;
+    reconnector->candidates = 0;
     for (int c = 0; c < 3 * reconnector->surface->triangles; c++)
         if (tf_is_triangle(reconnector->surface, c / 3) &&
             !list_loops(reconnector, c))
             return false;
-    if (reconnector->rows > 0)
-        qsort(reconnector->row.data, (size_t)reconnector->rows, sizeof(tf_loop),
-              compare_loops);
+    if (reconnector->candidates > 0)
+        qsort(reconnector->candidate.data, (size_t)reconnector->candidates,
+              sizeof(tf_loop), compare_loops);
     return true;
 }
 
@@ -141,13 +142,13 @@ static tf_status pinch_by(tf_reconnector *reconnector, const int loop[3],
                           tf_outcome *outcome)
 {
     int all[6] = {loop[0], loop[1], loop[2]};
-    double place[9], before = tf_volume_at(reconnector->surface, 3, loop);
+    double position[9], before = tf_volume_at(reconnector->surface, 3, loop);
     for (int i = 0; i < 9; i++) {
-        double x = tf_place(reconnector->surface, loop[i / 3])[i % 3];
-        place[i] = x + part * (middle[i / 3].x[i % 3] - x);
+        double x = tf_coordinates(reconnector->surface, loop[i / 3])[i % 3];
+        position[i] = x + part * (middle[i / 3].x[i % 3] - x);
     }
-    tf_status status =
-        tf_adaptive_pinch(reconnector->surface, loop, place, all + 3, outcome);
+    tf_status status = tf_adaptive_pinch(reconnector->surface, loop, position,
+                                         all + 3, outcome);
     if (status != TF_OK)
         return status;
     int count = *outcome == TF_COMMITTED ? 6 : 3;
@@ -204,9 +205,9 @@ tf_status tf_pinch_pass(tf_reconnector *reconnector)
 {
     if (!list_all_loops(reconnector))
         return TF_OUT_OF_MEMORY;
-    const tf_loop *row = reconnector->row.data;
+    const tf_loop *loop = reconnector->candidate.data;
     tf_status status = TF_OK;
-    for (int i = 0; i < reconnector->rows && status == TF_OK; i++)
-        status = pinch_loop(reconnector, row[i].vertex);
+    for (int i = 0; i < reconnector->candidates && status == TF_OK; i++)
+        status = pinch_loop(reconnector, loop[i].vertex);
     return status;
 }

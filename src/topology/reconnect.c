@@ -3,7 +3,9 @@
 
 #include "base/environment.h"
 #include "base/require.h"
-#include "topology/reconnector.h"
+#include "topology/drop_pass.h"
+#include "topology/merge_pass.h"
+#include "topology/pinch_pass.h"
 
 static bool is_length(double x)
 {

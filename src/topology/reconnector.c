@@ -1,9 +1,11 @@
 //: Free a reconnection
 #include "topology/reconnector.h"
 
+#include "remesh/measure.h"
+
 void tf_reconnector_free(tf_reconnector *reconnector)
 {
-    tf_buffer_free(&reconnector->row);
+    tf_buffer_free(&reconnector->candidate);
     tf_buffer_free(&reconnector->normal);
     tf_buffer_free(&reconnector->piece);
 }

@@ -1,12 +1,12 @@
 //: Declare surgery in stages
 #pragma once
 
-#include "surgery/state.h"
+#include "surgery/adaptive_surface.h"
 
 /// Ends a stage, once it is tried: what the surgery has added is there then,
 /// and what follows is another surgery, which is done together with it or not
 /// at all.
-void tf_surgery_settle(tf_adaptive_surface *surface);
+void tf_surgery_end_stage(tf_adaptive_surface *surface);
 
 /// Removes a triangle that an earlier stage has added, before this one adds
 /// any.

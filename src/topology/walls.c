@@ -1,6 +1,7 @@
 //: Put up a wall
 #include "topology/walls.h"
 
+#include "surgery/trial.h"
 #include "topology/winding.h"
 
 void tf_walls_add(tf_walls *walls, const tf_adaptive_surface *surface, int a,
@@ -13,22 +14,22 @@ void tf_walls_add(tf_walls *walls, const tf_adaptive_surface *surface, int a,
 
 //: Test S: what is new overlaps no wall
 /// The triangles that the surgery, or its last stage, has added.
-static const tf_added_triangle *grafts_of(const tf_adaptive_surface *surface,
-                                          int *count)
+static const tf_added_triangle *added_to(const tf_adaptive_surface *surface,
+                                         int *count)
 {
     const tf_surgery *surgery = &surface->surgery;
-    *count = surgery->grafts - surgery->settled;
-    return (const tf_added_triangle *)surgery->graft.data + surgery->settled;
+    *count = surgery->additions - surgery->earlier;
+    return (const tf_added_triangle *)surgery->added.data + surgery->earlier;
 }
 
 static bool overlaps_wall(const tf_walls *walls,
                           const tf_adaptive_surface *surface)
 {
     int count;
-    const tf_added_triangle *graft = grafts_of(surface, &count);
+    const tf_added_triangle *added = added_to(surface, &count);
     for (int i = 0; i < walls->count * count; i++)
         if (tf_facets_overlap(&walls->wall[i / count].facet,
-                              &graft[i % count].facet))
+                              &added[i % count].facet))
             return true;
     return false;
 }
@@ -48,10 +49,10 @@ static bool is_in_ball(const tf_walls *walls,
                        const tf_adaptive_surface *surface, int vertex)
 {
     int count, sum = 0;
-    const tf_added_triangle *graft = grafts_of(surface, &count);
-    const double *x = tf_place(surface, vertex);
+    const tf_added_triangle *added = added_to(surface, &count);
+    const double *x = tf_coordinates(surface, vertex);
     for (int i = 0; i < count; i++)
-        sum += tf_winding_part(graft[i].facet.corner, x);
+        sum += tf_winding_part(added[i].facet.corner, x);
     for (int i = 0; i < walls->count; i++)
         sum -= tf_winding_part(walls->wall[i].facet.corner, x);
     return sum != 0;
@@ -62,12 +63,12 @@ static tf_aabb box_of_ball(const tf_walls *walls,
                            const tf_adaptive_surface *surface)
 {
     int count;
-    const tf_added_triangle *graft = grafts_of(surface, &count);
+    const tf_added_triangle *added = added_to(surface, &count);
     tf_aabb box = tf_aabb_empty();
     for (int i = 0; i < walls->count; i++)
         box = tf_aabb_union(box, &walls->wall[i].box);
     for (int i = 0; i < count; i++)
-        box = tf_aabb_union(box, &graft[i].box);
+        box = tf_aabb_union(box, &added[i].box);
     return box;
 }
 
@@ -75,7 +76,7 @@ static bool holds_vertex(const tf_walls *walls, tf_adaptive_surface *surface)
 {
     tf_aabb box = box_of_ball(walls, surface);
     int *found = surface->found.data;
-    int count = tf_dynamic_tree_find(&surface->boxes, &box, found);
+    int count = tf_dynamic_tree_find(&surface->tree, &box, found);
     for (int i = 0; i < 3 * count; i++) {
         int vertex = tf_triangle(surface, found[i / 3])[i % 3];
         tf_aabb point = tf_aabb_of(surface, 1, &vertex);

@@ -1,7 +1,8 @@
 //: Declare surgery on a ball
 #pragma once
 
-#include "surgery/state.h"
+#include "surgery/adaptive_surface.h"
+#include "surgery/outcome.h"
 
 enum {
     TF_MOST_WALLS = 6

@@ -8,7 +8,7 @@
 #include <float.h>
 #include <math.h>
 
-static void judge_signs(const matrix *m, const judged *j)
+static void judge_signs(const matrix *m, const judged_estimate *j)
 {
     tf_differences differences = matrix_differences(m);
     tf_sign sign = tf_clamped.sign(&differences);
@@ -21,15 +21,15 @@ static void judge_signs(const matrix *m, const judged *j)
 
 static void judge(const matrix *m)
 {
-    judged j;
-    judged_init(&j, m);
+    judged_estimate j;
+    judged_estimate_init(&j, m);
     judge_signs(m, &j);
     expect_of_matrix(radius_is_kept(&j), "The error is beyond the radius", m);
     expect_of_matrix(
         !(j.value.radius < 0) && j.value.exponent == 0 &&
             (j.value.number == j.estimate.number || isnan(j.estimate.number)),
         "The value is not the estimate", m);
-    judged_clear(&j);
+    judged_estimate_clear(&j);
 }
 
 // Signs -----------------------------------------------------------------------

@@ -25,11 +25,11 @@ static tf_sign true_sign(const matrix *m)
 
 static void judge(const matrix *m)
 {
-    judged j;
-    judged_init(&j, m);
+    judged_estimate j;
+    judged_estimate_init(&j, m);
     expect_of_matrix(estimate_is_true(&j), "The estimate decides wrongly", m);
     expect_of_matrix(bound_is_kept(&j), "The error is beyond the bound", m);
-    judged_clear(&j);
+    judged_estimate_clear(&j);
 }
 
 // Signs -----------------------------------------------------------------------
@@ -193,14 +193,14 @@ END_TEST
 /// The error but for the last addition, at least, as a share of the bound.
 static double share(const matrix *m)
 {
-    judged j;
-    judged_init(&j, m);
+    judged_estimate j;
+    judged_estimate_init(&j, m);
     expect_of_matrix(bound_is_kept(&j), "The error is beyond the bound", m);
     expect_of_matrix(radius_is_kept(&j), "The error is beyond the radius", m);
     sum_add(j.error, -last_place(j.estimate.number), 0.5, 1);
     long exponent;
     double error = mpz_get_d_2exp(&exponent, j.error);
-    judged_clear(&j);
+    judged_estimate_clear(&j);
     return ldexp(error, (int)exponent + SUM_EXPONENT) / j.estimate.bound;
 }
 

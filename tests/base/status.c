@@ -10,7 +10,7 @@ static const struct {
     tf_status status;
     const char *matter, *mend;
 } messages[] = {
-    {TF_NOT_FINITE, "not finite", ": remove NaNs and infinities"},
+    {TF_NOT_FINITE, "infinite or NaN", ": give finite positions"},
     {TF_OUT_OF_RANGE, "out of range", "; use exact"},
     {TF_BAD_INDEX, "index",
      ": the vertices of an element or a query must be distinct"},
@@ -20,7 +20,7 @@ static const struct {
     {TF_NO_ELEMENTS, "no elements", ": give it a triangle or an edge"},
     {TF_BAD_COUNT, "not those of this surface", ": give as many vertices"},
     {TF_OUT_OF_MEMORY, "not enough memory", ": divide the surface"},
-    {TF_BAD_TOLERANCE, "a tolerance", ": use 0 or a small positive number"},
+    {TF_BAD_TOLERANCE, "a tolerance", ": give a small positive number"},
     {TF_BAD_MASS, "inverse mass", ": use 0 for a vertex that is scripted"},
     {TF_START_NOT_CLEAR, "when the step starts",
      ": start from a surface that does not intersect itself"},

@@ -498,11 +498,11 @@ static double time_six(void)
             event[i / TF_SIX][i % TF_SIX].x[k] = fine(&random);
     double start = nanoseconds();
     for (int i = 0; i < SIGNS; i++) {
-        const tf_event *of[TF_SIX];
+        const tf_event *list[TF_SIX];
         tf_sign sign[TF_SIX];
         for (int j = 0; j < TF_SIX; j++)
-            of[j] = &event[i][j];
-        tf_estimate_six(2 + i % 3, of, sign);
+            list[j] = &event[i][j];
+        tf_estimate_six(2 + i % 3, list, sign);
     }
     return (nanoseconds() - start) / SIGNS;
 }

@@ -39,27 +39,27 @@ static void run(cloth_scene scene, int edges, int steps, long part)
 {
     static const tf_zone_solver writing = {"writing", workspace, solve};
     const tf_response_options options = {.solver = &writing};
-    cloth *of = cloth_new(scene, edges);
+    cloth_model *cloth = cloth_new(scene, edges);
     tf_surface *surface = NULL;
     tf_resolver *resolver = NULL;
-    double *end = malloc(sizeof *end * 3 * (size_t)of->mesh.vertices);
-    require(end && tf_surface_create(&of->mesh, &surface, NULL) == TF_OK &&
+    double *end = malloc(sizeof *end * 3 * (size_t)cloth->mesh.vertices);
+    require(end && tf_surface_create(&cloth->mesh, &surface, NULL) == TF_OK &&
             tf_resolver_create(surface, &resolver) == TF_OK);
     every = part;
     came = 0;
     for (int i = 0; i < steps; i++) {
-        cloth_propose(of, end);
-        require(tf_step_resolve(resolver, of->mesh.vertices, of->position, end,
-                                of->inverse_mass, &options, NULL,
+        cloth_propose(cloth, end);
+        require(tf_step_resolve(resolver, cloth->mesh.vertices, cloth->position,
+                                end, cloth->inverse_mass, &options, NULL,
                                 NULL) == TF_OK);
-        cloth_accept(of, end);
+        cloth_accept(cloth, end);
     }
     fprintf(stderr, "%s: %ld zones, every %ld\n", cloth_names[scene], came,
             every);
     free(end);
     tf_resolver_free(resolver);
     tf_surface_free(surface);
-    cloth_free(of);
+    cloth_free(cloth);
 }
 
 int main(void)

@@ -99,7 +99,7 @@ typedef struct answerer {
 static answerer answerer_of(const contender *c)
 {
     double number = number_of(c);
-    return (answerer){tf_method_named(c->method),
+    return (answerer){tf_choice_named(tf_methods, c->method),
                       {.arithmetic = c->arithmetic,
                        .tolerance = number,
                        .threshold = number}};
@@ -186,13 +186,14 @@ static void read_queries(query_set *set, const char *path,
                          const tf_query_kind *kind)
 {
     tf_query_file file;
+    tf_fault fault = {0};
     tf_query_rows rows;
-    if (!tf_query_file_open(&file, path, kind, 0))
+    if (!tf_query_file_open(&file, path, kind, 0, &fault))
         fail(path, "cannot read");
     while (tf_query_file_next(&file, &rows) == TF_READ_GOOD)
         add_query(set, kind, &rows);
-    if (file.lines.fault[0] != '\0')
-        fail(path, file.lines.fault);
+    if (fault.text[0] != '\0')
+        fail(path, fault.text);
     tf_query_file_close(&file);
 }
 
@@ -215,7 +216,7 @@ static void find_queries(query_set *set, bool needed)
             continue;
         for (size_t f = 0; f < found.gl_pathc; f++)
             read_queries(set, found.gl_pathv[f],
-                         tf_query_kind_named(kinds[i][0]));
+                         tf_choice_named(tf_query_kinds, kinds[i][0]));
         globfree(&found);
     }
     if (set->count == 0 && needed)
@@ -236,7 +237,8 @@ static void make_queries(query_set *set)
 {
     for (int vertices = 1; vertices <= 2; vertices++) {
         workload w = workload_named(set->name, vertices);
-        const tf_query_kind *kind = tf_query_kind_named(workload_kind(&w));
+        const tf_query_kind *kind =
+            tf_choice_named(tf_query_kinds, workload_kind(&w));
         for (long i = 0; i < w.count; i++) {
             tf_query_rows rows = {.ground_truth = -1};
             for (int t = 0; t < 2; t++)

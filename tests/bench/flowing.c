@@ -13,8 +13,8 @@
 #include "bench/measuring.h"
 #include "geometry/vector.h"
 #include "simulate/flow_fields.h"
-#include "simulate/flow_measures.h"
-#include "simulate/flow_scene.h"
+#include "simulate/flow_scenes.h"
+#include "simulate/flow_simulation.h"
 #include "simulate/geodesic.h"
 #include "support/generator.h"
 #include "support/tangle.h"
@@ -129,8 +129,10 @@ static run run_ball(int n, unsigned careless, int steps)
     for (int i = 0; i < 3 * body.vertices; i++)
         body.position[i] = center.x[0] + radius * body.position[i];
     run r = run_new(&body);
+    tf_velocity_field *vortices = tf_vortices;
     const tf_flow_options options = {.edge = 1.2046 * radius / n,
-                                     .velocity = tf_flow_vortices,
+                                     .velocity = tf_field_apply,
+                                     .context = &vortices,
                                      .careless = careless,
                                      .clock = processor_seconds};
     make_steps(&r, &options, 3.0 / STEPS, steps);
@@ -199,7 +201,7 @@ static void print_areas(const char *name, const run *r)
     printf("%s parts,%d,\n", name, r->last.components);
     printf("%s area before,%.3f,\n", name, r->first.area);
     printf("%s area after,%.3f,\n", name, r->last.area);
-    if (r->first.rims > 0)
+    if (r->first.boundaries > 0)
         return;
     printf("%s volume,%.4f,%%\n", name, change(r));
     printf("%s merging,%.4f,%%\n", name,
@@ -209,14 +211,13 @@ static void print_areas(const char *name, const run *r)
 static void print_scene(const char *name)
 {
     static const char *const changes[] = {"merges", "pinches", "drops"};
-    const tf_flow_scene *scene = tf_flow_scene_named(name);
-    const tf_flow_options options = {.edge = scene->edge,
-                                     .velocity = scene->velocity,
-                                     .keep_topology = scene->keep_topology,
-                                     .clock = processor_seconds};
-    tf_body body = {.axes = 3};
-    scene->build(&body, scene->edge);
-    run r = run_new(&body);
+    const tf_scene *scene = tf_scene_named(tf_flow_scenes, name);
+    tf_stage stage = {.body.axes = 3};
+    tf_flow_options options =
+        tf_flow_options_of(scene, scene->resolution.usual);
+    options.clock = processor_seconds;
+    scene->build(&stage, options.edge);
+    run r = run_new(&stage.body);
     make_steps(&r, &options, scene->step, scene->steps);
     printf("%s steps,%d,\n", name, scene->steps);
     print_areas(name, &r);
@@ -239,17 +240,18 @@ enum {
 
 static run run_offset(int i)
 {
-    const tf_flow_scene *scene = tf_flow_scene_named("spheres");
-    const tf_flow_options options = {.edge = 0.04, .velocity = scene->velocity};
+    const tf_scene *scene = tf_scene_named(tf_flow_scenes, "spheres");
+    const tf_flow_options options = tf_flow_options_of(scene, 0.04);
     generator random = generator_new((uint64_t)i);
-    tf_body body = {.axes = 3};
-    scene->build(&body, options.edge);
+    tf_stage stage = {.body.axes = 3};
+    tf_body *body = &stage.body;
+    scene->build(&stage, options.edge);
     for (int k = 0; k < 3; k++) {
         double offset = uniform(&random, -0.06, 0.06);
-        for (int v = body.vertices / 2; v < body.vertices; v++)
-            body.position[3 * v + k] += offset;
+        for (int v = body->vertices / 2; v < body->vertices; v++)
+            body->position[3 * v + k] += offset;
     }
-    run r = run_new(&body);
+    run r = run_new(body);
     make_steps(&r, &options, scene->step, MEETING);
     return r;
 }

@@ -24,7 +24,7 @@
 // A scene ---------------------------------------------------------------------
 
 typedef struct scene {
-    cloth *of;
+    cloth_model *cloth;
     tf_surface *surface;
     tf_resolver *resolver;
     double *end;
@@ -32,11 +32,11 @@ typedef struct scene {
 
 static scene scene_new(cloth_scene which, int edges)
 {
-    scene s = {.of = cloth_new(which, edges)};
-    size_t numbers = (size_t)(s.of->mesh.axes * s.of->mesh.vertices);
+    scene s = {.cloth = cloth_new(which, edges)};
+    size_t numbers = (size_t)(s.cloth->mesh.axes * s.cloth->mesh.vertices);
     s.end = malloc(sizeof *s.end * numbers);
     require(s.end ? TF_OK : TF_OUT_OF_MEMORY);
-    require(tf_surface_create(&s.of->mesh, &s.surface, NULL));
+    require(tf_surface_create(&s.cloth->mesh, &s.surface, NULL));
     require(tf_resolver_create(s.surface, &s.resolver));
     return s;
 }
@@ -46,13 +46,13 @@ static void scene_free(scene *s)
     free(s->end);
     tf_resolver_free(s->resolver);
     tf_surface_free(s->surface);
-    cloth_free(s->of);
+    cloth_free(s->cloth);
 }
 
 static double time_detection(scene *s, size_t *pairs)
 {
     const tf_detect_options all = {.narrow_phase = &tf_vectorized};
-    tf_motion motion = {s->of->mesh.vertices, s->of->position, s->end};
+    tf_motion motion = {s->cloth->mesh.vertices, s->cloth->position, s->end};
     tf_contacts found;
     double begin = processor_seconds();
     require(tf_surface_detect(s->surface, &motion, &all, &found, NULL));
@@ -64,8 +64,9 @@ static double time_detection(scene *s, size_t *pairs)
 static double time_response(scene *s, tf_response_report *report)
 {
     double begin = processor_seconds();
-    require(tf_step_resolve(s->resolver, s->of->mesh.vertices, s->of->position,
-                            s->end, s->of->inverse_mass, NULL, report, NULL));
+    require(tf_step_resolve(s->resolver, s->cloth->mesh.vertices,
+                            s->cloth->position, s->end, s->cloth->inverse_mass,
+                            NULL, report, NULL));
     return processor_seconds() - begin;
 }
 
@@ -108,14 +109,14 @@ static costs measure(scene *s, int steps)
     size_t bytes = 0;
     for (int i = 0; i < steps; i++) {
         tf_response_report report;
-        cloth_propose(s->of, s->end);
+        cloth_propose(s->cloth, s->end);
         double detection = time_detection(s, &sum.detected_pairs);
         double response = time_response(s, &report);
         account(&report, detection, response, &sum);
         size_t taken = tf_resolver_memory(s->resolver);
         sum.grown += 2 * i > steps && taken > bytes;
         bytes = taken;
-        cloth_accept(s->of, s->end);
+        cloth_accept(s->cloth, s->end);
     }
     return sum;
 }
@@ -126,7 +127,7 @@ static void show(cloth_scene which, int edges, int steps)
     costs sum = measure(&s, steps);
     printf("%-14s %5d %4d/%3d/%3d %5.1f %3d %8zu %7.2f %7.2f %6.2f %6.2f "
            "%6.2f %6ld %3d %5.2f\n",
-           cloth_names[which], s.of->mesh.vertices, sum.clear,
+           cloth_names[which], s.cloth->mesh.vertices, sum.clear,
            sum.steps - sum.clear - sum.rescued, sum.rescued,
            (double)sum.rounds / sum.steps, sum.most_rounds, sum.contacts,
            sum.detection, sum.response, sum.response / sum.detection, sum.worst,

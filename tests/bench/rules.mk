@@ -39,7 +39,6 @@ counts: $(BUILD)/tests/bench/counts ## count the contacts that the report's rule
 # takes their paths and the arguments here.
 ##@ Measure again for the book, in figures/measured
 
-measure: measure-library
 measure-library: ## time the library
 measure-methods: ## compare the methods
 measure-solvers: ## compare the solvers, and numbers of sweeps
@@ -77,4 +76,4 @@ $(measured:%=measure-%): measure-%:
 
 measure-all: ## all of these, one after the other
 	@for name in $(measured); do $(MAKE) measure-$$name || exit 1; done
-.PHONY: measure measure-all $(measured:%=measure-%)
+.PHONY: measure-all $(measured:%=measure-%)

@@ -130,31 +130,31 @@ typedef enum variant {
     VARIANTS
 } variant;
 
-static some_zone zones[VARIANTS][MOST_ZONES];
+static zone_case zones[VARIANTS][MOST_ZONES];
 static double *least_change[MOST_ZONES]; ///< the displacements
 static int count;
 
 /// What the constraint asks of impulses: its bound, and how far the proposal is
 /// from separation its elements.
-static double right_side(const some_zone *of, const tf_constraint *constraint)
+static double right_side(const zone_case *z, const tf_constraint *constraint)
 {
     double sum = constraint->bound;
     for (int i = 0; i < 4 && constraint->vertex[i] >= 0; i++)
-        for (int k = 0; k < of->zone.axes; k++)
+        for (int k = 0; k < z->zone.axes; k++)
             sum -= constraint->coefficient[i] * constraint->normal[k] *
-                   of->proposal[of->zone.axes * constraint->vertex[i] + k];
+                   z->proposal[z->zone.axes * constraint->vertex[i] + k];
     return sum;
 }
 
-static void add_constraints(generator *random, double difference, some_zone *of)
+static void add_constraints(generator *random, double difference, zone_case *z)
 {
-    int constraints = of->zone.constraints;
+    int constraints = z->zone.constraints;
     for (int added = 0; added < constraints / MOST_DUPLICATES; added++) {
         int constraint = below(random, constraints);
         double part = uniform(random, -difference, difference);
-        zone_duplicate(of, constraint, 1);
-        of->constraint[of->zone.constraints - 1].bound +=
-            part * right_side(of, &of->constraint[constraint]);
+        zone_duplicate(z, constraint, 1);
+        z->constraint[z->zone.constraints - 1].bound +=
+            part * right_side(z, &z->constraint[constraint]);
     }
 }
 
@@ -184,22 +184,22 @@ static void read_zones(const char *name, variant which)
 static void find_least_changes(void)
 {
     for (int i = 0; i < count; i++) {
-        const some_zone *of = &zones[PLAIN][i];
-        least_change[i] = allocate((size_t)(of->zone.axes * of->zone.vertices),
-                                   sizeof(double));
-        zone_least_change(of, least_change[i]);
+        const zone_case *z = &zones[PLAIN][i];
+        least_change[i] =
+            allocate((size_t)(z->zone.axes * z->zone.vertices), sizeof(double));
+        zone_least_change(z, least_change[i]);
     }
 }
 
 // Measurements ----------------------------------------------------------------
 
 /// The change of the proposal, masses counted.
-static double change(const some_zone *of, const double displacement[])
+static double change(const zone_case *z, const double displacement[])
 {
     double square = 0;
-    for (int i = 0; i < of->zone.axes * of->zone.vertices; i++) {
-        double inverse_mass = of->inverse_mass[i / of->zone.axes];
-        double d = displacement[i] - of->proposal[i];
+    for (int i = 0; i < z->zone.axes * z->zone.vertices; i++) {
+        double inverse_mass = z->inverse_mass[i / z->zone.axes];
+        double d = displacement[i] - z->proposal[i];
         square += inverse_mass > 0 ? d * d / inverse_mass : 0;
     }
     return sqrt(square);
@@ -235,17 +235,17 @@ static void solve_all(const tf_zone_solver *solver, variant which,
 {
     found->time = 0;
     for (int i = 0; i < count; i++) {
-        some_zone *of = &zones[which][i];
+        zone_case *z = &zones[which][i];
         double begin = milliseconds();
         found->iterations[i] =
-            zone_solve(of, solver, 4 * of->zone.constraints + 100);
+            zone_solve(z, solver, 4 * z->zone.constraints + 100);
         found->time += milliseconds() - begin;
         found->residual[i] =
-            solver == &tf_gauss_seidel ? zone_violation(of) : zone_residual(of);
+            solver == &tf_gauss_seidel ? zone_violation(z) : zone_residual(z);
         if (!isfinite(found->residual[i]))
             found->residual[i] = DBL_MAX;
         found->part[i] =
-            change(of, of->displacement) / change(of, least_change[i]);
+            change(z, z->displacement) / change(z, least_change[i]);
     }
 }
 

@@ -42,28 +42,29 @@ static tally run(cloth_scene which, int edges, int steps,
                  const tf_zone_solver *solver, int sweeps)
 {
     const tf_response_options options = {.solver = solver, .sweeps = sweeps};
-    cloth *of = cloth_new(which, edges);
+    cloth_model *cloth = cloth_new(which, edges);
     tf_surface *surface;
     tf_resolver *resolver;
     double *end =
-        malloc(sizeof *end * (size_t)(of->mesh.axes * of->mesh.vertices));
+        malloc(sizeof *end * (size_t)(cloth->mesh.axes * cloth->mesh.vertices));
     require(end ? TF_OK : TF_OUT_OF_MEMORY);
-    require(tf_surface_create(&of->mesh, &surface, NULL));
+    require(tf_surface_create(&cloth->mesh, &surface, NULL));
     require(tf_resolver_create(surface, &resolver));
     tally sum = {0};
     for (int i = 0; i < steps; i++) {
         tf_response_report report;
-        cloth_propose(of, end);
+        cloth_propose(cloth, end);
         double begin = processor_seconds();
-        require(tf_step_resolve(resolver, of->mesh.vertices, of->position, end,
-                                of->inverse_mass, &options, &report, NULL));
+        require(tf_step_resolve(resolver, cloth->mesh.vertices, cloth->position,
+                                end, cloth->inverse_mass, &options, &report,
+                                NULL));
         sum.time += processor_seconds() - begin;
         account(&report, &sum);
-        cloth_accept(of, end);
+        cloth_accept(cloth, end);
     }
     tf_resolver_free(resolver);
     tf_surface_free(surface);
-    cloth_free(of);
+    cloth_free(cloth);
     free(end);
     return sum;
 }

@@ -244,9 +244,8 @@ START_TEST(queries_are_refused)
     refuse("--at is for pictures; add -o",
            "draw query " QUERY "--animate a.gif --at 0.5");
     refuse("no query given", "draw query -k edge-edge -o a.png");
-    refuse("--kind is required", "draw query x:0 -o a.png");
-    refuse("unknown kind 'knot'; choose point-edge",
-           "draw query x:0 -k knot -o a.png");
+    refuse("--kind KIND is required", "draw query x:0 -o a.png");
+    refuse("--kind must be point-edge", "draw query x:0 -k knot -o a.png");
     refuse("'x' is not a query; write FILE:N",
            "draw query x -k edge-edge -o a.png");
     refuse("'x:-1' is not a query", "draw query x:-1 -k edge-edge -o a.png");

@@ -27,7 +27,8 @@ static void leave_folder(void)
 /// Answer a query as the command does.
 static fig_answered answered_of(const query *q)
 {
-    fig_answered answered = {.kind = tf_query_kind_named(query_name(q))};
+    fig_answered answered = {
+        .kind = tf_choice_named(tf_query_kinds, query_name(q))};
     memcpy(answered.vertex, q->vertex, sizeof q->vertex);
     ck_assert_int_eq(tf_query(&tf_exact, q->axes, q->vertices, q->vertex,
                               q->others, query_const_others(q),

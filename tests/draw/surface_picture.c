@@ -29,7 +29,7 @@ static void leave_folder(void)
 // A surface that is shown -----------------------------------------------------
 
 typedef struct trial {
-    some_surface made;
+    surface_case made;
     tf_surface *surface;
     fig_shown_surface shown;
 } trial;

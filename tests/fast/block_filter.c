@@ -26,16 +26,16 @@ static void fail_at(const batch *b, size_t i, const char *name)
 }
 
 /// The percentage of queries of a family that the filter leaves undecided.
-static double try_family(const family *of, query_kind kind, long count)
+static double try_family(const family *source, query_kind kind, long count)
 {
-    generator random = generator_new((uint64_t)(of - families));
+    generator random = generator_new((uint64_t)(source - families));
     batch b = batch_new(BATCH);
     size_t undecided = 0, tried = 0;
     for (long i = 0; i < count; i += BATCH, tried += BATCH) {
-        batch_fill(&b, &random, of, kind, BATCH);
+        batch_fill(&b, &random, source, kind, BATCH);
         size_t wrong = batch_wrong(&b, &undecided);
         if (wrong < BATCH)
-            fail_at(&b, wrong, of->name);
+            fail_at(&b, wrong, source->name);
     }
     batch_free(&b);
     return 100 * (double)undecided / (double)tried;
@@ -43,10 +43,10 @@ static double try_family(const family *of, query_kind kind, long count)
 
 START_TEST(no_certain_verdict_is_wrong)
 {
-    const family *of = &families[_i / 2];
-    double undecided = try_family(of, kinds[_i % 2], cases(20000));
+    const family *source = &families[_i / 2];
+    double undecided = try_family(source, kinds[_i % 2], cases(20000));
     ck_assert_msg(_i / 2 >= RANDOM_FAMILIES || undecided == 0,
-                  "%s: %g %% undecided", of->name, undecided);
+                  "%s: %g %% undecided", source->name, undecided);
 }
 END_TEST
 

@@ -97,13 +97,13 @@ static int move_all(generator *random, batch *b, const double before[],
 
 START_TEST(within_the_clearance_elements_stay_apart)
 {
-    const family *of = &families[_i / 2];
+    const family *source = &families[_i / 2];
     generator random = generator_new((uint64_t)_i);
     batch b = batch_new(BATCH);
     static double before[12 * BATCH], clearance[BATCH];
     int apart = 0, moved = 0;
     for (long i = cases(10000); i > 0; i -= BATCH) {
-        batch_fill(&b, &random, of, kind_of(_i), BATCH);
+        batch_fill(&b, &random, source, kind_of(_i), BATCH);
         b.queries.motion = &b.motion;
         memcpy(before, b.end, sizeof before);
         measure(&b, clearance);
@@ -115,9 +115,9 @@ START_TEST(within_the_clearance_elements_stay_apart)
             ck_assert_msg(clearance[j] >= 0, "%s", query_text(&q));
             ck_assert_msg(b.verdict[0][j] != TF_APART || clearance[j] == 0 ||
                               b.verdict[1][j] == TF_APART,
-                          "%s, clearance %a, seed %llu, moved to\n%s", of->name,
-                          clearance[j], (unsigned long long)seed(),
-                          query_text(&q));
+                          "%s, clearance %a, seed %llu, moved to\n%s",
+                          source->name, clearance[j],
+                          (unsigned long long)seed(), query_text(&q));
         }
     }
     if (_i / 2 < RANDOM_FAMILIES)

@@ -110,15 +110,15 @@ static void try_query(const batch *b, size_t i, const char *name, counts *all)
 
 START_TEST(an_estimate_is_near_the_contact)
 {
-    const family *of = &families[_i / 2];
+    const family *source = &families[_i / 2];
     generator random = generator_new((uint64_t)_i);
     batch b = batch_new(BATCH);
     counts all = {0};
     for (long i = cases(5000); i > 0; i -= BATCH) {
-        batch_fill(&b, &random, of, kind_of(_i), BATCH);
+        batch_fill(&b, &random, source, kind_of(_i), BATCH);
         b.queries.motion = &b.motion;
         for (size_t j = 0; j < BATCH; j++)
-            try_query(&b, j, of->name, &all);
+            try_query(&b, j, source->name, &all);
     }
     if (_i / 2 < RANDOM_FAMILIES) {
         ck_assert_int_gt(all.hits, 0);

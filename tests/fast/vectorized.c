@@ -46,13 +46,13 @@ static void compare_batch(batch *b, const tf_arithmetic *arithmetic,
 
 START_TEST(verdicts_are_those_of_the_reference)
 {
-    const family *of = &families[_i / 2];
+    const family *source = &families[_i / 2];
     generator random = generator_new((uint64_t)_i);
     batch b = batch_new(BATCH);
     for (long i = cases(5000); i > 0; i -= BATCH) {
-        batch_fill(&b, &random, of, kind_of(_i), BATCH);
+        batch_fill(&b, &random, source, kind_of(_i), BATCH);
         for (int k = 0; k < ARITHMETICS; k++)
-            compare_batch(&b, arithmetics[k], of->name);
+            compare_batch(&b, arithmetics[k], source->name);
     }
     batch_free(&b);
 }

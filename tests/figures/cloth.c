@@ -275,7 +275,7 @@ END_TEST
 START_TEST(any_film_is_drawn)
 {
     generator random = generator_new(1);
-    static some_surface made;
+    static surface_case made;
     for (long n = cases(60); n > 0; n--) {
         int axes = 2 + below(&random, 2);
         random_surface(&random, axes, 12, (placement)below(&random, PLACEMENTS),

@@ -1,5 +1,5 @@
 #include "figures/numbers.h"
-#include "support/moved.h"
+#include "support/moved_simplices.h"
 
 /// The triangles of a box, its corner i at the bits of i: all diagonals start
 /// at corner 0 or 7.

@@ -1,6 +1,6 @@
 #include "figures/timed.h"
 
-#include "support/moved.h"
+#include "support/moved_simplices.h"
 
 /// Whether two moving elements meet, in one sense or another, and when.
 typedef bool meet_test(int axes, int vertices, const tf_worldline first[],

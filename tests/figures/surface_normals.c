@@ -167,7 +167,7 @@ END_TEST
 START_TEST(normals_are_of_length_one_or_zero)
 {
     generator random = generator_new(1);
-    static some_surface made;
+    static surface_case made;
     for (long n = cases(200); n > 0; n--) {
         random_surface(&random, 3, 60, (placement)below(&random, PLACEMENTS),
                        &made);

@@ -13,7 +13,7 @@
 
 /// A random surface and its shape, which borrows from `surface`.
 typedef struct trial {
-    some_surface made;
+    surface_case made;
     tf_surface *surface;
     fig_shape shape;
 } trial;

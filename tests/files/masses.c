@@ -4,44 +4,43 @@
 #include "support/support.h"
 
 #include <float.h>
+#include <stdio.h>
 #include <string.h>
 
 enum {
     VERTICES = 4
 };
 
-typedef bool reader(tf_text_lines *, const char *, int, double[]);
+typedef bool reader(const char *, int, double[], tf_fault *);
+
+static tf_fault fault;
 
 /// Expects that a text gives these inverse masses, where those before are -1.
 static void expect_read(reader *read, const char *text,
                         const double right[VERTICES])
 {
-    tf_text_lines lines;
     double inverse_mass[VERTICES] = {-1, -1, -1, -1};
     make_file("text", text);
-    bool good = read(&lines, "text", VERTICES, inverse_mass);
-    ck_assert_msg(good, "%s: %ld: %s", text, lines.fault_line, lines.fault);
-    tf_text_lines_close(&lines);
+    bool good = read("text", VERTICES, inverse_mass, &fault);
+    ck_assert_msg(good, "%s: %ld: %s", text, fault.place, fault.text);
     for (int v = 0; v < VERTICES; v++)
         ck_assert_msg(inverse_mass[v] == right[v], "%s: vertex %d: %a, not %a",
                       text, v, inverse_mass[v], right[v]);
 }
 
 static void expect_refused(reader *read, const char *text, long line,
-                           const char *fault)
+                           const char *words)
 {
-    tf_text_lines lines;
     double inverse_mass[VERTICES];
     make_file("text", text);
-    ck_assert_msg(!read(&lines, "text", VERTICES, inverse_mass), "%s", text);
-    ck_assert_str_eq(lines.fault, fault);
-    ck_assert_int_eq(lines.fault_line, line);
-    tf_text_lines_close(&lines);
+    ck_assert_msg(!read("text", VERTICES, inverse_mass, &fault), "%s", text);
+    ck_assert_str_eq(fault.text, words);
+    ck_assert_int_eq(fault.place, line);
 }
 
 // Masses ----------------------------------------------------------------------
 
-START_TEST(masses)
+START_TEST(masses_are_inverted)
 {
     const double right[] = {1, 0.5, 8, 0x1p1022};
     expect_read(tf_masses_read, "1\n2\n0.125\n0x1p-1022\n", right);
@@ -53,27 +52,27 @@ START_TEST(masses)
 }
 END_TEST
 
-START_TEST(masses_that_are_none)
+START_TEST(invalid_masses_are_rejected)
 {
     static const char *const words[] = {"0",      "-1", "nan", "inf", "1e999",
                                         "1e-320", "x",  "1x",  "1,2", "--1"};
     for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
-        char text[100], fault[100];
+        char text[100], right[100];
         snprintf(text, sizeof text, "1 1\n#\n1 %s # 4\n", words[i]);
-        snprintf(fault, sizeof fault,
+        snprintf(right, sizeof right,
                  "\"%s\" is not a mass; write a positive number such as 0.5",
                  words[i]);
-        expect_refused(tf_masses_read, text, 3, fault);
+        expect_refused(tf_masses_read, text, 3, right);
     }
 }
 END_TEST
 
-START_TEST(as_many_masses_as_vertices)
+START_TEST(each_vertex_needs_a_mass)
 {
-    expect_refused(tf_masses_read, "1\n1\n1\n", 0,
+    expect_refused(tf_masses_read, "1\n1\n1\n", -1,
                    "the number of masses is 3, but there are 4 vertices; write "
                    "one for each, in their order");
-    expect_refused(tf_masses_read, "", 0,
+    expect_refused(tf_masses_read, "", -1,
                    "the number of masses is 0, but there are 4 vertices; write "
                    "one for each, in their order");
     expect_refused(tf_masses_read, "1 1 1\n1\n1\n", 3,
@@ -83,7 +82,7 @@ END_TEST
 
 // Scripted vertices -----------------------------------------------------------
 
-START_TEST(scripted_vertices)
+START_TEST(scripted_vertices_have_no_inverse_mass)
 {
     expect_read(tf_fixed_read, "", (double[]){-1, -1, -1, -1});
     expect_read(tf_fixed_read, "# none\n", (double[]){-1, -1, -1, -1});
@@ -94,21 +93,21 @@ START_TEST(scripted_vertices)
 }
 END_TEST
 
-START_TEST(vertices_that_are_none)
+START_TEST(invalid_vertices_are_rejected)
 {
     static const char *const words[] = {"-1", "x",   "1x",  "1.5",
                                         "+1", "0,1", "99x", "1e0"};
     for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
-        char text[100], fault[100];
+        char text[100], right[100];
         snprintf(text, sizeof text, "0\n1 %s\n", words[i]);
-        snprintf(fault, sizeof fault,
+        snprintf(right, sizeof right,
                  "\"%s\" is not a vertex; write its number, from 0", words[i]);
-        expect_refused(tf_fixed_read, text, 2, fault);
+        expect_refused(tf_fixed_read, text, 2, right);
     }
 }
 END_TEST
 
-START_TEST(vertices_that_are_not_there)
+START_TEST(absent_vertices_are_rejected)
 {
     expect_refused(tf_fixed_read, "0\n1 4 5\n", 2,
                    "there is no vertex 4; they are numbered from 0 to 3");
@@ -118,19 +117,16 @@ START_TEST(vertices_that_are_not_there)
 }
 END_TEST
 
-START_TEST(files_that_cannot_be_read)
+START_TEST(unreadable_files_are_rejected)
 {
-    tf_text_lines lines;
     double inverse_mass[VERTICES];
     reader *const readers[] = {tf_masses_read, tf_fixed_read};
     for (int i = 0; i < 2; i++) {
-        ck_assert(!readers[i](&lines, "absent", VERTICES, inverse_mass));
-        expect_words(lines.fault, "cannot open: No such file or directory; ");
-        tf_text_lines_close(&lines);
+        ck_assert(!readers[i]("absent", VERTICES, inverse_mass, &fault));
+        expect_words(fault.text, "cannot open: No such file or directory; ");
         make_binary_file("zero", "0 \0", 3);
-        ck_assert(!readers[i](&lines, "zero", VERTICES, inverse_mass));
-        expect_words(lines.fault, "a NUL byte; ");
-        tf_text_lines_close(&lines);
+        ck_assert(!readers[i]("zero", VERTICES, inverse_mass, &fault));
+        expect_words(fault.text, "a NUL byte; ");
     }
 }
 END_TEST
@@ -140,13 +136,13 @@ Suite *suite(void)
     Suite *suite = suite_create("files/masses");
     TCase *lists = tcase_create("lists");
     tcase_add_checked_fixture(lists, enter_folder, leave_folder);
-    tcase_add_test(lists, masses);
-    tcase_add_test(lists, masses_that_are_none);
-    tcase_add_test(lists, as_many_masses_as_vertices);
-    tcase_add_test(lists, scripted_vertices);
-    tcase_add_test(lists, vertices_that_are_none);
-    tcase_add_test(lists, vertices_that_are_not_there);
-    tcase_add_test(lists, files_that_cannot_be_read);
+    tcase_add_test(lists, masses_are_inverted);
+    tcase_add_test(lists, invalid_masses_are_rejected);
+    tcase_add_test(lists, each_vertex_needs_a_mass);
+    tcase_add_test(lists, scripted_vertices_have_no_inverse_mass);
+    tcase_add_test(lists, invalid_vertices_are_rejected);
+    tcase_add_test(lists, absent_vertices_are_rejected);
+    tcase_add_test(lists, unreadable_files_are_rejected);
     suite_add_tcase(suite, lists);
     return suite;
 }

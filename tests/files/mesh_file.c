@@ -1,125 +1,12 @@
-// Files of any format, and what is wrong with the whole of one.
-#define _GNU_SOURCE // dup, pipe
-
+// The contents of a mesh file.
 #include "files/mesh_file.h"
 
 #include "support/meshes.h"
-#include "support/program.h"
 #include "support/support.h"
 
-#include <errno.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <sys/resource.h>
-#include <unistd.h>
-
-#define OBJ "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
-#define PLY                                                                    \
-    "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"              \
-    "property float y\nproperty float z\nelement face 1\n"                     \
-    "property list uchar int vertex_index\nend_header\n"                       \
-    "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"
-
-static void expect_mesh(const tf_mesh_file *file)
+START_TEST(places_beyond_an_int_are_unknown)
 {
-    expect_vertices(file, 3, (double[]){0, 0, 0, 1, 0, 0, 0, 1, 0});
-    expect_triangles(file, 1, (int[]){0, 1, 2});
-}
-
-// Texts -----------------------------------------------------------------------
-
-START_TEST(formats_by_their_content)
-{
-    tf_mesh_file file = good_mesh(OBJ);
-    expect_mesh(&file);
-    ck_assert_str_eq(file.name, "mesh");
-    ck_assert_int_eq(file.first_index, 1);
-    tf_mesh_file_free(&file);
-    file = good_mesh(PLY);
-    expect_mesh(&file);
-    ck_assert_int_eq(file.first_index, 0);
-    tf_mesh_file_free(&file);
-    // These do not begin as PLY does.
-    file = good_mesh("plywood\n" OBJ);
-    expect_mesh(&file);
-    tf_mesh_file_free(&file);
-    expect_bad_mesh(" " PLY, -1, "no vertices; the file must be");
-    expect_bad_mesh("ply", -1, "no vertices");
-}
-END_TEST
-
-START_TEST(the_plane)
-{
-    static const struct {
-        const char *text;
-        bool flat;
-    } files[] = {
-        {"v 1 2\nv 3 4\nl 1 2\n", true},
-        {"v 1 2 0\nv 3 4 -0\nl 1 2\n", true},
-        {"v 1 2 0\nv 3 4 5e-324\nl 1 2\n", false},
-        {"v 1 2 1\nv 3 4 1\nl 1 2\n", false},
-        {OBJ, false},
-        {OBJ "l 1 2\n", false},
-    };
-    for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
-        tf_mesh_file file = good_mesh(files[i].text);
-        ck_assert_msg(tf_mesh_file_is_flat(&file) == files[i].flat, "%s",
-                      files[i].text);
-        tf_mesh_file_free(&file);
-    }
-}
-END_TEST
-
-START_TEST(nothing_in_it)
-{
-    static const char *const texts[] = {
-        "",
-        "\n",
-        "# nothing\n",
-        "\xEF\xBB\xBF",
-        "<html>\n",
-        "f 1 2 3\n",
-        "ply\nformat ascii 1.0\nend_header\n",
-        "ply\nformat ascii 1.0\nelement a 7\nend_header\n"};
-    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
-        expect_bad_mesh(texts[i], -1,
-                        "no vertices; the file must be a mesh in OBJ or PLY");
-    expect_bad_mesh("v 1 2 3\nv 1 2\n", -1,
-                    "no triangles and no edges; a mesh must have some");
-}
-END_TEST
-
-START_TEST(many_of_all)
-{
-    enum {
-        MANY = 100000
-    };
-    char *text = malloc(64 * MANY), *to = text;
-    for (int i = 0; i < MANY; i++)
-        to += sprintf(to, "v %d 0 0\n", i);
-    for (int i = 0; i < MANY - 2; i++)
-        to += sprintf(to, "f %d %d %d\nl %d -1\n", i + 1, i + 2, i + 3, i + 1);
-    tf_mesh_file file = good_mesh(text);
-    free(text);
-    ck_assert_int_eq(tf_mesh_file_vertices(&file), MANY);
-    ck_assert_int_eq(tf_mesh_file_triangles(&file), MANY - 2);
-    ck_assert_int_eq(tf_mesh_file_edges(&file), MANY - 2);
-    for (int i = 0; i < MANY; i++)
-        ck_assert(file.position.item[3 * i] == i);
-    for (int i = 0; i < MANY - 2; i++) {
-        ck_assert_int_eq(file.triangle.item[3 * i + 2], i + 2);
-        ck_assert_int_eq(file.edge.item[2 * i], i);
-        ck_assert_int_eq(file.triangle_place.item[i], MANY + 2 * i + 1);
-        ck_assert_int_eq(file.edge_place.item[i], MANY + 2 * i + 2);
-    }
-    tf_mesh_file_free(&file);
-}
-END_TEST
-
-START_TEST(places_that_no_int_holds)
-{
-    tf_mesh_file file = {.name = "large"};
+    tf_mesh_file file = empty_mesh("large");
     ck_assert(tf_mesh_file_add_edge(&file, (int[]){1, 2}, 0x7fffffff));
     ck_assert(tf_mesh_file_add_edge(&file, (int[]){1, 2}, 0x80000000));
     ck_assert_int_eq(file.edge_place.item[0], 0x7fffffff);
@@ -128,183 +15,53 @@ START_TEST(places_that_no_int_holds)
 }
 END_TEST
 
-START_TEST(as_many_as_there_may_be)
+START_TEST(no_more_is_added_than_a_surface_counts)
 {
     // Of none is there more than a surface can count; no memory is touched.
-    tf_mesh_file file = {.name = "large"};
+    tf_mesh_file file = empty_mesh("large");
     double x[3] = {0};
     int vertex[3] = {0};
     file.vertex_place.count = file.triangle_place.count =
         file.edge_place.count = 0x1fffffff;
     ck_assert(!tf_mesh_file_add_vertex(&file, x, 7));
     ck_assert_str_eq(
-        file.fault,
+        file.fault->text,
         "more than 536870911 vertices, triangles or edges; divide the mesh");
-    ck_assert_int_eq(file.fault_place, 7);
+    ck_assert_int_eq(file.fault->place, 7);
     ck_assert(!tf_mesh_file_add_triangle(&file, vertex, 8));
-    ck_assert_int_eq(file.fault_place, 8);
+    ck_assert_int_eq(file.fault->place, 8);
     ck_assert(!tf_mesh_file_add_edge(&file, vertex, 9));
-    ck_assert_int_eq(file.fault_place, 9);
+    ck_assert_int_eq(file.fault->place, 9);
     tf_mesh_file_free(&file);
 }
 END_TEST
 
-// Faults ----------------------------------------------------------------------
-
-START_TEST(words_are_quoted)
+START_TEST(faults_count_what_the_file_counts)
 {
-    static const struct {
-        const char *word, *fault;
-    } words[] = {
-        {"word", "\"word\" is bad; mend it"},
-        {"word next", "\"word\" is bad; mend it"},
-        {"a\tb", "\"a\" is bad; mend it"},
-        {"a\r\n", "\"a\" is bad; mend it"},
-        {"a\x1b\x7f\xff", "\"a???\" is bad; mend it"},
-        {"1234567890123456789012345678901",
-         "\"1234567890123456789012345678901\" is bad; mend it"},
-        {"12345678901234567890123456789012",
-         "\"1234567890123456789012345678...\" is bad; mend it"},
-    };
-    tf_mesh_file file = {.name = "a"};
-    for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
-        ck_assert(!tf_mesh_file_fault_in_word(&file, 5, words[i].word,
-                                              "bad; mend it"));
-        ck_assert_str_eq(file.fault, words[i].fault);
-        ck_assert_int_eq(file.fault_place, 5);
-    }
-    tf_mesh_file_fault_in_word(&file, 5, "", "bad");
-    expect_words(file.fault, "a NUL byte; ");
+    tf_mesh_file file = empty_mesh("a");
+    file.counts_bytes = true;
+    ck_assert(!tf_mesh_file_fault(&file, 0, "%s; %d", "bad", 7));
+    ck_assert_str_eq(file.fault->file, "a");
+    ck_assert_str_eq(file.fault->text, "bad; 7");
+    ck_assert(file.fault->counts_bytes);
+    file.counts_bytes = false;
+    ck_assert(!tf_mesh_file_fault_in_memory(&file));
+    ck_assert(!file.fault->counts_bytes);
+    ck_assert_int_lt(file.fault->place, 0);
 }
 END_TEST
 
-/// What is printed on standard error of a fault at this place.
-static void expect_print(bool counts_bytes, long place, const char *right)
+START_TEST(elements_are_lent)
 {
-    tf_mesh_file file = {.name = "a\x1b", .counts_bytes = counts_bytes};
-    tf_mesh_file_fault(&file, place, "%s; %d", "bad", 7);
-    fflush(stderr);
-    int kept = dup(STDERR_FILENO);
-    ck_assert_ptr_nonnull(freopen("printed", "w", stderr));
-    tf_mesh_file_print_fault(&file, "program");
-    fflush(stderr);
-    dup2(kept, STDERR_FILENO);
-    close(kept);
-    ck_assert_str_eq(file_text("printed"), right);
-}
-
-START_TEST(faults_as_they_are_printed)
-{
-    expect_print(false, 12, "program: a\\x1b:12: bad; 7\n");
-    expect_print(true, 0, "program: a\\x1b: byte 0: bad; 7\n");
-    expect_print(true, 3000000000,
-                 "program: a\\x1b: byte 3000000000: bad; 7\n");
-    expect_print(false, -1, "program: a\\x1b: bad; 7\n");
-    expect_print(true, -1, "program: a\\x1b: bad; 7\n");
-}
-END_TEST
-
-// Files -----------------------------------------------------------------------
-
-START_TEST(files_by_their_names)
-{
-    make_file("mesh.obj", OBJ);
-    make_file("mesh", PLY);
-    static const char *const names[] = {"mesh.obj", "mesh"};
-    for (int i = 0; i < 2; i++) {
-        tf_mesh_file file;
-        ck_assert(tf_mesh_file_read(&file, names[i]));
-        ck_assert_ptr_eq(file.name, names[i]);
-        expect_mesh(&file);
-        tf_mesh_file_free(&file);
-    }
-}
-END_TEST
-
-START_TEST(files_are_closed)
-{
-    make_file("mesh", OBJ);
-    ck_assert_int_eq(setrlimit(RLIMIT_NOFILE, &(struct rlimit){64, 64}), 0);
-    for (int i = 0; i < 100; i++) {
-        tf_mesh_file file;
-        ck_assert_msg(tf_mesh_file_read(&file, "mesh"), "%s", file.fault);
-        tf_mesh_file_free(&file);
-    }
-}
-END_TEST
-
-START_TEST(files_larger_than_a_block)
-{
-    // Around the sizes at which there is more room to be had.
-    for (int size = 131072 - 200; size < 131072 + 200; size++) {
-        FILE *stream = fopen("mesh", "w");
-        fprintf(stream, OBJ "#%*s\nf 1 2 3", size, "");
-        fclose(stream);
-        tf_mesh_file file;
-        ck_assert(tf_mesh_file_read(&file, "mesh"));
-        expect_triangles(&file, 2, (int[]){0, 1, 2, 0, 1, 2});
-        tf_mesh_file_free(&file);
-    }
-}
-END_TEST
-
-START_TEST(standard_input)
-{
-    make_file("mesh", OBJ);
-    ck_assert_ptr_nonnull(freopen("mesh", "r", stdin));
-    tf_mesh_file file;
-    ck_assert(tf_mesh_file_read(&file, "-"));
-    ck_assert_str_eq(file.name, "standard input");
-    expect_mesh(&file);
-    tf_mesh_file_free(&file);
-    // Nothing is left for the second time.
-    ck_assert(!tf_mesh_file_read(&file, "-"));
-    expect_words(file.fault, "no vertices; ");
-    tf_mesh_file_free(&file);
-}
-END_TEST
-
-static void expect_unread(const char *path, const char *fault)
-{
-    tf_mesh_file file;
-    ck_assert(!tf_mesh_file_read(&file, path));
-    ck_assert_str_eq(file.fault, fault);
-    ck_assert_str_eq(file.name, path);
-    ck_assert_int_lt(file.fault_place, 0);
-    tf_mesh_file_free(&file);
-}
-
-START_TEST(files_that_cannot_be_read)
-{
-    expect_unread("absent",
-                  "cannot open: No such file or directory; check the name");
-    expect_unread("", "cannot open: No such file or directory; check the name");
-    expect_unread("/",
-                  "cannot read: Is a directory; check that this is a file");
-    // Nothing is at address 0.
-    expect_unread("/proc/self/mem",
-                  "cannot read: Input/output error; check that this is a file");
-    make_file("secret", OBJ);
-    if (geteuid() == 0)
-        return; // who may read it all the same
-    ck_assert_int_eq(system("chmod 0 secret"), 0);
-    expect_unread("secret", "cannot open: Permission denied; check the name");
-}
-END_TEST
-
-START_TEST(binary_files_without_end)
-{
-    tf_mesh_file file;
-    ck_assert(!tf_mesh_file_read(&file, "/dev/zero"));
-    expect_words(file.fault, "a NUL byte; the file must be plain text");
-    ck_assert_int_eq(file.fault_place, 1);
-    tf_mesh_file_free(&file);
-    FILE *program = fopen("program", "wb");
-    ck_assert_ptr_nonnull(program);
-    fwrite("\177ELF\0\1", 1, 6, program);
-    fclose(program);
-    ck_assert(!tf_mesh_file_read(&file, "program"));
-    expect_words(file.fault, "a NUL byte; ");
+    tf_mesh_file file =
+        good_mesh("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nl 3 1\n");
+    tf_mesh mesh = tf_mesh_file_elements(&file, 2);
+    ck_assert_int_eq(mesh.axes, 2);
+    ck_assert_int_eq(mesh.vertices, 3);
+    ck_assert_int_eq(mesh.triangles, 1);
+    ck_assert_ptr_eq(mesh.triangle, file.triangle.item);
+    ck_assert_int_eq(mesh.edges, 1);
+    ck_assert_ptr_eq(mesh.edge, file.edge.item);
     tf_mesh_file_free(&file);
 }
 END_TEST
@@ -312,29 +69,11 @@ END_TEST
 Suite *suite(void)
 {
     Suite *suite = suite_create("files/mesh_file");
-    TCase *texts = tcase_create("texts");
-    tcase_add_test(texts, formats_by_their_content);
-    tcase_add_test(texts, the_plane);
-    tcase_add_test(texts, nothing_in_it);
-    tcase_add_test(texts, many_of_all);
-    tcase_add_test(texts, places_that_no_int_holds);
-    tcase_add_test(texts, as_many_as_there_may_be);
-    suite_add_tcase(suite, texts);
-
-    TCase *faults = tcase_create("faults");
-    tcase_add_checked_fixture(faults, enter_folder, leave_folder);
-    tcase_add_test(faults, words_are_quoted);
-    tcase_add_test(faults, faults_as_they_are_printed);
-    suite_add_tcase(suite, faults);
-
-    TCase *files = tcase_create("files");
-    tcase_add_checked_fixture(files, enter_folder, leave_folder);
-    tcase_add_test(files, files_by_their_names);
-    tcase_add_test(files, files_are_closed);
-    tcase_add_test(files, files_larger_than_a_block);
-    tcase_add_test(files, standard_input);
-    tcase_add_test(files, files_that_cannot_be_read);
-    tcase_add_test(files, binary_files_without_end);
-    suite_add_tcase(suite, files);
+    TCase *mesh = tcase_create("mesh");
+    tcase_add_test(mesh, places_beyond_an_int_are_unknown);
+    tcase_add_test(mesh, no_more_is_added_than_a_surface_counts);
+    tcase_add_test(mesh, faults_count_what_the_file_counts);
+    tcase_add_test(mesh, elements_are_lent);
+    suite_add_tcase(suite, mesh);
     return suite;
 }

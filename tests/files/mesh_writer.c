@@ -25,7 +25,8 @@ static tf_mesh_file rewritten(const tf_mesh_file *mesh, tf_mesh_format format)
     size_t size;
     FILE *stream = open_memstream(&text, &size);
     ck_assert_ptr_nonnull(stream);
-    tf_mesh_write(stream, mesh, format);
+    tf_mesh_content content = content_of(mesh);
+    tf_mesh_write(stream, &content, format);
     ck_assert_int_eq(fclose(stream), 0);
     tf_mesh_file read = good_bytes(text, size);
     ck_assert_int_eq(read.format, format);
@@ -106,7 +107,7 @@ START_TEST(doubles_of_any_size)
         COUNT = 3000
     };
     generator random = generator_new(1);
-    tf_mesh_file mesh = {.name = "mesh"};
+    tf_mesh_file mesh = empty_mesh("mesh");
     for (int v = 0; v < COUNT; v++) {
         double x[3];
         for (int k = 0; k < 3; k++)
@@ -128,8 +129,9 @@ START_TEST(what_is_written)
     tf_mesh_file mesh =
         good_mesh("v 0.5 0 1\nv 1 0 0\nv 0 1 0\nf 1 2 3\nl 3 1");
     FILE *stream = open_memstream(&text, &size);
-    tf_mesh_write(stream, &mesh, TF_OBJ);
-    tf_mesh_write(stream, &mesh, TF_PLY_TEXT);
+    tf_mesh_content content = content_of(&mesh);
+    tf_mesh_write(stream, &content, TF_OBJ);
+    tf_mesh_write(stream, &content, TF_PLY_TEXT);
     fclose(stream);
     ck_assert_str_eq(
         text, "v 0.5 0 1\nv 1 0 0\nv 0 1 0\nf 1 2 3\nl 3 1\n"

@@ -325,8 +325,8 @@ START_TEST(nul_bytes)
         for (size_t i = 0; i < at; i++)
             line += text[i] == '\n';
         ck_assert(!parse_mesh(&file, broken, SIZE));
-        ck_assert_msg(file.fault_place == line, "byte %zu: line %ld", at,
-                      file.fault_place);
+        ck_assert_msg(file.fault->place == line, "byte %zu: line %ld", at,
+                      file.fault->place);
         tf_mesh_file_free(&file);
     }
     expect_bad_bytes(FOUR FACE "\0", sizeof text, 6,
@@ -349,8 +349,8 @@ START_TEST(cut_short_anywhere)
     for (size_t size = 0; size < sizeof text; size++) {
         tf_mesh_file file;
         if (!parse_mesh(&file, text, size))
-            ck_assert_msg(strstr(file.fault, "; "), "%zu bytes: '%s'", size,
-                          file.fault);
+            ck_assert_msg(strstr(file.fault->text, "; "), "%zu bytes: '%s'",
+                          size, file.fault->text);
         tf_mesh_file_free(&file);
     }
 }

@@ -22,23 +22,22 @@ typedef struct outcome {
     tf_query_rows query[KEPT];
     long count;
     tf_reading last;
-    long line;
-    char fault[TF_LINE_FAULT_LENGTH];
+    tf_fault fault;
 } outcome;
 
 static outcome read_stream(const char *kind, FILE *stream)
 {
     outcome found = {0};
     tf_query_file file;
-    tf_query_file_start(&file, stream, "text", tf_query_kind_named(kind), 100);
+    tf_query_file_start(&file, stream, "text",
+                        tf_choice_named(tf_query_kinds, kind), 100,
+                        &found.fault);
     tf_query_rows rows;
     while ((found.last = tf_query_file_next(&file, &rows)) == TF_READ_GOOD) {
         if (found.count < KEPT)
             found.query[found.count] = rows;
         found.count++;
     }
-    found.line = file.lines.fault_line;
-    strcpy(found.fault, file.lines.fault);
     tf_query_file_close(&file);
     return found;
 }
@@ -62,12 +61,12 @@ static void expect_same(const outcome *found, const char *kind, long line,
 {
     ck_assert_msg(found->last == TF_READ_FAULT, "%s: no fault, but %s", kind,
                   words);
-    ck_assert_msg(strstr(found->fault, words), "'%s' and not '%s'",
-                  found->fault, words);
-    ck_assert_msg(strstr(found->fault, "; "), "'%s': how to mend it?",
-                  found->fault);
-    ck_assert_msg(found->line == line, "line %ld, not %ld: %s", found->line,
-                  line, found->fault);
+    ck_assert_msg(strstr(found->fault.text, words), "'%s' and not '%s'",
+                  found->fault.text, words);
+    ck_assert_msg(strstr(found->fault.text, "; "), "'%s': how to mend it?",
+                  found->fault.text);
+    ck_assert_msg(found->fault.place == line, "line %ld, not %ld: %s",
+                  found->fault.place, line, found->fault.text);
 }
 
 /// Expect `good` queries, then a fault in a line, told in these words.
@@ -82,8 +81,8 @@ static void expect_fault(const char *kind, const char *text, long good,
 static outcome expect_good(const char *kind, const char *text, long good)
 {
     outcome found = read_text(kind, text);
-    ck_assert_msg(found.last == TF_READ_END, "%ld: %s", found.line,
-                  found.fault);
+    ck_assert_msg(found.last == TF_READ_END, "%ld: %s", found.fault.place,
+                  found.fault.text);
     ck_assert_int_eq(found.count, good);
     return found;
 }
@@ -548,12 +547,13 @@ static void expect_no_file(const char *path, bool opens, const char *words)
 {
     tf_query_file file;
     tf_query_rows rows;
-    const tf_query_kind *kind = tf_query_kind_named("edge-edge");
-    ck_assert_int_eq(tf_query_file_open(&file, path, kind, 0), opens);
+    tf_fault fault;
+    const tf_query_kind *kind = tf_choice_named(tf_query_kinds, "edge-edge");
+    ck_assert_int_eq(tf_query_file_open(&file, path, kind, 0, &fault), opens);
     if (opens)
         ck_assert_int_eq(tf_query_file_next(&file, &rows), TF_READ_FAULT);
-    ck_assert_msg(strstr(file.lines.fault, words), "'%s'", file.lines.fault);
-    ck_assert_str_eq(file.lines.name, path);
+    ck_assert_msg(strstr(fault.text, words), "'%s'", fault.text);
+    ck_assert_str_eq(file.lines.text.name, path);
     tf_query_file_close(&file);
 }
 
@@ -574,30 +574,31 @@ END_TEST
 
 START_TEST(kinds_by_their_names)
 {
-    const tf_query_kind *kind = tf_query_kind_named("point-edge");
+    const tf_query_kind *kind = tf_choice_named(tf_query_kinds, "point-edge");
     ck_assert(kind->axes == 2 && kind->vertices[0] == 1 &&
               kind->vertices[1] == 2);
-    kind = tf_query_kind_named("edge-edge");
+    kind = tf_choice_named(tf_query_kinds, "edge-edge");
     ck_assert(kind->axes == 3 && kind->vertices[0] == 2 &&
               kind->vertices[1] == 2);
     static const char *const names[] = {"point-triangle", "vertex-face"};
     for (int i = 0; i < 2; i++) {
-        kind = tf_query_kind_named(names[i]);
+        kind = tf_choice_named(tf_query_kinds, names[i]);
         ck_assert(kind->axes == 3 && kind->vertices[0] == 1 &&
                   kind->vertices[1] == 3);
     }
-    ck_assert_ptr_null(tf_query_kind_named(""));
-    ck_assert_ptr_null(tf_query_kind_named("face-vertex"));
+    ck_assert_ptr_null(tf_choice_named(tf_query_kinds, ""));
+    ck_assert_ptr_null(tf_choice_named(tf_query_kinds, "face-vertex"));
 }
 END_TEST
 
 START_TEST(standard_input_has_a_name)
 {
     tf_query_file file;
-    ck_assert(
-        tf_query_file_open(&file, "-", tf_query_kind_named("edge-edge"), 0));
+    tf_fault fault;
+    ck_assert(tf_query_file_open(
+        &file, "-", tf_choice_named(tf_query_kinds, "edge-edge"), 0, &fault));
     ck_assert_ptr_eq(file.lines.stream, stdin);
-    ck_assert_str_eq(file.lines.name, "standard input");
+    ck_assert_str_eq(file.lines.text.name, "standard input");
     tf_query_file_close(&file);
     ck_assert_msg(lseek(STDIN_FILENO, 0, SEEK_CUR) >= 0 || errno != EBADF,
                   "closed");

@@ -1,6 +1,6 @@
 // All vertices move along a velocity, as far as nothing is in their way.
-#include "support/adaptive_of.h"
-#include "support/flowing.h"
+#include "support/adaptive_surfaces.h"
+#include "support/flows.h"
 #include "support/support.h"
 
 #include <math.h>
@@ -37,7 +37,7 @@ static void turn(void *context, double time, int points, const double point[],
 
 START_TEST(a_sphere_turns)
 {
-    tf_flow_state *flow = flowing_begin(adaptive_sphere(4, origin, 1), 0.4, 0);
+    tf_flow_state *flow = flow_begin(adaptive_sphere(4, origin, 1), 0.4, 0);
     const double first[] = {place_of(flow->remesher.surface, 0)[0],
                             place_of(flow->remesher.surface, 0)[1]};
     ck_assert_int_eq(advance(flow, turn, 1.0 / 8), TF_OK);
@@ -45,13 +45,13 @@ START_TEST(a_sphere_turns)
     ck_assert_double_eq_tol(now[0], (first[0] - first[1]) * sqrt(0.5), 4e-3);
     ck_assert_double_eq_tol(now[1], (first[0] + first[1]) * sqrt(0.5), 4e-3);
     ck_assert_uint_eq(flow->report->response.contacts, 0);
-    flowing_end(flow);
+    flow_end(flow);
 }
 END_TEST
 
 START_TEST(a_sphere_turns_back)
 {
-    tf_flow_state *flow = flowing_begin(adaptive_sphere(4, origin, 1), 0.4, 0);
+    tf_flow_state *flow = flow_begin(adaptive_sphere(4, origin, 1), 0.4, 0);
     double before[3];
     memcpy(before, place_of(flow->remesher.surface, 5), sizeof before);
     ck_assert_int_eq(advance(flow, turn, 1.0 / 32), TF_OK);
@@ -59,7 +59,7 @@ START_TEST(a_sphere_turns_back)
     for (int k = 0; k < 3; k++)
         ck_assert_double_eq_tol(place_of(flow->remesher.surface, 5)[k],
                                 before[k], 1e-4);
-    flowing_end(flow);
+    flow_end(flow);
 }
 END_TEST
 
@@ -74,12 +74,12 @@ static void grow(void *context, double time, int points, const double point[],
 
 START_TEST(normals_and_times_are_those_of_the_stages)
 {
-    tf_flow_state *flow = flowing_begin(adaptive_tetrahedron(), 2, 0);
+    tf_flow_state *flow = flow_begin(adaptive_tetrahedron(), 2, 0);
     ck_assert_int_eq(advance(flow, grow, 0.5), TF_OK);
     for (int i = 0; i < 12; i++)
         ck_assert_double_eq_tol(fabs(place_of(flow->remesher.surface, 0)[i]),
                                 1 + 0.75 * sqrt(1.0 / 3), 1e-15);
-    flowing_end(flow);
+    flow_end(flow);
 }
 END_TEST
 
@@ -101,14 +101,14 @@ static double gain_by_bending(unsigned careless)
 {
     static const double center[] = {0.5, 0, 0};
     tf_flow_state *flow =
-        flowing_begin(adaptive_sphere(8, center, 1), 0.2, careless);
+        flow_begin(adaptive_sphere(8, center, 1), 0.2, careless);
     mpq_t before;
     mpq_init(before);
     exact_volume(flow->remesher.surface, before);
     ck_assert_int_eq(advance(flow, bend, 0.1), TF_OK);
     double gained = volume_gained(flow->remesher.surface, before);
     mpq_clear(before);
-    flowing_end(flow);
+    flow_end(flow);
     return fabs(gained);
 }
 
@@ -147,11 +147,11 @@ static tf_adaptive_surface *two_tetrahedra(void)
 
 START_TEST(what_is_in_the_way_stays_there)
 {
-    tf_flow_state *flow = flowing_begin(two_tetrahedra(), 2, 0);
+    tf_flow_state *flow = flow_begin(two_tetrahedra(), 2, 0);
     ck_assert_int_eq(advance(flow, collide, 6), TF_OK);
     ck_assert_uint_gt(flow->report->response.contacts, 0);
     expect_embedded(flow->remesher.surface);
-    flowing_end(flow);
+    flow_end(flow);
 }
 END_TEST
 
@@ -160,11 +160,10 @@ START_TEST(a_lone_triangle_stays)
 {
     static const int triangle[] = {0, 1, 2};
     static double place[][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-    tf_flow_state *flow =
-        flowing_begin(adaptive_of(3, place, 1, triangle), 1, 0);
+    tf_flow_state *flow = flow_begin(adaptive_of(3, place, 1, triangle), 1, 0);
     ck_assert_int_eq(advance(flow, collide, 1), TF_OK);
     ck_assert_mem_eq(place_of(flow->remesher.surface, 0), place, sizeof place);
-    flowing_end(flow);
+    flow_end(flow);
 }
 END_TEST
 
@@ -179,13 +178,13 @@ static void explode(void *context, double time, int points,
 
 START_TEST(a_velocity_that_is_no_number)
 {
-    tf_flow_state *flow = flowing_begin(adaptive_tetrahedron(), 1, 0);
+    tf_flow_state *flow = flow_begin(adaptive_tetrahedron(), 1, 0);
     double before[12];
     memcpy(before, place_of(flow->remesher.surface, 0), sizeof before);
     ck_assert_int_eq(advance(flow, explode, 1), TF_NOT_FINITE);
     ck_assert_mem_eq(place_of(flow->remesher.surface, 0), before,
                      sizeof before);
-    flowing_end(flow);
+    flow_end(flow);
 }
 END_TEST
 

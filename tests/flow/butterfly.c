@@ -1,8 +1,8 @@
 // Butterfly points.
 #include "flow/butterfly.h"
 
-#include "support/adaptive_of.h"
-#include "support/flowing.h"
+#include "support/adaptive_surfaces.h"
+#include "support/flows.h"
 #include "support/support.h"
 #include "surgery/star.h"
 

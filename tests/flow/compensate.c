@@ -1,5 +1,5 @@
 // Volume is given back by moves along normals.
-#include "support/flowing.h"
+#include "support/flows.h"
 #include "support/support.h"
 
 #include <math.h>
@@ -7,7 +7,7 @@
 START_TEST(what_is_given_is_gained)
 {
     tf_flow_state *flow =
-        flowing_begin(adaptive_bumpy_sphere(6, 0.02, (uint64_t)_i), 0.3, 0);
+        flow_begin(adaptive_bumpy_sphere(6, 0.02, (uint64_t)_i), 0.3, 0);
     generator random = generator_new(100);
     mpq_t before;
     mpq_init(before);
@@ -23,22 +23,21 @@ START_TEST(what_is_given_is_gained)
     }
     ck_assert_uint_eq(flow->report->shifted[TF_COMMITTED], 80);
     mpq_clear(before);
-    flowing_end(flow);
+    flow_end(flow);
 }
 END_TEST
 
 START_TEST(nothing_moves_far)
 {
     static const int vertex[] = {3};
-    tf_flow_state *flow =
-        flowing_begin(adaptive_bumpy_sphere(6, 0.02, 0), 0.3, 0);
+    tf_flow_state *flow = flow_begin(adaptive_bumpy_sphere(6, 0.02, 0), 0.3, 0);
     mpq_t before;
     mpq_init(before);
     exact_volume(flow->remesher.surface, before);
     ck_assert_int_eq(tf_flow_restore_volume(flow, 1, 1, vertex), TF_OK);
     ck_assert_double_eq(volume_gained(flow->remesher.surface, before), 0);
     mpq_clear(before);
-    flowing_end(flow);
+    flow_end(flow);
 }
 END_TEST
 

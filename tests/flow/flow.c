@@ -1,8 +1,8 @@
 // A surface flows: it stays embedded, keeps its volume, and comes back.
 #include "simulate/flow_fields.h"
-#include "support/adaptive_of.h"
-#include "support/flowing.h"
-#include "support/scrambled.h"
+#include "support/adaptive_surfaces.h"
+#include "support/flows.h"
+#include "support/scrambled_workers.h"
 #include "support/support.h"
 
 #include <math.h>
@@ -13,6 +13,8 @@ enum {
 };
 
 static const double center[] = {0.35, 0.35, 0.35}, radius = 0.15;
+
+static tf_velocity_field *vortices = tf_vortices;
 
 /// The root of the mean square of the distances of vertices from the sphere.
 static double radius_error(const tf_adaptive_surface *surface)
@@ -33,7 +35,8 @@ static double radius_error(const tf_adaptive_surface *surface)
 START_TEST(vortices_lose_nothing)
 {
     tf_adaptive_surface *surface = adaptive_sphere(12, center, radius);
-    tf_flow_options options = {.edge = 0.023, .velocity = tf_flow_vortices};
+    tf_flow_options options = {
+        .edge = 0.023, .velocity = tf_field_apply, .context = &vortices};
     tf_flow_report report;
     mpq_t before;
     mpq_init(before);
@@ -59,10 +62,12 @@ END_TEST
 /// Lets a surface flow a little, on some workers.
 static tf_adaptive_surface *flow_on(int workers)
 {
-    tf_parallel parallel = scrambled(&workers);
+    tf_parallel parallel = scrambled_workers(&workers);
     tf_adaptive_surface *surface = adaptive_sphere(6, center, radius);
-    tf_flow_options options = {
-        .edge = 0.03, .velocity = tf_flow_vortices, .parallel = &parallel};
+    tf_flow_options options = {.edge = 0.03,
+                               .velocity = tf_field_apply,
+                               .context = &vortices,
+                               .parallel = &parallel};
     for (int i = 0; i < 20; i++)
         ck_assert_int_eq(
             tf_adaptive_flow(surface, &options, 0.05 * i, 0.05, NULL), TF_OK);
@@ -170,8 +175,8 @@ START_TEST(bad_lengths_are_refused)
     static const double edges[] = {0, -1, NAN, INFINITY};
     tf_adaptive_surface *surface = adaptive_tetrahedron();
     for (int i = 0; i < 4; i++) {
-        tf_flow_options options = {.edge = edges[i],
-                                   .velocity = tf_flow_vortices};
+        tf_flow_options options = {
+            .edge = edges[i], .velocity = tf_field_apply, .context = &vortices};
         ck_assert_int_eq(tf_adaptive_flow(surface, &options, 0, 1, NULL),
                          TF_BAD_TOLERANCE);
     }

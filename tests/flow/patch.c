@@ -2,9 +2,9 @@
 // rational numbers.
 #include "flow/patch.h"
 
-#include "support/flowing.h"
+#include "support/flows.h"
 #include "support/support.h"
-#include "surgery/operations.h"
+#include "surgery/move.h"
 
 /// Moves a vertex to where its star gains 1/6 of `more`; returns by how much the
 /// surface then differs from that.

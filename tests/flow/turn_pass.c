@@ -1,23 +1,23 @@
 // Edges turn to shorter diagonals, and the volume is kept.
-#include "support/flowing.h"
+#include "support/flows.h"
 #include "support/support.h"
 
 START_TEST(the_volume_is_kept)
 {
     tf_flow_state *flow =
-        flowing_begin(adaptive_bumpy_sphere(12, 0.033, (uint64_t)_i), 0.2, 0);
+        flow_begin(adaptive_bumpy_sphere(12, 0.033, (uint64_t)_i), 0.2, 0);
     expect_kept_volume(flow, TF_FLIP, tf_turn_pass, true);
     expect_embedded(flow->remesher.surface);
-    flowing_end(flow);
+    flow_end(flow);
 }
 END_TEST
 
 START_TEST(it_is_not_kept_without_care)
 {
     tf_flow_state *flow =
-        flowing_begin(adaptive_bumpy_sphere(12, 0.033, 0), 0.2, 1U << TF_FLIP);
+        flow_begin(adaptive_bumpy_sphere(12, 0.033, 0), 0.2, 1U << TF_FLIP);
     expect_kept_volume(flow, TF_FLIP, tf_turn_pass, false);
-    flowing_end(flow);
+    flow_end(flow);
 }
 END_TEST
 

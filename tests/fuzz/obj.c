@@ -1,10 +1,10 @@
 // Any bytes as OBJ, or whatever else they look like.
-#include "support/any_mesh.h"
+#include "support/arbitrary_mesh.h"
 
 #include <stdint.h>
 
 int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
 {
-    try_any_mesh(bytes, size);
+    try_arbitrary_mesh(bytes, size);
     return 0;
 }

@@ -1,6 +1,6 @@
 // Any bytes as PLY: the first tells how the header begins, and the others are
 // what follows.
-#include "support/any_mesh.h"
+#include "support/arbitrary_mesh.h"
 
 #include <stdint.h>
 #include <stdlib.h>
@@ -34,7 +34,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
         abort();
     memcpy(text, beginning, length);
     memcpy(text + length, bytes + 1, size - 1);
-    try_any_mesh(text, length + size - 1);
+    try_arbitrary_mesh(text, length + size - 1);
     free(text);
     return 0;
 }

@@ -48,18 +48,19 @@ static void check_query(const tf_query_rows *query, const tf_query_kind *kind)
             require(isfinite(query->x[t][i]));
 }
 
-static void check_fault(const tf_query_file *file, long most)
+static void check_fault(const tf_fault *fault, long most)
 {
-    require(file->lines.fault_line >= 1 && file->lines.fault_line <= most);
-    require(strstr(file->lines.fault, "; ") != NULL);
-    for (const char *c = file->lines.fault; *c; c++)
+    require(fault->place >= 1 && fault->place <= most);
+    require(strstr(fault->text, "; ") != NULL);
+    for (const char *c = fault->text; *c; c++)
         require(*c >= ' ' && *c <= '~');
 }
 
 static void read_all(FILE *stream, const tf_query_kind *kind, long most)
 {
     tf_query_file file;
-    tf_query_file_start(&file, stream, "fuzz", kind, 0);
+    tf_fault fault = {0};
+    tf_query_file_start(&file, stream, "fuzz", kind, 0, &fault);
     tf_query_rows query;
     tf_reading reading;
     long count = 0, last = 0;
@@ -68,12 +69,12 @@ static void read_all(FILE *stream, const tf_query_kind *kind, long most)
         check_query(&query, kind);
         count++;
     }
-    require(file.queries == count);
+    require(file.queries == (size_t)count);
     require(reading == TF_READ_END ? count > 0 : reading == TF_READ_FAULT);
     if (reading == TF_READ_FAULT)
-        check_fault(&file, most);
+        check_fault(&fault, most);
     else
-        require(file.lines.fault[0] == '\0');
+        require(fault.text[0] == '\0');
     tf_query_file_close(&file);
 }
 
@@ -83,7 +84,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
                                         "edge-edge"};
     if (size < 2)
         return 0;
-    const tf_query_kind *kind = tf_query_kind_named(names[bytes[0] % 3]);
+    const tf_query_kind *kind =
+        tf_choice_named(tf_query_kinds, names[bytes[0] % 3]);
     FILE *stream = fmemopen((void *)(bytes + 1), size - 1, "r");
     require(stream != NULL);
     read_all(stream, kind, lines((const char *)bytes + 1, size - 1));

@@ -3,7 +3,7 @@
 // vertices, or nearly so.  What they leave is judged exactly.
 #include "support/fuzz_input.h"
 #include "support/hash.h"
-#include "support/operating.h"
+#include "support/surgery_runs.h"
 
 #include <stdbool.h>
 #include <stdio.h>
@@ -35,8 +35,8 @@ static int next_corner(fuzz_input *bytes, const tf_mesh *mesh)
 
 /// A coordinate of a vertex, or off it by quarters of a unit, and by units in
 /// the last place.
-static double next_coordinate(fuzz_input *bytes, const operating *run, int near,
-                              int axis)
+static double next_coordinate(fuzz_input *bytes, const surgery_run *run,
+                              int near, int axis)
 {
     static const double offsets[] = {0, 0, 0, 0, 0.25, -0.25, 0.5,   -0.5,
                                      1, 1, 1, 2, -1,   -1,    0.125, -0.125};
@@ -45,7 +45,7 @@ static double next_coordinate(fuzz_input *bytes, const operating *run, int near,
     return nudged_by_byte(x + offsets[byte & 15] * run->scene.unit, byte);
 }
 
-static chosen next_operation(fuzz_input *bytes, const operating *run)
+static surgery_choice next_operation(fuzz_input *bytes, const surgery_run *run)
 {
     tf_mesh mesh = tf_adaptive_mesh(run->surface);
     int corner = next_corner(bytes, &mesh);
@@ -53,9 +53,9 @@ static chosen next_operation(fuzz_input *bytes, const operating *run)
                   mesh.triangle[next_corner(bytes, &mesh)]};
     int after = corner % 3 == 2 ? corner - 2 : corner + 1;
     int first = next_byte(bytes);
-    chosen made = {.what = (operation)(first % OPERATIONS),
-                   .a = near[0],
-                   .b = mesh.triangle[after]};
+    surgery_choice made = {.what = (operation)(first % OPERATIONS),
+                           .a = near[0],
+                           .b = mesh.triangle[after]};
     for (int k = 0; k < 3; k++)
         made.place[k] =
             next_coordinate(bytes, run, near[first >> (5 + k) & 1], k);
@@ -63,11 +63,11 @@ static chosen next_operation(fuzz_input *bytes, const operating *run)
 }
 
 /// Judges the parts that have been operated on.
-static void judge(operating *run, const bool changed[])
+static void judge(surgery_run *run, const bool changed[])
 {
     for (int part = 0; part < run->scene.parts; part++) {
         run->changed = part;
-        const char *fault = changed[part] ? operating_fault(run) : NULL;
+        const char *fault = changed[part] ? surgery_run_fault(run) : NULL;
         if (fault) {
             fprintf(stderr, "%s\n", fault);
             abort();
@@ -77,19 +77,19 @@ static void judge(operating *run, const bool changed[])
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
-    static operating run;
-    static operating_counts counts;
+    static surgery_run run;
+    static surgery_counts counts;
     bool changed[SCENE_PARTS] = {false};
     fuzz_input bytes = {data, size, {hash_bytes(HASH_OF_NOTHING, data, size)}};
     adaptive_scene_kind kind = kinds[next_byte(&bytes) % KINDS];
     generator random = generator_new((uint64_t)next_byte(&bytes));
-    operating_begin(&run, random, kind, &counts);
+    surgery_run_begin(&run, random, kind, &counts);
     while (bytes.left >= BYTES) {
-        chosen request = next_operation(&bytes, &run);
+        surgery_choice request = next_operation(&bytes, &run);
         if (operate(&run, &request) == TF_COMMITTED)
             changed[run.changed] = true;
     }
     judge(&run, changed);
-    operating_end(&run);
+    surgery_run_end(&run);
     return 0;
 }

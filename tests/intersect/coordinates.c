@@ -33,7 +33,7 @@ static tf_signs fill_good(own_pair *own, generator *random)
 static int first_of(const tf_pair *pair, const tf_signs *signs, int operand)
 {
     int i = 0;
-    while (pair->operand[i] != operand || signs->of[i] == TF_ZERO)
+    while (pair->operand[i] != operand || signs->sign[i] == TF_ZERO)
         i++;
     return i;
 }
@@ -106,7 +106,7 @@ static own_pair make_point(void)
 
 static const tf_signs unknown_signs = {
     .unknown = true,
-    .of = {TF_UNKNOWN, TF_UNKNOWN, TF_UNKNOWN, TF_UNKNOWN, TF_UNKNOWN}};
+    .sign = {TF_UNKNOWN, TF_UNKNOWN, TF_UNKNOWN, TF_UNKNOWN, TF_UNKNOWN}};
 
 START_TEST(a_radius_widens_a_coordinate_but_not_below_zero)
 {
@@ -147,7 +147,7 @@ START_TEST(only_a_certain_zero_is_zero)
 {
     own_pair own = make_point();
     tf_signs signs = unknown_signs;
-    signs.of[3] = TF_ZERO;
+    signs.sign[3] = TF_ZERO;
     tf_coordinates c = coordinates_of((tf_value){.number = 0}, &own, &signs);
     ck_assert_double_eq(c.low[0], 0);
     ck_assert_double_gt(c.high[0], 0);

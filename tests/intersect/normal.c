@@ -22,18 +22,18 @@ static void sweep(const query *q, sweeps *swept)
 }
 
 /// Append the edges of a simplex within t = 0, then those within t = 1.
-static void add_edges(const tf_simplex *of, int *count, tf_vector edge[])
+static void add_edges(const tf_simplex *simplex, int *count, tf_vector edge[])
 {
     for (int t = 0; t < 2; t++) {
         const tf_event *first = NULL;
-        for (int i = 0; i < of->count; i++) {
-            if (of->event[i]->t != t)
+        for (int i = 0; i < simplex->count; i++) {
+            if (simplex->event[i]->t != t)
                 continue;
             if (first)
                 for (int k = 0; k < TF_AXES; k++)
-                    edge[*count].x[k] = of->event[i]->x[k] - first->x[k];
+                    edge[*count].x[k] = simplex->event[i]->x[k] - first->x[k];
             *count += first != NULL;
-            first = first ? first : of->event[i];
+            first = first ? first : simplex->event[i];
         }
     }
 }

@@ -1,7 +1,7 @@
 #include "intersect/signs.h"
 
 #include "arithmetic/functions.h"
-#include "support/counting.h"
+#include "support/counting_arithmetic.h"
 #include "support/pairs.h"
 #include "support/rational.h"
 #include "support/support.h"
@@ -73,8 +73,8 @@ static void expect_signs(const own_pair *own)
     while (i < own->pair.count && !(seen[0] && seen[2])) {
         double coordinate = turned(&own->pair, i);
         int sign = (coordinate > 0) - (coordinate < 0);
-        ck_assert_msg((int)found.of[i] == sign, "sign %d is %d:\n%s", i,
-                      (int)found.of[i], pair_text(own));
+        ck_assert_msg((int)found.sign[i] == sign, "sign %d is %d:\n%s", i,
+                      (int)found.sign[i], pair_text(own));
         seen[sign + 1] = true;
         i++;
     }
@@ -114,7 +114,7 @@ START_TEST(unknown_signs_are_not_turned)
     ck_assert(found.unknown && !found.zero && !found.positive &&
               !found.negative);
     for (int i = 0; i < own.pair.count; i++)
-        ck_assert_int_eq(found.of[i], TF_UNKNOWN);
+        ck_assert_int_eq(found.sign[i], TF_UNKNOWN);
 }
 END_TEST
 

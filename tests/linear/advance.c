@@ -20,7 +20,7 @@ static void positions(const void *motion, double time, tf_vector x[])
 }
 
 static double speed(const void *motion, double time, const tf_vector x[],
-                    const tf_nearest *nearest)
+                    const tf_point_pair *nearest)
 {
     (void)time;
     (void)x;

@@ -17,7 +17,7 @@ static tf_vector between(const tf_vector x[], int from, int to,
 /// Expect weights of points at the distance, and return that.
 static double distance(int vertices, int others, const tf_vector x[])
 {
-    tf_nearest found = tf_nearest_points(vertices, others, x);
+    tf_point_pair found = tf_nearest_points(vertices, others, x);
     double sum[2] = {0};
     for (int i = 0; i < vertices + others; i++) {
         ck_assert_double_ge(found.weight[i], 0);
@@ -114,19 +114,19 @@ static const struct shape {
 START_TEST(no_points_are_nearer)
 {
     generator random = generator_new((uint64_t)_i);
-    struct shape of = shapes[_i];
-    int count = of.vertices + of.others;
+    struct shape shape = shapes[_i];
+    int count = shape.vertices + shape.others;
     for (long n = 0; n < cases(2000); n++) {
         tf_vector x[TF_MOST_CORNERS];
         double weight[TF_MOST_CORNERS];
         fill(&random, count, x);
-        double least = distance(of.vertices, of.others, x);
+        double least = distance(shape.vertices, shape.others, x);
         for (int i = 0; i < 30; i++) {
-            random_weights(&random, 0, of.vertices, weight);
-            random_weights(&random, of.vertices, count, weight);
+            random_weights(&random, 0, shape.vertices, weight);
+            random_weights(&random, shape.vertices, count, weight);
             tf_vector gap =
-                tf_vector_difference(between(x, 0, of.vertices, weight),
-                                     between(x, of.vertices, count, weight));
+                tf_vector_difference(between(x, 0, shape.vertices, weight),
+                                     between(x, shape.vertices, count, weight));
             ck_assert_double_le(least, sqrt(tf_vector_dot(gap, gap)) + 1e-13);
         }
     }

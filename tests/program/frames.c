@@ -18,7 +18,7 @@ static bool read_frames(tf_frames *frames, int count, const char *const text[])
     bool good = true;
     *frames = (tf_frames){0};
     for (int i = 0; i < count; i++) {
-        ck_assert_msg(good, "%s", tf_frames_file(frames)->fault);
+        ck_assert_msg(good, "%s", frames->fault.text);
         make_file(names[i], text[i]);
         good = tf_frames_next(frames, names[i]);
         ck_assert_str_eq(tf_frames_file(frames)->name, names[i]);
@@ -211,8 +211,8 @@ START_TEST(other_elements)
     tf_frames frames;
     ck_assert(
         !read_frames(&frames, 2, (const char *[]){START, others[_i].text}));
-    ck_assert_str_eq(tf_frames_file(&frames)->fault, others[_i].fault);
-    ck_assert_int_eq(tf_frames_file(&frames)->fault_place, others[_i].line);
+    ck_assert_str_eq(frames.fault.text, others[_i].fault);
+    ck_assert_int_eq(frames.fault.place, others[_i].line);
     tf_frames_free(&frames);
 }
 END_TEST
@@ -222,7 +222,7 @@ START_TEST(other_elements_later)
     tf_frames frames;
     ck_assert(!read_frames(&frames, 3,
                            (const char *[]){START, END, START "f 1 2 4\n"}));
-    expect_words(tf_frames_file(&frames)->fault, "but 2 in next; ");
+    expect_words(frames.fault.text, "but 2 in next; ");
     tf_frames_free(&frames);
 }
 END_TEST
@@ -262,8 +262,8 @@ START_TEST(flaws_have_a_line)
 {
     tf_frames frames;
     ck_assert(!read_frames(&frames, 1, (const char *[]){flaws[_i].text}));
-    ck_assert_str_eq(tf_frames_file(&frames)->fault, flaws[_i].fault);
-    ck_assert_int_eq(tf_frames_file(&frames)->fault_place, flaws[_i].line);
+    ck_assert_str_eq(frames.fault.text, flaws[_i].fault);
+    ck_assert_int_eq(frames.fault.place, flaws[_i].line);
     tf_frames_free(&frames);
 }
 END_TEST
@@ -281,9 +281,8 @@ START_TEST(flaws_of_all_elements)
                  {{.element = TF_EDGE, .index = 0}, 7}};
     for (int i = 0; i < 4; i++) {
         ck_assert(!tf_frames_fault(&frames, TF_NOT_FINITE, &kinds[i].flaw));
-        const tf_mesh_file *file = tf_frames_file(&frames);
-        ck_assert_str_eq(file->fault, tf_status_message(TF_NOT_FINITE));
-        ck_assert_int_eq(file->fault_place, kinds[i].line);
+        ck_assert_str_eq(frames.fault.text, tf_status_message(TF_NOT_FINITE));
+        ck_assert_int_eq(frames.fault.place, kinds[i].line);
     }
     tf_frames_free(&frames);
 }
@@ -295,7 +294,7 @@ START_TEST(unread_files)
     make_file("start", START);
     ck_assert(tf_frames_next(&frames, "start"));
     ck_assert(!tf_frames_next(&frames, "absent"));
-    expect_words(tf_frames_file(&frames)->fault, "cannot open: ");
+    expect_words(frames.fault.text, "cannot open: ");
     ck_assert_str_eq(tf_frames_file(&frames)->name, "absent");
     tf_frames_free(&frames);
 }

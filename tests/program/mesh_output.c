@@ -1,38 +1,27 @@
-#define _GNU_SOURCE
-
 #include "program/mesh_output.h"
 
 #include "support/meshes.h"
 #include "support/program.h"
 #include "support/support.h"
 
-#include <errno.h>
-#include <stdlib.h>
-
-static bool say_so(FILE *stream, const void *context)
-{
-    return fprintf(stream, "%s\n", (const char *)context) > 0 &&
-           fflush(stream) == 0;
-}
-
-static bool fail_to_say(FILE *stream, const void *context)
-{
-    (void)stream;
-    (void)context;
-    errno = ENOSPC;
-    return false;
-}
+#include <stdio.h>
 
 static const char text[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
-static bool write_to(const char *path,
-                     bool (*report)(FILE *stream, const void *context))
+static tf_fault fault;
+
+static bool write_to(const char *path)
 {
-    tf_mesh_output output = {0};
+    static const tf_field fields[] = {{"done", TF_COUNT, 0, NULL}, {0}};
+    static const size_t count = 1;
+    static const tf_mesh_report report = {TF_SUMMARY, fields, &count};
+    tf_mesh_output output;
     tf_mesh_file mesh = good_mesh(text);
-    bool good = tf_mesh_output_begin(&output, path) &&
-                tf_mesh_output_write(&output, &mesh, report, "done");
-    ck_assert(good == (output.target == NULL));
+    tf_mesh_content content = content_of(&mesh);
+    fault = (tf_fault){0};
+    bool good = tf_mesh_output_begin(&output, path, &fault) &&
+                tf_mesh_output_write(&output, &content, TF_OBJ, &report);
+    ck_assert(good == (fault.text[0] == '\0'));
     tf_mesh_output_end(&output);
     tf_mesh_file_free(&mesh);
     return good;
@@ -40,20 +29,36 @@ static bool write_to(const char *path,
 
 START_TEST(a_mesh_is_written_to_a_file)
 {
-    ck_assert(write_to("made", say_so));
+    ck_assert_ptr_nonnull(freopen("told", "w", stdout));
+    ck_assert(write_to("made"));
     ck_assert_str_eq(file_text("made"), text);
-    ck_assert(write_to("made.ply", say_so));
+    ck_assert_str_eq(file_text("told"), "done: 1\n");
+    ck_assert(write_to("made.ply"));
     expect_words(file_text("made.ply"), "ply\n");
 }
 END_TEST
 
-// Not in part, and not at all if the report cannot be.
+START_TEST(a_mesh_is_written_to_standard_output)
+{
+    ck_assert_ptr_nonnull(freopen("made", "w", stdout));
+    ck_assert_ptr_nonnull(freopen("told", "w", stderr));
+    ck_assert(write_to("-"));
+    ck_assert_str_eq(file_text("made"), text);
+    ck_assert_str_eq(file_text("told"), "done: 1\n");
+}
+END_TEST
+
+// Not in part, and not at all if the report cannot be written.
 START_TEST(what_fails_leaves_the_file_as_it_was)
 {
     make_file("made", "before\n");
-    ck_assert(!write_to("made", fail_to_say));
+    ck_assert_ptr_nonnull(freopen("/dev/full", "w", stdout));
+    ck_assert(!write_to("made"));
+    ck_assert_str_eq(fault.file, "standard output");
     ck_assert_str_eq(file_text("made"), "before\n");
-    ck_assert(!write_to("no/folder/made", say_so));
+    ck_assert(!write_to("no/folder/made"));
+    ck_assert_str_eq(fault.file, "no/folder/made");
+    expect_words(fault.text, "cannot write: No such file or directory; ");
 }
 END_TEST
 
@@ -63,6 +68,7 @@ Suite *suite(void)
     TCase *tcase = tcase_create("files");
     tcase_add_checked_fixture(tcase, enter_folder, leave_folder);
     tcase_add_test(tcase, a_mesh_is_written_to_a_file);
+    tcase_add_test(tcase, a_mesh_is_written_to_standard_output);
     tcase_add_test(tcase, what_fails_leaves_the_file_as_it_was);
     suite_add_tcase(suite, tcase);
     return suite;

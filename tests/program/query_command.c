@@ -1,4 +1,4 @@
-#include "program/query_command.h"
+#include "program/command.h"
 
 #include "base/status.h"
 #include "support/environments.h"
@@ -378,7 +378,8 @@ START_TEST(names_send_no_commands_to_the_terminal)
     expect_words(run("$tf \"$(printf '\\033c')\"").err,
                  "unknown command '\\x1bc';");
     expect_words(run("$tf query -k \"$(printf '\\033c')\"").err,
-                 "unknown kind '\\x1bc';");
+                 "--kind must be point-edge, point-triangle, edge-edge or "
+                 "vertex-face, got '\\x1bc'");
 }
 END_TEST
 
@@ -498,7 +499,7 @@ START_TEST(a_nul_byte_is_refused)
                "$tf query -k point-edge bad"),
            2, HEADER "0" MISS_ANSWER,
            "tanglefree: bad:7: a NUL byte; the file must be plain text (ASCII "
-           "or UTF-8, not UTF-16 or binary)\n");
+           "or UTF-8, not UTF-16)\n");
 }
 END_TEST
 
@@ -586,7 +587,7 @@ START_TEST(a_full_disk)
     make_file("in", MISS);
     for (int i = 0; i < 3; i++)
         expect(run("$tf query -k point-edge -o %s in >/dev/full", outputs[i]),
-               2, "", NO_SPACE "; the output is incomplete\n");
+               2, "", NO_SPACE "; mend that and run again\n");
 }
 END_TEST
 
@@ -596,7 +597,7 @@ START_TEST(a_full_disk_on_the_way)
     // The input has no end, and must not be read to it.
     expect(run("while cat in; do :; done 2>/dev/null | "
                "$tf query -k point-edge >/dev/full"),
-           2, "", NO_SPACE "; the output is incomplete\n");
+           2, "", NO_SPACE "; mend that and run again\n");
 }
 END_TEST
 
@@ -613,7 +614,7 @@ START_TEST(closed_standard_output)
     make_file("in", MISS);
     expect(run("$tf query -k point-edge in >&-"), 2, "",
            "tanglefree: standard output: cannot write: Bad file descriptor; "
-           "the output is incomplete\n");
+           "mend that and run again\n");
     ck_assert_str_eq(file_text("in"), MISS);
 }
 END_TEST
@@ -678,7 +679,7 @@ START_TEST(version)
 }
 END_TEST
 
-START_TEST(commands_that_are_none)
+START_TEST(unknown_commands_are_refused)
 {
     expect_usage("",
                  "tanglefree: no command given; --help lists the commands\n");
@@ -689,28 +690,28 @@ START_TEST(commands_that_are_none)
 }
 END_TEST
 
-START_TEST(options_that_are_wrong)
+START_TEST(wrong_options_are_refused)
 {
     make_file("in", MISS);
-    expect_usage("query in", "tanglefree query: --kind is required; choose "
-                             "point-edge, point-triangle or edge-edge\n");
+    expect_usage("query in", "tanglefree query: --kind KIND is required: which "
+                             "elements\n");
     expect_usage("query -k edge in",
-                 "tanglefree query: unknown kind 'edge'; choose "
-                 "point-edge, point-triangle or edge-edge\n");
+                 "tanglefree query: --kind must be point-edge, point-triangle, "
+                 "edge-edge or vertex-face, got 'edge'\n");
     expect_usage("query -k point-edge -a rounded in",
-                 "tanglefree query: unknown arithmetic 'rounded'; choose "
-                 "exact, clamped, report, perturbed, integer64 or "
-                 "integer128\n");
+                 "tanglefree query: --arithmetic must be exact, clamped, "
+                 "report, perturbed, integer64 or integer128, got 'rounded'\n");
     expect_usage("query -k point-edge --output=xml in",
-                 "tanglefree query: unknown output format 'xml'; choose csv, "
-                 "json or summary\n");
-    expect_usage("query -m cubic in", "tanglefree query: --kind is required");
+                 "tanglefree query: --output must be csv, json or summary, got "
+                 "'xml'\n");
+    expect_usage("query -m cubic in",
+                 "tanglefree query: --kind KIND is required");
     expect_usage("query -k point-edge -m quartic in",
-                 "tanglefree query: unknown method 'quartic'; choose "
-                 "spacetime, cubic or advancement\n");
+                 "tanglefree query: --method must be spacetime, cubic or "
+                 "advancement, got 'quartic'\n");
     expect_usage("query -k point-edge --against quartic in",
-                 "tanglefree query: unknown method 'quartic'; choose "
-                 "spacetime, cubic or advancement\n");
+                 "tanglefree query: --against must be spacetime, cubic or "
+                 "advancement, got 'quartic'\n");
     expect_usage("query -k point-edge --against cubic in",
                  "tanglefree query: --against needs --output summary");
     expect_usage("query -k point-edge -m cubic -a exact in",
@@ -728,7 +729,7 @@ START_TEST(options_that_are_wrong)
 }
 END_TEST
 
-START_TEST(distances_that_are_none)
+START_TEST(invalid_distances_are_refused)
 {
     static const char *const bad[] = {"-1",    "nan", "-nan", "inf", "-inf",
                                       "1e999", "'' ", "1x",   "one", "-1e-300"};
@@ -736,18 +737,23 @@ START_TEST(distances_that_are_none)
         char arguments[100];
         snprintf(arguments, sizeof arguments,
                  "query -k point-edge -m cubic --tolerance %s in", bad[i]);
-        expect_usage(arguments, "tanglefree query: --tolerance needs a number, "
-                                "0 or more, such as 1e-6, and not '");
+        expect_usage(arguments, "tanglefree query: --tolerance must be 0 or "
+                                "more, got '");
         snprintf(arguments, sizeof arguments,
                  "query -k point-edge -m advancement --threshold=%s in",
                  bad[i]);
-        expect_usage(arguments, "tanglefree query: --threshold needs a number, "
-                                "0 or more, such as 1e-6, and not '");
+        expect_usage(arguments, "tanglefree query: --threshold must be 0 or "
+                                "more, got '");
     }
 }
 END_TEST
 
 // A broken floating-point environment ----------------------------------------
+
+static int run_query(int argc, char *argv[])
+{
+    return tf_command_run(&tf_query_command, argc, argv);
+}
 
 START_TEST(a_broken_environment_is_reported)
 {
@@ -757,7 +763,7 @@ START_TEST(a_broken_environment_is_reported)
     char message[1000];
     snprintf(message, sizeof message, "tanglefree: in:1: %s\n",
              tf_status_message(TF_BAD_ENVIRONMENT));
-    expect(run_broken(_i, tf_query_command, arguments), 2, HEADER, message);
+    expect(run_broken(_i, run_query, arguments), 2, HEADER, message);
 }
 END_TEST
 
@@ -831,9 +837,9 @@ Suite *suite(void)
     tcase_add_test(usage, help);
     tcase_add_test(usage, help_for_the_command);
     tcase_add_test(usage, version);
-    tcase_add_test(usage, commands_that_are_none);
-    tcase_add_test(usage, options_that_are_wrong);
-    tcase_add_test(usage, distances_that_are_none);
+    tcase_add_test(usage, unknown_commands_are_refused);
+    tcase_add_test(usage, wrong_options_are_refused);
+    tcase_add_test(usage, invalid_distances_are_refused);
     suite_add_tcase(suite, usage);
 
     TCase *environment = tcase_create("a broken environment");

@@ -1,6 +1,6 @@
 // The command remesh, as a user runs it.
 
-#include "program/remesh_command.h"
+#include "program/command.h"
 
 #include "support/environments.h"
 #include "support/program.h"
@@ -83,27 +83,38 @@ START_TEST(bad_arguments_are_refused)
 {
     expect_usage("remesh -o out -e 1", "tanglefree remesh: one file is req");
     expect_usage("remesh a b -o out -e 1", "tanglefree remesh: one file is");
-    expect_usage("remesh square.obj -e 1", "tanglefree remesh: -o OUT is req");
+    expect_usage("remesh square.obj -e 1",
+                 "tanglefree remesh: --write OUT is required: where to write "
+                 "the new mesh\n");
     expect_usage("remesh square.obj -o out",
-                 "tanglefree remesh: --edge L is required");
+                 "tanglefree remesh: --edge L is required: the length that "
+                 "edges should have\n");
     expect_usage("remesh square.obj -o out -e 0",
-                 "tanglefree remesh: --edge=0");
+                 "tanglefree remesh: --edge must be above 0, got '0'\n");
     expect_usage("remesh square.obj -o out -e x",
-                 "tanglefree remesh: --edge needs a number");
+                 "tanglefree remesh: --edge must be above 0, got 'x'\n");
     expect_usage("remesh square.obj -o out -e 1 --rounds 0",
-                 "tanglefree remesh: --rounds=0");
+                 "tanglefree remesh: --rounds must be a whole number from 1 to "
+                 "1000, got '0'\n");
     expect_usage("remesh square.obj -o out -e 1 --rounds 1.5",
-                 "tanglefree remesh: --rounds=1.5");
+                 "tanglefree remesh: --rounds must be a whole number from 1 to "
+                 "1000, got '1.5'\n");
     expect_usage("remesh square.obj -o out -e 1 --output xml",
-                 "tanglefree remesh: ");
+                 "tanglefree remesh: --output must be summary or json, got "
+                 "'xml'\n");
 }
 END_TEST
+
+static int run_remesh(int argc, char *argv[])
+{
+    return tf_command_run(&tf_remesh_command, argc, argv);
+}
 
 START_TEST(a_broken_environment_is_refused)
 {
     const char *const arguments[] = {
         "tanglefree remesh", "square.obj", "-o", "out", "-e", "1", NULL};
-    outcome found = run_broken(_i, tf_remesh_command, arguments);
+    outcome found = run_broken(_i, run_remesh, arguments);
     ck_assert_int_eq(found.status, 2);
     expect_words(found.err, "floating-point environment");
 }

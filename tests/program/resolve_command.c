@@ -1,9 +1,9 @@
 // The command resolve, as a user runs it.
 
-#include "program/resolve_command.h"
+#include "program/command.h"
 
 #include "base/status.h"
-#include "files/mesh_file.h"
+#include "files/mesh_reader.h"
 #include "support/environments.h"
 #include "support/json.h"
 #include "support/program.h"
@@ -105,8 +105,9 @@ END_TEST
 /// The positions that a file holds.
 static tf_mesh_file read_mesh(const char *path)
 {
+    static tf_fault fault;
     tf_mesh_file mesh;
-    ck_assert_msg(tf_mesh_file_read(&mesh, path), "%s", mesh.fault);
+    ck_assert_msg(tf_mesh_file_read(&mesh, path, &fault), "%s", fault.text);
     return mesh;
 }
 
@@ -565,7 +566,7 @@ START_TEST(help)
 }
 END_TEST
 
-START_TEST(arguments_that_are_wrong)
+START_TEST(wrong_arguments_are_refused)
 {
     static const char two[] =
         "tanglefree resolve: two files are required, START and END\n";
@@ -573,33 +574,37 @@ START_TEST(arguments_that_are_wrong)
     expect_usage("resolve -o new above", two);
     expect_usage("resolve -o new above below below", two);
     expect_usage("resolve above below",
-                 "tanglefree resolve: -o OUT is required: where "
-                 "to write the end of the step\n");
+                 "tanglefree resolve: --write OUT is required: where to write "
+                 "the end of the step\n");
     expect_usage("resolve above below -o new -s cg",
-                 "tanglefree resolve: unknown solver 'cg'; choose "
-                 "gauss-seidel, conjugate-residuals, minres or "
-                 "normal-residuals\n");
+                 "tanglefree resolve: --solver must be gauss-seidel, "
+                 "conjugate-residuals, minres or normal-residuals, got 'cg'\n");
     expect_usage("resolve above below -o new --output csv",
-                 "tanglefree resolve: unknown output format 'csv'; choose "
-                 "summary or json\n");
+                 "tanglefree resolve: --output must be summary or json, got "
+                 "'csv'\n");
     expect_usage("resolve above below -o new --restitution 1.1",
-                 "tanglefree resolve: --restitution needs a number, from 0 to "
-                 "1, and not '1.1'\n");
+                 "tanglefree resolve: --restitution must be from 0 to 1, got "
+                 "'1.1'\n");
     expect_usage("resolve above below -o new --friction=-1",
-                 "tanglefree resolve: --friction needs a number, 0 or more, "
-                 "such as 0.3, and not '-1'\n");
+                 "tanglefree resolve: --friction must be 0 or more, got "
+                 "'-1'\n");
     expect_usage("resolve above below -o new --separation inf",
-                 "tanglefree resolve: --separation needs a number, 0 or more, "
-                 "such as 1e-3, and not 'inf'\n");
+                 "tanglefree resolve: --separation must be 0 or more, got "
+                 "'inf'\n");
     expect_usage("resolve above below -o new -t 0",
-                 "tanglefree resolve: '0' is not a number of threads; choose 1 "
-                 "to 256\n");
+                 "tanglefree resolve: --threads must be a whole number from 1 "
+                 "to 256, got '0'\n");
     expect_usage("resolve above below -o new -a exact",
                  "tanglefree resolve: invalid option -- 'a'");
 }
 END_TEST
 
 // A broken floating-point environment -----------------------------------------
+
+static int run_resolve(int argc, char *argv[])
+{
+    return tf_command_run(&tf_resolve_command, argc, argv);
+}
 
 START_TEST(a_broken_environment_is_reported)
 {
@@ -608,7 +613,7 @@ START_TEST(a_broken_environment_is_reported)
     char message[1000];
     snprintf(message, sizeof message, "tanglefree: below: %s\n",
              tf_status_message(TF_BAD_ENVIRONMENT));
-    expect(run_broken(_i, tf_resolve_command, arguments), 2, "", message);
+    expect(run_broken(_i, run_resolve, arguments), 2, "", message);
     ck_assert_int_ne(access("new", F_OK), 0);
 }
 END_TEST
@@ -665,7 +670,7 @@ Suite *suite(void)
 
     TCase *usage = add_case(suite, "usage");
     tcase_add_test(usage, help);
-    tcase_add_test(usage, arguments_that_are_wrong);
+    tcase_add_test(usage, wrong_arguments_are_refused);
 
     TCase *environment = add_case(suite, "a broken environment");
     tcase_add_loop_test(environment, a_broken_environment_is_reported, 0,

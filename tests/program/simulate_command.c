@@ -1,11 +1,11 @@
 // The command simulate, as a user runs it.
 
-#include "program/simulate_command.h"
+#include "program/command.h"
 
-#include "simulate/flow_scene.h"
+#include "simulate/flow_scenes.h"
 #include "support/environments.h"
 #include "support/program.h"
-#include "support/simulating.h"
+#include "support/simulations.h"
 #include "support/support.h"
 #include "support/terminal.h"
 
@@ -182,6 +182,11 @@ START_TEST(another_size_cannot_go_on)
 }
 END_TEST
 
+static int run_simulate(int argc, char *argv[])
+{
+    return tf_command_run(&tf_simulate_command, argc, argv);
+}
+
 START_TEST(a_broken_environment)
 {
     char message[300];
@@ -189,7 +194,7 @@ START_TEST(a_broken_environment)
                                "made", NULL};
     snprintf(message, sizeof message, "tanglefree: plane-chain: step 1: %s\n",
              tf_status_message(TF_BAD_ENVIRONMENT));
-    expect(run_broken(_i, tf_simulate_command, arguments), 2, "", message);
+    expect(run_broken(_i, run_simulate, arguments), 2, "", message);
 }
 END_TEST
 
@@ -199,17 +204,21 @@ START_TEST(the_list_of_scenes)
 {
     outcome found = run("$tf simulate list");
     ck_assert_int_eq(found.status, 0);
-    int flows;
-    const tf_flow_scene *flow = tf_flow_scenes(&flows);
-    ck_assert_int_eq(occurrences(found.out, "\n"), scene_count() + flows);
-    for (int i = 0; i < flows; i++) {
-        expect_words(found.out, flow[i].name);
-        expect_words(found.out, flow[i].shows);
+    ck_assert_int_eq(occurrences(found.out, "\n"),
+                     scene_count(tf_cloth_scenes) +
+                         scene_count(tf_flow_scenes));
+    for (const tf_scene *s = tf_cloth_scenes; s->name; s++) {
+        expect_words(found.out, s->name);
+        expect_words(found.out, s->shows);
+        expect_words(found.out, s->resolution.counts);
     }
-    for (int i = 0; i < scene_count(); i++) {
-        expect_words(found.out, scene_number(i)->name);
-        expect_words(found.out, scene_number(i)->shows);
+    for (const tf_scene *s = tf_flow_scenes; s->name; s++) {
+        expect_words(found.out, s->name);
+        expect_words(found.out, s->shows);
     }
+    expect_words(found.out, "; 400 steps, size 35: cells along a side of the "
+                            "cloth\nstack  ");
+    expect_words(found.out, "; 300 steps, edge 0.0226\nturbulence  ");
     expect(run("$tf simulate list >/dev/full"), 2, "",
            "tanglefree: standard output: cannot write: No space left on "
            "device\n");
@@ -219,22 +228,23 @@ END_TEST
 START_TEST(usage)
 {
     static const char *const cases[][2] = {
-        {"simulate", "tanglefree simulate: no scene given; 'tanglefree "
+        {"simulate", "tanglefree simulate: one scene is required; 'tanglefree "
                      "simulate list' prints all\n"},
         {"simulate cube -o made", "tanglefree simulate: unknown scene 'cube'; "
                                   "'tanglefree simulate list' prints all\n"},
-        {"simulate sphere", "tanglefree simulate: -o DIR is required: the "
+        {"simulate sphere", "tanglefree simulate: --write DIR is required: the "
                             "folder for the frames\n"},
         {"simulate sphere --size 3 -o made",
-         "tanglefree simulate: the scene sphere needs a --size of 4 or more\n"},
+         "tanglefree simulate: --size must be 4 or more for the scene sphere, "
+         "got '3'\n"},
         {"simulate sphere --size 2001 -o made",
-         "tanglefree simulate: --size needs a whole number from 1 to 2000, and "
-         "not '2001'\n"},
+         "tanglefree simulate: --size must be a whole number from 1 to 2000, "
+         "got '2001'\n"},
         {"simulate sphere --steps x -o made",
-         "tanglefree simulate: --steps needs a whole number from 0 to 99999, "
-         "and not 'x'\n"},
+         "tanglefree simulate: --steps must be a whole number from 0 to 99999, "
+         "got 'x'\n"},
         {"simulate sphere --steps 100000 -o made",
-         "tanglefree simulate: --steps needs"},
+         "tanglefree simulate: --steps must be"},
         {"simulate sphere --edge 0.1 -o made",
          "tanglefree simulate: --edge is for surfaces that flow; the scene "
          "sphere has a --size\n"},
@@ -242,17 +252,18 @@ START_TEST(usage)
          "tanglefree simulate: --size is for cloth; the scene star has an "
          "--edge\n"},
         {"simulate star --edge 0 -o made",
-         "tanglefree simulate: --edge needs a length above 0, and not '0'\n"},
+         "tanglefree simulate: --edge must be above 0, got '0'\n"},
         {"simulate star --edge 0.1x -o made",
-         "tanglefree simulate: --edge needs a length above 0, and not "
-         "'0.1x'\n"},
+         "tanglefree simulate: --edge must be above 0, got '0.1x'\n"},
         {"simulate star --edge 7 -o made",
-         "tanglefree simulate: the scene star needs an --edge from 0.001 to "
-         "0.1\n"},
-        {"simulate star", "tanglefree simulate: -o DIR is required: the "
+         "tanglefree simulate: --edge must be from 0.001 to 0.1 for the scene "
+         "star, got '7'\n"},
+        {"simulate star", "tanglefree simulate: --write DIR is required: the "
                           "folder for the frames\n"},
-        {"simulate sphere stack -o made", "tanglefree simulate: "},
-        {"simulate sphere -t 0 -o made", "tanglefree simulate: '0' is not a "},
+        {"simulate sphere stack -o made",
+         "tanglefree simulate: one scene is required"},
+        {"simulate sphere -t 0 -o made",
+         "tanglefree simulate: --threads must be"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
         expect_usage(cases[i][0], cases[i][1]);

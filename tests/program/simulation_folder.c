@@ -1,33 +1,27 @@
 #include "program/simulation_folder.h"
 
-#include "program/cloth_simulated.h"
-
 #include "support/program.h"
+#include "support/simulations.h"
 #include "support/support.h"
 
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-static tf_simulated *chain(void)
+static tf_simulation *chain(void)
 {
-    tf_simulated *made = NULL;
-    ck_assert_int_eq(
-        tf_cloth_simulate(tf_scene_named("plane-chain"), 40, &made), TF_OK);
-    return made;
+    return &cloth_of("plane-chain", 40)->base;
 }
 
-static void advance(tf_simulated *s)
+static void advance(tf_simulation *s)
 {
-    static const tf_step_way way;
-    char words[TF_SIMULATED_NAME];
-    ck_assert_int_eq(s->kind->advance(s, &way, words), TF_OK);
+    ck_assert_int_eq(s->scene->kind->step(s, &(tf_step_options){0}), TF_OK);
 }
 
 /// Makes the folder "made" of some steps.
 static void make_steps(int steps)
 {
-    tf_simulated *s = chain();
+    tf_simulation *s = chain();
     tf_simulation_folder folder;
     ck_assert_msg(tf_simulation_folder_begin(&folder, "made", s), "%s",
                   folder.fault);
@@ -36,21 +30,21 @@ static void make_steps(int steps)
         ck_assert(tf_simulation_folder_add(&folder, s));
     }
     tf_simulation_folder_close(&folder);
-    s->kind->free(s);
+    tf_simulation_free(s);
 }
 
 /// The step to which the folder "made" brings a simulation; -1, if it refuses
 /// with these words.
 static int resumed(const char *words)
 {
-    tf_simulated *s = chain();
+    tf_simulation *s = chain();
     tf_simulation_folder folder;
     bool good = tf_simulation_folder_resume(&folder, "made", s);
     int step = good ? s->step : -1;
     if (!good)
         expect_words(folder.fault, words);
     tf_simulation_folder_close(&folder);
-    s->kind->free(s);
+    tf_simulation_free(s);
     return step;
 }
 
@@ -68,7 +62,7 @@ END_TEST
 
 START_TEST(only_an_empty_folder_is_taken)
 {
-    tf_simulated *s = chain();
+    tf_simulation *s = chain();
     tf_simulation_folder folder;
     ck_assert_int_eq(mkdir("made", 0777), 0);
     make_steps(0);
@@ -84,7 +78,7 @@ START_TEST(only_an_empty_folder_is_taken)
     ck_assert_str_eq(folder.fault,
                      "missing/folder: cannot make this folder: No such file or "
                      "directory; choose another with -o");
-    s->kind->free(s);
+    tf_simulation_free(s);
 }
 END_TEST
 
@@ -122,7 +116,7 @@ END_TEST
 
 START_TEST(what_cannot_be_written)
 {
-    tf_simulated *s = chain();
+    tf_simulation *s = chain();
     tf_simulation_folder folder;
     ck_assert(tf_simulation_folder_begin(&folder, "made", s));
     ck_assert_int_eq(mkdir("made/frame-00001.ply", 0777), 0);
@@ -132,7 +126,7 @@ START_TEST(what_cannot_be_written)
                      "made/frame-00001.ply: cannot write: Is a directory; mend "
                      "that, and go on with --resume");
     tf_simulation_folder_close(&folder);
-    s->kind->free(s);
+    tf_simulation_free(s);
     expect(run("ls -A made"), 0,
            "frame-00000.ply\nframe-00001.ply\nsteps.csv\n", "");
 }

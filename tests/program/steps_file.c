@@ -1,31 +1,37 @@
 #include "program/steps_file.h"
 
+#include "simulate/cloth_simulation.h"
 #include "support/program.h"
 #include "support/support.h"
 
 #include <errno.h>
 
-#define HEADING "step,time,things,others\n"
+#define HEADING                                                                \
+    "step,time,first_contacts,contacts,impulse_rounds,zone_rounds,"            \
+    "rigid_rounds,failsafe_rounds,rows,held,grouped,resting,stretch,"          \
+    "kinetic_energy,elastic_energy,dynamics_seconds,response_seconds\n"
 
-/// A line tells twice how long a step is.
-static void write_line(FILE *table, const tf_simulated *of)
+/// Two contacts, and nothing else.
+#define LINE(step, time)                                                       \
+    step "," time ",0,2,0,0,0,0,0,0,0,0,0.000000,0,0,0.000000,0.000000\n"
+
+static const tf_scene scene = {.kind = &tf_cloth_kind, .step = 0.005};
+
+static bool add_line(FILE *table, int step)
 {
-    fprintf(table, ",%g,x", of->length);
+    tf_cloth_simulation cloth = {.base = {.scene = &scene}};
+    cloth.report.response.contacts = 2;
+    tf_simulation_go_to(&cloth.base, step);
+    return tf_steps_file_add(table, &cloth.base);
 }
-
-static const tf_simulated_kind kind = {.columns = "things,others",
-                                       .write_line = write_line};
-
-#define LINE(step, time) step "," time ",0.005,x\n"
 
 /// A table of three steps.
 static void make_table(void)
 {
-    tf_simulated s = {.kind = &kind, .length = 0.005};
-    FILE *table = tf_steps_file_begin("steps.csv", &kind);
+    FILE *table = tf_steps_file_begin("steps.csv", &tf_cloth_kind);
     ck_assert_ptr_nonnull(table);
-    for (s.step = 1; s.step <= 3; s.step++)
-        ck_assert(tf_steps_file_add(table, &s));
+    for (int step = 1; step <= 3; step++)
+        ck_assert(add_line(table, step));
     fclose(table);
 }
 
@@ -41,21 +47,20 @@ END_TEST
 START_TEST(going_on_removes_later_lines)
 {
     make_table();
-    tf_simulated s = {.kind = &kind, .length = 0.0025, .step = 3};
-    FILE *table = tf_steps_file_resume("steps.csv", &kind, 2);
+    FILE *table = tf_steps_file_resume("steps.csv", &tf_cloth_kind, 2);
     ck_assert_ptr_nonnull(table);
-    ck_assert(tf_steps_file_add(table, &s));
+    ck_assert(add_line(table, 7));
     fclose(table);
     ck_assert_str_eq(file_text("steps.csv"),
-                     HEADING LINE("1", "0.005")
-                         LINE("2", "0.01") "3,0.0075,0.0025,x\n");
+                     HEADING LINE("1", "0.005") LINE("2", "0.01")
+                         LINE("7", "0.035"));
 }
 END_TEST
 
 START_TEST(going_on_from_the_start_leaves_the_heading)
 {
     make_table();
-    FILE *table = tf_steps_file_resume("steps.csv", &kind, 0);
+    FILE *table = tf_steps_file_resume("steps.csv", &tf_cloth_kind, 0);
     ck_assert_ptr_nonnull(table);
     fclose(table);
     ck_assert_str_eq(file_text("steps.csv"), HEADING);
@@ -65,7 +70,8 @@ END_TEST
 static void expect_refused(const char *text, int steps)
 {
     make_file("bad", text);
-    ck_assert_msg(!tf_steps_file_resume("bad", &kind, steps), "%s", text);
+    ck_assert_msg(!tf_steps_file_resume("bad", &tf_cloth_kind, steps), "%s",
+                  text);
     ck_assert_int_eq(errno, 0);
     ck_assert_str_eq(file_text("bad"), text);
 }
@@ -74,7 +80,8 @@ START_TEST(a_line_that_is_missing_is_seen)
 {
     expect_refused("", 0);
     expect_refused("step,time\n", 0);
-    expect_refused("step,time,things,other\n", 0);
+    expect_refused("step,time,contacts,first_contacts\n", 0);
+    expect_refused("step,time,first_contacts,contacts,", 0);
     expect_refused(HEADING, 1);
     expect_refused(HEADING LINE("2", "0.01"), 1);
     expect_refused(HEADING LINE("1", "0.005") "2,0.01,7", 2);
@@ -84,11 +91,12 @@ END_TEST
 
 START_TEST(what_cannot_be_opened)
 {
-    ck_assert_ptr_null(tf_steps_file_resume("missing", &kind, 0));
+    ck_assert_ptr_null(tf_steps_file_resume("missing", &tf_cloth_kind, 0));
     ck_assert_int_eq(errno, ENOENT);
-    ck_assert_ptr_null(tf_steps_file_begin("missing/steps.csv", &kind));
+    ck_assert_ptr_null(
+        tf_steps_file_begin("missing/steps.csv", &tf_cloth_kind));
     ck_assert_int_eq(errno, ENOENT);
-    ck_assert_ptr_null(tf_steps_file_begin("/dev/full", &kind));
+    ck_assert_ptr_null(tf_steps_file_begin("/dev/full", &tf_cloth_kind));
     ck_assert_int_eq(errno, ENOSPC);
 }
 END_TEST

@@ -1,6 +1,6 @@
 // The commands detect and check, as a user runs them.
 
-#include "program/surface_command.h"
+#include "program/command.h"
 
 #include "base/status.h"
 #include "support/environments.h"
@@ -501,9 +501,9 @@ START_TEST(names_send_no_commands_to_the_terminal)
            "tanglefree: b\\x1b[2J: the number of vertices is 4, but 3 in "
            "a\\x1b[2J; all files must have the same elements\n");
     expect_words(run("$tf check -o \"$(printf '\\033c')\" clear").err,
-                 "format '\\x1bc';");
+                 "--output must be csv, json or summary, got '\\x1bc'");
     expect_words(run("$tf check -t \"$(printf '\\033c')\" clear").err,
-                 "'\\x1bc' is not a number");
+                 "got '\\x1bc'");
 }
 END_TEST
 
@@ -596,7 +596,7 @@ START_TEST(help)
 }
 END_TEST
 
-START_TEST(arguments_that_are_wrong)
+START_TEST(wrong_arguments_are_refused)
 {
     static const char two[] =
         "tanglefree detect: two files or more are required, START and END\n";
@@ -606,16 +606,16 @@ START_TEST(arguments_that_are_wrong)
     expect_usage(
         "check",
         "tanglefree check: a file is required, or - for standard input\n");
-    expect_usage(
-        "detect -a rounded above below",
-        "tanglefree detect: unknown arithmetic 'rounded'; choose exact, "
-        "clamped, report, perturbed, integer64 or integer128\n");
+    expect_usage("detect -a rounded above below",
+                 "tanglefree detect: --arithmetic must be exact, clamped, "
+                 "report, perturbed, integer64 or integer128, got 'rounded'\n");
     expect_usage("detect --narrow-phase=scalar above below",
-                 "tanglefree detect: unknown narrow phase 'scalar'; choose "
-                 "reference or vector\n");
-    expect_usage("detect -o xml above below",
-                 "tanglefree detect: unknown output format 'xml'; choose csv, "
-                 "json or summary\n");
+                 "tanglefree detect: --narrow-phase must be reference or "
+                 "vector, got 'scalar'\n");
+    expect_usage(
+        "detect -o xml above below",
+        "tanglefree detect: --output must be csv, json or summary, got "
+        "'xml'\n");
     expect_usage("check -a exact clear",
                  "tanglefree check: invalid option -- 'a'");
     expect_usage("check -n vector clear",
@@ -624,12 +624,12 @@ START_TEST(arguments_that_are_wrong)
     static const char *const threads[] = {
         "0", "-1", "257", "two", "1.5", "''", "9999999999999999999"};
     for (int i = 0; i < 7; i++) {
-        char arguments[100], words[100];
+        char arguments[100], words[200];
         bool empty = *threads[i] == '\'';
         snprintf(arguments, sizeof arguments, "check -t %s clear", threads[i]);
         snprintf(words, sizeof words,
-                 "tanglefree check: '%s' is not a number of threads; choose 1 "
-                 "to 256\n",
+                 "tanglefree check: --threads must be a whole number from 1 to "
+                 "256, got '%s'\n",
                  empty ? "" : threads[i]);
         expect_usage(arguments, words);
     }
@@ -637,6 +637,16 @@ START_TEST(arguments_that_are_wrong)
 END_TEST
 
 // A broken floating-point environment -----------------------------------------
+
+static int run_detect(int argc, char *argv[])
+{
+    return tf_command_run(&tf_detect_command, argc, argv);
+}
+
+static int run_check(int argc, char *argv[])
+{
+    return tf_command_run(&tf_check_command, argc, argv);
+}
 
 START_TEST(a_broken_environment_is_reported)
 {
@@ -646,7 +656,7 @@ START_TEST(a_broken_environment_is_reported)
     char message[1000];
     snprintf(message, sizeof message, "tanglefree: %s: %s\n",
              checks ? "above" : "below", tf_status_message(TF_BAD_ENVIRONMENT));
-    expect(run_broken(_i / 2, checks ? tf_check_command : tf_detect_command,
+    expect(run_broken(_i / 2, checks ? run_check : run_detect,
                       checks ? check : detect),
            2, checks ? CHECK_HEADER : HEADER, message);
 }
@@ -702,7 +712,7 @@ Suite *suite(void)
 
     TCase *usage = add_case(suite, "usage");
     tcase_add_test(usage, help);
-    tcase_add_test(usage, arguments_that_are_wrong);
+    tcase_add_test(usage, wrong_arguments_are_refused);
 
     TCase *environment = add_case(suite, "a broken environment");
     tcase_add_loop_test(environment, a_broken_environment_is_reported, 0,

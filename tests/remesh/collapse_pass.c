@@ -1,13 +1,13 @@
 // Short edges collapse.
 #include "remesh/remesher.h"
 
-#include "support/adaptive_of.h"
-#include "support/remeshing.h"
+#include "support/adaptive_surfaces.h"
+#include "support/remeshers.h"
 #include "support/support.h"
 
 START_TEST(short_edges_collapse_and_corners_stay)
 {
-    tf_remesher *remesher = remeshing_begin(adaptive_sheet(6, 6), 3);
+    tf_remesher *remesher = remesher_begin(adaptive_sheet(6, 6), 3);
     ck_assert_int_eq(tf_collapse_pass(remesher), TF_OK);
     ck_assert_int_gt(done(remesher, TF_COLLAPSE), 10);
     ck_assert_double_le(longest_edge(remesher->surface), 4);
@@ -27,17 +27,17 @@ START_TEST(short_edges_collapse_and_corners_stay)
     ck_assert_double_eq_tol(tf_original_farthest(&now, &remesher->original), 0,
                             1e-15);
     tf_original_free(&now);
-    remeshing_end(remesher);
+    remesher_end(remesher);
 }
 END_TEST
 
 START_TEST(edges_that_are_long_enough_stay)
 {
-    tf_remesher *remesher = remeshing_begin(adaptive_sheet(4, 4), 1.2);
+    tf_remesher *remesher = remesher_begin(adaptive_sheet(4, 4), 1.2);
     ck_assert_int_eq(tf_collapse_pass(remesher), TF_OK);
     ck_assert_int_eq(done(remesher, TF_COLLAPSE), 0);
     ck_assert_int_eq(triangles_of(remesher->surface), 32);
-    remeshing_end(remesher);
+    remesher_end(remesher);
 }
 END_TEST
 

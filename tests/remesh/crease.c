@@ -1,8 +1,8 @@
 // Creases, on a box of 2 x 2 x 1 squares and on a sheet.
 #include "remesh/crease.h"
 
-#include "support/adaptive_of.h"
 #include "support/adaptive_scenes.h"
+#include "support/adaptive_surfaces.h"
 #include "support/support.h"
 #include "surgery/star.h"
 

@@ -1,8 +1,8 @@
 // Edges flip to better triangles.
 #include "remesh/remesher.h"
 
-#include "support/adaptive_of.h"
-#include "support/remeshing.h"
+#include "support/adaptive_surfaces.h"
+#include "support/remeshers.h"
 #include "support/support.h"
 
 static tf_remesher *kite(double height)
@@ -14,7 +14,7 @@ static tf_remesher *kite(double height)
     for (int i = 0; i < 12; i++)
         place[i / 3][i % 3] =
             flat[i / 3][i % 3] + (i % 3 == 2 && i % 2 ? height : 0);
-    return remeshing_begin(adaptive_of(4, place, 2, triangle), 1);
+    return remesher_begin(adaptive_of(4, place, 2, triangle), 1);
 }
 
 START_TEST(the_short_diagonal_is_better)
@@ -25,7 +25,7 @@ START_TEST(the_short_diagonal_is_better)
     ck_assert(has_triangle(remesher->surface, 0, 1, 3));
     ck_assert_int_eq(tf_flip_pass(remesher), TF_OK); // and stays
     ck_assert_int_eq(done(remesher, TF_FLIP), 1);
-    remeshing_end(remesher);
+    remesher_end(remesher);
 }
 END_TEST
 
@@ -36,7 +36,7 @@ START_TEST(a_bent_kite_stays)
         ck_assert_int_eq(tf_flip_pass(remesher), TF_OK);
         ck_assert_int_eq(done(remesher, TF_FLIP) + refused(remesher, TF_FLIP),
                          0);
-        remeshing_end(remesher);
+        remesher_end(remesher);
     }
 }
 END_TEST
@@ -44,10 +44,10 @@ END_TEST
 // All diagonals of squares are alike.
 START_TEST(nothing_flips_for_nothing)
 {
-    tf_remesher *remesher = remeshing_begin(adaptive_sheet(3, 3), 1);
+    tf_remesher *remesher = remesher_begin(adaptive_sheet(3, 3), 1);
     ck_assert_int_eq(tf_flip_pass(remesher), TF_OK);
     ck_assert_int_eq(done(remesher, TF_FLIP), 0);
-    remeshing_end(remesher);
+    remesher_end(remesher);
 }
 END_TEST
 

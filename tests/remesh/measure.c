@@ -1,7 +1,7 @@
 // What is measured of triangles.
 #include "remesh/measure.h"
 
-#include "support/adaptive_of.h"
+#include "support/adaptive_surfaces.h"
 #include "support/support.h"
 
 START_TEST(edges_have_lengths_and_middles)

@@ -3,9 +3,9 @@
 
 #include "linear/distance.h"
 #include "remesh/measure.h"
-#include "support/adaptive_of.h"
-#include "support/operating.h"
+#include "support/adaptive_surfaces.h"
 #include "support/support.h"
+#include "support/surgery_runs.h"
 
 static double least_distance(const tf_adaptive_surface *surface,
                              const double x[3])
@@ -23,11 +23,11 @@ static double least_distance(const tf_adaptive_surface *surface,
 
 START_TEST(the_nearest_point_is_found)
 {
-    static operating run;
-    static operating_counts counts;
+    static surgery_run run;
+    static surgery_counts counts;
     tf_original original = {0};
-    operating_begin(&run, generator_new((uint64_t)_i), (adaptive_scene_kind)_i,
-                    &counts);
+    surgery_run_begin(&run, generator_new((uint64_t)_i),
+                      (adaptive_scene_kind)_i, &counts);
     ck_assert(tf_original_copy(&original, run.surface));
     for (long i = 0; i < cases(300); i++) {
         double x[3], point[3];
@@ -40,7 +40,7 @@ START_TEST(the_nearest_point_is_found)
         ck_assert_double_eq_tol(tf_vector_length(way), distance, 1e-12);
     }
     tf_original_free(&original);
-    operating_end(&run);
+    surgery_run_end(&run);
 }
 END_TEST
 

@@ -2,16 +2,16 @@
 #include "remesh/remesh.h"
 
 #include "remesh/measure.h"
-#include "support/adaptive_of.h"
-#include "support/operating.h"
-#include "support/remeshing.h"
+#include "support/adaptive_surfaces.h"
+#include "support/remeshers.h"
 #include "support/support.h"
+#include "support/surgery_runs.h"
 
 #include <signal.h>
 #include <string.h>
 
-static operating run;
-static operating_counts counts;
+static surgery_run run;
+static surgery_counts counts;
 
 /// Gives new vertices the part of a neighbor that has one.
 static void label_parts(int before)
@@ -37,7 +37,7 @@ static const char *first_fault(void)
     const char *fault = NULL;
     for (int part = 0; part < run.scene.parts && !fault; part++) {
         run.changed = part;
-        fault = operating_fault(&run);
+        fault = surgery_run_fault(&run);
     }
     return fault;
 }
@@ -46,9 +46,9 @@ static const char *first_fault(void)
 // lose track of the parts.
 START_TEST(close_surfaces_are_divided)
 {
-    operating_begin(&run, generator_new((uint64_t)_i), (adaptive_scene_kind)_i,
-                    &counts);
-    tf_remesher *remesher = remeshing_begin(run.surface, run.scene.unit / 3);
+    surgery_run_begin(&run, generator_new((uint64_t)_i),
+                      (adaptive_scene_kind)_i, &counts);
+    tf_remesher *remesher = remesher_begin(run.surface, run.scene.unit / 3);
     for (int i = 0; i < 3; i++)
         ck_assert_int_eq(tf_split_pass(remesher), TF_OK);
     ck_assert_int_eq(tf_flip_pass(remesher), TF_OK);
@@ -56,7 +56,7 @@ START_TEST(close_surfaces_are_divided)
     label_parts(run.scene.vertices);
     const char *fault = first_fault();
     ck_assert_msg(!fault, "%s", fault);
-    remeshing_end(remesher);
+    remesher_end(remesher);
 }
 END_TEST
 
@@ -72,16 +72,16 @@ START_TEST(no_scene_is_tangled_by_remeshing)
 {
     static const double fractions[] = {2, 1, 0.5};
     for (int i = 0; i < 3; i++) {
-        operating_begin(&run, generator_new((uint64_t)_i),
-                        (adaptive_scene_kind)_i, &counts);
+        surgery_run_begin(&run, generator_new((uint64_t)_i),
+                          (adaptive_scene_kind)_i, &counts);
         tf_remesh_options how = {.edge = run.scene.unit * fractions[i]};
         tf_remesh_report report;
         ck_assert_int_eq(tf_adaptive_remesh(run.surface, &how, &report), TF_OK);
         ck_assert_int_eq(report.rounds, 5);
         begin_unlabelled();
-        const char *fault = operating_fault(&run);
+        const char *fault = surgery_run_fault(&run);
         ck_assert_msg(!fault, "%s", fault);
-        operating_end(&run);
+        surgery_run_end(&run);
     }
 }
 END_TEST

@@ -2,20 +2,20 @@
 #include "remesh/remesher.h"
 
 #include "remesh/measure.h"
-#include "support/adaptive_of.h"
-#include "support/remeshing.h"
+#include "support/adaptive_surfaces.h"
+#include "support/remeshers.h"
 #include "support/support.h"
 
 static tf_remesher *made;
 
 static void begin(void)
 {
-    made = remeshing_begin(adaptive_sheet(2, 2), 0.5);
+    made = remesher_begin(adaptive_sheet(2, 2), 0.5);
 }
 
 static void end(void)
 {
-    remeshing_end(made);
+    remesher_end(made);
 }
 
 START_TEST(each_edge_is_listed_once_the_shortest_first)

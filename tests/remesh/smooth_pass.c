@@ -1,17 +1,17 @@
 // Vertices move to the middles of their stars.
 #include "remesh/remesher.h"
 
-#include "support/adaptive_of.h"
-#include "support/remeshing.h"
+#include "support/adaptive_surfaces.h"
+#include "support/remeshers.h"
 #include "support/support.h"
-#include "surgery/move.h"
+#include "surgery/star.h"
 
 #include <math.h>
 
 START_TEST(a_vertex_goes_back_to_the_middle)
 {
     static const double off[] = {1.3, 0.8, 0};
-    tf_remesher *remesher = remeshing_begin(adaptive_sheet(2, 2), 1);
+    tf_remesher *remesher = remesher_begin(adaptive_sheet(2, 2), 1);
     tf_vertex_put(remesher->surface, 4, off);
     for (int i = 0; i < 20; i++)
         ck_assert_int_eq(tf_smooth_pass(remesher), TF_OK);
@@ -24,7 +24,7 @@ START_TEST(a_vertex_goes_back_to_the_middle)
     for (int v = 0; v < 9; v++)
         if (v != 4)
             ck_assert_double_eq(place_of(remesher->surface, v)[0], v % 3);
-    remeshing_end(remesher);
+    remesher_end(remesher);
 }
 END_TEST
 

@@ -1,24 +1,24 @@
 // Long edges are split.
 #include "remesh/remesher.h"
 
-#include "support/adaptive_of.h"
-#include "support/remeshing.h"
+#include "support/adaptive_surfaces.h"
+#include "support/remeshers.h"
 #include "support/support.h"
 
 START_TEST(long_edges_are_split_the_longest_first)
 {
-    tf_remesher *remesher = remeshing_begin(adaptive_sheet(1, 1), 0.76);
+    tf_remesher *remesher = remesher_begin(adaptive_sheet(1, 1), 0.76);
     ck_assert_int_eq(tf_split_pass(remesher), TF_OK);
     ck_assert_int_eq(done(remesher, TF_SPLIT), 1); // the diagonal
     ck_assert_double_eq(place_of(remesher->surface, 4)[0], 0.5);
     ck_assert_double_eq(longest_edge(remesher->surface), 1);
-    remeshing_end(remesher);
+    remesher_end(remesher);
 
-    remesher = remeshing_begin(adaptive_sheet(1, 1), 0.74);
+    remesher = remesher_begin(adaptive_sheet(1, 1), 0.74);
     ck_assert_int_eq(tf_split_pass(remesher), TF_OK);
     ck_assert_int_eq(done(remesher, TF_SPLIT), 5);
     ck_assert_int_eq(triangles_of(remesher->surface), 8);
-    remeshing_end(remesher);
+    remesher_end(remesher);
 }
 END_TEST
 
@@ -30,7 +30,7 @@ START_TEST(middles_stay_on_the_original)
         {0, 0, 0}, {2, 0, 0.25}, {2, 2, 0}, {0, 2, 0.25}};
     static const int triangle[] = {0, 1, 2, 0, 2, 3};
     tf_remesher *remesher =
-        remeshing_begin(adaptive_of(4, place, 2, triangle), 1);
+        remesher_begin(adaptive_of(4, place, 2, triangle), 1);
     ck_assert_int_eq(tf_split_pass(remesher), TF_OK);
     ck_assert_double_eq(place_of(remesher->surface, 4)[2], 0);
     tf_original now = {0};
@@ -39,7 +39,7 @@ START_TEST(middles_stay_on_the_original)
     ck_assert_double_eq_tol(tf_original_farthest(&remesher->original, &now), 0,
                             1e-15);
     tf_original_free(&now);
-    remeshing_end(remesher);
+    remesher_end(remesher);
 }
 END_TEST
 

@@ -13,27 +13,27 @@ enum {
     AXES = 3
 };
 
-static some_zone of;
+static zone_case z;
 static tf_equations equations;
 static double *vector[2];
 
 static void set_up(void)
 {
     generator random = generator_new(1);
-    of = zone_random(&random, AXES, VERTICES, CONSTRAINTS, CONSTRAINTS);
+    z = zone_random(&random, AXES, VERTICES, CONSTRAINTS, CONSTRAINTS);
     size_t workspace = tf_equations_workspace(AXES, VERTICES, CONSTRAINTS, 2);
-    of.zone.workspace = malloc(workspace * sizeof(double));
-    ck_assert_ptr_nonnull(of.zone.workspace);
+    z.zone.workspace = malloc(workspace * sizeof(double));
+    ck_assert_ptr_nonnull(z.zone.workspace);
     for (int i = 0; i < AXES * VERTICES; i++)
-        of.displacement[i] = of.proposal[i];
-    equations = tf_equations_of(&of.zone, 2, vector);
+        z.displacement[i] = z.proposal[i];
+    equations = tf_equations_of(&z.zone, 2, vector);
     tf_equations_start(&equations, vector[0], vector[1]);
 }
 
 static void tear_down(void)
 {
-    free(of.zone.workspace);
-    zone_free(&of);
+    free(z.zone.workspace);
+    zone_free(&z);
 }
 
 /// How far the unit impulse of constraint j parts constraint i.
@@ -46,7 +46,7 @@ static double entry(const tf_constraint *i, const tf_constraint *j)
                 for (int k = 0; k < AXES; k++)
                     sum += i->coefficient[a] * i->normal[k] *
                            j->coefficient[b] * j->normal[k] *
-                           of.inverse_mass[i->vertex[a]];
+                           z.inverse_mass[i->vertex[a]];
     return sum;
 }
 
@@ -58,8 +58,8 @@ START_TEST(products_are_those_of_the_scaled_matrix)
         tf_equations_multiply(&equations, x, product);
         x[j] = 0;
         for (int i = 0; i < CONSTRAINTS; i++) {
-            const tf_constraint *one = &of.constraint[i],
-                                *other = &of.constraint[j];
+            const tf_constraint *one = &z.constraint[i],
+                                *other = &z.constraint[j];
             double scaled =
                 entry(one, other) / sqrt(entry(one, one) * entry(other, other));
             ck_assert_double_eq_tol(product[i], scaled, 1e-12);
@@ -74,16 +74,16 @@ START_TEST(a_residual_counts_the_impulses_that_there_are)
     double none[CONSTRAINTS];
     for (int i = 0; i < CONSTRAINTS; i++) {
         none[i] = vector[1][i];
-        of.constraint[i].impulse = i - 3;
+        z.constraint[i].impulse = i - 3;
     }
     double enough = tf_equations_start(&equations, vector[0], vector[1]);
     double square = tf_equations_dot(&equations, none, none);
     ck_assert_double_eq_tol(enough, 1e-8 * sqrt(square), 1e-15);
     for (int i = 0; i < CONSTRAINTS; i++) {
-        const tf_constraint *constraint = &of.constraint[i];
+        const tf_constraint *constraint = &z.constraint[i];
         double expected = none[i];
         for (int j = 0; j < CONSTRAINTS; j++)
-            expected -= entry(constraint, &of.constraint[j]) * (j - 3) /
+            expected -= entry(constraint, &z.constraint[j]) * (j - 3) /
                         sqrt(entry(constraint, constraint));
         ck_assert_double_eq_tol(vector[1][i], expected, 1e-12);
     }
@@ -95,13 +95,13 @@ START_TEST(impulses_are_left_in_the_constraints_and_applied)
     double change[CONSTRAINTS];
     for (int i = 0; i < CONSTRAINTS; i++) {
         vector[0][i] = 0.1 * i;
-        of.constraint[i].friction[1] = 1;
+        z.constraint[i].friction[1] = 1;
     }
-    tf_zone_separations(&of.zone, of.proposal, change);
+    tf_zone_separations(&z.zone, z.proposal, change);
     tf_equations_finish(&equations, vector[0]);
-    tf_zone_separations(&of.zone, of.displacement, vector[1]);
+    tf_zone_separations(&z.zone, z.displacement, vector[1]);
     for (int i = 0; i < CONSTRAINTS; i++) {
-        const tf_constraint *constraint = &of.constraint[i];
+        const tf_constraint *constraint = &z.constraint[i];
         ck_assert_double_eq_tol(constraint->impulse *
                                     sqrt(entry(constraint, constraint)),
                                 0.1 * i, 1e-12);
@@ -109,7 +109,7 @@ START_TEST(impulses_are_left_in_the_constraints_and_applied)
         double expected = change[i];
         for (int j = 0; j < CONSTRAINTS; j++)
             expected +=
-                entry(constraint, &of.constraint[j]) * of.constraint[j].impulse;
+                entry(constraint, &z.constraint[j]) * z.constraint[j].impulse;
         ck_assert_double_eq_tol(vector[1][i], expected, 1e-12);
     }
 }
@@ -118,7 +118,7 @@ END_TEST
 START_TEST(a_constraint_that_moves_nothing_asks_for_nothing)
 {
     for (int i = 0; i < 4; i++)
-        of.constraint[5].coefficient[i] = 0;
+        z.constraint[5].coefficient[i] = 0;
     tf_equations_start(&equations, vector[0], vector[1]);
     ck_assert_double_eq(vector[1][5], 0);
     tf_equations_multiply(&equations, vector[1], vector[0]);

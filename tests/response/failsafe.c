@@ -1,7 +1,7 @@
 // The failsafe: who is united, how groups move, and when they rest.
 #include "response/failsafe.h"
 
-#include "support/stepped.h"
+#include "support/proposal_steps.h"
 #include "support/support.h"
 
 #include <float.h>
@@ -9,20 +9,20 @@
 #include <string.h>
 
 static proposal made;
-static stepped of;
+static proposal_step s;
 static tf_failsafe failsafe;
 
 static void begin(void)
 {
     memset(&failsafe, 0, sizeof failsafe);
-    stepped_begin(&of, &made);
-    ck_assert(tf_failsafe_begin(&failsafe, &of.step));
+    proposal_step_begin(&s, &made);
+    ck_assert(tf_failsafe_begin(&failsafe, &s.step));
 }
 
 static void end(void)
 {
     tf_failsafe_free(&failsafe);
-    stepped_free(&of);
+    proposal_step_free(&s);
 }
 
 /// Answers a contact of a vertex and an edge in the plane.
@@ -31,13 +31,13 @@ static void meet(int point, int a, int b)
     tf_surface_contact contact = {.kind = TF_POINT_EDGE,
                                   .vertex = {point, a, b, -1}};
     tf_contacts contacts = {.any = true, .count = 1, .contact = &contact};
-    tf_failsafe_round(&failsafe, &of.step, &contacts);
+    tf_failsafe_round(&failsafe, &s.step, &contacts);
 }
 
 static tf_response_report account(void)
 {
     tf_response_report report = {0};
-    tf_failsafe_account(&failsafe, &of.step, &report);
+    tf_failsafe_account(&failsafe, &s.step, &report);
     return report;
 }
 
@@ -55,7 +55,7 @@ static void make_specks(int specks)
 
 static double fall(int vertex)
 {
-    return made.start[2 * vertex + 1] - of.end[2 * vertex + 1];
+    return made.start[2 * vertex + 1] - s.end[2 * vertex + 1];
 }
 
 START_TEST(groups_move_as_their_masses_do)
@@ -68,7 +68,8 @@ START_TEST(groups_move_as_their_masses_do)
     for (int v = 0; v < 3; v++)
         ck_assert_double_eq(fall(v), 1.25);
     ck_assert_double_eq(fall(3), 3);
-    ck_assert(stepped_has_moved(&of, 2) && !stepped_has_moved(&of, 3));
+    ck_assert(proposal_step_has_moved(&s, 2) &&
+              !proposal_step_has_moved(&s, 3));
     tf_response_report report = account();
     ck_assert_int_eq(report.groups, 1);
     ck_assert_int_eq(report.grouped, 3);
@@ -102,7 +103,7 @@ START_TEST(a_group_moves_as_if_united_at_once)
         for (int v = 0; v < 8; v++)
             ck_assert_double_eq_tol(-fall(v), momentum / mass, 1e-14);
         double one_by_one[16];
-        memcpy(one_by_one, of.end, sizeof one_by_one);
+        memcpy(one_by_one, s.end, sizeof one_by_one);
         end();
 
         begin();
@@ -111,8 +112,8 @@ START_TEST(a_group_moves_as_if_united_at_once)
             contact[7 - v] = (tf_surface_contact){
                 .kind = TF_POINT_EDGE, .vertex = {v, v - 1, v - 2, -1}};
         tf_contacts contacts = {.any = true, .count = 6, .contact = contact};
-        tf_failsafe_round(&failsafe, &of.step, &contacts);
-        ck_assert_mem_eq(of.end, one_by_one, sizeof one_by_one);
+        tf_failsafe_round(&failsafe, &s.step, &contacts);
+        ck_assert_mem_eq(s.end, one_by_one, sizeof one_by_one);
         end();
     }
 }
@@ -149,7 +150,7 @@ START_TEST(only_what_moved_as_one_is_put_to_rest)
         {.kind = TF_POINT_EDGE, .vertex = {2, 0, 1, -1}},
         {.kind = TF_POINT_EDGE, .vertex = {0, 1, 2, -1}}};
     tf_contacts contacts = {.any = true, .count = 2, .contact = contact};
-    tf_failsafe_round(&failsafe, &of.step, &contacts);
+    tf_failsafe_round(&failsafe, &s.step, &contacts);
     ck_assert_int_eq(account().resting, 0);
     ck_assert_double_eq(fall(0), 1);
     end();
@@ -193,7 +194,7 @@ START_TEST(scripted_vertices_that_disagree_go_where_they_should)
         made.end[2 * 2 + 1] = nextafter(made.start[2 * 2 + 1] - 1, 9);
     begin();
     meet(2, 0, 1);
-    ck_assert_mem_eq(of.end + 2, made.end + 2, 4 * sizeof(double));
+    ck_assert_mem_eq(s.end + 2, made.end + 2, 4 * sizeof(double));
     ck_assert_double_eq(fall(0), 1);
     ck_assert_int_eq(account().resting, 0);
 
@@ -215,9 +216,9 @@ START_TEST(a_scripted_vertex_whose_displacement_is_no_double_leads)
     made.end[3] = 0.7;
     begin();
     meet(2, 0, 1);
-    ck_assert_double_eq(of.end[1], made.start[1] + (0.7 - 0.1));
-    ck_assert_double_eq(of.end[3], 0.7);
-    ck_assert_double_eq(of.end[5], made.start[5] + (0.7 - 0.1));
+    ck_assert_double_eq(s.end[1], made.start[1] + (0.7 - 0.1));
+    ck_assert_double_eq(s.end[3], 0.7);
+    ck_assert_double_eq(s.end[5], made.start[5] + (0.7 - 0.1));
     ck_assert_int_eq(account().resting, 0);
     end();
 }
@@ -233,7 +234,7 @@ START_TEST(zeros_keep_their_signs)
     begin();
     meet(2, 0, 1);
     for (int v = 0; v < 3; v++)
-        ck_assert_msg(signbit(of.end[2 * v]) != 0, "vertex %d", v);
+        ck_assert_msg(signbit(s.end[2 * v]) != 0, "vertex %d", v);
     end();
 }
 END_TEST
@@ -248,7 +249,7 @@ START_TEST(scripted_vertices_end_at_their_bits)
     made.end[3] = -0.;
     begin();
     meet(2, 0, 1);
-    ck_assert_mem_eq(of.end + 2, made.end + 2, 2 * sizeof(double));
+    ck_assert_mem_eq(s.end + 2, made.end + 2, 2 * sizeof(double));
     end();
 }
 END_TEST
@@ -267,7 +268,7 @@ START_TEST(no_group_moves_to_infinity)
     begin();
     meet(2, 0, 1);
     for (int i = 0; i < 6; i++)
-        ck_assert(isfinite(of.end[i]));
+        ck_assert(isfinite(s.end[i]));
     ck_assert_int_eq(account().resting, 3);
     end();
 }
@@ -283,11 +284,11 @@ START_TEST(fewer_rounds_than_vertices)
         proposal_make(&random, (proposal_shape)below(&random, PROPOSAL_SHAPES),
                       1, SCATTERED, &made);
         begin();
-        tf_contacts contacts = stepped_contacts(&of);
+        tf_contacts contacts = proposal_step_contacts(&s);
         int rounds = 0;
         for (; contacts.any && rounds < made.mesh.vertices; rounds++) {
-            tf_failsafe_round(&failsafe, &of.step, &contacts);
-            contacts = stepped_contacts(&of);
+            tf_failsafe_round(&failsafe, &s.step, &contacts);
+            contacts = proposal_step_contacts(&s);
         }
         ck_assert_int_lt(rounds, made.mesh.vertices);
         ck_assert(!contacts.any);

@@ -14,32 +14,32 @@ enum {
     MANY = 2000
 };
 
-static some_zone random_zone(generator *random, int axes)
+static zone_case random_zone(generator *random, int axes)
 {
     int constraints = 1 + below(random, MOST_CONSTRAINTS / 2);
-    some_zone of =
+    zone_case z =
         zone_random(random, axes, VERTICES, constraints, MOST_CONSTRAINTS);
     for (int i = below(random, constraints + 1); i > 0; i--)
-        zone_duplicate(&of, below(random, constraints), 1);
-    return of;
+        zone_duplicate(&z, below(random, constraints), 1);
+    return z;
 }
 
 /// Solves it until next to nothing changes.
-static void converge(some_zone *of)
+static void converge(zone_case *z)
 {
-    zone_solve(of, &tf_gauss_seidel, MANY);
+    zone_solve(z, &tf_gauss_seidel, MANY);
     for (int i = 0; i < 20; i++)
-        zone_solve_again(of, &tf_gauss_seidel, MANY);
+        zone_solve_again(z, &tf_gauss_seidel, MANY);
 }
 
-static double energy(const some_zone *of)
+static double energy(const zone_case *z)
 {
     double sum = 0;
     for (int i = 0; i < VERTICES; i++)
-        for (int k = 0; k < of->zone.axes; k++) {
-            double d = of->displacement[of->zone.axes * i + k];
-            if (of->inverse_mass[i] > 0)
-                sum += d * d / of->inverse_mass[i] / 2;
+        for (int k = 0; k < z->zone.axes; k++) {
+            double d = z->displacement[z->zone.axes * i + k];
+            if (z->inverse_mass[i] > 0)
+                sum += d * d / z->inverse_mass[i] / 2;
         }
     return sum;
 }
@@ -51,19 +51,19 @@ START_TEST(constraints_are_satisfied_and_do_not_pull)
 {
     generator random = generator_new(100 + (uint64_t)_i);
     for (int times = 0; times < (int)cases(200); times++) {
-        some_zone of =
+        zone_case z =
             zone_random(&random, 2 + _i, VERTICES, 6, MOST_CONSTRAINTS);
-        converge(&of);
+        converge(&z);
         double separation[MOST_CONSTRAINTS];
-        tf_zone_separations(&of.zone, of.displacement, separation);
-        for (int i = 0; i < of.zone.constraints; i++) {
-            const tf_constraint *constraint = &of.constraint[i];
+        tf_zone_separations(&z.zone, z.displacement, separation);
+        for (int i = 0; i < z.zone.constraints; i++) {
+            const tf_constraint *constraint = &z.constraint[i];
             ck_assert_double_ge(constraint->impulse, 0);
             ck_assert_double_ge(separation[i], constraint->bound - 1e-4);
             if (constraint->impulse > 1e-2)
                 ck_assert_double_le(separation[i], constraint->bound + 1e-3);
         }
-        zone_free(&of);
+        zone_free(&z);
     }
 }
 END_TEST
@@ -72,15 +72,15 @@ START_TEST(constraints_listed_twice_change_nothing)
 {
     generator random = generator_new(200);
     for (int times = 0; times < (int)cases(100); times++) {
-        some_zone of = zone_random(&random, 3, VERTICES, 8, MOST_CONSTRAINTS);
+        zone_case z = zone_random(&random, 3, VERTICES, 8, MOST_CONSTRAINTS);
         double once[3 * VERTICES];
-        converge(&of);
-        memcpy(once, of.displacement, sizeof once);
+        converge(&z);
+        memcpy(once, z.displacement, sizeof once);
         for (int i = 0; i < 8; i++)
-            zone_duplicate(&of, i, 1);
-        converge(&of);
-        ck_assert_double_lt(zone_distance(&of, once, of.displacement), 1e-3);
-        zone_free(&of);
+            zone_duplicate(&z, i, 1);
+        converge(&z);
+        ck_assert_double_lt(zone_distance(&z, once, z.displacement), 1e-3);
+        zone_free(&z);
     }
 }
 END_TEST
@@ -93,21 +93,21 @@ START_TEST(no_sweep_raises_the_energy)
 {
     generator random = generator_new(300 + (uint64_t)_i);
     for (int times = 0; times < (int)cases(200); times++) {
-        some_zone of = random_zone(&random, 2 + _i);
-        for (int i = 0; i < of.zone.constraints; i++)
-            of.constraint[i].bound = 0;
+        zone_case z = random_zone(&random, 2 + _i);
+        for (int i = 0; i < z.zone.constraints; i++)
+            z.constraint[i].bound = 0;
         for (int i = 0; i < VERTICES; i++)
-            for (int k = 0; k < of.zone.axes && of.inverse_mass[i] == 0; k++)
-                of.proposal[of.zone.axes * i + k] = 0;
-        zone_solve(&of, &tf_gauss_seidel, 1);
-        memcpy(of.displacement, of.proposal,
-               sizeof(double) * (size_t)of.zone.axes * VERTICES);
-        double proposed = energy(&of);
+            for (int k = 0; k < z.zone.axes && z.inverse_mass[i] == 0; k++)
+                z.proposal[z.zone.axes * i + k] = 0;
+        zone_solve(&z, &tf_gauss_seidel, 1);
+        memcpy(z.displacement, z.proposal,
+               sizeof(double) * (size_t)z.zone.axes * VERTICES);
+        double proposed = energy(&z);
         for (int sweep = 0; sweep < 20; sweep++) {
-            zone_solve_again(&of, &tf_gauss_seidel, 1);
-            ck_assert_double_le(energy(&of), proposed * (1 + 1e-12));
+            zone_solve_again(&z, &tf_gauss_seidel, 1);
+            ck_assert_double_le(energy(&z), proposed * (1 + 1e-12));
         }
-        zone_free(&of);
+        zone_free(&z);
     }
 }
 END_TEST
@@ -118,9 +118,9 @@ START_TEST(no_more_sweeps_than_allowed)
 {
     generator random = generator_new(400);
     for (int sweeps = 1; sweeps < 30; sweeps++) {
-        some_zone of = random_zone(&random, 3);
-        ck_assert_int_le(zone_solve(&of, &tf_gauss_seidel, sweeps), sweeps);
-        zone_free(&of);
+        zone_case z = random_zone(&random, 3);
+        ck_assert_int_le(zone_solve(&z, &tf_gauss_seidel, sweeps), sweeps);
+        zone_free(&z);
     }
 }
 END_TEST

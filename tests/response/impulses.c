@@ -1,14 +1,14 @@
 // Rounds of impulses.
 #include "response/impulses.h"
 
-#include "support/stepped.h"
+#include "support/proposal_steps.h"
 #include "support/support.h"
 
 #include <math.h>
 #include <string.h>
 
 static proposal made;
-static stepped of;
+static proposal_step s;
 static int particle; ///< far away
 
 /// Two sheets; the upper one falls through the lower one, a little askew.
@@ -25,7 +25,7 @@ static void begin(void)
     }
     particle = proposal_add_vertex(&made, 3.3, 9, 9);
     made.end[3 * particle] = 0.1; // in doubles not what its displacement gives
-    stepped_begin(&of, &made);
+    proposal_step_begin(&s, &made);
 }
 
 static void momentum(const double *end, double sum[3])
@@ -42,14 +42,14 @@ START_TEST(momentum_is_kept)
     begin();
     made.inverse_mass[3] = 2;
     momentum(made.end, before);
-    tf_contacts contacts = stepped_contacts(&of);
+    tf_contacts contacts = proposal_step_contacts(&s);
     ck_assert_uint_gt(contacts.count, 0);
-    tf_impulses_round(&of.step, &contacts, &of.rule, 0.5, displacement);
-    ck_assert_int_gt(stepped_changes(&of), 0);
-    momentum(of.end, after);
+    tf_impulses_round(&s.step, &contacts, &s.rule, 0.5, displacement);
+    ck_assert_int_gt(proposal_step_changes(&s), 0);
+    momentum(s.end, after);
     for (int k = 0; k < 3; k++)
         ck_assert_double_eq_tol(after[k], before[k], 1e-12);
-    stepped_free(&of);
+    proposal_step_free(&s);
 }
 END_TEST
 
@@ -57,13 +57,13 @@ START_TEST(rounds_clear_the_step)
 {
     static double displacement[3 * PROPOSAL_VERTICES];
     begin();
-    tf_contacts contacts = stepped_contacts(&of);
+    tf_contacts contacts = proposal_step_contacts(&s);
     for (int round = 0; contacts.any && round < 60; round++) {
-        tf_impulses_round(&of.step, &contacts, &of.rule, 0, displacement);
-        contacts = stepped_contacts(&of);
+        tf_impulses_round(&s.step, &contacts, &s.rule, 0, displacement);
+        contacts = proposal_step_contacts(&s);
     }
     ck_assert(!contacts.any);
-    stepped_free(&of);
+    proposal_step_free(&s);
 }
 END_TEST
 
@@ -71,12 +71,12 @@ START_TEST(who_meets_nothing_ends_as_proposed)
 {
     static double displacement[3 * PROPOSAL_VERTICES];
     begin();
-    tf_contacts contacts = stepped_contacts(&of);
-    tf_impulses_round(&of.step, &contacts, &of.rule, 0, displacement);
-    ck_assert_mem_eq(of.end + 3 * (ptrdiff_t)particle,
+    tf_contacts contacts = proposal_step_contacts(&s);
+    tf_impulses_round(&s.step, &contacts, &s.rule, 0, displacement);
+    ck_assert_mem_eq(s.end + 3 * (ptrdiff_t)particle,
                      made.end + 3 * (ptrdiff_t)particle, 3 * sizeof(double));
-    ck_assert(!stepped_has_moved(&of, particle));
-    stepped_free(&of);
+    ck_assert(!proposal_step_has_moved(&s, particle));
+    proposal_step_free(&s);
 }
 END_TEST
 

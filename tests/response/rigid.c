@@ -1,14 +1,14 @@
 // Rigid zones: momenta, shapes, scripted vertices.
 #include "response/rigid.h"
 
-#include "support/stepped.h"
+#include "support/proposal_steps.h"
 #include "support/support.h"
 
 #include <math.h>
 #include <string.h>
 
 static proposal made;
-static stepped of;
+static proposal_step s;
 static tf_rigid rigid;
 
 enum {
@@ -28,8 +28,8 @@ static void unite_random(generator *random, int axes, double far)
     }
     proposal_add_edge(&made, 0, 1);
     memset(&rigid, 0, sizeof rigid);
-    stepped_begin(&of, &made);
-    ck_assert(tf_rigid_begin(&rigid, &of.step));
+    proposal_step_begin(&s, &made);
+    ck_assert(tf_rigid_begin(&rigid, &s.step));
 }
 
 static void answer(void)
@@ -38,13 +38,13 @@ static void answer(void)
         {.kind = TF_EDGE_EDGE, .vertex = {0, 1, 2, 3}},
         {.kind = TF_EDGE_EDGE, .vertex = {2, 3, 4, 5}}};
     tf_contacts contacts = {.any = true, .count = 2, .contact = contact};
-    tf_rigid_round(&rigid, &of.step, &contacts);
+    tf_rigid_round(&rigid, &s.step, &contacts);
 }
 
 static void end(void)
 {
     tf_rigid_free(&rigid);
-    stepped_free(&of);
+    proposal_step_free(&s);
 }
 
 static double distance(const double *x, int a, int b)
@@ -65,9 +65,9 @@ START_TEST(shapes_are_kept)
         answer();
         for (int a = 0; a < BODY; a++)
             for (int b = 0; b < a; b++)
-                ck_assert_double_eq_tol(distance(of.end, a, b),
+                ck_assert_double_eq_tol(distance(s.end, a, b),
                                         distance(made.start, a, b), 1e-12);
-        ck_assert_mem_eq(of.end + (ptrdiff_t)made.mesh.axes * BODY,
+        ck_assert_mem_eq(s.end + (ptrdiff_t)made.mesh.axes * BODY,
                          made.end + (ptrdiff_t)made.mesh.axes * BODY,
                          sizeof(double) * (size_t)made.mesh.axes);
         end();
@@ -81,10 +81,10 @@ static void add_momenta(const double *ends, double sum[6])
     memset(sum, 0, 6 * sizeof *sum);
     for (int v = 0; v < BODY; v++) {
         double x[3];
-        tf_vector d = tf_step_displacement(&of.step, v,
-                                           ends + (ptrdiff_t)of.step.axes * v);
+        tf_vector d =
+            tf_step_displacement(&s.step, v, ends + (ptrdiff_t)s.step.axes * v);
         for (int k = 0; k < 3; k++)
-            x[k] = k < of.step.axes ? made.start[of.step.axes * v + k] : 0;
+            x[k] = k < s.step.axes ? made.start[s.step.axes * v + k] : 0;
         for (int k = 0; k < 3; k++) {
             int i = (k + 1) % 3, j = (k + 2) % 3;
             sum[k] += d.x[k] / made.inverse_mass[v];
@@ -103,7 +103,7 @@ START_TEST(momenta_are_kept)
         unite_random(&random, 2 + _i, 1e-5);
         add_momenta(made.end, before);
         answer();
-        add_momenta(of.end, after);
+        add_momenta(s.end, after);
         for (int k = 0; k < 6; k++)
             ck_assert_double_eq_tol(after[k], before[k], k < 3 ? 1e-14 : 1e-8);
         end();
@@ -117,7 +117,7 @@ START_TEST(zones_with_scripted_vertices_stay_as_they_are)
     unite_random(&random, 3, 2);
     made.inverse_mass[4] = 0;
     answer();
-    ck_assert_mem_eq(of.end, made.end, 3 * (BODY + 1) * sizeof(double));
+    ck_assert_mem_eq(s.end, made.end, 3 * (BODY + 1) * sizeof(double));
     end();
 }
 END_TEST
@@ -140,12 +140,12 @@ START_TEST(rods_only_move_along)
                 made.end[3 * v + k] = v * way[k] + d;
             }
         }
-        memcpy(of.end, made.end, sizeof of.end);
+        memcpy(s.end, made.end, sizeof s.end);
         tf_rigid_free(&rigid);
-        ck_assert(tf_rigid_begin(&rigid, &of.step));
+        ck_assert(tf_rigid_begin(&rigid, &s.step));
         answer();
         for (int i = 0; i < 3 * BODY; i++)
-            ck_assert_double_eq_tol(of.end[i] - made.start[i],
+            ck_assert_double_eq_tol(s.end[i] - made.start[i],
                                     mean[i % 3] / mass, 1e-12);
         end();
     }

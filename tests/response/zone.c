@@ -33,19 +33,18 @@ START_TEST(columns_are_those_of_the_matrix)
 {
     generator random = generator_new(100 + (uint64_t)_i);
     for (int times = 0; times < (int)cases(100); times++) {
-        some_zone of =
+        zone_case z =
             zone_random(&random, 2 + _i, VERTICES, CONSTRAINTS, CONSTRAINTS);
         for (int j = 0; j < CONSTRAINTS; j++) {
             double unit[CONSTRAINTS] = {0}, column[CONSTRAINTS],
                    workspace[3 * VERTICES];
             unit[j] = 1;
-            of.zone.constraint[j].friction[0] = 7; // must not count
-            tf_zone_multiply(&of.zone, unit, column, workspace);
+            z.zone.constraint[j].friction[0] = 7; // must not count
+            tf_zone_multiply(&z.zone, unit, column, workspace);
             for (int i = 0; i < CONSTRAINTS; i++)
-                ck_assert_double_eq_tol(column[i], entry(&of.zone, i, j),
-                                        1e-14);
+                ck_assert_double_eq_tol(column[i], entry(&z.zone, i, j), 1e-14);
         }
-        zone_free(&of);
+        zone_free(&z);
     }
 }
 END_TEST
@@ -53,16 +52,16 @@ END_TEST
 START_TEST(pushes_add_up)
 {
     generator random = generator_new(200);
-    some_zone of = zone_random(&random, 3, VERTICES, CONSTRAINTS, CONSTRAINTS);
+    zone_case z = zone_random(&random, 3, VERTICES, CONSTRAINTS, CONSTRAINTS);
     double impulse[CONSTRAINTS], once[3 * VERTICES] = {0}, twice[3 * VERTICES];
     for (int i = 0; i < CONSTRAINTS; i++)
         impulse[i] = uniform(&random, -1, 1);
-    tf_zone_push(&of.zone, impulse, once);
+    tf_zone_push(&z.zone, impulse, once);
     memcpy(twice, once, sizeof twice);
-    tf_zone_push(&of.zone, impulse, twice);
+    tf_zone_push(&z.zone, impulse, twice);
     for (int i = 0; i < 3 * VERTICES; i++)
         ck_assert_double_eq_tol(twice[i], 2 * once[i], 1e-14);
-    zone_free(&of);
+    zone_free(&z);
 }
 END_TEST
 

@@ -2,14 +2,14 @@
 #include "response/zones.h"
 
 #include "response/gauss_seidel.h"
-#include "support/stepped.h"
+#include "support/proposal_steps.h"
 #include "support/support.h"
 
 #include <math.h>
 #include <string.h>
 
 static proposal made;
-static stepped of;
+static proposal_step s;
 static tf_zones zones;
 static tf_zone_statistics statistics;
 
@@ -81,24 +81,23 @@ static void begin(void)
     memset(&zones, 0, sizeof zones);
     statistics = (tf_zone_statistics){.smallest_gap = INFINITY};
     solved_zones = 0;
-    stepped_begin(&of, &made);
-    ck_assert(tf_zones_begin(&zones, &of.step));
+    proposal_step_begin(&s, &made);
+    ck_assert(tf_zones_begin(&zones, &s.step));
 }
 
 static void end(void)
 {
     tf_zones_free(&zones);
-    stepped_free(&of);
+    proposal_step_free(&s);
 }
 
 /// One round; returns how many contacts there were.
 static size_t go_on(const tf_zone_solver *solver)
 {
     tf_zone_options choice = {.solver = solver, .sweeps = 1000};
-    tf_contacts contacts = stepped_contacts(&of);
-    ck_assert(
-        tf_zones_add(&zones, &of.step, &contacts, &of.rule, &statistics) &&
-        tf_zones_solve(&zones, &of.step, &of.rule, &choice, &statistics));
+    tf_contacts contacts = proposal_step_contacts(&s);
+    ck_assert(tf_zones_add(&zones, &s.step, &contacts, &s.rule, &statistics) &&
+              tf_zones_solve(&zones, &s.step, &s.rule, &choice, &statistics));
     return contacts.count;
 }
 
@@ -159,7 +158,7 @@ START_TEST(only_zones_with_new_constraints_are_solved)
     ck_assert_int_eq(sum(old_constraints), 0);
     // The first edge stays in contact, the other one is lifted.
     for (int v = 4; v < 6; v++)
-        of.end[2 * v + 1] = made.start[2 * v + 1];
+        s.end[2 * v + 1] = made.start[2 * v + 1];
     solved_zones = 0;
     size_t more = go_on(&noting);
     ck_assert_uint_gt(more, 0);
@@ -196,7 +195,7 @@ START_TEST(zones_start_from_the_base)
                     constraint[i].normal[k] *
                     made.inverse_mass[constraint[i].vertex[j]];
     for (int i = 0; i < 2 * made.mesh.vertices; i++)
-        ck_assert_double_eq_tol(of.end[i], pushed[i], 1e-12);
+        ck_assert_double_eq_tol(s.end[i], pushed[i], 1e-12);
     end();
 }
 END_TEST
@@ -243,8 +242,8 @@ START_TEST(each_zone_is_a_problem_on_its_own)
     ck_assert_uint_eq(statistics.zones, 2);
     ck_assert_double_lt(statistics.violation, 1e-6);
     for (int v = 0; v < made.mesh.vertices; v++)
-        ck_assert_msg(of.end[2 * v + 1] > made.start[2 * v + 1] - 0.05,
-                      "vertex %d ends at %g", v, of.end[2 * v + 1]);
+        ck_assert_msg(s.end[2 * v + 1] > made.start[2 * v + 1] - 0.05,
+                      "vertex %d ends at %g", v, s.end[2 * v + 1]);
     end();
 }
 END_TEST
@@ -259,8 +258,8 @@ START_TEST(only_what_is_pushed_is_moved)
     add_edge(-3, 1, 1);
     begin();
     ck_assert_uint_gt(go_on(&stirring), 0);
-    ck_assert_int_eq(stepped_changes(&of), 0);
-    ck_assert_mem_eq(of.end, made.end, 8 * sizeof(double));
+    ck_assert_int_eq(proposal_step_changes(&s), 0);
+    ck_assert_mem_eq(s.end, made.end, 8 * sizeof(double));
     end();
 }
 END_TEST
@@ -273,9 +272,9 @@ START_TEST(a_solver_that_fails_moves_nothing)
     add_edge(-3, 1, 1);
     begin();
     go_on(&failing);
-    ck_assert_mem_eq(of.end, made.end,
+    ck_assert_mem_eq(s.end, made.end,
                      sizeof(double) * 2 * (size_t)made.mesh.vertices);
-    ck_assert_int_eq(stepped_changes(&of), 0);
+    ck_assert_int_eq(proposal_step_changes(&s), 0);
     const tf_constraint *constraint = zones.constraint.data;
     for (int i = 0; i < zones.constraints; i++)
         ck_assert_double_eq(constraint[i].impulse, 0);

@@ -1,29 +1,31 @@
 // Scenes of flows, step by step, coarse, and judged.
 #include "simulate/flow_simulation.h"
 
-#include "simulate/flow_measures.h"
-#include "support/flowing.h"
-#include "support/scrambled.h"
+#include "simulate/flow_scenes.h"
+#include "support/flows.h"
+#include "support/scrambled_workers.h"
 #include "support/support.h"
 
 #include <math.h>
 
-static tf_flow_simulation *simulation_of(const char *name, double edge)
+static tf_flow_simulation *flow_of(const char *name, double edge)
 {
-    tf_flow_simulation *made = NULL;
+    tf_simulation *made = NULL;
     ck_assert_int_eq(
-        tf_flow_simulation_create(tf_flow_scene_named(name), edge, &made),
+        tf_simulation_create(tf_scene_named(tf_flow_scenes, name), edge, &made),
         TF_OK);
-    return made;
+    return (tf_flow_simulation *)made;
 }
 
-static tf_flow_report step_of(tf_flow_simulation *s,
-                              const tf_parallel *parallel)
+static void free_flow(tf_flow_simulation *f)
 {
-    tf_step_way way = {.parallel = parallel};
-    tf_flow_report report;
-    ck_assert_int_eq(tf_flow_simulation_step(s, &way, &report), TF_OK);
-    return report;
+    tf_simulation_free(&f->base);
+}
+
+static void step_of(tf_flow_simulation *f, const tf_parallel *parallel)
+{
+    tf_step_options options = {.parallel = parallel};
+    ck_assert_int_eq(tf_flow_kind.step(&f->base, &options), TF_OK);
 }
 
 static const struct {
@@ -38,83 +40,82 @@ static const struct {
 
 START_TEST(no_step_tangles)
 {
-    tf_flow_simulation *s = simulation_of(runs[_i].name, runs[_i].edge);
-    while (s->step < runs[_i].steps) {
-        step_of(s, NULL);
-        if (s->step % runs[_i].judged == 0)
-            expect_embedded(s->surface);
+    tf_flow_simulation *f = flow_of(runs[_i].name, runs[_i].edge);
+    while (f->base.step < runs[_i].steps) {
+        step_of(f, NULL);
+        if (f->base.step % runs[_i].judged == 0)
+            expect_embedded(f->surface);
     }
-    tf_flow_simulation_free(s);
+    free_flow(f);
 }
 END_TEST
+
+static void expect_same(const tf_flow_simulation *one,
+                        const tf_flow_simulation *other)
+{
+    tf_snapshot a = tf_flow_kind.snapshot(&one->base);
+    tf_snapshot b = tf_flow_kind.snapshot(&other->base);
+    ck_assert_int_eq(a.step, b.step);
+    ck_assert_int_eq(a.mesh.vertices, b.mesh.vertices);
+    ck_assert_int_eq(a.mesh.triangles, b.mesh.triangles);
+    ck_assert_mem_eq(a.mesh.triangle, b.mesh.triangle,
+                     3 * sizeof(int) * (size_t)a.mesh.triangles);
+    ck_assert_mem_eq(a.position, b.position,
+                     3 * sizeof(double) * (size_t)a.mesh.vertices);
+}
 
 START_TEST(workers_and_pauses_change_no_bit)
 {
     static const int two = 2;
-    tf_parallel parallel = scrambled(&two);
-    tf_flow_simulation *one = simulation_of("star", 0.06);
-    tf_flow_simulation *other = simulation_of("star", 0.06);
+    tf_parallel parallel = scrambled_workers(&two);
+    tf_flow_simulation *one = flow_of("star", 0.06);
+    tf_flow_simulation *other = flow_of("star", 0.06);
     for (int i = 0; i < 80; i++) {
         step_of(one, NULL);
         step_of(other, &parallel);
-        if (i % 7 == 0) {
-            tf_mesh mesh = tf_adaptive_mesh(one->surface);
-            ck_assert_int_eq(
-                tf_flow_simulation_restore(other, one->step, &mesh,
-                                           tf_adaptive_positions(one->surface)),
-                TF_OK);
-        }
+        tf_snapshot state = tf_flow_kind.snapshot(&one->base);
+        if (i % 7 == 0)
+            ck_assert_int_eq(tf_flow_kind.restore(&other->base, &state), TF_OK);
     }
-    tf_mesh mesh = tf_adaptive_mesh(one->surface);
-    tf_mesh same = tf_adaptive_mesh(other->surface);
-    ck_assert_int_eq(mesh.vertices, same.vertices);
-    ck_assert_int_eq(mesh.triangles, same.triangles);
-    ck_assert_mem_eq(mesh.triangle, same.triangle,
-                     3 * sizeof(int) * (size_t)mesh.triangles);
-    ck_assert_mem_eq(tf_adaptive_positions(one->surface),
-                     tf_adaptive_positions(other->surface),
-                     3 * sizeof(double) * (size_t)mesh.vertices);
-    tf_flow_simulation_free(one);
-    tf_flow_simulation_free(other);
+    expect_same(one, other);
+    free_flow(one);
+    free_flow(other);
 }
 END_TEST
 
-START_TEST(what_is_restored)
+START_TEST(a_snapshot_is_restored_or_changes_nothing)
 {
-    tf_flow_simulation *coarse = simulation_of("star", 0.1);
-    tf_flow_simulation *fine = simulation_of("star", 0.06);
-    tf_mesh mesh = tf_adaptive_mesh(coarse->surface);
-    const double *position = tf_adaptive_positions(coarse->surface);
-    ck_assert_int_eq(tf_flow_simulation_restore(fine, 7, &mesh, position),
-                     TF_OK);
-    ck_assert_int_eq(fine->step, 7);
-    ck_assert_int_eq(tf_adaptive_mesh(fine->surface).triangles, mesh.triangles);
-    mesh.triangles--;
-    ((double *)position)[0] = NAN;
-    ck_assert_int_eq(tf_flow_simulation_restore(fine, 8, &mesh, position),
-                     TF_NOT_FINITE);
-    ck_assert_int_eq(fine->step, 7);
-    tf_flow_simulation_free(coarse);
-    tf_flow_simulation_free(fine);
+    tf_flow_simulation *coarse = flow_of("star", 0.1);
+    tf_flow_simulation *fine = flow_of("star", 0.06);
+    tf_snapshot state = tf_flow_kind.snapshot(&coarse->base);
+    state.step = 7;
+    ck_assert_int_eq(tf_flow_kind.restore(&fine->base, &state), TF_OK);
+    ck_assert_int_eq(fine->base.step, 7);
+    tf_simulation_go_to(&coarse->base, 7);
+    expect_same(fine, coarse);
+    ck_assert_int_eq(fine->measures.triangles, state.mesh.triangles);
+    state.step = 8;
+    ((double *)state.position)[0] = NAN;
+    ck_assert_int_eq(tf_flow_kind.restore(&fine->base, &state), TF_NOT_FINITE);
+    ck_assert_int_eq(fine->base.step, 7);
+    free_flow(coarse);
+    free_flow(fine);
 }
 END_TEST
 
 // The flow turns back, and would lead two balls to where they were.
 START_TEST(what_has_merged_stays_one)
 {
-    tf_flow_simulation *s = simulation_of("spheres", 0.05);
-    tf_flow_measures found;
-    ck_assert(tf_flow_measure(s->surface, &found));
-    ck_assert_int_eq(found.components, 2);
-    double volume = found.volume, area = found.area;
-    while (s->step < 300)
-        step_of(s, NULL);
-    ck_assert(tf_flow_measure(s->surface, &found));
-    ck_assert_int_eq(found.components, 1);
-    ck_assert_int_eq(found.genus, 0);
-    ck_assert_double_eq_tol(found.volume, volume, 0.01 * volume);
-    ck_assert_double_eq_tol(found.area, area, 0.05 * area);
-    tf_flow_simulation_free(s);
+    tf_flow_simulation *f = flow_of("spheres", 0.05);
+    ck_assert_int_eq(f->measures.components, 2);
+    double volume = f->measures.volume, area = f->measures.area;
+    while (f->base.step < 300)
+        step_of(f, NULL);
+    ck_assert_int_eq(f->measures.components, 1);
+    ck_assert_int_eq(f->measures.genus, 0);
+    ck_assert_double_eq_tol(f->measures.volume, volume, 0.01 * volume);
+    ck_assert_double_eq_tol(f->measures.area, area, 0.05 * area);
+    free_flow(f);
 }
 END_TEST
 
@@ -124,7 +125,7 @@ Suite *suite(void)
     TCase *tcase = tcase_create("scenes");
     tcase_add_loop_test(tcase, no_step_tangles, 0, sizeof runs / sizeof *runs);
     tcase_add_test(tcase, workers_and_pauses_change_no_bit);
-    tcase_add_test(tcase, what_is_restored);
+    tcase_add_test(tcase, a_snapshot_is_restored_or_changes_nothing);
     tcase_add_test(tcase, what_has_merged_stays_one);
     suite_add_tcase(suite, tcase);
     return suite;

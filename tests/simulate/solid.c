@@ -1,6 +1,6 @@
 #include "simulate/solid.h"
 
-#include "support/simulating.h"
+#include "support/simulations.h"
 #include "support/support.h"
 
 #include <math.h>

@@ -8,7 +8,7 @@
 // Interrupted, it prints where to go on.
 #define _GNU_SOURCE // MAP_ANONYMOUS
 
-#include "support/resolving.h"
+#include "support/resolutions.h"
 
 #include <signal.h>
 #include <stdatomic.h>
@@ -30,7 +30,7 @@ static struct shared {
     atomic_long faults;
     long taken[MOST_PROCESSES]; ///< the proposal that each is at
     pid_t process[MOST_PROCESSES];
-    resolving_counts count[MOST_PROCESSES];
+    resolution_counts count[MOST_PROCESSES];
 } * all;
 
 static void stop(int signal)
@@ -87,11 +87,11 @@ static int wait_for(int processes)
     return good;
 }
 
-static resolving_counts total(int processes)
+static resolution_counts total(int processes)
 {
-    resolving_counts sum = {0};
+    resolution_counts sum = {0};
     for (int i = 0; i < processes; i++) {
-        const resolving_counts *count = &all->count[i];
+        const resolution_counts *count = &all->count[i];
         sum.tries += count->tries;
         sum.met += count->met;
         sum.rescued += count->rescued;
@@ -127,8 +127,8 @@ int main(int argc, char *argv[])
     signal(SIGINT, stop);
     signal(SIGTERM, stop);
     int processes = start(), good = wait_for(processes);
-    resolving_counts sum = total(processes);
-    resolving_counts_print(&sum);
+    resolution_counts sum = total(processes);
+    resolution_counts_print(&sum);
     printf("seed %llu, proposals from %ld, %d processes, %d broke off, "
            "%ld faults\n",
            (unsigned long long)seed(), from, processes, processes - good,

@@ -7,7 +7,8 @@
 // vertices and triangles it has, after how many of its steps the judge found
 // elements that meet, the largest stretch, how many steps needed the failsafe,
 // and what it put into groups and held back at most.
-#include "simulate/simulation.h"
+#include "simulate/cloth_scenes.h"
+#include "simulate/cloth_simulation.h"
 #include "support/tangle.h"
 
 #include <stdbool.h>
@@ -27,28 +28,28 @@ typedef struct course {
     double stretch;
 } course;
 
-static void step_with_response(course *c, tf_simulation *s)
+static void step_with_response(course *c, tf_cloth_simulation *s)
 {
-    tf_step_cost cost;
-    tf_step_way way = {.check = s->step == 0};
-    succeed(tf_simulation_step(s, &way, &cost));
-    const tf_response_report *report = &cost.report;
+    tf_step_options options = {.check = s->base.step == 0};
+    succeed(tf_cloth_kind.step(&s->base, &options));
+    const tf_response_report *report = &s->report.response;
     c->failsafes += report->rounds[TF_FAILSAFE] > 0;
     c->held += report->held;
     if (report->grouped > c->grouped)
         c->grouped = report->grouped;
 }
 
-static void step_without(tf_simulation *s)
+static void step_without(tf_cloth_simulation *s)
 {
-    succeed(tf_simulation_propose(s));
-    tf_simulation_accept(s, 0);
+    succeed(tf_cloth_propose(s));
+    tf_cloth_accept(s, 0);
 }
 
-static void add_judgment(course *c, tangle_judge *judge, const tf_simulation *s)
+static void add_judgment(course *c, tangle_judge *judge,
+                         const tf_cloth_simulation *s)
 {
     int found = tangle_count(judge, s->position);
-    double stretch = tf_body_stretch(&s->stage.body, s->position);
+    double stretch = tf_body_stretch(&s->base.stage.body, s->position);
     c->steps++;
     c->tangled += found > 0;
     c->tangles += found;
@@ -59,9 +60,10 @@ static void add_judgment(course *c, tangle_judge *judge, const tf_simulation *s)
 static course follow(const tf_scene *scene, int size, int steps, bool response)
 {
     course c = {0};
-    tf_simulation *s;
-    succeed(tf_simulation_create(scene, size, &s));
-    tf_mesh mesh = tf_body_mesh(&s->stage.body);
+    tf_simulation *made;
+    succeed(tf_simulation_create(scene, size, &made));
+    tf_cloth_simulation *s = (tf_cloth_simulation *)made;
+    tf_mesh mesh = tf_body_mesh(&s->base.stage.body);
     tangle_judge *judge = tangle_judge_new(&mesh);
     c.vertices = mesh.vertices;
     c.triangles = mesh.triangles;
@@ -73,7 +75,7 @@ static course follow(const tf_scene *scene, int size, int steps, bool response)
         add_judgment(&c, judge, s);
     }
     tangle_judge_free(judge);
-    tf_simulation_free(s);
+    tf_simulation_free(made);
     return c;
 }
 
@@ -98,19 +100,17 @@ int main(int argc, char *argv[])
 {
     bool good = true;
     if (argc == 4) {
-        const tf_scene *scene = tf_scene_named(argv[1]);
+        const tf_scene *scene = tf_scene_named(tf_cloth_scenes, argv[1]);
         int size = atoi(argv[2]), steps = atoi(argv[3]);
-        if (!scene || size < scene->least || steps < 1) {
+        if (!scene || size < scene->resolution.least || steps < 1) {
             fprintf(stderr,
                     "scenes: no such scene, or SIZE or STEPS too low\n");
             return EXIT_FAILURE;
         }
         good = judge_scene(scene, size, steps);
     } else {
-        int count;
-        const tf_scene *scene = tf_scenes(&count);
-        for (int i = 0; i < count; i++, scene++)
-            good = judge_scene(scene, scene->size, scene->steps) && good;
+        for (const tf_scene *s = tf_cloth_scenes; s->name; s++)
+            good = judge_scene(s, (int)s->resolution.usual, s->steps) && good;
     }
     return good ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -4,7 +4,7 @@
 //
 // tries COUNT operations, in runs of RUN, of the streams of random numbers FROM
 // on of TF_SEED's.  Prints each fault, with the stream that repeats it.
-#include "support/operating.h"
+#include "support/surgery_runs.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -22,9 +22,9 @@ int main(int argc, char *argv[])
         fprintf(stderr, "surgery: COUNT from 1, FROM from 0\n");
         return EXIT_FAILURE;
     }
-    operating_counts counts = {0};
+    surgery_counts counts = {0};
     for (long i = from; i < from + (count + RUN - 1) / RUN; i++) {
-        const char *fault = operating_run(
+        const char *fault = run_surgery(
             generator_new((uint64_t)i),
             (adaptive_scene_kind)(i % ADAPTIVE_SCENES), RUN, left_out, &counts);
         if (!fault)
@@ -33,7 +33,7 @@ int main(int argc, char *argv[])
         printf("stream %ld: %s\n", i, fault);
         fflush(stdout);
     }
-    operating_counts_print(&counts);
+    surgery_counts_print(&counts);
     printf("seed %llu, streams from %ld, %ld faults\n",
            (unsigned long long)seed(), from, faults);
     return faults == 0 ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -6,7 +6,7 @@
 // tries COUNT operations, in runs of RUN, of the streams of random numbers FROM
 // on of TF_SEED's, leaving out tests of the library.  Prints each fault, with
 // the stream that repeats it.
-#include "support/reconnecting.h"
+#include "support/reconnections.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -24,9 +24,9 @@ int main(int argc, char *argv[])
         fprintf(stderr, "topology: COUNT from 1, FROM from 0\n");
         return EXIT_FAILURE;
     }
-    reconnecting_counts counts = {0};
+    reconnection_counts counts = {0};
     for (long i = from; i < from + (count + RUN - 1) / RUN; i++) {
-        const char *fault = reconnecting_run(
+        const char *fault = run_reconnections(
             generator_new((uint64_t)i),
             (adaptive_scene_kind)(i % MERGING_SCENES), RUN, left_out, &counts);
         if (!fault)
@@ -35,7 +35,7 @@ int main(int argc, char *argv[])
         printf("stream %ld: %s\n", i, fault);
         fflush(stdout);
     }
-    reconnecting_counts_print(&counts);
+    reconnection_counts_print(&counts);
     printf("seed %llu, streams from %ld, %ld faults\n",
            (unsigned long long)seed(), from, faults);
     return faults == 0 ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -52,17 +52,18 @@ static void try_batch(batch *b, const char *name, tally *sum)
 static tally try_family(batch *b, int family_number, query_kind kind,
                         long long count)
 {
-    const family *of = &families[family_number];
+    const family *source = &families[family_number];
     generator random =
         generator_new((uint64_t)(1000 + 2 * family_number + (int)kind));
     tally sum = {0};
     while (sum.queries < count) {
         long long left = count - sum.queries;
-        batch_fill(b, &random, of, kind, left < BATCH ? (size_t)left : BATCH);
-        try_batch(b, of->name, &sum);
+        batch_fill(b, &random, source, kind,
+                   left < BATCH ? (size_t)left : BATCH);
+        try_batch(b, source->name, &sum);
     }
     printf("%-22s %-14s %11lld queries %7.3f %% undecided %lld wrong\n",
-           of->name, kind == EDGE_EDGE ? "edge-edge" : "point-triangle",
+           source->name, kind == EDGE_EDGE ? "edge-edge" : "point-triangle",
            sum.queries, 100 * (double)sum.undecided / (double)sum.queries,
            sum.wrong);
     fflush(stdout);

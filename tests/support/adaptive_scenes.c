@@ -5,12 +5,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-tf_mesh adaptive_scene_mesh(const adaptive_scene *of)
+tf_mesh adaptive_scene_mesh(const adaptive_scene *scene)
 {
     return (tf_mesh){.axes = 3,
-                     .vertices = of->vertices,
-                     .triangles = of->triangles,
-                     .triangle = of->triangle};
+                     .vertices = scene->vertices,
+                     .triangles = scene->triangles,
+                     .triangle = scene->triangle};
 }
 
 // Adding ----------------------------------------------------------------------
@@ -104,11 +104,11 @@ void add_box(adaptive_scene *to, const int low[3], const int high[3])
     to->parts++;
 }
 
-void turn_part_over(adaptive_scene *of)
+void turn_part_over(adaptive_scene *scene)
 {
-    for (int t = 0; t < of->triangles; t++) {
-        int *v = of->triangle + 3 * t, swap = v[1];
-        if (of->part[*v] != of->parts - 1)
+    for (int t = 0; t < scene->triangles; t++) {
+        int *v = scene->triangle + 3 * t, swap = v[1];
+        if (scene->part[*v] != scene->parts - 1)
             continue;
         v[1] = v[2];
         v[2] = swap;
@@ -264,11 +264,11 @@ static void make_sheets(generator *random, adaptive_scene *made)
 }
 
 /// Moves each vertex by up to a twentieth of an edge, or of half of them none.
-static void shake(generator *random, adaptive_scene *of)
+static void shake(generator *random, adaptive_scene *scene)
 {
     bool still = below(random, 2);
-    for (int i = 0; i < 3 * of->vertices && !still; i++)
-        of->position[i] += uniform(random, -0.05, 0.05);
+    for (int i = 0; i < 3 * scene->vertices && !still; i++)
+        scene->position[i] += uniform(random, -0.05, 0.05);
 }
 
 static void make_facing(generator *random, adaptive_scene *made)

@@ -41,7 +41,7 @@ void adaptive_scene_make(generator *random, adaptive_scene_kind kind,
                          adaptive_scene *made);
 
 /// The mesh of a scene, which it lends.
-tf_mesh adaptive_scene_mesh(const adaptive_scene *of);
+tf_mesh adaptive_scene_mesh(const adaptive_scene *scene);
 
 /// Adds to a scene, as one part more: a tetrahedron, turned outwards.
 void add_tetrahedron(adaptive_scene *to, const double corner[4][3]);
@@ -50,7 +50,7 @@ void add_tetrahedron(adaptive_scene *to, const double corner[4][3]);
 void add_box(adaptive_scene *to, const int low[3], const int high[3]);
 
 /// Turns the last part of a scene inwards.
-void turn_part_over(adaptive_scene *of);
+void turn_part_over(adaptive_scene *scene);
 
 /// Adds a flat sheet of squares on a lattice, as another part.
 void add_sheet(adaptive_scene *to, int x, int y, int z, int columns, int rows);

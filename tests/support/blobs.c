@@ -1,7 +1,7 @@
 #include "support/blobs.h"
 
-#include "support/adaptive_of.h"
-#include "support/reconnecting.h"
+#include "support/adaptive_surfaces.h"
+#include "support/reconnections.h"
 
 #include <math.h>
 #include <stdbool.h>
@@ -135,10 +135,10 @@ void add_ring(blobs *to, const double at[3], double radius, double thickness,
         }
 }
 
-tf_adaptive_surface *blobs_surface(const blobs *of)
+tf_adaptive_surface *blobs_surface(const blobs *parts)
 {
-    return adaptive_of(of->vertices, (double(*)[3])of->position[0],
-                       of->triangles, of->triangle);
+    return adaptive_of(parts->vertices, (double(*)[3])parts->position[0],
+                       parts->triangles, parts->triangle);
 }
 
 // From afar -------------------------------------------------------------------

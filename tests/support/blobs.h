@@ -30,7 +30,7 @@ void add_ring(blobs *to, const double at[3], double radius, double thickness,
               int around, int across);
 
 /// The surface.
-tf_adaptive_surface *blobs_surface(const blobs *of);
+tf_adaptive_surface *blobs_surface(const blobs *parts);
 
 /// How many parts a surface has.
 int parts_of(const tf_adaptive_surface *surface);

@@ -26,7 +26,7 @@ typedef struct spring {
     double length, stiffness; ///< the part of what is amiss that a visit mends
 } spring;
 
-typedef struct cloth {
+typedef struct cloth_model {
     tf_mesh mesh;         ///< lent, as are the arrays below
     double *position;     ///< of the vertices
     double *velocity;     ///< the last step's displacements, damped
@@ -35,18 +35,18 @@ typedef struct cloth {
     spring *spring;
     double turn; ///< of scripted vertices about the first axis, by a step, in
                  ///< one sense where it is positive, else in the other
-} cloth;
+} cloth_model;
 
 /// The scene at its start.
 /// @param n edges of the cloth: along a side, along the chain, across a strip
 ///     TWIST
-cloth *cloth_new(cloth_scene scene, int n);
-void cloth_free(cloth *of);
+cloth_model *cloth_new(cloth_scene scene, int n);
+void cloth_free(cloth_model *cloth);
 
 /// Where the vertices should be after a step, if nothing were in their way.
-void cloth_propose(const cloth *of, double end[]);
+void cloth_propose(const cloth_model *cloth, double end[]);
 
 /// Goes on from where the vertices are after all.
-void cloth_accept(cloth *of, const double end[]);
+void cloth_accept(cloth_model *cloth, const double end[]);
 
 #endif

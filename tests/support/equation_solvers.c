@@ -19,7 +19,7 @@ enum {
 };
 
 /// Generic, with fewer equations than coordinates that can be changed.
-static some_zone random_zone(generator *random)
+static zone_case random_zone(generator *random)
 {
     int axes = 2 + below(random, 2);
     int constraints = 1 + below(random, MOST_CONSTRAINTS / 3);
@@ -27,23 +27,22 @@ static some_zone random_zone(generator *random)
                        MOST_CONSTRAINTS);
 }
 
-static void expect_displacement(some_zone *of, const double expected[])
+static void expect_displacement(zone_case *z, const double expected[])
 {
-    int iterations = zone_solve(of, solver, ENOUGH);
-    double distance = zone_distance(of, of->displacement, expected);
-    ck_assert_msg(distance < 1e-6 && zone_residual(of) < 1e-6,
+    int iterations = zone_solve(z, solver, ENOUGH);
+    double distance = zone_distance(z, z->displacement, expected);
+    ck_assert_msg(distance < 1e-6 && zone_residual(z) < 1e-6,
                   "%d constraints: %g off, residual %g after %d iterations",
-                  of->zone.constraints, distance, zone_residual(of),
-                  iterations);
+                  z->zone.constraints, distance, zone_residual(z), iterations);
     ck_assert_int_lt(iterations, ENOUGH);
 }
 
-static double *least_change(const some_zone *of)
+static double *least_change(const zone_case *z)
 {
     double *expected =
-        malloc(sizeof *expected * (size_t)(of->zone.axes * of->zone.vertices));
+        malloc(sizeof *expected * (size_t)(z->zone.axes * z->zone.vertices));
     ck_assert_ptr_nonnull(expected);
-    zone_least_change(of, expected);
+    zone_least_change(z, expected);
     return expected;
 }
 
@@ -51,11 +50,11 @@ START_TEST(the_change_is_the_least)
 {
     generator random = generator_new(1);
     for (int i = 0; i < (int)cases(ZONES); i++) {
-        some_zone of = random_zone(&random);
-        double *expected = least_change(&of);
-        expect_displacement(&of, expected);
+        zone_case z = random_zone(&random);
+        double *expected = least_change(&z);
+        expect_displacement(&z, expected);
         free(expected);
-        zone_free(&of);
+        zone_free(&z);
     }
 }
 END_TEST
@@ -64,14 +63,14 @@ START_TEST(repeated_constraints_change_nothing)
 {
     generator random = generator_new(2);
     for (int i = 0; i < (int)cases(ZONES); i++) {
-        some_zone of = random_zone(&random);
-        double *expected = least_change(&of);
-        int constraints = of.zone.constraints;
+        zone_case z = random_zone(&random);
+        double *expected = least_change(&z);
+        int constraints = z.zone.constraints;
         for (int copies = 0; copies < 2 * constraints; copies++)
-            zone_duplicate(&of, below(&random, constraints), 1);
-        expect_displacement(&of, expected);
+            zone_duplicate(&z, below(&random, constraints), 1);
+        expect_displacement(&z, expected);
         free(expected);
-        zone_free(&of);
+        zone_free(&z);
     }
 }
 END_TEST
@@ -82,21 +81,21 @@ START_TEST(contradicting_constraints_meet_halfway)
 {
     generator random = generator_new(3);
     for (int i = 0; i < (int)cases(ZONES); i++) {
-        some_zone of = random_zone(&random);
-        int constraints = of.zone.constraints;
+        zone_case z = random_zone(&random);
+        int constraints = z.zone.constraints;
         for (int constraint = 0; constraint < constraints; constraint++)
-            of.constraint[constraint].bound *= 1.05;
-        double *expected = least_change(&of);
+            z.constraint[constraint].bound *= 1.05;
+        double *expected = least_change(&z);
         for (int constraint = 0; constraint < constraints; constraint++) {
-            of.constraint[constraint].bound /= 1.05;
-            zone_duplicate(&of, constraint, 1.1);
+            z.constraint[constraint].bound /= 1.05;
+            zone_duplicate(&z, constraint, 1.1);
         }
-        zone_solve(&of, solver, ENOUGH);
-        double distance = zone_distance(&of, of.displacement, expected);
+        zone_solve(&z, solver, ENOUGH);
+        double distance = zone_distance(&z, z.displacement, expected);
         ck_assert_msg(distance < 1e-5, "%d constraints: %g off", constraints,
                       distance);
         free(expected);
-        zone_free(&of);
+        zone_free(&z);
     }
 }
 END_TEST
@@ -105,74 +104,73 @@ END_TEST
 // there are.
 START_TEST(too_many_constraints_for_a_vertex)
 {
-    some_zone of = zone_new(2, 4, 6);
+    zone_case z = zone_new(2, 4, 6);
     for (int v = 0; v < 4; v++)
-        of.inverse_mass[v] = v == 0;
+        z.inverse_mass[v] = v == 0;
     for (int i = 0; i < 6; i++)
-        of.constraint[i] = (tf_constraint){.vertex = {0, 1, 2, -1},
-                                           .coefficient = {1, -0.5, -0.5},
-                                           .normal = {cos(i), sin(i), 0},
-                                           .bound = 1};
-    of.zone.constraints = 6;
-    of.proposal[0] = 0.25;
-    zone_solve(&of, solver, ENOUGH);
-    double residual = zone_residual(&of);
+        z.constraint[i] = (tf_constraint){.vertex = {0, 1, 2, -1},
+                                          .coefficient = {1, -0.5, -0.5},
+                                          .normal = {cos(i), sin(i), 0},
+                                          .bound = 1};
+    z.zone.constraints = 6;
+    z.proposal[0] = 0.25;
+    zone_solve(&z, solver, ENOUGH);
+    double residual = zone_residual(&z);
     for (int k = 0; k < 2; k++) { // a least square has no slope
-        of.displacement[k] += 1e-3;
-        ck_assert_double_gt(zone_residual(&of), residual);
-        of.displacement[k] -= 2e-3;
-        ck_assert_double_gt(zone_residual(&of), residual);
-        of.displacement[k] += 1e-3;
+        z.displacement[k] += 1e-3;
+        ck_assert_double_gt(zone_residual(&z), residual);
+        z.displacement[k] -= 2e-3;
+        ck_assert_double_gt(zone_residual(&z), residual);
+        z.displacement[k] += 1e-3;
     }
-    zone_free(&of);
+    zone_free(&z);
 }
 END_TEST
 
 START_TEST(what_is_satisfied_stays_and_what_was_found_is_found_again)
 {
     generator random = generator_new(4);
-    some_zone of = zone_random(&random, 3, 20, 8, 8);
-    ck_assert_int_gt(zone_solve(&of, solver, ENOUGH), 0);
-    double *first = least_change(&of);
+    zone_case z = zone_random(&random, 3, 20, 8, 8);
+    ck_assert_int_gt(zone_solve(&z, solver, ENOUGH), 0);
+    double *first = least_change(&z);
     for (int i = 0; i < 60; i++)
-        of.proposal[i] = of.displacement[i];
-    ck_assert_int_le(zone_solve(&of, solver, 1), 1);
-    ck_assert_double_lt(zone_distance(&of, of.displacement, first), 1e-6);
+        z.proposal[i] = z.displacement[i];
+    ck_assert_int_le(zone_solve(&z, solver, 1), 1);
+    ck_assert_double_lt(zone_distance(&z, z.displacement, first), 1e-6);
     free(first);
-    zone_free(&of);
+    zone_free(&z);
 }
 END_TEST
 
 START_TEST(impulses_are_where_to_start_from)
 {
     generator random = generator_new(5);
-    some_zone of = zone_random(&random, 3, 20, 8, 8);
-    zone_solve(&of, solver, ENOUGH);
-    double *expected = least_change(&of);
+    zone_case z = zone_random(&random, 3, 20, 8, 8);
+    zone_solve(&z, solver, ENOUGH);
+    double *expected = least_change(&z);
     for (int i = 0; i < 60; i++)
-        of.displacement[i] = of.proposal[i];
+        z.displacement[i] = z.proposal[i];
     for (int i = 0; i < 8; i++)
-        of.constraint[i].friction[0] = 1;
-    double *workspace =
-        malloc(sizeof *workspace *
-               (1 + solver->workspace(3, 20, of.zone.constraints)));
-    of.zone.workspace = workspace;
-    ck_assert_int_eq(solver->solve(&of.zone), 0);
-    ck_assert_double_lt(zone_distance(&of, of.displacement, expected), 1e-6);
-    ck_assert_double_eq(of.constraint[7].friction[0], 0);
+        z.constraint[i].friction[0] = 1;
+    double *workspace = malloc(
+        sizeof *workspace * (1 + solver->workspace(3, 20, z.zone.constraints)));
+    z.zone.workspace = workspace;
+    ck_assert_int_eq(solver->solve(&z.zone), 0);
+    ck_assert_double_lt(zone_distance(&z, z.displacement, expected), 1e-6);
+    ck_assert_double_eq(z.constraint[7].friction[0], 0);
     free(workspace);
     free(expected);
-    zone_free(&of);
+    zone_free(&z);
 }
 END_TEST
 
 START_TEST(a_limit_of_iterations_is_kept)
 {
     generator random = generator_new(6);
-    some_zone of = zone_random(&random, 3, 30, 24, 24);
-    ck_assert_int_eq(zone_solve(&of, solver, 3), 3);
-    ck_assert_double_lt(zone_residual(&of), 1);
-    zone_free(&of);
+    zone_case z = zone_random(&random, 3, 30, 24, 24);
+    ck_assert_int_eq(zone_solve(&z, solver, 3), 3);
+    ck_assert_double_lt(zone_residual(&z), 1);
+    zone_free(&z);
 }
 END_TEST
 

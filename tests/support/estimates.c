@@ -7,7 +7,7 @@
 #include <float.h>
 #include <math.h>
 
-void judged_init(judged *j, const matrix *m)
+void judged_estimate_init(judged_estimate *j, const matrix *m)
 {
     tf_differences differences = matrix_differences(m);
     j->estimate = tf_differences_estimate(&differences);
@@ -21,13 +21,13 @@ void judged_init(judged *j, const matrix *m)
     }
 }
 
-void judged_clear(judged *j)
+void judged_estimate_clear(judged_estimate *j)
 {
     mpz_clears(j->truth, j->error, NULL);
 }
 
 /// Whether the error is at most a + b c.
-static bool error_within(const judged *j, double a, double b, double c)
+static bool error_within(const judged_estimate *j, double a, double b, double c)
 {
     mpz_t bound;
     mpz_init(bound);
@@ -43,21 +43,21 @@ double last_place(double x)
     return x == 0 ? 0 : fmax(ldexp(1, ilogb(x) - 52), DBL_TRUE_MIN);
 }
 
-bool bound_is_kept(const judged *j)
+bool bound_is_kept(const judged_estimate *j)
 {
     tf_estimate e = j->estimate;
     return !isfinite(e.number) || !isfinite(e.bound) ||
            error_within(j, e.bound, last_place(e.number), 0.5);
 }
 
-bool radius_is_kept(const judged *j)
+bool radius_is_kept(const judged_estimate *j)
 {
     tf_value v = j->value;
     return !isfinite(v.number) || !isfinite(v.radius) ||
            error_within(j, v.radius, fabs(v.number), DBL_EPSILON / 2);
 }
 
-bool estimate_is_true(const judged *j)
+bool estimate_is_true(const judged_estimate *j)
 {
     tf_estimate e = j->estimate;
     tf_sign sign = sum_sign(j->truth);

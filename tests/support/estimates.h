@@ -8,27 +8,27 @@
 
 #include <gmp.h>
 
-typedef struct judged {
+typedef struct judged_estimate {
     tf_estimate estimate;
     tf_value value; ///< tf_clamped's
     mpz_t truth;    ///< the determinant, as support/sums.h
     mpz_t error;    ///< of the number, absolute; where it is finite
-} judged;
+} judged_estimate;
 
-void judged_init(judged *j, const matrix *m);
-void judged_clear(judged *j);
+void judged_estimate_init(judged_estimate *j, const matrix *m);
+void judged_estimate_clear(judged_estimate *j);
 
 /// The last place of a double.
 double last_place(double x);
 
 /// Whether the bound that decides the sign covers all but the last addition.
-bool bound_is_kept(const judged *j);
+bool bound_is_kept(const judged_estimate *j);
 
 /// Whether the value's radius covers all but a last rounding.
-bool radius_is_kept(const judged *j);
+bool radius_is_kept(const judged_estimate *j);
 
 /// Whether a sign that the estimate decides, zero included, is the true one.
-bool estimate_is_true(const judged *j);
+bool estimate_is_true(const judged_estimate *j);
 
 /// A matrix close to singular, scaled so that some products of entries are
 /// about 2^exponent.

@@ -176,11 +176,11 @@ static void add_query(batch *b, generator *random, const query *q, size_t i)
         listed[v] = (int)(4 * i) + order[v];
 }
 
-void batch_fill(batch *b, generator *random, const family *of, query_kind kind,
-                size_t count)
+void batch_fill(batch *b, generator *random, const family *source,
+                query_kind kind, size_t count)
 {
     for (size_t i = 0; i < count; i++) {
-        query q = of->make(random, kind);
+        query q = source->make(random, kind);
         add_query(b, random, &q, i);
     }
     b->motion = (tf_motion){(int)(4 * count), b->start, b->end};

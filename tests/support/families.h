@@ -40,8 +40,8 @@ batch batch_new(size_t most);
 void batch_free(batch *b);
 
 /// Fills it with `count` queries.
-void batch_fill(batch *b, generator *random, const family *of, query_kind kind,
-                size_t count);
+void batch_fill(batch *b, generator *random, const family *source,
+                query_kind kind, size_t count);
 
 /// The filter of the kind.
 tf_status batch_filter(batch *b);

@@ -6,9 +6,9 @@
 #include "arithmetic/integer.h"
 #include "intersect/cascade.h"
 #include "query/narrow_phase.h"
-#include "support/changes.h"
 #include "support/contacts.h"
 #include "support/judge.h"
+#include "support/query_changes.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -139,10 +139,10 @@ static const polynomial *squarefree(const polynomial *p)
 
 // Roots -----------------------------------------------------------------------
 
-/// The only root of `of`, which is square-free, in the open interval of `from`
+/// The only root of `p`, which is square-free, in the open interval of `from`
 /// and `from` + 1, times 2^-shift; or, if `exact`, `from` 2^-shift itself.
 typedef struct root {
-    const polynomial *of;
+    const polynomial *p;
     mpz_t from;
     unsigned shift;
     bool exact;
@@ -200,11 +200,11 @@ static void refine(root *r)
     mpz_t from;
     mpz_init(from);
     mpz_mul_2exp(from, r->from, 1);
-    if (variations(shifted(r->of, from, r->shift + 1)) == 1) {
+    if (variations(shifted(r->p, from, r->shift + 1)) == 1) {
         move_to(r, from, r->shift + 1, false);
     } else {
         mpz_add_ui(from, from, 1);
-        bool exact = sign_at_start(r->of, from, r->shift + 1) == 0;
+        bool exact = sign_at_start(r->p, from, r->shift + 1) == 0;
         move_to(r, from, r->shift + 1, exact);
     }
     mpz_clear(from);
@@ -245,7 +245,7 @@ static int sign_at(const polynomial *p, root *r)
     int mark = used, sign = 0;
     if (p->degree < 0)
         return 0;
-    const polynomial *common = r->exact ? p : common_divisor(r->of, p);
+    const polynomial *common = r->exact ? p : common_divisor(r->p, p);
     for (int kept = used; !r->exact; refine(r), used = kept)
         if ((sign = sign_near(p, r)) != 0 || changes_sign(common, r))
             break;
@@ -408,24 +408,24 @@ static void take_earlier(const conditions *c, root *at, double *toi)
 }
 
 /// Judge all roots in the open interval, the first ones first.
-static void judge_roots(const conditions *c, const polynomial *of,
+static void judge_roots(const conditions *c, const polynomial *p,
                         const mpz_t from, unsigned shift, double *toi)
 {
-    int count = variations(shifted(of, from, shift));
+    int count = variations(shifted(p, from, shift));
     if (count == 0)
         return;
-    root r = {.of = of, .shift = shift};
+    root r = {.p = p, .shift = shift};
     mpz_init_set(r.from, from);
     if (count == 1) {
         take_earlier(c, &r, toi);
     } else {
         mpz_mul_2exp(r.from, from, 1);
-        judge_roots(c, of, r.from, shift + 1, toi);
+        judge_roots(c, p, r.from, shift + 1, toi);
         mpz_add_ui(r.from, r.from, 1);
         move_to(&r, r.from, shift + 1, true);
-        if (sign_at_start(of, r.from, r.shift) == 0)
+        if (sign_at_start(p, r.from, r.shift) == 0)
             take_earlier(c, &r, toi);
-        judge_roots(c, of, r.from, shift + 1, toi);
+        judge_roots(c, p, r.from, shift + 1, toi);
     }
     mpz_clear(r.from);
 }
@@ -457,7 +457,7 @@ static void judge_conditions(const conditions *c, double *toi)
 
 static void judge_end(const conditions *c, unsigned long t, double *toi)
 {
-    root at = {.of = new_polynomial(-1), .exact = true};
+    root at = {.p = new_polynomial(-1), .exact = true};
     mpz_init_set_ui(at.from, t);
     take_earlier(c, &at, toi);
     mpz_clear(at.from);

@@ -1,10 +1,13 @@
 #include "support/meshes.h"
 
+#include "files/mesh_reader.h"
 #include "support/support.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+
+static tf_fault fault;
 
 bool parse_mesh(tf_mesh_file *file, const void *text, size_t size)
 {
@@ -12,7 +15,8 @@ bool parse_mesh(tf_mesh_file *file, const void *text, size_t size)
     ck_assert_ptr_nonnull(copy);
     memcpy(copy, text, size);
     copy[size] = '\0';
-    bool good = tf_mesh_file_parse(file, "mesh", copy, size);
+    fault = (tf_fault){0};
+    bool good = tf_mesh_file_parse(file, "mesh", copy, size, &fault);
     free(copy);
     return good;
 }
@@ -21,8 +25,8 @@ tf_mesh_file good_bytes(const void *text, size_t size)
 {
     tf_mesh_file file;
     bool good = parse_mesh(&file, text, size);
-    ck_assert_msg(good, "%ld: %s", file.fault_place, file.fault);
-    ck_assert_str_eq(file.fault, "");
+    ck_assert_msg(good, "%ld: %s", fault.place, fault.text);
+    ck_assert_str_eq(fault.text, "");
     return file;
 }
 
@@ -31,17 +35,29 @@ tf_mesh_file good_mesh(const char *text)
     return good_bytes(text, strlen(text));
 }
 
+tf_mesh_content content_of(const tf_mesh_file *file)
+{
+    return (tf_mesh_content){.mesh = tf_mesh_file_elements(file, 3),
+                             .position = file->position.item};
+}
+
+tf_mesh_file empty_mesh(const char *name)
+{
+    fault = (tf_fault){0};
+    return (tf_mesh_file){.name = name, .fault = &fault};
+}
+
 void expect_bad_bytes(const void *text, size_t size, long place,
                       const char *words)
 {
     tf_mesh_file file;
     ck_assert_msg(!parse_mesh(&file, text, size), "no fault, but %s", words);
-    ck_assert_msg(strstr(file.fault, words), "'%s' and not '%s'", file.fault,
+    ck_assert_msg(strstr(fault.text, words), "'%s' and not '%s'", fault.text,
                   words);
-    ck_assert_msg(strstr(file.fault, "; "), "'%s': how to mend it?",
-                  file.fault);
-    ck_assert_msg(file.fault_place == place, "place %ld, not %ld: %s",
-                  file.fault_place, place, file.fault);
+    ck_assert_msg(strstr(fault.text, "; "), "'%s': how to mend it?",
+                  fault.text);
+    ck_assert_msg(fault.place == place, "place %ld, not %ld: %s", fault.place,
+                  place, fault.text);
     tf_mesh_file_free(&file);
 }
 

@@ -2,14 +2,21 @@
 #ifndef SUPPORT_MESHES_H
 #define SUPPORT_MESHES_H
 
-#include "files/mesh_file.h"
+#include "files/mesh_writer.h"
 
-/// Reads a text from memory that ends with it, and calls it "mesh".
+/// Reads a text from memory that ends with it, and calls it "mesh".  Its fault
+/// is kept until the next one is read.
 bool parse_mesh(tf_mesh_file *file, const void *text, size_t size);
 
 /// The mesh of a good text; free it.
 tf_mesh_file good_bytes(const void *text, size_t size);
 tf_mesh_file good_mesh(const char *text);
+
+/// What is written of a file.
+tf_mesh_content content_of(const tf_mesh_file *file);
+
+/// An empty file of that name, whose fault is kept until a text is parsed.
+tf_mesh_file empty_mesh(const char *name);
 
 /// Expects a fault at a line or byte (below 0: at none), told in these words.
 void expect_bad_bytes(const void *text, size_t size, long place,

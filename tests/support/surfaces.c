@@ -5,13 +5,13 @@
 
 // Elements --------------------------------------------------------------------
 
-static void add_triangle(some_surface *made, int a, int b, int c)
+static void add_triangle(surface_case *made, int a, int b, int c)
 {
     int *corner = made->triangle + 3 * made->mesh.triangles++;
     corner[0] = a, corner[1] = b, corner[2] = c;
 }
 
-static void add_edge(some_surface *made, int a, int b)
+static void add_edge(surface_case *made, int a, int b)
 {
     int *corner = made->edge + 2 * made->mesh.edges++;
     corner[0] = a, corner[1] = b;
@@ -28,7 +28,7 @@ static int another(generator *random, int vertices, int a, int b)
 }
 
 /// Triangles of any three vertices, some of them twice.
-static void add_soup(generator *random, int triangles, some_surface *made)
+static void add_soup(generator *random, int triangles, surface_case *made)
 {
     int vertices = made->mesh.vertices;
     for (int i = 0; i < triangles; i++) {
@@ -44,7 +44,7 @@ static void add_soup(generator *random, int triangles, some_surface *made)
 }
 
 /// A strip of triangles, closed to a ring at times.
-static void add_strip(generator *random, int triangles, some_surface *made)
+static void add_strip(generator *random, int triangles, surface_case *made)
 {
     int vertices = made->mesh.vertices, first = below(random, vertices);
     for (int i = 0; i < triangles; i++)
@@ -52,7 +52,7 @@ static void add_strip(generator *random, int triangles, some_surface *made)
                      (first + i + 2) % vertices);
 }
 
-static void add_edges(generator *random, int edges, some_surface *made)
+static void add_edges(generator *random, int edges, surface_case *made)
 {
     int vertices = made->mesh.vertices, first = below(random, vertices);
     bool chain = below(random, 2) == 0;
@@ -90,7 +90,7 @@ static double place(generator *random, placement placed, int axis)
 }
 
 static void place_vertices(generator *random, placement placed,
-                           some_surface *made)
+                           surface_case *made)
 {
     int axes = made->mesh.axes;
     double reach = uniform(random, 0, 0.5);
@@ -104,7 +104,7 @@ static void place_vertices(generator *random, placement placed,
 }
 
 void random_surface(generator *random, int axes, int elements, placement placed,
-                    some_surface *made)
+                    surface_case *made)
 {
     int count = 1 + below(random, elements);
     made->mesh = (tf_mesh){.axes = axes,

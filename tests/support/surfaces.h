@@ -12,12 +12,12 @@ enum {
 };
 
 /// A mesh with a step, which are lent by it.
-typedef struct some_surface {
+typedef struct surface_case {
     tf_mesh mesh;
     tf_motion motion;
     int triangle[3 * SURFACE_ELEMENTS], edge[2 * SURFACE_ELEMENTS];
     double start[3 * SURFACE_VERTICES], end[3 * SURFACE_VERTICES];
-} some_surface;
+} surface_case;
 
 /// How the vertices of a surface are placed.
 typedef enum placement {
@@ -37,6 +37,6 @@ enum {
 /// particles, repeated elements and several parts; of up to `elements`
 /// triangles, or in the plane edges.
 void random_surface(generator *random, int axes, int elements, placement placed,
-                    some_surface *made);
+                    surface_case *made);
 
 #endif

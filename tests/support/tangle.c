@@ -333,11 +333,11 @@ static bool kind_of(int axes, const element *a, const element *b,
     return true;
 }
 
-static void find_corners(const tangle_judge *judge, const element *of,
+static void find_corners(const tangle_judge *judge, const element *e,
                          const double *corner[])
 {
-    for (int i = 0; i < of->corners; i++)
-        corner[i] = judge->position + judge->axes * of->vertex[i];
+    for (int i = 0; i < e->corners; i++)
+        corner[i] = judge->position + judge->axes * e->vertex[i];
 }
 
 static bool meet(const tangle_judge *judge, tangle_kind kind, const element *a,
@@ -419,15 +419,15 @@ int tangle_count_all(tangle_judge *judge, const double position[])
 
 // The sweep -------------------------------------------------------------------
 
-static void find_box(const tangle_judge *judge, element *of)
+static void find_box(const tangle_judge *judge, element *e)
 {
     for (int k = 0; k < judge->axes; k++) {
-        of->least[k] = INFINITY;
-        of->most[k] = -INFINITY;
-        for (int i = 0; i < of->corners; i++) {
-            double x = judge->position[judge->axes * of->vertex[i] + k];
-            of->least[k] = fmin(of->least[k], x);
-            of->most[k] = fmax(of->most[k], x);
+        e->least[k] = INFINITY;
+        e->most[k] = -INFINITY;
+        for (int i = 0; i < e->corners; i++) {
+            double x = judge->position[judge->axes * e->vertex[i] + k];
+            e->least[k] = fmin(e->least[k], x);
+            e->most[k] = fmax(e->most[k], x);
         }
     }
 }
@@ -470,27 +470,27 @@ int tangle_count(tangle_judge *judge, const double position[])
 // Steps -----------------------------------------------------------------------
 
 /// Around the paths of its vertices.
-static void find_swept_box(tangle_judge *judge, element *of,
+static void find_swept_box(tangle_judge *judge, element *e,
                            const double start[], const double end[])
 {
-    element at_start = *of;
+    element at_start = *e;
     judge->position = start;
     find_box(judge, &at_start);
     judge->position = end;
-    find_box(judge, of);
+    find_box(judge, e);
     for (int k = 0; k < judge->axes; k++) {
-        of->least[k] = fmin(of->least[k], at_start.least[k]);
-        of->most[k] = fmax(of->most[k], at_start.most[k]);
+        e->least[k] = fmin(e->least[k], at_start.least[k]);
+        e->most[k] = fmax(e->most[k], at_start.most[k]);
     }
 }
 
-static void find_worldlines(int axes, const element *of, const double start[],
+static void find_worldlines(int axes, const element *e, const double start[],
                             const double end[], tf_worldline line[])
 {
-    for (int i = 0; i < of->corners; i++) {
-        size_t first = (size_t)(axes * of->vertex[i]);
+    for (int i = 0; i < e->corners; i++) {
+        size_t first = (size_t)(axes * e->vertex[i]);
         for (int t = 0; t < 2; t++) {
-            line[i].at[t] = (tf_event){.t = t, .vertex = of->vertex[i]};
+            line[i].at[t] = (tf_event){.t = t, .vertex = e->vertex[i]};
             memcpy(line[i].at[t].x, (t ? end : start) + first,
                    sizeof(double) * (size_t)axes);
         }

@@ -65,23 +65,23 @@ static int sign_of_three(const vector *u, const vector *v, const vector *w)
 
 /// The vertices of an element in multiples of 2^exponent, from a point on.
 static void set_element(int axes, int exponent, const double place[],
-                        const cycle *of, int i, const vector *from,
+                        const cycle *around, int i, const vector *from,
                         vector corner[])
 {
-    for (int j = 0; j < of->size; j++) {
-        int v = of->vertices[of->size * i + j];
+    for (int j = 0; j < around->size; j++) {
+        int v = around->vertices[around->size * i + j];
         for (int k = 0; k < axes; k++)
             dyadic_scale(corner[j].x[k], place[axes * v + k], exponent);
         subtract(&corner[j], &corner[j], from);
     }
 }
 
-static int least_exponent(int axes, const double place[], const cycle *of)
+static int least_exponent(int axes, const double place[], const cycle *around)
 {
     int least = 0;
-    for (int i = 0; i < of->count * of->size; i++)
+    for (int i = 0; i < around->count * around->size; i++)
         for (int k = 0; k < axes; k++)
-            least = dyadic_least(least, place[axes * of->vertices[i] + k]);
+            least = dyadic_least(least, place[axes * around->vertices[i] + k]);
     return least;
 }
 

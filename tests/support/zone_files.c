@@ -50,7 +50,7 @@ static void read_constraint(FILE *file, int axes, tf_constraint *constraint)
     read_numbers(file, 1, &constraint->bound);
 }
 
-bool zone_read(FILE *file, double more, some_zone *read)
+bool zone_read(FILE *file, double more, zone_case *read)
 {
     int axes, vertices, constraints;
     int found = fscanf(file, " zone %d %d %d", &axes, &vertices, &constraints);

@@ -17,6 +17,6 @@ void zone_write(FILE *file, const tf_zone *zone);
 
 /// Reads the next one, with room for more constraints, a part of those it has;
 /// false at the end.  Aborts where the text is no zone.
-bool zone_read(FILE *file, double more, some_zone *read);
+bool zone_read(FILE *file, double more, zone_case *read);
 
 #endif

@@ -12,31 +12,31 @@ static void *allocate(size_t count, size_t size)
     return memory;
 }
 
-static size_t numbers(const some_zone *of)
+static size_t numbers(const zone_case *z)
 {
-    return (size_t)of->zone.axes * (size_t)of->zone.vertices;
+    return (size_t)z->zone.axes * (size_t)z->zone.vertices;
 }
 
-some_zone zone_new(int axes, int vertices, int most_constraints)
+zone_case zone_new(int axes, int vertices, int most_constraints)
 {
-    some_zone of = {.zone = {.axes = axes, .vertices = vertices},
-                    .most_constraints = most_constraints};
-    of.proposal = allocate(numbers(&of), sizeof *of.proposal);
-    of.displacement = allocate(numbers(&of), sizeof *of.displacement);
-    of.inverse_mass = allocate((size_t)vertices, sizeof *of.inverse_mass);
-    of.constraint = allocate((size_t)most_constraints, sizeof *of.constraint);
-    of.zone.displacement = of.displacement;
-    of.zone.inverse_mass = of.inverse_mass;
-    of.zone.constraint = of.constraint;
-    return of;
+    zone_case z = {.zone = {.axes = axes, .vertices = vertices},
+                   .most_constraints = most_constraints};
+    z.proposal = allocate(numbers(&z), sizeof *z.proposal);
+    z.displacement = allocate(numbers(&z), sizeof *z.displacement);
+    z.inverse_mass = allocate((size_t)vertices, sizeof *z.inverse_mass);
+    z.constraint = allocate((size_t)most_constraints, sizeof *z.constraint);
+    z.zone.displacement = z.displacement;
+    z.zone.inverse_mass = z.inverse_mass;
+    z.zone.constraint = z.constraint;
+    return z;
 }
 
-void zone_free(some_zone *of)
+void zone_free(zone_case *z)
 {
-    free(of->proposal);
-    free(of->displacement);
-    free(of->inverse_mass);
-    free(of->constraint);
+    free(z->proposal);
+    free(z->displacement);
+    free(z->inverse_mass);
+    free(z->constraint);
 }
 
 // Random zones ----------------------------------------------------------------
@@ -88,39 +88,39 @@ static tf_constraint random_constraint(generator *random, int axes,
     return constraint;
 }
 
-some_zone zone_random(generator *random, int axes, int vertices,
+zone_case zone_random(generator *random, int axes, int vertices,
                       int constraints, int most_constraints)
 {
-    some_zone of = zone_new(axes, vertices, most_constraints);
+    zone_case z = zone_new(axes, vertices, most_constraints);
     for (int v = 0; v < vertices; v++)
-        of.inverse_mass[v] =
+        z.inverse_mass[v] =
             v % 2 && below(random, 4) == 0 ? 0 : uniform(random, 0.5, 2);
-    for (size_t i = 0; i < numbers(&of); i++)
-        of.proposal[i] = uniform(random, -1, 1);
+    for (size_t i = 0; i < numbers(&z); i++)
+        z.proposal[i] = uniform(random, -1, 1);
     for (int i = 0; i < constraints; i++)
-        of.constraint[i] = random_constraint(random, axes, vertices);
-    of.zone.constraints = constraints;
-    return of;
+        z.constraint[i] = random_constraint(random, axes, vertices);
+    z.zone.constraints = constraints;
+    return z;
 }
 
-void zone_duplicate(some_zone *of, int constraint, double part)
+void zone_duplicate(zone_case *z, int constraint, double part)
 {
-    if (of->zone.constraints == of->most_constraints)
+    if (z->zone.constraints == z->most_constraints)
         abort();
-    tf_constraint *copy = &of->constraint[of->zone.constraints++];
-    *copy = of->constraint[constraint];
+    tf_constraint *copy = &z->constraint[z->zone.constraints++];
+    *copy = z->constraint[constraint];
     copy->bound *= part;
 }
 
 // Solutions -------------------------------------------------------------------
 
-int zone_solve_again(some_zone *of, const tf_zone_solver *solver, int sweeps)
+int zone_solve_again(zone_case *z, const tf_zone_solver *solver, int sweeps)
 {
-    tf_zone *zone = &of->zone;
+    tf_zone *zone = &z->zone;
     size_t workspace =
         solver->workspace(zone->axes, zone->vertices, zone->constraints);
     double *taken = allocate(workspace, sizeof *taken);
-    memcpy(of->displacement, of->proposal, numbers(of) * sizeof *of->proposal);
+    memcpy(z->displacement, z->proposal, numbers(z) * sizeof *z->proposal);
     zone->workspace = taken;
     zone->sweeps = sweeps;
     int iterations = solver->solve(zone);
@@ -129,25 +129,25 @@ int zone_solve_again(some_zone *of, const tf_zone_solver *solver, int sweeps)
     return iterations;
 }
 
-int zone_solve(some_zone *of, const tf_zone_solver *solver, int sweeps)
+int zone_solve(zone_case *z, const tf_zone_solver *solver, int sweeps)
 {
-    for (int i = 0; i < of->zone.constraints; i++)
-        of->zone.constraint[i].impulse = 0;
-    return zone_solve_again(of, solver, sweeps);
+    for (int i = 0; i < z->zone.constraints; i++)
+        z->zone.constraint[i].impulse = 0;
+    return zone_solve_again(z, solver, sweeps);
 }
 
 /// The entry of a constraint at a coordinate, in units in which all masses
 /// are 1.
-static long double entry(const some_zone *of, const tf_constraint *constraint,
+static long double entry(const zone_case *z, const tf_constraint *constraint,
                          int coordinate)
 {
-    int axes = of->zone.axes, vertex = coordinate / axes;
+    int axes = z->zone.axes, vertex = coordinate / axes;
     long double sum = 0;
     for (int i = 0; i < 4 && constraint->vertex[i] >= 0; i++)
         if (constraint->vertex[i] == vertex)
             sum += (long double)constraint->coefficient[i];
     return sum * (long double)constraint->normal[coordinate % axes] *
-           sqrtl((long double)of->inverse_mass[vertex]);
+           sqrtl((long double)z->inverse_mass[vertex]);
 }
 
 /// An equation between the coordinates; those kept are orthonormal.
@@ -165,18 +165,18 @@ static long double dot(const equation *a, const equation *b)
 }
 
 /// What the constraint asks of the change of the proposal.
-static void take_constraint(const some_zone *of,
-                            const tf_constraint *constraint, equation *taken)
+static void take_constraint(const zone_case *z, const tf_constraint *constraint,
+                            equation *taken)
 {
     taken->right = (long double)constraint->bound;
     for (int i = 0; i < taken->count; i++)
-        taken->entry[i] = entry(of, constraint, i);
+        taken->entry[i] = entry(z, constraint, i);
     for (int v = 0; v < 4 && constraint->vertex[v] >= 0; v++)
-        for (int k = 0; k < of->zone.axes; k++) {
-            int i = of->zone.axes * constraint->vertex[v] + k;
+        for (int k = 0; k < z->zone.axes; k++) {
+            int i = z->zone.axes * constraint->vertex[v] + k;
             taken->right -= (long double)constraint->coefficient[v] *
                             (long double)constraint->normal[k] *
-                            (long double)of->proposal[i];
+                            (long double)z->proposal[i];
         }
 }
 
@@ -204,15 +204,15 @@ static bool normalize(equation *taken)
     return true;
 }
 
-void zone_least_change(const some_zone *of, double displacement[])
+void zone_least_change(const zone_case *z, double displacement[])
 {
-    int count = (int)numbers(of), kept = 0;
-    equation *all = allocate((size_t)of->zone.constraints, sizeof *all);
-    for (int i = 0; i < of->zone.constraints; i++) {
+    int count = (int)numbers(z), kept = 0;
+    equation *all = allocate((size_t)z->zone.constraints, sizeof *all);
+    for (int i = 0; i < z->zone.constraints; i++) {
         if (!all[kept].entry)
             all[kept] = (equation){
                 count, allocate((size_t)count, sizeof *all->entry), 0};
-        take_constraint(of, &of->constraint[i], &all[kept]);
+        take_constraint(z, &z->constraint[i], &all[kept]);
         orthogonalize(&all[kept], kept, all);
         kept += normalize(&all[kept]);
     }
@@ -220,27 +220,27 @@ void zone_least_change(const some_zone *of, double displacement[])
         long double change = 0;
         for (int j = 0; j < kept; j++)
             change += all[j].right * all[j].entry[i];
-        double inverse_mass = of->inverse_mass[i / of->zone.axes];
-        displacement[i] = (double)((long double)of->proposal[i] +
+        double inverse_mass = z->inverse_mass[i / z->zone.axes];
+        displacement[i] = (double)((long double)z->proposal[i] +
                                    change * sqrtl((long double)inverse_mass));
     }
-    for (int i = 0; i < of->zone.constraints; i++)
+    for (int i = 0; i < z->zone.constraints; i++)
         free(all[i].entry);
     free(all);
 }
 
 // Errors ----------------------------------------------------------------------
 
-double zone_distance(const some_zone *of, const double a[], const double b[])
+double zone_distance(const zone_case *z, const double a[], const double b[])
 {
     double most = 0;
-    for (size_t i = 0; i < numbers(of); i++)
+    for (size_t i = 0; i < numbers(z); i++)
         most = fmax(most, fabs(a[i] - b[i]));
     return most;
 }
 
 /// How far a constraint is from its bound, and its compliance.
-static double shortage(const some_zone *of, const tf_constraint *constraint,
+static double shortage(const zone_case *z, const tf_constraint *constraint,
                        const double displacement[], double *compliance)
 {
     double sum = constraint->bound;
@@ -248,42 +248,42 @@ static double shortage(const some_zone *of, const tf_constraint *constraint,
     for (int i = 0; i < 4 && constraint->vertex[i] >= 0; i++) {
         int v = constraint->vertex[i];
         double c = constraint->coefficient[i];
-        *compliance += of->inverse_mass[v] * c * c;
-        for (int k = 0; k < of->zone.axes; k++)
+        *compliance += z->inverse_mass[v] * c * c;
+        for (int k = 0; k < z->zone.axes; k++)
             sum -=
-                c * constraint->normal[k] * displacement[of->zone.axes * v + k];
+                c * constraint->normal[k] * displacement[z->zone.axes * v + k];
     }
     return sum;
 }
 
-static double residual(const some_zone *of, const double displacement[])
+static double residual(const zone_case *z, const double displacement[])
 {
     double square = 0;
-    for (int i = 0; i < of->zone.constraints; i++) {
+    for (int i = 0; i < z->zone.constraints; i++) {
         double compliance;
-        double is = shortage(of, &of->constraint[i], displacement, &compliance);
+        double is = shortage(z, &z->constraint[i], displacement, &compliance);
         square += is * is / compliance;
     }
     return sqrt(square);
 }
 
-double zone_residual(const some_zone *of)
+double zone_residual(const zone_case *z)
 {
-    return residual(of, of->displacement) / residual(of, of->proposal);
+    return residual(z, z->displacement) / residual(z, z->proposal);
 }
 
-static double violation(const some_zone *of, const double displacement[])
+static double violation(const zone_case *z, const double displacement[])
 {
     double most = 0;
-    for (int i = 0; i < of->zone.constraints; i++) {
+    for (int i = 0; i < z->zone.constraints; i++) {
         double compliance;
-        most = fmax(
-            most, shortage(of, &of->constraint[i], displacement, &compliance));
+        most = fmax(most,
+                    shortage(z, &z->constraint[i], displacement, &compliance));
     }
     return most;
 }
 
-double zone_violation(const some_zone *of)
+double zone_violation(const zone_case *z)
 {
-    return violation(of, of->displacement) / violation(of, of->proposal);
+    return violation(z, z->displacement) / violation(z, z->proposal);
 }

@@ -1,7 +1,7 @@
 // Boxes: rounding keeps the order of numbers, so it keeps overlaps.
 #include "surface/box.h"
 
-#include "support/scrambled.h"
+#include "support/scrambled_workers.h"
 #include "support/support.h"
 #include "support/surfaces.h"
 
@@ -9,7 +9,7 @@
 #include <math.h>
 #include <string.h>
 
-static some_surface of;
+static surface_case given;
 
 START_TEST(the_order_of_coordinates_is_kept)
 {
@@ -17,19 +17,19 @@ START_TEST(the_order_of_coordinates_is_kept)
     generator random = generator_new((uint64_t)_i);
     for (int i = 0; i < (int)cases(50); i++) {
         int axes = 2 + i % 2, bad;
-        random_surface(&random, axes, 60, (placement)_i, &of);
+        random_surface(&random, axes, 60, (placement)_i, &given);
         tf_frame frame;
-        ck_assert_int_eq(tf_frame_of(axes, &of.motion, NULL, &frame, &bad),
+        ck_assert_int_eq(tf_frame_of(axes, &given.motion, NULL, &frame, &bad),
                          TF_OK);
-        tf_vertex_boxes(&frame, &of.motion, NULL, box);
+        tf_vertex_boxes(&frame, &given.motion, NULL, box);
         bool finite = true, kept = true;
-        for (int v = 0; v < of.mesh.vertices; v++)
-            for (int w = 0; w < of.mesh.vertices; w++)
+        for (int v = 0; v < given.mesh.vertices; v++)
+            for (int w = 0; w < given.mesh.vertices; w++)
                 for (int k = 0; k < axes; k++) {
-                    double low =
-                        fmin(of.start[axes * v + k], of.end[axes * v + k]);
-                    double high =
-                        fmax(of.start[axes * w + k], of.end[axes * w + k]);
+                    double low = fmin(given.start[axes * v + k],
+                                      given.end[axes * v + k]);
+                    double high = fmax(given.start[axes * w + k],
+                                       given.end[axes * w + k]);
                     finite &= isfinite(box[v].low[k]) != 0;
                     kept &= low > high || box[v].low[k] <= box[w].high[k];
                 }
@@ -71,13 +71,13 @@ START_TEST(the_whole_is_the_union_of_all_boxes)
     generator random = generator_new((uint64_t)_i);
     for (int i = 0; i < (int)cases(50); i++) {
         int axes = 2 + i % 2, bad;
-        random_surface(&random, axes, 60, (placement)_i, &of);
+        random_surface(&random, axes, 60, (placement)_i, &given);
         tf_frame frame;
-        ck_assert_int_eq(tf_frame_of(axes, &of.motion, NULL, &frame, &bad),
+        ck_assert_int_eq(tf_frame_of(axes, &given.motion, NULL, &frame, &bad),
                          TF_OK);
-        tf_vertex_boxes(&frame, &of.motion, NULL, box);
+        tf_vertex_boxes(&frame, &given.motion, NULL, box);
         tf_box whole = tf_box_empty;
-        for (int v = 0; v < of.mesh.vertices; v++)
+        for (int v = 0; v < given.mesh.vertices; v++)
             whole = tf_box_union(whole, box[v]);
         for (int k = 0; k < 3; k++) {
             ck_assert(frame.whole.low[k] == whole.low[k]);
@@ -96,7 +96,7 @@ static double many_start[3 * MANY], many_end[3 * MANY];
 static tf_status frame_of_many(tf_frame *frame, int *bad)
 {
     static const int workers = 3;
-    tf_parallel parallel = scrambled(&workers);
+    tf_parallel parallel = scrambled_workers(&workers);
     tf_motion motion = {MANY, many_start, many_end};
     return tf_frame_of(3, &motion, &parallel, frame, bad);
 }

@@ -1,7 +1,7 @@
 // Candidates, against the boxes of all pairs in doubles.
 #include "surface/candidates.h"
 
-#include "support/scrambled.h"
+#include "support/scrambled_workers.h"
 #include "support/support.h"
 #include "support/surface_of.h"
 #include "support/surfaces.h"
@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static some_surface of;
+static surface_case given;
 
 // Boxes -----------------------------------------------------------------------
 
@@ -22,12 +22,13 @@ typedef struct exact_box {
 
 static exact_box box_of(int count, const int vertex[])
 {
-    int axes = of.mesh.axes;
+    int axes = given.mesh.axes;
     exact_box box = {{0}, {0}};
     for (int k = 0; k < axes; k++) {
-        box.low[k] = box.high[k] = of.start[axes * vertex[0] + k];
+        box.low[k] = box.high[k] = given.start[axes * vertex[0] + k];
         for (int i = 0; i < 2 * count; i++) {
-            double x = (i % 2 ? of.end : of.start)[axes * vertex[i / 2] + k];
+            double x =
+                (i % 2 ? given.end : given.start)[axes * vertex[i / 2] + k];
             box.low[k] = x < box.low[k] ? x : box.low[k];
             box.high[k] = x > box.high[k] ? x : box.high[k];
         }
@@ -37,7 +38,7 @@ static exact_box box_of(int count, const int vertex[])
 
 static bool overlap(const exact_box *a, const exact_box *b)
 {
-    for (int k = 0; k < of.mesh.axes; k++)
+    for (int k = 0; k < given.mesh.axes; k++)
         if (a->low[k] > b->high[k] || b->low[k] > a->high[k])
             return false;
     return true;
@@ -115,11 +116,11 @@ static void check_list(const elements *s, const elements *t, size_t count,
 
 static void check_candidates(tf_surface *surface, const tf_candidates *found)
 {
-    elements vertices = {1, of.mesh.vertices, NULL}, edges = {2, 0, NULL},
+    elements vertices = {1, given.mesh.vertices, NULL}, edges = {2, 0, NULL},
              triangles = {3, 0, NULL};
     edges.corner = tf_surface_edges(surface, &edges.count);
     triangles.corner = tf_surface_triangles(surface, &triangles.count);
-    bool plane = of.mesh.axes == 2;
+    bool plane = given.mesh.axes == 2;
     check_list(&vertices, plane ? &edges : &triangles, found->point_count,
                found->points);
     if (plane)
@@ -134,11 +135,11 @@ static void check_surfaces(int count, int most, placement placed, int stream)
 {
     generator random = generator_new((uint64_t)stream);
     for (int i = 0; i < count; i++) {
-        random_surface(&random, 2 + i % 2, most, placed, &of);
-        tf_surface *surface = surface_of(&of.mesh);
+        random_surface(&random, 2 + i % 2, most, placed, &given);
+        tf_surface *surface = surface_of(&given.mesh);
         tf_candidates found;
         ck_assert_int_eq(
-            tf_surface_candidates(surface, &of.motion, NULL, &found, NULL),
+            tf_surface_candidates(surface, &given.motion, NULL, &found, NULL),
             TF_OK);
         check_candidates(surface, &found);
         tf_surface_free(surface);
@@ -155,17 +156,18 @@ END_TEST
 START_TEST(a_needle_among_dust)
 {
     generator random = generator_new(300);
-    random_surface(&random, 3, SURFACE_ELEMENTS, ANYWHERE, &of);
-    for (int i = 0; i < 3 * of.mesh.vertices; i++) {
-        of.start[i] *= 1e-9;
-        of.end[i] *= 1e-9;
+    random_surface(&random, 3, SURFACE_ELEMENTS, ANYWHERE, &given);
+    for (int i = 0; i < 3 * given.mesh.vertices; i++) {
+        given.start[i] *= 1e-9;
+        given.end[i] *= 1e-9;
     }
     for (int k = 0; k < 3; k++)
-        of.start[3 * of.triangle[0] + k] = 1e9;
-    tf_surface *surface = surface_of(&of.mesh);
+        given.start[3 * given.triangle[0] + k] = 1e9;
+    tf_surface *surface = surface_of(&given.mesh);
     tf_candidates found;
     ck_assert_int_eq(
-        tf_surface_candidates(surface, &of.motion, NULL, &found, NULL), TF_OK);
+        tf_surface_candidates(surface, &given.motion, NULL, &found, NULL),
+        TF_OK);
     check_candidates(surface, &found);
     tf_surface_free(surface);
 }
@@ -174,17 +176,19 @@ END_TEST
 START_TEST(any_number_of_workers_gives_the_same_list)
 {
     generator random = generator_new(400 + (uint64_t)_i);
-    random_surface(&random, 3, SURFACE_ELEMENTS, (placement)_i, &of);
-    tf_surface *one = surface_of(&of.mesh), *several = surface_of(&of.mesh);
+    random_surface(&random, 3, SURFACE_ELEMENTS, (placement)_i, &given);
+    tf_surface *one = surface_of(&given.mesh),
+               *several = surface_of(&given.mesh);
     tf_candidates expected;
     ck_assert_int_eq(
-        tf_surface_candidates(one, &of.motion, NULL, &expected, NULL), TF_OK);
+        tf_surface_candidates(one, &given.motion, NULL, &expected, NULL),
+        TF_OK);
     for (int workers = 1; workers <= 8; workers++) {
-        tf_parallel parallel = scrambled(&workers);
+        tf_parallel parallel = scrambled_workers(&workers);
         tf_candidates found;
-        ck_assert_int_eq(
-            tf_surface_candidates(several, &of.motion, &parallel, &found, NULL),
-            TF_OK);
+        ck_assert_int_eq(tf_surface_candidates(several, &given.motion,
+                                               &parallel, &found, NULL),
+                         TF_OK);
         ck_assert_uint_eq(found.point_count, expected.point_count);
         ck_assert_uint_eq(found.edge_count, expected.edge_count);
         size_t all = found.point_count + found.edge_count;
@@ -198,7 +202,7 @@ END_TEST
 
 START_TEST(nothing_may_be_null)
 {
-    tf_surface_candidates(NULL, &of.motion, NULL, &(tf_candidates){0}, NULL);
+    tf_surface_candidates(NULL, &given.motion, NULL, &(tf_candidates){0}, NULL);
 }
 END_TEST
 

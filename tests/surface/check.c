@@ -2,7 +2,7 @@
 #include "surface/check.h"
 
 #include "support/crossings.h"
-#include "support/scrambled.h"
+#include "support/scrambled_workers.h"
 #include "support/support.h"
 #include "support/surface_of.h"
 #include "support/surfaces.h"
@@ -28,19 +28,19 @@ static void compare(const tf_crossings *found)
 static void compare_surfaces(int count, int elements, placement placed,
                              int stream)
 {
-    static some_surface of;
+    static surface_case given;
     generator random = generator_new((uint64_t)stream);
     int workers = 3;
-    tf_parallel parallel = scrambled(&workers);
+    tf_parallel parallel = scrambled_workers(&workers);
     for (int i = 0; i < count; i++) {
-        random_surface(&random, 2 + i % 2, elements, placed, &of);
-        tf_surface *surface = surface_of(&of.mesh);
+        random_surface(&random, 2 + i % 2, elements, placed, &given);
+        tf_surface *surface = surface_of(&given.mesh);
         tf_crossings found;
-        oracle_crossings_find(&all, surface, of.mesh.axes, of.mesh.vertices,
-                              of.start);
+        oracle_crossings_find(&all, surface, given.mesh.axes,
+                              given.mesh.vertices, given.start);
         for (int j = 0; j < 2; j++) {
             ck_assert_int_eq(
-                tf_surface_check(surface, of.start, of.mesh.vertices,
+                tf_surface_check(surface, given.start, given.mesh.vertices,
                                  j ? &parallel : NULL, &found, NULL),
                 TF_OK);
             compare(&found);

@@ -28,18 +28,18 @@ static void join_all(const tf_mesh *mesh)
 
 START_TEST(edges_are_those_of_the_elements)
 {
-    static some_surface of;
+    static surface_case given;
     generator random = generator_new(0);
     for (int i = 0; i < (int)cases(2000); i++) {
-        random_surface(&random, 2 + i % 2, 1 + i % 40, ANYWHERE, &of);
+        random_surface(&random, 2 + i % 2, 1 + i % 40, ANYWHERE, &given);
         tf_elements triangles = {0}, edges = {0};
         tf_sort_workspace workspace = {0};
-        ck_assert(tf_mesh_triangles(&of.mesh, &triangles, &workspace));
-        ck_assert(tf_mesh_edges(&of.mesh, &triangles, &edges, &workspace));
-        join_all(&of.mesh);
+        ck_assert(tf_mesh_triangles(&given.mesh, &triangles, &workspace));
+        ck_assert(tf_mesh_edges(&given.mesh, &triangles, &edges, &workspace));
+        join_all(&given.mesh);
         int count = 0;
-        for (int a = 0; a < of.mesh.vertices; a++)
-            for (int b = 0; b < of.mesh.vertices; b++)
+        for (int a = 0; a < given.mesh.vertices; a++)
+            for (int b = 0; b < given.mesh.vertices; b++)
                 if (joined[a][b]) {
                     ck_assert_int_eq(edges.corner[2 * count], a);
                     ck_assert_int_eq(edges.corner[2 * count + 1], b);

@@ -8,7 +8,7 @@
 #include "query/edge_edge.h"
 #include "query/point_edge.h"
 #include "query/point_triangle.h"
-#include "support/scrambled.h"
+#include "support/scrambled_workers.h"
 #include "support/support.h"
 #include "support/surface_of.h"
 #include "support/surfaces.h"
@@ -79,18 +79,20 @@ static void try_edges(answers *all, int edges, const int *edge)
             try_pair(all, TF_EDGE_EDGE, 2, edge + 2 * i, 2, edge + 2 * j);
 }
 
-static void try_all(answers *all, const some_surface *of, tf_surface *surface)
+static void try_all(answers *all, const surface_case *given,
+                    tf_surface *surface)
 {
     int edges, triangles;
     const int *edge = tf_surface_edges(surface, &edges);
     const int *triangle = tf_surface_triangles(surface, &triangles);
-    all->motion = &of->motion;
+    all->motion = &given->motion;
     all->count = 0;
-    if (of->mesh.axes == 2) {
-        try_points(all, TF_POINT_EDGE, of->mesh.vertices, edges, edge);
+    if (given->mesh.axes == 2) {
+        try_points(all, TF_POINT_EDGE, given->mesh.vertices, edges, edge);
         return;
     }
-    try_points(all, TF_POINT_TRIANGLE, of->mesh.vertices, triangles, triangle);
+    try_points(all, TF_POINT_TRIANGLE, given->mesh.vertices, triangles,
+               triangle);
     try_edges(all, edges, edge);
 }
 
@@ -167,20 +169,20 @@ static void compare_extents(tf_surface *surface, const answers *all)
     ck_assert_uint_eq(found.count, 0);
 }
 
-static some_surface of;
+static surface_case given;
 
 static void compare_surface(const tf_arithmetic *arithmetic,
                             tf_surface *surface, answers *all)
 {
     all->arithmetic = arithmetic;
-    try_all(all, &of, surface);
+    try_all(all, &given, surface);
     int workers = 3;
-    tf_parallel parallel = scrambled(&workers);
+    tf_parallel parallel = scrambled_workers(&workers);
     tf_detect_options detection = {.arithmetic = arithmetic};
     tf_contacts found;
     for (int i = 0; i < 2; i++) {
         ck_assert_int_eq(
-            tf_surface_detect(surface, &of.motion, &detection, &found, NULL),
+            tf_surface_detect(surface, &given.motion, &detection, &found, NULL),
             TF_OK);
         compare(&found, all);
         check_statistics(&found.statistics);
@@ -195,8 +197,8 @@ static void compare_surfaces(const tf_arithmetic *arithmetic, int count,
     generator random = generator_new((uint64_t)stream);
     answers all = {.contact = malloc(sizeof *all.contact * MOST_CONTACTS)};
     for (int i = 0; i < count; i++) {
-        random_surface(&random, 2 + i % 2, elements, placed, &of);
-        tf_surface *surface = surface_of(&of.mesh);
+        random_surface(&random, 2 + i % 2, elements, placed, &given);
+        tf_surface *surface = surface_of(&given.mesh);
         compare_surface(arithmetic, surface, &all);
         tf_surface_free(surface);
     }
@@ -231,12 +233,12 @@ START_TEST(a_surface_is_moved_again_and_again)
     generator random = generator_new(400);
     answers all = {.arithmetic = &tf_exact,
                    .contact = malloc(sizeof *all.contact * MOST_CONTACTS)};
-    random_surface(&random, 3, 20, ANYWHERE, &of);
-    tf_surface *surface = surface_of(&of.mesh);
+    random_surface(&random, 3, 20, ANYWHERE, &given);
+    tf_surface *surface = surface_of(&given.mesh);
     for (int step = 0; step < (int)cases(30); step++) {
-        memcpy(of.start, of.end, sizeof of.start);
-        for (int i = 0; i < 3 * of.mesh.vertices; i++)
-            of.end[i] += uniform(&random, -0.3, 0.3);
+        memcpy(given.start, given.end, sizeof given.start);
+        for (int i = 0; i < 3 * given.mesh.vertices; i++)
+            given.end[i] += uniform(&random, -0.3, 0.3);
         compare_surface(&tf_exact, surface, &all);
     }
     tf_surface_free(surface);

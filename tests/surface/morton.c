@@ -1,7 +1,7 @@
 // Morton keys and their sort.
 #include "surface/morton.h"
 
-#include "support/scrambled.h"
+#include "support/scrambled_workers.h"
 #include "support/support.h"
 
 #include <math.h>
@@ -104,7 +104,7 @@ START_TEST(equal_keys_stay_in_order)
         0, 1, 2, 1000, TF_SORT_PART, TF_SORT_PART + 1, 200000};
     static const int keys[] = {1, 7, 2000, 1 << 30};
     int workers = 3;
-    tf_parallel parallel = scrambled(&workers);
+    tf_parallel parallel = scrambled_workers(&workers);
     for (int i = 0; i < 7; i++) {
         sort(counts[i], keys[_i], NULL);
         sort(counts[i], keys[_i], &parallel);

@@ -3,8 +3,8 @@
 
 #include "fast/estimate.h"
 #include "fast/vectorized.h"
-#include "support/scrambled.h"
-#include "support/stepped.h"
+#include "support/proposal_steps.h"
+#include "support/scrambled_workers.h"
 #include "support/support.h"
 #include "support/surface_of.h"
 #include "surface/candidates.h"
@@ -14,20 +14,20 @@
 #include <string.h>
 
 static proposal made;
-static stepped of;
+static proposal_step s;
 static tf_motion motion;
 static tf_pair_cache cache;
 static const tf_narrow_phase *narrow_phase = &tf_vectorized;
 
 static void take_proposal(void)
 {
-    stepped_begin(&of, &made);
-    motion = (tf_motion){of.step.vertices, of.step.start, of.end};
+    proposal_step_begin(&s, &made);
+    motion = (tf_motion){s.step.vertices, s.step.start, s.end};
 }
 
 static void drop_proposal(void)
 {
-    stepped_free(&of);
+    proposal_step_free(&s);
 }
 
 static void free_cache(void)
@@ -39,7 +39,7 @@ static void free_cache(void)
 
 static tf_contact_search search(const tf_parallel *parallel)
 {
-    return (tf_contact_search){.surface = of.surface,
+    return (tf_contact_search){.surface = s.surface,
                                .motion = &motion,
                                .narrow_phase = narrow_phase,
                                .estimate = tf_contact_estimate,
@@ -53,9 +53,9 @@ static void move_some(generator *random, double far)
     for (int moved = 1 + below(random, 6); moved > 0; moved--) {
         int v = below(random, made.mesh.vertices);
         for (int k = 0; k < axes; k++)
-            of.end[axes * v + k] += uniform(random, -far, far) * made.unit;
+            s.end[axes * v + k] += uniform(random, -far, far) * made.unit;
         if (below(random, 4) == 0) // to rest
-            memcpy(of.end + (ptrdiff_t)axes * v,
+            memcpy(s.end + (ptrdiff_t)axes * v,
                    made.start + (ptrdiff_t)axes * v,
                    sizeof(double) * (size_t)axes);
     }
@@ -195,7 +195,7 @@ START_TEST(contacts_of_cached_pairs_are_found)
 {
     generator random = generator_new(100 + (uint64_t)_i);
     int workers = 3;
-    tf_parallel parallel = scrambled(&workers);
+    tf_parallel parallel = scrambled_workers(&workers);
     for (int times = 0; times < (int)cases(40); times++) {
         proposal_make(&random, (proposal_shape)_i, 2,
                       below(&random, 2) ? SCATTERED : RESTING, &made);
@@ -247,26 +247,26 @@ START_TEST(pairs_that_cannot_be_in_contact_are_not_checked)
     begin_with_particles();
     expect_candidates(2, 2); // those in contact, though nothing has moved
 
-    of.end[3 * 3 + 2] = 0.5; // above the triangle
+    s.end[3 * 3 + 2] = 0.5; // above the triangle
     tf_contact_search moved = search(NULL);
     ck_assert(!tf_pair_cache_is_current(&cache, &moved));
     expect_candidates(1, 2);
     expect_candidates(1, 1); // only the one in contact
-    of.end[3 * 3 + 2] = 0.01;
+    s.end[3 * 3 + 2] = 0.01;
     expect_candidates(1, 1); // it is still above the triangle for sure
-    of.end[3 * 3 + 2] = -0.01;
+    s.end[3 * 3 + 2] = -0.01;
     expect_candidates(2, 2);
 
     // The triangle may move as well, and movements add up.
-    of.end[3 * 3 + 2] = 0.5;
-    of.end[2] = 0.01;
+    s.end[3 * 3 + 2] = 0.5;
+    s.end[2] = 0.01;
     expect_candidates(1, 3);
     for (int i = 0; i < 12; i++) {
-        of.end[2] += i % 2 ? 0.02 : -0.02;
-        of.end[3 * 3] += i % 2 ? 0.02 : -0.02;
+        s.end[2] += i % 2 ? 0.02 : -0.02;
+        s.end[3 * 3] += i % 2 ? 0.02 : -0.02;
         expect_candidates(1, 1);
     }
-    of.end[3 * 3] += 0.02;
+    s.end[3 * 3] += 0.02;
     expect_candidates(1, 2);
     drop_proposal();
 }
@@ -276,12 +276,12 @@ START_TEST(without_clearances_all_pairs_that_move_are_checked)
 {
     narrow_phase = &tf_reference;
     begin_with_particles();
-    of.end[3 * 3 + 2] = 0.5;
+    s.end[3 * 3 + 2] = 0.5;
     expect_candidates(1, 2);
     expect_candidates(1, 1);
-    of.end[3 * 3 + 2] = 0.49;
+    s.end[3 * 3 + 2] = 0.49;
     expect_candidates(1, 2);
-    of.end[2] = 0.01;
+    s.end[2] = 0.01;
     expect_candidates(1, 3);
     expect_candidates(1, 1);
     drop_proposal();
@@ -293,13 +293,13 @@ END_TEST
 START_TEST(pairs_whose_movement_overflows_are_checked)
 {
     begin_with_particles();
-    of.end[3 * 3] = of.end[3 * 3 + 1] = 1.5e308;
+    s.end[3 * 3] = s.end[3 * 3 + 1] = 1.5e308;
     ck_assert_uint_eq(update(NULL).count, 1);
-    of.end[3 * 3] = of.end[3 * 3 + 1] = 1;
+    s.end[3 * 3] = s.end[3 * 3 + 1] = 1;
     ck_assert_uint_eq(update(NULL).count, 2);
-    of.end[3 * 3 + 2] = 0.5;
+    s.end[3 * 3 + 2] = 0.5;
     ck_assert_uint_eq(update(NULL).count, 1);
-    of.end[3 * 3 + 2] = -1;
+    s.end[3 * 3 + 2] = -1;
     ck_assert_uint_eq(update(NULL).count, 2);
     drop_proposal();
 }
@@ -319,9 +319,9 @@ START_TEST(contacts_of_other_pairs_are_not_found)
     take_proposal();
     expect_contact(build(NULL), 4);
 
-    of.end[3 * 3] = -7; // through (1, 0, 0) at half time
-    of.end[3 * 3 + 1] = 2;
-    of.end[3 * 3 + 2] = -1;
+    s.end[3 * 3] = -7; // through (1, 0, 0) at half time
+    s.end[3 * 3 + 1] = 2;
+    s.end[3 * 3 + 2] = -1;
     expect_candidates(1, 1);
     ck_assert_uint_eq(build(NULL).count, 2);
     expect_candidates(2, 2);
@@ -346,7 +346,7 @@ START_TEST(workers_check_pairs_that_others_have_kept)
     static double start[6 * EDGES], end[6 * EDGES];
     static int edge[2 * EDGES];
     int workers = 3;
-    tf_parallel parallel = scrambled(&workers);
+    tf_parallel parallel = scrambled_workers(&workers);
     for (int i = 0; i < 2 * EDGES; i++) {
         // Crosses far from each other; the edges of one pass through each
         // other.
@@ -359,7 +359,7 @@ START_TEST(workers_check_pairs_that_others_have_kept)
     }
     tf_mesh mesh = {
         .axes = 3, .vertices = 2 * EDGES, .edges = EDGES, .edge = edge};
-    of.surface = surface_of(&mesh);
+    s.surface = surface_of(&mesh);
     motion = (tf_motion){2 * EDGES, start, end};
     for (int parallel_first = 0; parallel_first < 2; parallel_first++) {
         tf_contacts found = build(parallel_first ? &parallel : NULL);
@@ -376,7 +376,7 @@ START_TEST(workers_check_pairs_that_others_have_kept)
         lower(end, 2 * EDGES, -0.3);
         ck_assert_uint_eq(update(&parallel).count, EDGES / 2);
     }
-    tf_surface_free(of.surface);
+    tf_surface_free(s.surface);
 }
 END_TEST
 
@@ -393,7 +393,7 @@ START_TEST(ends_far_out_of_the_frame_are_found)
     for (int i = 0; i < 3; i++) {
         int v = made.mesh.triangle[i];
         for (int k = 0; k < made.mesh.axes; k++)
-            of.end[made.mesh.axes * v + k] = i == k ? -0x1p1000 : 0x1p1000;
+            s.end[made.mesh.axes * v + k] = i == k ? -0x1p1000 : 0x1p1000;
     }
     found = update(NULL);
     compare(other, &found, false);

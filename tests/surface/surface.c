@@ -85,15 +85,15 @@ static int list_edges(const tf_mesh *mesh, int list[])
 
 START_TEST(edges_of_random_surfaces)
 {
-    static some_surface of;
+    static surface_case given;
     static int expected[8 * SURFACE_ELEMENTS];
     generator random = generator_new(1);
     for (int i = 0; i < (int)cases(200); i++) {
-        random_surface(&random, 2 + i % 2, SURFACE_ELEMENTS, ANYWHERE, &of);
-        tf_surface *surface = surface_of(&of.mesh);
+        random_surface(&random, 2 + i % 2, SURFACE_ELEMENTS, ANYWHERE, &given);
+        tf_surface *surface = surface_of(&given.mesh);
         int count;
         const int *list = tf_surface_edges(surface, &count);
-        check_list(2, count, list, list_edges(&of.mesh, expected), expected);
+        check_list(2, count, list, list_edges(&given.mesh, expected), expected);
         tf_surface_free(surface);
     }
 }

@@ -21,25 +21,26 @@ static void expect_same(const tf_elements *list, const tf_elements *expected)
 // A surface takes other meshes in the same memory, also in another space.
 START_TEST(a_refilled_surface_is_like_a_new_one)
 {
-    static some_surface of;
+    static surface_case given;
     generator random = generator_new(2);
-    random_surface(&random, 2, 1, ANYWHERE, &of);
-    tf_surface *refilled = surface_of(&of.mesh);
+    random_surface(&random, 2, 1, ANYWHERE, &given);
+    tf_surface *refilled = surface_of(&given.mesh);
     for (int i = 0; i < (int)cases(200); i++) {
         random_surface(&random, 2 + below(&random, 2),
-                       1 + below(&random, SURFACE_ELEMENTS), ANYWHERE, &of);
-        ck_assert(tf_surface_refill(refilled, &of.mesh));
-        tf_surface *surface = surface_of(&of.mesh);
+                       1 + below(&random, SURFACE_ELEMENTS), ANYWHERE, &given);
+        ck_assert(tf_surface_refill(refilled, &given.mesh));
+        tf_surface *surface = surface_of(&given.mesh);
         ck_assert_int_eq(refilled->axes, surface->axes);
         ck_assert_int_eq(refilled->vertices, surface->vertices);
         expect_same(&refilled->edges, &surface->edges);
         expect_same(&refilled->triangles, &surface->triangles);
         tf_contacts contacts, again;
         ck_assert_int_eq(
-            tf_surface_detect(surface, &of.motion, NULL, &contacts, NULL),
+            tf_surface_detect(surface, &given.motion, NULL, &contacts, NULL),
             TF_OK);
         ck_assert_int_eq(
-            tf_surface_detect(refilled, &of.motion, NULL, &again, NULL), TF_OK);
+            tf_surface_detect(refilled, &given.motion, NULL, &again, NULL),
+            TF_OK);
         ck_assert_uint_eq(again.count, contacts.count);
         if (again.count > 0)
             ck_assert_mem_eq(again.contact, contacts.contact,
@@ -52,13 +53,13 @@ END_TEST
 
 START_TEST(trees_have_all_elements_and_their_boxes)
 {
-    static some_surface of;
+    static surface_case given;
     generator random = generator_new(3);
     for (int i = 0; i < (int)cases(100); i++) {
-        random_surface(&random, 2 + i % 2, SURFACE_ELEMENTS, ANYWHERE, &of);
-        tf_surface *surface = surface_of(&of.mesh);
+        random_surface(&random, 2 + i % 2, SURFACE_ELEMENTS, ANYWHERE, &given);
+        tf_surface *surface = surface_of(&given.mesh);
         tf_flaw flaw;
-        ck_assert_int_eq(tf_surface_move(surface, &of.motion, NULL, &flaw),
+        ck_assert_int_eq(tf_surface_move(surface, &given.motion, NULL, &flaw),
                          TF_OK);
         ck_assert_int_eq(flaw.element, TF_NO_ELEMENT);
         ck_assert_int_eq(surface->vertex_tree.count, surface->vertices);
@@ -66,7 +67,7 @@ START_TEST(trees_have_all_elements_and_their_boxes)
         ck_assert_int_eq(surface->triangle_tree.count,
                          surface->triangles.count);
         for (int v = 0; v < surface->vertices; v++) {
-            tf_box box = tf_vertex_box(&surface->frame, &of.motion, v);
+            tf_box box = tf_vertex_box(&surface->frame, &given.motion, v);
             ck_assert_mem_eq((tf_box *)surface->boxes.data + v, &box,
                              sizeof box);
         }
@@ -77,22 +78,22 @@ END_TEST
 
 START_TEST(bad_motions_are_refused)
 {
-    static some_surface of;
+    static surface_case given;
     generator random = generator_new(4);
-    random_surface(&random, 3, SURFACE_ELEMENTS, ANYWHERE, &of);
-    tf_surface *surface = surface_of(&of.mesh);
+    random_surface(&random, 3, SURFACE_ELEMENTS, ANYWHERE, &given);
+    tf_surface *surface = surface_of(&given.mesh);
     tf_flaw flaw;
-    tf_motion more = of.motion;
+    tf_motion more = given.motion;
     more.vertices++;
     ck_assert_int_eq(tf_surface_move(surface, &more, NULL, &flaw),
                      TF_BAD_COUNT);
     ck_assert_int_eq(flaw.element, TF_NO_ELEMENT);
-    size_t bytes = sizeof(double) * 3 * (size_t)of.motion.vertices;
+    size_t bytes = sizeof(double) * 3 * (size_t)given.motion.vertices;
     double *end = malloc(bytes);
     ck_assert_ptr_nonnull(end);
-    memcpy(end, of.motion.end, bytes);
+    memcpy(end, given.motion.end, bytes);
     end[3 * 2 + 1] = INFINITY;
-    tf_motion far = {of.motion.vertices, of.motion.start, end};
+    tf_motion far = {given.motion.vertices, given.motion.start, end};
     ck_assert_int_eq(tf_surface_move(surface, &far, NULL, &flaw),
                      TF_NOT_FINITE);
     ck_assert_int_eq(flaw.element, TF_VERTEX);

@@ -1,7 +1,7 @@
 // Tasks and ranges.
 #include "surface/tasks.h"
 
-#include "support/scrambled.h"
+#include "support/scrambled_workers.h"
 #include "support/support.h"
 
 #include <limits.h>
@@ -38,7 +38,7 @@ START_TEST(every_task_runs_once)
 {
     static const int counts[] = {0, 1, 2, TASKS};
     int workers = 3;
-    tf_parallel parallel = scrambled(&workers);
+    tf_parallel parallel = scrambled_workers(&workers);
     for (int i = 0; i < 4; i++) {
         ck_assert_int_eq(run(NULL, counts[i]).last_worker, 0);
         run(&parallel, counts[i]);
@@ -52,7 +52,7 @@ END_TEST
 START_TEST(there_is_a_worker)
 {
     int workers = 0;
-    tf_parallel parallel = scrambled(&workers);
+    tf_parallel parallel = scrambled_workers(&workers);
     tf_parallel_workers(&parallel);
 }
 END_TEST

@@ -1,7 +1,7 @@
 // The tree: every element in one leaf, every box inside the one above it.
 #include "surface/tree.h"
 
-#include "support/scrambled.h"
+#include "support/scrambled_workers.h"
 #include "support/support.h"
 
 #include <stdlib.h>
@@ -128,7 +128,7 @@ START_TEST(every_element_is_in_one_leaf)
     tf_tree tree = {0};
     tf_tree_workspace workspace = {0};
     int workers = 3;
-    tf_parallel parallel = scrambled(&workers);
+    tf_parallel parallel = scrambled_workers(&workers);
     for (int i = 0; i < 13; i++)
         for (int corners = 1; corners <= 3; corners++) {
             check_tree(&tree, &workspace, counts[i], corners, NULL);

@@ -1,7 +1,7 @@
 // Workers: what they find, and how they stop.
 #include "surface/workers.h"
 
-#include "support/scrambled.h"
+#include "support/scrambled_workers.h"
 #include "support/support.h"
 
 #include <string.h>
@@ -92,7 +92,7 @@ START_TEST(workers_share_a_join)
     build(&tree);
     tf_workers workers = {0};
     int threads = 3;
-    tf_parallel parallel = scrambled(&threads);
+    tf_parallel parallel = scrambled_workers(&threads);
     ck_assert(tf_workers_begin(&workers, threads, NULL));
     tf_workers_join(&workers, &tree, &tree, count, NULL, &parallel);
     size_t half = POINTS / 2;

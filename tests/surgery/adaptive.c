@@ -1,10 +1,10 @@
 // What an adaptive surface keeps and lends.
 #include "surgery/adaptive.h"
 
-#include "support/adaptive_of.h"
-#include "support/operating.h"
+#include "support/adaptive_surfaces.h"
 #include "support/support.h"
-#include "surgery/operations.h"
+#include "support/surgery_runs.h"
+#include "surgery/collapse.h"
 
 #include <signal.h>
 #include <string.h>
@@ -66,21 +66,21 @@ START_TEST(a_steady_state_takes_no_memory)
     enum {
         TRIES = 12000
     };
-    static operating run;
-    static operating_counts counts;
+    static surgery_run run;
+    static surgery_counts counts;
     size_t bytes = 0;
-    operating_begin(&run, generator_new(3), SLABS, &counts);
+    surgery_run_begin(&run, generator_new(3), SLABS, &counts);
     for (int i = 0; i < TRIES; i++) {
         if (i == TRIES / 4)
             bytes = tf_adaptive_memory(run.surface);
-        chosen request = operating_choose(&run);
+        surgery_choice request = surgery_run_choose(&run);
         operate(&run, &request);
         if (i % 100 == 0)
-            operating_compact(&run);
+            surgery_run_compact(&run);
     }
     size_t leaked = 3 * TRIES / 4 * sizeof(int);
     ck_assert_uint_lt(tf_adaptive_memory(run.surface), bytes + leaked);
-    operating_end(&run);
+    surgery_run_end(&run);
 }
 END_TEST
 

@@ -1,7 +1,7 @@
 // Collapses of edges.
-#include "surgery/operations.h"
+#include "surgery/collapse.h"
 
-#include "support/adaptive_of.h"
+#include "support/adaptive_surfaces.h"
 #include "support/support.h"
 
 #include <string.h>

@@ -1,7 +1,7 @@
 // Flips of edges.
-#include "surgery/operations.h"
+#include "surgery/flip.h"
 
-#include "support/adaptive_of.h"
+#include "support/adaptive_surfaces.h"
 #include "support/support.h"
 
 static tf_outcome flip(tf_adaptive_surface *surface, int a, int b)

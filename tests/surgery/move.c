@@ -2,18 +2,19 @@
 // finds one, and no others.
 #include "surgery/move.h"
 
-#include "support/adaptive_of.h"
-#include "support/operating.h"
+#include "support/adaptive_surfaces.h"
 #include "support/support.h"
 #include "support/surface_of.h"
+#include "support/surgery_runs.h"
 #include "surface/detect.h"
-#include "surgery/operations.h"
+#include "surgery/outcome.h"
 
 #include <string.h>
 
 /// Whether a vertex of a surface without gaps meets something on its way.
 static bool has_contact(tf_surface *detected,
-                        const tf_adaptive_surface *surface, const chosen *move)
+                        const tf_adaptive_surface *surface,
+                        const surgery_choice *move)
 {
     static double end[3 * LABELLED];
     tf_mesh mesh = tf_adaptive_mesh(surface);
@@ -27,16 +28,16 @@ static bool has_contact(tf_surface *detected,
     return found.any;
 }
 
-static int try_moves(operating *run, tf_surface *detected, int times)
+static int try_moves(surgery_run *run, tf_surface *detected, int times)
 {
     int contacts = 0;
     while (times > 0) {
-        chosen move = operating_choose(run);
+        surgery_choice move = surgery_run_choose(run);
         if (move.what != MOVE_VERTEX)
             continue;
         int vertex;
         bool met = has_contact(detected, run->surface, &move);
-        tf_outcome outcome = chosen_try(run->surface, &move, &vertex);
+        tf_outcome outcome = surgery_choice_try(run->surface, &move, &vertex);
         if (outcome != TF_IMPOSSIBLE) // a lone triangle has no contacts
             ck_assert_int_eq(outcome != TF_COMMITTED, met);
         contacts += met;
@@ -47,17 +48,17 @@ static int try_moves(operating *run, tf_surface *detected, int times)
 
 START_TEST(a_move_is_refused_where_there_is_a_contact)
 {
-    static operating run;
-    static operating_counts counts;
+    static surgery_run run;
+    static surgery_counts counts;
     int contacts = 0;
     for (long i = 0; i < cases(8); i++) {
-        operating_begin(&run, generator_new((uint64_t)(i * 10 + _i)),
-                        (adaptive_scene_kind)_i, &counts);
+        surgery_run_begin(&run, generator_new((uint64_t)(i * 10 + _i)),
+                          (adaptive_scene_kind)_i, &counts);
         tf_mesh mesh = tf_adaptive_mesh(run.surface);
         tf_surface *detected = surface_of(&mesh);
         contacts += try_moves(&run, detected, 200);
         tf_surface_free(detected);
-        operating_end(&run);
+        surgery_run_end(&run);
     }
     ck_assert_int_gt(contacts, 20);
 }

@@ -1,9 +1,12 @@
 // What every operation refuses to begin with.
 #include "surgery/request.h"
 
-#include "support/adaptive_of.h"
+#include "support/adaptive_surfaces.h"
 #include "support/support.h"
-#include "surgery/operations.h"
+#include "surgery/collapse.h"
+#include "surgery/flip.h"
+#include "surgery/move.h"
+#include "surgery/split.h"
 
 #include <math.h>
 #include <signal.h>

@@ -1,7 +1,7 @@
 // Splits of edges.
-#include "surgery/operations.h"
+#include "surgery/split.h"
 
-#include "support/adaptive_of.h"
+#include "support/adaptive_surfaces.h"
 #include "support/support.h"
 
 static tf_outcome split(tf_adaptive_surface *surface, int a, int b, double x,

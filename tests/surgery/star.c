@@ -7,7 +7,7 @@
 //     0 - 1 - 2
 #include "surgery/star.h"
 
-#include "support/adaptive_of.h"
+#include "support/adaptive_surfaces.h"
 #include "support/support.h"
 
 static tf_adaptive_surface *sheet;
@@ -60,16 +60,16 @@ START_TEST(triangles_come_and_go)
     const int vertex[] = {1, 2, 5};
     tf_aabb box = tf_aabb_of(sheet, 3, vertex);
     int gone = corner / 3,
-        count = tf_dynamic_tree_find(&sheet->boxes, &box, found);
+        count = tf_dynamic_tree_find(&sheet->tree, &box, found);
     tf_triangle_remove(sheet, gone);
     ck_assert(!tf_is_triangle(sheet, gone));
     ck_assert_int_eq(tf_first_corner(sheet, 2), TF_NONE);
     ck_assert_int_eq(tf_star_size(sheet, 5), 2);
-    ck_assert_int_eq(tf_dynamic_tree_find(&sheet->boxes, &box, found),
+    ck_assert_int_eq(tf_dynamic_tree_find(&sheet->tree, &box, found),
                      count - 1);
     ck_assert_int_eq(tf_triangle_add(sheet, vertex), gone);
     ck_assert_int_eq(tf_star_size(sheet, 5), 3);
-    ck_assert_int_eq(tf_dynamic_tree_find(&sheet->boxes, &box, found), count);
+    ck_assert_int_eq(tf_dynamic_tree_find(&sheet->tree, &box, found), count);
 }
 END_TEST
 

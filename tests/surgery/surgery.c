@@ -1,11 +1,12 @@
 // A surgery is described, tried, and done or not.
 #include "surgery/surgery.h"
 
-#include "support/adaptive_of.h"
-#include "support/operating.h"
+#include "support/adaptive_surfaces.h"
 #include "support/support.h"
-#include "surgery/operations.h"
+#include "support/surgery_runs.h"
+#include "surgery/outcome.h"
 #include "surgery/star.h"
+#include "surgery/trial.h"
 
 #include <limits.h>
 
@@ -44,10 +45,10 @@ START_TEST(only_the_boundary_is_kept_by_itself)
     ck_assert(tf_surgery_begin(surface, 2));
     tf_surgery_keep(surface, tf_find_edge(surface, 0, 1));
     tf_surgery_keep(surface, tf_find_edge(surface, 1, 4));
-    ck_assert_int_eq(surface->surgery.rims, 1);
-    const int *rim = surface->surgery.rim.data;
-    ck_assert_int_eq(rim[0], 0);
-    ck_assert_int_eq(rim[1], 1);
+    ck_assert_int_eq(surface->surgery.boundary_edges, 1);
+    const int *edge = surface->surgery.boundary.data;
+    ck_assert_int_eq(edge[0], 0);
+    ck_assert_int_eq(edge[1], 1);
     tf_adaptive_free(surface);
 }
 END_TEST
@@ -63,21 +64,21 @@ END_TEST
 
 START_TEST(a_refusal_changes_no_bit)
 {
-    static operating run;
-    static operating_counts counts;
+    static surgery_run run;
+    static surgery_counts counts;
     int refused = 0;
-    operating_begin(&run, generator_new((uint64_t)_i), (adaptive_scene_kind)_i,
-                    &counts);
+    surgery_run_begin(&run, generator_new((uint64_t)_i),
+                      (adaptive_scene_kind)_i, &counts);
     for (long i = 0; i < cases(1500); i++) {
-        uint64_t hash = operating_hash(&run);
-        chosen request = operating_choose(&run);
+        uint64_t hash = surgery_run_hash(&run);
+        surgery_choice request = surgery_run_choose(&run);
         if (operate(&run, &request) == TF_COMMITTED)
             continue;
-        ck_assert_uint_eq(operating_hash(&run), hash);
+        ck_assert_uint_eq(surgery_run_hash(&run), hash);
         refused++;
     }
     ck_assert_int_gt(refused, 0);
-    operating_end(&run);
+    surgery_run_end(&run);
 }
 END_TEST
 

@@ -40,13 +40,13 @@ START_TEST(a_point_is_outside_of_the_faces_before_it)
 END_TEST
 
 /// An edge between vertices; those from 4 on are no corners.
-static tf_thread thread_of(const tf_tetrahedron *body, double x[][3], int a,
-                           int b)
+static tf_located_edge thread_of(const tf_tetrahedron *body, double x[][3],
+                                 int a, int b)
 {
-    return (tf_thread){{a, b},
-                       {x[a], x[b]},
-                       {tf_tetrahedron_outside(body, x[a]),
-                        tf_tetrahedron_outside(body, x[b])}};
+    return (tf_located_edge){{a, b},
+                             {x[a], x[b]},
+                             {tf_tetrahedron_outside(body, x[a]),
+                              tf_tetrahedron_outside(body, x[b])}};
 }
 
 START_TEST(edges_meet_what_their_ends_are_not_in)
@@ -59,7 +59,7 @@ START_TEST(edges_meet_what_their_ends_are_not_in)
         if (meet_at_rest(3, 4, x, 1, x + 4) || meet_at_rest(3, 4, x, 1, x + 5))
             continue;
         tf_tetrahedron body = tetrahedron_of(x);
-        tf_thread edge = thread_of(&body, x, 4, 5);
+        tf_located_edge edge = thread_of(&body, x, 4, 5);
         bool found = tf_tetrahedron_meets(&body, &edge);
         ck_assert_int_eq(found, meet_at_rest(3, 4, x, 2, x + 4));
         met += found;
@@ -85,8 +85,8 @@ START_TEST(edges_from_a_corner_enter_it_at_once_or_never)
         for (int k = 0; k < 3; k++)
             step[0][k] = x[0][k] + (x[4][k] - x[0][k]) / 1024;
         bool enters = meet_at_rest(3, 4, x, 1, step);
-        tf_thread edge = thread_of(&body, x, 0, 4);
-        tf_thread reverse = thread_of(&body, x, 4, 0);
+        tf_located_edge edge = thread_of(&body, x, 0, 4);
+        tf_located_edge reverse = thread_of(&body, x, 4, 0);
         ck_assert_int_eq(tf_tetrahedron_meets(&body, &edge), enters);
         ck_assert_int_eq(tf_tetrahedron_meets(&body, &reverse), enters);
         met += enters;
@@ -112,7 +112,7 @@ START_TEST(a_plane_separates_only_what_is_apart)
                             {x[5][0], x[5][1], x[5][2]},
                             {x[6][0], x[6][1], x[6][2]}};
         ck_assert(!meet_at_rest(3, 4, x, first == 0 ? 2 : 3, far));
-        tf_thread edge = thread_of(&body, x, first, 4);
+        tf_located_edge edge = thread_of(&body, x, first, 4);
         ck_assert(!tf_tetrahedron_meets(&body, &edge));
         ck_assert(tf_tetrahedron_is_apart(&body, 2, &facet));
         apart++;
@@ -126,7 +126,7 @@ START_TEST(its_own_edges_do_not_meet_it)
 {
     double x[4][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     tf_tetrahedron body = tetrahedron_of(x);
-    tf_thread edge = thread_of(&body, x, 1, 3);
+    tf_located_edge edge = thread_of(&body, x, 1, 3);
     ck_assert(!tf_tetrahedron_meets(&body, &edge));
 }
 END_TEST

@@ -1,11 +1,14 @@
 // The five tests: for each a witness that no other refuses, so that without it
 // the surface would be spoilt.
-#include "surgery/operations.h"
-#include "surgery/state.h"
+#include "surgery/trial.h"
 
 #include "experiments/leave_out.h"
-#include "support/adaptive_of.h"
+#include "support/adaptive_surfaces.h"
 #include "support/support.h"
+#include "surgery/adaptive_surface.h"
+#include "surgery/flip.h"
+#include "surgery/move.h"
+#include "surgery/split.h"
 
 static tf_outcome move(tf_adaptive_surface *surface, int vertex, double x,
                        double y, double z)

@@ -18,22 +18,22 @@ static tf_adaptive_surface *three_balls(void)
 START_TEST(each_part_is_listed_once)
 {
     tf_adaptive_surface *surface = three_balls();
-    tf_parts parts = {0};
-    ck_assert(tf_parts_begin(&parts, surface));
-    ck_assert_int_eq(tf_parts_add(&parts, surface, 40), 32);
-    ck_assert_int_eq(tf_parts_add(&parts, surface, 35), 0);
-    ck_assert_int_eq(tf_parts_add(&parts, surface, 0), 32);
+    tf_components parts = {0};
+    ck_assert(tf_components_begin(&parts, surface));
+    ck_assert_int_eq(tf_components_add(&parts, surface, 40), 32);
+    ck_assert_int_eq(tf_components_add(&parts, surface, 35), 0);
+    ck_assert_int_eq(tf_components_add(&parts, surface, 0), 32);
     for (int i = 0; i < 64; i++) {
-        int t = tf_parts_list(&parts)[i];
+        int t = tf_components_list(&parts)[i];
         ck_assert_int_eq(t / 32, i < 32 ? 1 : 0);
         for (int j = 0; j < i; j++)
-            ck_assert_int_ne(tf_parts_list(&parts)[j], t);
+            ck_assert_int_ne(tf_components_list(&parts)[j], t);
     }
     ck_assert(tf_is_listed(&parts, 31));
     ck_assert(!tf_is_listed(&parts, 64));
-    ck_assert(tf_parts_begin(&parts, surface)); // again, empty
+    ck_assert(tf_components_begin(&parts, surface)); // again, empty
     ck_assert(!tf_is_listed(&parts, 31));
-    tf_parts_free(&parts);
+    tf_components_free(&parts);
     tf_adaptive_free(surface);
 }
 END_TEST

@@ -1,8 +1,8 @@
 // Drops of a part.
-#include "topology/topology.h"
+#include "topology/drop.h"
 
-#include "support/adaptive_of.h"
 #include "support/adaptive_scenes.h"
+#include "support/adaptive_surfaces.h"
 #include "support/blobs.h"
 #include "support/support.h"
 #include "surgery/star.h"

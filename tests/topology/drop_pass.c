@@ -1,8 +1,9 @@
 // The pass that drops small parts.
-#include "topology/reconnector.h"
+#include "topology/drop_pass.h"
 
 #include "support/blobs.h"
 #include "support/support.h"
+#include "topology/reconnector.h"
 
 static blobs made;
 static tf_reconnect_report report;

@@ -1,9 +1,11 @@
 // Edges that face each other, and the pieces that they make.
-#include "topology/reconnector.h"
+#include "topology/facing.h"
 
-#include "support/adaptive_of.h"
+#include "remesh/measure.h"
+#include "support/adaptive_surfaces.h"
 #include "support/blobs.h"
 #include "support/support.h"
+#include "topology/reconnector.h"
 
 static blobs made;
 static tf_reconnect_report report;
@@ -29,7 +31,7 @@ static void end(void)
 
 static const tf_facing_edges *row_at(int i)
 {
-    return (const tf_facing_edges *)reconnector.row.data + i;
+    return (const tf_facing_edges *)reconnector.candidate.data + i;
 }
 
 /// The distance of two edges, by points on them.
@@ -55,8 +57,8 @@ START_TEST(edges_across_a_gap_are_listed_the_nearest_first)
 {
     begin(0.05, 4, false);
     ck_assert(tf_list_facing(&reconnector, 0.2));
-    ck_assert_int_gt(reconnector.rows, 10);
-    for (int i = 0; i < reconnector.rows; i++) {
+    ck_assert_int_gt(reconnector.candidates, 10);
+    for (int i = 0; i < reconnector.candidates; i++) {
         const tf_facing_edges *row = row_at(i);
         ck_assert(i == 0 || row[-1].distance <= row->distance);
         ck_assert_double_lt(row->distance, 0.2);
@@ -96,7 +98,7 @@ START_TEST(none_is_missing)
                 near += about(a, b) < 0.25;
         }
     ck_assert_int_gt(near, 4);
-    ck_assert_int_ge(reconnector.rows, near);
+    ck_assert_int_ge(reconnector.candidates, near);
     end();
 }
 END_TEST
@@ -117,7 +119,7 @@ START_TEST(the_gap_must_be_outside)
         reconnector = (tf_reconnector){.surface = blobs_surface(&made),
                                        .report = &report};
         ck_assert(tf_list_facing(&reconnector, 0.2));
-        ck_assert_int_eq(reconnector.rows > 0, inward == 0);
+        ck_assert_int_eq(reconnector.candidates > 0, inward == 0);
         end();
         for (int i = 0; i < made.triangles; i++) {
             int *v = made.triangle + 3 * i, swap = v[1];
@@ -138,7 +140,7 @@ START_TEST(normals_must_oppose)
     reconnector = (tf_reconnector){
         .surface = adaptive_of(8, place, 4, triangle), .report = &report};
     ck_assert(tf_list_facing(&reconnector, 2));
-    ck_assert_int_eq(reconnector.rows, 0);
+    ck_assert_int_eq(reconnector.candidates, 0);
     end();
 }
 END_TEST

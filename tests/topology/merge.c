@@ -1,13 +1,13 @@
 // Merges of two edges.
-#include "topology/topology.h"
+#include "topology/merge.h"
 
 #include "experiments/leave_out.h"
-#include "support/adaptive_of.h"
 #include "support/adaptive_scenes.h"
+#include "support/adaptive_surfaces.h"
 #include "support/blobs.h"
 #include "support/support.h"
+#include "surgery/adaptive_surface.h"
 #include "surgery/star.h"
-#include "surgery/state.h"
 
 static adaptive_scene scene;
 

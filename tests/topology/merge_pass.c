@@ -1,9 +1,10 @@
 // The pass that merges: once in each contact, and nothing that would be
 // pinched.
-#include "topology/reconnector.h"
+#include "topology/merge_pass.h"
 
 #include "support/blobs.h"
 #include "support/support.h"
+#include "topology/reconnector.h"
 
 static blobs made;
 static tf_reconnect_report report;
@@ -55,7 +56,7 @@ START_TEST(what_is_far_is_not_merged)
 {
     begin(0.1, 0.3);
     ck_assert_uint_eq(merges(), 0);
-    ck_assert_int_gt(reconnector.rows, 0); // though it is in contact
+    ck_assert_int_gt(reconnector.candidates, 0); // though it is in contact
     end();
 }
 END_TEST

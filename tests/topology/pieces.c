@@ -1,8 +1,10 @@
 // The pieces of a surface that are in contact.
-#include "topology/reconnector.h"
+#include "topology/pieces.h"
 
-#include "support/adaptive_of.h"
+#include "support/adaptive_surfaces.h"
 #include "support/support.h"
+#include "topology/facing.h"
+#include "topology/reconnector.h"
 
 static tf_reconnect_report report;
 static tf_reconnector reconnector;
@@ -13,11 +15,12 @@ static void begin(int a, int b, int c, int d)
 {
     reconnector =
         (tf_reconnector){.surface = adaptive_sheet(8, 2), .report = &report};
-    ck_assert(tf_buffer_extend(&reconnector.row, 2, sizeof(tf_facing_edges)));
-    tf_facing_edges *row = reconnector.row.data;
+    ck_assert(
+        tf_buffer_extend(&reconnector.candidate, 2, sizeof(tf_facing_edges)));
+    tf_facing_edges *row = reconnector.candidate.data;
     row[0] = (tf_facing_edges){0, {a, b}, {a, b}};
     row[1] = (tf_facing_edges){0, {c, d}, {c, d}};
-    reconnector.rows = 2;
+    reconnector.candidates = 2;
     ck_assert(tf_find_pieces(&reconnector));
 }
 

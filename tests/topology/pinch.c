@@ -1,8 +1,8 @@
 // Pinches of loops of three edges.
-#include "topology/topology.h"
+#include "topology/pinch.h"
 
 #include "experiments/leave_out.h"
-#include "support/adaptive_of.h"
+#include "support/adaptive_surfaces.h"
 #include "support/blobs.h"
 #include "support/support.h"
 #include "surgery/star.h"

@@ -1,9 +1,10 @@
 // The pass that pinches: necks of short edges, and no tips.
-#include "topology/reconnector.h"
+#include "topology/pinch_pass.h"
 
-#include "support/adaptive_of.h"
+#include "support/adaptive_surfaces.h"
 #include "support/blobs.h"
 #include "support/support.h"
+#include "topology/reconnector.h"
 
 static blobs made;
 static tf_reconnect_report report;

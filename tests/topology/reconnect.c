@@ -2,10 +2,12 @@
 // two.
 #include "topology/reconnect.h"
 
-#include "support/adaptive_of.h"
+#include "support/adaptive_surfaces.h"
 #include "support/blobs.h"
 #include "support/support.h"
-#include "surgery/operations.h"
+#include "surgery/collapse.h"
+#include "surgery/move.h"
+#include "surgery/split.h"
 
 #include <math.h>
 

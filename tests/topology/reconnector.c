@@ -1,7 +1,7 @@
 // What the passes of a reconnection have in common.
 #include "topology/reconnector.h"
 
-#include "support/adaptive_of.h"
+#include "support/adaptive_surfaces.h"
 #include "support/support.h"
 
 START_TEST(outcomes_are_counted)

@@ -1,9 +1,11 @@
 // Surgery in stages.
 #include "topology/stage.h"
 
-#include "support/adaptive_of.h"
+#include "support/adaptive_surfaces.h"
 #include "support/support.h"
 #include "surgery/star.h"
+#include "surgery/surgery.h"
+#include "surgery/trial.h"
 
 // A corner of a tetrahedron moves out, and then further: the triangles of the
 // first stage are there in the second one, and go then.
@@ -22,13 +24,13 @@ START_TEST(a_stage_follows_another)
     }
     ck_assert_int_eq(tf_surgery_try(surface), TF_COMMITTED);
     tf_surgery_sweep(surface, 0, first, 1, 2);
-    tf_surgery_settle(surface);
-    ck_assert_int_eq(surface->surgery.settled, 3);
+    tf_surgery_end_stage(surface);
+    ck_assert_int_eq(surface->surgery.earlier, 3);
     ck_assert_int_eq(surface->surgery.sweeps, 0);
     tf_surgery_withdraw(surface, 2, first, 1);
     tf_surgery_withdraw(surface, first, 3, 2);
     tf_surgery_withdraw(surface, 1, 3, first);
-    ck_assert_int_eq(surface->surgery.settled, 0);
+    ck_assert_int_eq(surface->surgery.earlier, 0);
     int second = tf_surgery_place(surface, far);
     ck_assert_int_eq(second, first + 1);
     for (int c = tf_first_corner(surface, 0); c != TF_NONE;
@@ -59,7 +61,7 @@ START_TEST(what_is_settled_is_in_the_way)
     ck_assert(tf_surgery_begin(surface, 6));
     add_fin(surface, 0.5, -1, 1);
     ck_assert_int_eq(tf_surgery_try(surface), TF_COMMITTED);
-    tf_surgery_settle(surface);
+    tf_surgery_end_stage(surface);
     add_fin(surface, 0.5, -2, 2);
     ck_assert_int_eq(tf_surgery_try(surface), TF_OVERLAPPED);
     tf_adaptive_free(surface);

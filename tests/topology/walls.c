@@ -3,8 +3,9 @@
 #include "topology/walls.h"
 
 #include "experiments/leave_out.h"
-#include "support/adaptive_of.h"
+#include "support/adaptive_surfaces.h"
 #include "support/support.h"
+#include "surgery/surgery.h"
 #include "topology/stage.h"
 
 enum {
@@ -34,7 +35,7 @@ static tf_outcome try_pyramid(tf_adaptive_surface *surface, double height)
     int top = tf_surgery_place(surface, tip);
     int roof = tf_surgery_place(surface, far);
     tf_surgery_add(surface, 1, 2, roof); // in an earlier stage
-    tf_surgery_settle(surface);
+    tf_surgery_end_stage(surface);
     for (int t = 0; t < 2; t++) {
         const int *v = tf_triangle(surface, t);
         tf_surgery_remove(surface, t);

@@ -4,7 +4,7 @@
 #include "support/adaptive_scenes.h"
 #include "support/support.h"
 #include "support/winding.h"
-#include "surgery/state.h"
+#include "surgery/adaptive_surface.h"
 #include "surgery/touch.h"
 
 #include <string.h>

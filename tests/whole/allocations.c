@@ -53,28 +53,28 @@ void *__wrap_aligned_alloc(size_t alignment, size_t size)
 static long play(cloth_scene which, int edges, int begin, int steps,
                  tf_surface **surface, tf_resolver **resolver)
 {
-    cloth *of = cloth_new(which, edges);
+    cloth_model *cloth = cloth_new(which, edges);
     if (!*surface) {
-        *surface = surface_of(&of->mesh);
+        *surface = surface_of(&cloth->mesh);
         ck_assert_int_eq(tf_resolver_create(*surface, resolver), TF_OK);
     }
-    size_t numbers = (size_t)(of->mesh.axes * of->mesh.vertices);
+    size_t numbers = (size_t)(cloth->mesh.axes * cloth->mesh.vertices);
     double *end = malloc(sizeof *end * numbers);
     ck_assert_ptr_nonnull(end);
     long all = 0;
     for (int i = 0; i < steps; i++) {
-        cloth_propose(of, end);
+        cloth_propose(cloth, end);
         long before = calls;
         tf_status status =
-            tf_step_resolve(*resolver, of->mesh.vertices, of->position, end,
-                            of->inverse_mass, NULL, NULL, NULL);
+            tf_step_resolve(*resolver, cloth->mesh.vertices, cloth->position,
+                            end, cloth->inverse_mass, NULL, NULL, NULL);
         // Assertions make calls, too.
         all += i >= begin ? calls - before : 0;
         ck_assert_int_eq(status, TF_OK);
-        cloth_accept(of, end);
+        cloth_accept(cloth, end);
     }
     free(end);
-    cloth_free(of);
+    cloth_free(cloth);
     return all;
 }
 

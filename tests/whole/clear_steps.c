@@ -15,13 +15,13 @@ enum {
     MOST_TRIES = 400
 };
 
-static some_surface of;
+static surface_case given;
 
 static bool is_clear(tf_surface *surface, const double position[])
 {
     tf_crossings found;
-    ck_assert_int_eq(tf_surface_check(surface, position, of.mesh.vertices, NULL,
-                                      &found, NULL),
+    ck_assert_int_eq(tf_surface_check(surface, position, given.mesh.vertices,
+                                      NULL, &found, NULL),
                      TF_OK);
     return found.count == 0;
 }
@@ -30,16 +30,16 @@ static tf_contacts detect(tf_surface *surface)
 {
     tf_detect_options any = {.selection = TF_ANY_CONTACT};
     tf_contacts found;
-    ck_assert_int_eq(tf_surface_detect(surface, &of.motion, &any, &found, NULL),
-                     TF_OK);
+    ck_assert_int_eq(
+        tf_surface_detect(surface, &given.motion, &any, &found, NULL), TF_OK);
     return found;
 }
 
 static void check_end(const tf_surface *surface)
 {
     static oracle_crossings all;
-    oracle_crossings_find(&all, surface, of.mesh.axes, of.mesh.vertices,
-                          of.end);
+    oracle_crossings_find(&all, surface, given.mesh.axes, given.mesh.vertices,
+                          given.end);
     ck_assert_msg(all.count == 0, "%d intersections at the end, seed %llu",
                   all.count, (unsigned long long)seed());
 }
@@ -49,10 +49,10 @@ static void check_end(const tf_surface *surface)
 static size_t try_step(generator *random, int axes, placement placed)
 {
     for (int i = 0; i < MOST_TRIES; i++) {
-        random_surface(random, axes, 5, placed, &of);
-        tf_surface *surface = surface_of(&of.mesh);
+        random_surface(random, axes, 5, placed, &given);
+        tf_surface *surface = surface_of(&given.mesh);
         tf_contacts found = {.any = true};
-        if (is_clear(surface, of.start))
+        if (is_clear(surface, given.start))
             found = detect(surface);
         if (!found.any)
             check_end(surface);

@@ -13,25 +13,25 @@ static const int steps[CLOTH_SCENES] = {100, 100, 60, 60, 120, 240};
 
 START_TEST(cloth_starts_free_of_tangles_and_tangles)
 {
-    cloth *of = cloth_new((cloth_scene)_i, edges[_i]);
-    tangle_judge *judge = tangle_judge_new(&of->mesh);
-    size_t numbers = (size_t)(of->mesh.axes * of->mesh.vertices);
+    cloth_model *cloth = cloth_new((cloth_scene)_i, edges[_i]);
+    tangle_judge *judge = tangle_judge_new(&cloth->mesh);
+    size_t numbers = (size_t)(cloth->mesh.axes * cloth->mesh.vertices);
     double *end = malloc(numbers * sizeof *end);
     int tangled = 0;
-    ck_assert_int_eq(tangle_count(judge, of->position), 0);
+    ck_assert_int_eq(tangle_count(judge, cloth->position), 0);
     for (int step = 0; step < steps[_i]; step++) {
-        cloth_propose(of, end);
+        cloth_propose(cloth, end);
         for (size_t i = 0; i < numbers; i++)
             ck_assert(isfinite(end[i]));
-        cloth_accept(of, end);
+        cloth_accept(cloth, end);
         tangled += tangle_count(judge, end) > 0;
     }
     printf("%s: %d vertices, tangled after %d of %d steps\n", cloth_names[_i],
-           of->mesh.vertices, tangled, steps[_i]);
+           cloth->mesh.vertices, tangled, steps[_i]);
     ck_assert_int_gt(tangled, 0);
     free(end);
     tangle_judge_free(judge);
-    cloth_free(of);
+    cloth_free(cloth);
 }
 END_TEST
 

@@ -4,7 +4,7 @@
 #include "intersect/cascade.h"
 #include "intersect/separation.h"
 #include "query/query.h"
-#include "support/counting.h"
+#include "support/counting_arithmetic.h"
 #include "support/judge.h"
 #include "support/scenes.h"
 
@@ -63,18 +63,18 @@ END_TEST
 
 /// What it takes to decide each pair of simplices by itself, how many
 /// intersect, and how the last of them does.
-typedef struct decided {
+typedef struct pair_decisions {
     int signs, hits;
     tf_classification last;
-} decided;
+} pair_decisions;
 
-static decided decide_pairs(const query *q)
+static pair_decisions decide_pairs(const query *q)
 {
     tf_simplex s[TF_VERTICES], r[TF_VERTICES];
     tf_sweep(q->vertices, q->vertex, s);
     tf_sweep(q->others, query_const_others(q), r);
     tf_arithmetic arithmetic = counting(&tf_exact);
-    decided all = {.last = TF_UNCLASSIFIED};
+    pair_decisions all = {.last = TF_UNCLASSIFIED};
     for (int i = 0; i < q->vertices; i++)
         for (int j = 0; j < q->others; j++) {
             tf_pair pair = tf_pair_of(&s[i], &r[j], q->axes);
@@ -95,7 +95,7 @@ START_TEST(one_generic_contact_has_the_values_of_its_pair_and_normal)
     long tried = 0, all = cases(20000);
     for (long i = 0; i < all; i++) {
         query q = any_query(&random, (query_kind)_i);
-        decided pairs = decide_pairs(&q);
+        pair_decisions pairs = decide_pairs(&q);
         if (pairs.hits != 1 || pairs.last != TF_GENERIC)
             continue;
         tried++;

@@ -85,8 +85,8 @@ static void put_answer(FILE *text, const char *name, const tf_query_kind *kind,
 {
     fprintf(text, "%ld %s%s:", query, name, backwards ? " backwards" : "");
     tf_contact contact;
-    tf_status status =
-        ask(tf_arithmetic_named(name), kind, rows, backwards, &contact);
+    tf_status status = ask(tf_choice_named(tf_arithmetics, name), kind, rows,
+                           backwards, &contact);
     if (status == TF_OK)
         put_contact(text, &contact);
     else
@@ -109,15 +109,17 @@ static void put_file(FILE *text, const golden_file *file)
 {
     char path[LINE];
     snprintf(path, sizeof path, "tests/queries/%s.csv", file->name);
-    const tf_query_kind *kind = tf_query_kind_named(file->kind);
+    const tf_query_kind *kind = tf_choice_named(tf_query_kinds, file->kind);
     tf_query_file queries;
-    ck_assert_msg(tf_query_file_open(&queries, path, kind, 0), "%s", path);
+    tf_fault fault;
+    ck_assert_msg(tf_query_file_open(&queries, path, kind, 0, &fault), "%s",
+                  path);
     tf_query_rows rows;
     tf_reading reading;
     long query = 0;
     while ((reading = tf_query_file_next(&queries, &rows)) == TF_READ_GOOD)
         put_query(text, kind, &rows, query++);
-    ck_assert_msg(reading == TF_READ_END, "%s: %s", path, queries.lines.fault);
+    ck_assert_msg(reading == TF_READ_END, "%s: %s", path, fault.text);
     ck_assert_int_gt(query, 0);
     tf_query_file_close(&queries);
 }

@@ -69,12 +69,12 @@ static void compare(const tf_mesh *mesh, const tf_motion *motion)
 
 START_TEST(random_surfaces)
 {
-    static some_surface of;
+    static surface_case given;
     generator random = generator_new((uint64_t)_i);
     for (long i = cases(10); i > 0; i--) {
         random_surface(&random, 2 + _i / PLACEMENTS, SURFACE_ELEMENTS / 4,
-                       (placement)(_i % PLACEMENTS), &of);
-        compare(&of.mesh, &of.motion);
+                       (placement)(_i % PLACEMENTS), &given);
+        compare(&given.mesh, &given.motion);
     }
 }
 END_TEST

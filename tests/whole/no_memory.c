@@ -4,14 +4,19 @@
 #include "flow/flow.h"
 #include "remesh/remesh.h"
 #include "response/resolve.h"
-#include "support/adaptive_of.h"
+#include "support/adaptive_surfaces.h"
 #include "support/blobs.h"
 #include "support/proposals.h"
-#include "support/scrambled.h"
+#include "support/scrambled_workers.h"
 #include "support/support.h"
-#include "surgery/operations.h"
+#include "surgery/collapse.h"
+#include "surgery/flip.h"
+#include "surgery/move.h"
+#include "surgery/split.h"
+#include "topology/drop.h"
+#include "topology/merge.h"
+#include "topology/pinch.h"
 #include "topology/reconnect.h"
-#include "topology/topology.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -254,7 +259,7 @@ static int workers = 2;
 
 static tf_status resolve(tf_resolver *resolver, double end[])
 {
-    const tf_parallel parallel = scrambled(&workers);
+    const tf_parallel parallel = scrambled_workers(&workers);
     const tf_response_options all_levels = {.impulse_rounds = 1,
                                             .zone_rounds = 1,
                                             .rigid = true,

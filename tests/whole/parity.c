@@ -21,9 +21,9 @@ typedef struct element {
 
 // Faces -----------------------------------------------------------------------
 
-static element vertex_of(const element *of, int i)
+static element vertex_of(const element *e, int i)
 {
-    element vertex = {.vertices = 1, .vertex = {of->vertex[i]}};
+    element vertex = {.vertices = 1, .vertex = {e->vertex[i]}};
     return vertex;
 }
 
@@ -80,11 +80,11 @@ static int count_edges(const tf_arithmetic *arithmetic, const element *edge,
 
 // The ends of the step --------------------------------------------------------
 
-static oracle_simplex slice(const element *of, int t)
+static oracle_simplex slice(const element *e, int t)
 {
-    oracle_simplex at = {.count = of->vertices};
+    oracle_simplex at = {.count = e->vertices};
     for (int i = 0; i < at.count; i++)
-        at.event[i] = &of->vertex[i].at[t];
+        at.event[i] = &e->vertex[i].at[t];
     return at;
 }
 
@@ -183,11 +183,11 @@ static void fill_lattice(generator *random, element *edge, element *triangle)
     *triangle = (element){.vertices = 0};
     for (int v = 0; v < 5; v++) {
         int left = 2 - edge->vertices;
-        element *of = below(random, 5 - v) < left ? edge : triangle;
+        element *e = below(random, 5 - v) < left ? edge : triangle;
         double x[2][TF_AXES];
         for (int i = 0; i < 2 * TF_AXES; i++)
             x[i / TF_AXES][i % TF_AXES] = below(random, values);
-        tf_worldline *line = &of->vertex[of->vertices++];
+        tf_worldline *line = &e->vertex[e->vertices++];
         *line = tf_worldline_between(TF_AXES, x[0], x[1]);
         tf_worldline_set_vertex(line, v);
     }
@@ -271,9 +271,9 @@ START_TEST(a_clear_step_may_cross_midway)
         {0.940, -0.787, -0.074}, {-0.268, -0.777, -0.223}};
     element a = {.vertices = 3}, b = {.vertices = 3};
     for (int i = 0; i < 6; i++) {
-        element *of = i == 0 || i == 1 || i == 5 ? &a : &b;
-        int place = of == &b ? i - 2 : i < 2 ? i : 2;
-        of->vertex[place] = tf_worldline_between(3, start[i], end[i]);
+        element *e = i == 0 || i == 1 || i == 5 ? &a : &b;
+        int place = e == &b ? i - 2 : i < 2 ? i : 2;
+        e->vertex[place] = tf_worldline_between(3, start[i], end[i]);
     }
 
     mpq_t first;

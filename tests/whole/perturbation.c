@@ -7,7 +7,7 @@
 #include "intersect/pair.h"
 #include "query/query.h"
 #include "support/judge.h"
-#include "support/moved.h"
+#include "support/moved_simplices.h"
 
 #include <limits.h>
 #include <math.h>

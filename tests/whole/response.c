@@ -2,8 +2,8 @@
 #include "program/threads.h"
 #include "response/conjugate_residuals.h"
 #include "support/cloth.h"
-#include "support/resolving.h"
-#include "support/scrambled.h"
+#include "support/resolutions.h"
+#include "support/scrambled_workers.h"
 #include "support/support.h"
 #include "support/surface_of.h"
 #include "support/tangle.h"
@@ -15,13 +15,13 @@
 
 START_TEST(random_proposals_are_resolved)
 {
-    resolving_counts counts = {0};
+    resolution_counts counts = {0};
     long tries = cases(120);
     for (long number = 0; number < tries; number++) {
         const char *fault = numbered_fault(number, &counts);
         ck_assert_msg(!fault, "%s", fault);
     }
-    resolving_counts_print(&counts);
+    resolution_counts_print(&counts);
     ck_assert_int_ge(10 * counts.tries, 9 * tries);
     ck_assert_int_ge(2 * counts.met, tries);
 }
@@ -31,7 +31,7 @@ END_TEST
 
 /// A scene, and what resolves and judges its steps.
 typedef struct scene {
-    cloth *of;
+    cloth_model *cloth;
     tf_surface *surface;
     tf_resolver *resolver;
     tangle_judge *judge;
@@ -40,12 +40,12 @@ typedef struct scene {
 
 static scene scene_new(cloth_scene which, int edges)
 {
-    scene s = {.of = cloth_new(which, edges)};
-    s.surface = surface_of(&s.of->mesh);
+    scene s = {.cloth = cloth_new(which, edges)};
+    s.surface = surface_of(&s.cloth->mesh);
     ck_assert_int_eq(tf_resolver_create(s.surface, &s.resolver), TF_OK);
-    s.judge = tangle_judge_new(&s.of->mesh);
-    s.end =
-        malloc(sizeof *s.end * (size_t)(s.of->mesh.axes * s.of->mesh.vertices));
+    s.judge = tangle_judge_new(&s.cloth->mesh);
+    s.end = malloc(sizeof *s.end *
+                   (size_t)(s.cloth->mesh.axes * s.cloth->mesh.vertices));
     ck_assert_ptr_nonnull(s.end);
     return s;
 }
@@ -56,21 +56,22 @@ static void scene_free(scene *s)
     tangle_judge_free(s->judge);
     tf_resolver_free(s->resolver);
     tf_surface_free(s->surface);
-    cloth_free(s->of);
+    cloth_free(s->cloth);
 }
 
 static tf_response_report step(scene *s, const tf_response_options *options)
 {
     tf_response_report report;
-    cloth_propose(s->of, s->end);
-    ck_assert_int_eq(
-        tf_step_resolve(s->resolver, s->of->mesh.vertices, s->of->position,
-                        s->end, s->of->inverse_mass, options, &report, NULL),
-        TF_OK);
+    cloth_propose(s->cloth, s->end);
+    ck_assert_int_eq(tf_step_resolve(s->resolver, s->cloth->mesh.vertices,
+                                     s->cloth->position, s->end,
+                                     s->cloth->inverse_mass, options, &report,
+                                     NULL),
+                     TF_OK);
     int count = tangle_count(s->judge, s->end);
     ck_assert_msg(count == 0, "%d tangles, such as %s", count,
                   count ? tangle_text(tangles(s->judge)) : "");
-    cloth_accept(s->of, s->end);
+    cloth_accept(s->cloth, s->end);
     return report;
 }
 
@@ -111,7 +112,7 @@ static course run(cloth_scene which, int steps,
     }
     printf("%-14s %5d vertices, %3d steps, %3d with contacts, %3d by the "
            "failsafe; rounds %.1f, most %d; %ld held\n",
-           cloth_names[which], s.of->mesh.vertices, sum.steps, sum.met,
+           cloth_names[which], s.cloth->mesh.vertices, sum.steps, sum.met,
            sum.rescued, (double)sum.rounds / sum.steps, sum.most_rounds,
            sum.held);
     scene_free(&s);
@@ -146,7 +147,7 @@ END_TEST
 
 static void expect_same(const scene *one, const scene *other)
 {
-    int numbers = one->of->mesh.axes * one->of->mesh.vertices;
+    int numbers = one->cloth->mesh.axes * one->cloth->mesh.vertices;
     ck_assert_mem_eq(one->end, other->end, sizeof *one->end * (size_t)numbers);
 }
 
@@ -155,7 +156,7 @@ START_TEST(any_number_of_threads_ends_with_the_same_bits)
     scene alone = scene_new(STACK_TURNED, 6), shared[2];
     int workers[] = {2, 3};
     const tf_parallel parallel[] = {tf_threads(&workers[0]),
-                                    scrambled(&workers[1])};
+                                    scrambled_workers(&workers[1])};
     for (int i = 0; i < 2; i++)
         shared[i] = scene_new(STACK_TURNED, 6);
     for (int i = 0; i < (int)cases(15); i++) {

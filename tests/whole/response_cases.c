@@ -2,8 +2,8 @@
 // the same when they are resolved.
 #include "program/threads.h"
 #include "response/gauss_seidel.h"
-#include "support/resolving.h"
-#include "support/scrambled.h"
+#include "support/resolutions.h"
+#include "support/scrambled_workers.h"
 #include "support/support.h"
 #include "support/surface_of.h"
 #include "support/tangle.h"
@@ -20,8 +20,8 @@ static tf_response_report expect_resolved(bool weighed,
                                           const tf_response_options *options)
 {
     tf_response_report report = {0};
-    const char *fault = resolving_fault(&made, weighed, made.mesh.vertices < 40,
-                                        options, &report);
+    const char *fault = resolution_fault(
+        &made, weighed, made.mesh.vertices < 40, options, &report);
     ck_assert_msg(!fault, "%s", fault);
     return report;
 }
@@ -702,7 +702,7 @@ START_TEST(any_number_of_threads_ends_with_the_same_bits)
     for (int i = 0; i < (int)cases(15); i++) {
         int workers = 1 + i % 3;
         tf_parallel threads = tf_threads(&workers);
-        tf_parallel backward = scrambled(&workers);
+        tf_parallel backward = scrambled_workers(&workers);
         make_random(&random, i, i % 2);
         expect_same_bits(i % 4 < 2 ? &threads : &backward);
     }

@@ -1,6 +1,6 @@
 // The scenes of the simulator: step by step free of tangles, by an independent
 // judge; without response they tangle.
-#include "support/simulating.h"
+#include "support/simulations.h"
 #include "support/support.h"
 
 #include <stdio.h>
@@ -15,43 +15,42 @@ static const struct {
 
 START_TEST(a_scene_stays_free_of_tangles)
 {
-    const tf_scene *scene = tf_scene_named(shorts[_i].name);
-    tf_simulation *s = simulation_of(scene, shorts[_i].size);
-    tangle_judge *judge = judge_of(&s->stage.body);
+    const char *name = shorts[_i].name;
+    tf_cloth_simulation *c = cloth_of(name, shorts[_i].size);
+    tangle_judge *judge = judge_of(&c->base.stage.body);
     double stretch = 1;
     size_t contacts = 0;
     for (int step = 0; step < shorts[_i].steps; step++) {
-        tf_step_cost cost = simulate_step(s, NULL);
-        contacts += cost.report.first_contacts;
-        int tangled = tangle_count(judge, s->position);
-        ck_assert_msg(tangled == 0, "%s, step %d: %d, such as %s", scene->name,
-                      s->step, tangled, tangle_text(tangles(judge)));
-        double now = tf_body_stretch(&s->stage.body, s->position);
-        stretch = now > stretch ? now : stretch;
+        tf_cloth_report report = simulate_step(c, NULL);
+        contacts += report.response.first_contacts;
+        int tangled = tangle_count(judge, c->position);
+        ck_assert_msg(tangled == 0, "%s, step %d: %d, such as %s", name,
+                      c->base.step, tangled, tangle_text(tangles(judge)));
+        stretch = report.stretch > stretch ? report.stretch : stretch;
     }
-    printf("%s: %d steps, %zu contacts, stretched to %g\n", scene->name,
-           s->step, contacts, stretch);
+    printf("%s: %d steps, %zu contacts, stretched to %g\n", name, c->base.step,
+           contacts, stretch);
     ck_assert_uint_gt(contacts, 0);
     ck_assert_double_lt(stretch, 2);
     tangle_judge_free(judge);
-    tf_simulation_free(s);
+    cloth_simulation_free(c);
 }
 END_TEST
 
 START_TEST(without_response_it_tangles)
 {
-    const tf_scene *scene = tf_scene_named(shorts[_i].name);
-    tf_simulation *s = simulation_of(scene, shorts[_i].size);
-    tangle_judge *judge = judge_of(&s->stage.body);
+    const char *name = shorts[_i].name;
+    tf_cloth_simulation *c = cloth_of(name, shorts[_i].size);
+    tangle_judge *judge = judge_of(&c->base.stage.body);
     int tangled = 0;
     for (int step = 0; step < shorts[_i].steps; step++) {
-        simulate_blindly(s);
-        tangled += tangle_count(judge, s->position) > 0;
+        simulate_blindly(c);
+        tangled += tangle_count(judge, c->position) > 0;
     }
-    printf("%s: tangled after %d of %d steps\n", scene->name, tangled, s->step);
+    printf("%s: tangled after %d of %d steps\n", name, tangled, c->base.step);
     ck_assert_int_gt(tangled, 0);
     tangle_judge_free(judge);
-    tf_simulation_free(s);
+    cloth_simulation_free(c);
 }
 END_TEST
 

@@ -2,7 +2,7 @@
 // bit by bit.
 #include "bench/layers.h"
 #include "program/threads.h"
-#include "support/scrambled.h"
+#include "support/scrambled_workers.h"
 #include "support/support.h"
 #include "support/surface_of.h"
 #include "support/surfaces.h"
@@ -67,7 +67,7 @@ static void compare(find_function *find)
     rows expected = find(one, NULL);
     for (int i = 0; i < 4; i++) {
         tf_parallel threads = tf_threads(&numbers[i]);
-        tf_parallel backward = scrambled(&numbers[i]);
+        tf_parallel backward = scrambled_workers(&numbers[i]);
         expect_rows(expected, find(several, &threads));
         expect_rows(expected, find(several, &backward));
     }
@@ -77,13 +77,13 @@ static void compare(find_function *find)
 
 START_TEST(any_number_of_threads_finds_the_same)
 {
-    static some_surface of;
+    static surface_case given;
     generator random = generator_new((uint64_t)_i);
     for (int i = 0; i < (int)cases(10); i++) {
         random_surface(&random, 2 + i % 2, SURFACE_ELEMENTS,
-                       (placement)(i % PLACEMENTS), &of);
-        mesh = of.mesh;
-        motion = of.motion;
+                       (placement)(i % PLACEMENTS), &given);
+        mesh = given.mesh;
+        motion = given.motion;
         compare(functions[_i]);
     }
 }

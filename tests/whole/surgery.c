@@ -1,17 +1,17 @@
 // Random operations on adaptive surfaces, judged after each; and that the judge
 // sees what happens if one of the tests is left out.
-#include "support/adaptive_of.h"
-#include "support/operating.h"
+#include "support/adaptive_surfaces.h"
 #include "support/support.h"
+#include "support/surgery_runs.h"
 
-static operating_counts counts;
+static surgery_counts counts;
 
 START_TEST(operations_never_tangle)
 {
     long runs = cases(20);
     for (long i = 0; i < runs; i++) {
         uint64_t stream = (uint64_t)(100 * i + _i);
-        const char *fault = operating_run(
+        const char *fault = run_surgery(
             generator_new(stream), (adaptive_scene_kind)_i, 200, 0, &counts);
         ck_assert_msg(!fault, "stream %llu: %s", (unsigned long long)stream,
                       fault);
@@ -46,26 +46,26 @@ static tf_adaptive_surface *mirrored(const adaptive_scene *scene,
 
 START_TEST(the_same_surgery_is_accepted_in_a_mirror)
 {
-    static operating run;
+    static surgery_run run;
     static int number[LABELLED];
-    operating_begin(&run, generator_new(50 + (uint64_t)_i),
-                    (adaptive_scene_kind)_i, &counts);
+    surgery_run_begin(&run, generator_new(50 + (uint64_t)_i),
+                      (adaptive_scene_kind)_i, &counts);
     tf_adaptive_surface *other = mirrored(&run.scene, &run.random, number);
     for (long i = 0; i < cases(1000); i++) {
         int vertex, others;
-        chosen one = operating_choose(&run), its = one;
+        surgery_choice one = surgery_run_choose(&run), its = one;
         its.a = number[one.a];
         its.b = number[one.b];
         its.place[0] = -one.place[0];
-        tf_outcome outcome = chosen_try(run.surface, &one, &vertex);
-        tf_outcome same = chosen_try(other, &its, &others);
+        tf_outcome outcome = surgery_choice_try(run.surface, &one, &vertex);
+        tf_outcome same = surgery_choice_try(other, &its, &others);
         ck_assert_int_eq(outcome == TF_COMMITTED, same == TF_COMMITTED);
         ck_assert_int_eq(outcome == TF_IMPOSSIBLE, same == TF_IMPOSSIBLE);
         if (vertex >= 0)
             number[vertex] = others;
     }
     tf_adaptive_free(other);
-    operating_end(&run);
+    surgery_run_end(&run);
 }
 END_TEST
 
@@ -83,8 +83,8 @@ START_TEST(every_test_is_needed)
 {
     const char *fault = NULL;
     for (uint64_t i = 0; i < 200 && !fault; i++)
-        fault = operating_run(generator_new(i), needed[_i].kind, 300,
-                              1U << needed[_i].left_out, &counts);
+        fault = run_surgery(generator_new(i), needed[_i].kind, 300,
+                            1U << needed[_i].left_out, &counts);
     ck_assert(fault);
 }
 END_TEST

@@ -1,7 +1,7 @@
 // What may not change an answer: another naming of the axes, of space's left
 // and right, of the elements, of past and future, and another unit of length.
-#include "support/changes.h"
 #include "support/judge.h"
+#include "support/query_changes.h"
 
 // Each change keeps the first contact's time, so that the truth of the query
 // before the change judges the answer after it.

@@ -13,13 +13,13 @@
 
 // Against the library's check -------------------------------------------------
 
-static some_surface of;
+static surface_case given;
 
 static tf_crossings check(tf_surface *surface)
 {
     tf_crossings found;
-    ck_assert_int_eq(tf_surface_check(surface, of.start, of.mesh.vertices, NULL,
-                                      &found, NULL),
+    ck_assert_int_eq(tf_surface_check(surface, given.start, given.mesh.vertices,
+                                      NULL, &found, NULL),
                      TF_OK);
     return found;
 }
@@ -45,10 +45,10 @@ static size_t count_checked(const tangle_judge *judge, int count)
 
 static int compare(int (*count)(tangle_judge *, const double[]))
 {
-    tf_surface *surface = surface_of(&of.mesh);
-    tangle_judge *judge = tangle_judge_new(&of.mesh);
+    tf_surface *surface = surface_of(&given.mesh);
+    tangle_judge *judge = tangle_judge_new(&given.mesh);
     tf_crossings checked = check(surface);
-    int judged = count(judge, of.start);
+    int judged = count(judge, given.start);
     ck_assert_uint_eq(count_checked(judge, judged), checked.count);
     for (size_t i = 0; i < checked.count; i++)
         expect_same(&tangles(judge)[i], &checked.crossing[i]);
@@ -60,9 +60,9 @@ static int compare(int (*count)(tangle_judge *, const double[]))
 /// What was in one plane, or on one line, is now off it by rounding.
 static void slant(void)
 {
-    int axes = of.mesh.axes;
-    for (int v = 0; v < of.mesh.vertices; v++) {
-        double *x = of.start + axes * v, sum = 0.7;
+    int axes = given.mesh.axes;
+    for (int v = 0; v < given.mesh.vertices; v++) {
+        double *x = given.start + axes * v, sum = 0.7;
         for (int k = 0; k < axes; k++)
             sum += (0.1 + 0.2 * k) * x[k];
         x[1] = sum;
@@ -74,7 +74,7 @@ START_TEST(tangles_are_those_of_the_check)
     generator random = generator_new((uint64_t)_i);
     int tangled = 0;
     for (int i = 0; i < cases(150) || (tangled == 0 && i < 150); i++) {
-        random_surface(&random, 2 + i % 2, 20, (placement)_i, &of);
+        random_surface(&random, 2 + i % 2, 20, (placement)_i, &given);
         if (i % 4 < 2)
             slant();
         int all = compare(tangle_count_all);
@@ -91,13 +91,14 @@ START_TEST(tangles_of_a_step_are_its_contacts)
     generator random = generator_new(100 + (uint64_t)_i);
     size_t contacts = 0;
     for (int i = 0; i < cases(40) || (contacts == 0 && i < 40); i++) {
-        random_surface(&random, 2 + i % 2, 8, (placement)_i, &of);
-        tf_surface *surface = surface_of(&of.mesh);
-        tangle_judge *judge = tangle_judge_new(&of.mesh);
+        random_surface(&random, 2 + i % 2, 8, (placement)_i, &given);
+        tf_surface *surface = surface_of(&given.mesh);
+        tangle_judge *judge = tangle_judge_new(&given.mesh);
         tf_contacts found;
         ck_assert_int_eq(
-            tf_surface_detect(surface, &of.motion, NULL, &found, NULL), TF_OK);
-        int judged = tangle_count_in_step(judge, of.start, of.end);
+            tf_surface_detect(surface, &given.motion, NULL, &found, NULL),
+            TF_OK);
+        int judged = tangle_count_in_step(judge, given.start, given.end);
         ck_assert_uint_eq((size_t)judged, found.count);
         contacts += found.count;
         tangle_judge_free(judge);

@@ -1,16 +1,16 @@
 // Random merges, pinches and drops on adaptive surfaces, judged after each; and
 // that the judge sees what happens if one of the tests is left out.
-#include "support/reconnecting.h"
+#include "support/reconnections.h"
 #include "support/support.h"
 
-static reconnecting_counts counts;
+static reconnection_counts counts;
 
 START_TEST(reconnecting_changes_sides_only_as_it_must)
 {
     long runs = cases(5);
     for (long i = 0; i < runs; i++) {
         uint64_t stream = (uint64_t)(100 * i + _i);
-        const char *fault = reconnecting_run(
+        const char *fault = run_reconnections(
             generator_new(stream), (adaptive_scene_kind)_i, 100, 0, &counts);
         ck_assert_msg(!fault, "stream %llu: %s", (unsigned long long)stream,
                       fault);
@@ -32,8 +32,8 @@ START_TEST(every_test_is_needed)
 {
     const char *fault = NULL;
     for (uint64_t i = 0; i < 40 && !fault; i++)
-        fault = reconnecting_run(generator_new(i), needed[_i].kind, 150,
-                                 1U << needed[_i].left_out, &counts);
+        fault = run_reconnections(generator_new(i), needed[_i].kind, 150,
+                                  1U << needed[_i].left_out, &counts);
     ck_assert(fault);
 }
 END_TEST

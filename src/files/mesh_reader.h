@@ -1,0 +1,13 @@
+//: Declare how to read a mesh file
+#pragma once
+
+#include "files/mesh_file.h"
+
+/// Reads the file at `path` ("-": standard input), an OBJ or PLY file, told
+/// apart by its content.  False: there is a fault.  Borrows the path and the
+/// fault.  Free the file in any case.
+bool tf_mesh_file_read(tf_mesh_file *file, const char *path, tf_fault *fault);
+
+/// Reads `size` bytes of text, for tests and fuzzers; text[size] must be 0.
+bool tf_mesh_file_parse(tf_mesh_file *file, const char *name, const char *text,
+                        size_t size, tf_fault *fault);

@@ -1,0 +1,26 @@
+//: Declare commands
+#pragma once
+
+#include "program/options.h"
+
+/// A command of the program.
+typedef struct tf_command {
+    tf_command_set set; ///< itself alone
+    const char *name;
+    const char *purpose;     ///< for the list of commands
+    const char *operands;    ///< as help calls them
+    int least, most;         ///< how many operands
+    const char *wanted;      ///< how many, for a message
+    const char *description; ///< what help says before \v the options, and
+                             ///< behind them
+    void (*check)(tf_request *request); ///< whether all goes together; or NULL
+    int (*run)(const tf_request *request); ///< the exit status
+} tf_command;
+
+extern const tf_command tf_query_command, tf_detect_command, tf_check_command,
+    tf_resolve_command, tf_remesh_command, tf_simulate_command;
+
+/// Parses the arguments, and does what they request; the first one gets the
+/// name of the command.  Wrong ones end the program.
+/// @return the exit status
+int tf_command_run(const tf_command *command, int argc, char *argv[]);

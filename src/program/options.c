@@ -1,0 +1,252 @@
+//: Include what options need
+#define _GNU_SOURCE // asprintf
+#include "program/options.h"
+
+#include "fast/vectorized.h"
+#include "files/number.h"
+#include "files/visible.h"
+#include "program/arithmetics.h"
+#include "program/threads.h"
+#include "response/conjugate_residuals.h"
+#include "response/gauss_seidel.h"
+#include "response/minres.h"
+#include "response/normal_residuals.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+//: Name narrow phases, solvers and formats
+static const tf_choice narrow_phases[] = {
+    {"reference", &tf_reference},
+    {"vector", &tf_vectorized},
+    {NULL, NULL},
+};
+
+static const tf_choice solvers[] = {
+    {"gauss-seidel", &tf_gauss_seidel},
+    {"conjugate-residuals", &tf_conjugate_residuals},
+    {"minres", &tf_minres},
+    {"normal-residuals", &tf_normal_residuals},
+    {NULL, NULL},
+};
+
+static const tf_format csv = TF_CSV, json = TF_JSON, summary = TF_SUMMARY;
+
+static const tf_choice row_formats[] = {
+    {"csv", &csv},
+    {"json", &json},
+    {"summary", &summary},
+    {NULL, NULL},
+};
+
+static const tf_choice report_formats[] = {
+    {"summary", &summary},
+    {"json", &json},
+    {NULL, NULL},
+};
+
+//: List the options
+// Numbers without a range of their own.
+#define NOT_NEGATIVE .least = 0, .most = DBL_MAX
+#define POSITIVE .least = DBL_TRUE_MIN, .most = DBL_MAX
+
+#define OPTION(name_, letter_, argument_, member, type_)                       \
+    .name = (name_), .letter = (letter_), .argument = (argument_),             \
+    .place = offsetof(tf_request, member), .type = (type_)
+
+const tf_option tf_options[] = {
+    {TF_QUERY, OPTION("kind", 'k', "KIND", kind, TF_CHOICE),
+     .choices = tf_query_kinds, .required = true, .help = "Which elements",
+     .more = " (which is point-triangle)"},
+    {TF_QUERY | TF_DETECT,
+     OPTION("arithmetic", 'a', "NAME", answering.arithmetic, TF_CHOICE),
+     .choices = tf_arithmetics, .usual = "exact",
+     .help = "How signs are found"},
+    {TF_QUERY, OPTION("method", 'm', "METHOD", method, TF_CHOICE),
+     .choices = tf_methods, .usual = "spacetime",
+     .help = "How queries are answered"},
+    {TF_QUERY, OPTION("tolerance", 0, "X", answering.tolerance, TF_REAL),
+     NOT_NEGATIVE, .usual = "1e-6",
+     .help = "The distance at which elements touch, for cubic"},
+    {TF_QUERY, OPTION("threshold", 0, "X", answering.threshold, TF_REAL),
+     NOT_NEGATIVE, .usual = "1e-6",
+     .help = "The distance at which advancement ends"},
+    {TF_QUERY, OPTION("against", 0, "METHOD", against, TF_CHOICE),
+     .choices = tf_methods,
+     .help = "Compare with this method, for the output summary"},
+    {TF_DETECT, OPTION("first", 'f', NULL, first, TF_SWITCH),
+     .help = "Only the first contact of each step"},
+    {TF_DETECT, OPTION("narrow-phase", 'n', "NAME", narrow_phase, TF_CHOICE),
+     .choices = narrow_phases, .usual = "vector",
+     .help = "What decides the candidates",
+     .more = ", which is faster; both give the same answers"},
+    {TF_QUERY | TF_DETECT | TF_CHECK,
+     OPTION("output", 'o', "FORMAT", format, TF_CHOICE), .choices = row_formats,
+     .usual = "csv", .help = "Output format"},
+    {TF_RESOLVE | TF_REMESH, OPTION("output", 0, "FORMAT", format, TF_CHOICE),
+     .choices = report_formats, .usual = "summary", .help = "The report"},
+    {TF_RESOLVE, OPTION("write", 'o', "OUT", out, TF_TEXT), .required = true,
+     .help = "Where to write the end of the step"},
+    {TF_REMESH, OPTION("write", 'o', "OUT", out, TF_TEXT), .required = true,
+     .help = "Where to write the new mesh"},
+    {TF_SIMULATE, OPTION("write", 'o', "DIR", out, TF_TEXT),
+     .help = "The folder for the frames; required"},
+    {TF_RESOLVE, OPTION("fixed", 'f', "FILE", fixed, TF_TEXT),
+     .help = "The scripted vertices, which end where END has them unless they "
+             "have to be held back: their numbers, from 0"},
+    {TF_RESOLVE, OPTION("masses", 'm', "FILE", masses, TF_TEXT),
+     .help = "The masses of all vertices; the default is 1 for each"},
+    {TF_RESOLVE, OPTION("solver", 's', "NAME", solver, TF_CHOICE),
+     .choices = solvers, .usual = "gauss-seidel",
+     .help = "What solves impact zones"},
+    {TF_RESOLVE, OPTION("separation", 0, "X", separation, TF_REAL),
+     NOT_NEGATIVE,
+     .help = "Push apart what would meet and is nearer than this at the "
+             "start; the default is 0.05 of the mean edge length"},
+    {TF_RESOLVE, OPTION("friction", 0, "X", friction, TF_REAL), NOT_NEGATIVE,
+     .usual = "0", .help = "Coulomb's coefficient"},
+    {TF_RESOLVE, OPTION("restitution", 0, "X", restitution, TF_REAL),
+     .least = 0, .most = 1, .usual = "0",
+     .help = "The part of the normal velocity that is left after a collision, "
+             "from 0 to 1"},
+    {TF_REMESH, OPTION("edge", 'e', "L", edge, TF_REAL), POSITIVE,
+     .required = true, .help = "The length that edges should have"},
+    {TF_REMESH, OPTION("rounds", 0, "N", rounds, TF_WHOLE), .least = 1,
+     .most = 1000, .usual = "5", .help = "How often to go through all changes"},
+    {TF_SIMULATE, OPTION("steps", 0, "N", steps, TF_WHOLE), .least = 0,
+     .most = 99999, .help = "How many steps; 'list' shows the default"},
+    {TF_SIMULATE, OPTION("size", 0, "N", size, TF_WHOLE), .least = 1,
+     .most = 2000,
+     .help = "The resolution of cloth; 'list' shows what it counts, and the "
+             "default"},
+    {TF_SIMULATE, OPTION("edge", 0, "LENGTH", edge, TF_REAL), POSITIVE,
+     .help = "The usual length of edges of a surface that flows; 'list' shows "
+             "the default"},
+    {TF_SIMULATE, OPTION("resume", 0, NULL, resume, TF_SWITCH),
+     .help = "Go on from the last frame in DIR"},
+    {TF_DETECT | TF_CHECK | TF_RESOLVE | TF_SIMULATE,
+     OPTION("threads", 't', "NUMBER", threads, TF_WHOLE), .least = 1,
+     .most = TF_MOST_THREADS,
+     .help = "How many threads to use; the default is one per processor"},
+    {0},
+};
+
+//: Refuse what is requested
+void tf_request_refuse(const tf_request *request, const char *format, ...)
+{
+    char text[1000];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    argp_error(request->state, "%s", text);
+}
+
+/// In the same words for all options.
+static void refuse_argument(const tf_option *option, const char *text,
+                            const char *wanted, const tf_request *request)
+{
+    tf_request_refuse(request, "--%s must be %s, got '%s'", option->name,
+                      wanted, tf_make_visible(text).text);
+}
+
+//: Read a number of an option
+/// Describes the numbers that an option takes.
+static void describe_range(const tf_option *option, char words[100])
+{
+    const char *whole = option->type == TF_WHOLE ? "a whole number " : "";
+    if (option->most < DBL_MAX)
+        snprintf(words, 100, "%sfrom %g to %g", whole, option->least,
+                 option->most);
+    else
+        strcpy(words, option->least > 0 ? "above 0" : "0 or more");
+}
+
+static double read_number(const tf_option *option, const char *text,
+                          const tf_request *request)
+{
+    const char *rest = text;
+    double number = NAN;
+    bool good = tf_number_read(&rest, &number) && *rest == '\0' &&
+                number >= option->least && number <= option->most &&
+                (option->type != TF_WHOLE || number == floor(number));
+    char words[100];
+    describe_range(option, words);
+    if (!good)
+        refuse_argument(option, text, words, request);
+    return number;
+}
+
+//: Read an option
+/// Sets a pointer, whatever it points to.
+static void read_choice(const tf_option *option, const char *text,
+                        const tf_request *request, void *place)
+{
+    const void *value = tf_choice_named(option->choices, text);
+    if (!value)
+        refuse_argument(option, text, tf_list_choices(option->choices).text,
+                        request);
+    memcpy(place, &value, sizeof value);
+}
+
+void tf_option_read(const tf_option *option, const char *text,
+                    tf_request *request)
+{
+    void *place = (char *)request + option->place;
+    switch (option->type) {
+    case TF_SWITCH:
+        *(bool *)place = true;
+        break;
+    case TF_TEXT:
+        *(const char **)place = text;
+        break;
+    case TF_CHOICE:
+        read_choice(option, text, request, place);
+        break;
+    case TF_WHOLE:
+        *(int *)place = (int)read_number(option, text, request);
+        break;
+    case TF_REAL:
+        *(double *)place = read_number(option, text, request);
+        break;
+    }
+}
+
+//: Set what is usual
+void tf_request_begin(tf_request *request, unsigned command)
+{
+    *request = (tf_request){.threads = tf_threads_available()};
+    for (const tf_option *option = tf_options; option->name; option++)
+        if (option->commands & command && option->usual)
+            tf_option_read(option, option->usual, request);
+}
+
+//: Find out what was given
+bool tf_request_gave(const tf_request *request, const char *option)
+{
+    for (int i = 0; tf_options[i].name; i++)
+        if (request->given >> i & 1 && strcmp(tf_options[i].name, option) == 0)
+            return true;
+    return false;
+}
+
+//: Say what an option is
+char *tf_option_help(const tf_option *option)
+{
+    char *text;
+    tf_choices names = {""};
+    if (option->choices)
+        names = tf_list_choices(option->choices);
+    return asprintf(&text, "%s%s%s%s%s%s%s", option->help,
+                    option->choices ? ": " : "", names.text,
+                    option->usual ? "; the default is " : "",
+                    option->usual ? option->usual : "",
+                    option->more ? option->more : "",
+                    option->required ? "; required" : "") < 0
+               ? NULL
+               : text;
+}

@@ -1,0 +1,94 @@
+//: Declare what a command line requests
+#pragma once
+
+#include "files/choice.h"
+#include "files/query_file.h"
+#include "files/record.h"
+#include "program/methods.h"
+#include "query/narrow_phase.h"
+#include "response/zone.h"
+
+#include <argp.h>
+#include <stdbool.h>
+
+/// What the command line requests of a command: its operands, and the values of
+/// its options, given or usual.
+typedef struct tf_request {
+    char **operand;
+    int operands;
+    struct argp_state *state; ///< of parsing
+    unsigned given;           ///< which rows of the table of options
+
+    const tf_format *format;
+    int threads;
+    const tf_query_kind *kind; ///< of query
+    const tf_method *method, *against;
+    tf_method_options answering; ///< with its arithmetic also of detect
+    const tf_narrow_phase *narrow_phase;
+    bool first;
+    const char *out;            ///< a file or, of simulate, a folder
+    const char *fixed, *masses; ///< of resolve: files, or NULL
+    const tf_zone_solver *solver;
+    double separation, friction, restitution;
+    double edge; ///< of remesh and simulate: a length, 0 if not given
+    int rounds;
+    int steps, size; ///< of simulate
+    bool resume;
+} tf_request;
+
+//: Declare the table of options
+/// The commands, as a set.
+typedef enum tf_command_set {
+    TF_QUERY = 1,
+    TF_DETECT = 2,
+    TF_CHECK = 4,
+    TF_RESOLVE = 8,
+    TF_REMESH = 16,
+    TF_SIMULATE = 32
+} tf_command_set;
+
+/// What the argument of an option is.
+typedef enum tf_argument_type {
+    TF_SWITCH = 0, ///< there is none; sets a bool
+    TF_TEXT,       ///< as it is
+    TF_CHOICE,     ///< one of the names of a list; sets a pointer
+    TF_WHOLE,      ///< an int
+    TF_REAL        ///< a double
+} tf_argument_type;
+
+/// A row of the table, which ends with one without a name.
+typedef struct tf_option {
+    unsigned commands; ///< that have it
+    const char *name;
+    int letter;           ///< 0: it has none
+    const char *argument; ///< what it is called by help; NULL: there is none
+    size_t place;         ///< of the value in a request
+    tf_argument_type type;
+    const tf_choice *choices;
+    double least, most; ///< of a number; the least positive one: above 0
+    bool required;
+    const char *usual; ///< the argument that is meant if none is given, or NULL
+    const char *help;  ///< what it is; the choices and what is usual follow
+    const char *more;  ///< what help says at the end, or NULL
+} tf_option;
+
+extern const tf_option tf_options[];
+
+//: Declare how to read options
+/// Sets what is usual for a command.
+void tf_request_begin(tf_request *request, unsigned command);
+
+/// Takes the argument of an option, or ends the program with the message that
+/// it is none.
+void tf_option_read(const tf_option *option, const char *text,
+                    tf_request *request);
+
+/// Whether an option was given.
+bool tf_request_gave(const tf_request *request, const char *option);
+
+/// What help says of an option, to be freed; NULL without memory.
+char *tf_option_help(const tf_option *option);
+
+/// Ends the program with a message about its arguments, as printf.
+__attribute__((format(printf, 2, 3))) void
+tf_request_refuse(const tf_request *request, const char *format, ...);

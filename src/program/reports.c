@@ -1,0 +1,69 @@
+//: Include what the reports of changes need
+#include "program/reports.h"
+
+//: List the fields of a response
+const tf_field tf_resolved_fields[] = {
+    TF_FIELD("status", TF_WORD, tf_resolved, status),
+    TF_FIELD("first contacts", TF_COUNT, tf_resolved, report.first_contacts),
+    TF_FIELD("contacts", TF_COUNT, tf_resolved, report.contacts),
+    TF_FIELD("impulse rounds", TF_INTEGER, tf_resolved,
+             report.rounds[TF_IMPULSES]),
+    TF_FIELD("zone rounds", TF_INTEGER, tf_resolved, report.rounds[TF_ZONES]),
+    TF_FIELD("rigid rounds", TF_INTEGER, tf_resolved, report.rounds[TF_RIGID]),
+    TF_FIELD("failsafe rounds", TF_INTEGER, tf_resolved,
+             report.rounds[TF_FAILSAFE]),
+    TF_FIELD("rows", TF_COUNT, tf_resolved, report.constraints),
+    TF_FIELD("zones", TF_COUNT, tf_resolved, report.zones),
+    TF_FIELD("largest zone", TF_COUNT, tf_resolved, report.largest_zone),
+    TF_FIELD("iterations", TF_COUNT, tf_resolved, report.iterations),
+    TF_FIELD("violation", TF_NUMBER, tf_resolved, report.violation),
+    TF_FIELD("smallest gap", TF_NUMBER, tf_resolved, report.smallest_gap),
+    TF_FIELD("groups", TF_INTEGER, tf_resolved, report.groups),
+    TF_FIELD("grouped", TF_INTEGER, tf_resolved, report.grouped),
+    TF_FIELD("resting", TF_INTEGER, tf_resolved, report.resting),
+    TF_FIELD("held", TF_INTEGER, tf_resolved, report.held),
+    TF_FIELD("moved", TF_INTEGER, tf_resolved, report.moved),
+    TF_FIELD("candidates", TF_COUNT, tf_resolved, report.statistics.candidates),
+    TF_FIELD("decided by axis", TF_COUNT, tf_resolved,
+             report.statistics.by_axis),
+    TF_FIELD("decided by filter", TF_COUNT, tf_resolved,
+             report.statistics.by_filter),
+    TF_FIELD("decided by signs", TF_COUNT, tf_resolved,
+             report.statistics.by_signs),
+    TF_FIELD("energy before", TF_NUMBER, tf_resolved, report.energy_before),
+    TF_FIELD("energy after", TF_NUMBER, tf_resolved, report.energy_after),
+    TF_FIELD("seconds", TF_NUMBER, tf_resolved, seconds),
+    {0},
+};
+
+//: List the fields about remeshing
+#define TRIED(name, operation, outcome)                                        \
+    TF_FIELD(name, TF_COUNT, tf_remeshed, report.tried[operation][outcome])
+
+#define OUTCOMES(names, operation)                                             \
+    TRIED(names, operation, TF_COMMITTED),                                     \
+        TRIED("impossible " names, operation, TF_IMPOSSIBLE),                  \
+        TRIED("collinear " names, operation, TF_FLATTENED),                    \
+        TRIED("overlapping " names, operation, TF_OVERLAPPED),                 \
+        TRIED(names " past vertices", operation, TF_PASSED_VERTEX),            \
+        TRIED(names " past edges", operation, TF_PASSED_EDGE),                 \
+        TRIED(names " past triangles", operation, TF_PASSED_TRIANGLE)
+
+const tf_field tf_remeshed_fields[] = {
+    TF_FIELD("triangles before", TF_INTEGER, tf_remeshed, triangles_before),
+    TF_FIELD("triangles", TF_INTEGER, tf_remeshed, triangles_after),
+    TF_FIELD("edge", TF_NUMBER, tf_remeshed, edge),
+    TF_FIELD("least quality before", TF_NUMBER, tf_remeshed,
+             report.least_before),
+    TF_FIELD("least quality", TF_NUMBER, tf_remeshed, report.least_after),
+    TF_FIELD("mean quality before", TF_NUMBER, tf_remeshed, report.mean_before),
+    TF_FIELD("mean quality", TF_NUMBER, tf_remeshed, report.mean_after),
+    TF_FIELD("distance", TF_NUMBER, tf_remeshed, report.distance),
+    TF_FIELD("rounds", TF_INTEGER, tf_remeshed, report.rounds),
+    TF_FIELD("seconds", TF_NUMBER, tf_remeshed, seconds),
+    OUTCOMES("splits", TF_SPLIT),
+    OUTCOMES("collapses", TF_COLLAPSE),
+    OUTCOMES("flips", TF_FLIP),
+    OUTCOMES("moves", TF_SMOOTH),
+    {0},
+};

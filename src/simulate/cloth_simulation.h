@@ -1,0 +1,48 @@
+//: Declare simulations of cloth
+#pragma once
+
+#include "response/resolve.h"
+#include "simulate/dynamics.h"
+#include "simulate/simulation.h"
+
+/// What a step of cloth took, and how the cloth is after it.
+typedef struct tf_cloth_report {
+    tf_response_report response;
+    double dynamics_seconds, response_seconds;
+    double stretch;          ///< as tf_body_stretch
+    double kinetic, elastic; ///< energies, in joules
+} tf_cloth_report;
+
+/// A scene of cloth in the course of time.
+typedef struct tf_cloth_simulation {
+    tf_simulation base;
+    int script_steps; ///< how many steps have moved all scripted vertices: while
+                      ///< some are held back, the scripts wait
+    double *position; ///< of the vertices
+    double *velocity; ///< of the vertices, in meters per second
+    double *end;      ///< where they are to be after the step
+    double *inverse_mass;
+    tf_surface *surface;
+    tf_resolver *resolver;
+    tf_dynamics *dynamics;
+    tf_cloth_report report; ///< of the last step
+} tf_cloth_simulation;
+
+//: Declare a step of cloth
+/// A step in which nothing meets: the dynamics propose where it ends, and the
+/// response has the last word.
+///
+/// The response does not know of the springs.  It stops a vertex by an impulse
+/// for its own mass, and in the next step the springs pull it on.  So where
+/// step^2 times stiffness is much more than the mass of a vertex, contacts stop
+/// the surface but not what hangs on it, which is stretched.  The materials and
+/// steps of the scenes, in their usual resolutions, keep that ratio below 100.
+extern const tf_simulation_kind tf_cloth_kind;
+
+/// Sets `end` to where the dynamics lead, through whatever is in the way.
+/// @return TF_OK or TF_OUT_OF_MEMORY
+tf_status tf_cloth_propose(tf_cloth_simulation *cloth);
+
+/// Goes on to `end`: the velocities are those that lead there.
+/// @param held how many scripted vertices were held back
+void tf_cloth_accept(tf_cloth_simulation *cloth, int held);

@@ -1,0 +1,76 @@
+#include "support/adaptive_surfaces.h"
+
+#include <stdlib.h>
+
+enum {
+    SHEET_VERTICES = 100
+};
+
+tf_adaptive_surface *adaptive_of(int vertices, double position[][3],
+                                 int triangles, const int triangle[])
+{
+    tf_mesh mesh = {.axes = 3,
+                    .vertices = vertices,
+                    .triangles = triangles,
+                    .triangle = triangle};
+    tf_adaptive_surface *made = NULL;
+    if (tf_adaptive_create(&mesh, position[0], &made, NULL) != TF_OK)
+        abort();
+    return made;
+}
+
+tf_adaptive_surface *adaptive_tetrahedron(void)
+{
+    static const int triangle[] = {0, 1, 2, 0, 2, 3, 0, 3, 1, 1, 3, 2};
+    static double place[][3] = {
+        {1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
+    return adaptive_of(4, place, 4, triangle);
+}
+
+tf_adaptive_surface *adaptive_sheet(int columns, int rows)
+{
+    static double place[SHEET_VERTICES][3];
+    static int triangle[6 * SHEET_VERTICES];
+    int across = columns + 1, count = 0;
+    if (across * (rows + 1) > SHEET_VERTICES)
+        abort();
+    for (int v = 0; v < across * (rows + 1); v++) {
+        place[v][0] = v % across;
+        place[v][1] = v / across;
+    }
+    for (int j = 0; j < rows; j++)
+        for (int i = 0; i < columns; i++) {
+            int v = j * across + i;
+            const int square[] = {v, v + 1,          v + across + 1,
+                                  v, v + across + 1, v + across};
+            for (int k = 0; k < 6; k++)
+                triangle[count++] = square[k];
+        }
+    return adaptive_of(across * (rows + 1), place, 2 * columns * rows,
+                       triangle);
+}
+
+const double *place_of(const tf_adaptive_surface *surface, int vertex)
+{
+    return tf_adaptive_positions(surface) + 3 * vertex;
+}
+
+int triangles_of(const tf_adaptive_surface *surface)
+{
+    tf_mesh mesh = tf_adaptive_mesh(surface);
+    int count = 0;
+    for (int t = 0; t < mesh.triangles; t++)
+        count += mesh.triangle[3 * t] >= 0;
+    return count;
+}
+
+int has_triangle(const tf_adaptive_surface *surface, int a, int b, int c)
+{
+    tf_mesh mesh = tf_adaptive_mesh(surface);
+    for (int i = 0; i < 3 * mesh.triangles; i++) {
+        const int *t = mesh.triangle + i / 3 * 3;
+        if (t[i % 3] == a && t[(i + 1) % 3] == b && t[(i + 2) % 3] == c)
+            return 1;
+    }
+    return 0;
+}

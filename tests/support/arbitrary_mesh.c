@@ -1,0 +1,140 @@
+#include "support/arbitrary_mesh.h"
+
+#include "files/mesh_reader.h"
+#include "surface/check.h"
+#include "surface/detect.h"
+
+#include <limits.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static void require(bool condition)
+{
+    if (!condition)
+        abort();
+}
+
+// The file --------------------------------------------------------------------
+
+static void check_fault(const tf_mesh_file *file, const char *text, size_t size)
+{
+    long most = 1;
+    for (size_t i = 0; i < size; i++)
+        most += text[i] == '\n';
+    if (file->counts_bytes)
+        most = (long)size;
+    require(file->fault->place >= -1 && file->fault->place <= most);
+    require(file->counts_bytes || file->fault->place != 0);
+    require(strstr(file->fault->text, "; ") != NULL);
+    for (const char *c = file->fault->text; *c; c++)
+        require(*c >= ' ' && *c <= '~');
+}
+
+/// Places that do not decrease; indices from 0, though perhaps of no vertex.
+static void check_list(const tf_ints *list, const tf_ints *places,
+                       size_t corners)
+{
+    require(list->count == corners * places->count);
+    for (size_t i = 0; i < list->count; i++)
+        require(list->item[i] >= 0);
+    for (size_t i = 1; i < places->count; i++)
+        require(places->item[i - 1] <= places->item[i]);
+}
+
+static void check_file(const tf_mesh_file *file)
+{
+    require(file->fault->text[0] == '\0');
+    require(file->position.count == 3 * file->vertex_place.count);
+    for (size_t i = 0; i < file->position.count; i++)
+        require(isfinite(file->position.item[i]));
+    check_list(&file->triangle, &file->triangle_place, 3);
+    check_list(&file->edge, &file->edge_place, 2);
+}
+
+// The surface -----------------------------------------------------------------
+
+enum {
+    MOST_VERTICES = 200,
+    MOST_ELEMENTS = 24
+};
+
+static bool is_small(const tf_mesh_file *file)
+{
+    return tf_mesh_file_vertices(file) <= MOST_VERTICES &&
+           tf_mesh_file_triangles(file) <= MOST_ELEMENTS &&
+           tf_mesh_file_edges(file) <= MOST_ELEMENTS;
+}
+
+static bool is_good_list(const tf_ints *list, int corners, int vertices)
+{
+    bool good = true;
+    for (size_t i = 0; i < list->count; i++) {
+        good &= list->item[i] < vertices;
+        for (size_t j = i - i % (size_t)corners; j < i; j++)
+            good &= list->item[i] != list->item[j];
+    }
+    return good;
+}
+
+/// At rest two elements in space touch if they intersect, and the reverse.
+static void check_surface(tf_surface *surface, int axes, int vertices,
+                          const double *x)
+{
+    tf_motion rest = {.vertices = vertices, .start = x, .end = x};
+    tf_contacts contacts;
+    tf_crossings crossings;
+    require(tf_surface_detect(surface, &rest, NULL, &contacts, NULL) == TF_OK);
+    size_t met = contacts.count;
+    require(contacts.any == (met > 0));
+    require(tf_surface_check(surface, x, vertices, NULL, &crossings, NULL) ==
+            TF_OK);
+    size_t crossed = 0;
+    for (size_t i = 0; i < crossings.count; i++)
+        crossed += crossings.crossing[i].kind != TF_EDGE_THROUGH_TRIANGLE;
+    require(axes == 2 || met == crossed);
+}
+
+static void try_surface(const tf_mesh_file *file)
+{
+    int vertices = tf_mesh_file_vertices(file);
+    int axes = tf_mesh_file_is_flat(file) ? 2 : 3;
+    tf_mesh mesh = {.axes = axes,
+                    .vertices = vertices,
+                    .triangles = tf_mesh_file_triangles(file),
+                    .triangle = file->triangle.item,
+                    .edges = tf_mesh_file_edges(file),
+                    .edge = file->edge.item};
+    tf_surface *surface = NULL;
+    tf_status status = tf_surface_create(&mesh, &surface, NULL);
+    require(status == (is_good_list(&file->triangle, 3, vertices) &&
+                               is_good_list(&file->edge, 2, vertices)
+                           ? TF_OK
+                           : TF_BAD_INDEX));
+    if (status == TF_OK) {
+        double x[3 * MOST_VERTICES];
+        for (int i = 0; i < axes * vertices; i++)
+            x[i] = file->position.item[i / axes * 3 + i % axes];
+        check_surface(surface, axes, vertices, x);
+    }
+    tf_surface_free(surface);
+}
+
+void try_arbitrary_mesh(const void *bytes, size_t size)
+{
+    char *text = malloc(size + 1);
+    require(text != NULL);
+    memcpy(text, bytes, size);
+    text[size] = '\0';
+    tf_mesh_file file;
+    tf_fault fault = {0};
+    if (!tf_mesh_file_parse(&file, "fuzz", text, size, &fault)) {
+        check_fault(&file, text, size);
+    } else {
+        check_file(&file);
+        if (is_small(&file))
+            try_surface(&file);
+    }
+    free(text);
+    tf_mesh_file_free(&file);
+}

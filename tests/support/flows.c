@@ -1,0 +1,196 @@
+#include "support/flows.h"
+
+#include "support/adaptive_surfaces.h"
+#include "support/generator.h"
+#include "support/tangle.h"
+
+#include <check.h>
+#include <math.h>
+#include <stdlib.h>
+
+// Spheres ---------------------------------------------------------------------
+
+enum {
+    MOST_VERTICES = 10000
+};
+
+static double place[MOST_VERTICES][3];
+static int triangle[6 * MOST_VERTICES], places, corners;
+
+/// The number of a point of the octahedron |x| + |y| + |z| = n.
+static int vertex_at(const int at[3])
+{
+    for (int v = places - 1; v >= 0; v--)
+        if (place[v][0] == at[0] && place[v][1] == at[1] &&
+            place[v][2] == at[2])
+            return v;
+    if (places == MOST_VERTICES)
+        abort();
+    for (int k = 0; k < 3; k++)
+        place[places][k] = at[k];
+    return places++;
+}
+
+/// Adds the triangle from (i, j) on in one of eight sides, to the right of the
+/// diagonals or to the left.
+static void add_cell(int n, int side, int i, int j, int half)
+{
+    const int at[3][2] = {{i + half, j + half}, {i + 1, j}, {i, j + 1}};
+    int sign[3], turned = 0, vertex[3];
+    for (int k = 0; k < 3; k++) {
+        sign[k] = side >> k & 1 ? -1 : 1;
+        turned ^= side >> k & 1;
+    }
+    for (int c = 0; c < 3; c++) {
+        const int from[] = {sign[0] * (n - at[c][0] - at[c][1]),
+                            sign[1] * at[c][0], sign[2] * at[c][1]};
+        vertex[c] = vertex_at(from);
+    }
+    for (int c = 0; c < 3; c++)
+        triangle[corners++] = vertex[(turned ^ half) && c ? 3 - c : c];
+}
+
+static void make_octahedron(int n)
+{
+    places = corners = 0;
+    for (int side = 0; side < 8; side++)
+        for (int i = 0; i < n; i++)
+            for (int j = 0; j < n - i; j++)
+                for (int half = 0; half < 2 && half + i + j < n; half++)
+                    add_cell(n, side, i, j, half);
+}
+
+/// Moves a vertex out from the origin to a distance.
+static void stretch(double at[3], double distance)
+{
+    double length = hypot(hypot(at[0], at[1]), at[2]);
+    for (int k = 0; k < 3; k++)
+        at[k] *= distance / length;
+}
+
+tf_adaptive_surface *adaptive_sphere(int n, const double center[3],
+                                     double radius)
+{
+    make_octahedron(n);
+    for (int v = 0; v < places; v++) {
+        stretch(place[v], radius);
+        for (int k = 0; k < 3; k++)
+            place[v][k] += center[k];
+    }
+    return adaptive_of(places, place, corners / 3, triangle);
+}
+
+tf_adaptive_surface *adaptive_bumpy_sphere(int n, double bump, uint64_t stream)
+{
+    generator random = generator_new(stream);
+    make_octahedron(n);
+    for (int v = 0; v < places; v++) {
+        stretch(place[v], 1);
+        for (int k = 0; k < 3; k++)
+            place[v][k] += uniform(&random, -bump, bump);
+    }
+    return adaptive_of(places, place, corners / 3, triangle);
+}
+
+// Steps of a flow -------------------------------------------------------------
+
+tf_flow_state *flow_begin(tf_adaptive_surface *surface, double edge,
+                          unsigned careless)
+{
+    static tf_flow_state made;
+    static tf_remesh_report counts;
+    static tf_remesh_options quiet;
+    static tf_flow_options options;
+    static tf_flow_report report;
+    counts = (tf_remesh_report){0};
+    quiet = (tf_remesh_options){.edge = edge};
+    options = (tf_flow_options){.edge = edge, .careless = careless};
+    report = (tf_flow_report){0};
+    made = (tf_flow_state){.remesher = {.surface = surface,
+                                        .edge = edge,
+                                        .options = &quiet,
+                                        .report = &counts},
+                           .options = &options,
+                           .report = &report};
+    return &made;
+}
+
+void flow_end(tf_flow_state *flow)
+{
+    tf_adaptive_free(flow->remesher.surface);
+    tf_buffer_free(&flow->remesher.row);
+}
+
+// Volumes ---------------------------------------------------------------------
+
+/// volume += sign * a b c.
+static void add_product(mpq_t volume, int sign, double a, double b, double c)
+{
+    mpq_t factor, product;
+    mpq_init(factor);
+    mpq_init(product);
+    mpq_set_d(product, sign * a);
+    mpq_set_d(factor, b);
+    mpq_mul(product, product, factor);
+    mpq_set_d(factor, c);
+    mpq_mul(product, product, factor);
+    mpq_add(volume, volume, product);
+    mpq_clear(product);
+    mpq_clear(factor);
+}
+
+void exact_volume(const tf_adaptive_surface *surface, mpq_t volume)
+{
+    tf_mesh mesh = tf_adaptive_mesh(surface);
+    const double *x = tf_adaptive_positions(surface);
+    mpq_set_ui(volume, 0, 1);
+    for (const int *v = mesh.triangle; v < mesh.triangle + 3 * mesh.triangles;
+         v += 3)
+        for (int k = 0; k < 3 && *v >= 0; k++) {
+            const double *a = x + 3 * v[0], *b = x + 3 * v[1],
+                         *c = x + 3 * v[2];
+            int l = (k + 1) % 3, m = (k + 2) % 3;
+            add_product(volume, 1, a[k], b[l], c[m]);
+            add_product(volume, -1, a[k], b[m], c[l]);
+        }
+}
+
+double volume_gained(const tf_adaptive_surface *surface, const mpq_t before)
+{
+    mpq_t now;
+    mpq_init(now);
+    exact_volume(surface, now);
+    mpq_sub(now, now, before);
+    double gained = mpq_get_d(now) / 6;
+    mpq_clear(now);
+    return gained;
+}
+
+void expect_kept_volume(tf_flow_state *flow, tf_operation operation,
+                        tf_status pass(tf_flow_state *flow), bool kept)
+{
+    mpq_t before;
+    mpq_init(before);
+    exact_volume(flow->remesher.surface, before);
+    ck_assert_int_eq(pass(flow), TF_OK);
+    double gained = fabs(volume_gained(flow->remesher.surface, before));
+    mpq_clear(before);
+    ck_assert_uint_gt(flow->remesher.report->tried[operation][TF_COMMITTED],
+                      10);
+    if (kept)
+        ck_assert_double_lt(gained, 1e-14);
+    else
+        ck_assert_double_gt(gained, 1e-6);
+}
+
+// The judge -------------------------------------------------------------------
+
+void expect_embedded(tf_adaptive_surface *surface)
+{
+    ck_assert_int_eq(tf_adaptive_compact(surface, NULL), TF_OK);
+    tf_mesh mesh = tf_adaptive_mesh(surface);
+    tangle_judge *judge = tangle_judge_new(&mesh);
+    int count = tangle_count(judge, tf_adaptive_positions(surface));
+    ck_assert_msg(count == 0, "%s", tangle_text(tangles(judge)));
+    tangle_judge_free(judge);
+}

@@ -1,0 +1,64 @@
+#include "support/remeshers.h"
+
+#include "remesh/measure.h"
+
+#include <stdlib.h>
+
+tf_remesher *remesher_begin(tf_adaptive_surface *surface, double edge)
+{
+    static tf_remesher made;
+    static tf_remesh_report report;
+    static tf_remesh_options options;
+    report = (tf_remesh_report){0};
+    options = (tf_remesh_options){.edge = edge};
+    made = (tf_remesher){.surface = surface,
+                         .edge = edge,
+                         .options = &options,
+                         .report = &report};
+    if (!tf_original_copy(&made.original, surface))
+        abort();
+    return &made;
+}
+
+void remesher_end(tf_remesher *remesher)
+{
+    tf_adaptive_free(remesher->surface);
+    tf_original_free(&remesher->original);
+    tf_buffer_free(&remesher->row);
+}
+
+int done(const tf_remesher *remesher, tf_operation operation)
+{
+    return (int)remesher->report->tried[operation][TF_COMMITTED];
+}
+
+int refused(const tf_remesher *remesher, tf_operation operation)
+{
+    int sum = 0;
+    for (int i = TF_IMPOSSIBLE; i < TF_OUTCOMES; i++)
+        sum += (int)remesher->report->tried[operation][i];
+    return sum;
+}
+
+static double extreme_edge(const tf_adaptive_surface *surface, double sign)
+{
+    double extreme = -INFINITY;
+    tf_mesh mesh = tf_adaptive_mesh(surface);
+    for (int i = 0; i < 3 * mesh.triangles; i++) {
+        const int *t = mesh.triangle + i / 3 * 3;
+        if (*t >= 0)
+            extreme = fmax(extreme, sign * tf_length_of(surface, t[i % 3],
+                                                        t[(i + 1) % 3]));
+    }
+    return sign * extreme;
+}
+
+double shortest_edge(const tf_adaptive_surface *surface)
+{
+    return extreme_edge(surface, -1);
+}
+
+double longest_edge(const tf_adaptive_surface *surface)
+{
+    return extreme_edge(surface, 1);
+}

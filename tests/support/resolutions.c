@@ -1,0 +1,199 @@
+#include "support/resolutions.h"
+
+#include "base/contract.h"
+#include "response/conjugate_residuals.h"
+#include "response/gauss_seidel.h"
+#include "response/minres.h"
+#include "response/normal_residuals.h"
+#include "support/tangle.h"
+
+#include <stdio.h>
+#include <string.h>
+
+// What is wrong ---------------------------------------------------------------
+
+static bool differ(const proposal *made, const double a[], const double b[],
+                   int vertex)
+{
+    int axes = made->mesh.axes;
+    for (int i = axes * vertex; i < axes * (vertex + 1); i++)
+        if (a[i] != b[i])
+            return true;
+    return false;
+}
+
+/// What the report says of the vertices that were moved, against the ends.
+static const char *report_fault(const proposal *made, bool weighed,
+                                const double proposed[],
+                                const tf_response_report *report)
+{
+    int moved = 0, held = 0;
+    for (int v = 0; v < made->mesh.vertices; v++) {
+        bool is_moved = differ(made, proposed, made->end, v);
+        moved += is_moved;
+        held += is_moved && weighed && made->inverse_mass[v] == 0;
+    }
+    if (moved != report->moved)
+        return "the report counts other vertices that were moved";
+    if (held != report->held)
+        return "the report counts other scripted vertices held back";
+    if (held > 0 && report->rounds[TF_FAILSAFE] == 0)
+        return "scripted vertices held back, but not by the failsafe";
+    if (report->first_contacts == 0 && moved > 0)
+        return "a clear step was changed";
+    if (report->rounds[TF_FAILSAFE] >= made->mesh.vertices)
+        return "as many rounds of the failsafe as vertices, or more";
+    return NULL;
+}
+
+static const char *tangle_fault(const char *when, const tangle_judge *judge)
+{
+    static char text[200];
+    snprintf(text, sizeof text, "%s: %s", when, tangle_text(tangles(judge)));
+    return text;
+}
+
+static const char *end_fault(tangle_judge *judge, const proposal *made,
+                             bool exactly)
+{
+    if (tangle_count(judge, made->end) > 0)
+        return tangle_fault("at the end", judge);
+    if (exactly && tangle_count_in_step(judge, made->start, made->end) > 0)
+        return tangle_fault("on the way", judge);
+    return NULL;
+}
+
+static const char *status_fault(tf_status status, const tf_obstacle *obstacle)
+{
+    static char text[200];
+    const int *v = obstacle->vertex;
+    snprintf(text, sizeof text, "status %d, about %d %d %d %d %d", (int)status,
+             v[0], v[1], v[2], v[3], v[4]);
+    return text;
+}
+
+static const char *judged_fault(tf_resolver *resolver, tangle_judge *judge,
+                                proposal *made, bool weighed, bool exactly,
+                                const tf_response_options *options,
+                                tf_response_report *report)
+{
+    static double proposed[3 * PROPOSAL_VERTICES];
+    tf_obstacle obstacle;
+    memcpy(proposed, made->end, sizeof proposed);
+    tf_status status = tf_step_resolve(
+        resolver, made->mesh.vertices, made->start, made->end,
+        weighed ? made->inverse_mass : NULL, options, report, &obstacle);
+    if (status != TF_OK)
+        return status_fault(status, &obstacle);
+    const char *fault = end_fault(judge, made, exactly);
+    return fault ? fault : report_fault(made, weighed, proposed, report);
+}
+
+const char *resolution_fault(proposal *made, bool weighed, bool exactly,
+                             const tf_response_options *options,
+                             tf_response_report *report)
+{
+    tangle_judge *judge = tangle_judge_new(&made->mesh);
+    tf_surface *surface = NULL;
+    tf_resolver *resolver = NULL;
+    const char *fault = "no resolver";
+    if (tf_surface_create(&made->mesh, &surface, NULL) == TF_OK &&
+        tf_resolver_create(surface, &resolver) == TF_OK)
+        fault = judged_fault(resolver, judge, made, weighed, exactly, options,
+                             report);
+    tf_resolver_free(resolver);
+    tf_surface_free(surface);
+    tangle_judge_free(judge);
+    return fault;
+}
+
+// Numbers ---------------------------------------------------------------------
+
+static tf_response_options random_options(generator *random)
+{
+    static const tf_zone_solver *const solvers[] = {
+        NULL, &tf_gauss_seidel, &tf_conjugate_residuals, &tf_minres,
+        &tf_normal_residuals};
+    tf_response_options options = {.solver = solvers[below(random, 5)]};
+    options.impulse_rounds = below(random, 2) ? 0 : below(random, 4);
+    options.zone_rounds = below(random, 3) ? 0 : below(random, 5) - 1;
+    options.sweeps = below(random, 2) ? 0 : 1 + below(random, 30);
+    options.rigid = below(random, 3) == 0;
+    options.separation = uniform(random, -0.1, 0.1) * below(random, 2);
+    options.restitution = below(random, 3) ? 0 : uniform(random, 0, 1);
+    options.friction = below(random, 3) ? 0 : uniform(random, 0, 2);
+    options.check_start = below(random, 2);
+    return options;
+}
+
+static bool starts_clear(const proposal *made)
+{
+    tangle_judge *judge = tangle_judge_new(&made->mesh);
+    bool clear = tangle_count(judge, made->start) == 0;
+    tangle_judge_free(judge);
+    return clear;
+}
+
+static void count(const tf_response_report *report, resolution_counts *counts)
+{
+    int rounds = report->rounds[TF_FAILSAFE];
+    counts->met += report->first_contacts > 0;
+    counts->rescued += rounds > 0;
+    counts->held += report->held > 0;
+    counts->rested += report->resting > 0;
+    counts->rounds = rounds > counts->rounds ? rounds : counts->rounds;
+}
+
+void resolution_counts_print(const resolution_counts *counts)
+{
+    printf("%ld proposals: %ld with contacts, %ld by the failsafe, %ld held "
+           "back, %ld put to rest, %ld judged on the way, %d rounds at most\n",
+           counts->tries, counts->met, counts->rescued, counts->held,
+           counts->rested, counts->exact, counts->rounds);
+}
+
+/// What is being tried, for the handler.
+static long tried;
+
+static void show_tried(const char *file, int line, const char *condition)
+{
+    fprintf(stderr, "%s:%d: broken contract: %s\nproposal %ld of seed %llu\n",
+            file, line, condition, tried, (unsigned long long)seed());
+}
+
+enum {
+    ALL = PROPOSAL_SHAPES * PROPOSAL_WAYS,
+    SIZES = 4,
+    FEW_VERTICES = 30
+};
+
+const char *numbered_fault(long number, resolution_counts *counts)
+{
+    static proposal made;
+    static char text[400];
+    generator random = generator_new((uint64_t)number);
+    proposal_shape shape = (proposal_shape)(number % PROPOSAL_SHAPES);
+    proposal_way way = (proposal_way)(number / PROPOSAL_SHAPES % PROPOSAL_WAYS);
+    int size = 1 + (int)(number / ALL % SIZES);
+    proposal_make(&random, shape, size, way, &made);
+    proposal_weigh(&random, &made);
+    if (!starts_clear(&made))
+        return NULL;
+    tried = number;
+    tf_contract_set_handler(show_tried);
+    bool weighed = below(&random, 2);
+    bool exactly = made.mesh.vertices <= FEW_VERTICES && below(&random, 4) == 0;
+    tf_response_options options = random_options(&random);
+    tf_response_report report = {0};
+    const char *fault =
+        resolution_fault(&made, weighed, exactly, &options, &report);
+    counts->tries++;
+    counts->exact += exactly;
+    count(&report, counts);
+    if (!fault)
+        return NULL;
+    snprintf(text, sizeof text, "proposal %ld of seed %llu, %s %s: %s", number,
+             (unsigned long long)seed(), proposal_shapes[shape],
+             proposal_ways[way], fault);
+    return text;
+}

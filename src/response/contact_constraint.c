@@ -128,9 +128,9 @@ static bool constraint_of_pivots(const tf_surface_contact *contact,
     return length > 0;
 }
 
-//: See how a constraint's elements part
-/// How far the elements of a constraint part along its normal with these ends.
-static double separation(const tf_step *step, const tf_constraint *constraint,
+//: Find the gap change of some ends
+/// By how much the gap of a constraint is wider with these ends.
+static double gap_change(const tf_step *step, const tf_constraint *constraint,
                          const double end[])
 {
     double sum = 0;
@@ -143,7 +143,7 @@ static double separation(const tf_step *step, const tf_constraint *constraint,
     return sum;
 }
 
-//: Bound the separation
+//: Bound the gap change
 /// The part of what is missing by which a pair is pushed apart in one step.
 static const double pushed_part = 0.25;
 
@@ -154,7 +154,7 @@ static double bound_for(const tf_step *step, const tf_constraint *constraint,
         gap < rule->separation ? pushed_part * (rule->separation - gap) : 0;
     if (rule->restitution > 0)
         bound = fmax(bound, -rule->restitution *
-                                separation(step, constraint, rule->base));
+                                gap_change(step, constraint, rule->base));
     return bound;
 }
 
@@ -190,7 +190,7 @@ tf_constraint tf_contact_constraint(const tf_step *step,
     // The points have to approach each other from the side on which they start,
     // and the constraint must not be satisfied already.
     bool approach = dot(constraint.normal, contact->contact.velocity) <= 0;
-    bool violated = separation(step, &constraint, step->end) < constraint.bound;
+    bool violated = gap_change(step, &constraint, step->end) < constraint.bound;
     bool has_normal = dot(constraint.normal, constraint.normal) > 0;
     tf_constraint pivots = constraint;
     double own_gap;

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stddef.h>
 
-//: See how elements part
+//: Find the gap change
 /// How one element moves against the other: in all directions.
 static tf_vector relative_displacement(int axes,
                                        const tf_constraint *constraint,
@@ -25,7 +25,7 @@ static tf_vector normal_of(const tf_constraint *constraint)
     return tf_vector_at(constraint->normal, 0);
 }
 
-double tf_constraint_separation(int axes, const tf_constraint *constraint,
+double tf_constraint_gap_change(int axes, const tf_constraint *constraint,
                                 const double displacement[])
 {
     return tf_vector_dot(normal_of(constraint),
@@ -33,7 +33,7 @@ double tf_constraint_separation(int axes, const tf_constraint *constraint,
 }
 
 //: Find the compliance of a constraint
-/// The farthest that a push may move a vertex, if it parts the elements by 1.
+/// The farthest that a push may move a vertex, if it widens the gap by 1.
 static const double most_leverage = 1024;
 
 double tf_constraint_compliance(const tf_constraint *constraint,
@@ -64,14 +64,14 @@ void tf_constraint_push(const tf_constraint *constraint, tf_vector impulse,
 }
 
 //: Push along the normal
-/// Returns by how much the separation changes.
+/// Returns by how much the gap changes.
 static double push_along(tf_constraint *constraint, double compliance,
                          const tf_bodies *bodies)
 {
-    double separation = tf_constraint_separation(bodies->axes, constraint,
+    double gap_change = tf_constraint_gap_change(bodies->axes, constraint,
                                                  bodies->displacement);
     double wanted =
-        constraint->impulse + (constraint->bound - separation) / compliance;
+        constraint->impulse + (constraint->bound - gap_change) / compliance;
     double change = (wanted > 0 ? wanted : 0) - constraint->impulse;
     tf_constraint_push(constraint,
                        tf_vector_scaled(change, normal_of(constraint)), bodies);
@@ -88,8 +88,8 @@ static double push_across(tf_constraint *constraint, double compliance,
     tf_vector normal = normal_of(constraint), wanted;
     tf_vector relative =
         relative_displacement(bodies->axes, constraint, bodies->displacement);
-    double separation = tf_vector_dot(normal, relative);
-    tf_vector sliding = tf_vector_sum(relative, -separation, normal);
+    double gap_change = tf_vector_dot(normal, relative);
+    tf_vector sliding = tf_vector_sum(relative, -gap_change, normal);
     for (int k = 0; k < TF_AXES; k++)
         wanted.x[k] = constraint->friction[k] - sliding.x[k] / compliance;
 

@@ -22,7 +22,7 @@ sort -u "$scratch/listed" >"$scratch/manifest"
 (cd src && find * -name '*.[ch]') | sed 's/\.[ch]$//' | sort -u >"$scratch/src"
 (cd src && find * -name '*.c') | sed 's/\.c$//' | sort >"$scratch/code"
 (cd tests && find * -name '*.c') | sed 's/\.c$//' | sort |
-    grep -Ev '^(support|whole|fuzz|soak|bench|renderer|draw|figures|package)/' \
+    grep -Ev '^(support|whole|fuzz|soak|bench|renderer|draw|kit|figures|package)/' \
         >"$scratch/tests"
 
 awk '/^[a-z]/ { print $1 }' book/chapters | sort | uniq -d |

@@ -11,7 +11,8 @@
 # more than they have, and the tests of the whole.
 SUPPORT := $(wildcard tests/support/*.c) tests/bench/workloads.c \
 	tests/bench/layers.c tests/bench/measuring.c
-FIGURE_TESTS := $(wildcard tests/renderer/*.c tests/draw/*.c tests/figures/*.c)
+FIGURE_TESTS := $(wildcard $(addsuffix /*.c,$(addprefix tests/,renderer draw kit \
+	figures)))
 ifndef partial
 WHOLE := $(wildcard tests/whole/*.c) $(FIGURE_TESTS)
 # tests/whole/expansion and bench use the figures' expansion.
@@ -47,10 +48,13 @@ $(BUILD)/tests/whole/allocations $(BUILD)/tests/whole/no_memory: LIBRARIES = -Wl
 
 # The tests of the figures need more: their rule overrides the pattern above.
 # The library's own do without the figures' libraries.
+# What figures print is tested by one program, with a file for each part.
 figure_tests = $(FIGURE_TESTS:%.c=$(BUILD)/%)
+figure_parts = $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/figures/parts/*.c))
 library_tests = $(filter-out $(figure_tests),$(TESTS))
-$(figure_tests:=.o): $(BUILD)/renderer.flags | $(generated)
-$(figure_tests:=.o): USES = $(drawing_flags)
+$(figure_tests:=.o) $(figure_parts): $(BUILD)/renderer.flags | $(generated)
+$(figure_tests:=.o) $(figure_parts): USES = $(drawing_flags)
+$(BUILD)/tests/figures/numbers: $(figure_parts)
 $(figure_tests): $(BUILD)/%: $(BUILD)/%.o $(BUILD)/support.a $(figure_archives)
 	@echo 'link    $@'
 	$(Q)$(link_experiments) @$(BUILD)/renderer.libraries \
@@ -82,8 +86,8 @@ run-tests: $(library_file) $(program_file) $(TESTS:=.log) \
 sanitizers = -fsanitize=address,undefined,float-cast-overflow \
 	-fno-sanitize-recover=all -fno-omit-frame-pointer
 
-# Of the tests of figures, all.c draws every one, and the others would only take
-# long to link.  It comes first since it takes longest.
+# Of the tests of figures, all.c draws every one, and the others would only draw
+# them again.  It comes first since it takes longest.
 sanitized_tests = $(BUILD)/tests/figures/all \
 	$(filter-out $(BUILD)/tests/figures/%,$(figure_tests)) $(library_tests)
 ##@ Check

@@ -144,6 +144,25 @@ START_TEST(solids_turn)
 }
 END_TEST
 
+/// What leaves the page is cut at its border.  Bands may reach there; letters,
+/// chips and arrows may not.
+START_TEST(layers_stay_on_the_page)
+{
+    int width = 768, height = (int)(768 * fig_layers.height / fig_layers.width);
+    expect_figure(&fig_layers, width, height, &fig_theme_light);
+    cairo_surface_t *surface = cairo_image_surface_create_from_png(picture);
+    const unsigned char *data = cairo_image_surface_get_data(surface);
+    int stride = cairo_image_surface_get_stride(surface);
+    for (int i = 0; i < width * height; i++) {
+        int x = i % width, y = i / width;
+        if (x == 0 || y == 0 || x == width - 1 || y == height - 1)
+            ck_assert_msg(data[(ptrdiff_t)y * stride + 4 * x + 1] > 220,
+                          "(%d, %d) is on the border", x, y);
+    }
+    cairo_surface_destroy(surface);
+}
+END_TEST
+
 START_TEST(names_find_figures)
 {
     for (int i = 0; fig_figures[i]; i++)
@@ -162,6 +181,7 @@ Suite *suite(void)
     tcase_add_loop_test(drawn, figure_is_drawn_at_any_size_in_either_theme, 0,
                         figure_count());
     tcase_add_test(drawn, solids_turn);
+    tcase_add_test(drawn, layers_stay_on_the_page);
     suite_add_tcase(s, drawn);
     TCase *table = tcase_create("table");
     tcase_add_test(table, names_find_figures);

@@ -1,9 +1,13 @@
 // The figures that move: what is the same in all frames, and the time.
 #define _GNU_SOURCE // mkdtemp
-#include "figures/numbers.h"
-
 #include "kit/film.h"
+#include "kit/figures.h"
+#include "support/support.h"
 
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 #include <unistd.h>
 
 enum {
@@ -78,19 +82,6 @@ START_TEST(labels_do_not_jump)
 }
 END_TEST
 
-START_TEST(the_still_is_at_a_time_of_the_step)
-{
-    const fig_figure *figure = fig_figures[_i];
-    if (!figure->moves)
-        return;
-    char *text = printed(figure);
-    double still = number_of(text, "film_still");
-    ck_assert_msg(still >= 0 && still <= 1, "%s: still at %g", figure->name,
-                  still);
-    free(text);
-}
-END_TEST
-
 START_TEST(one_frame_is_at_the_event)
 {
     char *text = NULL;
@@ -123,7 +114,6 @@ Suite *suite(void)
     TCase *films = tcase_create("films");
     tcase_add_checked_fixture(films, enter_folder, leave_folder);
     tcase_add_loop_test(films, labels_do_not_jump, 0, count);
-    tcase_add_loop_test(films, the_still_is_at_a_time_of_the_step, 0, count);
     tcase_add_test(films, one_frame_is_at_the_event);
     suite_add_tcase(s, films);
     return s;

@@ -1,9 +1,6 @@
-// The numbers that a figure prints, for the tests of figures.  To be included
-// first.
+// What tests of the figures' numbers start from: see numbers.c.
 #ifndef FIGURES_NUMBERS_H
 #define FIGURES_NUMBERS_H
-
-#define _POSIX_C_SOURCE 200809L // open_memstream
 
 #include "kit/figures.h"
 #include "support/oracle.h"
@@ -14,78 +11,55 @@
 #include <stdlib.h>
 #include <string.h>
 
-/// What a figure prints when it is drawn in a theme.  The caller frees it.
-static inline char *printed_in(const fig_figure *figure, const fig_theme *theme)
-{
-    fig_page_options options = {.width = figure->width,
-                                .height = figure->height,
-                                .pixels_x = FIG_PAGE_PIXELS_X,
-                                .pixels_y = FIG_PAGE_PIXELS_Y,
-                                .theme = theme};
-    char *text = NULL;
-    size_t size;
-    FILE *numbers = open_memstream(&text, &size);
-    fig_page *page;
-    ck_assert_int_eq(fig_page_new(&options, &page), FIG_OK);
-    figure->draw(page, numbers);
-    fig_page_free(page);
-    fclose(numbers);
-    return text;
-}
+#define PI 3.14159265358979323846
 
-/// The same for both themes, in which it must not differ.
-static inline char *printed(const fig_figure *figure)
-{
-    char *light = printed_in(figure, &fig_theme_light);
-    char *dark = printed_in(figure, &fig_theme_dark);
-    ck_assert_str_eq(light, dark);
-    free(dark);
-    return light;
-}
+/// What is expected of a figure's numbers beyond the lines of numbers.txt.
+typedef struct figure_test {
+    const fig_figure *figure;
+    void (*expect)(void);
+} figure_test;
 
-/// The number of a key in what was printed.
-static inline double number_of(const char *text, const char *key)
-{
-    size_t length = strlen(key);
-    for (const char *line = text; line; line = strchr(line, '\n')) {
-        line += *line == '\n';
-        if (strncmp(line, key, length) == 0 && line[length] == ' ')
-            return strtod(line + length, NULL);
-    }
-    ck_abort_msg("no number %s in:\n%s", key, text);
-}
+/// Those of the figures of a part; one without a figure ends them.
+extern const figure_test plane_tests[], space_tests[], arithmetic_tests[],
+    surfaces_tests[], response_tests[], adaptive_tests[];
 
-/// Expect a number up to rounding.
-static inline void expect_number(const char *text, const char *key,
-                                 double expected)
-{
-    double found = number_of(text, key);
-    ck_assert_msg(fabs(found - expected) <= 1e-12 * fmax(1, fabs(expected)),
-                  "%s is %.17g, not %.17g", key, found, expected);
-}
+/// The lines "key value" that the figure under test prints.
+extern const char *printed;
 
-/// When two moving elements first meet, as the oracle has it, rounded; -1 if
-/// they do not.
-static inline double oracle_time(int axes, int vertices,
-                                 const tf_worldline first[], int others,
-                                 const tf_worldline second[])
-{
-    mpq_t toi;
-    mpq_init(toi);
-    bool meet = oracle_meet(axes, vertices, first, others, second, toi);
-    double time = meet ? mpq_get_d(toi) : -1;
-    mpq_clear(toi);
-    return time;
-}
+// Keys are made as printf does.
 
-/// The suite of a figure's one test.
-static inline Suite *suite_of(const char *name, const TTest *test)
-{
-    Suite *s = suite_create(name);
-    TCase *numbers = tcase_create("numbers");
-    tcase_add_test(numbers, test);
-    suite_add_tcase(s, numbers);
-    return s;
-}
+/// The number of a key.
+double number(const char *key, ...);
+
+/// Whether there is one.
+bool has_number(const char *key, ...);
+
+/// Expect a number of a key, up to rounding or up to a tolerance.
+void expect(double expected, const char *key, ...);
+void expect_within(double tolerance, double expected, const char *key, ...);
+
+/// The value of a row of figures/measured: "library: six estimates" is that of
+/// the name "six estimates" in library.csv.
+double measured(const char *row, ...);
+
+/// Moving vertices by their coordinates, of each first those at t = 0.
+void make_vertices(int axes, int count, const double coordinate[],
+                   tf_worldline vertex[]);
+
+/// When two moving elements or two simplices first meet, as the oracle has it,
+/// rounded; -1 if they do not.
+double oracle_time(int axes, int vertices, const tf_worldline first[],
+                   int others, const tf_worldline second[]);
+double oracle_simplices_time(int axes, const oracle_simplex *s,
+                             const oracle_simplex *r);
+
+/// Whether two elements, straight and flat at t = 0 and t = 1, meet then.
+bool meet_at(int t, int axes, int vertices, const tf_worldline first[],
+             int others, const tf_worldline second[]);
+
+/// Whether there is an axis on which all vertices of one element, at either
+/// time, are beyond all of the other.
+bool boxes_apart(int axes, int vertices, const tf_worldline first[], int others,
+                 const tf_worldline second[]);
 
 #endif

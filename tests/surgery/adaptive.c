@@ -61,7 +61,7 @@ END_TEST
 
 // Operations on a surface that hardly grows hardly need more memory: a number
 // left behind by each would be more.
-START_TEST(a_steady_state_takes_no_memory)
+START_TEST(a_steady_state_allocates_no_memory)
 {
     enum {
         TRIES = 12000
@@ -104,7 +104,7 @@ Suite *suite(void)
     TCase *tcase = tcase_create("surface");
     tcase_add_test(tcase, a_surface_is_lent_as_it_was_given);
     tcase_add_test(tcase, compaction_keeps_the_order);
-    tcase_add_test(tcase, a_steady_state_takes_no_memory);
+    tcase_add_test(tcase, a_steady_state_allocates_no_memory);
     tcase_add_test(tcase, null_may_be_freed);
     tcase_add_test_raise_signal(tcase, a_surface_needs_positions, SIGABRT);
     suite_add_tcase(suite, tcase);

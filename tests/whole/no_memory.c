@@ -162,8 +162,8 @@ static tf_status try_reconnection(tf_adaptive_surface *surface, int which,
     if (which == 1)
         return tf_adaptive_merge(surface, low, high, outcome);
     for (int i = 0; i < 9; i++)
-        place[i] =
-            place_of(surface, loop[i / 3])[i % 3] + (i % 3 == 2 ? 0.25 : 0);
+        place[i] = coordinates_of(surface, loop[i / 3])[i % 3] +
+                   (i % 3 == 2 ? 0.25 : 0);
     return tf_adaptive_pinch(surface, loop, place, vertex, outcome);
 }
 

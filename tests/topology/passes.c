@@ -22,7 +22,7 @@ static tf_adaptive_surface *make_balls(void)
 
 START_TEST(memory_that_is_kept_changes_nothing)
 {
-    static const tf_reconnect_options lengths = {.edge = 0.3};
+    static const tf_reconnect_options lengths = {.edge = 0.3, .merge = 0.6};
     tf_adaptive_surface *one = make_balls(), *other = make_balls();
     tf_reconnector reconnector = {.surface = one};
     tf_reconnect_report kept = {0}, anew = {0};

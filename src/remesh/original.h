@@ -6,7 +6,7 @@
 /// A copy of a surface, to which the nearest points are found.
 typedef struct tf_original {
     int vertices, triangles;
-    tf_buffer position, vertex, cuboid, order;
+    tf_buffer position, vertex, box, order;
     tf_dynamic_tree boxes;
 } tf_original;
 

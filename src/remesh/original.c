@@ -14,7 +14,7 @@ static bool reserve_original(tf_original *original)
            tf_buffer_extend(&original->vertex, triangles, 3 * sizeof(int)) &&
            tf_buffer_extend(&original->box, triangles, sizeof(tf_aabb)) &&
            tf_buffer_extend(&original->order, triangles, sizeof(int)) &&
-           tf_dynamic_tree_reserve(&original->boxes, original->triangles);
+           tf_dynamic_tree_reserve(&original->tree, original->triangles);
 }
 
 //: Copy a surface
@@ -34,7 +34,7 @@ bool tf_original_copy(tf_original *original, const tf_adaptive_surface *surface)
         box[t] = tf_aabb_of(surface, 3, tf_triangle(surface, t));
         order[t] = t;
     }
-    tf_dynamic_tree_build(&original->boxes, box, order, surface->triangles);
+    tf_dynamic_tree_build(&original->tree, box, order, surface->triangles);
     return true;
 }
 
@@ -45,7 +45,7 @@ void tf_original_free(tf_original *original)
     tf_buffer_free(&original->vertex);
     tf_buffer_free(&original->box);
     tf_buffer_free(&original->order);
-    tf_dynamic_tree_free(&original->boxes);
+    tf_dynamic_tree_free(&original->tree);
 }
 
 //: Take the corners of a triangle
@@ -84,7 +84,7 @@ double tf_original_nearest(tf_original *original, const double x[3],
 {
     nearest_search search = {.original = original, .x = {{{x[0], x[1], x[2]}}}};
     double least;
-    int triangle = tf_dynamic_tree_nearest(&original->boxes, x,
+    int triangle = tf_dynamic_tree_nearest(&original->tree, x,
                                            squared_distance, &search, &least);
     memcpy(point, x, 3 * sizeof *point);
     if (triangle < 0)

@@ -7,7 +7,7 @@
 typedef struct tf_original {
     int vertices, triangles;
     tf_buffer position, vertex, box, order;
-    tf_dynamic_tree boxes;
+    tf_dynamic_tree tree;
 } tf_original;
 
 /// Copies a surface without gaps.  False if there is no memory; free it in any

@@ -84,8 +84,8 @@ double tf_original_nearest(tf_original *original, const double x[3],
 {
     nearest_search search = {.original = original, .x = {{{x[0], x[1], x[2]}}}};
     double least;
-    int triangle = tf_dynamic_tree_nearest(&original->tree, x,
-                                           squared_distance, &search, &least);
+    int triangle = tf_dynamic_tree_nearest(&original->tree, x, squared_distance,
+                                           &search, &least);
     memcpy(point, x, 3 * sizeof *point);
     if (triangle < 0)
         return INFINITY;

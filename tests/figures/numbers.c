@@ -7,7 +7,7 @@
 #include <stdarg.h>
 
 enum {
-    LINE = 512
+    LINE = 1024
 };
 
 static const figure_test *const parts[] = {plane_tests,      space_tests,
@@ -103,22 +103,19 @@ void expect_within(double tolerance, double expected, const char *key, ...)
     compare(tolerance, expected, made);
 }
 
-double measured(const char *row, ...)
+double measured(const char *name_of_file, const char *row, ...)
 {
     MAKE_KEY(made, row);
-    char path[LINE + 32], line[LINE], *name_of_row = strstr(made, ": ");
-    ck_assert_ptr_nonnull(name_of_row);
-    *name_of_row = '\0';
-    name_of_row += 2;
-    snprintf(path, sizeof path, "figures/measured/%s.csv", made);
+    char path[LINE], line[LINE];
+    snprintf(path, sizeof path, "figures/measured/%s.csv", name_of_file);
     FILE *file = fopen(path, "r");
     ck_assert_msg(file != NULL, "%s: no %s", name, path);
-    size_t length = strlen(name_of_row);
+    size_t length = strlen(made);
     bool found = false;
     while (!found && fgets(line, sizeof line, file))
-        found = strncmp(line, name_of_row, length) == 0 && line[length] == ',';
+        found = strncmp(line, made, length) == 0 && line[length] == ',';
     fclose(file);
-    ck_assert_msg(found, "%s: no row '%s' in %s", name, name_of_row, path);
+    ck_assert_msg(found, "%s: no row '%s' in %s", name, made, path);
     return strtod(line + length + 1, NULL);
 }
 
@@ -190,7 +187,7 @@ static double read_term(const char **at)
     if (accept(at, "'")) {
         read_until(at, "'", word);
         accept(at, "'");
-        return measured("%s", word);
+        return measured("library", "%s", word);
     }
     read_until(at, " ()", word);
     for (size_t i = 0; **at == '(' && i < sizeof functions / sizeof *functions;
@@ -287,7 +284,7 @@ static void choose(const char *line, int items, int item, char chosen[LINE])
     *chosen = '\0';
 }
 
-static void expect_line(const char *line)
+static void expect_expanded(const char *line)
 {
     const char *brace = strchr(line, '{');
     if (!brace) {
@@ -298,7 +295,7 @@ static void expect_line(const char *line)
     for (int i = 0; i < items; i++) {
         char chosen[LINE];
         choose(line, items, i, chosen);
-        expect_line(chosen);
+        expect_expanded(chosen);
     }
 }
 
@@ -316,7 +313,7 @@ static bool read_line(FILE *file, char figure[LINE], char line[LINE])
         length += strcspn(text + length, "\n");
         ungetc(next = getc(file), file);
     }
-    ck_assert_int_eq(sscanf(text, "%511s %511[^\n]", figure, line), 2);
+    ck_assert_int_eq(sscanf(text, "%1023s %1023[^\n]", figure, line), 2);
     return true;
 }
 
@@ -335,7 +332,8 @@ static void expect_lines(void)
     char figure[LINE], line[LINE];
     while (read_line(file, figure, line))
         if (strcmp(figure, name) == 0)
-            expect_line(line);
+            for (char *next = strtok(line, ";"); next; next = strtok(NULL, ";"))
+                expect_expanded(next);
     fclose(file);
 }
 

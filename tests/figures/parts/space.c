@@ -542,11 +542,11 @@ static double least_of(const char *set, const char *first, const char *second)
 {
     double least = INFINITY;
     for (int digits = 0; digits <= 16; digits++) {
-        char row[32] = "methods: cubic 0";
+        char row[32] = "cubic 0";
         if (digits > 0)
-            snprintf(row, sizeof row, "methods: cubic 1e-%02d", digits);
-        double count = measured("%s %s %s", row, set, first);
-        count += second ? measured("%s %s %s", row, set, second) : 0;
+            snprintf(row, sizeof row, "cubic 1e-%02d", digits);
+        double count = measured("methods", "%s %s %s", row, set, first);
+        count += second ? measured("methods", "%s %s %s", row, set, second) : 0;
         least = fmin(least, count);
     }
     return least;

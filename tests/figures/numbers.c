@@ -3,6 +3,7 @@
 #define _POSIX_C_SOURCE 200809L // open_memstream
 
 #include "figures/numbers.h"
+#include "figures/pages.h"
 
 #include <stdarg.h>
 
@@ -22,18 +23,13 @@ static const char *name; ///< of the figure under test
 /// The caller frees it.
 static char *print(const fig_figure *figure, const fig_theme *theme)
 {
-    fig_page_options options = {.width = figure->width,
-                                .height = figure->height,
-                                .pixels_x = FIG_PAGE_PIXELS_X,
+    fig_page_options options = {.pixels_x = FIG_PAGE_PIXELS_X,
                                 .pixels_y = FIG_PAGE_PIXELS_Y,
                                 .theme = theme};
     char *text = NULL;
     size_t size;
     FILE *numbers = open_memstream(&text, &size);
-    fig_page *page;
-    ck_assert_int_eq(fig_page_new(&options, &page), FIG_OK);
-    figure->draw(page, numbers);
-    fig_page_free(page);
+    fig_page_free(draw_figure(figure, options, numbers));
     fclose(numbers);
     return text;
 }
@@ -430,12 +426,10 @@ bool boxes_apart(int axes, int vertices, const tf_worldline first[], int others,
 
 Suite *suite(void)
 {
-    int figures = 0;
-    while (fig_figures[figures])
-        figures++;
     Suite *s = suite_create("figures/numbers");
     TCase *numbers = tcase_create("numbers");
-    tcase_add_loop_test(numbers, figures_print_what_is_expected, 0, figures);
+    tcase_add_loop_test(numbers, figures_print_what_is_expected, 0,
+                        count_figures());
     tcase_add_test(numbers, every_line_is_about_a_figure);
     suite_add_tcase(s, numbers);
     return s;

@@ -39,8 +39,8 @@ static const char *find(const char *text, const char *key)
 {
     size_t length = strlen(key);
     while (text && (strncmp(text, key, length) != 0 || text[length] != ' ')) {
-        text = strchr(text, '\n');
-        text += text != NULL;
+        const char *end = strchr(text, '\n');
+        text = end ? end + 1 : NULL;
     }
     return text ? text + length : NULL;
 }

@@ -2,10 +2,10 @@
  *
  * A vertex is at `from`, in the middle of a star of `count` triangles, whose
  * ring of neighbors is given in order, counterclockwise as seen from outside.
- * Smoothing would like to move the vertex to `wanted`.  Find the place nearest
- * to that to which the vertex can go so that the volume that the surface
- * encloses does not change.  If the vector area of the ring is zero, every
- * place will do.
+ * Smoothing would like to move the vertex to `wanted`.  Find the position
+ * nearest to that to which the vertex can go so that the volume that the surface
+ * encloses does not change.  If the vector area of the ring is zero, any
+ * position will do.
  *
  * Section: Where the volume goes.
  *
@@ -43,14 +43,14 @@ static void add_up(int count, const double ring[][3], double area[3])
 }
 
 void move_sideways(int count, const double ring[][3], const double from[3],
-                   const double wanted[3], double place[3])
+                   const double wanted[3], double position[3])
 {
     double area[3];
     add_up(count, ring, area);
 #if defined TF_SOLUTION || defined TF_WRONG_1 || defined TF_WRONG_2
     double way[3];
     for (int k = 0; k < 3; k++)
-#if defined TF_WRONG_2 // takes the component of the place, not of the way
+#if defined TF_WRONG_2 // takes the component of the position, not of the way
         way[k] = wanted[k] + 0 * from[k];
 #else
         way[k] = wanted[k] - from[k];
@@ -58,14 +58,14 @@ void move_sideways(int count, const double ring[][3], const double from[3],
     double square = dot(area, area);
     double part = square > 0 ? dot(way, area) / square : 0;
     for (int k = 0; k < 3; k++)
-        place[k] = wanted[k] - part * area[k];
+        position[k] = wanted[k] - part * area[k];
 #elif defined TF_WRONG_3 // keeps only what it should take away
     double part = dot(wanted, area) - dot(from, area);
     for (int k = 0; k < 3; k++)
-        place[k] = from[k] + part / fmax(dot(area, area), 1e-300) * area[k];
+        position[k] = from[k] + part / fmax(dot(area, area), 1e-300) * area[k];
 #else
     // Your turn: this changes the volume.
     for (int k = 0; k < 3; k++)
-        place[k] = wanted[k] + 0 * from[k] * dot(area, area);
+        position[k] = wanted[k] + 0 * from[k] * dot(area, area);
 #endif
 }

@@ -10,7 +10,7 @@ enum {
 };
 
 void move_sideways(int count, const double ring[][3], const double from[3],
-                   const double wanted[3], double place[3]);
+                   const double wanted[3], double position[3]);
 
 typedef struct star {
     int count;
@@ -23,11 +23,12 @@ static double dot(const double a[3], const double b[3])
 }
 
 /// Six times the volume between the star of a vertex and the origin.
-static double six_volumes(const star *of, const double vertex[3])
+static double six_volumes(const star *given, const double vertex[3])
 {
     double sum = 0;
-    for (int i = 0; i < of->count; i++) {
-        const double *a = of->ring[i], *b = of->ring[(i + 1) % of->count];
+    for (int i = 0; i < given->count; i++) {
+        const double *a = given->ring[i],
+                     *b = given->ring[(i + 1) % given->count];
         for (int k = 0; k < 3; k++)
             sum += vertex[k] * (a[(k + 1) % 3] * b[(k + 2) % 3] -
                                 a[(k + 2) % 3] * b[(k + 1) % 3]);
@@ -35,30 +36,31 @@ static double six_volumes(const star *of, const double vertex[3])
     return sum;
 }
 
-static void find(const star *of, double place[3])
+static void find(const star *given, double position[3])
 {
     for (int k = 0; k < 3; k++)
-        place[k] = NAN;
-    check_input("a ring of %d, the first at %s; from %s, wanted %s", of->count,
-                text_point(3, of->ring[0]), text_point(3, of->from),
-                text_point(3, of->wanted));
-    check_call_n(3, place,
-                 move_sideways(of->count, (const double(*)[3])of->ring,
-                               of->from, of->wanted, place));
+        position[k] = NAN;
+    check_input("a ring of %d, the first at %s; from %s, wanted %s",
+                given->count, text_point(3, given->ring[0]),
+                text_point(3, given->from), text_point(3, given->wanted));
+    check_call_n(3, position,
+                 move_sideways(given->count, (const double(*)[3])given->ring,
+                               given->from, given->wanted, position));
 }
 
-/// The volume must be as before, and the way from the place to what is wanted
+/// The volume must be as before, and the way from there to what is wanted
 /// must be along the vector area: perpendicular to all other directions.
-static void expect_sideways(const star *of)
+static void expect_sideways(const star *given)
 {
-    double place[3], unit[3], slope[3], rest[3];
-    find(of, place);
-    check_near(six_volumes(of, of->from), six_volumes(of, place), 1e-11);
+    double position[3], unit[3], slope[3], rest[3];
+    find(given, position);
+    check_near(six_volumes(given, given->from), six_volumes(given, position),
+               1e-11);
     for (int k = 0; k < 3; k++) {
         memset(unit, 0, sizeof unit);
         unit[k] = 1;
-        slope[k] = six_volumes(of, unit);
-        rest[k] = of->wanted[k] - place[k];
+        slope[k] = six_volumes(given, unit);
+        rest[k] = given->wanted[k] - position[k];
     }
     double square = dot(rest, rest) * dot(slope, slope);
     check_near(sqrt(square), fabs(dot(rest, slope)), 1e-6);
@@ -72,21 +74,21 @@ static const star flat = {
 
 TEST(a_flat_ring)
 {
-    double place[3];
-    find(&flat, place);
-    check_near(0.25, place[0], 1e-14);
-    check_near(-0.5, place[1], 1e-14);
-    check_near(3, place[2], 1e-14);
+    double position[3];
+    find(&flat, position);
+    check_near(0.25, position[0], 1e-14);
+    check_near(-0.5, position[1], 1e-14);
+    check_near(3, position[2], 1e-14);
 }
 
 TEST(at_rest)
 {
     star still = flat;
     memcpy(still.wanted, still.from, sizeof still.from);
-    double place[3];
-    find(&still, place);
+    double position[3];
+    find(&still, position);
     for (int k = 0; k < 3; k++)
-        check_near(still.from[k], place[k], 1e-14);
+        check_near(still.from[k], position[k], 1e-14);
 }
 
 // There and back again: the ring has no area.
@@ -96,28 +98,28 @@ TEST(no_area)
                    .ring = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, 0, 0}},
                    .from = {1, 1, 0},
                    .wanted = {1, 0.5, 0.25}};
-    double place[3];
-    find(&folded, place);
+    double position[3];
+    find(&folded, position);
     for (int k = 0; k < 3; k++)
-        check_near(folded.wanted[k], place[k], 1e-14);
+        check_near(folded.wanted[k], position[k], 1e-14);
 }
 
 TEST(at_random)
 {
     generator random = generator_new(0);
     for (int i = 0; i < 300; i++) {
-        star of = {.count = 3 + below(&random, MOST - 2)};
-        for (int v = 0; v < of.count; v++) {
-            double turn = 2 * acos(-1) * v / of.count;
-            of.ring[v][0] = 3 + cos(turn) + uniform(&random, -0.2, 0.2);
-            of.ring[v][1] = sin(turn) + uniform(&random, -0.2, 0.2);
-            of.ring[v][2] = uniform(&random, -0.5, 0.5);
+        star given = {.count = 3 + below(&random, MOST - 2)};
+        for (int v = 0; v < given.count; v++) {
+            double turn = 2 * acos(-1) * v / given.count;
+            given.ring[v][0] = 3 + cos(turn) + uniform(&random, -0.2, 0.2);
+            given.ring[v][1] = sin(turn) + uniform(&random, -0.2, 0.2);
+            given.ring[v][2] = uniform(&random, -0.5, 0.5);
         }
         for (int k = 0; k < 3; k++) {
-            of.from[k] = uniform(&random, -1, 1);
-            of.wanted[k] = uniform(&random, -1, 1);
+            given.from[k] = uniform(&random, -1, 1);
+            given.wanted[k] = uniform(&random, -1, 1);
         }
-        expect_sideways(&of);
+        expect_sideways(&given);
     }
 }
 

@@ -4,9 +4,9 @@
  * removed; around the hole is a ring of `count` vertices, counterclockwise as
  * seen from outside, which will be joined to the new vertex.  `before` is six
  * times the volume between the removed triangles and the origin: the sum of
- * their determinants.  Find the place of the new vertex that is nearest to the
- * middle of s and d and keeps the volume.  The vector area of the ring is not
- * zero.
+ * their determinants.  Find the position of the new vertex that is nearest to
+ * the middle of s and d and keeps the volume.  The vector area of the ring is
+ * not zero.
  *
  * Section: Where the volume goes.
  *
@@ -35,25 +35,25 @@ static void add_up(int count, const double ring[][3], double area[3])
     }
 }
 
-void place_that_keeps(int count, const double ring[][3], const double s[3],
-                      const double d[3], double before, double place[3])
+void collapse_position(int count, const double ring[][3], const double s[3],
+                       const double d[3], double before, double position[3])
 {
     double area[3];
     add_up(count, ring, area);
     for (int k = 0; k < 3; k++)
-        place[k] = (s[k] + d[k]) / 2;
+        position[k] = (s[k] + d[k]) / 2;
 #if defined TF_SOLUTION
-    double shift = (before - dot(place, area)) / dot(area, area);
+    double shift = (before - dot(position, area)) / dot(area, area);
 #elif defined TF_WRONG_1 // shifts to the wrong side
-    double shift = (dot(place, area) - before) / dot(area, area);
+    double shift = (dot(position, area) - before) / dot(area, area);
 #elif defined TF_WRONG_2 // takes the factor from the text
-    double shift = 3 * (before - dot(place, area)) / dot(area, area);
+    double shift = 3 * (before - dot(position, area)) / dot(area, area);
 #elif defined TF_WRONG_3 // forgets what the middle already has
     double shift = before / dot(area, area);
 #else
     // Your turn: how far along the vector area?
-    double shift = 0 * before * dot(place, area);
+    double shift = 0 * before * dot(position, area);
 #endif
     for (int k = 0; k < 3; k++)
-        place[k] += shift * area[k];
+        position[k] += shift * area[k];
 }

@@ -8,8 +8,8 @@ enum {
     MOST = 8
 };
 
-void place_that_keeps(int count, const double ring[][3], const double s[3],
-                      const double d[3], double before, double place[3]);
+void collapse_position(int count, const double ring[][3], const double s[3],
+                       const double d[3], double before, double position[3]);
 
 typedef struct hole {
     int count, half; ///< s sees the ring from 0 to half, d the rest
@@ -27,36 +27,38 @@ static double determinant(const double a[3], const double b[3],
 }
 
 /// The ring from one of its vertices to another, joined to a vertex.
-static double fan(const hole *of, const double vertex[3], int from, int to)
+static double fan(const hole *given, const double vertex[3], int from, int to)
 {
     double sum = 0;
     for (int i = from; i < to; i++)
-        sum += determinant(vertex, of->ring[i % of->count],
-                           of->ring[(i + 1) % of->count]);
+        sum += determinant(vertex, given->ring[i % given->count],
+                           given->ring[(i + 1) % given->count]);
     return sum;
 }
 
-static double before(const hole *of)
+static double before(const hole *given)
 {
-    return fan(of, of->s, 0, of->half) + fan(of, of->d, of->half, of->count) +
-           determinant(of->s, of->ring[of->half], of->d) +
-           determinant(of->d, of->ring[0], of->s);
+    return fan(given, given->s, 0, given->half) +
+           fan(given, given->d, given->half, given->count) +
+           determinant(given->s, given->ring[given->half], given->d) +
+           determinant(given->d, given->ring[0], given->s);
 }
 
-static void expect_kept(const hole *of)
+static void expect_kept(const hole *given)
 {
-    double place[3] = {NAN, NAN, NAN}, area[3], shift[3];
+    double position[3] = {NAN, NAN, NAN}, area[3], shift[3];
     check_input("s = %s, d = %s, a ring of %d, the first at %s; before = %.17g",
-                text_point(3, of->s), text_point(3, of->d), of->count,
-                text_point(3, of->ring[0]), before(of));
-    check_call(place, place_that_keeps(of->count, (const double(*)[3])of->ring,
-                                       of->s, of->d, before(of), place));
-    check_near(before(of), fan(of, place, 0, of->count), 1e-11);
+                text_point(3, given->s), text_point(3, given->d), given->count,
+                text_point(3, given->ring[0]), before(given));
+    check_call(position,
+               collapse_position(given->count, (const double(*)[3])given->ring,
+                                 given->s, given->d, before(given), position));
+    check_near(before(given), fan(given, position, 0, given->count), 1e-11);
     double squares = 0, square = 0, along = 0;
     for (int k = 0; k < 3; k++) {
         double unit[3] = {k == 0, k == 1, k == 2};
-        area[k] = fan(of, unit, 0, of->count);
-        shift[k] = place[k] - (of->s[k] + of->d[k]) / 2;
+        area[k] = fan(given, unit, 0, given->count);
+        shift[k] = position[k] - (given->s[k] + given->d[k]) / 2;
         squares += area[k] * area[k];
         square += shift[k] * shift[k];
         along += area[k] * shift[k];
@@ -74,15 +76,15 @@ static const hole roof = {
 
 TEST(a_ridge_becomes_a_peak)
 {
-    double place[3] = {NAN, NAN, NAN};
+    double position[3] = {NAN, NAN, NAN};
     check_input("s = %s, d = %s, a square ring", text_point(3, roof.s),
                 text_point(3, roof.d));
-    check_call(place, place_that_keeps(4, roof.ring, roof.s, roof.d,
-                                       before(&roof), place));
+    check_call(position, collapse_position(4, roof.ring, roof.s, roof.d,
+                                           before(&roof), position));
     // The ridge has a quarter more than the pyramid of the same height.
-    check_near(0, place[0], 1e-14);
-    check_near(0, place[1], 1e-14);
-    check_near(before(&roof) / 16, place[2], 1e-14);
+    check_near(0, position[0], 1e-14);
+    check_near(0, position[1], 1e-14);
+    check_near(before(&roof) / 16, position[2], 1e-14);
     expect_kept(&roof);
 }
 
@@ -90,19 +92,19 @@ TEST(at_random)
 {
     generator random = generator_new(0);
     for (int i = 0; i < 300; i++) {
-        hole of = {.count = 4 + below(&random, MOST - 3)};
-        of.half = of.count / 2;
-        for (int v = 0; v < of.count; v++) {
-            double turn = 2 * acos(-1) * v / of.count;
-            of.ring[v][0] = cos(turn) + uniform(&random, -0.2, 0.2);
-            of.ring[v][1] = 2 + sin(turn) + uniform(&random, -0.2, 0.2);
-            of.ring[v][2] = uniform(&random, -0.5, 0.5);
+        hole given = {.count = 4 + below(&random, MOST - 3)};
+        given.half = given.count / 2;
+        for (int v = 0; v < given.count; v++) {
+            double turn = 2 * acos(-1) * v / given.count;
+            given.ring[v][0] = cos(turn) + uniform(&random, -0.2, 0.2);
+            given.ring[v][1] = 2 + sin(turn) + uniform(&random, -0.2, 0.2);
+            given.ring[v][2] = uniform(&random, -0.5, 0.5);
         }
         for (int k = 0; k < 3; k++) {
-            of.s[k] = uniform(&random, -1, 1);
-            of.d[k] = uniform(&random, -1, 1);
+            given.s[k] = uniform(&random, -1, 1);
+            given.d[k] = uniform(&random, -1, 1);
         }
-        expect_kept(&of);
+        expect_kept(&given);
     }
 }
 

@@ -1,7 +1,7 @@
 /* Exercise 24.1.  The apex of a patch for a given volume.
  *
  * A patch of `count` triangles, counterclockwise as seen from outside, is to be
- * replaced by the triangles between its outline and an apex.  Find the place
+ * replaced by the triangles between its outline and an apex.  Find the position
  * nearest to `wanted` where the apex can be put so that the surface encloses
  * more by `gain` than before.  The sum of the normals of the patch is not zero.
  *
@@ -36,8 +36,8 @@ static void find_normal(const double corner[3][3], double normal[3])
                     one[(k + 2) % 3] * other[(k + 1) % 3];
 }
 
-void place_apex(int count, const double triangle[][3][3],
-                const double wanted[3], double gain, double place[3])
+void put_apex(int count, const double triangle[][3][3], const double wanted[3],
+              double gain, double position[3])
 {
     double sum[3] = {0}, below = 0;
     for (int t = 0; t < count; t++) {
@@ -66,5 +66,5 @@ void place_apex(int count, const double triangle[][3][3],
     double rise = 0 * (below + gain);
 #endif
     for (int k = 0; k < 3; k++)
-        place[k] = wanted[k] + rise * sum[k];
+        position[k] = wanted[k] + rise * sum[k];
 }

@@ -9,8 +9,8 @@ enum {
     MOST = 8
 };
 
-void place_apex(int count, const double triangle[][3][3],
-                const double wanted[3], double gain, double place[3]);
+void put_apex(int count, const double triangle[][3][3], const double wanted[3],
+              double gain, double position[3]);
 
 /// A fan of triangles between a ring and a vertex, as it is before.
 typedef struct fan {
@@ -29,44 +29,46 @@ static double determinant(const double a[3], const double b[3],
 }
 
 /// The volume between the ring with an apex and the origin.
-static double volume(const fan *of, const double apex[3])
+static double volume(const fan *given, const double apex[3])
 {
     double sum = 0;
-    for (int i = 0; i < of->count; i++)
-        sum += determinant(apex, of->ring[i], of->ring[(i + 1) % of->count]);
+    for (int i = 0; i < given->count; i++)
+        sum += determinant(apex, given->ring[i],
+                           given->ring[(i + 1) % given->count]);
     return sum / 6;
 }
 
-static void find(const fan *of, double place[3])
+static void find(const fan *given, double position[3])
 {
     double triangle[MOST][3][3];
-    for (int i = 0; i < of->count; i++) {
-        memcpy(triangle[i][0], of->middle, sizeof of->middle);
-        memcpy(triangle[i][1], of->ring[i], sizeof of->ring[i]);
-        memcpy(triangle[i][2], of->ring[(i + 1) % of->count],
-               sizeof of->ring[i]);
+    for (int i = 0; i < given->count; i++) {
+        memcpy(triangle[i][0], given->middle, sizeof given->middle);
+        memcpy(triangle[i][1], given->ring[i], sizeof given->ring[i]);
+        memcpy(triangle[i][2], given->ring[(i + 1) % given->count],
+               sizeof given->ring[i]);
     }
     for (int k = 0; k < 3; k++)
-        place[k] = NAN;
+        position[k] = NAN;
     check_input("a fan of %d triangles around %s; wanted %s, gain = %.17g",
-                of->count, text_point(3, of->middle), text_point(3, of->wanted),
-                of->gain);
-    check_call_n(3, place,
-                 place_apex(of->count, (const double(*)[3][3])triangle,
-                            of->wanted, of->gain, place));
+                given->count, text_point(3, given->middle),
+                text_point(3, given->wanted), given->gain);
+    check_call_n(3, position,
+                 put_apex(given->count, (const double(*)[3][3])triangle,
+                          given->wanted, given->gain, position));
 }
 
 /// The volume must be right, and the way along the slope of the volume.
-static void expect_place(const fan *of)
+static void expect_position(const fan *given)
 {
-    double place[3], slope[3], way[3];
-    find(of, place);
-    check_near(volume(of, of->middle) + of->gain, volume(of, place), 1e-11);
+    double position[3], slope[3], way[3];
+    find(given, position);
+    check_near(volume(given, given->middle) + given->gain,
+               volume(given, position), 1e-11);
     double slopes = 0, ways = 0, both = 0;
     for (int k = 0; k < 3; k++) {
         double unit[3] = {k == 0, k == 1, k == 2};
-        slope[k] = volume(of, unit);
-        way[k] = place[k] - of->wanted[k];
+        slope[k] = volume(given, unit);
+        way[k] = position[k] - given->wanted[k];
         slopes += slope[k] * slope[k];
         ways += way[k] * way[k];
         both += slope[k] * way[k];
@@ -82,11 +84,11 @@ static const fan pyramid = {
 
 TEST(a_pyramid_keeps_its_height)
 {
-    double place[3];
-    find(&pyramid, place);
-    check_near(0.25, place[0], 1e-14);
-    check_near(-0.5, place[1], 1e-14);
-    check_near(3, place[2], 1e-14);
+    double position[3];
+    find(&pyramid, position);
+    check_near(0.25, position[0], 1e-14);
+    check_near(-0.5, position[1], 1e-14);
+    check_near(3, position[2], 1e-14);
 }
 
 // The base has the area 2.
@@ -94,29 +96,29 @@ TEST(a_pyramid_grows)
 {
     fan grown = pyramid;
     grown.gain = 1;
-    double place[3];
-    find(&grown, place);
-    check_near(4.5, place[2], 1e-14);
-    expect_place(&grown);
+    double position[3];
+    find(&grown, position);
+    check_near(4.5, position[2], 1e-14);
+    expect_position(&grown);
 }
 
 TEST(at_random)
 {
     generator random = generator_new(0);
     for (int i = 0; i < 300; i++) {
-        fan of = {.count = 3 + below(&random, MOST - 2)};
-        for (int v = 0; v < of.count; v++) {
-            double turn = 2 * acos(-1) * v / of.count;
-            of.ring[v][0] = 3 + cos(turn) + uniform(&random, -0.2, 0.2);
-            of.ring[v][1] = sin(turn) + uniform(&random, -0.2, 0.2);
-            of.ring[v][2] = uniform(&random, -0.5, 0.5);
+        fan given = {.count = 3 + below(&random, MOST - 2)};
+        for (int v = 0; v < given.count; v++) {
+            double turn = 2 * acos(-1) * v / given.count;
+            given.ring[v][0] = 3 + cos(turn) + uniform(&random, -0.2, 0.2);
+            given.ring[v][1] = sin(turn) + uniform(&random, -0.2, 0.2);
+            given.ring[v][2] = uniform(&random, -0.5, 0.5);
         }
         for (int k = 0; k < 3; k++) {
-            of.middle[k] = uniform(&random, -1, 1);
-            of.wanted[k] = uniform(&random, -1, 1);
+            given.middle[k] = uniform(&random, -1, 1);
+            given.wanted[k] = uniform(&random, -1, 1);
         }
-        of.gain = i % 3 == 0 ? 0 : uniform(&random, -1, 1);
-        expect_place(&of);
+        given.gain = i % 3 == 0 ? 0 : uniform(&random, -1, 1);
+        expect_position(&given);
     }
 }
 

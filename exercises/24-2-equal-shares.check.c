@@ -11,8 +11,8 @@ enum {
 };
 
 void normal_of(int vertex, double normal[3]);
-double give_back(int count, const int vertex[], double debt, double most,
-                 double position[][3]);
+double restore_volume(int count, const int vertex[], double lost, double most,
+                      double position[][3]);
 
 /// An octahedron; the axis of a vertex is half its number.
 static const int side[SIDES][3] = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4},
@@ -60,58 +60,58 @@ static double volume(void)
     return sum;
 }
 
-/// Returns what is left, which with what is gained must be the debt.
-static double pay(int count, const int vertex[], double debt, double most)
+/// Returns what is left, which with what is gained must be what was lost.
+static double restore(int count, const int vertex[], double lost, double most)
 {
     double before = volume();
     check_input("an octahedron, the first corner at %s; %d vertices, the first "
-                "of them %d; debt = %.17g, most = %.17g",
-                text_point(3, at[0]), count, vertex[0], debt, most);
+                "of them %d; lost = %.17g, most = %.17g",
+                text_point(3, at[0]), count, vertex[0], lost, most);
     double left;
-    check_value(left, give_back(count, vertex, debt, most, at));
+    check_value(left, restore_volume(count, vertex, lost, most, at));
     check_also(at);
-    check_near(debt, volume() - before + left, 1e-12);
+    check_near(lost, volume() - before + left, 1e-12);
     return left;
 }
 
 // A vertex of this one gains 2/3 for each unit by which it moves out.
-TEST(two_opposite_vertices)
+TEST(two_opposite_vertices_restore_equal_shares)
 {
     reset();
-    check_near(0, pay(2, (int[]){4, 5}, 0.4, 1), 1e-14);
+    check_near(0, restore(2, (int[]){4, 5}, 0.4, 1), 1e-14);
     check_near(1.3, at[4][2], 1e-14);
     check_near(-1.3, at[5][2], 1e-14);
 }
 
-TEST(a_debt_may_be_negative)
+TEST(a_gain_is_taken_back)
 {
     reset();
-    check_near(0, pay(1, (int[]){0}, -0.2, 1), 1e-14);
+    check_near(0, restore(1, (int[]){0}, -0.2, 1), 1e-14);
     check_near(0.7, at[0][0], 1e-14);
 }
 
 // The first would have to move by 7.5, as its star is thin, and the second, by
 // 0.15 for both.
-TEST(who_cannot_pay_stays)
+TEST(a_vertex_that_would_go_too_far_stays)
 {
     reset();
     at[2][1] = at[4][2] = 0.01;
     at[3][1] = at[5][2] = -0.01;
     double x = at[0][0];
-    double left = pay(2, (int[]){0, 4}, 0.001, 0.2);
+    double left = restore(2, (int[]){0, 4}, 0.001, 0.2);
     check_real(x, at[0][0]);
     check_near(0, left, 1e-12);
 }
 
-TEST(nobody_can_pay)
+TEST(what_no_vertex_can_restore_is_left)
 {
     reset();
-    check_near(7, pay(3, (int[]){0, 2, 4}, 7, 0.01), 1e-14);
+    check_near(7, restore(3, (int[]){0, 2, 4}, 7, 0.01), 1e-14);
     for (int v = 0; v < VERTICES; v++)
         check_real(v % 2 ? -1 : 1, at[v][v / 2]);
 }
 
-TEST(neighbors_at_random)
+TEST(neighbors_restore_all)
 {
     generator random = generator_new(0);
     for (int i = 0; i < 300; i++) {
@@ -120,16 +120,16 @@ TEST(neighbors_at_random)
             for (int k = 0; k < 3; k++)
                 at[v][k] += uniform(&random, -0.2, 0.2);
         const int four[] = {0, 2, 1, 4};
-        double left = pay(4, four, uniform(&random, -0.1, 0.1), 1);
+        double left = restore(4, four, uniform(&random, -0.1, 0.1), 1);
         check_near(0, left, 1e-12);
     }
 }
 
 void run_tests(void)
 {
-    check_run(1, two_opposite_vertices);
-    check_run(1, a_debt_may_be_negative);
-    check_run(1, who_cannot_pay_stays);
-    check_run(1, nobody_can_pay);
-    check_run(1, neighbors_at_random);
+    check_run(1, two_opposite_vertices_restore_equal_shares);
+    check_run(1, a_gain_is_taken_back);
+    check_run(1, a_vertex_that_would_go_too_far_stays);
+    check_run(1, what_no_vertex_can_restore_is_left);
+    check_run(1, neighbors_restore_all);
 }

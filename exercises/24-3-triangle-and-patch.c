@@ -6,7 +6,7 @@
  * volume between the triangle and the patch, to first order: positive if the
  * patch is in front of the triangle, from where its corners go counterclockwise.
  *
- * Section: What chords cost.
+ * Section: What chords lose.
  *
  * Hint 1: What counts is by how much a point has left the middle of its side,
  *     as the side is now.
@@ -29,7 +29,7 @@ static void find_normal(const double corner[][3], double normal[3])
                     one[(k + 2) % 3] * other[(k + 1) % 3];
 }
 
-double owed(const double corner[][3], const double middle[][3])
+double volume_under(const double corner[][3], const double middle[][3])
 {
     double normal[3], sum = 0;
     find_normal(corner, normal);

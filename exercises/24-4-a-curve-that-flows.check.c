@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-int repair(int count, double most, double place[][2]);
+int repair(int count, double most, double position[][2]);
 
 enum {
     ROOM = 1000
@@ -15,49 +15,51 @@ enum {
 /// A closed polygon.
 typedef struct curve {
     int count;
-    double place[ROOM][2];
+    double position[ROOM][2];
 } curve;
 
 static const double pi = 3.141592653589793;
 
 // What is asked for -----------------------------------------------------------
 
-static double area(const curve *of)
+static double area(const curve *given)
 {
     double sum = 0;
-    const double *o = of->place[0];
-    for (int i = 1; i + 1 < of->count; i++) {
-        const double *a = of->place[i], *b = of->place[i + 1];
+    const double *o = given->position[0];
+    for (int i = 1; i + 1 < given->count; i++) {
+        const double *a = given->position[i], *b = given->position[i + 1];
         sum +=
             ((a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0])) / 2;
     }
     return sum;
 }
 
-static void expect_lengths(const curve *of, double most)
+static void expect_lengths(const curve *given, double most)
 {
     int shorts = 0;
-    for (int i = 0; i < of->count; i++) {
-        const double *a = of->place[i], *b = of->place[(i + 1) % of->count];
+    for (int i = 0; i < given->count; i++) {
+        const double *a = given->position[i],
+                     *b = given->position[(i + 1) % given->count];
         double length = hypot(b[0] - a[0], b[1] - a[1]);
         check_that(length <= most * (1 + 1e-12), "no edge longer than `most`",
                    "%s from %s to %s", text_real(length), text_point(2, a),
                    text_point(2, b));
         shorts += length < most / 4;
     }
-    check_that(10 * shorts <= of->count,
+    check_that(10 * shorts <= given->count,
                "at most one edge in ten shorter than a quarter of `most`",
-               "%d of %d", shorts, of->count);
+               "%d of %d", shorts, given->count);
 }
 
 /// Exactly.
-static void expect_clear(const curve *of)
+static void expect_clear(const curve *given)
 {
-    int n = of->count;
+    int n = given->count;
     for (int i = 0; i < n; i++)
         for (int j = i + 2; j < n - (i == 0); j++) {
-            const double *a = of->place[i], *b = of->place[i + 1];
-            const double *c = of->place[j], *d = of->place[(j + 1) % n];
+            const double *a = given->position[i], *b = given->position[i + 1];
+            const double *c = given->position[j],
+                         *d = given->position[(j + 1) % n];
             if (tf_edges_cross(a, b, c, d))
                 check_that(false, "no two edges that meet",
                            "from %s to %s, and from %s to %s", text_point(2, a),
@@ -80,31 +82,35 @@ static void expect_near(const curve *one, const curve *other, double most)
     for (int v = 0; v < one->count; v++) {
         double least = INFINITY;
         for (int i = 0; i < other->count; i++)
-            least = fmin(least, distance(one->place[v], other->place[i],
-                                         other->place[(i + 1) % other->count]));
+            least =
+                fmin(least, distance(one->position[v], other->position[i],
+                                     other->position[(i + 1) % other->count]));
         check_that(least <= most / 2, "polygons near each other",
                    "%s, farther than `most` / 2 from the other one",
-                   text_point(2, one->place[v]));
+                   text_point(2, one->position[v]));
     }
 }
 
-static void expect_repaired(const char *name, curve *of, double most)
+static void expect_repaired(const char *name, curve *given, double most)
 {
-    curve old = *of;
-    check_input("%s: %d vertices, the first at %s; most = %s", name, of->count,
-                text_point(2, of->place[0]), text_real(most));
-    check_call(of->place, of->count = repair(of->count, most, of->place));
-    check_also(of->count);
-    check_that(3 <= of->count && of->count < ROOM, "3 to 999 vertices", "%d",
-               of->count);
-    for (int v = 0; v < of->count; v++)
-        check_that(isfinite(of->place[v][0]) && isfinite(of->place[v][1]),
-                   "places", "%s", text_point(2, of->place[v]));
-    expect_lengths(of, most);
-    check_near(area(&old), area(of), 1e-9 * area(&old));
-    expect_clear(of);
-    expect_near(of, &old, most);
-    expect_near(&old, of, most);
+    curve old = *given;
+    check_input("%s: %d vertices, the first at %s; most = %s", name,
+                given->count, text_point(2, given->position[0]),
+                text_real(most));
+    check_call(given->position,
+               given->count = repair(given->count, most, given->position));
+    check_also(given->count);
+    check_that(3 <= given->count && given->count < ROOM, "3 to 999 vertices",
+               "%d", given->count);
+    for (int v = 0; v < given->count; v++)
+        check_that(isfinite(given->position[v][0]) &&
+                       isfinite(given->position[v][1]),
+                   "positions", "%s", text_point(2, given->position[v]));
+    expect_lengths(given, most);
+    check_near(area(&old), area(given), 1e-9 * area(&old));
+    expect_clear(given);
+    expect_near(given, &old, most);
+    expect_near(&old, given, most);
 }
 
 // Curves at rest --------------------------------------------------------------
@@ -113,8 +119,8 @@ static curve regular(int count, double x, double y, double radius)
 {
     curve made = {.count = count};
     for (int v = 0; v < count; v++) {
-        made.place[v][0] = x + radius * cos(2 * pi * v / count);
-        made.place[v][1] = y + radius * sin(2 * pi * v / count);
+        made.position[v][0] = x + radius * cos(2 * pi * v / count);
+        made.position[v][1] = y + radius * sin(2 * pi * v / count);
     }
     return made;
 }
@@ -160,10 +166,10 @@ static void find_velocity(const double at[2], double velocity[2])
     velocity[1] = -pow(sin(pi * at[1]), 2) * sin(2 * pi * at[0]);
 }
 
-static void advance(curve *of, double length)
+static void advance(curve *given, double length)
 {
-    for (int v = 0; v < of->count; v++) {
-        double *at = of->place[v], first[2], second[2], middle[2];
+    for (int v = 0; v < given->count; v++) {
+        double *at = given->position[v], first[2], second[2], middle[2];
         find_velocity(at, first);
         for (int k = 0; k < 2; k++)
             middle[k] = at[k] + length / 2 * first[k];
@@ -186,7 +192,7 @@ TEST(there_and_back_again)
     }
     double squares = 0;
     for (int v = 0; v < disk.count; v++) {
-        const double *at = disk.place[v];
+        const double *at = disk.position[v];
         double radius = hypot(at[0] - center[0], at[1] - center[1]);
         squares += pow(radius / 0.15 - 1, 2);
     }

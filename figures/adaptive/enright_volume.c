@@ -1,5 +1,6 @@
-// A ball in a flow that turns back, remeshed with care for its volume and
+// A ball in a flow that turns back, smoothed with care for its volume and
 // without.
+#include "flow/keep_volume.h"
 #include "kit/figures.h"
 #include "kit/film.h"
 #include "kit/flow_run.h"
@@ -15,6 +16,15 @@ enum {
 
 static const double still = 0.5;
 
+/// Chooses the middle of a star, which is not on its level.
+static bool choose_middle(tf_remesher *remesher, int vertex,
+                          tf_vector *position)
+{
+    bool chosen = tf_keep_volume.choose_move(remesher, vertex, position);
+    *position = tf_star_middle(remesher->surface, vertex);
+    return chosen;
+}
+
 /// Both runs and, one after the other, their frames.
 typedef struct both {
     fig_flow_run *run[BALLS];
@@ -25,6 +35,8 @@ typedef struct both {
 static const both *the_balls(void)
 {
     static both kept;
+    tf_remesh_policy careless = tf_keep_volume;
+    careless.choose_move = choose_middle;
     if (!kept.cloth) {
         for (int i = 0; i < BALLS; i++)
             kept.run[i] = fig_flow_run_new(
@@ -32,7 +44,7 @@ static const both *the_balls(void)
                                  .edge = 0.03,
                                  .steps = STEPS,
                                  .every = EVERY,
-                                 .careless = i == 0 ? 1U << TF_SMOOTH : 0,
+                                 .policy = i == 0 ? &careless : NULL,
                                  .keep_topology = true});
         kept.cloth = fig_flow_run_films(BALLS, kept.run);
     }

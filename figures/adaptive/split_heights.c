@@ -84,15 +84,15 @@ static void find_around(int vertex[AROUND])
     vertex[3] = at_row(1, -1);
 }
 
-static void give_back(tf_adaptive_surface *surface, double more,
-                      const int vertex[AROUND])
+static void restore(tf_adaptive_surface *surface, double more,
+                    const int vertex[AROUND])
 {
     for (int i = 0; i < AROUND; i++) {
         tf_patch star = tf_patch_of_star(surface, vertex[i],
                                          tf_position_of(surface, vertex[i]));
-        tf_vector place = tf_patch_place(&star, more / AROUND);
+        tf_vector position = tf_patch_position(&star, more / AROUND);
         tf_outcome outcome;
-        TF_REQUIRE(tf_adaptive_move(surface, vertex[i], place.x, &outcome) ==
+        TF_REQUIRE(tf_adaptive_move(surface, vertex[i], position.x, &outcome) ==
                        TF_OK &&
                    outcome == TF_COMMITTED);
     }
@@ -110,14 +110,14 @@ static int split(tf_adaptive_surface *surface, bool on_level,
     tf_patch patch = {.apex = tf_butterfly_point(surface, forth)};
     tf_patch_add(&patch, &own);
     tf_patch_add(&patch, &other);
-    tf_vector place = on_level ? tf_patch_place(&patch, 0) : patch.apex;
+    tf_vector position = on_level ? tf_patch_position(&patch, 0) : patch.apex;
     int vertex;
     tf_outcome outcome;
-    TF_REQUIRE(tf_adaptive_split(surface, around[0], around[1], place.x,
+    TF_REQUIRE(tf_adaptive_split(surface, around[0], around[1], position.x,
                                  &vertex, &outcome) == TF_OK &&
                outcome == TF_COMMITTED);
     if (!on_level)
-        give_back(surface, patch.below, around);
+        restore(surface, patch.below, around);
     return vertex;
 }
 

@@ -1,6 +1,7 @@
 #include "kit/flow_run.h"
 
 #include "base/require.h"
+#include "flow/flow_state.h"
 #include "simulate/flow_scenes.h"
 
 #include <stdlib.h>
@@ -13,11 +14,10 @@ static void make_step(const fig_flow_plan *plan, tf_flow_simulation *flow,
 {
     const tf_scene *scene = flow->base.scene;
     tf_flow_options options = tf_flow_options_of(scene, plan->edge);
-    options.careless = plan->careless;
     options.keep_topology |= plan->keep_topology;
     tf_flow_report report;
-    TF_REQUIRE(tf_adaptive_flow(flow->surface, &options, flow->base.time,
-                                scene->step, &report) == TF_OK);
+    TF_REQUIRE(tf_flow_step(flow->flow, &options, flow->base.time, scene->step,
+                            &report) == TF_OK);
     tf_simulation_go_to(&flow->base, flow->base.step + 1);
     for (int i = 0; i < TF_RECONNECTIONS; i++)
         if (run->first[i] == 0 && report.reconnected.tried[i][TF_COMMITTED] > 0)
@@ -44,6 +44,8 @@ fig_flow_run *fig_flow_run_new(const fig_flow_plan *plan)
     TF_REQUIRE(scene && run &&
                tf_simulation_create(scene, plan->edge, &s) == TF_OK);
     tf_flow_simulation *flow = (tf_flow_simulation *)s;
+    if (plan->policy)
+        flow->flow->remesher.policy = plan->policy;
     int frames = plan->steps / plan->every + 1;
     run->frame = calloc((size_t)frames, sizeof *run->frame);
     TF_REQUIRE(run->frame);

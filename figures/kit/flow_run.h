@@ -3,15 +3,16 @@
 #define FIG_FLOW_RUN_H
 
 #include "kit/cloth.h"
+#include "remesh/policy.h"
 #include "simulate/flow_simulation.h"
 
 /// What is to be run.
 typedef struct fig_flow_plan {
     const char *scene;
     double edge;
-    int steps, every;   ///< of so many steps one is kept
-    unsigned careless;  ///< operations that do not keep the volume
-    bool keep_topology; ///< also where the scene would not
+    int steps, every;               ///< of so many steps one is kept
+    const tf_remesh_policy *policy; ///< NULL: that of the library
+    bool keep_topology;             ///< also where the scene would not
 } fig_flow_plan;
 
 /// A surface as it was after some steps.

@@ -2,16 +2,12 @@
 
 #include "base/require.h"
 #include "experiments/leave_out.h"
-#include "remesh/measure.h"
-#include "remesh/remesher.h"
+#include "remesh/keep_shape.h"
+#include "remesh/passes.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-enum {
-    SPLIT_PASSES = 12
-};
 
 // Meshes ----------------------------------------------------------------------
 
@@ -129,33 +125,29 @@ static void note_stage(fig_remeshing *all, const tf_remesher *remesher)
     all->stage[all->stages++] = copy_of(remesher->surface);
 }
 
-static void pass(fig_remeshing *all, tf_remesher *remesher,
-                 tf_status (*go)(tf_remesher *remesher))
+/// Repeats a pass as tf_remesh_round does, and notes each.
+static void repeat_pass(fig_remeshing *all, tf_remesher *remesher,
+                        tf_operation operation, int most)
 {
-    TF_REQUIRE(go(remesher) == TF_OK);
-    note_stage(all, remesher);
-}
-
-static void split_all(fig_remeshing *all, tf_remesher *remesher)
-{
-    const size_t *done = &remesher->report->tried[TF_SPLIT][TF_COMMITTED];
+    const size_t *done = &remesher->report.tried[operation][TF_COMMITTED];
     size_t before = *done - 1;
-    for (int i = 0; i < SPLIT_PASSES && *done != before; i++) {
+    for (int i = 0; i < most && *done != before; i++) {
         before = *done;
-        pass(all, remesher, tf_split_pass);
+        TF_REQUIRE(tf_remesh_pass(remesher, operation) == TF_OK);
+        note_stage(all, remesher);
     }
 }
 
 static void do_rounds(fig_remeshing *all, tf_remesher *remesher, int rounds)
 {
+    const tf_remesh_policy *policy = remesher->policy;
     note_stage(all, remesher);
     for (int i = 0; i < rounds; i++) {
-        split_all(all, remesher);
-        pass(all, remesher, tf_collapse_pass);
-        pass(all, remesher, tf_flip_pass);
-        pass(all, remesher, tf_smooth_pass);
+        for (int k = 0; k < TF_OPERATIONS; k++)
+            repeat_pass(all, remesher, policy->pass[k].operation,
+                        policy->pass[k].most);
         TF_REQUIRE(tf_adaptive_compact(remesher->surface, NULL) == TF_OK);
-        all->report[i] = *remesher->report;
+        all->report[i] = remesher->report;
     }
 }
 
@@ -163,10 +155,8 @@ void fig_remesh(const fig_some_mesh *mesh, double edge, int rounds,
                 bool tangled, fig_remeshing *remeshing)
 {
     TF_REQUIRE(rounds <= FIG_REMESH_ROUNDS);
-    tf_remesh_options options = {.edge = edge};
-    tf_remesh_report report = {0};
-    tf_remesher remesher = {
-        .edge = edge, .options = &options, .report = &report};
+    tf_remesher remesher = {.policy = &tf_keep_shape,
+                            .options = {.edge = edge}};
     tf_mesh given = fig_mesh_in_space(mesh);
     TF_REQUIRE(tf_adaptive_create(&given, mesh->x, &remesher.surface, NULL) ==
                TF_OK);
@@ -178,8 +168,7 @@ void fig_remesh(const fig_some_mesh *mesh, double edge, int rounds,
     do_rounds(remeshing, &remesher, rounds);
     leave_out(0);
     tf_adaptive_free(remesher.surface);
-    tf_original_free(&remesher.original);
-    tf_buffer_free(&remesher.row);
+    tf_remesher_free(&remesher);
 }
 
 void fig_remeshing_free(fig_remeshing *remeshing)

@@ -1,102 +1,122 @@
 //: Include what a flow needs
-#include "flow/flow_state.h"
+#include "flow/flow.h"
 
 #include "base/environment.h"
 #include "base/require.h"
+#include "flow/flow_state.h"
+#include "flow/keep_volume.h"
+#include "remesh/passes.h"
+#include "topology/reconnect.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
-enum {
-    IMPROVING_PASSES = 3 ///< at most, of splits and of flips
-};
-
-//: Recognize what keeps the volume
-bool tf_flow_keeps_volume(const tf_flow_state *flow, tf_operation operation)
+//: Create a flow
+tf_status tf_flow_create(tf_adaptive_surface *surface, tf_flow **flow)
 {
-    return (flow->options->careless >> operation & 1) == 0;
+    TF_REQUIRE(surface && flow);
+    tf_flow *made = calloc(1, sizeof *made);
+    if (!made)
+        return TF_OUT_OF_MEMORY;
+    made->remesher.surface = made->advance.surface = surface;
+    made->remesher.policy = &tf_keep_volume;
+    *flow = made;
+    return TF_OK;
 }
 
-//: Repeat a pass
-/// Until it does nothing, or for the last time.
-static tf_status repeat_pass(tf_flow_state *flow, tf_operation operation,
-                             tf_status pass(tf_flow_state *flow))
+void tf_flow_free(tf_flow *flow)
 {
-    const size_t *done = &flow->remesher.report->tried[operation][TF_COMMITTED];
-    tf_status status = TF_OK;
-    size_t before = *done - 1;
-    for (int i = 0; i < IMPROVING_PASSES && status == TF_OK && *done != before;
-         i++) {
-        before = *done;
-        status = pass(flow);
-    }
-    return status;
+    if (!flow)
+        return;
+    tf_remesher_free(&flow->remesher);
+    tf_advance_free(&flow->advance);
+    free(flow);
+}
+
+//: Count the memory of a flow
+size_t tf_flow_memory(const tf_flow *flow)
+{
+    TF_REQUIRE(flow);
+    return sizeof *flow + flow->remesher.row.bytes +
+           tf_advance_memory(&flow->advance);
 }
 
 //: Improve a surface that flows
-static tf_status improve(tf_flow_state *flow)
+static tf_status improve(tf_flow *flow, const tf_flow_options *options,
+                         tf_flow_report *report)
 {
-    tf_status status = repeat_pass(flow, TF_SPLIT, tf_refine_pass);
-    if (status == TF_OK)
-        status = repeat_pass(flow, TF_FLIP, tf_turn_pass);
-    if (status == TF_OK)
-        status = tf_coarsen_pass(flow);
-    return status == TF_OK ? tf_relax_pass(flow) : status;
+    tf_remesher *remesher = &flow->remesher;
+    remesher->options = (tf_remesh_options){.edge = options->edge};
+    remesher->report = (tf_remesh_report){0};
+    memset(remesher->restored, 0, sizeof remesher->restored);
+    tf_status status = tf_remesh_round(remesher);
+    memcpy(report->tried, remesher->report.tried, sizeof report->tried);
+    memcpy(report->shifted, remesher->restored, sizeof report->shifted);
+    return status;
+}
+
+//: Reconnect a surface that flows
+static tf_status reconnect(tf_flow *flow, const tf_flow_options *options,
+                           tf_flow_report *report)
+{
+    tf_reconnect_options lengths = {.edge = options->edge};
+    return options->keep_topology
+               ? TF_OK
+               : tf_adaptive_reconnect(flow->remesher.surface, &lengths,
+                                       &report->reconnected);
+}
+
+//: Advance a surface that flows
+static tf_status move(tf_flow *flow, const tf_flow_options *options,
+                      double time, double step, tf_flow_report *report)
+{
+    tf_advance *advance = &flow->advance;
+    tf_status status = tf_adaptive_compact(advance->surface, NULL);
+    if (status != TF_OK || advance->surface->triangles == 0)
+        return status;
+    status = tf_advance_begin(advance, options, time, step);
+    if (status != TF_OK)
+        return status;
+    tf_advance_propose(advance);
+    tf_advance_restore_volume(advance);
+    return tf_advance_resolve(advance, &report->response);
 }
 
 //: Go through the parts of a step
-static double clock_of(const tf_flow_state *flow)
+static double clock_of(const tf_flow_options *options)
 {
-    return flow->options->clock ? flow->options->clock() : 0;
+    return options->clock ? options->clock() : 0;
 }
 
-static tf_status reconnect(tf_flow_state *flow)
+static tf_status make_step(tf_flow *flow, const tf_flow_options *options,
+                           double time, double step, tf_flow_report *report)
 {
-    tf_reconnect_options options = {.edge = flow->options->edge};
-    return flow->options->keep_topology
-               ? TF_OK
-               : tf_adaptive_reconnect(flow->remesher.surface, &options,
-                                       &flow->report->reconnected);
-}
-
-static tf_status flow(tf_flow_state *flow, double time, double step)
-{
-    double begin[TF_FLOW_PARTS + 1] = {clock_of(flow)};
-    tf_status status = improve(flow);
-    begin[TF_RECONNECT] = clock_of(flow);
+    double begin[TF_FLOW_PARTS + 1] = {clock_of(options)};
+    tf_status status = improve(flow, options, report);
+    begin[TF_RECONNECT] = clock_of(options);
     if (status == TF_OK)
-        status = reconnect(flow);
-    begin[TF_ADVANCE] = clock_of(flow);
+        status = reconnect(flow, options, report);
+    begin[TF_ADVANCE] = clock_of(options);
     if (status == TF_OK)
-        status = tf_advect(flow, time, step);
-    begin[TF_FLOW_PARTS] = clock_of(flow);
+        status = move(flow, options, time, step, report);
+    begin[TF_FLOW_PARTS] = clock_of(options);
     for (int i = 0; i < TF_FLOW_PARTS; i++)
-        flow->report->seconds[i] = begin[i + 1] - begin[i];
+        report->seconds[i] = begin[i + 1] - begin[i];
     return status;
 }
 
 //: Make a step of a flow
-tf_status tf_adaptive_flow(tf_adaptive_surface *surface,
-                           const tf_flow_options *options, double time,
-                           double step, tf_flow_report *report)
+tf_status tf_flow_step(tf_flow *flow, const tf_flow_options *options,
+                       double time, double step, tf_flow_report *report)
 {
-    TF_REQUIRE(surface && options && options->velocity);
+    TF_REQUIRE(flow && options && options->velocity);
     if (!tf_environment_is_ieee())
         return TF_BAD_ENVIRONMENT;
     if (!(options->edge > 0) || !isfinite(options->edge))
         return TF_BAD_TOLERANCE;
-    tf_flow_report unused = {0}, *made = report ? report : &unused;
-    *made = (tf_flow_report){0};
-    tf_remesh_options quiet = {.edge = options->edge};
-    tf_remesh_report counts = {0};
-    tf_flow_state state = {.remesher = {.surface = surface,
-                                        .edge = options->edge,
-                                        .options = &quiet,
-                                        .report = &counts},
-                           .options = options,
-                           .report = made};
-    tf_status status = flow(&state, time, step);
-    memcpy(made->tried, counts.tried, sizeof made->tried);
-    tf_buffer_free(&state.remesher.row);
-    return status;
+    tf_flow_report unused;
+    report = report ? report : &unused;
+    *report = (tf_flow_report){0};
+    return make_step(flow, options, time, step, report);
 }

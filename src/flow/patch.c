@@ -21,8 +21,8 @@ tf_patch tf_patch_of_star(const tf_adaptive_surface *surface, int vertex,
     return patch;
 }
 
-//: Place the apex of a patch
-tf_vector tf_patch_place(const tf_patch *patch, double more)
+//: Find the position of an apex
+tf_vector tf_patch_position(const tf_patch *patch, double more)
 {
     double square = tf_vector_dot(patch->normal, patch->normal);
     double rise = (patch->below + more) / square;

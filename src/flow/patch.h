@@ -5,7 +5,7 @@
 
 /// Triangles that are to be replaced by those between their outline and one
 /// vertex, the apex.  The volume that a surface encloses is then a linear
-/// function of the place of the apex, so that the places from which none is
+/// function of the position of the apex, so that the positions at which none is
 /// gained or lost form a plane: the level of the patch.
 typedef struct tf_patch {
     tf_vector apex;
@@ -21,5 +21,5 @@ void tf_patch_add(tf_patch *patch, const tf_shape *shape);
 tf_patch tf_patch_of_star(const tf_adaptive_surface *surface, int vertex,
                           tf_vector apex);
 
-/// The place nearest to the apex from which 1/6 of `more` is gained.
-tf_vector tf_patch_place(const tf_patch *patch, double more);
+/// The position nearest to the apex at which 1/6 of `more` is gained.
+tf_vector tf_patch_position(const tf_patch *patch, double more);

@@ -42,8 +42,68 @@ double tf_shape_quality(const tf_shape *shape)
     return 2 * sqrt(3) * area / squares;
 }
 
+double tf_worse_quality(const tf_shape pair[2])
+{
+    return fmin(tf_shape_quality(&pair[0]), tf_shape_quality(&pair[1]));
+}
+
 bool tf_normals_agree(tf_vector a, tf_vector b, double cosine)
 {
     return tf_vector_dot(a, b) >=
            cosine * tf_vector_length(a) * tf_vector_length(b);
+}
+
+//: Find the middle of a star
+tf_vector tf_star_middle(const tf_adaptive_surface *surface, int vertex)
+{
+    tf_vector sum = {{0}};
+    double total = 0;
+    int c = tf_first_corner(surface, vertex);
+    for (; c != TF_NONE; c = tf_next_corner(surface, c)) {
+        tf_shape shape = tf_shape_of(surface, c / 3);
+        double area = tf_vector_length(tf_shape_normal(&shape));
+        for (int i = 0; i < 3; i++)
+            sum = tf_vector_sum(sum, area / 3, shape.corner[i]);
+        total += area;
+    }
+    return tf_vector_scaled(1 / total, sum);
+}
+
+//: Judge the triangles of a star
+/// What is worst among some triangles, before and after a change.
+typedef struct judgment {
+    double before, after; ///< the least quality
+    bool turned;          ///< some triangle is turned over
+} judgment;
+
+static void judge_triangle(judgment *all, const tf_shape *before,
+                           const tf_shape *after)
+{
+    all->before = fmin(all->before, tf_shape_quality(before));
+    all->after = fmin(all->after, tf_shape_quality(after));
+    all->turned |=
+        !tf_normals_agree(tf_shape_normal(before), tf_shape_normal(after), 0.9);
+}
+
+//: Judge the star of a vertex
+static bool has_vertex_too(const tf_adaptive_surface *surface, int corner,
+                           int other)
+{
+    return tf_vertex_at(surface, tf_corner_after(corner)) == other ||
+           tf_vertex_at(surface, tf_corner_before(corner)) == other;
+}
+
+bool tf_star_stays_good(const tf_adaptive_surface *surface, int vertex,
+                        int other, tf_vector position)
+{
+    judgment all = {.before = 1, .after = 1};
+    int c = tf_first_corner(surface, vertex);
+    for (; c != TF_NONE; c = tf_next_corner(surface, c)) {
+        if (has_vertex_too(surface, c, other))
+            continue;
+        tf_shape before = tf_shape_of(surface, c / 3), after = before;
+        after.corner[c % 3] = position;
+        judge_triangle(&all, &before, &after);
+    }
+    return !all.turned && (all.after >= all.before || all.after >= 0.6);
 }

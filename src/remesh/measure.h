@@ -34,5 +34,19 @@ tf_vector tf_shape_normal(const tf_shape *shape);
 /// over the sum of the squares of its sides, scaled.
 double tf_shape_quality(const tf_shape *shape);
 
+/// The quality of the worse of two triangles.
+double tf_worse_quality(const tf_shape pair[2]);
+
 /// Whether the angle between two normals has at least this cosine.
 bool tf_normals_agree(tf_vector a, tf_vector b, double cosine);
+
+//: Declare what is measured of a star
+/// The mean of the middles of the triangles at a vertex, weighted by their
+/// areas.
+tf_vector tf_star_middle(const tf_adaptive_surface *surface, int vertex);
+
+/// Whether the triangles at a vertex, but for those at `other` too, would be
+/// good if it were at a position: not turned over, and no worse than the worst
+/// that there is now or a fair triangle.
+bool tf_star_stays_good(const tf_adaptive_surface *surface, int vertex,
+                        int other, tf_vector position);

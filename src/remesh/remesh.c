@@ -3,14 +3,14 @@
 
 #include "base/environment.h"
 #include "base/require.h"
+#include "remesh/keep_shape.h"
 #include "remesh/measure.h"
-#include "remesh/remesher.h"
+#include "remesh/passes.h"
 
 #include <limits.h>
 
 enum {
-    USUAL_ROUNDS = 5,
-    SPLIT_PASSES = 12 ///< at most, in a round: each halves what is too long
+    USUAL_ROUNDS = 5
 };
 
 //: Measure the quality of a surface
@@ -28,42 +28,13 @@ static void measure_quality(const tf_adaptive_surface *surface, double *least,
     *mean = sum / surface->triangles;
 }
 
-//: Split until no edge is long
-static tf_status split_all(tf_remesher *remesher)
-{
-    const size_t *done = &remesher->report->tried[TF_SPLIT][TF_COMMITTED];
-    tf_status status = TF_OK;
-    size_t before = *done - 1;
-    for (int i = 0; i < SPLIT_PASSES && status == TF_OK && *done != before;
-         i++) {
-        before = *done;
-        status = tf_split_pass(remesher);
-    }
-    return status;
-}
-
-//: Go through all operations
-static tf_status do_round(tf_remesher *remesher)
-{
-    tf_status status = split_all(remesher);
-    if (status == TF_OK)
-        status = tf_collapse_pass(remesher);
-    if (status == TF_OK)
-        status = tf_flip_pass(remesher);
-    if (status == TF_OK)
-        status = tf_smooth_pass(remesher);
-    remesher->report->rounds++;
-    return status == TF_OK ? tf_adaptive_compact(remesher->surface, NULL)
-                           : status;
-}
-
 //: Measure how far the shape has changed
 static tf_status measure_distance(tf_remesher *remesher)
 {
     tf_original now = {0};
     tf_status status = TF_OUT_OF_MEMORY;
     if (tf_original_copy(&now, remesher->surface)) {
-        remesher->report->distance =
+        remesher->report.distance =
             fmax(tf_original_farthest(&remesher->original, &now),
                  tf_original_farthest(&now, &remesher->original));
         status = TF_OK;
@@ -73,22 +44,34 @@ static tf_status measure_distance(tf_remesher *remesher)
 }
 
 //: Remesh from the original on
+static tf_status do_round(tf_remesher *remesher)
+{
+    tf_status status = tf_remesh_round(remesher);
+    remesher->report.rounds++;
+    return status == TF_OK ? tf_adaptive_compact(remesher->surface, NULL)
+                           : status;
+}
+
 static tf_status do_rounds(tf_remesher *remesher)
 {
-    tf_remesh_report *report = remesher->report;
+    tf_remesh_report *report = &remesher->report;
     int rounds =
-        remesher->options->rounds ? remesher->options->rounds : USUAL_ROUNDS;
+        remesher->options.rounds ? remesher->options.rounds : USUAL_ROUNDS;
     tf_status status = tf_adaptive_compact(remesher->surface, NULL);
     if (status == TF_OK &&
         !tf_original_copy(&remesher->original, remesher->surface))
         status = TF_OUT_OF_MEMORY;
+    if (status != TF_OK)
+        return status;
     measure_quality(remesher->surface, &report->least_before,
                     &report->mean_before);
     for (int i = 0; i < rounds && status == TF_OK; i++)
         status = do_round(remesher);
+    if (status != TF_OK)
+        return status;
     measure_quality(remesher->surface, &report->least_after,
                     &report->mean_after);
-    return status == TF_OK ? measure_distance(remesher) : status;
+    return measure_distance(remesher);
 }
 
 //: Estimate how many triangles there will be
@@ -126,14 +109,11 @@ tf_status tf_adaptive_remesh(tf_adaptive_surface *surface,
         return TF_BAD_ENVIRONMENT;
     if (!is_possible(surface, options))
         return TF_BAD_TOLERANCE;
-    tf_remesh_report unused = {0};
-    tf_remesher remesher = {.surface = surface,
-                            .edge = options->edge,
-                            .options = options,
-                            .report = report ? report : &unused};
-    *remesher.report = (tf_remesh_report){0};
+    tf_remesher remesher = {
+        .surface = surface, .policy = &tf_keep_shape, .options = *options};
     tf_status status = do_rounds(&remesher);
-    tf_original_free(&remesher.original);
-    tf_buffer_free(&remesher.row);
+    if (report)
+        *report = remesher.report;
+    tf_remesher_free(&remesher);
     return status;
 }

@@ -1,4 +1,4 @@
-//: Order edges by length
+//: Count operations
 #include "remesh/remesher.h"
 
 #include "remesh/measure.h"
@@ -6,6 +6,22 @@
 
 #include <stdlib.h>
 
+void tf_remesher_free(tf_remesher *remesher)
+{
+    tf_original_free(&remesher->original);
+    tf_buffer_free(&remesher->row);
+}
+
+void tf_remesher_count(tf_remesher *remesher, tf_operation operation,
+                       tf_outcome outcome)
+{
+    const tf_remesh_options *options = &remesher->options;
+    remesher->report.tried[operation][outcome]++;
+    if (options->progress)
+        options->progress(options->context, &remesher->report);
+}
+
+//: Order edges by length
 static int compare_edges(const void *first, const void *second)
 {
     const tf_edge_row *a = first, *b = second;
@@ -16,7 +32,7 @@ static int compare_edges(const void *first, const void *second)
     return (a->b > b->b) - (a->b < b->b);
 }
 
-//: List the edges of a remeshing
+//: List edges
 /// Each edge is listed at one of its two corners.
 static bool is_first(const tf_adaptive_surface *surface, int corner)
 {
@@ -25,7 +41,8 @@ static bool is_first(const tf_adaptive_surface *surface, int corner)
            tf_is_boundary_edge(surface, corner);
 }
 
-bool tf_remesher_list(tf_remesher *remesher, double low, double high)
+/// False if there is no memory.
+static bool list_edges(tf_remesher *remesher, double low, double high)
 {
     const tf_adaptive_surface *surface = remesher->surface;
     remesher->rows = 0;
@@ -47,59 +64,19 @@ bool tf_remesher_list(tf_remesher *remesher, double low, double high)
     return true;
 }
 
-//: Count operations
-void tf_remesher_count(tf_remesher *remesher, tf_operation operation,
-                       tf_outcome outcome)
+//: Visit edges
+tf_status tf_remesher_visit(tf_remesher *remesher, double low, double high,
+                            tf_edge_order order,
+                            tf_status visit(tf_remesher *remesher,
+                                            const tf_edge_row *edge))
 {
-    remesher->report->tried[operation][outcome]++;
-    if (remesher->options->progress)
-        remesher->options->progress(remesher->options->context,
-                                    remesher->report);
-}
-
-//: Project to the original
-tf_vector tf_remesher_project(tf_remesher *remesher, tf_vector point)
-{
-    tf_vector projected = point;
-    double distance =
-        tf_original_nearest(&remesher->original, point.x, projected.x);
-    return distance < remesher->edge ? projected : point;
-}
-
-//: Judge the star of a vertex
-/// What is worst among some triangles, before and after a change.
-typedef struct judgment {
-    double before, after; ///< the least quality
-    bool turned;          ///< some triangle is turned over
-} judgment;
-
-static void judge_triangle(judgment *all, const tf_shape *before,
-                           const tf_shape *after)
-{
-    all->before = fmin(all->before, tf_shape_quality(before));
-    all->after = fmin(all->after, tf_shape_quality(after));
-    all->turned |=
-        !tf_normals_agree(tf_shape_normal(before), tf_shape_normal(after), 0.9);
-}
-
-static bool has_vertex_too(const tf_adaptive_surface *surface, int corner,
-                           int other)
-{
-    return tf_vertex_at(surface, tf_corner_after(corner)) == other ||
-           tf_vertex_at(surface, tf_corner_before(corner)) == other;
-}
-
-bool tf_star_stays_good(const tf_remesher *remesher, int vertex, int other,
-                        tf_vector place)
-{
-    judgment all = {.before = 1, .after = 1};
-    int c = tf_first_corner(remesher->surface, vertex);
-    for (; c != TF_NONE; c = tf_next_corner(remesher->surface, c)) {
-        if (has_vertex_too(remesher->surface, c, other))
-            continue;
-        tf_shape before = tf_shape_of(remesher->surface, c / 3), after = before;
-        after.corner[c % 3] = place;
-        judge_triangle(&all, &before, &after);
-    }
-    return !all.turned && (all.after >= all.before || all.after >= 0.6);
+    if (!list_edges(remesher, low, high))
+        return TF_OUT_OF_MEMORY;
+    const tf_edge_row *row = remesher->row.data;
+    tf_status status = TF_OK;
+    int last = remesher->rows - 1;
+    for (int i = 0; i <= last && status == TF_OK; i++)
+        status =
+            visit(remesher, &row[order == TF_LONGEST_FIRST ? last - i : i]);
+    return status;
 }

@@ -4,19 +4,29 @@
 #include "simulate/flow_fields.h"
 
 //: Set the surface of a flow
+static void free_surface(tf_flow_simulation *f)
+{
+    tf_flow_free(f->flow);
+    tf_adaptive_free(f->surface);
+}
+
 /// Unless this is TF_OK, the surface is the one that it was.
 static tf_status set_surface(tf_flow_simulation *f, const tf_mesh *mesh,
                              const double position[])
 {
     tf_adaptive_surface *surface;
+    tf_flow *flow = NULL;
     tf_status status = tf_adaptive_create(mesh, position, &surface, NULL);
-    if (status == TF_OK && !tf_flow_measure(surface, &f->measures)) {
+    if (status != TF_OK)
+        return status;
+    if (tf_flow_create(surface, &flow) != TF_OK ||
+        !tf_flow_measure(surface, &f->measures)) {
+        tf_flow_free(flow);
         tf_adaptive_free(surface);
         return TF_OUT_OF_MEMORY;
     }
-    if (status != TF_OK)
-        return status;
-    tf_adaptive_free(f->surface);
+    free_surface(f);
+    f->flow = flow;
     f->surface = surface;
     return TF_OK;
 }
@@ -34,7 +44,7 @@ static tf_status begin_flow(tf_simulation *simulation)
 
 static void end_flow(tf_simulation *simulation)
 {
-    tf_adaptive_free(((tf_flow_simulation *)simulation)->surface);
+    free_surface((tf_flow_simulation *)simulation);
 }
 
 //: Make a step of a flow's simulation
@@ -54,8 +64,8 @@ static tf_status step_flow(tf_simulation *simulation,
     tf_flow_options flow = tf_flow_options_of(scene, simulation->resolution);
     flow.parallel = options->parallel;
     flow.clock = options->clock;
-    tf_status status = tf_adaptive_flow(f->surface, &flow, simulation->time,
-                                        scene->step, &f->report);
+    tf_status status =
+        tf_flow_step(f->flow, &flow, simulation->time, scene->step, &f->report);
     if (status == TF_OK && !tf_flow_measure(f->surface, &f->measures))
         status = TF_OUT_OF_MEMORY;
     if (status == TF_OK)

@@ -9,6 +9,7 @@
 typedef struct tf_flow_simulation {
     tf_simulation base;
     tf_adaptive_surface *surface;
+    tf_flow *flow;             ///< of the surface
     tf_flow_measures measures; ///< of the surface
     tf_flow_report report;     ///< of the last step
 } tf_flow_simulation;

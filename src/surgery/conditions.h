@@ -5,7 +5,7 @@
 #include "surgery/defect.h"
 
 /// Whether a mesh has triangles and nothing else, with good indices, and all
-/// its vertices have a place.  Returns TF_OK or what is wrong with it.
+/// its vertices have finite positions.  Returns TF_OK or what is wrong with it.
 tf_status tf_check_mesh(const tf_mesh *mesh, const double position[],
                         tf_defect *defect);
 

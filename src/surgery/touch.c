@@ -124,8 +124,8 @@ bool tf_edge_touches_triangle(const double *p, const double *q,
 }
 
 //: Find what two triangles share
-/// Where a triangle has a vertex; -1: nowhere.
-static int place_of(const tf_facet *facet, int vertex)
+/// Which corner of a triangle a vertex is; -1: none.
+static int corner_of(const tf_facet *facet, int vertex)
 {
     for (int i = 0; i < 3; i++)
         if (facet->vertex[i] == vertex)
@@ -133,13 +133,13 @@ static int place_of(const tf_facet *facet, int vertex)
     return -1;
 }
 
-/// How many vertices two triangles share; the places, in `a`, of one of them,
-/// and of one that only `a` has.
+/// How many vertices two triangles share; the corners of `a` that are one of them
+/// and one that only `a` has.
 static int shared(const tf_facet *a, const tf_facet *b, int *common, int *own)
 {
     int count = 0;
     for (int i = 0; i < 3; i++) {
-        bool both = place_of(b, a->vertex[i]) >= 0;
+        bool both = corner_of(b, a->vertex[i]) >= 0;
         count += both;
         *(both ? common : own) = i;
     }

@@ -16,6 +16,7 @@
 #include "simulate/flow_scenes.h"
 #include "simulate/flow_simulation.h"
 #include "simulate/geodesic.h"
+#include "support/careless.h"
 #include "support/generator.h"
 #include "support/tangle.h"
 
@@ -33,6 +34,8 @@ enum {
 /// What has been done in some steps, and what was measured before and after.
 typedef struct run {
     tf_adaptive_surface *surface;
+    tf_flow *flow;
+    unsigned careless; ///< operations that do not keep the volume
     tf_flow_measures first, last;
     int most; ///< triangles
     size_t done[TF_RECONNECTIONS];
@@ -55,10 +58,17 @@ static run run_new(tf_body *body)
     tf_mesh mesh = tf_body_mesh(body);
     require(body->failed ? TF_OUT_OF_MEMORY : TF_OK);
     require(tf_adaptive_create(&mesh, body->position, &r.surface, NULL));
+    require(tf_flow_create(r.surface, &r.flow));
     tf_body_free(body);
     r.first = measure(r.surface);
     r.most = r.first.triangles;
     return r;
+}
+
+static void run_free(run *r)
+{
+    tf_flow_free(r->flow);
+    tf_adaptive_free(r->surface);
 }
 
 static void add_outcomes(run *r, const tf_flow_report *report)
@@ -90,8 +100,10 @@ static void make_steps(run *r, const tf_flow_options *options, double length,
 {
     for (int i = 0; i < steps; i++) {
         tf_flow_report report;
-        require(
-            tf_adaptive_flow(r->surface, options, i * length, length, &report));
+        require(r->careless ? careless_step(r->flow, r->careless, options,
+                                            i * length, length, &report)
+                            : tf_flow_step(r->flow, options, i * length, length,
+                                           &report));
         add_outcomes(r, &report);
         int triangles = tf_adaptive_mesh(r->surface).triangles;
         r->most = triangles > r->most ? triangles : r->most;
@@ -129,11 +141,11 @@ static run run_ball(int n, unsigned careless, int steps)
     for (int i = 0; i < 3 * body.vertices; i++)
         body.position[i] = center.x[0] + radius * body.position[i];
     run r = run_new(&body);
+    r.careless = careless;
     tf_velocity_field *vortices = tf_vortices;
     const tf_flow_options options = {.edge = 1.2046 * radius / n,
                                      .velocity = tf_field_apply,
                                      .context = &vortices,
-                                     .careless = careless,
                                      .clock = processor_seconds};
     make_steps(&r, &options, 3.0 / STEPS, steps);
     return r;
@@ -167,7 +179,7 @@ static void print_ball(int n)
     printf("%s volume,%.4f,%%\n", name, fabs(change(&r)));
     printf("%s rms,%.3f,1e-3\n%s max,%.1f,1e-3\n", name, mean, name, most);
     print_parts(name, &r);
-    tf_adaptive_free(r.surface);
+    run_free(&r);
 }
 
 // Carelessness ----------------------------------------------------------------
@@ -177,7 +189,7 @@ static void print_careless(const char *name, unsigned careless)
     run r = run_ball(4, careless, STEPS);
     printf("careless %s,%.2f,%%\n", name, change(&r));
     fflush(stdout);
-    tf_adaptive_free(r.surface);
+    run_free(&r);
 }
 
 static void print_careless_advance(void)
@@ -188,7 +200,7 @@ static void print_careless_advance(void)
     printf("careless advance 1280,%.2f,%%\n", change(&r));
     printf("careless advance 1280 rms,%.2f,1e-3\n", mean);
     printf("careless advance 1280 max,%.1f,1e-3\n", most);
-    tf_adaptive_free(r.surface);
+    run_free(&r);
 }
 
 // Scenes ----------------------------------------------------------------------
@@ -228,7 +240,7 @@ static void print_scene(const char *name)
     printf("%s refused,%zu,\n", name, r.refused);
     printf("%s genus,%d,\n", name, r.last.genus);
     print_parts(name, &r);
-    tf_adaptive_free(r.surface);
+    run_free(&r);
 }
 
 // Balls that meet at random ---------------------------------------------------
@@ -265,7 +277,7 @@ static void print_offsets(void)
                  r.last.components == 1 && r.last.genus == 0;
         judged += r.judged;
         tangles += r.tangles;
-        tf_adaptive_free(r.surface);
+        run_free(&r);
     }
     printf("offsets tried,%d,\noffsets clean,%d,\n", OFFSETS, clean);
     printf("offsets judged,%d,\noffsets tangles,%d,\n", judged, tangles);
@@ -288,7 +300,7 @@ static void print_costs(void)
         printf("cost %d triangles,%d,\n", i, r.first.triangles);
         printf("cost %d step,%.3f,ms\n", i, 1e3 * sum / FEW);
         fflush(stdout);
-        tf_adaptive_free(r.surface);
+        run_free(&r);
     }
 }
 

@@ -1,9 +1,13 @@
 // A surface flows: it stays embedded, keeps its volume, and comes back.
+#include "flow/flow.h"
+
 #include "simulate/flow_fields.h"
 #include "support/adaptive_surfaces.h"
+#include "support/careless.h"
 #include "support/flows.h"
 #include "support/scrambled_workers.h"
 #include "support/support.h"
+#include "surgery/adaptive_surface.h"
 
 #include <math.h>
 #include <signal.h>
@@ -16,12 +20,19 @@ static const double center[] = {0.35, 0.35, 0.35}, radius = 0.15;
 
 static tf_velocity_field *vortices = tf_vortices;
 
+static tf_flow *flow_of(tf_adaptive_surface *surface)
+{
+    tf_flow *flow = NULL;
+    ck_assert_int_eq(tf_flow_create(surface, &flow), TF_OK);
+    return flow;
+}
+
 /// The root of the mean square of the distances of vertices from the sphere.
 static double radius_error(const tf_adaptive_surface *surface)
 {
     double sum = 0;
     for (int v = 0; v < surface->vertices; v++) {
-        const double *x = place_of(surface, v);
+        const double *x = coordinates_of(surface, v);
         double error =
             hypot(hypot(x[0] - center[0], x[1] - center[1]), x[2] - center[2]) -
             radius;
@@ -35,6 +46,7 @@ static double radius_error(const tf_adaptive_surface *surface)
 START_TEST(vortices_lose_nothing)
 {
     tf_adaptive_surface *surface = adaptive_sphere(12, center, radius);
+    tf_flow *flow = flow_of(surface);
     tf_flow_options options = {
         .edge = 0.023, .velocity = tf_field_apply, .context = &vortices};
     tf_flow_report report;
@@ -42,9 +54,9 @@ START_TEST(vortices_lose_nothing)
     mpq_init(before);
     exact_volume(surface, before);
     for (int i = 0; i < STEPS; i++) {
-        ck_assert_int_eq(tf_adaptive_flow(surface, &options, 3.0 * i / STEPS,
-                                          3.0 / STEPS, &report),
-                         TF_OK);
+        ck_assert_int_eq(
+            tf_flow_step(flow, &options, 3.0 * i / STEPS, 3.0 / STEPS, &report),
+            TF_OK);
         if (i % 10 == 9)
             expect_embedded(surface);
         if (i == STEPS / 2)
@@ -55,6 +67,7 @@ START_TEST(vortices_lose_nothing)
     ck_assert_double_lt(radius_error(surface), 0.015 * radius);
     ck_assert_int_lt(surface->triangles, 2500);
     mpq_clear(before);
+    tf_flow_free(flow);
     tf_adaptive_free(surface);
 }
 END_TEST
@@ -64,28 +77,83 @@ static tf_adaptive_surface *flow_on(int workers)
 {
     tf_parallel parallel = scrambled_workers(&workers);
     tf_adaptive_surface *surface = adaptive_sphere(6, center, radius);
+    tf_flow *flow = flow_of(surface);
     tf_flow_options options = {.edge = 0.03,
                                .velocity = tf_field_apply,
                                .context = &vortices,
                                .parallel = &parallel};
     for (int i = 0; i < 20; i++)
-        ck_assert_int_eq(
-            tf_adaptive_flow(surface, &options, 0.05 * i, 0.05, NULL), TF_OK);
+        ck_assert_int_eq(tf_flow_step(flow, &options, 0.05 * i, 0.05, NULL),
+                         TF_OK);
+    tf_flow_free(flow);
     return surface;
+}
+
+static void expect_same(const tf_adaptive_surface *one,
+                        const tf_adaptive_surface *two)
+{
+    ck_assert_int_eq(one->vertices, two->vertices);
+    ck_assert_int_eq(one->triangles, two->triangles);
+    ck_assert_mem_eq(coordinates_of(one, 0), coordinates_of(two, 0),
+                     3 * sizeof(double) * (size_t)one->vertices);
+    ck_assert_mem_eq(tf_adaptive_mesh(one).triangle,
+                     tf_adaptive_mesh(two).triangle,
+                     3 * sizeof(int) * (size_t)one->triangles);
 }
 
 START_TEST(workers_change_no_bit)
 {
     tf_adaptive_surface *one = flow_on(1), *two = flow_on(2);
-    ck_assert_int_eq(one->vertices, two->vertices);
-    ck_assert_int_eq(one->triangles, two->triangles);
-    ck_assert_mem_eq(place_of(one, 0), place_of(two, 0),
-                     3 * sizeof(double) * (size_t)one->vertices);
-    ck_assert_mem_eq(tf_adaptive_mesh(one).triangle,
-                     tf_adaptive_mesh(two).triangle,
-                     3 * sizeof(int) * (size_t)one->triangles);
+    expect_same(one, two);
     tf_adaptive_free(one);
     tf_adaptive_free(two);
+}
+END_TEST
+
+// A surface may be changed between steps, and memory that is kept changes no bit.
+START_TEST(a_flow_remembers_nothing_of_its_steps)
+{
+    tf_adaptive_surface *surface = adaptive_sphere(6, center, radius);
+    tf_adaptive_surface *same = adaptive_sphere(6, center, radius);
+    tf_flow *flow = flow_of(surface);
+    tf_flow_options options = {
+        .edge = 0.03, .velocity = tf_field_apply, .context = &vortices};
+    for (int i = 0; i < 20; i++) {
+        tf_flow *anew = flow_of(same);
+        ck_assert_int_eq(tf_flow_step(flow, &options, 0.05 * i, 0.05, NULL),
+                         TF_OK);
+        ck_assert_int_eq(tf_flow_step(anew, &options, 0.05 * i, 0.05, NULL),
+                         TF_OK);
+        ck_assert_uint_gt(tf_flow_memory(flow), tf_flow_memory(anew) / 2);
+        tf_flow_free(anew);
+    }
+    expect_same(surface, same);
+    tf_flow_free(flow);
+    tf_adaptive_free(surface);
+    tf_adaptive_free(same);
+}
+END_TEST
+
+/// Lets a surface flow step by step, by all of their parts.
+START_TEST(a_step_is_its_parts)
+{
+    tf_adaptive_surface *surface = adaptive_sphere(6, center, radius);
+    tf_adaptive_surface *same = adaptive_sphere(6, center, radius);
+    tf_flow *flow = flow_of(surface), *other = flow_of(same);
+    tf_flow_options options = {
+        .edge = 0.03, .velocity = tf_field_apply, .context = &vortices};
+    for (int i = 0; i < 20; i++) {
+        tf_flow_report report;
+        ck_assert_int_eq(tf_flow_step(flow, &options, 0.05 * i, 0.05, NULL),
+                         TF_OK);
+        ck_assert_int_eq(
+            careless_step(other, 0, &options, 0.05 * i, 0.05, &report), TF_OK);
+    }
+    expect_same(surface, same);
+    tf_flow_free(flow);
+    tf_flow_free(other);
+    tf_adaptive_free(surface);
+    tf_adaptive_free(same);
 }
 END_TEST
 
@@ -107,22 +175,22 @@ static void approach(void *context, double time, int points,
 static tf_adaptive_surface *two_spheres(void)
 {
     static const double left[] = {-1.2, 0, 0};
-    static double place[2000][3];
+    static double position[2000][3];
     static int triangle[6000];
     tf_adaptive_surface *one = adaptive_sphere(5, left, 1);
     tf_mesh mesh = tf_adaptive_mesh(one);
     for (int v = 0; v < mesh.vertices; v++)
         for (int k = 0; k < 3; k++) {
-            double x = place_of(one, v)[k];
-            place[v][k] = x;
-            place[mesh.vertices + v][k] = x + (k == 0 ? 2.4 : 0);
+            double x = coordinates_of(one, v)[k];
+            position[v][k] = x;
+            position[mesh.vertices + v][k] = x + (k == 0 ? 2.4 : 0);
         }
     for (int i = 0; i < 3 * mesh.triangles; i++) {
         triangle[i] = mesh.triangle[i];
         triangle[3 * mesh.triangles + i] = mesh.triangle[i] + mesh.vertices;
     }
     tf_adaptive_surface *both =
-        adaptive_of(2 * mesh.vertices, place, 2 * mesh.triangles, triangle);
+        adaptive_of(2 * mesh.vertices, position, 2 * mesh.triangles, triangle);
     tf_adaptive_free(one);
     return both;
 }
@@ -131,16 +199,17 @@ static tf_adaptive_surface *two_spheres(void)
 static size_t meet(bool keep_topology)
 {
     tf_adaptive_surface *surface = two_spheres();
+    tf_flow *flow = flow_of(surface);
     tf_flow_options options = {
         .edge = 0.3, .velocity = approach, .keep_topology = keep_topology};
     size_t merges = 0;
     for (int i = 0; i < 20; i++) {
         tf_flow_report report;
-        ck_assert_int_eq(tf_adaptive_flow(surface, &options, 0, 0.02, &report),
-                         TF_OK);
+        ck_assert_int_eq(tf_flow_step(flow, &options, 0, 0.02, &report), TF_OK);
         expect_embedded(surface);
         merges += report.reconnected.tried[TF_MERGE][TF_COMMITTED];
     }
+    tf_flow_free(flow);
     tf_adaptive_free(surface);
     return merges;
 }
@@ -155,15 +224,16 @@ END_TEST
 START_TEST(what_is_small_vanishes)
 {
     tf_adaptive_surface *surface = adaptive_tetrahedron();
+    tf_flow *flow = flow_of(surface);
     tf_flow_options options = {.edge = 6, .velocity = approach};
     for (int i = 0; i < 2; i++) {
         tf_flow_report report;
-        ck_assert_int_eq(tf_adaptive_flow(surface, &options, 0, 0.1, &report),
-                         TF_OK);
+        ck_assert_int_eq(tf_flow_step(flow, &options, 0, 0.1, &report), TF_OK);
         ck_assert_int_eq(surface->triangles, 0);
         ck_assert_uint_eq(report.reconnected.tried[TF_DROP][TF_COMMITTED],
                           i == 0);
     }
+    tf_flow_free(flow);
     tf_adaptive_free(surface);
 }
 END_TEST
@@ -174,12 +244,14 @@ START_TEST(bad_lengths_are_refused)
 {
     static const double edges[] = {0, -1, NAN, INFINITY};
     tf_adaptive_surface *surface = adaptive_tetrahedron();
+    tf_flow *flow = flow_of(surface);
     for (int i = 0; i < 4; i++) {
         tf_flow_options options = {
             .edge = edges[i], .velocity = tf_field_apply, .context = &vortices};
-        ck_assert_int_eq(tf_adaptive_flow(surface, &options, 0, 1, NULL),
+        ck_assert_int_eq(tf_flow_step(flow, &options, 0, 1, NULL),
                          TF_BAD_TOLERANCE);
     }
+    tf_flow_free(flow);
     tf_adaptive_free(surface);
 }
 END_TEST
@@ -187,7 +259,13 @@ END_TEST
 START_TEST(a_flow_needs_a_velocity)
 {
     tf_flow_options options = {.edge = 1};
-    tf_adaptive_flow(adaptive_tetrahedron(), &options, 0, 1, NULL);
+    tf_flow_step(flow_of(adaptive_tetrahedron()), &options, 0, 1, NULL);
+}
+END_TEST
+
+START_TEST(freeing_no_flow_does_nothing)
+{
+    tf_flow_free(NULL);
 }
 END_TEST
 
@@ -200,12 +278,14 @@ static double count_calls(void)
 START_TEST(the_report_has_times_by_a_clock)
 {
     tf_adaptive_surface *surface = adaptive_tetrahedron();
+    tf_flow *flow = flow_of(surface);
     tf_flow_options options = {
         .edge = 2, .velocity = approach, .clock = count_calls};
     tf_flow_report report;
-    ck_assert_int_eq(tf_adaptive_flow(surface, &options, 0, 0, &report), TF_OK);
+    ck_assert_int_eq(tf_flow_step(flow, &options, 0, 0, &report), TF_OK);
     for (int i = 0; i < TF_FLOW_PARTS; i++)
         ck_assert_double_eq(report.seconds[i], 1);
+    tf_flow_free(flow);
     tf_adaptive_free(surface);
 }
 END_TEST
@@ -216,6 +296,8 @@ Suite *suite(void)
     TCase *tcase = tcase_create("there and back");
     tcase_add_test(tcase, vortices_lose_nothing);
     tcase_add_test(tcase, workers_change_no_bit);
+    tcase_add_test(tcase, a_flow_remembers_nothing_of_its_steps);
+    tcase_add_test(tcase, a_step_is_its_parts);
     suite_add_tcase(suite, tcase);
     tcase = tcase_create("topology");
     tcase_add_test(tcase, spheres_that_meet_merge_if_they_may);
@@ -224,6 +306,7 @@ Suite *suite(void)
     tcase = tcase_create("arguments");
     tcase_add_test(tcase, bad_lengths_are_refused);
     tcase_add_test_raise_signal(tcase, a_flow_needs_a_velocity, SIGABRT);
+    tcase_add_test(tcase, freeing_no_flow_does_nothing);
     tcase_add_test(tcase, the_report_has_times_by_a_clock);
     suite_add_tcase(suite, tcase);
     return suite;

@@ -1,4 +1,4 @@
-// The plane of places from which no volume is gained, checked by volumes in
+// The plane of positions at which no volume is gained, checked by volumes in
 // rational numbers.
 #include "flow/patch.h"
 
@@ -14,10 +14,10 @@ static double error_of_move(tf_adaptive_surface *surface, int vertex,
     mpq_t before;
     tf_outcome outcome;
     tf_patch star = tf_patch_of_star(surface, vertex, apex);
-    tf_vector place = tf_patch_place(&star, more);
+    tf_vector position = tf_patch_position(&star, more);
     mpq_init(before);
     exact_volume(surface, before);
-    ck_assert_int_eq(tf_adaptive_move(surface, vertex, place.x, &outcome),
+    ck_assert_int_eq(tf_adaptive_move(surface, vertex, position.x, &outcome),
                      TF_OK);
     ck_assert_int_eq(outcome, TF_COMMITTED);
     double error = volume_gained(surface, before) - more / 6;
@@ -47,11 +47,11 @@ START_TEST(the_apex_goes_straight_to_the_level)
     tf_patch patch = {.apex = {{0.25, 0.5, -1}}};
     tf_patch_add(&patch, &shape);
     ck_assert_double_eq(patch.below, 2);
-    tf_vector place = tf_patch_place(&patch, 0);
+    tf_vector position = tf_patch_position(&patch, 0);
     static const double expected[] = {0.25, 0.5, 1};
     for (int k = 0; k < 3; k++)
-        ck_assert_double_eq(place.x[k], expected[k]);
-    ck_assert_double_eq(tf_patch_place(&patch, 0.5).x[2], 1.5);
+        ck_assert_double_eq(position.x[k], expected[k]);
+    ck_assert_double_eq(tf_patch_position(&patch, 0.5).x[2], 1.5);
 }
 END_TEST
 

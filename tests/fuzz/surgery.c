@@ -57,7 +57,7 @@ static surgery_choice next_operation(fuzz_input *bytes, const surgery_run *run)
                            .a = near[0],
                            .b = mesh.triangle[after]};
     for (int k = 0; k < 3; k++)
-        made.place[k] =
+        made.position[k] =
             next_coordinate(bytes, run, near[first >> (5 + k) & 1], k);
     return made;
 }

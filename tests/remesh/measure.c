@@ -31,6 +31,30 @@ START_TEST(triangles_have_normals)
 }
 END_TEST
 
+START_TEST(stars_get_no_worse)
+{
+    static const struct {
+        tf_vector position;
+        bool good;
+    } rows[] = {{{{1, 1, 0}}, true},
+                {{{1.1, 1.1, 0}}, true},
+                {{{1.9, 1, 0}}, false},  // thin
+                {{{1, 1, 0.9}}, false},  // bent
+                {{{1, 2.5, 0}}, false}}; // turned over
+    tf_adaptive_surface *sheet = adaptive_sheet(2, 2);
+    for (int i = 0; i < 5; i++)
+        ck_assert(tf_star_stays_good(sheet, 4, TF_NONE, rows[i].position) ==
+                  rows[i].good);
+    // The triangles at 8 would be turned over, but they vanish.
+    tf_vector at_8 = {{2, 2, 0}};
+    ck_assert(!tf_star_stays_good(sheet, 4, TF_NONE, at_8));
+    ck_assert(!tf_star_stays_good(sheet, 4, 8, at_8));
+    tf_vector beyond = {{1.1, 1.1, 0}};
+    ck_assert(tf_star_stays_good(sheet, 4, 8, beyond));
+    tf_adaptive_free(sheet);
+}
+END_TEST
+
 START_TEST(quality_is_from_0_to_1)
 {
     static const struct {
@@ -45,6 +69,8 @@ START_TEST(quality_is_from_0_to_1)
     for (int i = 0; i < 4; i++)
         ck_assert_double_eq_tol(tf_shape_quality(&rows[i].shape),
                                 rows[i].quality, 1e-7);
+    const tf_shape pair[] = {rows[0].shape, rows[3].shape};
+    ck_assert_double_eq_tol(tf_worse_quality(pair), rows[3].quality, 1e-7);
 }
 END_TEST
 
@@ -55,6 +81,7 @@ Suite *suite(void)
     tcase_add_test(tcase, edges_have_lengths_and_middles);
     tcase_add_test(tcase, triangles_have_normals);
     tcase_add_test(tcase, quality_is_from_0_to_1);
+    tcase_add_test(tcase, stars_get_no_worse);
     suite_add_tcase(suite, tcase);
     return suite;
 }

@@ -46,10 +46,10 @@ END_TEST
 
 START_TEST(the_distance_is_that_of_the_farthest)
 {
-    static double place[][3] = {{0, 0, 0.5}, {3, 0, 0}, {0, 3, 0}};
+    static double position[][3] = {{0, 0, 0.5}, {3, 0, 0}, {0, 3, 0}};
     static const int triangle[] = {0, 1, 2};
     tf_adaptive_surface *sheet = adaptive_sheet(3, 3);
-    tf_adaptive_surface *other = adaptive_of(3, place, 1, triangle);
+    tf_adaptive_surface *other = adaptive_of(3, position, 1, triangle);
     tf_original a = {0}, b = {0};
     ck_assert(tf_original_copy(&a, sheet) && tf_original_copy(&b, other));
     ck_assert_double_eq(tf_original_farthest(&a, &b), 0.5);

@@ -1,7 +1,8 @@
 // Remeshing: it never tangles, keeps the shape, and makes good triangles.
 #include "remesh/remesh.h"
 
-#include "remesh/measure.h"
+#include "remesh/keep_shape.h"
+#include "remesh/passes.h"
 #include "support/adaptive_surfaces.h"
 #include "support/remeshers.h"
 #include "support/support.h"
@@ -44,15 +45,16 @@ static const char *first_fault(void)
 
 // The passes that add vertices or move them, without the compaction that would
 // lose track of the parts.
-START_TEST(close_surfaces_are_divided)
+START_TEST(no_close_surfaces_are_tangled_by_passes)
 {
     surgery_run_begin(&run, generator_new((uint64_t)_i),
                       (adaptive_scene_kind)_i, &counts);
-    tf_remesher *remesher = remesher_begin(run.surface, run.scene.unit / 3);
-    for (int i = 0; i < 3; i++)
-        ck_assert_int_eq(tf_split_pass(remesher), TF_OK);
-    ck_assert_int_eq(tf_flip_pass(remesher), TF_OK);
-    ck_assert_int_eq(tf_smooth_pass(remesher), TF_OK);
+    static const tf_operation passes[] = {TF_SPLIT, TF_SPLIT, TF_SPLIT, TF_FLIP,
+                                          TF_SMOOTH};
+    tf_remesher *remesher =
+        remesher_begin(run.surface, &tf_keep_shape, run.scene.unit / 3);
+    for (int i = 0; i < 5; i++)
+        ck_assert_int_eq(tf_remesh_pass(remesher, passes[i]), TF_OK);
     label_parts(run.scene.vertices);
     const char *fault = first_fault();
     ck_assert_msg(!fault, "%s", fault);
@@ -108,8 +110,7 @@ START_TEST(a_sphere_gets_good_triangles)
 }
 END_TEST
 
-// A box stays a box.
-START_TEST(creases_stay)
+START_TEST(a_box_stays_a_box)
 {
     static adaptive_scene scene;
     static const int low[] = {0, 0, 0}, high[] = {1, 2, 3};
@@ -157,11 +158,12 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("remesh/remesh");
     TCase *tcase = tcase_create("remeshing");
-    tcase_add_loop_test(tcase, close_surfaces_are_divided, 0, ADAPTIVE_SCENES);
+    tcase_add_loop_test(tcase, no_close_surfaces_are_tangled_by_passes, 0,
+                        ADAPTIVE_SCENES);
     tcase_add_loop_test(tcase, no_scene_is_tangled_by_remeshing, 0,
                         ADAPTIVE_SCENES);
     tcase_add_test(tcase, a_sphere_gets_good_triangles);
-    tcase_add_test(tcase, creases_stay);
+    tcase_add_test(tcase, a_box_stays_a_box);
     tcase_add_test(tcase, bad_options_are_refused);
     tcase_add_test_raise_signal(tcase, remeshing_needs_options, SIGABRT);
     suite_add_tcase(suite, tcase);

@@ -1,9 +1,10 @@
 // Many random operations on adaptive surfaces, judged after each that is done:
 //
-//     surgery COUNT FROM
+//     surgery COUNT FROM [LEFT_OUT]
 //
 // tries COUNT operations, in runs of RUN, of the streams of random numbers FROM
-// on of TF_SEED's.  Prints each fault, with the stream that repeats it.
+// on of TF_SEED's, leaving out tests of the library (bits 1 << outcome).  Prints
+// each fault, with the stream that repeats it.
 #include "support/surgery_runs.h"
 
 #include <stdio.h>

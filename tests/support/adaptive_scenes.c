@@ -17,10 +17,10 @@ tf_mesh adaptive_scene_mesh(const adaptive_scene *scene)
 
 static int add_vertex(adaptive_scene *to, double x, double y, double z)
 {
-    const double place[] = {x, y, z};
+    const double position[] = {x, y, z};
     if (to->vertices == PLACED_VERTICES)
         abort();
-    memcpy(to->position + 3 * to->vertices, place, sizeof place);
+    memcpy(to->position + 3 * to->vertices, position, sizeof position);
     to->part[to->vertices] = to->parts;
     return to->vertices++;
 }
@@ -81,10 +81,10 @@ static void add_lattice_square(adaptive_scene *to, const int at[3], int axis,
     static const int way[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
     int v[4];
     for (int i = 0; i < 4; i++) {
-        int place[3] = {at[0], at[1], at[2]};
-        place[(axis + 1) % 3] += way[high ? i : 3 - i][0];
-        place[(axis + 2) % 3] += way[high ? i : 3 - i][1];
-        v[i] = vertex_at(to, place[0], place[1], place[2]);
+        int position[3] = {at[0], at[1], at[2]};
+        position[(axis + 1) % 3] += way[high ? i : 3 - i][0];
+        position[(axis + 2) % 3] += way[high ? i : 3 - i][1];
+        v[i] = vertex_at(to, position[0], position[1], position[2]);
     }
     add_square(to, v[0], v[1], v[2], v[3]);
 }

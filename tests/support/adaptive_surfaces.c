@@ -22,21 +22,21 @@ tf_adaptive_surface *adaptive_of(int vertices, double position[][3],
 tf_adaptive_surface *adaptive_tetrahedron(void)
 {
     static const int triangle[] = {0, 1, 2, 0, 2, 3, 0, 3, 1, 1, 3, 2};
-    static double place[][3] = {
+    static double position[][3] = {
         {1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
-    return adaptive_of(4, place, 4, triangle);
+    return adaptive_of(4, position, 4, triangle);
 }
 
 tf_adaptive_surface *adaptive_sheet(int columns, int rows)
 {
-    static double place[SHEET_VERTICES][3];
+    static double position[SHEET_VERTICES][3];
     static int triangle[6 * SHEET_VERTICES];
     int across = columns + 1, count = 0;
     if (across * (rows + 1) > SHEET_VERTICES)
         abort();
     for (int v = 0; v < across * (rows + 1); v++) {
-        place[v][0] = v % across;
-        place[v][1] = v / across;
+        position[v][0] = v % across;
+        position[v][1] = v / across;
     }
     for (int j = 0; j < rows; j++)
         for (int i = 0; i < columns; i++) {
@@ -46,11 +46,11 @@ tf_adaptive_surface *adaptive_sheet(int columns, int rows)
             for (int k = 0; k < 6; k++)
                 triangle[count++] = square[k];
         }
-    return adaptive_of(across * (rows + 1), place, 2 * columns * rows,
+    return adaptive_of(across * (rows + 1), position, 2 * columns * rows,
                        triangle);
 }
 
-const double *place_of(const tf_adaptive_surface *surface, int vertex)
+const double *coordinates_of(const tf_adaptive_surface *surface, int vertex)
 {
     return tf_adaptive_positions(surface) + 3 * vertex;
 }

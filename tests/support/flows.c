@@ -92,35 +92,6 @@ tf_adaptive_surface *adaptive_bumpy_sphere(int n, double bump, uint64_t stream)
     return adaptive_of(places, place, corners / 3, triangle);
 }
 
-// Steps of a flow -------------------------------------------------------------
-
-tf_flow_state *flow_begin(tf_adaptive_surface *surface, double edge,
-                          unsigned careless)
-{
-    static tf_flow_state made;
-    static tf_remesh_report counts;
-    static tf_remesh_options quiet;
-    static tf_flow_options options;
-    static tf_flow_report report;
-    counts = (tf_remesh_report){0};
-    quiet = (tf_remesh_options){.edge = edge};
-    options = (tf_flow_options){.edge = edge, .careless = careless};
-    report = (tf_flow_report){0};
-    made = (tf_flow_state){.remesher = {.surface = surface,
-                                        .edge = edge,
-                                        .options = &quiet,
-                                        .report = &counts},
-                           .options = &options,
-                           .report = &report};
-    return &made;
-}
-
-void flow_end(tf_flow_state *flow)
-{
-    tf_adaptive_free(flow->remesher.surface);
-    tf_buffer_free(&flow->remesher.row);
-}
-
 // Volumes ---------------------------------------------------------------------
 
 /// volume += sign * a b c.
@@ -164,23 +135,6 @@ double volume_gained(const tf_adaptive_surface *surface, const mpq_t before)
     double gained = mpq_get_d(now) / 6;
     mpq_clear(now);
     return gained;
-}
-
-void expect_kept_volume(tf_flow_state *flow, tf_operation operation,
-                        tf_status pass(tf_flow_state *flow), bool kept)
-{
-    mpq_t before;
-    mpq_init(before);
-    exact_volume(flow->remesher.surface, before);
-    ck_assert_int_eq(pass(flow), TF_OK);
-    double gained = fabs(volume_gained(flow->remesher.surface, before));
-    mpq_clear(before);
-    ck_assert_uint_gt(flow->remesher.report->tried[operation][TF_COMMITTED],
-                      10);
-    if (kept)
-        ck_assert_double_lt(gained, 1e-14);
-    else
-        ck_assert_double_gt(gained, 1e-6);
 }
 
 // The judge -------------------------------------------------------------------

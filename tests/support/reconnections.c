@@ -319,7 +319,8 @@ static void left_middle(const tf_adaptive_surface *surface, const int loop[3],
 }
 
 /// Near the vertices of the loop, towards neighbors, or anywhere.
-static void choose_places(surgery_run *run, const int loop[3], double place[9])
+static void choose_positions(surgery_run *run, const int loop[3],
+                             double position[9])
 {
     const double *x = tf_adaptive_positions(run->surface);
     double part = pow(10, uniform(&run->random, -3, 0.2)), to[3];
@@ -335,7 +336,7 @@ static void choose_places(surgery_run *run, const int loop[3], double place[9])
             double from = x[3 * loop[i] + k];
             if (way == 1)
                 to[k] = from + run->scene.unit * uniform(&run->random, -1, 1);
-            place[3 * i + k] = from + part * (to[k] - from);
+            position[3 * i + k] = from + part * (to[k] - from);
         }
     }
 }
@@ -344,12 +345,13 @@ static const char *try_pinching(surgery_run *run, comparison *before,
                                 reconnection_counts *counts)
 {
     int loop[3], vertex[3];
-    double place[9];
+    double position[9];
     choose_loop(run, loop);
-    choose_places(run, loop, place);
+    choose_positions(run, loop, position);
     int was = run->part[loop[0]];
     tf_outcome outcome;
-    if (tf_adaptive_pinch(run->surface, loop, place, vertex, &outcome) != TF_OK)
+    if (tf_adaptive_pinch(run->surface, loop, position, vertex, &outcome) !=
+        TF_OK)
         abort();
     counts->count[TF_PINCH][outcome]++;
     before->done = outcome == TF_COMMITTED;

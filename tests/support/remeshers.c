@@ -1,20 +1,16 @@
 #include "support/remeshers.h"
 
 #include "remesh/measure.h"
+#include "surgery/adaptive.h"
 
 #include <stdlib.h>
 
-tf_remesher *remesher_begin(tf_adaptive_surface *surface, double edge)
+tf_remesher *remesher_begin(tf_adaptive_surface *surface,
+                            const tf_remesh_policy *policy, double edge)
 {
     static tf_remesher made;
-    static tf_remesh_report report;
-    static tf_remesh_options options;
-    report = (tf_remesh_report){0};
-    options = (tf_remesh_options){.edge = edge};
-    made = (tf_remesher){.surface = surface,
-                         .edge = edge,
-                         .options = &options,
-                         .report = &report};
+    made = (tf_remesher){
+        .surface = surface, .policy = policy, .options = {.edge = edge}};
     if (!tf_original_copy(&made.original, surface))
         abort();
     return &made;
@@ -23,20 +19,19 @@ tf_remesher *remesher_begin(tf_adaptive_surface *surface, double edge)
 void remesher_end(tf_remesher *remesher)
 {
     tf_adaptive_free(remesher->surface);
-    tf_original_free(&remesher->original);
-    tf_buffer_free(&remesher->row);
+    tf_remesher_free(remesher);
 }
 
 int done(const tf_remesher *remesher, tf_operation operation)
 {
-    return (int)remesher->report->tried[operation][TF_COMMITTED];
+    return (int)remesher->report.tried[operation][TF_COMMITTED];
 }
 
 int refused(const tf_remesher *remesher, tf_operation operation)
 {
     int sum = 0;
     for (int i = TF_IMPOSSIBLE; i < TF_OUTCOMES; i++)
-        sum += (int)remesher->report->tried[operation][i];
+        sum += (int)remesher->report.tried[operation][i];
     return sum;
 }
 

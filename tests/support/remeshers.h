@@ -1,11 +1,12 @@
-// A sheet or another surface that is being remeshed.
+// A surface that is being remeshed.
 #ifndef SUPPORT_REMESHERS_H
 #define SUPPORT_REMESHERS_H
 
-#include "remesh/remesher.h"
+#include "remesh/policy.h"
 
 /// Begins to remesh a surface, which it then owns, to edges of that length.
-tf_remesher *remesher_begin(tf_adaptive_surface *surface, double edge);
+tf_remesher *remesher_begin(tf_adaptive_surface *surface,
+                            const tf_remesh_policy *policy, double edge);
 void remesher_end(tf_remesher *remesher);
 
 /// How often an operation was done, and refused.

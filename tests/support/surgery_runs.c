@@ -264,7 +264,7 @@ static double length_between(const double a[], const double b[])
 
 /// Onto another vertex, the middle of an edge or the plane of a triangle, or
 /// nearly so.
-static void choose_special(surgery_run *run, double place[3])
+static void choose_special(surgery_run *run, double position[3])
 {
     tf_mesh mesh = tf_adaptive_mesh(run->surface);
     const double *x = tf_adaptive_positions(run->surface);
@@ -274,12 +274,12 @@ static void choose_special(surgery_run *run, double place[3])
         double sum = 0;
         for (int i = 0; i < corners; i++)
             sum += x[3 * mesh.triangle[first + (corner + i) % 3] + k];
-        place[k] = sum / corners;
+        position[k] = sum / corners;
     }
 }
 
 /// Near the point between two vertices, or far, or on the lattice, or special.
-static void choose_place(surgery_run *run, int a, int b, double place[3])
+static void choose_position(surgery_run *run, int a, int b, double position[3])
 {
     generator *random = &run->random;
     const double *x = tf_adaptive_positions(run->surface);
@@ -287,17 +287,17 @@ static void choose_place(surgery_run *run, int a, int b, double place[3])
     double far = (length > 0 ? length : run->scene.unit) *
                  pow(10, uniform(random, -4, 0.7));
     for (int k = 0; k < 3; k++)
-        place[k] = (x[3 * a + k] + x[3 * b + k]) / 2;
+        position[k] = (x[3 * a + k] + x[3 * b + k]) / 2;
     int way = below(random, 10);
     if (way == 0) {
-        choose_special(run, place);
+        choose_special(run, position);
         return;
     }
     bool lattice = run->scene.kind == SLABS || run->scene.kind == SHEETS;
     for (int k = 0; k < 3 && way > 1; k++) {
-        place[k] += uniform(random, -far, far);
+        position[k] += uniform(random, -far, far);
         if (lattice && way > 4)
-            place[k] = rint(place[k] * 2) / 2;
+            position[k] = rint(position[k] * 2) / 2;
     }
 }
 
@@ -318,8 +318,8 @@ surgery_choice surgery_run_choose(surgery_run *run)
     int corner = surgery_run_corner(run);
     made.a = mesh.triangle[corner];
     made.b = mesh.triangle[corner % 3 == 2 ? corner - 2 : corner + 1];
-    choose_place(run, made.a, made.what == MOVE_VERTEX ? made.a : made.b,
-                 made.place);
+    choose_position(run, made.a, made.what == MOVE_VERTEX ? made.a : made.b,
+                    made.position);
     return made;
 }
 
@@ -332,14 +332,15 @@ static tf_status do_operation(tf_adaptive_surface *surface,
     const surgery_choice *r = request;
     switch (r->what) {
     case SPLIT_EDGE:
-        return tf_adaptive_split(surface, r->a, r->b, r->place, vertex,
+        return tf_adaptive_split(surface, r->a, r->b, r->position, vertex,
                                  outcome);
     case MOVE_VERTEX:
-        return tf_adaptive_move(surface, r->a, r->place, outcome);
+        return tf_adaptive_move(surface, r->a, r->position, outcome);
     case COLLAPSE_HALF:
         return tf_adaptive_collapse(surface, r->a, r->b, outcome);
     case COLLAPSE_TO_PLACE:
-        return tf_adaptive_collapse_to(surface, r->a, r->b, r->place, outcome);
+        return tf_adaptive_collapse_to(surface, r->a, r->b, r->position,
+                                       outcome);
     default:
         return tf_adaptive_flip(surface, r->a, r->b, outcome);
     }

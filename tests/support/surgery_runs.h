@@ -27,7 +27,7 @@ enum {
 typedef struct surgery_choice {
     operation what;
     int a, b;
-    double place[3];
+    double position[3];
 } surgery_choice;
 
 /// How often which operation ended how.

@@ -46,7 +46,7 @@ START_TEST(compaction_keeps_the_order)
     ck_assert_int_eq(mesh.triangles, 6);
     ck_assert_int_eq(triangles_of(surface), 6);
     ck_assert(has_triangle(surface, 0, 1, 4));
-    ck_assert_double_eq(place_of(surface, 7)[1], 2);
+    ck_assert_double_eq(coordinates_of(surface, 7)[1], 2);
 
     // It works on, and nothing changes if there is no gap.
     ck_assert_int_eq(tf_adaptive_collapse(surface, 3, 0, &outcome), TF_OK);
@@ -61,7 +61,7 @@ END_TEST
 
 // Operations on a surface that hardly grows hardly need more memory: a number
 // left behind by each would be more.
-START_TEST(a_steady_state_takes_no_memory)
+START_TEST(a_steady_state_allocates_no_memory)
 {
     enum {
         TRIES = 12000
@@ -104,7 +104,7 @@ Suite *suite(void)
     TCase *tcase = tcase_create("surface");
     tcase_add_test(tcase, a_surface_is_lent_as_it_was_given);
     tcase_add_test(tcase, compaction_keeps_the_order);
-    tcase_add_test(tcase, a_steady_state_takes_no_memory);
+    tcase_add_test(tcase, a_steady_state_allocates_no_memory);
     tcase_add_test(tcase, null_may_be_freed);
     tcase_add_test_raise_signal(tcase, a_surface_needs_positions, SIGABRT);
     suite_add_tcase(suite, tcase);

@@ -16,10 +16,10 @@ static tf_outcome collapse(tf_adaptive_surface *surface, int from, int to)
 static tf_outcome collapse_to(tf_adaptive_surface *surface, int from, int to,
                               double x, double y, double z)
 {
-    const double place[] = {x, y, z};
+    const double position[] = {x, y, z};
     tf_outcome outcome;
     ck_assert_int_eq(
-        tf_adaptive_collapse_to(surface, from, to, place, &outcome), TF_OK);
+        tf_adaptive_collapse_to(surface, from, to, position, &outcome), TF_OK);
     return outcome;
 }
 
@@ -37,7 +37,7 @@ END_TEST
 
 // On the boundary along it, from the inside to it, but not from it inwards, nor
 // across.
-START_TEST(the_boundary_stays)
+START_TEST(the_boundary_collapses_only_along_itself)
 {
     tf_adaptive_surface *surface = adaptive_sheet(2, 2);
     ck_assert_int_eq(collapse(surface, 1, 4), TF_IMPOSSIBLE);
@@ -55,7 +55,7 @@ END_TEST
 
 // No surface of fewer than four triangles is closed.  Of two on a boundary all
 // around either may vanish, but the other then must not move, nor vanish.
-START_TEST(something_stays)
+START_TEST(the_last_triangles_do_not_collapse)
 {
     tf_adaptive_surface *surface = adaptive_tetrahedron();
     ck_assert_int_eq(collapse(surface, 0, 1), TF_IMPOSSIBLE);
@@ -72,13 +72,13 @@ END_TEST
 
 // A double pyramid over a triangle: its tips can move to the middle, and then
 // no edge can collapse.
-START_TEST(a_ring_of_three_stays)
+START_TEST(an_edge_in_a_ring_of_three_does_not_collapse)
 {
-    static double place[][3] = {
+    static double position[][3] = {
         {1, 0, 0}, {-1, 1, 0}, {-1, -1, 0}, {0, 0, 1}, {0, 0, -1}};
     static const int triangle[] = {0, 1, 3, 1, 2, 3, 2, 0, 3,
                                    1, 0, 4, 2, 1, 4, 0, 2, 4};
-    tf_adaptive_surface *surface = adaptive_of(5, place, 6, triangle);
+    tf_adaptive_surface *surface = adaptive_of(5, position, 6, triangle);
     ck_assert_int_eq(collapse(surface, 0, 1), TF_IMPOSSIBLE);
     ck_assert_int_eq(collapse(surface, 3, 0), TF_COMMITTED);
     ck_assert_int_eq(triangles_of(surface), 4);
@@ -86,18 +86,18 @@ START_TEST(a_ring_of_three_stays)
 }
 END_TEST
 
-START_TEST(an_edge_collapses_to_a_place)
+START_TEST(an_edge_collapses_to_a_position)
 {
     tf_adaptive_surface *surface = adaptive_sheet(3, 3);
     ck_assert_int_eq(collapse_to(surface, 5, 6, 1.5, 1, 0.5), TF_COMMITTED);
     ck_assert_int_eq(triangles_of(surface), 16);
-    ck_assert_double_eq(place_of(surface, 6)[0], 1.5);
+    ck_assert_double_eq(coordinates_of(surface, 6)[0], 1.5);
     tf_adaptive_free(surface);
 }
 END_TEST
 
 // The move of 6 is legal, but then 5 passes over itself: all is as before.
-START_TEST(what_is_half_done_is_undone)
+START_TEST(a_refused_collapse_undoes_its_move)
 {
     tf_adaptive_surface *surface = adaptive_sheet(3, 3);
     double before[48];
@@ -114,11 +114,11 @@ Suite *suite(void)
     Suite *suite = suite_create("surgery/collapse");
     TCase *tcase = tcase_create("collapses");
     tcase_add_test(tcase, the_triangles_on_the_edge_vanish);
-    tcase_add_test(tcase, the_boundary_stays);
-    tcase_add_test(tcase, something_stays);
-    tcase_add_test(tcase, a_ring_of_three_stays);
-    tcase_add_test(tcase, an_edge_collapses_to_a_place);
-    tcase_add_test(tcase, what_is_half_done_is_undone);
+    tcase_add_test(tcase, the_boundary_collapses_only_along_itself);
+    tcase_add_test(tcase, the_last_triangles_do_not_collapse);
+    tcase_add_test(tcase, an_edge_in_a_ring_of_three_does_not_collapse);
+    tcase_add_test(tcase, an_edge_collapses_to_a_position);
+    tcase_add_test(tcase, a_refused_collapse_undoes_its_move);
     suite_add_tcase(suite, tcase);
     return suite;
 }

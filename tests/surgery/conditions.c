@@ -11,7 +11,7 @@ typedef struct faulty {
     const char *what;
     tf_status status;
     int vertices, triangles;
-    double place[8][3];
+    double position[8][3];
     int triangle[15];
     int edges, edge[2];
     int bad_triangle, bad[2], crossing[5];
@@ -183,7 +183,8 @@ START_TEST(the_first_defect_is_named)
                     f->triangle, f->edges,    f->edge};
     tf_adaptive_surface *made = NULL;
     tf_defect defect;
-    tf_status status = tf_adaptive_create(&mesh, f->place[0], &made, &defect);
+    tf_status status =
+        tf_adaptive_create(&mesh, f->position[0], &made, &defect);
     ck_assert_msg(status == f->status, "%s: %d", f->what, status);
     ck_assert_ptr_null(made);
     ck_assert_int_eq(defect.triangle, f->bad_triangle);
@@ -194,20 +195,20 @@ START_TEST(the_first_defect_is_named)
                          sizeof f->crossing);
     else
         ck_assert_int_eq(defect.crossing.kind, TF_NO_CROSSING);
-    ck_assert_int_eq(tf_adaptive_create(&mesh, f->place[0], &made, NULL),
+    ck_assert_int_eq(tf_adaptive_create(&mesh, f->position[0], &made, NULL),
                      status);
 }
 END_TEST
 
 // Closed or not, inside out or not; and a vertex without triangles may touch.
-START_TEST(good_meshes_are_taken)
+START_TEST(valid_meshes_are_accepted)
 {
     static const int solid[] = {SOLID};
     static const int turned[] = {2, 0, 1, 1, 0, 3, 2, 1, 3, 0, 2, 3};
-    static double place[][3] = {CORNERS, {0.25, 0.25, 0}};
+    static double position[][3] = {CORNERS, {0.25, 0.25, 0}};
     for (int count = 1; count <= 4; count++) {
-        tf_adaptive_free(adaptive_of(5, place, count, solid));
-        tf_adaptive_free(adaptive_of(5, place, count, turned));
+        tf_adaptive_free(adaptive_of(5, position, count, solid));
+        tf_adaptive_free(adaptive_of(5, position, count, turned));
     }
 }
 END_TEST
@@ -218,7 +219,7 @@ Suite *suite(void)
     TCase *tcase = tcase_create("defects");
     tcase_add_loop_test(tcase, the_first_defect_is_named, 0,
                         sizeof meshes / sizeof *meshes);
-    tcase_add_test(tcase, good_meshes_are_taken);
+    tcase_add_test(tcase, valid_meshes_are_accepted);
     suite_add_tcase(suite, tcase);
     return suite;
 }

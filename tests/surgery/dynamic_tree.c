@@ -10,7 +10,7 @@ enum {
     ELEMENTS = 200
 };
 
-static tf_dynamic_tree hierarchy;
+static tf_dynamic_tree tree;
 static tf_aabb box[ELEMENTS];
 static bool is_in[ELEMENTS];
 
@@ -36,7 +36,7 @@ static void expect_found(generator *random)
 {
     int found[ELEMENTS];
     tf_aabb wanted = some_box(random);
-    int count = tf_dynamic_tree_find(&hierarchy, &wanted, found), next = 0;
+    int count = tf_dynamic_tree_find(&tree, &wanted, found), next = 0;
     qsort(found, (size_t)count, sizeof *found, compare);
     for (int i = 0; i < ELEMENTS; i++)
         if (is_in[i] && tf_aabbs_overlap(&box[i], &wanted)) {
@@ -51,26 +51,26 @@ static void change_some(generator *random)
     int i = below(random, ELEMENTS);
     bool goes = is_in[i] && below(random, 2);
     if (goes)
-        tf_dynamic_tree_remove(&hierarchy, i);
+        tf_dynamic_tree_remove(&tree, i);
     else
         box[i] = some_box(random);
     if (is_in[i] && !goes)
-        tf_dynamic_tree_change(&hierarchy, i, box[i]);
+        tf_dynamic_tree_change(&tree, i, box[i]);
     else if (!is_in[i])
-        tf_dynamic_tree_insert(&hierarchy, i, box[i]);
+        tf_dynamic_tree_insert(&tree, i, box[i]);
     is_in[i] = !goes;
 }
 
 static void begin(generator *random, int built)
 {
     int order[ELEMENTS];
-    ck_assert(tf_dynamic_tree_reserve(&hierarchy, ELEMENTS));
+    ck_assert(tf_dynamic_tree_reserve(&tree, ELEMENTS));
     for (int i = 0; i < ELEMENTS; i++) {
         box[i] = some_box(random);
         is_in[i] = i < built;
         order[i] = i;
     }
-    tf_dynamic_tree_build(&hierarchy, box, order, built);
+    tf_dynamic_tree_build(&tree, box, order, built);
 }
 
 START_TEST(what_overlaps_is_found)
@@ -84,7 +84,7 @@ START_TEST(what_overlaps_is_found)
                 expect_found(&random);
         }
     }
-    tf_dynamic_tree_free(&hierarchy);
+    tf_dynamic_tree_free(&tree);
 }
 END_TEST
 
@@ -93,18 +93,18 @@ START_TEST(branches_are_used_again)
 {
     generator random = generator_new(9);
     begin(&random, ELEMENTS);
-    int branches = hierarchy.branches;
+    int branches = tree.branches;
     for (int i = 0; i < ELEMENTS; i++)
-        tf_dynamic_tree_remove(&hierarchy, i);
+        tf_dynamic_tree_remove(&tree, i);
     memset(is_in, 0, sizeof is_in);
     expect_found(&random);
     for (int i = 0; i < ELEMENTS; i++) {
-        tf_dynamic_tree_insert(&hierarchy, i, box[i]);
+        tf_dynamic_tree_insert(&tree, i, box[i]);
         is_in[i] = true;
     }
     expect_found(&random);
-    ck_assert_int_eq(hierarchy.branches, branches);
-    tf_dynamic_tree_free(&hierarchy);
+    ck_assert_int_eq(tree.branches, branches);
+    tf_dynamic_tree_free(&tree);
 }
 END_TEST
 

@@ -24,19 +24,20 @@ START_TEST(an_edge_becomes_the_other_diagonal)
 }
 END_TEST
 
-START_TEST(a_quadrilateral_must_be_convex)
+START_TEST(a_flip_needs_a_convex_quadrilateral)
 {
-    static double place[][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.1, 0.1, 0}};
+    static double position[][3] = {
+        {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.1, 0.1, 0}};
     static const int triangle[] = {0, 1, 3, 0, 3, 2};
-    tf_adaptive_surface *surface = adaptive_of(4, place, 2, triangle);
+    tf_adaptive_surface *surface = adaptive_of(4, position, 2, triangle);
     ck_assert_int_eq(flip(surface, 0, 3), TF_OVERLAPPED);
     tf_adaptive_free(surface);
 }
 END_TEST
 
-// The edge is bare, or no edge; or the other diagonal exists; or a ring of
-// three would lose one.
-START_TEST(some_edges_do_not_flip)
+// The edge is on the boundary, or no edge; or the other diagonal exists; or a
+// ring of three would lose one.
+START_TEST(flips_that_leave_no_surface_are_impossible)
 {
     tf_adaptive_surface *surface = adaptive_sheet(2, 2);
     ck_assert_int_eq(flip(surface, 0, 1), TF_IMPOSSIBLE);
@@ -54,8 +55,8 @@ Suite *suite(void)
     Suite *suite = suite_create("surgery/flip");
     TCase *tcase = tcase_create("flips");
     tcase_add_test(tcase, an_edge_becomes_the_other_diagonal);
-    tcase_add_test(tcase, a_quadrilateral_must_be_convex);
-    tcase_add_test(tcase, some_edges_do_not_flip);
+    tcase_add_test(tcase, a_flip_needs_a_convex_quadrilateral);
+    tcase_add_test(tcase, flips_that_leave_no_surface_are_impossible);
     suite_add_tcase(suite, tcase);
     return suite;
 }

@@ -22,7 +22,7 @@ static bool has_contact(tf_surface *detected,
     tf_motion motion = {mesh.vertices, start, end};
     tf_contacts found;
     memcpy(end, start, 24 * (size_t)mesh.vertices);
-    memcpy(end + 3 * move->a, move->place, sizeof move->place);
+    memcpy(end + 3 * move->a, move->position, sizeof move->position);
     ck_assert_int_eq(tf_surface_detect(detected, &motion, NULL, &found, NULL),
                      TF_OK);
     return found.any;
@@ -38,7 +38,7 @@ static int try_moves(surgery_run *run, tf_surface *detected, int times)
         int vertex;
         bool met = has_contact(detected, run->surface, &move);
         tf_outcome outcome = surgery_choice_try(run->surface, &move, &vertex);
-        if (outcome != TF_IMPOSSIBLE) // a lone triangle has no contacts
+        if (outcome != TF_IMPOSSIBLE) // an isolated triangle has no contacts
             ck_assert_int_eq(outcome != TF_COMMITTED, met);
         contacts += met;
         times--;
@@ -66,15 +66,15 @@ END_TEST
 
 START_TEST(a_vertex_without_triangles_does_not_move)
 {
-    static double place[][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {3, 3, 3}};
+    static double position[][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {3, 3, 3}};
     static const double to[] = {4, 4, 4};
     static const int triangle[] = {0, 1, 2};
-    tf_adaptive_surface *surface = adaptive_of(4, place, 1, triangle);
+    tf_adaptive_surface *surface = adaptive_of(4, position, 1, triangle);
     tf_outcome outcome;
     ck_assert_int_eq(tf_adaptive_move(surface, 3, to, &outcome), TF_OK);
     ck_assert_int_eq(outcome, TF_IMPOSSIBLE);
     ck_assert_int_eq(tf_adaptive_move(surface, 0, to, &outcome), TF_OK);
-    ck_assert_int_eq(outcome, TF_IMPOSSIBLE); // it is of a lone triangle
+    ck_assert_int_eq(outcome, TF_IMPOSSIBLE); // it is of an isolated triangle
     tf_adaptive_free(surface);
 }
 END_TEST

@@ -12,17 +12,17 @@
 #include <signal.h>
 
 static tf_status all_statuses(tf_adaptive_surface *surface, int a, int b,
-                              const double place[3])
+                              const double position[3])
 {
     tf_outcome outcome[5];
     int vertex;
     const tf_status status[] = {
-        tf_adaptive_split(surface, a, b, place, &vertex, &outcome[0]),
-        tf_adaptive_collapse_to(surface, a, b, place, &outcome[1]),
+        tf_adaptive_split(surface, a, b, position, &vertex, &outcome[0]),
+        tf_adaptive_collapse_to(surface, a, b, position, &outcome[1]),
         tf_adaptive_collapse(surface, a, b, &outcome[2]),
         tf_adaptive_flip(surface, a, b, &outcome[3]),
-        tf_adaptive_move(surface, a, place, &outcome[4])};
-    int finite = isfinite(place[0]) && isfinite(place[2]);
+        tf_adaptive_move(surface, a, position, &outcome[4])};
+    int finite = isfinite(position[0]) && isfinite(position[2]);
     for (int i = 0; i < 5; i++) {
         if ((i == 2 || i == 3) && !finite)
             continue;
@@ -32,13 +32,13 @@ static tf_status all_statuses(tf_adaptive_surface *surface, int a, int b,
     return status[0];
 }
 
-START_TEST(bad_requests_are_refused)
+START_TEST(invalid_requests_are_rejected)
 {
-    static const double place[] = {2, 2, 2}, nan[] = {NAN, 0, 0};
+    static const double position[] = {2, 2, 2}, nan[] = {NAN, 0, 0};
     static const double infinite[] = {0, 0, -INFINITY};
     tf_adaptive_surface *surface = adaptive_tetrahedron();
-    ck_assert_int_eq(all_statuses(surface, -1, 0, place), TF_BAD_INDEX);
-    ck_assert_int_eq(all_statuses(surface, 4, 0, place), TF_BAD_INDEX);
+    ck_assert_int_eq(all_statuses(surface, -1, 0, position), TF_BAD_INDEX);
+    ck_assert_int_eq(all_statuses(surface, 4, 0, position), TF_BAD_INDEX);
     ck_assert_int_eq(all_statuses(surface, 0, 1, nan), TF_NOT_FINITE);
     ck_assert_int_eq(all_statuses(surface, 0, 1, infinite), TF_NOT_FINITE);
     ck_assert_int_eq(triangles_of(surface), 4);
@@ -57,7 +57,7 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("surgery/request");
     TCase *tcase = tcase_create("requests");
-    tcase_add_test(tcase, bad_requests_are_refused);
+    tcase_add_test(tcase, invalid_requests_are_rejected);
     tcase_add_test_raise_signal(tcase, an_operation_needs_an_outcome, SIGABRT);
     suite_add_tcase(suite, tcase);
     return suite;

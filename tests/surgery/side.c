@@ -85,7 +85,7 @@ START_TEST(turns_are_exact)
 }
 END_TEST
 
-START_TEST(three_points_of_a_line_are_collinear)
+START_TEST(only_points_on_a_line_are_collinear)
 {
     const double a[] = {1, 2, 3}, b[] = {2, 4, 5}, c[] = {4, 8, 9};
     const double d[] = {4, 8, 9 + 0x1p-49};
@@ -101,7 +101,7 @@ Suite *suite(void)
     TCase *tcase = tcase_create("signs");
     tcase_add_loop_test(tcase, sides_are_exact, 0, 4);
     tcase_add_loop_test(tcase, turns_are_exact, 0, 4);
-    tcase_add_test(tcase, three_points_of_a_line_are_collinear);
+    tcase_add_test(tcase, only_points_on_a_line_are_collinear);
     suite_add_tcase(suite, tcase);
     return suite;
 }

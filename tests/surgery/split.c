@@ -7,16 +7,16 @@
 static tf_outcome split(tf_adaptive_surface *surface, int a, int b, double x,
                         double y, double z, int *vertex)
 {
-    const double place[] = {x, y, z};
+    const double position[] = {x, y, z};
     tf_outcome outcome;
     *vertex = -1;
-    ck_assert_int_eq(tf_adaptive_split(surface, a, b, place, vertex, &outcome),
-                     TF_OK);
+    ck_assert_int_eq(
+        tf_adaptive_split(surface, a, b, position, vertex, &outcome), TF_OK);
     ck_assert(outcome == TF_COMMITTED || *vertex == -1);
     return outcome;
 }
 
-START_TEST(an_edge_has_two_triangles_split)
+START_TEST(an_inner_edge_splits_two_triangles)
 {
     tf_adaptive_surface *surface = adaptive_tetrahedron();
     int vertex;
@@ -27,12 +27,12 @@ START_TEST(an_edge_has_two_triangles_split)
     ck_assert(has_triangle(surface, 4, 1, 2));
     ck_assert(has_triangle(surface, 1, 4, 3));
     ck_assert(has_triangle(surface, 4, 0, 3));
-    ck_assert_double_eq(place_of(surface, 4)[1], 0.1);
+    ck_assert_double_eq(coordinates_of(surface, 4)[1], 0.1);
     tf_adaptive_free(surface);
 }
 END_TEST
 
-START_TEST(an_edge_of_the_boundary_has_one)
+START_TEST(a_boundary_edge_splits_one_triangle)
 {
     tf_adaptive_surface *surface = adaptive_sheet(2, 2);
     int vertex;
@@ -45,7 +45,7 @@ START_TEST(an_edge_of_the_boundary_has_one)
 END_TEST
 
 // In the plane of the sheet: inside, on an edge, and beyond.
-START_TEST(a_split_stays_in_its_place)
+START_TEST(a_flat_split_stays_in_its_two_triangles)
 {
     tf_adaptive_surface *surface = adaptive_sheet(2, 2);
     int vertex;
@@ -56,7 +56,7 @@ START_TEST(a_split_stays_in_its_place)
 }
 END_TEST
 
-START_TEST(there_must_be_an_edge_to_split)
+START_TEST(a_split_needs_an_edge)
 {
     tf_adaptive_surface *surface = adaptive_sheet(2, 2);
     int vertex;
@@ -66,12 +66,12 @@ START_TEST(there_must_be_an_edge_to_split)
 }
 END_TEST
 
-// In its own plane a lone triangle could be turned over by no test's notice.
-START_TEST(a_lone_triangle_is_left_alone)
+// In its own plane an isolated triangle could be turned over by no test's notice.
+START_TEST(an_isolated_triangle_is_not_split)
 {
-    static double place[][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    static double position[][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     static const int triangle[] = {0, 1, 2};
-    tf_adaptive_surface *surface = adaptive_of(3, place, 1, triangle);
+    tf_adaptive_surface *surface = adaptive_of(3, position, 1, triangle);
     int vertex;
     ck_assert_int_eq(split(surface, 0, 1, -0.5, 2.5, 0, &vertex),
                      TF_IMPOSSIBLE);
@@ -83,11 +83,11 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("surgery/split");
     TCase *tcase = tcase_create("splits");
-    tcase_add_test(tcase, an_edge_has_two_triangles_split);
-    tcase_add_test(tcase, an_edge_of_the_boundary_has_one);
-    tcase_add_test(tcase, a_split_stays_in_its_place);
-    tcase_add_test(tcase, there_must_be_an_edge_to_split);
-    tcase_add_test(tcase, a_lone_triangle_is_left_alone);
+    tcase_add_test(tcase, an_inner_edge_splits_two_triangles);
+    tcase_add_test(tcase, a_boundary_edge_splits_one_triangle);
+    tcase_add_test(tcase, a_flat_split_stays_in_its_two_triangles);
+    tcase_add_test(tcase, a_split_needs_an_edge);
+    tcase_add_test(tcase, an_isolated_triangle_is_not_split);
     suite_add_tcase(suite, tcase);
     return suite;
 }

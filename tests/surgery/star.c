@@ -73,15 +73,15 @@ START_TEST(triangles_come_and_go)
 }
 END_TEST
 
-START_TEST(a_lone_triangle_has_no_neighbor)
+START_TEST(an_isolated_triangle_has_no_neighbor)
 {
-    static double place[][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    static double position[][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     static const int triangle[] = {0, 1, 2};
-    tf_adaptive_surface *alone = adaptive_of(3, place, 1, triangle);
-    ck_assert(tf_is_isolated(alone, 0));
+    tf_adaptive_surface *single = adaptive_of(3, position, 1, triangle);
+    ck_assert(tf_is_isolated(single, 0));
     for (int t = 0; t < 8; t++)
         ck_assert(!tf_is_isolated(sheet, t));
-    tf_adaptive_free(alone);
+    tf_adaptive_free(single);
 }
 END_TEST
 
@@ -93,7 +93,7 @@ Suite *suite(void)
     tcase_add_test(tcase, edges_are_found_in_their_direction);
     tcase_add_test(tcase, triangles_and_neighbors_are_counted);
     tcase_add_test(tcase, triangles_come_and_go);
-    tcase_add_test(tcase, a_lone_triangle_has_no_neighbor);
+    tcase_add_test(tcase, an_isolated_triangle_has_no_neighbor);
     suite_add_tcase(suite, tcase);
     return suite;
 }

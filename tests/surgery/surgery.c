@@ -14,10 +14,10 @@
 // vertex outside.
 START_TEST(a_patch_replaces_a_patch)
 {
-    static const double place[] = {2, 2, 2};
+    static const double position[] = {2, 2, 2};
     tf_adaptive_surface *surface = adaptive_tetrahedron();
     ck_assert(tf_surgery_begin(surface, 3));
-    int added = tf_surgery_place(surface, place);
+    int added = tf_surgery_place(surface, position);
     ck_assert_int_eq(added, 4);
     int c = tf_first_corner(surface, 0);
     for (; c != TF_NONE; c = tf_next_corner(surface, c)) {
@@ -39,7 +39,7 @@ START_TEST(a_patch_replaces_a_patch)
 }
 END_TEST
 
-START_TEST(only_the_boundary_is_kept_by_itself)
+START_TEST(only_boundary_edges_are_listed_as_kept)
 {
     tf_adaptive_surface *surface = adaptive_sheet(2, 2);
     ck_assert(tf_surgery_begin(surface, 2));
@@ -87,7 +87,7 @@ Suite *suite(void)
     Suite *suite = suite_create("surgery/surgery");
     TCase *tcase = tcase_create("surgery");
     tcase_add_test(tcase, a_patch_replaces_a_patch);
-    tcase_add_test(tcase, only_the_boundary_is_kept_by_itself);
+    tcase_add_test(tcase, only_boundary_edges_are_listed_as_kept);
     tcase_add_test(tcase, too_many_triangles_are_refused);
     tcase_add_loop_test(tcase, a_refusal_changes_no_bit, 0, ADAPTIVE_SCENES);
     suite_add_tcase(suite, tcase);

@@ -11,7 +11,7 @@ static tf_tetrahedron tetrahedron_of(double x[][3])
                              (const double *const[]){x[0], x[1], x[2], x[3]});
 }
 
-START_TEST(points_are_held)
+START_TEST(points_inside_and_on_the_border_are_held)
 {
     generator random = generator_new(1);
     int held = 0, count = (int)cases(10000);
@@ -28,7 +28,7 @@ START_TEST(points_are_held)
 }
 END_TEST
 
-START_TEST(a_point_is_outside_of_the_faces_before_it)
+START_TEST(a_point_is_outside_of_the_faces_that_it_sees)
 {
     double x[5][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {3, -1, 0}};
     tf_tetrahedron body = tetrahedron_of(x);
@@ -40,8 +40,8 @@ START_TEST(a_point_is_outside_of_the_faces_before_it)
 END_TEST
 
 /// An edge between vertices; those from 4 on are no corners.
-static tf_located_edge thread_of(const tf_tetrahedron *body, double x[][3],
-                                 int a, int b)
+static tf_located_edge located_edge(const tf_tetrahedron *body, double x[][3],
+                                    int a, int b)
 {
     return (tf_located_edge){{a, b},
                              {x[a], x[b]},
@@ -49,7 +49,7 @@ static tf_located_edge thread_of(const tf_tetrahedron *body, double x[][3],
                               tf_tetrahedron_outside(body, x[b])}};
 }
 
-START_TEST(edges_meet_what_their_ends_are_not_in)
+START_TEST(edges_that_pass_through_are_found)
 {
     generator random = generator_new(2);
     int met = 0;
@@ -59,7 +59,7 @@ START_TEST(edges_meet_what_their_ends_are_not_in)
         if (meet_at_rest(3, 4, x, 1, x + 4) || meet_at_rest(3, 4, x, 1, x + 5))
             continue;
         tf_tetrahedron body = tetrahedron_of(x);
-        tf_located_edge edge = thread_of(&body, x, 4, 5);
+        tf_located_edge edge = located_edge(&body, x, 4, 5);
         bool found = tf_tetrahedron_meets(&body, &edge);
         ck_assert_int_eq(found, meet_at_rest(3, 4, x, 2, x + 4));
         met += found;
@@ -70,7 +70,7 @@ END_TEST
 
 // A tetrahedron is convex, so an edge from a corner enters it at once or never.
 // If other faces of a flat one hold the corner, the answer may be that it does.
-START_TEST(edges_from_a_corner_enter_it_at_once_or_never)
+START_TEST(edges_from_a_corner_enter_at_once_or_never)
 {
     generator random = generator_new(3);
     int met = 0;
@@ -85,8 +85,8 @@ START_TEST(edges_from_a_corner_enter_it_at_once_or_never)
         for (int k = 0; k < 3; k++)
             step[0][k] = x[0][k] + (x[4][k] - x[0][k]) / 1024;
         bool enters = meet_at_rest(3, 4, x, 1, step);
-        tf_located_edge edge = thread_of(&body, x, 0, 4);
-        tf_located_edge reverse = thread_of(&body, x, 4, 0);
+        tf_located_edge edge = located_edge(&body, x, 0, 4);
+        tf_located_edge reverse = located_edge(&body, x, 4, 0);
         ck_assert_int_eq(tf_tetrahedron_meets(&body, &edge), enters);
         ck_assert_int_eq(tf_tetrahedron_meets(&body, &reverse), enters);
         met += enters;
@@ -96,7 +96,7 @@ START_TEST(edges_from_a_corner_enter_it_at_once_or_never)
 END_TEST
 
 // With the corner 0 in common, or with none.
-START_TEST(a_plane_separates_only_what_is_apart)
+START_TEST(separated_elements_are_apart)
 {
     generator random = generator_new(4);
     int apart = 0, joined = 0;
@@ -112,7 +112,7 @@ START_TEST(a_plane_separates_only_what_is_apart)
                             {x[5][0], x[5][1], x[5][2]},
                             {x[6][0], x[6][1], x[6][2]}};
         ck_assert(!meet_at_rest(3, 4, x, first == 0 ? 2 : 3, far));
-        tf_located_edge edge = thread_of(&body, x, first, 4);
+        tf_located_edge edge = located_edge(&body, x, first, 4);
         ck_assert(!tf_tetrahedron_meets(&body, &edge));
         ck_assert(tf_tetrahedron_is_apart(&body, 2, &facet));
         apart++;
@@ -122,11 +122,11 @@ START_TEST(a_plane_separates_only_what_is_apart)
 }
 END_TEST
 
-START_TEST(its_own_edges_do_not_meet_it)
+START_TEST(own_edges_of_a_tetrahedron_do_not_meet_it)
 {
     double x[4][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     tf_tetrahedron body = tetrahedron_of(x);
-    tf_located_edge edge = thread_of(&body, x, 1, 3);
+    tf_located_edge edge = located_edge(&body, x, 1, 3);
     ck_assert(!tf_tetrahedron_meets(&body, &edge));
 }
 END_TEST
@@ -135,12 +135,12 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("surgery/tetrahedron");
     TCase *tcase = tcase_create("closed");
-    tcase_add_test(tcase, points_are_held);
-    tcase_add_test(tcase, a_point_is_outside_of_the_faces_before_it);
-    tcase_add_test(tcase, edges_meet_what_their_ends_are_not_in);
-    tcase_add_test(tcase, edges_from_a_corner_enter_it_at_once_or_never);
-    tcase_add_test(tcase, a_plane_separates_only_what_is_apart);
-    tcase_add_test(tcase, its_own_edges_do_not_meet_it);
+    tcase_add_test(tcase, points_inside_and_on_the_border_are_held);
+    tcase_add_test(tcase, a_point_is_outside_of_the_faces_that_it_sees);
+    tcase_add_test(tcase, edges_that_pass_through_are_found);
+    tcase_add_test(tcase, edges_from_a_corner_enter_at_once_or_never);
+    tcase_add_test(tcase, separated_elements_are_apart);
+    tcase_add_test(tcase, own_edges_of_a_tetrahedron_do_not_meet_it);
     suite_add_tcase(suite, tcase);
     return suite;
 }

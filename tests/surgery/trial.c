@@ -13,9 +13,10 @@
 static tf_outcome move(tf_adaptive_surface *surface, int vertex, double x,
                        double y, double z)
 {
-    const double place[] = {x, y, z};
+    const double position[] = {x, y, z};
     tf_outcome outcome;
-    ck_assert_int_eq(tf_adaptive_move(surface, vertex, place, &outcome), TF_OK);
+    ck_assert_int_eq(tf_adaptive_move(surface, vertex, position, &outcome),
+                     TF_OK);
     return outcome;
 }
 
@@ -27,11 +28,11 @@ static tf_outcome flip(tf_adaptive_surface *surface, int a, int b)
 }
 
 // D: two triangles make a large one, whose corner 1 is on the line from 0 to 3.
-START_TEST(a_flip_could_flatten_a_triangle)
+START_TEST(D_refuses_a_flip_that_flattens_a_triangle)
 {
-    static double place[][3] = {{0, 0, 0}, {1, 1, 0}, {0, 2, 0}, {2, 2, 0}};
+    static double position[][3] = {{0, 0, 0}, {1, 1, 0}, {0, 2, 0}, {2, 2, 0}};
     static const int triangle[] = {0, 1, 2, 1, 3, 2};
-    tf_adaptive_surface *surface = adaptive_of(4, place, 2, triangle);
+    tf_adaptive_surface *surface = adaptive_of(4, position, 2, triangle);
     ck_assert_int_eq(flip(surface, 1, 2), TF_FLATTENED);
     leave_out(1U << TF_FLATTENED);
     ck_assert_int_eq(flip(surface, 1, 2), TF_COMMITTED);
@@ -44,22 +45,24 @@ END_TEST
 /// A tetrahedron below a large triangle, whose edges are far away.
 static tf_adaptive_surface *under_a_roof(void)
 {
-    static double place[][3] = {{0, 0, 0},   {1, 0, 0},   {0, 1, 0},  {0, 0, 1},
-                                {-9, -9, 2}, {20, -9, 2}, {-9, 20, 2}};
+    static double position[][3] = {{0, 0, 0},  {1, 0, 0},   {0, 1, 0},
+                                   {0, 0, 1},  {-9, -9, 2}, {20, -9, 2},
+                                   {-9, 20, 2}};
     static const int triangle[] = {0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3, 4, 5, 6};
-    return adaptive_of(7, place, 5, triangle);
+    return adaptive_of(7, position, 5, triangle);
 }
 
 // S: an edge is split, and the tip pierces a triangle.
-START_TEST(a_split_could_pierce_a_triangle)
+START_TEST(S_refuses_a_split_that_pierces_a_triangle)
 {
-    static const double place[] = {0.25, 0.25, 3};
+    static const double position[] = {0.25, 0.25, 3};
     tf_adaptive_surface *surface = under_a_roof();
     tf_outcome outcome;
     int vertex;
     for (int i = 0; i < 2; i++) {
         ck_assert_int_eq(
-            tf_adaptive_split(surface, 1, 3, place, &vertex, &outcome), TF_OK);
+            tf_adaptive_split(surface, 1, 3, position, &vertex, &outcome),
+            TF_OK);
         ck_assert_int_eq(outcome, i == 0 ? TF_OVERLAPPED : TF_COMMITTED);
         leave_out(1U << TF_OVERLAPPED);
     }
@@ -69,14 +72,14 @@ START_TEST(a_split_could_pierce_a_triangle)
 END_TEST
 
 // V: a vertex moves far up, past a speck, which would be inside then.
-START_TEST(a_move_could_swallow_a_speck)
+START_TEST(V_refuses_a_move_that_swallows_a_speck)
 {
-    static double place[][3] = {{0, 0, 0},   {4, 0, 0},  {0, 4, 0},
-                                {0, 0, 4},   {3, 3, 2},  {3.1, 3, 2},
-                                {3, 3.1, 2}, {3, 3, 2.1}};
+    static double position[][3] = {{0, 0, 0},   {4, 0, 0},  {0, 4, 0},
+                                   {0, 0, 4},   {3, 3, 2},  {3.1, 3, 2},
+                                   {3, 3.1, 2}, {3, 3, 2.1}};
     static const int triangle[] = {0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3,
                                    4, 6, 5, 4, 5, 7, 5, 6, 7, 6, 4, 7};
-    tf_adaptive_surface *surface = adaptive_of(8, place, 8, triangle);
+    tf_adaptive_surface *surface = adaptive_of(8, position, 8, triangle);
     ck_assert_int_eq(move(surface, 3, 8, 8, 8), TF_PASSED_VERTEX);
     leave_out(1U << TF_PASSED_VERTEX);
     ck_assert_int_eq(move(surface, 3, 8, 8, 8), TF_COMMITTED);
@@ -86,7 +89,7 @@ START_TEST(a_move_could_swallow_a_speck)
 END_TEST
 
 // E: a corner passes an edge of its own tetrahedron, which turns inside out.
-START_TEST(a_move_could_pass_an_edge)
+START_TEST(E_refuses_a_move_that_passes_an_edge)
 {
     tf_adaptive_surface *surface = adaptive_tetrahedron();
     ck_assert_int_eq(move(surface, 0, 0.5, 0.5, -3), TF_PASSED_EDGE);
@@ -98,7 +101,7 @@ START_TEST(a_move_could_pass_an_edge)
 END_TEST
 
 // X: a corner passes through the face opposite, with the same result.
-START_TEST(a_move_could_pass_a_triangle)
+START_TEST(X_refuses_a_move_that_passes_a_triangle)
 {
     tf_adaptive_surface *surface = adaptive_tetrahedron();
     ck_assert_int_eq(move(surface, 0, -2, -2, -2), TF_PASSED_TRIANGLE);
@@ -111,7 +114,7 @@ END_TEST
 
 // At a boundary no triangle that is kept has the edges around the patch: the
 // middle of a sheet of four squares passes vertices and edges there.
-START_TEST(the_boundary_of_a_patch_is_in_the_way)
+START_TEST(the_boundary_of_a_patch_is_an_obstacle)
 {
     tf_adaptive_surface *surface = adaptive_sheet(2, 2);
     ck_assert_int_eq(move(surface, 4, 3, 1, 0), TF_OVERLAPPED);
@@ -140,12 +143,12 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("surgery/trial");
     TCase *tcase = tcase_create("witnesses");
-    tcase_add_test(tcase, a_flip_could_flatten_a_triangle);
-    tcase_add_test(tcase, a_split_could_pierce_a_triangle);
-    tcase_add_test(tcase, a_move_could_swallow_a_speck);
-    tcase_add_test(tcase, a_move_could_pass_an_edge);
-    tcase_add_test(tcase, a_move_could_pass_a_triangle);
-    tcase_add_test(tcase, the_boundary_of_a_patch_is_in_the_way);
+    tcase_add_test(tcase, D_refuses_a_flip_that_flattens_a_triangle);
+    tcase_add_test(tcase, S_refuses_a_split_that_pierces_a_triangle);
+    tcase_add_test(tcase, V_refuses_a_move_that_swallows_a_speck);
+    tcase_add_test(tcase, E_refuses_a_move_that_passes_an_edge);
+    tcase_add_test(tcase, X_refuses_a_move_that_passes_a_triangle);
+    tcase_add_test(tcase, the_boundary_of_a_patch_is_an_obstacle);
     tcase_add_test(tcase, touching_is_refused);
     suite_add_tcase(suite, tcase);
     return suite;

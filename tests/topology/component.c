@@ -15,7 +15,7 @@ static tf_adaptive_surface *three_balls(void)
     return blobs_surface(&made);
 }
 
-START_TEST(each_part_is_listed_once)
+START_TEST(each_component_is_listed_once)
 {
     tf_adaptive_surface *surface = three_balls();
     tf_components parts = {0};
@@ -42,7 +42,7 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("topology/component");
     TCase *tcase = tcase_create("parts");
-    tcase_add_test(tcase, each_part_is_listed_once);
+    tcase_add_test(tcase, each_component_is_listed_once);
     suite_add_tcase(suite, tcase);
     return suite;
 }

@@ -33,7 +33,7 @@ static tf_adaptive_surface *boxes(int first[4])
     return made;
 }
 
-START_TEST(what_holds_another_part_stays)
+START_TEST(a_component_that_holds_another_is_not_dropped)
 {
     int first[4];
     tf_adaptive_surface *surface = boxes(first);
@@ -51,7 +51,7 @@ START_TEST(what_holds_another_part_stays)
 END_TEST
 
 // In the hole of a ring is not inside it.
-START_TEST(what_surrounds_another_part_goes)
+START_TEST(a_ring_around_another_component_is_dropped)
 {
     static blobs made;
     static const double at[] = {0, 0, 0.01};
@@ -67,7 +67,7 @@ START_TEST(what_surrounds_another_part_goes)
 }
 END_TEST
 
-START_TEST(a_boundary_has_no_inside)
+START_TEST(a_component_with_a_boundary_is_not_dropped)
 {
     tf_adaptive_surface *surface = adaptive_sheet(2, 2);
     tf_outcome outcome;
@@ -81,9 +81,9 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("topology/drop");
     TCase *tcase = tcase_create("drops");
-    tcase_add_test(tcase, what_holds_another_part_stays);
-    tcase_add_test(tcase, what_surrounds_another_part_goes);
-    tcase_add_test(tcase, a_boundary_has_no_inside);
+    tcase_add_test(tcase, a_component_that_holds_another_is_not_dropped);
+    tcase_add_test(tcase, a_ring_around_another_component_is_dropped);
+    tcase_add_test(tcase, a_component_with_a_boundary_is_not_dropped);
     suite_add_tcase(suite, tcase);
     return suite;
 }

@@ -19,7 +19,7 @@ static size_t dropped(tf_adaptive_surface *surface, double limit)
 }
 
 // Balls of radius 1, 0.1 and 0.2, the last of which holds one of 0.05.
-START_TEST(small_parts_that_hold_nothing_go)
+START_TEST(small_components_that_hold_nothing_are_dropped)
 {
     static const double radius[] = {1, 0.1, 0.2, 0.05}, at[] = {0, 2, 3, 3};
     made.vertices = made.triangles = 0;
@@ -41,7 +41,7 @@ START_TEST(small_parts_that_hold_nothing_go)
 }
 END_TEST
 
-START_TEST(what_is_held_may_go_later)
+START_TEST(a_component_is_dropped_after_what_it_held)
 {
     static const double radius[] = {0.2, 0.05}, at[] = {0, 0};
     made.vertices = made.triangles = 0;
@@ -62,8 +62,8 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("topology/drop_pass");
     TCase *tcase = tcase_create("dropping");
-    tcase_add_test(tcase, small_parts_that_hold_nothing_go);
-    tcase_add_test(tcase, what_is_held_may_go_later);
+    tcase_add_test(tcase, small_components_that_hold_nothing_are_dropped);
+    tcase_add_test(tcase, a_component_is_dropped_after_what_it_held);
     suite_add_tcase(suite, tcase);
     return suite;
 }

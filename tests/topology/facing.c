@@ -29,7 +29,7 @@ static void end(void)
     tf_reconnector_free(&reconnector);
 }
 
-static const tf_facing_edges *row_at(int i)
+static const tf_facing_edges *pair_at(int i)
 {
     return (const tf_facing_edges *)reconnector.candidate.data + i;
 }
@@ -59,29 +59,29 @@ START_TEST(edges_across_a_gap_are_listed_the_nearest_first)
     ck_assert(tf_list_facing(&reconnector, 0.2));
     ck_assert_int_gt(reconnector.candidates, 10);
     for (int i = 0; i < reconnector.candidates; i++) {
-        const tf_facing_edges *row = row_at(i);
-        ck_assert(i == 0 || row[-1].distance <= row->distance);
-        ck_assert_double_lt(row->distance, 0.2);
-        ck_assert_double_eq_tol(about(row->first, row->second), row->distance,
-                                0.02);
+        const tf_facing_edges *pair = pair_at(i);
+        ck_assert(i == 0 || pair[-1].distance <= pair->distance);
+        ck_assert_double_lt(pair->distance, 0.2);
+        ck_assert_double_eq_tol(about(pair->first, pair->second),
+                                pair->distance, 0.02);
         bool lower =
-            tf_position_of(reconnector.surface, row->first[0]).x[2] < 0;
+            tf_position_of(reconnector.surface, pair->first[0]).x[2] < 0;
         ck_assert(
             lower !=
-            (tf_position_of(reconnector.surface, row->second[0]).x[2] < 0));
+            (tf_position_of(reconnector.surface, pair->second[0]).x[2] < 0));
         for (int j = 0; j < i; j++)
-            ck_assert(row_at(j)->first[0] != row->first[0] ||
-                      row_at(j)->first[1] != row->first[1] ||
-                      row_at(j)->second[0] != row->second[0] ||
-                      row_at(j)->second[1] != row->second[1]);
+            ck_assert(pair_at(j)->first[0] != pair->first[0] ||
+                      pair_at(j)->first[1] != pair->first[1] ||
+                      pair_at(j)->second[0] != pair->second[0] ||
+                      pair_at(j)->second[1] != pair->second[1]);
     }
     end();
 }
 END_TEST
 
-// All pairs, without the hierarchy: those whose ends are within reach are
+// All pairs, without the tree: those whose ends are within reach are
 // there.
-START_TEST(none_is_missing)
+START_TEST(all_facing_edges_are_listed)
 {
     begin(0.05, 3, _i);
     ck_assert(tf_list_facing(&reconnector, 0.3));
@@ -104,7 +104,7 @@ START_TEST(none_is_missing)
 END_TEST
 
 // The inner sides of a wall face away from each other.
-START_TEST(the_gap_must_be_outside)
+START_TEST(edges_that_face_inward_are_not_listed)
 {
     made.vertices = made.triangles = 0;
     const double middle[] = {0, 0, 0};
@@ -131,14 +131,14 @@ START_TEST(the_gap_must_be_outside)
 END_TEST
 
 // Two squares at a right angle, each before the other.
-START_TEST(normals_must_oppose)
+START_TEST(edges_whose_normals_do_not_oppose_are_not_listed)
 {
-    static double place[][3] = {{0, 0, 0},      {1, 0, 0},      {1, 1, 0},
-                                {0, 1, 0},      {-0.1, 0, 0.1}, {-0.1, 1, 0.1},
-                                {-0.1, 1, 1.1}, {-0.1, 0, 1.1}};
+    static double position[][3] = {
+        {0, 0, 0},      {1, 0, 0},      {1, 1, 0},      {0, 1, 0},
+        {-0.1, 0, 0.1}, {-0.1, 1, 0.1}, {-0.1, 1, 1.1}, {-0.1, 0, 1.1}};
     static const int triangle[] = {0, 1, 2, 0, 2, 3, 4, 5, 6, 4, 6, 7};
     reconnector = (tf_reconnector){
-        .surface = adaptive_of(8, place, 4, triangle), .report = &report};
+        .surface = adaptive_of(8, position, 4, triangle), .report = &report};
     ck_assert(tf_list_facing(&reconnector, 2));
     ck_assert_int_eq(reconnector.candidates, 0);
     end();
@@ -150,9 +150,9 @@ Suite *suite(void)
     Suite *suite = suite_create("topology/facing");
     TCase *tcase = tcase_create("edges");
     tcase_add_test(tcase, edges_across_a_gap_are_listed_the_nearest_first);
-    tcase_add_loop_test(tcase, none_is_missing, 0, 2);
-    tcase_add_test(tcase, normals_must_oppose);
-    tcase_add_test(tcase, the_gap_must_be_outside);
+    tcase_add_loop_test(tcase, all_facing_edges_are_listed, 0, 2);
+    tcase_add_test(tcase, edges_whose_normals_do_not_oppose_are_not_listed);
+    tcase_add_test(tcase, edges_that_face_inward_are_not_listed);
     suite_add_tcase(suite, tcase);
     return suite;
 }

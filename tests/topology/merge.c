@@ -53,7 +53,7 @@ static tf_outcome merge_diagonals(tf_adaptive_surface *surface)
     return outcome;
 }
 
-START_TEST(two_become_one)
+START_TEST(a_merge_joins_two_components)
 {
     tf_adaptive_surface *surface = two_boxes(false, false);
     int before = triangles_of(surface);
@@ -70,7 +70,7 @@ START_TEST(two_become_one)
 END_TEST
 
 // A speck between would be inside after that.
-START_TEST(nothing_is_swallowed)
+START_TEST(a_merge_around_a_speck_is_refused)
 {
     tf_adaptive_surface *surface = two_boxes(true, false);
     ck_assert_int_eq(merge_diagonals(surface), TF_PASSED_VERTEX);
@@ -82,7 +82,7 @@ START_TEST(nothing_is_swallowed)
 END_TEST
 
 // An outer side does not fit to an inner one: the tube would cross itself.
-START_TEST(sides_must_fit)
+START_TEST(a_front_does_not_merge_with_a_back)
 {
     tf_adaptive_surface *surface = two_boxes(false, true);
     ck_assert_int_eq(merge_diagonals(surface), TF_OVERLAPPED);
@@ -102,7 +102,7 @@ static tf_outcome merge(tf_adaptive_surface *surface, int a, int b, int c,
 
 // No edge; on the boundary; a common vertex; neighbors; a second edge between
 // the same two triangles.
-START_TEST(some_edges_do_not_merge)
+START_TEST(merges_that_leave_no_surface_are_impossible)
 {
     tf_adaptive_surface *surface = adaptive_sheet(8, 2);
     ck_assert_int_eq(merge(surface, 0, 26, 13, 23), TF_IMPOSSIBLE);
@@ -129,12 +129,12 @@ END_TEST
 
 // Two squares with a boundary, the upper of which looks down: what is left is a
 // tube, with the same boundary.
-START_TEST(a_boundary_stays_where_it_is)
+START_TEST(a_merge_keeps_the_boundary)
 {
-    static double place[][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
-                                {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
+    static double position[][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
+                                   {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
     static const int triangle[] = {0, 1, 2, 0, 2, 3, 4, 6, 5, 4, 7, 6};
-    tf_adaptive_surface *surface = adaptive_of(8, place, 4, triangle);
+    tf_adaptive_surface *surface = adaptive_of(8, position, 4, triangle);
     ck_assert_int_eq(merge(surface, 0, 2, 4, 6), TF_COMMITTED);
     ck_assert_int_eq(triangles_of(surface), 8);
     ck_assert(is_sound(surface));
@@ -147,7 +147,7 @@ START_TEST(a_boundary_stays_where_it_is)
 }
 END_TEST
 
-START_TEST(bad_requests_are_refused)
+START_TEST(invalid_requests_are_rejected)
 {
     tf_adaptive_surface *surface = adaptive_sheet(3, 1);
     tf_outcome outcome;
@@ -165,12 +165,12 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("topology/merge");
     TCase *tcase = tcase_create("merges");
-    tcase_add_test(tcase, two_become_one);
-    tcase_add_test(tcase, nothing_is_swallowed);
-    tcase_add_test(tcase, sides_must_fit);
-    tcase_add_test(tcase, some_edges_do_not_merge);
-    tcase_add_test(tcase, a_boundary_stays_where_it_is);
-    tcase_add_test(tcase, bad_requests_are_refused);
+    tcase_add_test(tcase, a_merge_joins_two_components);
+    tcase_add_test(tcase, a_merge_around_a_speck_is_refused);
+    tcase_add_test(tcase, a_front_does_not_merge_with_a_back);
+    tcase_add_test(tcase, merges_that_leave_no_surface_are_impossible);
+    tcase_add_test(tcase, a_merge_keeps_the_boundary);
+    tcase_add_test(tcase, invalid_requests_are_rejected);
     suite_add_tcase(suite, tcase);
     return suite;
 }

@@ -52,7 +52,7 @@ START_TEST(a_contact_is_merged_once)
 }
 END_TEST
 
-START_TEST(what_is_far_is_not_merged)
+START_TEST(distant_edges_are_not_merged)
 {
     begin(0.1, 0.3);
     ck_assert_uint_eq(merges(), 0);
@@ -62,7 +62,7 @@ START_TEST(what_is_far_is_not_merged)
 END_TEST
 
 // If edges should be longer than they are, a tube would be too thin.
-START_TEST(no_thin_tube_is_made)
+START_TEST(edges_with_short_sides_are_not_merged)
 {
     begin(0.02, 0.3);
     reconnector.options.pinch = 0.45;
@@ -76,8 +76,8 @@ Suite *suite(void)
     Suite *suite = suite_create("topology/merge_pass");
     TCase *tcase = tcase_create("merging");
     tcase_add_test(tcase, a_contact_is_merged_once);
-    tcase_add_test(tcase, what_is_far_is_not_merged);
-    tcase_add_test(tcase, no_thin_tube_is_made);
+    tcase_add_test(tcase, distant_edges_are_not_merged);
+    tcase_add_test(tcase, edges_with_short_sides_are_not_merged);
     suite_add_tcase(suite, tcase);
     return suite;
 }

@@ -17,9 +17,9 @@ static void begin(int a, int b, int c, int d)
         (tf_reconnector){.surface = adaptive_sheet(8, 2), .report = &report};
     ck_assert(
         tf_buffer_extend(&reconnector.candidate, 2, sizeof(tf_facing_edges)));
-    tf_facing_edges *row = reconnector.candidate.data;
-    row[0] = (tf_facing_edges){0, {a, b}, {a, b}};
-    row[1] = (tf_facing_edges){0, {c, d}, {c, d}};
+    tf_facing_edges *pair = reconnector.candidate.data;
+    pair[0] = (tf_facing_edges){0, {a, b}, {a, b}};
+    pair[1] = (tf_facing_edges){0, {c, d}, {c, d}};
     reconnector.candidates = 2;
     ck_assert(tf_find_pieces(&reconnector));
 }
@@ -52,7 +52,7 @@ START_TEST(a_piece_reaches_to_the_neighbors)
 }
 END_TEST
 
-START_TEST(pieces_that_touch_are_one)
+START_TEST(pieces_that_touch_are_united)
 {
     begin(0, 9, 3, 12); // 1 is beside the one, 2 beside the other
     ck_assert_int_eq(tf_piece_of(&reconnector, 0),
@@ -70,7 +70,7 @@ Suite *suite(void)
     Suite *suite = suite_create("topology/pieces");
     TCase *tcase = tcase_create("pieces");
     tcase_add_test(tcase, a_piece_reaches_to_the_neighbors);
-    tcase_add_test(tcase, pieces_that_touch_are_one);
+    tcase_add_test(tcase, pieces_that_touch_are_united);
     suite_add_tcase(suite, tcase);
     return suite;
 }

@@ -24,10 +24,10 @@ static void make_neck(void)
 static void add_speck(double x, double y, double z, double size)
 {
     int v = made.vertices;
-    const double place[4][3] = {
+    const double position[4][3] = {
         {x, y, z}, {x + size, y, z}, {x, y + size, z}, {x, y, z + size}};
     static const int triangle[] = {0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3};
-    memcpy(made.position[v], place, sizeof place);
+    memcpy(made.position[v], position, sizeof position);
     for (int i = 0; i < 12; i++)
         made.triangle[3 * made.triangles + i] = v + triangle[i];
     made.vertices += 4;
@@ -41,16 +41,17 @@ static tf_outcome pinch(tf_adaptive_surface *surface, bool down, double by,
 {
     const int up_loop[] = {6, 7, 8}, down_loop[] = {6, 8, 7};
     const int *loop = down ? down_loop : up_loop;
-    double place[9];
+    double position[9];
     for (int i = 0; i < 9; i++)
-        place[i] = place_of(surface, loop[i / 3])[i % 3] + (i % 3 == 2) * by;
+        position[i] =
+            coordinates_of(surface, loop[i / 3])[i % 3] + (i % 3 == 2) * by;
     tf_outcome outcome;
-    ck_assert_int_eq(tf_adaptive_pinch(surface, loop, place, vertex, &outcome),
-                     TF_OK);
+    ck_assert_int_eq(
+        tf_adaptive_pinch(surface, loop, position, vertex, &outcome), TF_OK);
     return outcome;
 }
 
-START_TEST(one_becomes_two)
+START_TEST(a_pinch_makes_two_components)
 {
     int vertex[3];
     make_neck();
@@ -63,7 +64,7 @@ START_TEST(one_becomes_two)
         ck_assert_int_eq(euler_of(surface), 4);
         ck_assert_int_eq(triangles_of(surface), before + 2);
         ck_assert(is_sound(surface));
-        ck_assert_double_eq(place_of(surface, vertex[0])[2], 2 + by);
+        ck_assert_double_eq(coordinates_of(surface, vertex[0])[2], 2 + by);
         ck_assert(has_triangle(surface, 6, down ? 8 : 7, down ? 7 : 8));
         ck_assert(has_triangle(surface, vertex[0], vertex[2], vertex[1]));
         tf_adaptive_free(surface);
@@ -72,7 +73,7 @@ START_TEST(one_becomes_two)
 END_TEST
 
 // What is in the neck would be outside.
-START_TEST(nothing_falls_out)
+START_TEST(a_pinch_that_lets_a_speck_out_is_refused)
 {
     int vertex[3];
     make_neck();
@@ -90,7 +91,7 @@ START_TEST(nothing_falls_out)
 END_TEST
 
 // Something goes through the neck.
-START_TEST(nothing_is_cut)
+START_TEST(a_pinch_through_a_speck_is_refused)
 {
     int vertex[3];
     make_neck();
@@ -103,39 +104,39 @@ START_TEST(nothing_is_cut)
 END_TEST
 
 // The left side moves out of its own part, beyond a speck outside.
-START_TEST(nothing_is_run_over)
+START_TEST(a_pinch_that_sweeps_over_a_speck_is_refused)
 {
     int vertex[3];
     make_neck();
     add_speck(0.5, 0, 2.08, 0.02);
     tf_adaptive_surface *surface = blobs_surface(&made);
-    double place[9];
+    double position[9];
     const int loop[] = {6, 7, 8};
     for (int i = 0; i < 9; i++)
-        place[i] = place_of(surface, 6 + i / 3)[i % 3] +
-                   (i % 3 == 2 ? 0.1 : 0) + (i == 0 ? 0.5 : 0);
+        position[i] = coordinates_of(surface, 6 + i / 3)[i % 3] +
+                      (i % 3 == 2 ? 0.1 : 0) + (i == 0 ? 0.5 : 0);
     tf_outcome outcome;
-    ck_assert_int_eq(tf_adaptive_pinch(surface, loop, place, vertex, &outcome),
-                     TF_OK);
+    ck_assert_int_eq(
+        tf_adaptive_pinch(surface, loop, position, vertex, &outcome), TF_OK);
     ck_assert_int_eq(outcome, TF_PASSED_VERTEX);
     tf_adaptive_free(surface);
 }
 END_TEST
 
 // The tip of a part may not pass the other side of its own.
-START_TEST(no_tip_turns_inside_out)
+START_TEST(a_pinch_that_turns_a_tip_inside_out_is_refused)
 {
-    static double place[][3] = {{1, 0, 0}, {-1, 1, 0},   {-1, -1, 0},
-                                {0, 0, 1}, {0.1, 0, -1}, {-0.1, 0, -3}};
+    static double position[][3] = {{1, 0, 0}, {-1, 1, 0},   {-1, -1, 0},
+                                   {0, 0, 1}, {0.1, 0, -1}, {-0.1, 0, -3}};
     static const int triangle[] = {0, 1, 3, 1, 2, 3, 2, 0, 3, 1, 0, 4,
                                    4, 0, 2, 1, 4, 5, 4, 2, 5, 2, 1, 5};
-    tf_adaptive_surface *surface = adaptive_of(6, place, 8, triangle);
+    tf_adaptive_surface *surface = adaptive_of(6, position, 8, triangle);
     const int loop[] = {0, 1, 2};
     double up[9];
     int vertex[3];
     tf_outcome outcome;
     for (int i = 0; i < 9; i++)
-        up[i] = place[i / 3][i % 3] + (i % 3 == 2 ? 3 : 0);
+        up[i] = position[i / 3][i % 3] + (i % 3 == 2 ? 3 : 0);
     ck_assert_int_eq(tf_adaptive_pinch(surface, loop, up, vertex, &outcome),
                      TF_OK);
     ck_assert_int_ne(outcome, TF_COMMITTED);
@@ -150,7 +151,7 @@ START_TEST(no_tip_turns_inside_out)
 END_TEST
 
 // A ring with a hole of three edges: it is closed, and the ring is a ball.
-START_TEST(a_hole_is_closed)
+START_TEST(a_pinch_closes_a_hole)
 {
     static const double at[3] = {0};
     made.vertices = made.triangles = 0;
@@ -158,23 +159,27 @@ START_TEST(a_hole_is_closed)
     tf_adaptive_surface *surface = blobs_surface(&made);
     ck_assert_int_eq(euler_of(surface), 0);
     const int loop[] = {1, 4, 7}; // the inner ones
-    double place[9];
+    double position[9];
     int vertex[3];
     tf_outcome outcome;
     for (int i = 0; i < 9; i++)
-        place[i] = place_of(surface, loop[i / 3])[i % 3] +
-                   0.1 * (i % 3 == 2 ? -1 : 1) *
-                       (i % 3 == 2 ? 1 : place_of(surface, loop[i / 3])[i % 3]);
-    ck_assert_int_eq(tf_adaptive_pinch(surface, loop, place, vertex, &outcome),
-                     TF_OK);
+        position[i] =
+            coordinates_of(surface, loop[i / 3])[i % 3] +
+            0.1 * (i % 3 == 2 ? -1 : 1) *
+                (i % 3 == 2 ? 1 : coordinates_of(surface, loop[i / 3])[i % 3]);
+    ck_assert_int_eq(
+        tf_adaptive_pinch(surface, loop, position, vertex, &outcome), TF_OK);
     if (outcome != TF_COMMITTED) { // the other side
         const int back[] = {1, 7, 4};
         for (int i = 0; i < 9; i++)
-            place[i] =
-                place_of(surface, back[i / 3])[i % 3] +
-                0.1 * (i % 3 == 2 ? -1 : place_of(surface, back[i / 3])[i % 3]);
+            position[i] =
+                coordinates_of(surface, back[i / 3])[i % 3] +
+                0.1 * (i % 3 == 2
+                           ? -1
+                           : coordinates_of(surface, back[i / 3])[i % 3]);
         ck_assert_int_eq(
-            tf_adaptive_pinch(surface, back, place, vertex, &outcome), TF_OK);
+            tf_adaptive_pinch(surface, back, position, vertex, &outcome),
+            TF_OK);
     }
     ck_assert_int_eq(outcome, TF_COMMITTED);
     ck_assert_int_eq(parts_of(surface), 1);
@@ -186,17 +191,17 @@ END_TEST
 
 static tf_outcome try_loop(tf_adaptive_surface *surface, int a, int b, int c)
 {
-    static const double place[9] = {9, 9, 9, 9, 9, 8, 9, 8, 8};
+    static const double position[9] = {9, 9, 9, 9, 9, 8, 9, 8, 8};
     int vertex[3];
     tf_outcome outcome;
-    ck_assert_int_eq(tf_adaptive_pinch(surface, (const int[]){a, b, c}, place,
-                                       vertex, &outcome),
+    ck_assert_int_eq(tf_adaptive_pinch(surface, (const int[]){a, b, c},
+                                       position, vertex, &outcome),
                      TF_OK);
     return outcome;
 }
 
 // A triangle; no edge; the same vertex; on the boundary.
-START_TEST(some_loops_are_not_pinched)
+START_TEST(pinches_that_leave_no_surface_are_impossible)
 {
     make_neck();
     tf_adaptive_surface *surface = blobs_surface(&made);
@@ -217,7 +222,7 @@ END_TEST
 
 // The triangle of 6, 9 and 10 is missing, above the loop; its other edges are
 // whole.
-START_TEST(a_gap_beside_the_loop_is_in_the_way)
+START_TEST(a_loop_beside_a_gap_is_not_pinched)
 {
     make_neck();
     for (int t = 0; t < made.triangles; t++) {
@@ -234,19 +239,21 @@ START_TEST(a_gap_beside_the_loop_is_in_the_way)
 }
 END_TEST
 
-START_TEST(bad_requests_are_refused)
+START_TEST(invalid_requests_are_rejected)
 {
     int vertex[3];
-    double place[9] = {0};
+    double position[9] = {0};
     tf_outcome outcome;
     make_neck();
     tf_adaptive_surface *surface = blobs_surface(&made);
     const int bad[] = {6, 7, 99}, good[] = {6, 7, 8};
-    ck_assert_int_eq(tf_adaptive_pinch(surface, bad, place, vertex, &outcome),
-                     TF_BAD_INDEX);
-    place[8] = 1 / place[0];
-    ck_assert_int_eq(tf_adaptive_pinch(surface, good, place, vertex, &outcome),
-                     TF_NOT_FINITE);
+    ck_assert_int_eq(
+        tf_adaptive_pinch(surface, bad, position, vertex, &outcome),
+        TF_BAD_INDEX);
+    position[8] = 1 / position[0];
+    ck_assert_int_eq(
+        tf_adaptive_pinch(surface, good, position, vertex, &outcome),
+        TF_NOT_FINITE);
     tf_adaptive_free(surface);
 }
 END_TEST
@@ -255,15 +262,15 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("topology/pinch");
     TCase *tcase = tcase_create("pinches");
-    tcase_add_test(tcase, one_becomes_two);
-    tcase_add_test(tcase, nothing_falls_out);
-    tcase_add_test(tcase, nothing_is_cut);
-    tcase_add_test(tcase, nothing_is_run_over);
-    tcase_add_test(tcase, no_tip_turns_inside_out);
-    tcase_add_test(tcase, a_hole_is_closed);
-    tcase_add_test(tcase, some_loops_are_not_pinched);
-    tcase_add_test(tcase, a_gap_beside_the_loop_is_in_the_way);
-    tcase_add_test(tcase, bad_requests_are_refused);
+    tcase_add_test(tcase, a_pinch_makes_two_components);
+    tcase_add_test(tcase, a_pinch_that_lets_a_speck_out_is_refused);
+    tcase_add_test(tcase, a_pinch_through_a_speck_is_refused);
+    tcase_add_test(tcase, a_pinch_that_sweeps_over_a_speck_is_refused);
+    tcase_add_test(tcase, a_pinch_that_turns_a_tip_inside_out_is_refused);
+    tcase_add_test(tcase, a_pinch_closes_a_hole);
+    tcase_add_test(tcase, pinches_that_leave_no_surface_are_impossible);
+    tcase_add_test(tcase, a_loop_beside_a_gap_is_not_pinched);
+    tcase_add_test(tcase, invalid_requests_are_rejected);
     suite_add_tcase(suite, tcase);
     return suite;
 }

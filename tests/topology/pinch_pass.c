@@ -50,7 +50,7 @@ START_TEST(a_neck_of_short_edges_is_pinched)
     double low = 9, high = 0;
     for (int v = 6; v < tf_adaptive_mesh(reconnector.surface).vertices; v++)
         if (v < 9 || v >= made.vertices) {
-            double z = place_of(reconnector.surface, v)[2];
+            double z = coordinates_of(reconnector.surface, v)[2];
             low = fmin(low, z);
             high = fmax(high, z);
         }
@@ -59,7 +59,7 @@ START_TEST(a_neck_of_short_edges_is_pinched)
 }
 END_TEST
 
-START_TEST(a_wide_neck_stays)
+START_TEST(a_wide_neck_is_not_pinched)
 {
     static const double radius[] = {1, 1, 0.5, 1, 1},
                         height[] = {0, 1, 2, 3, 4};
@@ -70,7 +70,7 @@ START_TEST(a_wide_neck_stays)
 END_TEST
 
 // The first and the last ring have one vertex beyond.
-START_TEST(a_tip_stays)
+START_TEST(a_tip_is_not_pinched)
 {
     static const double radius[] = {0.3, 0.3}, height[] = {0, 1};
     begin(2, radius, height);
@@ -81,7 +81,7 @@ START_TEST(a_tip_stays)
 END_TEST
 
 // A thread of two loops is cut at one of them, or at both.
-START_TEST(a_thread_is_cut)
+START_TEST(a_thread_of_two_loops_is_cut)
 {
     static const double radius[] = {1, 1, 0.3, 0.25, 1, 1},
                         height[] = {0, 1, 2, 3, 4, 5};
@@ -116,9 +116,9 @@ Suite *suite(void)
     Suite *suite = suite_create("topology/pinch_pass");
     TCase *tcase = tcase_create("pinching");
     tcase_add_test(tcase, a_neck_of_short_edges_is_pinched);
-    tcase_add_test(tcase, a_wide_neck_stays);
-    tcase_add_test(tcase, a_tip_stays);
-    tcase_add_test(tcase, a_thread_is_cut);
+    tcase_add_test(tcase, a_wide_neck_is_not_pinched);
+    tcase_add_test(tcase, a_tip_is_not_pinched);
+    tcase_add_test(tcase, a_thread_of_two_loops_is_cut);
     tcase_add_test(tcase, a_boundary_is_not_pinched);
     suite_add_tcase(suite, tcase);
     return suite;

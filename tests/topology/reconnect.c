@@ -33,7 +33,7 @@ static void move_all(tf_adaptive_surface *surface,
     for (int v = 0; v < vertices; v++) {
         double to[3];
         tf_outcome outcome;
-        way(place_of(surface, v), to);
+        way(coordinates_of(surface, v), to);
         ck_assert_int_eq(tf_adaptive_move(surface, v, to, &outcome), TF_OK);
     }
 }
@@ -79,7 +79,7 @@ static void meet(tf_adaptive_surface *surface, int steps, int from)
     }
 }
 
-START_TEST(balls_that_meet_are_one)
+START_TEST(two_balls_that_meet_become_one)
 {
     tf_adaptive_surface *surface = make_balls((uint64_t)_i);
     meet(surface, 12, 0);
@@ -103,7 +103,7 @@ START_TEST(one_contact_makes_one_merge)
 END_TEST
 
 // Four balls in a ring meet in four places: that makes a handle.
-START_TEST(a_ring_of_balls_is_a_ring)
+START_TEST(a_ring_of_balls_gets_one_handle)
 {
     static const double way[4][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
     made.vertices = made.triangles = 0;
@@ -166,7 +166,8 @@ static void even_out(tf_adaptive_surface *surface)
         int from = t[c % 3], to = t[(c + 1) % 3], added;
         if (t[0] < 0)
             continue;
-        const double *a = place_of(surface, from), *b = place_of(surface, to);
+        const double *a = coordinates_of(surface, from),
+                     *b = coordinates_of(surface, to);
         double length = length_between(a, b);
         const double middle[] = {(a[0] + b[0]) / 2, (a[1] + b[1]) / 2,
                                  (a[2] + b[2]) / 2};
@@ -182,7 +183,7 @@ static void even_out(tf_adaptive_surface *surface)
     }
 }
 
-START_TEST(a_neck_is_pinched)
+START_TEST(a_squeezed_dumbbell_becomes_two_balls)
 {
     tf_adaptive_surface *surface = make_dumbbell();
     report = (tf_reconnect_report){0};
@@ -202,7 +203,7 @@ END_TEST
 
 // -----------------------------------------------------------------------------
 
-START_TEST(bad_options_are_refused)
+START_TEST(invalid_options_are_rejected)
 {
     tf_adaptive_surface *surface = adaptive_tetrahedron();
     tf_reconnect_options how[] = {{.edge = 0},
@@ -222,11 +223,11 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("topology/reconnect");
     TCase *tcase = tcase_create("reconnections");
-    tcase_add_loop_test(tcase, balls_that_meet_are_one, 0, 10);
+    tcase_add_loop_test(tcase, two_balls_that_meet_become_one, 0, 10);
     tcase_add_loop_test(tcase, one_contact_makes_one_merge, 0, 10);
-    tcase_add_test(tcase, a_ring_of_balls_is_a_ring);
-    tcase_add_test(tcase, a_neck_is_pinched);
-    tcase_add_test(tcase, bad_options_are_refused);
+    tcase_add_test(tcase, a_ring_of_balls_gets_one_handle);
+    tcase_add_test(tcase, a_squeezed_dumbbell_becomes_two_balls);
+    tcase_add_test(tcase, invalid_options_are_rejected);
     suite_add_tcase(suite, tcase);
     return suite;
 }

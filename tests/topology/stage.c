@@ -9,7 +9,7 @@
 
 // A corner of a tetrahedron moves out, and then further: the triangles of the
 // first stage are there in the second one, and go then.
-START_TEST(a_stage_follows_another)
+START_TEST(a_stage_replaces_triangles_of_an_earlier_one)
 {
     static const double near[] = {2, 2, 2}, far[] = {3, 3, 3};
     tf_adaptive_surface *surface = adaptive_tetrahedron();
@@ -51,11 +51,11 @@ END_TEST
 /// Adds a triangle on an edge of the sheet, upwards.
 static void add_fin(tf_adaptive_surface *surface, double x, double y, double z)
 {
-    const double place[] = {x, y, z};
-    tf_surgery_add(surface, 0, 1, tf_surgery_place(surface, place));
+    const double position[] = {x, y, z};
+    tf_surgery_add(surface, 0, 1, tf_surgery_place(surface, position));
 }
 
-START_TEST(what_is_settled_is_in_the_way)
+START_TEST(triangles_of_earlier_stages_are_obstacles)
 {
     tf_adaptive_surface *surface = adaptive_sheet(1, 1);
     ck_assert(tf_surgery_begin(surface, 6));
@@ -72,8 +72,8 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("topology/stage");
     TCase *tcase = tcase_create("stages");
-    tcase_add_test(tcase, a_stage_follows_another);
-    tcase_add_test(tcase, what_is_settled_is_in_the_way);
+    tcase_add_test(tcase, a_stage_replaces_triangles_of_an_earlier_one);
+    tcase_add_test(tcase, triangles_of_earlier_stages_are_obstacles);
     suite_add_tcase(suite, tcase);
     return suite;
 }

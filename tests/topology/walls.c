@@ -15,15 +15,15 @@ enum {
 /// A unit square that looks up, and a speck somewhere.
 static tf_adaptive_surface *square_and_speck(double x, double y, double z)
 {
-    static double place[8][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+    static double position[8][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
     static const int triangle[] = {0, 1, 2, 0, 2, 3, 4, 6, 5,
                                    4, 5, 7, 5, 6, 7, 6, 4, 7};
     for (int i = 0; i < 12; i++) {
         const double at[] = {x, y, z};
-        place[SPECK + i / 3][i % 3] =
+        position[SPECK + i / 3][i % 3] =
             at[i % 3] + (i / 3 == i % 3 + 1 ? 0.01 : 0);
     }
-    return adaptive_of(8, place, 6, triangle);
+    return adaptive_of(8, position, 6, triangle);
 }
 
 /// Tries to replace the square by a pyramid, upwards or downwards.
@@ -46,7 +46,7 @@ static tf_outcome try_pyramid(tf_adaptive_surface *surface, double height)
     return tf_walls_try(&walls, surface);
 }
 
-START_TEST(a_ball_may_hold_nothing)
+START_TEST(a_ball_that_holds_a_vertex_is_refused)
 {
     static const struct {
         double x, y, z, height;
@@ -75,7 +75,7 @@ START_TEST(a_ball_may_hold_nothing)
 }
 END_TEST
 
-START_TEST(walls_are_in_the_way)
+START_TEST(triangles_on_walls_are_refused)
 {
     tf_adaptive_surface *surface = square_and_speck(9, 9, 9);
     ck_assert_int_eq(try_pyramid(surface, 0), TF_OVERLAPPED);
@@ -90,8 +90,8 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("topology/walls");
     TCase *tcase = tcase_create("balls");
-    tcase_add_test(tcase, a_ball_may_hold_nothing);
-    tcase_add_test(tcase, walls_are_in_the_way);
+    tcase_add_test(tcase, a_ball_that_holds_a_vertex_is_refused);
+    tcase_add_test(tcase, triangles_on_walls_are_refused);
     suite_add_tcase(suite, tcase);
     return suite;
 }

@@ -6,7 +6,7 @@
 
 static surgery_counts counts;
 
-START_TEST(operations_never_tangle)
+START_TEST(operations_never_tangle_the_surface)
 {
     long runs = cases(20);
     for (long i = 0; i < runs; i++) {
@@ -24,7 +24,7 @@ END_TEST
 static tf_adaptive_surface *mirrored(const adaptive_scene *scene,
                                      generator *random, int number[])
 {
-    static double place[PLACED_VERTICES][3];
+    static double position[PLACED_VERTICES][3];
     static int triangle[3 * PLACED_TRIANGLES];
     for (int v = 0; v < scene->vertices; v++) {
         int other = below(random, v + 1);
@@ -33,7 +33,7 @@ static tf_adaptive_surface *mirrored(const adaptive_scene *scene,
         number[other] = v;
     }
     for (int i = 0; i < 3 * scene->vertices; i++)
-        place[number[i / 3]][i % 3] =
+        position[number[i / 3]][i % 3] =
             i % 3 == 0 ? -scene->position[i] : scene->position[i];
     for (int t = 0; t < scene->triangles; t++) {
         int turned = below(random, 3);
@@ -41,7 +41,7 @@ static tf_adaptive_surface *mirrored(const adaptive_scene *scene,
             triangle[3 * (scene->triangles - 1 - t) + (turned + 3 - i) % 3] =
                 number[scene->triangle[3 * t + i]];
     }
-    return adaptive_of(scene->vertices, place, scene->triangles, triangle);
+    return adaptive_of(scene->vertices, position, scene->triangles, triangle);
 }
 
 START_TEST(the_same_surgery_is_accepted_in_a_mirror)
@@ -56,7 +56,7 @@ START_TEST(the_same_surgery_is_accepted_in_a_mirror)
         surgery_choice one = surgery_run_choose(&run), its = one;
         its.a = number[one.a];
         its.b = number[one.b];
-        its.place[0] = -one.place[0];
+        its.position[0] = -one.position[0];
         tf_outcome outcome = surgery_choice_try(run.surface, &one, &vertex);
         tf_outcome same = surgery_choice_try(other, &its, &others);
         ck_assert_int_eq(outcome == TF_COMMITTED, same == TF_COMMITTED);
@@ -79,7 +79,7 @@ static const struct {
     {TF_PASSED_TRIANGLE, DUST},
 };
 
-START_TEST(every_test_is_needed)
+START_TEST(each_test_left_out_is_noticed)
 {
     const char *fault = NULL;
     for (uint64_t i = 0; i < 200 && !fault; i++)
@@ -93,10 +93,11 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("whole/surgery");
     TCase *tcase = tcase_create("operations");
-    tcase_add_loop_test(tcase, operations_never_tangle, 0, ADAPTIVE_SCENES);
+    tcase_add_loop_test(tcase, operations_never_tangle_the_surface, 0,
+                        ADAPTIVE_SCENES);
     tcase_add_loop_test(tcase, the_same_surgery_is_accepted_in_a_mirror, 0,
                         ADAPTIVE_SCENES);
-    tcase_add_loop_test(tcase, every_test_is_needed, 0,
+    tcase_add_loop_test(tcase, each_test_left_out_is_noticed, 0,
                         sizeof needed / sizeof *needed);
     suite_add_tcase(suite, tcase);
     return suite;

@@ -5,7 +5,7 @@
 
 static reconnection_counts counts;
 
-START_TEST(reconnecting_changes_sides_only_as_it_must)
+START_TEST(only_what_reconnects_changes_sides)
 {
     long runs = cases(5);
     for (long i = 0; i < runs; i++) {
@@ -28,7 +28,7 @@ static const struct {
     {TF_PASSED_VERTEX, FACING_BOXES},
 };
 
-START_TEST(every_test_is_needed)
+START_TEST(each_test_left_out_is_noticed)
 {
     const char *fault = NULL;
     for (uint64_t i = 0; i < 40 && !fault; i++)
@@ -42,9 +42,9 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("whole/topology");
     TCase *tcase = tcase_create("reconnections");
-    tcase_add_loop_test(tcase, reconnecting_changes_sides_only_as_it_must, 0,
+    tcase_add_loop_test(tcase, only_what_reconnects_changes_sides, 0,
                         MERGING_SCENES);
-    tcase_add_loop_test(tcase, every_test_is_needed, 0,
+    tcase_add_loop_test(tcase, each_test_left_out_is_noticed, 0,
                         sizeof needed / sizeof *needed);
     suite_add_tcase(suite, tcase);
     return suite;

@@ -1,0 +1,243 @@
+//: Include what an advance needs
+#include "flow/advance.h"
+
+#include "remesh/measure.h"
+#include "response/resolve.h"
+#include "surface/surface_memory.h"
+#include "surgery/star.h"
+
+#include <string.h>
+
+//: Keep the memory of an advance
+void tf_advance_free(tf_advance *advance)
+{
+    tf_resolver_free(advance->resolver);
+    tf_surface_free(advance->elements);
+    tf_buffer_free(&advance->room);
+}
+
+size_t tf_advance_memory(const tf_advance *advance)
+{
+    size_t bytes = advance->room.bytes;
+    if (advance->elements)
+        bytes += tf_surface_memory(advance->elements);
+    if (advance->resolver)
+        bytes += tf_resolver_memory(advance->resolver);
+    return bytes;
+}
+
+//: Make room for an advance
+/// Room for five vectors of each point, and a mass of each vertex.
+static bool reserve_points(tf_advance *a)
+{
+    size_t numbers = 3 * (size_t)a->points;
+    if (!tf_buffer_extend(&a->room, 5 * numbers + (size_t)a->vertices,
+                          sizeof(double)))
+        return false;
+    double **part[] = {&a->start,    &a->stage, &a->normal,
+                       &a->velocity, &a->end,   &a->inverse_mass};
+    double *next = a->room.data;
+    for (size_t i = 0; i < 6; i++, next += numbers)
+        *part[i] = next;
+    return true;
+}
+
+//: Place the points of an advance
+static void put_point(double x[], int point, tf_vector value)
+{
+    memcpy(x + 3 * (ptrdiff_t)point, value.x, sizeof value.x);
+}
+
+static void place_points(tf_advance *a)
+{
+    memcpy(a->start, a->surface->position.data,
+           3 * sizeof *a->start * (size_t)a->vertices);
+    for (int e = 0; e < a->edges; e++) {
+        const int *end = a->edge + 2 * (ptrdiff_t)e;
+        put_point(a->start, a->vertices + e,
+                  tf_middle_of(a->surface, end[0], end[1]));
+    }
+}
+
+//: Take the triangles of a step
+/// Gives the response the triangles that the surface has in this step.
+static tf_status take_elements(tf_advance *a)
+{
+    tf_mesh mesh = tf_adaptive_mesh(a->surface);
+    tf_status status = TF_OK;
+    if (!a->elements)
+        status = tf_surface_create(&mesh, &a->elements, NULL);
+    else if (!tf_surface_refill(a->elements, &mesh))
+        status = TF_OUT_OF_MEMORY;
+    return status == TF_OK && !a->resolver
+               ? tf_resolver_create(a->elements, &a->resolver)
+               : status;
+}
+
+//: Begin an advance
+tf_status tf_advance_begin(tf_advance *a, const tf_flow_options *options,
+                           double time, double step)
+{
+    tf_status status = take_elements(a);
+    if (status != TF_OK)
+        return status;
+    a->options = options;
+    a->time = time;
+    a->step = step;
+    a->edge = tf_surface_edges(a->elements, &a->edges);
+    a->vertices = a->surface->vertices;
+    a->points = a->vertices + a->edges;
+    if (!reserve_points(a))
+        return TF_OUT_OF_MEMORY;
+    place_points(a);
+    return TF_OK;
+}
+
+//: Sum up normals
+/// The sum of the normals of the triangles at each vertex, in any positions.
+static void sum_normals(const tf_advance *a, const double position[],
+                        double normal[])
+{
+    tf_mesh mesh = tf_adaptive_mesh(a->surface);
+    memset(normal, 0, 3 * sizeof *normal * (size_t)a->vertices);
+    for (int t = 0; t < mesh.triangles; t++) {
+        const int *v = mesh.triangle + 3 * (ptrdiff_t)t;
+        tf_shape shape = {{tf_vector_at(position, v[0]),
+                           tf_vector_at(position, v[1]),
+                           tf_vector_at(position, v[2])}};
+        tf_vector own = tf_shape_normal(&shape);
+        for (int i = 0; i < 3; i++)
+            put_point(normal, v[i],
+                      tf_vector_sum(tf_vector_at(normal, v[i]), 1, own));
+    }
+}
+
+//: Make the normals unit vectors
+/// Of length 1, unless it has no length.
+static tf_vector unit_of(tf_vector a)
+{
+    return tf_vector_length(a) > 0 ? tf_vector_unit(a) : a;
+}
+
+static void find_normals(tf_advance *a)
+{
+    sum_normals(a, a->stage, a->normal);
+    for (int e = 0; e < a->edges; e++) {
+        const int *end = a->edge + 2 * (ptrdiff_t)e;
+        put_point(a->normal, a->vertices + e,
+                  unit_of(tf_vector_sum(tf_vector_at(a->normal, end[0]), 1,
+                                        tf_vector_at(a->normal, end[1]))));
+    }
+    for (int v = 0; v < a->vertices; v++)
+        put_point(a->normal, v, unit_of(tf_vector_at(a->normal, v)));
+}
+
+//: Advance by the method of Runge and Kutta
+/// Takes the velocities at `part` of the step, having gone so far along the
+/// last ones, and goes on by `weight` of the step along them.
+static void go_on(tf_advance *a, double part, double weight)
+{
+    const tf_flow_options *options = a->options;
+    double along = part * a->step;
+    for (int i = 0; i < 3 * a->points; i++)
+        a->stage[i] = a->start[i] + (part > 0 ? along * a->velocity[i] : 0);
+    find_normals(a);
+    options->velocity(options->context, a->time + along, a->points, a->stage,
+                      a->normal, a->velocity);
+    for (int i = 0; i < 3 * a->points; i++)
+        a->end[i] += weight * a->step * a->velocity[i];
+}
+
+void tf_advance_propose(tf_advance *a)
+{
+    memcpy(a->end, a->start, 3 * sizeof *a->end * (size_t)a->points);
+    go_on(a, 0, 1.0 / 6);
+    go_on(a, 0.5, 1.0 / 3);
+    go_on(a, 0.5, 1.0 / 3);
+    go_on(a, 1, 1.0 / 6);
+}
+
+//: Find what chords lose
+/// The middle of an edge leaves the chord between its ends.  A triangle whose
+/// three sides do so encloses less, by the sum over its sides of a third of its
+/// area times their rise; each of its vertices is to restore a third of that.
+static void add_errors(const tf_advance *a, int corner, tf_vector rise,
+                       double error[])
+{
+    if (corner == TF_NONE)
+        return;
+    const int *v = tf_triangle(a->surface, corner / 3);
+    tf_shape shape = {{tf_vector_at(a->end, v[0]), tf_vector_at(a->end, v[1]),
+                       tf_vector_at(a->end, v[2])}};
+    double lost = tf_vector_dot(tf_shape_normal(&shape), rise);
+    for (int i = 0; i < 3; i++)
+        error[v[i]] += lost / 3;
+}
+
+/// The volume error of each vertex, times 6.
+static void find_errors(const tf_advance *a, double error[])
+{
+    memset(error, 0, sizeof *error * (size_t)a->vertices);
+    for (int e = 0; e < a->edges; e++) {
+        const int *end = a->edge + 2 * (ptrdiff_t)e;
+        tf_vector middle =
+            tf_vector_scaled(0.5, tf_vector_sum(tf_vector_at(a->end, end[0]), 1,
+                                                tf_vector_at(a->end, end[1])));
+        tf_vector rise =
+            tf_vector_difference(tf_vector_at(a->end, a->vertices + e), middle);
+        add_errors(a, tf_find_edge(a->surface, end[0], end[1]), rise, error);
+        add_errors(a, tf_find_edge(a->surface, end[1], end[0]), rise, error);
+    }
+}
+
+//: Restore what chords lose
+void tf_advance_restore_volume(tf_advance *a)
+{
+    double *error = a->velocity, most = 0.1 * a->options->edge;
+    find_errors(a, error);
+    sum_normals(a, a->end, a->normal);
+    for (int v = 0; v < a->vertices; v++) {
+        tf_vector normal = tf_vector_at(a->normal, v);
+        double square = tf_vector_dot(normal, normal);
+        double rise = error[v] / square;
+        if (fabs(rise) * sqrt(square) <= most)
+            put_point(a->end, v,
+                      tf_vector_sum(tf_vector_at(a->end, v), rise, normal));
+    }
+}
+
+//: Hold what may not move
+/// An isolated triangle could turn over without touching anything.
+static void hold_isolated_triangles(tf_advance *a)
+{
+    for (int v = 0; v < a->vertices; v++)
+        a->inverse_mass[v] = 1;
+    for (int t = 0; t < a->surface->triangles; t++) {
+        const int *v = tf_triangle(a->surface, t);
+        for (int i = 0, count = tf_is_isolated(a->surface, t) ? 3 : 0;
+             i < count; i++) {
+            a->inverse_mass[v[i]] = 0;
+            put_point(a->end, v[i], tf_vector_at(a->start, v[i]));
+        }
+    }
+}
+
+//: Move the vertices to their ends
+static void put_ends(const tf_advance *a)
+{
+    memcpy(a->surface->position.data, a->end,
+           3 * sizeof *a->end * (size_t)a->vertices);
+    tf_stars_build(a->surface, a->surface->box.data);
+}
+
+tf_status tf_advance_resolve(tf_advance *a, tf_response_report *report)
+{
+    tf_response_options options = {.parallel = a->options->parallel};
+    hold_isolated_triangles(a);
+    tf_status status =
+        tf_step_resolve(a->resolver, a->vertices, a->start, a->end,
+                        a->inverse_mass, &options, report, NULL);
+    if (status == TF_OK)
+        put_ends(a);
+    return status;
+}

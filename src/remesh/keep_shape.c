@@ -1,0 +1,77 @@
+//: Project to the original
+#include "remesh/keep_shape.h"
+
+/// The nearest point of the original if that is nearer than the target length,
+/// or else the point itself.
+static tf_vector project(tf_remesher *remesher, tf_vector point)
+{
+    tf_vector projected;
+    double distance =
+        tf_original_nearest(&remesher->original, point.x, projected.x);
+    return distance < remesher->options.edge ? projected : point;
+}
+
+//: Choose where an edge is split
+/// In the middle, and unless the edge is sharp, where the original is nearest to
+/// that.
+static bool choose_split(tf_remesher *remesher, int corner, int refused,
+                         tf_vector *position, tf_volume_error *error)
+{
+    const tf_adaptive_surface *surface = remesher->surface;
+    (void)error;
+    if (refused > 0)
+        return false;
+    *position = tf_middle_of(surface, tf_vertex_at(surface, corner),
+                             tf_vertex_at(surface, tf_corner_after(corner)));
+    if (!tf_is_sharp_edge(surface, corner))
+        *position = project(remesher, *position);
+    return true;
+}
+
+//: Choose how a short edge collapses
+/// Two free vertices meet in the middle, and else the freer one goes to the
+/// other.
+static bool choose_collapse(tf_remesher *remesher, int corner,
+                            tf_edge_collapse *collapse)
+{
+    const tf_adaptive_surface *surface = remesher->surface;
+    int a = tf_vertex_at(surface, corner);
+    int b = tf_vertex_at(surface, tf_corner_after(corner));
+    const tf_freedom freedom[] = {tf_freedom_of(surface, a),
+                                  tf_freedom_of(surface, b)};
+    bool may_go = tf_collapse_freer(
+        surface, corner, freedom, tf_is_sharp_edge(surface, corner), collapse);
+    if (freedom[0] == TF_FREE && freedom[1] == TF_FREE)
+        collapse->position = project(remesher, tf_middle_of(surface, a, b));
+    return may_go;
+}
+
+//: Choose which edges flip
+/// Those whose worse triangle becomes better.
+static bool choose_flip(tf_remesher *remesher, const tf_diagonals *both,
+                        tf_volume_error *error)
+{
+    (void)error;
+    return !tf_is_sharp_edge(remesher->surface, both->corner) &&
+           tf_worse_quality(both->other) > 1.02 * tf_worse_quality(both->own);
+}
+
+//: Choose where a vertex is smoothed to
+static bool choose_move(tf_remesher *remesher, int vertex, tf_vector *position)
+{
+    if (tf_freedom_of(remesher->surface, vertex) != TF_FREE)
+        return false;
+    *position = project(remesher, tf_star_middle(remesher->surface, vertex));
+    return true;
+}
+
+//: Keep the shape
+const tf_remesh_policy tf_keep_shape = {
+    .longest = {4, 3},
+    .shortest = {4, 5},
+    .pass = {{TF_SPLIT, 12}, {TF_COLLAPSE, 1}, {TF_FLIP, 1}, {TF_SMOOTH, 1}},
+    .choose_split = choose_split,
+    .choose_collapse = choose_collapse,
+    .choose_flip = choose_flip,
+    .choose_move = choose_move,
+};

@@ -1,0 +1,49 @@
+//: Declare what remeshing does
+#pragma once
+
+#include "base/api.h"
+#include "surgery/outcome.h"
+
+#include <stddef.h>
+
+/// @addtogroup adaptive
+/// @{
+
+/// The operations of which remeshing is made.
+typedef enum tf_operation {
+    TF_SPLIT = 0, ///< of long edges
+    TF_COLLAPSE,  ///< of short edges
+    TF_FLIP,      ///< to better triangles
+    TF_SMOOTH,    ///< a move along the surface
+    TF_OPERATIONS ///< how many operations there are
+} tf_operation;
+
+/// What remeshing has done.  Lengths are as those of the positions.
+typedef struct tf_remesh_report {
+    int rounds; ///< so far
+    /// How often an operation was tried, by its outcome; those that would make
+    /// poor triangles are not even tried.
+    size_t tried[TF_OPERATIONS][TF_OUTCOMES];
+    /// The least quality of a triangle before, from 0, which is collinear, to 1,
+    /// which is equilateral.
+    double least_before;
+    double least_after; ///< the same of the new surface
+    double mean_before; ///< the mean quality of the triangles before
+    double mean_after;  ///< the same of the new surface
+    double distance; ///< the greatest from the new surface to the old one, or
+                     ///< from the old one to the new, at vertices and middles
+                     ///< of triangles
+} tf_remesh_report;
+
+//: Declare how to remesh
+/// How to remesh.
+typedef struct tf_remesh_options {
+    double edge; ///< the length that edges should have, above 0
+    int rounds;  ///< how often to go through all operations; 0: 5
+
+    /// Called now and then, unless it is NULL, with what has been done so far.
+    void (*progress)(void *context, const tf_remesh_report *so_far);
+    void *context; ///< passed on to `progress`
+} tf_remesh_options;
+
+/// @}

@@ -1,0 +1,225 @@
+//: Include what the passes need
+#include "remesh/passes.h"
+
+#include "remesh/policy.h"
+#include "surgery/collapse.h"
+#include "surgery/flip.h"
+#include "surgery/move.h"
+#include "surgery/split.h"
+#include "surgery/star.h"
+
+//: Try a split
+static tf_status try_split(tf_remesher *remesher, const tf_edge_row *edge,
+                           tf_vector position, tf_outcome *outcome)
+{
+    int vertex;
+    tf_status status = tf_adaptive_split(remesher->surface, edge->a, edge->b,
+                                         position.x, &vertex, outcome);
+    if (status == TF_OK)
+        tf_remesher_count(remesher, TF_SPLIT, *outcome);
+    return status;
+}
+
+//: Split a long edge
+/// At the first position that is not refused.
+static tf_status split_edge(tf_remesher *remesher, const tf_edge_row *edge)
+{
+    const tf_remesh_policy *policy = remesher->policy;
+    int corner = tf_find_edge(remesher->surface, edge->a, edge->b);
+    tf_vector position;
+    tf_volume_error error = {0};
+    tf_outcome outcome = TF_NO_OUTCOME;
+    tf_status status = TF_OK;
+    for (int refused = 0;
+         status == TF_OK && outcome != TF_COMMITTED &&
+         policy->choose_split(remesher, corner, refused, &position, &error);
+         refused++)
+        status = try_split(remesher, edge, position, &outcome);
+    return outcome == TF_COMMITTED && policy->restore
+               ? policy->restore(remesher, &error)
+               : status;
+}
+
+//: Find out whether edges stay short
+/// Whether no edge would be longer than `most` that leads from a vertex to
+/// another one than `other`, if it were at a position.
+static bool edges_stay_short(const tf_adaptive_surface *surface, int vertex,
+                             int other, tf_vector position, double most)
+{
+    int c = tf_first_corner(surface, vertex);
+    for (; c != TF_NONE; c = tf_next_corner(surface, c))
+        for (int i = 1; i < 3; i++) {
+            int end = tf_vertex_at(surface, c / 3 * 3 + (c + i) % 3);
+            tf_vector way =
+                tf_vector_difference(tf_position_of(surface, end), position);
+            if (end != other && tf_vector_length(way) > most)
+                return false;
+        }
+    return true;
+}
+
+//: Find out whether a collapse makes good triangles
+static bool is_good(const tf_remesher *remesher,
+                    const tf_edge_collapse *collapse)
+{
+    const tf_adaptive_surface *surface = remesher->surface;
+    int from = collapse->from, to = collapse->to;
+    tf_vector position = collapse->position;
+    double most = tf_target_length(remesher, remesher->policy->longest);
+    return edges_stay_short(surface, from, to, position, most) &&
+           edges_stay_short(surface, to, from, position, most) &&
+           tf_star_stays_good(surface, from, to, position) &&
+           tf_star_stays_good(surface, to, from, position);
+}
+
+//: Collapse a short edge
+static tf_status collapse_edge(tf_remesher *remesher, const tf_edge_row *edge)
+{
+    tf_adaptive_surface *surface = remesher->surface;
+    int corner = tf_find_edge(surface, edge->a, edge->b);
+    tf_edge_collapse collapse;
+    if (corner == TF_NONE ||
+        tf_length_of(surface, edge->a, edge->b) > edge->length ||
+        !remesher->policy->choose_collapse(remesher, corner, &collapse) ||
+        !is_good(remesher, &collapse))
+        return TF_OK;
+    tf_outcome outcome;
+    tf_status status = tf_adaptive_collapse_to(
+        surface, collapse.from, collapse.to, collapse.position.x, &outcome);
+    if (status == TF_OK)
+        tf_remesher_count(remesher, TF_COLLAPSE, outcome);
+    return status;
+}
+
+//: Collect the diagonals
+static tf_diagonals diagonals_of(const tf_adaptive_surface *surface, int forth,
+                                 int back)
+{
+    int v[] = {tf_vertex_at(surface, forth), tf_vertex_at(surface, back),
+               tf_vertex_at(surface, tf_corner_before(forth)),
+               tf_vertex_at(surface, tf_corner_before(back))};
+    tf_vector a = tf_position_of(surface, v[0]);
+    tf_vector b = tf_position_of(surface, v[1]);
+    tf_vector c = tf_position_of(surface, v[2]);
+    tf_vector d = tf_position_of(surface, v[3]);
+    return (tf_diagonals){.corner = forth,
+                          .vertex = {v[0], v[1], v[2], v[3]},
+                          .own = {{{a, b, c}}, {{b, a, d}}},
+                          .other = {{{c, d, b}}, {{d, c, a}}}};
+}
+
+//: Find out whether a flip bends the surface
+/// Whether it does so by little.
+static bool diagonals_agree(const tf_diagonals *diagonals)
+{
+    tf_vector normal = tf_vector_sum(tf_shape_normal(&diagonals->own[0]), 1,
+                                     tf_shape_normal(&diagonals->own[1]));
+    for (int i = 0; i < 2; i++)
+        if (!tf_normals_agree(tf_shape_normal(&diagonals->other[i]), normal,
+                              0.9))
+            return false;
+    return true;
+}
+
+//: Flip an edge if it is wanted
+static tf_status flip_edge(tf_remesher *remesher, const tf_edge_row *edge)
+{
+    const tf_remesh_policy *policy = remesher->policy;
+    tf_adaptive_surface *surface = remesher->surface;
+    int forth = tf_find_edge(surface, edge->a, edge->b);
+    int back = tf_find_edge(surface, edge->b, edge->a);
+    if (forth == TF_NONE || back == TF_NONE)
+        return TF_OK;
+    tf_diagonals both = diagonals_of(surface, forth, back);
+    tf_volume_error error = {0};
+    if (!policy->choose_flip(remesher, &both, &error) ||
+        !diagonals_agree(&both))
+        return TF_OK;
+    tf_outcome outcome;
+    tf_status status = tf_adaptive_flip(surface, edge->a, edge->b, &outcome);
+    if (status == TF_OK)
+        tf_remesher_count(remesher, TF_FLIP, outcome);
+    return outcome == TF_COMMITTED && policy->restore
+               ? policy->restore(remesher, &error)
+               : status;
+}
+
+//: Smooth a vertex
+/// Whether a position is far enough from a vertex to be worth a move.
+static bool is_worth_a_move(const tf_remesher *remesher, int vertex,
+                            tf_vector position)
+{
+    tf_vector way = tf_vector_difference(
+        position, tf_position_of(remesher->surface, vertex));
+    return tf_vector_length(way) > remesher->options.edge / 20;
+}
+
+static tf_status smooth_vertex(tf_remesher *remesher, int vertex)
+{
+    tf_vector position;
+    if (!remesher->policy->choose_move(remesher, vertex, &position) ||
+        !is_worth_a_move(remesher, vertex, position) ||
+        !tf_star_stays_good(remesher->surface, vertex, TF_NONE, position))
+        return TF_OK;
+    tf_outcome outcome;
+    tf_status status =
+        tf_adaptive_move(remesher->surface, vertex, position.x, &outcome);
+    if (status == TF_OK)
+        tf_remesher_count(remesher, TF_SMOOTH, outcome);
+    return status;
+}
+
+//: Smooth all vertices
+static tf_status smooth_all(tf_remesher *remesher)
+{
+    tf_status status = TF_OK;
+    for (int v = 0; v < remesher->surface->vertices && status == TF_OK; v++)
+        if (tf_first_corner(remesher->surface, v) != TF_NONE)
+            status = smooth_vertex(remesher, v);
+    return status;
+}
+
+//: Go once through a surface
+tf_status tf_remesh_pass(tf_remesher *remesher, tf_operation operation)
+{
+    const tf_remesh_policy *policy = remesher->policy;
+    double longest = tf_target_length(remesher, policy->longest);
+    double shortest = tf_target_length(remesher, policy->shortest);
+    switch (operation) {
+    case TF_SPLIT:
+        return tf_remesher_visit(remesher, longest, INFINITY, TF_LONGEST_FIRST,
+                                 split_edge);
+    case TF_COLLAPSE:
+        return tf_remesher_visit(remesher, 0, shortest, TF_SHORTEST_FIRST,
+                                 collapse_edge);
+    case TF_FLIP:
+        return tf_remesher_visit(remesher, 0, INFINITY, TF_LONGEST_FIRST,
+                                 flip_edge);
+    default:
+        return smooth_all(remesher);
+    }
+}
+
+//: Go through all passes
+/// Repeats a pass until it does nothing, or for the last time.
+static tf_status repeat_pass(tf_remesher *remesher, tf_operation operation,
+                             int most)
+{
+    const size_t *done = &remesher->report.tried[operation][TF_COMMITTED];
+    tf_status status = TF_OK;
+    size_t before = *done - 1;
+    for (int i = 0; i < most && status == TF_OK && *done != before; i++) {
+        before = *done;
+        status = tf_remesh_pass(remesher, operation);
+    }
+    return status;
+}
+
+tf_status tf_remesh_round(tf_remesher *remesher)
+{
+    tf_status status = TF_OK;
+    for (int i = 0; i < TF_OPERATIONS && status == TF_OK; i++)
+        status = repeat_pass(remesher, remesher->policy->pass[i].operation,
+                             remesher->policy->pass[i].most);
+    return status;
+}

@@ -187,7 +187,7 @@ static void times_of_legs_are_those_of_the_oracle(void)
     }
 }
 
-// Rounded numbers --------------------------------------------------------------
+// Rounded numbers -------------------------------------------------------------
 
 enum {
     ROW = 192,

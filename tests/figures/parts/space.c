@@ -564,9 +564,10 @@ static void errors_are_those_counted(void)
 
 // Signs and volumes -----------------------------------------------------------
 
-/// The volume grows by slices of a quadratic law, for which Simpson's rule is
-/// exact, between the triangles and the hexagon half way.  The walls are bent
-/// at the middle of the event at t = 0 of one and the one at t = 1 of the other.
+/// The areas of slices follow a quadratic law, for which Simpson's rule is
+/// exact: from those of the triangles and of the hexagon half way.  Its walls
+/// are bent at the middle of one vertex's event at t = 0 and another one's at
+/// t = 1.
 static void the_volume_of_the_prism_is_simpsons(void)
 {
     static const double at[2][3][2] = {

@@ -1,6 +1,6 @@
-/* Exercise 17.3.  Taking an impulse back: one visit of a row.
+/* Exercise 17.3.  Taking an impulse back: one visit of a constraint.
  *
- * Bodies move along a line.  A row wants that
+ * Bodies move along a line.  A constraint wants that
  *
  *     sum of coefficient[i] * move[i] >= bound
  *
@@ -8,8 +8,8 @@
  * Visit it: change its impulse so that the sum becomes the bound.  But if the
  * impulse would become negative, make it 0.  Push the bodies by the change: to
  * each move add the change times the body's coefficient and inverse mass.  A
- * scripted body, one of inverse mass 0, is not moved, and a row whose bodies are
- * all scripted is left as it is, with the impulse that it has.
+ * scripted body, one of inverse mass 0, is not moved, and a constraint whose
+ * bodies are all scripted is left as it is, with the impulse that it has.
  *
  * Section: A round of impulses.
  *

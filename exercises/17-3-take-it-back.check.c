@@ -52,43 +52,44 @@ TEST(stones_and_plate)
 
 TEST(what_cannot_be_moved)
 {
-    const double row[] = {1, -1, 0};
+    const double constraint[] = {1, -1, 0};
     double move[] = {0, 1, 0}, impulse = 0;
-    ask(row, (double[]){0, 0, 1}, 0, &impulse, move);
+    ask(constraint, (double[]){0, 0, 1}, 0, &impulse, move);
     check_point(BODIES, ((const double[]){0, 1, 0}), move, 0);
     check_impulse(0, impulse);
-    ask(row, (double[]){0, 1, 1}, 0, &impulse, move);
+    ask(constraint, (double[]){0, 1, 1}, 0, &impulse, move);
     check_point(BODIES, ((const double[]){0, 0, 0}), move, 1e-15);
     check_impulse(1, impulse);
     impulse = 2;
-    ask(row, (double[]){0, 0, 1}, 0, &impulse, move);
+    ask(constraint, (double[]){0, 0, 1}, 0, &impulse, move);
     check_point(BODIES, ((const double[]){0, 0, 0}), move, 1e-15);
     check_impulse(2, impulse);
 }
 
-/// The impulse is 0 or the row has exactly what it wants, and the bodies have
-/// been pushed by what was added.
+/// The impulse is 0 or the constraint has exactly what it wants, and the bodies
+/// have been pushed by what was added.
 TEST(anything)
 {
     generator random = generator_new(0);
     for (int trial = 0; trial < 300; trial++) {
-        double row[BODIES], inverse_mass[BODIES], move[BODIES], before[BODIES];
+        double constraint[BODIES], inverse_mass[BODIES], move[BODIES],
+            before[BODIES];
         double impulse = uniform(&random, 0, 2), old = impulse;
         double bound = uniform(&random, 0, 1);
         for (int i = 0; i < BODIES; i++) {
-            row[i] = uniform(&random, -1, 1);
+            constraint[i] = uniform(&random, -1, 1);
             inverse_mass[i] = uniform(&random, 0.5, 2);
             move[i] = uniform(&random, -1, 1);
         }
         memcpy(before, move, sizeof move);
-        ask(row, inverse_mass, bound, &impulse, move);
+        ask(constraint, inverse_mass, bound, &impulse, move);
         check_that(impulse >= 0, "an impulse of 0 or more", "%s",
                    text_real(impulse));
         double sum = 0, expected[BODIES];
         for (int i = 0; i < BODIES; i++) {
-            sum += row[i] * move[i];
+            sum += constraint[i] * move[i];
             expected[i] =
-                before[i] + (impulse - old) * row[i] * inverse_mass[i];
+                before[i] + (impulse - old) * constraint[i] * inverse_mass[i];
         }
         check_point(BODIES, expected, move, 1e-12);
         if (impulse > 0)
@@ -96,8 +97,9 @@ TEST(anything)
                        "the bound as the sum, as there is an impulse",
                        "the sum %s, not %s", text_real(sum), text_real(bound));
         else
-            check_that(sum >= bound - 1e-9, "a row that has what it wants",
-                       "%s, not %s", text_real(sum), text_real(bound));
+            check_that(sum >= bound - 1e-9,
+                       "a constraint that has what it wants", "%s, not %s",
+                       text_real(sum), text_real(bound));
     }
 }
 

@@ -102,7 +102,7 @@ TEST(some_at_random)
         }
         find_least_change(beads, mass, proposal, d);
         expect(beads, mass, proposal, d);
-        for (int i = 0; i < 4; i++) { // others that satisfy all rows
+        for (int i = 0; i < 4; i++) { // others that satisfy all constraints
             double other[MOST];
             memcpy(other, d, sizeof other);
             int until = 1 + below(&random, beads);

@@ -94,10 +94,9 @@ fig_wire fig_wire_alone(int beads, double gap)
 static int solve(wire *w, int sweeps)
 {
     const tf_bodies bodies = {2, w->inverse_mass, w->displacement};
-    for (int i = 0; i < w->rows; i++) {
-        double push[3] = {w->row[i].impulse};
-        tf_constraint_push(&w->row[i], push, &bodies);
-    }
+    for (int i = 0; i < w->rows; i++)
+        tf_constraint_push(&w->row[i], (tf_vector){{w->row[i].impulse}},
+                           &bodies);
     for (int sweep = 1; sweep <= sweeps; sweep++) {
         double change = 0;
         for (int i = 0; i < w->rows; i++)

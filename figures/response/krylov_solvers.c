@@ -60,7 +60,7 @@ static void repeat_rows(fig_some_zone *some, double off)
     tf_zone *zone = &some->zone;
     double *parting = calloc((size_t)zone->constraints, sizeof *parting);
     TF_REQUIRE(parting);
-    tf_zone_separations(zone, some->proposal, parting);
+    tf_zone_gap_changes(zone, some->proposal, parting);
     int rows = zone->constraints;
     for (int i = 0; i < rows; i += EACH) {
         tf_constraint *copy = &some->row[zone->constraints++];
@@ -95,7 +95,7 @@ static double dot(int count, const double a[], const double b[])
 static void find_residual(const course *c, double residual[])
 {
     const tf_zone *zone = &c->some->zone;
-    tf_zone_separations(zone, zone->displacement, residual);
+    tf_zone_gap_changes(zone, zone->displacement, residual);
     for (int i = 0; i < c->count; i++) {
         double compliance = 0;
         const tf_constraint *row = &zone->constraint[i];

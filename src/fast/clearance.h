@@ -12,12 +12,13 @@ typedef struct tf_lane_extents {
 
 /// Relative to the last vertex, so that the error does not grow with the distance
 /// from the origin.
-TF_ALWAYS_INLINE tf_lane_extents tf_lane_extents_along(
-    const tf_lane_vector x[4], tf_lane_vector along, bool of_edges)
+TF_ALWAYS_INLINE tf_lane_extents tf_lane_extents_along(const tf_vector x[4],
+                                                       tf_vector along,
+                                                       bool of_edges)
 {
-    double a = tf_lane_dot(tf_lane_minus(x[0], x[3]), along);
-    double b = tf_lane_dot(tf_lane_minus(x[1], x[3]), along);
-    double c = tf_lane_dot(tf_lane_minus(x[2], x[3]), along);
+    double a = tf_vector_dot(tf_vector_difference(x[0], x[3]), along);
+    double b = tf_vector_dot(tf_vector_difference(x[1], x[3]), along);
+    double c = tf_vector_dot(tf_vector_difference(x[2], x[3]), along);
     tf_lane_range c_and_d = tf_lane_range_of(c, 0);
     if (of_edges)
         return (tf_lane_extents){tf_lane_range_of(a, b), c_and_d};
@@ -27,17 +28,16 @@ TF_ALWAYS_INLINE tf_lane_extents tf_lane_extents_along(
 
 //: Find the clearance along a direction
 /// The largest coordinate, in absolute value.
-TF_ALWAYS_INLINE double tf_lane_norm(tf_lane_vector v)
+TF_ALWAYS_INLINE double tf_lane_norm(tf_vector v)
 {
-    return tf_most(tf_most(tf_most(v.x, -v.x), tf_most(v.y, -v.y)),
-                   tf_most(v.z, -v.z));
+    return tf_most(tf_most(tf_most(v.x[0], -v.x[0]), tf_most(v.x[1], -v.x[1])),
+                   tf_most(v.x[2], -v.x[2]));
 }
 
 /// How far the elements are apart along a direction, on the same sides at the
 /// start and at the end; not greater than 0 if they are not.
 TF_ALWAYS_INLINE double tf_lane_clearance_along(const tf_lane *lane,
-                                                tf_lane_vector along,
-                                                bool of_edges)
+                                                tf_vector along, bool of_edges)
 {
     tf_lane_extents at_start =
         tf_lane_extents_along(lane->start, along, of_edges);
@@ -54,24 +54,21 @@ TF_ALWAYS_INLINE double tf_lane_clearance_along(const tf_lane *lane,
 //: Choose directions
 /// The direction in which the elements lie one above the other at the end: that
 /// of the triangle's normal, or across both edges.
-TF_ALWAYS_INLINE tf_lane_vector tf_lane_across(const tf_lane_vector x[4],
-                                               bool of_edges)
+TF_ALWAYS_INLINE tf_vector tf_lane_across(const tf_vector x[4], bool of_edges)
 {
-    tf_lane_vector first = tf_lane_minus(x[1], x[of_edges ? 0 : 3]);
-    return tf_lane_cross(first, tf_lane_minus(x[2], x[3]));
+    tf_vector first = tf_vector_difference(x[1], x[of_edges ? 0 : 3]);
+    return tf_vector_cross(first, tf_vector_difference(x[2], x[3]));
 }
 
 /// The direction in which they lie side by side at the end: from the center of
 /// one toward that of the other, three times for a triangle, twice for edges.
-TF_ALWAYS_INLINE tf_lane_vector tf_lane_toward(const tf_lane_vector x[4],
-                                               bool of_edges)
+TF_ALWAYS_INLINE tf_vector tf_lane_toward(const tf_vector x[4], bool of_edges)
 {
-    tf_lane_vector u = tf_lane_minus(x[1], x[0]);
-    tf_lane_vector v = tf_lane_minus(x[2], x[0]);
-    tf_lane_vector w = tf_lane_minus(x[3], x[0]);
-    double side = of_edges ? -1 : 1;
-    return (tf_lane_vector){side * u.x + v.x + w.x, side * u.y + v.y + w.y,
-                            side * u.z + v.z + w.z};
+    tf_vector u = tf_vector_difference(x[1], x[0]);
+    tf_vector v = tf_vector_difference(x[2], x[0]);
+    tf_vector w = tf_vector_difference(x[3], x[0]);
+    tf_vector sum = tf_vector_sum(v, of_edges ? -1 : 1, u);
+    return tf_vector_sum(sum, 1, w);
 }
 
 //: Find the clearance of two elements

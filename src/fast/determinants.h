@@ -2,17 +2,12 @@
 #pragma once
 
 #include "base/always_inline.h"
-
-/// A vector of space, or of what is computed with them: three numbers that
-/// stay in registers.
-typedef struct tf_lane_vector {
-    double x, y, z;
-} tf_lane_vector;
+#include "geometry/vector.h"
 
 /// The four vertices of a query at the start and at the end: those of the first
 /// element, then those of the second, each element's in the order of indices.
 typedef struct tf_lane {
-    tf_lane_vector start[4], end[4];
+    tf_vector start[4], end[4];
 } tf_lane;
 
 //: Choose without a branch
@@ -24,25 +19,6 @@ TF_ALWAYS_INLINE double tf_least(double a, double b)
 TF_ALWAYS_INLINE double tf_most(double a, double b)
 {
     return a > b ? a : b;
-}
-
-//: Multiply vectors
-TF_ALWAYS_INLINE tf_lane_vector tf_lane_minus(tf_lane_vector a,
-                                              tf_lane_vector b)
-{
-    return (tf_lane_vector){a.x - b.x, a.y - b.y, a.z - b.z};
-}
-
-TF_ALWAYS_INLINE tf_lane_vector tf_lane_cross(tf_lane_vector a,
-                                              tf_lane_vector b)
-{
-    return (tf_lane_vector){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z,
-                            a.x * b.y - a.y * b.x};
-}
-
-TF_ALWAYS_INLINE double tf_lane_dot(tf_lane_vector a, tf_lane_vector b)
-{
-    return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
 //: Hold the range of some numbers
@@ -103,11 +79,14 @@ typedef struct tf_lane_axis {
 } tf_lane_axis;
 
 /// Of the differences of the triangle's vertices to the point.
-TF_ALWAYS_INLINE tf_lane_axis tf_lane_point_axis(double A, double B, double C,
-                                                 double a, double b, double c)
+TF_ALWAYS_INLINE tf_lane_axis tf_lane_point_axis(int k, tf_vector A,
+                                                 tf_vector B, tf_vector C,
+                                                 tf_vector a, tf_vector b,
+                                                 tf_vector c)
 {
     tf_lane_range all =
-        tf_lane_union(tf_lane_range_of_4(A, B, C, a), tf_lane_range_of(b, c));
+        tf_lane_union(tf_lane_range_of_4(A.x[k], B.x[k], C.x[k], a.x[k]),
+                      tf_lane_range_of(b.x[k], c.x[k]));
     return (tf_lane_axis){.gap = tf_most(all.low, -all.high),
                           .reach = tf_most(all.high, -all.low)};
 }
@@ -125,15 +104,15 @@ TF_ALWAYS_INLINE tf_lane_gaps tf_lane_gaps_of(tf_lane_range s, tf_lane_range r)
 }
 
 //: Measure an axis of two edges
-/// Of the coordinates of the edges AB and CD, and later ab and cd.
-TF_ALWAYS_INLINE tf_lane_axis tf_lane_edges_axis(double A, double B, double C,
-                                                 double D, double a, double b,
-                                                 double c, double d)
+/// Of the vertices of the edges AB and CD, and later ab and cd.
+TF_ALWAYS_INLINE tf_lane_axis tf_lane_edges_axis(int k, const tf_lane *lane)
 {
+    const tf_vector *s = lane->start, *e = lane->end;
     tf_lane_gaps start =
-        tf_lane_gaps_of(tf_lane_range_of(A, B), tf_lane_range_of(C, D));
-    tf_lane_gaps end =
-        tf_lane_gaps_of(tf_lane_range_of(a, b), tf_lane_range_of(c, d));
+        tf_lane_gaps_of(tf_lane_range_of(s[0].x[k], s[1].x[k]),
+                        tf_lane_range_of(s[2].x[k], s[3].x[k]));
+    tf_lane_gaps end = tf_lane_gaps_of(tf_lane_range_of(e[0].x[k], e[1].x[k]),
+                                       tf_lane_range_of(e[2].x[k], e[3].x[k]));
     double beyond = tf_least(start.beyond, end.beyond);
     double before = tf_least(start.before, end.before);
     return (tf_lane_axis){.gap = tf_most(beyond, before),
@@ -193,23 +172,26 @@ TF_ALWAYS_INLINE tf_lane_evidence
 tf_lane_point_triangle(const tf_lane *lane, tf_lane_tetrahedra *weights)
 {
     //: Let the point stand still at the origin
-    const tf_lane_vector *s = lane->start, *e = lane->end;
-    tf_lane_vector A = tf_lane_minus(s[1], s[0]), a = tf_lane_minus(e[1], e[0]);
-    tf_lane_vector B = tf_lane_minus(s[2], s[0]), b = tf_lane_minus(e[2], e[0]);
-    tf_lane_vector C = tf_lane_minus(s[3], s[0]), c = tf_lane_minus(e[3], e[0]);
+    const tf_vector *s = lane->start, *e = lane->end;
+    tf_vector A = tf_vector_difference(s[1], s[0]);
+    tf_vector B = tf_vector_difference(s[2], s[0]);
+    tf_vector C = tf_vector_difference(s[3], s[0]);
+    tf_vector a = tf_vector_difference(e[1], e[0]);
+    tf_vector b = tf_vector_difference(e[2], e[0]);
+    tf_vector c = tf_vector_difference(e[3], e[0]);
     tf_lane_evidence found =
-        tf_lane_evidence_of(tf_lane_point_axis(A.x, B.x, C.x, a.x, b.x, c.x),
-                            tf_lane_point_axis(A.y, B.y, C.y, a.y, b.y, c.y),
-                            tf_lane_point_axis(A.z, B.z, C.z, a.z, b.z, c.z));
+        tf_lane_evidence_of(tf_lane_point_axis(0, A, B, C, a, b, c),
+                            tf_lane_point_axis(1, A, B, C, a, b, c),
+                            tf_lane_point_axis(2, A, B, C, a, b, c));
 
     //: Compute ten determinants from four cross products
-    tf_lane_vector AB = tf_lane_cross(A, B), bc = tf_lane_cross(b, c);
-    tf_lane_vector Aa = tf_lane_cross(A, a), Cc = tf_lane_cross(C, c);
-    double ABC = tf_lane_dot(AB, C), ABb = tf_lane_dot(AB, b);
-    double ABc = tf_lane_dot(AB, c), Aab = tf_lane_dot(Aa, b);
-    double Aac = tf_lane_dot(Aa, c), BCc = tf_lane_dot(B, Cc);
-    double ACc = tf_lane_dot(A, Cc), Abc = tf_lane_dot(A, bc);
-    double Bbc = tf_lane_dot(B, bc), abc = tf_lane_dot(a, bc);
+    tf_vector AB = tf_vector_cross(A, B), bc = tf_vector_cross(b, c);
+    tf_vector Aa = tf_vector_cross(A, a), Cc = tf_vector_cross(C, c);
+    double ABC = tf_vector_dot(AB, C), ABb = tf_vector_dot(AB, b);
+    double ABc = tf_vector_dot(AB, c), Aab = tf_vector_dot(Aa, b);
+    double Aac = tf_vector_dot(Aa, c), BCc = tf_vector_dot(B, Cc);
+    double ACc = tf_vector_dot(A, Cc), Abc = tf_vector_dot(A, bc);
+    double Bbc = tf_vector_dot(B, bc), abc = tf_vector_dot(a, bc);
 
     //: Weigh the events of three tetrahedra
     *weights = (tf_lane_tetrahedra){.ABCc = {BCc, -ACc, ABc, -ABC},
@@ -232,27 +214,26 @@ TF_ALWAYS_INLINE tf_lane_evidence tf_lane_edge_edge(const tf_lane *lane,
                                                     tf_lane_triangles *weights)
 {
     //: Take the differences of two moving edges
-    tf_lane_vector A = lane->start[0], a = lane->end[0];
-    tf_lane_vector B = lane->start[1], b = lane->end[1];
-    tf_lane_vector C = lane->start[2], c = lane->end[2];
-    tf_lane_vector D = lane->start[3], d = lane->end[3];
-    tf_lane_vector AB = tf_lane_minus(B, A), ba = tf_lane_minus(a, b);
-    tf_lane_vector CA = tf_lane_minus(A, C), bc = tf_lane_minus(c, b);
-    tf_lane_vector AD = tf_lane_minus(D, A), bd = tf_lane_minus(d, b);
-    tf_lane_evidence found = tf_lane_evidence_of(
-        tf_lane_edges_axis(A.x, B.x, C.x, D.x, a.x, b.x, c.x, d.x),
-        tf_lane_edges_axis(A.y, B.y, C.y, D.y, a.y, b.y, c.y, d.y),
-        tf_lane_edges_axis(A.z, B.z, C.z, D.z, a.z, b.z, c.z, d.z));
+    tf_vector A = lane->start[0], a = lane->end[0];
+    tf_vector B = lane->start[1], b = lane->end[1];
+    tf_vector C = lane->start[2], c = lane->end[2];
+    tf_vector D = lane->start[3], d = lane->end[3];
+    tf_vector AB = tf_vector_difference(B, A), ba = tf_vector_difference(a, b);
+    tf_vector CA = tf_vector_difference(A, C), bc = tf_vector_difference(c, b);
+    tf_vector AD = tf_vector_difference(D, A), bd = tf_vector_difference(d, b);
+    tf_lane_evidence found = tf_lane_evidence_of(tf_lane_edges_axis(0, lane),
+                                                 tf_lane_edges_axis(1, lane),
+                                                 tf_lane_edges_axis(2, lane));
 
     //: Compute twelve determinants from four cross products
-    tf_lane_vector DC = tf_lane_cross(CA, AD), cC = tf_lane_cross(CA, bc);
-    tf_lane_vector ad = tf_lane_cross(ba, bd), Bd = tf_lane_cross(AB, bd);
-    double DCB = tf_lane_dot(DC, AB), cCB = tf_lane_dot(cC, AB);
-    double DCa = tf_lane_dot(DC, ba), cCa = tf_lane_dot(cC, ba);
-    double DCd = tf_lane_dot(DC, bd), cCd = tf_lane_dot(cC, bd);
-    double adC = tf_lane_dot(ad, CA), BdC = tf_lane_dot(Bd, CA);
-    double adD = tf_lane_dot(ad, AD), BdD = tf_lane_dot(Bd, AD);
-    double adc = tf_lane_dot(ad, bc), Bdc = tf_lane_dot(Bd, bc);
+    tf_vector DC = tf_vector_cross(CA, AD), cC = tf_vector_cross(CA, bc);
+    tf_vector ad = tf_vector_cross(ba, bd), Bd = tf_vector_cross(AB, bd);
+    double DCB = tf_vector_dot(DC, AB), cCB = tf_vector_dot(cC, AB);
+    double DCa = tf_vector_dot(DC, ba), cCa = tf_vector_dot(cC, ba);
+    double DCd = tf_vector_dot(DC, bd), cCd = tf_vector_dot(cC, bd);
+    double adC = tf_vector_dot(ad, CA), BdC = tf_vector_dot(Bd, CA);
+    double adD = tf_vector_dot(ad, AD), BdD = tf_vector_dot(Bd, AD);
+    double adc = tf_vector_dot(ad, bc), Bdc = tf_vector_dot(Bd, bc);
 
     //: Weigh the events of four pairs of triangles
     *weights = (tf_lane_triangles){

@@ -134,16 +134,16 @@ static void set_coordinates(int corners, int pivot, const double weight[],
 
 //: Multiply two edges of the pieces
 /// The edge of a piece from the vertex at `place` of the lane to the next.
-static tf_lane_vector edge_of(const tf_lane *lane, int place, bool at_start)
+static tf_vector edge_of(const tf_lane *lane, int place, bool at_start)
 {
-    const tf_lane_vector *x = at_start ? lane->start : lane->end;
-    return tf_lane_minus(x[place + 1], x[place]);
+    const tf_vector *x = at_start ? lane->start : lane->end;
+    return tf_vector_difference(x[place + 1], x[place]);
 }
 
-static tf_lane_vector normal_of(const tf_lane *lane, const int corners[2],
-                                const int pivot[2])
+static tf_vector normal_of(const tf_lane *lane, const int corners[2],
+                           const int pivot[2])
 {
-    tf_lane_vector first, second;
+    tf_vector first, second;
     if (corners[0] == 1) {
         first = edge_of(lane, 1, pivot[1] > 0);
         second = edge_of(lane, 2, pivot[1] > 1);
@@ -151,21 +151,22 @@ static tf_lane_vector normal_of(const tf_lane *lane, const int corners[2],
         first = edge_of(lane, 0, pivot[0] > 0);
         second = edge_of(lane, 2, pivot[1] > 0);
     }
-    return tf_lane_cross(first, second);
+    return tf_vector_cross(first, second);
 }
 
 //: Describe the contact
-static tf_lane_vector velocity_of(const tf_lane *lane, int first, int second)
+static tf_vector velocity_of(const tf_lane *lane, int first, int second)
 {
-    return tf_lane_minus(tf_lane_minus(lane->end[first], lane->start[first]),
-                         tf_lane_minus(lane->end[second], lane->start[second]));
+    return tf_vector_difference(
+        tf_vector_difference(lane->end[first], lane->start[first]),
+        tf_vector_difference(lane->end[second], lane->start[second]));
 }
 
-static void set_vector(tf_lane_vector v, double length, double to[3])
+static void set_vector(tf_vector v, double length, double to[3])
 {
-    to[0] = v.x / length;
-    to[1] = v.y / length;
-    to[2] = v.z / length;
+    to[0] = v.x[0] / length;
+    to[1] = v.x[1] / length;
+    to[2] = v.x[2] / length;
 }
 
 /// False if the length of the normal cannot be told.
@@ -173,12 +174,11 @@ static bool describe(const tf_lane *lane, const all_pieces *all,
                      const pieces *first, double time, tf_contact *contact)
 {
     const int *corners = all->corners, *pivot = first->pivot;
-    tf_lane_vector normal = normal_of(lane, corners, pivot);
-    double square = tf_lane_dot(normal, normal);
+    tf_vector normal = normal_of(lane, corners, pivot);
+    double square = tf_vector_dot(normal, normal);
     if (!(square > 0x1p-900 && square < 0x1p900))
         return false;
-    tf_lane_vector velocity =
-        velocity_of(lane, pivot[0], corners[0] + pivot[1]);
+    tf_vector velocity = velocity_of(lane, pivot[0], corners[0] + pivot[1]);
     static const tf_contact hit = {.verdict = TF_HIT,
                                    .classification = TF_GENERIC};
     *contact = hit;
@@ -191,17 +191,11 @@ static bool describe(const tf_lane *lane, const all_pieces *all,
     double length = sqrt(square);
     set_vector(normal, length, contact->normal);
     set_vector(velocity, 1, contact->velocity);
-    contact->normal_velocity = tf_lane_dot(velocity, normal) / length;
+    contact->normal_velocity = tf_vector_dot(velocity, normal) / length;
     return true;
 }
 
 //: Estimate a contact
-static tf_lane_vector position(const double x[], int vertex)
-{
-    x += (ptrdiff_t)3 * vertex;
-    return (tf_lane_vector){x[0], x[1], x[2]};
-}
-
 bool tf_contact_estimate(tf_kind kind, const tf_motion *motion,
                          const int vertex[4], tf_contact *contact)
 {
@@ -209,8 +203,8 @@ bool tf_contact_estimate(tf_kind kind, const tf_motion *motion,
         return false;
     weighed_query query;
     for (int i = 0; i < 4; i++) {
-        query.lane.start[i] = position(motion->start, vertex[i]);
-        query.lane.end[i] = position(motion->end, vertex[i]);
+        query.lane.start[i] = tf_vector_at(motion->start, vertex[i]);
+        query.lane.end[i] = tf_vector_at(motion->end, vertex[i]);
     }
     all_pieces all = kind == TF_EDGE_EDGE ? weigh_edge_edge(&query)
                                           : weigh_point_triangle(&query);

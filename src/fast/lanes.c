@@ -11,11 +11,11 @@
 #include <string.h>
 
 //: Take a lane of a block
-TF_ALWAYS_INLINE tf_lane_vector vertex_of(const tf_query_block *block, int t,
-                                          int v, int i)
+TF_ALWAYS_INLINE tf_vector vertex_of(const tf_query_block *block, int t, int v,
+                                     int i)
 {
     const double(*x)[TF_BLOCK_QUERIES] = block->at[t][v];
-    return (tf_lane_vector){x[0][i], x[1][i], x[2][i]};
+    return (tf_vector){{x[0][i], x[1][i], x[2][i]}};
 }
 
 TF_ALWAYS_INLINE tf_lane lane_of(const tf_query_block *block, int i)

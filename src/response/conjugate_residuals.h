@@ -8,10 +8,10 @@
 /// @{
 
 /// Takes constraints as equations, so that it also holds together elements that
-/// would part anyway, and leaves out friction.  Each iteration makes the
+/// would move apart anyway, and leaves out friction.  Each iteration makes the
 /// residual as short as the directions so far allow.  Constraints that repeat
 /// or contradict each other do no harm: the sum of the squares of what
-/// constraints lack becomes least. Method: Stiefel 1955.
+/// constraints lack becomes least.  Method: Stiefel 1955.
 TF_API extern const tf_zone_solver tf_conjugate_residuals;
 
 /// @}

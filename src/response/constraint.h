@@ -11,8 +11,9 @@
 ///
 ///     sum over i of coefficient[i] (normal . d_i) >= bound.
 ///
-/// Its left side is the distance by which the two elements move apart along the
-/// normal.  The impulse pushes along the same vector: it adds
+/// Its left side is the gap change, by how much the displacements widen the gap
+/// between the two elements along the normal.  The impulse pushes along the
+/// same vector: it adds
 ///
 ///     impulse inverse_mass_i coefficient[i] normal
 ///

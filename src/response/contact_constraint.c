@@ -5,25 +5,26 @@
 #include <stddef.h>
 #include <string.h>
 
-//: Measure vectors
-static double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
+//: Take the direction of a vector
 /// Scales a vector to length 1 and returns the length that it had.  Its largest
 /// component is brought near 1 first, so that no square overflows or vanishes.
-static double normalize(double v[3])
+static double normalize(tf_vector *v)
 {
-    double most = fmax(fabs(v[0]), fmax(fabs(v[1]), fabs(v[2])));
+    double most = fmax(fabs(v->x[0]), fmax(fabs(v->x[1]), fabs(v->x[2])));
     if (!(most > 0))
         return 0;
-    for (int k = 0; k < 3; k++)
-        v[k] /= most;
-    double length = sqrt(dot(v, v));
-    for (int k = 0; k < 3; k++)
-        v[k] /= length;
+    for (int k = 0; k < TF_AXES; k++)
+        v->x[k] /= most;
+    double length = tf_vector_length(*v);
+    for (int k = 0; k < TF_AXES; k++)
+        v->x[k] /= length;
     return most * length;
+}
+
+/// The product of two vectors that are given as numbers.
+static double dot(const double a[3], const double b[3])
+{
+    return tf_vector_dot(tf_vector_at(a, 0), tf_vector_at(b, 0));
 }
 
 //: Weight the vertices of a contact
@@ -56,18 +57,17 @@ static tf_constraint constraint_of_point(const tf_surface_contact *contact)
 /// The vector from the second element's point to the first one's at the start.
 /// As the coefficients add up to zero, positions may be taken relative to one
 /// of the vertices, which keeps the error small even far from the origin.
-static void vector_at_start(const tf_step *step,
-                            const tf_constraint *constraint, double vector[3])
+static tf_vector vector_at_start(const tf_step *step,
+                                 const tf_constraint *constraint)
 {
     const double *origin =
         step->start + (ptrdiff_t)step->axes * constraint->vertex[0];
-    vector[0] = vector[1] = vector[2] = 0;
-    for (int i = 1; i < 4 && constraint->vertex[i] >= 0; i++) {
-        double apart[3];
-        tf_step_displacement(step, constraint->vertex[i], origin, apart);
-        for (int k = 0; k < 3; k++)
-            vector[k] -= constraint->coefficient[i] * apart[k];
-    }
+    tf_vector vector = {{0}};
+    for (int i = 1; i < 4 && constraint->vertex[i] >= 0; i++)
+        vector = tf_vector_sum(
+            vector, -constraint->coefficient[i],
+            tf_step_displacement(step, constraint->vertex[i], origin));
+    return vector;
 }
 
 /// The size of a rounding error in the coordinates of a constraint's vertices.
@@ -90,26 +90,25 @@ static double coordinate_error(const tf_step *step,
 static double choose_normal(const tf_step *step, const tf_contact *contact,
                             tf_constraint *constraint)
 {
-    double between[3];
-    vector_at_start(step, constraint, between);
-    double gap = dot(contact->normal, between);
+    tf_vector between = vector_at_start(step, constraint);
+    double gap = dot(contact->normal, between.x);
     double side = gap < 0 ? -1 : 1;
-    for (int k = 0; k < 3; k++)
+    for (int k = 0; k < TF_AXES; k++)
         constraint->normal[k] = side * contact->normal[k];
     gap = fabs(gap);
 
-    double distance = normalize(between);
+    double distance = normalize(&between);
     bool tells_side = gap > 0x1p-10 * distance &&
                       gap > 32 * coordinate_error(step, constraint);
     if (tells_side || !(distance > 0))
         return gap;
-    memcpy(constraint->normal, between, sizeof between);
+    memcpy(constraint->normal, between.x, sizeof between.x);
     return distance;
 }
 
 //: Take the constraint of the pivots
 /// The constraint that keeps the contact's two pivots from approaching each
-/// other. False if they do not move relative to each other.
+/// other.  False if they do not move relative to each other.
 static bool constraint_of_pivots(const tf_surface_contact *contact,
                                  tf_constraint *constraint, double *gap)
 {
@@ -121,31 +120,30 @@ static bool constraint_of_pivots(const tf_surface_contact *contact,
 
     bool along_normal = c->normal_velocity != 0;
     double toward = c->normal_velocity > 0 || !along_normal ? -1 : 1;
-    for (int k = 0; k < 3; k++)
-        constraint->normal[k] =
-            toward * (along_normal ? c->normal[k] : c->velocity[k]);
-    double length = normalize(constraint->normal);
+    tf_vector normal = tf_vector_scaled(
+        toward, tf_vector_at(along_normal ? c->normal : c->velocity, 0));
+    double length = normalize(&normal);
+    memcpy(constraint->normal, normal.x, sizeof normal.x);
     *gap = c->toi_lo * (along_normal ? fabs(c->normal_velocity) : length);
     return length > 0;
 }
 
-//: See how a constraint's elements part
-/// How far the elements of a constraint part along its normal with these ends.
-static double separation(const tf_step *step, const tf_constraint *constraint,
+//: Find the gap change of some ends
+/// By how much the gap of a constraint is wider with these ends.
+static double gap_change(const tf_step *step, const tf_constraint *constraint,
                          const double end[])
 {
     double sum = 0;
     for (int i = 0; i < 4 && constraint->vertex[i] >= 0; i++) {
-        double d[3];
-        tf_step_displacement(
-            step, constraint->vertex[i],
-            end + (ptrdiff_t)step->axes * constraint->vertex[i], d);
-        sum += constraint->coefficient[i] * dot(constraint->normal, d);
+        int vertex = constraint->vertex[i];
+        tf_vector d = tf_step_displacement(
+            step, vertex, end + (ptrdiff_t)step->axes * vertex);
+        sum += constraint->coefficient[i] * dot(constraint->normal, d.x);
     }
     return sum;
 }
 
-//: Bound the separation
+//: Bound the gap change
 /// The part of what is missing by which a pair is pushed apart in one step.
 static const double pushed_part = 0.25;
 
@@ -156,7 +154,7 @@ static double bound_for(const tf_step *step, const tf_constraint *constraint,
         gap < rule->separation ? pushed_part * (rule->separation - gap) : 0;
     if (rule->restitution > 0)
         bound = fmax(bound, -rule->restitution *
-                                separation(step, constraint, rule->base));
+                                gap_change(step, constraint, rule->base));
     return bound;
 }
 
@@ -192,7 +190,7 @@ tf_constraint tf_contact_constraint(const tf_step *step,
     // The points have to approach each other from the side on which they start,
     // and the constraint must not be satisfied already.
     bool approach = dot(constraint.normal, contact->contact.velocity) <= 0;
-    bool violated = separation(step, &constraint, step->end) < constraint.bound;
+    bool violated = gap_change(step, &constraint, step->end) < constraint.bound;
     bool has_normal = dot(constraint.normal, constraint.normal) > 0;
     tf_constraint pivots = constraint;
     double own_gap;

@@ -61,7 +61,7 @@ double tf_equations_start(const tf_equations *equations, double x[],
         x[i] = scale > 0 ? constraint->impulse / scale : 0;
     }
     tf_equations_multiply(equations, x, residual);
-    tf_zone_separations(zone, zone->displacement, equations->impulse);
+    tf_zone_gap_changes(zone, zone->displacement, equations->impulse);
     double square = 0;
     for (int i = 0; i < equations->count; i++) {
         double wanted = zone->constraint[i].bound - equations->impulse[i];

@@ -6,8 +6,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/// The constraints of a zone, taken as equations A x = b: impulses are to part
-/// the elements of each constraint by exactly its bound.  Constraints and
+/// The constraints of a zone, taken as equations A x = b: impulses are to
+/// widen the gap of each constraint by exactly its bound.  Constraints and
 /// impulses are scaled such that A, which is symmetric and positive
 /// semidefinite, has ones on its diagonal.
 typedef struct tf_equations {

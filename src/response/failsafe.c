@@ -11,7 +11,7 @@ typedef struct group {
     bool joined;   ///< changed in this round: its members are to be moved
     bool scripted; ///< has scripted vertices, those of inverse mass 0
     double mass;
-    double displacement[3]; ///< of all vertices; at first a sum
+    tf_vector displacement; ///< of all vertices; at first a sum
 } group;
 
 //: Begin the failsafe
@@ -91,7 +91,7 @@ static void follow(group *own, const tf_step *step, int vertex)
     if (own->scripted)
         return;
     const double *proposed = step->proposed + (ptrdiff_t)step->axes * vertex;
-    tf_step_displacement(step, vertex, proposed, own->displacement);
+    own->displacement = tf_step_displacement(step, vertex, proposed);
     own->scripted = true;
 }
 
@@ -100,12 +100,11 @@ static void add_momentum(group *own, const tf_failsafe *failsafe,
                          const tf_step *step, int vertex)
 {
     const double *entry = failsafe->entry.data;
-    double d[3], mass = 1 / step->inverse_mass[vertex];
-    tf_step_displacement(step, vertex, entry + (ptrdiff_t)step->axes * vertex,
-                         d);
+    double mass = 1 / step->inverse_mass[vertex];
+    tf_vector d = tf_step_displacement(step, vertex,
+                                       entry + (ptrdiff_t)step->axes * vertex);
     own->mass += mass;
-    for (int k = 0; k < step->axes; k++)
-        own->displacement[k] += mass * d[k];
+    own->displacement = tf_vector_sum(own->displacement, mass, d);
 }
 
 //: Find the displacements of joined groups
@@ -115,7 +114,7 @@ static void clear_sums(tf_failsafe *failsafe, int vertices)
     for (int v = 0; v < vertices; v++) {
         all[v].scripted = false;
         all[v].mass = 0;
-        memset(all[v].displacement, 0, sizeof all[v].displacement);
+        all[v].displacement = (tf_vector){{0}};
     }
 }
 
@@ -135,8 +134,8 @@ static void find_displacements(tf_failsafe *failsafe, const tf_step *step)
     }
     group *all = failsafe->group.data;
     for (int v = 0; v < step->vertices; v++)
-        for (int k = 0; all[v].mass > 0 && k < 3; k++)
-            all[v].displacement[k] /= all[v].mass;
+        for (int k = 0; all[v].mass > 0 && k < TF_AXES; k++)
+            all[v].displacement.x[k] /= all[v].mass;
 }
 
 //: Keep positions finite
@@ -147,7 +146,7 @@ static void rest_at_infinity(tf_failsafe *failsafe, const tf_step *step)
         group *own = joined_group(failsafe, v);
         for (int k = 0; own && k < step->axes; k++) {
             double x = step->start[(ptrdiff_t)step->axes * v + k];
-            if (!isfinite(x + own->displacement[k]))
+            if (!isfinite(x + own->displacement.x[k]))
                 own->resting = true;
         }
     }
@@ -164,7 +163,7 @@ static void move_groups(tf_failsafe *failsafe, tf_step *step)
             double to = step->start[place];
             if (!own->resting)
                 to = scripted ? step->proposed[place]
-                              : to + own->displacement[k];
+                              : to + own->displacement.x[k];
             if (to == step->end[place])
                 continue; // -0 must not become +0
             step->end[place] = to;

@@ -16,9 +16,9 @@ static double worst(const tf_zone *zone, int begin, int end)
     double violation = 0;
     for (int i = begin; i < end; i++) {
         const tf_constraint *constraint = &zone->constraint[i];
-        double separation = tf_constraint_separation(zone->axes, constraint,
+        double gap_change = tf_constraint_gap_change(zone->axes, constraint,
                                                      zone->displacement);
-        violation = fmax(violation, constraint->bound - separation);
+        violation = fmax(violation, constraint->bound - gap_change);
     }
     return violation;
 }
@@ -31,11 +31,11 @@ static double start(const tf_zone *zone, const tf_bodies *bodies)
     double violation = worst(zone, 0, zone->solved);
     for (int i = 0; i < zone->constraints; i++) {
         const tf_constraint *constraint = &zone->constraint[i];
-        double push[3];
-        for (int k = 0; k < 3; k++)
-            push[k] = constraint->impulse * constraint->normal[k] +
-                      constraint->friction[k];
-        tf_constraint_push(constraint, push, bodies);
+        tf_vector normal = tf_vector_at(constraint->normal, 0);
+        tf_vector friction = tf_vector_at(constraint->friction, 0);
+        tf_constraint_push(constraint,
+                           tf_vector_sum(friction, constraint->impulse, normal),
+                           bodies);
     }
     return fmax(violation, worst(zone, zone->solved, zone->constraints));
 }
@@ -105,7 +105,7 @@ static bool is_off(const sweep_state *state, const tf_constraint *constraint)
 {
     const tf_bodies *bodies = &state->bodies;
     double missing =
-        constraint->bound - tf_constraint_separation(bodies->axes, constraint,
+        constraint->bound - tf_constraint_gap_change(bodies->axes, constraint,
                                                      bodies->displacement);
     return missing > state->least ||
            (constraint->impulse > 0 && missing < -generosity * state->least);
@@ -127,7 +127,7 @@ static void tell_neighbors(const sweep_state *state, int constraint)
 
 /// Visits a constraint that is due, if it is new or off; with friction always,
 /// as it may be off across the normal.  Returns whether that changes its
-/// separation, or its sliding, by more than the tolerance.
+/// gap, or its sliding, by more than the tolerance.
 static bool visit(const sweep_state *state, int constraint, bool is_new)
 {
     double friction = state->zone->friction;

@@ -4,38 +4,36 @@
 #include <math.h>
 #include <stddef.h>
 
-//: See how elements part
-static double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
+//: Find the gap change
 /// How one element moves against the other: in all directions.
-static void relative_displacement(int axes, const tf_constraint *constraint,
-                                  const double displacement[],
-                                  double relative[3])
+static tf_vector relative_displacement(int axes,
+                                       const tf_constraint *constraint,
+                                       const double displacement[])
 {
-    relative[0] = relative[1] = relative[2] = 0;
+    tf_vector relative = {{0}};
     for (int i = 0; i < 4 && constraint->vertex[i] >= 0; i++) {
         const double *d =
             displacement + (ptrdiff_t)axes * constraint->vertex[i];
-        relative[0] += constraint->coefficient[i] * d[0];
-        relative[1] += constraint->coefficient[i] * d[1];
-        if (axes == 3)
-            relative[2] += constraint->coefficient[i] * d[2];
+        tf_vector own = {{d[0], d[1], axes == 3 ? d[2] : 0}};
+        relative = tf_vector_sum(relative, constraint->coefficient[i], own);
     }
+    return relative;
 }
 
-double tf_constraint_separation(int axes, const tf_constraint *constraint,
+static tf_vector normal_of(const tf_constraint *constraint)
+{
+    return tf_vector_at(constraint->normal, 0);
+}
+
+double tf_constraint_gap_change(int axes, const tf_constraint *constraint,
                                 const double displacement[])
 {
-    double relative[3];
-    relative_displacement(axes, constraint, displacement, relative);
-    return dot(constraint->normal, relative);
+    return tf_vector_dot(normal_of(constraint),
+                         relative_displacement(axes, constraint, displacement));
 }
 
 //: Find the compliance of a constraint
-/// The farthest that a push may move a vertex, if it parts the elements by 1.
+/// The farthest that a push may move a vertex, if it widens the gap by 1.
 static const double most_leverage = 1024;
 
 double tf_constraint_compliance(const tf_constraint *constraint,
@@ -52,33 +50,31 @@ double tf_constraint_compliance(const tf_constraint *constraint,
 }
 
 //: Push the vertices of a constraint
-void tf_constraint_push(const tf_constraint *constraint,
-                        const double impulse[3], const tf_bodies *bodies)
+void tf_constraint_push(const tf_constraint *constraint, tf_vector impulse,
+                        const tf_bodies *bodies)
 {
     for (int i = 0; i < 4 && constraint->vertex[i] >= 0; i++) {
         int vertex = constraint->vertex[i];
         double share =
             bodies->inverse_mass[vertex] * constraint->coefficient[i];
         double *d = bodies->displacement + (ptrdiff_t)bodies->axes * vertex;
-        for (int k = 0; k < 3 && k < bodies->axes; k++)
-            d[k] += share * impulse[k];
+        for (int k = 0; k < TF_AXES && k < bodies->axes; k++)
+            d[k] += share * impulse.x[k];
     }
 }
 
 //: Push along the normal
-/// Returns by how much the separation changes.
+/// Returns by how much the gap changes.
 static double push_along(tf_constraint *constraint, double compliance,
                          const tf_bodies *bodies)
 {
-    double separation = tf_constraint_separation(bodies->axes, constraint,
+    double gap_change = tf_constraint_gap_change(bodies->axes, constraint,
                                                  bodies->displacement);
     double wanted =
-        constraint->impulse + (constraint->bound - separation) / compliance;
+        constraint->impulse + (constraint->bound - gap_change) / compliance;
     double change = (wanted > 0 ? wanted : 0) - constraint->impulse;
-    double push[3];
-    for (int k = 0; k < 3; k++)
-        push[k] = change * constraint->normal[k];
-    tf_constraint_push(constraint, push, bodies);
+    tf_constraint_push(constraint,
+                       tf_vector_scaled(change, normal_of(constraint)), bodies);
     constraint->impulse += change;
     return fabs(change) * compliance;
 }
@@ -89,25 +85,24 @@ static double push_across(tf_constraint *constraint, double compliance,
                           double most, const tf_bodies *bodies)
 {
     //: Find the impulse that would stop all sliding
-    double relative[3], wanted[3];
-    relative_displacement(bodies->axes, constraint, bodies->displacement,
-                          relative);
-    double separation = dot(constraint->normal, relative);
-    for (int k = 0; k < 3; k++)
-        wanted[k] =
-            constraint->friction[k] -
-            (relative[k] - separation * constraint->normal[k]) / compliance;
+    tf_vector normal = normal_of(constraint), wanted;
+    tf_vector relative =
+        relative_displacement(bodies->axes, constraint, bodies->displacement);
+    double gap_change = tf_vector_dot(normal, relative);
+    tf_vector sliding = tf_vector_sum(relative, -gap_change, normal);
+    for (int k = 0; k < TF_AXES; k++)
+        wanted.x[k] = constraint->friction[k] - sliding.x[k] / compliance;
 
     //: Limit it as Coulomb does
-    double size = sqrt(dot(wanted, wanted));
+    double size = tf_vector_length(wanted);
     double scale = size > most ? most / size : 1;
-    double change[3];
-    for (int k = 0; k < 3; k++) {
-        change[k] = scale * wanted[k] - constraint->friction[k];
-        constraint->friction[k] += change[k];
+    tf_vector change;
+    for (int k = 0; k < TF_AXES; k++) {
+        change.x[k] = scale * wanted.x[k] - constraint->friction[k];
+        constraint->friction[k] += change.x[k];
     }
     tf_constraint_push(constraint, change, bodies);
-    return sqrt(dot(change, change)) * compliance;
+    return tf_vector_length(change) * compliance;
 }
 
 //: Visit a constraint

@@ -1,6 +1,7 @@
 //: Declare what a constraint sees and does
 #pragma once
 
+#include "geometry/vector.h"
 #include "response/constraint.h"
 
 /// The vertices that constraints push, in the numbering that the constraints
@@ -11,22 +12,22 @@ typedef struct tf_bodies {
     double *displacement; ///< `axes` numbers each
 } tf_bodies;
 
-/// Returns how far the displacements part the elements of a constraint along
-/// its normal.
-double tf_constraint_separation(int axes, const tf_constraint *constraint,
+/// Returns the gap change: by how much the displacements widen the gap between
+/// the elements of a constraint along its normal.
+double tf_constraint_gap_change(int axes, const tf_constraint *constraint,
                                 const double displacement[]);
 
-/// Returns how far an impulse of 1 parts the elements of a constraint: its
+/// Returns by how much an impulse of 1 widens the gap of a constraint: its
 /// entry on the diagonal of a zone's matrix.  Zero if all of its vertices are
 /// scripted, or if the push would move a vertex more than 1024 times as far as
-/// it parts the elements.
+/// it widens the gap.
 double tf_constraint_compliance(const tf_constraint *constraint,
                                 const double inverse_mass[]);
 
 /// Applies an impulse to the vertices of a constraint, in proportion to their
 /// coefficients.
-void tf_constraint_push(const tf_constraint *constraint,
-                        const double impulse[3], const tf_bodies *bodies);
+void tf_constraint_push(const tf_constraint *constraint, tf_vector impulse,
+                        const tf_bodies *bodies);
 
 //: Declare the visit of a constraint
 /// Sets the impulse of a constraint to the least one, 0 or more, with which the
@@ -34,7 +35,7 @@ void tf_constraint_push(const tf_constraint *constraint,
 /// impulse across the normal that stops the elements from sliding, or to
 /// `friction` times the impulse in that direction if this is less.  Does
 /// nothing if all vertices of the constraint are scripted.  Returns by how much
-/// the separation along the normal has changed or, if that is more, the sliding
-/// across it.
+/// this widens or narrows the gap or, if that is more, changes the sliding
+/// across the normal.
 double tf_constraint_visit(tf_constraint *constraint, double friction,
                            const tf_bodies *bodies);

@@ -26,6 +26,6 @@ void tf_impulses_round(tf_step *step, const tf_contacts *contacts,
     }
     for (int v = 0; v < step->vertices; v++) {
         ptrdiff_t place = (ptrdiff_t)step->axes * v;
-        tf_step_place(step, v, step->end + place, displacement + place);
+        tf_step_move(step, v, step->end + place, displacement + place);
     }
 }

@@ -39,12 +39,12 @@ static bool begin_level(tf_resolution *r, tf_response_level level)
 //: Answer contacts by one level
 static bool solve_zones(tf_resolution *r)
 {
-    tf_zone_options choice = {.solver = r->options.solver,
-                              .friction = r->options.friction,
-                              .sweeps = r->options.sweeps};
+    tf_zone_options options = {.solver = r->options.solver,
+                               .friction = r->options.friction,
+                               .sweeps = r->options.sweeps};
     tf_zones *zones = &r->resolver->zones;
     return tf_zones_add(zones, &r->step, &r->contacts, &r->rule, &r->zones) &&
-           tf_zones_solve(zones, &r->step, &r->rule, &choice, &r->zones);
+           tf_zones_solve(zones, &r->step, &r->rule, &options, &r->zones);
 }
 
 static bool answer(tf_resolution *r, tf_response_level level)

@@ -61,7 +61,7 @@ typedef struct tf_response_options {
                         ///< pushed apart, a part of the way; 0: 0.05 of the
                         ///< mean edge at the start; negative: none are
     double restitution; ///< 0 to 1: the part of their normal velocity with
-                        ///< which elements part after a collision
+                        ///< which elements move apart after a collision
     double friction;    ///< Coulomb's coefficient, 0 or more
     bool check_start;   ///< whether to look for intersections at the start, too
     const tf_narrow_phase *narrow_phase; ///< NULL: tf_vectorized

@@ -39,9 +39,7 @@ static double mean_edge(const tf_surface *surface, const tf_step *step)
     double sum = 0;
     for (int i = 0; i < count; i++, edge += 2) {
         const double *end = step->start + (ptrdiff_t)step->axes * edge[1];
-        double d[3];
-        tf_step_displacement(step, edge[0], end, d);
-        sum += sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+        sum += tf_vector_length(tf_step_displacement(step, edge[0], end));
     }
     double mean = count > 0 ? sum / count : 0;
     return isfinite(mean) ? mean : 0;
@@ -123,12 +121,11 @@ static double energy(const tf_step *step, const double end[])
 {
     double sum = 0;
     for (int v = 0; v < step->vertices; v++) {
-        double d[3];
         if (!(step->inverse_mass[v] > 0))
             continue;
-        tf_step_displacement(step, v, end + (ptrdiff_t)step->axes * v, d);
-        sum +=
-            (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]) / step->inverse_mass[v];
+        tf_vector d =
+            tf_step_displacement(step, v, end + (ptrdiff_t)step->axes * v);
+        sum += tf_vector_dot(d, d) / step->inverse_mass[v];
     }
     return sum / 2;
 }

@@ -10,11 +10,11 @@ typedef struct body {
     bool joined;   ///< has a contact in this round
     bool scripted; ///< has a scripted vertex, one of inverse mass 0
     double mass;
-    double center[3];       ///< at the start
-    double displacement[3]; ///< of the center
-    double momentum[3];     ///< angular, about the center
+    tf_vector center;       ///< at the start
+    tf_vector displacement; ///< of the center
+    tf_vector momentum;     ///< angular, about the center
     double inertia[3][3];   ///< about the center
-    double turn[3];         ///< the angular displacement
+    tf_vector turn;         ///< the angular displacement
 } body;
 
 //: Begin with single vertices
@@ -52,19 +52,6 @@ static body *moving_body(tf_rigid *rigid, int vertex)
     return own->joined && !own->scripted ? own : NULL;
 }
 
-//: Multiply vectors of a body
-static void cross(const double a[3], const double b[3], double product[3])
-{
-    for (int k = 0; k < 3; k++)
-        product[k] =
-            a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
-}
-
-static double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 //: Find the centers
 static void find_scripted(tf_rigid *rigid, const tf_step *step)
 {
@@ -75,57 +62,63 @@ static void find_scripted(tf_rigid *rigid, const tf_step *step)
     }
 }
 
-static void find_centers(tf_rigid *rigid, const tf_step *step)
+static tf_vector displacement_of(const tf_rigid *rigid, const tf_step *step,
+                                 int vertex)
 {
     const double *entry = rigid->entry.data;
+    return tf_step_displacement(step, vertex,
+                                entry + (ptrdiff_t)step->axes * vertex);
+}
+
+static void find_centers(tf_rigid *rigid, const tf_step *step)
+{
     for (int v = 0; v < step->vertices; v++) {
         body *own = moving_body(rigid, v);
         if (!own)
             continue;
-        ptrdiff_t place = (ptrdiff_t)step->axes * v;
-        double d[3], mass = 1 / step->inverse_mass[v];
-        tf_step_displacement(step, v, entry + place, d);
+        double mass = 1 / step->inverse_mass[v];
         own->mass += mass;
-        for (int k = 0; k < step->axes; k++) {
-            own->center[k] += mass * step->start[place + k];
-            own->displacement[k] += mass * d[k];
-        }
+        for (int k = 0; k < step->axes; k++)
+            own->center.x[k] +=
+                mass * step->start[(ptrdiff_t)step->axes * v + k];
+        own->displacement = tf_vector_sum(own->displacement, mass,
+                                          displacement_of(rigid, step, v));
     }
     body *all = rigid->body.data;
     for (int v = 0; v < step->vertices; v++)
-        for (int k = 0; all[v].mass > 0 && k < 3; k++) {
-            all[v].center[k] /= all[v].mass;
-            all[v].displacement[k] /= all[v].mass;
+        for (int k = 0; all[v].mass > 0 && k < TF_AXES; k++) {
+            all[v].center.x[k] /= all[v].mass;
+            all[v].displacement.x[k] /= all[v].mass;
         }
 }
 
 //: Find how a vertex is placed in its body
 /// The vector from the center to the vertex at the start.
-static void arm_of(const tf_step *step, const body *own, int vertex,
-                   double arm[3])
+static tf_vector arm_of(const tf_step *step, const body *own, int vertex)
 {
     const double *start = step->start + (ptrdiff_t)step->axes * vertex;
-    for (int k = 0; k < 3; k++)
-        arm[k] = k < step->axes ? start[k] - own->center[k] : 0;
+    tf_vector arm = {{0}};
+    for (int k = 0; k < step->axes; k++)
+        arm.x[k] = start[k] - own->center.x[k];
+    return arm;
 }
 
 //: Add up angular momenta and inertia
 static void add_up(tf_rigid *rigid, const tf_step *step)
 {
-    const double *entry = rigid->entry.data;
     for (int v = 0; v < step->vertices; v++) {
         body *own = moving_body(rigid, v);
         if (!own)
             continue;
-        double arm[3], d[3], moment[3], mass = 1 / step->inverse_mass[v];
-        arm_of(step, own, v, arm);
-        tf_step_displacement(step, v, entry + (ptrdiff_t)step->axes * v, d);
-        cross(arm, d, moment);
-        for (int i = 0; i < 3; i++) {
-            own->momentum[i] += mass * moment[i];
-            own->inertia[i][i] += mass * dot(arm, arm);
-            for (int j = 0; j < 3; j++)
-                own->inertia[i][j] -= mass * arm[i] * arm[j];
+        double mass = 1 / step->inverse_mass[v];
+        tf_vector arm = arm_of(step, own, v);
+        tf_vector moment =
+            tf_vector_cross(arm, displacement_of(rigid, step, v));
+        own->momentum = tf_vector_sum(own->momentum, mass, moment);
+        for (int i = 0; i < TF_AXES; i++) {
+            own->inertia[i][i] += mass * tf_vector_dot(arm, arm);
+            for (int j = 0; j < TF_AXES; j++)
+                own->inertia[i][j] -= mass * arm.x[i] * arm.x[j];
         }
     }
 }
@@ -135,42 +128,37 @@ static void add_up(tf_rigid *rigid, const tf_step *step)
 /// inertia about some axis does not turn.
 static void find_turn(body *own, int axes)
 {
-    double column[3][3], minor[3];
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++)
-            column[i][j] = own->inertia[j][i];
-    cross(column[1], column[2], minor);
+    tf_vector column[TF_AXES], minor[TF_AXES];
+    for (int i = 0; i < TF_AXES; i++)
+        for (int j = 0; j < TF_AXES; j++)
+            column[i].x[j] = own->inertia[j][i];
+    for (int i = 0; i < TF_AXES; i++)
+        minor[i] = tf_vector_cross(column[(i + 1) % 3], column[(i + 2) % 3]);
     double trace = own->inertia[0][0] + own->inertia[1][1] + own->inertia[2][2];
-    double determinant = dot(column[0], minor);
+    double determinant = tf_vector_dot(column[0], minor[0]);
     if (axes == 2 && trace > 0)
-        own->turn[2] = own->momentum[2] / own->inertia[2][2];
+        own->turn.x[2] = own->momentum.x[2] / own->inertia[2][2];
     if (axes == 2 || !(determinant > 1e-9 * trace * trace * trace))
         return;
-    own->turn[0] = dot(own->momentum, minor) / determinant;
-    cross(column[2], column[0], minor);
-    own->turn[1] = dot(own->momentum, minor) / determinant;
-    cross(column[0], column[1], minor);
-    own->turn[2] = dot(own->momentum, minor) / determinant;
+    for (int i = 0; i < TF_AXES; i++)
+        own->turn.x[i] = tf_vector_dot(own->momentum, minor[i]) / determinant;
 }
 
 //: Move a vertex with its body
-/// Turns the arm by Cayley's map, which needs no sines and is a rotation for
-/// any vector: about this vector, by twice the arc tangent of half its length.
-/// `to` is a displacement from the start.
+/// Turns the arm by Cayley's map, which needs no sines and is a rotation for any
+/// vector: about this vector, by twice the arc tangent of half its length.  `to`
+/// is a displacement from the start.
 static void move_with_body(const tf_rigid *rigid, tf_step *step,
                            const body *own, int vertex)
 {
-    double arm[3], half[3], first[3], second[3], to[3];
-    arm_of(step, own, vertex, arm);
-    for (int k = 0; k < 3; k++)
-        half[k] = own->turn[k] / 2;
-    cross(half, arm, first);
-    cross(half, first, second);
-    double scale = 2 / (1 + dot(half, half));
-    for (int k = 0; k < 3; k++)
-        to[k] = own->displacement[k] + scale * (first[k] + second[k]);
+    tf_vector half = tf_vector_scaled(0.5, own->turn);
+    tf_vector first = tf_vector_cross(half, arm_of(step, own, vertex));
+    tf_vector second = tf_vector_cross(half, first);
+    double scale = 2 / (1 + tf_vector_dot(half, half));
+    tf_vector to = tf_vector_sum(own->displacement, scale,
+                                 tf_vector_sum(first, 1, second));
     const double *entry = rigid->entry.data;
-    tf_step_place(step, vertex, entry + (ptrdiff_t)step->axes * vertex, to);
+    tf_step_move(step, vertex, entry + (ptrdiff_t)step->axes * vertex, to.x);
 }
 
 //: Answer contacts by rigid bodies

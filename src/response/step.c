@@ -4,28 +4,29 @@
 #include <math.h>
 #include <stddef.h>
 
-void tf_step_displacement(const tf_step *step, int vertex, const double end[],
-                          double displacement[3])
+tf_vector tf_step_displacement(const tf_step *step, int vertex,
+                               const double end[])
 {
     const double *start = step->start + (ptrdiff_t)step->axes * vertex;
-    for (int k = 0; k < 3; k++)
-        displacement[k] = k < step->axes ? end[k] - start[k] : 0;
+    tf_vector displacement = {{0}};
+    for (int k = 0; k < step->axes; k++)
+        displacement.x[k] = end[k] - start[k];
+    return displacement;
 }
 
-void tf_step_place(tf_step *step, int vertex, const double base[],
-                   const double displacement[])
+void tf_step_move(tf_step *step, int vertex, const double base[],
+                  const double displacement[])
 {
-    double until_now[3], place[3];
-    tf_step_displacement(step, vertex, base, until_now);
+    tf_vector until_now = tf_step_displacement(step, vertex, base), to;
     for (int k = 0; k < step->axes; k++) {
         // Where nothing is added, -0 must not become +0.
-        place[k] = displacement[k] == until_now[k]
-                       ? base[k]
-                       : base[k] + (displacement[k] - until_now[k]);
-        if (!isfinite(place[k]))
+        to.x[k] = displacement[k] == until_now.x[k]
+                      ? base[k]
+                      : base[k] + (displacement[k] - until_now.x[k]);
+        if (!isfinite(to.x[k]))
             return;
     }
     double *end = step->end + (ptrdiff_t)step->axes * vertex;
     for (int k = 0; k < step->axes; k++)
-        end[k] = place[k];
+        end[k] = to.x[k];
 }

@@ -1,7 +1,7 @@
 //: Hold a step that is being resolved
 #pragma once
 
-#include <stdbool.h>
+#include "geometry/vector.h"
 
 /// A step that is being resolved.  Each position is `axes` numbers.
 typedef struct tf_step {
@@ -12,14 +12,14 @@ typedef struct tf_step {
 } tf_step;
 
 //: Declare how a step is changed
-/// Computes the displacement of a vertex that ends at end[0] to end[axes - 1].
+/// Returns the displacement of a vertex that ends at end[0] to end[axes - 1].
 /// In the plane the third component is 0.
-void tf_step_displacement(const tf_step *step, int vertex, const double end[],
-                          double displacement[3]);
+tf_vector tf_step_displacement(const tf_step *step, int vertex,
+                               const double end[]);
 
 /// Moves the end of a vertex to `base` plus the difference between
 /// `displacement` and the displacement that ends at `base`; to `base` itself if
 /// the two are the same.  Leaves the vertex where it is if the sum is not
 /// finite.
-void tf_step_place(tf_step *step, int vertex, const double base[],
-                   const double displacement[]);
+void tf_step_move(tf_step *step, int vertex, const double base[],
+                  const double displacement[]);

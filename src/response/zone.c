@@ -13,28 +13,27 @@ void tf_zone_push(const tf_zone *zone, const double impulse[],
     tf_bodies bodies = {zone->axes, zone->inverse_mass, displacement};
     for (int i = 0; i < zone->constraints; i++) {
         const tf_constraint *constraint = &zone->constraint[i];
-        double push[3];
-        for (int k = 0; k < 3; k++)
-            push[k] = impulse[i] * constraint->normal[k];
-        tf_constraint_push(constraint, push, &bodies);
+        tf_vector normal = tf_vector_at(constraint->normal, 0);
+        tf_constraint_push(constraint, tf_vector_scaled(impulse[i], normal),
+                           &bodies);
     }
 }
 
-void tf_zone_separations(const tf_zone *zone, const double displacement[],
-                         double separation[])
+void tf_zone_gap_changes(const tf_zone *zone, const double displacement[],
+                         double gap_change[])
 {
-    TF_REQUIRE(zone && displacement && separation);
+    TF_REQUIRE(zone && displacement && gap_change);
     for (int i = 0; i < zone->constraints; i++)
-        separation[i] = tf_constraint_separation(
+        gap_change[i] = tf_constraint_gap_change(
             zone->axes, &zone->constraint[i], displacement);
 }
 
 void tf_zone_multiply(const tf_zone *zone, const double impulse[],
-                      double separation[], double workspace[])
+                      double gap_change[], double workspace[])
 {
-    TF_REQUIRE(zone && impulse && separation && workspace);
+    TF_REQUIRE(zone && impulse && gap_change && workspace);
     size_t numbers = (size_t)zone->axes * (size_t)zone->vertices;
     memset(workspace, 0, numbers * sizeof *workspace);
     tf_zone_push(zone, impulse, workspace);
-    tf_zone_separations(zone, workspace, separation);
+    tf_zone_gap_changes(zone, workspace, gap_change);
 }

@@ -58,22 +58,22 @@ typedef struct tf_zone_solver {
 TF_API void tf_zone_push(const tf_zone *zone, const double impulse[],
                          double displacement[]);
 
-/// Finds how far displacements part the elements of each constraint along its
-/// normal.  Thread-safe.
+/// Finds by how much displacements widen the gap of each constraint.
+/// Thread-safe.
 /// @param zone the zone
 /// @param displacement `axes` numbers for each vertex
-/// @param[out] separation the left side of the inequality of each constraint
-TF_API void tf_zone_separations(const tf_zone *zone,
+/// @param[out] gap_change the left side of the inequality of each constraint
+TF_API void tf_zone_gap_changes(const tf_zone *zone,
                                 const double displacement[],
-                                double separation[]);
+                                double gap_change[]);
 
-/// Multiplies a zone's matrix by a vector of impulses: finds how far they part
-/// the elements of each constraint if all vertices are at rest.  Thread-safe.
+/// Multiplies a zone's matrix by a vector of impulses: finds by how much they
+/// widen the gap of each constraint if all vertices are at rest.  Thread-safe.
 /// @param zone the zone
 /// @param impulse one number for each constraint
-/// @param[out] separation one number for each constraint
+/// @param[out] gap_change one number for each constraint
 /// @param workspace `axes` numbers for each vertex, overwritten
 TF_API void tf_zone_multiply(const tf_zone *zone, const double impulse[],
-                             double separation[], double workspace[]);
+                             double gap_change[], double workspace[]);
 
 /// @}

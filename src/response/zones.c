@@ -201,12 +201,12 @@ static int largest_zone(const division *d)
 }
 
 static bool pose(tf_zones *zones, const tf_step *step,
-                 const tf_contact_rule *rule, const tf_zone_options *choice,
+                 const tf_contact_rule *rule, const tf_zone_options *options,
                  division *d, tf_zone *zone)
 {
     size_t vertices = (size_t)zone->vertices, axes = (size_t)step->axes;
-    size_t workspace = choice->solver->workspace(step->axes, zone->vertices,
-                                                 zone->constraints);
+    size_t workspace = options->solver->workspace(step->axes, zone->vertices,
+                                                  zone->constraints);
     if (!tf_buffer_reserve(&zones->mass, vertices, sizeof(double)) ||
         !tf_buffer_reserve(&zones->displacement, axes * vertices,
                            sizeof(double)) ||
@@ -217,11 +217,10 @@ static bool pose(tf_zones *zones, const tf_step *step,
     zone->workspace = zones->workspace.data;
     for (int i = 0; i < zone->vertices; i++) {
         int v = d->vertex[i];
-        double own[3];
-        tf_step_displacement(step, v, rule->base + (ptrdiff_t)step->axes * v,
-                             own);
-        memcpy(zone->displacement + (ptrdiff_t)step->axes * i, own,
-               axes * sizeof *own);
+        tf_vector own = tf_step_displacement(
+            step, v, rule->base + (ptrdiff_t)step->axes * v);
+        memcpy(zone->displacement + (ptrdiff_t)step->axes * i, own.x,
+               axes * sizeof *own.x);
         inverse_mass[i] = step->inverse_mass[v];
         d->place[v] = -1;
     }
@@ -272,8 +271,8 @@ static void move_vertices(tf_step *step, const tf_contact_rule *rule,
         if (*mark != PUSHED)
             continue;
         *mark = -1;
-        tf_step_place(step, d->vertex[i], rule->base + place,
-                      zone->displacement + (ptrdiff_t)step->axes * i);
+        tf_step_move(step, d->vertex[i], rule->base + place,
+                     zone->displacement + (ptrdiff_t)step->axes * i);
     }
 }
 
@@ -285,16 +284,16 @@ static void account(const tf_zone *zone, int iterations,
     if ((size_t)zone->constraints > statistics->largest)
         statistics->largest = (size_t)zone->constraints;
     for (int i = 0; i < zone->constraints; i++) {
-        double separation = tf_constraint_separation(
+        double gap_change = tf_constraint_gap_change(
             zone->axes, &zone->constraint[i], zone->displacement);
         statistics->violation =
-            fmax(statistics->violation, zone->constraint[i].bound - separation);
+            fmax(statistics->violation, zone->constraint[i].bound - gap_change);
     }
 }
 
 //: Solve the zones
 bool tf_zones_solve(tf_zones *zones, tf_step *step, const tf_contact_rule *rule,
-                    const tf_zone_options *choice,
+                    const tf_zone_options *options,
                     tf_zone_statistics *statistics)
 {
     division d;
@@ -304,12 +303,12 @@ bool tf_zones_solve(tf_zones *zones, tf_step *step, const tf_contact_rule *rule,
         return false;
     for (int z = 0; z < d.zones; z++) {
         tf_zone zone = {.axes = step->axes,
-                        .friction = choice->friction,
-                        .sweeps = choice->sweeps};
+                        .friction = options->friction,
+                        .sweeps = options->sweeps};
         copy_constraints(zones, &d, z, &zone);
-        if (!pose(zones, step, rule, choice, &d, &zone))
+        if (!pose(zones, step, rule, options, &d, &zone))
             return false;
-        account(&zone, choice->solver->solve(&zone), statistics);
+        account(&zone, options->solver->solve(&zone), statistics);
         keep_impulses(zones, &d, z, &zone);
         move_vertices(step, rule, &d, &zone);
     }

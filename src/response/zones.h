@@ -9,15 +9,15 @@
 
 #include <stddef.h>
 
-/// The constraints of all rounds of a step, and room to divide them into zones.
+/// The constraints of all rounds of a step, and workspace to divide them into
+/// zones.
 typedef struct tf_zones {
     int constraints;      ///< how many constraints have been kept so far
     int old;              ///< how many there were when zones were last solved
     tf_buffer constraint; ///< the constraints, with the vertices of the step
     tf_buffer returns;    ///< how often contacts have come back
     tf_groups groups;     ///< of vertices: the zones
-    tf_buffer by_vertex,
-        by_constraint; ///< room for numbers for each vertex and constraint
+    tf_buffer by_vertex, by_constraint; ///< numbers for each of them
     tf_buffer zone_constraint, mass, displacement, workspace; ///< of one zone
 } tf_zones;
 
@@ -48,7 +48,7 @@ bool tf_zones_add(tf_zones *zones, const tf_step *step,
 /// Solves all zones that have a new constraint, taking the rule's base as the
 /// proposal, and moves their vertices.  False if there is no memory.
 bool tf_zones_solve(tf_zones *zones, tf_step *step, const tf_contact_rule *rule,
-                    const tf_zone_options *choice,
+                    const tf_zone_options *options,
                     tf_zone_statistics *statistics);
 
 size_t tf_zones_memory(const tf_zones *zones);

@@ -97,9 +97,9 @@ START_TEST(impulses_are_left_in_the_constraints_and_applied)
         vector[0][i] = 0.1 * i;
         z.constraint[i].friction[1] = 1;
     }
-    tf_zone_separations(&z.zone, z.proposal, change);
+    tf_zone_gap_changes(&z.zone, z.proposal, change);
     tf_equations_finish(&equations, vector[0]);
-    tf_zone_separations(&z.zone, z.displacement, vector[1]);
+    tf_zone_gap_changes(&z.zone, z.displacement, vector[1]);
     for (int i = 0; i < CONSTRAINTS; i++) {
         const tf_constraint *constraint = &z.constraint[i];
         ck_assert_double_eq_tol(constraint->impulse *

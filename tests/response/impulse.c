@@ -50,9 +50,9 @@ static scene random_scene(generator *random)
     return s;
 }
 
-static double separation(const scene *s)
+static double gap_change(const scene *s)
 {
-    return tf_constraint_separation(s->axes, &s->constraint, s->move);
+    return tf_constraint_gap_change(s->axes, &s->constraint, s->move);
 }
 
 static double energy(const scene *s)
@@ -90,9 +90,9 @@ START_TEST(parts_the_elements_as_far_as_is_wanted)
     for (long i = cases(TRIALS); i > 0; i--) {
         scene s = random_scene(&random);
         s.constraint.bound = uniform(&random, 0, 1);
-        double before = separation(&s);
+        double before = gap_change(&s);
         visit(&s, 0);
-        ck_assert_double_eq_tol(separation(&s),
+        ck_assert_double_eq_tol(gap_change(&s),
                                 fmax(before, s.constraint.bound), 1e-12);
         ck_assert((s.constraint.impulse > 0) == (before < s.constraint.bound));
     }
@@ -104,17 +104,17 @@ START_TEST(no_other_push_is_less)
     generator random = generator_new(2);
     for (long i = cases(TRIALS); i > 0; i--) {
         scene s = random_scene(&random), other = s, from = s;
-        s.constraint.bound = separation(&s) + uniform(&random, 0, 1);
+        s.constraint.bound = gap_change(&s) + uniform(&random, 0, 1);
         visit(&s, 0);
 
         // Any change, scaled to part the elements as far.
         for (int v = 0; v < 3 * VERTICES; v++)
             other.move[v] = uniform(&random, -1, 1);
         double part =
-            (s.constraint.bound - separation(&from)) / separation(&other);
+            (s.constraint.bound - gap_change(&from)) / gap_change(&other);
         for (int v = 0; v < 3 * VERTICES; v++)
             other.move[v] = from.move[v] + part * other.move[v];
-        ck_assert_double_eq_tol(separation(&other), s.constraint.bound, 1e-9);
+        ck_assert_double_eq_tol(gap_change(&other), s.constraint.bound, 1e-9);
         ck_assert_double_le(change(&s, &from),
                             change(&other, &from) * (1 + 1e-12));
     }
@@ -150,7 +150,7 @@ START_TEST(changes_the_energy_as_proved)
             s.inverse_mass[0] = 0;
             memset(s.move, 0, sizeof(double) * (size_t)s.axes);
         }
-        double before = energy(&s), at = separation(&s);
+        double before = energy(&s), at = gap_change(&s);
         double restitution = uniform(&random, 0, 1);
         s.constraint.bound = fmax(0, -restitution * at);
         visit(&s, 0);
@@ -197,7 +197,7 @@ START_TEST(a_light_vertex_is_no_lever)
                .inverse_mass = {1, 0, 1e6},
                .move = {0, -1}};
     visit(&s, 0);
-    ck_assert_double_eq_tol(separation(&s), 0, 1e-15);
+    ck_assert_double_eq_tol(gap_change(&s), 0, 1e-15);
 }
 END_TEST
 
@@ -250,7 +250,7 @@ START_TEST(takes_back_what_it_gave_and_no_more)
     s.move[3] -= 0.75;
     visit(&s, 0);
     ck_assert_double_eq(s.constraint.impulse, 0.125);
-    ck_assert_double_eq(separation(&s), 0);
+    ck_assert_double_eq(gap_change(&s), 0);
     s.move[3] -= 3;
     visit(&s, 0);
     ck_assert_double_eq(s.constraint.impulse, 0);

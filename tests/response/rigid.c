@@ -80,14 +80,16 @@ static void add_momenta(const double *ends, double sum[6])
 {
     memset(sum, 0, 6 * sizeof *sum);
     for (int v = 0; v < BODY; v++) {
-        double x[3], d[3];
-        tf_step_displacement(&s.step, v, ends + (ptrdiff_t)s.step.axes * v, d);
+        double x[3];
+        tf_vector d =
+            tf_step_displacement(&s.step, v, ends + (ptrdiff_t)s.step.axes * v);
         for (int k = 0; k < 3; k++)
             x[k] = k < s.step.axes ? made.start[s.step.axes * v + k] : 0;
         for (int k = 0; k < 3; k++) {
             int i = (k + 1) % 3, j = (k + 2) % 3;
-            sum[k] += d[k] / made.inverse_mass[v];
-            sum[3 + k] += (x[i] * d[j] - x[j] * d[i]) / made.inverse_mass[v];
+            sum[k] += d.x[k] / made.inverse_mass[v];
+            sum[3 + k] +=
+                (x[i] * d.x[j] - x[j] * d.x[i]) / made.inverse_mass[v];
         }
     }
 }

@@ -16,58 +16,55 @@ static void begin(void)
     memcpy(end, proposed, sizeof end);
 }
 
-START_TEST(a_displacement_in_the_plane_is_level)
+START_TEST(displacements_in_the_plane_are_level)
 {
-    double d[3] = {9, 9, 9};
-    tf_step_displacement(&step, 1, proposed + 2, d);
-    ck_assert_double_eq(d[0], 6);
-    ck_assert_double_eq(d[1], 3);
-    ck_assert_double_eq(d[2], 0);
+    tf_vector d = tf_step_displacement(&step, 1, proposed + 2);
+    ck_assert_double_eq(d.x[0], 6);
+    ck_assert_double_eq(d.x[1], 3);
+    ck_assert_double_eq(d.x[2], 0);
 }
 END_TEST
 
 // 3.3 + (0.1 - 3.3) is not 0.1 in doubles.
-START_TEST(who_is_not_pushed_ends_at_the_base)
+START_TEST(a_vertex_that_is_not_pushed_ends_at_the_base)
 {
-    double d[3];
     begin();
-    tf_step_displacement(&step, 0, proposed, d);
-    ck_assert_double_ne(start[0] + d[0], proposed[0]);
-    tf_step_place(&step, 0, proposed, d);
+    tf_vector d = tf_step_displacement(&step, 0, proposed);
+    ck_assert_double_ne(start[0] + d.x[0], proposed[0]);
+    tf_step_move(&step, 0, proposed, d.x);
     ck_assert_mem_eq(end, proposed, sizeof end);
 }
 END_TEST
 
 // -0 + 0 is 0 in doubles.
-START_TEST(who_is_not_pushed_keeps_the_sign_of_zero)
+START_TEST(a_vertex_that_is_not_pushed_keeps_the_sign_of_zero)
 {
     static const double base[] = {-0., 8};
-    double d[3];
     begin();
-    tf_step_displacement(&step, 0, base, d);
-    d[1] += 1;
-    tf_step_place(&step, 0, base, d);
+    tf_vector d = tf_step_displacement(&step, 0, base);
+    d.x[1] += 1;
+    tf_step_move(&step, 0, base, d.x);
     ck_assert_mem_eq(end, base, sizeof *base);
     ck_assert_double_eq(end[1], 9);
 }
 END_TEST
 
-START_TEST(who_is_pushed_ends_where_it_is_displaced)
+START_TEST(a_pushed_vertex_ends_where_it_is_displaced)
 {
     double d[] = {6, 4};
     begin();
-    tf_step_place(&step, 1, proposed + 2, d);
+    tf_step_move(&step, 1, proposed + 2, d);
     ck_assert_double_eq(end[2], 5);
     ck_assert_double_eq(end[3], 6);
     ck_assert_mem_eq(end, proposed, 2 * sizeof *end);
 }
 END_TEST
 
-START_TEST(who_would_end_at_no_number_stays)
+START_TEST(a_vertex_stays_if_its_end_would_not_be_finite)
 {
     static const double bad[][2] = {{INFINITY, 8}, {0.1, -INFINITY}, {NAN, 8}};
     begin();
-    tf_step_place(&step, 0, proposed, bad[_i]);
+    tf_step_move(&step, 0, proposed, bad[_i]);
     ck_assert_mem_eq(end, proposed, sizeof end);
 }
 END_TEST
@@ -76,11 +73,12 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("response/step");
     TCase *tcase = tcase_create("ends");
-    tcase_add_test(tcase, a_displacement_in_the_plane_is_level);
-    tcase_add_test(tcase, who_is_not_pushed_ends_at_the_base);
-    tcase_add_test(tcase, who_is_not_pushed_keeps_the_sign_of_zero);
-    tcase_add_test(tcase, who_is_pushed_ends_where_it_is_displaced);
-    tcase_add_loop_test(tcase, who_would_end_at_no_number_stays, 0, 3);
+    tcase_add_test(tcase, displacements_in_the_plane_are_level);
+    tcase_add_test(tcase, a_vertex_that_is_not_pushed_ends_at_the_base);
+    tcase_add_test(tcase, a_vertex_that_is_not_pushed_keeps_the_sign_of_zero);
+    tcase_add_test(tcase, a_pushed_vertex_ends_where_it_is_displaced);
+    tcase_add_loop_test(tcase, a_vertex_stays_if_its_end_would_not_be_finite, 0,
+                        3);
     suite_add_tcase(suite, tcase);
     return suite;
 }

@@ -1,16 +1,16 @@
-/* Exercise 18.3.  How many rows are new: the rank of a zone's matrix.
+/* Exercise 18.3.  The rank of a zone's matrix: independent constraints.
  *
  * The n x n numbers a[n * i + j] are the matrix of a zone.  It is symmetric and
- * positive semidefinite.  Return its rank: how many of the zone's rows do not
- * depend on the rows before them.  Masses may be in any unit, so the matrix may
- * be multiplied by any positive number.  If elimination leaves a pivot that is
- * smaller than the largest entry of the original diagonal by a factor of 10^9 or
- * more, count it as zero.  You may overwrite the matrix.
+ * positive semidefinite.  Return its rank: how many of the zone's constraints
+ * do not depend on those before them.  Masses may be in any unit, so the matrix
+ * may be multiplied by any positive number.  If elimination leaves a pivot that
+ * is smaller than the largest entry of the original diagonal by a factor of
+ * 10^9 or more, count it as zero.  You may overwrite the matrix.
  *
  * Section: Why it is singular.
  *
- * Hint 1: Choose the largest entry that is left on the diagonal for a pivot, and
- *     eliminate its row from all others that are left.
+ * Hint 1: Choose the largest entry that is left on the diagonal for a pivot,
+ *     and eliminate its row from all others that are left.
  * Hint 2: A positive semidefinite matrix whose diagonal is zero has no other
  *     entries than zeros.
  * Hint 3: If row p is the pivot's, a[i][j] becomes

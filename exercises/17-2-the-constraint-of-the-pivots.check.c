@@ -7,20 +7,22 @@
 #include <math.h>
 #include <stdio.h>
 
-typedef struct pivot_row {
+typedef struct pivot_constraint {
     double coefficient[4], normal[3], gap;
-} pivot_row;
+} pivot_constraint;
 
-pivot_row row_of_pivots(const tf_contact *contact, int first, int second);
+pivot_constraint constraint_of_pivots(const tf_contact *contact, int first,
+                                      int second);
 
-/// The parting of the vertices of a query at the start (late = 0) or the end,
-/// along the row's normal, times its coefficients.
-static double distance(const query *q, const pivot_row *row, int late)
+/// The gap change of the vertices of a query at the start (late = 0) or the
+/// end, along the constraint's normal, times its coefficients.
+static double distance(const query *q, const pivot_constraint *constraint,
+                       int late)
 {
     double sum = 0;
     for (int i = 0; i < q->vertices + q->others; i++)
         for (int k = 0; k < q->axes; k++)
-            sum += row->coefficient[i] * row->normal[k] *
+            sum += constraint->coefficient[i] * constraint->normal[k] *
                    q->vertex[i].at[late].x[k];
     return sum;
 }
@@ -32,7 +34,7 @@ static double length(const double v[3])
 
 /// That only the pivots have coefficients, 1 and -1.
 static void check_coefficients(const query *q, const tf_contact *contact,
-                               const pivot_row *row)
+                               const pivot_constraint *constraint)
 {
     for (int i = 0; i < q->vertices + q->others; i++) {
         double expected = i == contact->pivot[0]                 ? 1
@@ -40,8 +42,8 @@ static void check_coefficients(const query *q, const tf_contact *contact,
                                                                  : 0;
         char text[60];
         snprintf(text, sizeof text, "coefficient %g at vertex %d", expected, i);
-        check_that(row->coefficient[i] == expected, text, "%s",
-                   text_real(row->coefficient[i]));
+        check_that(constraint->coefficient[i] == expected, text, "%s",
+                   text_real(constraint->coefficient[i]));
     }
 }
 
@@ -62,20 +64,23 @@ static void try_query(query *q)
         text_point(3, contact.normal), text_real(contact.normal_velocity),
         text_real(contact.toi_lo));
     check_picture(q->axes, q->vertices, q->vertex, q->others, query_others(q));
-    pivot_row row;
-    check_value(row, row_of_pivots(&contact, q->vertices, q->others));
-    check_coefficients(q, &contact, &row);
-    check_that(fabs(length(row.normal) - 1) <= 1e-12, "a normal of length 1",
-               "length %s", text_real(length(row.normal)));
+    pivot_constraint constraint;
+    check_value(constraint,
+                constraint_of_pivots(&contact, q->vertices, q->others));
+    check_coefficients(q, &contact, &constraint);
+    check_that(fabs(length(constraint.normal) - 1) <= 1e-12,
+               "a normal of length 1", "length %s",
+               text_real(length(constraint.normal)));
 
     // They start at the gap, on the positive side, and end on the other side.
-    double start = distance(q, &row, 0), end = distance(q, &row, 1);
+    double start = distance(q, &constraint, 0),
+           end = distance(q, &constraint, 1);
     check_that(start > 0,
                "the first pivot to start on the positive side of the second",
                "distance %s at the start", text_real(start));
-    check_that(fabs(start - row.gap) <= 1e-9,
+    check_that(fabs(start - constraint.gap) <= 1e-9,
                "the distance along the normal at the start as the gap",
-               "gap %s, while that distance is %s", text_real(row.gap),
+               "gap %s, while that distance is %s", text_real(constraint.gap),
                text_real(start));
     check_that(end < 0, "the first pivot to end on the negative side",
                "distance %s at the end", text_real(end));

@@ -92,6 +92,7 @@ static const char *label_of(const contender *c)
 
 /// What answers, ready.
 typedef struct answerer {
+    const char *name; ///< of its method
     const tf_method *method;
     tf_method_options options;
 } answerer;
@@ -99,7 +100,8 @@ typedef struct answerer {
 static answerer answerer_of(const contender *c)
 {
     double number = number_of(c);
-    return (answerer){tf_choice_named(tf_methods, c->method),
+    return (answerer){c->method,
+                      tf_choice_named(tf_methods, c->method),
                       {.arithmetic = c->arithmetic,
                        .tolerance = number,
                        .threshold = number}};
@@ -112,7 +114,7 @@ static bool finds_hit(const answerer *a, const tf_query_kind *kind,
     tf_status status =
         tf_method_answer(a->method, &a->options, kind, rows, &contact);
     if (status != TF_OK)
-        fail(tf_method_name(a->method), tf_status_message(status));
+        fail(a->name, tf_status_message(status));
     return contact.verdict != TF_APART;
 }
 

@@ -3,6 +3,7 @@
 
 #include "remesh/options.h"
 #include "remesh/original.h"
+#include "surface/sort.h"
 
 #include "base/status.h"
 
@@ -19,9 +20,13 @@ typedef struct tf_remesher {
     size_t restored[TF_OUTCOMES]; ///< moves that were to restore volume
     tf_buffer row;                ///< tf_edge_row each
     int rows;
+    tf_sort_memory sorting; ///< of the rows
 } tf_remesher;
 
 void tf_remesher_free(tf_remesher *remesher);
+
+/// In bytes, without the original.
+size_t tf_remesher_memory(const tf_remesher *remesher);
 
 /// Counts what became of an operation, and shows progress.
 void tf_remesher_count(tf_remesher *remesher, tf_operation operation,

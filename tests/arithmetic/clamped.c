@@ -46,7 +46,7 @@ static tf_sign true_sign(const matrix *m)
     return oracle_arithmetic.sign(&differences);
 }
 
-START_TEST(small_integers_are_known)
+START_TEST(signs_of_small_integers_are_known)
 {
     for (int n = 1; n <= TF_AXES; n++) {
         double entry[TF_AXES * TF_AXES] = {-1, -1, -1, -1, -1, -1, -1, -1, -1};
@@ -97,7 +97,7 @@ START_TEST(signs_hold_where_products_overflow)
 }
 END_TEST
 
-START_TEST(overflow_is_unknown)
+START_TEST(signs_are_unknown_where_products_overflow)
 {
     static const double huge[][4] = {{DBL_MAX, 1, -1, DBL_MAX},
                                      {0x1p512, 1, 1, 0x1p512},
@@ -183,7 +183,7 @@ END_TEST
 
 // The report's rule -----------------------------------------------------------
 
-START_TEST(the_report_takes_four_unknown_signs_for_zeros)
+START_TEST(the_published_rule_takes_four_unknown_signs_for_zeros)
 {
     // Three vertices of a tetrahedron around the origin at t = 0, one at t = 1.
     static const double vertex[4][TF_AXES] = {
@@ -223,11 +223,11 @@ Suite *suite(void)
 {
     Suite *clamped = suite_create("clamped");
     TCase *signs = tcase_create("signs");
-    tcase_add_test(signs, small_integers_are_known);
+    tcase_add_test(signs, signs_of_small_integers_are_known);
     tcase_add_test(signs, signs_and_values_hold_on_hard_matrices);
     tcase_add_test(signs, signs_and_values_hold_where_products_underflow);
     tcase_add_test(signs, signs_hold_where_products_overflow);
-    tcase_add_test(signs, overflow_is_unknown);
+    tcase_add_test(signs, signs_are_unknown_where_products_overflow);
     tcase_add_test(signs, clamped_arithmetics_hold_all_doubles);
     suite_add_tcase(clamped, signs);
     TCase *zeros = tcase_create("zeros");
@@ -236,7 +236,8 @@ Suite *suite(void)
     tcase_add_test(zeros, a_zero_made_by_cancelling_is_not_certified);
     suite_add_tcase(clamped, zeros);
     TCase *report = tcase_create("the report's rule");
-    tcase_add_test(report, the_report_takes_four_unknown_signs_for_zeros);
+    tcase_add_test(report,
+                   the_published_rule_takes_four_unknown_signs_for_zeros);
     suite_add_tcase(clamped, report);
     return clamped;
 }

@@ -34,7 +34,7 @@ static void judge(const matrix *m)
 
 // Signs -----------------------------------------------------------------------
 
-START_TEST(small_integers_are_known)
+START_TEST(signs_of_small_integers_are_known)
 {
     for (int n = 1; n <= TF_AXES; n++) {
         double entry[TF_AXES * TF_AXES] = {-1, -1, -1, -1, -1, -1, -1, -1, -1};
@@ -48,7 +48,7 @@ START_TEST(small_integers_are_known)
 }
 END_TEST
 
-START_TEST(random_numbers_are_known)
+START_TEST(signs_of_random_numbers_are_known)
 {
     // Less than one in 2^40 is not.
     generator random = generator_new(1);
@@ -99,7 +99,7 @@ START_TEST(signs_hold_where_products_overflow)
 }
 END_TEST
 
-START_TEST(overflow_is_unknown)
+START_TEST(signs_are_unknown_where_products_overflow)
 {
     static const double huge[][4] = {{DBL_MAX, 1, -1, DBL_MAX},
                                      {0x1p512, 1, 1, 0x1p512},
@@ -390,12 +390,12 @@ Suite *suite(void)
 {
     Suite *filter = suite_create("filter");
     TCase *signs = tcase_create("signs");
-    tcase_add_test(signs, small_integers_are_known);
-    tcase_add_test(signs, random_numbers_are_known);
+    tcase_add_test(signs, signs_of_small_integers_are_known);
+    tcase_add_test(signs, signs_of_random_numbers_are_known);
     tcase_add_test(signs, signs_and_bounds_hold_on_hard_matrices);
     tcase_add_test(signs, signs_and_bounds_hold_where_products_underflow);
     tcase_add_test(signs, signs_hold_where_products_overflow);
-    tcase_add_test(signs, overflow_is_unknown);
+    tcase_add_test(signs, signs_are_unknown_where_products_overflow);
     tcase_add_test_raise_signal(signs, an_empty_matrix_breaks_the_contract,
                                 SIGABRT);
     suite_add_tcase(filter, signs);

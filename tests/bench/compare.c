@@ -92,7 +92,7 @@ static const char *label_of(const contender *c)
 
 /// What answers, ready.
 typedef struct answerer {
-    const char *name; ///< of its method
+    const char *name;
     const tf_method *method;
     tf_method_options options;
 } answerer;

@@ -134,7 +134,7 @@ static void expect_words(const char *text, const char *words)
 
 // Usage -----------------------------------------------------------------------
 
-START_TEST(help_and_version_are_told)
+START_TEST(help_and_version_are_printed)
 {
     expect_words(say("draw --help"), "list the figures");
     expect_words(say("draw figure --help"), "--animate");
@@ -157,7 +157,7 @@ START_TEST(help_and_version_are_told)
 }
 END_TEST
 
-START_TEST(commands_are_refused)
+START_TEST(bad_commands_are_refused)
 {
     refuse("no command given; choose", "draw");
     refuse(
@@ -172,7 +172,7 @@ START_TEST(commands_are_refused)
 }
 END_TEST
 
-START_TEST(settings_are_refused)
+START_TEST(bad_settings_are_refused)
 {
     static const struct {
         const char *words, *arguments;
@@ -235,7 +235,7 @@ START_TEST(settings_are_refused)
 }
 END_TEST
 
-START_TEST(queries_are_refused)
+START_TEST(bad_queries_are_refused)
 {
     refuse("invalid --labels 'p,a'; choose none, or give 3 names, one a "
            "vertex, such as q,u,v",
@@ -270,7 +270,7 @@ START_TEST(queries_are_refused)
 }
 END_TEST
 
-START_TEST(surfaces_are_refused)
+START_TEST(bad_surfaces_are_refused)
 {
     refuse("no surface given; add its file", "draw surface -o a.png");
     refuse("unexpected 'c'; give one START and one END",
@@ -314,7 +314,7 @@ START_TEST(bad_meshes_are_refused)
 }
 END_TEST
 
-START_TEST(films_are_refused)
+START_TEST(bad_films_are_refused)
 {
     refuse("no folder given; add the one", "draw film -o a.webp");
     refuse("unexpected 'b'; draw one film at a time",
@@ -421,7 +421,7 @@ START_TEST(names_send_no_commands_to_the_terminal)
 }
 END_TEST
 
-START_TEST(missing_letters_are_refused)
+START_TEST(missing_glyphs_are_refused)
 {
     refuse(
         "the font is not installed",
@@ -432,7 +432,7 @@ START_TEST(missing_letters_are_refused)
 END_TEST
 
 /// A stop in the middle of a film leaves nothing.
-START_TEST(signals_leave_no_file)
+START_TEST(a_signal_leaves_no_file)
 {
     say("command -v ffmpeg >/dev/null || exit 0\n"
         "\"$TANGLEFREE_DRAW\" figure " FIGURE "--animate a.gif --frames 9999 &"
@@ -468,7 +468,7 @@ START_TEST(pictures_are_the_same_every_time)
 }
 END_TEST
 
-START_TEST(resolution_tells_the_size)
+START_TEST(the_resolution_determines_the_size)
 {
     // Bytes 17 to 24 of a PNG are its width and height.
     ck_assert_str_eq(say("draw query \"$QUERIES\"/point-edge.csv:0 -k "
@@ -562,7 +562,7 @@ START_TEST(panels_titles_and_labels_show)
 }
 END_TEST
 
-START_TEST(progress_on_a_terminal)
+START_TEST(progress_is_shown_on_a_terminal)
 {
     terminal screen = terminal_open();
     say("timeout 3 \"$TANGLEFREE_DRAW\" figure " FIGURE "--frames 9999 "
@@ -573,21 +573,21 @@ START_TEST(progress_on_a_terminal)
 }
 END_TEST
 
-START_TEST(films_show_what_moves)
+START_TEST(figures_without_motion_make_no_film)
 {
     refuse("nothing in 'prism' moves; add --turntable",
            "draw figure prism --animate a.gif");
 }
 END_TEST
 
-START_TEST(figures_are_listed_and_tell_their_numbers)
+START_TEST(figures_are_listed_and_print_their_numbers)
 {
     expect_words(say("draw list"), "edge-sweep ");
     expect_words(say("draw figure " FIGURE "-o a.png"), "toi_hi 0.");
 }
 END_TEST
 
-START_TEST(queries_tell_what_the_other_program_tells)
+START_TEST(queries_print_the_numbers_of_tanglefree)
 {
     static const char *const kinds[] = {"point-edge", "point-triangle",
                                         "edge-edge"};
@@ -601,7 +601,7 @@ START_TEST(queries_tell_what_the_other_program_tells)
 END_TEST
 
 /// The contacts of detection, and their first time; what a check finds.
-START_TEST(surfaces_tell_what_the_other_program_tells)
+START_TEST(surfaces_print_the_rows_of_tanglefree)
 {
     static const char *const steps[] = {"a.obj b.obj", "p.obj q.obj",
                                         "a.obj a.obj"};
@@ -623,7 +623,7 @@ START_TEST(surfaces_tell_what_the_other_program_tells)
 }
 END_TEST
 
-START_TEST(surfaces_tell_what_they_are)
+START_TEST(surfaces_print_their_counts)
 {
     ck_assert_str_eq(
         say(MESHES "draw surface a.obj b.obj --contacts " SMALL " -o a.png"),
@@ -649,7 +649,7 @@ END_TEST
 
 // Films -----------------------------------------------------------------------
 
-START_TEST(missing_ffmpeg_is_told)
+START_TEST(a_missing_ffmpeg_is_reported)
 {
     refuse("cannot run ffmpeg, which makes the film: No such file or directory;"
            " install it",
@@ -743,32 +743,32 @@ END_TEST
 Suite *suite(void)
 {
     const TTest *const tests[] = {
-        help_and_version_are_told,
-        commands_are_refused,
-        settings_are_refused,
-        queries_are_refused,
-        surfaces_are_refused,
+        help_and_version_are_printed,
+        bad_commands_are_refused,
+        bad_settings_are_refused,
+        bad_queries_are_refused,
+        bad_surfaces_are_refused,
         bad_meshes_are_refused,
         outputs_that_cannot_be_written_are_refused,
         names_send_no_commands_to_the_terminal,
-        missing_letters_are_refused,
-        signals_leave_no_file,
+        missing_glyphs_are_refused,
+        a_signal_leaves_no_file,
         pictures_are_the_same_every_time,
-        resolution_tells_the_size,
+        the_resolution_determines_the_size,
         sizes_hold_for_vectors,
         pictures_grow_with_what_is_added,
         panels_titles_and_labels_show,
-        progress_on_a_terminal,
-        figures_are_listed_and_tell_their_numbers,
-        queries_tell_what_the_other_program_tells,
-        surfaces_tell_what_the_other_program_tells,
-        surfaces_tell_what_they_are,
-        missing_ffmpeg_is_told,
+        progress_is_shown_on_a_terminal,
+        figures_are_listed_and_print_their_numbers,
+        queries_print_the_numbers_of_tanglefree,
+        surfaces_print_the_rows_of_tanglefree,
+        surfaces_print_their_counts,
+        a_missing_ffmpeg_is_reported,
         a_full_disk_leaves_no_film,
         films_are_made,
         a_sheet_has_all_frames_and_is_the_same_every_time,
-        films_show_what_moves,
-        films_are_refused,
+        figures_without_motion_make_no_film,
+        bad_films_are_refused,
         bad_frames_are_refused,
         frames_are_drawn,
     };

@@ -119,7 +119,7 @@ static unsigned pixel_of(cairo_surface_t *surface, int x, int y)
     return pixel & 0xffffff;
 }
 
-START_TEST(frames_come_back)
+START_TEST(frames_are_read_back_the_same)
 {
     write_sheet();
     char *text = read_text(), *at = text;
@@ -171,7 +171,7 @@ START_TEST(a_tile_is_kept_once)
 }
 END_TEST
 
-START_TEST(a_missing_folder_is_told)
+START_TEST(a_missing_folder_is_reported)
 {
     fig_sheet *sheet = fig_sheet_new(WIDTH, HEIGHT);
     ck_assert(!fig_sheet_write(sheet, "/tmp/no-such-folder/a.png"));
@@ -186,9 +186,9 @@ Suite *suite(void)
     Suite *s = suite_create("draw/sheet");
     TCase *sheets = tcase_create("sheets");
     tcase_add_checked_fixture(sheets, enter_folder, leave_folder);
-    tcase_add_test(sheets, frames_come_back);
+    tcase_add_test(sheets, frames_are_read_back_the_same);
     tcase_add_test(sheets, a_tile_is_kept_once);
-    tcase_add_test(sheets, a_missing_folder_is_told);
+    tcase_add_test(sheets, a_missing_folder_is_reported);
     suite_add_tcase(s, sheets);
     return s;
 }

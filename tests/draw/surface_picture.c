@@ -270,7 +270,7 @@ static void begin_square(trial *tried, int axis)
                              FIG_UP_Z));
 }
 
-START_TEST(squares_are_seen_and_fit_the_page)
+START_TEST(squares_are_drawn_and_fit_the_page)
 {
     static trial tried;
     for (int axis = 0; axis < 3; axis++) {
@@ -305,7 +305,7 @@ Suite *suite(void)
     tcase_add_test(parts, spots_are_on_both_elements);
     tcase_add_test(parts, intersections_are_on_both_elements);
     tcase_add_test(parts, elements_in_no_contact_are_not_marked);
-    tcase_add_test(parts, squares_are_seen_and_fit_the_page);
+    tcase_add_test(parts, squares_are_drawn_and_fit_the_page);
     suite_add_tcase(s, parts);
     return s;
 }

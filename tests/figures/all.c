@@ -1,6 +1,6 @@
 #define _GNU_SOURCE // mkdtemp
 
-#include "kit/figures.h"
+#include "figures/pages.h"
 #include "support/support.h"
 
 #include "renderer/box.h"
@@ -23,14 +23,6 @@ static void leave_folder(void)
 {
     remove(picture);
     ck_assert_int_eq(rmdir(folder), 0);
-}
-
-static int figure_count(void)
-{
-    int count = 0;
-    while (fig_figures[count])
-        count++;
-    return count;
 }
 
 // What is right about a page --------------------------------------------------
@@ -76,22 +68,15 @@ static void expect_drawn(const fig_figure *figure, int width, int height)
 static void expect_figure(const fig_figure *figure, int width, int height,
                           const fig_theme *theme)
 {
-    fig_page_options options = {.width = figure->width,
-                                .height = figure->height,
-                                .pixels_x = width,
-                                .pixels_y = height,
-                                .theme = theme};
-    fig_page *page;
-    FILE *numbers = fopen("/dev/null", "w");
-    ck_assert_int_eq(fig_page_new(&options, &page), FIG_OK);
-    figure->draw(page, numbers);
+    fig_page_options options = {
+        .pixels_x = width, .pixels_y = height, .theme = theme};
+    fig_page *page = draw_figure(figure, options, NULL);
     fig_status status = fig_page_write(page, picture);
     ck_assert_msg(status == FIG_OK, "%s: %s", figure->name,
                   fig_status_message(status));
     expect_labels(figure, page);
     expect_drawn(figure, width, height);
     fig_page_free(page);
-    fclose(numbers);
 }
 
 // Tests -----------------------------------------------------------------------
@@ -109,24 +94,18 @@ END_TEST
 /// Where a figure's labels are, all added up, when it is turned.
 static double place_labels(const fig_figure *figure, double azimuth)
 {
-    fig_page_options options = {.width = figure->width,
-                                .height = figure->height,
-                                .pixels_x = 120,
+    fig_page_options options = {.pixels_x = 120,
                                 .pixels_y = 120,
                                 .turned = true,
                                 .azimuth = azimuth,
                                 .elevation = 22};
-    fig_page *page;
-    FILE *numbers = fopen("/dev/null", "w");
-    ck_assert_int_eq(fig_page_new(&options, &page), FIG_OK);
-    figure->draw(page, numbers);
+    fig_page *page = draw_figure(figure, options, NULL);
     ck_assert_int_eq(fig_page_write(page, picture), FIG_OK);
     expect_labels(figure, page);
     double sum = 0;
     for (int i = 0; i < fig_page_labels(page); i++)
         sum += fig_page_placed(page, i).box.x;
     fig_page_free(page);
-    fclose(numbers);
     return sum;
 }
 
@@ -179,12 +158,10 @@ Suite *suite(void)
     TCase *drawn = tcase_create("drawn");
     tcase_add_checked_fixture(drawn, enter_folder, leave_folder);
     tcase_add_loop_test(drawn, figure_is_drawn_at_any_size_in_either_theme, 0,
-                        figure_count());
+                        count_figures());
     tcase_add_test(drawn, solids_turn);
     tcase_add_test(drawn, layers_stay_on_the_page);
     suite_add_tcase(s, drawn);
-    TCase *table = tcase_create("table");
-    tcase_add_test(table, names_find_figures);
-    suite_add_tcase(s, table);
+    tcase_add_test(drawn, names_find_figures);
     return s;
 }

@@ -32,7 +32,7 @@ static double radius_error(const tf_adaptive_surface *surface)
 {
     double sum = 0;
     for (int v = 0; v < surface->vertices; v++) {
-        const double *x = place_of(surface, v);
+        const double *x = coordinates_of(surface, v);
         double error =
             hypot(hypot(x[0] - center[0], x[1] - center[1]), x[2] - center[2]) -
             radius;
@@ -94,7 +94,7 @@ static void expect_same(const tf_adaptive_surface *one,
 {
     ck_assert_int_eq(one->vertices, two->vertices);
     ck_assert_int_eq(one->triangles, two->triangles);
-    ck_assert_mem_eq(place_of(one, 0), place_of(two, 0),
+    ck_assert_mem_eq(coordinates_of(one, 0), coordinates_of(two, 0),
                      3 * sizeof(double) * (size_t)one->vertices);
     ck_assert_mem_eq(tf_adaptive_mesh(one).triangle,
                      tf_adaptive_mesh(two).triangle,
@@ -181,7 +181,7 @@ static tf_adaptive_surface *two_spheres(void)
     tf_mesh mesh = tf_adaptive_mesh(one);
     for (int v = 0; v < mesh.vertices; v++)
         for (int k = 0; k < 3; k++) {
-            double x = place_of(one, v)[k];
+            double x = coordinates_of(one, v)[k];
             position[v][k] = x;
             position[mesh.vertices + v][k] = x + (k == 0 ? 2.4 : 0);
         }

@@ -76,7 +76,7 @@ static void expect_good(tf_adaptive_surface *surface)
     tf_adaptive_free(again);
 }
 
-START_TEST(a_surface_is_made_whole_or_not)
+START_TEST(a_surface_is_made_as_a_whole_or_not_at_all)
 {
     tf_adaptive_surface *sheet = adaptive_sheet(2, 2), *made;
     tf_status status = TF_OUT_OF_MEMORY;
@@ -162,8 +162,8 @@ static tf_status try_reconnection(tf_adaptive_surface *surface, int which,
     if (which == 1)
         return tf_adaptive_merge(surface, low, high, outcome);
     for (int i = 0; i < 9; i++)
-        place[i] =
-            place_of(surface, loop[i / 3])[i % 3] + (i % 3 == 2 ? 0.25 : 0);
+        place[i] = coordinates_of(surface, loop[i / 3])[i % 3] +
+                   (i % 3 == 2 ? 0.25 : 0);
     return tf_adaptive_pinch(surface, loop, place, vertex, outcome);
 }
 
@@ -317,7 +317,7 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("whole/no_memory");
     TCase *tcase = tcase_create("failures");
-    tcase_add_test(tcase, a_surface_is_made_whole_or_not);
+    tcase_add_test(tcase, a_surface_is_made_as_a_whole_or_not_at_all);
     tcase_add_loop_test(tcase, an_operation_is_all_or_nothing, 0, 5);
     tcase_add_loop_test(tcase, a_reconnection_is_all_or_nothing, 0, 3);
     tcase_add_test(tcase, reconnecting_leaves_a_good_surface);

@@ -119,7 +119,7 @@ tf_status tf_flow_step(tf_flow *flow, const tf_flow_options *options,
         return TF_BAD_ENVIRONMENT;
     if (!(options->edge > 0) || !isfinite(options->edge))
         return TF_BAD_TOLERANCE;
-    tf_flow_report unused;
+    tf_flow_report unused = {0};
     report = report ? report : &unused;
     *report = (tf_flow_report){0};
     return make_step(flow, options, time, step, report);

@@ -1,11 +1,10 @@
 //: Hold a remeshing
 #pragma once
 
+#include "base/status.h"
 #include "remesh/options.h"
 #include "remesh/original.h"
 #include "surface/sort.h"
-
-#include "base/status.h"
 
 /// How to remesh: see remesh/policy.h.
 typedef struct tf_remesh_policy tf_remesh_policy;
@@ -45,9 +44,9 @@ typedef enum tf_edge_order {
     TF_LONGEST_FIRST
 } tf_edge_order;
 
-/// Lists the edges whose length is at least `low` and at most `high`, once and
-/// for all, and visits them, until a visit returns something else than TF_OK.
-/// Returns that, or TF_OK, or TF_OUT_OF_MEMORY.
+/// Lists the edges whose length is at least `low` and at most `high`, and then
+/// visits them, until a visit returns something other than TF_OK.  Returns that,
+/// or TF_OK, or TF_OUT_OF_MEMORY.
 tf_status tf_remesher_visit(tf_remesher *remesher, double low, double high,
                             tf_edge_order order,
                             tf_status visit(tf_remesher *remesher,

@@ -12,10 +12,9 @@
 // Prints a table, or with --csv all numbers as lines "name,value,unit", for
 // figures/measured/methods.csv: more tolerances and thresholds, each set of
 // queries by its name, and the rotating bar of tests/linear/rigid_motion.c.
-#define _POSIX_C_SOURCE 199309L // clock_gettime
-
 #include "arithmetic/clamped.h"
 #include "arithmetic/exact.h"
+#include "bench/measuring.h"
 #include "bench/workloads.h"
 #include "linear/rigid_motion.h"
 #include "program/methods.h"
@@ -26,7 +25,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 enum {
     ROUNDS = 7,
@@ -289,14 +287,6 @@ static errors errors_in_group(const contender *c, const char *group)
 
 // Costs -----------------------------------------------------------------------
 
-/// Processor time.
-static double nanoseconds(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return 1e9 * (double)now.tv_sec + (double)now.tv_nsec;
-}
-
 /// The queries of one kind of a random set.
 typedef struct race {
     const query_set *set;
@@ -306,10 +296,10 @@ typedef struct race {
 static double time_queries(const contender *c, const race *r)
 {
     answerer a = answerer_of(c);
-    double start = nanoseconds();
+    double start = processor_seconds();
     for (long i = r->from; i < r->to; i++)
         finds_hit(&a, r->set->query[i].kind, &r->set->query[i].rows);
-    return (nanoseconds() - start) / (double)(r->to - r->from);
+    return 1e9 * (processor_seconds() - start) / (double)(r->to - r->from);
 }
 
 enum {

@@ -40,7 +40,7 @@ static void turn(void *context, double time, int points, const double point[],
     }
 }
 
-START_TEST(a_sphere_turns)
+START_TEST(vertices_follow_the_velocity)
 {
     tf_adaptive_surface *sphere = adaptive_sphere(4, origin, 1);
     const double first[] = {coordinates_of(sphere, 0)[0],
@@ -55,7 +55,7 @@ START_TEST(a_sphere_turns)
 }
 END_TEST
 
-START_TEST(a_sphere_turns_back)
+START_TEST(a_step_back_in_time_returns_to_the_start)
 {
     tf_adaptive_surface *sphere = adaptive_sphere(4, origin, 1);
     double before[3];
@@ -148,7 +148,7 @@ static tf_adaptive_surface *two_tetrahedra(void)
     return adaptive_of(8, position, 8, triangle);
 }
 
-START_TEST(what_is_in_the_way_stays_there)
+START_TEST(nothing_passes_through_what_is_in_the_way)
 {
     tf_adaptive_surface *surface = two_tetrahedra();
     tf_response_report report;
@@ -195,13 +195,13 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("flow/advance");
     TCase *tcase = tcase_create("fields");
-    tcase_add_test(tcase, a_sphere_turns);
-    tcase_add_test(tcase, a_sphere_turns_back);
+    tcase_add_test(tcase, vertices_follow_the_velocity);
+    tcase_add_test(tcase, a_step_back_in_time_returns_to_the_start);
     tcase_add_test(tcase, normals_and_times_are_those_of_the_stages);
     tcase_add_test(tcase, what_chords_lose_is_restored);
     suite_add_tcase(suite, tcase);
     tcase = tcase_create("obstacles");
-    tcase_add_test(tcase, what_is_in_the_way_stays_there);
+    tcase_add_test(tcase, nothing_passes_through_what_is_in_the_way);
     tcase_add_test(tcase, an_isolated_triangle_stays);
     tcase_add_test(tcase, a_velocity_that_is_no_number_moves_nothing);
     suite_add_tcase(suite, tcase);

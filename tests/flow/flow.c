@@ -43,7 +43,7 @@ static double radius_error(const tf_adaptive_surface *surface)
 
 // There and back --------------------------------------------------------------
 
-START_TEST(vortices_lose_nothing)
+START_TEST(a_ball_returns_from_vortices_with_its_volume)
 {
     tf_adaptive_surface *surface = adaptive_sphere(12, center, radius);
     tf_flow *flow = flow_of(surface);
@@ -221,7 +221,7 @@ START_TEST(spheres_that_meet_merge_if_they_may)
 }
 END_TEST
 
-START_TEST(what_is_small_vanishes)
+START_TEST(small_components_vanish)
 {
     tf_adaptive_surface *surface = adaptive_tetrahedron();
     tf_flow *flow = flow_of(surface);
@@ -294,14 +294,14 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("flow/flow");
     TCase *tcase = tcase_create("there and back");
-    tcase_add_test(tcase, vortices_lose_nothing);
+    tcase_add_test(tcase, a_ball_returns_from_vortices_with_its_volume);
     tcase_add_test(tcase, workers_change_no_bit);
     tcase_add_test(tcase, a_flow_remembers_nothing_of_its_steps);
     tcase_add_test(tcase, a_step_is_its_parts);
     suite_add_tcase(suite, tcase);
     tcase = tcase_create("topology");
     tcase_add_test(tcase, spheres_that_meet_merge_if_they_may);
-    tcase_add_test(tcase, what_is_small_vanishes);
+    tcase_add_test(tcase, small_components_vanish);
     suite_add_tcase(suite, tcase);
     tcase = tcase_create("arguments");
     tcase_add_test(tcase, bad_lengths_are_refused);

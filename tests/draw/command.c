@@ -182,37 +182,42 @@ START_TEST(bad_settings_are_refused)
         {"must end in .png, .pdf or .svg", "-o png"},
         {"must end in .png, .pdf or .svg", "-o ./.png"},
         {"must end in .mp4, .gif, .webp or .png", "--animate a.bmp"},
-        {"invalid size '0x0'", "-o a.png --size 0x0"},
-        {"invalid size '100000x100'", "-o a.png --size 100000x100"},
-        {"invalid size '99999999999999999999x1'",
+        {"--size must be width and height, such as", "-o a.png --size 0x0"},
+        {"--size must be width and height, such as",
+         "-o a.png --size 100000x100"},
+        {"--size must be width and height, such as",
          "-o a.png --size 99999999999999999999x1"},
-        {"invalid size '800'", "-o a.png --size 800"},
-        {"invalid size '-80x60'", "-o a.png --size -80x60"},
-        {"invalid size '80x60x'", "-o a.png --size 80x60x"},
+        {"--size must be width and height, such as", "-o a.png --size 800"},
+        {"--size must be width and height, such as", "-o a.png --size -80x60"},
+        {"--size must be width and height, such as", "-o a.png --size 80x60x"},
         {"both from 16 to 16384 pixels", "-o a.png --size 15x15"},
         {"or their ratio, such as 16:9", "-o a.png --size 16:"},
-        {"invalid size '16:0'", "-o a.png --size 16:0"},
-        {"invalid size '101:1'", "-o a.png --size 101:1"},
-        {"invalid size '4:3:2'", "-o a.png --size 4:3:2"},
+        {"--size must be width and height, such as", "-o a.png --size 16:0"},
+        {"--size must be width and height, such as", "-o a.png --size 101:1"},
+        {"--size must be width and height, such as", "-o a.png --size 4:3:2"},
         {"a picture must be 16 to 16384 pixels", "-o a.png --size 1:100"},
         {"invalid --title '$x'; write UTF-8, close each $",
          "-o a.png --title '$x'"},
-        {"invalid --panel '0'; give a number from 1", "-o a.png --panel 0"},
+        {"--panel must be a whole number from 1 to ", "-o a.png --panel 0"},
         {"--panel: there is no panel 9; the picture has ",
          "-o a.png --panel 9"},
         {"there is no panel 9", "--animate a.png --turntable --panel 9"},
         {"invalid --labels 'q'; choose none", "-o a.png --labels q"},
-        {"invalid --dpi '0'; give a number from 1", "-o a.png --dpi 0"},
-        {"invalid --dpi 'x'", "-o a.png --dpi x"},
+        {"--dpi must be a whole number from 1 to 4800, got '0'",
+         "-o a.png --dpi 0"},
+        {"--dpi must be a whole number from 1 to 4800, got 'x'",
+         "-o a.png --dpi x"},
         {"a picture must be 16 to 16384 pixels", "-o a.png --dpi 1"},
-        {"unknown theme 'pink'; choose light or dark", "-o a.png --theme pink"},
-        {"invalid view '30'; give two angles", "-o a.png --view 30"},
-        {"invalid view 'a,b'", "-o a.png --view a,b"},
-        {"invalid view '0,91'", "-o a.png --view 0,91"},
-        {"invalid view '1e400,0'", "-o a.png --view 1e400,0"},
-        {"invalid view '1,2,3'", "-o a.png --view 1,2,3"},
-        {"invalid --frames '0'", "--animate a.gif --frames 0"},
-        {"invalid --fps '-1'", "--animate a.gif --fps -1"},
+        {"--theme must be light or dark, got 'pink'", "-o a.png --theme pink"},
+        {"--view must be two angles in degrees", "-o a.png --view 30"},
+        {"--view must be two angles in degrees", "-o a.png --view a,b"},
+        {"--view must be two angles in degrees", "-o a.png --view 0,91"},
+        {"--view must be two angles in degrees", "-o a.png --view 1e400,0"},
+        {"--view must be two angles in degrees", "-o a.png --view 1,2,3"},
+        {"--frames must be a whole number from 1 to 10000, got '0'",
+         "--animate a.gif --frames 0"},
+        {"--fps must be a whole number from 1 to 120, got '-1'",
+         "--animate a.gif --fps -1"},
         {"an .mp4 file or a sheet cannot be transparent",
          "--animate a.mp4 --transparent"},
         {"an .mp4 file or a sheet cannot be transparent",
@@ -239,7 +244,7 @@ START_TEST(bad_queries_are_refused)
            "draw query " QUERY "-o a.png --labels p,,b");
     refuse("invalid --labels '$p_{'$'; write UTF-8",
            "draw query " QUERY "-o a.png --labels p_{,a,b");
-    refuse("invalid time '2'; give a number from 0 to 1",
+    refuse("the time must be from 0 to 1, got '2'",
            "draw query " QUERY "-o a.png --at 2");
     refuse("--at is for pictures; add -o",
            "draw query " QUERY "--animate a.gif --at 0.5");
@@ -270,14 +275,14 @@ START_TEST(bad_surfaces_are_refused)
     refuse("no surface given; add its file", "draw surface -o a.png");
     refuse("unexpected 'c'; give one START and one END",
            "draw surface a b c -o a.png");
-    refuse("unknown motion 'wild'; choose bent or straight",
+    refuse("--motion must be bent or straight, got 'wild'",
            "draw surface a b -m wild -o a.png");
-    refuse("unknown axis 'w'; choose x, y or z",
-           "draw surface a -u w -o a.png");
-    refuse("unknown axis ''", "draw surface a -u '' -o a.png");
-    refuse("invalid time '1.5'; give a number from 0 to 1",
+    refuse("--up must be x, y or z, got 'w'", "draw surface a -u w -o a.png");
+    refuse("--up must be x, y or z, got ''", "draw surface a -u '' -o a.png");
+    refuse("the time must be from 0 to 1, got '1.5'",
            "draw surface a b --time 1.5 -o a.png");
-    refuse("invalid time 'x'", "draw surface a b --time x -o a.png");
+    refuse("the time must be from 0 to 1, got 'x'",
+           "draw surface a b --time x -o a.png");
     refuse("--time is for steps; add END",
            "draw surface a --time 0.5 -o a.png");
     refuse("--motion is for steps", "draw surface a --motion bent -o a.png");
@@ -318,15 +323,16 @@ START_TEST(bad_films_are_refused)
     refuse("the output 'a.bmp' must end in .webp, .gif or .mp4, in .png, .pdf "
            "or .svg, or in / for a folder",
            "draw film a -o a.bmp");
-    refuse("invalid --every '0'; give a number from 1",
+    refuse("--every must be a whole number from 1 to ",
            "draw film a -o a.webp --every 0");
-    refuse("invalid --frame '-1'; give a number from 0",
+    refuse("--frame must be a whole number from 0 to ",
            "draw film a -o a.png --frame -1");
     refuse("--frame is for pictures; drop it",
            "draw film a -o a.webp --frame 1");
     refuse("--every is for films; drop it", "draw film a -o a.png --every 2");
     refuse("unrecognized option", "draw film a -o a.webp --turntable");
-    refuse("invalid size '1x1'", "draw film a -o a.webp --size 1x1");
+    refuse("--size must be width and height, such as",
+           "draw film a -o a.webp --size 1x1");
 }
 END_TEST
 

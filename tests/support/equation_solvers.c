@@ -102,7 +102,7 @@ END_TEST
 
 // The constraints of a vertex that is told to move in more directions than
 // there are.
-START_TEST(too_many_constraints_for_a_vertex)
+START_TEST(more_constraints_than_coordinates_are_solved)
 {
     zone_case z = zone_new(2, 4, 6);
     for (int v = 0; v < 4; v++)
@@ -127,7 +127,7 @@ START_TEST(too_many_constraints_for_a_vertex)
 }
 END_TEST
 
-START_TEST(what_is_satisfied_stays_and_what_was_found_is_found_again)
+START_TEST(satisfied_constraints_stay_and_solutions_are_found_again)
 {
     generator random = generator_new(4);
     zone_case z = zone_random(&random, 3, 20, 8, 8);
@@ -164,7 +164,7 @@ START_TEST(impulses_are_where_to_start_from)
 }
 END_TEST
 
-START_TEST(a_limit_of_iterations_is_kept)
+START_TEST(iterations_are_limited)
 {
     generator random = generator_new(6);
     zone_case z = zone_random(&random, 3, 30, 24, 24);
@@ -182,11 +182,11 @@ Suite *equation_solver_suite(const char *name, void (*use)(void))
     tcase_add_test(tcase, the_change_is_the_least);
     tcase_add_test(tcase, repeated_constraints_change_nothing);
     tcase_add_test(tcase, contradicting_constraints_meet_halfway);
-    tcase_add_test(tcase, too_many_constraints_for_a_vertex);
+    tcase_add_test(tcase, more_constraints_than_coordinates_are_solved);
     tcase_add_test(tcase,
-                   what_is_satisfied_stays_and_what_was_found_is_found_again);
+                   satisfied_constraints_stay_and_solutions_are_found_again);
     tcase_add_test(tcase, impulses_are_where_to_start_from);
-    tcase_add_test(tcase, a_limit_of_iterations_is_kept);
+    tcase_add_test(tcase, iterations_are_limited);
     suite_add_tcase(suite, tcase);
     return suite;
 }

@@ -67,7 +67,7 @@ static void compare(const tf_mesh *mesh, const tf_motion *motion)
     tf_surface_free(surface);
 }
 
-START_TEST(random_surfaces)
+START_TEST(random_surfaces_have_the_same_contacts)
 {
     static surface_case given;
     generator random = generator_new((uint64_t)_i);
@@ -79,7 +79,7 @@ START_TEST(random_surfaces)
 }
 END_TEST
 
-START_TEST(cloth)
+START_TEST(cloth_has_the_same_contacts)
 {
     layers crowded = layers_new(8, 1, 1);
     compare(&crowded.mesh, &crowded.motion);
@@ -94,8 +94,9 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("whole/narrow_phases");
     TCase *c = tcase_create("narrow phases");
-    tcase_add_loop_test(c, random_surfaces, 0, 2 * PLACEMENTS);
-    tcase_add_test(c, cloth);
+    tcase_add_loop_test(c, random_surfaces_have_the_same_contacts, 0,
+                        2 * PLACEMENTS);
+    tcase_add_test(c, cloth_has_the_same_contacts);
     suite_add_tcase(suite, c);
     return suite;
 }

@@ -135,7 +135,7 @@ END_TEST
 
 // By hand ---------------------------------------------------------------------
 
-START_TEST(aligned_sheets)
+START_TEST(aligned_sheets_are_resolved)
 {
     proposal_begin(&made, 3);
     proposal_add_sheet(&made, 4, 0);
@@ -146,7 +146,7 @@ START_TEST(aligned_sheets)
 END_TEST
 
 // Its displacement is no double, and some of its coordinates are -0.
-START_TEST(what_meets_nothing_ends_where_it_should)
+START_TEST(steps_without_contacts_end_as_proposed)
 {
     proposal_begin(&made, 3);
     proposal_add_sheet(&made, 2, 0);
@@ -164,7 +164,7 @@ START_TEST(what_meets_nothing_ends_where_it_should)
 }
 END_TEST
 
-START_TEST(parallel_edges)
+START_TEST(parallel_edges_are_resolved)
 {
     proposal_begin(&made, 3);
     for (int i = 0; i < 4; i++) {
@@ -177,7 +177,7 @@ START_TEST(parallel_edges)
 END_TEST
 
 /// Two cones, tip to tip.
-START_TEST(vertex_on_vertex)
+START_TEST(vertices_that_meet_are_resolved)
 {
     proposal_begin(&made, 3);
     for (int side = -1; side <= 1; side += 2) {
@@ -197,7 +197,7 @@ START_TEST(vertex_on_vertex)
 }
 END_TEST
 
-START_TEST(motion_in_a_plane)
+START_TEST(motion_in_one_plane_is_resolved)
 {
     proposal_begin(&made, 3);
     proposal_add_sheet(&made, 2, 0);
@@ -210,7 +210,7 @@ START_TEST(motion_in_a_plane)
 }
 END_TEST
 
-START_TEST(isolated_vertices)
+START_TEST(isolated_vertices_are_resolved)
 {
     proposal_begin(&made, 3);
     proposal_add_sheet(&made, 2, 0);
@@ -486,7 +486,7 @@ static bool starts_tangled(void)
     return tangled;
 }
 
-START_TEST(the_largest_and_the_least_doubles)
+START_TEST(the_largest_and_the_least_doubles_are_resolved)
 {
     static const int exponents[] = {1023, 1010, -500, -1000, -1050};
     static const tf_response_options levels[] = {{0}, {.zone_rounds = -1}};
@@ -718,13 +718,13 @@ Suite *suite(void)
     suite_add_tcase(suite, lattice);
 
     TCase *hand = tcase_create("by hand");
-    tcase_add_test(hand, aligned_sheets);
-    tcase_add_loop_test(hand, what_meets_nothing_ends_where_it_should, 0,
+    tcase_add_test(hand, aligned_sheets_are_resolved);
+    tcase_add_loop_test(hand, steps_without_contacts_end_as_proposed, 0,
                         LEVELS);
-    tcase_add_test(hand, parallel_edges);
-    tcase_add_test(hand, vertex_on_vertex);
-    tcase_add_test(hand, motion_in_a_plane);
-    tcase_add_test(hand, isolated_vertices);
+    tcase_add_test(hand, parallel_edges_are_resolved);
+    tcase_add_test(hand, vertices_that_meet_are_resolved);
+    tcase_add_test(hand, motion_in_one_plane_is_resolved);
+    tcase_add_test(hand, isolated_vertices_are_resolved);
     tcase_add_test(hand, a_triangle_turns_over_in_its_plane);
     tcase_add_test(hand, two_scripted_plates_close);
     tcase_add_test(hand, a_scripted_plate_pushes_and_is_not_held);
@@ -740,7 +740,8 @@ Suite *suite(void)
     suite_add_tcase(suite, kept);
 
     TCase *units = tcase_create("units");
-    tcase_add_loop_test(units, the_largest_and_the_least_doubles, 0, 5);
+    tcase_add_loop_test(units, the_largest_and_the_least_doubles_are_resolved,
+                        0, 5);
     suite_add_tcase(suite, units);
 
     TCase *solvers = tcase_create("solvers");

@@ -161,7 +161,7 @@ Suite *suite(void)
     tcase_add_loop_test(c, queries_not_finite_or_too_large_are_undecided, 0, 2);
     tcase_add_loop_test(c, a_broken_environment_is_reported, 0, environments());
     tcase_add_test(c, no_queries_are_decided_at_once);
-    tcase_add_loop_exit_test(c, missing_blocks_or_room_break_the_contract,
+    tcase_add_loop_exit_test(c, missing_blocks_or_masks_break_the_contract,
                              BROKEN_CONTRACT, 0, 2);
     suite_add_tcase(suite, c);
     return suite;

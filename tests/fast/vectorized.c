@@ -326,7 +326,7 @@ Suite *suite(void)
     tcase_add_loop_test(c, the_first_bad_query_has_its_status, 0, 2);
     tcase_add_loop_test(c, a_broken_environment_is_reported, 0, environments());
     tcase_add_test(c, no_queries_are_decided_at_once);
-    tcase_add_loop_exit_test(c, missing_queries_or_room_break_the_contract,
+    tcase_add_loop_exit_test(c, missing_queries_or_verdicts_break_the_contract,
                              BROKEN_CONTRACT, 0, 5);
     suite_add_tcase(suite, c);
     suite_add_tcase(suite, statuses_case("point-triangle", use_point_triangle));

@@ -151,7 +151,8 @@ static error_t understand(int key, char *text, struct argp_state *state)
         return 0;
     case ARGP_KEY_END:
         if (!asked->kind)
-            argp_error(state, "--kind KIND is required: which elements");
+            argp_error(state, "--kind KIND is required: %s",
+                       tf_list_choices(tf_query_kinds).text);
         return 0;
     default:
         return ARGP_ERR_UNKNOWN;

@@ -24,10 +24,19 @@ typedef struct tf_field {
     const char *format; ///< of a number in CSV, as printf; NULL: "%.17g"
 } tf_field;
 
-#define TF_FIELD(name, type, record, member)                                   \
+/// A field whose type is that of the member; numbers in CSV as `format` says.
+#define TF_FIELD(name, record, member) TF_FIELD_AS(name, record, member, NULL)
+#define TF_FIELD_AS(name, record, member, format)                              \
     {                                                                          \
-        name, type, offsetof(record, member), NULL                             \
+        name, TF_FIELD_TYPE(((record *)0)->member), offsetof(record, member),  \
+            format                                                             \
     }
+#define TF_FIELD_TYPE(value)                                                   \
+    _Generic((value), size_t                                                   \
+             : TF_COUNT, int                                                   \
+             : TF_INTEGER, double                                              \
+             : TF_NUMBER, const char *                                         \
+             : TF_WORD)
 
 //: Declare how to write a record
 /// Write the names of the fields as the first line of CSV, or the values as a

@@ -44,6 +44,18 @@ $(shared_library): $(call objects,$(LIBRARY)) book/chapters
 $(shared_links): $(shared_library)
 	@ln -sf $(<F) $@
 
+# The manual pages -------------------------------------------------------------
+
+# Each is made of the help of its command and of what else there is to say.
+manual = src/package/manual
+pages = $(patsubst $(manual)/%.1,$(BUILD)/man/%.1,$(wildcard $(manual)/*.1))
+
+$(BUILD)/man/%.1: $(manual)/%.1 $(manual)/page.awk $(program_file)
+	@echo 'write   $@' && mkdir -p $(@D)
+	$(Q)ARGP_HELP_FMT= $(EMULATOR) $(program_file) \
+	    $(patsubst tanglefree%,%,$(subst -, ,$*)) --help | \
+	    awk -f $(manual)/page.awk - $< >$@
+
 # The installation -------------------------------------------------------------
 
 # A line a file: where below PREFIX, and what, "->" for a link.
@@ -57,13 +69,13 @@ lib/libtanglefree.so -> libtanglefree.so.$(version)
 lib/pkgconfig/tanglefree.pc src/package/tanglefree.pc
 lib/cmake/tanglefree/tanglefreeConfig.cmake src/package/tanglefreeConfig.cmake
 lib/cmake/tanglefree/tanglefreeConfigVersion.cmake src/package/tanglefreeConfigVersion.cmake
-share/man/man1/tanglefree.1 src/program/tanglefree.1
-share/man/man1/tanglefree-query.1 src/program/tanglefree-query.1
-share/man/man1/tanglefree-detect.1 src/program/tanglefree-detect.1
-share/man/man1/tanglefree-check.1 src/program/tanglefree-check.1
-share/man/man1/tanglefree-resolve.1 src/program/tanglefree-resolve.1
-share/man/man1/tanglefree-remesh.1 src/program/tanglefree-remesh.1
-share/man/man1/tanglefree-simulate.1 src/program/tanglefree-simulate.1
+share/man/man1/tanglefree.1 $(BUILD)/man/tanglefree.1
+share/man/man1/tanglefree-query.1 $(BUILD)/man/tanglefree-query.1
+share/man/man1/tanglefree-detect.1 $(BUILD)/man/tanglefree-detect.1
+share/man/man1/tanglefree-check.1 $(BUILD)/man/tanglefree-check.1
+share/man/man1/tanglefree-resolve.1 $(BUILD)/man/tanglefree-resolve.1
+share/man/man1/tanglefree-remesh.1 $(BUILD)/man/tanglefree-remesh.1
+share/man/man1/tanglefree-simulate.1 $(BUILD)/man/tanglefree-simulate.1
 endef
 define installed_draw
 bin/tanglefree-draw $(drawing_file)
@@ -77,7 +89,7 @@ install uninstall: export FILES = $(installed)
 install-draw: export FILES = $(installed_draw)
 uninstall: export DRAW = $(installed_draw)
 
-install: library program ## install to PREFIX=/usr/local, below DESTDIR=
+install: library program $(pages) ## install to PREFIX=/usr/local, below DESTDIR=
 	@printf '%s\n' "$$FILES" | $(install_sh) put
 install-draw: drawing ## install tanglefree-draw
 	@printf '%s\n' "$$FILES" | $(install_sh) put

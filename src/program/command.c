@@ -42,12 +42,18 @@ static void list_options(const tf_command *command,
 }
 
 //: Check the arguments
+/// Ends the program if an option lacks, and says what it may be or is for.
 static void require_option(const tf_option *option, const tf_request *request)
 {
-    if (option->required && !tf_request_gave(request, option->name))
-        tf_request_refuse(request, "--%s %s is required: %c%s", option->name,
-                          option->argument, tolower(option->help[0]),
-                          option->help + 1);
+    char purpose[200];
+    if (!option->required || tf_request_gave(request, option->name))
+        return;
+    snprintf(purpose, sizeof purpose, "%s",
+             option->choices ? tf_list_choices(option->choices).text
+                             : option->help);
+    purpose[0] = (char)tolower(purpose[0]);
+    tf_request_refuse(request, "--%s %s is required: %s", option->name,
+                      option->argument, purpose);
 }
 
 static void check_arguments(const tf_command *command, tf_request *request)

@@ -15,11 +15,10 @@ tf_contact_values tf_contact_values_of(const tf_contact *contact, int axes);
 
 /// The fields of the values that are a member of a record.
 #define TF_CONTACT_FIELDS(record, member)                                      \
-    TF_FIELD("toi_lo", TF_NUMBER, record, member.toi_lo),                      \
-        TF_FIELD("toi_hi", TF_NUMBER, record, member.toi_hi),                  \
-        TF_FIELD("nx", TF_NUMBER, record, member.normal[0]),                   \
-        TF_FIELD("ny", TF_NUMBER, record, member.normal[1]),                   \
-        TF_FIELD("nz", TF_NUMBER, record, member.normal[2]),                   \
-        TF_FIELD("normal_velocity", TF_NUMBER, record,                         \
-                 member.normal_velocity),                                      \
-        TF_FIELD("case", TF_WORD, record, member.name)
+    TF_FIELD("toi_lo", record, member.toi_lo),                                 \
+        TF_FIELD("toi_hi", record, member.toi_hi),                             \
+        TF_FIELD("nx", record, member.normal[0]),                              \
+        TF_FIELD("ny", record, member.normal[1]),                              \
+        TF_FIELD("nz", record, member.normal[2]),                              \
+        TF_FIELD("normal_velocity", record, member.normal_velocity),           \
+        TF_FIELD("case", record, member.name)

@@ -2,10 +2,17 @@
 #define _GNU_SOURCE
 #include "program/progress.h"
 
-#include "program/clock.h"
-
 #include <stdio.h>
+#include <time.h>
 #include <unistd.h>
+
+//: Read the clock
+double tf_clock_seconds(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
 
 //: Write a count with commas
 static void print_grouped(FILE *stream, long count)

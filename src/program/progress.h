@@ -1,4 +1,4 @@
-//: Declare the progress line
+//: Declare the progress line and its clock
 #pragma once
 
 #include <stdbool.h>
@@ -15,3 +15,6 @@ typedef struct tf_progress {
 tf_progress tf_progress_begin(bool silent);
 void tf_progress_show(tf_progress *progress, long count, const char *things);
 void tf_progress_end(tf_progress *progress);
+
+/// Seconds since some time in the past, which never jump.
+double tf_clock_seconds(void);

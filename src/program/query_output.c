@@ -11,33 +11,33 @@ typedef struct answer {
 } answer;
 
 static const tf_field answer_fields[] = {
-    TF_FIELD("query", TF_COUNT, answer, query),
-    TF_FIELD("hit", TF_INTEGER, answer, hit),
+    TF_FIELD("query", answer, query),
+    TF_FIELD("hit", answer, hit),
     TF_CONTACT_FIELDS(answer, contact),
     {0},
 };
 
 //: List the counts of queries
 static const tf_field counts[] = {
-    TF_FIELD("queries", TF_COUNT, tf_tally, queries),
-    TF_FIELD("hits", TF_COUNT, tf_tally, hits),
-    TF_FIELD("generic", TF_COUNT, tf_tally, classified[TF_GENERIC]),
-    TF_FIELD("touching", TF_COUNT, tf_tally, classified[TF_TOUCHING]),
-    TF_FIELD("degenerate", TF_COUNT, tf_tally, classified[TF_DEGENERATE]),
+    TF_FIELD("queries", tf_tally, queries),
+    TF_FIELD("hits", tf_tally, hits),
+    TF_FIELD("generic", tf_tally, classified[TF_GENERIC]),
+    TF_FIELD("touching", tf_tally, classified[TF_TOUCHING]),
+    TF_FIELD("degenerate", tf_tally, classified[TF_DEGENERATE]),
     {0},
 };
 
 static const tf_field counts_of_truth[] = {
-    TF_FIELD("agree", TF_COUNT, tf_tally, agree),
-    TF_FIELD("extra", TF_COUNT, tf_tally, extra),
-    TF_FIELD("missed", TF_COUNT, tf_tally, missed),
+    TF_FIELD("agree", tf_tally, agree),
+    TF_FIELD("extra", tf_tally, extra),
+    TF_FIELD("missed", tf_tally, missed),
     {0},
 };
 
 static const tf_field counts_of_methods[] = {
-    TF_FIELD("differ", TF_COUNT, tf_tally, differ),
-    TF_FIELD("only_method", TF_COUNT, tf_tally, only_method),
-    TF_FIELD("only_against", TF_COUNT, tf_tally, only_against),
+    TF_FIELD("differ", tf_tally, differ),
+    TF_FIELD("only_method", tf_tally, only_method),
+    TF_FIELD("only_against", tf_tally, only_against),
     {0},
 };
 

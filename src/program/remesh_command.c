@@ -1,5 +1,4 @@
 //: Include what the command remesh needs
-#include "program/clock.h"
 #include "program/command.h"
 #include "program/flaws.h"
 #include "program/frames.h"

@@ -1,7 +1,6 @@
 //: Include what the command resolve needs
 
 #include "files/masses.h"
-#include "program/clock.h"
 #include "program/command.h"
 #include "program/flaws.h"
 #include "program/frames.h"

@@ -2,7 +2,6 @@
 #define _GNU_SOURCE // PATH_MAX
 
 #include "files/visible.h"
-#include "program/clock.h"
 #include "program/command.h"
 #include "program/interruption.h"
 #include "program/progress.h"
@@ -113,21 +112,19 @@ typedef struct run {
     tf_step_totals totals;
     tf_progress progress;
     int signal; ///< that ended the run, or 0
-    char fault[TF_FOLDER_FAULT_LENGTH];
 } run;
 
 static bool fault_in_step(run *r, tf_status status)
 {
-    snprintf(r->fault, sizeof r->fault, "%s: step %d: %s", r->scene->name,
-             r->simulation ? r->simulation->step + 1 : 1,
-             tf_status_message(status));
-    return false;
+    return tf_fault_set(&r->folder.fault, r->scene->name, -1, "step %d: %s",
+                        r->simulation ? r->simulation->step + 1 : 1,
+                        tf_status_message(status));
 }
 
 //: Make a step of the simulation, and write it
 static bool add_step(run *r)
 {
-    char things[TF_STEP_WORDS + 32], words[TF_STEP_WORDS];
+    char things[TF_STEP_WORDS];
     tf_simulation *s = r->simulation;
     tf_parallel threads = tf_threads(&r->request->threads);
     tf_step_options how = {&threads, r->totals.steps == 0, tf_clock_seconds};
@@ -135,8 +132,7 @@ static bool add_step(run *r)
     if (status != TF_OK)
         return fault_in_step(r, status);
     tf_step_totals_add(&r->totals, s);
-    tf_step_describe(s, words);
-    snprintf(things, sizeof things, "of %d steps, %s", r->steps, words);
+    tf_step_describe(s, r->steps, things);
     tf_progress_show(&r->progress, s->step, things);
     return tf_simulation_folder_add(&r->folder, s);
 }
@@ -171,9 +167,8 @@ static bool simulate(run *r)
 //: Print what was simulated
 static void print_end(const run *r, bool good)
 {
-    const char *fault = r->fault[0] ? r->fault : r->folder.fault;
     if (!good)
-        fprintf(stderr, "tanglefree: %s\n", fault);
+        tf_fault_print(&r->folder.fault, "tanglefree");
     else if (r->signal)
         fprintf(stderr,
                 "tanglefree: interrupted after step %d of %d; go on with "
@@ -211,7 +206,7 @@ static int run_simulate(const tf_request *request)
 const tf_command tf_simulate_command = {
     .set = TF_SIMULATE,
     .name = "simulate",
-    .purpose = "simulate a scene of cloth",
+    .purpose = "simulate a scene of cloth, or of a surface that flows",
     .operands = "SCENE\nlist",
     .least = 1,
     .most = 1,

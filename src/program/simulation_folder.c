@@ -8,53 +8,37 @@
 
 #include <dirent.h>
 #include <errno.h>
-#include <stdarg.h>
 #include <string.h>
 #include <sys/stat.h>
 
-//: Describe what is wrong with the folder of a simulation
-/// Sets the fault, as printf, behind the name of the folder or the file at work.
-__attribute__((format(printf, 2, 3))) static bool
-set_fault(tf_simulation_folder *folder, const char *format, ...)
-{
-    char verdict[400];
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(verdict, sizeof verdict, format, arguments);
-    va_end(arguments);
-    snprintf(folder->fault, sizeof folder->fault, "%s%s%s: %s",
-             tf_make_visible(folder->path).text, *folder->name ? "/" : "",
-             folder->name, verdict);
-    return false;
-}
-
-static bool fault_in_writing(tf_simulation_folder *folder)
-{
-    return set_fault(folder,
-                     "cannot write: %s; mend that, and go on with --resume",
-                     strerror(errno));
-}
-
 //: Name the files in the folder of a simulation
 enum {
-    TABLE = -1 // as the number of a frame
+    TABLE = -1, // as the number of a frame
+    NAME = 32   // room for a name
 };
 
-static void name_file(char name[TF_FOLDER_NAME], int step)
+static void name_file(char name[NAME], int step)
 {
     if (step == TABLE)
         strcpy(name, "steps.csv");
     else
-        snprintf(name, TF_FOLDER_NAME, "frame-%05d.ply", step);
+        snprintf(name, NAME, "frame-%05d.ply", step);
 }
 
 /// Sets to work on a frame or on the table; returns the path.
 static const char *choose_file(tf_simulation_folder *folder, int step)
 {
-    name_file(folder->name, step);
-    snprintf(folder->file, sizeof folder->file, "%s/%s", folder->path,
-             folder->name);
+    char name[NAME];
+    name_file(name, step);
+    snprintf(folder->file, sizeof folder->file, "%s/%s", folder->path, name);
     return folder->file;
+}
+
+static bool fault_in_writing(tf_simulation_folder *folder)
+{
+    return tf_fault_set(&folder->fault, folder->file, -1,
+                        "cannot write: %s; mend that, and go on with --resume",
+                        strerror(errno));
 }
 
 //: Write a frame whole
@@ -103,7 +87,7 @@ bool tf_simulation_folder_add(tf_simulation_folder *folder,
 static int step_named(const char *name)
 {
     int step = -1;
-    char same[TF_FOLDER_NAME];
+    char same[NAME];
     if (sscanf(name, "frame-%5d.ply", &step) != 1 || step < 0)
         return -1;
     name_file(same, step);
@@ -133,12 +117,13 @@ static bool make_folder(tf_simulation_folder *folder)
     if (mkdir(folder->path, 0777) == 0)
         return true;
     if (errno != EEXIST)
-        return set_fault(folder,
-                         "cannot make this folder: %s; choose another with -o",
-                         strerror(errno));
+        return tf_fault_set(
+            &folder->fault, folder->path, -1,
+            "cannot make this folder: %s; choose another with -o",
+            strerror(errno));
     return count_files(folder->path, &last) == 2 || // "." and ".."
-           set_fault(
-               folder,
+           tf_fault_set(
+               &folder->fault, folder->path, -1,
                "exists, and is not an empty folder; choose another, or go "
                "on with the simulation in it by --resume");
 }
@@ -162,15 +147,16 @@ static bool read_frame(tf_simulation_folder *folder, int step,
     char arguments[TF_SIMULATION_NAME];
     tf_frame_fault fault = tf_frame_read(simulation, choose_file(folder, step));
     if (fault == TF_FRAME_UNREADABLE)
-        return set_fault(folder, "cannot read: %s; check the file",
-                         strerror(errno));
+        return tf_fault_set(&folder->fault, folder->file, -1,
+                            "cannot read: %s; check the file", strerror(errno));
     tf_simulation_name(simulation, arguments);
     return (fault == TF_FRAME_GOOD && simulation->step == step) ||
-           set_fault(folder,
-                     "is no frame of 'tanglefree simulate %s'; "
-                     "correct the arguments, or delete the file to go on from "
-                     "the one before",
-                     arguments);
+           tf_fault_set(
+               &folder->fault, folder->file, -1,
+               "is no frame of 'tanglefree simulate %s'; "
+               "correct the arguments, or delete the file to go on from "
+               "the one before",
+               arguments);
 }
 
 static bool resume_table(tf_simulation_folder *folder,
@@ -180,12 +166,14 @@ static bool resume_table(tf_simulation_folder *folder,
         tf_steps_file_resume(choose_file(folder, TABLE), kind, steps);
     if (folder->table)
         return true;
-    return errno ? set_fault(folder, "cannot open: %s", strerror(errno))
-                 : set_fault(folder,
-                             "has no line for each of the %d steps whose "
-                             "frames are there; delete frames after the last "
-                             "line to go on from there",
-                             steps);
+    return errno
+               ? tf_fault_set(&folder->fault, folder->file, -1,
+                              "cannot open: %s", strerror(errno))
+               : tf_fault_set(&folder->fault, folder->file, -1,
+                              "has no line for each of the %d steps whose "
+                              "frames are there; delete frames after the last "
+                              "line to go on from there",
+                              steps);
 }
 
 bool tf_simulation_folder_resume(tf_simulation_folder *folder, const char *path,
@@ -195,8 +183,8 @@ bool tf_simulation_folder_resume(tf_simulation_folder *folder, const char *path,
     *folder = (tf_simulation_folder){.path = path};
     count_files(path, &last);
     if (last < 0)
-        return set_fault(folder,
-                         "has no frames to go on from; leave out --resume");
+        return tf_fault_set(&folder->fault, path, -1,
+                            "has no frames to go on from; leave out --resume");
     return read_frame(folder, last, simulation) &&
            resume_table(folder, simulation->scene->kind, last);
 }

@@ -1,15 +1,13 @@
 //: Declare the folder of a simulation
 #pragma once
 
-#include "files/visible.h"
+#include "files/fault.h"
 #include "simulate/simulation.h"
 
 #include <limits.h>
 #include <stdio.h>
 
 enum {
-    TF_FOLDER_NAME = 32,
-    TF_FOLDER_FAULT_LENGTH = TF_VISIBLE_ROOM + 512,
     TF_MOST_STEPS = 99999 ///< so that frames are sorted by their names
 };
 
@@ -17,11 +15,10 @@ enum {
 /// frame after each step, and the table steps.csv.  A frame is there whole or
 /// not at all, and with it the line of its step.
 typedef struct tf_simulation_folder {
-    const char *path;          ///< borrowed
-    FILE *table;               ///< NULL: it is not open
-    char name[TF_FOLDER_NAME]; ///< of the file that is at work; "": none is
-    char file[PATH_MAX];       ///< its path
-    char fault[TF_FOLDER_FAULT_LENGTH]; ///< what is wrong, and how to mend it
+    const char *path;    ///< borrowed
+    FILE *table;         ///< NULL: it is not open
+    char file[PATH_MAX]; ///< the path of the file that is at work
+    tf_fault fault;      ///< of that file or of the folder
 } tf_simulation_folder;
 
 /// Makes the folder, unless it is there and empty, and writes the start.  False:

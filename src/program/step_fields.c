@@ -165,11 +165,11 @@ void tf_step_totals_write(FILE *stream, const tf_step_totals *sums,
 }
 
 //: Describe a step in a few words
-void tf_step_describe(const tf_simulation *simulation,
+void tf_step_describe(const tf_simulation *simulation, int steps,
                       char words[TF_STEP_WORDS])
 {
     bool flows = simulation->scene->kind == &tf_flow_kind;
     const char *name = flows ? "triangles" : "contacts";
-    snprintf(words, TF_STEP_WORDS, "%.0f %s",
+    snprintf(words, TF_STEP_WORDS, "of %d steps, %.0f %s", steps,
              number_of(column_of(simulation, name), simulation), name);
 }

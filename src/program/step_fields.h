@@ -12,8 +12,8 @@ enum {
 /// The columns of the table of steps, in which a simulation is a record.
 const tf_field *tf_step_columns(const tf_simulation_kind *kind);
 
-/// Describes the last step in a few words.
-void tf_step_describe(const tf_simulation *simulation,
+/// Says in a few words of how many steps the last one is, and what it had.
+void tf_step_describe(const tf_simulation *simulation, int steps,
                       char words[TF_STEP_WORDS]);
 
 //: Declare totals of steps

@@ -14,12 +14,12 @@ typedef struct contact_row {
 } contact_row;
 
 static const tf_field contact_fields[] = {
-    TF_FIELD("step", TF_COUNT, contact_row, step),
-    TF_FIELD("kind", TF_WORD, contact_row, kind),
-    TF_FIELD("a", TF_INTEGER, contact_row, vertex[0]),
-    TF_FIELD("b", TF_INTEGER, contact_row, vertex[1]),
-    TF_FIELD("c", TF_INTEGER, contact_row, vertex[2]),
-    TF_FIELD("d", TF_INTEGER, contact_row, vertex[3]),
+    TF_FIELD("step", contact_row, step),
+    TF_FIELD("kind", contact_row, kind),
+    TF_FIELD("a", contact_row, vertex[0]),
+    TF_FIELD("b", contact_row, vertex[1]),
+    TF_FIELD("c", contact_row, vertex[2]),
+    TF_FIELD("d", contact_row, vertex[3]),
     TF_CONTACT_FIELDS(contact_row, contact),
     {0},
 };
@@ -37,13 +37,13 @@ typedef struct crossing_row {
 } crossing_row;
 
 static const tf_field crossing_fields[] = {
-    TF_FIELD("file", TF_WORD, crossing_row, file),
-    TF_FIELD("kind", TF_WORD, crossing_row, kind),
-    TF_FIELD("a", TF_INTEGER, crossing_row, vertex[0]),
-    TF_FIELD("b", TF_INTEGER, crossing_row, vertex[1]),
-    TF_FIELD("c", TF_INTEGER, crossing_row, vertex[2]),
-    TF_FIELD("d", TF_INTEGER, crossing_row, vertex[3]),
-    TF_FIELD("e", TF_INTEGER, crossing_row, vertex[4]),
+    TF_FIELD("file", crossing_row, file),
+    TF_FIELD("kind", crossing_row, kind),
+    TF_FIELD("a", crossing_row, vertex[0]),
+    TF_FIELD("b", crossing_row, vertex[1]),
+    TF_FIELD("c", crossing_row, vertex[2]),
+    TF_FIELD("d", crossing_row, vertex[3]),
+    TF_FIELD("e", crossing_row, vertex[4]),
     {"f", TF_EMPTY, 0, NULL},
     {0},
 };
@@ -56,22 +56,20 @@ static const char *const crossing_kinds[] = {
 
 //: List the counts of steps and of files
 static const tf_field counts_of_steps[] = {
-    TF_FIELD("steps", TF_COUNT, tf_surface_tally, parts),
-    TF_FIELD("steps with contacts", TF_COUNT, tf_surface_tally, tangled),
-    TF_FIELD("contacts", TF_COUNT, tf_surface_tally, rows),
-    TF_FIELD("candidates", TF_COUNT, tf_surface_tally, statistics.candidates),
-    TF_FIELD("decided by axis", TF_COUNT, tf_surface_tally, statistics.by_axis),
-    TF_FIELD("decided by filter", TF_COUNT, tf_surface_tally,
-             statistics.by_filter),
-    TF_FIELD("decided by signs", TF_COUNT, tf_surface_tally,
-             statistics.by_signs),
+    TF_FIELD("steps", tf_surface_tally, parts),
+    TF_FIELD("steps with contacts", tf_surface_tally, tangled),
+    TF_FIELD("contacts", tf_surface_tally, rows),
+    TF_FIELD("candidates", tf_surface_tally, statistics.candidates),
+    TF_FIELD("decided by axis", tf_surface_tally, statistics.by_axis),
+    TF_FIELD("decided by filter", tf_surface_tally, statistics.by_filter),
+    TF_FIELD("decided by signs", tf_surface_tally, statistics.by_signs),
     {0},
 };
 
 static const tf_field counts_of_files[] = {
-    TF_FIELD("files", TF_COUNT, tf_surface_tally, parts),
-    TF_FIELD("files with intersections", TF_COUNT, tf_surface_tally, tangled),
-    TF_FIELD("intersections", TF_COUNT, tf_surface_tally, rows),
+    TF_FIELD("files", tf_surface_tally, parts),
+    TF_FIELD("files with intersections", tf_surface_tally, tangled),
+    TF_FIELD("intersections", tf_surface_tally, rows),
     {0},
 };
 

@@ -36,13 +36,10 @@ static void build_sphere(tf_stage *stage, double cells)
     add_square(body, (int)cells, 1, center[2] + radius + 0.02, 0.3);
     int first = body->vertices;
     tf_ball_add(body, center, radius, (int)cells + 3);
-    tf_stage_add_script(stage, (tf_script){.first = first,
-                                           .count = body->vertices - first,
-                                           .begin = 1.5,
-                                           .end = 3.5,
-                                           .center = {0, 0, center[2]},
-                                           .axis = {0, 0, 1},
-                                           .turn = 6});
+    tf_stage_add_script(stage,
+                        (tf_script){first, body->vertices - first, .begin = 1.5,
+                                    .end = 3.5, .center = {0, 0, center[2]},
+                                    .axis = {0, 0, 1}, .turn = 6});
     tf_floor_add(body, 0, 4);
 }
 
@@ -70,13 +67,10 @@ static void build_twist(tf_stage *stage, double cells)
                       .across_step = {0, cell, 0}, .along_step = {cell, 0, 0}};
     tf_sheet_add(&stage->body, &strip, &ribbon);
     for (int end = -1; end <= 1; end += 2)
-        tf_stage_add_script(stage,
-                            (tf_script){.first = end < 0 ? 0 : along * row,
-                                        .count = row,
-                                        .end = 3.5,
-                                        .axis = {1, 0, 0},
-                                        .turn = 18 * end,
-                                        .shift = {-0.3 * end, 0, 0}});
+        tf_stage_add_script(stage, (tf_script){end < 0 ? 0 : along * row, row,
+                                               .end = 3.5, .axis = {1, 0, 0},
+                                               .turn = 18 * end,
+                                               .shift = {-0.3 * end, 0, 0}});
 }
 
 //: Build the scene knot
@@ -90,10 +84,7 @@ static void build_knot(tf_stage *stage, double pairs)
     tf_line_free(&line);
     for (int end = 0; end < 2; end++)
         tf_stage_add_script(
-            stage, (tf_script){.first = end * (circles * sides - grip),
-                               .count = grip,
-                               .end = 2.5,
-                               .axis = {0, 0, 1},
+            stage, (tf_script){end * (circles * sides - grip), grip, .end = 2.5,
                                .shift = {0, end == 0 ? 0.38 : -0.38, 0}});
 }
 
@@ -109,13 +100,9 @@ static void build_curtain(tf_stage *stage, double cells)
                       .across_step = {cell, 0, 0}, .along_step = {0, cell, 0}};
     tf_sheet_add(&stage->body, &sheet, &silk);
     for (int i = 0; i < 2; i++)
-        tf_stage_add_script(stage,
-                            (tf_script){.first = (middle + i) * row + middle,
-                                        .count = 2,
-                                        .begin = 0.1,
-                                        .end = 2.8,
-                                        .axis = {0, 0, 1},
-                                        .shift = {0, 0, -0.9}});
+        tf_stage_add_script(stage, (tf_script){(middle + i) * row + middle, 2,
+                                               .begin = 0.1, .end = 2.8,
+                                               .shift = {0, 0, -0.9}});
     tf_ring_add(&stage->body, center, radius, size + 4, size / 3 + 4);
 }
 
@@ -161,8 +148,7 @@ static void add_links(tf_body *body, int links, double length)
     }
     for (int v = 0; v + 1 < links; v++)
         tf_body_add_elastic(body,
-                            &(tf_elastic){.count = 3,
-                                          .vertex = {v, v + 1, v + 2},
+                            &(tf_elastic){3, .vertex = {v, v + 1, v + 2},
                                           .weight = {1, -2, 1},
                                           .stiffness = bend / pow(length, 3)});
 }
@@ -194,87 +180,36 @@ enum {
 };
 
 const tf_scene tf_cloth_scenes[] = {
-    {
-        .kind = &tf_cloth_kind,
-        .name = "sphere",
-        .shows = "cloth falls on a ball, which then turns",
-        .resolution = {35, 4, MOST, "cells along a side of the cloth"},
-        .steps = 400,
-        .step = 0.01,
-        .build = build_sphere,
-        .gravity = 9.81,
-        .air = {.drag = 0.3},
-        .friction = 0.4,
-    },
-    {
-        .kind = &tf_cloth_kind,
-        .name = "stack",
-        .shows = "sheets fall on a column, one upon the other",
-        .resolution = {20, 4, MOST, "cells along a side of a sheet"},
-        .steps = 250,
-        .step = 0.01,
-        .build = build_stack,
-        .gravity = 9.81,
-        .air = {.drag = 0.3},
-        .friction = 0.3,
-    },
-    {
-        .kind = &tf_cloth_kind,
-        .name = "twist",
-        .shows =
-            "a strip whose ends are turned buckles, and winds about itself",
-        .resolution = {12, 2, MOST, "cells across the strip"},
-        .steps = 750,
-        .step = 0.005,
-        .build = build_twist,
-        .air = {.drag = 0.3},
-        .friction = 0.2,
-    },
-    {
-        .kind = &tf_cloth_kind,
-        .name = "knot",
-        .shows = "a rope with a knot is pulled tight",
-        .resolution = {5, 2, MOST, "pairs of sides of the rope"},
-        .steps = 550,
-        .step = 0.005,
-        .build = build_knot,
-        .air = {.drag = 0.3},
-        .friction = 0.2,
-    },
-    {
-        .kind = &tf_cloth_kind,
-        .name = "curtain",
-        .shows = "a sheet is drawn through a ring by its middle",
-        .resolution = {35, 10, MOST, "cells along a side of the sheet"},
-        .steps = 1200,
-        .step = 0.0025,
-        .build = build_curtain,
-        .gravity = 9.81,
-        .air = {.drag = 0.3},
-    },
-    {
-        .kind = &tf_cloth_kind,
-        .name = "flag",
-        .shows = "a flag is blown about its pole, and flaps",
-        .resolution = {20, 4, MOST, "cells along the pole"},
-        .steps = 800,
-        .step = 0.005,
-        .build = build_flag,
-        .gravity = 9.81,
-        .air = {.drag = 0.8, .wind = {5, 0, 0}, .veer = 1, .gust = 1.5},
-        .friction = 0.2,
-    },
-    {
-        .kind = &tf_cloth_kind,
-        .name = "plane-chain",
-        .shows = "in the plane, a chain falls into a box",
-        .resolution = {200, 40, MOST, "links of the chain"},
-        .steps = 400,
-        .step = 0.005,
-        .plane = true,
-        .build = build_chain,
-        .gravity = 9.81,
-        .friction = 0.3,
-    },
+    {&tf_cloth_kind, .name = "sphere", .build = build_sphere,
+     .shows = "cloth falls on a ball, which then turns",
+     .resolution = {35, 4, MOST, "cells along a side of the cloth"},
+     .steps = 400, .step = 0.01, .gravity = 9.81, .air = {.drag = 0.3},
+     .friction = 0.4},
+    {&tf_cloth_kind, .name = "stack", .build = build_stack,
+     .shows = "sheets fall on a column, one upon the other",
+     .resolution = {20, 4, MOST, "cells along a side of a sheet"}, .steps = 250,
+     .step = 0.01, .gravity = 9.81, .air = {.drag = 0.3}, .friction = 0.3},
+    {&tf_cloth_kind, .name = "twist", .build = build_twist,
+     .shows = "a strip whose ends are turned buckles, and winds about itself",
+     .resolution = {12, 2, MOST, "cells across the strip"}, .steps = 750,
+     .step = 0.005, .air = {.drag = 0.3}, .friction = 0.2},
+    {&tf_cloth_kind, .name = "knot", .build = build_knot,
+     .shows = "a rope with a knot is pulled tight",
+     .resolution = {5, 2, MOST, "pairs of sides of the rope"}, .steps = 550,
+     .step = 0.005, .air = {.drag = 0.3}, .friction = 0.2},
+    {&tf_cloth_kind, .name = "curtain", .build = build_curtain,
+     .shows = "a sheet is drawn through a ring by its middle",
+     .resolution = {35, 10, MOST, "cells along a side of the sheet"},
+     .steps = 1200, .step = 0.0025, .gravity = 9.81, .air = {.drag = 0.3}},
+    {&tf_cloth_kind, .name = "flag", .build = build_flag,
+     .shows = "a flag is blown about its pole, and flaps",
+     .resolution = {20, 4, MOST, "cells along the pole"}, .steps = 800,
+     .step = 0.005, .gravity = 9.81,
+     .air = {.drag = 0.8, .wind = {5, 0, 0}, .veer = 1, .gust = 1.5},
+     .friction = 0.2},
+    {&tf_cloth_kind, .name = "plane-chain", .build = build_chain,
+     .shows = "in the plane, a chain falls into a box",
+     .resolution = {200, 40, MOST, "links of the chain"}, .steps = 400,
+     .step = 0.005, .plane = true, .gravity = 9.81, .friction = 0.3},
     {0},
 };

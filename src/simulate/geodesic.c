@@ -34,10 +34,9 @@ static const int side_tips[SIDES][3] = {
 typedef struct dividing {
     tf_body *body;
     int n;
-    int tip[TIPS]; ///< vertices, or -1
-    int edge[TIPS]
-            [TIPS]; ///< the first of n - 1 vertices, from the tip with the
-                    ///< lower number on, or -1
+    int first[TIPS][TIPS]; ///< of each edge, the first of n - 1 vertices, from
+                           ///< the tip with the lower number on, and of a tip
+                           ///< and itself its vertex; or -1
 } dividing;
 
 static int add_point(dividing *d, const int tip[3], const int part[3])
@@ -53,15 +52,20 @@ static int add_point(dividing *d, const int tip[3], const int part[3])
 //: Number the points of its edges
 static int vertex_of_tip(dividing *d, int tip)
 {
-    if (d->tip[tip] < 0)
-        d->tip[tip] = add_point(d, (int[]){tip, 0, 0}, (int[]){1, 0, 0});
-    return d->tip[tip];
+    int *vertex = &d->first[tip][tip];
+    if (*vertex < 0)
+        *vertex = add_point(d, (int[]){tip, 0, 0}, (int[]){1, 0, 0});
+    return *vertex;
 }
 
-/// So far from a towards b, which are in this order.
+/// So far from a towards b.
 static int vertex_of_edge(dividing *d, int a, int b, int far)
 {
-    int *first = &d->edge[a][b];
+    if (far == 0 || far == d->n)
+        return vertex_of_tip(d, far == 0 ? a : b);
+    if (a > b)
+        return vertex_of_edge(d, b, a, d->n - far);
+    int *first = &d->first[a][b];
     if (*first < 0) {
         *first = d->body->vertices;
         for (int i = 1; i < d->n; i++)
@@ -76,18 +80,14 @@ static int vertex_of_edge(dividing *d, int a, int b, int far)
 static int vertex_in_side(dividing *d, const int tip[3], int row, int along,
                           int inside)
 {
-    const int part[] = {d->n - row - along, along, row};
-    for (int i = 0; i < 3; i++) {
-        int j = (i + 1) % 3, k = (i + 2) % 3;
-        if (part[i] == d->n)
-            return vertex_of_tip(d, tip[i]);
-        if (part[k] == 0 && part[i] > 0 && part[j] > 0)
-            return tip[i] < tip[j] ? vertex_of_edge(d, tip[i], tip[j], part[j])
-                                   : vertex_of_edge(d, tip[j], tip[i], part[i]);
-    }
+    if (row == 0)
+        return vertex_of_edge(d, tip[0], tip[1], along);
+    if (along == 0)
+        return vertex_of_edge(d, tip[0], tip[2], row);
+    if (row + along == d->n)
+        return vertex_of_edge(d, tip[1], tip[2], row);
     // Of the points inside, n - 1 - r are in the row r.
-    int before = (row - 1) * (2 * d->n - 2 - row) / 2;
-    return inside + before + along - 1;
+    return inside + (row - 1) * (2 * d->n - 2 - row) / 2 + along - 1;
 }
 
 static int add_inside(dividing *d, const int tip[3])
@@ -119,11 +119,8 @@ static void add_side(dividing *d, const int tip[3])
 void tf_geodesic_add(tf_body *body, int n)
 {
     dividing d = {.body = body, .n = n};
-    for (int i = 0; i < TIPS; i++) {
-        d.tip[i] = -1;
-        for (int j = 0; j < TIPS; j++)
-            d.edge[i][j] = -1;
-    }
+    for (int i = 0; i < TIPS * TIPS; i++)
+        d.first[i / TIPS][i % TIPS] = -1;
     for (int i = 0; i < SIDES && !body->failed; i++)
         add_side(&d, side_tips[i]);
 }

@@ -9,7 +9,7 @@ typedef struct tf_script {
     int first, count;  ///< which vertices
     double begin, end; ///< times, in seconds
     double center[3];  ///< about which they turn
-    double axis[3];    ///< of length 1
+    double axis[3];    ///< of length 1, unless they only shift
     double turn;       ///< by which angle, in radians
     double shift[3];   ///< and where to, in meters
 } tf_script;

@@ -54,7 +54,7 @@ static void expect_rewritten(const tf_mesh_file *mesh)
     }
 }
 
-START_TEST(a_mesh_of_all_elements)
+START_TEST(a_mesh_of_all_elements_comes_back)
 {
     tf_mesh_file mesh = good_mesh(
         "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 7 7 7\nl 4 1 2\nf 3 1 2\nf 2 1 4\nl 3 4\n"
@@ -64,7 +64,7 @@ START_TEST(a_mesh_of_all_elements)
 }
 END_TEST
 
-START_TEST(meshes_of_one_element)
+START_TEST(meshes_of_one_element_come_back)
 {
     tf_mesh_file mesh = good_mesh("v 0 0 1\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     expect_rewritten(&mesh);
@@ -75,7 +75,7 @@ START_TEST(meshes_of_one_element)
 }
 END_TEST
 
-START_TEST(a_curve_of_the_plane)
+START_TEST(a_curve_of_the_plane_comes_back)
 {
     tf_mesh_file mesh = good_mesh("v 0 0.1\nv 1 0\nv 0 1\nl 1 2 3 1\n");
     expect_rewritten(&mesh);
@@ -88,7 +88,7 @@ START_TEST(a_curve_of_the_plane)
 }
 END_TEST
 
-START_TEST(doubles_of_any_size)
+START_TEST(doubles_of_any_size_come_back)
 {
     static const double extremes[] = {0.0,
                                       -0.0,
@@ -122,7 +122,7 @@ START_TEST(doubles_of_any_size)
 }
 END_TEST
 
-START_TEST(what_is_written)
+START_TEST(each_format_is_written_to_the_letter)
 {
     char *text = NULL;
     size_t size;
@@ -174,11 +174,11 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("files/mesh_writer");
     TCase *written = tcase_create("what is written");
-    tcase_add_test(written, a_mesh_of_all_elements);
-    tcase_add_test(written, meshes_of_one_element);
-    tcase_add_test(written, a_curve_of_the_plane);
-    tcase_add_test(written, doubles_of_any_size);
-    tcase_add_test(written, what_is_written);
+    tcase_add_test(written, a_mesh_of_all_elements_comes_back);
+    tcase_add_test(written, meshes_of_one_element_come_back);
+    tcase_add_test(written, a_curve_of_the_plane_comes_back);
+    tcase_add_test(written, doubles_of_any_size_come_back);
+    tcase_add_test(written, each_format_is_written_to_the_letter);
     tcase_add_test(written, the_ending_chooses_the_format);
     suite_add_tcase(suite, written);
     return suite;

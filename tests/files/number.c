@@ -29,7 +29,7 @@ static void expect_as_strtod(const char *text)
     ck_assert_msg(at == end, "'%s' ends at '%s', not '%s'", text, at, end);
 }
 
-START_TEST(numbers_at_the_limits)
+START_TEST(numbers_at_the_limits_are_exact)
 {
     static const char *const texts[] = {"0",
                                         "-0",
@@ -210,7 +210,7 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("files/number");
     TCase *numbers = tcase_create("numbers");
-    tcase_add_test(numbers, numbers_at_the_limits);
+    tcase_add_test(numbers, numbers_at_the_limits_are_exact);
     tcase_add_test(numbers, a_number_ends_where_it_ends);
     tcase_add_test(numbers, what_is_no_number_is_left_alone);
     tcase_add_test(numbers, exponents_of_endless_digits_do_not_wrap_round);

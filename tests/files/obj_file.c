@@ -17,7 +17,7 @@ static const int first_three[] = {0, 1, 2};
 
 // Vertices --------------------------------------------------------------------
 
-START_TEST(vertices_in_order)
+START_TEST(vertices_keep_their_order)
 {
     tf_mesh_file file =
         good_mesh("v 1 -2 3.5\nv\t4\t5e-1  6 \n" FACE "v 0x1.8p-1 .25 -0\n");
@@ -86,7 +86,7 @@ START_TEST(random_doubles_come_back_to_the_last_bit)
 }
 END_TEST
 
-START_TEST(the_largest_and_smallest_doubles)
+START_TEST(the_largest_and_smallest_doubles_are_read)
 {
     tf_mesh_file file =
         good_mesh("v 1.7976931348623157e308 4.9e-324 0x1p-1074\n"
@@ -100,7 +100,7 @@ END_TEST
 
 // Elements --------------------------------------------------------------------
 
-START_TEST(all_forms_of_indices)
+START_TEST(all_forms_of_indices_are_read)
 {
     static const char *const faces[] = {"f 1 2 3",
                                         "f 1/7 2/8 3/9",
@@ -136,7 +136,7 @@ START_TEST(negative_indices_count_from_where_they_are)
 }
 END_TEST
 
-START_TEST(elements_before_their_vertices)
+START_TEST(elements_may_precede_their_vertices)
 {
     expect_triangles_of("f 1 2 4\n" FOUR, 1, (int[]){0, 1, 3});
 }
@@ -166,7 +166,7 @@ START_TEST(other_lines_are_skipped)
 }
 END_TEST
 
-START_TEST(windows_text_with_a_byte_order_mark)
+START_TEST(windows_text_with_a_byte_order_mark_is_read)
 {
     tf_mesh_file file =
         good_mesh("\xEF\xBB\xBFv 0 0 0\r\nv 1 0 0\r\n\r\nv 0 1 0\r\n"
@@ -182,7 +182,7 @@ START_TEST(windows_text_with_a_byte_order_mark)
 }
 END_TEST
 
-START_TEST(lines_that_go_on)
+START_TEST(a_backslash_continues_a_line)
 {
     tf_mesh_file file = good_mesh("v 0 \\\n 0 0\nv 1\\\r\n0 \\\n\\\n 0\n"
                                   "v\\\n0 1 0\nf 1 \\\n2 3\\\n\nl 1\\\n 2\n");
@@ -208,7 +208,7 @@ START_TEST(comments_do_not_go_on)
 }
 END_TEST
 
-START_TEST(very_long_lines)
+START_TEST(very_long_lines_are_read)
 {
     enum {
         LONG = 1000000
@@ -290,7 +290,7 @@ static const struct {
     {"l 1 b", "\"b\" is not a corner"},
 };
 
-START_TEST(bad_lines)
+START_TEST(bad_lines_are_refused)
 {
     char text[300];
     snprintf(text, sizeof text, FOUR "# %d\n%s\n" FACE, _i, faults[_i].line);
@@ -310,7 +310,7 @@ START_TEST(triangles_need_depth)
 }
 END_TEST
 
-START_TEST(nul_bytes)
+START_TEST(nul_bytes_are_refused)
 {
     static const char text[] = FOUR FACE;
     enum {
@@ -336,14 +336,14 @@ START_TEST(nul_bytes)
 }
 END_TEST
 
-START_TEST(utf_16)
+START_TEST(utf_16_is_refused)
 {
     expect_bad_bytes("\xFF\xFEv\0 \0001\0\n\0", 10, 1, "a NUL byte; the file");
     expect_bad_bytes("\0v\0 \0001\0\n", 8, 1, "not UTF-16");
 }
 END_TEST
 
-START_TEST(cut_short_anywhere)
+START_TEST(text_cut_short_has_a_mendable_fault)
 {
     static const char text[] = FOUR "l 1 2\nf 1/1/1 2//2 -2\nl -1 2 3\n";
     for (size_t size = 0; size < sizeof text; size++) {
@@ -360,34 +360,35 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("files/obj_file");
     TCase *vertices = tcase_create("vertices");
-    tcase_add_test(vertices, vertices_in_order);
+    tcase_add_test(vertices, vertices_keep_their_order);
     tcase_add_test(vertices, weights_and_colors_do_not_count);
     tcase_add_test(vertices, vertices_without_z_are_of_the_plane);
     tcase_add_test(vertices, random_doubles_come_back_to_the_last_bit);
-    tcase_add_test(vertices, the_largest_and_smallest_doubles);
+    tcase_add_test(vertices, the_largest_and_smallest_doubles_are_read);
     suite_add_tcase(suite, vertices);
 
     TCase *elements = tcase_create("elements");
-    tcase_add_test(elements, all_forms_of_indices);
+    tcase_add_test(elements, all_forms_of_indices_are_read);
     tcase_add_test(elements, negative_indices_count_from_where_they_are);
-    tcase_add_test(elements, elements_before_their_vertices);
+    tcase_add_test(elements, elements_may_precede_their_vertices);
     tcase_add_test(elements, polylines_are_edges);
     suite_add_tcase(suite, elements);
 
     TCase *lines = tcase_create("lines");
     tcase_add_test(lines, other_lines_are_skipped);
-    tcase_add_test(lines, windows_text_with_a_byte_order_mark);
-    tcase_add_test(lines, lines_that_go_on);
+    tcase_add_test(lines, windows_text_with_a_byte_order_mark_is_read);
+    tcase_add_test(lines, a_backslash_continues_a_line);
     tcase_add_test(lines, comments_do_not_go_on);
-    tcase_add_test(lines, very_long_lines);
+    tcase_add_test(lines, very_long_lines_are_read);
     suite_add_tcase(suite, lines);
 
     TCase *bad = tcase_create("faults");
-    tcase_add_loop_test(bad, bad_lines, 0, sizeof faults / sizeof *faults);
+    tcase_add_loop_test(bad, bad_lines_are_refused, 0,
+                        sizeof faults / sizeof *faults);
     tcase_add_test(bad, triangles_need_depth);
-    tcase_add_test(bad, nul_bytes);
-    tcase_add_test(bad, utf_16);
-    tcase_add_test(bad, cut_short_anywhere);
+    tcase_add_test(bad, nul_bytes_are_refused);
+    tcase_add_test(bad, utf_16_is_refused);
+    tcase_add_test(bad, text_cut_short_has_a_mendable_fault);
     suite_add_tcase(suite, bad);
     return suite;
 }

@@ -43,7 +43,7 @@ static unsigned permissions(const char *path)
     return found.st_mode & 0777;
 }
 
-START_TEST(a_new_file)
+START_TEST(a_new_file_appears_when_kept)
 {
     umask(027);
     write_file("new.obj", "text");
@@ -53,7 +53,7 @@ START_TEST(a_new_file)
 }
 END_TEST
 
-START_TEST(a_file_that_is_replaced)
+START_TEST(a_file_is_replaced_when_kept)
 {
     make_file("old", "before");
     ck_assert_int_eq(chmod("old", 0604), 0);
@@ -71,7 +71,7 @@ START_TEST(a_file_that_is_replaced)
 }
 END_TEST
 
-START_TEST(a_file_that_is_dropped)
+START_TEST(a_dropped_file_leaves_nothing)
 {
     make_file("old", "before");
     tf_output_file file;
@@ -115,7 +115,7 @@ START_TEST(pipes_are_written_to)
 }
 END_TEST
 
-START_TEST(what_cannot_be_a_file)
+START_TEST(what_cannot_be_a_file_is_refused)
 {
     static const struct {
         const char *path;
@@ -133,7 +133,7 @@ START_TEST(what_cannot_be_a_file)
 END_TEST
 
 // By its number, under which no other file could take its place.
-START_TEST(a_full_device)
+START_TEST(a_full_device_is_reported)
 {
     char path[100];
     int device = open("/dev/full", O_WRONLY);
@@ -149,7 +149,7 @@ START_TEST(a_full_device)
 }
 END_TEST
 
-START_TEST(a_file_that_gets_too_large)
+START_TEST(a_file_that_gets_too_large_is_reported)
 {
     tf_output_file file;
     ck_assert(tf_output_file_begin(&file, "large"));
@@ -190,7 +190,7 @@ START_TEST(a_signal_removes_the_scratch_file)
 }
 END_TEST
 
-START_TEST(a_signal_that_is_ignored)
+START_TEST(an_ignored_signal_changes_nothing)
 {
     signal(SIGHUP, SIG_IGN);
     tf_output_file file;
@@ -206,21 +206,21 @@ Suite *suite(void)
     Suite *suite = suite_create("files/output_file");
     TCase *written = tcase_create("what is written");
     tcase_add_checked_fixture(written, enter_folder, leave_folder);
-    tcase_add_test(written, a_new_file);
-    tcase_add_test(written, a_file_that_is_replaced);
-    tcase_add_test(written, a_file_that_is_dropped);
+    tcase_add_test(written, a_new_file_appears_when_kept);
+    tcase_add_test(written, a_file_is_replaced_when_kept);
+    tcase_add_test(written, a_dropped_file_leaves_nothing);
     tcase_add_test(written, links_are_followed);
     tcase_add_test(written, pipes_are_written_to);
-    tcase_add_test(written, what_cannot_be_a_file);
-    tcase_add_test(written, a_full_device);
-    tcase_add_test(written, a_file_that_gets_too_large);
+    tcase_add_test(written, what_cannot_be_a_file_is_refused);
+    tcase_add_test(written, a_full_device_is_reported);
+    tcase_add_test(written, a_file_that_gets_too_large_is_reported);
     suite_add_tcase(suite, written);
 
     TCase *ended = tcase_create("signals");
     tcase_add_checked_fixture(ended, enter_folder, leave_folder);
     tcase_add_loop_test(ended, a_signal_removes_the_scratch_file, 0,
                         sizeof signals / sizeof *signals);
-    tcase_add_test(ended, a_signal_that_is_ignored);
+    tcase_add_test(ended, an_ignored_signal_changes_nothing);
     suite_add_tcase(suite, ended);
     return suite;
 }

@@ -94,7 +94,7 @@ static bytes binary_triangle(bool big)
 
 // Good files ------------------------------------------------------------------
 
-START_TEST(how_it_begins)
+START_TEST(a_file_is_ply_by_its_first_line)
 {
     static const char *const good[] = {"ply\n", "ply\r", "ply\r\n",
                                        "ply\nplenty"};
@@ -108,7 +108,7 @@ START_TEST(how_it_begins)
 }
 END_TEST
 
-START_TEST(a_triangle_as_text)
+START_TEST(a_triangle_is_read_as_text)
 {
     tf_mesh_file file = good_mesh(HEADER THREE "3 0 1 2\n");
     expect_vertices(&file, 3, three);
@@ -122,7 +122,7 @@ START_TEST(a_triangle_as_text)
 }
 END_TEST
 
-START_TEST(a_triangle_in_binary)
+START_TEST(a_triangle_is_read_in_binary)
 {
     bytes made = binary_triangle(_i);
     tf_mesh_file file = good_bytes(made.at, made.count);
@@ -240,7 +240,7 @@ static void try_integers(int i, int name, bool big)
     tf_mesh_file_free(&file);
 }
 
-START_TEST(all_types_of_integers)
+START_TEST(all_types_of_integers_are_read)
 {
     for (int i = 0; i < 6; i++)
         for (int j = 0; j < 4; j++)
@@ -248,7 +248,7 @@ START_TEST(all_types_of_integers)
 }
 END_TEST
 
-START_TEST(edges)
+START_TEST(edges_are_read)
 {
     static const char declarations[] =
         "element vertex 3\nproperty float x\nproperty float y\n"
@@ -346,7 +346,7 @@ START_TEST(what_is_unknown_is_skipped_in_binary)
 }
 END_TEST
 
-START_TEST(windows_text)
+START_TEST(windows_text_is_read)
 {
     static const char text[] = HEADER THREE "3 0 1 2\n";
     char windows[2 * sizeof text], *to = windows;
@@ -364,7 +364,7 @@ START_TEST(windows_text)
 }
 END_TEST
 
-START_TEST(a_windows_header_of_binary)
+START_TEST(a_windows_header_of_binary_is_read)
 {
     bytes made = {0};
     put_text(&made, "ply\r\nformat binary_little_endian 1.0\r\n"
@@ -381,7 +381,7 @@ START_TEST(a_windows_header_of_binary)
 }
 END_TEST
 
-START_TEST(blanks_and_blank_lines)
+START_TEST(blanks_and_blank_lines_are_skipped)
 {
     expect_triangles_of(HEADER "\n 0  0\t0 \n1 0 0\n\n \t\n0 1 0\n3 0 1 2", 1,
                         first_three);
@@ -391,7 +391,7 @@ START_TEST(blanks_and_blank_lines)
 }
 END_TEST
 
-START_TEST(faces_before_vertices)
+START_TEST(faces_may_precede_vertices)
 {
     expect_triangles_of("ply\nformat ascii 1.0\n" FACES VERTICES "end_header\n"
                         "3 0 1 2\n" THREE,
@@ -464,13 +464,13 @@ static const struct {
      3, "vertices without z"},
 };
 
-START_TEST(bad_headers)
+START_TEST(bad_headers_are_refused)
 {
     expect_bad_mesh(headers[_i].text, headers[_i].line, headers[_i].words);
 }
 END_TEST
 
-START_TEST(too_many_declarations)
+START_TEST(too_many_declarations_are_refused)
 {
     char text[4000] = "ply\nformat ascii 1.0\n";
     for (int i = 0; i < 17; i++)
@@ -483,7 +483,7 @@ START_TEST(too_many_declarations)
 }
 END_TEST
 
-START_TEST(sixteen_elements_of_sixty_four_properties)
+START_TEST(sixteen_elements_of_sixty_four_properties_are_read)
 {
     char text[20000] = "ply\nformat ascii 1.0\n" VERTICES;
     for (int i = 3; i < 64; i++)
@@ -548,7 +548,7 @@ static const struct {
     {THREE "three 0 1 2\n", 13, "\"three\" is not a finite number"},
 };
 
-START_TEST(bad_texts)
+START_TEST(bad_texts_are_refused)
 {
     char text[500];
     snprintf(text, sizeof text, HEADER "%s", texts[_i].rows);
@@ -556,7 +556,7 @@ START_TEST(bad_texts)
 }
 END_TEST
 
-START_TEST(counts_that_are_wrong)
+START_TEST(wrong_counts_are_refused)
 {
     static const struct {
         const char *vertices;
@@ -580,7 +580,7 @@ START_TEST(counts_that_are_wrong)
 }
 END_TEST
 
-START_TEST(nul_bytes)
+START_TEST(nul_bytes_are_refused)
 {
     static const char text[] = HEADER THREE "3 0 1 2\n";
     size_t header = strlen(HEADER);
@@ -602,7 +602,7 @@ END_TEST
 
 // Faults of what follows, in binary -------------------------------------------
 
-START_TEST(cut_short_at_each_byte)
+START_TEST(files_cut_short_at_any_byte_are_refused)
 {
     bytes made = _i < 2 ? binary_triangle(_i) : binary_more(_i - 2);
     size_t header = (size_t)(strstr(made.at, "end_header\n") - made.at) + 11;
@@ -622,7 +622,7 @@ START_TEST(cut_short_at_each_byte)
 }
 END_TEST
 
-START_TEST(bytes_to_spare)
+START_TEST(bytes_to_spare_are_refused)
 {
     bytes made = binary_triangle(_i);
     put_int(&made, 1, 0);
@@ -631,7 +631,7 @@ START_TEST(bytes_to_spare)
 }
 END_TEST
 
-START_TEST(bad_numbers_in_binary)
+START_TEST(bad_numbers_in_binary_are_refused)
 {
     bytes made = binary(_i, VERTICES FACES);
     bytes rows = made;
@@ -658,7 +658,7 @@ START_TEST(bad_numbers_in_binary)
 }
 END_TEST
 
-START_TEST(counts_that_no_file_has)
+START_TEST(counts_that_no_file_has_are_refused)
 {
     // Neither memory nor time is spent on what is declared alone.
     bytes made =
@@ -681,39 +681,40 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("files/ply_file");
     TCase *good = tcase_create("good files");
-    tcase_add_test(good, how_it_begins);
-    tcase_add_test(good, a_triangle_as_text);
-    tcase_add_loop_test(good, a_triangle_in_binary, 0, 2);
+    tcase_add_test(good, a_file_is_ply_by_its_first_line);
+    tcase_add_test(good, a_triangle_is_read_as_text);
+    tcase_add_loop_test(good, a_triangle_is_read_in_binary, 0, 2);
     tcase_add_test(good, random_doubles_come_back_to_the_last_bit);
     tcase_add_test(good, random_floats_come_back_to_the_last_bit);
-    tcase_add_test(good, all_types_of_integers);
-    tcase_add_test(good, edges);
+    tcase_add_test(good, all_types_of_integers_are_read);
+    tcase_add_test(good, edges_are_read);
     tcase_add_test(good, what_is_unknown_is_skipped_as_text);
     tcase_add_loop_test(good, what_is_unknown_is_skipped_in_binary, 0, 2);
-    tcase_add_test(good, windows_text);
-    tcase_add_test(good, a_windows_header_of_binary);
-    tcase_add_test(good, blanks_and_blank_lines);
-    tcase_add_test(good, faces_before_vertices);
+    tcase_add_test(good, windows_text_is_read);
+    tcase_add_test(good, a_windows_header_of_binary_is_read);
+    tcase_add_test(good, blanks_and_blank_lines_are_skipped);
+    tcase_add_test(good, faces_may_precede_vertices);
     suite_add_tcase(suite, good);
 
     TCase *header = tcase_create("faults of the header");
-    tcase_add_loop_test(header, bad_headers, 0,
+    tcase_add_loop_test(header, bad_headers_are_refused, 0,
                         sizeof headers / sizeof *headers);
-    tcase_add_test(header, too_many_declarations);
-    tcase_add_test(header, sixteen_elements_of_sixty_four_properties);
+    tcase_add_test(header, too_many_declarations_are_refused);
+    tcase_add_test(header, sixteen_elements_of_sixty_four_properties_are_read);
     suite_add_tcase(suite, header);
 
     TCase *text = tcase_create("faults of text");
-    tcase_add_loop_test(text, bad_texts, 0, sizeof texts / sizeof *texts);
-    tcase_add_test(text, counts_that_are_wrong);
-    tcase_add_test(text, nul_bytes);
+    tcase_add_loop_test(text, bad_texts_are_refused, 0,
+                        sizeof texts / sizeof *texts);
+    tcase_add_test(text, wrong_counts_are_refused);
+    tcase_add_test(text, nul_bytes_are_refused);
     suite_add_tcase(suite, text);
 
     TCase *cut = tcase_create("faults of binary");
-    tcase_add_loop_test(cut, cut_short_at_each_byte, 0, 4);
-    tcase_add_loop_test(cut, bytes_to_spare, 0, 2);
-    tcase_add_loop_test(cut, bad_numbers_in_binary, 0, 2);
-    tcase_add_loop_test(cut, counts_that_no_file_has, 0, 2);
+    tcase_add_loop_test(cut, files_cut_short_at_any_byte_are_refused, 0, 4);
+    tcase_add_loop_test(cut, bytes_to_spare_are_refused, 0, 2);
+    tcase_add_loop_test(cut, bad_numbers_in_binary_are_refused, 0, 2);
+    tcase_add_loop_test(cut, counts_that_no_file_has_are_refused, 0, 2);
     suite_add_tcase(suite, cut);
     return suite;
 }

@@ -115,7 +115,7 @@ START_TEST(rows_are_vertices_at_0_then_at_1)
 }
 END_TEST
 
-START_TEST(three_vertices_in_the_plane)
+START_TEST(a_query_of_the_plane_has_three_vertices)
 {
     outcome found = expect_good("point-edge", PLANE, 1);
     const tf_query_rows *rows = &found.query[0];
@@ -124,7 +124,7 @@ START_TEST(three_vertices_in_the_plane)
 }
 END_TEST
 
-START_TEST(rationals_with_and_without_truth)
+START_TEST(rationals_may_have_the_truth)
 {
     outcome found = expect_good("point-edge", RATIONAL, 1);
     ck_assert(found.query[0].x[0][0] == 0.5);
@@ -136,7 +136,7 @@ START_TEST(rationals_with_and_without_truth)
 }
 END_TEST
 
-START_TEST(rationals_in_space)
+START_TEST(rationals_are_read_in_space)
 {
     char text[400] = "";
     for (int row = 0; row < 8; row++)
@@ -160,7 +160,7 @@ START_TEST(rounded_coordinates_are_counted)
 }
 END_TEST
 
-START_TEST(every_way_to_write_a_number)
+START_TEST(every_way_to_write_a_number_is_read)
 {
     outcome found = expect_good("point-edge",
                                 "0x1.8p-1,-0X1P3\n1e-3,-2.5E+2\n.5,5.\n"
@@ -176,7 +176,7 @@ START_TEST(every_way_to_write_a_number)
 }
 END_TEST
 
-START_TEST(blanks_around_fields)
+START_TEST(blanks_around_fields_are_skipped)
 {
     expect_good("point-edge",
                 " 1 ,\t2\n3\t, 4 \n5,6\n7,8\n9,10\n \t11 \t, \t12\t\n", 1);
@@ -184,7 +184,7 @@ START_TEST(blanks_around_fields)
 }
 END_TEST
 
-START_TEST(carriage_returns)
+START_TEST(carriage_returns_end_lines)
 {
     outcome found = expect_good(
         "point-edge", "1,2\r\n-3,4\r\n5,6\r\n7,8\r\n9,10\r\n11,12\r\n\r\n", 1);
@@ -193,7 +193,7 @@ START_TEST(carriage_returns)
 }
 END_TEST
 
-START_TEST(byte_order_mark)
+START_TEST(a_byte_order_mark_is_skipped)
 {
     outcome found = expect_good("point-edge", "\xEF\xBB\xBF" PLANE, 1);
     ck_assert(found.query[0].x[0][0] == 1);
@@ -201,7 +201,7 @@ START_TEST(byte_order_mark)
 }
 END_TEST
 
-START_TEST(missing_final_newline)
+START_TEST(the_last_line_needs_no_end)
 {
     outcome found = expect_good("point-edge",
                                 PLANE "1,2\n3,4\n5,6\n7,8\n9,10\n"
@@ -211,7 +211,7 @@ START_TEST(missing_final_newline)
 }
 END_TEST
 
-START_TEST(blank_lines_and_comments)
+START_TEST(blank_lines_and_comments_are_skipped)
 {
     expect_good("point-edge", PLANE "\n\n \t\n\r\n", 1);
     expect_good("point-edge", PLANE "\n ", 1);
@@ -222,7 +222,7 @@ START_TEST(blank_lines_and_comments)
 }
 END_TEST
 
-START_TEST(lines_of_rows_apart)
+START_TEST(each_row_has_its_line)
 {
     outcome found = expect_good("point-edge",
                                 "# A point,\n1,2\n# and an edge.\n\n3,4\n5,6\n"
@@ -235,7 +235,7 @@ START_TEST(lines_of_rows_apart)
 }
 END_TEST
 
-START_TEST(very_long_lines)
+START_TEST(very_long_lines_are_read)
 {
     enum {
         LONG = 3000000
@@ -258,7 +258,7 @@ START_TEST(very_long_lines)
 }
 END_TEST
 
-START_TEST(three_hundred_digits)
+START_TEST(three_hundred_digits_are_read)
 {
     char ones[301], threes[301], text[4000] = "";
     memset(ones, '1', 300);
@@ -296,7 +296,7 @@ END_TEST
 
 // Faults of a field -----------------------------------------------------------
 
-START_TEST(not_a_number)
+START_TEST(nan_is_refused)
 {
     expect_fault("point-edge", PLANE "1,nan\n", 1, 7,
                  "column 2 is \"nan\", not a finite number");
@@ -304,7 +304,7 @@ START_TEST(not_a_number)
 }
 END_TEST
 
-START_TEST(infinity)
+START_TEST(infinity_is_refused)
 {
     expect_fault("point-edge", PLANE "1,2\n-inf,1\n", 1, 8,
                  "column 1 is \"-inf\", not a finite number");
@@ -313,7 +313,7 @@ START_TEST(infinity)
 }
 END_TEST
 
-START_TEST(text_in_a_number)
+START_TEST(text_in_a_number_is_refused)
 {
     expect_fault("point-edge", PLANE "1,2.5abc\n", 1, 7,
                  "column 2 is \"2.5abc\"");
@@ -324,14 +324,14 @@ START_TEST(text_in_a_number)
 }
 END_TEST
 
-START_TEST(text_instead_of_a_number)
+START_TEST(text_instead_of_a_number_is_refused)
 {
     expect_fault("point-triangle", "x,1,z\n" SPACE, 0, 1, "column 1 is \"x\"");
     expect_fault("point-edge", "\x1b[31m,1\n", 0, 1, "column 1 is \"?[31m\"");
 }
 END_TEST
 
-START_TEST(text_in_an_integer)
+START_TEST(text_in_an_integer_is_refused)
 {
     expect_fault("point-edge", RATIONAL "1,2,0.5,1\n", 1, 7,
                  "column 3 is \"0.5\", not an integer");
@@ -342,7 +342,7 @@ START_TEST(text_in_an_integer)
 }
 END_TEST
 
-START_TEST(empty_field)
+START_TEST(an_empty_field_is_refused)
 {
     expect_fault("point-edge", PLANE "1,\n", 1, 7, "column 2 is empty");
     expect_fault("point-edge", PLANE ",1\n", 1, 7, "column 1 is empty");
@@ -352,7 +352,7 @@ START_TEST(empty_field)
 }
 END_TEST
 
-START_TEST(overflow)
+START_TEST(overflow_is_refused)
 {
     expect_fault("point-edge", PLANE "1,-1e309\n", 1, 7,
                  "column 2 is \"-1e309\", beyond the largest double");
@@ -365,7 +365,7 @@ START_TEST(overflow)
 }
 END_TEST
 
-START_TEST(zero_denominator)
+START_TEST(a_zero_denominator_is_refused)
 {
     expect_fault("point-edge", RATIONAL "1,2,3,0\n", 1, 7,
                  "column 4 is 0; a denominator");
@@ -374,7 +374,7 @@ START_TEST(zero_denominator)
 }
 END_TEST
 
-START_TEST(bad_truth)
+START_TEST(bad_truth_is_refused)
 {
     expect_fault("point-edge", TRUE_FIVE "1,2,3,4,2\n", 0, 6,
                  "column 5 is \"2\", not a ground truth");
@@ -387,7 +387,7 @@ START_TEST(bad_truth)
 }
 END_TEST
 
-START_TEST(truth_that_changes)
+START_TEST(truth_that_changes_is_refused)
 {
     expect_fault("point-edge", TRUE_FIVE "1,2,3,4,0\n", 0, 6,
                  "the ground truth is 0, but 1 on line 1");
@@ -400,7 +400,7 @@ END_TEST
 
 // Faults of a row -------------------------------------------------------------
 
-START_TEST(missing_column)
+START_TEST(a_missing_column_is_refused)
 {
     expect_fault("point-edge", PLANE "1\n", 1, 7, "too few columns: 1, but");
     expect_fault("point-triangle", SPACE "1,2\n", 1, 9,
@@ -410,7 +410,7 @@ START_TEST(missing_column)
 }
 END_TEST
 
-START_TEST(too_many_columns)
+START_TEST(too_many_columns_are_refused)
 {
     expect_fault("point-edge", PLANE "1,2,3\n", 1, 7, "too many columns: 3");
     expect_fault("point-edge", PLANE "1,2,\n", 1, 7, "too many columns: 3");
@@ -419,7 +419,7 @@ START_TEST(too_many_columns)
 }
 END_TEST
 
-START_TEST(columns_of_another_kind)
+START_TEST(columns_of_another_kind_are_refused)
 {
     expect_fault("point-edge", SPACE, 0, 1,
                  "3 columns; a row of point-edge has 2 (decimals), 4 "
@@ -437,7 +437,7 @@ START_TEST(columns_of_another_kind)
 }
 END_TEST
 
-START_TEST(header_line)
+START_TEST(a_header_line_is_refused)
 {
     static const char *const headers[] = {"x,y,z",
                                           "X , Y , Z",
@@ -460,7 +460,7 @@ START_TEST(header_line)
 }
 END_TEST
 
-START_TEST(lines_are_counted_that_are_skipped)
+START_TEST(skipped_lines_are_counted)
 {
     expect_fault("point-edge", "\n#\n" PLANE "\n#\n1,x\n", 1, 11,
                  "column 2 is \"x\"");
@@ -471,7 +471,7 @@ START_TEST(lines_are_counted_that_are_skipped)
 }
 END_TEST
 
-START_TEST(nul_byte)
+START_TEST(a_nul_byte_is_refused)
 {
     char text[] = PLANE "1,2@\n";
     *strchr(text, '@') = '\0';
@@ -485,7 +485,7 @@ START_TEST(nul_byte)
 }
 END_TEST
 
-START_TEST(utf_16)
+START_TEST(utf_16_is_refused)
 {
     outcome found = read_bytes("point-edge",
                                "\xFF\xFE"
@@ -497,7 +497,7 @@ END_TEST
 
 // Faults of a file ------------------------------------------------------------
 
-START_TEST(missing_rows)
+START_TEST(missing_rows_are_refused)
 {
     expect_fault("edge-edge", SPACE SPACE SPACE_FOUR "1,2,3\n", 2, 21,
                  "query 102 has only 5 of its 8 rows");
@@ -510,7 +510,7 @@ START_TEST(missing_rows)
 }
 END_TEST
 
-START_TEST(empty_file)
+START_TEST(an_empty_file_is_refused)
 {
     expect_fault("point-edge", "", 0, 1, "no rows; a query has 6");
     expect_fault("edge-edge", "\n\n", 0, 1, "no rows; a query has 8");
@@ -533,7 +533,7 @@ static ssize_t fail_to_read(void *given, char *text, size_t room)
     return sizeof rows - 1;
 }
 
-START_TEST(read_error)
+START_TEST(a_read_error_is_reported)
 {
     bool given = false;
     cookie_io_functions_t functions = {.read = fail_to_read};
@@ -557,14 +557,14 @@ static void expect_no_file(const char *path, bool opens, const char *words)
     tf_query_file_close(&file);
 }
 
-START_TEST(absent_file)
+START_TEST(an_absent_file_is_refused)
 {
     expect_no_file("/no/such/file", false,
                    "cannot open: No such file or directory; ");
 }
 END_TEST
 
-START_TEST(directory)
+START_TEST(a_directory_is_refused)
 {
     expect_no_file("/", true, "cannot read: Is a directory; ");
 }
@@ -572,7 +572,7 @@ END_TEST
 
 // Kinds -----------------------------------------------------------------------
 
-START_TEST(kinds_by_their_names)
+START_TEST(kinds_are_found_by_their_names)
 {
     const tf_query_kind *kind = tf_choice_named(tf_query_kinds, "point-edge");
     ck_assert(kind->axes == 2 && kind->vertices[0] == 1 &&
@@ -610,55 +610,55 @@ Suite *suite(void)
     Suite *suite = suite_create("files/query_file");
     TCase *good = tcase_create("good files");
     tcase_add_test(good, rows_are_vertices_at_0_then_at_1);
-    tcase_add_test(good, three_vertices_in_the_plane);
-    tcase_add_test(good, rationals_with_and_without_truth);
-    tcase_add_test(good, rationals_in_space);
+    tcase_add_test(good, a_query_of_the_plane_has_three_vertices);
+    tcase_add_test(good, rationals_may_have_the_truth);
+    tcase_add_test(good, rationals_are_read_in_space);
     tcase_add_test(good, rounded_coordinates_are_counted);
-    tcase_add_test(good, every_way_to_write_a_number);
-    tcase_add_test(good, blanks_around_fields);
-    tcase_add_test(good, carriage_returns);
-    tcase_add_test(good, byte_order_mark);
-    tcase_add_test(good, missing_final_newline);
-    tcase_add_test(good, blank_lines_and_comments);
-    tcase_add_test(good, lines_of_rows_apart);
-    tcase_add_test(good, very_long_lines);
-    tcase_add_test(good, three_hundred_digits);
+    tcase_add_test(good, every_way_to_write_a_number_is_read);
+    tcase_add_test(good, blanks_around_fields_are_skipped);
+    tcase_add_test(good, carriage_returns_end_lines);
+    tcase_add_test(good, a_byte_order_mark_is_skipped);
+    tcase_add_test(good, the_last_line_needs_no_end);
+    tcase_add_test(good, blank_lines_and_comments_are_skipped);
+    tcase_add_test(good, each_row_has_its_line);
+    tcase_add_test(good, very_long_lines_are_read);
+    tcase_add_test(good, three_hundred_digits_are_read);
     tcase_add_test(good, random_queries_come_back_to_the_last_bit);
     suite_add_tcase(suite, good);
 
     TCase *fields = tcase_create("faults of a field");
-    tcase_add_test(fields, not_a_number);
-    tcase_add_test(fields, infinity);
-    tcase_add_test(fields, text_in_a_number);
-    tcase_add_test(fields, text_instead_of_a_number);
-    tcase_add_test(fields, text_in_an_integer);
-    tcase_add_test(fields, empty_field);
-    tcase_add_test(fields, overflow);
-    tcase_add_test(fields, zero_denominator);
-    tcase_add_test(fields, bad_truth);
-    tcase_add_test(fields, truth_that_changes);
+    tcase_add_test(fields, nan_is_refused);
+    tcase_add_test(fields, infinity_is_refused);
+    tcase_add_test(fields, text_in_a_number_is_refused);
+    tcase_add_test(fields, text_instead_of_a_number_is_refused);
+    tcase_add_test(fields, text_in_an_integer_is_refused);
+    tcase_add_test(fields, an_empty_field_is_refused);
+    tcase_add_test(fields, overflow_is_refused);
+    tcase_add_test(fields, a_zero_denominator_is_refused);
+    tcase_add_test(fields, bad_truth_is_refused);
+    tcase_add_test(fields, truth_that_changes_is_refused);
     suite_add_tcase(suite, fields);
 
     TCase *rows = tcase_create("faults of a row");
-    tcase_add_test(rows, missing_column);
-    tcase_add_test(rows, too_many_columns);
-    tcase_add_test(rows, columns_of_another_kind);
-    tcase_add_test(rows, header_line);
-    tcase_add_test(rows, lines_are_counted_that_are_skipped);
-    tcase_add_test(rows, nul_byte);
-    tcase_add_test(rows, utf_16);
+    tcase_add_test(rows, a_missing_column_is_refused);
+    tcase_add_test(rows, too_many_columns_are_refused);
+    tcase_add_test(rows, columns_of_another_kind_are_refused);
+    tcase_add_test(rows, a_header_line_is_refused);
+    tcase_add_test(rows, skipped_lines_are_counted);
+    tcase_add_test(rows, a_nul_byte_is_refused);
+    tcase_add_test(rows, utf_16_is_refused);
     suite_add_tcase(suite, rows);
 
     TCase *files = tcase_create("faults of a file");
-    tcase_add_test(files, missing_rows);
-    tcase_add_test(files, empty_file);
-    tcase_add_test(files, read_error);
-    tcase_add_test(files, absent_file);
-    tcase_add_test(files, directory);
+    tcase_add_test(files, missing_rows_are_refused);
+    tcase_add_test(files, an_empty_file_is_refused);
+    tcase_add_test(files, a_read_error_is_reported);
+    tcase_add_test(files, an_absent_file_is_refused);
+    tcase_add_test(files, a_directory_is_refused);
     suite_add_tcase(suite, files);
 
     TCase *kinds = tcase_create("kinds");
-    tcase_add_test(kinds, kinds_by_their_names);
+    tcase_add_test(kinds, kinds_are_found_by_their_names);
     tcase_add_test(kinds, standard_input_has_a_name);
     suite_add_tcase(suite, kinds);
     return suite;

@@ -131,19 +131,19 @@ static void try_random(long count, int most_bits)
     mpz_clears(n, d, NULL);
 }
 
-START_TEST(random_short_rationals)
+START_TEST(random_short_rationals_are_rounded_right)
 {
     try_random(cases(50000), 64);
 }
 END_TEST
 
-START_TEST(random_long_rationals)
+START_TEST(random_long_rationals_are_rounded_right)
 {
     try_random(cases(50000), 1000);
 }
 END_TEST
 
-START_TEST(random_rationals_beyond_the_doubles)
+START_TEST(random_rationals_beyond_the_doubles_overflow_or_vanish)
 {
     try_random(cases(20000), 2600);
 }
@@ -179,7 +179,7 @@ static double any_size(generator *random)
     return isfinite(x) ? x : any_size(random);
 }
 
-START_TEST(halfway_between_two_doubles)
+START_TEST(halfway_between_two_doubles_goes_to_even)
 {
     generator random = generator_new(3);
     mpz_t factor;
@@ -192,7 +192,7 @@ START_TEST(halfway_between_two_doubles)
 }
 END_TEST
 
-START_TEST(halfway_at_the_ends_of_the_range)
+START_TEST(halfway_at_the_ends_of_the_range_is_rounded_right)
 {
     static const double ends[] = {0,
                                   0x1p-1074,
@@ -217,7 +217,7 @@ END_TEST
 
 /// 10^n / 10^d, near the ends of the range, where a glance at the lengths
 /// decides.
-START_TEST(powers_of_ten)
+START_TEST(powers_of_ten_are_rounded_right)
 {
     mpz_t n, d;
     mpz_inits(n, d, NULL);
@@ -235,7 +235,7 @@ START_TEST(powers_of_ten)
 }
 END_TEST
 
-START_TEST(three_hundred_digits)
+START_TEST(three_hundred_digits_are_rounded_right)
 {
     mpz_t n, d;
     mpz_inits(n, d, NULL);
@@ -252,7 +252,7 @@ START_TEST(three_hundred_digits)
 }
 END_TEST
 
-START_TEST(fifty_thousand_digits)
+START_TEST(fifty_thousand_digits_are_rounded_right)
 {
     mpz_t n, d;
     mpz_inits(n, d, NULL);
@@ -267,7 +267,7 @@ START_TEST(fifty_thousand_digits)
 }
 END_TEST
 
-START_TEST(signs_and_zeros)
+START_TEST(signs_and_zeros_are_kept)
 {
     double x;
     ck_assert_int_eq(round_text("-3", "-4", &x), TF_ROUNDING_EXACT);
@@ -326,19 +326,20 @@ Suite *suite(void)
     TCase *numerals = tcase_create("numerals");
     tcase_add_test(numerals, what_is_no_integer_is_left_alone);
     tcase_add_test(numerals, an_integer_ends_where_it_ends);
-    tcase_add_test(numerals, signs_and_zeros);
+    tcase_add_test(numerals, signs_and_zeros_are_kept);
     tcase_add_test(numerals, leading_zeros_are_no_digits);
     suite_add_tcase(suite, numerals);
 
     TCase *rounding = tcase_create("rounding");
-    tcase_add_test(rounding, random_short_rationals);
-    tcase_add_test(rounding, random_long_rationals);
-    tcase_add_test(rounding, random_rationals_beyond_the_doubles);
-    tcase_add_test(rounding, halfway_between_two_doubles);
-    tcase_add_test(rounding, halfway_at_the_ends_of_the_range);
-    tcase_add_test(rounding, powers_of_ten);
-    tcase_add_test(rounding, three_hundred_digits);
-    tcase_add_test(rounding, fifty_thousand_digits);
+    tcase_add_test(rounding, random_short_rationals_are_rounded_right);
+    tcase_add_test(rounding, random_long_rationals_are_rounded_right);
+    tcase_add_test(rounding,
+                   random_rationals_beyond_the_doubles_overflow_or_vanish);
+    tcase_add_test(rounding, halfway_between_two_doubles_goes_to_even);
+    tcase_add_test(rounding, halfway_at_the_ends_of_the_range_is_rounded_right);
+    tcase_add_test(rounding, powers_of_ten_are_rounded_right);
+    tcase_add_test(rounding, three_hundred_digits_are_rounded_right);
+    tcase_add_test(rounding, fifty_thousand_digits_are_rounded_right);
     suite_add_tcase(suite, rounding);
     return suite;
 }

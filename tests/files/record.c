@@ -19,12 +19,12 @@ typedef struct sample {
 } sample;
 
 static const tf_field fields[] = {
-    TF_FIELD("a count", TF_COUNT, sample, count),
-    TF_FIELD("integer", TF_INTEGER, sample, integer),
-    TF_FIELD("number", TF_NUMBER, sample, number),
+    TF_FIELD("a count", sample, count),
+    TF_FIELD("integer", sample, integer),
+    TF_FIELD("number", sample, number),
     {"rounded", TF_NUMBER, offsetof(sample, rounded), "%.2f"},
     {"empty", TF_EMPTY, 0, NULL},
-    TF_FIELD("word", TF_WORD, sample, word),
+    TF_FIELD("word", sample, word),
     {0},
 };
 
@@ -150,7 +150,7 @@ typedef struct row {
     int x;
 } row;
 
-static const tf_field x_field[] = {TF_FIELD("x", TF_INTEGER, row, x), {0}};
+static const tf_field x_field[] = {TF_FIELD("x", row, x), {0}};
 
 /// Expects the text of some records, with their number as the summary.
 static void expect_records(tf_format format, const char *name, int count,

@@ -136,7 +136,7 @@ START_TEST(a_name_has_the_digits_that_it_needs)
 }
 END_TEST
 
-START_TEST(its_header_names_it)
+START_TEST(a_header_names_scene_size_and_step)
 {
     tf_simulation *s = moved("plane-chain", 41, 3);
     write_frame("frame", s);
@@ -201,7 +201,7 @@ START_TEST(bytes_that_are_missing_or_changed_are_seen)
 }
 END_TEST
 
-START_TEST(what_cannot_be_read)
+START_TEST(a_missing_file_and_a_folder_are_unreadable)
 {
     tf_simulation *s = moved("sphere", 5, 0);
     ck_assert_int_eq(tf_frame_read(s, "missing"), TF_FRAME_UNREADABLE);
@@ -220,11 +220,11 @@ Suite *suite(void)
     tcase_add_loop_test(tcase, going_on_from_a_frame_changes_no_bit, 0, SCENES);
     tcase_add_loop_test(tcase, a_frame_is_a_mesh, 0, SCENES);
     tcase_add_test(tcase, a_name_has_the_digits_that_it_needs);
-    tcase_add_test(tcase, its_header_names_it);
+    tcase_add_test(tcase, a_header_names_scene_size_and_step);
     tcase_add_test(tcase, another_scene_or_size_is_foreign);
     tcase_add_loop_test(tcase, bytes_that_are_missing_or_changed_are_seen, 1,
                         SCENES);
-    tcase_add_test(tcase, what_cannot_be_read);
+    tcase_add_test(tcase, a_missing_file_and_a_folder_are_unreadable);
     suite_add_tcase(suite, tcase);
     return suite;
 }

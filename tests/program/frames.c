@@ -28,7 +28,7 @@ static bool read_frames(tf_frames *frames, int count, const char *const text[])
 
 // Steps -----------------------------------------------------------------------
 
-START_TEST(a_step)
+START_TEST(two_frames_are_a_step)
 {
     tf_frames frames;
     ck_assert(read_frames(&frames, 2, (const char *[]){START, END}));
@@ -66,7 +66,7 @@ START_TEST(each_end_is_the_next_start)
 }
 END_TEST
 
-START_TEST(a_frame_at_rest)
+START_TEST(one_frame_is_at_rest)
 {
     tf_frames frames;
     ck_assert(read_frames(&frames, 1, (const char *[]){END}));
@@ -77,7 +77,7 @@ START_TEST(a_frame_at_rest)
 }
 END_TEST
 
-START_TEST(a_step_of_the_plane)
+START_TEST(edges_with_z_0_are_a_step_of_the_plane)
 {
     tf_frames frames;
     ck_assert(read_frames(
@@ -92,7 +92,7 @@ START_TEST(a_step_of_the_plane)
 }
 END_TEST
 
-START_TEST(ends_that_are_changed)
+START_TEST(changed_ends_are_in_the_file)
 {
     tf_frames frames;
     ck_assert(read_frames(&frames, 2, (const char *[]){START, END}));
@@ -106,7 +106,7 @@ START_TEST(ends_that_are_changed)
 }
 END_TEST
 
-START_TEST(ends_that_are_changed_in_the_plane)
+START_TEST(changed_ends_of_the_plane_keep_their_z)
 {
     static const char start[] = "v 0 0\nv 1 2 -0\nl 1 2\n";
     tf_frames frames;
@@ -124,7 +124,7 @@ START_TEST(ends_that_are_changed_in_the_plane)
 }
 END_TEST
 
-START_TEST(out_of_the_plane_and_back)
+START_TEST(a_curve_may_leave_the_plane_and_return)
 {
     static const char flat[] = "v 1 2\nv 3 4\nl 1 2\n";
     static const char deep[] = "v 1 2\nv 3 4 5\nl 1 2\n";
@@ -149,7 +149,7 @@ START_TEST(out_of_the_plane_and_back)
 }
 END_TEST
 
-START_TEST(two_formats_of_one_mesh)
+START_TEST(formats_may_differ)
 {
     tf_frames frames;
     ck_assert(read_frames(
@@ -206,7 +206,7 @@ static const struct {
      "same elements"},
 };
 
-START_TEST(other_elements)
+START_TEST(other_elements_are_refused)
 {
     tf_frames frames;
     ck_assert(
@@ -217,7 +217,7 @@ START_TEST(other_elements)
 }
 END_TEST
 
-START_TEST(other_elements_later)
+START_TEST(other_elements_are_refused_later_too)
 {
     tf_frames frames;
     ck_assert(!read_frames(&frames, 3,
@@ -268,7 +268,7 @@ START_TEST(flaws_have_a_line)
 }
 END_TEST
 
-START_TEST(flaws_of_all_elements)
+START_TEST(flaws_of_all_elements_have_a_line)
 {
     tf_frames frames;
     ck_assert(read_frames(&frames, 1, (const char *[]){START}));
@@ -288,7 +288,7 @@ START_TEST(flaws_of_all_elements)
 }
 END_TEST
 
-START_TEST(unread_files)
+START_TEST(unreadable_files_are_refused)
 {
     tf_frames frames = {0};
     make_file("start", START);
@@ -305,29 +305,29 @@ Suite *suite(void)
     Suite *suite = suite_create("program/frames");
     TCase *steps = tcase_create("steps");
     tcase_add_checked_fixture(steps, enter_folder, leave_folder);
-    tcase_add_test(steps, a_step);
+    tcase_add_test(steps, two_frames_are_a_step);
     tcase_add_test(steps, each_end_is_the_next_start);
-    tcase_add_test(steps, a_frame_at_rest);
-    tcase_add_test(steps, a_step_of_the_plane);
-    tcase_add_test(steps, ends_that_are_changed);
-    tcase_add_test(steps, ends_that_are_changed_in_the_plane);
-    tcase_add_test(steps, out_of_the_plane_and_back);
-    tcase_add_test(steps, two_formats_of_one_mesh);
+    tcase_add_test(steps, one_frame_is_at_rest);
+    tcase_add_test(steps, edges_with_z_0_are_a_step_of_the_plane);
+    tcase_add_test(steps, changed_ends_are_in_the_file);
+    tcase_add_test(steps, changed_ends_of_the_plane_keep_their_z);
+    tcase_add_test(steps, a_curve_may_leave_the_plane_and_return);
+    tcase_add_test(steps, formats_may_differ);
     suite_add_tcase(suite, steps);
 
     TCase *other = tcase_create("other elements");
     tcase_add_checked_fixture(other, enter_folder, leave_folder);
-    tcase_add_loop_test(other, other_elements, 0,
+    tcase_add_loop_test(other, other_elements_are_refused, 0,
                         sizeof others / sizeof *others);
-    tcase_add_test(other, other_elements_later);
+    tcase_add_test(other, other_elements_are_refused_later_too);
     suite_add_tcase(suite, other);
 
     TCase *flaw = tcase_create("flaws");
     tcase_add_checked_fixture(flaw, enter_folder, leave_folder);
     tcase_add_loop_test(flaw, flaws_have_a_line, 0,
                         sizeof flaws / sizeof *flaws);
-    tcase_add_test(flaw, flaws_of_all_elements);
-    tcase_add_test(flaw, unread_files);
+    tcase_add_test(flaw, flaws_of_all_elements_have_a_line);
+    tcase_add_test(flaw, unreadable_files_are_refused);
     suite_add_tcase(suite, flaw);
     return suite;
 }

@@ -53,7 +53,7 @@ static const char *shown(const char *out, const char *err, double duration)
     return terminal_close(&screen);
 }
 
-START_TEST(a_line_after_a_second_erased_at_the_end)
+START_TEST(a_line_is_shown_after_a_second_and_erased)
 {
     const char *text = shown("/dev/null", NULL, 2);
     static const char line[] = "\r1,234,567 queries";
@@ -67,19 +67,19 @@ START_TEST(a_line_after_a_second_erased_at_the_end)
 }
 END_TEST
 
-START_TEST(nothing_within_a_second)
+START_TEST(nothing_is_shown_within_a_second)
 {
     ck_assert_str_eq(shown("/dev/null", NULL, 0.1), "");
 }
 END_TEST
 
-START_TEST(nothing_where_answers_go_to_the_terminal)
+START_TEST(nothing_is_shown_where_answers_go)
 {
     ck_assert_str_eq(shown(NULL, NULL, 1.2), "");
 }
 END_TEST
 
-START_TEST(nothing_in_a_log)
+START_TEST(nothing_is_shown_in_a_log)
 {
     ck_assert_str_eq(shown(NULL, "/dev/null", 1.2), "");
     char log[] = "/tmp/tanglefree-log-XXXXXX";
@@ -91,14 +91,36 @@ START_TEST(nothing_in_a_log)
 }
 END_TEST
 
+START_TEST(the_clock_counts_seconds)
+{
+    double before = tf_clock_seconds();
+    usleep(20000);
+    double passed = tf_clock_seconds() - before;
+    ck_assert_msg(passed >= 0.02 && passed < 20, "%g seconds", passed);
+}
+END_TEST
+
+START_TEST(the_clock_never_goes_back)
+{
+    double before = tf_clock_seconds();
+    for (int i = 0; i < 10000; i++) {
+        double now = tf_clock_seconds();
+        ck_assert_double_ge(now, before);
+        before = now;
+    }
+}
+END_TEST
+
 Suite *suite(void)
 {
     Suite *suite = suite_create("program/progress");
     TCase *line = tcase_create("the line");
-    tcase_add_test(line, a_line_after_a_second_erased_at_the_end);
-    tcase_add_test(line, nothing_within_a_second);
-    tcase_add_test(line, nothing_where_answers_go_to_the_terminal);
-    tcase_add_test(line, nothing_in_a_log);
+    tcase_add_test(line, a_line_is_shown_after_a_second_and_erased);
+    tcase_add_test(line, nothing_is_shown_within_a_second);
+    tcase_add_test(line, nothing_is_shown_where_answers_go);
+    tcase_add_test(line, nothing_is_shown_in_a_log);
+    tcase_add_test(line, the_clock_counts_seconds);
+    tcase_add_test(line, the_clock_never_goes_back);
     suite_add_tcase(suite, line);
     return suite;
 }

@@ -35,7 +35,7 @@ static void expect_fault(const char *text, const char *message)
 
 // Answers ---------------------------------------------------------------------
 
-START_TEST(a_hit_and_a_miss)
+START_TEST(a_hit_and_a_miss_are_told_apart)
 {
     make_file("in", HIT MISS);
     outcome found = run("$tf query --kind point-edge in");
@@ -55,7 +55,7 @@ START_TEST(a_hit_and_a_miss)
 }
 END_TEST
 
-START_TEST(every_kind_and_arithmetic_and_output)
+START_TEST(every_kind_arithmetic_and_output_works)
 {
     static const char *const kinds[] = {"point-edge", "point-triangle",
                                         "edge-edge"};
@@ -75,7 +75,7 @@ START_TEST(every_kind_and_arithmetic_and_output)
 }
 END_TEST
 
-START_TEST(exact_answers_of_the_kept_queries)
+START_TEST(exact_answers_agree_with_the_kept_truth)
 {
     expect(run("$tf query -k point-edge -o summary $QUERIES/point-edge.csv"), 0,
            "queries: 7\nhits: 5\ngeneric: 3\ntouching: 1\ndegenerate: 1\n", "");
@@ -109,7 +109,7 @@ START_TEST(exact_is_the_arithmetic_unless_told)
 }
 END_TEST
 
-START_TEST(integers_by_three_exact_arithmetics)
+START_TEST(three_exact_arithmetics_agree_on_integers)
 {
     char exact[1000];
     make_file("in", HIT MISS);
@@ -241,7 +241,7 @@ END_TEST
 // A plank turns below a fly: a hit if it bends, a miss if it stays straight.
 #define FLY "0,1\n-2,2\n2,-2\n0,1\n-2,-2\n2,2\n"
 
-START_TEST(every_kind_and_method_and_output)
+START_TEST(every_kind_method_and_output_works)
 {
     static const char *const kinds[] = {"point-edge", "point-triangle",
                                         "edge-edge"};
@@ -330,7 +330,7 @@ START_TEST(several_files_are_counted_through)
 }
 END_TEST
 
-START_TEST(standard_input)
+START_TEST(standard_input_is_read)
 {
     make_file("in", MISS);
     expect(run("$tf query -k point-edge <in"), 0, HEADER "0" MISS_ANSWER, "");
@@ -343,7 +343,7 @@ START_TEST(standard_input)
 }
 END_TEST
 
-START_TEST(a_pipe_that_ends_within_a_query)
+START_TEST(a_pipe_that_ends_within_a_query_is_refused)
 {
     make_file("in", MISS "1,2\n");
     expect(run("cat in | $tf query -k point-edge"), 2, HEADER "0" MISS_ANSWER,
@@ -385,7 +385,7 @@ END_TEST
 
 // The writer waits until the program, which has begun to count time, opens the
 // pipe.
-START_TEST(progress_on_a_terminal)
+START_TEST(progress_is_shown_on_a_terminal)
 {
     make_file("in", MISS MISS);
     terminal screen = terminal_open();
@@ -401,7 +401,7 @@ START_TEST(progress_on_a_terminal)
 }
 END_TEST
 
-START_TEST(closed_standard_input)
+START_TEST(closed_standard_input_is_refused)
 {
     expect(run("$tf query -k point-edge <&-"), 2, HEADER,
            "tanglefree: standard input:1: cannot read: Bad file descriptor; "
@@ -409,7 +409,7 @@ START_TEST(closed_standard_input)
 }
 END_TEST
 
-START_TEST(windows_text)
+START_TEST(windows_text_is_read)
 {
     make_file("in", "\xEF\xBB\xBF" MISS MISS);
     expect(run("sed 's/$/\\r/' in >windows && "
@@ -533,7 +533,7 @@ END_TEST
 
 /// The second of two files goes away while the first, a pipe, is read; and a
 /// file that is open goes on being read when its name has gone.
-START_TEST(a_file_that_vanishes)
+START_TEST(a_file_that_vanishes_is_refused)
 {
     make_file("bad", MISS);
     make_file("in", MISS);
@@ -548,7 +548,7 @@ START_TEST(a_file_that_vanishes)
 }
 END_TEST
 
-START_TEST(a_coordinate_out_of_range)
+START_TEST(a_coordinate_out_of_range_is_refused)
 {
     make_file("in", MISS "0,1\n-1,0\n1,0\n0,1\n1,1073741824\n1,0\n");
     expect(run("$tf query -k point-edge -a integer64 in"), 2,
@@ -565,7 +565,7 @@ START_TEST(a_coordinate_out_of_range)
 }
 END_TEST
 
-START_TEST(bad_input_after_rounded_coordinates)
+START_TEST(rounding_is_told_before_bad_input)
 {
     make_file("in", "1,3,2,1\n0,1,1,1\n1,1,1,1\n1,3,2,1\n0,1,1,1\n1,1,1,1\n"
                     "1,3,2,1\n\n");
@@ -581,7 +581,7 @@ END_TEST
 #define NO_SPACE                                                               \
     "tanglefree: standard output: cannot write: No space left on device"
 
-START_TEST(a_full_disk)
+START_TEST(a_full_disk_is_reported)
 {
     static const char *const outputs[] = {"csv", "json", "summary"};
     make_file("in", MISS);
@@ -591,7 +591,7 @@ START_TEST(a_full_disk)
 }
 END_TEST
 
-START_TEST(a_full_disk_on_the_way)
+START_TEST(a_full_disk_on_the_way_is_reported)
 {
     make_file("in", MISS);
     // The input has no end, and must not be read to it.
@@ -601,7 +601,7 @@ START_TEST(a_full_disk_on_the_way)
 }
 END_TEST
 
-START_TEST(a_full_disk_for_help)
+START_TEST(a_full_disk_for_help_is_reported)
 {
     expect(run("$tf --help >/dev/full"), 2, "", NO_SPACE "\n");
     expect(run("$tf query --help >/dev/full"), 2, "", NO_SPACE "\n");
@@ -609,7 +609,7 @@ START_TEST(a_full_disk_for_help)
 }
 END_TEST
 
-START_TEST(closed_standard_output)
+START_TEST(closed_standard_output_is_reported)
 {
     make_file("in", MISS);
     expect(run("$tf query -k point-edge in >&-"), 2, "",
@@ -619,7 +619,7 @@ START_TEST(closed_standard_output)
 }
 END_TEST
 
-START_TEST(a_reader_that_leaves)
+START_TEST(a_reader_that_leaves_ends_the_program)
 {
     make_file("in", MISS);
     outcome found = run("while cat in; do :; done 2>/dev/null | "
@@ -630,7 +630,7 @@ END_TEST
 
 // Usage -----------------------------------------------------------------------
 
-START_TEST(help)
+START_TEST(help_lists_the_commands)
 {
     outcome found = run("$tf --help");
     ck_assert_int_eq(found.status, 0);
@@ -642,7 +642,7 @@ START_TEST(help)
 }
 END_TEST
 
-START_TEST(help_for_the_command)
+START_TEST(help_describes_the_command)
 {
     outcome found = run("$tf query --help");
     ck_assert_int_eq(found.status, 0);
@@ -668,7 +668,7 @@ START_TEST(help_for_the_command)
 }
 END_TEST
 
-START_TEST(version)
+START_TEST(version_is_printed)
 {
     outcome found = run("$tf --version");
     ck_assert_int_eq(strncmp(found.out, "tanglefree ", 11), 0);
@@ -693,8 +693,9 @@ END_TEST
 START_TEST(wrong_options_are_refused)
 {
     make_file("in", MISS);
-    expect_usage("query in", "tanglefree query: --kind KIND is required: which "
-                             "elements\n");
+    expect_usage("query in", "tanglefree query: --kind KIND is required: "
+                             "point-edge, point-triangle, edge-edge or "
+                             "vertex-face\n");
     expect_usage("query -k edge in",
                  "tanglefree query: --kind must be point-edge, point-triangle, "
                  "edge-edge or vertex-face, got 'edge'\n");
@@ -772,12 +773,12 @@ Suite *suite(void)
     Suite *suite = suite_create("program/query_command");
     TCase *answers = tcase_create("answers");
     tcase_add_checked_fixture(answers, enter_folder, leave_folder);
-    tcase_add_test(answers, a_hit_and_a_miss);
-    tcase_add_test(answers, every_kind_and_arithmetic_and_output);
-    tcase_add_test(answers, exact_answers_of_the_kept_queries);
+    tcase_add_test(answers, a_hit_and_a_miss_are_told_apart);
+    tcase_add_test(answers, every_kind_arithmetic_and_output_works);
+    tcase_add_test(answers, exact_answers_agree_with_the_kept_truth);
     tcase_add_test(answers, vertex_face_is_point_triangle);
     tcase_add_test(answers, exact_is_the_arithmetic_unless_told);
-    tcase_add_test(answers, integers_by_three_exact_arithmetics);
+    tcase_add_test(answers, three_exact_arithmetics_agree_on_integers);
     tcase_add_test(answers, undecided_is_a_hit);
     tcase_add_test(answers, json_is_an_array_of_objects);
     tcase_add_test(answers, json_of_a_hit_has_numbers);
@@ -788,7 +789,7 @@ Suite *suite(void)
 
     TCase *methods = tcase_create("methods");
     tcase_add_checked_fixture(methods, enter_folder, leave_folder);
-    tcase_add_test(methods, every_kind_and_method_and_output);
+    tcase_add_test(methods, every_kind_method_and_output_works);
     tcase_add_test(methods, spacetime_is_the_method_unless_told);
     tcase_add_test(methods, the_cubic_answers);
     tcase_add_test(methods, tolerances_and_thresholds_count);
@@ -798,13 +799,13 @@ Suite *suite(void)
     TCase *input = tcase_create("input");
     tcase_add_checked_fixture(input, enter_folder, leave_folder);
     tcase_add_test(input, several_files_are_counted_through);
-    tcase_add_test(input, standard_input);
-    tcase_add_test(input, a_pipe_that_ends_within_a_query);
+    tcase_add_test(input, standard_input_is_read);
+    tcase_add_test(input, a_pipe_that_ends_within_a_query_is_refused);
     tcase_add_test(input, messages_count_through_the_files_too);
     tcase_add_test(input, names_send_no_commands_to_the_terminal);
-    tcase_add_test(input, progress_on_a_terminal);
-    tcase_add_test(input, closed_standard_input);
-    tcase_add_test(input, windows_text);
+    tcase_add_test(input, progress_is_shown_on_a_terminal);
+    tcase_add_test(input, closed_standard_input_is_refused);
+    tcase_add_test(input, windows_text_is_read);
     tcase_add_test(input, rounded_coordinates_are_counted);
     tcase_add_test(input, memory_does_not_grow_with_the_file);
     suite_add_tcase(suite, input);
@@ -818,25 +819,25 @@ Suite *suite(void)
     tcase_add_test(bad, an_empty_file_is_refused);
     tcase_add_test(bad, a_directory_is_refused);
     tcase_add_test(bad, an_absent_file_is_refused);
-    tcase_add_test(bad, a_file_that_vanishes);
-    tcase_add_test(bad, a_coordinate_out_of_range);
-    tcase_add_test(bad, bad_input_after_rounded_coordinates);
+    tcase_add_test(bad, a_file_that_vanishes_is_refused);
+    tcase_add_test(bad, a_coordinate_out_of_range_is_refused);
+    tcase_add_test(bad, rounding_is_told_before_bad_input);
     suite_add_tcase(suite, bad);
 
     TCase *unwritten = tcase_create("output that cannot be written");
     tcase_add_checked_fixture(unwritten, enter_folder, leave_folder);
-    tcase_add_test(unwritten, a_full_disk);
-    tcase_add_test(unwritten, a_full_disk_on_the_way);
-    tcase_add_test(unwritten, a_full_disk_for_help);
-    tcase_add_test(unwritten, closed_standard_output);
-    tcase_add_test(unwritten, a_reader_that_leaves);
+    tcase_add_test(unwritten, a_full_disk_is_reported);
+    tcase_add_test(unwritten, a_full_disk_on_the_way_is_reported);
+    tcase_add_test(unwritten, a_full_disk_for_help_is_reported);
+    tcase_add_test(unwritten, closed_standard_output_is_reported);
+    tcase_add_test(unwritten, a_reader_that_leaves_ends_the_program);
     suite_add_tcase(suite, unwritten);
 
     TCase *usage = tcase_create("usage");
     tcase_add_checked_fixture(usage, enter_folder, leave_folder);
-    tcase_add_test(usage, help);
-    tcase_add_test(usage, help_for_the_command);
-    tcase_add_test(usage, version);
+    tcase_add_test(usage, help_lists_the_commands);
+    tcase_add_test(usage, help_describes_the_command);
+    tcase_add_test(usage, version_is_printed);
     tcase_add_test(usage, unknown_commands_are_refused);
     tcase_add_test(usage, wrong_options_are_refused);
     tcase_add_test(usage, invalid_distances_are_refused);

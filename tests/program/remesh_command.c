@@ -32,7 +32,7 @@ START_TEST(a_mesh_is_remeshed)
 }
 END_TEST
 
-START_TEST(from_and_to_a_pipe)
+START_TEST(a_mesh_goes_from_and_to_a_pipe)
 {
     outcome found =
         run("cat square.obj | $tf remesh - -o - -e 9 --rounds 1 --output json");
@@ -43,7 +43,7 @@ START_TEST(from_and_to_a_pipe)
 }
 END_TEST
 
-START_TEST(the_ending_is_the_format)
+START_TEST(the_ending_chooses_the_format)
 {
     outcome found = run("$tf remesh square.obj -o out.ply -e 9");
     ck_assert_int_eq(found.status, 0);
@@ -126,8 +126,8 @@ Suite *suite(void)
     TCase *tcase = tcase_create("command");
     tcase_add_checked_fixture(tcase, enter_folder_with_files, leave_folder);
     tcase_add_test(tcase, a_mesh_is_remeshed);
-    tcase_add_test(tcase, from_and_to_a_pipe);
-    tcase_add_test(tcase, the_ending_is_the_format);
+    tcase_add_test(tcase, a_mesh_goes_from_and_to_a_pipe);
+    tcase_add_test(tcase, the_ending_chooses_the_format);
     tcase_add_test(tcase, a_mesh_that_intersects_is_refused);
     tcase_add_test(tcase, what_cannot_be_written_is_named);
     tcase_add_test(tcase, edges_of_the_wrong_scale_are_refused);

@@ -63,7 +63,7 @@ static outcome resolved(const char *start, const char *end, const char *out,
     return (outcome){0, report, ""};
 }
 
-START_TEST(the_step_is_clear)
+START_TEST(the_resolved_step_is_clear)
 {
     outcome found = resolved("above", "below", "new.obj", "");
     expect_words(found.out, "status: resolved\nfirst contacts: 2\n");
@@ -90,7 +90,7 @@ START_TEST(a_clear_step_stays_as_it_is)
 }
 END_TEST
 
-START_TEST(what_it_gives)
+START_TEST(the_ends_are_as_computed)
 {
     resolved("flat-above", "flat-below", "new.obj", "");
     ck_assert_str_eq(file_text("new.obj"), "v -1 -0.66666666666666663 0\n"
@@ -155,7 +155,7 @@ START_TEST(heavy_vertices_move_less)
 }
 END_TEST
 
-START_TEST(what_is_near_is_pushed_apart)
+START_TEST(near_elements_are_pushed_apart)
 {
     make_file("near", TRIANGLE "v 0 0 1\nv 0.5 0.5 0.01\n");
     double apart = coordinate("near", "below", "-f floor", 4, 2);
@@ -200,7 +200,7 @@ START_TEST(solvers_differ)
 }
 END_TEST
 
-START_TEST(options_of_the_response)
+START_TEST(every_option_of_the_response_is_passed_on)
 {
     static const char *const options[] = {
         "-s gauss-seidel",
@@ -257,7 +257,7 @@ static void make_sheets(void)
     }
 }
 
-START_TEST(two_sheets)
+START_TEST(two_sheets_end_clear)
 {
     make_sheets();
     ck_assert_int_eq(run("$tf detect sheets fallen").status, 1);
@@ -266,7 +266,7 @@ START_TEST(two_sheets)
 }
 END_TEST
 
-START_TEST(any_number_of_threads)
+START_TEST(threads_change_nothing)
 {
     make_sheets();
     outcome found =
@@ -278,7 +278,7 @@ START_TEST(any_number_of_threads)
 }
 END_TEST
 
-START_TEST(several_steps)
+START_TEST(each_end_can_be_the_next_start)
 {
     make_sheets();
     resolved("sheets", "fallen", "one", "");
@@ -289,7 +289,7 @@ END_TEST
 
 // Reports ---------------------------------------------------------------------
 
-START_TEST(a_report_as_json)
+START_TEST(a_report_may_be_json)
 {
     outcome found = resolved("above", "below", "new", "--output json");
     ck_assert_msg(!json_fault(found.out), "%s", json_fault(found.out));
@@ -305,7 +305,7 @@ START_TEST(a_report_as_json)
 }
 END_TEST
 
-START_TEST(progress_on_a_terminal)
+START_TEST(progress_is_shown_on_a_terminal)
 {
     terminal screen = terminal_open();
     outcome found = run("mkfifo late; { exec 3>late; sleep 1.1; cat below >&3; "
@@ -318,7 +318,7 @@ END_TEST
 
 // Files -----------------------------------------------------------------------
 
-START_TEST(formats_of_the_output)
+START_TEST(the_ending_or_the_start_chooses_the_format)
 {
     static const struct {
         const char *out, *beginning;
@@ -350,7 +350,7 @@ START_TEST(formats_of_the_output)
 }
 END_TEST
 
-START_TEST(curves_in_ply)
+START_TEST(curves_are_written_as_ply)
 {
     make_file("start.ply",
               "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\n"
@@ -368,7 +368,7 @@ START_TEST(curves_in_ply)
 }
 END_TEST
 
-START_TEST(standard_input_and_output)
+START_TEST(standard_input_and_output_are_used)
 {
     resolved("above", "below", "new", "");
     char right[10000];
@@ -388,7 +388,7 @@ START_TEST(standard_input_and_output)
 }
 END_TEST
 
-START_TEST(output_over_the_input)
+START_TEST(the_output_may_replace_the_input)
 {
     resolved("above", "below", "new", "");
     expect(run("cp below both; $tf resolve above both -o both >report && cmp "
@@ -414,7 +414,7 @@ static void expect_error(const char *arguments, const char *message)
     expect(run("ls -A | grep 'new\\|tanglefree'"), 1, "", "");
 }
 
-START_TEST(starts_that_are_not_clear)
+START_TEST(starts_that_are_not_clear_are_refused)
 {
     static const char rest[] = " (numbered from 0) before the step begins; "
                                "move them apart, see 'tanglefree check' for "
@@ -441,7 +441,7 @@ START_TEST(starts_that_are_not_clear)
 }
 END_TEST
 
-START_TEST(files_that_do_not_fit)
+START_TEST(files_that_do_not_fit_are_refused)
 {
     make_file("nan", TRIANGLE "v nan 0 0\nv 0 0 0\n");
     make_file("other", "v -1 -1 0\nv 3 -1 0\nv -1 3 0\nv 0 0 1\nv 1 1 1\n"
@@ -468,7 +468,7 @@ START_TEST(files_that_do_not_fit)
 }
 END_TEST
 
-START_TEST(lists_that_do_not_fit)
+START_TEST(lists_that_do_not_fit_are_refused)
 {
     make_file("list", "0\n1 5\n");
     make_file("masses", "1 1\n1 0 1\n");
@@ -493,7 +493,7 @@ END_TEST
 
 // Output that cannot be written -----------------------------------------------
 
-START_TEST(a_full_disk)
+START_TEST(a_full_disk_is_reported)
 {
     expect(run("$tf resolve above below -o /dev/fd/3 3>/dev/full"), 2, "",
            "tanglefree: /dev/fd/3: cannot write: No space left on device; mend "
@@ -512,7 +512,7 @@ START_TEST(a_full_disk)
 END_TEST
 
 // The limit leaves room for what a program writes that counts its lines.
-START_TEST(a_file_that_gets_too_large)
+START_TEST(a_file_that_gets_too_large_is_reported)
 {
     make_sheets();
     run("for file in sheets fallen; do yes v 9 9 9 | head -n 6000 >>$file; "
@@ -526,7 +526,7 @@ START_TEST(a_file_that_gets_too_large)
 }
 END_TEST
 
-START_TEST(places_where_nothing_can_be_written)
+START_TEST(unwritable_places_are_reported)
 {
     expect(run("$tf resolve above below -o absent/new"), 2, "",
            "tanglefree: absent/new: cannot write: No such file or directory; "
@@ -542,7 +542,7 @@ END_TEST
 
 // Usage -----------------------------------------------------------------------
 
-START_TEST(help)
+START_TEST(help_describes_the_command)
 {
     outcome found = run("$tf resolve --help");
     ck_assert_int_eq(found.status, 0);
@@ -630,46 +630,46 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("program/resolve_command");
     TCase *small = add_case(suite, "what is resolved");
-    tcase_add_test(small, the_step_is_clear);
+    tcase_add_test(small, the_resolved_step_is_clear);
     tcase_add_test(small, a_clear_step_stays_as_it_is);
-    tcase_add_test(small, what_it_gives);
+    tcase_add_test(small, the_ends_are_as_computed);
     tcase_add_test(small, scripted_vertices_end_where_they_should);
     tcase_add_test(small,
                    scripted_vertices_are_held_back_where_nothing_else_helps);
     tcase_add_test(small, heavy_vertices_move_less);
-    tcase_add_test(small, what_is_near_is_pushed_apart);
+    tcase_add_test(small, near_elements_are_pushed_apart);
     tcase_add_test(small, restitution_throws_back);
     tcase_add_test(small, friction_slows_what_slides);
     tcase_add_test(small, solvers_differ);
-    tcase_add_test(small, options_of_the_response);
+    tcase_add_test(small, every_option_of_the_response_is_passed_on);
 
     TCase *large = add_case(suite, "larger meshes");
-    tcase_add_test(large, two_sheets);
-    tcase_add_test(large, any_number_of_threads);
-    tcase_add_test(large, several_steps);
+    tcase_add_test(large, two_sheets_end_clear);
+    tcase_add_test(large, threads_change_nothing);
+    tcase_add_test(large, each_end_can_be_the_next_start);
 
     TCase *reports = add_case(suite, "reports");
-    tcase_add_test(reports, a_report_as_json);
-    tcase_add_test(reports, progress_on_a_terminal);
+    tcase_add_test(reports, a_report_may_be_json);
+    tcase_add_test(reports, progress_is_shown_on_a_terminal);
 
     TCase *files = add_case(suite, "files");
-    tcase_add_test(files, formats_of_the_output);
-    tcase_add_test(files, curves_in_ply);
-    tcase_add_test(files, standard_input_and_output);
-    tcase_add_test(files, output_over_the_input);
+    tcase_add_test(files, the_ending_or_the_start_chooses_the_format);
+    tcase_add_test(files, curves_are_written_as_ply);
+    tcase_add_test(files, standard_input_and_output_are_used);
+    tcase_add_test(files, the_output_may_replace_the_input);
 
     TCase *bad = add_case(suite, "bad input");
-    tcase_add_test(bad, starts_that_are_not_clear);
-    tcase_add_test(bad, files_that_do_not_fit);
-    tcase_add_test(bad, lists_that_do_not_fit);
+    tcase_add_test(bad, starts_that_are_not_clear_are_refused);
+    tcase_add_test(bad, files_that_do_not_fit_are_refused);
+    tcase_add_test(bad, lists_that_do_not_fit_are_refused);
 
     TCase *unwritten = add_case(suite, "output that cannot be written");
-    tcase_add_test(unwritten, a_full_disk);
-    tcase_add_test(unwritten, a_file_that_gets_too_large);
-    tcase_add_test(unwritten, places_where_nothing_can_be_written);
+    tcase_add_test(unwritten, a_full_disk_is_reported);
+    tcase_add_test(unwritten, a_file_that_gets_too_large_is_reported);
+    tcase_add_test(unwritten, unwritable_places_are_reported);
 
     TCase *usage = add_case(suite, "usage");
-    tcase_add_test(usage, help);
+    tcase_add_test(usage, help_describes_the_command);
     tcase_add_test(usage, wrong_arguments_are_refused);
 
     TCase *environment = add_case(suite, "a broken environment");

@@ -18,13 +18,22 @@ static void advance(tf_simulation *s)
     ck_assert_int_eq(s->scene->kind->step(s, &(tf_step_options){0}), TF_OK);
 }
 
+/// What is printed of the fault of a folder.
+static const char *fault_of(const tf_simulation_folder *folder)
+{
+    static char text[PATH_MAX + TF_FAULT_ROOM + 3];
+    snprintf(text, sizeof text, "%s: %s", folder->fault.file,
+             folder->fault.text);
+    return text;
+}
+
 /// Makes the folder "made" of some steps.
 static void make_steps(int steps)
 {
     tf_simulation *s = chain();
     tf_simulation_folder folder;
     ck_assert_msg(tf_simulation_folder_begin(&folder, "made", s), "%s",
-                  folder.fault);
+                  fault_of(&folder));
     while (s->step < steps) {
         advance(s);
         ck_assert(tf_simulation_folder_add(&folder, s));
@@ -42,7 +51,7 @@ static int resumed(const char *words)
     bool good = tf_simulation_folder_resume(&folder, "made", s);
     int step = good ? s->step : -1;
     if (!good)
-        expect_words(folder.fault, words);
+        expect_words(fault_of(&folder), words);
     tf_simulation_folder_close(&folder);
     tf_simulation_free(s);
     return step;
@@ -68,14 +77,14 @@ START_TEST(only_an_empty_folder_is_taken)
     make_steps(0);
     ck_assert(!tf_simulation_folder_begin(&folder, "made", s));
     ck_assert_str_eq(
-        folder.fault,
+        fault_of(&folder),
         "made: exists, and is not an empty folder; choose another, "
         "or go on with the simulation in it by --resume");
     make_file("file", "");
     ck_assert(!tf_simulation_folder_begin(&folder, "file", s));
-    expect_words(folder.fault, "file: exists, and is not an empty folder");
+    expect_words(fault_of(&folder), "file: exists, and is not an empty folder");
     ck_assert(!tf_simulation_folder_begin(&folder, "missing/folder", s));
-    ck_assert_str_eq(folder.fault,
+    ck_assert_str_eq(fault_of(&folder),
                      "missing/folder: cannot make this folder: No such file or "
                      "directory; choose another with -o");
     tf_simulation_free(s);
@@ -93,7 +102,7 @@ START_TEST(the_last_frame_is_the_state)
 }
 END_TEST
 
-START_TEST(what_cannot_be_gone_on_with)
+START_TEST(missing_and_foreign_files_cannot_be_resumed)
 {
     ck_assert_int_eq(
         resumed("made: has no frames to go on from; leave out --resume"), -1);
@@ -114,7 +123,7 @@ START_TEST(what_cannot_be_gone_on_with)
 }
 END_TEST
 
-START_TEST(what_cannot_be_written)
+START_TEST(a_frame_that_cannot_be_written_leaves_nothing)
 {
     tf_simulation *s = chain();
     tf_simulation_folder folder;
@@ -122,7 +131,7 @@ START_TEST(what_cannot_be_written)
     ck_assert_int_eq(mkdir("made/frame-00001.ply", 0777), 0);
     advance(s);
     ck_assert(!tf_simulation_folder_add(&folder, s));
-    ck_assert_str_eq(folder.fault,
+    ck_assert_str_eq(fault_of(&folder),
                      "made/frame-00001.ply: cannot write: Is a directory; mend "
                      "that, and go on with --resume");
     tf_simulation_folder_close(&folder);
@@ -140,8 +149,8 @@ Suite *suite(void)
     tcase_add_test(tcase, a_folder_has_a_frame_and_a_line_a_step);
     tcase_add_test(tcase, only_an_empty_folder_is_taken);
     tcase_add_test(tcase, the_last_frame_is_the_state);
-    tcase_add_test(tcase, what_cannot_be_gone_on_with);
-    tcase_add_test(tcase, what_cannot_be_written);
+    tcase_add_test(tcase, missing_and_foreign_files_cannot_be_resumed);
+    tcase_add_test(tcase, a_frame_that_cannot_be_written_leaves_nothing);
     suite_add_tcase(suite, tcase);
     return suite;
 }

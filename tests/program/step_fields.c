@@ -86,8 +86,8 @@ START_TEST(totals_of_cloth_are_sums)
                      "steps: 3\nvertices: 5\ntriangles: 4\ncontacts: 9\n"
                      "failsafe steps: 2\nheld: 27\ndynamics seconds: 1.5\n"
                      "response seconds: 0.75\n");
-    tf_step_describe(&cloth.base, words);
-    ck_assert_str_eq(words, "3 contacts");
+    tf_step_describe(&cloth.base, 7, words);
+    ck_assert_str_eq(words, "of 7 steps, 3 contacts");
 }
 END_TEST
 
@@ -163,8 +163,8 @@ START_TEST(totals_of_a_flow_are_sums_and_last_measures)
                      "contacts: 182\nfailsafe steps: 2\n"
                      "improve seconds: 2\nreconnect seconds: 4\n"
                      "advance seconds: 6\n");
-    tf_step_describe(&f->base, words);
-    ck_assert_str_eq(words, "80 triangles");
+    tf_step_describe(&f->base, 7, words);
+    ck_assert_str_eq(words, "of 7 steps, 80 triangles");
     tf_simulation_free(&f->base);
 }
 END_TEST

@@ -89,7 +89,7 @@ START_TEST(a_line_that_is_missing_is_seen)
 }
 END_TEST
 
-START_TEST(what_cannot_be_opened)
+START_TEST(errno_tells_why_a_table_cannot_be_opened)
 {
     ck_assert_ptr_null(tf_steps_file_resume("missing", &tf_cloth_kind, 0));
     ck_assert_int_eq(errno, ENOENT);
@@ -110,7 +110,7 @@ Suite *suite(void)
     tcase_add_test(tcase, going_on_removes_later_lines);
     tcase_add_test(tcase, going_on_from_the_start_leaves_the_heading);
     tcase_add_test(tcase, a_line_that_is_missing_is_seen);
-    tcase_add_test(tcase, what_cannot_be_opened);
+    tcase_add_test(tcase, errno_tells_why_a_table_cannot_be_opened);
     suite_add_tcase(suite, tcase);
     return suite;
 }

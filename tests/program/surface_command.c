@@ -68,7 +68,7 @@ static const char *expect_row(const char *text, const char *beginning,
     return expect_row_within(0x1p-50, text, beginning, time);
 }
 
-START_TEST(contacts_of_a_step)
+START_TEST(contacts_of_a_step_are_printed)
 {
     outcome found = run("$tf detect above below");
     const char *at = found.out;
@@ -84,7 +84,7 @@ START_TEST(contacts_of_a_step)
 }
 END_TEST
 
-START_TEST(contacts_of_the_plane)
+START_TEST(contacts_of_the_plane_are_printed)
 {
     outcome found = run("$tf detect flat-above flat-below");
     const char *at = found.out;
@@ -98,7 +98,7 @@ START_TEST(contacts_of_the_plane)
 }
 END_TEST
 
-START_TEST(no_contacts)
+START_TEST(a_clear_step_has_no_rows)
 {
     expect(run("$tf detect above above"), 0, HEADER, "");
     expect(run("$tf detect above above above"), 0, HEADER, "");
@@ -124,7 +124,7 @@ START_TEST(steps_are_counted_through)
 }
 END_TEST
 
-START_TEST(the_first_contact_of_each_step)
+START_TEST(first_prints_the_first_contact_of_each_step)
 {
     static const char *const options[] = {"--first", "-f", "-f -t 1"};
     for (int i = 0; i < 3; i++) {
@@ -138,7 +138,7 @@ START_TEST(the_first_contact_of_each_step)
 }
 END_TEST
 
-START_TEST(json_of_contacts)
+START_TEST(json_of_contacts_has_a_summary)
 {
     outcome found = run("$tf detect -o json above below above");
     ck_assert_msg(!json_fault(found.out), "%s", json_fault(found.out));
@@ -158,7 +158,7 @@ START_TEST(json_of_contacts)
 }
 END_TEST
 
-START_TEST(every_arithmetic)
+START_TEST(every_arithmetic_finds_the_contact)
 {
     static const char *const names[] = {"exact",     "clamped",   "report",
                                         "perturbed", "integer64", "integer128"};
@@ -209,7 +209,7 @@ static void make_soup(const char *const names[], int files)
 
 static const char *const soup[] = {"soup-0", "soup-1", "soup-2", "soup-3"};
 
-START_TEST(any_number_of_threads)
+START_TEST(threads_change_nothing)
 {
     make_soup(soup, 4);
     static const char *const commands[] = {
@@ -310,7 +310,7 @@ END_TEST
 
 // Intersections ---------------------------------------------------------------
 
-START_TEST(surfaces_that_intersect)
+START_TEST(intersections_are_printed)
 {
     expect(run("$tf check crossed"), 1,
            CHECK_HEADER "crossed,edge-triangle,0,2,3,4,5,\n"
@@ -322,7 +322,7 @@ START_TEST(surfaces_that_intersect)
 }
 END_TEST
 
-START_TEST(surfaces_that_do_not)
+START_TEST(surfaces_free_of_intersections_have_no_rows)
 {
     expect(run("$tf check clear"), 0, CHECK_HEADER, "");
     expect(run("$tf check clear above flat-above"), 0, CHECK_HEADER, "");
@@ -331,7 +331,7 @@ START_TEST(surfaces_that_do_not)
 }
 END_TEST
 
-START_TEST(curves_that_intersect)
+START_TEST(intersections_of_curves_are_printed)
 {
     make_file("curve", "v 0 0\nv 2 2\nv 0 2\nv 2 0\nl 1 2 3 4\n");
     expect(run("$tf check curve clear"), 1,
@@ -339,7 +339,7 @@ START_TEST(curves_that_intersect)
 }
 END_TEST
 
-START_TEST(several_files)
+START_TEST(several_files_are_checked)
 {
     expect(run("$tf check clear crossed clear crossed -o summary"), 1,
            "files: 4\nfiles with intersections: 2\nintersections: 10\n", "");
@@ -350,7 +350,7 @@ START_TEST(several_files)
 }
 END_TEST
 
-START_TEST(json_of_intersections)
+START_TEST(json_of_intersections_has_a_summary)
 {
     outcome found = run("$tf check -o json crossed");
     ck_assert_msg(!json_fault(found.out), "%s", json_fault(found.out));
@@ -365,7 +365,7 @@ END_TEST
 
 // Input -----------------------------------------------------------------------
 
-START_TEST(standard_input)
+START_TEST(standard_input_is_read)
 {
     char right[10000];
     strcpy(right, run("$tf detect above below").out);
@@ -399,7 +399,7 @@ END_TEST
 
 // The writer waits until the program, which has begun to count time, opens the
 // pipe.
-START_TEST(progress_on_a_terminal)
+START_TEST(progress_is_shown_on_a_terminal)
 {
     terminal screen = terminal_open();
     expect(run("mkfifo late; { exec 3>late; sleep 1.1; cat above >&3; } & "
@@ -442,7 +442,7 @@ static const struct {
      "vertex2"},
 };
 
-START_TEST(bad_files)
+START_TEST(bad_files_are_refused)
 {
     char right[1000], rows[10000];
     make_file("bad", faults[_i].text);
@@ -458,7 +458,7 @@ START_TEST(bad_files)
 }
 END_TEST
 
-START_TEST(bad_files_after_good_steps)
+START_TEST(good_steps_before_bad_files_are_printed)
 {
     char rows[10000];
     strcpy(rows, run("$tf detect above below").out);
@@ -483,7 +483,7 @@ START_TEST(bad_files_after_good_steps)
 }
 END_TEST
 
-START_TEST(other_elements)
+START_TEST(other_elements_are_refused)
 {
     make_file("other", "v -1 -1 0\nv 3 -1 0\nv -1 3 0\nv 0 0 1\nv 1 1 1\n"
                        "# the triangle\nf 2 3 1\n");
@@ -507,7 +507,7 @@ START_TEST(names_send_no_commands_to_the_terminal)
 }
 END_TEST
 
-START_TEST(coordinates_out_of_range)
+START_TEST(coordinates_out_of_range_are_refused)
 {
     static const char message[] =
         " is out of range: integer64 holds integers below 2^19 in absolute "
@@ -533,7 +533,7 @@ END_TEST
 
 #define CANNOT_WRITE "tanglefree: standard output: cannot write: "
 
-START_TEST(a_full_disk)
+START_TEST(a_full_disk_is_reported)
 {
     static const char *const outputs[] = {"csv", "json", "summary"};
     for (int i = 0; i < 3; i++) {
@@ -549,7 +549,7 @@ START_TEST(a_full_disk)
 }
 END_TEST
 
-START_TEST(closed_standard_output)
+START_TEST(closed_standard_output_is_reported)
 {
     expect(run("$tf detect above below >&-"), 2, "",
            CANNOT_WRITE "Bad file descriptor; mend that and run again\n");
@@ -559,7 +559,7 @@ START_TEST(closed_standard_output)
 }
 END_TEST
 
-START_TEST(a_reader_that_leaves)
+START_TEST(a_reader_that_leaves_ends_the_program)
 {
     make_soup(soup, 4);
     expect(run("$tf detect soup-? | head -n 1"), 0, HEADER, "");
@@ -568,7 +568,7 @@ END_TEST
 
 // Usage -----------------------------------------------------------------------
 
-START_TEST(help)
+START_TEST(help_describes_the_commands)
 {
     outcome found = run("$tf detect --help");
     ck_assert_int_eq(found.status, 0);
@@ -674,44 +674,45 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("program/surface_command");
     TCase *contacts = add_case(suite, "contacts");
-    tcase_add_test(contacts, contacts_of_a_step);
-    tcase_add_test(contacts, contacts_of_the_plane);
-    tcase_add_test(contacts, no_contacts);
+    tcase_add_test(contacts, contacts_of_a_step_are_printed);
+    tcase_add_test(contacts, contacts_of_the_plane_are_printed);
+    tcase_add_test(contacts, a_clear_step_has_no_rows);
     tcase_add_test(contacts, steps_are_counted_through);
-    tcase_add_test(contacts, the_first_contact_of_each_step);
-    tcase_add_test(contacts, json_of_contacts);
-    tcase_add_test(contacts, every_arithmetic);
+    tcase_add_test(contacts, first_prints_the_first_contact_of_each_step);
+    tcase_add_test(contacts, json_of_contacts_has_a_summary);
+    tcase_add_test(contacts, every_arithmetic_finds_the_contact);
 
     TCase *many = add_case(suite, "many contacts");
-    tcase_add_test(many, any_number_of_threads);
+    tcase_add_test(many, threads_change_nothing);
     tcase_add_test(many, rows_are_sorted);
 
     TCase *crossings = add_case(suite, "intersections");
-    tcase_add_test(crossings, surfaces_that_intersect);
-    tcase_add_test(crossings, surfaces_that_do_not);
-    tcase_add_test(crossings, curves_that_intersect);
-    tcase_add_test(crossings, several_files);
-    tcase_add_test(crossings, json_of_intersections);
+    tcase_add_test(crossings, intersections_are_printed);
+    tcase_add_test(crossings, surfaces_free_of_intersections_have_no_rows);
+    tcase_add_test(crossings, intersections_of_curves_are_printed);
+    tcase_add_test(crossings, several_files_are_checked);
+    tcase_add_test(crossings, json_of_intersections_has_a_summary);
 
     TCase *input = add_case(suite, "input");
-    tcase_add_test(input, standard_input);
+    tcase_add_test(input, standard_input_is_read);
     tcase_add_test(input, ply_is_as_good);
-    tcase_add_test(input, progress_on_a_terminal);
+    tcase_add_test(input, progress_is_shown_on_a_terminal);
 
     TCase *bad = add_case(suite, "bad input");
-    tcase_add_loop_test(bad, bad_files, 0, sizeof faults / sizeof *faults);
-    tcase_add_test(bad, bad_files_after_good_steps);
-    tcase_add_test(bad, other_elements);
+    tcase_add_loop_test(bad, bad_files_are_refused, 0,
+                        sizeof faults / sizeof *faults);
+    tcase_add_test(bad, good_steps_before_bad_files_are_printed);
+    tcase_add_test(bad, other_elements_are_refused);
     tcase_add_test(bad, names_send_no_commands_to_the_terminal);
-    tcase_add_test(bad, coordinates_out_of_range);
+    tcase_add_test(bad, coordinates_out_of_range_are_refused);
 
     TCase *unwritten = add_case(suite, "output that cannot be written");
-    tcase_add_test(unwritten, a_full_disk);
-    tcase_add_test(unwritten, closed_standard_output);
-    tcase_add_test(unwritten, a_reader_that_leaves);
+    tcase_add_test(unwritten, a_full_disk_is_reported);
+    tcase_add_test(unwritten, closed_standard_output_is_reported);
+    tcase_add_test(unwritten, a_reader_that_leaves_ends_the_program);
 
     TCase *usage = add_case(suite, "usage");
-    tcase_add_test(usage, help);
+    tcase_add_test(usage, help_describes_the_commands);
     tcase_add_test(usage, wrong_arguments_are_refused);
 
     TCase *environment = add_case(suite, "a broken environment");

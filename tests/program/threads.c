@@ -84,7 +84,7 @@ START_TEST(tasks_run_at_once)
 }
 END_TEST
 
-START_TEST(without_more_threads)
+START_TEST(tasks_are_done_without_more_threads)
 {
 #ifndef __SANITIZE_ADDRESS__ // which needs memory of its own
     // No memory for another stack: the caller's thread does all the work.
@@ -106,7 +106,7 @@ START_TEST(without_more_threads)
 }
 END_TEST
 
-START_TEST(some_are_available)
+START_TEST(threads_are_available)
 {
     int available = tf_threads_available();
     ck_assert_int_ge(available, 1);
@@ -120,8 +120,8 @@ Suite *suite(void)
     TCase *threads = tcase_create("threads");
     tcase_add_test(threads, each_task_is_run_once);
     tcase_add_test(threads, tasks_run_at_once);
-    tcase_add_test(threads, without_more_threads);
-    tcase_add_test(threads, some_are_available);
+    tcase_add_test(threads, tasks_are_done_without_more_threads);
+    tcase_add_test(threads, threads_are_available);
     suite_add_tcase(suite, threads);
     return suite;
 }

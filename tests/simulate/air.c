@@ -105,7 +105,7 @@ START_TEST(gusts_come_from_the_sides)
 }
 END_TEST
 
-START_TEST(some_are_not_moved)
+START_TEST(scripted_and_flat_triangles_are_not_moved)
 {
     const tf_air air = {.drag = 2, .wind = {0, 0, 5}};
     double velocity[COORDINATES] = {0};
@@ -133,7 +133,7 @@ Suite *suite(void)
     tcase_add_test(tcase, still_air_slows);
     tcase_add_test(tcase, wind_veers);
     tcase_add_test(tcase, gusts_come_from_the_sides);
-    tcase_add_test(tcase, some_are_not_moved);
+    tcase_add_test(tcase, scripted_and_flat_triangles_are_not_moved);
     suite_add_tcase(suite, tcase);
     return suite;
 }

@@ -45,7 +45,7 @@ START_TEST(a_sheet_has_two_triangles_a_cell)
 }
 END_TEST
 
-START_TEST(its_mass_is_that_of_its_area)
+START_TEST(the_mass_of_a_sheet_is_that_of_its_area)
 {
     tf_body body = sheet_of(6, &linen);
     double mass = 0;
@@ -58,7 +58,7 @@ START_TEST(its_mass_is_that_of_its_area)
 }
 END_TEST
 
-START_TEST(moving_it_as_it_is_takes_no_energy)
+START_TEST(moving_a_sheet_rigidly_takes_no_energy)
 {
     tf_body body = sheet_of(10, &linen);
     double *moved = malloc(sizeof(double) * 3 * (size_t)body.vertices);
@@ -89,7 +89,7 @@ static double stretched(int across, int axis)
 // To first order an edge of length l at an angle a gets longer by
 // 0.01 l cos^2 a, and the springs of each unit of area share stretch / 2 for
 // each direction of a triangle's sides: its legs and the diagonal.
-START_TEST(it_is_as_stiff_in_any_resolution_and_direction)
+START_TEST(a_sheet_is_as_stiff_in_any_resolution_and_direction)
 {
     double expected = 200 * 1e-4 * 2 / 2 * (1 + 0.25);
     for (int across = 4; across <= 64; across *= 2)
@@ -149,9 +149,9 @@ Suite *suite(void)
     Suite *suite = suite_create("simulate/cloth");
     TCase *tcase = tcase_create("sheets");
     tcase_add_test(tcase, a_sheet_has_two_triangles_a_cell);
-    tcase_add_test(tcase, its_mass_is_that_of_its_area);
-    tcase_add_test(tcase, moving_it_as_it_is_takes_no_energy);
-    tcase_add_test(tcase, it_is_as_stiff_in_any_resolution_and_direction);
+    tcase_add_test(tcase, the_mass_of_a_sheet_is_that_of_its_area);
+    tcase_add_test(tcase, moving_a_sheet_rigidly_takes_no_energy);
+    tcase_add_test(tcase, a_sheet_is_as_stiff_in_any_resolution_and_direction);
     tcase_add_test(tcase, rolling_takes_the_energy_of_a_plate);
     tcase_add_test(tcase, without_a_resistance_to_folds_there_are_only_springs);
     suite_add_tcase(suite, tcase);

@@ -23,7 +23,7 @@ static void expect_same(const tf_cloth_simulation *a,
     ck_assert_mem_eq(a->velocity, b->velocity, state_size(a));
 }
 
-START_TEST(it_starts_at_rest)
+START_TEST(cloth_starts_at_rest)
 {
     tf_cloth_simulation *s = cloth_of("twist", 4);
     const tf_body *body = &s->base.stage.body;
@@ -41,7 +41,7 @@ START_TEST(it_starts_at_rest)
 END_TEST
 
 // Gravity first gives a velocity, and then moves by it.
-START_TEST(what_nothing_holds_falls)
+START_TEST(unheld_cloth_falls_by_gravity)
 {
     tf_cloth_simulation *s = cloth_of("plane-chain", 40);
     double height = s->position[1], fallen = 0, g = s->base.scene->gravity;
@@ -80,7 +80,7 @@ START_TEST(velocities_lead_from_start_to_end)
 }
 END_TEST
 
-START_TEST(the_script_waits_for_what_is_held)
+START_TEST(the_script_waits_while_vertices_are_held)
 {
     tf_cloth_simulation *s = cloth_of("twist", 2);
     ck_assert_int_eq(tf_cloth_propose(s), TF_OK);
@@ -126,7 +126,7 @@ START_TEST(threads_change_nothing)
 }
 END_TEST
 
-START_TEST(a_state_goes_on_as_it_would_have)
+START_TEST(a_restored_snapshot_goes_on_bit_by_bit)
 {
     tf_cloth_simulation *whole = cloth_of(shorts[_i].name, shorts[_i].size);
     tf_cloth_simulation *later = cloth_of(shorts[_i].name, shorts[_i].size);
@@ -206,10 +206,10 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("simulate/cloth_simulation");
     TCase *steps = tcase_create("steps");
-    tcase_add_test(steps, it_starts_at_rest);
-    tcase_add_test(steps, what_nothing_holds_falls);
+    tcase_add_test(steps, cloth_starts_at_rest);
+    tcase_add_test(steps, unheld_cloth_falls_by_gravity);
     tcase_add_test(steps, velocities_lead_from_start_to_end);
-    tcase_add_test(steps, the_script_waits_for_what_is_held);
+    tcase_add_test(steps, the_script_waits_while_vertices_are_held);
     tcase_add_test(steps, a_step_reports_what_it_took);
     tcase_add_test(steps, a_start_that_is_not_clear_is_no_step);
     tcase_add_test(steps, a_snapshot_of_other_cloth_is_refused);
@@ -217,7 +217,7 @@ Suite *suite(void)
     TCase *bits = tcase_create("bits");
     int some = (int)cases(sizeof shorts / sizeof *shorts);
     tcase_add_loop_test(bits, threads_change_nothing, 0, some);
-    tcase_add_loop_test(bits, a_state_goes_on_as_it_would_have, 0, some);
+    tcase_add_loop_test(bits, a_restored_snapshot_goes_on_bit_by_bit, 0, some);
     suite_add_tcase(suite, bits);
     return suite;
 }

@@ -26,7 +26,7 @@ static tf_body pendulum(void)
     return body;
 }
 
-START_TEST(what_nothing_holds_flies_on)
+START_TEST(without_elements_inertia_leads)
 {
     tf_body body = pendulum();
     tf_dynamics *d = dynamics_of(&body);
@@ -40,7 +40,7 @@ START_TEST(what_nothing_holds_flies_on)
 }
 END_TEST
 
-START_TEST(what_is_linear_takes_one_iteration)
+START_TEST(linear_elements_take_one_iteration)
 {
     tf_body body = pendulum();
     tf_elastic to_nothing = {2, {0, 1}, {-1, 1}, 0, 800};
@@ -124,7 +124,7 @@ START_TEST(a_step_ends_where_the_energy_is_least)
 }
 END_TEST
 
-START_TEST(each_iteration_lowers_it)
+START_TEST(each_iteration_lowers_the_energy)
 {
     double inertia[MOST], end[MOST];
     tf_body body = crumpled(inertia);
@@ -163,10 +163,10 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("simulate/dynamics");
     TCase *tcase = tcase_create("steps");
-    tcase_add_test(tcase, what_nothing_holds_flies_on);
-    tcase_add_test(tcase, what_is_linear_takes_one_iteration);
+    tcase_add_test(tcase, without_elements_inertia_leads);
+    tcase_add_test(tcase, linear_elements_take_one_iteration);
     tcase_add_test(tcase, a_step_ends_where_the_energy_is_least);
-    tcase_add_test(tcase, each_iteration_lowers_it);
+    tcase_add_test(tcase, each_iteration_lowers_the_energy);
     tcase_add_test(tcase, a_step_does_not_depend_on_those_before);
     suite_add_tcase(suite, tcase);
     return suite;

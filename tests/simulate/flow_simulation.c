@@ -104,7 +104,7 @@ START_TEST(a_snapshot_is_restored_or_changes_nothing)
 END_TEST
 
 // The flow turns back, and would lead two balls to where they were.
-START_TEST(what_has_merged_stays_one)
+START_TEST(merged_balls_stay_merged_when_the_flow_turns_back)
 {
     tf_flow_simulation *f = flow_of("spheres", 0.05);
     ck_assert_int_eq(f->measures.components, 2);
@@ -126,7 +126,7 @@ Suite *suite(void)
     tcase_add_loop_test(tcase, no_step_tangles, 0, sizeof runs / sizeof *runs);
     tcase_add_test(tcase, workers_and_pauses_change_no_bit);
     tcase_add_test(tcase, a_snapshot_is_restored_or_changes_nothing);
-    tcase_add_test(tcase, what_has_merged_stays_one);
+    tcase_add_test(tcase, merged_balls_stay_merged_when_the_flow_turns_back);
     suite_add_tcase(suite, tcase);
     return suite;
 }

@@ -22,7 +22,7 @@ static int sides(const tf_body *body, int a, int b)
     return count;
 }
 
-START_TEST(it_is_closed_and_round)
+START_TEST(a_geodesic_sphere_is_closed_and_round)
 {
     tf_body body = sphere(_i);
     ck_assert_int_eq(body.triangles, 20 * _i * _i);
@@ -76,7 +76,7 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("simulate/geodesic");
     TCase *tcase = tcase_create("spheres");
-    tcase_add_loop_test(tcase, it_is_closed_and_round, 1, 7);
+    tcase_add_loop_test(tcase, a_geodesic_sphere_is_closed_and_round, 1, 7);
     tcase_add_test(tcase, triangles_face_outwards);
     tcase_add_test(tcase, edges_are_as_long_as_they_should_be);
     suite_add_tcase(suite, tcase);

@@ -11,7 +11,7 @@ static double distance(const double a[3], const double b[3])
                 (b[2] - a[2]) * (b[2] - a[2]));
 }
 
-START_TEST(its_points_are_at_equal_distances)
+START_TEST(points_of_a_knot_are_at_equal_distances)
 {
     tf_line line = tf_knot_line(0.5, 6, 0.05);
     ck_assert_int_gt(line.points, 300);
@@ -22,7 +22,7 @@ START_TEST(its_points_are_at_equal_distances)
 }
 END_TEST
 
-START_TEST(its_ends_point_away_from_each_other)
+START_TEST(ends_of_a_knot_point_away_from_each_other)
 {
     tf_line line = tf_knot_line(1, 6, 0.1);
     const double *x = line.x, *last = line.x + 3 * (line.points - 1);
@@ -35,7 +35,7 @@ START_TEST(its_ends_point_away_from_each_other)
 END_TEST
 
 // A point is as near as the line is long between, or not near at all.
-START_TEST(no_part_of_it_is_near_another)
+START_TEST(no_part_of_a_knot_is_near_another)
 {
     tf_line line = tf_knot_line(1, 6, 0.1);
     for (int i = 0; i < line.points; i++)
@@ -122,7 +122,7 @@ static double determinant(const crossing found[], int count)
     return fabs(product);
 }
 
-START_TEST(it_is_a_trefoil_knot)
+START_TEST(the_line_is_a_trefoil_knot)
 {
     crossing found[MOST];
     tf_line line = tf_knot_line(1, 6, 0.1);
@@ -153,7 +153,7 @@ START_TEST(a_rope_is_a_clear_tube_at_rest)
 }
 END_TEST
 
-START_TEST(struts_keep_it_round)
+START_TEST(struts_keep_a_rope_round)
 {
     const tf_material sisal = {.density = 2, .stretch = 5};
     tf_line line = tf_knot_line(1, 6, 0.2);
@@ -183,14 +183,14 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("simulate/rope");
     TCase *lines = tcase_create("lines");
-    tcase_add_test(lines, its_points_are_at_equal_distances);
-    tcase_add_test(lines, its_ends_point_away_from_each_other);
-    tcase_add_test(lines, no_part_of_it_is_near_another);
-    tcase_add_test(lines, it_is_a_trefoil_knot);
+    tcase_add_test(lines, points_of_a_knot_are_at_equal_distances);
+    tcase_add_test(lines, ends_of_a_knot_point_away_from_each_other);
+    tcase_add_test(lines, no_part_of_a_knot_is_near_another);
+    tcase_add_test(lines, the_line_is_a_trefoil_knot);
     suite_add_tcase(suite, lines);
     TCase *ropes = tcase_create("ropes");
     tcase_add_test(ropes, a_rope_is_a_clear_tube_at_rest);
-    tcase_add_test(ropes, struts_keep_it_round);
+    tcase_add_test(ropes, struts_keep_a_rope_round);
     tcase_add_test(ropes, without_memory_there_is_no_rope);
     suite_add_tcase(suite, ropes);
     return suite;

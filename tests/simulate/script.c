@@ -33,7 +33,7 @@ static void expect_at(double time, int vertex, double x, double y, double z)
     tf_body_free(&body);
 }
 
-START_TEST(it_turns_and_shifts)
+START_TEST(a_script_turns_and_shifts)
 {
     expect_at(3, 1, 1, 1, 9); // on the axis
     expect_at(3, 2, 1, 2, 10);
@@ -42,7 +42,7 @@ START_TEST(it_turns_and_shifts)
 }
 END_TEST
 
-START_TEST(it_rests_before_and_after)
+START_TEST(a_script_rests_before_and_after)
 {
     expect_at(0, 2, 2, 1, 2);
     expect_at(1, 2, 2, 1, 2);
@@ -50,14 +50,14 @@ START_TEST(it_rests_before_and_after)
 }
 END_TEST
 
-START_TEST(it_starts_and_stops_slowly)
+START_TEST(a_script_starts_and_stops_slowly)
 {
     expect_at(1.2, 1, 1, 1, 1 + 8 * 0.01 * (3 - 0.2));
     expect_at(2.8, 1, 1, 1, 9 - 8 * 0.01 * (3 - 0.2));
 }
 END_TEST
 
-START_TEST(others_are_not_placed)
+START_TEST(vertices_outside_a_script_are_not_placed)
 {
     expect_at(3, 0, 0, 0, 0);
     expect_at(3, 3, 0, 0, 0);
@@ -68,10 +68,10 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("simulate/script");
     TCase *tcase = tcase_create("places");
-    tcase_add_test(tcase, it_turns_and_shifts);
-    tcase_add_test(tcase, it_rests_before_and_after);
-    tcase_add_test(tcase, it_starts_and_stops_slowly);
-    tcase_add_test(tcase, others_are_not_placed);
+    tcase_add_test(tcase, a_script_turns_and_shifts);
+    tcase_add_test(tcase, a_script_rests_before_and_after);
+    tcase_add_test(tcase, a_script_starts_and_stops_slowly);
+    tcase_add_test(tcase, vertices_outside_a_script_are_not_placed);
     suite_add_tcase(suite, tcase);
     return suite;
 }

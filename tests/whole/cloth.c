@@ -11,7 +11,7 @@
 static const int edges[CLOTH_SCENES] = {60, 20, 8, 8, 6, 2};
 static const int steps[CLOTH_SCENES] = {100, 100, 60, 60, 120, 240};
 
-START_TEST(cloth_starts_free_of_tangles_and_tangles)
+START_TEST(proposals_of_clear_cloth_tangle)
 {
     cloth_model *cloth = cloth_new((cloth_scene)_i, edges[_i]);
     tangle_judge *judge = tangle_judge_new(&cloth->mesh);
@@ -39,7 +39,7 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("whole/cloth");
     TCase *tcase = tcase_create("scenes");
-    tcase_add_loop_test(tcase, cloth_starts_free_of_tangles_and_tangles, 0,
+    tcase_add_loop_test(tcase, proposals_of_clear_cloth_tangle, 0,
                         (int)cases(CLOTH_SCENES));
     suite_add_tcase(suite, tcase);
     return suite;

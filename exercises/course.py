@@ -204,11 +204,11 @@ def write_report(path, submission, outcomes):
 
 # What `make learn` and `make grade` are made of, besides the exercises.
 PARTS = ["Makefile", "LICENSE", "README.md", "book/chapters", "src/**/*",
-         "*/rules.mk", "*/*/rules.mk", "tests/checks.mk", "tests/packages",
-         "tests/install-packages.sh", "tests/support/*", "tests/bench/*.[ch]",
-         "tests/proofs/*", "figures/kit/expansion.[ch]", "exercises/README.md",
-         "exercises/*.py", "exercises/*.h", "exercises/check.c",
-         "exercises/judge.c", "exercises/confine.c"]
+         "*/rules.mk", "*/*/rules.mk", "tests/checks.mk", "tests/help.awk",
+         "tests/packages", "tests/install-packages.sh", "tests/support/*",
+         "tests/bench/*.[ch]", "tests/proofs/*", "figures/kit/expansion.[ch]",
+         "exercises/README.md", "exercises/*.py", "exercises/*.h",
+         "exercises/check.c", "exercises/judge.c", "exercises/confine.c"]
 
 SETUP = """\
 #!/bin/sh

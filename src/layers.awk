@@ -1,12 +1,13 @@
-# Check that includes only go down the layers of src/, a folder a layer:
+# Check the order of src/, a folder a layer, a header and its source a module:
 #
 #     awk -f src/layers.awk src/*/*.[ch]
 #
 # prints the layers, the lowest first, and then "from to" for each module that
-# another one includes, for the figure of the layers, and fails with the place
-# of each arrow that goes up.  The program, and the files and the simulator in
-# it, see of the library what its users see: public headers, besides base/ and
-# vectors.
+# another one includes, for the figure of the layers.  Fails, and says where, if
+# an include goes up the layers or closes a circle of modules, if a function is
+# declared in the header of another module than defines it, or if a folder has
+# more than 45 files.  The program, and the files and the simulator in it, see
+# of the library what its users see: public headers, besides base/ and vectors.
 
 BEGIN {
     layers = split("base geometry arithmetic intersect query linear surface " \
@@ -18,8 +19,13 @@ BEGIN {
     }
 }
 
-/^#include "/ {
+FNR == 1 {
     from = module_of(FILENAME)
+    if (++files[layer_of(from)] == 46)
+        fail("is the 46th file of its folder: divide the folder")
+}
+
+/^#include "/ {
     to = module_of("src/" substr($2, 2))
     if (!(layer_of(to) in rank))
         fail("includes " to ", which is in no layer of src/layers.awk")
@@ -29,13 +35,63 @@ BEGIN {
     else if (is_client(from) && !is_client(to) && layer_of(to) != "base" &&
              to != "geometry/vector" && !is_public(to))
         fail("includes " to ", which is not public")
-    else if (from != to && !(from " " to in printed)) {
-        printed[from " " to]
+    else if (from != to && !((from, to) in included)) {
+        included[from, to]
+        includes[from] = includes[from] " " to
         print from, to
     }
 }
 
-END { exit wrong }
+# The name of a function is before the first bracket of a line that begins with
+# its type; the end of its declaration may be lines below.
+/^[A-Za-z].*[ *]tf_[a-z0-9_]+\(/ && !/^(static|typedef)/ {
+    match($0, /tf_[a-z0-9_]+\(/)
+    name = substr($0, RSTART, RLENGTH - 1)
+    place = FILENAME ":" FNR
+}
+
+name && /[;{]/ {
+    if (/\{/)
+        definer[name] = from
+    else {
+        declarer[name] = from
+        declared[name] = place
+    }
+    name = ""
+}
+
+END {
+    for (name in declarer)
+        if (name in definer && definer[name] != declarer[name])
+            complain(declared[name] ": declares " name ", which " \
+                     definer[name] ".c defines")
+    for (module in includes)
+        visit(module)
+    exit wrong
+}
+
+# Follow all includes of a module, in search of one that is still open.
+function visit(module,    to, count, i) {
+    if (module in state) {
+        if (state[module] == "open")
+            complain("a circle of includes: " circle_to(module))
+        return
+    }
+    state[module] = "open"
+    path[++depth] = module
+    count = split(includes[module], to, " ")
+    for (i = 1; i <= count; i++)
+        visit(to[i])
+    state[module] = "closed"
+    depth--
+}
+
+function circle_to(module,    circle, i) {
+    circle = module
+    for (i = depth; path[i] != module; i--)
+        circle = path[i] " - " circle
+    return module " - " circle
+}
 
 function module_of(file) {
     sub(/^src\//, "", file)
@@ -63,6 +119,10 @@ function is_public(module,    text, found) {
 }
 
 function fail(what) {
-    print FILENAME ":" FNR ": " what > "/dev/stderr"
+    complain(FILENAME ":" FNR ": " what)
+}
+
+function complain(what) {
+    print what > "/dev/stderr"
     wrong = 1
 }

@@ -5,11 +5,11 @@
 
 ##@ Check
 
-check-manifest: ## compare book/chapters with src/ and tests/
+check-manifest: ## compare book/chapters, README.md, src/ and tests/
 	@sh tests/manifest.sh
 	@$(MAKE) help >/dev/null
 
-check-layers: ## check that includes only go down the layers of src/
+check-layers: ## check the order of the layers and modules of src/
 	@awk -f src/layers.awk $(sort $(shell find src -name '*.[ch]')) >/dev/null
 
 run_chapters = BUILD=$(BUILD) COMPILE='$(CC) $(WARNINGS) -std=c17' \

@@ -1,4 +1,5 @@
-# Compare book/chapters with src/ and tests/, and print what does not fit.
+# Compare book/chapters and README.md with src/ and tests/, and print what does
+# not fit.
 set -eu
 export LC_ALL=C
 
@@ -33,6 +34,15 @@ without src manifest | complain 'is in src/ but in no line of book/chapters'
 without tests src | complain 'is in tests/ but tests no module'
 without code tests | grep -vx program/main |
     complain 'is in src/ but has no test in tests/'
+
+# What README.md names: folders of src/, and modules by symptoms.
+(cd src && echo */) | tr ' ' '\n' | sort >"$scratch/folders"
+sed -n 's|^. `src/\([a-z]*/\)`.*|\1|p' README.md | sort >"$scratch/shown"
+grep -oE '`[a-z]+/[a-z_]+\.[ch]`' README.md | tr -d '`' |
+    sed 's/\.[ch]$//' | sort -u >"$scratch/named"
+without folders shown | complain 'is a folder of src/ that README.md lacks'
+without shown folders | complain 'is in README.md but no folder of src/'
+without named src | complain 'is in README.md but not in src/'
 
 cat "$scratch/complaints"
 [ ! -s "$scratch/complaints" ]

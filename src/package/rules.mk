@@ -46,15 +46,24 @@ $(shared_links): $(shared_library)
 
 # The manual pages -------------------------------------------------------------
 
-# Each is made of the help of its command and of what else there is to say.
+# Each is made of its file and the help of its command, and the help of what the
+# file has for it.
 manual = src/package/manual
 pages = $(patsubst $(manual)/%.1,$(BUILD)/man/%.1,$(wildcard $(manual)/*.1))
+descriptions = $(BUILD)/man/descriptions
 
 $(BUILD)/man/%.1: $(manual)/%.1 $(manual)/page.awk $(program_file)
-	@echo 'write   $@' && mkdir -p $(@D)
+	@echo 'write   $@'
 	$(Q)ARGP_HELP_FMT= $(EMULATOR) $(program_file) \
 	    $(patsubst tanglefree%,%,$(subst -, ,$*)) --help | \
 	    awk -f $(manual)/page.awk - $< >$@
+
+$(descriptions).c: $(manual)/help.awk $(wildcard $(manual)/tanglefree-*.1)
+	@echo 'write   $@' && mkdir -p $(@D)
+	$(Q)awk -f $^ >$@
+$(descriptions).o: $(descriptions).c $(BUILD)/flags | need-build
+	$(Q)$(COMPILE) -c $< -o $@
+$(BUILD)/program.a: $(descriptions).o
 
 # The installation -------------------------------------------------------------
 

@@ -11,11 +11,16 @@ typedef struct tf_command {
     const char *operands;    ///< as help calls them
     int least, most;         ///< how many operands
     const char *wanted;      ///< how many, for a message
-    const char *description; ///< what help says before \v the options, and
-                             ///< behind them
+    const char *description; ///< what help says before the options, \v, and
+                             ///< what it says behind them
     void (*check)(tf_request *request); ///< whether all goes together; or NULL
     int (*run)(const tf_request *request); ///< the exit status
 } tf_command;
+
+/// These are made of src/package/manual, as the manual pages are.
+extern const char tf_query_description[], tf_detect_description[],
+    tf_check_description[], tf_resolve_description[], tf_remesh_description[],
+    tf_simulate_description[];
 
 extern const tf_command tf_query_command, tf_detect_command, tf_check_command,
     tf_resolve_command, tf_remesh_command, tf_simulate_command;

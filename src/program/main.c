@@ -42,49 +42,27 @@ static char *describe(int key, const char *text, void *input)
     return list;
 }
 
-//: Find the command among the arguments
-typedef struct choice {
-    const tf_command *command;
-    int argc;
-    char **argv; ///< of the command, its name first
-} choice;
-
-static void choose(choice *chosen, struct argp_state *state, const char *name)
+//: Run the command that is the first argument
+static void run_command(const struct argp_state *state, const char *name)
 {
+    int argc = state->argc - state->next + 1;
     for (int i = 0; i < COMMANDS; i++)
         if (strcmp(name, commands[i]->name) == 0)
-            chosen->command = commands[i];
-    if (!chosen->command)
-        argp_error(state, "unknown command '%s'; --help lists the commands",
-                   tf_make_visible(name).text);
-    chosen->argv = state->argv + state->next - 1;
-    chosen->argc = state->argc - state->next + 1;
-    state->next = state->argc;
+            exit(tf_command_run(commands[i], argc,
+                                state->argv + state->argc - argc));
+    argp_error(state, "unknown command '%s'; --help lists the commands",
+               tf_make_visible(name).text);
 }
 
-//: Choose the command
-static error_t parse_command(int key, char *text, struct argp_state *state)
+static error_t parse_argument(int key, char *text, struct argp_state *state)
 {
     if (key == ARGP_KEY_ARG)
-        choose(state->input, state, text);
+        run_command(state, text);
     else if (key == ARGP_KEY_NO_ARGS)
         argp_error(state, "no command given; --help lists the commands");
     else
         return ARGP_ERR_UNKNOWN;
     return 0;
-}
-
-static choice choose_command(int argc, char *argv[])
-{
-    static const struct argp parser = {
-        .parser = parse_command,
-        .args_doc = "COMMAND [ARGUMENT...]",
-        .doc = "Exact continuous collision detection.",
-        .help_filter = describe,
-    };
-    choice chosen = {0};
-    argp_parse(&parser, argc, argv, ARGP_IN_ORDER, NULL, &chosen);
-    return chosen;
 }
 
 //: Make sure that the last words are written
@@ -101,11 +79,16 @@ static void finish_output(void)
 //: Run the program
 int main(int argc, char *argv[])
 {
+    static const struct argp parser = {
+        .parser = parse_argument,
+        .args_doc = "COMMAND [ARGUMENT...]",
+        .doc = "Exact continuous collision detection.",
+        .help_filter = describe,
+    };
     static char name[] = "tanglefree";
     argp_err_exit_status = 2;
     atexit(finish_output);
-
     argv[0] = name;
-    choice chosen = choose_command(argc, argv);
-    return tf_command_run(chosen.command, chosen.argc, chosen.argv);
+    argp_parse(&parser, argc, argv, ARGP_IN_ORDER, NULL, NULL);
+    return argp_err_exit_status;
 }

@@ -11,32 +11,6 @@
 #include <stdio.h>
 #include <string.h>
 
-//: Describe the usage
-static const char description[] =
-    "Compute whether, when and how moving elements first meet.\v"
-    "A FILE is CSV without a header, one vertex per row: the vertices of the "
-    "first element and then of the second at t = 0, then the same at t = 1.  "
-    "A row is x,y[,z], decimal numbers or hexadecimal floats, or "
-    "xnum,xden,ynum,yden[,znum,zden], integers of any length, perhaps followed "
-    "by the ground truth, 0 or 1.  The first row determines the format of its "
-    "file.  Blank lines and lines that begin with # are skipped.  Without a "
-    "FILE, or if it is \"-\", standard input is read.  For perturbed signs, "
-    "the "
-    "vertices are numbered in the order of the rows.\n\n"
-    "csv and json print one answer per query: the number of the query, from 0; "
-    "hit, which is 1 for a hit (and for what clamped signs leave undecided), "
-    "else 0; toi_lo and toi_hi, which enclose the time of impact (with "
-    "perturbed signs, that of the moved vertices; with other methods than "
-    "spacetime both are the time found); the unit normal of the "
-    "contact; the normal velocity; and the case, generic, touching or "
-    "degenerate.  Without a hit these are empty, or null.  summary counts the "
-    "hits and, where the ground truth is given, the hits that are not in it "
-    "(extra) and those in it alone (missed); and with --against how many "
-    "answers differ and how many hits only --method or only --against "
-    "finds.\n\n"
-    "Exit status: 0 if all queries were answered, 2 if the arguments or the "
-    "input are invalid or the output cannot be written.";
-
 //: Check that the options go together
 static void check_options(tf_request *request)
 {
@@ -177,7 +151,7 @@ const tf_command tf_query_command = {
     .purpose = "compute whether, when and how elements first meet",
     .operands = "[FILE...]",
     .most = INT_MAX,
-    .description = description,
+    .description = tf_query_description,
     .check = check_options,
     .run = run,
 };

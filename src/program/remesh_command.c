@@ -7,26 +7,6 @@
 #include "program/reports.h"
 #include "remesh/remesh.h"
 
-//: Describe the usage of remesh
-static const char description[] =
-    "Give a surface triangles that are nearly equilateral.\v"
-    "IN is a mesh in Wavefront OBJ or PLY; \"-\" is standard input.  It must "
-    "be "
-    "a surface that does not intersect or touch itself: each edge has two "
-    "triangles, in opposite directions, or one.  OUT is OBJ or PLY as its "
-    "ending says, .obj or .ply, or else as IN is, and appears whole or not at "
-    "all.  If it is \"-\", the mesh is written to standard output, and the "
-    "report to standard error.\n\n"
-    "Long edges are split, short ones collapse, others flip, and vertices "
-    "move along the surface.  Each change is tested exactly, so that OUT does "
-    "not intersect itself either, and IN can be moved to it without passing "
-    "through itself.  Boundaries and creases of more than 60 degrees stay.\n\n"
-    "The report lists the triangles, their quality (1 is equilateral), how far "
-    "the two surfaces are apart at most, and what was done and refused, by "
-    "cause.\n\n"
-    "Exit status: 0 if OUT is written, 2 after any error; then OUT is as it "
-    "was before.";
-
 //: Hold what remesh does
 typedef struct remeshing {
     const tf_request *request;
@@ -120,6 +100,6 @@ const tf_command tf_remesh_command = {
     .least = 1,
     .most = 1,
     .wanted = "one file is required, IN",
-    .description = description,
+    .description = tf_remesh_description,
     .run = run,
 };

@@ -13,24 +13,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-//: Describe the usage of resolve
-static const char description[] =
-    "Change the end of a step such that nothing meets.\v"
-    "START and END are meshes in Wavefront OBJ or PLY, as for 'tanglefree "
-    "detect', with the same elements; \"-\" is standard input.  START must be "
-    "free of intersections and of touching.  OUT has the same elements; "
-    "vertices that no contact involves are where END has them, to the last "
-    "bit.  It is OBJ or PLY as its ending says, .obj or .ply, or else as START "
-    "is, and appears whole or not at all.  If it is \"-\", the mesh is written "
-    "to standard output, and the report to standard error.\n\n"
-    "In the step from START to OUT no two elements meet that share no vertex, "
-    "exactly.  So OUT is free of intersections, too, and nothing has passed "
-    "through anything.\n\n"
-    "The report lists what it took: contacts, rounds, zones, and how many "
-    "vertices were moved or, though they are scripted, held back.\n\n"
-    "Exit status: 0 if OUT is written and the step to it is clear, 2 after any "
-    "error; then OUT is as it was before.";
-
 //: Hold what resolve does
 typedef struct resolving {
     const tf_request *request;
@@ -182,6 +164,6 @@ const tf_command tf_resolve_command = {
     .least = 2,
     .most = 2,
     .wanted = "two files are required, START and END",
-    .description = description,
+    .description = tf_resolve_description,
     .run = run,
 };

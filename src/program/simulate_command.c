@@ -13,22 +13,6 @@
 
 #include <string.h>
 
-//: Describe the usage of simulate
-static const char description[] =
-    "Simulate a scene in which cloth meets itself and other things, or a "
-    "surface flows.\v"
-    "SCENE is one of those that 'tanglefree simulate list' prints.  DIR is a "
-    "folder that is not there yet, or empty.  In it frame-00000.ply is the "
-    "start, and each step adds a frame, frame-00001.ply and so on, and a line "
-    "to the table steps.csv.  A frame appears whole or not at all; it holds "
-    "the positions of the vertices and, of cloth, their velocities.\n\n"
-    "In no step do elements meet that share no vertex: that is exact.  A "
-    "surface that flows is remeshed, merged and pinched between steps.\n\n"
-    "The frames have the same bits for any number of threads, and even if the "
-    "simulation was interrupted and went on with --resume.\n\n"
-    "Exit status: 0 if all steps are made, 2 after any error, 130 after "
-    "Ctrl-C, when the step that was being made is finished.";
-
 //: Find the scene that is requested
 /// NULL: none has that name.
 static const tf_scene *scene_of(const tf_request *request)
@@ -211,7 +195,7 @@ const tf_command tf_simulate_command = {
     .least = 1,
     .most = 1,
     .wanted = "one scene is required; 'tanglefree simulate list' prints all",
-    .description = description,
+    .description = tf_simulate_description,
     .check = check,
     .run = run_simulate,
 };

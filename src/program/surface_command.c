@@ -8,43 +8,6 @@
 
 #include <limits.h>
 
-//: Describe the usage about surfaces
-static const char detect_description[] =
-    "Find every contact of a moving surface, step by step.\v"
-    "Each file is a mesh in Wavefront OBJ or PLY; \"-\" is standard input.  "
-    "All have the same elements, each in another position.  From each file to "
-    "the next is a step, in which the vertices move in straight lines.  Faces "
-    "are triangles.  Edges of their own (l in OBJ, edge in PLY) and vertices "
-    "of no element take part, too.  A mesh without faces whose z are all 0 is "
-    "in the plane.\n\n"
-    "csv prints one row per contact, of two elements that share no vertex: the "
-    "step, from 0; the kind, point-triangle (a touches bcd), edge-edge (ab "
-    "touches cd) or in the plane point-edge (a touches bc); the vertices, from "
-    "0; and toi_lo, toi_hi, nx, ny, nz, normal_velocity and case as in "
-    "'tanglefree query'.  json prints the same and the summary.  summary "
-    "counts steps, contacts and candidates (pairs whose boxes overlap), and "
-    "how many of these were decided by an axis, by the filter and by signs.\n\n"
-    "If the surface is free of intersections at the start ('tanglefree "
-    "check'), and there is no contact, it is free of them at the end, and "
-    "nothing has passed through anything.\n\n"
-    "Exit status: 0 if there is no contact, 1 if there is one, 2 if the "
-    "arguments or the input are invalid or the output cannot be written.";
-
-static const char check_description[] =
-    "Find where surfaces at rest intersect themselves.\v"
-    "Each file is a mesh in Wavefront OBJ or PLY; \"-\" is standard input.  "
-    "Faces are triangles.  Edges of their own (l in OBJ, edge in PLY) and "
-    "vertices of no element take part, too.  A mesh without faces whose z are "
-    "all 0 is in the plane.\n\n"
-    "csv prints one row per intersection, of two elements that share no "
-    "vertex: the file; the kind, edge-triangle (ab passes through cde), "
-    "point-triangle (a lies on bcd) or edge-edge (ab meets cd); and the "
-    "vertices, from 0.  json prints the same and the summary.  summary counts "
-    "files and intersections.  The answers are exact.\n\n"
-    "Exit status: 0 if all surfaces are free of intersections, 1 if one is "
-    "not, 2 if the arguments or the input are invalid or the output cannot be "
-    "written.";
-
 //: Hold what a command does
 typedef struct work {
     const tf_request *request;
@@ -172,7 +135,7 @@ const tf_command tf_detect_command = {
     .least = 2,
     .most = INT_MAX,
     .wanted = "two files or more are required, START and END",
-    .description = detect_description,
+    .description = tf_detect_description,
     .run = run_detect,
 };
 
@@ -184,6 +147,6 @@ const tf_command tf_check_command = {
     .least = 1,
     .most = INT_MAX,
     .wanted = "a file is required, or - for standard input",
-    .description = check_description,
+    .description = tf_check_description,
     .run = run_check,
 };

@@ -1,17 +1,15 @@
-# Make the manual page of a command from its help and from a file of what else
-# there is to say:
+# Make the manual page of a command from its help and from its file here:
 #
 #     tanglefree query --help | awk -f page.awk - tanglefree-query.1
 #
-# The file is mdoc from DESCRIPTION on, with three macros more:
+# The file begins with the date and the name (.Dd, .Nd), and is mdoc from
+# DESCRIPTION on, with three macros more:
 #
-#     .Help N       the N-th paragraph of the help behind its options
+#     .Help N       up to .End, a paragraph that --help says, too: the N-th of
+#                   those behind the options, as plain text
 #     .Commands     the list of the commands
 #     .Options      the list of the options, up to .End: behind ".It NAME" is
 #                   what follows the help of the option --NAME
-#
-# Each paragraph must be in the page, and each option that the file names must
-# be one.
 
 # The help ---------------------------------------------------------------------
 
@@ -19,70 +17,37 @@ NR == FNR && /^Usage: |^  or:  / {
     sub(/^Usage: |^  or:  /, "")
     sub(/\[OPTION\.\.\.\] ?/, "")
     usage[++usages] = $0
-    next
 }
 
-# What the program is comes before its options.
-NR == FNR && !seen_options && !/^ *-/ {
-    purpose = join(purpose, $0)
-    next
-}
-
-NR == FNR && /^ +(-.,)? *--[a-z]/ {
-    seen_options = in_options = 1
-    begin_option($0)
-    next
-}
-
-NR == FNR && in_options && /^ /  {
+NR == FNR && /^$/ { in_options = in_commands = 0 }
+NR == FNR && /^ +(-.,)? *--[a-z]/ { in_options = begin_option($0) }
+NR == FNR && in_options && /^          / {
     help[options] = join(help[options], trimmed($0))
-    next
 }
-
-# argp says this of all options.
-NR == FNR && /^Mandatory or optional arguments/ { skipping = 1 }
-
-NR == FNR && /^$/ {
-    in_options = in_commands = skipping = 0
-    paragraph_ended = 1
-    next
-}
-
-NR == FNR && /^Commands:$/ { in_commands = 1; next }
 
 NR == FNR && in_commands {
     command[++commands] = $1
     sub(/^ *[a-z]+ */, "")
     does[commands] = $0
-    next
 }
-
-NR == FNR && !skipping {
-    paragraphs += paragraph_ended
-    paragraph_ended = 0
-    paragraph[paragraphs] = join(paragraph[paragraphs], $0)
-}
-
+NR == FNR && /^Commands:$/ { in_commands = 1 }
 NR == FNR { next }
 
 # The page ---------------------------------------------------------------------
 
-# The date comes first.
-FNR == 1 {
-    print
-    print_head()
-    next
-}
-
-/^\.Help / {
-    sub(/^Exit status: /, "", paragraph[$2])
-    print_text(paragraph[$2])
-    used[$2] = 1
-    next
-}
-
+/^\.Nd / { print_head($0); next }
 /^\.Commands$/ { print_commands(); next }
+/^\.Help / { in_text = 1; text = ""; next }
 /^\.Options$/ { in_list = 1; next }
+
+/^\.End$/ {
+    if (in_text)
+        print_text(text)
+    if (in_list)
+        print_options()
+    in_text = in_list = 0
+    next
+}
 
 /^\.It / && in_list && !/^\.It (Cm|Va|Ar)/ {
     current = $2
@@ -90,21 +55,13 @@ FNR == 1 {
     next
 }
 
-/^\.End$/ && in_list {
-    print_options()
-    in_list = 0
-    next
-}
-
+in_text { text = join(text, $0); next }
 in_list { more[current] = more[current] $0 "\n"; next }
 { print }
 
 END {
     if (!options)
         fail("there is no help")
-    for (i = 1; i <= paragraphs; i++)
-        if (!(i in used))
-            fail("paragraph " i " of the help is not in the page")
     for (name in known)
         if (!known[name])
             fail("there is no option --" name)
@@ -140,6 +97,7 @@ function escaped(text) {
 
 # A sentence a line, as mdoc has it, folded to 78 columns.
 function print_text(text,    words, word, count, i, line) {
+    sub(/^Exit status: /, "", text)
     text = escaped(text)
     gsub(/\.  /, ".\n", text)
     count = split(text, sentence, "\n")
@@ -162,16 +120,14 @@ function print_text(text,    words, word, count, i, line) {
 # The parts of the page --------------------------------------------------------
 
 # The program's own name is `tanglefree`, that of a command "tanglefree query".
-function print_head(    name, i) {
+function print_head(purpose,    name, i) {
     name = usage[1]
     match(name, /^[a-z ]+[a-z]/)
     name = substr(name, 1, RLENGTH)
     page = name
     gsub(/ /, "-", page)
     print ".Dt " toupper(page) " 1\n.Os\n.Sh NAME\n.Nm " page
-    sub(/\.$/, "", purpose)
-    print ".Nd " tolower(substr(purpose, 1, 1)) substr(purpose, 2)
-    print ".Sh SYNOPSIS"
+    print purpose "\n.Sh SYNOPSIS"
     for (i = 1; i <= usages; i++)
         print_usage(name, trimmed(substr(usage[i], length(name) + 1)), i == 1)
     print ".Nm " name "\n.Fl \\&? | V | Fl -help | -usage | -version"
@@ -208,6 +164,7 @@ function begin_option(line,    field) {
     sub(/=.*/, "", name_of[options])
     if (sub(/.*=/, "", field))
         argument[options] = field
+    return 1
 }
 
 # What all commands have, and argp describes.

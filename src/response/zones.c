@@ -260,7 +260,7 @@ static void keep_impulses(tf_zones *zones, const division *d, int z,
 }
 
 /// Moves these vertices.  The others stay where they are: rounded anew, they
-/// would have to be looked at again.
+/// would have to be decided again.
 static void move_vertices(tf_step *step, const tf_contact_rule *rule,
                           const division *d, const tf_zone *zone)
 {

@@ -249,7 +249,7 @@ START_TEST(each_zone_is_a_problem_on_its_own)
 END_TEST
 
 // Only where an impulse has changed: the others would be rounded anew, and
-// looked at again.
+// decided again.
 START_TEST(only_pushed_vertices_are_moved)
 {
     proposal_begin(&made, 2);

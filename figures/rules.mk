@@ -83,7 +83,7 @@ $(BUILD)/drawing/includes.h: src/layers.awk $(wildcard src/*/*.[ch])
 # methods.csv are named "methods ...", and so on, but for those of library.csv.
 $(BUILD)/drawing/measured_rows.h: $(wildcard figures/measured/*.csv)
 	@mkdir -p $(@D) && for file in $(^:figures/measured/%.csv=%); do \
-	    sed -n "s/^\([^#].*\),\([-+0-9.e]*\),.*$$/{\"$$file \1\", \2},/p" \
+	    sed -n "s/^\([^#].*\),\([-0-9.]*\),.*$$/{\"$$file \1\", \2},/p" \
 	    figures/measured/$$file.csv; done | sed 's/"library /"/' >$@.new
 	@$(unless_same)
 

@@ -35,14 +35,15 @@ without tests src | complain 'is in tests/ but tests no module'
 without code tests | grep -vx program/main |
     complain 'is in src/ but has no test in tests/'
 
-# What README.md names: folders of src/, and modules by symptoms.
+# What README.md names, folders of src/ and modules by symptoms, and what
+# CONTRIBUTING.md does.
 (cd src && echo */) | tr ' ' '\n' | sort >"$scratch/folders"
 sed -n 's|^. `src/\([a-z]*/\)`.*|\1|p' README.md | sort >"$scratch/shown"
-grep -oE '`[a-z]+/[a-z_]+\.[ch]`' README.md | tr -d '`' |
-    sed 's/\.[ch]$//' | sort -u >"$scratch/named"
+grep -ohE '`(src/)?[a-z]+/[a-z_]+\.[ch]`' README.md CONTRIBUTING.md |
+    tr -d '`' | sed 's/^src.//; s/\.[ch]$//' | sort -u >"$scratch/named"
 without folders shown | complain 'is a folder of src/ that README.md lacks'
 without shown folders | complain 'is in README.md but no folder of src/'
-without named src | complain 'is in README.md but not in src/'
+without named src | complain 'is in README.md or CONTRIBUTING.md but not in src/'
 
 cat "$scratch/complaints"
 [ ! -s "$scratch/complaints" ]

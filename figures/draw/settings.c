@@ -149,8 +149,8 @@ int fig_read_count(struct argp_state *state, const char *option,
     const char *at = text;
     long count = read_digits(&at);
     if (*at != '\0' || count < least || count > most)
-        argp_error(state, "invalid %s '%s'; give a number from %d to %d",
-                   option, tf_make_visible(text).text, least, most);
+        argp_error(state, "%s must be a whole number from %d to %d, got '%s'",
+                   option, least, most, tf_make_visible(text).text);
     return (int)count;
 }
 
@@ -159,7 +159,7 @@ double fig_read_time(struct argp_state *state, const char *text)
     const char *at = text;
     double time = 0;
     if (!tf_number_read(&at, &time) || *at != '\0' || !(time >= 0 && time <= 1))
-        argp_error(state, "invalid time '%s'; give a number from 0 to 1",
+        argp_error(state, "the time must be from 0 to 1, got '%s'",
                    tf_make_visible(text).text);
     return time;
 }
@@ -189,11 +189,11 @@ static void read_size(struct argp_state *state, const char *text)
         ratio ? good_ratio(x) && good_ratio(y) : good_size(x) && good_size(y);
     if (*at != '\0' || !good)
         argp_error(state,
-                   "invalid size '%s'; give width and height, such as "
-                   "1600x1200, both from %d to %d pixels, or their ratio, such "
-                   "as 16:9, both from 1 to %d",
-                   tf_make_visible(text).text, FIG_PIXELS_LEAST,
-                   FIG_PIXELS_MOST, RATIO_MOST);
+                   "--size must be width and height, such as 1600x1200, both "
+                   "from %d to %d pixels, or their ratio, such as 16:9, both "
+                   "from 1 to %d, got '%s'",
+                   FIG_PIXELS_LEAST, FIG_PIXELS_MOST, RATIO_MOST,
+                   tf_make_visible(text).text);
     settings->pixels_x = ratio ? 0 : (int)x;
     settings->pixels_y = ratio ? 0 : (int)y;
     settings->shape = (double)y / (double)x;
@@ -236,9 +236,9 @@ static void read_view(struct argp_state *state, const char *text)
                 tf_number_read(&at, &elevation) && *at == '\0';
     if (!good || !(fabs(azimuth) <= 360) || !(fabs(elevation) <= 90))
         argp_error(state,
-                   "invalid view '%s'; give two angles in degrees, such as "
-                   "30,20, the first from -360 to 360, the second from -90 to "
-                   "90",
+                   "--view must be two angles in degrees, such as 30,20, the "
+                   "first from -360 to 360, the second from -90 to 90, got "
+                   "'%s'",
                    tf_make_visible(text).text);
     settings->turned = true;
     settings->azimuth = azimuth;
@@ -250,7 +250,7 @@ static void read_theme(struct argp_state *state, const char *text)
     fig_settings *settings = state->input;
     settings->theme = fig_theme_named(text);
     if (!settings->theme)
-        argp_error(state, "unknown theme '%s'; choose light or dark",
+        argp_error(state, "--theme must be light or dark, got '%s'",
                    tf_make_visible(text).text);
 }
 

@@ -50,7 +50,7 @@ static void read_motion(struct argp_state *state, const char *text)
     else if (strcmp(text, "straight") == 0)
         asked->motion = FIG_STRAIGHT;
     else
-        argp_error(state, "unknown motion '%s'; choose bent or straight",
+        argp_error(state, "--motion must be bent or straight, got '%s'",
                    tf_make_visible(text).text);
 }
 
@@ -59,7 +59,7 @@ static void read_up(struct argp_state *state, const char *text)
     request *asked = state->input;
     const char *axis = strlen(text) == 1 ? strchr("xyz", *text) : NULL;
     if (!axis)
-        argp_error(state, "unknown axis '%s'; choose x, y or z",
+        argp_error(state, "--up must be x, y or z, got '%s'",
                    tf_make_visible(text).text);
     else
         asked->up = *axis == 'x'   ? FIG_UP_X

@@ -340,6 +340,6 @@ const fig_figure fig_layers = {
     .name = "layers",
     .title = "The layers of the library and what includes what",
     .width = FIG_PAGE_WIDTH,
-    .height = 440,
+    .height = 460,
     .draw = draw,
 };

@@ -6,7 +6,7 @@
 #include "flow/flow_state.h"
 #include "flow/keep_volume.h"
 #include "remesh/passes.h"
-#include "topology/reconnect.h"
+#include "topology/passes.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -19,8 +19,10 @@ tf_status tf_flow_create(tf_adaptive_surface *surface, tf_flow **flow)
     tf_flow *made = calloc(1, sizeof *made);
     if (!made)
         return TF_OUT_OF_MEMORY;
-    made->remesher.surface = made->advance.surface = surface;
+    made->remesher.surface = surface;
     made->remesher.policy = &tf_keep_volume;
+    made->reconnector.surface = surface;
+    made->advance.surface = surface;
     *flow = made;
     return TF_OK;
 }
@@ -30,6 +32,7 @@ void tf_flow_free(tf_flow *flow)
     if (!flow)
         return;
     tf_remesher_free(&flow->remesher);
+    tf_reconnector_free(&flow->reconnector);
     tf_advance_free(&flow->advance);
     free(flow);
 }
@@ -38,7 +41,8 @@ void tf_flow_free(tf_flow *flow)
 size_t tf_flow_memory(const tf_flow *flow)
 {
     TF_REQUIRE(flow);
-    return sizeof *flow + flow->remesher.row.bytes +
+    return sizeof *flow + tf_remesher_memory(&flow->remesher) +
+           tf_reconnector_memory(&flow->reconnector) +
            tf_advance_memory(&flow->advance);
 }
 
@@ -63,8 +67,8 @@ static tf_status reconnect(tf_flow *flow, const tf_flow_options *options,
     tf_reconnect_options lengths = {.edge = options->edge};
     return options->keep_topology
                ? TF_OK
-               : tf_adaptive_reconnect(flow->remesher.surface, &lengths,
-                                       &report->reconnected);
+               : tf_reconnect_passes(&flow->reconnector, &lengths,
+                                     &report->reconnected);
 }
 
 //: Advance a surface that flows
@@ -115,7 +119,7 @@ tf_status tf_flow_step(tf_flow *flow, const tf_flow_options *options,
         return TF_BAD_ENVIRONMENT;
     if (!(options->edge > 0) || !isfinite(options->edge))
         return TF_BAD_TOLERANCE;
-    tf_flow_report unused;
+    tf_flow_report unused = {0};
     report = report ? report : &unused;
     *report = (tf_flow_report){0};
     return make_step(flow, options, time, step, report);

@@ -48,6 +48,9 @@ TF_API size_t tf_flow_memory(const tf_flow *flow);
 /// A triangle whose edges are all on the boundary stays where it is.  The
 /// vertices and triangles get new numbers.
 ///
+/// Memory is kept: a step asks only for what no step before it has needed, and
+/// to drop a component.
+///
 /// @param flow the flow
 /// @param options how
 /// @param time when the step begins

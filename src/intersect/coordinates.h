@@ -16,9 +16,8 @@ typedef struct tf_coordinates {
 bool tf_pair_values(const tf_arithmetic *arithmetic, const tf_pair *pair,
                     tf_value value[TF_PAIR_EVENTS]);
 
-/// The coordinates of the operand +1 (S) or -1 (R) of a pair whose signs, as
-/// tf_pair_signs found them, are in no conflict.  `known`: what tf_pair_values
-/// found, or NULL.
+/// The coordinates of the operand +1 (S) or -1 (R) of a pair whose signs are
+/// all found and in no conflict.  `known`: what tf_pair_values found, or NULL.
 void tf_pair_coordinates(const tf_arithmetic *arithmetic, const tf_pair *pair,
                          const tf_signs *signs, int operand,
                          const tf_value known[], tf_coordinates *coordinates);

@@ -49,7 +49,7 @@ static tf_vector direction(tf_value component[TF_AXES])
     tf_values_scale(TF_AXES, component);
     for (int k = 0; k < TF_AXES; k++)
         v.x[k] = component[k].number;
-    double length = sqrt(tf_vector_dot(v, v));
+    double length = tf_vector_length(v);
     for (int k = 0; k < TF_AXES && length > 0; k++)
         v.x[k] /= length;
     return v;

@@ -16,7 +16,7 @@
 /// Thread-safe.
 ///
 /// Additive advancement: as conservative advancement, with elements that
-/// deform. The bound on the speed at which they can approach each other is the
+/// deform.  The bound on the speed at which they can approach each other is the
 /// greatest displacement of a vertex of the first element plus that of the
 /// second, after their mean is taken from all.  See Li, Kaufman and Jiang,
 /// "Codimensional incremental potential contact" (2021), section 6.

@@ -26,10 +26,8 @@ static tf_polynomial coplanarity(const tf_linear_pair *elements)
     span(elements, 0, edge[0], &way[0]);
     span(elements, 1, edge[1], &way[1]);
     normal[0] = tf_vector_cross(edge[0][0], edge[0][1]);
-    tf_vector mixed = tf_vector_cross(edge[0][0], edge[1][1]);
-    tf_vector other = tf_vector_cross(edge[1][0], edge[0][1]);
-    for (int k = 0; k < TF_AXES; k++)
-        normal[1].x[k] = mixed.x[k] + other.x[k];
+    normal[1] = tf_vector_sum(tf_vector_cross(edge[0][0], edge[1][1]), 1,
+                              tf_vector_cross(edge[1][0], edge[0][1]));
     normal[2] = tf_vector_cross(edge[1][0], edge[1][1]);
     double first =
         tf_vector_dot(normal[0], way[1]) + tf_vector_dot(normal[1], way[0]);

@@ -15,10 +15,9 @@ static double gap_between(int vertices, int others, const tf_vector x[],
     for (int i = 1; i < vertices + others; i++) {
         double signed_weight = i < vertices ? weight[i] : -weight[i];
         tf_vector from = tf_vector_difference(x[i], x[0]);
-        for (int k = 0; k < TF_AXES; k++)
-            gap.x[k] += signed_weight * from.x[k];
+        gap = tf_vector_sum(gap, signed_weight, from);
     }
-    return sqrt(tf_vector_dot(gap, gap));
+    return tf_vector_length(gap);
 }
 
 //: Keep the nearer of two pairs of points
@@ -46,10 +45,9 @@ static void visit_segment(const tf_vector x[], int point, int start, int end,
     double length2 = tf_vector_dot(edge, edge);
     double along = length2 > 0 ? tf_vector_dot(gap, edge) / length2 : 0;
     along = fmin(fmax(along, 0), 1);
-    for (int k = 0; k < TF_AXES; k++)
-        gap.x[k] -= along * edge.x[k];
+    gap = tf_vector_sum(gap, -along, edge);
 
-    tf_point_pair found = {.distance = sqrt(tf_vector_dot(gap, gap))};
+    tf_point_pair found = {.distance = tf_vector_length(gap)};
     found.weight[point] = 1;
     found.weight[start] = 1 - along;
     found.weight[end] = along;
@@ -183,9 +181,9 @@ static void visit_piercing(const tf_vector *x, int start, int end, int from,
     if (!((low < 0 && high > 0) || (low > 0 && high < 0)))
         return;
     double along = low / (low - high), weight[4];
-    tf_vector over[4] = {[1] = corner[0], [2] = corner[1], [3] = corner[2]};
-    for (int k = 0; k < TF_AXES; k++)
-        over[0].x[k] = (1 - along) * x[start].x[k] + along * x[end].x[k];
+    tf_vector point =
+        tf_vector_sum(tf_vector_scaled(1 - along, x[start]), along, x[end]);
+    tf_vector over[4] = {point, corner[0], corner[1], corner[2]};
     if (!weigh_triangle(over, weight) || !tf_weights_reach(4, weight, 0))
         return;
     *best = (tf_point_pair){.distance = 0};

@@ -79,9 +79,8 @@ void tf_linear_pair_positions(const tf_linear_pair *elements, double time,
                               tf_vector x[TF_LINEAR_PAIR_VERTICES])
 {
     for (int i = 0; i < elements->vertices + elements->others; i++)
-        for (int k = 0; k < TF_AXES; k++)
-            x[i].x[k] = (1 - time) * elements->at[0][i].x[k] +
-                        time * elements->at[1][i].x[k];
+        x[i] = tf_vector_sum(tf_vector_scaled(1 - time, elements->at[0][i]),
+                             time, elements->at[1][i]);
 }
 
 //: Separate elements by more than a distance
@@ -146,14 +145,15 @@ static tf_vector unit_normal(const tf_linear_pair *elements, double time)
     // In two steps, as the square of the length may overflow or underflow.
     for (int k = 0; k < TF_AXES; k++)
         normal.x[k] /= largest;
-    double length = sqrt(tf_vector_dot(normal, normal));
-    return tf_vector_scaled(1 / length, normal);
+    return tf_vector_unit(normal);
 }
 
 //: Find the velocity of the points that touch
-static double limited(double value)
+static tf_vector limited(tf_vector v)
 {
-    return fmin(fmax(value, -DBL_MAX), DBL_MAX);
+    for (int k = 0; k < TF_AXES; k++)
+        v.x[k] = fmin(fmax(v.x[k], -DBL_MAX), DBL_MAX);
+    return v;
 }
 
 static tf_vector velocity_between(const tf_linear_pair *elements,
@@ -161,14 +161,12 @@ static tf_vector velocity_between(const tf_linear_pair *elements,
 {
     tf_vector velocity = {{0}};
     for (int i = 0; i < elements->vertices + elements->others; i++) {
+        tf_vector displacement = limited(
+            tf_vector_difference(elements->at[1][i], elements->at[0][i]));
         double part = i < elements->vertices ? weight[i] : -weight[i];
-        for (int k = 0; k < TF_AXES; k++)
-            velocity.x[k] += part * limited(elements->at[1][i].x[k] -
-                                            elements->at[0][i].x[k]);
+        velocity = tf_vector_sum(velocity, part, displacement);
     }
-    for (int k = 0; k < TF_AXES; k++)
-        velocity.x[k] = limited(velocity.x[k]);
-    return velocity;
+    return limited(velocity);
 }
 
 //: Describe a contact in linear motion

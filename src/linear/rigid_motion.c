@@ -13,16 +13,15 @@
 /// About the axis of a rotation, by its angle times `time`: Rodrigues' formula.
 static tf_vector turned(tf_vector rotation, double time, tf_vector r)
 {
-    double rate = sqrt(tf_vector_dot(rotation, rotation));
+    double rate = tf_vector_length(rotation);
     if (rate == 0)
         return r;
     tf_vector axis = tf_vector_scaled(1 / rate, rotation);
-    tf_vector across = tf_vector_cross(axis, r);
     double c = cos(rate * time), s = sin(rate * time);
     double along = tf_vector_dot(axis, r) * (1 - c);
-    for (int k = 0; k < TF_AXES; k++)
-        r.x[k] = c * r.x[k] + s * across.x[k] + along * axis.x[k];
-    return r;
+    tf_vector in_plane =
+        tf_vector_sum(tf_vector_scaled(c, r), s, tf_vector_cross(axis, r));
+    return tf_vector_sum(in_plane, along, axis);
 }
 
 //: Hold a rigid element
@@ -47,18 +46,16 @@ static rigid_element rigid_of(int axes, const tf_rigid_body *body, int vertices)
     for (int k = axes == 2 ? 2 : 0; k < TF_AXES; k++)
         taken.rotation.x[k] = body->rotation[k];
     for (int i = 0; i < vertices; i++)
-        taken.reach =
-            fmax(taken.reach, sqrt(tf_vector_dot(taken.arm[i], taken.arm[i])));
+        taken.reach = fmax(taken.reach, tf_vector_length(taken.arm[i]));
     return taken;
 }
 
 //: Find the position of a rigid vertex
 static tf_vector position_of(const rigid_element *body, int vertex, double time)
 {
-    tf_vector x = turned(body->rotation, time, body->arm[vertex]);
-    for (int k = 0; k < TF_AXES; k++)
-        x.x[k] += body->center.x[k] + time * body->velocity.x[k];
-    return x;
+    tf_vector arm = turned(body->rotation, time, body->arm[vertex]);
+    tf_vector center = tf_vector_sum(body->center, time, body->velocity);
+    return tf_vector_sum(center, 1, arm);
 }
 
 void tf_rigid_position(int axes, const tf_rigid_body *body, int vertex,
@@ -87,8 +84,8 @@ static void rigid_positions(const void *motion, double time, tf_vector x[])
 /// its distance from the center.
 static double turning_speed(const rigid_element *body, tf_vector normal)
 {
-    tf_vector rate = tf_vector_cross(normal, body->rotation);
-    return sqrt(tf_vector_dot(rate, rate)) * body->reach;
+    return tf_vector_length(tf_vector_cross(normal, body->rotation)) *
+           body->reach;
 }
 
 static double rigid_speed(const void *motion, double time, const tf_vector x[],
@@ -98,11 +95,11 @@ static double rigid_speed(const void *motion, double time, const tf_vector x[],
     const rigid_element *body = motion;
     tf_vector normal = {{0}};
     int first = body[0].vertices, count = first + body[1].vertices;
-    for (int i = 0; i < count; i++)
-        for (int k = 0; k < TF_AXES; k++)
-            normal.x[k] +=
-                (i < first ? -1 : 1) * nearest->weight[i] * x[i].x[k];
-    double length = sqrt(tf_vector_dot(normal, normal));
+    for (int i = 0; i < count; i++) {
+        double part = i < first ? -nearest->weight[i] : nearest->weight[i];
+        normal = tf_vector_sum(normal, part, x[i]);
+    }
+    double length = tf_vector_length(normal);
     normal = tf_vector_scaled(length > 0 ? 1 / length : 0, normal);
     tf_vector toward = tf_vector_difference(body[0].velocity, body[1].velocity);
     return tf_vector_dot(toward, normal) + turning_speed(&body[0], normal) +

@@ -104,9 +104,8 @@ static char *complete_help(int key, const char *text, void *input)
 
 int tf_command_run(const tf_command *command, int argc, char *argv[])
 {
-    char name[64]; // for messages
+    char name[64], *before = argv[0];
     snprintf(name, sizeof name, "tanglefree %s", command->name);
-    argv[0] = name;
     struct argp_option list[OPTIONS_ROOM];
     list_options(command, list);
     const struct argp parser = {.options = list,
@@ -116,6 +115,8 @@ int tf_command_run(const tf_command *command, int argc, char *argv[])
                                 .help_filter = complete_help};
     parsing own = {.command = command};
     tf_request_begin(&own.request, command->set);
+    argv[0] = name; // which messages begin with
     argp_parse(&parser, argc, argv, 0, NULL, &own);
+    argv[0] = before;
     return command->run(&own.request);
 }

@@ -25,7 +25,7 @@ extern const char tf_query_description[], tf_detect_description[],
 extern const tf_command tf_query_command, tf_detect_command, tf_check_command,
     tf_resolve_command, tf_remesh_command, tf_simulate_command;
 
-/// Parses the arguments, and does what they request; the first one gets the
-/// name of the command.  Wrong ones end the program.
+/// Parses the arguments, and does what they request; the first one is not
+/// looked at.  Wrong ones end the program.
 /// @return the exit status
 int tf_command_run(const tf_command *command, int argc, char *argv[]);

@@ -144,6 +144,7 @@ void tf_request_refuse(const tf_request *request, const char *format, ...)
     vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
     argp_error(request->state, "%s", text);
+    exit(argp_err_exit_status);
 }
 
 /// In the same words for all options.

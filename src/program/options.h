@@ -59,14 +59,14 @@ typedef enum tf_argument_type {
 /// A row of the table, which ends with one without a name.
 typedef struct tf_option {
     unsigned commands; ///< that have it
+    int letter;        ///< 0: it has none
     const char *name;
-    int letter;           ///< 0: it has none
     const char *argument; ///< what it is called by help; NULL: there is none
     size_t place;         ///< of the value in a request
     tf_argument_type type;
+    bool required;
     const tf_choice *choices;
     double least, most; ///< of a number; the least positive one: above 0
-    bool required;
     const char *usual; ///< the argument that is meant if none is given, or NULL
     const char *help;  ///< what it is; the choices and what is usual follow
     const char *more;  ///< what help says at the end, or NULL
@@ -90,5 +90,5 @@ bool tf_request_gave(const tf_request *request, const char *option);
 char *tf_option_help(const tf_option *option);
 
 /// Ends the program with a message about its arguments, as printf.
-__attribute__((format(printf, 2, 3))) void
+__attribute__((format(printf, 2, 3))) _Noreturn void
 tf_request_refuse(const tf_request *request, const char *format, ...);

@@ -50,9 +50,9 @@ typedef struct tf_narrow_phase {
                         size_t *separated);
 
     /// The same, and stores in `clearance[count]` how far the ends of the
-    /// elements of each query may move and still be apart for sure: as long as
-    /// the most that a vertex of the one moves, and the most that one of the
-    /// other does, add up to less, where a movement by (dx, dy, dz) counts as
+    /// elements of each query may move while the elements certainly stay apart:
+    /// the largest movement of a vertex of the first element plus that of the
+    /// second must be less, where a movement by (dx, dy, dz) counts as
     /// |dx| + |dy| + |dz|.  0 where that is not known.  NULL: the narrow phase
     /// does not measure.
     tf_status (*measure)(const tf_arithmetic *arithmetic,

@@ -5,7 +5,7 @@
 /// or else the point itself.
 static tf_vector project(tf_remesher *remesher, tf_vector point)
 {
-    tf_vector projected;
+    tf_vector projected = point;
     double distance =
         tf_original_nearest(&remesher->original, point.x, projected.x);
     return distance < remesher->options.edge ? projected : point;

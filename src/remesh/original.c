@@ -12,9 +12,9 @@ static bool reserve_original(tf_original *original)
     return tf_buffer_extend(&original->position, (size_t)original->vertices,
                             3 * sizeof(double)) &&
            tf_buffer_extend(&original->vertex, triangles, 3 * sizeof(int)) &&
-           tf_buffer_extend(&original->cuboid, triangles, sizeof(tf_aabb)) &&
+           tf_buffer_extend(&original->box, triangles, sizeof(tf_aabb)) &&
            tf_buffer_extend(&original->order, triangles, sizeof(int)) &&
-           tf_dynamic_tree_reserve(&original->boxes, original->triangles);
+           tf_dynamic_tree_reserve(&original->tree, original->triangles);
 }
 
 //: Copy a surface
@@ -28,13 +28,13 @@ bool tf_original_copy(tf_original *original, const tf_adaptive_surface *surface)
            3 * sizeof(double) * (size_t)surface->vertices);
     memcpy(original->vertex.data, surface->vertex.data,
            3 * sizeof(int) * (size_t)surface->triangles);
-    tf_aabb *box = original->cuboid.data;
+    tf_aabb *box = original->box.data;
     int *order = original->order.data;
     for (int t = 0; t < surface->triangles; t++) {
         box[t] = tf_aabb_of(surface, 3, tf_triangle(surface, t));
         order[t] = t;
     }
-    tf_dynamic_tree_build(&original->boxes, box, order, surface->triangles);
+    tf_dynamic_tree_build(&original->tree, box, order, surface->triangles);
     return true;
 }
 
@@ -43,9 +43,9 @@ void tf_original_free(tf_original *original)
 {
     tf_buffer_free(&original->position);
     tf_buffer_free(&original->vertex);
-    tf_buffer_free(&original->cuboid);
+    tf_buffer_free(&original->box);
     tf_buffer_free(&original->order);
-    tf_dynamic_tree_free(&original->boxes);
+    tf_dynamic_tree_free(&original->tree);
 }
 
 //: Take the corners of a triangle
@@ -61,12 +61,12 @@ static void take_corners(const tf_original *original, int triangle,
 }
 
 //: Find the nearest point of a triangle
-typedef struct looking {
+typedef struct nearest_search {
     const tf_original *original;
     tf_vector x[4]; ///< the point, and the corners of a triangle
-} looking;
+} nearest_search;
 
-static tf_point_pair nearest_of(looking *search, int triangle)
+static tf_point_pair nearest_of(nearest_search *search, int triangle)
 {
     take_corners(search->original, triangle, search->x + 1);
     return tf_nearest_points(1, 3, search->x);
@@ -82,10 +82,10 @@ static double squared_distance(void *context, int triangle)
 double tf_original_nearest(tf_original *original, const double x[3],
                            double point[3])
 {
-    looking search = {.original = original, .x = {{{x[0], x[1], x[2]}}}};
+    nearest_search search = {.original = original, .x = {{{x[0], x[1], x[2]}}}};
     double least;
-    int triangle = tf_dynamic_tree_nearest(&original->boxes, x,
-                                           squared_distance, &search, &least);
+    int triangle = tf_dynamic_tree_nearest(&original->tree, x, squared_distance,
+                                           &search, &least);
     memcpy(point, x, 3 * sizeof *point);
     if (triangle < 0)
         return INFINITY;

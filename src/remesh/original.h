@@ -6,8 +6,8 @@
 /// A copy of a surface, to which the nearest points are found.
 typedef struct tf_original {
     int vertices, triangles;
-    tf_buffer position, vertex, cuboid, order;
-    tf_dynamic_tree boxes;
+    tf_buffer position, vertex, box, order;
+    tf_dynamic_tree tree;
 } tf_original;
 
 /// Copies a surface without gaps.  False if there is no memory; free it in any

@@ -33,8 +33,9 @@ typedef struct tf_volume_error {
 } tf_volume_error;
 
 //: Declare policies
-/// How to remesh: a constant that is passed by its address.  A policy only
-/// chooses, and may be rounded; what is safe is decided by exact tests.
+/// How to remesh: a constant that is passed by its address.  Its functions only
+/// choose, in rounded arithmetic, but for `restore`, which moves vertices; what
+/// is safe is decided by exact tests.
 struct tf_remesh_policy {
     tf_fraction longest;  ///< edges of at least this length are split
     tf_fraction shortest; ///< edges of at most this length collapse

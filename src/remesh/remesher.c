@@ -4,12 +4,16 @@
 #include "remesh/measure.h"
 #include "surgery/star.h"
 
-#include <stdlib.h>
-
 void tf_remesher_free(tf_remesher *remesher)
 {
     tf_original_free(&remesher->original);
     tf_buffer_free(&remesher->row);
+    tf_sort_memory_free(&remesher->sorting);
+}
+
+size_t tf_remesher_memory(const tf_remesher *remesher)
+{
+    return remesher->row.bytes + tf_sort_memory_bytes(&remesher->sorting);
 }
 
 void tf_remesher_count(tf_remesher *remesher, tf_operation operation,
@@ -22,14 +26,12 @@ void tf_remesher_count(tf_remesher *remesher, tf_operation operation,
 }
 
 //: Order edges by length
-static int compare_edges(const void *first, const void *second)
+static bool is_shorter(const void *first, const void *second)
 {
     const tf_edge_row *a = first, *b = second;
     if (a->length != b->length)
-        return a->length < b->length ? -1 : 1;
-    if (a->a != b->a)
-        return a->a < b->a ? -1 : 1;
-    return (a->b > b->b) - (a->b < b->b);
+        return a->length < b->length;
+    return a->a != b->a ? a->a < b->a : a->b < b->b;
 }
 
 //: List edges
@@ -59,9 +61,8 @@ static bool list_edges(tf_remesher *remesher, double low, double high)
         if (length >= low && length <= high)
             row[remesher->rows++] = (tf_edge_row){length, a, b};
     }
-    if (remesher->rows > 0)
-        qsort(row, (size_t)remesher->rows, sizeof *row, compare_edges);
-    return true;
+    return tf_list_sort(&remesher->row, (size_t)remesher->rows, sizeof *row,
+                        is_shorter, &remesher->sorting);
 }
 
 //: Visit edges

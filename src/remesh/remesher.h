@@ -1,10 +1,10 @@
 //: Hold a remeshing
 #pragma once
 
+#include "base/status.h"
 #include "remesh/options.h"
 #include "remesh/original.h"
-
-#include "base/status.h"
+#include "surface/sort.h"
 
 /// How to remesh: see remesh/policy.h.
 typedef struct tf_remesh_policy tf_remesh_policy;
@@ -19,9 +19,13 @@ typedef struct tf_remesher {
     size_t restored[TF_OUTCOMES]; ///< moves that were to restore volume
     tf_buffer row;                ///< tf_edge_row each
     int rows;
+    tf_sort_memory sorting; ///< of the rows
 } tf_remesher;
 
 void tf_remesher_free(tf_remesher *remesher);
+
+/// In bytes, without the original.
+size_t tf_remesher_memory(const tf_remesher *remesher);
 
 /// Counts what became of an operation, and shows progress.
 void tf_remesher_count(tf_remesher *remesher, tf_operation operation,
@@ -40,9 +44,9 @@ typedef enum tf_edge_order {
     TF_LONGEST_FIRST
 } tf_edge_order;
 
-/// Lists the edges whose length is at least `low` and at most `high`, once and
-/// for all, and visits them, until a visit returns something else than TF_OK.
-/// Returns that, or TF_OK, or TF_OUT_OF_MEMORY.
+/// Lists the edges whose length is at least `low` and at most `high`, and then
+/// visits them, until a visit returns something other than TF_OK.  Returns that,
+/// or TF_OK, or TF_OUT_OF_MEMORY.
 tf_status tf_remesher_visit(tf_remesher *remesher, double low, double high,
                             tf_edge_order order,
                             tf_status visit(tf_remesher *remesher,

@@ -7,24 +7,22 @@
 
 //: List the edges of triangles, once for each triangle
 typedef struct side {
-    int vertex[2]; ///< the lower index first
-    int opposite;  ///< the third corner of the triangle
+    int vertex[3]; ///< its ends, the lower index first, and the third corner
 } side;
 
 static side side_of(const int corner[3], int i)
 {
     int a = corner[i], b = corner[(i + 1) % 3], c = corner[(i + 2) % 3];
-    return (side){{a < b ? a : b, a < b ? b : a}, c};
+    return (side){{a < b ? a : b, a < b ? b : a, c}};
 }
 
 static int compare_sides(const void *left, const void *right)
 {
     const side *l = left, *r = right;
-    if (l->vertex[0] != r->vertex[0])
-        return l->vertex[0] < r->vertex[0] ? -1 : 1;
-    if (l->vertex[1] != r->vertex[1])
-        return l->vertex[1] < r->vertex[1] ? -1 : 1;
-    return (l->opposite > r->opposite) - (l->opposite < r->opposite);
+    for (int i = 0; i < 3; i++)
+        if (l->vertex[i] != r->vertex[i])
+            return l->vertex[i] < r->vertex[i] ? -1 : 1;
+    return 0;
 }
 
 /// Sorted; NULL without memory.
@@ -75,7 +73,7 @@ static void add_stretch(tf_body *body, const side *one, double stretch)
 {
     int a = one->vertex[0], b = one->vertex[1];
     tf_vector along = side_between(body, a, b);
-    double area = twice_area(along, side_between(body, a, one->opposite)) / 2;
+    double area = twice_area(along, side_between(body, a, one->vertex[2])) / 2;
     tf_body_add_spring(body, a, b,
                        stretch * area / tf_vector_dot(along, along));
 }
@@ -86,7 +84,7 @@ static void add_fold(tf_body *body, const side *one, const side *other,
                      double bend)
 {
     int a = one->vertex[0], b = one->vertex[1];
-    int c = one->opposite, d = other->opposite;
+    int c = one->vertex[2], d = other->vertex[2];
     double area[2];
     double c_at_a = cotangent(body, a, b, c, &area[0]);
     double c_at_b = cotangent(body, b, a, c, &area[0]);

@@ -7,6 +7,7 @@
 #include "query/edge_edge.h"
 #include "query/point_edge.h"
 #include "query/point_triangle.h"
+#include "surface/sort.h"
 
 #include <stddef.h>
 #include <string.h>
@@ -232,10 +233,9 @@ bool tf_pairs_take(tf_pair_sink *sink, int count, const tf_candidate pair[])
 }
 
 //: Compare contacts
-typedef const tf_surface_contact *row;
-
-static bool comes_first(row a, row b)
+static bool comes_first(const void *first, const void *second)
 {
+    const tf_surface_contact *a = first, *b = second;
     if (a->kind != b->kind)
         return a->kind < b->kind;
     for (int i = 0; i < 4; i++)
@@ -244,41 +244,12 @@ static bool comes_first(row a, row b)
     return false;
 }
 
-static bool is_earlier(row a, row b)
+static bool is_earlier(const void *first, const void *second)
 {
+    const tf_surface_contact *a = first, *b = second;
     if (a->contact.toi_lo != b->contact.toi_lo)
         return a->contact.toi_lo < b->contact.toi_lo;
     return comes_first(a, b);
-}
-
-//: Sort contacts
-/// Merges from[begin..middle - 1] and from[middle..end - 1] into `to`.
-static void merge(row from[], size_t begin, size_t middle, size_t end, row to[],
-                  bool (*precedes)(row, row))
-{
-    size_t a = begin, b = middle;
-    for (size_t i = begin; i < end; i++) {
-        bool second = b < end && (a == middle || precedes(from[b], from[a]));
-        to[i] = second ? from[b++] : from[a++];
-    }
-}
-
-/// Sorts `count` rows that are in `from`; `to` has room for as many, and one of
-/// the two is returned.  qsort might ask for memory in each step.
-static row *sort(size_t count, row from[], row to[], bool (*precedes)(row, row))
-{
-    for (size_t width = 1; width < count; width *= 2) {
-        for (size_t begin = 0; begin < count; begin += 2 * width) {
-            size_t rest = count - begin;
-            size_t middle = rest < width ? count : begin + width;
-            size_t end = rest < 2 * width ? count : begin + 2 * width;
-            merge(from, begin, middle, end, to, precedes);
-        }
-        row *swap = from;
-        from = to;
-        to = swap;
-    }
-    return from;
 }
 
 //: Add up the statistics
@@ -293,13 +264,13 @@ void tf_detect_statistics_add(tf_detect_statistics *all,
 
 //: Gather the contacts of all workers
 /// Lists where the rows of all workers are, and adds up what they took.
-static void list_rows(const tf_workers *workers, row list[],
+static void list_rows(const tf_workers *workers, const void *list[],
                       tf_detect_statistics *statistics)
 {
     for (int i = 0; i < workers->count; i++) {
         const tf_worker *worker = workers->worker[i];
         const batch *b = worker->batch.data;
-        row own = worker->row.data;
+        const tf_surface_contact *own = worker->row.data;
         for (size_t j = 0; j < worker->rows; j++)
             *list++ = own + j;
         tf_detect_statistics_add(statistics, &b->statistics);
@@ -312,12 +283,12 @@ bool tf_pairs_gather(tf_surface *surface, tf_contact_selection selection,
     size_t rows = tf_workers_rows(&surface->workers);
     if (!tf_buffer_reserve(&surface->found, rows + 1,
                            sizeof(tf_surface_contact)) ||
-        !tf_buffer_reserve(&surface->sorting, 2 * rows + 1, sizeof(row)))
+        !tf_buffer_reserve(&surface->sorting, 2 * rows + 1, sizeof(void *)))
         return false;
-    row *list = surface->sorting.data;
+    const void **list = surface->sorting.data;
     list_rows(&surface->workers, list, &found->statistics);
-    list = sort(rows, list, list + rows,
-                selection == TF_FIRST_CONTACT ? is_earlier : comes_first);
+    list = tf_sort(rows, list, list + rows,
+                   selection == TF_FIRST_CONTACT ? is_earlier : comes_first);
     tf_surface_contact *all = surface->found.data;
     for (size_t i = 0; i < rows; i++)
         memcpy(&all[i], list[i], sizeof *all);

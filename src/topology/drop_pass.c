@@ -2,7 +2,6 @@
 #include "topology/drop_pass.h"
 
 #include "remesh/measure.h"
-#include "topology/component.h"
 #include "topology/drop.h"
 
 static double volume_of_component(const tf_adaptive_surface *surface, int count,
@@ -35,19 +34,18 @@ static tf_status drop_component(tf_reconnector *reconnector, int count,
 //: Drop all small components
 tf_status tf_drop_pass(tf_reconnector *reconnector)
 {
-    tf_components components = {0};
-    bool room = tf_components_begin(&components, reconnector->surface);
-    tf_status status = room ? TF_OK : TF_OUT_OF_MEMORY;
-    for (int t = 0; t < reconnector->surface->triangles && status == TF_OK;
-         t++) {
-        if (!tf_is_triangle(reconnector->surface, t) ||
-            tf_is_listed(&components, t))
+    const tf_adaptive_surface *surface = reconnector->surface;
+    tf_components *components = &reconnector->components;
+    if (!tf_components_begin(components, surface))
+        return TF_OUT_OF_MEMORY;
+    tf_status status = TF_OK;
+    for (int t = 0; t < surface->triangles && status == TF_OK; t++) {
+        if (!tf_is_triangle(surface, t) || tf_is_listed(components, t))
             continue;
-        int before = components.count,
-            count = tf_components_add(&components, reconnector->surface, t);
+        int before = components->count,
+            count = tf_components_add(components, surface, t);
         status = drop_component(reconnector, count,
-                                tf_components_list(&components) + before);
+                                tf_components_list(components) + before);
     }
-    tf_components_free(&components);
     return status;
 }

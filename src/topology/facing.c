@@ -5,8 +5,6 @@
 #include "remesh/measure.h"
 #include "surgery/star.h"
 
-#include <stdlib.h>
-
 /// The unit normal of an edge, or zero if there is none, or the edge is another
 /// corner's.
 static tf_vector normal_of_edge(const tf_adaptive_surface *surface, int corner)
@@ -119,18 +117,18 @@ static bool list_facing(tf_reconnector *reconnector, int corner,
 }
 
 //: List all edges that face each other
-static int compare_facing(const void *first, const void *second)
+static bool is_nearer(const void *first, const void *second)
 {
     const tf_facing_edges *a = first, *b = second;
     if (a->distance != b->distance)
-        return a->distance < b->distance ? -1 : 1;
+        return a->distance < b->distance;
     for (int i = 0; i < 4; i++) {
         int x = i < 2 ? a->first[i] : a->second[i - 2];
         int y = i < 2 ? b->first[i] : b->second[i - 2];
         if (x != y)
-            return x < y ? -1 : 1;
+            return x < y;
     }
-    return 0;
+    return false;
 }
 
 bool tf_list_facing(tf_reconnector *reconnector, double distance)
@@ -143,8 +141,7 @@ bool tf_list_facing(tf_reconnector *reconnector, double distance)
         if (tf_vector_dot(normal[c], normal[c]) > 0 &&
             !list_facing(reconnector, c, distance))
             return false;
-    if (reconnector->candidates > 0)
-        qsort(reconnector->candidate.data, (size_t)reconnector->candidates,
-              sizeof(tf_facing_edges), compare_facing);
-    return true;
+    return tf_list_sort(
+        &reconnector->candidate, (size_t)reconnector->candidates,
+        sizeof(tf_facing_edges), is_nearer, &reconnector->sorting);
 }

@@ -5,23 +5,21 @@
 #include "surgery/star.h"
 #include "topology/pinch.h"
 
-#include <stdlib.h>
-
 /// Three vertices, with short edges between them and no triangle.
 typedef struct tf_loop {
     double length; ///< of the three edges together
     int vertex[3];
 } tf_loop;
 
-static int compare_loops(const void *first, const void *second)
+static bool is_shorter(const void *first, const void *second)
 {
     const tf_loop *a = first, *b = second;
     if (a->length != b->length)
-        return a->length < b->length ? -1 : 1;
+        return a->length < b->length;
     for (int i = 0; i < 3; i++)
         if (a->vertex[i] != b->vertex[i])
-            return a->vertex[i] < b->vertex[i] ? -1 : 1;
-    return 0;
+            return a->vertex[i] < b->vertex[i];
+    return false;
 }
 
 static bool add_loop(tf_reconnector *reconnector, int a, int b, int c)
@@ -81,10 +79,9 @@ static bool list_all_loops(tf_reconnector *reconnector)
         if (tf_is_triangle(reconnector->surface, c / 3) &&
             !list_loops(reconnector, c))
             return false;
-    if (reconnector->candidates > 0)
-        qsort(reconnector->candidate.data, (size_t)reconnector->candidates,
-              sizeof(tf_loop), compare_loops);
-    return true;
+    return tf_list_sort(&reconnector->candidate,
+                        (size_t)reconnector->candidates, sizeof(tf_loop),
+                        is_shorter, &reconnector->sorting);
 }
 
 //: Look to the left of a loop

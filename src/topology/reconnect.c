@@ -1,42 +1,10 @@
-//: Check how to reconnect
+//: Reconnect a surface
 #include "topology/reconnect.h"
 
 #include "base/environment.h"
 #include "base/require.h"
-#include "topology/drop_pass.h"
-#include "topology/merge_pass.h"
-#include "topology/pinch_pass.h"
+#include "topology/passes.h"
 
-static bool is_length(double x)
-{
-    return x >= 0 && isfinite(x);
-}
-
-static bool are_good(const tf_reconnect_options *options)
-{
-    return options->edge > 0 && isfinite(options->edge) &&
-           is_length(options->merge) && is_length(options->patch) &&
-           is_length(options->pinch) && is_length(options->drop);
-}
-
-//: Scale the lengths
-static double or_usual(double x, double usual)
-{
-    return x > 0 ? x : usual;
-}
-
-static tf_reconnect_options scaled(const tf_reconnect_options *options)
-{
-    double edge = options->edge, merge = or_usual(options->merge, 0.3);
-    return (tf_reconnect_options){
-        .edge = edge,
-        .merge = edge * merge,
-        .patch = edge * fmax(or_usual(options->patch, 0.5), merge),
-        .pinch = edge * or_usual(options->pinch, 0.7),
-        .drop = edge * edge * edge * or_usual(options->drop, 0.5)};
-}
-
-//: Reconnect a surface
 tf_status tf_adaptive_reconnect(tf_adaptive_surface *surface,
                                 const tf_reconnect_options *options,
                                 tf_reconnect_report *report)
@@ -44,17 +12,10 @@ tf_status tf_adaptive_reconnect(tf_adaptive_surface *surface,
     TF_REQUIRE(surface && options);
     if (!tf_environment_is_ieee())
         return TF_BAD_ENVIRONMENT;
-    if (!are_good(options))
-        return TF_BAD_TOLERANCE;
     tf_reconnect_report unused = {0};
-    tf_reconnector reconnector = {.surface = surface,
-                                  .options = scaled(options),
-                                  .report = report ? report : &unused};
-    tf_status status = tf_merge_pass(&reconnector);
-    if (status == TF_OK)
-        status = tf_pinch_pass(&reconnector);
-    if (status == TF_OK)
-        status = tf_drop_pass(&reconnector);
+    tf_reconnector reconnector = {.surface = surface};
+    tf_status status =
+        tf_reconnect_passes(&reconnector, options, report ? report : &unused);
     tf_reconnector_free(&reconnector);
     return status;
 }

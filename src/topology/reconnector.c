@@ -1,4 +1,4 @@
-//: Free a reconnection
+//: Keep the memory of a reconnection
 #include "topology/reconnector.h"
 
 #include "remesh/measure.h"
@@ -8,6 +8,16 @@ void tf_reconnector_free(tf_reconnector *reconnector)
     tf_buffer_free(&reconnector->candidate);
     tf_buffer_free(&reconnector->normal);
     tf_buffer_free(&reconnector->piece);
+    tf_components_free(&reconnector->components);
+    tf_sort_memory_free(&reconnector->sorting);
+}
+
+size_t tf_reconnector_memory(const tf_reconnector *reconnector)
+{
+    return reconnector->candidate.bytes + reconnector->normal.bytes +
+           reconnector->piece.bytes + reconnector->components.listed.bytes +
+           reconnector->components.list.bytes +
+           tf_sort_memory_bytes(&reconnector->sorting);
 }
 
 //: Count reconnections

@@ -2,7 +2,8 @@
 #pragma once
 
 #include "geometry/vector.h"
-#include "surgery/adaptive_surface.h"
+#include "surface/sort.h"
+#include "topology/component.h"
 #include "topology/options.h"
 
 /// A surface that is being reconnected.  What follows the report begins empty.
@@ -14,9 +15,12 @@ typedef struct tf_reconnector {
     int candidates;
     tf_buffer normal; ///< tf_vector each: of the edge from each corner on
     tf_buffer piece;  ///< of each vertex: another one of its piece, or TF_NONE
+    tf_components components; ///< for drops
+    tf_sort_memory sorting;   ///< of the candidates
 } tf_reconnector;
 
 void tf_reconnector_free(tf_reconnector *reconnector);
+size_t tf_reconnector_memory(const tf_reconnector *reconnector);
 
 //: Declare what reconnections have in common
 /// Counts what became of an operation, and what volume it gained.

@@ -84,14 +84,14 @@ START_TEST(name_and_bits_are_those_of_the_arithmetic)
 }
 END_TEST
 
-START_TEST(other_axes_break_the_contract)
+START_TEST(other_numbers_of_axes_break_the_contract)
 {
     static const int axes[] = {-1, 0, 1, 4};
     tf_arithmetic_bits(&(tf_arithmetic){.name = "any"}, axes[_i]);
 }
 END_TEST
 
-START_TEST(no_arithmetic_breaks_the_contract)
+START_TEST(a_null_arithmetic_breaks_the_contract)
 {
     tf_arithmetic_name(NULL);
 }
@@ -107,9 +107,9 @@ Suite *suite(void)
     suite_add_tcase(arithmetic, range);
     TCase *public = tcase_create("public");
     tcase_add_test(public, name_and_bits_are_those_of_the_arithmetic);
-    tcase_add_loop_test_raise_signal(public, other_axes_break_the_contract,
-                                     SIGABRT, 0, 4);
-    tcase_add_test_raise_signal(public, no_arithmetic_breaks_the_contract,
+    tcase_add_loop_test_raise_signal(
+        public, other_numbers_of_axes_break_the_contract, SIGABRT, 0, 4);
+    tcase_add_test_raise_signal(public, a_null_arithmetic_breaks_the_contract,
                                 SIGABRT);
     suite_add_tcase(arithmetic, public);
     return arithmetic;

@@ -61,7 +61,7 @@ START_TEST(entries_are_rounded_to_nearest)
 }
 END_TEST
 
-START_TEST(entries_of_neighbours_are_not_zero)
+START_TEST(differences_of_neighboring_doubles_are_not_zero)
 {
     static const double sizes[] = {
         0,      -0.0,        DBL_TRUE_MIN, DBL_MIN,     0x1p-1022,  1,
@@ -128,7 +128,7 @@ Suite *suite(void)
     Suite *differences = suite_create("differences");
     TCase *entries = tcase_create("rounded entries");
     tcase_add_test(entries, entries_are_rounded_to_nearest);
-    tcase_add_test(entries, entries_of_neighbours_are_not_zero);
+    tcase_add_test(entries, differences_of_neighboring_doubles_are_not_zero);
     tcase_add_test(entries, differences_overflow_to_infinity);
     tcase_add_test(entries, rows_are_events_and_columns_axes);
     suite_add_tcase(differences, entries);

@@ -11,7 +11,7 @@ static void use(void)
     exactness_use(&tf_exact);
 }
 
-START_TEST(any_double_is_held)
+START_TEST(any_finite_double_is_held)
 {
     static const double ends[] = {0, DBL_TRUE_MIN, 0.1, DBL_MAX};
     for (int axes = 2; axes <= TF_AXES; axes++)
@@ -42,7 +42,7 @@ START_TEST(repeated_rows_are_seen_only_if_all_of_them_repeats)
 }
 END_TEST
 
-START_TEST(coordinates_between_the_points_of_a_grid)
+START_TEST(signs_are_exact_between_the_points_of_a_grid)
 {
     // Many lie on one, the others need the accumulator.
     generator random = generator_new(12);
@@ -61,9 +61,9 @@ Suite *suite(void)
     Suite *exact = suite_create("exact");
     exactness_add(exact, use);
     TCase *stages = tcase_create("stages");
-    tcase_add_test(stages, any_double_is_held);
+    tcase_add_test(stages, any_finite_double_is_held);
     tcase_add_test(stages, repeated_rows_are_seen_only_if_all_of_them_repeats);
-    tcase_add_test(stages, coordinates_between_the_points_of_a_grid);
+    tcase_add_test(stages, signs_are_exact_between_the_points_of_a_grid);
     suite_add_tcase(exact, stages);
     return exact;
 }

@@ -17,12 +17,6 @@ static bool decides(const matrix *m)
     return fabs(e.number) > e.bound || (e.number == 0 && e.bound == 0);
 }
 
-static tf_sign true_sign(const matrix *m)
-{
-    tf_differences differences = matrix_differences(m);
-    return oracle_arithmetic.sign(&differences);
-}
-
 static void judge(const matrix *m)
 {
     judged_estimate j;
@@ -32,23 +26,15 @@ static void judge(const matrix *m)
     judged_estimate_clear(&j);
 }
 
+static void use(void)
+{
+    static const estimate_test test = {judge, decides};
+    estimates_use(&test);
+}
+
 // Signs -----------------------------------------------------------------------
 
-START_TEST(small_integers_are_known)
-{
-    for (int n = 1; n <= TF_AXES; n++) {
-        double entry[TF_AXES * TF_AXES] = {-1, -1, -1, -1, -1, -1, -1, -1, -1};
-        do {
-            matrix m = matrix_of(n, entry);
-            judge(&m);
-            expect_of_matrix(true_sign(&m) == TF_ZERO || decides(&m),
-                             "The estimate does not decide", &m);
-        } while (next_signs(n * n, entry));
-    }
-}
-END_TEST
-
-START_TEST(random_numbers_are_known)
+START_TEST(signs_of_random_numbers_are_known)
 {
     // Less than one in 2^40 is not.
     generator random = generator_new(1);
@@ -63,128 +49,10 @@ START_TEST(random_numbers_are_known)
 }
 END_TEST
 
-START_TEST(signs_and_bounds_hold_on_hard_matrices)
-{
-    generator random = generator_new(2);
-    long count = cases(60000);
-    for (long i = 0; i < count; i++) {
-        matrix m = matrix_any(&random, 1 + below(&random, TF_AXES));
-        matrix_nudge(&random, &m, below(&random, 4));
-        judge(&m);
-    }
-}
-END_TEST
-
-START_TEST(signs_and_bounds_hold_where_products_underflow)
-{
-    generator random = generator_new(3);
-    long count = cases(40000);
-    for (long i = 0; i < count; i++) {
-        int n = 2 + below(&random, 2);
-        matrix m = matrix_close(&random, n, -1080 + below(&random, 80));
-        judge(&m);
-    }
-}
-END_TEST
-
-START_TEST(signs_hold_where_products_overflow)
-{
-    generator random = generator_new(4);
-    long count = cases(20000);
-    for (long i = 0; i < count; i++) {
-        int n = 2 + below(&random, 2);
-        matrix m = matrix_close(&random, n, 980 + below(&random, 60));
-        judge(&m);
-    }
-}
-END_TEST
-
-START_TEST(overflow_is_unknown)
-{
-    static const double huge[][4] = {{DBL_MAX, 1, -1, DBL_MAX},
-                                     {0x1p512, 1, 1, 0x1p512},
-                                     {DBL_MAX, DBL_MAX, DBL_MAX, -DBL_MAX},
-                                     {0x1p600, 0x1p600, 0x1p600, 0x1p600}};
-    for (int i = 0; i < (int)(sizeof huge / sizeof *huge); i++) {
-        matrix m = matrix_of(2, huge[i]);
-        judge(&m);
-        expect_of_matrix(!decides(&m), "The estimate decides despite overflow",
-                         &m);
-    }
-    // But a single difference keeps its sign.
-    matrix m = matrix_of(1, (double[]){DBL_MAX});
-    m.from[0].x[0] = -DBL_MAX;
-    judge(&m);
-    expect_of_matrix(decides(&m), "An overflowing difference has no sign", &m);
-}
-END_TEST
-
 START_TEST(an_empty_matrix_breaks_the_contract)
 {
     tf_differences nothing = {.n = 0};
     tf_differences_estimate(&nothing);
-}
-END_TEST
-
-// Zeros -----------------------------------------------------------------------
-
-/// Random entries of about 2^exponent where `pattern` has a bit, zeros
-/// elsewhere: a determinant that is zero just if each of its terms is.
-static matrix patterned(generator *random, int n, int pattern, int exponent)
-{
-    double entry[TF_AXES * TF_AXES] = {0};
-    for (int k = 0; k < n * n; k++)
-        if (pattern & 1 << k)
-            entry[k] = ldexp(uniform(random, 1, 2), exponent);
-    return matrix_of(n, entry);
-}
-
-/// Whether the estimate also decides those that are not zero is `otherwise`; it
-/// does where n = 1.
-static void expect_certain_zeros(generator *random, int exponent,
-                                 bool otherwise)
-{
-    for (int n = 1; n <= TF_AXES; n++)
-        for (int pattern = 0; pattern < 1 << n * n; pattern++) {
-            matrix m = patterned(random, n, pattern, exponent);
-            judge(&m);
-            bool zero = true_sign(&m) == TF_ZERO;
-            expect_of_matrix(decides(&m) == (zero || n == 1 || otherwise),
-                             "A zero is not told from an unknown", &m);
-        }
-}
-
-START_TEST(a_zero_in_each_term_is_certified)
-{
-    generator random = generator_new(5);
-    static const int exponents[] = {0, -150, -300, 150, 300};
-    for (int i = 0; i < 5; i++)
-        expect_certain_zeros(&random, exponents[i], true);
-}
-END_TEST
-
-START_TEST(a_zero_made_by_underflow_is_not_certified)
-{
-    generator random = generator_new(6);
-    static const int exponents[] = {-538, -600, -700, -1000, -1022};
-    for (int i = 0; i < 5; i++)
-        expect_certain_zeros(&random, exponents[i], false);
-}
-END_TEST
-
-START_TEST(a_zero_made_by_cancelling_is_not_certified)
-{
-    static const double cancelling[][9] = {
-        {1, 1, 0, 1, 1, 0, 0, 0, 1},
-        {1, 1, 1, 1, 1, 1, 1, 1, 1},
-        {1, 2, 3, 4, 5, 6, 7, 8, 9},
-        {0x1p-300, 0x1p-300, 0, 0x1p-300, 0x1p-300, 0, 0, 0, 1}};
-    for (int i = 0; i < (int)(sizeof cancelling / sizeof *cancelling); i++) {
-        matrix m = matrix_of(3, cancelling[i]);
-        judge(&m);
-        expect_of_matrix(!decides(&m),
-                         "The estimate decides despite cancelling", &m);
-    }
 }
 END_TEST
 
@@ -389,21 +257,12 @@ END_TEST
 Suite *suite(void)
 {
     Suite *filter = suite_create("filter");
-    TCase *signs = tcase_create("signs");
-    tcase_add_test(signs, small_integers_are_known);
-    tcase_add_test(signs, random_numbers_are_known);
-    tcase_add_test(signs, signs_and_bounds_hold_on_hard_matrices);
-    tcase_add_test(signs, signs_and_bounds_hold_where_products_underflow);
-    tcase_add_test(signs, signs_hold_where_products_overflow);
-    tcase_add_test(signs, overflow_is_unknown);
+    estimates_add(filter, use);
+    TCase *signs = tcase_create("other signs");
+    tcase_add_test(signs, signs_of_random_numbers_are_known);
     tcase_add_test_raise_signal(signs, an_empty_matrix_breaks_the_contract,
                                 SIGABRT);
     suite_add_tcase(filter, signs);
-    TCase *zeros = tcase_create("zeros");
-    tcase_add_test(zeros, a_zero_in_each_term_is_certified);
-    tcase_add_test(zeros, a_zero_made_by_underflow_is_not_certified);
-    tcase_add_test(zeros, a_zero_made_by_cancelling_is_not_certified);
-    suite_add_tcase(filter, zeros);
     TCase *bounds = tcase_create("bounds");
     tcase_add_test(bounds, bounds_are_not_much_more_than_the_worst_error);
     suite_add_tcase(filter, bounds);

@@ -88,7 +88,7 @@ static bool judge(const matrix *m)
 
 // All kinds -------------------------------------------------------------------
 
-START_TEST(matrices_of_all_kinds)
+START_TEST(signs_and_values_are_exact_wherever_there_is_a_grid)
 {
     generator random = generator_new(1);
     long count = cases(60000), on_grid = 0;
@@ -103,7 +103,7 @@ START_TEST(matrices_of_all_kinds)
 }
 END_TEST
 
-START_TEST(columns_of_all_sizes)
+START_TEST(signs_and_values_are_exact_for_columns_of_any_size)
 {
     // Down to where units would be less than 2^-1022, and up to overflow.
     generator random = generator_new(2);
@@ -127,7 +127,7 @@ END_TEST
 
 static const double largest = 0x1.fffffffffffffp61; // below 2^62
 
-START_TEST(all_signs_of_the_largest_differences)
+START_TEST(the_largest_differences_have_exact_signs_and_values)
 {
     generator random = generator_new(3);
     for (int n = 1; n <= TF_AXES; n++) {
@@ -161,7 +161,7 @@ static double any_coordinate(generator *random)
     }
 }
 
-START_TEST(coordinates_of_62_bits)
+START_TEST(coordinates_of_62_bits_have_a_grid)
 {
     generator random = generator_new(4);
     long count = cases(60000);
@@ -182,7 +182,7 @@ START_TEST(coordinates_of_62_bits)
 }
 END_TEST
 
-START_TEST(one_bit_more_is_between_two_points)
+START_TEST(coordinates_beyond_62_bits_have_no_grid)
 {
     // The largest coordinate of a column is below 2, so the unit is 2^-61.
     generator random = generator_new(5);
@@ -226,7 +226,7 @@ START_TEST(zeros_lie_on_every_grid)
 }
 END_TEST
 
-START_TEST(what_underflows_on_its_way_to_the_grid_is_not_on_it)
+START_TEST(a_coordinate_that_underflows_on_its_way_to_the_grid_is_not_on_it)
 {
     matrix m = matrix_of(2, (double[]){DBL_MAX, 1, DBL_TRUE_MIN, 1});
     ck_assert(!judge(&m));
@@ -257,7 +257,7 @@ static bool fits(const tf_event event[], int count)
     return is_on_grid(&m);
 }
 
-START_TEST(six_values_and_signs_are_those_of_each)
+START_TEST(six_values_and_signs_at_once_are_those_of_each_alone)
 {
     generator random = generator_new(5);
     long count = cases(30000), on_grid = 0;
@@ -315,19 +315,21 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("fixed");
     TCase *kinds = tcase_create("kinds");
-    tcase_add_test(kinds, matrices_of_all_kinds);
-    tcase_add_test(kinds, columns_of_all_sizes);
+    tcase_add_test(kinds, signs_and_values_are_exact_wherever_there_is_a_grid);
+    tcase_add_test(kinds, signs_and_values_are_exact_for_columns_of_any_size);
     suite_add_tcase(suite, kinds);
     TCase *ends = tcase_create("ends");
-    tcase_add_test(ends, all_signs_of_the_largest_differences);
-    tcase_add_test(ends, coordinates_of_62_bits);
-    tcase_add_test(ends, one_bit_more_is_between_two_points);
+    tcase_add_test(ends, the_largest_differences_have_exact_signs_and_values);
+    tcase_add_test(ends, coordinates_of_62_bits_have_a_grid);
+    tcase_add_test(ends, coordinates_beyond_62_bits_have_no_grid);
     tcase_add_test(ends, the_least_unit_is_2_to_minus_1022);
     tcase_add_test(ends, zeros_lie_on_every_grid);
-    tcase_add_test(ends, what_underflows_on_its_way_to_the_grid_is_not_on_it);
+    tcase_add_test(
+        ends, a_coordinate_that_underflows_on_its_way_to_the_grid_is_not_on_it);
     suite_add_tcase(suite, ends);
     TCase *several = tcase_create("several values");
-    tcase_add_test(several, six_values_and_signs_are_those_of_each);
+    tcase_add_test(several,
+                   six_values_and_signs_at_once_are_those_of_each_alone);
     tcase_add_test(several, a_cross_product_has_the_minors);
     suite_add_tcase(suite, several);
     return suite;

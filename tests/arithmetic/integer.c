@@ -33,7 +33,7 @@ static void judge_all_coordinates(const tf_arithmetic *arithmetic, int n)
     } while (next_signs(2 * n * n, end));
 }
 
-START_TEST(all_signs_at_the_ends_of_the_range)
+START_TEST(signs_and_values_are_exact_at_the_ends_of_the_range)
 {
     const tf_arithmetic *arithmetic = both[_i];
     judge_all_coordinates(arithmetic, 1);
@@ -41,7 +41,7 @@ START_TEST(all_signs_at_the_ends_of_the_range)
 }
 END_TEST
 
-START_TEST(all_signs_of_the_largest_differences)
+START_TEST(the_largest_differences_have_exact_signs_and_values)
 {
     const tf_arithmetic *arithmetic = both[_i];
     double end[9] = {-1, -1, -1, -1, -1, -1, -1, -1, -1};
@@ -73,7 +73,7 @@ static double any_coordinate(generator *random, double size)
     }
 }
 
-START_TEST(random_signs_and_values)
+START_TEST(signs_and_values_of_random_integers_are_exact)
 {
     const tf_arithmetic *arithmetic = both[_i];
     generator random = generator_new(3);
@@ -90,7 +90,7 @@ START_TEST(random_signs_and_values)
 }
 END_TEST
 
-START_TEST(singular_matrices_and_their_neighbours)
+START_TEST(signs_and_values_near_singular_matrices_are_exact)
 {
     const tf_arithmetic *arithmetic = both[_i];
     generator random = generator_new(4);
@@ -196,7 +196,7 @@ static void find_largest(mpz_t largest, int n, double most)
     mpz_clear(own);
 }
 
-START_TEST(largest_determinant_is_known_and_fits)
+START_TEST(the_largest_determinant_fits)
 {
     mpz_t largest, expected;
     mpz_inits(largest, expected, NULL);
@@ -215,7 +215,7 @@ START_TEST(largest_determinant_is_known_and_fits)
 }
 END_TEST
 
-START_TEST(one_bit_more_does_not_fit)
+START_TEST(a_determinant_of_one_bit_more_overflows)
 {
     // Two rows from one corner of a cube, and one along a diagonal: three
     // events at one time and two at the other, as queries have them.
@@ -272,7 +272,7 @@ static tf_verdict cross_the_cube(const tf_arithmetic *arithmetic, int bits)
     return contact.verdict;
 }
 
-START_TEST(twenty_bits_miss_a_contact)
+START_TEST(coordinates_of_20_bits_would_miss_a_contact)
 {
     // Integers of 64 bits that go around, and no check of the range.
     tf_arithmetic wrapping = oracle_arithmetic;
@@ -291,19 +291,23 @@ Suite *suite(void)
 {
     Suite *integer = suite_create("integer");
     TCase *signs = tcase_create("signs and values");
-    tcase_add_loop_test(signs, all_signs_at_the_ends_of_the_range, 0, 2);
-    tcase_add_loop_test(signs, all_signs_of_the_largest_differences, 0, 2);
-    tcase_add_loop_test(signs, random_signs_and_values, 0, 2);
-    tcase_add_loop_test(signs, singular_matrices_and_their_neighbours, 0, 2);
+    tcase_add_loop_test(
+        signs, signs_and_values_are_exact_at_the_ends_of_the_range, 0, 2);
+    tcase_add_loop_test(
+        signs, the_largest_differences_have_exact_signs_and_values, 0, 2);
+    tcase_add_loop_test(signs, signs_and_values_of_random_integers_are_exact, 0,
+                        2);
+    tcase_add_loop_test(
+        signs, signs_and_values_near_singular_matrices_are_exact, 0, 2);
     suite_add_tcase(integer, signs);
     TCase *limits = tcase_create("limits");
     tcase_add_test(limits, limits_are_as_documented);
     tcase_add_loop_test(limits, only_integers_are_held, 0, 2);
     suite_add_tcase(integer, limits);
     TCase *reasons = tcase_create("reasons for the limits");
-    tcase_add_loop_test(reasons, largest_determinant_is_known_and_fits, 0, 2);
-    tcase_add_loop_test(reasons, one_bit_more_does_not_fit, 0, 2);
-    tcase_add_test(reasons, twenty_bits_miss_a_contact);
+    tcase_add_loop_test(reasons, the_largest_determinant_fits, 0, 2);
+    tcase_add_loop_test(reasons, a_determinant_of_one_bit_more_overflows, 0, 2);
+    tcase_add_test(reasons, coordinates_of_20_bits_would_miss_a_contact);
     suite_add_tcase(integer, reasons);
     return integer;
 }

@@ -18,7 +18,7 @@ static void number_events(matrix *m)
     }
 }
 
-START_TEST(a_sign_is_exact_unless_that_is_zero)
+START_TEST(a_sign_is_the_exact_one_unless_that_is_zero)
 {
     generator random = generator_new((uint64_t)_i);
     long zeros = 0;
@@ -38,7 +38,7 @@ START_TEST(a_sign_is_exact_unless_that_is_zero)
 }
 END_TEST
 
-START_TEST(a_value_has_the_sign_and_tells_its_order)
+START_TEST(a_value_has_the_sign_of_the_determinant_and_its_order)
 {
     generator random = generator_new((uint64_t)(10 + _i));
     for (long i = 0; i < cases(20000); i++) {
@@ -122,7 +122,7 @@ END_TEST
 /// the determinant (1 + xb - xa)(yc - ya) - (2 + xc - xa)(yb - ya), in which
 /// the largest infinitesimals are xa, whose factor is zero, and ya, times
 /// -1 + 2.
-START_TEST(three_points_in_a_row_turn_by_the_first)
+START_TEST(collinear_points_turn_by_the_first_that_moves)
 {
     tf_event a = {.x = {0, 0}, .vertex = 0}, b = {.x = {1, 0}, .vertex = 1};
     tf_event c = {.x = {2, 0}, .vertex = 2};
@@ -178,13 +178,14 @@ Suite *suite(void)
 {
     Suite *s = suite_create("perturbed");
     TCase *c = tcase_create("signs");
-    tcase_add_loop_test(c, a_sign_is_exact_unless_that_is_zero, 0, TF_AXES);
-    tcase_add_loop_test(c, a_value_has_the_sign_and_tells_its_order, 0,
+    tcase_add_loop_test(c, a_sign_is_the_exact_one_unless_that_is_zero, 0,
                         TF_AXES);
+    tcase_add_loop_test(
+        c, a_value_has_the_sign_of_the_determinant_and_its_order, 0, TF_AXES);
     tcase_add_loop_test(c, exchanging_two_ends_changes_the_sign, 0,
                         TF_AXES - 1);
     tcase_add_test(c, on_a_line_the_lower_index_is_to_the_right);
-    tcase_add_test(c, three_points_in_a_row_turn_by_the_first);
+    tcase_add_test(c, collinear_points_turn_by_the_first_that_moves);
     tcase_add_test_raise_signal(
         c, two_events_of_one_index_and_time_break_the_contract, SIGABRT);
     tcase_add_test_raise_signal(

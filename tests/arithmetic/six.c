@@ -43,7 +43,7 @@ static six_events six_reals(generator *random)
     return six;
 }
 
-START_TEST(signs_of_reals_are_proved)
+START_TEST(all_signs_of_random_reals_are_proved)
 {
     generator random = generator_new(1);
     long count = cases(20000), known = 0;
@@ -75,14 +75,14 @@ static void judge_many(generator *random, long count,
                   "%ld of %ld", known, TF_SIX * count);
 }
 
-START_TEST(signs_of_all_kinds_are_not_wrong)
+START_TEST(proved_signs_are_right)
 {
     generator random = generator_new(2);
     judge_many(&random, cases(60000), six_any, 2);
 }
 END_TEST
 
-START_TEST(signs_near_a_plane_are_not_wrong)
+START_TEST(proved_signs_near_a_plane_are_right)
 {
     generator random = generator_new(3);
     judge_many(&random, cases(200000), six_flat, 100);
@@ -148,9 +148,9 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("arithmetic/six");
     TCase *tcase = tcase_create("estimates");
-    tcase_add_test(tcase, signs_of_reals_are_proved);
-    tcase_add_test(tcase, signs_of_all_kinds_are_not_wrong);
-    tcase_add_test(tcase, signs_near_a_plane_are_not_wrong);
+    tcase_add_test(tcase, all_signs_of_random_reals_are_proved);
+    tcase_add_test(tcase, proved_signs_are_right);
+    tcase_add_test(tcase, proved_signs_near_a_plane_are_right);
     tcase_add_test(tcase, nothing_is_proved_where_products_may_overflow);
     tcase_add_test(tcase, nothing_is_proved_where_products_may_underflow);
     tcase_add_test(tcase, the_largest_doubles_prove_nothing);

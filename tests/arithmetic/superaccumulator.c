@@ -155,7 +155,7 @@ END_TEST
 
 // The ends --------------------------------------------------------------------
 
-START_TEST(nothing_is_zero)
+START_TEST(an_empty_sum_is_zero)
 {
     twin both;
     twin_init(&both);
@@ -169,7 +169,7 @@ START_TEST(nothing_is_zero)
 }
 END_TEST
 
-START_TEST(clearing_forgets)
+START_TEST(a_cleared_superaccumulator_is_zero)
 {
     twin both;
     twin_init(&both);
@@ -182,7 +182,7 @@ START_TEST(clearing_forgets)
 }
 END_TEST
 
-START_TEST(the_largest_and_the_smallest_sums)
+START_TEST(the_largest_and_the_smallest_sums_are_exact)
 {
     for (int sign = -1; sign <= 1; sign += 2) {
         twin large, small;
@@ -220,7 +220,7 @@ enum {
     HIGHEST = 3 * 1023 - 53
 };
 
-START_TEST(powers_of_two_of_all_positions)
+START_TEST(powers_of_two_in_all_positions_are_exact)
 {
     for (int exponent = LOWEST; exponent <= 3 * 1023; exponent++) {
         twin both;
@@ -318,13 +318,13 @@ Suite *suite(void)
     tcase_add_test(sums, products_cancel_to_the_last_place);
     suite_add_tcase(accumulator, sums);
     TCase *ends = tcase_create("ends of the range");
-    tcase_add_test(ends, nothing_is_zero);
-    tcase_add_test(ends, clearing_forgets);
-    tcase_add_test(ends, the_largest_and_the_smallest_sums);
+    tcase_add_test(ends, an_empty_sum_is_zero);
+    tcase_add_test(ends, a_cleared_superaccumulator_is_zero);
+    tcase_add_test(ends, the_largest_and_the_smallest_sums_are_exact);
     tcase_add_test(ends, a_last_place_is_not_lost_beside_the_largest);
     suite_add_tcase(accumulator, ends);
     TCase *positions = tcase_create("all positions");
-    tcase_add_test(positions, powers_of_two_of_all_positions);
+    tcase_add_test(positions, powers_of_two_in_all_positions_are_exact);
     tcase_add_test(positions, carries_run_through_many_words);
     tcase_add_test(positions, borrows_run_through_many_words);
     tcase_add_test(positions, values_are_rounded_to_nearest_and_ties_to_even);

@@ -13,7 +13,7 @@ static tf_value value_of(double number, double radius, int exponent, int order)
                       .order = {order}};
 }
 
-START_TEST(what_scaling_loses_the_radius_gains)
+START_TEST(the_radius_gains_the_digits_that_scaling_loses)
 {
     // Scaled by 2^-1000 the number is 0.6 of the least double.
     tf_value value[] = {value_of(0x1p1000, 1, 0, 0),
@@ -30,7 +30,7 @@ START_TEST(what_scaling_loses_the_radius_gains)
 }
 END_TEST
 
-START_TEST(what_is_infinitely_smaller_becomes_zero)
+START_TEST(infinitely_smaller_values_become_zero)
 {
     tf_value value[] = {value_of(0x1p-900, 0, -900, 0),
                         value_of(0x1p900, 0, 900, 7), value_of(0, 0, 0, 0)};
@@ -48,7 +48,7 @@ START_TEST(what_is_infinitely_smaller_becomes_zero)
 }
 END_TEST
 
-START_TEST(a_later_infinitesimal_counts_where_the_first_are_the_same)
+START_TEST(the_first_infinitesimal_that_differs_decides)
 {
     tf_value value[] = {
         {.number = 9, .order = {4, 7, 2}},
@@ -64,7 +64,7 @@ START_TEST(a_later_infinitesimal_counts_where_the_first_are_the_same)
 }
 END_TEST
 
-START_TEST(the_radius_counts_for_the_size)
+START_TEST(the_radius_counts_toward_the_size_of_a_value)
 {
     tf_value value[] = {value_of(1, 0, 0, 0), value_of(0, 8, 0, 0)};
     tf_values_scale(2, value);
@@ -93,7 +93,7 @@ START_TEST(a_radius_grows_only_where_digits_may_be_lost)
 }
 END_TEST
 
-START_TEST(all_powers_of_two_divide)
+START_TEST(values_are_divided_by_a_power_of_two_of_any_size)
 {
     for (int exponent = 0; exponent <= 1080; exponent++) {
         tf_value value[] = {value_of(1, 0, 7, 0),
@@ -117,7 +117,7 @@ START_TEST(subnormal_numbers_are_scaled_up)
 }
 END_TEST
 
-START_TEST(what_is_all_zero_stays_so)
+START_TEST(values_that_are_all_zero_are_unchanged)
 {
     tf_value value[] = {value_of(0, 0, 5, 3), value_of(0, 0, 6, 0)};
     tf_values_scale(2, value);
@@ -127,7 +127,7 @@ START_TEST(what_is_all_zero_stays_so)
 }
 END_TEST
 
-START_TEST(what_is_not_known_stays_so)
+START_TEST(unknown_values_stay_unknown)
 {
     tf_value value[] = {value_of(INFINITY, 0, 0, 0), value_of(8, NAN, 0, 0),
                         value_of(-2, 0, 3, 0)};
@@ -143,16 +143,15 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("value");
     TCase *values = tcase_create("scaling");
-    tcase_add_test(values, what_scaling_loses_the_radius_gains);
-    tcase_add_test(values, what_is_infinitely_smaller_becomes_zero);
-    tcase_add_test(values,
-                   a_later_infinitesimal_counts_where_the_first_are_the_same);
-    tcase_add_test(values, the_radius_counts_for_the_size);
+    tcase_add_test(values, the_radius_gains_the_digits_that_scaling_loses);
+    tcase_add_test(values, infinitely_smaller_values_become_zero);
+    tcase_add_test(values, the_first_infinitesimal_that_differs_decides);
+    tcase_add_test(values, the_radius_counts_toward_the_size_of_a_value);
     tcase_add_test(values, a_radius_grows_only_where_digits_may_be_lost);
-    tcase_add_test(values, all_powers_of_two_divide);
+    tcase_add_test(values, values_are_divided_by_a_power_of_two_of_any_size);
     tcase_add_test(values, subnormal_numbers_are_scaled_up);
-    tcase_add_test(values, what_is_all_zero_stays_so);
-    tcase_add_test(values, what_is_not_known_stays_so);
+    tcase_add_test(values, values_that_are_all_zero_are_unchanged);
+    tcase_add_test(values, unknown_values_stay_unknown);
     suite_add_tcase(suite, values);
     return suite;
 }

@@ -55,7 +55,7 @@ static void add_bits(uint64_t word[], uint64_t bits, int position)
         word[i + 1] += bits >> (TF_WORD_BITS - shift);
 }
 
-START_TEST(ties_go_to_even_unless_something_follows)
+START_TEST(ties_go_to_even_unless_lower_bits_follow)
 {
     // 53 bits, a half of the last, and one bit lower down, or none.
     for (int place = 1; place < 3 * TF_WORD_BITS - 53; place++)
@@ -76,7 +76,7 @@ Suite *suite(void)
     Suite *suite = suite_create("words");
     TCase *rounding = tcase_create("rounding");
     tcase_add_test(rounding, words_are_rounded_to_nearest);
-    tcase_add_test(rounding, ties_go_to_even_unless_something_follows);
+    tcase_add_test(rounding, ties_go_to_even_unless_lower_bits_follow);
     suite_add_tcase(suite, rounding);
     return suite;
 }

@@ -12,7 +12,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-START_TEST(kept_contract_passes)
+START_TEST(a_kept_contract_calls_no_handler)
 {
     TF_REQUIRE(1 + 1 == 2);
 }
@@ -24,7 +24,7 @@ static void exit_with_line(const char *file, int line, const char *condition)
     exit(told && line > 0 ? 7 : 1);
 }
 
-START_TEST(handler_is_told_place_and_condition)
+START_TEST(the_handler_is_told_file_line_and_condition)
 {
     tf_contract_set_handler(exit_with_line);
     TF_REQUIRE(1 > 2);
@@ -36,7 +36,7 @@ static void return_quietly(const char *file, int line, const char *condition)
     (void)file, (void)line, (void)condition;
 }
 
-START_TEST(handler_that_returns_does_not_go_on)
+START_TEST(the_program_aborts_if_the_handler_returns)
 {
     tf_contract_set_handler(return_quietly);
     TF_REQUIRE(1 > 2);
@@ -51,7 +51,7 @@ START_TEST(null_restores_the_default_handler)
 }
 END_TEST
 
-START_TEST(the_default_handler_prints_place_and_condition)
+START_TEST(the_default_handler_prints_file_line_and_condition)
 {
     int end[2];
     ck_assert_int_eq(pipe(end), 0);
@@ -77,12 +77,12 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("base/contract");
     TCase *tcase = tcase_create("contract");
-    tcase_add_test(tcase, kept_contract_passes);
-    tcase_add_exit_test(tcase, handler_is_told_place_and_condition, 7);
-    tcase_add_test_raise_signal(tcase, handler_that_returns_does_not_go_on,
-                                SIGABRT);
+    tcase_add_test(tcase, a_kept_contract_calls_no_handler);
+    tcase_add_exit_test(tcase, the_handler_is_told_file_line_and_condition, 7);
+    tcase_add_test_raise_signal(
+        tcase, the_program_aborts_if_the_handler_returns, SIGABRT);
     tcase_add_test(tcase, null_restores_the_default_handler);
-    tcase_add_test(tcase, the_default_handler_prints_place_and_condition);
+    tcase_add_test(tcase, the_default_handler_prints_file_line_and_condition);
     suite_add_tcase(suite, tcase);
     return suite;
 }

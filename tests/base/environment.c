@@ -5,13 +5,13 @@
 
 #include <fenv.h>
 
-START_TEST(environment_is_ieee)
+START_TEST(the_default_environment_is_accepted)
 {
     ck_assert(tf_environment_is_ieee());
 }
 END_TEST
 
-START_TEST(broken_environments_are_seen_and_left_alone)
+START_TEST(broken_environments_are_detected_and_left_unchanged)
 {
     environment_break(_i);
     bool ieee = tf_environment_is_ieee(), left = environment_is_broken(_i);
@@ -22,7 +22,7 @@ START_TEST(broken_environments_are_seen_and_left_alone)
 }
 END_TEST
 
-START_TEST(raised_exceptions_do_no_harm)
+START_TEST(raised_exceptions_do_not_count_as_broken)
 {
     feraiseexcept(FE_INEXACT | FE_UNDERFLOW | FE_OVERFLOW);
     ck_assert(tf_environment_is_ieee());
@@ -33,10 +33,11 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("base/environment");
     TCase *tcase = tcase_create("environment");
-    tcase_add_test(tcase, environment_is_ieee);
-    tcase_add_loop_test(tcase, broken_environments_are_seen_and_left_alone, 0,
+    tcase_add_test(tcase, the_default_environment_is_accepted);
+    tcase_add_loop_test(tcase,
+                        broken_environments_are_detected_and_left_unchanged, 0,
                         environments());
-    tcase_add_test(tcase, raised_exceptions_do_no_harm);
+    tcase_add_test(tcase, raised_exceptions_do_not_count_as_broken);
     suite_add_tcase(suite, tcase);
     return suite;
 }

@@ -34,7 +34,7 @@ enum {
     MESSAGES = sizeof messages / sizeof *messages
 };
 
-START_TEST(messages_name_the_mend)
+START_TEST(messages_tell_how_to_fix_it)
 {
     const char *message = tf_status_message(messages[_i].status);
     const char *matter = strstr(message, messages[_i].matter);
@@ -67,7 +67,7 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("base/status");
     TCase *tcase = tcase_create("messages");
-    tcase_add_loop_test(tcase, messages_name_the_mend, 0, MESSAGES);
+    tcase_add_loop_test(tcase, messages_tell_how_to_fix_it, 0, MESSAGES);
     tcase_add_test(tcase, every_status_has_a_message_of_its_own);
     tcase_add_loop_test_raise_signal(tcase, unknown_status_breaks_the_contract,
                                      SIGABRT, 0, 3);

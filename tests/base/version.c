@@ -4,7 +4,7 @@
 
 #include <stdio.h>
 
-START_TEST(the_library_is_of_the_version_of_its_header)
+START_TEST(the_library_has_the_version_of_its_header)
 {
     ck_assert_str_eq(tf_version(), TF_VERSION);
 }
@@ -24,7 +24,7 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("base/version");
     TCase *tcase = tcase_create("version");
-    tcase_add_test(tcase, the_library_is_of_the_version_of_its_header);
+    tcase_add_test(tcase, the_library_has_the_version_of_its_header);
     tcase_add_test(tcase, a_version_is_three_numbers);
     suite_add_tcase(suite, tcase);
     return suite;

@@ -16,12 +16,11 @@
 // - a line a workload: how many signs a query takes, clamped and exact, if they
 //   are found one by one, and for how many pairs the exact arithmetic estimates
 //   six signs at once;
-// - a line a way to a sign, or to six estimates: nanoseconds.  The grid and the expansion find the
-//   signs of the same differences as the accumulator between them.  The library
-//   does without the expansion.
-// With --csv the same as lines "name,value,unit", for figures/measured/library.csv.
-#define _POSIX_C_SOURCE 199309L // clock_gettime
-
+// - a line a way to a sign, or to six estimates: nanoseconds.  The grid and the
+//   expansion find the signs of the same differences as the accumulator between
+//   them.  The library does without the expansion.
+// With --csv the same as lines "name,value,unit", for
+// figures/measured/library.csv.
 #include "arithmetic/accumulated.h"
 #include "arithmetic/clamped.h"
 #include "arithmetic/exact.h"
@@ -32,6 +31,7 @@
 #include "arithmetic/perturbed.h"
 #include "arithmetic/six.h"
 #include "arithmetic/two_sum.h"
+#include "bench/measuring.h"
 #include "bench/workloads.h"
 #include "kit/expansion.h"
 #include "query/query.h"
@@ -41,19 +41,10 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 enum {
     ROUNDS = 5
 };
-
-/// Processor time.
-static double nanoseconds(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return 1e9 * (double)now.tv_sec + (double)now.tv_nsec;
-}
 
 // Queries ---------------------------------------------------------------------
 
@@ -80,13 +71,14 @@ static int repetitions(const workload *w)
 static double time_queries(const workload *w, const tf_arithmetic *arithmetic,
                            long *hits)
 {
-    double start = nanoseconds();
+    double start = processor_seconds();
     for (int repeat = repetitions(w); repeat > 0; repeat--) {
         *hits = 0;
         for (long i = 0; i < w->count; i++)
             *hits += answer(w, i, arithmetic);
     }
-    return (nanoseconds() - start) / ((double)w->count * repetitions(w));
+    return 1e9 * (processor_seconds() - start) /
+           ((double)w->count * repetitions(w));
 }
 
 // The last two need integers.
@@ -475,7 +467,7 @@ enum {
 
 static double time_signs(const matrix m[SIGNS], const race *r)
 {
-    double start = nanoseconds();
+    double start = processor_seconds();
     int sum = 0;
     for (int i = 0; i < SIGNS; i++) {
         tf_differences d = differences_of(&m[i]);
@@ -485,7 +477,7 @@ static double time_signs(const matrix m[SIGNS], const race *r)
         fprintf(stderr, "bench: a wrong sign\n");
         exit(2);
     }
-    return (nanoseconds() - start) / SIGNS;
+    return 1e9 * (processor_seconds() - start) / SIGNS;
 }
 
 /// Nanoseconds for six estimates of a pair.
@@ -496,7 +488,7 @@ static double time_six(void)
     for (int i = 0; i < SIGNS * TF_SIX; i++)
         for (int k = 0; k < TF_AXES; k++)
             event[i / TF_SIX][i % TF_SIX].x[k] = fine(&random);
-    double start = nanoseconds();
+    double start = processor_seconds();
     for (int i = 0; i < SIGNS; i++) {
         const tf_event *list[TF_SIX];
         tf_sign sign[TF_SIX];
@@ -504,7 +496,7 @@ static double time_six(void)
             list[j] = &event[i][j];
         tf_estimate_six(2 + i % 3, list, sign);
     }
-    return (nanoseconds() - start) / SIGNS;
+    return 1e9 * (processor_seconds() - start) / SIGNS;
 }
 
 static void print_signs(bool csv)

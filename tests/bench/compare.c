@@ -12,10 +12,9 @@
 // Prints a table, or with --csv all numbers as lines "name,value,unit", for
 // figures/measured/methods.csv: more tolerances and thresholds, each set of
 // queries by its name, and the rotating bar of tests/linear/rigid_motion.c.
-#define _POSIX_C_SOURCE 199309L // clock_gettime
-
 #include "arithmetic/clamped.h"
 #include "arithmetic/exact.h"
+#include "bench/measuring.h"
 #include "bench/workloads.h"
 #include "linear/rigid_motion.h"
 #include "program/methods.h"
@@ -26,7 +25,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 enum {
     ROUNDS = 7,
@@ -92,6 +90,7 @@ static const char *label_of(const contender *c)
 
 /// What answers, ready.
 typedef struct answerer {
+    const char *name;
     const tf_method *method;
     tf_method_options options;
 } answerer;
@@ -99,7 +98,8 @@ typedef struct answerer {
 static answerer answerer_of(const contender *c)
 {
     double number = number_of(c);
-    return (answerer){tf_choice_named(tf_methods, c->method),
+    return (answerer){c->method,
+                      tf_choice_named(tf_methods, c->method),
                       {.arithmetic = c->arithmetic,
                        .tolerance = number,
                        .threshold = number}};
@@ -112,7 +112,7 @@ static bool finds_hit(const answerer *a, const tf_query_kind *kind,
     tf_status status =
         tf_method_answer(a->method, &a->options, kind, rows, &contact);
     if (status != TF_OK)
-        fail(tf_method_name(a->method), tf_status_message(status));
+        fail(a->name, tf_status_message(status));
     return contact.verdict != TF_APART;
 }
 
@@ -287,14 +287,6 @@ static errors errors_in_group(const contender *c, const char *group)
 
 // Costs -----------------------------------------------------------------------
 
-/// Processor time.
-static double nanoseconds(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return 1e9 * (double)now.tv_sec + (double)now.tv_nsec;
-}
-
 /// The queries of one kind of a random set.
 typedef struct race {
     const query_set *set;
@@ -304,10 +296,10 @@ typedef struct race {
 static double time_queries(const contender *c, const race *r)
 {
     answerer a = answerer_of(c);
-    double start = nanoseconds();
+    double start = processor_seconds();
     for (long i = r->from; i < r->to; i++)
         finds_hit(&a, r->set->query[i].kind, &r->set->query[i].rows);
-    return (nanoseconds() - start) / (double)(r->to - r->from);
+    return 1e9 * (processor_seconds() - start) / (double)(r->to - r->from);
 }
 
 enum {

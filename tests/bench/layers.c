@@ -1,6 +1,7 @@
 #include "bench/layers.h"
 
 #include "support/generator.h"
+#include "support/memory.h"
 
 #include <math.h>
 #include <stddef.h>
@@ -9,14 +10,6 @@
 enum {
     LAYERS = 10
 };
-
-static void *allocate(size_t count, size_t size)
-{
-    void *memory = malloc(count * size);
-    if (!memory)
-        abort();
-    return memory;
-}
 
 /// Turns a point so that no axis is special.
 static void turn(const double from[3], double scale, double to[3])

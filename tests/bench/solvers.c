@@ -12,13 +12,13 @@
 // asking for up to a tenth more or less ("dup10"); by how much it changes the
 // proposal, masses counted, relative to the least change that satisfies the
 // equations; and the processor time for all zones in milliseconds.
-#define _POSIX_C_SOURCE 199309L // clock_gettime
-
+#include "bench/measuring.h"
 #include "response/conjugate_residuals.h"
 #include "response/equations.h"
 #include "response/gauss_seidel.h"
 #include "response/minres.h"
 #include "response/normal_residuals.h"
+#include "support/memory.h"
 #include "support/zone_files.h"
 
 #include <float.h>
@@ -26,20 +26,11 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 enum {
     MOST_ZONES = 200,
     MOST_DUPLICATES = 5 // one for each so many constraints
 };
-
-static void *allocate(size_t count, size_t size)
-{
-    void *memory = calloc(count + 1, size);
-    if (!memory)
-        abort();
-    return memory;
-}
 
 // The singular value decomposition --------------------------------------------
 
@@ -218,13 +209,6 @@ static double median(double number[])
     return number[count / 2];
 }
 
-static double milliseconds(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return 1e3 * (double)now.tv_sec + 1e-6 * (double)now.tv_nsec;
-}
-
 typedef struct results {
     double iterations[MOST_ZONES], residual[MOST_ZONES], part[MOST_ZONES];
     double time;
@@ -236,10 +220,10 @@ static void solve_all(const tf_zone_solver *solver, variant which,
     found->time = 0;
     for (int i = 0; i < count; i++) {
         zone_case *z = &zones[which][i];
-        double begin = milliseconds();
+        double begin = processor_seconds();
         found->iterations[i] =
             zone_solve(z, solver, 4 * z->zone.constraints + 100);
-        found->time += milliseconds() - begin;
+        found->time += processor_seconds() - begin;
         found->residual[i] =
             solver == &tf_gauss_seidel ? zone_violation(z) : zone_residual(z);
         if (!isfinite(found->residual[i]))

@@ -28,6 +28,7 @@
 #include "query/edge_edge.h"
 #include "query/point_triangle.h"
 #include "support/generator.h"
+#include "support/memory.h"
 #include "surface/candidates.h"
 #include "surface/detect.h"
 
@@ -49,14 +50,6 @@ static double nanoseconds(void)
     return 1e9 * processor_seconds();
 }
 
-static void *allocate(size_t count, size_t size)
-{
-    void *memory = aligned_alloc(64, (count * size + 63) / 64 * 64);
-    if (!memory)
-        require(TF_OUT_OF_MEMORY);
-    return memory;
-}
-
 // Queries ---------------------------------------------------------------------
 
 /// Queries in all forms that something takes.
@@ -73,14 +66,15 @@ typedef struct arrays {
 
 static arrays arrays_new(size_t count, tf_kind kind)
 {
-    arrays a = {
-        .count = count,
-        .block = allocate(count / TF_BLOCK_QUERIES + 1, sizeof(tf_query_block)),
-        .masks = allocate(count / TF_MASK_QUERIES + 1, sizeof(tf_query_masks)),
-        .start = allocate(12 * count, sizeof(double)),
-        .end = allocate(12 * count, sizeof(double)),
-        .vertex = allocate(4 * count, sizeof(int)),
-        .verdict = allocate(count, sizeof(tf_verdict))};
+    arrays a = {.count = count,
+                .block = allocate_lines(count / TF_BLOCK_QUERIES + 1,
+                                        sizeof(tf_query_block)),
+                .masks = allocate_lines(count / TF_MASK_QUERIES + 1,
+                                        sizeof(tf_query_masks)),
+                .start = allocate_lines(12 * count, sizeof(double)),
+                .end = allocate_lines(12 * count, sizeof(double)),
+                .vertex = allocate_lines(4 * count, sizeof(int)),
+                .verdict = allocate_lines(count, sizeof(tf_verdict))};
     memset(a.block, 0, (count / TF_BLOCK_QUERIES + 1) * sizeof(tf_query_block));
     a.queries.kind = kind;
     return a;
@@ -412,8 +406,8 @@ static arrays mesh_queries(const layers *cloth, tf_kind kind, size_t count,
                            const int *triangle)
 {
     arrays a = {.count = count,
-                .vertex = allocate(4 * count, sizeof(int)),
-                .verdict = allocate(count, sizeof(tf_verdict)),
+                .vertex = allocate_lines(4 * count, sizeof(int)),
+                .verdict = allocate_lines(count, sizeof(tf_verdict)),
                 .motion = cloth->motion,
                 .queries = {.kind = kind}};
     for (size_t i = 0; i < count; i++) {

@@ -134,7 +134,7 @@ static void expect_words(const char *text, const char *words)
 
 // Usage -----------------------------------------------------------------------
 
-START_TEST(help_and_version_are_told)
+START_TEST(help_and_version_are_printed)
 {
     expect_words(say("draw --help"), "list the figures");
     expect_words(say("draw figure --help"), "--animate");
@@ -157,7 +157,7 @@ START_TEST(help_and_version_are_told)
 }
 END_TEST
 
-START_TEST(commands_are_refused)
+START_TEST(bad_commands_are_refused)
 {
     refuse("no command given; choose", "draw");
     refuse(
@@ -172,7 +172,7 @@ START_TEST(commands_are_refused)
 }
 END_TEST
 
-START_TEST(settings_are_refused)
+START_TEST(bad_settings_are_refused)
 {
     static const struct {
         const char *words, *arguments;
@@ -182,37 +182,42 @@ START_TEST(settings_are_refused)
         {"must end in .png, .pdf or .svg", "-o png"},
         {"must end in .png, .pdf or .svg", "-o ./.png"},
         {"must end in .mp4, .gif, .webp or .png", "--animate a.bmp"},
-        {"invalid size '0x0'", "-o a.png --size 0x0"},
-        {"invalid size '100000x100'", "-o a.png --size 100000x100"},
-        {"invalid size '99999999999999999999x1'",
+        {"--size must be width and height, such as", "-o a.png --size 0x0"},
+        {"--size must be width and height, such as",
+         "-o a.png --size 100000x100"},
+        {"--size must be width and height, such as",
          "-o a.png --size 99999999999999999999x1"},
-        {"invalid size '800'", "-o a.png --size 800"},
-        {"invalid size '-80x60'", "-o a.png --size -80x60"},
-        {"invalid size '80x60x'", "-o a.png --size 80x60x"},
+        {"--size must be width and height, such as", "-o a.png --size 800"},
+        {"--size must be width and height, such as", "-o a.png --size -80x60"},
+        {"--size must be width and height, such as", "-o a.png --size 80x60x"},
         {"both from 16 to 16384 pixels", "-o a.png --size 15x15"},
         {"or their ratio, such as 16:9", "-o a.png --size 16:"},
-        {"invalid size '16:0'", "-o a.png --size 16:0"},
-        {"invalid size '101:1'", "-o a.png --size 101:1"},
-        {"invalid size '4:3:2'", "-o a.png --size 4:3:2"},
+        {"--size must be width and height, such as", "-o a.png --size 16:0"},
+        {"--size must be width and height, such as", "-o a.png --size 101:1"},
+        {"--size must be width and height, such as", "-o a.png --size 4:3:2"},
         {"a picture must be 16 to 16384 pixels", "-o a.png --size 1:100"},
         {"invalid --title '$x'; write UTF-8, close each $",
          "-o a.png --title '$x'"},
-        {"invalid --panel '0'; give a number from 1", "-o a.png --panel 0"},
+        {"--panel must be a whole number from 1 to ", "-o a.png --panel 0"},
         {"--panel: there is no panel 9; the picture has ",
          "-o a.png --panel 9"},
         {"there is no panel 9", "--animate a.png --turntable --panel 9"},
         {"invalid --labels 'q'; choose none", "-o a.png --labels q"},
-        {"invalid --dpi '0'; give a number from 1", "-o a.png --dpi 0"},
-        {"invalid --dpi 'x'", "-o a.png --dpi x"},
+        {"--dpi must be a whole number from 1 to 4800, got '0'",
+         "-o a.png --dpi 0"},
+        {"--dpi must be a whole number from 1 to 4800, got 'x'",
+         "-o a.png --dpi x"},
         {"a picture must be 16 to 16384 pixels", "-o a.png --dpi 1"},
-        {"unknown theme 'pink'; choose light or dark", "-o a.png --theme pink"},
-        {"invalid view '30'; give two angles", "-o a.png --view 30"},
-        {"invalid view 'a,b'", "-o a.png --view a,b"},
-        {"invalid view '0,91'", "-o a.png --view 0,91"},
-        {"invalid view '1e400,0'", "-o a.png --view 1e400,0"},
-        {"invalid view '1,2,3'", "-o a.png --view 1,2,3"},
-        {"invalid --frames '0'", "--animate a.gif --frames 0"},
-        {"invalid --fps '-1'", "--animate a.gif --fps -1"},
+        {"--theme must be light or dark, got 'pink'", "-o a.png --theme pink"},
+        {"--view must be two angles in degrees", "-o a.png --view 30"},
+        {"--view must be two angles in degrees", "-o a.png --view a,b"},
+        {"--view must be two angles in degrees", "-o a.png --view 0,91"},
+        {"--view must be two angles in degrees", "-o a.png --view 1e400,0"},
+        {"--view must be two angles in degrees", "-o a.png --view 1,2,3"},
+        {"--frames must be a whole number from 1 to 10000, got '0'",
+         "--animate a.gif --frames 0"},
+        {"--fps must be a whole number from 1 to 120, got '-1'",
+         "--animate a.gif --fps -1"},
         {"an .mp4 file or a sheet cannot be transparent",
          "--animate a.mp4 --transparent"},
         {"an .mp4 file or a sheet cannot be transparent",
@@ -230,7 +235,7 @@ START_TEST(settings_are_refused)
 }
 END_TEST
 
-START_TEST(queries_are_refused)
+START_TEST(bad_queries_are_refused)
 {
     refuse("invalid --labels 'p,a'; choose none, or give 3 names, one a "
            "vertex, such as q,u,v",
@@ -239,7 +244,7 @@ START_TEST(queries_are_refused)
            "draw query " QUERY "-o a.png --labels p,,b");
     refuse("invalid --labels '$p_{'$'; write UTF-8",
            "draw query " QUERY "-o a.png --labels p_{,a,b");
-    refuse("invalid time '2'; give a number from 0 to 1",
+    refuse("the time must be from 0 to 1, got '2'",
            "draw query " QUERY "-o a.png --at 2");
     refuse("--at is for pictures; add -o",
            "draw query " QUERY "--animate a.gif --at 0.5");
@@ -265,19 +270,19 @@ START_TEST(queries_are_refused)
 }
 END_TEST
 
-START_TEST(surfaces_are_refused)
+START_TEST(bad_surfaces_are_refused)
 {
     refuse("no surface given; add its file", "draw surface -o a.png");
     refuse("unexpected 'c'; give one START and one END",
            "draw surface a b c -o a.png");
-    refuse("unknown motion 'wild'; choose bent or straight",
+    refuse("--motion must be bent or straight, got 'wild'",
            "draw surface a b -m wild -o a.png");
-    refuse("unknown axis 'w'; choose x, y or z",
-           "draw surface a -u w -o a.png");
-    refuse("unknown axis ''", "draw surface a -u '' -o a.png");
-    refuse("invalid time '1.5'; give a number from 0 to 1",
+    refuse("--up must be x, y or z, got 'w'", "draw surface a -u w -o a.png");
+    refuse("--up must be x, y or z, got ''", "draw surface a -u '' -o a.png");
+    refuse("the time must be from 0 to 1, got '1.5'",
            "draw surface a b --time 1.5 -o a.png");
-    refuse("invalid time 'x'", "draw surface a b --time x -o a.png");
+    refuse("the time must be from 0 to 1, got 'x'",
+           "draw surface a b --time x -o a.png");
     refuse("--time is for steps; add END",
            "draw surface a --time 0.5 -o a.png");
     refuse("--motion is for steps", "draw surface a --motion bent -o a.png");
@@ -309,7 +314,7 @@ START_TEST(bad_meshes_are_refused)
 }
 END_TEST
 
-START_TEST(films_are_refused)
+START_TEST(bad_films_are_refused)
 {
     refuse("no folder given; add the one", "draw film -o a.webp");
     refuse("unexpected 'b'; draw one film at a time",
@@ -318,15 +323,16 @@ START_TEST(films_are_refused)
     refuse("the output 'a.bmp' must end in .webp, .gif or .mp4, in .png, .pdf "
            "or .svg, or in / for a folder",
            "draw film a -o a.bmp");
-    refuse("invalid --every '0'; give a number from 1",
+    refuse("--every must be a whole number from 1 to ",
            "draw film a -o a.webp --every 0");
-    refuse("invalid --frame '-1'; give a number from 0",
+    refuse("--frame must be a whole number from 0 to ",
            "draw film a -o a.png --frame -1");
     refuse("--frame is for pictures; drop it",
            "draw film a -o a.webp --frame 1");
     refuse("--every is for films; drop it", "draw film a -o a.png --every 2");
     refuse("unrecognized option", "draw film a -o a.webp --turntable");
-    refuse("invalid size '1x1'", "draw film a -o a.webp --size 1x1");
+    refuse("--size must be width and height, such as",
+           "draw film a -o a.webp --size 1x1");
 }
 END_TEST
 
@@ -415,7 +421,7 @@ START_TEST(names_send_no_commands_to_the_terminal)
 }
 END_TEST
 
-START_TEST(missing_letters_are_refused)
+START_TEST(missing_glyphs_are_refused)
 {
     refuse(
         "the font is not installed",
@@ -426,7 +432,7 @@ START_TEST(missing_letters_are_refused)
 END_TEST
 
 /// A stop in the middle of a film leaves nothing.
-START_TEST(signals_leave_no_file)
+START_TEST(a_signal_leaves_no_file)
 {
     say("command -v ffmpeg >/dev/null || exit 0\n"
         "\"$TANGLEFREE_DRAW\" figure " FIGURE "--animate a.gif --frames 9999 &"
@@ -462,7 +468,7 @@ START_TEST(pictures_are_the_same_every_time)
 }
 END_TEST
 
-START_TEST(resolution_tells_the_size)
+START_TEST(the_resolution_determines_the_size)
 {
     // Bytes 17 to 24 of a PNG are its width and height.
     ck_assert_str_eq(say("draw query \"$QUERIES\"/point-edge.csv:0 -k "
@@ -556,7 +562,7 @@ START_TEST(panels_titles_and_labels_show)
 }
 END_TEST
 
-START_TEST(progress_on_a_terminal)
+START_TEST(progress_is_shown_on_a_terminal)
 {
     terminal screen = terminal_open();
     say("timeout 3 \"$TANGLEFREE_DRAW\" figure " FIGURE "--frames 9999 "
@@ -567,21 +573,21 @@ START_TEST(progress_on_a_terminal)
 }
 END_TEST
 
-START_TEST(films_show_what_moves)
+START_TEST(figures_without_motion_make_no_film)
 {
     refuse("nothing in 'prism' moves; add --turntable",
            "draw figure prism --animate a.gif");
 }
 END_TEST
 
-START_TEST(figures_are_listed_and_tell_their_numbers)
+START_TEST(figures_are_listed_and_print_their_numbers)
 {
     expect_words(say("draw list"), "edge-sweep ");
     expect_words(say("draw figure " FIGURE "-o a.png"), "toi_hi 0.");
 }
 END_TEST
 
-START_TEST(queries_tell_what_the_other_program_tells)
+START_TEST(queries_print_the_numbers_of_tanglefree)
 {
     static const char *const kinds[] = {"point-edge", "point-triangle",
                                         "edge-edge"};
@@ -595,7 +601,7 @@ START_TEST(queries_tell_what_the_other_program_tells)
 END_TEST
 
 /// The contacts of detection, and their first time; what a check finds.
-START_TEST(surfaces_tell_what_the_other_program_tells)
+START_TEST(surfaces_print_the_rows_of_tanglefree)
 {
     static const char *const steps[] = {"a.obj b.obj", "p.obj q.obj",
                                         "a.obj a.obj"};
@@ -617,7 +623,7 @@ START_TEST(surfaces_tell_what_the_other_program_tells)
 }
 END_TEST
 
-START_TEST(surfaces_tell_what_they_are)
+START_TEST(surfaces_print_their_counts)
 {
     ck_assert_str_eq(
         say(MESHES "draw surface a.obj b.obj --contacts " SMALL " -o a.png"),
@@ -643,7 +649,7 @@ END_TEST
 
 // Films -----------------------------------------------------------------------
 
-START_TEST(missing_ffmpeg_is_told)
+START_TEST(a_missing_ffmpeg_is_reported)
 {
     refuse("cannot run ffmpeg, which makes the film: No such file or directory;"
            " install it",
@@ -737,32 +743,32 @@ END_TEST
 Suite *suite(void)
 {
     const TTest *const tests[] = {
-        help_and_version_are_told,
-        commands_are_refused,
-        settings_are_refused,
-        queries_are_refused,
-        surfaces_are_refused,
+        help_and_version_are_printed,
+        bad_commands_are_refused,
+        bad_settings_are_refused,
+        bad_queries_are_refused,
+        bad_surfaces_are_refused,
         bad_meshes_are_refused,
         outputs_that_cannot_be_written_are_refused,
         names_send_no_commands_to_the_terminal,
-        missing_letters_are_refused,
-        signals_leave_no_file,
+        missing_glyphs_are_refused,
+        a_signal_leaves_no_file,
         pictures_are_the_same_every_time,
-        resolution_tells_the_size,
+        the_resolution_determines_the_size,
         sizes_hold_for_vectors,
         pictures_grow_with_what_is_added,
         panels_titles_and_labels_show,
-        progress_on_a_terminal,
-        figures_are_listed_and_tell_their_numbers,
-        queries_tell_what_the_other_program_tells,
-        surfaces_tell_what_the_other_program_tells,
-        surfaces_tell_what_they_are,
-        missing_ffmpeg_is_told,
+        progress_is_shown_on_a_terminal,
+        figures_are_listed_and_print_their_numbers,
+        queries_print_the_numbers_of_tanglefree,
+        surfaces_print_the_rows_of_tanglefree,
+        surfaces_print_their_counts,
+        a_missing_ffmpeg_is_reported,
         a_full_disk_leaves_no_film,
         films_are_made,
         a_sheet_has_all_frames_and_is_the_same_every_time,
-        films_show_what_moves,
-        films_are_refused,
+        figures_without_motion_make_no_film,
+        bad_films_are_refused,
         bad_frames_are_refused,
         frames_are_drawn,
     };

@@ -1,28 +1,11 @@
-#define _GNU_SOURCE // mkdtemp
-
 #include "draw/query_picture.h"
 #include "arithmetic/exact.h"
+#include "support/picture_folder.h"
 #include "support/queries.h"
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
-
-static char folder[] = "/tmp/tanglefree-picture-XXXXXX", picture[64];
-
-static void enter_folder(void)
-{
-    ck_assert(mkdtemp(folder));
-    snprintf(picture, sizeof picture, "%s/picture.png", folder);
-}
-
-static void leave_folder(void)
-{
-    remove(picture);
-    ck_assert_int_eq(rmdir(folder), 0);
-}
 
 /// Answer a query as the command does.
 static fig_answered answered_of(const query *q)
@@ -54,7 +37,7 @@ static int expect_drawing(const query *q, const fig_answered *answered,
     FILE *numbers = fopen("/dev/null", "w");
     ck_assert_int_eq(fig_page_new(&options, &page), FIG_OK);
     drawing.draw(drawing.subject, page, numbers);
-    fig_status status = fig_page_write(page, picture);
+    fig_status status = fig_page_write(page, picture_path());
     ck_assert_msg(status == FIG_OK, "%s\n%s", fig_status_message(status),
                   query_text(q));
     for (int i = 0; i < fig_page_labels(page); i++) {
@@ -143,7 +126,8 @@ Suite *suite(void)
 {
     Suite *s = suite_create("draw/query_picture");
     TCase *drawn = tcase_create("drawn");
-    tcase_add_checked_fixture(drawn, enter_folder, leave_folder);
+    tcase_add_checked_fixture(drawn, make_picture_folder,
+                              remove_picture_folder);
     tcase_add_loop_test(drawn, everything_in_one_point_is_drawn, 0, KINDS);
     tcase_add_loop_test(drawn, lattice_queries_are_drawn, 0, KINDS);
     tcase_add_loop_test(drawn, hard_queries_are_drawn, 0, KINDS);

@@ -1,6 +1,8 @@
-#define _GNU_SOURCE // mkdtemp
+#define _POSIX_C_SOURCE 200809L // strdup
+
 #include "draw/sheet.h"
 
+#include "support/picture_folder.h"
 #include "support/support.h"
 
 #include <cairo.h>
@@ -9,28 +11,12 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 enum {
     WIDTH = 75, ///< of a frame, not a multiple of a tile's side
     HEIGHT = 40,
     FRAMES = 5
 };
-
-static char folder[] = "/tmp/tanglefree-sheet-XXXXXX";
-static char sheet_path[64];
-
-static void enter_folder(void)
-{
-    ck_assert(mkdtemp(folder));
-    snprintf(sheet_path, sizeof sheet_path, "%s/sheet.png", folder);
-}
-
-static void leave_folder(void)
-{
-    remove(sheet_path);
-    ck_assert_int_eq(rmdir(folder), 0);
-}
 
 /// The color of a pixel of the i-th frame: a square moves over a pattern, and
 /// the last frame is the first one.
@@ -68,14 +54,14 @@ static void write_sheet(void)
         fill_frame(i, pixels);
         ck_assert(fig_sheet_add(sheet, pixels));
     }
-    ck_assert(fig_sheet_write(sheet, sheet_path));
+    ck_assert(fig_sheet_write(sheet, picture_path()));
     fig_sheet_free(sheet);
 }
 
 /// The text chunk of the sheet.  The caller frees it.
 static char *read_text(void)
 {
-    FILE *file = fopen(sheet_path, "rb");
+    FILE *file = fopen(picture_path(), "rb");
     ck_assert_ptr_nonnull(file);
     png_structp png =
         png_create_read_struct(PNG_LIBPNG_VER_STRING, NULL, NULL, NULL);
@@ -119,7 +105,7 @@ static unsigned pixel_of(cairo_surface_t *surface, int x, int y)
     return pixel & 0xffffff;
 }
 
-START_TEST(frames_come_back)
+START_TEST(frames_are_read_back_the_same)
 {
     write_sheet();
     char *text = read_text(), *at = text;
@@ -132,7 +118,8 @@ START_TEST(frames_come_back)
     ck_assert_int_eq(frames, FRAMES);
     int across = (width + side - 1) / side;
     int places = across * ((height + side - 1) / side);
-    cairo_surface_t *sheet = cairo_image_surface_create_from_png(sheet_path);
+    cairo_surface_t *sheet =
+        cairo_image_surface_create_from_png(picture_path());
     at = strchr(at, '\n') + 1;
     for (int i = 0; i < FRAMES; i++) {
         at = read_runs(at, places, tiles);
@@ -171,7 +158,7 @@ START_TEST(a_tile_is_kept_once)
 }
 END_TEST
 
-START_TEST(a_missing_folder_is_told)
+START_TEST(a_missing_folder_is_reported)
 {
     fig_sheet *sheet = fig_sheet_new(WIDTH, HEIGHT);
     ck_assert(!fig_sheet_write(sheet, "/tmp/no-such-folder/a.png"));
@@ -185,10 +172,11 @@ Suite *suite(void)
 {
     Suite *s = suite_create("draw/sheet");
     TCase *sheets = tcase_create("sheets");
-    tcase_add_checked_fixture(sheets, enter_folder, leave_folder);
-    tcase_add_test(sheets, frames_come_back);
+    tcase_add_checked_fixture(sheets, make_picture_folder,
+                              remove_picture_folder);
+    tcase_add_test(sheets, frames_are_read_back_the_same);
     tcase_add_test(sheets, a_tile_is_kept_once);
-    tcase_add_test(sheets, a_missing_folder_is_told);
+    tcase_add_test(sheets, a_missing_folder_is_reported);
     suite_add_tcase(s, sheets);
     return s;
 }

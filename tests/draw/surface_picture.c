@@ -1,30 +1,13 @@
-#define _GNU_SOURCE // mkdtemp
-
 #include "draw/surface_picture.h"
 
+#include "support/picture_folder.h"
 #include "support/support.h"
 #include "support/surface_of.h"
 #include "support/surfaces.h"
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
-
-static char folder[] = "/tmp/tanglefree-surface-XXXXXX", picture[64];
-
-static void enter_folder(void)
-{
-    ck_assert(mkdtemp(folder));
-    snprintf(picture, sizeof picture, "%s/picture.png", folder);
-}
-
-static void leave_folder(void)
-{
-    remove(picture);
-    ck_assert_int_eq(rmdir(folder), 0);
-}
 
 // A surface that is shown -----------------------------------------------------
 
@@ -99,7 +82,7 @@ static void expect_picture(const fig_shown_surface *shown, double t,
     FILE *numbers = fopen("/dev/null", "w");
     ck_assert_int_eq(fig_page_new(&options, &page), FIG_OK);
     drawing.draw(drawing.subject, page, numbers);
-    fig_status status = fig_page_write(page, picture);
+    fig_status status = fig_page_write(page, picture_path());
     ck_assert_msg(status == FIG_OK, "%s", fig_status_message(status));
     fig_page_free(page);
     fclose(numbers);
@@ -270,7 +253,7 @@ static void begin_square(trial *tried, int axis)
                              FIG_UP_Z));
 }
 
-START_TEST(squares_are_seen_and_fit_the_page)
+START_TEST(squares_are_drawn_and_fit_the_page)
 {
     static trial tried;
     for (int axis = 0; axis < 3; axis++) {
@@ -298,14 +281,15 @@ Suite *suite(void)
 {
     Suite *s = suite_create("draw/surface_picture");
     TCase *drawn = tcase_create("drawn");
-    tcase_add_checked_fixture(drawn, enter_folder, leave_folder);
+    tcase_add_checked_fixture(drawn, make_picture_folder,
+                              remove_picture_folder);
     tcase_add_test(drawn, any_surface_is_drawn);
     suite_add_tcase(s, drawn);
     TCase *parts = tcase_create("parts");
     tcase_add_test(parts, spots_are_on_both_elements);
     tcase_add_test(parts, intersections_are_on_both_elements);
     tcase_add_test(parts, elements_in_no_contact_are_not_marked);
-    tcase_add_test(parts, squares_are_seen_and_fit_the_page);
+    tcase_add_test(parts, squares_are_drawn_and_fit_the_page);
     suite_add_tcase(s, parts);
     return s;
 }

@@ -1,37 +1,12 @@
-#define _GNU_SOURCE // mkdtemp
-
-#include "kit/figures.h"
+#include "figures/pages.h"
+#include "support/picture_folder.h"
 #include "support/support.h"
 
 #include "renderer/box.h"
 
 #include <cairo.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
-
-static char folder[] = "/tmp/tanglefree-figures-XXXXXX", picture[64];
-
-static void enter_folder(void)
-{
-    ck_assert(mkdtemp(folder));
-    snprintf(picture, sizeof picture, "%s/picture.png", folder);
-}
-
-static void leave_folder(void)
-{
-    remove(picture);
-    ck_assert_int_eq(rmdir(folder), 0);
-}
-
-static int figure_count(void)
-{
-    int count = 0;
-    while (fig_figures[count])
-        count++;
-    return count;
-}
 
 // What is right about a page --------------------------------------------------
 
@@ -56,7 +31,8 @@ static void expect_labels(const fig_figure *figure, const fig_page *page)
 /// Expect that some pixels differ from the one in the corner.
 static void expect_drawn(const fig_figure *figure, int width, int height)
 {
-    cairo_surface_t *surface = cairo_image_surface_create_from_png(picture);
+    cairo_surface_t *surface =
+        cairo_image_surface_create_from_png(picture_path());
     ck_assert_int_eq(cairo_image_surface_get_width(surface), width);
     ck_assert_int_eq(cairo_image_surface_get_height(surface), height);
     const unsigned char *row = cairo_image_surface_get_data(surface),
@@ -76,22 +52,15 @@ static void expect_drawn(const fig_figure *figure, int width, int height)
 static void expect_figure(const fig_figure *figure, int width, int height,
                           const fig_theme *theme)
 {
-    fig_page_options options = {.width = figure->width,
-                                .height = figure->height,
-                                .pixels_x = width,
-                                .pixels_y = height,
-                                .theme = theme};
-    fig_page *page;
-    FILE *numbers = fopen("/dev/null", "w");
-    ck_assert_int_eq(fig_page_new(&options, &page), FIG_OK);
-    figure->draw(page, numbers);
-    fig_status status = fig_page_write(page, picture);
+    fig_page_options options = {
+        .pixels_x = width, .pixels_y = height, .theme = theme};
+    fig_page *page = draw_figure(figure, options, NULL);
+    fig_status status = fig_page_write(page, picture_path());
     ck_assert_msg(status == FIG_OK, "%s: %s", figure->name,
                   fig_status_message(status));
     expect_labels(figure, page);
     expect_drawn(figure, width, height);
     fig_page_free(page);
-    fclose(numbers);
 }
 
 // Tests -----------------------------------------------------------------------
@@ -109,24 +78,18 @@ END_TEST
 /// Where a figure's labels are, all added up, when it is turned.
 static double place_labels(const fig_figure *figure, double azimuth)
 {
-    fig_page_options options = {.width = figure->width,
-                                .height = figure->height,
-                                .pixels_x = 120,
+    fig_page_options options = {.pixels_x = 120,
                                 .pixels_y = 120,
                                 .turned = true,
                                 .azimuth = azimuth,
                                 .elevation = 22};
-    fig_page *page;
-    FILE *numbers = fopen("/dev/null", "w");
-    ck_assert_int_eq(fig_page_new(&options, &page), FIG_OK);
-    figure->draw(page, numbers);
-    ck_assert_int_eq(fig_page_write(page, picture), FIG_OK);
+    fig_page *page = draw_figure(figure, options, NULL);
+    ck_assert_int_eq(fig_page_write(page, picture_path()), FIG_OK);
     expect_labels(figure, page);
     double sum = 0;
     for (int i = 0; i < fig_page_labels(page); i++)
         sum += fig_page_placed(page, i).box.x;
     fig_page_free(page);
-    fclose(numbers);
     return sum;
 }
 
@@ -150,7 +113,8 @@ START_TEST(layers_stay_on_the_page)
 {
     int width = 768, height = (int)(768 * fig_layers.height / fig_layers.width);
     expect_figure(&fig_layers, width, height, &fig_theme_light);
-    cairo_surface_t *surface = cairo_image_surface_create_from_png(picture);
+    cairo_surface_t *surface =
+        cairo_image_surface_create_from_png(picture_path());
     const unsigned char *data = cairo_image_surface_get_data(surface);
     int stride = cairo_image_surface_get_stride(surface);
     for (int i = 0; i < width * height; i++) {
@@ -177,14 +141,13 @@ Suite *suite(void)
 {
     Suite *s = suite_create("figures/all");
     TCase *drawn = tcase_create("drawn");
-    tcase_add_checked_fixture(drawn, enter_folder, leave_folder);
+    tcase_add_checked_fixture(drawn, make_picture_folder,
+                              remove_picture_folder);
     tcase_add_loop_test(drawn, figure_is_drawn_at_any_size_in_either_theme, 0,
-                        figure_count());
+                        count_figures());
     tcase_add_test(drawn, solids_turn);
     tcase_add_test(drawn, layers_stay_on_the_page);
     suite_add_tcase(s, drawn);
-    TCase *table = tcase_create("table");
-    tcase_add_test(table, names_find_figures);
-    suite_add_tcase(s, table);
+    tcase_add_test(drawn, names_find_figures);
     return s;
 }

@@ -1,54 +1,33 @@
 // The figures that move: what is the same in all frames, and the time.
-#define _GNU_SOURCE // mkdtemp
+#define _POSIX_C_SOURCE 200809L // open_memstream
+
 #include "kit/film.h"
-#include "kit/figures.h"
+#include "figures/pages.h"
 #include "support/support.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 enum {
-    TIMES = 9
+    TIMES = 9,
+    WIDTH = 48,
+    HEIGHT = 36
 };
 
-static char folder[] = "/tmp/tanglefree-film-XXXXXX", picture[64];
-
-static void enter_folder(void)
+static fig_page_options options_at(double t)
 {
-    ck_assert(mkdtemp(folder));
-    snprintf(picture, sizeof picture, "%s/picture.png", folder);
-}
-
-static void leave_folder(void)
-{
-    remove(picture);
-    ck_assert_int_eq(rmdir(folder), 0);
-}
-
-static fig_page *new_page(const fig_figure *figure, double t)
-{
-    fig_page_options options = {.width = figure->width,
-                                .height = figure->height,
-                                .pixels_x = 48,
-                                .pixels_y = 36,
-                                .moves = true,
-                                .time = t};
-    fig_page *page;
-    ck_assert_int_eq(fig_page_new(&options, &page), FIG_OK);
-    return page;
+    return (fig_page_options){
+        .pixels_x = WIDTH, .pixels_y = HEIGHT, .moves = true, .time = t};
 }
 
 /// A frame, of which labels have their places.
 static fig_page *draw_frame(const fig_figure *figure, double t)
 {
-    FILE *numbers = fopen("/dev/null", "w");
-    fig_page *page = new_page(figure, t);
-    figure->draw(page, numbers);
-    ck_assert_int_eq(fig_page_write(page, picture), FIG_OK);
-    fclose(numbers);
+    uint32_t pixels[WIDTH * HEIGHT];
+    fig_page *page = draw_figure(figure, options_at(t), NULL);
+    ck_assert_int_eq(fig_page_paint(page, pixels), FIG_OK);
     return page;
 }
 
@@ -91,7 +70,7 @@ START_TEST(one_frame_is_at_the_event)
     int hits = 0;
     for (int i = 0; i < FIG_FILM_FRAMES; i++) {
         double t = i / (FIG_FILM_FRAMES - 1.0);
-        fig_page *page = new_page(fig_figures[0], t);
+        fig_page *page = draw_figure(fig_figures[0], options_at(t), NULL);
         double shown = fig_film_time(page, numbers, 0.5, event);
         ck_assert_msg(shown == t || shown == event, "%g for %g", shown, t);
         ck_assert_double_le(fabs(shown - t), 0.5 / (FIG_FILM_FRAMES - 1));
@@ -107,13 +86,9 @@ END_TEST
 
 Suite *suite(void)
 {
-    int count = 0;
-    while (fig_figures[count])
-        count++;
     Suite *s = suite_create("figures/film");
     TCase *films = tcase_create("films");
-    tcase_add_checked_fixture(films, enter_folder, leave_folder);
-    tcase_add_loop_test(films, labels_do_not_jump, 0, count);
+    tcase_add_loop_test(films, labels_do_not_jump, 0, count_figures());
     tcase_add_test(films, one_frame_is_at_the_event);
     suite_add_tcase(s, films);
     return s;

@@ -38,9 +38,8 @@ bool has_number(const char *key, ...);
 void expect(double expected, const char *key, ...);
 void expect_within(double tolerance, double expected, const char *key, ...);
 
-/// The value of a row of figures/measured: "library: six estimates" is that of
-/// the name "six estimates" in library.csv.
-double measured(const char *row, ...);
+/// The value of a row of a file in figures/measured, without ending.
+double measured(const char *file, const char *row, ...);
 
 /// Moving vertices by their coordinates, of each first those at t = 0.
 void make_vertices(int axes, int count, const double coordinate[],

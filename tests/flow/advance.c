@@ -40,13 +40,14 @@ static void turn(void *context, double time, int points, const double point[],
     }
 }
 
-START_TEST(a_sphere_turns)
+START_TEST(vertices_follow_the_velocity)
 {
     tf_adaptive_surface *sphere = adaptive_sphere(4, origin, 1);
-    const double first[] = {place_of(sphere, 0)[0], place_of(sphere, 0)[1]};
+    const double first[] = {coordinates_of(sphere, 0)[0],
+                            coordinates_of(sphere, 0)[1]};
     tf_response_report report;
     ck_assert_int_eq(advance(sphere, turn, 1.0 / 8, false, &report), TF_OK);
-    const double *now = place_of(sphere, 0);
+    const double *now = coordinates_of(sphere, 0);
     ck_assert_double_eq_tol(now[0], (first[0] - first[1]) * sqrt(0.5), 4e-3);
     ck_assert_double_eq_tol(now[1], (first[0] + first[1]) * sqrt(0.5), 4e-3);
     ck_assert_uint_eq(report.contacts, 0);
@@ -54,15 +55,15 @@ START_TEST(a_sphere_turns)
 }
 END_TEST
 
-START_TEST(a_sphere_turns_back)
+START_TEST(a_step_back_in_time_returns_to_the_start)
 {
     tf_adaptive_surface *sphere = adaptive_sphere(4, origin, 1);
     double before[3];
-    memcpy(before, place_of(sphere, 5), sizeof before);
+    memcpy(before, coordinates_of(sphere, 5), sizeof before);
     ck_assert_int_eq(advance(sphere, turn, 1.0 / 32, false, NULL), TF_OK);
     ck_assert_int_eq(advance(sphere, turn, -1.0 / 32, false, NULL), TF_OK);
     for (int k = 0; k < 3; k++)
-        ck_assert_double_eq_tol(place_of(sphere, 5)[k], before[k], 1e-4);
+        ck_assert_double_eq_tol(coordinates_of(sphere, 5)[k], before[k], 1e-4);
     tf_adaptive_free(sphere);
 }
 END_TEST
@@ -81,7 +82,7 @@ START_TEST(normals_and_times_are_those_of_the_stages)
     tf_adaptive_surface *surface = adaptive_tetrahedron();
     ck_assert_int_eq(advance(surface, grow, 0.5, false, NULL), TF_OK);
     for (int i = 0; i < 12; i++)
-        ck_assert_double_eq_tol(fabs(place_of(surface, 0)[i]),
+        ck_assert_double_eq_tol(fabs(coordinates_of(surface, 0)[i]),
                                 1 + 0.75 * sqrt(1.0 / 3), 1e-15);
     tf_adaptive_free(surface);
 }
@@ -147,7 +148,7 @@ static tf_adaptive_surface *two_tetrahedra(void)
     return adaptive_of(8, position, 8, triangle);
 }
 
-START_TEST(what_is_in_the_way_stays_there)
+START_TEST(nothing_passes_through_what_is_in_the_way)
 {
     tf_adaptive_surface *surface = two_tetrahedra();
     tf_response_report report;
@@ -165,7 +166,7 @@ START_TEST(an_isolated_triangle_stays)
     static double position[][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     tf_adaptive_surface *surface = adaptive_of(3, position, 1, triangle);
     ck_assert_int_eq(advance(surface, collide, 1, false, NULL), TF_OK);
-    ck_assert_mem_eq(place_of(surface, 0), position, sizeof position);
+    ck_assert_mem_eq(coordinates_of(surface, 0), position, sizeof position);
     tf_adaptive_free(surface);
 }
 END_TEST
@@ -183,9 +184,9 @@ START_TEST(a_velocity_that_is_no_number_moves_nothing)
 {
     tf_adaptive_surface *surface = adaptive_tetrahedron();
     double before[12];
-    memcpy(before, place_of(surface, 0), sizeof before);
+    memcpy(before, coordinates_of(surface, 0), sizeof before);
     ck_assert_int_eq(advance(surface, explode, 1, false, NULL), TF_NOT_FINITE);
-    ck_assert_mem_eq(place_of(surface, 0), before, sizeof before);
+    ck_assert_mem_eq(coordinates_of(surface, 0), before, sizeof before);
     tf_adaptive_free(surface);
 }
 END_TEST
@@ -194,13 +195,13 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("flow/advance");
     TCase *tcase = tcase_create("fields");
-    tcase_add_test(tcase, a_sphere_turns);
-    tcase_add_test(tcase, a_sphere_turns_back);
+    tcase_add_test(tcase, vertices_follow_the_velocity);
+    tcase_add_test(tcase, a_step_back_in_time_returns_to_the_start);
     tcase_add_test(tcase, normals_and_times_are_those_of_the_stages);
     tcase_add_test(tcase, what_chords_lose_is_restored);
     suite_add_tcase(suite, tcase);
     tcase = tcase_create("obstacles");
-    tcase_add_test(tcase, what_is_in_the_way_stays_there);
+    tcase_add_test(tcase, nothing_passes_through_what_is_in_the_way);
     tcase_add_test(tcase, an_isolated_triangle_stays);
     tcase_add_test(tcase, a_velocity_that_is_no_number_moves_nothing);
     suite_add_tcase(suite, tcase);

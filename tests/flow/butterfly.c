@@ -23,7 +23,7 @@ END_TEST
 
 // It is nearer to the sphere than the middle of the edge, except around the
 // six vertices that have four triangles.
-START_TEST(a_sphere_curves_on)
+START_TEST(butterfly_points_of_a_sphere_are_nearer_to_it)
 {
     static const double origin[3];
     tf_adaptive_surface *sphere = adaptive_sphere(8, origin, 1);
@@ -45,7 +45,7 @@ Suite *suite(void)
     Suite *suite = suite_create("flow/butterfly");
     TCase *tcase = tcase_create("points");
     tcase_add_test(tcase, flat_triangles_are_split_in_the_middle);
-    tcase_add_test(tcase, a_sphere_curves_on);
+    tcase_add_test(tcase, butterfly_points_of_a_sphere_are_nearer_to_it);
     suite_add_tcase(suite, tcase);
     return suite;
 }

@@ -32,7 +32,7 @@ static double radius_error(const tf_adaptive_surface *surface)
 {
     double sum = 0;
     for (int v = 0; v < surface->vertices; v++) {
-        const double *x = place_of(surface, v);
+        const double *x = coordinates_of(surface, v);
         double error =
             hypot(hypot(x[0] - center[0], x[1] - center[1]), x[2] - center[2]) -
             radius;
@@ -43,7 +43,7 @@ static double radius_error(const tf_adaptive_surface *surface)
 
 // There and back --------------------------------------------------------------
 
-START_TEST(vortices_lose_nothing)
+START_TEST(a_ball_returns_from_vortices_with_its_volume)
 {
     tf_adaptive_surface *surface = adaptive_sphere(12, center, radius);
     tf_flow *flow = flow_of(surface);
@@ -94,7 +94,7 @@ static void expect_same(const tf_adaptive_surface *one,
 {
     ck_assert_int_eq(one->vertices, two->vertices);
     ck_assert_int_eq(one->triangles, two->triangles);
-    ck_assert_mem_eq(place_of(one, 0), place_of(two, 0),
+    ck_assert_mem_eq(coordinates_of(one, 0), coordinates_of(two, 0),
                      3 * sizeof(double) * (size_t)one->vertices);
     ck_assert_mem_eq(tf_adaptive_mesh(one).triangle,
                      tf_adaptive_mesh(two).triangle,
@@ -181,7 +181,7 @@ static tf_adaptive_surface *two_spheres(void)
     tf_mesh mesh = tf_adaptive_mesh(one);
     for (int v = 0; v < mesh.vertices; v++)
         for (int k = 0; k < 3; k++) {
-            double x = place_of(one, v)[k];
+            double x = coordinates_of(one, v)[k];
             position[v][k] = x;
             position[mesh.vertices + v][k] = x + (k == 0 ? 2.4 : 0);
         }
@@ -221,7 +221,7 @@ START_TEST(spheres_that_meet_merge_if_they_may)
 }
 END_TEST
 
-START_TEST(what_is_small_vanishes)
+START_TEST(small_components_vanish)
 {
     tf_adaptive_surface *surface = adaptive_tetrahedron();
     tf_flow *flow = flow_of(surface);
@@ -294,14 +294,14 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("flow/flow");
     TCase *tcase = tcase_create("there and back");
-    tcase_add_test(tcase, vortices_lose_nothing);
+    tcase_add_test(tcase, a_ball_returns_from_vortices_with_its_volume);
     tcase_add_test(tcase, workers_change_no_bit);
     tcase_add_test(tcase, a_flow_remembers_nothing_of_its_steps);
     tcase_add_test(tcase, a_step_is_its_parts);
     suite_add_tcase(suite, tcase);
     tcase = tcase_create("topology");
     tcase_add_test(tcase, spheres_that_meet_merge_if_they_may);
-    tcase_add_test(tcase, what_is_small_vanishes);
+    tcase_add_test(tcase, small_components_vanish);
     suite_add_tcase(suite, tcase);
     tcase = tcase_create("arguments");
     tcase_add_test(tcase, bad_lengths_are_refused);

@@ -4,7 +4,7 @@
 
 #include <signal.h>
 
-START_TEST(worldline_joins_two_positions)
+START_TEST(a_worldline_joins_two_positions)
 {
     tf_worldline line =
         tf_worldline_between(3, (double[]){1, 2, 3}, (double[]){4, 5, 6});
@@ -16,7 +16,7 @@ START_TEST(worldline_joins_two_positions)
 }
 END_TEST
 
-START_TEST(worldline_of_the_plane_reads_two_coordinates)
+START_TEST(a_worldline_of_the_plane_reads_two_coordinates)
 {
     double start[2] = {1, 2}, end[2] = {4, 5};
     tf_worldline line = tf_worldline_between(2, start, end);
@@ -38,8 +38,8 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("geometry/event");
     TCase *tcase = tcase_create("worldline");
-    tcase_add_test(tcase, worldline_joins_two_positions);
-    tcase_add_test(tcase, worldline_of_the_plane_reads_two_coordinates);
+    tcase_add_test(tcase, a_worldline_joins_two_positions);
+    tcase_add_test(tcase, a_worldline_of_the_plane_reads_two_coordinates);
     tcase_add_test_raise_signal(tcase, four_axes_break_the_contract, SIGABRT);
     suite_add_tcase(suite, tcase);
     return suite;

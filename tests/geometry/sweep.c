@@ -17,7 +17,7 @@ static void make_element(int vertices, tf_worldline element[])
             tf_worldline_between(3, (double[]){v, 0, 0}, (double[]){v, 10, 0});
 }
 
-START_TEST(sweep_is_the_staircase)
+START_TEST(a_sweep_is_the_staircase)
 {
     tf_worldline element[MOST];
     tf_simplex sweep[MOST];
@@ -71,7 +71,7 @@ static void expect_faces_of_edge(const tf_worldline triangle[3], int a, int b)
                       "edge %d %d, simplex %d", a, b, s);
 }
 
-START_TEST(neighbours_share_their_faces)
+START_TEST(sweeps_of_neighbors_share_their_faces)
 {
     tf_worldline triangle[3];
     make_element(3, triangle);
@@ -103,8 +103,8 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("geometry/sweep");
     TCase *tcase = tcase_create("sweep");
-    tcase_add_loop_test(tcase, sweep_is_the_staircase, 1, MOST + 1);
-    tcase_add_test(tcase, neighbours_share_their_faces);
+    tcase_add_loop_test(tcase, a_sweep_is_the_staircase, 1, MOST + 1);
+    tcase_add_test(tcase, sweeps_of_neighbors_share_their_faces);
     tcase_add_test_raise_signal(tcase, four_vertices_break_the_contract,
                                 SIGABRT);
     tcase_add_test_raise_signal(tcase, no_vertices_break_the_contract, SIGABRT);

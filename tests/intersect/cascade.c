@@ -152,7 +152,7 @@ static void expect_good_projection(tf_sign sign(const tf_differences *),
                       found.barycentric[1 + k]);
 }
 
-START_TEST(the_coordinates_are_those_that_fit_best)
+START_TEST(the_projection_that_fits_best_gives_the_coordinates)
 {
     good_axis = _i;
     turns_axes = true;
@@ -246,7 +246,7 @@ static tf_intersection from(int which, tf_intersection found)
     return found;
 }
 
-START_TEST(earlier_intersection_keeps_what_is_certain)
+START_TEST(the_earlier_intersection_keeps_all_that_is_certain)
 {
     tf_intersection apart = tf_intersection_apart;
     expect_earlier(apart, apart, apart);
@@ -269,7 +269,7 @@ START_TEST(earlier_intersection_keeps_what_is_certain)
 }
 END_TEST
 
-START_TEST(static_pair_breaks_the_contract)
+START_TEST(a_static_pair_breaks_the_contract)
 {
     own_pair own = {.event = {{.t = 0}}};
     shape_static(&own, 3, 1, 3);
@@ -285,13 +285,13 @@ Suite *suite(void)
     tcase_add_loop_test(tcase, small_plane_pairs_meet_as_the_oracle_says, 0, 2);
     tcase_add_loop_test(tcase, degenerate_pairs_meet_as_the_oracle_says, 0,
                         SHAPES);
-    tcase_add_loop_test(tcase, the_coordinates_are_those_that_fit_best, 0,
-                        TF_AXES);
+    tcase_add_loop_test(
+        tcase, the_projection_that_fits_best_gives_the_coordinates, 0, TF_AXES);
     tcase_add_loop_test(tcase, a_unique_intersection_needs_no_other_projection,
                         0, TF_AXES);
     tcase_add_loop_test(tcase, a_flat_axis_comes_first, 2, SHAPES);
-    tcase_add_test(tcase, earlier_intersection_keeps_what_is_certain);
-    tcase_add_test_raise_signal(tcase, static_pair_breaks_the_contract,
+    tcase_add_test(tcase, the_earlier_intersection_keeps_all_that_is_certain);
+    tcase_add_test_raise_signal(tcase, a_static_pair_breaks_the_contract,
                                 SIGABRT);
     suite_add_tcase(suite, tcase);
     return suite;

@@ -103,7 +103,7 @@ static bool flat(const own_pair *own)
     return rank_of(row, own->pair.count, axes + 2) < axes + 2;
 }
 
-START_TEST(signs_tell_nothing_only_in_a_hyperplane)
+START_TEST(signs_decide_outside_a_hyperplane)
 {
     generator random = generator_new((uint64_t)(20 + _i));
     own_pair own = {.event = {{.t = 0}}};
@@ -149,7 +149,7 @@ static void expect_fall(double x, tf_verdict verdict,
     ck_assert_double_ge(found.toi_hi, 0.5);
 }
 
-START_TEST(falling_point_meets_the_edge)
+START_TEST(a_falling_point_meets_the_edge)
 {
     // At t = 1/2 this simplex is the segment from (0,0) to (1,0).
     expect_fall(0.25, TF_HIT, TF_GENERIC);
@@ -187,7 +187,7 @@ static tf_intersection fall_with(tf_sign sign(const tf_differences *), double x)
     return found;
 }
 
-START_TEST(unknown_signs_touch)
+START_TEST(unknown_signs_are_classified_as_touching)
 {
     tf_intersection found = fall_with(nonzero_sign, 0);
     ck_assert_int_eq(found.verdict, TF_UNDECIDED);
@@ -223,7 +223,7 @@ static tf_value counted_value(const tf_differences *differences)
     return oracle_arithmetic.value(differences);
 }
 
-START_TEST(what_is_described_is_not_described_again)
+START_TEST(an_intersection_is_described_once)
 {
     own_pair own;
     make_falling_point(&own, 0.25);
@@ -263,13 +263,12 @@ Suite *suite(void)
     TCase *tcase = tcase_create("complementary");
     tcase_add_loop_test(tcase, moving_pairs_meet_as_the_oracle_says, 0, SHAPES);
     tcase_add_loop_test(tcase, static_pairs_meet_as_the_oracle_says, 0, 2);
-    tcase_add_loop_test(tcase, signs_tell_nothing_only_in_a_hyperplane, 0,
-                        SHAPES);
-    tcase_add_test(tcase, falling_point_meets_the_edge);
-    tcase_add_test(tcase, unknown_signs_touch);
+    tcase_add_loop_test(tcase, signs_decide_outside_a_hyperplane, 0, SHAPES);
+    tcase_add_test(tcase, a_falling_point_meets_the_edge);
+    tcase_add_test(tcase, unknown_signs_are_classified_as_touching);
     tcase_add_test(tcase, without_any_sign_a_moving_pair_may_meet_at_any_time);
     tcase_add_test(tcase, an_axis_separates_without_any_sign);
-    tcase_add_test(tcase, what_is_described_is_not_described_again);
+    tcase_add_test(tcase, an_intersection_is_described_once);
     tcase_add_test(tcase,
                    without_any_sign_a_static_pair_still_meets_at_the_start);
     suite_add_tcase(suite, tcase);

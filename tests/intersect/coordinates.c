@@ -126,7 +126,7 @@ START_TEST(a_radius_widens_a_coordinate_but_not_below_zero)
 }
 END_TEST
 
-START_TEST(what_is_not_known_may_be_anything)
+START_TEST(unknown_coordinates_may_be_anything)
 {
     static const tf_value unknown[] = {
         {.number = NAN}, {.number = INFINITY}, {.number = 1, .radius = NAN}};
@@ -203,7 +203,7 @@ Suite *suite(void)
     tcase_add_loop_test(tcase, coordinates_are_the_determinants_up_to_a_factor,
                         0, SHAPES);
     tcase_add_test(tcase, a_radius_widens_a_coordinate_but_not_below_zero);
-    tcase_add_loop_test(tcase, what_is_not_known_may_be_anything, 0, 3);
+    tcase_add_loop_test(tcase, unknown_coordinates_may_be_anything, 0, 3);
     tcase_add_test(tcase, only_a_certain_zero_is_zero);
     tcase_add_test(tcase, middles_are_divided_by_their_sum);
     tcase_add_test(tcase, small_middles_are_divided_by_their_sum);

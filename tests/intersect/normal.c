@@ -110,14 +110,14 @@ START_TEST(edges_of_any_length_have_a_normal)
 }
 END_TEST
 
-START_TEST(an_edge_of_no_length_has_none)
+START_TEST(an_edge_of_no_length_has_no_normal)
 {
     tf_vector n = normal_of_edge(&oracle_arithmetic, 0, 0);
     ck_assert_double_eq(tf_vector_dot(n, n), 0);
 }
 END_TEST
 
-START_TEST(what_overflows_has_none)
+START_TEST(products_that_overflow_leave_no_normal)
 {
     query q = query_new(POINT_EDGE);
     for (int t = 0; t < 2; t++) {
@@ -148,7 +148,7 @@ static tf_vector normal_of_edges(const tf_arithmetic *arithmetic,
     return tf_contact_normal(arithmetic, 3, &swept.s[0], &swept.r[0]);
 }
 
-START_TEST(a_component_of_infinite_radius_leaves_none)
+START_TEST(a_component_of_infinite_radius_leaves_no_normal)
 {
     // The products are finite, the sum of their absolute values is not.
     static const double a[] = {1.2e154, 1.1e154, 0},
@@ -194,9 +194,9 @@ Suite *suite(void)
     tcase_add_loop_test(
         tcase, the_normal_is_the_cross_product_of_horizontal_edges, 0, KINDS);
     tcase_add_test(tcase, edges_of_any_length_have_a_normal);
-    tcase_add_test(tcase, an_edge_of_no_length_has_none);
-    tcase_add_test(tcase, what_overflows_has_none);
-    tcase_add_test(tcase, a_component_of_infinite_radius_leaves_none);
+    tcase_add_test(tcase, an_edge_of_no_length_has_no_normal);
+    tcase_add_test(tcase, products_that_overflow_leave_no_normal);
+    tcase_add_test(tcase, a_component_of_infinite_radius_leaves_no_normal);
     tcase_add_test(tcase, a_radius_shortens_no_normal);
     tcase_add_test(tcase, a_normal_that_is_hardly_known_has_length_1);
     suite_add_tcase(suite, tcase);

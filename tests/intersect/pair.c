@@ -19,7 +19,7 @@ START_TEST(differences_are_taken_within_each_time)
 }
 END_TEST
 
-START_TEST(pair_sorts_events_by_time)
+START_TEST(a_pair_sorts_events_by_time)
 {
     tf_worldline vertex[4] = {{.at = {{.t = 0}, {.t = 1}}}};
     for (int i = 1; i < 4; i++)
@@ -38,7 +38,7 @@ START_TEST(pair_sorts_events_by_time)
 }
 END_TEST
 
-START_TEST(pair_that_is_not_complementary_breaks_the_contract)
+START_TEST(a_pair_that_is_not_complementary_breaks_the_contract)
 {
     tf_worldline vertex = {.at = {{.t = 0}, {.t = 1}}};
     tf_simplex s[1];
@@ -52,9 +52,9 @@ Suite *suite(void)
     Suite *suite = suite_create("intersect/pair");
     TCase *tcase = tcase_create("pair");
     tcase_add_test(tcase, differences_are_taken_within_each_time);
-    tcase_add_test(tcase, pair_sorts_events_by_time);
+    tcase_add_test(tcase, a_pair_sorts_events_by_time);
     tcase_add_test_raise_signal(
-        tcase, pair_that_is_not_complementary_breaks_the_contract, SIGABRT);
+        tcase, a_pair_that_is_not_complementary_breaks_the_contract, SIGABRT);
     suite_add_tcase(suite, tcase);
     return suite;
 }

@@ -197,7 +197,7 @@ static void flatten(query *q, int axis)
             *query_coordinate(q, i) = 0;
 }
 
-START_TEST(touching_is_not_separated_but_one_last_place_is)
+START_TEST(touching_elements_are_not_separated_one_ulp_apart_they_are)
 {
     generator random = generator_new((uint64_t)(30 + _i));
     for (long i = 0; i < cases(2000); i++) {
@@ -243,7 +243,8 @@ Suite *suite(void)
     TCase *elements = tcase_create("elements");
     tcase_add_loop_test(elements, separated_elements_are_apart, 0, KINDS);
     tcase_add_loop_test(
-        elements, touching_is_not_separated_but_one_last_place_is, 0, KINDS);
+        elements, touching_elements_are_not_separated_one_ulp_apart_they_are, 0,
+        KINDS);
     tcase_add_test(elements, elements_that_change_sides_are_not_separated);
     suite_add_tcase(suite, elements);
     return suite;

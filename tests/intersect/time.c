@@ -45,7 +45,7 @@ static int compare(double t, double a, double b)
     return order;
 }
 
-START_TEST(the_time_is_the_share_of_the_end)
+START_TEST(the_time_is_the_share_of_the_events_at_the_end)
 {
     generator random = generator_new(1);
     for (long i = 0; i < cases(50000); i++) {
@@ -93,7 +93,7 @@ START_TEST(the_ends_of_the_step_are_exact)
 }
 END_TEST
 
-START_TEST(what_is_not_known_takes_the_whole_step)
+START_TEST(unknown_coordinates_leave_the_whole_step)
 {
     expect_time(time_of(0, INFINITY, 0, INFINITY), 0, 1);
     expect_time(time_of(0, 1, 0, 1), 0, 1);
@@ -106,10 +106,10 @@ Suite *suite(void)
     Suite *suite = suite_create("intersect/time");
     TCase *tcase = tcase_create("time");
     tcase_add_loop_test(tcase, the_smaller_operand_has_fewer_events, 0, SHAPES);
-    tcase_add_test(tcase, the_time_is_the_share_of_the_end);
+    tcase_add_test(tcase, the_time_is_the_share_of_the_events_at_the_end);
     tcase_add_test(tcase, the_time_holds_all_shares_of_wide_coordinates);
     tcase_add_test(tcase, the_ends_of_the_step_are_exact);
-    tcase_add_test(tcase, what_is_not_known_takes_the_whole_step);
+    tcase_add_test(tcase, unknown_coordinates_leave_the_whole_step);
     suite_add_tcase(suite, tcase);
     return suite;
 }

@@ -14,7 +14,7 @@ static tf_vector velocity_of(const query *q, int i, int j)
     return tf_relative_velocity(q->axes, &s[i], &r[j]);
 }
 
-START_TEST(the_velocity_is_that_of_the_pivots)
+START_TEST(the_velocity_is_the_difference_of_the_pivots_displacements)
 {
     generator random = generator_new((uint64_t)_i);
     for (long c = 0; c < cases(2000); c++) {
@@ -92,7 +92,9 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("intersect/velocity");
     TCase *tcase = tcase_create("velocity");
-    tcase_add_loop_test(tcase, the_velocity_is_that_of_the_pivots, 0, KINDS);
+    tcase_add_loop_test(
+        tcase, the_velocity_is_the_difference_of_the_pivots_displacements, 0,
+        KINDS);
     tcase_add_test(tcase, a_velocity_saturates_only_where_it_overflows);
     tcase_add_test(tcase, a_normal_velocity_is_a_dot_product);
     tcase_add_test(tcase, a_normal_velocity_saturates_only_where_it_overflows);

@@ -14,7 +14,7 @@ static void use_kind(int i)
     kind = (query_kind)i;
 }
 
-START_TEST(falls_end_near_the_contact)
+START_TEST(advancement_ends_near_the_contact)
 {
     use_kind(_i);
     query q = scene_hit(kind);
@@ -35,7 +35,7 @@ START_TEST(falls_end_near_the_contact)
 }
 END_TEST
 
-START_TEST(what_all_vertices_share_costs_no_step)
+START_TEST(a_shared_translation_costs_no_step)
 {
     // The whole scene flies off; the point falls at the same speed as before.
     query q = scene_hit(POINT_TRIANGLE);
@@ -57,7 +57,7 @@ static query any_query(generator *random)
                             : query_lattice(random, kind, 8);
 }
 
-START_TEST(it_is_conservative)
+START_TEST(advancement_never_passes_the_contact)
 {
     use_kind(_i);
     generator random = generator_new((uint64_t)_i);
@@ -78,7 +78,7 @@ START_TEST(it_is_conservative)
 }
 END_TEST
 
-START_TEST(extremes_are_answered)
+START_TEST(extreme_coordinates_give_finite_contacts)
 {
     use_kind(_i);
     generator random = generator_new(10 + (uint64_t)_i);
@@ -94,7 +94,7 @@ START_TEST(extremes_are_answered)
 }
 END_TEST
 
-START_TEST(steps_are_limited)
+START_TEST(the_limit_of_steps_is_kept)
 {
     query q = scene_hit(POINT_TRIANGLE);
     q.vertex[3].at[1].x[1] = 8; // the bound is not the speed any more
@@ -152,11 +152,11 @@ Suite *suite(void)
 {
     Suite *s = suite_create("linear/additive");
     TCase *c = tcase_create("additive advancement");
-    tcase_add_loop_test(c, falls_end_near_the_contact, 0, KINDS);
-    tcase_add_test(c, what_all_vertices_share_costs_no_step);
-    tcase_add_loop_test(c, it_is_conservative, 0, KINDS);
-    tcase_add_loop_test(c, extremes_are_answered, 0, KINDS);
-    tcase_add_test(c, steps_are_limited);
+    tcase_add_loop_test(c, advancement_ends_near_the_contact, 0, KINDS);
+    tcase_add_test(c, a_shared_translation_costs_no_step);
+    tcase_add_loop_test(c, advancement_never_passes_the_contact, 0, KINDS);
+    tcase_add_loop_test(c, extreme_coordinates_give_finite_contacts, 0, KINDS);
+    tcase_add_test(c, the_limit_of_steps_is_kept);
     tcase_add_loop_test(c, bad_limits_are_refused, 0, KINDS);
     suite_add_tcase(s, c);
     suite_add_tcase(s, statuses_case_of_doubles("point-edge", use_point_edge));

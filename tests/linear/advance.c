@@ -51,7 +51,7 @@ START_TEST(a_true_bound_needs_one_step)
 }
 END_TEST
 
-START_TEST(a_loose_bound_needs_more)
+START_TEST(a_loose_bound_needs_more_steps)
 {
     int last = 1;
     for (double threshold = 0.1; threshold > 1e-12; threshold /= 10) {
@@ -66,7 +66,7 @@ START_TEST(a_loose_bound_needs_more)
 }
 END_TEST
 
-START_TEST(a_fraction_of_the_distance_is_a_target)
+START_TEST(a_fraction_of_the_distance_is_the_target)
 {
     tf_advancement at =
         advance((tf_advance_limits){.fraction = 0.5}, (fall){1, 2, 2});
@@ -79,7 +79,7 @@ START_TEST(a_fraction_of_the_distance_is_a_target)
 }
 END_TEST
 
-START_TEST(what_cannot_meet_is_apart)
+START_TEST(elements_that_never_come_near_are_apart)
 {
     tf_advance_limits limits = {.threshold = 0.01};
     tf_advancement at = advance(limits, (fall){1, 0.5, 0.5});
@@ -91,7 +91,7 @@ START_TEST(what_cannot_meet_is_apart)
 }
 END_TEST
 
-START_TEST(steps_are_limited)
+START_TEST(the_limit_of_steps_is_kept)
 {
     tf_advance_limits limits = {.threshold = 1e-9, .steps = 3};
     tf_advancement at = advance(limits, (fall){1, 2, 4});
@@ -105,7 +105,7 @@ START_TEST(steps_are_limited)
 }
 END_TEST
 
-START_TEST(steps_too_small_to_count_end_it)
+START_TEST(advancement_ends_when_a_step_adds_nothing_to_the_time)
 {
     // No target: the distance halves until a step changes no time.
     for (int i = 1; i < 100; i++) {
@@ -119,7 +119,7 @@ START_TEST(steps_too_small_to_count_end_it)
 }
 END_TEST
 
-START_TEST(overflow_decides_nothing)
+START_TEST(overflow_is_undecided)
 {
     tf_advance_limits limits = {.threshold = 1};
     tf_advancement at = advance(limits, (fall){1e200, 1, 1});
@@ -131,7 +131,7 @@ START_TEST(overflow_decides_nothing)
 }
 END_TEST
 
-START_TEST(limits_have_ranges)
+START_TEST(limits_out_of_range_are_invalid)
 {
     static const tf_advance_limits bad[] = {
         {.threshold = -1}, {.threshold = NAN}, {.threshold = INFINITY},
@@ -150,13 +150,13 @@ Suite *suite(void)
     Suite *s = suite_create("linear/advance");
     TCase *c = tcase_create("steps");
     tcase_add_test(c, a_true_bound_needs_one_step);
-    tcase_add_test(c, a_loose_bound_needs_more);
-    tcase_add_test(c, a_fraction_of_the_distance_is_a_target);
-    tcase_add_test(c, what_cannot_meet_is_apart);
-    tcase_add_test(c, steps_are_limited);
-    tcase_add_test(c, steps_too_small_to_count_end_it);
-    tcase_add_test(c, overflow_decides_nothing);
-    tcase_add_test(c, limits_have_ranges);
+    tcase_add_test(c, a_loose_bound_needs_more_steps);
+    tcase_add_test(c, a_fraction_of_the_distance_is_the_target);
+    tcase_add_test(c, elements_that_never_come_near_are_apart);
+    tcase_add_test(c, the_limit_of_steps_is_kept);
+    tcase_add_test(c, advancement_ends_when_a_step_adds_nothing_to_the_time);
+    tcase_add_test(c, overflow_is_undecided);
+    tcase_add_test(c, limits_out_of_range_are_invalid);
     suite_add_tcase(s, c);
     return s;
 }

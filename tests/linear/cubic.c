@@ -15,7 +15,7 @@ static query_kind kind_of_case(int i)
 
 // Closed forms ----------------------------------------------------------------
 
-START_TEST(a_point_falls_on_a_triangle)
+START_TEST(a_falling_point_meets_a_triangle)
 {
     query q = scene_hit(POINT_TRIANGLE);
     tf_contact contact = cubic_answer(&q, 0);
@@ -29,7 +29,7 @@ START_TEST(a_point_falls_on_a_triangle)
 }
 END_TEST
 
-START_TEST(an_edge_falls_across_an_edge)
+START_TEST(a_falling_edge_meets_an_edge)
 {
     query q = scene_hit(EDGE_EDGE);
     tf_contact contact = cubic_answer(&q, 0);
@@ -55,7 +55,7 @@ static query fly(double x, double end)
     return q;
 }
 
-START_TEST(tolerances_count)
+START_TEST(elements_within_the_distance_tolerance_touch)
 {
     query beside = fly(-0x1p-10, -1), above = fly(1, 0x1p-10);
     ck_assert_int_eq(cubic_answer(&beside, 0x1p-10).verdict, TF_APART);
@@ -67,7 +67,7 @@ START_TEST(tolerances_count)
 }
 END_TEST
 
-START_TEST(the_tolerance_of_coordinates_counts)
+START_TEST(coordinates_within_the_barycentric_tolerance_touch)
 {
     query q = fly(-0x1p-10, -1);
     scene s = scene_of(&q, (int[]){0, 1, 2, 3});
@@ -83,7 +83,7 @@ START_TEST(the_tolerance_of_coordinates_counts)
 }
 END_TEST
 
-START_TEST(ends_count)
+START_TEST(contacts_at_the_ends_of_the_step_are_found)
 {
     query q = fly(1, 0);
     tf_contact contact = cubic_answer(&q, 0);
@@ -113,7 +113,7 @@ END_TEST
 
 // Against the truth -----------------------------------------------------------
 
-START_TEST(soup_is_decided_right)
+START_TEST(random_queries_are_decided_right)
 {
     generator random = generator_new((uint64_t)_i);
     for (long i = 0; i < cases(10000); i++) {
@@ -133,7 +133,7 @@ START_TEST(large_lattices_are_decided_right)
 }
 END_TEST
 
-START_TEST(no_tolerance_is_right_about_everything)
+START_TEST(no_tolerance_decides_all_queries_right)
 {
     // The same small lattice, wrong both ways.
     generator random = generator_new(20 + (uint64_t)_i);
@@ -165,7 +165,7 @@ static query any_query(generator *random, query_kind kind)
     }
 }
 
-START_TEST(larger_tolerances_lose_nothing)
+START_TEST(larger_tolerances_lose_no_contact)
 {
     static const double tolerance[] = {0, 1e-14, 1e-9, 1e-6, 1e-4, 1e-2};
     generator random = generator_new(30 + (uint64_t)_i);
@@ -192,7 +192,7 @@ static void swap(tf_worldline *a, tf_worldline *b)
     *b = kept;
 }
 
-START_TEST(names_do_not_matter)
+START_TEST(the_order_of_vertices_does_not_change_the_verdict)
 {
     generator random = generator_new(40 + (uint64_t)_i);
     for (long i = 0; i < cases(10000); i++) {
@@ -259,17 +259,18 @@ Suite *suite(void)
 {
     Suite *s = suite_create("linear/cubic");
     TCase *c = tcase_create("cubic");
-    tcase_add_test(c, a_point_falls_on_a_triangle);
-    tcase_add_test(c, an_edge_falls_across_an_edge);
-    tcase_add_test(c, tolerances_count);
-    tcase_add_test(c, the_tolerance_of_coordinates_counts);
-    tcase_add_test(c, ends_count);
+    tcase_add_test(c, a_falling_point_meets_a_triangle);
+    tcase_add_test(c, a_falling_edge_meets_an_edge);
+    tcase_add_test(c, elements_within_the_distance_tolerance_touch);
+    tcase_add_test(c, coordinates_within_the_barycentric_tolerance_touch);
+    tcase_add_test(c, contacts_at_the_ends_of_the_step_are_found);
     tcase_add_test(c, an_end_in_the_plane_is_a_root);
-    tcase_add_loop_test(c, soup_is_decided_right, 0, 2);
+    tcase_add_loop_test(c, random_queries_are_decided_right, 0, 2);
     tcase_add_loop_test(c, large_lattices_are_decided_right, 0, 2);
-    tcase_add_loop_test(c, no_tolerance_is_right_about_everything, 0, 2);
-    tcase_add_loop_test(c, larger_tolerances_lose_nothing, 0, 2);
-    tcase_add_loop_test(c, names_do_not_matter, 0, 2);
+    tcase_add_loop_test(c, no_tolerance_decides_all_queries_right, 0, 2);
+    tcase_add_loop_test(c, larger_tolerances_lose_no_contact, 0, 2);
+    tcase_add_loop_test(c, the_order_of_vertices_does_not_change_the_verdict, 0,
+                        2);
     tcase_add_loop_test(c, bad_tolerances_are_refused, 0, 2);
     suite_add_tcase(s, c);
     suite_add_tcase(s, statuses_case_of_doubles("triangle", use_triangle));

@@ -35,7 +35,7 @@ static double distance(int vertices, int others, const tf_vector x[])
 
 // Closed forms ----------------------------------------------------------------
 
-START_TEST(point_and_segment)
+START_TEST(a_point_and_a_segment_have_the_expected_distance)
 {
     tf_vector x[] = {{{1, 2, 0}}, {{0, 0, 0}}, {{4, 0, 0}}};
     ck_assert_double_eq(distance(1, 2, x), 2);
@@ -46,7 +46,7 @@ START_TEST(point_and_segment)
 }
 END_TEST
 
-START_TEST(point_and_triangle)
+START_TEST(a_point_and_a_triangle_have_the_expected_distance)
 {
     tf_vector x[] = {{{1, 1, 3}}, {{0, 0, 0}}, {{4, 0, 0}}, {{0, 4, 0}}};
     ck_assert_double_eq(distance(1, 3, x), 3);
@@ -61,7 +61,7 @@ START_TEST(point_and_triangle)
 }
 END_TEST
 
-START_TEST(two_segments)
+START_TEST(two_segments_have_the_expected_distance)
 {
     tf_vector x[] = {{{-1, 0, 0}}, {{1, 0, 0}}, {{0, -1, 2}}, {{0, 1, 2}}};
     ck_assert_double_eq(distance(2, 2, x), 2);
@@ -75,7 +75,7 @@ START_TEST(two_segments)
 }
 END_TEST
 
-START_TEST(two_triangles)
+START_TEST(two_triangles_have_the_expected_distance)
 {
     tf_vector x[] = {{{0, 0, 0}}, {{4, 0, 0}}, {{0, 4, 0}},
                      {{1, 1, 2}}, {{2, 1, 5}}, {{1, 2, 5}}};
@@ -133,7 +133,7 @@ START_TEST(no_points_are_nearer)
 }
 END_TEST
 
-START_TEST(the_order_does_not_matter)
+START_TEST(the_order_of_elements_does_not_change_the_distance)
 {
     generator random = generator_new(9);
     for (long n = 0; n < cases(2000); n++) {
@@ -147,7 +147,7 @@ START_TEST(the_order_does_not_matter)
 }
 END_TEST
 
-START_TEST(what_overflows_is_far)
+START_TEST(products_that_overflow_make_the_distance_infinite)
 {
     tf_vector x[] = {{{-1e300, 0, 0}}, {{1e300, 1, 0}}, {{1e300, 1e300, 0}}};
     double far = tf_nearest_points(1, 2, x).distance;
@@ -168,7 +168,7 @@ START_TEST(elements_without_size_do_not_cross)
 }
 END_TEST
 
-START_TEST(coordinates_reach_what_they_equal)
+START_TEST(coordinates_reach_a_bound_that_they_equal)
 {
     static const double weight[] = {1, 0, -0.25};
     ck_assert(tf_weights_reach(2, weight, 0));
@@ -182,15 +182,15 @@ Suite *suite(void)
 {
     Suite *s = suite_create("linear/distance");
     TCase *c = tcase_create("distances");
-    tcase_add_test(c, point_and_segment);
-    tcase_add_test(c, point_and_triangle);
-    tcase_add_test(c, two_segments);
-    tcase_add_test(c, two_triangles);
+    tcase_add_test(c, a_point_and_a_segment_have_the_expected_distance);
+    tcase_add_test(c, a_point_and_a_triangle_have_the_expected_distance);
+    tcase_add_test(c, two_segments_have_the_expected_distance);
+    tcase_add_test(c, two_triangles_have_the_expected_distance);
     tcase_add_loop_test(c, no_points_are_nearer, 0, 4);
-    tcase_add_test(c, the_order_does_not_matter);
-    tcase_add_test(c, what_overflows_is_far);
+    tcase_add_test(c, the_order_of_elements_does_not_change_the_distance);
+    tcase_add_test(c, products_that_overflow_make_the_distance_infinite);
     tcase_add_test(c, elements_without_size_do_not_cross);
-    tcase_add_test(c, coordinates_reach_what_they_equal);
+    tcase_add_test(c, coordinates_reach_a_bound_that_they_equal);
     suite_add_tcase(s, c);
     return s;
 }

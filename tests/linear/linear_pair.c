@@ -36,7 +36,7 @@ START_TEST(vertices_are_taken_by_index)
 }
 END_TEST
 
-START_TEST(positions_are_straight)
+START_TEST(positions_lie_on_straight_paths)
 {
     generator random = generator_new(5);
     query q = query_soup(&random, EDGE_EDGE);
@@ -57,7 +57,7 @@ END_TEST
 
 // An edge from (0, 0) to (4, 0) rises by 1 at its end; a point falls by 2.
 
-START_TEST(a_contact_is_described)
+START_TEST(a_contact_has_coordinates_normal_and_velocity)
 {
     query q = query_new(POINT_EDGE);
     static const double x[] = {1, 1, 0, 0, 4, 0, 1, -1, 0, 0, 4, 1};
@@ -87,7 +87,7 @@ START_TEST(a_contact_of_huge_elements_is_finite)
 }
 END_TEST
 
-START_TEST(tolerances_have_ranges)
+START_TEST(tolerances_out_of_range_are_invalid)
 {
     static const double bad[] = {-1, -1e-300, NAN, INFINITY, -INFINITY};
     ck_assert(tf_tolerances_valid(&(tf_tolerances){0}));
@@ -101,7 +101,7 @@ END_TEST
 
 // A polynomial that is nowhere near zero means that nothing is looked at.
 
-START_TEST(the_polynomial_decides_where_to_look)
+START_TEST(touches_are_sought_at_roots_of_the_polynomial)
 {
     query q = scene_hit(POINT_TRIANGLE);
     tf_linear_pair taken = take(&q);
@@ -140,11 +140,11 @@ Suite *suite(void)
     Suite *s = suite_create("linear/linear_pair");
     TCase *c = tcase_create("linear motion");
     tcase_add_loop_test(c, vertices_are_taken_by_index, 0, KINDS);
-    tcase_add_test(c, positions_are_straight);
-    tcase_add_test(c, a_contact_is_described);
+    tcase_add_test(c, positions_lie_on_straight_paths);
+    tcase_add_test(c, a_contact_has_coordinates_normal_and_velocity);
     tcase_add_test(c, a_contact_of_huge_elements_is_finite);
-    tcase_add_test(c, tolerances_have_ranges);
-    tcase_add_test(c, the_polynomial_decides_where_to_look);
+    tcase_add_test(c, tolerances_out_of_range_are_invalid);
+    tcase_add_test(c, touches_are_sought_at_roots_of_the_polynomial);
     suite_add_tcase(s, c);
     suite_add_tcase(s, statuses_case_of_doubles("statuses", use_straight));
     return s;

@@ -82,7 +82,7 @@ START_TEST(separate_roots_are_found)
 }
 END_TEST
 
-START_TEST(multiple_roots_do_not_keep_it_busy)
+START_TEST(multiple_roots_end_the_iteration)
 {
     // A triple root, and one that two others almost meet.
     double root[3];
@@ -125,7 +125,7 @@ START_TEST(extrema_are_cuts)
 }
 END_TEST
 
-START_TEST(small_extrema_are_not_cancelled)
+START_TEST(small_extrema_do_not_cancel)
 {
     // The derivative is 3 times 1e-17 (1 - t)^2 - 2 (1 - t) t - t^2.
     tf_polynomial p = {.degree = 3, .coefficient = {0, 1e-17, -1, -2}};
@@ -135,7 +135,7 @@ START_TEST(small_extrema_are_not_cancelled)
 }
 END_TEST
 
-START_TEST(coefficients_tell_what_can_be_reached)
+START_TEST(coefficients_bound_the_values)
 {
     tf_polynomial p = {.degree = 3, .coefficient = {1, 2, 3, 4}};
     ck_assert(!tf_polynomial_can_reach(&p, 0.5));
@@ -154,11 +154,11 @@ Suite *suite(void)
     TCase *c = tcase_create("polynomials");
     tcase_add_test(c, values_are_those_of_the_product);
     tcase_add_test(c, separate_roots_are_found);
-    tcase_add_test(c, multiple_roots_do_not_keep_it_busy);
+    tcase_add_test(c, multiple_roots_end_the_iteration);
     tcase_add_test(c, cuts_are_in_order);
     tcase_add_test(c, extrema_are_cuts);
-    tcase_add_test(c, small_extrema_are_not_cancelled);
-    tcase_add_test(c, coefficients_tell_what_can_be_reached);
+    tcase_add_test(c, small_extrema_do_not_cancel);
+    tcase_add_test(c, coefficients_bound_the_values);
     suite_add_tcase(s, c);
     return s;
 }

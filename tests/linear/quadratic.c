@@ -7,7 +7,7 @@
 
 #include <math.h>
 
-START_TEST(a_point_falls_on_an_edge)
+START_TEST(a_falling_point_meets_an_edge)
 {
     query q = scene_hit(POINT_EDGE);
     tf_contact contact = cubic_answer(&q, 0);
@@ -33,7 +33,7 @@ static query seesaw(double height)
     return q;
 }
 
-START_TEST(a_plank_turns_about_its_middle)
+START_TEST(a_point_beside_the_center_of_a_turning_edge_is_apart)
 {
     query q = seesaw(1);
     ck_assert_int_eq(cubic_answer(&q, 0).verdict, TF_APART);
@@ -92,7 +92,7 @@ START_TEST(random_queries_are_decided_right)
 }
 END_TEST
 
-START_TEST(answers_are_contacts)
+START_TEST(contacts_are_finite_and_in_their_ranges)
 {
     generator random = generator_new(2);
     for (long i = 0; i < cases(20000); i++) {
@@ -142,12 +142,12 @@ Suite *suite(void)
 {
     Suite *s = suite_create("linear/quadratic");
     TCase *c = tcase_create("quadratic");
-    tcase_add_test(c, a_point_falls_on_an_edge);
-    tcase_add_test(c, a_plank_turns_about_its_middle);
+    tcase_add_test(c, a_falling_point_meets_an_edge);
+    tcase_add_test(c, a_point_beside_the_center_of_a_turning_edge_is_apart);
     tcase_add_test(c, a_root_outside_does_not_hide_one_inside);
     tcase_add_test(c, motion_within_the_line_is_degenerate);
     tcase_add_test(c, random_queries_are_decided_right);
-    tcase_add_test(c, answers_are_contacts);
+    tcase_add_test(c, contacts_are_finite_and_in_their_ranges);
     tcase_add_test(c, bad_tolerances_are_refused);
     suite_add_tcase(s, c);
     suite_add_tcase(s, statuses_case_of_doubles("statuses", use_quadratic));

@@ -38,7 +38,7 @@ static double time_of_height(double height, double radius)
     return 2.0 / 3 - asin(height / radius) * 2 / pi;
 }
 
-START_TEST(a_bar_turns_into_a_point)
+START_TEST(a_turning_bar_hits_a_point)
 {
     double radius = _i == 0 ? 1 : 0.5;
     int last_steps = 0;
@@ -61,7 +61,7 @@ START_TEST(a_bar_turns_into_a_point)
 }
 END_TEST
 
-START_TEST(beyond_the_bar_is_apart)
+START_TEST(a_point_beyond_the_bar_is_apart)
 {
     tf_advancement at = turn(0.01, 1.02);
     ck_assert_int_eq(at.verdict, TF_APART);
@@ -117,7 +117,7 @@ static tf_advancement advance_to_floor(const tf_rigid_body *body,
     return at;
 }
 
-START_TEST(a_triangle_falls)
+START_TEST(a_falling_triangle_hits_the_floor)
 {
     static const double vertices[] = {0, 0, 1, 1, 0, 2, 0, 1, 2};
     tf_rigid_body body = {.vertices = vertices, .velocity = {3, 1, -4}};
@@ -137,7 +137,7 @@ END_TEST
 // A triangle in the plane x = 0 turns about the x axis at a height of 1/2; its
 // corner at the distance 1 comes down from 90 to 30 degrees below the horizon.
 
-START_TEST(a_triangle_turns_into_the_floor)
+START_TEST(a_turning_triangle_hits_the_floor)
 {
     static const double vertices[] = {0, 0, 1.5, 0, 0.1, 0.5, 0, -0.1, 0.5};
     tf_rigid_body body = {
@@ -199,7 +199,7 @@ static double distance_at(const tf_rigid_body body[2], double time)
     return at.distance;
 }
 
-START_TEST(nothing_is_passed)
+START_TEST(advancement_never_passes_a_contact)
 {
     generator random = generator_new(1);
     for (long i = 0; i < cases(2000); i++) {
@@ -254,7 +254,7 @@ START_TEST(bad_input_is_refused)
 }
 END_TEST
 
-START_TEST(the_plane_does_not_read_the_rest)
+START_TEST(in_the_plane_other_components_are_not_read)
 {
     tf_rigid_body turning = bar(), rest = bar();
     rest.center[2] = rest.velocity[2] = rest.rotation[0] = NAN;
@@ -297,16 +297,16 @@ Suite *suite(void)
 {
     Suite *s = suite_create("linear/rigid_motion");
     TCase *c = tcase_create("rigid motion");
-    tcase_add_loop_test(c, a_bar_turns_into_a_point, 0, 2);
-    tcase_add_test(c, beyond_the_bar_is_apart);
+    tcase_add_loop_test(c, a_turning_bar_hits_a_point, 0, 2);
+    tcase_add_test(c, a_point_beyond_the_bar_is_apart);
     tcase_add_test(c, positions_turn_and_move);
     tcase_add_test(c, positions_turn_about_any_axis);
-    tcase_add_test(c, a_triangle_falls);
-    tcase_add_test(c, a_triangle_turns_into_the_floor);
+    tcase_add_test(c, a_falling_triangle_hits_the_floor);
+    tcase_add_test(c, a_turning_triangle_hits_the_floor);
     tcase_add_test(c, crossed_triangles_touch_at_once);
-    tcase_add_test(c, nothing_is_passed);
+    tcase_add_test(c, advancement_never_passes_a_contact);
     tcase_add_test(c, bad_input_is_refused);
-    tcase_add_test(c, the_plane_does_not_read_the_rest);
+    tcase_add_test(c, in_the_plane_other_components_are_not_read);
     tcase_add_loop_test(c, a_broken_environment_is_reported, 0, environments());
     tcase_add_loop_exit_test(c, a_null_pointer_breaks_the_contract,
                              BROKEN_CONTRACT, 0, 5);

@@ -47,11 +47,12 @@ static const tf_command command = {
 static int run_words(const char *words)
 {
     static char text[100], name[] = "name";
-    char *arguments[16] = {name};
+    static char *arguments[16] = {name};
     int count = 1;
     snprintf(text, sizeof text, "%s", words);
     for (char *word = strtok(text, " "); word; word = strtok(NULL, " "))
         arguments[count++] = word;
+    arguments[count] = NULL;
     argp_err_exit_status = REFUSED;
     return tf_command_run(&command, count, arguments);
 }

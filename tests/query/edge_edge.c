@@ -71,7 +71,7 @@ static tf_worldline vertex(const double x[2], double start, double end)
                                 (double[]){x[0], x[1], end});
 }
 
-START_TEST(edge_falls_on_an_edge)
+START_TEST(a_falling_edge_meets_an_edge)
 {
     const fall *f = &falls[_i];
     tf_worldline first[2], second[2];
@@ -130,7 +130,7 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("query/edge_edge");
     TCase *tcase = tcase_create("edge_edge");
-    tcase_add_loop_test(tcase, edge_falls_on_an_edge, 0, FALLS);
+    tcase_add_loop_test(tcase, a_falling_edge_meets_an_edge, 0, FALLS);
     tcase_add_loop_exit_test(tcase, null_indices_break_the_contract,
                              BROKEN_CONTRACT, 0, 2);
     suite_add_tcase(suite, tcase);

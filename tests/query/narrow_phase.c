@@ -94,7 +94,7 @@ static tf_verdict decide_one(query_kind kind, const tf_motion *motion,
     return contact.verdict;
 }
 
-START_TEST(many_queries_are_decided_as_one_after_another)
+START_TEST(a_batch_has_the_verdicts_of_single_queries)
 {
     generator random = generator_new((uint64_t)_i);
     double start[VERTICES * TF_AXES], end[VERTICES * TF_AXES];
@@ -140,7 +140,7 @@ static tf_status decide_three(const double start[], int second,
                                &(size_t){0});
 }
 
-START_TEST(the_first_bad_query_fails)
+START_TEST(a_bad_query_fails_the_batch)
 {
     double x[] = {0, 0, -1, 0, 1, 0, 5, 5};
     tf_verdict verdict[3];
@@ -156,7 +156,7 @@ START_TEST(the_first_bad_query_fails)
 }
 END_TEST
 
-START_TEST(no_queries_are_no_trouble)
+START_TEST(an_empty_batch_is_accepted)
 {
     tf_queries none = {.kind = TF_EDGE_EDGE};
     ck_assert_int_eq(
@@ -165,7 +165,7 @@ START_TEST(no_queries_are_no_trouble)
 }
 END_TEST
 
-START_TEST(no_queries_need_no_environment)
+START_TEST(an_empty_batch_is_accepted_in_a_broken_environment)
 {
     environment_break(_i);
     tf_queries none = {.kind = TF_EDGE_EDGE};
@@ -217,11 +217,12 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("query/narrow_phase");
     TCase *many = tcase_create("many queries");
-    tcase_add_loop_test(many, many_queries_are_decided_as_one_after_another, 0,
+    tcase_add_loop_test(many, a_batch_has_the_verdicts_of_single_queries, 0,
                         KINDS);
-    tcase_add_test(many, the_first_bad_query_fails);
-    tcase_add_test(many, no_queries_are_no_trouble);
-    tcase_add_loop_test(many, no_queries_need_no_environment, 0,
+    tcase_add_test(many, a_bad_query_fails_the_batch);
+    tcase_add_test(many, an_empty_batch_is_accepted);
+    tcase_add_loop_test(many,
+                        an_empty_batch_is_accepted_in_a_broken_environment, 0,
                         environments());
     tcase_add_loop_test_raise_signal(many, an_unknown_kind_breaks_the_contract,
                                      SIGABRT, 0, 3);

@@ -22,7 +22,7 @@ static tf_verdict fall(double x)
     return contact.verdict;
 }
 
-START_TEST(point_meets_an_edge_between_its_ends)
+START_TEST(a_point_meets_an_edge_between_its_ends)
 {
     ck_assert_int_eq(fall(0.5), TF_HIT);
     ck_assert_int_eq(fall(0x1p-10), TF_HIT);
@@ -60,7 +60,7 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("query/point_edge");
     TCase *tcase = tcase_create("point_edge");
-    tcase_add_test(tcase, point_meets_an_edge_between_its_ends);
+    tcase_add_test(tcase, a_point_meets_an_edge_between_its_ends);
     tcase_add_exit_test(tcase, null_indices_break_the_contract,
                         BROKEN_CONTRACT);
     suite_add_tcase(suite, tcase);

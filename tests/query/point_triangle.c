@@ -69,7 +69,7 @@ static void expect_contact(const fall *f, double slope)
                       slope, v, c.barycentric[1][v]);
 }
 
-START_TEST(point_falls_on_a_triangle)
+START_TEST(a_falling_point_meets_a_triangle)
 {
     expect_contact(&falls[_i], 0);
     expect_contact(&falls[_i], 0.25);
@@ -106,7 +106,7 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("query/point_triangle");
     TCase *tcase = tcase_create("point_triangle");
-    tcase_add_loop_test(tcase, point_falls_on_a_triangle, 0, FALLS);
+    tcase_add_loop_test(tcase, a_falling_point_meets_a_triangle, 0, FALLS);
     tcase_add_exit_test(tcase, null_indices_break_the_contract,
                         BROKEN_CONTRACT);
     suite_add_tcase(suite, tcase);

@@ -158,7 +158,7 @@ static void expect_near(const char *what, const char *name, double got,
                   name, got, wanted);
 }
 
-START_TEST(contacts_in_the_plane)
+START_TEST(contacts_in_the_plane_have_the_expected_members)
 {
     const expectation *e = &expected[_i];
     tf_contact c;
@@ -202,7 +202,7 @@ static tf_contact ask_in_space(const double point[2][3],
     return c;
 }
 
-START_TEST(normal_is_that_of_the_simplex_in_contact)
+START_TEST(the_normal_belongs_to_the_simplex_in_contact)
 {
     // The triangle turns from the plane of x and y into that of x and z.
     static const double triangle[3][2][3] = {
@@ -221,7 +221,7 @@ START_TEST(normal_is_that_of_the_simplex_in_contact)
 }
 END_TEST
 
-START_TEST(falling_point_on_a_triangle_at_rest)
+START_TEST(a_contact_in_space_has_the_expected_members)
 {
     static const double triangle[3][2][3] = {
         {{0, 0, 0}, {0, 0, 0}}, {{4, 0, 0}, {4, 0, 0}}, {{0, 4, 0}, {0, 4, 0}}};
@@ -241,7 +241,7 @@ END_TEST
 
 // The relative velocity is that of one vertex relative to another, and these
 // are named by their places in the elements as given.
-START_TEST(pivots_have_the_velocities)
+START_TEST(the_velocity_is_that_of_the_pivots)
 {
     generator random = generator_new(700 + (uint64_t)_i);
     int met = 0, places[2][3] = {{0}};
@@ -313,7 +313,7 @@ START_TEST(coordinates_beyond_the_arithmetic_are_refused)
 }
 END_TEST
 
-START_TEST(normal_velocity_saturates)
+START_TEST(a_normal_velocity_saturates)
 {
     plane_query q = {
         {{0, 1.7e308}, {0, -1.7e308}},
@@ -326,7 +326,7 @@ START_TEST(normal_velocity_saturates)
 }
 END_TEST
 
-START_TEST(overflow_leaves_no_normal)
+START_TEST(products_that_overflow_leave_no_normal)
 {
     plane_query q = {
         {{0, 1}, {0, -1}},
@@ -342,7 +342,7 @@ START_TEST(overflow_leaves_no_normal)
 }
 END_TEST
 
-START_TEST(smallest_numbers_have_a_normal_velocity)
+START_TEST(the_smallest_numbers_have_a_normal_velocity)
 {
     double tiny = DBL_TRUE_MIN;
     plane_query q = {{{0, 3 * tiny}, {0, -tiny}},
@@ -419,7 +419,7 @@ static void use_verdict(void)
     statuses_use(POINT_EDGE, ask_verdict);
 }
 
-START_TEST(a_broken_environment_of_worldlines_is_reported)
+START_TEST(a_broken_environment_is_reported_for_worldlines)
 {
     tf_contact contact = {.normal_velocity = 42};
     environment_break(_i);
@@ -462,7 +462,7 @@ static void expect_all_or_none(query_kind kind, int vertices, unsigned some)
                   tf_status_message(status));
 }
 
-START_TEST(all_vertices_have_an_index_or_none)
+START_TEST(either_all_vertices_have_an_index_or_none)
 {
     for (int kind = 0; kind < KINDS; kind++) {
         int vertices = kind == POINT_EDGE ? 3 : 4;
@@ -472,7 +472,7 @@ START_TEST(all_vertices_have_an_index_or_none)
 }
 END_TEST
 
-START_TEST(worldlines_have_distinct_indices)
+START_TEST(worldlines_must_have_distinct_indices)
 {
     for (int i = 0; i < QUERY_VERTICES; i++) {
         int index[QUERY_VERTICES] = {0, INT_MAX, 5, 3};
@@ -500,23 +500,24 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("query/query");
     TCase *tcase = tcase_create("query");
-    tcase_add_loop_test(tcase, contacts_in_the_plane, 0, EXPECTED);
-    tcase_add_test(tcase, normal_is_that_of_the_simplex_in_contact);
-    tcase_add_test(tcase, falling_point_on_a_triangle_at_rest);
-    tcase_add_loop_test(tcase, pivots_have_the_velocities, 0, KINDS);
+    tcase_add_loop_test(tcase, contacts_in_the_plane_have_the_expected_members,
+                        0, EXPECTED);
+    tcase_add_test(tcase, the_normal_belongs_to_the_simplex_in_contact);
+    tcase_add_test(tcase, a_contact_in_space_has_the_expected_members);
+    tcase_add_loop_test(tcase, the_velocity_is_that_of_the_pivots, 0, KINDS);
     tcase_add_loop_test(tcase, infinite_coordinates_are_refused, 0, 3);
     tcase_add_test(tcase, coordinates_beyond_the_arithmetic_are_refused);
-    tcase_add_test(tcase, normal_velocity_saturates);
-    tcase_add_test(tcase, overflow_leaves_no_normal);
-    tcase_add_test(tcase, smallest_numbers_have_a_normal_velocity);
+    tcase_add_test(tcase, a_normal_velocity_saturates);
+    tcase_add_test(tcase, products_that_overflow_leave_no_normal);
+    tcase_add_test(tcase, the_smallest_numbers_have_a_normal_velocity);
     tcase_add_test_raise_signal(
         tcase, three_vertices_in_the_plane_break_the_contract, SIGABRT);
     tcase_add_loop_exit_test(tcase, impossible_shapes_break_the_contract, 0, 0,
                              5);
-    tcase_add_loop_test(tcase, a_broken_environment_of_worldlines_is_reported,
+    tcase_add_loop_test(tcase, a_broken_environment_is_reported_for_worldlines,
                         0, environments());
-    tcase_add_test(tcase, all_vertices_have_an_index_or_none);
-    tcase_add_loop_test(tcase, worldlines_have_distinct_indices, 0, 3);
+    tcase_add_test(tcase, either_all_vertices_have_an_index_or_none);
+    tcase_add_loop_test(tcase, worldlines_must_have_distinct_indices, 0, 3);
     tcase_add_test(tcase, indices_below_no_index_are_bad);
     suite_add_tcase(suite, tcase);
     suite_add_tcase(suite, statuses_case("statuses of a scene", use_scene));

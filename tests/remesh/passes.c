@@ -41,7 +41,7 @@ START_TEST(long_edges_are_split_the_longest_first)
     tf_remesher *remesher = begin(adaptive_sheet(1, 1), 0.76);
     make_pass(remesher, TF_SPLIT);
     ck_assert_int_eq(done(remesher, TF_SPLIT), 1); // the diagonal
-    ck_assert_double_eq(place_of(remesher->surface, 4)[0], 0.5);
+    ck_assert_double_eq(coordinates_of(remesher->surface, 4)[0], 0.5);
     ck_assert_double_eq(longest_edge(remesher->surface), 1);
     remesher_end(remesher);
 
@@ -62,7 +62,7 @@ START_TEST(middles_stay_on_the_original)
     static const int triangle[] = {0, 1, 2, 0, 2, 3};
     tf_remesher *remesher = begin(adaptive_of(4, position, 2, triangle), 1);
     make_pass(remesher, TF_SPLIT);
-    ck_assert_double_eq(place_of(remesher->surface, 4)[2], 0);
+    ck_assert_double_eq(coordinates_of(remesher->surface, 4)[2], 0);
     expect_on_original(remesher, false);
     remesher_end(remesher);
 }
@@ -78,7 +78,7 @@ START_TEST(short_edges_collapse_and_corners_stay)
     ck_assert_double_le(longest_edge(remesher->surface), 4);
     static const int corner[] = {0, 6, 42, 48};
     for (int i = 0; i < 4; i++) {
-        const double *x = place_of(remesher->surface, corner[i]);
+        const double *x = coordinates_of(remesher->surface, corner[i]);
         ck_assert_double_eq(x[0], i % 2 * 6);
         ck_assert_double_eq(x[1], i / 2 * 6);
     }
@@ -153,7 +153,7 @@ START_TEST(vertices_go_to_the_middles_of_their_stars)
     tf_vertex_put(remesher->surface, 4, off);
     for (int i = 0; i < 20; i++)
         make_pass(remesher, TF_SMOOTH);
-    const double *x = place_of(remesher->surface, 4);
+    const double *x = coordinates_of(remesher->surface, 4);
     ck_assert_double_lt(hypot(x[0] - 1, x[1] - 1), 0.2);
     ck_assert_double_eq(x[2], 0);
     ck_assert_int_gt(done(remesher, TF_SMOOTH), 0);
@@ -161,7 +161,7 @@ START_TEST(vertices_go_to_the_middles_of_their_stars)
     ck_assert_int_lt(done(remesher, TF_SMOOTH), 10);
     for (int v = 0; v < 9; v++)
         if (v != 4)
-            ck_assert_double_eq(place_of(remesher->surface, v)[0], v % 3);
+            ck_assert_double_eq(coordinates_of(remesher->surface, v)[0], v % 3);
     remesher_end(remesher);
 }
 END_TEST

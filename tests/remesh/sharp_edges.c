@@ -38,7 +38,7 @@ START_TEST(vertices_of_a_box_are_free_inside_its_sides)
     tf_adaptive_surface *surface = box();
     for (int v = 0; v < surface->vertices; v++)
         ck_assert_int_eq(tf_freedom_of(surface, v),
-                         freedom[sides(place_of(surface, v))]);
+                         freedom[sides(coordinates_of(surface, v))]);
     tf_adaptive_free(surface);
 }
 END_TEST
@@ -47,9 +47,9 @@ START_TEST(the_edges_of_a_box_are_sharp)
 {
     tf_adaptive_surface *surface = box();
     for (int c = 0; c < 3 * surface->triangles; c++) {
-        const double *a = place_of(surface, tf_vertex_at(surface, c));
+        const double *a = coordinates_of(surface, tf_vertex_at(surface, c));
         const double *b =
-            place_of(surface, tf_vertex_at(surface, tf_corner_after(c)));
+            coordinates_of(surface, tf_vertex_at(surface, tf_corner_after(c)));
         int common = 0;
         for (int k = 0; k < 3; k++)
             common += a[k] == b[k] && (a[k] == 0 || a[k] == 2);

@@ -4,7 +4,7 @@
 
 static const fig_box box = {10, 20, 8, 4};
 
-START_TEST(overlap_is_an_area)
+START_TEST(the_overlap_of_boxes_is_an_area)
 {
     fig_box a = {0, 0, 10, 10}, b = {8, 7, 10, 10}, c = {10, 0, 5, 5};
     ck_assert_double_eq(fig_box_overlap(&a, &b), 6);
@@ -51,7 +51,7 @@ Suite *suite(void)
     Suite *made = suite_create("renderer/box");
     TCase *tests = tcase_create("box");
     suite_add_tcase(made, tests);
-    tcase_add_test(tests, overlap_is_an_area);
+    tcase_add_test(tests, the_overlap_of_boxes_is_an_area);
     tcase_add_loop_test(tests, segments_are_clipped, 0,
                         sizeof segments / sizeof *segments);
     return made;

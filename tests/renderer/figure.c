@@ -16,7 +16,7 @@ static const struct {
     {1e300, "key 1e+300\n"},  {0.1 + 0.2, "key 0.30000000000000004\n"},
 };
 
-START_TEST(numbers_are_short_and_come_back)
+START_TEST(numbers_are_printed_short_and_read_back_the_same)
 {
     char *text = NULL;
     size_t size;
@@ -33,7 +33,8 @@ Suite *suite(void)
 {
     Suite *figure = suite_create("renderer/figure");
     TCase *printed = tcase_create("numbers");
-    tcase_add_loop_test(printed, numbers_are_short_and_come_back, 0,
+    tcase_add_loop_test(printed,
+                        numbers_are_printed_short_and_read_back_the_same, 0,
                         sizeof numbers / sizeof *numbers);
     suite_add_tcase(figure, printed);
     return figure;

@@ -14,7 +14,7 @@ static void measure(const char *text, double size, double ink[4])
     fig_letters_free(letters);
 }
 
-START_TEST(families_are_known_or_not)
+START_TEST(unknown_font_families_are_detected)
 {
     ck_assert(fig_letters_known(FIG_LETTERS_FAMILY));
     ck_assert(!fig_letters_known("No Such Family"));
@@ -36,7 +36,7 @@ START_TEST(bad_text_is_refused)
 }
 END_TEST
 
-START_TEST(signs_can_be_quoted)
+START_TEST(special_characters_can_be_quoted)
 {
     double ink[4], plain[4];
     measure("\\$\\*\\\\", 10, ink);
@@ -47,7 +47,7 @@ START_TEST(signs_can_be_quoted)
 }
 END_TEST
 
-START_TEST(no_path_goes_on_from_letters)
+START_TEST(letters_start_a_path_of_their_own)
 {
     fig_letters *letters;
     ck_assert_int_eq(fig_letters_set(FIG_LETTERS_FAMILY, "$x$", 10, &letters),
@@ -121,10 +121,10 @@ Suite *suite(void)
     Suite *made = suite_create("renderer/letters");
     TCase *tests = tcase_create("letters");
     suite_add_tcase(made, tests);
-    tcase_add_test(tests, families_are_known_or_not);
+    tcase_add_test(tests, unknown_font_families_are_detected);
     tcase_add_test(tests, bad_text_is_refused);
-    tcase_add_test(tests, signs_can_be_quoted);
-    tcase_add_test(tests, no_path_goes_on_from_letters);
+    tcase_add_test(tests, special_characters_can_be_quoted);
+    tcase_add_test(tests, letters_start_a_path_of_their_own);
     tcase_add_test(tests, size_scales_letters);
     tcase_add_test(tests, bars_and_scripts_add_height);
     tcase_add_test(tests, primes_stand_over_subscripts);

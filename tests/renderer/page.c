@@ -183,7 +183,7 @@ START_TEST(pages_are_not_blank)
 }
 END_TEST
 
-START_TEST(solid_colours_are_those_of_the_theme)
+START_TEST(solid_colors_are_those_of_the_theme)
 {
     fig_page *page = new_page(&usual);
     const fig_rgb cell[2] = {{1, 0.5, 0}, {0, 0.5, 1}};
@@ -412,7 +412,7 @@ START_TEST(png_records_its_resolution)
 }
 END_TEST
 
-START_TEST(kinds_of_files_begin_as_they_should)
+START_TEST(files_begin_with_the_signature_of_their_kind)
 {
     const char *const ending[] = {".png", ".pdf", ".svg"};
     const char *const begin[] = {"\x89PNG", "%PDF", "<?xml"};
@@ -428,7 +428,7 @@ START_TEST(kinds_of_files_begin_as_they_should)
 }
 END_TEST
 
-START_TEST(unwritable_files_are_told)
+START_TEST(unwritable_files_are_reported)
 {
     fig_page *page = new_page(&usual);
     const char *const paths[] = {"/no/such/directory/a.png", "/proc/a.pdf",
@@ -456,7 +456,7 @@ static rlim_t limit_files(rlim_t bytes)
 }
 
 /// A large file fails as it is written, a small one when it is closed.
-START_TEST(full_disks_are_told)
+START_TEST(full_disks_are_reported)
 {
     const char *const ending[] = {".png", ".pdf", ".svg"};
     char path[256];
@@ -498,7 +498,7 @@ START_TEST(missing_fonts_are_refused)
 }
 END_TEST
 
-START_TEST(bad_labels_are_told_when_written)
+START_TEST(bad_labels_are_reported_when_written)
 {
     fig_page *page = new_page(&usual);
     fig_page_label(page, 10, 10, (fig_label){.text = "$x"});
@@ -510,7 +510,7 @@ START_TEST(bad_labels_are_told_when_written)
 }
 END_TEST
 
-START_TEST(turned_pages_turn_what_is_not_fixed)
+START_TEST(turning_a_page_turns_all_that_is_not_fixed)
 {
     fig_page_options options = usual;
     options.turned = true;
@@ -538,7 +538,7 @@ Suite *suite(void)
     tcase_add_test(tests, the_nearer_sheet_is_on_top);
     tcase_add_loop_test(tests, pictures_are_the_same_bytes_each_time, 0, 2);
     tcase_add_loop_test(tests, pages_are_not_blank, 0, 2);
-    tcase_add_test(tests, solid_colours_are_those_of_the_theme);
+    tcase_add_test(tests, solid_colors_are_those_of_the_theme);
     tcase_add_test(tests, labels_are_inside_and_disjoint);
     tcase_add_test(tests, transparent_pages_have_no_paper);
     tcase_add_test(tests, large_pictures_show_no_tiles);
@@ -547,12 +547,12 @@ Suite *suite(void)
     tcase_add_test(tests, facets_are_lit_from_both_sides);
     tcase_add_test(tests, painted_triangles_are_not_lit);
     tcase_add_test(tests, png_records_its_resolution);
-    tcase_add_test(tests, kinds_of_files_begin_as_they_should);
-    tcase_add_test(tests, unwritable_files_are_told);
-    tcase_add_loop_test(tests, full_disks_are_told, 0, 6);
+    tcase_add_test(tests, files_begin_with_the_signature_of_their_kind);
+    tcase_add_test(tests, unwritable_files_are_reported);
+    tcase_add_loop_test(tests, full_disks_are_reported, 0, 6);
     tcase_add_test(tests, sizes_out_of_range_are_refused);
     tcase_add_test(tests, missing_fonts_are_refused);
-    tcase_add_test(tests, bad_labels_are_told_when_written);
-    tcase_add_test(tests, turned_pages_turn_what_is_not_fixed);
+    tcase_add_test(tests, bad_labels_are_reported_when_written);
+    tcase_add_test(tests, turning_a_page_turns_all_that_is_not_fixed);
     return made;
 }

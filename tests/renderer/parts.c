@@ -63,7 +63,7 @@ static fig_box caption_of(const fig_page *page, int i)
 
 // Parts -----------------------------------------------------------------------
 
-START_TEST(parts_are_counted_as_one_reads)
+START_TEST(parts_are_numbered_in_reading_order)
 {
     static const double left[] = {30, 160, 60};
     fig_panel *panel[2];
@@ -78,7 +78,7 @@ START_TEST(parts_are_counted_as_one_reads)
 }
 END_TEST
 
-START_TEST(panels_on_each_other_are_one_part)
+START_TEST(overlapping_panels_are_one_part)
 {
     fig_page *page = new_page();
     ck_assert_int_eq(fig_page_parts(page), 0);
@@ -301,8 +301,8 @@ Suite *suite(void)
     Suite *made = suite_create("renderer/parts");
     TCase *tests = tcase_create("parts");
     suite_add_tcase(made, tests);
-    tcase_add_test(tests, parts_are_counted_as_one_reads);
-    tcase_add_test(tests, panels_on_each_other_are_one_part);
+    tcase_add_test(tests, parts_are_numbered_in_reading_order);
+    tcase_add_test(tests, overlapping_panels_are_one_part);
     tcase_add_test(tests, texts_belong_to_the_nearest_part);
     tcase_add_test(tests, a_part_has_its_own_texts_and_labels);
     tcase_add_test(tests, a_small_part_is_magnified);

@@ -24,7 +24,7 @@ static bool lies_in(const fig_box *box)
            box->y + box->height <= page.y + page.height;
 }
 
-START_TEST(alone_a_label_stands_where_it_is_wished)
+START_TEST(a_label_alone_is_placed_where_asked)
 {
     const double middle[8][2] = {{1, 0},  {1, -1}, {0, -1}, {-1, -1},
                                  {-1, 0}, {-1, 1}, {0, 1},  {1, 1}};
@@ -89,7 +89,7 @@ Suite *suite(void)
     Suite *made = suite_create("renderer/placement");
     TCase *tests = tcase_create("placement");
     suite_add_tcase(made, tests);
-    tcase_add_loop_test(tests, alone_a_label_stands_where_it_is_wished, 0, 8);
+    tcase_add_loop_test(tests, a_label_alone_is_placed_where_asked, 0, 8);
     tcase_add_loop_test(tests, labels_stay_inside_the_page, 0, 4);
     tcase_add_loop_test(tests, crowded_labels_are_disjoint, 0, 20);
     tcase_add_test(tests, labels_avoid_lines);

@@ -17,7 +17,7 @@ static const fig_plot plot = {.box = {50, 10, 100, 60},
                               .name_x = "$x$",
                               .name_y = "time"};
 
-START_TEST(places_are_in_proportion)
+START_TEST(positions_are_in_proportion)
 {
     fig_point at = fig_plot_place(&plot, -1, 1);
     ck_assert_double_eq_tol(at.x, 50, 1e-9);
@@ -67,7 +67,7 @@ START_TEST(curves_are_cut_to_the_box)
 }
 END_TEST
 
-START_TEST(dots_are_where_told)
+START_TEST(dots_are_drawn_at_their_positions)
 {
     const fig_page_options options = {
         .width = 200, .height = 100, .pixels_x = 400, .pixels_y = 200};
@@ -86,7 +86,7 @@ START_TEST(dots_are_where_told)
 }
 END_TEST
 
-START_TEST(frames_have_names_and_numbers)
+START_TEST(frames_have_a_title_and_numbers)
 {
     const fig_page_options options = {
         .width = 200, .height = 110, .pixels_x = 400, .pixels_y = 220};
@@ -126,10 +126,10 @@ Suite *suite(void)
     Suite *made = suite_create("renderer/plot");
     TCase *tests = tcase_create("plot");
     suite_add_tcase(made, tests);
-    tcase_add_test(tests, places_are_in_proportion);
+    tcase_add_test(tests, positions_are_in_proportion);
     tcase_add_test(tests, curves_are_cut_to_the_box);
-    tcase_add_test(tests, dots_are_where_told);
-    tcase_add_test(tests, frames_have_names_and_numbers);
+    tcase_add_test(tests, dots_are_drawn_at_their_positions);
+    tcase_add_test(tests, frames_have_a_title_and_numbers);
     tcase_add_test(tests, digits_are_in_groups);
     return made;
 }

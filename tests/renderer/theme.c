@@ -111,7 +111,7 @@ static void check_pair(const fig_theme *theme, int a, int b, double least)
     }
 }
 
-START_TEST(roles_of_geometry_differ_to_all_eyes)
+START_TEST(roles_of_geometry_differ_for_color_blind_readers)
 {
     for (int a = FIG_ROLE_POINT; a <= FIG_ROLE_END; a++)
         for (int b = a + 1; b <= FIG_ROLE_END; b++)
@@ -119,7 +119,7 @@ START_TEST(roles_of_geometry_differ_to_all_eyes)
 }
 END_TEST
 
-START_TEST(signs_differ_to_all_eyes)
+START_TEST(signs_differ_for_color_blind_readers)
 {
     for (int a = FIG_ROLE_POSITIVE; a <= FIG_ROLE_UNCERTAIN; a++)
         for (int b = a + 1; b <= FIG_ROLE_UNCERTAIN; b++)
@@ -136,7 +136,7 @@ START_TEST(themes_are_found_by_name)
 }
 END_TEST
 
-START_TEST(encoding_is_undone)
+START_TEST(the_encoding_of_colors_is_undone)
 {
     for (int i = 0; i <= 255; i++) {
         double x = i / 255.0;
@@ -170,10 +170,11 @@ Suite *suite(void)
     suite_add_tcase(made, tests);
     tcase_add_loop_test(tests, lines_and_letters_stand_off_the_paper, 0, 2);
     tcase_add_loop_test(tests, letters_stand_off_the_map_of_signs, 0, 2);
-    tcase_add_loop_test(tests, roles_of_geometry_differ_to_all_eyes, 0, 2);
-    tcase_add_loop_test(tests, signs_differ_to_all_eyes, 0, 2);
+    tcase_add_loop_test(tests, roles_of_geometry_differ_for_color_blind_readers,
+                        0, 2);
+    tcase_add_loop_test(tests, signs_differ_for_color_blind_readers, 0, 2);
     tcase_add_test(tests, themes_are_found_by_name);
-    tcase_add_test(tests, encoding_is_undone);
+    tcase_add_test(tests, the_encoding_of_colors_is_undone);
     tcase_add_test(tests, shades_go_to_ink_and_to_paper);
     return made;
 }

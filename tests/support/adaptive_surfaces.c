@@ -50,7 +50,7 @@ tf_adaptive_surface *adaptive_sheet(int columns, int rows)
                        triangle);
 }
 
-const double *place_of(const tf_adaptive_surface *surface, int vertex)
+const double *coordinates_of(const tf_adaptive_surface *surface, int vertex)
 {
     return tf_adaptive_positions(surface) + 3 * vertex;
 }

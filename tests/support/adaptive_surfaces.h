@@ -16,8 +16,8 @@ tf_adaptive_surface *adaptive_tetrahedron(void);
 /// at (i, j, 0), each square divided from (i, j) to (i + 1, j + 1).
 tf_adaptive_surface *adaptive_sheet(int columns, int rows);
 
-/// The place of a vertex.
-const double *place_of(const tf_adaptive_surface *surface, int vertex);
+/// The position of a vertex.
+const double *coordinates_of(const tf_adaptive_surface *surface, int vertex);
 
 /// How many triangles there are, without gaps.
 int triangles_of(const tf_adaptive_surface *surface);

@@ -168,8 +168,9 @@ double volume_of(const tf_adaptive_surface *surface)
         const int *v = mesh.triangle + 3 * t;
         if (*v < 0)
             continue;
-        const double *a = place_of(surface, v[0]), *b = place_of(surface, v[1]),
-                     *c = place_of(surface, v[2]);
+        const double *a = coordinates_of(surface, v[0]),
+                     *b = coordinates_of(surface, v[1]),
+                     *c = coordinates_of(surface, v[2]);
         sum += a[0] * (b[1] * c[2] - b[2] * c[1]) +
                a[1] * (b[2] * c[0] - b[0] * c[2]) +
                a[2] * (b[0] * c[1] - b[1] * c[0]);

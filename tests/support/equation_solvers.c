@@ -46,7 +46,7 @@ static double *least_change(const zone_case *z)
     return expected;
 }
 
-START_TEST(the_change_is_the_least)
+START_TEST(the_solution_changes_the_proposal_least)
 {
     generator random = generator_new(1);
     for (int i = 0; i < (int)cases(ZONES); i++) {
@@ -102,7 +102,7 @@ END_TEST
 
 // The constraints of a vertex that is told to move in more directions than
 // there are.
-START_TEST(more_constraints_than_coordinates_are_solved)
+START_TEST(too_many_constraints_are_met_by_least_squares)
 {
     zone_case z = zone_new(2, 4, 6);
     for (int v = 0; v < 4; v++)
@@ -127,7 +127,7 @@ START_TEST(more_constraints_than_coordinates_are_solved)
 }
 END_TEST
 
-START_TEST(satisfied_constraints_stay_and_solutions_are_found_again)
+START_TEST(a_solution_is_unchanged_by_solving_again)
 {
     generator random = generator_new(4);
     zone_case z = zone_random(&random, 3, 20, 8, 8);
@@ -142,7 +142,7 @@ START_TEST(satisfied_constraints_stay_and_solutions_are_found_again)
 }
 END_TEST
 
-START_TEST(impulses_are_where_to_start_from)
+START_TEST(solving_starts_from_the_given_impulses)
 {
     generator random = generator_new(5);
     zone_case z = zone_random(&random, 3, 20, 8, 8);
@@ -164,7 +164,7 @@ START_TEST(impulses_are_where_to_start_from)
 }
 END_TEST
 
-START_TEST(iterations_are_limited)
+START_TEST(a_limit_of_iterations_is_kept)
 {
     generator random = generator_new(6);
     zone_case z = zone_random(&random, 3, 30, 24, 24);
@@ -179,14 +179,13 @@ Suite *equation_solver_suite(const char *name, void (*use)(void))
     Suite *suite = suite_create(name);
     TCase *tcase = tcase_create("equations");
     tcase_add_checked_fixture(tcase, use, NULL);
-    tcase_add_test(tcase, the_change_is_the_least);
+    tcase_add_test(tcase, the_solution_changes_the_proposal_least);
     tcase_add_test(tcase, repeated_constraints_change_nothing);
     tcase_add_test(tcase, contradicting_constraints_meet_halfway);
-    tcase_add_test(tcase, more_constraints_than_coordinates_are_solved);
-    tcase_add_test(tcase,
-                   satisfied_constraints_stay_and_solutions_are_found_again);
-    tcase_add_test(tcase, impulses_are_where_to_start_from);
-    tcase_add_test(tcase, iterations_are_limited);
+    tcase_add_test(tcase, too_many_constraints_are_met_by_least_squares);
+    tcase_add_test(tcase, a_solution_is_unchanged_by_solving_again);
+    tcase_add_test(tcase, solving_starts_from_the_given_impulses);
+    tcase_add_test(tcase, a_limit_of_iterations_is_kept);
     suite_add_tcase(suite, tcase);
     return suite;
 }

@@ -34,4 +34,16 @@ bool estimate_is_true(const judged_estimate *j);
 /// about 2^exponent.
 matrix matrix_close(generator *random, int n, int exponent);
 
+/// What decides signs by an estimate.
+typedef struct estimate_test {
+    void (*judge)(const matrix *m); ///< expects that all it says is true
+    bool (*decides)(const matrix *m);
+} estimate_test;
+
+/// What to try; called by the function that is given to estimates_add().
+void estimates_use(const estimate_test *test);
+
+/// Adds the tests of which signs are decided; `use` calls estimates_use().
+void estimates_add(Suite *suite, void (*use)(void));
+
 #endif

@@ -44,7 +44,7 @@ static bool clamped_knows(const matrix *m)
 
 // Sizes of all kinds ----------------------------------------------------------
 
-START_TEST(signs_of_all_small_matrices)
+START_TEST(all_small_matrices_are_exact)
 {
     for (int n = 1; n <= TF_AXES; n++) {
         double entry[TF_AXES * TF_AXES] = {-1, -1, -1, -1, -1, -1, -1, -1, -1};
@@ -56,7 +56,7 @@ START_TEST(signs_of_all_small_matrices)
 }
 END_TEST
 
-START_TEST(lattices)
+START_TEST(lattice_matrices_are_exact)
 {
     generator random = generator_new(1);
     long count = cases(50000);
@@ -68,7 +68,7 @@ START_TEST(lattices)
 }
 END_TEST
 
-START_TEST(all_finite_doubles)
+START_TEST(matrices_of_all_finite_doubles_are_exact)
 {
     generator random = generator_new(2);
     long count = cases(100000);
@@ -79,7 +79,7 @@ START_TEST(all_finite_doubles)
 }
 END_TEST
 
-START_TEST(few_extreme_magnitudes)
+START_TEST(matrices_of_extreme_magnitudes_are_exact)
 {
     generator random = generator_new(3);
     long count = cases(50000);
@@ -110,7 +110,7 @@ static void scale_at_random(generator *random, matrix *m)
         matrix_scale(m, j, below(random, 2 * range) - range);
 }
 
-START_TEST(singular_matrices_and_their_neighbours)
+START_TEST(singular_matrices_and_their_neighbors_are_exact)
 {
     generator random = generator_new(4);
     long count = cases(30000);
@@ -130,7 +130,7 @@ START_TEST(singular_matrices_and_their_neighbours)
 }
 END_TEST
 
-START_TEST(what_rounding_leaves_of_singular_matrices)
+START_TEST(rounded_singular_matrices_are_exact)
 {
     generator random = generator_new(5);
     long count = cases(50000), unknown = 0;
@@ -152,7 +152,7 @@ END_TEST
 
 // Products out of range -------------------------------------------------------
 
-START_TEST(products_out_of_range)
+START_TEST(products_out_of_range_are_exact)
 {
     // Products of three stay in range, or just overflow or do not, lose places
     // or do not.
@@ -174,7 +174,7 @@ START_TEST(products_out_of_range)
 }
 END_TEST
 
-START_TEST(singular_matrices_with_products_out_of_range)
+START_TEST(singular_matrices_with_products_out_of_range_are_exact)
 {
     // Products of three overflow from 2^341 on, and lose places below 2^-305.
     generator random = generator_new(10);
@@ -193,7 +193,7 @@ START_TEST(singular_matrices_with_products_out_of_range)
 }
 END_TEST
 
-START_TEST(tails_decide)
+START_TEST(roundoff_of_differences_decides_the_sign)
 {
     // All rounded differences are 1, so that only what they lose tells.
     generator random = generator_new(7);
@@ -210,7 +210,7 @@ START_TEST(tails_decide)
 }
 END_TEST
 
-START_TEST(differences_overflow)
+START_TEST(differences_that_overflow_are_exact)
 {
     // Of 0x1.8p971 and DBL_MAX the sum is finite, but a step to its roundoff
     // is not.
@@ -231,7 +231,7 @@ START_TEST(differences_overflow)
 }
 END_TEST
 
-START_TEST(what_underflows_keeps_its_sign)
+START_TEST(products_that_underflow_keep_their_sign)
 {
     // Products of entries far below the least double, singular or nearly.
     generator random = generator_new(9);
@@ -258,20 +258,21 @@ static TCase *case_with(const char *name, void (*use)(void))
 void exactness_add(Suite *suite, void (*use)(void))
 {
     TCase *sizes = case_with("all sizes", use);
-    tcase_add_test(sizes, signs_of_all_small_matrices);
-    tcase_add_test(sizes, lattices);
-    tcase_add_test(sizes, all_finite_doubles);
-    tcase_add_test(sizes, few_extreme_magnitudes);
+    tcase_add_test(sizes, all_small_matrices_are_exact);
+    tcase_add_test(sizes, lattice_matrices_are_exact);
+    tcase_add_test(sizes, matrices_of_all_finite_doubles_are_exact);
+    tcase_add_test(sizes, matrices_of_extreme_magnitudes_are_exact);
     suite_add_tcase(suite, sizes);
     TCase *zero = case_with("next to zero", use);
-    tcase_add_test(zero, singular_matrices_and_their_neighbours);
-    tcase_add_test(zero, what_rounding_leaves_of_singular_matrices);
+    tcase_add_test(zero, singular_matrices_and_their_neighbors_are_exact);
+    tcase_add_test(zero, rounded_singular_matrices_are_exact);
     suite_add_tcase(suite, zero);
     TCase *range = case_with("out of range", use);
-    tcase_add_test(range, products_out_of_range);
-    tcase_add_test(range, singular_matrices_with_products_out_of_range);
-    tcase_add_test(range, tails_decide);
-    tcase_add_test(range, differences_overflow);
-    tcase_add_test(range, what_underflows_keeps_its_sign);
+    tcase_add_test(range, products_out_of_range_are_exact);
+    tcase_add_test(range,
+                   singular_matrices_with_products_out_of_range_are_exact);
+    tcase_add_test(range, roundoff_of_differences_decides_the_sign);
+    tcase_add_test(range, differences_that_overflow_are_exact);
+    tcase_add_test(range, products_that_underflow_keep_their_sign);
     suite_add_tcase(suite, range);
 }

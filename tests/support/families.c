@@ -2,6 +2,7 @@
 
 #include "arithmetic/exact.h"
 #include "fast/vectorized.h"
+#include "support/memory.h"
 
 #include <float.h>
 #include <math.h>
@@ -110,25 +111,17 @@ const family families[FAMILIES] = {
 
 // Arrays ----------------------------------------------------------------------
 
-static void *allocate(size_t count, size_t size)
-{
-    // A multiple of 64 bytes, aligned to that.
-    void *memory = aligned_alloc(64, (count * size + 63) / 64 * 64);
-    if (!memory)
-        abort();
-    return memory;
-}
-
 batch batch_new(size_t most)
 {
-    batch b = {
-        .start = allocate(12 * most, sizeof(double)),
-        .end = allocate(12 * most, sizeof(double)),
-        .vertex = allocate(4 * most, sizeof(int)),
-        .block = allocate(most / TF_BLOCK_QUERIES + 1, sizeof(tf_query_block)),
-        .masks = allocate(most / TF_MASK_QUERIES + 1, sizeof(tf_query_masks))};
+    batch b = {.start = allocate_lines(12 * most, sizeof(double)),
+               .end = allocate_lines(12 * most, sizeof(double)),
+               .vertex = allocate_lines(4 * most, sizeof(int)),
+               .block = allocate_lines(most / TF_BLOCK_QUERIES + 1,
+                                       sizeof(tf_query_block)),
+               .masks = allocate_lines(most / TF_MASK_QUERIES + 1,
+                                       sizeof(tf_query_masks))};
     for (int i = 0; i < 2; i++)
-        b.verdict[i] = allocate(most + 1, sizeof(tf_verdict));
+        b.verdict[i] = allocate_lines(most + 1, sizeof(tf_verdict));
     return b;
 }
 

@@ -14,21 +14,21 @@ enum {
     MOST_VERTICES = 10000
 };
 
-static double place[MOST_VERTICES][3];
-static int triangle[6 * MOST_VERTICES], places, corners;
+static double position[MOST_VERTICES][3];
+static int triangle[6 * MOST_VERTICES], vertices, corners;
 
 /// The number of a point of the octahedron |x| + |y| + |z| = n.
 static int vertex_at(const int at[3])
 {
-    for (int v = places - 1; v >= 0; v--)
-        if (place[v][0] == at[0] && place[v][1] == at[1] &&
-            place[v][2] == at[2])
+    for (int v = vertices - 1; v >= 0; v--)
+        if (position[v][0] == at[0] && position[v][1] == at[1] &&
+            position[v][2] == at[2])
             return v;
-    if (places == MOST_VERTICES)
+    if (vertices == MOST_VERTICES)
         abort();
     for (int k = 0; k < 3; k++)
-        place[places][k] = at[k];
-    return places++;
+        position[vertices][k] = at[k];
+    return vertices++;
 }
 
 /// Adds the triangle from (i, j) on in one of eight sides, to the right of the
@@ -52,7 +52,7 @@ static void add_cell(int n, int side, int i, int j, int half)
 
 static void make_octahedron(int n)
 {
-    places = corners = 0;
+    vertices = corners = 0;
     for (int side = 0; side < 8; side++)
         for (int i = 0; i < n; i++)
             for (int j = 0; j < n - i; j++)
@@ -72,24 +72,24 @@ tf_adaptive_surface *adaptive_sphere(int n, const double center[3],
                                      double radius)
 {
     make_octahedron(n);
-    for (int v = 0; v < places; v++) {
-        stretch(place[v], radius);
+    for (int v = 0; v < vertices; v++) {
+        stretch(position[v], radius);
         for (int k = 0; k < 3; k++)
-            place[v][k] += center[k];
+            position[v][k] += center[k];
     }
-    return adaptive_of(places, place, corners / 3, triangle);
+    return adaptive_of(vertices, position, corners / 3, triangle);
 }
 
 tf_adaptive_surface *adaptive_bumpy_sphere(int n, double bump, uint64_t stream)
 {
     generator random = generator_new(stream);
     make_octahedron(n);
-    for (int v = 0; v < places; v++) {
-        stretch(place[v], 1);
+    for (int v = 0; v < vertices; v++) {
+        stretch(position[v], 1);
         for (int k = 0; k < 3; k++)
-            place[v][k] += uniform(&random, -bump, bump);
+            position[v][k] += uniform(&random, -bump, bump);
     }
-    return adaptive_of(places, place, corners / 3, triangle);
+    return adaptive_of(vertices, position, corners / 3, triangle);
 }
 
 // Volumes ---------------------------------------------------------------------

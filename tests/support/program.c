@@ -98,10 +98,11 @@ static _Noreturn void command_in(int environment,
                                  int (*command)(int argc, char *argv[]),
                                  const char *const arguments[])
 {
+    static char *kept[16]; // a command may change its list
     char *copy[16];
     int count = 0;
     for (; arguments[count]; count++)
-        copy[count] = strdup(arguments[count]);
+        copy[count] = kept[count] = strdup(arguments[count]);
     copy[count] = NULL;
     if (!freopen("out", "w", stdout) || !freopen("err", "w", stderr))
         _exit(9);

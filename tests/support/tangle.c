@@ -1,5 +1,6 @@
 #include "support/tangle.h"
 
+#include "support/memory.h"
 #include "support/oracle.h"
 
 #include <gmp.h>
@@ -234,14 +235,6 @@ struct tangle_judge {
     tangle *tangle;
     const double *position;
 };
-
-static void *allocate(size_t count, size_t size)
-{
-    void *memory = calloc(count + 1, size);
-    if (!memory)
-        abort();
-    return memory;
-}
 
 static int compare_ints(const void *a, const void *b)
 {

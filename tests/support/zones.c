@@ -1,16 +1,10 @@
 #include "support/zones.h"
 
+#include "support/memory.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-static void *allocate(size_t count, size_t size)
-{
-    void *memory = calloc(count + 1, size);
-    if (!memory)
-        abort();
-    return memory;
-}
 
 static size_t numbers(const zone_case *z)
 {

@@ -46,7 +46,7 @@ START_TEST(compaction_keeps_the_order)
     ck_assert_int_eq(mesh.triangles, 6);
     ck_assert_int_eq(triangles_of(surface), 6);
     ck_assert(has_triangle(surface, 0, 1, 4));
-    ck_assert_double_eq(place_of(surface, 7)[1], 2);
+    ck_assert_double_eq(coordinates_of(surface, 7)[1], 2);
 
     // It works on, and nothing changes if there is no gap.
     ck_assert_int_eq(tf_adaptive_collapse(surface, 3, 0, &outcome), TF_OK);

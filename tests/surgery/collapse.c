@@ -91,7 +91,7 @@ START_TEST(an_edge_collapses_to_a_position)
     tf_adaptive_surface *surface = adaptive_sheet(3, 3);
     ck_assert_int_eq(collapse_to(surface, 5, 6, 1.5, 1, 0.5), TF_COMMITTED);
     ck_assert_int_eq(triangles_of(surface), 16);
-    ck_assert_double_eq(place_of(surface, 6)[0], 1.5);
+    ck_assert_double_eq(coordinates_of(surface, 6)[0], 1.5);
     tf_adaptive_free(surface);
 }
 END_TEST

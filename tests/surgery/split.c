@@ -27,7 +27,7 @@ START_TEST(an_inner_edge_splits_two_triangles)
     ck_assert(has_triangle(surface, 4, 1, 2));
     ck_assert(has_triangle(surface, 1, 4, 3));
     ck_assert(has_triangle(surface, 4, 0, 3));
-    ck_assert_double_eq(place_of(surface, 4)[1], 0.1);
+    ck_assert_double_eq(coordinates_of(surface, 4)[1], 0.1);
     tf_adaptive_free(surface);
 }
 END_TEST

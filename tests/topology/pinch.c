@@ -43,7 +43,8 @@ static tf_outcome pinch(tf_adaptive_surface *surface, bool down, double by,
     const int *loop = down ? down_loop : up_loop;
     double position[9];
     for (int i = 0; i < 9; i++)
-        position[i] = place_of(surface, loop[i / 3])[i % 3] + (i % 3 == 2) * by;
+        position[i] =
+            coordinates_of(surface, loop[i / 3])[i % 3] + (i % 3 == 2) * by;
     tf_outcome outcome;
     ck_assert_int_eq(
         tf_adaptive_pinch(surface, loop, position, vertex, &outcome), TF_OK);
@@ -63,7 +64,7 @@ START_TEST(a_pinch_makes_two_components)
         ck_assert_int_eq(euler_of(surface), 4);
         ck_assert_int_eq(triangles_of(surface), before + 2);
         ck_assert(is_sound(surface));
-        ck_assert_double_eq(place_of(surface, vertex[0])[2], 2 + by);
+        ck_assert_double_eq(coordinates_of(surface, vertex[0])[2], 2 + by);
         ck_assert(has_triangle(surface, 6, down ? 8 : 7, down ? 7 : 8));
         ck_assert(has_triangle(surface, vertex[0], vertex[2], vertex[1]));
         tf_adaptive_free(surface);
@@ -112,7 +113,7 @@ START_TEST(a_pinch_that_sweeps_over_a_speck_is_refused)
     double position[9];
     const int loop[] = {6, 7, 8};
     for (int i = 0; i < 9; i++)
-        position[i] = place_of(surface, 6 + i / 3)[i % 3] +
+        position[i] = coordinates_of(surface, 6 + i / 3)[i % 3] +
                       (i % 3 == 2 ? 0.1 : 0) + (i == 0 ? 0.5 : 0);
     tf_outcome outcome;
     ck_assert_int_eq(
@@ -163,17 +164,19 @@ START_TEST(a_pinch_closes_a_hole)
     tf_outcome outcome;
     for (int i = 0; i < 9; i++)
         position[i] =
-            place_of(surface, loop[i / 3])[i % 3] +
+            coordinates_of(surface, loop[i / 3])[i % 3] +
             0.1 * (i % 3 == 2 ? -1 : 1) *
-                (i % 3 == 2 ? 1 : place_of(surface, loop[i / 3])[i % 3]);
+                (i % 3 == 2 ? 1 : coordinates_of(surface, loop[i / 3])[i % 3]);
     ck_assert_int_eq(
         tf_adaptive_pinch(surface, loop, position, vertex, &outcome), TF_OK);
     if (outcome != TF_COMMITTED) { // the other side
         const int back[] = {1, 7, 4};
         for (int i = 0; i < 9; i++)
             position[i] =
-                place_of(surface, back[i / 3])[i % 3] +
-                0.1 * (i % 3 == 2 ? -1 : place_of(surface, back[i / 3])[i % 3]);
+                coordinates_of(surface, back[i / 3])[i % 3] +
+                0.1 * (i % 3 == 2
+                           ? -1
+                           : coordinates_of(surface, back[i / 3])[i % 3]);
         ck_assert_int_eq(
             tf_adaptive_pinch(surface, back, position, vertex, &outcome),
             TF_OK);

@@ -50,7 +50,7 @@ START_TEST(a_neck_of_short_edges_is_pinched)
     double low = 9, high = 0;
     for (int v = 6; v < tf_adaptive_mesh(reconnector.surface).vertices; v++)
         if (v < 9 || v >= made.vertices) {
-            double z = place_of(reconnector.surface, v)[2];
+            double z = coordinates_of(reconnector.surface, v)[2];
             low = fmin(low, z);
             high = fmax(high, z);
         }

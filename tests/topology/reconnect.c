@@ -33,7 +33,7 @@ static void move_all(tf_adaptive_surface *surface,
     for (int v = 0; v < vertices; v++) {
         double to[3];
         tf_outcome outcome;
-        way(place_of(surface, v), to);
+        way(coordinates_of(surface, v), to);
         ck_assert_int_eq(tf_adaptive_move(surface, v, to, &outcome), TF_OK);
     }
 }
@@ -166,7 +166,8 @@ static void even_out(tf_adaptive_surface *surface)
         int from = t[c % 3], to = t[(c + 1) % 3], added;
         if (t[0] < 0)
             continue;
-        const double *a = place_of(surface, from), *b = place_of(surface, to);
+        const double *a = coordinates_of(surface, from),
+                     *b = coordinates_of(surface, to);
         double length = length_between(a, b);
         const double middle[] = {(a[0] + b[0]) / 2, (a[1] + b[1]) / 2,
                                  (a[2] + b[2]) / 2};

@@ -290,7 +290,7 @@ static tf_arithmetic one_by_one(const tf_arithmetic *arithmetic)
     return alone;
 }
 
-START_TEST(what_comes_at_once_is_what_comes_one_by_one)
+START_TEST(signs_found_at_once_are_those_found_one_by_one)
 {
     const tf_arithmetic *arithmetic = arithmetic_of(_i);
     tf_arithmetic alone = one_by_one(arithmetic);
@@ -333,7 +333,7 @@ static void swap_some(generator *random, query *q, tf_contact *contact)
     contact->normal_velocity = 0.0 - contact->normal_velocity;
 }
 
-START_TEST(another_order_of_vertices_turns_the_normal_only)
+START_TEST(another_order_of_vertices_only_turns_the_normal)
 {
     const tf_arithmetic *arithmetic = arithmetic_of(_i);
     generator random = generator_new((uint64_t)(300 + _i));
@@ -358,12 +358,12 @@ Suite *suite(void)
     TCase *tcase = tcase_create("agreement");
     tcase_add_loop_test(tcase, the_verdict_alone_is_that_of_the_contact, 0,
                         LOOPS);
-    tcase_add_loop_test(tcase, what_comes_at_once_is_what_comes_one_by_one, 0,
-                        LOOPS);
+    tcase_add_loop_test(tcase, signs_found_at_once_are_those_found_one_by_one,
+                        0, LOOPS);
     tcase_add_loop_test(tcase, more_detail_decides_nothing_else, 0, LOOPS);
     tcase_add_loop_test(tcase, many_queries_are_decided_as_each_alone, 0,
                         LOOPS);
-    tcase_add_loop_test(tcase, another_order_of_vertices_turns_the_normal_only,
+    tcase_add_loop_test(tcase, another_order_of_vertices_only_turns_the_normal,
                         0, LOOPS);
     suite_add_tcase(suite, tcase);
     return suite;

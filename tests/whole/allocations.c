@@ -1,12 +1,17 @@
-// Steps of cloth ask for no memory once they have had what they need: the calls
-// themselves are counted.  The linker puts the functions below in the place of
+// Steps of cloth and of flows ask for no memory once they have had what they
+// need: the calls themselves are counted.  The linker puts the functions below in the place of
 // those of the C library in all that is linked statically: see tests/rules.mk.
+#include "flow/flow.h"
 #include "response/resolve.h"
+#include "simulate/flow_fields.h"
 #include "support/cloth.h"
+#include "support/flows.h"
 #include "support/support.h"
 #include "support/surface_of.h"
+#include "surgery/star.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 // Counting ----------------------------------------------------------------------
 
@@ -46,7 +51,7 @@ void *__wrap_aligned_alloc(size_t alignment, size_t size)
     return __real_aligned_alloc(alignment, size);
 }
 
-// Scenes ------------------------------------------------------------------------
+// Cloth -------------------------------------------------------------------------
 
 /// Plays a scene from its start; returns how many calls its steps made from
 /// `begin` on.
@@ -109,6 +114,72 @@ START_TEST(the_second_half_of_a_fall_allocates_nothing)
 }
 END_TEST
 
+// Flows -------------------------------------------------------------------------
+
+/// Gives a surface the mesh and the positions of another one, in the memory that
+/// it has.
+static void reset(tf_adaptive_surface *surface, const tf_adaptive_surface *from)
+{
+    surface->vertices = from->vertices;
+    surface->triangles = from->triangles;
+    memcpy(surface->position.data, from->position.data,
+           3 * sizeof(double) * (size_t)from->vertices);
+    memcpy(surface->vertex.data, from->vertex.data,
+           3 * sizeof(int) * (size_t)from->triangles);
+    tf_stars_build(surface, surface->box.data);
+}
+
+/// Makes the steps of a flow from its start; returns how many calls they made,
+/// and counts contacts.
+static long let_flow(tf_flow *flow, tf_velocity_field *field, double edge,
+                     size_t *contacts)
+{
+    enum {
+        STEPS = 60
+    };
+    const tf_flow_options options = {
+        .edge = edge, .velocity = tf_field_apply, .context = &field};
+    tf_flow_report report;
+    long all = 0;
+    for (int i = 0; i < STEPS; i++) {
+        long before = calls;
+        tf_status status =
+            tf_flow_step(flow, &options, 3.0 * i / STEPS, 3.0 / STEPS, &report);
+        all += calls - before;
+        ck_assert_int_eq(status, TF_OK);
+        *contacts += report.response.contacts;
+    }
+    return all;
+}
+
+/// A ball in vortices that turn back, and a bumpy one that grows into itself.
+static tf_adaptive_surface *ball_of(int which)
+{
+    static const double center[] = {0.35, 0.35, 0.35};
+    return which == 0 ? adaptive_sphere(8, center, 0.15)
+                      : adaptive_bumpy_sphere(8, 0.1, 2);
+}
+
+START_TEST(a_flow_played_again_allocates_nothing)
+{
+    static tf_velocity_field *const field[] = {tf_vortices, tf_growth};
+    static const double edge[] = {0.03, 0.2};
+    tf_adaptive_surface *ball = ball_of(_i), *start = ball_of(_i);
+    size_t contacts = 0;
+    tf_flow *flow;
+    ck_assert_int_eq(tf_flow_create(ball, &flow), TF_OK);
+    ck_assert_int_gt(let_flow(flow, field[_i], edge[_i], &contacts), 0);
+    size_t bytes = tf_flow_memory(flow);
+    reset(ball, start);
+    ck_assert_int_eq(let_flow(flow, field[_i], edge[_i], &contacts), 0);
+    ck_assert_uint_eq(tf_flow_memory(flow), bytes);
+    ck_assert((contacts > 0) == (_i == 1));
+    tf_flow_free(flow);
+    tf_adaptive_free(ball);
+    tf_adaptive_free(start);
+}
+END_TEST
+
 Suite *suite(void)
 {
     Suite *suite = suite_create("whole/allocations");
@@ -116,6 +187,7 @@ Suite *suite(void)
     tcase_add_loop_test(tcase, a_scene_played_again_allocates_nothing, 0,
                         CLOTH_SCENES);
     tcase_add_test(tcase, the_second_half_of_a_fall_allocates_nothing);
+    tcase_add_loop_test(tcase, a_flow_played_again_allocates_nothing, 0, 2);
     suite_add_tcase(suite, tcase);
     return suite;
 }

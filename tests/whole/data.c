@@ -213,20 +213,20 @@ static void judge_shared(const char *pattern, const char *replaced,
     globfree(&found);
 }
 
-START_TEST(public_queries)
+START_TEST(public_queries_have_the_known_verdicts)
 {
     judge_shared("sample-queries/*/*/*.csv", "sample-queries",
                  "sample-queries-truth");
 }
 END_TEST
 
-START_TEST(adversarial_queries)
+START_TEST(adversarial_queries_have_the_known_verdicts)
 {
     judge_shared("adversarial/*/*/data.csv", "data.csv", "truth.csv");
 }
 END_TEST
 
-START_TEST(kept_queries)
+START_TEST(kept_queries_have_the_known_verdicts)
 {
     judge_file("tests/queries/point-edge.csv", NULL, POINT_EDGE, false);
     judge_file("tests/queries/point-triangle.csv", NULL, POINT_TRIANGLE, false);
@@ -234,7 +234,7 @@ START_TEST(kept_queries)
 }
 END_TEST
 
-START_TEST(rare_queries)
+START_TEST(rare_queries_have_the_known_verdicts)
 {
     judge_file("tests/queries/rare-point-edge.csv", NULL, POINT_EDGE, false);
     judge_file("tests/queries/rare-point-triangle.csv", NULL, POINT_TRIANGLE,
@@ -247,10 +247,10 @@ Suite *suite(void)
 {
     Suite *data = suite_create("query files");
     TCase *files = tcase_create("files");
-    tcase_add_test(files, public_queries);
-    tcase_add_test(files, adversarial_queries);
-    tcase_add_test(files, kept_queries);
-    tcase_add_test(files, rare_queries);
+    tcase_add_test(files, public_queries_have_the_known_verdicts);
+    tcase_add_test(files, adversarial_queries_have_the_known_verdicts);
+    tcase_add_test(files, kept_queries_have_the_known_verdicts);
+    tcase_add_test(files, rare_queries_have_the_known_verdicts);
     suite_add_tcase(data, files);
     return data;
 }

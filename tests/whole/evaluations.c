@@ -36,7 +36,7 @@ static void fail_query(const char *what, evaluations found, const query *q)
                  query_name(q), query_text(q));
 }
 
-START_TEST(what_is_apart_has_no_values)
+START_TEST(elements_apart_take_no_values)
 {
     generator random = generator_new((uint64_t)_i);
     long apart = 0, separated = 0, all = cases(20000);
@@ -89,7 +89,7 @@ static pair_decisions decide_pairs(const query *q)
     return all;
 }
 
-START_TEST(one_generic_contact_has_the_values_of_its_pair_and_normal)
+START_TEST(a_generic_contact_takes_the_values_of_its_pair_and_normal)
 {
     generator random = generator_new((uint64_t)(10 + _i));
     long tried = 0, all = cases(20000);
@@ -111,7 +111,7 @@ START_TEST(one_generic_contact_has_the_values_of_its_pair_and_normal)
 }
 END_TEST
 
-START_TEST(a_verdict_alone_has_no_values)
+START_TEST(a_verdict_alone_takes_no_values)
 {
     static const int index[QUERY_VERTICES] = {0, 1, 2, 3};
     generator random = generator_new((uint64_t)(20 + _i));
@@ -173,11 +173,11 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("evaluations");
     TCase *tcase = tcase_create("evaluations");
-    tcase_add_loop_test(tcase, what_is_apart_has_no_values, 0, KINDS);
+    tcase_add_loop_test(tcase, elements_apart_take_no_values, 0, KINDS);
     tcase_add_loop_test(
-        tcase, one_generic_contact_has_the_values_of_its_pair_and_normal, 0,
+        tcase, a_generic_contact_takes_the_values_of_its_pair_and_normal, 0,
         KINDS);
-    tcase_add_loop_test(tcase, a_verdict_alone_has_no_values, 0, KINDS);
+    tcase_add_loop_test(tcase, a_verdict_alone_takes_no_values, 0, KINDS);
     tcase_add_test(tcase, the_first_query_takes_few_signs);
     tcase_add_test(tcase, the_example_takes_few_signs);
     suite_add_tcase(suite, tcase);

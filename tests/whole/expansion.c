@@ -231,7 +231,7 @@ START_TEST(neighbours_without_a_gap_are_summed)
 }
 END_TEST
 
-START_TEST(expansions_cancel)
+START_TEST(opposite_expansions_cancel_to_nothing)
 {
     generator random = generator_new(6);
     long count = cases(10000);
@@ -269,7 +269,7 @@ START_TEST(scaled_expansions_are_exact)
 }
 END_TEST
 
-START_TEST(zeros_leave_no_terms)
+START_TEST(zeros_add_no_terms)
 {
     expansion nothing = {.count = 0}, one = {.count = 1, .term = {1}};
     expansion result;
@@ -330,7 +330,7 @@ START_TEST(determinants_are_exact)
 }
 END_TEST
 
-START_TEST(a_determinant_of_many_terms)
+START_TEST(a_determinant_may_have_many_terms)
 {
     // The most of the 24 that a long search came upon.
     static const double entry[] = {
@@ -387,13 +387,13 @@ Suite *suite(void)
     tcase_add_test(expansions, sums_of_expansions_are_exact);
     tcase_add_test(expansions, sums_of_sums_are_exact);
     tcase_add_test(expansions, neighbours_without_a_gap_are_summed);
-    tcase_add_test(expansions, expansions_cancel);
+    tcase_add_test(expansions, opposite_expansions_cancel_to_nothing);
     tcase_add_test(expansions, scaled_expansions_are_exact);
-    tcase_add_test(expansions, zeros_leave_no_terms);
+    tcase_add_test(expansions, zeros_add_no_terms);
     suite_add_tcase(whole, expansions);
     TCase *determinants = tcase_create("determinants");
     tcase_add_test(determinants, determinants_are_exact);
-    tcase_add_test(determinants, a_determinant_of_many_terms);
+    tcase_add_test(determinants, a_determinant_may_have_many_terms);
     tcase_add_test(determinants,
                    determinants_at_the_ends_of_their_range_are_exact);
     tcase_add_test(determinants, singular_determinants_have_no_terms);

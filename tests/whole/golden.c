@@ -160,7 +160,7 @@ static bool writes(void)
     return told && strcmp(told, "write") == 0;
 }
 
-START_TEST(answers_are_those_on_file)
+START_TEST(answers_match_the_golden_file)
 {
     char path[LINE];
     snprintf(path, sizeof path, "tests/queries/%s.golden", files[_i].name);
@@ -183,7 +183,7 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("golden answers");
     TCase *tcase = tcase_create("files");
-    tcase_add_loop_test(tcase, answers_are_those_on_file, 0, FILES);
+    tcase_add_loop_test(tcase, answers_match_the_golden_file, 0, FILES);
     suite_add_tcase(suite, tcase);
     return suite;
 }

@@ -43,7 +43,7 @@ static bool next_query(query *q, int values)
 }
 
 /// All of them only at 100 percent.
-START_TEST(every_point_edge_query_of_three_values)
+START_TEST(every_point_edge_query_of_three_values_is_answered_right)
 {
     truth known;
     truth_init(&known);
@@ -72,13 +72,13 @@ static void judge_many(long count, int values)
     truth_clear(&known);
 }
 
-START_TEST(random_queries_of_three_values)
+START_TEST(random_queries_of_three_values_are_answered_right)
 {
     judge_many(cases(100000), 3);
 }
 END_TEST
 
-START_TEST(random_queries_of_five_values)
+START_TEST(random_queries_of_five_values_are_answered_right)
 {
     judge_many(cases(20000), 5);
 }
@@ -96,7 +96,7 @@ static query largest_integers(generator *random, query_kind kind, int bits)
     return q;
 }
 
-START_TEST(largest_integers_that_fit)
+START_TEST(the_largest_integers_that_fit_are_answered_right)
 {
     generator random = generator_new(64);
     truth known;
@@ -120,10 +120,11 @@ Suite *suite(void)
 {
     Suite *lattice = suite_create("lattice");
     TCase *queries = tcase_create("queries");
-    tcase_add_test(queries, every_point_edge_query_of_three_values);
-    tcase_add_test(queries, random_queries_of_three_values);
-    tcase_add_test(queries, random_queries_of_five_values);
-    tcase_add_test(queries, largest_integers_that_fit);
+    tcase_add_test(queries,
+                   every_point_edge_query_of_three_values_is_answered_right);
+    tcase_add_test(queries, random_queries_of_three_values_are_answered_right);
+    tcase_add_test(queries, random_queries_of_five_values_are_answered_right);
+    tcase_add_test(queries, the_largest_integers_that_fit_are_answered_right);
     suite_add_tcase(lattice, queries);
     return lattice;
 }

@@ -115,19 +115,19 @@ static query steep(generator *random, query_kind kind)
     return q;
 }
 
-START_TEST(lattices_with_axes_of_extreme_units)
+START_TEST(lattices_of_extreme_units_are_answered_right)
 {
     judge_all(lattice, 1, 10);
 }
 END_TEST
 
-START_TEST(three_places_on_each_axis)
+START_TEST(three_coordinates_on_each_axis_are_answered_right)
 {
     judge_all(three_places, 2, 10);
 }
 END_TEST
 
-START_TEST(steep_lines_and_planes)
+START_TEST(steep_lines_and_planes_are_answered_right)
 {
     judge_all(steep, 3, 20);
 }
@@ -166,19 +166,19 @@ static query huge_contacts(generator *random, query_kind kind)
     return q;
 }
 
-START_TEST(next_to_degenerate)
+START_TEST(nearly_degenerate_queries_are_answered_right)
 {
     judge_all(beside, 4, 10);
 }
 END_TEST
 
-START_TEST(tiny_contacts_beside_a_huge_coordinate)
+START_TEST(tiny_contacts_beside_a_huge_coordinate_are_found)
 {
     judge_all(tiny_contacts, 5, 10);
 }
 END_TEST
 
-START_TEST(huge_contacts_beside_a_tiny_coordinate)
+START_TEST(huge_contacts_beside_a_tiny_coordinate_are_found)
 {
     judge_all(huge_contacts, 6, 10);
 }
@@ -194,7 +194,7 @@ static query extreme(generator *random, query_kind kind)
     return q;
 }
 
-START_TEST(any_magnitudes)
+START_TEST(queries_of_any_magnitudes_are_answered_right)
 {
     judge_all(extreme, 7, 10);
 }
@@ -271,7 +271,7 @@ enum {
     ARITHMETICS = sizeof arithmetics / sizeof *arithmetics
 };
 
-START_TEST(every_field_is_finite)
+START_TEST(every_member_of_a_contact_is_finite)
 {
     generator random = generator_new((uint64_t)(20 + _i));
     const tf_arithmetic *arithmetic = arithmetics[_i / KINDS];
@@ -293,18 +293,20 @@ Suite *suite(void)
 {
     Suite *magnitudes = suite_create("magnitudes");
     TCase *degenerate = tcase_create("degenerate");
-    tcase_add_test(degenerate, lattices_with_axes_of_extreme_units);
-    tcase_add_test(degenerate, three_places_on_each_axis);
-    tcase_add_test(degenerate, steep_lines_and_planes);
+    tcase_add_test(degenerate, lattices_of_extreme_units_are_answered_right);
+    tcase_add_test(degenerate,
+                   three_coordinates_on_each_axis_are_answered_right);
+    tcase_add_test(degenerate, steep_lines_and_planes_are_answered_right);
     suite_add_tcase(magnitudes, degenerate);
     TCase *nearly = tcase_create("nearly degenerate");
-    tcase_add_test(nearly, next_to_degenerate);
-    tcase_add_test(nearly, tiny_contacts_beside_a_huge_coordinate);
-    tcase_add_test(nearly, huge_contacts_beside_a_tiny_coordinate);
+    tcase_add_test(nearly, nearly_degenerate_queries_are_answered_right);
+    tcase_add_test(nearly, tiny_contacts_beside_a_huge_coordinate_are_found);
+    tcase_add_test(nearly, huge_contacts_beside_a_tiny_coordinate_are_found);
     suite_add_tcase(magnitudes, nearly);
     TCase *any = tcase_create("any");
-    tcase_add_test(any, any_magnitudes);
-    tcase_add_loop_test(any, every_field_is_finite, 0, ARITHMETICS * KINDS);
+    tcase_add_test(any, queries_of_any_magnitudes_are_answered_right);
+    tcase_add_loop_test(any, every_member_of_a_contact_is_finite, 0,
+                        ARITHMETICS * KINDS);
     suite_add_tcase(magnitudes, any);
     return magnitudes;
 }

@@ -67,7 +67,7 @@ static void compare(const tf_mesh *mesh, const tf_motion *motion)
     tf_surface_free(surface);
 }
 
-START_TEST(random_surfaces_have_the_same_contacts)
+START_TEST(random_surfaces_have_the_same_contacts_by_vectors)
 {
     static surface_case given;
     generator random = generator_new((uint64_t)_i);
@@ -79,7 +79,7 @@ START_TEST(random_surfaces_have_the_same_contacts)
 }
 END_TEST
 
-START_TEST(cloth_has_the_same_contacts)
+START_TEST(cloth_has_the_same_contacts_by_vectors)
 {
     layers crowded = layers_new(8, 1, 1);
     compare(&crowded.mesh, &crowded.motion);
@@ -94,9 +94,9 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("whole/narrow_phases");
     TCase *c = tcase_create("narrow phases");
-    tcase_add_loop_test(c, random_surfaces_have_the_same_contacts, 0,
+    tcase_add_loop_test(c, random_surfaces_have_the_same_contacts_by_vectors, 0,
                         2 * PLACEMENTS);
-    tcase_add_test(c, cloth_has_the_same_contacts);
+    tcase_add_test(c, cloth_has_the_same_contacts_by_vectors);
     suite_add_tcase(suite, c);
     return suite;
 }

@@ -36,7 +36,7 @@ static const struct {
     {nudged, 40000},        {query_extreme, 10000},  {scaled, 10000},
 };
 
-START_TEST(queries_are_answered_as_the_oracle_does)
+START_TEST(nearby_queries_are_answered_as_the_oracle_does)
 {
     generator random = generator_new((uint64_t)_i + 1);
     truth known;
@@ -55,8 +55,8 @@ Suite *suite(void)
 {
     Suite *neighbours = suite_create("neighbours");
     TCase *queries = tcase_create("queries");
-    tcase_add_loop_test(queries, queries_are_answered_as_the_oracle_does, 0,
-                        sizeof makers / sizeof *makers);
+    tcase_add_loop_test(queries, nearby_queries_are_answered_as_the_oracle_does,
+                        0, sizeof makers / sizeof *makers);
     suite_add_tcase(neighbours, queries);
     return neighbours;
 }

@@ -1,6 +1,6 @@
 // Adaptive surfaces and responses without memory: each allocation fails in turn,
-// which is reported, and what there was stays good.  The linker puts the functions below
-// in the place of those of the C library: see tests/rules.mk.
+// which is reported, and what there was stays good.  The linker replaces those
+// of the C library by the functions below: see tests/rules.mk.
 #include "flow/flow.h"
 #include "remesh/remesh.h"
 #include "response/resolve.h"
@@ -76,7 +76,27 @@ static void expect_good(tf_adaptive_surface *surface)
     tf_adaptive_free(again);
 }
 
-START_TEST(a_surface_is_made_whole_or_not)
+/// Lets each allocation of `act` fail in turn, each time for a new surface:
+/// expects that it says so, and that the surface stays good.
+static void act_without_memory(tf_adaptive_surface *make(void),
+                               tf_status act(tf_adaptive_surface *surface),
+                               int least_failures)
+{
+    tf_status status = TF_OUT_OF_MEMORY;
+    int failures = 0;
+    for (; status != TF_OK; failures++) {
+        tf_adaptive_surface *surface = make();
+        left = failures;
+        status = act(surface);
+        left = -1;
+        ck_assert(status == TF_OK || status == TF_OUT_OF_MEMORY);
+        expect_good(surface);
+        tf_adaptive_free(surface);
+    }
+    ck_assert_int_gt(failures, least_failures);
+}
+
+START_TEST(a_surface_is_made_as_a_whole_or_not_at_all)
 {
     tf_adaptive_surface *sheet = adaptive_sheet(2, 2), *made;
     tf_status status = TF_OUT_OF_MEMORY;
@@ -93,6 +113,13 @@ START_TEST(a_surface_is_made_whole_or_not)
     tf_adaptive_free(sheet);
 }
 END_TEST
+
+static tf_adaptive_surface *two_by_two(void)
+{
+    return adaptive_sheet(2, 2);
+}
+
+static int operation;
 
 static tf_status try_operation(tf_adaptive_surface *surface, int which,
                                tf_outcome *outcome)
@@ -113,24 +140,30 @@ static tf_status try_operation(tf_adaptive_surface *surface, int which,
     }
 }
 
+/// Expects that an operation without memory changes nothing.
+static tf_status expect_all_or_nothing(
+    tf_adaptive_surface *surface,
+    tf_status act(tf_adaptive_surface *surface, int which, tf_outcome *outcome))
+{
+    int before = triangles_of(surface);
+    tf_outcome outcome;
+    tf_status status = act(surface, operation, &outcome);
+    left = -1;
+    ck_assert((status == TF_OK) == (outcome != TF_NO_OUTCOME));
+    if (status != TF_OK)
+        ck_assert_int_eq(triangles_of(surface), before);
+    return status;
+}
+
+static tf_status operate(tf_adaptive_surface *sheet)
+{
+    return expect_all_or_nothing(sheet, try_operation);
+}
+
 START_TEST(an_operation_is_all_or_nothing)
 {
-    tf_status status = TF_OUT_OF_MEMORY;
-    int failures = 0;
-    for (; status != TF_OK; failures++) {
-        tf_adaptive_surface *sheet = adaptive_sheet(2, 2);
-        tf_outcome outcome;
-        left = failures;
-        status = try_operation(sheet, _i, &outcome);
-        left = -1;
-        ck_assert(status == TF_OK || status == TF_OUT_OF_MEMORY);
-        ck_assert((status == TF_OK) == (outcome != TF_NO_OUTCOME));
-        if (status != TF_OK)
-            ck_assert_int_eq(triangles_of(sheet), 8);
-        expect_good(sheet);
-        tf_adaptive_free(sheet);
-    }
-    ck_assert_int_gt(failures, 1);
+    operation = _i;
+    act_without_memory(two_by_two, operate, 1);
 }
 END_TEST
 
@@ -162,66 +195,44 @@ static tf_status try_reconnection(tf_adaptive_surface *surface, int which,
     if (which == 1)
         return tf_adaptive_merge(surface, low, high, outcome);
     for (int i = 0; i < 9; i++)
-        place[i] =
-            place_of(surface, loop[i / 3])[i % 3] + (i % 3 == 2 ? 0.25 : 0);
+        place[i] = coordinates_of(surface, loop[i / 3])[i % 3] +
+                   (i % 3 == 2 ? 0.25 : 0);
     return tf_adaptive_pinch(surface, loop, place, vertex, outcome);
+}
+
+static tf_status reconnect_once(tf_adaptive_surface *surface)
+{
+    return expect_all_or_nothing(surface, try_reconnection);
 }
 
 START_TEST(a_reconnection_is_all_or_nothing)
 {
-    tf_status status = TF_OUT_OF_MEMORY;
-    int failures = 0;
-    for (; status != TF_OK; failures++) {
-        tf_adaptive_surface *surface = two_necks();
-        int before = triangles_of(surface);
-        tf_outcome outcome;
-        left = failures;
-        status = try_reconnection(surface, _i, &outcome);
-        left = -1;
-        ck_assert(status == TF_OK || status == TF_OUT_OF_MEMORY);
-        ck_assert((status == TF_OK) == (outcome != TF_NO_OUTCOME));
-        if (status != TF_OK)
-            ck_assert_int_eq(triangles_of(surface), before);
-        expect_good(surface);
-        tf_adaptive_free(surface);
-    }
-    ck_assert_int_gt(failures, 1);
+    operation = _i;
+    act_without_memory(two_necks, reconnect_once, 1);
 }
 END_TEST
+
+static tf_status reconnect(tf_adaptive_surface *surface)
+{
+    static const tf_reconnect_options how = {.edge = 1, .merge = 0.8};
+    return tf_adaptive_reconnect(surface, &how, NULL);
+}
 
 START_TEST(reconnecting_leaves_a_good_surface)
 {
-    static const tf_reconnect_options how = {.edge = 1, .merge = 0.8};
-    tf_status status = TF_OUT_OF_MEMORY;
-    int failures = 0;
-    for (; status != TF_OK; failures++) {
-        tf_adaptive_surface *surface = two_necks();
-        left = failures;
-        status = tf_adaptive_reconnect(surface, &how, NULL);
-        left = -1;
-        ck_assert(status == TF_OK || status == TF_OUT_OF_MEMORY);
-        expect_good(surface);
-        tf_adaptive_free(surface);
-    }
-    ck_assert_int_gt(failures, 6);
+    act_without_memory(two_necks, reconnect, 6);
 }
 END_TEST
 
-START_TEST(remeshing_leaves_a_good_surface)
+static tf_status remesh(tf_adaptive_surface *sheet)
 {
     static const tf_remesh_options how = {.edge = 0.4, .rounds = 2};
-    tf_status status = TF_OUT_OF_MEMORY;
-    int failures = 0;
-    for (; status != TF_OK; failures++) {
-        tf_adaptive_surface *sheet = adaptive_sheet(2, 2);
-        left = failures;
-        status = tf_adaptive_remesh(sheet, &how, NULL);
-        left = -1;
-        ck_assert(status == TF_OK || status == TF_OUT_OF_MEMORY);
-        expect_good(sheet);
-        tf_adaptive_free(sheet);
-    }
-    ck_assert_int_gt(failures, 20);
+    return tf_adaptive_remesh(sheet, &how, NULL);
+}
+
+START_TEST(remeshing_leaves_a_good_surface)
+{
+    act_without_memory(two_by_two, remesh, 20);
 }
 END_TEST
 
@@ -234,27 +245,26 @@ static void sink(void *context, double time, int points, const double point[],
         velocity[i] = i % 3 == 2 ? -0.1 * point[i] : 0;
 }
 
-START_TEST(flowing_leaves_a_good_surface)
+/// With enough memory the flow goes on.
+static tf_status flow(tf_adaptive_surface *surface)
 {
     static const tf_flow_options how = {.edge = 1, .velocity = sink};
-    tf_status status = TF_OUT_OF_MEMORY;
-    int failures = 0;
-    for (; status != TF_OK; failures++) {
-        tf_adaptive_surface *surface = two_necks();
-        tf_flow *flow;
-        ck_assert_int_eq(tf_flow_create(surface, &flow), TF_OK);
-        left = failures;
-        status = tf_flow_step(flow, &how, 0, 1, NULL);
-        left = -1;
-        ck_assert(status == TF_OK || status == TF_OUT_OF_MEMORY);
-        expect_good(surface);
-        // With enough memory it goes on.
-        ck_assert_int_eq(tf_flow_step(flow, &how, 1, 1, NULL), TF_OK);
-        expect_good(surface);
-        tf_flow_free(flow);
-        tf_adaptive_free(surface);
-    }
-    ck_assert_int_gt(failures, 20);
+    long allocations = left;
+    tf_flow *flow;
+    left = -1;
+    ck_assert_int_eq(tf_flow_create(surface, &flow), TF_OK);
+    left = allocations;
+    tf_status status = tf_flow_step(flow, &how, 0, 1, NULL);
+    left = -1;
+    expect_good(surface);
+    ck_assert_int_eq(tf_flow_step(flow, &how, 1, 1, NULL), TF_OK);
+    tf_flow_free(flow);
+    return status;
+}
+
+START_TEST(flowing_leaves_a_good_surface)
+{
+    act_without_memory(two_necks, flow, 20);
 }
 END_TEST
 
@@ -317,7 +327,7 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("whole/no_memory");
     TCase *tcase = tcase_create("failures");
-    tcase_add_test(tcase, a_surface_is_made_whole_or_not);
+    tcase_add_test(tcase, a_surface_is_made_as_a_whole_or_not_at_all);
     tcase_add_loop_test(tcase, an_operation_is_all_or_nothing, 0, 5);
     tcase_add_loop_test(tcase, a_reconnection_is_all_or_nothing, 0, 3);
     tcase_add_test(tcase, reconnecting_leaves_a_good_surface);

@@ -239,7 +239,7 @@ static bool in_contact(const element *a, const element *b)
     return count > 0;
 }
 
-START_TEST(a_clear_step_ends_clear)
+START_TEST(a_step_without_contact_ends_clear)
 {
     generator random = generator_new(2);
     long clear = 0;
@@ -259,7 +259,7 @@ END_TEST
 
 /// Two triangles that cross in mid-step without a contact: bent triangles can
 /// meet at their creases first.
-START_TEST(a_clear_step_may_cross_midway)
+START_TEST(a_step_without_contact_may_cross_between)
 {
     static const double start[6][3] = {
         {-0.872, 0.676, 0.823},  {0.713, -0.982, -0.792},
@@ -294,8 +294,8 @@ Suite *suite(void)
     TCase *steps = tcase_create("steps");
     tcase_add_test(steps, the_number_of_intersections_is_even);
     tcase_add_test(steps, perturbed_intersections_are_even_however_degenerate);
-    tcase_add_test(steps, a_clear_step_ends_clear);
-    tcase_add_test(steps, a_clear_step_may_cross_midway);
+    tcase_add_test(steps, a_step_without_contact_ends_clear);
+    tcase_add_test(steps, a_step_without_contact_may_cross_between);
     suite_add_tcase(parity, steps);
     return parity;
 }

@@ -146,7 +146,7 @@ START_TEST(aligned_sheets_are_resolved)
 END_TEST
 
 // Its displacement is no double, and some of its coordinates are -0.
-START_TEST(steps_without_contacts_end_as_proposed)
+START_TEST(a_step_without_contacts_ends_as_proposed)
 {
     proposal_begin(&made, 3);
     proposal_add_sheet(&made, 2, 0);
@@ -177,7 +177,7 @@ START_TEST(parallel_edges_are_resolved)
 END_TEST
 
 /// Two cones, tip to tip.
-START_TEST(vertices_that_meet_are_resolved)
+START_TEST(a_vertex_on_a_vertex_is_resolved)
 {
     proposal_begin(&made, 3);
     for (int side = -1; side <= 1; side += 2) {
@@ -222,7 +222,7 @@ START_TEST(isolated_vertices_are_resolved)
 }
 END_TEST
 
-START_TEST(a_triangle_turns_over_in_its_plane)
+START_TEST(a_triangle_that_turns_over_in_its_plane_is_resolved)
 {
     for (int axes = 2; axes <= 3; axes++) {
         proposal_begin(&made, axes);
@@ -248,7 +248,7 @@ static void fix(int first, int count)
         made.inverse_mass[v] = 0;
 }
 
-START_TEST(two_scripted_plates_close)
+START_TEST(two_closing_scripted_plates_are_held_back)
 {
     proposal_begin(&made, 3);
     int low = proposal_add_sheet(&made, 2, 0);
@@ -263,7 +263,7 @@ START_TEST(two_scripted_plates_close)
 }
 END_TEST
 
-START_TEST(a_scripted_plate_pushes_and_is_not_held)
+START_TEST(a_scripted_plate_that_pushes_is_not_held_back)
 {
     proposal_begin(&made, 3);
     int plate = proposal_add_sheet(&made, 2, 0);
@@ -287,7 +287,7 @@ static void roughen(generator *random, int first, int count)
 
 // By the failsafe alone, which moves all as the plate does.  Of a rough plate
 // no two vertices move by the same displacement, to the last bit.
-START_TEST(a_scripted_plate_carries_what_it_meets)
+START_TEST(a_scripted_plate_carries_the_vertices_that_it_meets)
 {
     static const tf_response_options options = {.zone_rounds = -1};
     generator random = generator_new(700);
@@ -393,7 +393,7 @@ static void make_random(generator *random, int number, bool scripted)
             made.inverse_mass[v] = 1;
 }
 
-START_TEST(no_separation_and_resting_obstacles_raise_no_energy)
+START_TEST(without_separation_resting_obstacles_add_no_energy)
 {
     static const tf_response_options levels[] = {
         {.separation = -1},
@@ -596,7 +596,7 @@ static int expect_pushes(tf_zone *zone)
     return sweeps;
 }
 
-START_TEST(whatever_the_solver_does_the_step_is_clear)
+START_TEST(the_step_is_clear_whatever_the_solver_does)
 {
     static const tf_zone_solver solvers[] = {
         {"idle", no_workspace, do_nothing},
@@ -719,23 +719,24 @@ Suite *suite(void)
 
     TCase *hand = tcase_create("by hand");
     tcase_add_test(hand, aligned_sheets_are_resolved);
-    tcase_add_loop_test(hand, steps_without_contacts_end_as_proposed, 0,
+    tcase_add_loop_test(hand, a_step_without_contacts_ends_as_proposed, 0,
                         LEVELS);
     tcase_add_test(hand, parallel_edges_are_resolved);
-    tcase_add_test(hand, vertices_that_meet_are_resolved);
+    tcase_add_test(hand, a_vertex_on_a_vertex_is_resolved);
     tcase_add_test(hand, motion_in_one_plane_is_resolved);
     tcase_add_test(hand, isolated_vertices_are_resolved);
-    tcase_add_test(hand, a_triangle_turns_over_in_its_plane);
-    tcase_add_test(hand, two_scripted_plates_close);
-    tcase_add_test(hand, a_scripted_plate_pushes_and_is_not_held);
-    tcase_add_loop_test(hand, a_scripted_plate_carries_what_it_meets, 0, 2);
+    tcase_add_test(hand, a_triangle_that_turns_over_in_its_plane_is_resolved);
+    tcase_add_test(hand, two_closing_scripted_plates_are_held_back);
+    tcase_add_test(hand, a_scripted_plate_that_pushes_is_not_held_back);
+    tcase_add_loop_test(
+        hand, a_scripted_plate_carries_the_vertices_that_it_meets, 0, 2);
     tcase_add_test(hand, a_huge_translation_on_a_lattice_meets_nothing);
     tcase_add_test(hand, a_huge_translation_off_a_lattice_is_refused);
     suite_add_tcase(suite, hand);
 
     TCase *kept = tcase_create("kept");
     tcase_add_loop_test(
-        kept, no_separation_and_resting_obstacles_raise_no_energy, 0, 4);
+        kept, without_separation_resting_obstacles_add_no_energy, 0, 4);
     tcase_add_loop_test(kept, free_bodies_keep_their_momentum, 0, 4);
     suite_add_tcase(suite, kept);
 
@@ -745,7 +746,7 @@ Suite *suite(void)
     suite_add_tcase(suite, units);
 
     TCase *solvers = tcase_create("solvers");
-    tcase_add_loop_test(solvers, whatever_the_solver_does_the_step_is_clear, 0,
+    tcase_add_loop_test(solvers, the_step_is_clear_whatever_the_solver_does, 0,
                         4);
     tcase_add_test(solvers, every_constraint_twice_ends_the_same);
     suite_add_tcase(suite, solvers);

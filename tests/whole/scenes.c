@@ -37,7 +37,7 @@ START_TEST(a_scene_stays_free_of_tangles)
 }
 END_TEST
 
-START_TEST(without_response_it_tangles)
+START_TEST(a_scene_without_response_tangles)
 {
     const char *name = shorts[_i].name;
     tf_cloth_simulation *c = cloth_of(name, shorts[_i].size);
@@ -60,7 +60,7 @@ Suite *suite(void)
     TCase *tcase = tcase_create("scenes");
     int scenes = (int)cases(sizeof shorts / sizeof *shorts);
     tcase_add_loop_test(tcase, a_scene_stays_free_of_tangles, 0, scenes);
-    tcase_add_loop_test(tcase, without_response_it_tangles, 0, scenes);
+    tcase_add_loop_test(tcase, a_scene_without_response_tangles, 0, scenes);
     suite_add_tcase(suite, tcase);
     return suite;
 }

@@ -75,7 +75,7 @@ static void compare(find_function *find)
     tf_surface_free(several);
 }
 
-START_TEST(any_number_of_threads_finds_the_same)
+START_TEST(any_number_of_threads_finds_the_same_rows)
 {
     static surface_case given;
     generator random = generator_new((uint64_t)_i);
@@ -90,7 +90,7 @@ START_TEST(any_number_of_threads_finds_the_same)
 END_TEST
 
 /// The surfaces above are a task or two; this one is many.
-START_TEST(any_number_of_threads_finds_the_same_in_cloth)
+START_TEST(any_number_of_threads_finds_the_same_rows_in_cloth)
 {
     layers cloth = layers_new(15, 1, 1);
     mesh = cloth.mesh;
@@ -104,9 +104,9 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("whole/surface_threads");
     TCase *tcase = tcase_create("threads");
-    tcase_add_loop_test(tcase, any_number_of_threads_finds_the_same, 0, 3);
-    tcase_add_loop_test(tcase, any_number_of_threads_finds_the_same_in_cloth, 0,
-                        3);
+    tcase_add_loop_test(tcase, any_number_of_threads_finds_the_same_rows, 0, 3);
+    tcase_add_loop_test(
+        tcase, any_number_of_threads_finds_the_same_rows_in_cloth, 0, 3);
     suite_add_tcase(suite, tcase);
     return suite;
 }

@@ -55,25 +55,25 @@ static void judge_change(change *make, uint64_t stream)
     truth_clear(&known);
 }
 
-START_TEST(axes_change_places)
+START_TEST(renaming_axes_renames_the_contact)
 {
     judge_change(turn_axes, 1);
 }
 END_TEST
 
-START_TEST(an_axis_is_mirrored)
+START_TEST(mirroring_an_axis_mirrors_the_contact)
 {
     judge_change(mirror, 2);
 }
 END_TEST
 
-START_TEST(elements_change_places)
+START_TEST(swapping_elements_swaps_the_contact)
 {
     judge_change(swap_elements, 3);
 }
 END_TEST
 
-START_TEST(the_unit_of_length_changes)
+START_TEST(another_unit_scales_the_contact)
 {
     judge_change(change_unit, 4);
 }
@@ -94,7 +94,7 @@ static bool in_order(const truth *forth, const truth *back)
     return order;
 }
 
-START_TEST(time_runs_backwards)
+START_TEST(reversed_time_keeps_the_verdict)
 {
     generator random = generator_new(5);
     truth forth, back;
@@ -121,11 +121,11 @@ Suite *suite(void)
 {
     Suite *symmetry = suite_create("symmetry");
     TCase *changes = tcase_create("changes");
-    tcase_add_test(changes, axes_change_places);
-    tcase_add_test(changes, an_axis_is_mirrored);
-    tcase_add_test(changes, elements_change_places);
-    tcase_add_test(changes, the_unit_of_length_changes);
-    tcase_add_test(changes, time_runs_backwards);
+    tcase_add_test(changes, renaming_axes_renames_the_contact);
+    tcase_add_test(changes, mirroring_an_axis_mirrors_the_contact);
+    tcase_add_test(changes, swapping_elements_swaps_the_contact);
+    tcase_add_test(changes, another_unit_scales_the_contact);
+    tcase_add_test(changes, reversed_time_keeps_the_verdict);
     suite_add_tcase(symmetry, changes);
     return symmetry;
 }

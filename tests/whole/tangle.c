@@ -134,7 +134,7 @@ static int judge_triangles(const double other[9], tangle *first)
     return judge(two_triangles, position, first);
 }
 
-START_TEST(a_pierced_triangle)
+START_TEST(a_pierced_triangle_is_one_tangle)
 {
     static const double piercing[] = {1, 1, -1, 1, 1, 1, 9, 9, 1};
     static const int expected[] = {1, 2, 3, 4, 5};
@@ -145,7 +145,7 @@ START_TEST(a_pierced_triangle)
 }
 END_TEST
 
-START_TEST(a_vertex_on_a_triangle_and_a_denormal_above)
+START_TEST(a_vertex_on_a_triangle_is_a_tangle_a_subnormal_above_it_is_none)
 {
     static const int expected[] = {3, 0, 1, 2, -1};
     double touching[] = {1, 1, 0, 1, 1, 1, 2, 1, 1};
@@ -158,7 +158,7 @@ START_TEST(a_vertex_on_a_triangle_and_a_denormal_above)
 }
 END_TEST
 
-START_TEST(an_ulp_to_each_side_of_an_edge)
+START_TEST(an_ulp_to_the_side_decides_on_a_tangle)
 {
     const tf_mesh curve = {
         .axes = 2, .vertices = 3, .edges = 1, .edge = (int[]){0, 1}};
@@ -175,7 +175,7 @@ END_TEST
 
 // Two triangles that share a vertex or an edge, and lie upon each other: other
 // pairs of their elements tell.
-START_TEST(overlapping_neighbors)
+START_TEST(overlapping_neighbors_are_no_tangle)
 {
     const tf_mesh edge_shared = {.axes = 3,
                                  .vertices = 4,
@@ -208,10 +208,12 @@ Suite *suite(void)
     suite_add_tcase(suite, tcase);
 
     TCase *planted = tcase_create("planted");
-    tcase_add_test(planted, a_pierced_triangle);
-    tcase_add_test(planted, a_vertex_on_a_triangle_and_a_denormal_above);
-    tcase_add_test(planted, an_ulp_to_each_side_of_an_edge);
-    tcase_add_test(planted, overlapping_neighbors);
+    tcase_add_test(planted, a_pierced_triangle_is_one_tangle);
+    tcase_add_test(
+        planted,
+        a_vertex_on_a_triangle_is_a_tangle_a_subnormal_above_it_is_none);
+    tcase_add_test(planted, an_ulp_to_the_side_decides_on_a_tangle);
+    tcase_add_test(planted, overlapping_neighbors_are_no_tangle);
     suite_add_tcase(suite, planted);
     return suite;
 }

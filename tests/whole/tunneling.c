@@ -298,7 +298,7 @@ static void expect_contact_of_changes(const tf_arithmetic *arithmetic,
 static const tf_arithmetic *const arithmetics[] = {&tf_exact, &tf_clamped};
 
 /// Shorten the step until nothing meets.
-START_TEST(what_meets_nothing_stays_inside_or_outside)
+START_TEST(without_contact_points_stay_inside_or_outside)
 {
     tf_kind kind = (tf_kind)_i;
     generator random = generator_new((uint64_t)kind);
@@ -354,7 +354,7 @@ Suite *suite(void)
     Suite *tunneling = suite_create("tunneling");
     TCase *steps = tcase_create("steps");
     const int first = TF_POINT_EDGE, end = TF_EDGE_EDGE + 1;
-    tcase_add_loop_test(steps, what_meets_nothing_stays_inside_or_outside,
+    tcase_add_loop_test(steps, without_contact_points_stay_inside_or_outside,
                         first, end);
     tcase_add_loop_test(steps, nothing_gets_in_or_out_without_a_contact, first,
                         end);

@@ -28,7 +28,7 @@ static tf_intersection meet_witness(const tf_arithmetic *arithmetic)
     return tf_intersect(arithmetic, &pair, TF_WITH_POINT);
 }
 
-START_TEST(exact_signs_find_it)
+START_TEST(exact_signs_find_the_contact)
 {
     tf_intersection found = meet_witness(&tf_exact);
     ck_assert_int_eq(found.verdict, TF_HIT);
@@ -36,13 +36,13 @@ START_TEST(exact_signs_find_it)
 }
 END_TEST
 
-START_TEST(the_report_misses_it)
+START_TEST(the_published_rule_misses_the_contact)
 {
     ck_assert_int_eq(meet_witness(&tf_published).verdict, TF_APART);
 }
 END_TEST
 
-START_TEST(sound_clamping_leaves_it_open)
+START_TEST(clamped_signs_leave_the_contact_undecided)
 {
     ck_assert_int_eq(meet_witness(&tf_clamped).verdict, TF_UNDECIDED);
 }
@@ -62,7 +62,7 @@ static query whole_step(void)
     return q;
 }
 
-START_TEST(a_whole_query_is_missed_alike)
+START_TEST(the_published_rule_misses_the_whole_query)
 {
     query q = whole_step();
     truth known;
@@ -82,10 +82,10 @@ Suite *suite(void)
 {
     Suite *witness = suite_create("witness");
     TCase *rules = tcase_create("rules");
-    tcase_add_test(rules, exact_signs_find_it);
-    tcase_add_test(rules, the_report_misses_it);
-    tcase_add_test(rules, sound_clamping_leaves_it_open);
-    tcase_add_test(rules, a_whole_query_is_missed_alike);
+    tcase_add_test(rules, exact_signs_find_the_contact);
+    tcase_add_test(rules, the_published_rule_misses_the_contact);
+    tcase_add_test(rules, clamped_signs_leave_the_contact_undecided);
+    tcase_add_test(rules, the_published_rule_misses_the_whole_query);
     suite_add_tcase(witness, rules);
     return witness;
 }

@@ -10,12 +10,12 @@ static void shares_of_angles_add_up(void)
     for (int i = 0; i < 3; i++) {
         double before = 0, after = 0;
         for (int bin = 0; bin < (int)number("bins"); bin++) {
-            before += measured("remeshing: %s before %d", meshes[i], bin);
-            after += measured("remeshing: %s after %d", meshes[i], bin);
+            before += measured("remeshing", "%s before %d", meshes[i], bin);
+            after += measured("remeshing", "%s after %d", meshes[i], bin);
         }
         ck_assert_double_eq_tol(before, 100, 0.01);
         ck_assert_double_eq_tol(after, 100, 0.01);
-        ck_assert_double_lt(measured("remeshing: %s thin", meshes[i]), 3);
+        ck_assert_double_lt(measured("remeshing", "%s thin", meshes[i]), 3);
     }
 }
 

@@ -304,8 +304,8 @@ static void make_sheet(int sheet, const int rotation[3][3], bool rounded,
     }
 }
 
-/// Whether from a vertex of a sheet one may go on by a step to the right, up, or
-/// both.
+/// Whether a vertex of a sheet has another one a step to its right, above it,
+/// or both.
 static bool has_step(int vertex, int step)
 {
     return vertex % SIDE + step % SIDE < SIDE && vertex + step < VERTICES;

@@ -187,7 +187,7 @@ static void times_of_legs_are_those_of_the_oracle(void)
     }
 }
 
-// Rounded numbers --------------------------------------------------------------
+// Rounded numbers -------------------------------------------------------------
 
 enum {
     ROW = 192,
@@ -498,9 +498,9 @@ static int module_at(const char *file)
     char path[NAME];
     int i = 0;
     snprintf(path, sizeof path, "%.*s", (int)strcspn(file, "."), file);
-    while (i < MODULES && *modules[i].path && strcmp(modules[i].path, path))
+    while (*modules[i].path && strcmp(modules[i].path, path) != 0)
         i++;
-    ck_assert_int_lt(i, MODULES);
+    ck_assert_int_lt(i + 1, MODULES);
     strcpy(modules[i].path, path);
     snprintf(modules[i].layer, NAME, "%.*s", (int)strcspn(file, "/"), file);
     return i;

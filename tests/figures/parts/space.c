@@ -542,11 +542,11 @@ static double least_of(const char *set, const char *first, const char *second)
 {
     double least = INFINITY;
     for (int digits = 0; digits <= 16; digits++) {
-        char row[32] = "methods: cubic 0";
+        char row[32] = "cubic 0";
         if (digits > 0)
-            snprintf(row, sizeof row, "methods: cubic 1e-%02d", digits);
-        double count = measured("%s %s %s", row, set, first);
-        count += second ? measured("%s %s %s", row, set, second) : 0;
+            snprintf(row, sizeof row, "cubic 1e-%02d", digits);
+        double count = measured("methods", "%s %s %s", row, set, first);
+        count += second ? measured("methods", "%s %s %s", row, set, second) : 0;
         least = fmin(least, count);
     }
     return least;
@@ -564,9 +564,10 @@ static void errors_are_those_counted(void)
 
 // Signs and volumes -----------------------------------------------------------
 
-/// The volume grows by slices of a quadratic law, for which Simpson's rule is
-/// exact, between the triangles and the hexagon half way.  The walls are bent
-/// at the middle of the event at t = 0 of one and the one at t = 1 of the other.
+/// The areas of slices follow a quadratic law, for which Simpson's rule is
+/// exact: from those of the triangles and of the hexagon half way.  Its walls
+/// are bent at the middle of one vertex's event at t = 0 and another one's at
+/// t = 1.
 static void the_volume_of_the_prism_is_simpsons(void)
 {
     static const double at[2][3][2] = {

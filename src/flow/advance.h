@@ -6,8 +6,9 @@
 #include "surface/buffer.h"
 #include "surgery/adaptive.h"
 
-/// An advance of all vertices of a surface at once.  Its points are the vertices
-/// and, after them, the middles of the edges; each array has a vector of each.
+/// An advance of all vertices of a surface at once.  Its points are the
+/// vertices and, after them, the middles of the edges; each array has a vector
+/// of each.
 typedef struct tf_advance {
     tf_adaptive_surface *surface;
     tf_surface *elements;  ///< of the surface in this step; NULL: none yet
@@ -37,9 +38,9 @@ tf_status tf_advance_begin(tf_advance *advance, const tf_flow_options *options,
 /// Finds the ends of all points, by the method of Runge and Kutta.
 void tf_advance_propose(tf_advance *advance);
 
-/// Shifts the ends of the vertices along their normals, by a tenth of an edge at
-/// most, so that the surface encloses as much as if its edges had curved with
-/// their middles.
+/// Shifts the ends of the vertices along their normals, by a tenth of an edge
+/// at most, so that the surface encloses as much as if its edges had curved
+/// with their middles.
 void tf_advance_restore_volume(tf_advance *advance);
 
 /// Moves the vertices to their ends as far as the response lets them.  Returns

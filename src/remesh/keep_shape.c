@@ -12,8 +12,8 @@ static tf_vector project(tf_remesher *remesher, tf_vector point)
 }
 
 //: Choose where an edge is split
-/// In the middle, and unless the edge is sharp, where the original is nearest to
-/// that.
+/// In the middle, and unless the edge is sharp, where the original is nearest
+/// to that.
 static bool choose_split(tf_remesher *remesher, int corner, int refused,
                          tf_vector *position, tf_volume_error *error)
 {

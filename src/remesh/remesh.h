@@ -14,11 +14,11 @@
 /// where corners stay and vertices move along them, if at all, and elsewhere
 /// vertices stay on the original surface, up to rounding.
 ///
-/// Each operation is exact, and what might tangle is refused; so the new surface
-/// is embedded, and the old one can be moved to it without passing through
-/// itself.  Only how good the triangles are is a matter of rounding, and where
-/// things are close they may stay poor.  The result is the same, to the last
-/// bit, on every machine.
+/// Each operation is exact, and what might tangle is refused; so the new
+/// surface is embedded, and the old one can be moved to it without passing
+/// through itself.  Only how good the triangles are is a matter of rounding,
+/// and where things are close they may stay poor.  The result is the same, to
+/// the last bit, on every machine.
 ///
 /// @param surface the surface; its gaps are closed
 /// @param options how

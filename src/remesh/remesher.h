@@ -45,8 +45,8 @@ typedef enum tf_edge_order {
 } tf_edge_order;
 
 /// Lists the edges whose length is at least `low` and at most `high`, and then
-/// visits them, until a visit returns something other than TF_OK.  Returns that,
-/// or TF_OK, or TF_OUT_OF_MEMORY.
+/// visits them, until a visit returns something other than TF_OK.  Returns
+/// that, or TF_OK, or TF_OUT_OF_MEMORY.
 tf_status tf_remesher_visit(tf_remesher *remesher, double low, double high,
                             tf_edge_order order,
                             tf_status visit(tf_remesher *remesher,

@@ -24,9 +24,9 @@ typedef struct tf_edge_collapse {
     tf_vector position;
 } tf_edge_collapse;
 
-/// The freer of two vertices, at a corner and at the next one, goes to the other.
-/// False if it may not: if it is held, or if it may only go along a sharp edge
-/// and this one is none.
+/// The freer of two vertices, at a corner and at the next one, goes to the
+/// other.  False if it may not: if it is held, or if it may only go along a
+/// sharp edge and this one is none.
 bool tf_collapse_freer(const tf_adaptive_surface *surface, int corner,
                        const tf_freedom freedom[2], bool sharp,
                        tf_edge_collapse *collapse);

@@ -6,8 +6,8 @@
 /// Whether the item `a` comes before the item `b`.
 typedef bool tf_precedes(const void *a, const void *b);
 
-/// Sorts `count` pointers to items, equal ones in their order, from one array to
-/// another with room for as many; returns the one of the two that holds the
+/// Sorts `count` pointers to items, equal ones in their order, from one array
+/// to another with room for as many; returns the one of the two that holds the
 /// result.
 const void **tf_sort(size_t count, const void *from[], const void *to[],
                      tf_precedes *precedes);
@@ -18,8 +18,8 @@ typedef struct tf_sort_memory {
     tf_buffer pointers, items;
 } tf_sort_memory;
 
-/// Sorts a list of `count` items of `size` bytes each, equal ones in their order.
-/// False if there is no memory.
+/// Sorts a list of `count` items of `size` bytes each, equal ones in their
+/// order.  False if there is no memory.
 bool tf_list_sort(tf_buffer *list, size_t count, size_t size,
                   tf_precedes *precedes, tf_sort_memory *memory);
 

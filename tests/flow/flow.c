@@ -110,7 +110,7 @@ START_TEST(workers_change_no_bit)
 }
 END_TEST
 
-// A surface may be changed between steps, and memory that is kept changes no bit.
+// Memory that is kept changes no bit.
 START_TEST(a_flow_remembers_nothing_of_its_steps)
 {
     tf_adaptive_surface *surface = adaptive_sphere(6, center, radius);

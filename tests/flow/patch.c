@@ -6,8 +6,8 @@
 #include "support/support.h"
 #include "surgery/move.h"
 
-/// Moves a vertex to where its star gains 1/6 of `more`; returns by how much the
-/// surface then differs from that.
+/// Moves a vertex to where its star gains 1/6 of `more`; returns by how much
+/// the surface then differs from that.
 static double error_of_move(tf_adaptive_surface *surface, int vertex,
                             tf_vector apex, double more)
 {

@@ -1,6 +1,7 @@
 // Steps of cloth and of flows ask for no memory once they have had what they
-// need: the calls themselves are counted.  The linker puts the functions below in the place of
-// those of the C library in all that is linked statically: see tests/rules.mk.
+// need: the calls themselves are counted.  The linker puts the functions below
+// in the place of those of the C library in all that is linked statically: see
+// tests/rules.mk.
 #include "flow/flow.h"
 #include "response/resolve.h"
 #include "simulate/flow_fields.h"
@@ -13,7 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-// Counting ----------------------------------------------------------------------
+// Counting --------------------------------------------------------------------
 
 static long calls;
 
@@ -51,7 +52,7 @@ void *__wrap_aligned_alloc(size_t alignment, size_t size)
     return __real_aligned_alloc(alignment, size);
 }
 
-// Cloth -------------------------------------------------------------------------
+// Cloth -----------------------------------------------------------------------
 
 /// Plays a scene from its start; returns how many calls its steps made from
 /// `begin` on.
@@ -114,10 +115,10 @@ START_TEST(the_second_half_of_a_fall_allocates_nothing)
 }
 END_TEST
 
-// Flows -------------------------------------------------------------------------
+// Flows -----------------------------------------------------------------------
 
-/// Gives a surface the mesh and the positions of another one, in the memory that
-/// it has.
+/// Gives a surface the mesh and the positions of another one, in the memory
+/// that it has.
 static void reset(tf_adaptive_surface *surface, const tf_adaptive_surface *from)
 {
     surface->vertices = from->vertices;

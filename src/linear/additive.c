@@ -2,7 +2,7 @@
 #include "linear/additive.h"
 
 #include "base/require.h"
-#include "linear/advance.h"
+#include "linear/approach.h"
 #include "linear/linear_pair.h"
 
 #include <math.h>

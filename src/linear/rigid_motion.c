@@ -4,7 +4,7 @@
 #include "base/environment.h"
 #include "base/require.h"
 #include "geometry/sweep.h"
-#include "linear/advance.h"
+#include "linear/approach.h"
 
 #include <math.h>
 #include <stddef.h>

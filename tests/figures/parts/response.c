@@ -133,17 +133,18 @@ static void make_row(const pair *p, const meeting *m, int row,
                      double normal[2])
 {
     double w = m->coordinate, t = m->time, late = fmin(t, w), side = 0;
-    const double of[ROWS][VERTICES] = {{1, w - 1, -w},
-                                       {t, late - t, -late},
-                                       {1, m->pivot - 1, -m->pivot},
-                                       {1, w - 1, -w}};
+    const double coefficients[ROWS][VERTICES] = {{1, w - 1, -w},
+                                                 {t, late - t, -late},
+                                                 {1, m->pivot - 1, -m->pivot},
+                                                 {1, w - 1, -w}};
     for (int k = 0; k < 2; k++)
         for (int v = 0; v < VERTICES; v++)
-            side += m->normal[k] * of[row == 2 ? 2 : 0][v] * p->start[v][k];
+            side += m->normal[k] * coefficients[row == 2 ? 2 : 0][v] *
+                    p->start[v][k];
     for (int k = 0; k < 2; k++)
         normal[k] = side < 0 ? -m->normal[k] : m->normal[k];
-    memcpy(share, of[row], sizeof of[row]);
-    memcpy(want, of[row == 3 ? 1 : row], sizeof of[row]);
+    memcpy(share, coefficients[row], sizeof coefficients[row]);
+    memcpy(want, coefficients[row == 3 ? 1 : row], sizeof coefficients[row]);
 }
 
 /// Push until the pair is apart: how often, or -1.

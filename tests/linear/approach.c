@@ -1,4 +1,4 @@
-#include "linear/advance.h"
+#include "linear/approach.h"
 
 #include "support/support.h"
 
@@ -147,7 +147,7 @@ END_TEST
 
 Suite *suite(void)
 {
-    Suite *s = suite_create("linear/advance");
+    Suite *s = suite_create("linear/approach");
     TCase *c = tcase_create("steps");
     tcase_add_test(c, a_true_bound_needs_one_step);
     tcase_add_test(c, a_loose_bound_needs_more_steps);

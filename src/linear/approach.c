@@ -1,5 +1,5 @@
 //: Include what advancement needs
-#include "linear/advance.h"
+#include "linear/approach.h"
 
 #include <float.h>
 #include <math.h>

@@ -13,13 +13,13 @@ typedef struct hinge {
 } hinge;
 
 /// Places the hinge, folded by an angle; a moving frame turns all of it.
-static void place(const hinge *of, double fold, double turn, double x[4][3])
+static void place(const hinge *given, double fold, double turn, double x[4][3])
 {
-    double flat[4][3] = {
-        {0, 0, 0},
-        {of->length, 0, 0},
-        {of->foot[0], of->height[0], 0},
-        {of->foot[1], -of->height[1] * cos(fold), of->height[1] * sin(fold)}};
+    double flat[4][3] = {{0, 0, 0},
+                         {given->length, 0, 0},
+                         {given->foot[0], given->height[0], 0},
+                         {given->foot[1], -given->height[1] * cos(fold),
+                          given->height[1] * sin(fold)}};
     double c = cos(turn), s = sin(turn);
     for (int i = 0; i < 4; i++) {
         double y = c * flat[i][0] - s * flat[i][1];
@@ -42,10 +42,10 @@ static double length_of_sum(const double x[4][3], const double weight[4])
     return sqrt(square);
 }
 
-static void find_weights(const hinge *of, double weight[4])
+static void find_weights(const hinge *given, double weight[4])
 {
     double rest[4][3];
-    place(of, 0, 0.7, rest);
+    place(given, 0, 0.7, rest);
     for (int i = 0; i < 4; i++)
         weight[i] = NAN;
     check_input("a = %s, b = %s, c = %s, d = %s", text_point(3, rest[0]),
@@ -54,14 +54,14 @@ static void find_weights(const hinge *of, double weight[4])
     check_call_n(4, weight, fold_weights((const double(*)[3])rest, weight));
 }
 
-static void expect(const hinge *of, double fold, double turn)
+static void expect(const hinge *given, double fold, double turn)
 {
     double weight[4], x[4][3];
-    find_weights(of, weight);
-    place(of, fold, turn, x);
+    find_weights(given, weight);
+    place(given, fold, turn, x);
     double got = length_of_sum((const double(*)[3])x, weight);
-    double expected = 2 * of->length * sin(fabs(fold) / 2);
-    check_near(expected, got, 1e-11 * (1 + of->length));
+    double expected = 2 * given->length * sin(fabs(fold) / 2);
+    check_near(expected, got, 1e-11 * (1 + given->length));
 }
 
 static const hinge square = {1, {0, 1}, {1, 1}};
@@ -102,12 +102,12 @@ TEST(at_random)
 {
     generator random = generator_new(0);
     for (int i = 0; i < 500; i++) {
-        hinge of = {.length = uniform(&random, 0.5, 2)};
+        hinge given = {.length = uniform(&random, 0.5, 2)};
         for (int k = 0; k < 2; k++) {
-            of.foot[k] = uniform(&random, -1, 3);
-            of.height[k] = uniform(&random, 0.25, 2);
+            given.foot[k] = uniform(&random, -1, 3);
+            given.height[k] = uniform(&random, 0.25, 2);
         }
-        expect(&of, uniform(&random, -3, 3), uniform(&random, -3, 3));
+        expect(&given, uniform(&random, -3, 3), uniform(&random, -3, 3));
     }
 }
 

@@ -22,108 +22,111 @@ typedef struct wire {
 /// The least sum of squares.  Without gaps, the best place of a bead is the
 /// largest, over all beads up to it, of the least mean of a row of beads that
 /// begins there and goes at least to this one.
-static double least_change(const wire *of)
+static double least_change(const wire *given)
 {
     double sum = 0, masses[MOST + 1] = {0}, moments[MOST + 1] = {0};
-    for (int i = 0; i < of->beads; i++) {
-        masses[i + 1] = masses[i] + of->mass[i];
+    for (int i = 0; i < given->beads; i++) {
+        masses[i + 1] = masses[i] + given->mass[i];
         moments[i + 1] =
-            moments[i] + of->mass[i] * (of->proposed[i] - i * of->gap);
+            moments[i] + given->mass[i] * (given->proposed[i] - i * given->gap);
     }
-    for (int i = 0; i < of->beads; i++) {
+    for (int i = 0; i < given->beads; i++) {
         double place = -INFINITY;
         for (int first = 0; first <= i; first++) {
             double least = INFINITY;
-            for (int end = i + 1; end <= of->beads; end++)
+            for (int end = i + 1; end <= given->beads; end++)
                 least = fmin(least, (moments[end] - moments[first]) /
                                         (masses[end] - masses[first]));
             place = fmax(place, least);
         }
-        double change = place + i * of->gap - of->proposed[i];
-        sum += of->mass[i] * change * change;
+        double change = place + i * given->gap - given->proposed[i];
+        sum += given->mass[i] * change * change;
     }
     return sum;
 }
 
-static void expect_gaps(const wire *of, const double end[])
+static void expect_gaps(const wire *given, const double end[])
 {
-    for (int i = 0; i < of->beads; i++)
+    for (int i = 0; i < given->beads; i++)
         check_that(isfinite(end[i]), "a place", "%s for bead %d",
                    text_real(end[i]), i);
-    for (int i = 0; i + 1 < of->beads; i++)
-        check_that(end[i + 1] - end[i] >= of->gap - rounding,
+    for (int i = 0; i + 1 < given->beads; i++)
+        check_that(end[i + 1] - end[i] >= given->gap - rounding,
                    "beads at least a gap apart", "beads %d and %d at %s and %s",
                    i, i + 1, text_real(end[i]), text_real(end[i + 1]));
 }
 
 /// Leaves the ends in `end`.
-static void expect(const wire *of, double end[MOST])
+static void expect(const wire *given, double end[MOST])
 {
-    memcpy(end, of->proposed, sizeof of->proposed);
-    int shown = of->beads < 3 ? of->beads : 3;
+    memcpy(end, given->proposed, sizeof given->proposed);
+    int shown = given->beads < 3 ? given->beads : 3;
     check_input("%s: %d beads, gap %s, the first with masses %s, proposed to "
                 "end at %s",
-                of->name, of->beads, text_real(of->gap),
-                text_point(shown, of->mass), text_point(shown, of->proposed));
-    check_call_n(MOST, end, string_beads(of->beads, of->mass, of->gap, end));
-    expect_gaps(of, end);
+                given->name, given->beads, text_real(given->gap),
+                text_point(shown, given->mass),
+                text_point(shown, given->proposed));
+    check_call_n(MOST, end,
+                 string_beads(given->beads, given->mass, given->gap, end));
+    expect_gaps(given, end);
     double before = 0, after = 0, masses = 0, change = 0;
-    for (int i = 0; i < of->beads; i++) {
-        before += of->mass[i] * of->proposed[i];
-        after += of->mass[i] * end[i];
-        masses += of->mass[i];
-        change += of->mass[i] * pow(end[i] - of->proposed[i], 2);
+    for (int i = 0; i < given->beads; i++) {
+        before += given->mass[i] * given->proposed[i];
+        after += given->mass[i] * end[i];
+        masses += given->mass[i];
+        change += given->mass[i] * pow(end[i] - given->proposed[i], 2);
     }
     check_that(fabs(after - before) <= rounding * masses,
                "the same sum weighted by mass", "%s, which was %s",
                text_real(after), text_real(before));
-    double least = least_change(of);
+    double least = least_change(given);
     check_that(change <= 2 * least + rounding, "at most twice the least change",
                "%s, where %s is possible", text_real(change), text_real(least));
 }
 
-static void expect_unpushed(const wire *of, const double end[], int bead)
+static void expect_unpushed(const wire *given, const double end[], int bead)
 {
-    check_that(end[bead] == of->proposed[bead],
+    check_that(end[bead] == given->proposed[bead],
                "a bead that ends where it was proposed to",
                "bead %d at %s, not at %s", bead, text_real(end[bead]),
-               text_real(of->proposed[bead]));
+               text_real(given->proposed[bead]));
 }
 
 TEST(nothing_to_do)
 {
-    const wire of = {"beads in order", 3, 0.5, {1, 2, 3}, {0.1, 0.7, 1.3}};
+    const wire given = {"beads in order", 3, 0.5, {1, 2, 3}, {0.1, 0.7, 1.3}};
     double end[MOST];
-    expect(&of, end);
-    for (int i = 0; i < of.beads; i++)
-        expect_unpushed(&of, end, i);
+    expect(&given, end);
+    for (int i = 0; i < given.beads; i++)
+        expect_unpushed(&given, end, i);
 }
 
 TEST(two_beads)
 {
-    const wire of = {"one bead passes another", 3, 0.5, {1, 3, 1}, {1, 0, 7.1}};
+    const wire given = {
+        "one bead passes another", 3, 0.5, {1, 3, 1}, {1, 0, 7.1}};
     double end[MOST];
-    expect(&of, end);
-    expect_unpushed(&of, end, 2);
+    expect(&given, end);
+    expect_unpushed(&given, end, 2);
     check_near(-0.125, end[0], rounding);
 }
 
 // Only after the last has been pushed does the second touch the first.
 TEST(a_push_that_goes_on)
 {
-    const wire of = {
+    const wire given = {
         "the last comes back", 4, 1, {1, 1, 1, 1}, {0, 1.5, 2.5, -2}};
     double end[MOST];
-    expect(&of, end);
+    expect(&given, end);
 }
 
 TEST(a_heap)
 {
-    wire of = {.name = "beads that all want to be at 0", .gap = 0.01};
-    for (of.beads = 0; of.beads < 100; of.beads++)
-        of.mass[of.beads] = 1;
+    wire given = {.name = "beads that all want to be at 0", .gap = 0.01};
+    for (given.beads = 0; given.beads < 100; given.beads++)
+        given.mass[given.beads] = 1;
     double end[MOST];
-    expect(&of, end);
+    expect(&given, end);
     check_near(-0.495, end[0], rounding);
 }
 
@@ -132,18 +135,18 @@ TEST(at_random)
 {
     generator random = generator_new(0);
     for (int run = 0; run < 40; run++) {
-        wire of = {.name = "beads at random", .gap = 0.02};
-        of.beads = 3 + below(&random, run < 36 ? 20 : MOST - 2);
+        wire given = {.name = "beads at random", .gap = 0.02};
+        given.beads = 3 + below(&random, run < 36 ? 20 : MOST - 2);
         double spread = uniform(&random, 0, 0.3), end[MOST];
-        for (int i = 0; i < of.beads; i++) {
-            of.mass[i] = pow(10, uniform(&random, -1, 1));
-            of.proposed[i] = 0.05 * i + uniform(&random, -spread, spread);
+        for (int i = 0; i < given.beads; i++) {
+            given.mass[i] = pow(10, uniform(&random, -1, 1));
+            given.proposed[i] = 0.05 * i + uniform(&random, -spread, spread);
         }
-        of.proposed[0] = -40.1;
-        of.proposed[of.beads - 1] = 80.3;
-        expect(&of, end);
-        expect_unpushed(&of, end, 0);
-        expect_unpushed(&of, end, of.beads - 1);
+        given.proposed[0] = -40.1;
+        given.proposed[given.beads - 1] = 80.3;
+        expect(&given, end);
+        expect_unpushed(&given, end, 0);
+        expect_unpushed(&given, end, given.beads - 1);
     }
 }
 

@@ -20,12 +20,14 @@ typedef struct mesh {
 // Surfaces --------------------------------------------------------------------
 
 /// Splits a triangle in three by a vertex inside.
-static void add_inside(mesh *of, int t)
+static void add_inside(mesh *surface, int t)
 {
-    int v = of->vertices++, *old = of->triangle[t];
+    int v = surface->vertices++, *old = surface->triangle[t];
     int a = old[0], b = old[1], c = old[2];
-    memcpy(of->triangle[of->triangles++], (int[]){b, c, v}, 3 * sizeof(int));
-    memcpy(of->triangle[of->triangles++], (int[]){c, a, v}, 3 * sizeof(int));
+    memcpy(surface->triangle[surface->triangles++], (int[]){b, c, v},
+           3 * sizeof(int));
+    memcpy(surface->triangle[surface->triangles++], (int[]){c, a, v},
+           3 * sizeof(int));
     old[2] = v;
 }
 
@@ -64,13 +66,14 @@ static mesh torus(int around, int across)
 
 // Judging ---------------------------------------------------------------------
 
-static mesh collapsed(const mesh *of, int a, int b)
+static mesh collapsed(const mesh *surface, int a, int b)
 {
-    mesh made = {.vertices = of->vertices};
-    for (int t = 0; t < of->triangles; t++) {
+    mesh made = {.vertices = surface->vertices};
+    for (int t = 0; t < surface->triangles; t++) {
         int *added = made.triangle[made.triangles];
         for (int i = 0; i < 3; i++)
-            added[i] = of->triangle[t][i] == a ? b : of->triangle[t][i];
+            added[i] =
+                surface->triangle[t][i] == a ? b : surface->triangle[t][i];
         made.triangles += added[0] != added[1] && added[1] != added[2] &&
                           added[2] != added[0];
     }
@@ -78,13 +81,13 @@ static mesh collapsed(const mesh *of, int a, int b)
 }
 
 /// How many triangles have the edge in this direction.
-static int count_edge(const mesh *of, int from, int to)
+static int count_edge(const mesh *surface, int from, int to)
 {
     int count = 0;
-    for (int t = 0; t < of->triangles; t++)
+    for (int t = 0; t < surface->triangles; t++)
         for (int i = 0; i < 3; i++)
-            count += of->triangle[t][i] == from &&
-                     of->triangle[t][(i + 1) % 3] == to;
+            count += surface->triangle[t][i] == from &&
+                     surface->triangle[t][(i + 1) % 3] == to;
     return count;
 }
 
@@ -97,117 +100,121 @@ static bool same_vertices(const int a[3], const int b[3])
 }
 
 /// The vertex that precedes in the triangle with an edge from `from` to `to`.
-static int before_edge(const mesh *of, int from, int to)
+static int before_edge(const mesh *surface, int from, int to)
 {
-    for (int t = 0; t < of->triangles; t++)
+    for (int t = 0; t < surface->triangles; t++)
         for (int i = 0; i < 3; i++)
-            if (of->triangle[t][i] == from &&
-                of->triangle[t][(i + 1) % 3] == to)
-                return of->triangle[t][(i + 2) % 3];
+            if (surface->triangle[t][i] == from &&
+                surface->triangle[t][(i + 1) % 3] == to)
+                return surface->triangle[t][(i + 2) % 3];
     return -1;
 }
 
 /// Whether the triangles at a vertex form one ring.
-static bool is_ring(const mesh *of, int vertex)
+static bool is_ring(const mesh *surface, int vertex)
 {
     int all = 0, first = -1, size = 0;
-    for (int t = 0; t < of->triangles; t++)
+    for (int t = 0; t < surface->triangles; t++)
         for (int i = 0; i < 3; i++)
-            if (of->triangle[t][i] == vertex) {
+            if (surface->triangle[t][i] == vertex) {
                 all++;
-                first = of->triangle[t][(i + 1) % 3];
+                first = surface->triangle[t][(i + 1) % 3];
             }
     int at = first;
     do {
-        at = before_edge(of, vertex, at);
+        at = before_edge(surface, vertex, at);
         size++;
     } while (at != first && size <= all);
     return all == 0 || size == all;
 }
 
-static bool is_surface(const mesh *of)
+static bool is_surface(const mesh *surface)
 {
-    for (int t = 0; t < of->triangles; t++) {
+    for (int t = 0; t < surface->triangles; t++) {
         for (int i = 0; i < 3; i++) {
-            int a = of->triangle[t][i], b = of->triangle[t][(i + 1) % 3];
-            if (count_edge(of, a, b) != 1 || count_edge(of, b, a) != 1)
+            int a = surface->triangle[t][i],
+                b = surface->triangle[t][(i + 1) % 3];
+            if (count_edge(surface, a, b) != 1 ||
+                count_edge(surface, b, a) != 1)
                 return false;
         }
         for (int s = 0; s < t; s++)
-            if (same_vertices(of->triangle[s], of->triangle[t]))
+            if (same_vertices(surface->triangle[s], surface->triangle[t]))
                 return false;
     }
-    for (int v = 0; v < of->vertices; v++)
-        if (!is_ring(of, v))
+    for (int v = 0; v < surface->vertices; v++)
+        if (!is_ring(surface, v))
             return false;
     return true;
 }
 
 // Tests -----------------------------------------------------------------------
 
-static void expect(const mesh *of, int a, int b)
+static void expect(const mesh *surface, int a, int b)
 {
     char text[12 * TRIANGLES];
     int length = 0;
-    for (int t = 0; t < of->triangles; t++)
-        length += snprintf(text + length, sizeof text - (size_t)length,
-                           "%s%d %d %d", t == 0 ? "" : ", ", of->triangle[t][0],
-                           of->triangle[t][1], of->triangle[t][2]);
+    for (int t = 0; t < surface->triangles; t++)
+        length +=
+            snprintf(text + length, sizeof text - (size_t)length, "%s%d %d %d",
+                     t == 0 ? "" : ", ", surface->triangle[t][0],
+                     surface->triangle[t][1], surface->triangle[t][2]);
     check_input("edge %d %d of the triangles %s", a, b, text);
-    mesh after = collapsed(of, a, b);
+    mesh after = collapsed(surface, a, b);
     bool got;
-    check_value(got,
-                may_collapse(of->vertices, of->triangles, of->triangle, a, b));
+    check_value(got, may_collapse(surface->vertices, surface->triangles,
+                                  surface->triangle, a, b));
     check_bool(is_surface(&after), got);
 }
 
-static void expect_all(const mesh *of)
+static void expect_all(const mesh *surface)
 {
-    for (int t = 0; t < of->triangles; t++)
+    for (int t = 0; t < surface->triangles; t++)
         for (int i = 0; i < 3; i++)
-            expect(of, of->triangle[t][i], of->triangle[t][(i + 1) % 3]);
+            expect(surface, surface->triangle[t][i],
+                   surface->triangle[t][(i + 1) % 3]);
 }
 
 TEST(a_tetrahedron)
 {
-    mesh of = tetrahedron();
-    expect_all(&of);
+    mesh surface = tetrahedron();
+    expect_all(&surface);
 }
 
 TEST(an_octahedron)
 {
-    mesh of = octahedron();
-    expect_all(&of);
+    mesh surface = octahedron();
+    expect_all(&surface);
 }
 
 TEST(a_torus_with_a_narrow_waist)
 {
-    mesh of = torus(6, 3);
-    expect_all(&of);
+    mesh surface = torus(6, 3);
+    expect_all(&surface);
 }
 
 TEST(a_vertex_of_three_triangles)
 {
-    mesh of = octahedron();
-    add_inside(&of, 0);
-    add_inside(&of, 5);
-    expect_all(&of);
+    mesh surface = octahedron();
+    add_inside(&surface, 0);
+    add_inside(&surface, 5);
+    expect_all(&surface);
 }
 
 TEST(after_random_collapses)
 {
     generator random = generator_new(0);
     for (int run = 0; run < 40; run++) {
-        mesh of = run % 3 == 0 ? torus(4, 5) : octahedron();
-        for (int i = 0; i < 12 && of.triangles + 2 <= TRIANGLES; i++)
-            add_inside(&of, below(&random, of.triangles));
+        mesh surface = run % 3 == 0 ? torus(4, 5) : octahedron();
+        for (int i = 0; i < 12 && surface.triangles + 2 <= TRIANGLES; i++)
+            add_inside(&surface, below(&random, surface.triangles));
         for (int i = 0; i < 60; i++) {
-            const int *t = of.triangle[below(&random, of.triangles)];
+            const int *t = surface.triangle[below(&random, surface.triangles)];
             int a = t[0], b = t[1];
-            expect(&of, a, b);
-            mesh after = collapsed(&of, a, b);
+            expect(&surface, a, b);
+            mesh after = collapsed(&surface, a, b);
             if (is_surface(&after))
-                of = after;
+                surface = after;
         }
     }
 }

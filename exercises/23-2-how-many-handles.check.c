@@ -19,9 +19,10 @@ typedef struct mesh {
 
 // Surfaces --------------------------------------------------------------------
 
-static void add(mesh *of, int a, int b, int c)
+static void add(mesh *surface, int a, int b, int c)
 {
-    memcpy(of->triangle[of->triangles++], (int[]){a, b, c}, 3 * sizeof(int));
+    memcpy(surface->triangle[surface->triangles++], (int[]){a, b, c},
+           3 * sizeof(int));
 }
 
 static mesh tetrahedron(void)
@@ -31,30 +32,30 @@ static mesh tetrahedron(void)
 
 /// A ring of three vertices across and three around; the triangles of its
 /// squares follow each other.
-static void add_ring(mesh *of)
+static void add_ring(mesh *surface)
 {
-    int first = of->vertices;
-    of->vertices += RING;
+    int first = surface->vertices;
+    surface->vertices += RING;
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++) {
             int k = (i + 1) % 3, l = (j + 1) % 3;
             int a = first + 3 * i + j, b = first + 3 * k + j;
             int c = first + 3 * k + l, d = first + 3 * i + l;
-            add(of, a, b, c);
-            add(of, a, c, d);
+            add(surface, a, b, c);
+            add(surface, a, c, d);
         }
 }
 
 /// Unites two parts: a triangle of each goes, and their vertices become the
 /// same.
-static void unite(mesh *of, int s, int t)
+static void unite(mesh *surface, int s, int t)
 {
-    int from[3],
-        to[3] = {of->triangle[s][0], of->triangle[s][2], of->triangle[s][1]};
-    memcpy(from, of->triangle[t], sizeof from);
-    of->triangle[s][0] = of->triangle[t][0] = -1;
-    for (int i = 0; i < 3 * of->triangles; i++) {
-        int *v = &of->triangle[i / 3][i % 3];
+    int from[3], to[3] = {surface->triangle[s][0], surface->triangle[s][2],
+                          surface->triangle[s][1]};
+    memcpy(from, surface->triangle[t], sizeof from);
+    surface->triangle[s][0] = surface->triangle[t][0] = -1;
+    for (int i = 0; i < 3 * surface->triangles; i++) {
+        int *v = &surface->triangle[i / 3][i % 3];
         for (int k = 0; k < 3; k++)
             if (*v == from[k]) {
                 *v = to[k];
@@ -78,48 +79,49 @@ static mesh rings(int count)
 
 // Tests -----------------------------------------------------------------------
 
-static void expect(int right, const mesh *of)
+static void expect(int right, const mesh *surface)
 {
     char text[12 * TRIANGLES], expected[16];
     int length = 0;
-    for (int t = 0; t < of->triangles; t++)
-        length += snprintf(text + length, sizeof text - (size_t)length,
-                           "%s%d %d %d", t == 0 ? "" : ", ", of->triangle[t][0],
-                           of->triangle[t][1], of->triangle[t][2]);
-    check_input("%d vertices; triangles %s", of->vertices, text);
+    for (int t = 0; t < surface->triangles; t++)
+        length +=
+            snprintf(text + length, sizeof text - (size_t)length, "%s%d %d %d",
+                     t == 0 ? "" : ", ", surface->triangle[t][0],
+                     surface->triangle[t][1], surface->triangle[t][2]);
+    check_input("%d vertices; triangles %s", surface->vertices, text);
     int got;
-    check_value(got, count_handles(of->vertices, of->triangles,
-                                   (const int(*)[3])of->triangle));
+    check_value(got, count_handles(surface->vertices, surface->triangles,
+                                   (const int(*)[3])surface->triangle));
     snprintf(expected, sizeof expected, "%d", right);
     check_that(got == right, expected, "%d", got);
 }
 
 TEST(a_ball)
 {
-    mesh of = tetrahedron();
-    expect(0, &of);
+    mesh surface = tetrahedron();
+    expect(0, &surface);
 }
 
 TEST(vertices_that_are_gone)
 {
-    mesh of = tetrahedron();
-    of.vertices += 5;
-    expect(0, &of);
+    mesh surface = tetrahedron();
+    surface.vertices += 5;
+    expect(0, &surface);
 }
 
 TEST(gaps)
 {
-    mesh of = tetrahedron();
+    mesh surface = tetrahedron();
     for (int i = 0; i < 6; i++)
-        add(&of, -1, i, -1);
-    expect(0, &of);
+        add(&surface, -1, i, -1);
+    expect(0, &surface);
 }
 
 TEST(rings_in_a_row)
 {
     for (int count = 1; count <= MOST_RINGS; count++) {
-        mesh of = rings(count);
-        expect(count, &of);
+        mesh surface = rings(count);
+        expect(count, &surface);
     }
 }
 

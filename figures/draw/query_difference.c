@@ -120,7 +120,7 @@ static void label_sweep(fig_panel *panel, const difference *d)
 
 /// A pair of edges' simplices, by their pivots.
 typedef struct pivots {
-    int of[2];
+    int pivot[2];
 } pivots;
 
 /// The corner where the first edge's slice has its end p, and the second's its
@@ -129,8 +129,8 @@ typedef struct pivots {
 static tf_vector corner_of(const difference *d, pivots m, int p, int q,
                            double t)
 {
-    int first[2] = {m.of[0] == 1 ? p : 0, m.of[0] == 1 ? 1 : p};
-    int second[2] = {m.of[1] == 1 ? q : 0, m.of[1] == 1 ? 1 : q};
+    int first[2] = {m.pivot[0] == 1 ? p : 0, m.pivot[0] == 1 ? 1 : p};
+    int second[2] = {m.pivot[1] == 1 ? q : 0, m.pivot[1] == 1 ? 1 : q};
     return fig_lerp(end_of(d, 2 * first[0] + second[0], 0),
                     end_of(d, 2 * first[1] + second[1], 1), t);
 }

@@ -28,7 +28,7 @@ typedef struct sample {
 
 typedef struct samples {
     int count;
-    sample of[SAMPLES + SPOTS];
+    sample samples[SAMPLES + SPOTS];
 } samples;
 
 static tf_vector normal_of(const tf_vector corner[3])
@@ -66,7 +66,7 @@ static void add_sample(samples *all, const fig_shape *shape, int triangle,
     tf_vector at =
         fig_combination(corner[0], u, fig_difference(corner[1], corner[0]));
     at = fig_combination(at, v, fig_difference(corner[2], corner[0]));
-    all->of[all->count++] =
+    all->samples[all->count++] =
         (sample){at, fig_normalized(normal_of(corner)), 1.0 / SAMPLES};
 }
 
@@ -89,15 +89,15 @@ static void add_ends(samples *all, const fig_shape *shape, double t)
 {
     int step = 1 + shape->vertices / SAMPLES;
     for (int i = 0; i < shape->vertices && all->count < SAMPLES; i += step)
-        all->of[all->count++] = (sample){.at = fig_shape_place(shape, i, t),
-                                         .weight = 1.0 / SAMPLES};
+        all->samples[all->count++] = (sample){
+            .at = fig_shape_place(shape, i, t), .weight = 1.0 / SAMPLES};
 }
 
 static void add_spot(samples *all, const fig_shape *shape, const fig_spot *spot,
                      double weight, double t)
 {
     if (all->count < SAMPLES + SPOTS)
-        all->of[all->count++] =
+        all->samples[all->count++] =
             (sample){.at = fig_shape_point(shape, spot->vertices, spot->vertex,
                                            spot->weight, FIG_STRAIGHT, t),
                      .weight = weight};
@@ -142,12 +142,12 @@ static double seen_by(const samples *all, const fig_camera *camera)
     for (int i = 0; i < CELLS * CELLS; i++)
         s.nearest[i / CELLS][i % CELLS] = DBL_MAX;
     for (int i = 0; i < all->count; i++) {
-        double *cell = cell_of(&s, all->of[i].at);
-        *cell = fmin(*cell, fig_view_depth(&s.view, all->of[i].at));
+        double *cell = cell_of(&s, all->samples[i].at);
+        *cell = fmin(*cell, fig_view_depth(&s.view, all->samples[i].at));
     }
     double sum = 0, behind = depth_cells / s.view.points_per_unit;
     for (int i = 0; i < all->count; i++) {
-        const sample *one = &all->of[i];
+        const sample *one = &all->samples[i];
         double slant = fabs(tf_vector_dot(one->normal, s.view.back));
         bool flat = fig_length(one->normal) > 0;
         if (fig_view_depth(&s.view, one->at) <= *cell_of(&s, one->at) + behind)
@@ -164,11 +164,12 @@ static double longest_direction(const samples *all)
 {
     double x = 0, y = 0, xx = 0, xy = 0, yy = 0;
     for (int i = 0; i < all->count; i++) {
-        x += all->of[i].at.x[0] / all->count;
-        y += all->of[i].at.x[1] / all->count;
+        x += all->samples[i].at.x[0] / all->count;
+        y += all->samples[i].at.x[1] / all->count;
     }
     for (int i = 0; i < all->count; i++) {
-        double dx = all->of[i].at.x[0] - x, dy = all->of[i].at.x[1] - y;
+        double dx = all->samples[i].at.x[0] - x,
+               dy = all->samples[i].at.x[1] - y;
         xx += dx * dx;
         xy += dx * dy;
         yy += dy * dy;

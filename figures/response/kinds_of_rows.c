@@ -165,11 +165,11 @@ static void try_pairs(const kind *k, double deform, count n[ROWS],
 // Numbers ----------------------------------------------------------------
 
 static void print_number(FILE *numbers, const char *what, const char *row,
-                         const char *of, double deform, double value)
+                         const char *elements, double deform, double value)
 {
     char key[64];
-    snprintf(key, sizeof key, "%s%s%s_%s_%g", what, *row ? "_" : "", row, of,
-             deform);
+    snprintf(key, sizeof key, "%s%s%s_%s_%g", what, *row ? "_" : "", row,
+             elements, deform);
     fig_number(numbers, key, value);
 }
 
@@ -190,14 +190,14 @@ static double measure(const count *n, int which)
     }
 }
 
-static void print_counts(FILE *numbers, const char *of, double deform,
+static void print_counts(FILE *numbers, const char *elements, double deform,
                          const count n[ROWS])
 {
     static const char *const key[MEASURES] = {"rounds", "change", "stuck",
                                               "gained"};
     for (int row = 0; row < ROWS; row++)
         for (int i = 0; i < MEASURES; i++)
-            print_number(numbers, key[i], row_key[row], of, deform,
+            print_number(numbers, key[i], row_key[row], elements, deform,
                          measure(&n[row], i));
 }
 

@@ -48,11 +48,11 @@ static double between(uint64_t *state, double low, double high)
 }
 
 /// On which side of its edge the point is, exactly; 1: on the left.
-static int side_of(const pair *of)
+static int side_of(const pair *given)
 {
     tf_event event[3] = {{{0}, 0, 0}};
     for (int i = 0; i < 3; i++)
-        memcpy(event[i].x, of->x[i], sizeof of->x[i]);
+        memcpy(event[i].x, given->x[i], sizeof given->x[i]);
     tf_differences differences = {.n = 2,
                                   .to = {&event[1], &event[2]},
                                   .from = {&event[0], &event[0]},
@@ -79,33 +79,33 @@ static pair pair_at(uint64_t *state, double distance)
     return made;
 }
 
-static pair translate(const pair *of, const double by[2])
+static pair translate(const pair *given, const double by[2])
 {
-    pair moved = *of;
+    pair moved = *given;
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < 2; k++)
             moved.x[i][k] += by[k];
     return moved;
 }
 
-static pair turn(const pair *of, double angle)
+static pair turn(const pair *given, double angle)
 {
     double c = cos(angle), s = sin(angle);
     pair moved;
     for (int i = 0; i < 3; i++) {
-        moved.x[i][0] = c * of->x[i][0] - s * of->x[i][1];
-        moved.x[i][1] = s * of->x[i][0] + c * of->x[i][1];
+        moved.x[i][0] = c * given->x[i][0] - s * given->x[i][1];
+        moved.x[i][1] = s * given->x[i][0] + c * given->x[i][1];
     }
     return moved;
 }
 
-static pair move_at_random(uint64_t *state, move how, const pair *of)
+static pair move_at_random(uint64_t *state, move how, const pair *given)
 {
     if (how == TURNED)
-        return turn(of, between(state, 0, 2 * acos(-1)));
+        return turn(given, between(state, 0, 2 * acos(-1)));
     double most = how == FAR ? 100 : 1;
     double by[2] = {between(state, -most, most), between(state, -most, most)};
-    return translate(of, by);
+    return translate(given, by);
 }
 
 /// How many percent of the points are no longer on the left.

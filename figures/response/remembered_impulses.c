@@ -93,14 +93,14 @@ static void draw_history(fig_page *page, fig_box box, const history *h,
         draw_body(page, &plot, h, i);
 }
 
-static void print_numbers(FILE *numbers, const char *of, const history *h)
+static void print_numbers(FILE *numbers, const char *scene, const history *h)
 {
     static const char *const name[BODIES] = {"slow", "fast", "plate"};
     for (int i = 0; i < BODIES; i++) {
         char key[32];
-        snprintf(key, sizeof key, "%s_%s", name[i], of);
+        snprintf(key, sizeof key, "%s_%s", name[i], scene);
         fig_number(numbers, key, h->at[VISITS][i]);
-        snprintf(key, sizeof key, "%s_%s_first", name[i], of);
+        snprintf(key, sizeof key, "%s_%s_first", name[i], scene);
         fig_number(numbers, key, h->at[1][i]);
     }
 }

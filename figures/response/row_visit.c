@@ -76,13 +76,13 @@ static void draw_arrow(fig_page *page, const fig_plot *plot, fig_point from,
 }
 
 /// All pairs of displacements that have the same energy.
-static void draw_energy(fig_page *page, const fig_plot *plot, double of)
+static void draw_energy(fig_page *page, const fig_plot *plot, double energy)
 {
     fig_point at[ARC];
     for (int i = 0; i < ARC; i++) {
         double angle = 2 * acos(-1) * i / (ARC - 1);
-        at[i] = (fig_point){sqrt(2 * of / plank_mass) * cos(angle),
-                            sqrt(2 * of) * sin(angle)};
+        at[i] = (fig_point){sqrt(2 * energy / plank_mass) * cos(angle),
+                            sqrt(2 * energy) * sin(angle)};
     }
     fig_plot_curve(page, plot, ARC, at,
                    (fig_stroke){.paint = {.role = FIG_ROLE_NEUTRAL},

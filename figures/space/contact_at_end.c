@@ -86,11 +86,11 @@ static tf_vector find_crossing(const encounter *e, double t)
     return fig_combination(a[0], part, u);
 }
 
-static void label(fig_panel *panel, tf_vector at, const char *text, fig_role of,
-                  fig_side side)
+static void label(fig_panel *panel, tf_vector at, const char *text,
+                  fig_role color, fig_side side)
 {
     fig_panel_label(panel, at,
-                    (fig_label){.text = text, .role = of, .side = side});
+                    (fig_label){.text = text, .role = color, .side = side});
 }
 
 static void draw_simplex(fig_panel *panel, const encounter *e, int edge)

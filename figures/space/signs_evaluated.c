@@ -39,8 +39,8 @@ static const tf_arithmetic counting = {
 /// How many misses and hits asked for how many signs, those left out that
 /// asked for none.
 typedef struct tally {
-    long of[2][MOST_SIGNS + 1]; ///< [hit][signs]
-    long queries[2], signs[2];  ///< [hit]
+    long count[2][MOST_SIGNS + 1]; ///< [hit][signs]
+    long queries[2], signs[2];     ///< [hit]
     long none;
 } tally;
 
@@ -60,7 +60,7 @@ static tally count_signs(void)
             continue;
         }
         bool hit = contact.verdict == TF_HIT;
-        n.of[hit][signs_asked]++;
+        n.count[hit][signs_asked]++;
         n.queries[hit]++;
         n.signs[hit] += signs_asked;
     }
@@ -71,7 +71,7 @@ static tally count_signs(void)
 
 static double percent(const tally *n, bool hit, int signs)
 {
-    return 100 * (double)n->of[hit][signs] / (double)n->queries[hit];
+    return 100 * (double)n->count[hit][signs] / (double)n->queries[hit];
 }
 
 /// The misses' bar left of the number, the hits' right of it.

@@ -45,7 +45,7 @@ static const struct shown {
 
 /// What was found: how many of each quantity are between two powers of two.
 typedef struct tally {
-    long of[QUANTITIES][BINS], all[QUANTITIES];
+    long bin[QUANTITIES][BINS], all[QUANTITIES];
     long small[QUANTITIES]; ///< not more than the bound by ranges
     double largest[QUANTITIES];
 } tally;
@@ -59,7 +59,7 @@ static void count(tally *found, quantity what, double units)
     found->small[what] += !(units > bound_by_ranges);
     found->largest[what] = fmax(found->largest[what], units);
     if (power >= 0 && power < BINS)
-        found->of[what][power]++;
+        found->bin[what][power]++;
 }
 
 // The determinants -------------------------------------------------------
@@ -185,7 +185,7 @@ static void draw_hill(fig_page *page, const fig_plot *plot, const tally *found,
     fig_point at[BINS + 2], place[BINS + 2];
     for (int i = 0; i < BINS; i++)
         at[i] = (fig_point){ldexp(1.5, LEAST_POWER + i),
-                            100.0 * (double)found->of[what][i] /
+                            100.0 * (double)found->bin[what][i] /
                                 (double)found->all[what]};
     for (int i = 0; i < BINS; i++)
         place[i] = fig_plot_place(plot, at[i].x, at[i].y);

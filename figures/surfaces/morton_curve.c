@@ -121,18 +121,18 @@ static void fell(forest *f)
     free(f->center);
 }
 
-static void print_numbers(const forest *f, const char *of, FILE *numbers)
+static void print_numbers(const forest *f, const char *order, FILE *numbers)
 {
     char key[32];
-    snprintf(key, sizeof key, "%s_triangles", of);
+    snprintf(key, sizeof key, "%s_triangles", order);
     fig_number(numbers, key, f->mesh.triangles);
-    snprintf(key, sizeof key, "%s_leaves", of);
+    snprintf(key, sizeof key, "%s_leaves", order);
     fig_number(numbers, key, leaf_count(f));
-    snprintf(key, sizeof key, "%s_levels", of);
+    snprintf(key, sizeof key, "%s_levels", order);
     fig_number(numbers, key, f->tree.levels);
-    snprintf(key, sizeof key, "%s_length", of);
+    snprintf(key, sizeof key, "%s_length", order);
     fig_number(numbers, key, f->length);
-    snprintf(key, sizeof key, "%s_longest", of);
+    snprintf(key, sizeof key, "%s_longest", order);
     fig_number(numbers, key, f->longest);
 }
 

@@ -112,24 +112,24 @@ static int size_of(unsigned set)
 }
 
 /// Whether a cell is the sum of some cells of its row in all queries.
-static bool is_sum(const cell row[CELLS], int of, unsigned terms)
+static bool is_sum(const cell row[CELLS], int lane, unsigned terms)
 {
     bool equal = true;
     for (int trial = 0; trial < TRIALS; trial++) {
         double sum = 0;
         for (int i = 0; i < CELLS; i++)
             sum += terms >> i & 1 ? row[i].value[trial] : 0;
-        equal &= sum == row[of].value[trial];
+        equal &= sum == row[lane].value[trial];
     }
     return equal;
 }
 
 /// The smallest set of two cells or more that a cell is the sum of; 0: none.
-static unsigned terms_of(const cell row[CELLS], int of)
+static unsigned terms_of(const cell row[CELLS], int lane)
 {
     unsigned best = 0;
     for (unsigned set = 1; set < 1U << CELLS; set++)
-        if (size_of(set) > 1 && !(set >> of & 1) && is_sum(row, of, set) &&
+        if (size_of(set) > 1 && !(set >> lane & 1) && is_sum(row, lane, set) &&
             (best == 0 || size_of(set) < size_of(best)))
             best = set;
     return best;

@@ -190,12 +190,12 @@ static bool find_type(const reader *r, const char *name, const type **found)
 }
 
 /// The corners of a face are a list; all others that have a role are none.
-static int role_named(int of, bool list, const char *name)
+static int role_named(int elements, bool list, const char *name)
 {
-    if (of == NONE || list != (of == FACES))
+    if (elements == NONE || list != (elements == FACES))
         return NONE;
-    int role = place_of(name, role_names[of], 3);
-    return of == FACES && role > 0 ? 0 : role;
+    int role = place_of(name, role_names[elements], 3);
+    return elements == FACES && role > 0 ? 0 : role;
 }
 
 static bool read_property(reader *r, const tf_quoted word[])
@@ -207,30 +207,30 @@ static bool read_property(reader *r, const tf_quoted word[])
         return tf_text_fault(
             &r->text,
             "a property before all elements; write an element line first");
-    element *of = &r->element[r->elements - 1];
+    element *e = &r->element[r->elements - 1];
     if ((list && !find_type(r, word[1].text, &made.length)) ||
         !find_type(r, item[0].text, &made.item))
         return false;
-    made.role = role_named(of->target, list, item[1].text);
-    if (of->properties == PROPERTIES)
+    made.role = role_named(e->target, list, item[1].text);
+    if (e->properties == PROPERTIES)
         return tf_text_fault(&r->text,
                              "more than %d properties; delete those that are "
                              "no coordinates or indices",
                              PROPERTIES);
-    of->property[of->properties++] = made;
+    e->property[e->properties++] = made;
     return true;
 }
 
 //: Check a declaration
-static bool declares(const element *of, int role)
+static bool declares(const element *e, int role)
 {
     bool found = false;
-    for (int i = 0; i < of->properties; i++)
-        found |= of->property[i].role == role;
+    for (int i = 0; i < e->properties; i++)
+        found |= e->property[i].role == role;
     return found;
 }
 
-static bool check_element(const reader *r, const element *of)
+static bool check_element(const reader *r, const element *e)
 {
     static const char *const faults[] = {
         [VERTICES] = "the vertices have no x or no y; declare the properties "
@@ -240,9 +240,9 @@ static bool check_element(const reader *r, const element *of)
         [EDGES] = "the edges have no ends; declare the properties int vertex1 "
                   "and int vertex2",
     };
-    return of->target == NONE ||
-           (declares(of, 0) && (of->target == FACES || declares(of, 1))) ||
-           tf_mesh_file_fault(r->file, of->line, "%s", faults[of->target]);
+    return e->target == NONE ||
+           (declares(e, 0) && (e->target == FACES || declares(e, 1))) ||
+           tf_mesh_file_fault(r->file, e->line, "%s", faults[e->target]);
 }
 
 static bool check_header(const reader *r)
@@ -313,12 +313,12 @@ static uint64_t gather_bytes(const reader *r, int bytes)
     return number;
 }
 
-static double decode(const type *of, uint64_t bits)
+static double decode(const type *given, uint64_t bits)
 {
-    if (of->kind == UNSIGNED)
+    if (given->kind == UNSIGNED)
         return (double)bits;
-    if (of->kind == SIGNED) {
-        uint64_t sign = UINT64_C(1) << (8 * of->bytes - 1);
+    if (given->kind == SIGNED) {
+        uint64_t sign = UINT64_C(1) << (8 * given->bytes - 1);
         return (double)(int64_t)((bits ^ sign) - sign);
     }
     double wide;
@@ -326,7 +326,7 @@ static double decode(const type *of, uint64_t bits)
     uint32_t low = (uint32_t)bits;
     memcpy(&wide, &bits, sizeof wide);
     memcpy(&narrow, &low, sizeof narrow);
-    return of->bytes == 8 ? wide : (double)narrow;
+    return given->bytes == 8 ? wide : (double)narrow;
 }
 
 static bool fault_in_end(const reader *r)
@@ -347,12 +347,12 @@ static void skip_blank_lines(tf_text *text)
 }
 
 /// Finds the next value, in text in the same line.
-static bool find_value(reader *r, const type *of)
+static bool find_value(reader *r, const type *given)
 {
     tf_text *text = &r->text;
     if (is_text(r))
         tf_text_skip_blanks(text);
-    if (r->end - text->at < (is_text(r) ? 1 : of->bytes))
+    if (r->end - text->at < (is_text(r) ? 1 : given->bytes))
         return fault_in_end(r);
     return !is_text(r) || *text->at != '\n' ||
            tf_text_fault(text, "the line ends too early; it must have all that "
@@ -360,34 +360,34 @@ static bool find_value(reader *r, const type *of)
 }
 
 //: Read or skip a value
-static bool read_number(reader *r, const type *of, double *number)
+static bool read_number(reader *r, const type *given, double *number)
 {
-    if (!find_value(r, of))
+    if (!find_value(r, given))
         return false;
     if (is_text(r))
         return tf_text_read_number(&r->text, " \t\r\n", number);
-    *number = decode(of, gather_bytes(r, of->bytes));
-    r->text.at += of->bytes;
+    *number = decode(given, gather_bytes(r, given->bytes));
+    r->text.at += given->bytes;
     return true;
 }
 
 /// In text a word may be skipped that is no number, not even a finite one.
-static bool skip_value(reader *r, const type *of)
+static bool skip_value(reader *r, const type *given)
 {
-    if (!find_value(r, of))
+    if (!find_value(r, given))
         return false;
     size_t length =
-        is_text(r) ? strcspn(r->text.at, " \t\r\n") : (size_t)of->bytes;
+        is_text(r) ? strcspn(r->text.at, " \t\r\n") : (size_t)given->bytes;
     r->text.at += length;
     return length > 0 || tf_text_fault_in_nul(&r->text);
 }
 
 //: Read an index
-static bool read_index(reader *r, const type *of, int *index)
+static bool read_index(reader *r, const type *given, int *index)
 {
     long at = place(r);
     double number;
-    if (!read_number(r, of, &number))
+    if (!read_number(r, given, &number))
         return false;
     if (!(number >= 0 && number <= INT_MAX && number == floor(number)))
         return tf_mesh_file_fault(
@@ -400,13 +400,13 @@ static bool read_index(reader *r, const type *of, int *index)
 
 //: Read a list
 /// Reads the corners of a face, or skips another list.
-static bool read_list(reader *r, const property *of, int corner[3])
+static bool read_list(reader *r, const property *given, int corner[3])
 {
     long at = place(r);
     int length = 0;
-    if (!read_index(r, of->length, &length))
+    if (!read_index(r, given->length, &length))
         return false;
-    bool corners = of->role != NONE;
+    bool corners = given->role != NONE;
     if (corners && length != 3)
         return tf_mesh_file_fault(
             r->file, at,
@@ -415,8 +415,8 @@ static bool read_list(reader *r, const property *of, int corner[3])
                        : "a face with %d corners; each must have three",
             length);
     for (int i = 0; i < length; i++)
-        if (corners ? !read_index(r, of->item, &corner[i])
-                    : !skip_value(r, of->item))
+        if (corners ? !read_index(r, given->item, &corner[i])
+                    : !skip_value(r, given->item))
             return false;
     return true;
 }
@@ -428,30 +428,31 @@ typedef struct item {
     int vertex[3];
 } item;
 
-static bool read_coordinate(reader *r, const type *of, double *x)
+static bool read_coordinate(reader *r, const type *given, double *x)
 {
     long at = place(r);
-    return read_number(r, of, x) &&
+    return read_number(r, given, x) &&
            (isfinite(*x) ||
             tf_mesh_file_fault(r->file, at,
                                "a coordinate is infinite or NaN; write finite "
                                "numbers"));
 }
 
-static bool read_value(reader *r, int to, const property *of, item *made)
+static bool read_value(reader *r, int to, const property *given, item *made)
 {
-    if (of->length)
-        return read_list(r, of, made->vertex);
-    if (of->role == NONE)
-        return skip_value(r, of->item);
-    return to == VERTICES ? read_coordinate(r, of->item, &made->x[of->role])
-                          : read_index(r, of->item, &made->vertex[of->role]);
+    if (given->length)
+        return read_list(r, given, made->vertex);
+    if (given->role == NONE)
+        return skip_value(r, given->item);
+    return to == VERTICES
+               ? read_coordinate(r, given->item, &made->x[given->role])
+               : read_index(r, given->item, &made->vertex[given->role]);
 }
 
-static bool read_values(reader *r, const element *of, item *made)
+static bool read_values(reader *r, const element *e, item *made)
 {
-    for (int i = 0; i < of->properties; i++)
-        if (!read_value(r, of->target, &of->property[i], made))
+    for (int i = 0; i < e->properties; i++)
+        if (!read_value(r, e->target, &e->property[i], made))
             return false;
     return true;
 }
@@ -483,14 +484,14 @@ static bool end_item(reader *r)
                                  "element; begin each element on a new line");
 }
 
-static bool read_item(reader *r, const element *of)
+static bool read_item(reader *r, const element *e)
 {
     item made = {0};
     if (is_text(r))
         skip_blank_lines(&r->text);
     long at = place(r);
-    return read_values(r, of, &made) && end_item(r) &&
-           add_item(r, of->target, &made, at);
+    return read_values(r, e, &made) && end_item(r) &&
+           add_item(r, e->target, &made, at);
 }
 
 //: Read what follows the header

@@ -56,25 +56,25 @@ typedef struct content {
 } content;
 
 /// What a simulation writes in its present state.
-static bool write_content(content *of, const tf_simulation *s)
+static bool write_content(content *found, const tf_simulation *s)
 {
-    FILE *stream = open_memstream(&of->text, &of->size);
+    FILE *stream = open_memstream(&found->text, &found->size);
     if (stream)
         tf_frame_write(stream, s);
     return stream && fclose(stream) == 0;
 }
 
-static bool read_content(content *of, const char *path)
+static bool read_content(content *found, const char *path)
 {
     struct stat status;
     FILE *stream = fopen(path, "rb");
     if (stream && fstat(fileno(stream), &status) == 0)
-        of->text = malloc((size_t)status.st_size + 1);
-    if (of->text) {
-        of->size = fread(of->text, 1, (size_t)status.st_size, stream);
-        of->text[of->size] = '\0';
+        found->text = malloc((size_t)status.st_size + 1);
+    if (found->text) {
+        found->size = fread(found->text, 1, (size_t)status.st_size, stream);
+        found->text[found->size] = '\0';
     }
-    bool good = of->text && !ferror(stream);
+    bool good = found->text && !ferror(stream);
     if (stream)
         fclose(stream);
     return good;

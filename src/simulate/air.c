@@ -22,11 +22,11 @@ static void find_wind(const tf_air *air, double time, const double x[3],
 
 //: Push a triangle along its normal
 /// The mean of what its corners have.
-static tf_vector mean_at(const int corner[3], const double of[])
+static tf_vector mean_at(const int corner[3], const double value[])
 {
     tf_vector mean = {{0}};
     for (int i = 0; i < 3; i++)
-        mean = tf_vector_sum(mean, 1.0 / 3, tf_vector_at(of, corner[i]));
+        mean = tf_vector_sum(mean, 1.0 / 3, tf_vector_at(value, corner[i]));
     return mean;
 }
 

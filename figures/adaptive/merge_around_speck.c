@@ -78,7 +78,8 @@ static int winding_of(const tf_adaptive_surface *surface)
         if (*v == TF_NONE || is_of_speck(v))
             continue;
         tf_facet facet = tf_facet_of(surface, v);
-        sum += tf_winding_part(facet.corner, tf_coordinates(surface, SPECK));
+        sum += tf_winding_part(facet.corner,
+                               tf_vertex_coordinates(surface, SPECK));
     }
     return sum;
 }
@@ -98,7 +99,7 @@ static void draw_surface(fig_page *page, fig_box box,
     fig_scene *scene = fig_panel_scene(panel);
     tf_vector at[PLACES];
     for (int v = 0; v < PLACES; v++)
-        at[v] = fig_vector_of(tf_coordinates(surface, v));
+        at[v] = fig_vector_of(tf_vertex_coordinates(surface, v));
     for (int t = 0; t < surface->triangles; t++) {
         const int *v = tf_triangle(surface, t);
         if (*v == TF_NONE)

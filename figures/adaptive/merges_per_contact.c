@@ -63,7 +63,7 @@ static void press(tf_adaptive_surface *surface)
     for (int v = 0; v < surface->vertices; v++) {
         double to[3];
         tf_outcome outcome;
-        memcpy(to, tf_coordinates(surface, v), sizeof to);
+        memcpy(to, tf_vertex_coordinates(surface, v), sizeof to);
         to[2] += 2 * v < surface->vertices ? way : -way;
         TF_REQUIRE(tf_adaptive_move(surface, v, to, &outcome) == TF_OK);
     }
@@ -153,7 +153,7 @@ static result merge(const tf_adaptive_surface *before, bool once)
 static bool is_shown(const tf_adaptive_surface *surface, const int v[3])
 {
     for (int i = 0; i < 3; i++) {
-        const double *x = tf_coordinates(surface, v[i]);
+        const double *x = tf_vertex_coordinates(surface, v[i]);
         if (2 * v[i] >= surface->vertices || x[2] < -0.8 ||
             hypot(x[0], x[1]) > reach)
             return false;
@@ -188,7 +188,7 @@ static void draw_contact(fig_page *page, int i,
         if (!is_shown(surface, v))
             continue;
         for (int k = 0; k < 3; k++) {
-            const double *x = tf_coordinates(surface, v[k]);
+            const double *x = tf_vertex_coordinates(surface, v[k]);
             corner[k] = (tf_vector){{x[0], x[1], 0}};
         }
         fig_scene_triangle(fig_panel_scene(panel), corner, FIG_WIDTH_HAIR,

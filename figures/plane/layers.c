@@ -272,9 +272,9 @@ static void draw_key(fig_page *page)
 
 static void print_numbers(FILE *numbers, const layout *plan)
 {
-    int down = 0, within = 0, up = 0, public = 0;
+    int down = 0, within = 0, up = 0, offered = 0;
     for (int i = 0; i < layer_count(); i++)
-    public += count_modules(plan, i, true);
+        offered += count_modules(plan, i, true);
     for (int i = layer_count(); i < ROWS; i++) {
         int from = layer_of(table[i].from), to = layer_of(table[i].to);
         down += from > to;
@@ -283,7 +283,7 @@ static void print_numbers(FILE *numbers, const layout *plan)
     }
     fig_number(numbers, "layers", layer_count());
     fig_number(numbers, "modules", plan->count);
-    fig_number(numbers, "public", public);
+    fig_number(numbers, "public", offered);
     fig_number(numbers, "includes", ROWS - layer_count());
     fig_number(numbers, "down", down);
     fig_number(numbers, "within", within);

@@ -9,14 +9,14 @@
 #include <string.h>
 
 //: Keep the memory of an advance
-void tf_advance_free(tf_advance *advance)
+void tf_advance_free(tf_flow_advance *advance)
 {
     tf_resolver_free(advance->resolver);
     tf_surface_free(advance->elements);
     tf_buffer_free(&advance->room);
 }
 
-size_t tf_advance_memory(const tf_advance *advance)
+size_t tf_advance_memory(const tf_flow_advance *advance)
 {
     size_t bytes = advance->room.bytes;
     if (advance->elements)
@@ -28,7 +28,7 @@ size_t tf_advance_memory(const tf_advance *advance)
 
 //: Make room for an advance
 /// Room for five vectors of each point, and a mass of each vertex.
-static bool reserve_points(tf_advance *a)
+static bool reserve_points(tf_flow_advance *a)
 {
     size_t numbers = 3 * (size_t)a->points;
     if (!tf_buffer_extend(&a->room, 5 * numbers + (size_t)a->vertices,
@@ -48,7 +48,7 @@ static void put_point(double x[], int point, tf_vector value)
     memcpy(x + 3 * (ptrdiff_t)point, value.x, sizeof value.x);
 }
 
-static void place_points(tf_advance *a)
+static void place_points(tf_flow_advance *a)
 {
     memcpy(a->start, a->surface->position.data,
            3 * sizeof *a->start * (size_t)a->vertices);
@@ -61,7 +61,7 @@ static void place_points(tf_advance *a)
 
 //: Take the triangles of a step
 /// Gives the response the triangles that the surface has in this step.
-static tf_status take_elements(tf_advance *a)
+static tf_status take_elements(tf_flow_advance *a)
 {
     tf_mesh mesh = tf_adaptive_mesh(a->surface);
     tf_status status = TF_OK;
@@ -75,7 +75,7 @@ static tf_status take_elements(tf_advance *a)
 }
 
 //: Begin an advance
-tf_status tf_advance_begin(tf_advance *a, const tf_flow_options *options,
+tf_status tf_advance_begin(tf_flow_advance *a, const tf_flow_options *options,
                            double time, double step)
 {
     tf_status status = take_elements(a);
@@ -95,7 +95,7 @@ tf_status tf_advance_begin(tf_advance *a, const tf_flow_options *options,
 
 //: Sum up normals
 /// The sum of the normals of the triangles at each vertex, in any positions.
-static void sum_normals(const tf_advance *a, const double position[],
+static void sum_normals(const tf_flow_advance *a, const double position[],
                         double normal[])
 {
     tf_mesh mesh = tf_adaptive_mesh(a->surface);
@@ -119,7 +119,7 @@ static tf_vector unit_of(tf_vector a)
     return tf_vector_length(a) > 0 ? tf_vector_unit(a) : a;
 }
 
-static void find_normals(tf_advance *a)
+static void find_normals(tf_flow_advance *a)
 {
     sum_normals(a, a->stage, a->normal);
     for (int e = 0; e < a->edges; e++) {
@@ -135,7 +135,7 @@ static void find_normals(tf_advance *a)
 //: Advance by the method of Runge and Kutta
 /// Takes the velocities at `part` of the step, having gone so far along the
 /// last ones, and goes on by `weight` of the step along them.
-static void go_on(tf_advance *a, double part, double weight)
+static void go_on(tf_flow_advance *a, double part, double weight)
 {
     const tf_flow_options *options = a->options;
     double along = part * a->step;
@@ -148,7 +148,7 @@ static void go_on(tf_advance *a, double part, double weight)
         a->end[i] += weight * a->step * a->velocity[i];
 }
 
-void tf_advance_propose(tf_advance *a)
+void tf_advance_propose(tf_flow_advance *a)
 {
     memcpy(a->end, a->start, 3 * sizeof *a->end * (size_t)a->points);
     go_on(a, 0, 1.0 / 6);
@@ -161,7 +161,7 @@ void tf_advance_propose(tf_advance *a)
 /// The middle of an edge leaves the chord between its ends.  A triangle whose
 /// three sides do so encloses less, by the sum over its sides of a third of its
 /// area times their rise; each of its vertices is to restore a third of that.
-static void add_errors(const tf_advance *a, int corner, tf_vector rise,
+static void add_errors(const tf_flow_advance *a, int corner, tf_vector rise,
                        double error[])
 {
     if (corner == TF_NONE)
@@ -175,7 +175,7 @@ static void add_errors(const tf_advance *a, int corner, tf_vector rise,
 }
 
 /// The volume error of each vertex, times 6.
-static void find_errors(const tf_advance *a, double error[])
+static void find_errors(const tf_flow_advance *a, double error[])
 {
     memset(error, 0, sizeof *error * (size_t)a->vertices);
     for (int e = 0; e < a->edges; e++) {
@@ -191,7 +191,7 @@ static void find_errors(const tf_advance *a, double error[])
 }
 
 //: Restore what chords lose
-void tf_advance_restore_volume(tf_advance *a)
+void tf_advance_restore_volume(tf_flow_advance *a)
 {
     double *error = a->velocity, most = 0.1 * a->options->edge;
     find_errors(a, error);
@@ -208,7 +208,7 @@ void tf_advance_restore_volume(tf_advance *a)
 
 //: Hold what may not move
 /// An isolated triangle could turn over without touching anything.
-static void hold_isolated_triangles(tf_advance *a)
+static void hold_isolated_triangles(tf_flow_advance *a)
 {
     for (int v = 0; v < a->vertices; v++)
         a->inverse_mass[v] = 1;
@@ -223,14 +223,14 @@ static void hold_isolated_triangles(tf_advance *a)
 }
 
 //: Move the vertices to their ends
-static void put_ends(const tf_advance *a)
+static void put_ends(const tf_flow_advance *a)
 {
     memcpy(a->surface->position.data, a->end,
            3 * sizeof *a->end * (size_t)a->vertices);
     tf_stars_build(a->surface, a->surface->box.data);
 }
 
-tf_status tf_advance_resolve(tf_advance *a, tf_response_report *report)
+tf_status tf_advance_resolve(tf_flow_advance *a, tf_response_report *report)
 {
     tf_response_options options = {.parallel = a->options->parallel};
     hold_isolated_triangles(a);

@@ -75,7 +75,7 @@ static tf_status reconnect(tf_flow *flow, const tf_flow_options *options,
 static tf_status move(tf_flow *flow, const tf_flow_options *options,
                       double time, double step, tf_flow_report *report)
 {
-    tf_advance *advance = &flow->advance;
+    tf_flow_advance *advance = &flow->advance;
     tf_status status = tf_adaptive_compact(advance->surface, NULL);
     if (status != TF_OK || advance->surface->triangles == 0)
         return status;

@@ -9,5 +9,5 @@
 struct tf_flow {
     tf_remesher remesher;
     tf_reconnector reconnector;
-    tf_advance advance;
+    tf_flow_advance advance;
 };

@@ -35,8 +35,8 @@ static tf_patch patch_of_edge(const tf_adaptive_surface *surface, int forth,
 //: Choose where an edge is split in a flow
 /// At the butterfly point; on the boundary, or if that was refused, in the
 /// middle, where nothing is lost.
-static bool choose_split(tf_remesher *remesher, int forth, int refused,
-                         tf_vector *position, tf_volume_error *error)
+static bool split_for_volume(tf_remesher *remesher, int forth, int refused,
+                             tf_vector *position, tf_volume_error *error)
 {
     const tf_adaptive_surface *surface = remesher->surface;
     int a = tf_vertex_at(surface, forth);
@@ -63,8 +63,8 @@ static double area_of_pair(const tf_shape pair[2])
 }
 
 /// Those whose other diagonal is shorter, if the surface hardly changes.
-static bool choose_flip(tf_remesher *remesher, const tf_diagonals *both,
-                        tf_volume_error *error)
+static bool flip_for_volume(tf_remesher *remesher, const tf_diagonals *both,
+                            tf_volume_error *error)
 {
     const tf_adaptive_surface *surface = remesher->surface;
     const int *v = both->vertex;
@@ -116,8 +116,8 @@ static bool choose_inside(const tf_remesher *remesher, int corner,
 //: Choose how the boundary collapses
 /// A vertex inside goes to one on the boundary, and of two on the boundary the
 /// freer one goes to the other.
-static bool choose_collapse(tf_remesher *remesher, int corner,
-                            tf_edge_collapse *collapse)
+static bool collapse_for_volume(tf_remesher *remesher, int corner,
+                                tf_edge_collapse *collapse)
 {
     const tf_adaptive_surface *surface = remesher->surface;
     const int end[] = {tf_vertex_at(surface, corner),
@@ -158,7 +158,8 @@ static bool is_smooth(const tf_adaptive_surface *surface, int vertex)
 
 //: Choose where a vertex is smoothed to in a flow
 /// Near the middle of its star, on the level.
-static bool choose_move(tf_remesher *remesher, int vertex, tf_vector *position)
+static bool move_for_volume(tf_remesher *remesher, int vertex,
+                            tf_vector *position)
 {
     const tf_adaptive_surface *surface = remesher->surface;
     if (tf_is_boundary_vertex(surface, vertex) || !is_smooth(surface, vertex))
@@ -213,9 +214,9 @@ const tf_remesh_policy tf_keep_volume = {
     .longest = {3, 2},
     .shortest = {1, 2},
     .pass = {{TF_SPLIT, 3}, {TF_FLIP, 3}, {TF_COLLAPSE, 1}, {TF_SMOOTH, 1}},
-    .choose_split = choose_split,
-    .choose_collapse = choose_collapse,
-    .choose_flip = choose_flip,
-    .choose_move = choose_move,
+    .choose_split = split_for_volume,
+    .choose_collapse = collapse_for_volume,
+    .choose_flip = flip_for_volume,
+    .choose_move = move_for_volume,
     .restore = restore_volume,
 };

@@ -14,8 +14,8 @@ static tf_vector project(tf_remesher *remesher, tf_vector point)
 //: Choose where an edge is split
 /// In the middle, and unless the edge is sharp, where the original is nearest
 /// to that.
-static bool choose_split(tf_remesher *remesher, int corner, int refused,
-                         tf_vector *position, tf_volume_error *error)
+static bool split_for_shape(tf_remesher *remesher, int corner, int refused,
+                            tf_vector *position, tf_volume_error *error)
 {
     const tf_adaptive_surface *surface = remesher->surface;
     (void)error;
@@ -31,8 +31,8 @@ static bool choose_split(tf_remesher *remesher, int corner, int refused,
 //: Choose how a short edge collapses
 /// Two free vertices meet in the middle, and else the freer one goes to the
 /// other.
-static bool choose_collapse(tf_remesher *remesher, int corner,
-                            tf_edge_collapse *collapse)
+static bool collapse_for_shape(tf_remesher *remesher, int corner,
+                               tf_edge_collapse *collapse)
 {
     const tf_adaptive_surface *surface = remesher->surface;
     int a = tf_vertex_at(surface, corner);
@@ -48,8 +48,8 @@ static bool choose_collapse(tf_remesher *remesher, int corner,
 
 //: Choose which edges flip
 /// Those whose worse triangle becomes better.
-static bool choose_flip(tf_remesher *remesher, const tf_diagonals *both,
-                        tf_volume_error *error)
+static bool flip_for_shape(tf_remesher *remesher, const tf_diagonals *both,
+                           tf_volume_error *error)
 {
     (void)error;
     return !tf_is_sharp_edge(remesher->surface, both->corner) &&
@@ -57,7 +57,8 @@ static bool choose_flip(tf_remesher *remesher, const tf_diagonals *both,
 }
 
 //: Choose where a vertex is smoothed to
-static bool choose_move(tf_remesher *remesher, int vertex, tf_vector *position)
+static bool move_for_shape(tf_remesher *remesher, int vertex,
+                           tf_vector *position)
 {
     if (tf_freedom_of(remesher->surface, vertex) != TF_FREE)
         return false;
@@ -70,8 +71,8 @@ const tf_remesh_policy tf_keep_shape = {
     .longest = {4, 3},
     .shortest = {4, 5},
     .pass = {{TF_SPLIT, 12}, {TF_COLLAPSE, 1}, {TF_FLIP, 1}, {TF_SMOOTH, 1}},
-    .choose_split = choose_split,
-    .choose_collapse = choose_collapse,
-    .choose_flip = choose_flip,
-    .choose_move = choose_move,
+    .choose_split = split_for_shape,
+    .choose_collapse = collapse_for_shape,
+    .choose_flip = flip_for_shape,
+    .choose_move = move_for_shape,
 };

@@ -11,7 +11,7 @@
 static inline tf_vector tf_position_of(const tf_adaptive_surface *surface,
                                        int vertex)
 {
-    return tf_vector_at(tf_coordinates(surface, vertex), 0);
+    return tf_vector_at(tf_vertex_coordinates(surface, vertex), 0);
 }
 
 double tf_length_of(const tf_adaptive_surface *surface, int a, int b);

@@ -60,13 +60,14 @@ static tf_constraint constraint_of_point(const tf_surface_contact *contact)
 static tf_vector vector_at_start(const tf_step *step,
                                  const tf_constraint *constraint)
 {
-    const double *origin =
-        step->start + (ptrdiff_t)step->axes * constraint->vertex[0];
+    const double *start = step->start;
+    tf_vector origin = tf_step_position(step, constraint->vertex[0], start);
     tf_vector vector = {{0}};
-    for (int i = 1; i < 4 && constraint->vertex[i] >= 0; i++)
-        vector = tf_vector_sum(
-            vector, -constraint->coefficient[i],
-            tf_step_displacement(step, constraint->vertex[i], origin));
+    for (int i = 1; i < 4 && constraint->vertex[i] >= 0; i++) {
+        tf_vector own = tf_step_position(step, constraint->vertex[i], start);
+        vector = tf_vector_sum(vector, -constraint->coefficient[i],
+                               tf_vector_difference(origin, own));
+    }
     return vector;
 }
 
@@ -135,9 +136,7 @@ static double gap_change(const tf_step *step, const tf_constraint *constraint,
 {
     double sum = 0;
     for (int i = 0; i < 4 && constraint->vertex[i] >= 0; i++) {
-        int vertex = constraint->vertex[i];
-        tf_vector d = tf_step_displacement(
-            step, vertex, end + (ptrdiff_t)step->axes * vertex);
+        tf_vector d = tf_step_displacement(step, constraint->vertex[i], end);
         sum += constraint->coefficient[i] * dot(constraint->normal, d.x);
     }
     return sum;

@@ -90,8 +90,7 @@ static void follow(group *own, const tf_step *step, int vertex)
 {
     if (own->scripted)
         return;
-    const double *proposed = step->proposed + (ptrdiff_t)step->axes * vertex;
-    own->displacement = tf_step_displacement(step, vertex, proposed);
+    own->displacement = tf_step_displacement(step, vertex, step->proposed);
     own->scripted = true;
 }
 
@@ -101,8 +100,7 @@ static void add_momentum(group *own, const tf_failsafe *failsafe,
 {
     const double *entry = failsafe->entry.data;
     double mass = 1 / step->inverse_mass[vertex];
-    tf_vector d = tf_step_displacement(step, vertex,
-                                       entry + (ptrdiff_t)step->axes * vertex);
+    tf_vector d = tf_step_displacement(step, vertex, entry);
     own->mass += mass;
     own->displacement = tf_vector_sum(own->displacement, mass, d);
 }

@@ -24,8 +24,7 @@ void tf_impulses_round(tf_step *step, const tf_contacts *contacts,
             step, &contacts->contact[i], rule, false, &gap);
         tf_constraint_visit(&constraint, friction, &bodies);
     }
-    for (int v = 0; v < step->vertices; v++) {
-        ptrdiff_t place = (ptrdiff_t)step->axes * v;
-        tf_step_move(step, v, step->end + place, displacement + place);
-    }
+    for (int v = 0; v < step->vertices; v++)
+        tf_step_move(step, v, step->end,
+                     displacement + (ptrdiff_t)step->axes * v);
 }

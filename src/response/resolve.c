@@ -38,8 +38,9 @@ static double mean_edge(const tf_surface *surface, const tf_step *step)
     const int *edge = tf_surface_edges(surface, &count);
     double sum = 0;
     for (int i = 0; i < count; i++, edge += 2) {
-        const double *end = step->start + (ptrdiff_t)step->axes * edge[1];
-        sum += tf_vector_length(tf_step_displacement(step, edge[0], end));
+        tf_vector from = tf_step_position(step, edge[0], step->start);
+        tf_vector to = tf_step_position(step, edge[1], step->start);
+        sum += tf_vector_length(tf_vector_difference(to, from));
     }
     double mean = count > 0 ? sum / count : 0;
     return isfinite(mean) ? mean : 0;
@@ -123,8 +124,7 @@ static double energy(const tf_step *step, const double end[])
     for (int v = 0; v < step->vertices; v++) {
         if (!(step->inverse_mass[v] > 0))
             continue;
-        tf_vector d =
-            tf_step_displacement(step, v, end + (ptrdiff_t)step->axes * v);
+        tf_vector d = tf_step_displacement(step, v, end);
         sum += tf_vector_dot(d, d) / step->inverse_mass[v];
     }
     return sum / 2;

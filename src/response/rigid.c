@@ -62,27 +62,19 @@ static void find_scripted(tf_rigid *rigid, const tf_step *step)
     }
 }
 
-static tf_vector displacement_of(const tf_rigid *rigid, const tf_step *step,
-                                 int vertex)
-{
-    const double *entry = rigid->entry.data;
-    return tf_step_displacement(step, vertex,
-                                entry + (ptrdiff_t)step->axes * vertex);
-}
-
 static void find_centers(tf_rigid *rigid, const tf_step *step)
 {
+    const double *entry = rigid->entry.data;
     for (int v = 0; v < step->vertices; v++) {
         body *own = moving_body(rigid, v);
         if (!own)
             continue;
         double mass = 1 / step->inverse_mass[v];
+        tf_vector start = tf_step_position(step, v, step->start);
+        tf_vector d = tf_step_displacement(step, v, entry);
         own->mass += mass;
-        for (int k = 0; k < step->axes; k++)
-            own->center.x[k] +=
-                mass * step->start[(ptrdiff_t)step->axes * v + k];
-        own->displacement = tf_vector_sum(own->displacement, mass,
-                                          displacement_of(rigid, step, v));
+        own->center = tf_vector_sum(own->center, mass, start);
+        own->displacement = tf_vector_sum(own->displacement, mass, d);
     }
     body *all = rigid->body.data;
     for (int v = 0; v < step->vertices; v++)
@@ -96,16 +88,14 @@ static void find_centers(tf_rigid *rigid, const tf_step *step)
 /// The vector from the center to the vertex at the start.
 static tf_vector arm_of(const tf_step *step, const body *own, int vertex)
 {
-    const double *start = step->start + (ptrdiff_t)step->axes * vertex;
-    tf_vector arm = {{0}};
-    for (int k = 0; k < step->axes; k++)
-        arm.x[k] = start[k] - own->center.x[k];
-    return arm;
+    return tf_vector_difference(tf_step_position(step, vertex, step->start),
+                                own->center);
 }
 
 //: Add up angular momenta and inertia
 static void add_up(tf_rigid *rigid, const tf_step *step)
 {
+    const double *entry = rigid->entry.data;
     for (int v = 0; v < step->vertices; v++) {
         body *own = moving_body(rigid, v);
         if (!own)
@@ -113,7 +103,7 @@ static void add_up(tf_rigid *rigid, const tf_step *step)
         double mass = 1 / step->inverse_mass[v];
         tf_vector arm = arm_of(step, own, v);
         tf_vector moment =
-            tf_vector_cross(arm, displacement_of(rigid, step, v));
+            tf_vector_cross(arm, tf_step_displacement(step, v, entry));
         own->momentum = tf_vector_sum(own->momentum, mass, moment);
         for (int i = 0; i < TF_AXES; i++) {
             own->inertia[i][i] += mass * tf_vector_dot(arm, arm);
@@ -157,8 +147,7 @@ static void move_with_body(const tf_rigid *rigid, tf_step *step,
     double scale = 2 / (1 + tf_vector_dot(half, half));
     tf_vector to = tf_vector_sum(own->displacement, scale,
                                  tf_vector_sum(first, 1, second));
-    const double *entry = rigid->entry.data;
-    tf_step_move(step, vertex, entry + (ptrdiff_t)step->axes * vertex, to.x);
+    tf_step_move(step, vertex, rigid->entry.data, to.x);
 }
 
 //: Answer contacts by rigid bodies

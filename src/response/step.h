@@ -12,14 +12,18 @@ typedef struct tf_step {
 } tf_step;
 
 //: Declare how a step is changed
-/// Returns the displacement of a vertex that ends at end[0] to end[axes - 1].
-/// In the plane the third component is 0.
+/// The position of a vertex of the step, of an array of positions.  In the plane
+/// the third coordinate is 0.
+tf_vector tf_step_position(const tf_step *step, int vertex,
+                           const double position[]);
+
+/// The displacement of a vertex with these ends of all vertices.
 tf_vector tf_step_displacement(const tf_step *step, int vertex,
                                const double end[]);
 
-/// Moves the end of a vertex to `base` plus the difference between
-/// `displacement` and the displacement that ends at `base`; to `base` itself if
-/// the two are the same.  Leaves the vertex where it is if the sum is not
-/// finite.
+/// Moves the end of a vertex to its base, of the bases of all vertices, plus the
+/// difference between `displacement` and the displacement that ends at the base;
+/// to the base itself if the two are the same.  Leaves the vertex where it is if
+/// the sum is not finite.
 void tf_step_move(tf_step *step, int vertex, const double base[],
                   const double displacement[]);

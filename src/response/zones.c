@@ -217,8 +217,7 @@ static bool pose(tf_zones *zones, const tf_step *step,
     zone->workspace = zones->workspace.data;
     for (int i = 0; i < zone->vertices; i++) {
         int v = d->vertex[i];
-        tf_vector own = tf_step_displacement(
-            step, v, rule->base + (ptrdiff_t)step->axes * v);
+        tf_vector own = tf_step_displacement(step, v, rule->base);
         memcpy(zone->displacement + (ptrdiff_t)step->axes * i, own.x,
                axes * sizeof *own.x);
         inverse_mass[i] = step->inverse_mass[v];
@@ -261,17 +260,16 @@ static void keep_impulses(tf_zones *zones, const division *d, int z,
 }
 
 /// Moves these vertices.  The others stay where they are: rounded anew, they
-/// would have to be looked at again.
+/// would have to be decided again.
 static void move_vertices(tf_step *step, const tf_contact_rule *rule,
                           const division *d, const tf_zone *zone)
 {
     for (int i = 0; i < zone->vertices; i++) {
-        ptrdiff_t place = (ptrdiff_t)step->axes * d->vertex[i];
         int *mark = &d->place[d->vertex[i]];
         if (*mark != PUSHED)
             continue;
         *mark = -1;
-        tf_step_move(step, d->vertex[i], rule->base + place,
+        tf_step_move(step, d->vertex[i], rule->base,
                      zone->displacement + (ptrdiff_t)step->axes * i);
     }
 }

@@ -16,8 +16,10 @@ static void *append(tf_body *body, void *items, int *count, const void *item,
     bool full = old == 0 || (old & (old - 1)) == 0;
     if (full && !body->failed) {
         void *longer = realloc(items, (old > 0 ? 2 * old : 1) * size);
-        body->failed = !longer;
-        items = longer ? longer : items;
+        if (longer)
+            items = longer;
+        else
+            body->failed = true;
     }
     if (!body->failed) {
         memcpy((char *)items + old * size, item, size);
@@ -29,10 +31,11 @@ static void *append(tf_body *body, void *items, int *count, const void *item,
 //: Add to a body
 void tf_body_add_vertex(tf_body *body, const double x[])
 {
+    const double massless = 0;
     int count = body->vertices;
     body->position =
         append(body, body->position, &count, x, sizeof *x * (size_t)body->axes);
-    body->mass = append(body, body->mass, &body->vertices, &(double){0},
+    body->mass = append(body, body->mass, &body->vertices, &massless,
                         sizeof *body->mass);
 }
 

@@ -38,9 +38,10 @@ typedef struct tf_scene {
     const char *name;
     const char *shows; ///< what happens in it, in a line
     tf_resolution resolution;
-    int steps;   ///< how many there usually are
-    double step; ///< how long one takes, in seconds
-    bool plane;  ///< whether it has two axes instead of three
+    int steps;          ///< how many there usually are
+    bool plane;         ///< whether it has two axes instead of three
+    bool keep_topology; ///< whether it neither merges nor comes apart
+    double step;        ///< how long one takes, in seconds
 
     /// Adds what there is at the start to an empty stage; without memory, its
     /// body has failed.
@@ -50,7 +51,6 @@ typedef struct tf_scene {
     tf_air air;
     double friction;          ///< Coulomb's coefficient
     tf_velocity_field *field; ///< along which a surface flows
-    bool keep_topology;       ///< whether it neither merges nor comes apart
 } tf_scene;
 
 /// The scene of that name in a list that ends with one without a name; NULL if

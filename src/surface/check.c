@@ -15,7 +15,7 @@
 typedef struct check_job {
     const tf_surface *surface;
     tf_motion rest;        ///< the surface, at rest for a step
-    tf_crossing_kind kind; ///< that is being looked for
+    tf_crossing_kind kind; ///< of crossings that are sought
 } check_job;
 
 /// How many vertices the two elements have.

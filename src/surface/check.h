@@ -38,7 +38,7 @@ typedef struct tf_crossings {
 //: Declare how to check
 /// Finds where a surface at rest intersects itself, exactly.
 ///
-/// Pairs that share a vertex are not looked at.  In space this misses only two
+/// Pairs that share a vertex are not tested.  In space this misses only two
 /// edges of no triangle that lie upon each other: if two triangles, or a
 /// triangle and an edge, have more in common than the convex hull of their
 /// common vertices, then two of their elements are listed.  Particles that lie
@@ -47,7 +47,7 @@ typedef struct tf_crossings {
 /// A curve in the plane is checked for edges that intersect.  If the edge AB
 /// lies on the edge AC, and BD is a third edge, then AC and BD are listed,
 /// unless D is C; without such an edge the two are missed.  Particles are not
-/// looked at.
+/// tested.
 ///
 /// @param surface the surface
 /// @param position the coordinates of its vertices, three each, in the plane

@@ -43,8 +43,8 @@ static bool empty_lists(tf_pair_cache *cache, int workers)
 
 //: Put a batch of pairs into the cache
 /// Of pairs that are apart it is not known yet how far they may move.
-static bool keep(void *keeper, const tf_worker *worker, int count,
-                 const tf_candidate pair[])
+static bool keep_batch(void *keeper, const tf_worker *worker, int count,
+                       const tf_candidate pair[])
 {
     const tf_pair_job *job = worker->job;
     pair_list *list = list_of(keeper, worker->number, job->kind);
@@ -133,7 +133,7 @@ tf_status tf_pair_cache_build(tf_pair_cache *cache,
         return TF_OUT_OF_MEMORY;
     note_ends(cache, search);
     tf_pair_job job = job_of(search);
-    job.keep = keep;
+    job.keep = keep_batch;
     job.keeper = cache;
     return tf_pairs_find(surface, &job, search->parallel, found);
 }

@@ -194,7 +194,7 @@ static void mark_contacts(const batch *b, int count, double mark[])
 
 //: Take a batch of pairs
 /// Has the pairs kept, if the job wants that; false if there is no memory.
-static bool keep(tf_worker *worker, int count, const tf_candidate pair[])
+static bool keep_batch(tf_worker *worker, int count, const tf_candidate pair[])
 {
     const tf_pair_job *job = worker->job;
     if (job->keep && !job->keep(job->keeper, worker, count, pair))
@@ -229,7 +229,7 @@ bool tf_pairs_take(tf_pair_sink *sink, int count, const tf_candidate pair[])
         return false;
     if (clearance)
         mark_contacts(b, count, clearance);
-    return keep(worker, count, pair) && add_contacts(worker, count);
+    return keep_batch(worker, count, pair) && add_contacts(worker, count);
 }
 
 //: Compare contacts

@@ -57,8 +57,8 @@ typedef struct tf_adaptive_surface {
 } tf_adaptive_surface;
 
 //: Look at an adaptive surface
-static inline const double *tf_coordinates(const tf_adaptive_surface *surface,
-                                           int vertex)
+static inline const double *
+tf_vertex_coordinates(const tf_adaptive_surface *surface, int vertex)
 {
     return (const double *)surface->position.data + 3 * (ptrdiff_t)vertex;
 }
@@ -105,7 +105,7 @@ static inline tf_facet tf_facet_of(const tf_adaptive_surface *surface,
     tf_facet facet;
     for (int i = 0; i < 3; i++) {
         facet.vertex[i] = vertex[i];
-        facet.corner[i] = tf_coordinates(surface, vertex[i]);
+        facet.corner[i] = tf_vertex_coordinates(surface, vertex[i]);
     }
     return facet;
 }
@@ -121,6 +121,6 @@ static inline tf_aabb tf_aabb_of(const tf_adaptive_surface *surface, int count,
 {
     tf_aabb box = tf_aabb_empty();
     for (int i = 0; i < count; i++)
-        tf_aabb_add(&box, tf_coordinates(surface, vertex[i]));
+        tf_aabb_add(&box, tf_vertex_coordinates(surface, vertex[i]));
     return box;
 }

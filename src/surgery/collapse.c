@@ -108,7 +108,7 @@ tf_status tf_adaptive_collapse_to(tf_adaptive_surface *surface, int from,
     if (status != TF_OK)
         return status;
     double before[3];
-    memcpy(before, tf_coordinates(surface, to), sizeof before);
+    memcpy(before, tf_vertex_coordinates(surface, to), sizeof before);
     status = tf_adaptive_move(surface, to, position, outcome);
     if (status != TF_OK || *outcome != TF_COMMITTED)
         return status;

@@ -67,7 +67,7 @@ void tf_surgery_sweep(tf_adaptive_surface *surface, int a, int b, int c, int d)
     const int vertex[] = {a, b, c, d};
     const double *corner[4];
     for (int i = 0; i < 4; i++)
-        corner[i] = tf_coordinates(surface, vertex[i]);
+        corner[i] = tf_vertex_coordinates(surface, vertex[i]);
     ((tf_swept_tetrahedron *)surgery->swept.data)[surgery->sweeps++] =
         (tf_swept_tetrahedron){tf_tetrahedron_of(vertex, corner),
                                tf_aabb_of(surface, 4, vertex)};

@@ -106,8 +106,8 @@ static bool path_touches(const trial *t, const tf_added_triangle *kept)
         return false;
     tf_aabb box = tf_aabb_of(t->surface, 2, path);
     return tf_aabbs_overlap(&box, &kept->box) &&
-           tf_edge_touches_triangle(tf_coordinates(t->surface, path[0]),
-                                    tf_coordinates(t->surface, path[1]),
+           tf_edge_touches_triangle(tf_vertex_coordinates(t->surface, path[0]),
+                                    tf_vertex_coordinates(t->surface, path[1]),
                                     kept->facet.corner);
 }
 
@@ -180,7 +180,7 @@ static tf_outcome try_boundary_edge(const trial *t, const int edge[2])
     tf_added_triangle kept = {.box = tf_aabb_of(t->surface, 2, edge)};
     for (int i = 0; i < 2; i++) {
         kept.facet.vertex[i] = edge[i];
-        kept.facet.corner[i] = tf_coordinates(t->surface, edge[i]);
+        kept.facet.corner[i] = tf_vertex_coordinates(t->surface, edge[i]);
     }
     return try_sweeps(t, 2, &kept);
 }

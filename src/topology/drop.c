@@ -34,7 +34,8 @@ static int winding_of_component(const tf_adaptive_surface *surface, int count,
     int sum = 0;
     for (int i = 0; i < count; i++) {
         tf_facet side = tf_facet_of(surface, tf_triangle(surface, triangle[i]));
-        sum += tf_winding_part(side.corner, tf_coordinates(surface, vertex));
+        sum += tf_winding_part(side.corner,
+                               tf_vertex_coordinates(surface, vertex));
     }
     return sum;
 }

@@ -50,7 +50,7 @@ static bool is_in_ball(const tf_walls *walls,
 {
     int count, sum = 0;
     const tf_added_triangle *added = added_to(surface, &count);
-    const double *x = tf_coordinates(surface, vertex);
+    const double *x = tf_vertex_coordinates(surface, vertex);
     for (int i = 0; i < count; i++)
         sum += tf_winding_part(added[i].facet.corner, x);
     for (int i = 0; i < walls->count; i++)

@@ -101,7 +101,7 @@ static tf_query_masks with_coordinate(query_kind kind, int i, double x)
     return masks;
 }
 
-START_TEST(what_is_not_finite_or_too_large_is_undecided)
+START_TEST(queries_not_finite_or_too_large_are_undecided)
 {
     static const double bad[] = {NAN,      INFINITY, -INFINITY, 0x1p301,
                                  -0x1p301, 0x1p1023, -0x1p1023};
@@ -133,14 +133,14 @@ START_TEST(a_broken_environment_is_reported)
 }
 END_TEST
 
-START_TEST(no_queries_are_no_trouble)
+START_TEST(no_queries_are_decided_at_once)
 {
     ck_assert_int_eq(tf_filter_point_triangle(0, NULL, NULL), TF_OK);
     ck_assert_int_eq(tf_filter_edge_edge(0, NULL, NULL), TF_OK);
 }
 END_TEST
 
-START_TEST(missing_blocks_or_room_break_the_contract)
+START_TEST(missing_blocks_or_masks_break_the_contract)
 {
     tf_query_block block = {0};
     tf_query_masks masks;
@@ -158,10 +158,10 @@ Suite *suite(void)
     TCase *c = tcase_create("filter");
     tcase_add_loop_test(c, no_certain_verdict_is_wrong, 0, 2 * FAMILIES);
     tcase_add_loop_test(c, any_number_of_queries_can_be_decided, 0, 2);
-    tcase_add_loop_test(c, what_is_not_finite_or_too_large_is_undecided, 0, 2);
+    tcase_add_loop_test(c, queries_not_finite_or_too_large_are_undecided, 0, 2);
     tcase_add_loop_test(c, a_broken_environment_is_reported, 0, environments());
-    tcase_add_test(c, no_queries_are_no_trouble);
-    tcase_add_loop_exit_test(c, missing_blocks_or_room_break_the_contract,
+    tcase_add_test(c, no_queries_are_decided_at_once);
+    tcase_add_loop_exit_test(c, missing_blocks_or_masks_break_the_contract,
                              BROKEN_CONTRACT, 0, 2);
     suite_add_tcase(suite, c);
     return suite;

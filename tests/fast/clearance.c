@@ -150,7 +150,7 @@ static void expect_clearance(double found, double expected)
     ck_assert_double_le(found, expected);
 }
 
-START_TEST(above_a_slanted_triangle)
+START_TEST(clearance_above_a_slanted_triangle_is_along_its_normal)
 {
     // The plane z = x / 2, and a point 0.3 above it: straight up.
     double start[] = {0, 0, 5, -2, -2, -1, 2, -2, 1, 0, 2, 0};
@@ -163,7 +163,7 @@ START_TEST(above_a_slanted_triangle)
 }
 END_TEST
 
-START_TEST(beside_in_a_plane)
+START_TEST(clearance_beside_in_a_plane_is_toward_the_center)
 {
     // Two edges in the plane z = 0, one diagonal step from each other.
     const double at[] = {0, 0, 0, 1, -1, 0, 2, 2, 0, 3, 1, 0};
@@ -171,7 +171,7 @@ START_TEST(beside_in_a_plane)
 }
 END_TEST
 
-START_TEST(along_an_axis)
+START_TEST(clearance_along_an_axis_is_the_gap)
 {
     double at[] = {0, 0, 0, 0, 1, 0, 0.25, 0, 0, 0.25, 0, 1};
     expect_clearance(clearance_of(TF_EDGE_EDGE, at, at), 0.25);
@@ -201,9 +201,9 @@ Suite *suite(void)
     TCase *c = tcase_create("clearances");
     tcase_add_loop_test(c, within_the_clearance_elements_stay_apart, 0,
                         2 * FAMILIES);
-    tcase_add_test(c, above_a_slanted_triangle);
-    tcase_add_test(c, beside_in_a_plane);
-    tcase_add_test(c, along_an_axis);
+    tcase_add_test(c, clearance_above_a_slanted_triangle_is_along_its_normal);
+    tcase_add_test(c, clearance_beside_in_a_plane_is_toward_the_center);
+    tcase_add_test(c, clearance_along_an_axis_is_the_gap);
     tcase_add_test(c, nothing_is_known_where_rounding_may_hide_it);
     suite_add_tcase(suite, c);
     return suite;

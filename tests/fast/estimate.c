@@ -145,7 +145,7 @@ static bool is_estimated(tf_kind kind, double z, double side)
     return tf_contact_estimate(kind, &motion, vertex, &contact);
 }
 
-START_TEST(what_is_not_certain_is_not_estimated)
+START_TEST(uncertain_contacts_are_not_estimated)
 {
     ck_assert(is_estimated(TF_POINT_TRIANGLE, 1.1, 1));
     ck_assert(!is_estimated(TF_POINT_TRIANGLE, 0, 1));
@@ -196,7 +196,7 @@ Suite *suite(void)
     Suite *suite = suite_create("fast/estimate");
     TCase *c = tcase_create("estimates");
     tcase_add_loop_test(c, an_estimate_is_near_the_contact, 0, 2 * FAMILIES);
-    tcase_add_test(c, what_is_not_certain_is_not_estimated);
+    tcase_add_test(c, uncertain_contacts_are_not_estimated);
     tcase_add_loop_test(c, the_size_of_a_scene_does_not_matter, 0, 2);
     suite_add_tcase(suite, c);
     return suite;

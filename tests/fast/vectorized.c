@@ -279,7 +279,7 @@ static void use_edge_edge(void)
     statuses_use(EDGE_EDGE, decide_one);
 }
 
-START_TEST(no_queries_are_no_trouble)
+START_TEST(no_queries_are_decided_at_once)
 {
     tf_queries none = {.kind = TF_EDGE_EDGE};
     ck_assert_int_eq(tf_vectorized.decide(&tf_exact, &none, NULL, &(size_t){0}),
@@ -287,7 +287,7 @@ START_TEST(no_queries_are_no_trouble)
 }
 END_TEST
 
-START_TEST(missing_queries_or_room_break_the_contract)
+START_TEST(missing_queries_or_verdicts_break_the_contract)
 {
     static const double x[12] = {0};
     static const int vertices[] = {0, 1, 2, 3};
@@ -325,8 +325,8 @@ Suite *suite(void)
     tcase_add_test(c, the_plane_is_left_to_the_reference);
     tcase_add_loop_test(c, the_first_bad_query_has_its_status, 0, 2);
     tcase_add_loop_test(c, a_broken_environment_is_reported, 0, environments());
-    tcase_add_test(c, no_queries_are_no_trouble);
-    tcase_add_loop_exit_test(c, missing_queries_or_room_break_the_contract,
+    tcase_add_test(c, no_queries_are_decided_at_once);
+    tcase_add_loop_exit_test(c, missing_queries_or_verdicts_break_the_contract,
                              BROKEN_CONTRACT, 0, 5);
     suite_add_tcase(suite, c);
     suite_add_tcase(suite, statuses_case("point-triangle", use_point_triangle));

@@ -15,7 +15,7 @@ static tf_status advance(tf_adaptive_surface *surface,
                          tf_flow_velocity *velocity, double step, bool careless,
                          tf_response_report *report)
 {
-    tf_advance all = {.surface = surface};
+    tf_flow_advance all = {.surface = surface};
     const tf_flow_options options = {.edge = 0.3, .velocity = velocity};
     ck_assert_int_eq(tf_advance_begin(&all, &options, 0, step), TF_OK);
     tf_advance_propose(&all);

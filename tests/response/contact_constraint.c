@@ -98,7 +98,7 @@ static void expect_well_made(const scene *s, const tf_constraint *constraint)
     ck_assert(constraint->bound >= 0 && constraint->impulse == 0);
 }
 
-START_TEST(constraints_want_what_the_step_does_not_give)
+START_TEST(constraints_are_violated_by_the_step)
 {
     generator random = generator_new((uint64_t)_i);
     for (long i = cases(TRIALS); i > 0; i--) {
@@ -200,7 +200,7 @@ START_TEST(pivots_are_pushed_where_the_dots_start_on_the_other_side)
 }
 END_TEST
 
-START_TEST(dots_part_in_their_direction_where_there_is_no_side)
+START_TEST(dots_move_apart_in_their_direction_where_there_is_no_side)
 {
     scene s;
     double gap;
@@ -211,7 +211,7 @@ START_TEST(dots_part_in_their_direction_where_there_is_no_side)
 }
 END_TEST
 
-START_TEST(edges_without_a_normal_part)
+START_TEST(edges_without_a_normal_move_apart)
 {
     // Two parallel edges in space, one of which moves through the other.
     scene s = {.start = {0, 0, 1, 2, 0, 1, 0, 0, 0, 2, 0, 0},
@@ -226,7 +226,7 @@ START_TEST(edges_without_a_normal_part)
 }
 END_TEST
 
-START_TEST(bounds_ask_for_room_and_for_a_bounce)
+START_TEST(bounds_ask_for_separation_and_restitution)
 {
     scene s;
     double gap;
@@ -250,8 +250,7 @@ Suite *suite(void)
 {
     Suite *s = suite_create("response/contact_constraint");
     TCase *any = tcase_create("any contacts");
-    tcase_add_loop_test(any, constraints_want_what_the_step_does_not_give, 0,
-                        KINDS);
+    tcase_add_loop_test(any, constraints_are_violated_by_the_step, 0, KINDS);
     tcase_add_loop_test(any, pivots_meet_along_the_normal, 0, KINDS);
     suite_add_tcase(s, any);
     TCase *one = tcase_create("single contacts");
@@ -259,9 +258,10 @@ Suite *suite(void)
     tcase_add_test(one, pivots_are_pushed_where_the_dots_want_nothing);
     tcase_add_test(one,
                    pivots_are_pushed_where_the_dots_start_on_the_other_side);
-    tcase_add_test(one, dots_part_in_their_direction_where_there_is_no_side);
-    tcase_add_test(one, edges_without_a_normal_part);
-    tcase_add_test(one, bounds_ask_for_room_and_for_a_bounce);
+    tcase_add_test(one,
+                   dots_move_apart_in_their_direction_where_there_is_no_side);
+    tcase_add_test(one, edges_without_a_normal_move_apart);
+    tcase_add_test(one, bounds_ask_for_separation_and_restitution);
     suite_add_tcase(s, one);
     return s;
 }

@@ -126,7 +126,7 @@ START_TEST(a_constraint_that_moves_nothing_asks_for_nothing)
 }
 END_TEST
 
-START_TEST(small_residuals)
+START_TEST(residuals_are_small_by_length_or_by_product)
 {
     double product[CONSTRAINTS] = {0}, residual[CONSTRAINTS] = {3, 4};
     product[0] = 1;
@@ -148,7 +148,7 @@ Suite *suite(void)
     tcase_add_test(tcase, a_residual_counts_the_impulses_that_there_are);
     tcase_add_test(tcase, impulses_are_left_in_the_constraints_and_applied);
     tcase_add_test(tcase, a_constraint_that_moves_nothing_asks_for_nothing);
-    tcase_add_test(tcase, small_residuals);
+    tcase_add_test(tcase, residuals_are_small_by_length_or_by_product);
     suite_add_tcase(suite, tcase);
     return suite;
 }

@@ -277,7 +277,7 @@ END_TEST
 // Rounds ------------------------------------------------------------------------
 
 // Each round with a contact unites groups or puts one to rest.
-START_TEST(fewer_rounds_than_vertices)
+START_TEST(rounds_are_fewer_than_vertices)
 {
     generator random = generator_new(100);
     for (int times = 0; times < (int)cases(200); times++) {
@@ -306,7 +306,7 @@ Suite *suite(void)
     tcase_add_test(tcase, a_group_that_touches_itself_rests_for_good);
     tcase_add_test(tcase, only_what_moved_as_one_is_put_to_rest);
     tcase_add_loop_test(tcase, no_group_moves_to_infinity, 0, 2);
-    tcase_add_test(tcase, fewer_rounds_than_vertices);
+    tcase_add_test(tcase, rounds_are_fewer_than_vertices);
     suite_add_tcase(suite, tcase);
 
     TCase *scripted = tcase_create("scripted vertices");

@@ -18,7 +18,7 @@ static void unite_in_list(int a, int b)
             least_of[i] = to;
 }
 
-START_TEST(roots_are_the_least)
+START_TEST(roots_are_the_least_members)
 {
     generator random = generator_new(100);
     tf_groups groups = {0};
@@ -39,7 +39,7 @@ START_TEST(roots_are_the_least)
 }
 END_TEST
 
-START_TEST(a_chain_gets_short)
+START_TEST(finding_shortens_chains)
 {
     tf_groups groups = {0};
     ck_assert(tf_groups_begin(&groups, NUMBERS));
@@ -58,8 +58,8 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("response/groups");
     TCase *tcase = tcase_create("groups");
-    tcase_add_test(tcase, roots_are_the_least);
-    tcase_add_test(tcase, a_chain_gets_short);
+    tcase_add_test(tcase, roots_are_the_least_members);
+    tcase_add_test(tcase, finding_shortens_chains);
     suite_add_tcase(suite, tcase);
     return suite;
 }

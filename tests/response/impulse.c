@@ -84,7 +84,7 @@ static void visit(scene *s, double friction)
     tf_constraint_visit(&s->constraint, friction, &bodies);
 }
 
-START_TEST(parts_the_elements_as_far_as_is_wanted)
+START_TEST(visits_widen_the_gap_to_the_bound)
 {
     generator random = generator_new(1);
     for (long i = cases(TRIALS); i > 0; i--) {
@@ -99,7 +99,7 @@ START_TEST(parts_the_elements_as_far_as_is_wanted)
 }
 END_TEST
 
-START_TEST(no_other_push_is_less)
+START_TEST(no_other_push_changes_less)
 {
     generator random = generator_new(2);
     for (long i = cases(TRIALS); i > 0; i--) {
@@ -121,7 +121,7 @@ START_TEST(no_other_push_is_less)
 }
 END_TEST
 
-START_TEST(keeps_momentum)
+START_TEST(visits_keep_momentum)
 {
     generator random = generator_new(3);
     for (long i = cases(TRIALS); i > 0; i--) {
@@ -141,7 +141,7 @@ START_TEST(keeps_momentum)
 }
 END_TEST
 
-START_TEST(changes_the_energy_as_proved)
+START_TEST(visits_change_the_energy_as_proved)
 {
     generator random = generator_new(4);
     for (long i = cases(TRIALS); i > 0; i--) {
@@ -235,7 +235,7 @@ START_TEST(friction_takes_energy)
 }
 END_TEST
 
-START_TEST(takes_back_what_it_gave_and_no_more)
+START_TEST(impulses_are_taken_back_but_never_pull)
 {
     scene s = {.axes = 2,
                .constraint = {.vertex = {0, 1, -1, -1},
@@ -258,7 +258,7 @@ START_TEST(takes_back_what_it_gave_and_no_more)
 }
 END_TEST
 
-START_TEST(leaves_what_cannot_be_moved)
+START_TEST(scripted_vertices_are_left_alone)
 {
     scene s = {.axes = 2,
                .constraint = {.vertex = {0, 1, -1, -1},
@@ -275,14 +275,14 @@ Suite *suite(void)
 {
     Suite *s = suite_create("response/impulse");
     TCase *visits = tcase_create("visits");
-    tcase_add_test(visits, parts_the_elements_as_far_as_is_wanted);
-    tcase_add_test(visits, no_other_push_is_less);
-    tcase_add_test(visits, keeps_momentum);
-    tcase_add_test(visits, changes_the_energy_as_proved);
+    tcase_add_test(visits, visits_widen_the_gap_to_the_bound);
+    tcase_add_test(visits, no_other_push_changes_less);
+    tcase_add_test(visits, visits_keep_momentum);
+    tcase_add_test(visits, visits_change_the_energy_as_proved);
     tcase_add_test(visits, a_short_lever_pushes_nothing);
     tcase_add_test(visits, a_light_vertex_is_no_lever);
-    tcase_add_test(visits, takes_back_what_it_gave_and_no_more);
-    tcase_add_test(visits, leaves_what_cannot_be_moved);
+    tcase_add_test(visits, impulses_are_taken_back_but_never_pull);
+    tcase_add_test(visits, scripted_vertices_are_left_alone);
     suite_add_tcase(s, visits);
     TCase *friction = tcase_create("friction");
     tcase_add_test(friction, friction_is_that_of_coulomb);

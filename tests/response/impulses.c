@@ -67,7 +67,7 @@ START_TEST(rounds_clear_the_step)
 }
 END_TEST
 
-START_TEST(who_meets_nothing_ends_as_proposed)
+START_TEST(vertices_without_contacts_end_as_proposed)
 {
     static double displacement[3 * PROPOSAL_VERTICES];
     begin();
@@ -86,7 +86,7 @@ Suite *suite(void)
     TCase *tcase = tcase_create("two sheets");
     tcase_add_test(tcase, momentum_is_kept);
     tcase_add_test(tcase, rounds_clear_the_step);
-    tcase_add_test(tcase, who_meets_nothing_ends_as_proposed);
+    tcase_add_test(tcase, vertices_without_contacts_end_as_proposed);
     suite_add_tcase(suite, tcase);
     return suite;
 }

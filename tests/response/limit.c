@@ -91,7 +91,7 @@ static void make_speck(double gap, double fall)
     begin();
 }
 
-START_TEST(halvings_by_hand)
+START_TEST(halvings_are_those_by_hand)
 {
     make_speck(1, 0.5);
     ck_assert_int_eq(expect_limited(), 0);
@@ -106,7 +106,7 @@ START_TEST(halvings_by_hand)
 END_TEST
 
 // Above the edge by the least number, it cannot move.
-START_TEST(nothing_may_be_left)
+START_TEST(no_motion_may_be_left)
 {
     make_speck(0x1p-1074, 1);
     ck_assert_int_eq(expect_limited(), -1);
@@ -123,7 +123,7 @@ START_TEST(differences_may_overflow)
 }
 END_TEST
 
-START_TEST(starts_that_touch)
+START_TEST(touching_starts_are_rejected)
 {
     tf_obstacle obstacle;
     int halvings = 7;
@@ -141,7 +141,7 @@ START_TEST(starts_that_touch)
 }
 END_TEST
 
-START_TEST(trouble)
+START_TEST(bad_input_is_reported)
 {
     tf_obstacle obstacle;
     int halvings;
@@ -159,7 +159,7 @@ START_TEST(trouble)
 }
 END_TEST
 
-START_TEST(nothing_may_be_null)
+START_TEST(null_breaks_the_contract)
 {
     double x = 0;
     tf_step_limit(NULL, 1, &x, &x, NULL, NULL, NULL);
@@ -172,15 +172,15 @@ Suite *suite(void)
     TCase *tcase = tcase_create("fractions");
     tcase_add_loop_test(tcase, fractions_are_the_largest_clear_ones, 0,
                         PROPOSAL_SHAPES);
-    tcase_add_test(tcase, halvings_by_hand);
-    tcase_add_test(tcase, nothing_may_be_left);
+    tcase_add_test(tcase, halvings_are_those_by_hand);
+    tcase_add_test(tcase, no_motion_may_be_left);
     tcase_add_test(tcase, differences_may_overflow);
     suite_add_tcase(suite, tcase);
 
     TCase *bad = tcase_create("trouble");
-    tcase_add_test(bad, starts_that_touch);
-    tcase_add_test(bad, trouble);
-    tcase_add_test_raise_signal(bad, nothing_may_be_null, SIGABRT);
+    tcase_add_test(bad, touching_starts_are_rejected);
+    tcase_add_test(bad, bad_input_is_reported);
+    tcase_add_test_raise_signal(bad, null_breaks_the_contract, SIGABRT);
     suite_add_tcase(suite, bad);
     return suite;
 }

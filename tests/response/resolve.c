@@ -59,7 +59,7 @@ static void expect(tf_status expected, int vertices,
     ck_assert_mem_eq(&report, &before, sizeof report);
 }
 
-START_TEST(options_out_of_range)
+START_TEST(options_out_of_range_are_refused)
 {
     static const tf_response_options bad[] = {
         {.impulse_rounds = -1},     {.sweeps = -1},
@@ -74,7 +74,7 @@ START_TEST(options_out_of_range)
 }
 END_TEST
 
-START_TEST(options_at_the_ends_of_their_ranges)
+START_TEST(options_at_the_ends_of_their_ranges_are_taken)
 {
     make_fall(0);
     resolve((tf_response_options){.restitution = 1, .friction = DBL_MAX});
@@ -84,7 +84,7 @@ START_TEST(options_at_the_ends_of_their_ranges)
 }
 END_TEST
 
-START_TEST(masses_that_are_none)
+START_TEST(invalid_masses_are_rejected)
 {
     static const double bad[] = {-1, -0x1p-1074, NAN, INFINITY, -INFINITY};
     make_fall(0);
@@ -95,7 +95,7 @@ START_TEST(masses_that_are_none)
 }
 END_TEST
 
-START_TEST(masses_of_any_size)
+START_TEST(masses_of_any_size_are_taken)
 {
     static const double most[] = {0x1p-1074, 0x1p-1022, DBL_MAX, 1e300, -0.};
     make_fall(0);
@@ -108,7 +108,7 @@ START_TEST(masses_of_any_size)
 }
 END_TEST
 
-START_TEST(positions_that_are_none)
+START_TEST(invalid_positions_are_rejected)
 {
     make_fall(0);
     expect(TF_BAD_COUNT, 2, NULL);
@@ -122,7 +122,7 @@ START_TEST(positions_that_are_none)
 }
 END_TEST
 
-START_TEST(starts_that_are_not_clear)
+START_TEST(starts_that_are_not_clear_are_rejected)
 {
     make_fall(0);
     made.start[5] = 0;
@@ -144,7 +144,7 @@ START_TEST(starts_that_are_not_clear)
 }
 END_TEST
 
-START_TEST(nothing_may_be_null)
+START_TEST(null_breaks_the_contract)
 {
     tf_step_resolve(NULL, 3, end, end, NULL, NULL, NULL, NULL);
 }
@@ -183,7 +183,7 @@ START_TEST(a_fall_is_stopped_where_it_began)
 }
 END_TEST
 
-START_TEST(restitution_throws_back)
+START_TEST(restitution_reverses_the_approach)
 {
     make_fall(0);
     resolve((tf_response_options){.separation = -1, .restitution = 0.75});
@@ -192,7 +192,7 @@ START_TEST(restitution_throws_back)
 }
 END_TEST
 
-START_TEST(friction_slows)
+START_TEST(friction_slows_sliding)
 {
     make_fall(0);
     resolve((tf_response_options){.separation = -1, .friction = 0.25});
@@ -204,7 +204,7 @@ START_TEST(friction_slows)
 END_TEST
 
 // A quarter of what is missing to the separation.
-START_TEST(what_is_near_is_pushed_apart)
+START_TEST(near_pairs_are_pushed_apart)
 {
     make_fall(0);
     resolve((tf_response_options){.separation = 3});
@@ -234,7 +234,7 @@ START_TEST(scripted_vertices_are_held_back_if_need_be)
 }
 END_TEST
 
-START_TEST(huge_numbers)
+START_TEST(huge_coordinates_are_resolved)
 {
     make_fall(1);
     for (int i = 0; i < 6; i++) {
@@ -247,7 +247,7 @@ START_TEST(huge_numbers)
 }
 END_TEST
 
-START_TEST(tiny_numbers)
+START_TEST(tiny_coordinates_are_resolved)
 {
     make_fall(1);
     for (int i = 0; i < 6; i++) {
@@ -263,27 +263,27 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("response/resolve");
     TCase *bad = tcase_create("trouble");
-    tcase_add_test(bad, options_out_of_range);
-    tcase_add_loop_test(bad, masses_that_are_none, 0, 5);
-    tcase_add_test(bad, positions_that_are_none);
-    tcase_add_test(bad, starts_that_are_not_clear);
-    tcase_add_test_raise_signal(bad, nothing_may_be_null, SIGABRT);
+    tcase_add_test(bad, options_out_of_range_are_refused);
+    tcase_add_loop_test(bad, invalid_masses_are_rejected, 0, 5);
+    tcase_add_test(bad, invalid_positions_are_rejected);
+    tcase_add_test(bad, starts_that_are_not_clear_are_rejected);
+    tcase_add_test_raise_signal(bad, null_breaks_the_contract, SIGABRT);
     suite_add_tcase(suite, bad);
 
     TCase *tcase = tcase_create("answers");
     tcase_add_test(tcase, clear_steps_come_back_bit_for_bit);
     tcase_add_test(tcase, a_fall_is_stopped_where_it_began);
-    tcase_add_test(tcase, restitution_throws_back);
-    tcase_add_test(tcase, friction_slows);
-    tcase_add_test(tcase, what_is_near_is_pushed_apart);
+    tcase_add_test(tcase, restitution_reverses_the_approach);
+    tcase_add_test(tcase, friction_slows_sliding);
+    tcase_add_test(tcase, near_pairs_are_pushed_apart);
     tcase_add_test(tcase, scripted_vertices_are_held_back_if_need_be);
     suite_add_tcase(suite, tcase);
 
     TCase *extreme = tcase_create("extremes");
-    tcase_add_test(extreme, options_at_the_ends_of_their_ranges);
-    tcase_add_test(extreme, masses_of_any_size);
-    tcase_add_test(extreme, huge_numbers);
-    tcase_add_test(extreme, tiny_numbers);
+    tcase_add_test(extreme, options_at_the_ends_of_their_ranges_are_taken);
+    tcase_add_test(extreme, masses_of_any_size_are_taken);
+    tcase_add_test(extreme, huge_coordinates_are_resolved);
+    tcase_add_test(extreme, tiny_coordinates_are_resolved);
     suite_add_tcase(suite, extreme);
     return suite;
 }

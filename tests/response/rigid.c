@@ -81,8 +81,7 @@ static void add_momenta(const double *ends, double sum[6])
     memset(sum, 0, 6 * sizeof *sum);
     for (int v = 0; v < BODY; v++) {
         double x[3];
-        tf_vector d =
-            tf_step_displacement(&s.step, v, ends + (ptrdiff_t)s.step.axes * v);
+        tf_vector d = tf_step_displacement(&s.step, v, ends);
         for (int k = 0; k < 3; k++)
             x[k] = k < s.step.axes ? made.start[s.step.axes * v + k] : 0;
         for (int k = 0; k < 3; k++) {

@@ -92,7 +92,7 @@ START_TEST(curves_touch_points_and_edges)
 }
 END_TEST
 
-START_TEST(trouble_is_passed_on)
+START_TEST(statuses_are_passed_on)
 {
     make_rod(0.5);
     made.start[4] = NAN;
@@ -108,7 +108,7 @@ Suite *suite(void)
     tcase_add_test(tcase, edges_through_triangles_are_found);
     tcase_add_test(tcase, contacts_at_the_start_are_told_from_later_ones);
     tcase_add_test(tcase, curves_touch_points_and_edges);
-    tcase_add_test(tcase, trouble_is_passed_on);
+    tcase_add_test(tcase, statuses_are_passed_on);
     suite_add_tcase(suite, tcase);
     return suite;
 }

@@ -65,7 +65,7 @@ START_TEST(pushes_add_up)
 }
 END_TEST
 
-START_TEST(nothing_may_be_null)
+START_TEST(null_breaks_the_contract)
 {
     double number = 0;
     tf_zone_multiply(NULL, &number, &number, &number);
@@ -78,7 +78,7 @@ Suite *suite(void)
     TCase *tcase = tcase_create("the product");
     tcase_add_loop_test(tcase, columns_are_those_of_the_matrix, 0, 2);
     tcase_add_test(tcase, pushes_add_up);
-    tcase_add_test_raise_signal(tcase, nothing_may_be_null, SIGABRT);
+    tcase_add_test_raise_signal(tcase, null_breaks_the_contract, SIGABRT);
     suite_add_tcase(suite, tcase);
     return suite;
 }

@@ -249,8 +249,8 @@ START_TEST(each_zone_is_a_problem_on_its_own)
 END_TEST
 
 // Only where an impulse has changed: the others would be rounded anew, and
-// looked at again.
-START_TEST(only_what_is_pushed_is_moved)
+// decided again.
+START_TEST(only_pushed_vertices_are_moved)
 {
     proposal_begin(&made, 2);
     add_edge(-5, 0, 0);
@@ -295,7 +295,7 @@ Suite *suite(void)
     tcase_add_test(answers, zones_start_from_the_base);
     tcase_add_test(answers, idle_vertices_belong_to_no_zone);
     tcase_add_test(answers, each_zone_is_a_problem_on_its_own);
-    tcase_add_test(answers, only_what_is_pushed_is_moved);
+    tcase_add_test(answers, only_pushed_vertices_are_moved);
     tcase_add_test(answers, a_solver_that_fails_moves_nothing);
     suite_add_tcase(suite, answers);
     return suite;

@@ -73,7 +73,7 @@ static tf_status improve(tf_flow *flow, unsigned operations, double edge)
     return status;
 }
 
-static tf_status move(tf_advance *advance, bool careless,
+static tf_status move(tf_flow_advance *advance, bool careless,
                       const tf_flow_options *options, double time, double step,
                       tf_flow_report *report)
 {

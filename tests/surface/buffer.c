@@ -6,7 +6,7 @@
 #include <stdint.h>
 #include <string.h>
 
-START_TEST(reserved_room_is_aligned_and_kept)
+START_TEST(reserved_memory_is_aligned_and_kept)
 {
     tf_buffer buffer = {0};
     ck_assert(tf_buffer_reserve(&buffer, 10, 7));
@@ -45,7 +45,7 @@ START_TEST(a_list_keeps_what_it_holds)
 }
 END_TEST
 
-START_TEST(what_cannot_be_had_is_refused)
+START_TEST(impossible_sizes_are_refused)
 {
     tf_buffer buffer = {0};
     ck_assert(tf_buffer_reserve(&buffer, 5, 8));
@@ -63,9 +63,9 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("surface/buffer");
     TCase *tcase = tcase_create("buffer");
-    tcase_add_test(tcase, reserved_room_is_aligned_and_kept);
+    tcase_add_test(tcase, reserved_memory_is_aligned_and_kept);
     tcase_add_test(tcase, a_list_keeps_what_it_holds);
-    tcase_add_test(tcase, what_cannot_be_had_is_refused);
+    tcase_add_test(tcase, impossible_sizes_are_refused);
     suite_add_tcase(suite, tcase);
     return suite;
 }

@@ -153,7 +153,7 @@ START_TEST(no_overlapping_boxes_are_missed)
 }
 END_TEST
 
-START_TEST(a_needle_among_dust)
+START_TEST(one_long_element_among_many_small_ones_is_found)
 {
     generator random = generator_new(300);
     random_surface(&random, 3, SURFACE_ELEMENTS, ANYWHERE, &given);
@@ -200,7 +200,7 @@ START_TEST(any_number_of_workers_gives_the_same_list)
 }
 END_TEST
 
-START_TEST(nothing_may_be_null)
+START_TEST(null_breaks_the_contract)
 {
     tf_surface_candidates(NULL, &given.motion, NULL, &(tf_candidates){0}, NULL);
 }
@@ -211,10 +211,10 @@ Suite *suite(void)
     Suite *suite = suite_create("surface/candidates");
     TCase *tcase = tcase_create("candidates");
     tcase_add_loop_test(tcase, no_overlapping_boxes_are_missed, 0, PLACEMENTS);
-    tcase_add_test(tcase, a_needle_among_dust);
+    tcase_add_test(tcase, one_long_element_among_many_small_ones_is_found);
     tcase_add_loop_test(tcase, any_number_of_workers_gives_the_same_list, 0,
                         PLACEMENTS);
-    tcase_add_test_raise_signal(tcase, nothing_may_be_null, SIGABRT);
+    tcase_add_test_raise_signal(tcase, null_breaks_the_contract, SIGABRT);
     suite_add_tcase(suite, tcase);
     return suite;
 }

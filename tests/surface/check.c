@@ -78,7 +78,7 @@ static size_t count_rows(const double other[9], tf_crossing *first)
 
 // Where two triangles pierce each other a segment begins and ends: here on an
 // edge of each.
-START_TEST(edges_through_triangles)
+START_TEST(edges_through_triangles_are_found)
 {
     static const double piercing[] = {1, 1, -1, 1, 1, 1, 9, 9, 1};
     tf_crossing row;
@@ -103,7 +103,7 @@ END_TEST
 
 // Trouble ---------------------------------------------------------------------
 
-START_TEST(trouble_is_reported)
+START_TEST(bad_input_is_reported)
 {
     static const int triangle[] = {0, 1, 2};
     tf_mesh mesh = {
@@ -123,7 +123,7 @@ START_TEST(trouble_is_reported)
 }
 END_TEST
 
-START_TEST(nothing_may_be_null)
+START_TEST(null_breaks_the_contract)
 {
     tf_crossings found;
     tf_surface_check(NULL, (double[3]){0}, 1, NULL, &found, NULL);
@@ -139,10 +139,10 @@ Suite *suite(void)
     suite_add_tcase(suite, tcase);
 
     TCase *few = tcase_create("by hand");
-    tcase_add_test(few, edges_through_triangles);
+    tcase_add_test(few, edges_through_triangles_are_found);
     tcase_add_test(few, a_touch_counts_and_an_ulp_above_does_not);
-    tcase_add_test(few, trouble_is_reported);
-    tcase_add_test_raise_signal(few, nothing_may_be_null, SIGABRT);
+    tcase_add_test(few, bad_input_is_reported);
+    tcase_add_test_raise_signal(few, null_breaks_the_contract, SIGABRT);
     suite_add_tcase(suite, few);
     return suite;
 }

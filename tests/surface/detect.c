@@ -211,13 +211,13 @@ START_TEST(all_contacts_are_those_of_all_pairs)
 }
 END_TEST
 
-START_TEST(all_contacts_of_larger_surfaces)
+START_TEST(all_contacts_of_larger_surfaces_are_found)
 {
     compare_surfaces(&tf_exact, (int)cases(8), 60, (placement)_i, 200 + _i);
 }
 END_TEST
 
-START_TEST(every_arithmetic)
+START_TEST(every_arithmetic_finds_its_contacts)
 {
     static const tf_arithmetic *const tried[] = {&tf_clamped, &tf_published,
                                                  &tf_perturbed, &tf_integer64,
@@ -228,7 +228,7 @@ END_TEST
 
 // Sequences -------------------------------------------------------------------
 
-START_TEST(a_surface_is_moved_again_and_again)
+START_TEST(a_surface_that_moved_before_is_like_a_new_one)
 {
     generator random = generator_new(400);
     answers all = {.arithmetic = &tf_exact,
@@ -265,7 +265,7 @@ static tf_status try_positions(const double *start, const double *end,
     return status;
 }
 
-START_TEST(positions_that_are_not_finite)
+START_TEST(positions_that_are_not_finite_are_named)
 {
     double good[12] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
     double bad[12];
@@ -286,7 +286,7 @@ START_TEST(positions_that_are_not_finite)
 }
 END_TEST
 
-START_TEST(positions_out_of_range)
+START_TEST(positions_out_of_range_are_named)
 {
     double good[12] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
     double bad[12];
@@ -303,7 +303,7 @@ START_TEST(positions_out_of_range)
 }
 END_TEST
 
-START_TEST(another_number_of_vertices)
+START_TEST(another_number_of_vertices_is_refused)
 {
     double x[15] = {0};
     tf_surface *surface = surface_of(&simple);
@@ -317,7 +317,7 @@ START_TEST(another_number_of_vertices)
 }
 END_TEST
 
-START_TEST(nothing_may_be_null)
+START_TEST(null_breaks_the_contract)
 {
     tf_contacts found;
     tf_motion motion = {0};
@@ -332,16 +332,17 @@ Suite *suite(void)
     tcase_set_timeout(tcase, 0);
     tcase_add_loop_test(tcase, all_contacts_are_those_of_all_pairs, 0,
                         PLACEMENTS);
-    tcase_add_loop_test(tcase, all_contacts_of_larger_surfaces, 0, PLACEMENTS);
-    tcase_add_loop_test(tcase, every_arithmetic, 0, 5);
-    tcase_add_test(tcase, a_surface_is_moved_again_and_again);
+    tcase_add_loop_test(tcase, all_contacts_of_larger_surfaces_are_found, 0,
+                        PLACEMENTS);
+    tcase_add_loop_test(tcase, every_arithmetic_finds_its_contacts, 0, 5);
+    tcase_add_test(tcase, a_surface_that_moved_before_is_like_a_new_one);
     suite_add_tcase(suite, tcase);
 
     TCase *trouble = tcase_create("trouble");
-    tcase_add_test(trouble, positions_that_are_not_finite);
-    tcase_add_test(trouble, positions_out_of_range);
-    tcase_add_test(trouble, another_number_of_vertices);
-    tcase_add_test_raise_signal(trouble, nothing_may_be_null, SIGABRT);
+    tcase_add_test(trouble, positions_that_are_not_finite_are_named);
+    tcase_add_test(trouble, positions_out_of_range_are_named);
+    tcase_add_test(trouble, another_number_of_vertices_is_refused);
+    tcase_add_test_raise_signal(trouble, null_breaks_the_contract, SIGABRT);
     suite_add_tcase(suite, trouble);
     return suite;
 }

@@ -122,7 +122,7 @@ static void compare(const elements *s, const elements *t)
     free(all);
 }
 
-START_TEST(every_pair_once)
+START_TEST(every_pair_is_found_once)
 {
     static const int counts[] = {1, 16, 17, 300, MOST};
     static const float sizes[] = {0.001f, 0.1f, 2};
@@ -170,7 +170,7 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("surface/join");
     TCase *tcase = tcase_create("join");
-    tcase_add_loop_test(tcase, every_pair_once, 0, 18);
+    tcase_add_loop_test(tcase, every_pair_is_found_once, 0, 18);
     tcase_add_test(tcase, a_join_stops_when_told);
     tcase_add_test(tcase, an_empty_tree_has_no_pairs);
     suite_add_tcase(suite, tcase);

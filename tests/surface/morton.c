@@ -112,7 +112,7 @@ START_TEST(equal_keys_stay_in_order)
 }
 END_TEST
 
-START_TEST(more_items_than_parts_of_the_least_size)
+START_TEST(many_items_are_sorted_in_larger_parts)
 {
     sort(TF_SORT_PARTS * TF_SORT_PART + 12345, 1 << 30, NULL);
 }
@@ -127,7 +127,7 @@ Suite *suite(void)
     tcase_add_test(tcase, a_cell_begins_with_its_low_side);
     tcase_add_test(tcase, a_flat_scene_has_keys);
     tcase_add_loop_test(tcase, equal_keys_stay_in_order, 0, 4);
-    tcase_add_test(tcase, more_items_than_parts_of_the_least_size);
+    tcase_add_test(tcase, many_items_are_sorted_in_larger_parts);
     suite_add_tcase(suite, tcase);
     return suite;
 }

@@ -83,7 +83,7 @@ static int list_edges(const tf_mesh *mesh, int list[])
     return kept;
 }
 
-START_TEST(edges_of_random_surfaces)
+START_TEST(edges_of_random_surfaces_are_complete)
 {
     static surface_case given;
     static int expected[8 * SURFACE_ELEMENTS];
@@ -178,7 +178,7 @@ Suite *suite(void)
     Suite *suite = suite_create("surface/surface");
     TCase *tcase = tcase_create("surface");
     tcase_add_test(tcase, elements_are_sorted_and_listed_once);
-    tcase_add_test(tcase, edges_of_random_surfaces);
+    tcase_add_test(tcase, edges_of_random_surfaces_are_complete);
     tcase_add_test(tcase, bad_indices_are_named);
     tcase_add_test(tcase, repeated_vertices_are_named);
     tcase_add_test(tcase, a_surface_has_elements);

@@ -49,7 +49,7 @@ START_TEST(every_task_runs_once)
 }
 END_TEST
 
-START_TEST(there_is_a_worker)
+START_TEST(there_is_always_a_worker)
 {
     int workers = 0;
     tf_parallel parallel = scrambled_workers(&workers);
@@ -98,7 +98,7 @@ Suite *suite(void)
     Suite *suite = suite_create("surface/tasks");
     TCase *tcase = tcase_create("tasks");
     tcase_add_test(tcase, every_task_runs_once);
-    tcase_add_test_raise_signal(tcase, there_is_a_worker, SIGABRT);
+    tcase_add_test_raise_signal(tcase, there_is_always_a_worker, SIGABRT);
     tcase_add_test(tcase, parts_cover_a_range_once);
     tcase_add_test(tcase, ranges_are_divided_into_few_parts_of_many);
     suite_add_tcase(suite, tcase);

@@ -139,7 +139,7 @@ START_TEST(every_element_is_in_one_leaf)
 }
 END_TEST
 
-START_TEST(a_tree_of_nothing)
+START_TEST(a_tree_of_nothing_is_empty)
 {
     tf_tree tree = {0};
     tf_tree_workspace workspace = {0};
@@ -157,7 +157,7 @@ Suite *suite(void)
     Suite *suite = suite_create("surface/tree");
     TCase *tcase = tcase_create("tree");
     tcase_add_test(tcase, every_element_is_in_one_leaf);
-    tcase_add_test(tcase, a_tree_of_nothing);
+    tcase_add_test(tcase, a_tree_of_nothing_is_empty);
     suite_add_tcase(suite, tcase);
     return suite;
 }

@@ -26,32 +26,32 @@ static void list(char text[400], int count, const double x[])
     sprintf(at, ")");
 }
 
-static void ask(const group *of, double end[MOST])
+static void ask(const group *g, double end[MOST])
 {
     char start[400], proposed[400], mass[400];
-    list(start, of->count, of->start);
-    list(proposed, of->count, of->proposed);
-    list(mass, of->count, of->inverse_mass);
+    list(start, g->count, g->start);
+    list(proposed, g->count, g->proposed);
+    list(mass, g->count, g->inverse_mass);
     check_input("start = %s\nproposed = %s\ninverse_mass = %s", start, proposed,
                 mass);
     for (int i = 0; i < MOST; i++)
         end[i] = NAN;
     check_call_n(
         MOST, end,
-        move_group(of->count, of->start, of->proposed, of->inverse_mass, end));
+        move_group(g->count, g->start, g->proposed, g->inverse_mass, end));
 }
 
 /// Expects that each free vertex ends `displacement` after its start, or that
 /// close to there, and each scripted one exactly where it was proposed to end.
-static void expect(const group *of, double displacement, double tolerance)
+static void expect(const group *g, double displacement, double tolerance)
 {
     double end[MOST];
-    ask(of, end);
-    for (int i = 0; i < of->count; i++)
-        if (of->inverse_mass[i] > 0)
-            check_near(of->start[i] + displacement, end[i], tolerance);
+    ask(g, end);
+    for (int i = 0; i < g->count; i++)
+        if (g->inverse_mass[i] > 0)
+            check_near(g->start[i] + displacement, end[i], tolerance);
         else
-            check_near(of->proposed[i], end[i], 0);
+            check_near(g->proposed[i], end[i], 0);
 }
 
 TEST(all_are_free)
@@ -87,17 +87,17 @@ TEST(at_random)
 {
     generator random = generator_new(0);
     for (int i = 0; i < 500; i++) {
-        group of = {.count = 1 + below(&random, MOST)};
+        group g = {.count = 1 + below(&random, MOST)};
         double mass = 0, momentum = 0;
-        for (int v = 0; v < of.count; v++) {
+        for (int v = 0; v < g.count; v++) {
             double m = 1 + below(&random, 9), d = uniform(&random, -1, 1);
-            of.start[v] = uniform(&random, -1, 1);
-            of.proposed[v] = of.start[v] + d;
-            of.inverse_mass[v] = 1 / m;
+            g.start[v] = uniform(&random, -1, 1);
+            g.proposed[v] = g.start[v] + d;
+            g.inverse_mass[v] = 1 / m;
             mass += m;
             momentum += m * d;
         }
-        expect(&of, momentum / mass, 1e-14);
+        expect(&g, momentum / mass, 1e-14);
     }
 }
 

@@ -13,13 +13,13 @@ typedef struct hinge {
 } hinge;
 
 /// Places the hinge, folded by an angle; a moving frame turns all of it.
-static void place(const hinge *of, double fold, double turn, double x[4][3])
+static void place(const hinge *h, double fold, double turn, double x[4][3])
 {
     double flat[4][3] = {
         {0, 0, 0},
-        {of->length, 0, 0},
-        {of->foot[0], of->height[0], 0},
-        {of->foot[1], -of->height[1] * cos(fold), of->height[1] * sin(fold)}};
+        {h->length, 0, 0},
+        {h->foot[0], h->height[0], 0},
+        {h->foot[1], -h->height[1] * cos(fold), h->height[1] * sin(fold)}};
     double c = cos(turn), s = sin(turn);
     for (int i = 0; i < 4; i++) {
         double y = c * flat[i][0] - s * flat[i][1];
@@ -42,10 +42,10 @@ static double length_of_sum(const double x[4][3], const double weight[4])
     return sqrt(square);
 }
 
-static void find_weights(const hinge *of, double weight[4])
+static void find_weights(const hinge *h, double weight[4])
 {
     double rest[4][3];
-    place(of, 0, 0.7, rest);
+    place(h, 0, 0.7, rest);
     for (int i = 0; i < 4; i++)
         weight[i] = NAN;
     check_input("a = %s, b = %s, c = %s, d = %s", text_point(3, rest[0]),
@@ -54,14 +54,14 @@ static void find_weights(const hinge *of, double weight[4])
     check_call_n(4, weight, fold_weights((const double(*)[3])rest, weight));
 }
 
-static void expect(const hinge *of, double fold, double turn)
+static void expect(const hinge *h, double fold, double turn)
 {
     double weight[4], x[4][3];
-    find_weights(of, weight);
-    place(of, fold, turn, x);
+    find_weights(h, weight);
+    place(h, fold, turn, x);
     double got = length_of_sum((const double(*)[3])x, weight);
-    double expected = 2 * of->length * sin(fabs(fold) / 2);
-    check_near(expected, got, 1e-11 * (1 + of->length));
+    double expected = 2 * h->length * sin(fabs(fold) / 2);
+    check_near(expected, got, 1e-11 * (1 + h->length));
 }
 
 static const hinge square = {1, {0, 1}, {1, 1}};
@@ -102,12 +102,12 @@ TEST(at_random)
 {
     generator random = generator_new(0);
     for (int i = 0; i < 500; i++) {
-        hinge of = {.length = uniform(&random, 0.5, 2)};
+        hinge h = {.length = uniform(&random, 0.5, 2)};
         for (int k = 0; k < 2; k++) {
-            of.foot[k] = uniform(&random, -1, 3);
-            of.height[k] = uniform(&random, 0.25, 2);
+            h.foot[k] = uniform(&random, -1, 3);
+            h.height[k] = uniform(&random, 0.25, 2);
         }
-        expect(&of, uniform(&random, -3, 3), uniform(&random, -3, 3));
+        expect(&h, uniform(&random, -3, 3), uniform(&random, -3, 3));
     }
 }
 

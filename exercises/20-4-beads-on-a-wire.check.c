@@ -45,13 +45,13 @@ static double least_change(const wire *of)
     return sum;
 }
 
-static void expect_gaps(const wire *of, const double end[])
+static void expect_gaps(const wire *w, const double end[])
 {
-    for (int i = 0; i < of->beads; i++)
+    for (int i = 0; i < w->beads; i++)
         check_that(isfinite(end[i]), "a place", "%s for bead %d",
                    text_real(end[i]), i);
-    for (int i = 0; i + 1 < of->beads; i++)
-        check_that(end[i + 1] - end[i] >= of->gap - rounding,
+    for (int i = 0; i + 1 < w->beads; i++)
+        check_that(end[i + 1] - end[i] >= w->gap - rounding,
                    "beads at least a gap apart", "beads %d and %d at %s and %s",
                    i, i + 1, text_real(end[i]), text_real(end[i + 1]));
 }
@@ -82,48 +82,48 @@ static void expect(const wire *of, double end[MOST])
                "%s, where %s is possible", text_real(change), text_real(least));
 }
 
-static void expect_unpushed(const wire *of, const double end[], int bead)
+static void expect_unpushed(const wire *w, const double end[], int bead)
 {
-    check_that(end[bead] == of->proposed[bead],
+    check_that(end[bead] == w->proposed[bead],
                "a bead that ends where it was proposed to",
                "bead %d at %s, not at %s", bead, text_real(end[bead]),
-               text_real(of->proposed[bead]));
+               text_real(w->proposed[bead]));
 }
 
 TEST(nothing_to_do)
 {
-    const wire of = {"beads in order", 3, 0.5, {1, 2, 3}, {0.1, 0.7, 1.3}};
+    const wire w = {"beads in order", 3, 0.5, {1, 2, 3}, {0.1, 0.7, 1.3}};
     double end[MOST];
-    expect(&of, end);
-    for (int i = 0; i < of.beads; i++)
-        expect_unpushed(&of, end, i);
+    expect(&w, end);
+    for (int i = 0; i < w.beads; i++)
+        expect_unpushed(&w, end, i);
 }
 
 TEST(two_beads)
 {
-    const wire of = {"one bead passes another", 3, 0.5, {1, 3, 1}, {1, 0, 7.1}};
+    const wire w = {"one bead passes another", 3, 0.5, {1, 3, 1}, {1, 0, 7.1}};
     double end[MOST];
-    expect(&of, end);
-    expect_unpushed(&of, end, 2);
+    expect(&w, end);
+    expect_unpushed(&w, end, 2);
     check_near(-0.125, end[0], rounding);
 }
 
 // Only after the last has been pushed does the second touch the first.
 TEST(a_push_that_goes_on)
 {
-    const wire of = {
+    const wire w = {
         "the last comes back", 4, 1, {1, 1, 1, 1}, {0, 1.5, 2.5, -2}};
     double end[MOST];
-    expect(&of, end);
+    expect(&w, end);
 }
 
 TEST(a_heap)
 {
-    wire of = {.name = "beads that all want to be at 0", .gap = 0.01};
-    for (of.beads = 0; of.beads < 100; of.beads++)
-        of.mass[of.beads] = 1;
+    wire w = {.name = "beads that all want to be at 0", .gap = 0.01};
+    for (w.beads = 0; w.beads < 100; w.beads++)
+        w.mass[w.beads] = 1;
     double end[MOST];
-    expect(&of, end);
+    expect(&w, end);
     check_near(-0.495, end[0], rounding);
 }
 
@@ -132,18 +132,18 @@ TEST(at_random)
 {
     generator random = generator_new(0);
     for (int run = 0; run < 40; run++) {
-        wire of = {.name = "beads at random", .gap = 0.02};
-        of.beads = 3 + below(&random, run < 36 ? 20 : MOST - 2);
+        wire w = {.name = "beads at random", .gap = 0.02};
+        w.beads = 3 + below(&random, run < 36 ? 20 : MOST - 2);
         double spread = uniform(&random, 0, 0.3), end[MOST];
-        for (int i = 0; i < of.beads; i++) {
-            of.mass[i] = pow(10, uniform(&random, -1, 1));
-            of.proposed[i] = 0.05 * i + uniform(&random, -spread, spread);
+        for (int i = 0; i < w.beads; i++) {
+            w.mass[i] = pow(10, uniform(&random, -1, 1));
+            w.proposed[i] = 0.05 * i + uniform(&random, -spread, spread);
         }
-        of.proposed[0] = -40.1;
-        of.proposed[of.beads - 1] = 80.3;
-        expect(&of, end);
-        expect_unpushed(&of, end, 0);
-        expect_unpushed(&of, end, of.beads - 1);
+        w.proposed[0] = -40.1;
+        w.proposed[w.beads - 1] = 80.3;
+        expect(&w, end);
+        expect_unpushed(&w, end, 0);
+        expect_unpushed(&w, end, w.beads - 1);
     }
 }
 

@@ -20,12 +20,12 @@ typedef struct mesh {
 // Surfaces --------------------------------------------------------------------
 
 /// Splits a triangle in three by a vertex inside.
-static void add_inside(mesh *of, int t)
+static void add_inside(mesh *m, int t)
 {
-    int v = of->vertices++, *old = of->triangle[t];
+    int v = m->vertices++, *old = m->triangle[t];
     int a = old[0], b = old[1], c = old[2];
-    memcpy(of->triangle[of->triangles++], (int[]){b, c, v}, 3 * sizeof(int));
-    memcpy(of->triangle[of->triangles++], (int[]){c, a, v}, 3 * sizeof(int));
+    memcpy(m->triangle[m->triangles++], (int[]){b, c, v}, 3 * sizeof(int));
+    memcpy(m->triangle[m->triangles++], (int[]){c, a, v}, 3 * sizeof(int));
     old[2] = v;
 }
 
@@ -64,13 +64,13 @@ static mesh torus(int around, int across)
 
 // Judging ---------------------------------------------------------------------
 
-static mesh collapsed(const mesh *of, int a, int b)
+static mesh collapsed(const mesh *m, int a, int b)
 {
-    mesh made = {.vertices = of->vertices};
-    for (int t = 0; t < of->triangles; t++) {
+    mesh made = {.vertices = m->vertices};
+    for (int t = 0; t < m->triangles; t++) {
         int *added = made.triangle[made.triangles];
         for (int i = 0; i < 3; i++)
-            added[i] = of->triangle[t][i] == a ? b : of->triangle[t][i];
+            added[i] = m->triangle[t][i] == a ? b : m->triangle[t][i];
         made.triangles += added[0] != added[1] && added[1] != added[2] &&
                           added[2] != added[0];
     }
@@ -78,13 +78,13 @@ static mesh collapsed(const mesh *of, int a, int b)
 }
 
 /// How many triangles have the edge in this direction.
-static int count_edge(const mesh *of, int from, int to)
+static int count_edge(const mesh *m, int from, int to)
 {
     int count = 0;
-    for (int t = 0; t < of->triangles; t++)
+    for (int t = 0; t < m->triangles; t++)
         for (int i = 0; i < 3; i++)
-            count += of->triangle[t][i] == from &&
-                     of->triangle[t][(i + 1) % 3] == to;
+            count +=
+                m->triangle[t][i] == from && m->triangle[t][(i + 1) % 3] == to;
     return count;
 }
 
@@ -97,117 +97,116 @@ static bool same_vertices(const int a[3], const int b[3])
 }
 
 /// The vertex that precedes in the triangle with an edge from `from` to `to`.
-static int before_edge(const mesh *of, int from, int to)
+static int before_edge(const mesh *m, int from, int to)
 {
-    for (int t = 0; t < of->triangles; t++)
+    for (int t = 0; t < m->triangles; t++)
         for (int i = 0; i < 3; i++)
-            if (of->triangle[t][i] == from &&
-                of->triangle[t][(i + 1) % 3] == to)
-                return of->triangle[t][(i + 2) % 3];
+            if (m->triangle[t][i] == from && m->triangle[t][(i + 1) % 3] == to)
+                return m->triangle[t][(i + 2) % 3];
     return -1;
 }
 
 /// Whether the triangles at a vertex form one ring.
-static bool is_ring(const mesh *of, int vertex)
+static bool is_ring(const mesh *m, int vertex)
 {
     int all = 0, first = -1, size = 0;
-    for (int t = 0; t < of->triangles; t++)
+    for (int t = 0; t < m->triangles; t++)
         for (int i = 0; i < 3; i++)
-            if (of->triangle[t][i] == vertex) {
+            if (m->triangle[t][i] == vertex) {
                 all++;
-                first = of->triangle[t][(i + 1) % 3];
+                first = m->triangle[t][(i + 1) % 3];
             }
     int at = first;
     do {
-        at = before_edge(of, vertex, at);
+        at = before_edge(m, vertex, at);
         size++;
     } while (at != first && size <= all);
     return all == 0 || size == all;
 }
 
-static bool is_surface(const mesh *of)
+static bool is_surface(const mesh *m)
 {
-    for (int t = 0; t < of->triangles; t++) {
+    for (int t = 0; t < m->triangles; t++) {
         for (int i = 0; i < 3; i++) {
-            int a = of->triangle[t][i], b = of->triangle[t][(i + 1) % 3];
-            if (count_edge(of, a, b) != 1 || count_edge(of, b, a) != 1)
+            int a = m->triangle[t][i], b = m->triangle[t][(i + 1) % 3];
+            if (count_edge(m, a, b) != 1 || count_edge(m, b, a) != 1)
                 return false;
         }
         for (int s = 0; s < t; s++)
-            if (same_vertices(of->triangle[s], of->triangle[t]))
+            if (same_vertices(m->triangle[s], m->triangle[t]))
                 return false;
     }
-    for (int v = 0; v < of->vertices; v++)
-        if (!is_ring(of, v))
+    for (int v = 0; v < m->vertices; v++)
+        if (!is_ring(m, v))
             return false;
     return true;
 }
 
 // Tests -----------------------------------------------------------------------
 
-static void expect(const mesh *of, int a, int b)
+static void expect(const mesh *m, int a, int b)
 {
     char text[12 * TRIANGLES];
     int length = 0;
-    for (int t = 0; t < of->triangles; t++)
+    for (int t = 0; t < m->triangles; t++)
         length += snprintf(text + length, sizeof text - (size_t)length,
-                           "%s%d %d %d", t == 0 ? "" : ", ", of->triangle[t][0],
-                           of->triangle[t][1], of->triangle[t][2]);
+                           "%s%d %d %d", t == 0 ? "" : ", ", m->triangle[t][0],
+                           m->triangle[t][1], m->triangle[t][2]);
     check_input("edge %d %d of the triangles %s", a, b, text);
-    mesh after = collapsed(of, a, b);
+    mesh after = collapsed(m, a, b);
     bool got;
     check_value(got,
-                may_collapse(of->vertices, of->triangles, of->triangle, a, b));
+                may_collapse(m->vertices, m->triangles, m->triangle, a, b));
     check_bool(is_surface(&after), got);
 }
 
-static void expect_all(const mesh *of)
+static void expect_all(const mesh *m)
 {
-    for (int t = 0; t < of->triangles; t++)
+    for (int t = 0; t < m->triangles; t++)
         for (int i = 0; i < 3; i++)
-            expect(of, of->triangle[t][i], of->triangle[t][(i + 1) % 3]);
+            expect(m, m->triangle[t][i], m->triangle[t][(i + 1) % 3]);
 }
 
 TEST(a_tetrahedron)
 {
-    mesh of = tetrahedron();
-    expect_all(&of);
+    mesh m = tetrahedron();
+    expect_all(&m);
 }
 
 TEST(an_octahedron)
 {
-    mesh of = octahedron();
-    expect_all(&of);
+    mesh m = octahedron();
+    expect_all(&m);
 }
 
 TEST(a_torus_with_a_narrow_waist)
 {
-    mesh of = torus(6, 3);
-    expect_all(&of);
+    mesh m = torus(6, 3);
+    expect_all(&m);
 }
 
 TEST(a_vertex_of_three_triangles)
 {
-    mesh of = octahedron();
-    add_inside(&of, 0);
-    add_inside(&of, 5);
-    expect_all(&of);
+    mesh m = octahedron();
+    add_inside(&m, 0);
+    add_inside(&m, 5);
+    expect_all(&m);
 }
 
 TEST(after_random_collapses)
 {
     generator random = generator_new(0);
     for (int run = 0; run < 40; run++) {
-        mesh of = run % 3 == 0 ? torus(4, 5) : octahedron();
-        for (int i = 0; i < 12 && of.triangles + 2 <= TRIANGLES; i++)
-            add_inside(&of, below(&random, of.triangles));
+        mesh m = run % 3 == 0 ? torus(4, 5) : octahedron();
+        for (int i = 0; i < 12 && m.triangles + 2 <= TRIANGLES; i++)
+            add_inside(&m, below(&random, m.triangles));
         for (int i = 0; i < 60; i++) {
-            const int *t = of.triangle[below(&random, of.triangles)];
+            const int *t = m.triangle[below(&random, m.triangles)];
             int a = t[0], b = t[1];
-            expect(&of, a, b);
-            mesh after = collapsed(&of, a, b);
+            expect(&m, a, b);
+            mesh after = collapsed(&m, a, b);
             if (is_surface(&after))
-                of = after;
+                m = after;
         }
     }
 }

@@ -19,9 +19,9 @@ typedef struct mesh {
 
 // Surfaces --------------------------------------------------------------------
 
-static void add(mesh *of, int a, int b, int c)
+static void add(mesh *m, int a, int b, int c)
 {
-    memcpy(of->triangle[of->triangles++], (int[]){a, b, c}, 3 * sizeof(int));
+    memcpy(m->triangle[m->triangles++], (int[]){a, b, c}, 3 * sizeof(int));
 }
 
 static mesh tetrahedron(void)
@@ -31,30 +31,30 @@ static mesh tetrahedron(void)
 
 /// A ring of three vertices across and three around; the triangles of its
 /// squares follow each other.
-static void add_ring(mesh *of)
+static void add_ring(mesh *m)
 {
-    int first = of->vertices;
-    of->vertices += RING;
+    int first = m->vertices;
+    m->vertices += RING;
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++) {
             int k = (i + 1) % 3, l = (j + 1) % 3;
             int a = first + 3 * i + j, b = first + 3 * k + j;
             int c = first + 3 * k + l, d = first + 3 * i + l;
-            add(of, a, b, c);
-            add(of, a, c, d);
+            add(m, a, b, c);
+            add(m, a, c, d);
         }
 }
 
 /// Unites two parts: a triangle of each goes, and their vertices become the
 /// same.
-static void unite(mesh *of, int s, int t)
+static void unite(mesh *m, int s, int t)
 {
     int from[3],
-        to[3] = {of->triangle[s][0], of->triangle[s][2], of->triangle[s][1]};
-    memcpy(from, of->triangle[t], sizeof from);
-    of->triangle[s][0] = of->triangle[t][0] = -1;
-    for (int i = 0; i < 3 * of->triangles; i++) {
-        int *v = &of->triangle[i / 3][i % 3];
+        to[3] = {m->triangle[s][0], m->triangle[s][2], m->triangle[s][1]};
+    memcpy(from, m->triangle[t], sizeof from);
+    m->triangle[s][0] = m->triangle[t][0] = -1;
+    for (int i = 0; i < 3 * m->triangles; i++) {
+        int *v = &m->triangle[i / 3][i % 3];
         for (int k = 0; k < 3; k++)
             if (*v == from[k]) {
                 *v = to[k];
@@ -78,48 +78,48 @@ static mesh rings(int count)
 
 // Tests -----------------------------------------------------------------------
 
-static void expect(int right, const mesh *of)
+static void expect(int right, const mesh *m)
 {
     char text[12 * TRIANGLES], expected[16];
     int length = 0;
-    for (int t = 0; t < of->triangles; t++)
+    for (int t = 0; t < m->triangles; t++)
         length += snprintf(text + length, sizeof text - (size_t)length,
-                           "%s%d %d %d", t == 0 ? "" : ", ", of->triangle[t][0],
-                           of->triangle[t][1], of->triangle[t][2]);
-    check_input("%d vertices; triangles %s", of->vertices, text);
+                           "%s%d %d %d", t == 0 ? "" : ", ", m->triangle[t][0],
+                           m->triangle[t][1], m->triangle[t][2]);
+    check_input("%d vertices; triangles %s", m->vertices, text);
     int got;
-    check_value(got, count_handles(of->vertices, of->triangles,
-                                   (const int(*)[3])of->triangle));
+    check_value(got, count_handles(m->vertices, m->triangles,
+                                   (const int(*)[3])m->triangle));
     snprintf(expected, sizeof expected, "%d", right);
     check_that(got == right, expected, "%d", got);
 }
 
 TEST(a_ball)
 {
-    mesh of = tetrahedron();
-    expect(0, &of);
+    mesh m = tetrahedron();
+    expect(0, &m);
 }
 
 TEST(vertices_that_are_gone)
 {
-    mesh of = tetrahedron();
-    of.vertices += 5;
-    expect(0, &of);
+    mesh m = tetrahedron();
+    m.vertices += 5;
+    expect(0, &m);
 }
 
 TEST(gaps)
 {
-    mesh of = tetrahedron();
+    mesh m = tetrahedron();
     for (int i = 0; i < 6; i++)
-        add(&of, -1, i, -1);
-    expect(0, &of);
+        add(&m, -1, i, -1);
+    expect(0, &m);
 }
 
 TEST(rings_in_a_row)
 {
     for (int count = 1; count <= MOST_RINGS; count++) {
-        mesh of = rings(count);
-        expect(count, &of);
+        mesh m = rings(count);
+        expect(count, &m);
     }
 }
 

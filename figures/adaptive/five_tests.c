@@ -97,33 +97,32 @@ static const witness witnesses[WITNESSES] = {
 // Trying ----------------------------------------------------------------------
 
 /// What becomes of a witness if these tests are left out.
-static tf_outcome try_it(const witness *of, unsigned left_out)
+static tf_outcome try_it(const witness *w, unsigned left_out)
 {
     const tf_mesh mesh = {.axes = 3,
-                          .vertices = of->vertices,
-                          .triangles = of->triangles,
-                          .triangle = of->triangle[0]};
+                          .vertices = w->vertices,
+                          .triangles = w->triangles,
+                          .triangle = w->triangle[0]};
     tf_adaptive_surface *surface;
-    TF_REQUIRE(tf_adaptive_create(&mesh, of->place[0], &surface, NULL) ==
-               TF_OK);
+    TF_REQUIRE(tf_adaptive_create(&mesh, w->place[0], &surface, NULL) == TF_OK);
     tf_outcome outcome;
     leave_out(left_out);
-    tf_status status = of->flips
+    tf_status status = w->flips
                            ? tf_adaptive_flip(surface, 0, 1, &outcome)
-                           : tf_adaptive_move(surface, 0, of->end, &outcome);
+                           : tf_adaptive_move(surface, 0, w->end, &outcome);
     leave_out(0);
     TF_REQUIRE(status == TF_OK);
     tf_adaptive_free(surface);
     return outcome;
 }
 
-static void print_numbers(FILE *numbers, const witness *of)
+static void print_numbers(FILE *numbers, const witness *w)
 {
     char key[32];
-    snprintf(key, sizeof key, "%s_refused", of->key);
-    fig_number(numbers, key, try_it(of, 0) == of->refusal);
-    snprintf(key, sizeof key, "%s_alone", of->key);
-    fig_number(numbers, key, try_it(of, 1U << of->refusal) == TF_COMMITTED);
+    snprintf(key, sizeof key, "%s_refused", w->key);
+    fig_number(numbers, key, try_it(w, 0) == w->refusal);
+    snprintf(key, sizeof key, "%s_alone", w->key);
+    fig_number(numbers, key, try_it(w, 1U << w->refusal) == TF_COMMITTED);
 }
 
 // Drawing ---------------------------------------------------------------------
@@ -141,7 +140,7 @@ static void name_place(fig_panel *panel, tf_vector at, const char *text,
 }
 
 /// A flip: what is kept and added, and the flipped edge and its new place.
-static void draw_flip(fig_panel *panel, const witness *of)
+static void draw_flip(fig_panel *panel, const witness *w)
 {
     static const int kept[2][3] = {{0, 4, 2}, {0, 3, 5}};
     static const int upper[1][3] = {{3, 2, 0}}, lower[1][3] = {{2, 3, 1}};
@@ -150,9 +149,9 @@ static void draw_flip(fig_panel *panel, const witness *of)
                                     FIG_SIDE_E};
     fig_scene *scene = fig_panel_scene(panel);
     tf_vector at[PLACES];
-    for (int i = 0; i < of->vertices; i++)
-        at[i] = fig_vector_of(of->place[i]);
-    if (of->refusal == TF_OVERLAPPED)
+    for (int i = 0; i < w->vertices; i++)
+        at[i] = fig_vector_of(w->place[i]);
+    if (w->refusal == TF_OVERLAPPED)
         fig_patch_triangles(scene, at, 1, lower, red);
     fig_patch_triangles(scene, at, 2, kept, green);
     fig_patch_triangles(scene, at, 1, upper, green);
@@ -168,10 +167,10 @@ static void draw_flip(fig_panel *panel, const witness *of)
     }
 }
 
-static void draw_path(fig_panel *panel, const witness *of)
+static void draw_path(fig_panel *panel, const witness *w)
 {
     fig_scene *scene = fig_panel_scene(panel);
-    tf_vector from = fig_vector_of(of->place[0]), to = fig_vector_of(of->end);
+    tf_vector from = fig_vector_of(w->place[0]), to = fig_vector_of(w->end);
     fig_scene_dashes(scene, from, to, FIG_WIDTH_LINE, 3,
                      (fig_paint){.role = FIG_ROLE_POINT});
     fig_scene_ball(scene, from, FIG_WIDTH_BALL,
@@ -190,21 +189,21 @@ static void mark(fig_scene *scene, double x, double y, double z)
 }
 
 /// A move: the surface before it, as its edges, and after it.
-static void draw_move(fig_panel *panel, const witness *of)
+static void draw_move(fig_panel *panel, const witness *w)
 {
     fig_scene *scene = fig_panel_scene(panel);
     tf_vector at[PLACES];
-    for (int i = 0; i < of->vertices; i++)
-        at[i] = fig_vector_of(of->place[i]);
+    for (int i = 0; i < w->vertices; i++)
+        at[i] = fig_vector_of(w->place[i]);
     for (int i = 1; i < 4; i++)
         fig_scene_dashes(scene, at[0], at[i], FIG_WIDTH_THIN, 3,
                          (fig_paint){.role = FIG_ROLE_INK});
-    draw_path(panel, of);
-    at[0] = fig_vector_of(of->end);
-    fig_patch_triangles(scene, at, 4, of->triangle, green);
-    if (of->refusal == TF_PASSED_VERTEX)
-        fig_patch_triangles(scene, at, 4, of->triangle + 4, red);
-    else if (of->refusal == TF_PASSED_EDGE)
+    draw_path(panel, w);
+    at[0] = fig_vector_of(w->end);
+    fig_patch_triangles(scene, at, 4, w->triangle, green);
+    if (w->refusal == TF_PASSED_VERTEX)
+        fig_patch_triangles(scene, at, 4, w->triangle + 4, red);
+    else if (w->refusal == TF_PASSED_EDGE)
         mark(scene, 0, 0, -1);
     else
         mark(scene, -1.0 / 3, -1.0 / 3, -1.0 / 3);
@@ -220,19 +219,19 @@ static fig_box box_of(int i)
 static void draw(fig_page *page, FILE *numbers)
 {
     for (int i = 0; i < WITNESSES; i++) {
-        const witness *of = &witnesses[i];
+        const witness *w = &witnesses[i];
         fig_box box = box_of(i);
         fig_panel *panel = fig_page_panel(page, box);
-        fig_panel_look(panel, (fig_camera){.azimuth = of->flips ? 0 : 64,
-                                           .elevation = of->flips ? 90 : 22});
+        fig_panel_look(panel, (fig_camera){.azimuth = w->flips ? 0 : 64,
+                                           .elevation = w->flips ? 90 : 22});
         fig_panel_margin(panel, 15);
-        if (of->flips)
-            draw_flip(panel, of);
+        if (w->flips)
+            draw_flip(panel, w);
         else
-            draw_move(panel, of);
-        fig_page_text(page, box.x + 10, box.y + 14, FIG_ALIGN_CENTER, of->title,
+            draw_move(panel, w);
+        fig_page_text(page, box.x + 10, box.y + 14, FIG_ALIGN_CENTER, w->title,
                       FIG_LETTERS_TITLE, FIG_ROLE_INK);
-        print_numbers(numbers, of);
+        print_numbers(numbers, w);
     }
 }
 

@@ -31,13 +31,13 @@ static still still_of(const fig_flow_plan *plan)
 }
 
 static void print_still(FILE *numbers, const fig_flow_plan *plan,
-                        const still *of)
+                        const still *s)
 {
     char key[64];
     snprintf(key, sizeof key, "step_%s", plan->scene);
     fig_number(numbers, key, plan->steps);
     snprintf(key, sizeof key, "triangles_%s", plan->scene);
-    fig_number(numbers, key, last_frame(of->run)->measures.triangles);
+    fig_number(numbers, key, last_frame(s->run)->measures.triangles);
 }
 
 static void draw(fig_page *page, FILE *numbers)

@@ -34,9 +34,9 @@ static tetrahedron at_time(const fig_turning *of, double t)
     return made;
 }
 
-static double volume(const tetrahedron *of)
+static double volume(const tetrahedron *t)
 {
-    const tf_vector *x = of->corner;
+    const tf_vector *x = t->corner;
     tf_vector u = fig_difference(x[1], x[0]), v = fig_difference(x[2], x[0]),
               w = fig_difference(x[3], x[0]);
     return -tf_vector_dot(fig_cross(u, v), w) / 6;
@@ -76,84 +76,85 @@ static void draw_face(fig_scene *scene, fig_camera from,
 }
 
 static void draw_tetrahedron(fig_scene *scene, fig_camera from,
-                             const tetrahedron *of)
+                             const tetrahedron *t)
 {
     for (int i = 0; i < FACES; i++) {
         tf_vector corner[3];
         for (int j = 0; j < 3; j++)
-            corner[j] = upright(of->corner[faces[i][j]]);
+            corner[j] = upright(t->corner[faces[i][j]]);
         draw_face(scene, from, corner);
     }
 }
 
 /// The path of the corner, and how far it has come.
-static void draw_path(fig_scene *scene, const fig_turning *of, double t)
+static void draw_path(fig_scene *scene, const fig_turning *turning, double t)
 {
-    tf_vector from = upright(at_time(of, 0).corner[0]);
-    tf_vector to = upright(at_time(of, 1).corner[0]);
+    tf_vector from = upright(at_time(turning, 0).corner[0]);
+    tf_vector to = upright(at_time(turning, 1).corner[0]);
     fig_scene_dashes(scene, from, to, FIG_WIDTH_LINE, 3,
                      (fig_paint){.role = FIG_ROLE_POINT});
-    fig_scene_ball(scene, upright(at_time(of, t).corner[0]), FIG_WIDTH_BALL,
-                   (fig_paint){.role = FIG_ROLE_POINT});
+    fig_scene_ball(scene, upright(at_time(turning, t).corner[0]),
+                   FIG_WIDTH_BALL, (fig_paint){.role = FIG_ROLE_POINT});
 }
 
-static void draw_meeting(fig_scene *scene, const fig_turning *of)
+static void draw_meeting(fig_scene *scene, const fig_turning *turning)
 {
-    tf_vector at =
-        upright((tf_vector){{of->meeting[0], of->meeting[1], of->meeting[2]}});
+    tf_vector at = upright((tf_vector){
+        {turning->meeting[0], turning->meeting[1], turning->meeting[2]}});
     fig_scene_ball(scene, at, FIG_WIDTH_MARK,
                    (fig_paint){.role = FIG_ROLE_CONTACT});
 }
 
-static void draw_time(fig_page *page, fig_box box, const fig_turning *of,
+static void draw_time(fig_page *page, fig_box box, const fig_turning *turning,
                       double t)
 {
     fig_panel *panel = fig_page_panel(page, box);
-    fig_panel_look(panel, of->camera);
+    fig_panel_look(panel, turning->camera);
     fig_panel_fix(panel);
     fig_panel_margin(panel, 10);
     fig_scene *scene = fig_panel_scene(panel);
     // Where two faces coincide, those of a moment earlier are drawn.
-    tetrahedron now = at_time(of, t == of->time ? t - 0.01 : t);
+    tetrahedron now = at_time(turning, t == turning->time ? t - 0.01 : t);
     for (int at = 0; at < 2; at++) {
-        tetrahedron then = at_time(of, at);
+        tetrahedron then = at_time(turning, at);
         for (int i = 0; i < CORNERS; i++)
             fig_scene_reach(scene, upright(then.corner[i]));
     }
-    draw_tetrahedron(scene, of->camera, &now);
-    draw_path(scene, of, t);
-    if (t == of->time)
-        draw_meeting(scene, of);
+    draw_tetrahedron(scene, turning->camera, &now);
+    draw_path(scene, turning, t);
+    if (t == turning->time)
+        draw_meeting(scene, turning);
     char text[48];
     snprintf(text, sizeof text, "volume $%.2f$", volume(&now) + 0.0);
-    fig_page_caption(page, box, t == of->time ? "volume $0$" : text);
+    fig_page_caption(page, box, t == turning->time ? "volume $0$" : text);
 }
 
-static void print_numbers(FILE *numbers, const fig_turning *of)
+static void print_numbers(FILE *numbers, const fig_turning *turning)
 {
-    tetrahedron first = at_time(of, 0), last = at_time(of, 1);
-    fig_number(numbers, "time", of->time);
+    tetrahedron first = at_time(turning, 0), last = at_time(turning, 1);
+    fig_number(numbers, "time", turning->time);
     fig_number(numbers, "volume_start", volume(&first));
     fig_number(numbers, "volume_end", volume(&last));
 }
 
-void fig_turning_draw(fig_page *page, FILE *numbers, const fig_turning *of)
+void fig_turning_draw(fig_page *page, FILE *numbers, const fig_turning *turning)
 {
-    double t = fig_film_time(page, numbers, of->time, of->time);
+    double t = fig_film_time(page, numbers, turning->time, turning->time);
     double width = fig_page_width(page), height = fig_page_height(page);
-    const double shown[SHOWN] = {0, of->time, 1};
+    const double shown[SHOWN] = {0, turning->time, 1};
     if (fig_page_moves(page)) {
         fig_box whole = {0, 0, width, height - 40};
-        draw_time(page, whole, of, t);
-        fig_film_clock(page, 4, height - 10, width - 8, t, of->time, of->name);
+        draw_time(page, whole, turning, t);
+        fig_film_clock(page, 4, height - 10, width - 8, t, turning->time,
+                       turning->name);
     }
     for (int i = 0; i < SHOWN && !fig_page_moves(page); i++) {
         fig_box box = {width * i / SHOWN, 18, width / SHOWN, height - 38};
-        draw_time(page, box, of, shown[i]);
+        draw_time(page, box, turning, shown[i]);
         char text[32];
         snprintf(text, sizeof text, i == 1 ? "$t = %.2f$" : "$t = %g$",
                  shown[i]);
         fig_page_title(page, box, text);
     }
-    print_numbers(numbers, of);
+    print_numbers(numbers, turning);
 }

@@ -14,6 +14,7 @@ typedef struct fig_turning {
 } fig_turning;
 
 /// Draws the tetrahedron at three times, or one frame of a film.
-void fig_turning_draw(fig_page *page, FILE *numbers, const fig_turning *of);
+void fig_turning_draw(fig_page *page, FILE *numbers,
+                      const fig_turning *turning);
 
 #endif

@@ -26,30 +26,30 @@ typedef struct step {
 } step;
 
 /// The same step with all displacements scaled, and rounded.
-static step scaled(const step *of, double fraction)
+static step scaled(const step *s, double fraction)
 {
-    step made = *of;
-    for (int v = 0; v < of->vertices + of->others; v++) {
-        const double *start = of->line[v].at[0].x;
+    step made = *s;
+    for (int v = 0; v < s->vertices + s->others; v++) {
+        const double *start = s->line[v].at[0].x;
         double end[TF_AXES];
-        for (int k = 0; k < of->axes; k++)
-            end[k] = start[k] + fraction * (of->line[v].at[1].x[k] - start[k]);
-        made.line[v] = tf_worldline_between(of->axes, start, end);
+        for (int k = 0; k < s->axes; k++)
+            end[k] = start[k] + fraction * (s->line[v].at[1].x[k] - start[k]);
+        made.line[v] = tf_worldline_between(s->axes, start, end);
     }
     return made;
 }
 
-static tf_contact find_contact(const step *of)
+static tf_contact find_contact(const step *s)
 {
     tf_contact contact;
-    TF_REQUIRE(tf_query(&tf_exact, of->axes, of->vertices, of->line, of->others,
-                        of->line + of->vertices, &contact) == TF_OK);
+    TF_REQUIRE(tf_query(&tf_exact, s->axes, s->vertices, s->line, s->others,
+                        s->line + s->vertices, &contact) == TF_OK);
     return contact;
 }
 
-static bool is_clear(const step *of, double fraction)
+static bool is_clear(const step *s, double fraction)
 {
-    step part = scaled(of, fraction);
+    step part = scaled(s, fraction);
     return find_contact(&part).verdict != TF_HIT;
 }
 
@@ -127,7 +127,7 @@ static void draw_path(fig_page *page, const fig_plot *plot, int count,
 }
 
 /// The edge at one time of a step, and where it starts.
-static void draw_time(fig_page *page, fig_box box, const step *of, double t,
+static void draw_time(fig_page *page, fig_box box, const step *s, double t,
                       const char *title)
 {
     fig_plot plot = {.box = box, .x = {-0.1, 1.15}, .y = {-0.12, 0.94}};
@@ -135,7 +135,7 @@ static void draw_time(fig_page *page, fig_box box, const step *of, double t,
                       (fig_paint){.role = FIG_ROLE_NEUTRAL, .opacity = 0.09});
     for (int i = 0; i < 2; i++) {
         tf_vector edge[3];
-        fig_world_of_edge(of->line + 1, i == 0 ? 0 : t, edge);
+        fig_world_of_edge(s->line + 1, i == 0 ? 0 : t, edge);
         for (int k = 0; k < 3; k++)
             edge[k] = fig_vector_of(edge[k].x);
         draw_path(page, &plot, 3, edge,
@@ -143,10 +143,10 @@ static void draw_time(fig_page *page, fig_box box, const step *of, double t,
                                          .shade = i == 0 ? -0.45 : 0},
                                .width = FIG_WIDTH_TUBE});
     }
-    step until = *of;
+    step until = *s;
     tf_contact contact = find_contact(&until);
     bool touching = fabs(fig_toi(&contact) - t) < 1e-9;
-    fig_plot_dot(page, &plot, of->line[0].at[0].x[0], of->line[0].at[0].x[1],
+    fig_plot_dot(page, &plot, s->line[0].at[0].x[0], s->line[0].at[0].x[1],
                  FIG_WIDTH_BALL, touching ? FIG_ROLE_CONTACT : FIG_ROLE_POINT);
     fig_page_title(page, box, title);
 }
@@ -165,17 +165,17 @@ static void draw_mark(fig_page *page, fig_box box, double fraction,
 }
 
 /// Whether the i-th cell of the scale is clear, in its middle.
-static bool is_clear_at(const step *of, int i)
+static bool is_clear_at(const step *s, int i)
 {
-    return is_clear(of, (i + 0.5) / CELLS);
+    return is_clear(s, (i + 0.5) / CELLS);
 }
 
 /// All fractions of the step: those with a contact are red.
-static void draw_scale(fig_page *page, fig_box box, const step *of, double toi)
+static void draw_scale(fig_page *page, fig_box box, const step *s, double toi)
 {
     for (int i = 0, next; i < CELLS; i = next) {
-        bool clear = is_clear_at(of, i);
-        for (next = i + 1; next < CELLS && is_clear_at(of, next) == clear;)
+        bool clear = is_clear_at(s, i);
+        for (next = i + 1; next < CELLS && is_clear_at(s, next) == clear;)
             next++;
         fig_box run = {box.x + i * box.width / CELLS, box.y,
                        (next - i) * box.width / CELLS, box.height};

@@ -79,9 +79,9 @@ static pair pair_at(uint64_t *state, double distance)
     return made;
 }
 
-static pair translate(const pair *of, const double by[2])
+static pair translate(const pair *p, const double by[2])
 {
-    pair moved = *of;
+    pair moved = *p;
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < 2; k++)
             moved.x[i][k] += by[k];
@@ -99,13 +99,13 @@ static pair turn(const pair *of, double angle)
     return moved;
 }
 
-static pair move_at_random(uint64_t *state, move how, const pair *of)
+static pair move_at_random(uint64_t *state, move how, const pair *p)
 {
     if (how == TURNED)
-        return turn(of, between(state, 0, 2 * acos(-1)));
+        return turn(p, between(state, 0, 2 * acos(-1)));
     double most = how == FAR ? 100 : 1;
     double by[2] = {between(state, -most, most), between(state, -most, most)};
-    return translate(of, by);
+    return translate(p, by);
 }
 
 /// How many percent of the points are no longer on the left.

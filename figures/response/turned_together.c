@@ -52,10 +52,10 @@ static turning turn(const tf_vector at[3], tf_vector center, double angle)
     return made;
 }
 
-static tf_contact find_contact(const turning *of)
+static tf_contact find_contact(const turning *t)
 {
     tf_contact contact;
-    TF_REQUIRE(tf_query(&tf_exact, 2, 1, of->line, 2, of->line + 1, &contact) ==
+    TF_REQUIRE(tf_query(&tf_exact, 2, 1, t->line, 2, t->line + 1, &contact) ==
                TF_OK);
     return contact;
 }

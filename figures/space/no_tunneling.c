@@ -82,11 +82,11 @@ typedef struct step {
 // The step --------------------------------------------------------------------
 
 /// The i-th edge of a loop, in the order of its vertices' indices.
-static void find_edge(const loop *of, int i, tf_worldline edge[2])
+static void find_edge(const loop *l, int i, tf_worldline edge[2])
 {
-    bool closes = i == of->count - 1;
-    edge[0] = of->vertex[closes ? 0 : i];
-    edge[1] = of->vertex[closes ? i : i + 1];
+    bool closes = i == l->count - 1;
+    edge[0] = l->vertex[closes ? 0 : i];
+    edge[1] = l->vertex[closes ? i : i + 1];
 }
 
 static void move(step *s)
@@ -138,16 +138,16 @@ static int count_contacts(const step *s)
 // At one time -----------------------------------------------------------------
 
 /// The vertices of a loop at the time t, and after each the crease of its edge.
-static bent_loop bend(const loop *of, double t)
+static bent_loop bend(const loop *l, double t)
 {
-    bent_loop bent = {.count = 2 * of->count};
-    for (int i = 0; i < of->count; i++) {
+    bent_loop bent = {.count = 2 * l->count};
+    for (int i = 0; i < l->count; i++) {
         tf_worldline edge[2];
-        find_edge(of, i, edge);
+        find_edge(l, i, edge);
         tf_worldline pair = {{edge[0].at[0], edge[1].at[1]}};
         bent.place[(ptrdiff_t)2 * i] =
-            fig_worldline_place(&of->vertex[i], of->axes, t);
-        bent.place[2 * i + 1] = fig_worldline_place(&pair, of->axes, t);
+            fig_worldline_place(&l->vertex[i], l->axes, t);
+        bent.place[2 * i + 1] = fig_worldline_place(&pair, l->axes, t);
     }
     return bent;
 }
@@ -215,14 +215,14 @@ static fig_panel *begin_panel(fig_page *page, fig_box box, fig_camera camera)
     return panel;
 }
 
-static void add_loop(fig_scene *scene, const loop *of, double t, fig_role role)
+static void add_loop(fig_scene *scene, const loop *l, double t, fig_role role)
 {
     for (int at = 0; at < 2; at++) {
-        bent_loop end = bend(of, at);
+        bent_loop end = bend(l, at);
         for (int i = 0; i < end.count; i++)
             fig_scene_reach(scene, end.place[i]);
     }
-    bent_loop bent = bend(of, t);
+    bent_loop bent = bend(l, t);
     for (int i = 0; i < bent.count; i++) {
         fig_scene_tube(scene, bent.place[i], bent.place[(i + 1) % bent.count],
                        FIG_WIDTH_TUBE, (fig_paint){.role = role});

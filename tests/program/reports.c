@@ -85,20 +85,20 @@ END_TEST
 
 static void write_remeshed(tf_format format)
 {
-    tf_remeshed of = {.triangles_before = 3,
-                      .triangles_after = 4,
-                      .edge = 0.5,
-                      .seconds = 0.125};
-    of.report = (tf_remesh_report){.rounds = 2,
-                                   .least_before = 0.25,
-                                   .least_after = 0.375,
-                                   .mean_before = 0.75,
-                                   .mean_after = 0.875,
-                                   .distance = 1.5};
+    tf_remeshed remeshed = {.triangles_before = 3,
+                            .triangles_after = 4,
+                            .edge = 0.5,
+                            .seconds = 0.125};
+    remeshed.report = (tf_remesh_report){.rounds = 2,
+                                         .least_before = 0.25,
+                                         .least_after = 0.375,
+                                         .mean_before = 0.75,
+                                         .mean_after = 0.875,
+                                         .distance = 1.5};
     for (int i = 0; i < TF_OPERATIONS; i++)
         for (int j = 0; j < TF_OUTCOMES; j++)
-            of.report.tried[i][j] = (size_t)(100 * (i + 1) + j);
-    write_record(format, tf_remeshed_fields, &of);
+            remeshed.report.tried[i][j] = (size_t)(100 * (i + 1) + j);
+    write_record(format, tf_remeshed_fields, &remeshed);
 }
 
 START_TEST(a_summary_tells_all_of_remeshing)

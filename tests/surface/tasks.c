@@ -65,11 +65,11 @@ START_TEST(parts_cover_a_range_once)
         for (int j = counts[i] == INT_MAX ? 5 : 0; j < 6; j++) {
             int parts = tf_range_parts(counts[i], sizes[j]), next = 0;
             for (int part = 0; part < parts; part++) {
-                tf_range of = tf_range_part(counts[i], sizes[j], part);
-                ck_assert_int_eq(of.begin, next);
-                ck_assert_int_gt(of.end, of.begin);
-                ck_assert_int_le(of.end - of.begin, sizes[j]);
-                next = of.end;
+                tf_range range = tf_range_part(counts[i], sizes[j], part);
+                ck_assert_int_eq(range.begin, next);
+                ck_assert_int_gt(range.end, range.begin);
+                ck_assert_int_le(range.end - range.begin, sizes[j]);
+                next = range.end;
             }
             ck_assert_int_eq(next, counts[i]);
         }

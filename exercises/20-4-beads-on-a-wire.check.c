@@ -45,6 +45,7 @@ static double least_change(const wire *given)
     return sum;
 }
 
+<<<<<<< HEAD
 static void expect_gaps(const wire *given, const double end[])
 {
     for (int i = 0; i < given->beads; i++)
@@ -52,6 +53,15 @@ static void expect_gaps(const wire *given, const double end[])
                    text_real(end[i]), i);
     for (int i = 0; i + 1 < given->beads; i++)
         check_that(end[i + 1] - end[i] >= given->gap - rounding,
+=======
+static void expect_gaps(const wire *w, const double end[])
+{
+    for (int i = 0; i < w->beads; i++)
+        check_that(isfinite(end[i]), "a place", "%s for bead %d",
+                   text_real(end[i]), i);
+    for (int i = 0; i + 1 < w->beads; i++)
+        check_that(end[i + 1] - end[i] >= w->gap - rounding,
+>>>>>>> main
                    "beads at least a gap apart", "beads %d and %d at %s and %s",
                    i, i + 1, text_real(end[i]), text_real(end[i + 1]));
 }
@@ -84,49 +94,88 @@ static void expect(const wire *given, double end[MOST])
                "%s, where %s is possible", text_real(change), text_real(least));
 }
 
+<<<<<<< HEAD
 static void expect_unpushed(const wire *given, const double end[], int bead)
 {
     check_that(end[bead] == given->proposed[bead],
                "a bead that ends where it was proposed to",
                "bead %d at %s, not at %s", bead, text_real(end[bead]),
                text_real(given->proposed[bead]));
+=======
+static void expect_unpushed(const wire *w, const double end[], int bead)
+{
+    check_that(end[bead] == w->proposed[bead],
+               "a bead that ends where it was proposed to",
+               "bead %d at %s, not at %s", bead, text_real(end[bead]),
+               text_real(w->proposed[bead]));
+>>>>>>> main
 }
 
 TEST(nothing_to_do)
 {
+<<<<<<< HEAD
     const wire given = {"beads in order", 3, 0.5, {1, 2, 3}, {0.1, 0.7, 1.3}};
     double end[MOST];
     expect(&given, end);
     for (int i = 0; i < given.beads; i++)
         expect_unpushed(&given, end, i);
+=======
+    const wire w = {"beads in order", 3, 0.5, {1, 2, 3}, {0.1, 0.7, 1.3}};
+    double end[MOST];
+    expect(&w, end);
+    for (int i = 0; i < w.beads; i++)
+        expect_unpushed(&w, end, i);
+>>>>>>> main
 }
 
 TEST(two_beads)
 {
+<<<<<<< HEAD
     const wire given = {
         "one bead passes another", 3, 0.5, {1, 3, 1}, {1, 0, 7.1}};
     double end[MOST];
     expect(&given, end);
     expect_unpushed(&given, end, 2);
+=======
+    const wire w = {"one bead passes another", 3, 0.5, {1, 3, 1}, {1, 0, 7.1}};
+    double end[MOST];
+    expect(&w, end);
+    expect_unpushed(&w, end, 2);
+>>>>>>> main
     check_near(-0.125, end[0], rounding);
 }
 
 // Only after the last has been pushed does the second touch the first.
 TEST(a_push_that_goes_on)
 {
+<<<<<<< HEAD
     const wire given = {
         "the last comes back", 4, 1, {1, 1, 1, 1}, {0, 1.5, 2.5, -2}};
     double end[MOST];
     expect(&given, end);
+=======
+    const wire w = {
+        "the last comes back", 4, 1, {1, 1, 1, 1}, {0, 1.5, 2.5, -2}};
+    double end[MOST];
+    expect(&w, end);
+>>>>>>> main
 }
 
 TEST(a_heap)
 {
+<<<<<<< HEAD
     wire given = {.name = "beads that all want to be at 0", .gap = 0.01};
     for (given.beads = 0; given.beads < 100; given.beads++)
         given.mass[given.beads] = 1;
     double end[MOST];
     expect(&given, end);
+=======
+    wire w = {.name = "beads that all want to be at 0", .gap = 0.01};
+    for (w.beads = 0; w.beads < 100; w.beads++)
+        w.mass[w.beads] = 1;
+    double end[MOST];
+    expect(&w, end);
+>>>>>>> main
     check_near(-0.495, end[0], rounding);
 }
 
@@ -135,6 +184,7 @@ TEST(at_random)
 {
     generator random = generator_new(0);
     for (int run = 0; run < 40; run++) {
+<<<<<<< HEAD
         wire given = {.name = "beads at random", .gap = 0.02};
         given.beads = 3 + below(&random, run < 36 ? 20 : MOST - 2);
         double spread = uniform(&random, 0, 0.3), end[MOST];
@@ -147,6 +197,20 @@ TEST(at_random)
         expect(&given, end);
         expect_unpushed(&given, end, 0);
         expect_unpushed(&given, end, given.beads - 1);
+=======
+        wire w = {.name = "beads at random", .gap = 0.02};
+        w.beads = 3 + below(&random, run < 36 ? 20 : MOST - 2);
+        double spread = uniform(&random, 0, 0.3), end[MOST];
+        for (int i = 0; i < w.beads; i++) {
+            w.mass[i] = pow(10, uniform(&random, -1, 1));
+            w.proposed[i] = 0.05 * i + uniform(&random, -spread, spread);
+        }
+        w.proposed[0] = -40.1;
+        w.proposed[w.beads - 1] = 80.3;
+        expect(&w, end);
+        expect_unpushed(&w, end, 0);
+        expect_unpushed(&w, end, w.beads - 1);
+>>>>>>> main
     }
 }
 

@@ -35,9 +35,15 @@ static tetrahedron at_time(const fig_turning *turning, double t)
     return made;
 }
 
+<<<<<<< HEAD
 static double volume(const tetrahedron *solid)
 {
     const tf_vector *x = solid->corner;
+=======
+static double volume(const tetrahedron *t)
+{
+    const tf_vector *x = t->corner;
+>>>>>>> main
     tf_vector u = fig_difference(x[1], x[0]), v = fig_difference(x[2], x[0]),
               w = fig_difference(x[3], x[0]);
     return -tf_vector_dot(fig_cross(u, v), w) / 6;
@@ -77,12 +83,20 @@ static void draw_face(fig_scene *scene, fig_camera from,
 }
 
 static void draw_tetrahedron(fig_scene *scene, fig_camera from,
+<<<<<<< HEAD
                              const tetrahedron *solid)
+=======
+                             const tetrahedron *t)
+>>>>>>> main
 {
     for (int i = 0; i < FACES; i++) {
         tf_vector corner[3];
         for (int j = 0; j < 3; j++)
+<<<<<<< HEAD
             corner[j] = upright(solid->corner[faces[i][j]]);
+=======
+            corner[j] = upright(t->corner[faces[i][j]]);
+>>>>>>> main
         draw_face(scene, from, corner);
     }
 }

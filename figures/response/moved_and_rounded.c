@@ -79,9 +79,15 @@ static pair pair_at(uint64_t *state, double distance)
     return made;
 }
 
+<<<<<<< HEAD
 static pair translate(const pair *given, const double by[2])
 {
     pair moved = *given;
+=======
+static pair translate(const pair *p, const double by[2])
+{
+    pair moved = *p;
+>>>>>>> main
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < 2; k++)
             moved.x[i][k] += by[k];
@@ -99,6 +105,7 @@ static pair turn(const pair *given, double angle)
     return moved;
 }
 
+<<<<<<< HEAD
 static pair move_at_random(uint64_t *state, move how, const pair *given)
 {
     if (how == TURNED)
@@ -106,6 +113,15 @@ static pair move_at_random(uint64_t *state, move how, const pair *given)
     double most = how == FAR ? 100 : 1;
     double by[2] = {between(state, -most, most), between(state, -most, most)};
     return translate(given, by);
+=======
+static pair move_at_random(uint64_t *state, move how, const pair *p)
+{
+    if (how == TURNED)
+        return turn(p, between(state, 0, 2 * acos(-1)));
+    double most = how == FAR ? 100 : 1;
+    double by[2] = {between(state, -most, most), between(state, -most, most)};
+    return translate(p, by);
+>>>>>>> main
 }
 
 /// How many percent of the points are no longer on the left.

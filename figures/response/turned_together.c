@@ -52,11 +52,19 @@ static turning turn(const tf_vector at[3], tf_vector center, double angle)
     return made;
 }
 
+<<<<<<< HEAD
 static tf_contact find_contact(const turning *state)
 {
     tf_contact contact;
     TF_REQUIRE(tf_query(&tf_exact, 2, 1, state->line, 2, state->line + 1,
                         &contact) == TF_OK);
+=======
+static tf_contact find_contact(const turning *t)
+{
+    tf_contact contact;
+    TF_REQUIRE(tf_query(&tf_exact, 2, 1, t->line, 2, t->line + 1, &contact) ==
+               TF_OK);
+>>>>>>> main
     return contact;
 }
 

@@ -15,10 +15,10 @@ typedef enum kind {
     FLOAT,
 } kind;
 
-typedef struct type {
+typedef struct ply_type {
     kind kind;
     int bytes;
-} type;
+} ply_type;
 
 /// Each has two names, one after the other.
 static const char *const type_names[] = {
@@ -26,9 +26,9 @@ static const char *const type_names[] = {
     "ushort", "uint16",  "int",    "int32",  "uint",  "uint32",
     "float",  "float32", "double", "float64"};
 
-static const type types[] = {{SIGNED, 1},   {UNSIGNED, 1}, {SIGNED, 2},
-                             {UNSIGNED, 2}, {SIGNED, 4},   {UNSIGNED, 4},
-                             {FLOAT, 4},    {FLOAT, 8}};
+static const ply_type types[] = {{SIGNED, 1},   {UNSIGNED, 1}, {SIGNED, 2},
+                                 {UNSIGNED, 2}, {SIGNED, 4},   {UNSIGNED, 4},
+                                 {FLOAT, 4},    {FLOAT, 8}};
 
 //: Declare the header
 enum {
@@ -38,11 +38,11 @@ enum {
     NONE = -1
 };
 
-typedef struct property {
-    const type *length; ///< of a list: of its length; NULL: it is no list
-    const type *item;
+typedef struct ply_property {
+    const ply_type *length; ///< of a list: of its length; NULL: it is no list
+    const ply_type *item;
     int role; ///< what it means: the place of its name, or NONE
-} property;
+} ply_property;
 
 /// What is read of a file.
 typedef enum target {
@@ -60,13 +60,13 @@ static const char *const role_names[TARGETS][3] = {
     [EDGES] = {"vertex1", "vertex2", ""},
 };
 
-typedef struct element {
+typedef struct ply_element {
     int target; ///< or NONE
     long line;  ///< that declares it
     int count;
     int properties;
-    property property[PROPERTIES];
-} element;
+    ply_property property[PROPERTIES];
+} ply_element;
 
 //: Declare the reader of PLY
 typedef struct reader {
@@ -74,7 +74,7 @@ typedef struct reader {
     const char *start, *end;
     tf_mesh_file *file; ///< its format is TF_OBJ until that is known
     int elements;
-    element element[ELEMENTS];
+    ply_element element[ELEMENTS];
 } reader;
 
 static long place(const reader *r)
@@ -138,7 +138,7 @@ static bool read_format(reader *r, const char *name)
 
 //: Read the declaration of an element
 /// The element for a target; NULL if none is declared.
-static const element *element_for(const reader *r, int wanted)
+static const ply_element *element_for(const reader *r, int wanted)
 {
     for (int i = 0; i < r->elements; i++)
         if (r->element[i].target == wanted)
@@ -161,8 +161,8 @@ static bool read_count(const reader *r, const char *word, int *count)
 
 static bool read_element(reader *r, const char *name, const char *count)
 {
-    element made = {.target = place_of(name, target_names, TARGETS),
-                    .line = r->text.line};
+    ply_element made = {.target = place_of(name, target_names, TARGETS),
+                        .line = r->text.line};
     if (r->elements == ELEMENTS)
         return tf_text_fault(&r->text,
                              "more than %d elements; delete those that are no "
@@ -178,7 +178,7 @@ static bool read_element(reader *r, const char *name, const char *count)
 }
 
 //: Read the declaration of a property
-static bool find_type(const reader *r, const char *name, const type **found)
+static bool find_type(const reader *r, const char *name, const ply_type **found)
 {
     int i = place_of(name, type_names, sizeof type_names / sizeof *type_names);
     if (i == NONE)
@@ -202,26 +202,40 @@ static bool read_property(reader *r, const tf_quoted word[])
 {
     bool list = strcmp(word[0].text, "list") == 0;
     const tf_quoted *item = list ? word + 2 : word;
-    property made = {0};
+    ply_property made = {0};
     if (r->elements == 0)
         return tf_text_fault(
             &r->text,
             "a property before all elements; write an element line first");
+<<<<<<< HEAD
     element *e = &r->element[r->elements - 1];
     if ((list && !find_type(r, word[1].text, &made.length)) ||
         !find_type(r, item[0].text, &made.item))
         return false;
     made.role = role_named(e->target, list, item[1].text);
     if (e->properties == PROPERTIES)
+=======
+    ply_element *element = &r->element[r->elements - 1];
+    if ((list && !find_type(r, word[1].text, &made.length)) ||
+        !find_type(r, item[0].text, &made.item))
+        return false;
+    made.role = role_named(element->target, list, item[1].text);
+    if (element->properties == PROPERTIES)
+>>>>>>> main
         return tf_text_fault(&r->text,
                              "more than %d properties; delete those that are "
                              "no coordinates or indices",
                              PROPERTIES);
+<<<<<<< HEAD
     e->property[e->properties++] = made;
+=======
+    element->property[element->properties++] = made;
+>>>>>>> main
     return true;
 }
 
 //: Check a declaration
+<<<<<<< HEAD
 static bool declares(const element *e, int role)
 {
     bool found = false;
@@ -231,6 +245,17 @@ static bool declares(const element *e, int role)
 }
 
 static bool check_element(const reader *r, const element *e)
+=======
+static bool declares(const ply_element *element, int role)
+{
+    bool found = false;
+    for (int i = 0; i < element->properties; i++)
+        found |= element->property[i].role == role;
+    return found;
+}
+
+static bool check_element(const reader *r, const ply_element *element)
+>>>>>>> main
 {
     static const char *const faults[] = {
         [VERTICES] = "the vertices have no x or no y; declare the properties "
@@ -240,15 +265,23 @@ static bool check_element(const reader *r, const element *e)
         [EDGES] = "the edges have no ends; declare the properties int vertex1 "
                   "and int vertex2",
     };
+<<<<<<< HEAD
     return e->target == NONE ||
            (declares(e, 0) && (e->target == FACES || declares(e, 1))) ||
            tf_mesh_file_fault(r->file, e->line, "%s", faults[e->target]);
+=======
+    return element->target == NONE ||
+           (declares(element, 0) &&
+            (element->target == FACES || declares(element, 1))) ||
+           tf_mesh_file_fault(r->file, element->line, "%s",
+                              faults[element->target]);
+>>>>>>> main
 }
 
 static bool check_header(const reader *r)
 {
-    const element *vertices = element_for(r, VERTICES);
-    const element *faces = element_for(r, FACES);
+    const ply_element *vertices = element_for(r, VERTICES);
+    const ply_element *faces = element_for(r, FACES);
     for (int i = 0; i < r->elements; i++)
         if (!check_element(r, &r->element[i]))
             return false;
@@ -313,12 +346,21 @@ static uint64_t gather_bytes(const reader *r, int bytes)
     return number;
 }
 
+<<<<<<< HEAD
 static double decode(const type *given, uint64_t bits)
 {
     if (given->kind == UNSIGNED)
         return (double)bits;
     if (given->kind == SIGNED) {
         uint64_t sign = UINT64_C(1) << (8 * given->bytes - 1);
+=======
+static double decode(const ply_type *type, uint64_t bits)
+{
+    if (type->kind == UNSIGNED)
+        return (double)bits;
+    if (type->kind == SIGNED) {
+        uint64_t sign = UINT64_C(1) << (8 * type->bytes - 1);
+>>>>>>> main
         return (double)(int64_t)((bits ^ sign) - sign);
     }
     double wide;
@@ -326,7 +368,11 @@ static double decode(const type *given, uint64_t bits)
     uint32_t low = (uint32_t)bits;
     memcpy(&wide, &bits, sizeof wide);
     memcpy(&narrow, &low, sizeof narrow);
+<<<<<<< HEAD
     return given->bytes == 8 ? wide : (double)narrow;
+=======
+    return type->bytes == 8 ? wide : (double)narrow;
+>>>>>>> main
 }
 
 static bool fault_in_end(const reader *r)
@@ -347,12 +393,20 @@ static void skip_blank_lines(tf_text *text)
 }
 
 /// Finds the next value, in text in the same line.
+<<<<<<< HEAD
 static bool find_value(reader *r, const type *given)
+=======
+static bool find_value(reader *r, const ply_type *type)
+>>>>>>> main
 {
     tf_text *text = &r->text;
     if (is_text(r))
         tf_text_skip_blanks(text);
+<<<<<<< HEAD
     if (r->end - text->at < (is_text(r) ? 1 : given->bytes))
+=======
+    if (r->end - text->at < (is_text(r) ? 1 : type->bytes))
+>>>>>>> main
         return fault_in_end(r);
     return !is_text(r) || *text->at != '\n' ||
            tf_text_fault(text, "the line ends too early; it must have all that "
@@ -360,6 +414,7 @@ static bool find_value(reader *r, const type *given)
 }
 
 //: Read or skip a value
+<<<<<<< HEAD
 static bool read_number(reader *r, const type *given, double *number)
 {
     if (!find_value(r, given))
@@ -368,26 +423,53 @@ static bool read_number(reader *r, const type *given, double *number)
         return tf_text_read_number(&r->text, " \t\r\n", number);
     *number = decode(given, gather_bytes(r, given->bytes));
     r->text.at += given->bytes;
+=======
+static bool read_number(reader *r, const ply_type *type, double *number)
+{
+    if (!find_value(r, type))
+        return false;
+    if (is_text(r))
+        return tf_text_read_number(&r->text, " \t\r\n", number);
+    *number = decode(type, gather_bytes(r, type->bytes));
+    r->text.at += type->bytes;
+>>>>>>> main
     return true;
 }
 
 /// In text a word may be skipped that is no number, not even a finite one.
+<<<<<<< HEAD
 static bool skip_value(reader *r, const type *given)
 {
     if (!find_value(r, given))
         return false;
     size_t length =
         is_text(r) ? strcspn(r->text.at, " \t\r\n") : (size_t)given->bytes;
+=======
+static bool skip_value(reader *r, const ply_type *type)
+{
+    if (!find_value(r, type))
+        return false;
+    size_t length =
+        is_text(r) ? strcspn(r->text.at, " \t\r\n") : (size_t)type->bytes;
+>>>>>>> main
     r->text.at += length;
     return length > 0 || tf_text_fault_in_nul(&r->text);
 }
 
 //: Read an index
+<<<<<<< HEAD
 static bool read_index(reader *r, const type *given, int *index)
 {
     long at = place(r);
     double number;
     if (!read_number(r, given, &number))
+=======
+static bool read_index(reader *r, const ply_type *type, int *index)
+{
+    long at = place(r);
+    double number;
+    if (!read_number(r, type, &number))
+>>>>>>> main
         return false;
     if (!(number >= 0 && number <= INT_MAX && number == floor(number)))
         return tf_mesh_file_fault(
@@ -400,6 +482,7 @@ static bool read_index(reader *r, const type *given, int *index)
 
 //: Read a list
 /// Reads the corners of a face, or skips another list.
+<<<<<<< HEAD
 static bool read_list(reader *r, const property *given, int corner[3])
 {
     long at = place(r);
@@ -407,6 +490,15 @@ static bool read_list(reader *r, const property *given, int corner[3])
     if (!read_index(r, given->length, &length))
         return false;
     bool corners = given->role != NONE;
+=======
+static bool read_list(reader *r, const ply_property *property, int corner[3])
+{
+    long at = place(r);
+    int length = 0;
+    if (!read_index(r, property->length, &length))
+        return false;
+    bool corners = property->role != NONE;
+>>>>>>> main
     if (corners && length != 3)
         return tf_mesh_file_fault(
             r->file, at,
@@ -415,8 +507,13 @@ static bool read_list(reader *r, const property *given, int corner[3])
                        : "a face with %d corners; each must have three",
             length);
     for (int i = 0; i < length; i++)
+<<<<<<< HEAD
         if (corners ? !read_index(r, given->item, &corner[i])
                     : !skip_value(r, given->item))
+=======
+        if (corners ? !read_index(r, property->item, &corner[i])
+                    : !skip_value(r, property->item))
+>>>>>>> main
             return false;
     return true;
 }
@@ -428,16 +525,24 @@ typedef struct item {
     int vertex[3];
 } item;
 
+<<<<<<< HEAD
 static bool read_coordinate(reader *r, const type *given, double *x)
 {
     long at = place(r);
     return read_number(r, given, x) &&
+=======
+static bool read_coordinate(reader *r, const ply_type *type, double *x)
+{
+    long at = place(r);
+    return read_number(r, type, x) &&
+>>>>>>> main
            (isfinite(*x) ||
             tf_mesh_file_fault(r->file, at,
                                "a coordinate is infinite or NaN; write finite "
                                "numbers"));
 }
 
+<<<<<<< HEAD
 static bool read_value(reader *r, int to, const property *given, item *made)
 {
     if (given->length)
@@ -453,6 +558,24 @@ static bool read_values(reader *r, const element *e, item *made)
 {
     for (int i = 0; i < e->properties; i++)
         if (!read_value(r, e->target, &e->property[i], made))
+=======
+static bool read_value(reader *r, int to, const ply_property *property,
+                       item *made)
+{
+    if (property->length)
+        return read_list(r, property, made->vertex);
+    if (property->role == NONE)
+        return skip_value(r, property->item);
+    return to == VERTICES
+               ? read_coordinate(r, property->item, &made->x[property->role])
+               : read_index(r, property->item, &made->vertex[property->role]);
+}
+
+static bool read_values(reader *r, const ply_element *element, item *made)
+{
+    for (int i = 0; i < element->properties; i++)
+        if (!read_value(r, element->target, &element->property[i], made))
+>>>>>>> main
             return false;
     return true;
 }
@@ -484,20 +607,29 @@ static bool end_item(reader *r)
                                  "element; begin each element on a new line");
 }
 
+<<<<<<< HEAD
 static bool read_item(reader *r, const element *e)
+=======
+static bool read_item(reader *r, const ply_element *element)
+>>>>>>> main
 {
     item made = {0};
     if (is_text(r))
         skip_blank_lines(&r->text);
     long at = place(r);
+<<<<<<< HEAD
     return read_values(r, e, &made) && end_item(r) &&
            add_item(r, e->target, &made, at);
+=======
+    return read_values(r, element, &made) && end_item(r) &&
+           add_item(r, element->target, &made, at);
+>>>>>>> main
 }
 
 //: Read what follows the header
 static bool read_items(reader *r)
 {
-    for (const element *e = r->element; e < r->element + r->elements; e++)
+    for (const ply_element *e = r->element; e < r->element + r->elements; e++)
         for (int i = 0; e->properties > 0 && i < e->count; i++)
             if (!read_item(r, e))
                 return false;

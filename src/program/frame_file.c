@@ -50,31 +50,50 @@ void tf_frame_write(FILE *stream, const tf_simulation *simulation)
 }
 
 //: Read a whole frame
-typedef struct content {
+typedef struct frame_content {
     char *text; ///< a zero follows it
     size_t size;
-} content;
+} frame_content;
 
 /// What a simulation writes in its present state.
+<<<<<<< HEAD
 static bool write_content(content *found, const tf_simulation *s)
 {
     FILE *stream = open_memstream(&found->text, &found->size);
+=======
+static bool write_content(frame_content *content, const tf_simulation *s)
+{
+    FILE *stream = open_memstream(&content->text, &content->size);
+>>>>>>> main
     if (stream)
         tf_frame_write(stream, s);
     return stream && fclose(stream) == 0;
 }
 
+<<<<<<< HEAD
 static bool read_content(content *found, const char *path)
+=======
+static bool read_content(frame_content *content, const char *path)
+>>>>>>> main
 {
     struct stat status;
     FILE *stream = fopen(path, "rb");
     if (stream && fstat(fileno(stream), &status) == 0)
+<<<<<<< HEAD
         found->text = malloc((size_t)status.st_size + 1);
     if (found->text) {
         found->size = fread(found->text, 1, (size_t)status.st_size, stream);
         found->text[found->size] = '\0';
     }
     bool good = found->text && !ferror(stream);
+=======
+        content->text = malloc((size_t)status.st_size + 1);
+    if (content->text) {
+        content->size = fread(content->text, 1, (size_t)status.st_size, stream);
+        content->text[content->size] = '\0';
+    }
+    bool good = content->text && !ferror(stream);
+>>>>>>> main
     if (stream)
         fclose(stream);
     return good;
@@ -95,7 +114,7 @@ static double gather_double(const char *bytes)
 /// Three coordinates follow the header for each vertex, and its velocity if
 /// `numbers` is 6.  Takes the numbers from the first one on.  To be freed; NULL:
 /// they are not there.
-static double *take_numbers(const content *read, const tf_mesh *mesh,
+static double *take_numbers(const frame_content *read, const tf_mesh *mesh,
                             int numbers, int first)
 {
     static const char mark[] = "\nend_header\n";
@@ -113,7 +132,8 @@ static double *take_numbers(const content *read, const tf_mesh *mesh,
 }
 
 //: Restore the state of a frame
-static bool restore(tf_simulation *s, const content *read, tf_snapshot *state)
+static bool restore(tf_simulation *s, const frame_content *read,
+                    tf_snapshot *state)
 {
     int numbers = state->velocity ? 6 : 3;
     double *position = take_numbers(read, &state->mesh, numbers, 0);
@@ -127,7 +147,7 @@ static bool restore(tf_simulation *s, const content *read, tf_snapshot *state)
     return good;
 }
 
-static bool take_state(tf_simulation *s, const content *read)
+static bool take_state(tf_simulation *s, const frame_content *read)
 {
     tf_fault unused;
     tf_mesh_file file = {0};
@@ -148,9 +168,10 @@ static bool take_state(tf_simulation *s, const content *read)
 
 //: Read a frame of a simulation
 /// It is one if the simulation in that state would write the same bytes.
-static tf_frame_fault compare_content(tf_simulation *s, const content *read)
+static tf_frame_fault compare_content(tf_simulation *s,
+                                      const frame_content *read)
 {
-    content written = {0};
+    frame_content written = {0};
     if (!take_state(s, read))
         return TF_FRAME_FOREIGN;
     bool good = write_content(&written, s);
@@ -162,7 +183,7 @@ static tf_frame_fault compare_content(tf_simulation *s, const content *read)
 
 tf_frame_fault tf_frame_read(tf_simulation *simulation, const char *path)
 {
-    content read = {0};
+    frame_content read = {0};
     tf_frame_fault fault = read_content(&read, path)
                                ? compare_content(simulation, &read)
                                : TF_FRAME_UNREADABLE;

@@ -120,16 +120,16 @@ static const struct {
 
 START_TEST(words_are_quoted_as_the_format_requires)
 {
-    const sample record = {0, 0, 0, 0, words[_i].word};
+    const sample s = {0, 0, 0, 0, words[_i].word};
     char right[200];
     snprintf(right, sizeof right, "0,0,0,0.00,,%s\n", words[_i].csv);
-    expect_record(tf_record_write_csv, &record, right);
+    expect_record(tf_record_write_csv, &s, right);
     snprintf(right, sizeof right,
              "{\"a_count\":0,\"integer\":0,\"number\":0,\"rounded\":0,"
              "\"word\":%s}",
              words[_i].json);
     ck_assert_msg(!json_fault(right), "%s", json_fault(right));
-    expect_record(tf_record_write_json, &record, right);
+    expect_record(tf_record_write_json, &s, right);
 }
 END_TEST
 

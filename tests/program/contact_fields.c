@@ -32,8 +32,8 @@ static void expect(int axes, const tf_contact *contact, const char *right)
     char *text = NULL;
     size_t length;
     FILE *stream = open_memstream(&text, &length);
-    row record = {tf_contact_values_of(contact, axes)};
-    tf_record_write_csv(stream, fields, &record);
+    row r = {tf_contact_values_of(contact, axes)};
+    tf_record_write_csv(stream, fields, &r);
     fclose(stream);
     ck_assert_str_eq(text, right);
     free(text);

@@ -113,17 +113,19 @@ static void draw_fan(fig_page *page, fig_box box, const fan *f)
         fig_scene_ball(
             fig_panel_scene(panel), at, i == 0 ? FIG_WIDTH_BALL : 4,
             (fig_paint){.role = i == 0 ? FIG_ROLE_POINT : FIG_ROLE_INK});
-        fig_panel_label(panel, at,
+        fig_panel_label(
+            panel, at,
 <<<<<<< HEAD
-                        (fig_label){.text = shown->place[i].name,
-                                    .size = FIG_LETTERS_SMALL,
-                                    .side = shown->place[i].side,
+            (fig_label) {
+                .text = shown->place[i].name, .size = FIG_LETTERS_SMALL,
+                .side = shown->place[i].side,
 =======
                         (fig_label){.text = f->place[i].name,
                                     .size = FIG_LETTERS_SMALL,
                                     .side = f->place[i].side,
 >>>>>>> main
-                                    .gap = 4});
+                .gap = 4
+            });
     }
 }
 

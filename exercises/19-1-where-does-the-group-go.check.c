@@ -26,49 +26,23 @@ static void list(char text[400], int count, const double x[])
     sprintf(at, ")");
 }
 
-<<<<<<< HEAD
-static void ask(const group *given, double end[MOST])
-{
-    char start[400], proposed[400], mass[400];
-    list(start, given->count, given->start);
-    list(proposed, given->count, given->proposed);
-    list(mass, given->count, given->inverse_mass);
-=======
 static void ask(const group *g, double end[MOST])
 {
     char start[400], proposed[400], mass[400];
     list(start, g->count, g->start);
     list(proposed, g->count, g->proposed);
     list(mass, g->count, g->inverse_mass);
->>>>>>> main
     check_input("start = %s\nproposed = %s\ninverse_mass = %s", start, proposed,
                 mass);
     for (int i = 0; i < MOST; i++)
         end[i] = NAN;
-<<<<<<< HEAD
-    check_call_n(MOST, end,
-                 move_group(given->count, given->start, given->proposed,
-                            given->inverse_mass, end));
-=======
     check_call_n(
         MOST, end,
         move_group(g->count, g->start, g->proposed, g->inverse_mass, end));
->>>>>>> main
 }
 
 /// Expects that each free vertex ends `displacement` after its start, or that
 /// close to there, and each scripted one exactly where it was proposed to end.
-<<<<<<< HEAD
-static void expect(const group *given, double displacement, double tolerance)
-{
-    double end[MOST];
-    ask(given, end);
-    for (int i = 0; i < given->count; i++)
-        if (given->inverse_mass[i] > 0)
-            check_near(given->start[i] + displacement, end[i], tolerance);
-        else
-            check_near(given->proposed[i], end[i], 0);
-=======
 static void expect(const group *g, double displacement, double tolerance)
 {
     double end[MOST];
@@ -78,7 +52,6 @@ static void expect(const group *g, double displacement, double tolerance)
             check_near(g->start[i] + displacement, end[i], tolerance);
         else
             check_near(g->proposed[i], end[i], 0);
->>>>>>> main
 }
 
 TEST(all_are_free)
@@ -114,19 +87,6 @@ TEST(at_random)
 {
     generator random = generator_new(0);
     for (int i = 0; i < 500; i++) {
-<<<<<<< HEAD
-        group given = {.count = 1 + below(&random, MOST)};
-        double mass = 0, momentum = 0;
-        for (int v = 0; v < given.count; v++) {
-            double m = 1 + below(&random, 9), d = uniform(&random, -1, 1);
-            given.start[v] = uniform(&random, -1, 1);
-            given.proposed[v] = given.start[v] + d;
-            given.inverse_mass[v] = 1 / m;
-            mass += m;
-            momentum += m * d;
-        }
-        expect(&given, momentum / mass, 1e-14);
-=======
         group g = {.count = 1 + below(&random, MOST)};
         double mass = 0, momentum = 0;
         for (int v = 0; v < g.count; v++) {
@@ -138,7 +98,6 @@ TEST(at_random)
             momentum += m * d;
         }
         expect(&g, momentum / mass, 1e-14);
->>>>>>> main
     }
 }
 

@@ -13,15 +13,6 @@ typedef struct hinge {
 } hinge;
 
 /// Places the hinge, folded by an angle; a moving frame turns all of it.
-<<<<<<< HEAD
-static void place(const hinge *given, double fold, double turn, double x[4][3])
-{
-    double flat[4][3] = {{0, 0, 0},
-                         {given->length, 0, 0},
-                         {given->foot[0], given->height[0], 0},
-                         {given->foot[1], -given->height[1] * cos(fold),
-                          given->height[1] * sin(fold)}};
-=======
 static void place(const hinge *h, double fold, double turn, double x[4][3])
 {
     double flat[4][3] = {
@@ -29,7 +20,6 @@ static void place(const hinge *h, double fold, double turn, double x[4][3])
         {h->length, 0, 0},
         {h->foot[0], h->height[0], 0},
         {h->foot[1], -h->height[1] * cos(fold), h->height[1] * sin(fold)}};
->>>>>>> main
     double c = cos(turn), s = sin(turn);
     for (int i = 0; i < 4; i++) {
         double y = c * flat[i][0] - s * flat[i][1];
@@ -52,17 +42,10 @@ static double length_of_sum(const double x[4][3], const double weight[4])
     return sqrt(square);
 }
 
-<<<<<<< HEAD
-static void find_weights(const hinge *given, double weight[4])
-{
-    double rest[4][3];
-    place(given, 0, 0.7, rest);
-=======
 static void find_weights(const hinge *h, double weight[4])
 {
     double rest[4][3];
     place(h, 0, 0.7, rest);
->>>>>>> main
     for (int i = 0; i < 4; i++)
         weight[i] = NAN;
     check_input("a = %s, b = %s, c = %s, d = %s", text_point(3, rest[0]),
@@ -71,16 +54,6 @@ static void find_weights(const hinge *h, double weight[4])
     check_call_n(4, weight, fold_weights((const double(*)[3])rest, weight));
 }
 
-<<<<<<< HEAD
-static void expect(const hinge *given, double fold, double turn)
-{
-    double weight[4], x[4][3];
-    find_weights(given, weight);
-    place(given, fold, turn, x);
-    double got = length_of_sum((const double(*)[3])x, weight);
-    double expected = 2 * given->length * sin(fabs(fold) / 2);
-    check_near(expected, got, 1e-11 * (1 + given->length));
-=======
 static void expect(const hinge *h, double fold, double turn)
 {
     double weight[4], x[4][3];
@@ -89,7 +62,6 @@ static void expect(const hinge *h, double fold, double turn)
     double got = length_of_sum((const double(*)[3])x, weight);
     double expected = 2 * h->length * sin(fabs(fold) / 2);
     check_near(expected, got, 1e-11 * (1 + h->length));
->>>>>>> main
 }
 
 static const hinge square = {1, {0, 1}, {1, 1}};
@@ -130,21 +102,12 @@ TEST(at_random)
 {
     generator random = generator_new(0);
     for (int i = 0; i < 500; i++) {
-<<<<<<< HEAD
-        hinge given = {.length = uniform(&random, 0.5, 2)};
-        for (int k = 0; k < 2; k++) {
-            given.foot[k] = uniform(&random, -1, 3);
-            given.height[k] = uniform(&random, 0.25, 2);
-        }
-        expect(&given, uniform(&random, -3, 3), uniform(&random, -3, 3));
-=======
         hinge h = {.length = uniform(&random, 0.5, 2)};
         for (int k = 0; k < 2; k++) {
             h.foot[k] = uniform(&random, -1, 3);
             h.height[k] = uniform(&random, 0.25, 2);
         }
         expect(&h, uniform(&random, -3, 3), uniform(&random, -3, 3));
->>>>>>> main
     }
 }
 

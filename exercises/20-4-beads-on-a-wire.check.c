@@ -22,38 +22,29 @@ typedef struct wire {
 /// The least sum of squares.  Without gaps, the best place of a bead is the
 /// largest, over all beads up to it, of the least mean of a row of beads that
 /// begins there and goes at least to this one.
-static double least_change(const wire *given)
+static double least_change(const wire *of)
 {
     double sum = 0, masses[MOST + 1] = {0}, moments[MOST + 1] = {0};
-    for (int i = 0; i < given->beads; i++) {
-        masses[i + 1] = masses[i] + given->mass[i];
+    for (int i = 0; i < of->beads; i++) {
+        masses[i + 1] = masses[i] + of->mass[i];
         moments[i + 1] =
-            moments[i] + given->mass[i] * (given->proposed[i] - i * given->gap);
+            moments[i] + of->mass[i] * (of->proposed[i] - i * of->gap);
     }
-    for (int i = 0; i < given->beads; i++) {
+    for (int i = 0; i < of->beads; i++) {
         double place = -INFINITY;
         for (int first = 0; first <= i; first++) {
             double least = INFINITY;
-            for (int end = i + 1; end <= given->beads; end++)
+            for (int end = i + 1; end <= of->beads; end++)
                 least = fmin(least, (moments[end] - moments[first]) /
                                         (masses[end] - masses[first]));
             place = fmax(place, least);
         }
-        double change = place + i * given->gap - given->proposed[i];
-        sum += given->mass[i] * change * change;
+        double change = place + i * of->gap - of->proposed[i];
+        sum += of->mass[i] * change * change;
     }
     return sum;
 }
 
-<<<<<<< HEAD
-static void expect_gaps(const wire *given, const double end[])
-{
-    for (int i = 0; i < given->beads; i++)
-        check_that(isfinite(end[i]), "a place", "%s for bead %d",
-                   text_real(end[i]), i);
-    for (int i = 0; i + 1 < given->beads; i++)
-        check_that(end[i + 1] - end[i] >= given->gap - rounding,
-=======
 static void expect_gaps(const wire *w, const double end[])
 {
     for (int i = 0; i < w->beads; i++)
@@ -61,121 +52,78 @@ static void expect_gaps(const wire *w, const double end[])
                    text_real(end[i]), i);
     for (int i = 0; i + 1 < w->beads; i++)
         check_that(end[i + 1] - end[i] >= w->gap - rounding,
->>>>>>> main
                    "beads at least a gap apart", "beads %d and %d at %s and %s",
                    i, i + 1, text_real(end[i]), text_real(end[i + 1]));
 }
 
 /// Leaves the ends in `end`.
-static void expect(const wire *given, double end[MOST])
+static void expect(const wire *of, double end[MOST])
 {
-    memcpy(end, given->proposed, sizeof given->proposed);
-    int shown = given->beads < 3 ? given->beads : 3;
+    memcpy(end, of->proposed, sizeof of->proposed);
+    int shown = of->beads < 3 ? of->beads : 3;
     check_input("%s: %d beads, gap %s, the first with masses %s, proposed to "
                 "end at %s",
-                given->name, given->beads, text_real(given->gap),
-                text_point(shown, given->mass),
-                text_point(shown, given->proposed));
-    check_call_n(MOST, end,
-                 string_beads(given->beads, given->mass, given->gap, end));
-    expect_gaps(given, end);
+                of->name, of->beads, text_real(of->gap),
+                text_point(shown, of->mass), text_point(shown, of->proposed));
+    check_call_n(MOST, end, string_beads(of->beads, of->mass, of->gap, end));
+    expect_gaps(of, end);
     double before = 0, after = 0, masses = 0, change = 0;
-    for (int i = 0; i < given->beads; i++) {
-        before += given->mass[i] * given->proposed[i];
-        after += given->mass[i] * end[i];
-        masses += given->mass[i];
-        change += given->mass[i] * pow(end[i] - given->proposed[i], 2);
+    for (int i = 0; i < of->beads; i++) {
+        before += of->mass[i] * of->proposed[i];
+        after += of->mass[i] * end[i];
+        masses += of->mass[i];
+        change += of->mass[i] * pow(end[i] - of->proposed[i], 2);
     }
     check_that(fabs(after - before) <= rounding * masses,
                "the same sum weighted by mass", "%s, which was %s",
                text_real(after), text_real(before));
-    double least = least_change(given);
+    double least = least_change(of);
     check_that(change <= 2 * least + rounding, "at most twice the least change",
                "%s, where %s is possible", text_real(change), text_real(least));
 }
 
-<<<<<<< HEAD
-static void expect_unpushed(const wire *given, const double end[], int bead)
-{
-    check_that(end[bead] == given->proposed[bead],
-               "a bead that ends where it was proposed to",
-               "bead %d at %s, not at %s", bead, text_real(end[bead]),
-               text_real(given->proposed[bead]));
-=======
 static void expect_unpushed(const wire *w, const double end[], int bead)
 {
     check_that(end[bead] == w->proposed[bead],
                "a bead that ends where it was proposed to",
                "bead %d at %s, not at %s", bead, text_real(end[bead]),
                text_real(w->proposed[bead]));
->>>>>>> main
 }
 
 TEST(nothing_to_do)
 {
-<<<<<<< HEAD
-    const wire given = {"beads in order", 3, 0.5, {1, 2, 3}, {0.1, 0.7, 1.3}};
-    double end[MOST];
-    expect(&given, end);
-    for (int i = 0; i < given.beads; i++)
-        expect_unpushed(&given, end, i);
-=======
     const wire w = {"beads in order", 3, 0.5, {1, 2, 3}, {0.1, 0.7, 1.3}};
     double end[MOST];
     expect(&w, end);
     for (int i = 0; i < w.beads; i++)
         expect_unpushed(&w, end, i);
->>>>>>> main
 }
 
 TEST(two_beads)
 {
-<<<<<<< HEAD
-    const wire given = {
-        "one bead passes another", 3, 0.5, {1, 3, 1}, {1, 0, 7.1}};
-    double end[MOST];
-    expect(&given, end);
-    expect_unpushed(&given, end, 2);
-=======
     const wire w = {"one bead passes another", 3, 0.5, {1, 3, 1}, {1, 0, 7.1}};
     double end[MOST];
     expect(&w, end);
     expect_unpushed(&w, end, 2);
->>>>>>> main
     check_near(-0.125, end[0], rounding);
 }
 
 // Only after the last has been pushed does the second touch the first.
 TEST(a_push_that_goes_on)
 {
-<<<<<<< HEAD
-    const wire given = {
-        "the last comes back", 4, 1, {1, 1, 1, 1}, {0, 1.5, 2.5, -2}};
-    double end[MOST];
-    expect(&given, end);
-=======
     const wire w = {
         "the last comes back", 4, 1, {1, 1, 1, 1}, {0, 1.5, 2.5, -2}};
     double end[MOST];
     expect(&w, end);
->>>>>>> main
 }
 
 TEST(a_heap)
 {
-<<<<<<< HEAD
-    wire given = {.name = "beads that all want to be at 0", .gap = 0.01};
-    for (given.beads = 0; given.beads < 100; given.beads++)
-        given.mass[given.beads] = 1;
-    double end[MOST];
-    expect(&given, end);
-=======
     wire w = {.name = "beads that all want to be at 0", .gap = 0.01};
     for (w.beads = 0; w.beads < 100; w.beads++)
         w.mass[w.beads] = 1;
     double end[MOST];
     expect(&w, end);
->>>>>>> main
     check_near(-0.495, end[0], rounding);
 }
 
@@ -184,20 +132,6 @@ TEST(at_random)
 {
     generator random = generator_new(0);
     for (int run = 0; run < 40; run++) {
-<<<<<<< HEAD
-        wire given = {.name = "beads at random", .gap = 0.02};
-        given.beads = 3 + below(&random, run < 36 ? 20 : MOST - 2);
-        double spread = uniform(&random, 0, 0.3), end[MOST];
-        for (int i = 0; i < given.beads; i++) {
-            given.mass[i] = pow(10, uniform(&random, -1, 1));
-            given.proposed[i] = 0.05 * i + uniform(&random, -spread, spread);
-        }
-        given.proposed[0] = -40.1;
-        given.proposed[given.beads - 1] = 80.3;
-        expect(&given, end);
-        expect_unpushed(&given, end, 0);
-        expect_unpushed(&given, end, given.beads - 1);
-=======
         wire w = {.name = "beads at random", .gap = 0.02};
         w.beads = 3 + below(&random, run < 36 ? 20 : MOST - 2);
         double spread = uniform(&random, 0, 0.3), end[MOST];
@@ -210,7 +144,6 @@ TEST(at_random)
         expect(&w, end);
         expect_unpushed(&w, end, 0);
         expect_unpushed(&w, end, w.beads - 1);
->>>>>>> main
     }
 }
 

@@ -20,23 +20,12 @@ typedef struct mesh {
 // Surfaces --------------------------------------------------------------------
 
 /// Splits a triangle in three by a vertex inside.
-<<<<<<< HEAD
-static void add_inside(mesh *surface, int t)
-{
-    int v = surface->vertices++, *old = surface->triangle[t];
-    int a = old[0], b = old[1], c = old[2];
-    memcpy(surface->triangle[surface->triangles++], (int[]){b, c, v},
-           3 * sizeof(int));
-    memcpy(surface->triangle[surface->triangles++], (int[]){c, a, v},
-           3 * sizeof(int));
-=======
 static void add_inside(mesh *m, int t)
 {
     int v = m->vertices++, *old = m->triangle[t];
     int a = old[0], b = old[1], c = old[2];
     memcpy(m->triangle[m->triangles++], (int[]){b, c, v}, 3 * sizeof(int));
     memcpy(m->triangle[m->triangles++], (int[]){c, a, v}, 3 * sizeof(int));
->>>>>>> main
     old[2] = v;
 }
 
@@ -75,16 +64,6 @@ static mesh torus(int around, int across)
 
 // Judging ---------------------------------------------------------------------
 
-<<<<<<< HEAD
-static mesh collapsed(const mesh *surface, int a, int b)
-{
-    mesh made = {.vertices = surface->vertices};
-    for (int t = 0; t < surface->triangles; t++) {
-        int *added = made.triangle[made.triangles];
-        for (int i = 0; i < 3; i++)
-            added[i] =
-                surface->triangle[t][i] == a ? b : surface->triangle[t][i];
-=======
 static mesh collapsed(const mesh *m, int a, int b)
 {
     mesh made = {.vertices = m->vertices};
@@ -92,7 +71,6 @@ static mesh collapsed(const mesh *m, int a, int b)
         int *added = made.triangle[made.triangles];
         for (int i = 0; i < 3; i++)
             added[i] = m->triangle[t][i] == a ? b : m->triangle[t][i];
->>>>>>> main
         made.triangles += added[0] != added[1] && added[1] != added[2] &&
                           added[2] != added[0];
     }
@@ -100,15 +78,6 @@ static mesh collapsed(const mesh *m, int a, int b)
 }
 
 /// How many triangles have the edge in this direction.
-<<<<<<< HEAD
-static int count_edge(const mesh *surface, int from, int to)
-{
-    int count = 0;
-    for (int t = 0; t < surface->triangles; t++)
-        for (int i = 0; i < 3; i++)
-            count += surface->triangle[t][i] == from &&
-                     surface->triangle[t][(i + 1) % 3] == to;
-=======
 static int count_edge(const mesh *m, int from, int to)
 {
     int count = 0;
@@ -116,7 +85,6 @@ static int count_edge(const mesh *m, int from, int to)
         for (int i = 0; i < 3; i++)
             count +=
                 m->triangle[t][i] == from && m->triangle[t][(i + 1) % 3] == to;
->>>>>>> main
     return count;
 }
 
@@ -129,40 +97,16 @@ static bool same_vertices(const int a[3], const int b[3])
 }
 
 /// The vertex that precedes in the triangle with an edge from `from` to `to`.
-<<<<<<< HEAD
-static int before_edge(const mesh *surface, int from, int to)
-{
-    for (int t = 0; t < surface->triangles; t++)
-        for (int i = 0; i < 3; i++)
-            if (surface->triangle[t][i] == from &&
-                surface->triangle[t][(i + 1) % 3] == to)
-                return surface->triangle[t][(i + 2) % 3];
-=======
 static int before_edge(const mesh *m, int from, int to)
 {
     for (int t = 0; t < m->triangles; t++)
         for (int i = 0; i < 3; i++)
             if (m->triangle[t][i] == from && m->triangle[t][(i + 1) % 3] == to)
                 return m->triangle[t][(i + 2) % 3];
->>>>>>> main
     return -1;
 }
 
 /// Whether the triangles at a vertex form one ring.
-<<<<<<< HEAD
-static bool is_ring(const mesh *surface, int vertex)
-{
-    int all = 0, first = -1, size = 0;
-    for (int t = 0; t < surface->triangles; t++)
-        for (int i = 0; i < 3; i++)
-            if (surface->triangle[t][i] == vertex) {
-                all++;
-                first = surface->triangle[t][(i + 1) % 3];
-            }
-    int at = first;
-    do {
-        at = before_edge(surface, vertex, at);
-=======
 static bool is_ring(const mesh *m, int vertex)
 {
     int all = 0, first = -1, size = 0;
@@ -175,30 +119,11 @@ static bool is_ring(const mesh *m, int vertex)
     int at = first;
     do {
         at = before_edge(m, vertex, at);
->>>>>>> main
         size++;
     } while (at != first && size <= all);
     return all == 0 || size == all;
 }
 
-<<<<<<< HEAD
-static bool is_surface(const mesh *surface)
-{
-    for (int t = 0; t < surface->triangles; t++) {
-        for (int i = 0; i < 3; i++) {
-            int a = surface->triangle[t][i],
-                b = surface->triangle[t][(i + 1) % 3];
-            if (count_edge(surface, a, b) != 1 ||
-                count_edge(surface, b, a) != 1)
-                return false;
-        }
-        for (int s = 0; s < t; s++)
-            if (same_vertices(surface->triangle[s], surface->triangle[t]))
-                return false;
-    }
-    for (int v = 0; v < surface->vertices; v++)
-        if (!is_ring(surface, v))
-=======
 static bool is_surface(const mesh *m)
 {
     for (int t = 0; t < m->triangles; t++) {
@@ -213,38 +138,12 @@ static bool is_surface(const mesh *m)
     }
     for (int v = 0; v < m->vertices; v++)
         if (!is_ring(m, v))
->>>>>>> main
             return false;
     return true;
 }
 
 // Tests -----------------------------------------------------------------------
 
-<<<<<<< HEAD
-static void expect(const mesh *surface, int a, int b)
-{
-    char text[12 * TRIANGLES];
-    int length = 0;
-    for (int t = 0; t < surface->triangles; t++)
-        length +=
-            snprintf(text + length, sizeof text - (size_t)length, "%s%d %d %d",
-                     t == 0 ? "" : ", ", surface->triangle[t][0],
-                     surface->triangle[t][1], surface->triangle[t][2]);
-    check_input("edge %d %d of the triangles %s", a, b, text);
-    mesh after = collapsed(surface, a, b);
-    bool got;
-    check_value(got, may_collapse(surface->vertices, surface->triangles,
-                                  surface->triangle, a, b));
-    check_bool(is_surface(&after), got);
-}
-
-static void expect_all(const mesh *surface)
-{
-    for (int t = 0; t < surface->triangles; t++)
-        for (int i = 0; i < 3; i++)
-            expect(surface, surface->triangle[t][i],
-                   surface->triangle[t][(i + 1) % 3]);
-=======
 static void expect(const mesh *m, int a, int b)
 {
     char text[12 * TRIANGLES];
@@ -266,73 +165,38 @@ static void expect_all(const mesh *m)
     for (int t = 0; t < m->triangles; t++)
         for (int i = 0; i < 3; i++)
             expect(m, m->triangle[t][i], m->triangle[t][(i + 1) % 3]);
->>>>>>> main
 }
 
 TEST(a_tetrahedron)
 {
-<<<<<<< HEAD
-    mesh surface = tetrahedron();
-    expect_all(&surface);
-=======
     mesh m = tetrahedron();
     expect_all(&m);
->>>>>>> main
 }
 
 TEST(an_octahedron)
 {
-<<<<<<< HEAD
-    mesh surface = octahedron();
-    expect_all(&surface);
-=======
     mesh m = octahedron();
     expect_all(&m);
->>>>>>> main
 }
 
 TEST(a_torus_with_a_narrow_waist)
 {
-<<<<<<< HEAD
-    mesh surface = torus(6, 3);
-    expect_all(&surface);
-=======
     mesh m = torus(6, 3);
     expect_all(&m);
->>>>>>> main
 }
 
 TEST(a_vertex_of_three_triangles)
 {
-<<<<<<< HEAD
-    mesh surface = octahedron();
-    add_inside(&surface, 0);
-    add_inside(&surface, 5);
-    expect_all(&surface);
-=======
     mesh m = octahedron();
     add_inside(&m, 0);
     add_inside(&m, 5);
     expect_all(&m);
->>>>>>> main
 }
 
 TEST(after_random_collapses)
 {
     generator random = generator_new(0);
     for (int run = 0; run < 40; run++) {
-<<<<<<< HEAD
-        mesh surface = run % 3 == 0 ? torus(4, 5) : octahedron();
-        for (int i = 0; i < 12 && surface.triangles + 2 <= TRIANGLES; i++)
-            add_inside(&surface, below(&random, surface.triangles));
-        for (int i = 0; i < 60; i++) {
-            const int *t = surface.triangle[below(&random, surface.triangles)];
-            int a = t[0], b = t[1];
-            expect(&surface, a, b);
-            mesh after = collapsed(&surface, a, b);
-            if (is_surface(&after))
-                surface = after;
-=======
         mesh m = run % 3 == 0 ? torus(4, 5) : octahedron();
         for (int i = 0; i < 12 && m.triangles + 2 <= TRIANGLES; i++)
             add_inside(&m, below(&random, m.triangles));
@@ -343,7 +207,6 @@ TEST(after_random_collapses)
             mesh after = collapsed(&m, a, b);
             if (is_surface(&after))
                 m = after;
->>>>>>> main
         }
     }
 }

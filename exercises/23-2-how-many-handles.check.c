@@ -19,16 +19,9 @@ typedef struct mesh {
 
 // Surfaces --------------------------------------------------------------------
 
-<<<<<<< HEAD
-static void add(mesh *surface, int a, int b, int c)
-{
-    memcpy(surface->triangle[surface->triangles++], (int[]){a, b, c},
-           3 * sizeof(int));
-=======
 static void add(mesh *m, int a, int b, int c)
 {
     memcpy(m->triangle[m->triangles++], (int[]){a, b, c}, 3 * sizeof(int));
->>>>>>> main
 }
 
 static mesh tetrahedron(void)
@@ -38,44 +31,22 @@ static mesh tetrahedron(void)
 
 /// A ring of three vertices across and three around; the triangles of its
 /// squares follow each other.
-<<<<<<< HEAD
-static void add_ring(mesh *surface)
-{
-    int first = surface->vertices;
-    surface->vertices += RING;
-=======
 static void add_ring(mesh *m)
 {
     int first = m->vertices;
     m->vertices += RING;
->>>>>>> main
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++) {
             int k = (i + 1) % 3, l = (j + 1) % 3;
             int a = first + 3 * i + j, b = first + 3 * k + j;
             int c = first + 3 * k + l, d = first + 3 * i + l;
-<<<<<<< HEAD
-            add(surface, a, b, c);
-            add(surface, a, c, d);
-=======
             add(m, a, b, c);
             add(m, a, c, d);
->>>>>>> main
         }
 }
 
 /// Unites two parts: a triangle of each goes, and their vertices become the
 /// same.
-<<<<<<< HEAD
-static void unite(mesh *surface, int s, int t)
-{
-    int from[3], to[3] = {surface->triangle[s][0], surface->triangle[s][2],
-                          surface->triangle[s][1]};
-    memcpy(from, surface->triangle[t], sizeof from);
-    surface->triangle[s][0] = surface->triangle[t][0] = -1;
-    for (int i = 0; i < 3 * surface->triangles; i++) {
-        int *v = &surface->triangle[i / 3][i % 3];
-=======
 static void unite(mesh *m, int s, int t)
 {
     int from[3],
@@ -84,7 +55,6 @@ static void unite(mesh *m, int s, int t)
     m->triangle[s][0] = m->triangle[t][0] = -1;
     for (int i = 0; i < 3 * m->triangles; i++) {
         int *v = &m->triangle[i / 3][i % 3];
->>>>>>> main
         for (int k = 0; k < 3; k++)
             if (*v == from[k]) {
                 *v = to[k];
@@ -108,21 +78,6 @@ static mesh rings(int count)
 
 // Tests -----------------------------------------------------------------------
 
-<<<<<<< HEAD
-static void expect(int right, const mesh *surface)
-{
-    char text[12 * TRIANGLES], expected[16];
-    int length = 0;
-    for (int t = 0; t < surface->triangles; t++)
-        length +=
-            snprintf(text + length, sizeof text - (size_t)length, "%s%d %d %d",
-                     t == 0 ? "" : ", ", surface->triangle[t][0],
-                     surface->triangle[t][1], surface->triangle[t][2]);
-    check_input("%d vertices; triangles %s", surface->vertices, text);
-    int got;
-    check_value(got, count_handles(surface->vertices, surface->triangles,
-                                   (const int(*)[3])surface->triangle));
-=======
 static void expect(int right, const mesh *m)
 {
     char text[12 * TRIANGLES], expected[16];
@@ -135,60 +90,36 @@ static void expect(int right, const mesh *m)
     int got;
     check_value(got, count_handles(m->vertices, m->triangles,
                                    (const int(*)[3])m->triangle));
->>>>>>> main
     snprintf(expected, sizeof expected, "%d", right);
     check_that(got == right, expected, "%d", got);
 }
 
 TEST(a_ball)
 {
-<<<<<<< HEAD
-    mesh surface = tetrahedron();
-    expect(0, &surface);
-=======
     mesh m = tetrahedron();
     expect(0, &m);
->>>>>>> main
 }
 
 TEST(vertices_that_are_gone)
 {
-<<<<<<< HEAD
-    mesh surface = tetrahedron();
-    surface.vertices += 5;
-    expect(0, &surface);
-=======
     mesh m = tetrahedron();
     m.vertices += 5;
     expect(0, &m);
->>>>>>> main
 }
 
 TEST(gaps)
 {
-<<<<<<< HEAD
-    mesh surface = tetrahedron();
-    for (int i = 0; i < 6; i++)
-        add(&surface, -1, i, -1);
-    expect(0, &surface);
-=======
     mesh m = tetrahedron();
     for (int i = 0; i < 6; i++)
         add(&m, -1, i, -1);
     expect(0, &m);
->>>>>>> main
 }
 
 TEST(rings_in_a_row)
 {
     for (int count = 1; count <= MOST_RINGS; count++) {
-<<<<<<< HEAD
-        mesh surface = rings(count);
-        expect(count, &surface);
-=======
         mesh m = rings(count);
         expect(count, &m);
->>>>>>> main
     }
 }
 

@@ -97,22 +97,6 @@ static const witness witnesses[WITNESSES] = {
 // Trying ----------------------------------------------------------------------
 
 /// What becomes of a witness if these tests are left out.
-<<<<<<< HEAD
-static tf_outcome try_it(const witness *shown, unsigned left_out)
-{
-    const tf_mesh mesh = {.axes = 3,
-                          .vertices = shown->vertices,
-                          .triangles = shown->triangles,
-                          .triangle = shown->triangle[0]};
-    tf_adaptive_surface *surface;
-    TF_REQUIRE(tf_adaptive_create(&mesh, shown->place[0], &surface, NULL) ==
-               TF_OK);
-    tf_outcome outcome;
-    leave_out(left_out);
-    tf_status status = shown->flips
-                           ? tf_adaptive_flip(surface, 0, 1, &outcome)
-                           : tf_adaptive_move(surface, 0, shown->end, &outcome);
-=======
 static tf_outcome try_it(const witness *w, unsigned left_out)
 {
     const tf_mesh mesh = {.axes = 3,
@@ -126,23 +110,12 @@ static tf_outcome try_it(const witness *w, unsigned left_out)
     tf_status status = w->flips
                            ? tf_adaptive_flip(surface, 0, 1, &outcome)
                            : tf_adaptive_move(surface, 0, w->end, &outcome);
->>>>>>> main
     leave_out(0);
     TF_REQUIRE(status == TF_OK);
     tf_adaptive_free(surface);
     return outcome;
 }
 
-<<<<<<< HEAD
-static void print_numbers(FILE *numbers, const witness *shown)
-{
-    char key[32];
-    snprintf(key, sizeof key, "%s_refused", shown->key);
-    fig_number(numbers, key, try_it(shown, 0) == shown->refusal);
-    snprintf(key, sizeof key, "%s_alone", shown->key);
-    fig_number(numbers, key,
-               try_it(shown, 1U << shown->refusal) == TF_COMMITTED);
-=======
 static void print_numbers(FILE *numbers, const witness *w)
 {
     char key[32];
@@ -150,7 +123,6 @@ static void print_numbers(FILE *numbers, const witness *w)
     fig_number(numbers, key, try_it(w, 0) == w->refusal);
     snprintf(key, sizeof key, "%s_alone", w->key);
     fig_number(numbers, key, try_it(w, 1U << w->refusal) == TF_COMMITTED);
->>>>>>> main
 }
 
 // Drawing ---------------------------------------------------------------------
@@ -168,11 +140,7 @@ static void name_place(fig_panel *panel, tf_vector at, const char *text,
 }
 
 /// A flip: what is kept and added, and the flipped edge and its new place.
-<<<<<<< HEAD
-static void draw_flip(fig_panel *panel, const witness *shown)
-=======
 static void draw_flip(fig_panel *panel, const witness *w)
->>>>>>> main
 {
     static const int kept[2][3] = {{0, 4, 2}, {0, 3, 5}};
     static const int upper[1][3] = {{3, 2, 0}}, lower[1][3] = {{2, 3, 1}};
@@ -181,15 +149,9 @@ static void draw_flip(fig_panel *panel, const witness *w)
                                     FIG_SIDE_E};
     fig_scene *scene = fig_panel_scene(panel);
     tf_vector at[PLACES];
-<<<<<<< HEAD
-    for (int i = 0; i < shown->vertices; i++)
-        at[i] = fig_vector_of(shown->place[i]);
-    if (shown->refusal == TF_OVERLAPPED)
-=======
     for (int i = 0; i < w->vertices; i++)
         at[i] = fig_vector_of(w->place[i]);
     if (w->refusal == TF_OVERLAPPED)
->>>>>>> main
         fig_patch_triangles(scene, at, 1, lower, red);
     fig_patch_triangles(scene, at, 2, kept, green);
     fig_patch_triangles(scene, at, 1, upper, green);
@@ -205,18 +167,10 @@ static void draw_flip(fig_panel *panel, const witness *w)
     }
 }
 
-<<<<<<< HEAD
-static void draw_path(fig_panel *panel, const witness *shown)
-{
-    fig_scene *scene = fig_panel_scene(panel);
-    tf_vector from = fig_vector_of(shown->place[0]),
-              to = fig_vector_of(shown->end);
-=======
 static void draw_path(fig_panel *panel, const witness *w)
 {
     fig_scene *scene = fig_panel_scene(panel);
     tf_vector from = fig_vector_of(w->place[0]), to = fig_vector_of(w->end);
->>>>>>> main
     fig_scene_dashes(scene, from, to, FIG_WIDTH_LINE, 3,
                      (fig_paint){.role = FIG_ROLE_POINT});
     fig_scene_ball(scene, from, FIG_WIDTH_BALL,
@@ -235,23 +189,6 @@ static void mark(fig_scene *scene, double x, double y, double z)
 }
 
 /// A move: the surface before it, as its edges, and after it.
-<<<<<<< HEAD
-static void draw_move(fig_panel *panel, const witness *shown)
-{
-    fig_scene *scene = fig_panel_scene(panel);
-    tf_vector at[PLACES];
-    for (int i = 0; i < shown->vertices; i++)
-        at[i] = fig_vector_of(shown->place[i]);
-    for (int i = 1; i < 4; i++)
-        fig_scene_dashes(scene, at[0], at[i], FIG_WIDTH_THIN, 3,
-                         (fig_paint){.role = FIG_ROLE_INK});
-    draw_path(panel, shown);
-    at[0] = fig_vector_of(shown->end);
-    fig_patch_triangles(scene, at, 4, shown->triangle, green);
-    if (shown->refusal == TF_PASSED_VERTEX)
-        fig_patch_triangles(scene, at, 4, shown->triangle + 4, red);
-    else if (shown->refusal == TF_PASSED_EDGE)
-=======
 static void draw_move(fig_panel *panel, const witness *w)
 {
     fig_scene *scene = fig_panel_scene(panel);
@@ -267,7 +204,6 @@ static void draw_move(fig_panel *panel, const witness *w)
     if (w->refusal == TF_PASSED_VERTEX)
         fig_patch_triangles(scene, at, 4, w->triangle + 4, red);
     else if (w->refusal == TF_PASSED_EDGE)
->>>>>>> main
         mark(scene, 0, 0, -1);
     else
         mark(scene, -1.0 / 3, -1.0 / 3, -1.0 / 3);
@@ -283,22 +219,6 @@ static fig_box box_of(int i)
 static void draw(fig_page *page, FILE *numbers)
 {
     for (int i = 0; i < WITNESSES; i++) {
-<<<<<<< HEAD
-        const witness *shown = &witnesses[i];
-        fig_box box = box_of(i);
-        fig_panel *panel = fig_page_panel(page, box);
-        fig_panel_look(panel,
-                       (fig_camera){.azimuth = shown->flips ? 0 : 64,
-                                    .elevation = shown->flips ? 90 : 22});
-        fig_panel_margin(panel, 15);
-        if (shown->flips)
-            draw_flip(panel, shown);
-        else
-            draw_move(panel, shown);
-        fig_page_text(page, box.x + 10, box.y + 14, FIG_ALIGN_CENTER,
-                      shown->title, FIG_LETTERS_TITLE, FIG_ROLE_INK);
-        print_numbers(numbers, shown);
-=======
         const witness *w = &witnesses[i];
         fig_box box = box_of(i);
         fig_panel *panel = fig_page_panel(page, box);
@@ -312,7 +232,6 @@ static void draw(fig_page *page, FILE *numbers)
         fig_page_text(page, box.x + 10, box.y + 14, FIG_ALIGN_CENTER, w->title,
                       FIG_LETTERS_TITLE, FIG_ROLE_INK);
         print_numbers(numbers, w);
->>>>>>> main
     }
 }
 

@@ -31,21 +31,13 @@ static still still_of(const fig_flow_plan *plan)
 }
 
 static void print_still(FILE *numbers, const fig_flow_plan *plan,
-<<<<<<< HEAD
-                        const still *shown)
-=======
                         const still *s)
->>>>>>> main
 {
     char key[64];
     snprintf(key, sizeof key, "step_%s", plan->scene);
     fig_number(numbers, key, plan->steps);
     snprintf(key, sizeof key, "triangles_%s", plan->scene);
-<<<<<<< HEAD
-    fig_number(numbers, key, last_frame(shown->run)->measures.triangles);
-=======
     fig_number(numbers, key, last_frame(s->run)->measures.triangles);
->>>>>>> main
 }
 
 static void draw(fig_page *page, FILE *numbers)

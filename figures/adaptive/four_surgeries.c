@@ -102,21 +102,12 @@ static const surgery surgeries[SURGERIES] = {
 static const double row_height = 88;
 
 /// The vertices; between the patches those of both.
-<<<<<<< HEAD
-static void draw_places(fig_panel *panel, const surgery *made, int row)
-{
-    fig_scene *scene = fig_panel_scene(panel);
-    int shown = row == SWEPT ? 3 : row < SWEPT ? 1 : 2;
-    for (int i = 0; i < made->places; i++) {
-        const named *place = &made->place[i];
-=======
 static void draw_places(fig_panel *panel, const surgery *s, int row)
 {
     fig_scene *scene = fig_panel_scene(panel);
     int shown = row == SWEPT ? 3 : row < SWEPT ? 1 : 2;
     for (int i = 0; i < s->places; i++) {
         const named *place = &s->place[i];
->>>>>>> main
         fig_scene_reach(scene, place->at);
         if ((place->patches & shown) == 0)
             continue;
@@ -131,27 +122,13 @@ static void draw_places(fig_panel *panel, const surgery *s, int row)
     }
 }
 
-<<<<<<< HEAD
-static void draw_row(fig_page *page, fig_box box, const surgery *made, int row)
-=======
 static void draw_row(fig_page *page, fig_box box, const surgery *s, int row)
->>>>>>> main
 {
     fig_panel *panel = fig_page_panel(page, box);
     fig_panel_look(panel, (fig_camera){.azimuth = -18, .elevation = 38});
     fig_panel_margin(panel, 13);
     fig_scene *scene = fig_panel_scene(panel);
     tf_vector at[PLACES];
-<<<<<<< HEAD
-    for (int i = 0; i < made->places; i++)
-        at[i] = made->place[i].at;
-    draw_places(panel, made, row);
-    if (row == SWEPT) {
-        for (int i = 0; i < made->sweeps; i++)
-            fig_patch_swept(scene, at, made->sweep[i]);
-    } else {
-        const patch *shown = &made->patch[row / 2];
-=======
     for (int i = 0; i < s->places; i++)
         at[i] = s->place[i].at;
     draw_places(panel, s, row);
@@ -160,33 +137,17 @@ static void draw_row(fig_page *page, fig_box box, const surgery *s, int row)
             fig_patch_swept(scene, at, s->sweep[i]);
     } else {
         const patch *shown = &s->patch[row / 2];
->>>>>>> main
         fig_patch_triangles(
             scene, at, shown->count, shown->triangle,
             (fig_paint){.role = FIG_ROLE_TRIANGLE, .opacity = 0.92});
     }
-<<<<<<< HEAD
-    fig_patch_outline(scene, at, made->corners, made->outline,
-=======
     fig_patch_outline(scene, at, s->corners, s->outline,
->>>>>>> main
                       (fig_paint){.role = FIG_ROLE_TRIANGLE, .shade = 0.35});
 }
 
 /// What becomes of a surgery on a surface that is only the patch.
 static tf_outcome try_surgery(int i)
 {
-<<<<<<< HEAD
-    const surgery *made = &surgeries[i];
-    double place[PLACES][3];
-    for (int v = 0; v < made->places; v++)
-        for (int k = 0; k < 3; k++)
-            place[v][k] = made->place[v].at.x[k];
-    const tf_mesh mesh = {.axes = 3,
-                          .vertices = made->places,
-                          .triangles = made->patch[0].count,
-                          .triangle = made->patch[0].triangle[0]};
-=======
     const surgery *s = &surgeries[i];
     double place[PLACES][3];
     for (int v = 0; v < s->places; v++)
@@ -196,7 +157,6 @@ static tf_outcome try_surgery(int i)
                           .vertices = s->places,
                           .triangles = s->patch[0].count,
                           .triangle = s->patch[0].triangle[0]};
->>>>>>> main
     tf_adaptive_surface *surface;
     tf_outcome outcome;
     int vertex;
@@ -215,15 +175,6 @@ static void draw(fig_page *page, FILE *numbers)
 {
     double width = fig_page_width(page) / SURGERIES;
     for (int i = 0; i < SURGERIES; i++) {
-<<<<<<< HEAD
-        const surgery *made = &surgeries[i];
-        for (int row = 0; row < ROWS; row++) {
-            fig_box box = {width * i, 16 + row_height * row, width, row_height};
-            draw_row(page, box, made, row);
-        }
-        fig_page_text(page, width * (i + 0.5), 12, FIG_ALIGN_CENTER,
-                      made->title, FIG_LETTERS_SMALL, FIG_ROLE_INK);
-=======
         const surgery *s = &surgeries[i];
         for (int row = 0; row < ROWS; row++) {
             fig_box box = {width * i, 16 + row_height * row, width, row_height};
@@ -231,7 +182,6 @@ static void draw(fig_page *page, FILE *numbers)
         }
         fig_page_text(page, width * (i + 0.5), 12, FIG_ALIGN_CENTER, s->title,
                       FIG_LETTERS_SMALL, FIG_ROLE_INK);
->>>>>>> main
     }
     int done = 0;
     for (int i = 0; i < SURGERIES; i++)

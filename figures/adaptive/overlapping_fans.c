@@ -58,47 +58,22 @@ static tf_vector place_of(const double at[2])
     return (tf_vector){{at[0], at[1], 0}};
 }
 
-<<<<<<< HEAD
-static void draw_triangle(fig_panel *panel, const fan *shown, int i,
-                          fig_role role)
-{
-    tf_vector corner[3];
-    for (int j = 0; j < 3; j++)
-        corner[j] = place_of(shown->place[shown->triangle[i][j]].at);
-=======
 static void draw_triangle(fig_panel *panel, const fan *f, int i, fig_role role)
 {
     tf_vector corner[3];
     for (int j = 0; j < 3; j++)
         corner[j] = place_of(f->place[f->triangle[i][j]].at);
->>>>>>> main
     fig_panel_fill(panel, 3, corner, (fig_paint){.role = role, .opacity = 0.3});
     fig_panel_line(panel, 3, corner,
                    (fig_stroke){.paint = {.role = role}, .closed = true});
 }
 
-<<<<<<< HEAD
-static void draw_fan(fig_page *page, fig_box box, const fan *shown)
-=======
 static void draw_fan(fig_page *page, fig_box box, const fan *f)
->>>>>>> main
 {
     fig_panel *panel = fig_page_panel(page, box);
     fig_panel_look(panel, (fig_camera){.elevation = 90});
     fig_panel_fix(panel);
     fig_panel_margin(panel, 18);
-<<<<<<< HEAD
-    for (int i = 0; i < shown->places; i++)
-        fig_scene_reach(fig_panel_scene(panel), place_of(shown->place[i].at));
-    draw_triangle(panel, shown, 0, FIG_ROLE_EDGE);
-    draw_triangle(panel, shown, 1, FIG_ROLE_TRIANGLE);
-    tf_vector cut[2] = {place_of(shown->cut[0]), place_of(shown->cut[1])};
-    fig_panel_line(panel, 2, cut,
-                   (fig_stroke){.paint = {.role = FIG_ROLE_CONTACT},
-                                .width = FIG_WIDTH_TUBE});
-    for (int i = 0; i < shown->places; i++) {
-        tf_vector at = place_of(shown->place[i].at);
-=======
     for (int i = 0; i < f->places; i++)
         fig_scene_reach(fig_panel_scene(panel), place_of(f->place[i].at));
     draw_triangle(panel, f, 0, FIG_ROLE_EDGE);
@@ -109,39 +84,17 @@ static void draw_fan(fig_page *page, fig_box box, const fan *f)
                                 .width = FIG_WIDTH_TUBE});
     for (int i = 0; i < f->places; i++) {
         tf_vector at = place_of(f->place[i].at);
->>>>>>> main
         fig_scene_ball(
             fig_panel_scene(panel), at, i == 0 ? FIG_WIDTH_BALL : 4,
             (fig_paint){.role = i == 0 ? FIG_ROLE_POINT : FIG_ROLE_INK});
-        fig_panel_label(
-            panel, at,
-<<<<<<< HEAD
-            (fig_label) {
-                .text = shown->place[i].name, .size = FIG_LETTERS_SMALL,
-                .side = shown->place[i].side,
-=======
+        fig_panel_label(panel, at,
                         (fig_label){.text = f->place[i].name,
                                     .size = FIG_LETTERS_SMALL,
                                     .side = f->place[i].side,
->>>>>>> main
-                .gap = 4
-            });
+                                    .gap = 4});
     }
 }
 
-<<<<<<< HEAD
-static bool is_overlap(const fan *shown)
-{
-    double place[CORNERS][3] = {{0}};
-    tf_facet facet[2];
-    for (int i = 0; i < shown->places; i++)
-        for (int k = 0; k < 2; k++)
-            place[i][k] = shown->place[i].at[k];
-    for (int i = 0; i < 2; i++)
-        for (int j = 0; j < 3; j++) {
-            facet[i].vertex[j] = shown->triangle[i][j];
-            facet[i].corner[j] = place[shown->triangle[i][j]];
-=======
 static bool is_overlap(const fan *f)
 {
     double place[CORNERS][3] = {{0}};
@@ -153,7 +106,6 @@ static bool is_overlap(const fan *f)
         for (int j = 0; j < 3; j++) {
             facet[i].vertex[j] = f->triangle[i][j];
             facet[i].corner[j] = place[f->triangle[i][j]];
->>>>>>> main
         }
     return tf_facets_overlap(&facet[0], &facet[1]);
 }

@@ -24,26 +24,19 @@ typedef struct tetrahedron {
     tf_vector corner[CORNERS];
 } tetrahedron;
 
-static tetrahedron at_time(const fig_turning *turning, double t)
+static tetrahedron at_time(const fig_turning *of, double t)
 {
     tetrahedron made;
     for (int i = 0; i < CORNERS; i++)
         for (int k = 0; k < 3; k++)
             made.corner[i].x[k] =
-                i == 0 ? (1 - t) * start[0][k] + t * turning->end[k]
-                       : start[i][k];
+                i == 0 ? (1 - t) * start[0][k] + t * of->end[k] : start[i][k];
     return made;
 }
 
-<<<<<<< HEAD
-static double volume(const tetrahedron *solid)
-{
-    const tf_vector *x = solid->corner;
-=======
 static double volume(const tetrahedron *t)
 {
     const tf_vector *x = t->corner;
->>>>>>> main
     tf_vector u = fig_difference(x[1], x[0]), v = fig_difference(x[2], x[0]),
               w = fig_difference(x[3], x[0]);
     return -tf_vector_dot(fig_cross(u, v), w) / 6;
@@ -83,20 +76,12 @@ static void draw_face(fig_scene *scene, fig_camera from,
 }
 
 static void draw_tetrahedron(fig_scene *scene, fig_camera from,
-<<<<<<< HEAD
-                             const tetrahedron *solid)
-=======
                              const tetrahedron *t)
->>>>>>> main
 {
     for (int i = 0; i < FACES; i++) {
         tf_vector corner[3];
         for (int j = 0; j < 3; j++)
-<<<<<<< HEAD
-            corner[j] = upright(solid->corner[faces[i][j]]);
-=======
             corner[j] = upright(t->corner[faces[i][j]]);
->>>>>>> main
         draw_face(scene, from, corner);
     }
 }

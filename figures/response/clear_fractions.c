@@ -26,18 +26,6 @@ typedef struct step {
 } step;
 
 /// The same step with all displacements scaled, and rounded.
-<<<<<<< HEAD
-static step scaled(const step *shown, double fraction)
-{
-    step made = *shown;
-    for (int v = 0; v < shown->vertices + shown->others; v++) {
-        const double *start = shown->line[v].at[0].x;
-        double end[TF_AXES];
-        for (int k = 0; k < shown->axes; k++)
-            end[k] =
-                start[k] + fraction * (shown->line[v].at[1].x[k] - start[k]);
-        made.line[v] = tf_worldline_between(shown->axes, start, end);
-=======
 static step scaled(const step *s, double fraction)
 {
     step made = *s;
@@ -47,25 +35,10 @@ static step scaled(const step *s, double fraction)
         for (int k = 0; k < s->axes; k++)
             end[k] = start[k] + fraction * (s->line[v].at[1].x[k] - start[k]);
         made.line[v] = tf_worldline_between(s->axes, start, end);
->>>>>>> main
     }
     return made;
 }
 
-<<<<<<< HEAD
-static tf_contact find_contact(const step *shown)
-{
-    tf_contact contact;
-    TF_REQUIRE(tf_query(&tf_exact, shown->axes, shown->vertices, shown->line,
-                        shown->others, shown->line + shown->vertices,
-                        &contact) == TF_OK);
-    return contact;
-}
-
-static bool is_clear(const step *shown, double fraction)
-{
-    step part = scaled(shown, fraction);
-=======
 static tf_contact find_contact(const step *s)
 {
     tf_contact contact;
@@ -77,7 +50,6 @@ static tf_contact find_contact(const step *s)
 static bool is_clear(const step *s, double fraction)
 {
     step part = scaled(s, fraction);
->>>>>>> main
     return find_contact(&part).verdict != TF_HIT;
 }
 
@@ -155,11 +127,7 @@ static void draw_path(fig_page *page, const fig_plot *plot, int count,
 }
 
 /// The edge at one time of a step, and where it starts.
-<<<<<<< HEAD
-static void draw_time(fig_page *page, fig_box box, const step *shown, double t,
-=======
 static void draw_time(fig_page *page, fig_box box, const step *s, double t,
->>>>>>> main
                       const char *title)
 {
     fig_plot plot = {.box = box, .x = {-0.1, 1.15}, .y = {-0.12, 0.94}};
@@ -167,11 +135,7 @@ static void draw_time(fig_page *page, fig_box box, const step *s, double t,
                       (fig_paint){.role = FIG_ROLE_NEUTRAL, .opacity = 0.09});
     for (int i = 0; i < 2; i++) {
         tf_vector edge[3];
-<<<<<<< HEAD
-        fig_world_of_edge(shown->line + 1, i == 0 ? 0 : t, edge);
-=======
         fig_world_of_edge(s->line + 1, i == 0 ? 0 : t, edge);
->>>>>>> main
         for (int k = 0; k < 3; k++)
             edge[k] = fig_vector_of(edge[k].x);
         draw_path(page, &plot, 3, edge,
@@ -179,20 +143,11 @@ static void draw_time(fig_page *page, fig_box box, const step *s, double t,
                                          .shade = i == 0 ? -0.45 : 0},
                                .width = FIG_WIDTH_TUBE});
     }
-<<<<<<< HEAD
-    step until = *shown;
-    tf_contact contact = find_contact(&until);
-    bool touching = fabs(fig_toi(&contact) - t) < 1e-9;
-    fig_plot_dot(page, &plot, shown->line[0].at[0].x[0],
-                 shown->line[0].at[0].x[1], FIG_WIDTH_BALL,
-                 touching ? FIG_ROLE_CONTACT : FIG_ROLE_POINT);
-=======
     step until = *s;
     tf_contact contact = find_contact(&until);
     bool touching = fabs(fig_toi(&contact) - t) < 1e-9;
     fig_plot_dot(page, &plot, s->line[0].at[0].x[0], s->line[0].at[0].x[1],
                  FIG_WIDTH_BALL, touching ? FIG_ROLE_CONTACT : FIG_ROLE_POINT);
->>>>>>> main
     fig_page_title(page, box, title);
 }
 
@@ -210,20 +165,6 @@ static void draw_mark(fig_page *page, fig_box box, double fraction,
 }
 
 /// Whether the i-th cell of the scale is clear, in its middle.
-<<<<<<< HEAD
-static bool is_clear_at(const step *shown, int i)
-{
-    return is_clear(shown, (i + 0.5) / CELLS);
-}
-
-/// All fractions of the step: those with a contact are red.
-static void draw_scale(fig_page *page, fig_box box, const step *shown,
-                       double toi)
-{
-    for (int i = 0, next; i < CELLS; i = next) {
-        bool clear = is_clear_at(shown, i);
-        for (next = i + 1; next < CELLS && is_clear_at(shown, next) == clear;)
-=======
 static bool is_clear_at(const step *s, int i)
 {
     return is_clear(s, (i + 0.5) / CELLS);
@@ -235,7 +176,6 @@ static void draw_scale(fig_page *page, fig_box box, const step *s, double toi)
     for (int i = 0, next; i < CELLS; i = next) {
         bool clear = is_clear_at(s, i);
         for (next = i + 1; next < CELLS && is_clear_at(s, next) == clear;)
->>>>>>> main
             next++;
         fig_box run = {box.x + i * box.width / CELLS, box.y,
                        (next - i) * box.width / CELLS, box.height};

@@ -48,11 +48,11 @@ static double between(uint64_t *state, double low, double high)
 }
 
 /// On which side of its edge the point is, exactly; 1: on the left.
-static int side_of(const pair *given)
+static int side_of(const pair *of)
 {
     tf_event event[3] = {{{0}, 0, 0}};
     for (int i = 0; i < 3; i++)
-        memcpy(event[i].x, given->x[i], sizeof given->x[i]);
+        memcpy(event[i].x, of->x[i], sizeof of->x[i]);
     tf_differences differences = {.n = 2,
                                   .to = {&event[1], &event[2]},
                                   .from = {&event[0], &event[0]},
@@ -79,41 +79,26 @@ static pair pair_at(uint64_t *state, double distance)
     return made;
 }
 
-<<<<<<< HEAD
-static pair translate(const pair *given, const double by[2])
-{
-    pair moved = *given;
-=======
 static pair translate(const pair *p, const double by[2])
 {
     pair moved = *p;
->>>>>>> main
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < 2; k++)
             moved.x[i][k] += by[k];
     return moved;
 }
 
-static pair turn(const pair *given, double angle)
+static pair turn(const pair *of, double angle)
 {
     double c = cos(angle), s = sin(angle);
     pair moved;
     for (int i = 0; i < 3; i++) {
-        moved.x[i][0] = c * given->x[i][0] - s * given->x[i][1];
-        moved.x[i][1] = s * given->x[i][0] + c * given->x[i][1];
+        moved.x[i][0] = c * of->x[i][0] - s * of->x[i][1];
+        moved.x[i][1] = s * of->x[i][0] + c * of->x[i][1];
     }
     return moved;
 }
 
-<<<<<<< HEAD
-static pair move_at_random(uint64_t *state, move how, const pair *given)
-{
-    if (how == TURNED)
-        return turn(given, between(state, 0, 2 * acos(-1)));
-    double most = how == FAR ? 100 : 1;
-    double by[2] = {between(state, -most, most), between(state, -most, most)};
-    return translate(given, by);
-=======
 static pair move_at_random(uint64_t *state, move how, const pair *p)
 {
     if (how == TURNED)
@@ -121,7 +106,6 @@ static pair move_at_random(uint64_t *state, move how, const pair *p)
     double most = how == FAR ? 100 : 1;
     double by[2] = {between(state, -most, most), between(state, -most, most)};
     return translate(p, by);
->>>>>>> main
 }
 
 /// How many percent of the points are no longer on the left.

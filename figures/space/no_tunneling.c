@@ -82,19 +82,11 @@ typedef struct step {
 // The step --------------------------------------------------------------------
 
 /// The i-th edge of a loop, in the order of its vertices' indices.
-<<<<<<< HEAD
-static void find_edge(const loop *around, int i, tf_worldline edge[2])
-{
-    bool closes = i == around->count - 1;
-    edge[0] = around->vertex[closes ? 0 : i];
-    edge[1] = around->vertex[closes ? i : i + 1];
-=======
 static void find_edge(const loop *l, int i, tf_worldline edge[2])
 {
     bool closes = i == l->count - 1;
     edge[0] = l->vertex[closes ? 0 : i];
     edge[1] = l->vertex[closes ? i : i + 1];
->>>>>>> main
 }
 
 static void move(step *s)
@@ -146,18 +138,6 @@ static int count_contacts(const step *s)
 // At one time -----------------------------------------------------------------
 
 /// The vertices of a loop at the time t, and after each the crease of its edge.
-<<<<<<< HEAD
-static bent_loop bend(const loop *around, double t)
-{
-    bent_loop bent = {.count = 2 * around->count};
-    for (int i = 0; i < around->count; i++) {
-        tf_worldline edge[2];
-        find_edge(around, i, edge);
-        tf_worldline pair = {{edge[0].at[0], edge[1].at[1]}};
-        bent.place[(ptrdiff_t)2 * i] =
-            fig_worldline_place(&around->vertex[i], around->axes, t);
-        bent.place[2 * i + 1] = fig_worldline_place(&pair, around->axes, t);
-=======
 static bent_loop bend(const loop *l, double t)
 {
     bent_loop bent = {.count = 2 * l->count};
@@ -168,7 +148,6 @@ static bent_loop bend(const loop *l, double t)
         bent.place[(ptrdiff_t)2 * i] =
             fig_worldline_place(&l->vertex[i], l->axes, t);
         bent.place[2 * i + 1] = fig_worldline_place(&pair, l->axes, t);
->>>>>>> main
     }
     return bent;
 }
@@ -236,17 +215,6 @@ static fig_panel *begin_panel(fig_page *page, fig_box box, fig_camera camera)
     return panel;
 }
 
-<<<<<<< HEAD
-static void add_loop(fig_scene *scene, const loop *around, double t,
-                     fig_role role)
-{
-    for (int at = 0; at < 2; at++) {
-        bent_loop end = bend(around, at);
-        for (int i = 0; i < end.count; i++)
-            fig_scene_reach(scene, end.place[i]);
-    }
-    bent_loop bent = bend(around, t);
-=======
 static void add_loop(fig_scene *scene, const loop *l, double t, fig_role role)
 {
     for (int at = 0; at < 2; at++) {
@@ -255,7 +223,6 @@ static void add_loop(fig_scene *scene, const loop *l, double t, fig_role role)
             fig_scene_reach(scene, end.place[i]);
     }
     bent_loop bent = bend(l, t);
->>>>>>> main
     for (int i = 0; i < bent.count; i++) {
         fig_scene_tube(scene, bent.place[i], bent.place[(i + 1) % bent.count],
                        FIG_WIDTH_TUBE, (fig_paint){.role = role});

@@ -190,12 +190,12 @@ static bool find_type(const reader *r, const char *name, const ply_type **found)
 }
 
 /// The corners of a face are a list; all others that have a role are none.
-static int role_named(int elements, bool list, const char *name)
+static int role_named(int of, bool list, const char *name)
 {
-    if (elements == NONE || list != (elements == FACES))
+    if (of == NONE || list != (of == FACES))
         return NONE;
-    int role = place_of(name, role_names[elements], 3);
-    return elements == FACES && role > 0 ? 0 : role;
+    int role = place_of(name, role_names[of], 3);
+    return of == FACES && role > 0 ? 0 : role;
 }
 
 static bool read_property(reader *r, const tf_quoted word[])
@@ -207,45 +207,21 @@ static bool read_property(reader *r, const tf_quoted word[])
         return tf_text_fault(
             &r->text,
             "a property before all elements; write an element line first");
-<<<<<<< HEAD
-    element *e = &r->element[r->elements - 1];
-    if ((list && !find_type(r, word[1].text, &made.length)) ||
-        !find_type(r, item[0].text, &made.item))
-        return false;
-    made.role = role_named(e->target, list, item[1].text);
-    if (e->properties == PROPERTIES)
-=======
     ply_element *element = &r->element[r->elements - 1];
     if ((list && !find_type(r, word[1].text, &made.length)) ||
         !find_type(r, item[0].text, &made.item))
         return false;
     made.role = role_named(element->target, list, item[1].text);
     if (element->properties == PROPERTIES)
->>>>>>> main
         return tf_text_fault(&r->text,
                              "more than %d properties; delete those that are "
                              "no coordinates or indices",
                              PROPERTIES);
-<<<<<<< HEAD
-    e->property[e->properties++] = made;
-=======
     element->property[element->properties++] = made;
->>>>>>> main
     return true;
 }
 
 //: Check a declaration
-<<<<<<< HEAD
-static bool declares(const element *e, int role)
-{
-    bool found = false;
-    for (int i = 0; i < e->properties; i++)
-        found |= e->property[i].role == role;
-    return found;
-}
-
-static bool check_element(const reader *r, const element *e)
-=======
 static bool declares(const ply_element *element, int role)
 {
     bool found = false;
@@ -255,7 +231,6 @@ static bool declares(const ply_element *element, int role)
 }
 
 static bool check_element(const reader *r, const ply_element *element)
->>>>>>> main
 {
     static const char *const faults[] = {
         [VERTICES] = "the vertices have no x or no y; declare the properties "
@@ -265,17 +240,11 @@ static bool check_element(const reader *r, const ply_element *element)
         [EDGES] = "the edges have no ends; declare the properties int vertex1 "
                   "and int vertex2",
     };
-<<<<<<< HEAD
-    return e->target == NONE ||
-           (declares(e, 0) && (e->target == FACES || declares(e, 1))) ||
-           tf_mesh_file_fault(r->file, e->line, "%s", faults[e->target]);
-=======
     return element->target == NONE ||
            (declares(element, 0) &&
             (element->target == FACES || declares(element, 1))) ||
            tf_mesh_file_fault(r->file, element->line, "%s",
                               faults[element->target]);
->>>>>>> main
 }
 
 static bool check_header(const reader *r)
@@ -346,21 +315,12 @@ static uint64_t gather_bytes(const reader *r, int bytes)
     return number;
 }
 
-<<<<<<< HEAD
-static double decode(const type *given, uint64_t bits)
-{
-    if (given->kind == UNSIGNED)
-        return (double)bits;
-    if (given->kind == SIGNED) {
-        uint64_t sign = UINT64_C(1) << (8 * given->bytes - 1);
-=======
 static double decode(const ply_type *type, uint64_t bits)
 {
     if (type->kind == UNSIGNED)
         return (double)bits;
     if (type->kind == SIGNED) {
         uint64_t sign = UINT64_C(1) << (8 * type->bytes - 1);
->>>>>>> main
         return (double)(int64_t)((bits ^ sign) - sign);
     }
     double wide;
@@ -368,11 +328,7 @@ static double decode(const ply_type *type, uint64_t bits)
     uint32_t low = (uint32_t)bits;
     memcpy(&wide, &bits, sizeof wide);
     memcpy(&narrow, &low, sizeof narrow);
-<<<<<<< HEAD
-    return given->bytes == 8 ? wide : (double)narrow;
-=======
     return type->bytes == 8 ? wide : (double)narrow;
->>>>>>> main
 }
 
 static bool fault_in_end(const reader *r)
@@ -393,20 +349,12 @@ static void skip_blank_lines(tf_text *text)
 }
 
 /// Finds the next value, in text in the same line.
-<<<<<<< HEAD
-static bool find_value(reader *r, const type *given)
-=======
 static bool find_value(reader *r, const ply_type *type)
->>>>>>> main
 {
     tf_text *text = &r->text;
     if (is_text(r))
         tf_text_skip_blanks(text);
-<<<<<<< HEAD
-    if (r->end - text->at < (is_text(r) ? 1 : given->bytes))
-=======
     if (r->end - text->at < (is_text(r) ? 1 : type->bytes))
->>>>>>> main
         return fault_in_end(r);
     return !is_text(r) || *text->at != '\n' ||
            tf_text_fault(text, "the line ends too early; it must have all that "
@@ -414,16 +362,6 @@ static bool find_value(reader *r, const ply_type *type)
 }
 
 //: Read or skip a value
-<<<<<<< HEAD
-static bool read_number(reader *r, const type *given, double *number)
-{
-    if (!find_value(r, given))
-        return false;
-    if (is_text(r))
-        return tf_text_read_number(&r->text, " \t\r\n", number);
-    *number = decode(given, gather_bytes(r, given->bytes));
-    r->text.at += given->bytes;
-=======
 static bool read_number(reader *r, const ply_type *type, double *number)
 {
     if (!find_value(r, type))
@@ -432,44 +370,26 @@ static bool read_number(reader *r, const ply_type *type, double *number)
         return tf_text_read_number(&r->text, " \t\r\n", number);
     *number = decode(type, gather_bytes(r, type->bytes));
     r->text.at += type->bytes;
->>>>>>> main
     return true;
 }
 
 /// In text a word may be skipped that is no number, not even a finite one.
-<<<<<<< HEAD
-static bool skip_value(reader *r, const type *given)
-{
-    if (!find_value(r, given))
-        return false;
-    size_t length =
-        is_text(r) ? strcspn(r->text.at, " \t\r\n") : (size_t)given->bytes;
-=======
 static bool skip_value(reader *r, const ply_type *type)
 {
     if (!find_value(r, type))
         return false;
     size_t length =
         is_text(r) ? strcspn(r->text.at, " \t\r\n") : (size_t)type->bytes;
->>>>>>> main
     r->text.at += length;
     return length > 0 || tf_text_fault_in_nul(&r->text);
 }
 
 //: Read an index
-<<<<<<< HEAD
-static bool read_index(reader *r, const type *given, int *index)
-{
-    long at = place(r);
-    double number;
-    if (!read_number(r, given, &number))
-=======
 static bool read_index(reader *r, const ply_type *type, int *index)
 {
     long at = place(r);
     double number;
     if (!read_number(r, type, &number))
->>>>>>> main
         return false;
     if (!(number >= 0 && number <= INT_MAX && number == floor(number)))
         return tf_mesh_file_fault(
@@ -482,15 +402,6 @@ static bool read_index(reader *r, const ply_type *type, int *index)
 
 //: Read a list
 /// Reads the corners of a face, or skips another list.
-<<<<<<< HEAD
-static bool read_list(reader *r, const property *given, int corner[3])
-{
-    long at = place(r);
-    int length = 0;
-    if (!read_index(r, given->length, &length))
-        return false;
-    bool corners = given->role != NONE;
-=======
 static bool read_list(reader *r, const ply_property *property, int corner[3])
 {
     long at = place(r);
@@ -498,7 +409,6 @@ static bool read_list(reader *r, const ply_property *property, int corner[3])
     if (!read_index(r, property->length, &length))
         return false;
     bool corners = property->role != NONE;
->>>>>>> main
     if (corners && length != 3)
         return tf_mesh_file_fault(
             r->file, at,
@@ -507,13 +417,8 @@ static bool read_list(reader *r, const ply_property *property, int corner[3])
                        : "a face with %d corners; each must have three",
             length);
     for (int i = 0; i < length; i++)
-<<<<<<< HEAD
-        if (corners ? !read_index(r, given->item, &corner[i])
-                    : !skip_value(r, given->item))
-=======
         if (corners ? !read_index(r, property->item, &corner[i])
                     : !skip_value(r, property->item))
->>>>>>> main
             return false;
     return true;
 }
@@ -525,40 +430,16 @@ typedef struct item {
     int vertex[3];
 } item;
 
-<<<<<<< HEAD
-static bool read_coordinate(reader *r, const type *given, double *x)
-{
-    long at = place(r);
-    return read_number(r, given, x) &&
-=======
 static bool read_coordinate(reader *r, const ply_type *type, double *x)
 {
     long at = place(r);
     return read_number(r, type, x) &&
->>>>>>> main
            (isfinite(*x) ||
             tf_mesh_file_fault(r->file, at,
                                "a coordinate is infinite or NaN; write finite "
                                "numbers"));
 }
 
-<<<<<<< HEAD
-static bool read_value(reader *r, int to, const property *given, item *made)
-{
-    if (given->length)
-        return read_list(r, given, made->vertex);
-    if (given->role == NONE)
-        return skip_value(r, given->item);
-    return to == VERTICES
-               ? read_coordinate(r, given->item, &made->x[given->role])
-               : read_index(r, given->item, &made->vertex[given->role]);
-}
-
-static bool read_values(reader *r, const element *e, item *made)
-{
-    for (int i = 0; i < e->properties; i++)
-        if (!read_value(r, e->target, &e->property[i], made))
-=======
 static bool read_value(reader *r, int to, const ply_property *property,
                        item *made)
 {
@@ -575,7 +456,6 @@ static bool read_values(reader *r, const ply_element *element, item *made)
 {
     for (int i = 0; i < element->properties; i++)
         if (!read_value(r, element->target, &element->property[i], made))
->>>>>>> main
             return false;
     return true;
 }
@@ -607,23 +487,14 @@ static bool end_item(reader *r)
                                  "element; begin each element on a new line");
 }
 
-<<<<<<< HEAD
-static bool read_item(reader *r, const element *e)
-=======
 static bool read_item(reader *r, const ply_element *element)
->>>>>>> main
 {
     item made = {0};
     if (is_text(r))
         skip_blank_lines(&r->text);
     long at = place(r);
-<<<<<<< HEAD
-    return read_values(r, e, &made) && end_item(r) &&
-           add_item(r, e->target, &made, at);
-=======
     return read_values(r, element, &made) && end_item(r) &&
            add_item(r, element->target, &made, at);
->>>>>>> main
 }
 
 //: Read what follows the header

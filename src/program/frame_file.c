@@ -56,44 +56,25 @@ typedef struct frame_content {
 } frame_content;
 
 /// What a simulation writes in its present state.
-<<<<<<< HEAD
-static bool write_content(content *found, const tf_simulation *s)
-{
-    FILE *stream = open_memstream(&found->text, &found->size);
-=======
 static bool write_content(frame_content *content, const tf_simulation *s)
 {
     FILE *stream = open_memstream(&content->text, &content->size);
->>>>>>> main
     if (stream)
         tf_frame_write(stream, s);
     return stream && fclose(stream) == 0;
 }
 
-<<<<<<< HEAD
-static bool read_content(content *found, const char *path)
-=======
 static bool read_content(frame_content *content, const char *path)
->>>>>>> main
 {
     struct stat status;
     FILE *stream = fopen(path, "rb");
     if (stream && fstat(fileno(stream), &status) == 0)
-<<<<<<< HEAD
-        found->text = malloc((size_t)status.st_size + 1);
-    if (found->text) {
-        found->size = fread(found->text, 1, (size_t)status.st_size, stream);
-        found->text[found->size] = '\0';
-    }
-    bool good = found->text && !ferror(stream);
-=======
         content->text = malloc((size_t)status.st_size + 1);
     if (content->text) {
         content->size = fread(content->text, 1, (size_t)status.st_size, stream);
         content->text[content->size] = '\0';
     }
     bool good = content->text && !ferror(stream);
->>>>>>> main
     if (stream)
         fclose(stream);
     return good;

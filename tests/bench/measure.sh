@@ -3,8 +3,8 @@
 #     measure.sh NAME COMPILER FLAGS PROGRAM... ARGUMENT...
 #
 # Lines "# what: text" say where the numbers are from.  Then come "name,value,unit"
-# and a line a number in that form, which NAME.sh prints.  tests/rules.mk has the
-# programs and arguments of each name; `make measure-NAME` runs this.
+# and a line a number in that form, which NAME.sh prints.  tests/bench/rules.mk has
+# the programs and arguments of each name; `make measure-NAME` runs this.
 set -eu
 
 name=$1 compiler=$2 flags=$3

@@ -22,25 +22,25 @@ typedef struct wire {
 /// The least sum of squares.  Without gaps, the best place of a bead is the
 /// largest, over all beads up to it, of the least mean of a row of beads that
 /// begins there and goes at least to this one.
-static double least_change(const wire *of)
+static double least_change(const wire *w)
 {
     double sum = 0, masses[MOST + 1] = {0}, moments[MOST + 1] = {0};
-    for (int i = 0; i < of->beads; i++) {
-        masses[i + 1] = masses[i] + of->mass[i];
+    for (int i = 0; i < w->beads; i++) {
+        masses[i + 1] = masses[i] + w->mass[i];
         moments[i + 1] =
-            moments[i] + of->mass[i] * (of->proposed[i] - i * of->gap);
+            moments[i] + w->mass[i] * (w->proposed[i] - i * w->gap);
     }
-    for (int i = 0; i < of->beads; i++) {
+    for (int i = 0; i < w->beads; i++) {
         double place = -INFINITY;
         for (int first = 0; first <= i; first++) {
             double least = INFINITY;
-            for (int end = i + 1; end <= of->beads; end++)
+            for (int end = i + 1; end <= w->beads; end++)
                 least = fmin(least, (moments[end] - moments[first]) /
                                         (masses[end] - masses[first]));
             place = fmax(place, least);
         }
-        double change = place + i * of->gap - of->proposed[i];
-        sum += of->mass[i] * change * change;
+        double change = place + i * w->gap - w->proposed[i];
+        sum += w->mass[i] * change * change;
     }
     return sum;
 }
@@ -57,27 +57,27 @@ static void expect_gaps(const wire *w, const double end[])
 }
 
 /// Leaves the ends in `end`.
-static void expect(const wire *of, double end[MOST])
+static void expect(const wire *w, double end[MOST])
 {
-    memcpy(end, of->proposed, sizeof of->proposed);
-    int shown = of->beads < 3 ? of->beads : 3;
+    memcpy(end, w->proposed, sizeof w->proposed);
+    int shown = w->beads < 3 ? w->beads : 3;
     check_input("%s: %d beads, gap %s, the first with masses %s, proposed to "
                 "end at %s",
-                of->name, of->beads, text_real(of->gap),
-                text_point(shown, of->mass), text_point(shown, of->proposed));
-    check_call_n(MOST, end, string_beads(of->beads, of->mass, of->gap, end));
-    expect_gaps(of, end);
+                w->name, w->beads, text_real(w->gap),
+                text_point(shown, w->mass), text_point(shown, w->proposed));
+    check_call_n(MOST, end, string_beads(w->beads, w->mass, w->gap, end));
+    expect_gaps(w, end);
     double before = 0, after = 0, masses = 0, change = 0;
-    for (int i = 0; i < of->beads; i++) {
-        before += of->mass[i] * of->proposed[i];
-        after += of->mass[i] * end[i];
-        masses += of->mass[i];
-        change += of->mass[i] * pow(end[i] - of->proposed[i], 2);
+    for (int i = 0; i < w->beads; i++) {
+        before += w->mass[i] * w->proposed[i];
+        after += w->mass[i] * end[i];
+        masses += w->mass[i];
+        change += w->mass[i] * pow(end[i] - w->proposed[i], 2);
     }
     check_that(fabs(after - before) <= rounding * masses,
                "the same sum weighted by mass", "%s, which was %s",
                text_real(after), text_real(before));
-    double least = least_change(of);
+    double least = least_change(w);
     check_that(change <= 2 * least + rounding, "at most twice the least change",
                "%s, where %s is possible", text_real(change), text_real(least));
 }

@@ -24,13 +24,14 @@ typedef struct tetrahedron {
     tf_vector corner[CORNERS];
 } tetrahedron;
 
-static tetrahedron at_time(const fig_turning *of, double t)
+static tetrahedron at_time(const fig_turning *turning, double t)
 {
     tetrahedron made;
     for (int i = 0; i < CORNERS; i++)
         for (int k = 0; k < 3; k++)
             made.corner[i].x[k] =
-                i == 0 ? (1 - t) * start[0][k] + t * of->end[k] : start[i][k];
+                i == 0 ? (1 - t) * start[0][k] + t * turning->end[k]
+                       : start[i][k];
     return made;
 }
 

@@ -48,11 +48,11 @@ static double between(uint64_t *state, double low, double high)
 }
 
 /// On which side of its edge the point is, exactly; 1: on the left.
-static int side_of(const pair *of)
+static int side_of(const pair *p)
 {
     tf_event event[3] = {{{0}, 0, 0}};
     for (int i = 0; i < 3; i++)
-        memcpy(event[i].x, of->x[i], sizeof of->x[i]);
+        memcpy(event[i].x, p->x[i], sizeof p->x[i]);
     tf_differences differences = {.n = 2,
                                   .to = {&event[1], &event[2]},
                                   .from = {&event[0], &event[0]},
@@ -88,13 +88,13 @@ static pair translate(const pair *p, const double by[2])
     return moved;
 }
 
-static pair turn(const pair *of, double angle)
+static pair turn(const pair *p, double angle)
 {
     double c = cos(angle), s = sin(angle);
     pair moved;
     for (int i = 0; i < 3; i++) {
-        moved.x[i][0] = c * of->x[i][0] - s * of->x[i][1];
-        moved.x[i][1] = s * of->x[i][0] + c * of->x[i][1];
+        moved.x[i][0] = c * p->x[i][0] - s * p->x[i][1];
+        moved.x[i][1] = s * p->x[i][0] + c * p->x[i][1];
     }
     return moved;
 }

@@ -140,15 +140,15 @@ static void draw_line(fig_page *page, const fig_plot *plot, int count,
 }
 
 /// The edge and the point at one time, paler at the ends of the step.
-static void draw_state(fig_page *page, const fig_plot *plot, const turning *of,
-                       double t)
+static void draw_state(fig_page *page, const fig_plot *plot,
+                       const turning *state, double t)
 {
     bool at_end = t == 0 || t == 1;
-    tf_vector bent[3], point = fig_worldline_place(&of->line[0], 2, t);
-    tf_worldline crease = {{of->line[1].at[0], of->line[2].at[1]}};
-    bent[0] = fig_worldline_place(&of->line[1], 2, t);
+    tf_vector bent[3], point = fig_worldline_place(&state->line[0], 2, t);
+    tf_worldline crease = {{state->line[1].at[0], state->line[2].at[1]}};
+    bent[0] = fig_worldline_place(&state->line[1], 2, t);
     bent[1] = fig_worldline_place(&crease, 2, t);
-    bent[2] = fig_worldline_place(&of->line[2], 2, t);
+    bent[2] = fig_worldline_place(&state->line[2], 2, t);
     draw_line(page, plot, 3, bent,
               (fig_stroke){
                   .paint = {.role = FIG_ROLE_EDGE, .shade = at_end ? -0.45 : 0},

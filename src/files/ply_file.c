@@ -190,12 +190,12 @@ static bool find_type(const reader *r, const char *name, const ply_type **found)
 }
 
 /// The corners of a face are a list; all others that have a role are none.
-static int role_named(int of, bool list, const char *name)
+static int role_named(int wanted, bool list, const char *name)
 {
-    if (of == NONE || list != (of == FACES))
+    if (wanted == NONE || list != (wanted == FACES))
         return NONE;
-    int role = place_of(name, role_names[of], 3);
-    return of == FACES && role > 0 ? 0 : role;
+    int role = place_of(name, role_names[wanted], 3);
+    return wanted == FACES && role > 0 ? 0 : role;
 }
 
 static bool read_property(reader *r, const tf_quoted word[])

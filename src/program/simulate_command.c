@@ -1,5 +1,4 @@
 //: Include what the command simulate needs
-#define _GNU_SOURCE // PATH_MAX
 
 #include "files/visible.h"
 #include "program/command.h"

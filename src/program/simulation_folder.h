@@ -4,21 +4,21 @@
 #include "files/fault.h"
 #include "simulate/simulation.h"
 
-#include <limits.h>
 #include <stdio.h>
 
 enum {
-    TF_MOST_STEPS = 99999 ///< so that frames are sorted by their names
+    TF_MOST_STEPS = 99999, ///< so that frames are sorted by their names
+    TF_PATH_ROOM = 4096    ///< bytes of a path, with the 0 at its end
 };
 
 /// The folder that a simulation is written to: frame-00000.ply, the start, a
 /// frame after each step, and the table steps.csv.  A frame is there whole or
 /// not at all, and with it the line of its step.
 typedef struct tf_simulation_folder {
-    const char *path;    ///< borrowed
-    FILE *table;         ///< NULL: it is not open
-    char file[PATH_MAX]; ///< the path of the file that is at work
-    tf_fault fault;      ///< of that file or of the folder
+    const char *path;        ///< borrowed
+    FILE *table;             ///< NULL: it is not open
+    char file[TF_PATH_ROOM]; ///< the path of the file that is at work
+    tf_fault fault;          ///< of that file or of the folder
 } tf_simulation_folder;
 
 /// Makes the folder, unless it is there and empty, and writes the start.  False:

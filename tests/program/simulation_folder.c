@@ -21,7 +21,7 @@ static void advance(tf_simulation *s)
 /// What is printed of the fault of a folder.
 static const char *fault_of(const tf_simulation_folder *folder)
 {
-    static char text[PATH_MAX + TF_FAULT_ROOM + 3];
+    static char text[TF_PATH_ROOM + TF_FAULT_ROOM + 3];
     snprintf(text, sizeof text, "%s: %s", folder->fault.file,
              folder->fault.text);
     return text;

@@ -1,7 +1,7 @@
 //: Explain the statuses
 #include "base/status.h"
 
-#include "base/require.h"
+#include <stdbool.h>
 
 static const char *const messages[] = {
     [TF_OK] = "no error",
@@ -18,14 +18,12 @@ static const char *const messages[] = {
                            "may flush them to zero in the whole program)",
     [TF_NO_ELEMENTS] = "a surface has no elements: give it a triangle or an "
                        "edge",
-    [TF_BAD_COUNT] = "the positions are not those of this surface: give as "
-                     "many vertices as it was created with",
+    [TF_BAD_COUNT] = "a count is negative or too large, or the positions are "
+                     "not those of this surface: give as many vertices as it "
+                     "was created with",
     [TF_OUT_OF_MEMORY] = "not enough memory: divide the surface, or use a "
                          "machine with more",
-    [TF_BAD_TOLERANCE] = "a tolerance, threshold, length or limit of steps is "
-                         "negative, infinite, NaN, or 0 where it must be "
-                         "above 0, or a fraction is above its limit: give a "
-                         "small positive number",
+    [TF_BAD_OPTION] = "an option, tolerance or limit is not in its range",
     [TF_BAD_MASS] = "an inverse mass is negative, infinite or NaN: use 0 for a "
                     "vertex that is scripted",
     [TF_START_NOT_CLEAR] = "two elements touch or intersect when the step "
@@ -41,10 +39,15 @@ static const char *const messages[] = {
                      "move a corner off",
     [TF_NOT_EMBEDDED] = "a surface intersects or touches itself: move its "
                         "parts away from each other",
+    [TF_BAD_AXES] = "the number of axes must be 2 in the plane and 3 in space, "
+                    "and be that of the surface or the query",
+    [TF_CANCELLED] = "cancelled: nothing is changed",
+    [TF_IN_USE] = "memory is in use: set the allocator before anything is "
+                  "created, or after all is freed",
 };
 
 const char *tf_status_message(tf_status status)
 {
-    TF_REQUIRE((unsigned)status < sizeof messages / sizeof *messages);
-    return messages[status];
+    bool known = (unsigned)status < sizeof messages / sizeof *messages;
+    return known ? messages[status] : "a status of a later version";
 }

@@ -118,7 +118,7 @@ tf_status tf_flow_step(tf_flow *flow, const tf_flow_options *options,
     if (!tf_environment_is_ieee())
         return TF_BAD_ENVIRONMENT;
     if (!(options->edge > 0) || !isfinite(options->edge))
-        return TF_BAD_TOLERANCE;
+        return TF_BAD_OPTION;
     tf_flow_report unused = {0};
     report = report ? report : &unused;
     *report = (tf_flow_report){0};

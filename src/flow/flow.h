@@ -56,7 +56,7 @@ TF_API size_t tf_flow_memory(const tf_flow *flow);
 /// @param time when the step begins
 /// @param step how long it takes; below 0: back in time
 /// @param[out] report what was done; may be NULL
-/// @return TF_OK; TF_BAD_TOLERANCE if the length is not above 0 and finite;
+/// @return TF_OK; TF_BAD_OPTION if the length is not above 0 and finite;
 ///     TF_NOT_FINITE if a velocity leads out of what doubles can hold;
 ///     TF_BAD_ENVIRONMENT; or TF_OUT_OF_MEMORY; unless it is TF_OK the surface
 ///     is still embedded, but may have other triangles than before

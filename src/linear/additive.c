@@ -87,7 +87,7 @@ static tf_status advance_additively(const tf_advance_limits *limits, int axes,
 {
     TF_REQUIRE(limits && contact);
     if (!tf_advance_limits_valid(limits))
-        return TF_BAD_TOLERANCE;
+        return TF_BAD_OPTION;
     deforming_pair pair;
     tf_status status = tf_linear_pair_take(axes, motion, vertices, first,
                                            others, second, &pair.elements);

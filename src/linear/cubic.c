@@ -46,7 +46,7 @@ static tf_status solve(const tf_tolerances *tolerances, const tf_motion *motion,
 {
     TF_REQUIRE(tolerances && contact);
     if (!tf_tolerances_valid(tolerances))
-        return TF_BAD_TOLERANCE;
+        return TF_BAD_OPTION;
     tf_linear_pair elements;
     tf_status status = tf_linear_pair_take(3, motion, vertices, first, others,
                                            second, &elements);

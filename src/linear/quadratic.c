@@ -32,7 +32,7 @@ tf_status tf_quadratic_point_edge(const tf_tolerances *tolerances,
 {
     TF_REQUIRE(tolerances && contact);
     if (!tf_tolerances_valid(tolerances))
-        return TF_BAD_TOLERANCE;
+        return TF_BAD_OPTION;
     tf_linear_pair elements;
     tf_status status =
         tf_linear_pair_take(2, motion, 1, &point, 2, edge, &elements);

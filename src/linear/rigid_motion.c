@@ -134,7 +134,7 @@ static tf_status advance_bodies(const tf_advance_limits *limits, int axes,
     if (!tf_environment_is_ieee())
         return TF_BAD_ENVIRONMENT;
     if (!tf_advance_limits_valid(limits))
-        return TF_BAD_TOLERANCE;
+        return TF_BAD_OPTION;
     if (!body_is_finite(axes, vertices, first) ||
         !body_is_finite(axes, others, second))
         return TF_NOT_FINITE;

@@ -46,7 +46,7 @@ TF_API void tf_rigid_position(int axes, const tf_rigid_body *body, int vertex,
 /// @param first a triangle in space
 /// @param second another
 /// @param[out] advancement the answer; set only with TF_OK
-/// @return TF_OK; TF_BAD_TOLERANCE if the limits are not in their ranges;
+/// @return TF_OK; TF_BAD_OPTION if the limits are not in their ranges;
 ///     TF_NOT_FINITE; or TF_BAD_ENVIRONMENT
 TF_API tf_status tf_advance_triangles(const tf_advance_limits *limits,
                                       const tf_rigid_body *first,

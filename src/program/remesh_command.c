@@ -50,7 +50,7 @@ static bool remesh(remeshing *r)
     r->done.seconds = tf_clock_seconds() - begin;
     r->done.edge = how.edge;
     const tf_mesh_file *file = tf_frames_file(&r->frames);
-    if (status == TF_BAD_TOLERANCE)
+    if (status == TF_BAD_OPTION)
         return tf_mesh_file_fault(
             file, -1,
             "--edge %g would take too many triangles; give a longer one",

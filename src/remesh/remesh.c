@@ -108,7 +108,7 @@ tf_status tf_adaptive_remesh(tf_adaptive_surface *surface,
     if (!tf_environment_is_ieee())
         return TF_BAD_ENVIRONMENT;
     if (!is_possible(surface, options))
-        return TF_BAD_TOLERANCE;
+        return TF_BAD_OPTION;
     tf_remesher remesher = {
         .surface = surface, .policy = &tf_keep_shape, .options = *options};
     tf_status status = do_rounds(&remesher);

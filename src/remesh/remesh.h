@@ -23,7 +23,7 @@
 /// @param surface the surface; its gaps are closed
 /// @param options how
 /// @param[out] report what was done; may be NULL
-/// @return TF_OK; TF_BAD_TOLERANCE if the length is not above 0 and finite, or
+/// @return TF_OK; TF_BAD_OPTION if the length is not above 0 and finite, or
 ///     so short that there would be more triangles than numbers for their
 ///     corners, or if there are fewer rounds than 0; TF_BAD_ENVIRONMENT; or
 ///     TF_OUT_OF_MEMORY, and then the surface is still embedded

@@ -175,7 +175,7 @@ static tf_status resolve(tf_resolution *r)
 static tf_status run(tf_resolution *r, double end[], tf_obstacle *obstacle)
 {
     if (!are_good(&r->options))
-        return TF_BAD_TOLERANCE;
+        return TF_BAD_OPTION;
     if (r->step.vertices != tf_surface_vertices(r->resolver->surface))
         return TF_BAD_COUNT;
     if (!r->options.narrow_phase)

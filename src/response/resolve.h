@@ -38,7 +38,7 @@
 /// @param[out] report what it took; set only with TF_OK; may be NULL
 /// @param[out] obstacle what is wrong if the status is not TF_OK; may be NULL
 /// @return TF_OK; TF_BAD_COUNT if the surface has another number of vertices;
-///     TF_NOT_FINITE; TF_BAD_MASS; TF_BAD_TOLERANCE if an option is not in its
+///     TF_NOT_FINITE; TF_BAD_MASS; TF_BAD_OPTION if an option is not in its
 ///     range; TF_START_NOT_CLEAR; TF_BAD_ENVIRONMENT; or TF_OUT_OF_MEMORY
 TF_API tf_status tf_step_resolve(tf_resolver *resolver, int vertices,
                                  const double start[], double end[],

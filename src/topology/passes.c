@@ -40,7 +40,7 @@ tf_status tf_reconnect_passes(tf_reconnector *reconnector,
                               tf_reconnect_report *report)
 {
     if (!are_good(options))
-        return TF_BAD_TOLERANCE;
+        return TF_BAD_OPTION;
     reconnector->options = scaled(options);
     reconnector->report = report;
     tf_status status = tf_merge_pass(reconnector);

@@ -19,7 +19,7 @@
 /// @param surface the surface; its numbers stay, and gaps come about
 /// @param options how
 /// @param[in,out] report what was done is added to it; may be NULL
-/// @return TF_OK; TF_BAD_TOLERANCE if a length is negative or not finite, or
+/// @return TF_OK; TF_BAD_OPTION if a length is negative or not finite, or
 ///     that of edges zero; TF_BAD_ENVIRONMENT; or TF_OUT_OF_MEMORY, and then
 ///     the surface is still embedded
 TF_API tf_status tf_adaptive_reconnect(tf_adaptive_surface *surface,

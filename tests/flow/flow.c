@@ -249,7 +249,7 @@ START_TEST(bad_lengths_are_refused)
         tf_flow_options options = {
             .edge = edges[i], .velocity = tf_field_apply, .context = &vortices};
         ck_assert_int_eq(tf_flow_step(flow, &options, 0, 1, NULL),
-                         TF_BAD_TOLERANCE);
+                         TF_BAD_OPTION);
     }
     tf_flow_free(flow);
     tf_adaptive_free(surface);

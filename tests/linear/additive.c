@@ -144,7 +144,7 @@ START_TEST(bad_limits_are_refused)
     tf_advance_limits limits = {.threshold = NAN};
     ck_assert_int_eq(
         additive_query(kind, &limits, &motion, index, &contact, NULL),
-        TF_BAD_TOLERANCE);
+        TF_BAD_OPTION);
 }
 END_TEST
 

@@ -246,10 +246,10 @@ START_TEST(bad_tolerances_are_refused)
         tf_tolerances barycentric = {.barycentric = bad[i]};
         ck_assert_int_eq(
             cubic_query(kind_of_case(_i), &distance, &motion, index, &contact),
-            TF_BAD_TOLERANCE);
+            TF_BAD_OPTION);
         ck_assert_int_eq(cubic_query(kind_of_case(_i), &barycentric, &motion,
                                      index, &contact),
-                         TF_BAD_TOLERANCE);
+                         TF_BAD_OPTION);
     }
     ck_assert_double_eq(contact.normal_velocity, 42);
 }

@@ -134,7 +134,7 @@ START_TEST(bad_tolerances_are_refused)
         ck_assert_int_eq(
             tf_quadratic_point_edge(&(tf_tolerances){.distance = bad[i]},
                                     &motion, 0, (int[]){1, 2}, &contact),
-            TF_BAD_TOLERANCE);
+            TF_BAD_OPTION);
 }
 END_TEST
 

@@ -248,7 +248,7 @@ START_TEST(bad_input_is_refused)
                                  TF_NOT_FINITE);
     ck_assert_int_eq(
         try_bodies((tf_advance_limits){.threshold = -1}, 0, -1, 0, &at),
-        TF_BAD_TOLERANCE);
+        TF_BAD_OPTION);
     ck_assert_int_eq(at.steps, 42);
     ck_assert_int_eq(try_bodies((tf_advance_limits){0}, 0, -1, 0, &at), TF_OK);
 }

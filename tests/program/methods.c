@@ -64,10 +64,10 @@ START_TEST(each_passes_its_option_on)
         .arithmetic = &tf_exact, .tolerance = NAN, .threshold = NAN};
     ck_assert_int_eq(tf_method_answer(method_named("cubic"), &options, kind,
                                       &query, &contact),
-                     TF_BAD_TOLERANCE);
+                     TF_BAD_OPTION);
     ck_assert_int_eq(tf_method_answer(method_named("advancement"), &options,
                                       kind, &query, &contact),
-                     TF_BAD_TOLERANCE);
+                     TF_BAD_OPTION);
 }
 END_TEST
 

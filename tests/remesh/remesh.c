@@ -138,10 +138,10 @@ START_TEST(bad_options_are_refused)
     for (int i = 0; i < 6; i++) {
         tf_remesh_options how = {.edge = edges[i]};
         ck_assert_int_eq(tf_adaptive_remesh(surface, &how, NULL),
-                         TF_BAD_TOLERANCE);
+                         TF_BAD_OPTION);
     }
     tf_remesh_options how = {.edge = 1, .rounds = -1};
-    ck_assert_int_eq(tf_adaptive_remesh(surface, &how, NULL), TF_BAD_TOLERANCE);
+    ck_assert_int_eq(tf_adaptive_remesh(surface, &how, NULL), TF_BAD_OPTION);
     how.rounds = 0;
     ck_assert_int_eq(tf_adaptive_remesh(surface, &how, NULL), TF_OK);
     tf_adaptive_free(surface);

@@ -70,7 +70,7 @@ START_TEST(options_out_of_range_are_refused)
         {.friction = INFINITY}};
     make_fall(0);
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++)
-        expect(TF_BAD_TOLERANCE, 3, &bad[i]);
+        expect(TF_BAD_OPTION, 3, &bad[i]);
 }
 END_TEST
 

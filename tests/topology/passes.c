@@ -56,7 +56,7 @@ START_TEST(bad_lengths_are_refused)
     tf_reconnect_report report = {0};
     for (int i = 0; i < 4; i++)
         ck_assert_int_eq(tf_reconnect_passes(&reconnector, &bad[i], &report),
-                         TF_BAD_TOLERANCE);
+                         TF_BAD_OPTION);
     tf_adaptive_free(balls);
 }
 END_TEST

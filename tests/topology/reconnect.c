@@ -214,7 +214,7 @@ START_TEST(invalid_options_are_rejected)
                                   {.edge = 1, .drop = INFINITY}};
     for (size_t i = 0; i < sizeof how / sizeof *how; i++)
         ck_assert_int_eq(tf_adaptive_reconnect(surface, &how[i], NULL),
-                         TF_BAD_TOLERANCE);
+                         TF_BAD_OPTION);
     tf_adaptive_free(surface);
 }
 END_TEST

@@ -1,0 +1,45 @@
+//: Begin to watch
+#include "base/watch.h"
+
+tf_watch *tf_watch_begin(tf_watch *watch, tf_progress *progress, void *context)
+{
+    if (!progress)
+        return NULL;
+    watch->progress = progress;
+    watch->context = context;
+    watch->stage = (tf_stage){.name = ""};
+    atomic_init(&watch->done, 0);
+    atomic_init(&watch->cancelled, false);
+    atomic_flag_clear(&watch->told);
+    return watch;
+}
+
+void tf_watch_stage(tf_watch *watch, const char *name, size_t total)
+{
+    if (!watch)
+        return;
+    watch->stage = (tf_stage){.name = name, .total = total};
+    atomic_store(&watch->done, 0);
+}
+
+//: Tell the caller
+/// If another thread is telling already, the caller has heard enough.
+bool tf_watch_done(tf_watch *watch, size_t more)
+{
+    if (!watch)
+        return true;
+    size_t done = atomic_fetch_add(&watch->done, more) + more;
+    if (!atomic_load(&watch->cancelled) &&
+        !atomic_flag_test_and_set(&watch->told)) {
+        watch->stage.done = done;
+        if (!watch->progress(watch->context, &watch->stage))
+            atomic_store(&watch->cancelled, true);
+        atomic_flag_clear(&watch->told);
+    }
+    return !atomic_load(&watch->cancelled);
+}
+
+bool tf_watch_cancelled(tf_watch *watch)
+{
+    return watch && atomic_load(&watch->cancelled);
+}

@@ -1,0 +1,31 @@
+//: Declare the watch over a long call
+#pragma once
+
+#include "base/progress.h"
+
+#include <stdatomic.h>
+
+/// What a long call tells its caller, and whether the caller has cancelled it.
+/// Any number of threads may use one.  A call that is not watched has NULL.
+typedef struct tf_watch {
+    tf_progress *progress;
+    void *context;
+    tf_stage stage;
+    atomic_size_t done; ///< of the stage
+    atomic_bool cancelled;
+    atomic_flag told; ///< a thread is telling the caller
+} tf_watch;
+
+/// Begins to watch a call; returns the watch, or NULL if there is no callback.
+tf_watch *tf_watch_begin(tf_watch *watch, tf_progress *progress, void *context);
+
+/// Begins a stage; not while other threads use the watch.
+void tf_watch_stage(tf_watch *watch, const char *name, size_t total);
+
+/// Notes that more of the stage is done, and tells the caller; false if the
+/// caller has cancelled.  Costs about as much as the callback; so it is called
+/// once for some microseconds of work, and at least every 10 milliseconds.
+bool tf_watch_done(tf_watch *watch, size_t more);
+
+/// Whether the caller has cancelled.
+bool tf_watch_cancelled(tf_watch *watch);

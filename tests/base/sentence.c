@@ -1,0 +1,110 @@
+#include "base/sentence.h"
+
+#include "support/support.h"
+
+static const struct {
+    tf_error error;
+    int first;
+    const char *sentence;
+} expected[] = {
+    {{.status = TF_BAD_INDEX,
+      .subject = TF_TRIANGLE,
+      .index = 7,
+      .vertex = {12, -1, -1, -1, -1},
+      .vertices = 12,
+      .time = -1},
+     0,
+     "triangle 7: there is no vertex 12; there are those from 0 to 11"},
+    {{.status = TF_BAD_INDEX,
+      .vertex = {12},
+      .vertices = 12,
+      .subject = TF_EDGE},
+     1,
+     "edge 0 at the start of the step: there is no vertex 13; there are those "
+     "from 1 to 12"},
+    {{.status = TF_BAD_INDEX,
+      .subject = TF_QUERY,
+      .index = 1,
+      .vertex = {3},
+      .vertices = 12,
+      .time = -1},
+     0,
+     "query 1: vertex 3 is there twice; give different ones"},
+    {{.status = TF_NOT_FINITE, .subject = TF_VERTEX, .index = 3, .time = 1},
+     1,
+     "vertex 4 at the end of the step: a coordinate is infinite or NaN: give "
+     "finite positions"},
+    {{.status = TF_BAD_OPTION,
+      .subject = TF_OPTION,
+      .option = "restitution",
+      .range = "from 0 to 1",
+      .value = 1.5},
+     0,
+     "restitution must be from 0 to 1, got 1.5"},
+    {{.status = TF_START_NOT_CLEAR,
+      .subject = TF_POINT_TRIANGLE_PAIR,
+      .vertex = {5, 1, 2, 3, -1}},
+     0,
+     "vertex 5 lies on triangle 1 2 3 before the step begins; move them apart"},
+    {{.status = TF_NOT_EMBEDDED,
+      .subject = TF_EDGE_TRIANGLE_PAIR,
+      .vertex = {0, 1, 2, 3, 4}},
+     1,
+     "edge 1 2 passes through triangle 3 4 5; move them apart"},
+    {{.status = TF_NOT_EMBEDDED,
+      .subject = TF_EDGE_EDGE_PAIR,
+      .vertex = {0, 1, 2, 3, -1}},
+     0,
+     "edge 0 1 meets edge 2 3; move them apart"},
+    {{.status = TF_START_NOT_CLEAR,
+      .subject = TF_POINT_EDGE_PAIR,
+      .vertex = {0, 1, 2, -1, -1}},
+     0,
+     "vertex 0 lies on edge 1 2 before the step begins; move them apart"},
+    {{.status = TF_EDGE_NOT_MANIFOLD, .subject = TF_EDGE, .vertex = {0, 1}},
+     0,
+     "edge 0 at the start of the step: the edge from vertex 0 to 1 belongs to "
+     "no triangle; remove it"},
+    {{.status = TF_EDGE_NOT_MANIFOLD,
+      .subject = TF_TRIANGLE,
+      .index = 2,
+      .time = -1,
+      .vertex = {0, 1}},
+     0,
+     "triangle 2: another triangle passes the edge from vertex 0 to 1 in the "
+     "same direction; orient them consistently, or divide the surface there"},
+    {{.status = TF_VERTEX_NOT_MANIFOLD,
+      .subject = TF_VERTEX,
+      .index = 2,
+      .time = -1,
+      .vertex = {2}},
+     0,
+     "vertex 2: the triangles at vertex 2 form more than one ring or fan; give "
+     "each a vertex of its own"},
+    {{.status = TF_START_NOT_CLEAR, .subject = TF_VERTEX, .time = -1},
+     0,
+     "vertex 0: two elements touch or intersect before the step begins; move "
+     "them apart"},
+    {{.status = TF_OUT_OF_MEMORY},
+     0,
+     "not enough memory: divide the surface, or use a machine with more"},
+};
+
+START_TEST(error_has_its_sentence)
+{
+    char sentence[512];
+    tf_sentence_write(&expected[_i].error, expected[_i].first, sentence,
+                      sizeof sentence);
+    ck_assert_str_eq(sentence, expected[_i].sentence);
+}
+END_TEST
+
+Suite *suite(void)
+{
+    Suite *suite = suite_create("base/sentence");
+    TCase *tcase = tcase_create("sentences");
+    tcase_add_loop_test(tcase, error_has_its_sentence, 0,
+                        sizeof expected / sizeof *expected);
+    suite_add_tcase(suite, tcase);
+    return suite;
+}

@@ -1,0 +1,92 @@
+#include "base/watch.h"
+
+#include "support/support.h"
+
+#include <pthread.h>
+
+typedef struct caller {
+    int calls, most; ///< how often it is told, and when it has enough
+    size_t done, total;
+    atomic_int inside;
+    bool alone; ///< nobody else was told meanwhile
+} caller;
+
+static bool listen(void *context, const tf_stage *stage)
+{
+    caller *own = context;
+    own->alone &= atomic_fetch_add(&own->inside, 1) == 0;
+    own->done = stage->done;
+    own->total = stage->total;
+    bool on = ++own->calls < own->most;
+    atomic_fetch_sub(&own->inside, 1);
+    return on;
+}
+
+START_TEST(without_a_callback_there_is_no_watch)
+{
+    tf_watch watch;
+    ck_assert_ptr_null(tf_watch_begin(&watch, NULL, NULL));
+    ck_assert(tf_watch_done(NULL, 1));
+    ck_assert(!tf_watch_cancelled(NULL));
+    tf_watch_stage(NULL, "nothing", 1);
+}
+END_TEST
+
+START_TEST(caller_is_told_and_cancels_for_good)
+{
+    tf_watch storage;
+    caller own = {.most = 3, .alone = true};
+    tf_watch *watch = tf_watch_begin(&storage, listen, &own);
+    tf_watch_stage(watch, "pairs", 10);
+    ck_assert(tf_watch_done(watch, 4));
+    ck_assert_uint_eq(own.done, 4);
+    ck_assert_uint_eq(own.total, 10);
+    ck_assert(tf_watch_done(watch, 2));
+    ck_assert_uint_eq(own.done, 6);
+    ck_assert(!tf_watch_cancelled(watch));
+    ck_assert(!tf_watch_done(watch, 1));
+    ck_assert(tf_watch_cancelled(watch));
+    tf_watch_stage(watch, "more", 1);
+    ck_assert(!tf_watch_done(watch, 1));
+    ck_assert_int_eq(own.calls, 3);
+}
+END_TEST
+
+enum {
+    THREADS = 4,
+    TIMES = 20000
+};
+
+static void *work(void *argument)
+{
+    for (int i = 0; i < TIMES; i++)
+        tf_watch_done(argument, 1);
+    return NULL;
+}
+
+START_TEST(threads_tell_one_at_a_time)
+{
+    tf_watch storage;
+    caller own = {.most = 1 << 30, .alone = true};
+    tf_watch *watch = tf_watch_begin(&storage, listen, &own);
+    pthread_t thread[THREADS];
+    for (int i = 0; i < THREADS; i++)
+        ck_assert_int_eq(pthread_create(&thread[i], NULL, work, watch), 0);
+    for (int i = 0; i < THREADS; i++)
+        pthread_join(thread[i], NULL);
+    ck_assert(own.alone && own.calls > 0);
+    tf_watch_done(watch, 1);
+    ck_assert_uint_eq(own.done, (size_t)THREADS * TIMES + 1);
+}
+END_TEST
+
+Suite *suite(void)
+{
+    Suite *suite = suite_create("base/watch");
+    TCase *tcase = tcase_create("watch");
+    tcase_add_test(tcase, without_a_callback_there_is_no_watch);
+    tcase_add_test(tcase, caller_is_told_and_cancels_for_good);
+    tcase_add_test(tcase, threads_tell_one_at_a_time);
+    suite_add_tcase(suite, tcase);
+    return suite;
+}

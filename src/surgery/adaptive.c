@@ -4,8 +4,8 @@
 #include "base/environment.h"
 #include "base/require.h"
 #include "surgery/conditions.h"
+#include "surgery/draft.h"
 #include "surgery/star.h"
-#include "surgery/surgery.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -24,8 +24,7 @@ static tf_status fill_surface(const tf_mesh *mesh, const double position[],
            3 * sizeof *position * (size_t)mesh->vertices);
     memcpy(surface->vertex.data, mesh->triangle,
            3 * sizeof *mesh->triangle * (size_t)mesh->triangles);
-    tf_stars_build(surface, surface->box.data);
-    return TF_OK;
+    return tf_stars_build(surface, surface->box.data) ? TF_OK : TF_CANCELLED;
 }
 
 //: Check an adaptive surface
@@ -66,14 +65,7 @@ void tf_adaptive_free(tf_adaptive_surface *surface)
 {
     if (!surface)
         return;
-    tf_buffer_free(&surface->position);
-    tf_buffer_free(&surface->vertex);
-    tf_buffer_free(&surface->first);
-    tf_buffer_free(&surface->next);
-    tf_buffer_free(&surface->found);
-    tf_buffer_free(&surface->box);
-    tf_dynamic_tree_free(&surface->tree);
-    tf_surgery_free(&surface->surgery);
+    tf_draft_free(surface);
     free(surface);
 }
 
@@ -149,6 +141,5 @@ tf_status tf_adaptive_compact(tf_adaptive_surface *surface, int map[])
     move_triangles(surface);
     if (map && before > 0)
         memcpy(map, surface->first.data, sizeof *map * (size_t)before);
-    tf_stars_build(surface, surface->box.data);
-    return TF_OK;
+    return tf_stars_build(surface, surface->box.data) ? TF_OK : TF_CANCELLED;
 }

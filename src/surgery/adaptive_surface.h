@@ -1,6 +1,7 @@
 //: Declare what an adaptive surface holds
 #pragma once
 
+#include "base/watch.h"
 #include "surface/buffer.h"
 #include "surgery/dynamic_tree.h"
 #include "surgery/tetrahedron.h"
@@ -54,6 +55,7 @@ typedef struct tf_adaptive_surface {
     tf_buffer found;         ///< memory for a search
     tf_buffer box;           ///< memory for the boxes of all triangles
     tf_surgery surgery;      ///< that is being tried
+    tf_watch *watch;         ///< over the call whose draft this is, or NULL
 } tf_adaptive_surface;
 
 //: Look at an adaptive surface

@@ -100,19 +100,27 @@ static void unlink_corner(tf_adaptive_surface *surface, int corner)
 }
 
 //: Link all triangles
-void tf_stars_build(tf_adaptive_surface *surface, tf_aabb box[])
+static void link_triangle(tf_adaptive_surface *surface, int triangle)
+{
+    for (int i = 0; i < 3; i++)
+        link_corner(surface, 3 * triangle + i);
+}
+
+bool tf_stars_build(tf_adaptive_surface *surface, tf_aabb box[])
 {
     int *order = surface->found.data;
     surface->free_triangle = TF_NONE;
     for (int v = 0; v < surface->vertices; v++)
         ((int *)surface->first.data)[v] = TF_NONE;
     for (int t = surface->triangles - 1; t >= 0; t--) {
-        for (int i = 0; i < 3; i++)
-            link_corner(surface, 3 * t + i);
+        link_triangle(surface, t);
         box[t] = tf_aabb_of(surface, 3, tf_triangle(surface, t));
         order[t] = t;
+        if (t % 1024 == 0 && !tf_watch_done(surface->watch, 0))
+            return false;
     }
-    tf_dynamic_tree_build(&surface->tree, box, order, surface->triangles);
+    return tf_dynamic_tree_build(&surface->tree, box, order,
+                                 surface->triangles, surface->watch);
 }
 
 //: Add and remove triangles

@@ -81,7 +81,7 @@ static void make_scene(scene *s)
 static tf_contacts detect(tf_surface *surface, const scene *s,
                           const double end[])
 {
-    tf_motion motion = {VERTICES, s->start, end};
+    tf_motion motion = {2, VERTICES, s->start, end};
     tf_contacts found;
     TF_REQUIRE(tf_surface_detect(surface, &motion, NULL, &found, NULL) ==
                TF_OK);

@@ -66,7 +66,8 @@ static void mark(sheet *s, int count, const int vertex[], double toi)
 
 static void find_contacts(sheet *s)
 {
-    const tf_motion motion = {s->mesh[0].vertices, s->mesh[0].x, s->mesh[1].x};
+    const tf_motion motion = {s->mesh[0].axes, s->mesh[0].vertices,
+                              s->mesh[0].x, s->mesh[1].x};
     const tf_mesh mesh = fig_mesh_in_space(&s->mesh[0]);
     TF_REQUIRE(tf_surface_create(&mesh, &s->surface, NULL) == TF_OK);
     TF_REQUIRE(tf_surface_detect(s->surface, &motion, NULL, &s->found, NULL) ==

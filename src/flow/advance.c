@@ -230,7 +230,7 @@ static void put_ends(const tf_flow_advance *a)
     tf_stars_build(a->surface, a->surface->box.data);
 }
 
-tf_status tf_advance_resolve(tf_flow_advance *a, tf_response_report *report)
+tf_status tf_advance_resolve(tf_flow_advance *a, const tf_response_report **report)
 {
     tf_response_options options = {.parallel = a->options->parallel};
     hold_isolated_triangles(a);

@@ -146,7 +146,8 @@ static const double *positions(const tf_frames *frames, int i)
 tf_motion tf_frames_motion(const tf_frames *frames)
 {
     int end = frames->current, start = frames->count > 1 ? 1 - end : end;
-    return (tf_motion){.vertices = tf_mesh_file_vertices(&frames->file[end]),
+    return (tf_motion){.axes = frames->axes,
+                       .vertices = tf_mesh_file_vertices(&frames->file[end]),
                        .start = positions(frames, start),
                        .end = positions(frames, end)};
 }

@@ -52,7 +52,8 @@ static void scene_free(scene *s)
 static double time_detection(scene *s, size_t *pairs)
 {
     const tf_detect_options all = {.narrow_phase = &tf_vectorized};
-    tf_motion motion = {s->cloth->mesh.vertices, s->cloth->position, s->end};
+    tf_motion motion = {s->cloth->mesh.axes, s->cloth->mesh.vertices,
+                        s->cloth->position, s->end};
     tf_contacts found;
     double begin = processor_seconds();
     require(tf_surface_detect(s->surface, &motion, &all, &found, NULL));

@@ -246,7 +246,7 @@ static void begin_square(trial *tried, int axis)
         count += 2;
     }
     const tf_mesh mesh = {3, SIDE * SIDE, count, *triangle, 0, NULL};
-    const tf_motion rest = {SIDE * SIDE, *at, *at};
+    const tf_motion rest = {3, SIDE * SIDE, *at, *at};
     memset(&tried->shown, 0, sizeof tried->shown);
     tried->surface = surface_of(&mesh);
     ck_assert(fig_shape_make(&tried->shown.shape, tried->surface, 3, &rest,

@@ -28,7 +28,7 @@ static void finish(void)
 
 static bool is_clear(const double *end)
 {
-    tf_motion motion = {made.mesh.vertices, made.start, end};
+    tf_motion motion = {made.mesh.axes, made.mesh.vertices, made.start, end};
     tf_contacts found;
     ck_assert_int_eq(tf_surface_detect(surface, &motion, NULL, &found, NULL),
                      TF_OK);

@@ -14,7 +14,8 @@ static tf_obstacle obstacle;
 static tf_status check(void)
 {
     tf_surface *surface = surface_of(&made.mesh);
-    tf_motion motion = {made.mesh.vertices, made.start, made.end};
+    tf_motion motion = {made.mesh.axes, made.mesh.vertices, made.start,
+                        made.end};
     memset(&obstacle, 0, sizeof obstacle);
     tf_status status = tf_start_check(surface, &motion, NULL, &obstacle);
     tf_surface_free(surface);
@@ -24,7 +25,8 @@ static tf_status check(void)
 static tf_status check_contacts(void)
 {
     tf_surface *surface = surface_of(&made.mesh);
-    tf_motion motion = {made.mesh.vertices, made.start, made.end};
+    tf_motion motion = {made.mesh.axes, made.mesh.vertices, made.start,
+                        made.end};
     tf_contacts found;
     memset(&obstacle, 0, sizeof obstacle);
     ck_assert_int_eq(tf_surface_detect(surface, &motion, NULL, &found, NULL),

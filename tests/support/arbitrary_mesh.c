@@ -81,7 +81,7 @@ static bool is_good_list(const tf_ints *list, int corners, int vertices)
 static void check_surface(tf_surface *surface, int axes, int vertices,
                           const double *x)
 {
-    tf_motion rest = {.vertices = vertices, .start = x, .end = x};
+    tf_motion rest = {.axes = axes, .vertices = vertices, .start = x, .end = x};
     tf_contacts contacts;
     tf_crossings crossings;
     require(tf_surface_detect(surface, &rest, NULL, &contacts, NULL) == TF_OK);

@@ -25,7 +25,7 @@ void proposal_step_free(proposal_step *s)
 
 tf_contacts proposal_step_contacts(proposal_step *s)
 {
-    tf_motion motion = {s->step.vertices, s->step.start, s->end};
+    tf_motion motion = {s->step.axes, s->step.vertices, s->step.start, s->end};
     tf_contacts found;
     ck_assert_int_eq(tf_surface_detect(s->surface, &motion, NULL, &found, NULL),
                      TF_OK);

@@ -256,7 +256,7 @@ static tf_status try_positions(const double *start, const double *end,
                                const tf_arithmetic *arithmetic, tf_flaw *flaw)
 {
     tf_surface *surface = surface_of(&simple);
-    tf_motion motion = {4, start, end};
+    tf_motion motion = {3, 4, start, end};
     tf_detect_options detection = {.arithmetic = arithmetic};
     tf_contacts found;
     tf_status status =
@@ -307,7 +307,7 @@ START_TEST(another_number_of_vertices_is_refused)
 {
     double x[15] = {0};
     tf_surface *surface = surface_of(&simple);
-    tf_motion motion = {5, x, x};
+    tf_motion motion = {3, 5, x, x};
     tf_contacts found;
     tf_flaw flaw;
     ck_assert_int_eq(tf_surface_detect(surface, &motion, NULL, &found, &flaw),

@@ -22,7 +22,7 @@ static const tf_narrow_phase *narrow_phase = &tf_vectorized;
 static void take_proposal(void)
 {
     proposal_step_begin(&s, &made);
-    motion = (tf_motion){s.step.vertices, s.step.start, s.end};
+    motion = (tf_motion){s.step.axes, s.step.vertices, s.step.start, s.end};
 }
 
 static void drop_proposal(void)
@@ -360,7 +360,7 @@ START_TEST(workers_check_pairs_that_others_have_kept)
     tf_mesh mesh = {
         .axes = 3, .vertices = 2 * EDGES, .edges = EDGES, .edge = edge};
     s.surface = surface_of(&mesh);
-    motion = (tf_motion){2 * EDGES, start, end};
+    motion = (tf_motion){3, 2 * EDGES, start, end};
     for (int parallel_first = 0; parallel_first < 2; parallel_first++) {
         tf_contacts found = build(parallel_first ? &parallel : NULL);
         ck_assert_uint_eq(found.count, EDGES / 2);

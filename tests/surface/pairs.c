@@ -40,7 +40,7 @@ static tf_contacts decide(tf_surface *surface, tf_contact_selection selection,
                           int count, const int speck[])
 {
     static tf_candidate pair[TF_BATCH];
-    tf_motion motion = {SPECKS + 3, start, end};
+    tf_motion motion = {3, SPECKS + 3, start, end};
     tf_pair_job job = {.surface = surface,
                        .motion = &motion,
                        .arithmetic = &tf_exact,

@@ -93,7 +93,8 @@ START_TEST(bad_motions_are_refused)
     ck_assert_ptr_nonnull(end);
     memcpy(end, given.motion.end, bytes);
     end[3 * 2 + 1] = INFINITY;
-    tf_motion far = {given.motion.vertices, given.motion.start, end};
+    tf_motion far = {given.motion.axes, given.motion.vertices,
+                     given.motion.start, end};
     ck_assert_int_eq(tf_surface_move(surface, &far, NULL, &flaw),
                      TF_NOT_FINITE);
     ck_assert_int_eq(flaw.element, TF_VERTEX);

@@ -19,7 +19,7 @@ static bool has_contact(tf_surface *detected,
     static double end[3 * LABELLED];
     tf_mesh mesh = tf_adaptive_mesh(surface);
     const double *start = tf_adaptive_positions(surface);
-    tf_motion motion = {mesh.vertices, start, end};
+    tf_motion motion = {3, mesh.vertices, start, end};
     tf_contacts found;
     memcpy(end, start, 24 * (size_t)mesh.vertices);
     memcpy(end + 3 * move->a, move->position, sizeof move->position);

@@ -8,7 +8,7 @@ static tf_vector project(tf_remesher *remesher, tf_vector point)
     tf_vector projected = point;
     double distance =
         tf_original_nearest(&remesher->original, point.x, projected.x);
-    return distance < remesher->options.edge ? projected : point;
+    return distance < remesher->edge ? projected : point;
 }
 
 //: Choose where an edge is split

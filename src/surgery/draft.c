@@ -45,8 +45,11 @@ void tf_draft_accept(tf_adaptive_surface *draft, tf_adaptive_surface *surface)
 {
     tf_adaptive_surface before = *surface;
     *surface = *draft;
-    *draft = before;
+    surface->lent = before.lent;
+    surface->lent.has_origins = false;
     surface->watch = NULL;
+    before.lent = draft->lent;
+    *draft = before;
 }
 
 //: Free a draft
@@ -60,4 +63,8 @@ void tf_draft_free(tf_adaptive_surface *draft)
     tf_buffer_free(&draft->box);
     tf_dynamic_tree_free(&draft->tree);
     tf_surgery_free(&draft->surgery);
+    tf_buffer_free(&draft->lent.mesh);
+    tf_buffer_free(&draft->lent.remesh_report);
+    tf_buffer_free(&draft->lent.reconnect_report);
+    tf_buffer_free(&draft->lent.origin);
 }

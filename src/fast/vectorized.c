@@ -2,6 +2,7 @@
 #include "fast/vectorized.h"
 
 #include "arithmetic/clamped.h"
+#include "arithmetic/published.h"
 #include "arithmetic/exact.h"
 #include "arithmetic/perturbed.h"
 #include "base/environment.h"

@@ -2,6 +2,7 @@
 #include "surface/pairs.h"
 
 #include "arithmetic/clamped.h"
+#include "arithmetic/published.h"
 #include "arithmetic/exact.h"
 #include "arithmetic/integer.h"
 #include "query/edge_edge.h"

@@ -23,6 +23,7 @@
 // figures/measured/library.csv.
 #include "arithmetic/accumulated.h"
 #include "arithmetic/clamped.h"
+#include "arithmetic/published.h"
 #include "arithmetic/exact.h"
 #include "arithmetic/filter.h"
 #include "arithmetic/fixed.h"

@@ -1,6 +1,7 @@
 #include "program/arithmetics.h"
 
 #include "arithmetic/clamped.h"
+#include "arithmetic/published.h"
 #include "arithmetic/exact.h"
 #include "arithmetic/integer.h"
 #include "arithmetic/perturbed.h"

@@ -2,6 +2,7 @@
 #include "surface/detect.h"
 
 #include "arithmetic/clamped.h"
+#include "arithmetic/published.h"
 #include "arithmetic/exact.h"
 #include "arithmetic/integer.h"
 #include "arithmetic/perturbed.h"

@@ -3,6 +3,7 @@
 #define _POSIX_C_SOURCE 200809L // pthread_barrier_t
 
 #include "arithmetic/clamped.h"
+#include "arithmetic/published.h"
 #include "arithmetic/exact.h"
 #include "arithmetic/integer.h"
 #include "arithmetic/perturbed.h"

@@ -1,5 +1,6 @@
 // A collision that is missed when a sign that is not known counts as zero.
 #include "arithmetic/clamped.h"
+#include "arithmetic/published.h"
 #include "arithmetic/exact.h"
 #include "intersect/cascade.h"
 #include "support/judge.h"

@@ -2,9 +2,9 @@
 #include "fast/vectorized.h"
 
 #include "arithmetic/clamped.h"
-#include "arithmetic/published.h"
 #include "arithmetic/exact.h"
 #include "arithmetic/perturbed.h"
+#include "arithmetic/published.h"
 #include "base/environment.h"
 #include "base/require.h"
 #include "fast/gather.h"

@@ -2,10 +2,10 @@
 #include "program/arithmetics.h"
 
 #include "arithmetic/clamped.h"
-#include "arithmetic/published.h"
 #include "arithmetic/exact.h"
 #include "arithmetic/integer.h"
 #include "arithmetic/perturbed.h"
+#include "arithmetic/published.h"
 
 #include <math.h>
 #include <stddef.h>

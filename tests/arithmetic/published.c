@@ -78,8 +78,7 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("published");
     TCase *rule = tcase_create("rule");
-    tcase_add_test(rule,
-                   the_published_rule_is_clamped_with_zeros_for_unknowns);
+    tcase_add_test(rule, the_published_rule_is_clamped_with_zeros_for_unknowns);
     tcase_add_test(rule, the_published_rule_takes_four_unknown_signs_for_zeros);
     tcase_add_test(rule, all_doubles_are_held);
     suite_add_tcase(suite, rule);

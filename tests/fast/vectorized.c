@@ -2,10 +2,10 @@
 #include "fast/vectorized.h"
 
 #include "arithmetic/clamped.h"
-#include "arithmetic/published.h"
 #include "arithmetic/exact.h"
 #include "arithmetic/integer.h"
 #include "arithmetic/perturbed.h"
+#include "arithmetic/published.h"
 #include "query/query.h"
 #include "support/environments.h"
 #include "support/families.h"

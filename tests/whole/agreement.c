@@ -1,11 +1,11 @@
 // What is asked for less answers the same: the verdict alone, the time without
 // the point, many queries at once, and the vertices in another order.
 #include "arithmetic/clamped.h"
-#include "arithmetic/published.h"
 #include "arithmetic/exact.h"
 #include "arithmetic/functions.h"
 #include "arithmetic/integer.h"
 #include "arithmetic/perturbed.h"
+#include "arithmetic/published.h"
 #include "intersect/cascade.h"
 #include "query/edge_edge.h"
 #include "query/narrow_phase.h"

@@ -2,10 +2,10 @@
 // so, and any.  The verdict and the interval of the time are judged; of the
 // other fields, that all are finite, whatever overflows on the way to them.
 #include "arithmetic/clamped.h"
-#include "arithmetic/published.h"
 #include "arithmetic/exact.h"
 #include "arithmetic/functions.h"
 #include "arithmetic/perturbed.h"
+#include "arithmetic/published.h"
 #include "support/judge.h"
 
 #include <float.h>

@@ -1,9 +1,9 @@
 // Detection finds the same rows, by the same effort, with any narrow phase.
 #include "arithmetic/clamped.h"
-#include "arithmetic/published.h"
 #include "arithmetic/exact.h"
 #include "arithmetic/integer.h"
 #include "arithmetic/perturbed.h"
+#include "arithmetic/published.h"
 #include "bench/layers.h"
 #include "fast/vectorized.h"
 #include "program/threads.h"

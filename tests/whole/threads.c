@@ -3,10 +3,10 @@
 #define _POSIX_C_SOURCE 200809L // pthread_barrier_t
 
 #include "arithmetic/clamped.h"
-#include "arithmetic/published.h"
 #include "arithmetic/exact.h"
 #include "arithmetic/integer.h"
 #include "arithmetic/perturbed.h"
+#include "arithmetic/published.h"
 #include "base/contract.h"
 #include "query/edge_edge.h"
 #include "query/narrow_phase.h"

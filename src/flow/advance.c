@@ -230,14 +230,17 @@ static void put_ends(const tf_flow_advance *a)
     tf_stars_build(a->surface, a->surface->box.data);
 }
 
-tf_status tf_advance_resolve(tf_flow_advance *a, const tf_response_report **report)
+tf_status tf_advance_resolve(tf_flow_advance *a, tf_response_report *report)
 {
     tf_response_options options = {.parallel = a->options->parallel};
+    const tf_response_report *lent;
     hold_isolated_triangles(a);
     tf_status status =
         tf_step_resolve(a->resolver, a->vertices, a->start, a->end,
-                        a->inverse_mass, &options, report, NULL);
-    if (status == TF_OK)
+                        a->inverse_mass, &options, &lent, NULL);
+    if (status == TF_OK) {
+        *report = *lent;
         put_ends(a);
+    }
     return status;
 }

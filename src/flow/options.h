@@ -24,7 +24,7 @@ typedef struct tf_flow_report {
     size_t tried[TF_OPERATIONS][TF_OUTCOMES];
     size_t shifted[TF_OUTCOMES];     ///< the same of moves that restore volume
     tf_reconnect_report reconnected; ///< how parts have merged and come apart
-    const tf_response_report *response; ///< of the step of all vertices, or NULL
+    tf_response_report response;     ///< of the step of all vertices
     double seconds[TF_FLOW_PARTS];   ///< 0 without a clock
 } tf_flow_report;
 

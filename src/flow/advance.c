@@ -238,9 +238,9 @@ tf_status tf_advance_resolve(tf_flow_advance *a, tf_response_report *report)
     tf_status status =
         tf_step_resolve(a->resolver, a->vertices, a->start, a->end,
                         a->inverse_mass, &options, &lent, NULL);
-    if (status == TF_OK) {
+    if (status == TF_OK && report)
         *report = *lent;
+    if (status == TF_OK)
         put_ends(a);
-    }
     return status;
 }

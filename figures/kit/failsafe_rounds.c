@@ -1,6 +1,7 @@
 #include "kit/failsafe_rounds.h"
 
 #include "base/require.h"
+#include "fast/detect.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,6 +1,7 @@
 #include "kit/pile.h"
 
 #include "base/require.h"
+#include "fast/detect.h"
 #include "surface/surface.h"
 
 #include <math.h>

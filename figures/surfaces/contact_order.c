@@ -1,10 +1,10 @@
 // The contacts of a step in the order in which one worker, or two, find them,
 // and the order in which a detection lists them.
 #include "base/require.h"
+#include "fast/detect.h"
 #include "kit/figures.h"
 #include "kit/meshes.h"
 #include "renderer/plot.h"
-#include "surface/detect.h"
 #include "surface/surface_memory.h"
 
 #include <stdio.h>

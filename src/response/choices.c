@@ -1,4 +1,4 @@
-//: Include what choices need
+//: Include what the usual choices need
 #include "response/choices.h"
 
 #include "base/sized.h"

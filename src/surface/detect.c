@@ -67,6 +67,9 @@ tf_status tf_detect(tf_surface *surface, const tf_motion *motion,
                     const tf_detect_options *options, tf_contacts *found,
                     tf_error *error)
 {
+    static const tf_detect_options usual;
+    if (!options)
+        options = &usual;
     tf_pair_job job = {
         .surface = surface,
         .motion = motion,

@@ -11,7 +11,7 @@ tf_status tf_detect_options_read(tf_detect_options *to,
                                  tf_error *error);
 
 /// What tf_surface_detect does, but with tf_reference if the options name no
-/// narrow phase; and they are those of this version, and not NULL.
+/// narrow phase; and they are those of this version.
 tf_status tf_detect(tf_surface *surface, const tf_motion *motion,
                     const tf_detect_options *options, tf_contacts *found,
                     tf_error *error);

@@ -23,6 +23,7 @@
 #include "bench/measuring.h"
 #include "bench/workloads.h"
 #include "fast/block_filter.h"
+#include "fast/detect.h"
 #include "fast/vectorized.h"
 #include "linear/cubic.h"
 #include "query/edge_edge.h"
@@ -30,7 +31,6 @@
 #include "support/generator.h"
 #include "support/memory.h"
 #include "surface/candidates.h"
-#include "surface/detect.h"
 
 #include <math.h>
 #include <stdbool.h>

@@ -150,7 +150,7 @@ START_TEST(the_plane_is_left_to_the_reference)
         vertex[i + 1] = 20 + corner;
         vertex[i + 2] = 20 + (corner + step) % 20;
     }
-    tf_motion motion = {3, 40, start, end};
+    tf_motion motion = {2, 40, start, end};
     tf_queries queries = {TF_POINT_EDGE, &motion, 100, vertex};
     tf_verdict verdict[2][100];
     size_t separated[2] = {0};
@@ -289,6 +289,19 @@ START_TEST(no_queries_are_decided_at_once)
 }
 END_TEST
 
+START_TEST(an_unknown_kind_is_refused)
+{
+    static const double x[12] = {0};
+    static const int vertices[] = {0, 1, 2, 3};
+    tf_motion motion = {.axes = 3, .vertices = 4, .start = x, .end = x};
+    tf_queries unknown = {TF_NO_KIND, &motion, 1, vertices};
+    tf_verdict verdict;
+    ck_assert_int_eq(
+        tf_vectorized.decide(NULL, &tf_exact, &unknown, &verdict, &(size_t){0}),
+        TF_BAD_OPTION);
+}
+END_TEST
+
 START_TEST(missing_queries_or_verdicts_break_the_contract)
 {
     static const double x[12] = {0};
@@ -296,7 +309,6 @@ START_TEST(missing_queries_or_verdicts_break_the_contract)
     tf_motion motion = {.axes = 3, .vertices = 4, .start = x, .end = x};
     tf_queries one = {TF_EDGE_EDGE, &motion, 1, vertices};
     tf_queries nowhere = {TF_EDGE_EDGE, &motion, 1, NULL};
-    tf_queries unknown = {TF_NO_KIND, &motion, 1, vertices};
     tf_verdict verdict;
     size_t separated = 0;
     const struct {
@@ -306,8 +318,7 @@ START_TEST(missing_queries_or_verdicts_break_the_contract)
     } missing[] = {{NULL, &verdict, &separated},
                    {&nowhere, &verdict, &separated},
                    {&one, NULL, &separated},
-                   {&one, &verdict, NULL},
-                   {&unknown, &verdict, &separated}};
+                   {&one, &verdict, NULL}};
     exit_on_broken_contract();
     tf_vectorized.decide(NULL, &tf_exact, missing[_i].queries,
                          missing[_i].verdict, missing[_i].separated);
@@ -328,8 +339,9 @@ Suite *suite(void)
     tcase_add_loop_test(c, the_first_bad_query_has_its_status, 0, 2);
     tcase_add_loop_test(c, a_broken_environment_is_reported, 0, environments());
     tcase_add_test(c, no_queries_are_decided_at_once);
+    tcase_add_test(c, an_unknown_kind_is_refused);
     tcase_add_loop_exit_test(c, missing_queries_or_verdicts_break_the_contract,
-                             BROKEN_CONTRACT, 0, 5);
+                             BROKEN_CONTRACT, 0, 4);
     suite_add_tcase(suite, c);
     suite_add_tcase(suite, statuses_case("point-triangle", use_point_triangle));
     suite_add_tcase(suite, statuses_case("edge-edge", use_edge_edge));

@@ -8,6 +8,7 @@
 #include "support/support.h"
 #include "support/surface_of.h"
 #include "surface/candidates.h"
+#include "surface/detect.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -64,9 +65,9 @@ static void move_some(generator *random, double far)
 static tf_contacts build(const tf_parallel *parallel)
 {
     tf_contacts found;
-    tf_flaw flaw;
+    tf_error error;
     tf_contact_search all = search(parallel);
-    ck_assert_int_eq(tf_pair_cache_build(&cache, &all, &found, &flaw), TF_OK);
+    ck_assert_int_eq(tf_pair_cache_build(&cache, &all, &found, &error), TF_OK);
     ck_assert(tf_pair_cache_is_current(&cache, &all));
     return found;
 }
@@ -154,8 +155,7 @@ static void compare_contact(const tf_surface_contact *found,
 static void compare(tf_surface *other, const tf_contacts *found, bool all)
 {
     tf_contacts true_ones;
-    ck_assert_int_eq(tf_surface_detect(other, &motion, NULL, &true_ones, NULL),
-                     TF_OK);
+    ck_assert_int_eq(tf_detect(other, &motion, NULL, &true_ones, NULL), TF_OK);
     size_t expected = 0;
     for (size_t i = 0; i < true_ones.count; i++) {
         const tf_surface_contact *contact = &true_ones.contact[i];

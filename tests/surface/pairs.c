@@ -113,7 +113,8 @@ END_TEST
 
 START_TEST(statistics_add_up)
 {
-    tf_detect_statistics all = {1, 2, 3, 4}, own = {10, 20, 30, 40};
+    tf_detect_statistics all = {1, 2, 3, 4, {0}};
+    tf_detect_statistics own = {10, 20, 30, 40, {0}};
     tf_detect_statistics_add(&all, &own);
     ck_assert_uint_eq(all.candidates, 11);
     ck_assert_uint_eq(all.by_axis, 22);

@@ -2,11 +2,11 @@
 // finds one, and no others.
 #include "surgery/move.h"
 
+#include "fast/detect.h"
 #include "support/adaptive_surfaces.h"
 #include "support/support.h"
 #include "support/surface_of.h"
 #include "support/surgery_runs.h"
-#include "surface/detect.h"
 #include "surgery/outcome.h"
 
 #include <string.h>

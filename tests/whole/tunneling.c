@@ -200,7 +200,7 @@ static bool in_contact(const tf_arithmetic *arithmetic, const scene *s,
                        int from, int to)
 {
     cycle first = cycle_of(s, 0), second = cycle_of(s, 1);
-    tf_motion motion = {3, VERTICES, s->start, s->end};
+    tf_motion motion = {s->axes, VERTICES, s->start, s->end};
     int vertices[4 * ELEMENTS], size = first.size + second.size;
     tf_verdict verdict[ELEMENTS];
     for (int i = from; i < to; i++) {

@@ -4,6 +4,7 @@
 #include "arithmetic/exact.h"
 #include "arithmetic/functions.h"
 #include "bench/layers.h"
+#include "fast/detect.h"
 #include "intersect/signs.h"
 #include "kit/meshes.h"
 #include "kit/random.h"
@@ -11,7 +12,6 @@
 #include "query/edge_edge.h"
 #include "query/point_triangle.h"
 #include "surface/box.h"
-#include "surface/detect.h"
 
 // Boxes -----------------------------------------------------------------------
 
@@ -321,7 +321,7 @@ static void workers_find_the_contacts_of_three_threads(void)
     fig_some_mesh at[2] = {fig_folded_sheet(60, 120, 150),
                            fig_folded_sheet(60, 120, 183.35)};
     const tf_mesh mesh = fig_mesh_in_space(&at[0]);
-    const tf_motion motion = {at[0].axes, at[0].vertices, at[0].x, at[1].x};
+    const tf_motion motion = {3, at[0].vertices, at[0].x, at[1].x};
     int threads = 3, points = 0;
     tf_parallel parallel = tf_threads(&threads);
     tf_surface *surface;

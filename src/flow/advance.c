@@ -244,7 +244,6 @@ static tf_status put_ends(const tf_flow_advance *a)
                                                             : TF_CANCELLED;
 }
 
-<<<<<<< HEAD
 tf_status tf_advance_resolve(tf_flow_advance *a,
                              const tf_response_report **report)
 {
@@ -253,18 +252,6 @@ tf_status tf_advance_resolve(tf_flow_advance *a,
                                    .context = a->options->context};
     hold_isolated_triangles(a);
     tf_status status = goes_on(a);
-=======
-tf_status tf_advance_resolve(tf_flow_advance *a, tf_response_report *report)
-{
-    tf_response_options options = {.parallel = a->options->parallel};
-    const tf_response_report *lent;
-    hold_isolated_triangles(a);
-    tf_status status =
-        tf_step_resolve(a->resolver, a->vertices, a->start, a->end,
-                        a->inverse_mass, &options, &lent, NULL);
-    if (status == TF_OK && report)
-        *report = *lent;
->>>>>>> me
     if (status == TF_OK)
         status = tf_step_resolve(a->resolver, a->vertices, a->start, a->end,
                                  a->inverse_mass, &options, report, NULL);

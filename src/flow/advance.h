@@ -48,4 +48,4 @@ tf_status tf_advance_restore_volume(tf_flow_advance *advance);
 /// Moves the vertices to their ends as far as the response lets them.  Returns
 /// what tf_step_resolve does, and lends its report.
 tf_status tf_advance_resolve(tf_flow_advance *advance,
-                             tf_response_report *report);
+                             const tf_response_report **report);

@@ -22,20 +22,21 @@ static bool load(remeshing *r)
 {
     const tf_mesh_file *file = tf_frames_file(&r->frames);
     tf_mesh mesh = tf_mesh_file_elements(file, 3);
-    tf_defect defect;
+    tf_error error;
     r->done.triangles_before = mesh.triangles;
     tf_status status =
-        tf_adaptive_create(&mesh, file->position.item, &r->surface, &defect);
-    return status == TF_OK || tf_defect_fault(file, status, &defect);
+        tf_adaptive_create(&mesh, file->position.item, &r->surface, &error);
+    return status == TF_OK || tf_error_fault(file, &error);
 }
 
 //: Show the progress of remeshing
-static void show_progress(void *context, const tf_remesh_report *so_far)
+static bool show_progress(void *context, const tf_stage *stage)
 {
-    size_t done = 0;
-    for (int i = 0; i < TF_OPERATIONS; i++)
-        done += so_far->tried[i][TF_COMMITTED];
-    tf_progress_line_show(context, (long)done, "changes");
+    char things[64];
+    snprintf(things, sizeof things, "of %zu: %s", stage->total, stage->name);
+    if (stage->total > 0)
+        tf_progress_line_show(context, (long)stage->done, things);
+    return true;
 }
 
 //: Remesh the surface of a file
@@ -45,8 +46,10 @@ static bool remesh(remeshing *r)
                              .rounds = r->request->rounds,
                              .progress = show_progress,
                              .context = &r->progress};
+    const tf_remesh_report *report;
+    tf_error error;
     double begin = tf_clock_seconds();
-    tf_status status = tf_adaptive_remesh(r->surface, &how, &r->done.report);
+    tf_status status = tf_adaptive_remesh(r->surface, &how, &report, &error);
     r->done.seconds = tf_clock_seconds() - begin;
     r->done.edge = how.edge;
     const tf_mesh_file *file = tf_frames_file(&r->frames);
@@ -55,13 +58,16 @@ static bool remesh(remeshing *r)
             file, -1,
             "--edge %g would take too many triangles; give a longer one",
             how.edge);
-    return status == TF_OK || tf_defect_fault(file, status, &(tf_defect){0});
+    if (status != TF_OK)
+        return tf_error_fault(file, &error);
+    r->done.report = *report;
+    return true;
 }
 
 //: Remesh and write
 static bool write(remeshing *r)
 {
-    tf_mesh_content content = {.mesh = tf_adaptive_mesh(r->surface),
+    tf_mesh_content content = {.mesh = *tf_adaptive_mesh(r->surface),
                                .position = tf_adaptive_positions(r->surface)};
     tf_mesh_report report = {*r->request->format, tf_remeshed_fields, &r->done};
     r->done.triangles_after = content.mesh.triangles;

@@ -123,7 +123,7 @@ static void note(const tf_reconnector *reconnector,
 
 static result merge(const tf_adaptive_surface *before, bool once)
 {
-    tf_mesh mesh = tf_adaptive_mesh(before);
+    tf_mesh mesh = *tf_adaptive_mesh(before);
     tf_adaptive_surface *surface;
     TF_REQUIRE(tf_adaptive_create(&mesh, tf_adaptive_positions(before),
                                   &surface, NULL) == TF_OK);

@@ -28,7 +28,7 @@ static void make_step(const fig_flow_plan *plan, tf_flow_simulation *flow,
 static void keep_frame(const tf_adaptive_surface *surface, fig_flow_run *run)
 {
     fig_flow_frame *frame = &run->frame[run->frames++];
-    tf_mesh mesh = tf_adaptive_mesh(surface);
+    tf_mesh mesh = *tf_adaptive_mesh(surface);
     size_t size = 3 * sizeof *frame->x * (size_t)mesh.vertices;
     frame->x = malloc(size);
     TF_REQUIRE(frame->x && tf_flow_measure(surface, &frame->measures));

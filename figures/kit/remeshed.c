@@ -106,7 +106,7 @@ fig_some_mesh fig_roll_of_sheet(double radius, double gap, double turns,
 
 static fig_some_mesh copy_of(const tf_adaptive_surface *surface)
 {
-    tf_mesh now = tf_adaptive_mesh(surface);
+    tf_mesh now = *tf_adaptive_mesh(surface);
     fig_some_mesh mesh = with_room(now.vertices, now.triangles);
     mesh.vertices = now.vertices;
     memcpy(mesh.x, tf_adaptive_positions(surface),

@@ -49,13 +49,13 @@ START_TEST(a_ball_returns_from_vortices_with_its_volume)
     tf_flow *flow = flow_of(surface);
     tf_flow_options options = {
         .edge = 0.023, .velocity = tf_field_apply, .context = &vortices};
-    tf_flow_report report;
+    const tf_flow_report *report;
     mpq_t before;
     mpq_init(before);
     exact_volume(surface, before);
     for (int i = 0; i < STEPS; i++) {
         ck_assert_int_eq(
-            tf_flow_step(flow, &options, 3.0 * i / STEPS, 3.0 / STEPS, &report),
+            tf_flow_step(flow, 3.0 * i / STEPS, 3.0 / STEPS, &options, &report, NULL),
             TF_OK);
         if (i % 10 == 9)
             expect_embedded(surface);
@@ -83,7 +83,7 @@ static tf_adaptive_surface *flow_on(int workers)
                                .context = &vortices,
                                .parallel = &parallel};
     for (int i = 0; i < 20; i++)
-        ck_assert_int_eq(tf_flow_step(flow, &options, 0.05 * i, 0.05, NULL),
+        ck_assert_int_eq(tf_flow_step(flow, 0.05 * i, 0.05, &options, NULL, NULL),
                          TF_OK);
     tf_flow_free(flow);
     return surface;
@@ -96,8 +96,8 @@ static void expect_same(const tf_adaptive_surface *one,
     ck_assert_int_eq(one->triangles, two->triangles);
     ck_assert_mem_eq(coordinates_of(one, 0), coordinates_of(two, 0),
                      3 * sizeof(double) * (size_t)one->vertices);
-    ck_assert_mem_eq(tf_adaptive_mesh(one).triangle,
-                     tf_adaptive_mesh(two).triangle,
+    ck_assert_mem_eq(tf_adaptive_mesh(one)->triangle,
+                     tf_adaptive_mesh(two)->triangle,
                      3 * sizeof(int) * (size_t)one->triangles);
 }
 
@@ -120,9 +120,9 @@ START_TEST(a_flow_remembers_nothing_of_its_steps)
         .edge = 0.03, .velocity = tf_field_apply, .context = &vortices};
     for (int i = 0; i < 20; i++) {
         tf_flow *anew = flow_of(same);
-        ck_assert_int_eq(tf_flow_step(flow, &options, 0.05 * i, 0.05, NULL),
+        ck_assert_int_eq(tf_flow_step(flow, 0.05 * i, 0.05, &options, NULL, NULL),
                          TF_OK);
-        ck_assert_int_eq(tf_flow_step(anew, &options, 0.05 * i, 0.05, NULL),
+        ck_assert_int_eq(tf_flow_step(anew, 0.05 * i, 0.05, &options, NULL, NULL),
                          TF_OK);
         ck_assert_uint_gt(tf_flow_memory(flow), tf_flow_memory(anew) / 2);
         tf_flow_free(anew);
@@ -143,11 +143,10 @@ START_TEST(a_step_is_its_parts)
     tf_flow_options options = {
         .edge = 0.03, .velocity = tf_field_apply, .context = &vortices};
     for (int i = 0; i < 20; i++) {
-        tf_flow_report report;
-        ck_assert_int_eq(tf_flow_step(flow, &options, 0.05 * i, 0.05, NULL),
+        ck_assert_int_eq(tf_flow_step(flow, 0.05 * i, 0.05, &options, NULL, NULL),
                          TF_OK);
         ck_assert_int_eq(
-            careless_step(other, 0, &options, 0.05 * i, 0.05, &report), TF_OK);
+            careless_step(other, 0, 0.05 * i, 0.05, &options, NULL), TF_OK);
     }
     expect_same(surface, same);
     tf_flow_free(flow);
@@ -178,7 +177,7 @@ static tf_adaptive_surface *two_spheres(void)
     static double position[2000][3];
     static int triangle[6000];
     tf_adaptive_surface *one = adaptive_sphere(5, left, 1);
-    tf_mesh mesh = tf_adaptive_mesh(one);
+    tf_mesh mesh = *tf_adaptive_mesh(one);
     for (int v = 0; v < mesh.vertices; v++)
         for (int k = 0; k < 3; k++) {
             double x = coordinates_of(one, v)[k];
@@ -204,10 +203,10 @@ static size_t meet(bool keep_topology)
         .edge = 0.3, .velocity = approach, .keep_topology = keep_topology};
     size_t merges = 0;
     for (int i = 0; i < 20; i++) {
-        tf_flow_report report;
-        ck_assert_int_eq(tf_flow_step(flow, &options, 0, 0.02, &report), TF_OK);
+        const tf_flow_report *report;
+        ck_assert_int_eq(tf_flow_step(flow, 0, 0.02, &options, &report, NULL), TF_OK);
         expect_embedded(surface);
-        merges += report.reconnected.tried[TF_MERGE][TF_COMMITTED];
+        merges += report->reconnected->tried[TF_MERGE][TF_COMMITTED];
     }
     tf_flow_free(flow);
     tf_adaptive_free(surface);
@@ -227,10 +226,10 @@ START_TEST(small_components_vanish)
     tf_flow *flow = flow_of(surface);
     tf_flow_options options = {.edge = 6, .velocity = approach};
     for (int i = 0; i < 2; i++) {
-        tf_flow_report report;
-        ck_assert_int_eq(tf_flow_step(flow, &options, 0, 0.1, &report), TF_OK);
+        const tf_flow_report *report;
+        ck_assert_int_eq(tf_flow_step(flow, 0, 0.1, &options, &report, NULL), TF_OK);
         ck_assert_int_eq(surface->triangles, 0);
-        ck_assert_uint_eq(report.reconnected.tried[TF_DROP][TF_COMMITTED],
+        ck_assert_uint_eq(report->reconnected->tried[TF_DROP][TF_COMMITTED],
                           i == 0);
     }
     tf_flow_free(flow);
@@ -248,7 +247,7 @@ START_TEST(bad_lengths_are_refused)
     for (int i = 0; i < 4; i++) {
         tf_flow_options options = {
             .edge = edges[i], .velocity = tf_field_apply, .context = &vortices};
-        ck_assert_int_eq(tf_flow_step(flow, &options, 0, 1, NULL),
+        ck_assert_int_eq(tf_flow_step(flow, 0, 1, &options, NULL, NULL),
                          TF_BAD_OPTION);
     }
     tf_flow_free(flow);
@@ -259,7 +258,7 @@ END_TEST
 START_TEST(a_flow_needs_a_velocity)
 {
     tf_flow_options options = {.edge = 1};
-    tf_flow_step(flow_of(adaptive_tetrahedron()), &options, 0, 1, NULL);
+    tf_flow_step(flow_of(adaptive_tetrahedron()), 0, 1, &options, NULL, NULL);
 }
 END_TEST
 
@@ -269,8 +268,9 @@ START_TEST(freeing_no_flow_does_nothing)
 }
 END_TEST
 
-static double count_calls(void)
+static double count_calls(void *context)
 {
+    (void)context;
     static int calls;
     return ++calls;
 }
@@ -281,10 +281,10 @@ START_TEST(the_report_has_times_by_a_clock)
     tf_flow *flow = flow_of(surface);
     tf_flow_options options = {
         .edge = 2, .velocity = approach, .clock = count_calls};
-    tf_flow_report report;
-    ck_assert_int_eq(tf_flow_step(flow, &options, 0, 0, &report), TF_OK);
+    const tf_flow_report *report;
+    ck_assert_int_eq(tf_flow_step(flow, 0, 0, &options, &report, NULL), TF_OK);
     for (int i = 0; i < TF_FLOW_PARTS; i++)
-        ck_assert_double_eq(report.seconds[i], 1);
+        ck_assert_double_eq(report->seconds[i], i <= TF_ADVANCE);
     tf_flow_free(flow);
     tf_adaptive_free(surface);
 }

@@ -28,7 +28,7 @@ START_TEST(the_nearest_point_is_found)
     tf_original original = {0};
     surgery_run_begin(&run, generator_new((uint64_t)_i),
                       (adaptive_scene_kind)_i, &counts);
-    ck_assert(tf_original_copy(&original, run.surface));
+    ck_assert_int_eq(tf_original_begin(&original, run.surface, NULL), TF_OK);
     for (long i = 0; i < cases(300); i++) {
         double x[3], point[3];
         for (int k = 0; k < 3; k++)
@@ -51,10 +51,11 @@ START_TEST(the_distance_is_that_of_the_farthest)
     tf_adaptive_surface *sheet = adaptive_sheet(3, 3);
     tf_adaptive_surface *other = adaptive_of(3, position, 1, triangle);
     tf_original a = {0}, b = {0};
-    ck_assert(tf_original_copy(&a, sheet) && tf_original_copy(&b, other));
-    ck_assert_double_eq(tf_original_farthest(&a, &b), 0.5);
-    ck_assert_double_eq_tol(tf_original_farthest(&b, &a), sqrt(4.5), 1e-12);
-    ck_assert_double_eq_tol(tf_original_farthest(&a, &a), 0, 1e-15);
+    ck_assert_int_eq(tf_original_begin(&a, sheet, NULL), TF_OK);
+    ck_assert_int_eq(tf_original_begin(&b, other, NULL), TF_OK);
+    ck_assert_double_eq(tf_original_farthest(&a, other, NULL), 0.5);
+    ck_assert_double_eq_tol(tf_original_farthest(&b, sheet, NULL), sqrt(4.5), 1e-12);
+    ck_assert_double_eq_tol(tf_original_farthest(&a, sheet, NULL), 0, 1e-15);
     tf_original_free(&a);
     tf_original_free(&b);
     tf_adaptive_free(sheet);

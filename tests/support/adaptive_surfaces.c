@@ -57,7 +57,7 @@ const double *coordinates_of(const tf_adaptive_surface *surface, int vertex)
 
 int triangles_of(const tf_adaptive_surface *surface)
 {
-    tf_mesh mesh = tf_adaptive_mesh(surface);
+    tf_mesh mesh = *tf_adaptive_mesh(surface);
     int count = 0;
     for (int t = 0; t < mesh.triangles; t++)
         count += mesh.triangle[3 * t] >= 0;
@@ -66,7 +66,7 @@ int triangles_of(const tf_adaptive_surface *surface)
 
 int has_triangle(const tf_adaptive_surface *surface, int a, int b, int c)
 {
-    tf_mesh mesh = tf_adaptive_mesh(surface);
+    tf_mesh mesh = *tf_adaptive_mesh(surface);
     for (int i = 0; i < 3 * mesh.triangles; i++) {
         const int *t = mesh.triangle + i / 3 * 3;
         if (t[i % 3] == a && t[(i + 1) % 3] == b && t[(i + 2) % 3] == c)

@@ -70,7 +70,7 @@ static void begin(generator *random, int built)
         is_in[i] = i < built;
         order[i] = i;
     }
-    tf_dynamic_tree_build(&tree, box, order, built);
+    ck_assert(tf_dynamic_tree_build(&tree, box, order, built, NULL));
 }
 
 START_TEST(what_overlaps_is_found)

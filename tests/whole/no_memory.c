@@ -63,7 +63,7 @@ void *__wrap_aligned_alloc(size_t alignment, size_t size)
 static tf_status copy(const tf_adaptive_surface *from,
                       tf_adaptive_surface **made)
 {
-    tf_mesh mesh = tf_adaptive_mesh(from);
+    tf_mesh mesh = *tf_adaptive_mesh(from);
     *made = NULL;
     return tf_adaptive_create(&mesh, tf_adaptive_positions(from), made, NULL);
 }
@@ -215,7 +215,7 @@ END_TEST
 static tf_status reconnect(tf_adaptive_surface *surface)
 {
     static const tf_reconnect_options how = {.edge = 1, .merge = 0.8};
-    return tf_adaptive_reconnect(surface, &how, NULL);
+    return tf_adaptive_reconnect(surface, &how, NULL, NULL);
 }
 
 START_TEST(reconnecting_leaves_a_good_surface)
@@ -227,7 +227,7 @@ END_TEST
 static tf_status remesh(tf_adaptive_surface *sheet)
 {
     static const tf_remesh_options how = {.edge = 0.4, .rounds = 2};
-    return tf_adaptive_remesh(sheet, &how, NULL);
+    return tf_adaptive_remesh(sheet, &how, NULL, NULL);
 }
 
 START_TEST(remeshing_leaves_a_good_surface)
@@ -254,10 +254,10 @@ static tf_status flow(tf_adaptive_surface *surface)
     left = -1;
     ck_assert_int_eq(tf_flow_create(surface, &flow), TF_OK);
     left = allocations;
-    tf_status status = tf_flow_step(flow, &how, 0, 1, NULL);
+    tf_status status = tf_flow_step(flow, 0, 1, &how, NULL, NULL);
     left = -1;
     expect_good(surface);
-    ck_assert_int_eq(tf_flow_step(flow, &how, 1, 1, NULL), TF_OK);
+    ck_assert_int_eq(tf_flow_step(flow, 1, 1, &how, NULL, NULL), TF_OK);
     tf_flow_free(flow);
     return status;
 }

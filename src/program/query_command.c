@@ -22,8 +22,9 @@ static void check_options(tf_request *request)
         const char *option = tf_method_option(own->value);
         if (tf_request_gave(request, option) && own->value != request->method &&
             own->value != request->against)
-            tf_request_refuse(request, "--%s is for --method %s alone", option,
-                              own->name);
+            tf_request_refuse(request,
+                              "--%s is for --method %s; add that, or drop it",
+                              option, own->name);
     }
 }
 

@@ -100,7 +100,7 @@ const tf_command tf_remesh_command = {
     .operands = "IN",
     .least = 1,
     .most = 1,
-    .wanted = "one file is required, IN",
+    .wanted = "one file is required: IN",
     .description = tf_remesh_description,
     .run = run,
 };

@@ -164,7 +164,7 @@ const tf_command tf_resolve_command = {
     .operands = "START END",
     .least = 2,
     .most = 2,
-    .wanted = "two files are required, START and END",
+    .wanted = "two files are required: START and END",
     .description = tf_resolve_description,
     .run = run,
 };

@@ -65,7 +65,7 @@ static void check(tf_request *request)
     if (!scene)
         tf_request_refuse(
             request,
-            "unknown scene '%s'; 'tanglefree simulate list' prints all",
+            "unknown scene '%s'; 'tanglefree simulate list' lists the scenes",
             tf_make_visible(request->operand[0]).text);
     if (!request->out)
         tf_request_refuse(
@@ -201,7 +201,8 @@ const tf_command tf_simulate_command = {
     .operands = "SCENE\nlist",
     .least = 1,
     .most = 1,
-    .wanted = "one scene is required; 'tanglefree simulate list' prints all",
+    .wanted =
+        "one scene is required; 'tanglefree simulate list' lists the scenes",
     .description = tf_simulate_description,
     .check = check,
     .run = run_simulate,

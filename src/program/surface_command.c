@@ -150,7 +150,7 @@ const tf_command tf_detect_command = {
     .operands = "START END [END...]",
     .least = 2,
     .most = INT_MAX,
-    .wanted = "two files or more are required, START and END",
+    .wanted = "two files or more are required: START and END",
     .description = tf_detect_description,
     .run = run_detect,
 };
@@ -162,7 +162,7 @@ const tf_command tf_check_command = {
     .operands = "FILE...",
     .least = 1,
     .most = INT_MAX,
-    .wanted = "a file is required, or - for standard input",
+    .wanted = "a file is required: its name, or - for standard input",
     .description = tf_check_description,
     .run = run_check,
 };

@@ -29,7 +29,6 @@ typedef struct sentence {
     char *buffer;
     size_t size, length;
     int first; ///< the number of the first vertex
-    bool in_file;
 } sentence;
 
 #ifdef __GNUC__
@@ -102,9 +101,8 @@ static void put_bad_index(sentence *s, const tf_error *error)
                 : "vertex %lld is a corner twice; delete the triangle or edge",
             vertex);
     else
-        put(s, "there is no vertex %lld; %s those from %d to %lld", vertex,
-            s->in_file ? "the file has" : "there are", s->first,
-            number_of(s, error->vertices) - 1);
+        put(s, "there is no vertex %lld; they are numbered from %d to %lld",
+            vertex, s->first, number_of(s, error->vertices) - 1);
 }
 
 //: Describe what no adaptive surface has
@@ -172,7 +170,7 @@ size_t tf_sentence_write(const tf_error *error, int first, bool in_file,
                          char buffer[], size_t size)
 {
     TF_REQUIRE(error && (buffer || size == 0));
-    sentence s = {buffer, size, 0, first, in_file};
+    sentence s = {buffer, size, 0, first};
     if (size > 0)
         buffer[0] = '\0';
     if (!in_file)

@@ -64,31 +64,28 @@ static double squared_distance(void *context, int triangle)
 }
 
 //: Find the nearest point of the original
-double tf_original_nearest(tf_original *original, const double x[3],
-                           double point[3])
+tf_projection tf_original_project(tf_original *original, tf_vector point)
 {
-    nearest_search search = {.original = original, .x = {{{x[0], x[1], x[2]}}}};
+    nearest_search search = {.original = original, .x = {point}};
+    tf_projection found = {.point = point, .distance = INFINITY};
     double least;
-    int triangle = tf_dynamic_tree_nearest(&original->tree, x, squared_distance,
-                                           &search, &least);
-    memcpy(point, x, 3 * sizeof *point);
+    int triangle = tf_dynamic_tree_nearest(&original->tree, point.x,
+                                           squared_distance, &search, &least);
     if (triangle < 0)
-        return INFINITY;
+        return found;
     tf_point_pair nearest = nearest_of(&search, triangle);
+    const double *weight = nearest.weight + 1;
+    found.distance = nearest.distance;
+    found.origin.triangle = triangle;
+    memcpy(found.origin.barycentric, weight, sizeof found.origin.barycentric);
     for (int k = 0; k < 3; k++)
-        point[k] = nearest.weight[1] * search.x[1].x[k] +
-                   nearest.weight[2] * search.x[2].x[k] +
-                   nearest.weight[3] * search.x[3].x[k];
-    return nearest.distance;
+        found.point.x[k] = weight[0] * search.x[1].x[k] +
+                           weight[1] * search.x[2].x[k] +
+                           weight[2] * search.x[3].x[k];
+    return found;
 }
 
 //: Find the distance of a triangle from the original
-static double distance_from(tf_original *original, tf_vector point)
-{
-    double nearest[3];
-    return tf_original_nearest(original, point.x, nearest);
-}
-
 static tf_vector middle_of(const tf_shape *shape)
 {
     tf_vector middle = {{0}};
@@ -102,11 +99,12 @@ static double distance_of(tf_original *original,
                           const tf_adaptive_surface *surface, int triangle)
 {
     tf_shape shape = tf_shape_of(surface, triangle);
-    double far = distance_from(original, middle_of(&shape));
+    double far = tf_original_project(original, middle_of(&shape)).distance;
     for (int i = 0; i < 3; i++) {
         int vertex = tf_vertex_at(surface, 3 * triangle + i);
         if (tf_first_corner(surface, vertex) == 3 * triangle + i)
-            far = fmax(far, distance_from(original, shape.corner[i]));
+            far = fmax(
+                far, tf_original_project(original, shape.corner[i]).distance);
     }
     return far;
 }

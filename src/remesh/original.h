@@ -2,6 +2,8 @@
 #pragma once
 
 #include "base/status.h"
+#include "geometry/vector.h"
+#include "remesh/origins.h"
 #include "surgery/adaptive_surface.h"
 
 /// A surface to which the nearest points are found.
@@ -19,9 +21,16 @@ tf_status tf_original_begin(tf_original *original,
                             tf_watch *watch);
 void tf_original_free(tf_original *original);
 
-/// Finds the nearest point of the original; returns its distance.
-double tf_original_nearest(tf_original *original, const double x[3],
-                           double point[3]);
+/// A point of the original.
+typedef struct tf_projection {
+    tf_vector point;
+    tf_origin origin; ///< which one it is
+    double distance;  ///< from what was projected to it
+} tf_projection;
+
+/// Finds the nearest point of the original; if there is none, the distance is
+/// infinite, and the point is the same.
+tf_projection tf_original_project(tf_original *original, tf_vector point);
 
 /// The greatest distance from the original at which a vertex of a surface is,
 /// or the middle of a triangle; of no meaning if the caller cancels.

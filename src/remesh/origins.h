@@ -20,13 +20,12 @@ typedef struct tf_origin {
 /// the value at the vertex.
 ///
 /// The point is where the vertex is, up to rounding; a vertex that has not moved
-/// comes from a corner, with the weight 1.  One that is on a sharp edge or on
-/// the boundary comes from a point of these.  If the sharp edge is not straight,
-/// the vertex may be beside the old surface, no farther than the `distance` of
-/// the report, and the point is the nearest one.
+/// comes from a corner, with the weight 1, and one on a sharp edge or on the
+/// boundary from a point of these.  Only on an edge that has become sharp may a
+/// vertex be beside the old surface; then the point is the nearest one.
 ///
-/// Where other parts of the surface are near, the point is on the part that has
-/// become the surface at the vertex, even if another one is nearer.
+/// Where sheets of the surface are near each other, the point is on the sheet
+/// that has become the one of the vertex, even if another sheet is nearer.
 ///
 /// @param surface the surface
 /// @return one for each vertex, lent until the surface is changed; NULL if it

@@ -15,7 +15,7 @@
 static tf_status trace(tf_remesher *remesher, int vertex, int a, int b,
                        bool sharp)
 {
-    tf_placement placed = {vertex, {a, b}, sharp};
+    tf_placement placed = {vertex, {a, b}, sharp, &remesher->projection};
     return tf_trace_place(&remesher->trace, remesher->surface, &placed)
                ? TF_OK
                : TF_OUT_OF_MEMORY;

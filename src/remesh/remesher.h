@@ -16,7 +16,8 @@ typedef struct tf_remesher {
     const tf_remesh_policy *policy;
     double edge;          ///< the target length
     tf_original original; ///< empty unless the policy needs one
-    tf_trace trace;       ///< to the original
+    tf_projection projection; ///< to it, the last one
+    tf_trace trace;           ///< to it
     tf_remesh_report report;
     size_t restored[TF_OUTCOMES]; ///< moves that were to restore volume
     tf_buffer row;                ///< tf_edge_row each

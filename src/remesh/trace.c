@@ -235,6 +235,38 @@ static tf_origin find_origin(trace_search *search, const tf_placement *placed)
                                            : search->nearest.origin;
 }
 
+//: Recognize the nearest point of all
+static bool shares_vertex(const tf_adaptive_surface *surface, int a, int b)
+{
+    const int *v = tf_triangle(surface, a), *w = tf_triangle(surface, b);
+    for (int i = 0; i < 9; i++)
+        if (v[i / 3] == w[i % 3])
+            return true;
+    return false;
+}
+
+/// Whether the point to which a vertex was projected is surely on its sheet: on
+/// a triangle at one where a neighbor comes from, that faces as the surface
+/// does.
+static bool is_at_hand(const trace_search *search, const tf_placement *placed)
+{
+    const tf_projection *projection = placed->projection;
+    int triangle = projection->origin.triangle;
+    if (placed->sharp || !isfinite(projection->distance) ||
+        memcmp(projection->point.x, search->point.x,
+               sizeof search->point.x) != 0)
+        return false;
+    tf_shape shape = tf_shape_of(search->original, triangle);
+    if (!(tf_vector_dot(tf_shape_normal(&shape), search->normal) > 0))
+        return false;
+    for (int i = 0; i < 2; i++) {
+        int from = origins_of(search->trace)[placed->from[i]].triangle;
+        if (shares_vertex(search->original, triangle, from))
+            return true;
+    }
+    return false;
+}
+
 //: Trace a placement
 bool tf_trace_place(tf_trace *trace, const tf_adaptive_surface *surface,
                     const tf_placement *placed)
@@ -250,7 +282,9 @@ bool tf_trace_place(tf_trace *trace, const tf_adaptive_surface *surface,
                            .point = tf_position_of(surface, placed->vertex),
                            .normal = normal_of_star(surface, placed->vertex)};
     search.radius = radius_of(&search, placed->from);
-    origins_of(trace)[placed->vertex] = find_origin(&search, placed);
+    origins_of(trace)[placed->vertex] = is_at_hand(&search, placed)
+                                            ? placed->projection->origin
+                                            : find_origin(&search, placed);
     return true;
 }
 

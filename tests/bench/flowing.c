@@ -122,7 +122,7 @@ static double change(const run *r)
 static void print_parts(const char *name, const run *r)
 {
     static const char *const parts[] = {"improve", "reconnect", "advance"};
-    for (int i = 0; i < TF_FLOW_PARTS; i++)
+    for (int i = 0; i < 3; i++)
         printf("%s %s,%.1f,s\n", name, parts[i], r->seconds[i]);
     printf("%s judged,%d,\n%s tangles,%d,\n", name, r->judged, name,
            r->tangles);
@@ -233,7 +233,7 @@ static void print_scene(const char *name)
     make_steps(&r, &options, scene->step, scene->steps);
     printf("%s steps,%d,\n", name, scene->steps);
     print_areas(name, &r);
-    for (int i = 0; i < TF_RECONNECTIONS; i++)
+    for (int i = 0; i < 3; i++)
         printf("%s %s,%zu,\n", name, changes[i], r.done[i]);
     printf("%s contacts,%zu,\n", name, r.contacts);
     printf("%s failsafes,%zu,\n", name, r.failsafes);

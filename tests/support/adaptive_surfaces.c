@@ -1,5 +1,8 @@
 #include "support/adaptive_surfaces.h"
 
+#include "support/hash.h"
+#include "surgery/adaptive_surface.h"
+
 #include <stdlib.h>
 
 enum {
@@ -62,6 +65,18 @@ int triangles_of(const tf_adaptive_surface *surface)
     for (int t = 0; t < mesh.triangles; t++)
         count += mesh.triangle[3 * t] >= 0;
     return count;
+}
+
+uint64_t adaptive_hash(const tf_adaptive_surface *s)
+{
+    size_t vertices = (size_t)s->vertices, triangles = (size_t)s->triangles;
+    const int counts[] = {s->vertices, s->triangles, s->free_triangle,
+                          s->tree.branches, s->tree.free_branch};
+    uint64_t hash = hash_bytes(HASH_OF_NOTHING, counts, sizeof counts);
+    hash = hash_bytes(hash, s->position.data, 24 * vertices);
+    hash = hash_bytes(hash, s->vertex.data, 12 * triangles);
+    hash = hash_bytes(hash, s->first.data, 4 * vertices);
+    return hash_bytes(hash, s->next.data, 12 * triangles);
 }
 
 int has_triangle(const tf_adaptive_surface *surface, int a, int b, int c)

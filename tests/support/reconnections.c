@@ -460,7 +460,7 @@ void reconnection_counts_print(const reconnection_counts *counts)
     static const char *const names[] = {"merge", "pinch", "drop"};
     printf("%-12s %8s %10s %9s %10s %9s\n", "", "done", "impossible",
            "flattened", "overlapped", "passed");
-    for (int i = 0; i < TF_RECONNECTIONS; i++) {
+    for (int i = 0; i < 3; i++) {
         const long *c = counts->count[i];
         printf("%-12s %8ld %10ld %9ld %10ld %9ld V %9ld E\n", names[i],
                c[TF_COMMITTED], c[TF_IMPOSSIBLE], c[TF_FLATTENED],

@@ -1,8 +1,8 @@
 #include "support/surgery_runs.h"
 
 #include "experiments/leave_out.h"
+#include "support/adaptive_surfaces.h"
 #include "support/dyadic.h"
-#include "support/hash.h"
 #include "support/tangle.h"
 #include "support/winding.h"
 #include "surgery/adaptive_surface.h"
@@ -383,15 +383,7 @@ void surgery_run_compact(surgery_run *run)
 
 uint64_t surgery_run_hash(const surgery_run *run)
 {
-    const tf_adaptive_surface *s = run->surface;
-    size_t vertices = (size_t)s->vertices, triangles = (size_t)s->triangles;
-    const int counts[] = {s->vertices, s->triangles, s->free_triangle,
-                          s->tree.branches, s->tree.free_branch};
-    uint64_t hash = hash_bytes(HASH_OF_NOTHING, counts, sizeof counts);
-    hash = hash_bytes(hash, s->position.data, 24 * vertices);
-    hash = hash_bytes(hash, s->vertex.data, 12 * triangles);
-    hash = hash_bytes(hash, s->first.data, 4 * vertices);
-    return hash_bytes(hash, s->next.data, 12 * triangles);
+    return adaptive_hash(run->surface);
 }
 
 const char *run_surgery(generator random, adaptive_scene_kind kind,
@@ -426,7 +418,7 @@ void surgery_counts_print(const surgery_counts *counts)
            "S", "V", "E", "X");
     for (int i = 0; i < OPERATIONS; i++) {
         printf("%-12s", operations[i]);
-        for (int j = TF_COMMITTED; j < TF_OUTCOMES; j++)
+        for (int j = TF_COMMITTED; j <= TF_PASSED_TRIANGLE; j++)
             printf("%*ld", j == TF_IMPOSSIBLE ? 11 : 10, counts->count[i][j]);
         printf("\n");
     }

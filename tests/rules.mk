@@ -45,6 +45,9 @@ $(BUILD)/tests/simulate/% $(simulating): LIBRARIES = $(SPARSE)
 # These count calls of these functions, or let them fail.
 $(BUILD)/tests/whole/allocations $(BUILD)/tests/whole/no_memory: LIBRARIES = -Wl,--wrap=malloc \
 	-Wl,--wrap=calloc -Wl,--wrap=realloc -Wl,--wrap=aligned_alloc
+$(BUILD)/tests/whole/cancelling: LIBRARIES = -Wl,--wrap=tf_side \
+	-Wl,--wrap=tf_nearest_points -Wl,--wrap=tf_dynamic_tree_find \
+	-Wl,--wrap=tf_find_edge -Wl,--wrap=tf_watch_done
 
 # The tests of the figures need more: their rule overrides the pattern above.
 # The library's own do without the figures' libraries.
@@ -161,4 +164,9 @@ soak-topology: $(BUILD)/tests/soak/topology ## merge and pinch among COUNT=10000
 
 soak-scenes: $(BUILD)/tests/soak/scenes ## simulate all scenes, and judge every step
 	@$<
-.PHONY: soak soak-vectors soak-response soak-surgery soak-topology soak-scenes
+
+soak-cancelling: COUNT = 100
+soak-cancelling: $(BUILD)/tests/soak/cancelling ## cancel long calls COUNT=100 times, and time their returns
+	@$< $(COUNT)
+.PHONY: soak soak-vectors soak-response soak-surgery soak-topology soak-scenes \
+	soak-cancelling

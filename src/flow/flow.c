@@ -60,8 +60,9 @@ static tf_status improve(tf_flow *flow, const tf_flow_options *options)
     remesher->edge = options->edge;
     remesher->report = (tf_remesh_report){0};
     memset(remesher->restored, 0, sizeof remesher->restored);
-    tf_status status = tf_draft_begin(&flow->draft, flow->surface,
-                                      flow->draft.watch);
+    tf_watch *watch = flow->draft.watch;
+    tf_watch_stage(watch, "copying", 0);
+    tf_status status = tf_draft_begin(&flow->draft, flow->surface, watch);
     if (status == TF_OK)
         status = tf_remesh_round(remesher);
     memcpy(flow->report.tried, remesher->report.tried,
@@ -84,6 +85,7 @@ static tf_status move(tf_flow *flow, const tf_flow_options *options,
                       double time, double step)
 {
     tf_flow_advance *advance = &flow->advance;
+    tf_watch_stage(flow->draft.watch, "advancing", 0);
     tf_status status = tf_adaptive_compact(advance->surface, NULL);
     if (status != TF_OK || advance->surface->triangles == 0)
         return status;

@@ -17,18 +17,21 @@ enum {
 };
 
 //: Measure the quality of a surface
-static void measure_quality(const tf_adaptive_surface *surface, double *least,
-                            double *mean)
+static tf_status measure_quality(const tf_adaptive_surface *surface,
+                                 double *least, double *mean)
 {
     double sum = 0;
     *least = 1;
     for (int t = 0; t < surface->triangles; t++) {
+        if (t % 4096 == 0 && !tf_watch_done(surface->watch, 0))
+            return TF_CANCELLED;
         tf_shape shape = tf_shape_of(surface, t);
         double quality = tf_shape_quality(&shape);
         *least = fmin(*least, quality);
         sum += quality;
     }
     *mean = sum / surface->triangles;
+    return TF_OK;
 }
 
 //: Measure how far the shape has changed
@@ -78,16 +81,14 @@ static tf_status do_round(tf_remesher *remesher)
 static tf_status do_rounds(tf_remesher *remesher, int rounds)
 {
     tf_remesh_report *report = &remesher->report;
-    tf_status status = TF_OK;
-    measure_quality(remesher->surface, &report->least_before,
-                    &report->mean_before);
+    tf_status status = measure_quality(
+        remesher->surface, &report->least_before, &report->mean_before);
     for (int i = 0; i < rounds && status == TF_OK; i++)
         status = do_round(remesher);
-    if (status != TF_OK)
-        return status;
-    measure_quality(remesher->surface, &report->least_after,
-                    &report->mean_after);
-    return measure_distance(remesher);
+    if (status == TF_OK)
+        status = measure_quality(remesher->surface, &report->least_after,
+                                 &report->mean_after);
+    return status == TF_OK ? measure_distance(remesher) : status;
 }
 
 //: Estimate how many triangles there will be

@@ -142,6 +142,8 @@ tf_status tf_adaptive_compact(tf_adaptive_surface *surface, int map[])
     int before = surface->vertices;
     move_vertices(surface);
     move_triangles(surface);
+    if (!tf_watch_done(surface->watch, 0))
+        return TF_CANCELLED;
     if (map && before > 0)
         memcpy(map, surface->first.data, sizeof *map * (size_t)before);
     return tf_stars_build(surface, surface->box.data) ? TF_OK : TF_CANCELLED;

@@ -4,6 +4,7 @@
 
 #include "support/adaptive_surfaces.h"
 #include "support/blobs.h"
+#include "support/cancelling.h"
 #include "support/support.h"
 #include "surgery/collapse.h"
 #include "surgery/move.h"
@@ -207,6 +208,40 @@ START_TEST(a_squeezed_dumbbell_becomes_two_balls)
 }
 END_TEST
 
+// All or nothing --------------------------------------------------------------
+
+static tf_adaptive_surface *dumbbell_and_balls(void)
+{
+    made.vertices = made.triangles = 0;
+    for (int i = 0; i < 3; i++) {
+        const double middle[] = {i < 2 ? 2.03 * i : 9, 0.1 * i, 0};
+        add_ball(&made, middle, i < 2 ? 1 : 0.1, DIVISIONS);
+    }
+    static const double radius[] = {1, 1, 0.1, 1, 1},
+                        height[] = {10, 11, 12, 13, 14};
+    add_turned(&made, 3, 5, radius, height);
+    return blobs_surface(&made);
+}
+
+static tf_status reconnect_all(tf_adaptive_surface *surface,
+                               cancellation *cancelling, tf_error *error)
+{
+    const tf_reconnect_options how = {.edge = ball_edge,
+                                      .progress = tell_cancellation,
+                                      .context = cancelling};
+    const tf_reconnect_report *own;
+    tf_status status = tf_adaptive_reconnect(surface, &how, &own, error);
+    for (int i = 0; i < 3 && status == TF_OK; i++)
+        ck_assert_uint_eq(own->tried[i][TF_COMMITTED], 1);
+    return status;
+}
+
+START_TEST(a_cancelled_reconnection_changes_nothing)
+{
+    expect_cancelling(dumbbell_and_balls, reconnect_all, cases(100));
+}
+END_TEST
+
 // -----------------------------------------------------------------------------
 
 START_TEST(invalid_options_are_rejected)
@@ -240,6 +275,7 @@ Suite *suite(void)
     tcase_add_loop_test(tcase, one_contact_makes_one_merge, 0, 10);
     tcase_add_test(tcase, a_ring_of_balls_gets_one_handle);
     tcase_add_test(tcase, a_squeezed_dumbbell_becomes_two_balls);
+    tcase_add_test(tcase, a_cancelled_reconnection_changes_nothing);
     tcase_add_test(tcase, invalid_options_are_rejected);
     suite_add_tcase(suite, tcase);
     return suite;

@@ -176,18 +176,19 @@ compile_programs() {
     sed -n '/^```c$/,/^```$/{/^```/d;p}' README.md >"$scratch/readme.c"
     compile readme "$scratch/readme.c"
     compile answers tests/package/answers.c
+    compile steps tests/package/steps.c
 }
 
 run_programs() { # folder of the library
     export LD_LIBRARY_PATH="$1"
-    "$scratch/readme"
-    "$scratch/answers" point-triangle <tests/queries/point-triangle.csv
+    "$scratch/readme" &&
+        "$scratch/answers" point-triangle <tests/queries/point-triangle.csv &&
+        "$scratch/steps"
 }
 
 check_programs() {
     compile_programs
-    run_programs "$BUILD" >"$scratch/expected"
-    [ -s "$scratch/expected" ] || fail 'the programs print nothing'
+    run_programs "$BUILD" >"$scratch/expected" || fail 'the programs fail'
     for copy in grown 'a member before others'; do
         ln -sf libtanglefree.so \
             "$scratch/$copy/libtanglefree.so.${VERSION%%.*}"

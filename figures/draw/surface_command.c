@@ -3,7 +3,7 @@
 
 #include "files/visible.h"
 #include "program/frames.h"
-#include "program/threads.h"
+#include "threads/threads.h"
 
 #include <stdlib.h>
 #include <string.h>

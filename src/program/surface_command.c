@@ -4,13 +4,14 @@
 #include "program/frames.h"
 #include "program/progress.h"
 #include "program/surface_output.h"
-#include "program/threads.h"
+#include "threads/threads.h"
 
 #include <limits.h>
 
 //: Hold what a command does
 typedef struct work {
     const tf_request *request;
+    tf_threads *threads;
     tf_frames frames;
     tf_surface_output output;
     tf_progress progress;
@@ -44,12 +45,11 @@ static bool fault_in_range(work *w, int vertex)
 //: Detect the contacts of all steps
 static bool detect_step(work *w)
 {
-    tf_parallel threads = tf_threads(&w->request->threads);
     tf_detect_options detection = {
         .selection = w->request->first ? TF_FIRST_CONTACT : TF_ALL_CONTACTS,
         .arithmetic = w->request->answering.arithmetic,
         .narrow_phase = w->request->narrow_phase,
-        .parallel = &threads};
+        .parallel = tf_threads_parallel(w->threads)};
     tf_motion motion = tf_frames_motion(&w->frames);
     tf_contacts found;
     tf_flaw flaw;
@@ -75,15 +75,15 @@ static bool detect_all(work *w)
 //: Check all surfaces
 static bool check_file(work *w, const char *path)
 {
-    tf_parallel threads = tf_threads(&w->request->threads);
     tf_frames_free(&w->frames);
     if (!tf_frames_next(&w->frames, path))
         return false;
     tf_motion rest = tf_frames_motion(&w->frames);
     tf_crossings found;
     tf_flaw flaw;
-    tf_status status = tf_surface_check(w->frames.surface, rest.start,
-                                        rest.vertices, &threads, &found, &flaw);
+    tf_status status = tf_surface_check(
+        w->frames.surface, rest.start, rest.vertices,
+        tf_threads_parallel(w->threads), &found, &flaw);
     return succeeded(w, status, &flaw) &&
            tf_surface_output_crossings(
                &w->output, tf_frames_file(&w->frames)->name, &found);
@@ -103,6 +103,7 @@ static bool check_all(work *w)
 static int run(const tf_request *request, bool checks, bool (*do_all)(work *))
 {
     work w = {.request = request, .progress = tf_progress_begin(false)};
+    tf_threads_create(request->threads, &w.threads);
     bool good =
         tf_surface_output_begin(&w.output, stdout, *request->format, checks) &&
         do_all(&w);
@@ -113,6 +114,7 @@ static int run(const tf_request *request, bool checks, bool (*do_all)(work *))
                                w.output.records.error);
     tf_fault_print(&w.frames.fault, "tanglefree");
     tf_frames_free(&w.frames);
+    tf_threads_free(w.threads);
     return !good ? 2 : w.output.tally.tangled > 0;
 }
 

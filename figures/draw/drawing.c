@@ -249,19 +249,19 @@ static void set_frame(work *w, int i)
         settings->turned ? settings->elevation : turntable_elevation;
 }
 
-tf_progress fig_progress_begin(void)
+tf_progress_line fig_progress_begin(void)
 {
-    return tf_progress_begin(true);
+    return tf_progress_line_begin(true);
 }
 
-void fig_progress_show(tf_progress *progress, int done, int count,
+void fig_progress_show(tf_progress_line *progress, int done, int count,
                        const char *things)
 {
     char text[BAR + 64];
     int full = (int)((long)BAR * done / count);
     snprintf(text, sizeof text, "of %d %s [%.*s%*s]", count, things, full,
              "##############################", BAR - full, "");
-    tf_progress_show(progress, done, text);
+    tf_progress_line_show(progress, done, text);
 }
 
 /// A film in the making: its frames go to files of their own in a folder,
@@ -301,14 +301,14 @@ static bool add_frame(work *w, film *f, int i)
 static bool add_frames(work *w, film *f)
 {
     const fig_settings *settings = w->settings;
-    tf_progress progress = fig_progress_begin();
+    tf_progress_line progress = fig_progress_begin();
     bool added = true;
     for (int i = 0; i < settings->frames && added; i++) {
         fig_progress_show(&progress, i, settings->frames, "frames");
         set_frame(w, i);
         added = add_frame(w, f, i);
     }
-    tf_progress_end(&progress);
+    tf_progress_line_end(&progress);
     return added;
 }
 

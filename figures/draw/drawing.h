@@ -24,8 +24,8 @@ int fig_drawing_make(const fig_drawing *drawing, const fig_settings *settings);
 
 /// A line on the terminal about the frames of a film, with a bar.  Numbers are
 /// printed at the end, so it may share the terminal with standard output.
-tf_progress fig_progress_begin(void);
-void fig_progress_show(tf_progress *progress, int done, int count,
+tf_progress_line fig_progress_begin(void);
+void fig_progress_show(tf_progress_line *progress, int done, int count,
                        const char *things);
 
 #endif

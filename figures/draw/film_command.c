@@ -165,12 +165,12 @@ static bool end(film *f)
 static bool read_frames(film *f, const request *asked, int count)
 {
     bool good = true;
-    tf_progress progress = fig_progress_begin();
+    tf_progress_line progress = fig_progress_begin();
     for (long i = 0; i < count && good; i += asked->every) {
         fig_progress_show(&progress, (int)i, count, "frames read");
         good = read_frame(f, asked->folder, (int)i);
     }
-    tf_progress_end(&progress);
+    tf_progress_line_end(&progress);
     if (good && !end(f))
         good = lack_memory(f);
     if (!good)

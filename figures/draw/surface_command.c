@@ -134,11 +134,10 @@ static bool lack_memory(tf_frames *frames)
                               tf_status_message(TF_OUT_OF_MEMORY));
 }
 
-static bool mark_contacts(tf_frames *frames, fig_shown_surface *shown)
+static bool mark_contacts(tf_frames *frames, const tf_parallel *parallel,
+                          fig_shown_surface *shown)
 {
-    int threads = tf_threads_available();
-    tf_parallel parallel = tf_threads(&threads);
-    tf_detect_options detection = {.parallel = &parallel};
+    tf_detect_options detection = {.parallel = parallel};
     tf_motion motion = tf_frames_motion(frames);
     tf_contacts found;
     tf_flaw flaw;
@@ -150,19 +149,29 @@ static bool mark_contacts(tf_frames *frames, fig_shown_surface *shown)
            lack_memory(frames);
 }
 
-static bool mark_crossings(tf_frames *frames, fig_shown_surface *shown)
+static bool mark_crossings(tf_frames *frames, const tf_parallel *parallel,
+                           fig_shown_surface *shown)
 {
-    int threads = tf_threads_available();
-    tf_parallel parallel = tf_threads(&threads);
     tf_motion rest = tf_frames_motion(frames);
     tf_crossings found;
     tf_flaw flaw;
-    tf_status status = tf_surface_check(
-        frames->surface, rest.start, rest.vertices, &parallel, &found, &flaw);
+    tf_status status = tf_surface_check(frames->surface, rest.start,
+                                        rest.vertices, parallel, &found, &flaw);
     if (status != TF_OK)
         return tf_frames_fault(frames, status, &flaw);
     return fig_marks_of_crossings(&shown->marks, &shown->shape, &found) ||
            lack_memory(frames);
+}
+
+static bool mark(tf_frames *frames, fig_shown_surface *shown)
+{
+    tf_threads *threads;
+    tf_threads_create(0, &threads);
+    const tf_parallel *parallel = tf_threads_parallel(threads);
+    bool marked = shown->steps ? mark_contacts(frames, parallel, shown)
+                               : mark_crossings(frames, parallel, shown);
+    tf_threads_free(threads);
+    return marked;
 }
 
 static bool read_frames(const request *asked, tf_frames *frames)
@@ -189,9 +198,7 @@ static bool take_surface(const request *asked, tf_frames *frames,
     if (!fig_shape_make(&shown->shape, frames->surface, frames->axes, &motion,
                         asked->up))
         return lack_memory(frames);
-    bool marked =
-        !shown->marked || (shown->steps ? mark_contacts(frames, shown)
-                                        : mark_crossings(frames, shown));
+    bool marked = !shown->marked || mark(frames, shown);
     if (marked)
         fig_shown_surface_look(shown, asked->time);
     return marked;

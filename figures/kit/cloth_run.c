@@ -19,7 +19,7 @@ static tf_response_report make_simple_step(const fig_cloth_plan *plan,
     tf_response_report report = {0};
     TF_REQUIRE(tf_cloth_propose(s) == TF_OK);
     if (!plan->unresolved)
-        TF_REQUIRE(tf_step_resolve(s->resolver, s->base.stage.body.vertices,
+        TF_REQUIRE(tf_step_resolve(s->resolver, s->base.setup.body.vertices,
                                    s->position, s->end, s->inverse_mass,
                                    &options, &report, NULL) == TF_OK);
     tf_cloth_accept(s, report.held);
@@ -40,7 +40,7 @@ static int count_crossings(const tf_cloth_simulation *s)
 {
     tf_crossings found;
     TF_REQUIRE(tf_surface_check(s->surface, s->position,
-                                s->base.stage.body.vertices, NULL, &found,
+                                s->base.setup.body.vertices, NULL, &found,
                                 NULL) == TF_OK);
     return (int)found.count;
 }
@@ -53,9 +53,9 @@ static void note(fig_cloth_run *run, const fig_cloth_plan *plan, int i)
     memcpy(run->x + numbers * (size_t)i, s->position, sizeof(double) * numbers);
     step->crossings =
         plan->check > 0 && i % plan->check == 0 ? count_crossings(s) : 0;
-    step->stretch = tf_body_stretch(&s->base.stage.body, s->position);
-    step->kinetic = tf_body_kinetic_energy(&s->base.stage.body, s->velocity);
-    step->elastic = tf_body_elastic_energy(&s->base.stage.body, s->position);
+    step->stretch = tf_body_stretch(&s->base.setup.body, s->position);
+    step->kinetic = tf_body_kinetic_energy(&s->base.setup.body, s->velocity);
+    step->elastic = tf_body_elastic_energy(&s->base.setup.body, s->position);
 }
 
 static void begin(fig_cloth_run *run, const fig_cloth_plan *plan)
@@ -67,8 +67,8 @@ static void begin(fig_cloth_run *run, const fig_cloth_plan *plan)
     run->simulation = (tf_cloth_simulation *)made;
     size_t frames = (size_t)plan->steps + 1;
     run->steps = plan->steps;
-    run->axes = run->simulation->base.stage.body.axes;
-    run->vertices = run->simulation->base.stage.body.vertices;
+    run->axes = run->simulation->base.setup.body.axes;
+    run->vertices = run->simulation->base.setup.body.vertices;
     run->x =
         malloc(sizeof(double) * (size_t)(run->axes * run->vertices) * frames);
     run->step = calloc(frames, sizeof *run->step);

@@ -10,7 +10,7 @@ static void print_still(FILE *numbers, const fig_cloth_still *still,
     snprintf(key, sizeof key, "step_%s", scene);
     fig_number(numbers, key, still->plan.steps);
     snprintf(key, sizeof key, "triangles_%s", scene);
-    fig_number(numbers, key, run->simulation->base.stage.body.triangles);
+    fig_number(numbers, key, run->simulation->base.setup.body.triangles);
 }
 
 static void draw_still(fig_page *page, FILE *numbers, fig_box box,

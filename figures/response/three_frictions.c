@@ -41,7 +41,7 @@ static void draw_edges(fig_page *page, const fig_plot *plot, const double x[],
 
 static void draw_run(fig_page *page, const fig_cloth_run *run, int i)
 {
-    const tf_body *body = &run->simulation->base.stage.body;
+    const tf_body *body = &run->simulation->base.setup.body;
     // The walls are cut off above the heap.
     fig_plot plot = {.box = {4, 18 + 74.0 * i, 374, 55},
                      .x = {-0.37, 0.37},

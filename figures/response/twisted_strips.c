@@ -71,7 +71,7 @@ static pair *run_both(void)
                                                           .steps = STEPS,
                                                           .unresolved = k == 0,
                                                           .check = EVERY});
-    both->surface = surface_of_both(&both->run[0]->simulation->base.stage.body);
+    both->surface = surface_of_both(&both->run[0]->simulation->base.setup.body);
     both->cloth = fig_cloth_new(both->surface, 3);
     double *x = malloc(sizeof *x * 3 * STRIPS * (size_t)both->run[0]->vertices);
     TF_REQUIRE(x && both->cloth);
@@ -121,7 +121,7 @@ static void print_numbers(FILE *numbers, const pair *both, int step)
     fig_number(numbers, "crossings", both->run[0]->step[step].crossings);
     fig_number(numbers, "crossings_resolved", most);
     fig_number(numbers, "triangles",
-               both->run[0]->simulation->base.stage.body.triangles);
+               both->run[0]->simulation->base.setup.body.triangles);
 }
 
 static void draw(fig_page *page, FILE *numbers)

@@ -4,6 +4,7 @@
 #include "arithmetic/clamped.h"
 #include "arithmetic/exact.h"
 #include "arithmetic/perturbed.h"
+#include "arithmetic/published.h"
 #include "base/environment.h"
 #include "base/require.h"
 #include "fast/gather.h"

@@ -8,7 +8,7 @@
 #include "query/contact.h"
 #include "query/motion.h"
 
-/// @addtogroup linear
+/// @addtogroup study
 /// @{
 
 /// When a moving point and a moving edge in the plane first touch, if every

@@ -26,15 +26,16 @@ static void print_grouped(FILE *stream, long count)
 }
 
 //: Show, rewrite and erase the progress line
-tf_progress tf_progress_begin(bool silent)
+tf_progress_line tf_progress_line_begin(bool silent)
 {
-    return (tf_progress){
+    return (tf_progress_line){
         .wanted = isatty(STDERR_FILENO) && (silent || !isatty(STDOUT_FILENO)),
         .next = tf_clock_seconds() + 1,
     };
 }
 
-void tf_progress_show(tf_progress *progress, long count, const char *things)
+void tf_progress_line_show(tf_progress_line *progress, long count,
+                           const char *things)
 {
     if (!progress->wanted || tf_clock_seconds() < progress->next)
         return;
@@ -45,7 +46,7 @@ void tf_progress_show(tf_progress *progress, long count, const char *things)
     progress->next = tf_clock_seconds() + 0.2;
 }
 
-void tf_progress_end(tf_progress *progress)
+void tf_progress_line_end(tf_progress_line *progress)
 {
     if (progress->shown)
         fputs("\r\033[K", stderr);

@@ -6,15 +6,16 @@
 /// A line on the terminal about work that takes more than a second, written
 /// over five times a second and erased at the end.  Shown only if standard
 /// error is a terminal, and it would not garble standard output.
-typedef struct tf_progress {
+typedef struct tf_progress_line {
     bool wanted, shown;
     double next; ///< when to show it again, in seconds
-} tf_progress;
+} tf_progress_line;
 
 /// @param silent nothing is printed on standard output until the end
-tf_progress tf_progress_begin(bool silent);
-void tf_progress_show(tf_progress *progress, long count, const char *things);
-void tf_progress_end(tf_progress *progress);
+tf_progress_line tf_progress_line_begin(bool silent);
+void tf_progress_line_show(tf_progress_line *progress, long count,
+                           const char *things);
+void tf_progress_line_end(tf_progress_line *progress);
 
 /// Seconds since some time in the past, which never jump.
 double tf_clock_seconds(void);

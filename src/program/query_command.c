@@ -32,7 +32,7 @@ typedef struct answering {
     tf_query_file file;
     tf_query_output output;
     tf_fault fault;
-    tf_progress progress;
+    tf_progress_line progress;
     long rounded; ///< coordinates
 } answering;
 
@@ -81,8 +81,8 @@ static bool answer_query(answering *work, const tf_query_rows *query)
     if (against)
         tf_query_output_compare(&work->output, &contact, &other);
     work->rounded += query->rounded;
-    tf_progress_show(&work->progress, (long)work->output.tally.queries,
-                     "queries");
+    tf_progress_line_show(&work->progress, (long)work->output.tally.queries,
+                          "queries");
     return tf_query_output_answer(&work->output, query, &contact);
 }
 
@@ -131,11 +131,12 @@ static void print_rounded(long rounded)
 //: Run the command query
 static int run(const tf_request *request)
 {
-    answering work = {.request = request, .progress = tf_progress_begin(false)};
+    answering work = {.request = request,
+                      .progress = tf_progress_line_begin(false)};
     bool good = tf_query_output_begin(&work.output, stdout, *request->format,
                                       request->kind->axes) &&
                 answer_files(&work);
-    tf_progress_end(&work.progress);
+    tf_progress_line_end(&work.progress);
     good = tf_query_output_end(&work.output) && good;
     if (work.output.records.error)
         tf_fault_set_unwritten(&work.fault, "standard output",

@@ -14,7 +14,7 @@ typedef struct remeshing {
     tf_adaptive_surface *surface;
     tf_remeshed done;
     tf_mesh_output out;
-    tf_progress progress;
+    tf_progress_line progress;
 } remeshing;
 
 //: Make the surface of a file adaptive
@@ -35,7 +35,7 @@ static void show_progress(void *context, const tf_remesh_report *so_far)
     size_t done = 0;
     for (int i = 0; i < TF_OPERATIONS; i++)
         done += so_far->tried[i][TF_COMMITTED];
-    tf_progress_show(context, (long)done, "changes");
+    tf_progress_line_show(context, (long)done, "changes");
 }
 
 //: Remesh the surface of a file
@@ -76,14 +76,15 @@ static bool do_all(remeshing *r)
         !tf_mesh_output_begin(&r->out, wanted->out, &r->frames.fault))
         return false;
     bool good = remesh(r);
-    tf_progress_end(&r->progress);
+    tf_progress_line_end(&r->progress);
     return good && write(r);
 }
 
 //: Run the command remesh
 static int run(const tf_request *request)
 {
-    remeshing r = {.request = request, .progress = tf_progress_begin(true)};
+    remeshing r = {.request = request,
+                   .progress = tf_progress_line_begin(true)};
     bool good = do_all(&r);
     tf_fault_print(&r.frames.fault, "tanglefree");
     tf_mesh_output_end(&r.out);

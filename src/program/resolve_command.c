@@ -22,7 +22,7 @@ typedef struct resolving {
     tf_resolver *resolver;
     tf_resolved done;
     tf_mesh_output out;
-    tf_progress progress;
+    tf_progress_line progress;
     size_t contacts; ///< that progress has seen
 } resolving;
 
@@ -62,7 +62,7 @@ static void show_progress(void *context, const tf_response_report *so_far)
     snprintf(things, sizeof things, "rounds, %zu contacts left",
              so_far->contacts - r->contacts);
     r->contacts = so_far->contacts;
-    tf_progress_show(&r->progress, rounds, things);
+    tf_progress_line_show(&r->progress, rounds, things);
 }
 
 //: Resolve the step between two frames
@@ -131,7 +131,7 @@ static bool do_all(resolving *r)
         !tf_mesh_output_begin(&r->out, wanted->out, &r->frames.fault))
         return false;
     bool good = resolve(r);
-    tf_progress_end(&r->progress);
+    tf_progress_line_end(&r->progress);
     if (!good)
         return false;
     return write(r);
@@ -150,7 +150,8 @@ static void free_all(resolving *r)
 //: Run the command resolve
 static int run(const tf_request *request)
 {
-    resolving r = {.request = request, .progress = tf_progress_begin(true)};
+    resolving r = {.request = request,
+                   .progress = tf_progress_line_begin(true)};
     tf_threads_create(request->threads, &r.threads);
     bool good = do_all(&r);
     tf_fault_print(&r.frames.fault, "tanglefree");

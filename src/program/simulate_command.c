@@ -94,7 +94,7 @@ typedef struct run {
     tf_simulation *simulation;
     tf_simulation_folder folder;
     tf_step_totals totals;
-    tf_progress progress;
+    tf_progress_line progress;
     int signal; ///< that ended the run, or 0
 } run;
 
@@ -117,7 +117,7 @@ static bool add_step(run *r)
         return fault_in_step(r, status);
     tf_step_totals_add(&r->totals, s);
     tf_step_describe(s, r->steps, things);
-    tf_progress_show(&r->progress, s->step, things);
+    tf_progress_line_show(&r->progress, s->step, things);
     return tf_simulation_folder_add(&r->folder, s);
 }
 
@@ -170,9 +170,9 @@ static int run_scene(const tf_request *request, const tf_scene *scene)
         r.steps = request->steps;
     tf_interruption_hold(); // before there are threads
     tf_threads_create(request->threads, &r.threads);
-    r.progress = tf_progress_begin(true);
+    r.progress = tf_progress_line_begin(true);
     bool good = simulate(&r);
-    tf_progress_end(&r.progress);
+    tf_progress_line_end(&r.progress);
     print_end(&r, good);
     tf_simulation_folder_close(&r.folder);
     tf_simulation_free(r.simulation);

@@ -14,7 +14,7 @@ typedef struct work {
     tf_threads *threads;
     tf_frames frames;
     tf_surface_output output;
-    tf_progress progress;
+    tf_progress_line progress;
 } work;
 
 /// Reports a status of the surface as a fault of the current file.
@@ -67,7 +67,8 @@ static bool detect_all(work *w)
         if (!tf_frames_next(&w->frames, w->request->operand[i]) ||
             (i > 0 && !detect_step(w)))
             return false;
-        tf_progress_show(&w->progress, (long)w->output.tally.parts, "steps");
+        tf_progress_line_show(&w->progress, (long)w->output.tally.parts,
+                              "steps");
     }
     return true;
 }
@@ -81,9 +82,9 @@ static bool check_file(work *w, const char *path)
     tf_motion rest = tf_frames_motion(&w->frames);
     tf_crossings found;
     tf_flaw flaw;
-    tf_status status = tf_surface_check(
-        w->frames.surface, rest.start, rest.vertices,
-        tf_threads_parallel(w->threads), &found, &flaw);
+    tf_status status =
+        tf_surface_check(w->frames.surface, rest.start, rest.vertices,
+                         tf_threads_parallel(w->threads), &found, &flaw);
     return succeeded(w, status, &flaw) &&
            tf_surface_output_crossings(
                &w->output, tf_frames_file(&w->frames)->name, &found);
@@ -94,7 +95,8 @@ static bool check_all(work *w)
     for (int i = 0; i < w->request->operands; i++) {
         if (!check_file(w, w->request->operand[i]))
             return false;
-        tf_progress_show(&w->progress, (long)w->output.tally.parts, "files");
+        tf_progress_line_show(&w->progress, (long)w->output.tally.parts,
+                              "files");
     }
     return true;
 }
@@ -102,12 +104,12 @@ static bool check_all(work *w)
 //: Run a command about surfaces
 static int run(const tf_request *request, bool checks, bool (*do_all)(work *))
 {
-    work w = {.request = request, .progress = tf_progress_begin(false)};
+    work w = {.request = request, .progress = tf_progress_line_begin(false)};
     tf_threads_create(request->threads, &w.threads);
     bool good =
         tf_surface_output_begin(&w.output, stdout, *request->format, checks) &&
         do_all(&w);
-    tf_progress_end(&w.progress);
+    tf_progress_line_end(&w.progress);
     good = tf_surface_output_end(&w.output) && good;
     if (w.output.records.error)
         tf_fault_set_unwritten(&w.frames.fault, "standard output",

@@ -29,22 +29,22 @@ static void add_square(tf_body *body, int cells, double side, double height,
 }
 
 //: Build the scene sphere
-static void build_sphere(tf_stage *stage, double cells)
+static void build_sphere(tf_scene_setup *setup, double cells)
 {
     const double radius = 0.25, center[] = {0, 0, 0.35};
-    tf_body *body = &stage->body;
+    tf_body *body = &setup->body;
     add_square(body, (int)cells, 1, center[2] + radius + 0.02, 0.3);
     int first = body->vertices;
     tf_ball_add(body, center, radius, (int)cells + 3);
-    tf_stage_add_script(stage,
-                        (tf_script){first, body->vertices - first, .begin = 1.5,
-                                    .end = 3.5, .center = {0, 0, center[2]},
-                                    .axis = {0, 0, 1}, .turn = 6});
+    tf_scene_setup_add_script(setup, (tf_script){first, body->vertices - first,
+                                                 .begin = 1.5, .end = 3.5,
+                                                 .center = {0, 0, center[2]},
+                                                 .axis = {0, 0, 1}, .turn = 6});
     tf_floor_add(body, 0, 4);
 }
 
 //: Build the scene stack
-static void build_stack(tf_stage *stage, double cells)
+static void build_stack(tf_scene_setup *setup, double cells)
 {
     enum {
         SHEETS = 5
@@ -52,45 +52,45 @@ static void build_stack(tf_stage *stage, double cells)
     const double foot[] = {0, 0, -0.3}, side = 0.6, gap = 0.06;
     int size = (int)cells;
     for (int i = 0; i < SHEETS; i++)
-        add_square(&stage->body, size, side, gap * (i + 1), 0.3 * i);
-    tf_column_add(&stage->body, foot, 0.15, 0.3, size + 4, size / 2 + 1);
-    tf_floor_add(&stage->body, -0.31, 4);
+        add_square(&setup->body, size, side, gap * (i + 1), 0.3 * i);
+    tf_column_add(&setup->body, foot, 0.15, 0.3, size + 4, size / 2 + 1);
+    tf_floor_add(&setup->body, -0.31, 4);
 }
 
 //: Build the scene twist
-static void build_twist(tf_stage *stage, double cells)
+static void build_twist(tf_scene_setup *setup, double cells)
 {
     const double width = 0.2, cell = width / cells;
     int across = (int)cells, along = 6 * across, row = across + 1;
     tf_sheet strip = {across, along,
                       .corner = {-cell * along / 2, -width / 2, 0},
                       .across_step = {0, cell, 0}, .along_step = {cell, 0, 0}};
-    tf_sheet_add(&stage->body, &strip, &ribbon);
+    tf_sheet_add(&setup->body, &strip, &ribbon);
     for (int end = -1; end <= 1; end += 2)
-        tf_stage_add_script(stage, (tf_script){end < 0 ? 0 : along * row, row,
-                                               .end = 3.5, .axis = {1, 0, 0},
-                                               .turn = 18 * end,
-                                               .shift = {-0.3 * end, 0, 0}});
+        tf_scene_setup_add_script(
+            setup, (tf_script){end < 0 ? 0 : along * row, row, .end = 3.5,
+                               .axis = {1, 0, 0}, .turn = 18 * end,
+                               .shift = {-0.3 * end, 0, 0}});
 }
 
 //: Build the scene knot
-static void build_knot(tf_stage *stage, double pairs)
+static void build_knot(tf_scene_setup *setup, double pairs)
 {
     const double scale = 0.045, radius = 0.018;
     int sides = 2 * (int)pairs;
     tf_line line = tf_knot_line(scale, 6, 7 * radius / sides);
-    tf_rope_add(&stage->body, &line, radius, sides, &hemp);
+    tf_rope_add(&setup->body, &line, radius, sides, &hemp);
     int circles = line.points, grip = 2 * sides;
     tf_line_free(&line);
     for (int end = 0; end < 2; end++)
-        tf_stage_add_script(
-            stage, (tf_script){end * (circles * sides - grip), grip, .end = 2.5,
+        tf_scene_setup_add_script(
+            setup, (tf_script){end * (circles * sides - grip), grip, .end = 2.5,
                                .shift = {0, end == 0 ? 0.38 : -0.38, 0}});
 }
 
 //: Build the scene curtain
 /// The cell that is pulled lies above the middle of the ring.
-static void build_curtain(tf_stage *stage, double cells)
+static void build_curtain(tf_scene_setup *setup, double cells)
 {
     const double side = 1, center[] = {0, 0, -0.06};
     const double radius[] = {0.22, 0.04};
@@ -98,20 +98,20 @@ static void build_curtain(tf_stage *stage, double cells)
     double cell = side / size, before = cell * (middle + 0.5);
     tf_sheet sheet = {size, size, .corner = {-before, -before, 0},
                       .across_step = {cell, 0, 0}, .along_step = {0, cell, 0}};
-    tf_sheet_add(&stage->body, &sheet, &silk);
+    tf_sheet_add(&setup->body, &sheet, &silk);
     for (int i = 0; i < 2; i++)
-        tf_stage_add_script(stage, (tf_script){(middle + i) * row + middle, 2,
-                                               .begin = 0.1, .end = 2.8,
-                                               .shift = {0, 0, -0.9}});
-    tf_ring_add(&stage->body, center, radius, size + 4, size / 3 + 4);
+        tf_scene_setup_add_script(
+            setup, (tf_script){(middle + i) * row + middle, 2, .begin = 0.1,
+                               .end = 2.8, .shift = {0, 0, -0.9}});
+    tf_ring_add(&setup->body, center, radius, size + 4, size / 3 + 4);
 }
 
 //: Build the scene flag
-static void build_flag(tf_stage *stage, double cells)
+static void build_flag(tf_scene_setup *setup, double cells)
 {
     const double height = 0.6, foot[] = {0, 0, -0.3}, cell = height / cells;
     int size = (int)cells;
-    tf_body *body = &stage->body;
+    tf_body *body = &setup->body;
     tf_sheet sheet = {size, 3 * size / 2, .corner = {0.03, 0, 0},
                       .across_step = {0, 0, cell}, .along_step = {cell, 0, 0}};
     tf_sheet_add(body, &sheet, &bunting);
@@ -166,12 +166,12 @@ static void add_box(tf_body *body)
     }
 }
 
-static void build_chain(tf_stage *stage, double links)
+static void build_chain(tf_scene_setup *setup, double links)
 {
     double length = 5 / links;
-    add_joints(&stage->body, (int)links, length);
-    add_links(&stage->body, (int)links, length);
-    add_box(&stage->body);
+    add_joints(&setup->body, (int)links, length);
+    add_links(&setup->body, (int)links, length);
+    add_box(&setup->body);
 }
 
 //: List the scenes of cloth

@@ -18,7 +18,7 @@ static size_t bytes_of(const tf_body *body)
 
 static bool allocate(tf_cloth_simulation *c)
 {
-    const tf_body *body = &c->base.stage.body;
+    const tf_body *body = &c->base.setup.body;
     size_t vertices = (size_t)body->vertices, size = bytes_of(body);
     c->position = malloc(size);
     c->velocity = calloc(1, size);
@@ -35,7 +35,7 @@ static bool allocate(tf_cloth_simulation *c)
 static tf_status begin_cloth(tf_simulation *simulation)
 {
     tf_cloth_simulation *c = (tf_cloth_simulation *)simulation;
-    const tf_body *body = &simulation->stage.body;
+    const tf_body *body = &simulation->setup.body;
     tf_mesh mesh = tf_body_mesh(body);
     if (!allocate(c))
         return TF_OUT_OF_MEMORY;
@@ -64,7 +64,7 @@ static void end_cloth(tf_simulation *simulation)
 static void fall(tf_cloth_simulation *c)
 {
     const tf_scene *scene = c->base.scene;
-    const tf_body *body = &c->base.stage.body;
+    const tf_body *body = &c->base.setup.body;
     int up = body->axes - 1;
     for (int v = 0; v < body->vertices; v++)
         if (body->mass[v] > 0)
@@ -74,15 +74,15 @@ static void fall(tf_cloth_simulation *c)
 /// Where inertia leads, and the scripts.
 static void fly(tf_cloth_simulation *c)
 {
-    const tf_stage *stage = &c->base.stage;
-    const tf_body *body = &stage->body;
+    const tf_scene_setup *setup = &c->base.setup;
+    const tf_body *body = &setup->body;
     double step = c->base.scene->step;
     for (int i = 0; i < body->axes * body->vertices; i++)
         c->end[i] =
             c->position[i] +
             (body->mass[i / body->axes] > 0 ? step * c->velocity[i] : 0);
-    for (int i = 0; i < stage->scripts; i++)
-        tf_script_place(&stage->script[i], body, (c->script_steps + 1) * step,
+    for (int i = 0; i < setup->scripts; i++)
+        tf_script_place(&setup->script[i], body, (c->script_steps + 1) * step,
                         c->end);
 }
 
@@ -90,7 +90,7 @@ tf_status tf_cloth_propose(tf_cloth_simulation *cloth)
 {
     const tf_scene *scene = cloth->base.scene;
     fall(cloth);
-    tf_air_blow(&scene->air, &cloth->base.stage.body, cloth->base.time,
+    tf_air_blow(&scene->air, &cloth->base.setup.body, cloth->base.time,
                 scene->step, cloth->position, cloth->velocity);
     fly(cloth);
     return tf_dynamics_step(cloth->dynamics, cloth->end, ITERATIONS);
@@ -99,7 +99,7 @@ tf_status tf_cloth_propose(tf_cloth_simulation *cloth)
 //: Go on from where a step ends
 void tf_cloth_accept(tf_cloth_simulation *cloth, int held)
 {
-    const tf_body *body = &cloth->base.stage.body;
+    const tf_body *body = &cloth->base.setup.body;
     for (int i = 0; i < body->axes * body->vertices; i++) {
         cloth->velocity[i] =
             (cloth->end[i] - cloth->position[i]) / cloth->base.scene->step;
@@ -116,7 +116,7 @@ static tf_status resolve(tf_cloth_simulation *c, const tf_step_options *options,
     tf_response_options response = {.friction = c->base.scene->friction,
                                     .check_start = options->check,
                                     .parallel = options->parallel};
-    return tf_step_resolve(c->resolver, c->base.stage.body.vertices,
+    return tf_step_resolve(c->resolver, c->base.setup.body.vertices,
                            c->position, c->end, c->inverse_mass, &response,
                            report, NULL);
 }
@@ -128,7 +128,7 @@ static double now(const tf_step_options *options)
 
 static void measure(const tf_cloth_simulation *c, tf_cloth_report *report)
 {
-    const tf_body *body = &c->base.stage.body;
+    const tf_body *body = &c->base.setup.body;
     report->stretch = tf_body_stretch(body, c->position);
     report->kinetic = tf_body_kinetic_energy(body, c->velocity);
     report->elastic = tf_body_elastic_energy(body, c->position);
@@ -160,7 +160,7 @@ static tf_snapshot take_cloth(const tf_simulation *simulation)
     const tf_cloth_simulation *c = (const tf_cloth_simulation *)simulation;
     return (tf_snapshot){.step = simulation->step,
                          .script_steps = c->script_steps,
-                         .mesh = tf_body_mesh(&simulation->stage.body),
+                         .mesh = tf_body_mesh(&simulation->setup.body),
                          .position = c->position,
                          .velocity = c->velocity};
 }
@@ -169,7 +169,7 @@ static tf_status restore_cloth(tf_simulation *simulation,
                                const tf_snapshot *snapshot)
 {
     tf_cloth_simulation *c = (tf_cloth_simulation *)simulation;
-    const tf_body *body = &simulation->stage.body;
+    const tf_body *body = &simulation->setup.body;
     if (snapshot->mesh.vertices != body->vertices)
         return TF_BAD_COUNT;
     memcpy(c->position, snapshot->position, bytes_of(body));

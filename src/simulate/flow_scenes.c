@@ -13,10 +13,10 @@
 /// How far out a surface is from its center in a direction.
 typedef double distance(tf_vector direction);
 
-static void add_round(tf_stage *stage, int division, tf_vector center,
+static void add_round(tf_scene_setup *setup, int division, tf_vector center,
                       distance *far)
 {
-    tf_body *body = &stage->body;
+    tf_body *body = &setup->body;
     int first = body->vertices;
     tf_geodesic_add(body, division);
     for (int v = first; v < body->vertices; v++) {
@@ -33,11 +33,11 @@ static double small(tf_vector direction)
     return 0.15;
 }
 
-static void build_spheres(tf_stage *stage, double edge)
+static void build_spheres(tf_scene_setup *setup, double edge)
 {
     int division = tf_geodesic_division(0.15, edge);
-    add_round(stage, division, (tf_vector){{-0.18, 0, 0}}, small);
-    add_round(stage, division, (tf_vector){{0.18, 0.03, 0.02}}, small);
+    add_round(setup, division, (tf_vector){{-0.18, 0, 0}}, small);
+    add_round(setup, division, (tf_vector){{0.18, 0.03, 0.02}}, small);
 }
 
 //: Build the scene dumbbell
@@ -47,16 +47,16 @@ static double dumbbell(tf_vector direction)
     return 0.08 + 0.3 * direction.x[0] * direction.x[0];
 }
 
-static void build_dumbbell(tf_stage *stage, double edge)
+static void build_dumbbell(tf_scene_setup *setup, double edge)
 {
-    add_round(stage, tf_geodesic_division(0.2, edge), (tf_vector){{0}},
+    add_round(setup, tf_geodesic_division(0.2, edge), (tf_vector){{0}},
               dumbbell);
 }
 
 //: Build the scenes enright and turbulence
-static void build_enright(tf_stage *stage, double edge)
+static void build_enright(tf_scene_setup *setup, double edge)
 {
-    add_round(stage, tf_geodesic_division(0.15, edge),
+    add_round(setup, tf_geodesic_division(0.15, edge),
               (tf_vector){{0.35, 0.35, 0.35}}, small);
 }
 
@@ -66,9 +66,9 @@ static double large(tf_vector direction)
     return 0.25;
 }
 
-static void build_turbulence(tf_stage *stage, double edge)
+static void build_turbulence(tf_scene_setup *setup, double edge)
 {
-    add_round(stage, tf_geodesic_division(0.25, edge), (tf_vector){{0}}, large);
+    add_round(setup, tf_geodesic_division(0.25, edge), (tf_vector){{0}}, large);
 }
 
 //: Build the scene star
@@ -83,17 +83,17 @@ static double star(tf_vector direction)
     return 0.12 + 0.28 * far;
 }
 
-static void build_star(tf_stage *stage, double edge)
+static void build_star(tf_scene_setup *setup, double edge)
 {
-    add_round(stage, tf_geodesic_division(0.3, edge), (tf_vector){{0}}, star);
+    add_round(setup, tf_geodesic_division(0.3, edge), (tf_vector){{0}}, star);
 }
 
 //: Build the scene sheets
-static void build_sheets(tf_stage *stage, double edge)
+static void build_sheets(tf_scene_setup *setup, double edge)
 {
     const double side = 0.8, gap = 0.05;
     int cells = (int)ceil(side / edge);
-    tf_body *body = &stage->body;
+    tf_body *body = &setup->body;
     for (int i = -1; i <= 1; i++)
         tf_sheet_add(body,
                      &(tf_sheet){.across = cells,

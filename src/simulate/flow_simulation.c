@@ -34,7 +34,7 @@ static tf_status set_surface(tf_flow_simulation *f, const tf_mesh *mesh,
 //: Begin and end a simulation of a flow
 static tf_status begin_flow(tf_simulation *simulation)
 {
-    tf_body *body = &simulation->stage.body;
+    tf_body *body = &simulation->setup.body;
     tf_mesh mesh = tf_body_mesh(body);
     tf_status status =
         set_surface((tf_flow_simulation *)simulation, &mesh, body->position);

@@ -5,7 +5,7 @@
 #include "simulate/flow_measures.h"
 #include "simulate/simulation.h"
 
-/// A surface that flows in a scene, whose stage it does not keep.
+/// A surface that flows in a scene, whose setup it does not keep.
 typedef struct tf_flow_simulation {
     tf_simulation base;
     tf_adaptive_surface *surface;

@@ -3,12 +3,12 @@
 
 #include <string.h>
 
-//: Add a script to a stage
-void tf_stage_add_script(tf_stage *stage, tf_script script)
+//: Add a script to a setup
+void tf_scene_setup_add_script(tf_scene_setup *setup, tf_script script)
 {
-    for (int i = 0; i < script.count && !stage->body.failed; i++)
-        stage->body.mass[script.first + i] = 0;
-    stage->script[stage->scripts++] = script;
+    for (int i = 0; i < script.count && !setup->body.failed; i++)
+        setup->body.mass[script.first + i] = 0;
+    setup->script[setup->scripts++] = script;
 }
 
 //: Find a scene by its name

@@ -11,14 +11,14 @@ enum {
 };
 
 /// What a scene begins with.
-typedef struct tf_stage {
+typedef struct tf_scene_setup {
     tf_body body;
     int scripts;
     tf_script script[TF_MOST_SCRIPTS];
-} tf_stage;
+} tf_scene_setup;
 
 /// Lets a script move its vertices, from now on scripted.
-void tf_stage_add_script(tf_stage *stage, tf_script script);
+void tf_scene_setup_add_script(tf_scene_setup *setup, tf_script script);
 
 //: Declare what scenes are
 /// The velocity of a surface at a point where it has that normal, of length 1.
@@ -43,9 +43,9 @@ typedef struct tf_scene {
     bool keep_topology; ///< whether it neither merges nor comes apart
     double step;        ///< how long one takes, in seconds
 
-    /// Adds what there is at the start to an empty stage; without memory, its
+    /// Adds what there is at the start to an empty setup; without memory, its
     /// body has failed.
-    void (*build)(tf_stage *stage, double resolution);
+    void (*build)(tf_scene_setup *setup, double resolution);
 
     double gravity; ///< on cloth, in meters per square second
     tf_air air;

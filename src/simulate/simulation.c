@@ -12,10 +12,10 @@ tf_status tf_simulation_create(const tf_scene *scene, double resolution,
         return TF_OUT_OF_MEMORY;
     s->scene = scene;
     s->resolution = resolution;
-    s->stage.body.axes = scene->plane ? 2 : 3;
-    scene->build(&s->stage, resolution);
+    s->setup.body.axes = scene->plane ? 2 : 3;
+    scene->build(&s->setup, resolution);
     tf_status status =
-        s->stage.body.failed ? TF_OUT_OF_MEMORY : scene->kind->begin(s);
+        s->setup.body.failed ? TF_OUT_OF_MEMORY : scene->kind->begin(s);
     if (status == TF_OK)
         *simulation = s;
     else
@@ -34,6 +34,6 @@ void tf_simulation_free(tf_simulation *simulation)
     if (!simulation)
         return;
     simulation->scene->kind->end(simulation);
-    tf_body_free(&simulation->stage.body);
+    tf_body_free(&simulation->setup.body);
     free(simulation);
 }

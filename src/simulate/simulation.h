@@ -9,9 +9,10 @@
 typedef struct tf_simulation {
     const tf_scene *scene;
     double resolution;
-    tf_stage stage; ///< the scene's, or empty if its kind needs it no more
-    int step;       ///< how many were made
-    double time;    ///< after those, in seconds
+    tf_scene_setup
+        setup;   ///< the scene's, or empty if its kind needs it no more
+    int step;    ///< how many were made
+    double time; ///< after those, in seconds
 } tf_simulation;
 
 /// Sets a scene up.
@@ -51,7 +52,7 @@ typedef struct tf_simulation_kind {
     const char *option; ///< what users call the resolution
     size_t size;        ///< of its simulations, in bytes
 
-    /// Takes over what is on the stage.  After a failure it is ended, too.
+    /// Takes over what is in the setup.  After a failure it is ended, too.
     tf_status (*begin)(tf_simulation *simulation);
     void (*end)(tf_simulation *simulation);
 

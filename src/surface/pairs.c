@@ -4,6 +4,7 @@
 #include "arithmetic/clamped.h"
 #include "arithmetic/exact.h"
 #include "arithmetic/integer.h"
+#include "arithmetic/published.h"
 #include "query/edge_edge.h"
 #include "query/point_edge.h"
 #include "query/point_triangle.h"

@@ -32,10 +32,10 @@ static void work(const char *out, const char *err, double duration)
 {
     replace(STDOUT_FILENO, out);
     replace(STDERR_FILENO, err);
-    tf_progress progress = tf_progress_begin(false);
+    tf_progress_line progress = tf_progress_line_begin(false);
     for (double end = seconds() + duration; seconds() < end; usleep(1000))
-        tf_progress_show(&progress, 1234567, "queries");
-    tf_progress_end(&progress);
+        tf_progress_line_show(&progress, 1234567, "queries");
+    tf_progress_line_end(&progress);
     _exit(0);
 }
 

@@ -43,7 +43,7 @@ static const char *heading_of(const tf_simulation_kind *kind)
 
 static const tf_cloth_simulation cloth = {
     .base = {.scene = tf_cloth_scenes,
-             .stage.body = {.vertices = 5, .triangles = 4},
+             .setup.body = {.vertices = 5, .triangles = 4},
              .step = 12,
              .time = 0.12},
     .report = {.response = {.first_contacts = 2,

@@ -11,7 +11,7 @@
 static size_t state_size(const tf_cloth_simulation *s)
 {
     return sizeof(double) *
-           (size_t)(s->base.stage.body.axes * s->base.stage.body.vertices);
+           (size_t)(s->base.setup.body.axes * s->base.setup.body.vertices);
 }
 
 static void expect_same(const tf_cloth_simulation *a,
@@ -26,7 +26,7 @@ static void expect_same(const tf_cloth_simulation *a,
 START_TEST(cloth_starts_at_rest)
 {
     tf_cloth_simulation *s = cloth_of("twist", 4);
-    const tf_body *body = &s->base.stage.body;
+    const tf_body *body = &s->base.setup.body;
     ck_assert_str_eq(s->base.scene->name, "twist");
     ck_assert_double_eq(s->base.resolution, 4);
     ck_assert_int_eq(s->base.step, 0);
@@ -51,14 +51,14 @@ START_TEST(unheld_cloth_falls_by_gravity)
     }
     double middle = 0, before = 0;
     for (int v = 0; v <= 40; v++) {
-        middle += s->position[2 * v + 1] * s->base.stage.body.mass[v];
+        middle += s->position[2 * v + 1] * s->base.setup.body.mass[v];
         before +=
-            s->base.stage.body.position[2 * v + 1] * s->base.stage.body.mass[v];
+            s->base.setup.body.position[2 * v + 1] * s->base.setup.body.mass[v];
     }
     ck_assert_double_eq_tol(before - middle, fallen * 0.5, 1e-12);
     ck_assert_double_ne(s->position[1], height);
     ck_assert_double_eq(s->position[2 * 41],
-                        s->base.stage.body.position[2 * 41]);
+                        s->base.setup.body.position[2 * 41]);
     cloth_simulation_free(s);
 }
 END_TEST
@@ -70,7 +70,7 @@ START_TEST(velocities_lead_from_start_to_end)
     for (int i = 0; i < 40; i++) {
         memcpy(before, s->position, state_size(s));
         simulate_step(s, NULL);
-        for (int j = 0; j < 3 * s->base.stage.body.vertices; j++)
+        for (int j = 0; j < 3 * s->base.setup.body.vertices; j++)
             ck_assert_double_eq(s->velocity[j], (s->position[j] - before[j]) /
                                                     s->base.scene->step);
     }
@@ -167,7 +167,7 @@ START_TEST(a_step_reports_what_it_took)
     ck_assert_int_ge(s->report.response.rounds[TF_ZONES], 1);
     ck_assert_uint_ge(s->report.response.constraints,
                       s->report.response.first_contacts);
-    const tf_body *body = &s->base.stage.body;
+    const tf_body *body = &s->base.setup.body;
     ck_assert_double_eq(s->report.stretch, tf_body_stretch(body, s->position));
     ck_assert_double_eq(s->report.kinetic,
                         tf_body_kinetic_energy(body, s->velocity));

@@ -28,11 +28,11 @@ START_TEST(every_scene_starts_embedded)
     const tf_resolution *range = &tf_flow_scenes[_i].resolution;
     const double edges[] = {range->usual, range->most};
     for (int i = 0; i < 2; i++) {
-        tf_stage stage = stage_of(&tf_flow_scenes[_i], edges[i]);
-        tangle_judge *judge = judge_of(&stage.body);
-        ck_assert_int_eq(tangle_count(judge, stage.body.position), 0);
+        tf_scene_setup setup = setup_of(&tf_flow_scenes[_i], edges[i]);
+        tangle_judge *judge = judge_of(&setup.body);
+        ck_assert_int_eq(tangle_count(judge, setup.body.position), 0);
         tangle_judge_free(judge);
-        tf_body_free(&stage.body);
+        tf_body_free(&setup.body);
     }
 }
 END_TEST

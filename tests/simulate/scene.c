@@ -17,19 +17,20 @@ END_TEST
 
 START_TEST(vertices_of_a_script_are_scripted)
 {
-    tf_stage stage = {.body.axes = 3};
+    tf_scene_setup setup = {.body.axes = 3};
     for (int v = 0; v < 5; v++) {
-        tf_body_add_vertex(&stage.body, (const double[]){v, 0, 0});
-        stage.body.mass[v] = 1;
+        tf_body_add_vertex(&setup.body, (const double[]){v, 0, 0});
+        setup.body.mass[v] = 1;
     }
-    tf_stage_add_script(&stage, (tf_script){.first = 1, .count = 1});
-    tf_stage_add_script(&stage, (tf_script){.first = 3, .count = 2, .turn = 6});
-    ck_assert_int_eq(stage.scripts, 2);
-    ck_assert_int_eq(stage.script[0].first, 1);
-    ck_assert_double_eq(stage.script[1].turn, 6);
+    tf_scene_setup_add_script(&setup, (tf_script){.first = 1, .count = 1});
+    tf_scene_setup_add_script(&setup,
+                              (tf_script){.first = 3, .count = 2, .turn = 6});
+    ck_assert_int_eq(setup.scripts, 2);
+    ck_assert_int_eq(setup.script[0].first, 1);
+    ck_assert_double_eq(setup.script[1].turn, 6);
     for (int v = 0; v < 5; v++)
-        ck_assert_double_eq(stage.body.mass[v], v == 0 || v == 2);
-    tf_body_free(&stage.body);
+        ck_assert_double_eq(setup.body.mass[v], v == 0 || v == 2);
+    tf_body_free(&setup.body);
 }
 END_TEST
 

@@ -8,7 +8,7 @@ static int ends;
 
 static tf_status begin(tf_simulation *simulation)
 {
-    ck_assert_int_eq(simulation->stage.body.vertices, 1);
+    ck_assert_int_eq(simulation->setup.body.vertices, 1);
     return begun;
 }
 
@@ -21,15 +21,15 @@ static void end(tf_simulation *simulation)
 static const tf_simulation_kind idle = {
     .size = sizeof(tf_simulation), .begin = begin, .end = end};
 
-static void build(tf_stage *stage, double resolution)
+static void build(tf_scene_setup *setup, double resolution)
 {
-    tf_body_add_vertex(&stage->body, (const double[]){resolution, 0, 0});
+    tf_body_add_vertex(&setup->body, (const double[]){resolution, 0, 0});
 }
 
-static void build_without_memory(tf_stage *stage, double resolution)
+static void build_without_memory(tf_scene_setup *setup, double resolution)
 {
     (void)resolution;
-    stage->body.failed = true;
+    setup->body.failed = true;
 }
 
 START_TEST(a_simulation_begins_with_its_stage)
@@ -42,8 +42,8 @@ START_TEST(a_simulation_begins_with_its_stage)
     ck_assert_int_eq(tf_simulation_create(&scene, 7, &s), TF_OK);
     ck_assert_ptr_eq(s->scene, &scene);
     ck_assert_double_eq(s->resolution, 7);
-    ck_assert_int_eq(s->stage.body.axes, _i ? 2 : 3);
-    ck_assert_double_eq(s->stage.body.position[0], 7);
+    ck_assert_int_eq(s->setup.body.axes, _i ? 2 : 3);
+    ck_assert_double_eq(s->setup.body.position[0], 7);
     ck_assert_int_eq(s->step, 0);
     tf_simulation_go_to(s, 3);
     ck_assert_int_eq(s->step, 3);

@@ -49,7 +49,7 @@ static void add_judgment(course *c, tangle_judge *judge,
                          const tf_cloth_simulation *s)
 {
     int found = tangle_count(judge, s->position);
-    double stretch = tf_body_stretch(&s->base.stage.body, s->position);
+    double stretch = tf_body_stretch(&s->base.setup.body, s->position);
     c->steps++;
     c->tangled += found > 0;
     c->tangles += found;
@@ -63,7 +63,7 @@ static course follow(const tf_scene *scene, int size, int steps, bool response)
     tf_simulation *made;
     succeed(tf_simulation_create(scene, size, &made));
     tf_cloth_simulation *s = (tf_cloth_simulation *)made;
-    tf_mesh mesh = tf_body_mesh(&s->base.stage.body);
+    tf_mesh mesh = tf_body_mesh(&s->base.setup.body);
     tangle_judge *judge = tangle_judge_new(&mesh);
     c.vertices = mesh.vertices;
     c.triangles = mesh.triangles;

@@ -18,12 +18,12 @@ void cloth_simulation_free(tf_cloth_simulation *cloth)
     tf_simulation_free(&cloth->base);
 }
 
-tf_stage stage_of(const tf_scene *scene, double resolution)
+tf_scene_setup setup_of(const tf_scene *scene, double resolution)
 {
-    tf_stage stage = {.body.axes = scene->plane ? 2 : 3};
-    scene->build(&stage, resolution);
-    ck_assert(!stage.body.failed);
-    return stage;
+    tf_scene_setup setup = {.body.axes = scene->plane ? 2 : 3};
+    scene->build(&setup, resolution);
+    ck_assert(!setup.body.failed);
+    return setup;
 }
 
 int scene_count(const tf_scene list[])

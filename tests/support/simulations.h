@@ -10,8 +10,8 @@
 tf_cloth_simulation *cloth_of(const char *scene, int size);
 void cloth_simulation_free(tf_cloth_simulation *cloth);
 
-/// The stage of a scene at its start; its body is to be freed.
-tf_stage stage_of(const tf_scene *scene, double resolution);
+/// The setup of a scene at its start; its body is to be freed.
+tf_scene_setup setup_of(const tf_scene *scene, double resolution);
 
 /// How many scenes a list has.
 int scene_count(const tf_scene list[]);

@@ -5,6 +5,7 @@
 #include "arithmetic/functions.h"
 #include "arithmetic/integer.h"
 #include "arithmetic/perturbed.h"
+#include "arithmetic/published.h"
 #include "intersect/cascade.h"
 #include "query/edge_edge.h"
 #include "query/narrow_phase.h"

@@ -3,6 +3,7 @@
 #include "arithmetic/exact.h"
 #include "arithmetic/integer.h"
 #include "arithmetic/perturbed.h"
+#include "arithmetic/published.h"
 #include "bench/layers.h"
 #include "fast/vectorized.h"
 #include "program/threads.h"

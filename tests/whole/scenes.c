@@ -17,7 +17,7 @@ START_TEST(a_scene_stays_free_of_tangles)
 {
     const char *name = shorts[_i].name;
     tf_cloth_simulation *c = cloth_of(name, shorts[_i].size);
-    tangle_judge *judge = judge_of(&c->base.stage.body);
+    tangle_judge *judge = judge_of(&c->base.setup.body);
     double stretch = 1;
     size_t contacts = 0;
     for (int step = 0; step < shorts[_i].steps; step++) {
@@ -41,7 +41,7 @@ START_TEST(a_scene_without_response_tangles)
 {
     const char *name = shorts[_i].name;
     tf_cloth_simulation *c = cloth_of(name, shorts[_i].size);
-    tangle_judge *judge = judge_of(&c->base.stage.body);
+    tangle_judge *judge = judge_of(&c->base.setup.body);
     int tangled = 0;
     for (int step = 0; step < shorts[_i].steps; step++) {
         simulate_blindly(c);

@@ -6,6 +6,7 @@
 #include "arithmetic/exact.h"
 #include "arithmetic/integer.h"
 #include "arithmetic/perturbed.h"
+#include "arithmetic/published.h"
 #include "base/contract.h"
 #include "query/edge_edge.h"
 #include "query/narrow_phase.h"

@@ -1,7 +1,7 @@
 # Compile the one file of the library by several compilers, without any option
 # that it would need, and compare the bits of all answers with those of the
 # library.  Options that rewrite arithmetic must be refused: by the compiler, or
-# by every query.
+# by every query.  The threads in one file go with it, in C and C++.
 #
 #     BUILD=dir CC=cc single.sh
 #
@@ -45,6 +45,17 @@ refuse() { # compiler and options
     echo "refused: $*"
 }
 
+try_threads() { # compiler and options
+    compiler=$1
+    shift
+    $compiler -Wall -Wextra -Wpedantic -Werror -I "$BUILD/single" -x c "$@" \
+        "$BUILD/single/tanglefree.c" "$BUILD/single/tanglefree_threads.c" \
+        -x "$language" tests/package/threads.c -lm -pthread \
+        -o "$scratch/threads"
+    [ "$("$scratch/threads")" = '1000 tasks by 3 threads' ]
+    echo "threads: $compiler $*"
+}
+
 mkdir -p "$scratch"
 $CC -std=c17 -I "$BUILD/include" tests/package/answers.c \
     "$BUILD/libtanglefree.a" -lm -o "$scratch/library"
@@ -57,6 +68,12 @@ try clang clang -std=c11
 try clang-native clang -O3 -march=native
 # A program for node: all in one file, with node's own input and output.
 try emcc.js emcc -O1 -s SINGLE_FILE=1 -s NODERAWFS=1
+language=c
+try_threads gcc -O1
+try_threads clang -O1 -std=c11
+language=c++
+try_threads g++ -O1
+try_threads clang++ -O1
 for cc in gcc clang; do
     refuse $cc -ffast-math
     refuse $cc -funsafe-math-optimizations

@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-//: Hold a pool of threads
+//: Hold the tasks of a call
 /// What a call of for_each has the threads do.
 typedef struct job {
     int count; ///< of tasks
@@ -20,6 +20,7 @@ typedef struct job {
     atomic_uint next;   ///< the next task; in the end more than there are
 } job;
 
+//: Hold a pool of threads
 typedef struct member {
     tf_threads *pool;
     int worker;
@@ -103,12 +104,6 @@ static void count_forks(void)
 }
 
 //: Run tasks on the threads of a pool
-static void run_alone(int count, tf_task *run, void *argument)
-{
-    for (int task = 0; task < count; task++)
-        run(argument, task, 0);
-}
-
 static void run_together(tf_threads *pool, int count, tf_task *run,
                          void *argument)
 {
@@ -122,6 +117,13 @@ static void run_together(tf_threads *pool, int count, tf_task *run,
         pthread_cond_wait(&pool->rest, &pool->lock);
     pthread_mutex_unlock(&pool->lock);
     pthread_mutex_unlock(&pool->turn);
+}
+
+//: Run tasks alone or on the threads of a pool
+static void run_alone(int count, tf_task *run, void *argument)
+{
+    for (int task = 0; task < count; task++)
+        run(argument, task, 0);
 }
 
 static void for_each(void *context, int count, tf_task *run, void *argument)
@@ -159,6 +161,7 @@ static void start(tf_threads *pool, int count)
     }
 }
 
+//: Make a pool of threads
 tf_status tf_threads_create(int count, tf_threads **threads)
 {
     static pthread_once_t once = PTHREAD_ONCE_INIT;

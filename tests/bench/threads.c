@@ -90,9 +90,12 @@ static void measure(const char *name, int threads, const tf_parallel *parallel)
 int main(void)
 {
     static const int counts[] = {2, 4, 8, 16};
+    tf_threads *threads;
+    require(tf_threads_create(0, &threads));
+    printf("processors,%d,\n", tf_threads_count(threads));
+    tf_threads_free(threads);
     for (int i = 0; i < 4; i++) {
         int count = counts[i];
-        tf_threads *threads;
         require(tf_threads_create(count, &threads));
         measure("pool of", count, tf_threads_parallel(threads));
         tf_threads_free(threads);

@@ -97,7 +97,7 @@ static void put_bad_index(sentence *s, const tf_error *error)
     if (error->vertex[0] >= 0 && error->vertex[0] < error->vertices)
         put(s, "vertex %lld is there twice; give different ones", vertex);
     else
-        put(s, "there is no vertex %lld; there are those from %d to %lld",
+        put(s, "there is no vertex %lld; they are numbered from %d to %lld",
             vertex, s->first, number_of(s, error->vertices) - 1);
 }
 

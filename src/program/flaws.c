@@ -14,7 +14,7 @@ static bool fault_in_index(const tf_mesh_file *file, long place, int vertex)
                                   vertex + first);
     return tf_mesh_file_fault(
         file, place,
-        "there is no vertex %lld; the file has those from %d to %lld",
+        "there is no vertex %lld; they are numbered from %d to %lld",
         (long long)vertex + first, first, (long long)vertices + first - 1);
 }
 

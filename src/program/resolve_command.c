@@ -21,7 +21,7 @@ typedef struct resolving {
     double *inverse_mass; ///< NULL: 1 for all
     tf_resolver *resolver;
     tf_resolved done;
-    tf_mesh_output out;
+    tf_destination out;
     tf_progress_line progress;
     size_t contacts; ///< that progress has seen
 } resolving;
@@ -128,7 +128,7 @@ static bool do_all(resolving *r)
     const tf_request *wanted = r->request;
     if (!tf_frames_next(&r->frames, wanted->operand[0]) ||
         !tf_frames_next(&r->frames, wanted->operand[1]) || !read_masses(r) ||
-        !tf_mesh_output_begin(&r->out, wanted->out, &r->frames.fault))
+        !tf_destination_begin(&r->out, wanted->out, &r->frames.fault))
         return false;
     bool good = resolve(r);
     tf_progress_line_end(&r->progress);
@@ -140,7 +140,7 @@ static bool do_all(resolving *r)
 //: End resolve
 static void free_all(resolving *r)
 {
-    tf_mesh_output_end(&r->out);
+    tf_destination_end(&r->out);
     tf_resolver_free(r->resolver);
     free(r->inverse_mass);
     tf_frames_free(&r->frames);
@@ -166,7 +166,7 @@ const tf_command tf_resolve_command = {
     .operands = "START END",
     .least = 2,
     .most = 2,
-    .wanted = "two files are required, START and END",
+    .wanted = "two files are required: START and END",
     .description = tf_resolve_description,
     .run = run,
 };

@@ -1,6 +1,7 @@
 //: Include what the commands about surfaces need
 #include "program/arithmetics.h"
 #include "program/command.h"
+#include "program/destination.h"
 #include "program/frames.h"
 #include "program/progress.h"
 #include "program/surface_output.h"
@@ -13,6 +14,7 @@ typedef struct work {
     const tf_request *request;
     tf_threads *threads;
     tf_frames frames;
+    tf_destination to;
     tf_surface_output output;
     tf_progress_line progress;
 } work;
@@ -101,19 +103,31 @@ static bool check_all(work *w)
     return true;
 }
 
+//: Write all rows about surfaces
+static bool write_rows(work *w, bool checks, bool (*do_all)(work *))
+{
+    const tf_request *request = w->request;
+    FILE *stream = tf_destination_begin(&w->to, request->out, &w->frames.fault)
+                       ? tf_destination_open(&w->to)
+                       : NULL;
+    if (!stream)
+        return false;
+    bool good =
+        tf_surface_output_begin(&w->output, stream, *request->format, checks) &&
+        do_all(w);
+    tf_progress_line_end(&w->progress);
+    good = tf_surface_output_end(&w->output) && good;
+    return tf_destination_finish(&w->to, good, w->output.records.error);
+}
+
 //: Run a command about surfaces
 static int run(const tf_request *request, bool checks, bool (*do_all)(work *))
 {
-    work w = {.request = request, .progress = tf_progress_line_begin(false)};
+    bool silent = !tf_destination_is_standard(request->out);
+    work w = {.request = request, .progress = tf_progress_line_begin(silent)};
     tf_threads_create(request->threads, &w.threads);
-    bool good =
-        tf_surface_output_begin(&w.output, stdout, *request->format, checks) &&
-        do_all(&w);
-    tf_progress_line_end(&w.progress);
-    good = tf_surface_output_end(&w.output) && good;
-    if (w.output.records.error)
-        tf_fault_set_unwritten(&w.frames.fault, "standard output",
-                               w.output.records.error);
+    bool good = write_rows(&w, checks, do_all);
+    tf_destination_end(&w.to);
     tf_fault_print(&w.frames.fault, "tanglefree");
     tf_frames_free(&w.frames);
     tf_threads_free(w.threads);
@@ -138,7 +152,7 @@ const tf_command tf_detect_command = {
     .operands = "START END [END...]",
     .least = 2,
     .most = INT_MAX,
-    .wanted = "two files or more are required, START and END",
+    .wanted = "two files or more are required: START and END",
     .description = tf_detect_description,
     .run = run_detect,
 };
@@ -150,7 +164,7 @@ const tf_command tf_check_command = {
     .operands = "FILE...",
     .least = 1,
     .most = INT_MAX,
-    .wanted = "a file is required, or - for standard input",
+    .wanted = "a file is required: its name, or - for standard input",
     .description = tf_check_description,
     .run = run_check,
 };

@@ -14,13 +14,14 @@ static const struct {
       .vertices = 12,
       .time = -1},
      0,
-     "triangle 7: there is no vertex 12; there are those from 0 to 11"},
+     "triangle 7: there is no vertex 12; they are numbered from 0 to 11"},
     {{.status = TF_BAD_INDEX,
       .vertex = {12},
       .vertices = 12,
       .subject = TF_EDGE},
      1,
-     "edge 0 at the start of the step: there is no vertex 13; there are those "
+     "edge 0 at the start of the step: there is no vertex 13; they are "
+     "numbered "
      "from 1 to 12"},
     {{.status = TF_BAD_INDEX,
       .subject = TF_QUERY,
@@ -32,7 +33,7 @@ static const struct {
      "query 1: vertex 3 is there twice; give different ones"},
     {{.status = TF_NOT_FINITE, .subject = TF_VERTEX, .index = 3, .time = 1},
      1,
-     "vertex 4 at the end of the step: a coordinate is infinite or NaN: give "
+     "vertex 4 at the end of the step: a coordinate is infinite or NaN; give "
      "finite positions"},
     {{.status = TF_BAD_OPTION,
       .subject = TF_OPTION,
@@ -87,7 +88,7 @@ static const struct {
      "them apart"},
     {{.status = TF_OUT_OF_MEMORY},
      0,
-     "not enough memory: divide the surface, or use a machine with more"},
+     "not enough memory; divide the surface, or use a machine with more"},
 };
 
 START_TEST(error_has_its_sentence)

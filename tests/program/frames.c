@@ -235,11 +235,11 @@ static const struct {
     const char *fault;
 } flaws[] = {
     {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n", 4,
-     "there is no vertex 4; the file has those from 1 to 3"},
+     "there is no vertex 4; they are numbered from 1 to 3"},
     {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2147483647 3\n", 5,
-     "there is no vertex 2147483647; the file has those from 1 to 3"},
+     "there is no vertex 2147483647; they are numbered from 1 to 3"},
     {"v 0 0 0\nv 1 0 0\nl 1 2 3\n", 3,
-     "there is no vertex 3; the file has those from 1 to 2"},
+     "there is no vertex 3; they are numbered from 1 to 2"},
     {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n\nf 1 2 2\n", 6,
      "vertex 2 is a corner twice; delete the triangle or edge, here and in all "
      "files"},
@@ -250,12 +250,12 @@ static const struct {
      "property float y\nproperty float z\nelement face 1\n"
      "property list uchar int vertex_index\nend_header\n"
      "0 0 1\n1 0 1\n0 1 1\n3 0 1 2147483647\n",
-     13, "there is no vertex 2147483647; the file has those from 0 to 2"},
+     13, "there is no vertex 2147483647; they are numbered from 0 to 2"},
     {"ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\n"
      "property float y\nelement edge 1\n"
      "property int vertex1\nproperty int vertex2\nend_header\n"
      "0 0\n1 0\n0 2\n",
-     12, "there is no vertex 2; the file has those from 0 to 1"},
+     12, "there is no vertex 2; they are numbered from 0 to 1"},
 };
 
 START_TEST(flaws_have_a_line)

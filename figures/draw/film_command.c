@@ -131,10 +131,10 @@ static bool begin(film *f)
         return lack_memory(f);
     take *made = &f->take[f->takes++];
     *made = (take){0};
-    tf_flaw flaw;
-    tf_status status = tf_surface_create(&mesh, &made->surface, &flaw);
+    tf_error error;
+    tf_status status = tf_surface_create(&mesh, &made->surface, &error);
     if (status != TF_OK)
-        return tf_frames_fault(&f->frames, status, &flaw);
+        return tf_frames_fault(&f->frames, &error);
     made->cloth = fig_cloth_new(made->surface, 3);
     return made->cloth || lack_memory(f);
 }

@@ -1,5 +1,6 @@
 #include "draw/commands.h"
 #include "draw/surface_picture.h"
+#include "fast/detect.h"
 
 #include "files/visible.h"
 #include "program/frames.h"
@@ -146,11 +147,11 @@ static bool mark_contacts(tf_frames *frames, const tf_parallel *parallel,
     tf_detect_options detection = {.parallel = parallel};
     tf_motion motion = tf_frames_motion(frames);
     tf_contacts found;
-    tf_flaw flaw;
+    tf_error error;
     tf_status status =
-        tf_surface_detect(frames->surface, &motion, &detection, &found, &flaw);
+        tf_surface_detect(frames->surface, &motion, &detection, &found, &error);
     if (status != TF_OK)
-        return tf_frames_fault(frames, status, &flaw);
+        return tf_frames_fault(frames, &error);
     return fig_marks_of_contacts(&shown->marks, &shown->shape, &found) ||
            lack_memory(frames);
 }
@@ -158,13 +159,14 @@ static bool mark_contacts(tf_frames *frames, const tf_parallel *parallel,
 static bool mark_crossings(tf_frames *frames, const tf_parallel *parallel,
                            fig_shown_surface *shown)
 {
+    tf_check_options check = {.parallel = parallel};
     tf_motion rest = tf_frames_motion(frames);
     tf_crossings found;
-    tf_flaw flaw;
-    tf_status status = tf_surface_check(frames->surface, rest.start,
-                                        rest.vertices, parallel, &found, &flaw);
+    tf_error error;
+    tf_status status = tf_surface_check(frames->surface, rest.vertices,
+                                        rest.start, &check, &found, &error);
     if (status != TF_OK)
-        return tf_frames_fault(frames, status, &flaw);
+        return tf_frames_fault(frames, &error);
     return fig_marks_of_crossings(&shown->marks, &shown->shape, &found) ||
            lack_memory(frames);
 }

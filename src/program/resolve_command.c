@@ -23,7 +23,6 @@ typedef struct resolving {
     tf_resolved done;
     tf_destination out;
     tf_progress_line progress;
-    size_t contacts; ///< that progress has seen
 } resolving;
 
 //: Read the masses of all vertices
@@ -31,7 +30,7 @@ static bool allocate_masses(resolving *r, int vertices)
 {
     r->inverse_mass = malloc(sizeof *r->inverse_mass * (size_t)vertices);
     if (!r->inverse_mass)
-        return tf_frames_fault(&r->frames, TF_OUT_OF_MEMORY, &(tf_flaw){0});
+        return tf_status_fault(tf_frames_file(&r->frames), TF_OUT_OF_MEMORY);
     for (int v = 0; v < vertices; v++)
         r->inverse_mass[v] = 1;
     return true;
@@ -52,17 +51,13 @@ static bool read_masses(resolving *r)
 }
 
 //: Show the progress of a response
-static void show_progress(void *context, const tf_response_report *so_far)
+static bool show_progress(void *context, const tf_stage *stage)
 {
     resolving *r = context;
     char things[64];
-    int rounds = 0;
-    for (int i = 0; i < TF_LEVELS; i++)
-        rounds += so_far->rounds[i];
-    snprintf(things, sizeof things, "rounds, %zu contacts left",
-             so_far->contacts - r->contacts);
-    r->contacts = so_far->contacts;
-    tf_progress_line_show(&r->progress, rounds, things);
+    snprintf(things, sizeof things, "%s", stage->name);
+    tf_progress_line_show(&r->progress, (long)stage->done, things);
+    return true;
 }
 
 //: Resolve the step between two frames
@@ -88,16 +83,18 @@ static bool respond(resolving *r)
 {
     tf_response_options how = options_of(r);
     tf_motion motion = tf_frames_motion(&r->frames);
-    tf_obstacle obstacle = {0};
+    tf_error error;
+    const tf_response_report *report;
     double begin = tf_clock_seconds();
-    tf_status status = tf_step_resolve(
-        r->resolver, motion.vertices, motion.start, tf_frames_end(&r->frames),
-        r->inverse_mass, &how, &r->done.report, &obstacle);
+    tf_status status = tf_step_resolve(r->resolver, motion.vertices,
+                                       motion.start, tf_frames_end(&r->frames),
+                                       r->inverse_mass, &how, &report, &error);
     r->done.seconds = tf_clock_seconds() - begin;
-    if (status == TF_START_NOT_CLEAR)
-        return tf_obstacle_fault(&r->frames.file[0], &obstacle);
-    return status == TF_OK ||
-           tf_frames_fault(&r->frames, status, &obstacle.flaw);
+    if (status == TF_OK)
+        r->done.report = *report;
+    return status == TF_OK || (status == TF_START_NOT_CLEAR
+                                   ? tf_error_fault(&r->frames.file[0], &error)
+                                   : tf_frames_fault(&r->frames, &error));
 }
 
 static bool resolve(resolving *r)
@@ -105,7 +102,7 @@ static bool resolve(resolving *r)
     tf_status status = tf_resolver_create(r->frames.surface, &r->resolver);
     bool good = status == TF_OK
                     ? respond(r)
-                    : tf_frames_fault(&r->frames, status, &(tf_flaw){0});
+                    : tf_status_fault(tf_frames_file(&r->frames), status);
     tf_frames_change(&r->frames);
     return good;
 }

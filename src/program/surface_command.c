@@ -1,4 +1,5 @@
 //: Include what the commands about surfaces need
+#include "fast/detect.h"
 #include "program/arithmetics.h"
 #include "program/command.h"
 #include "program/destination.h"
@@ -20,9 +21,9 @@ typedef struct work {
 } work;
 
 /// Reports a status of the surface as a fault of the current file.
-static bool succeeded(work *w, tf_status status, const tf_flaw *flaw)
+static bool succeeded(work *w, const tf_error *error)
 {
-    return status == TF_OK || tf_frames_fault(&w->frames, status, flaw);
+    return error->status == TF_OK || tf_frames_fault(&w->frames, error);
 }
 
 //: Report a coordinate that is out of range about surfaces
@@ -54,12 +55,12 @@ static bool detect_step(work *w)
         .parallel = tf_threads_parallel(w->threads)};
     tf_motion motion = tf_frames_motion(&w->frames);
     tf_contacts found;
-    tf_flaw flaw;
+    tf_error error;
     tf_status status = tf_surface_detect(w->frames.surface, &motion, &detection,
-                                         &found, &flaw);
+                                         &found, &error);
     if (status == TF_OUT_OF_RANGE)
-        return fault_in_range(w, flaw.vertex);
-    return succeeded(w, status, &flaw) &&
+        return fault_in_range(w, error.vertex[0]);
+    return succeeded(w, &error) &&
            tf_surface_output_contacts(&w->output, w->frames.axes, &found);
 }
 
@@ -83,11 +84,11 @@ static bool check_file(work *w, const char *path)
         return false;
     tf_motion rest = tf_frames_motion(&w->frames);
     tf_crossings found;
-    tf_flaw flaw;
-    tf_status status =
-        tf_surface_check(w->frames.surface, rest.start, rest.vertices,
-                         tf_threads_parallel(w->threads), &found, &flaw);
-    return succeeded(w, status, &flaw) &&
+    tf_error error;
+    tf_check_options options = {.parallel = tf_threads_parallel(w->threads)};
+    tf_surface_check(w->frames.surface, rest.vertices, rest.start, &options,
+                     &found, &error);
+    return succeeded(w, &error) &&
            tf_surface_output_crossings(
                &w->output, tf_frames_file(&w->frames)->name, &found);
 }

@@ -45,15 +45,16 @@ refuse() { # compiler and options
     echo "refused: $*"
 }
 
-try_threads() { # compiler and options
-    compiler=$1
-    shift
-    $compiler -Wall -Wextra -Wpedantic -Werror -I "$BUILD/single" -x c "$@" \
-        "$BUILD/single/tanglefree.c" "$BUILD/single/tanglefree_threads.c" \
-        -x "$language" tests/package/threads.c -lm -pthread \
-        -o "$scratch/threads"
+try_threads() { # compiler of C and options; the program's compiler, language
+    for file in tanglefree tanglefree_threads; do
+        $1 -Wall -Wextra -Wpedantic -Werror -c "$BUILD/single/$file.c" \
+            -o "$scratch/$file.o"
+    done
+    $2 -Wall -Wextra -Wpedantic -Werror -I "$BUILD/single" -x "$3" \
+        tests/package/threads.c -x none "$scratch/tanglefree.o" \
+        "$scratch/tanglefree_threads.o" -lm -pthread -o "$scratch/threads"
     [ "$("$scratch/threads")" = '1000 tasks by 3 threads' ]
-    echo "threads: $compiler $*"
+    echo "threads: $1, $2"
 }
 
 mkdir -p "$scratch"
@@ -68,12 +69,10 @@ try clang clang -std=c11
 try clang-native clang -O3 -march=native
 # A program for node: all in one file, with node's own input and output.
 try emcc.js emcc -O1 -s SINGLE_FILE=1 -s NODERAWFS=1
-language=c
-try_threads gcc -O1
-try_threads clang -O1 -std=c11
-language=c++
-try_threads g++ -O1
-try_threads clang++ -O1
+try_threads 'gcc -O1' gcc c
+try_threads 'gcc -O1' g++ c++
+try_threads 'clang -O1 -std=c11' clang c
+try_threads 'clang -O1 -std=c11' clang++ c++
 for cc in gcc clang; do
     refuse $cc -ffast-math
     refuse $cc -funsafe-math-optimizations

@@ -273,14 +273,16 @@ START_TEST(flaws_of_all_elements_have_a_line)
     tf_frames frames;
     ck_assert(read_frames(&frames, 1, (const char *[]){START}));
     static const struct {
-        tf_flaw flaw;
+        tf_error error;
         long line;
-    } kinds[] = {{{.element = TF_NO_ELEMENT}, -1},
-                 {{.element = TF_VERTEX, .index = 3, .vertex = 3}, 4},
-                 {{.element = TF_TRIANGLE, .index = 1}, 6},
-                 {{.element = TF_EDGE, .index = 0}, 7}};
+    } kinds[] = {{{.subject = TF_NO_SUBJECT}, -1},
+                 {{.subject = TF_VERTEX, .index = 3, .vertex = {3}}, 4},
+                 {{.subject = TF_TRIANGLE, .index = 1}, 6},
+                 {{.subject = TF_EDGE, .index = 0}, 7}};
     for (int i = 0; i < 4; i++) {
-        ck_assert(!tf_frames_fault(&frames, TF_NOT_FINITE, &kinds[i].flaw));
+        tf_error error = kinds[i].error;
+        error.status = TF_NOT_FINITE;
+        ck_assert(!tf_frames_fault(&frames, &error));
         ck_assert_str_eq(frames.fault.text, tf_status_message(TF_NOT_FINITE));
         ck_assert_int_eq(frames.fault.place, kinds[i].line);
     }

@@ -322,7 +322,7 @@ START_TEST(progress_is_shown_on_a_terminal)
                         "} & $tf resolve above late -o new 2>%s",
                         screen.name);
     ck_assert_int_eq(found.status, 0);
-    expect_progress(terminal_close(&screen), "\r0 rounds, 2 contacts left");
+    expect_progress(terminal_close(&screen), "\r1 trees");
 }
 END_TEST
 

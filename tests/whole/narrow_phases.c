@@ -5,11 +5,11 @@
 #include "arithmetic/perturbed.h"
 #include "arithmetic/published.h"
 #include "bench/layers.h"
+#include "fast/detect.h"
 #include "fast/vectorized.h"
 #include "support/support.h"
 #include "support/surface_of.h"
 #include "support/surfaces.h"
-#include "surface/detect.h"
 #include "threads/threads.h"
 
 #include <stdlib.h>

@@ -6,13 +6,14 @@
 # another one includes, for the figure of the layers.  Fails, and says where, if
 # an include goes up the layers or closes a circle of modules, if a function is
 # declared in the header of another module than defines it, or if a folder has
-# more than 45 files.  The program, and the files and the simulator in it, see
-# of the library what its users see: public headers, besides base/ and vectors.
+# more than 45 files.  The program, and the files, the simulator and the threads
+# in it, see of the library what its users see: public headers, besides base/ and
+# vectors.
 
 BEGIN {
     layers = split("base geometry arithmetic intersect query linear surface " \
                    "fast response surgery remesh topology flow files " \
-                   "simulate program", layer)
+                   "simulate threads program", layer)
     for (i = 1; i <= layers; i++) {
         rank[layer[i]] = i
         print layer[i]
@@ -105,7 +106,7 @@ function layer_of(module) {
 }
 
 function is_client(module) {
-    return layer_of(module) ~ /^(files|simulate|program)$/
+    return layer_of(module) ~ /^(files|simulate|threads|program)$/
 }
 
 function is_public(module,    text, found) {

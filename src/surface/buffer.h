@@ -15,9 +15,8 @@ typedef struct tf_buffer {
 /// no memory; the buffer then is as it was.
 bool tf_buffer_reserve(tf_buffer *buffer, size_t count, size_t size);
 
-/// Makes room for a list that is added to: what the buffer held stays, and the
-/// room at least doubles if it has to grow.  It is aligned like that of malloc,
-/// and no more; so a buffer is used with one of these two functions only.
+/// The same for a list that is added to: what the buffer held stays, and the
+/// room at least doubles if it has to grow.
 bool tf_buffer_extend(tf_buffer *buffer, size_t count, size_t size);
 
 void tf_buffer_free(tf_buffer *buffer);

@@ -23,6 +23,7 @@ typedef struct tf_worker {
 typedef struct tf_workers {
     int count;
     tf_worker **worker; ///< each has memory of its own
+    tf_buffer storage;  ///< of these pointers
 } tf_workers;
 
 /// Readies workers for a job.  False if there is no memory.

@@ -7,7 +7,7 @@ int main(void)
 {
     const double start[] = {1, 3, 0, 0, 4, 0};
     const double end[] = {2, 0, 0, 1, 4, 2};
-    tf_motion motion = {.vertices = 3, .start = start, .end = end};
+    tf_motion motion = {.axes = 2, .vertices = 3, .start = start, .end = end};
 
     tf_contact contact;
     tf_status status =

@@ -9,7 +9,7 @@ int main(void)
                   2, 0, 1, 2, 1, 1, .625, .25, 1, .625, .875, 1};
     double next[24];
     tf_mesh mesh = {.axes = 3, .vertices = 8, .triangles = 6, triangle};
-    tf_motion motion = {.vertices = 8, .start = x, .end = next};
+    tf_motion motion = {.axes = 3, .vertices = 8, .start = x, .end = next};
     tf_surface *surface;
     tf_contacts found;
     if (tf_surface_create(&mesh, &surface, NULL) != TF_OK)

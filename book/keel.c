@@ -7,7 +7,8 @@
 // The keel, 0 1, sinks; the ridge, 2 3, and an edge of the gable, 3 4, rest.
 static const double start[] = {-2, 0, 1, 2, 0, 1, 0, -2, 0, 0, 2, 0, 1, 2, -2};
 static const double end[] = {-2, 0, -1, 2, 1, -2, 0, -2, 0, 0, 2, 0, 1, 2, -2};
-static const tf_motion motion = {.vertices = 5, .start = start, .end = end};
+static const tf_motion motion = {
+    .axes = 3, .vertices = 5, .start = start, .end = end};
 
 static void describe(const int first[2], const int second[2])
 {
@@ -25,7 +26,7 @@ int main(void)
     tf_verdict verdict[2];
     size_t separated = 0;
     tf_status status =
-        tf_reference.decide(&tf_clamped, &queries, verdict, &separated);
+        tf_reference.decide(NULL, &tf_clamped, &queries, verdict, &separated);
     for (int i = 0; status == TF_OK && i < 2; i++)
         if (verdict[i] != TF_APART)
             describe(list + 4 * i, list + 4 * i + 2);

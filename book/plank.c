@@ -7,11 +7,11 @@ static void resolve(tf_resolver *resolver, const double inverse_mass[])
     const double start[] = {0, 0.125, -2, 0, 2, 0};
     double end[] = {0, 0.125, -2, 1, 2, 1};
     tf_response_options options = {.separation = -1};
-    tf_response_report report;
+    const tf_response_report *report;
     if (tf_step_resolve(resolver, 3, start, end, inverse_mass, &options,
                         &report, NULL) == TF_OK)
         printf("%zu contact; the fly ends at %g, the plank at %g and %g\n",
-               report.first_contacts, end[1], end[3], end[5]);
+               report->first_contacts, end[1], end[3], end[5]);
 }
 
 int main(void)

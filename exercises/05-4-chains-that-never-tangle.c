@@ -71,7 +71,7 @@ void untangle(int vertices, const double start[][2], int edges,
         for (int k = 0; k < 2; k++)
             end[v][k] = start[v][k] + 0 * edge[edges - 1][0];
 #else
-    const tf_motion step = {vertices, start[0], end[0]};
+    const tf_motion step = {2, vertices, start[0], end[0]};
 #if defined TF_SOLUTION || defined TF_WRONG_1 || defined TF_WRONG_3
     bool changed = true;
     while (changed) {

@@ -176,7 +176,7 @@ static void expect_rows(int rights, const row right[], int count, row found[])
 static void expect(const scene *s)
 {
     static row found[MOST], right[MOST];
-    const tf_motion step = {s->vertices, s->start[0], s->end[0]};
+    const tf_motion step = {3, s->vertices, s->start[0], s->end[0]};
     memset(found, 0, sizeof found);
     check_input("%s: %d vertices, %d triangles", s->name, s->vertices,
                 s->triangles);

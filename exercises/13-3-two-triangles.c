@@ -42,7 +42,7 @@ static bool intersect(const double x[][3], int vertices, int count,
     if (count == 2 && others == 3)
         return tf_edge_crosses_triangle(x[a[0]], x[a[1]], x[b[0]], x[b[1]],
                                         x[b[2]]);
-    tf_motion rest = {vertices, x[0], x[0]};
+    tf_motion rest = {3, vertices, x[0], x[0]};
     tf_verdict verdict = TF_APART;
     bool separated;
     tf_query_verdict(&tf_exact, 3, &rest, count, a, others, b, &verdict,

@@ -73,8 +73,7 @@ TEST(a_detection_gives_the_same_rows)
     tf_surface *one = new_surface(&cloth.mesh);
     tf_surface *several = new_surface(&cloth.mesh);
     tf_contacts expected, found;
-    tf_status status =
-        tf_surface_detect(one, &cloth.motion, NULL, &expected, NULL);
+    tf_status status = tf_detect(one, &cloth.motion, NULL, &expected, NULL);
     tf_surface_contact *row = malloc(expected.count * sizeof *row);
     check_that(status == TF_OK && row, "memory", "none");
     for (int workers = 1; workers <= WORKERS; workers++) {
@@ -82,8 +81,8 @@ TEST(a_detection_gives_the_same_rows)
         tf_detect_options detection = {.parallel = &parallel};
         check_input("a step with %zu contacts, %d workers", expected.count,
                     workers);
-        check_call(found.count, tf_surface_detect(several, &cloth.motion,
-                                                  &detection, &found, NULL));
+        check_call(found.count,
+                   tf_detect(several, &cloth.motion, &detection, &found, NULL));
         check_that(found.count == expected.count, "as many contacts", "%zu",
                    found.count);
         check_call_n(found.count, row,

@@ -30,7 +30,7 @@ static double crossings_of(const fig_some_mesh *mesh)
     tf_surface *surface = NULL;
     tf_crossings found;
     TF_REQUIRE(tf_surface_create(&given, &surface, NULL) == TF_OK);
-    TF_REQUIRE(tf_surface_check(surface, mesh->x, mesh->vertices, NULL, &found,
+    TF_REQUIRE(tf_surface_check(surface, mesh->vertices, mesh->x, NULL, &found,
                                 NULL) == TF_OK);
     double count = (double)found.count;
     tf_surface_free(surface);

@@ -3,6 +3,7 @@
 
 #include "draw/encoder.h"
 #include "draw/sheet.h"
+#include "files/fault.h"
 #include "files/output_file.h"
 #include "files/visible.h"
 #include "renderer/render.h"
@@ -57,9 +58,10 @@ report(const char *path, const char *format, ...)
 
 static bool report_unwritable(const char *path)
 {
-    return report(path,
-                  "cannot write: %s; check the folder and its permissions",
-                  strerror(errno));
+    tf_fault fault;
+    tf_fault_set_unwritten(&fault, path, errno);
+    tf_fault_print(&fault, "tanglefree-draw");
+    return false;
 }
 
 static bool report_page(const char *path, fig_status status)
@@ -150,11 +152,10 @@ static bool find_panel(work *w, fig_page *page)
     }
     if (parts == 0)
         return report("--panel", "the picture has no panels; drop the option");
-    return report(
-        "--panel",
-        "there is no panel %d; the picture has %d, counted from 1 row "
-        "by row",
-        wanted, parts);
+    return report("--panel",
+                  "there is no panel %d; they are numbered from 1 to %d, row "
+                  "by row",
+                  wanted, parts);
 }
 
 /// Draw the first page to find what is shown of all pages.
@@ -400,10 +401,7 @@ static bool make_all(work *w)
 static bool print(const char *numbers)
 {
     fputs(numbers, stdout);
-    return fflush(stdout) == 0 ||
-           report("standard output",
-                  "cannot write: %s; the output is incomplete",
-                  strerror(errno));
+    return fflush(stdout) == 0 || report_unwritable("standard output");
 }
 
 int fig_drawing_make(const fig_drawing *drawing, const fig_settings *settings)

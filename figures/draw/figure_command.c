@@ -22,12 +22,9 @@ static void choose(struct argp_state *state, const char *name)
     asked->figure = fig_figure_named(name);
     if (asked->figure)
         return;
-    char names[1024] = "";
-    for (int i = 0; fig_figures[i]; i++)
-        snprintf(names + strlen(names), sizeof names - strlen(names), "%s%s",
-                 i == 0 ? "" : ", ", fig_figures[i]->name);
-    argp_error(state, "unknown figure '%s'; choose one of %s",
-               tf_make_visible(name).text, names);
+    argp_error(state,
+               "unknown figure '%s'; 'tanglefree-draw list' lists the figures",
+               tf_make_visible(name).text);
 }
 
 /// Refuse a film in which nothing would happen.
@@ -51,8 +48,8 @@ static error_t understand_figure(int key, char *text, struct argp_state *state)
         choose(state, text);
         return 0;
     case ARGP_KEY_NO_ARGS:
-        argp_error(state, "no figure given; 'tanglefree-draw list' lists "
-                          "them");
+        argp_error(state, "a figure is required; 'tanglefree-draw list' "
+                          "lists the figures");
         return 0;
     case ARGP_KEY_SUCCESS:
         fig_refuse_names(state, &asked->settings);

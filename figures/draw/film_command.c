@@ -25,8 +25,10 @@ typedef struct request {
 } request;
 
 enum {
-    EVERY = 'e',
-    FRAME = 'f'
+    OLD_EVERY = 'e',
+    OLD_FRAME = 'f',
+    EVERY = 256, // from here on: no letter
+    FRAME
 };
 
 static const struct argp_option options[] = {
@@ -34,6 +36,8 @@ static const struct argp_option options[] = {
      0},
     {"frame", FRAME, "N", 0,
      "The frame of a picture, from 0; the default is the last one", 0},
+    FIG_OLD_LETTER(OLD_EVERY),
+    FIG_OLD_LETTER(OLD_FRAME),
     {0},
 };
 
@@ -62,6 +66,12 @@ static error_t understand(int key, char *text, struct argp_state *state)
     case FRAME:
         asked->still = fig_read_count(state, "--frame", text, 0, INT_MAX);
         return 0;
+    case OLD_EVERY:
+        fig_refuse_letter(state, OLD_EVERY, "--every");
+        return 0;
+    case OLD_FRAME:
+        fig_refuse_letter(state, OLD_FRAME, "--frame");
+        return 0;
     case ARGP_KEY_ARG:
         if (asked->folder)
             argp_error(state, "unexpected '%s'; draw one film at a time",
@@ -69,7 +79,7 @@ static error_t understand(int key, char *text, struct argp_state *state)
         asked->folder = text;
         return 0;
     case ARGP_KEY_NO_ARGS:
-        argp_error(state, "no folder given; add the one that 'tanglefree "
+        argp_error(state, "a folder is required: one that 'tanglefree "
                           "simulate' wrote");
         return 0;
     case ARGP_KEY_SUCCESS:
@@ -121,10 +131,10 @@ static bool begin(film *f)
         return lack_memory(f);
     take *made = &f->take[f->takes++];
     *made = (take){0};
-    tf_flaw flaw;
-    tf_status status = tf_surface_create(&mesh, &made->surface, &flaw);
+    tf_error error;
+    tf_status status = tf_surface_create(&mesh, &made->surface, &error);
     if (status != TF_OK)
-        return tf_frames_fault(&f->frames, status, &flaw);
+        return tf_frames_fault(&f->frames, &error);
     made->cloth = fig_cloth_new(made->surface, 3);
     return made->cloth || lack_memory(f);
 }
@@ -249,10 +259,9 @@ static int choose_still(const request *asked, int count)
     if (asked->still < count)
         return asked->still < 0 ? count - 1 : asked->still;
     fprintf(stderr,
-            "tanglefree-draw: %s: there is no frame %d; the folder has %d, "
+            "tanglefree-draw: %s: there is no frame %d; they are "
             "numbered from 0 to %d\n",
-            tf_make_visible(asked->folder).text, asked->still, count,
-            count - 1);
+            tf_make_visible(asked->folder).text, asked->still, count - 1);
     return -1;
 }
 

@@ -2,6 +2,7 @@
 #include "base/require.h"
 #include "base/version.h"
 #include "draw/commands.h"
+#include "files/fault.h"
 #include "files/visible.h"
 
 #include <argp.h>
@@ -24,8 +25,6 @@ static const char description[] =
     "\n"
     "'tanglefree-draw COMMAND --help' describes a command.";
 
-#define COMMANDS "figure, film, list, query or surface"
-
 typedef struct command {
     const char *name;
     char *full_name; ///< for messages
@@ -45,7 +44,7 @@ static error_t understand(int key, char *text, struct argp_state *state)
 {
     int *status = state->input;
     if (key == ARGP_KEY_NO_ARGS)
-        argp_error(state, "no command given; choose " COMMANDS);
+        argp_error(state, "a command is required; --help lists the commands");
     if (key != ARGP_KEY_ARG)
         return ARGP_ERR_UNKNOWN;
     int first = state->next - 1;
@@ -56,7 +55,7 @@ static error_t understand(int key, char *text, struct argp_state *state)
             *status = commands[i].run(state->argc - first, state->argv + first);
             return 0;
         }
-    argp_error(state, "unknown command '%s'; choose " COMMANDS,
+    argp_error(state, "unknown command '%s'; --help lists the commands",
                tf_make_visible(text).text);
     return 0;
 }
@@ -66,8 +65,9 @@ static void finish_output(void)
 {
     if (fflush(stdout) == 0)
         return;
-    fprintf(stderr, "tanglefree-draw: standard output: cannot write: %s\n",
-            strerror(errno));
+    tf_fault fault;
+    tf_fault_set_unwritten(&fault, "standard output", errno);
+    tf_fault_print(&fault, "tanglefree-draw");
     _exit(argp_err_exit_status);
 }
 

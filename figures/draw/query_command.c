@@ -66,8 +66,8 @@ static void read_query_name(struct argp_state *state, char *text)
     char *colon = strrchr(text, ':');
     if (!colon || colon == text || !read_number(colon + 1, &asked->number)) {
         argp_error(state,
-                   "'%s' is not a query; write FILE:N, where N is the number "
-                   "of the query in the file, from 0",
+                   "a query must be FILE:N, where N is its number in the file, "
+                   "from 0, got '%s'",
                    tf_make_visible(text).text);
         return;
     }
@@ -99,10 +99,10 @@ static void read_names(struct argp_state *state)
     asked->names = strdup(given);
     if (split_names(asked->names, asked->name) != wanted)
         argp_error(state,
-                   "invalid --labels '%s'; choose none, or give %d names, one "
-                   "a vertex, such as %s",
-                   tf_make_visible(given).text, wanted,
-                   wanted == 3 ? "q,u,v" : "q,u,v,w");
+                   "--labels must be none or %d names, one a vertex, such as "
+                   "%s, got '%s'",
+                   wanted, wanted == 3 ? "q,u,v" : "q,u,v,w",
+                   tf_make_visible(given).text);
     for (int i = 0; i < wanted; i++) {
         char text[FIG_NAME_TEXT];
         snprintf(text, sizeof text, "$%s'$", asked->name[i]);
@@ -135,7 +135,7 @@ static error_t understand(int key, char *text, struct argp_state *state)
                        tf_make_visible(text).text);
         return 0;
     case TIME:
-        asked->time = fig_read_time(state, text);
+        asked->time = fig_read_time(state, "--at", text);
         return 0;
     case COORDINATES:
         asked->coordinates = true;
@@ -147,7 +147,7 @@ static error_t understand(int key, char *text, struct argp_state *state)
         read_query_name(state, text);
         return 0;
     case ARGP_KEY_NO_ARGS:
-        argp_error(state, "no query given; write FILE:N");
+        argp_error(state, "a query is required: FILE:N");
         return 0;
     case ARGP_KEY_END:
         if (!asked->kind)
@@ -170,9 +170,8 @@ static bool read_query(tf_query_file *file, const request *asked,
         if (reading == TF_READ_END)
             return tf_fault_set(
                 file->lines.text.fault, file->lines.text.name, -1,
-                "there is no query %ld; the file has %zu, "
-                "numbered from 0 to %zu",
-                asked->number, file->queries, file->queries - 1);
+                "there is no query %ld; they are numbered from 0 to %zu",
+                asked->number, file->queries - 1);
         if (reading == TF_READ_FAULT)
             return false;
         if (file->queries > (size_t)asked->number)

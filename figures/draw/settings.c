@@ -14,7 +14,9 @@
 enum {
     SIZE = 's',
     TRANSPARENT = 'x',
+    OLD_THEME = 't',
     DPI = 256, // from here on: no letter
+    THEME,
     ANIMATE,
     FRAMES,
     FPS,
@@ -46,7 +48,7 @@ enum {
     }
 #define THEME_OPTION                                                           \
     {                                                                          \
-        "theme", 't', "THEME", 0, "light or dark; the default is light", 0     \
+        "theme", THEME, "THEME", 0, "light or dark; the default is light", 0   \
     }
 #define VIEW_OPTION                                                            \
     {                                                                          \
@@ -87,6 +89,7 @@ static const struct argp_option options[] = {
      0},
     {"frames", FRAMES, "N", 0, "Number of frames; the default is 90", 0},
     FPS_OPTION,
+    FIG_OLD_LETTER(OLD_THEME),
     {0},
 };
 
@@ -101,6 +104,7 @@ static const struct argp_option film_options[] = {
     VIEW_OPTION,
     TITLE_OPTION,
     FPS_OPTION,
+    FIG_OLD_LETTER(OLD_THEME),
     {0},
 };
 
@@ -119,15 +123,15 @@ bool fig_path_is_folder(const char *path)
 
 /// A name of a file with one of the endings, after which comes NULL; `endings`
 /// lists them in words.
-static const char *read_path(struct argp_state *state, const char *what,
+static const char *read_path(struct argp_state *state, const char *option,
                              const char *text, const char *const ending[],
                              const char *endings)
 {
     for (int i = 0; ending[i]; i++)
         if (fig_path_ends(text, ending[i]))
             return text;
-    argp_error(state, "%s '%s' must end in %s", what,
-               tf_make_visible(text).text, endings);
+    argp_error(state, "%s must end in %s, got '%s'", option, endings,
+               tf_make_visible(text).text);
     return text;
 }
 
@@ -143,23 +147,29 @@ static long read_digits(const char **text)
     return number;
 }
 
+void fig_refuse_letter(struct argp_state *state, char letter, const char *now)
+{
+    argp_error(state, "-%c is an old spelling; write %s", letter, now);
+}
+
 int fig_read_count(struct argp_state *state, const char *option,
                    const char *text, int least, int most)
 {
     const char *at = text;
     long count = read_digits(&at);
     if (*at != '\0' || count < least || count > most)
-        argp_error(state, "%s must be a whole number from %d to %d, got '%s'",
+        argp_error(state, "%s must be an integer from %d to %d, got '%s'",
                    option, least, most, tf_make_visible(text).text);
     return (int)count;
 }
 
-double fig_read_time(struct argp_state *state, const char *text)
+double fig_read_time(struct argp_state *state, const char *option,
+                     const char *text)
 {
     const char *at = text;
     double time = 0;
     if (!tf_number_read(&at, &time) || *at != '\0' || !(time >= 0 && time <= 1))
-        argp_error(state, "the time must be from 0 to 1, got '%s'",
+        argp_error(state, "%s must be from 0 to 1, got '%s'", option,
                    tf_make_visible(text).text);
     return time;
 }
@@ -207,8 +217,8 @@ void fig_check_text(struct argp_state *state, const char *option,
     fig_markup_free(&markup);
     if (!good)
         argp_error(state,
-                   "invalid %s '%s'; write UTF-8, close each $, * and {, and "
-                   "write \\$, \\* and \\\\ for the signs themselves",
+                   "%s must be UTF-8 that closes each $, * and { and has \\$, "
+                   "\\* and \\\\ for the signs themselves, got '%s'",
                    option, tf_make_visible(text).text);
 }
 
@@ -222,8 +232,8 @@ void fig_refuse_names(struct argp_state *state, const fig_settings *settings)
 {
     if (settings->names)
         argp_error(state,
-                   "invalid --labels '%s'; choose none: only the vertices of a "
-                   "query can be named",
+                   "--labels must be none, since only the vertices of a query "
+                   "can be named, got '%s'",
                    tf_make_visible(settings->names).text);
 }
 
@@ -259,8 +269,8 @@ static void check(struct argp_state *state)
 {
     const fig_settings *settings = state->input;
     if (!settings->picture && !settings->film)
-        argp_error(state, "no output file given; add -o FILE.png or "
-                          "--animate FILE.mp4");
+        argp_error(state, "--output FILE or --animate FILE is required: the "
+                          "picture or the film");
     if (settings->film && settings->transparent &&
         (fig_path_ends(settings->film, ".mp4") ||
          fig_path_ends(settings->film, ".png")))
@@ -287,8 +297,8 @@ static error_t understand_picture(int key, char *text, struct argp_state *state)
     fig_settings *settings = state->input;
     switch (key) {
     case 'o':
-        settings->picture = read_path(state, "the picture", text, pictures,
-                                      ".png, .pdf or .svg");
+        settings->picture =
+            read_path(state, "--output", text, pictures, ".png, .pdf or .svg");
         return 0;
     case SIZE:
         read_size(state, text);
@@ -296,7 +306,10 @@ static error_t understand_picture(int key, char *text, struct argp_state *state)
     case DPI:
         settings->dpi = fig_read_count(state, "--dpi", text, 1, DPI_MOST);
         return 0;
-    case 't':
+    case OLD_THEME:
+        fig_refuse_letter(state, OLD_THEME, "--theme");
+        return 0;
+    case THEME:
         read_theme(state, text);
         return 0;
     case TRANSPARENT:
@@ -327,7 +340,7 @@ static error_t understand_film(int key, char *text, struct argp_state *state)
     fig_settings *settings = state->input;
     switch (key) {
     case ANIMATE:
-        settings->film = read_path(state, "the film", text, films,
+        settings->film = read_path(state, "--animate", text, films,
                                    ".mp4, .gif, .webp or .png");
         return 0;
     case FRAMES:
@@ -378,7 +391,7 @@ static void read_output(struct argp_state *state, const char *text)
         settings->film =
             fig_path_is_folder(text)
                 ? text
-                : read_path(state, "the output", text, endings,
+                : read_path(state, "--output", text, endings,
                             ".webp, .gif or .mp4, in .png, .pdf or .svg, or "
                             "in / for a folder");
 }
@@ -395,7 +408,8 @@ static error_t understand_given(int key, char *text, struct argp_state *state)
         return 0;
     case ARGP_KEY_END:
         if (!settings->picture && !settings->film)
-            argp_error(state, "no output file given; add -o FILE.webp");
+            argp_error(state, "--output FILE is required: the film or the "
+                              "picture");
         return 0;
     default:
         return understand_picture(key, text, state) == 0

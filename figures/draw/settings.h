@@ -41,12 +41,22 @@ void fig_check_text(struct argp_state *state, const char *option,
 /// about time, turns and print.
 extern const struct argp_child fig_settings_film_options[];
 
+/// The row of a letter that an option had before 1.0, and what refuses it until
+/// 2.0; `now` is the option.
+#define FIG_OLD_LETTER(letter)                                                 \
+    {                                                                          \
+        NULL, letter, "",                                                      \
+            OPTION_ARG_OPTIONAL | OPTION_HIDDEN | OPTION_NO_USAGE, NULL, 0     \
+    }
+void fig_refuse_letter(struct argp_state *state, char letter, const char *now);
+
 /// A number of an option, from `least` to `most`; an error ends the program.
 int fig_read_count(struct argp_state *state, const char *option,
                    const char *text, int least, int most);
 
 /// A time of the step, from 0 to 1; an error ends the program.
-double fig_read_time(struct argp_state *state, const char *text);
+double fig_read_time(struct argp_state *state, const char *option,
+                     const char *text);
 
 /// Whether a path ends in that ending, ".png" for instance.
 bool fig_path_ends(const char *path, const char *ending);

@@ -1,5 +1,6 @@
 #include "draw/commands.h"
 #include "draw/surface_picture.h"
+#include "fast/detect.h"
 
 #include "files/visible.h"
 #include "program/frames.h"
@@ -21,23 +22,26 @@ typedef struct request {
 } request;
 
 enum {
-    TIME = 'T'
+    TIME = 'T',
+    OLD_MOTION = 'm',
+    MOTION = 256 // no letter
 };
 
 static const struct argp_option options[] = {
     {"contacts", 'c', NULL, 0,
      "Mark the contacts of the step; at rest, the intersections", 0},
-    {"motion", 'm', "MOTION", 0,
+    {"motion", MOTION, "MOTION", 0,
      "How elements follow their vertices in mid-step: bent or straight; the "
      "default is bent",
      0},
-    {"time", TIME, "T", 0,
+    {"at", TIME, "T", 0,
      "The time of the step to draw, from 0 to 1; the default is that of the "
      "first contact if contacts are marked and there is one, otherwise 1",
      0},
-    {"at", 0, NULL, OPTION_ALIAS, NULL, 0},
+    {"time", 0, NULL, OPTION_ALIAS, NULL, 0},
     {"up", 'u', "AXIS", 0,
      "The axis that points up: x, y or z; the default is z", 0},
+    FIG_OLD_LETTER(OLD_MOTION),
     {0},
 };
 
@@ -81,7 +85,7 @@ static void read_path(struct argp_state *state, const char *text)
 static void check(struct argp_state *state)
 {
     const request *asked = state->input;
-    const char *option = asked->time >= 0     ? "--time"
+    const char *option = asked->time >= 0     ? "--at"
                          : asked->told_motion ? "--motion"
                                               : NULL;
     if (asked->path_count == 1 && option)
@@ -102,11 +106,14 @@ static error_t understand(int key, char *text, struct argp_state *state)
     case 'c':
         asked->contacts = true;
         return 0;
-    case 'm':
+    case OLD_MOTION:
+        fig_refuse_letter(state, OLD_MOTION, "--motion");
+        return 0;
+    case MOTION:
         read_motion(state, text);
         return 0;
     case TIME:
-        asked->time = fig_read_time(state, text);
+        asked->time = fig_read_time(state, "--at", text);
         return 0;
     case 'u':
         read_up(state, text);
@@ -115,7 +122,7 @@ static error_t understand(int key, char *text, struct argp_state *state)
         read_path(state, text);
         return 0;
     case ARGP_KEY_NO_ARGS:
-        argp_error(state, "no surface given; add its file");
+        argp_error(state, "a surface is required: its file");
         return 0;
     case ARGP_KEY_SUCCESS:
         fig_refuse_names(state, &asked->settings);
@@ -141,11 +148,11 @@ static bool mark_contacts(tf_frames *frames, fig_shown_surface *shown)
     tf_detect_options detection = {.parallel = &parallel};
     tf_motion motion = tf_frames_motion(frames);
     tf_contacts found;
-    tf_flaw flaw;
+    tf_error error;
     tf_status status =
-        tf_surface_detect(frames->surface, &motion, &detection, &found, &flaw);
+        tf_surface_detect(frames->surface, &motion, &detection, &found, &error);
     if (status != TF_OK)
-        return tf_frames_fault(frames, status, &flaw);
+        return tf_frames_fault(frames, &error);
     return fig_marks_of_contacts(&shown->marks, &shown->shape, &found) ||
            lack_memory(frames);
 }
@@ -154,13 +161,14 @@ static bool mark_crossings(tf_frames *frames, fig_shown_surface *shown)
 {
     int threads = tf_threads_available();
     tf_parallel parallel = tf_threads(&threads);
+    tf_check_options check = {.parallel = &parallel};
     tf_motion rest = tf_frames_motion(frames);
     tf_crossings found;
-    tf_flaw flaw;
-    tf_status status = tf_surface_check(
-        frames->surface, rest.start, rest.vertices, &parallel, &found, &flaw);
+    tf_error error;
+    tf_status status = tf_surface_check(frames->surface, rest.vertices,
+                                        rest.start, &check, &found, &error);
     if (status != TF_OK)
-        return tf_frames_fault(frames, status, &flaw);
+        return tf_frames_fault(frames, &error);
     return fig_marks_of_crossings(&shown->marks, &shown->shape, &found) ||
            lack_memory(frames);
 }

@@ -4,7 +4,7 @@
 
 #include "kit/surface_shape.h"
 #include "surface/check.h"
-#include "surface/detect.h"
+#include "surface/contacts.h"
 
 /// A place of contact: a point of an element, by the weights of its vertices.
 typedef struct fig_spot {

@@ -41,7 +41,7 @@ void fig_cloth_free(fig_cloth *cloth)
 
 static bool make_shape(fig_cloth *cloth, int vertices, const double x[])
 {
-    const tf_motion rest = {vertices, x, x};
+    const tf_motion rest = {3, vertices, x, x};
     return fig_shape_make(&cloth->shape, cloth->surface, cloth->axes, &rest,
                           FIG_UP_Z);
 }

@@ -18,10 +18,13 @@ static tf_response_report make_simple_step(const fig_cloth_plan *plan,
                                         .separation = plan->separation};
     tf_response_report report = {0};
     TF_REQUIRE(tf_cloth_propose(s) == TF_OK);
-    if (!plan->unresolved)
+    if (!plan->unresolved) {
+        const tf_response_report *lent;
         TF_REQUIRE(tf_step_resolve(s->resolver, s->base.setup.body.vertices,
                                    s->position, s->end, s->inverse_mass,
-                                   &options, &report, NULL) == TF_OK);
+                                   &options, &lent, NULL) == TF_OK);
+        report = *lent;
+    }
     tf_cloth_accept(s, report.held);
     return report;
 }
@@ -39,9 +42,8 @@ static tf_response_report make_step(const fig_cloth_plan *plan,
 static int count_crossings(const tf_cloth_simulation *s)
 {
     tf_crossings found;
-    TF_REQUIRE(tf_surface_check(s->surface, s->position,
-                                s->base.setup.body.vertices, NULL, &found,
-                                NULL) == TF_OK);
+    TF_REQUIRE(tf_surface_check(s->surface, s->base.setup.body.vertices,
+                                s->position, NULL, &found, NULL) == TF_OK);
     return (int)found.count;
 }
 

@@ -1,6 +1,7 @@
 #include "kit/failsafe_rounds.h"
 
 #include "base/require.h"
+#include "fast/detect.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -9,7 +10,7 @@ static int go_through_rounds(tf_surface *surface, tf_step *step,
                              void (*show)(void *context, const fig_round *now),
                              void *context)
 {
-    tf_motion motion = {step->vertices, step->start, step->end};
+    tf_motion motion = {step->axes, step->vertices, step->start, step->end};
     tf_failsafe failsafe = {0};
     TF_REQUIRE(tf_failsafe_begin(&failsafe, step));
     for (int round = 0;; round++) {

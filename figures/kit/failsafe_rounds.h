@@ -3,7 +3,7 @@
 #define FIG_FAILSAFE_ROUNDS_H
 
 #include "response/failsafe.h"
-#include "surface/detect.h"
+#include "surface/contacts.h"
 
 /// What is so before a round.
 typedef struct fig_round {

@@ -6,9 +6,9 @@ const char *fig_status_message(fig_status status)
     case FIG_OK:
         return "no error";
     case FIG_NO_MEMORY:
-        return "out of memory; try fewer pixels";
+        return "not enough memory; try fewer pixels";
     case FIG_BAD_SIZE:
-        return "a picture must be 16 to 16384 pixels wide and high";
+        return "a picture must be from 16 to 16384 pixels wide and high";
     case FIG_NO_FONT:
         return "the font is not installed; STIXGeneral is in Debian's "
                "package fonts-stix";

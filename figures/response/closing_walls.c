@@ -1,6 +1,7 @@
 // Two scripted walls that close upon a chain: the start, what zones make of it,
 // and what resolving returns.
 #include "base/require.h"
+#include "fast/detect.h"
 #include "kit/figures.h"
 
 #include "renderer/plot.h"
@@ -81,7 +82,7 @@ static void make_scene(scene *s)
 static tf_contacts detect(tf_surface *surface, const scene *s,
                           const double end[])
 {
-    tf_motion motion = {VERTICES, s->start, end};
+    tf_motion motion = {2, VERTICES, s->start, end};
     tf_contacts found;
     TF_REQUIRE(tf_surface_detect(surface, &motion, NULL, &found, NULL) ==
                TF_OK);
@@ -118,13 +119,14 @@ static tf_response_report resolve(tf_surface *surface, const scene *s,
                                   double end[])
 {
     const tf_response_options options = {.separation = separation};
-    tf_response_report report;
+    const tf_response_report *lent;
     tf_resolver *resolver;
     memcpy(end, s->proposed, sizeof s->proposed);
     TF_REQUIRE(tf_resolver_create(surface, &resolver) == TF_OK);
     TF_REQUIRE(tf_step_resolve(resolver, VERTICES, s->start, end,
-                               s->inverse_mass, &options, &report,
+                               s->inverse_mass, &options, &lent,
                                NULL) == TF_OK);
+    tf_response_report report = *lent;
     tf_resolver_free(resolver);
     return report;
 }

@@ -130,13 +130,13 @@ static void simulate(scene *s, course *c)
     note(c, s, 0, 0);
     for (int step = 1; step <= STEPS; step++) {
         double end[NUMBERS];
-        tf_response_report report;
+        const tf_response_report *report;
         propose(s, step, end);
         TF_REQUIRE(tf_step_resolve(resolver, VERTICES, s->x, end,
                                    s->inverse_mass, NULL, &report,
                                    NULL) == TF_OK);
         memcpy(s->x, end, sizeof end);
-        note(c, s, step, report.held);
+        note(c, s, step, report->held);
     }
     tf_resolver_free(resolver);
     tf_surface_free(surface);

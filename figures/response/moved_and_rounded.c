@@ -138,12 +138,12 @@ static void resolve_steps(FILE *numbers)
     for (int i = 0; i < STEPS; i++) {
         pair start = pair_at(&state, 1e-15);
         pair end = move_at_random(&state, FAR, &start);
-        tf_response_report report;
+        const tf_response_report *report;
         TF_REQUIRE(tf_step_resolve(resolver, 3, start.x[0], end.x[0], NULL,
                                    &options, &report, NULL) == TF_OK);
-        touching += report.first_contacts > 0;
-        frozen += report.resting > 0;
-        int own = report.rounds[TF_FAILSAFE];
+        touching += report->first_contacts > 0;
+        frozen += report->resting > 0;
+        int own = report->rounds[TF_FAILSAFE];
         rounds = own > rounds ? own : rounds;
     }
     tf_resolver_free(resolver);

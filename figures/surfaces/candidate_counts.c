@@ -46,7 +46,7 @@ static double candidates_of(int triangles, double size)
                     .vertices = 3 * triangles,
                     .triangles = triangles,
                     .triangle = corner};
-    tf_motion rest = {3 * triangles, x, x};
+    tf_motion rest = {3, 3 * triangles, x, x};
     tf_surface *surface;
     tf_candidates found;
     TF_REQUIRE(tf_surface_create(&mesh, &surface, NULL) == TF_OK);

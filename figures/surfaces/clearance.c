@@ -26,14 +26,14 @@ static fig_point place(double x, double y)
 /// As the library measures it.
 static double clearance_of_edges(void)
 {
-    tf_motion rest = {4, at[0], at[0]};
+    tf_motion rest = {3, 4, at[0], at[0]};
     const int vertex[] = {0, 1, 2, 3};
     tf_queries queries = {TF_EDGE_EDGE, &rest, 1, vertex};
     tf_verdict verdict;
     size_t separated = 0;
     double clearance;
-    TF_REQUIRE(tf_vectorized.measure(&tf_exact, &queries, &verdict, &separated,
-                                     &clearance) == TF_OK);
+    TF_REQUIRE(tf_vectorized.measure(NULL, &tf_exact, &queries, &verdict,
+                                     &separated, &clearance) == TF_OK);
     return clearance;
 }
 

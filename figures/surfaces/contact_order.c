@@ -1,10 +1,10 @@
 // The contacts of a step in the order in which one worker, or two, find them,
 // and the order in which a detection lists them.
 #include "base/require.h"
+#include "fast/detect.h"
 #include "kit/figures.h"
 #include "kit/meshes.h"
 #include "renderer/plot.h"
-#include "surface/detect.h"
 #include "surface/surface_memory.h"
 
 #include <stdio.h>
@@ -78,7 +78,7 @@ static finding find(int workers)
     fig_some_mesh at[2] = {fig_folded_sheet(ROWS, COLUMNS, start_angle),
                            fig_folded_sheet(ROWS, COLUMNS, end_angle)};
     const tf_mesh mesh = fig_mesh_in_space(&at[0]);
-    const tf_motion motion = {at[0].vertices, at[0].x, at[1].x};
+    const tf_motion motion = {3, at[0].vertices, at[0].x, at[1].x};
     tf_parallel parallel = {workers, in_turn, &f};
     tf_detect_options detection = {.parallel = workers > 1 ? &parallel : NULL};
     tf_surface *surface;

@@ -120,7 +120,7 @@ static batch sheet(int kind)
 {
     fig_some_mesh mesh[2] = {fig_folded_sheet(ROWS, COLUMNS, start_angle),
                              fig_folded_sheet(ROWS, COLUMNS, end_angle)};
-    const tf_motion motion = {mesh[0].vertices, mesh[0].x, mesh[1].x};
+    const tf_motion motion = {3, mesh[0].vertices, mesh[0].x, mesh[1].x};
     tf_mesh in_space = fig_mesh_in_space(&mesh[0]);
     tf_surface *surface;
     tf_candidates found;

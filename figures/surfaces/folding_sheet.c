@@ -1,10 +1,10 @@
 // A sheet that folds onto itself within a step, and its contacts.
 #include "base/require.h"
+#include "fast/detect.h"
 #include "kit/figures.h"
 #include "kit/film.h"
 #include "kit/meshes.h"
 #include "kit/worlds.h"
-#include "surface/detect.h"
 
 #include <stdlib.h>
 
@@ -66,7 +66,8 @@ static void mark(sheet *s, int count, const int vertex[], double toi)
 
 static void find_contacts(sheet *s)
 {
-    const tf_motion motion = {s->mesh[0].vertices, s->mesh[0].x, s->mesh[1].x};
+    const tf_motion motion = {3, s->mesh[0].vertices, s->mesh[0].x,
+                              s->mesh[1].x};
     const tf_mesh mesh = fig_mesh_in_space(&s->mesh[0]);
     TF_REQUIRE(tf_surface_create(&mesh, &s->surface, NULL) == TF_OK);
     TF_REQUIRE(tf_surface_detect(s->surface, &motion, NULL, &s->found, NULL) ==

@@ -42,7 +42,7 @@ typedef struct forest {
 static void build_tree(forest *f)
 {
     const fig_some_mesh *mesh = &f->mesh;
-    tf_motion rest = {mesh->vertices, mesh->x, mesh->x};
+    tf_motion rest = {3, mesh->vertices, mesh->x, mesh->x};
     tf_box *box = malloc((size_t)mesh->vertices * sizeof *box);
     TF_REQUIRE(box);
     tf_frame frame;

@@ -35,7 +35,7 @@ static void round_ends(const double end[ENDS], double rounded[ENDS])
     // The first two vertices make the frame that from -1 to 1.
     double start[3 * (ENDS / 2 + 2)] = {-1, 0, 0, 1};
     double stop[3 * (ENDS / 2 + 2)] = {-1, 0, 0, 1};
-    tf_motion motion = {ENDS / 2 + 2, start, stop};
+    tf_motion motion = {3, ENDS / 2 + 2, start, stop};
     for (int i = 0; i < ENDS / 2; i++) {
         start[(ptrdiff_t)3 * (i + 2)] =
             (0.75 + unit * end[(ptrdiff_t)2 * i]) / 2;

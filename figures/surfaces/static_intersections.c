@@ -76,7 +76,7 @@ static tf_crossings check(const scene *s, tf_surface **surface)
     tf_crossings found = {0};
     tf_status status = tf_surface_create(&mesh, surface, NULL);
     if (status == TF_OK)
-        status = tf_surface_check(*surface, s->place[0], s->vertices, NULL,
+        status = tf_surface_check(*surface, s->vertices, s->place[0], NULL,
                                   &found, NULL);
     TF_REQUIRE(status == TF_OK);
     return found;

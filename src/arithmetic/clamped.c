@@ -1,4 +1,4 @@
-//: Include what the clamped arithmetics need
+//: Include what the clamped arithmetic needs
 #include "arithmetic/clamped.h"
 
 #include "arithmetic/filter.h"
@@ -7,23 +7,14 @@
 #include <math.h>
 
 //: Clamp a sign
-static tf_sign clamp(tf_estimate estimate, tf_sign inside)
+static tf_sign clamped_sign(const tf_differences *differences)
 {
+    tf_estimate estimate = tf_differences_estimate(differences);
     if (estimate.number > estimate.bound)
         return TF_POSITIVE;
     if (-estimate.number > estimate.bound)
         return TF_NEGATIVE;
-    return estimate.bound == 0 ? TF_ZERO : inside;
-}
-
-static tf_sign clamped_sign(const tf_differences *differences)
-{
-    return clamp(tf_differences_estimate(differences), TF_UNKNOWN);
-}
-
-static tf_sign published_sign(const tf_differences *differences)
-{
-    return clamp(tf_differences_estimate(differences), TF_ZERO);
+    return estimate.bound == 0 ? TF_ZERO : TF_UNKNOWN;
 }
 
 //: Give a value its radius
@@ -41,9 +32,6 @@ static tf_value clamped_value(const tf_differences *differences)
                                 4 * u * fabs(estimate.number)};
 }
 
-//: Name the two clamped arithmetics
+//: Name the clamped arithmetic
 const tf_arithmetic tf_clamped = {
     .name = "clamped", .sign = clamped_sign, .value = clamped_value};
-
-const tf_arithmetic tf_published = {
-    .name = "report", .sign = published_sign, .value = clamped_value};

@@ -1,4 +1,4 @@
-//: Declare the two clamped arithmetics
+//: Declare the clamped arithmetic
 #pragma once
 
 #include "base/api.h"
@@ -12,10 +12,5 @@
 /// unknown.  Any finite doubles.  Sound: a query answers TF_UNDECIDED, never
 /// TF_APART, where the unknown signs leave a contact open.
 TF_API extern const tf_arithmetic tf_clamped;
-
-/// The rule of Brochu and Bridson's report: inside the bound the sign counts
-/// as zero.  Any finite doubles.  Kept for teaching; unsound, it misses some
-/// real contacts.
-TF_API extern const tf_arithmetic tf_published;
 
 /// @}

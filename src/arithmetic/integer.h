@@ -5,7 +5,7 @@
 
 #include "arithmetic/arithmetic.h"
 
-/// @addtogroup arithmetics
+/// @addtogroup study
 /// @{
 
 /// Exact signs in 64-bit integers: integer coordinates below 2^19 in space,

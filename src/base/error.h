@@ -15,7 +15,7 @@ typedef enum tf_subject {
     TF_VERTEX,              ///< a vertex of the caller's list
     TF_EDGE,                ///< an edge of the caller's list
     TF_TRIANGLE,            ///< a triangle of the caller's list
-    TF_QUERY,               ///< a query of the caller's list
+    TF_BATCH_QUERY,         ///< a query of the caller's list
     TF_OPTION,              ///< an option
     TF_POINT_EDGE_PAIR,     ///< a vertex, and an edge
     TF_POINT_TRIANGLE_PAIR, ///< a vertex, and a triangle

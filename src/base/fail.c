@@ -21,6 +21,15 @@ tf_status tf_fail_element(tf_error *error, tf_status status, tf_subject subject,
     return status;
 }
 
+tf_status tf_fail_index(tf_error *error, tf_subject subject, size_t index,
+                        int vertex, int vertices)
+{
+    tf_fail_element(error, TF_BAD_INDEX, subject, index, vertex);
+    if (error)
+        error->vertices = vertices;
+    return TF_BAD_INDEX;
+}
+
 tf_status tf_fail_vertex(tf_error *error, tf_status status, int vertex,
                          int time)
 {

@@ -11,6 +11,11 @@ tf_status tf_fail(tf_error *error, tf_status status);
 tf_status tf_fail_element(tf_error *error, tf_status status, tf_subject subject,
                           size_t index, int vertex);
 
+/// TF_BAD_INDEX about such an element, with the bad index and the number of
+/// vertices,
+tf_status tf_fail_index(tf_error *error, tf_subject subject, size_t index,
+                        int vertex, int vertices);
+
 /// about a vertex at a time,
 tf_status tf_fail_vertex(tf_error *error, tf_status status, int vertex,
                          int time);

@@ -4,7 +4,6 @@
 #include "base/require.h"
 
 #include <stdarg.h>
-#include <stdbool.h>
 #include <stdio.h>
 
 //: Tabulate pairs
@@ -71,6 +70,7 @@ static void put_pair(sentence *s, const tf_error *error)
     put_element(s, form->first, error->vertex);
     put(s, " %s ", form->verb);
     put_element(s, form->second, error->vertex + form->first);
+    put(s, " (numbered from %d)", s->first);
 }
 
 //: Name what is wrong in a list
@@ -79,10 +79,10 @@ static void put_place(sentence *s, const tf_error *error)
     static const char *const names[] = {[TF_VERTEX] = "vertex",
                                         [TF_EDGE] = "edge",
                                         [TF_TRIANGLE] = "triangle",
-                                        [TF_QUERY] = "query"};
+                                        [TF_BATCH_QUERY] = "query"};
     static const char *const times[] = {" at the start of the step",
                                         " at the end of the step"};
-    if (error->subject < TF_VERTEX || error->subject > TF_QUERY)
+    if (error->subject < TF_VERTEX || error->subject > TF_BATCH_QUERY)
         return;
     long long first = error->subject == TF_VERTEX ? s->first : 0;
     put(s, "%s %lld%s: ", names[error->subject],
@@ -95,9 +95,13 @@ static void put_bad_index(sentence *s, const tf_error *error)
 {
     long long vertex = number_of(s, error->vertex[0]);
     if (error->vertex[0] >= 0 && error->vertex[0] < error->vertices)
-        put(s, "vertex %lld is there twice; give different ones", vertex);
+        put(s,
+            error->subject == TF_BATCH_QUERY
+                ? "vertex %lld is there twice; give different ones"
+                : "vertex %lld is a corner twice; delete the triangle or edge",
+            vertex);
     else
-        put(s, "there is no vertex %lld; there are those from %d to %lld",
+        put(s, "there is no vertex %lld; they are numbered from %d to %lld",
             vertex, s->first, number_of(s, error->vertices) - 1);
 }
 
@@ -158,14 +162,15 @@ static bool put_details(sentence *s, const tf_error *error)
 }
 
 //: Write a sentence about an error
-size_t tf_sentence_write(const tf_error *error, int first, char buffer[],
-                         size_t size)
+size_t tf_sentence_write(const tf_error *error, int first, bool in_file,
+                         char buffer[], size_t size)
 {
     TF_REQUIRE(error && (buffer || size == 0));
     sentence s = {buffer, size, 0, first};
     if (size > 0)
         buffer[0] = '\0';
-    put_place(&s, error);
+    if (!in_file)
+        put_place(&s, error);
     if (error->option)
         put(&s, "%s ", error->option);
     bool about = error->subject != TF_NO_SUBJECT;

@@ -10,7 +10,7 @@
 /// Its results are set only with TF_OK.
 typedef enum tf_status {
     TF_OK = 0,          ///< success
-    TF_NOT_FINITE,      ///< a coordinate is a NaN or an infinity
+    TF_NOT_FINITE,      ///< a coordinate is infinite or NaN
     TF_OUT_OF_RANGE,    ///< the arithmetic cannot hold a coordinate
     TF_BAD_INDEX,       ///< an index repeats, or names no vertex
     TF_BAD_ENVIRONMENT, ///< numbers are not rounded in the default way of IEEE

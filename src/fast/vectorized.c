@@ -4,10 +4,12 @@
 #include "arithmetic/clamped.h"
 #include "arithmetic/exact.h"
 #include "arithmetic/perturbed.h"
+#include "arithmetic/published.h"
 #include "base/environment.h"
 #include "base/require.h"
 #include "fast/gather.h"
 #include "fast/lanes.h"
+#include "query/query.h"
 
 #include <stdalign.h>
 #include <stdbool.h>
@@ -48,7 +50,8 @@ static tf_status leave_to_reference(const tf_arithmetic *arithmetic,
     tf_queries some = *queries;
     some.count = end - begin;
     some.vertices += 4 * begin;
-    return tf_reference.decide(arithmetic, &some, verdict + begin, separated);
+    return tf_reference.decide(NULL, arithmetic, &some, verdict + begin,
+                               separated);
 }
 
 //: Turn bits into verdicts
@@ -96,37 +99,45 @@ static tf_status decide_some(const tf_arithmetic *arithmetic,
 }
 
 //: Decide many queries by vectors
-static tf_status decide_and_measure(const tf_arithmetic *arithmetic,
+static tf_status decide_and_measure(void *context,
+                                    const tf_arithmetic *arithmetic,
                                     const tf_queries *queries,
                                     tf_verdict verdict[], size_t *separated,
                                     double clearance[])
 {
+    (void)context;
     TF_REQUIRE(arithmetic && queries && separated);
     if (clearance)
         memset(clearance, 0, sizeof *clearance * queries->count);
     if (share_for(arithmetic) == 0 || !filter_for(queries->kind) ||
         !tf_environment_is_ieee())
-        return tf_reference.decide(arithmetic, queries, verdict, separated);
+        return tf_reference.decide(NULL, arithmetic, queries, verdict,
+                                   separated);
     TF_REQUIRE((queries->vertices && verdict) || queries->count == 0);
     const tf_motion *motion = queries->motion;
-    TF_REQUIRE((motion && motion->start && motion->end) || queries->count == 0);
+    TF_REQUIRE(motion || queries->count == 0);
     size_t count = queries->count;
+    tf_status status = count > 0 ? tf_motion_check(motion, 3) : TF_OK;
+    if (status != TF_OK)
+        return status;
     for (size_t begin = 0; begin < count; begin += TF_MASK_QUERIES) {
         size_t end =
             count - begin < TF_MASK_QUERIES ? count : begin + TF_MASK_QUERIES;
-        tf_status status = decide_some(arithmetic, queries, begin, end, verdict,
-                                       separated, clearance);
+        status = decide_some(arithmetic, queries, begin, end, verdict,
+                             separated, clearance);
         if (status != TF_OK)
             return status;
     }
     return TF_OK;
 }
 
-static tf_status decide_by_vectors(const tf_arithmetic *arithmetic,
+static tf_status decide_by_vectors(void *context,
+                                   const tf_arithmetic *arithmetic,
                                    const tf_queries *queries,
                                    tf_verdict verdict[], size_t *separated)
 {
-    return decide_and_measure(arithmetic, queries, verdict, separated, NULL);
+    return decide_and_measure(context, arithmetic, queries, verdict, separated,
+                              NULL);
 }
 
 const tf_narrow_phase tf_vectorized = {.name = "vector",

@@ -29,7 +29,7 @@ bool tf_fault_set(tf_fault *fault, const char *file, long place,
 bool tf_fault_set_unwritten(tf_fault *fault, const char *file, int reason)
 {
     return tf_fault_set(fault, file, -1,
-                        "cannot write: %s; mend that and run again",
+                        "cannot write: %s; mend that, and run again",
                         strerror(reason));
 }
 

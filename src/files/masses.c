@@ -64,7 +64,7 @@ static bool read_mass(list *read, tf_text *text)
     if (!tf_number_read(&at, &mass) || !ends_word(*at) || !(mass > 0) ||
         !isfinite(mass) || !isfinite(1 / mass))
         return fault_in_word(text,
-                             "not a mass; write a positive number such as 0.5");
+                             "not a mass; write a number above 0 such as 0.5");
     if (read->count == read->vertices)
         return tf_text_fault(
             text, "more masses than the %d vertices; write one for each",

@@ -131,7 +131,7 @@ static bool read_format(reader *r, const char *name)
         r->file->format = (tf_mesh_format)(TF_PLY_TEXT + found);
     return found != NONE ||
            tf_text_fault(&r->text,
-                         "unknown format \"%s\"; write ascii, "
+                         "unknown format '%s'; write ascii, "
                          "binary_little_endian or binary_big_endian",
                          name);
 }
@@ -153,7 +153,7 @@ static bool read_count(const reader *r, const char *word, int *count)
     if (!tf_integer_read(&at, &read) || *at || read < 0 || read > INT_MAX)
         return tf_text_fault(
             &r->text,
-            "\"%s\" is not a number of elements; write an integer from 0 to %d",
+            "'%s' is not a number of elements; write an integer from 0 to %d",
             word, INT_MAX);
     *count = (int)read;
     return true;
@@ -183,7 +183,7 @@ static bool find_type(const reader *r, const char *name, const ply_type **found)
     int i = place_of(name, type_names, sizeof type_names / sizeof *type_names);
     if (i == NONE)
         return tf_text_fault(
-            &r->text, "unknown type \"%s\"; use one of PLY's, such as double",
+            &r->text, "unknown type '%s'; use one of PLY's, such as double",
             name);
     *found = &types[i / 2];
     return true;
@@ -260,7 +260,7 @@ static bool check_header(const reader *r)
                                   "triangles must have three coordinates");
     return r->file->format != TF_OBJ ||
            tf_text_fault(&r->text, "the header has no format; add a line such "
-                                   "as \"format ascii 1.0\"");
+                                   "as 'format ascii 1.0'");
 }
 
 //: Read the header
@@ -281,8 +281,8 @@ static bool read_header_line(reader *r, bool *last)
     if (strcmp(first, "property") == 0)
         return read_property(r, word + 1);
     return tf_text_fault(&r->text,
-                         "a header line cannot begin with \"%s\"; begin "
-                         "comments with \"comment\"",
+                         "a header line cannot begin with '%s'; begin "
+                         "comments with 'comment'",
                          first);
 }
 

@@ -120,7 +120,7 @@ static bool fault_in_field(tf_query_file *file, int column, const char *field,
         return tf_text_fault(&file->lines.text,
                              "column %d is empty; write a number there",
                              column);
-    return tf_text_fault(&file->lines.text, "column %d is \"%s\", %s", column,
+    return tf_text_fault(&file->lines.text, "column %d is '%s', %s", column,
                          tf_quote(field, length).text, verdict);
 }
 
@@ -194,7 +194,7 @@ static bool read_rational(tf_query_file *file, int column, double *x,
                               "largest double; scale the scene down");
     if (rounding == TF_ROUNDING_FAILED)
         return tf_text_fault(&file->lines.text,
-                             "out of memory; use shorter integers");
+                             "not enough memory; use shorter integers");
     *rounded += rounding == TF_ROUNDING_NEAREST;
     return true;
 }

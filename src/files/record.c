@@ -46,6 +46,14 @@ static void write_value(FILE *stream, const tf_field *field, const void *record,
         write_word(stream, *(const char *const *)value);
 }
 
+//: Write the name of a field
+/// With a _ for each blank.
+static void write_name(FILE *stream, const char *name)
+{
+    for (; *name; name++)
+        fputc(*name == ' ' ? '_' : *name, stream);
+}
+
 //: Write a record as CSV
 /// In quotes where it needs them.
 static void write_csv_word(FILE *stream, const char *word)
@@ -61,8 +69,10 @@ static void write_csv_word(FILE *stream, const char *word)
 
 void tf_record_write_head(FILE *stream, const tf_field field[])
 {
-    for (int i = 0; field[i].name; i++)
-        fprintf(stream, "%s%s", i > 0 ? "," : "", field[i].name);
+    for (int i = 0; field[i].name; i++) {
+        fputs(i > 0 ? "," : "", stream);
+        write_name(stream, field[i].name);
+    }
     fputc('\n', stream);
 }
 
@@ -91,14 +101,6 @@ static void write_json_word(FILE *stream, const char *word)
     fputc('"', stream);
 }
 
-static void write_key(FILE *stream, const char *name)
-{
-    fputc('"', stream);
-    for (; *name; name++)
-        fputc(*name == ' ' ? '_' : *name, stream);
-    fputs("\":", stream);
-}
-
 static bool is_infinite(const tf_field *field, const void *record)
 {
     return field->type == TF_NUMBER &&
@@ -112,7 +114,9 @@ void tf_record_write_json(FILE *stream, const tf_field field[],
         if (field[i].type == TF_EMPTY)
             continue;
         fputs(i > 0 ? "," : "{", stream);
-        write_key(stream, field[i].name);
+        fputc('"', stream);
+        write_name(stream, field[i].name);
+        fputs("\":", stream);
         if (has_value(&field[i], record) && !is_infinite(&field[i], record))
             write_value(stream, &field[i], record, "%.17g", write_json_word);
         else
@@ -142,7 +146,10 @@ void tf_record_write_lines(FILE *stream, const tf_field field[],
 bool tf_report_write(FILE *stream, tf_format format, const tf_field field[],
                      const void *record)
 {
-    if (format == TF_JSON) {
+    if (format == TF_CSV) {
+        tf_record_write_head(stream, field);
+        tf_record_write_csv(stream, field, record);
+    } else if (format == TF_JSON) {
         tf_record_write_json(stream, field, record);
         fputc('\n', stream);
     } else

@@ -18,7 +18,7 @@ typedef enum tf_field_type {
 /// an object of JSON or as the lines of a summary.  A list of fields ends with
 /// one that has no name.
 typedef struct tf_field {
-    const char *name; ///< in JSON it has a _ for each blank
+    const char *name; ///< in CSV and JSON with a _ for each blank
     tf_field_type type;
     size_t offset;      ///< of the member
     const char *format; ///< of a number in CSV, as printf; NULL: "%.17g"
@@ -62,8 +62,8 @@ typedef enum tf_format {
     TF_SUMMARY
 } tf_format;
 
-/// Writes a record as a line of JSON or as a summary, and flushes.  False, with
-/// errno, if a write failed.
+/// Writes a record as a heading and a row of CSV, as a line of JSON or as a
+/// summary, and flushes.  False, with errno, if a write failed.
 bool tf_report_write(FILE *stream, tf_format format, const tf_field field[],
                      const void *record);
 

@@ -26,7 +26,7 @@ bool tf_text_fault_in_word(const tf_text *text, const char *word, size_t length,
                            const char *verdict)
 {
     return length == 0 ? tf_text_fault_in_nul(text)
-                       : tf_text_fault(text, "\"%s\" is %s",
+                       : tf_text_fault(text, "'%s' is %s",
                                        tf_quote(word, length).text, verdict);
 }
 

@@ -233,10 +233,13 @@ static void put_ends(const tf_flow_advance *a)
 tf_status tf_advance_resolve(tf_flow_advance *a, tf_response_report *report)
 {
     tf_response_options options = {.parallel = a->options->parallel};
+    const tf_response_report *lent;
     hold_isolated_triangles(a);
     tf_status status =
         tf_step_resolve(a->resolver, a->vertices, a->start, a->end,
-                        a->inverse_mass, &options, report, NULL);
+                        a->inverse_mass, &options, &lent, NULL);
+    if (status == TF_OK && report)
+        *report = *lent;
     if (status == TF_OK)
         put_ends(a);
     return status;

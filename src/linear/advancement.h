@@ -5,7 +5,7 @@
 
 #include "intersect/verdict.h"
 
-/// @addtogroup linear
+/// @addtogroup study
 /// @{
 
 /// When advancement ends: as soon as the elements are at most a target distance

@@ -4,6 +4,7 @@
 #include "base/environment.h"
 #include "base/require.h"
 #include "intersect/velocity.h"
+#include "query/query.h"
 
 #include <float.h>
 #include <math.h>
@@ -58,9 +59,12 @@ tf_status tf_linear_pair_take(int axes, const tf_motion *motion, int vertices,
                               const int first[], int others, const int second[],
                               tf_linear_pair *taken)
 {
-    TF_REQUIRE(motion && motion->start && motion->end && first && second);
+    TF_REQUIRE(motion && first && second);
     if (!tf_environment_is_ieee())
         return TF_BAD_ENVIRONMENT;
+    tf_status status = tf_motion_check(motion, axes);
+    if (status != TF_OK)
+        return status;
     int index[TF_LINEAR_PAIR_VERTICES];
     for (int i = 0; i < vertices; i++)
         index[i] = first[i];

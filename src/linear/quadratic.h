@@ -8,7 +8,7 @@
 #include "query/contact.h"
 #include "query/motion.h"
 
-/// @addtogroup linear
+/// @addtogroup study
 /// @{
 
 /// When a moving point and a moving edge in the plane first touch, if every
@@ -30,7 +30,7 @@
 /// @param point the index of the point
 /// @param edge the indices of the edge's vertices
 /// @param[out] contact the answer, TF_APART or TF_HIT; set only with TF_OK
-/// @return TF_OK; TF_BAD_OPTION; TF_BAD_INDEX unless the three indices are
+/// @return TF_OK; TF_BAD_OPTION; TF_BAD_AXES; TF_BAD_COUNT; TF_BAD_INDEX unless the three indices are
 ///     distinct and name vertices of the scene; TF_NOT_FINITE; or
 ///     TF_BAD_ENVIRONMENT
 TF_API tf_status tf_quadratic_point_edge(const tf_tolerances *tolerances,

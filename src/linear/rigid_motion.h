@@ -6,7 +6,7 @@
 #include "base/status.h"
 #include "linear/advancement.h"
 
-/// @addtogroup linear
+/// @addtogroup study
 /// @{
 
 /// An element that moves rigidly: it turns about a center at constant angular

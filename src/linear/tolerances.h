@@ -3,7 +3,7 @@
 
 #include "base/api.h"
 
-/// @addtogroup linear Linear and rigid motion
+/// @addtogroup study
 /// @{
 
 /// When elements that a rounded root brings into one plane (in the plane: onto

@@ -3,12 +3,15 @@
 BEGIN {
     for (i = 1; i < ARGC; i++)
         read_module(ARGV[i])
+    put_study_last()
     check_order()
 
     out_top()
     out_standard(headers, header)
     out("#ifdef __cplusplus\nextern \"C\" {\n#endif")
     for (i = 1; i <= headers; i++) {
+        if (i == products + 1)
+            out_study()
         out_heading(module_of(header[i]))
         out_lines(header[i])
     }
@@ -31,6 +34,27 @@ function read_module(module,    file, i) {
             fail(src "/" file " has TF_API, so it must include \"base/api.h\"")
 }
 
+# What is for study comes after the rest, in the same order.
+#   header[1..products]            what products need
+#   header[products + 1..headers]  what is for study
+function put_study_last(    i, n, study) {
+    for (i = 1; i <= headers; i++)
+        if (is_for_study(header[i]))
+            study[++n] = header[i]
+        else
+            header[++products] = header[i]
+    for (i = 1; i <= n; i++)
+        header[products + i] = study[i]
+}
+
+# Whether its names are in the group "study" of the reference.
+function is_for_study(file,    i) {
+    for (i = 1; i <= lines[file]; i++)
+        if (line[file, i] ~ /^\/\/\/ @(addto|def)group study( |$)/)
+            return 1
+    return 0
+}
+
 function check_order(    i, j, file, other, seen) {
     for (i = 1; i <= headers; i++) {
         file = header[i]
@@ -40,8 +64,8 @@ function check_order(    i, j, file, other, seen) {
                 fail(src "/" file " is public, but includes \"" other \
                      "\", which is not: it does not include \"base/api.h\"")
             if (!(other in seen))
-                fail(src "/" file " includes \"" other \
-                     "\", which comes later in book/chapters")
+                fail(src "/" file " includes \"" other "\", which comes " \
+                     "later: in book/chapters, or as it is for study")
         }
         seen[file] = 1
     }
@@ -58,15 +82,19 @@ function out_top() {
     out("// SPDX-License-Identifier: MIT")
     out("//")
     out("// Made of the public headers of these modules, in this order:")
-    out_modules()
+    out_modules(1, products)
+    if (products < headers) {
+        out("//\n// At the end is what is for study, and no product needs:")
+        out_modules(products + 1, headers)
+    }
     out("#ifndef TANGLEFREE_H\n#define TANGLEFREE_H")
 }
 
 # In lines of at most 80 columns.
-function out_modules(    i, text, name) {
+function out_modules(first, last,    i, text, name) {
     text = "//"
-    for (i = 1; i <= headers; i++) {
-        name = " " module_of(header[i]) (i < headers ? "," : ".")
+    for (i = first; i <= last; i++) {
+        name = " " module_of(header[i]) (i < last ? "," : ".")
         if (length(text name) > 80) {
             out(text)
             text = "//"
@@ -74,4 +102,12 @@ function out_modules(    i, text, name) {
         text = text name
     }
     out(text)
+}
+
+function out_study(    rule) {
+    rule = "// "
+    while (length(rule) < 80)
+        rule = rule "="
+    out("")
+    out(rule "\n// For study: no product needs what follows.\n" rule)
 }

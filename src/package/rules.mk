@@ -123,5 +123,6 @@ check-install: library program need-install ## install to build/install, and tes
 
 check-single: library single need-single ## test that the single file answers the same
 	@$(package_check)/paste.sh
+	@$(package_check)/exports.sh
 	@$(package_check)/single.sh
 .PHONY: check-install check-single

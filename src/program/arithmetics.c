@@ -5,6 +5,7 @@
 #include "arithmetic/exact.h"
 #include "arithmetic/integer.h"
 #include "arithmetic/perturbed.h"
+#include "arithmetic/published.h"
 
 #include <math.h>
 #include <stddef.h>

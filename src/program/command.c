@@ -9,7 +9,8 @@
 /// The key of an option is its letter, or this and its row.
 enum {
     NO_LETTER = 256,
-    OPTIONS_ROOM = 16 // more than a command has
+    OLD = 512,        // the same of an old spelling
+    OPTIONS_ROOM = 32 // more than a command has
 };
 
 static int key_of(const tf_option *option)
@@ -27,7 +28,38 @@ static const tf_option *option_of(const tf_command *command, int key)
     return NULL;
 }
 
+static int key_of_old(const tf_old_spelling *old)
+{
+    return old->letter ? old->letter : OLD + (int)(old - tf_old_spellings);
+}
+
+/// NULL: it is none of a command.
+static const tf_old_spelling *old_spelling_of(const tf_command *command,
+                                              int key)
+{
+    for (const tf_old_spelling *old = tf_old_spellings; old->commands; old++)
+        if (old->commands & command->set && key_of_old(old) == key)
+            return old;
+    return NULL;
+}
+
 //: List the options for argp
+/// An old spelling may have an argument, and is not told of.
+static struct argp_option *list_old(const tf_command *command,
+                                    struct argp_option *list)
+{
+    for (const tf_old_spelling *old = tf_old_spellings; old->commands; old++)
+        if (old->commands & command->set)
+            *list++ = (struct argp_option){
+                old->name,
+                key_of_old(old),
+                "",
+                OPTION_ARG_OPTIONAL | OPTION_HIDDEN | OPTION_NO_USAGE,
+                NULL,
+                0};
+    return list;
+}
+
 static void list_options(const tf_command *command,
                          struct argp_option list[OPTIONS_ROOM])
 {
@@ -38,7 +70,7 @@ static void list_options(const tf_command *command,
                 (struct argp_option){option->name,     key_of(option),
                                      option->argument, 0,
                                      option->help,     0};
-    list[count] = (struct argp_option){0};
+    *list_old(command, list + count) = (struct argp_option){0};
 }
 
 //: Check the arguments
@@ -79,10 +111,13 @@ static error_t parse_argument(int key, char *text, struct argp_state *state)
     parsing *own = state->input;
     tf_request *request = &own->request;
     const tf_option *option = option_of(own->command, key);
+    const tf_old_spelling *old = old_spelling_of(own->command, key);
     request->state = state;
+    if (old)
+        tf_old_spelling_refuse(old, request);
     if (option) {
         tf_option_read(option, text, request);
-        request->given |= 1u << (option - tf_options);
+        request->given |= UINT64_C(1) << (option - tf_options);
     } else if (key == ARGP_KEY_ARGS) {
         request->operand = state->argv + state->next;
         request->operands = state->argc - state->next;

@@ -1,36 +1,54 @@
 //: Include what describing flaws needs
 #include "program/flaws.h"
 
+#include "base/fail.h"
+#include "base/sentence.h"
+
 #include <stdio.h>
 
-//: Describe a flaw by its place in the file
-static bool fault_in_index(const tf_mesh_file *file, long place, int vertex)
-{
-    int vertices = tf_mesh_file_vertices(file), first = file->first_index;
-    if (vertex >= 0 && vertex < vertices)
-        return tf_mesh_file_fault(file, place,
-                                  "vertex %d is a corner twice; delete the "
-                                  "triangle or edge, here and in all files",
-                                  vertex + first);
-    return tf_mesh_file_fault(
-        file, place,
-        "there is no vertex %lld; the file has those from %d to %lld",
-        (long long)vertex + first, first, (long long)vertices + first - 1);
-}
-
-bool tf_flaw_fault(const tf_mesh_file *file, tf_status status,
-                   const tf_flaw *flaw)
+//: Find the place of a flaw in a file
+/// -1: it has none.
+static long place_of(const tf_mesh_file *file, const tf_error *error)
 {
     const tf_ints *places[] = {[TF_VERTEX] = &file->vertex_place,
                                [TF_EDGE] = &file->edge_place,
                                [TF_TRIANGLE] = &file->triangle_place};
-    long place = flaw->element == TF_NO_ELEMENT
-                     ? -1
-                     : places[flaw->element]->item[flaw->index];
-    return status == TF_BAD_INDEX
-               ? fault_in_index(file, place, flaw->vertex)
-               : tf_mesh_file_fault(file, place, "%s",
-                                    tf_status_message(status));
+    bool placed = error->subject >= TF_VERTEX && error->subject <= TF_TRIANGLE;
+    return placed ? places[error->subject]->item[error->index] : -1;
+}
+
+//: Tell what else there is to do
+static const char *advice(const tf_error *error)
+{
+    switch (error->status) {
+    case TF_START_NOT_CLEAR:
+    case TF_NOT_EMBEDDED:
+        return ", see 'tanglefree check' for all such pairs";
+    case TF_BAD_INDEX: // and not that there is no such vertex
+        return error->vertex[0] >= 0 && error->vertex[0] < error->vertices
+                   ? ", here and in all files"
+                   : "";
+    default:
+        return "";
+    }
+}
+
+//: Describe a flaw by its place in the file
+/// The numbers of a pair are those of the rows that `check` prints.
+bool tf_error_fault(const tf_mesh_file *file, const tf_error *error)
+{
+    char sentence[512];
+    long place = place_of(file, error);
+    int first = place < 0 ? 0 : file->first_index;
+    tf_sentence_write(error, first, place >= 0, sentence, sizeof sentence);
+    return tf_mesh_file_fault(file, place, "%s%s", sentence, advice(error));
+}
+
+bool tf_status_fault(const tf_mesh_file *file, tf_status status)
+{
+    tf_error error;
+    tf_fail(&error, status);
+    return tf_error_fault(file, &error);
 }
 
 //: Tabulate how elements meet
@@ -38,12 +56,6 @@ typedef struct meeting {
     const char *verb;
     int first, second; ///< how many vertices each element has
 } meeting;
-
-static const meeting touchings[] = {
-    [TF_POINT_EDGE] = {"lies on", 1, 2},
-    [TF_POINT_TRIANGLE] = {"lies on", 1, 3},
-    [TF_EDGE_EDGE] = {"meets", 2, 2},
-};
 
 static const meeting crossings[] = {
     [TF_EDGE_THROUGH_TRIANGLE] = {"passes through", 2, 3},
@@ -78,22 +90,6 @@ static void describe_meeting(char text[MEETING], const meeting *how,
     name_element(second, how->second, vertex + how->first);
     snprintf(text, MEETING, "%s %s %s (numbered from 0)", first, how->verb,
              second);
-}
-
-//: Describe an obstacle
-bool tf_obstacle_fault(const tf_mesh_file *file, const tf_obstacle *obstacle)
-{
-    char text[MEETING];
-    describe_meeting(text,
-                     obstacle->touching != TF_NO_KIND
-                         ? &touchings[obstacle->touching]
-                         : &crossings[obstacle->crossing],
-                     obstacle->vertex);
-    return tf_mesh_file_fault(file, -1,
-                              "%s before the step begins; move them apart, see "
-                              "'tanglefree check' for "
-                              "all such pairs",
-                              text);
 }
 
 //: Describe an edge of a file that no surface has

@@ -1,19 +1,17 @@
 //: Declare what is wrong with a mesh file
 #pragma once
 
+#include "base/error.h"
 #include "files/mesh_file.h"
-#include "response/options.h"
-#include "surface/surface.h"
 #include "surgery/adaptive.h"
 
-/// Each describes, as the fault of a file, and returns false:
-/// why it holds no surface,
-bool tf_flaw_fault(const tf_mesh_file *file, tf_status status,
-                   const tf_flaw *flaw);
+/// Describes an error as the fault of a file whose elements were given to the
+/// library, with the line that it is about, if there is one; returns false.
+bool tf_error_fault(const tf_mesh_file *file, const tf_error *error);
 
-/// why it holds no adaptive surface,
+/// The same for a status alone.
+bool tf_status_fault(const tf_mesh_file *file, tf_status status);
+
+/// Why it holds no adaptive surface.
 bool tf_defect_fault(const tf_mesh_file *file, tf_status status,
                      const tf_defect *defect);
-
-/// or which elements keep a response from its start, which it holds.
-bool tf_obstacle_fault(const tf_mesh_file *file, const tf_obstacle *obstacle);

@@ -49,10 +49,9 @@ static bool same_elements(const tf_mesh_file *a, const tf_mesh_file *b)
 }
 
 //: Describe what is wrong with a frame
-bool tf_frames_fault(const tf_frames *frames, tf_status status,
-                     const tf_flaw *flaw)
+bool tf_frames_fault(const tf_frames *frames, const tf_error *error)
 {
-    return tf_flaw_fault(tf_frames_file(frames), status, flaw);
+    return tf_error_fault(tf_frames_file(frames), error);
 }
 
 //: Make the surface of a step
@@ -68,12 +67,12 @@ static bool make_surface(tf_frames *frames)
     if (frames->surface && axes == frames->axes)
         return true;
     tf_mesh mesh = tf_mesh_file_elements(tf_frames_file(frames), axes);
-    tf_flaw flaw;
+    tf_error error;
     tf_surface_free(frames->surface);
     frames->surface = NULL;
     frames->axes = axes;
-    tf_status status = tf_surface_create(&mesh, &frames->surface, &flaw);
-    return status == TF_OK || tf_frames_fault(frames, status, &flaw);
+    tf_status status = tf_surface_create(&mesh, &frames->surface, &error);
+    return status == TF_OK || tf_frames_fault(frames, &error);
 }
 
 //: Leave out z in the plane
@@ -146,7 +145,8 @@ static const double *positions(const tf_frames *frames, int i)
 tf_motion tf_frames_motion(const tf_frames *frames)
 {
     int end = frames->current, start = frames->count > 1 ? 1 - end : end;
-    return (tf_motion){.vertices = tf_mesh_file_vertices(&frames->file[end]),
+    return (tf_motion){.axes = frames->axes,
+                       .vertices = tf_mesh_file_vertices(&frames->file[end]),
                        .start = positions(frames, start),
                        .end = positions(frames, end)};
 }

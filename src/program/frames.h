@@ -39,8 +39,7 @@ double *tf_frames_end(tf_frames *frames);
 /// Gives changed positions to the current file; its z stays in the plane.
 void tf_frames_change(tf_frames *frames);
 
-/// Describes what a flaw of the surface is in the current file; false.
-bool tf_frames_fault(const tf_frames *frames, tf_status status,
-                     const tf_flaw *flaw);
+/// Describes an error as the fault of the current file; false.
+bool tf_frames_fault(const tf_frames *frames, const tf_error *error);
 
 void tf_frames_free(tf_frames *frames);

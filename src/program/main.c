@@ -1,6 +1,7 @@
 //: Include what the program needs
 #define _GNU_SOURCE
 #include "base/version.h"
+#include "files/fault.h"
 #include "files/visible.h"
 #include "program/command.h"
 
@@ -59,7 +60,7 @@ static error_t parse_argument(int key, char *text, struct argp_state *state)
     if (key == ARGP_KEY_ARG)
         run_command(state, text);
     else if (key == ARGP_KEY_NO_ARGS)
-        argp_error(state, "no command given; --help lists the commands");
+        argp_error(state, "a command is required; --help lists the commands");
     else
         return ARGP_ERR_UNKNOWN;
     return 0;
@@ -71,8 +72,9 @@ static void finish_output(void)
 {
     if (fflush(stdout) == 0)
         return;
-    fprintf(stderr, "tanglefree: standard output: cannot write: %s\n",
-            strerror(errno));
+    tf_fault fault;
+    tf_fault_set_unwritten(&fault, "standard output", errno);
+    tf_fault_print(&fault, "tanglefree");
     _exit(argp_err_exit_status);
 }
 

@@ -88,7 +88,8 @@ tf_status tf_method_answer(const tf_method *method,
                            const tf_query_kind *kind,
                            const tf_query_rows *query, tf_contact *contact)
 {
-    tf_motion motion = {.vertices = kind->vertices[0] + kind->vertices[1],
+    tf_motion motion = {.axes = kind->axes,
+                        .vertices = kind->vertices[0] + kind->vertices[1],
                         .start = query->x[0],
                         .end = query->x[1]};
     return method->answer(options, kind, &motion, contact);

@@ -36,16 +36,10 @@ static const tf_choice solvers[] = {
 
 static const tf_format csv = TF_CSV, json = TF_JSON, summary = TF_SUMMARY;
 
-static const tf_choice row_formats[] = {
+static const tf_choice formats[] = {
     {"csv", &csv},
     {"json", &json},
     {"summary", &summary},
-    {NULL, NULL},
-};
-
-static const tf_choice report_formats[] = {
-    {"summary", &summary},
-    {"json", &json},
     {NULL, NULL},
 };
 
@@ -54,10 +48,15 @@ static const tf_choice report_formats[] = {
 #define NOT_NEGATIVE .least = 0, .most = DBL_MAX
 #define POSITIVE .least = DBL_TRUE_MIN, .most = DBL_MAX
 
+// Commands that write rows, and those that report what they did.
+#define ROWS (TF_QUERY | TF_DETECT | TF_CHECK)
+#define REPORT (TF_RESOLVE | TF_REMESH | TF_SIMULATE)
+
 #define OPTION(name_, letter_, argument_, member, type_)                       \
     .name = (name_), .letter = (letter_), .argument = (argument_),             \
     .place = offsetof(tf_request, member), .type = (type_)
 
+// A letter means the same in all commands, those of tanglefree-draw included.
 const tf_option tf_options[] = {
     {TF_QUERY, OPTION("kind", 'k', "KIND", kind, TF_CHOICE),
      .choices = tf_query_kinds, .required = true, .help = "Which elements",
@@ -77,30 +76,33 @@ const tf_option tf_options[] = {
      .help = "The distance at which advancement ends"},
     {TF_QUERY, OPTION("against", 0, "METHOD", against, TF_CHOICE),
      .choices = tf_methods,
-     .help = "Compare with this method, for the output summary"},
-    {TF_DETECT, OPTION("first", 'f', NULL, first, TF_SWITCH),
+     .help = "Compare with this method, for the format summary"},
+    {TF_DETECT, OPTION("first", 0, NULL, first, TF_SWITCH),
      .help = "Only the first contact of each step"},
     {TF_DETECT, OPTION("narrow-phase", 'n', "NAME", narrow_phase, TF_CHOICE),
      .choices = narrow_phases, .usual = "vector",
      .help = "What decides the candidates",
      .more = ", which is faster; both give the same answers"},
-    {TF_QUERY | TF_DETECT | TF_CHECK,
-     OPTION("output", 'o', "FORMAT", format, TF_CHOICE), .choices = row_formats,
-     .usual = "csv", .help = "Output format"},
-    {TF_RESOLVE | TF_REMESH, OPTION("output", 0, "FORMAT", format, TF_CHOICE),
-     .choices = report_formats, .usual = "summary", .help = "The report"},
-    {TF_RESOLVE, OPTION("write", 'o', "OUT", out, TF_TEXT), .required = true,
-     .help = "Where to write the end of the step"},
-    {TF_REMESH, OPTION("write", 'o', "OUT", out, TF_TEXT), .required = true,
-     .help = "Where to write the new mesh"},
-    {TF_SIMULATE, OPTION("write", 'o', "DIR", out, TF_TEXT),
+    {ROWS, OPTION("format", 0, "FORMAT", format, TF_CHOICE), .choices = formats,
+     .usual = "csv", .help = "The format of the output"},
+    {REPORT, OPTION("format", 0, "FORMAT", format, TF_CHOICE),
+     .choices = formats, .usual = "summary",
+     .help = "The format of the report"},
+    {ROWS, OPTION("output", 'o', "FILE", out, TF_TEXT), .formats = formats,
+     .usual = "-", .help = "Where to write",
+     .more = ", which is standard output"},
+    {TF_RESOLVE, OPTION("output", 'o', "OUT", out, TF_TEXT), .formats = formats,
+     .required = true, .help = "Where to write the end of the step"},
+    {TF_REMESH, OPTION("output", 'o', "OUT", out, TF_TEXT), .formats = formats,
+     .required = true, .help = "Where to write the new mesh"},
+    {TF_SIMULATE, OPTION("output", 'o', "DIR", out, TF_TEXT),
      .help = "The folder for the frames; required"},
     {TF_RESOLVE, OPTION("fixed", 'f', "FILE", fixed, TF_TEXT),
      .help = "The scripted vertices, which end where END has them unless they "
              "have to be held back: their numbers, from 0"},
-    {TF_RESOLVE, OPTION("masses", 'm', "FILE", masses, TF_TEXT),
+    {TF_RESOLVE, OPTION("masses", 0, "FILE", masses, TF_TEXT),
      .help = "The masses of all vertices; the default is 1 for each"},
-    {TF_RESOLVE, OPTION("solver", 's', "NAME", solver, TF_CHOICE),
+    {TF_RESOLVE, OPTION("solver", 0, "NAME", solver, TF_CHOICE),
      .choices = solvers, .usual = "gauss-seidel",
      .help = "What solves impact zones"},
     {TF_RESOLVE, OPTION("separation", 0, "X", separation, TF_REAL),
@@ -123,7 +125,7 @@ const tf_option tf_options[] = {
      .most = 2000,
      .help = "The resolution of cloth; 'list' shows what it counts, and the "
              "default"},
-    {TF_SIMULATE, OPTION("edge", 0, "LENGTH", edge, TF_REAL), POSITIVE,
+    {TF_SIMULATE, OPTION("edge", 'e', "LENGTH", edge, TF_REAL), POSITIVE,
      .help = "The usual length of edges of a surface that flows; 'list' shows "
              "the default"},
     {TF_SIMULATE, OPTION("resume", 0, NULL, resume, TF_SWITCH),
@@ -132,6 +134,15 @@ const tf_option tf_options[] = {
      OPTION("threads", 't', "NUMBER", threads, TF_WHOLE), .least = 1,
      .most = TF_MOST_THREADS,
      .help = "How many threads to use; the default is one per processor"},
+    {0},
+};
+
+//: List the old spellings
+const tf_old_spelling tf_old_spellings[] = {
+    {REPORT, 0, "write", "output"},
+    {TF_DETECT, 'f', NULL, "first"},
+    {TF_RESOLVE, 'm', NULL, "masses"},
+    {TF_RESOLVE, 's', NULL, "solver"},
     {0},
 };
 
@@ -155,11 +166,34 @@ static void refuse_argument(const tf_option *option, const char *text,
                       wanted, tf_make_visible(text).text);
 }
 
+//: Refuse old spellings
+void tf_old_spelling_refuse(const tf_old_spelling *old,
+                            const tf_request *request)
+{
+    if (old->name)
+        tf_request_refuse(request, "--%s is an old spelling; write --%s",
+                          old->name, old->now);
+    tf_request_refuse(request, "-%c is an old spelling; write --%s",
+                      old->letter, old->now);
+}
+
+/// Takes a text that is no format.
+static const char *read_text(const tf_option *option, const char *text,
+                             const tf_request *request)
+{
+    if (option->formats && tf_choice_named(option->formats, text))
+        tf_request_refuse(request,
+                          "--%s %s is an old spelling; write --format %s, or "
+                          "./%s for a file of that name",
+                          option->name, text, text, text);
+    return text;
+}
+
 //: Read a number of an option
 /// Describes the numbers that an option takes.
 static void describe_range(const tf_option *option, char words[100])
 {
-    const char *whole = option->type == TF_WHOLE ? "a whole number " : "";
+    const char *whole = option->type == TF_WHOLE ? "an integer " : "";
     if (option->most < DBL_MAX)
         snprintf(words, 100, "%sfrom %g to %g", whole, option->least,
                  option->most);
@@ -203,7 +237,7 @@ void tf_option_read(const tf_option *option, const char *text,
         *(bool *)place = true;
         break;
     case TF_TEXT:
-        *(const char **)place = text;
+        *(const char **)place = read_text(option, text, request);
         break;
     case TF_CHOICE:
         read_choice(option, text, request, place);

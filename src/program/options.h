@@ -10,6 +10,7 @@
 
 #include <argp.h>
 #include <stdbool.h>
+#include <stdint.h>
 
 /// What the command line requests of a command: its operands, and the values of
 /// its options, given or usual.
@@ -17,7 +18,7 @@ typedef struct tf_request {
     char **operand;
     int operands;
     struct argp_state *state; ///< of parsing
-    unsigned given;           ///< which rows of the table of options
+    uint64_t given;           ///< which rows of the table of options
 
     const tf_format *format;
     int threads;
@@ -26,7 +27,7 @@ typedef struct tf_request {
     tf_method_options answering; ///< with its arithmetic also of detect
     const tf_narrow_phase *narrow_phase;
     bool first;
-    const char *out;            ///< a file or, of simulate, a folder
+    const char *out;            ///< a file, "-", or a folder of simulate
     const char *fixed, *masses; ///< of resolve: files, or NULL
     const tf_zone_solver *solver;
     double separation, friction, restitution;
@@ -66,13 +67,26 @@ typedef struct tf_option {
     tf_argument_type type;
     bool required;
     const tf_choice *choices;
-    double least, most; ///< of a number; the least positive one: above 0
+    const tf_choice *formats; ///< of a text: arguments that it had before 1.0
+    double least, most;       ///< of a number; the least positive one: above 0
     const char *usual; ///< the argument that is meant if none is given, or NULL
     const char *help;  ///< what it is; the choices and what is usual follow
     const char *more;  ///< what help says at the end, or NULL
 } tf_option;
 
 extern const tf_option tf_options[];
+
+//: Declare the table of old spellings
+/// A spelling of before 1.0, an error until 2.0.  The table of them ends with
+/// one without commands.
+typedef struct tf_old_spelling {
+    unsigned commands; ///< that had it
+    int letter;        ///< or 0
+    const char *name;  ///< or NULL
+    const char *now;   ///< the name that has replaced it
+} tf_old_spelling;
+
+extern const tf_old_spelling tf_old_spellings[];
 
 //: Declare how to read options
 /// Sets what is usual for a command.
@@ -82,6 +96,10 @@ void tf_request_begin(tf_request *request, unsigned command);
 /// it is none.
 void tf_option_read(const tf_option *option, const char *text,
                     tf_request *request);
+
+/// Ends the program with the message what to write in place of it.
+_Noreturn void tf_old_spelling_refuse(const tf_old_spelling *old,
+                                      const tf_request *request);
 
 /// Whether an option was given.
 bool tf_request_gave(const tf_request *request, const char *option);

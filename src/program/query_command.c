@@ -3,6 +3,7 @@
 #include "files/query_file.h"
 #include "program/arithmetics.h"
 #include "program/command.h"
+#include "program/destination.h"
 #include "program/methods.h"
 #include "program/progress.h"
 #include "program/query_output.h"
@@ -15,14 +16,15 @@
 static void check_options(tf_request *request)
 {
     if (request->against && *request->format != TF_SUMMARY)
-        tf_request_refuse(request, "--against needs --output summary, which "
-                                   "has what it counts");
+        tf_request_refuse(request, "--against is for --format summary, which "
+                                   "has what it counts; add that");
     for (const tf_choice *own = tf_methods; own->name; own++) {
         const char *option = tf_method_option(own->value);
         if (tf_request_gave(request, option) && own->value != request->method &&
             own->value != request->against)
-            tf_request_refuse(request, "--%s is for --method %s alone", option,
-                              own->name);
+            tf_request_refuse(request,
+                              "--%s is for --method %s; add that, or drop it",
+                              option, own->name);
     }
 }
 
@@ -30,6 +32,7 @@ static void check_options(tf_request *request)
 typedef struct answering {
     const tf_request *request;
     tf_query_file file;
+    tf_destination to;
     tf_query_output output;
     tf_fault fault;
     tf_progress_line progress;
@@ -128,19 +131,31 @@ static void print_rounded(long rounded)
                 rounded, rounded == 1 ? "" : "s");
 }
 
+//: Write all answers
+static bool write_answers(answering *work)
+{
+    const tf_request *request = work->request;
+    FILE *stream = tf_destination_begin(&work->to, request->out, &work->fault)
+                       ? tf_destination_open(&work->to)
+                       : NULL;
+    if (!stream)
+        return false;
+    bool good = tf_query_output_begin(&work->output, stream, *request->format,
+                                      request->kind->axes) &&
+                answer_files(work);
+    tf_progress_line_end(&work->progress);
+    good = tf_query_output_end(&work->output) && good;
+    return tf_destination_finish(&work->to, good, work->output.records.error);
+}
+
 //: Run the command query
 static int run(const tf_request *request)
 {
+    bool silent = !tf_destination_is_standard(request->out);
     answering work = {.request = request,
-                      .progress = tf_progress_line_begin(false)};
-    bool good = tf_query_output_begin(&work.output, stdout, *request->format,
-                                      request->kind->axes) &&
-                answer_files(&work);
-    tf_progress_line_end(&work.progress);
-    good = tf_query_output_end(&work.output) && good;
-    if (work.output.records.error)
-        tf_fault_set_unwritten(&work.fault, "standard output",
-                               work.output.records.error);
+                      .progress = tf_progress_line_begin(silent)};
+    bool good = write_answers(&work);
+    tf_destination_end(&work.to);
     print_rounded(work.rounded);
     tf_fault_print(&work.fault, "tanglefree");
     return good ? 0 : 2;

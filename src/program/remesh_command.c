@@ -13,7 +13,7 @@ typedef struct remeshing {
     tf_frames frames;
     tf_adaptive_surface *surface;
     tf_remeshed done;
-    tf_mesh_output out;
+    tf_destination out;
     tf_progress_line progress;
 } remeshing;
 
@@ -73,7 +73,7 @@ static bool do_all(remeshing *r)
 {
     const tf_request *wanted = r->request;
     if (!tf_frames_next(&r->frames, wanted->operand[0]) || !load(r) ||
-        !tf_mesh_output_begin(&r->out, wanted->out, &r->frames.fault))
+        !tf_destination_begin(&r->out, wanted->out, &r->frames.fault))
         return false;
     bool good = remesh(r);
     tf_progress_line_end(&r->progress);
@@ -87,7 +87,7 @@ static int run(const tf_request *request)
                    .progress = tf_progress_line_begin(true)};
     bool good = do_all(&r);
     tf_fault_print(&r.frames.fault, "tanglefree");
-    tf_mesh_output_end(&r.out);
+    tf_destination_end(&r.out);
     tf_adaptive_free(r.surface);
     tf_frames_free(&r.frames);
     return good ? 0 : 2;
@@ -100,7 +100,7 @@ const tf_command tf_remesh_command = {
     .operands = "IN",
     .least = 1,
     .most = 1,
-    .wanted = "one file is required, IN",
+    .wanted = "one file is required: IN",
     .description = tf_remesh_description,
     .run = run,
 };

@@ -20,9 +20,8 @@ typedef struct resolving {
     double *inverse_mass; ///< NULL: 1 for all
     tf_resolver *resolver;
     tf_resolved done;
-    tf_mesh_output out;
+    tf_destination out;
     tf_progress_line progress;
-    size_t contacts; ///< that progress has seen
 } resolving;
 
 //: Read the masses of all vertices
@@ -30,7 +29,7 @@ static bool allocate_masses(resolving *r, int vertices)
 {
     r->inverse_mass = malloc(sizeof *r->inverse_mass * (size_t)vertices);
     if (!r->inverse_mass)
-        return tf_frames_fault(&r->frames, TF_OUT_OF_MEMORY, &(tf_flaw){0});
+        return tf_status_fault(tf_frames_file(&r->frames), TF_OUT_OF_MEMORY);
     for (int v = 0; v < vertices; v++)
         r->inverse_mass[v] = 1;
     return true;
@@ -51,17 +50,13 @@ static bool read_masses(resolving *r)
 }
 
 //: Show the progress of a response
-static void show_progress(void *context, const tf_response_report *so_far)
+static bool show_progress(void *context, const tf_stage *stage)
 {
     resolving *r = context;
     char things[64];
-    int rounds = 0;
-    for (int i = 0; i < TF_LEVELS; i++)
-        rounds += so_far->rounds[i];
-    snprintf(things, sizeof things, "rounds, %zu contacts left",
-             so_far->contacts - r->contacts);
-    r->contacts = so_far->contacts;
-    tf_progress_line_show(&r->progress, rounds, things);
+    snprintf(things, sizeof things, "%s", stage->name);
+    tf_progress_line_show(&r->progress, (long)stage->done, things);
+    return true;
 }
 
 //: Resolve the step between two frames
@@ -88,16 +83,18 @@ static bool respond(resolving *r)
     tf_parallel threads = tf_threads(&r->request->threads);
     tf_response_options how = options_of(r, &threads);
     tf_motion motion = tf_frames_motion(&r->frames);
-    tf_obstacle obstacle = {0};
+    tf_error error;
+    const tf_response_report *report;
     double begin = tf_clock_seconds();
-    tf_status status = tf_step_resolve(
-        r->resolver, motion.vertices, motion.start, tf_frames_end(&r->frames),
-        r->inverse_mass, &how, &r->done.report, &obstacle);
+    tf_status status = tf_step_resolve(r->resolver, motion.vertices,
+                                       motion.start, tf_frames_end(&r->frames),
+                                       r->inverse_mass, &how, &report, &error);
     r->done.seconds = tf_clock_seconds() - begin;
-    if (status == TF_START_NOT_CLEAR)
-        return tf_obstacle_fault(&r->frames.file[0], &obstacle);
-    return status == TF_OK ||
-           tf_frames_fault(&r->frames, status, &obstacle.flaw);
+    if (status == TF_OK)
+        r->done.report = *report;
+    return status == TF_OK || (status == TF_START_NOT_CLEAR
+                                   ? tf_error_fault(&r->frames.file[0], &error)
+                                   : tf_frames_fault(&r->frames, &error));
 }
 
 static bool resolve(resolving *r)
@@ -105,7 +102,7 @@ static bool resolve(resolving *r)
     tf_status status = tf_resolver_create(r->frames.surface, &r->resolver);
     bool good = status == TF_OK
                     ? respond(r)
-                    : tf_frames_fault(&r->frames, status, &(tf_flaw){0});
+                    : tf_status_fault(tf_frames_file(&r->frames), status);
     tf_frames_change(&r->frames);
     return good;
 }
@@ -128,7 +125,7 @@ static bool do_all(resolving *r)
     const tf_request *wanted = r->request;
     if (!tf_frames_next(&r->frames, wanted->operand[0]) ||
         !tf_frames_next(&r->frames, wanted->operand[1]) || !read_masses(r) ||
-        !tf_mesh_output_begin(&r->out, wanted->out, &r->frames.fault))
+        !tf_destination_begin(&r->out, wanted->out, &r->frames.fault))
         return false;
     bool good = resolve(r);
     tf_progress_line_end(&r->progress);
@@ -140,7 +137,7 @@ static bool do_all(resolving *r)
 //: End resolve
 static void free_all(resolving *r)
 {
-    tf_mesh_output_end(&r->out);
+    tf_destination_end(&r->out);
     tf_resolver_free(r->resolver);
     free(r->inverse_mass);
     tf_frames_free(&r->frames);
@@ -164,7 +161,7 @@ const tf_command tf_resolve_command = {
     .operands = "START END",
     .least = 2,
     .most = 2,
-    .wanted = "two files are required, START and END",
+    .wanted = "two files are required: START and END",
     .description = tf_resolve_description,
     .run = run,
 };

@@ -10,6 +10,7 @@
 #include "simulate/cloth_scenes.h"
 #include "simulate/flow_scenes.h"
 
+#include <errno.h>
 #include <string.h>
 
 //: Find the scene that is requested
@@ -64,11 +65,11 @@ static void check(tf_request *request)
     if (!scene)
         tf_request_refuse(
             request,
-            "unknown scene '%s'; 'tanglefree simulate list' prints all",
+            "unknown scene '%s'; 'tanglefree simulate list' lists the scenes",
             tf_make_visible(request->operand[0]).text);
     if (!request->out)
-        tf_request_refuse(request,
-                          "--write DIR is required: the folder for the frames");
+        tf_request_refuse(
+            request, "--output DIR is required: the folder for the frames");
     if (scene->field)
         check_edge(request, scene);
     else
@@ -148,6 +149,13 @@ static bool simulate(run *r)
 }
 
 //: Print what was simulated
+static bool write_totals(run *r)
+{
+    return tf_step_totals_write(stdout, *r->request->format, &r->totals,
+                                r->simulation) ||
+           tf_fault_set_unwritten(&r->folder.fault, "standard output", errno);
+}
+
 static void print_end(const run *r, bool good)
 {
     if (!good)
@@ -157,8 +165,6 @@ static void print_end(const run *r, bool good)
                 "tanglefree: interrupted after step %d of %d; go on with "
                 "--resume\n",
                 r->simulation->step, r->steps);
-    else
-        tf_step_totals_write(stdout, &r->totals, r->simulation);
 }
 
 //: Run the command simulate
@@ -171,6 +177,8 @@ static int run_scene(const tf_request *request, const tf_scene *scene)
     r.progress = tf_progress_line_begin(true);
     bool good = simulate(&r);
     tf_progress_line_end(&r.progress);
+    if (good && !r.signal)
+        good = write_totals(&r);
     print_end(&r, good);
     tf_simulation_folder_close(&r.folder);
     tf_simulation_free(r.simulation);
@@ -193,7 +201,8 @@ const tf_command tf_simulate_command = {
     .operands = "SCENE\nlist",
     .least = 1,
     .most = 1,
-    .wanted = "one scene is required; 'tanglefree simulate list' prints all",
+    .wanted =
+        "one scene is required; 'tanglefree simulate list' lists the scenes",
     .description = tf_simulate_description,
     .check = check,
     .run = run_simulate,

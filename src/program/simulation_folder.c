@@ -147,8 +147,7 @@ static bool read_frame(tf_simulation_folder *folder, int step,
     char arguments[TF_SIMULATION_NAME];
     tf_frame_fault fault = tf_frame_read(simulation, choose_file(folder, step));
     if (fault == TF_FRAME_UNREADABLE)
-        return tf_fault_set(&folder->fault, folder->file, -1,
-                            "cannot read: %s; check the file", strerror(errno));
+        return tf_fault_set_unread(&folder->fault, folder->file, -1, errno);
     tf_simulation_name(simulation, arguments);
     return (fault == TF_FRAME_GOOD && simulation->step == step) ||
            tf_fault_set(
@@ -167,8 +166,7 @@ static bool resume_table(tf_simulation_folder *folder,
     if (folder->table)
         return true;
     return errno
-               ? tf_fault_set(&folder->fault, folder->file, -1,
-                              "cannot open: %s", strerror(errno))
+               ? tf_fault_set_unopened(&folder->fault, folder->file, errno)
                : tf_fault_set(&folder->fault, folder->file, -1,
                               "has no line for each of the %d steps whose "
                               "frames are there; delete frames after the last "

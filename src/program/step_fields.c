@@ -146,22 +146,61 @@ void tf_step_totals_add(tf_step_totals *sums, const tf_simulation *simulation)
     }
 }
 
-//: Write what is told of all steps
-void tf_step_totals_write(FILE *stream, const tf_step_totals *sums,
+//: Gather what is told of all steps
+/// A record, and its fields: three and the totals that the kind has.
+typedef struct totals_record {
+    tf_field field[3 + TF_TOTALS + 1];
+    int steps, vertices, triangles;
+    size_t count[TF_TOTALS];
+    double number[TF_TOTALS];
+} totals_record;
+
+/// Sets the value of the i-th total, and returns its field.
+static tf_field gather_total(totals_record *record, int i, double value,
+                             tf_field_type type)
+{
+    bool counts = type != TF_NUMBER;
+    record->count[i] = counts ? (size_t)value : 0;
+    record->number[i] = value;
+    return (tf_field){
+        .name = totals[i].name,
+        .type = counts ? TF_COUNT : TF_NUMBER,
+        .offset = counts ? offsetof(totals_record, count[i])
+                         : offsetof(totals_record, number[i]),
+    };
+}
+
+static void gather_totals(totals_record *record, const tf_step_totals *sums,
                           const tf_simulation *simulation)
 {
-    tf_mesh mesh = simulation->scene->kind->snapshot(simulation).mesh;
-    fprintf(stream, "steps: %d\nvertices: %d\ntriangles: %d\n", sums->steps,
-            mesh.vertices, mesh.triangles);
+    tf_field *field = record->field + 3;
     for (int i = 0; i < TF_TOTALS; i++) {
         const tf_field *column = column_of(simulation, totals[i].column);
         if (column)
-            fprintf(stream,
-                    column->type == TF_NUMBER ? "%s: %g\n" : "%s: %.0f\n",
-                    totals[i].name,
-                    totals[i].kind == LAST ? number_of(column, simulation)
-                                           : sums->total[i]);
+            *field++ = gather_total(record, i,
+                                    totals[i].kind == LAST
+                                        ? number_of(column, simulation)
+                                        : sums->total[i],
+                                    column->type);
     }
+}
+
+//: Write what is told of all steps
+bool tf_step_totals_write(FILE *stream, tf_format format,
+                          const tf_step_totals *sums,
+                          const tf_simulation *simulation)
+{
+    tf_mesh mesh = simulation->scene->kind->snapshot(simulation).mesh;
+    totals_record record = {
+        .field = {TF_FIELD("steps", totals_record, steps),
+                  TF_FIELD("vertices", totals_record, vertices),
+                  TF_FIELD("triangles", totals_record, triangles)},
+        .steps = sums->steps,
+        .vertices = mesh.vertices,
+        .triangles = mesh.triangles,
+    };
+    gather_totals(&record, sums, simulation);
+    return tf_report_write(stream, format, record.field, &record);
 }
 
 //: Describe a step in a few words

@@ -26,6 +26,7 @@ typedef struct tf_step_totals {
 /// Counts the last step of a simulation in.
 void tf_step_totals_add(tf_step_totals *sums, const tf_simulation *simulation);
 
-/// Writes a line for each total.
-void tf_step_totals_write(FILE *stream, const tf_step_totals *sums,
+/// Writes the report of all totals.  False, with errno, if a write failed.
+bool tf_step_totals_write(FILE *stream, tf_format format,
+                          const tf_step_totals *sums,
                           const tf_simulation *simulation);

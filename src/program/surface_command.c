@@ -1,6 +1,8 @@
 //: Include what the commands about surfaces need
+#include "fast/detect.h"
 #include "program/arithmetics.h"
 #include "program/command.h"
+#include "program/destination.h"
 #include "program/frames.h"
 #include "program/progress.h"
 #include "program/surface_output.h"
@@ -12,14 +14,15 @@
 typedef struct work {
     const tf_request *request;
     tf_frames frames;
+    tf_destination to;
     tf_surface_output output;
     tf_progress_line progress;
 } work;
 
 /// Reports a status of the surface as a fault of the current file.
-static bool succeeded(work *w, tf_status status, const tf_flaw *flaw)
+static bool succeeded(work *w, const tf_error *error)
 {
-    return status == TF_OK || tf_frames_fault(&w->frames, status, flaw);
+    return error->status == TF_OK || tf_frames_fault(&w->frames, error);
 }
 
 //: Report a coordinate that is out of range about surfaces
@@ -52,12 +55,12 @@ static bool detect_step(work *w)
         .parallel = &threads};
     tf_motion motion = tf_frames_motion(&w->frames);
     tf_contacts found;
-    tf_flaw flaw;
+    tf_error error;
     tf_status status = tf_surface_detect(w->frames.surface, &motion, &detection,
-                                         &found, &flaw);
+                                         &found, &error);
     if (status == TF_OUT_OF_RANGE)
-        return fault_in_range(w, flaw.vertex);
-    return succeeded(w, status, &flaw) &&
+        return fault_in_range(w, error.vertex[0]);
+    return succeeded(w, &error) &&
            tf_surface_output_contacts(&w->output, w->frames.axes, &found);
 }
 
@@ -82,10 +85,11 @@ static bool check_file(work *w, const char *path)
         return false;
     tf_motion rest = tf_frames_motion(&w->frames);
     tf_crossings found;
-    tf_flaw flaw;
-    tf_status status = tf_surface_check(w->frames.surface, rest.start,
-                                        rest.vertices, &threads, &found, &flaw);
-    return succeeded(w, status, &flaw) &&
+    tf_error error;
+    tf_check_options options = {.parallel = &threads};
+    tf_surface_check(w->frames.surface, rest.vertices, rest.start, &options,
+                     &found, &error);
+    return succeeded(w, &error) &&
            tf_surface_output_crossings(
                &w->output, tf_frames_file(&w->frames)->name, &found);
 }
@@ -101,18 +105,30 @@ static bool check_all(work *w)
     return true;
 }
 
+//: Write all rows about surfaces
+static bool write_rows(work *w, bool checks, bool (*do_all)(work *))
+{
+    const tf_request *request = w->request;
+    FILE *stream = tf_destination_begin(&w->to, request->out, &w->frames.fault)
+                       ? tf_destination_open(&w->to)
+                       : NULL;
+    if (!stream)
+        return false;
+    bool good =
+        tf_surface_output_begin(&w->output, stream, *request->format, checks) &&
+        do_all(w);
+    tf_progress_line_end(&w->progress);
+    good = tf_surface_output_end(&w->output) && good;
+    return tf_destination_finish(&w->to, good, w->output.records.error);
+}
+
 //: Run a command about surfaces
 static int run(const tf_request *request, bool checks, bool (*do_all)(work *))
 {
-    work w = {.request = request, .progress = tf_progress_line_begin(false)};
-    bool good =
-        tf_surface_output_begin(&w.output, stdout, *request->format, checks) &&
-        do_all(&w);
-    tf_progress_line_end(&w.progress);
-    good = tf_surface_output_end(&w.output) && good;
-    if (w.output.records.error)
-        tf_fault_set_unwritten(&w.frames.fault, "standard output",
-                               w.output.records.error);
+    bool silent = !tf_destination_is_standard(request->out);
+    work w = {.request = request, .progress = tf_progress_line_begin(silent)};
+    bool good = write_rows(&w, checks, do_all);
+    tf_destination_end(&w.to);
     tf_fault_print(&w.frames.fault, "tanglefree");
     tf_frames_free(&w.frames);
     return !good ? 2 : w.output.tally.tangled > 0;
@@ -136,7 +152,7 @@ const tf_command tf_detect_command = {
     .operands = "START END [END...]",
     .least = 2,
     .most = INT_MAX,
-    .wanted = "two files or more are required, START and END",
+    .wanted = "two files or more are required: START and END",
     .description = tf_detect_description,
     .run = run_detect,
 };
@@ -148,7 +164,7 @@ const tf_command tf_check_command = {
     .operands = "FILE...",
     .least = 1,
     .most = INT_MAX,
-    .wanted = "a file is required, or - for standard input",
+    .wanted = "a file is required: its name, or - for standard input",
     .description = tf_check_description,
     .run = run_check,
 };

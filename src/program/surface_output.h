@@ -3,7 +3,7 @@
 
 #include "files/record.h"
 #include "surface/check.h"
-#include "surface/detect.h"
+#include "surface/contacts.h"
 
 /// What an output has counted.
 typedef struct tf_surface_tally {

@@ -15,6 +15,7 @@
 /// by vertex, in the order of its vertices' indices, so that neighbors share
 /// the walls of their sweeps.  Give a vertex the same index in all queries.
 typedef struct tf_motion {
+    int axes;            ///< 3 in space, 2 in the plane
     int vertices;        ///< how many
     const double *start; ///< coordinates at t = 0
     const double *end;   ///< coordinates at t = 1

@@ -41,11 +41,12 @@ typedef struct tf_narrow_phase {
 
     /// Stores in `verdict[count]` whether the elements of each query meet, as
     /// tf_point_edge, tf_point_triangle and tf_edge_edge would answer.  Returns
-    /// the status of the first bad query, if there is one; the verdicts from
+    /// the status of the first bad query, if there is one, or TF_BAD_OPTION for a
+    /// kind that there is not; the verdicts from
     /// that query on are not set.  Adds to `*separated` the number of queries
     /// whose elements an axis separates, so that no sign was needed.
     /// Thread-safe.
-    tf_status (*decide)(const tf_arithmetic *arithmetic,
+    tf_status (*decide)(void *context, const tf_arithmetic *arithmetic,
                         const tf_queries *queries, tf_verdict verdict[],
                         size_t *separated);
 
@@ -55,9 +56,11 @@ typedef struct tf_narrow_phase {
     /// second must be less, where a movement by (dx, dy, dz) counts as
     /// |dx| + |dy| + |dz|.  0 where that is not known.  NULL: the narrow phase
     /// does not measure.
-    tf_status (*measure)(const tf_arithmetic *arithmetic,
+    tf_status (*measure)(void *context, const tf_arithmetic *arithmetic,
                          const tf_queries *queries, tf_verdict verdict[],
                          size_t *separated, double clearance[]);
+
+    void *context; ///< passed on to both; not used by those of the library
 } tf_narrow_phase;
 
 /// Decides one query after another.

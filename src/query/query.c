@@ -285,13 +285,26 @@ static bool gather_element(const tf_motion *motion, int axes, int vertices,
     return true;
 }
 
-static bool gather(int axes, const tf_motion *motion, int vertices,
-                   const int first[], int others, const int second[],
-                   scene_query *query)
+static tf_status gather(int axes, const tf_motion *motion, int vertices,
+                        const int first[], int others, const int second[],
+                        scene_query *query)
 {
-    TF_REQUIRE(motion && motion->start && motion->end && first && second);
-    return gather_element(motion, axes, vertices, first, query->first) &&
-           gather_element(motion, axes, others, second, query->second);
+    TF_REQUIRE(motion && first && second);
+    tf_status status = tf_motion_check(motion, axes);
+    if (status != TF_OK)
+        return status;
+    bool good = gather_element(motion, axes, vertices, first, query->first) &&
+                gather_element(motion, axes, others, second, query->second);
+    return good ? TF_OK : TF_BAD_INDEX;
+}
+
+//: Check a motion
+tf_status tf_motion_check(const tf_motion *motion, int axes)
+{
+    bool without = motion->vertices > 0 && !(motion->start && motion->end);
+    if (motion->axes != axes)
+        return TF_BAD_AXES;
+    return motion->vertices < 0 || without ? TF_BAD_COUNT : TF_OK;
 }
 
 //: Query two elements of a scene
@@ -302,8 +315,10 @@ tf_status tf_query_motion(const tf_arithmetic *arithmetic, int axes,
 {
     TF_REQUIRE(arithmetic && contact);
     scene_query query;
-    if (!gather(axes, motion, vertices, first, others, second, &query))
-        return TF_BAD_INDEX;
+    tf_status status =
+        gather(axes, motion, vertices, first, others, second, &query);
+    if (status != TF_OK)
+        return status;
     return tf_query(arithmetic, axes, vertices, query.first, others,
                     query.second, contact);
 }
@@ -316,10 +331,11 @@ tf_status tf_query_verdict(const tf_arithmetic *arithmetic, int axes,
 {
     TF_REQUIRE(arithmetic && verdict && separated);
     scene_query query;
-    if (!gather(axes, motion, vertices, first, others, second, &query))
-        return TF_BAD_INDEX;
-    tf_status status = check_query(arithmetic, axes, vertices, query.first,
-                                   others, query.second);
+    tf_status status =
+        gather(axes, motion, vertices, first, others, second, &query);
+    if (status == TF_OK)
+        status = check_query(arithmetic, axes, vertices, query.first, others,
+                             query.second);
     if (status != TF_OK)
         return status;
     *verdict = TF_APART;

@@ -28,6 +28,11 @@ tf_status tf_query_motion(const tf_arithmetic *arithmetic, int axes,
                           const int first[], int others, const int second[],
                           tf_contact *contact);
 
+//: Declare the check of a motion
+/// Whether a motion is one of so many axes: TF_OK; TF_BAD_AXES; or TF_BAD_COUNT
+/// if it has fewer than no vertices, or vertices without coordinates.
+tf_status tf_motion_check(const tf_motion *motion, int axes);
+
 //: Declare the verdict alone
 /// Only whether two elements of a scene touch, as tf_query_motion would answer;
 /// `*separated`: an axis shows that they do not, without any sign.  Callers

@@ -4,7 +4,7 @@
 #include "base/api.h"
 #include "response/zone.h"
 
-/// @addtogroup response
+/// @addtogroup study
 /// @{
 
 /// Takes constraints as equations, so that it also holds together elements that

@@ -3,7 +3,7 @@
 
 #include "response/constraint.h"
 #include "response/step.h"
-#include "surface/detect.h"
+#include "surface/contacts.h"
 
 /// How contacts become constraints.
 typedef struct tf_contact_rule {

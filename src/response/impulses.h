@@ -2,7 +2,7 @@
 #pragma once
 
 #include "response/contact_constraint.h"
-#include "surface/detect.h"
+#include "surface/contacts.h"
 
 /// Visits the constraint of each contact once, one after another, and then
 /// moves the vertices.  `displacement` is room for `axes` numbers for each

@@ -84,8 +84,7 @@ static tf_status find_contacts(tf_resolution *r)
     account(r);
     if (r->contacts.any)
         return TF_OK;
-    tf_flaw flaw;
-    status = tf_pair_cache_build(pairs, &r->search, &r->contacts, &flaw);
+    status = tf_pair_cache_build(pairs, &r->search, &r->contacts, NULL);
     if (status == TF_OK)
         account(r);
     return status;
@@ -100,9 +99,10 @@ static tf_status go_through(tf_resolution *r, tf_response_level level, int most)
         return TF_OK;
     if (!begin_level(r, level))
         return TF_OUT_OF_MEMORY;
+    tf_watch *watch = r->resolver->surface->workers.watch;
     for (int round = 0; round < most && r->contacts.any; round++) {
-        if (r->options.progress)
-            r->options.progress(r->options.context, &r->report);
+        if (!tf_watch_done(watch, 0))
+            return TF_CANCELLED;
         r->report.rounds[level]++;
         if (!answer(r, level))
             return TF_OUT_OF_MEMORY;

@@ -1,8 +1,10 @@
 //: Include what the limit of a step needs
 #include "response/limit.h"
 
+#include "base/fail.h"
 #include "base/require.h"
-#include "fast/vectorized.h"
+#include "fast/detect.h"
+#include "response/choices.h"
 #include "response/resolver_memory.h"
 #include "response/start.h"
 
@@ -30,11 +32,11 @@ static bool take_fraction(const double start[], const double proposed[],
 /// detection.
 static tf_status halve(tf_surface *surface, tf_detect_options *detection,
                        const double start[], const double proposed[],
-                       double end[], int *halvings, tf_flaw *flaw)
+                       double end[], int *halvings, tf_error *error)
 {
     int vertices = tf_surface_vertices(surface);
     size_t numbers = (size_t)tf_surface_axes(surface) * (size_t)vertices;
-    tf_motion motion = {vertices, start, end};
+    tf_motion motion = {tf_surface_axes(surface), vertices, start, end};
     tf_contacts found = {.any = true};
     tf_status status = TF_OK;
     detection->selection = TF_ANY_CONTACT;
@@ -43,7 +45,7 @@ static tf_status halve(tf_surface *surface, tf_detect_options *detection,
         *halvings = moves ? k : -1;
         if (moves)
             status =
-                tf_surface_detect(surface, &motion, detection, &found, flaw);
+                tf_surface_detect(surface, &motion, detection, &found, error);
     }
     return status;
 }
@@ -53,44 +55,41 @@ static tf_status halve(tf_surface *surface, tf_detect_options *detection,
 static tf_status test_whole(tf_surface *surface, const tf_motion *motion,
                             const tf_response_options *options,
                             const tf_detect_options *detection, bool *clear,
-                            tf_obstacle *obstacle)
+                            tf_error *error)
 {
     tf_status status = TF_OK;
     tf_contacts found;
     if (options->check_start)
-        status = tf_start_check(surface, motion, options->parallel, obstacle);
+        status = tf_start_check(surface, motion, options->parallel, error);
     if (status == TF_OK)
-        status = tf_surface_detect(surface, motion, detection, &found,
-                                   &obstacle->flaw);
+        status = tf_surface_detect(surface, motion, detection, &found, error);
     if (status != TF_OK)
         return status;
     *clear = !found.any;
-    return tf_start_check_contacts(motion, tf_surface_axes(surface), &found,
-                                   obstacle);
+    return tf_start_check_contacts(motion, &found, error);
 }
 
 //: Find a clear fraction
 static tf_status limit(tf_resolver *resolver, const double start[],
                        double end[], const tf_response_options *options,
-                       int *halvings, tf_obstacle *obstacle)
+                       int *halvings, tf_error *error)
 {
     tf_surface *surface = resolver->surface;
     tf_detect_options detection = {.narrow_phase = options->narrow_phase,
                                    .parallel = options->parallel};
-    if (!detection.narrow_phase)
-        detection.narrow_phase = &tf_vectorized;
-    tf_motion motion = {tf_surface_vertices(surface), start, end};
+    tf_motion motion = {tf_surface_axes(surface), tf_surface_vertices(surface),
+                        start, end};
     size_t bytes = sizeof(double) * (size_t)tf_surface_axes(surface) *
                    (size_t)motion.vertices;
     bool clear = false;
     int found = 0;
     if (!tf_buffer_reserve(&resolver->end, bytes, 1))
-        return TF_OUT_OF_MEMORY;
+        return tf_fail(error, TF_OUT_OF_MEMORY);
     tf_status status =
-        test_whole(surface, &motion, options, &detection, &clear, obstacle);
+        test_whole(surface, &motion, options, &detection, &clear, error);
     if (status == TF_OK && !clear)
         status = halve(surface, &detection, start, end, resolver->end.data,
-                       &found, &obstacle->flaw);
+                       &found, error);
     if (status != TF_OK)
         return status;
     *halvings = found;
@@ -102,17 +101,19 @@ static tf_status limit(tf_resolver *resolver, const double start[],
 tf_status tf_step_limit(tf_resolver *resolver, int vertices,
                         const double start[], double end[],
                         const tf_response_options *options, int *halvings,
-                        tf_obstacle *obstacle)
+                        tf_error *error)
 {
     TF_REQUIRE(resolver && start && end && halvings);
-    static const tf_response_options usual;
-    tf_obstacle none = {.vertex = {-1, -1, -1, -1, -1}};
-    if (obstacle)
-        *obstacle = none;
-    else
-        obstacle = &none;
+    tf_response_options own;
+    tf_status status = tf_response_options_read(&own, options, error);
+    if (status != TF_OK)
+        return status;
     if (vertices != tf_surface_vertices(resolver->surface))
-        return TF_BAD_COUNT;
-    return limit(resolver, start, end, options ? options : &usual, halvings,
-                 obstacle);
+        return tf_fail(error, TF_BAD_COUNT);
+    tf_workers *workers = &resolver->surface->workers;
+    tf_watch watch,
+        *outer = tf_workers_watch(workers, &watch, own.progress, own.context);
+    status = limit(resolver, start, end, &own, halvings, error);
+    workers->watch = outer;
+    return status;
 }

@@ -20,16 +20,16 @@
 /// @param start where they start, `axes` coordinates each; free of intersections
 /// @param[in,out] end in: where they should end; out, only with TF_OK: start +
 ///     2^-k (end - start), rounded, such that no two elements meet on the way
-/// @param options only check_start, narrow_phase and parallel are used; NULL:
-///     all zero
+/// @param options only check_start, narrow_phase, parallel, progress and
+///     context are used; NULL: all zero
 /// @param[out] halvings the least such k; or -1 if nothing moves any more, and
 ///     `end` equals `start`
-/// @param[out] obstacle what is wrong if the status is not TF_OK; may be NULL
-/// @return TF_OK; TF_BAD_COUNT; TF_NOT_FINITE; TF_START_NOT_CLEAR;
-///     TF_BAD_ENVIRONMENT; or TF_OUT_OF_MEMORY
+/// @param[out] error what is wrong, if anything; may be NULL
+/// @return TF_OK; TF_BAD_COUNT; TF_BAD_OPTION; TF_NOT_FINITE;
+///     TF_START_NOT_CLEAR; TF_BAD_ENVIRONMENT; TF_OUT_OF_MEMORY; or TF_CANCELLED
 TF_API tf_status tf_step_limit(tf_resolver *resolver, int vertices,
                                const double start[], double end[],
                                const tf_response_options *options,
-                               int *halvings, tf_obstacle *obstacle);
+                               int *halvings, tf_error *error);
 
 /// @}

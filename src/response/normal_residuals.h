@@ -4,7 +4,7 @@
 #include "base/api.h"
 #include "response/zone.h"
 
-/// @addtogroup response
+/// @addtogroup study
 /// @{
 
 /// Takes constraints as equations, as tf_conjugate_residuals does, and makes

@@ -5,7 +5,7 @@
 #include "query/narrow_phase.h"
 #include "response/zone.h"
 #include "surface/check.h"
-#include "surface/detect.h"
+#include "surface/contacts.h"
 #include "surface/parallel.h"
 
 #include <stdbool.h>
@@ -21,10 +21,10 @@ typedef enum tf_response_level {
     TF_ZONES,        ///< impact zones
     TF_RIGID,        ///< zones that move as rigid bodies
     TF_FAILSAFE,     ///< groups that move in parallel, or rest
-    TF_LEVELS        ///< how many levels there are
+    TF_LEVELS = 8    ///< room for those of later versions
 } tf_response_level;
 
-/// What it took to resolve a step.
+/// What it took to resolve a step.  Lent; later versions may add to its end.
 typedef struct tf_response_report {
     size_t first_contacts; ///< contacts of the proposed step
     size_t contacts;       ///< those of all rounds, the first ones included
@@ -50,12 +50,14 @@ typedef struct tf_response_report {
 } tf_response_report;
 
 //: Declare how to respond
-/// How to respond.  If all members are zero, the usual choices are made.
+/// How to respond.  Zero is the usual choice everywhere, a negative number none.
 typedef struct tf_response_options {
+    size_t size; ///< sizeof(tf_response_options); 0: that of version 1.0
     const tf_zone_solver *solver; ///< NULL: tf_gauss_seidel
-    int impulse_rounds;           ///< rounds of impulses, before zones
-    int zone_rounds;              ///< rounds of zones; 0: 20; negative: none
-    int sweeps;                   ///< iterations of the solver; 0: 30
+    int impulse_rounds; ///< rounds of impulses, before zones; 0: the usual
+                        ///< number, which is none
+    int zone_rounds;    ///< rounds of zones; 0: 20; negative: none
+    int sweeps;         ///< iterations of the solver; 0: 30
     bool rigid;         ///< whether to try rigid zones before the failsafe
     double separation;  ///< pairs in contact that start nearer than this are
                         ///< pushed apart, a part of the way; 0: 0.05 of the
@@ -66,25 +68,8 @@ typedef struct tf_response_options {
     bool check_start;   ///< whether to look for intersections at the start, too
     const tf_narrow_phase *narrow_phase; ///< NULL: tf_vectorized
     const tf_parallel *parallel;         ///< NULL: the caller's thread alone
-
-    /// Called before each round, unless NULL; `so_far` reports what has been
-    /// done until then.
-    void (*progress)(void *context, const tf_response_report *so_far);
-    void *context; ///< passed on to `progress`
+    tf_progress *progress;               ///< NULL: nothing is told
+    void *context;                       ///< passed on to `progress`
 } tf_response_options;
-
-//: Declare what a response cannot get past
-/// What is to blame for a status other than TF_OK, if it is one vertex or one
-/// pair of elements.
-typedef struct tf_obstacle {
-    tf_flaw flaw;              ///< what is wrong with a vertex
-    tf_kind touching;          ///< with TF_START_NOT_CLEAR: the kind of the
-                               ///< elements that touch at the start, or
-                               ///< TF_NO_KIND if two intersect there
-    tf_crossing_kind crossing; ///< how these two intersect
-    int vertex[5];             ///< the vertices of the pair, in the order of
-                               ///< tf_surface_contact or tf_crossing; -1 where
-                               ///< there is none
-} tf_obstacle;
 
 /// @}

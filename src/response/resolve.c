@@ -1,73 +1,23 @@
 //: Include what resolving needs
 #include "response/resolve.h"
 
+#include "base/fail.h"
 #include "base/require.h"
 #include "fast/estimate.h"
-#include "fast/vectorized.h"
-#include "response/gauss_seidel.h"
+#include "response/choices.h"
 #include "response/levels.h"
 #include "response/start.h"
 
 #include <math.h>
 #include <string.h>
 
-//: Check the options
-static bool are_good(const tf_response_options *options)
-{
-    return isfinite(options->separation) && options->restitution >= 0 &&
-           options->restitution <= 1 && options->friction >= 0 &&
-           isfinite(options->friction) && options->impulse_rounds >= 0 &&
-           options->sweeps >= 0;
-}
-
 //: Check the masses
-static tf_status check_masses(const tf_step *step, tf_flaw *flaw)
+static tf_status check_masses(const tf_step *step, tf_error *error)
 {
     for (int v = 0; v < step->vertices; v++)
-        if (!(step->inverse_mass[v] >= 0) || !isfinite(step->inverse_mass[v])) {
-            *flaw = (tf_flaw){TF_VERTEX, v, v};
-            return TF_BAD_MASS;
-        }
+        if (!(step->inverse_mass[v] >= 0) || !isfinite(step->inverse_mass[v]))
+            return tf_fail_vertex(error, TF_BAD_MASS, v, -1);
     return TF_OK;
-}
-
-//: Find the mean edge
-static double mean_edge(const tf_surface *surface, const tf_step *step)
-{
-    int count;
-    const int *edge = tf_surface_edges(surface, &count);
-    double sum = 0;
-    for (int i = 0; i < count; i++, edge += 2) {
-        tf_vector from = tf_step_position(step, edge[0], step->start);
-        tf_vector to = tf_step_position(step, edge[1], step->start);
-        sum += tf_vector_length(tf_vector_difference(to, from));
-    }
-    double mean = count > 0 ? sum / count : 0;
-    return isfinite(mean) ? mean : 0;
-}
-
-//: Choose what is left to choose
-enum {
-    USUAL_ROUNDS = 20,
-    USUAL_SWEEPS = 30
-};
-
-static const double usual_separation = 0.05; // of the mean edge
-
-static void choose(tf_resolution *r)
-{
-    tf_response_options *options = &r->options;
-    if (!options->solver)
-        options->solver = &tf_gauss_seidel;
-    if (options->zone_rounds == 0)
-        options->zone_rounds = USUAL_ROUNDS;
-    if (options->sweeps == 0)
-        options->sweeps = USUAL_SWEEPS;
-    if (options->separation == 0)
-        options->separation =
-            usual_separation * mean_edge(r->resolver->surface, &r->step);
-    r->rule.separation = options->separation;
-    r->rule.restitution = options->restitution;
 }
 
 //: Ready a step
@@ -99,18 +49,17 @@ static bool ready(tf_resolution *r)
 }
 
 //: Detect what the proposal does
-static tf_status begin(tf_resolution *r, tf_obstacle *obstacle)
+static tf_status begin(tf_resolution *r, tf_error *error)
 {
     tf_status status = TF_OK;
     if (r->options.check_start)
         status = tf_start_check(r->resolver->surface, &r->motion,
-                                r->options.parallel, obstacle);
+                                r->options.parallel, error);
     if (status == TF_OK)
         status = tf_pair_cache_build(&r->resolver->pairs, &r->search,
-                                     &r->contacts, &obstacle->flaw);
+                                     &r->contacts, error);
     if (status == TF_OK)
-        status = tf_start_check_contacts(&r->motion, r->step.axes, &r->contacts,
-                                         obstacle);
+        status = tf_start_check_contacts(&r->motion, &r->contacts, error);
     r->report.first_contacts = r->report.contacts = r->contacts.count;
     r->report.statistics = r->contacts.statistics;
     return status;
@@ -165,30 +114,36 @@ static void write_report(tf_resolution *r)
 //: Resolve a step that has contacts
 static tf_status resolve(tf_resolution *r)
 {
-    choose(r);
+    tf_response_options_choose(&r->options, r->resolver->surface, &r->step);
+    r->rule.separation = r->options.separation;
+    r->rule.restitution = r->options.restitution;
     tf_status status = tf_respond(r);
     TF_REQUIRE(status != TF_OK || !r->contacts.any);
     return status;
 }
 
 //: Resolve a step
-static tf_status run(tf_resolution *r, double end[], tf_obstacle *obstacle)
+static tf_status check(tf_resolution *r, tf_error *error)
 {
-    if (!are_good(&r->options))
-        return TF_BAD_OPTION;
+    tf_status status = tf_response_options_check(&r->options, error);
+    if (status != TF_OK)
+        return status;
     if (r->step.vertices != tf_surface_vertices(r->resolver->surface))
-        return TF_BAD_COUNT;
-    if (!r->options.narrow_phase)
-        r->options.narrow_phase = &tf_vectorized;
+        return tf_fail(error, TF_BAD_COUNT);
     if (!r->step.inverse_mass)
         r->step.inverse_mass = all_ones(r->resolver, r->step.vertices);
     if (!r->step.inverse_mass || !ready(r))
-        return TF_OUT_OF_MEMORY;
-    tf_status status = check_masses(&r->step, &obstacle->flaw);
+        return tf_fail(error, TF_OUT_OF_MEMORY);
+    return check_masses(&r->step, error);
+}
+
+static tf_status run(tf_resolution *r, double end[], tf_error *error)
+{
+    tf_status status = check(r, error);
     if (status == TF_OK)
-        status = begin(r, obstacle);
+        status = begin(r, error);
     if (status == TF_OK && r->contacts.any)
-        status = resolve(r);
+        status = tf_fail(error, resolve(r));
     if (status != TF_OK)
         return status;
     write_report(r);
@@ -197,30 +152,40 @@ static tf_status run(tf_resolution *r, double end[], tf_obstacle *obstacle)
     return TF_OK;
 }
 
+static tf_status watch_and_run(tf_resolution *r, double end[], tf_error *error)
+{
+    tf_workers *workers = &r->resolver->surface->workers;
+    tf_watch watch,
+        *outer = tf_workers_watch(workers, &watch, r->options.progress,
+                                  r->options.context);
+    tf_status status = run(r, end, error);
+    workers->watch = outer;
+    return status;
+}
+
+//: Resolve with the usual choices
 tf_status tf_step_resolve(tf_resolver *resolver, int vertices,
                           const double start[], double end[],
                           const double inverse_mass[],
                           const tf_response_options *options,
-                          tf_response_report *report, tf_obstacle *obstacle)
+                          const tf_response_report **report, tf_error *error)
 {
     TF_REQUIRE(resolver && start && end);
-    static const tf_response_options usual;
-    tf_resolution r = {.resolver = resolver,
-                       .options = options ? *options : usual,
-                       .step = {.axes = tf_surface_axes(resolver->surface),
-                                .vertices = vertices,
-                                .start = start,
-                                .proposed = end,
-                                .inverse_mass = inverse_mass},
-                       .motion = {.vertices = vertices, .start = start},
-                       .zones = {.smallest_gap = INFINITY}};
-    tf_obstacle none = {.vertex = {-1, -1, -1, -1, -1}};
-    if (obstacle)
-        *obstacle = none;
-    else
-        obstacle = &none;
-    tf_status status = run(&r, end, obstacle);
+    int axes = tf_surface_axes(resolver->surface);
+    tf_resolution r = {
+        .resolver = resolver,
+        .step = {.axes = axes,
+                 .vertices = vertices,
+                 .start = start,
+                 .proposed = end,
+                 .inverse_mass = inverse_mass},
+        .motion = {.axes = axes, .vertices = vertices, .start = start},
+        .zones = {.smallest_gap = INFINITY}};
+    tf_status status = tf_response_options_read(&r.options, options, error);
+    if (status == TF_OK)
+        status = watch_and_run(&r, end, error);
+    resolver->report = r.report;
     if (status == TF_OK && report)
-        *report = r.report;
+        *report = &resolver->report;
     return status;
 }

@@ -35,8 +35,9 @@
 /// @param inverse_mass of each vertex, 0 or more; 0: the vertex is scripted;
 ///     NULL: 1 for all
 /// @param options how to respond; NULL: all zero
-/// @param[out] report what it took; set only with TF_OK; may be NULL
-/// @param[out] obstacle what is wrong if the status is not TF_OK; may be NULL
+/// @param[out] report what it took, lent until the next call for this resolver;
+///     set only with TF_OK; may be NULL
+/// @param[out] error what is wrong, if anything; may be NULL
 /// @return TF_OK; TF_BAD_COUNT if the surface has another number of vertices;
 ///     TF_NOT_FINITE; TF_BAD_MASS; TF_BAD_OPTION if an option is not in its
 ///     range; TF_START_NOT_CLEAR; TF_BAD_ENVIRONMENT; or TF_OUT_OF_MEMORY
@@ -44,7 +45,7 @@ TF_API tf_status tf_step_resolve(tf_resolver *resolver, int vertices,
                                  const double start[], double end[],
                                  const double inverse_mass[],
                                  const tf_response_options *options,
-                                 tf_response_report *report,
-                                 tf_obstacle *obstacle);
+                                 const tf_response_report **report,
+                                 tf_error *error);
 
 /// @}

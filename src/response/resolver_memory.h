@@ -13,4 +13,5 @@ typedef struct tf_resolver {
     tf_zones zones;
     tf_rigid rigid;
     tf_failsafe failsafe;
+    tf_response_report report; ///< of the last step, lent
 } tf_resolver;

@@ -3,7 +3,7 @@
 
 #include "response/groups.h"
 #include "response/step.h"
-#include "surface/detect.h"
+#include "surface/contacts.h"
 
 /// Zones that move as rigid bodies.
 typedef struct tf_rigid {

@@ -2,32 +2,41 @@
 #include "response/start.h"
 
 #include "arithmetic/exact.h"
+#include "base/fail.h"
 #include "query/query.h"
-
-#include <string.h>
+#include "surface/check.h"
 
 //: Check that a start has no intersections
+static tf_status fail_at_crossing(tf_error *error, const tf_crossing *crossing)
+{
+    static const tf_subject subjects[] = {
+        [TF_EDGE_THROUGH_TRIANGLE] = TF_EDGE_TRIANGLE_PAIR,
+        [TF_POINT_ON_TRIANGLE] = TF_POINT_TRIANGLE_PAIR,
+        [TF_EDGE_ON_EDGE] = TF_EDGE_EDGE_PAIR,
+    };
+    return tf_fail_pair(error, TF_START_NOT_CLEAR, subjects[crossing->kind], 5,
+                        crossing->vertex, 0);
+}
+
 tf_status tf_start_check(tf_surface *surface, const tf_motion *motion,
-                         const tf_parallel *parallel, tf_obstacle *obstacle)
+                         const tf_parallel *parallel, tf_error *error)
 {
     tf_crossings found;
-    tf_status status =
-        tf_surface_check(surface, motion->start, motion->vertices, parallel,
-                         &found, &obstacle->flaw);
-    if (status != TF_OK || found.count == 0)
-        return status;
-    obstacle->crossing = found.crossing->kind;
-    memcpy(obstacle->vertex, found.crossing->vertex, sizeof obstacle->vertex);
-    return TF_START_NOT_CLEAR;
+    tf_check_options options = {.parallel = parallel};
+    tf_status status = tf_surface_check(surface, motion->vertices,
+                                        motion->start, &options, &found, error);
+    return status == TF_OK && found.count > 0
+               ? fail_at_crossing(error, found.crossing)
+               : status;
 }
 
 //: Check that no contact is there at the start
 /// Repeats the query of a contact with all vertices at rest.
-static tf_status touch_at_start(const tf_motion *motion, int axes,
+static tf_status touch_at_start(const tf_motion *motion,
                                 const tf_surface_contact *contact, bool *touch)
 {
-    tf_motion rest = {motion->vertices, motion->start, motion->start};
-    int first = contact->kind == TF_EDGE_EDGE ? 2 : 1;
+    int axes = motion->axes, first = contact->kind == TF_EDGE_EDGE ? 2 : 1;
+    tf_motion rest = {axes, motion->vertices, motion->start, motion->start};
     tf_contact at_rest;
     tf_status status =
         tf_query_motion(&tf_exact, axes, &rest, first, contact->vertex,
@@ -36,23 +45,31 @@ static tf_status touch_at_start(const tf_motion *motion, int axes,
     return status;
 }
 
-tf_status tf_start_check_contacts(const tf_motion *motion, int axes,
-                                  const tf_contacts *contacts,
-                                  tf_obstacle *obstacle)
+static tf_status fail_at_contact(tf_error *error,
+                                 const tf_surface_contact *contact)
+{
+    static const tf_subject subjects[] = {
+        [TF_POINT_EDGE] = TF_POINT_EDGE_PAIR,
+        [TF_POINT_TRIANGLE] = TF_POINT_TRIANGLE_PAIR,
+        [TF_EDGE_EDGE] = TF_EDGE_EDGE_PAIR,
+    };
+    return tf_fail_pair(error, TF_START_NOT_CLEAR, subjects[contact->kind], 4,
+                        contact->vertex, 0);
+}
+
+tf_status tf_start_check_contacts(const tf_motion *motion,
+                                  const tf_contacts *contacts, tf_error *error)
 {
     for (size_t i = 0; i < contacts->count; i++) {
         const tf_surface_contact *contact = &contacts->contact[i];
         bool touch = false;
         if (contact->contact.toi_lo > 0)
             continue;
-        tf_status status = touch_at_start(motion, axes, contact, &touch);
+        tf_status status = touch_at_start(motion, contact, &touch);
         if (status != TF_OK)
-            return status;
-        if (!touch)
-            continue;
-        obstacle->touching = contact->kind;
-        memcpy(obstacle->vertex, contact->vertex, sizeof contact->vertex);
-        return TF_START_NOT_CLEAR;
+            return tf_fail(error, status);
+        if (touch)
+            return fail_at_contact(error, contact);
     }
     return TF_OK;
 }

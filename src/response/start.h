@@ -1,18 +1,17 @@
 //: Declare what a start has to be
 #pragma once
 
-#include "base/status.h"
+#include "base/error.h"
 #include "response/options.h"
 
 /// Checks that no elements of a surface intersect at the start of a step.
-/// Returns TF_OK; TF_START_NOT_CLEAR, and sets the obstacle to the first pair
+/// Returns TF_OK; TF_START_NOT_CLEAR, and sets the error to the first pair
 /// that does; or another status of tf_surface_check.
 tf_status tf_start_check(tf_surface *surface, const tf_motion *motion,
-                         const tf_parallel *parallel, tf_obstacle *obstacle);
+                         const tf_parallel *parallel, tf_error *error);
 
 /// Checks that none of the contacts of a step is there at the start already.
 /// `contacts` are all of them.  Returns TF_OK; TF_START_NOT_CLEAR, and sets the
-/// obstacle to the first contact that is; or another status of the query.
-tf_status tf_start_check_contacts(const tf_motion *motion, int axes,
-                                  const tf_contacts *contacts,
-                                  tf_obstacle *obstacle);
+/// error to the first contact that is; or another status of the query.
+tf_status tf_start_check_contacts(const tf_motion *motion,
+                                  const tf_contacts *contacts, tf_error *error);

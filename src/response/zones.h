@@ -5,7 +5,7 @@
 #include "response/contact_constraint.h"
 #include "response/groups.h"
 #include "response/zone.h"
-#include "surface/detect.h"
+#include "surface/contacts.h"
 
 #include <stddef.h>
 

@@ -116,9 +116,13 @@ static tf_status resolve(tf_cloth_simulation *c, const tf_step_options *options,
     tf_response_options response = {.friction = c->base.scene->friction,
                                     .check_start = options->check,
                                     .parallel = options->parallel};
-    return tf_step_resolve(c->resolver, c->base.setup.body.vertices,
-                           c->position, c->end, c->inverse_mass, &response,
-                           report, NULL);
+    const tf_response_report *lent;
+    tf_status status =
+        tf_step_resolve(c->resolver, c->base.setup.body.vertices, c->position,
+                        c->end, c->inverse_mass, &response, &lent, NULL);
+    if (status == TF_OK)
+        *report = *lent;
+    return status;
 }
 
 static double now(const tf_step_options *options)

@@ -38,7 +38,7 @@ typedef struct tf_frame {
 } tf_frame;
 
 /// The frame of all vertices of a motion.  Returns TF_NOT_FINITE, and the first
-/// such vertex in `*bad`, if a coordinate is a NaN or infinite.
+/// such vertex in `*bad`, if a coordinate is infinite or NaN.
 tf_status tf_frame_of(int axes, const tf_motion *motion,
                       const tf_parallel *parallel, tf_frame *frame, int *bad);
 

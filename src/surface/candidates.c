@@ -1,7 +1,9 @@
 //: Include what candidates need
 #include "surface/candidates.h"
 
+#include "base/fail.h"
 #include "base/require.h"
+#include "surface/detect.h"
 #include "surface/surface_memory.h"
 
 #include <stddef.h>
@@ -98,18 +100,33 @@ static tf_status list_all(tf_surface *surface, const tf_parallel *parallel,
 }
 
 //: Find the candidates of a step
-tf_status tf_surface_candidates(tf_surface *surface, const tf_motion *motion,
-                                const tf_parallel *parallel,
-                                tf_candidates *found, tf_flaw *flaw)
+static tf_status find(tf_surface *surface, const tf_motion *motion,
+                      const tf_parallel *parallel, tf_candidates *found,
+                      tf_error *error)
 {
-    TF_REQUIRE(surface && motion && found);
-    tf_flaw unused;
-    tf_status status =
-        tf_surface_move(surface, motion, parallel, flaw ? flaw : &unused);
+    tf_status status = tf_parallel_check(parallel, error);
+    if (status == TF_OK)
+        status = tf_surface_move(surface, motion, parallel, error);
     if (status != TF_OK)
         return status;
-    if (!tf_workers_begin(&surface->workers, tf_parallel_workers(parallel),
-                          NULL))
-        return TF_OUT_OF_MEMORY;
-    return list_all(surface, parallel, found);
+    bool good = tf_workers_begin(&surface->workers,
+                                 tf_parallel_workers(parallel), NULL);
+    return tf_fail(error, good ? list_all(surface, parallel, found)
+                               : TF_OUT_OF_MEMORY);
+}
+
+tf_status tf_surface_candidates(tf_surface *surface, const tf_motion *motion,
+                                const tf_detect_options *options,
+                                tf_candidates *found, tf_error *error)
+{
+    TF_REQUIRE(surface && motion && found);
+    tf_detect_options own;
+    tf_status status = tf_detect_options_read(&own, options, error);
+    if (status != TF_OK)
+        return status;
+    tf_watch watch, *outer = tf_workers_watch(&surface->workers, &watch,
+                                              own.progress, own.context);
+    status = find(surface, motion, own.parallel, found, error);
+    surface->workers.watch = outer;
+    return status;
 }

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "base/api.h"
-#include "base/status.h"
+#include "base/error.h"
 #include "query/motion.h"
 #include "surface/candidate.h"
-#include "surface/parallel.h"
+#include "surface/contacts.h"
 #include "surface/surface.h"
 
 #include <stddef.h>
@@ -31,15 +31,16 @@ typedef struct tf_candidates {
 ///
 /// @param surface the surface
 /// @param motion its vertices at the start and the end of the step
-/// @param parallel the threads to use; NULL: the caller's alone
+/// @param options of these the threads and the progress are used; NULL: all
+///     zero
 /// @param[out] found the candidates, lent until the next call for this surface,
 ///     in the same order for any number of threads; valid only with TF_OK
-/// @param[out] flaw what is wrong where the status is not TF_OK; may be NULL
-/// @return TF_OK; TF_BAD_COUNT; TF_NOT_FINITE; TF_BAD_ENVIRONMENT; or
-///     TF_OUT_OF_MEMORY
+/// @param[out] error what is wrong, if anything; may be NULL
+/// @return TF_OK; TF_BAD_AXES; TF_BAD_COUNT; TF_BAD_OPTION; TF_NOT_FINITE;
+///     TF_BAD_ENVIRONMENT; TF_OUT_OF_MEMORY; or TF_CANCELLED
 TF_API tf_status tf_surface_candidates(tf_surface *surface,
                                        const tf_motion *motion,
-                                       const tf_parallel *parallel,
-                                       tf_candidates *found, tf_flaw *flaw);
+                                       const tf_detect_options *options,
+                                       tf_candidates *found, tf_error *error);
 
 /// @}

@@ -4,11 +4,13 @@
 #include "arithmetic/exact.h"
 #include "base/environment.h"
 #include "base/require.h"
+#include "base/sized.h"
 #include "query/query.h"
 #include "surface/crossing.h"
 #include "surface/sort.h"
 #include "surface/surface_memory.h"
 
+#include <stddef.h>
 #include <string.h>
 
 //: Hold a check
@@ -102,6 +104,9 @@ static tf_status intersects(const check_job *job, const int vertex[],
 static bool take(tf_pair_sink *sink, int count, const tf_candidate pair[])
 {
     tf_worker *worker = (tf_worker *)sink;
+    const check_job *job = worker->job;
+    if (!tf_worker_goes_on(worker, job->surface->workers.watch, 0))
+        return false;
     for (int i = 0; i < count; i++) {
         tf_crossing own = crossing_of(worker->job, pair[i]);
         bool found = false;
@@ -171,30 +176,42 @@ static void join(tf_surface *surface, check_job *job, tf_crossing_kind kind,
 //: Check a surface
 static tf_status check(tf_surface *surface, check_job *job,
                        const tf_parallel *parallel, tf_crossings *found,
-                       tf_flaw *flaw)
+                       tf_error *error)
 {
-    tf_status status = tf_surface_move(surface, &job->rest, parallel, flaw);
+    tf_status status = tf_parallel_check(parallel, error);
+    if (status == TF_OK)
+        status = tf_surface_move(surface, &job->rest, parallel, error);
     if (status != TF_OK)
         return status;
     if (!tf_workers_begin(&surface->workers, tf_parallel_workers(parallel),
                           job))
-        return TF_OUT_OF_MEMORY;
+        return tf_fail(error, TF_OUT_OF_MEMORY);
     if (surface->axes == 3) {
         join(surface, job, TF_EDGE_THROUGH_TRIANGLE, parallel);
         join(surface, job, TF_POINT_ON_TRIANGLE, parallel);
     }
     join(surface, job, TF_EDGE_ON_EDGE, parallel);
     status = tf_workers_status(&surface->workers);
-    return status == TF_OK ? gather(surface, found) : status;
+    return tf_fail(error, status == TF_OK ? gather(surface, found) : status);
 }
 
-tf_status tf_surface_check(tf_surface *surface, const double position[],
-                           int vertices, const tf_parallel *parallel,
-                           tf_crossings *found, tf_flaw *flaw)
+//: Check with the usual choices
+tf_status tf_surface_check(tf_surface *surface, int vertices,
+                           const double position[],
+                           const tf_check_options *options, tf_crossings *found,
+                           tf_error *error)
 {
     TF_REQUIRE(surface && position && found);
+    tf_check_options own;
+    size_t first = offsetof(tf_check_options, context) + sizeof own.context;
+    tf_status status = tf_options_read(&own, sizeof own, options, first, error);
+    if (status != TF_OK)
+        return status;
     check_job job = {.surface = surface,
-                     .rest = {vertices, position, position}};
-    tf_flaw unused;
-    return check(surface, &job, parallel, found, flaw ? flaw : &unused);
+                     .rest = {surface->axes, vertices, position, position}};
+    tf_watch watch, *outer = tf_workers_watch(&surface->workers, &watch,
+                                              own.progress, own.context);
+    status = check(surface, &job, own.parallel, found, error);
+    surface->workers.watch = outer;
+    return status;
 }

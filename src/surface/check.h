@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/api.h"
+#include "base/progress.h"
 #include "surface/parallel.h"
 #include "surface/surface.h"
 
@@ -35,6 +36,14 @@ typedef struct tf_crossings {
     const tf_crossing *crossing; ///< sorted by kind, then by vertices
 } tf_crossings;
 
+/// How to check.  All zero: on the caller's thread.
+typedef struct tf_check_options {
+    size_t size; ///< sizeof(tf_check_options); 0: that of version 1.0
+    const tf_parallel *parallel; ///< NULL: the caller's thread alone
+    tf_progress *progress;       ///< NULL: nothing is told
+    void *context;               ///< passed on to `progress`
+} tf_check_options;
+
 //: Declare how to check
 /// Finds where a surface at rest intersects itself, exactly.
 ///
@@ -50,17 +59,19 @@ typedef struct tf_crossings {
 /// tested.
 ///
 /// @param surface the surface
+/// @param vertices how many vertices have a position
 /// @param position the coordinates of its vertices, three each, in the plane
 ///     two
-/// @param vertices how many vertices have a position
-/// @param parallel the threads to use; NULL: the caller's alone
+/// @param options how; NULL: all zero
 /// @param[out] found the intersections, lent until the next call for this
 ///     surface; set only with TF_OK
-/// @param[out] flaw what is wrong where the status is not TF_OK; may be NULL
+/// @param[out] error what is wrong, if anything; may be NULL
 /// @return TF_OK; TF_BAD_COUNT if that is another number than the surface has;
-///     TF_NOT_FINITE; TF_BAD_ENVIRONMENT; or TF_OUT_OF_MEMORY
-TF_API tf_status tf_surface_check(tf_surface *surface, const double position[],
-                                  int vertices, const tf_parallel *parallel,
-                                  tf_crossings *found, tf_flaw *flaw);
+///     TF_BAD_OPTION; TF_NOT_FINITE; TF_BAD_ENVIRONMENT; TF_OUT_OF_MEMORY; or
+///     TF_CANCELLED
+TF_API tf_status tf_surface_check(tf_surface *surface, int vertices,
+                                  const double position[],
+                                  const tf_check_options *options,
+                                  tf_crossings *found, tf_error *error);
 
 /// @}

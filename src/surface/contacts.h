@@ -2,8 +2,10 @@
 #pragma once
 
 #include "base/api.h"
+#include "base/progress.h"
 #include "query/contact.h"
 #include "query/narrow_phase.h"
+#include "surface/parallel.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -34,10 +36,11 @@ typedef struct tf_surface_contact {
 /// What it took to find the contacts of a step: how many candidates there were
 /// (with TF_ANY_CONTACT, were tried), and how many of them were decided by what.
 typedef struct tf_detect_statistics {
-    size_t candidates; ///< pairs that share no vertex and whose boxes overlap
-    size_t by_axis;    ///< an axis separates the elements at both ends
-    size_t by_filter;  ///< by estimates with a bound on their error
-    size_t by_signs;   ///< by the signs of the arithmetic
+    size_t candidates;  ///< pairs that share no vertex and whose boxes overlap
+    size_t by_axis;     ///< an axis separates the elements at both ends
+    size_t by_filter;   ///< by estimates with a bound on their error
+    size_t by_signs;    ///< by the signs of the arithmetic
+    size_t reserved[4]; ///< 0; for the counts of later versions
 } tf_detect_statistics;
 
 /// The contacts of a step, and what it took to find them.
@@ -47,5 +50,17 @@ typedef struct tf_contacts {
     const tf_surface_contact *contact; ///< sorted by kind, then by vertices
     tf_detect_statistics statistics;   ///< what it took
 } tf_contacts;
+
+//: Declare how to detect
+/// How to detect.  All zero: all contacts, exactly, on the caller's thread.
+typedef struct tf_detect_options {
+    size_t size; ///< sizeof(tf_detect_options); 0: that of version 1.0
+    tf_contact_selection selection;      ///< which contacts are wanted
+    const tf_arithmetic *arithmetic;     ///< NULL: tf_exact
+    const tf_narrow_phase *narrow_phase; ///< NULL: tf_vectorized
+    const tf_parallel *parallel;         ///< NULL: the caller's thread alone
+    tf_progress *progress;               ///< NULL: nothing is told
+    void *context;                       ///< passed on to `progress`
+} tf_detect_options;
 
 /// @}

@@ -1,57 +1,69 @@
 //: Check the vertices of an element
 #include "surface/derive.h"
 
-#include "base/require.h"
+#include "base/fail.h"
 
 #include <limits.h>
 #include <stddef.h>
 
-static tf_status check_corners(int corners, const int corner[], int vertices,
-                               tf_flaw *flaw)
+/// Finds the first corner that is no vertex, or that is there twice; returns how
+/// many are good.
+static int good_corners(int corners, const int corner[], int vertices)
 {
     for (int i = 0; i < corners; i++) {
         bool bad = corner[i] < 0 || corner[i] >= vertices;
         for (int j = 0; j < i; j++)
             bad |= corner[j] == corner[i];
-        flaw->vertex = corner[i];
         if (bad)
-            return TF_BAD_INDEX;
+            return i;
+    }
+    return corners;
+}
+
+static tf_status check_elements(tf_subject element, int count, int corners,
+                                const int *corner, int vertices,
+                                tf_error *error)
+{
+    for (int i = 0; i < count; i++, corner += corners) {
+        int good = good_corners(corners, corner, vertices);
+        if (good < corners)
+            return tf_fail_index(error, element, (size_t)i, corner[good],
+                                 vertices);
     }
     return TF_OK;
 }
 
-static tf_status check_elements(tf_element element, int count, int corners,
-                                const int *corner, int vertices, tf_flaw *flaw)
+//: Check the counts of a mesh
+/// Every index must be an int, also that of an edge or of a coordinate.
+static bool are_countable(const tf_mesh *mesh)
 {
-    for (int i = 0; i < count; i++) {
-        *flaw = (tf_flaw){.element = element, .index = i};
-        tf_status status = check_corners(
-            corners, corner + (size_t)i * (size_t)corners, vertices, flaw);
-        if (status != TF_OK)
-            return status;
-    }
-    *flaw = (tf_flaw){.element = TF_NO_ELEMENT};
-    return TF_OK;
+    return mesh->vertices <= INT_MAX / mesh->axes &&
+           mesh->edges <= INT_MAX / 2 &&
+           mesh->triangles <= (INT_MAX - mesh->edges) / 3;
+}
+
+static bool are_counted(const tf_mesh *mesh)
+{
+    return mesh->vertices >= 0 && mesh->triangles >= 0 && mesh->edges >= 0 &&
+           (mesh->triangle || mesh->triangles == 0) &&
+           (mesh->edge || mesh->edges == 0) && are_countable(mesh);
 }
 
 //: Check a mesh
-tf_status tf_mesh_check(const tf_mesh *mesh, tf_flaw *flaw)
+tf_status tf_mesh_check(const tf_mesh *mesh, tf_error *error)
 {
-    TF_REQUIRE(mesh->axes == 3 || (mesh->axes == 2 && mesh->triangles == 0));
-    TF_REQUIRE(mesh->vertices >= 0 && mesh->triangles >= 0 && mesh->edges >= 0);
-    TF_REQUIRE(mesh->triangle || mesh->triangles == 0);
-    TF_REQUIRE(mesh->edge || mesh->edges == 0);
-    *flaw = (tf_flaw){.element = TF_NO_ELEMENT};
+    if (mesh->axes != 3 && (mesh->axes != 2 || mesh->triangles != 0))
+        return tf_fail(error, TF_BAD_AXES);
+    if (!are_counted(mesh))
+        return tf_fail(error, TF_BAD_COUNT);
     if (mesh->triangles == 0 && mesh->edges == 0)
-        return TF_NO_ELEMENTS;
-    // Every index, also that of an edge, must be an int.
-    if (mesh->triangles > (INT_MAX - mesh->edges) / 3)
-        return TF_OUT_OF_MEMORY;
+        return tf_fail(error, TF_NO_ELEMENTS);
     tf_status status = check_elements(TF_TRIANGLE, mesh->triangles, 3,
-                                      mesh->triangle, mesh->vertices, flaw);
-    return status == TF_OK ? check_elements(TF_EDGE, mesh->edges, 2, mesh->edge,
-                                            mesh->vertices, flaw)
-                           : status;
+                                      mesh->triangle, mesh->vertices, error);
+    if (status == TF_OK)
+        status = check_elements(TF_EDGE, mesh->edges, 2, mesh->edge,
+                                mesh->vertices, error);
+    return status;
 }
 
 //: List the triangles

@@ -1,13 +1,14 @@
 //: Declare what is derived from a mesh
 #pragma once
 
-#include "base/status.h"
+#include "base/error.h"
 #include "surface/elements.h"
 #include "surface/mesh.h"
 
-/// Whether a mesh is good: TF_OK; TF_NO_ELEMENTS; TF_BAD_INDEX; or
-/// TF_OUT_OF_MEMORY if it has too many elements for an int to count.
-tf_status tf_mesh_check(const tf_mesh *mesh, tf_flaw *flaw);
+/// Whether a mesh is good: TF_OK; TF_BAD_AXES; TF_BAD_COUNT if a count is
+/// negative, if there are elements without a list, or if an int cannot count all
+/// coordinates or all edges; TF_NO_ELEMENTS; or TF_BAD_INDEX.
+tf_status tf_mesh_check(const tf_mesh *mesh, tf_error *error);
 
 /// Lists the triangles of a good mesh, each once.  False if there is no memory.
 bool tf_mesh_triangles(const tf_mesh *mesh, tf_elements *list,

@@ -3,7 +3,7 @@
 
 #include "arithmetic/exact.h"
 #include "arithmetic/functions.h"
-#include "base/require.h"
+#include "base/sized.h"
 #include "surface/pairs.h"
 #include "surface/surface_memory.h"
 
@@ -11,45 +11,62 @@
 #include <stddef.h>
 
 //: Check that an arithmetic can hold all positions
-static tf_status check_range(const tf_surface *surface, const tf_pair_job *job,
-                             tf_flaw *flaw)
+/// Whether it holds those of a vertex at one end of the step.
+static bool holds(const tf_arithmetic *arithmetic, int axes, const double x[],
+                  int vertex)
 {
-    int axes = surface->axes;
-    if (tf_arithmetic_bits(job->arithmetic, axes) == 0)
+    bool held = true;
+    for (int k = 0; k < axes; k++)
+        held = held && tf_arithmetic_holds(arithmetic, axes,
+                                           x[(ptrdiff_t)axes * vertex + k]);
+    return held;
+}
+
+static tf_status check_range(const tf_pair_job *job, tf_error *error)
+{
+    const tf_motion *motion = job->motion;
+    const double *ends[] = {motion->start, motion->end};
+    if (tf_arithmetic_bits(job->arithmetic, motion->axes) == 0)
         return TF_OK;
-    for (int v = 0; v < surface->vertices; v++)
-        for (int k = 0; k < axes; k++) {
-            size_t place = (size_t)axes * (size_t)v + (size_t)k;
-            if (tf_arithmetic_holds(job->arithmetic, axes,
-                                    job->motion->start[place]) &&
-                tf_arithmetic_holds(job->arithmetic, axes,
-                                    job->motion->end[place]))
-                continue;
-            *flaw = (tf_flaw){TF_VERTEX, v, v};
-            return TF_OUT_OF_RANGE;
-        }
+    for (int v = 0; v < motion->vertices; v++)
+        for (int t = 0; t < 2; t++)
+            if (!holds(job->arithmetic, motion->axes, ends[t], v))
+                return tf_fail_vertex(error, TF_OUT_OF_RANGE, v, t);
     return TF_OK;
 }
 
 //: Detect the contacts of a surface
 static tf_status detect(tf_surface *surface, tf_pair_job *job,
                         const tf_parallel *parallel, tf_contacts *found,
-                        tf_flaw *flaw)
+                        tf_error *error)
 {
-    tf_status status = tf_surface_move(surface, job->motion, parallel, flaw);
+    tf_status status = tf_parallel_check(parallel, error);
+    if (status == TF_OK && (unsigned)job->selection > TF_ANY_CONTACT)
+        status = tf_fail_option(error, "selection", "one of its enumeration",
+                                job->selection);
     if (status == TF_OK)
-        status = check_range(surface, job, flaw);
+        status = tf_surface_move(surface, job->motion, parallel, error);
+    if (status == TF_OK)
+        status = check_range(job, error);
     if (status != TF_OK)
         return status;
-    return tf_pairs_find(surface, job, parallel, found);
+    return tf_fail(error, tf_pairs_find(surface, job, parallel, found));
+}
+
+//: Read how to detect
+tf_status tf_detect_options_read(tf_detect_options *to,
+                                 const tf_detect_options *from, tf_error *error)
+{
+    return tf_options_read(
+        to, sizeof *to, from,
+        offsetof(tf_detect_options, context) + sizeof to->context, error);
 }
 
 //: Detect with the usual choices
-tf_status tf_surface_detect(tf_surface *surface, const tf_motion *motion,
-                            const tf_detect_options *options,
-                            tf_contacts *found, tf_flaw *flaw)
+tf_status tf_detect(tf_surface *surface, const tf_motion *motion,
+                    const tf_detect_options *options, tf_contacts *found,
+                    tf_error *error)
 {
-    TF_REQUIRE(surface && motion && found);
     static const tf_detect_options usual;
     if (!options)
         options = &usual;
@@ -60,7 +77,10 @@ tf_status tf_surface_detect(tf_surface *surface, const tf_motion *motion,
         .narrow_phase =
             options->narrow_phase ? options->narrow_phase : &tf_reference,
         .selection = options->selection};
-    tf_flaw unused;
-    return detect(surface, &job, options->parallel, found,
-                  flaw ? flaw : &unused);
+    tf_watch watch,
+        *outer = tf_workers_watch(&surface->workers, &watch, options->progress,
+                                  options->context);
+    tf_status status = detect(surface, &job, options->parallel, found, error);
+    surface->workers.watch = outer;
+    return status;
 }

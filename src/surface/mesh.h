@@ -26,20 +26,4 @@ typedef struct tf_mesh {
     const int *edge;     ///< two indices each
 } tf_mesh;
 
-//: Declare what may be wrong with a surface
-/// The kinds of elements.
-typedef enum tf_element {
-    TF_NO_ELEMENT = 0, ///< none
-    TF_VERTEX,         ///< a vertex
-    TF_EDGE,           ///< an edge of no triangle
-    TF_TRIANGLE,       ///< a triangle
-} tf_element;
-
-/// What a status other than TF_OK is about, as far as it is about one element.
-typedef struct tf_flaw {
-    tf_element element; ///< TF_NO_ELEMENT: about none
-    int index;          ///< which one, in the list that the caller gave
-    int vertex;         ///< the index that is bad, or the vertex
-} tf_flaw;
-
 /// @}

@@ -120,11 +120,11 @@ static tf_pair_job job_of(const tf_contact_search *search)
 
 tf_status tf_pair_cache_build(tf_pair_cache *cache,
                               const tf_contact_search *search,
-                              tf_contacts *found, tf_flaw *flaw)
+                              tf_contacts *found, tf_error *error)
 {
     tf_surface *surface = search->surface;
     tf_status status =
-        tf_surface_move(surface, search->motion, search->parallel, flaw);
+        tf_surface_move(surface, search->motion, search->parallel, error);
     if (status != TF_OK)
         return status;
     if (!empty_lists(cache, tf_parallel_workers(search->parallel)) ||

@@ -4,6 +4,7 @@
 #include "arithmetic/clamped.h"
 #include "arithmetic/exact.h"
 #include "arithmetic/integer.h"
+#include "arithmetic/published.h"
 #include "query/edge_edge.h"
 #include "query/point_edge.h"
 #include "query/point_triangle.h"
@@ -114,11 +115,12 @@ static tf_status decide_by(const tf_arithmetic *arithmetic,
                           .count = (size_t)count,
                           .vertices = vertex};
     if (clearance && job->measures && narrow_phase->measure)
-        return narrow_phase->measure(arithmetic, &queries, verdict, separated,
-                                     clearance);
+        return narrow_phase->measure(narrow_phase->context, arithmetic,
+                                     &queries, verdict, separated, clearance);
     if (clearance)
         memset(clearance, 0, sizeof *clearance * (size_t)count);
-    return narrow_phase->decide(arithmetic, &queries, verdict, separated);
+    return narrow_phase->decide(narrow_phase->context, arithmetic, &queries,
+                                verdict, separated);
 }
 
 //: Distinguish the arithmetics
@@ -224,6 +226,8 @@ bool tf_pairs_take(tf_pair_sink *sink, int count, const tf_candidate pair[])
     const tf_pair_job *job = worker->job;
     batch *b = worker->batch.data;
     double *clearance = job->keep || job->measures ? worker->clearance : NULL;
+    if (!tf_worker_goes_on(worker, job->surface->workers.watch, 0))
+        return false;
     worker->status = decide_batch(job, count, pair, b, clearance);
     if (worker->status != TF_OK)
         return false;

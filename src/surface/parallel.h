@@ -18,7 +18,7 @@ typedef void tf_task(void *argument, int task, int worker);
 /// or whatever else there is.  The library starts no threads.  The answers are
 /// the same bits for any number of workers.
 typedef struct tf_parallel {
-    int workers; ///< how many tasks run at once at most, at least 1
+    int workers; ///< how many tasks run at once at most, from 1 to 4096
 
     /// Calls `run(argument, task, worker)` for each task from 0 to count - 1,
     /// in any order, and returns when all have returned.  What a task has

@@ -1,6 +1,7 @@
 //: Include what surfaces need
 #include "surface/surface.h"
 
+#include "base/fail.h"
 #include "base/memory.h"
 #include "base/require.h"
 #include "surface/derive.h"
@@ -8,22 +9,21 @@
 
 //: Create a surface
 tf_status tf_surface_create(const tf_mesh *mesh, tf_surface **surface,
-                            tf_flaw *flaw)
+                            tf_error *error)
 {
     TF_REQUIRE(mesh && surface);
-    tf_flaw unused;
-    tf_status status = tf_mesh_check(mesh, flaw ? flaw : &unused);
+    tf_status status = tf_mesh_check(mesh, error);
     if (status != TF_OK)
         return status;
     tf_surface *made = tf_allocate_zeroed(sizeof *made);
     if (!made || !tf_surface_refill(made, mesh)) {
         tf_surface_free(made);
-        return TF_OUT_OF_MEMORY;
+        return tf_fail(error, TF_OUT_OF_MEMORY);
     }
     // Most surfaces keep their mesh.
     tf_sort_workspace_free(&made->sort_workspace);
     *surface = made;
-    return TF_OK;
+    return tf_fail(error, TF_OK);
 }
 
 //: Free a surface

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/api.h"
-#include "base/status.h"
+#include "base/error.h"
 #include "surface/mesh.h"
 
 #include <stddef.h>
@@ -21,12 +21,15 @@ typedef struct tf_surface tf_surface;
 /// @param mesh the elements
 /// @param[out] surface the surface, to be freed by tf_surface_free; set only
 ///     with TF_OK
-/// @param[out] flaw what is wrong where the status is not TF_OK; may be NULL
-/// @return TF_OK; TF_NO_ELEMENTS if there are neither triangles nor edges;
+/// @param[out] error what is wrong, if anything; may be NULL
+/// @return TF_OK; TF_BAD_AXES, also for triangles in the plane; TF_BAD_COUNT if
+///     a count is negative, or its list missing, or so large that an int cannot
+///     count all coordinates or edges; TF_NO_ELEMENTS if there are neither
+///     triangles nor edges;
 ///     TF_BAD_INDEX if an element repeats an index or has that of no vertex; or
 ///     TF_OUT_OF_MEMORY
 TF_API tf_status tf_surface_create(const tf_mesh *mesh, tf_surface **surface,
-                                   tf_flaw *flaw);
+                                   tf_error *error);
 
 /// Frees a surface, and all that it lent.
 /// @param surface the surface; may be NULL

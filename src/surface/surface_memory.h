@@ -1,7 +1,8 @@
 //: Declare what a surface holds
 #pragma once
 
-#include "base/status.h"
+#include "base/error.h"
+#include "base/watch.h"
 #include "surface/box.h"
 #include "surface/elements.h"
 #include "surface/mesh.h"
@@ -16,7 +17,7 @@ typedef struct tf_surface {
     tf_tree vertex_tree, edge_tree, triangle_tree;
     tf_tree_workspace tree_workspace;
     tf_sort_workspace sort_workspace; ///< of the elements
-    tf_workers workers;
+    tf_workers workers; ///< with the watch over the call that they work for
     tf_buffer task_rows, task_places; ///< of the tasks that list candidates
     tf_buffer found;   ///< what was found last, lent to the caller
     tf_buffer sorting; ///< of these rows
@@ -28,8 +29,9 @@ typedef struct tf_surface {
 bool tf_surface_refill(tf_surface *surface, const tf_mesh *mesh);
 
 //: Declare how a surface moves
-/// Builds the trees for one step.  Returns TF_OK; TF_BAD_ENVIRONMENT;
-/// TF_BAD_COUNT if the motion has another number of vertices; TF_NOT_FINITE
-/// with the vertex in `flaw`; or TF_OUT_OF_MEMORY.
+/// Builds the trees for one step.  Sets the error to what it returns: TF_OK;
+/// TF_BAD_ENVIRONMENT; TF_BAD_AXES or TF_BAD_COUNT if the motion has other axes,
+/// or another number of vertices; TF_NOT_FINITE about a vertex;
+/// TF_OUT_OF_MEMORY; or TF_CANCELLED.
 tf_status tf_surface_move(tf_surface *surface, const tf_motion *motion,
-                          const tf_parallel *parallel, tf_flaw *flaw);
+                          const tf_parallel *parallel, tf_error *error);

@@ -1,16 +1,27 @@
 //: Run tasks in parallel
 #include "surface/tasks.h"
 
-#include "base/require.h"
+#include "base/fail.h"
 
 #include <stddef.h>
 
+enum {
+    MOST_WORKERS = 4096
+};
+
+tf_status tf_parallel_check(const tf_parallel *parallel, tf_error *error)
+{
+    if (parallel && (parallel->workers < 1 || parallel->workers > MOST_WORKERS))
+        return tf_fail_option(error, "parallel.workers", "from 1 to 4096",
+                              parallel->workers);
+    if (parallel && !parallel->for_each)
+        return tf_fail_option(error, "parallel.for_each", "a function", 0);
+    return TF_OK;
+}
+
 int tf_parallel_workers(const tf_parallel *parallel)
 {
-    if (!parallel)
-        return 1;
-    TF_REQUIRE(parallel->workers >= 1 && parallel->for_each);
-    return parallel->workers;
+    return parallel ? parallel->workers : 1;
 }
 
 void tf_parallel_for_each(const tf_parallel *parallel, int count, tf_task *run,

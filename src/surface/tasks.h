@@ -1,13 +1,18 @@
 //: Declare the serial default
 #pragma once
 
+#include "base/error.h"
 #include "surface/parallel.h"
+
+/// Whether there are threads to use: TF_OK, also if `parallel` is NULL, or
+/// TF_BAD_OPTION.
+tf_status tf_parallel_check(const tf_parallel *parallel, tf_error *error);
 
 /// Runs the tasks as `parallel` does, or one after another if it is NULL.
 void tf_parallel_for_each(const tf_parallel *parallel, int count, tf_task *run,
                           void *argument);
 
-/// How many workers there are; 1 if `parallel` is NULL.
+/// How many workers there are, if they are good; 1 if `parallel` is NULL.
 int tf_parallel_workers(const tf_parallel *parallel);
 
 //: Declare how to divide a range

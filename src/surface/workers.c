@@ -39,6 +39,23 @@ bool tf_workers_begin(tf_workers *workers, int count, const void *job)
     return true;
 }
 
+//: Watch workers
+tf_watch *tf_workers_watch(tf_workers *workers, tf_watch *watch,
+                           tf_progress *progress, void *context)
+{
+    tf_watch *outer = workers->watch;
+    if (progress)
+        workers->watch = tf_watch_begin(watch, progress, context);
+    return outer;
+}
+
+bool tf_worker_goes_on(tf_worker *worker, tf_watch *watch, size_t more)
+{
+    if (!tf_watch_done(watch, more))
+        worker->status = TF_CANCELLED;
+    return worker->status == TF_OK;
+}
+
 //: Keep what workers find
 void *tf_worker_add(tf_worker *worker, size_t size)
 {
@@ -116,6 +133,8 @@ static void join_part(void *argument, int task, int number)
     join_job *job = argument;
     tf_worker *worker = job->workers->worker[number];
     size_t begin = worker->rows;
+    if (!tf_worker_goes_on(worker, job->workers->watch, 1))
+        atomic_store(&job->stopped, true);
     if (!atomic_load(&job->stopped)) {
         tf_tree_join(job->s, job->t,
                      tf_range_part(job->s->packs[0], TF_JOIN_PART, task),
@@ -140,5 +159,6 @@ void tf_workers_join(tf_workers *workers, const tf_tree *s, const tf_tree *t,
     join_job job = {.workers = workers, .s = s, .t = t, .rows = rows};
     for (int i = 0; i < workers->count; i++)
         workers->worker[i]->sink.take = take;
+    tf_watch_stage(workers->watch, "pairs", (size_t)tf_join_tasks(s));
     tf_parallel_for_each(parallel, tf_join_tasks(s), join_part, &job);
 }

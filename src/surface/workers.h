@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/status.h"
+#include "base/watch.h"
 #include "surface/join.h"
 
 /// What one of several threads finds, in memory that is kept.
@@ -24,6 +25,7 @@ typedef struct tf_workers {
     int count;
     tf_worker **worker; ///< each has memory of its own
     tf_buffer storage;  ///< of these pointers
+    tf_watch *watch;    ///< over the call that they work for; or NULL
 } tf_workers;
 
 /// Readies workers for a job.  False if there is no memory.
@@ -38,6 +40,15 @@ void *tf_worker_add(tf_worker *worker, size_t size);
 /// memory.
 bool tf_worker_add_pairs(tf_worker *worker, int count,
                          const tf_candidate pair[]);
+
+/// Has a call be watched from now on, if there is a callback; returns the watch
+/// so far, which is to be put back when the call ends.
+tf_watch *tf_workers_watch(tf_workers *workers, tf_watch *watch,
+                           tf_progress *progress, void *context);
+
+/// Tells the watch that more of its stage is done; false, with a status, if the
+/// call is cancelled.
+bool tf_worker_goes_on(tf_worker *worker, tf_watch *watch, size_t more);
 
 /// The first status that is not TF_OK, or TF_OK.
 tf_status tf_workers_status(const tf_workers *workers);

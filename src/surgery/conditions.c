@@ -24,11 +24,11 @@ static tf_status check_places(const tf_mesh *mesh, const double position[],
 tf_status tf_check_mesh(const tf_mesh *mesh, const double position[],
                         tf_defect *defect)
 {
-    tf_flaw flaw;
-    tf_status status = tf_mesh_check(mesh, &flaw);
-    if (status == TF_BAD_INDEX && flaw.element == TF_TRIANGLE) {
-        defect->triangle = flaw.index;
-        defect->vertex[0] = flaw.vertex;
+    tf_error error;
+    tf_status status = tf_mesh_check(mesh, &error);
+    if (status == TF_BAD_INDEX && error.subject == TF_TRIANGLE) {
+        defect->triangle = (int)error.index;
+        defect->vertex[0] = error.vertex[0];
     } else if (status != TF_NO_ELEMENTS && mesh->edges > 0) {
         defect->vertex[0] = mesh->edge[0];
         defect->vertex[1] = mesh->edge[1];
@@ -143,7 +143,7 @@ static tf_status check_crossings(const tf_adaptive_surface *surface,
                                  tf_defect *defect)
 {
     tf_crossings found;
-    tf_status status = tf_surface_check(detection, position, surface->vertices,
+    tf_status status = tf_surface_check(detection, surface->vertices, position,
                                         NULL, &found, NULL);
     return status == TF_OK ? first_crossing(surface, &found, defect) : status;
 }

@@ -2,6 +2,8 @@
 
 #include "support/support.h"
 
+#include <string.h>
+
 static const struct {
     tf_error error;
     int first;
@@ -14,25 +16,34 @@ static const struct {
       .vertices = 12,
       .time = -1},
      0,
-     "triangle 7: there is no vertex 12; there are those from 0 to 11"},
+     "triangle 7: there is no vertex 12; they are numbered from 0 to 11"},
     {{.status = TF_BAD_INDEX,
       .vertex = {12},
       .vertices = 12,
       .subject = TF_EDGE},
      1,
-     "edge 0 at the start of the step: there is no vertex 13; there are those "
+     "edge 0 at the start of the step: there is no vertex 13; they are "
+     "numbered "
      "from 1 to 12"},
     {{.status = TF_BAD_INDEX,
-      .subject = TF_QUERY,
+      .subject = TF_BATCH_QUERY,
       .index = 1,
       .vertex = {3},
       .vertices = 12,
       .time = -1},
      0,
      "query 1: vertex 3 is there twice; give different ones"},
+    {{.status = TF_BAD_INDEX,
+      .subject = TF_TRIANGLE,
+      .index = 1,
+      .vertex = {3},
+      .vertices = 12,
+      .time = -1},
+     0,
+     "triangle 1: vertex 3 is a corner twice; delete the triangle or edge"},
     {{.status = TF_NOT_FINITE, .subject = TF_VERTEX, .index = 3, .time = 1},
      1,
-     "vertex 4 at the end of the step: a coordinate is infinite or NaN: give "
+     "vertex 4 at the end of the step: a coordinate is infinite or NaN; give "
      "finite positions"},
     {{.status = TF_BAD_OPTION,
       .subject = TF_OPTION,
@@ -45,22 +56,25 @@ static const struct {
       .subject = TF_POINT_TRIANGLE_PAIR,
       .vertex = {5, 1, 2, 3, -1}},
      0,
-     "vertex 5 lies on triangle 1 2 3 before the step begins; move them apart"},
+     "vertex 5 lies on triangle 1 2 3 (numbered from 0) before the step "
+     "begins; move them apart"},
     {{.status = TF_NOT_EMBEDDED,
       .subject = TF_EDGE_TRIANGLE_PAIR,
       .vertex = {0, 1, 2, 3, 4}},
      1,
-     "edge 1 2 passes through triangle 3 4 5; move them apart"},
+     "edge 1 2 passes through triangle 3 4 5 (numbered from 1); move them "
+     "apart"},
     {{.status = TF_NOT_EMBEDDED,
       .subject = TF_EDGE_EDGE_PAIR,
       .vertex = {0, 1, 2, 3, -1}},
      0,
-     "edge 0 1 meets edge 2 3; move them apart"},
+     "edge 0 1 meets edge 2 3 (numbered from 0); move them apart"},
     {{.status = TF_START_NOT_CLEAR,
       .subject = TF_POINT_EDGE_PAIR,
       .vertex = {0, 1, 2, -1, -1}},
      0,
-     "vertex 0 lies on edge 1 2 before the step begins; move them apart"},
+     "vertex 0 lies on edge 1 2 (numbered from 0) before the step begins; move "
+     "them apart"},
     {{.status = TF_EDGE_NOT_MANIFOLD, .subject = TF_EDGE, .vertex = {0, 1}},
      0,
      "edge 0 at the start of the step: the edge from vertex 0 to 1 belongs to "
@@ -87,15 +101,27 @@ static const struct {
      "them apart"},
     {{.status = TF_OUT_OF_MEMORY},
      0,
-     "not enough memory: divide the surface, or use a machine with more"},
+     "not enough memory; divide the surface, or use a machine with more"},
 };
 
 START_TEST(error_has_its_sentence)
 {
     char sentence[512];
-    tf_sentence_write(&expected[_i].error, expected[_i].first, sentence,
+    tf_sentence_write(&expected[_i].error, expected[_i].first, false, sentence,
                       sizeof sentence);
     ck_assert_str_eq(sentence, expected[_i].sentence);
+}
+END_TEST
+
+START_TEST(place_can_be_left_out)
+{
+    const tf_error error = {
+        .status = TF_BAD_MASS, .subject = TF_VERTEX, .index = 3, .time = -1};
+    char with[256], without[256];
+    tf_sentence_write(&error, 0, false, with, sizeof with);
+    tf_sentence_write(&error, 0, true, without, sizeof without);
+    ck_assert_str_eq(without, tf_status_message(TF_BAD_MASS));
+    ck_assert_str_eq(with + strlen("vertex 3: "), without);
 }
 END_TEST
 
@@ -105,6 +131,7 @@ Suite *suite(void)
     TCase *tcase = tcase_create("sentences");
     tcase_add_loop_test(tcase, error_has_its_sentence, 0,
                         sizeof expected / sizeof *expected);
+    tcase_add_test(tcase, place_can_be_left_out);
     suite_add_tcase(suite, tcase);
     return suite;
 }

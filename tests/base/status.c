@@ -9,27 +9,27 @@ static const struct {
     tf_status status;
     const char *matter, *mend;
 } messages[] = {
-    {TF_NOT_FINITE, "infinite or NaN", ": give finite positions"},
+    {TF_NOT_FINITE, "infinite or NaN", "; give finite positions"},
     {TF_OUT_OF_RANGE, "out of range", "; use exact"},
     {TF_BAD_INDEX, "index",
-     ": the vertices of an element or a query must be distinct"},
+     "; the vertices of an element or a query must be distinct"},
     {TF_BAD_ENVIRONMENT, "floating-point environment",
-     ": round to nearest and keep subnormal numbers, and compile without "
+     "; round to nearest and keep subnormal numbers, and compile without "
      "-ffast-math"},
-    {TF_NO_ELEMENTS, "no elements", ": give it a triangle or an edge"},
-    {TF_BAD_COUNT, "not those of this surface", ": give as many vertices"},
-    {TF_OUT_OF_MEMORY, "not enough memory", ": divide the surface"},
+    {TF_NO_ELEMENTS, "no elements", "; give it a triangle or an edge"},
+    {TF_BAD_COUNT, "not those of this surface", "; give as many vertices"},
+    {TF_OUT_OF_MEMORY, "not enough memory", "; divide the surface"},
     {TF_BAD_OPTION, "an option, tolerance or limit", " is not in its range"},
-    {TF_BAD_MASS, "inverse mass", ": use 0 for a vertex that is scripted"},
+    {TF_BAD_MASS, "inverse mass", "; use 0 for a vertex that is scripted"},
     {TF_START_NOT_CLEAR, "when the step starts",
-     ": start from a surface that does not intersect itself"},
-    {TF_EDGE_NOT_MANIFOLD, "an edge", ": give each edge one triangle or two"},
-    {TF_VERTEX_NOT_MANIFOLD, "at a vertex", ": give each its own vertex"},
-    {TF_COLLINEAR, "on one line", ": remove it, or move a corner off"},
-    {TF_NOT_EMBEDDED, "intersects or touches itself", ": move its parts away"},
+     "; start from a surface that does not intersect itself"},
+    {TF_EDGE_NOT_MANIFOLD, "an edge", "; give each edge one triangle or two"},
+    {TF_VERTEX_NOT_MANIFOLD, "at a vertex", "; give each its own vertex"},
+    {TF_COLLINEAR, "on one line", "; remove it, or move a corner off"},
+    {TF_NOT_EMBEDDED, "intersects or touches itself", "; move its parts away"},
     {TF_BAD_AXES, "axes must be 2", " and be that of the surface or the query"},
-    {TF_CANCELLED, "cancelled", ": nothing is changed"},
-    {TF_IN_USE, "memory is in use", ": set the allocator before"},
+    {TF_CANCELLED, "cancelled", "; nothing is changed"},
+    {TF_IN_USE, "memory is in use", "; set the allocator before"},
 };
 
 enum {

@@ -29,6 +29,7 @@
 #include "arithmetic/functions.h"
 #include "arithmetic/integer.h"
 #include "arithmetic/perturbed.h"
+#include "arithmetic/published.h"
 #include "arithmetic/six.h"
 #include "arithmetic/two_sum.h"
 #include "bench/measuring.h"

@@ -8,8 +8,8 @@
 //
 // Prints one line a source: the nudge, the queries, those with a contact, and
 // the contacts that are missed.  The same seed gives the same numbers.
-#include "arithmetic/clamped.h"
 #include "arithmetic/exact.h"
+#include "arithmetic/published.h"
 #include "support/judge.h"
 #include "support/support.h"
 

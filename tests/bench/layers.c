@@ -81,7 +81,7 @@ layers layers_new(int n, double gap, double reach)
                              .vertices = vertices,
                              .triangles = triangles,
                              .triangle = triangle},
-                    .motion = {vertices, start, end}};
+                    .motion = {3, vertices, start, end}};
 }
 
 void layers_free(layers *cloth)

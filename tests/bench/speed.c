@@ -23,6 +23,7 @@
 #include "bench/measuring.h"
 #include "bench/workloads.h"
 #include "fast/block_filter.h"
+#include "fast/detect.h"
 #include "fast/vectorized.h"
 #include "linear/cubic.h"
 #include "query/edge_edge.h"
@@ -30,7 +31,6 @@
 #include "support/generator.h"
 #include "support/memory.h"
 #include "surface/candidates.h"
-#include "surface/detect.h"
 
 #include <math.h>
 #include <stdbool.h>
@@ -103,7 +103,7 @@ static arrays arrays_of(const workload *w, int copies)
                           w->vertices == 1 ? TF_POINT_TRIANGLE : TF_EDGE_EDGE);
     for (size_t i = 0; i < a.count; i++)
         arrays_add(&a, i, &w->queries[i % (size_t)w->count]);
-    a.motion = (tf_motion){(int)(4 * a.count), a.start, a.end};
+    a.motion = (tf_motion){3, (int)(4 * a.count), a.start, a.end};
     return a;
 }
 
@@ -171,8 +171,8 @@ static size_t decide(arrays *a, const tf_narrow_phase *narrow_phase,
     a->queries.motion = &a->motion;
     a->queries.count = count;
     a->queries.vertices = a->vertex;
-    require(
-        narrow_phase->decide(&tf_exact, &a->queries, a->verdict, &separated));
+    require(narrow_phase->decide(narrow_phase->context, &tf_exact, &a->queries,
+                                 a->verdict, &separated));
     return count;
 }
 

@@ -14,11 +14,11 @@
 #include "arithmetic/exact.h"
 #include "bench/layers.h"
 #include "bench/measuring.h"
+#include "fast/detect.h"
 #include "program/threads.h"
 #include "query/edge_edge.h"
 #include "query/point_triangle.h"
 #include "surface/candidates.h"
-#include "surface/detect.h"
 #include "surface/surface_memory.h"
 
 #include <math.h>
@@ -72,9 +72,9 @@ static double count_pairs(const layers *cloth, const tf_surface *surface)
 static void time_moving(const layers *cloth, tf_surface *surface,
                         result *measured)
 {
-    tf_flaw flaw;
+    tf_error error;
     double start = nanoseconds(CLOCK_PROCESS_CPUTIME_ID);
-    require(tf_surface_move(surface, &cloth->motion, NULL, &flaw));
+    require(tf_surface_move(surface, &cloth->motion, NULL, &error));
     double time = nanoseconds(CLOCK_PROCESS_CPUTIME_ID) - start;
     measured->moving = fmin(measured->moving, time / cloth->mesh.triangles);
 }

@@ -52,14 +52,14 @@ static tally run(cloth_scene which, int edges, int steps,
     require(tf_resolver_create(surface, &resolver));
     tally sum = {0};
     for (int i = 0; i < steps; i++) {
-        tf_response_report report;
+        const tf_response_report *report;
         cloth_propose(cloth, end);
         double begin = processor_seconds();
         require(tf_step_resolve(resolver, cloth->mesh.vertices, cloth->position,
                                 end, cloth->inverse_mass, &options, &report,
                                 NULL));
         sum.time += processor_seconds() - begin;
-        account(&report, &sum);
+        account(report, &sum);
         cloth_accept(cloth, end);
     }
     tf_resolver_free(resolver);

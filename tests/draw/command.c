@@ -157,15 +157,43 @@ START_TEST(help_and_version_are_printed)
 }
 END_TEST
 
+/// Nothing is printed but letters with several meanings.
+START_TEST(a_letter_means_the_same_in_all_commands)
+{
+    const char *several =
+        say("{ for c in query detect check resolve remesh simulate; do "
+            "\"$TANGLEFREE\" $c --help; done; "
+            "for c in figure query surface film list; do draw $c --help; done; "
+            "} >helps; sed -n 's/^ *-\\(.\\), --\\([a-z-]*\\).*/\\1 \\2/p' "
+            "helps >letters; sort -u letters | cut -c 1 | uniq -d; "
+            "test $(wc -l <letters) -gt 50 && rm helps letters");
+    ck_assert_str_eq(several, "");
+}
+END_TEST
+
+START_TEST(old_letters_are_refused)
+{
+    refuse("tanglefree-draw figure: -t is an old spelling; write --theme",
+           "draw figure " FIGURE "-o a.png -t dark");
+    refuse("-t is an old spelling; write --theme",
+           "draw film f -tdark -o a.webp");
+    refuse("-m is an old spelling; write --motion",
+           "draw surface a b -m bent -o a.png");
+    refuse("-e is an old spelling; write --every",
+           "draw film f -e 2 -o a.webp");
+    refuse("-f is an old spelling; write --frame", "draw film f -f 2 -o a.png");
+}
+END_TEST
+
 START_TEST(bad_commands_are_refused)
 {
-    refuse("no command given; choose", "draw");
-    refuse(
-        "unknown command 'sketch'; choose figure, film, list, query or surface",
-        "draw sketch");
+    refuse("a command is required; --help lists the commands", "draw");
+    refuse("unknown command 'sketch'; --help lists the commands",
+           "draw sketch");
     refuse("unexpected 'all'; list takes no", "draw list all");
-    refuse("no figure given", "draw figure -o a.png");
-    refuse("unknown figure 'edge'; choose one of ",
+    refuse("a figure is required; 'tanglefree-draw list' lists the figures",
+           "draw figure -o a.png");
+    refuse("unknown figure 'edge'; 'tanglefree-draw list' lists the figures",
            "draw figure edge -o a.png");
     refuse("draw one figure at a time", "draw figure edge-sweep edge-sweep");
     refuse("unrecognized option", "draw figure --colour red");
@@ -177,11 +205,13 @@ START_TEST(bad_settings_are_refused)
     static const struct {
         const char *words, *arguments;
     } bad[] = {
-        {"no output file given; add -o", ""},
-        {"must end in .png, .pdf or .svg", "-o a.bmp"},
+        {"--output FILE or --animate FILE is required: the picture or the film",
+         ""},
+        {"--output must end in .png, .pdf or .svg, got 'a.bmp'", "-o a.bmp"},
         {"must end in .png, .pdf or .svg", "-o png"},
         {"must end in .png, .pdf or .svg", "-o ./.png"},
-        {"must end in .mp4, .gif, .webp or .png", "--animate a.bmp"},
+        {"--animate must end in .mp4, .gif, .webp or .png, got 'a.bmp'",
+         "--animate a.bmp"},
         {"--size must be width and height, such as", "-o a.png --size 0x0"},
         {"--size must be width and height, such as",
          "-o a.png --size 100000x100"},
@@ -195,28 +225,30 @@ START_TEST(bad_settings_are_refused)
         {"--size must be width and height, such as", "-o a.png --size 16:0"},
         {"--size must be width and height, such as", "-o a.png --size 101:1"},
         {"--size must be width and height, such as", "-o a.png --size 4:3:2"},
-        {"a picture must be 16 to 16384 pixels", "-o a.png --size 1:100"},
-        {"invalid --title '$x'; write UTF-8, close each $",
+        {"a picture must be from 16 to 16384 pixels", "-o a.png --size 1:100"},
+        {"--title must be UTF-8 that closes each $, * and { and has \\$, \\* "
+         "and "
+         "\\\\ for the signs themselves, got '$x'",
          "-o a.png --title '$x'"},
-        {"--panel must be a whole number from 1 to ", "-o a.png --panel 0"},
-        {"--panel: there is no panel 9; the picture has ",
+        {"--panel must be an integer from 1 to ", "-o a.png --panel 0"},
+        {"--panel: there is no panel 9; they are numbered from 1 to ",
          "-o a.png --panel 9"},
         {"there is no panel 9", "--animate a.png --turntable --panel 9"},
-        {"invalid --labels 'q'; choose none", "-o a.png --labels q"},
-        {"--dpi must be a whole number from 1 to 4800, got '0'",
+        {"--labels must be none", "-o a.png --labels q"},
+        {"--dpi must be an integer from 1 to 4800, got '0'",
          "-o a.png --dpi 0"},
-        {"--dpi must be a whole number from 1 to 4800, got 'x'",
+        {"--dpi must be an integer from 1 to 4800, got 'x'",
          "-o a.png --dpi x"},
-        {"a picture must be 16 to 16384 pixels", "-o a.png --dpi 1"},
+        {"a picture must be from 16 to 16384 pixels", "-o a.png --dpi 1"},
         {"--theme must be light or dark, got 'pink'", "-o a.png --theme pink"},
         {"--view must be two angles in degrees", "-o a.png --view 30"},
         {"--view must be two angles in degrees", "-o a.png --view a,b"},
         {"--view must be two angles in degrees", "-o a.png --view 0,91"},
         {"--view must be two angles in degrees", "-o a.png --view 1e400,0"},
         {"--view must be two angles in degrees", "-o a.png --view 1,2,3"},
-        {"--frames must be a whole number from 1 to 10000, got '0'",
+        {"--frames must be an integer from 1 to 10000, got '0'",
          "--animate a.gif --frames 0"},
-        {"--fps must be a whole number from 1 to 120, got '-1'",
+        {"--fps must be an integer from 1 to 120, got '-1'",
          "--animate a.gif --fps -1"},
         {"an .mp4 file or a sheet cannot be transparent",
          "--animate a.mp4 --transparent"},
@@ -237,34 +269,35 @@ END_TEST
 
 START_TEST(bad_queries_are_refused)
 {
-    refuse("invalid --labels 'p,a'; choose none, or give 3 names, one a "
-           "vertex, such as q,u,v",
+    refuse("--labels must be none or 3 names, one a vertex, such as q,u,v, "
+           "got 'p,a'",
            "draw query " QUERY "-o a.png --labels p,a");
-    refuse("invalid --labels 'p,,b'",
+    refuse("such as q,u,v, got 'p,,b'",
            "draw query " QUERY "-o a.png --labels p,,b");
-    refuse("invalid --labels '$p_{'$'; write UTF-8",
+    refuse("--labels must be UTF-8 that closes each $, ",
            "draw query " QUERY "-o a.png --labels p_{,a,b");
-    refuse("the time must be from 0 to 1, got '2'",
+    refuse("--at must be from 0 to 1, got '2'",
            "draw query " QUERY "-o a.png --at 2");
     refuse("--at is for pictures; add -o",
            "draw query " QUERY "--animate a.gif --at 0.5");
-    refuse("no query given", "draw query -k edge-edge -o a.png");
+    refuse("a query is required: FILE:N", "draw query -k edge-edge -o a.png");
     refuse("--kind KIND is required", "draw query x:0 -o a.png");
     refuse("--kind must be point-edge", "draw query x:0 -k knot -o a.png");
-    refuse("'x' is not a query; write FILE:N",
+    refuse("a query must be FILE:N, where N is its number in the file, from 0, "
+           "got 'x'",
            "draw query x -k edge-edge -o a.png");
-    refuse("'x:-1' is not a query", "draw query x:-1 -k edge-edge -o a.png");
-    refuse("'x:1y' is not a query", "draw query x:1y -k edge-edge -o a.png");
-    refuse("'x:99999999999999999999' is not a query",
+    refuse("from 0, got 'x:-1'", "draw query x:-1 -k edge-edge -o a.png");
+    refuse("from 0, got 'x:1y'", "draw query x:1y -k edge-edge -o a.png");
+    refuse("from 0, got 'x:99999999999999999999'",
            "draw query x:99999999999999999999 -k edge-edge -o a.png");
     refuse("draw one query at a time",
            "draw query x:0 y:0 -k edge-edge -o a.png");
     refuse("tanglefree-draw: x: cannot open: ",
            "draw query x:0 -k edge-edge -o a.png");
-    refuse("point-edge.csv: there is no query 7; the file has 7, numbered from "
-           "0 to 6",
+    refuse("point-edge.csv: there is no query 7; they are numbered from 0 to "
+           "6",
            "draw query \"$QUERIES\"/point-edge.csv:7 -k point-edge -o a.png");
-    refuse("tanglefree-draw: /dev/stdin:2: column 1 is \"x\"",
+    refuse("tanglefree-draw: /dev/stdin:2: column 1 is 'x'",
            "printf '0,0\\nx,0\\n' | draw query /dev/stdin:0 -k point-edge -o "
            "a.png");
 }
@@ -272,19 +305,18 @@ END_TEST
 
 START_TEST(bad_surfaces_are_refused)
 {
-    refuse("no surface given; add its file", "draw surface -o a.png");
+    refuse("a surface is required: its file", "draw surface -o a.png");
     refuse("unexpected 'c'; give one START and one END",
            "draw surface a b c -o a.png");
     refuse("--motion must be bent or straight, got 'wild'",
-           "draw surface a b -m wild -o a.png");
+           "draw surface a b --motion wild -o a.png");
     refuse("--up must be x, y or z, got 'w'", "draw surface a -u w -o a.png");
     refuse("--up must be x, y or z, got ''", "draw surface a -u '' -o a.png");
-    refuse("the time must be from 0 to 1, got '1.5'",
+    refuse("--at must be from 0 to 1, got '1.5'",
            "draw surface a b --time 1.5 -o a.png");
-    refuse("the time must be from 0 to 1, got 'x'",
+    refuse("--at must be from 0 to 1, got 'x'",
            "draw surface a b --time x -o a.png");
-    refuse("--time is for steps; add END",
-           "draw surface a --time 0.5 -o a.png");
+    refuse("--at is for steps; add END", "draw surface a --time 0.5 -o a.png");
     refuse("--motion is for steps", "draw surface a --motion bent -o a.png");
     refuse("nothing moves without END; add it, or --turntable",
            "draw surface a --animate a.gif");
@@ -303,7 +335,7 @@ START_TEST(bad_meshes_are_refused)
         "tanglefree-draw: q.obj: the number of vertices is 3, but 6 in a.obj; "
         "all files must have the same elements",
         MESHES "draw surface a.obj q.obj -o a.png" CLEAR);
-    refuse("standard input:4: there is no vertex 9; the file has those from 1 "
+    refuse("standard input:4: there is no vertex 9; they are numbered from 1 "
            "to 3",
            "printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n' | "
            "draw surface - -o a.png");
@@ -316,16 +348,18 @@ END_TEST
 
 START_TEST(bad_films_are_refused)
 {
-    refuse("no folder given; add the one", "draw film -o a.webp");
+    refuse("a folder is required: one that 'tanglefree simulate' wrote",
+           "draw film -o a.webp");
     refuse("unexpected 'b'; draw one film at a time",
            "draw film a b -o a.webp");
-    refuse("no output file given; add -o FILE.webp", "draw film a");
-    refuse("the output 'a.bmp' must end in .webp, .gif or .mp4, in .png, .pdf "
-           "or .svg, or in / for a folder",
-           "draw film a -o a.bmp");
-    refuse("--every must be a whole number from 1 to ",
+    refuse("--output FILE is required: the film or the picture", "draw film a");
+    refuse(
+        "--output must end in .webp, .gif or .mp4, in .png, .pdf or .svg, or "
+        "in / for a folder, got 'a.bmp'",
+        "draw film a -o a.bmp");
+    refuse("--every must be an integer from 1 to ",
            "draw film a -o a.webp --every 0");
-    refuse("--frame must be a whole number from 0 to ",
+    refuse("--frame must be an integer from 0 to ",
            "draw film a -o a.png --frame -1");
     refuse("--frame is for pictures; drop it",
            "draw film a -o a.webp --frame 1");
@@ -353,10 +387,10 @@ START_TEST(bad_frames_are_refused)
     refuse("tanglefree-draw: f/frame-00002.ply: the number of vertices is 4, "
            "but 7 in f/frame-00001.ply; all files must have the same",
            FRAMES "cp g/*2.ply f; draw film f -o a.webp" CLEAR_FRAMES);
-    refuse("tanglefree-draw: f/frame-00003.ply:16: \"x\" is not a finite",
+    refuse("tanglefree-draw: f/frame-00003.ply:16: 'x' is not a finite",
            FRAMES "sed 's/^1 1 1/1 x 1/' f/*0.ply >f/frame-00003.ply; "
                   "draw film f -o a.webp" CLEAR_FRAMES);
-    refuse("tanglefree-draw: f: there is no frame 4; the folder has 4, "
+    refuse("tanglefree-draw: f: there is no frame 4; they are "
            "numbered from 0 to 3",
            FRAMES "draw film f -o a.png --frame 4" CLEAR_FRAMES);
     refuse("no/a.png: cannot write: ",
@@ -374,8 +408,8 @@ END_TEST
 
 START_TEST(outputs_that_cannot_be_written_are_refused)
 {
-    refuse("no/a.png: cannot write: No such file or directory; check the "
-           "folder",
+    refuse("no/a.png: cannot write: No such file or directory; mend that, and "
+           "run again",
            "draw figure " FIGURE "-o no/a.png");
     refuse("no/a.gif: cannot write: ", "draw figure " FIGURE "--animate "
                                        "no/a.gif");
@@ -406,7 +440,7 @@ START_TEST(names_send_no_commands_to_the_terminal)
                                         "query %s -k edge-edge -o a.png",
                                         "query a:0 -k %s -o a.png",
                                         "surface a b %s -o a.png",
-                                        "surface a b -m %s -o a.png",
+                                        "surface a b --motion %s -o a.png",
                                         "surface a b -u %s -o a.png",
                                         "surface a b -T %s -o a.png",
                                         "film a %s -o a.png",
@@ -460,7 +494,7 @@ START_TEST(pictures_are_the_same_every_time)
         say("head -c 5 a1.%s | grep -a \"^$(printf '%s')\"", ending,
             kinds[i].start);
     }
-    say("draw figure " FIGURE "-t dark -x -v 30,-20 -o a2.png");
+    say("draw figure " FIGURE "--theme dark -x -v 30,-20 -o a2.png");
     say("! cmp a1.png a2.png");
     ck_assert_str_eq(say("umask 027; draw figure " FIGURE "-o c.png >d; "
                          "stat -c %%a c.png; ls -A | grep '^\\.'; true"),
@@ -538,10 +572,17 @@ END_TEST
 
 START_TEST(panels_titles_and_labels_show)
 {
-    static const char *const options[] = {
-        "",           "--title A",     "--title B",        "--panel 1",
-        "--panel 2",  "--labels none", "--labels q,a,b",   "--at 0.25",
-        "--at 0.375", "--coordinates", "--panel 1 -t dark"};
+    static const char *const options[] = {"",
+                                          "--title A",
+                                          "--title B",
+                                          "--panel 1",
+                                          "--panel 2",
+                                          "--labels none",
+                                          "--labels q,a,b",
+                                          "--at 0.25",
+                                          "--at 0.375",
+                                          "--coordinates",
+                                          "--panel 1 --theme dark"};
     enum {
         COUNT = sizeof options / sizeof *options
     };
@@ -638,9 +679,10 @@ START_TEST(surfaces_print_their_counts)
         "time 0.25\n");
     ck_assert_ptr_null(
         strstr(say(MESHES "draw surface a.obj " SMALL " -o a.png"), "time"));
-    say(MESHES "for m in bent straight; do draw surface a.obj b.obj -m $m "
-               "--time 0.3 " SMALL " -o $m.png || exit 1; done; "
-               "! cmp bent.png straight.png");
+    say(MESHES
+        "for m in bent straight; do draw surface a.obj b.obj --motion $m "
+        "--time 0.3 " SMALL " -o $m.png || exit 1; done; "
+        "! cmp bent.png straight.png");
     say(MESHES "for u in x y z; do draw surface a.obj -u $u " SMALL
                " -o u$u.png || exit 1; done; ! cmp ux.png uy.png && "
                "! cmp uy.png uz.png");
@@ -717,7 +759,7 @@ START_TEST(frames_are_drawn)
     say("test \"$(ls p)\" = \"frame-00000.png\nframe-00001.png\"");
     expect_words(say("draw film g " SMALL " -o p/ --every 99"), "frames 1\n");
     say("draw film f " SMALL " -o p.png --frame 0 && draw film f " SMALL
-        " -o q.png && draw film f " SMALL " -v 90,10 -t dark -o r.png && "
+        " -o q.png && draw film f " SMALL " -v 90,10 --theme dark -o r.png && "
         "! cmp p.png q.png && ! cmp q.png r.png");
     say("draw film f --size 32x48 -o p.png && od -An -tu1 -j16 -N8 p.png | "
         "grep -x '   0   0   0  32   0   0   0  48'");
@@ -744,6 +786,8 @@ Suite *suite(void)
 {
     const TTest *const tests[] = {
         help_and_version_are_printed,
+        a_letter_means_the_same_in_all_commands,
+        old_letters_are_refused,
         bad_commands_are_refused,
         bad_settings_are_refused,
         bad_queries_are_refused,

@@ -1,5 +1,6 @@
 #include "draw/surface_picture.h"
 
+#include "fast/detect.h"
 #include "support/picture_folder.h"
 #include "support/support.h"
 #include "support/surface_of.h"
@@ -24,18 +25,18 @@ static void mark(trial *tried, bool steps)
     const tf_motion *motion = &tried->made.motion;
     tf_contacts contacts;
     tf_crossings crossings;
-    tf_flaw flaw;
+    tf_error error;
     shown->marked = true;
     if (steps) {
         ck_assert_int_eq(
-            tf_surface_detect(tried->surface, motion, NULL, &contacts, &flaw),
+            tf_surface_detect(tried->surface, motion, NULL, &contacts, &error),
             TF_OK);
         ck_assert(
             fig_marks_of_contacts(&shown->marks, &shown->shape, &contacts));
     } else {
-        ck_assert_int_eq(tf_surface_check(tried->surface, motion->start,
-                                          motion->vertices, NULL, &crossings,
-                                          &flaw),
+        ck_assert_int_eq(tf_surface_check(tried->surface, motion->vertices,
+                                          motion->start, NULL, &crossings,
+                                          &error),
                          TF_OK);
         ck_assert(
             fig_marks_of_crossings(&shown->marks, &shown->shape, &crossings));
@@ -146,9 +147,9 @@ START_TEST(spots_are_on_both_elements)
         begin(&tried, &random, 2 + (int)(n % 2), ANYWHERE, true);
         const fig_shape *shape = &tried.shown.shape;
         tf_contacts found;
-        tf_flaw flaw;
+        tf_error error;
         ck_assert_int_eq(tf_surface_detect(tried.surface, &tried.made.motion,
-                                           NULL, &found, &flaw),
+                                           NULL, &found, &error),
                          TF_OK);
         fig_marks *marks = &tried.shown.marks;
         ck_assert(fig_marks_of_contacts(marks, shape, &found));
@@ -183,11 +184,11 @@ START_TEST(intersections_are_on_both_elements)
               false);
         const fig_shape *shape = &tried.shown.shape;
         tf_crossings found;
-        tf_flaw flaw;
-        ck_assert_int_eq(tf_surface_check(tried.surface, tried.made.start,
-                                          tried.made.mesh.vertices, NULL,
-                                          &found, &flaw),
-                         TF_OK);
+        tf_error error;
+        ck_assert_int_eq(
+            tf_surface_check(tried.surface, tried.made.mesh.vertices,
+                             tried.made.start, NULL, &found, &error),
+            TF_OK);
         fig_marks *marks = &tried.shown.marks;
         ck_assert(fig_marks_of_crossings(marks, shape, &found));
         ck_assert_int_eq(marks->count, (int)found.count);
@@ -246,7 +247,7 @@ static void begin_square(trial *tried, int axis)
         count += 2;
     }
     const tf_mesh mesh = {3, SIDE * SIDE, count, *triangle, 0, NULL};
-    const tf_motion rest = {SIDE * SIDE, *at, *at};
+    const tf_motion rest = {3, SIDE * SIDE, *at, *at};
     memset(&tried->shown, 0, sizeof tried->shown);
     tried->surface = surface_of(&mesh);
     ck_assert(fig_shape_make(&tried->shown.shape, tried->surface, 3, &rest,

@@ -20,7 +20,7 @@ static query_kind kind_of(int i)
 static void measure(const batch *b, double clearance[])
 {
     size_t separated = 0;
-    ck_assert_int_eq(tf_vectorized.measure(&tf_exact, &b->queries,
+    ck_assert_int_eq(tf_vectorized.measure(NULL, &tf_exact, &b->queries,
                                            b->verdict[0], &separated,
                                            clearance),
                      TF_OK);
@@ -30,9 +30,9 @@ static void measure(const batch *b, double clearance[])
 static void decide(const batch *b)
 {
     size_t separated = 0;
-    ck_assert_int_eq(
-        tf_reference.decide(&tf_exact, &b->queries, b->verdict[1], &separated),
-        TF_OK);
+    ck_assert_int_eq(tf_reference.decide(NULL, &tf_exact, &b->queries,
+                                         b->verdict[1], &separated),
+                     TF_OK);
 }
 
 // What is within the clearance stays apart ------------------------------------
@@ -132,13 +132,13 @@ END_TEST
 static double clearance_of(tf_kind kind, const double start[12],
                            const double end[12])
 {
-    tf_motion motion = {4, start, end};
+    tf_motion motion = {3, 4, start, end};
     const int vertex[] = {0, 1, 2, 3};
     tf_queries queries = {kind, &motion, 1, vertex};
     tf_verdict verdict;
     size_t separated = 0;
     double clearance;
-    ck_assert_int_eq(tf_vectorized.measure(&tf_exact, &queries, &verdict,
+    ck_assert_int_eq(tf_vectorized.measure(NULL, &tf_exact, &queries, &verdict,
                                            &separated, &clearance),
                      TF_OK);
     return clearance;

@@ -139,7 +139,7 @@ static bool is_estimated(tf_kind kind, double z, double side)
     double end[12];
     memcpy(end, start, sizeof end);
     end[2] -= 2;
-    tf_motion motion = {4, start, end};
+    tf_motion motion = {3, 4, start, end};
     const int vertex[] = {0, 1, 2, 3};
     tf_contact contact;
     return tf_contact_estimate(kind, &motion, vertex, &contact);

@@ -53,7 +53,7 @@ static void fill(some_queries *all, generator *random, tf_kind kind)
     all->end = coordinates(random, vertices);
     for (int i = 0; i < QUERIES; i++)
         choose_vertices(random, vertices, all->vertex + (ptrdiff_t)4 * i);
-    all->motion = (tf_motion){vertices, all->start, all->end};
+    all->motion = (tf_motion){3, vertices, all->start, all->end};
     all->queries = (tf_queries){kind, &all->motion, QUERIES, all->vertex};
 }
 
@@ -145,7 +145,7 @@ START_TEST(a_scene_without_vertices_has_no_good_index)
 {
     static const int counts[] = {0, -1};
     static const int vertex[] = {0, 1, 2, 3};
-    tf_motion motion = {.vertices = counts[_i]};
+    tf_motion motion = {.axes = 3, .vertices = counts[_i]};
     tf_queries one = {TF_EDGE_EDGE, &motion, 1, vertex};
     tf_query_block block[BLOCKS];
     ck_assert(!tf_gather(&one, 0, 1, block));

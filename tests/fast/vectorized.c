@@ -5,6 +5,7 @@
 #include "arithmetic/exact.h"
 #include "arithmetic/integer.h"
 #include "arithmetic/perturbed.h"
+#include "arithmetic/published.h"
 #include "query/query.h"
 #include "support/environments.h"
 #include "support/families.h"
@@ -67,7 +68,7 @@ START_TEST(integers_are_decided_by_the_reference)
     compare_batch(&b, &tf_integer128, "lattice");
     b.start[100] = 0.5;
     size_t separated = 0;
-    ck_assert_int_eq(tf_vectorized.decide(&tf_integer128, &b.queries,
+    ck_assert_int_eq(tf_vectorized.decide(NULL, &tf_integer128, &b.queries,
                                           b.verdict[0], &separated),
                      TF_OUT_OF_RANGE);
     batch_free(&b);
@@ -99,10 +100,10 @@ START_TEST(measuring_changes_no_verdict)
         batch_fill(&b, &random, &families[_i / 2], kind_of(_i), count);
         for (int i = 0; i < 2 * BATCH; i++)
             clearance[i] = -42;
-        ck_assert_int_eq(tf_vectorized.decide(arithmetics[k], &b.queries,
+        ck_assert_int_eq(tf_vectorized.decide(NULL, arithmetics[k], &b.queries,
                                               b.verdict[0], &separated[0]),
                          TF_OK);
-        ck_assert_int_eq(tf_vectorized.measure(arithmetics[k], &b.queries,
+        ck_assert_int_eq(tf_vectorized.measure(NULL, arithmetics[k], &b.queries,
                                                b.verdict[1], &separated[1],
                                                clearance),
                          TF_OK);
@@ -124,7 +125,7 @@ START_TEST(what_the_reference_decides_has_no_clearance)
     static double clearance[BATCH];
     clearance[0] = clearance[BATCH - 1] = 42;
     size_t separated = 0;
-    ck_assert_int_eq(tf_vectorized.measure(&tf_integer64, &b.queries,
+    ck_assert_int_eq(tf_vectorized.measure(NULL, &tf_integer64, &b.queries,
                                            b.verdict[0], &separated, clearance),
                      TF_OK);
     for (int i = 0; i < BATCH; i++)
@@ -149,14 +150,14 @@ START_TEST(the_plane_is_left_to_the_reference)
         vertex[i + 1] = 20 + corner;
         vertex[i + 2] = 20 + (corner + step) % 20;
     }
-    tf_motion motion = {40, start, end};
+    tf_motion motion = {2, 40, start, end};
     tf_queries queries = {TF_POINT_EDGE, &motion, 100, vertex};
     tf_verdict verdict[2][100];
     size_t separated[2] = {0};
-    ck_assert_int_eq(
-        tf_vectorized.decide(&tf_exact, &queries, verdict[0], &separated[0]),
-        TF_OK);
-    tf_reference.decide(&tf_exact, &queries, verdict[1], &separated[1]);
+    ck_assert_int_eq(tf_vectorized.decide(NULL, &tf_exact, &queries, verdict[0],
+                                          &separated[0]),
+                     TF_OK);
+    tf_reference.decide(NULL, &tf_exact, &queries, verdict[1], &separated[1]);
     ck_assert_mem_eq(verdict[0], verdict[1], sizeof verdict[0]);
     ck_assert_uint_eq(separated[0], separated[1]);
 }
@@ -207,9 +208,9 @@ static tf_status try_both(batch *b, const tf_arithmetic *arithmetic)
     size_t bytes = b->queries.count * sizeof(tf_verdict), separated[2] = {0};
     memset(b->verdict[0], 42, bytes);
     memset(b->verdict[1], 42, bytes);
-    tf_status expected = tf_reference.decide(arithmetic, &b->queries,
+    tf_status expected = tf_reference.decide(NULL, arithmetic, &b->queries,
                                              b->verdict[0], &separated[0]);
-    tf_status status = tf_vectorized.decide(arithmetic, &b->queries,
+    tf_status status = tf_vectorized.decide(NULL, arithmetic, &b->queries,
                                             b->verdict[1], &separated[1]);
     ck_assert_int_eq(status, expected);
     ck_assert_uint_eq(separated[0], separated[1]);
@@ -246,8 +247,8 @@ START_TEST(a_broken_environment_is_reported)
     b.queries.motion = &b.motion;
     size_t separated = 0;
     environment_break(_i);
-    tf_status status =
-        tf_vectorized.decide(&tf_exact, &b.queries, b.verdict[0], &separated);
+    tf_status status = tf_vectorized.decide(NULL, &tf_exact, &b.queries,
+                                            b.verdict[0], &separated);
     environment_restore();
     ck_assert_int_eq(status, TF_BAD_ENVIRONMENT);
     batch_free(&b);
@@ -263,7 +264,7 @@ static tf_status decide_one(const tf_arithmetic *arithmetic,
 {
     tf_queries one = {tried_kind, motion, 1, vertex};
     return tf_vectorized.decide(
-        arithmetic == &oracle_arithmetic ? &tf_exact : arithmetic, &one,
+        NULL, arithmetic == &oracle_arithmetic ? &tf_exact : arithmetic, &one,
         contact ? &contact->verdict : NULL, &(size_t){0});
 }
 
@@ -282,8 +283,22 @@ static void use_edge_edge(void)
 START_TEST(no_queries_are_decided_at_once)
 {
     tf_queries none = {.kind = TF_EDGE_EDGE};
-    ck_assert_int_eq(tf_vectorized.decide(&tf_exact, &none, NULL, &(size_t){0}),
-                     TF_OK);
+    ck_assert_int_eq(
+        tf_vectorized.decide(NULL, &tf_exact, &none, NULL, &(size_t){0}),
+        TF_OK);
+}
+END_TEST
+
+START_TEST(an_unknown_kind_is_refused)
+{
+    static const double x[12] = {0};
+    static const int vertices[] = {0, 1, 2, 3};
+    tf_motion motion = {.axes = 3, .vertices = 4, .start = x, .end = x};
+    tf_queries unknown = {TF_NO_KIND, &motion, 1, vertices};
+    tf_verdict verdict;
+    ck_assert_int_eq(
+        tf_vectorized.decide(NULL, &tf_exact, &unknown, &verdict, &(size_t){0}),
+        TF_BAD_OPTION);
 }
 END_TEST
 
@@ -291,10 +306,9 @@ START_TEST(missing_queries_or_verdicts_break_the_contract)
 {
     static const double x[12] = {0};
     static const int vertices[] = {0, 1, 2, 3};
-    tf_motion motion = {.vertices = 4, .start = x, .end = x};
+    tf_motion motion = {.axes = 3, .vertices = 4, .start = x, .end = x};
     tf_queries one = {TF_EDGE_EDGE, &motion, 1, vertices};
     tf_queries nowhere = {TF_EDGE_EDGE, &motion, 1, NULL};
-    tf_queries unknown = {TF_NO_KIND, &motion, 1, vertices};
     tf_verdict verdict;
     size_t separated = 0;
     const struct {
@@ -304,11 +318,10 @@ START_TEST(missing_queries_or_verdicts_break_the_contract)
     } missing[] = {{NULL, &verdict, &separated},
                    {&nowhere, &verdict, &separated},
                    {&one, NULL, &separated},
-                   {&one, &verdict, NULL},
-                   {&unknown, &verdict, &separated}};
+                   {&one, &verdict, NULL}};
     exit_on_broken_contract();
-    tf_vectorized.decide(&tf_exact, missing[_i].queries, missing[_i].verdict,
-                         missing[_i].separated);
+    tf_vectorized.decide(NULL, &tf_exact, missing[_i].queries,
+                         missing[_i].verdict, missing[_i].separated);
 }
 END_TEST
 
@@ -326,8 +339,9 @@ Suite *suite(void)
     tcase_add_loop_test(c, the_first_bad_query_has_its_status, 0, 2);
     tcase_add_loop_test(c, a_broken_environment_is_reported, 0, environments());
     tcase_add_test(c, no_queries_are_decided_at_once);
+    tcase_add_test(c, an_unknown_kind_is_refused);
     tcase_add_loop_exit_test(c, missing_queries_or_verdicts_break_the_contract,
-                             BROKEN_CONTRACT, 0, 5);
+                             BROKEN_CONTRACT, 0, 4);
     suite_add_tcase(suite, c);
     suite_add_tcase(suite, statuses_case("point-triangle", use_point_triangle));
     suite_add_tcase(suite, statuses_case("edge-edge", use_edge_edge));

@@ -51,7 +51,7 @@ START_TEST(faults_of_the_system_name_their_reason)
                          "that this is a file\n");
     ck_assert(!tf_fault_set_unwritten(&fault, "a", ENOSPC));
     expect_print(&fault, "program: a: cannot write: No space left on device; "
-                         "mend that and run again\n");
+                         "mend that, and run again\n");
 }
 END_TEST
 

@@ -60,7 +60,7 @@ START_TEST(invalid_masses_are_rejected)
         char text[100], right[100];
         snprintf(text, sizeof text, "1 1\n#\n1 %s # 4\n", words[i]);
         snprintf(right, sizeof right,
-                 "\"%s\" is not a mass; write a positive number such as 0.5",
+                 "'%s' is not a mass; write a number above 0 such as 0.5",
                  words[i]);
         expect_refused(tf_masses_read, text, 3, right);
     }
@@ -101,7 +101,7 @@ START_TEST(invalid_vertices_are_rejected)
         char text[100], right[100];
         snprintf(text, sizeof text, "0\n1 %s\n", words[i]);
         snprintf(right, sizeof right,
-                 "\"%s\" is not a vertex; write its number, from 0", words[i]);
+                 "'%s' is not a vertex; write its number, from 0", words[i]);
         expect_refused(tf_fixed_read, text, 2, right);
     }
 }

@@ -37,7 +37,7 @@ START_TEST(weights_and_colors_do_not_count)
                                   "v 7 8 9 1 0.1 0.2 0.3\n" FACE);
     expect_vertices(&file, 3, (double[]){1, 2, 3, 4, 5, 6, 7, 8, 9});
     tf_mesh_file_free(&file);
-    expect_bad_mesh("v 1 2 3 red\n" FACE, 1, "\"red\" is not a finite number");
+    expect_bad_mesh("v 1 2 3 red\n" FACE, 1, "'red' is not a finite number");
 }
 END_TEST
 
@@ -195,9 +195,9 @@ START_TEST(a_backslash_continues_a_line)
     ck_assert_int_eq(file.triangle_place.item[0], 9);
     ck_assert_int_eq(file.edge_place.item[0], 12);
     tf_mesh_file_free(&file);
-    expect_bad_mesh("v 0 0\\\n 0\nv 1 \\\n x 0\n", 4, "\"x\" is");
-    expect_bad_mesh("v 0 0 \\ 0\n", 1, "\"\\\" is");
-    expect_bad_mesh("v 0 0 0\nv 1 2 3\\", 2, "\"\\\" is");
+    expect_bad_mesh("v 0 0\\\n 0\nv 1 \\\n x 0\n", 4, "'x' is");
+    expect_bad_mesh("v 0 0 \\ 0\n", 1, "'\\' is");
+    expect_bad_mesh("v 0 0 0\nv 1 2 3\\", 2, "'\\' is");
 }
 END_TEST
 
@@ -230,7 +230,7 @@ START_TEST(very_long_lines_are_read)
     memcpy(text, FOUR "f 1 2 ", strlen(FOUR) + 6);
     text[LONG] = '\0';
     expect_bad_mesh(text, 5,
-                    "\"9999999999999999999999999999...\" is not a corner");
+                    "'9999999999999999999999999999...' is not a corner");
     free(text);
 }
 END_TEST
@@ -241,21 +241,21 @@ END_TEST
 static const struct {
     const char *line, *words;
 } faults[] = {
-    {"v 1 2 nan", "\"nan\" is not a finite number; write a decimal"},
-    {"v NaN 2 3", "\"NaN\" is not a finite number"},
-    {"v 1 inf 3", "\"inf\" is not a finite number"},
-    {"v 1 -Infinity 3", "\"-Infinity\" is not a finite number"},
-    {"v 1 2 1e309", "\"1e309\" is beyond the largest double; scale"},
-    {"v 1 2 -0x1p1024", "\"-0x1p1024\" is beyond"},
-    {"v 1 2 3x", "\"3x\" is not a finite number"},
-    {"v 1 2,5 3", "\"2,5\" is not a finite number"},
-    {"v 1,2,3", "\"1,2,3\" is"},
-    {"v 1 2 0x", "\"0x\" is"},
-    {"v 1 2 3/4", "\"3/4\" is"},
-    {"v one 2 3", "\"one\" is"},
-    {"v 1 2 \x1b[31m", "\"?[31m\" is"},
-    {"v 1 2 3v 4 5 6", "\"3v\" is"},
-    {"v 1 \xc3\xa9 3", "\"??\" is"},
+    {"v 1 2 nan", "'nan' is not a finite number; write a decimal"},
+    {"v NaN 2 3", "'NaN' is not a finite number"},
+    {"v 1 inf 3", "'inf' is not a finite number"},
+    {"v 1 -Infinity 3", "'-Infinity' is not a finite number"},
+    {"v 1 2 1e309", "'1e309' is beyond the largest double; scale"},
+    {"v 1 2 -0x1p1024", "'-0x1p1024' is beyond"},
+    {"v 1 2 3x", "'3x' is not a finite number"},
+    {"v 1 2,5 3", "'2,5' is not a finite number"},
+    {"v 1,2,3", "'1,2,3' is"},
+    {"v 1 2 0x", "'0x' is"},
+    {"v 1 2 3/4", "'3/4' is"},
+    {"v one 2 3", "'one' is"},
+    {"v 1 2 \x1b[31m", "'?[31m' is"},
+    {"v 1 2 3v 4 5 6", "'3v' is"},
+    {"v 1 \xc3\xa9 3", "'\?\?' is"},
     {"v 1", "the line ends too early; a vertex is v x y z"},
     {"v", "the line ends too early; a vertex"},
     {"v # 1 2 3", "the line ends too early; a vertex"},
@@ -264,30 +264,30 @@ static const struct {
     {"f 1 2", "the line ends too early; a face has three corners"},
     {"f 1", "the line ends too early; a face has three corners"},
     {"f", "the line ends too early; a face has three corners"},
-    {"f 0 1 2", "\"0\" is not a corner; write the number of a vertex, from 1"},
-    {"f 1 2 -0", "\"-0\" is not a corner"},
-    {"f 1 2 0/1/1", "\"0/1/1\" is not a corner"},
-    {"f 1 2 -5", "\"-5\" is before the first vertex; -1 is"},
-    {"f 1 2 -2147483648", "\"-2147483648\" is not a corner"},
-    {"f 1 2 -2147483647", "\"-2147483647\" is before the first vertex"},
-    {"f 1 2 2147483648", "\"2147483648\" is not a corner"},
-    {"f 1 2 4294967297", "\"4294967297\" is not a corner"},
-    {"f 1 2 18446744073709551617", "\"18446744073709551617\" is not a corner"},
-    {"f 1 2 3.0", "\"3.0\" is not a corner"},
-    {"f 1 2 3e0", "\"3e0\" is not a corner"},
-    {"f 1 2 x", "\"x\" is not a corner"},
-    {"f 1 2 -", "\"-\" is not a corner"},
-    {"f 1 2 /3", "\"/3\" is not a corner"},
-    {"f 1 2 3/x", "\"3/x\" is not a corner"},
-    {"f 1 2 3/1/1/1", "\"3/1/1/1\" is not a corner"},
-    {"f 1 2 3/99999999999", "\"3/99999999999\" is not a corner"},
-    {"f 1 2 3;", "\"3;\" is not a corner"},
-    {"f 1 2 --3", "\"--3\" is not a corner"},
+    {"f 0 1 2", "'0' is not a corner; write the number of a vertex, from 1"},
+    {"f 1 2 -0", "'-0' is not a corner"},
+    {"f 1 2 0/1/1", "'0/1/1' is not a corner"},
+    {"f 1 2 -5", "'-5' is before the first vertex; -1 is"},
+    {"f 1 2 -2147483648", "'-2147483648' is not a corner"},
+    {"f 1 2 -2147483647", "'-2147483647' is before the first vertex"},
+    {"f 1 2 2147483648", "'2147483648' is not a corner"},
+    {"f 1 2 4294967297", "'4294967297' is not a corner"},
+    {"f 1 2 18446744073709551617", "'18446744073709551617' is not a corner"},
+    {"f 1 2 3.0", "'3.0' is not a corner"},
+    {"f 1 2 3e0", "'3e0' is not a corner"},
+    {"f 1 2 x", "'x' is not a corner"},
+    {"f 1 2 -", "'-' is not a corner"},
+    {"f 1 2 /3", "'/3' is not a corner"},
+    {"f 1 2 3/x", "'3/x' is not a corner"},
+    {"f 1 2 3/1/1/1", "'3/1/1/1' is not a corner"},
+    {"f 1 2 3/99999999999", "'3/99999999999' is not a corner"},
+    {"f 1 2 3;", "'3;' is not a corner"},
+    {"f 1 2 --3", "'--3' is not a corner"},
     {"l 1", "the line ends too early; an l line has two corners or more"},
     {"l", "the line ends too early; an l line"},
-    {"l 1 0", "\"0\" is not a corner"},
-    {"l 1 2 -5", "\"-5\" is before the first vertex"},
-    {"l 1 b", "\"b\" is not a corner"},
+    {"l 1 0", "'0' is not a corner"},
+    {"l 1 2 -5", "'-5' is before the first vertex"},
+    {"l 1 b", "'b' is not a corner"},
 };
 
 START_TEST(bad_lines_are_refused)

@@ -63,7 +63,7 @@ START_TEST(csv_has_all_digits_and_nothing_where_there_is_no_value)
 {
     FILE *stream = open_memstream(&text, &length);
     tf_record_write_head(stream, fields);
-    expect_text(stream, "a count,integer,number,rounded,empty,word\n");
+    expect_text(stream, "a_count,integer,number,rounded,empty,word\n");
     expect_record(tf_record_write_csv, &full,
                   full_with("%zu,7,0.33333333333333331,0.12,,good\n"));
     expect_record(tf_record_write_csv, &none, "0,,,,,\n");
@@ -133,7 +133,7 @@ START_TEST(words_are_quoted_as_the_format_requires)
 }
 END_TEST
 
-START_TEST(a_report_is_lines_or_an_object)
+START_TEST(a_report_is_lines_or_an_object_or_a_table)
 {
     FILE *stream = open_memstream(&text, &length);
     ck_assert(tf_report_write(stream, TF_SUMMARY, fields, &none));
@@ -141,6 +141,10 @@ START_TEST(a_report_is_lines_or_an_object)
     expect_text(stream, "a count: 0\n"
                         "{\"a_count\":0,\"integer\":null,\"number\":null,"
                         "\"rounded\":null,\"word\":null}\n");
+    stream = open_memstream(&text, &length);
+    ck_assert(tf_report_write(stream, TF_CSV, fields, &infinite));
+    expect_text(stream, "a_count,integer,number,rounded,empty,word\n"
+                        "1,0,inf,-inf,,\n");
 }
 END_TEST
 
@@ -258,7 +262,7 @@ Suite *suite(void)
     tcase_add_test(record, lines_are_of_fields_with_a_value);
     tcase_add_loop_test(record, words_are_quoted_as_the_format_requires, 0,
                         sizeof words / sizeof *words);
-    tcase_add_test(record, a_report_is_lines_or_an_object);
+    tcase_add_test(record, a_report_is_lines_or_an_object_or_a_table);
     suite_add_tcase(suite, record);
 
     TCase *many = tcase_create("many records");

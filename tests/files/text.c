@@ -17,12 +17,12 @@ START_TEST(words_are_quoted)
     static const struct {
         const char *word, *fault;
     } words[] = {
-        {"word", "\"word\" is bad; mend it"},
-        {"a\x1b\x7f\xff", "\"a???\" is bad; mend it"},
+        {"word", "'word' is bad; mend it"},
+        {"a\x1b\x7f\xff", "'a\?\?\?' is bad; mend it"},
         {"1234567890123456789012345678901",
-         "\"1234567890123456789012345678901\" is bad; mend it"},
+         "'1234567890123456789012345678901' is bad; mend it"},
         {"12345678901234567890123456789012",
-         "\"1234567890123456789012345678...\" is bad; mend it"},
+         "'1234567890123456789012345678...' is bad; mend it"},
     };
     for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
         tf_text text = text_of(words[i].word);
@@ -58,7 +58,7 @@ START_TEST(numbers_end_where_words_do)
     ck_assert_str_eq(text.at, ";1e1 ");
     text.at++;
     ck_assert(!tf_text_read_number(&text, ";", &number));
-    ck_assert_str_eq(fault.text, "\"1e1\" is not a finite number; write a "
+    ck_assert_str_eq(fault.text, "'1e1' is not a finite number; write a "
                                  "decimal or a hexadecimal float");
     text = text_of("-3");
     ck_assert(tf_text_read_number(&text, "", &number));

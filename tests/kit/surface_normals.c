@@ -21,7 +21,7 @@ static trial begin(const tf_mesh *mesh, const double at[], bool all_soft)
     for (int i = 0; i < 256; i++)
         soft[i] = all_soft;
     trial tried = {.surface = surface_of(mesh)};
-    const tf_motion rest = {mesh->vertices, at, at};
+    const tf_motion rest = {mesh->axes, mesh->vertices, at, at};
     ck_assert(fig_shape_make(&tried.shape, tried.surface, 3, &rest, FIG_UP_Z));
     ck_assert(fig_normals_find(&tried.normals, &tried.shape, 0, soft));
     return tried;

@@ -91,7 +91,7 @@ START_TEST(any_axis_may_point_up)
     const int corner[] = {0, 1, 2};
     const double at[] = {0, 0, 0, 1, 2, 3, 0, 0, 4};
     const tf_mesh mesh = {3, 3, 1, corner, 0, NULL};
-    const tf_motion rest = {3, at, at};
+    const tf_motion rest = {3, 3, at, at};
     tf_surface *surface = surface_of(&mesh);
     for (int up = 0; up < 3; up++) {
         fig_shape shape;

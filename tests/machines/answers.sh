@@ -1,5 +1,5 @@
 #!/bin/sh
-# Print the answers to tests/queries of all kinds, arithmetics and outputs,
+# Print the answers to tests/queries of all kinds, arithmetics and formats,
 # those about a surface of many contacts, found by several numbers of threads,
 # and what becomes of a surface that flows:
 #
@@ -8,9 +8,9 @@
 # where the words of PROGRAM start `tanglefree`, perhaps under an emulator.
 for kind in point-edge point-triangle edge-edge; do
     for arithmetic in exact clamped report perturbed integer64 integer128; do
-        for output in csv json summary; do
-            echo "$kind $arithmetic $output"
-            "$@" query --kind $kind --arithmetic $arithmetic --output $output \
+        for format in csv json summary; do
+            echo "$kind $arithmetic $format"
+            "$@" query --kind $kind --arithmetic $arithmetic --format $format \
                 tests/queries/$kind.csv 2>&1 || echo "status $?"
         done
     done

@@ -135,7 +135,7 @@ int main(int argc, char *argv[])
     if (!asked)
         return 2;
     double start[VERTICES * AXES], end[VERTICES * AXES];
-    tf_motion motion = {asked->vertices, start, end};
+    tf_motion motion = {asked->axes, asked->vertices, start, end};
     while (read_vertices(asked, start) && read_vertices(asked, end))
         answer(asked, &motion);
     return 0;

@@ -9,13 +9,15 @@ try_session() { # folder to be in, file of lines "$ command" and their output
         fail "a session prints something else (>) than it shows (<)"
 }
 
-# As the help lists them: "  -k, --kind=KIND ..." and "      --usage ...".
+# As the help lists them: "  -k, --kind=KIND ...", "  -T, --at=T, --time=T ..."
+# and "      --usage ...".
 list_help_options() { # program; commands, "" for none
     program=$1
     shift
     for command; do
         "$prefix/bin/$program" $command --help |
-            sed -n 's/^  \(    \|-.\), *\(--[a-z-]*\).*/\1 \2/p
+            sed -n 's/^  \(-.\), \(--[a-z-]*\)[^ ]*, \(--[a-z-]*\).*/\1 \2 \3/p
+                s/^  \(    \|-.\), *\(--[a-z-]*\).*/\1 \2/p
                 s/^      \(--[a-z-]*\).*/\1/p' | tr -s ' ' '\n'
     done | grep . | LC_ALL=C sort -u
 }

@@ -1,5 +1,5 @@
-# Paste a small library of its own: names that files share stay apart, and
-# headers that do not go together are refused.
+# Paste a small library of its own: names that files share stay apart, what is
+# for study comes last, and headers that do not go together are refused.
 #
 #     BUILD=dir paste.sh
 #
@@ -86,6 +86,17 @@ END
     ! grep '//:' "$scratch"/tanglefree.[ch] || fail "a fragment title is left"
 }
 
+# A header for study comes last, and what products need does not include it.
+expect_study_last() {
+    printf '%s\n' '#pragma once' '#include "base/api.h"' \
+        '/// @addtogroup study' 'TF_API extern int tf_study;' |
+        file one/study.h
+    paste header base/api one/study one/a one/b >"$scratch/tanglefree.h"
+    order=$(sed -n 's/^TF_API.* \(tf_[a-z]*\).*/\1/p; s/^\/\/ For study.*/-/p' \
+        "$scratch/tanglefree.h" | tr '\n' ' ')
+    [ "$order" = 'tf_a tf_b - tf_study ' ] || fail "the order is $order"
+}
+
 expect_refusal() { # words of the complaint, what, modules
     words=$1
     shift
@@ -112,4 +123,10 @@ printf '#pragma once\n\nTF_API int tf_c(void);\n' | file one/c.h
 expect_refusal 'one/c.h has TF_API, so it must include "base/api.h"' \
     header base/api one/c
 expect_refusal 'one/hidden.h, which is not in it' single base/api one/a
-echo 'Names that files share stay apart, and bad headers are refused.'
+expect_study_last
+printf '#pragma once\n#include "base/api.h"\n#include "one/study.h"\n' |
+    file one/product.h
+expect_refusal 'one/product.h includes "one/study.h", which comes later' \
+    header base/api one/study one/product
+echo 'Names that files share stay apart, what is for study comes last, and bad'
+echo 'headers are refused.'

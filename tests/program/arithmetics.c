@@ -4,6 +4,7 @@
 #include "arithmetic/exact.h"
 #include "arithmetic/integer.h"
 #include "arithmetic/perturbed.h"
+#include "arithmetic/published.h"
 #include "support/support.h"
 
 START_TEST(every_arithmetic_is_found_by_its_own_name)

@@ -67,10 +67,10 @@ START_TEST(operands_and_options_are_passed_on)
     ck_assert_str_eq(got.out, "out");
     ck_assert_double_eq(got.friction, 0.5);
     ck_assert_int_eq(got.threads, 3);
-    ck_assert(tf_request_gave(&got, "write"));
+    ck_assert(tf_request_gave(&got, "output"));
     ck_assert(tf_request_gave(&got, "friction"));
     ck_assert(!tf_request_gave(&got, "restitution"));
-    run_words("a --write - -- -b");
+    run_words("a --output - -- -b");
     ck_assert_int_eq(got.operands, 2);
     ck_assert_str_eq(got.operand[1], "-b");
 }
@@ -81,12 +81,11 @@ static const struct {
 } refusals[] = {
     {"-o out", "one or two letters are required"},
     {"-o out a b c", "one or two letters are required"},
-    {"a", "--write OUT is required: where to write the end of the step"},
+    {"a", "--output OUT is required: where to write the end of the step"},
     {"a -o out -t 13", "13 threads are bad luck"},
-    {"a -o out -t 0",
-     "--threads must be a whole number from 1 to 256, got '0'"},
+    {"a -o out -t 0", "--threads must be an integer from 1 to 256, got '0'"},
     {"a -o out -t 2.5",
-     "--threads must be a whole number from 1 to 256, got '2.5'"},
+     "--threads must be an integer from 1 to 256, got '2.5'"},
     {"a -o out --restitution 2", "--restitution must be from 0 to 1, got '2'"},
     {"a -o out --restitution nan",
      "--restitution must be from 0 to 1, got 'nan'"},
@@ -94,10 +93,16 @@ static const struct {
     {"a -o out --friction=1x", "--friction must be 0 or more, got '1x'"},
     {"a -o out --friction=inf", "--friction must be 0 or more, got 'inf'"},
     {"a -o out --friction=\x1b", "--friction must be 0 or more, got '\\x1b'"},
-    {"a -o out -s jacobi",
+    {"a -o out --solver jacobi",
      "--solver must be gauss-seidel, conjugate-residuals, minres or "
      "normal-residuals, got 'jacobi'"},
     {"a -o out -k edge-edge", "invalid option -- 'k'"},
+    {"a --output json",
+     "--output json is an old spelling; write --format json, "
+     "or ./json for a file of that name"},
+    {"a --write out", "--write is an old spelling; write --output"},
+    {"a --write=out", "--write is an old spelling; write --output"},
+    {"a -o out -m masses", "-m is an old spelling; write --masses"},
     {"a -o out --steps 3", "unrecognized option '--steps'"},
 };
 

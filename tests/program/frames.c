@@ -235,11 +235,11 @@ static const struct {
     const char *fault;
 } flaws[] = {
     {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n", 4,
-     "there is no vertex 4; the file has those from 1 to 3"},
+     "there is no vertex 4; they are numbered from 1 to 3"},
     {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2147483647 3\n", 5,
-     "there is no vertex 2147483647; the file has those from 1 to 3"},
+     "there is no vertex 2147483647; they are numbered from 1 to 3"},
     {"v 0 0 0\nv 1 0 0\nl 1 2 3\n", 3,
-     "there is no vertex 3; the file has those from 1 to 2"},
+     "there is no vertex 3; they are numbered from 1 to 2"},
     {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n\nf 1 2 2\n", 6,
      "vertex 2 is a corner twice; delete the triangle or edge, here and in all "
      "files"},
@@ -250,12 +250,12 @@ static const struct {
      "property float y\nproperty float z\nelement face 1\n"
      "property list uchar int vertex_index\nend_header\n"
      "0 0 1\n1 0 1\n0 1 1\n3 0 1 2147483647\n",
-     13, "there is no vertex 2147483647; the file has those from 0 to 2"},
+     13, "there is no vertex 2147483647; they are numbered from 0 to 2"},
     {"ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\n"
      "property float y\nelement edge 1\n"
      "property int vertex1\nproperty int vertex2\nend_header\n"
      "0 0\n1 0\n0 2\n",
-     12, "there is no vertex 2; the file has those from 0 to 1"},
+     12, "there is no vertex 2; they are numbered from 0 to 1"},
 };
 
 START_TEST(flaws_have_a_line)
@@ -273,14 +273,16 @@ START_TEST(flaws_of_all_elements_have_a_line)
     tf_frames frames;
     ck_assert(read_frames(&frames, 1, (const char *[]){START}));
     static const struct {
-        tf_flaw flaw;
+        tf_error error;
         long line;
-    } kinds[] = {{{.element = TF_NO_ELEMENT}, -1},
-                 {{.element = TF_VERTEX, .index = 3, .vertex = 3}, 4},
-                 {{.element = TF_TRIANGLE, .index = 1}, 6},
-                 {{.element = TF_EDGE, .index = 0}, 7}};
+    } kinds[] = {{{.subject = TF_NO_SUBJECT}, -1},
+                 {{.subject = TF_VERTEX, .index = 3, .vertex = {3}}, 4},
+                 {{.subject = TF_TRIANGLE, .index = 1}, 6},
+                 {{.subject = TF_EDGE, .index = 0}, 7}};
     for (int i = 0; i < 4; i++) {
-        ck_assert(!tf_frames_fault(&frames, TF_NOT_FINITE, &kinds[i].flaw));
+        tf_error error = kinds[i].error;
+        error.status = TF_NOT_FINITE;
+        ck_assert(!tf_frames_fault(&frames, &error));
         ck_assert_str_eq(frames.fault.text, tf_status_message(TF_NOT_FINITE));
         ck_assert_int_eq(frames.fault.place, kinds[i].line);
     }

@@ -15,14 +15,14 @@ static bool write_to(const char *path)
     static const tf_field fields[] = {{"done", TF_COUNT, 0, NULL}, {0}};
     static const size_t count = 1;
     static const tf_mesh_report report = {TF_SUMMARY, fields, &count};
-    tf_mesh_output output;
+    tf_destination output;
     tf_mesh_file mesh = good_mesh(text);
     tf_mesh_content content = content_of(&mesh);
     fault = (tf_fault){0};
-    bool good = tf_mesh_output_begin(&output, path, &fault) &&
+    bool good = tf_destination_begin(&output, path, &fault) &&
                 tf_mesh_output_write(&output, &content, TF_OBJ, &report);
     ck_assert(good == (fault.text[0] == '\0'));
-    tf_mesh_output_end(&output);
+    tf_destination_end(&output);
     tf_mesh_file_free(&mesh);
     return good;
 }

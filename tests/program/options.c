@@ -40,7 +40,49 @@ START_TEST(each_command_has_an_option_once)
     for (const tf_option *a = tf_options; a->name; a++, rows++)
         for (const tf_option *b = tf_options; b < a; b++)
             ck_assert_msg(!clash(a, b), "--%s and --%s", a->name, b->name);
-    ck_assert_int_le(rows, 32); // bits of `given`
+    ck_assert_int_le(rows, 64); // bits of `given`
+}
+END_TEST
+
+START_TEST(a_letter_and_a_name_mean_the_same_in_all_commands)
+{
+    for (const tf_option *a = tf_options; a->name; a++)
+        for (const tf_option *b = tf_options; b < a; b++) {
+            bool same = strcmp(a->name, b->name) == 0;
+            ck_assert_msg(!a->letter || a->letter != b->letter || same,
+                          "-%c is --%s and --%s", a->letter, a->name, b->name);
+            ck_assert_msg(!same || a->letter == b->letter, "--%s", a->name);
+        }
+}
+END_TEST
+
+START_TEST(old_spellings_name_options_and_are_none)
+{
+    for (const tf_old_spelling *old = tf_old_spellings; old->commands; old++) {
+        ck_assert_msg(!old->name != !old->letter, "--%s", old->now);
+        for (unsigned command = 1; command <= TF_SIMULATE; command *= 2)
+            if (old->commands & command) {
+                option_of(command, old->now);
+                for (const tf_option *o = tf_options; o->name; o++)
+                    ck_assert_msg(!(o->commands & command) ||
+                                      (old->name
+                                           ? strcmp(old->name, o->name) != 0
+                                           : old->letter != o->letter),
+                                  "--%s", o->name);
+            }
+    }
+}
+END_TEST
+
+START_TEST(every_command_has_a_format_and_an_output)
+{
+    for (unsigned command = 1; command <= TF_SIMULATE; command *= 2) {
+        ck_assert_int_eq(option_of(command, "format")->type, TF_CHOICE);
+        ck_assert_int_eq(option_of(command, "output")->letter, 'o');
+        ck_assert_msg(!option_of(command, "output")->formats ==
+                          (command == TF_SIMULATE),
+                      "%u", command);
+    }
 }
 END_TEST
 
@@ -86,7 +128,7 @@ START_TEST(what_is_usual_is_set)
     for (int i = 0; i < COMMANDS; i++) {
         tf_request_begin(&request, 1u << i);
         ck_assert_int_eq(request.threads, tf_threads_available());
-        ck_assert_uint_eq(request.given, 0);
+        ck_assert(request.given == 0);
     }
     tf_request_begin(&request, TF_QUERY);
     ck_assert_ptr_eq(request.method, tf_choice_named(tf_methods, "spacetime"));
@@ -94,6 +136,7 @@ START_TEST(what_is_usual_is_set)
     ck_assert_double_eq(request.answering.tolerance, 1e-6);
     ck_assert_double_eq(request.answering.threshold, 1e-6);
     ck_assert_int_eq(*request.format, TF_CSV);
+    ck_assert_str_eq(request.out, "-");
     tf_request_begin(&request, TF_DETECT);
     ck_assert_ptr_eq(request.narrow_phase, &tf_vectorized);
     tf_request_begin(&request, TF_RESOLVE);
@@ -101,6 +144,7 @@ START_TEST(what_is_usual_is_set)
     ck_assert_int_eq(*request.format, TF_SUMMARY);
     tf_request_begin(&request, TF_REMESH);
     ck_assert_int_eq(request.rounds, 5);
+    ck_assert_ptr_null(request.out);
 }
 END_TEST
 
@@ -141,7 +185,7 @@ START_TEST(what_was_given_is_told_by_its_name)
 {
     tf_request_begin(&request, TF_REMESH);
     ck_assert(!tf_request_gave(&request, "edge"));
-    request.given = 1u << (option_of(TF_REMESH, "edge") - tf_options);
+    request.given = UINT64_C(1) << (option_of(TF_REMESH, "edge") - tf_options);
     ck_assert(tf_request_gave(&request, "edge"));
     ck_assert(!tf_request_gave(&request, "rounds"));
     ck_assert(!tf_request_gave(&request, "ed"));
@@ -153,6 +197,9 @@ Suite *suite(void)
     Suite *suite = suite_create("program/options");
     TCase *table = tcase_create("table");
     tcase_add_test(table, each_command_has_an_option_once);
+    tcase_add_test(table, a_letter_and_a_name_mean_the_same_in_all_commands);
+    tcase_add_test(table, old_spellings_name_options_and_are_none);
+    tcase_add_test(table, every_command_has_a_format_and_an_output);
     tcase_add_test(table, each_option_is_described);
     tcase_add_test(table, help_tells_the_choices_and_what_is_usual);
     tcase_add_test(table, what_is_usual_is_set);

@@ -60,12 +60,12 @@ START_TEST(every_kind_arithmetic_and_output_works)
     static const char *const kinds[] = {"point-edge", "point-triangle",
                                         "edge-edge"};
     static const char *const arithmetics[] = {"exact", "clamped", "report"};
-    static const char *const outputs[] = {"csv", "json", "summary"};
+    static const char *const formats[] = {"csv", "json", "summary"};
     for (int i = 0; i < 27; i++) {
-        outcome found = run("$tf query --kind=%s --arithmetic=%s --output=%s "
+        outcome found = run("$tf query --kind=%s --arithmetic=%s --format=%s "
                             "$QUERIES/%s.csv",
                             kinds[i / 9], arithmetics[i / 3 % 3],
-                            outputs[i % 3], kinds[i / 9]);
+                            formats[i % 3], kinds[i / 9]);
         ck_assert_str_eq(found.err, "");
         ck_assert_int_eq(found.status, 0);
         ck_assert_int_eq(occurrences(found.out, "nan"), 0);
@@ -77,14 +77,16 @@ END_TEST
 
 START_TEST(exact_answers_agree_with_the_kept_truth)
 {
-    expect(run("$tf query -k point-edge -o summary $QUERIES/point-edge.csv"), 0,
-           "queries: 7\nhits: 5\ngeneric: 3\ntouching: 1\ndegenerate: 1\n", "");
-    expect(run("$tf query -k point-triangle -o summary "
+    expect(
+        run("$tf query -k point-edge --format summary $QUERIES/point-edge.csv"),
+        0, "queries: 7\nhits: 5\ngeneric: 3\ntouching: 1\ndegenerate: 1\n", "");
+    expect(run("$tf query -k point-triangle --format summary "
                "$QUERIES/point-triangle.csv"),
            0, "queries: 6\nhits: 5\ngeneric: 3\ntouching: 1\ndegenerate: 1\n",
            "");
-    expect(run("$tf query -k edge-edge -o summary $QUERIES/edge-edge.csv"), 0,
-           "queries: 6\nhits: 5\ngeneric: 3\ntouching: 0\ndegenerate: 2\n", "");
+    expect(
+        run("$tf query -k edge-edge --format summary $QUERIES/edge-edge.csv"),
+        0, "queries: 6\nhits: 5\ngeneric: 3\ntouching: 0\ndegenerate: 2\n", "");
 }
 END_TEST
 
@@ -124,7 +126,8 @@ START_TEST(undecided_is_a_hit)
     // A point on an edge that is no multiple of anything, but for a rounding.
     make_file("in", "0.1,0.3\n-0.7,-2.1\n1.1,3.3000000000000003\n"
                     "0.1,0.3\n-0.7,-2.1\n1.1,3.3000000000000003\n");
-    outcome found = run("$tf query -k point-edge -a clamped -o summary in");
+    outcome found =
+        run("$tf query -k point-edge -a clamped --format summary in");
     expect_words(found.out, "hits: 1\n");
     ck_assert_int_eq(found.status, 0);
 }
@@ -139,14 +142,14 @@ START_TEST(json_is_an_array_of_objects)
     char right[1000];
     snprintf(right, sizeof right, "[\n{\"query\":0%s,\n{\"query\":1%s\n]\n",
              nulls, nulls);
-    expect(run("$tf query -k point-edge -o json in"), 0, right, "");
+    expect(run("$tf query -k point-edge --format json in"), 0, right, "");
 }
 END_TEST
 
 START_TEST(json_of_a_hit_has_numbers)
 {
     make_file("in", HIT);
-    outcome found = run("$tf query -k point-edge -o json in");
+    outcome found = run("$tf query -k point-edge --format json in");
     double lo, hi;
     ck_assert_int_eq(sscanf(found.out,
                             "[\n{\"query\":0,\"hit\":1,\"toi_lo\":%lf,"
@@ -166,7 +169,7 @@ static void expect_json(const char *kind, const char *rows)
     make_file("in", rows);
     for (int i = 0; i < 4; i++) {
         outcome found =
-            run("$tf query -k %s -a %s -o json in", kind, arithmetics[i]);
+            run("$tf query -k %s -a %s --format json in", kind, arithmetics[i]);
         const char *fault = json_fault(found.out);
         ck_assert_msg(!fault, "%s: no JSON here: %s", arithmetics[i], fault);
         ck_assert_str_eq(found.err, "");
@@ -198,12 +201,12 @@ END_TEST
 START_TEST(json_is_closed_before_bad_input)
 {
     make_file("in", MISS "0,1\nx,0\n");
-    outcome found = run("$tf query -k point-edge -o json in");
+    outcome found = run("$tf query -k point-edge --format json in");
     ck_assert_int_eq(found.status, 2);
     ck_assert_int_eq(occurrences(found.out, "{"), 1);
     expect_words(found.out, ",\"case\":null}\n]\n");
     make_file("in", "x,0\n");
-    found = run("$tf query -k point-edge -o json in");
+    found = run("$tf query -k point-edge --format json in");
     ck_assert_str_eq(found.out, "[\n]\n");
     ck_assert_int_eq(found.status, 2);
 }
@@ -229,7 +232,7 @@ START_TEST(summary_tells_agreement_with_the_truth)
             strcat(text, written);
         }
     make_file("in", text);
-    expect(run("$tf query -k point-edge -o summary in"), 0,
+    expect(run("$tf query -k point-edge --format summary in"), 0,
            "queries: 6\nhits: 3\ngeneric: 3\ntouching: 0\ndegenerate: 0\n"
            "agree: 3\nextra: 2\nmissed: 1\n",
            "");
@@ -246,12 +249,12 @@ START_TEST(every_kind_method_and_output_works)
     static const char *const kinds[] = {"point-edge", "point-triangle",
                                         "edge-edge"};
     static const char *const methods[] = {"spacetime", "cubic", "advancement"};
-    static const char *const outputs[] = {"csv", "json", "summary"};
+    static const char *const formats[] = {"csv", "json", "summary"};
     for (int i = 0; i < 27; i++) {
         outcome found =
-            run("$tf query --kind=%s --method=%s --output=%s "
+            run("$tf query --kind=%s --method=%s --format=%s "
                 "$QUERIES/%s.csv",
-                kinds[i / 9], methods[i / 3 % 3], outputs[i % 3], kinds[i / 9]);
+                kinds[i / 9], methods[i / 3 % 3], formats[i % 3], kinds[i / 9]);
         ck_assert_str_eq(found.err, "");
         ck_assert_int_eq(found.status, 0);
         ck_assert_int_eq(occurrences(found.out, "nan"), 0);
@@ -291,7 +294,7 @@ START_TEST(tolerances_and_thresholds_count)
                                           "-m advancement --threshold=1e-1"};
     for (int i = 0; i < 6; i++) {
         outcome found =
-            run("$tf query -k point-edge -o summary %s in", options[i]);
+            run("$tf query -k point-edge --format summary %s in", options[i]);
         ck_assert_str_eq(found.err, "");
         expect_words(found.out, i % 3 == 2 ? "hits: 1" : "hits: 0");
     }
@@ -301,11 +304,12 @@ END_TEST
 START_TEST(methods_are_compared)
 {
     make_file("in", HIT FLY MISS);
-    expect(run("$tf query -k point-edge -o summary --against cubic in"), 0,
+    expect(run("$tf query -k point-edge --format summary --against cubic in"),
+           0,
            "queries: 3\nhits: 2\ngeneric: 2\ntouching: 0\ndegenerate: 0\n"
            "differ: 1\nonly_method: 1\nonly_against: 0\n",
            "");
-    expect(run("$tf query -k point-edge -o summary -m cubic -a exact "
+    expect(run("$tf query -k point-edge --format summary -m cubic -a exact "
                "--against=spacetime in"),
            0,
            "queries: 3\nhits: 1\ngeneric: 1\ntouching: 0\ndegenerate: 0\n"
@@ -338,7 +342,7 @@ START_TEST(standard_input_is_read)
            HEADER "0" MISS_ANSWER "1" MISS_ANSWER "2" MISS_ANSWER, "");
     make_file("in", MISS "1,x\n");
     expect(run("$tf query -k point-edge <in"), 2, HEADER "0" MISS_ANSWER,
-           "tanglefree: standard input:7: column 2 is \"x\", not a finite "
+           "tanglefree: standard input:7: column 2 is 'x', not a finite "
            "number; write a decimal or a hexadecimal float\n");
 }
 END_TEST
@@ -442,11 +446,11 @@ static long most_memory(void)
 START_TEST(memory_does_not_grow_with_the_file)
 {
     make_file("in", MISS);
-    run("$tf query -k point-edge -o summary in");
+    run("$tf query -k point-edge --format summary in");
     long before = most_memory();
     outcome found = run("for i in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17; "
                         "do cat in in >more; mv more in; done; "
-                        "$tf query -k point-edge -o summary in");
+                        "$tf query -k point-edge --format summary in");
     expect_words(found.out, "queries: 131072\n");
     long grown = most_memory() - before;
     ck_assert_msg(grown < 2048, "%ld KiB more for 4700", grown);
@@ -459,22 +463,21 @@ END_TEST
 static const struct {
     const char *rows, *message;
 } faults[] = {
-    {"0,nan\n", "13: column 2 is \"nan\", not a finite number; write a "
+    {"0,nan\n", "13: column 2 is 'nan', not a finite number; write a "
                 "decimal or a hexadecimal float"},
-    {"0,0\n-inf,0\n", "14: column 1 is \"-inf\", not a finite number; write a "
+    {"0,0\n-inf,0\n", "14: column 1 is '-inf', not a finite number; write a "
                       "decimal or a hexadecimal float"},
-    {"0,0\n1.5x,0\n", "14: column 1 is \"1.5x\", not a finite number; write a "
+    {"0,0\n1.5x,0\n", "14: column 1 is '1.5x', not a finite number; write a "
                       "decimal or a hexadecimal float"},
-    {"0,1e999\n", "13: column 2 is \"1e999\", beyond the largest double; "
+    {"0,1e999\n", "13: column 2 is '1e999', beyond the largest double; "
                   "scale the scene down"},
     {"0,0\n1\n",
      "14: too few columns: 1, but the first row has 2; all rows must "
      "have as many"},
     {"0,0\n1,1\n0,0\n1,1\n0,0\n",
      "17: query 2 has only 5 of its 6 rows; add the rest"},
-    {"\n# comment\nx,0\n",
-     "15: column 1 is \"x\", not a finite number; write a "
-     "decimal or a hexadecimal float"},
+    {"\n# comment\nx,0\n", "15: column 1 is 'x', not a finite number; write a "
+                           "decimal or a hexadecimal float"},
 };
 
 START_TEST(bad_rows_are_refused)
@@ -576,6 +579,55 @@ START_TEST(rounding_is_told_before_bad_input)
 }
 END_TEST
 
+// Output files ----------------------------------------------------------------
+
+START_TEST(what_is_written_to_a_file_is_what_is_printed)
+{
+    static const char *const formats[] = {"csv", "json", "summary"};
+    make_file("in", MISS);
+    for (int i = 0; i < 3; i++)
+        expect(run("$tf query -k point-edge --format %s in >printed && "
+                   "$tf query -k point-edge --format %s in --output=written && "
+                   "$tf query -k point-edge --format %s in -o - | "
+                   "cmp - printed && cmp printed written && test -s written",
+                   formats[i], formats[i], formats[i]),
+               0, "", "");
+}
+END_TEST
+
+START_TEST(a_file_appears_whole_or_not_at_all)
+{
+    make_file("in", MISS "0,nan\n");
+    make_file("old", "before\n");
+    static const char *const names[] = {"old", "new"};
+    for (int i = 0; i < 2; i++) {
+        outcome found = run("$tf query -k point-edge in -o %s", names[i]);
+        ck_assert_int_eq(found.status, 2);
+        ck_assert_str_eq(found.out, "");
+        expect_words(found.err, "column 2 is 'nan', not a finite number");
+    }
+    ck_assert_str_eq(file_text("old"), "before\n");
+    expect(run("ls -A | grep -e new -e tanglefree"), 1, "", "");
+}
+END_TEST
+
+START_TEST(a_file_that_cannot_be_written_is_named)
+{
+    make_file("in", MISS);
+    expect(run("$tf query -k point-edge in -o /dev/full"), 2, "",
+           "tanglefree: /dev/full: cannot write: No space left on device; mend "
+           "that, and run again\n");
+}
+END_TEST
+
+START_TEST(old_spellings_are_refused)
+{
+    expect_usage("query -k point-edge -o json in",
+                 "tanglefree query: --output json is an old spelling; write "
+                 "--format json, or ./json for a file of that name\n");
+}
+END_TEST
+
 // Output that cannot be written -----------------------------------------------
 
 #define NO_SPACE                                                               \
@@ -583,11 +635,12 @@ END_TEST
 
 START_TEST(a_full_disk_is_reported)
 {
-    static const char *const outputs[] = {"csv", "json", "summary"};
+    static const char *const formats[] = {"csv", "json", "summary"};
     make_file("in", MISS);
     for (int i = 0; i < 3; i++)
-        expect(run("$tf query -k point-edge -o %s in >/dev/full", outputs[i]),
-               2, "", NO_SPACE "; mend that and run again\n");
+        expect(run("$tf query -k point-edge --format %s in >/dev/full",
+                   formats[i]),
+               2, "", NO_SPACE "; mend that, and run again\n");
 }
 END_TEST
 
@@ -597,15 +650,18 @@ START_TEST(a_full_disk_on_the_way_is_reported)
     // The input has no end, and must not be read to it.
     expect(run("while cat in; do :; done 2>/dev/null | "
                "$tf query -k point-edge >/dev/full"),
-           2, "", NO_SPACE "; mend that and run again\n");
+           2, "", NO_SPACE "; mend that, and run again\n");
 }
 END_TEST
 
 START_TEST(a_full_disk_for_help_is_reported)
 {
-    expect(run("$tf --help >/dev/full"), 2, "", NO_SPACE "\n");
-    expect(run("$tf query --help >/dev/full"), 2, "", NO_SPACE "\n");
-    expect(run("$tf --version >/dev/full"), 2, "", NO_SPACE "\n");
+    expect(run("$tf --help >/dev/full"), 2, "",
+           NO_SPACE "; mend that, and run again\n");
+    expect(run("$tf query --help >/dev/full"), 2, "",
+           NO_SPACE "; mend that, and run again\n");
+    expect(run("$tf --version >/dev/full"), 2, "",
+           NO_SPACE "; mend that, and run again\n");
 }
 END_TEST
 
@@ -614,7 +670,7 @@ START_TEST(closed_standard_output_is_reported)
     make_file("in", MISS);
     expect(run("$tf query -k point-edge in >&-"), 2, "",
            "tanglefree: standard output: cannot write: Bad file descriptor; "
-           "mend that and run again\n");
+           "mend that, and run again\n");
     ck_assert_str_eq(file_text("in"), MISS);
 }
 END_TEST
@@ -651,7 +707,8 @@ START_TEST(help_describes_the_command)
         "Usage: tanglefree query [OPTION...] [FILE...]",
         "--kind=KIND",
         "--arithmetic=NAME",
-        "--output=FORMAT",
+        "--format=FORMAT",
+        "-o, --output=FILE",
         "point-edge",
         "vertex-face",
         "exact, clamped, report",
@@ -681,8 +738,8 @@ END_TEST
 
 START_TEST(unknown_commands_are_refused)
 {
-    expect_usage("",
-                 "tanglefree: no command given; --help lists the commands\n");
+    expect_usage(
+        "", "tanglefree: a command is required; --help lists the commands\n");
     expect_usage("contact", "tanglefree: unknown command 'contact'; --help "
                             "lists the commands\n");
     expect_usage("''", "tanglefree: unknown command ''");
@@ -702,8 +759,8 @@ START_TEST(wrong_options_are_refused)
     expect_usage("query -k point-edge -a rounded in",
                  "tanglefree query: --arithmetic must be exact, clamped, "
                  "report, perturbed, integer64 or integer128, got 'rounded'\n");
-    expect_usage("query -k point-edge --output=xml in",
-                 "tanglefree query: --output must be csv, json or summary, got "
+    expect_usage("query -k point-edge --format=xml in",
+                 "tanglefree query: --format must be csv, json or summary, got "
                  "'xml'\n");
     expect_usage("query -m cubic in",
                  "tanglefree query: --kind KIND is required");
@@ -713,16 +770,19 @@ START_TEST(wrong_options_are_refused)
     expect_usage("query -k point-edge --against quartic in",
                  "tanglefree query: --against must be spacetime, cubic or "
                  "advancement, got 'quartic'\n");
-    expect_usage("query -k point-edge --against cubic in",
-                 "tanglefree query: --against needs --output summary");
+    expect_usage(
+        "query -k point-edge --against cubic in",
+        "tanglefree query: --against is for --format summary, which has "
+        "what it counts; add that\n");
     expect_usage("query -k point-edge -m cubic -a exact in",
-                 "tanglefree query: --arithmetic is for --method spacetime "
-                 "alone\n");
+                 "tanglefree query: --arithmetic is for --method spacetime; "
+                 "add that, or drop it\n");
     expect_usage("query -k point-edge --tolerance 1 in",
-                 "tanglefree query: --tolerance is for --method cubic alone\n");
+                 "tanglefree query: --tolerance is for --method cubic; add "
+                 "that, or drop it\n");
     expect_usage("query -k point-edge -m cubic --threshold 1 in",
-                 "tanglefree query: --threshold is for --method advancement "
-                 "alone\n");
+                 "tanglefree query: --threshold is for --method "
+                 "advancement; add that, or drop it\n");
     expect_usage("query --kind", "tanglefree query: option '--kind' requires");
     expect_usage("query --speed in",
                  "tanglefree query: unrecognized option '--speed'");
@@ -826,6 +886,10 @@ Suite *suite(void)
 
     TCase *unwritten = tcase_create("output that cannot be written");
     tcase_add_checked_fixture(unwritten, enter_folder, leave_folder);
+    tcase_add_test(unwritten, what_is_written_to_a_file_is_what_is_printed);
+    tcase_add_test(unwritten, a_file_appears_whole_or_not_at_all);
+    tcase_add_test(unwritten, a_file_that_cannot_be_written_is_named);
+    tcase_add_test(unwritten, old_spellings_are_refused);
     tcase_add_test(unwritten, a_full_disk_is_reported);
     tcase_add_test(unwritten, a_full_disk_on_the_way_is_reported);
     tcase_add_test(unwritten, a_full_disk_for_help_is_reported);

@@ -27,7 +27,7 @@ START_TEST(a_mesh_is_remeshed)
     expect_words(found.out, "rounds: 5\n");
     expect_words(found.out, "\ndistance: ");
     ck_assert_int_gt(occurrences(file_text("out.obj"), "f "), 20);
-    expect(run("$tf check --output summary out.obj"), 0,
+    expect(run("$tf check --format summary out.obj"), 0,
            "files: 1\nfiles with intersections: 0\nintersections: 0\n", "");
 }
 END_TEST
@@ -35,7 +35,7 @@ END_TEST
 START_TEST(a_mesh_goes_from_and_to_a_pipe)
 {
     outcome found =
-        run("cat square.obj | $tf remesh - -o - -e 9 --rounds 1 --output json");
+        run("cat square.obj | $tf remesh - -o - -e 9 --rounds 1 --format json");
     ck_assert_int_eq(found.status, 0);
     ck_assert_str_eq(found.out, SQUARE);
     expect_words(found.err, "\"triangles\":2,");
@@ -84,7 +84,7 @@ START_TEST(bad_arguments_are_refused)
     expect_usage("remesh -o out -e 1", "tanglefree remesh: one file is req");
     expect_usage("remesh a b -o out -e 1", "tanglefree remesh: one file is");
     expect_usage("remesh square.obj -e 1",
-                 "tanglefree remesh: --write OUT is required: where to write "
+                 "tanglefree remesh: --output OUT is required: where to write "
                  "the new mesh\n");
     expect_usage("remesh square.obj -o out",
                  "tanglefree remesh: --edge L is required: the length that "
@@ -94,14 +94,22 @@ START_TEST(bad_arguments_are_refused)
     expect_usage("remesh square.obj -o out -e x",
                  "tanglefree remesh: --edge must be above 0, got 'x'\n");
     expect_usage("remesh square.obj -o out -e 1 --rounds 0",
-                 "tanglefree remesh: --rounds must be a whole number from 1 to "
+                 "tanglefree remesh: --rounds must be an integer from 1 to "
                  "1000, got '0'\n");
     expect_usage("remesh square.obj -o out -e 1 --rounds 1.5",
-                 "tanglefree remesh: --rounds must be a whole number from 1 to "
+                 "tanglefree remesh: --rounds must be an integer from 1 to "
                  "1000, got '1.5'\n");
-    expect_usage("remesh square.obj -o out -e 1 --output xml",
-                 "tanglefree remesh: --output must be summary or json, got "
-                 "'xml'\n");
+    expect_usage("remesh square.obj --write out -e 1",
+                 "tanglefree remesh: --write is an old spelling; write "
+                 "--output\n");
+    expect_usage(
+        "remesh square.obj -o out -e 1 --output summary",
+        "tanglefree remesh: --output summary is an old spelling; write "
+        "--format summary, or ./summary for a file of that name\n");
+    expect_usage(
+        "remesh square.obj -o out -e 1 --format xml",
+        "tanglefree remesh: --format must be csv, json or summary, got "
+        "'xml'\n");
 }
 END_TEST
 

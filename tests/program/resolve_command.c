@@ -57,8 +57,8 @@ static outcome resolved(const char *start, const char *end, const char *out,
     ck_assert_int_eq(found.status, 0);
     static char report[10000];
     snprintf(report, sizeof report, "%s", found.out);
-    outcome step =
-        run("$tf detect -o summary %s %s && $tf check %s", start, out, out);
+    outcome step = run("$tf detect --format summary %s %s && $tf check %s",
+                       start, out, out);
     ck_assert_msg(step.status == 0, "%s", step.out);
     return (outcome){0, report, ""};
 }
@@ -189,7 +189,8 @@ END_TEST
 START_TEST(solvers_differ)
 {
     static const char iterations[] = "\niterations: ";
-    static const char *const options[] = {"", "-s gauss-seidel", "-s minres"};
+    static const char *const options[] = {"", "--solver gauss-seidel",
+                                          "--solver minres"};
     int count[3];
     for (int i = 0; i < 3; i++) {
         outcome found = resolved("above", "below", "new", options[i]);
@@ -203,15 +204,15 @@ END_TEST
 START_TEST(every_option_of_the_response_is_passed_on)
 {
     static const char *const options[] = {
-        "-s gauss-seidel",
-        "-s conjugate-residuals",
+        "--solver gauss-seidel",
+        "--solver conjugate-residuals",
         "--solver=minres",
-        "-s normal-residuals",
+        "--solver normal-residuals",
         "--separation 0",
         "--separation=0.5",
         "--friction 0.5",
         "--restitution 1",
-        "-f floor -m ones --friction 1 --restitution .5 -t 1"};
+        "-f floor --masses ones --friction 1 --restitution .5 -t 1"};
     make_file("ones", "1 1 1 1 1");
     for (size_t i = 0; i < sizeof options / sizeof *options; i++)
         resolved("above", "below", "new", options[i]);
@@ -270,9 +271,9 @@ START_TEST(threads_change_nothing)
 {
     make_sheets();
     outcome found =
-        run("$tf resolve sheets fallen -t 1 -o one --output json | sed "
+        run("$tf resolve sheets fallen -t 1 -o one --format json | sed "
             "'s/,\"sec.*//' >one-report; for t in 2 3 8; do $tf resolve sheets "
-            "fallen -t $t -o other --output json | sed 's/,\"sec.*//' | cmp - "
+            "fallen -t $t -o other --format json | sed 's/,\"sec.*//' | cmp - "
             "one-report && cmp one other || exit 9; done");
     expect(found, 0, "", "");
 }
@@ -289,9 +290,18 @@ END_TEST
 
 // Reports ---------------------------------------------------------------------
 
+START_TEST(a_report_may_be_csv)
+{
+    outcome found = resolved("above", "below", "new", "--format csv");
+    expect_words(found.out, "status,first_contacts,contacts,impulse_rounds,");
+    expect_words(found.out, ",energy_after,seconds\nresolved,2,2,");
+    ck_assert_int_eq(occurrences(found.out, "\n"), 2);
+}
+END_TEST
+
 START_TEST(a_report_may_be_json)
 {
-    outcome found = resolved("above", "below", "new", "--output json");
+    outcome found = resolved("above", "below", "new", "--format json");
     ck_assert_msg(!json_fault(found.out), "%s", json_fault(found.out));
     expect_words(found.out, "{\"status\":\"resolved\",\"first_contacts\":2,"
                             "\"contacts\":2,\"impulse_rounds\":0,");
@@ -300,7 +310,7 @@ START_TEST(a_report_may_be_json)
     ck_assert_ptr_nonnull(seconds);
     double took = atof(strchr(seconds, ':') + 1);
     ck_assert_msg(took > 0 && took < 60, "%g seconds", took);
-    found = resolved("above", "above", "new", "--output=json");
+    found = resolved("above", "above", "new", "--format=json");
     expect_words(found.out, "{\"status\":\"clear\",\"first_contacts\":0,");
 }
 END_TEST
@@ -312,7 +322,7 @@ START_TEST(progress_is_shown_on_a_terminal)
                         "} & $tf resolve above late -o new 2>%s",
                         screen.name);
     ck_assert_int_eq(found.status, 0);
-    expect_progress(terminal_close(&screen), "\r0 rounds, 2 contacts left");
+    expect_progress(terminal_close(&screen), "\r1 trees");
 }
 END_TEST
 
@@ -378,9 +388,9 @@ START_TEST(standard_input_and_output_are_used)
     expect_words(found.err, "status: resolved\nfirst contacts: 2\n");
     found = run("cat below | $tf resolve above - -o - 2>report");
     expect(found, 0, right, "");
-    found = run("$tf resolve - below --write=- <above 2>report");
+    found = run("$tf resolve - below --output=- <above 2>report");
     expect(found, 0, right, "");
-    found = run("$tf resolve above below -o - --output json 2>&1 >mesh");
+    found = run("$tf resolve above below -o - --format json 2>&1 >mesh");
     ck_assert_msg(!json_fault(found.out), "%s", json_fault(found.out));
     found = run("echo 0 1 2 | $tf resolve above below -f - -o new");
     ck_assert_int_eq(found.status, 0);
@@ -447,7 +457,7 @@ START_TEST(files_that_do_not_fit_are_refused)
     make_file("other", "v -1 -1 0\nv 3 -1 0\nv -1 3 0\nv 0 0 1\nv 1 1 1\n"
                        "f 2 3 1\n");
     make_file("square", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n");
-    expect_error("above nan", "tanglefree: nan:5: \"nan\" is not a finite "
+    expect_error("above nan", "tanglefree: nan:5: 'nan' is not a finite "
                               "number; write a decimal or a hexadecimal "
                               "float\n");
     expect_error("absent below",
@@ -479,13 +489,14 @@ START_TEST(lists_that_do_not_fit_are_refused)
     expect_error("above below -f absent",
                  "tanglefree: absent: cannot open: No such file or directory; "
                  "check the name\n");
-    expect_error("above below -m masses",
-                 "tanglefree: masses:2: \"0\" is not a mass; write a positive "
-                 "number such as 0.5\n");
-    expect_error("above below -m few",
+    expect_error(
+        "above below --masses masses",
+        "tanglefree: masses:2: '0' is not a mass; write a number above 0 "
+        "such as 0.5\n");
+    expect_error("above below --masses few",
                  "tanglefree: few: the number of masses is 3, but there are 5 "
                  "vertices; write one for each, in their order\n");
-    expect_error("above below -m few -f few",
+    expect_error("above below --masses few -f few",
                  "tanglefree: few: the number of masses is 3, but there are 5 "
                  "vertices; write one for each, in their order\n");
 }
@@ -497,17 +508,17 @@ START_TEST(a_full_disk_is_reported)
 {
     expect(run("$tf resolve above below -o /dev/fd/3 3>/dev/full"), 2, "",
            "tanglefree: /dev/fd/3: cannot write: No space left on device; mend "
-           "that and run again\n");
+           "that, and run again\n");
     expect(run("$tf resolve above below -o - >/dev/full"), 2, "",
            "tanglefree: standard output: cannot write: No space left on "
-           "device; mend that and run again\n");
+           "device; mend that, and run again\n");
     expect_error("above below >/dev/full",
                  "tanglefree: standard output: cannot write: No space left on "
-                 "device; mend that and run again\n");
+                 "device; mend that, and run again\n");
     expect(run("$tf resolve above below -o - >mesh 2>/dev/full"), 2, "", "");
     expect_error("above below >&-",
                  "tanglefree: standard output: cannot write: Bad file "
-                 "descriptor; mend that and run again\n");
+                 "descriptor; mend that, and run again\n");
 }
 END_TEST
 
@@ -519,7 +530,7 @@ START_TEST(a_file_that_gets_too_large_is_reported)
         "done");
     make_file("new", "as before");
     expect(run("ulimit -f 64; $tf resolve sheets fallen -o new"), 2, "",
-           "tanglefree: new: cannot write: File too large; mend that and run "
+           "tanglefree: new: cannot write: File too large; mend that, and run "
            "again\n");
     ck_assert_str_eq(file_text("new"), "as before");
     expect(run("ls -A | grep tanglefree"), 1, "", "");
@@ -530,13 +541,13 @@ START_TEST(unwritable_places_are_reported)
 {
     expect(run("$tf resolve above below -o absent/new"), 2, "",
            "tanglefree: absent/new: cannot write: No such file or directory; "
-           "mend that and run again\n");
+           "mend that, and run again\n");
     expect(run("$tf resolve above below -o ."), 2, "",
-           "tanglefree: .: cannot write: Is a directory; mend that and run "
+           "tanglefree: .: cannot write: Is a directory; mend that, and run "
            "again\n");
     expect(run("$tf resolve above below -o - >&-"), 2, "",
            "tanglefree: standard output: cannot write: Bad file descriptor; "
-           "mend that and run again\n");
+           "mend that, and run again\n");
 }
 END_TEST
 
@@ -549,16 +560,16 @@ START_TEST(help_describes_the_command)
     ck_assert_str_eq(found.err, "");
     static const char *const words[] = {
         "Usage: tanglefree resolve [OPTION...] START END",
-        "-o, --write=OUT",
+        "-o, --output=OUT",
         "-f, --fixed=FILE",
-        "-m, --masses=FILE",
-        "-s, --solver=NAME",
+        "--masses=FILE",
+        "--solver=NAME",
         "--separation=X",
         "--friction=X",
         "--restitution=X",
-        "--output=FORMAT",
+        "--format=FORMAT",
         "-t, --threads=NUMBER",
-        "summary or json",
+        "csv, json or summary;",
         "Exit status"};
     for (size_t i = 0; i < sizeof words / sizeof *words; i++)
         expect_words(found.out, words[i]);
@@ -566,22 +577,52 @@ START_TEST(help_describes_the_command)
 }
 END_TEST
 
+START_TEST(old_spellings_are_refused)
+{
+    static const char *const words[] = {"csv", "json", "summary"};
+    for (int i = 0; i < 3; i++) {
+        char arguments[100];
+        snprintf(arguments, sizeof arguments,
+                 "resolve above below -o new --output %s", words[i]);
+        expect_usage(arguments, "tanglefree resolve: --output ");
+    }
+    expect_usage("resolve above below --output=json",
+                 "tanglefree resolve: --output json is an old spelling; write "
+                 "--format json, or ./json for a file of that name\n");
+    expect_usage("resolve above below --write new",
+                 "tanglefree resolve: --write is an old spelling; write "
+                 "--output\n");
+    expect_usage("resolve above below --write=new",
+                 "tanglefree resolve: --write is an old spelling; write "
+                 "--output\n");
+    expect_usage("resolve above below -o new -m ones",
+                 "tanglefree resolve: -m is an old spelling; write "
+                 "--masses\n");
+    expect_usage("resolve above below -o new -s minres",
+                 "tanglefree resolve: -s is an old spelling; write "
+                 "--solver\n");
+    ck_assert_int_eq(occurrences(run("$tf resolve --help").out, "--write"), 0);
+    ck_assert_int_eq(run("$tf resolve above below -o ./json").status, 0);
+    expect_words(file_text("json"), "v ");
+}
+END_TEST
+
 START_TEST(wrong_arguments_are_refused)
 {
     static const char two[] =
-        "tanglefree resolve: two files are required, START and END\n";
+        "tanglefree resolve: two files are required: START and END\n";
     expect_usage("resolve", two);
     expect_usage("resolve -o new above", two);
     expect_usage("resolve -o new above below below", two);
     expect_usage("resolve above below",
-                 "tanglefree resolve: --write OUT is required: where to write "
+                 "tanglefree resolve: --output OUT is required: where to write "
                  "the end of the step\n");
-    expect_usage("resolve above below -o new -s cg",
+    expect_usage("resolve above below -o new --solver cg",
                  "tanglefree resolve: --solver must be gauss-seidel, "
                  "conjugate-residuals, minres or normal-residuals, got 'cg'\n");
-    expect_usage("resolve above below -o new --output csv",
-                 "tanglefree resolve: --output must be summary or json, got "
-                 "'csv'\n");
+    expect_usage("resolve above below -o new --format xml",
+                 "tanglefree resolve: --format must be csv, json or summary, "
+                 "got 'xml'\n");
     expect_usage("resolve above below -o new --restitution 1.1",
                  "tanglefree resolve: --restitution must be from 0 to 1, got "
                  "'1.1'\n");
@@ -592,7 +633,7 @@ START_TEST(wrong_arguments_are_refused)
                  "tanglefree resolve: --separation must be 0 or more, got "
                  "'inf'\n");
     expect_usage("resolve above below -o new -t 0",
-                 "tanglefree resolve: --threads must be a whole number from 1 "
+                 "tanglefree resolve: --threads must be an integer from 1 "
                  "to 256, got '0'\n");
     expect_usage("resolve above below -o new -a exact",
                  "tanglefree resolve: invalid option -- 'a'");
@@ -649,6 +690,7 @@ Suite *suite(void)
     tcase_add_test(large, each_end_can_be_the_next_start);
 
     TCase *reports = add_case(suite, "reports");
+    tcase_add_test(reports, a_report_may_be_csv);
     tcase_add_test(reports, a_report_may_be_json);
     tcase_add_test(reports, progress_is_shown_on_a_terminal);
 
@@ -670,6 +712,7 @@ Suite *suite(void)
 
     TCase *usage = add_case(suite, "usage");
     tcase_add_test(usage, help_describes_the_command);
+    tcase_add_test(usage, old_spellings_are_refused);
     tcase_add_test(usage, wrong_arguments_are_refused);
 
     TCase *environment = add_case(suite, "a broken environment");

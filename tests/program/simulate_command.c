@@ -31,7 +31,7 @@ END_TEST
 START_TEST(no_step_has_a_contact)
 {
     run(CHAIN " -o made --steps 120");
-    outcome found = run("$tf detect -o summary made/*.ply | head -n 2 && "
+    outcome found = run("$tf detect --format summary made/*.ply | head -n 2 && "
                         "$tf check made/*.ply | wc -l");
     expect(found, 0, "steps: 120\nsteps with contacts: 0\n1\n", "");
 }
@@ -221,7 +221,7 @@ START_TEST(the_list_of_scenes)
     expect_words(found.out, "; 300 steps, edge 0.0226\nturbulence  ");
     expect(run("$tf simulate list >/dev/full"), 2, "",
            "tanglefree: standard output: cannot write: No space left on "
-           "device\n");
+           "device; mend that, and run again\n");
 }
 END_TEST
 
@@ -229,19 +229,21 @@ START_TEST(usage)
 {
     static const char *const cases[][2] = {
         {"simulate", "tanglefree simulate: one scene is required; 'tanglefree "
-                     "simulate list' prints all\n"},
-        {"simulate cube -o made", "tanglefree simulate: unknown scene 'cube'; "
-                                  "'tanglefree simulate list' prints all\n"},
-        {"simulate sphere", "tanglefree simulate: --write DIR is required: the "
-                            "folder for the frames\n"},
+                     "simulate list' lists the scenes\n"},
+        {"simulate cube -o made",
+         "tanglefree simulate: unknown scene 'cube'; "
+         "'tanglefree simulate list' lists the scenes\n"},
+        {"simulate sphere",
+         "tanglefree simulate: --output DIR is required: the "
+         "folder for the frames\n"},
         {"simulate sphere --size 3 -o made",
          "tanglefree simulate: --size must be 4 or more for the scene sphere, "
          "got '3'\n"},
         {"simulate sphere --size 2001 -o made",
-         "tanglefree simulate: --size must be a whole number from 1 to 2000, "
+         "tanglefree simulate: --size must be an integer from 1 to 2000, "
          "got '2001'\n"},
         {"simulate sphere --steps x -o made",
-         "tanglefree simulate: --steps must be a whole number from 0 to 99999, "
+         "tanglefree simulate: --steps must be an integer from 0 to 99999, "
          "got 'x'\n"},
         {"simulate sphere --steps 100000 -o made",
          "tanglefree simulate: --steps must be"},
@@ -258,10 +260,15 @@ START_TEST(usage)
         {"simulate star --edge 7 -o made",
          "tanglefree simulate: --edge must be from 0.001 to 0.1 for the scene "
          "star, got '7'\n"},
-        {"simulate star", "tanglefree simulate: --write DIR is required: the "
+        {"simulate star", "tanglefree simulate: --output DIR is required: the "
                           "folder for the frames\n"},
         {"simulate sphere stack -o made",
          "tanglefree simulate: one scene is required"},
+        {"simulate sphere --write made",
+         "tanglefree simulate: --write is an old spelling; write --output\n"},
+        {"simulate sphere -o made --format xml",
+         "tanglefree simulate: --format must be csv, json or summary, got "
+         "'xml'\n"},
         {"simulate sphere -t 0 -o made",
          "tanglefree simulate: --threads must be"},
     };

@@ -24,12 +24,18 @@ static const char *line_of(const tf_simulation *s)
     return text_of(stream);
 }
 
-static const char *totals_of(const tf_step_totals *totals,
+static const char *totals_as(tf_format format, const tf_step_totals *totals,
                              const tf_simulation *s)
 {
     FILE *stream = fopen("text", "w");
-    tf_step_totals_write(stream, totals, s);
+    ck_assert(tf_step_totals_write(stream, format, totals, s));
     return text_of(stream);
+}
+
+static const char *totals_of(const tf_step_totals *totals,
+                             const tf_simulation *s)
+{
+    return totals_as(TF_SUMMARY, totals, s);
 }
 
 static const char *heading_of(const tf_simulation_kind *kind)
@@ -86,6 +92,14 @@ START_TEST(totals_of_cloth_are_sums)
                      "steps: 3\nvertices: 5\ntriangles: 4\ncontacts: 9\n"
                      "failsafe steps: 2\nheld: 27\ndynamics seconds: 1.5\n"
                      "response seconds: 0.75\n");
+    ck_assert_str_eq(totals_as(TF_JSON, &totals, &cloth.base),
+                     "{\"steps\":3,\"vertices\":5,\"triangles\":4,"
+                     "\"contacts\":9,\"failsafe_steps\":2,\"held\":27,"
+                     "\"dynamics_seconds\":1.5,\"response_seconds\":0.75}\n");
+    ck_assert_str_eq(totals_as(TF_CSV, &totals, &cloth.base),
+                     "steps,vertices,triangles,contacts,failsafe_steps,held,"
+                     "dynamics_seconds,response_seconds\n"
+                     "3,5,4,9,2,27,1.5,0.75\n");
     tf_step_describe(&cloth.base, 7, words);
     ck_assert_str_eq(words, "of 7 steps, 3 contacts");
 }

@@ -103,7 +103,7 @@ START_TEST(a_clear_step_has_no_rows)
     expect(run("$tf detect above above"), 0, HEADER, "");
     expect(run("$tf detect above above above"), 0, HEADER, "");
     expect(run("$tf detect flat-below flat-below"), 0, HEADER, "");
-    expect(run("$tf detect above above -o summary | head -n 3"), 0,
+    expect(run("$tf detect above above --format summary | head -n 3"), 0,
            "steps: 1\nsteps with contacts: 0\ncontacts: 0\n", "");
 }
 END_TEST
@@ -118,15 +118,15 @@ START_TEST(steps_are_counted_through)
     at = expect_row(at, "3,point-triangle,4,0,1,2", 0.75);
     ck_assert_str_eq(at, "");
     ck_assert_int_eq(found.status, 1);
-    expect(
-        run("$tf detect above above below below above -o summary | head -n 3"),
-        0, "steps: 4\nsteps with contacts: 2\ncontacts: 4\n", "");
+    expect(run("$tf detect above above below below above --format summary | "
+               "head -n 3"),
+           0, "steps: 4\nsteps with contacts: 2\ncontacts: 4\n", "");
 }
 END_TEST
 
 START_TEST(first_prints_the_first_contact_of_each_step)
 {
-    static const char *const options[] = {"--first", "-f", "-f -t 1"};
+    static const char *const options[] = {"--first", "--firs", "--first -t 1"};
     for (int i = 0; i < 3; i++) {
         outcome found = run("$tf detect %s above below above", options[i]);
         const char *at = found.out + strlen(HEADER);
@@ -140,7 +140,7 @@ END_TEST
 
 START_TEST(json_of_contacts_has_a_summary)
 {
-    outcome found = run("$tf detect -o json above below above");
+    outcome found = run("$tf detect --format json above below above");
     ck_assert_msg(!json_fault(found.out), "%s", json_fault(found.out));
     ck_assert_int_eq(occurrences(found.out, "\n{\"step\":"), 4);
     expect_words(found.out, "{\"contacts\":[\n{\"step\":0,\"kind\":\"point-"
@@ -148,11 +148,11 @@ START_TEST(json_of_contacts_has_a_summary)
     expect_words(found.out, "\n],\n\"summary\":{\"steps\":2,\"steps_with_"
                             "contacts\":2,\"contacts\":4,\"candidates\":4,");
     ck_assert_int_eq(found.status, 1);
-    found = run("$tf detect -o json above above");
+    found = run("$tf detect --format json above above");
     ck_assert_msg(!json_fault(found.out), "%s", json_fault(found.out));
     expect_words(found.out, "{\"contacts\":[\n],\n\"summary\":{\"steps\":1,");
     ck_assert_int_eq(found.status, 0);
-    found = run("$tf detect -o json flat-above flat-below");
+    found = run("$tf detect --format json flat-above flat-below");
     ck_assert_msg(!json_fault(found.out), "%s", json_fault(found.out));
     expect_words(found.out, "\"c\":1,\"d\":null,");
 }
@@ -212,11 +212,13 @@ static const char *const soup[] = {"soup-0", "soup-1", "soup-2", "soup-3"};
 START_TEST(threads_change_nothing)
 {
     make_soup(soup, 4);
-    static const char *const commands[] = {
-        "detect soup-?",          "detect -o json soup-?",
-        "detect -f soup-?",       "detect -o summary soup-?",
-        "check soup-?",           "check -o json soup-?",
-        "check -o summary soup-?"};
+    static const char *const commands[] = {"detect soup-?",
+                                           "detect --format json soup-?",
+                                           "detect --first soup-?",
+                                           "detect --format summary soup-?",
+                                           "check soup-?",
+                                           "check --format json soup-?",
+                                           "check --format summary soup-?"};
     for (int i = 0; i < 7; i++) {
         outcome found = run(
             "$tf %s -t 1 >one; status=$?; for t in 2 3 8 256; do $tf %s -t $t "
@@ -326,7 +328,7 @@ START_TEST(surfaces_free_of_intersections_have_no_rows)
 {
     expect(run("$tf check clear"), 0, CHECK_HEADER, "");
     expect(run("$tf check clear above flat-above"), 0, CHECK_HEADER, "");
-    expect(run("$tf check -o summary clear above"), 0,
+    expect(run("$tf check --format summary clear above"), 0,
            "files: 2\nfiles with intersections: 0\nintersections: 0\n", "");
 }
 END_TEST
@@ -341,7 +343,7 @@ END_TEST
 
 START_TEST(several_files_are_checked)
 {
-    expect(run("$tf check clear crossed clear crossed -o summary"), 1,
+    expect(run("$tf check clear crossed clear crossed --format summary"), 1,
            "files: 4\nfiles with intersections: 2\nintersections: 10\n", "");
     outcome found = run("cp crossed 'a,\"b'; $tf check clear 'a,\"b'");
     ck_assert_int_eq(occurrences(found.out, "\n\"a,\"\"b\",edge-triangle,3,4,"),
@@ -352,7 +354,7 @@ END_TEST
 
 START_TEST(json_of_intersections_has_a_summary)
 {
-    outcome found = run("$tf check -o json crossed");
+    outcome found = run("$tf check --format json crossed");
     ck_assert_msg(!json_fault(found.out), "%s", json_fault(found.out));
     expect_words(found.out,
                  "{\"intersections\":[\n{\"file\":\"crossed\",\"kind\":\"edge-"
@@ -419,12 +421,12 @@ static const struct {
     {"", " no vertices; the file must be a mesh in OBJ or PLY"},
     {"v 1 2 3\n", " no triangles and no edges; a mesh must have some"},
     {TRIANGLE "f 1 2 4\n",
-     "5: there is no vertex 4; the file has those from 1 to 3"},
+     "5: there is no vertex 4; they are numbered from 1 to 3"},
     {TRIANGLE "f 1 2 1\n", "5: vertex 1 is a corner twice; delete the triangle "
                            "or edge, here and in all files"},
-    {TRIANGLE "f 1 2 0\n", "5: \"0\" is not a corner; write the number of a "
+    {TRIANGLE "f 1 2 0\n", "5: '0' is not a corner; write the number of a "
                            "vertex, from 1, or vertex/texture/normal"},
-    {TRIANGLE "v nan 0 0\n", "5: \"nan\" is not a finite number; write a "
+    {TRIANGLE "v nan 0 0\n", "5: 'nan' is not a finite number; write a "
                              "decimal or a hexadecimal float"},
     {TRIANGLE "v 1 0\n", "5: a vertex without z; the vertices of triangles "
                          "must have three coordinates"},
@@ -452,7 +454,7 @@ START_TEST(bad_files_are_refused)
     // The rows of what was good are out by then.
     strcpy(rows, run("$tf check crossed").out);
     expect(run("$tf check crossed bad crossed"), 2, rows, right);
-    outcome found = run("$tf check -o json crossed bad");
+    outcome found = run("$tf check --format json crossed bad");
     ck_assert_msg(!json_fault(found.out), "%s", json_fault(found.out));
     ck_assert_int_eq(found.status, 2);
 }
@@ -464,7 +466,7 @@ START_TEST(good_steps_before_bad_files_are_printed)
     strcpy(rows, run("$tf detect above below").out);
     make_file("bad", "v 1 2 x\n");
     expect(run("$tf detect above below bad above"), 2, rows,
-           "tanglefree: bad:1: \"x\" is not a finite number; write a decimal "
+           "tanglefree: bad:1: 'x' is not a finite number; write a decimal "
            "or a hexadecimal float\n");
     expect(run("$tf detect above below clear"), 2, rows,
            "tanglefree: clear: the number of vertices is 4, but 5 in below; "
@@ -475,7 +477,7 @@ START_TEST(good_steps_before_bad_files_are_printed)
     expect(run("$tf detect above below ."), 2, rows,
            "tanglefree: .: cannot read: Is a directory; check that this is a "
            "file\n");
-    outcome found = run("$tf detect -o json above below bad");
+    outcome found = run("$tf detect --format json above below bad");
     ck_assert_msg(!json_fault(found.out), "%s", json_fault(found.out));
     ck_assert_int_eq(occurrences(found.out, "\"step\":0"), 2);
     expect_words(found.out, "\"summary\":{\"steps\":1,");
@@ -500,8 +502,8 @@ START_TEST(names_send_no_commands_to_the_terminal)
     expect(run("$tf detect a*J b*J"), 2, HEADER,
            "tanglefree: b\\x1b[2J: the number of vertices is 4, but 3 in "
            "a\\x1b[2J; all files must have the same elements\n");
-    expect_words(run("$tf check -o \"$(printf '\\033c')\" clear").err,
-                 "--output must be csv, json or summary, got '\\x1bc'");
+    expect_words(run("$tf check --format \"$(printf '\\033c')\" clear").err,
+                 "--format must be csv, json or summary, got '\\x1bc'");
     expect_words(run("$tf check -t \"$(printf '\\033c')\" clear").err,
                  "got '\\x1bc'");
 }
@@ -529,32 +531,100 @@ START_TEST(coordinates_out_of_range_are_refused)
 }
 END_TEST
 
+// Output files ----------------------------------------------------------------
+
+static const char *const writing[] = {"detect above below",
+                                      "detect above above",
+                                      "check clear crossed", "check clear"};
+
+START_TEST(what_is_written_to_a_file_is_what_is_printed)
+{
+    static const char *const formats[] = {"csv", "json", "summary"};
+    for (int i = 0; i < 12; i++) {
+        char line[100];
+        snprintf(line, sizeof line, "%s --format %s", writing[i / 3],
+                 formats[i % 3]);
+        expect(run("$tf %s >printed; a=$?; $tf %s -o written; b=$?; "
+                   "$tf %s -o - | cmp - printed && cmp printed written && "
+                   "test -s written -a $a = $b",
+                   line, line, line),
+               0, "", "");
+    }
+}
+END_TEST
+
+START_TEST(exit_codes_are_the_same_with_a_file)
+{
+    static const int status[] = {1, 0, 1, 0};
+    for (int i = 0; i < 4; i++)
+        expect(run("$tf %s --output=written", writing[i]), status[i], "", "");
+}
+END_TEST
+
+START_TEST(a_file_appears_whole_or_not_at_all)
+{
+    make_file("bad", TRIANGLE "v x 0 0\n");
+    for (int i = 0; i < 2; i++) {
+        const char *command =
+            i == 0 ? "detect above below bad" : "check crossed bad";
+        ck_assert_int_eq(run("$tf %s -o new", command).status, 2);
+        make_file("old", "before\n");
+        outcome found = run("$tf %s -o old", command);
+        ck_assert_int_eq(found.status, 2);
+        ck_assert_str_eq(found.out, "");
+        expect_words(found.err, "tanglefree: bad:5: 'x' is not a finite");
+        ck_assert_str_eq(file_text("old"), "before\n");
+        expect(run("ls -A | grep -e new -e tanglefree"), 1, "", "");
+    }
+}
+END_TEST
+
+START_TEST(a_file_that_is_read_may_be_written)
+{
+    make_file("both", CLEAR);
+    expect(run("$tf check both -o both"), 0, "", "");
+    ck_assert_str_eq(file_text("both"), CHECK_HEADER);
+}
+END_TEST
+
+START_TEST(a_file_that_cannot_be_written_is_named)
+{
+    expect(run("$tf check clear -o no/rows"), 2, "",
+           "tanglefree: no/rows: cannot write: No such file or directory; mend "
+           "that, and run again\n");
+    expect(run("$tf detect above below -o /dev/full"), 2, "",
+           "tanglefree: /dev/full: cannot write: No space left on device; mend "
+           "that, and run again\n");
+}
+END_TEST
+
 // Output that cannot be written -----------------------------------------------
 
 #define CANNOT_WRITE "tanglefree: standard output: cannot write: "
 
 START_TEST(a_full_disk_is_reported)
 {
-    static const char *const outputs[] = {"csv", "json", "summary"};
+    static const char *const formats[] = {"csv", "json", "summary"};
     for (int i = 0; i < 3; i++) {
-        expect(
-            run("$tf detect -o %s above below >/dev/full", outputs[i]), 2, "",
-            CANNOT_WRITE "No space left on device; mend that and run again\n");
-        expect(run("$tf check -o %s clear >/dev/full", outputs[i]), 2, "",
+        expect(run("$tf detect --format %s above below >/dev/full", formats[i]),
+               2, "",
                CANNOT_WRITE
-               "No space left on device; mend that and run again\n");
+               "No space left on device; mend that, and run again\n");
+        expect(run("$tf check --format %s clear >/dev/full", formats[i]), 2, "",
+               CANNOT_WRITE
+               "No space left on device; mend that, and run again\n");
     }
     expect(run("$tf detect --help >/dev/full"), 2, "",
-           CANNOT_WRITE "No space left on device\n");
+           CANNOT_WRITE "No space left on device; mend that, and run again\n");
 }
 END_TEST
 
 START_TEST(closed_standard_output_is_reported)
 {
     expect(run("$tf detect above below >&-"), 2, "",
-           CANNOT_WRITE "Bad file descriptor; mend that and run again\n");
+           CANNOT_WRITE "Bad file descriptor; mend that, and run again\n");
     expect(run("$tf check clear >&-"), 2, "",
-           CANNOT_WRITE "Bad file descriptor; mend that and run again\n");
+           CANNOT_WRITE "Bad file descriptor; mend that, and run again\n");
     ck_assert_str_eq(file_text("clear"), CLEAR);
 }
 END_TEST
@@ -578,7 +648,9 @@ START_TEST(help_describes_the_commands)
         "--first",
         "--arithmetic=NAME",
         "--narrow-phase=NAME",
-        "--output=FORMAT",
+        "--format=FORMAT",
+        "-o, --output=FILE",
+        "Where to write; the default is -, which is",
         "--threads=NUMBER",
         "exact, clamped, report",
         "reference or vector",
@@ -596,16 +668,40 @@ START_TEST(help_describes_the_commands)
 }
 END_TEST
 
+START_TEST(old_spellings_are_refused)
+{
+    static const char *const words[] = {"csv", "json", "summary"};
+    for (int i = 0; i < 3; i++) {
+        char old[100], message[200];
+        snprintf(message, sizeof message,
+                 ": --output %s is an old spelling; write --format %s, or ./%s "
+                 "for a file of that name\n",
+                 words[i], words[i], words[i]);
+        snprintf(old, sizeof old, "detect above below -o %s", words[i]);
+        expect_words(run("$tf %s", old).err, message);
+        snprintf(old, sizeof old, "check --output=%s clear", words[i]);
+        expect_words(run("$tf %s", old).err, message);
+        expect_usage(old, "tanglefree check: --output ");
+    }
+    expect_usage("detect -f above below",
+                 "tanglefree detect: -f is an old spelling; write --first\n");
+    expect_usage("detect -tf above below", "tanglefree detect: --threads must");
+    expect_usage("detect -ft 1 above below", "tanglefree detect: -f is an old");
+    ck_assert_int_eq(occurrences(run("$tf detect --usage").out, "[-f"), 0);
+    ck_assert_int_eq(run("$tf check clear -o ./csv").status, 0);
+    ck_assert_str_eq(file_text("csv"), CHECK_HEADER);
+}
+END_TEST
+
 START_TEST(wrong_arguments_are_refused)
 {
     static const char two[] =
-        "tanglefree detect: two files or more are required, START and END\n";
+        "tanglefree detect: two files or more are required: START and END\n";
     expect_usage("detect", two);
     expect_usage("detect above", two);
-    expect_usage("detect -f above", two);
-    expect_usage(
-        "check",
-        "tanglefree check: a file is required, or - for standard input\n");
+    expect_usage("detect --first above", two);
+    expect_usage("check", "tanglefree check: a file is required: its name, or "
+                          "- for standard input\n");
     expect_usage("detect -a rounded above below",
                  "tanglefree detect: --arithmetic must be exact, clamped, "
                  "report, perturbed, integer64 or integer128, got 'rounded'\n");
@@ -613,8 +709,8 @@ START_TEST(wrong_arguments_are_refused)
                  "tanglefree detect: --narrow-phase must be reference or "
                  "vector, got 'scalar'\n");
     expect_usage(
-        "detect -o xml above below",
-        "tanglefree detect: --output must be csv, json or summary, got "
+        "detect --format xml above below",
+        "tanglefree detect: --format must be csv, json or summary, got "
         "'xml'\n");
     expect_usage("check -a exact clear",
                  "tanglefree check: invalid option -- 'a'");
@@ -628,7 +724,7 @@ START_TEST(wrong_arguments_are_refused)
         bool empty = *threads[i] == '\'';
         snprintf(arguments, sizeof arguments, "check -t %s clear", threads[i]);
         snprintf(words, sizeof words,
-                 "tanglefree check: --threads must be a whole number from 1 to "
+                 "tanglefree check: --threads must be an integer from 1 to "
                  "256, got '%s'\n",
                  empty ? "" : threads[i]);
         expect_usage(arguments, words);
@@ -707,12 +803,18 @@ Suite *suite(void)
     tcase_add_test(bad, coordinates_out_of_range_are_refused);
 
     TCase *unwritten = add_case(suite, "output that cannot be written");
+    tcase_add_test(unwritten, what_is_written_to_a_file_is_what_is_printed);
+    tcase_add_test(unwritten, exit_codes_are_the_same_with_a_file);
+    tcase_add_test(unwritten, a_file_appears_whole_or_not_at_all);
+    tcase_add_test(unwritten, a_file_that_is_read_may_be_written);
+    tcase_add_test(unwritten, a_file_that_cannot_be_written_is_named);
     tcase_add_test(unwritten, a_full_disk_is_reported);
     tcase_add_test(unwritten, closed_standard_output_is_reported);
     tcase_add_test(unwritten, a_reader_that_leaves_ends_the_program);
 
     TCase *usage = add_case(suite, "usage");
     tcase_add_test(usage, help_describes_the_commands);
+    tcase_add_test(usage, old_spellings_are_refused);
     tcase_add_test(usage, wrong_arguments_are_refused);
 
     TCase *environment = add_case(suite, "a broken environment");

@@ -24,9 +24,9 @@ static const tf_surface_contact in_plane[] = {
 
 // Two steps in space, one without contacts; then one of the plane.
 static const tf_contacts steps[] = {
-    {true, 2, in_space, {10, 5, 3, 2}},
-    {false, 0, NULL, {100, 50, 30, 20}},
-    {true, 1, in_plane, {1000, 500, 300, 200}},
+    {true, 2, in_space, {10, 5, 3, 2, {0}}},
+    {false, 0, NULL, {100, 50, 30, 20, {0}}},
+    {true, 1, in_plane, {1000, 500, 300, 200, {0}}},
 };
 static const int axes[] = {3, 3, 2};
 

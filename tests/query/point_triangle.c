@@ -95,7 +95,7 @@ static void use_public(void)
 START_TEST(null_indices_break_the_contract)
 {
     static const double x[4 * TF_AXES] = {0};
-    tf_motion motion = {.vertices = 4, .start = x, .end = x};
+    tf_motion motion = {.axes = 3, .vertices = 4, .start = x, .end = x};
     tf_contact contact;
     exit_on_broken_contract();
     tf_point_triangle(&oracle_arithmetic, &motion, 0, NULL, &contact);

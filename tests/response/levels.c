@@ -10,13 +10,12 @@
 
 static proposal made;
 static int calls;
-static tf_response_report last;
 
-static void note(void *context, const tf_response_report *so_far)
+static bool note(void *context, const tf_stage *stage)
 {
-    calls++;
-    last = *so_far;
-    *(int *)context = calls;
+    ck_assert_ptr_nonnull(stage->name);
+    *(int *)context = ++calls;
+    return true;
 }
 
 static tf_response_report resolve(tf_response_options options)
@@ -24,7 +23,7 @@ static tf_response_report resolve(tf_response_options options)
     static double end[3 * PROPOSAL_VERTICES];
     tf_surface *surface = surface_of(&made.mesh);
     tf_resolver *resolver;
-    tf_response_report report;
+    const tf_response_report *lent;
     int context = 0;
     calls = 0;
     options.progress = note;
@@ -32,14 +31,15 @@ static tf_response_report resolve(tf_response_options options)
     memcpy(end, made.end, sizeof end);
     ck_assert_int_eq(tf_resolver_create(surface, &resolver), TF_OK);
     ck_assert_int_eq(tf_step_resolve(resolver, made.mesh.vertices, made.start,
-                                     end, made.inverse_mass, &options, &report,
+                                     end, made.inverse_mass, &options, &lent,
                                      NULL),
                      TF_OK);
     int rounds = 0;
     for (int level = 0; level < TF_LEVELS; level++)
-        rounds += report.rounds[level];
-    ck_assert_int_eq(calls, rounds);
+        rounds += lent->rounds[level];
+    ck_assert_int_ge(calls, rounds);
     ck_assert_int_eq(context, calls);
+    tf_response_report report = *lent;
     tf_resolver_free(resolver);
     tf_surface_free(surface);
     return report;
@@ -148,16 +148,6 @@ START_TEST(contacts_that_nothing_moves_stay_listed)
 }
 END_TEST
 
-START_TEST(progress_tells_what_was_done)
-{
-    scatter(300);
-    tf_response_report report = resolve((tf_response_options){0});
-    ck_assert_int_eq(last.rounds[TF_ZONES], report.rounds[TF_ZONES] - 1);
-    ck_assert_uint_le(last.contacts, report.contacts);
-    ck_assert_uint_eq(last.first_contacts, report.first_contacts);
-}
-END_TEST
-
 Suite *suite(void)
 {
     Suite *suite = suite_create("response/levels");
@@ -166,7 +156,6 @@ Suite *suite(void)
     tcase_add_test(tcase, a_solver_that_does_nothing_is_asked_once);
     tcase_add_test(tcase, the_failsafe_goes_on_when_nothing_moves);
     tcase_add_test(tcase, contacts_that_nothing_moves_stay_listed);
-    tcase_add_test(tcase, progress_tells_what_was_done);
     suite_add_tcase(suite, tcase);
     return suite;
 }

@@ -1,6 +1,7 @@
 // The largest clear fraction of a step.
 #include "response/limit.h"
 
+#include "fast/detect.h"
 #include "support/proposals.h"
 #include "support/support.h"
 #include "support/surface_of.h"
@@ -28,7 +29,7 @@ static void finish(void)
 
 static bool is_clear(const double *end)
 {
-    tf_motion motion = {made.mesh.vertices, made.start, end};
+    tf_motion motion = {made.mesh.axes, made.mesh.vertices, made.start, end};
     tf_contacts found;
     ck_assert_int_eq(tf_surface_detect(surface, &motion, NULL, &found, NULL),
                      TF_OK);
@@ -125,16 +126,16 @@ END_TEST
 
 START_TEST(touching_starts_are_rejected)
 {
-    tf_obstacle obstacle;
+    tf_error error;
     int halvings = 7;
     make_speck(0, 1);
     double end[6];
     memcpy(end, made.end, sizeof end);
     ck_assert_int_eq(
-        tf_step_limit(resolver, 3, made.start, end, NULL, &halvings, &obstacle),
+        tf_step_limit(resolver, 3, made.start, end, NULL, &halvings, &error),
         TF_START_NOT_CLEAR);
-    ck_assert_int_eq(obstacle.touching, TF_POINT_EDGE);
-    ck_assert_int_eq(obstacle.vertex[0], 2);
+    ck_assert_int_eq(error.subject, TF_POINT_EDGE_PAIR);
+    ck_assert_int_eq(error.vertex[0], 2);
     ck_assert_int_eq(halvings, 7);
     ck_assert_mem_eq(end, made.end, sizeof end);
     finish();
@@ -143,7 +144,7 @@ END_TEST
 
 START_TEST(bad_input_is_reported)
 {
-    tf_obstacle obstacle;
+    tf_error error;
     int halvings;
     make_speck(1, 1);
     ck_assert_int_eq(
@@ -151,10 +152,10 @@ START_TEST(bad_input_is_reported)
         TF_BAD_COUNT);
     made.end[3] = NAN;
     ck_assert_int_eq(tf_step_limit(resolver, 3, made.start, made.end, NULL,
-                                   &halvings, &obstacle),
+                                   &halvings, &error),
                      TF_NOT_FINITE);
-    ck_assert_int_eq(obstacle.flaw.element, TF_VERTEX);
-    ck_assert_int_eq(obstacle.flaw.index, 1);
+    ck_assert_int_eq(error.subject, TF_VERTEX);
+    ck_assert_uint_eq(error.index, 1);
     finish();
 }
 END_TEST

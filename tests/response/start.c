@@ -1,6 +1,7 @@
 // What a start has to be.
 #include "response/start.h"
 
+#include "fast/detect.h"
 #include "support/proposals.h"
 #include "support/support.h"
 #include "support/surface_of.h"
@@ -9,14 +10,15 @@
 #include <string.h>
 
 static proposal made;
-static tf_obstacle obstacle;
+static tf_error error;
 
 static tf_status check(void)
 {
     tf_surface *surface = surface_of(&made.mesh);
-    tf_motion motion = {made.mesh.vertices, made.start, made.end};
-    memset(&obstacle, 0, sizeof obstacle);
-    tf_status status = tf_start_check(surface, &motion, NULL, &obstacle);
+    tf_motion motion = {made.mesh.axes, made.mesh.vertices, made.start,
+                        made.end};
+    memset(&error, 0, sizeof error);
+    tf_status status = tf_start_check(surface, &motion, NULL, &error);
     tf_surface_free(surface);
     return status;
 }
@@ -24,13 +26,13 @@ static tf_status check(void)
 static tf_status check_contacts(void)
 {
     tf_surface *surface = surface_of(&made.mesh);
-    tf_motion motion = {made.mesh.vertices, made.start, made.end};
+    tf_motion motion = {made.mesh.axes, made.mesh.vertices, made.start,
+                        made.end};
     tf_contacts found;
-    memset(&obstacle, 0, sizeof obstacle);
+    memset(&error, 0, sizeof error);
     ck_assert_int_eq(tf_surface_detect(surface, &motion, NULL, &found, NULL),
                      TF_OK);
-    tf_status status =
-        tf_start_check_contacts(&motion, made.mesh.axes, &found, &obstacle);
+    tf_status status = tf_start_check_contacts(&motion, &found, &error);
     tf_surface_free(surface);
     return status;
 }
@@ -52,9 +54,8 @@ START_TEST(edges_through_triangles_are_found)
     make_rod(-1);
     ck_assert_int_eq(check(), TF_START_NOT_CLEAR);
     static const int expected[] = {3, 4, 0, 1, 2};
-    ck_assert_int_eq(obstacle.crossing, TF_EDGE_THROUGH_TRIANGLE);
-    ck_assert_int_eq(obstacle.touching, TF_NO_KIND);
-    ck_assert_mem_eq(obstacle.vertex, expected, sizeof expected);
+    ck_assert_int_eq(error.subject, TF_EDGE_TRIANGLE_PAIR);
+    ck_assert_mem_eq(error.vertex, expected, sizeof expected);
     // No contact shows them.
     ck_assert_int_eq(check_contacts(), TF_OK);
     make_rod(0x1p-1074);
@@ -67,9 +68,9 @@ START_TEST(contacts_at_the_start_are_told_from_later_ones)
     make_rod(0);
     made.end[3 * 3 + 2] = 1;
     ck_assert_int_eq(check_contacts(), TF_START_NOT_CLEAR);
-    ck_assert_int_eq(obstacle.touching, TF_POINT_TRIANGLE);
-    ck_assert_int_eq(obstacle.vertex[0], 3);
-    ck_assert_int_eq(obstacle.vertex[1], 0);
+    ck_assert_int_eq(error.subject, TF_POINT_TRIANGLE_PAIR);
+    ck_assert_int_eq(error.vertex[0], 3);
+    ck_assert_int_eq(error.vertex[1], 0);
     // So near that toi_lo is 0, and yet no touch.
     make_rod(0x1p-1074);
     made.end[3 * 3 + 2] = -1;
@@ -85,10 +86,10 @@ START_TEST(curves_touch_points_and_edges)
     proposal_add_edge(&made, 0, 1);
     proposal_add_edge(&made, 2, 3);
     ck_assert_int_eq(check(), TF_START_NOT_CLEAR);
-    ck_assert_int_eq(obstacle.crossing, TF_EDGE_ON_EDGE);
+    ck_assert_int_eq(error.subject, TF_EDGE_EDGE_PAIR);
     ck_assert_int_eq(check_contacts(), TF_START_NOT_CLEAR);
-    ck_assert_int_eq(obstacle.touching, TF_POINT_EDGE);
-    ck_assert_int_eq(obstacle.vertex[0], 3);
+    ck_assert_int_eq(error.subject, TF_POINT_EDGE_PAIR);
+    ck_assert_int_eq(error.vertex[0], 3);
 }
 END_TEST
 
@@ -97,7 +98,7 @@ START_TEST(statuses_are_passed_on)
     make_rod(0.5);
     made.start[4] = NAN;
     ck_assert_int_eq(check(), TF_NOT_FINITE);
-    ck_assert_int_eq(obstacle.flaw.index, 1);
+    ck_assert_uint_eq(error.index, 1);
 }
 END_TEST
 

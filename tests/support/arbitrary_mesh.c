@@ -81,13 +81,13 @@ static bool is_good_list(const tf_ints *list, int corners, int vertices)
 static void check_surface(tf_surface *surface, int axes, int vertices,
                           const double *x)
 {
-    tf_motion rest = {.vertices = vertices, .start = x, .end = x};
+    tf_motion rest = {.axes = axes, .vertices = vertices, .start = x, .end = x};
     tf_contacts contacts;
     tf_crossings crossings;
-    require(tf_surface_detect(surface, &rest, NULL, &contacts, NULL) == TF_OK);
+    require(tf_detect(surface, &rest, NULL, &contacts, NULL) == TF_OK);
     size_t met = contacts.count;
     require(contacts.any == (met > 0));
-    require(tf_surface_check(surface, x, vertices, NULL, &crossings, NULL) ==
+    require(tf_surface_check(surface, vertices, x, NULL, &crossings, NULL) ==
             TF_OK);
     size_t crossed = 0;
     for (size_t i = 0; i < crossings.count; i++)

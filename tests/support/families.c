@@ -176,7 +176,7 @@ void batch_fill(batch *b, generator *random, const family *source,
         query q = source->make(random, kind);
         add_query(b, random, &q, i);
     }
-    b->motion = (tf_motion){(int)(4 * count), b->start, b->end};
+    b->motion = (tf_motion){3, (int)(4 * count), b->start, b->end};
     b->queries = (tf_queries){.kind = kind == EDGE_EDGE ? TF_EDGE_EDGE
                                                         : TF_POINT_TRIANGLE,
                               .motion = &b->motion,
@@ -211,7 +211,8 @@ static tf_status decide(const tf_narrow_phase *narrow_phase, batch *b,
 {
     *separated = 0;
     b->queries.motion = &b->motion;
-    return narrow_phase->decide(arithmetic, &b->queries, verdict, separated);
+    return narrow_phase->decide(narrow_phase->context, arithmetic, &b->queries,
+                                verdict, separated);
 }
 
 /// Whether the bits of a query are consistent, and no certain one is wrong.

@@ -318,10 +318,10 @@ const char *batch_fault(generator *random, const query *q,
         add(&all, &changed);
     }
 
-    tf_motion motion = {all.vertices, all.x[0], all.x[1]};
+    tf_motion motion = {q->axes, all.vertices, all.x[0], all.x[1]};
     tf_queries queries = {kind_of(q), &motion, VERSIONS, all.index};
     tf_verdict verdict[VERSIONS];
-    if (tf_reference.decide(&tf_exact, &queries, verdict, &(size_t){0}) !=
+    if (tf_reference.decide(NULL, &tf_exact, &queries, verdict, &(size_t){0}) !=
         TF_OK)
         return "a batch is refused";
     for (int i = 0; i < VERSIONS; i++)

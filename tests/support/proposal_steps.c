@@ -2,6 +2,7 @@
 
 #include "support/support.h"
 #include "support/surface_of.h"
+#include "surface/detect.h"
 
 #include <string.h>
 
@@ -25,10 +26,9 @@ void proposal_step_free(proposal_step *s)
 
 tf_contacts proposal_step_contacts(proposal_step *s)
 {
-    tf_motion motion = {s->step.vertices, s->step.start, s->end};
+    tf_motion motion = {s->step.axes, s->step.vertices, s->step.start, s->end};
     tf_contacts found;
-    ck_assert_int_eq(tf_surface_detect(s->surface, &motion, NULL, &found, NULL),
-                     TF_OK);
+    ck_assert_int_eq(tf_detect(s->surface, &motion, NULL, &found, NULL), TF_OK);
     return found;
 }
 

@@ -1,6 +1,7 @@
 #include "support/resolutions.h"
 
 #include "base/contract.h"
+#include "base/describe.h"
 #include "response/conjugate_residuals.h"
 #include "response/gauss_seidel.h"
 #include "response/minres.h"
@@ -63,12 +64,10 @@ static const char *end_fault(tangle_judge *judge, const proposal *made,
     return NULL;
 }
 
-static const char *status_fault(tf_status status, const tf_obstacle *obstacle)
+static const char *status_fault(const tf_error *error)
 {
     static char text[200];
-    const int *v = obstacle->vertex;
-    snprintf(text, sizeof text, "status %d, about %d %d %d %d %d", (int)status,
-             v[0], v[1], v[2], v[3], v[4]);
+    tf_describe(error, text, sizeof text);
     return text;
 }
 
@@ -78,13 +77,15 @@ static const char *judged_fault(tf_resolver *resolver, tangle_judge *judge,
                                 tf_response_report *report)
 {
     static double proposed[3 * PROPOSAL_VERTICES];
-    tf_obstacle obstacle;
+    tf_error error;
+    const tf_response_report *lent;
     memcpy(proposed, made->end, sizeof proposed);
     tf_status status = tf_step_resolve(
         resolver, made->mesh.vertices, made->start, made->end,
-        weighed ? made->inverse_mass : NULL, options, report, &obstacle);
+        weighed ? made->inverse_mass : NULL, options, &lent, &error);
     if (status != TF_OK)
-        return status_fault(status, &obstacle);
+        return status_fault(&error);
+    *report = *lent;
     const char *fault = end_fault(judge, made, exactly);
     return fault ? fault : report_fault(made, weighed, proposed, report);
 }

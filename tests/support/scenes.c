@@ -2,7 +2,7 @@
 
 scene scene_of(const query *q, const int index[])
 {
-    scene s = {.start = {0}};
+    scene s = {.axes = q->axes};
     for (int i = 0; i < q->vertices + q->others; i++) {
         s.index[i] = index[i];
         for (int k = 0; k < q->axes; k++) {
@@ -15,8 +15,10 @@ scene scene_of(const query *q, const int index[])
 
 tf_motion scene_motion(const scene *s)
 {
-    return (tf_motion){
-        .vertices = SCENE_VERTICES, .start = s->start, .end = s->end};
+    return (tf_motion){.axes = s->axes,
+                       .vertices = SCENE_VERTICES,
+                       .start = s->start,
+                       .end = s->end};
 }
 
 query scene_hit(query_kind kind)

@@ -12,6 +12,7 @@ enum {
 /// The vertices of a query among those of a scene; the others rest at the
 /// origin.
 typedef struct scene {
+    int axes;
     int index[QUERY_VERTICES]; ///< of the query's vertices, in its order
     double start[SCENE_VERTICES * TF_AXES], end[SCENE_VERTICES * TF_AXES];
 } scene;

@@ -61,7 +61,7 @@ void expect_clear(const tf_body *body)
     tf_mesh mesh = tf_body_mesh(body);
     tf_surface *surface = surface_of(&mesh);
     tf_crossings found;
-    ck_assert_int_eq(tf_surface_check(surface, body->position, body->vertices,
+    ck_assert_int_eq(tf_surface_check(surface, body->vertices, body->position,
                                       NULL, &found, NULL),
                      TF_OK);
     ck_assert_uint_eq(found.count, 0);

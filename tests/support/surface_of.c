@@ -6,7 +6,7 @@
 tf_surface *surface_of(const tf_mesh *mesh)
 {
     tf_surface *surface = NULL;
-    tf_flaw flaw;
-    ck_assert_int_eq(tf_surface_create(mesh, &surface, &flaw), TF_OK);
+    tf_error error;
+    ck_assert_int_eq(tf_surface_create(mesh, &surface, &error), TF_OK);
     return surface;
 }

@@ -121,5 +121,6 @@ void random_surface(generator *random, int axes, int elements, placement placed,
     if (axes == 2 || below(random, 3) == 0)
         add_edges(random, 1 + below(random, count), made);
     place_vertices(random, placed, made);
-    made->motion = (tf_motion){made->mesh.vertices, made->start, made->end};
+    made->motion =
+        (tf_motion){axes, made->mesh.vertices, made->start, made->end};
 }

@@ -42,7 +42,7 @@ END_TEST
 static tf_frame frame_of(double a, double b)
 {
     double x[] = {a, 0, 0, b, 0, 0};
-    tf_motion motion = {2, x, x};
+    tf_motion motion = {3, 2, x, x};
     tf_frame frame;
     int bad;
     ck_assert_int_eq(tf_frame_of(3, &motion, NULL, &frame, &bad), TF_OK);
@@ -97,7 +97,7 @@ static tf_status frame_of_many(tf_frame *frame, int *bad)
 {
     static const int workers = 3;
     tf_parallel parallel = scrambled_workers(&workers);
-    tf_motion motion = {MANY, many_start, many_end};
+    tf_motion motion = {3, MANY, many_start, many_end};
     return tf_frame_of(3, &motion, &parallel, frame, bad);
 }
 

@@ -186,9 +186,11 @@ START_TEST(any_number_of_workers_gives_the_same_list)
     for (int workers = 1; workers <= 8; workers++) {
         tf_parallel parallel = scrambled_workers(&workers);
         tf_candidates found;
-        ck_assert_int_eq(tf_surface_candidates(several, &given.motion,
-                                               &parallel, &found, NULL),
-                         TF_OK);
+        ck_assert_int_eq(
+            tf_surface_candidates(several, &given.motion,
+                                  &(tf_detect_options){.parallel = &parallel},
+                                  &found, NULL),
+            TF_OK);
         ck_assert_uint_eq(found.point_count, expected.point_count);
         ck_assert_uint_eq(found.edge_count, expected.edge_count);
         size_t all = found.point_count + found.edge_count;

@@ -40,8 +40,10 @@ static void compare_surfaces(int count, int elements, placement placed,
                               given.mesh.vertices, given.start);
         for (int j = 0; j < 2; j++) {
             ck_assert_int_eq(
-                tf_surface_check(surface, given.start, given.mesh.vertices,
-                                 j ? &parallel : NULL, &found, NULL),
+                tf_surface_check(
+                    surface, given.mesh.vertices, given.start,
+                    &(tf_check_options){.parallel = j ? &parallel : NULL},
+                    &found, NULL),
                 TF_OK);
             compare(&found);
         }
@@ -67,7 +69,7 @@ static size_t count_rows(const double other[9], tf_crossing *first)
         .axes = 3, .vertices = 6, .triangles = 2, .triangle = triangle};
     tf_surface *surface = surface_of(&mesh);
     tf_crossings found;
-    ck_assert_int_eq(tf_surface_check(surface, position, 6, NULL, &found, NULL),
+    ck_assert_int_eq(tf_surface_check(surface, 6, position, NULL, &found, NULL),
                      TF_OK);
     size_t count = found.count;
     if (count > 0)
@@ -111,13 +113,13 @@ START_TEST(bad_input_is_reported)
     tf_surface *surface = surface_of(&mesh);
     double position[] = {0, 0, 0, 1, 0, NAN, 0, 1, 0};
     tf_crossings found;
-    tf_flaw flaw;
+    tf_error error;
     ck_assert_int_eq(
-        tf_surface_check(surface, position, 3, NULL, &found, &flaw),
+        tf_surface_check(surface, 3, position, NULL, &found, &error),
         TF_NOT_FINITE);
-    ck_assert_int_eq(flaw.element, TF_VERTEX);
-    ck_assert_int_eq(flaw.index, 1);
-    ck_assert_int_eq(tf_surface_check(surface, position, 2, NULL, &found, NULL),
+    ck_assert_int_eq(error.subject, TF_VERTEX);
+    ck_assert_uint_eq(error.index, 1);
+    ck_assert_int_eq(tf_surface_check(surface, 2, position, NULL, &found, NULL),
                      TF_BAD_COUNT);
     tf_surface_free(surface);
 }
@@ -126,7 +128,7 @@ END_TEST
 START_TEST(null_breaks_the_contract)
 {
     tf_crossings found;
-    tf_surface_check(NULL, (double[3]){0}, 1, NULL, &found, NULL);
+    tf_surface_check(NULL, 1, (double[3]){0}, NULL, &found, NULL);
 }
 END_TEST
 

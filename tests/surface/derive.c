@@ -74,14 +74,14 @@ START_TEST(triangles_are_listed_once)
 END_TEST
 
 static void expect_flaw(const tf_mesh *mesh, tf_status expected,
-                        tf_element element, int index, int vertex)
+                        tf_subject element, int index, int vertex)
 {
-    tf_flaw flaw;
-    ck_assert_int_eq(tf_mesh_check(mesh, &flaw), expected);
-    ck_assert_int_eq(flaw.element, element);
-    if (element != TF_NO_ELEMENT) {
-        ck_assert_int_eq(flaw.index, index);
-        ck_assert_int_eq(flaw.vertex, vertex);
+    tf_error error;
+    ck_assert_int_eq(tf_mesh_check(mesh, &error), expected);
+    ck_assert_int_eq(error.subject, element);
+    if (element != TF_NO_SUBJECT) {
+        ck_assert_uint_eq(error.index, (size_t)(index));
+        ck_assert_int_eq(error.vertex[0], vertex);
     }
 }
 
@@ -90,7 +90,7 @@ START_TEST(flaws_are_named)
     static const int triangle[] = {0, 1, 2, 2, 1, 3}, edge[] = {3, 4, 0, 5};
     static const int twice[] = {0, 1, 2, 3, 1, 3};
     tf_mesh mesh = {3, 6, 2, triangle, 2, edge};
-    expect_flaw(&mesh, TF_OK, TF_NO_ELEMENT, 0, 0);
+    expect_flaw(&mesh, TF_OK, TF_NO_SUBJECT, 0, 0);
     mesh.vertices = 5;
     expect_flaw(&mesh, TF_BAD_INDEX, TF_EDGE, 1, 5);
     mesh.vertices = 3;
@@ -101,9 +101,40 @@ START_TEST(flaws_are_named)
     mesh.triangle = (int[]){0, -1, 2, 0, 1, 2};
     expect_flaw(&mesh, TF_BAD_INDEX, TF_TRIANGLE, 0, -1);
     mesh.triangles = INT_MAX / 3;
-    expect_flaw(&mesh, TF_OUT_OF_MEMORY, TF_NO_ELEMENT, 0, 0);
+    expect_flaw(&mesh, TF_BAD_COUNT, TF_NO_SUBJECT, 0, 0);
     mesh.triangles = mesh.edges = 0;
-    expect_flaw(&mesh, TF_NO_ELEMENTS, TF_NO_ELEMENT, 0, 0);
+    expect_flaw(&mesh, TF_NO_ELEMENTS, TF_NO_SUBJECT, 0, 0);
+}
+END_TEST
+
+static const int three[] = {0, 1, 2};
+
+/// The axes, and the counts.  No list is as long.
+static const tf_mesh absurd[] = {
+    {3, -1, 1, three, 0, NULL},
+    {3, INT_MIN, 1, three, 0, NULL},
+    {3, INT_MAX, 1, three, 0, NULL},
+    {3, INT_MAX / 3 + 1, 1, three, 0, NULL},
+    {3, 3, -1, three, 0, NULL},
+    {3, 3, INT_MAX, three, 0, NULL},
+    {3, 3, INT_MAX / 3 + 1, three, 0, NULL},
+    {3, 3, 1, three, -1, NULL},
+    {3, 3, 1, three, 1, NULL},
+    {3, 3, 1, NULL, 0, NULL},
+    {3, 3, 0, NULL, INT_MAX, three},
+    {2, 3, 0, NULL, INT_MAX / 2 + 1, three},
+    {2, INT_MAX / 2 + 1, 0, NULL, 1, three},
+};
+
+START_TEST(absurd_counts_are_refused)
+{
+    expect_flaw(&absurd[_i], TF_BAD_COUNT, TF_NO_SUBJECT, 0, 0);
+    tf_mesh other = absurd[_i];
+    static const int axes[] = {0, 1, 4, -1, INT_MAX, INT_MIN};
+    for (int i = 0; i < 6; i++) {
+        other.axes = axes[i];
+        expect_flaw(&other, TF_BAD_AXES, TF_NO_SUBJECT, 0, 0);
+    }
 }
 END_TEST
 
@@ -111,8 +142,7 @@ START_TEST(the_plane_has_no_triangles)
 {
     tf_mesh mesh = {
         .axes = 2, .vertices = 3, .triangles = 1, .triangle = (int[]){0, 1, 2}};
-    tf_flaw flaw;
-    tf_mesh_check(&mesh, &flaw);
+    expect_flaw(&mesh, TF_BAD_AXES, TF_NO_SUBJECT, 0, 0);
 }
 END_TEST
 
@@ -123,7 +153,9 @@ Suite *suite(void)
     tcase_add_test(tcase, edges_are_those_of_the_elements);
     tcase_add_test(tcase, triangles_are_listed_once);
     tcase_add_test(tcase, flaws_are_named);
-    tcase_add_test_raise_signal(tcase, the_plane_has_no_triangles, SIGABRT);
+    tcase_add_test(tcase, the_plane_has_no_triangles);
+    tcase_add_loop_test(tcase, absurd_counts_are_refused, 0,
+                        sizeof absurd / sizeof *absurd);
     suite_add_tcase(suite, tcase);
     return suite;
 }

@@ -8,6 +8,7 @@
 #include "support/support.h"
 #include "support/surface_of.h"
 #include "surface/candidates.h"
+#include "surface/detect.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -22,7 +23,7 @@ static const tf_narrow_phase *narrow_phase = &tf_vectorized;
 static void take_proposal(void)
 {
     proposal_step_begin(&s, &made);
-    motion = (tf_motion){s.step.vertices, s.step.start, s.end};
+    motion = (tf_motion){s.step.axes, s.step.vertices, s.step.start, s.end};
 }
 
 static void drop_proposal(void)
@@ -64,9 +65,9 @@ static void move_some(generator *random, double far)
 static tf_contacts build(const tf_parallel *parallel)
 {
     tf_contacts found;
-    tf_flaw flaw;
+    tf_error error;
     tf_contact_search all = search(parallel);
-    ck_assert_int_eq(tf_pair_cache_build(&cache, &all, &found, &flaw), TF_OK);
+    ck_assert_int_eq(tf_pair_cache_build(&cache, &all, &found, &error), TF_OK);
     ck_assert(tf_pair_cache_is_current(&cache, &all));
     return found;
 }
@@ -154,8 +155,7 @@ static void compare_contact(const tf_surface_contact *found,
 static void compare(tf_surface *other, const tf_contacts *found, bool all)
 {
     tf_contacts true_ones;
-    ck_assert_int_eq(tf_surface_detect(other, &motion, NULL, &true_ones, NULL),
-                     TF_OK);
+    ck_assert_int_eq(tf_detect(other, &motion, NULL, &true_ones, NULL), TF_OK);
     size_t expected = 0;
     for (size_t i = 0; i < true_ones.count; i++) {
         const tf_surface_contact *contact = &true_ones.contact[i];
@@ -360,7 +360,7 @@ START_TEST(workers_check_pairs_that_others_have_kept)
     tf_mesh mesh = {
         .axes = 3, .vertices = 2 * EDGES, .edges = EDGES, .edge = edge};
     s.surface = surface_of(&mesh);
-    motion = (tf_motion){2 * EDGES, start, end};
+    motion = (tf_motion){3, 2 * EDGES, start, end};
     for (int parallel_first = 0; parallel_first < 2; parallel_first++) {
         tf_contacts found = build(parallel_first ? &parallel : NULL);
         ck_assert_uint_eq(found.count, EDGES / 2);

@@ -40,7 +40,7 @@ static tf_contacts decide(tf_surface *surface, tf_contact_selection selection,
                           int count, const int speck[])
 {
     static tf_candidate pair[TF_BATCH];
-    tf_motion motion = {SPECKS + 3, start, end};
+    tf_motion motion = {3, SPECKS + 3, start, end};
     tf_pair_job job = {.surface = surface,
                        .motion = &motion,
                        .arithmetic = &tf_exact,
@@ -113,7 +113,8 @@ END_TEST
 
 START_TEST(statistics_add_up)
 {
-    tf_detect_statistics all = {1, 2, 3, 4}, own = {10, 20, 30, 40};
+    tf_detect_statistics all = {1, 2, 3, 4, {0}};
+    tf_detect_statistics own = {10, 20, 30, 40, {0}};
     tf_detect_statistics_add(&all, &own);
     ck_assert_uint_eq(all.candidates, 11);
     ck_assert_uint_eq(all.by_axis, 22);

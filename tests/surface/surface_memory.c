@@ -36,11 +36,9 @@ START_TEST(a_refilled_surface_is_like_a_new_one)
         expect_same(&refilled->triangles, &surface->triangles);
         tf_contacts contacts, again;
         ck_assert_int_eq(
-            tf_surface_detect(surface, &given.motion, NULL, &contacts, NULL),
-            TF_OK);
-        ck_assert_int_eq(
-            tf_surface_detect(refilled, &given.motion, NULL, &again, NULL),
-            TF_OK);
+            tf_detect(surface, &given.motion, NULL, &contacts, NULL), TF_OK);
+        ck_assert_int_eq(tf_detect(refilled, &given.motion, NULL, &again, NULL),
+                         TF_OK);
         ck_assert_uint_eq(again.count, contacts.count);
         if (again.count > 0)
             ck_assert_mem_eq(again.contact, contacts.contact,
@@ -58,10 +56,10 @@ START_TEST(trees_have_all_elements_and_their_boxes)
     for (int i = 0; i < (int)cases(100); i++) {
         random_surface(&random, 2 + i % 2, SURFACE_ELEMENTS, ANYWHERE, &given);
         tf_surface *surface = surface_of(&given.mesh);
-        tf_flaw flaw;
-        ck_assert_int_eq(tf_surface_move(surface, &given.motion, NULL, &flaw),
+        tf_error error;
+        ck_assert_int_eq(tf_surface_move(surface, &given.motion, NULL, &error),
                          TF_OK);
-        ck_assert_int_eq(flaw.element, TF_NO_ELEMENT);
+        ck_assert_int_eq(error.subject, TF_NO_SUBJECT);
         ck_assert_int_eq(surface->vertex_tree.count, surface->vertices);
         ck_assert_int_eq(surface->edge_tree.count, surface->edges.count);
         ck_assert_int_eq(surface->triangle_tree.count,
@@ -82,22 +80,23 @@ START_TEST(bad_motions_are_refused)
     generator random = generator_new(4);
     random_surface(&random, 3, SURFACE_ELEMENTS, ANYWHERE, &given);
     tf_surface *surface = surface_of(&given.mesh);
-    tf_flaw flaw;
+    tf_error error;
     tf_motion more = given.motion;
     more.vertices++;
-    ck_assert_int_eq(tf_surface_move(surface, &more, NULL, &flaw),
+    ck_assert_int_eq(tf_surface_move(surface, &more, NULL, &error),
                      TF_BAD_COUNT);
-    ck_assert_int_eq(flaw.element, TF_NO_ELEMENT);
+    ck_assert_int_eq(error.subject, TF_NO_SUBJECT);
     size_t bytes = sizeof(double) * 3 * (size_t)given.motion.vertices;
     double *end = malloc(bytes);
     ck_assert_ptr_nonnull(end);
     memcpy(end, given.motion.end, bytes);
     end[3 * 2 + 1] = INFINITY;
-    tf_motion far = {given.motion.vertices, given.motion.start, end};
-    ck_assert_int_eq(tf_surface_move(surface, &far, NULL, &flaw),
+    tf_motion far = {given.motion.axes, given.motion.vertices,
+                     given.motion.start, end};
+    ck_assert_int_eq(tf_surface_move(surface, &far, NULL, &error),
                      TF_NOT_FINITE);
-    ck_assert_int_eq(flaw.element, TF_VERTEX);
-    ck_assert_int_eq(flaw.vertex, 2);
+    ck_assert_int_eq(error.subject, TF_VERTEX);
+    ck_assert_int_eq(error.vertex[0], 2);
     free(end);
     tf_surface_free(surface);
 }

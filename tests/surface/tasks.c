@@ -49,11 +49,27 @@ START_TEST(every_task_runs_once)
 }
 END_TEST
 
-START_TEST(there_is_always_a_worker)
+START_TEST(threads_that_are_none_are_refused)
 {
-    int workers = 0;
+    static const int bad[] = {0, -1, 4097, INT_MAX, INT_MIN},
+                     good[] = {1, 4096};
+    tf_error error;
+    int workers = 1;
     tf_parallel parallel = scrambled_workers(&workers);
-    tf_parallel_workers(&parallel);
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+        parallel.workers = bad[i];
+        ck_assert_int_eq(tf_parallel_check(&parallel, &error), TF_BAD_OPTION);
+        ck_assert_str_eq(error.option, "parallel.workers");
+        ck_assert_double_eq(error.value, bad[i]);
+    }
+    for (size_t i = 0; i < sizeof good / sizeof *good; i++) {
+        parallel.workers = good[i];
+        ck_assert_int_eq(tf_parallel_check(&parallel, &error), TF_OK);
+    }
+    ck_assert_int_eq(tf_parallel_check(NULL, &error), TF_OK);
+    parallel.for_each = NULL;
+    ck_assert_int_eq(tf_parallel_check(&parallel, &error), TF_BAD_OPTION);
+    ck_assert_str_eq(error.option, "parallel.for_each");
 }
 END_TEST
 
@@ -98,7 +114,7 @@ Suite *suite(void)
     Suite *suite = suite_create("surface/tasks");
     TCase *tcase = tcase_create("tasks");
     tcase_add_test(tcase, every_task_runs_once);
-    tcase_add_test_raise_signal(tcase, there_is_always_a_worker, SIGABRT);
+    tcase_add_test(tcase, threads_that_are_none_are_refused);
     tcase_add_test(tcase, parts_cover_a_range_once);
     tcase_add_test(tcase, ranges_are_divided_into_few_parts_of_many);
     suite_add_tcase(suite, tcase);

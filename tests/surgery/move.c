@@ -2,11 +2,11 @@
 // finds one, and no others.
 #include "surgery/move.h"
 
+#include "fast/detect.h"
 #include "support/adaptive_surfaces.h"
 #include "support/support.h"
 #include "support/surface_of.h"
 #include "support/surgery_runs.h"
-#include "surface/detect.h"
 #include "surgery/outcome.h"
 
 #include <string.h>
@@ -19,7 +19,7 @@ static bool has_contact(tf_surface *detected,
     static double end[3 * LABELLED];
     tf_mesh mesh = tf_adaptive_mesh(surface);
     const double *start = tf_adaptive_positions(surface);
-    tf_motion motion = {mesh.vertices, start, end};
+    tf_motion motion = {3, mesh.vertices, start, end};
     tf_contacts found;
     memcpy(end, start, 24 * (size_t)mesh.vertices);
     memcpy(end + 3 * move->a, move->position, sizeof move->position);

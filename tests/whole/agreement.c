@@ -5,6 +5,7 @@
 #include "arithmetic/functions.h"
 #include "arithmetic/integer.h"
 #include "arithmetic/perturbed.h"
+#include "arithmetic/published.h"
 #include "intersect/cascade.h"
 #include "query/edge_edge.h"
 #include "query/narrow_phase.h"
@@ -245,14 +246,16 @@ static void decide(const tf_arithmetic *arithmetic, query_kind kind,
 {
     static const tf_kind kinds[KINDS] = {TF_POINT_EDGE, TF_POINT_TRIANGLE,
                                          TF_EDGE_EDGE};
-    tf_motion motion = {
-        .vertices = BATCH_VERTICES, .start = all->start, .end = all->end};
+    tf_motion motion = {.axes = kind == POINT_EDGE ? 2 : 3,
+                        .vertices = BATCH_VERTICES,
+                        .start = all->start,
+                        .end = all->end};
     tf_queries queries = {.kind = kinds[kind],
                           .motion = &motion,
                           .count = BATCH,
                           .vertices = all->vertex};
     ck_assert_int_eq(
-        tf_reference.decide(arithmetic, &queries, verdict, &(size_t){0}),
+        tf_reference.decide(NULL, arithmetic, &queries, verdict, &(size_t){0}),
         TF_OK);
 }
 

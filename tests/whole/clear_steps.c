@@ -1,7 +1,7 @@
 // What the theorem of no contact gives for surfaces: a step that starts free of
 // intersections and has no contact ends free of them.
+#include "fast/detect.h"
 #include "surface/check.h"
-#include "surface/detect.h"
 
 #include "support/crossings.h"
 #include "support/support.h"
@@ -20,7 +20,7 @@ static surface_case given;
 static bool is_clear(tf_surface *surface, const double position[])
 {
     tf_crossings found;
-    ck_assert_int_eq(tf_surface_check(surface, position, given.mesh.vertices,
+    ck_assert_int_eq(tf_surface_check(surface, given.mesh.vertices, position,
                                       NULL, &found, NULL),
                      TF_OK);
     return found.count == 0;

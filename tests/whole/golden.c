@@ -46,7 +46,7 @@ static tf_status ask(const tf_arithmetic *arithmetic, const tf_query_kind *kind,
     int vertex[4] = {0, 1, 2, 3};
     for (int i = 0; i < others && backwards; i++)
         vertex[first + i] = first + others - 1 - i;
-    tf_motion motion = {first + others, rows->x[0], rows->x[1]};
+    tf_motion motion = {kind->axes, first + others, rows->x[0], rows->x[1]};
     if (kind->axes == 2)
         return tf_point_edge(arithmetic, &motion, 0, vertex + 1, contact);
     return first == 1

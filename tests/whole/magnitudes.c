@@ -5,6 +5,7 @@
 #include "arithmetic/exact.h"
 #include "arithmetic/functions.h"
 #include "arithmetic/perturbed.h"
+#include "arithmetic/published.h"
 #include "support/judge.h"
 
 #include <float.h>

@@ -3,13 +3,14 @@
 #include "arithmetic/exact.h"
 #include "arithmetic/integer.h"
 #include "arithmetic/perturbed.h"
+#include "arithmetic/published.h"
 #include "bench/layers.h"
+#include "fast/detect.h"
 #include "fast/vectorized.h"
 #include "program/threads.h"
 #include "support/support.h"
 #include "support/surface_of.h"
 #include "support/surfaces.h"
-#include "surface/detect.h"
 
 #include <stdlib.h>
 #include <string.h>

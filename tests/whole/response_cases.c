@@ -99,8 +99,11 @@ static tf_status resolve(const tf_response_options *options,
     tf_surface *surface = surface_of(&made.mesh);
     tf_resolver *resolver = NULL;
     ck_assert_int_eq(tf_resolver_create(surface, &resolver), TF_OK);
+    const tf_response_report *lent;
     tf_status status = tf_step_resolve(resolver, made.mesh.vertices, made.start,
-                                       made.end, NULL, options, report, NULL);
+                                       made.end, NULL, options, &lent, NULL);
+    if (status == TF_OK && report)
+        *report = *lent;
     tf_resolver_free(resolver);
     tf_surface_free(surface);
     return status;

@@ -1,6 +1,7 @@
 // Any number of threads finds the same candidates, contacts and intersections,
 // bit by bit.
 #include "bench/layers.h"
+#include "fast/detect.h"
 #include "program/threads.h"
 #include "support/scrambled_workers.h"
 #include "support/support.h"
@@ -8,7 +9,6 @@
 #include "support/surfaces.h"
 #include "surface/candidates.h"
 #include "surface/check.h"
-#include "surface/detect.h"
 
 #include <string.h>
 
@@ -28,7 +28,10 @@ static rows find_candidates(tf_surface *surface, const tf_parallel *parallel)
 {
     tf_candidates found;
     ck_assert_int_eq(
-        tf_surface_candidates(surface, &motion, parallel, &found, NULL), TF_OK);
+        tf_surface_candidates(surface, &motion,
+                              &(tf_detect_options){.parallel = parallel},
+                              &found, NULL),
+        TF_OK);
     return (rows){found.point_count + found.edge_count, sizeof *found.points,
                   found.points};
 }
@@ -45,8 +48,9 @@ static rows find_contacts(tf_surface *surface, const tf_parallel *parallel)
 static rows find_crossings(tf_surface *surface, const tf_parallel *parallel)
 {
     tf_crossings found;
-    ck_assert_int_eq(tf_surface_check(surface, motion.end, motion.vertices,
-                                      parallel, &found, NULL),
+    ck_assert_int_eq(tf_surface_check(surface, motion.vertices, motion.end,
+                                      &(tf_check_options){.parallel = parallel},
+                                      &found, NULL),
                      TF_OK);
     return (rows){found.count, sizeof *found.crossing, found.crossing};
 }

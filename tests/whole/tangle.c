@@ -2,11 +2,11 @@
 // own check finds.
 #include "support/tangle.h"
 
+#include "fast/detect.h"
 #include "support/support.h"
 #include "support/surface_of.h"
 #include "support/surfaces.h"
 #include "surface/check.h"
-#include "surface/detect.h"
 
 #include <math.h>
 #include <string.h>
@@ -18,7 +18,7 @@ static surface_case given;
 static tf_crossings check(tf_surface *surface)
 {
     tf_crossings found;
-    ck_assert_int_eq(tf_surface_check(surface, given.start, given.mesh.vertices,
+    ck_assert_int_eq(tf_surface_check(surface, given.mesh.vertices, given.start,
                                       NULL, &found, NULL),
                      TF_OK);
     return found;

@@ -6,6 +6,7 @@
 #include "arithmetic/exact.h"
 #include "arithmetic/integer.h"
 #include "arithmetic/perturbed.h"
+#include "arithmetic/published.h"
 #include "base/contract.h"
 #include "query/edge_edge.h"
 #include "query/narrow_phase.h"
@@ -68,14 +69,14 @@ static void find_answer(query q, answer *found)
     int size = query_size(&q);
     for (int i = 0; i < size; i++)
         x[i] = *query_coordinate(&q, i);
-    tf_motion motion = {q.vertices + q.others, x, x + size / 2};
+    tf_motion motion = {q.axes, q.vertices + q.others, x, x + size / 2};
     tf_queries queries = {kind_of(&q), &motion, 1, vertices};
 
     memset(found, 0, sizeof *found);
     for (int i = 0; i < ARITHMETICS; i++) {
         found->status[i] = ask(arithmetics[i], queries.kind, &motion, vertices,
                                &found->contact[i]);
-        tf_reference.decide(arithmetics[i], &queries, &found->decided[i],
+        tf_reference.decide(NULL, arithmetics[i], &queries, &found->decided[i],
                             &(size_t){0});
     }
 }

@@ -200,7 +200,7 @@ static bool in_contact(const tf_arithmetic *arithmetic, const scene *s,
                        int from, int to)
 {
     cycle first = cycle_of(s, 0), second = cycle_of(s, 1);
-    tf_motion motion = {VERTICES, s->start, s->end};
+    tf_motion motion = {s->axes, VERTICES, s->start, s->end};
     int vertices[4 * ELEMENTS], size = first.size + second.size;
     tf_verdict verdict[ELEMENTS];
     for (int i = from; i < to; i++) {
@@ -213,9 +213,9 @@ static bool in_contact(const tf_arithmetic *arithmetic, const scene *s,
         }
         tf_queries queries = {s->kind, &motion, (size_t)second.count, vertices};
         size_t separated = 0;
-        ck_assert_int_eq(
-            tf_reference.decide(arithmetic, &queries, verdict, &separated),
-            TF_OK);
+        ck_assert_int_eq(tf_reference.decide(NULL, arithmetic, &queries,
+                                             verdict, &separated),
+                         TF_OK);
         for (int j = 0; j < second.count; j++)
             if (verdict[j] != TF_APART)
                 return true;

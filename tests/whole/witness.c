@@ -1,6 +1,7 @@
 // A collision that is missed when a sign that is not known counts as zero.
 #include "arithmetic/clamped.h"
 #include "arithmetic/exact.h"
+#include "arithmetic/published.h"
 #include "intersect/cascade.h"
 #include "support/judge.h"
 

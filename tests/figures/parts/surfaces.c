@@ -4,6 +4,7 @@
 #include "arithmetic/exact.h"
 #include "arithmetic/functions.h"
 #include "bench/layers.h"
+#include "fast/detect.h"
 #include "intersect/signs.h"
 #include "kit/meshes.h"
 #include "kit/random.h"
@@ -11,7 +12,6 @@
 #include "query/edge_edge.h"
 #include "query/point_triangle.h"
 #include "surface/box.h"
-#include "surface/detect.h"
 
 // Boxes -----------------------------------------------------------------------
 
@@ -282,7 +282,7 @@ static void contacts_of_the_sheet_are_those_of_all_pairs(void)
                              fig_folded_sheet(ROWS, COLUMNS, 200)};
     int triangles = mesh->triangles;
     ck_assert_int_eq(mesh->vertices, PLACES);
-    tried.motion = (tf_motion){PLACES, mesh[0].x, mesh[1].x};
+    tried.motion = (tf_motion){3, PLACES, mesh[0].x, mesh[1].x};
     tried.then = number("time");
     tried.toi = 2;
     for (int v = 0; v < PLACES; v++)
@@ -321,7 +321,7 @@ static void workers_find_the_contacts_of_three_threads(void)
     fig_some_mesh at[2] = {fig_folded_sheet(60, 120, 150),
                            fig_folded_sheet(60, 120, 183.35)};
     const tf_mesh mesh = fig_mesh_in_space(&at[0]);
-    const tf_motion motion = {at[0].vertices, at[0].x, at[1].x};
+    const tf_motion motion = {3, at[0].vertices, at[0].x, at[1].x};
     int threads = 3, points = 0;
     tf_parallel parallel = tf_threads(&threads);
     tf_surface *surface;
@@ -428,7 +428,7 @@ static void find_cell(const tf_box *box, const tf_box *whole, unsigned cell[3])
 
 static placed *order_of(const fig_some_mesh *mesh)
 {
-    const tf_motion rest = {mesh->vertices, mesh->x, mesh->x};
+    const tf_motion rest = {mesh->axes, mesh->vertices, mesh->x, mesh->x};
     tf_box *box = malloc((size_t)mesh->vertices * sizeof *box);
     placed *order = malloc((size_t)mesh->triangles * sizeof *order);
     tf_box whole = tf_box_empty;

@@ -7,8 +7,8 @@
 # an include goes up the layers or closes a circle of modules, if a function is
 # declared in the header of another module than defines it, if a module of the
 # library allocates without base/memory.h, or if a folder has more than 45
-# files.  The program, and the files and the simulator in it, see
-# of the library what its users see: public headers, besides base/ and vectors.
+# files.  The program, and the files and the simulator in it, see of the library
+# what its users see: public headers, besides base/ and vectors.
 
 BEGIN {
     layers = split("base geometry arithmetic intersect query linear surface " \
@@ -43,7 +43,7 @@ FNR == 1 {
     }
 }
 
-# So does qsort in some C libraries.
+# In some C libraries qsort allocates, too.
 /(^|[^a-z_])(malloc|calloc|realloc|aligned_alloc|strdup|qsort|free)\(/ {
     if (from != "base/memory" && !is_client(from))
         fail("use tf_allocate, tf_release or tf_sort of the library")

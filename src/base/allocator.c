@@ -18,6 +18,7 @@ tf_status tf_set_allocator(tf_allocate_function *allocate,
     return TF_OK;
 }
 
+//: Tell how much memory is in use
 size_t tf_memory_in_use(void)
 {
     return atomic_load(&tf_library_memory.in_use);

@@ -17,7 +17,7 @@ static void count_use(size_t size)
         ;
 }
 
-//: Allocate and release
+//: Allocate memory
 void *tf_allocate(size_t size)
 {
     tf_memory *own = &tf_library_memory;
@@ -36,6 +36,7 @@ void *tf_allocate_zeroed(size_t size)
     return memory ? memset(memory, 0, size) : NULL;
 }
 
+//: Release memory
 void tf_release(void *memory, size_t size)
 {
     tf_memory *own = &tf_library_memory;

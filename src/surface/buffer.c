@@ -32,6 +32,7 @@ bool tf_buffer_reserve(tf_buffer *buffer, size_t count, size_t size)
     return true;
 }
 
+//: Extend a list
 bool tf_buffer_extend(tf_buffer *buffer, size_t count, size_t size)
 {
     if (!fits(count, size))
@@ -50,6 +51,7 @@ bool tf_buffer_extend(tf_buffer *buffer, size_t count, size_t size)
     return true;
 }
 
+//: Free a buffer
 void tf_buffer_free(tf_buffer *buffer)
 {
     size_t shift = buffer->shift;

@@ -123,6 +123,31 @@ uninstall: ## remove what install and install-draw installed
 	@printf '%s\n' "$$FILES" "$$DRAW" | $(install_sh) remove
 .PHONY: install install-draw uninstall
 
+# The binary interface ---------------------------------------------------------
+
+# What programs have been compiled for: a description of the library of the last
+# release that has this major version.  In it no paths, no compiler, no options.
+abi = src/package/abi
+abi_record = $(abi)/tanglefree-$(firstword $(subst ., ,$(version))).abi
+abi_present = $(BUILD)/abi/tanglefree.abi
+
+$(abi_present): $(single_files) $(wildcard $(abi)/*.awk) $(abi)/describe.sh | \
+		need-abi
+	@echo 'write   $@' && mkdir -p $(@D)
+	$(Q)cp $(single_files) $(@D) && CC='$(CC)' sh $(abi)/describe.sh $(@D)
+
+##@ Package and install
+
+abi-record: $(abi_present) ## record the binary interface, for a release
+	@rm -f $(abi)/tanglefree-*.abi && cp $(abi_present) $(abi_record)
+	@echo 'recorded $(abi_record)'
+
+##@ Check
+
+check-abi: library $(abi_present) ## check that programs of the last release still run
+	@$(package_check)/abi.sh $(abi_record)
+.PHONY: abi-record check-abi
+
 # The checks -------------------------------------------------------------------
 
 # The scripts do what users do: they see neither src/ nor its modules.

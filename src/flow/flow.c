@@ -2,6 +2,7 @@
 #include "flow/flow.h"
 
 #include "base/environment.h"
+#include "base/memory.h"
 #include "base/require.h"
 #include "base/sized.h"
 #include "flow/flow_state.h"
@@ -12,14 +13,13 @@
 #include "topology/passes.h"
 
 #include <stddef.h>
-#include <stdlib.h>
 #include <string.h>
 
 //: Create a flow
 tf_status tf_flow_create(tf_adaptive_surface *surface, tf_flow **flow)
 {
     TF_REQUIRE(surface && flow);
-    tf_flow *made = calloc(1, sizeof *made);
+    tf_flow *made = tf_allocate_zeroed(sizeof *made);
     if (!made)
         return TF_OUT_OF_MEMORY;
     made->surface = surface;
@@ -39,7 +39,7 @@ void tf_flow_free(tf_flow *flow)
     tf_reconnector_free(&flow->reconnector);
     tf_advance_free(&flow->advance);
     tf_draft_free(&flow->draft);
-    free(flow);
+    tf_release(flow, sizeof *flow);
 }
 
 //: Count the memory of a flow

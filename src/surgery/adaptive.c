@@ -3,12 +3,12 @@
 
 #include "base/environment.h"
 #include "base/fail.h"
+#include "base/memory.h"
 #include "base/require.h"
 #include "surgery/conditions.h"
 #include "surgery/draft.h"
 #include "surgery/star.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 //: Fill an adaptive surface
@@ -50,7 +50,7 @@ tf_status tf_adaptive_create(const tf_mesh *mesh, const double position[],
     tf_status status = tf_check_mesh(mesh, position, error);
     if (status != TF_OK)
         return status;
-    tf_adaptive_surface *made = calloc(1, sizeof *made);
+    tf_adaptive_surface *made = tf_allocate_zeroed(sizeof *made);
     if (!made)
         return tf_fail(error, TF_OUT_OF_MEMORY);
     status = make_surface(mesh, position, made, error);
@@ -67,7 +67,7 @@ void tf_adaptive_free(tf_adaptive_surface *surface)
     if (!surface)
         return;
     tf_draft_free(surface);
-    free(surface);
+    tf_release(surface, sizeof *surface);
 }
 
 //: Count the memory of an adaptive surface

@@ -43,10 +43,13 @@ static bool trial_goes_on(const trial *t, int item)
 
 static bool added_overlap(const trial *t)
 {
-    for (int i = 0; i < t->additions && trial_goes_on(t, i); i++)
+    for (int i = 0; i < t->additions; i++) {
+        if (!trial_goes_on(t, i))
+            return true;
         for (int j = 0; j < i; j++)
             if (tf_facets_overlap(&t->added[i].facet, &t->added[j].facet))
                 return true;
+    }
     return false;
 }
 

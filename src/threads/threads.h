@@ -9,9 +9,9 @@
 /// Declared in tanglefree_threads.h; the other groups are in tanglefree.h.
 /// @{
 
-/// Limits of pools.
-enum {
-    TF_MOST_THREADS = 256 ///< the most threads that run tasks
+/// The size of a pool.
+enum tf_pool_size {
+    TF_MOST_THREADS = 256 ///< the most threads that may run tasks
 };
 
 /// Threads that run the tasks of the library: a tf_parallel to be used as it

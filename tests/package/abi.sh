@@ -155,7 +155,10 @@ make_grown() {
 
 check_grown() {
     sh $scripts/compare.sh "$present/tanglefree.abi" "$copy" \
-        >"$copy/output" || fail 'an addition is taken for a break'
+        >"$copy/output" 2>&1 || {
+        cat "$copy/output"
+        fail 'an addition breaks what was there'
+    }
     for added in tf_planted tf_planted_constant \
         'TF_PLANTED_tf_verdict of enum tf_verdict' \
         'planted of struct tf_stage'; do

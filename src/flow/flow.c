@@ -94,9 +94,8 @@ static tf_status move(tf_flow *flow, const tf_flow_options *options,
         status = tf_advance_propose(advance);
     if (status == TF_OK)
         status = tf_advance_restore_volume(advance);
-    return status == TF_OK
-               ? tf_advance_resolve(advance, &flow->report.response)
-               : status;
+    return status == TF_OK ? tf_advance_resolve(advance, &flow->report.response)
+                           : status;
 }
 
 //: Go through the parts of a step
@@ -154,9 +153,8 @@ tf_status tf_flow_step(tf_flow *flow, double time, double step,
         return status;
     tf_watch watch;
     flow->draft.watch = tf_watch_begin(&watch, own.progress, own.context);
-    flow->report =
-        (tf_flow_report){.reconnected = &flow->reconnector.report,
-                         .response = &flow->no_response};
+    flow->report = (tf_flow_report){.reconnected = &flow->reconnector.report,
+                                    .response = &flow->no_response};
     status = make_step(flow, &own, time, step);
     flow->draft.watch = NULL;
     if (status == TF_OK && report)

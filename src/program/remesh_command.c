@@ -5,12 +5,17 @@
 #include "program/mesh_output.h"
 #include "program/progress.h"
 #include "program/reports.h"
+#include "remesh/origins.h"
 #include "remesh/remesh.h"
+
+#include <string.h>
 
 //: Hold what remesh does
 typedef struct remeshing {
     const tf_request *request;
     tf_frames frames;
+    tf_columns columns; ///< what the vertices of the file have
+    tf_columns carried; ///< and those of the surface then
     tf_adaptive_surface *surface;
     tf_remeshed done;
     tf_destination out;
@@ -64,11 +69,31 @@ static bool remesh(remeshing *r)
     return true;
 }
 
+//: Carry over what vertices have
+/// Mixes the values at the corners where each vertex comes from.
+static bool carry(remeshing *r)
+{
+    const tf_mesh_file *file = tf_frames_file(&r->frames);
+    const tf_origin *origin = tf_adaptive_origins(r->surface);
+    int vertices = tf_adaptive_mesh(r->surface)->vertices;
+    r->carried.count = r->columns.count;
+    memcpy(r->carried.column, r->columns.column, sizeof r->columns.column);
+    for (int v = 0; v < vertices && r->columns.count > 0; v++)
+        if (!tf_columns_mix(&r->carried, &r->columns,
+                            file->triangle.item +
+                                3 * (size_t)origin[v].triangle,
+                            origin[v].barycentric))
+            return tf_mesh_file_fault_in_memory(file);
+    return true;
+}
+
 //: Remesh and write
 static bool write(remeshing *r)
 {
     tf_mesh_content content = {.mesh = *tf_adaptive_mesh(r->surface),
-                               .position = tf_adaptive_positions(r->surface)};
+                               .position = tf_adaptive_positions(r->surface),
+                               .columns =
+                                   r->carried.count > 0 ? &r->carried : NULL};
     tf_mesh_report report = {*r->request->format, tf_remeshed_fields, &r->done};
     r->done.triangles_after = content.mesh.triangles;
     return tf_mesh_output_write(&r->out, &content,
@@ -83,7 +108,7 @@ static bool do_all(remeshing *r)
         return false;
     bool good = remesh(r);
     tf_progress_line_end(&r->progress);
-    return good && write(r);
+    return good && carry(r) && write(r);
 }
 
 //: Run the command remesh
@@ -91,10 +116,13 @@ static int run(const tf_request *request)
 {
     remeshing r = {.request = request,
                    .progress = tf_progress_line_begin(true)};
+    r.frames.columns = &r.columns;
     bool good = do_all(&r);
     tf_fault_print(&r.frames.fault, "tanglefree");
     tf_destination_end(&r.out);
     tf_adaptive_free(r.surface);
+    tf_columns_free(&r.columns);
+    tf_columns_free(&r.carried);
     tf_frames_free(&r.frames);
     return good ? 0 : 2;
 }

@@ -103,8 +103,8 @@ static double distance_of(tf_original *original,
     for (int i = 0; i < 3; i++) {
         int vertex = tf_vertex_at(surface, 3 * triangle + i);
         if (tf_first_corner(surface, vertex) == 3 * triangle + i)
-            far = fmax(
-                far, tf_original_project(original, shape.corner[i]).distance);
+            far = fmax(far,
+                       tf_original_project(original, shape.corner[i]).distance);
     }
     return far;
 }

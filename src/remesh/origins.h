@@ -9,7 +9,7 @@
 
 /// A point of a surface, on one of its triangles.
 typedef struct tf_origin {
-    int triangle; ///< its number
+    int triangle;          ///< its number
     double barycentric[3]; ///< the weights of its corners, 0 or more; their sum
                            ///< is 1, up to rounding
 } tf_origin;

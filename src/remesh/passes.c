@@ -96,13 +96,12 @@ static tf_status collapse(tf_remesher *remesher, const tf_edge_collapse *wanted)
     int from = wanted->from, to = wanted->to;
     tf_vector before = tf_position_of(remesher->surface, to);
     tf_outcome outcome;
-    tf_status status = tf_adaptive_collapse_to(
-        remesher->surface, from, to, wanted->position.x, &outcome);
+    tf_status status = tf_adaptive_collapse_to(remesher->surface, from, to,
+                                               wanted->position.x, &outcome);
     if (status != TF_OK)
         return status;
     tf_remesher_count(remesher, TF_COLLAPSE, outcome);
-    bool moved =
-        memcmp(before.x, wanted->position.x, sizeof before.x) != 0;
+    bool moved = memcmp(before.x, wanted->position.x, sizeof before.x) != 0;
     return outcome == TF_COMMITTED && moved
                ? trace(remesher, to, from, to, false)
                : TF_OK;

@@ -63,7 +63,8 @@ static tf_status begin(tf_remesher *remesher,
         status = tf_adaptive_compact(remesher->surface, NULL);
     if (status == TF_OK)
         status = tf_original_begin(&remesher->original, surface, watch);
-    if (status == TF_OK && !tf_trace_begin(&remesher->trace, &remesher->original))
+    if (status == TF_OK &&
+        !tf_trace_begin(&remesher->trace, &remesher->original))
         status = TF_OUT_OF_MEMORY;
     return status;
 }
@@ -81,8 +82,8 @@ static tf_status do_round(tf_remesher *remesher)
 static tf_status do_rounds(tf_remesher *remesher, int rounds)
 {
     tf_remesh_report *report = &remesher->report;
-    tf_status status = measure_quality(
-        remesher->surface, &report->least_before, &report->mean_before);
+    tf_status status = measure_quality(remesher->surface, &report->least_before,
+                                       &report->mean_before);
     for (int i = 0; i < rounds && status == TF_OK; i++)
         status = do_round(remesher);
     if (status == TF_OK)
@@ -155,11 +156,10 @@ static tf_status remesh(tf_adaptive_surface *surface,
     tf_adaptive_surface draft = {0};
     tf_remesher remesher = {
         .surface = &draft, .policy = &tf_keep_shape, .edge = options->edge};
-    tf_status status =
-        tf_buffer_extend(&surface->lent.remesh_report, 1,
-                         sizeof(tf_remesh_report))
-            ? begin(&remesher, surface, watch)
-            : TF_OUT_OF_MEMORY;
+    tf_status status = tf_buffer_extend(&surface->lent.remesh_report, 1,
+                                        sizeof(tf_remesh_report))
+                           ? begin(&remesher, surface, watch)
+                           : TF_OUT_OF_MEMORY;
     if (status == TF_OK)
         status = do_rounds(&remesher, options->rounds);
     if (status == TF_OK)

@@ -14,8 +14,8 @@ typedef struct tf_remesh_policy tf_remesh_policy;
 typedef struct tf_remesher {
     tf_adaptive_surface *surface; ///< with the watch over the call
     const tf_remesh_policy *policy;
-    double edge;          ///< the target length
-    tf_original original; ///< empty unless the policy needs one
+    double edge;              ///< the target length
+    tf_original original;     ///< empty unless the policy needs one
     tf_projection projection; ///< to it, the last one
     tf_trace trace;           ///< to it
     tf_remesh_report report;

@@ -169,8 +169,8 @@ static void begin_search(trace_search *search, const int from[2])
     for (int i = 0; i < 6; i++) {
         const tf_origin *origin = &origins_of(search->trace)[from[i / 3]];
         if (origin->barycentric[i % 3] > 0)
-            reach(search, tf_vertex_at(search->original,
-                                       3 * origin->triangle + i % 3));
+            reach(search,
+                  tf_vertex_at(search->original, 3 * origin->triangle + i % 3));
     }
 }
 
@@ -253,8 +253,8 @@ static bool is_at_hand(const trace_search *search, const tf_placement *placed)
     const tf_projection *projection = placed->projection;
     int triangle = projection->origin.triangle;
     if (placed->sharp || !isfinite(projection->distance) ||
-        memcmp(projection->point.x, search->point.x,
-               sizeof search->point.x) != 0)
+        memcmp(projection->point.x, search->point.x, sizeof search->point.x) !=
+            0)
         return false;
     tf_shape shape = tf_shape_of(search->original, triangle);
     if (!(tf_vector_dot(tf_shape_normal(&shape), search->normal) > 0))

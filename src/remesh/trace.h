@@ -1,8 +1,8 @@
 //: Declare traces to the original
 #pragma once
 
-#include "remesh/origins.h"
 #include "remesh/original.h"
+#include "remesh/origins.h"
 
 /// Where the vertices of a surface come from on its original, and the memory for
 /// finding that.
@@ -34,8 +34,9 @@ typedef struct tf_placement {
     int from[2]; ///< vertices near which it was on the same sheet: the ends of
                  ///< an edge, or twice the vertex itself
     bool sharp;  ///< whether it was placed on a sharp edge, or on the boundary
-    const tf_projection *projection; ///< the last one; that of the vertex, if it
-                                     ///< is where the vertex is
+    const tf_projection
+        *projection; ///< the last one; that of the vertex, if it
+                     ///< is where the vertex is
 } tf_placement;
 
 /// Finds out where a vertex comes from.  False if there is no memory.

@@ -152,7 +152,10 @@ static tf_status gather(tf_surface *surface, tf_crossings *found)
         return TF_OUT_OF_MEMORY;
     const void **list = surface->sorting.data;
     list_crossings(&surface->workers, list);
-    list = tf_sort(rows, list, list + rows, crosses_first);
+    list =
+        tf_sort(rows, list, list + rows, crosses_first, surface->workers.watch);
+    if (!list)
+        return TF_CANCELLED;
     tf_crossing *all = surface->found.data;
     for (size_t i = 0; i < rows; i++)
         memcpy(&all[i], list[i], sizeof *all);

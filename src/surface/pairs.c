@@ -291,9 +291,9 @@ bool tf_pairs_gather(tf_surface *surface, tf_contact_selection selection,
         return false;
     const void **list = surface->sorting.data;
     list_rows(&surface->workers, list, &found->statistics);
-    list = tf_sort(rows, list, list + rows,
-                   selection == TF_FIRST_CONTACT ? is_earlier : comes_first,
-                   NULL);
+    list =
+        tf_sort(rows, list, list + rows,
+                selection == TF_FIRST_CONTACT ? is_earlier : comes_first, NULL);
     tf_surface_contact *all = surface->found.data;
     for (size_t i = 0; i < rows; i++)
         memcpy(&all[i], list[i], sizeof *all);

@@ -120,8 +120,8 @@ bool tf_stars_build(tf_adaptive_surface *surface, tf_aabb box[])
         if (t % 1024 == 0 && !tf_watch_done(surface->watch, 0))
             return false;
     }
-    return tf_dynamic_tree_build(&surface->tree, box, order,
-                                 surface->triangles, surface->watch);
+    return tf_dynamic_tree_build(&surface->tree, box, order, surface->triangles,
+                                 surface->watch);
 }
 
 //: Add and remove triangles

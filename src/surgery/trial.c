@@ -178,8 +178,8 @@ static tf_outcome try_triangles(const trial *t)
     int count = tf_dynamic_tree_find(&t->surface->tree, &box, found);
     tf_outcome outcome = TF_COMMITTED;
     for (int i = 0; i < count && outcome == TF_COMMITTED; i++)
-        outcome = trial_goes_on(t, i) ? try_triangle(t, found[i])
-                                      : TF_IMPOSSIBLE;
+        outcome =
+            trial_goes_on(t, i) ? try_triangle(t, found[i]) : TF_IMPOSSIBLE;
     return outcome;
 }
 

@@ -34,9 +34,9 @@ tf_status tf_reconnector_sort(tf_reconnector *reconnector, size_t size,
                               tf_precedes *precedes)
 {
     tf_watch *watch = reconnector->surface->watch;
-    bool sorted = tf_list_sort(&reconnector->candidate,
-                               (size_t)reconnector->candidates, size, precedes,
-                               &reconnector->sorting, watch);
+    bool sorted =
+        tf_list_sort(&reconnector->candidate, (size_t)reconnector->candidates,
+                     size, precedes, &reconnector->sorting, watch);
     return sorted                      ? TF_OK
            : tf_watch_cancelled(watch) ? TF_CANCELLED
                                        : TF_OUT_OF_MEMORY;

@@ -2,6 +2,7 @@
 
 #include "support/meshes.h"
 #include "support/support.h"
+#include "surgery/adaptive.h"
 
 #include <limits.h>
 #include <stdio.h>

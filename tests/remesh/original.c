@@ -54,7 +54,8 @@ START_TEST(the_distance_is_that_of_the_farthest)
     ck_assert_int_eq(tf_original_begin(&a, sheet, NULL), TF_OK);
     ck_assert_int_eq(tf_original_begin(&b, other, NULL), TF_OK);
     ck_assert_double_eq(tf_original_farthest(&a, other, NULL), 0.5);
-    ck_assert_double_eq_tol(tf_original_farthest(&b, sheet, NULL), sqrt(4.5), 1e-12);
+    ck_assert_double_eq_tol(tf_original_farthest(&b, sheet, NULL), sqrt(4.5),
+                            1e-12);
     ck_assert_double_eq_tol(tf_original_farthest(&a, sheet, NULL), 0, 1e-15);
     tf_original_free(&a);
     tf_original_free(&b);

@@ -128,7 +128,7 @@ void try_arbitrary_mesh(const void *bytes, size_t size)
     text[size] = '\0';
     tf_mesh_file file;
     tf_fault fault = {0};
-    if (!tf_mesh_file_parse(&file, "fuzz", text, size, &fault)) {
+    if (!tf_mesh_file_parse(&file, "fuzz", text, size, NULL, &fault)) {
         check_fault(&file, text, size);
     } else {
         check_file(&file);

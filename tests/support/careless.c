@@ -85,8 +85,8 @@ static tf_status reconnect(tf_flow *flow, const tf_flow_options *options)
     reconnector->report = (tf_reconnect_report){0};
     if (options->keep_topology)
         return TF_OK;
-    tf_status status = tf_reconnect_options_read(&own, &lengths,
-                                                 &reconnector->lengths, NULL);
+    tf_status status =
+        tf_reconnect_options_read(&own, &lengths, &reconnector->lengths, NULL);
     return status == TF_OK ? tf_reconnect_passes(reconnector) : status;
 }
 
@@ -102,9 +102,8 @@ static tf_status move(tf_flow *flow, bool careless,
         status = tf_advance_propose(advance);
     if (status == TF_OK && !careless)
         status = tf_advance_restore_volume(advance);
-    return status == TF_OK
-               ? tf_advance_resolve(advance, &flow->report.response)
-               : status;
+    return status == TF_OK ? tf_advance_resolve(advance, &flow->report.response)
+                           : status;
 }
 
 tf_status careless_step(tf_flow *flow, unsigned operations, double time,
@@ -117,8 +116,8 @@ tf_status careless_step(tf_flow *flow, unsigned operations, double time,
     if (status == TF_OK)
         status = reconnect(flow, options);
     if (status == TF_OK)
-        status = move(flow, operations >> CARELESS_ADVANCE & 1, options, time,
-                      step);
+        status =
+            move(flow, operations >> CARELESS_ADVANCE & 1, options, time, step);
     if (status == TF_OK)
         tf_draft_accept(&flow->draft, flow->surface);
     if (report)

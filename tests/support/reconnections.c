@@ -329,7 +329,8 @@ static void choose_positions(surgery_run *run, const int loop[3],
         left_middle(run->surface, loop, i, to);
         if (way == 0)
             memcpy(to,
-                   x + 3 * tf_adaptive_mesh(run->surface)->triangle[surgery_run_corner(run)],
+                   x + 3 * tf_adaptive_mesh(run->surface)
+                               ->triangle[surgery_run_corner(run)],
                    sizeof to);
         for (int k = 0; k < 3; k++) {
             double from = x[3 * loop[i] + k];

@@ -13,8 +13,7 @@ tf_remesher *remesher_begin(tf_adaptive_surface *surface,
 {
     static tf_remesher made;
     original = (tf_adaptive_surface){0};
-    made =
-        (tf_remesher){.surface = surface, .policy = policy, .edge = edge};
+    made = (tf_remesher){.surface = surface, .policy = policy, .edge = edge};
     if (tf_draft_begin(&original, surface, NULL) != TF_OK ||
         tf_original_begin(&made.original, &original, NULL) != TF_OK)
         abort();

@@ -16,8 +16,9 @@ START_TEST(both_elements_are_named)
 {
     const tf_crossing *crossing = &rows[_i].crossing;
     tf_error error;
-    ck_assert_int_eq(tf_fail_crossing(&error, TF_NOT_EMBEDDED, crossing, _i - 1),
-                     TF_NOT_EMBEDDED);
+    ck_assert_int_eq(
+        tf_fail_crossing(&error, TF_NOT_EMBEDDED, crossing, _i - 1),
+        TF_NOT_EMBEDDED);
     ck_assert_int_eq(error.status, TF_NOT_EMBEDDED);
     ck_assert_int_eq(error.subject, rows[_i].subject);
     ck_assert_int_eq(error.time, _i - 1);

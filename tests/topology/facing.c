@@ -18,8 +18,7 @@ static void begin(double gap, int divisions, bool above)
         const double middle[] = {0, 0, (i == above ? -1 : 1) * (1 + gap / 2)};
         add_ball(&made, middle, 1, divisions);
     }
-    reconnector =
-        (tf_reconnector){.surface = blobs_surface(&made)};
+    reconnector = (tf_reconnector){.surface = blobs_surface(&made)};
 }
 
 static void end(void)
@@ -135,8 +134,8 @@ START_TEST(edges_whose_normals_do_not_oppose_are_not_listed)
         {0, 0, 0},      {1, 0, 0},      {1, 1, 0},      {0, 1, 0},
         {-0.1, 0, 0.1}, {-0.1, 1, 0.1}, {-0.1, 1, 1.1}, {-0.1, 0, 1.1}};
     static const int triangle[] = {0, 1, 2, 0, 2, 3, 4, 5, 6, 4, 6, 7};
-    reconnector = (tf_reconnector){
-        .surface = adaptive_of(8, position, 4, triangle)};
+    reconnector =
+        (tf_reconnector){.surface = adaptive_of(8, position, 4, triangle)};
     ck_assert_int_eq(tf_list_facing(&reconnector, 2), TF_OK);
     ck_assert_int_eq(reconnector.candidates, 0);
     end();

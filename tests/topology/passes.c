@@ -27,9 +27,9 @@ START_TEST(memory_that_is_kept_changes_nothing)
     tf_adaptive_surface *one = make_balls(), *other = make_balls();
     tf_reconnector reconnector = {.surface = one};
     tf_reconnect_options own;
-    ck_assert_int_eq(tf_reconnect_options_read(&own, &lengths,
-                                               &reconnector.lengths, NULL),
-                     TF_OK);
+    ck_assert_int_eq(
+        tf_reconnect_options_read(&own, &lengths, &reconnector.lengths, NULL),
+        TF_OK);
     size_t bytes = 0;
     for (int i = 0; i < 3; i++) {
         const tf_reconnect_report *kept = &reconnector.report, *anew;
@@ -65,8 +65,7 @@ static tf_reconnect_lengths lengths_of(const tf_reconnect_options *options)
 
 START_TEST(zero_is_the_usual_length)
 {
-    tf_reconnect_lengths usual =
-        lengths_of(&(tf_reconnect_options){.edge = 2});
+    tf_reconnect_lengths usual = lengths_of(&(tf_reconnect_options){.edge = 2});
     ck_assert_double_eq(usual.merge, 0.6);
     ck_assert_double_eq(usual.apart, 0.6);
     ck_assert_double_eq(usual.patch, 1);
@@ -77,12 +76,8 @@ END_TEST
 
 START_TEST(a_negative_length_is_none)
 {
-    tf_reconnect_lengths none =
-        lengths_of(&(tf_reconnect_options){.edge = 2,
-                                           .merge = -1,
-                                           .patch = -1,
-                                           .pinch = -1e-300,
-                                           .drop = -5});
+    tf_reconnect_lengths none = lengths_of(&(tf_reconnect_options){
+        .edge = 2, .merge = -1, .patch = -1, .pinch = -1e-300, .drop = -5});
     ck_assert_double_eq(none.merge, 0);
     ck_assert_double_eq(none.patch, 0);
     ck_assert_double_eq(none.pinch, 0);

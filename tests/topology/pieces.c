@@ -12,8 +12,7 @@ static tf_reconnector reconnector;
 /// number i + 9 j.  There are two contacts.
 static void begin(int a, int b, int c, int d)
 {
-    reconnector =
-        (tf_reconnector){.surface = adaptive_sheet(8, 2)};
+    reconnector = (tf_reconnector){.surface = adaptive_sheet(8, 2)};
     ck_assert(
         tf_buffer_extend(&reconnector.candidate, 2, sizeof(tf_facing_edges)));
     tf_facing_edges *pair = reconnector.candidate.data;

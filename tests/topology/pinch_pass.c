@@ -13,9 +13,8 @@ static void begin(int rings, const double radius[], const double height[])
 {
     made.vertices = made.triangles = 0;
     add_turned(&made, 3, rings, radius, height);
-    reconnector = (tf_reconnector){
-        .surface = blobs_surface(&made),
-        .lengths = {.apart = 0.3, .pinch = 0.7}};
+    reconnector = (tf_reconnector){.surface = blobs_surface(&made),
+                                   .lengths = {.apart = 0.3, .pinch = 0.7}};
 }
 
 static size_t pinches(void)
@@ -97,9 +96,8 @@ START_TEST(a_boundary_is_not_pinched)
     begin(3, radius, height);
     end();
     made.triangles -= 6; // open at both ends
-    reconnector =
-        (tf_reconnector){.surface = blobs_surface(&made),
-                         .lengths = {.apart = 0.3, .pinch = 0.7}};
+    reconnector = (tf_reconnector){.surface = blobs_surface(&made),
+                                   .lengths = {.apart = 0.3, .pinch = 0.7}};
     ck_assert_uint_eq(pinches(), 1); // the ring between
     ck_assert_uint_eq(reconnector.report.tried[TF_PINCH][TF_IMPOSSIBLE], 0);
     end();

@@ -144,9 +144,8 @@ static long let_flow(tf_flow *flow, tf_velocity_field *field, double edge,
     long all = 0;
     for (int i = 0; i < STEPS; i++) {
         long before = calls;
-        tf_status status =
-            tf_flow_step(flow, 3.0 * i / STEPS, 3.0 / STEPS, &options, &report,
-                         NULL);
+        tf_status status = tf_flow_step(flow, 3.0 * i / STEPS, 3.0 / STEPS,
+                                        &options, &report, NULL);
         all += calls - before;
         ck_assert_int_eq(status, TF_OK);
         *contacts += report->response->contacts;

@@ -32,7 +32,7 @@ static bool is_shorter(const void *first, const void *second)
     return a->a != b->a ? a->a < b->a : a->b < b->b;
 }
 
-//: List edges
+//: List each edge once
 /// Each edge is listed at one of its two corners.
 static bool is_first(const tf_adaptive_surface *surface, int corner)
 {
@@ -41,6 +41,7 @@ static bool is_first(const tf_adaptive_surface *surface, int corner)
            tf_is_boundary_edge(surface, corner);
 }
 
+//: List an edge of a length
 static void list_edge(tf_remesher *remesher, int corner, double low,
                       double high)
 {
@@ -53,6 +54,7 @@ static void list_edge(tf_remesher *remesher, int corner, double low,
             (tf_edge_row){length, a, b};
 }
 
+//: List all edges in order
 static tf_status list_edges(tf_remesher *remesher, double low, double high)
 {
     const tf_adaptive_surface *surface = remesher->surface;

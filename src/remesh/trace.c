@@ -6,10 +6,9 @@
 #include "remesh/sharp_edges.h"
 #include "surgery/star.h"
 
-#include <limits.h>
 #include <string.h>
 
-//: Begin a trace
+//: Look at origins
 static tf_origin *origins_of(const tf_trace *trace)
 {
     return trace->origin.data;
@@ -22,6 +21,7 @@ static tf_origin origin_of_corner(int corner)
     return origin;
 }
 
+//: Begin with all vertices at corners
 bool tf_trace_begin(tf_trace *trace, const tf_original *original)
 {
     const tf_adaptive_surface *surface = original->surface;
@@ -43,6 +43,7 @@ bool tf_trace_begin(tf_trace *trace, const tf_original *original)
     return true;
 }
 
+//: Free a trace
 void tf_trace_free(tf_trace *trace)
 {
     tf_buffer_free(&trace->origin);
@@ -73,6 +74,7 @@ typedef struct trace_search {
     candidate facing;  ///< nearest of those that face to where the surface does
 } trace_search;
 
+//: Reach along the original
 /// Whether a search comes to an element for the first time.
 static bool visit(const trace_search *search, int element)
 {

@@ -47,7 +47,7 @@ static void end_flow(tf_simulation *simulation)
     free_surface((tf_flow_simulation *)simulation);
 }
 
-//: Make a step of a flow's simulation
+//: Describe how a scene flows
 tf_flow_options tf_flow_options_of(const tf_scene *scene, double edge)
 {
     return (tf_flow_options){.edge = edge,
@@ -56,6 +56,7 @@ tf_flow_options tf_flow_options_of(const tf_scene *scene, double edge)
                              .keep_topology = scene->keep_topology};
 }
 
+//: Hold the context of a step
 /// The context of a step: the field, as that of tf_field_apply, and the clock.
 typedef struct step_context {
     tf_velocity_field *field;
@@ -68,6 +69,7 @@ static double read_clock(void *context)
     return step->clock ? step->clock() : 0;
 }
 
+/// With what it points to, which is only lent.
 static void keep_report(tf_flow_simulation *f, const tf_flow_report *report)
 {
     f->report = *report;
@@ -75,6 +77,7 @@ static void keep_report(tf_flow_simulation *f, const tf_flow_report *report)
     f->response = *report->response;
 }
 
+//: Make a step of a flow's simulation
 static tf_status step_flow(tf_simulation *simulation,
                            const tf_step_options *options)
 {

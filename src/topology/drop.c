@@ -1,4 +1,4 @@
-//: Find what is inside of a component
+//: Include what dropping a component needs
 #include "topology/drop.h"
 
 #include "surgery/request.h"
@@ -13,6 +13,7 @@ static bool goes_on(const tf_adaptive_surface *surface, int triangles)
     return triangles % 256 != 255 || tf_watch_done(surface->watch, 0);
 }
 
+//: Recognize a closed component
 /// Whether a component has no boundary.
 static bool is_closed(const tf_adaptive_surface *surface, int count,
                       const int triangle[])
@@ -23,6 +24,7 @@ static bool is_closed(const tf_adaptive_surface *surface, int count,
     return true;
 }
 
+//: Find what is inside of a component
 static tf_aabb box_of_component(const tf_adaptive_surface *surface, int count,
                                 const int triangle[])
 {

@@ -119,7 +119,7 @@ static bool list_facing(tf_reconnector *reconnector, int corner,
     return true;
 }
 
-//: List all edges that face each other
+//: Order pairs of edges by distance
 static bool is_nearer(const void *first, const void *second)
 {
     const tf_facing_edges *a = first, *b = second;
@@ -134,6 +134,7 @@ static bool is_nearer(const void *first, const void *second)
     return false;
 }
 
+//: List all edges that face each other
 enum {
     WATCHED = 16 ///< corners between two looks at the watch
 };

@@ -72,6 +72,7 @@ static bool list_loops(tf_reconnector *reconnector, int corner)
     return true;
 }
 
+//: Find all loops
 enum {
     WATCHED = 64 ///< corners between two looks at the watch
 };

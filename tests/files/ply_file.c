@@ -792,7 +792,7 @@ START_TEST(names_are_kept_to_a_limit)
     tf_mesh_file_free(&file);
     read_columns(&columns);
     sprintf(made, text, "12");
-    expect_bad_mesh(made, 4, "the name of a property has 65 bytes; shorten it");
+    expect_bad_mesh(made, 4, "the name of a property has 64 bytes; shorten it");
     read_columns(NULL);
 }
 END_TEST

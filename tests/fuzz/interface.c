@@ -3,6 +3,7 @@
 // are, each status is one that the header lists and that fits what is wrong,
 // a call that fails has set nothing and done nothing, and the object then
 // answers as a new one does.  TF_JOURNAL (environment) lists the calls.
+#include "calls/allocator.h"
 #include "calls/queries.h"
 #include "calls/surfaces.h"
 
@@ -19,7 +20,7 @@ typedef void body_call(generator *random, body *of);
 
 static stateless_call *const stateless[] = {
     call_query,  call_linear_query, call_rigid_advance, call_narrow_phase,
-    call_filter, call_solver,       call_describe,
+    call_filter, call_solver,       call_describe, call_allocator,
 };
 
 static body_call *const about_bodies[] = {
@@ -43,6 +44,7 @@ static void call_about_body(int which, generator *random, body *of)
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     static body bodies[BODIES];
+    allocator_begin();
     for (int i = 0; i < CALLS && size >= BYTES; i++) {
         generator random = {hash_bytes(HASH_OF_NOTHING, data + 2, BYTES - 2)};
         int which = data[0] % (STATELESS + ABOUT_BODIES);
@@ -56,5 +58,6 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     }
     for (int i = 0; i < BODIES; i++)
         body_free(&bodies[i]);
+    allocator_end();
     return 0;
 }

@@ -1,5 +1,7 @@
 #include "arguments.h"
 
+#include "allocator.h"
+
 #include <fenv.h>
 #include <float.h>
 #include <limits.h>
@@ -170,15 +172,20 @@ void judge_cancelling(const call *made, const listener *hearing,
             "it succeeded although it was cancelled");
 }
 
-void break_environment(generator *random, call *made)
+// Trouble ---------------------------------------------------------------------
+
+void trouble_begin(generator *random, call *made)
 {
+    allocator_fail(random);
     if (!one_in(random, 64))
         return;
     fesetround(FE_UPWARD);
     expect_fault(made, true, TF_BAD_ENVIRONMENT);
 }
 
-void restore_environment(void)
+void trouble_end(call *made)
 {
     fesetround(FE_TONEAREST);
+    if (allocator_succeed())
+        excuse(made, TF_OUT_OF_MEMORY);
 }

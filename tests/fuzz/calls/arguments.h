@@ -64,9 +64,13 @@ tf_progress *any_progress(generator *random, const call *made,
 void judge_cancelling(const call *made, const listener *hearing,
                       tf_status status);
 
-/// Lets rounding go upward, one time of 64, and notes TF_BAD_ENVIRONMENT; after
-/// the call it must be restored.
-void break_environment(generator *random, call *made);
-void restore_environment(void);
+// Trouble ---------------------------------------------------------------------
+
+/// Lets rounding go upward, one time of 64, and notes TF_BAD_ENVIRONMENT; lets
+/// allocations fail, one time of eight.
+void trouble_begin(generator *random, call *made);
+
+/// Ends that after the call; notes TF_OUT_OF_MEMORY if an allocation has failed.
+void trouble_end(call *made);
 
 #endif

@@ -1,5 +1,7 @@
 #include "surfaces.h"
 
+#include "allocator.h"
+
 #include <limits.h>
 #include <string.h>
 
@@ -67,8 +69,10 @@ void call_create(generator *random, body *of)
     mark(&surface, sizeof surface);
     mark(&error, sizeof error);
     bool told = one_in(random, 2);
+    allocator_fail(random);
     tf_status status =
         tf_surface_create(&drawn.mesh, &surface, told ? &error : NULL);
+    trouble_end(&made);
     if (told)
         judge_error(&made, status, &error, random);
     if (!judge_status(&made, status)) {
@@ -95,11 +99,15 @@ void call_resolver(generator *random, body *of)
         return;
     tf_resolver *resolver;
     mark(&resolver, sizeof resolver);
-    if (judge_status(&made, tf_resolver_create(of->surface, &resolver)))
-        of->resolver = resolver;
-    else
+    allocator_fail(random);
+    tf_status status = tf_resolver_create(of->surface, &resolver);
+    trouble_end(&made);
+    if (!judge_status(&made, status)) {
         judge_unset(&made, &resolver, sizeof resolver);
-    require(&made, tf_resolver_memory(of->resolver) > 0, "it holds nothing");
+        return;
+    }
+    of->resolver = resolver;
+    require(&made, tf_resolver_memory(resolver) > 0, "it holds nothing");
 }
 
 // Steps -------------------------------------------------------------------------
@@ -264,10 +272,10 @@ void call_detect(generator *random, body *of)
         options.own = (tf_detect_options){0};
     mark(&found, sizeof found);
     mark(&error, sizeof error);
-    break_environment(random, &made);
+    trouble_begin(random, &made);
     tf_status status = tf_surface_detect(
         of->surface, &motion, usual ? NULL : &options.own, &found, &error);
-    restore_environment();
+    trouble_end(&made);
     judge_error(&made, status, &error, random);
     judge_cancelling(&made, &to.hearing, status);
     if (judge_status(&made, status)) {
@@ -297,10 +305,10 @@ void call_candidates(generator *random, body *of)
         excuse(&made, TF_CANCELLED);
     mark(&found, sizeof found);
     mark(&error, sizeof error);
-    break_environment(random, &made);
+    trouble_begin(random, &made);
     tf_status status = tf_surface_candidates(of->surface, &motion, &options.own,
                                              &found, &error);
-    restore_environment();
+    trouble_end(&made);
     judge_error(&made, status, &error, random);
     judge_cancelling(&made, &to.hearing, status);
     if (!judge_status(&made, status)) {
@@ -343,10 +351,10 @@ void call_check(generator *random, body *of)
         excuse(&made, TF_CANCELLED);
     mark(&found, sizeof found);
     mark(&error, sizeof error);
-    break_environment(random, &made);
+    trouble_begin(random, &made);
     tf_status status = tf_surface_check(of->surface, s.vertices, s.start,
                                         &options.own, &found, &error);
-    restore_environment();
+    trouble_end(&made);
     judge_error(&made, status, &error, random);
     judge_cancelling(&made, &to.hearing, status);
     if (!judge_status(&made, status)) {
@@ -531,11 +539,11 @@ void call_resolve(generator *random, body *of)
     memcpy(end, s.end, sizeof end);
     mark(&report, sizeof report);
     mark(&error, sizeof error);
-    break_environment(random, &made);
+    trouble_begin(random, &made);
     tf_status status =
         tf_step_resolve(of->resolver, s.vertices, s.start, end, inverse_mass,
                         &options.own, &report, &error);
-    restore_environment();
+    trouble_end(&made);
     judge_error(&made, status, &error, random);
     judge_cancelling(&made, &to.hearing, status);
     if (!judge_status(&made, status)) {
@@ -565,10 +573,10 @@ void call_limit(generator *random, body *of)
     memcpy(end, s.end, sizeof end);
     mark(&halvings, sizeof halvings);
     mark(&error, sizeof error);
-    break_environment(random, &made);
+    trouble_begin(random, &made);
     tf_status status = tf_step_limit(of->resolver, s.vertices, s.start, end,
                                      &options.own, &halvings, &error);
-    restore_environment();
+    trouble_end(&made);
     judge_error(&made, status, &error, random);
     judge_cancelling(&made, &to.hearing, status);
     if (!judge_status(&made, status)) {

@@ -50,7 +50,7 @@ $(BUILD)/tests/whole/allocations $(BUILD)/tests/whole/no_memory: LIBRARIES = -Wl
 	-Wl,--wrap=calloc -Wl,--wrap=realloc -Wl,--wrap=aligned_alloc
 
 # These see what users see.
-public = $(BUILD)/tests/fuzz/interface $(fuzz_calls:.o=)
+public = $(BUILD)/tests/fuzz/interface $(BUILD)/tests/whole/misuse $(fuzz_calls:.o=)
 fuzz_calls = $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/fuzz/calls/*.c))
 $(public:=.o): USES = -I$(dir $(public_header))
 $(public:=.o): $(public_header)

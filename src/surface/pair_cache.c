@@ -136,7 +136,8 @@ tf_status tf_pair_cache_build(tf_pair_cache *cache,
     tf_pair_job job = job_of(search);
     job.keep = keep_batch;
     job.keeper = cache;
-    return tf_fail(error, tf_pairs_find(surface, &job, search->parallel, found));
+    return tf_fail(error,
+                   tf_pairs_find(surface, &job, search->parallel, found));
 }
 
 //: Add up movements

@@ -4,6 +4,7 @@
 #include "base/api.h"
 #include "base/error.h"
 #include "surface/mesh.h"
+#include "surface/pair_filter.h"
 
 #include <stddef.h>
 
@@ -61,6 +62,33 @@ TF_API const int *tf_surface_edges(const tf_surface *surface, int *count);
 ///     surface is freed
 TF_API const int *tf_surface_triangles(const tf_surface *surface, int *count);
 
+//: Declare how pairs are left out
+/// Says which pairs of a surface's elements may meet.  From then on, the pairs
+/// that the filter leaves out do not exist for all that is found of the surface:
+/// candidates, contacts, intersections at rest, and the steps that its resolvers
+/// change.
+///
+/// What the library guarantees of meshes is then guaranteed pair by pair.  No
+/// pair that is kept has a contact in a resolved step.  An edge and a triangle
+/// that start apart end apart if the edge's two ends with the triangle and the
+/// edge with the triangle's three edges are kept, in the plane two edges if each
+/// end of the one with the other is.  Of these five (or four) pairs groups alone
+/// leave out some only where all vertices but one, or all, have the same group.
+/// A vertex stays on its side of a closed surface if it is kept with all of the
+/// surface's triangles, and two loops stay linked, or not, if each edge of the
+/// one is kept with each of the other.
+///
+/// @param surface the surface
+/// @param filter which pairs, copied with its groups; NULL: all
+/// @param[out] error what is wrong, if anything; may be NULL
+/// @return TF_OK; TF_BAD_COUNT if the groups are as many as the surface has no
+///     vertices; TF_BAD_OPTION; or TF_OUT_OF_MEMORY; unless it is TF_OK, the
+///     filter is as it was
+TF_API tf_status tf_surface_set_filter(tf_surface *surface,
+                                       const tf_pair_filter *filter,
+                                       tf_error *error);
+
+//: Declare the memory of a surface
 /// How much memory a surface holds by now.
 /// @param surface the surface
 /// @return bytes

@@ -349,25 +349,73 @@ END_TEST
 
 // A call is cancelled ---------------------------------------------------------
 
-static bool goes_on(void *context, const tf_stage *stage)
+static bool count_call(void *context, const tf_stage *stage)
 {
     (void)stage;
-    return ++*(int *)context < 5;
+    ++*(int *)context;
+    return true;
 }
 
-START_TEST(a_call_whose_pairs_are_all_left_out_can_be_cancelled)
+static int count_calls(tf_surface *surface)
+{
+    int calls = 0;
+    tf_detect_options options = {.progress = count_call, .context = &calls};
+    tf_contacts found;
+    ck_assert_int_eq(
+        tf_surface_detect(surface, &given.motion, &options, &found, NULL),
+        TF_OK);
+    return calls;
+}
+
+/// A call whose pairs are all left out hears its caller as often as another one.
+START_TEST(filtered_calls_are_watched)
 {
     generator random = generator_new(400);
-    random_surface(&random, 3, SURFACE_ELEMENTS, IN_POINT, &given);
+    do
+        random_surface(&random, 3, SURFACE_ELEMENTS, IN_POINT, &given);
+    while (given.mesh.triangles < 100);
     tf_surface *surface = surface_of(&given.mesh);
     tf_pair_filter none = {.wanted = wants_none};
+    int expected = count_calls(surface);
+    ck_assert_int_eq(tf_surface_set_filter(surface, &none, NULL), TF_OK);
+    ck_assert_int_gt(expected, 10);
+    ck_assert_int_eq(count_calls(surface), expected);
+    tf_surface_free(surface);
+}
+END_TEST
+
+static bool stop(void *context, const tf_stage *stage)
+{
+    (void)stage;
+    return ++*(int *)context < 6;
+}
+
+static bool count_pair(void *context, const tf_element_pair *pair)
+{
+    (void)pair;
+    ++*(size_t *)context;
+    return false;
+}
+
+START_TEST(filtered_calls_can_be_cancelled)
+{
+    generator random = generator_new(400);
+    do
+        random_surface(&random, 3, SURFACE_ELEMENTS, IN_POINT, &given);
+    while (given.mesh.triangles < 100);
+    tf_surface *surface = surface_of(&given.mesh);
+    size_t asked = 0;
+    tf_pair_filter none = {.wanted = count_pair, .context = &asked};
     int calls = 0;
-    tf_detect_options options = {.progress = goes_on, .context = &calls};
+    tf_detect_options options = {.progress = stop, .context = &calls};
     tf_contacts found;
     ck_assert_int_eq(tf_surface_set_filter(surface, &none, NULL), TF_OK);
     ck_assert_int_eq(
         tf_surface_detect(surface, &given.motion, &options, &found, NULL),
         TF_CANCELLED);
+    ck_assert_int_eq(calls, 6);
+    // The first calls are about the trees and the task, the others about batches.
+    ck_assert_uint_le(asked, 3 * TF_BATCH);
     tf_surface_free(surface);
 }
 END_TEST
@@ -387,8 +435,8 @@ Suite *suite(void)
     TCase *filters = tcase_create("filters");
     tcase_add_test(filters, a_filter_that_is_removed_leaves_no_trace);
     tcase_add_test(filters, groups_leave_out_pairs_of_one_group);
-    tcase_add_test(filters,
-                   a_call_whose_pairs_are_all_left_out_can_be_cancelled);
+    tcase_add_test(filters, filtered_calls_are_watched);
+    tcase_add_test(filters, filtered_calls_can_be_cancelled);
     suite_add_tcase(suite, filters);
     return suite;
 }

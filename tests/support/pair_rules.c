@@ -91,12 +91,12 @@ static bool keeps_tangle(const pair_rule *rule, const tangle *found)
     return pair_rule_keeps_crossing(rule, &crossing);
 }
 
-int pair_rule_drop_tangles(const pair_rule *rule, int count, tangle found[])
+int pair_rule_count_tangles(const pair_rule *rule, int count,
+                            const tangle found[])
 {
     int kept = 0;
     for (int i = 0; i < count; i++)
-        if (keeps_tangle(rule, &found[i]))
-            found[kept++] = found[i];
+        kept += keeps_tangle(rule, &found[i]);
     return kept;
 }
 

@@ -34,7 +34,8 @@ bool pair_rule_keeps(const pair_rule *rule, tf_kind kind, const int vertex[]);
 bool pair_rule_keeps_crossing(const pair_rule *rule,
                               const tf_crossing *crossing);
 
-/// Drops the tangles that the rule leaves out; returns how many are left.
-int pair_rule_drop_tangles(const pair_rule *rule, int count, tangle found[]);
+/// How many tangles are of pairs that the rule keeps.
+int pair_rule_count_tangles(const pair_rule *rule, int count,
+                            const tangle found[]);
 
 #endif

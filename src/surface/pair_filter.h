@@ -33,11 +33,10 @@ typedef struct tf_pair_filter {
     const int *group; ///< the group of each vertex, any number; 0: none.
                       ///< NULL: there are no groups
 
-    /// Whether two elements may meet.  Must answer only by its arguments: the
-    /// same whenever it is called, and on any thread of a tf_parallel, by
-    /// several at once.  It is called for each pair whose boxes overlap in a
-    /// step, and must not use the surface.  NULL: all pairs may meet that are
-    /// not of one group.
+    /// Whether two elements may meet.  Answers only by its arguments, so always
+    /// the same about a pair; several threads of a tf_parallel may call it at
+    /// once.  It is called for each pair that is near enough to be looked at, and
+    /// must not use the surface.  NULL: all may meet that are not of one group.
     bool (*wanted)(void *context, const tf_element_pair *pair);
     void *context; ///< passed on to `wanted`
 } tf_pair_filter;

@@ -25,7 +25,7 @@ typedef struct batch {
     tf_detect_statistics statistics;
 } batch;
 
-//: List the vertices of a pair
+//: List the vertices of a pair by its kind
 /// How many vertices the two elements of a pair have.
 static int vertex_count(tf_kind kind)
 {

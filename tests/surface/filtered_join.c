@@ -3,8 +3,6 @@
 #include "surface/filtered_join.h"
 
 #include "arithmetic/exact.h"
-#include "fast/detect.h"
-#include "fast/vectorized.h"
 #include "query/edge_edge.h"
 #include "query/point_edge.h"
 #include "query/point_triangle.h"
@@ -16,6 +14,8 @@
 #include "support/surface_of.h"
 #include "support/surfaces.h"
 #include "surface/candidates.h"
+#include "surface/check.h"
+#include "surface/detect.h"
 #include "surface/surface.h"
 
 #include <stdlib.h>
@@ -187,9 +187,8 @@ static const tf_narrow_phase own = {
 
 static void expect_contacts(tf_surface *surface, int i)
 {
-    const tf_narrow_phase *const phases[] = {&tf_reference, &tf_vectorized,
-                                             &own};
-    tf_detect_options options = {.narrow_phase = phases[i % 3],
+
+    tf_detect_options options = {.narrow_phase = i % 3 ? NULL : &own,
                                  .parallel = parallel_of(i)};
     tf_contacts found;
     tf_candidates candidates;
@@ -197,9 +196,8 @@ static void expect_contacts(tf_surface *surface, int i)
         tf_surface_candidates(surface, &given.motion, NULL, &candidates, NULL),
         TF_OK);
     size_t count = candidates.point_count + candidates.edge_count;
-    ck_assert_int_eq(
-        tf_surface_detect(surface, &given.motion, &options, &found, NULL),
-        TF_OK);
+    ck_assert_int_eq(tf_detect(surface, &given.motion, &options, &found, NULL),
+                     TF_OK);
     ck_assert_uint_eq(found.statistics.candidates, count);
     ck_assert_uint_eq(found.statistics.by_axis + found.statistics.by_filter +
                           found.statistics.by_signs,
@@ -213,9 +211,8 @@ static void expect_contacts(tf_surface *surface, int i)
             contacts_are_same(&found.contact[j].contact, &all.row[j].contact));
     }
     options.selection = TF_ANY_CONTACT;
-    ck_assert_int_eq(
-        tf_surface_detect(surface, &given.motion, &options, &found, NULL),
-        TF_OK);
+    ck_assert_int_eq(tf_detect(surface, &given.motion, &options, &found, NULL),
+                     TF_OK);
     ck_assert_int_eq(found.any, all.count > 0);
 }
 
@@ -283,8 +280,8 @@ static bool wants_none(void *context, const tf_element_pair *pair)
 static tf_contacts detect(tf_surface *surface)
 {
     tf_contacts found;
-    ck_assert_int_eq(
-        tf_surface_detect(surface, &given.motion, NULL, &found, NULL), TF_OK);
+    ck_assert_int_eq(tf_detect(surface, &given.motion, NULL, &found, NULL),
+                     TF_OK);
     return found;
 }
 
@@ -361,9 +358,8 @@ static int count_calls(tf_surface *surface)
     int calls = 0;
     tf_detect_options options = {.progress = count_call, .context = &calls};
     tf_contacts found;
-    ck_assert_int_eq(
-        tf_surface_detect(surface, &given.motion, &options, &found, NULL),
-        TF_OK);
+    ck_assert_int_eq(tf_detect(surface, &given.motion, &options, &found, NULL),
+                     TF_OK);
     return calls;
 }
 
@@ -410,9 +406,8 @@ START_TEST(filtered_calls_can_be_cancelled)
     tf_detect_options options = {.progress = stop, .context = &calls};
     tf_contacts found;
     ck_assert_int_eq(tf_surface_set_filter(surface, &none, NULL), TF_OK);
-    ck_assert_int_eq(
-        tf_surface_detect(surface, &given.motion, &options, &found, NULL),
-        TF_CANCELLED);
+    ck_assert_int_eq(tf_detect(surface, &given.motion, &options, &found, NULL),
+                     TF_CANCELLED);
     ck_assert_int_eq(calls, 6);
     // The first calls are about the trees and the task, the others about batches.
     ck_assert_uint_le(asked, 3 * TF_BATCH);

@@ -21,7 +21,7 @@ pdf: $(BUILD)/book/tanglefree.pdf ## build the book as a PDF, in build/book
 slides: $(BUILD)/slides/index.html ## make slides for lectures, in build/slides
 .PHONY: book pdf slides
 
-$(reference): $(BUILD)/include/tanglefree.h book/Doxyfile | need-book
+$(reference): $(public_header) $(threads_header) book/Doxyfile | need-book
 	@echo 'extract $(@D)'
 	$(Q)rm -rf $(BUILD)/reference && mkdir $(BUILD)/reference
 	$(Q)BUILD=$(BUILD) doxygen book/Doxyfile
@@ -63,8 +63,8 @@ check-book: book check-readme ## check the book against code, figures and progra
 	@$(python) tests/book/fragments_test.py
 	@$(python) tests/book/weave_test.py
 	@$(python) tests/book/pages_test.py $(BUILD)/book/html
-	@$(python) tests/book/reference_test.py $(BUILD)/include/tanglefree.h \
-	    $(BUILD)/book/html
+	@$(python) tests/book/reference_test.py $(BUILD)/book/html \
+	    $(public_header) $(threads_header)
 
 check-slides: slides need-site ## check the slides in a browser
 	@$(python) tests/site/slides.py $(BUILD)/slides

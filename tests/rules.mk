@@ -43,6 +43,8 @@ simulating = $(addprefix $(BUILD)/tests/,whole/scenes soak/scenes program/frame_
 $(BUILD)/tests/simulate/% $(simulating): LIBRARIES = $(SPARSE)
 
 # These count calls of these functions, or let them fail.
+$(BUILD)/tests/threads/threads: LIBRARIES = -Wl,--wrap=malloc \
+	-Wl,--wrap=pthread_create
 $(BUILD)/tests/whole/allocations $(BUILD)/tests/whole/no_memory: LIBRARIES = -Wl,--wrap=malloc \
 	-Wl,--wrap=calloc -Wl,--wrap=realloc -Wl,--wrap=aligned_alloc
 
@@ -100,7 +102,7 @@ check-sanitize: ## run the tests under AddressSanitizer and UBSan
 # Threads of the test answer at once what one answered before.  The log is made
 # even if checks fail; grep sees whether it says that all passed.
 thread_logs = $(patsubst %,$(BUILD)/threads/tests/%.log,whole/threads \
-	whole/surface_threads)
+	whole/surface_threads threads/threads)
 check-threads: need-check ## run many threads at once under ThreadSanitizer
 	@$(MAKE) $(thread_logs) BUILD=$(BUILD)/threads TF_TEST_PERCENT=10 \
 	    CFLAGS='-O1 -g -fsanitize=thread'

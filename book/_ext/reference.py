@@ -1,11 +1,11 @@
-"""The reference: all public names, from the comments of tanglefree.h.
+"""The reference: all public names, from the comments of the public headers.
 
     ```{public-names}
     ```
 lists them and then describes them, a section for each group (`@defgroup`) of
-the header, in the header's order.  Doxygen has read the comments (the Makefile
-runs it) and Breathe makes the entries; a public name in a comment becomes a
-link to its entry.
+the headers, in the order of the headers.  Doxygen has read the comments (the
+Makefile runs it) and Breathe makes the entries; a public name in a comment
+becomes a link to its entry.
 
     {c:func}`tf_decide`         "tf_decide()", a link to its entry
     {c:struct}`tf_contact`      and so for c:enum, c:enumerator, c:type, c:var,
@@ -34,30 +34,31 @@ def compounds(folder, kind):
         yield ElementTree.parse(path).find("compounddef")
 
 
-def names(compound, lines):
-    """The names that a group or file declares, in the order of their lines."""
+def names(compound, places):
+    """The names that a group or file declares, in the order of their places."""
     found = [e.text for e in compound.iterfind("innerclass")]
     found += [e.findtext("name") for e in compound.iterfind(".//memberdef")]
-    return sorted(found, key=lines.get)
+    return sorted(found, key=places.get)
 
 
-def lines_of_names(folder):
-    """The lines on which public names are declared."""
+def places_of_names(folder):
+    """The files and lines in which public names are declared."""
     found = {e.findtext("name"): e for kind in ("file", "group")
              for compound in compounds(folder, kind)
              for e in compound.iterfind(".//memberdef")}
     found.update((e.findtext("compoundname"), e)
                  for e in compounds(folder, "struct"))
-    return {name: int(element.find("location").get("line"))
-            for name, element in found.items()}
+    where = {name: e.find("location") for name, e in found.items()}
+    return {name: (e.get("file"), int(e.get("line")))
+            for name, e in where.items()}
 
 
 def faults(folder, groups):
     """What Doxygen does not complain of."""
     grouped = {name for _, _, found in groups for name in found}
-    for name in lines_of_names(folder):
+    for name, (file, _) in places_of_names(folder).items():
         if name not in grouped:
-            yield f"tanglefree.h: {name} is in no group (@addtogroup)"
+            yield f"{file}: {name} is in no group (@addtogroup)"
     for group in compounds(folder, "group"):
         for value in group.iterfind(".//enumvalue"):
             name = value.findtext("name")
@@ -65,16 +66,16 @@ def faults(folder, groups):
                             for text in value.find(
                                 part + "description").itertext())
             if not words.strip():
-                yield f"tanglefree.h: {name} is not documented"
+                yield f"{name} is not documented"
 
 
 def begin(app):
     """Read the groups: the title, Doxygen's name for it, and the names."""
     folder = app.built / "reference" / "xml"
-    lines = lines_of_names(folder)
+    places = places_of_names(folder)
     app.groups = [(e.findtext("title"), e.findtext("compoundname"),
-                   names(e, lines)) for e in compounds(folder, "group")]
-    app.groups.sort(key=lambda group: lines[group[2][0]])
+                   names(e, places)) for e in compounds(folder, "group")]
+    app.groups.sort(key=lambda group: [places[name] for name in group[2][:1]])
     wrong = list(faults(folder, app.groups))
     if wrong:
         raise ExtensionError("\n".join(wrong))
@@ -211,6 +212,8 @@ class PublicNames(SphinxDirective):
     def overview(self, groups):
         items = nodes.definition_list()
         for title, _, found in groups:
+            if not found:
+                continue
             links = [word for name in found
                      for word in (nodes.Text(", "), link(name))]
             items += nodes.definition_list_item(

@@ -4,7 +4,7 @@
 
 #include "files/visible.h"
 #include "program/frames.h"
-#include "program/threads.h"
+#include "threads/threads.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -141,11 +141,10 @@ static bool lack_memory(tf_frames *frames)
                               tf_status_message(TF_OUT_OF_MEMORY));
 }
 
-static bool mark_contacts(tf_frames *frames, fig_shown_surface *shown)
+static bool mark_contacts(tf_frames *frames, const tf_parallel *parallel,
+                          fig_shown_surface *shown)
 {
-    int threads = tf_threads_available();
-    tf_parallel parallel = tf_threads(&threads);
-    tf_detect_options detection = {.parallel = &parallel};
+    tf_detect_options detection = {.parallel = parallel};
     tf_motion motion = tf_frames_motion(frames);
     tf_contacts found;
     tf_error error;
@@ -157,11 +156,10 @@ static bool mark_contacts(tf_frames *frames, fig_shown_surface *shown)
            lack_memory(frames);
 }
 
-static bool mark_crossings(tf_frames *frames, fig_shown_surface *shown)
+static bool mark_crossings(tf_frames *frames, const tf_parallel *parallel,
+                           fig_shown_surface *shown)
 {
-    int threads = tf_threads_available();
-    tf_parallel parallel = tf_threads(&threads);
-    tf_check_options check = {.parallel = &parallel};
+    tf_check_options check = {.parallel = parallel};
     tf_motion rest = tf_frames_motion(frames);
     tf_crossings found;
     tf_error error;
@@ -171,6 +169,17 @@ static bool mark_crossings(tf_frames *frames, fig_shown_surface *shown)
         return tf_frames_fault(frames, &error);
     return fig_marks_of_crossings(&shown->marks, &shown->shape, &found) ||
            lack_memory(frames);
+}
+
+static bool mark(tf_frames *frames, fig_shown_surface *shown)
+{
+    tf_threads *threads;
+    tf_threads_create(0, &threads);
+    const tf_parallel *parallel = tf_threads_parallel(threads);
+    bool marked = shown->steps ? mark_contacts(frames, parallel, shown)
+                               : mark_crossings(frames, parallel, shown);
+    tf_threads_free(threads);
+    return marked;
 }
 
 static bool read_frames(const request *asked, tf_frames *frames)
@@ -197,9 +206,7 @@ static bool take_surface(const request *asked, tf_frames *frames,
     if (!fig_shape_make(&shown->shape, frames->surface, frames->axes, &motion,
                         asked->up))
         return lack_memory(frames);
-    bool marked =
-        !shown->marked || (shown->steps ? mark_contacts(frames, shown)
-                                        : mark_crossings(frames, shown));
+    bool marked = !shown->marked || mark(frames, shown);
     if (marked)
         fig_shown_surface_look(shown, asked->time);
     return marked;

@@ -22,7 +22,7 @@ enum {
 typedef struct module {
     const char *path; ///< below src/, without ending
     int layer;
-    bool is_public; ///< makes a part of tanglefree.h
+    bool is_public; ///< makes a part of a public header
     fig_box box;    ///< on the page
 } module;
 
@@ -259,8 +259,8 @@ static void draw_lane(fig_page *page, const fig_box band[], int to)
 
 static void draw_key(fig_page *page)
 {
-    fig_box box = chip_at(page, band_left, 1, "in tanglefree.h");
-    draw_chip(page, box, "in tanglefree.h");
+    fig_box box = chip_at(page, band_left, 1, "in a public header");
+    draw_chip(page, box, "in a public header");
     double width, height;
     fig_page_measure(page, "includes", FIG_LETTERS_SMALL, &width, &height);
     double right = fig_page_width(page) - 2;

@@ -1,10 +1,12 @@
-# Make tanglefree.h of the library's public headers; see source.awk.
+# Make tanglefree.h of the library's public headers, or that of a library upon
+# it; see source.awk.
 
 BEGIN {
     for (i = 1; i < ARGC; i++)
         read_module(ARGV[i])
     put_study_last()
     check_order()
+    keep_made()
 
     out_top()
     out_standard(headers, header)
@@ -71,11 +73,22 @@ function check_order(    i, j, file, other, seen) {
     }
 }
 
+# The others are in tanglefree.h.
+function keep_made(    i, count, kept) {
+    for (i = 1; i <= headers; i++)
+        if (is_made(header[i])) {
+            header[++count] = header[i]
+            kept += i <= products
+        }
+    products = kept
+    headers = count
+}
+
 function module_of(file) {
     return substr(file, 1, length(file) - 2)
 }
 
-function out_top() {
+function out_top(    guard) {
     out("// Tanglefree " version ": exact continuous collision detection.")
     out("//")
     out_license("^Copyright")
@@ -87,7 +100,10 @@ function out_top() {
         out("//\n// At the end is what is for study, and no product needs:")
         out_modules(products + 1, headers)
     }
-    out("#ifndef TANGLEFREE_H\n#define TANGLEFREE_H")
+    guard = toupper(made_name()) "_H"
+    out("#ifndef " guard "\n#define " guard)
+    if (added)
+        out("\n#include \"tanglefree.h\"")
 }
 
 # In lines of at most 80 columns.

@@ -2,7 +2,8 @@
 #
 # The public header, $(BUILD)/include/tanglefree.h, is made of the headers of
 # src/ that include base/api.h.  The library comes as an archive, as a shared
-# library, and as two files to compile along, in $(BUILD)/single.
+# library, and as two files to compile along, in $(BUILD)/single.  The threads
+# of src/threads are a library upon it, with a header, an archive and two files.
 
 version := $(shell sed -n 's/^\#define TF_VERSION "\(.*\)"$$/\1/p' \
 	src/base/version.h)
@@ -11,31 +12,44 @@ soname := libtanglefree.so.$(firstword $(subst ., ,$(version)))
 public_header = $(BUILD)/include/tanglefree.h
 shared_library = $(BUILD)/libtanglefree.so.$(version)
 shared_links = $(BUILD)/$(soname) $(BUILD)/libtanglefree.so
-single_files = $(BUILD)/single/tanglefree.c $(BUILD)/single/tanglefree.h
+threads_header = $(BUILD)/include/tanglefree_threads.h
+threads_library = $(BUILD)/libtanglefree_threads.a
+single_files = $(foreach name,tanglefree tanglefree_threads,\
+	$(BUILD)/single/$(name).c $(BUILD)/single/$(name).h)
 
 library: $(public_header) $(shared_library) $(shared_links)
+library: $(threads_header) $(threads_library)
 ##@ Package and install
 
 single: $(single_files) ## make the library a single file, in build/single
 .PHONY: single
 
-# $(call paste,SCRIPT): what it makes of the library's files.
+# $(call paste,SCRIPT): what it makes of the library's files, and
+# $(call paste,SCRIPT,threads): of those upon it.
 paste = echo 'paste   $@' && mkdir -p $(@D) && \
 	awk -f src/package/source.awk -f src/package/$(1).awk -v src=src \
-	    -v version=$(version) $(LIBRARY) >$@
+	    -v version=$(version) $(if $(2),-v added=$(2)) $(LIBRARY) \
+	    $(if $(2),$(THREADS)) >$@
 pasted = book/chapters LICENSE src/package/source.awk \
-	$(wildcard $(LIBRARY:%=src/%.[ch]))
+	$(wildcard $(LIBRARY:%=src/%.[ch]) $(THREADS:%=src/%.[ch]))
 
 $(public_header): src/package/header.awk $(pasted)
 	@$(call paste,header)
+$(threads_header): src/package/header.awk $(pasted)
+	@$(call paste,header,threads)
 $(BUILD)/single/tanglefree.c: src/package/single.awk $(pasted)
 	@$(call paste,single)
-$(BUILD)/single/tanglefree.h: $(public_header)
+$(BUILD)/single/tanglefree_threads.c: src/package/single.awk $(pasted)
+	@$(call paste,single,threads)
+$(BUILD)/single/%.h: $(BUILD)/include/%.h
 	@mkdir -p $(@D) && cp $< $@
 
-# Only the library is built with hidden symbols: in a program that would also
+# Only the libraries are built with hidden symbols: in a program that would also
 # hide argp_program_version, which libc looks up.
-$(call objects,$(LIBRARY)): private COMPILE += -fPIC -fvisibility=hidden
+$(call objects,$(LIBRARY) $(THREADS)): private COMPILE += -fPIC \
+	-fvisibility=hidden
+
+$(threads_library): $(call objects,$(THREADS))
 
 $(shared_library): $(call objects,$(LIBRARY)) book/chapters
 	@echo 'link    $@'
@@ -71,11 +85,14 @@ $(BUILD)/program.a: $(descriptions).o
 define installed
 bin/tanglefree $(program_file)
 include/tanglefree.h $(public_header)
+include/tanglefree_threads.h $(threads_header)
 lib/libtanglefree.a $(library_file)
+lib/libtanglefree_threads.a $(threads_library)
 lib/libtanglefree.so.$(version) $(shared_library)
 lib/$(soname) -> libtanglefree.so.$(version)
 lib/libtanglefree.so -> libtanglefree.so.$(version)
 lib/pkgconfig/tanglefree.pc src/package/tanglefree.pc
+lib/pkgconfig/tanglefree_threads.pc src/package/tanglefree_threads.pc
 lib/cmake/tanglefree/tanglefreeConfig.cmake src/package/tanglefreeConfig.cmake
 lib/cmake/tanglefree/tanglefreeConfigVersion.cmake src/package/tanglefreeConfigVersion.cmake
 share/man/man1/tanglefree.1 $(BUILD)/man/tanglefree.1
@@ -105,6 +122,31 @@ install-draw: drawing ## install tanglefree-draw
 uninstall: ## remove what install and install-draw installed
 	@printf '%s\n' "$$FILES" "$$DRAW" | $(install_sh) remove
 .PHONY: install install-draw uninstall
+
+# The binary interface ---------------------------------------------------------
+
+# What programs have been compiled for: a description of the library of the last
+# release of this major version.
+abi = src/package/abi
+abi_record = $(abi)/tanglefree-$(firstword $(subst ., ,$(version))).abi
+abi_present = $(BUILD)/abi/tanglefree.abi
+
+$(abi_present): $(single_files) $(wildcard $(abi)/*.awk) $(abi)/describe.sh | \
+		need-abi
+	@echo 'write   $@' && mkdir -p $(@D)
+	$(Q)cp $(single_files) $(@D) && CC='$(CC)' sh $(abi)/describe.sh $(@D)
+
+##@ Package and install
+
+abi-record: $(abi_present) ## record the binary interface, for a release
+	@rm -f $(abi)/tanglefree-*.abi && cp $(abi_present) $(abi_record)
+	@echo 'recorded $(abi_record)'
+
+##@ Check
+
+check-abi: library $(abi_present) ## check that programs of the last release still run
+	@$(package_check)/abi.sh $(abi_record)
+.PHONY: abi-record check-abi
 
 # The checks -------------------------------------------------------------------
 

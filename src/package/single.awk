@@ -1,7 +1,8 @@
-# Make one file of the library, tanglefree.c; see source.awk.
+# Make one file of the library, tanglefree.c, or of a library upon it; see
+# source.awk.
 #
 # A header of src/ that is not public is pasted before the first file that
-# includes it; the public ones are in tanglefree.h.  What files name for
+# includes it; the public ones are in tanglefree.h or its like.  What files name for
 # themselves stays theirs: a macro ends with its file, and where two files give
 # the same name to a function, an object, a type or a constant, each calls it
 # otherwise.
@@ -21,37 +22,45 @@ BEGIN {
 }
 
 function add_file(name) {
-    if (load(name)) {
+    if (load(name) && is_made(name)) {
         file[++files] = name
         is_file[name] = 1
     }
 }
 
 function out_top() {
-    out("// Tanglefree " version ", in one file: exact continuous collision " \
-        "detection.")
+    out("// Tanglefree " version ", " (added ? added " " : "") \
+        "in one file: exact continuous collision detection.")
     out("//")
     out("// Made of the library's modules; a line of dashes begins a file of " \
         "src/.")
     out("//")
     out_license("")
-    out("#include \"tanglefree.h\"")
+    out_extension()
+    out("#include \"" made_name() ".h\"")
     out_standard(files, file)
     out("// A product and a sum that are rounded as one would give other bits.")
     out("#ifdef __clang__\n#pragma STDC FP_CONTRACT OFF\n#else")
     out("#pragma GCC optimize(\"fp-contract=off\")\n#endif")
 }
 
+# Before anything of the C library, and unless an option did it.
+function out_extension(    name) {
+    for (name in extended)
+        if (name in is_file) {
+            out("#ifndef _GNU_SOURCE\n#define _GNU_SOURCE\n#endif")
+            return
+        }
+}
+
 function paste(name,    i) {
-    if (name in pasted)
+    if (name in pasted || name ~ /\.h$/ && is_public(name))
         return
     if (!(name in is_file))
         fail("the library includes " src "/" name ", which is not in it")
     pasted[name] = 1
     for (i = 1; i <= uses[name]; i++)
         paste(used[name, i])
-    if (name ~ /\.h$/ && is_public(name))
-        return
     out_heading(name)
     out_new_names(name)
     out_lines(name)

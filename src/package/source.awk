@@ -6,12 +6,24 @@
 #
 # with the library's modules in the order of book/chapters, and print what they
 # make.  A header is public if it includes "base/api.h", or is it.
+#
+# With -v added=FOLDER they make the files of a library that is built upon it,
+# tanglefree_FOLDER.h and .c, of those modules that are in this folder.
+
+function is_made(file) {
+    return !added || index(file, added "/") == 1
+}
+
+function made_name() {
+    return added ? "tanglefree_" added : "tanglefree"
+}
 
 # Read a file of src/; false if there is none.
 #   line[file, 1..lines[file]]   the code, without `#pragma once`, includes,
 #                                their title and, in headers, all titles
 #   used[file, 1..uses[file]]    what it includes of src/
 #   asked[file, 1..asks[file]]   what it includes of the C library
+#   extended[file]               whether it sees all of that: _GNU_SOURCE
 function load(file,    path, text, title, depth, status) {
     path = src "/" file
     while ((status = getline text <path) > 0) {
@@ -19,7 +31,7 @@ function load(file,    path, text, title, depth, status) {
             title = text
             continue
         }
-        if (title && file ~ /\.c$/ && text !~ /^# *include/)
+        if (title && file ~ /\.c$/ && text !~ /^# *(include|define _GNU_SOURCE)/)
             add_line(file, title)
         title = ""
         depth += (text ~ /^# *if/) - (text ~ /^# *endif/)
@@ -47,6 +59,8 @@ function read_directive(file, text, depth,    name) {
         used[file, ++uses[file]] = name
     } else if (text ~ /^# *include *</ && depth == 0) {
         asked[file, ++asks[file]] = name
+    } else if (text ~ /^#define _GNU_SOURCE/) {
+        extended[file] = 1
     } else if (text != "#pragma once") {
         add_line(file, text)
     }

@@ -1,7 +1,8 @@
-# find_package(tanglefree CONFIG) gives two targets:
+# find_package(tanglefree CONFIG) gives three targets:
 #
 #     tanglefree::tanglefree   the shared library
 #     tanglefree::static       the archive
+#     tanglefree::threads      the pool of threads, to be linked besides
 #
 # Nothing here depends on where it was installed.
 get_filename_component(_tanglefree "${CMAKE_CURRENT_LIST_DIR}" REALPATH)
@@ -18,6 +19,13 @@ if(NOT TARGET tanglefree::tanglefree)
     IMPORTED_LOCATION "${_tanglefree}/lib/libtanglefree.a"
     INTERFACE_INCLUDE_DIRECTORIES "${_tanglefree}/include"
     INTERFACE_LINK_LIBRARIES m)
+
+  add_library(tanglefree::threads STATIC IMPORTED)
+  set_target_properties(tanglefree::threads PROPERTIES
+    IMPORTED_LOCATION "${_tanglefree}/lib/libtanglefree_threads.a"
+    INTERFACE_INCLUDE_DIRECTORIES "${_tanglefree}/include"
+    INTERFACE_COMPILE_OPTIONS -pthread
+    INTERFACE_LINK_LIBRARIES "-pthread;m")
 endif()
 
 unset(_tanglefree)

@@ -6,11 +6,11 @@
 #include "files/number.h"
 #include "files/visible.h"
 #include "program/arithmetics.h"
-#include "program/threads.h"
 #include "response/conjugate_residuals.h"
 #include "response/gauss_seidel.h"
 #include "response/minres.h"
 #include "response/normal_residuals.h"
+#include "threads/threads.h"
 
 #include <float.h>
 #include <math.h>
@@ -254,7 +254,7 @@ void tf_option_read(const tf_option *option, const char *text,
 //: Set what is usual
 void tf_request_begin(tf_request *request, unsigned command)
 {
-    *request = (tf_request){.threads = tf_threads_available()};
+    *request = (tf_request){0};
     for (const tf_option *option = tf_options; option->name; option++)
         if (option->commands & command && option->usual)
             tf_option_read(option, option->usual, request);

@@ -21,7 +21,7 @@ typedef struct tf_request {
     uint64_t given;           ///< which rows of the table of options
 
     const tf_format *format;
-    int threads;
+    int threads;               ///< 0: one for each processor
     const tf_query_kind *kind; ///< of query
     const tf_method *method, *against;
     tf_method_options answering; ///< with its arithmetic also of detect

@@ -7,8 +7,8 @@
 #include "program/mesh_output.h"
 #include "program/progress.h"
 #include "program/reports.h"
-#include "program/threads.h"
 #include "response/resolve.h"
+#include "threads/threads.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -16,6 +16,7 @@
 //: Hold what resolve does
 typedef struct resolving {
     const tf_request *request;
+    tf_threads *threads;
     tf_frames frames;
     double *inverse_mass; ///< NULL: 1 for all
     tf_resolver *resolver;
@@ -61,7 +62,7 @@ static bool show_progress(void *context, const tf_stage *stage)
 
 //: Resolve the step between two frames
 /// To the library, a separation of 0 is the usual one, and a negative one none.
-static tf_response_options options_of(resolving *r, const tf_parallel *threads)
+static tf_response_options options_of(resolving *r)
 {
     const tf_request *wanted = r->request;
     bool none =
@@ -72,7 +73,7 @@ static tf_response_options options_of(resolving *r, const tf_parallel *threads)
         .restitution = wanted->restitution,
         .friction = wanted->friction,
         .check_start = true,
-        .parallel = threads,
+        .parallel = tf_threads_parallel(r->threads),
         .progress = show_progress,
         .context = r,
     };
@@ -80,8 +81,7 @@ static tf_response_options options_of(resolving *r, const tf_parallel *threads)
 
 static bool respond(resolving *r)
 {
-    tf_parallel threads = tf_threads(&r->request->threads);
-    tf_response_options how = options_of(r, &threads);
+    tf_response_options how = options_of(r);
     tf_motion motion = tf_frames_motion(&r->frames);
     tf_error error;
     const tf_response_report *report;
@@ -141,6 +141,7 @@ static void free_all(resolving *r)
     tf_resolver_free(r->resolver);
     free(r->inverse_mass);
     tf_frames_free(&r->frames);
+    tf_threads_free(r->threads);
 }
 
 //: Run the command resolve
@@ -148,6 +149,7 @@ static int run(const tf_request *request)
 {
     resolving r = {.request = request,
                    .progress = tf_progress_line_begin(true)};
+    tf_threads_create(request->threads, &r.threads);
     bool good = do_all(&r);
     tf_fault_print(&r.frames.fault, "tanglefree");
     free_all(&r);

@@ -6,9 +6,9 @@
 #include "program/progress.h"
 #include "program/simulation_folder.h"
 #include "program/step_fields.h"
-#include "program/threads.h"
 #include "simulate/cloth_scenes.h"
 #include "simulate/flow_scenes.h"
+#include "threads/threads.h"
 
 #include <errno.h>
 #include <string.h>
@@ -90,6 +90,7 @@ static void list_scenes(const tf_scene list[])
 typedef struct run {
     const tf_request *request;
     const tf_scene *scene;
+    tf_threads *threads;
     int steps; ///< to be made in all
     tf_simulation *simulation;
     tf_simulation_folder folder;
@@ -110,8 +111,8 @@ static bool add_step(run *r)
 {
     char things[TF_STEP_WORDS];
     tf_simulation *s = r->simulation;
-    tf_parallel threads = tf_threads(&r->request->threads);
-    tf_step_options how = {&threads, r->totals.steps == 0, tf_clock_seconds};
+    tf_step_options how = {tf_threads_parallel(r->threads),
+                           r->totals.steps == 0, tf_clock_seconds};
     tf_status status = s->scene->kind->step(s, &how);
     if (status != TF_OK)
         return fault_in_step(r, status);
@@ -173,7 +174,8 @@ static int run_scene(const tf_request *request, const tf_scene *scene)
     run r = {.request = request, .scene = scene, .steps = scene->steps};
     if (tf_request_gave(request, "steps"))
         r.steps = request->steps;
-    tf_interruption_hold();
+    tf_interruption_hold(); // before there are threads
+    tf_threads_create(request->threads, &r.threads);
     r.progress = tf_progress_line_begin(true);
     bool good = simulate(&r);
     tf_progress_line_end(&r.progress);
@@ -182,6 +184,7 @@ static int run_scene(const tf_request *request, const tf_scene *scene)
     print_end(&r, good);
     tf_simulation_folder_close(&r.folder);
     tf_simulation_free(r.simulation);
+    tf_threads_free(r.threads);
     return !good ? 2 : r.signal ? 128 + r.signal : 0;
 }
 

@@ -6,13 +6,14 @@
 #include "program/frames.h"
 #include "program/progress.h"
 #include "program/surface_output.h"
-#include "program/threads.h"
+#include "threads/threads.h"
 
 #include <limits.h>
 
 //: Hold what a command does
 typedef struct work {
     const tf_request *request;
+    tf_threads *threads;
     tf_frames frames;
     tf_destination to;
     tf_surface_output output;
@@ -47,12 +48,11 @@ static bool fault_in_range(work *w, int vertex)
 //: Detect the contacts of all steps
 static bool detect_step(work *w)
 {
-    tf_parallel threads = tf_threads(&w->request->threads);
     tf_detect_options detection = {
         .selection = w->request->first ? TF_FIRST_CONTACT : TF_ALL_CONTACTS,
         .arithmetic = w->request->answering.arithmetic,
         .narrow_phase = w->request->narrow_phase,
-        .parallel = &threads};
+        .parallel = tf_threads_parallel(w->threads)};
     tf_motion motion = tf_frames_motion(&w->frames);
     tf_contacts found;
     tf_error error;
@@ -79,14 +79,13 @@ static bool detect_all(work *w)
 //: Check all surfaces
 static bool check_file(work *w, const char *path)
 {
-    tf_parallel threads = tf_threads(&w->request->threads);
     tf_frames_free(&w->frames);
     if (!tf_frames_next(&w->frames, path))
         return false;
     tf_motion rest = tf_frames_motion(&w->frames);
     tf_crossings found;
     tf_error error;
-    tf_check_options options = {.parallel = &threads};
+    tf_check_options options = {.parallel = tf_threads_parallel(w->threads)};
     tf_surface_check(w->frames.surface, rest.vertices, rest.start, &options,
                      &found, &error);
     return succeeded(w, &error) &&
@@ -127,10 +126,12 @@ static int run(const tf_request *request, bool checks, bool (*do_all)(work *))
 {
     bool silent = !tf_destination_is_standard(request->out);
     work w = {.request = request, .progress = tf_progress_line_begin(silent)};
+    tf_threads_create(request->threads, &w.threads);
     bool good = write_rows(&w, checks, do_all);
     tf_destination_end(&w.to);
     tf_fault_print(&w.frames.fault, "tanglefree");
     tf_frames_free(&w.frames);
+    tf_threads_free(w.threads);
     return !good ? 2 : w.output.tally.tangled > 0;
 }
 

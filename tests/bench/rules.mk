@@ -41,6 +41,7 @@ counts: $(BUILD)/tests/bench/counts ## count the contacts that the report's rule
 
 measure-library: ## time the library
 measure-methods: ## compare the methods
+measure-threads: ## time tasks on several threads
 measure-solvers: ## compare the solvers, and numbers of sweeps
 measure-response: ## time the response
 measure-simulation: ## run and time the scenes
@@ -48,12 +49,13 @@ measure-surgery: ## operate at random, with tests left out
 measure-remeshing: need-remeshing ## remesh meshes of another program
 measure-topology: ## merge, pinch and drop at random
 measure-flowing: ## let surfaces flow
-measured = library methods solvers response simulation surgery remeshing \
-	topology flowing
+measured = library methods threads solvers response simulation surgery \
+	remeshing topology flowing
 
 programs_library = $(benches:%=tests/bench/%)
 programs_methods = tests/bench/compare
 arguments_methods = tests/bench/published.csv
+programs_threads = tests/bench/threads
 programs_solvers = tests/bench/solvers tests/bench/sweeps
 arguments_solvers = tests/bench/zones.txt
 programs_response = tests/bench/response

@@ -15,11 +15,11 @@
 #include "bench/layers.h"
 #include "bench/measuring.h"
 #include "fast/detect.h"
-#include "program/threads.h"
 #include "query/edge_edge.h"
 #include "query/point_triangle.h"
 #include "surface/candidates.h"
 #include "surface/surface_memory.h"
+#include "threads/threads.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -92,10 +92,10 @@ static void time_candidates(const layers *cloth, tf_surface *surface,
 }
 
 static tf_contacts time_contacts(const layers *cloth, tf_surface *surface,
-                                 int threads, clockid_t clock, double *best)
+                                 const tf_threads *threads, clockid_t clock,
+                                 double *best)
 {
-    tf_parallel parallel = tf_threads(&threads);
-    tf_detect_options detection = {.parallel = threads > 1 ? &parallel : NULL};
+    tf_detect_options detection = {.parallel = tf_threads_parallel(threads)};
     tf_contacts found;
     double start = nanoseconds(clock);
     require(
@@ -131,11 +131,14 @@ static void time_round(const layers *cloth, tf_surface *surface,
     if (measured->bytes == 0)
         measured->bytes = tf_surface_memory(surface);
     tf_contacts found = time_contacts(
-        cloth, surface, 1, CLOCK_PROCESS_CPUTIME_ID, &measured->contacts);
+        cloth, surface, NULL, CLOCK_PROCESS_CPUTIME_ID, &measured->contacts);
     time_describing(cloth, &found, measured);
     measured->statistics = found.statistics;
     measured->contact_count = found.count;
-    time_contacts(cloth, surface, 2, CLOCK_MONOTONIC, &measured->two_threads);
+    tf_threads *two;
+    require(tf_threads_create(2, &two));
+    time_contacts(cloth, surface, two, CLOCK_MONOTONIC, &measured->two_threads);
+    tf_threads_free(two);
 }
 
 static result measure(const layers *cloth)

@@ -1,8 +1,8 @@
-"""Look up every public name: python3 tests/book/reference_test.py HEADER FOLDER
+"""Look up every public name: python3 tests/book/reference_test.py FOLDER HEADER...
 
-Each name that the header declares must have an entry with a description in
+Each name that a header declares must have an entry with a description in
 the reference, a line in the index, and a result in the search, on the pages
-of FOLDER.  The header is read here without Doxygen.
+of FOLDER.  The headers are read here without Doxygen.
 """
 import json
 import re
@@ -109,7 +109,7 @@ def faults(header, folder):
             yield f"{name} is not in the search"
 
 
-def main(header, folder):
+def check(header, folder):
     text = header.read_text()
     found = list(faults(text, folder))
     for fault in found:
@@ -117,6 +117,10 @@ def main(header, folder):
     count = len(list(names(text)))
     print(f"{count} names of {header.name}, {len(found)} faults")
     return count and not found
+
+
+def main(folder, *headers):
+    return all([check(header, folder) for header in headers])
 
 
 if __name__ == "__main__":

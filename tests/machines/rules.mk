@@ -22,7 +22,7 @@ machine_sparse = -Wl,--unresolved-symbols=ignore-all -lcholmod -lamd -lcolamd \
 	-lcamd -lccolamd -lsuitesparseconfig
 
 $(machines:%=check-machine-%): check-machine-%: $(BUILD)/machines/%/packages \
-		$(BUILD)/machines/%/emulated $(program_file) | need-machines
+		$(BUILD)/machines/%/emulated $(program_file) $(public_header) | need-machines
 	@$(MAKE) check BUILD=$(machine) TF_TEST_PERCENT=2 \
 	    CC='$(machine_cc)' \
 	    LDFLAGS='-static -L$(machine_root)/lib/$*-linux-gnu' \
@@ -33,6 +33,8 @@ $(machines:%=check-machine-%): check-machine-%: $(BUILD)/machines/%/packages \
 	@sh tests/machines/answers.sh $(machine)/emulated >$(machine)/answers
 	@! grep -A 2 ' exact ' $(machine)/native | grep '^status'
 	@cmp $(machine)/native $(machine)/answers
+	@awk -f $(abi)/description.awk -f $(abi)/layouts.awk $(abi_record) | \
+	    $(machine_cc) -std=c17 -I$(dir $(public_header)) -fsyntax-only -x c -
 	@echo 'the same answers: $*'
 
 # The program, as tests start it.

@@ -1,5 +1,6 @@
 # Paste a small library of its own: names that files share stay apart, what is
-# for study comes last, and headers that do not go together are refused.
+# for study comes last, a library upon it has files of its own, and headers that
+# do not go together are refused.
 #
 #     BUILD=dir paste.sh
 #
@@ -97,6 +98,42 @@ expect_study_last() {
     [ "$order" = 'tf_a tf_b - tf_study ' ] || fail "the order is $order"
 }
 
+# A library upon it sees what is public alone, and all of the C library.
+expect_upon() {
+    printf '%s\n' '#pragma once' '#include "base/api.h"' '#include "one/a.h"' \
+        'TF_API int tf_upon(void);' | file upon/upon.h
+    file upon/upon.c <<'END'
+//: Include what it needs
+#define _GNU_SOURCE // strchrnul
+#include "upon/upon.h"
+#include <string.h>
+
+//: Count
+int tf_upon(void)
+{
+    return tf_a() + *strchrnul("upon", 'x');
+}
+END
+    paste header base/api one/a one/b >"$scratch/tanglefree.h"
+    for what in header.h single.c; do
+        paste ${what%.*} -v added=upon base/api one/hidden one/a one/b \
+            upon/upon >"$scratch/tanglefree_upon.${what#*.}"
+    done
+    printf '%s\n' '#include "tanglefree_upon.h"' \
+        'int main(void) { return tf_upon() == 4 + 5 ? 0 : 1; }' \
+        >"$scratch/main.c"
+    for option in -std=c17 -D_GNU_SOURCE; do
+        gcc -Wall -Wextra -Wpedantic -Werror $option "$scratch/main.c" \
+            "$scratch/tanglefree.c" "$scratch/tanglefree_upon.c" \
+            -o "$scratch/main"
+        "$scratch/main" || fail "a library upon it is wrong"
+    done
+    ! grep 'tf_b' "$scratch"/tanglefree_upon.[ch] || fail "too much is upon it"
+    echo '#include "one/hidden.h"' >>"$src/upon/upon.c"
+    expect_refusal 'one/hidden.h, which is not in it' single -v added=upon \
+        base/api one/hidden one/a upon/upon
+}
+
 expect_refusal() { # words of the complaint, what, modules
     words=$1
     shift
@@ -123,10 +160,11 @@ printf '#pragma once\n\nTF_API int tf_c(void);\n' | file one/c.h
 expect_refusal 'one/c.h has TF_API, so it must include "base/api.h"' \
     header base/api one/c
 expect_refusal 'one/hidden.h, which is not in it' single base/api one/a
+expect_upon
 expect_study_last
 printf '#pragma once\n#include "base/api.h"\n#include "one/study.h"\n' |
     file one/product.h
 expect_refusal 'one/product.h includes "one/study.h", which comes later' \
     header base/api one/study one/product
-echo 'Names that files share stay apart, what is for study comes last, and bad'
-echo 'headers are refused.'
+echo 'Names that files share stay apart, what is for study comes last, a library'
+echo 'upon it has files of its own, and bad headers are refused.'

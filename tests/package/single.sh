@@ -1,7 +1,7 @@
 # Compile the one file of the library by several compilers, without any option
 # that it would need, and compare the bits of all answers with those of the
 # library.  Options that rewrite arithmetic must be refused: by the compiler, or
-# by every query.
+# by every query.  The threads in one file go with it, in C and C++.
 #
 #     BUILD=dir CC=cc single.sh
 #
@@ -45,6 +45,18 @@ refuse() { # compiler and options
     echo "refused: $*"
 }
 
+try_threads() { # compiler of C and options; the program's compiler, language
+    for file in tanglefree tanglefree_threads; do
+        $1 -Wall -Wextra -Wpedantic -Werror -c "$BUILD/single/$file.c" \
+            -o "$scratch/$file.o"
+    done
+    $2 -Wall -Wextra -Wpedantic -Werror -I "$BUILD/single" -x "$3" \
+        tests/package/threads.c -x none "$scratch/tanglefree.o" \
+        "$scratch/tanglefree_threads.o" -lm -pthread -o "$scratch/threads"
+    [ "$("$scratch/threads")" = '1000 tasks by 3 threads' ]
+    echo "threads: $1, $2"
+}
+
 mkdir -p "$scratch"
 $CC -std=c17 -I "$BUILD/include" tests/package/answers.c \
     "$BUILD/libtanglefree.a" -lm -o "$scratch/library"
@@ -57,6 +69,10 @@ try clang clang -std=c11
 try clang-native clang -O3 -march=native
 # A program for node: all in one file, with node's own input and output.
 try emcc.js emcc -O1 -s SINGLE_FILE=1 -s NODERAWFS=1
+try_threads 'gcc -O1' gcc c
+try_threads 'gcc -O1' g++ c++
+try_threads 'clang -O1 -std=c11' clang c
+try_threads 'clang -O1 -std=c11' clang++ c++
 for cc in gcc clang; do
     refuse $cc -ffast-math
     refuse $cc -funsafe-math-optimizations

@@ -9,7 +9,9 @@ expect() { # wanted, got, of what
 }
 
 check_versions() {
-    expect "$VERSION" "$(installed --modversion tanglefree)" tanglefree.pc
+    for package in tanglefree tanglefree_threads; do
+        expect "$VERSION" "$(installed --modversion $package)" $package.pc
+    done
     for program in tanglefree tanglefree-draw; do
         expect "$program $VERSION" "$("$prefix/bin/$program" --version)" \
             "$program --version"
@@ -33,28 +35,35 @@ check_header() {
         'clang++ -std=c++17' 'clang++ -std=c++20'; do
         ending=c
         case $language in *++*) ending=cc ;; esac
-        echo '#include <tanglefree.h>' >"$scratch/header.$ending"
-        $language -Wall -Wextra -Wpedantic -Werror -I "$prefix/include" \
-            -fsyntax-only "$scratch/header.$ending" ||
-            fail "$language has warnings of tanglefree.h"
+        for file in tanglefree.h tanglefree_threads.h; do
+            echo "#include <$file>" >"$scratch/header.$ending"
+            $language -Wall -Wextra -Wpedantic -Werror -I "$prefix/include" \
+                -fsyntax-only "$scratch/header.$ending" ||
+                fail "$language has warnings of $file"
+        done
     done
 }
 
-# The names that are declared with TF_API.
-list_declared() {
-    grep -v '^ *\(//\|#\)' "$header" | tr '\n' ' ' | tr ';{' '\n\n' |
+# The names that a header declares with TF_API.
+list_declared() { # header
+    grep -v '^ *\(//\|#\)' "$prefix/include/$1" | tr '\n' ' ' | tr ';{' '\n\n' |
         sed -n 's/^.*TF_API \([^(]*\).*/\1/; t print
             d
             :print
             s/ *$//; s/.*[ *]//; p' | LC_ALL=C sort
 }
 
-check_symbols() {
-    list_declared >"$scratch/declared"
-    [ -s "$scratch/declared" ] || fail "tanglefree.h declares nothing"
-    nm -D --defined-only "$prefix/lib/libtanglefree.so" | sed 's/.* //' |
+expect_symbols() { # header, library, options of nm
+    list_declared "$1" >"$scratch/declared"
+    [ -s "$scratch/declared" ] || fail "$1 declares nothing"
+    nm $3 --defined-only "$prefix/lib/$2" | sed -n 's/.* [A-Z] //p' |
         LC_ALL=C sort | diff "$scratch/declared" - ||
-        fail "the shared library exports other names than TF_API (<) declares"
+        fail "$2 exports other names than TF_API (<) declares"
+}
+
+check_symbols() {
+    expect_symbols tanglefree.h libtanglefree.so -D
+    expect_symbols tanglefree_threads.h libtanglefree_threads.a -g
 }
 
 # The programs of users --------------------------------------------------------
@@ -89,15 +98,44 @@ check_example() {
     done
 }
 
+expect_tasks() { # program
+    answer=$(LD_LIBRARY_PATH="$prefix/lib" "$1")
+    [ "$answer" = '1000 tasks by 3 threads' ] ||
+        fail "tests/package/threads.c does not run its tasks: $answer"
+}
+
+check_threads() {
+    program=$scratch/threads
+    cp tests/package/threads.c "$program.cc"
+    for compiler in 'gcc -std=c17 tests/package/threads.c' \
+        'clang -std=c11 tests/package/threads.c' \
+        "g++ -std=c++17 $program.cc" "clang++ -std=c++20 $program.cc"; do
+        $compiler -Wall -Wextra -Wpedantic -Werror \
+            $(installed --cflags --libs tanglefree_threads) -o "$program"
+        expect_tasks "$program"
+        $compiler -static $(installed --static --cflags --libs \
+            tanglefree_threads) -o "$program"
+        expect_tasks "$program"
+    done
+    # As a part of a shared library.
+    gcc -shared -fPIC tests/package/threads.c -Wl,--no-undefined \
+        $(installed --cflags --libs tanglefree_threads) -o "$program.so"
+}
+
 # What is installed may move.
 check_cmake() {
     cp -R "$prefix" "$scratch/moved"
     cmake -S tests/package/cmake -B "$scratch/cmake" \
         -DCMAKE_PREFIX_PATH="$scratch/moved" -DEXAMPLE="$scratch/example.c" \
+        -DTHREADS="$(pwd)/tests/package/threads.c" \
+        -DTHREADS_IN_CXX="$scratch/threads.cc" \
         >"$scratch/cmake.txt" && cmake --build "$scratch/cmake" \
         >>"$scratch/cmake.txt" || { cat "$scratch/cmake.txt"; exit 1; }
     for program in shared static; do
         expect_stated "$scratch/cmake/$program"
+    done
+    for program in threads threads_in_cxx; do
+        expect_tasks "$scratch/cmake/$program"
     done
     readelf -d "$scratch/cmake/shared" >"$scratch/dynamic"
     grep -q "RUNPATH.*$scratch/moved/lib" "$scratch/dynamic" &&
@@ -129,5 +167,6 @@ check_versions
 check_header
 check_symbols
 check_example
+check_threads
 check_cmake
 check_cmake_versions

@@ -7,11 +7,11 @@
 #include "bench/layers.h"
 #include "fast/detect.h"
 #include "fast/vectorized.h"
-#include "program/threads.h"
 #include "support/pair_rules.h"
 #include "support/support.h"
 #include "support/surface_of.h"
 #include "support/surfaces.h"
+#include "threads/threads.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -33,11 +33,11 @@ static rows find(tf_surface *surface, const tf_motion *motion,
                  const tf_arithmetic *arithmetic,
                  const tf_narrow_phase *narrow_phase)
 {
-    int threads = 2;
-    tf_parallel parallel = tf_threads(&threads);
+    tf_threads *threads;
+    ck_assert_int_eq(tf_threads_create(2, &threads), TF_OK);
     tf_detect_options detection = {.arithmetic = arithmetic,
                                    .narrow_phase = narrow_phase,
-                                   .parallel = &parallel};
+                                   .parallel = tf_threads_parallel(threads)};
     rows all;
     ck_assert_int_eq(
         tf_surface_detect(surface, motion, &detection, &all.found, NULL),
@@ -45,6 +45,7 @@ static rows find(tf_surface *surface, const tf_motion *motion,
     size_t bytes = all.found.count * sizeof *all.row;
     all.row = malloc(bytes + 1);
     memcpy(all.row, all.found.contact, bytes);
+    tf_threads_free(threads);
     return all;
 }
 

@@ -1,5 +1,4 @@
 // Responses, judged by what shares no code with detection.
-#include "program/threads.h"
 #include "response/conjugate_residuals.h"
 #include "support/cloth.h"
 #include "support/resolutions.h"
@@ -7,6 +6,7 @@
 #include "support/support.h"
 #include "support/surface_of.h"
 #include "support/tangle.h"
+#include "threads/threads.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -154,21 +154,24 @@ static void expect_same(const scene *one, const scene *other)
 START_TEST(any_number_of_threads_ends_with_the_same_bits)
 {
     scene alone = scene_new(STACK_TURNED, 6), shared[2];
-    int workers[] = {2, 3};
-    const tf_parallel parallel[] = {tf_threads(&workers[0]),
-                                    scrambled_workers(&workers[1])};
+    int workers = 3;
+    tf_threads *two;
+    ck_assert_int_eq(tf_threads_create(2, &two), TF_OK);
+    const tf_parallel scrambled = scrambled_workers(&workers);
+    const tf_parallel *parallel[] = {tf_threads_parallel(two), &scrambled};
     for (int i = 0; i < 2; i++)
         shared[i] = scene_new(STACK_TURNED, 6);
     for (int i = 0; i < (int)cases(15); i++) {
         step(&alone, NULL);
         for (int j = 0; j < 2; j++) {
-            step(&shared[j], &(tf_response_options){.parallel = &parallel[j]});
+            step(&shared[j], &(tf_response_options){.parallel = parallel[j]});
             expect_same(&alone, &shared[j]);
         }
     }
     scene_free(&alone);
     for (int i = 0; i < 2; i++)
         scene_free(&shared[i]);
+    tf_threads_free(two);
 }
 END_TEST
 

@@ -1,12 +1,12 @@
 // Steps that are hard to resolve each for a reason of its own, and what stays
 // the same when they are resolved.
-#include "program/threads.h"
 #include "response/gauss_seidel.h"
 #include "support/resolutions.h"
 #include "support/scrambled_workers.h"
 #include "support/support.h"
 #include "support/surface_of.h"
 #include "support/tangle.h"
+#include "threads/threads.h"
 
 #include <limits.h>
 #include <math.h>
@@ -704,10 +704,12 @@ START_TEST(any_number_of_threads_ends_with_the_same_bits)
     generator random = generator_new(500);
     for (int i = 0; i < (int)cases(15); i++) {
         int workers = 1 + i % 3;
-        tf_parallel threads = tf_threads(&workers);
+        tf_threads *threads;
+        ck_assert_int_eq(tf_threads_create(workers, &threads), TF_OK);
         tf_parallel backward = scrambled_workers(&workers);
         make_random(&random, i, i % 2);
-        expect_same_bits(i % 4 < 2 ? &threads : &backward);
+        expect_same_bits(i % 4 < 2 ? tf_threads_parallel(threads) : &backward);
+        tf_threads_free(threads);
     }
 }
 END_TEST

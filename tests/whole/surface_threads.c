@@ -2,13 +2,13 @@
 // bit by bit.
 #include "bench/layers.h"
 #include "fast/detect.h"
-#include "program/threads.h"
 #include "support/scrambled_workers.h"
 #include "support/support.h"
 #include "support/surface_of.h"
 #include "support/surfaces.h"
 #include "surface/candidates.h"
 #include "surface/check.h"
+#include "threads/threads.h"
 
 #include <string.h>
 
@@ -70,10 +70,12 @@ static void compare(find_function *find)
     tf_surface *one = surface_of(&mesh), *several = surface_of(&mesh);
     rows expected = find(one, NULL);
     for (int i = 0; i < 4; i++) {
-        tf_parallel threads = tf_threads(&numbers[i]);
+        tf_threads *threads;
+        ck_assert_int_eq(tf_threads_create(numbers[i], &threads), TF_OK);
         tf_parallel backward = scrambled_workers(&numbers[i]);
-        expect_rows(expected, find(several, &threads));
+        expect_rows(expected, find(several, tf_threads_parallel(threads)));
         expect_rows(expected, find(several, &backward));
+        tf_threads_free(threads);
     }
     tf_surface_free(one);
     tf_surface_free(several);

@@ -2,6 +2,7 @@
 // the last bit.
 #define _POSIX_C_SOURCE 200809L // pthread_barrier_t
 
+#include "threads/threads.h"
 #include "arithmetic/clamped.h"
 #include "arithmetic/exact.h"
 #include "arithmetic/integer.h"
@@ -83,20 +84,25 @@ static void find_answer(query q, answer *found)
 
 // Threads ---------------------------------------------------------------------
 
+/// Runs a task on each of as many threads.  They start together, as they wait
+/// for each other at the barrier of the tasks.
+static void run_at_once(tf_task *run, void *argument)
+{
+    tf_threads *threads;
+    ck_assert_int_eq(tf_threads_create(THREADS, &threads), TF_OK);
+    ck_assert_int_eq(tf_threads_count(threads), THREADS);
+    const tf_parallel *parallel = tf_threads_parallel(threads);
+    parallel->for_each(parallel->context, THREADS, run, argument);
+    tf_threads_free(threads);
+}
+
 /// The same queries for all threads.
 typedef struct work {
     int count;
     query *queries;
     pthread_barrier_t start;
+    answer *answers[THREADS]; ///< of each thread, by query
 } work;
-
-/// A thread has an order of its own.
-typedef struct worker {
-    work *shared;
-    int number;
-    answer *answers; ///< by query
-    pthread_t thread;
-} worker;
 
 static void shuffle(generator *random, int count, int order[])
 {
@@ -107,41 +113,31 @@ static void shuffle(generator *random, int count, int order[])
     }
 }
 
-static void *answer_all(void *argument)
+/// A thread has an order of its own.
+static void answer_all(void *argument, int task, int worker)
 {
-    worker *self = argument;
-    work *shared = self->shared;
-    generator random = generator_new(100 + (uint64_t)self->number);
-    int *order = malloc((size_t)shared->count * sizeof *order);
+    work *shared = argument;
+    size_t count = (size_t)shared->count;
+    answer *answers = shared->answers[task] = malloc(count * sizeof *answers);
+    generator random = generator_new(100 + (uint64_t)task);
+    int *order = malloc(count * sizeof *order);
     shuffle(&random, shared->count, order);
 
+    (void)worker;
     pthread_barrier_wait(&shared->start);
-    for (int i = 0; i < shared->count; i++)
-        find_answer(shared->queries[order[i]], &self->answers[order[i]]);
+    for (size_t i = 0; i < count; i++)
+        find_answer(shared->queries[order[i]], &answers[order[i]]);
     free(order);
-    return NULL;
 }
 
-static void start_workers(work *shared, worker workers[THREADS])
-{
-    for (int i = 0; i < THREADS; i++) {
-        workers[i] = (worker){.shared = shared, .number = i};
-        workers[i].answers =
-            malloc((size_t)shared->count * sizeof *workers[i].answers);
-        ck_assert_int_eq(
-            pthread_create(&workers[i].thread, NULL, answer_all, &workers[i]),
-            0);
-    }
-}
-
-static void expect_same(const work *shared, const worker *one)
+static void expect_same(const work *shared, int thread)
 {
     for (int i = 0; i < shared->count; i++) {
         answer alone;
         find_answer(shared->queries[i], &alone);
-        if (memcmp(&alone, &one->answers[i], sizeof alone) != 0)
+        if (memcmp(&alone, &shared->answers[thread][i], sizeof alone) != 0)
             ck_abort_msg("thread %d has another answer\nseed %llu, %s\n%s",
-                         one->number, (unsigned long long)seed(),
+                         thread, (unsigned long long)seed(),
                          query_name(&shared->queries[i]),
                          query_text(&shared->queries[i]));
     }
@@ -176,14 +172,10 @@ START_TEST(threads_find_the_same_answers)
     work shared = {.count = (int)cases(3000)};
     make_queries(&shared);
     pthread_barrier_init(&shared.start, NULL, THREADS);
-
-    worker workers[THREADS];
-    start_workers(&shared, workers);
-    for (int i = 0; i < THREADS; i++)
-        pthread_join(workers[i].thread, NULL);
+    run_at_once(answer_all, &shared);
     for (int i = 0; i < THREADS; i++) {
-        expect_same(&shared, &workers[i]);
-        free(workers[i].answers);
+        expect_same(&shared, i);
+        free(shared.answers[i]);
     }
     pthread_barrier_destroy(&shared.start);
     free(shared.queries);
@@ -197,25 +189,21 @@ static void ignore(const char *file, int line, const char *condition)
     (void)condition;
 }
 
-static void *replace_handler(void *argument)
+static void replace_handler(void *argument, int task, int worker)
 {
+    (void)task;
+    (void)worker;
     pthread_barrier_wait(argument);
     for (int i = 0; i < 1000; i++)
         tf_contract_set_handler(i % 2 ? ignore : NULL);
-    return NULL;
 }
 
 // For ThreadSanitizer to find fault with.
 START_TEST(threads_replace_the_handler)
 {
-    pthread_t thread[THREADS];
     pthread_barrier_t start;
     pthread_barrier_init(&start, NULL, THREADS);
-    for (int i = 0; i < THREADS; i++)
-        ck_assert_int_eq(
-            pthread_create(&thread[i], NULL, replace_handler, &start), 0);
-    for (int i = 0; i < THREADS; i++)
-        pthread_join(thread[i], NULL);
+    run_at_once(replace_handler, &start);
     ck_assert(tf_contract_set_handler(NULL) == ignore);
     pthread_barrier_destroy(&start);
 }

@@ -8,10 +8,10 @@
 #include "intersect/signs.h"
 #include "kit/meshes.h"
 #include "kit/random.h"
-#include "program/threads.h"
 #include "query/edge_edge.h"
 #include "query/point_triangle.h"
 #include "surface/box.h"
+#include "threads/threads.h"
 
 // Boxes -----------------------------------------------------------------------
 
@@ -322,16 +322,18 @@ static void workers_find_the_contacts_of_three_threads(void)
                            fig_folded_sheet(60, 120, 183.35)};
     const tf_mesh mesh = fig_mesh_in_space(&at[0]);
     const tf_motion motion = {3, at[0].vertices, at[0].x, at[1].x};
-    int threads = 3, points = 0;
-    tf_parallel parallel = tf_threads(&threads);
+    int points = 0;
+    tf_threads *threads;
+    ck_assert_int_eq(tf_threads_create(3, &threads), TF_OK);
+    tf_detect_options on_three = {.parallel = tf_threads_parallel(threads)};
     tf_surface *surface;
-    tf_contacts found = detect(
-        &mesh, &motion, &(tf_detect_options){.parallel = &parallel}, &surface);
+    tf_contacts found = detect(&mesh, &motion, &on_three, &surface);
     for (size_t i = 0; i < found.count; i++)
         points += found.contact[i].kind == TF_POINT_TRIANGLE;
     expect_within(0, (double)found.count, "contacts");
     expect_within(0, points, "point_triangle");
     tf_surface_free(surface);
+    tf_threads_free(threads);
     for (int t = 0; t < 2; t++)
         fig_some_mesh_free(&at[t]);
 }

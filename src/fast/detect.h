@@ -27,7 +27,7 @@
 /// @param motion its vertices at the start and the end of the step
 /// @param options what is wanted, and how; NULL: all zero
 /// @param[out] found the contacts, lent until the next call for this surface;
-///     valid only with TF_OK
+///     set only with TF_OK
 /// @param[out] error what is wrong, if anything; may be NULL
 /// @return TF_OK; TF_BAD_AXES or TF_BAD_COUNT if the motion has other axes than
 ///     the surface, or another number of vertices; TF_BAD_OPTION;

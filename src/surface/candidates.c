@@ -87,13 +87,17 @@ static tf_status list_all(tf_surface *surface, const tf_parallel *parallel,
                            sizeof(size_t)))
         return TF_OUT_OF_MEMORY;
     tf_task_rows *rows = surface->task_rows.data;
-    found->point_count = join_all(surface, rows, parallel);
-    found->edge_count = tf_workers_rows(&surface->workers) - found->point_count;
+    tf_candidates all = {.point_count = join_all(surface, rows, parallel)};
+    tf_status status = tf_workers_status(&surface->workers);
+    if (status != TF_OK)
+        return status;
+    all.edge_count = tf_workers_rows(&surface->workers) - all.point_count;
     if (!gather(surface, tasks, rows, surface->task_places.data, parallel,
-                &found->points))
+                &all.points))
         return TF_OUT_OF_MEMORY;
-    found->edges = found->points ? found->points + found->point_count : NULL;
-    return tf_workers_status(&surface->workers);
+    all.edges = all.points ? all.points + all.point_count : NULL;
+    *found = all;
+    return TF_OK;
 }
 
 //: Find the candidates of a step

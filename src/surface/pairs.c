@@ -331,8 +331,10 @@ tf_status tf_pairs_find(tf_surface *surface, tf_pair_job *job,
     if (!tf_pairs_begin(surface, parallel, job))
         return TF_OUT_OF_MEMORY;
     tf_status status = join_all(surface, job, parallel);
-    *found = (tf_contacts){0};
-    if (status == TF_OK && !tf_pairs_gather(surface, job->selection, found))
+    tf_contacts all = {0};
+    if (status == TF_OK && !tf_pairs_gather(surface, job->selection, &all))
         status = TF_OUT_OF_MEMORY;
+    if (status == TF_OK)
+        *found = all;
     return status;
 }

@@ -29,6 +29,12 @@ enum {
     JUDGED = 10 ///< one of so many steps
 };
 
+static double read_clock(void *context)
+{
+    (void)context;
+    return processor_seconds();
+}
+
 // A run -----------------------------------------------------------------------
 
 /// What has been done in some steps, and what was measured before and after.
@@ -146,7 +152,7 @@ static run run_ball(int n, unsigned careless, int steps)
     const tf_flow_options options = {.edge = 1.2046 * radius / n,
                                      .velocity = tf_field_apply,
                                      .context = &vortices,
-                                     .clock = processor_seconds};
+                                     .clock = read_clock};
     make_steps(&r, &options, 3.0 / STEPS, steps);
     return r;
 }
@@ -227,7 +233,7 @@ static void print_scene(const char *name)
     tf_scene_setup setup = {.body.axes = 3};
     tf_flow_options options =
         tf_flow_options_of(scene, scene->resolution.usual);
-    options.clock = processor_seconds;
+    options.clock = read_clock;
     scene->build(&setup, options.edge);
     run r = run_new(&setup.body);
     make_steps(&r, &options, scene->step, scene->steps);

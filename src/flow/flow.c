@@ -129,8 +129,6 @@ static tf_status read_options(tf_flow_options *own,
                               tf_error *error)
 {
     size_t first = offsetof(tf_flow_options, context) + sizeof own->context;
-    if (!tf_environment_is_ieee())
-        return tf_fail(error, TF_BAD_ENVIRONMENT);
     tf_status status = tf_options_read(own, sizeof *own, options, first, error);
     if (status != TF_OK)
         return status;
@@ -147,6 +145,8 @@ tf_status tf_flow_step(tf_flow *flow, double time, double step,
                        const tf_flow_report **report, tf_error *error)
 {
     TF_REQUIRE(flow && options);
+    if (!tf_environment_is_ieee())
+        return tf_fail(error, TF_BAD_ENVIRONMENT);
     tf_flow_options own;
     tf_status status = read_options(&own, options, flow, error);
     if (status != TF_OK)

@@ -5,6 +5,7 @@
 //
 // cancels each of them at COUNT random moments.  Exit status 1: one took longer
 // than a tenth of a second.
+#include "bench/measuring.h"
 #include "flow/flow.h"
 #include "remesh/remesh.h"
 #include "simulate/geodesic.h"
@@ -15,7 +16,6 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <time.h>
 
 enum {
     DIVISION = 71 ///< of an icosahedron: 20 times its square are the triangles
@@ -25,9 +25,7 @@ static const double limit = 100;
 
 static double now(void)
 {
-    struct timespec time;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-    return 1e3 * (double)time.tv_sec + 1e-6 * (double)time.tv_nsec;
+    return 1e3 * processor_seconds();
 }
 
 // The surface -----------------------------------------------------------------
@@ -132,7 +130,7 @@ static const struct {
 
 // Measuring -------------------------------------------------------------------
 
-static void require(bool good, const char *what)
+static void demand(bool good, const char *what)
 {
     if (good)
         return;
@@ -146,7 +144,7 @@ static double time_call(int call, moments *m)
     tf_adaptive_surface *surface = make_surface();
     double begin = now();
     *m = (moments){.last = begin, .cancel = INFINITY};
-    require(calls[call].call(surface, m) == TF_OK, "it failed");
+    demand(calls[call].call(surface, m) == TF_OK, "it failed");
     double took = now() - begin;
     tf_adaptive_free(surface);
     return took;
@@ -170,8 +168,8 @@ static double time_cancels(int call, double took, int count, double *mean)
             surface = make_surface();
             continue;
         }
-        require(status == TF_CANCELLED && adaptive_hash(surface) == before,
-                "a cancelled call has changed the surface");
+        demand(status == TF_CANCELLED && adaptive_hash(surface) == before,
+               "a cancelled call has changed the surface");
         longest = fmax(longest, late);
         sum += late;
         cancelled++;
@@ -196,6 +194,6 @@ int main(int argc, char *argv[])
         fflush(stdout);
         latest = fmax(latest, longest);
     }
-    require(latest < limit, "a cancelled call took too long to return");
+    demand(latest < limit, "a cancelled call took too long to return");
     return 0;
 }

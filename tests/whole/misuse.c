@@ -358,7 +358,7 @@ START_TEST(meshes_are_as_they_say)
 }
 END_TEST
 
-// Counts and positions ----------------------------------------------------------
+// Counts and positions --------------------------------------------------------
 
 /// Functions that take as many positions as the surface has vertices.
 typedef tf_status position_call(int vertices, const double position[],
@@ -609,7 +609,7 @@ START_TEST(masses_are_zero_or_more)
 }
 END_TEST
 
-// Null pointers ----------------------------------------------------------------
+// Null pointers ---------------------------------------------------------------
 
 START_TEST(null_is_allowed_where_the_header_says_so)
 {
@@ -642,7 +642,7 @@ START_TEST(null_is_allowed_where_the_header_says_so)
 }
 END_TEST
 
-/// Each calls a function with its i-th pointer null: GIVEN is the pointer unless
+/// Each calls a function with one pointer null: GIVEN is the i-th pointer unless
 /// it is that one.
 #define GIVEN(i, pointer) (null == (i) ? NULL : (pointer))
 typedef void null_call(int null);

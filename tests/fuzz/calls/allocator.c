@@ -20,7 +20,7 @@ typedef struct memory {
 
 static memory own = {.left = -1};
 
-// The allocator -----------------------------------------------------------------
+// The allocator ---------------------------------------------------------------
 
 static bool fails(memory *all, size_t size)
 {
@@ -58,7 +58,7 @@ static void release(void *context, void *memory_of, size_t size)
     free(block);
 }
 
-// Its use -----------------------------------------------------------------------
+// Its use ---------------------------------------------------------------------
 
 void allocator_begin(void)
 {

@@ -90,7 +90,7 @@ tf_surface *body_copy(const body *of)
     return made;
 }
 
-// Answers in numbers --------------------------------------------------------
+// Answers in numbers ----------------------------------------------------------
 
 static uint64_t hash_number(uint64_t hash, uint64_t number)
 {
@@ -136,7 +136,7 @@ uint64_t hash_report(const tf_response_report *report)
     return hash_bytes(hash, energies, sizeof energies);
 }
 
-// What is known -----------------------------------------------------------------
+// What is known ---------------------------------------------------------------
 
 static uint64_t known_contacts(const body *of, tf_surface *surface)
 {

@@ -1,5 +1,5 @@
-// Surfaces that calls are made about, each with its resolver, and what a new one
-// answers to a call that is always the same.
+// Surfaces that calls are made about, each with its resolver, and what new ones
+// answer to calls that are always the same.
 #ifndef FUZZ_CALLS_BODIES_H
 #define FUZZ_CALLS_BODIES_H
 
@@ -38,7 +38,7 @@ void judge_body(const call *made, const body *of);
 
 void body_free(body *of);
 
-// Answers in numbers --------------------------------------------------------
+// Answers in numbers ----------------------------------------------------------
 
 /// Numbers that depend on all that was found.
 uint64_t hash_contacts(const tf_contacts *found);

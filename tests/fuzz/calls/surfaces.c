@@ -7,7 +7,7 @@
 
 #define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
 
-// Creating ----------------------------------------------------------------------
+// Creating --------------------------------------------------------------------
 
 /// Spoils a number of the mesh, or an index.
 static void spoil_mesh(generator *random, call *made, body *of)
@@ -87,7 +87,7 @@ void call_create(generator *random, body *of)
     body_learn(of);
 }
 
-// Resolvers ---------------------------------------------------------------------
+// Resolvers -------------------------------------------------------------------
 
 void call_resolver(generator *random, body *of)
 {
@@ -110,7 +110,7 @@ void call_resolver(generator *random, body *of)
     require(&made, tf_resolver_memory(resolver) > 0, "it holds nothing");
 }
 
-// Steps -------------------------------------------------------------------------
+// Steps -----------------------------------------------------------------------
 
 /// The positions of a step.
 typedef struct step {
@@ -161,7 +161,7 @@ static tf_motion draw_motion(generator *random, call *made, const body *of,
     return motion;
 }
 
-// Detecting -----------------------------------------------------------------
+// Detecting -------------------------------------------------------------------
 
 /// Options with room for those of a later version.
 typedef struct detect_options {
@@ -324,7 +324,7 @@ void call_candidates(generator *random, body *of)
     tf_surface_free(other);
 }
 
-// Checking ------------------------------------------------------------------
+// Checking --------------------------------------------------------------------
 
 typedef struct check_options {
     tf_check_options own;
@@ -389,7 +389,7 @@ void call_lend(generator *random, body *of)
     require(&made, tf_surface_memory(of->surface) > 0, "it holds nothing");
 }
 
-// Responding ----------------------------------------------------------------
+// Responding ------------------------------------------------------------------
 
 typedef struct response_options {
     tf_response_options own;
@@ -477,7 +477,8 @@ static void judge_clear(const call *made, const body *of, const double start[],
     tf_surface_free(other);
 }
 
-/// Requires that scripted vertices end where they should, unless some were held.
+/// Requires that scripted vertices end where they should, but for those that the
+/// report counts.
 static void judge_scripted(const call *made, const body *of, const step *s,
                            const double inverse_mass[], const double end[],
                            const tf_response_report *report)

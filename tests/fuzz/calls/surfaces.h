@@ -8,8 +8,8 @@
 /// is replaced by it, and otherwise left.
 void call_create(generator *random, body *of);
 
-/// Each makes a call about a body, which it judges, and after a failure the body
-/// as well: makes a resolver, or frees it,
+/// Each makes a call about a body and judges it, and after some failures the
+/// body as well: makes a resolver, or frees it,
 void call_resolver(generator *random, body *of);
 
 /// detects the contacts of a step,

@@ -11,7 +11,8 @@
 
 /// Finds the contacts of a surface in a step: of each vertex with each triangle
 /// and of each edge with each edge, in the plane of each vertex with each edge,
-/// unless they share a vertex.  Contacts at the start count.
+/// unless they share a vertex, or a filter leaves them out
+/// (tf_surface_set_filter).  Contacts at the start count.
 ///
 /// If the surface is free of intersections at the start (tf_surface_check) and
 /// there is no contact, it is free of them at the end, and nothing has passed

@@ -4,6 +4,7 @@
 #include "base/fail.h"
 #include "base/require.h"
 #include "surface/detect.h"
+#include "surface/filtered_join.h"
 #include "surface/surface_memory.h"
 
 #include <stddef.h>
@@ -65,14 +66,10 @@ static bool gather(tf_surface *surface, int tasks, const tf_task_rows rows[],
 static size_t join_all(tf_surface *surface, tf_task_rows rows[],
                        const tf_parallel *parallel)
 {
-    tf_workers *workers = &surface->workers;
-    bool plane = surface->axes == 2;
-    tf_workers_join(workers, &surface->vertex_tree,
-                    plane ? &surface->edge_tree : &surface->triangle_tree, keep,
-                    rows, parallel);
-    size_t points = tf_workers_rows(workers);
-    if (!plane)
-        tf_workers_join(workers, &surface->edge_tree, &surface->edge_tree, keep,
+    tf_surface_join(surface, 1, surface->axes, keep, rows, parallel);
+    size_t points = tf_workers_rows(&surface->workers);
+    if (surface->axes == 3)
+        tf_surface_join(surface, 2, 2, keep,
                         rows + tf_join_tasks(&surface->vertex_tree), parallel);
     return points;
 }

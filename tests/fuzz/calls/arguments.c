@@ -153,14 +153,14 @@ static bool hear(void *context, const tf_stage *stage)
     return !hearing->cancelled;
 }
 
-tf_progress *any_progress(generator *random, const call *made,
-                          listener *hearing)
+tf_progress *any_progress(generator *random, call *made, listener *hearing)
 {
     *hearing = (listener){made, -1, false};
     if (one_in(random, 2))
         return NULL;
     if (one_in(random, 2))
         hearing->left = below(random, one_in(random, 2) ? 3 : 40);
+    excuse(made, TF_CANCELLED);
     return hear;
 }
 

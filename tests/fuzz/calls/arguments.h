@@ -55,9 +55,8 @@ typedef struct listener {
     bool cancelled;
 } listener;
 
-/// NULL, or a callback whose context must be the listener.
-tf_progress *any_progress(generator *random, const call *made,
-                          listener *hearing);
+/// NULL, or a callback whose context must be the listener; notes TF_CANCELLED.
+tf_progress *any_progress(generator *random, call *made, listener *hearing);
 
 /// Requires that a call has ended with TF_CANCELLED, or because of a fault, if
 /// it was cancelled, and otherwise has not.
@@ -66,8 +65,8 @@ void judge_cancelling(const call *made, const listener *hearing,
 
 // Trouble ---------------------------------------------------------------------
 
-/// Lets rounding go upward, one time of 64, and notes TF_BAD_ENVIRONMENT; lets
-/// allocations fail, one time of eight.
+/// Lets rounding go upward, one time of 64, and notes TF_BAD_ENVIRONMENT; and
+/// lets allocations fail, one time of 16.
 void trouble_begin(generator *random, call *made);
 
 /// Ends that after the call; notes TF_OUT_OF_MEMORY if an allocation failed.

@@ -562,7 +562,7 @@ void call_solver(generator *random)
                                          &tf_conjugate_residuals, &tf_minres,
                                          &tf_normal_residuals};
     static double workspace[4096];
-    zone_arrays arrays;
+    zone_arrays arrays = {0};
     double impulse[CONSTRAINTS], gap_change[CONSTRAINTS];
     tf_zone zone = any_zone(random, &arrays);
     const tf_zone_solver *solver = all[below(random, COUNT(all))];

@@ -358,7 +358,7 @@ START_TEST(meshes_are_as_they_say)
 }
 END_TEST
 
-// Counts and positions ----------------------------------------------------------
+// Counts and positions --------------------------------------------------------
 
 /// Functions that take as many positions as the surface has vertices.
 typedef tf_status position_call(int vertices, const double position[],
@@ -565,6 +565,34 @@ START_TEST(selections_are_those_that_there_are)
 }
 END_TEST
 
+START_TEST(filters_have_a_group_for_each_vertex_or_none)
+{
+    static const int groups[VERTICES] = {1, 1, 1, 2};
+    static const int bad[] = {-1, 0, 3, 5, INT_MAX, INT_MIN};
+    tf_pair_filter filter = {.vertices = VERTICES, .group = groups};
+    tf_error error;
+    tf_status status = tf_surface_set_filter(surface, &filter, &error);
+    expect_error("a filter", status, TF_OK, &error);
+    for (int k = 0; k < COUNT(bad); k++) {
+        filter.vertices = bad[k];
+        status = tf_surface_set_filter(surface, &filter, &error);
+        expect_error("groups", status, TF_BAD_COUNT, &error);
+    }
+    filter = (tf_pair_filter){.vertices = VERTICES};
+    status = tf_surface_set_filter(surface, &filter, &error);
+    expect_error("no groups", status, TF_BAD_COUNT, &error);
+    filter = (tf_pair_filter){.size = 1};
+    status = tf_surface_set_filter(surface, &filter, &error);
+    expect_error("a size", status, TF_BAD_OPTION, &error);
+}
+END_TEST
+
+START_TEST(allocators_stay_while_memory_is_in_use)
+{
+    ck_assert_int_eq(tf_set_allocator(NULL, NULL, NULL), TF_IN_USE);
+}
+END_TEST
+
 START_TEST(numbers_of_responses_are_in_their_ranges)
 {
     const struct {
@@ -609,7 +637,7 @@ START_TEST(masses_are_zero_or_more)
 }
 END_TEST
 
-// Null pointers ----------------------------------------------------------------
+// Null pointers ---------------------------------------------------------------
 
 START_TEST(null_is_allowed_where_the_header_says_so)
 {
@@ -642,7 +670,7 @@ START_TEST(null_is_allowed_where_the_header_says_so)
 }
 END_TEST
 
-/// Each calls a function with its i-th pointer null: GIVEN is the pointer unless
+/// Each calls a function with one pointer null: GIVEN is the i-th pointer unless
 /// it is that one.
 #define GIVEN(i, pointer) (null == (i) ? NULL : (pointer))
 typedef void null_call(int null);
@@ -771,6 +799,26 @@ static void tell_without(int null)
     tf_arithmetic_named(GIVEN(6, "exact"));
     tf_describe(GIVEN(7, &(tf_error){0}), NULL, 0);
     tf_describe(&(tf_error){0}, NULL, null == 8);
+    tf_surface_set_filter(GIVEN(9, surface), NULL, NULL);
+}
+
+static void *no_memory(void *context, size_t size)
+{
+    (void)context;
+    (void)size;
+    return NULL;
+}
+
+static void keep_memory(void *context, void *memory, size_t size)
+{
+    (void)context;
+    (void)memory;
+    (void)size;
+}
+
+static void allocator_without(int null)
+{
+    tf_set_allocator(GIVEN(0, no_memory), GIVEN(1, keep_memory), NULL);
 }
 
 static void detect_without(int null)
@@ -828,10 +876,10 @@ static const struct {
     {narrow_phase_without, 6}, {vectors_without, 6},
     {filter_without, 2},       {create_without, 2},
     {lend_without, 2},         {lend_triangles_without, 2},
-    {tell_without, 9},         {detect_without, 3},
-    {list_without, 3},         {check_without, 3},
-    {resolver_without, 2},     {resolve_without, 3},
-    {limit_without, 4},
+    {tell_without, 10},        {allocator_without, 2},
+    {detect_without, 3},       {list_without, 3},
+    {check_without, 3},        {resolver_without, 2},
+    {resolve_without, 3},      {limit_without, 4},
 };
 
 enum {
@@ -886,6 +934,8 @@ Suite *suite(void)
     tcase_add_loop_test(c, sizes_are_those_of_options, 0, COUNT(option_calls));
     tcase_add_loop_test(c, long_calls_can_be_cancelled, 0, COUNT(option_calls));
     tcase_add_test(c, selections_are_those_that_there_are);
+    tcase_add_test(c, filters_have_a_group_for_each_vertex_or_none);
+    tcase_add_test(c, allocators_stay_while_memory_is_in_use);
     tcase_add_test(c, numbers_of_responses_are_in_their_ranges);
     tcase_add_test(c, masses_are_zero_or_more);
     tcase_add_test(c, null_is_allowed_where_the_header_says_so);

@@ -176,11 +176,10 @@ typedef struct change {
 } change;
 
 static const change changes[] = {
-    {split, make_sheet},    {move, make_sheet},
-    {collapse, make_sheet}, {collapse_to, make_sheet},
-    {flip, make_sheet},     {drop, make_necks},
-    {merge, make_boxes},    {pinch, make_necks},
-    {remesh, make_sheet},   {reconnect, make_necks},
+    {split, make_sheet},       {move, make_sheet},  {collapse, make_sheet},
+    {collapse_to, make_sheet}, {flip, make_sheet},  {drop, make_necks},
+    {merge, make_boxes},       {pinch, make_necks}, {remesh, make_sheet},
+    {reconnect, make_necks},
 };
 
 enum {

@@ -3,6 +3,7 @@
 
 #include "arithmetic/clamped.h"
 #include "arithmetic/exact.h"
+#include "arithmetic/functions.h"
 #include "arithmetic/integer.h"
 #include "arithmetic/perturbed.h"
 #include "arithmetic/published.h"
@@ -264,6 +265,54 @@ START_TEST(a_bad_query_is_named_at_each_place)
 }
 END_TEST
 
+/// What to run in the midst of another task.
+static struct {
+    tf_task *run;
+    void *argument;
+} interrupting;
+
+static tf_sign interrupted_sign(const tf_differences *differences)
+{
+    tf_task *run = interrupting.run;
+    interrupting.run = NULL;
+    if (run)
+        run(interrupting.argument, 0, 1);
+    return tf_exact.sign(differences);
+}
+
+/// Runs the task 1, and in its midst the task 0.
+static void run_one_in_another(void *context, int count, tf_task *run,
+                               void *argument)
+{
+    (void)context;
+    ck_assert_int_gt(count, 1);
+    interrupting.run = run;
+    interrupting.argument = argument;
+    run(argument, 1, 0);
+    ck_assert(!interrupting.run);
+}
+
+START_TEST(a_later_bad_query_that_is_found_later_is_not_named)
+{
+    static tf_contact found[BATCH];
+    generator random = generator_new(550);
+    tf_arithmetic interrupted = {.name = "interrupted",
+                                 .sign = interrupted_sign,
+                                 .value = tf_exact.value};
+    tf_parallel parallel = {2, run_one_in_another, NULL};
+    tf_error error;
+    batch b = batch_new(BATCH);
+    batch_fill(&b, &random, &families[2], EDGE_EDGE, BATCH);
+    b.queries.motion = &b.motion;
+    b.vertex[4 * 7] = b.vertex[4 * 2000] = -1;
+    ck_assert_int_eq(
+        tf_query_batch(&interrupted, &b.queries, &parallel, found, &error),
+        TF_BAD_INDEX);
+    ck_assert_uint_eq(error.index, 7);
+    batch_free(&b);
+}
+END_TEST
+
 START_TEST(coordinates_out_of_range_are_named)
 {
     static const double start[] = {0, 0, 1, 1, 2, 2, 3, 3, 0.5, 4};
@@ -447,6 +496,7 @@ Suite *suite(void)
     tcase_add_checked_fixture(bad, begin, finish);
     tcase_add_loop_test(bad, the_first_bad_query_is_named, 0, WAYS);
     tcase_add_loop_test(bad, a_bad_query_is_named_at_each_place, 0, 2);
+    tcase_add_test(bad, a_later_bad_query_that_is_found_later_is_not_named);
     tcase_add_test(bad, coordinates_out_of_range_are_named);
     suite_add_tcase(suite, bad);
 

@@ -85,7 +85,10 @@ int body_numbers(const body *of)
 tf_surface *body_copy(const body *of)
 {
     tf_surface *made;
-    if (tf_surface_create(&of->mesh, &made, NULL) != TF_OK)
+    tf_pair_filter filter = of->filter;
+    filter.group = filter.group ? of->group : NULL;
+    if (tf_surface_create(&of->mesh, &made, NULL) != TF_OK ||
+        tf_surface_set_filter(made, &filter, NULL) != TF_OK)
         abort();
     return made;
 }

@@ -17,6 +17,8 @@ typedef struct body {
     int triangle[3 * MOST_TRIANGLES], edge[2 * MOST_EDGES];
     tf_surface *surface;   ///< of the mesh; NULL: there is no body
     tf_resolver *resolver; ///< of the surface, or NULL
+    tf_pair_filter filter; ///< of the surface; with groups, `group` has them
+    int group[MOST_VERTICES];
     double start[NUMBERS], end[NUMBERS];  ///< a step that is known
     uint64_t detected, checked, resolved; ///< what new objects answer to it
 } body;
@@ -24,7 +26,7 @@ typedef struct body {
 /// Draws a mesh and a step of it, whose start is clear most of the time.
 void body_draw(generator *random, body *drawn);
 
-/// Makes another surface of the same mesh.
+/// Makes another surface of the same mesh, with the same filter.
 tf_surface *body_copy(const body *of);
 
 /// How many coordinates a position has.

@@ -1,6 +1,7 @@
 #include "surfaces.h"
 
 #include "allocator.h"
+#include "support/hash.h"
 
 #include <limits.h>
 #include <string.h>
@@ -108,6 +109,65 @@ void call_resolver(generator *random, body *of)
     }
     of->resolver = resolver;
     require(&made, tf_resolver_memory(resolver) > 0, "it holds nothing");
+}
+
+// Filters -----------------------------------------------------------------------
+
+typedef struct pair_filter {
+    tf_pair_filter own;
+    unsigned char later[LATER];
+} pair_filter;
+
+/// Leaves out a pair of four or so, always the same.
+static bool is_wanted(void *context, const tf_element_pair *pair)
+{
+    uint64_t hash = hash_bytes(HASH_OF_NOTHING, pair, sizeof *pair);
+    (void)context;
+    return (hash >> 20) % 4 != 0;
+}
+
+static void draw_filter(generator *random, call *made, const body *of,
+                        pair_filter *drawn, int group[])
+{
+    tf_pair_filter *own = &drawn->own;
+    *own = (tf_pair_filter){0};
+    own->size = any_size(random, made, sizeof *own, drawn->later);
+    for (int v = 0; v < MOST_VERTICES; v++)
+        group[v] = below(random, 3) - 1;
+    if (one_in(random, 2)) {
+        own->group = group;
+        own->vertices = of->mesh.vertices;
+    }
+    if (one_in(random, 8)) {
+        own->vertices = wrong_number(random, own->vertices);
+        expect_fault(made, true, TF_BAD_COUNT);
+    }
+    own->wanted = one_in(random, 2) ? is_wanted : NULL;
+}
+
+void call_set_filter(generator *random, body *of)
+{
+    static pair_filter drawn;
+    int group[MOST_VERTICES];
+    tf_error error;
+    call made = call_begin("tf_surface_set_filter");
+    bool none = one_in(random, 4);
+    if (!none)
+        draw_filter(random, &made, of, &drawn, group);
+    mark(&error, sizeof error);
+    allocator_fail(random);
+    tf_status status =
+        tf_surface_set_filter(of->surface, none ? NULL : &drawn.own, &error);
+    trouble_end(&made);
+    judge_error(&made, status, &error, random);
+    if (!judge_status(&made, status)) {
+        judge_body(&made, of);
+        return;
+    }
+    of->filter = none ? (tf_pair_filter){0} : drawn.own;
+    of->filter.size = 0;
+    memcpy(of->group, group, sizeof group);
+    body_learn(of);
 }
 
 // Steps -------------------------------------------------------------------------

@@ -12,6 +12,9 @@ void call_create(generator *random, body *of);
 /// as well: makes a resolver, or frees it,
 void call_resolver(generator *random, body *of);
 
+/// leaves out pairs of elements from then on,
+void call_set_filter(generator *random, body *of);
+
 /// detects the contacts of a step,
 void call_detect(generator *random, body *of);
 

@@ -11,7 +11,7 @@
 
 enum {
     BYTES = 8,  ///< of a call
-    CALLS = 64, ///< at most
+    CALLS = 32, ///< at most
     BODIES = 3
 };
 
@@ -25,12 +25,10 @@ static stateless_call *const stateless[] = {
 };
 
 static body_call *const about_bodies[] = {
-    call_create,     call_create,     call_resolver,   call_resolver,
-    call_set_filter, call_set_filter, call_detect,     call_detect,
-    call_detect,     call_detect,     call_candidates, call_check,
-    call_check,      call_lend,       call_resolve,    call_resolve,
-    call_resolve,    call_resolve,    call_resolve,    call_limit,
-    call_limit,
+    call_create,  call_create,  call_resolver, call_filter_pairs, call_detect,
+    call_detect,  call_detect,  call_detect,   call_candidates,   call_check,
+    call_check,   call_lend,    call_resolve,  call_resolve,      call_resolve,
+    call_resolve, call_resolve, call_limit,    call_limit,
 };
 
 enum {

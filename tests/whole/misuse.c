@@ -420,7 +420,7 @@ START_TEST(meshes_are_as_they_say)
 }
 END_TEST
 
-// Counts and positions ----------------------------------------------------------
+// Counts and positions --------------------------------------------------------
 
 /// Functions that take as many positions as the surface has vertices.
 typedef tf_status position_call(int vertices, const double position[],
@@ -611,26 +611,6 @@ START_TEST(long_calls_can_be_cancelled)
 }
 END_TEST
 
-START_TEST(filters_have_a_group_for_each_vertex)
-{
-    static const int bad[] = {0, -1, INT_MIN, INT_MAX, VERTICES + 1},
-                     group[VERTICES] = {0};
-    tf_error error;
-    for (int k = 0; k < COUNT(bad); k++) {
-        tf_pair_filter filter = {.vertices = bad[k], .group = group};
-        tf_status status = tf_surface_set_filter(surface, &filter, &error);
-        expect_error("groups", status, TF_BAD_COUNT, &error);
-        filter.group = NULL;
-        status = tf_surface_set_filter(surface, &filter, &error);
-        expect_error("no groups", status, k ? TF_BAD_COUNT : TF_OK, &error);
-    }
-    tf_pair_filter small = {.size = 1};
-    tf_status status = tf_surface_set_filter(surface, &small, &error);
-    expect_error("a filter", status, TF_BAD_OPTION, &error);
-    ck_assert_str_eq(error.option, "size");
-}
-END_TEST
-
 START_TEST(selections_are_those_that_there_are)
 {
     static const int bad[] = {-1, TF_ANY_CONTACT + 1, INT_MAX, INT_MIN};
@@ -644,6 +624,34 @@ START_TEST(selections_are_those_that_there_are)
         expect_error("a selection", status, TF_BAD_OPTION, &error);
         ck_assert_str_eq(error.option, "selection");
     }
+}
+END_TEST
+
+START_TEST(filters_have_a_group_for_each_vertex_or_none)
+{
+    static const int groups[VERTICES] = {1, 1, 1, 2};
+    static const int bad[] = {-1, 0, 3, 5, INT_MAX, INT_MIN};
+    tf_pair_filter filter = {.vertices = VERTICES, .group = groups};
+    tf_error error;
+    tf_status status = tf_surface_set_filter(surface, &filter, &error);
+    expect_error("a filter", status, TF_OK, &error);
+    for (int k = 0; k < COUNT(bad); k++) {
+        filter.vertices = bad[k];
+        status = tf_surface_set_filter(surface, &filter, &error);
+        expect_error("groups", status, TF_BAD_COUNT, &error);
+    }
+    filter = (tf_pair_filter){.vertices = VERTICES};
+    status = tf_surface_set_filter(surface, &filter, &error);
+    expect_error("no groups", status, TF_BAD_COUNT, &error);
+    filter = (tf_pair_filter){.size = 1};
+    status = tf_surface_set_filter(surface, &filter, &error);
+    expect_error("a size", status, TF_BAD_OPTION, &error);
+}
+END_TEST
+
+START_TEST(allocators_stay_while_memory_is_in_use)
+{
+    ck_assert_int_eq(tf_set_allocator(NULL, NULL, NULL), TF_IN_USE);
 }
 END_TEST
 
@@ -691,7 +699,7 @@ START_TEST(masses_are_zero_or_more)
 }
 END_TEST
 
-// Null pointers ----------------------------------------------------------------
+// Null pointers ---------------------------------------------------------------
 
 START_TEST(null_is_allowed_where_the_header_says_so)
 {
@@ -726,7 +734,7 @@ START_TEST(null_is_allowed_where_the_header_says_so)
 }
 END_TEST
 
-/// Each calls a function with its i-th pointer null: GIVEN is the pointer unless
+/// Each calls a function with one pointer null: GIVEN is the i-th pointer unless
 /// it is that one.
 #define GIVEN(i, pointer) (null == (i) ? NULL : (pointer))
 typedef void null_call(int null);
@@ -828,11 +836,6 @@ static void batch_without(int null)
     tf_query_batch(NULL, GIVEN(1, &queries), NULL, GIVEN(2, &contact), NULL);
 }
 
-static void filter_pairs_without(int null)
-{
-    tf_surface_set_filter(GIVEN(0, surface), NULL, NULL);
-}
-
 static void filter_without(int null)
 {
     static const tf_query_block block;
@@ -869,6 +872,26 @@ static void tell_without(int null)
     tf_arithmetic_named(GIVEN(6, "exact"));
     tf_describe(GIVEN(7, &(tf_error){0}), NULL, 0);
     tf_describe(&(tf_error){0}, NULL, null == 8);
+    tf_surface_set_filter(GIVEN(9, surface), NULL, NULL);
+}
+
+static void *no_memory(void *context, size_t size)
+{
+    (void)context;
+    (void)size;
+    return NULL;
+}
+
+static void keep_memory(void *context, void *memory, size_t size)
+{
+    (void)context;
+    (void)memory;
+    (void)size;
+}
+
+static void allocator_without(int null)
+{
+    tf_set_allocator(GIVEN(0, no_memory), GIVEN(1, keep_memory), NULL);
 }
 
 static void detect_without(int null)
@@ -919,18 +942,14 @@ static const struct {
     null_call *call;
     int pointers; ///< that may not be null
 } null_calls[] = {
-    {query_without, 4},        {plane_query_without, 4},
-    {edge_query_without, 5},   {cubic_without, 4},
-    {quadratic_without, 4},    {additive_without, 4},
-    {rigid_without, 4},        {position_without, 3},
-    {narrow_phase_without, 6}, {vectors_without, 6},
-    {batch_without, 3},        {filter_pairs_without, 1},
-    {filter_without, 2},       {create_without, 2},
-    {lend_without, 2},         {lend_triangles_without, 2},
-    {tell_without, 9},         {detect_without, 3},
-    {list_without, 3},         {check_without, 3},
-    {resolver_without, 2},     {resolve_without, 3},
-    {limit_without, 4},
+    {query_without, 4},   {plane_query_without, 4}, {edge_query_without, 5},
+    {cubic_without, 4},   {quadratic_without, 4},   {additive_without, 4},
+    {rigid_without, 4},   {position_without, 3},    {narrow_phase_without, 6},
+    {vectors_without, 6}, {batch_without, 3},       {filter_without, 2},
+    {create_without, 2},  {lend_without, 2},        {lend_triangles_without, 2},
+    {tell_without, 10},   {allocator_without, 2},   {detect_without, 3},
+    {list_without, 3},    {check_without, 3},       {resolver_without, 2},
+    {resolve_without, 3}, {limit_without, 4},
 };
 
 enum {
@@ -986,8 +1005,9 @@ Suite *suite(void)
     tcase_add_loop_test(c, workers_are_from_1_to_4096, 0, COUNT(option_calls));
     tcase_add_loop_test(c, sizes_are_those_of_options, 0, COUNT(option_calls));
     tcase_add_loop_test(c, long_calls_can_be_cancelled, 0, COUNT(option_calls));
-    tcase_add_test(c, filters_have_a_group_for_each_vertex);
     tcase_add_test(c, selections_are_those_that_there_are);
+    tcase_add_test(c, filters_have_a_group_for_each_vertex_or_none);
+    tcase_add_test(c, allocators_stay_while_memory_is_in_use);
     tcase_add_test(c, numbers_of_responses_are_in_their_ranges);
     tcase_add_test(c, masses_are_zero_or_more);
     tcase_add_test(c, null_is_allowed_where_the_header_says_so);

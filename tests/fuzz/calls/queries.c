@@ -12,7 +12,7 @@ enum {
     VERTICES = 8
 };
 
-// A scene of a few vertices, and elements of it ------------------------------
+// A scene of a few vertices, and elements of it -------------------------------
 
 typedef struct scene {
     tf_motion motion;
@@ -58,8 +58,8 @@ static bool are_good(int vertices, int count, const int index[])
     return true;
 }
 
-/// A motion that says how it is, or, one time of eight, something that a library
-/// must see before it reads the positions.
+/// The motion of these positions, one time of eight with something that must be
+/// seen before they are read.
 static void draw_motion(generator *random, call *made, int axes,
                         const double start[], const double end[],
                         tf_motion *motion)
@@ -161,7 +161,7 @@ static void judge_exact_contact(const call *made,
             "the bounds of an exact time are far apart");
 }
 
-// Queries -----------------------------------------------------------------------
+// Queries ---------------------------------------------------------------------
 
 static tf_status ask(const tf_arithmetic *arithmetic, const scene *s,
                      tf_contact *contact)
@@ -284,7 +284,7 @@ void call_linear_query(generator *random)
         judge_unset(&made, &advancement, sizeof advancement);
 }
 
-// Rigid elements -------------------------------------------------------------
+// Rigid elements --------------------------------------------------------------
 
 typedef struct rigid_element {
     tf_rigid_body body;
@@ -329,7 +329,7 @@ void call_rigid_advance(generator *random)
         judge_unset(&made, &advancement, sizeof advancement);
 }
 
-// Many queries ---------------------------------------------------------------
+// Many queries ----------------------------------------------------------------
 
 enum {
     QUERIES = 140 ///< more than two masks
@@ -410,7 +410,6 @@ static void judge_one_by_one(const call *made, const tf_arithmetic *arithmetic,
                 sizeof *decided->verdict * (QUERIES - i));
 }
 
-/// Whether it is among those whose axes are those of the kind that is asked for.
 void call_narrow_phase(generator *random)
 {
     static verdicts by_one, by_lanes;
@@ -488,7 +487,7 @@ void call_batch(generator *random)
         judge_status(&made, status);
 }
 
-// Filters -------------------------------------------------------------------
+// Filters ---------------------------------------------------------------------
 
 enum {
     BLOCKS = 17 ///< more than two masks
@@ -615,7 +614,7 @@ void call_solver(generator *random)
                                          &tf_conjugate_residuals, &tf_minres,
                                          &tf_normal_residuals};
     static double workspace[4096];
-    zone_arrays arrays;
+    zone_arrays arrays = {0};
     double impulse[CONSTRAINTS], gap_change[CONSTRAINTS];
     tf_zone zone = any_zone(random, &arrays);
     const tf_zone_solver *solver = all[below(random, COUNT(all))];

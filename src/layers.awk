@@ -5,10 +5,10 @@
 # prints the layers, the lowest first, and then "from to" for each module that
 # another one includes, for the figure of the layers.  Fails, and says where, if
 # an include goes up the layers or closes a circle of modules, if a function is
-# declared in the header of another module than defines it, or if a folder has
-# more than 45 files.  The program, and the files, the simulator and the threads
-# in it, see of the library what its users see: public headers, besides base/ and
-# vectors.
+# declared in the header of another module than defines it, if a module of the
+# library allocates without base/memory.h, or if a folder has more than 45
+# files.  The program, and the files, the simulator and the threads in it, see of
+# the library what its users see: public headers, besides base/ and vectors.
 
 BEGIN {
     layers = split("base geometry arithmetic intersect query linear surface " \
@@ -41,6 +41,12 @@ FNR == 1 {
         includes[from] = includes[from] " " to
         print from, to
     }
+}
+
+# In some C libraries qsort allocates, too.
+/(^|[^a-z_])(malloc|calloc|realloc|aligned_alloc|strdup|qsort|free)\(/ {
+    if (from != "base/memory" && !is_client(from))
+        fail("use tf_allocate, tf_release or tf_sort of the library")
 }
 
 # The name of a function is before the first bracket of a line that begins with

@@ -21,3 +21,28 @@
 #define TF_API
 #endif
 #endif
+
+//: Say what holds for all functions
+/// @defgroup conventions Conventions
+/// What holds for all functions.
+///
+/// Arguments come in one order: the object; counts, each before the lists that
+/// it counts; what else is given; options; results; and last the error.  A
+/// callback gets its context first.  No pointer may be null unless the function
+/// says so; a null pointer is the one mistake that ends the program.  Whatever
+/// data can cause, a negative count, a bad index or a NaN, is a status.
+///
+/// In options zero is the usual choice, and a negative number switches off what
+/// can be switched off.  Options begin with their size, which may be left zero
+/// as well: then they are those of version 1.0.
+///
+/// Structs do not change their layout within a major version, with two
+/// exceptions, which may get members at their end: options, as they have a size;
+/// and what the library lends, as reports, statistics and stages.  So a program
+/// never copies those as arrays.  Enumerations may get values.
+///
+/// What is lent belongs to the library.  It is valid until the next call for the
+/// same object, unless the function says more.
+///
+/// A function that does not return TF_OK has changed nothing, and its results
+/// are not set, but its error is.

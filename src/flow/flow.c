@@ -2,6 +2,7 @@
 #include "flow/flow.h"
 
 #include "base/environment.h"
+#include "base/memory.h"
 #include "base/require.h"
 #include "flow/flow_state.h"
 #include "flow/keep_volume.h"
@@ -9,14 +10,13 @@
 #include "topology/passes.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 //: Create a flow
 tf_status tf_flow_create(tf_adaptive_surface *surface, tf_flow **flow)
 {
     TF_REQUIRE(surface && flow);
-    tf_flow *made = calloc(1, sizeof *made);
+    tf_flow *made = tf_allocate_zeroed(sizeof *made);
     if (!made)
         return TF_OUT_OF_MEMORY;
     made->remesher.surface = surface;
@@ -34,7 +34,7 @@ void tf_flow_free(tf_flow *flow)
     tf_remesher_free(&flow->remesher);
     tf_reconnector_free(&flow->reconnector);
     tf_advance_free(&flow->advance);
-    free(flow);
+    tf_release(flow, sizeof *flow);
 }
 
 //: Count the memory of a flow

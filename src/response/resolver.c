@@ -1,16 +1,15 @@
 //: Include what resolvers need
 #include "response/resolver.h"
 
+#include "base/memory.h"
 #include "base/require.h"
 #include "response/resolver_memory.h"
-
-#include <stdlib.h>
 
 //: Create a resolver
 tf_status tf_resolver_create(tf_surface *surface, tf_resolver **resolver)
 {
     TF_REQUIRE(surface && resolver);
-    tf_resolver *made = calloc(1, sizeof *made);
+    tf_resolver *made = tf_allocate_zeroed(sizeof *made);
     if (!made)
         return TF_OUT_OF_MEMORY;
     made->surface = surface;
@@ -31,7 +30,7 @@ void tf_resolver_free(tf_resolver *resolver)
     tf_zones_free(&resolver->zones);
     tf_rigid_free(&resolver->rigid);
     tf_failsafe_free(&resolver->failsafe);
-    free(resolver);
+    tf_release(resolver, sizeof *resolver);
 }
 
 //: Count the memory of a resolver

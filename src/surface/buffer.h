@@ -8,6 +8,8 @@
 typedef struct tf_buffer {
     void *data;
     size_t bytes;
+    size_t shift; ///< how far after the beginning of what was allocated the
+                  ///< data is, 1 to 64 bytes; 0: there, not aligned for vectors
 } tf_buffer;
 
 /// Makes room for `count` items of `size` bytes each, aligned for vectors of 64

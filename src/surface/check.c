@@ -7,10 +7,10 @@
 #include "base/sized.h"
 #include "query/query.h"
 #include "surface/crossing.h"
+#include "surface/sort.h"
 #include "surface/surface_memory.h"
 
 #include <stddef.h>
-#include <stdlib.h>
 #include <string.h>
 
 //: Hold a check
@@ -122,31 +122,40 @@ static bool take(tf_pair_sink *sink, int count, const tf_candidate pair[])
 }
 
 //: Compare crossings
-static int compare(const void *first, const void *second)
+static bool crosses_first(const void *first, const void *second)
 {
     const tf_crossing *a = first, *b = second;
     if (a->kind != b->kind)
-        return a->kind < b->kind ? -1 : 1;
+        return a->kind < b->kind;
     for (int i = 0; i < 5; i++)
         if (a->vertex[i] != b->vertex[i])
-            return a->vertex[i] < b->vertex[i] ? -1 : 1;
-    return 0;
+            return a->vertex[i] < b->vertex[i];
+    return false;
 }
 
 //: Gather the crossings of all workers
+static void list_crossings(const tf_workers *workers, const void *list[])
+{
+    for (int i = 0; i < workers->count; i++) {
+        const tf_worker *worker = workers->worker[i];
+        const tf_crossing *own = worker->row.data;
+        for (size_t j = 0; j < worker->rows; j++)
+            *list++ = own + j;
+    }
+}
+
 static tf_status gather(tf_surface *surface, tf_crossings *found)
 {
     size_t rows = tf_workers_rows(&surface->workers);
-    if (!tf_buffer_reserve(&surface->found, rows + 1, sizeof(tf_crossing)))
+    if (!tf_buffer_reserve(&surface->found, rows + 1, sizeof(tf_crossing)) ||
+        !tf_buffer_reserve(&surface->sorting, 2 * rows + 1, sizeof(void *)))
         return TF_OUT_OF_MEMORY;
-    tf_crossing *all = surface->found.data, *end = all;
-    for (int i = 0; i < surface->workers.count; i++) {
-        const tf_worker *worker = surface->workers.worker[i];
-        if (worker->rows > 0)
-            memcpy(end, worker->row.data, sizeof *end * worker->rows);
-        end += worker->rows;
-    }
-    qsort(all, rows, sizeof *all, compare);
+    const void **list = surface->sorting.data;
+    list_crossings(&surface->workers, list);
+    list = tf_sort(rows, list, list + rows, crosses_first);
+    tf_crossing *all = surface->found.data;
+    for (size_t i = 0; i < rows; i++)
+        memcpy(&all[i], list[i], sizeof *all);
     *found = (tf_crossings){rows, all};
     return TF_OK;
 }

@@ -2,11 +2,10 @@
 #include "surface/surface.h"
 
 #include "base/fail.h"
+#include "base/memory.h"
 #include "base/require.h"
 #include "surface/derive.h"
 #include "surface/surface_memory.h"
-
-#include <stdlib.h>
 
 //: Create a surface
 tf_status tf_surface_create(const tf_mesh *mesh, tf_surface **surface,
@@ -16,7 +15,7 @@ tf_status tf_surface_create(const tf_mesh *mesh, tf_surface **surface,
     tf_status status = tf_mesh_check(mesh, error);
     if (status != TF_OK)
         return status;
-    tf_surface *made = calloc(1, sizeof *made);
+    tf_surface *made = tf_allocate_zeroed(sizeof *made);
     if (!made || !tf_surface_refill(made, mesh)) {
         tf_surface_free(made);
         return tf_fail(error, TF_OUT_OF_MEMORY);
@@ -45,7 +44,7 @@ void tf_surface_free(tf_surface *surface)
     tf_buffer_free(&surface->task_places);
     tf_buffer_free(&surface->found);
     tf_buffer_free(&surface->sorting);
-    free(surface);
+    tf_release(surface, sizeof *surface);
 }
 
 //: Tell the size of a surface

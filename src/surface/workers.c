@@ -1,24 +1,24 @@
 //: Include what workers need
 #include "surface/workers.h"
 
+#include "base/memory.h"
+
 #include <stdatomic.h>
-#include <stdlib.h>
 #include <string.h>
 
 //: Hire workers
 static bool hire(tf_workers *workers, int count)
 {
-    if (count <= workers->count)
-        return true;
-    tf_worker **all = realloc(workers->worker, sizeof *all * (size_t)count);
-    if (!all)
+    if (!tf_buffer_extend(&workers->storage, (size_t)count,
+                          sizeof *workers->worker))
         return false;
-    workers->worker = all;
+    workers->worker = workers->storage.data;
     for (; workers->count < count; workers->count++) {
-        all[workers->count] = calloc(1, sizeof **all);
-        if (!all[workers->count])
+        tf_worker *worker = tf_allocate_zeroed(sizeof *worker);
+        if (!worker)
             return false;
-        all[workers->count]->number = workers->count;
+        worker->number = workers->count;
+        workers->worker[workers->count] = worker;
     }
     return true;
 }
@@ -100,7 +100,7 @@ size_t tf_workers_rows(const tf_workers *workers)
 //: Account for workers
 size_t tf_workers_memory(const tf_workers *workers)
 {
-    size_t bytes = 0;
+    size_t bytes = workers->storage.bytes;
     for (int i = 0; i < workers->count; i++) {
         const tf_worker *worker = workers->worker[i];
         bytes += sizeof *worker + worker->row.bytes + worker->batch.bytes;
@@ -114,9 +114,9 @@ void tf_workers_free(tf_workers *workers)
         tf_worker *worker = workers->worker[i];
         tf_buffer_free(&worker->row);
         tf_buffer_free(&worker->batch);
-        free(worker);
+        tf_release(worker, sizeof *worker);
     }
-    free(workers->worker);
+    tf_buffer_free(&workers->storage);
     *workers = (tf_workers){0};
 }
 

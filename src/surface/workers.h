@@ -24,6 +24,7 @@ typedef struct tf_worker {
 typedef struct tf_workers {
     int count;
     tf_worker **worker; ///< each has memory of its own
+    tf_buffer storage;  ///< of these pointers
     tf_watch *watch;    ///< over the call that they work for; or NULL
 } tf_workers;
 

@@ -2,12 +2,12 @@
 #include "surgery/adaptive.h"
 
 #include "base/environment.h"
+#include "base/memory.h"
 #include "base/require.h"
 #include "surgery/conditions.h"
 #include "surgery/star.h"
 #include "surgery/surgery.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 //: Fill an adaptive surface
@@ -51,7 +51,7 @@ tf_status tf_adaptive_create(const tf_mesh *mesh, const double position[],
     tf_status status = tf_check_mesh(mesh, position, first);
     if (status != TF_OK)
         return status;
-    tf_adaptive_surface *made = calloc(1, sizeof *made);
+    tf_adaptive_surface *made = tf_allocate_zeroed(sizeof *made);
     status =
         made ? make_surface(mesh, position, made, first) : TF_OUT_OF_MEMORY;
     if (status == TF_OK)
@@ -74,7 +74,7 @@ void tf_adaptive_free(tf_adaptive_surface *surface)
     tf_buffer_free(&surface->box);
     tf_dynamic_tree_free(&surface->tree);
     tf_surgery_free(&surface->surgery);
-    free(surface);
+    tf_release(surface, sizeof *surface);
 }
 
 //: Count the memory of an adaptive surface

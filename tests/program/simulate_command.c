@@ -4,6 +4,7 @@
 
 #include "simulate/flow_scenes.h"
 #include "support/environments.h"
+#include "support/json.h"
 #include "support/program.h"
 #include "support/simulations.h"
 #include "support/support.h"
@@ -25,6 +26,18 @@ START_TEST(a_simulation)
     ck_assert_int_eq(occurrences(found.out, "\ncontacts: 0\n"), 0);
     found = run("ls made | wc -l; tail -n 1 made/steps.csv | cut -d, -f 1-2");
     expect(found, 0, "122\n120,0.6\n", "");
+}
+END_TEST
+
+START_TEST(the_report_may_be_json_or_csv)
+{
+    outcome found = run(CHAIN " -o made --steps 2 --format json");
+    ck_assert_msg(!json_fault(found.out), "%s", json_fault(found.out));
+    expect_words(found.out, "{\"steps\":2,\"vertices\":45,\"triangles\":0,");
+    found = run(CHAIN " --output=other --steps 2 --format csv");
+    expect_words(found.out, "steps,vertices,triangles,contacts,");
+    expect_words(found.out, "response_seconds\n2,45,0,");
+    ck_assert_int_eq(run(CHAIN " -o more --steps 2 >/dev/full").status, 2);
 }
 END_TEST
 
@@ -299,6 +312,7 @@ Suite *suite(void)
     TCase *good = tcase_create("runs");
     tcase_add_checked_fixture(good, enter_folder, leave_folder);
     tcase_add_test(good, a_simulation);
+    tcase_add_test(good, the_report_may_be_json_or_csv);
     tcase_add_test(good, no_step_has_a_contact);
     tcase_add_test(good, the_usual_steps_and_size);
     tcase_add_test(good, threads_change_no_bit);

@@ -65,7 +65,7 @@ END_TEST
 START_TEST(a_list_without_memory_stays)
 {
     item only = {1, 2};
-    tf_buffer list = {&only, sizeof only};
+    tf_buffer list = {.data = &only, .bytes = sizeof only};
     tf_sort_memory memory = {0};
     ck_assert(!tf_list_sort(&list, SIZE_MAX / 64, 1, has_less, &memory));
     ck_assert_ptr_eq(list.data, &only);

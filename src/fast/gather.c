@@ -57,8 +57,8 @@ typedef unsigned four_unsigned __attribute__((vector_size(16)));
 
 //: Check the vertices of queries
 /// Whether all indices are below `vertices`, and those of each query differ.
-TF_ALWAYS_INLINE bool are_good(size_t count, const int vertex[],
-                               unsigned vertices)
+TF_ALWAYS_INLINE bool vertices_are_good(size_t count, const int vertex[],
+                                        unsigned vertices)
 {
 #ifdef TF_SHUFFLES
     four_ints bad = {0};
@@ -189,8 +189,8 @@ TF_SIMD_256 static bool gather(const tf_queries *queries, size_t begin,
 {
     const tf_motion *motion = queries->motion;
     if (motion->vertices < 0 ||
-        !are_good(end - begin, queries->vertices + 4 * begin,
-                  (unsigned)motion->vertices))
+        !vertices_are_good(end - begin, queries->vertices + 4 * begin,
+                           (unsigned)motion->vertices))
         return false;
     corners taken;
     take_vertices(queries, begin, end, &taken);

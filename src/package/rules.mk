@@ -126,7 +126,7 @@ uninstall: ## remove what install and install-draw installed
 # The binary interface ---------------------------------------------------------
 
 # What programs have been compiled for: a description of the library of the last
-# release that has this major version.  In it no paths, no compiler, no options.
+# release of this major version.
 abi = src/package/abi
 abi_record = $(abi)/tanglefree-$(firstword $(subst ., ,$(version))).abi
 abi_present = $(BUILD)/abi/tanglefree.abi

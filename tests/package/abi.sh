@@ -155,7 +155,10 @@ make_grown() {
 
 check_grown() {
     sh $scripts/compare.sh "$present/tanglefree.abi" "$copy" \
-        >"$copy/output" || fail 'an addition is taken for a break'
+        >"$copy/output" 2>&1 || {
+        cat "$copy/output"
+        fail 'an addition breaks what was there'
+    }
     for added in tf_planted tf_planted_constant \
         'TF_PLANTED_tf_verdict of enum tf_verdict' \
         'planted of struct tf_stage'; do
@@ -193,7 +196,7 @@ check_programs() {
         ln -sf libtanglefree.so \
             "$scratch/$copy/libtanglefree.so.${VERSION%%.*}"
     done
-    run_programs "$scratch/grown" | cmp "$scratch/expected" - ||
+    run_programs "$scratch/grown" | diff "$scratch/expected" - ||
         fail 'with a library that has grown, programs print something else'
     ! run_programs "$scratch/a member before others" 2>&1 |
         cmp -s "$scratch/expected" - ||

@@ -62,7 +62,7 @@ static bool list_edges(tf_remesher *remesher, double low, double high)
             row[remesher->rows++] = (tf_edge_row){length, a, b};
     }
     return tf_list_sort(&remesher->row, (size_t)remesher->rows, sizeof *row,
-                        is_shorter, &remesher->sorting);
+                        is_shorter, &remesher->sorting, NULL);
 }
 
 //: Visit edges

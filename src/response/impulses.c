@@ -18,7 +18,8 @@ void tf_impulses_round(tf_step *step, const tf_contacts *contacts,
 {
     read_displacements(step, displacement);
     tf_bodies bodies = {step->axes, step->inverse_mass, displacement};
-    for (size_t i = 0; i < contacts->count; i++) {
+    for (size_t i = 0; i < contacts->count && tf_watch_work(step->watch, 4);
+         i++) {
         double gap;
         tf_constraint constraint = tf_contact_constraint(
             step, &contacts->contact[i], rule, false, &gap);

@@ -91,6 +91,13 @@ static tf_status find_contacts(tf_resolution *r)
 }
 
 //: Go through the rounds of a level
+static const char *const stage_names[TF_LEVELS] = {
+    [TF_IMPULSES] = "impulses",
+    [TF_ZONES] = "zones",
+    [TF_RIGID] = "rigid zones",
+    [TF_FAILSAFE] = "failsafe",
+};
+
 /// Ends after `most` rounds, or earlier if no contacts are left or, except for
 /// the failsafe, if a round moves nothing: its contacts stay as they are.
 static tf_status go_through(tf_resolution *r, tf_response_level level, int most)
@@ -101,11 +108,12 @@ static tf_status go_through(tf_resolution *r, tf_response_level level, int most)
         return TF_OUT_OF_MEMORY;
     tf_watch *watch = r->resolver->surface->workers.watch;
     for (int round = 0; round < most && r->contacts.any; round++) {
+        tf_watch_stage(watch, stage_names[level], 0);
         if (!tf_watch_done(watch, 0))
             return TF_CANCELLED;
         r->report.rounds[level]++;
-        if (!answer(r, level))
-            return TF_OUT_OF_MEMORY;
+        if (!answer(r, level) || tf_watch_cancelled(watch))
+            return tf_watch_failure(watch);
         // If all vertices were proposed to move by the same displacement, the
         // failsafe may unite groups without moving any vertex.
         bool moved = !tf_pair_cache_is_current(&r->resolver->pairs, &r->search);

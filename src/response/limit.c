@@ -66,7 +66,8 @@ static tf_status test_whole(tf_surface *surface, const tf_motion *motion,
     if (status != TF_OK)
         return status;
     *clear = !found.any;
-    return tf_start_check_contacts(motion, &found, error);
+    return tf_start_check_contacts(motion, &found, surface->workers.watch,
+                                   error);
 }
 
 //: Find a clear fraction

@@ -59,7 +59,8 @@ static tf_status begin(tf_resolution *r, tf_error *error)
         status = tf_pair_cache_build(&r->resolver->pairs, &r->search,
                                      &r->contacts, error);
     if (status == TF_OK)
-        status = tf_start_check_contacts(&r->motion, &r->contacts, error);
+        status = tf_start_check_contacts(&r->motion, &r->contacts,
+                                         r->step.watch, error);
     r->report.first_contacts = r->report.contacts = r->contacts.count;
     r->report.statistics = r->contacts.statistics;
     return status;
@@ -147,6 +148,8 @@ static tf_status run(tf_resolution *r, double end[], tf_error *error)
     if (status != TF_OK)
         return status;
     write_report(r);
+    if (tf_watch_cancelled(r->step.watch))
+        return tf_fail(error, TF_CANCELLED);
     memcpy(end, r->step.end,
            sizeof *end * (size_t)r->step.axes * (size_t)r->step.vertices);
     return TF_OK;
@@ -158,6 +161,7 @@ static tf_status watch_and_run(tf_resolution *r, double end[], tf_error *error)
     tf_watch watch,
         *outer = tf_workers_watch(workers, &watch, r->options.progress,
                                   r->options.context);
+    r->step.watch = workers->watch;
     tf_status status = run(r, end, error);
     workers->watch = outer;
     return status;

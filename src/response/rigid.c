@@ -31,15 +31,15 @@ bool tf_rigid_begin(tf_rigid *rigid, const tf_step *step)
 }
 
 //: Unite the zones of contacts
-static void unite(tf_rigid *rigid, const tf_contacts *contacts)
+static void unite(tf_rigid *rigid, const tf_contacts *contacts, tf_watch *watch)
 {
-    for (size_t i = 0; i < contacts->count; i++) {
+    for (size_t i = 0; i < contacts->count && tf_watch_work(watch, 2); i++) {
         const int *vertex = contacts->contact[i].vertex;
         for (int j = 1; j < 4 && vertex[j] >= 0; j++)
             tf_groups_unite(&rigid->groups, vertex[0], vertex[j]);
     }
     body *all = rigid->body.data;
-    for (size_t i = 0; i < contacts->count; i++)
+    for (size_t i = 0; i < contacts->count && tf_watch_work(watch, 1); i++)
         all[tf_groups_find(&rigid->groups, contacts->contact[i].vertex[0])]
             .joined = true;
 }
@@ -154,7 +154,7 @@ static void move_with_body(const tf_rigid *rigid, tf_step *step,
 void tf_rigid_round(tf_rigid *rigid, tf_step *step, const tf_contacts *contacts)
 {
     memset(rigid->body.data, 0, (size_t)step->vertices * sizeof(body));
-    unite(rigid, contacts);
+    unite(rigid, contacts, step->watch);
     find_scripted(rigid, step);
     find_centers(rigid, step);
     add_up(rigid, step);

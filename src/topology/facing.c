@@ -143,5 +143,5 @@ bool tf_list_facing(tf_reconnector *reconnector, double distance)
             return false;
     return tf_list_sort(
         &reconnector->candidate, (size_t)reconnector->candidates,
-        sizeof(tf_facing_edges), is_nearer, &reconnector->sorting);
+        sizeof(tf_facing_edges), is_nearer, &reconnector->sorting, NULL);
 }

@@ -81,7 +81,7 @@ static bool list_all_loops(tf_reconnector *reconnector)
             return false;
     return tf_list_sort(&reconnector->candidate,
                         (size_t)reconnector->candidates, sizeof(tf_loop),
-                        is_shorter, &reconnector->sorting);
+                        is_shorter, &reconnector->sorting, NULL);
 }
 
 //: Look to the left of a loop

@@ -28,8 +28,8 @@ typedef struct long_call {
 
 /// How the calls are measured.
 typedef struct latency_plan {
-    int moments;    ///< at which each is cancelled, at random
-    double seconds; ///< of each that count at most
+    int moments;                 ///< at which each is cancelled, at random
+    double seconds;              ///< of each that count at most
     const tf_parallel *parallel; ///< NULL: by processor time, else by the clock
 } latency_plan;
 

@@ -30,8 +30,8 @@ START_TEST(lists_are_sorted_and_equal_items_keep_their_order)
         item *own = list.data;
         for (int k = 0; k < count; k++)
             own[k] = (item){below(&random, keys), k};
-        ck_assert(
-            tf_list_sort(&list, (size_t)count, sizeof *own, has_less, &memory));
+        ck_assert(tf_list_sort(&list, (size_t)count, sizeof *own, has_less,
+                               &memory, NULL));
         own = list.data;
         for (int k = 0; k < count; k++)
             sum += own[k].number;
@@ -54,7 +54,7 @@ START_TEST(one_of_two_arrays_holds_the_result)
         const void *from[5], *to[5];
         for (size_t k = 0; k < count; k++)
             from[k] = &items[k];
-        const void **sorted = tf_sort(count, from, to, has_less);
+        const void **sorted = tf_sort(count, from, to, has_less, NULL);
         ck_assert(sorted == from || sorted == to);
         for (size_t k = 1; k < count; k++)
             ck_assert(has_less(sorted[k - 1], sorted[k]));

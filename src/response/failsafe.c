@@ -201,6 +201,10 @@ void tf_failsafe_account(tf_failsafe *failsafe, const tf_step *step,
         report->groups += second;
         report->grouped += (root != v) + second;
         report->resting += all[root].resting;
+        if (root != v)
+            step->flags[root] |= TF_VERTEX_GROUPED;
+        step->flags[v] |= (root != v ? TF_VERTEX_GROUPED : 0) |
+                          (all[root].resting ? TF_VERTEX_RESTING : 0);
     }
 }
 

@@ -152,13 +152,18 @@ static bool visit(const sweep_state *state, int constraint, bool is_new)
 }
 
 //: Sweep until little changes
-/// Returns whether a visit made a change of more than the tolerance.
+/// Returns whether a visit made a change of more than the tolerance; false if the
+/// caller has cancelled.
 static bool sweep(const sweep_state *state, bool is_first)
 {
     bool any = false;
-    for (int i = 0; i < state->zone->constraints; i++)
-        if (state->all.due[i] && tf_zone_goes_on(state->zone, 1))
-            any |= visit(state, i, is_first && i >= state->zone->solved);
+    for (int i = 0; i < state->zone->constraints; i++) {
+        if (!state->all.due[i])
+            continue;
+        if (!tf_zone_goes_on(state->zone, 1))
+            return false;
+        any |= visit(state, i, is_first && i >= state->zone->solved);
+    }
     return any;
 }
 

@@ -36,7 +36,18 @@ static bool begin_level(tf_resolution *r, tf_response_level level)
     }
 }
 
-//: Answer contacts by one level
+//: Answer contacts by impulses
+static bool push(tf_resolution *r)
+{
+    tf_constraint *constraint =
+        tf_answers_extend(&r->resolver->answers, r->contacts.count);
+    if (constraint)
+        tf_impulses_round(&r->step, &r->contacts, &r->rule, r->options.friction,
+                          r->resolver->displacement.data, constraint);
+    return constraint != NULL;
+}
+
+//: Answer contacts by zones
 static bool solve_zones(tf_resolution *r)
 {
     tf_zone_options options = {.solver = r->options.solver,
@@ -47,22 +58,33 @@ static bool solve_zones(tf_resolution *r)
            tf_zones_solve(zones, &r->step, &r->rule, &options, &r->zones);
 }
 
+//: Answer contacts by groups of vertices
+static bool group(tf_resolution *r, tf_response_level level)
+{
+    tf_constraint *constraint =
+        tf_answers_extend(&r->resolver->answers, r->contacts.count);
+    if (!constraint)
+        return false;
+    for (size_t i = 0; i < r->contacts.count && tf_watch_work(r->step.watch, 1);
+         i++)
+        constraint[i] = tf_contact_points(&r->contacts.contact[i]);
+    if (level == TF_RIGID)
+        tf_rigid_round(&r->resolver->rigid, &r->step, &r->contacts);
+    else
+        tf_failsafe_round(&r->resolver->failsafe, &r->step, &r->contacts);
+    return true;
+}
+
+//: Answer contacts by one level
 static bool answer(tf_resolution *r, tf_response_level level)
 {
-    switch (level) {
-    case TF_IMPULSES:
-        tf_impulses_round(&r->step, &r->contacts, &r->rule, r->options.friction,
-                          r->resolver->displacement.data);
-        return true;
-    case TF_ZONES:
-        return solve_zones(r);
-    case TF_RIGID:
-        tf_rigid_round(&r->resolver->rigid, &r->step, &r->contacts);
-        return true;
-    default:
-        tf_failsafe_round(&r->resolver->failsafe, &r->step, &r->contacts);
-        return true;
-    }
+    size_t first = (size_t)r->resolver->zones.constraints;
+    bool good = level == TF_IMPULSES ? push(r)
+                : level == TF_ZONES  ? solve_zones(r)
+                                     : group(r, level);
+    return good &&
+           tf_answers_add(&r->resolver->answers, &r->contacts, level,
+                          r->report.rounds[level]++, first, r->step.watch);
 }
 
 //: Find the contacts that are left
@@ -111,8 +133,7 @@ static tf_status go_through(tf_resolution *r, tf_response_level level, int most)
         tf_watch_stage(watch, stage_names[level], 0);
         if (!tf_watch_done(watch, 0))
             return TF_CANCELLED;
-        r->report.rounds[level]++;
-        if (!answer(r, level) || tf_watch_cancelled(watch))
+        if (!answer(r, level))
             return tf_watch_failure(watch);
         // If all vertices were proposed to move by the same displacement, the
         // failsafe may unite groups without moving any vertex.

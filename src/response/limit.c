@@ -106,6 +106,8 @@ tf_status tf_step_limit(tf_resolver *resolver, int vertices,
 {
     TF_REQUIRE(resolver && start && end && halvings);
     tf_response_options own;
+    tf_answers_clear(&resolver->answers);
+    resolver->has_resolved = false;
     tf_status status = tf_response_options_read(&own, options, error);
     if (status != TF_OK)
         return status;

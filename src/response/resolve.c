@@ -36,8 +36,10 @@ static bool ready(tf_resolution *r)
     tf_resolver *resolver = r->resolver;
     size_t vertices = (size_t)r->step.vertices;
     size_t bytes = sizeof(double) * (size_t)r->step.axes * vertices;
-    if (!tf_buffer_reserve(&resolver->end, bytes, 1))
+    if (!tf_buffer_reserve(&resolver->end, bytes, 1) ||
+        !tf_buffer_reserve(&resolver->flags, vertices, 1))
         return false;
+    r->step.flags = memset(resolver->flags.data, 0, vertices);
     r->step.end = memcpy(resolver->end.data, r->step.proposed, bytes);
     r->motion.end = r->step.end;
     r->search = (tf_contact_search){.surface = resolver->surface,
@@ -88,8 +90,11 @@ static void count_moved(const tf_step *step, tf_response_report *report)
         ptrdiff_t place = (ptrdiff_t)step->axes * v;
         bool moved =
             memcmp(step->end + place, step->proposed + place, bytes) != 0;
+        bool held = moved && !(step->inverse_mass[v] > 0);
+        step->flags[v] |=
+            (moved ? TF_VERTEX_MOVED : 0) | (held ? TF_VERTEX_HELD : 0);
         report->moved += moved;
-        report->held += moved && !(step->inverse_mass[v] > 0);
+        report->held += held;
     }
 }
 
@@ -185,11 +190,15 @@ tf_status tf_step_resolve(tf_resolver *resolver, int vertices,
                  .inverse_mass = inverse_mass},
         .motion = {.axes = axes, .vertices = vertices, .start = start},
         .zones = {.smallest_gap = INFINITY}};
+    tf_answers_clear(&resolver->answers);
     tf_status status = tf_response_options_read(&r.options, options, error);
     if (status == TF_OK)
         status = watch_and_run(&r, end, error);
     resolver->report = r.report;
-    if (status == TF_OK && report)
+    resolver->has_resolved = status == TF_OK;
+    if (status != TF_OK)
+        tf_answers_clear(&resolver->answers);
+    else if (report)
         *report = &resolver->report;
     return status;
 }

@@ -1,6 +1,8 @@
 //: Include what rigid zones need
 #include "response/rigid.h"
 
+#include "response/options.h"
+
 #include <stddef.h>
 #include <string.h>
 
@@ -148,6 +150,7 @@ static void move_with_body(const tf_rigid *rigid, tf_step *step,
     tf_vector to = tf_vector_sum(own->displacement, scale,
                                  tf_vector_sum(first, 1, second));
     tf_step_move(step, vertex, rigid->entry.data, to.x);
+    step->flags[vertex] |= TF_VERTEX_RIGID;
 }
 
 //: Answer contacts by rigid bodies

@@ -9,8 +9,9 @@ typedef struct tf_step {
     int axes, vertices;
     const double *start, *proposed;
     const double *inverse_mass;
-    double *end;     ///< as it is so far
-    tf_watch *watch; ///< over the call; or NULL
+    double *end;          ///< as it is so far
+    unsigned char *flags; ///< what was done with each vertex: tf_vertex_flags
+    tf_watch *watch;      ///< over the call; or NULL
 } tf_step;
 
 //: Declare how a step is changed

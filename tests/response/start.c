@@ -32,7 +32,7 @@ static tf_status check_contacts(void)
     memset(&error, 0, sizeof error);
     ck_assert_int_eq(tf_surface_detect(surface, &motion, NULL, &found, NULL),
                      TF_OK);
-    tf_status status = tf_start_check_contacts(&motion, &found, &error);
+    tf_status status = tf_start_check_contacts(&motion, &found, NULL, &error);
     tf_surface_free(surface);
     return status;
 }

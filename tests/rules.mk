@@ -21,7 +21,8 @@ else
 SUPPORT := $(call compiling,$(SUPPORT))
 endif
 TESTS := $(patsubst %.c,$(BUILD)/%,$(wildcard $(MODULES:%=tests/%.c)) $(WHOLE))
-FUZZERS := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/fuzz/*.c))
+FUZZERS := $(patsubst %.c,$(BUILD)/%,$(wildcard $(addsuffix .c,$(addprefix \
+	tests/fuzz/,$(or $(FUZZER),*)))))
 
 $(BUILD)/support.a: $(SUPPORT:%.c=$(BUILD)/%.o)
 
@@ -47,6 +48,13 @@ $(BUILD)/tests/threads/threads: LIBRARIES = -Wl,--wrap=malloc \
 	-Wl,--wrap=pthread_create
 $(BUILD)/tests/whole/allocations $(BUILD)/tests/whole/no_memory: LIBRARIES = -Wl,--wrap=malloc \
 	-Wl,--wrap=calloc -Wl,--wrap=realloc -Wl,--wrap=aligned_alloc
+
+# These see what users see.
+public = $(BUILD)/tests/fuzz/interface $(BUILD)/tests/whole/misuse $(fuzz_calls:.o=)
+fuzz_calls = $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/fuzz/calls/*.c))
+$(public:=.o): USES = -I$(dir $(public_header))
+$(public:=.o): $(public_header)
+$(BUILD)/tests/fuzz/interface: $(fuzz_calls)
 
 # The tests of the figures need more: their rule overrides the pattern above.
 # The library's own do without the figures' libraries.
@@ -123,15 +131,19 @@ SECONDS = 60
 fuzzing = -fsanitize=fuzzer-no-link -fno-sanitize-coverage=trace-cmp
 ##@ Check for long
 
-fuzz: need-fuzz ## run every fuzzer for SECONDS=60
+fuzz: need-fuzz ## run every fuzzer, or FUZZER=interface, for SECONDS=60
 	@$(MAKE) $(parallel) -k -O run-fuzzers BUILD=$(BUILD)/fuzz CC=clang \
 	    CFLAGS='-O1 -g $(sanitizers) $(fuzzing)' \
 	    LDFLAGS=-fsanitize=fuzzer
 
 run-fuzzers: $(FUZZERS:=.found)
+# To choose inputs by entropy takes longer than to make the calls.
+$(BUILD)/tests/fuzz/interface.found: fuzzer_options = -entropic=0 -max_len=512 \
+	-len_control=5
 $(BUILD)/tests/fuzz/%.found: $(BUILD)/tests/fuzz/% FORCE
 	@mkdir -p $(BUILD)/corpus/$* && cp -R tests/fuzz/corpus/$*/. $(BUILD)/corpus/$*
-	@$< -max_total_time=$(SECONDS) -artifact_prefix=$<- $(BUILD)/corpus/$* \
+	@$< $(fuzzer_options) -max_total_time=$(SECONDS) -artifact_prefix=$<- \
+	    $(BUILD)/corpus/$* \
 	    >$@ 2>&1 || { tail -n 60 $@; false; }
 	@printf '%-32s %s\n' tests/fuzz/$* "$$(grep '^Done' $@)"
 .PHONY: fuzz run-fuzzers

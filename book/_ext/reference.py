@@ -75,7 +75,7 @@ def begin(app):
     places = places_of_names(folder)
     app.groups = [(e.findtext("title"), e.findtext("compoundname"),
                    names(e, places)) for e in compounds(folder, "group")]
-    app.groups.sort(key=lambda group: places[group[2][0]])
+    app.groups.sort(key=lambda group: [places[name] for name in group[2][:1]])
     wrong = list(faults(folder, app.groups))
     if wrong:
         raise ExtensionError("\n".join(wrong))
@@ -212,6 +212,8 @@ class PublicNames(SphinxDirective):
     def overview(self, groups):
         items = nodes.definition_list()
         for title, _, found in groups:
+            if not found:
+                continue
             links = [word for name in found
                      for word in (nodes.Text(", "), link(name))]
             items += nodes.definition_list_item(

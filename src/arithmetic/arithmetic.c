@@ -13,6 +13,6 @@ const char *tf_arithmetic_name(const tf_arithmetic *arithmetic)
 
 int tf_arithmetic_bits(const tf_arithmetic *arithmetic, int axes)
 {
-    TF_REQUIRE(arithmetic && (axes == 2 || axes == 3));
-    return arithmetic->bits[axes];
+    TF_REQUIRE(arithmetic);
+    return axes == 2 || axes == 3 ? arithmetic->bits[axes] : -1;
 }

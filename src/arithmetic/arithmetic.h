@@ -21,7 +21,7 @@ TF_API const char *tf_arithmetic_name(const tf_arithmetic *arithmetic);
 /// @param arithmetic one of the arithmetics of the library
 /// @param axes 2 for a scene in the plane, 3 for one in space
 /// @return the number of bits of a coordinate: integers below 2^bits in
-///     absolute value, or any finite doubles if it is 0
+///     absolute value, or any finite doubles if it is 0; -1 for other axes
 TF_API int tf_arithmetic_bits(const tf_arithmetic *arithmetic, int axes);
 
 /// @}

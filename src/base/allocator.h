@@ -13,7 +13,7 @@
 /// calls the library or runs tasks of a tf_parallel, by several at once, and
 /// must not call tf_set_allocator or use an object of the library.
 /// @param context that of tf_set_allocator
-/// @param size how many bytes, more than 64
+/// @param size how many bytes, 1 or more
 /// @return the memory, aligned as that of malloc is; or NULL if there is none:
 ///     then the library's function returns TF_OUT_OF_MEMORY
 typedef void *tf_allocate_function(void *context, size_t size);

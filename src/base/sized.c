@@ -4,6 +4,10 @@
 #include <stdbool.h>
 #include <string.h>
 
+enum {
+    MOST = 4096 ///< more bytes than the options of any version have
+};
+
 /// Whether the bytes from `begin` to `end` are zero.
 static bool are_zero(const unsigned char *bytes, size_t begin, size_t end)
 {
@@ -21,7 +25,7 @@ tf_status tf_options_read(void *to, size_t known, const void *from,
         return TF_OK;
     size_t size;
     memcpy(&size, from, sizeof size);
-    if (size != 0 && size < first)
+    if (size != 0 && (size < first || size > MOST))
         return tf_fail_option(error, "size", "0 or that of the options",
                               (double)size);
     size = size ? size : first;

@@ -11,7 +11,8 @@
 
 /// Finds the contacts of a surface in a step: of each vertex with each triangle
 /// and of each edge with each edge, in the plane of each vertex with each edge,
-/// unless they share a vertex.  Contacts at the start count.
+/// unless they share a vertex, or a filter leaves them out
+/// (tf_surface_set_filter).  Contacts at the start count.
 ///
 /// If the surface is free of intersections at the start (tf_surface_check) and
 /// there is no contact, it is free of them at the end, and nothing has passed
@@ -26,7 +27,7 @@
 /// @param motion its vertices at the start and the end of the step
 /// @param options what is wanted, and how; NULL: all zero
 /// @param[out] found the contacts, lent until the next call for this surface;
-///     valid only with TF_OK
+///     set only with TF_OK
 /// @param[out] error what is wrong, if anything; may be NULL
 /// @return TF_OK; TF_BAD_AXES or TF_BAD_COUNT if the motion has other axes than
 ///     the surface, or another number of vertices; TF_BAD_OPTION;

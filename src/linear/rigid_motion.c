@@ -58,18 +58,6 @@ static tf_vector position_of(const rigid_element *body, int vertex, double time)
     return tf_vector_sum(center, 1, arm);
 }
 
-void tf_rigid_position(int axes, const tf_rigid_body *body, int vertex,
-                       double time, double x[])
-{
-    TF_REQUIRE((axes == 2 || axes == 3) && body && vertex >= 0 && x);
-    tf_rigid_body one = *body;
-    one.vertices = body->vertices + (ptrdiff_t)axes * vertex;
-    rigid_element taken = rigid_of(axes, &one, 1);
-    tf_vector moved = position_of(&taken, 0, time);
-    for (int k = 0; k < axes; k++)
-        x[k] = moved.x[k];
-}
-
 //: Find the positions of two rigid elements
 static void rigid_positions(const void *motion, double time, tf_vector x[])
 {
@@ -121,6 +109,26 @@ static bool body_is_finite(int axes, int vertices, const tf_rigid_body *body)
     return all_finite(axes * vertices, body->vertices) &&
            all_finite(axes, body->center) && all_finite(axes, body->velocity) &&
            all_finite(TF_AXES - from, body->rotation + from);
+}
+
+//: Tell where a rigid vertex is
+tf_status tf_rigid_position(int axes, const tf_rigid_body *body, int vertex,
+                            double time, double x[])
+{
+    TF_REQUIRE(body && body->vertices && x);
+    if (axes != 2 && axes != 3)
+        return TF_BAD_AXES;
+    if (vertex < 0)
+        return TF_BAD_INDEX;
+    tf_rigid_body one = *body;
+    one.vertices = body->vertices + (ptrdiff_t)axes * vertex;
+    if (!body_is_finite(axes, 1, &one) || !isfinite(time))
+        return TF_NOT_FINITE;
+    rigid_element taken = rigid_of(axes, &one, 1);
+    tf_vector moved = position_of(&taken, 0, time);
+    for (int k = 0; k < axes; k++)
+        x[k] = moved.x[k];
+    return TF_OK;
 }
 
 //: Advance two rigid elements

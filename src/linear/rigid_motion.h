@@ -22,12 +22,15 @@ typedef struct tf_rigid_body {
 
 /// Where a vertex of a rigid body is at a time.  Thread-safe.
 /// @param axes 2 for a body in the plane, 3 for one in space
-/// @param body the body, finite
+/// @param body the body
 /// @param vertex the index of the vertex in its list
 /// @param time the time, from 0 to 1
-/// @param[out] x its `axes` coordinates, correct up to rounding
-TF_API void tf_rigid_position(int axes, const tf_rigid_body *body, int vertex,
-                              double time, double x[]);
+/// @param[out] x its `axes` coordinates, correct up to rounding; set only with
+///     TF_OK
+/// @return TF_OK; TF_BAD_AXES; TF_BAD_INDEX if the index is negative; or
+///     TF_NOT_FINITE
+TF_API tf_status tf_rigid_position(int axes, const tf_rigid_body *body,
+                                   int vertex, double time, double x[]);
 
 //: Declare the advancement of two rigid triangles
 /// When two rigid triangles come within a distance of each other.  Thread-safe.

@@ -14,7 +14,8 @@
 /// After TF_OK no two elements that share no vertex touch at any time of the
 /// stored step, its start and its end included, where the pairs of elements are
 /// a vertex and a triangle or two edges or, in the plane, a vertex and an edge.
-/// This is exact.  So the end is free of intersections, it is a legal start for
+/// This is exact; tf_surface_set_filter says what remains if pairs are left out.
+/// So the end is free of intersections, it is a legal start for
 /// the next step, and nothing has passed through anything.  The function always
 /// returns, and there is such an end for every proposal.  A step without
 /// contacts comes back bit for bit, and in any other step so does every vertex

@@ -4,6 +4,7 @@
 #include "base/fail.h"
 #include "base/require.h"
 #include "surface/detect.h"
+#include "surface/filtered_join.h"
 #include "surface/surface_memory.h"
 
 #include <stddef.h>
@@ -69,14 +70,10 @@ static bool gather(tf_surface *surface, int tasks, const tf_task_rows rows[],
 static size_t join_all(tf_surface *surface, tf_task_rows rows[],
                        const tf_parallel *parallel)
 {
-    tf_workers *workers = &surface->workers;
-    bool plane = surface->axes == 2;
-    tf_workers_join(workers, &surface->vertex_tree,
-                    plane ? &surface->edge_tree : &surface->triangle_tree, keep,
-                    rows, parallel);
-    size_t points = tf_workers_rows(workers);
-    if (!plane)
-        tf_workers_join(workers, &surface->edge_tree, &surface->edge_tree, keep,
+    tf_surface_join(surface, 1, surface->axes, keep, rows, parallel);
+    size_t points = tf_workers_rows(&surface->workers);
+    if (surface->axes == 3)
+        tf_surface_join(surface, 2, 2, keep,
                         rows + tf_join_tasks(&surface->vertex_tree), parallel);
     return points;
 }
@@ -94,13 +91,17 @@ static tf_status list_all(tf_surface *surface, const tf_parallel *parallel,
                            sizeof(size_t)))
         return TF_OUT_OF_MEMORY;
     tf_task_rows *rows = surface->task_rows.data;
-    found->point_count = join_all(surface, rows, parallel);
-    found->edge_count = tf_workers_rows(&surface->workers) - found->point_count;
+    tf_candidates all = {.point_count = join_all(surface, rows, parallel)};
+    tf_status status = tf_workers_status(&surface->workers);
+    if (status != TF_OK)
+        return status;
+    all.edge_count = tf_workers_rows(&surface->workers) - all.point_count;
     if (!gather(surface, tasks, rows, surface->task_places.data, parallel,
-                &found->points))
+                &all.points))
         return TF_OUT_OF_MEMORY;
-    found->edges = found->points ? found->points + found->point_count : NULL;
-    return tf_workers_status(&surface->workers);
+    all.edges = all.points ? all.points + all.point_count : NULL;
+    *found = all;
+    return TF_OK;
 }
 
 //: Find the candidates of a step

@@ -13,8 +13,8 @@
 /// @addtogroup surfaces
 /// @{
 
-/// All candidates of a step: the pairs of elements that share no vertex and
-/// whose boxes, around all that they sweep, overlap.  Boxes are rounded, in a
+/// All candidates of a step: the pairs of elements that share no vertex, may meet
+/// (tf_surface_set_filter), and whose boxes, around all that they sweep, overlap.  Boxes are rounded, in a
 /// way that keeps all overlaps and makes some of boxes that nearly touch.
 typedef struct tf_candidates {
     size_t point_count;         ///< how many with a vertex
@@ -34,7 +34,7 @@ typedef struct tf_candidates {
 /// @param options of these the threads and the progress are used; NULL: all
 ///     zero
 /// @param[out] found the candidates, lent until the next call for this surface,
-///     in the same order for any number of threads; valid only with TF_OK
+///     in the same order for any number of threads; set only with TF_OK
 /// @param[out] error what is wrong, if anything; may be NULL
 /// @return TF_OK; TF_BAD_AXES; TF_BAD_COUNT; TF_BAD_OPTION; TF_NOT_FINITE;
 ///     TF_BAD_ENVIRONMENT; TF_OUT_OF_MEMORY; or TF_CANCELLED

@@ -7,8 +7,9 @@
 #include "base/sized.h"
 #include "query/query.h"
 #include "surface/crossing.h"
+#include "surface/filtered_join.h"
+#include "surface/pair_vertices.h"
 #include "surface/sort.h"
-#include "surface/surface_memory.h"
 
 #include <stddef.h>
 #include <string.h>
@@ -36,29 +37,11 @@ static shape shape_of(tf_crossing_kind kind)
 }
 
 //: Name a pair
-static const int *vertices_of(const tf_surface *surface, int corners,
-                              const int *element)
-{
-    if (corners == 1)
-        return element;
-    const tf_elements *list =
-        corners == 2 ? &surface->edges : &surface->triangles;
-    return list->corner + (size_t)*element * (size_t)corners;
-}
-
 static tf_crossing crossing_of(const check_job *job, tf_candidate pair)
 {
     shape s = shape_of(job->kind);
     tf_crossing row = {job->kind, {-1, -1, -1, -1, -1}};
-    const int *first = vertices_of(job->surface, s.first, &pair.first);
-    const int *second = vertices_of(job->surface, s.second, &pair.second);
-    if (s.first == s.second && second[0] < first[0]) {
-        const int *swap = first;
-        first = second;
-        second = swap;
-    }
-    memcpy(row.vertex, first, sizeof *first * (size_t)s.first);
-    memcpy(row.vertex + s.first, second, sizeof *second * (size_t)s.second);
+    tf_pair_vertices(job->surface, s.first, s.second, pair, row.vertex);
     return row;
 }
 
@@ -175,13 +158,10 @@ static tf_status gather(tf_surface *surface, tf_crossings *found)
 static void join(tf_surface *surface, check_job *job, tf_crossing_kind kind,
                  const tf_parallel *parallel)
 {
-    const tf_tree *s = kind == TF_POINT_ON_TRIANGLE ? &surface->vertex_tree
-                                                    : &surface->edge_tree;
-    const tf_tree *t =
-        kind == TF_EDGE_ON_EDGE ? &surface->edge_tree : &surface->triangle_tree;
+    shape s = shape_of(kind);
     job->kind = kind;
     if (tf_workers_status(&surface->workers) == TF_OK)
-        tf_workers_join(&surface->workers, s, t, take, NULL, parallel);
+        tf_surface_join(surface, s.first, s.second, take, NULL, parallel);
 }
 
 //: Check a surface

@@ -58,6 +58,10 @@ typedef struct tf_check_options {
 /// unless D is C; without such an edge the two are missed.  Particles are not
 /// tested.
 ///
+/// What a filter leaves out is not listed.  An edge and a triangle, or two edges
+/// in the plane, are listed only if all pairs are kept whose contacts would show
+/// that they begin to intersect in a step (tf_surface_set_filter).
+///
 /// @param surface the surface
 /// @param vertices how many vertices have a position
 /// @param position the coordinates of its vertices, three each, in the plane

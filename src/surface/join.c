@@ -14,6 +14,8 @@ enum {
 //: Hand on pairs
 void tf_pair_sink_hand_on(tf_pair_sink *sink)
 {
+    if (sink->count > 0 && sink->filter && !sink->stopped)
+        sink->filter(sink);
     if (sink->count > 0 && !sink->stopped)
         sink->stopped = !sink->take(sink, sink->count, sink->pair);
     sink->count = 0;

@@ -13,6 +13,10 @@ typedef struct tf_pair_sink tf_pair_sink;
 struct tf_pair_sink {
     /// Takes the pairs; false: no more are wanted.
     bool (*take)(tf_pair_sink *sink, int count, const tf_candidate pair[]);
+
+    /// Drops some of the pairs before they are taken; NULL: none are dropped.
+    void (*filter)(tf_pair_sink *sink);
+    const void *filter_job; ///< for `filter`
     int count;
     bool stopped;
     tf_candidate pair[TF_BATCH];

@@ -2,6 +2,7 @@
 #include "surface/pair_cache.h"
 
 #include "arithmetic/exact.h"
+#include "base/fail.h"
 
 #include <math.h>
 #include <stddef.h>
@@ -130,12 +131,13 @@ tf_status tf_pair_cache_build(tf_pair_cache *cache,
     if (!empty_lists(cache, tf_parallel_workers(search->parallel)) ||
         !begin_movements(cache, surface) ||
         !tf_buffer_reserve(&cache->checked, bytes_of_ends(search), 1))
-        return TF_OUT_OF_MEMORY;
+        return tf_fail(error, TF_OUT_OF_MEMORY);
     note_ends(cache, search);
     tf_pair_job job = job_of(search);
     job.keep = keep_batch;
     job.keeper = cache;
-    return tf_pairs_find(surface, &job, search->parallel, found);
+    return tf_fail(error,
+                   tf_pairs_find(surface, &job, search->parallel, found));
 }
 
 //: Add up movements

@@ -8,6 +8,8 @@
 #include "query/edge_edge.h"
 #include "query/point_edge.h"
 #include "query/point_triangle.h"
+#include "surface/filtered_join.h"
+#include "surface/pair_vertices.h"
 #include "surface/sort.h"
 
 #include <stddef.h>
@@ -29,46 +31,25 @@ typedef struct batch {
     tf_detect_statistics statistics;
 } batch;
 
-//: List the vertices of a pair
+//: List the vertices of a pair by its kind
 /// How many vertices the two elements of a pair have.
 static int vertex_count(tf_kind kind)
 {
     return kind == TF_POINT_EDGE ? 3 : 4;
 }
 
-/// Lists those of two edges, which are sorted, and sorts the edges by their
-/// first vertices, which differ.  No branch: nobody could guess which comes
-/// first.
-static void list_edges(const int a[2], const int b[2], int vertex[4])
-{
-    int swap = -(b[0] < a[0]); // all bits or none
-    for (int i = 0; i < 2; i++) {
-        int change = (a[i] ^ b[i]) & swap;
-        vertex[i] = a[i] ^ change;
-        vertex[2 + i] = b[i] ^ change;
-    }
-}
-
 static void list_vertices(const tf_pair_job *job, tf_candidate pair,
                           int vertex[])
 {
-    const int *edge = job->surface->edges.corner;
-    const int *triangle = job->surface->triangles.corner;
     switch (job->kind) {
-    case TF_EDGE_EDGE: {
-        const int *a = edge + 2 * (size_t)pair.first;
-        const int *b = edge + 2 * (size_t)pair.second;
-        list_edges(a, b, vertex);
+    case TF_EDGE_EDGE:
+        tf_pair_vertices(job->surface, 2, 2, pair, vertex);
         return;
-    }
     case TF_POINT_TRIANGLE:
-        vertex[0] = pair.first;
-        memcpy(vertex + 1, triangle + 3 * (size_t)pair.second,
-               3 * sizeof *vertex);
+        tf_pair_vertices(job->surface, 1, 3, pair, vertex);
         return;
     default:
-        vertex[0] = pair.first;
-        memcpy(vertex + 1, edge + 2 * (size_t)pair.second, 2 * sizeof *vertex);
+        tf_pair_vertices(job->surface, 1, 2, pair, vertex);
     }
 }
 
@@ -356,10 +337,11 @@ bool tf_pairs_begin(tf_surface *surface, const tf_parallel *parallel,
 }
 
 //: Join and decide
-static tf_status join_kind(tf_surface *surface, const tf_tree *s,
-                           const tf_tree *t, const tf_parallel *parallel)
+/// Joins the elements of so many corners.
+static tf_status join_kind(tf_surface *surface, int corners, int others,
+                           const tf_parallel *parallel)
 {
-    tf_workers_join(&surface->workers, s, t, tf_pairs_take, NULL, parallel);
+    tf_surface_join(surface, corners, others, tf_pairs_take, NULL, parallel);
     return tf_workers_status(&surface->workers);
 }
 
@@ -368,16 +350,13 @@ static tf_status join_all(tf_surface *surface, tf_pair_job *job,
 {
     bool plane = surface->axes == 2;
     job->kind = plane ? TF_POINT_EDGE : TF_POINT_TRIANGLE;
-    tf_status status = join_kind(
-        surface, &surface->vertex_tree,
-        plane ? &surface->edge_tree : &surface->triangle_tree, parallel);
+    tf_status status = join_kind(surface, 1, surface->axes, parallel);
     bool enough = job->selection == TF_ANY_CONTACT &&
                   tf_workers_rows(&surface->workers) > 0;
     if (status != TF_OK || plane || enough)
         return status;
     job->kind = TF_EDGE_EDGE;
-    return join_kind(surface, &surface->edge_tree, &surface->edge_tree,
-                     parallel);
+    return join_kind(surface, 2, 2, parallel);
 }
 
 //: Find the pairs in contact
@@ -387,8 +366,10 @@ tf_status tf_pairs_find(tf_surface *surface, tf_pair_job *job,
     if (!tf_pairs_begin(surface, parallel, job))
         return TF_OUT_OF_MEMORY;
     tf_status status = join_all(surface, job, parallel);
-    *found = (tf_contacts){0};
-    if (status == TF_OK && !tf_pairs_gather(surface, job->selection, found))
+    tf_contacts all = {0};
+    if (status == TF_OK && !tf_pairs_gather(surface, job->selection, &all))
         status = tf_watch_failure(surface->workers.watch);
+    if (status == TF_OK)
+        *found = all;
     return status;
 }

@@ -46,8 +46,9 @@ bool tf_pairs_take(tf_pair_sink *sink, int count, const tf_candidate pair[]);
 bool tf_pairs_gather(tf_surface *surface, tf_contact_selection selection,
                      tf_contacts *found);
 
-/// Finds all pairs of elements in contact that the trees of the surface yield.
-/// Returns TF_OK, TF_OUT_OF_MEMORY, TF_CANCELLED, or what a decision returns.
+/// Finds all pairs of elements in contact that the trees of the surface yield,
+/// and sets `found` if it succeeds.  Returns TF_OK, TF_OUT_OF_MEMORY,
+/// TF_CANCELLED, or what a decision returns.
 tf_status tf_pairs_find(tf_surface *surface, tf_pair_job *job,
                         const tf_parallel *parallel, tf_contacts *found);
 

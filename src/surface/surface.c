@@ -4,8 +4,12 @@
 #include "base/fail.h"
 #include "base/memory.h"
 #include "base/require.h"
+#include "base/sized.h"
 #include "surface/derive.h"
 #include "surface/surface_memory.h"
+
+#include <stddef.h>
+#include <string.h>
 
 //: Create a surface
 tf_status tf_surface_create(const tf_mesh *mesh, tf_surface **surface,
@@ -33,6 +37,7 @@ void tf_surface_free(tf_surface *surface)
         return;
     tf_buffer_free(&surface->edges.storage);
     tf_buffer_free(&surface->triangles.storage);
+    tf_buffer_free(&surface->groups);
     tf_buffer_free(&surface->boxes);
     tf_tree_free(&surface->vertex_tree);
     tf_tree_free(&surface->edge_tree);
@@ -75,6 +80,29 @@ const int *tf_surface_triangles(const tf_surface *surface, int *count)
     return surface->triangles.corner;
 }
 
+//: Filter the pairs of a surface
+tf_status tf_surface_set_filter(tf_surface *surface,
+                                const tf_pair_filter *filter, tf_error *error)
+{
+    TF_REQUIRE(surface);
+    tf_pair_filter own;
+    size_t first = offsetof(tf_pair_filter, context) + sizeof own.context;
+    tf_status status = tf_options_read(&own, sizeof own, filter, first, error);
+    if (status != TF_OK)
+        return status;
+    if (own.vertices != (own.group ? surface->vertices : 0))
+        return tf_fail(error, TF_BAD_COUNT);
+    if (own.group) {
+        size_t count = (size_t)own.vertices;
+        if (!tf_buffer_reserve(&surface->groups, count, sizeof(int)))
+            return tf_fail(error, TF_OUT_OF_MEMORY);
+        own.group =
+            memcpy(surface->groups.data, own.group, sizeof(int) * count);
+    }
+    surface->filter = own;
+    return tf_fail(error, TF_OK);
+}
+
 //: Count the memory
 static size_t tree_bytes(const tf_tree *tree)
 {
@@ -87,8 +115,9 @@ size_t tf_surface_memory(const tf_surface *surface)
     TF_REQUIRE(surface);
     const tf_tree_workspace *workspace = &surface->tree_workspace;
     return sizeof *surface + surface->edges.storage.bytes +
-           surface->triangles.storage.bytes + surface->boxes.bytes +
-           tree_bytes(&surface->vertex_tree) + tree_bytes(&surface->edge_tree) +
+           surface->triangles.storage.bytes + surface->groups.bytes +
+           surface->boxes.bytes + tree_bytes(&surface->vertex_tree) +
+           tree_bytes(&surface->edge_tree) +
            tree_bytes(&surface->triangle_tree) + workspace->keys.bytes +
            workspace->sorted.bytes + workspace->counts.bytes +
            surface->sort_workspace.other.bytes +

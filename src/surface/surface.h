@@ -4,6 +4,7 @@
 #include "base/api.h"
 #include "base/error.h"
 #include "surface/mesh.h"
+#include "surface/pair_filter.h"
 
 #include <stddef.h>
 
@@ -61,6 +62,33 @@ TF_API const int *tf_surface_edges(const tf_surface *surface, int *count);
 ///     surface is freed
 TF_API const int *tf_surface_triangles(const tf_surface *surface, int *count);
 
+//: Declare how pairs are left out
+/// Says which pairs of a surface's elements may meet.  What the filter leaves out
+/// does not exist for later calls: it is no candidate, no contact and no
+/// intersection, and a resolved step may make it meet.
+///
+/// The guarantees hold for what is kept.  No pair that is kept has a contact in a
+/// resolved step.  An edge and a triangle that start a step without contacts
+/// apart end it apart if their five pairs are kept: each end of the edge with the
+/// triangle, and the edge with each edge of the triangle.  (Groups leave out one
+/// of these only if four of the five vertices have the same group.)  In the plane
+/// so do two edges if their four pairs of a vertex and an edge are kept.  A vertex
+/// that is kept with all triangles of a closed surface stays inside or outside,
+/// and two loops of edges, each of which is kept with all of the other loop, stay
+/// linked as they are.
+///
+/// @param surface the surface
+/// @param filter which pairs, copied with its groups; NULL: all that share no
+///     vertex
+/// @param[out] error what is wrong, if anything; may be NULL
+/// @return TF_OK; TF_BAD_COUNT if there are groups, but not one for each vertex,
+///     or a number of groups without the groups; TF_BAD_OPTION; or
+///     TF_OUT_OF_MEMORY.  Unless it is TF_OK, the filter stays as it was
+TF_API tf_status tf_surface_set_filter(tf_surface *surface,
+                                       const tf_pair_filter *filter,
+                                       tf_error *error);
+
+//: Declare the memory of a surface
 /// How much memory a surface holds by now.
 /// @param surface the surface
 /// @return bytes

@@ -15,6 +15,7 @@ bool tf_surface_refill(tf_surface *surface, const tf_mesh *mesh)
     tf_sort_workspace *workspace = &surface->sort_workspace;
     surface->axes = mesh->axes;
     surface->vertices = mesh->vertices;
+    surface->filter = (tf_pair_filter){0};
     return tf_mesh_triangles(mesh, &surface->triangles, workspace) &&
            tf_mesh_edges(mesh, &surface->triangles, &surface->edges, workspace);
 }

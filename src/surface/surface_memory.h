@@ -6,12 +6,15 @@
 #include "surface/box.h"
 #include "surface/elements.h"
 #include "surface/mesh.h"
+#include "surface/pair_filter.h"
 #include "surface/tree.h"
 #include "surface/workers.h"
 
 typedef struct tf_surface {
     int axes, vertices;
     tf_elements edges, triangles;
+    tf_pair_filter filter; ///< with a copy of the groups, in `groups`
+    tf_buffer groups;
     tf_frame frame;  ///< of the boxes
     tf_buffer boxes; ///< of the vertices
     tf_tree vertex_tree, edge_tree, triangle_tree;

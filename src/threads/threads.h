@@ -9,9 +9,9 @@
 /// Declared in tanglefree_threads.h; the other groups are in tanglefree.h.
 /// @{
 
-/// Limits of pools.
-enum {
-    TF_MOST_THREADS = 256 ///< the most threads that run tasks
+/// The size of a pool.
+enum tf_pool_size {
+    TF_MOST_THREADS = 256 ///< the most threads that may run tasks
 };
 
 /// Threads that run the tasks of the library: a tf_parallel to be used as it
@@ -25,7 +25,8 @@ typedef struct tf_threads tf_threads;
 /// Starts the threads of a pool.  They begin with the signal mask of the calling
 /// thread, and run tasks in the floating-point environment of the caller whose
 /// tasks they are.  If the system refuses a thread, those started before it are
-/// all of the pool.
+/// all of the pool.  The memory of the pool is from malloc, whatever
+/// tf_set_allocator says.
 ///
 /// @param count how many threads run tasks, the caller's own included: from 1 to
 ///     TF_MOST_THREADS, or 0 for the number of processors that the caller may use

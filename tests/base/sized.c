@@ -2,6 +2,7 @@
 
 #include "support/support.h"
 
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -74,6 +75,18 @@ START_TEST(newer_callers_may_not_set_what_is_unknown)
 }
 END_TEST
 
+START_TEST(size_of_no_version_is_bad)
+{
+    // What is there is not read: there is nothing behind it.
+    second *given = calloc(1, sizeof *given), read;
+    given->size = SIZE_MAX;
+    ck_assert_int_eq(read_second(&read, given, NULL), TF_BAD_OPTION);
+    given->size = 1 << 20;
+    ck_assert_int_eq(read_second(&read, given, NULL), TF_BAD_OPTION);
+    free(given);
+}
+END_TEST
+
 START_TEST(size_below_the_first_version_is_bad)
 {
     second given = {.size = sizeof(first) - 1}, read;
@@ -93,6 +106,7 @@ Suite *suite(void)
     tcase_add_test(tcase, size_zero_is_the_first_version);
     tcase_add_test(tcase, older_callers_have_zeros);
     tcase_add_test(tcase, newer_callers_may_not_set_what_is_unknown);
+    tcase_add_test(tcase, size_of_no_version_is_bad);
     tcase_add_test(tcase, size_below_the_first_version_is_bad);
     suite_add_tcase(suite, tcase);
     return suite;

@@ -78,7 +78,7 @@ START_TEST(positions_turn_and_move)
     body.velocity[2] = 9; // not read
     // The bar's end is at (1, 1) from the center: after half the step it is at
     // (0, sqrt 2), and the center at (2, -1).
-    tf_rigid_position(2, &body, 1, 0.5, x);
+    ck_assert_int_eq(tf_rigid_position(2, &body, 1, 0.5, x), TF_OK);
     ck_assert_double_eq_tol(x[0], 2, 1e-15);
     ck_assert_double_eq_tol(x[1], sqrt(2) - 1, 1e-15);
     ck_assert_double_eq(x[2], 7);
@@ -92,10 +92,24 @@ START_TEST(positions_turn_about_any_axis)
     double angle = 2 * pi / 3 / sqrt(3), x[3];
     tf_rigid_body body = {.vertices = vertices,
                           .rotation = {angle, angle, angle}};
-    tf_rigid_position(3, &body, 0, 1, x);
+    ck_assert_int_eq(tf_rigid_position(3, &body, 0, 1, x), TF_OK);
     ck_assert_double_eq_tol(x[0], 3, 1e-14);
     ck_assert_double_eq_tol(x[1], 1, 1e-14);
     ck_assert_double_eq_tol(x[2], 2, 1e-14);
+}
+END_TEST
+
+START_TEST(positions_that_cannot_be_are_refused)
+{
+    tf_rigid_body body = bar(), spinning = bar();
+    double x[3] = {7, 7, 7};
+    ck_assert_int_eq(tf_rigid_position(4, &body, 0, 0, x), TF_BAD_AXES);
+    ck_assert_int_eq(tf_rigid_position(-1, &body, 0, 0, x), TF_BAD_AXES);
+    ck_assert_int_eq(tf_rigid_position(2, &body, -1, 0, x), TF_BAD_INDEX);
+    ck_assert_int_eq(tf_rigid_position(2, &body, 0, NAN, x), TF_NOT_FINITE);
+    spinning.rotation[2] = INFINITY;
+    ck_assert_int_eq(tf_rigid_position(2, &spinning, 0, 0, x), TF_NOT_FINITE);
+    ck_assert(x[0] == 7 && x[1] == 7 && x[2] == 7);
 }
 END_TEST
 
@@ -301,6 +315,7 @@ Suite *suite(void)
     tcase_add_test(c, a_point_beyond_the_bar_is_apart);
     tcase_add_test(c, positions_turn_and_move);
     tcase_add_test(c, positions_turn_about_any_axis);
+    tcase_add_test(c, positions_that_cannot_be_are_refused);
     tcase_add_test(c, a_falling_triangle_hits_the_floor);
     tcase_add_test(c, a_turning_triangle_hits_the_floor);
     tcase_add_test(c, crossed_triangles_touch_at_once);

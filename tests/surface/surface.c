@@ -4,6 +4,7 @@
 #include "support/support.h"
 #include "support/surface_of.h"
 #include "support/surfaces.h"
+#include "surface/detect.h"
 
 #include <limits.h>
 #include <signal.h>
@@ -167,6 +168,102 @@ START_TEST(impossible_meshes_are_refused)
 }
 END_TEST
 
+// Filters ---------------------------------------------------------------------
+
+static const int one_corner[] = {0, 1, 2};
+static const tf_mesh one_triangle = {
+    .axes = 3, .vertices = 4, .triangles = 1, .triangle = one_corner};
+
+static bool wants(void *context, const tf_element_pair *pair)
+{
+    (void)context;
+    (void)pair;
+    return true;
+}
+
+START_TEST(groups_are_as_many_as_vertices)
+{
+    static const int group[5] = {0};
+    const tf_pair_filter bad[] = {{.group = group},
+                                  {.vertices = 4},
+                                  {.vertices = 3, .group = group},
+                                  {.vertices = 5, .group = group},
+                                  {.vertices = -4, .group = group},
+                                  {.vertices = 1, .wanted = wants}};
+    const tf_pair_filter good[] = {
+        {0},
+        {.vertices = 4, .group = group},
+        {.wanted = wants},
+        {.size = sizeof(tf_pair_filter), .vertices = 4, .group = group}};
+    tf_surface *surface = surface_of(&one_triangle);
+    tf_error error;
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+        ck_assert_int_eq(tf_surface_set_filter(surface, &bad[i], &error),
+                         TF_BAD_COUNT);
+        ck_assert_int_eq(error.status, TF_BAD_COUNT);
+    }
+    for (size_t i = 0; i < sizeof good / sizeof *good; i++) {
+        ck_assert_int_eq(tf_surface_set_filter(surface, &good[i], &error),
+                         TF_OK);
+        ck_assert_int_eq(error.status, TF_OK);
+    }
+    ck_assert_int_eq(
+        tf_surface_set_filter(surface, &(tf_pair_filter){.size = 8}, &error),
+        TF_BAD_OPTION);
+    ck_assert_str_eq(error.option, "size");
+    tf_surface_free(surface);
+}
+END_TEST
+
+/// A vertex that goes through the triangle.
+static size_t count_contacts(tf_surface *surface)
+{
+    static const double start[] = {0, 0, 0, 4, 0, 0, 0, 4, 0, 1, 1, 1};
+    static const double end[] = {0, 0, 0, 4, 0, 0, 0, 4, 0, 1, 1, -1};
+    const tf_motion motion = {3, 4, start, end};
+    tf_contacts found;
+    ck_assert_int_eq(tf_detect(surface, &motion, NULL, &found, NULL), TF_OK);
+    return found.count;
+}
+
+START_TEST(groups_are_copied)
+{
+    int group[] = {1, 1, 1, 1};
+    tf_surface *surface = surface_of(&one_triangle);
+    size_t bytes = tf_surface_memory(surface);
+    tf_pair_filter filter = {.vertices = 4, .group = group};
+    ck_assert_uint_eq(count_contacts(surface), 1);
+    ck_assert_int_eq(tf_surface_set_filter(surface, &filter, NULL), TF_OK);
+    ck_assert_uint_ge(tf_surface_memory(surface), bytes + sizeof group);
+    for (int i = 0; i < 4; i++)
+        group[i] = i;
+    ck_assert_uint_eq(count_contacts(surface), 0);
+    ck_assert_int_eq(tf_surface_set_filter(surface, &filter, NULL), TF_OK);
+    ck_assert_uint_eq(count_contacts(surface), 1);
+    tf_surface_free(surface);
+}
+END_TEST
+
+START_TEST(a_bad_filter_leaves_the_last_one)
+{
+    static const int group[] = {1, 1, 1, 1};
+    tf_surface *surface = surface_of(&one_triangle);
+    tf_pair_filter filter = {.vertices = 4, .group = group};
+    ck_assert_int_eq(tf_surface_set_filter(surface, &filter, NULL), TF_OK);
+    filter.vertices = 3;
+    ck_assert_int_eq(tf_surface_set_filter(surface, &filter, NULL),
+                     TF_BAD_COUNT);
+    ck_assert_uint_eq(count_contacts(surface), 0);
+    tf_surface_free(surface);
+}
+END_TEST
+
+START_TEST(a_filter_of_no_surface_breaks_the_contract)
+{
+    tf_surface_set_filter(NULL, NULL, NULL);
+}
+END_TEST
+
 START_TEST(freeing_nothing_does_nothing)
 {
     tf_surface_free(NULL);
@@ -185,5 +282,13 @@ Suite *suite(void)
     tcase_add_test(tcase, impossible_meshes_are_refused);
     tcase_add_test(tcase, freeing_nothing_does_nothing);
     suite_add_tcase(suite, tcase);
+
+    TCase *filters = tcase_create("filters");
+    tcase_add_test(filters, groups_are_as_many_as_vertices);
+    tcase_add_test(filters, groups_are_copied);
+    tcase_add_test(filters, a_bad_filter_leaves_the_last_one);
+    tcase_add_test_raise_signal(
+        filters, a_filter_of_no_surface_breaks_the_contract, SIGABRT);
+    suite_add_tcase(suite, filters);
     return suite;
 }

@@ -5,6 +5,7 @@
 #include "support/surface_of.h"
 #include "support/surfaces.h"
 #include "surface/detect.h"
+#include "surface/surface.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -46,6 +47,22 @@ START_TEST(a_refilled_surface_is_like_a_new_one)
         tf_surface_free(surface);
     }
     tf_surface_free(refilled);
+}
+END_TEST
+
+START_TEST(a_refilled_surface_has_no_filter)
+{
+    static surface_case given;
+    static const int group[SURFACE_VERTICES];
+    generator random = generator_new(5);
+    random_surface(&random, 3, SURFACE_ELEMENTS, ANYWHERE, &given);
+    tf_surface *surface = surface_of(&given.mesh);
+    tf_pair_filter filter = {.vertices = given.mesh.vertices, .group = group};
+    ck_assert_int_eq(tf_surface_set_filter(surface, &filter, NULL), TF_OK);
+    ck_assert_ptr_nonnull(surface->filter.group);
+    ck_assert(tf_surface_refill(surface, &given.mesh));
+    ck_assert(!surface->filter.group && !surface->filter.wanted);
+    tf_surface_free(surface);
 }
 END_TEST
 
@@ -107,6 +124,7 @@ Suite *suite(void)
     Suite *suite = suite_create("surface/surface_memory");
     TCase *tcase = tcase_create("memory");
     tcase_add_test(tcase, a_refilled_surface_is_like_a_new_one);
+    tcase_add_test(tcase, a_refilled_surface_has_no_filter);
     tcase_add_test(tcase, trees_have_all_elements_and_their_boxes);
     tcase_add_test(tcase, bad_motions_are_refused);
     suite_add_tcase(suite, tcase);

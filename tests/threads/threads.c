@@ -150,8 +150,10 @@ static void meet_three(void *argument, int task, int worker)
 START_TEST(tasks_run_at_once)
 {
     tf_threads *threads = pool_of(3);
-    for (int i = 0; i < 100; i++)
-        run(threads, 3, meet_three, &(atomic_int){0});
+    for (int i = 0; i < 100; i++) {
+        atomic_int here = 0;
+        run(threads, 3, meet_three, &here);
+    }
     tf_threads_free(threads);
 }
 END_TEST
@@ -316,8 +318,9 @@ static int use_copy(tf_threads *threads)
     bool good = run_tasks(threads, TASKS, busy);
     tf_threads_free(threads);
 #ifndef __SANITIZE_THREAD__ // which cannot follow threads of a copy
+    atomic_int here = 0;
     threads = pool_of(3);
-    run(threads, 3, meet_three, &(atomic_int){0});
+    run(threads, 3, meet_three, &here);
     tf_threads_free(threads);
 #endif
     return good ? 0 : 1;

@@ -7,6 +7,7 @@
 #include "bench/layers.h"
 #include "fast/detect.h"
 #include "fast/vectorized.h"
+#include "support/pair_rules.h"
 #include "support/support.h"
 #include "support/surface_of.h"
 #include "support/surfaces.h"
@@ -48,9 +49,11 @@ static rows find(tf_surface *surface, const tf_motion *motion,
     return all;
 }
 
-static void compare(const tf_mesh *mesh, const tf_motion *motion)
+static void compare(const tf_mesh *mesh, const tf_motion *motion,
+                    const tf_pair_filter *filter)
 {
     tf_surface *surface = surface_of(mesh);
+    ck_assert_int_eq(tf_surface_set_filter(surface, filter, NULL), TF_OK);
     for (int i = 0; i < ARITHMETICS; i++) {
         rows expected = find(surface, motion, arithmetics[i], &tf_reference);
         rows by_vectors = find(surface, motion, arithmetics[i], &tf_vectorized);
@@ -76,7 +79,11 @@ START_TEST(random_surfaces_have_the_same_contacts_by_vectors)
     for (long i = cases(10); i > 0; i--) {
         random_surface(&random, 2 + _i / PLACEMENTS, SURFACE_ELEMENTS / 4,
                        (placement)(_i % PLACEMENTS), &given);
-        compare(&given.mesh, &given.motion);
+        compare(&given.mesh, &given.motion, NULL);
+        static pair_rule rule;
+        pair_rule_make(&random, given.mesh.axes, given.mesh.vertices,
+                       given.start, &rule);
+        compare(&given.mesh, &given.motion, &rule.filter);
     }
 }
 END_TEST
@@ -84,10 +91,10 @@ END_TEST
 START_TEST(cloth_has_the_same_contacts_by_vectors)
 {
     layers crowded = layers_new(8, 1, 1);
-    compare(&crowded.mesh, &crowded.motion);
+    compare(&crowded.mesh, &crowded.motion, NULL);
     tf_motion rest = crowded.motion;
     rest.end = rest.start;
-    compare(&crowded.mesh, &rest);
+    compare(&crowded.mesh, &rest, NULL);
     layers_free(&crowded);
 }
 END_TEST

@@ -9,6 +9,7 @@
 #include "support/proposals.h"
 #include "support/scrambled_workers.h"
 #include "support/support.h"
+#include "surface/surface_memory.h"
 #include "surgery/collapse.h"
 #include "surgery/flip.h"
 #include "surgery/move.h"
@@ -268,6 +269,27 @@ START_TEST(flowing_leaves_a_good_surface)
 }
 END_TEST
 
+// Filters ---------------------------------------------------------------------
+
+START_TEST(a_filter_without_memory_leaves_the_last_one)
+{
+    static const int corner[] = {0, 1, 2}, group[] = {1, 1, 1};
+    tf_mesh mesh = {
+        .axes = 3, .vertices = 3, .triangles = 1, .triangle = corner};
+    tf_pair_filter filter = {.vertices = 3, .group = group};
+    tf_surface *surface;
+    ck_assert_int_eq(tf_surface_create(&mesh, &surface, NULL), TF_OK);
+    left = 0;
+    tf_status status = tf_surface_set_filter(surface, &filter, NULL);
+    left = -1;
+    ck_assert_int_eq(status, TF_OUT_OF_MEMORY);
+    ck_assert_ptr_null(surface->filter.group);
+    ck_assert_int_eq(tf_surface_set_filter(surface, &filter, NULL), TF_OK);
+    ck_assert_ptr_nonnull(surface->filter.group);
+    tf_surface_free(surface);
+}
+END_TEST
+
 // Responses -------------------------------------------------------------------
 
 static proposal made;
@@ -333,6 +355,7 @@ Suite *suite(void)
     tcase_add_test(tcase, reconnecting_leaves_a_good_surface);
     tcase_add_test(tcase, remeshing_leaves_a_good_surface);
     tcase_add_test(tcase, flowing_leaves_a_good_surface);
+    tcase_add_test(tcase, a_filter_without_memory_leaves_the_last_one);
     tcase_add_loop_test(tcase, a_response_is_all_or_nothing, SHEETS,
                         PROPOSAL_SHAPES);
     suite_add_tcase(suite, tcase);

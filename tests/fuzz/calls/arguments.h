@@ -1,0 +1,76 @@
+// Arguments of calls: good ones, slightly wrong ones, and absurd ones.
+#ifndef FUZZ_CALLS_ARGUMENTS_H
+#define FUZZ_CALLS_ARGUMENTS_H
+
+#include "judge.h"
+
+/// Whether the one case of n is drawn.
+bool one_in(generator *random, int n);
+
+/// Any int but the right one: next to it, negative, or as large as possible.
+int wrong_number(generator *random, int right);
+
+/// A finite double of any size, or NaN or an infinity.
+double any_double(generator *random);
+
+/// A number from a few that are good, 0 among them; or, one time of eight, any.
+double any_option(generator *random, double most);
+
+// Coordinates ---------------------------------------------------------------
+
+/// Draws coordinates, all on a lattice, near one, or anywhere, of one size; a few
+/// times one of them is any double.
+void draw_coordinates(generator *random, int count, double x[]);
+bool all_finite(int count, const double x[]);
+
+/// One of the library's arithmetics, tf_exact most of the time.
+const tf_arithmetic *any_arithmetic(generator *random);
+
+/// Whether it holds all coordinates, as far as they are finite.
+bool all_held(const tf_arithmetic *arithmetic, int axes, int count,
+              const double x[]);
+
+// Options -------------------------------------------------------------------
+
+enum {
+    LATER = 64 ///< bytes of the members of a later version
+};
+
+/// Draws the size of options of `known` bytes that are followed by LATER bytes,
+/// which it sets.  Notes TF_BAD_OPTION where the library must refuse it.
+size_t any_size(generator *random, call *made, size_t known, void *later);
+
+/// How to run tasks, in some order by some workers, or NULL.  Notes
+/// TF_BAD_OPTION for a number of workers that is out of range.
+typedef struct crew {
+    tf_parallel parallel;
+    generator random;
+} crew;
+const tf_parallel *any_parallel(generator *random, call *made, crew *workers);
+
+/// A callback of progress that may cancel.
+typedef struct listener {
+    const call *made;
+    int left; ///< how often it goes on
+    bool cancelled;
+} listener;
+
+/// NULL, or a callback whose context must be the listener.
+tf_progress *any_progress(generator *random, const call *made,
+                          listener *hearing);
+
+/// Judges that a call ended with TF_CANCELLED if it was cancelled, or because of
+/// a fault, and otherwise did not.
+void judge_cancelling(const call *made, const listener *hearing,
+                      tf_status status);
+
+// Trouble ---------------------------------------------------------------------
+
+/// Lets rounding go upward, one time of 64, and notes TF_BAD_ENVIRONMENT; lets
+/// allocations fail, one time of eight.
+void trouble_begin(generator *random, call *made);
+
+/// Ends that after the call; notes TF_OUT_OF_MEMORY if an allocation has failed.
+void trouble_end(call *made);
+
+#endif

@@ -1,0 +1,592 @@
+#include "surfaces.h"
+
+#include "allocator.h"
+
+#include <limits.h>
+#include <string.h>
+
+#define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
+
+// Creating ----------------------------------------------------------------------
+
+/// Spoils a number of the mesh, or an index.
+static void spoil_mesh(generator *random, call *made, body *of)
+{
+    static const int bad[] = {-1, INT_MIN, INT_MAX};
+    tf_mesh *mesh = &of->mesh;
+    int *counts[] = {&mesh->vertices, &mesh->triangles, &mesh->edges};
+    int fault = below(random, 6);
+    bool plane = mesh->axes == 2;
+    if (fault < 3) {
+        *counts[fault] = bad[below(random, COUNT(bad))];
+        expect_fault(made, true, TF_BAD_COUNT);
+        // Any number of triangles in the plane is a matter of axes, too.
+        expect_fault(made, plane && fault == 1, TF_BAD_AXES);
+    } else if (fault == 3) {
+        mesh->axes = wrong_number(random, mesh->axes);
+        bool good = mesh->axes == 3 || (mesh->axes == 2 && !mesh->triangles);
+        expect_fault(made, !good, TF_BAD_AXES);
+    } else if (fault == 4) {
+        int *list = plane ? of->edge : of->triangle;
+        int count = plane ? 2 * mesh->edges : 3 * mesh->triangles;
+        int place = below(random, count);
+        list[place] = one_in(random, 2)
+                          ? list[place ^ (place % 2 == 0 && place + 1 < count)]
+                          : wrong_number(random, list[place]);
+        bool inside = list[place] >= 0 && list[place] < mesh->vertices;
+        excuse(made, TF_BAD_INDEX);
+        expect_fault(made, !inside, TF_BAD_INDEX);
+    } else {
+        mesh->triangles = mesh->edges = 0;
+        expect_fault(made, true, TF_NO_ELEMENTS);
+    }
+}
+
+/// Leaves out a list that is empty, or is not.
+static void drop_lists(generator *random, call *made, body *of)
+{
+    tf_mesh *mesh = &of->mesh;
+    if (mesh->triangles == 0 || one_in(random, 32))
+        mesh->triangle = NULL;
+    if (mesh->edges == 0 || one_in(random, 32))
+        mesh->edge = NULL;
+    expect_fault(made,
+                 (!mesh->triangle && mesh->triangles > 0) ||
+                     (!mesh->edge && mesh->edges > 0),
+                 TF_BAD_COUNT);
+}
+
+void call_create(generator *random, body *of)
+{
+    body drawn;
+    tf_surface *surface;
+    tf_error error;
+    call made = call_begin("tf_surface_create");
+    body_draw(random, &drawn);
+    if (one_in(random, 4))
+        spoil_mesh(random, &made, &drawn);
+    drop_lists(random, &made, &drawn);
+    mark(&surface, sizeof surface);
+    mark(&error, sizeof error);
+    bool told = one_in(random, 2);
+    allocator_fail(random);
+    tf_status status =
+        tf_surface_create(&drawn.mesh, &surface, told ? &error : NULL);
+    trouble_end(&made);
+    if (told)
+        judge_error(&made, status, &error, random);
+    if (!judge_status(&made, status)) {
+        judge_unset(&made, &surface, sizeof surface);
+        return;
+    }
+    body_free(of);
+    *of = drawn;
+    of->mesh.triangle = of->triangle;
+    of->mesh.edge = of->edge;
+    of->surface = surface;
+    body_learn(of);
+}
+
+// Resolvers ---------------------------------------------------------------------
+
+void call_resolver(generator *random, body *of)
+{
+    call made = call_begin("tf_resolver_create");
+    bool before = of->resolver;
+    tf_resolver_free(of->resolver);
+    of->resolver = NULL;
+    if (before && one_in(random, 2))
+        return;
+    tf_resolver *resolver;
+    mark(&resolver, sizeof resolver);
+    allocator_fail(random);
+    tf_status status = tf_resolver_create(of->surface, &resolver);
+    trouble_end(&made);
+    if (!judge_status(&made, status)) {
+        judge_unset(&made, &resolver, sizeof resolver);
+        return;
+    }
+    of->resolver = resolver;
+    require(&made, tf_resolver_memory(resolver) > 0, "it holds nothing");
+}
+
+// Steps -------------------------------------------------------------------------
+
+/// The positions of a step.
+typedef struct step {
+    int vertices; ///< that the caller claims to have
+    double start[NUMBERS], end[NUMBERS];
+} step;
+
+/// Draws a step: the one that is known, one from its start, or any.
+static void draw_step(generator *random, call *made, const body *of, step *s)
+{
+    int kind = below(random, 4), numbers = body_numbers(of);
+    s->vertices = of->mesh.vertices;
+    memcpy(s->start, of->start, sizeof s->start);
+    memcpy(s->end, of->end, sizeof s->end);
+    if (kind == 0)
+        draw_coordinates(random, NUMBERS, s->start);
+    if (kind < 3)
+        draw_coordinates(random, NUMBERS, s->end);
+    for (int i = 0; i < NUMBERS && kind == 1; i++)
+        s->end[i] += s->start[i];
+    if (one_in(random, 16)) {
+        s->vertices = wrong_number(random, s->vertices);
+        expect_fault(made, true, TF_BAD_COUNT);
+    }
+    expect_fault(made,
+                 !all_finite(numbers, s->start) || !all_finite(numbers, s->end),
+                 TF_NOT_FINITE);
+}
+
+/// The motion of a step, which may be spoiled.
+static tf_motion draw_motion(generator *random, call *made, const body *of,
+                             const step *s)
+{
+    tf_motion motion = {of->mesh.axes, s->vertices, s->start, s->end};
+    if (!one_in(random, 16))
+        return motion;
+    int fault = below(random, 4);
+    if (fault == 0)
+        motion.axes = wrong_number(random, motion.axes);
+    if (fault == 1)
+        motion.start = NULL;
+    if (fault == 2)
+        motion.end = NULL;
+    if (fault == 3)
+        motion = (tf_motion){0};
+    expect_fault(made, fault == 0 || fault == 3, TF_BAD_AXES);
+    expect_fault(made, fault != 0, TF_BAD_COUNT);
+    return motion;
+}
+
+// Detecting -----------------------------------------------------------------
+
+/// Options with room for those of a later version.
+typedef struct detect_options {
+    tf_detect_options own;
+    unsigned char later[LATER];
+} detect_options;
+
+/// Decides as tf_reference does, one query after another; fails when its
+/// context, the number of queries that are left, is zero.
+static tf_status decide_few(void *context, const tf_arithmetic *arithmetic,
+                            const tf_queries *queries, tf_verdict verdict[],
+                            size_t *separated)
+{
+    int *left = context;
+    for (size_t i = 0; i < queries->count; i++)
+        if ((*left)-- == 0)
+            return TF_OUT_OF_RANGE;
+    return tf_reference.decide(NULL, arithmetic, queries, verdict, separated);
+}
+
+/// What the options of a detection point to.
+typedef struct pointed_to {
+    crew workers;
+    listener hearing;
+    int left; ///< of a narrow phase that fails
+    tf_narrow_phase narrow_phase;
+} pointed_to;
+
+static const tf_narrow_phase *any_narrow_phase(generator *random, call *made,
+                                               pointed_to *to)
+{
+    static const tf_narrow_phase *const all[] = {NULL, &tf_reference,
+                                                 &tf_vectorized};
+    if (!one_in(random, 8))
+        return all[below(random, COUNT(all))];
+    to->left = one_in(random, 2) ? -1 : below(random, 40);
+    to->narrow_phase = (tf_narrow_phase){"few", decide_few, NULL, &to->left};
+    if (to->left >= 0)
+        excuse(made, TF_OUT_OF_RANGE);
+    return &to->narrow_phase;
+}
+
+static void draw_detect_options(generator *random, call *made,
+                                detect_options *options, pointed_to *to)
+{
+    static const int bad[] = {-1, 3, INT_MAX, INT_MIN};
+    tf_detect_options *own = &options->own;
+    *own = (tf_detect_options){.context = &to->hearing};
+    own->size = any_size(random, made, sizeof *own, options->later);
+    own->selection = (tf_contact_selection)below(random, 3);
+    if (one_in(random, 16)) {
+        own->selection = (tf_contact_selection)bad[below(random, COUNT(bad))];
+        expect_fault(made, true, TF_BAD_OPTION);
+    }
+    own->arithmetic = one_in(random, 2) ? NULL : any_arithmetic(random);
+    own->narrow_phase = any_narrow_phase(random, made, to);
+    own->parallel = any_parallel(random, made, &to->workers);
+    own->progress = any_progress(random, made, &to->hearing);
+    if (own->progress)
+        excuse(made, TF_CANCELLED);
+}
+
+/// Detects again, by a new surface, in the plainest way.
+static void judge_contacts(const call *made, const body *of,
+                           const tf_motion *motion,
+                           const tf_detect_options *options,
+                           const tf_contacts *found)
+{
+    tf_detect_options plain = {.narrow_phase = &tf_reference,
+                               .selection = options->selection,
+                               .arithmetic = options->arithmetic};
+    tf_surface *other = body_copy(of);
+    tf_contacts again;
+    tf_status status = tf_surface_detect(other, motion, &plain, &again, NULL);
+    require(made, status == TF_OK, "a new surface fails");
+    require(made, hash_contacts(found) == hash_contacts(&again),
+            "it finds other contacts than a new surface");
+    tf_surface_free(other);
+}
+
+/// Judges the body, after some failures.
+static void judge_after(generator *random, const call *made, const body *of)
+{
+    if (one_in(random, 4))
+        judge_body(made, of);
+}
+
+void call_detect(generator *random, body *of)
+{
+    static detect_options options;
+    pointed_to to;
+    step s;
+    tf_contacts found;
+    tf_error error;
+    call made = call_begin("tf_surface_detect");
+    draw_step(random, &made, of, &s);
+    tf_motion motion = draw_motion(random, &made, of, &s);
+    draw_detect_options(random, &made, &options, &to);
+    const tf_arithmetic *arithmetic = options.own.arithmetic;
+    int numbers = body_numbers(of);
+    expect_fault(&made,
+                 arithmetic &&
+                     (!all_held(arithmetic, of->mesh.axes, numbers, s.start) ||
+                      !all_held(arithmetic, of->mesh.axes, numbers, s.end)),
+                 TF_OUT_OF_RANGE);
+    bool usual = one_in(random, 8) && !made.faults && !arithmetic;
+    if (usual)
+        options.own = (tf_detect_options){0};
+    mark(&found, sizeof found);
+    mark(&error, sizeof error);
+    trouble_begin(random, &made);
+    tf_status status = tf_surface_detect(
+        of->surface, &motion, usual ? NULL : &options.own, &found, &error);
+    trouble_end(&made);
+    judge_error(&made, status, &error, random);
+    judge_cancelling(&made, &to.hearing, status);
+    if (judge_status(&made, status)) {
+        judge_contacts(&made, of, &motion, &options.own, &found);
+    } else {
+        judge_unset(&made, &found, sizeof found);
+        judge_after(random, &made, of);
+    }
+}
+
+void call_candidates(generator *random, body *of)
+{
+    static detect_options options;
+    pointed_to to;
+    step s;
+    tf_candidates found, again;
+    tf_error error;
+    call made = call_begin("tf_surface_candidates");
+    draw_step(random, &made, of, &s);
+    tf_motion motion = draw_motion(random, &made, of, &s);
+    options = (detect_options){.own.context = &to.hearing};
+    options.own.size =
+        any_size(random, &made, sizeof options.own, options.later);
+    options.own.parallel = any_parallel(random, &made, &to.workers);
+    options.own.progress = any_progress(random, &made, &to.hearing);
+    if (options.own.progress)
+        excuse(&made, TF_CANCELLED);
+    mark(&found, sizeof found);
+    mark(&error, sizeof error);
+    trouble_begin(random, &made);
+    tf_status status = tf_surface_candidates(of->surface, &motion, &options.own,
+                                             &found, &error);
+    trouble_end(&made);
+    judge_error(&made, status, &error, random);
+    judge_cancelling(&made, &to.hearing, status);
+    if (!judge_status(&made, status)) {
+        judge_unset(&made, &found, sizeof found);
+        judge_after(random, &made, of);
+        return;
+    }
+    tf_surface *other = body_copy(of);
+    status = tf_surface_candidates(other, &motion, NULL, &again, NULL);
+    require(&made, status == TF_OK, "a new surface fails");
+    require(&made, hash_candidates(&found) == hash_candidates(&again),
+            "it finds other candidates than a new surface");
+    tf_surface_free(other);
+}
+
+// Checking ------------------------------------------------------------------
+
+typedef struct check_options {
+    tf_check_options own;
+    unsigned char later[LATER];
+} check_options;
+
+void call_check(generator *random, body *of)
+{
+    static check_options options;
+    pointed_to to;
+    step s;
+    tf_crossings found, again;
+    tf_error error;
+    call made = call_begin("tf_surface_check");
+    draw_step(random, &made, of, &s);
+    made.faults &= ~((status_set)1 << TF_NOT_FINITE);
+    expect_fault(&made, !all_finite(body_numbers(of), s.start), TF_NOT_FINITE);
+    options = (check_options){.own.context = &to.hearing};
+    options.own.size =
+        any_size(random, &made, sizeof options.own, options.later);
+    options.own.parallel = any_parallel(random, &made, &to.workers);
+    options.own.progress = any_progress(random, &made, &to.hearing);
+    if (options.own.progress)
+        excuse(&made, TF_CANCELLED);
+    mark(&found, sizeof found);
+    mark(&error, sizeof error);
+    trouble_begin(random, &made);
+    tf_status status = tf_surface_check(of->surface, s.vertices, s.start,
+                                        &options.own, &found, &error);
+    trouble_end(&made);
+    judge_error(&made, status, &error, random);
+    judge_cancelling(&made, &to.hearing, status);
+    if (!judge_status(&made, status)) {
+        judge_unset(&made, &found, sizeof found);
+        judge_after(random, &made, of);
+        return;
+    }
+    tf_surface *other = body_copy(of);
+    status = tf_surface_check(other, s.vertices, s.start, NULL, &again, NULL);
+    require(&made, status == TF_OK, "a new surface fails");
+    require(&made, hash_crossings(&found) == hash_crossings(&again),
+            "it finds other crossings than a new surface");
+    tf_surface_free(other);
+}
+
+void call_lend(generator *random, body *of)
+{
+    int edges, triangles;
+    call made = call_begin("tf_surface_edges");
+    (void)random;
+    const int *edge = tf_surface_edges(of->surface, &edges);
+    const int *triangle = tf_surface_triangles(of->surface, &triangles);
+    require(&made, tf_surface_axes(of->surface) == of->mesh.axes, "axes");
+    require(&made, tf_surface_vertices(of->surface) == of->mesh.vertices,
+            "vertices");
+    for (int i = 0; i < 2 * edges; i++)
+        require(&made, edge[i] >= 0 && edge[i] < of->mesh.vertices,
+                "an edge of no vertex");
+    for (int i = 0; i < 3 * triangles; i++)
+        require(&made, triangle[i] >= 0 && triangle[i] < of->mesh.vertices,
+                "a triangle of no vertex");
+    require(&made, tf_surface_memory(of->surface) > 0, "it holds nothing");
+}
+
+// Responding ----------------------------------------------------------------
+
+typedef struct response_options {
+    tf_response_options own;
+    unsigned char later[LATER];
+} response_options;
+
+static bool is_within(double x, double least, double most)
+{
+    return x >= least && x <= most;
+}
+
+static int any_rounds(generator *random)
+{
+    static const int rounds[] = {0, 0, 0, 1, 2, 5, -1, INT_MIN};
+    return rounds[below(random, COUNT(rounds))];
+}
+
+/// Those of the numbers, of which tf_step_limit uses none.
+static void draw_response(generator *random, call *made,
+                          tf_response_options *own)
+{
+    const tf_zone_solver *const solver[] = {NULL, &tf_gauss_seidel,
+                                            &tf_conjugate_residuals, &tf_minres,
+                                            &tf_normal_residuals};
+    const double most = 1.7976931348623157e308;
+    own->solver = solver[below(random, COUNT(solver))];
+    own->impulse_rounds = any_rounds(random);
+    own->zone_rounds = any_rounds(random);
+    own->sweeps = any_rounds(random);
+    own->rigid = one_in(random, 2);
+    own->separation = any_option(random, 1);
+    own->restitution = any_option(random, 1);
+    own->friction = any_option(random, 2);
+    expect_fault(made,
+                 own->sweeps < 0 || !is_within(own->separation, -most, most) ||
+                     !is_within(own->restitution, 0, 1) ||
+                     !is_within(own->friction, 0, most),
+                 TF_BAD_OPTION);
+}
+
+static void draw_response_options(generator *random, call *made,
+                                  response_options *options, pointed_to *to)
+{
+    tf_response_options *own = &options->own;
+    *own = (tf_response_options){.context = &to->hearing};
+    own->size = any_size(random, made, sizeof *own, options->later);
+    own->check_start = one_in(random, 2);
+    own->narrow_phase = any_narrow_phase(random, made, to);
+    own->parallel = any_parallel(random, made, &to->workers);
+    own->progress = any_progress(random, made, &to->hearing);
+    if (own->progress)
+        excuse(made, TF_CANCELLED);
+    excuse(made, TF_START_NOT_CLEAR);
+}
+
+/// Draws inverse masses, or none.
+static const double *draw_masses(generator *random, call *made, int vertices,
+                                 double inverse_mass[])
+{
+    if (one_in(random, 4))
+        return NULL;
+    bool good = true;
+    for (int v = 0; v < MOST_VERTICES; v++) {
+        inverse_mass[v] = one_in(random, 4) ? 0 : uniform(random, 0, 2);
+        if (one_in(random, 100))
+            inverse_mass[v] = any_double(random);
+        double m = inverse_mass[v];
+        good &= v >= vertices || (m >= 0 && all_finite(1, &m));
+    }
+    expect_fault(made, !good, TF_BAD_MASS);
+    return inverse_mass;
+}
+
+/// Whether a step is clear, as a new surface sees it.
+static void judge_clear(const call *made, const body *of, const double start[],
+                        const double end[])
+{
+    tf_motion motion = {of->mesh.axes, of->mesh.vertices, start, end};
+    tf_detect_options any = {.selection = TF_ANY_CONTACT};
+    tf_contacts found;
+    tf_surface *other = body_copy(of);
+    tf_status status = tf_surface_detect(other, &motion, &any, &found, NULL);
+    require(made, status == TF_OK, "the end cannot be detected");
+    require(made, !found.any, "the step is not clear");
+    tf_surface_free(other);
+}
+
+/// Requires that scripted vertices end where they should, unless some were held.
+static void judge_scripted(const call *made, const body *of, const step *s,
+                           const double inverse_mass[], const double end[],
+                           const tf_response_report *report)
+{
+    int axes = of->mesh.axes, other = 0;
+    for (int v = 0; v < of->mesh.vertices && inverse_mass; v++)
+        other +=
+            inverse_mass[v] == 0 && memcmp(end + axes * v, s->end + axes * v,
+                                           sizeof *end * (size_t)axes) != 0;
+    require(made, report->held == other, "other vertices were held back");
+}
+
+/// Resolves again by new objects, on one thread.
+static void judge_again(const call *made, const body *of, const step *s,
+                        const double inverse_mass[],
+                        const tf_response_options *options, const double end[],
+                        const tf_response_report *report)
+{
+    tf_response_options plain = *options;
+    plain.parallel = NULL;
+    plain.progress = NULL;
+    plain.size = 0;
+    plain.narrow_phase = &tf_reference;
+    double other_end[NUMBERS];
+    memcpy(other_end, s->end, sizeof other_end);
+    tf_surface *other = body_copy(of);
+    tf_resolver *resolver;
+    const tf_response_report *other_report;
+    require(made, tf_resolver_create(other, &resolver) == TF_OK, "no memory");
+    tf_status status =
+        tf_step_resolve(resolver, s->vertices, s->start, other_end,
+                        inverse_mass, &plain, &other_report, NULL);
+    require(made, status == TF_OK, "a new resolver fails");
+    require(made,
+            memcmp(end, other_end, sizeof *end * (size_t)body_numbers(of)) == 0,
+            "it ends otherwise than by a new resolver");
+    require(made, hash_report(report) == hash_report(other_report),
+            "it reports otherwise than a new resolver");
+    tf_resolver_free(resolver);
+    tf_surface_free(other);
+}
+
+void call_resolve(generator *random, body *of)
+{
+    static response_options options;
+    pointed_to to;
+    step s;
+    double masses[MOST_VERTICES], end[NUMBERS];
+    const tf_response_report *report;
+    tf_error error;
+    if (!of->resolver)
+        return;
+    call made = call_begin("tf_step_resolve");
+    draw_step(random, &made, of, &s);
+    draw_response_options(random, &made, &options, &to);
+    draw_response(random, &made, &options.own);
+    const double *inverse_mass =
+        draw_masses(random, &made, of->mesh.vertices, masses);
+    memcpy(end, s.end, sizeof end);
+    mark(&report, sizeof report);
+    mark(&error, sizeof error);
+    trouble_begin(random, &made);
+    tf_status status =
+        tf_step_resolve(of->resolver, s.vertices, s.start, end, inverse_mass,
+                        &options.own, &report, &error);
+    trouble_end(&made);
+    judge_error(&made, status, &error, random);
+    judge_cancelling(&made, &to.hearing, status);
+    if (!judge_status(&made, status)) {
+        judge_unset(&made, &report, sizeof report);
+        require(&made, memcmp(end, s.end, sizeof end) == 0, "the end is set");
+        judge_after(random, &made, of);
+        return;
+    }
+    judge_clear(&made, of, s.start, end);
+    judge_scripted(&made, of, &s, inverse_mass, end, report);
+    judge_again(&made, of, &s, inverse_mass, &options.own, end, report);
+}
+
+void call_limit(generator *random, body *of)
+{
+    static response_options options;
+    pointed_to to;
+    step s;
+    double end[NUMBERS];
+    int halvings;
+    tf_error error;
+    if (!of->resolver)
+        return;
+    call made = call_begin("tf_step_limit");
+    draw_step(random, &made, of, &s);
+    draw_response_options(random, &made, &options, &to);
+    memcpy(end, s.end, sizeof end);
+    mark(&halvings, sizeof halvings);
+    mark(&error, sizeof error);
+    trouble_begin(random, &made);
+    tf_status status = tf_step_limit(of->resolver, s.vertices, s.start, end,
+                                     &options.own, &halvings, &error);
+    trouble_end(&made);
+    judge_error(&made, status, &error, random);
+    judge_cancelling(&made, &to.hearing, status);
+    if (!judge_status(&made, status)) {
+        judge_unset(&made, &halvings, sizeof halvings);
+        require(&made, memcmp(end, s.end, sizeof end) == 0, "the end is set");
+        judge_after(random, &made, of);
+        return;
+    }
+    require(&made, halvings >= -1, "the halvings");
+    require(&made, halvings != 0 || memcmp(end, s.end, sizeof end) == 0,
+            "a step that is clear is changed");
+    judge_clear(&made, of, s.start, end);
+}

@@ -100,8 +100,10 @@ static tf_status list_all(tf_surface *surface, const tf_parallel *parallel,
                 &all.points))
         return TF_OUT_OF_MEMORY;
     all.edges = all.points ? all.points + all.point_count : NULL;
-    *found = all;
-    return TF_OK;
+    status = tf_workers_status(&surface->workers);
+    if (status == TF_OK)
+        *found = all;
+    return status;
 }
 
 //: Find the candidates of a step

@@ -150,8 +150,10 @@ static tf_status gather(tf_surface *surface, tf_crossings *found)
     tf_crossing *all = surface->found.data;
     for (size_t i = 0; list && i < rows && tf_watch_work(watch, 1); i++)
         memcpy(&all[i], list[i], sizeof *all);
+    if (tf_watch_cancelled(watch))
+        return TF_CANCELLED;
     *found = (tf_crossings){rows, all};
-    return tf_watch_cancelled(watch) ? TF_CANCELLED : TF_OK;
+    return TF_OK;
 }
 
 //: Join for one kind of crossing

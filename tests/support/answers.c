@@ -44,19 +44,28 @@ static const char *coefficient_fault(const tf_answered_contact *row)
                : "coefficients do not add up";
 }
 
+/// What rounding may add to an impulse that is one of many.
+static double impulse_error(const tf_answered_contact row[], size_t count)
+{
+    double largest = 0;
+    for (size_t i = 0; i < count; i++)
+        largest = fmax(largest, fabs(row[i].impulse));
+    return 1e-12 * largest;
+}
+
 static const char *friction_fault(const tf_answered_contact *row,
-                                  double coefficient)
+                                  double coefficient, double error)
 {
     double size = length(row->friction);
     if (size > coefficient * row->impulse * (1 + 1e-9))
         return "friction outside of Coulomb's cone";
     if (fabs(product(row->friction, row->normal)) >
-        1e-7 * (size + row->impulse))
+        1e-7 * (size + row->impulse) + error)
         return "friction is not across the normal";
     return NULL;
 }
 
-static const char *push_fault(const tf_answered_contact *row,
+static const char *push_fault(const tf_answered_contact *row, double error,
                               const answered_step *step)
 {
     const tf_zone_solver *solver = step->options->solver;
@@ -71,10 +80,10 @@ static const char *push_fault(const tf_answered_contact *row,
         return "an impulse below 0";
     if (row->impulse > 0 && fabs(length(row->normal) - 1) > 1e-9)
         return "a normal is not of length 1";
-    return friction_fault(row, step->options->friction);
+    return friction_fault(row, step->options->friction, error);
 }
 
-static const char *row_fault(const tf_answered_contact *row,
+static const char *row_fault(const tf_answered_contact *row, double error,
                              const answered_step *step)
 {
     if (row->round < 0 || row->round >= step->report->rounds[row->level])
@@ -84,15 +93,16 @@ static const char *row_fault(const tf_answered_contact *row,
     if (row->reserved != 0)
         return "something that is reserved";
     const char *fault = coefficient_fault(row);
-    return fault ? fault : push_fault(row, step);
+    return fault ? fault : push_fault(row, error, step);
 }
 
 static const char *rows_fault(const tf_answered_contact *row, size_t count,
                               const answered_step *step)
 {
     size_t zones = 0;
+    double error = impulse_error(row, count);
     for (size_t i = 0; i < count; i++) {
-        const char *fault = row_fault(&row[i], step);
+        const char *fault = row_fault(&row[i], error, step);
         if (fault)
             return fault;
         if (i > 0 && !is_sorted(&row[i - 1], &row[i]))
@@ -123,16 +133,27 @@ static void add_push(const tf_answered_contact *row, double inverse_mass,
     }
 }
 
+/// How far vertices would go, but for factors.
+static double longest_way(const answered_step *step)
+{
+    double longest = 0;
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)step->axes * step->vertices; i++)
+        longest = fmax(longest, fabs(step->proposed[i] - step->start[i]));
+    return longest;
+}
+
 /// Where only pushes move a vertex, they move it to its end.
+/// @param error what pushes that are taken back may leave
 static bool is_explained(const answered_step *step, int vertex,
-                         const push_sum *pushes)
+                         const push_sum *pushes, double error)
 {
     for (int k = 0; k < step->axes; k++) {
         ptrdiff_t place = (ptrdiff_t)step->axes * vertex + k;
         double change = step->end[place] - step->proposed[place];
         double far = fabs(step->start[place]) + fabs(step->proposed[place]);
         double wrong = fabs(change - pushes->sum[k]);
-        if (wrong > 1e-9 * pushes->size + 1e-13 * far && isfinite(wrong))
+        if (wrong > 1e-9 * pushes->size + 1e-13 * far + error &&
+            isfinite(wrong))
             return false;
     }
     return true;
@@ -143,6 +164,7 @@ static const char *sums_fault(const tf_answered_contact *row, size_t count,
                               const answered_step *step, int *pushed)
 {
     const char *fault = NULL;
+    double error = 1e-12 * longest_way(step);
     push_sum *sums = allocate((size_t)step->vertices, sizeof *sums);
     for (size_t i = 0; i < count; i++)
         for (int j = 0; j < 4 && row[i].vertex[j] >= 0; j++) {
@@ -155,7 +177,7 @@ static const char *sums_fault(const tf_answered_contact *row, size_t count,
             continue;
         if (pushed)
             *pushed += sums[v].size > 0;
-        if (!is_explained(step, v, &sums[v]))
+        if (!is_explained(step, v, &sums[v], error))
             fault = "pushes do not add up to where a vertex ends";
     }
     free(sums);

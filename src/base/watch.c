@@ -40,6 +40,7 @@ bool tf_watch_done(tf_watch *watch, size_t more)
     return !atomic_load(&watch->cancelled);
 }
 
+//: Ask whether the caller has cancelled
 void tf_watch_advance(tf_watch *watch, size_t more)
 {
     if (watch)

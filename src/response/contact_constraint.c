@@ -53,6 +53,7 @@ static tf_constraint constraint_of_point(const tf_surface_contact *contact)
     return constraint;
 }
 
+//: Take a contact as it is
 tf_constraint tf_contact_points(const tf_surface_contact *contact)
 {
     tf_constraint constraint = constraint_of_point(contact);

@@ -30,7 +30,7 @@ tf_status tf_start_check(tf_surface *surface, const tf_motion *motion,
                : status;
 }
 
-//: Check that no contact is there at the start
+//: Repeat the query of a contact at rest
 enum {
     QUERY_WORK = 64 ///< units of work that a query takes, at most
 };
@@ -49,6 +49,7 @@ static tf_status touch_at_start(const tf_motion *motion,
     return status;
 }
 
+//: Check that no contact is there at the start
 static tf_status fail_at_contact(tf_error *error,
                                  const tf_surface_contact *contact)
 {

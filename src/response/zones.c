@@ -269,7 +269,8 @@ static void keep_impulses(tf_zones *zones, const division *d, int z,
     }
 }
 
-/// Moves these vertices.  The others stay where they are: rounded anew, they
+//: Move the vertices of a zone
+/// Moves the vertices that were noted.  The others stay where they are: rounded anew, they
 /// would have to be decided again.
 static void move_vertices(tf_step *step, const tf_contact_rule *rule,
                           const division *d, const tf_zone *zone)
@@ -284,6 +285,7 @@ static void move_vertices(tf_step *step, const tf_contact_rule *rule,
     }
 }
 
+//: Account for a zone
 static void account(const tf_zone *zone, int iterations,
                     tf_zone_statistics *statistics)
 {

@@ -5,7 +5,7 @@
 
 //: Hold an answer
 /// A contact that was answered.
-typedef struct answer {
+typedef struct noted_answer {
     tf_kind kind;
     int vertex[4];
     tf_response_level level;
@@ -13,7 +13,7 @@ typedef struct answer {
     double toi;
     size_t constraint; ///< its number in the list of the zones, if they have
                        ///< answered, or in that of the other levels
-} answer;
+} noted_answer;
 
 void tf_answers_clear(tf_answer_list *list)
 {
@@ -36,16 +36,16 @@ bool tf_answers_add(tf_answer_list *list, const tf_contacts *contacts,
 {
     size_t constraint = level == TF_ZONES ? zone_constraint : list->constraints;
     if (!tf_buffer_extend(&list->answer, list->answers + contacts->count,
-                          sizeof(answer)))
+                          sizeof(noted_answer)))
         return false;
-    answer *to = (answer *)list->answer.data + list->answers;
+    noted_answer *to = (noted_answer *)list->answer.data + list->answers;
     for (size_t i = 0; i < contacts->count && tf_watch_work(watch, 1); i++) {
         const tf_surface_contact *from = &contacts->contact[i];
-        to[i] = (answer){.kind = from->kind,
-                         .level = level,
-                         .round = round,
-                         .toi = from->contact.toi_lo,
-                         .constraint = constraint + i};
+        to[i] = (noted_answer){.kind = from->kind,
+                               .level = level,
+                               .round = round,
+                               .toi = from->contact.toi_lo,
+                               .constraint = constraint + i};
         memcpy(to[i].vertex, from->vertex, sizeof from->vertex);
     }
     list->answers += contacts->count;
@@ -58,7 +58,7 @@ bool tf_answers_add(tf_answer_list *list, const tf_contacts *contacts,
 /// Answers of the same elements stay in their order, that of levels and rounds.
 static bool answered_first(const void *first, const void *second)
 {
-    const answer *a = first, *b = second;
+    const noted_answer *a = first, *b = second;
     if (a->kind != b->kind)
         return a->kind < b->kind;
     for (int i = 0; i < 4; i++)
@@ -78,7 +78,7 @@ static void copy_coefficients(const tf_constraint *constraint,
                 row->coefficient[i] = constraint->coefficient[j];
 }
 
-static tf_answered_contact row_of(const answer *from,
+static tf_answered_contact row_of(const noted_answer *from,
                                   const tf_constraint *constraint)
 {
     tf_answered_contact row = {.kind = from->kind,
@@ -103,7 +103,7 @@ bool tf_answers_lend(tf_answer_list *list,
     if (!tf_buffer_reserve(&list->row, count, sizeof(tf_answered_contact)) ||
         !tf_buffer_reserve(&list->sorting, 2 * count, sizeof(void *)))
         return false;
-    const answer *all = list->answer.data;
+    const noted_answer *all = list->answer.data;
     const tf_constraint *other = list->constraint.data;
     const void **sorted = list->sorting.data;
     for (size_t i = 0; i < count; i++)
@@ -111,7 +111,7 @@ bool tf_answers_lend(tf_answer_list *list,
     sorted = tf_sort(count, sorted, sorted + count, answered_first, NULL);
     tf_answered_contact *row = list->row.data;
     for (size_t i = 0; i < count; i++) {
-        const answer *own = sorted[i];
+        const noted_answer *own = sorted[i];
         row[i] = row_of(own, own->level == TF_ZONES
                                  ? &zone_constraint[own->constraint]
                                  : &other[own->constraint]);

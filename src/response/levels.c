@@ -37,7 +37,7 @@ static bool begin_level(tf_resolution *r, tf_response_level level)
 }
 
 //: Answer contacts by impulses
-static bool push(tf_resolution *r)
+static bool answer_by_impulses(tf_resolution *r)
 {
     tf_constraint *constraint =
         tf_answers_extend(&r->resolver->answers, r->contacts.count);
@@ -48,7 +48,7 @@ static bool push(tf_resolution *r)
 }
 
 //: Answer contacts by zones
-static bool solve_zones(tf_resolution *r)
+static bool answer_by_zones(tf_resolution *r)
 {
     tf_zone_options options = {.solver = r->options.solver,
                                .friction = r->options.friction,
@@ -59,7 +59,7 @@ static bool solve_zones(tf_resolution *r)
 }
 
 //: Answer contacts by groups of vertices
-static bool group(tf_resolution *r, tf_response_level level)
+static bool answer_by_groups(tf_resolution *r, tf_response_level level)
 {
     tf_constraint *constraint =
         tf_answers_extend(&r->resolver->answers, r->contacts.count);
@@ -76,12 +76,12 @@ static bool group(tf_resolution *r, tf_response_level level)
 }
 
 //: Answer contacts by one level
-static bool answer(tf_resolution *r, tf_response_level level)
+static bool answer_by(tf_resolution *r, tf_response_level level)
 {
     size_t first = (size_t)r->resolver->zones.constraints;
-    bool good = level == TF_IMPULSES ? push(r)
-                : level == TF_ZONES  ? solve_zones(r)
-                                     : group(r, level);
+    bool good = level == TF_IMPULSES ? answer_by_impulses(r)
+                : level == TF_ZONES  ? answer_by_zones(r)
+                                     : answer_by_groups(r, level);
     return good &&
            tf_answers_add(&r->resolver->answers, &r->contacts, level,
                           r->report.rounds[level]++, first, r->step.watch);
@@ -133,7 +133,7 @@ static tf_status go_through(tf_resolution *r, tf_response_level level, int most)
         tf_watch_stage(watch, stage_names[level], 0);
         if (!tf_watch_done(watch, 0))
             return TF_CANCELLED;
-        if (!answer(r, level))
+        if (!answer_by(r, level))
             return tf_watch_failure(watch);
         // If all vertices were proposed to move by the same displacement, the
         // failsafe may unite groups without moving any vertex.

@@ -43,11 +43,9 @@ simulating = $(addprefix $(BUILD)/tests/,whole/scenes soak/scenes program/frame_
 	bench/flowing)
 $(BUILD)/tests/simulate/% $(simulating): LIBRARIES = $(SPARSE)
 
-# These count calls of these functions, or let them fail.
+# This lets calls of these functions fail.
 $(BUILD)/tests/threads/threads: LIBRARIES = -Wl,--wrap=malloc \
 	-Wl,--wrap=pthread_create
-$(BUILD)/tests/whole/allocations $(BUILD)/tests/whole/no_memory: LIBRARIES = -Wl,--wrap=malloc \
-	-Wl,--wrap=calloc -Wl,--wrap=realloc -Wl,--wrap=aligned_alloc
 
 # These see what users see.
 public = $(BUILD)/tests/fuzz/interface $(BUILD)/tests/whole/misuse $(fuzz_calls:.o=)
@@ -109,7 +107,7 @@ check-sanitize: ## run the tests under AddressSanitizer and UBSan
 
 # Threads of the test answer at once what one answered before.  The log is made
 # even if checks fail; grep sees whether it says that all passed.
-thread_logs = $(patsubst %,$(BUILD)/threads/tests/%.log,whole/threads \
+thread_logs = $(patsubst %,$(BUILD)/threads/tests/%.log,base/memory whole/threads \
 	whole/surface_threads threads/threads)
 check-threads: need-check ## run many threads at once under ThreadSanitizer
 	@$(MAKE) $(thread_logs) BUILD=$(BUILD)/threads TF_TEST_PERCENT=10 \

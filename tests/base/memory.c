@@ -95,9 +95,11 @@ END_TEST
 
 enum {
     THREADS = 4,
-    TIMES = 20000,
+    TIMES = 2000000,
     HELD = 8
 };
+
+static atomic_int ready;
 
 /// Holds at most 8 pieces of memory of up to 64 bytes at a time.
 static void *work(void *argument)
@@ -105,6 +107,9 @@ static void *work(void *argument)
     generator random = generator_new((uint64_t)(uintptr_t)argument);
     void *held[HELD] = {0};
     size_t size[HELD] = {0};
+    atomic_fetch_add(&ready, 1);
+    while (atomic_load(&ready) < THREADS) // until all have begun
+        ;
     for (int i = 0; i < TIMES; i++) {
         int which = below(&random, HELD);
         tf_release(held[which], size[which]);

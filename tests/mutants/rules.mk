@@ -7,9 +7,8 @@ mutants: need-mutants ## break src/ on purpose, and check that tests fail; FILE=
 	@$(MAKE) $(parallel) run-mutants BUILD=$(BUILD)/mutants \
 	    CFLAGS='-O2 -fPIC' FILE='$(FILE)'
 
-# The tests of the library, but for those that take longer than all others, and
-# those that put an allocator of their own into a library, which takes a static one.
-unnoticing = lattice neighbours allocations no_memory
+# The tests of the library, but for those that take longer than all others.
+unnoticing = lattice neighbours
 noticing = $(filter-out $(unnoticing:%=$(BUILD)/tests/whole/%),$(filter \
 	$(BUILD)/tests/whole/% $(LIBRARY:%=$(BUILD)/tests/%),$(TESTS)))
 breakable = $(wildcard $(patsubst %,src/%.c,$(LIBRARY) $(PROGRAM)))

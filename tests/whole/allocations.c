@@ -1,7 +1,5 @@
 // Steps of cloth and of flows ask for no memory once they have had what they
-// need: the calls themselves are counted.  The linker puts the functions below
-// in the place of those of the C library in all that is linked statically: see
-// tests/rules.mk.
+// need: the calls of the allocator are counted.
 #include "flow/flow.h"
 #include "response/resolve.h"
 #include "simulate/flow_fields.h"
@@ -9,48 +7,13 @@
 #include "support/flows.h"
 #include "support/support.h"
 #include "support/surface_of.h"
+#include "support/watched_memory.h"
 #include "surgery/star.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-// Counting --------------------------------------------------------------------
-
-static long calls;
-
-// The names are the linker's.
-void *__real_malloc(size_t size);
-void *__real_calloc(size_t count, size_t size);
-void *__real_realloc(void *old, size_t size);
-void *__real_aligned_alloc(size_t alignment, size_t size);
-void *__wrap_malloc(size_t size);
-void *__wrap_calloc(size_t count, size_t size);
-void *__wrap_realloc(void *old, size_t size);
-void *__wrap_aligned_alloc(size_t alignment, size_t size);
-
-void *__wrap_malloc(size_t size)
-{
-    calls++;
-    return __real_malloc(size);
-}
-
-void *__wrap_calloc(size_t count, size_t size)
-{
-    calls++;
-    return __real_calloc(count, size);
-}
-
-void *__wrap_realloc(void *old, size_t size)
-{
-    calls++;
-    return __real_realloc(old, size);
-}
-
-void *__wrap_aligned_alloc(size_t alignment, size_t size)
-{
-    calls++;
-    return __real_aligned_alloc(alignment, size);
-}
+static watched_memory memory;
 
 // Cloth -----------------------------------------------------------------------
 
@@ -70,12 +33,11 @@ static long play(cloth_scene which, int edges, int begin, int steps,
     long all = 0;
     for (int i = 0; i < steps; i++) {
         cloth_propose(cloth, end);
-        long before = calls;
+        long before = memory.calls;
         tf_status status =
             tf_step_resolve(*resolver, cloth->mesh.vertices, cloth->position,
                             end, cloth->inverse_mass, NULL, NULL, NULL);
-        // Assertions make calls, too.
-        all += i >= begin ? calls - before : 0;
+        all += i >= begin ? memory.calls - before : 0;
         ck_assert_int_eq(status, TF_OK);
         cloth_accept(cloth, end);
     }
@@ -91,6 +53,7 @@ START_TEST(a_scene_played_again_allocates_nothing)
 {
     tf_surface *surface = NULL;
     tf_resolver *resolver = NULL;
+    memory_watch(&memory);
     int count = (int)cases(steps[_i]);
     long first =
         play((cloth_scene)_i, edges[_i], 0, count, &surface, &resolver);
@@ -100,6 +63,7 @@ START_TEST(a_scene_played_again_allocates_nothing)
     ck_assert_int_eq(again, 0);
     tf_resolver_free(resolver);
     tf_surface_free(surface);
+    memory_end(&memory);
 }
 END_TEST
 
@@ -107,11 +71,13 @@ START_TEST(the_second_half_of_a_fall_allocates_nothing)
 {
     tf_surface *surface = NULL;
     tf_resolver *resolver = NULL;
+    memory_watch(&memory);
     int half = steps[SPHERE] / 2;
     ck_assert_int_eq(
         play(SPHERE, edges[SPHERE], half, 2 * half, &surface, &resolver), 0);
     tf_resolver_free(resolver);
     tf_surface_free(surface);
+    memory_end(&memory);
 }
 END_TEST
 
@@ -143,10 +109,10 @@ static long let_flow(tf_flow *flow, tf_velocity_field *field, double edge,
     tf_flow_report report;
     long all = 0;
     for (int i = 0; i < STEPS; i++) {
-        long before = calls;
+        long before = memory.calls;
         tf_status status =
             tf_flow_step(flow, &options, 3.0 * i / STEPS, 3.0 / STEPS, &report);
-        all += calls - before;
+        all += memory.calls - before;
         ck_assert_int_eq(status, TF_OK);
         *contacts += report.response.contacts;
     }
@@ -165,6 +131,7 @@ START_TEST(a_flow_played_again_allocates_nothing)
 {
     static tf_velocity_field *const field[] = {tf_vortices, tf_growth};
     static const double edge[] = {0.03, 0.2};
+    memory_watch(&memory);
     tf_adaptive_surface *ball = ball_of(_i), *start = ball_of(_i);
     size_t contacts = 0;
     tf_flow *flow;
@@ -178,6 +145,7 @@ START_TEST(a_flow_played_again_allocates_nothing)
     tf_flow_free(flow);
     tf_adaptive_free(ball);
     tf_adaptive_free(start);
+    memory_end(&memory);
 }
 END_TEST
 

@@ -67,7 +67,7 @@ START_TEST(a_list_without_memory_stays)
     item only = {1, 2};
     tf_buffer list = {.data = &only, .bytes = sizeof only};
     tf_sort_memory memory = {0};
-    ck_assert(!tf_list_sort(&list, SIZE_MAX / 64, 1, has_less, &memory));
+    ck_assert(!tf_list_sort(&list, SIZE_MAX / 64, 1, has_less, &memory, NULL));
     ck_assert_ptr_eq(list.data, &only);
     tf_sort_memory_free(&memory);
 }

@@ -153,8 +153,6 @@ static tf_status run(tf_resolution *r, double end[], tf_error *error)
     if (status != TF_OK)
         return status;
     write_report(r);
-    if (tf_watch_cancelled(r->step.watch))
-        return tf_fail(error, TF_CANCELLED);
     memcpy(end, r->step.end,
            sizeof *end * (size_t)r->step.axes * (size_t)r->step.vertices);
     return TF_OK;

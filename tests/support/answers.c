@@ -211,9 +211,12 @@ static const char *flags_fault(const unsigned char flags[],
                                                       : NULL;
 }
 
-const char *answers_fault(tf_resolver *resolver, const answered_step *step,
+const char *answers_fault(tf_resolver *resolver, const answered_step *given,
                           int *pushed)
 {
+    static const tf_response_options usual;
+    answered_step with_options = *given, *step = &with_options;
+    step->options = given->options ? given->options : &usual;
     const tf_answered_contact *row = NULL;
     size_t count = 0;
     const unsigned char *flags = tf_resolver_vertices(resolver);

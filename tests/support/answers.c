@@ -142,7 +142,8 @@ static double longest_way(const answered_step *step)
     return longest;
 }
 
-/// Where only pushes move a vertex, they move it to its end.
+/// Where only pushes move a vertex, they move it to its end; unless numbers are
+/// near the ends of their range, where sums overflow or lose all digits.
 /// @param error what pushes that are taken back may leave
 static bool is_explained(const answered_step *step, int vertex,
                          const push_sum *pushes, double error)
@@ -152,6 +153,8 @@ static bool is_explained(const answered_step *step, int vertex,
         double change = step->end[place] - step->proposed[place];
         double far = fabs(step->start[place]) + fabs(step->proposed[place]);
         double wrong = fabs(change - pushes->sum[k]);
+        if (far > 0x1p1000 || far < 0x1p-1000)
+            continue;
         if (wrong > 1e-9 * pushes->size + 1e-13 * far + error &&
             isfinite(wrong))
             return false;

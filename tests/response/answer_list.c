@@ -116,6 +116,13 @@ START_TEST(a_list_that_is_cleared_is_empty)
     tf_answers_clear(&list);
     ck_assert(tf_answers_lend(&list, NULL));
     ck_assert_uint_eq(list.answers, 0);
+    const tf_surface_contact only = contact_of(TF_POINT_EDGE, 7, 8, 9, -1);
+    const tf_constraint constraint = constraint_of(7, 9, 5);
+    add(TF_IMPULSES, 0, 1, &only, &constraint);
+    ck_assert(tf_answers_lend(&list, NULL));
+    const tf_answered_contact *row = list.row.data;
+    ck_assert_int_eq(row->vertex[0], 7);
+    ck_assert_double_eq(row->impulse, 5);
     lend();
     ck_assert_uint_eq(tf_answers_memory(&list), bytes);
     tf_answers_free(&list);

@@ -343,7 +343,10 @@ START_TEST(a_solver_that_is_cancelled_moves_nothing)
                                              solve_and_cancel};
     const tf_zone_options choice = {.solver = &cancelled, .sweeps = 1000};
     watched_call call;
-    make_stack();
+    proposal_begin(&made, 2);
+    add_edge(-5, 0, 0);
+    int speck = proposal_add_vertex(&made, -4, 1, 0);
+    made.end[2 * speck + 1] = -1;
     begin();
     tf_contacts contacts = proposal_step_contacts(&s);
     ck_assert(tf_zones_add(&zones, &s.step, &contacts, &s.rule, &statistics));

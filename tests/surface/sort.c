@@ -4,6 +4,8 @@
 #include "support/generator.h"
 #include "support/support.h"
 
+#include <string.h>
+
 enum {
     MOST = 200
 };
@@ -73,6 +75,39 @@ START_TEST(a_list_without_memory_stays)
 }
 END_TEST
 
+static bool tell_thrice(void *context, const tf_stage *stage)
+{
+    (void)stage;
+    return ++*(int *)context < 3;
+}
+
+START_TEST(a_long_sort_can_be_cancelled)
+{
+    enum {
+        LONG = 5000
+    };
+    static item all[LONG], sorted[LONG];
+    int told = 0;
+    tf_buffer list = {0};
+    tf_sort_memory memory = {0};
+    ck_assert(tf_buffer_extend(&list, LONG, sizeof(item)));
+    for (int i = 0; i < LONG; i++)
+        all[i] = (item){LONG - i, i};
+    memcpy(list.data, all, sizeof all);
+    tf_watch own, *watch = tf_watch_begin(&own, tell_thrice, &told);
+    ck_assert(
+        !tf_list_sort(&list, LONG, sizeof(item), has_less, &memory, watch));
+    ck_assert_int_eq(told, 3);
+    ck_assert_mem_eq(list.data, all, sizeof all);
+    ck_assert(tf_list_sort(&list, LONG, sizeof(item), has_less, &memory, NULL));
+    for (int i = 0; i < LONG; i++)
+        sorted[i] = all[LONG - 1 - i];
+    ck_assert_mem_eq(list.data, sorted, sizeof sorted);
+    tf_sort_memory_free(&memory);
+    tf_buffer_free(&list);
+}
+END_TEST
+
 Suite *suite(void)
 {
     Suite *suite = suite_create("surface/sort");
@@ -80,6 +115,7 @@ Suite *suite(void)
     tcase_add_test(tcase, lists_are_sorted_and_equal_items_keep_their_order);
     tcase_add_test(tcase, one_of_two_arrays_holds_the_result);
     tcase_add_test(tcase, a_list_without_memory_stays);
+    tcase_add_test(tcase, a_long_sort_can_be_cancelled);
     suite_add_tcase(suite, tcase);
     return suite;
 }

@@ -376,6 +376,7 @@ START_TEST(scrambled_workers_are_cancelled)
     long step = patient.calls / cases(15) + 1;
     for (long moment = 1; moment <= patient.calls; moment += step)
         cancel_and_repeat(_i, &w, &parallel, moment, &expected);
+    cancel_and_repeat(_i, &w, &parallel, patient.calls, &expected);
     free(expected.bytes);
     free(watched.bytes);
     workplace_free(&fresh);

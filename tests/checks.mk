@@ -30,7 +30,7 @@ check-chapters: check-manifest check-layers
 
 # The source -------------------------------------------------------------------
 
-source_files = $(shell find src figures tests book -name '*.[ch]')
+source_files = $(shell find src figures tests book examples -name '*.[ch]')
 
 check-format: need-format ## check that the code is formatted as .clang-format says
 	@clang-format --dry-run -Werror $(source_files)
@@ -63,7 +63,7 @@ check-static: need-static ## analyze the code: warnings, clang-tidy, cppcheck
 	@cppcheck --quiet --error-exitcode=1 --std=c11 -Isrc -Ifigures \
 	    -Itests -j $$(nproc) --enable=warning,performance,portability \
 	    --suppress=returnDanglingLifetime \
-	    --suppress=memleak:figures/renderer/list.c src figures tests
+	    --suppress=memleak:figures/renderer/list.c src figures tests examples
 	@find src figures -name '*.c' | xargs -P $$(nproc) -n 4 sh -c 'clang-tidy \
 	    --quiet --warnings-as-errors="*" "$$@" -- -std=c17 $(include_paths) \
 	    2>/dev/null' sh

@@ -136,7 +136,7 @@ fuzz: need-fuzz ## run every fuzzer, or FUZZER=interface, for SECONDS=60
 
 run-fuzzers: $(FUZZERS:=.found)
 # To choose inputs by entropy takes longer than to make the calls.
-$(BUILD)/tests/fuzz/interface.found: fuzzer_options = -entropic=0 -max_len=512 \
+$(BUILD)/tests/fuzz/interface.found: fuzzer_options = -entropic=0 -max_len=256 \
 	-len_control=5
 $(BUILD)/tests/fuzz/%.found: $(BUILD)/tests/fuzz/% FORCE
 	@mkdir -p $(BUILD)/corpus/$* && cp -R tests/fuzz/corpus/$*/. $(BUILD)/corpus/$*

@@ -81,7 +81,7 @@ void fig_pile_resolve(fig_pile *pile, const tf_zone_solver *solver, int sweeps,
                     .proposed = pile->proposed,
                     .inverse_mass = pile->inverse_mass,
                     .end = pile->end};
-    const tf_motion motion = {3, pile->vertices, pile->start, pile->end};
+    const tf_motion motion = {2, pile->vertices, pile->start, pile->end};
     TF_REQUIRE(tf_zones_begin(&pile->zones, &step));
     for (pile->rounds = 0; pile->rounds < most_rounds; pile->rounds++) {
         tf_contacts found;

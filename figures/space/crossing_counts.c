@@ -72,7 +72,7 @@ static double first_meeting(const double at[2])
         at[0], at[1], end[0][0][0], end[0][0][1], end[1][0][0], end[1][0][1]};
     const double stop[2 * VERTICES] = {
         at[0], at[1], end[0][1][0], end[0][1][1], end[1][1][0], end[1][1][1]};
-    const tf_motion motion = {3, VERTICES, start, stop};
+    const tf_motion motion = {2, VERTICES, start, stop};
     tf_contact contact;
     tf_status status = tf_quadratic_point_edge(&(tf_tolerances){0}, &motion, 0,
                                                (const int[]){1, 2}, &contact);

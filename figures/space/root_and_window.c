@@ -63,7 +63,7 @@ static double distance(const struct scene *s, double t)
 
 static tf_contact query(const struct scene *s, tf_tolerances tolerances)
 {
-    const tf_motion motion = {3, VERTICES, s->start[0], s->end[0]};
+    const tf_motion motion = {2, VERTICES, s->start[0], s->end[0]};
     tf_contact contact;
     tf_status status = tf_quadratic_point_edge(&tolerances, &motion, 0,
                                                (const int[]){1, 2}, &contact);

@@ -49,7 +49,7 @@ static const int edges[EDGES][2] = {{1, 2}, {1, 3}};
 
 static tf_motion motion_of(const scene *s)
 {
-    return (tf_motion){3, VERTICES, s->start[0], s->end[0]};
+    return (tf_motion){2, VERTICES, s->start[0], s->end[0]};
 }
 
 static bool hits(const scene *s, int edge, double tolerance)

@@ -23,6 +23,12 @@ void tf_watch_stage(tf_watch *watch, const char *name, size_t total)
 }
 
 //: Tell the caller
+/// What is done, of a stage whose last part may be smaller than it says.
+static size_t limited(size_t done, size_t total)
+{
+    return total > 0 && done > total ? total : done;
+}
+
 /// If another thread is telling already, the caller has heard enough.
 bool tf_watch_done(tf_watch *watch, size_t more)
 {
@@ -31,7 +37,7 @@ bool tf_watch_done(tf_watch *watch, size_t more)
     size_t done = atomic_fetch_add(&watch->done, more) + more;
     if (!atomic_load(&watch->cancelled) &&
         !atomic_flag_test_and_set(&watch->told)) {
-        watch->stage.done = done;
+        watch->stage.done = limited(done, watch->stage.total);
         if (!watch->progress(watch->context, &watch->stage))
             atomic_store(&watch->cancelled, true);
         atomic_flag_clear(&watch->told);

@@ -30,11 +30,16 @@ put() { # file, source, target
     esac
 }
 
+# The folders that are called tanglefree are removed, too, and those in them,
+# once they are empty.
 remove() {
     rm -f "$top/$1"
-    case $1 in
-    */tanglefree/*) rmdir "$(dirname "$top/$1")" 2>/dev/null || true ;;
-    esac
+    folder=$(dirname "$1")
+    while case $folder in */tanglefree | */tanglefree/*) true ;; *) false ;; esac
+    do
+        rmdir "$top/$folder" 2>/dev/null || break
+        folder=$(dirname "$folder")
+    done
 }
 
 while read -r file source target; do

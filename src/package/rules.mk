@@ -95,6 +95,10 @@ lib/pkgconfig/tanglefree.pc src/package/tanglefree.pc
 lib/pkgconfig/tanglefree_threads.pc src/package/tanglefree_threads.pc
 lib/cmake/tanglefree/tanglefreeConfig.cmake src/package/tanglefreeConfig.cmake
 lib/cmake/tanglefree/tanglefreeConfigVersion.cmake src/package/tanglefreeConfigVersion.cmake
+share/doc/tanglefree/examples/check.c examples/check.c
+share/doc/tanglefree/examples/cloth.c examples/cloth.c
+share/doc/tanglefree/examples/query.c examples/query.c
+share/doc/tanglefree/examples/threads.c examples/threads.c
 share/man/man1/tanglefree.1 $(BUILD)/man/tanglefree.1
 share/man/man1/tanglefree-query.1 $(BUILD)/man/tanglefree-query.1
 share/man/man1/tanglefree-detect.1 $(BUILD)/man/tanglefree-detect.1

@@ -192,7 +192,7 @@ int tf_dynamic_tree_find(tf_dynamic_tree *tree, const tf_aabb *box, int found[])
                 continue;
             if (is_element(b->child[i]))
                 found[count++] = -2 - b->child[i];
-            else
+            else if (b->child[i] != NOTHING) // an infinite box overlaps it
                 stack[left++] = b->child[i];
         }
     }
@@ -219,7 +219,8 @@ int tf_dynamic_tree_nearest(tf_dynamic_tree *tree, const double x[3],
 {
     int nearest = -1, left = 0, *stack = tree->stack.data;
     *least = INFINITY;
-    stack[left++] = ABOVE_ROOT;
+    if (isfinite(x[0]) && isfinite(x[1]) && isfinite(x[2]))
+        stack[left++] = ABOVE_ROOT;
     while (left > 0) {
         const branch *b = &branches_of(tree)[stack[--left]];
         double far[2] = {squared_from(&b->box[0], x),

@@ -38,7 +38,7 @@ int tf_dynamic_tree_find(tf_dynamic_tree *tree, const tf_aabb *box,
 //: Declare how the nearest element is found
 /// Finds an element whose distance from a point is least: `squared` computes the
 /// square of the distance of one.  Returns the element and sets the square; -1 if
-/// there is none.
+/// there is none, or the distance of none is finite.
 int tf_dynamic_tree_nearest(tf_dynamic_tree *tree, const double x[3],
                             double (*squared)(void *context, int element),
                             void *context, double *least);

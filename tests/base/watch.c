@@ -52,6 +52,22 @@ START_TEST(caller_is_told_and_cancels_for_good)
 }
 END_TEST
 
+START_TEST(no_more_is_done_than_there_is)
+{
+    tf_watch storage;
+    caller own = {.most = 9};
+    tf_watch *watch = tf_watch_begin(&storage, listen, &own);
+    tf_watch_stage(watch, "batches of eight", 10);
+    tf_watch_done(watch, 8);
+    ck_assert_uint_eq(own.done, 8);
+    tf_watch_done(watch, 8);
+    ck_assert_uint_eq(own.done, 10);
+    tf_watch_stage(watch, "nobody knows how many", 0);
+    tf_watch_done(watch, 8);
+    ck_assert_uint_eq(own.done, 8);
+}
+END_TEST
+
 enum {
     THREADS = 4,
     TIMES = 20000
@@ -86,6 +102,7 @@ Suite *suite(void)
     TCase *tcase = tcase_create("watch");
     tcase_add_test(tcase, without_a_callback_there_is_no_watch);
     tcase_add_test(tcase, caller_is_told_and_cancels_for_good);
+    tcase_add_test(tcase, no_more_is_done_than_there_is);
     tcase_add_test(tcase, threads_tell_one_at_a_time);
     suite_add_tcase(suite, tcase);
     return suite;

@@ -11,7 +11,7 @@
 
 enum {
     BYTES = 8,  ///< of a call
-    CALLS = 64, ///< at most
+    CALLS = 32, ///< at most
     BODIES = 3
 };
 
@@ -19,14 +19,15 @@ typedef void stateless_call(generator *random);
 typedef void body_call(generator *random, body *of);
 
 static stateless_call *const stateless[] = {
-    call_query,  call_linear_query, call_rigid_advance, call_narrow_phase,
-    call_filter, call_solver,       call_describe,      call_allocator,
+    call_query,        call_linear_query, call_rigid_advance,
+    call_narrow_phase, call_batch,        call_filter,
+    call_solver,       call_describe,     call_allocator,
 };
 
 static body_call *const about_bodies[] = {
-    call_create,  call_create,  call_resolver, call_resolver,   call_detect,
-    call_detect,  call_detect,  call_detect,   call_candidates, call_check,
-    call_check,   call_lend,    call_resolve,  call_resolve,    call_resolve,
+    call_create,  call_create,  call_resolver, call_filter_pairs, call_detect,
+    call_detect,  call_detect,  call_detect,   call_candidates,   call_check,
+    call_check,   call_lend,    call_resolve,  call_resolve,      call_resolve,
     call_resolve, call_resolve, call_limit,    call_limit,
 };
 

@@ -38,8 +38,8 @@ check_uninstall() {
     $MAKE uninstall PREFIX="$prefix" DESTDIR=
     [ "$(list_tree "$prefix")" = lib/pkgconfig/other.pc ] ||
         fail "uninstall leaves $(list_tree "$prefix")"
-    [ ! -e "$prefix/lib/cmake/tanglefree" ] ||
-        fail "uninstall leaves lib/cmake/tanglefree"
+    left=$(find "$prefix" -name tanglefree)
+    [ ! "$left" ] || fail "uninstall leaves $left"
 }
 
 case $1 in

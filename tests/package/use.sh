@@ -1,5 +1,5 @@
-# Use what is installed: versions, header, symbols, and the example of README.md
-# by all compilers, with pkg-config and with CMake.
+# Use what is installed: versions, header, symbols, and the examples, that of
+# README.md too, by all compilers, with pkg-config and with CMake.
 . tests/package/common.sh
 
 # The versions -----------------------------------------------------------------
@@ -98,6 +98,24 @@ check_example() {
     done
 }
 
+# The examples, as they are installed.
+check_examples() {
+    for expected in examples/*.expected; do
+        name=$(basename "$expected" .expected)
+        example=$prefix/share/doc/tanglefree/examples/$name.c
+        cp "$example" "$scratch/$name.cc"
+        for compiler in "gcc -std=c17 $example" "clang -std=c17 $example" \
+            "g++ -std=c++17 $scratch/$name.cc" \
+            "clang++ -std=c++17 $scratch/$name.cc"; do
+            $compiler -pthread -Wall -Wextra -Wpedantic -Werror \
+                $(installed --cflags --libs tanglefree) -o "$scratch/$name"
+            LD_LIBRARY_PATH="$prefix/lib" "$scratch/$name" |
+                diff "$expected" - ||
+                fail "$example prints something else"
+        done
+    done
+}
+
 expect_tasks() { # program
     answer=$(LD_LIBRARY_PATH="$prefix/lib" "$1")
     [ "$answer" = '1000 tasks by 3 threads' ] ||
@@ -167,6 +185,7 @@ check_versions
 check_header
 check_symbols
 check_example
+check_examples
 check_threads
 check_cmake
 check_cmake_versions

@@ -89,6 +89,34 @@ START_TEST(what_overlaps_is_found)
 END_TEST
 
 // All elements go, and come again, in the branches that they had.
+static double squared(void *context, int element)
+{
+    (void)context;
+    (void)element;
+    return 1;
+}
+
+START_TEST(what_is_infinite_finds_elements_alone)
+{
+    // With few elements the tree has places that are empty.
+    generator random = generator_new(4);
+    const tf_aabb all = {{-INFINITY, -INFINITY, -INFINITY},
+                         {INFINITY, INFINITY, INFINITY}};
+    for (int built = 0; built < 4; built++) {
+        int found[ELEMENTS];
+        double least, nowhere[] = {0, NAN, 0}, far[] = {0, 0, INFINITY};
+        begin(&random, built);
+        ck_assert_int_eq(tf_dynamic_tree_find(&tree, &all, found), built);
+        ck_assert_int_eq(
+            tf_dynamic_tree_nearest(&tree, nowhere, squared, NULL, &least), -1);
+        ck_assert_int_eq(
+            tf_dynamic_tree_nearest(&tree, far, squared, NULL, &least), -1);
+        tf_dynamic_tree_free(&tree);
+        tree = (tf_dynamic_tree){0};
+    }
+}
+END_TEST
+
 START_TEST(branches_are_used_again)
 {
     generator random = generator_new(9);
@@ -116,6 +144,7 @@ Suite *suite(void)
     for (int i = 0; i < 4; i++)
         tcase_add_loop_test(tcase, what_overlaps_is_found, built[i],
                             built[i] + 1);
+    tcase_add_test(tcase, what_is_infinite_finds_elements_alone);
     tcase_add_test(tcase, branches_are_used_again);
     suite_add_tcase(suite, tcase);
     return suite;

@@ -148,6 +148,25 @@ static tf_status decide_in_plane(const tf_motion *motion, tf_error *error)
     return error->status = decide(&tf_vectorized, TF_POINT_EDGE, motion);
 }
 
+/// By vectors, as there is a NULL for the arithmetic, or by the reference.
+static tf_status answer(tf_kind kind, const tf_motion *motion, tf_error *error)
+{
+    static const int vertices[] = {2, 0, 1, 3};
+    tf_queries queries = {kind, motion, 1, vertices};
+    tf_contact contact;
+    return tf_query_batch(NULL, &queries, NULL, &contact, error);
+}
+
+static tf_status answer_many(const tf_motion *motion, tf_error *error)
+{
+    return answer(TF_EDGE_EDGE, motion, error);
+}
+
+static tf_status answer_in_plane(const tf_motion *motion, tf_error *error)
+{
+    return answer(TF_POINT_EDGE, motion, error);
+}
+
 static tf_status detect(const tf_motion *motion, tf_error *error)
 {
     tf_contacts found;
@@ -182,6 +201,8 @@ static const struct {
     {"tf_reference", 3, decide_one, false},
     {"tf_vectorized", 3, decide_by_vectors, false},
     {"tf_vectorized in the plane", 2, decide_in_plane, false},
+    {"tf_query_batch", 3, answer_many, false},
+    {"tf_query_batch in the plane", 2, answer_in_plane, false},
     {"tf_surface_detect", 3, detect, true},
     {"tf_surface_detect in the plane", 2, detect_in_plane, true},
     {"tf_surface_candidates", 3, list, true},
@@ -262,6 +283,47 @@ START_TEST(kinds_are_those_that_there_are)
                          TF_BAD_OPTION);
         ck_assert_int_eq(decide(&tf_vectorized, (tf_kind)bad[k], &motion),
                          TF_BAD_OPTION);
+        tf_error error;
+        tf_status status = answer((tf_kind)bad[k], &motion, &error);
+        expect_error("a kind", status, TF_BAD_OPTION, &error);
+        ck_assert_str_eq(error.option, "kind");
+    }
+}
+END_TEST
+
+START_TEST(batches_are_of_vertices)
+{
+    static const int bad[] = {-1, INT_MIN, VERTICES, INT_MAX, 1};
+    tf_motion motion = motion_of(3);
+    for (int k = 0; k < COUNT(bad); k++) {
+        const int vertices[] = {0, 1, 2, 3, 0, 1, 2, bad[k]};
+        tf_queries queries = {TF_POINT_TRIANGLE, &motion, 2, vertices};
+        tf_contact contact[2];
+        tf_error error;
+        tf_status status =
+            tf_query_batch(NULL, &queries, NULL, contact, &error);
+        expect_error("a batch", status, TF_BAD_INDEX, &error);
+        ck_assert_uint_eq(error.index, 1);
+        ck_assert_int_eq(error.vertex[0], bad[k]);
+    }
+}
+END_TEST
+
+START_TEST(batches_have_what_they_count)
+{
+    static const int vertices[] = {0, 1, 2, 3};
+    static const size_t bad[] = {(size_t)-1, (size_t)-1 / 16, (size_t)-1 / 128};
+    tf_motion motion = motion_of(3);
+    tf_queries queries = {TF_EDGE_EDGE, &motion, 1, NULL};
+    tf_contact contact;
+    tf_error error;
+    tf_status status = tf_query_batch(NULL, &queries, NULL, &contact, &error);
+    expect_error("no list", status, TF_BAD_COUNT, &error);
+    queries.vertices = vertices;
+    for (int k = 0; k < COUNT(bad); k++) {
+        queries.count = bad[k];
+        status = tf_query_batch(NULL, &queries, NULL, &contact, &error);
+        expect_error("many queries", status, TF_BAD_COUNT, &error);
     }
 }
 END_TEST
@@ -358,7 +420,7 @@ START_TEST(meshes_are_as_they_say)
 }
 END_TEST
 
-// Counts and positions ----------------------------------------------------------
+// Counts and positions --------------------------------------------------------
 
 /// Functions that take as many positions as the surface has vertices.
 typedef tf_status position_call(int vertices, const double position[],
@@ -565,6 +627,34 @@ START_TEST(selections_are_those_that_there_are)
 }
 END_TEST
 
+START_TEST(filters_have_a_group_for_each_vertex_or_none)
+{
+    static const int groups[VERTICES] = {1, 1, 1, 2};
+    static const int bad[] = {-1, 0, 3, 5, INT_MAX, INT_MIN};
+    tf_pair_filter filter = {.vertices = VERTICES, .group = groups};
+    tf_error error;
+    tf_status status = tf_surface_set_filter(surface, &filter, &error);
+    expect_error("a filter", status, TF_OK, &error);
+    for (int k = 0; k < COUNT(bad); k++) {
+        filter.vertices = bad[k];
+        status = tf_surface_set_filter(surface, &filter, &error);
+        expect_error("groups", status, TF_BAD_COUNT, &error);
+    }
+    filter = (tf_pair_filter){.vertices = VERTICES};
+    status = tf_surface_set_filter(surface, &filter, &error);
+    expect_error("no groups", status, TF_BAD_COUNT, &error);
+    filter = (tf_pair_filter){.size = 1};
+    status = tf_surface_set_filter(surface, &filter, &error);
+    expect_error("a size", status, TF_BAD_OPTION, &error);
+}
+END_TEST
+
+START_TEST(allocators_stay_while_memory_is_in_use)
+{
+    ck_assert_int_eq(tf_set_allocator(NULL, NULL, NULL), TF_IN_USE);
+}
+END_TEST
+
 START_TEST(numbers_of_responses_are_in_their_ranges)
 {
     const struct {
@@ -609,7 +699,7 @@ START_TEST(masses_are_zero_or_more)
 }
 END_TEST
 
-// Null pointers ----------------------------------------------------------------
+// Null pointers ---------------------------------------------------------------
 
 START_TEST(null_is_allowed_where_the_header_says_so)
 {
@@ -631,6 +721,8 @@ START_TEST(null_is_allowed_where_the_header_says_so)
     ck_assert_int_eq(
         tf_vectorized.decide(NULL, &tf_exact, &none, &verdict, &separated),
         TF_OK);
+    ck_assert_int_eq(tf_query_batch(NULL, &none, NULL, NULL, NULL), TF_OK);
+    ck_assert_int_eq(tf_surface_set_filter(surface, NULL, NULL), TF_OK);
     ck_assert_int_eq(tf_additive_point_edge(&(tf_advance_limits){0}, &flat, 2,
                                             edge, &contact, NULL),
                      TF_OK);
@@ -642,7 +734,7 @@ START_TEST(null_is_allowed_where_the_header_says_so)
 }
 END_TEST
 
-/// Each calls a function with its i-th pointer null: GIVEN is the pointer unless
+/// Each calls a function with one pointer null: GIVEN is the i-th pointer unless
 /// it is that one.
 #define GIVEN(i, pointer) (null == (i) ? NULL : (pointer))
 typedef void null_call(int null);
@@ -735,6 +827,15 @@ static void vectors_without(int null)
                          GIVEN(4, &verdict), GIVEN(5, &separated));
 }
 
+static void batch_without(int null)
+{
+    static const int vertices[] = {0, 1, 2, 3};
+    tf_motion motion = motion_of(3);
+    tf_queries queries = {TF_EDGE_EDGE, GIVEN(0, &motion), 1, vertices};
+    tf_contact contact;
+    tf_query_batch(NULL, GIVEN(1, &queries), NULL, GIVEN(2, &contact), NULL);
+}
+
 static void filter_without(int null)
 {
     static const tf_query_block block;
@@ -771,6 +872,26 @@ static void tell_without(int null)
     tf_arithmetic_named(GIVEN(6, "exact"));
     tf_describe(GIVEN(7, &(tf_error){0}), NULL, 0);
     tf_describe(&(tf_error){0}, NULL, null == 8);
+    tf_surface_set_filter(GIVEN(9, surface), NULL, NULL);
+}
+
+static void *no_memory(void *context, size_t size)
+{
+    (void)context;
+    (void)size;
+    return NULL;
+}
+
+static void keep_memory(void *context, void *memory, size_t size)
+{
+    (void)context;
+    (void)memory;
+    (void)size;
+}
+
+static void allocator_without(int null)
+{
+    tf_set_allocator(GIVEN(0, no_memory), GIVEN(1, keep_memory), NULL);
 }
 
 static void detect_without(int null)
@@ -821,17 +942,14 @@ static const struct {
     null_call *call;
     int pointers; ///< that may not be null
 } null_calls[] = {
-    {query_without, 4},        {plane_query_without, 4},
-    {edge_query_without, 5},   {cubic_without, 4},
-    {quadratic_without, 4},    {additive_without, 4},
-    {rigid_without, 4},        {position_without, 3},
-    {narrow_phase_without, 6}, {vectors_without, 6},
-    {filter_without, 2},       {create_without, 2},
-    {lend_without, 2},         {lend_triangles_without, 2},
-    {tell_without, 9},         {detect_without, 3},
-    {list_without, 3},         {check_without, 3},
-    {resolver_without, 2},     {resolve_without, 3},
-    {limit_without, 4},
+    {query_without, 4},   {plane_query_without, 4}, {edge_query_without, 5},
+    {cubic_without, 4},   {quadratic_without, 4},   {additive_without, 4},
+    {rigid_without, 4},   {position_without, 3},    {narrow_phase_without, 6},
+    {vectors_without, 6}, {batch_without, 3},       {filter_without, 2},
+    {create_without, 2},  {lend_without, 2},        {lend_triangles_without, 2},
+    {tell_without, 10},   {allocator_without, 2},   {detect_without, 3},
+    {list_without, 3},    {check_without, 3},       {resolver_without, 2},
+    {resolve_without, 3}, {limit_without, 4},
 };
 
 enum {
@@ -876,6 +994,8 @@ Suite *suite(void)
                         COUNT(motion_calls));
     tcase_add_test(c, queries_are_of_vertices);
     tcase_add_test(c, kinds_are_those_that_there_are);
+    tcase_add_test(c, batches_are_of_vertices);
+    tcase_add_test(c, batches_have_what_they_count);
     tcase_add_test(c, arithmetics_have_bits_for_two_axes_and_three);
     tcase_add_test(c, rigid_positions_are_of_vertices);
     tcase_add_test(c, meshes_are_as_they_say);
@@ -886,6 +1006,8 @@ Suite *suite(void)
     tcase_add_loop_test(c, sizes_are_those_of_options, 0, COUNT(option_calls));
     tcase_add_loop_test(c, long_calls_can_be_cancelled, 0, COUNT(option_calls));
     tcase_add_test(c, selections_are_those_that_there_are);
+    tcase_add_test(c, filters_have_a_group_for_each_vertex_or_none);
+    tcase_add_test(c, allocators_stay_while_memory_is_in_use);
     tcase_add_test(c, numbers_of_responses_are_in_their_ranges);
     tcase_add_test(c, masses_are_zero_or_more);
     tcase_add_test(c, null_is_allowed_where_the_header_says_so);

@@ -20,7 +20,7 @@ typedef struct memory {
 
 static memory own = {.left = -1};
 
-// The allocator -----------------------------------------------------------------
+// The allocator ---------------------------------------------------------------
 
 static bool fails(memory *all, size_t size)
 {
@@ -43,7 +43,6 @@ static void *allocate(void *context, size_t size)
     if (!block)
         abort();
     memcpy(block, &size, sizeof size);
-    memset(block + HEADER, 0xcd, size);
     all->in_use += size;
     return block + HEADER;
 }
@@ -58,7 +57,7 @@ static void release(void *context, void *memory_of, size_t size)
     free(block);
 }
 
-// Its use -----------------------------------------------------------------------
+// Its use ---------------------------------------------------------------------
 
 void allocator_begin(void)
 {
@@ -78,7 +77,7 @@ void allocator_end(void)
 void allocator_fail(generator *random)
 {
     own.failed = false;
-    if (!one_in(random, 8))
+    if (!one_in(random, 16))
         return;
     own.left = below(random, one_in(random, 2) ? 4 : 40);
     own.again = one_in(random, 2);

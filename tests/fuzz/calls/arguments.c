@@ -40,7 +40,7 @@ double any_option(generator *random, double most)
     return one_in(random, 2) ? 0 : uniform(random, 0, most);
 }
 
-// Coordinates ---------------------------------------------------------------
+// Coordinates -----------------------------------------------------------------
 
 /// From -3 to 3, most of the time an integer, or a few units in the last place
 /// off.
@@ -91,7 +91,7 @@ bool all_held(const tf_arithmetic *arithmetic, int axes, int count,
     return true;
 }
 
-// Options -------------------------------------------------------------------
+// Options ---------------------------------------------------------------------
 
 size_t any_size(generator *random, call *made, size_t known, void *later)
 {
@@ -101,7 +101,8 @@ size_t any_size(generator *random, call *made, size_t known, void *later)
     size_t more = 1 + (size_t)below(random, LATER);
     if (one_in(random, 2)) {
         expect_fault(made, true, TF_BAD_OPTION);
-        return more < known ? more : 1;
+        size_t least = more < known ? more : 1; // no version is that small,
+        return one_in(random, 2) ? least : SIZE_MAX / least; // or that large
     }
     bool set = one_in(random, 2);
     ((unsigned char *)later)[more - 1] = set;
@@ -152,14 +153,14 @@ static bool hear(void *context, const tf_stage *stage)
     return !hearing->cancelled;
 }
 
-tf_progress *any_progress(generator *random, const call *made,
-                          listener *hearing)
+tf_progress *any_progress(generator *random, call *made, listener *hearing)
 {
     *hearing = (listener){made, -1, false};
     if (one_in(random, 2))
         return NULL;
     if (one_in(random, 2))
         hearing->left = below(random, one_in(random, 2) ? 3 : 40);
+    excuse(made, TF_CANCELLED);
     return hear;
 }
 

@@ -16,10 +16,10 @@ double any_double(generator *random);
 /// A number from a few that are good, 0 among them; or, one time of eight, any.
 double any_option(generator *random, double most);
 
-// Coordinates ---------------------------------------------------------------
+// Coordinates -----------------------------------------------------------------
 
-/// Draws coordinates, all on a lattice, near one, or anywhere, of one size; a few
-/// times one of them is any double.
+/// Draws coordinates, all on a lattice, near one, or anywhere, of one size; a
+/// few times one of them is any double.
 void draw_coordinates(generator *random, int count, double x[]);
 bool all_finite(int count, const double x[]);
 
@@ -30,7 +30,7 @@ const tf_arithmetic *any_arithmetic(generator *random);
 bool all_held(const tf_arithmetic *arithmetic, int axes, int count,
               const double x[]);
 
-// Options -------------------------------------------------------------------
+// Options ---------------------------------------------------------------------
 
 enum {
     LATER = 64 ///< bytes of the members of a later version
@@ -55,22 +55,21 @@ typedef struct listener {
     bool cancelled;
 } listener;
 
-/// NULL, or a callback whose context must be the listener.
-tf_progress *any_progress(generator *random, const call *made,
-                          listener *hearing);
+/// NULL, or a callback whose context must be the listener; notes TF_CANCELLED.
+tf_progress *any_progress(generator *random, call *made, listener *hearing);
 
-/// Judges that a call ended with TF_CANCELLED if it was cancelled, or because of
-/// a fault, and otherwise did not.
+/// Requires that a call has ended with TF_CANCELLED, or because of a fault, if
+/// it was cancelled, and otherwise has not.
 void judge_cancelling(const call *made, const listener *hearing,
                       tf_status status);
 
 // Trouble ---------------------------------------------------------------------
 
-/// Lets rounding go upward, one time of 64, and notes TF_BAD_ENVIRONMENT; lets
-/// allocations fail, one time of eight.
+/// Lets rounding go upward, one time of 64, and notes TF_BAD_ENVIRONMENT; and
+/// lets allocations fail, one time of 16.
 void trouble_begin(generator *random, call *made);
 
-/// Ends that after the call; notes TF_OUT_OF_MEMORY if an allocation has failed.
+/// Ends that after the call; notes TF_OUT_OF_MEMORY if an allocation failed.
 void trouble_end(call *made);
 
 #endif

@@ -85,12 +85,13 @@ int body_numbers(const body *of)
 tf_surface *body_copy(const body *of)
 {
     tf_surface *made;
-    if (tf_surface_create(&of->mesh, &made, NULL) != TF_OK)
+    if (tf_surface_create(&of->mesh, &made, NULL) != TF_OK ||
+        tf_surface_set_filter(made, &of->filter, NULL) != TF_OK)
         abort();
     return made;
 }
 
-// Answers in numbers --------------------------------------------------------
+// Answers in numbers ----------------------------------------------------------
 
 static uint64_t hash_number(uint64_t hash, uint64_t number)
 {
@@ -136,7 +137,7 @@ uint64_t hash_report(const tf_response_report *report)
     return hash_bytes(hash, energies, sizeof energies);
 }
 
-// What is known -----------------------------------------------------------------
+// What is known ---------------------------------------------------------------
 
 static uint64_t known_contacts(const body *of, tf_surface *surface)
 {
@@ -166,7 +167,7 @@ static uint64_t known_step(const body *of, tf_resolver *resolver)
     return hash_bytes(hash_report(report), end, sizeof end);
 }
 
-void body_learn(body *of)
+static void learn(body *of)
 {
     tf_surface *made = body_copy(of);
     tf_resolver *resolver;
@@ -175,12 +176,15 @@ void body_learn(body *of)
     if (tf_resolver_create(made, &resolver) != TF_OK)
         abort();
     of->resolved = known_step(of, resolver);
+    of->known = true;
     tf_resolver_free(resolver);
     tf_surface_free(made);
 }
 
-void judge_body(const call *made, const body *of)
+void judge_body(const call *made, body *of)
 {
+    if (!of->known)
+        learn(of);
     require(made, known_contacts(of, of->surface) == of->detected,
             "the surface finds other contacts than a new one");
     require(made, known_crossings(of, of->surface) == of->checked,

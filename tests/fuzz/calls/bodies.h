@@ -1,5 +1,5 @@
-// Surfaces that calls are made about, each with its resolver, and what a new one
-// answers to a call that is always the same.
+// Surfaces that calls are made about, each with its resolver, and what new ones
+// answer to calls that are always the same.
 #ifndef FUZZ_CALLS_BODIES_H
 #define FUZZ_CALLS_BODIES_H
 
@@ -17,28 +17,28 @@ typedef struct body {
     int triangle[3 * MOST_TRIANGLES], edge[2 * MOST_EDGES];
     tf_surface *surface;   ///< of the mesh; NULL: there is no body
     tf_resolver *resolver; ///< of the surface, or NULL
-    double start[NUMBERS], end[NUMBERS];  ///< a step that is known
-    uint64_t detected, checked, resolved; ///< what new objects answer to it
+    tf_pair_filter filter; ///< of the surface; all zero: none
+    int group[MOST_VERTICES];
+    double start[NUMBERS], end[NUMBERS]; ///< a step that is known
+    bool known; ///< whether it is known what new objects answer to it:
+    uint64_t detected, checked, resolved;
 } body;
 
 /// Draws a mesh and a step of it, whose start is clear most of the time.
 void body_draw(generator *random, body *drawn);
 
-/// Makes another surface of the same mesh.
+/// Makes another surface of the same mesh, with the same filter.
 tf_surface *body_copy(const body *of);
 
 /// How many coordinates a position has.
 int body_numbers(const body *of);
 
-/// Asks new objects what is known then; the body has a surface.
-void body_learn(body *of);
-
-/// Requires that the objects of the body answer as new ones did.
-void judge_body(const call *made, const body *of);
+/// Requires that the objects of the body answer as new ones do.
+void judge_body(const call *made, body *of);
 
 void body_free(body *of);
 
-// Answers in numbers --------------------------------------------------------
+// Answers in numbers ----------------------------------------------------------
 
 /// Numbers that depend on all that was found.
 uint64_t hash_contacts(const tf_contacts *found);

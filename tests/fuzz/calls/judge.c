@@ -14,7 +14,7 @@ enum {
 static const char *current = "no call";
 static tf_status last;
 
-// The contract --------------------------------------------------------------
+// The contract ----------------------------------------------------------------
 
 static void stop_at_broken_contract(const char *file, int line,
                                     const char *condition)
@@ -31,7 +31,7 @@ call call_begin(const char *name)
     return (call){.name = name};
 }
 
-// The status ----------------------------------------------------------------
+// The status ------------------------------------------------------------------
 
 static status_set set_of(tf_status status)
 {
@@ -70,7 +70,7 @@ bool judge_status(const call *made, tf_status status)
     abort();
 }
 
-// The error -----------------------------------------------------------------
+// The error -------------------------------------------------------------------
 
 static bool is_sentence(const char *text)
 {
@@ -116,7 +116,7 @@ void judge_error(const call *made, tf_status status, const tf_error *error,
     judge_cut(made, error, 1 + (size_t)below(random, TEXT - 1), whole);
 }
 
-// The outputs ---------------------------------------------------------------
+// The outputs -----------------------------------------------------------------
 
 void mark(void *output, size_t size)
 {

@@ -12,7 +12,7 @@ enum {
     VERTICES = 8
 };
 
-// A scene of a few vertices, and elements of it ------------------------------
+// A scene of a few vertices, and elements of it -------------------------------
 
 typedef struct scene {
     tf_motion motion;
@@ -58,8 +58,8 @@ static bool are_good(int vertices, int count, const int index[])
     return true;
 }
 
-/// A motion that says how it is, or, one time of eight, something that a library
-/// must see before it reads the positions.
+/// The motion of these positions, one time of eight with something that must be
+/// seen before they are read.
 static void draw_motion(generator *random, call *made, int axes,
                         const double start[], const double end[],
                         tf_motion *motion)
@@ -161,7 +161,7 @@ static void judge_exact_contact(const call *made,
             "the bounds of an exact time are far apart");
 }
 
-// Queries -----------------------------------------------------------------------
+// Queries ---------------------------------------------------------------------
 
 static tf_status ask(const tf_arithmetic *arithmetic, const scene *s,
                      tf_contact *contact)
@@ -284,7 +284,7 @@ void call_linear_query(generator *random)
         judge_unset(&made, &advancement, sizeof advancement);
 }
 
-// Rigid elements -------------------------------------------------------------
+// Rigid elements --------------------------------------------------------------
 
 typedef struct rigid_element {
     tf_rigid_body body;
@@ -329,7 +329,7 @@ void call_rigid_advance(generator *random)
         judge_unset(&made, &advancement, sizeof advancement);
 }
 
-// Many queries ---------------------------------------------------------------
+// Many queries ----------------------------------------------------------------
 
 enum {
     QUERIES = 140 ///< more than two masks
@@ -410,7 +410,6 @@ static void judge_one_by_one(const call *made, const tf_arithmetic *arithmetic,
                 sizeof *decided->verdict * (QUERIES - i));
 }
 
-/// Whether it is among those whose axes are those of the kind that is asked for.
 void call_narrow_phase(generator *random)
 {
     static verdicts by_one, by_lanes;
@@ -436,7 +435,59 @@ void call_narrow_phase(generator *random)
         judge_one_by_one(&made, arithmetic, &s, &queries, &by_one);
 }
 
-// Filters -------------------------------------------------------------------
+/// Requires the answers of one query after another, or the first one's status.
+static void judge_answers(const call *made, const tf_arithmetic *arithmetic,
+                          const scene *all, const tf_queries *queries,
+                          const tf_contact contact[], const tf_error *error)
+{
+    scene s = *all;
+    int count = kind_vertices(s.kind = queries->kind);
+    for (size_t i = 0; i < queries->count; i++) {
+        tf_contact alone = {0};
+        memcpy(s.vertex, queries->vertices + (size_t)count * i,
+               sizeof *s.vertex * (size_t)count);
+        tf_status status = ask(arithmetic, &s, &alone);
+        if (status != TF_OK) {
+            require(made, error->status == status, "another status");
+            require(made, error->subject != TF_BATCH_QUERY || error->index == i,
+                    "another query");
+            return;
+        }
+        require(made,
+                error->status != TF_OK ||
+                    memcmp(&alone, &contact[i], sizeof alone) == 0,
+                "another answer");
+    }
+    require(made, error->status == TF_OK, "a status of no query");
+}
+
+void call_batch(generator *random)
+{
+    static tf_contact contact[QUERIES];
+    static int vertex[4 * QUERIES];
+    scene s;
+    tf_queries queries;
+    crew workers;
+    tf_error error;
+    call scene_made = call_begin("a batch"), made = scene_made;
+    const tf_arithmetic *arithmetic = any_arithmetic(random);
+    draw_scene(random, &scene_made, arithmetic, &s);
+    draw_queries(random, &s, &queries, vertex);
+    const tf_parallel *parallel = any_parallel(random, &made, &workers);
+    expect_fault(&made, !is_kind(queries.kind), TF_BAD_OPTION);
+    bool asks = !made.faults;
+    mark(&error, sizeof error);
+    tf_status status = tf_query_batch(
+        arithmetic == &tf_exact && one_in(random, 2) ? NULL : arithmetic,
+        &queries, parallel, contact, &error);
+    judge_error(&made, status, &error, random);
+    if (asks)
+        judge_answers(&made, arithmetic, &s, &queries, contact, &error);
+    else
+        judge_status(&made, status);
+}
+
+// Filters ---------------------------------------------------------------------
 
 enum {
     BLOCKS = 17 ///< more than two masks
@@ -563,7 +614,7 @@ void call_solver(generator *random)
                                          &tf_conjugate_residuals, &tf_minres,
                                          &tf_normal_residuals};
     static double workspace[4096];
-    zone_arrays arrays;
+    zone_arrays arrays = {0};
     double impulse[CONSTRAINTS], gap_change[CONSTRAINTS];
     tf_zone zone = any_zone(random, &arrays);
     const tf_zone_solver *solver = all[below(random, COUNT(all))];

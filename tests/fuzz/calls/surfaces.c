@@ -7,7 +7,7 @@
 
 #define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
 
-// Creating ----------------------------------------------------------------------
+// Creating --------------------------------------------------------------------
 
 /// Spoils a number of the mesh, or an index.
 static void spoil_mesh(generator *random, call *made, body *of)
@@ -84,10 +84,10 @@ void call_create(generator *random, body *of)
     of->mesh.triangle = of->triangle;
     of->mesh.edge = of->edge;
     of->surface = surface;
-    body_learn(of);
+    of->known = false;
 }
 
-// Resolvers ---------------------------------------------------------------------
+// Resolvers -------------------------------------------------------------------
 
 void call_resolver(generator *random, body *of)
 {
@@ -110,7 +110,97 @@ void call_resolver(generator *random, body *of)
     require(&made, tf_resolver_memory(resolver) > 0, "it holds nothing");
 }
 
-// Steps -------------------------------------------------------------------------
+/// Makes a resolver if there is none.
+static void need_resolver(body *of)
+{
+    call made = call_begin("tf_resolver_create");
+    if (!of->resolver)
+        judge_status(&made, tf_resolver_create(of->surface, &of->resolver));
+}
+
+// Filters ---------------------------------------------------------------------
+
+typedef struct pair_filter {
+    tf_pair_filter own;
+    unsigned char later[LATER];
+} pair_filter;
+
+/// What the contexts of filters point to.
+static int divisor = 3;
+
+/// Leaves out a third of the pairs.
+static bool is_wanted(void *context, const tf_element_pair *pair)
+{
+    call made = {.name = "a filter of pairs"};
+    int sum = 0, count = pair->kind == TF_POINT_EDGE ? 3 : 4;
+    require(&made, context == &divisor, "it has another context");
+    require(&made, pair->kind >= TF_POINT_EDGE && pair->kind <= TF_EDGE_EDGE,
+            "the pair is of no kind");
+    for (int i = 0; i < count; i++) {
+        require(&made, pair->vertex[i] >= 0, "the pair has no vertices");
+        for (int j = 0; j < i; j++)
+            require(&made, pair->vertex[i] != pair->vertex[j],
+                    "the pair shares a vertex");
+        sum += pair->vertex[i];
+    }
+    return sum % divisor != 0;
+}
+
+static void draw_filter(generator *random, call *made, const body *of,
+                        pair_filter *filter, int group[])
+{
+    tf_pair_filter *own = &filter->own;
+    *own = (tf_pair_filter){.context = &divisor};
+    own->size = any_size(random, made, sizeof *own, filter->later);
+    for (int i = 0; i < MOST_VERTICES; i++)
+        group[i] = one_in(random, 2) ? below(random, 3) : INT_MIN;
+    if (one_in(random, 2)) {
+        own->vertices = of->mesh.vertices;
+        own->group = group;
+    }
+    if (one_in(random, 8)) {
+        own->vertices = wrong_number(random, own->vertices);
+        expect_fault(made, true, TF_BAD_COUNT);
+    }
+    own->wanted = one_in(random, 2) ? is_wanted : NULL;
+}
+
+/// Takes over a filter that a surface has copied.
+static void keep_filter(body *of, const tf_pair_filter *filter)
+{
+    of->filter = *filter;
+    of->filter.size = 0; // without what is later
+    if (!filter->group)
+        return;
+    memcpy(of->group, filter->group, sizeof of->group);
+    of->filter.group = of->group;
+}
+
+void call_filter_pairs(generator *random, body *of)
+{
+    static pair_filter filter;
+    int group[MOST_VERTICES];
+    tf_error error;
+    call made = call_begin("tf_surface_set_filter");
+    bool none = one_in(random, 4);
+    filter = (pair_filter){0};
+    if (!none)
+        draw_filter(random, &made, of, &filter, group);
+    mark(&error, sizeof error);
+    allocator_fail(random);
+    tf_status status =
+        tf_surface_set_filter(of->surface, none ? NULL : &filter.own, &error);
+    trouble_end(&made);
+    judge_error(&made, status, &error, random);
+    if (judge_status(&made, status)) {
+        keep_filter(of, &filter.own);
+        mark(group, sizeof group);
+        of->known = false;
+    }
+    judge_body(&made, of);
+}
+
+// Steps -----------------------------------------------------------------------
 
 /// The positions of a step.
 typedef struct step {
@@ -161,7 +251,7 @@ static tf_motion draw_motion(generator *random, call *made, const body *of,
     return motion;
 }
 
-// Detecting -----------------------------------------------------------------
+// Detecting -------------------------------------------------------------------
 
 /// Options with room for those of a later version.
 typedef struct detect_options {
@@ -220,8 +310,6 @@ static void draw_detect_options(generator *random, call *made,
     own->narrow_phase = any_narrow_phase(random, made, to);
     own->parallel = any_parallel(random, made, &to->workers);
     own->progress = any_progress(random, made, &to->hearing);
-    if (own->progress)
-        excuse(made, TF_CANCELLED);
 }
 
 /// Detects again, by a new surface, in the plainest way.
@@ -243,7 +331,7 @@ static void judge_contacts(const call *made, const body *of,
 }
 
 /// Judges the body, after some failures.
-static void judge_after(generator *random, const call *made, const body *of)
+static void judge_after(generator *random, const call *made, body *of)
 {
     if (one_in(random, 4))
         judge_body(made, of);
@@ -301,8 +389,6 @@ void call_candidates(generator *random, body *of)
         any_size(random, &made, sizeof options.own, options.later);
     options.own.parallel = any_parallel(random, &made, &to.workers);
     options.own.progress = any_progress(random, &made, &to.hearing);
-    if (options.own.progress)
-        excuse(&made, TF_CANCELLED);
     mark(&found, sizeof found);
     mark(&error, sizeof error);
     trouble_begin(random, &made);
@@ -324,7 +410,7 @@ void call_candidates(generator *random, body *of)
     tf_surface_free(other);
 }
 
-// Checking ------------------------------------------------------------------
+// Checking --------------------------------------------------------------------
 
 typedef struct check_options {
     tf_check_options own;
@@ -347,8 +433,6 @@ void call_check(generator *random, body *of)
         any_size(random, &made, sizeof options.own, options.later);
     options.own.parallel = any_parallel(random, &made, &to.workers);
     options.own.progress = any_progress(random, &made, &to.hearing);
-    if (options.own.progress)
-        excuse(&made, TF_CANCELLED);
     mark(&found, sizeof found);
     mark(&error, sizeof error);
     trouble_begin(random, &made);
@@ -389,7 +473,7 @@ void call_lend(generator *random, body *of)
     require(&made, tf_surface_memory(of->surface) > 0, "it holds nothing");
 }
 
-// Responding ----------------------------------------------------------------
+// Responding ------------------------------------------------------------------
 
 typedef struct response_options {
     tf_response_options own;
@@ -401,6 +485,32 @@ static bool is_within(double x, double least, double most)
     return x >= least && x <= most;
 }
 
+static size_t no_numbers(int axes, int vertices, int constraints)
+{
+    (void)axes;
+    (void)vertices;
+    (void)constraints;
+    return 0;
+}
+
+/// As bad as a solver can be: impulses that depend on the zone, of any size, and
+/// one time of four displacements that overflow.
+static int solve_wildly(tf_zone *zone)
+{
+    double impulse[4 * MOST_VERTICES * MOST_VERTICES];
+    generator random = {(uint64_t)zone->constraints};
+    int most = COUNT(impulse);
+    for (int i = 0; i < zone->constraints && i < most; i++)
+        zone->constraint[i].impulse = impulse[i] = uniform(&random, 0, 1e3);
+    if (zone->constraints <= most)
+        tf_zone_push(zone, impulse, zone->displacement);
+    if (zone->constraints % 4 == 0)
+        zone->displacement[0] = any_double(&random);
+    return 1;
+}
+
+static const tf_zone_solver wild_solver = {"wild", no_numbers, solve_wildly};
+
 static int any_rounds(generator *random)
 {
     static const int rounds[] = {0, 0, 0, 1, 2, 5, -1, INT_MIN};
@@ -411,9 +521,9 @@ static int any_rounds(generator *random)
 static void draw_response(generator *random, call *made,
                           tf_response_options *own)
 {
-    const tf_zone_solver *const solver[] = {NULL, &tf_gauss_seidel,
-                                            &tf_conjugate_residuals, &tf_minres,
-                                            &tf_normal_residuals};
+    const tf_zone_solver *const solver[] = {
+        NULL,       &tf_gauss_seidel,     &tf_conjugate_residuals,
+        &tf_minres, &tf_normal_residuals, &wild_solver};
     const double most = 1.7976931348623157e308;
     own->solver = solver[below(random, COUNT(solver))];
     own->impulse_rounds = any_rounds(random);
@@ -440,8 +550,6 @@ static void draw_response_options(generator *random, call *made,
     own->narrow_phase = any_narrow_phase(random, made, to);
     own->parallel = any_parallel(random, made, &to->workers);
     own->progress = any_progress(random, made, &to->hearing);
-    if (own->progress)
-        excuse(made, TF_CANCELLED);
     excuse(made, TF_START_NOT_CLEAR);
 }
 
@@ -477,7 +585,8 @@ static void judge_clear(const call *made, const body *of, const double start[],
     tf_surface_free(other);
 }
 
-/// Requires that scripted vertices end where they should, unless some were held.
+/// Requires that scripted vertices end where they should, but for those that the
+/// report counts.
 static void judge_scripted(const call *made, const body *of, const step *s,
                            const double inverse_mass[], const double end[],
                            const tf_response_report *report)
@@ -528,8 +637,7 @@ void call_resolve(generator *random, body *of)
     double masses[MOST_VERTICES], end[NUMBERS];
     const tf_response_report *report;
     tf_error error;
-    if (!of->resolver)
-        return;
+    need_resolver(of);
     call made = call_begin("tf_step_resolve");
     draw_step(random, &made, of, &s);
     draw_response_options(random, &made, &options, &to);
@@ -565,8 +673,7 @@ void call_limit(generator *random, body *of)
     double end[NUMBERS];
     int halvings;
     tf_error error;
-    if (!of->resolver)
-        return;
+    need_resolver(of);
     call made = call_begin("tf_step_limit");
     draw_step(random, &made, of, &s);
     draw_response_options(random, &made, &options, &to);

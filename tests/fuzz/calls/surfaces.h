@@ -8,9 +8,12 @@
 /// is replaced by it, and otherwise left.
 void call_create(generator *random, body *of);
 
-/// Each makes a call about a body, which it judges, and after a failure the body
-/// as well: makes a resolver, or frees it,
+/// Each makes a call about a body and judges it, and after some failures the
+/// body as well: makes a resolver, or frees it,
 void call_resolver(generator *random, body *of);
+
+/// filters its pairs,
+void call_filter_pairs(generator *random, body *of);
 
 /// detects the contacts of a step,
 void call_detect(generator *random, body *of);
@@ -24,7 +27,7 @@ void call_check(generator *random, body *of);
 /// asks for what the surface lends,
 void call_lend(generator *random, body *of);
 
-/// resolves a step, if there is a resolver,
+/// resolves a step,
 void call_resolve(generator *random, body *of);
 
 /// or limits it.

@@ -10,7 +10,7 @@
 # main() is.  A build of the first chapters leaves out the support that needs
 # more than they have, and the tests of the whole.
 SUPPORT := $(wildcard tests/support/*.c) tests/bench/workloads.c \
-	tests/bench/layers.c tests/bench/measuring.c
+	tests/bench/layers.c tests/bench/latency.c tests/bench/measuring.c
 FIGURE_TESTS := $(wildcard $(addsuffix /*.c,$(addprefix tests/,renderer draw kit \
 	figures)))
 ifndef partial

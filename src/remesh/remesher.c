@@ -72,9 +72,7 @@ static tf_status list_edges(tf_remesher *remesher, double low, double high)
     bool sorted = tf_list_sort(&remesher->row, (size_t)remesher->rows,
                                sizeof(tf_edge_row), is_shorter,
                                &remesher->sorting, watch);
-    return sorted                      ? TF_OK
-           : tf_watch_cancelled(watch) ? TF_CANCELLED
-                                       : TF_OUT_OF_MEMORY;
+    return sorted ? TF_OK : tf_watch_failure(watch);
 }
 
 //: Visit edges

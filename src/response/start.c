@@ -20,7 +20,11 @@ tf_status tf_start_check(tf_surface *surface, const tf_motion *motion,
                : status;
 }
 
-//: Check that no contact is there at the start
+//: Repeat the query of a contact at rest
+enum {
+    QUERY_WORK = 64 ///< units of work that a query takes, at most
+};
+
 /// Repeats the query of a contact with all vertices at rest.
 static tf_status touch_at_start(const tf_motion *motion,
                                 const tf_surface_contact *contact, bool *touch)
@@ -35,6 +39,7 @@ static tf_status touch_at_start(const tf_motion *motion,
     return status;
 }
 
+//: Check that no contact is there at the start
 static tf_status fail_at_contact(tf_error *error,
                                  const tf_surface_contact *contact)
 {
@@ -48,12 +53,15 @@ static tf_status fail_at_contact(tf_error *error,
 }
 
 tf_status tf_start_check_contacts(const tf_motion *motion,
-                                  const tf_contacts *contacts, tf_error *error)
+                                  const tf_contacts *contacts, tf_watch *watch,
+                                  tf_error *error)
 {
     for (size_t i = 0; i < contacts->count; i++) {
         const tf_surface_contact *contact = &contacts->contact[i];
-        bool touch = false;
-        if (contact->contact.toi_lo > 0)
+        bool touch = false, is_late = contact->contact.toi_lo > 0;
+        if (!tf_watch_work(watch, is_late ? 1 : QUERY_WORK))
+            return tf_fail(error, TF_CANCELLED);
+        if (is_late)
             continue;
         tf_status status = touch_at_start(motion, contact, &touch);
         if (status != TF_OK)

@@ -37,9 +37,7 @@ tf_status tf_reconnector_sort(tf_reconnector *reconnector, size_t size,
     bool sorted =
         tf_list_sort(&reconnector->candidate, (size_t)reconnector->candidates,
                      size, precedes, &reconnector->sorting, watch);
-    return sorted                      ? TF_OK
-           : tf_watch_cancelled(watch) ? TF_CANCELLED
-                                       : TF_OUT_OF_MEMORY;
+    return sorted ? TF_OK : tf_watch_failure(watch);
 }
 
 //: Measure volumes

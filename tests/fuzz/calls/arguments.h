@@ -79,9 +79,9 @@ typedef struct results {
 /// Marks the results before a call, and lets allocations fail, one time of 16.
 void results_begin(generator *random, results *of, void *result, size_t size);
 
-/// Ends all trouble after it, and judges its status and the error.  Requires that
-/// a call that was cancelled has not succeeded, and the result of one that failed
-/// is not set.  Returns whether it has succeeded.
+/// Ends all trouble after it, and judges its status and the error.  Requires
+/// that a call that was cancelled has not succeeded, and the result of one that
+/// failed is not set.  Returns whether it has succeeded.
 /// @param hearing what may have cancelled; NULL: nothing
 bool results_judge(generator *random, call *made, const results *of,
                    const listener *hearing, tf_status status);

@@ -81,7 +81,7 @@ void call_adaptive_create(generator *random, shell *of)
 {
     shape drawn;
     tf_adaptive_surface *surface;
-    results results;
+    results set;
     call made = call_begin("tf_adaptive_create");
     shape_draw(random, &drawn);
     expect_fault(&made, !all_finite(3 * drawn.mesh.vertices, drawn.position),
@@ -91,10 +91,10 @@ void call_adaptive_create(generator *random, shell *of)
     if (!drawn.embedded)
         excuse_shape(&made);
     break_environment(random, &made);
-    results_begin(random, &results, &surface, sizeof surface);
-    tf_status status = tf_adaptive_create(&drawn.mesh, drawn.position, &surface,
-                                          &results.error);
-    if (!results_judge(random, &made, &results, NULL, status))
+    results_begin(random, &set, &surface, sizeof surface);
+    tf_status status =
+        tf_adaptive_create(&drawn.mesh, drawn.position, &surface, &set.error);
+    if (!results_judge(random, &made, &set, NULL, status))
         return;
     judge_created(&made, &drawn, surface);
     shell_free(of);
@@ -470,15 +470,15 @@ void call_remesh(generator *random, shell *of)
     static remesh_options options;
     listener hearing;
     const tf_remesh_report *report;
-    results results;
+    results set;
     call made = call_begin("tf_adaptive_remesh");
     state before = state_of(of->surface);
     draw_remesh_options(random, &made, of, &options, &hearing);
     break_environment(random, &made);
-    results_begin(random, &results, &report, sizeof report);
+    results_begin(random, &set, &report, sizeof report);
     tf_status status =
-        tf_adaptive_remesh(of->surface, &options.own, &report, &results.error);
-    if (results_judge(random, &made, &results, &hearing, status)) {
+        tf_adaptive_remesh(of->surface, &options.own, &report, &set.error);
+    if (results_judge(random, &made, &set, &hearing, status)) {
         require(&made, report->rounds >= 0, "there are no rounds");
         judge_origins(&made, of, before.mesh.triangles);
     }
@@ -521,15 +521,15 @@ void call_reconnect(generator *random, shell *of)
     static reconnect_options options;
     listener hearing;
     const tf_reconnect_report *report;
-    results results;
+    results set;
     call made = call_begin("tf_adaptive_reconnect");
     state before = state_of(of->surface);
     draw_reconnect_options(random, &made, of, &options, &hearing);
     break_environment(random, &made);
-    results_begin(random, &results, &report, sizeof report);
-    tf_status status = tf_adaptive_reconnect(of->surface, &options.own, &report,
-                                             &results.error);
-    results_judge(random, &made, &results, &hearing, status);
+    results_begin(random, &set, &report, sizeof report);
+    tf_status status =
+        tf_adaptive_reconnect(of->surface, &options.own, &report, &set.error);
+    results_judge(random, &made, &set, &hearing, status);
     judge_after(random, &made, of, status == TF_OK, &before);
     state_free(&before);
 }
@@ -622,7 +622,7 @@ void call_flow_step(generator *random, shell *of)
     current flow;
     crew workers;
     const tf_flow_report *report;
-    results results;
+    results set;
     need_flow(of);
     call made = call_begin("tf_flow_step");
     state before = state_of(of->surface);
@@ -633,10 +633,10 @@ void call_flow_step(generator *random, shell *of)
     if (flow.broken || !(fabs(step) <= 1))
         excuse(&made, TF_NOT_FINITE);
     break_environment(random, &made);
-    results_begin(random, &results, &report, sizeof report);
+    results_begin(random, &set, &report, sizeof report);
     tf_status status =
-        tf_flow_step(of->flow, 0, step, &options.own, &report, &results.error);
-    if (results_judge(random, &made, &results, &flow.hearing, status))
+        tf_flow_step(of->flow, 0, step, &options.own, &report, &set.error);
+    if (results_judge(random, &made, &set, &flow.hearing, status))
         require(&made, report->reconnected && report->response,
                 "a report is missing");
     judge_after(random, &made, of, status == TF_OK, &before);

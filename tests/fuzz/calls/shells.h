@@ -15,8 +15,8 @@ typedef struct shell {
 void call_adaptive_create(generator *random, shell *of);
 
 /// Each makes a call about a shell and judges it: what has failed or is refused
-/// has changed nothing, and what is done has left an embedded surface.  It is an
-/// operation,
+/// has changed nothing, and what is done has left an embedded surface.  It is
+/// an operation,
 void call_operation(generator *random, shell *of);
 
 /// a compaction,

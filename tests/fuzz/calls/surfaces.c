@@ -60,15 +60,15 @@ void call_create(generator *random, body *of)
 {
     body drawn;
     tf_surface *surface;
-    results results;
+    results set;
     call made = call_begin("tf_surface_create");
     body_draw(random, &drawn);
     if (one_in(random, 4))
         spoil_mesh(random, &made, &drawn);
     drop_lists(random, &made, &drawn);
-    results_begin(random, &results, &surface, sizeof surface);
-    tf_status status = tf_surface_create(&drawn.mesh, &surface, &results.error);
-    if (!results_judge(random, &made, &results, NULL, status))
+    results_begin(random, &set, &surface, sizeof surface);
+    tf_status status = tf_surface_create(&drawn.mesh, &surface, &set.error);
+    if (!results_judge(random, &made, &set, NULL, status))
         return;
     body_free(of);
     *of = drawn;
@@ -170,16 +170,16 @@ void call_filter_pairs(generator *random, body *of)
 {
     static pair_filter filter;
     int group[MOST_VERTICES];
-    results results;
+    results set;
     call made = call_begin("tf_surface_set_filter");
     bool none = one_in(random, 4);
     filter = (pair_filter){0};
     if (!none)
         draw_filter(random, &made, of, &filter, group);
-    results_begin(random, &results, NULL, 0);
+    results_begin(random, &set, NULL, 0);
     tf_status status = tf_surface_set_filter(
-        of->surface, none ? NULL : &filter.own, &results.error);
-    if (results_judge(random, &made, &results, NULL, status)) {
+        of->surface, none ? NULL : &filter.own, &set.error);
+    if (results_judge(random, &made, &set, NULL, status)) {
         keep_filter(of, &filter.own);
         mark(group, sizeof group);
         of->known = false;
@@ -347,7 +347,7 @@ void call_detect(generator *random, body *of)
     pointed_to to;
     step s;
     tf_contacts found;
-    results results;
+    results set;
     call made = call_begin("tf_surface_detect");
     draw_step(random, &made, of, &s);
     tf_motion motion = draw_motion(random, &made, of, &s);
@@ -358,11 +358,10 @@ void call_detect(generator *random, body *of)
     if (usual)
         options.own = (tf_detect_options){0};
     break_environment(random, &made);
-    results_begin(random, &results, &found, sizeof found);
-    tf_status status =
-        tf_surface_detect(of->surface, &motion, usual ? NULL : &options.own,
-                          &found, &results.error);
-    if (results_judge(random, &made, &results, &to.hearing, status))
+    results_begin(random, &set, &found, sizeof found);
+    tf_status status = tf_surface_detect(
+        of->surface, &motion, usual ? NULL : &options.own, &found, &set.error);
+    if (results_judge(random, &made, &set, &to.hearing, status))
         judge_contacts(&made, of, &motion, &options.own, &found);
     else
         judge_after(random, &made, of);
@@ -388,16 +387,16 @@ void call_candidates(generator *random, body *of)
     pointed_to to;
     step s;
     tf_candidates found;
-    results results;
+    results set;
     call made = call_begin("tf_surface_candidates");
     draw_step(random, &made, of, &s);
     tf_motion motion = draw_motion(random, &made, of, &s);
     draw_usual_options(random, &made, &options, &to);
     break_environment(random, &made);
-    results_begin(random, &results, &found, sizeof found);
+    results_begin(random, &set, &found, sizeof found);
     tf_status status = tf_surface_candidates(of->surface, &motion, &options.own,
-                                             &found, &results.error);
-    if (results_judge(random, &made, &results, &to.hearing, status))
+                                             &found, &set.error);
+    if (results_judge(random, &made, &set, &to.hearing, status))
         judge_candidates(&made, of, &motion, &found);
     else
         judge_after(random, &made, of);
@@ -440,17 +439,17 @@ void call_check(generator *random, body *of)
     pointed_to to;
     step s;
     tf_crossings found;
-    results results;
+    results set;
     call made = call_begin("tf_surface_check");
     draw_step(random, &made, of, &s);
     made.faults &= ~((status_set)1 << TF_NOT_FINITE); // as the end alone may be
     expect_fault(&made, !all_finite(body_numbers(of), s.start), TF_NOT_FINITE);
     draw_check_options(random, &made, &options, &to);
     break_environment(random, &made);
-    results_begin(random, &results, &found, sizeof found);
+    results_begin(random, &set, &found, sizeof found);
     tf_status status = tf_surface_check(of->surface, s.vertices, s.start,
-                                        &options.own, &found, &results.error);
-    if (results_judge(random, &made, &results, &to.hearing, status))
+                                        &options.own, &found, &set.error);
+    if (results_judge(random, &made, &set, &to.hearing, status))
         judge_crossings(&made, of, &s, &found);
     else
         judge_after(random, &made, of);
@@ -495,7 +494,7 @@ static size_t no_numbers(int axes, int vertices, int constraints)
     return 0;
 }
 
-/// As bad as a solver can be: impulses that depend on the zone, of any size, and
+/// As bad as a solver can be: impulses of any size that depend on the zone, and
 /// one time of four displacements that overflow.
 static int solve_wildly(tf_zone *zone)
 {
@@ -587,8 +586,8 @@ static void judge_clear(const call *made, const body *of, const double start[],
     tf_surface_free(other);
 }
 
-/// Requires that scripted vertices end where they should, but for those that the
-/// report counts.
+/// Requires that scripted vertices end where they should, but for those that
+/// the report counts.
 static void judge_scripted(const call *made, const body *of, const step *s,
                            const double inverse_mass[], const double end[],
                            const tf_response_report *report)
@@ -638,7 +637,7 @@ void call_resolve(generator *random, body *of)
     step s;
     double masses[MOST_VERTICES], end[NUMBERS];
     const tf_response_report *report;
-    results results;
+    results set;
     need_resolver(of);
     call made = call_begin("tf_step_resolve");
     draw_step(random, &made, of, &s);
@@ -648,11 +647,11 @@ void call_resolve(generator *random, body *of)
         draw_masses(random, &made, of->mesh.vertices, masses);
     memcpy(end, s.end, sizeof end);
     break_environment(random, &made);
-    results_begin(random, &results, &report, sizeof report);
+    results_begin(random, &set, &report, sizeof report);
     tf_status status =
         tf_step_resolve(of->resolver, s.vertices, s.start, end, inverse_mass,
-                        &options.own, &report, &results.error);
-    if (!results_judge(random, &made, &results, &to.hearing, status)) {
+                        &options.own, &report, &set.error);
+    if (!results_judge(random, &made, &set, &to.hearing, status)) {
         require(&made, memcmp(end, s.end, sizeof end) == 0, "the end is set");
         judge_after(random, &made, of);
         return;
@@ -669,18 +668,18 @@ void call_limit(generator *random, body *of)
     step s;
     double end[NUMBERS];
     int halvings;
-    results results;
+    results set;
     need_resolver(of);
     call made = call_begin("tf_step_limit");
     draw_step(random, &made, of, &s);
     draw_response_options(random, &made, &options, &to);
     memcpy(end, s.end, sizeof end);
     break_environment(random, &made);
-    results_begin(random, &results, &halvings, sizeof halvings);
+    results_begin(random, &set, &halvings, sizeof halvings);
     tf_status status = tf_step_limit(of->resolver, s.vertices, s.start, end,
-                                     &options.own, &halvings, &results.error);
+                                     &options.own, &halvings, &set.error);
     bool whole = memcmp(end, s.end, sizeof end) == 0;
-    if (!results_judge(random, &made, &results, &to.hearing, status)) {
+    if (!results_judge(random, &made, &set, &to.hearing, status)) {
         require(&made, whole, "the end is set");
         judge_after(random, &made, of);
         return;

@@ -39,6 +39,15 @@ tf_status tf_fail_vertex(tf_error *error, tf_status status, int vertex,
     return status;
 }
 
+tf_status tf_fail_query(tf_error *error, tf_status status, size_t index,
+                        int vertex, int time)
+{
+    tf_fail_element(error, status, TF_BATCH_QUERY, index, vertex);
+    if (error)
+        error->time = time;
+    return status;
+}
+
 //: Set an error about an option
 tf_status tf_fail_option(tf_error *error, const char *option, const char *range,
                          double value)

@@ -7,11 +7,11 @@
 /// one that is about nothing in particular,
 tf_status tf_fail(tf_error *error, tf_status status);
 
-/// about an element of the caller's list, or a query, and one of its vertices,
+/// about an element of the caller's list, and one of its vertices,
 tf_status tf_fail_element(tf_error *error, tf_status status, tf_subject subject,
                           size_t index, int vertex);
 
-/// TF_BAD_INDEX about such an element, with the bad index and the number of
+/// TF_BAD_INDEX about such an element, or a query, with the bad index and the number of
 /// vertices,
 tf_status tf_fail_index(tf_error *error, tf_subject subject, size_t index,
                         int vertex, int vertices);
@@ -19,6 +19,10 @@ tf_status tf_fail_index(tf_error *error, tf_subject subject, size_t index,
 /// about a vertex at a time,
 tf_status tf_fail_vertex(tf_error *error, tf_status status, int vertex,
                          int time);
+
+/// about a vertex of a query at a time,
+tf_status tf_fail_query(tf_error *error, tf_status status, size_t index,
+                        int vertex, int time);
 
 /// about the vertices of the two elements of a pair, up to a -1 or `most` of
 /// them,

@@ -85,9 +85,11 @@ static void put_place(sentence *s, const tf_error *error)
     if (error->subject < TF_VERTEX || error->subject > TF_BATCH_QUERY)
         return;
     long long first = error->subject == TF_VERTEX ? s->first : 0;
-    put(s, "%s %lld%s: ", names[error->subject],
-        (long long)error->index + first,
-        error->time == 0 || error->time == 1 ? times[error->time] : "");
+    bool timed = error->time == 0 || error->time == 1;
+    put(s, "%s %lld", names[error->subject], (long long)error->index + first);
+    if (error->subject == TF_BATCH_QUERY && timed)
+        put(s, ", vertex %lld", number_of(s, error->vertex[0]));
+    put(s, "%s: ", timed ? times[error->time] : "");
 }
 
 //: Describe a bad index

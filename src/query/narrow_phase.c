@@ -4,25 +4,9 @@
 #include "base/environment.h"
 #include "base/require.h"
 #include "query/query.h"
+#include "query/shape.h"
 
 #include <stdbool.h>
-
-/// The axes of the scene and the vertices of the two elements.
-typedef struct shape {
-    int axes, vertices, others;
-} shape;
-
-/// NULL: there is no such kind.
-static const shape *shape_of(tf_kind kind)
-{
-    static const shape shapes[] = {
-        [TF_POINT_EDGE] = {2, 1, 2},
-        [TF_POINT_TRIANGLE] = {3, 1, 3},
-        [TF_EDGE_EDGE] = {3, 2, 2},
-    };
-    bool known = kind > TF_NO_KIND && kind <= TF_EDGE_EDGE;
-    return known ? &shapes[kind] : NULL;
-}
 
 static tf_status decide_queries(void *context, const tf_arithmetic *arithmetic,
                                 const tf_queries *queries, tf_verdict verdict[],
@@ -31,7 +15,7 @@ static tf_status decide_queries(void *context, const tf_arithmetic *arithmetic,
     (void)context;
     TF_REQUIRE(arithmetic && queries && separated);
     TF_REQUIRE((queries->vertices && verdict) || queries->count == 0);
-    const shape *pair = shape_of(queries->kind);
+    const tf_query_shape *pair = tf_query_shape_of(queries->kind);
     if (!pair)
         return TF_BAD_OPTION;
     if (queries->count > 0 && !tf_environment_is_ieee())

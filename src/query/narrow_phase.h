@@ -6,20 +6,13 @@
 #include "arithmetic/arithmetic.h"
 #include "base/status.h"
 #include "intersect/verdict.h"
+#include "query/kind.h"
 #include "query/motion.h"
 
 #include <stddef.h>
 
-/// @addtogroup narrow_phases Narrow phases
+/// @addtogroup narrow_phases
 /// @{
-
-/// Which two elements a query is about.
-typedef enum tf_kind {
-    TF_NO_KIND = 0,    ///< no query
-    TF_POINT_EDGE,     ///< in the plane; vertices: point, edge
-    TF_POINT_TRIANGLE, ///< in space; vertices: point, triangle
-    TF_EDGE_EDGE,      ///< in space; vertices: first edge, second edge
-} tf_kind;
 
 /// Queries of one kind about one scene, borrowed from the caller.
 typedef struct tf_queries {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/api.h"
-#include "query/narrow_phase.h"
+#include "query/kind.h"
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -17,6 +17,12 @@ START_TEST(each_kind_sets_all_members)
               error.index == 5 && error.vertex[0] == 5 && error.time == 1 &&
               error.vertex[1] == -1 && !error.option);
     error = filled;
+    tf_fail_query(&error, TF_OUT_OF_RANGE, 8, 5, 0);
+    ck_assert(error.status == TF_OUT_OF_RANGE &&
+              error.subject == TF_BATCH_QUERY && error.index == 8 &&
+              error.vertex[0] == 5 && error.time == 0 &&
+              error.vertex[1] == -1 && !error.option);
+    error = filled;
     tf_fail_pair(&error, TF_START_NOT_CLEAR, TF_POINT_TRIANGLE_PAIR, 4, vertex,
                  0);
     ck_assert(error.vertex[0] == 4 && error.vertex[3] == 3 &&
@@ -43,6 +49,8 @@ START_TEST(error_may_be_null)
     const int vertex[] = {4, 1, 2, 3};
     ck_assert_int_eq(tf_fail(NULL, TF_BAD_MASS), TF_BAD_MASS);
     ck_assert_int_eq(tf_fail_vertex(NULL, TF_BAD_MASS, 3, -1), TF_BAD_MASS);
+    ck_assert_int_eq(tf_fail_query(NULL, TF_NOT_FINITE, 3, 1, 0),
+                     TF_NOT_FINITE);
     ck_assert_int_eq(tf_fail_option(NULL, "a", "b", 0), TF_BAD_OPTION);
     ck_assert_int_eq(tf_fail_element(NULL, TF_BAD_INDEX, TF_EDGE, 0, 0),
                      TF_BAD_INDEX);

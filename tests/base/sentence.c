@@ -45,6 +45,14 @@ static const struct {
      1,
      "vertex 4 at the end of the step: a coordinate is infinite or NaN; give "
      "finite positions"},
+    {{.status = TF_NOT_FINITE,
+      .subject = TF_BATCH_QUERY,
+      .index = 3,
+      .vertex = {8},
+      .time = 0},
+     1,
+     "query 3, vertex 9 at the start of the step: a coordinate is infinite or "
+     "NaN; give finite positions"},
     {{.status = TF_BAD_OPTION,
       .subject = TF_OPTION,
       .option = "restitution",

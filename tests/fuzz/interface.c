@@ -19,8 +19,9 @@ typedef void stateless_call(generator *random);
 typedef void body_call(generator *random, body *of);
 
 static stateless_call *const stateless[] = {
-    call_query,  call_linear_query, call_rigid_advance, call_narrow_phase,
-    call_filter, call_solver,       call_describe,      call_allocator,
+    call_query,        call_linear_query, call_rigid_advance,
+    call_narrow_phase, call_batch,        call_filter,
+    call_solver,       call_describe,     call_allocator,
 };
 
 static body_call *const about_bodies[] = {

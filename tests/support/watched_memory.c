@@ -22,7 +22,7 @@ static void *allocate(void *context, size_t size)
     watched_memory *memory = context;
     ck_assert_uint_gt(size, 0);
     memory->calls++;
-    if (memory->left == 0)
+    if (memory->left == 0 || (memory->most > 0 && size > memory->most))
         return NULL;
     memory->left -= memory->left > 0;
     void *all;

@@ -8,6 +8,7 @@
 typedef struct watched_memory {
     long calls;           ///< for memory
     long left;            ///< how many more of them have some; below 0: all
+    size_t most;          ///< a block of more bytes is refused; 0: none is
     size_t blocks, bytes; ///< in use
     size_t peak;          ///< of the bytes
     size_t offset;        ///< of the blocks that will be allocated, from a

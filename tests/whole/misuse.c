@@ -148,6 +148,25 @@ static tf_status decide_in_plane(const tf_motion *motion, tf_error *error)
     return error->status = decide(&tf_vectorized, TF_POINT_EDGE, motion);
 }
 
+/// By vectors, as there is a NULL for the arithmetic, or by the reference.
+static tf_status answer(tf_kind kind, const tf_motion *motion, tf_error *error)
+{
+    static const int vertices[] = {2, 0, 1, 3};
+    tf_queries queries = {kind, motion, 1, vertices};
+    tf_contact contact;
+    return tf_query_batch(NULL, &queries, NULL, &contact, error);
+}
+
+static tf_status answer_many(const tf_motion *motion, tf_error *error)
+{
+    return answer(TF_EDGE_EDGE, motion, error);
+}
+
+static tf_status answer_in_plane(const tf_motion *motion, tf_error *error)
+{
+    return answer(TF_POINT_EDGE, motion, error);
+}
+
 static tf_status detect(const tf_motion *motion, tf_error *error)
 {
     tf_contacts found;
@@ -182,6 +201,8 @@ static const struct {
     {"tf_reference", 3, decide_one, false},
     {"tf_vectorized", 3, decide_by_vectors, false},
     {"tf_vectorized in the plane", 2, decide_in_plane, false},
+    {"tf_query_batch", 3, answer_many, false},
+    {"tf_query_batch in the plane", 2, answer_in_plane, false},
     {"tf_surface_detect", 3, detect, true},
     {"tf_surface_detect in the plane", 2, detect_in_plane, true},
     {"tf_surface_candidates", 3, list, true},
@@ -262,6 +283,47 @@ START_TEST(kinds_are_those_that_there_are)
                          TF_BAD_OPTION);
         ck_assert_int_eq(decide(&tf_vectorized, (tf_kind)bad[k], &motion),
                          TF_BAD_OPTION);
+        tf_error error;
+        tf_status status = answer((tf_kind)bad[k], &motion, &error);
+        expect_error("a kind", status, TF_BAD_OPTION, &error);
+        ck_assert_str_eq(error.option, "kind");
+    }
+}
+END_TEST
+
+START_TEST(batches_are_of_vertices)
+{
+    static const int bad[] = {-1, INT_MIN, VERTICES, INT_MAX, 1};
+    tf_motion motion = motion_of(3);
+    for (int k = 0; k < COUNT(bad); k++) {
+        const int vertices[] = {0, 1, 2, 3, 0, 1, 2, bad[k]};
+        tf_queries queries = {TF_POINT_TRIANGLE, &motion, 2, vertices};
+        tf_contact contact[2];
+        tf_error error;
+        tf_status status =
+            tf_query_batch(NULL, &queries, NULL, contact, &error);
+        expect_error("a batch", status, TF_BAD_INDEX, &error);
+        ck_assert_uint_eq(error.index, 1);
+        ck_assert_int_eq(error.vertex[0], bad[k]);
+    }
+}
+END_TEST
+
+START_TEST(batches_have_what_they_count)
+{
+    static const int vertices[] = {0, 1, 2, 3};
+    static const size_t bad[] = {(size_t)-1, (size_t)-1 / 16, (size_t)-1 / 128};
+    tf_motion motion = motion_of(3);
+    tf_queries queries = {TF_EDGE_EDGE, &motion, 1, NULL};
+    tf_contact contact;
+    tf_error error;
+    tf_status status = tf_query_batch(NULL, &queries, NULL, &contact, &error);
+    expect_error("no list", status, TF_BAD_COUNT, &error);
+    queries.vertices = vertices;
+    for (int k = 0; k < COUNT(bad); k++) {
+        queries.count = bad[k];
+        status = tf_query_batch(NULL, &queries, NULL, &contact, &error);
+        expect_error("many queries", status, TF_BAD_COUNT, &error);
     }
 }
 END_TEST
@@ -659,6 +721,8 @@ START_TEST(null_is_allowed_where_the_header_says_so)
     ck_assert_int_eq(
         tf_vectorized.decide(NULL, &tf_exact, &none, &verdict, &separated),
         TF_OK);
+    ck_assert_int_eq(tf_query_batch(NULL, &none, NULL, NULL, NULL), TF_OK);
+    ck_assert_int_eq(tf_surface_set_filter(surface, NULL, NULL), TF_OK);
     ck_assert_int_eq(tf_additive_point_edge(&(tf_advance_limits){0}, &flat, 2,
                                             edge, &contact, NULL),
                      TF_OK);
@@ -761,6 +825,15 @@ static void vectors_without(int null)
     size_t separated = 0;
     tf_vectorized.decide(NULL, GIVEN(0, &tf_exact), GIVEN(1, &queries),
                          GIVEN(4, &verdict), GIVEN(5, &separated));
+}
+
+static void batch_without(int null)
+{
+    static const int vertices[] = {0, 1, 2, 3};
+    tf_motion motion = motion_of(3);
+    tf_queries queries = {TF_EDGE_EDGE, GIVEN(0, &motion), 1, vertices};
+    tf_contact contact;
+    tf_query_batch(NULL, GIVEN(1, &queries), NULL, GIVEN(2, &contact), NULL);
 }
 
 static void filter_without(int null)
@@ -869,17 +942,14 @@ static const struct {
     null_call *call;
     int pointers; ///< that may not be null
 } null_calls[] = {
-    {query_without, 4},        {plane_query_without, 4},
-    {edge_query_without, 5},   {cubic_without, 4},
-    {quadratic_without, 4},    {additive_without, 4},
-    {rigid_without, 4},        {position_without, 3},
-    {narrow_phase_without, 6}, {vectors_without, 6},
-    {filter_without, 2},       {create_without, 2},
-    {lend_without, 2},         {lend_triangles_without, 2},
-    {tell_without, 10},        {allocator_without, 2},
-    {detect_without, 3},       {list_without, 3},
-    {check_without, 3},        {resolver_without, 2},
-    {resolve_without, 3},      {limit_without, 4},
+    {query_without, 4},   {plane_query_without, 4}, {edge_query_without, 5},
+    {cubic_without, 4},   {quadratic_without, 4},   {additive_without, 4},
+    {rigid_without, 4},   {position_without, 3},    {narrow_phase_without, 6},
+    {vectors_without, 6}, {batch_without, 3},       {filter_without, 2},
+    {create_without, 2},  {lend_without, 2},        {lend_triangles_without, 2},
+    {tell_without, 10},   {allocator_without, 2},   {detect_without, 3},
+    {list_without, 3},    {check_without, 3},       {resolver_without, 2},
+    {resolve_without, 3}, {limit_without, 4},
 };
 
 enum {
@@ -924,6 +994,8 @@ Suite *suite(void)
                         COUNT(motion_calls));
     tcase_add_test(c, queries_are_of_vertices);
     tcase_add_test(c, kinds_are_those_that_there_are);
+    tcase_add_test(c, batches_are_of_vertices);
+    tcase_add_test(c, batches_have_what_they_count);
     tcase_add_test(c, arithmetics_have_bits_for_two_axes_and_three);
     tcase_add_test(c, rigid_positions_are_of_vertices);
     tcase_add_test(c, meshes_are_as_they_say);

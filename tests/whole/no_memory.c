@@ -10,9 +10,11 @@
 #include "support/scrambled_workers.h"
 #include "support/support.h"
 #include "support/surfaces.h"
+#include "support/watched_memory.h"
 #include "surface/candidates.h"
 #include "surface/check.h"
 
+#include <limits.h>
 #include <string.h>
 
 static tf_error error;
@@ -124,6 +126,23 @@ START_TEST(filters_lack_memory)
 }
 END_TEST
 
+// On most machines malloc would promise even this.
+START_TEST(absurd_sizes_lack_memory)
+{
+    const int corner[] = {0, 1, INT_MAX / 3 - 1};
+    const tf_mesh mesh = {
+        .axes = 3, .vertices = INT_MAX / 3, .triangles = 1, .triangle = corner};
+    watched_memory memory;
+    tf_surface *surface;
+    memory_watch(&memory);
+    memory.most = (size_t)1 << 30;
+    ck_assert_int_eq(tf_surface_create(&mesh, &surface, &error),
+                     TF_OUT_OF_MEMORY);
+    ck_assert_int_eq(error.status, TF_OUT_OF_MEMORY);
+    memory_end(&memory);
+}
+END_TEST
+
 // Responses -------------------------------------------------------------------
 
 static proposal made;
@@ -177,6 +196,7 @@ Suite *suite(void)
     TCase *tcase = tcase_create("failures");
     tcase_add_loop_test(tcase, surfaces_lack_memory, 0, 4);
     tcase_add_test(tcase, filters_lack_memory);
+    tcase_add_test(tcase, absurd_sizes_lack_memory);
     tcase_add_loop_test(tcase, responses_lack_memory, 0, PROPOSAL_SHAPES);
     suite_add_tcase(suite, tcase);
     return suite;

@@ -435,6 +435,58 @@ void call_narrow_phase(generator *random)
         judge_one_by_one(&made, arithmetic, &s, &queries, &by_one);
 }
 
+/// Requires the answers of one query after another, or the first one's status.
+static void judge_answers(const call *made, const tf_arithmetic *arithmetic,
+                          const scene *all, const tf_queries *queries,
+                          const tf_contact contact[], const tf_error *error)
+{
+    scene s = *all;
+    int count = kind_vertices(s.kind = queries->kind);
+    for (size_t i = 0; i < queries->count; i++) {
+        tf_contact alone = {0};
+        memcpy(s.vertex, queries->vertices + (size_t)count * i,
+               sizeof *s.vertex * (size_t)count);
+        tf_status status = ask(arithmetic, &s, &alone);
+        if (status != TF_OK) {
+            require(made, error->status == status, "another status");
+            require(made, error->subject != TF_BATCH_QUERY || error->index == i,
+                    "another query");
+            return;
+        }
+        require(made,
+                error->status != TF_OK ||
+                    memcmp(&alone, &contact[i], sizeof alone) == 0,
+                "another answer");
+    }
+    require(made, error->status == TF_OK, "a status of no query");
+}
+
+void call_batch(generator *random)
+{
+    static tf_contact contact[QUERIES];
+    static int vertex[4 * QUERIES];
+    scene s;
+    tf_queries queries;
+    crew workers;
+    tf_error error;
+    call scene_made = call_begin("a batch"), made = scene_made;
+    const tf_arithmetic *arithmetic = any_arithmetic(random);
+    draw_scene(random, &scene_made, arithmetic, &s);
+    draw_queries(random, &s, &queries, vertex);
+    const tf_parallel *parallel = any_parallel(random, &made, &workers);
+    expect_fault(&made, !is_kind(queries.kind), TF_BAD_OPTION);
+    bool asks = !made.faults;
+    mark(&error, sizeof error);
+    tf_status status = tf_query_batch(
+        arithmetic == &tf_exact && one_in(random, 2) ? NULL : arithmetic,
+        &queries, parallel, contact, &error);
+    judge_error(&made, status, &error, random);
+    if (asks)
+        judge_answers(&made, arithmetic, &s, &queries, contact, &error);
+    else
+        judge_status(&made, status);
+}
+
 // Filters ---------------------------------------------------------------------
 
 enum {

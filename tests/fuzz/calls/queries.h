@@ -16,6 +16,9 @@ void call_rigid_advance(generator *random);
 /// many queries by both narrow phases,
 void call_narrow_phase(generator *random);
 
+/// many queries at once,
+void call_batch(generator *random);
+
 /// a filter,
 void call_filter(generator *random);
 

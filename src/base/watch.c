@@ -9,6 +9,7 @@ tf_watch *tf_watch_begin(tf_watch *watch, tf_progress *progress, void *context)
     watch->context = context;
     watch->stage = (tf_stage){.name = ""};
     atomic_init(&watch->done, 0);
+    atomic_init(&watch->work, 0);
     atomic_init(&watch->cancelled, false);
     atomic_flag_clear(&watch->told);
     return watch;
@@ -45,7 +46,28 @@ bool tf_watch_done(tf_watch *watch, size_t more)
     return !atomic_load(&watch->cancelled);
 }
 
+//: Ask whether the caller has cancelled
+void tf_watch_advance(tf_watch *watch, size_t more)
+{
+    if (watch)
+        atomic_fetch_add(&watch->done, more);
+}
+
 bool tf_watch_cancelled(tf_watch *watch)
 {
     return watch && atomic_load(&watch->cancelled);
+}
+
+tf_status tf_watch_failure(tf_watch *watch)
+{
+    return tf_watch_cancelled(watch) ? TF_CANCELLED : TF_OUT_OF_MEMORY;
+}
+
+//: Count the work of loops
+bool tf_watch_count(tf_watch *watch, size_t units)
+{
+    size_t before = atomic_fetch_add(&watch->work, units);
+    size_t after = before + units;
+    bool tells = before / TF_WATCHED_WORK != after / TF_WATCHED_WORK;
+    return tells ? tf_watch_done(watch, 0) : !tf_watch_cancelled(watch);
 }

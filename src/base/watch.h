@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/progress.h"
+#include "base/status.h"
 
 #include <stdatomic.h>
 
@@ -12,6 +13,7 @@ typedef struct tf_watch {
     void *context;
     tf_stage stage;
     atomic_size_t done; ///< of the stage
+    atomic_size_t work; ///< of the call, in units
     atomic_bool cancelled;
     atomic_flag told; ///< a thread is telling the caller
 } tf_watch;
@@ -27,5 +29,27 @@ void tf_watch_stage(tf_watch *watch, const char *name, size_t total);
 /// once for some microseconds of work, and at least every 10 milliseconds.
 bool tf_watch_done(tf_watch *watch, size_t more);
 
+/// The same, but does not tell the caller.
+void tf_watch_advance(tf_watch *watch, size_t more);
+
 /// Whether the caller has cancelled.
 bool tf_watch_cancelled(tf_watch *watch);
+
+/// Why something failed that fails if the caller has cancelled or if there is no
+/// memory.
+tf_status tf_watch_failure(tf_watch *watch);
+
+//: Declare the watch over loops
+enum {
+    TF_WATCHED_WORK = 4096 ///< units after which the caller is told
+};
+
+/// Counts work, and tells the caller now and then.
+bool tf_watch_count(tf_watch *watch, size_t units);
+
+/// Notes that a loop does some more units of work, each of about 50 nanoseconds;
+/// false if the caller has cancelled, and then for good.
+static inline bool tf_watch_work(tf_watch *watch, size_t units)
+{
+    return !watch || tf_watch_count(watch, units);
+}

@@ -52,7 +52,7 @@ static int solve_by_conjugate_residuals(tf_zone *zone)
                      vector[DIRECTION_PRODUCT]);
     double energy = tf_equations_dot(&equations, residual, product);
     int iterations = 0;
-    while (iterations < zone->sweeps &&
+    while (tf_zone_goes_on(zone, 0) && iterations < zone->sweeps &&
            !tf_equations_are_solved(&equations, residual, product, enough)) {
         step(&equations, vector, &energy);
         iterations++;

@@ -53,6 +53,16 @@ static tf_constraint constraint_of_point(const tf_surface_contact *contact)
     return constraint;
 }
 
+//: Take a contact as it is
+tf_constraint tf_contact_points(const tf_surface_contact *contact)
+{
+    tf_constraint constraint = constraint_of_point(contact);
+    double turn = contact->contact.normal_velocity > 0 ? -1 : 1;
+    for (int k = 0; k < TF_AXES; k++)
+        constraint.normal[k] = turn * contact->contact.normal[k];
+    return constraint;
+}
+
 //: Find where the two points start
 /// The vector from the second element's point to the first one's at the start.
 /// As the coefficients add up to zero, positions may be taken relative to one

@@ -14,6 +14,11 @@ typedef struct tf_contact_rule {
                         ///< restitution returns a part of their approach
 } tf_contact_rule;
 
+/// The constraint of the two points of a contact as it is, to be listed and not
+/// to be solved: along its own normal, if it has one, turned such that the
+/// elements do not move apart along it, and without a bound.
+tf_constraint tf_contact_points(const tf_surface_contact *contact);
+
 /// Makes the constraint of a contact, with the numbers that its vertices have
 /// in the step.  If the constraint of the point of contact is no good, or if
 /// `by_pivots`, it is the constraint of the contact's two pivots, as far as

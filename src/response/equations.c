@@ -2,6 +2,7 @@
 #include "response/equations.h"
 
 #include "base/require.h"
+#include "base/watch.h"
 #include "response/impulse.h"
 
 #include <math.h>
@@ -54,7 +55,8 @@ double tf_equations_start(const tf_equations *equations, double x[],
                           double residual[])
 {
     const tf_zone *zone = equations->zone;
-    for (int i = 0; i < equations->count; i++) {
+    for (int i = 0; i < equations->count && tf_watch_work(zone->watch, 1);
+         i++) {
         const tf_constraint *constraint = &zone->constraint[i];
         double scale = scale_of(constraint, zone->inverse_mass);
         equations->scale[i] = scale;
@@ -94,7 +96,8 @@ void tf_equations_finish(const tf_equations *equations, const double x[])
 {
     const tf_zone *zone = equations->zone;
     scale_impulses(equations, x);
-    for (int i = 0; i < equations->count; i++) {
+    for (int i = 0; i < equations->count && tf_watch_work(zone->watch, 1);
+         i++) {
         zone->constraint[i].impulse = equations->impulse[i];
         memset(zone->constraint[i].friction, 0,
                sizeof zone->constraint[i].friction);

@@ -42,10 +42,11 @@ static bool is_within_group(tf_groups *groups,
     return true;
 }
 
-static void put_to_rest(tf_failsafe *failsafe, const tf_contacts *contacts)
+static void put_to_rest(tf_failsafe *failsafe, const tf_contacts *contacts,
+                        tf_watch *watch)
 {
     group *all = failsafe->group.data;
-    for (size_t i = 0; i < contacts->count; i++) {
+    for (size_t i = 0; i < contacts->count && tf_watch_work(watch, 1); i++) {
         const tf_surface_contact *contact = &contacts->contact[i];
         int root = tf_groups_find(&failsafe->groups, contact->vertex[0]);
         if (is_within_group(&failsafe->groups, contact))
@@ -64,9 +65,10 @@ static void unite(tf_failsafe *failsafe, int a, int b)
     all[root].joined = true;
 }
 
-static void unite_all(tf_failsafe *failsafe, const tf_contacts *contacts)
+static void unite_all(tf_failsafe *failsafe, const tf_contacts *contacts,
+                      tf_watch *watch)
 {
-    for (size_t i = 0; i < contacts->count; i++) {
+    for (size_t i = 0; i < contacts->count && tf_watch_work(watch, 2); i++) {
         const int *vertex = contacts->contact[i].vertex;
         for (int j = 1; j < 4 && vertex[j] >= 0; j++)
             unite(failsafe, vertex[0], vertex[j]);
@@ -176,8 +178,8 @@ void tf_failsafe_round(tf_failsafe *failsafe, tf_step *step,
     group *all = failsafe->group.data;
     for (int v = 0; v < step->vertices; v++)
         all[v].joined = false;
-    put_to_rest(failsafe, contacts);
-    unite_all(failsafe, contacts);
+    put_to_rest(failsafe, contacts, step->watch);
+    unite_all(failsafe, contacts, step->watch);
     find_displacements(failsafe, step);
     rest_at_infinity(failsafe, step);
     move_groups(failsafe, step);
@@ -199,6 +201,10 @@ void tf_failsafe_account(tf_failsafe *failsafe, const tf_step *step,
         report->groups += second;
         report->grouped += (root != v) + second;
         report->resting += all[root].resting;
+        if (root != v)
+            step->flags[root] |= TF_VERTEX_GROUPED;
+        step->flags[v] |= (root != v ? TF_VERTEX_GROUPED : 0) |
+                          (all[root].resting ? TF_VERTEX_RESTING : 0);
     }
 }
 

@@ -2,6 +2,7 @@
 #include "response/gauss_seidel.h"
 
 #include "base/require.h"
+#include "base/watch.h"
 #include "response/impulse.h"
 
 #include <math.h>
@@ -14,7 +15,7 @@
 static double worst(const tf_zone *zone, int begin, int end)
 {
     double violation = 0;
-    for (int i = begin; i < end; i++) {
+    for (int i = begin; i < end && tf_watch_work(zone->watch, 1); i++) {
         const tf_constraint *constraint = &zone->constraint[i];
         double gap_change = tf_constraint_gap_change(zone->axes, constraint,
                                                      zone->displacement);
@@ -29,7 +30,8 @@ static double worst(const tf_zone *zone, int begin, int end)
 static double start(const tf_zone *zone, const tf_bodies *bodies)
 {
     double violation = worst(zone, 0, zone->solved);
-    for (int i = 0; i < zone->constraints; i++) {
+    for (int i = 0; i < zone->constraints && tf_watch_work(zone->watch, 1);
+         i++) {
         const tf_constraint *constraint = &zone->constraint[i];
         tf_vector normal = tf_vector_at(constraint->normal, 0);
         tf_vector friction = tf_vector_at(constraint->friction, 0);
@@ -52,12 +54,12 @@ static void list_constraints(const tf_zone *zone, const agenda *all)
 {
     int *begin = all->begin;
     memset(begin, 0, sizeof *begin * ((size_t)zone->vertices + 2));
-    for (int i = 0; i < zone->constraints; i++)
+    for (int i = 0; i < zone->constraints && tf_watch_work(zone->watch, 1); i++)
         for (int j = 0; j < 4 && zone->constraint[i].vertex[j] >= 0; j++)
             begin[zone->constraint[i].vertex[j] + 2]++;
     for (int v = 0; v < zone->vertices; v++)
         begin[v + 2] += begin[v + 1];
-    for (int i = 0; i < zone->constraints; i++)
+    for (int i = 0; i < zone->constraints && tf_watch_work(zone->watch, 1); i++)
         for (int j = 0; j < 4 && zone->constraint[i].vertex[j] >= 0; j++)
             all->constraint[begin[zone->constraint[i].vertex[j] + 1]++] = i;
 }
@@ -112,6 +114,10 @@ static bool is_off(const sweep_state *state, const tf_constraint *constraint)
 }
 
 //: Visit a constraint that is due
+enum {
+    NEIGHBORS = 32 ///< that are told in the time of a visit
+};
+
 /// Puts on the agenda all other constraints that share a vertex with a
 /// constraint, even one that cannot move: with friction another visit improves
 /// such constraints as well.
@@ -119,9 +125,12 @@ static void tell_neighbors(const sweep_state *state, int constraint)
 {
     const agenda *all = &state->all;
     const int *vertex = state->zone->constraint[constraint].vertex;
-    for (int i = 0; i < 4 && vertex[i] >= 0; i++)
-        for (int j = all->begin[vertex[i]]; j < all->begin[vertex[i] + 1]; j++)
+    for (int i = 0; i < 4 && vertex[i] >= 0; i++) {
+        int begin = all->begin[vertex[i]], end = all->begin[vertex[i] + 1];
+        for (int j = begin; j < end; j++)
             all->due[all->constraint[j]] = true;
+        tf_zone_goes_on(state->zone, (size_t)(end - begin) / NEIGHBORS);
+    }
     all->due[constraint] = false;
 }
 
@@ -143,13 +152,18 @@ static bool visit(const sweep_state *state, int constraint, bool is_new)
 }
 
 //: Sweep until little changes
-/// Returns whether a visit made a change of more than the tolerance.
+/// Returns whether a visit made a change of more than the tolerance; false if the
+/// caller has cancelled.
 static bool sweep(const sweep_state *state, bool is_first)
 {
     bool any = false;
-    for (int i = 0; i < state->zone->constraints; i++)
-        if (state->all.due[i])
-            any |= visit(state, i, is_first && i >= state->zone->solved);
+    for (int i = 0; i < state->zone->constraints; i++) {
+        if (!state->all.due[i])
+            continue;
+        if (!tf_zone_goes_on(state->zone, 1))
+            return false;
+        any |= visit(state, i, is_first && i >= state->zone->solved);
+    }
     return any;
 }
 

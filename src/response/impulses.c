@@ -14,15 +14,16 @@ static void read_displacements(const tf_step *step, double displacement[])
 
 void tf_impulses_round(tf_step *step, const tf_contacts *contacts,
                        const tf_contact_rule *rule, double friction,
-                       double displacement[])
+                       double displacement[], tf_constraint constraint[])
 {
     read_displacements(step, displacement);
     tf_bodies bodies = {step->axes, step->inverse_mass, displacement};
-    for (size_t i = 0; i < contacts->count; i++) {
+    for (size_t i = 0; i < contacts->count && tf_watch_work(step->watch, 4);
+         i++) {
         double gap;
-        tf_constraint constraint = tf_contact_constraint(
-            step, &contacts->contact[i], rule, false, &gap);
-        tf_constraint_visit(&constraint, friction, &bodies);
+        constraint[i] = tf_contact_constraint(step, &contacts->contact[i], rule,
+                                              false, &gap);
+        tf_constraint_visit(&constraint[i], friction, &bodies);
     }
     for (int v = 0; v < step->vertices; v++)
         tf_step_move(step, v, step->end,

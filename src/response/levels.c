@@ -36,8 +36,19 @@ static bool begin_level(tf_resolution *r, tf_response_level level)
     }
 }
 
-//: Answer contacts by one level
-static bool solve_zones(tf_resolution *r)
+//: Answer contacts by impulses
+static bool answer_by_impulses(tf_resolution *r)
+{
+    tf_constraint *constraint =
+        tf_answers_extend(&r->resolver->answers, r->contacts.count);
+    if (constraint)
+        tf_impulses_round(&r->step, &r->contacts, &r->rule, r->options.friction,
+                          r->resolver->displacement.data, constraint);
+    return constraint != NULL;
+}
+
+//: Answer contacts by zones
+static bool answer_by_zones(tf_resolution *r)
 {
     tf_zone_options options = {.solver = r->options.solver,
                                .friction = r->options.friction,
@@ -47,22 +58,33 @@ static bool solve_zones(tf_resolution *r)
            tf_zones_solve(zones, &r->step, &r->rule, &options, &r->zones);
 }
 
-static bool answer(tf_resolution *r, tf_response_level level)
+//: Answer contacts by groups of vertices
+static bool answer_by_groups(tf_resolution *r, tf_response_level level)
 {
-    switch (level) {
-    case TF_IMPULSES:
-        tf_impulses_round(&r->step, &r->contacts, &r->rule, r->options.friction,
-                          r->resolver->displacement.data);
-        return true;
-    case TF_ZONES:
-        return solve_zones(r);
-    case TF_RIGID:
+    tf_constraint *constraint =
+        tf_answers_extend(&r->resolver->answers, r->contacts.count);
+    if (!constraint)
+        return false;
+    for (size_t i = 0; i < r->contacts.count && tf_watch_work(r->step.watch, 1);
+         i++)
+        constraint[i] = tf_contact_points(&r->contacts.contact[i]);
+    if (level == TF_RIGID)
         tf_rigid_round(&r->resolver->rigid, &r->step, &r->contacts);
-        return true;
-    default:
+    else
         tf_failsafe_round(&r->resolver->failsafe, &r->step, &r->contacts);
-        return true;
-    }
+    return true;
+}
+
+//: Answer contacts by one level
+static bool answer_by(tf_resolution *r, tf_response_level level)
+{
+    size_t first = (size_t)r->resolver->zones.constraints;
+    bool good = level == TF_IMPULSES ? answer_by_impulses(r)
+                : level == TF_ZONES  ? answer_by_zones(r)
+                                     : answer_by_groups(r, level);
+    return good &&
+           tf_answers_add(&r->resolver->answers, &r->contacts, level,
+                          r->report.rounds[level]++, first, r->step.watch);
 }
 
 //: Find the contacts that are left
@@ -91,6 +113,13 @@ static tf_status find_contacts(tf_resolution *r)
 }
 
 //: Go through the rounds of a level
+static const char *const stage_names[TF_LEVELS] = {
+    [TF_IMPULSES] = "impulses",
+    [TF_ZONES] = "zones",
+    [TF_RIGID] = "rigid zones",
+    [TF_FAILSAFE] = "failsafe",
+};
+
 /// Ends after `most` rounds, or earlier if no contacts are left or, except for
 /// the failsafe, if a round moves nothing: its contacts stay as they are.
 static tf_status go_through(tf_resolution *r, tf_response_level level, int most)
@@ -101,11 +130,11 @@ static tf_status go_through(tf_resolution *r, tf_response_level level, int most)
         return TF_OUT_OF_MEMORY;
     tf_watch *watch = r->resolver->surface->workers.watch;
     for (int round = 0; round < most && r->contacts.any; round++) {
+        tf_watch_stage(watch, stage_names[level], 0);
         if (!tf_watch_done(watch, 0))
             return TF_CANCELLED;
-        r->report.rounds[level]++;
-        if (!answer(r, level))
-            return TF_OUT_OF_MEMORY;
+        if (!answer_by(r, level))
+            return tf_watch_failure(watch);
         // If all vertices were proposed to move by the same displacement, the
         // failsafe may unite groups without moving any vertex.
         bool moved = !tf_pair_cache_is_current(&r->resolver->pairs, &r->search);

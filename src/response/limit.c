@@ -66,7 +66,8 @@ static tf_status test_whole(tf_surface *surface, const tf_motion *motion,
     if (status != TF_OK)
         return status;
     *clear = !found.any;
-    return tf_start_check_contacts(motion, &found, error);
+    return tf_start_check_contacts(motion, &found, surface->workers.watch,
+                                   error);
 }
 
 //: Find a clear fraction
@@ -105,6 +106,8 @@ tf_status tf_step_limit(tf_resolver *resolver, int vertices,
 {
     TF_REQUIRE(resolver && start && end && halvings);
     tf_response_options own;
+    tf_answers_clear(&resolver->answers);
+    resolver->has_resolved = false;
     tf_status status = tf_response_options_read(&own, options, error);
     if (status != TF_OK)
         return status;

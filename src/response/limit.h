@@ -26,7 +26,8 @@
 ///     `end` equals `start`
 /// @param[out] error what is wrong, if anything; may be NULL
 /// @return TF_OK; TF_BAD_COUNT; TF_BAD_OPTION; TF_NOT_FINITE;
-///     TF_START_NOT_CLEAR; TF_BAD_ENVIRONMENT; TF_OUT_OF_MEMORY; or TF_CANCELLED
+///     TF_START_NOT_CLEAR; TF_BAD_ENVIRONMENT; TF_OUT_OF_MEMORY; or TF_CANCELLED,
+///     and then the resolver and its surface are as good as new
 TF_API tf_status tf_step_limit(tf_resolver *resolver, int vertices,
                                const double start[], double end[],
                                const tf_response_options *options,

@@ -132,8 +132,8 @@ static int solve_by_minres(tf_zone *zone)
     tf_equations equations = tf_equations_of(zone, VECTORS, vector);
     double enough = start(&equations, vector, &r);
     int iterations = 0;
-    while (iterations < zone->sweeps && fabs(r.residual) > enough &&
-           iterate(&equations, &r, vector[0]))
+    while (tf_zone_goes_on(zone, 0) && iterations < zone->sweeps &&
+           fabs(r.residual) > enough && iterate(&equations, &r, vector[0]))
         iterations++;
     tf_equations_finish(&equations, vector[0]);
     return iterations;

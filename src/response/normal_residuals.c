@@ -49,7 +49,7 @@ static int solve_by_normal_residuals(tf_zone *zone)
     tf_equations_add(&equations, gradient, 0, gradient, vector[DIRECTION]);
     double steepness = tf_equations_dot(&equations, gradient, gradient);
     int iterations = 0;
-    while (iterations < zone->sweeps &&
+    while (tf_zone_goes_on(zone, 0) && iterations < zone->sweeps &&
            !tf_equations_are_solved(&equations, residual, gradient, enough)) {
         step(&equations, vector, &steepness);
         iterations++;

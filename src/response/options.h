@@ -49,22 +49,63 @@ typedef struct tf_response_report {
     double energy_after;  ///< that of the resolved step
 } tf_response_report;
 
+//: Declare answered contacts
+/// A contact of a step that was resolved, and how a level of the response
+/// answered it.  Impulses and zones answer by a push, which adds
+///
+///     inverse_mass_i coefficient[i] (impulse normal + friction)
+///
+/// to the displacement of vertex[i].  Where only they have moved a vertex, the
+/// sum of all its pushes is the difference between where it ends and where it was
+/// proposed to end, up to rounding.  Rigid zones and the failsafe do not push.
+/// Its layout is final.
+typedef struct tf_answered_contact {
+    tf_kind kind;            ///< of what elements
+    int vertex[4];           ///< theirs, in the order of a tf_surface_contact
+    tf_response_level level; ///< which level answered
+    int round;               ///< in which of its rounds, from 0
+    int reserved;            ///< 0
+    double toi; ///< when they met, 0 to 1, in the step as it was before
+                ///< this round
+    double
+        coefficient[4]; ///< how much of the push goes to each vertex: those of
+                        ///< the first element add up to +1, the others to -1
+    double normal[3];   ///< of length 1, from the second element to the first;
+                        ///< or zero, if nothing pushed and there was none
+    double impulse;     ///< in units of mass times length; at least 0, but for
+                        ///< solvers that also pull
+    double friction[3]; ///< an impulse across the normal
+} tf_answered_contact;
+
+//: Declare what happened to vertices
+/// What the response did with a vertex; flags to be added up.  Later versions may
+/// add to this list.
+typedef enum tf_vertex_flag {
+    TF_VERTEX_MOVED = 1,   ///< it does not end where it was proposed to end
+    TF_VERTEX_HELD = 2,    ///< moved, though it is scripted
+    TF_VERTEX_GROUPED = 4, ///< in a group of the failsafe with other vertices
+    TF_VERTEX_RESTING = 8, ///< in a group that stays at its start
+    TF_VERTEX_RIGID = 16   ///< moved with a rigid zone
+} tf_vertex_flag;
+
 //: Declare how to respond
-/// How to respond.  Zero is the usual choice everywhere, a negative number none.
+/// How to respond.  Zero is the usual choice everywhere, and a negative number
+/// means none, where it says so.
 typedef struct tf_response_options {
     size_t size; ///< sizeof(tf_response_options); 0: that of version 1.0
     const tf_zone_solver *solver; ///< NULL: tf_gauss_seidel
     int impulse_rounds; ///< rounds of impulses, before zones; 0: the usual
-                        ///< number, which is none
+                        ///< number, which is none; negative: none
     int zone_rounds;    ///< rounds of zones; 0: 20; negative: none
-    int sweeps;         ///< iterations of the solver; 0: 30
+    int sweeps;         ///< iterations of the solver, 1 or more; 0: 30
     bool rigid;         ///< whether to try rigid zones before the failsafe
     double separation;  ///< pairs in contact that start nearer than this are
                         ///< pushed apart, a part of the way; 0: 0.05 of the
                         ///< mean edge at the start; negative: none are
-    double restitution; ///< 0 to 1: the part of their normal velocity with
-                        ///< which elements move apart after a collision
-    double friction;    ///< Coulomb's coefficient, 0 or more
+    double restitution; ///< the part of their normal velocity with which
+                        ///< elements move apart after a collision, from 0,
+                        ///< which is usual, to 1
+    double friction;    ///< Coulomb's coefficient, 0, which is usual, or more
     bool check_start;   ///< whether to look for intersections at the start, too
     const tf_narrow_phase *narrow_phase; ///< NULL: tf_vectorized
     const tf_parallel *parallel;         ///< NULL: the caller's thread alone

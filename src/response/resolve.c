@@ -36,8 +36,10 @@ static bool ready(tf_resolution *r)
     tf_resolver *resolver = r->resolver;
     size_t vertices = (size_t)r->step.vertices;
     size_t bytes = sizeof(double) * (size_t)r->step.axes * vertices;
-    if (!tf_buffer_reserve(&resolver->end, bytes, 1))
+    if (!tf_buffer_reserve(&resolver->end, bytes, 1) ||
+        !tf_buffer_reserve(&resolver->flags, vertices, 1))
         return false;
+    r->step.flags = memset(resolver->flags.data, 0, vertices);
     r->step.end = memcpy(resolver->end.data, r->step.proposed, bytes);
     r->motion.end = r->step.end;
     r->search = (tf_contact_search){.surface = resolver->surface,
@@ -59,7 +61,8 @@ static tf_status begin(tf_resolution *r, tf_error *error)
         status = tf_pair_cache_build(&r->resolver->pairs, &r->search,
                                      &r->contacts, error);
     if (status == TF_OK)
-        status = tf_start_check_contacts(&r->motion, &r->contacts, error);
+        status = tf_start_check_contacts(&r->motion, &r->contacts,
+                                         r->step.watch, error);
     r->report.first_contacts = r->report.contacts = r->contacts.count;
     r->report.statistics = r->contacts.statistics;
     return status;
@@ -87,8 +90,11 @@ static void count_moved(const tf_step *step, tf_response_report *report)
         ptrdiff_t place = (ptrdiff_t)step->axes * v;
         bool moved =
             memcmp(step->end + place, step->proposed + place, bytes) != 0;
+        bool held = moved && !(step->inverse_mass[v] > 0);
+        step->flags[v] |=
+            (moved ? TF_VERTEX_MOVED : 0) | (held ? TF_VERTEX_HELD : 0);
         report->moved += moved;
-        report->held += moved && !(step->inverse_mass[v] > 0);
+        report->held += held;
     }
 }
 
@@ -158,6 +164,7 @@ static tf_status watch_and_run(tf_resolution *r, double end[], tf_error *error)
     tf_watch watch,
         *outer = tf_workers_watch(workers, &watch, r->options.progress,
                                   r->options.context);
+    r->step.watch = workers->watch;
     tf_status status = run(r, end, error);
     workers->watch = outer;
     return status;
@@ -181,11 +188,15 @@ tf_status tf_step_resolve(tf_resolver *resolver, int vertices,
                  .inverse_mass = inverse_mass},
         .motion = {.axes = axes, .vertices = vertices, .start = start},
         .zones = {.smallest_gap = INFINITY}};
+    tf_answers_clear(&resolver->answers);
     tf_status status = tf_response_options_read(&r.options, options, error);
     if (status == TF_OK)
         status = watch_and_run(&r, end, error);
     resolver->report = r.report;
-    if (status == TF_OK && report)
+    resolver->has_resolved = status == TF_OK;
+    if (status != TF_OK)
+        tf_answers_clear(&resolver->answers);
+    else if (report)
         *report = &resolver->report;
     return status;
 }

@@ -26,6 +26,7 @@
 /// two plates close upon a sheet.  The report counts those that it held back.
 ///
 /// The result is the same, to the last bit, for any number of threads.
+/// tf_resolver_contacts and tf_resolver_vertices tell what was done.
 ///
 /// @param resolver the resolver of the surface
 /// @param vertices how many vertices have positions
@@ -41,7 +42,8 @@
 /// @param[out] error what is wrong, if anything; may be NULL
 /// @return TF_OK; TF_BAD_COUNT if the surface has another number of vertices;
 ///     TF_NOT_FINITE; TF_BAD_MASS; TF_BAD_OPTION if an option is not in its
-///     range; TF_START_NOT_CLEAR; TF_BAD_ENVIRONMENT; or TF_OUT_OF_MEMORY
+///     range; TF_START_NOT_CLEAR; TF_BAD_ENVIRONMENT; TF_OUT_OF_MEMORY; or
+///     TF_CANCELLED, and then the resolver and its surface are as good as new
 TF_API tf_status tf_step_resolve(tf_resolver *resolver, int vertices,
                                  const double start[], double end[],
                                  const double inverse_mass[],

@@ -27,10 +27,31 @@ void tf_resolver_free(tf_resolver *resolver)
     tf_buffer_free(&resolver->base);
     tf_buffer_free(&resolver->ones);
     tf_buffer_free(&resolver->displacement);
+    tf_buffer_free(&resolver->flags);
     tf_zones_free(&resolver->zones);
     tf_rigid_free(&resolver->rigid);
     tf_failsafe_free(&resolver->failsafe);
+    tf_answers_free(&resolver->answers);
     tf_release(resolver, sizeof *resolver);
+}
+
+//: Lend what the last step did
+tf_status tf_resolver_contacts(tf_resolver *resolver, size_t *count,
+                               const tf_answered_contact **contact)
+{
+    TF_REQUIRE(resolver && count && contact);
+    tf_answer_list *answers = &resolver->answers;
+    if (!tf_answers_lend(answers, resolver->zones.constraint.data))
+        return TF_OUT_OF_MEMORY;
+    *count = answers->answers;
+    *contact = answers->row.data;
+    return TF_OK;
+}
+
+const unsigned char *tf_resolver_vertices(const tf_resolver *resolver)
+{
+    TF_REQUIRE(resolver);
+    return resolver->has_resolved ? resolver->flags.data : NULL;
 }
 
 //: Count the memory of a resolver
@@ -39,7 +60,9 @@ size_t tf_resolver_memory(const tf_resolver *resolver)
     TF_REQUIRE(resolver);
     return sizeof *resolver + tf_pair_cache_memory(&resolver->pairs) +
            resolver->end.bytes + resolver->base.bytes + resolver->ones.bytes +
-           resolver->displacement.bytes + tf_zones_memory(&resolver->zones) +
+           resolver->displacement.bytes + resolver->flags.bytes +
+           tf_zones_memory(&resolver->zones) +
            tf_rigid_memory(&resolver->rigid) +
-           tf_failsafe_memory(&resolver->failsafe);
+           tf_failsafe_memory(&resolver->failsafe) +
+           tf_answers_memory(&resolver->answers);
 }

@@ -1,6 +1,7 @@
 //: Declare what a resolver holds
 #pragma once
 
+#include "response/answer_list.h"
 #include "response/failsafe.h"
 #include "response/rigid.h"
 #include "response/zones.h"
@@ -13,5 +14,8 @@ typedef struct tf_resolver {
     tf_zones zones;
     tf_rigid rigid;
     tf_failsafe failsafe;
+    tf_answer_list answers;
+    tf_buffer flags;           ///< a byte for each vertex, see tf_vertex_flag
+    bool has_resolved;         ///< the last call has resolved a step
     tf_response_report report; ///< of the last step, lent
 } tf_resolver;

@@ -1,6 +1,8 @@
 //: Include what rigid zones need
 #include "response/rigid.h"
 
+#include "response/options.h"
+
 #include <stddef.h>
 #include <string.h>
 
@@ -31,15 +33,15 @@ bool tf_rigid_begin(tf_rigid *rigid, const tf_step *step)
 }
 
 //: Unite the zones of contacts
-static void unite(tf_rigid *rigid, const tf_contacts *contacts)
+static void unite(tf_rigid *rigid, const tf_contacts *contacts, tf_watch *watch)
 {
-    for (size_t i = 0; i < contacts->count; i++) {
+    for (size_t i = 0; i < contacts->count && tf_watch_work(watch, 2); i++) {
         const int *vertex = contacts->contact[i].vertex;
         for (int j = 1; j < 4 && vertex[j] >= 0; j++)
             tf_groups_unite(&rigid->groups, vertex[0], vertex[j]);
     }
     body *all = rigid->body.data;
-    for (size_t i = 0; i < contacts->count; i++)
+    for (size_t i = 0; i < contacts->count && tf_watch_work(watch, 1); i++)
         all[tf_groups_find(&rigid->groups, contacts->contact[i].vertex[0])]
             .joined = true;
 }
@@ -148,13 +150,14 @@ static void move_with_body(const tf_rigid *rigid, tf_step *step,
     tf_vector to = tf_vector_sum(own->displacement, scale,
                                  tf_vector_sum(first, 1, second));
     tf_step_move(step, vertex, rigid->entry.data, to.x);
+    step->flags[vertex] |= TF_VERTEX_RIGID;
 }
 
 //: Answer contacts by rigid bodies
 void tf_rigid_round(tf_rigid *rigid, tf_step *step, const tf_contacts *contacts)
 {
     memset(rigid->body.data, 0, (size_t)step->vertices * sizeof(body));
-    unite(rigid, contacts);
+    unite(rigid, contacts, step->watch);
     find_scripted(rigid, step);
     find_centers(rigid, step);
     add_up(rigid, step);

@@ -5,19 +5,9 @@
 #include "base/fail.h"
 #include "query/query.h"
 #include "surface/check.h"
+#include "surface/crossing_error.h"
 
 //: Check that a start has no intersections
-static tf_status fail_at_crossing(tf_error *error, const tf_crossing *crossing)
-{
-    static const tf_subject subjects[] = {
-        [TF_EDGE_THROUGH_TRIANGLE] = TF_EDGE_TRIANGLE_PAIR,
-        [TF_POINT_ON_TRIANGLE] = TF_POINT_TRIANGLE_PAIR,
-        [TF_EDGE_ON_EDGE] = TF_EDGE_EDGE_PAIR,
-    };
-    return tf_fail_pair(error, TF_START_NOT_CLEAR, subjects[crossing->kind], 5,
-                        crossing->vertex, 0);
-}
-
 tf_status tf_start_check(tf_surface *surface, const tf_motion *motion,
                          const tf_parallel *parallel, tf_error *error)
 {
@@ -26,11 +16,15 @@ tf_status tf_start_check(tf_surface *surface, const tf_motion *motion,
     tf_status status = tf_surface_check(surface, motion->vertices,
                                         motion->start, &options, &found, error);
     return status == TF_OK && found.count > 0
-               ? fail_at_crossing(error, found.crossing)
+               ? tf_fail_crossing(error, TF_START_NOT_CLEAR, found.crossing, 0)
                : status;
 }
 
-//: Check that no contact is there at the start
+//: Repeat the query of a contact at rest
+enum {
+    QUERY_WORK = 64 ///< units of work that a query takes, at most
+};
+
 /// Repeats the query of a contact with all vertices at rest.
 static tf_status touch_at_start(const tf_motion *motion,
                                 const tf_surface_contact *contact, bool *touch)
@@ -45,6 +39,7 @@ static tf_status touch_at_start(const tf_motion *motion,
     return status;
 }
 
+//: Check that no contact is there at the start
 static tf_status fail_at_contact(tf_error *error,
                                  const tf_surface_contact *contact)
 {
@@ -58,12 +53,15 @@ static tf_status fail_at_contact(tf_error *error,
 }
 
 tf_status tf_start_check_contacts(const tf_motion *motion,
-                                  const tf_contacts *contacts, tf_error *error)
+                                  const tf_contacts *contacts, tf_watch *watch,
+                                  tf_error *error)
 {
     for (size_t i = 0; i < contacts->count; i++) {
         const tf_surface_contact *contact = &contacts->contact[i];
-        bool touch = false;
-        if (contact->contact.toi_lo > 0)
+        bool touch = false, is_late = contact->contact.toi_lo > 0;
+        if (!tf_watch_work(watch, is_late ? 1 : QUERY_WORK))
+            return tf_fail(error, TF_CANCELLED);
+        if (is_late)
             continue;
         tf_status status = touch_at_start(motion, contact, &touch);
         if (status != TF_OK)

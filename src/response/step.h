@@ -1,6 +1,7 @@
 //: Hold a step that is being resolved
 #pragma once
 
+#include "base/watch.h"
 #include "geometry/vector.h"
 
 /// A step that is being resolved.  Each position is `axes` numbers.
@@ -8,7 +9,9 @@ typedef struct tf_step {
     int axes, vertices;
     const double *start, *proposed;
     const double *inverse_mass;
-    double *end; ///< as it is so far
+    double *end;          ///< as it is so far
+    unsigned char *flags; ///< what was done with each vertex: tf_vertex_flags
+    tf_watch *watch;      ///< over the call; or NULL
 } tf_step;
 
 //: Declare how a step is changed

@@ -1,17 +1,30 @@
-//: Multiply by a zone's matrix
+//: Ask whether to go on
 #include "response/zone.h"
 
 #include "base/require.h"
+#include "base/watch.h"
 #include "response/impulse.h"
 
 #include <string.h>
 
+enum {
+    VISIT = 2 ///< units of work
+};
+
+bool tf_zone_goes_on(const tf_zone *zone, size_t visits)
+{
+    TF_REQUIRE(zone);
+    return tf_watch_work(zone->watch, VISIT * visits);
+}
+
+//: Multiply by a zone's matrix
 void tf_zone_push(const tf_zone *zone, const double impulse[],
                   double displacement[])
 {
     TF_REQUIRE(zone && impulse && displacement);
     tf_bodies bodies = {zone->axes, zone->inverse_mass, displacement};
-    for (int i = 0; i < zone->constraints; i++) {
+    for (int i = 0; i < zone->constraints && tf_watch_work(zone->watch, 1);
+         i++) {
         const tf_constraint *constraint = &zone->constraint[i];
         tf_vector normal = tf_vector_at(constraint->normal, 0);
         tf_constraint_push(constraint, tf_vector_scaled(impulse[i], normal),
@@ -23,7 +36,7 @@ void tf_zone_gap_changes(const tf_zone *zone, const double displacement[],
                          double gap_change[])
 {
     TF_REQUIRE(zone && displacement && gap_change);
-    for (int i = 0; i < zone->constraints; i++)
+    for (int i = 0; i < zone->constraints && tf_watch_work(zone->watch, 1); i++)
         gap_change[i] = tf_constraint_gap_change(
             zone->axes, &zone->constraint[i], displacement);
 }

@@ -4,6 +4,7 @@
 #include "base/api.h"
 #include "response/constraint.h"
 
+#include <stdbool.h>
 #include <stddef.h>
 
 /// @addtogroup response
@@ -29,6 +30,7 @@ typedef struct tf_zone {
                                 ///< proposed; out: with all impulses applied
     double friction;            ///< Coulomb's coefficient; 0: none
     int sweeps;                 ///< the most iterations to make, at least 1
+    struct tf_watch *watch;     ///< for tf_zone_goes_on; NULL: nobody cancels
     double *workspace;          ///< as many numbers as the solver asks for,
                                 ///< in allocated memory, as a solver may keep
                                 ///< other types there
@@ -44,14 +46,28 @@ typedef struct tf_zone_solver {
 
     /// Finds impulses, applies them, and returns how many iterations that took.
     /// It need not satisfy all constraints, but the impulses must depend on
-    /// nothing but the zone.  Thread-safe.
+    /// nothing but the zone.  When tf_zone_goes_on says false it may return at
+    /// once, and leave anything in the zone.  Thread-safe.
     int (*solve)(tf_zone *zone);
 } tf_zone_solver;
+
+//: Declare how a solver is cancelled
+/// Whether a solver is to go on.  It is told how much it has done since the last
+/// time, and asks as often as it likes, at least once in some milliseconds: for
+/// each constraint that it visits, say.  A solver that never asks delays a
+/// caller who cancels until it is done with a zone.  Thread-safe.
+/// @param zone the zone
+/// @param visits how many constraints it has visited since it last asked, or
+///     what takes as long
+/// @return false: the caller has cancelled the step, and the zone's impulses and
+///     displacements are of no use any more; the answer will stay the same
+TF_API bool tf_zone_goes_on(const tf_zone *zone, size_t visits);
 
 //: Declare the product with a zone's matrix
 /// Adds the effect of one impulse for each constraint, along its normal, to the
 /// displacements of a zone's vertices.  The constraints' own impulses and
-/// friction play no part.  Thread-safe.
+/// friction play no part.  As the next two functions it stops early, and what it
+/// has written is of no use, when tf_zone_goes_on says false.  Thread-safe.
 /// @param zone the zone
 /// @param impulse one number for each constraint
 /// @param[in,out] displacement `axes` numbers for each vertex

@@ -55,7 +55,8 @@ bool tf_zones_add(tf_zones *zones, const tf_step *step,
                           sizeof(tf_constraint)))
         return false;
     tf_constraint *constraint = zones->constraint.data;
-    for (size_t i = 0; i < contacts->count; i++) {
+    for (size_t i = 0; i < contacts->count && tf_watch_work(step->watch, 4);
+         i++) {
         const tf_surface_contact *contact = &contacts->contact[i];
         bool by_pivots = is_turn_of_pivots(zones, contact);
         double gap;
@@ -63,7 +64,7 @@ bool tf_zones_add(tf_zones *zones, const tf_step *step,
             tf_contact_constraint(step, contact, rule, by_pivots, &gap);
         statistics->smallest_gap = fmin(statistics->smallest_gap, gap);
     }
-    return true;
+    return !tf_watch_cancelled(step->watch);
 }
 
 //: Divide the constraints into zones
@@ -90,10 +91,12 @@ static int root_of(tf_groups *groups, const tf_constraint *constraint,
 
 //: Unite the vertices of constraints
 /// Joins the vertices that new constraints can move.
-static void unite_vertices(tf_zones *zones, const double inverse_mass[])
+static void unite_vertices(tf_zones *zones, const tf_step *step)
 {
+    const double *inverse_mass = step->inverse_mass;
     const tf_constraint *constraint = zones->constraint.data;
-    for (int i = zones->old; i < zones->constraints; i++) {
+    for (int i = zones->old;
+         i < zones->constraints && tf_watch_work(step->watch, 1); i++) {
         int root = root_of(&zones->groups, &constraint[i], inverse_mass);
         for (int j = 0; j < 4 && root >= 0 && constraint[i].vertex[j] >= 0; j++)
             if (inverse_mass[constraint[i].vertex[j]] > 0)
@@ -103,14 +106,15 @@ static void unite_vertices(tf_zones *zones, const double inverse_mass[])
 }
 
 //: Number the zones that have a new constraint
-static void number_zones(tf_zones *zones, const double inverse_mass[],
-                         division *d)
+static void number_zones(tf_zones *zones, const tf_step *step, division *d)
 {
+    const double *inverse_mass = step->inverse_mass;
     const tf_constraint *constraint = zones->constraint.data;
     d->zones = 0;
     for (int v = 0; v < zones->groups.count; v++)
         d->zone[v] = d->place[v] = -1;
-    for (int i = zones->old; i < zones->constraints; i++) {
+    for (int i = zones->old;
+         i < zones->constraints && tf_watch_work(step->watch, 1); i++) {
         int root = root_of(&zones->groups, &constraint[i], inverse_mass);
         if (root >= 0 && d->zone[root] < 0)
             d->zone[root] = d->zones++;
@@ -126,17 +130,19 @@ static int zone_of(tf_zones *zones, const tf_constraint *constraint,
     return root >= 0 ? d->zone[root] : -1;
 }
 
-static void order_constraints(tf_zones *zones, const double inverse_mass[],
-                              division *d)
+static void order_constraints(tf_zones *zones, const tf_step *step, division *d)
 {
+    const double *inverse_mass = step->inverse_mass;
     const tf_constraint *constraint = zones->constraint.data;
     memset(d->first, 0, sizeof *d->first * ((size_t)d->zones + 2));
-    for (int i = 0; i < zones->constraints; i++)
+    for (int i = 0; i < zones->constraints && tf_watch_work(step->watch, 1);
+         i++)
         d->first[zone_of(zones, &constraint[i], inverse_mass, d) + 2]++;
     d->first[1] = 0; // of the constraints that are in no zone
     for (int z = 0; z < d->zones; z++)
         d->first[z + 2] += d->first[z + 1];
-    for (int i = 0; i < zones->constraints; i++) {
+    for (int i = 0; i < zones->constraints && tf_watch_work(step->watch, 1);
+         i++) {
         int z = zone_of(zones, &constraint[i], inverse_mass, d);
         if (z >= 0)
             d->order[d->first[z + 1]++] = i;
@@ -157,22 +163,24 @@ static bool divide(tf_zones *zones, const tf_step *step, division *d)
     d->vertex = d->place + vertices;
     d->first = zones->by_constraint.data;
     d->order = d->first + constraints + 2;
-    unite_vertices(zones, step->inverse_mass);
-    number_zones(zones, step->inverse_mass, d);
-    order_constraints(zones, step->inverse_mass, d);
-    return true;
+    unite_vertices(zones, step);
+    number_zones(zones, step, d);
+    order_constraints(zones, step, d);
+    return !tf_watch_cancelled(step->watch);
 }
 
 //: Number the vertices of a zone
 /// Copies the constraints of a zone and gives their vertices numbers of its
-/// own.
-static void copy_constraints(tf_zones *zones, division *d, int z, tf_zone *zone)
+/// own.  False if the caller has cancelled.
+static bool copy_constraints(tf_zones *zones, division *d, int z, tf_zone *zone)
 {
     const tf_constraint *constraint = zones->constraint.data;
     zone->constraints = d->first[z + 1] - d->first[z];
     zone->constraint = zones->zone_constraint.data;
     zone->vertices = zone->solved = 0;
     for (int i = 0; i < zone->constraints; i++) {
+        if (!tf_watch_work(zone->watch, 2))
+            return false;
         tf_constraint *own = &zone->constraint[i];
         int from = d->order[d->first[z] + i];
         zone->solved += from < zones->old;
@@ -186,6 +194,7 @@ static void copy_constraints(tf_zones *zones, division *d, int z, tf_zone *zone)
             own->vertex[j] = *place;
         }
     }
+    return true;
 }
 
 //: Make a zone a problem on its own
@@ -245,7 +254,8 @@ static void keep_impulses(tf_zones *zones, const division *d, int z,
                           const tf_zone *zone)
 {
     tf_constraint *constraint = zones->constraint.data;
-    for (int i = 0; i < zone->constraints; i++) {
+    for (int i = 0; i < zone->constraints && tf_watch_work(zone->watch, 2);
+         i++) {
         tf_constraint *to = &constraint[d->order[d->first[z] + i]];
         const tf_constraint *from = &zone->constraint[i];
         bool changed = is_changed(to, from);
@@ -259,7 +269,8 @@ static void keep_impulses(tf_zones *zones, const division *d, int z,
     }
 }
 
-/// Moves these vertices.  The others stay where they are: rounded anew, they
+//: Move the vertices of a zone
+/// Moves the vertices that were noted.  The others stay where they are: rounded anew, they
 /// would have to be decided again.
 static void move_vertices(tf_step *step, const tf_contact_rule *rule,
                           const division *d, const tf_zone *zone)
@@ -274,6 +285,7 @@ static void move_vertices(tf_step *step, const tf_contact_rule *rule,
     }
 }
 
+//: Account for a zone
 static void account(const tf_zone *zone, int iterations,
                     tf_zone_statistics *statistics)
 {
@@ -281,7 +293,8 @@ static void account(const tf_zone *zone, int iterations,
     statistics->iterations += (size_t)iterations;
     if ((size_t)zone->constraints > statistics->largest)
         statistics->largest = (size_t)zone->constraints;
-    for (int i = 0; i < zone->constraints; i++) {
+    for (int i = 0; i < zone->constraints && tf_watch_work(zone->watch, 1);
+         i++) {
         double gap_change = tf_constraint_gap_change(
             zone->axes, &zone->constraint[i], zone->displacement);
         statistics->violation =
@@ -299,19 +312,22 @@ bool tf_zones_solve(tf_zones *zones, tf_step *step, const tf_contact_rule *rule,
         !tf_buffer_reserve(&zones->zone_constraint, (size_t)largest_zone(&d),
                            sizeof(tf_constraint)))
         return false;
+    tf_watch_stage(step->watch, "zones", (size_t)d.first[d.zones]);
     for (int z = 0; z < d.zones; z++) {
         tf_zone zone = {.axes = step->axes,
                         .friction = options->friction,
-                        .sweeps = options->sweeps};
-        copy_constraints(zones, &d, z, &zone);
-        if (!pose(zones, step, rule, options, &d, &zone))
+                        .sweeps = options->sweeps,
+                        .watch = step->watch};
+        if (!copy_constraints(zones, &d, z, &zone) ||
+            !pose(zones, step, rule, options, &d, &zone))
             return false;
         account(&zone, options->solver->solve(&zone), statistics);
         keep_impulses(zones, &d, z, &zone);
         move_vertices(step, rule, &d, &zone);
+        tf_watch_advance(step->watch, (size_t)zone.constraints);
     }
     zones->old = zones->constraints;
-    return true;
+    return !tf_watch_cancelled(step->watch);
 }
 
 //: Account for the memory of zones

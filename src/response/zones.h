@@ -40,13 +40,15 @@ typedef struct tf_zone_statistics {
 /// if there is no memory.
 bool tf_zones_begin(tf_zones *zones, const tf_step *step);
 
-/// Adds a constraint for each contact.  False if there is no memory.
+/// Adds a constraint for each contact.  False if there is no memory, or if the
+/// caller has cancelled.
 bool tf_zones_add(tf_zones *zones, const tf_step *step,
                   const tf_contacts *contacts, const tf_contact_rule *rule,
                   tf_zone_statistics *statistics);
 
 /// Solves all zones that have a new constraint, taking the rule's base as the
-/// proposal, and moves their vertices.  False if there is no memory.
+/// proposal, and moves their vertices.  False if there is no memory, or if the
+/// caller has cancelled.
 bool tf_zones_solve(tf_zones *zones, tf_step *step, const tf_contact_rule *rule,
                     const tf_zone_options *options,
                     tf_zone_statistics *statistics);

@@ -14,12 +14,14 @@
 static bool keep(tf_pair_sink *sink, int count, const tf_candidate pair[])
 {
     tf_worker *worker = (tf_worker *)sink;
-    return tf_worker_add_pairs(worker, count, pair);
+    const tf_surface *surface = worker->job;
+    return tf_worker_goes_on(worker, surface->workers.watch, 0) &&
+           tf_worker_add_pairs(worker, count, pair);
 }
 
 //: Copy the candidates of a task
 typedef struct copy_job {
-    const tf_workers *workers;
+    tf_workers *workers;
     const tf_task_rows *rows;
     const size_t *place; ///< of the first row of each task
     tf_candidate *to;
@@ -30,8 +32,9 @@ static void copy_rows(void *argument, int task, int number)
     const copy_job *job = argument;
     const tf_task_rows *rows = &job->rows[task];
     const tf_candidate *from = job->workers->worker[rows->worker]->row.data;
-    (void)number;
-    if (rows->end > rows->begin)
+    tf_worker *own = job->workers->worker[number];
+    if (tf_worker_goes_on(own, job->workers->watch, 1) &&
+        rows->end > rows->begin)
         memcpy(job->to + job->place[task], from + rows->begin,
                sizeof *from * (rows->end - rows->begin));
 }
@@ -55,6 +58,7 @@ static bool gather(tf_surface *surface, int tasks, const tf_task_rows rows[],
     if (!tf_buffer_reserve(&surface->found, all + 1, sizeof(tf_candidate)))
         return false;
     copy_job job = {&surface->workers, rows, place, surface->found.data};
+    tf_watch_stage(surface->workers.watch, "candidates", (size_t)tasks);
     tf_parallel_for_each(parallel, tasks, copy_rows, &job);
     *gathered = job.to;
     return true;
@@ -96,8 +100,10 @@ static tf_status list_all(tf_surface *surface, const tf_parallel *parallel,
                 &all.points))
         return TF_OUT_OF_MEMORY;
     all.edges = all.points ? all.points + all.point_count : NULL;
-    *found = all;
-    return TF_OK;
+    status = tf_workers_status(&surface->workers);
+    if (status == TF_OK)
+        *found = all;
+    return status;
 }
 
 //: Find the candidates of a step
@@ -111,7 +117,7 @@ static tf_status find(tf_surface *surface, const tf_motion *motion,
     if (status != TF_OK)
         return status;
     bool good = tf_workers_begin(&surface->workers,
-                                 tf_parallel_workers(parallel), NULL);
+                                 tf_parallel_workers(parallel), surface);
     return tf_fail(error, good ? list_all(surface, parallel, found)
                                : TF_OUT_OF_MEMORY);
 }

@@ -83,14 +83,23 @@ static tf_status intersects(const check_job *job, const int vertex[],
 }
 
 //: Take a batch of pairs at rest
+enum {
+    SOME_PAIRS = 64,
+    PAIR_WORK = 16 ///< units of work that a pair takes
+};
+
 /// Takes the pairs of a join: a tf_pair_sink's function.
 static bool take(tf_pair_sink *sink, int count, const tf_candidate pair[])
 {
     tf_worker *worker = (tf_worker *)sink;
     const check_job *job = worker->job;
-    if (!tf_worker_goes_on(worker, job->surface->workers.watch, 0))
+    tf_watch *watch = job->surface->workers.watch;
+    if (!tf_worker_goes_on(worker, watch, 0))
         return false;
     for (int i = 0; i < count; i++) {
+        if (i % SOME_PAIRS == 0 &&
+            !tf_worker_works(worker, watch, SOME_PAIRS * PAIR_WORK))
+            return false;
         tf_crossing own = crossing_of(worker->job, pair[i]);
         bool found = false;
         worker->status = intersects(worker->job, own.vertex, &found);
@@ -133,12 +142,16 @@ static tf_status gather(tf_surface *surface, tf_crossings *found)
     if (!tf_buffer_reserve(&surface->found, rows + 1, sizeof(tf_crossing)) ||
         !tf_buffer_reserve(&surface->sorting, 2 * rows + 1, sizeof(void *)))
         return TF_OUT_OF_MEMORY;
+    tf_watch *watch = surface->workers.watch;
+    tf_watch_stage(watch, "crossings", rows);
     const void **list = surface->sorting.data;
     list_crossings(&surface->workers, list);
-    list = tf_sort(rows, list, list + rows, crosses_first);
+    list = tf_sort(rows, list, list + rows, crosses_first, watch);
     tf_crossing *all = surface->found.data;
-    for (size_t i = 0; i < rows; i++)
+    for (size_t i = 0; list && i < rows && tf_watch_work(watch, 1); i++)
         memcpy(&all[i], list[i], sizeof *all);
+    if (tf_watch_cancelled(watch))
+        return TF_CANCELLED;
     *found = (tf_crossings){rows, all};
     return TF_OK;
 }

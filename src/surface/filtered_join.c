@@ -60,6 +60,10 @@ static bool is_wanted_at_rest(const tf_pair_filter *filter, int corners,
 }
 
 //: Filter a batch of pairs
+enum {
+    FILTER_WORK = 16 ///< units of work that the filter of a pair takes
+};
+
 typedef struct filter_job {
     const tf_surface *surface;
     int corners, others; ///< of the elements of each pair
@@ -79,14 +83,17 @@ static bool passes(const filter_job *job, tf_candidate pair)
 static void filter_pairs(tf_pair_sink *sink)
 {
     const filter_job *job = sink->filter_job;
+    tf_worker *worker = (tf_worker *)sink;
+    tf_watch *watch = job->surface->workers.watch;
     int kept = 0;
-    for (int i = 0; i < sink->count; i++) {
+    for (int i = 0;
+         i < sink->count && tf_worker_works(worker, watch, FILTER_WORK); i++) {
         tf_candidate pair = sink->pair[i];
         sink->pair[kept] = pair;
         kept += passes(job, pair);
     }
     sink->count = kept;
-    if (!tf_worker_goes_on((tf_worker *)sink, job->surface->workers.watch, 0))
+    if (!tf_worker_goes_on(worker, watch, 0))
         sink->stopped = true;
 }
 

@@ -264,6 +264,8 @@ static void update_batch(void *argument, int task, int number)
                       .pair = (const tf_candidate *)list->pair.data + begin,
                       .limit = (double *)list->limit.data + begin};
     tf_worker *worker = job->workers->worker[number];
+    if (!tf_worker_goes_on(worker, job->workers->watch, 1))
+        return;
     tf_pair_sink *sink = &worker->sink;
     sink->take = tf_pairs_take;
     int count = select_moved(job, &some, sink->pair);
@@ -278,6 +280,7 @@ static tf_status update_kind(update_job *job, const tf_parallel *parallel)
     int tasks = 0;
     for (int i = 0; i < job->cache->workers; i++)
         tasks += tasks_of(list_of(job->cache, i, job->kind));
+    tf_watch_stage(job->workers->watch, "pairs", (size_t)tasks);
     tf_parallel_for_each(parallel, tasks, update_batch, job);
     return tf_workers_status(job->workers);
 }
@@ -316,7 +319,7 @@ tf_status tf_pair_cache_update(tf_pair_cache *cache,
         update_kinds(cache, surface, &moved, &job, search->parallel);
     *found = (tf_contacts){0};
     if (status == TF_OK && !tf_pairs_gather(surface, job.selection, found))
-        status = TF_OUT_OF_MEMORY;
+        status = tf_watch_failure(surface->workers.watch);
     return status;
 }
 

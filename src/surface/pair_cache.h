@@ -30,14 +30,14 @@ typedef struct tf_contact_search {
 /// Finds all contacts of a motion from the beginning, and puts all pairs of
 /// elements whose boxes overlap into the cache, in place of those that it has.
 /// Returns what tf_surface_move does, with the reason in `error`, or what
-/// the narrow phase does.
+/// tf_pairs_find does.
 tf_status tf_pair_cache_build(tf_pair_cache *cache,
                               const tf_contact_search *search,
                               tf_contacts *found, tf_error *error);
 
 /// Finds the contacts among the pairs of the cache.  Checks only pairs that were
 /// in contact and those that have moved so far that they could be now.  Returns
-/// TF_OK, TF_OUT_OF_MEMORY, or what the narrow phase does.
+/// TF_OK, TF_OUT_OF_MEMORY, TF_CANCELLED, or what the narrow phase does.
 tf_status tf_pair_cache_update(tf_pair_cache *cache,
                                const tf_contact_search *search,
                                tf_contacts *found);

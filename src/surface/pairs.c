@@ -16,6 +16,12 @@
 #include <string.h>
 
 //: Hold a batch of pairs
+enum {
+    CONTACT_WORK = 64,  ///< units of work that a contact takes, at most
+    VERDICT_WORK = 32,  ///< a verdict that is more than rounded numbers
+    PAIRS_AT_ONCE = 512 ///< pairs that get such verdicts
+};
+
 typedef struct batch {
     int vertex[4 * TF_BATCH];
     tf_verdict verdict[TF_BATCH];
@@ -71,6 +77,8 @@ static tf_status describe(const tf_pair_job *job, const int vertex[],
 static bool add_contact(tf_worker *worker, const int vertex[])
 {
     const tf_pair_job *job = worker->job;
+    if (!tf_worker_works(worker, job->surface->workers.watch, CONTACT_WORK))
+        return false;
     tf_surface_contact *row = tf_worker_add(worker, sizeof *row);
     if (!row)
         return false;
@@ -80,28 +88,6 @@ static bool add_contact(tf_worker *worker, const int vertex[])
            sizeof *vertex * (size_t)vertex_count(job->kind));
     worker->status = describe(job, row->vertex, &row->contact);
     return worker->status == TF_OK;
-}
-
-//: Decide the pairs of a batch by one arithmetic
-/// Sets clearances as well, unless they are NULL: to 0 if the narrow phase does
-/// not measure, or if the job wants no more.
-static tf_status decide_by(const tf_arithmetic *arithmetic,
-                           const tf_pair_job *job, int count,
-                           const int vertex[], tf_verdict verdict[],
-                           size_t *separated, double clearance[])
-{
-    const tf_narrow_phase *narrow_phase = job->narrow_phase;
-    tf_queries queries = {.kind = job->kind,
-                          .motion = job->motion,
-                          .count = (size_t)count,
-                          .vertices = vertex};
-    if (clearance && job->measures && narrow_phase->measure)
-        return narrow_phase->measure(narrow_phase->context, arithmetic,
-                                     &queries, verdict, separated, clearance);
-    if (clearance)
-        memset(clearance, 0, sizeof *clearance * (size_t)count);
-    return narrow_phase->decide(narrow_phase->context, arithmetic, &queries,
-                                verdict, separated);
 }
 
 //: Distinguish the arithmetics
@@ -116,6 +102,52 @@ static bool is_exact(const tf_arithmetic *arithmetic)
 static bool is_rounded(const tf_arithmetic *arithmetic)
 {
     return arithmetic == &tf_clamped || arithmetic == &tf_published;
+}
+
+//: Decide pairs by one arithmetic
+/// Sets clearances as well, unless they are NULL: to 0 if the narrow phase does
+/// not measure, or if the job wants no more.
+static tf_status decide_some(const tf_arithmetic *arithmetic,
+                             const tf_pair_job *job, const tf_queries *queries,
+                             tf_verdict verdict[], size_t *separated,
+                             double clearance[])
+{
+    const tf_narrow_phase *narrow_phase = job->narrow_phase;
+    if (clearance && job->measures && narrow_phase->measure)
+        return narrow_phase->measure(narrow_phase->context, arithmetic, queries,
+                                     verdict, separated, clearance);
+    if (clearance)
+        memset(clearance, 0, sizeof *clearance * queries->count);
+    return narrow_phase->decide(narrow_phase->context, arithmetic, queries,
+                                verdict, separated);
+}
+
+//: Decide the pairs of a batch by one arithmetic
+/// Where verdicts take long, only some pairs at a time.
+static tf_status decide_by(const tf_arithmetic *arithmetic,
+                           const tf_pair_job *job, int count,
+                           const int vertex[], tf_verdict verdict[],
+                           size_t *separated, double clearance[])
+{
+    bool fast = is_rounded(arithmetic);
+    int most = fast ? TF_BATCH : PAIRS_AT_ONCE;
+    for (int begin = 0; begin < count; begin += most) {
+        int some = count - begin < most ? count - begin : most;
+        tf_queries queries = {.kind = job->kind,
+                              .motion = job->motion,
+                              .count = (size_t)some,
+                              .vertices = vertex + (ptrdiff_t)begin *
+                                                       vertex_count(job->kind)};
+        if (!tf_watch_work(job->surface->workers.watch,
+                           (size_t)some * (fast ? 1 : VERDICT_WORK)))
+            return TF_CANCELLED;
+        tf_status status =
+            decide_some(arithmetic, job, &queries, verdict + begin, separated,
+                        clearance ? clearance + begin : NULL);
+        if (status != TF_OK)
+            return status;
+    }
+    return TF_OK;
 }
 
 //: Decide what the filter leaves open
@@ -270,19 +302,22 @@ bool tf_pairs_gather(tf_surface *surface, tf_contact_selection selection,
                            sizeof(tf_surface_contact)) ||
         !tf_buffer_reserve(&surface->sorting, 2 * rows + 1, sizeof(void *)))
         return false;
+    tf_watch *watch = surface->workers.watch;
+    tf_watch_stage(watch, "contacts", rows);
     const void **list = surface->sorting.data;
     list_rows(&surface->workers, list, &found->statistics);
     list = tf_sort(rows, list, list + rows,
-                   selection == TF_FIRST_CONTACT ? is_earlier : comes_first);
+                   selection == TF_FIRST_CONTACT ? is_earlier : comes_first,
+                   watch);
     tf_surface_contact *all = surface->found.data;
-    for (size_t i = 0; i < rows; i++)
+    for (size_t i = 0; list && i < rows && tf_watch_work(watch, 1); i++)
         memcpy(&all[i], list[i], sizeof *all);
     found->any = rows > 0;
     found->contact = all;
     found->count = selection == TF_ALL_CONTACTS
                        ? rows
                        : selection == TF_FIRST_CONTACT && rows > 0;
-    return true;
+    return !tf_watch_cancelled(watch);
 }
 
 //: Ready the workers
@@ -333,7 +368,7 @@ tf_status tf_pairs_find(tf_surface *surface, tf_pair_job *job,
     tf_status status = join_all(surface, job, parallel);
     tf_contacts all = {0};
     if (status == TF_OK && !tf_pairs_gather(surface, job->selection, &all))
-        status = TF_OUT_OF_MEMORY;
+        status = tf_watch_failure(surface->workers.watch);
     if (status == TF_OK)
         *found = all;
     return status;

@@ -41,13 +41,14 @@ bool tf_pairs_begin(tf_surface *surface, const tf_parallel *parallel,
 bool tf_pairs_take(tf_pair_sink *sink, int count, const tf_candidate pair[]);
 
 /// Lists what all workers have found, lent by the surface, and adds up what it
-/// took; `found` was all zero.  False if there is no memory.
+/// took; `found` was all zero.  False if there is no memory, or if the caller has
+/// cancelled.
 bool tf_pairs_gather(tf_surface *surface, tf_contact_selection selection,
                      tf_contacts *found);
 
 /// Finds all pairs of elements in contact that the trees of the surface yield,
-/// and sets `found` if it succeeds.  Returns TF_OK, TF_OUT_OF_MEMORY, or what a
-/// decision returns.
+/// and sets `found` if it succeeds.  Returns TF_OK, TF_OUT_OF_MEMORY,
+/// TF_CANCELLED, or what a decision returns.
 tf_status tf_pairs_find(tf_surface *surface, tf_pair_job *job,
                         const tf_parallel *parallel, tf_contacts *found);
 

@@ -48,9 +48,7 @@ static tf_status build_trees(tf_surface *surface, const tf_parallel *parallel)
                 build_tree(surface, &surface->triangle_tree, &elements,
                            triangles->count, 3, triangles->corner, parallel) &&
                 tf_watch_done(watch, 1);
-    return good                        ? TF_OK
-           : tf_watch_cancelled(watch) ? TF_CANCELLED
-                                       : TF_OUT_OF_MEMORY;
+    return good ? TF_OK : tf_watch_failure(watch);
 }
 
 //: Check a motion of a surface

@@ -56,6 +56,13 @@ bool tf_worker_goes_on(tf_worker *worker, tf_watch *watch, size_t more)
     return worker->status == TF_OK;
 }
 
+bool tf_worker_works(tf_worker *worker, tf_watch *watch, size_t units)
+{
+    if (!tf_watch_work(watch, units))
+        worker->status = TF_CANCELLED;
+    return worker->status == TF_OK;
+}
+
 //: Keep what workers find
 void *tf_worker_add(tf_worker *worker, size_t size)
 {

@@ -50,6 +50,9 @@ tf_watch *tf_workers_watch(tf_workers *workers, tf_watch *watch,
 /// call is cancelled.
 bool tf_worker_goes_on(tf_worker *worker, tf_watch *watch, size_t more);
 
+/// The same for units of work in a loop; see tf_watch_work.
+bool tf_worker_works(tf_worker *worker, tf_watch *watch, size_t units);
+
 /// The first status that is not TF_OK, or TF_OK.
 tf_status tf_workers_status(const tf_workers *workers);
 

@@ -52,6 +52,33 @@ START_TEST(caller_is_told_and_cancels_for_good)
 }
 END_TEST
 
+START_TEST(loops_tell_now_and_then)
+{
+    tf_watch storage;
+    caller own = {.most = 3, .alone = true};
+    ck_assert(tf_watch_work(NULL, 1 << 30));
+    tf_watch *watch = tf_watch_begin(&storage, listen, &own);
+    tf_watch_stage(watch, "rows", 10);
+    tf_watch_advance(watch, 6);
+    tf_watch_advance(NULL, 6);
+    ck_assert_int_eq(own.calls, 0);
+    for (int i = 1; i < TF_WATCHED_WORK; i++)
+        ck_assert(tf_watch_work(watch, 1));
+    ck_assert_int_eq(own.calls, 0);
+    ck_assert(tf_watch_work(watch, 1));
+    ck_assert_int_eq(own.calls, 1);
+    ck_assert_uint_eq(own.done, 6);
+    // However much it is, it is told at once, and once.
+    ck_assert(tf_watch_work(watch, 10 * TF_WATCHED_WORK));
+    ck_assert_int_eq(own.calls, 2);
+    ck_assert_int_eq(tf_watch_failure(watch), TF_OUT_OF_MEMORY);
+    ck_assert(!tf_watch_work(watch, TF_WATCHED_WORK));
+    ck_assert(!tf_watch_work(watch, 0));
+    ck_assert_int_eq(tf_watch_failure(watch), TF_CANCELLED);
+    ck_assert_int_eq(tf_watch_failure(NULL), TF_OUT_OF_MEMORY);
+}
+END_TEST
+
 START_TEST(no_more_is_done_than_there_is)
 {
     tf_watch storage;
@@ -104,6 +131,7 @@ Suite *suite(void)
     tcase_add_test(tcase, caller_is_told_and_cancels_for_good);
     tcase_add_test(tcase, no_more_is_done_than_there_is);
     tcase_add_test(tcase, threads_tell_one_at_a_time);
+    tcase_add_test(tcase, loops_tell_now_and_then);
     suite_add_tcase(suite, tcase);
     return suite;
 }

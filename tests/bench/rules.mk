@@ -10,6 +10,9 @@ bench: $(benches:%=$(BUILD)/tests/bench/%) ## time the library
 bench-response: $(BUILD)/tests/bench/response ## time the response to contacts of cloth
 	@$<
 
+bench-cancel: $(BUILD)/tests/bench/cancelling ## time how soon cancelled calls return
+	@$<
+
 # Files of TF_SHARED_DATA, ../shared/data unless set, that are absent are left
 # out, with a note.
 compare: $(BUILD)/tests/bench/compare ## compare the methods: time a query, and errors
@@ -30,7 +33,7 @@ collect-zones: $(BUILD)/tests/bench/collect_zones ## collect the zones that comp
 
 counts: $(BUILD)/tests/bench/counts ## count the contacts that the report's rule misses
 	@$<
-.PHONY: bench bench-response compare compare-solvers compare-sweeps \
+.PHONY: bench bench-cancel bench-response compare compare-solvers compare-sweeps \
 	collect-zones counts
 
 # measure-methods writes figures/measured/methods.csv, by programs that are built

@@ -3,6 +3,7 @@
 
 #include "support/proposal_steps.h"
 #include "support/support.h"
+#include "support/watches.h"
 
 #include <float.h>
 #include <math.h>
@@ -297,6 +298,40 @@ START_TEST(rounds_are_fewer_than_vertices)
 }
 END_TEST
 
+// A caller --------------------------------------------------------------------
+
+START_TEST(a_caller_may_cancel)
+{
+    watched_call call;
+    make_specks(1);
+    begin();
+    s.step.watch = watched_begin(&call, -1);
+    meet(2, 0, 1);
+    ck_assert_int_eq(account().groups, 0);
+    s.step.watch = watched_begin(&call, 0);
+    meet(2, 0, 1);
+    ck_assert_int_eq(account().groups, 1);
+    ck_assert_uint_ge(watched_work(&call), 3);
+    end();
+}
+END_TEST
+
+START_TEST(vertices_get_flags)
+{
+    make_specks(3);
+    begin();
+    meet(4, 0, 1);
+    account();
+    for (int v = 0; v < 5; v++)
+        ck_assert_int_eq(s.flags[v], v == 2 || v == 3 ? 0 : TF_VERTEX_GROUPED);
+    meet(4, 0, 1);
+    account();
+    ck_assert_int_eq(s.flags[0], TF_VERTEX_GROUPED | TF_VERTEX_RESTING);
+    ck_assert_int_eq(s.flags[2], 0);
+    end();
+}
+END_TEST
+
 Suite *suite(void)
 {
     Suite *suite = suite_create("response/failsafe");
@@ -319,5 +354,10 @@ Suite *suite(void)
     tcase_add_test(scripted, zeros_keep_their_signs);
     tcase_add_test(scripted, scripted_vertices_end_at_their_bits);
     suite_add_tcase(suite, scripted);
+
+    TCase *told = tcase_create("a caller");
+    tcase_add_test(told, a_caller_may_cancel);
+    tcase_add_test(told, vertices_get_flags);
+    suite_add_tcase(suite, told);
     return suite;
 }

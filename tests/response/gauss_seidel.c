@@ -1,7 +1,9 @@
 // Projected Gauss-Seidel on random zones.
 #include "response/gauss_seidel.h"
 
+#include "support/long_solves.h"
 #include "support/support.h"
+#include "support/watches.h"
 #include "support/zones.h"
 
 #include <math.h>
@@ -262,6 +264,35 @@ START_TEST(friction_is_coulombs)
 }
 END_TEST
 
+START_TEST(a_caller_may_cancel)
+{
+    const char *fault = long_solve_fault(&tf_gauss_seidel, 6);
+    ck_assert_msg(!fault, "%s", fault);
+}
+END_TEST
+
+// A hub with many neighbors is told of all of them by each visit.
+START_TEST(work_for_neighbors_counts)
+{
+    enum {
+        SPOKES = 2000
+    };
+    watched_call call;
+    zone_case z = zone_new(2, SPOKES + 1, SPOKES);
+    z.zone.constraints = SPOKES;
+    for (int i = 0; i < SPOKES; i++) {
+        z.constraint[i] = constraint_of(0, i + 1);
+        z.proposal[2 * (i + 1) + 1] = 1;
+        z.inverse_mass[i + 1] = 1;
+    }
+    z.inverse_mass[0] = 0x1p-20;
+    z.zone.watch = watched_begin(&call, 0);
+    ck_assert_int_eq(zone_solve(&z, &tf_gauss_seidel, 1), 1);
+    ck_assert_uint_gt(watched_work(&call), 30 * SPOKES);
+    zone_free(&z);
+}
+END_TEST
+
 Suite *suite(void)
 {
     Suite *suite = suite_create("response/gauss_seidel");
@@ -279,5 +310,10 @@ Suite *suite(void)
     tcase_add_test(hand, impulses_are_taken_back_if_they_push_much_too_much);
     tcase_add_test(hand, friction_is_coulombs);
     suite_add_tcase(suite, hand);
+
+    TCase *tcase_long = tcase_create("long");
+    tcase_add_test(tcase_long, a_caller_may_cancel);
+    tcase_add_test(tcase_long, work_for_neighbors_counts);
+    suite_add_tcase(suite, tcase_long);
     return suite;
 }

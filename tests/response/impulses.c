@@ -1,8 +1,10 @@
 // Rounds of impulses.
 #include "response/impulses.h"
 
+#include "response/impulse.h"
 #include "support/proposal_steps.h"
 #include "support/support.h"
+#include "support/watches.h"
 
 #include <math.h>
 #include <string.h>
@@ -10,6 +12,8 @@
 static proposal made;
 static proposal_step s;
 static int particle; ///< far away
+static double displacement[3 * PROPOSAL_VERTICES];
+static tf_constraint constraint[10000];
 
 /// Two sheets; the upper one falls through the lower one, a little askew.
 static void begin(void)
@@ -37,14 +41,14 @@ static void momentum(const double *end, double sum[3])
 
 START_TEST(momentum_is_kept)
 {
-    static double displacement[3 * PROPOSAL_VERTICES];
     double before[3], after[3];
     begin();
     made.inverse_mass[3] = 2;
     momentum(made.end, before);
     tf_contacts contacts = proposal_step_contacts(&s);
     ck_assert_uint_gt(contacts.count, 0);
-    tf_impulses_round(&s.step, &contacts, &s.rule, 0.5, displacement);
+    tf_impulses_round(&s.step, &contacts, &s.rule, 0.5, displacement,
+                      constraint);
     ck_assert_int_gt(proposal_step_changes(&s), 0);
     momentum(s.end, after);
     for (int k = 0; k < 3; k++)
@@ -55,11 +59,11 @@ END_TEST
 
 START_TEST(rounds_clear_the_step)
 {
-    static double displacement[3 * PROPOSAL_VERTICES];
     begin();
     tf_contacts contacts = proposal_step_contacts(&s);
     for (int round = 0; contacts.any && round < 60; round++) {
-        tf_impulses_round(&s.step, &contacts, &s.rule, 0, displacement);
+        tf_impulses_round(&s.step, &contacts, &s.rule, 0, displacement,
+                          constraint);
         contacts = proposal_step_contacts(&s);
     }
     ck_assert(!contacts.any);
@@ -69,13 +73,50 @@ END_TEST
 
 START_TEST(vertices_without_contacts_end_as_proposed)
 {
-    static double displacement[3 * PROPOSAL_VERTICES];
     begin();
     tf_contacts contacts = proposal_step_contacts(&s);
-    tf_impulses_round(&s.step, &contacts, &s.rule, 0, displacement);
+    tf_impulses_round(&s.step, &contacts, &s.rule, 0, displacement, constraint);
     ck_assert_mem_eq(s.end + 3 * (ptrdiff_t)particle,
                      made.end + 3 * (ptrdiff_t)particle, 3 * sizeof(double));
     ck_assert(!proposal_step_has_moved(&s, particle));
+    proposal_step_free(&s);
+}
+END_TEST
+
+START_TEST(a_caller_may_cancel)
+{
+    watched_call call;
+    begin();
+    tf_contacts contacts = proposal_step_contacts(&s);
+    s.step.watch = watched_begin(&call, -1);
+    tf_impulses_round(&s.step, &contacts, &s.rule, 0, displacement, constraint);
+    ck_assert_int_eq(proposal_step_changes(&s), 0);
+    s.step.watch = watched_begin(&call, 0);
+    tf_impulses_round(&s.step, &contacts, &s.rule, 0, displacement, constraint);
+    ck_assert_uint_ge(watched_work(&call), 4 * contacts.count);
+    proposal_step_free(&s);
+}
+END_TEST
+
+// Each vertex is moved by what its constraints have pushed.
+START_TEST(constraints_are_handed_out)
+{
+    begin();
+    made.inverse_mass[3] = 2;
+    tf_contacts contacts = proposal_step_contacts(&s);
+    tf_impulses_round(&s.step, &contacts, &s.rule, 0.5, displacement,
+                      constraint);
+    tf_bodies bodies = {3, made.inverse_mass, displacement};
+    memset(displacement, 0, sizeof displacement);
+    for (size_t i = 0; i < contacts.count; i++) {
+        tf_vector friction = tf_vector_at(constraint[i].friction, 0);
+        tf_constraint_push(&constraint[i],
+                           tf_vector_sum(friction, constraint[i].impulse,
+                                         tf_vector_at(constraint[i].normal, 0)),
+                           &bodies);
+    }
+    for (int i = 0; i < 3 * made.mesh.vertices; i++)
+        ck_assert_double_eq_tol(s.end[i], made.end[i] + displacement[i], 1e-12);
     proposal_step_free(&s);
 }
 END_TEST
@@ -87,6 +128,8 @@ Suite *suite(void)
     tcase_add_test(tcase, momentum_is_kept);
     tcase_add_test(tcase, rounds_clear_the_step);
     tcase_add_test(tcase, vertices_without_contacts_end_as_proposed);
+    tcase_add_test(tcase, a_caller_may_cancel);
+    tcase_add_test(tcase, constraints_are_handed_out);
     suite_add_tcase(suite, tcase);
     return suite;
 }

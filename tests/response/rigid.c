@@ -1,8 +1,10 @@
 // Rigid zones: momenta, shapes, scripted vertices.
 #include "response/rigid.h"
 
+#include "response/options.h"
 #include "support/proposal_steps.h"
 #include "support/support.h"
+#include "support/watches.h"
 
 #include <math.h>
 #include <string.h>
@@ -151,6 +153,24 @@ START_TEST(rods_only_move_along)
 }
 END_TEST
 
+START_TEST(a_caller_may_cancel)
+{
+    watched_call call;
+    generator random = generator_new(900);
+    unite_random(&random, 3, 1);
+    s.step.watch = watched_begin(&call, -1);
+    answer();
+    ck_assert_int_eq(proposal_step_changes(&s), 0);
+    s.step.watch = watched_begin(&call, 0);
+    answer();
+    ck_assert_int_eq(proposal_step_changes(&s), BODY);
+    ck_assert_uint_ge(watched_work(&call), 3 * 2);
+    for (int v = 0; v < BODY + 1; v++)
+        ck_assert_int_eq(s.flags[v], v < BODY ? TF_VERTEX_RIGID : 0);
+    end();
+}
+END_TEST
+
 Suite *suite(void)
 {
     Suite *suite = suite_create("response/rigid");
@@ -159,6 +179,7 @@ Suite *suite(void)
     tcase_add_loop_test(tcase, momenta_are_kept, 0, 2);
     tcase_add_test(tcase, zones_with_scripted_vertices_stay_as_they_are);
     tcase_add_test(tcase, rods_only_move_along);
+    tcase_add_test(tcase, a_caller_may_cancel);
     suite_add_tcase(suite, tcase);
     return suite;
 }

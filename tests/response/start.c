@@ -5,11 +5,13 @@
 #include "support/proposals.h"
 #include "support/support.h"
 #include "support/surface_of.h"
+#include "support/watches.h"
 
 #include <math.h>
 #include <string.h>
 
 static proposal made;
+static tf_watch *watch; // over checks of contacts
 static tf_error error;
 
 static tf_status check(void)
@@ -32,7 +34,7 @@ static tf_status check_contacts(void)
     memset(&error, 0, sizeof error);
     ck_assert_int_eq(tf_surface_detect(surface, &motion, NULL, &found, NULL),
                      TF_OK);
-    tf_status status = tf_start_check_contacts(&motion, &found, &error);
+    tf_status status = tf_start_check_contacts(&motion, &found, watch, &error);
     tf_surface_free(surface);
     return status;
 }
@@ -102,6 +104,20 @@ START_TEST(statuses_are_passed_on)
 }
 END_TEST
 
+START_TEST(a_caller_may_cancel)
+{
+    watched_call call;
+    make_rod(0.5);
+    made.end[3 * 3 + 2] = made.end[3 * 4 + 2] = -1;
+    watch = watched_begin(&call, 0);
+    ck_assert_int_eq(check_contacts(), TF_OK);
+    ck_assert_uint_ge(watched_work(&call), 2);
+    watch = watched_begin(&call, -1);
+    ck_assert_int_eq(check_contacts(), TF_CANCELLED);
+    ck_assert_int_eq(error.status, TF_CANCELLED);
+}
+END_TEST
+
 Suite *suite(void)
 {
     Suite *suite = suite_create("response/start");
@@ -110,6 +126,7 @@ Suite *suite(void)
     tcase_add_test(tcase, contacts_at_the_start_are_told_from_later_ones);
     tcase_add_test(tcase, curves_touch_points_and_edges);
     tcase_add_test(tcase, statuses_are_passed_on);
+    tcase_add_test(tcase, a_caller_may_cancel);
     suite_add_tcase(suite, tcase);
     return suite;
 }

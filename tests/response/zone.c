@@ -2,6 +2,7 @@
 #include "response/zone.h"
 
 #include "support/support.h"
+#include "support/watches.h"
 #include "support/zones.h"
 
 #include <math.h>
@@ -72,6 +73,47 @@ START_TEST(null_breaks_the_contract)
 }
 END_TEST
 
+START_TEST(a_zone_without_a_watch_goes_on)
+{
+    const tf_zone zone = {.axes = 3};
+    ck_assert(tf_zone_goes_on(&zone, 0));
+    ck_assert(tf_zone_goes_on(&zone, 1000000));
+}
+END_TEST
+
+START_TEST(visits_are_counted_until_the_caller_cancels)
+{
+    watched_call call;
+    tf_zone zone = {.axes = 3, .watch = watched_begin(&call, 2)};
+    long visits = 0;
+    while (tf_zone_goes_on(&zone, 1))
+        visits++;
+    ck_assert_int_eq(call.calls, 2);
+    ck_assert_int_eq(visits, TF_WATCHED_WORK - 1);
+    ck_assert(!tf_zone_goes_on(&zone, 0));
+}
+END_TEST
+
+// Nothing is written any more.
+START_TEST(products_end_early)
+{
+    generator random = generator_new(300);
+    zone_case z = zone_random(&random, 3, VERTICES, CONSTRAINTS, CONSTRAINTS);
+    double impulse[CONSTRAINTS] = {0}, product[CONSTRAINTS] = {7},
+           workspace[3 * VERTICES];
+    watched_call call;
+    z.zone.watch = watched_begin(&call, -1);
+    tf_zone_multiply(&z.zone, impulse, product, workspace);
+    ck_assert_double_eq(product[0], 7);
+    ck_assert_uint_le(watched_work_after(&call), 2);
+    z.zone.watch = watched_begin(&call, 0);
+    tf_zone_multiply(&z.zone, impulse, product, workspace);
+    ck_assert_double_ne(product[0], 7);
+    ck_assert_uint_ge(watched_work(&call), 2 * CONSTRAINTS);
+    zone_free(&z);
+}
+END_TEST
+
 Suite *suite(void)
 {
     Suite *suite = suite_create("response/zone");
@@ -79,6 +121,9 @@ Suite *suite(void)
     tcase_add_loop_test(tcase, columns_are_those_of_the_matrix, 0, 2);
     tcase_add_test(tcase, pushes_add_up);
     tcase_add_test_raise_signal(tcase, null_breaks_the_contract, SIGABRT);
+    tcase_add_test(tcase, a_zone_without_a_watch_goes_on);
+    tcase_add_test(tcase, visits_are_counted_until_the_caller_cancels);
+    tcase_add_test(tcase, products_end_early);
     suite_add_tcase(suite, tcase);
     return suite;
 }

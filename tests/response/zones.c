@@ -4,6 +4,7 @@
 #include "response/gauss_seidel.h"
 #include "support/proposal_steps.h"
 #include "support/support.h"
+#include "support/watches.h"
 
 #include <math.h>
 #include <string.h>
@@ -282,6 +283,82 @@ START_TEST(a_solver_that_fails_moves_nothing)
 }
 END_TEST
 
+// A caller --------------------------------------------------------------------
+
+static void make_stack(void)
+{
+    proposal_begin(&made, 2);
+    add_edge(-5, 0, 0);
+    made.start[2] = made.end[2] = 9;
+    for (int e = 0; e < 40; e++)
+        add_edge(-3 + 0.01 * e, 1 + 0.05 * e, 1);
+}
+
+// Making and uniting constraints, numbering their zones, ordering, copying and
+// taking them back, and measuring what is left.
+START_TEST(each_loop_over_constraints_notes_its_work)
+{
+    watched_call call;
+    make_stack();
+    begin();
+    s.step.watch = watched_begin(&call, 0);
+    size_t constraints = go_on(&noting);
+    ck_assert_uint_ge(watched_work(&call),
+                      (4 + 1 + 1 + 2 + 2 + 2 + 1) * constraints);
+    ck_assert_uint_eq(atomic_load(&call.watch.done), constraints);
+    end();
+}
+END_TEST
+
+START_TEST(a_caller_who_cancels_gets_no_zones)
+{
+    const tf_zone_options choice = {.solver = &noting, .sweeps = 1000};
+    watched_call call;
+    make_stack();
+    begin();
+    tf_contacts contacts = proposal_step_contacts(&s);
+    ck_assert(tf_zones_add(&zones, &s.step, &contacts, &s.rule, &statistics));
+    s.step.watch = watched_begin(&call, -1);
+    ck_assert(!tf_zones_add(&zones, &s.step, &contacts, &s.rule, &statistics));
+    ck_assert(!tf_zones_solve(&zones, &s.step, &s.rule, &choice, &statistics));
+    ck_assert_int_eq(solved_zones, 0);
+    ck_assert_int_eq(proposal_step_changes(&s), 0);
+    ck_assert_uint_le(watched_work_after(&call), 20);
+    end();
+}
+END_TEST
+
+static int solve_and_cancel(tf_zone *zone)
+{
+    solved_zones++;
+    while (tf_zone_goes_on(zone, TF_WATCHED_WORK))
+        ;
+    return find_no_numbers(zone);
+}
+
+// What the solver leaves in the zone is not looked at.
+START_TEST(a_solver_that_is_cancelled_moves_nothing)
+{
+    static const tf_zone_solver cancelled = {"cancelled", no_workspace,
+                                             solve_and_cancel};
+    const tf_zone_options choice = {.solver = &cancelled, .sweeps = 1000};
+    watched_call call;
+    proposal_begin(&made, 2);
+    add_edge(-5, 0, 0);
+    int speck = proposal_add_vertex(&made, -4, 1, 0);
+    made.end[2 * speck + 1] = -1;
+    begin();
+    tf_contacts contacts = proposal_step_contacts(&s);
+    ck_assert(tf_zones_add(&zones, &s.step, &contacts, &s.rule, &statistics));
+    s.step.watch = watched_begin(&call, 5);
+    ck_assert(!tf_zones_solve(&zones, &s.step, &s.rule, &choice, &statistics));
+    ck_assert_int_eq(solved_zones, 1);
+    ck_assert_int_eq(proposal_step_changes(&s), 0);
+    ck_assert_uint_le(watched_work_after(&call), 20);
+    end();
+}
+END_TEST
+
 Suite *suite(void)
 {
     Suite *suite = suite_create("response/zones");
@@ -289,6 +366,11 @@ Suite *suite(void)
     tcase_add_test(tcase, scripted_vertices_join_nothing);
     tcase_add_test(tcase, vertices_that_move_join_zones);
     tcase_add_test(tcase, only_zones_with_new_constraints_are_solved);
+    suite_add_tcase(suite, tcase);
+    tcase = tcase_create("a caller");
+    tcase_add_test(tcase, each_loop_over_constraints_notes_its_work);
+    tcase_add_test(tcase, a_caller_who_cancels_gets_no_zones);
+    tcase_add_test(tcase, a_solver_that_is_cancelled_moves_nothing);
     suite_add_tcase(suite, tcase);
 
     TCase *answers = tcase_create("answers");

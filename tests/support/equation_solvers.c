@@ -1,5 +1,6 @@
 #include "support/equation_solvers.h"
 
+#include "support/long_solves.h"
 #include "support/zones.h"
 
 #include <math.h>
@@ -174,6 +175,13 @@ START_TEST(a_limit_of_iterations_is_kept)
 }
 END_TEST
 
+START_TEST(a_caller_may_cancel)
+{
+    const char *fault = long_solve_fault(solver, 46);
+    ck_assert_msg(!fault, "%s", fault);
+}
+END_TEST
+
 Suite *equation_solver_suite(const char *name, void (*use)(void))
 {
     Suite *suite = suite_create(name);
@@ -186,6 +194,7 @@ Suite *equation_solver_suite(const char *name, void (*use)(void))
     tcase_add_test(tcase, a_solution_is_unchanged_by_solving_again);
     tcase_add_test(tcase, solving_starts_from_the_given_impulses);
     tcase_add_test(tcase, a_limit_of_iterations_is_kept);
+    tcase_add_test(tcase, a_caller_may_cancel);
     suite_add_tcase(suite, tcase);
     return suite;
 }

@@ -15,7 +15,8 @@ void proposal_step_begin(proposal_step *s, const proposal *made)
                         .start = made->start,
                         .proposed = made->end,
                         .inverse_mass = made->inverse_mass,
-                        .end = s->end};
+                        .end = s->end,
+                        .flags = memset(s->flags, 0, sizeof s->flags)};
     s->rule = (tf_contact_rule){.base = made->end};
 }
 

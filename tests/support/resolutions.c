@@ -6,6 +6,7 @@
 #include "response/gauss_seidel.h"
 #include "response/minres.h"
 #include "response/normal_residuals.h"
+#include "support/answers.h"
 #include "support/tangle.h"
 
 #include <stdio.h>
@@ -86,8 +87,15 @@ static const char *judged_fault(tf_resolver *resolver, tangle_judge *judge,
     if (status != TF_OK)
         return status_fault(&error);
     *report = *lent;
+    const answered_step step = {
+        made->mesh.axes, made->mesh.vertices,
+        made->start,     proposed,
+        made->end,       weighed ? made->inverse_mass : NULL,
+        options,         report};
     const char *fault = end_fault(judge, made, exactly);
-    return fault ? fault : report_fault(made, weighed, proposed, report);
+    if (!fault)
+        fault = report_fault(made, weighed, proposed, report);
+    return fault ? fault : answers_fault(resolver, &step, NULL);
 }
 
 const char *resolution_fault(proposal *made, bool weighed, bool exactly,

@@ -7,6 +7,7 @@
 #include "support/scrambled_workers.h"
 #include "support/support.h"
 #include "support/surface_of.h"
+#include "support/watches.h"
 #include "surface/candidates.h"
 #include "surface/detect.h"
 
@@ -404,6 +405,32 @@ START_TEST(ends_far_out_of_the_frame_are_found)
 }
 END_TEST
 
+// Although no pair is decided.
+START_TEST(an_update_of_pairs_that_rest_can_be_cancelled)
+{
+    watched_call call;
+    tf_contacts found;
+    generator random = generator_new(600);
+    proposal_make(&random, BALLS, 2, RESTING, &made);
+    take_proposal();
+    ck_assert(!build(NULL).any);
+    tf_contact_search kept = search(NULL);
+    s.surface->workers.watch = watched_begin(&call, 0);
+    ck_assert_int_eq(tf_pair_cache_update(&cache, &kept, &found), TF_OK);
+    ck_assert_int_ge(call.calls, 2);
+    ck_assert_uint_eq(found.statistics.candidates, 0);
+    s.surface->workers.watch = watched_begin(&call, 1);
+    ck_assert_int_eq(tf_pair_cache_update(&cache, &kept, &found), TF_CANCELLED);
+    s.surface->workers.watch = watched_begin(&call, 1);
+    ck_assert_int_eq(tf_pair_cache_build(&cache, &kept, &found, NULL),
+                     TF_CANCELLED);
+    s.surface->workers.watch = NULL;
+    ck_assert(!build(NULL).any);
+    free_cache();
+    drop_proposal();
+}
+END_TEST
+
 Suite *suite(void)
 {
     Suite *suite = suite_create("surface/pair_cache");
@@ -416,6 +443,7 @@ Suite *suite(void)
     tcase_add_test(tcase, contacts_of_other_pairs_are_not_found);
     tcase_add_test(tcase, workers_check_pairs_that_others_have_kept);
     tcase_add_test(tcase, ends_far_out_of_the_frame_are_found);
+    tcase_add_test(tcase, an_update_of_pairs_that_rest_can_be_cancelled);
     suite_add_tcase(suite, tcase);
     return suite;
 }

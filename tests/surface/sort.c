@@ -4,6 +4,8 @@
 #include "support/generator.h"
 #include "support/support.h"
 
+#include <string.h>
+
 enum {
     MOST = 200
 };
@@ -30,8 +32,8 @@ START_TEST(lists_are_sorted_and_equal_items_keep_their_order)
         item *own = list.data;
         for (int k = 0; k < count; k++)
             own[k] = (item){below(&random, keys), k};
-        ck_assert(
-            tf_list_sort(&list, (size_t)count, sizeof *own, has_less, &memory));
+        ck_assert(tf_list_sort(&list, (size_t)count, sizeof *own, has_less,
+                               &memory, NULL));
         own = list.data;
         for (int k = 0; k < count; k++)
             sum += own[k].number;
@@ -54,7 +56,7 @@ START_TEST(one_of_two_arrays_holds_the_result)
         const void *from[5], *to[5];
         for (size_t k = 0; k < count; k++)
             from[k] = &items[k];
-        const void **sorted = tf_sort(count, from, to, has_less);
+        const void **sorted = tf_sort(count, from, to, has_less, NULL);
         ck_assert(sorted == from || sorted == to);
         for (size_t k = 1; k < count; k++)
             ck_assert(has_less(sorted[k - 1], sorted[k]));
@@ -67,9 +69,42 @@ START_TEST(a_list_without_memory_stays)
     item only = {1, 2};
     tf_buffer list = {.data = &only, .bytes = sizeof only};
     tf_sort_memory memory = {0};
-    ck_assert(!tf_list_sort(&list, SIZE_MAX / 64, 1, has_less, &memory));
+    ck_assert(!tf_list_sort(&list, SIZE_MAX / 64, 1, has_less, &memory, NULL));
     ck_assert_ptr_eq(list.data, &only);
     tf_sort_memory_free(&memory);
+}
+END_TEST
+
+static bool tell_thrice(void *context, const tf_stage *stage)
+{
+    (void)stage;
+    return ++*(int *)context < 3;
+}
+
+START_TEST(a_long_sort_can_be_cancelled)
+{
+    enum {
+        LONG = 5000
+    };
+    static item all[LONG], sorted[LONG];
+    int told = 0;
+    tf_buffer list = {0};
+    tf_sort_memory memory = {0};
+    ck_assert(tf_buffer_extend(&list, LONG, sizeof(item)));
+    for (int i = 0; i < LONG; i++)
+        all[i] = (item){LONG - i, i};
+    memcpy(list.data, all, sizeof all);
+    tf_watch own, *watch = tf_watch_begin(&own, tell_thrice, &told);
+    ck_assert(
+        !tf_list_sort(&list, LONG, sizeof(item), has_less, &memory, watch));
+    ck_assert_int_eq(told, 3);
+    ck_assert_mem_eq(list.data, all, sizeof all);
+    ck_assert(tf_list_sort(&list, LONG, sizeof(item), has_less, &memory, NULL));
+    for (int i = 0; i < LONG; i++)
+        sorted[i] = all[LONG - 1 - i];
+    ck_assert_mem_eq(list.data, sorted, sizeof sorted);
+    tf_sort_memory_free(&memory);
+    tf_buffer_free(&list);
 }
 END_TEST
 
@@ -80,6 +115,7 @@ Suite *suite(void)
     tcase_add_test(tcase, lists_are_sorted_and_equal_items_keep_their_order);
     tcase_add_test(tcase, one_of_two_arrays_holds_the_result);
     tcase_add_test(tcase, a_list_without_memory_stays);
+    tcase_add_test(tcase, a_long_sort_can_be_cancelled);
     suite_add_tcase(suite, tcase);
     return suite;
 }

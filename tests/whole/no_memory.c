@@ -155,6 +155,8 @@ static uint64_t respond(void)
                                             .rigid = true,
                                             .check_start = true,
                                             .parallel = &parallel};
+    const tf_answered_contact *contact = NULL;
+    size_t count = 0;
     int vertices = made.mesh.vertices, halvings;
     double end[3 * PROPOSAL_VERTICES];
     uint64_t hash = HASH_OF_NOTHING;
@@ -169,6 +171,9 @@ static uint64_t respond(void)
         ck_assert_mem_eq(end, made.end, sizeof end);
     }
     hash = hash_bytes(hash, end, sizeof end);
+    while (lacks_memory(tf_resolver_contacts(resolver, &count, &contact)))
+        ck_assert_ptr_null(contact);
+    hash = hash_bytes(hash, contact, count * sizeof *contact);
     memcpy(end, made.end, sizeof end);
     while (lacks_memory(tf_step_limit(resolver, vertices, made.start, end,
                                       &all_levels, &halvings, &error))) {

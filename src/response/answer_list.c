@@ -1,0 +1,136 @@
+//: Include what the list of answers needs
+#include "response/answer_list.h"
+
+#include <string.h>
+
+//: Hold an answer
+/// A contact that was answered.
+typedef struct noted_answer {
+    tf_kind kind;
+    int vertex[4];
+    tf_response_level level;
+    int round;
+    double toi;
+    size_t constraint; ///< its number in the list of the zones, if they have
+                       ///< answered, or in that of the other levels
+} noted_answer;
+
+void tf_answers_clear(tf_answer_list *list)
+{
+    list->answers = list->constraints = 0;
+    list->is_lent = false;
+}
+
+//: Add the answers of a round
+tf_constraint *tf_answers_extend(tf_answer_list *list, size_t contacts)
+{
+    if (!tf_buffer_extend(&list->constraint, list->constraints + contacts,
+                          sizeof(tf_constraint)))
+        return NULL;
+    return (tf_constraint *)list->constraint.data + list->constraints;
+}
+
+bool tf_answers_add(tf_answer_list *list, const tf_contacts *contacts,
+                    tf_response_level level, int round, size_t zone_constraint,
+                    tf_watch *watch)
+{
+    size_t constraint = level == TF_ZONES ? zone_constraint : list->constraints;
+    if (!tf_buffer_extend(&list->answer, list->answers + contacts->count,
+                          sizeof(noted_answer)))
+        return false;
+    noted_answer *to = (noted_answer *)list->answer.data + list->answers;
+    for (size_t i = 0; i < contacts->count && tf_watch_work(watch, 1); i++) {
+        const tf_surface_contact *from = &contacts->contact[i];
+        to[i] = (noted_answer){.kind = from->kind,
+                               .level = level,
+                               .round = round,
+                               .toi = from->contact.toi_lo,
+                               .constraint = constraint + i};
+        memcpy(to[i].vertex, from->vertex, sizeof from->vertex);
+    }
+    list->answers += contacts->count;
+    if (level != TF_ZONES)
+        list->constraints += contacts->count;
+    return !tf_watch_cancelled(watch);
+}
+
+//: Compare answers
+/// Answers of the same elements stay in their order, that of levels and rounds.
+static bool answered_first(const void *first, const void *second)
+{
+    const noted_answer *a = first, *b = second;
+    if (a->kind != b->kind)
+        return a->kind < b->kind;
+    for (int i = 0; i < 4; i++)
+        if (a->vertex[i] != b->vertex[i])
+            return a->vertex[i] < b->vertex[i];
+    return false;
+}
+
+//: Write the row of an answer
+/// A constraint has only the vertices that it pushes.
+static void copy_coefficients(const tf_constraint *constraint,
+                              tf_answered_contact *row)
+{
+    for (int i = 0; i < 4; i++)
+        for (int j = 0; j < 4 && constraint->vertex[j] >= 0; j++)
+            if (constraint->vertex[j] == row->vertex[i])
+                row->coefficient[i] = constraint->coefficient[j];
+}
+
+static tf_answered_contact row_of(const noted_answer *from,
+                                  const tf_constraint *constraint)
+{
+    tf_answered_contact row = {.kind = from->kind,
+                               .level = from->level,
+                               .round = from->round,
+                               .toi = from->toi,
+                               .impulse = constraint->impulse};
+    memcpy(row.vertex, from->vertex, sizeof row.vertex);
+    memcpy(row.normal, constraint->normal, sizeof row.normal);
+    memcpy(row.friction, constraint->friction, sizeof row.friction);
+    copy_coefficients(constraint, &row);
+    return row;
+}
+
+//: Lend the answers
+bool tf_answers_lend(tf_answer_list *list,
+                     const tf_constraint zone_constraint[])
+{
+    size_t count = list->answers;
+    if (list->is_lent || count == 0)
+        return true;
+    if (!tf_buffer_reserve(&list->row, count, sizeof(tf_answered_contact)) ||
+        !tf_buffer_reserve(&list->sorting, 2 * count, sizeof(void *)))
+        return false;
+    const noted_answer *all = list->answer.data;
+    const tf_constraint *other = list->constraint.data;
+    const void **sorted = list->sorting.data;
+    for (size_t i = 0; i < count; i++)
+        sorted[i] = &all[i];
+    sorted = tf_sort(count, sorted, sorted + count, answered_first, NULL);
+    tf_answered_contact *row = list->row.data;
+    for (size_t i = 0; i < count; i++) {
+        const noted_answer *own = sorted[i];
+        row[i] = row_of(own, own->level == TF_ZONES
+                                 ? &zone_constraint[own->constraint]
+                                 : &other[own->constraint]);
+    }
+    list->is_lent = true;
+    return true;
+}
+
+//: Account for the memory of answers
+size_t tf_answers_memory(const tf_answer_list *list)
+{
+    return list->answer.bytes + list->constraint.bytes + list->row.bytes +
+           list->sorting.bytes;
+}
+
+void tf_answers_free(tf_answer_list *list)
+{
+    tf_buffer_free(&list->answer);
+    tf_buffer_free(&list->constraint);
+    tf_buffer_free(&list->row);
+    tf_buffer_free(&list->sorting);
+}

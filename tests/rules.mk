@@ -46,9 +46,13 @@ $(BUILD)/tests/simulate/% $(simulating): LIBRARIES = $(SPARSE)
 # This lets calls of these functions fail.
 $(BUILD)/tests/threads/threads: LIBRARIES = -Wl,--wrap=malloc \
 	-Wl,--wrap=pthread_create
+$(BUILD)/tests/whole/cancelling: LIBRARIES = -Wl,--wrap=tf_side \
+	-Wl,--wrap=tf_nearest_points -Wl,--wrap=tf_dynamic_tree_find \
+	-Wl,--wrap=tf_find_edge -Wl,--wrap=tf_watch_done
 
 # These see what users see.
-public = $(BUILD)/tests/fuzz/interface $(BUILD)/tests/whole/misuse $(fuzz_calls:.o=)
+public = $(BUILD)/tests/fuzz/interface $(fuzz_calls:.o=) \
+	$(addprefix $(BUILD)/tests/whole/,misuse adaptive_misuse)
 fuzz_calls = $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/fuzz/calls/*.c))
 $(public:=.o): USES = -I$(dir $(public_header))
 $(public:=.o): $(public_header)
@@ -173,4 +177,9 @@ soak-topology: $(BUILD)/tests/soak/topology ## merge and pinch among COUNT=10000
 
 soak-scenes: $(BUILD)/tests/soak/scenes ## simulate all scenes, and judge every step
 	@$<
-.PHONY: soak soak-vectors soak-response soak-surgery soak-topology soak-scenes
+
+soak-cancelling: COUNT = 100
+soak-cancelling: $(BUILD)/tests/soak/cancelling ## cancel long calls COUNT=100 times, and time their returns
+	@$< $(COUNT)
+.PHONY: soak soak-vectors soak-response soak-surgery soak-topology soak-scenes \
+	soak-cancelling

@@ -84,7 +84,8 @@ static double usual_edge(const tf_adaptive_surface *surface)
 /// Whatever is near enough, the nearest first.
 static void merge_all(tf_reconnector *reconnector)
 {
-    TF_REQUIRE(tf_list_facing(reconnector, reconnector->options.merge));
+    TF_REQUIRE(tf_list_facing(reconnector, reconnector->lengths.merge) ==
+               TF_OK);
     const tf_facing_edges *pair = reconnector->candidate.data;
     for (int i = 0; i < reconnector->candidates; i++) {
         tf_outcome outcome;
@@ -123,23 +124,21 @@ static void note(const tf_reconnector *reconnector,
 
 static result merge(const tf_adaptive_surface *before, bool once)
 {
-    tf_mesh mesh = tf_adaptive_mesh(before);
+    tf_mesh mesh = *tf_adaptive_mesh(before);
     tf_adaptive_surface *surface;
     TF_REQUIRE(tf_adaptive_create(&mesh, tf_adaptive_positions(before),
                                   &surface, NULL) == TF_OK);
     double edge = usual_edge(before);
-    tf_reconnect_report report = {0};
     tf_reconnector reconnector = {.surface = surface,
-                                  .options = {.edge = edge,
-                                              .merge = limit * edge,
+                                  .lengths = {.merge = limit * edge,
                                               .patch = contact * edge,
-                                              .pinch = wide * edge},
-                                  .report = &report};
+                                              .pinch = wide * edge}};
     if (once)
         TF_REQUIRE(tf_merge_pass(&reconnector) == TF_OK);
     else
         merge_all(&reconnector);
-    result made = {.merges = (int)report.tried[TF_MERGE][TF_COMMITTED],
+    result made = {.merges =
+                       (int)reconnector.report.tried[TF_MERGE][TF_COMMITTED],
                    .genus = genus_of(surface)};
     note(&reconnector, before, &made);
     tf_reconnector_free(&reconnector);

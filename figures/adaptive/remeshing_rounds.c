@@ -2,6 +2,7 @@
 #include "kit/figures.h"
 #include "kit/remeshed.h"
 
+#include "remesh/policy.h"
 #include "renderer/plot.h"
 
 #include <math.h>
@@ -15,7 +16,7 @@ static const double edge = 0.11;
 static const struct {
     const char *name;
     fig_role role;
-} operations[TF_OPERATIONS] = {
+} operations[TF_REMESH_PASSES] = {
     [TF_SPLIT] = {"splits", FIG_ROLE_EDGE},
     [TF_COLLAPSE] = {"collapses", FIG_ROLE_CONTACT},
     [TF_FLIP] = {"flips", FIG_ROLE_OTHER_EDGE},
@@ -62,10 +63,10 @@ static void draw(fig_page *page, FILE *numbers)
                      .name_x = "round",
                      .name_y = "operations"};
     fig_plot_frame(page, &plot);
-    for (int i = 0; i < TF_OPERATIONS; i++)
+    for (int i = 0; i < TF_REMESH_PASSES; i++)
         draw_operation(page, &plot, &all, (tf_operation)i);
     fig_number(numbers, "rounds", FIG_REMESH_ROUNDS);
-    for (int i = 0; i < TF_OPERATIONS; i++)
+    for (int i = 0; i < TF_REMESH_PASSES; i++)
         fig_number(numbers, operations[i].name,
                    done_in_round(&all, FIG_REMESH_ROUNDS - 1, (tf_operation)i));
 }

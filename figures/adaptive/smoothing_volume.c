@@ -113,10 +113,8 @@ static void smooth(tf_adaptive_surface *surface, tf_original *original,
             place = tf_vector_sum(
                 place, -tf_vector_dot(path, area) / tf_vector_dot(area, area),
                 area);
-        if (chosen == PROJECTED) {
-            tf_vector from = place;
-            tf_original_nearest(original, from.x, place.x);
-        }
+        if (chosen == PROJECTED)
+            place = tf_original_project(original, place).point;
         tf_outcome outcome;
         TF_REQUIRE(tf_adaptive_move(surface, v, place.x, &outcome) == TF_OK);
     }
@@ -138,10 +136,11 @@ static void run(const fig_some_mesh *mesh, way chosen,
                 double volume[PASSES + 1])
 {
     tf_mesh given = fig_mesh_in_space(mesh);
-    tf_adaptive_surface *surface = NULL;
+    tf_adaptive_surface *surface = NULL, *before = NULL;
     tf_original original = {0};
     TF_REQUIRE(tf_adaptive_create(&given, mesh->x, &surface, NULL) == TF_OK);
-    TF_REQUIRE(tf_original_copy(&original, surface));
+    TF_REQUIRE(tf_adaptive_create(&given, mesh->x, &before, NULL) == TF_OK);
+    TF_REQUIRE(tf_original_begin(&original, before, NULL) == TF_OK);
     double first = volume_of(surface);
     for (int i = 0; i <= PASSES; i++) {
         volume[i] = volume_of(surface) / first;
@@ -149,6 +148,7 @@ static void run(const fig_some_mesh *mesh, way chosen,
             smooth(surface, &original, chosen);
     }
     tf_original_free(&original);
+    tf_adaptive_free(before);
     tf_adaptive_free(surface);
 }
 

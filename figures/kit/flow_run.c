@@ -15,12 +15,13 @@ static void make_step(const fig_flow_plan *plan, tf_flow_simulation *flow,
     const tf_scene *scene = flow->base.scene;
     tf_flow_options options = tf_flow_options_of(scene, plan->edge);
     options.keep_topology |= plan->keep_topology;
-    tf_flow_report report;
-    TF_REQUIRE(tf_flow_step(flow->flow, &options, flow->base.time, scene->step,
-                            &report) == TF_OK);
+    const tf_flow_report *report;
+    TF_REQUIRE(tf_flow_step(flow->flow, flow->base.time, scene->step, &options,
+                            &report, NULL) == TF_OK);
     tf_simulation_go_to(&flow->base, flow->base.step + 1);
     for (int i = 0; i < TF_RECONNECTIONS; i++)
-        if (run->first[i] == 0 && report.reconnected.tried[i][TF_COMMITTED] > 0)
+        if (run->first[i] == 0 &&
+            report->reconnected->tried[i][TF_COMMITTED] > 0)
             run->first[i] = flow->base.step;
 }
 
@@ -28,7 +29,7 @@ static void make_step(const fig_flow_plan *plan, tf_flow_simulation *flow,
 static void keep_frame(const tf_adaptive_surface *surface, fig_flow_run *run)
 {
     fig_flow_frame *frame = &run->frame[run->frames++];
-    tf_mesh mesh = tf_adaptive_mesh(surface);
+    tf_mesh mesh = *tf_adaptive_mesh(surface);
     size_t size = 3 * sizeof *frame->x * (size_t)mesh.vertices;
     frame->x = malloc(size);
     TF_REQUIRE(frame->x && tf_flow_measure(surface, &frame->measures));

@@ -106,7 +106,7 @@ fig_some_mesh fig_roll_of_sheet(double radius, double gap, double turns,
 
 static fig_some_mesh copy_of(const tf_adaptive_surface *surface)
 {
-    tf_mesh now = tf_adaptive_mesh(surface);
+    tf_mesh now = *tf_adaptive_mesh(surface);
     fig_some_mesh mesh = with_room(now.vertices, now.triangles);
     mesh.vertices = now.vertices;
     memcpy(mesh.x, tf_adaptive_positions(surface),
@@ -143,7 +143,7 @@ static void do_rounds(fig_remeshing *all, tf_remesher *remesher, int rounds)
     const tf_remesh_policy *policy = remesher->policy;
     note_stage(all, remesher);
     for (int i = 0; i < rounds; i++) {
-        for (int k = 0; k < TF_OPERATIONS; k++)
+        for (int k = 0; k < TF_REMESH_PASSES; k++)
             repeat_pass(all, remesher, policy->pass[k].operation,
                         policy->pass[k].most);
         TF_REQUIRE(tf_adaptive_compact(remesher->surface, NULL) == TF_OK);
@@ -155,12 +155,13 @@ void fig_remesh(const fig_some_mesh *mesh, double edge, int rounds,
                 bool tangled, fig_remeshing *remeshing)
 {
     TF_REQUIRE(rounds <= FIG_REMESH_ROUNDS);
-    tf_remesher remesher = {.policy = &tf_keep_shape,
-                            .options = {.edge = edge}};
+    tf_remesher remesher = {.policy = &tf_keep_shape, .edge = edge};
+    tf_adaptive_surface *original;
     tf_mesh given = fig_mesh_in_space(mesh);
     TF_REQUIRE(tf_adaptive_create(&given, mesh->x, &remesher.surface, NULL) ==
                TF_OK);
-    TF_REQUIRE(tf_original_copy(&remesher.original, remesher.surface));
+    TF_REQUIRE(tf_adaptive_create(&given, mesh->x, &original, NULL) == TF_OK);
+    TF_REQUIRE(tf_original_begin(&remesher.original, original, NULL) == TF_OK);
     *remeshing = (fig_remeshing){0};
     if (tangled)
         leave_out(1U << TF_OVERLAPPED | 1U << TF_PASSED_VERTEX |
@@ -168,6 +169,7 @@ void fig_remesh(const fig_some_mesh *mesh, double edge, int rounds,
     do_rounds(remeshing, &remesher, rounds);
     leave_out(0);
     tf_adaptive_free(remesher.surface);
+    tf_adaptive_free(original);
     tf_remesher_free(&remesher);
 }
 

@@ -150,6 +150,10 @@ static bool put_details(sentence *s, const tf_error *error)
     case TF_VERTEX_NOT_MANIFOLD:
         put_bad_vertex(s, error);
         return true;
+    case TF_COLLINEAR:
+        put(s, "the corners of this triangle are on one line; remove it, or "
+               "move a corner off");
+        return true;
     case TF_NOT_EMBEDDED:
         put_pair(s, error);
         put(s, "; move them apart");

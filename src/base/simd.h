@@ -9,9 +9,9 @@
 /// TF_SIMD_256 stops at registers of 256 bits: for functions that work on four
 /// numbers at a time, and for loops that collect a bit of each lane, for which
 /// gcc takes longer with 512 bits.
-#if defined __GNUC__ && !defined __clang__ && defined __x86_64__ &&            \
-    defined __gnu_linux__ && !defined __SANITIZE_ADDRESS__ &&                  \
-    !defined __SANITIZE_THREAD__
+#if defined __GNUC__ && __GNUC__ >= 12 && !defined __clang__ &&                \
+    defined __x86_64__ && defined __gnu_linux__ &&                             \
+    !defined __SANITIZE_ADDRESS__ && !defined __SANITIZE_THREAD__
 #define TF_SIMD                                                                \
     __attribute__((                                                            \
         target_clones("default", "arch=x86-64-v3", "arch=x86-64-v4")))

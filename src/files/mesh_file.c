@@ -90,6 +90,12 @@ bool tf_mesh_file_add_vertex(tf_mesh_file *file, const double x[3], long place)
             tf_mesh_file_fault_in_memory(file));
 }
 
+bool tf_mesh_file_add_row(tf_mesh_file *file, const double value[])
+{
+    return !file->columns || tf_columns_add(file->columns, value) ||
+           tf_mesh_file_fault_in_memory(file);
+}
+
 bool tf_mesh_file_add_triangle(tf_mesh_file *file, const int vertex[3],
                                long place)
 {

@@ -1,6 +1,7 @@
 //: Declare mesh files
 #pragma once
 
+#include "files/columns.h"
 #include "files/fault.h"
 #include "surface/mesh.h"
 
@@ -28,8 +29,10 @@ typedef enum tf_mesh_format {
 /// The contents of an OBJ or PLY file.  All indices are 0-based, and may still
 /// name no vertex.
 typedef struct tf_mesh_file {
-    const char *name; ///< of the file, for messages; borrowed
-    tf_fault *fault;  ///< to be set
+    const char *name;    ///< of the file, for messages; borrowed
+    tf_fault *fault;     ///< to be set
+    tf_columns *columns; ///< borrowed, for what else the vertices have; NULL:
+                         ///< that is skipped
     tf_mesh_format format;
     int first_index;     ///< what the file calls the first vertex: 0 or 1
     tf_doubles position; ///< three coordinates a vertex, z = 0 if none is given
@@ -72,6 +75,7 @@ bool tf_mesh_file_fault_in_memory(const tf_mesh_file *file);
 /// Each adds an item, and sets a fault and returns false if there is no memory
 /// or there are too many.
 bool tf_mesh_file_add_vertex(tf_mesh_file *file, const double x[3], long place);
+bool tf_mesh_file_add_row(tf_mesh_file *file, const double value[]);
 bool tf_mesh_file_add_triangle(tf_mesh_file *file, const int vertex[3],
                                long place);
 bool tf_mesh_file_add_edge(tf_mesh_file *file, const int vertex[2], long place);

@@ -63,9 +63,9 @@ static bool read_all(FILE *stream, bytes *text)
 
 //: Read a mesh file
 bool tf_mesh_file_parse(tf_mesh_file *file, const char *name, const char *text,
-                        size_t size, tf_fault *fault)
+                        size_t size, tf_columns *columns, tf_fault *fault)
 {
-    *file = (tf_mesh_file){.name = name, .fault = fault};
+    *file = (tf_mesh_file){.name = name, .columns = columns, .fault = fault};
     bool good = tf_is_ply(text, size) ? tf_ply_parse(file, text, size)
                                       : tf_obj_parse(file, text, size);
     return good && check_whole(file);
@@ -75,20 +75,23 @@ static bool read_stream(tf_mesh_file *file, FILE *stream)
 {
     bytes text = {0};
     errno = 0;
-    bool good = !read_all(stream, &text) ? tf_mesh_file_fault_in_memory(file)
-                : ferror(stream)
-                    ? tf_fault_set_unread(file->fault, file->name, -1, errno)
-                    : tf_mesh_file_parse(file, file->name, text.item,
-                                         text.count, file->fault);
+    bool good =
+        !read_all(stream, &text) ? tf_mesh_file_fault_in_memory(file)
+        : ferror(stream)
+            ? tf_fault_set_unread(file->fault, file->name, -1, errno)
+            : tf_mesh_file_parse(file, file->name, text.item, text.count,
+                                 file->columns, file->fault);
     free(text.item);
     return good;
 }
 
-bool tf_mesh_file_read(tf_mesh_file *file, const char *path, tf_fault *fault)
+bool tf_mesh_file_read(tf_mesh_file *file, const char *path,
+                       tf_columns *columns, tf_fault *fault)
 {
     bool standard = strcmp(path, "-") == 0;
     FILE *stream = standard ? stdin : fopen(path, "rb");
     *file = (tf_mesh_file){.name = standard ? "standard input" : path,
+                           .columns = columns,
                            .fault = fault};
     if (!stream)
         return tf_fault_set_unopened(fault, path, errno);

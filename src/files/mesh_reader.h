@@ -4,10 +4,12 @@
 #include "files/mesh_file.h"
 
 /// Reads the file at `path` ("-": standard input), an OBJ or PLY file, told
-/// apart by its content.  False: there is a fault.  Borrows the path and the
-/// fault.  Free the file in any case.
-bool tf_mesh_file_read(tf_mesh_file *file, const char *path, tf_fault *fault);
+/// apart by its content.  False: there is a fault.  Borrows the path, the columns
+/// and the fault.  Free the file in any case.
+/// @param columns empty; for what else the vertices have; NULL: that is skipped
+bool tf_mesh_file_read(tf_mesh_file *file, const char *path,
+                       tf_columns *columns, tf_fault *fault);
 
 /// Reads `size` bytes of text, for tests and fuzzers; text[size] must be 0.
 bool tf_mesh_file_parse(tf_mesh_file *file, const char *name, const char *text,
-                        size_t size, tf_fault *fault);
+                        size_t size, tf_columns *columns, tf_fault *fault);

@@ -7,10 +7,12 @@
 
 /// What is written of a mesh.
 typedef struct tf_mesh_content {
-    tf_mesh mesh;           ///< the elements; in the plane z is 0
-    const double *position; ///< of each vertex
-    const double *velocity; ///< the properties vx, vy and vz of PLY; or NULL
-    const char *comment;    ///< a line of the header of PLY; or NULL
+    tf_mesh mesh;              ///< the elements; in the plane z is 0
+    const double *position;    ///< of each vertex
+    const double *velocity;    ///< the properties vx, vy and vz of PLY; or NULL
+    const char *comment;       ///< a line of the header of PLY; or NULL
+    const tf_columns *columns; ///< what else each vertex has, in space; or
+                               ///< NULL.  OBJ has red, green and blue alone
 } tf_mesh_content;
 
 /// The format of a file with that name: OBJ or PLY if it ends in .obj or .ply,

@@ -52,22 +52,53 @@ static bool fault_in_end(const reader *r, const char *wanted)
     return tf_text_fault(&r->text, "the line ends too early; %s", wanted);
 }
 
+//: Read the color of a vertex
+/// Begins the columns of colors; the vertices before are white.
+static bool begin_colors(const tf_mesh_file *file)
+{
+    static const char *const names[] = {"red", "green", "blue"};
+    static const double white[] = {1, 1, 1};
+    tf_columns *columns = file->columns;
+    columns->count = 3;
+    for (int i = 0; i < 3; i++) {
+        columns->column[i] = (tf_column){.type = TF_DOUBLE, .after = 3};
+        strcpy(columns->column[i].name, names[i]);
+    }
+    for (int v = tf_mesh_file_vertices(file); v > 1; v--)
+        if (!tf_columns_add(columns, white))
+            return tf_mesh_file_fault_in_memory(file);
+    return true;
+}
+
+/// Of the last vertex: after its position, if there are six numbers.
+static bool add_color(tf_mesh_file *file, int count, const double number[6])
+{
+    static const double white[] = {1, 1, 1};
+    const tf_columns *columns = file->columns;
+    if (!columns || (count != 6 && columns->count == 0))
+        return true;
+    return (columns->count > 0 || begin_colors(file)) &&
+           tf_mesh_file_add_row(file, count == 6 ? number + 3 : white);
+}
+
 //: Read a vertex
-/// What follows the first three numbers, a weight or a color, does not count.
+/// What follows the first three numbers may be a color, or a weight, which does
+/// not count.
 static bool read_vertex(reader *r)
 {
-    double x[3] = {0}, extra;
+    double x[6] = {0}, extra;
     long place = r->text.line;
     int count = 0;
     for (; find_word(r); count++)
         if (!tf_text_read_number(&r->text, " \t\r\n\\#",
-                                 count < 3 ? &x[count] : &extra))
+                                 count < 6 ? &x[count] : &extra))
             return false;
     if (count < 2)
         return fault_in_end(r, "a vertex is v x y z");
     if (count == 2 && r->file->flat_place == 0)
         r->file->flat_place = place;
-    return tf_mesh_file_add_vertex(r->file, x, place);
+    return tf_mesh_file_add_vertex(r->file, x, place) &&
+           add_color(r->file, count, x);
 }
 
 //: Read the index of a corner

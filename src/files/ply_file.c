@@ -41,7 +41,8 @@ enum {
 typedef struct ply_property {
     const ply_type *length; ///< of a list: of its length; NULL: it is no list
     const ply_type *item;
-    int role; ///< what it means: the place of its name, or NONE
+    int role;   ///< what it means: the place of its name, or NONE
+    int column; ///< that it fills, or NONE
 } ply_property;
 
 /// What is read of a file.
@@ -72,9 +73,11 @@ typedef struct ply_element {
 typedef struct reader {
     tf_text text; ///< its line is, in binary, that of the header
     const char *start, *end;
+    const char *row;    ///< where a line of the header begins
     tf_mesh_file *file; ///< its format is TF_OBJ until that is known
     int elements;
     ply_element element[ELEMENTS];
+    double value[TF_MOST_COLUMNS]; ///< of a vertex, for the columns
 } reader;
 
 static long place(const reader *r)
@@ -113,6 +116,7 @@ static bool end_line(reader *r)
 static void split_line(reader *r, tf_quoted word[WORDS])
 {
     tf_text *text = &r->text;
+    r->row = text->at;
     for (int i = 0; i < WORDS; i++) {
         tf_text_skip_blanks(text);
         size_t length = strcspn(text->at, " \t\r\n");
@@ -177,6 +181,33 @@ static bool read_element(reader *r, const char *name, const char *count)
     return true;
 }
 
+//: Declare a column
+/// A scalar property of vertices that has no role, named by the third word.
+static bool add_column(const reader *r, const ply_element *element,
+                       ply_property *made)
+{
+    tf_columns *columns = r->file->columns;
+    tf_column *column = &columns->column[columns->count];
+    const char *name = r->row;
+    for (int i = 0; i < 2; i++) {
+        name += strspn(name, " \t");
+        name += strcspn(name, " \t");
+    }
+    name += strspn(name, " \t");
+    size_t length = strcspn(name, " \t\r\n");
+    if (length >= sizeof column->name)
+        return tf_text_fault(&r->text,
+                             "the name of a property has %zu bytes; shorten it "
+                             "to %zu or fewer",
+                             length, sizeof column->name - 1);
+    *column = (tf_column){.type = (tf_number_type)(made->item - types)};
+    memcpy(column->name, name, length);
+    for (int i = 0; i < element->properties; i++)
+        column->after += element->property[i].role != NONE;
+    made->column = columns->count++;
+    return true;
+}
+
 //: Read the declaration of a property
 static bool find_type(const reader *r, const char *name, const ply_type **found)
 {
@@ -202,7 +233,7 @@ static bool read_property(reader *r, const tf_quoted word[])
 {
     bool list = strcmp(word[0].text, "list") == 0;
     const tf_quoted *item = list ? word + 2 : word;
-    ply_property made = {0};
+    ply_property made = {.column = NONE};
     if (r->elements == 0)
         return tf_text_fault(
             &r->text,
@@ -217,6 +248,10 @@ static bool read_property(reader *r, const tf_quoted word[])
                              "more than %d properties; delete those that are "
                              "no coordinates or indices",
                              PROPERTIES);
+    bool keeps = r->file->columns && element->target == VERTICES && !list &&
+                 made.role == NONE;
+    if (keeps && !add_column(r, element, &made))
+        return false;
     element->property[element->properties++] = made;
     return true;
 }
@@ -384,6 +419,21 @@ static bool skip_value(reader *r, const ply_type *type)
     return length > 0 || tf_text_fault_in_nul(&r->text);
 }
 
+//: Read the value of a column
+/// In text what is no finite number is read as no number at all.
+static bool read_column(reader *r, const ply_property *property)
+{
+    double *value = &r->value[property->column];
+    if (!is_text(r))
+        return read_number(r, property->item, value);
+    if (!find_value(r, property->item))
+        return false;
+    const char *at = r->text.at;
+    if (!tf_number_read(&at, value) || !tf_ends_word(*at, " \t\r\n"))
+        *value = NAN;
+    return skip_value(r, property->item);
+}
+
 //: Read an index
 static bool read_index(reader *r, const ply_type *type, int *index)
 {
@@ -446,7 +496,8 @@ static bool read_value(reader *r, int to, const ply_property *property,
     if (property->length)
         return read_list(r, property, made->vertex);
     if (property->role == NONE)
-        return skip_value(r, property->item);
+        return property->column == NONE ? skip_value(r, property->item)
+                                        : read_column(r, property);
     return to == VERTICES
                ? read_coordinate(r, property->item, &made->x[property->role])
                : read_index(r, property->item, &made->vertex[property->role]);
@@ -465,7 +516,8 @@ static bool add_item(const reader *r, int to, const item *made, long at)
 {
     switch (to) {
     case VERTICES:
-        return tf_mesh_file_add_vertex(r->file, made->x, at);
+        return tf_mesh_file_add_vertex(r->file, made->x, at) &&
+               tf_mesh_file_add_row(r->file, r->value);
     case FACES:
         return tf_mesh_file_add_triangle(r->file, made->vertex, at);
     case EDGES:

@@ -63,7 +63,7 @@ static void place_points(tf_flow_advance *a)
 /// Gives the response the triangles that the surface has in this step.
 static tf_status take_elements(tf_flow_advance *a)
 {
-    tf_mesh mesh = tf_adaptive_mesh(a->surface);
+    tf_mesh mesh = tf_mesh_of(a->surface);
     tf_status status = TF_OK;
     if (!a->elements)
         status = tf_surface_create(&mesh, &a->elements, NULL);
@@ -75,6 +75,11 @@ static tf_status take_elements(tf_flow_advance *a)
 }
 
 //: Begin an advance
+static tf_status goes_on(const tf_flow_advance *a)
+{
+    return tf_watch_done(a->surface->watch, 0) ? TF_OK : TF_CANCELLED;
+}
+
 tf_status tf_advance_begin(tf_flow_advance *a, const tf_flow_options *options,
                            double time, double step)
 {
@@ -90,7 +95,7 @@ tf_status tf_advance_begin(tf_flow_advance *a, const tf_flow_options *options,
     if (!reserve_points(a))
         return TF_OUT_OF_MEMORY;
     place_points(a);
-    return TF_OK;
+    return goes_on(a);
 }
 
 //: Sum up normals
@@ -98,7 +103,7 @@ tf_status tf_advance_begin(tf_flow_advance *a, const tf_flow_options *options,
 static void sum_normals(const tf_flow_advance *a, const double position[],
                         double normal[])
 {
-    tf_mesh mesh = tf_adaptive_mesh(a->surface);
+    tf_mesh mesh = tf_mesh_of(a->surface);
     memset(normal, 0, 3 * sizeof *normal * (size_t)a->vertices);
     for (int t = 0; t < mesh.triangles; t++) {
         const int *v = mesh.triangle + 3 * (ptrdiff_t)t;
@@ -135,7 +140,7 @@ static void find_normals(tf_flow_advance *a)
 //: Advance by the method of Runge and Kutta
 /// Takes the velocities at `part` of the step, having gone so far along the
 /// last ones, and goes on by `weight` of the step along them.
-static void go_on(tf_flow_advance *a, double part, double weight)
+static tf_status go_on(tf_flow_advance *a, double part, double weight)
 {
     const tf_flow_options *options = a->options;
     double along = part * a->step;
@@ -146,15 +151,18 @@ static void go_on(tf_flow_advance *a, double part, double weight)
                       a->normal, a->velocity);
     for (int i = 0; i < 3 * a->points; i++)
         a->end[i] += weight * a->step * a->velocity[i];
+    return goes_on(a);
 }
 
-void tf_advance_propose(tf_flow_advance *a)
+tf_status tf_advance_propose(tf_flow_advance *a)
 {
+    static const double part[] = {0, 0.5, 0.5, 1};
+    static const double weight[] = {1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6};
+    tf_status status = TF_OK;
     memcpy(a->end, a->start, 3 * sizeof *a->end * (size_t)a->points);
-    go_on(a, 0, 1.0 / 6);
-    go_on(a, 0.5, 1.0 / 3);
-    go_on(a, 0.5, 1.0 / 3);
-    go_on(a, 1, 1.0 / 6);
+    for (int i = 0; i < 4 && status == TF_OK; i++)
+        status = go_on(a, part[i], weight[i]);
+    return status;
 }
 
 //: Find what chords lose
@@ -175,10 +183,12 @@ static void add_errors(const tf_flow_advance *a, int corner, tf_vector rise,
 }
 
 /// The volume error of each vertex, times 6.
-static void find_errors(const tf_flow_advance *a, double error[])
+static tf_status find_errors(const tf_flow_advance *a, double error[])
 {
     memset(error, 0, sizeof *error * (size_t)a->vertices);
     for (int e = 0; e < a->edges; e++) {
+        if (e % 1024 == 0 && goes_on(a) != TF_OK)
+            return TF_CANCELLED;
         const int *end = a->edge + 2 * (ptrdiff_t)e;
         tf_vector middle =
             tf_vector_scaled(0.5, tf_vector_sum(tf_vector_at(a->end, end[0]), 1,
@@ -188,13 +198,15 @@ static void find_errors(const tf_flow_advance *a, double error[])
         add_errors(a, tf_find_edge(a->surface, end[0], end[1]), rise, error);
         add_errors(a, tf_find_edge(a->surface, end[1], end[0]), rise, error);
     }
+    return TF_OK;
 }
 
 //: Restore what chords lose
-void tf_advance_restore_volume(tf_flow_advance *a)
+tf_status tf_advance_restore_volume(tf_flow_advance *a)
 {
     double *error = a->velocity, most = 0.1 * a->options->edge;
-    find_errors(a, error);
+    if (find_errors(a, error) != TF_OK)
+        return TF_CANCELLED;
     sum_normals(a, a->end, a->normal);
     for (int v = 0; v < a->vertices; v++) {
         tf_vector normal = tf_vector_at(a->normal, v);
@@ -204,6 +216,7 @@ void tf_advance_restore_volume(tf_flow_advance *a)
             put_point(a->end, v,
                       tf_vector_sum(tf_vector_at(a->end, v), rise, normal));
     }
+    return goes_on(a);
 }
 
 //: Hold what may not move
@@ -223,24 +236,24 @@ static void hold_isolated_triangles(tf_flow_advance *a)
 }
 
 //: Move the vertices to their ends
-static void put_ends(const tf_flow_advance *a)
+static tf_status put_ends(const tf_flow_advance *a)
 {
     memcpy(a->surface->position.data, a->end,
            3 * sizeof *a->end * (size_t)a->vertices);
-    tf_stars_build(a->surface, a->surface->box.data);
+    return tf_stars_build(a->surface, a->surface->box.data) ? TF_OK
+                                                            : TF_CANCELLED;
 }
 
-tf_status tf_advance_resolve(tf_flow_advance *a, tf_response_report *report)
+tf_status tf_advance_resolve(tf_flow_advance *a,
+                             const tf_response_report **report)
 {
-    tf_response_options options = {.parallel = a->options->parallel};
-    const tf_response_report *lent;
+    tf_response_options options = {.parallel = a->options->parallel,
+                                   .progress = a->options->progress,
+                                   .context = a->options->context};
     hold_isolated_triangles(a);
-    tf_status status =
-        tf_step_resolve(a->resolver, a->vertices, a->start, a->end,
-                        a->inverse_mass, &options, &lent, NULL);
-    if (status == TF_OK && report)
-        *report = *lent;
+    tf_status status = goes_on(a);
     if (status == TF_OK)
-        put_ends(a);
-    return status;
+        status = tf_step_resolve(a->resolver, a->vertices, a->start, a->end,
+                                 a->inverse_mass, &options, report, NULL);
+    return status == TF_OK ? put_ends(a) : status;
 }

@@ -31,20 +31,21 @@ size_t tf_advance_memory(const tf_flow_advance *advance);
 
 //: Declare the parts of an advance
 /// Begins an advance of its surface, which has no gaps and is not empty.
-/// Returns TF_OK or TF_OUT_OF_MEMORY.
+/// Returns TF_OK, TF_OUT_OF_MEMORY or TF_CANCELLED.
 tf_status tf_advance_begin(tf_flow_advance *advance,
                            const tf_flow_options *options, double time,
                            double step);
 
-/// Finds the ends of all points, by the method of Runge and Kutta.
-void tf_advance_propose(tf_flow_advance *advance);
+/// Finds the ends of all points, by the method of Runge and Kutta.  Returns TF_OK
+/// or TF_CANCELLED.
+tf_status tf_advance_propose(tf_flow_advance *advance);
 
 /// Shifts the ends of the vertices along their normals, by a tenth of an edge
 /// at most, so that the surface encloses as much as if its edges had curved
-/// with their middles.
-void tf_advance_restore_volume(tf_flow_advance *advance);
+/// with their middles.  Returns TF_OK or TF_CANCELLED.
+tf_status tf_advance_restore_volume(tf_flow_advance *advance);
 
 /// Moves the vertices to their ends as far as the response lets them.  Returns
-/// what tf_step_resolve does.
+/// what tf_step_resolve does, and lends its report.
 tf_status tf_advance_resolve(tf_flow_advance *advance,
-                             tf_response_report *report);
+                             const tf_response_report **report);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/api.h"
-#include "base/status.h"
+#include "base/error.h"
 #include "flow/options.h"
 #include "surgery/adaptive.h"
 
@@ -51,16 +51,21 @@ TF_API size_t tf_flow_memory(const tf_flow *flow);
 /// Memory is kept: a step asks only for what no step before it has needed, and
 /// to drop a component.
 ///
-/// @param flow the flow
-/// @param options how
+/// @param flow the flow; with any status but TF_OK its surface is exactly as it
+///     was
 /// @param time when the step begins
 /// @param step how long it takes; below 0: back in time
-/// @param[out] report what was done; may be NULL
-/// @return TF_OK; TF_BAD_OPTION if the length is not above 0 and finite;
-///     TF_NOT_FINITE if a velocity leads out of what doubles can hold;
-///     TF_BAD_ENVIRONMENT; or TF_OUT_OF_MEMORY; unless it is TF_OK the surface
-///     is still embedded, but may have other triangles than before
-TF_API tf_status tf_flow_step(tf_flow *flow, const tf_flow_options *options,
-                              double time, double step, tf_flow_report *report);
+/// @param options how
+/// @param[out] report what was done, lent until the next step of this flow; set
+///     only with TF_OK; may be NULL
+/// @param[out] error what is wrong, if anything; may be NULL
+/// @return TF_OK; TF_BAD_OPTION if the length is not above 0 and finite, or so
+///     short that there would be more triangles than numbers for their corners,
+///     or the number of threads is not in its range; TF_OUT_OF_RANGE if a
+///     coordinate is beyond 2^250; TF_NOT_FINITE if a velocity leads out of what
+///     doubles can hold; TF_BAD_ENVIRONMENT; TF_OUT_OF_MEMORY; or TF_CANCELLED
+TF_API tf_status tf_flow_step(tf_flow *flow, double time, double step,
+                              const tf_flow_options *options,
+                              const tf_flow_report **report, tf_error *error);
 
 /// @}

@@ -68,7 +68,7 @@ static bool flip_for_volume(tf_remesher *remesher, const tf_diagonals *both,
 {
     const tf_adaptive_surface *surface = remesher->surface;
     const int *v = both->vertex;
-    double edge = remesher->options.edge;
+    double edge = remesher->edge;
     if (!(tf_length_of(surface, v[2], v[3]) <
           tf_length_of(surface, v[0], v[1]) - 1e-3 * edge))
         return false;
@@ -110,7 +110,7 @@ static bool choose_inside(const tf_remesher *remesher, int corner,
     tf_patch patch = patch_of_stars(surface, from, to, point);
     *collapse = (tf_edge_collapse){from, to, tf_patch_position(&patch, 0)};
     tf_vector shift = tf_vector_difference(collapse->position, point);
-    return tf_vector_length(shift) <= 0.3 * remesher->options.edge;
+    return tf_vector_length(shift) <= 0.3 * remesher->edge;
 }
 
 //: Choose how the boundary collapses
@@ -179,7 +179,7 @@ static bool find_position(const tf_remesher *remesher, int vertex, double more,
     tf_patch star = tf_patch_of_star(remesher->surface, vertex, from);
     *position = tf_patch_position(&star, more);
     tf_vector way = tf_vector_difference(*position, from);
-    return tf_vector_length(way) <= 0.1 * remesher->options.edge;
+    return tf_vector_length(way) <= 0.1 * remesher->edge;
 }
 
 //: Restore volume

@@ -3,7 +3,6 @@
 
 #include "base/error.h"
 #include "files/mesh_file.h"
-#include "surgery/adaptive.h"
 
 /// Describes an error as the fault of a file whose elements were given to the
 /// library, with the line that it is about, if there is one; returns false.
@@ -11,7 +10,3 @@ bool tf_error_fault(const tf_mesh_file *file, const tf_error *error);
 
 /// The same for a status alone.
 bool tf_status_fault(const tf_mesh_file *file, tf_status status);
-
-/// Why it holds no adaptive surface.
-bool tf_defect_fault(const tf_mesh_file *file, tf_status status,
-                     const tf_defect *defect);

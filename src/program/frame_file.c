@@ -43,10 +43,12 @@ void tf_frame_write(FILE *stream, const tf_simulation *simulation)
     tf_snapshot now = simulation->scene->kind->snapshot(simulation);
     char comment[TF_SIMULATION_NAME + 100];
     write_comment(simulation, &now, comment);
-    tf_mesh_write(
-        stream,
-        &(tf_mesh_content){now.mesh, now.position, now.velocity, comment},
-        TF_PLY_LITTLE_ENDIAN);
+    tf_mesh_write(stream,
+                  &(tf_mesh_content){.mesh = now.mesh,
+                                     .position = now.position,
+                                     .velocity = now.velocity,
+                                     .comment = comment},
+                  TF_PLY_LITTLE_ENDIAN);
 }
 
 //: Read a whole frame
@@ -140,7 +142,8 @@ static bool take_state(tf_simulation *s, const frame_content *read)
             "tanglefree simulate %*s --%*s %*[^,], step %d, of the script %d",
             &state.step, &state.script_steps) > 0 &&
         state.step >= 0 && state.script_steps >= 0 &&
-        tf_mesh_file_parse(&file, "frame", read->text, read->size, &unused);
+        tf_mesh_file_parse(&file, "frame", read->text, read->size, NULL,
+                           &unused);
     state.mesh = tf_mesh_file_elements(&file, state.mesh.axes);
     good = good && restore(s, read, &state);
     tf_mesh_file_free(&file);

@@ -118,7 +118,7 @@ bool tf_frames_next(tf_frames *frames, const char *path)
     frames->current = frames->count % 2;
     tf_mesh_file *file = &frames->file[frames->current];
     tf_mesh_file_free(file);
-    if (!tf_mesh_file_read(file, path, &frames->fault))
+    if (!tf_mesh_file_read(file, path, frames->columns, &frames->fault))
         return false;
     frames->is_new = frames->count == 0;
     if (frames->count > 0 &&

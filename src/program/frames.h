@@ -14,6 +14,8 @@ typedef struct tf_frames {
     int current;          ///< which of the two is the current one
     int count;            ///< how many were read, or one more
     bool may_differ;      ///< to be set first
+    tf_columns *columns;  ///< to be set first: for those of the last file, or
+                          ///< NULL
     bool is_new;          ///< the sequence began with the last file
     int axes;             ///< of the surface
     tf_surface *surface;

@@ -5,12 +5,17 @@
 #include "program/mesh_output.h"
 #include "program/progress.h"
 #include "program/reports.h"
+#include "remesh/origins.h"
 #include "remesh/remesh.h"
+
+#include <string.h>
 
 //: Hold what remesh does
 typedef struct remeshing {
     const tf_request *request;
     tf_frames frames;
+    tf_columns columns; ///< what the vertices of the file have
+    tf_columns carried; ///< and those of the surface then
     tf_adaptive_surface *surface;
     tf_remeshed done;
     tf_destination out;
@@ -22,20 +27,21 @@ static bool load(remeshing *r)
 {
     const tf_mesh_file *file = tf_frames_file(&r->frames);
     tf_mesh mesh = tf_mesh_file_elements(file, 3);
-    tf_defect defect;
+    tf_error error;
     r->done.triangles_before = mesh.triangles;
     tf_status status =
-        tf_adaptive_create(&mesh, file->position.item, &r->surface, &defect);
-    return status == TF_OK || tf_defect_fault(file, status, &defect);
+        tf_adaptive_create(&mesh, file->position.item, &r->surface, &error);
+    return status == TF_OK || tf_error_fault(file, &error);
 }
 
 //: Show the progress of remeshing
-static void show_progress(void *context, const tf_remesh_report *so_far)
+static bool show_progress(void *context, const tf_stage *stage)
 {
-    size_t done = 0;
-    for (int i = 0; i < TF_OPERATIONS; i++)
-        done += so_far->tried[i][TF_COMMITTED];
-    tf_progress_line_show(context, (long)done, "changes");
+    char things[64];
+    snprintf(things, sizeof things, "of %zu: %s", stage->total, stage->name);
+    if (stage->total > 0)
+        tf_progress_line_show(context, (long)stage->done, things);
+    return true;
 }
 
 //: Remesh the surface of a file
@@ -45,8 +51,10 @@ static bool remesh(remeshing *r)
                              .rounds = r->request->rounds,
                              .progress = show_progress,
                              .context = &r->progress};
+    const tf_remesh_report *report;
+    tf_error error;
     double begin = tf_clock_seconds();
-    tf_status status = tf_adaptive_remesh(r->surface, &how, &r->done.report);
+    tf_status status = tf_adaptive_remesh(r->surface, &how, &report, &error);
     r->done.seconds = tf_clock_seconds() - begin;
     r->done.edge = how.edge;
     const tf_mesh_file *file = tf_frames_file(&r->frames);
@@ -55,14 +63,37 @@ static bool remesh(remeshing *r)
             file, -1,
             "--edge %g would take too many triangles; give a longer one",
             how.edge);
-    return status == TF_OK || tf_defect_fault(file, status, &(tf_defect){0});
+    if (status != TF_OK)
+        return tf_error_fault(file, &error);
+    r->done.report = *report;
+    return true;
+}
+
+//: Carry over what vertices have
+/// Mixes the values at the corners where each vertex comes from.
+static bool carry(remeshing *r)
+{
+    const tf_mesh_file *file = tf_frames_file(&r->frames);
+    const tf_origin *origin = tf_adaptive_origins(r->surface);
+    int vertices = tf_adaptive_mesh(r->surface)->vertices;
+    r->carried.count = r->columns.count;
+    memcpy(r->carried.column, r->columns.column, sizeof r->columns.column);
+    for (int v = 0; v < vertices && r->columns.count > 0; v++)
+        if (!tf_columns_mix(&r->carried, &r->columns,
+                            file->triangle.item +
+                                3 * (size_t)origin[v].triangle,
+                            origin[v].barycentric))
+            return tf_mesh_file_fault_in_memory(file);
+    return true;
 }
 
 //: Remesh and write
 static bool write(remeshing *r)
 {
-    tf_mesh_content content = {.mesh = tf_adaptive_mesh(r->surface),
-                               .position = tf_adaptive_positions(r->surface)};
+    tf_mesh_content content = {.mesh = *tf_adaptive_mesh(r->surface),
+                               .position = tf_adaptive_positions(r->surface),
+                               .columns =
+                                   r->carried.count > 0 ? &r->carried : NULL};
     tf_mesh_report report = {*r->request->format, tf_remeshed_fields, &r->done};
     r->done.triangles_after = content.mesh.triangles;
     return tf_mesh_output_write(&r->out, &content,
@@ -77,7 +108,7 @@ static bool do_all(remeshing *r)
         return false;
     bool good = remesh(r);
     tf_progress_line_end(&r->progress);
-    return good && write(r);
+    return good && carry(r) && write(r);
 }
 
 //: Run the command remesh
@@ -85,10 +116,13 @@ static int run(const tf_request *request)
 {
     remeshing r = {.request = request,
                    .progress = tf_progress_line_begin(true)};
+    r.frames.columns = &r.columns;
     bool good = do_all(&r);
     tf_fault_print(&r.frames.fault, "tanglefree");
     tf_destination_end(&r.out);
     tf_adaptive_free(r.surface);
+    tf_columns_free(&r.columns);
+    tf_columns_free(&r.carried);
     tf_frames_free(&r.frames);
     return good ? 0 : 2;
 }

@@ -5,10 +5,9 @@
 /// or else the point itself.
 static tf_vector project(tf_remesher *remesher, tf_vector point)
 {
-    tf_vector projected = point;
-    double distance =
-        tf_original_nearest(&remesher->original, point.x, projected.x);
-    return distance < remesher->options.edge ? projected : point;
+    tf_projection *found = &remesher->projection;
+    *found = tf_original_project(&remesher->original, point);
+    return found->distance < remesher->edge ? found->point : point;
 }
 
 //: Choose where an edge is split

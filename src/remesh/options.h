@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/api.h"
+#include "base/progress.h"
 #include "surgery/outcome.h"
 
 #include <stddef.h>
@@ -11,16 +12,17 @@
 
 /// The operations of which remeshing is made.
 typedef enum tf_operation {
-    TF_SPLIT = 0, ///< of long edges
-    TF_COLLAPSE,  ///< of short edges
-    TF_FLIP,      ///< to better triangles
-    TF_SMOOTH,    ///< a move along the surface
-    TF_OPERATIONS ///< how many operations there are
+    TF_SPLIT = 0,     ///< of long edges
+    TF_COLLAPSE,      ///< of short edges
+    TF_FLIP,          ///< to better triangles
+    TF_SMOOTH,        ///< a move along the surface
+    TF_OPERATIONS = 8 ///< room for those of later versions
 } tf_operation;
 
-/// What remeshing has done.  Lengths are as those of the positions.
+/// What remeshing has done.  Lengths are as those of the positions.  Lent; later
+/// versions may add to its end.
 typedef struct tf_remesh_report {
-    int rounds; ///< so far
+    int rounds; ///< how many there were
     /// How often an operation was tried, by its outcome; those that would make
     /// poor triangles are not even tried.
     size_t tried[TF_OPERATIONS][TF_OUTCOMES];
@@ -38,12 +40,12 @@ typedef struct tf_remesh_report {
 //: Declare how to remesh
 /// How to remesh.
 typedef struct tf_remesh_options {
+    size_t size; ///< sizeof(tf_remesh_options); 0: that of version 1.0
     double edge; ///< the length that edges should have, above 0
-    int rounds;  ///< how often to go through all operations; 0: 5
-
-    /// Called now and then, unless it is NULL, with what has been done so far.
-    void (*progress)(void *context, const tf_remesh_report *so_far);
-    void *context; ///< passed on to `progress`
+    int rounds;  ///< how often to go through all operations; 0: 5; negative:
+                 ///< not at all
+    tf_progress *progress; ///< NULL: nothing is told
+    void *context;         ///< passed on to `progress`
 } tf_remesh_options;
 
 /// @}

@@ -6,58 +6,42 @@
 
 #include <string.h>
 
-static bool reserve_original(tf_original *original)
+static bool reserve_original(tf_original *original, int triangles)
 {
-    size_t triangles = (size_t)original->triangles;
-    return tf_buffer_extend(&original->position, (size_t)original->vertices,
-                            3 * sizeof(double)) &&
-           tf_buffer_extend(&original->vertex, triangles, 3 * sizeof(int)) &&
-           tf_buffer_extend(&original->box, triangles, sizeof(tf_aabb)) &&
-           tf_buffer_extend(&original->order, triangles, sizeof(int)) &&
-           tf_dynamic_tree_reserve(&original->tree, original->triangles);
+    size_t count = (size_t)triangles;
+    return tf_buffer_extend(&original->box, count, sizeof(tf_aabb)) &&
+           tf_buffer_extend(&original->order, count, sizeof(int)) &&
+           tf_dynamic_tree_reserve(&original->tree, triangles);
 }
 
-//: Copy a surface
-bool tf_original_copy(tf_original *original, const tf_adaptive_surface *surface)
+//: Begin with a surface
+tf_status tf_original_begin(tf_original *original,
+                            const tf_adaptive_surface *surface, tf_watch *watch)
 {
-    original->vertices = surface->vertices;
-    original->triangles = surface->triangles;
-    if (!reserve_original(original))
-        return false;
-    memcpy(original->position.data, surface->position.data,
-           3 * sizeof(double) * (size_t)surface->vertices);
-    memcpy(original->vertex.data, surface->vertex.data,
-           3 * sizeof(int) * (size_t)surface->triangles);
+    int count = 0;
+    original->surface = surface;
+    if (!reserve_original(original, surface->triangles))
+        return TF_OUT_OF_MEMORY;
     tf_aabb *box = original->box.data;
     int *order = original->order.data;
     for (int t = 0; t < surface->triangles; t++) {
+        if (t % 4096 == 0 && !tf_watch_done(watch, 0))
+            return TF_CANCELLED;
+        if (!tf_is_triangle(surface, t))
+            continue;
         box[t] = tf_aabb_of(surface, 3, tf_triangle(surface, t));
-        order[t] = t;
+        order[count++] = t;
     }
-    tf_dynamic_tree_build(&original->tree, box, order, surface->triangles);
-    return true;
+    return tf_dynamic_tree_build(&original->tree, box, order, count, watch)
+               ? TF_OK
+               : TF_CANCELLED;
 }
 
-//: Free an original
 void tf_original_free(tf_original *original)
 {
-    tf_buffer_free(&original->position);
-    tf_buffer_free(&original->vertex);
     tf_buffer_free(&original->box);
     tf_buffer_free(&original->order);
     tf_dynamic_tree_free(&original->tree);
-}
-
-//: Take the corners of a triangle
-static void take_corners(const tf_original *original, int triangle,
-                         tf_vector corner[3])
-{
-    const int *vertex =
-        (const int *)original->vertex.data + 3 * (ptrdiff_t)triangle;
-    const double *position = original->position.data;
-    for (int i = 0; i < 3; i++)
-        memcpy(corner[i].x, position + 3 * (ptrdiff_t)vertex[i],
-               sizeof corner[i].x);
 }
 
 //: Find the nearest point of a triangle
@@ -68,7 +52,8 @@ typedef struct nearest_search {
 
 static tf_point_pair nearest_of(nearest_search *search, int triangle)
 {
-    take_corners(search->original, triangle, search->x + 1);
+    tf_shape shape = tf_shape_of(search->original->surface, triangle);
+    memcpy(search->x + 1, shape.corner, sizeof shape.corner);
     return tf_nearest_points(1, 3, search->x);
 }
 
@@ -79,45 +64,61 @@ static double squared_distance(void *context, int triangle)
 }
 
 //: Find the nearest point of the original
-double tf_original_nearest(tf_original *original, const double x[3],
-                           double point[3])
+tf_projection tf_original_project(tf_original *original, tf_vector point)
 {
-    nearest_search search = {.original = original, .x = {{{x[0], x[1], x[2]}}}};
+    nearest_search search = {.original = original, .x = {point}};
+    tf_projection found = {.point = point, .distance = INFINITY};
     double least;
-    int triangle = tf_dynamic_tree_nearest(&original->tree, x, squared_distance,
-                                           &search, &least);
-    memcpy(point, x, 3 * sizeof *point);
+    int triangle = tf_dynamic_tree_nearest(&original->tree, point.x,
+                                           squared_distance, &search, &least);
     if (triangle < 0)
-        return INFINITY;
+        return found;
     tf_point_pair nearest = nearest_of(&search, triangle);
+    const double *weight = nearest.weight + 1;
+    found.distance = nearest.distance;
+    found.origin.triangle = triangle;
+    memcpy(found.origin.barycentric, weight, sizeof found.origin.barycentric);
     for (int k = 0; k < 3; k++)
-        point[k] = nearest.weight[1] * search.x[1].x[k] +
-                   nearest.weight[2] * search.x[2].x[k] +
-                   nearest.weight[3] * search.x[3].x[k];
-    return nearest.distance;
+        found.point.x[k] = weight[0] * search.x[1].x[k] +
+                           weight[1] * search.x[2].x[k] +
+                           weight[2] * search.x[3].x[k];
+    return found;
 }
 
-//: Find the greatest distance from the original
-static tf_vector middle_of(const tf_original *original, int triangle)
+//: Find the distance of a triangle from the original
+static tf_vector middle_of(const tf_shape *shape)
 {
-    tf_vector corner[3], middle = {{0}};
-    take_corners(original, triangle, corner);
+    tf_vector middle = {{0}};
     for (int i = 0; i < 3; i++)
-        middle = tf_vector_sum(middle, 1.0 / 3, corner[i]);
+        middle = tf_vector_sum(middle, 1.0 / 3, shape->corner[i]);
     return middle;
 }
 
-double tf_original_farthest(tf_original *original, const tf_original *other)
+/// Of its middle, and of the vertices of which it is the first triangle.
+static double distance_of(tf_original *original,
+                          const tf_adaptive_surface *surface, int triangle)
 {
-    const double *position = other->position.data;
-    double farthest = 0, point[3];
-    for (int v = 0; v < other->vertices; v++)
-        farthest = fmax(
-            farthest,
-            tf_original_nearest(original, position + 3 * (ptrdiff_t)v, point));
-    for (int t = 0; t < other->triangles; t++)
-        farthest =
-            fmax(farthest,
-                 tf_original_nearest(original, middle_of(other, t).x, point));
+    tf_shape shape = tf_shape_of(surface, triangle);
+    double far = tf_original_project(original, middle_of(&shape)).distance;
+    for (int i = 0; i < 3; i++) {
+        int vertex = tf_vertex_at(surface, 3 * triangle + i);
+        if (tf_first_corner(surface, vertex) == 3 * triangle + i)
+            far = fmax(far,
+                       tf_original_project(original, shape.corner[i]).distance);
+    }
+    return far;
+}
+
+//: Find the greatest distance from the original
+double tf_original_farthest(tf_original *original,
+                            const tf_adaptive_surface *surface, tf_watch *watch)
+{
+    double farthest = 0;
+    for (int t = 0; t < surface->triangles; t++) {
+        if (t % 16 == 0 && !tf_watch_done(watch, 16))
+            return farthest;
+        if (tf_is_triangle(surface, t))
+            farthest = fmax(farthest, distance_of(original, surface, t));
+    }
     return farthest;
 }

@@ -1,25 +1,40 @@
 //: Declare the original of a surface
 #pragma once
 
+#include "base/status.h"
+#include "geometry/vector.h"
+#include "remesh/origins.h"
 #include "surgery/adaptive_surface.h"
 
-/// A copy of a surface, to which the nearest points are found.
+/// A surface to which the nearest points are found.
 typedef struct tf_original {
-    int vertices, triangles;
-    tf_buffer position, vertex, box, order;
+    const tf_adaptive_surface *surface; ///< which stays as it is
+    tf_buffer box, order;               ///< of its triangles
     tf_dynamic_tree tree;
 } tf_original;
 
-/// Copies a surface without gaps.  False if there is no memory; free it in any
-/// case.
-bool tf_original_copy(tf_original *original,
-                      const tf_adaptive_surface *surface);
+/// Begins to look for points of a surface.  Returns TF_OK, TF_OUT_OF_MEMORY or
+/// TF_CANCELLED; free the original in any case.
+/// @param watch over the call; may be NULL
+tf_status tf_original_begin(tf_original *original,
+                            const tf_adaptive_surface *surface,
+                            tf_watch *watch);
 void tf_original_free(tf_original *original);
 
-/// Finds the nearest point of the original; returns its distance.
-double tf_original_nearest(tf_original *original, const double x[3],
-                           double point[3]);
+/// A point of the original.
+typedef struct tf_projection {
+    tf_vector point;
+    tf_origin origin; ///< which one it is
+    double distance;  ///< from what was projected to it
+} tf_projection;
 
-/// The greatest distance from the original at which a vertex of another one is,
-/// or the middle of a triangle.
-double tf_original_farthest(tf_original *original, const tf_original *other);
+/// Finds the nearest point of the original; if there is none, the distance is
+/// infinite, and the point is the same.
+tf_projection tf_original_project(tf_original *original, tf_vector point);
+
+/// The greatest distance from the original at which a vertex of a surface is,
+/// or the middle of a triangle; of no meaning if the caller cancels.
+/// @param watch over the call; may be NULL
+double tf_original_farthest(tf_original *original,
+                            const tf_adaptive_surface *surface,
+                            tf_watch *watch);

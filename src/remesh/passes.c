@@ -8,16 +8,32 @@
 #include "surgery/split.h"
 #include "surgery/star.h"
 
+#include <string.h>
+
+//: Trace what is placed
+/// Where a vertex comes from that has been put between two, or moved.
+static tf_status trace(tf_remesher *remesher, int vertex, int a, int b,
+                       bool sharp)
+{
+    tf_placement placed = {vertex, {a, b}, sharp, &remesher->projection};
+    return tf_trace_place(&remesher->trace, remesher->surface, &placed)
+               ? TF_OK
+               : TF_OUT_OF_MEMORY;
+}
+
 //: Try a split
 static tf_status try_split(tf_remesher *remesher, const tf_edge_row *edge,
-                           tf_vector position, tf_outcome *outcome)
+                           tf_vector position, bool sharp, tf_outcome *outcome)
 {
     int vertex;
     tf_status status = tf_adaptive_split(remesher->surface, edge->a, edge->b,
                                          position.x, &vertex, outcome);
-    if (status == TF_OK)
-        tf_remesher_count(remesher, TF_SPLIT, *outcome);
-    return status;
+    if (status != TF_OK)
+        return status;
+    tf_remesher_count(remesher, TF_SPLIT, *outcome);
+    return *outcome == TF_COMMITTED
+               ? trace(remesher, vertex, edge->a, edge->b, sharp)
+               : TF_OK;
 }
 
 //: Split a long edge
@@ -26,6 +42,8 @@ static tf_status split_edge(tf_remesher *remesher, const tf_edge_row *edge)
 {
     const tf_remesh_policy *policy = remesher->policy;
     int corner = tf_find_edge(remesher->surface, edge->a, edge->b);
+    bool sharp = tf_trace_goes(&remesher->trace) &&
+                 tf_is_sharp_edge(remesher->surface, corner);
     tf_vector position;
     tf_volume_error error = {0};
     tf_outcome outcome = TF_NO_OUTCOME;
@@ -34,8 +52,8 @@ static tf_status split_edge(tf_remesher *remesher, const tf_edge_row *edge)
          status == TF_OK && outcome != TF_COMMITTED &&
          policy->choose_split(remesher, corner, refused, &position, &error);
          refused++)
-        status = try_split(remesher, edge, position, &outcome);
-    return outcome == TF_COMMITTED && policy->restore
+        status = try_split(remesher, edge, position, sharp, &outcome);
+    return status == TF_OK && outcome == TF_COMMITTED && policy->restore
                ? policy->restore(remesher, &error)
                : status;
 }
@@ -72,23 +90,35 @@ static bool is_good(const tf_remesher *remesher,
            tf_star_stays_good(surface, to, from, position);
 }
 
+//: Collapse an edge to where it is wanted
+static tf_status collapse(tf_remesher *remesher, const tf_edge_collapse *wanted)
+{
+    int from = wanted->from, to = wanted->to;
+    tf_vector before = tf_position_of(remesher->surface, to);
+    tf_outcome outcome;
+    tf_status status = tf_adaptive_collapse_to(remesher->surface, from, to,
+                                               wanted->position.x, &outcome);
+    if (status != TF_OK)
+        return status;
+    tf_remesher_count(remesher, TF_COLLAPSE, outcome);
+    bool moved = memcmp(before.x, wanted->position.x, sizeof before.x) != 0;
+    return outcome == TF_COMMITTED && moved
+               ? trace(remesher, to, from, to, false)
+               : TF_OK;
+}
+
 //: Collapse a short edge
 static tf_status collapse_edge(tf_remesher *remesher, const tf_edge_row *edge)
 {
-    tf_adaptive_surface *surface = remesher->surface;
+    const tf_adaptive_surface *surface = remesher->surface;
     int corner = tf_find_edge(surface, edge->a, edge->b);
-    tf_edge_collapse collapse;
+    tf_edge_collapse wanted;
     if (corner == TF_NONE ||
         tf_length_of(surface, edge->a, edge->b) > edge->length ||
-        !remesher->policy->choose_collapse(remesher, corner, &collapse) ||
-        !is_good(remesher, &collapse))
+        !remesher->policy->choose_collapse(remesher, corner, &wanted) ||
+        !is_good(remesher, &wanted))
         return TF_OK;
-    tf_outcome outcome;
-    tf_status status = tf_adaptive_collapse_to(
-        surface, collapse.from, collapse.to, collapse.position.x, &outcome);
-    if (status == TF_OK)
-        tf_remesher_count(remesher, TF_COLLAPSE, outcome);
-    return status;
+    return collapse(remesher, &wanted);
 }
 
 //: Collect the diagonals
@@ -151,7 +181,7 @@ static bool is_worth_a_move(const tf_remesher *remesher, int vertex,
 {
     tf_vector way = tf_vector_difference(
         position, tf_position_of(remesher->surface, vertex));
-    return tf_vector_length(way) > remesher->options.edge / 20;
+    return tf_vector_length(way) > remesher->edge / 20;
 }
 
 static tf_status smooth_vertex(tf_remesher *remesher, int vertex)
@@ -164,37 +194,51 @@ static tf_status smooth_vertex(tf_remesher *remesher, int vertex)
     tf_outcome outcome;
     tf_status status =
         tf_adaptive_move(remesher->surface, vertex, position.x, &outcome);
-    if (status == TF_OK)
-        tf_remesher_count(remesher, TF_SMOOTH, outcome);
-    return status;
+    if (status != TF_OK)
+        return status;
+    tf_remesher_count(remesher, TF_SMOOTH, outcome);
+    return outcome == TF_COMMITTED
+               ? trace(remesher, vertex, vertex, vertex, false)
+               : TF_OK;
 }
 
 //: Smooth all vertices
+enum {
+    WATCHED = 8 ///< vertices that are smoothed before the caller is told
+};
+
 static tf_status smooth_all(tf_remesher *remesher)
 {
+    const tf_adaptive_surface *surface = remesher->surface;
     tf_status status = TF_OK;
-    for (int v = 0; v < remesher->surface->vertices && status == TF_OK; v++)
-        if (tf_first_corner(remesher->surface, v) != TF_NONE)
+    tf_watch_stage(surface->watch, "smoothing", (size_t)surface->vertices);
+    for (int v = 0; v < surface->vertices && status == TF_OK; v++) {
+        if (v % WATCHED == 0 && !tf_watch_done(surface->watch, WATCHED))
+            return TF_CANCELLED;
+        if (tf_first_corner(surface, v) != TF_NONE)
             status = smooth_vertex(remesher, v);
+    }
     return status;
 }
 
 //: Go once through a surface
 tf_status tf_remesh_pass(tf_remesher *remesher, tf_operation operation)
 {
+    static const tf_edge_pass passes[] = {
+        [TF_SPLIT] = {"splitting", TF_LONGEST_FIRST, split_edge},
+        [TF_COLLAPSE] = {"collapsing", TF_SHORTEST_FIRST, collapse_edge},
+        [TF_FLIP] = {"flipping", TF_LONGEST_FIRST, flip_edge}};
     const tf_remesh_policy *policy = remesher->policy;
     double longest = tf_target_length(remesher, policy->longest);
     double shortest = tf_target_length(remesher, policy->shortest);
     switch (operation) {
     case TF_SPLIT:
-        return tf_remesher_visit(remesher, longest, INFINITY, TF_LONGEST_FIRST,
-                                 split_edge);
+        return tf_remesher_visit(remesher, &passes[TF_SPLIT], longest,
+                                 INFINITY);
     case TF_COLLAPSE:
-        return tf_remesher_visit(remesher, 0, shortest, TF_SHORTEST_FIRST,
-                                 collapse_edge);
+        return tf_remesher_visit(remesher, &passes[TF_COLLAPSE], 0, shortest);
     case TF_FLIP:
-        return tf_remesher_visit(remesher, 0, INFINITY, TF_LONGEST_FIRST,
-                                 flip_edge);
+        return tf_remesher_visit(remesher, &passes[TF_FLIP], 0, INFINITY);
     default:
         return smooth_all(remesher);
     }
@@ -218,7 +262,7 @@ static tf_status repeat_pass(tf_remesher *remesher, tf_operation operation,
 tf_status tf_remesh_round(tf_remesher *remesher)
 {
     tf_status status = TF_OK;
-    for (int i = 0; i < TF_OPERATIONS && status == TF_OK; i++)
+    for (int i = 0; i < TF_REMESH_PASSES && status == TF_OK; i++)
         status = repeat_pass(remesher, remesher->policy->pass[i].operation,
                              remesher->policy->pass[i].most);
     return status;

@@ -13,7 +13,7 @@ typedef struct tf_fraction {
 static inline double tf_target_length(const tf_remesher *remesher,
                                       tf_fraction part)
 {
-    return remesher->options.edge * part.numerator / part.denominator;
+    return remesher->edge * part.numerator / part.denominator;
 }
 
 /// The two triangles on an edge ab, and the two on the other diagonal, cd.
@@ -33,6 +33,10 @@ typedef struct tf_volume_error {
 } tf_volume_error;
 
 //: Declare policies
+enum {
+    TF_REMESH_PASSES = 4 ///< of a round: one for each operation
+};
+
 /// How to remesh: a constant that is passed by its address.  Its functions only
 /// choose, in rounded arithmetic, but for `restore`, which moves vertices; what
 /// is safe is decided by exact tests.
@@ -42,7 +46,7 @@ struct tf_remesh_policy {
     struct {
         tf_operation operation;
         int most; ///< how often; a pass is repeated until it does nothing
-    } pass[TF_OPERATIONS]; ///< of a round
+    } pass[TF_REMESH_PASSES]; ///< of a round
 
     /// Where the edge of a corner is split: at first, and after so many
     /// positions were refused.  False: nowhere.

@@ -3,43 +3,68 @@
 
 #include "base/environment.h"
 #include "base/require.h"
+#include "base/sized.h"
 #include "remesh/keep_shape.h"
 #include "remesh/measure.h"
 #include "remesh/passes.h"
+#include "surgery/draft.h"
 
-#include <limits.h>
+#include <stddef.h>
 
 enum {
     USUAL_ROUNDS = 5
 };
 
 //: Measure the quality of a surface
-static void measure_quality(const tf_adaptive_surface *surface, double *least,
-                            double *mean)
+static tf_status measure_quality(const tf_adaptive_surface *surface,
+                                 double *least, double *mean)
 {
     double sum = 0;
     *least = 1;
     for (int t = 0; t < surface->triangles; t++) {
+        if (t % 4096 == 0 && !tf_watch_done(surface->watch, 0))
+            return TF_CANCELLED;
         tf_shape shape = tf_shape_of(surface, t);
         double quality = tf_shape_quality(&shape);
         *least = fmin(*least, quality);
         sum += quality;
     }
     *mean = sum / surface->triangles;
+    return TF_OK;
 }
 
 //: Measure how far the shape has changed
 static tf_status measure_distance(tf_remesher *remesher)
 {
+    const tf_adaptive_surface *before = remesher->original.surface;
+    const tf_adaptive_surface *after = remesher->surface;
+    tf_watch *watch = after->watch;
     tf_original now = {0};
-    tf_status status = TF_OUT_OF_MEMORY;
-    if (tf_original_copy(&now, remesher->surface)) {
+    tf_watch_stage(watch, "measuring",
+                   (size_t)before->triangles + (size_t)after->triangles);
+    tf_status status = tf_original_begin(&now, after, watch);
+    if (status == TF_OK)
         remesher->report.distance =
-            fmax(tf_original_farthest(&remesher->original, &now),
-                 tf_original_farthest(&now, &remesher->original));
-        status = TF_OK;
-    }
+            fmax(tf_original_farthest(&remesher->original, after, watch),
+                 tf_original_farthest(&now, before, watch));
     tf_original_free(&now);
+    return status == TF_OK && tf_watch_cancelled(watch) ? TF_CANCELLED : status;
+}
+
+//: Begin with the original
+/// Makes a draft of a surface, which stays the original.
+static tf_status begin(tf_remesher *remesher,
+                       const tf_adaptive_surface *surface, tf_watch *watch)
+{
+    tf_watch_stage(watch, "copying", 0);
+    tf_status status = tf_draft_begin(remesher->surface, surface, watch);
+    if (status == TF_OK)
+        status = tf_adaptive_compact(remesher->surface, NULL);
+    if (status == TF_OK)
+        status = tf_original_begin(&remesher->original, surface, watch);
+    if (status == TF_OK &&
+        !tf_trace_begin(&remesher->trace, &remesher->original))
+        status = TF_OUT_OF_MEMORY;
     return status;
 }
 
@@ -48,72 +73,86 @@ static tf_status do_round(tf_remesher *remesher)
 {
     tf_status status = tf_remesh_round(remesher);
     remesher->report.rounds++;
-    return status == TF_OK ? tf_adaptive_compact(remesher->surface, NULL)
+    return status == TF_OK
+               ? tf_trace_compact(&remesher->trace, remesher->surface)
+               : status;
+}
+
+static tf_status do_rounds(tf_remesher *remesher, int rounds)
+{
+    tf_remesh_report *report = &remesher->report;
+    tf_status status = measure_quality(remesher->surface, &report->least_before,
+                                       &report->mean_before);
+    for (int i = 0; i < rounds && status == TF_OK; i++)
+        status = do_round(remesher);
+    if (status == TF_OK)
+        status = measure_quality(remesher->surface, &report->least_after,
+                                 &report->mean_after);
+    return status == TF_OK ? measure_distance(remesher) : status;
+}
+
+//: Check how to remesh
+static tf_status read_options(tf_remesh_options *own,
+                              const tf_remesh_options *options,
+                              const tf_adaptive_surface *surface,
+                              tf_error *error)
+{
+    size_t first = offsetof(tf_remesh_options, context) + sizeof own->context;
+    tf_fail(error, TF_OK);
+    if (!tf_environment_is_ieee())
+        return tf_fail(error, TF_BAD_ENVIRONMENT);
+    tf_status status = tf_options_read(own, sizeof *own, options, first, error);
+    own->rounds = own->rounds ? own->rounds : USUAL_ROUNDS;
+    return status == TF_OK ? tf_check_target(surface, own->edge, error)
                            : status;
 }
 
-static tf_status do_rounds(tf_remesher *remesher)
+//: Remesh a draft
+/// The surface takes over what the remesher has.
+static void accept(tf_remesher *remesher, tf_adaptive_surface *surface)
 {
-    tf_remesh_report *report = &remesher->report;
-    int rounds =
-        remesher->options.rounds ? remesher->options.rounds : USUAL_ROUNDS;
-    tf_status status = tf_adaptive_compact(remesher->surface, NULL);
-    if (status == TF_OK &&
-        !tf_original_copy(&remesher->original, remesher->surface))
-        status = TF_OUT_OF_MEMORY;
-    if (status != TF_OK)
-        return status;
-    measure_quality(remesher->surface, &report->least_before,
-                    &report->mean_before);
-    for (int i = 0; i < rounds && status == TF_OK; i++)
-        status = do_round(remesher);
-    if (status != TF_OK)
-        return status;
-    measure_quality(remesher->surface, &report->least_after,
-                    &report->mean_after);
-    return measure_distance(remesher);
+    tf_adaptive_lent *lent = &surface->lent;
+    tf_draft_accept(remesher->surface, surface);
+    tf_buffer_free(&lent->origin);
+    lent->origin = remesher->trace.origin;
+    lent->has_origins = true;
+    remesher->trace.origin = (tf_buffer){0};
+    *(tf_remesh_report *)lent->remesh_report.data = remesher->report;
 }
 
-//: Estimate how many triangles there will be
-/// Equilateral ones with sides of that length, which have as much area as the
-/// surface.
-static double triangles_of(const tf_adaptive_surface *surface, double edge)
+static tf_status remesh(tf_adaptive_surface *surface,
+                        const tf_remesh_options *options, tf_watch *watch)
 {
-    double count = 0;
-    for (int t = 0; t < surface->triangles; t++) {
-        if (!tf_is_triangle(surface, t))
-            continue;
-        tf_shape shape = tf_shape_of(surface, t);
-        for (int i = 0; i < 3; i++)
-            shape.corner[i] = tf_vector_scaled(1 / edge, shape.corner[i]);
-        count += tf_vector_length(tf_shape_normal(&shape)) * 2 / sqrt(3);
-    }
-    return count;
-}
-
-static bool is_possible(const tf_adaptive_surface *surface,
-                        const tf_remesh_options *options)
-{
-    double edge = options->edge;
-    return edge > 0 && isfinite(edge) && options->rounds >= 0 &&
-           triangles_of(surface, edge) <= INT_MAX / 3.0;
+    tf_adaptive_surface draft = {0};
+    tf_remesher remesher = {
+        .surface = &draft, .policy = &tf_keep_shape, .edge = options->edge};
+    tf_status status = tf_buffer_extend(&surface->lent.remesh_report, 1,
+                                        sizeof(tf_remesh_report))
+                           ? begin(&remesher, surface, watch)
+                           : TF_OUT_OF_MEMORY;
+    if (status == TF_OK)
+        status = do_rounds(&remesher, options->rounds);
+    if (status == TF_OK)
+        accept(&remesher, surface);
+    tf_remesher_free(&remesher);
+    tf_draft_free(&draft);
+    return status;
 }
 
 //: Remesh a surface
 tf_status tf_adaptive_remesh(tf_adaptive_surface *surface,
                              const tf_remesh_options *options,
-                             tf_remesh_report *report)
+                             const tf_remesh_report **report, tf_error *error)
 {
     TF_REQUIRE(surface && options);
-    if (!tf_environment_is_ieee())
-        return TF_BAD_ENVIRONMENT;
-    if (!is_possible(surface, options))
-        return TF_BAD_OPTION;
-    tf_remesher remesher = {
-        .surface = surface, .policy = &tf_keep_shape, .options = *options};
-    tf_status status = do_rounds(&remesher);
-    if (report)
-        *report = remesher.report;
-    tf_remesher_free(&remesher);
-    return status;
+    tf_remesh_options own;
+    tf_status status = read_options(&own, options, surface, error);
+    if (status != TF_OK)
+        return status;
+    tf_watch watch;
+    status = remesh(surface, &own,
+                    tf_watch_begin(&watch, own.progress, own.context));
+    if (status == TF_OK && report)
+        *report = surface->lent.remesh_report.data;
+    return tf_fail(error, status);
 }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/api.h"
-#include "base/status.h"
+#include "base/error.h"
 #include "remesh/options.h"
 #include "surgery/adaptive.h"
 
@@ -20,15 +20,21 @@
 /// and where things are close they may stay poor.  The result is the same, to
 /// the last bit, on every machine.
 ///
-/// @param surface the surface; its gaps are closed
+/// Where each vertex comes from, tf_adaptive_origins tells.
+///
+/// @param surface the surface; its gaps are closed.  With any status but TF_OK
+///     it is exactly as it was
 /// @param options how
-/// @param[out] report what was done; may be NULL
+/// @param[out] report what was done, lent until the next call for this surface;
+///     set only with TF_OK; may be NULL
+/// @param[out] error what is wrong, if anything; may be NULL
 /// @return TF_OK; TF_BAD_OPTION if the length is not above 0 and finite, or
 ///     so short that there would be more triangles than numbers for their
-///     corners, or if there are fewer rounds than 0; TF_BAD_ENVIRONMENT; or
-///     TF_OUT_OF_MEMORY, and then the surface is still embedded
+///     corners; TF_OUT_OF_RANGE if a coordinate is beyond 2^250;
+///     TF_BAD_ENVIRONMENT; TF_OUT_OF_MEMORY; or TF_CANCELLED
 TF_API tf_status tf_adaptive_remesh(tf_adaptive_surface *surface,
                                     const tf_remesh_options *options,
-                                    tf_remesh_report *report);
+                                    const tf_remesh_report **report,
+                                    tf_error *error);
 
 /// @}

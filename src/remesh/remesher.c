@@ -7,6 +7,7 @@
 void tf_remesher_free(tf_remesher *remesher)
 {
     tf_original_free(&remesher->original);
+    tf_trace_free(&remesher->trace);
     tf_buffer_free(&remesher->row);
     tf_sort_memory_free(&remesher->sorting);
 }
@@ -19,10 +20,7 @@ size_t tf_remesher_memory(const tf_remesher *remesher)
 void tf_remesher_count(tf_remesher *remesher, tf_operation operation,
                        tf_outcome outcome)
 {
-    const tf_remesh_options *options = &remesher->options;
     remesher->report.tried[operation][outcome]++;
-    if (options->progress)
-        options->progress(options->context, &remesher->report);
 }
 
 //: Order edges by length
@@ -34,7 +32,7 @@ static bool is_shorter(const void *first, const void *second)
     return a->a != b->a ? a->a < b->a : a->b < b->b;
 }
 
-//: List edges
+//: List each edge once
 /// Each edge is listed at one of its two corners.
 static bool is_first(const tf_adaptive_surface *surface, int corner)
 {
@@ -43,41 +41,58 @@ static bool is_first(const tf_adaptive_surface *surface, int corner)
            tf_is_boundary_edge(surface, corner);
 }
 
-/// False if there is no memory.
-static bool list_edges(tf_remesher *remesher, double low, double high)
+//: List an edge of a length
+static void list_edge(tf_remesher *remesher, int corner, double low,
+                      double high)
 {
     const tf_adaptive_surface *surface = remesher->surface;
+    int a = tf_vertex_at(surface, corner);
+    int b = tf_vertex_at(surface, tf_corner_after(corner));
+    double length = tf_length_of(surface, a, b);
+    if (length >= low && length <= high)
+        ((tf_edge_row *)remesher->row.data)[remesher->rows++] =
+            (tf_edge_row){length, a, b};
+}
+
+//: List all edges in order
+static tf_status list_edges(tf_remesher *remesher, double low, double high)
+{
+    const tf_adaptive_surface *surface = remesher->surface;
+    tf_watch *watch = surface->watch;
     remesher->rows = 0;
     if (!tf_buffer_extend(&remesher->row, 3 * (size_t)surface->triangles,
                           sizeof(tf_edge_row)))
-        return false;
-    tf_edge_row *row = remesher->row.data;
+        return TF_OUT_OF_MEMORY;
     for (int c = 0; c < 3 * surface->triangles; c++) {
-        if (!tf_is_triangle(surface, c / 3) || !is_first(surface, c))
-            continue;
-        int a = tf_vertex_at(surface, c);
-        int b = tf_vertex_at(surface, tf_corner_after(c));
-        double length = tf_length_of(surface, a, b);
-        if (length >= low && length <= high)
-            row[remesher->rows++] = (tf_edge_row){length, a, b};
+        if (c % 1024 == 0 && !tf_watch_done(watch, 0))
+            return TF_CANCELLED;
+        if (tf_is_triangle(surface, c / 3) && is_first(surface, c))
+            list_edge(remesher, c, low, high);
     }
-    return tf_list_sort(&remesher->row, (size_t)remesher->rows, sizeof *row,
-                        is_shorter, &remesher->sorting, NULL);
+    bool sorted = tf_list_sort(&remesher->row, (size_t)remesher->rows,
+                               sizeof(tf_edge_row), is_shorter,
+                               &remesher->sorting, watch);
+    return sorted ? TF_OK : tf_watch_failure(watch);
 }
 
 //: Visit edges
-tf_status tf_remesher_visit(tf_remesher *remesher, double low, double high,
-                            tf_edge_order order,
-                            tf_status visit(tf_remesher *remesher,
-                                            const tf_edge_row *edge))
+enum {
+    WATCHED = 8 ///< edges that are visited before the caller is told
+};
+
+tf_status tf_remesher_visit(tf_remesher *remesher, const tf_edge_pass *pass,
+                            double low, double high)
 {
-    if (!list_edges(remesher, low, high))
-        return TF_OUT_OF_MEMORY;
+    tf_status status = list_edges(remesher, low, high);
     const tf_edge_row *row = remesher->row.data;
-    tf_status status = TF_OK;
+    tf_watch *watch = remesher->surface->watch;
     int last = remesher->rows - 1;
-    for (int i = 0; i <= last && status == TF_OK; i++)
-        status =
-            visit(remesher, &row[order == TF_LONGEST_FIRST ? last - i : i]);
+    tf_watch_stage(watch, pass->name, (size_t)remesher->rows);
+    for (int i = 0; i <= last && status == TF_OK; i++) {
+        if (i % WATCHED == 0 && !tf_watch_done(watch, WATCHED))
+            return TF_CANCELLED;
+        bool backwards = pass->order == TF_LONGEST_FIRST;
+        status = pass->visit(remesher, &row[backwards ? last - i : i]);
+    }
     return status;
 }

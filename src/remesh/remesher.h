@@ -4,6 +4,7 @@
 #include "base/status.h"
 #include "remesh/options.h"
 #include "remesh/original.h"
+#include "remesh/trace.h"
 #include "surface/sort.h"
 
 /// How to remesh: see remesh/policy.h.
@@ -11,10 +12,12 @@ typedef struct tf_remesh_policy tf_remesh_policy;
 
 /// A surface that is being remeshed.
 typedef struct tf_remesher {
-    tf_adaptive_surface *surface;
+    tf_adaptive_surface *surface; ///< with the watch over the call
     const tf_remesh_policy *policy;
-    tf_original original;      ///< empty unless the policy needs one
-    tf_remesh_options options; ///< `edge` is the target length
+    double edge;              ///< the target length
+    tf_original original;     ///< empty unless the policy needs one
+    tf_projection projection; ///< to it, the last one
+    tf_trace trace;           ///< to it
     tf_remesh_report report;
     size_t restored[TF_OUTCOMES]; ///< moves that were to restore volume
     tf_buffer row;                ///< tf_edge_row each
@@ -24,10 +27,10 @@ typedef struct tf_remesher {
 
 void tf_remesher_free(tf_remesher *remesher);
 
-/// In bytes, without the original.
+/// In bytes, without the original and the trace.
 size_t tf_remesher_memory(const tf_remesher *remesher);
 
-/// Counts what became of an operation, and shows progress.
+/// Counts what became of an operation.
 void tf_remesher_count(tf_remesher *remesher, tf_operation operation,
                        tf_outcome outcome);
 
@@ -44,10 +47,15 @@ typedef enum tf_edge_order {
     TF_LONGEST_FIRST
 } tf_edge_order;
 
+/// A pass over edges.
+typedef struct tf_edge_pass {
+    const char *name; ///< the name of its stage
+    tf_edge_order order;
+    tf_status (*visit)(tf_remesher *remesher, const tf_edge_row *edge);
+} tf_edge_pass;
+
 /// Lists the edges whose length is at least `low` and at most `high`, and then
 /// visits them, until a visit returns something other than TF_OK.  Returns
-/// that, or TF_OK, or TF_OUT_OF_MEMORY.
-tf_status tf_remesher_visit(tf_remesher *remesher, double low, double high,
-                            tf_edge_order order,
-                            tf_status visit(tf_remesher *remesher,
-                                            const tf_edge_row *edge));
+/// that, or TF_OK, TF_OUT_OF_MEMORY or TF_CANCELLED.
+tf_status tf_remesher_visit(tf_remesher *remesher, const tf_edge_pass *pass,
+                            double low, double high);

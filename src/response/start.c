@@ -5,19 +5,9 @@
 #include "base/fail.h"
 #include "query/query.h"
 #include "surface/check.h"
+#include "surface/crossing_error.h"
 
 //: Check that a start has no intersections
-static tf_status fail_at_crossing(tf_error *error, const tf_crossing *crossing)
-{
-    static const tf_subject subjects[] = {
-        [TF_EDGE_THROUGH_TRIANGLE] = TF_EDGE_TRIANGLE_PAIR,
-        [TF_POINT_ON_TRIANGLE] = TF_POINT_TRIANGLE_PAIR,
-        [TF_EDGE_ON_EDGE] = TF_EDGE_EDGE_PAIR,
-    };
-    return tf_fail_pair(error, TF_START_NOT_CLEAR, subjects[crossing->kind], 5,
-                        crossing->vertex, 0);
-}
-
 tf_status tf_start_check(tf_surface *surface, const tf_motion *motion,
                          const tf_parallel *parallel, tf_error *error)
 {
@@ -26,7 +16,7 @@ tf_status tf_start_check(tf_surface *surface, const tf_motion *motion,
     tf_status status = tf_surface_check(surface, motion->vertices,
                                         motion->start, &options, &found, error);
     return status == TF_OK && found.count > 0
-               ? fail_at_crossing(error, found.crossing)
+               ? tf_fail_crossing(error, TF_START_NOT_CLEAR, found.crossing, 0)
                : status;
 }
 

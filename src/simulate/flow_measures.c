@@ -96,7 +96,7 @@ static void measure_size(const tf_mesh *mesh, const double position[],
 bool tf_flow_measure(const tf_adaptive_surface *surface,
                      tf_flow_measures *measures)
 {
-    tf_mesh mesh = tf_adaptive_mesh(surface);
+    tf_mesh mesh = *tf_adaptive_mesh(surface);
     *measures = (tf_flow_measures){.vertices = mesh.vertices,
                                    .triangles = mesh.triangles};
     uint64_t *side = malloc(3 * sizeof *side * (size_t)(mesh.triangles + 1));

@@ -47,7 +47,7 @@ static void end_flow(tf_simulation *simulation)
     free_surface((tf_flow_simulation *)simulation);
 }
 
-//: Make a step of a flow's simulation
+//: Describe how a scene flows
 tf_flow_options tf_flow_options_of(const tf_scene *scene, double edge)
 {
     return (tf_flow_options){.edge = edge,
@@ -56,16 +56,43 @@ tf_flow_options tf_flow_options_of(const tf_scene *scene, double edge)
                              .keep_topology = scene->keep_topology};
 }
 
+//: Hold the context of a step
+/// The context of a step: the field, as that of tf_field_apply, and the clock.
+typedef struct step_context {
+    tf_velocity_field *field;
+    double (*clock)(void);
+} step_context;
+
+static double read_clock(void *context)
+{
+    const step_context *step = context;
+    return step->clock ? step->clock() : 0;
+}
+
+/// With what it points to, which is only lent.
+static void keep_report(tf_flow_simulation *f, const tf_flow_report *report)
+{
+    f->report = *report;
+    f->reconnected = *report->reconnected;
+    f->response = *report->response;
+}
+
+//: Make a step of a flow's simulation
 static tf_status step_flow(tf_simulation *simulation,
                            const tf_step_options *options)
 {
     tf_flow_simulation *f = (tf_flow_simulation *)simulation;
     const tf_scene *scene = simulation->scene;
+    step_context context = {scene->field, options->clock};
     tf_flow_options flow = tf_flow_options_of(scene, simulation->resolution);
     flow.parallel = options->parallel;
-    flow.clock = options->clock;
-    tf_status status =
-        tf_flow_step(f->flow, &flow, simulation->time, scene->step, &f->report);
+    flow.clock = read_clock;
+    flow.context = &context;
+    const tf_flow_report *report;
+    tf_status status = tf_flow_step(f->flow, simulation->time, scene->step,
+                                    &flow, &report, NULL);
+    if (status == TF_OK)
+        keep_report(f, report);
     if (status == TF_OK && !tf_flow_measure(f->surface, &f->measures))
         status = TF_OUT_OF_MEMORY;
     if (status == TF_OK)
@@ -78,7 +105,7 @@ static tf_snapshot take_flow(const tf_simulation *simulation)
 {
     const tf_flow_simulation *f = (const tf_flow_simulation *)simulation;
     return (tf_snapshot){.step = simulation->step,
-                         .mesh = tf_adaptive_mesh(f->surface),
+                         .mesh = *tf_adaptive_mesh(f->surface),
                          .position = tf_adaptive_positions(f->surface)};
 }
 

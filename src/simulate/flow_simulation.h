@@ -11,7 +11,9 @@ typedef struct tf_flow_simulation {
     tf_adaptive_surface *surface;
     tf_flow *flow;             ///< of the surface
     tf_flow_measures measures; ///< of the surface
-    tf_flow_report report;     ///< of the last step
+    tf_flow_report report;     ///< of the last step, without what it points to
+    tf_reconnect_report reconnected; ///< which is here
+    tf_response_report response;     ///< and here
 } tf_flow_simulation;
 
 /// A surface is remeshed, merges and comes apart, and moves along the field.

@@ -2,11 +2,12 @@
 #include "surgery/adaptive.h"
 
 #include "base/environment.h"
+#include "base/fail.h"
 #include "base/memory.h"
 #include "base/require.h"
 #include "surgery/conditions.h"
+#include "surgery/draft.h"
 #include "surgery/star.h"
-#include "surgery/surgery.h"
 
 #include <string.h>
 
@@ -14,7 +15,8 @@
 static tf_status fill_surface(const tf_mesh *mesh, const double position[],
                               tf_adaptive_surface *surface)
 {
-    if (!tf_adaptive_reserve(surface, mesh->vertices, mesh->triangles, 0) ||
+    if (!tf_buffer_extend(&surface->lent.mesh, 1, sizeof *mesh) ||
+        !tf_adaptive_reserve(surface, mesh->vertices, mesh->triangles, 0) ||
         !tf_buffer_extend(&surface->box, (size_t)mesh->triangles,
                           sizeof(tf_aabb)))
         return TF_OUT_OF_MEMORY;
@@ -24,36 +26,34 @@ static tf_status fill_surface(const tf_mesh *mesh, const double position[],
            3 * sizeof *position * (size_t)mesh->vertices);
     memcpy(surface->vertex.data, mesh->triangle,
            3 * sizeof *mesh->triangle * (size_t)mesh->triangles);
-    tf_stars_build(surface, surface->box.data);
-    return TF_OK;
+    return tf_stars_build(surface, surface->box.data) ? TF_OK : TF_CANCELLED;
 }
 
 //: Check an adaptive surface
 static tf_status make_surface(const tf_mesh *mesh, const double position[],
-                              tf_adaptive_surface *surface, tf_defect *defect)
+                              tf_adaptive_surface *surface, tf_error *error)
 {
-    tf_status status = fill_surface(mesh, position, surface);
+    tf_status status = tf_fail(error, fill_surface(mesh, position, surface));
     if (status == TF_OK)
-        status = tf_check_manifold(surface, defect);
-    return status == TF_OK ? tf_check_embedding(surface, mesh, position, defect)
+        status = tf_check_manifold(surface, error);
+    return status == TF_OK ? tf_check_embedding(surface, mesh, position, error)
                            : status;
 }
 
 //: Create an adaptive surface
 tf_status tf_adaptive_create(const tf_mesh *mesh, const double position[],
-                             tf_adaptive_surface **surface, tf_defect *defect)
+                             tf_adaptive_surface **surface, tf_error *error)
 {
-    TF_REQUIRE(mesh && mesh->axes == 3 && position && surface);
-    tf_defect unused = {0}, *first = defect ? defect : &unused;
-    *first = (tf_defect){TF_NONE, {TF_NONE, TF_NONE}, {.kind = TF_NO_CROSSING}};
+    TF_REQUIRE(mesh && position && surface);
     if (!tf_environment_is_ieee())
-        return TF_BAD_ENVIRONMENT;
-    tf_status status = tf_check_mesh(mesh, position, first);
+        return tf_fail(error, TF_BAD_ENVIRONMENT);
+    tf_status status = tf_check_mesh(mesh, position, error);
     if (status != TF_OK)
         return status;
     tf_adaptive_surface *made = tf_allocate_zeroed(sizeof *made);
-    status =
-        made ? make_surface(mesh, position, made, first) : TF_OUT_OF_MEMORY;
+    if (!made)
+        return tf_fail(error, TF_OUT_OF_MEMORY);
+    status = make_surface(mesh, position, made, error);
     if (status == TF_OK)
         *surface = made;
     else
@@ -66,14 +66,7 @@ void tf_adaptive_free(tf_adaptive_surface *surface)
 {
     if (!surface)
         return;
-    tf_buffer_free(&surface->position);
-    tf_buffer_free(&surface->vertex);
-    tf_buffer_free(&surface->first);
-    tf_buffer_free(&surface->next);
-    tf_buffer_free(&surface->found);
-    tf_buffer_free(&surface->box);
-    tf_dynamic_tree_free(&surface->tree);
-    tf_surgery_free(&surface->surgery);
+    tf_draft_free(surface);
     tf_release(surface, sizeof *surface);
 }
 
@@ -83,21 +76,23 @@ size_t tf_adaptive_memory(const tf_adaptive_surface *surface)
     TF_REQUIRE(surface);
     const tf_surgery *surgery = &surface->surgery;
     const tf_dynamic_tree *boxes = &surface->tree;
+    const tf_adaptive_lent *lent = &surface->lent;
     return sizeof *surface + surface->position.bytes + surface->vertex.bytes +
            surface->first.bytes + surface->next.bytes + surface->found.bytes +
            surface->box.bytes + boxes->branch.bytes + boxes->parent.bytes +
            boxes->stack.bytes + surgery->removed.bytes + surgery->added.bytes +
-           surgery->swept.bytes + surgery->boundary.bytes;
+           surgery->swept.bytes + surgery->boundary.bytes + lent->mesh.bytes +
+           lent->remesh_report.bytes + lent->reconnect_report.bytes +
+           lent->origin.bytes;
 }
 
 //: Lend an adaptive surface
-tf_mesh tf_adaptive_mesh(const tf_adaptive_surface *surface)
+const tf_mesh *tf_adaptive_mesh(const tf_adaptive_surface *surface)
 {
     TF_REQUIRE(surface);
-    return (tf_mesh){.axes = 3,
-                     .vertices = surface->vertices,
-                     .triangles = surface->triangles,
-                     .triangle = surface->vertex.data};
+    tf_mesh *mesh = surface->lent.mesh.data;
+    *mesh = tf_mesh_of(surface);
+    return mesh;
 }
 
 const double *tf_adaptive_positions(const tf_adaptive_surface *surface)
@@ -147,8 +142,9 @@ tf_status tf_adaptive_compact(tf_adaptive_surface *surface, int map[])
     int before = surface->vertices;
     move_vertices(surface);
     move_triangles(surface);
+    if (!tf_watch_done(surface->watch, 0))
+        return TF_CANCELLED;
     if (map && before > 0)
         memcpy(map, surface->first.data, sizeof *map * (size_t)before);
-    tf_stars_build(surface, surface->box.data);
-    return TF_OK;
+    return tf_stars_build(surface, surface->box.data) ? TF_OK : TF_CANCELLED;
 }

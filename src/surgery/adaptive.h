@@ -2,9 +2,8 @@
 #pragma once
 
 #include "base/api.h"
-#include "base/status.h"
+#include "base/error.h"
 #include "surface/mesh.h"
-#include "surgery/defect.h"
 
 #include <stddef.h>
 
@@ -29,16 +28,16 @@ typedef struct tf_adaptive_surface tf_adaptive_surface;
 /// @param position three coordinates a vertex
 /// @param[out] surface the surface, to be freed by tf_adaptive_free; set only
 ///     with TF_OK
-/// @param[out] defect the first that is wrong, if the status is not TF_OK; may
-///     be NULL
-/// @return TF_OK; TF_NO_ELEMENTS; TF_BAD_INDEX; TF_NOT_FINITE;
-///     TF_EDGE_NOT_MANIFOLD, also for an edge of no triangle;
-///     TF_VERTEX_NOT_MANIFOLD; TF_COLLINEAR; TF_NOT_EMBEDDED;
-///     TF_BAD_ENVIRONMENT; or TF_OUT_OF_MEMORY
+/// @param[out] error the first that is wrong, if anything; may be NULL
+/// @return TF_OK; TF_BAD_AXES; TF_BAD_COUNT; TF_NO_ELEMENTS; TF_BAD_INDEX;
+///     TF_NOT_FINITE; TF_EDGE_NOT_MANIFOLD about an edge of no triangle, or
+///     about the second triangle that passes an edge in one direction, with the
+///     ends of that edge; TF_VERTEX_NOT_MANIFOLD; TF_COLLINEAR; TF_NOT_EMBEDDED
+///     about a pair; TF_BAD_ENVIRONMENT; or TF_OUT_OF_MEMORY
 TF_API tf_status tf_adaptive_create(const tf_mesh *mesh,
                                     const double position[],
                                     tf_adaptive_surface **surface,
-                                    tf_defect *defect);
+                                    tf_error *error);
 
 /// Frees a surface, and all that it lent.
 /// @param surface the surface; may be NULL
@@ -49,12 +48,13 @@ TF_API void tf_adaptive_free(tf_adaptive_surface *surface);
 /// triangles stay the same while they exist; the first vertex of a triangle that
 /// is gone is -1, and a vertex that is gone belongs to no triangle.
 /// @param surface the surface
-/// @return the mesh, lent until the surface is changed
-TF_API tf_mesh tf_adaptive_mesh(const tf_adaptive_surface *surface);
+/// @return the mesh, lent until a call changes the surface: until an operation
+///     is committed, or any other function that may change it returns TF_OK
+TF_API const tf_mesh *tf_adaptive_mesh(const tf_adaptive_surface *surface);
 
 /// The positions of its vertices.
 /// @param surface the surface
-/// @return three coordinates each, lent until the surface is changed
+/// @return three coordinates each, lent until a call changes the surface
 TF_API const double *tf_adaptive_positions(const tf_adaptive_surface *surface);
 
 /// Returns how much memory a surface holds by now.

@@ -1,7 +1,9 @@
 //: Declare what an adaptive surface holds
 #pragma once
 
+#include "base/watch.h"
 #include "surface/buffer.h"
+#include "surface/mesh.h"
 #include "surgery/dynamic_tree.h"
 #include "surgery/tetrahedron.h"
 
@@ -41,6 +43,16 @@ typedef struct tf_surgery {
     int path[2];        ///< a vertex that moves, before and after, or TF_NONE
 } tf_surgery;
 
+//: Declare what else an adaptive surface lends
+/// Memory for what is lent besides the surface itself.
+typedef struct tf_adaptive_lent {
+    tf_buffer mesh;             ///< tf_mesh: the surface
+    tf_buffer remesh_report;    ///< of the last time
+    tf_buffer reconnect_report; ///< of the last time
+    tf_buffer origin;           ///< tf_origin of each vertex
+    bool has_origins; ///< whether these are those of the surface as it is
+} tf_adaptive_lent;
+
 //: Hold an adaptive surface
 /// The corner i of the triangle t has the number 3 t + i.
 typedef struct tf_adaptive_surface {
@@ -54,9 +66,19 @@ typedef struct tf_adaptive_surface {
     tf_buffer found;         ///< memory for a search
     tf_buffer box;           ///< memory for the boxes of all triangles
     tf_surgery surgery;      ///< that is being tried
+    tf_watch *watch;         ///< over the call whose draft this is, or NULL
+    tf_adaptive_lent lent;
 } tf_adaptive_surface;
 
 //: Look at an adaptive surface
+static inline tf_mesh tf_mesh_of(const tf_adaptive_surface *surface)
+{
+    return (tf_mesh){.axes = 3,
+                     .vertices = surface->vertices,
+                     .triangles = surface->triangles,
+                     .triangle = surface->vertex.data};
+}
+
 static inline const double *
 tf_vertex_coordinates(const tf_adaptive_surface *surface, int vertex)
 {

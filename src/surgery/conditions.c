@@ -1,6 +1,8 @@
 //: Include what the conditions need
 #include "surgery/conditions.h"
 
+#include "base/fail.h"
+#include "surface/crossing_error.h"
 #include "surface/derive.h"
 #include "surface/surface.h"
 #include "surgery/side.h"
@@ -10,31 +12,33 @@
 #include <stddef.h>
 
 //: Check the mesh
+static tf_status fail_edge(tf_error *error, tf_subject subject, int index,
+                           int from, int to)
+{
+    tf_fail_element(error, TF_EDGE_NOT_MANIFOLD, subject, (size_t)index, from);
+    if (error)
+        error->vertex[1] = to;
+    return TF_EDGE_NOT_MANIFOLD;
+}
+
 static tf_status check_places(const tf_mesh *mesh, const double position[],
-                              tf_defect *defect)
+                              tf_error *error)
 {
     for (int i = 0; i < 3 * mesh->vertices; i++)
-        if (!isfinite(position[i])) {
-            defect->vertex[0] = i / 3;
-            return TF_NOT_FINITE;
-        }
-    return TF_OK;
+        if (!isfinite(position[i]))
+            return tf_fail_vertex(error, TF_NOT_FINITE, i / 3, -1);
+    return tf_fail(error, TF_OK);
 }
 
 tf_status tf_check_mesh(const tf_mesh *mesh, const double position[],
-                        tf_defect *defect)
+                        tf_error *error)
 {
-    tf_error error;
-    tf_status status = tf_mesh_check(mesh, &error);
-    if (status == TF_BAD_INDEX && error.subject == TF_TRIANGLE) {
-        defect->triangle = (int)error.index;
-        defect->vertex[0] = error.vertex[0];
-    } else if (status != TF_NO_ELEMENTS && mesh->edges > 0) {
-        defect->vertex[0] = mesh->edge[0];
-        defect->vertex[1] = mesh->edge[1];
-        return TF_EDGE_NOT_MANIFOLD;
-    }
-    return status == TF_OK ? check_places(mesh, position, defect) : status;
+    tf_status status = tf_mesh_check(mesh, error);
+    if (status == TF_OK && mesh->axes != 3)
+        return tf_fail(error, TF_BAD_AXES);
+    if (status == TF_OK && mesh->edges > 0)
+        return fail_edge(error, TF_EDGE, 0, mesh->edge[0], mesh->edge[1]);
+    return status == TF_OK ? check_places(mesh, position, error) : status;
 }
 
 //: Check the edges of a surface
@@ -51,17 +55,14 @@ static bool is_repeated(const tf_adaptive_surface *surface, int corner)
 }
 
 static tf_status check_edges(const tf_adaptive_surface *surface,
-                             tf_defect *defect)
+                             tf_error *error)
 {
-    for (int c = 0; c < 3 * surface->triangles; c++) {
-        if (!is_repeated(surface, c))
-            continue;
-        defect->triangle = c / 3;
-        defect->vertex[0] = tf_vertex_at(surface, c);
-        defect->vertex[1] = tf_vertex_at(surface, tf_corner_after(c));
-        return TF_EDGE_NOT_MANIFOLD;
-    }
-    return TF_OK;
+    for (int c = 0; c < 3 * surface->triangles; c++)
+        if (is_repeated(surface, c))
+            return fail_edge(error, TF_TRIANGLE, c / 3,
+                             tf_vertex_at(surface, c),
+                             tf_vertex_at(surface, tf_corner_after(c)));
+    return tf_fail(error, TF_OK);
 }
 
 //: Go around a vertex
@@ -88,77 +89,71 @@ static int fan_size(const tf_adaptive_surface *surface, int vertex)
 
 //: Check the vertices of a surface
 static tf_status check_vertices(const tf_adaptive_surface *surface,
-                                tf_defect *defect)
+                                tf_error *error)
 {
-    for (int v = 0; v < surface->vertices; v++) {
-        if (tf_first_corner(surface, v) == TF_NONE ||
-            fan_size(surface, v) == tf_star_size(surface, v))
-            continue;
-        defect->vertex[0] = v;
-        return TF_VERTEX_NOT_MANIFOLD;
-    }
-    return TF_OK;
+    for (int v = 0; v < surface->vertices; v++)
+        if (tf_first_corner(surface, v) != TF_NONE &&
+            fan_size(surface, v) != tf_star_size(surface, v))
+            return tf_fail_vertex(error, TF_VERTEX_NOT_MANIFOLD, v, -1);
+    return tf_fail(error, TF_OK);
 }
 
-tf_status tf_check_manifold(const tf_adaptive_surface *surface,
-                            tf_defect *defect)
+tf_status tf_check_manifold(const tf_adaptive_surface *surface, tf_error *error)
 {
-    tf_status status = check_edges(surface, defect);
-    return status == TF_OK ? check_vertices(surface, defect) : status;
+    tf_status status = check_edges(surface, error);
+    return status == TF_OK ? check_vertices(surface, error) : status;
 }
 
 //: Check the triangles of a surface
 static tf_status check_triangles(const tf_adaptive_surface *surface,
-                                 tf_defect *defect)
+                                 tf_error *error)
 {
     for (int t = 0; t < surface->triangles; t++) {
         const double *const *x =
             tf_facet_of(surface, tf_triangle(surface, t)).corner;
-        if (!tf_are_collinear(x[0], x[1], x[2]))
-            continue;
-        defect->triangle = t;
-        return TF_COLLINEAR;
+        if (tf_are_collinear(x[0], x[1], x[2]))
+            return tf_fail_element(error, TF_COLLINEAR, TF_TRIANGLE, (size_t)t,
+                                   -1);
     }
-    return TF_OK;
+    return tf_fail(error, TF_OK);
 }
 
 //: Check for intersections
 /// Vertices without triangles may be anywhere.
 static tf_status first_crossing(const tf_adaptive_surface *surface,
-                                const tf_crossings *found, tf_defect *defect)
+                                const tf_crossings *found, tf_error *error)
 {
     for (size_t i = 0; i < found->count; i++) {
         const tf_crossing *row = &found->crossing[i];
         if (row->kind == TF_POINT_ON_TRIANGLE &&
             tf_first_corner(surface, row->vertex[0]) == TF_NONE)
             continue;
-        defect->crossing = *row;
-        return TF_NOT_EMBEDDED;
+        return tf_fail_crossing(error, TF_NOT_EMBEDDED, row, -1);
     }
-    return TF_OK;
+    return tf_fail(error, TF_OK);
 }
 
 static tf_status check_crossings(const tf_adaptive_surface *surface,
                                  tf_surface *detection, const double position[],
-                                 tf_defect *defect)
+                                 tf_error *error)
 {
     tf_crossings found;
     tf_status status = tf_surface_check(detection, surface->vertices, position,
-                                        NULL, &found, NULL);
-    return status == TF_OK ? first_crossing(surface, &found, defect) : status;
+                                        NULL, &found, error);
+    return status == TF_OK ? first_crossing(surface, &found, error) : status;
 }
 
 //: Check the embedding
 tf_status tf_check_embedding(const tf_adaptive_surface *surface,
                              const tf_mesh *mesh, const double position[],
-                             tf_defect *defect)
+                             tf_error *error)
 {
-    tf_status status = check_triangles(surface, defect);
+    tf_status status = check_triangles(surface, error);
     tf_surface *detection = NULL;
     if (status == TF_OK)
-        status = tf_surface_create(mesh, &detection, NULL);
+        status = tf_surface_create(mesh, &detection, error);
     if (status == TF_OK)
-        status = check_crossings(surface, detection, position, defect);
+        status = check_crossings(surface, detection, position, error);
     tf_surface_free(detection);
     return status;
 }

@@ -2,6 +2,7 @@
 #include "surgery/dynamic_tree.h"
 
 #include <stddef.h>
+#include <string.h>
 
 //: Hold a branch
 enum {
@@ -40,7 +41,7 @@ bool tf_dynamic_tree_reserve(tf_dynamic_tree *tree, int elements)
         !tf_buffer_extend(&tree->stack, count, sizeof(int)))
         return false;
     if (first)
-        tf_dynamic_tree_build(tree, NULL, NULL, 0);
+        tf_dynamic_tree_build(tree, NULL, NULL, 0, NULL);
     return true;
 }
 
@@ -49,6 +50,19 @@ void tf_dynamic_tree_free(tf_dynamic_tree *tree)
     tf_buffer_free(&tree->branch);
     tf_buffer_free(&tree->parent);
     tf_buffer_free(&tree->stack);
+}
+
+//: Copy a dynamic tree
+void tf_dynamic_tree_copy(tf_dynamic_tree *to, const tf_dynamic_tree *from,
+                          int elements)
+{
+    to->branches = from->branches;
+    to->free_branch = from->free_branch;
+    memcpy(to->branch.data, from->branch.data,
+           sizeof(branch) * (size_t)from->branches);
+    if (elements > 0)
+        memcpy(to->parent.data, from->parent.data,
+               sizeof(int) * (size_t)elements);
 }
 
 //: Link a child to its branch
@@ -298,30 +312,39 @@ static void part_at(const tf_aabb box[], int axis, int order[], int count,
 }
 
 //: Build a subtree
+enum {
+    WATCHED = 500 ///< elements of a subtree whose building is watched
+};
+
 /// Builds the tree of some elements below a branch.
-static void build_part(tf_dynamic_tree *tree, int at, int lane,
-                       const tf_aabb box[], int order[], int count)
+static bool build_part(tf_dynamic_tree *tree, int at, int lane,
+                       const tf_aabb box[], int order[], int count,
+                       tf_watch *watch)
 {
     if (count == 1) {
         set_child(tree, at, lane, child_of_element(*order), box[*order]);
-        return;
+        return true;
     }
+    if (count >= WATCHED && !tf_watch_done(watch, 0))
+        return false;
     int half = count / 2, made = take_branch(tree);
     part_at(box, widest_axis(box, order, count), order, count, half);
-    build_part(tree, made, 0, box, order, half);
-    build_part(tree, made, 1, box, order + half, count - half);
+    if (!build_part(tree, made, 0, box, order, half, watch) ||
+        !build_part(tree, made, 1, box, order + half, count - half, watch))
+        return false;
     const branch *b = &branches_of(tree)[made];
     set_child(tree, at, lane, made, tf_aabb_union(b->box[0], &b->box[1]));
+    return true;
 }
 
 //: Build a dynamic tree
-void tf_dynamic_tree_build(tf_dynamic_tree *tree, const tf_aabb box[],
-                           int order[], int count)
+bool tf_dynamic_tree_build(tf_dynamic_tree *tree, const tf_aabb box[],
+                           int order[], int count, tf_watch *watch)
 {
     tree->branches = 1;
     tree->free_branch = -1;
     for (int i = 0; i < 2; i++)
         set_child(tree, ABOVE_ROOT, i, NOTHING, tf_aabb_empty());
-    if (count > 0)
-        build_part(tree, ABOVE_ROOT, 0, box, order, count);
+    return count == 0 ||
+           build_part(tree, ABOVE_ROOT, 0, box, order, count, watch);
 }

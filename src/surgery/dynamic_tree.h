@@ -1,6 +1,7 @@
 //: Declare the dynamic tree
 #pragma once
 
+#include "base/watch.h"
 #include "surface/buffer.h"
 #include "surgery/aabb.h"
 
@@ -19,11 +20,16 @@ typedef struct tf_dynamic_tree {
 bool tf_dynamic_tree_reserve(tf_dynamic_tree *tree, int elements);
 void tf_dynamic_tree_free(tf_dynamic_tree *tree);
 
+/// Makes a tree, which has room for so many elements, the same as another one.
+void tf_dynamic_tree_copy(tf_dynamic_tree *to, const tf_dynamic_tree *from,
+                          int elements);
+
 //: Declare how elements come and go
 /// Builds a balanced tree of the elements order[0] to order[count - 1],
-/// of those boxes; changes their order.
-void tf_dynamic_tree_build(tf_dynamic_tree *tree, const tf_aabb box[],
-                           int order[], int count);
+/// of those boxes; changes their order.  False if the caller of the watch, which
+/// may be NULL, cancels; then the tree is of no use.
+bool tf_dynamic_tree_build(tf_dynamic_tree *tree, const tf_aabb box[],
+                           int order[], int count, tf_watch *watch);
 
 void tf_dynamic_tree_insert(tf_dynamic_tree *tree, int element, tf_aabb box);
 void tf_dynamic_tree_remove(tf_dynamic_tree *tree, int element);

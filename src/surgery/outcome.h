@@ -23,7 +23,7 @@ typedef enum tf_outcome {
     TF_PASSED_VERTEX,   ///< a vertex would be swept over
     TF_PASSED_EDGE,     ///< an edge would be swept over
     TF_PASSED_TRIANGLE, ///< the vertex that moves would pass through a triangle
-    TF_OUTCOMES         ///< how many outcomes there are
+    TF_OUTCOMES = 16    ///< room for those of later versions
 } tf_outcome;
 
 /// @}

@@ -100,19 +100,28 @@ static void unlink_corner(tf_adaptive_surface *surface, int corner)
 }
 
 //: Link all triangles
-void tf_stars_build(tf_adaptive_surface *surface, tf_aabb box[])
+static void link_triangle(tf_adaptive_surface *surface, int triangle)
+{
+    for (int i = 0; i < 3; i++)
+        link_corner(surface, 3 * triangle + i);
+}
+
+bool tf_stars_build(tf_adaptive_surface *surface, tf_aabb box[])
 {
     int *order = surface->found.data;
     surface->free_triangle = TF_NONE;
+    surface->lent.has_origins = false;
     for (int v = 0; v < surface->vertices; v++)
         ((int *)surface->first.data)[v] = TF_NONE;
     for (int t = surface->triangles - 1; t >= 0; t--) {
-        for (int i = 0; i < 3; i++)
-            link_corner(surface, 3 * t + i);
+        link_triangle(surface, t);
         box[t] = tf_aabb_of(surface, 3, tf_triangle(surface, t));
         order[t] = t;
+        if (t % 1024 == 0 && !tf_watch_done(surface->watch, 0))
+            return false;
     }
-    tf_dynamic_tree_build(&surface->tree, box, order, surface->triangles);
+    return tf_dynamic_tree_build(&surface->tree, box, order, surface->triangles,
+                                 surface->watch);
 }
 
 //: Add and remove triangles
@@ -127,6 +136,7 @@ static int take_number(tf_adaptive_surface *surface)
 
 int tf_triangle_add(tf_adaptive_surface *surface, const int vertex[3])
 {
+    surface->lent.has_origins = false;
     int added = take_number(surface);
     for (int i = 0; i < 3; i++) {
         ((int *)surface->vertex.data)[3 * added + i] = vertex[i];
@@ -140,6 +150,7 @@ int tf_triangle_add(tf_adaptive_surface *surface, const int vertex[3])
 void tf_triangle_remove(tf_adaptive_surface *surface, int triangle)
 {
     int *vertex = (int *)surface->vertex.data + 3 * (ptrdiff_t)triangle;
+    surface->lent.has_origins = false;
     for (int i = 0; i < 3; i++)
         unlink_corner(surface, 3 * triangle + i);
     tf_dynamic_tree_remove(&surface->tree, triangle);
@@ -152,6 +163,7 @@ void tf_triangle_remove(tf_adaptive_surface *surface, int triangle)
 void tf_vertex_put(tf_adaptive_surface *surface, int vertex,
                    const double position[3])
 {
+    surface->lent.has_origins = false;
     memcpy((double *)surface->position.data + 3 * (ptrdiff_t)vertex, position,
            3 * sizeof *position);
     int c = tf_first_corner(surface, vertex);

@@ -29,8 +29,8 @@ bool tf_adaptive_reserve(tf_adaptive_surface *surface, int vertices,
                          int triangles, int more);
 
 /// Links all triangles to their vertices and puts them into the tree; `box` has
-/// room for one for each.  There must be no gaps.
-void tf_stars_build(tf_adaptive_surface *surface, tf_aabb box[]);
+/// room for one for each.  There must be no gaps.  False if the caller cancels.
+bool tf_stars_build(tf_adaptive_surface *surface, tf_aabb box[]);
 
 /// Adds a triangle, for which there is room; returns its number.
 int tf_triangle_add(tf_adaptive_surface *surface, const int vertex[3]);

@@ -46,6 +46,8 @@ int tf_components_add(tf_components *components,
     int first = components->count;
     list_triangle(components, triangle);
     for (int i = first; i < components->count; i++) {
+        if (i % 1024 == 1023 && !tf_watch_done(surface->watch, 0))
+            break;
         const int *vertex =
             tf_triangle(surface, tf_components_list(components)[i]);
         for (int k = 0; k < 3; k++)

@@ -17,7 +17,8 @@ bool tf_components_begin(tf_components *components,
 void tf_components_free(tf_components *components);
 
 /// Adds all triangles that are connected with one, and that one, to the list,
-/// if they are not in it; returns how many.
+/// if they are not in it; returns how many.  If the call whose draft the surface
+/// is gets cancelled, some may be missing.
 int tf_components_add(tf_components *components,
                       const tf_adaptive_surface *surface, int triangle);
 

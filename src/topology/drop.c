@@ -1,4 +1,4 @@
-//: Find what is inside of a component
+//: Include what dropping a component needs
 #include "topology/drop.h"
 
 #include "surgery/request.h"
@@ -6,16 +6,25 @@
 #include "topology/component.h"
 #include "topology/winding.h"
 
+/// Whether the call whose draft the surface is, if it is one, has not been
+/// cancelled, after so many triangles of a component.
+static bool goes_on(const tf_adaptive_surface *surface, int triangles)
+{
+    return triangles % 256 != 255 || tf_watch_done(surface->watch, 0);
+}
+
+//: Recognize a closed component
 /// Whether a component has no boundary.
 static bool is_closed(const tf_adaptive_surface *surface, int count,
                       const int triangle[])
 {
-    for (int i = 0; i < 3 * count; i++)
+    for (int i = 0; i < 3 * count && goes_on(surface, i); i++)
         if (tf_is_boundary_edge(surface, 3 * triangle[i / 3] + i % 3))
             return false;
     return true;
 }
 
+//: Find what is inside of a component
 static tf_aabb box_of_component(const tf_adaptive_surface *surface, int count,
                                 const int triangle[])
 {
@@ -32,7 +41,7 @@ static int winding_of_component(const tf_adaptive_surface *surface, int count,
                                 const int triangle[], int vertex)
 {
     int sum = 0;
-    for (int i = 0; i < count; i++) {
+    for (int i = 0; i < count && goes_on(surface, i); i++) {
         tf_facet side = tf_facet_of(surface, tf_triangle(surface, triangle[i]));
         sum += tf_winding_part(side.corner,
                                tf_vertex_coordinates(surface, vertex));
@@ -50,7 +59,7 @@ static bool holds_nothing(tf_adaptive_surface *surface,
     tf_aabb box = box_of_component(surface, count, own);
     int *found = surface->found.data;
     int near = tf_dynamic_tree_find(&surface->tree, &box, found);
-    for (int i = 0; i < near; i++) {
+    for (int i = 0; i < near && goes_on(surface, i); i++) {
         if (tf_is_listed(components, found[i]))
             continue;
         int vertex = *tf_triangle(surface, found[i]);
@@ -70,7 +79,7 @@ static tf_outcome try_drop(tf_adaptive_surface *surface,
         return TF_IMPOSSIBLE;
     if (!holds_nothing(surface, components, count))
         return TF_PASSED_VERTEX;
-    for (int i = 0; i < count; i++)
+    for (int i = 0; i < count && goes_on(surface, i); i++)
         tf_triangle_remove(surface, triangle[i]);
     return TF_COMMITTED;
 }

@@ -20,7 +20,7 @@ static tf_status drop_component(tf_reconnector *reconnector, int count,
                                 const int triangle[])
 {
     double volume = volume_of_component(reconnector->surface, count, triangle);
-    if (!(fabs(volume) < reconnector->options.drop))
+    if (!(fabs(volume) < reconnector->lengths.drop))
         return TF_OK;
     tf_outcome outcome;
     tf_status status = tf_adaptive_drop(
@@ -32,6 +32,10 @@ static tf_status drop_component(tf_reconnector *reconnector, int count,
 }
 
 //: Drop all small components
+enum {
+    WATCHED = 256 ///< triangles between two looks at the watch
+};
+
 tf_status tf_drop_pass(tf_reconnector *reconnector)
 {
     const tf_adaptive_surface *surface = reconnector->surface;
@@ -39,7 +43,10 @@ tf_status tf_drop_pass(tf_reconnector *reconnector)
     if (!tf_components_begin(components, surface))
         return TF_OUT_OF_MEMORY;
     tf_status status = TF_OK;
+    tf_watch_stage(surface->watch, "dropping", (size_t)surface->triangles);
     for (int t = 0; t < surface->triangles && status == TF_OK; t++) {
+        if (t % WATCHED == 0 && !tf_watch_done(surface->watch, WATCHED))
+            return TF_CANCELLED;
         if (!tf_is_triangle(surface, t) || tf_is_listed(components, t))
             continue;
         int before = components->count,
@@ -47,5 +54,6 @@ tf_status tf_drop_pass(tf_reconnector *reconnector)
         status = drop_component(reconnector, count,
                                 tf_components_list(components) + before);
     }
-    return status;
+    return status == TF_OK && tf_watch_cancelled(surface->watch) ? TF_CANCELLED
+                                                                 : status;
 }

@@ -22,18 +22,21 @@ static tf_vector normal_of_edge(const tf_adaptive_surface *surface, int corner)
     return tf_vector_scaled(length > 0 ? 1 / length : 0, sum);
 }
 
-static bool find_normals(tf_reconnector *reconnector)
+static tf_status find_normals(tf_reconnector *reconnector)
 {
-    int corners = 3 * reconnector->surface->triangles;
+    const tf_adaptive_surface *surface = reconnector->surface;
+    int corners = 3 * surface->triangles;
     if (!tf_buffer_extend(&reconnector->normal, (size_t)corners,
                           sizeof(tf_vector)))
-        return false;
+        return TF_OUT_OF_MEMORY;
     tf_vector *normal = reconnector->normal.data;
-    for (int c = 0; c < corners; c++)
-        normal[c] = tf_is_triangle(reconnector->surface, c / 3)
-                        ? normal_of_edge(reconnector->surface, c)
-                        : (tf_vector){{0}};
-    return true;
+    for (int c = 0; c < corners; c++) {
+        if (c % 1024 == 0 && !tf_watch_done(surface->watch, 0))
+            return TF_CANCELLED;
+        normal[c] = tf_is_triangle(surface, c / 3) ? normal_of_edge(surface, c)
+                                                   : (tf_vector){{0}};
+    }
+    return TF_OK;
 }
 
 //: Find out whether two edges face each other
@@ -116,7 +119,7 @@ static bool list_facing(tf_reconnector *reconnector, int corner,
     return true;
 }
 
-//: List all edges that face each other
+//: Order pairs of edges by distance
 static bool is_nearer(const void *first, const void *second)
 {
     const tf_facing_edges *a = first, *b = second;
@@ -131,17 +134,35 @@ static bool is_nearer(const void *first, const void *second)
     return false;
 }
 
-bool tf_list_facing(tf_reconnector *reconnector, double distance)
+//: List all edges that face each other
+enum {
+    WATCHED = 16 ///< corners between two looks at the watch
+};
+
+static tf_status list_all_facing(tf_reconnector *reconnector, double distance)
 {
-    reconnector->candidates = 0;
-    if (!find_normals(reconnector))
-        return false;
+    int corners = 3 * reconnector->surface->triangles;
+    tf_watch *watch = reconnector->surface->watch;
     const tf_vector *normal = reconnector->normal.data;
-    for (int c = 0; c < 3 * reconnector->surface->triangles; c++)
+    tf_watch_stage(watch, "contacts", (size_t)corners);
+    for (int c = 0; c < corners; c++) {
+        if (c % WATCHED == 0 && !tf_watch_done(watch, WATCHED))
+            return TF_CANCELLED;
         if (tf_vector_dot(normal[c], normal[c]) > 0 &&
             !list_facing(reconnector, c, distance))
-            return false;
-    return tf_list_sort(
-        &reconnector->candidate, (size_t)reconnector->candidates,
-        sizeof(tf_facing_edges), is_nearer, &reconnector->sorting, NULL);
+            return TF_OUT_OF_MEMORY;
+    }
+    return TF_OK;
+}
+
+tf_status tf_list_facing(tf_reconnector *reconnector, double distance)
+{
+    reconnector->candidates = 0;
+    tf_status status = find_normals(reconnector);
+    if (status == TF_OK)
+        status = list_all_facing(reconnector, distance);
+    return status == TF_OK
+               ? tf_reconnector_sort(reconnector, sizeof(tf_facing_edges),
+                                     is_nearer)
+               : status;
 }

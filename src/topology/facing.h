@@ -11,5 +11,6 @@ typedef struct tf_facing_edges {
 
 /// Lists the pairs of edges that face each other at less than a distance, the
 /// nearest first: their normals are more than 120 degrees apart, and each is on
-/// the outer side of the other.  False if there is no memory.
-bool tf_list_facing(tf_reconnector *reconnector, double distance);
+/// the outer side of the other.  Returns TF_OK, TF_OUT_OF_MEMORY or
+/// TF_CANCELLED.
+tf_status tf_list_facing(tf_reconnector *reconnector, double distance);

@@ -14,9 +14,9 @@ static bool has_long_sides(const tf_reconnector *reconnector, int corner)
     int b = tf_vertex_at(reconnector->surface, tf_corner_after(corner));
     int c = tf_vertex_at(reconnector->surface, tf_corner_before(corner));
     return tf_length_of(reconnector->surface, b, c) >=
-               reconnector->options.pinch &&
+               reconnector->lengths.pinch &&
            tf_length_of(reconnector->surface, c, a) >=
-               reconnector->options.pinch;
+               reconnector->lengths.pinch;
 }
 
 /// Whether the tube that would start there is not so thin that it would be
@@ -64,14 +64,16 @@ static tf_status merge_pieces(tf_reconnector *reconnector,
 //: Merge what is in contact
 tf_status tf_merge_pass(tf_reconnector *reconnector)
 {
-    if (!tf_list_facing(reconnector, reconnector->options.patch) ||
-        !tf_find_pieces(reconnector))
-        return TF_OUT_OF_MEMORY;
+    tf_watch *watch = reconnector->surface->watch;
+    tf_status status = tf_list_facing(reconnector, reconnector->lengths.patch);
+    if (status == TF_OK)
+        status = tf_find_pieces(reconnector);
     const tf_facing_edges *pair = reconnector->candidate.data;
-    tf_status status = TF_OK;
+    tf_watch_stage(watch, "merging", (size_t)reconnector->candidates);
     for (int i = 0; i < reconnector->candidates && status == TF_OK &&
-                    pair[i].distance < reconnector->options.merge;
+                    pair[i].distance < reconnector->lengths.merge;
          i++)
-        status = merge_pieces(reconnector, &pair[i]);
+        status = tf_watch_done(watch, 1) ? merge_pieces(reconnector, &pair[i])
+                                         : TF_CANCELLED;
     return status;
 }

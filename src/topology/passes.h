@@ -1,12 +1,17 @@
 //: Declare all passes of a reconnection
 #pragma once
 
-#include "base/status.h"
+#include "base/error.h"
 #include "topology/reconnector.h"
 
-/// Merges, pinches and drops, in memory that is kept.  Returns what
-/// tf_adaptive_reconnect does.
-/// @param[in,out] report what was done is added to it
-tf_status tf_reconnect_passes(tf_reconnector *reconnector,
-                              const tf_reconnect_options *options,
-                              tf_reconnect_report *report);
+/// Reads options, and scales their lengths.  Sets the error to what it returns:
+/// TF_OK or TF_BAD_OPTION.
+tf_status tf_reconnect_options_read(tf_reconnect_options *own,
+                                    const tf_reconnect_options *options,
+                                    tf_reconnect_lengths *lengths,
+                                    tf_error *error);
+
+/// Merges, pinches and drops, with the lengths of the reconnector and in its
+/// memory, and makes a new report.  Returns TF_OK, TF_OUT_OF_MEMORY or
+/// TF_CANCELLED.
+tf_status tf_reconnect_passes(tf_reconnector *reconnector);

@@ -57,23 +57,29 @@ static void mark_neighbors(tf_reconnector *reconnector)
 static void connect_neighbors(tf_reconnector *reconnector)
 {
     const int *piece = reconnector->piece.data;
-    for (int c = 0; c < 3 * reconnector->surface->triangles; c++) {
-        if (!tf_is_triangle(reconnector->surface, c / 3))
+    const tf_adaptive_surface *surface = reconnector->surface;
+    for (int c = 0; c < 3 * surface->triangles; c++) {
+        if (c % 4096 == 0 && !tf_watch_done(surface->watch, 0))
+            return;
+        if (!tf_is_triangle(surface, c / 3))
             continue;
-        int a = tf_vertex_at(reconnector->surface, c);
-        int b = tf_vertex_at(reconnector->surface, tf_corner_after(c));
+        int a = tf_vertex_at(surface, c);
+        int b = tf_vertex_at(surface, tf_corner_after(c));
         if (piece[a] != TF_NONE && piece[b] != TF_NONE)
             tf_unite_pieces(reconnector, a, b);
     }
 }
 
-bool tf_find_pieces(tf_reconnector *reconnector)
+tf_status tf_find_pieces(tf_reconnector *reconnector)
 {
     if (!tf_buffer_extend(&reconnector->piece,
                           (size_t)reconnector->surface->vertices, sizeof(int)))
-        return false;
+        return TF_OUT_OF_MEMORY;
+    tf_watch *watch = reconnector->surface->watch;
     mark_contacts(reconnector);
-    mark_neighbors(reconnector);
-    connect_neighbors(reconnector);
-    return true;
+    if (tf_watch_done(watch, 0))
+        mark_neighbors(reconnector);
+    if (tf_watch_done(watch, 0))
+        connect_neighbors(reconnector);
+    return tf_watch_done(watch, 0) ? TF_OK : TF_CANCELLED;
 }

@@ -41,7 +41,7 @@ static bool add_loop(tf_reconnector *reconnector, int a, int b, int c)
 static bool closes_loop(const tf_reconnector *reconnector, int a, int b,
                         int third)
 {
-    double most = reconnector->options.pinch;
+    double most = reconnector->lengths.pinch;
     int left = tf_find_edge(reconnector->surface, a, b),
         right = tf_find_edge(reconnector->surface, b, a);
     return right != TF_NONE &&
@@ -60,7 +60,7 @@ static bool list_loops(tf_reconnector *reconnector, int corner)
     int a = tf_vertex_at(reconnector->surface, corner);
     int b = tf_vertex_at(reconnector->surface, tf_corner_after(corner));
     if (a >= b ||
-        tf_length_of(reconnector->surface, a, b) >= reconnector->options.pinch)
+        tf_length_of(reconnector->surface, a, b) >= reconnector->lengths.pinch)
         return true;
     for (int c = tf_first_corner(reconnector->surface, a); c != TF_NONE;
          c = tf_next_corner(reconnector->surface, c)) {
@@ -72,16 +72,23 @@ static bool list_loops(tf_reconnector *reconnector, int corner)
     return true;
 }
 
-static bool list_all_loops(tf_reconnector *reconnector)
+//: Find all loops
+enum {
+    WATCHED = 64 ///< corners between two looks at the watch
+};
+
+static tf_status list_all_loops(tf_reconnector *reconnector)
 {
+    const tf_adaptive_surface *surface = reconnector->surface;
     reconnector->candidates = 0;
-    for (int c = 0; c < 3 * reconnector->surface->triangles; c++)
-        if (tf_is_triangle(reconnector->surface, c / 3) &&
-            !list_loops(reconnector, c))
-            return false;
-    return tf_list_sort(&reconnector->candidate,
-                        (size_t)reconnector->candidates, sizeof(tf_loop),
-                        is_shorter, &reconnector->sorting, NULL);
+    tf_watch_stage(surface->watch, "necks", 3 * (size_t)surface->triangles);
+    for (int c = 0; c < 3 * surface->triangles; c++) {
+        if (c % WATCHED == 0 && !tf_watch_done(surface->watch, WATCHED))
+            return TF_CANCELLED;
+        if (tf_is_triangle(surface, c / 3) && !list_loops(reconnector, c))
+            return TF_OUT_OF_MEMORY;
+    }
+    return tf_reconnector_sort(reconnector, sizeof(tf_loop), is_shorter);
 }
 
 //: Look to the left of a loop
@@ -129,7 +136,7 @@ static double wanted_part(const tf_reconnector *reconnector, const int loop[3],
     tf_vector normal = tf_vector_cross(tf_vector_difference(x[1], x[0]),
                                        tf_vector_difference(x[2], x[0]));
     double far = fabs(tf_vector_dot(ways, normal)) / tf_vector_length(normal);
-    return fmin(0.75, 1.1 * reconnector->options.merge / far);
+    return fmin(0.75, 1.1 * reconnector->lengths.apart / far);
 }
 
 //: Pinch a loop by so much
@@ -201,11 +208,13 @@ static tf_status pinch_loop(tf_reconnector *reconnector, const int v[3])
 //: Pinch all loops
 tf_status tf_pinch_pass(tf_reconnector *reconnector)
 {
-    if (!list_all_loops(reconnector))
-        return TF_OUT_OF_MEMORY;
+    tf_watch *watch = reconnector->surface->watch;
+    tf_status status = list_all_loops(reconnector);
     const tf_loop *loop = reconnector->candidate.data;
-    tf_status status = TF_OK;
+    tf_watch_stage(watch, "pinching", (size_t)reconnector->candidates);
     for (int i = 0; i < reconnector->candidates && status == TF_OK; i++)
-        status = pinch_loop(reconnector, loop[i].vertex);
+        status = tf_watch_done(watch, 1)
+                     ? pinch_loop(reconnector, loop[i].vertex)
+                     : TF_CANCELLED;
     return status;
 }

@@ -24,9 +24,20 @@ size_t tf_reconnector_memory(const tf_reconnector *reconnector)
 void tf_reconnector_count(tf_reconnector *reconnector, tf_reconnection what,
                           tf_outcome outcome, double gained)
 {
-    reconnector->report->tried[what][outcome]++;
+    reconnector->report.tried[what][outcome]++;
     if (outcome == TF_COMMITTED)
-        reconnector->report->gained[what] += gained;
+        reconnector->report.gained[what] += gained;
+}
+
+//: Sort candidates
+tf_status tf_reconnector_sort(tf_reconnector *reconnector, size_t size,
+                              tf_precedes *precedes)
+{
+    tf_watch *watch = reconnector->surface->watch;
+    bool sorted =
+        tf_list_sort(&reconnector->candidate, (size_t)reconnector->candidates,
+                     size, precedes, &reconnector->sorting, watch);
+    return sorted ? TF_OK : tf_watch_failure(watch);
 }
 
 //: Measure volumes

@@ -83,6 +83,14 @@ static const struct {
      0,
      "vertex 0 lies on edge 1 2 (numbered from 0) before the step begins; move "
      "them apart"},
+    {{.status = TF_COLLINEAR,
+      .subject = TF_TRIANGLE,
+      .index = 2,
+      .vertex = {-1, -1, -1, -1, -1},
+      .time = -1},
+     1,
+     "triangle 2: the corners of this triangle are on one line; remove it, or "
+     "move a corner off"},
     {{.status = TF_EDGE_NOT_MANIFOLD, .subject = TF_EDGE, .vertex = {0, 1}},
      0,
      "edge 0 at the start of the step: the edge from vertex 0 to 1 belongs to "

@@ -29,6 +29,12 @@ enum {
     JUDGED = 10 ///< one of so many steps
 };
 
+static double read_clock(void *context)
+{
+    (void)context;
+    return processor_seconds();
+}
+
 // A run -----------------------------------------------------------------------
 
 /// What has been done in some steps, and what was measured before and after.
@@ -77,18 +83,18 @@ static void add_outcomes(run *r, const tf_flow_report *report)
         for (int o = TF_COMMITTED + 1; o < TF_OUTCOMES; o++)
             r->refused += report->tried[i][o];
     for (int i = 0; i < TF_RECONNECTIONS; i++) {
-        r->done[i] += report->reconnected.tried[i][TF_COMMITTED];
-        r->reconnected += report->reconnected.gained[i];
+        r->done[i] += report->reconnected->tried[i][TF_COMMITTED];
+        r->reconnected += report->reconnected->gained[i];
     }
     for (int i = 0; i < TF_FLOW_PARTS; i++)
         r->seconds[i] += report->seconds[i];
-    r->contacts += report->response.contacts;
-    r->failsafes += report->response.rounds[TF_FAILSAFE] > 0;
+    r->contacts += report->response->contacts;
+    r->failsafes += report->response->rounds[TF_FAILSAFE] > 0;
 }
 
 static void judge(run *r)
 {
-    tf_mesh mesh = tf_adaptive_mesh(r->surface);
+    tf_mesh mesh = *tf_adaptive_mesh(r->surface);
     tangle_judge *judge = tangle_judge_new(&mesh);
     r->tangles += tangle_count(judge, tf_adaptive_positions(r->surface));
     r->judged++;
@@ -99,13 +105,13 @@ static void make_steps(run *r, const tf_flow_options *options, double length,
                        int steps)
 {
     for (int i = 0; i < steps; i++) {
-        tf_flow_report report;
-        require(r->careless ? careless_step(r->flow, r->careless, options,
-                                            i * length, length, &report)
-                            : tf_flow_step(r->flow, options, i * length, length,
-                                           &report));
-        add_outcomes(r, &report);
-        int triangles = tf_adaptive_mesh(r->surface).triangles;
+        const tf_flow_report *report;
+        require(r->careless ? careless_step(r->flow, r->careless, i * length,
+                                            length, options, &report)
+                            : tf_flow_step(r->flow, i * length, length, options,
+                                           &report, NULL));
+        add_outcomes(r, report);
+        int triangles = tf_adaptive_mesh(r->surface)->triangles;
         r->most = triangles > r->most ? triangles : r->most;
         if ((i + 1) % JUDGED == 0)
             judge(r);
@@ -122,7 +128,7 @@ static double change(const run *r)
 static void print_parts(const char *name, const run *r)
 {
     static const char *const parts[] = {"improve", "reconnect", "advance"};
-    for (int i = 0; i < TF_FLOW_PARTS; i++)
+    for (int i = 0; i < 3; i++)
         printf("%s %s,%.1f,s\n", name, parts[i], r->seconds[i]);
     printf("%s judged,%d,\n%s tangles,%d,\n", name, r->judged, name,
            r->tangles);
@@ -146,7 +152,7 @@ static run run_ball(int n, unsigned careless, int steps)
     const tf_flow_options options = {.edge = 1.2046 * radius / n,
                                      .velocity = tf_field_apply,
                                      .context = &vortices,
-                                     .clock = processor_seconds};
+                                     .clock = read_clock};
     make_steps(&r, &options, 3.0 / STEPS, steps);
     return r;
 }
@@ -194,7 +200,7 @@ static void print_careless(const char *name, unsigned careless)
 
 static void print_careless_advance(void)
 {
-    run r = run_ball(8, 1U << TF_OPERATIONS, STEPS);
+    run r = run_ball(8, 1U << CARELESS_ADVANCE, STEPS);
     double mean, most;
     measure_distances(&r, &mean, &most);
     printf("careless advance 1280,%.2f,%%\n", change(&r));
@@ -224,16 +230,16 @@ static void print_scene(const char *name)
 {
     static const char *const changes[] = {"merges", "pinches", "drops"};
     const tf_scene *scene = tf_scene_named(tf_flow_scenes, name);
-    tf_stage stage = {.body.axes = 3};
+    tf_scene_setup setup = {.body.axes = 3};
     tf_flow_options options =
         tf_flow_options_of(scene, scene->resolution.usual);
-    options.clock = processor_seconds;
-    scene->build(&stage, options.edge);
-    run r = run_new(&stage.body);
+    options.clock = read_clock;
+    scene->build(&setup, options.edge);
+    run r = run_new(&setup.body);
     make_steps(&r, &options, scene->step, scene->steps);
     printf("%s steps,%d,\n", name, scene->steps);
     print_areas(name, &r);
-    for (int i = 0; i < TF_RECONNECTIONS; i++)
+    for (int i = 0; i < 3; i++)
         printf("%s %s,%zu,\n", name, changes[i], r.done[i]);
     printf("%s contacts,%zu,\n", name, r.contacts);
     printf("%s failsafes,%zu,\n", name, r.failsafes);
@@ -255,9 +261,9 @@ static run run_offset(int i)
     const tf_scene *scene = tf_scene_named(tf_flow_scenes, "spheres");
     const tf_flow_options options = tf_flow_options_of(scene, 0.04);
     generator random = generator_new((uint64_t)i);
-    tf_stage stage = {.body.axes = 3};
-    tf_body *body = &stage.body;
-    scene->build(&stage, options.edge);
+    tf_scene_setup setup = {.body.axes = 3};
+    tf_body *body = &setup.body;
+    scene->build(&setup, options.edge);
     for (int k = 0; k < 3; k++) {
         double offset = uniform(&random, -0.06, 0.06);
         for (int v = body->vertices / 2; v < body->vertices; v++)
@@ -319,8 +325,8 @@ static void print_all_careless(void)
     print_careless("collapse", 1U << TF_COLLAPSE);
     print_careless("flip", 1U << TF_FLIP);
     print_careless("smooth", 1U << TF_SMOOTH);
-    print_careless("advance", 1U << TF_OPERATIONS);
-    print_careless("all", (2U << TF_OPERATIONS) - 1);
+    print_careless("advance", 1U << CARELESS_ADVANCE);
+    print_careless("all", (1U << CARELESS_BITS) - 1);
     print_careless_advance();
 }
 

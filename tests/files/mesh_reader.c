@@ -127,7 +127,7 @@ START_TEST(files_are_read_by_their_names)
     static const char *const names[] = {"mesh.obj", "mesh"};
     for (int i = 0; i < 2; i++) {
         tf_mesh_file file;
-        ck_assert(tf_mesh_file_read(&file, names[i], &fault));
+        ck_assert(tf_mesh_file_read(&file, names[i], NULL, &fault));
         ck_assert_ptr_eq(file.name, names[i]);
         expect_mesh(&file);
         tf_mesh_file_free(&file);
@@ -141,7 +141,7 @@ START_TEST(files_are_closed)
     ck_assert_int_eq(setrlimit(RLIMIT_NOFILE, &(struct rlimit){64, 64}), 0);
     for (int i = 0; i < 100; i++) {
         tf_mesh_file file;
-        ck_assert_msg(tf_mesh_file_read(&file, "mesh", &fault), "%s",
+        ck_assert_msg(tf_mesh_file_read(&file, "mesh", NULL, &fault), "%s",
                       fault.text);
         tf_mesh_file_free(&file);
     }
@@ -156,7 +156,7 @@ START_TEST(files_of_any_size_are_read_whole)
         fprintf(stream, OBJ "#%*s\nf 1 2 3", size, "");
         fclose(stream);
         tf_mesh_file file;
-        ck_assert(tf_mesh_file_read(&file, "mesh", &fault));
+        ck_assert(tf_mesh_file_read(&file, "mesh", NULL, &fault));
         expect_triangles(&file, 2, (int[]){0, 1, 2, 0, 1, 2});
         tf_mesh_file_free(&file);
     }
@@ -168,12 +168,12 @@ START_TEST(standard_input_is_read_once)
     make_file("mesh", OBJ);
     ck_assert_ptr_nonnull(freopen("mesh", "r", stdin));
     tf_mesh_file file;
-    ck_assert(tf_mesh_file_read(&file, "-", &fault));
+    ck_assert(tf_mesh_file_read(&file, "-", NULL, &fault));
     ck_assert_str_eq(file.name, "standard input");
     expect_mesh(&file);
     tf_mesh_file_free(&file);
     // Nothing is left for the second time.
-    ck_assert(!tf_mesh_file_read(&file, "-", &fault));
+    ck_assert(!tf_mesh_file_read(&file, "-", NULL, &fault));
     expect_words(fault.text, "no vertices; ");
     tf_mesh_file_free(&file);
 }
@@ -182,7 +182,7 @@ END_TEST
 static void expect_unread(const char *path, const char *words)
 {
     tf_mesh_file file;
-    ck_assert(!tf_mesh_file_read(&file, path, &fault));
+    ck_assert(!tf_mesh_file_read(&file, path, NULL, &fault));
     ck_assert_str_eq(fault.text, words);
     ck_assert_str_eq(file.name, path);
     ck_assert_int_lt(fault.place, 0);
@@ -210,7 +210,7 @@ END_TEST
 START_TEST(binary_files_are_given_up_early)
 {
     tf_mesh_file file;
-    ck_assert(!tf_mesh_file_read(&file, "/dev/zero", &fault));
+    ck_assert(!tf_mesh_file_read(&file, "/dev/zero", NULL, &fault));
     expect_words(fault.text, "a NUL byte; the file must be plain text");
     ck_assert_int_eq(fault.place, 1);
     tf_mesh_file_free(&file);
@@ -218,7 +218,7 @@ START_TEST(binary_files_are_given_up_early)
     ck_assert_ptr_nonnull(program);
     fwrite("\177ELF\0\1", 1, 6, program);
     fclose(program);
-    ck_assert(!tf_mesh_file_read(&file, "program", &fault));
+    ck_assert(!tf_mesh_file_read(&file, "program", NULL, &fault));
     expect_words(fault.text, "a NUL byte; ");
     tf_mesh_file_free(&file);
 }

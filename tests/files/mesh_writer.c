@@ -8,6 +8,7 @@
 #include "support/support.h"
 
 #include <float.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -145,6 +146,146 @@ START_TEST(each_format_is_written_to_the_letter)
 }
 END_TEST
 
+// Columns ---------------------------------------------------------------------
+
+static tf_mesh_file columns_rewritten(const tf_mesh_file *mesh,
+                                      const tf_columns *columns,
+                                      tf_mesh_format format, tf_columns *read)
+{
+    char *text = NULL;
+    size_t size;
+    FILE *stream = open_memstream(&text, &size);
+    tf_mesh_content content = content_of(mesh);
+    content.columns = columns;
+    tf_mesh_write(stream, &content, format);
+    fclose(stream);
+    read_columns(read);
+    tf_mesh_file file = good_bytes(text, size);
+    read_columns(NULL);
+    free(text);
+    return file;
+}
+
+/// A random number of a type, at times its least or greatest.
+static double number_of(generator *random, tf_number_type type)
+{
+    static const double least[] = {-128, 0, -32768, 0, -2147483648.0, 0};
+    static const double most[] = {127,   255,        32767,
+                                  65535, 2147483647, 4294967295};
+    if (type == TF_DOUBLE)
+        return any_double(random);
+    if (type == TF_FLOAT)
+        return (double)(float)uniform(random, -1e3, 1e3);
+    int which = below(random, 4);
+    return which == 0   ? least[type]
+           : which == 1 ? most[type]
+                        : floor(uniform(random, least[type], most[type]));
+}
+
+/// Columns of all types, in all places.
+static tf_columns some_columns(generator *random, int rows)
+{
+    tf_columns made = {.count = 24};
+    for (int i = 0; i < 24; i++) {
+        made.column[i] =
+            (tf_column){.type = (tf_number_type)(i % 8), .after = i / 6};
+        sprintf(made.column[i].name, "value_%d", i);
+    }
+    for (int row = 0; row < rows; row++) {
+        double value[24];
+        for (int i = 0; i < 24; i++)
+            value[i] = number_of(random, made.column[i].type);
+        ck_assert(tf_columns_add(&made, value));
+    }
+    return made;
+}
+
+START_TEST(columns_come_back_with_their_names_types_and_order)
+{
+    generator random = generator_new(3);
+    tf_mesh_file mesh = empty_mesh("mesh");
+    for (int v = 0; v < 100; v++) {
+        const double x[] = {any_double(&random), any_double(&random), v};
+        ck_assert(tf_mesh_file_add_vertex(&mesh, x, 0));
+    }
+    ck_assert(tf_mesh_file_add_triangle(&mesh, (const int[]){0, 9, 5}, 0));
+    tf_columns columns = some_columns(&random, 100), read;
+    for (int f = TF_PLY_TEXT; f < FORMATS; f++) {
+        tf_mesh_file again =
+            columns_rewritten(&mesh, &columns, formats[f], &read);
+        expect_vertices(&again, 100, mesh.position.item);
+        ck_assert_int_eq(read.count, 24);
+        ck_assert_mem_eq(read.column, columns.column, 24 * sizeof *read.column);
+        ck_assert_uint_eq(read.rows, 100);
+        for (int i = 0; i < 2400; i++) // text has the digits of a float
+            ck_assert(columns.column[i % 24].type == TF_FLOAT
+                          ? (float)read.value[i] == (float)columns.value[i]
+                          : read.value[i] == columns.value[i]);
+        tf_columns_free(&read);
+        tf_mesh_file_free(&again);
+    }
+    tf_columns_free(&columns);
+    tf_mesh_file_free(&mesh);
+}
+END_TEST
+
+static tf_columns colors_of(tf_number_type type, const double color[3])
+{
+    static const char *const names[] = {"blue", "red", "green"};
+    tf_columns made = {.count = 3};
+    for (int i = 0; i < 3; i++) {
+        made.column[i].type = type;
+        sprintf(made.column[i].name, "%s", names[i]);
+    }
+    ck_assert(tf_columns_add(&made, color));
+    return made;
+}
+
+START_TEST(obj_has_colors_from_zero_to_one)
+{
+    static const struct {
+        tf_number_type type;
+        double color[3], wanted[3];
+    } kinds[] = {{TF_UCHAR, {51, 255, 0}, {1, 0, 0.2}},
+                 {TF_USHORT, {65535, 13107, 0}, {0.2, 0, 1}},
+                 {TF_FLOAT, {0.5, 0.25, 1}, {0.25, 1, 0.5}},
+                 {TF_DOUBLE, {0.1, 0.2, 0.3}, {0.2, 0.3, 0.1}}};
+    tf_mesh_file mesh = good_mesh("v 1 2 3\nv 4 5 6\nv 7 8 8\nf 1 2 3\n");
+    for (int i = 0; i < 4; i++) {
+        tf_columns columns = colors_of(kinds[i].type, kinds[i].color), read;
+        for (int v = 0; v < 2; v++)
+            ck_assert(tf_columns_add(&columns, kinds[i].color));
+        tf_mesh_file again = columns_rewritten(&mesh, &columns, TF_OBJ, &read);
+        ck_assert_int_eq(read.count, 3);
+        ck_assert_mem_eq(read.value + 3, kinds[i].wanted, 24);
+        tf_columns_free(&read);
+        tf_columns_free(&columns);
+        tf_mesh_file_free(&again);
+    }
+    tf_mesh_file_free(&mesh);
+}
+END_TEST
+
+START_TEST(what_a_type_cannot_hold_becomes_what_it_can)
+{
+    static const double values[] = {NAN, 1e30, -1e30};
+    static const double wanted[] = {0, 255, 0};
+    tf_mesh_file mesh = good_mesh("v 1 2 3\nv 4 5 6\nv 7 8 8\nf 1 2 3\n");
+    tf_columns columns = {.count = 1, .column = {{"a", TF_UCHAR, 3}}}, read;
+    for (int v = 0; v < 3; v++)
+        ck_assert(tf_columns_add(&columns, &values[v]));
+    for (int f = TF_PLY_TEXT; f < FORMATS; f++) {
+        tf_mesh_file again =
+            columns_rewritten(&mesh, &columns, formats[f], &read);
+        ck_assert_mem_eq(read.value, wanted, sizeof wanted);
+        tf_columns_free(&read);
+        tf_mesh_file_free(&again);
+    }
+    tf_columns_free(&columns);
+    tf_mesh_file_free(&mesh);
+}
+END_TEST
+
 START_TEST(the_ending_chooses_the_format)
 {
     static const struct {
@@ -179,6 +320,9 @@ Suite *suite(void)
     tcase_add_test(written, a_curve_of_the_plane_comes_back);
     tcase_add_test(written, doubles_of_any_size_come_back);
     tcase_add_test(written, each_format_is_written_to_the_letter);
+    tcase_add_test(written, columns_come_back_with_their_names_types_and_order);
+    tcase_add_test(written, obj_has_colors_from_zero_to_one);
+    tcase_add_test(written, what_a_type_cannot_hold_becomes_what_it_can);
     tcase_add_test(written, the_ending_chooses_the_format);
     suite_add_tcase(suite, written);
     return suite;

@@ -41,6 +41,31 @@ START_TEST(weights_and_colors_do_not_count)
 }
 END_TEST
 
+START_TEST(colors_are_columns)
+{
+    static const double colors[] = {1, 1, 1, 0.5, 0.25, 0, 1, 1, 1};
+    tf_columns columns;
+    read_columns(&columns);
+    tf_mesh_file file = good_mesh("v 1 2 3 0.5\nv 4 5 6 0.5 .25 0\n"
+                                  "v 7 8 9 1 0.1 0.2 0.3\n" FACE);
+    expect_vertices(&file, 3, (double[]){1, 2, 3, 4, 5, 6, 7, 8, 9});
+    ck_assert_int_eq(columns.count, 3);
+    ck_assert_int_eq(tf_columns_find(&columns, "red"), 0);
+    ck_assert_int_eq(tf_columns_find(&columns, "green"), 1);
+    ck_assert_int_eq(tf_columns_find(&columns, "blue"), 2);
+    ck_assert_int_eq(columns.column[0].type, TF_DOUBLE);
+    ck_assert_uint_eq(columns.rows, 3);
+    ck_assert_mem_eq(columns.value, colors, sizeof colors);
+    tf_columns_free(&columns);
+    tf_mesh_file_free(&file);
+    read_columns(&columns);
+    file = good_mesh(FOUR FACE);
+    ck_assert_int_eq(columns.count, 0);
+    tf_mesh_file_free(&file);
+    read_columns(NULL);
+}
+END_TEST
+
 START_TEST(vertices_without_z_are_of_the_plane)
 {
     tf_mesh_file file = good_mesh("v 1 2 0\nv 3 4\nl 1 2\n");
@@ -362,6 +387,7 @@ Suite *suite(void)
     TCase *vertices = tcase_create("vertices");
     tcase_add_test(vertices, vertices_keep_their_order);
     tcase_add_test(vertices, weights_and_colors_do_not_count);
+    tcase_add_test(vertices, colors_are_columns);
     tcase_add_test(vertices, vertices_without_z_are_of_the_plane);
     tcase_add_test(vertices, random_doubles_come_back_to_the_last_bit);
     tcase_add_test(vertices, the_largest_and_smallest_doubles_are_read);

@@ -676,6 +676,127 @@ START_TEST(counts_that_no_file_has_are_refused)
 }
 END_TEST
 
+// Columns ---------------------------------------------------------------------
+
+#define MANY                                                                   \
+    "element vertex 2\nproperty uint8 red\nproperty float x\n"                 \
+    "property double y\nproperty list uchar short skipped\n"                   \
+    "property short label\nproperty float z\nproperty float32 quality\n"       \
+    "property double s\n"                                                      \
+    "element face 0\nproperty list uchar int vertex_indices\n"                 \
+    "property uchar flags\nelement edge 1\nproperty int vertex1\n"             \
+    "property int vertex2\nproperty int weight\n"
+
+static void expect_column(const tf_columns *columns, int i, const char *name,
+                          tf_number_type type, int after)
+{
+    ck_assert_str_eq(columns->column[i].name, name);
+    ck_assert_int_eq(columns->column[i].type, type);
+    ck_assert_int_eq(columns->column[i].after, after);
+}
+
+static void expect_many(const tf_columns *columns, const double first[4],
+                        const double second[4])
+{
+    ck_assert_int_eq(columns->count, 4);
+    expect_column(columns, 0, "red", TF_UCHAR, 0);
+    expect_column(columns, 1, "label", TF_SHORT, 2);
+    expect_column(columns, 2, "quality", TF_FLOAT, 3);
+    expect_column(columns, 3, "s", TF_DOUBLE, 3);
+    ck_assert_uint_eq(columns->rows, 2);
+    ck_assert_mem_eq(tf_columns_row(columns, 0), first, 32);
+    ck_assert_mem_eq(tf_columns_row(columns, 1), second, 32);
+}
+
+START_TEST(columns_are_read_as_text)
+{
+    static const double first[] = {255, -7, 0.1, 1e300};
+    static const double second[] = {0, 32767, 3, 0.5};
+    static const double places[] = {1, 2, 3, 4, 5, 6};
+    tf_columns columns;
+    read_columns(&columns);
+    tf_mesh_file file = good_mesh("ply\nformat ascii 1.0\n" MANY "end_header\n"
+                                  "255 1 2 2 8 9 -7 3 0.1 1e300\n"
+                                  "0 4 5 0 32767 6 3 0x1p-1\n0 1 5\n");
+    expect_many(&columns, first, second);
+    expect_vertices(&file, 2, places);
+    tf_columns_free(&columns);
+    tf_mesh_file_free(&file);
+    read_columns(NULL);
+}
+END_TEST
+
+START_TEST(columns_are_read_in_binary)
+{
+    static const double first[] = {255, -7, 0.5, 0.1};
+    static const double second[] = {128, -32768, -2, NAN};
+    bytes made = binary(_i, MANY);
+    tf_columns columns;
+    read_columns(&columns);
+    for (int v = 0; v < 2; v++) {
+        const double *row = v ? second : first;
+        put_int(&made, 1, (int64_t)row[0]);
+        put_float(&made, 1);
+        put_double(&made, 2);
+        put_int(&made, 1, 1);
+        put_int(&made, 2, 5);
+        put_int(&made, 2, (int64_t)row[1]);
+        put_float(&made, 3);
+        put_float(&made, (float)row[2]);
+        put_double(&made, row[3]);
+    }
+    for (int i = 0; i < 3; i++)
+        put_int(&made, 4, i);
+    tf_mesh_file file = good_bytes(made.at, made.count);
+    expect_many(&columns, first, second);
+    tf_columns_free(&columns);
+    tf_mesh_file_free(&file);
+    read_columns(NULL);
+}
+END_TEST
+
+// They were no fault before anyone wanted to keep them.
+START_TEST(words_that_are_no_numbers_are_kept_as_none)
+{
+    tf_columns columns;
+    read_columns(&columns);
+    tf_mesh_file file = good_mesh(
+        "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\n"
+        "property float y\nproperty float q\nproperty uchar r\nelement edge 1\n"
+        "property int vertex1\nproperty int vertex2\nend_header\n0 0 nan 7x\n"
+        "1 1 -inf 8\n0 1\n");
+    for (int i = 0; i < 3; i++)
+        ck_assert(isnan(columns.value[i]));
+    ck_assert_double_eq(columns.value[3], 8);
+    tf_columns_free(&columns);
+    tf_mesh_file_free(&file);
+    read_columns(NULL);
+}
+END_TEST
+
+#define LETTERS "abcdefghijklmnopqrstuvwxyzabcdefghijklmnopqrstuvwxyz"
+
+START_TEST(names_are_kept_to_a_limit)
+{
+    static const char *const text =
+        "ply\nformat ascii 1.0\nelement vertex 1\nproperty  float \t" LETTERS
+        "012345678-%s\r\nproperty float x\nproperty float y\nend_header\n";
+    tf_columns columns;
+    char made[500];
+    read_columns(&columns);
+    sprintf(made, text, "1");
+    tf_mesh_file file;
+    parse_mesh(&file, made, strlen(made));
+    ck_assert_int_eq(columns.count, 1);
+    ck_assert_str_eq(columns.column[0].name, LETTERS "012345678-1");
+    tf_mesh_file_free(&file);
+    read_columns(&columns);
+    sprintf(made, text, "12");
+    expect_bad_mesh(made, 4, "the name of a property has 64 bytes; shorten it");
+    read_columns(NULL);
+}
+END_TEST
+
 Suite *suite(void)
 {
     Suite *suite = suite_create("files/ply_file");
@@ -715,5 +836,11 @@ Suite *suite(void)
     tcase_add_loop_test(cut, bad_numbers_in_binary_are_refused, 0, 2);
     tcase_add_loop_test(cut, counts_that_no_file_has_are_refused, 0, 2);
     suite_add_tcase(suite, cut);
+    TCase *kept = tcase_create("columns");
+    tcase_add_test(kept, columns_are_read_as_text);
+    tcase_add_loop_test(kept, columns_are_read_in_binary, 0, 2);
+    tcase_add_test(kept, words_that_are_no_numbers_are_kept_as_none);
+    tcase_add_test(kept, names_are_kept_to_a_limit);
+    suite_add_tcase(suite, kept);
     return suite;
 }

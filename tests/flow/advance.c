@@ -18,10 +18,13 @@ static tf_status advance(tf_adaptive_surface *surface,
     tf_flow_advance all = {.surface = surface};
     const tf_flow_options options = {.edge = 0.3, .velocity = velocity};
     ck_assert_int_eq(tf_advance_begin(&all, &options, 0, step), TF_OK);
-    tf_advance_propose(&all);
+    ck_assert_int_eq(tf_advance_propose(&all), TF_OK);
     if (!careless)
-        tf_advance_restore_volume(&all);
-    tf_status status = tf_advance_resolve(&all, report);
+        ck_assert_int_eq(tf_advance_restore_volume(&all), TF_OK);
+    const tf_response_report *lent;
+    tf_status status = tf_advance_resolve(&all, &lent);
+    if (status == TF_OK && report)
+        *report = *lent;
     tf_advance_free(&all);
     return status;
 }

@@ -3,6 +3,7 @@
 
 #include "simulate/flow_fields.h"
 #include "support/adaptive_surfaces.h"
+#include "support/cancelling.h"
 #include "support/careless.h"
 #include "support/flows.h"
 #include "support/scrambled_workers.h"
@@ -49,14 +50,14 @@ START_TEST(a_ball_returns_from_vortices_with_its_volume)
     tf_flow *flow = flow_of(surface);
     tf_flow_options options = {
         .edge = 0.023, .velocity = tf_field_apply, .context = &vortices};
-    tf_flow_report report;
+    const tf_flow_report *report;
     mpq_t before;
     mpq_init(before);
     exact_volume(surface, before);
     for (int i = 0; i < STEPS; i++) {
-        ck_assert_int_eq(
-            tf_flow_step(flow, &options, 3.0 * i / STEPS, 3.0 / STEPS, &report),
-            TF_OK);
+        ck_assert_int_eq(tf_flow_step(flow, 3.0 * i / STEPS, 3.0 / STEPS,
+                                      &options, &report, NULL),
+                         TF_OK);
         if (i % 10 == 9)
             expect_embedded(surface);
         if (i == STEPS / 2)
@@ -83,8 +84,8 @@ static tf_adaptive_surface *flow_on(int workers)
                                .context = &vortices,
                                .parallel = &parallel};
     for (int i = 0; i < 20; i++)
-        ck_assert_int_eq(tf_flow_step(flow, &options, 0.05 * i, 0.05, NULL),
-                         TF_OK);
+        ck_assert_int_eq(
+            tf_flow_step(flow, 0.05 * i, 0.05, &options, NULL, NULL), TF_OK);
     tf_flow_free(flow);
     return surface;
 }
@@ -96,8 +97,8 @@ static void expect_same(const tf_adaptive_surface *one,
     ck_assert_int_eq(one->triangles, two->triangles);
     ck_assert_mem_eq(coordinates_of(one, 0), coordinates_of(two, 0),
                      3 * sizeof(double) * (size_t)one->vertices);
-    ck_assert_mem_eq(tf_adaptive_mesh(one).triangle,
-                     tf_adaptive_mesh(two).triangle,
+    ck_assert_mem_eq(tf_adaptive_mesh(one)->triangle,
+                     tf_adaptive_mesh(two)->triangle,
                      3 * sizeof(int) * (size_t)one->triangles);
 }
 
@@ -120,10 +121,10 @@ START_TEST(a_flow_remembers_nothing_of_its_steps)
         .edge = 0.03, .velocity = tf_field_apply, .context = &vortices};
     for (int i = 0; i < 20; i++) {
         tf_flow *anew = flow_of(same);
-        ck_assert_int_eq(tf_flow_step(flow, &options, 0.05 * i, 0.05, NULL),
-                         TF_OK);
-        ck_assert_int_eq(tf_flow_step(anew, &options, 0.05 * i, 0.05, NULL),
-                         TF_OK);
+        ck_assert_int_eq(
+            tf_flow_step(flow, 0.05 * i, 0.05, &options, NULL, NULL), TF_OK);
+        ck_assert_int_eq(
+            tf_flow_step(anew, 0.05 * i, 0.05, &options, NULL, NULL), TF_OK);
         ck_assert_uint_gt(tf_flow_memory(flow), tf_flow_memory(anew) / 2);
         tf_flow_free(anew);
     }
@@ -143,11 +144,10 @@ START_TEST(a_step_is_its_parts)
     tf_flow_options options = {
         .edge = 0.03, .velocity = tf_field_apply, .context = &vortices};
     for (int i = 0; i < 20; i++) {
-        tf_flow_report report;
-        ck_assert_int_eq(tf_flow_step(flow, &options, 0.05 * i, 0.05, NULL),
-                         TF_OK);
         ck_assert_int_eq(
-            careless_step(other, 0, &options, 0.05 * i, 0.05, &report), TF_OK);
+            tf_flow_step(flow, 0.05 * i, 0.05, &options, NULL, NULL), TF_OK);
+        ck_assert_int_eq(
+            careless_step(other, 0, 0.05 * i, 0.05, &options, NULL), TF_OK);
     }
     expect_same(surface, same);
     tf_flow_free(flow);
@@ -178,7 +178,7 @@ static tf_adaptive_surface *two_spheres(void)
     static double position[2000][3];
     static int triangle[6000];
     tf_adaptive_surface *one = adaptive_sphere(5, left, 1);
-    tf_mesh mesh = tf_adaptive_mesh(one);
+    tf_mesh mesh = *tf_adaptive_mesh(one);
     for (int v = 0; v < mesh.vertices; v++)
         for (int k = 0; k < 3; k++) {
             double x = coordinates_of(one, v)[k];
@@ -204,10 +204,11 @@ static size_t meet(bool keep_topology)
         .edge = 0.3, .velocity = approach, .keep_topology = keep_topology};
     size_t merges = 0;
     for (int i = 0; i < 20; i++) {
-        tf_flow_report report;
-        ck_assert_int_eq(tf_flow_step(flow, &options, 0, 0.02, &report), TF_OK);
+        const tf_flow_report *report;
+        ck_assert_int_eq(tf_flow_step(flow, 0, 0.02, &options, &report, NULL),
+                         TF_OK);
         expect_embedded(surface);
-        merges += report.reconnected.tried[TF_MERGE][TF_COMMITTED];
+        merges += report->reconnected->tried[TF_MERGE][TF_COMMITTED];
     }
     tf_flow_free(flow);
     tf_adaptive_free(surface);
@@ -227,12 +228,78 @@ START_TEST(small_components_vanish)
     tf_flow *flow = flow_of(surface);
     tf_flow_options options = {.edge = 6, .velocity = approach};
     for (int i = 0; i < 2; i++) {
-        tf_flow_report report;
-        ck_assert_int_eq(tf_flow_step(flow, &options, 0, 0.1, &report), TF_OK);
+        const tf_flow_report *report;
+        ck_assert_int_eq(tf_flow_step(flow, 0, 0.1, &options, &report, NULL),
+                         TF_OK);
         ck_assert_int_eq(surface->triangles, 0);
-        ck_assert_uint_eq(report.reconnected.tried[TF_DROP][TF_COMMITTED],
+        ck_assert_uint_eq(report->reconnected->tried[TF_DROP][TF_COMMITTED],
                           i == 0);
     }
+    tf_flow_free(flow);
+    tf_adaptive_free(surface);
+}
+END_TEST
+
+// All or nothing --------------------------------------------------------------
+
+/// A flow in growth, whose context is a cancellation.
+static void grow(void *context, double time, int points, const double point[],
+                 const double normal[], double velocity[])
+{
+    (void)context, (void)time, (void)point;
+    for (int i = 0; i < 3 * points; i++)
+        velocity[i] = normal[i];
+}
+
+static tf_adaptive_surface *bumpy(void)
+{
+    return adaptive_bumpy_sphere(6, 0.03, 1);
+}
+
+/// Makes a step into contacts; with the flow of an earlier call, if that was
+/// cancelled, so that its memory is used again.
+static tf_status step(tf_adaptive_surface *surface, cancellation *cancelling,
+                      tf_error *error)
+{
+    static tf_flow *flow;
+    static int workers = 2;
+    tf_parallel parallel = scrambled_workers(&workers);
+    const tf_flow_options options = {.edge = 0.25,
+                                     .velocity = grow,
+                                     .parallel = &parallel,
+                                     .progress = tell_cancellation,
+                                     .context = cancelling};
+    if (!flow || cancelling->last > 0)
+        flow = flow_of(surface);
+    tf_status status = tf_flow_step(flow, 0, -0.4, &options, NULL, error);
+    if (status == TF_OK) {
+        tf_flow_free(flow);
+        flow = NULL;
+    }
+    return status;
+}
+
+START_TEST(a_cancelled_step_changes_nothing)
+{
+    expect_cancelling(bumpy, step, cases(60));
+}
+END_TEST
+
+START_TEST(a_step_that_fails_changes_nothing)
+{
+    tf_adaptive_surface *surface = bumpy();
+    tf_flow *flow = flow_of(surface);
+    tf_flow_options options = {.edge = 0.25, .velocity = grow};
+    uint64_t before = adaptive_hash(surface);
+    tf_error error;
+    ck_assert_int_eq(tf_flow_step(flow, 0, INFINITY, &options, NULL, &error),
+                     TF_NOT_FINITE);
+    ck_assert_int_eq(error.status, TF_NOT_FINITE);
+    ck_assert_int_eq(error.subject, TF_NO_SUBJECT); // the numbers are others
+    ck_assert_uint_eq(adaptive_hash(surface), before);
+    ck_assert_int_eq(tf_flow_step(flow, 0, 0.01, &options, NULL, &error),
+                     TF_OK);
+    ck_assert_uint_ne(adaptive_hash(surface), before);
     tf_flow_free(flow);
     tf_adaptive_free(surface);
 }
@@ -248,8 +315,32 @@ START_TEST(bad_lengths_are_refused)
     for (int i = 0; i < 4; i++) {
         tf_flow_options options = {
             .edge = edges[i], .velocity = tf_field_apply, .context = &vortices};
-        ck_assert_int_eq(tf_flow_step(flow, &options, 0, 1, NULL),
+        tf_error error;
+        ck_assert_int_eq(tf_flow_step(flow, 0, 1, &options, NULL, &error),
                          TF_BAD_OPTION);
+        ck_assert_str_eq(error.option, "edge");
+    }
+    tf_flow_free(flow);
+    tf_adaptive_free(surface);
+}
+END_TEST
+
+START_TEST(bad_options_are_refused)
+{
+    tf_adaptive_surface *surface = adaptive_tetrahedron();
+    tf_flow *flow = flow_of(surface);
+    int workers = 1;
+    tf_parallel parallel = scrambled_workers(&workers);
+    parallel.workers = 0;
+    const tf_flow_options bad[] = {
+        {.size = 8, .edge = 1, .velocity = approach},
+        {.edge = 1, .velocity = approach, .parallel = &parallel}};
+    static const char *const names[] = {"size", "parallel.workers"};
+    for (int i = 0; i < 2; i++) {
+        tf_error error;
+        ck_assert_int_eq(tf_flow_step(flow, 0, 1, &bad[i], NULL, &error),
+                         TF_BAD_OPTION);
+        ck_assert_str_eq(error.option, names[i]);
     }
     tf_flow_free(flow);
     tf_adaptive_free(surface);
@@ -259,7 +350,7 @@ END_TEST
 START_TEST(a_flow_needs_a_velocity)
 {
     tf_flow_options options = {.edge = 1};
-    tf_flow_step(flow_of(adaptive_tetrahedron()), &options, 0, 1, NULL);
+    tf_flow_step(flow_of(adaptive_tetrahedron()), 0, 1, &options, NULL, NULL);
 }
 END_TEST
 
@@ -269,22 +360,33 @@ START_TEST(freeing_no_flow_does_nothing)
 }
 END_TEST
 
-static double count_calls(void)
+static double count_calls(void *context)
 {
-    static int calls;
-    return ++calls;
+    return ++*(int *)context;
+}
+
+/// As `approach`, with a count as its context.
+static void approach_by_clock(void *context, double time, int points,
+                              const double point[], const double normal[],
+                              double velocity[])
+{
+    ck_assert_int_ge(*(int *)context, 3);
+    approach(context, time, points, point, normal, velocity);
 }
 
 START_TEST(the_report_has_times_by_a_clock)
 {
     tf_adaptive_surface *surface = adaptive_tetrahedron();
     tf_flow *flow = flow_of(surface);
-    tf_flow_options options = {
-        .edge = 2, .velocity = approach, .clock = count_calls};
-    tf_flow_report report;
-    ck_assert_int_eq(tf_flow_step(flow, &options, 0, 0, &report), TF_OK);
+    int calls = 0;
+    tf_flow_options options = {.edge = 2,
+                               .velocity = approach_by_clock,
+                               .clock = count_calls,
+                               .context = &calls};
+    const tf_flow_report *report;
+    ck_assert_int_eq(tf_flow_step(flow, 0, 0, &options, &report, NULL), TF_OK);
     for (int i = 0; i < TF_FLOW_PARTS; i++)
-        ck_assert_double_eq(report.seconds[i], 1);
+        ck_assert_double_eq(report->seconds[i], i <= TF_ADVANCE);
     tf_flow_free(flow);
     tf_adaptive_free(surface);
 }
@@ -303,8 +405,13 @@ Suite *suite(void)
     tcase_add_test(tcase, spheres_that_meet_merge_if_they_may);
     tcase_add_test(tcase, small_components_vanish);
     suite_add_tcase(suite, tcase);
+    tcase = tcase_create("all or nothing");
+    tcase_add_test(tcase, a_cancelled_step_changes_nothing);
+    tcase_add_test(tcase, a_step_that_fails_changes_nothing);
+    suite_add_tcase(suite, tcase);
     tcase = tcase_create("arguments");
     tcase_add_test(tcase, bad_lengths_are_refused);
+    tcase_add_test(tcase, bad_options_are_refused);
     tcase_add_test_raise_signal(tcase, a_flow_needs_a_velocity, SIGABRT);
     tcase_add_test(tcase, freeing_no_flow_does_nothing);
     tcase_add_test(tcase, the_report_has_times_by_a_clock);

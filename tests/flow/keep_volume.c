@@ -16,7 +16,7 @@ static const struct {
     tf_operation operation;
     int n;
     double bump, edge;
-} passes[TF_OPERATIONS] = {
+} passes[TF_REMESH_PASSES] = {
     {TF_SPLIT, 8, 0.05, 0.15},
     {TF_COLLAPSE, 8, 0.05, 0.6},
     {TF_FLIP, 12, 0.033, 0.2},
@@ -134,9 +134,9 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("flow/keep_volume");
     TCase *tcase = tcase_create("passes");
-    tcase_add_loop_test(tcase, each_pass_keeps_the_volume, 0, TF_OPERATIONS);
+    tcase_add_loop_test(tcase, each_pass_keeps_the_volume, 0, TF_REMESH_PASSES);
     tcase_add_loop_test(tcase, no_careless_pass_keeps_the_volume, 0,
-                        TF_OPERATIONS);
+                        TF_REMESH_PASSES);
     tcase_add_test(tcase, a_split_that_was_refused_is_tried_in_the_middle);
     suite_add_tcase(suite, tcase);
     tcase = tcase_create("restoring");

@@ -47,7 +47,7 @@ static double next_coordinate(fuzz_input *bytes, const surgery_run *run,
 
 static surgery_choice next_operation(fuzz_input *bytes, const surgery_run *run)
 {
-    tf_mesh mesh = tf_adaptive_mesh(run->surface);
+    tf_mesh mesh = *tf_adaptive_mesh(run->surface);
     int corner = next_corner(bytes, &mesh);
     int near[] = {mesh.triangle[corner],
                   mesh.triangle[next_corner(bytes, &mesh)]};

@@ -2,6 +2,7 @@
 
 #include "support/meshes.h"
 #include "support/support.h"
+#include "surgery/adaptive.h"
 
 #include <limits.h>
 #include <stdio.h>
@@ -68,10 +69,9 @@ START_TEST(the_place_of_a_defect_is_named)
     tf_mesh_file file = good_mesh(meshes[_i].text);
     tf_mesh mesh = tf_mesh_file_elements(&file, 3);
     tf_adaptive_surface *surface;
-    tf_defect defect;
-    tf_status status =
-        tf_adaptive_create(&mesh, file.position.item, &surface, &defect);
-    ck_assert(!tf_defect_fault(&file, status, &defect));
+    tf_error error;
+    tf_adaptive_create(&mesh, file.position.item, &surface, &error);
+    ck_assert(!tf_error_fault(&file, &error));
     ck_assert_int_eq(file.fault->place, meshes[_i].place);
     ck_assert_ptr_nonnull(strstr(file.fault->text, meshes[_i].words));
     tf_mesh_file_free(&file);
@@ -81,7 +81,7 @@ END_TEST
 START_TEST(other_statuses_have_their_message)
 {
     tf_mesh_file file = empty_mesh("mesh");
-    ck_assert(!tf_defect_fault(&file, TF_OUT_OF_MEMORY, &(tf_defect){0}));
+    ck_assert(!tf_status_fault(&file, TF_OUT_OF_MEMORY));
     ck_assert_str_eq(file.fault->text, tf_status_message(TF_OUT_OF_MEMORY));
 }
 END_TEST

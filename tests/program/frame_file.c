@@ -99,7 +99,8 @@ START_TEST(a_frame_is_a_mesh)
     tf_mesh_file mesh;
     tf_fault fault;
     write_frame("frame", s);
-    ck_assert_msg(tf_mesh_file_read(&mesh, "frame", &fault), "%s", fault.text);
+    ck_assert_msg(tf_mesh_file_read(&mesh, "frame", NULL, &fault), "%s",
+                  fault.text);
     ck_assert_int_eq(tf_mesh_file_vertices(&mesh), now.mesh.vertices);
     ck_assert_int_eq(tf_mesh_file_triangles(&mesh), now.mesh.triangles);
     ck_assert_int_eq(tf_mesh_file_edges(&mesh), now.mesh.edges);

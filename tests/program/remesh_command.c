@@ -6,6 +6,8 @@
 #include "support/program.h"
 #include "support/support.h"
 
+#include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #define SQUARE "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n"
@@ -48,6 +50,59 @@ START_TEST(the_ending_chooses_the_format)
     outcome found = run("$tf remesh square.obj -o out.ply -e 9");
     ck_assert_int_eq(found.status, 0);
     expect_words(file_text("out.ply"), "ply\n");
+}
+END_TEST
+
+/// A square with colors, a label and a linear function of x and y.
+#define PROPERTIES                                                             \
+    "property uchar red\nproperty double x\nproperty double y\n"               \
+    "property double z\nproperty short label\nproperty double f\n"
+#define COLORED                                                                \
+    "ply\nformat ascii 1.0\nelement vertex 4\n" PROPERTIES                     \
+    "element face 2\nproperty list uchar int vertex_indices\n"                 \
+    "property uchar flags\nend_header\n255 0 0 0 -5 1\n0 1 0 0 -5 3\n"         \
+    "0 1 1 0 -5 -4\n255 0 1 0 -5 -6\n3 0 1 2 9\n3 0 2 3 9\n"
+
+START_TEST(what_vertices_have_is_carried_over)
+{
+    make_file("colored.ply", COLORED);
+    ck_assert_int_eq(run("$tf remesh colored.ply -o out.ply -e 0.3").status, 0);
+    const char *text = file_text("out.ply");
+    expect_words(text, PROPERTIES "element face");
+    const char *row = strstr(text, "end_header\n") + 11;
+    int vertices = 0, label, read;
+    double red, x, y, z, f;
+    sscanf(strstr(text, "element vertex"), "element vertex %d", &vertices);
+    ck_assert_int_gt(vertices, 15);
+    for (int v = 0; v < vertices; v++, row += read) {
+        ck_assert_int_eq(sscanf(row, "%lf %lf %lf %lf %d %lf\n%n", &red, &x, &y,
+                                &z, &label, &f, &read),
+                         6);
+        ck_assert_double_eq_tol(red, 255 * (1 - x), 0.5 + 1e-12);
+        ck_assert_double_eq(red, floor(red));
+        ck_assert_int_eq(label, -5);
+        ck_assert_double_eq_tol(f, 1 + 2 * x - 7 * y, 1e-14);
+    }
+}
+END_TEST
+
+START_TEST(colors_of_obj_are_carried_over)
+{
+    make_file("colored.obj", "v 0 0 0 1 0 0\nv 1 0 0 0 0 1\nv 1 1 0 0 0 1\n"
+                             "v 0 1 0 1 0 0\nf 1 2 3\nf 1 3 4\n");
+    ck_assert_int_eq(run("$tf remesh colored.obj -o out.obj -e 0.3").status, 0);
+    const char *row = file_text("out.obj");
+    int vertices = 0, read;
+    double x[6];
+    for (; *row == 'v'; row += read, vertices++) {
+        ck_assert_int_eq(sscanf(row, "v %lf %lf %lf %lf %lf %lf\n%n", &x[0],
+                                &x[1], &x[2], &x[3], &x[4], &x[5], &read),
+                         6);
+        ck_assert_double_eq_tol(x[3], 1 - x[0], 1e-14);
+        ck_assert_double_eq(x[4], 0);
+        ck_assert_double_eq_tol(x[5], x[0], 1e-14);
+    }
+    ck_assert_int_gt(vertices, 15);
 }
 END_TEST
 
@@ -136,6 +191,8 @@ Suite *suite(void)
     tcase_add_test(tcase, a_mesh_is_remeshed);
     tcase_add_test(tcase, a_mesh_goes_from_and_to_a_pipe);
     tcase_add_test(tcase, the_ending_chooses_the_format);
+    tcase_add_test(tcase, what_vertices_have_is_carried_over);
+    tcase_add_test(tcase, colors_of_obj_are_carried_over);
     tcase_add_test(tcase, a_mesh_that_intersects_is_refused);
     tcase_add_test(tcase, what_cannot_be_written_is_named);
     tcase_add_test(tcase, edges_of_the_wrong_scale_are_refused);

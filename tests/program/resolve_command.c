@@ -107,7 +107,8 @@ static tf_mesh_file read_mesh(const char *path)
 {
     static tf_fault fault;
     tf_mesh_file mesh;
-    ck_assert_msg(tf_mesh_file_read(&mesh, path, &fault), "%s", fault.text);
+    ck_assert_msg(tf_mesh_file_read(&mesh, path, NULL, &fault), "%s",
+                  fault.text);
     return mesh;
 }
 

@@ -116,20 +116,19 @@ static tf_flow_simulation *flow(void)
 }
 
 /// Numbers that are different for each outcome of each operation.
-static tf_flow_report some_report(void)
+static void set_report(tf_flow_simulation *f)
 {
-    tf_flow_report report = {
-        .reconnected.gained = {0.5, -0.25, 1e-9},
-        .response = {.contacts = 91, .rounds = {0, 92, 0, 93}, .moved = 94},
-        .seconds = {1, 2, 3}};
+    f->reconnected = (tf_reconnect_report){.gained = {0.5, -0.25, 1e-9}};
+    f->response = (tf_response_report){
+        .contacts = 91, .rounds = {0, 92, 0, 93}, .moved = 94};
+    f->report = (tf_flow_report){.seconds = {1, 2, 3}};
     for (size_t o = TF_COMMITTED; o < TF_OUTCOMES; o++) {
         for (size_t i = 0; i < TF_OPERATIONS; i++)
-            report.tried[i][o] = 100 + 10 * i + o;
-        report.shifted[o] = 200 + o;
+            f->report.tried[i][o] = 100 + 10 * i + o;
+        f->report.shifted[o] = 200 + o;
         for (size_t i = 0; i < TF_RECONNECTIONS; i++)
-            report.reconnected.tried[i][o] = 300 + 10 * i + o;
+            f->reconnected.tried[i][o] = 300 + 10 * i + o;
     }
-    return report;
 }
 
 START_TEST(a_line_of_a_flow_has_its_measures_and_its_report)
@@ -137,7 +136,7 @@ START_TEST(a_line_of_a_flow_has_its_measures_and_its_report)
     tf_flow_simulation *f = flow();
     tf_simulation_go_to(&f->base, 4);
     f->measures = (tf_flow_measures){42, 80, 1, 2, 3, 0.25, 0.125};
-    f->report = some_report();
+    set_report(f);
     ck_assert_str_eq(
         line_of(&f->base),
         "4,0.04,42,80,1,2,3,0.25,0.125,"
@@ -165,7 +164,7 @@ START_TEST(totals_of_a_flow_are_sums_and_last_measures)
     tf_flow_simulation *f = flow();
     char words[TF_STEP_WORDS];
     tf_step_totals totals = {0};
-    f->report = some_report();
+    set_report(f);
     tf_step_totals_add(&totals, &f->base);
     f->measures.area = 0.5;
     f->measures.volume = 0.25;

@@ -35,7 +35,7 @@ static double height_of_split(int a, int b)
 START_TEST(edges_are_split_on_the_original_if_it_is_near)
 {
     ck_assert_double_eq(height_of_split(0, 4), 0);
-    made->options.edge = 0.3;
+    made->edge = 0.3;
     ck_assert_double_eq(height_of_split(0, 4), 0.375);
 }
 END_TEST
@@ -44,7 +44,7 @@ START_TEST(sharp_edges_are_split_in_the_middle)
 {
     static const double low[] = {0, 0, -1};
     tf_vertex_put(made->surface, 0, low);
-    made->options.edge = 2;
+    made->edge = 2;
     ck_assert_double_eq(height_of_split(0, 1), -0.5);
 }
 END_TEST

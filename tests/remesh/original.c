@@ -6,12 +6,12 @@
 #include "support/adaptive_surfaces.h"
 #include "support/support.h"
 #include "support/surgery_runs.h"
+#include "surgery/collapse.h"
 
-static double least_distance(const tf_adaptive_surface *surface,
-                             const double x[3])
+static double least_distance(const tf_adaptive_surface *surface, tf_vector x)
 {
     double least = INFINITY;
-    tf_vector corner[4] = {{{x[0], x[1], x[2]}}};
+    tf_vector corner[4] = {x};
     for (int t = 0; t < surface->triangles; t++) {
         tf_shape shape = tf_shape_of(surface, t);
         for (int i = 0; i < 3; i++)
@@ -21,6 +21,19 @@ static double least_distance(const tf_adaptive_surface *surface,
     return least;
 }
 
+/// Expects that the point is where its weights say.
+static void expect_point(const tf_adaptive_surface *surface,
+                         const tf_projection *found)
+{
+    tf_shape shape = tf_shape_of(surface, found->origin.triangle);
+    for (int k = 0; k < 3; k++) {
+        double sum = 0;
+        for (int i = 0; i < 3; i++)
+            sum += found->origin.barycentric[i] * shape.corner[i].x[k];
+        ck_assert_double_eq(sum, found->point.x[k]);
+    }
+}
+
 START_TEST(the_nearest_point_is_found)
 {
     static surgery_run run;
@@ -28,16 +41,17 @@ START_TEST(the_nearest_point_is_found)
     tf_original original = {0};
     surgery_run_begin(&run, generator_new((uint64_t)_i),
                       (adaptive_scene_kind)_i, &counts);
-    ck_assert(tf_original_copy(&original, run.surface));
+    ck_assert_int_eq(tf_original_begin(&original, run.surface, NULL), TF_OK);
     for (long i = 0; i < cases(300); i++) {
-        double x[3], point[3];
+        tf_vector x;
         for (int k = 0; k < 3; k++)
-            x[k] = uniform(&run.random, -3, 3);
-        double distance = tf_original_nearest(&original, x, point);
-        ck_assert_double_eq_tol(distance, least_distance(run.surface, x),
+            x.x[k] = uniform(&run.random, -3, 3);
+        tf_projection found = tf_original_project(&original, x);
+        ck_assert_double_eq_tol(found.distance, least_distance(run.surface, x),
                                 1e-12);
-        tf_vector way = {{point[0] - x[0], point[1] - x[1], point[2] - x[2]}};
-        ck_assert_double_eq_tol(tf_vector_length(way), distance, 1e-12);
+        tf_vector way = tf_vector_difference(found.point, x);
+        ck_assert_double_eq_tol(tf_vector_length(way), found.distance, 1e-12);
+        expect_point(run.surface, &found);
     }
     tf_original_free(&original);
     surgery_run_end(&run);
@@ -51,14 +65,60 @@ START_TEST(the_distance_is_that_of_the_farthest)
     tf_adaptive_surface *sheet = adaptive_sheet(3, 3);
     tf_adaptive_surface *other = adaptive_of(3, position, 1, triangle);
     tf_original a = {0}, b = {0};
-    ck_assert(tf_original_copy(&a, sheet) && tf_original_copy(&b, other));
-    ck_assert_double_eq(tf_original_farthest(&a, &b), 0.5);
-    ck_assert_double_eq_tol(tf_original_farthest(&b, &a), sqrt(4.5), 1e-12);
-    ck_assert_double_eq_tol(tf_original_farthest(&a, &a), 0, 1e-15);
+    ck_assert_int_eq(tf_original_begin(&a, sheet, NULL), TF_OK);
+    ck_assert_int_eq(tf_original_begin(&b, other, NULL), TF_OK);
+    ck_assert_double_eq(tf_original_farthest(&a, other, NULL), 0.5);
+    ck_assert_double_eq_tol(tf_original_farthest(&b, sheet, NULL), sqrt(4.5),
+                            1e-12);
+    ck_assert_double_eq_tol(tf_original_farthest(&a, sheet, NULL), 0, 1e-15);
     tf_original_free(&a);
     tf_original_free(&b);
     tf_adaptive_free(sheet);
     tf_adaptive_free(other);
+}
+END_TEST
+
+// Collapsed triangles are gaps, and vertices without triangles anywhere else.
+START_TEST(gaps_do_not_count)
+{
+    static double position[][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {9, 9, 9}};
+    static const int triangle[] = {0, 1, 2};
+    tf_adaptive_surface *sheet = adaptive_sheet(3, 3);
+    tf_adaptive_surface *other = adaptive_of(4, position, 1, triangle);
+    tf_outcome outcome;
+    tf_original a = {0};
+    ck_assert_int_eq(tf_adaptive_collapse(sheet, 5, 6, &outcome), TF_OK);
+    ck_assert_int_eq(outcome, TF_COMMITTED);
+    ck_assert_int_eq(tf_original_begin(&a, sheet, NULL), TF_OK);
+    ck_assert_double_lt(tf_original_farthest(&a, sheet, NULL), 1e-15);
+    ck_assert_double_lt(tf_original_farthest(&a, other, NULL), 1e-15);
+    tf_projection found =
+        tf_original_project(&a, (tf_vector){{1.25, 1.25, 0.5}});
+    ck_assert(tf_is_triangle(sheet, found.origin.triangle));
+    ck_assert_double_eq(found.distance, 0.5);
+    tf_original_free(&a);
+    tf_adaptive_free(other);
+    tf_adaptive_free(sheet);
+}
+END_TEST
+
+static bool never(void *context, const tf_stage *stage)
+{
+    (void)context, (void)stage;
+    return false;
+}
+
+START_TEST(searches_can_be_cancelled)
+{
+    tf_adaptive_surface *sheet = adaptive_sheet(9, 9);
+    tf_original a = {0};
+    tf_watch own, *watch = tf_watch_begin(&own, never, NULL);
+    ck_assert_int_eq(tf_original_begin(&a, sheet, watch), TF_CANCELLED);
+    ck_assert_int_eq(tf_original_begin(&a, sheet, NULL), TF_OK);
+    tf_original_farthest(&a, sheet, tf_watch_begin(&own, never, NULL));
+    ck_assert(tf_watch_cancelled(&own));
+    tf_original_free(&a);
+    tf_adaptive_free(sheet);
 }
 END_TEST
 
@@ -68,6 +128,8 @@ Suite *suite(void)
     TCase *tcase = tcase_create("distances");
     tcase_add_loop_test(tcase, the_nearest_point_is_found, 0, ADAPTIVE_SCENES);
     tcase_add_test(tcase, the_distance_is_that_of_the_farthest);
+    tcase_add_test(tcase, gaps_do_not_count);
+    tcase_add_test(tcase, searches_can_be_cancelled);
     suite_add_tcase(suite, tcase);
     return suite;
 }

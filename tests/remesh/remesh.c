@@ -2,12 +2,18 @@
 #include "remesh/remesh.h"
 
 #include "remesh/keep_shape.h"
+#include "remesh/origins.h"
 #include "remesh/passes.h"
 #include "support/adaptive_surfaces.h"
+#include "support/cancelling.h"
+#include "support/flows.h"
 #include "support/remeshers.h"
 #include "support/support.h"
 #include "support/surgery_runs.h"
+#include "surgery/adaptive_surface.h"
+#include "surgery/collapse.h"
 
+#include <math.h>
 #include <signal.h>
 #include <string.h>
 
@@ -17,7 +23,7 @@ static surgery_counts counts;
 /// Gives new vertices the part of a neighbor that has one.
 static void label_parts(int before)
 {
-    tf_mesh mesh = tf_adaptive_mesh(run.surface);
+    tf_mesh mesh = *tf_adaptive_mesh(run.surface);
     for (int v = before; v < mesh.vertices; v++)
         run.part[v] = -1;
     for (int changes = 1; changes > 0;) {
@@ -77,9 +83,10 @@ START_TEST(no_scene_is_tangled_by_remeshing)
         surgery_run_begin(&run, generator_new((uint64_t)_i),
                           (adaptive_scene_kind)_i, &counts);
         tf_remesh_options how = {.edge = run.scene.unit * fractions[i]};
-        tf_remesh_report report;
-        ck_assert_int_eq(tf_adaptive_remesh(run.surface, &how, &report), TF_OK);
-        ck_assert_int_eq(report.rounds, 5);
+        const tf_remesh_report *report;
+        ck_assert_int_eq(tf_adaptive_remesh(run.surface, &how, &report, NULL),
+                         TF_OK);
+        ck_assert_int_eq(report->rounds, 5);
         begin_unlabelled();
         const char *fault = surgery_run_fault(&run);
         ck_assert_msg(!fault, "%s", fault);
@@ -98,12 +105,12 @@ START_TEST(a_sphere_gets_good_triangles)
     ck_assert_int_eq(tf_adaptive_create(&mesh, scene.position, &surface, NULL),
                      TF_OK);
     tf_remesh_options how = {.edge = 0.2};
-    tf_remesh_report report;
-    ck_assert_int_eq(tf_adaptive_remesh(surface, &how, &report), TF_OK);
-    ck_assert_double_gt(report.mean_before, 0.9);
-    ck_assert_double_gt(report.least_after, 0.5);
-    ck_assert_double_gt(report.mean_after, 0.9);
-    ck_assert_double_lt(report.distance, 0.1);
+    const tf_remesh_report *report;
+    ck_assert_int_eq(tf_adaptive_remesh(surface, &how, &report, NULL), TF_OK);
+    ck_assert_double_gt(report->mean_before, 0.9);
+    ck_assert_double_gt(report->least_after, 0.5);
+    ck_assert_double_gt(report->mean_after, 0.9);
+    ck_assert_double_lt(report->distance, 0.1);
     ck_assert_double_lt(longest_edge(surface), 0.3);
     ck_assert_int_gt(triangles_of(surface), 400);
     tf_adaptive_free(surface);
@@ -122,35 +129,158 @@ START_TEST(a_box_stays_a_box)
                      TF_OK);
     for (int i = 1; i < 4; i++) {
         tf_remesh_options how = {.edge = 0.3 * i, .rounds = 3};
-        tf_remesh_report report;
-        ck_assert_int_eq(tf_adaptive_remesh(surface, &how, &report), TF_OK);
-        ck_assert_double_lt(report.distance, 1e-12);
-        ck_assert_int_eq(report.rounds, 3);
+        const tf_remesh_report *report;
+        ck_assert_int_eq(tf_adaptive_remesh(surface, &how, &report, NULL),
+                         TF_OK);
+        ck_assert_double_lt(report->distance, 1e-12);
+        ck_assert_int_eq(report->rounds, 3);
     }
     tf_adaptive_free(surface);
 }
 END_TEST
 
+// All or nothing --------------------------------------------------------------
+
+/// A bumpy sphere with gaps among its numbers.
+static tf_adaptive_surface *sphere_with_gaps(void)
+{
+    tf_adaptive_surface *surface = adaptive_bumpy_sphere(6, 0.02, 3);
+    for (int v = 10; v < 100; v += 30) {
+        int to =
+            tf_vertex_at(surface, tf_corner_after(tf_first_corner(surface, v)));
+        tf_outcome outcome;
+        ck_assert_int_eq(tf_adaptive_collapse(surface, v, to, &outcome), TF_OK);
+        ck_assert_int_eq(outcome, TF_COMMITTED);
+    }
+    ck_assert_int_gt(surface->free_triangle, 0);
+    return surface;
+}
+
+static tf_status remesh_finely(tf_adaptive_surface *surface,
+                               cancellation *cancelling, tf_error *error)
+{
+    const tf_remesh_options how = {.edge = 0.15,
+                                   .rounds = 2,
+                                   .progress = tell_cancellation,
+                                   .context = cancelling};
+    return tf_adaptive_remesh(surface, &how, NULL, error);
+}
+
+static tf_status remesh_coarsely(tf_adaptive_surface *surface,
+                                 cancellation *cancelling, tf_error *error)
+{
+    const tf_remesh_options how = {
+        .edge = 0.5, .progress = tell_cancellation, .context = cancelling};
+    return tf_adaptive_remesh(surface, &how, NULL, error);
+}
+
+START_TEST(a_cancelled_remeshing_changes_nothing)
+{
+    expect_cancelling(sphere_with_gaps, remesh_finely, cases(60));
+    expect_cancelling(sphere_with_gaps, remesh_coarsely, cases(60));
+}
+END_TEST
+
+/// The stages that a remeshing goes through.
+typedef struct stages {
+    char names[2000];
+    const char *last;
+} stages;
+
+static bool note_stage(void *context, const tf_stage *stage)
+{
+    stages *all = context;
+    if (stage->total > 0)
+        ck_assert_uint_le(stage->done, stage->total + 16);
+    if (stage->name == all->last)
+        return true;
+    all->last = stage->name;
+    strcat(strcat(all->names, stage->name), " ");
+    return true;
+}
+
+START_TEST(progress_goes_through_the_stages)
+{
+    stages all = {.names = ""};
+    tf_remesh_options how = {
+        .edge = 0.15, .rounds = 1, .progress = note_stage, .context = &all};
+    tf_adaptive_surface *surface = sphere_with_gaps();
+    ck_assert_int_eq(tf_adaptive_remesh(surface, &how, NULL, NULL), TF_OK);
+    ck_assert_str_eq(
+        all.names,
+        "copying splitting collapsing flipping smoothing measuring ");
+    tf_adaptive_free(surface);
+}
+END_TEST
+
+// The report ------------------------------------------------------------------
+
+START_TEST(the_report_is_lent_until_the_next_call)
+{
+    tf_adaptive_surface *surface = adaptive_bumpy_sphere(6, 0.02, 3);
+    const tf_remesh_options how = {.edge = 0.3, .rounds = 2}, bad = {.edge = 0};
+    const tf_remesh_report *report = NULL, *other = NULL;
+    ck_assert_int_eq(tf_adaptive_remesh(surface, &how, &report, NULL), TF_OK);
+    tf_remesh_report copy = *report;
+    size_t memory = tf_adaptive_memory(surface);
+    ck_assert_int_eq(tf_adaptive_remesh(surface, &bad, &other, NULL),
+                     TF_BAD_OPTION);
+    ck_assert_ptr_null(other);
+    ck_assert_mem_eq(report, &copy, sizeof copy);
+    ck_assert_uint_eq(tf_adaptive_memory(surface), memory);
+    ck_assert_int_eq(tf_adaptive_remesh(surface, &how, &report, NULL), TF_OK);
+    ck_assert_double_eq(report->least_before, copy.least_after);
+    tf_adaptive_free(surface);
+}
+END_TEST
+
+// Options ---------------------------------------------------------------------
+
+START_TEST(negative_rounds_are_none)
+{
+    tf_adaptive_surface *surface = sphere_with_gaps();
+    const tf_remesh_options none = {.edge = 0.1, .rounds = -1};
+    const tf_remesh_report *report;
+    int triangles = triangles_of(surface);
+    ck_assert_int_eq(tf_adaptive_remesh(surface, &none, &report, NULL), TF_OK);
+    ck_assert_int_eq(report->rounds, 0);
+    ck_assert_double_eq(report->least_before, report->least_after);
+    ck_assert_double_lt(report->distance, 1e-15);
+    ck_assert_int_eq(surface->triangles, triangles); // the gaps are closed
+    ck_assert_ptr_nonnull(tf_adaptive_origins(surface));
+    tf_adaptive_free(surface);
+}
+END_TEST
+
+static void expect_bad(tf_adaptive_surface *surface,
+                       const tf_remesh_options *how, const char *option)
+{
+    tf_error error;
+    ck_assert_int_eq(tf_adaptive_remesh(surface, how, NULL, &error),
+                     TF_BAD_OPTION);
+    ck_assert_int_eq(error.status, TF_BAD_OPTION);
+    ck_assert_str_eq(error.option, option);
+    ck_assert_ptr_nonnull(error.range);
+    if (strcmp(option, "edge") == 0 && !isnan(how->edge))
+        ck_assert_double_eq(error.value, how->edge);
+}
+
 START_TEST(bad_options_are_refused)
 {
     static const double edges[] = {0, -1, NAN, INFINITY, 1e-9, 5e-324};
     tf_adaptive_surface *surface = adaptive_tetrahedron();
-    for (int i = 0; i < 6; i++) {
-        tf_remesh_options how = {.edge = edges[i]};
-        ck_assert_int_eq(tf_adaptive_remesh(surface, &how, NULL),
-                         TF_BAD_OPTION);
-    }
-    tf_remesh_options how = {.edge = 1, .rounds = -1};
-    ck_assert_int_eq(tf_adaptive_remesh(surface, &how, NULL), TF_BAD_OPTION);
-    how.rounds = 0;
-    ck_assert_int_eq(tf_adaptive_remesh(surface, &how, NULL), TF_OK);
+    for (int i = 0; i < 6; i++)
+        expect_bad(surface, &(tf_remesh_options){.edge = edges[i]}, "edge");
+    expect_bad(surface, &(tf_remesh_options){.size = 8, .edge = 1}, "size");
+    tf_remesh_options how = {.size = sizeof how, .edge = 1};
+    ck_assert_int_eq(tf_adaptive_remesh(surface, &how, NULL, NULL), TF_OK);
     tf_adaptive_free(surface);
 }
 END_TEST
 
 START_TEST(remeshing_needs_options)
 {
-    tf_adaptive_remesh(adaptive_tetrahedron(), NULL, NULL);
+    tf_adaptive_remesh(adaptive_tetrahedron(), NULL, NULL, NULL);
 }
 END_TEST
 
@@ -164,6 +294,10 @@ Suite *suite(void)
                         ADAPTIVE_SCENES);
     tcase_add_test(tcase, a_sphere_gets_good_triangles);
     tcase_add_test(tcase, a_box_stays_a_box);
+    tcase_add_test(tcase, a_cancelled_remeshing_changes_nothing);
+    tcase_add_test(tcase, progress_goes_through_the_stages);
+    tcase_add_test(tcase, the_report_is_lent_until_the_next_call);
+    tcase_add_test(tcase, negative_rounds_are_none);
     tcase_add_test(tcase, bad_options_are_refused);
     tcase_add_test_raise_signal(tcase, remeshing_needs_options, SIGABRT);
     suite_add_tcase(suite, tcase);

@@ -32,9 +32,9 @@ static tf_status note_edge(tf_remesher *remesher, const tf_edge_row *edge)
 
 static int visit(double low, double high, tf_edge_order order)
 {
+    const tf_edge_pass pass = {"noting", order, note_edge};
     count = 0;
-    ck_assert_int_eq(tf_remesher_visit(made, low, high, order, note_edge),
-                     TF_OK);
+    ck_assert_int_eq(tf_remesher_visit(made, &pass, low, high), TF_OK);
     return count;
 }
 
@@ -67,35 +67,48 @@ static tf_status fail_at_the_third(tf_remesher *remesher,
 
 START_TEST(a_visit_that_fails_is_the_last)
 {
+    const tf_edge_pass pass = {"failing", TF_SHORTEST_FIRST, fail_at_the_third};
     count = 0;
-    ck_assert_int_eq(tf_remesher_visit(made, 0, INFINITY, TF_SHORTEST_FIRST,
-                                       fail_at_the_third),
-                     TF_BAD_INDEX);
+    ck_assert_int_eq(tf_remesher_visit(made, &pass, 0, INFINITY), TF_BAD_INDEX);
     ck_assert_int_eq(count, 3);
 }
 END_TEST
 
 // Counts ----------------------------------------------------------------------
 
-static int progress;
-
-static void note_progress(void *context, const tf_remesh_report *so_far)
-{
-    ck_assert_ptr_eq(context, &progress);
-    ck_assert_ptr_eq(so_far, &made->report);
-    progress++;
-}
-
-START_TEST(operations_are_counted_and_shown)
+START_TEST(operations_are_counted)
 {
     tf_remesher_count(made, TF_FLIP, TF_OVERLAPPED);
-    made->options.progress = note_progress;
-    made->options.context = &progress;
     tf_remesher_count(made, TF_FLIP, TF_OVERLAPPED);
     tf_remesher_count(made, TF_SMOOTH, TF_COMMITTED);
     ck_assert_uint_eq(made->report.tried[TF_FLIP][TF_OVERLAPPED], 2);
     ck_assert_uint_eq(made->report.tried[TF_SMOOTH][TF_COMMITTED], 1);
-    ck_assert_int_eq(progress, 2);
+}
+END_TEST
+
+// Cancelling ------------------------------------------------------------------
+
+static tf_stage told;
+
+/// Goes on until the stage has got that far.
+static bool go_on_until(void *context, const tf_stage *stage)
+{
+    const size_t *until = context;
+    told = *stage;
+    return stage->total == 0 || stage->done < *until;
+}
+
+START_TEST(a_visit_that_is_cancelled_ends_soon)
+{
+    static const tf_edge_pass pass = {"noting", TF_SHORTEST_FIRST, note_edge};
+    size_t until = _i ? 16 : 1;
+    tf_watch watch;
+    made->surface->watch = tf_watch_begin(&watch, go_on_until, &until);
+    count = 0;
+    ck_assert_int_eq(tf_remesher_visit(made, &pass, 0, INFINITY), TF_CANCELLED);
+    ck_assert_int_eq(count, _i ? 8 : 0);
+    ck_assert_str_eq(told.name, "noting");
+    ck_assert_uint_eq(told.total, 16);
 }
 END_TEST
 
@@ -106,7 +119,8 @@ Suite *suite(void)
     tcase_add_checked_fixture(tcase, begin, end);
     tcase_add_test(tcase, each_edge_is_visited_once_in_order);
     tcase_add_test(tcase, a_visit_that_fails_is_the_last);
-    tcase_add_test(tcase, operations_are_counted_and_shown);
+    tcase_add_test(tcase, operations_are_counted);
+    tcase_add_loop_test(tcase, a_visit_that_is_cancelled_ends_soon, 0, 2);
     suite_add_tcase(suite, tcase);
     return suite;
 }

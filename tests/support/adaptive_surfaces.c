@@ -1,5 +1,8 @@
 #include "support/adaptive_surfaces.h"
 
+#include "support/hash.h"
+#include "surgery/adaptive_surface.h"
+
 #include <stdlib.h>
 
 enum {
@@ -57,16 +60,28 @@ const double *coordinates_of(const tf_adaptive_surface *surface, int vertex)
 
 int triangles_of(const tf_adaptive_surface *surface)
 {
-    tf_mesh mesh = tf_adaptive_mesh(surface);
+    tf_mesh mesh = *tf_adaptive_mesh(surface);
     int count = 0;
     for (int t = 0; t < mesh.triangles; t++)
         count += mesh.triangle[3 * t] >= 0;
     return count;
 }
 
+uint64_t adaptive_hash(const tf_adaptive_surface *s)
+{
+    size_t vertices = (size_t)s->vertices, triangles = (size_t)s->triangles;
+    const int counts[] = {s->vertices, s->triangles, s->free_triangle,
+                          s->tree.branches, s->tree.free_branch};
+    uint64_t hash = hash_bytes(HASH_OF_NOTHING, counts, sizeof counts);
+    hash = hash_bytes(hash, s->position.data, 24 * vertices);
+    hash = hash_bytes(hash, s->vertex.data, 12 * triangles);
+    hash = hash_bytes(hash, s->first.data, 4 * vertices);
+    return hash_bytes(hash, s->next.data, 12 * triangles);
+}
+
 int has_triangle(const tf_adaptive_surface *surface, int a, int b, int c)
 {
-    tf_mesh mesh = tf_adaptive_mesh(surface);
+    tf_mesh mesh = *tf_adaptive_mesh(surface);
     for (int i = 0; i < 3 * mesh.triangles; i++) {
         const int *t = mesh.triangle + i / 3 * 3;
         if (t[i % 3] == a && t[(i + 1) % 3] == b && t[(i + 2) % 3] == c)

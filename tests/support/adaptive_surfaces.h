@@ -4,6 +4,8 @@
 
 #include "surgery/adaptive.h"
 
+#include <stdint.h>
+
 /// The surface of good triangles.
 tf_adaptive_surface *adaptive_of(int vertices, double position[][3],
                                  int triangles, const int triangle[]);
@@ -21,6 +23,9 @@ const double *coordinates_of(const tf_adaptive_surface *surface, int vertex);
 
 /// How many triangles there are, without gaps.
 int triangles_of(const tf_adaptive_surface *surface);
+
+/// A number that depends on all that a surface is, its numbers and gaps included.
+uint64_t adaptive_hash(const tf_adaptive_surface *surface);
 
 /// Whether there is a triangle with these vertices, in this orientation.
 int has_triangle(const tf_adaptive_surface *surface, int a, int b, int c);

@@ -1,11 +1,13 @@
 #include "support/arbitrary_mesh.h"
 
 #include "files/mesh_reader.h"
+#include "files/mesh_writer.h"
 #include "surface/check.h"
 #include "surface/detect.h"
 
 #include <limits.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -120,6 +122,25 @@ static void try_surface(const tf_mesh_file *file)
     tf_surface_free(surface);
 }
 
+/// A row for each vertex, if there are columns, which are written as they are
+/// read.
+static void check_columns(const tf_mesh_file *file)
+{
+    const tf_columns *columns = file->columns;
+    require(columns->count == 0 ||
+            columns->rows == (size_t)tf_mesh_file_vertices(file));
+    if (!is_small(file))
+        return;
+    FILE *nowhere = fopen("/dev/null", "w");
+    require(nowhere != NULL);
+    tf_mesh_content content = {.mesh = tf_mesh_file_elements(file, 3),
+                               .position = file->position.item,
+                               .columns = columns->count > 0 ? columns : NULL};
+    for (int format = TF_OBJ; format <= TF_PLY_BIG_ENDIAN; format++)
+        tf_mesh_write(nowhere, &content, (tf_mesh_format)format);
+    fclose(nowhere);
+}
+
 void try_arbitrary_mesh(const void *bytes, size_t size)
 {
     char *text = malloc(size + 1);
@@ -128,13 +149,16 @@ void try_arbitrary_mesh(const void *bytes, size_t size)
     text[size] = '\0';
     tf_mesh_file file;
     tf_fault fault = {0};
-    if (!tf_mesh_file_parse(&file, "fuzz", text, size, &fault)) {
+    tf_columns columns = {0};
+    if (!tf_mesh_file_parse(&file, "fuzz", text, size, &columns, &fault)) {
         check_fault(&file, text, size);
     } else {
         check_file(&file);
+        check_columns(&file);
         if (is_small(&file))
             try_surface(&file);
     }
     free(text);
+    tf_columns_free(&columns);
     tf_mesh_file_free(&file);
 }

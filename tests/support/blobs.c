@@ -152,7 +152,7 @@ int parts_of(const tf_adaptive_surface *surface)
 int euler_of(const tf_adaptive_surface *surface)
 {
     static int part[LABELLED];
-    tf_mesh mesh = tf_adaptive_mesh(surface);
+    tf_mesh mesh = *tf_adaptive_mesh(surface);
     int vertices = 0, triangles = triangles_of(surface);
     label_parts(surface, part);
     for (int v = 0; v < mesh.vertices; v++)
@@ -162,7 +162,7 @@ int euler_of(const tf_adaptive_surface *surface)
 
 double volume_of(const tf_adaptive_surface *surface)
 {
-    tf_mesh mesh = tf_adaptive_mesh(surface);
+    tf_mesh mesh = *tf_adaptive_mesh(surface);
     double sum = 0;
     for (int t = 0; t < mesh.triangles; t++) {
         const int *v = mesh.triangle + 3 * t;
@@ -181,7 +181,7 @@ double volume_of(const tf_adaptive_surface *surface)
 int is_sound(const tf_adaptive_surface *surface)
 {
     static int kept[3 * LABELLED];
-    tf_mesh mesh = tf_adaptive_mesh(surface);
+    tf_mesh mesh = *tf_adaptive_mesh(surface);
     int count = 0;
     for (int t = 0; t < mesh.triangles; t++)
         if (mesh.triangle[3 * t] >= 0)

@@ -4,8 +4,9 @@
 #include "flow/flow_state.h"
 #include "flow/keep_volume.h"
 #include "remesh/passes.h"
+#include "surgery/draft.h"
 #include "surgery/star.h"
-#include "topology/reconnect.h"
+#include "topology/passes.h"
 
 // The policy ------------------------------------------------------------------
 
@@ -66,40 +67,60 @@ tf_remesh_policy careless_policy(unsigned operations)
 static tf_status improve(tf_flow *flow, unsigned operations, double edge)
 {
     tf_remesh_policy policy = careless_policy(operations);
+    tf_status status = tf_draft_begin(&flow->draft, flow->surface, NULL);
+    if (status != TF_OK)
+        return status;
     flow->remesher.policy = &policy;
-    flow->remesher.options = (tf_remesh_options){.edge = edge};
-    tf_status status = tf_remesh_round(&flow->remesher);
+    flow->remesher.edge = edge;
+    flow->remesher.report = (tf_remesh_report){0};
+    status = tf_remesh_round(&flow->remesher);
     flow->remesher.policy = &tf_keep_volume;
     return status;
 }
 
-static tf_status move(tf_flow_advance *advance, bool careless,
-                      const tf_flow_options *options, double time, double step,
-                      tf_flow_report *report)
+static tf_status reconnect(tf_flow *flow, const tf_flow_options *options)
 {
-    tf_status status = tf_advance_begin(advance, options, time, step);
-    if (status != TF_OK)
-        return status;
-    tf_advance_propose(advance);
-    if (!careless)
-        tf_advance_restore_volume(advance);
-    return tf_advance_resolve(advance, &report->response);
+    tf_reconnector *reconnector = &flow->reconnector;
+    tf_reconnect_options own, lengths = {.edge = options->edge};
+    reconnector->report = (tf_reconnect_report){0};
+    if (options->keep_topology)
+        return TF_OK;
+    tf_status status =
+        tf_reconnect_options_read(&own, &lengths, &reconnector->lengths, NULL);
+    return status == TF_OK ? tf_reconnect_passes(reconnector) : status;
 }
 
-tf_status careless_step(tf_flow *flow, unsigned operations,
-                        const tf_flow_options *options, double time,
-                        double step, tf_flow_report *report)
+static tf_status move(tf_flow *flow, bool careless,
+                      const tf_flow_options *options, double time, double step)
 {
-    tf_adaptive_surface *surface = flow->remesher.surface;
-    tf_reconnect_options lengths = {.edge = options->edge};
-    *report = (tf_flow_report){0};
-    tf_status status = improve(flow, operations, options->edge);
-    if (status == TF_OK && !options->keep_topology)
-        status = tf_adaptive_reconnect(surface, &lengths, &report->reconnected);
+    tf_flow_advance *advance = &flow->advance;
+    tf_status status = tf_adaptive_compact(&flow->draft, NULL);
+    if (status != TF_OK || flow->draft.triangles == 0)
+        return status;
+    status = tf_advance_begin(advance, options, time, step);
     if (status == TF_OK)
-        status = tf_adaptive_compact(surface, NULL);
-    return status == TF_OK && surface->triangles > 0
-               ? move(&flow->advance, operations >> TF_OPERATIONS & 1, options,
-                      time, step, report)
-               : status;
+        status = tf_advance_propose(advance);
+    if (status == TF_OK && !careless)
+        status = tf_advance_restore_volume(advance);
+    return status == TF_OK ? tf_advance_resolve(advance, &flow->report.response)
+                           : status;
+}
+
+tf_status careless_step(tf_flow *flow, unsigned operations, double time,
+                        double step, const tf_flow_options *options,
+                        const tf_flow_report **report)
+{
+    flow->report = (tf_flow_report){.reconnected = &flow->reconnector.report,
+                                    .response = &flow->no_response};
+    tf_status status = improve(flow, operations, options->edge);
+    if (status == TF_OK)
+        status = reconnect(flow, options);
+    if (status == TF_OK)
+        status =
+            move(flow, operations >> CARELESS_ADVANCE & 1, options, time, step);
+    if (status == TF_OK)
+        tf_draft_accept(&flow->draft, flow->surface);
+    if (report)
+        *report = &flow->report;
+    return status;
 }

@@ -112,7 +112,7 @@ static void add_product(mpq_t volume, int sign, double a, double b, double c)
 
 void exact_volume(const tf_adaptive_surface *surface, mpq_t volume)
 {
-    tf_mesh mesh = tf_adaptive_mesh(surface);
+    tf_mesh mesh = *tf_adaptive_mesh(surface);
     const double *x = tf_adaptive_positions(surface);
     mpq_set_ui(volume, 0, 1);
     for (const int *v = mesh.triangle; v < mesh.triangle + 3 * mesh.triangles;
@@ -142,7 +142,7 @@ double volume_gained(const tf_adaptive_surface *surface, const mpq_t before)
 void expect_embedded(tf_adaptive_surface *surface)
 {
     ck_assert_int_eq(tf_adaptive_compact(surface, NULL), TF_OK);
-    tf_mesh mesh = tf_adaptive_mesh(surface);
+    tf_mesh mesh = *tf_adaptive_mesh(surface);
     tangle_judge *judge = tangle_judge_new(&mesh);
     int count = tangle_count(judge, tf_adaptive_positions(surface));
     ck_assert_msg(count == 0, "%s", tangle_text(tangles(judge)));

@@ -8,6 +8,14 @@
 #include <string.h>
 
 static tf_fault fault;
+static tf_columns *columns;
+
+void read_columns(tf_columns *into)
+{
+    columns = into;
+    if (into)
+        *into = (tf_columns){0};
+}
 
 bool parse_mesh(tf_mesh_file *file, const void *text, size_t size)
 {
@@ -16,7 +24,7 @@ bool parse_mesh(tf_mesh_file *file, const void *text, size_t size)
     memcpy(copy, text, size);
     copy[size] = '\0';
     fault = (tf_fault){0};
-    bool good = tf_mesh_file_parse(file, "mesh", copy, size, &fault);
+    bool good = tf_mesh_file_parse(file, "mesh", copy, size, columns, &fault);
     free(copy);
     return good;
 }

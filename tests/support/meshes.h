@@ -12,6 +12,9 @@ bool parse_mesh(tf_mesh_file *file, const void *text, size_t size);
 tf_mesh_file good_bytes(const void *text, size_t size);
 tf_mesh_file good_mesh(const char *text);
 
+/// Reads into empty columns, too, until this is called with NULL.
+void read_columns(tf_columns *columns);
+
 /// What is written of a file.
 tf_mesh_content content_of(const tf_mesh_file *file);
 

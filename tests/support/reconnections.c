@@ -24,7 +24,7 @@ static int root_of(int parent[], int v)
 int label_parts(const tf_adaptive_surface *surface, int part[])
 {
     static int parent[LABELLED], label[LABELLED];
-    tf_mesh mesh = tf_adaptive_mesh(surface);
+    tf_mesh mesh = *tf_adaptive_mesh(surface);
     int parts = 0;
     for (int v = 0; v < mesh.vertices; v++) {
         parent[v] = v;
@@ -66,7 +66,7 @@ static void remember(const surgery_run *run, comparison *before)
 static void relabel(surgery_run *run, comparison *before)
 {
     static int now[LABELLED];
-    int vertices = tf_adaptive_mesh(run->surface).vertices;
+    int vertices = tf_adaptive_mesh(run->surface)->vertices;
     run->scene.parts = label_parts(run->surface, now);
     if (run->scene.parts > SCENE_PARTS)
         abort();
@@ -148,7 +148,7 @@ static const char *merge_fault(const surgery_run *run, const comparison *before,
 
 static bool is_neighbor(const tf_adaptive_surface *surface, int a, int b)
 {
-    tf_mesh mesh = tf_adaptive_mesh(surface);
+    tf_mesh mesh = *tf_adaptive_mesh(surface);
     for (int c = tf_first_corner(surface, a); c >= 0;
          c = tf_next_corner(surface, c))
         for (int i = 0; i < 3; i++)
@@ -172,7 +172,7 @@ static double distance_of_edges(const surgery_run *run, const int a[2],
 
 static void edge_at(const surgery_run *run, int corner, int edge[2])
 {
-    tf_mesh mesh = tf_adaptive_mesh(run->surface);
+    tf_mesh mesh = *tf_adaptive_mesh(run->surface);
     edge[0] = mesh.triangle[corner];
     edge[1] = mesh.triangle[corner % 3 == 2 ? corner - 2 : corner + 1];
 }
@@ -268,7 +268,7 @@ static const char *pinch_fault(const surgery_run *run, const comparison *before,
 
 static bool is_face(const tf_adaptive_surface *surface, const int v[3])
 {
-    tf_mesh mesh = tf_adaptive_mesh(surface);
+    tf_mesh mesh = *tf_adaptive_mesh(surface);
     for (int c = tf_first_corner(surface, v[0]); c >= 0;
          c = tf_next_corner(surface, c)) {
         const int *t = mesh.triangle + c / 3 * 3;
@@ -330,7 +330,7 @@ static void choose_positions(surgery_run *run, const int loop[3],
         if (way == 0)
             memcpy(to,
                    x + 3 * tf_adaptive_mesh(run->surface)
-                               .triangle[surgery_run_corner(run)],
+                               ->triangle[surgery_run_corner(run)],
                    sizeof to);
         for (int k = 0; k < 3; k++) {
             double from = x[3 * loop[i] + k];
@@ -461,7 +461,7 @@ void reconnection_counts_print(const reconnection_counts *counts)
     static const char *const names[] = {"merge", "pinch", "drop"};
     printf("%-12s %8s %10s %9s %10s %9s\n", "", "done", "impossible",
            "flattened", "overlapped", "passed");
-    for (int i = 0; i < TF_RECONNECTIONS; i++) {
+    for (int i = 0; i < 3; i++) {
         const long *c = counts->count[i];
         printf("%-12s %8ld %10ld %9ld %10ld %9ld V %9ld E\n", names[i],
                c[TF_COMMITTED], c[TF_IMPOSSIBLE], c[TF_FLATTENED],

@@ -2,16 +2,20 @@
 
 #include "remesh/measure.h"
 #include "surgery/adaptive.h"
+#include "surgery/draft.h"
 
 #include <stdlib.h>
+
+static tf_adaptive_surface original;
 
 tf_remesher *remesher_begin(tf_adaptive_surface *surface,
                             const tf_remesh_policy *policy, double edge)
 {
     static tf_remesher made;
-    made = (tf_remesher){
-        .surface = surface, .policy = policy, .options = {.edge = edge}};
-    if (!tf_original_copy(&made.original, surface))
+    original = (tf_adaptive_surface){0};
+    made = (tf_remesher){.surface = surface, .policy = policy, .edge = edge};
+    if (tf_draft_begin(&original, surface, NULL) != TF_OK ||
+        tf_original_begin(&made.original, &original, NULL) != TF_OK)
         abort();
     return &made;
 }
@@ -20,6 +24,7 @@ void remesher_end(tf_remesher *remesher)
 {
     tf_adaptive_free(remesher->surface);
     tf_remesher_free(remesher);
+    tf_draft_free(&original);
 }
 
 int done(const tf_remesher *remesher, tf_operation operation)
@@ -38,7 +43,7 @@ int refused(const tf_remesher *remesher, tf_operation operation)
 static double extreme_edge(const tf_adaptive_surface *surface, double sign)
 {
     double extreme = -INFINITY;
-    tf_mesh mesh = tf_adaptive_mesh(surface);
+    tf_mesh mesh = *tf_adaptive_mesh(surface);
     for (int i = 0; i < 3 * mesh.triangles; i++) {
         const int *t = mesh.triangle + i / 3 * 3;
         if (*t >= 0)

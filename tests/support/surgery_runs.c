@@ -1,8 +1,8 @@
 #include "support/surgery_runs.h"
 
 #include "experiments/leave_out.h"
+#include "support/adaptive_surfaces.h"
 #include "support/dyadic.h"
-#include "support/hash.h"
 #include "support/tangle.h"
 #include "support/winding.h"
 #include "surgery/adaptive_surface.h"
@@ -43,7 +43,7 @@ static int number_of(snapshot *taken, const surgery_run *run, int vertex)
 
 static void take_snapshot(const surgery_run *run, snapshot *taken)
 {
-    tf_mesh mesh = tf_adaptive_mesh(run->surface);
+    tf_mesh mesh = *tf_adaptive_mesh(run->surface);
     taken->vertices = taken->triangles = 0;
     for (int v = 0; v < mesh.vertices; v++)
         taken->number[v] = -1;
@@ -249,7 +249,7 @@ void surgery_run_end(surgery_run *run)
 
 int surgery_run_corner(surgery_run *run)
 {
-    tf_mesh mesh = tf_adaptive_mesh(run->surface);
+    tf_mesh mesh = *tf_adaptive_mesh(run->surface);
     int corner = 3 * below(&run->random, mesh.triangles);
     while (mesh.triangle[corner] < 0)
         corner = 3 * below(&run->random, mesh.triangles);
@@ -266,7 +266,7 @@ static double length_between(const double a[], const double b[])
 /// nearly so.
 static void choose_special(surgery_run *run, double position[3])
 {
-    tf_mesh mesh = tf_adaptive_mesh(run->surface);
+    tf_mesh mesh = *tf_adaptive_mesh(run->surface);
     const double *x = tf_adaptive_positions(run->surface);
     int corner = surgery_run_corner(run), first = corner / 3 * 3,
         corners = 1 + below(&run->random, 3);
@@ -306,14 +306,14 @@ static operation choose_operation(surgery_run *run)
     static const operation list[] = {SPLIT_EDGE,        MOVE_VERTEX,
                                      MOVE_VERTEX,       COLLAPSE_HALF,
                                      COLLAPSE_TO_PLACE, FLIP_EDGE};
-    tf_mesh mesh = tf_adaptive_mesh(run->surface);
+    tf_mesh mesh = *tf_adaptive_mesh(run->surface);
     int many = mesh.triangles > 2 * run->scene.triangles ? 1 : 0;
     return list[many + below(&run->random, 6 - many)];
 }
 
 surgery_choice surgery_run_choose(surgery_run *run)
 {
-    tf_mesh mesh = tf_adaptive_mesh(run->surface);
+    tf_mesh mesh = *tf_adaptive_mesh(run->surface);
     surgery_choice made = {.what = choose_operation(run)};
     int corner = surgery_run_corner(run);
     made.a = mesh.triangle[corner];
@@ -371,7 +371,7 @@ tf_outcome operate(surgery_run *run, const surgery_choice *request)
 void surgery_run_compact(surgery_run *run)
 {
     static int map[LABELLED];
-    int before = tf_adaptive_mesh(run->surface).vertices;
+    int before = tf_adaptive_mesh(run->surface)->vertices;
     if (tf_adaptive_compact(run->surface, map) != TF_OK)
         abort();
     for (int v = 0; v < before; v++)
@@ -383,15 +383,7 @@ void surgery_run_compact(surgery_run *run)
 
 uint64_t surgery_run_hash(const surgery_run *run)
 {
-    const tf_adaptive_surface *s = run->surface;
-    size_t vertices = (size_t)s->vertices, triangles = (size_t)s->triangles;
-    const int counts[] = {s->vertices, s->triangles, s->free_triangle,
-                          s->tree.branches, s->tree.free_branch};
-    uint64_t hash = hash_bytes(HASH_OF_NOTHING, counts, sizeof counts);
-    hash = hash_bytes(hash, s->position.data, 24 * vertices);
-    hash = hash_bytes(hash, s->vertex.data, 12 * triangles);
-    hash = hash_bytes(hash, s->first.data, 4 * vertices);
-    return hash_bytes(hash, s->next.data, 12 * triangles);
+    return adaptive_hash(run->surface);
 }
 
 const char *run_surgery(generator random, adaptive_scene_kind kind,
@@ -426,7 +418,7 @@ void surgery_counts_print(const surgery_counts *counts)
            "S", "V", "E", "X");
     for (int i = 0; i < OPERATIONS; i++) {
         printf("%-12s", operations[i]);
-        for (int j = TF_COMMITTED; j < TF_OUTCOMES; j++)
+        for (int j = TF_COMMITTED; j <= TF_PASSED_TRIANGLE; j++)
             printf("%*ld", j == TF_IMPOSSIBLE ? 11 : 10, counts->count[i][j]);
         printf("\n");
     }

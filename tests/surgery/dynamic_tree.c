@@ -70,7 +70,7 @@ static void begin(generator *random, int built)
         is_in[i] = i < built;
         order[i] = i;
     }
-    tf_dynamic_tree_build(&tree, box, order, built);
+    ck_assert(tf_dynamic_tree_build(&tree, box, order, built, NULL));
 }
 
 START_TEST(what_overlaps_is_found)
@@ -136,6 +136,61 @@ START_TEST(branches_are_used_again)
 }
 END_TEST
 
+// A copy finds the same, in the same order, after the same changes.
+START_TEST(a_copy_behaves_as_its_tree)
+{
+    generator random = generator_new(11);
+    tf_dynamic_tree copy = {0};
+    begin(&random, ELEMENTS / 2);
+    for (int i = 0; i < 300; i++)
+        change_some(&random);
+    ck_assert(tf_dynamic_tree_reserve(&copy, ELEMENTS));
+    tf_dynamic_tree_copy(&copy, &tree, ELEMENTS);
+    for (int i = 0; i < 300; i++) {
+        int found[2][ELEMENTS], element = below(&random, ELEMENTS);
+        tf_aabb other = some_box(&random);
+        if (is_in[element]) {
+            tf_dynamic_tree_change(&tree, element, other);
+            tf_dynamic_tree_change(&copy, element, other);
+        }
+        tf_aabb wanted = some_box(&random);
+        int count = tf_dynamic_tree_find(&tree, &wanted, found[0]);
+        ck_assert_int_eq(tf_dynamic_tree_find(&copy, &wanted, found[1]), count);
+        ck_assert_mem_eq(found[0], found[1], sizeof(int) * (size_t)count);
+    }
+    tf_dynamic_tree_free(&copy);
+    tf_dynamic_tree_free(&tree);
+}
+END_TEST
+
+static bool tell_thrice(void *context, const tf_stage *stage)
+{
+    (void)stage;
+    return ++*(int *)context < 3;
+}
+
+START_TEST(building_a_large_tree_can_be_cancelled)
+{
+    enum {
+        MANY = 4000
+    };
+    static tf_aabb boxes[MANY];
+    static int order[MANY];
+    generator random = generator_new(12);
+    int told = 0;
+    for (int i = 0; i < MANY; i++) {
+        boxes[i] = some_box(&random);
+        order[i] = i;
+    }
+    tf_watch own, *watch = tf_watch_begin(&own, tell_thrice, &told);
+    ck_assert(tf_dynamic_tree_reserve(&tree, MANY));
+    ck_assert(!tf_dynamic_tree_build(&tree, boxes, order, MANY, watch));
+    ck_assert_int_eq(told, 3);
+    ck_assert(tf_dynamic_tree_build(&tree, boxes, order, MANY, NULL));
+    tf_dynamic_tree_free(&tree);
+}
+END_TEST
+
 Suite *suite(void)
 {
     static const int built[] = {0, 1, 2, ELEMENTS};
@@ -146,6 +201,8 @@ Suite *suite(void)
                             built[i] + 1);
     tcase_add_test(tcase, what_is_infinite_finds_elements_alone);
     tcase_add_test(tcase, branches_are_used_again);
+    tcase_add_test(tcase, a_copy_behaves_as_its_tree);
+    tcase_add_test(tcase, building_a_large_tree_can_be_cancelled);
     suite_add_tcase(suite, tcase);
     return suite;
 }

@@ -17,7 +17,7 @@ static bool has_contact(tf_surface *detected,
                         const surgery_choice *move)
 {
     static double end[3 * LABELLED];
-    tf_mesh mesh = tf_adaptive_mesh(surface);
+    tf_mesh mesh = *tf_adaptive_mesh(surface);
     const double *start = tf_adaptive_positions(surface);
     tf_motion motion = {3, mesh.vertices, start, end};
     tf_contacts found;
@@ -54,7 +54,7 @@ START_TEST(a_move_is_refused_where_there_is_a_contact)
     for (long i = 0; i < cases(8); i++) {
         surgery_run_begin(&run, generator_new((uint64_t)(i * 10 + _i)),
                           (adaptive_scene_kind)_i, &counts);
-        tf_mesh mesh = tf_adaptive_mesh(run.surface);
+        tf_mesh mesh = *tf_adaptive_mesh(run.surface);
         tf_surface *detected = surface_of(&mesh);
         contacts += try_moves(&run, detected, 200);
         tf_surface_free(detected);

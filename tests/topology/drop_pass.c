@@ -6,15 +6,16 @@
 #include "topology/reconnector.h"
 
 static blobs made;
+
 static tf_reconnect_report report;
 
 static size_t dropped(tf_adaptive_surface *surface, double limit)
 {
-    report = (tf_reconnect_report){0};
-    tf_reconnector reconnector = {
-        .surface = surface, .options = {.drop = limit}, .report = &report};
+    tf_reconnector reconnector = {.surface = surface,
+                                  .lengths = {.drop = limit}};
     ck_assert_int_eq(tf_drop_pass(&reconnector), TF_OK);
     tf_reconnector_free(&reconnector);
+    report = reconnector.report;
     return report.tried[TF_DROP][TF_COMMITTED];
 }
 

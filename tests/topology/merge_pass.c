@@ -7,7 +7,6 @@
 #include "topology/reconnector.h"
 
 static blobs made;
-static tf_reconnect_report report;
 static tf_reconnector reconnector;
 
 /// Two balls, one above the other; `edge` is the mean length of an edge.
@@ -18,19 +17,16 @@ static void begin(double gap, double edge)
         const double middle[] = {0, 0.1 * i, (i ? 1 : -1) * (1 + gap / 2)};
         add_ball(&made, middle, 1, 6);
     }
-    report = (tf_reconnect_report){0};
     reconnector = (tf_reconnector){.surface = blobs_surface(&made),
-                                   .options = {.edge = edge,
-                                               .merge = 0.3 * edge,
+                                   .lengths = {.merge = 0.3 * edge,
                                                .patch = 0.5 * edge,
-                                               .pinch = 0.7 * edge},
-                                   .report = &report};
+                                               .pinch = 0.7 * edge}};
 }
 
 static size_t merges(void)
 {
     ck_assert_int_eq(tf_merge_pass(&reconnector), TF_OK);
-    return report.tried[TF_MERGE][TF_COMMITTED];
+    return reconnector.report.tried[TF_MERGE][TF_COMMITTED];
 }
 
 static void end(void)
@@ -46,7 +42,7 @@ START_TEST(a_contact_is_merged_once)
     ck_assert_uint_eq(merges(), 1);
     ck_assert_int_eq(euler_of(reconnector.surface), 2);
     ck_assert_double_eq_tol(volume_of(reconnector.surface) - before,
-                            report.gained[TF_MERGE], 1e-12);
+                            reconnector.report.gained[TF_MERGE], 1e-12);
     ck_assert_uint_eq(merges(), 1); // and not again
     end();
 }
@@ -65,7 +61,7 @@ END_TEST
 START_TEST(edges_with_short_sides_are_not_merged)
 {
     begin(0.02, 0.3);
-    reconnector.options.pinch = 0.45;
+    reconnector.lengths.pinch = 0.45;
     ck_assert_uint_eq(merges(), 0);
     end();
 }

@@ -7,24 +7,20 @@
 #include "topology/reconnector.h"
 
 static blobs made;
-static tf_reconnect_report report;
 static tf_reconnector reconnector;
 
 static void begin(int rings, const double radius[], const double height[])
 {
     made.vertices = made.triangles = 0;
     add_turned(&made, 3, rings, radius, height);
-    report = (tf_reconnect_report){0};
-    reconnector = (tf_reconnector){
-        .surface = blobs_surface(&made),
-        .options = {.edge = 1, .merge = 0.3, .patch = 0.5, .pinch = 0.7},
-        .report = &report};
+    reconnector = (tf_reconnector){.surface = blobs_surface(&made),
+                                   .lengths = {.apart = 0.3, .pinch = 0.7}};
 }
 
 static size_t pinches(void)
 {
     ck_assert_int_eq(tf_pinch_pass(&reconnector), TF_OK);
-    return report.tried[TF_PINCH][TF_COMMITTED];
+    return reconnector.report.tried[TF_PINCH][TF_COMMITTED];
 }
 
 static void end(void)
@@ -44,11 +40,11 @@ START_TEST(a_neck_of_short_edges_is_pinched)
     ck_assert_int_eq(parts_of(reconnector.surface), 2);
     ck_assert(is_sound(reconnector.surface));
     ck_assert_double_eq_tol(volume_of(reconnector.surface) - before,
-                            report.gained[TF_PINCH], 1e-12);
-    ck_assert_double_lt(report.gained[TF_PINCH], 0);
+                            reconnector.report.gained[TF_PINCH], 1e-12);
+    ck_assert_double_lt(reconnector.report.gained[TF_PINCH], 0);
     // The caps are so far apart that they do not merge again.
     double low = 9, high = 0;
-    for (int v = 6; v < tf_adaptive_mesh(reconnector.surface).vertices; v++)
+    for (int v = 6; v < tf_adaptive_mesh(reconnector.surface)->vertices; v++)
         if (v < 9 || v >= made.vertices) {
             double z = coordinates_of(reconnector.surface, v)[2];
             low = fmin(low, z);
@@ -100,13 +96,10 @@ START_TEST(a_boundary_is_not_pinched)
     begin(3, radius, height);
     end();
     made.triangles -= 6; // open at both ends
-    reconnector =
-        (tf_reconnector){.surface = blobs_surface(&made),
-                         .options = {.edge = 1, .merge = 0.3, .pinch = 0.7},
-                         .report = &report};
-    report = (tf_reconnect_report){0};
+    reconnector = (tf_reconnector){.surface = blobs_surface(&made),
+                                   .lengths = {.apart = 0.3, .pinch = 0.7}};
     ck_assert_uint_eq(pinches(), 1); // the ring between
-    ck_assert_uint_eq(report.tried[TF_PINCH][TF_IMPOSSIBLE], 0);
+    ck_assert_uint_eq(reconnector.report.tried[TF_PINCH][TF_IMPOSSIBLE], 0);
     end();
 }
 END_TEST

@@ -4,6 +4,7 @@
 
 #include "support/adaptive_surfaces.h"
 #include "support/blobs.h"
+#include "support/cancelling.h"
 #include "support/support.h"
 #include "surgery/collapse.h"
 #include "surgery/move.h"
@@ -12,12 +13,18 @@
 #include <math.h>
 
 static blobs made;
-static tf_reconnect_report report;
+static tf_reconnect_report report; ///< the sum of all
 
 static void reconnect(tf_adaptive_surface *surface, double edge)
 {
     tf_reconnect_options how = {.edge = edge};
-    ck_assert_int_eq(tf_adaptive_reconnect(surface, &how, &report), TF_OK);
+    const tf_reconnect_report *own;
+    ck_assert_int_eq(tf_adaptive_reconnect(surface, &how, &own, NULL), TF_OK);
+    for (int i = 0; i < TF_RECONNECTIONS; i++) {
+        report.gained[i] += own->gained[i];
+        for (int j = 0; j < TF_OUTCOMES; j++)
+            report.tried[i][j] += own->tried[i][j];
+    }
 }
 
 static size_t done(tf_reconnection what)
@@ -29,7 +36,7 @@ static size_t done(tf_reconnection what)
 static void move_all(tf_adaptive_surface *surface,
                      void (*way)(const double from[3], double to[3]))
 {
-    int vertices = tf_adaptive_mesh(surface).vertices;
+    int vertices = tf_adaptive_mesh(surface)->vertices;
     for (int v = 0; v < vertices; v++) {
         double to[3];
         tf_outcome outcome;
@@ -161,8 +168,8 @@ static double length_between(const double a[3], const double b[3])
 /// Splits the long edges in the middle, and collapses the short ones there.
 static void even_out(tf_adaptive_surface *surface)
 {
-    for (int c = 0; c < 3 * tf_adaptive_mesh(surface).triangles; c++) {
-        const int *t = tf_adaptive_mesh(surface).triangle + c / 3 * 3;
+    for (int c = 0; c < 3 * tf_adaptive_mesh(surface)->triangles; c++) {
+        const int *t = tf_adaptive_mesh(surface)->triangle + c / 3 * 3;
         int from = t[c % 3], to = t[(c + 1) % 3], added;
         if (t[0] < 0)
             continue;
@@ -201,6 +208,40 @@ START_TEST(a_squeezed_dumbbell_becomes_two_balls)
 }
 END_TEST
 
+// All or nothing --------------------------------------------------------------
+
+static tf_adaptive_surface *dumbbell_and_balls(void)
+{
+    made.vertices = made.triangles = 0;
+    for (int i = 0; i < 3; i++) {
+        const double middle[] = {i < 2 ? 2.03 * i : 9, 0.1 * i, 0};
+        add_ball(&made, middle, i < 2 ? 1 : 0.1, DIVISIONS);
+    }
+    static const double radius[] = {1, 1, 0.1, 1, 1},
+                        height[] = {10, 11, 12, 13, 14};
+    add_turned(&made, 3, 5, radius, height);
+    return blobs_surface(&made);
+}
+
+static tf_status reconnect_all(tf_adaptive_surface *surface,
+                               cancellation *cancelling, tf_error *error)
+{
+    const tf_reconnect_options how = {.edge = ball_edge,
+                                      .progress = tell_cancellation,
+                                      .context = cancelling};
+    const tf_reconnect_report *own;
+    tf_status status = tf_adaptive_reconnect(surface, &how, &own, error);
+    for (int i = 0; i < 3 && status == TF_OK; i++)
+        ck_assert_uint_eq(own->tried[i][TF_COMMITTED], 1);
+    return status;
+}
+
+START_TEST(a_cancelled_reconnection_changes_nothing)
+{
+    expect_cancelling(dumbbell_and_balls, reconnect_all, cases(100));
+}
+END_TEST
+
 // -----------------------------------------------------------------------------
 
 START_TEST(invalid_options_are_rejected)
@@ -208,13 +249,20 @@ START_TEST(invalid_options_are_rejected)
     tf_adaptive_surface *surface = adaptive_tetrahedron();
     tf_reconnect_options how[] = {{.edge = 0},
                                   {.edge = INFINITY},
-                                  {.edge = 1, .merge = -1},
+                                  {.edge = 1, .merge = INFINITY},
                                   {.edge = 1, .patch = NAN},
-                                  {.edge = 1, .pinch = -1},
-                                  {.edge = 1, .drop = INFINITY}};
-    for (size_t i = 0; i < sizeof how / sizeof *how; i++)
-        ck_assert_int_eq(tf_adaptive_reconnect(surface, &how[i], NULL),
+                                  {.edge = 1, .pinch = -INFINITY},
+                                  {.edge = 1, .drop = INFINITY},
+                                  {.edge = 1, .size = 8}};
+    static const char *const names[] = {"edge",  "edge", "merge", "patch",
+                                        "pinch", "drop", "size"};
+    for (size_t i = 0; i < sizeof how / sizeof *how; i++) {
+        tf_error error;
+        ck_assert_int_eq(tf_adaptive_reconnect(surface, &how[i], NULL, &error),
                          TF_BAD_OPTION);
+        ck_assert_int_eq(error.status, TF_BAD_OPTION);
+        ck_assert_str_eq(error.option, names[i]);
+    }
     tf_adaptive_free(surface);
 }
 END_TEST
@@ -227,6 +275,7 @@ Suite *suite(void)
     tcase_add_loop_test(tcase, one_contact_makes_one_merge, 0, 10);
     tcase_add_test(tcase, a_ring_of_balls_gets_one_handle);
     tcase_add_test(tcase, a_squeezed_dumbbell_becomes_two_balls);
+    tcase_add_test(tcase, a_cancelled_reconnection_changes_nothing);
     tcase_add_test(tcase, invalid_options_are_rejected);
     suite_add_tcase(suite, tcase);
     return suite;

@@ -6,15 +6,15 @@
 
 START_TEST(outcomes_are_counted)
 {
-    tf_reconnect_report report = {0};
-    tf_reconnector reconnector = {.report = &report};
+    tf_reconnector reconnector = {0};
+    const tf_reconnect_report *report = &reconnector.report;
     tf_reconnector_count(&reconnector, TF_PINCH, TF_OVERLAPPED, 3);
     tf_reconnector_count(&reconnector, TF_PINCH, TF_COMMITTED, -0.5);
     tf_reconnector_count(&reconnector, TF_PINCH, TF_COMMITTED, -0.25);
-    ck_assert_uint_eq(report.tried[TF_PINCH][TF_OVERLAPPED], 1);
-    ck_assert_uint_eq(report.tried[TF_PINCH][TF_COMMITTED], 2);
-    ck_assert_double_eq(report.gained[TF_PINCH], -0.75);
-    ck_assert_double_eq(report.gained[TF_MERGE], 0);
+    ck_assert_uint_eq(report->tried[TF_PINCH][TF_OVERLAPPED], 1);
+    ck_assert_uint_eq(report->tried[TF_PINCH][TF_COMMITTED], 2);
+    ck_assert_double_eq(report->gained[TF_PINCH], -0.75);
+    ck_assert_double_eq(report->gained[TF_MERGE], 0);
     tf_reconnector_free(&reconnector);
 }
 END_TEST

@@ -1,0 +1,35 @@
+//: Declare where vertices come from
+#pragma once
+
+#include "base/api.h"
+#include "surgery/adaptive.h"
+
+/// @addtogroup adaptive
+/// @{
+
+/// A point of a surface, on one of its triangles.
+typedef struct tf_origin {
+    int triangle;          ///< its number
+    double barycentric[3]; ///< the weights of its corners, 0 or more; their sum
+                           ///< is 1, up to rounding
+} tf_origin;
+
+/// Where the vertices of a surface that has been remeshed come from: for each of
+/// them a point of the surface before tf_adaptive_remesh, with the numbers of
+/// that time.  With these weights the values at the corners of a triangle become
+/// the value at the vertex.
+///
+/// The point is where the vertex is, up to rounding; a vertex that has not moved
+/// comes from a corner, with the weight 1, and one on a sharp edge or on the
+/// boundary from a point of these.  Only on an edge that has become sharp may a
+/// vertex be beside the old surface; then the point is the nearest one.
+///
+/// Where sheets of the surface are near each other, the point is on the sheet
+/// that has become the one of the vertex, even if another sheet is nearer.
+///
+/// @param surface the surface
+/// @return one for each vertex, lent until the surface is changed; NULL if it
+///     has been changed since it was remeshed, or never was
+TF_API const tf_origin *tf_adaptive_origins(const tf_adaptive_surface *surface);
+
+/// @}

@@ -1,0 +1,48 @@
+//: Declare traces to the original
+#pragma once
+
+#include "remesh/original.h"
+#include "remesh/origins.h"
+
+/// Where the vertices of a surface come from on its original, and the memory for
+/// finding that.
+typedef struct tf_trace {
+    const tf_original *original; ///< NULL: nobody wants to know
+    tf_buffer origin;            ///< tf_origin of each vertex
+    tf_buffer visited; ///< of each vertex of the original, and then of each
+                       ///< triangle: the last search that has visited it
+    tf_buffer reached; ///< vertices of the original: those of a search
+    int search;        ///< its number
+    tf_buffer map;     ///< of a compaction
+} tf_trace;
+
+/// Begins with a copy of the original whose gaps are closed.  False if there is
+/// no memory; free the trace in any case.
+bool tf_trace_begin(tf_trace *trace, const tf_original *original);
+void tf_trace_free(tf_trace *trace);
+
+/// Whether it has begun.
+static inline bool tf_trace_goes(const tf_trace *trace)
+{
+    return trace->original;
+}
+
+//: Declare how a vertex is traced
+/// A vertex that has been placed, or moved.
+typedef struct tf_placement {
+    int vertex;
+    int from[2]; ///< vertices near which it was on the same sheet: the ends of
+                 ///< an edge, or twice the vertex itself
+    bool sharp;  ///< whether it was placed on a sharp edge, or on the boundary
+    const tf_projection
+        *projection; ///< the last one; that of the vertex, if it
+                     ///< is where the vertex is
+} tf_placement;
+
+/// Finds out where a vertex comes from.  False if there is no memory.
+bool tf_trace_place(tf_trace *trace, const tf_adaptive_surface *surface,
+                    const tf_placement *placed);
+
+/// Closes the gaps of a surface whose vertices are traced.  Returns TF_OK,
+/// TF_OUT_OF_MEMORY or TF_CANCELLED.
+tf_status tf_trace_compact(tf_trace *trace, tf_adaptive_surface *surface);

@@ -430,7 +430,7 @@ static void find_cell(const tf_box *box, const tf_box *whole, unsigned cell[3])
 
 static placed *order_of(const fig_some_mesh *mesh)
 {
-    const tf_motion rest = {mesh->axes, mesh->vertices, mesh->x, mesh->x};
+    const tf_motion rest = {3, mesh->vertices, mesh->x, mesh->x};
     tf_box *box = malloc((size_t)mesh->vertices * sizeof *box);
     placed *order = malloc((size_t)mesh->triangles * sizeof *order);
     tf_box whole = tf_box_empty;

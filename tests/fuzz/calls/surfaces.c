@@ -316,6 +316,53 @@ static bool step_is_held(const tf_arithmetic *arithmetic, const body *of,
                            all_held(arithmetic, axes, numbers, s->end));
 }
 
+/// The group that some vertices have in common, or 0.
+static int group_of(const body *of, int count, const int vertex[])
+{
+    int group = of->filter.group ? of->group[vertex[0]] : 0;
+    for (int i = 1; i < count; i++)
+        group = group == of->group[vertex[i]] ? group : 0;
+    return group;
+}
+
+/// Whether the filter of a body lets a contact be.
+static bool is_let_through(const body *of, const tf_surface_contact *contact)
+{
+    int first = contact->kind == TF_EDGE_EDGE ? 2 : 1;
+    int second = contact->kind == TF_POINT_TRIANGLE ? 3 : 2;
+    int group = group_of(of, first, contact->vertex);
+    int other = group_of(of, second, contact->vertex + first);
+    tf_element_pair pair = {.kind = contact->kind, .group = {group, other}};
+    memcpy(pair.vertex, contact->vertex, sizeof pair.vertex);
+    return (group == 0 || group != other) &&
+           (!of->filter.wanted || of->filter.wanted(of->filter.context, &pair));
+}
+
+/// Requires that the contacts are those without a filter that it lets through.
+static void judge_filter(const call *made, const body *of,
+                         const tf_motion *motion, const tf_contacts *found)
+{
+    body whole = *of;
+    whole.filter = (tf_pair_filter){0};
+    tf_surface *other = body_copy(&whole);
+    tf_contacts all;
+    tf_status status = tf_surface_detect(other, motion, NULL, &all, NULL);
+    require(made, status == TF_OK, "a new surface fails");
+    size_t kept = 0;
+    for (size_t i = 0; i < all.count; i++)
+        if (is_let_through(of, &all.contact[i])) {
+            require(made,
+                    kept < found->count &&
+                        memcmp(found->contact[kept].vertex,
+                               all.contact[i].vertex,
+                               sizeof all.contact[i].vertex) == 0,
+                    "the filter lets other contacts through");
+            kept++;
+        }
+    require(made, kept == found->count, "the filter keeps contacts back");
+    tf_surface_free(other);
+}
+
 /// Detects again, by a new surface, in the plainest way.
 static void judge_contacts(const call *made, const body *of,
                            const tf_motion *motion,
@@ -361,10 +408,13 @@ void call_detect(generator *random, body *of)
     results_begin(random, &set, &found, sizeof found);
     tf_status status = tf_surface_detect(
         of->surface, &motion, usual ? NULL : &options.own, &found, &set.error);
-    if (results_judge(random, &made, &set, &to.hearing, status))
-        judge_contacts(&made, of, &motion, &options.own, &found);
-    else
+    if (!results_judge(random, &made, &set, &to.hearing, status)) {
         judge_after(random, &made, of);
+        return;
+    }
+    judge_contacts(&made, of, &motion, &options.own, &found);
+    if (options.own.selection == TF_ALL_CONTACTS && !options.own.arithmetic)
+        judge_filter(&made, of, &motion, &found);
 }
 
 /// Lists again, by a new surface.

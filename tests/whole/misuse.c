@@ -909,6 +909,26 @@ static void resolve_without(int null)
                     NULL, NULL, NULL, NULL);
 }
 
+static void contacts_without(int null)
+{
+    size_t count;
+    const tf_answered_contact *contact;
+    tf_resolver_contacts(GIVEN(0, resolver), GIVEN(1, &count),
+                         GIVEN(2, &contact));
+    tf_resolver_vertices(GIVEN(3, resolver));
+}
+
+static void zone_without(int null)
+{
+    double numbers[8] = {0};
+    tf_zone zone = {.axes = 2};
+    tf_zone_goes_on(GIVEN(0, &zone), 1);
+    tf_zone_push(GIVEN(1, &zone), GIVEN(2, numbers), GIVEN(3, numbers));
+    tf_zone_gap_changes(GIVEN(4, &zone), GIVEN(5, numbers), GIVEN(6, numbers));
+    tf_zone_multiply(GIVEN(7, &zone), GIVEN(8, numbers), GIVEN(9, numbers),
+                     GIVEN(10, numbers));
+}
+
 static void limit_without(int null)
 {
     double to[3 * VERTICES] = {0};
@@ -918,14 +938,19 @@ static void limit_without(int null)
 }
 
 static const null_call null_calls[] = {
-    {query_without, 4},   {plane_query_without, 4}, {edge_query_without, 5},
-    {cubic_without, 4},   {quadratic_without, 4},   {additive_without, 4},
-    {rigid_without, 4},   {position_without, 3},    {narrow_phase_without, 6},
-    {vectors_without, 6}, {batch_without, 3},       {filter_without, 2},
-    {create_without, 2},  {lend_without, 2},        {lend_triangles_without, 2},
-    {tell_without, 10},   {allocator_without, 2},   {detect_without, 3},
-    {list_without, 3},    {check_without, 3},       {resolver_without, 2},
-    {resolve_without, 3}, {limit_without, 4},       {NULL, 0},
+    {query_without, 4},          {plane_query_without, 4},
+    {edge_query_without, 5},     {cubic_without, 4},
+    {quadratic_without, 4},      {additive_without, 4},
+    {rigid_without, 4},          {position_without, 3},
+    {narrow_phase_without, 6},   {vectors_without, 6},
+    {batch_without, 3},          {filter_without, 2},
+    {create_without, 2},         {lend_without, 2},
+    {lend_triangles_without, 2}, {tell_without, 10},
+    {allocator_without, 2},      {detect_without, 3},
+    {list_without, 3},           {check_without, 3},
+    {resolver_without, 2},       {resolve_without, 3},
+    {limit_without, 4},          {contacts_without, 4},
+    {zone_without, 11},          {NULL, 0},
 };
 
 Suite *suite(void)

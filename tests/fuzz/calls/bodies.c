@@ -137,6 +137,12 @@ uint64_t hash_report(const tf_response_report *report)
     return hash_bytes(hash, energies, sizeof energies);
 }
 
+uint64_t hash_answers(size_t count, const tf_answered_contact contact[])
+{
+    return hash_bytes(hash_number(HASH_OF_NOTHING, count), contact,
+                      sizeof *contact * count);
+}
+
 // What is known ---------------------------------------------------------------
 
 static uint64_t known_contacts(const body *of, tf_surface *surface)

@@ -316,6 +316,53 @@ static bool step_is_held(const tf_arithmetic *arithmetic, const body *of,
                            all_held(arithmetic, axes, numbers, s->end));
 }
 
+/// The group that some vertices have in common, or 0.
+static int group_of(const body *of, int count, const int vertex[])
+{
+    int group = of->filter.group ? of->group[vertex[0]] : 0;
+    for (int i = 1; i < count; i++)
+        group = group == of->group[vertex[i]] ? group : 0;
+    return group;
+}
+
+/// Whether the filter of a body lets a contact be.
+static bool is_let_through(const body *of, const tf_surface_contact *contact)
+{
+    int first = contact->kind == TF_EDGE_EDGE ? 2 : 1;
+    int second = contact->kind == TF_POINT_TRIANGLE ? 3 : 2;
+    int group = group_of(of, first, contact->vertex);
+    int other = group_of(of, second, contact->vertex + first);
+    tf_element_pair pair = {.kind = contact->kind, .group = {group, other}};
+    memcpy(pair.vertex, contact->vertex, sizeof pair.vertex);
+    return (group == 0 || group != other) &&
+           (!of->filter.wanted || of->filter.wanted(of->filter.context, &pair));
+}
+
+/// Requires that the contacts are those without a filter that it lets through.
+static void judge_filter(const call *made, const body *of,
+                         const tf_motion *motion, const tf_contacts *found)
+{
+    body whole = *of;
+    whole.filter = (tf_pair_filter){0};
+    tf_surface *other = body_copy(&whole);
+    tf_contacts all;
+    tf_status status = tf_surface_detect(other, motion, NULL, &all, NULL);
+    require(made, status == TF_OK, "a new surface fails");
+    size_t kept = 0;
+    for (size_t i = 0; i < all.count; i++)
+        if (is_let_through(of, &all.contact[i])) {
+            require(made,
+                    kept < found->count &&
+                        memcmp(found->contact[kept].vertex,
+                               all.contact[i].vertex,
+                               sizeof all.contact[i].vertex) == 0,
+                    "the filter lets other contacts through");
+            kept++;
+        }
+    require(made, kept == found->count, "the filter keeps contacts back");
+    tf_surface_free(other);
+}
+
 /// Detects again, by a new surface, in the plainest way.
 static void judge_contacts(const call *made, const body *of,
                            const tf_motion *motion,
@@ -361,10 +408,13 @@ void call_detect(generator *random, body *of)
     results_begin(random, &set, &found, sizeof found);
     tf_status status = tf_surface_detect(
         of->surface, &motion, usual ? NULL : &options.own, &found, &set.error);
-    if (results_judge(random, &made, &set, &to.hearing, status))
-        judge_contacts(&made, of, &motion, &options.own, &found);
-    else
+    if (!results_judge(random, &made, &set, &to.hearing, status)) {
         judge_after(random, &made, of);
+        return;
+    }
+    judge_contacts(&made, of, &motion, &options.own, &found);
+    if (options.own.selection == TF_ALL_CONTACTS && !options.own.arithmetic)
+        judge_filter(&made, of, &motion, &found);
 }
 
 /// Lists again, by a new surface.
@@ -503,6 +553,8 @@ static int solve_wildly(tf_zone *zone)
     int most = COUNT(impulse);
     for (int i = 0; i < zone->constraints && i < most; i++)
         zone->constraint[i].impulse = impulse[i] = uniform(&random, 0, 1e3);
+    if (!tf_zone_goes_on(zone, 1))
+        return 0;
     if (zone->constraints <= most)
         tf_zone_push(zone, impulse, zone->displacement);
     if (zone->constraints % 4 == 0)
@@ -600,9 +652,74 @@ static void judge_scripted(const call *made, const body *of, const step *s,
     require(made, report->held == other, "other vertices were held back");
 }
 
+/// Requires that the flags of the vertices tell which have moved.
+static void judge_flags(const call *made, const body *of, const step *s,
+                        const double inverse_mass[], const double end[])
+{
+    const unsigned char *flags = tf_resolver_vertices(of->resolver);
+    int axes = of->mesh.axes;
+    for (int v = 0; v < of->mesh.vertices; v++) {
+        bool moved = memcmp(end + axes * v, s->end + axes * v,
+                            sizeof *end * (size_t)axes) != 0;
+        bool held = moved && inverse_mass && inverse_mass[v] == 0;
+        require(made, ((flags[v] & TF_VERTEX_MOVED) != 0) == moved,
+                "a flag does not tell whether a vertex has moved");
+        require(made, ((flags[v] & TF_VERTEX_HELD) != 0) == held,
+                "a flag does not tell whether a vertex was held");
+    }
+}
+
+static bool are_vertices(const body *of, int count, const int vertex[])
+{
+    for (int i = 0; i < count; i++)
+        if (vertex[i] < 0 || vertex[i] >= of->mesh.vertices)
+            return false;
+    return true;
+}
+
+static void judge_answer(const call *made, const body *of,
+                         const tf_answered_contact *answer)
+{
+    int vertices = answer->kind == TF_POINT_EDGE ? 3 : 4;
+    require(made, answer->kind >= TF_POINT_EDGE && answer->kind <= TF_EDGE_EDGE,
+            "an answer is about no kind of pair");
+    require(made, are_vertices(of, vertices, answer->vertex),
+            "an answer is about no vertices");
+    require(made,
+            answer->level >= 0 && answer->level <= TF_FAILSAFE &&
+                answer->round >= 0 && answer->reserved == 0,
+            "an answer is of no round");
+    require(made, answer->toi >= 0 && answer->toi <= 1,
+            "an answer is not in the step");
+}
+
+/// Asks for the contacts that were answered; returns a number that depends on
+/// them all.
+static uint64_t judge_answers(generator *random, const call *resolved,
+                              const body *of, tf_resolver *resolver)
+{
+    size_t count;
+    const tf_answered_contact *contact;
+    call made = call_begin("tf_resolver_contacts");
+    mark(&count, sizeof count);
+    mark(&contact, sizeof contact);
+    allocator_fail(random);
+    tf_status status = tf_resolver_contacts(resolver, &count, &contact);
+    end_trouble(&made);
+    if (!judge_status(&made, status)) {
+        judge_unset(&made, &count, sizeof count);
+        judge_unset(&made, &contact, sizeof contact);
+        status = tf_resolver_contacts(resolver, &count, &contact);
+        require(&made, status == TF_OK, "it fails twice");
+    }
+    for (size_t i = 0; i < count; i++)
+        judge_answer(resolved, of, &contact[i]);
+    return hash_answers(count, contact);
+}
+
 /// Resolves again by new objects, on one thread.
-static void judge_again(const call *made, const body *of, const step *s,
-                        const double inverse_mass[],
+static void judge_again(generator *random, const call *made, const body *of,
+                        const step *s, const double inverse_mass[],
                         const tf_response_options *options, const double end[],
                         const tf_response_report *report)
 {
@@ -626,6 +743,10 @@ static void judge_again(const call *made, const body *of, const step *s,
             "it ends otherwise than by a new resolver");
     require(made, hash_report(report) == hash_report(other_report),
             "it reports otherwise than a new resolver");
+    require(made,
+            judge_answers(random, made, of, of->resolver) ==
+                judge_answers(random, made, of, resolver),
+            "a new resolver has answered other contacts");
     tf_resolver_free(resolver);
     tf_surface_free(other);
 }
@@ -658,7 +779,8 @@ void call_resolve(generator *random, body *of)
     }
     judge_clear(&made, of, s.start, end);
     judge_scripted(&made, of, &s, inverse_mass, end, report);
-    judge_again(&made, of, &s, inverse_mass, &options.own, end, report);
+    judge_flags(&made, of, &s, inverse_mass, end);
+    judge_again(random, &made, of, &s, inverse_mass, &options.own, end, report);
 }
 
 void call_limit(generator *random, body *of)
@@ -685,6 +807,11 @@ void call_limit(generator *random, body *of)
         return;
     }
     require(&made, halvings >= -1, "the halvings");
+    require(&made,
+            !tf_resolver_vertices(of->resolver) &&
+                judge_answers(random, &made, of, of->resolver) ==
+                    hash_answers(0, NULL),
+            "it has resolved nothing, and tells what it did");
     require(&made, halvings != 0 || whole, "a step that is clear is changed");
     judge_clear(&made, of, s.start, end);
 }

@@ -11,8 +11,8 @@ tf_status tf_fail(tf_error *error, tf_status status);
 tf_status tf_fail_element(tf_error *error, tf_status status, tf_subject subject,
                           size_t index, int vertex);
 
-/// TF_BAD_INDEX about such an element, or a query, with the bad index and the number of
-/// vertices,
+/// TF_BAD_INDEX about such an element, or a query, with the bad index and the
+/// number of vertices,
 tf_status tf_fail_index(tf_error *error, tf_subject subject, size_t index,
                         int vertex, int vertices);
 

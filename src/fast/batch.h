@@ -25,9 +25,10 @@
 /// @param[out] contact the answers, one for each query; valid only with TF_OK
 /// @param[out] error what is wrong, if anything; may be NULL
 /// @return TF_OK, also without queries; TF_BAD_OPTION if there is no such kind or
-///     number of workers; TF_BAD_COUNT if there are more queries than memory could
-///     hold, or no list of them; TF_BAD_AXES or TF_BAD_COUNT about the motion;
-///     TF_BAD_INDEX; TF_NOT_FINITE; TF_OUT_OF_RANGE; or TF_BAD_ENVIRONMENT
+///     number of workers; TF_BAD_COUNT if there are more queries than memory
+///     could hold, or no list of them; TF_BAD_AXES or TF_BAD_COUNT about the
+///     motion; TF_BAD_INDEX; TF_NOT_FINITE; TF_OUT_OF_RANGE; or
+///     TF_BAD_ENVIRONMENT
 TF_API tf_status tf_query_batch(const tf_arithmetic *arithmetic,
                                 const tf_queries *queries,
                                 const tf_parallel *parallel,

@@ -33,8 +33,8 @@
 /// @param[out] contact the contact; set only with TF_OK
 /// @param[out] advancement how it was found; set only with TF_OK; may be null
 /// @return TF_OK; TF_BAD_OPTION if the limits are not in their ranges;
-///     TF_BAD_AXES; TF_BAD_COUNT; TF_BAD_INDEX unless the indices are distinct and name vertices of the
-///     scene; TF_NOT_FINITE; or TF_BAD_ENVIRONMENT
+///     TF_BAD_AXES; TF_BAD_COUNT; TF_BAD_INDEX unless the indices are distinct
+///     and name vertices of the scene; TF_NOT_FINITE; or TF_BAD_ENVIRONMENT
 TF_API tf_status tf_additive_point_edge(const tf_advance_limits *limits,
                                         const tf_motion *motion, int point,
                                         const int edge[2], tf_contact *contact,

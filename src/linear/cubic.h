@@ -29,9 +29,9 @@
 /// @param triangle the indices of the triangle's vertices, in the order that
 ///     its normal follows
 /// @param[out] contact the answer, TF_APART or TF_HIT; set only with TF_OK
-/// @return TF_OK; TF_BAD_OPTION; TF_BAD_AXES; TF_BAD_COUNT; TF_BAD_INDEX unless the four indices are
-///     distinct and name vertices of the scene; TF_NOT_FINITE; or
-///     TF_BAD_ENVIRONMENT
+/// @return TF_OK; TF_BAD_OPTION; TF_BAD_AXES; TF_BAD_COUNT; TF_BAD_INDEX unless
+///     the four indices are distinct and name vertices of the scene;
+///     TF_NOT_FINITE; or TF_BAD_ENVIRONMENT
 TF_API tf_status tf_cubic_point_triangle(const tf_tolerances *tolerances,
                                          const tf_motion *motion, int point,
                                          const int triangle[3],
@@ -47,9 +47,9 @@ TF_API tf_status tf_cubic_point_triangle(const tf_tolerances *tolerances,
 /// @param first the indices of the first edge's vertices
 /// @param second the indices of the second edge's vertices
 /// @param[out] contact the answer, TF_APART or TF_HIT; set only with TF_OK
-/// @return TF_OK; TF_BAD_OPTION; TF_BAD_AXES; TF_BAD_COUNT; TF_BAD_INDEX unless the four indices are
-///     distinct and name vertices of the scene; TF_NOT_FINITE; or
-///     TF_BAD_ENVIRONMENT
+/// @return TF_OK; TF_BAD_OPTION; TF_BAD_AXES; TF_BAD_COUNT; TF_BAD_INDEX unless
+///     the four indices are distinct and name vertices of the scene;
+///     TF_NOT_FINITE; or TF_BAD_ENVIRONMENT
 TF_API tf_status tf_cubic_edge_edge(const tf_tolerances *tolerances,
                                     const tf_motion *motion, const int first[2],
                                     const int second[2], tf_contact *contact);

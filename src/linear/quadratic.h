@@ -30,9 +30,9 @@
 /// @param point the index of the point
 /// @param edge the indices of the edge's vertices
 /// @param[out] contact the answer, TF_APART or TF_HIT; set only with TF_OK
-/// @return TF_OK; TF_BAD_OPTION; TF_BAD_AXES; TF_BAD_COUNT; TF_BAD_INDEX unless the three indices are
-///     distinct and name vertices of the scene; TF_NOT_FINITE; or
-///     TF_BAD_ENVIRONMENT
+/// @return TF_OK; TF_BAD_OPTION; TF_BAD_AXES; TF_BAD_COUNT; TF_BAD_INDEX unless
+///     the three indices are distinct and name vertices of the scene;
+///     TF_NOT_FINITE; or TF_BAD_ENVIRONMENT
 TF_API tf_status tf_quadratic_point_edge(const tf_tolerances *tolerances,
                                          const tf_motion *motion, int point,
                                          const int edge[2],

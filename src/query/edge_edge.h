@@ -24,9 +24,9 @@
 /// @param first the indices of the first edge's vertices
 /// @param second the indices of the second edge's vertices
 /// @param[out] contact the answer; set only with TF_OK
-/// @return TF_OK; TF_BAD_AXES; TF_BAD_COUNT; TF_BAD_INDEX unless the four indices are distinct and name
-///     vertices of the scene; TF_NOT_FINITE; TF_OUT_OF_RANGE; or
-///     TF_BAD_ENVIRONMENT
+/// @return TF_OK; TF_BAD_AXES; TF_BAD_COUNT; TF_BAD_INDEX unless the four
+///     indices are distinct and name vertices of the scene; TF_NOT_FINITE;
+///     TF_OUT_OF_RANGE; or TF_BAD_ENVIRONMENT
 TF_API tf_status tf_edge_edge(const tf_arithmetic *arithmetic,
                               const tf_motion *motion, const int first[2],
                               const int second[2], tf_contact *contact);

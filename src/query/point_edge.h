@@ -23,9 +23,9 @@
 /// @param point the index of the point
 /// @param edge the indices of the edge's vertices
 /// @param[out] contact the answer; set only with TF_OK
-/// @return TF_OK; TF_BAD_AXES; TF_BAD_COUNT; TF_BAD_INDEX unless the three indices are distinct and name
-///     vertices of the scene; TF_NOT_FINITE; TF_OUT_OF_RANGE; or
-///     TF_BAD_ENVIRONMENT
+/// @return TF_OK; TF_BAD_AXES; TF_BAD_COUNT; TF_BAD_INDEX unless the three
+///     indices are distinct and name vertices of the scene; TF_NOT_FINITE;
+///     TF_OUT_OF_RANGE; or TF_BAD_ENVIRONMENT
 TF_API tf_status tf_point_edge(const tf_arithmetic *arithmetic,
                                const tf_motion *motion, int point,
                                const int edge[2], tf_contact *contact);

@@ -25,9 +25,9 @@
 /// @param triangle the indices of the triangle's vertices, in the order that
 ///     its normal follows
 /// @param[out] contact the answer; set only with TF_OK
-/// @return TF_OK; TF_BAD_AXES; TF_BAD_COUNT; TF_BAD_INDEX unless the four indices are distinct and name
-///     vertices of the scene; TF_NOT_FINITE; TF_OUT_OF_RANGE; or
-///     TF_BAD_ENVIRONMENT
+/// @return TF_OK; TF_BAD_AXES; TF_BAD_COUNT; TF_BAD_INDEX unless the four
+///     indices are distinct and name vertices of the scene; TF_NOT_FINITE;
+///     TF_OUT_OF_RANGE; or TF_BAD_ENVIRONMENT
 TF_API tf_status tf_point_triangle(const tf_arithmetic *arithmetic,
                                    const tf_motion *motion, int point,
                                    const int triangle[3], tf_contact *contact);

@@ -270,8 +270,8 @@ static void keep_impulses(tf_zones *zones, const division *d, int z,
 }
 
 //: Move the vertices of a zone
-/// Moves the vertices that were noted.  The others stay where they are: rounded anew, they
-/// would have to be decided again.
+/// Moves the vertices that were noted.  The others stay where they are: rounded
+/// anew, they would have to be decided again.
 static void move_vertices(tf_step *step, const tf_contact_rule *rule,
                           const division *d, const tf_zone *zone)
 {

@@ -14,8 +14,9 @@
 /// @{
 
 /// All candidates of a step: the pairs of elements that share no vertex, may meet
-/// (tf_surface_set_filter), and whose boxes, around all that they sweep, overlap.  Boxes are rounded, in a
-/// way that keeps all overlaps and makes some of boxes that nearly touch.
+/// (tf_surface_set_filter), and whose boxes, around all that they sweep,
+/// overlap.  Boxes are rounded, in a way that keeps all overlaps and makes some
+/// of boxes that nearly touch.
 typedef struct tf_candidates {
     size_t point_count;         ///< how many with a vertex
     const tf_candidate *points; ///< a vertex, and in space a triangle by its

@@ -32,7 +32,7 @@ enum {
 
 /// Finds the pairs of an element of `s` in the given leaves and an element of
 /// `t`, or, if both are the same tree, each such pair of two elements once.  The
-/// elements of `s` are vertices or edges.  Stops early if the sink is stopped, and
-/// hands on what is left.
+/// elements of `s` are vertices or edges.  Stops early if the sink is stopped,
+/// and hands on what is left.
 void tf_tree_join(const tf_tree *s, const tf_tree *t, tf_range leaves,
                   tf_pair_sink *sink);

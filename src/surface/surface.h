@@ -72,10 +72,10 @@ TF_API const int *tf_surface_triangles(const tf_surface *surface, int *count);
 /// apart end it apart if their five pairs are kept: each end of the edge with the
 /// triangle, and the edge with each edge of the triangle.  (Groups leave out one
 /// of these only if four of the five vertices have the same group.)  In the plane
-/// so do two edges if their four pairs of a vertex and an edge are kept.  A vertex
-/// that is kept with all triangles of a closed surface stays inside or outside,
-/// and two loops of edges, each of which is kept with all of the other loop, stay
-/// linked as they are.
+/// so do two edges if their four pairs of a vertex and an edge are kept.  A
+/// vertex that is kept with all triangles of a closed surface stays inside or
+/// outside, and two loops of edges, each of which is kept with all of the other
+/// loop, stay linked as they are.
 ///
 /// @param surface the surface
 /// @param filter which pairs, copied with its groups; NULL: all that share no

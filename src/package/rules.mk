@@ -98,6 +98,7 @@ lib/cmake/tanglefree/tanglefreeConfigVersion.cmake src/package/tanglefreeConfigV
 share/doc/tanglefree/examples/check.c examples/check.c
 share/doc/tanglefree/examples/cloth.c examples/cloth.c
 share/doc/tanglefree/examples/query.c examples/query.c
+share/doc/tanglefree/examples/remesh.c examples/remesh.c
 share/doc/tanglefree/examples/threads.c examples/threads.c
 share/man/man1/tanglefree.1 $(BUILD)/man/tanglefree.1
 share/man/man1/tanglefree-query.1 $(BUILD)/man/tanglefree-query.1

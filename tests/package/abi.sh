@@ -170,7 +170,7 @@ check_grown() {
 # Programs that were compiled before -------------------------------------------
 
 compile() { # program, source
-    $CC -std=c17 -no-pie -fno-pie -I "$BUILD/include" "$2" -L "$BUILD" \
+    $CC -std=c17 -pthread -no-pie -fno-pie -I "$BUILD/include" "$2" -L "$BUILD" \
         -ltanglefree -lm -o "$scratch/$1" || fail "$2 does not compile"
 }
 
@@ -180,13 +180,19 @@ compile_programs() {
     compile readme "$scratch/readme.c"
     compile answers tests/package/answers.c
     compile steps tests/package/steps.c
+    for example in examples/*.c; do
+        compile "$(basename "$example" .c)" "$example"
+    done
 }
 
 run_programs() { # folder of the library
     export LD_LIBRARY_PATH="$1"
     "$scratch/readme" &&
         "$scratch/answers" point-triangle <tests/queries/point-triangle.csv &&
-        "$scratch/steps"
+        "$scratch/steps" || return
+    for example in examples/*.c; do
+        "$scratch/$(basename "$example" .c)" || return
+    done
 }
 
 check_programs() {

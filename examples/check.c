@@ -1,6 +1,4 @@
 // Where a mesh is bad, and where it intersects itself.
-//
-//     cc check.c $(pkg-config --cflags --libs tanglefree) -o check
 #include <stdio.h>
 #include <tanglefree.h>
 

@@ -1,6 +1,4 @@
 // Which of five points hit a triangle during a step, and when.
-//
-//     cc query.c $(pkg-config --cflags --libs tanglefree) -o query
 #include <stdio.h>
 #include <tanglefree.h>
 
@@ -17,40 +15,34 @@ static const double end[] = {0, 0, 0,  4, 0, 0,  0, 4, 0, //
 
 int main(void)
 {
-    const tf_motion motion = {3, 3 + POINTS, start, end};
-    const int triangle[] = {0, 1, 2};
-
-    // A query lists its vertices: the point and the triangle.
+    // A query lists its vertices: the point, and the corners of the triangle in
+    // the order that the normal of the contact is to follow.
     int vertices[4 * POINTS];
     for (int i = 0; i < POINTS; i++) {
         vertices[4 * i] = 3 + i;
-        for (int k = 0; k < 3; k++)
-            vertices[4 * i + 1 + k] = triangle[k];
+        for (int corner = 0; corner < 3; corner++)
+            vertices[4 * i + 1 + corner] = corner;
     }
-
-    // All verdicts at once, which is the fastest way to find out which elements
-    // meet at all.
+    const tf_motion motion = {3, 3 + POINTS, start, end};
     const tf_queries queries = {TF_POINT_TRIANGLE, &motion, POINTS, vertices};
-    tf_verdict verdict[POINTS];
-    size_t separated = 0;
-    tf_status status = tf_vectorized.decide(tf_vectorized.context, &tf_exact,
-                                            &queries, verdict, &separated);
 
-    // Few elements meet, and of those alone we ask for more.
-    for (int i = 0; i < POINTS && status == TF_OK; i++) {
-        tf_contact contact;
-        if (verdict[i] != TF_HIT) {
-            printf("point %d misses\n", i);
-            continue;
-        }
-        status =
-            tf_point_triangle(&tf_exact, &motion, 3 + i, triangle, &contact);
-        if (status == TF_OK)
-            printf(
-                "point %d hits at t = %.3f, at %.3g of the way to corner 1\n",
-                i, contact.toi_lo, contact.barycentric[1][1]);
+    // The answers are those of tf_point_triangle, query by query, but sooner.
+    tf_contact contact[POINTS];
+    tf_error error;
+    if (tf_query_batch(&tf_exact, &queries, NULL, contact, &error) != TF_OK) {
+        char sentence[200];
+        tf_describe(&error, sentence, sizeof sentence);
+        puts(sentence);
+        return 1;
     }
-    if (status != TF_OK)
-        puts(tf_status_message(status));
-    return status != TF_OK;
+
+    for (int i = 0; i < POINTS; i++) {
+        const tf_contact *found = &contact[i];
+        if (found->verdict != TF_HIT)
+            printf("point %d misses\n", i);
+        else // the lower bound of the time: until then it is certainly apart
+            printf("point %d hits at t = %.3f with normal velocity %g\n", i,
+                   found->toi_lo, found->normal_velocity);
+    }
+    return 0;
 }

@@ -51,7 +51,8 @@ $(BUILD)/tests/whole/cancelling: LIBRARIES = -Wl,--wrap=tf_side \
 	-Wl,--wrap=tf_find_edge -Wl,--wrap=tf_watch_done
 
 # These see what users see.
-public = $(BUILD)/tests/fuzz/interface $(BUILD)/tests/whole/misuse $(fuzz_calls:.o=)
+public = $(BUILD)/tests/fuzz/interface $(fuzz_calls:.o=) \
+	$(addprefix $(BUILD)/tests/whole/,misuse adaptive_misuse)
 fuzz_calls = $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/fuzz/calls/*.c))
 $(public:=.o): USES = -I$(dir $(public_header))
 $(public:=.o): $(public_header)

@@ -6,8 +6,9 @@
 static const char *const messages[] = {
     [TF_OK] = "no error",
     [TF_NOT_FINITE] = "a coordinate is infinite or NaN; give finite positions",
-    [TF_OUT_OF_RANGE] = "out of range: a coordinate is not an integer of as "
-                        "many bits as this arithmetic holds; use exact",
+    [TF_OUT_OF_RANGE] = "out of range: a coordinate is too large for this "
+                        "function or arithmetic, or not an integer as it must "
+                        "be; use exact, or a larger unit of length",
     [TF_BAD_INDEX] = "an index is bad; the vertices of an element or a query "
                      "must be distinct, and each have an index from 0 to the "
                      "number of vertices less 1",

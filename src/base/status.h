@@ -11,7 +11,7 @@
 typedef enum tf_status {
     TF_OK = 0,          ///< success
     TF_NOT_FINITE,      ///< a coordinate is infinite or NaN
-    TF_OUT_OF_RANGE,    ///< the arithmetic cannot hold a coordinate
+    TF_OUT_OF_RANGE,    ///< a coordinate is not one that can be computed with
     TF_BAD_INDEX,       ///< an index repeats, or names no vertex
     TF_BAD_ENVIRONMENT, ///< numbers are not rounded in the default way of IEEE
     TF_NO_ELEMENTS,     ///< a surface has neither triangles nor edges

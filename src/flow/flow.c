@@ -7,6 +7,7 @@
 #include "base/sized.h"
 #include "flow/flow_state.h"
 #include "flow/keep_volume.h"
+#include "remesh/measure.h"
 #include "remesh/passes.h"
 #include "surface/tasks.h"
 #include "surgery/draft.h"
@@ -136,6 +137,8 @@ static tf_status read_options(tf_flow_options *own,
     tf_reconnect_options unread, lengths = {.edge = own->edge};
     status = tf_reconnect_options_read(&unread, &lengths,
                                        &flow->reconnector.lengths, error);
+    if (status == TF_OK)
+        status = tf_check_target(flow->surface, own->edge, error);
     return status == TF_OK ? tf_parallel_check(own->parallel, error) : status;
 }
 

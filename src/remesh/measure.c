@@ -1,6 +1,10 @@
 //: Measure edges
 #include "remesh/measure.h"
 
+#include "base/fail.h"
+
+#include <limits.h>
+
 double tf_length_of(const tf_adaptive_surface *surface, int a, int b)
 {
     return tf_vector_length(tf_vector_difference(tf_position_of(surface, a),
@@ -106,4 +110,51 @@ bool tf_star_stays_good(const tf_adaptive_surface *surface, int vertex,
         judge_triangle(&all, &before, &after);
     }
     return !all.turned && (all.after >= all.before || all.after >= 0.6);
+}
+
+//: Check that nothing measured overflows
+tf_status tf_check_coordinates(const tf_adaptive_surface *surface,
+                               tf_error *error)
+{
+    // The square of an area is a product of four lengths.
+    const double most = 0x1p250;
+    for (int v = 0; v < surface->vertices; v++) {
+        tf_vector x = tf_position_of(surface, v);
+        bool small = fabs(x.x[0]) <= most && fabs(x.x[1]) <= most &&
+                     fabs(x.x[2]) <= most;
+        if (!small && tf_first_corner(surface, v) != TF_NONE)
+            return tf_fail_vertex(error, TF_OUT_OF_RANGE, v, -1);
+    }
+    return tf_fail(error, TF_OK);
+}
+
+//: Estimate how many triangles there will be
+/// Equilateral ones with sides of that length, which have as much area as the
+/// surface.
+static double triangles_of(const tf_adaptive_surface *surface, double edge)
+{
+    double count = 0;
+    for (int t = 0; t < surface->triangles; t++) {
+        if (!tf_is_triangle(surface, t))
+            continue;
+        tf_shape shape = tf_shape_of(surface, t);
+        for (int i = 0; i < 3; i++)
+            shape.corner[i] = tf_vector_scaled(1 / edge, shape.corner[i]);
+        count += tf_vector_length(tf_shape_normal(&shape)) * 2 / sqrt(3);
+    }
+    return count;
+}
+
+tf_status tf_check_target(const tf_adaptive_surface *surface, double edge,
+                          tf_error *error)
+{
+    if (!(edge > 0) || !isfinite(edge))
+        return tf_fail_option(error, "edge", "above 0", edge);
+    tf_status status = tf_check_coordinates(surface, error);
+    if (status == TF_OK && !(triangles_of(surface, edge) <= INT_MAX / 3.0))
+        return tf_fail_option(error, "edge",
+                              "so long that an int can count the corners of "
+                              "all triangles",
+                              edge);
+    return status;
 }

@@ -1,6 +1,7 @@
 //: Declare what is measured of triangles
 #pragma once
 
+#include "base/error.h"
 #include "geometry/vector.h"
 #include "surgery/adaptive_surface.h"
 
@@ -50,3 +51,15 @@ tf_vector tf_star_middle(const tf_adaptive_surface *surface, int vertex);
 /// that there is now or a fair triangle.
 bool tf_star_stays_good(const tf_adaptive_surface *surface, int vertex,
                         int other, tf_vector position);
+
+//: Declare what can be measured
+/// Checks that what is measured of a surface does not overflow: that no vertex of
+/// a triangle has a coordinate beyond 2^250.  Sets the error to what it returns,
+/// TF_OK or TF_OUT_OF_RANGE.
+tf_status tf_check_coordinates(const tf_adaptive_surface *surface,
+                               tf_error *error);
+
+/// The same, and TF_BAD_OPTION if the length of edges is not above 0 and finite,
+/// or so short that there would be more triangles than numbers for their corners.
+tf_status tf_check_target(const tf_adaptive_surface *surface, double edge,
+                          tf_error *error);

@@ -9,7 +9,6 @@
 #include "remesh/passes.h"
 #include "surgery/draft.h"
 
-#include <limits.h>
 #include <stddef.h>
 
 enum {
@@ -92,37 +91,7 @@ static tf_status do_rounds(tf_remesher *remesher, int rounds)
     return status == TF_OK ? measure_distance(remesher) : status;
 }
 
-//: Estimate how many triangles there will be
-/// Equilateral ones with sides of that length, which have as much area as the
-/// surface.
-static double triangles_of(const tf_adaptive_surface *surface, double edge)
-{
-    double count = 0;
-    for (int t = 0; t < surface->triangles; t++) {
-        if (!tf_is_triangle(surface, t))
-            continue;
-        tf_shape shape = tf_shape_of(surface, t);
-        for (int i = 0; i < 3; i++)
-            shape.corner[i] = tf_vector_scaled(1 / edge, shape.corner[i]);
-        count += tf_vector_length(tf_shape_normal(&shape)) * 2 / sqrt(3);
-    }
-    return count;
-}
-
 //: Check how to remesh
-static tf_status check_edge(const tf_adaptive_surface *surface, double edge,
-                            tf_error *error)
-{
-    if (!(edge > 0) || !isfinite(edge))
-        return tf_fail_option(error, "edge", "above 0", edge);
-    if (!(triangles_of(surface, edge) <= INT_MAX / 3.0))
-        return tf_fail_option(error, "edge",
-                              "so long that an int can count the corners of "
-                              "all triangles",
-                              edge);
-    return TF_OK;
-}
-
 static tf_status read_options(tf_remesh_options *own,
                               const tf_remesh_options *options,
                               const tf_adaptive_surface *surface,
@@ -134,7 +103,8 @@ static tf_status read_options(tf_remesh_options *own,
         return tf_fail(error, TF_BAD_ENVIRONMENT);
     tf_status status = tf_options_read(own, sizeof *own, options, first, error);
     own->rounds = own->rounds ? own->rounds : USUAL_ROUNDS;
-    return status == TF_OK ? check_edge(surface, own->edge, error) : status;
+    return status == TF_OK ? tf_check_target(surface, own->edge, error)
+                           : status;
 }
 
 //: Remesh a draft

@@ -31,7 +31,8 @@ bool tf_trace_begin(tf_trace *trace, const tf_original *original)
         !tf_buffer_extend(&trace->visited, elements, sizeof(int)) ||
         !tf_buffer_extend(&trace->reached, vertices, sizeof(int)))
         return false;
-    memset(trace->visited.data, 0, elements * sizeof(int));
+    if (elements > 0)
+        memset(trace->visited.data, 0, elements * sizeof(int));
     trace->original = original;
     trace->search = 0;
     int count = 0;

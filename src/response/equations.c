@@ -106,9 +106,14 @@ void tf_equations_finish(const tf_equations *equations, const double x[])
 }
 
 //: Add vectors
+enum {
+    NUMBERS = 64 ///< of vectors, that are added in the time of a visit
+};
+
 double tf_equations_dot(const tf_equations *equations, const double a[],
                         const double b[])
 {
+    tf_zone_goes_on(equations->zone, (size_t)equations->count / NUMBERS);
     double sum = 0;
     for (int i = 0; i < equations->count; i++)
         sum += a[i] * b[i];
@@ -118,6 +123,7 @@ double tf_equations_dot(const tf_equations *equations, const double a[],
 void tf_equations_add(const tf_equations *equations, const double a[],
                       double factor, const double b[], double sum[])
 {
+    tf_zone_goes_on(equations->zone, (size_t)equations->count / NUMBERS);
     for (int i = 0; i < equations->count; i++)
         sum[i] = a[i] + factor * b[i];
 }

@@ -30,7 +30,7 @@ typedef struct tf_zone {
                                 ///< proposed; out: with all impulses applied
     double friction;            ///< Coulomb's coefficient; 0: none
     int sweeps;                 ///< the most iterations to make, at least 1
-    struct tf_watch *watch;     ///< for tf_zone_goes_on; NULL: nobody cancels
+    void *watch;                ///< for tf_zone_goes_on; NULL: nobody cancels
     double *workspace;          ///< as many numbers as the solver asks for,
                                 ///< in allocated memory, as a solver may keep
                                 ///< other types there

@@ -84,7 +84,7 @@ static tf_status intersects(const check_job *job, const int vertex[],
 
 //: Take a batch of pairs at rest
 enum {
-    SOME_PAIRS = 64,
+    SOME_PAIRS = 16,
     PAIR_WORK = 16 ///< units of work that a pair takes
 };
 

@@ -17,9 +17,9 @@
 
 //: Hold a batch of pairs
 enum {
-    CONTACT_WORK = 64,  ///< units of work that a contact takes, at most
-    VERDICT_WORK = 32,  ///< a verdict that is more than rounded numbers
-    PAIRS_AT_ONCE = 512 ///< pairs that get such verdicts
+    CONTACT_WORK = 64, ///< units of work that a contact takes, at most
+    VERDICT_WORK = 32, ///< a verdict that is more than rounded numbers
+    PAIRS_AT_ONCE = 64 ///< pairs that get such verdicts
 };
 
 typedef struct batch {

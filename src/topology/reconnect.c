@@ -4,6 +4,7 @@
 #include "base/environment.h"
 #include "base/fail.h"
 #include "base/require.h"
+#include "remesh/measure.h"
 #include "surgery/draft.h"
 #include "topology/passes.h"
 
@@ -39,6 +40,8 @@ tf_status tf_adaptive_reconnect(tf_adaptive_surface *surface,
     tf_reconnect_options own;
     tf_status status =
         tf_reconnect_options_read(&own, options, &reconnector.lengths, error);
+    if (status == TF_OK)
+        status = tf_check_coordinates(surface, error);
     if (status != TF_OK)
         return status;
     tf_watch watch;

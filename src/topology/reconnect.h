@@ -23,7 +23,8 @@
 ///     set only with TF_OK; may be NULL
 /// @param[out] error what is wrong, if anything; may be NULL
 /// @return TF_OK; TF_BAD_OPTION if a length is not finite, or that of edges not
-///     above 0; TF_BAD_ENVIRONMENT; TF_OUT_OF_MEMORY; or TF_CANCELLED
+///     above 0; TF_OUT_OF_RANGE if a coordinate is beyond 2^250;
+///     TF_BAD_ENVIRONMENT; TF_OUT_OF_MEMORY; or TF_CANCELLED
 TF_API tf_status tf_adaptive_reconnect(tf_adaptive_surface *surface,
                                        const tf_reconnect_options *options,
                                        const tf_reconnect_report **report,

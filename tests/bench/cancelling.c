@@ -34,7 +34,7 @@ enum {
 typedef enum layers_step {
     PASS,    // slowly, past each other
     CROWD,   // into each other
-    SCATTER, // each vertex on its own, by up to 6 edges along each axis
+    SCATTER, // each vertex on its own, by up to 3 edges along each axis
     TANGLE,  // the same, and at rest where that leads
     FLATTEN, // all layers, to one plane, where they are at rest
 } layers_step;
@@ -55,7 +55,7 @@ static void scatter(const scene *s, double *end)
 {
     generator random = generator_new(2);
     for (size_t i = 0; i < numbers_of(s); i++)
-        end[i] = s->cloth.motion.start[i] + uniform(&random, -6.0, 6.0) / SIDE;
+        end[i] = s->cloth.motion.start[i] + uniform(&random, -3.0, 3.0) / SIDE;
 }
 
 static void flatten(const scene *s, double *end)

@@ -108,7 +108,7 @@ check_examples() {
             "g++ -std=c++17 $scratch/$name.cc" \
             "clang++ -std=c++17 $scratch/$name.cc"; do
             $compiler -pthread -Wall -Wextra -Wpedantic -Werror \
-                $(installed --cflags --libs tanglefree) -o "$scratch/$name"
+                $(installed --cflags --libs tanglefree) -lm -o "$scratch/$name"
             LD_LIBRARY_PATH="$prefix/lib" "$scratch/$name" |
                 diff "$expected" - ||
                 fail "$example prints something else"

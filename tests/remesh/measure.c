@@ -3,6 +3,7 @@
 
 #include "support/adaptive_surfaces.h"
 #include "support/support.h"
+#include "surgery/move.h"
 
 START_TEST(edges_have_lengths_and_middles)
 {
@@ -74,6 +75,59 @@ START_TEST(quality_is_from_0_to_1)
 }
 END_TEST
 
+/// Expects that a surface with a vertex at that height is refused, or not.
+static void expect_measurable(double height, tf_status expected)
+{
+    tf_adaptive_surface *sheet = adaptive_sheet(1, 1);
+    const double far[] = {0, 0, height};
+    tf_outcome outcome;
+    tf_error error;
+    ck_assert_int_eq(tf_adaptive_move(sheet, 0, far, &outcome), TF_OK);
+    ck_assert_int_eq(outcome, TF_COMMITTED);
+    ck_assert_int_eq(tf_check_coordinates(sheet, &error), expected);
+    ck_assert_int_eq(error.status, expected);
+    ck_assert_int_eq(error.vertex[0], expected == TF_OK ? -1 : 0);
+    ck_assert_int_eq(tf_check_target(sheet, fabs(height), NULL), expected);
+    tf_adaptive_free(sheet);
+}
+
+START_TEST(coordinates_can_be_measured_or_not)
+{
+    expect_measurable(0x1p250, TF_OK);
+    expect_measurable(-0x1p250, TF_OK);
+    expect_measurable(nextafter(0x1p250, INFINITY), TF_OUT_OF_RANGE);
+    expect_measurable(-0x1p1000, TF_OUT_OF_RANGE);
+}
+END_TEST
+
+START_TEST(vertices_without_triangles_may_be_anywhere)
+{
+    static const int triangle[] = {0, 1, 2};
+    static const double position[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1e300, 0, 0};
+    const tf_mesh mesh = {
+        .axes = 3, .vertices = 4, .triangles = 1, .triangle = triangle};
+    tf_adaptive_surface *made;
+    ck_assert_int_eq(tf_adaptive_create(&mesh, position, &made, NULL), TF_OK);
+    ck_assert_int_eq(tf_check_coordinates(made, NULL), TF_OK);
+    tf_adaptive_free(made);
+}
+END_TEST
+
+START_TEST(targets_are_lengths_that_lead_to_few_triangles)
+{
+    static const double bad[] = {0, -1, NAN, INFINITY, 1e-5, 0x1p-1074};
+    tf_adaptive_surface *sheet = adaptive_sheet(2, 2);
+    tf_error error;
+    ck_assert_int_eq(tf_check_target(sheet, 2e-4, &error), TF_OK);
+    ck_assert_int_eq(error.status, TF_OK);
+    for (int i = 0; i < (int)(sizeof bad / sizeof *bad); i++) {
+        ck_assert_int_eq(tf_check_target(sheet, bad[i], &error), TF_BAD_OPTION);
+        ck_assert_str_eq(error.option, "edge");
+    }
+    tf_adaptive_free(sheet);
+}
+END_TEST
+
 Suite *suite(void)
 {
     Suite *suite = suite_create("remesh/measure");
@@ -82,6 +136,9 @@ Suite *suite(void)
     tcase_add_test(tcase, triangles_have_normals);
     tcase_add_test(tcase, quality_is_from_0_to_1);
     tcase_add_test(tcase, stars_get_no_worse);
+    tcase_add_test(tcase, coordinates_can_be_measured_or_not);
+    tcase_add_test(tcase, vertices_without_triangles_may_be_anywhere);
+    tcase_add_test(tcase, targets_are_lengths_that_lead_to_few_triangles);
     suite_add_tcase(suite, tcase);
     return suite;
 }

@@ -1,11 +1,9 @@
 // What callers get wrong, by the header that they see: each mistake has its
 // status, and a null pointer breaks the contract unless the header allows it.
-#include "support/support.h"
+#include "support/misuse.h"
 
 #include <limits.h>
 #include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <tanglefree.h>
 
@@ -52,20 +50,6 @@ static void finish(void)
     tf_surface_free(surface);
     tf_surface_free(plane);
     ck_assert_uint_eq(tf_memory_in_use(), 0);
-}
-
-/// Expects that an error is about the status, and has a sentence.
-static void expect_error(const char *what, tf_status status, tf_status expected,
-                         const tf_error *error)
-{
-    char sentence[300];
-    size_t length = tf_describe(error, sentence, sizeof sentence);
-    ck_assert_msg(status == expected, "%s: \"%s\" and not \"%s\"", what,
-                  tf_status_message(status), tf_status_message(expected));
-    ck_assert_msg(error->status == status, "%s: an error about \"%s\"", what,
-                  tf_status_message(error->status));
-    ck_assert_msg(length > 0 && length < sizeof sentence, "%s: no sentence",
-                  what);
 }
 
 // Motions ---------------------------------------------------------------------
@@ -734,11 +718,6 @@ START_TEST(null_is_allowed_where_the_header_says_so)
 }
 END_TEST
 
-/// Each calls a function with one pointer null: GIVEN is the i-th pointer unless
-/// it is that one.
-#define GIVEN(i, pointer) (null == (i) ? NULL : (pointer))
-typedef void null_call(int null);
-
 static void query_without(int null)
 {
     tf_motion motion = motion_of(3);
@@ -938,10 +917,7 @@ static void limit_without(int null)
                   NULL, GIVEN(3, &halvings), NULL);
 }
 
-static const struct {
-    null_call *call;
-    int pointers; ///< that may not be null
-} null_calls[] = {
+static const null_call null_calls[] = {
     {query_without, 4},   {plane_query_without, 4}, {edge_query_without, 5},
     {cubic_without, 4},   {quadratic_without, 4},   {additive_without, 4},
     {rigid_without, 4},   {position_without, 3},    {narrow_phase_without, 6},
@@ -949,40 +925,8 @@ static const struct {
     {create_without, 2},  {lend_without, 2},        {lend_triangles_without, 2},
     {tell_without, 10},   {allocator_without, 2},   {detect_without, 3},
     {list_without, 3},    {check_without, 3},       {resolver_without, 2},
-    {resolve_without, 3}, {limit_without, 4},
+    {resolve_without, 3}, {limit_without, 4},       {NULL, 0},
 };
-
-enum {
-    BROKEN = 7 // a status of exit
-};
-
-static void exit_at_broken_contract(const char *file, int line,
-                                    const char *condition)
-{
-    (void)file;
-    (void)line;
-    (void)condition;
-    exit(BROKEN);
-}
-
-START_TEST(any_other_null_breaks_the_contract)
-{
-    int call = 0, null = _i;
-    for (; null >= null_calls[call].pointers; call++)
-        null -= null_calls[call].pointers;
-    tf_contract_set_handler(exit_at_broken_contract);
-    null_calls[call].call(null);
-    fprintf(stderr, "null pointer %d of function %d is accepted\n", null, call);
-}
-END_TEST
-
-static int null_pointers(void)
-{
-    int pointers = 0;
-    for (int i = 0; i < COUNT(null_calls); i++)
-        pointers += null_calls[i].pointers;
-    return pointers;
-}
 
 Suite *suite(void)
 {
@@ -1015,8 +959,7 @@ Suite *suite(void)
 
     TCase *contracts = tcase_create("contracts");
     tcase_add_checked_fixture(contracts, begin, finish);
-    tcase_add_loop_exit_test(contracts, any_other_null_breaks_the_contract,
-                             BROKEN, 0, null_pointers());
+    add_null_calls(contracts, null_calls);
     suite_add_tcase(misuse, contracts);
     return misuse;
 }

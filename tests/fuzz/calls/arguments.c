@@ -164,29 +164,45 @@ tf_progress *any_progress(generator *random, call *made, listener *hearing)
     return hear;
 }
 
-void judge_cancelling(const call *made, const listener *hearing,
-                      tf_status status)
-{
-    bool cancelled = status == TF_CANCELLED;
-    require(made, hearing->cancelled || !cancelled, "nobody has cancelled");
-    require(made, !hearing->cancelled || status != TF_OK,
-            "it succeeded although it was cancelled");
-}
-
 // Trouble ---------------------------------------------------------------------
 
-void trouble_begin(generator *random, call *made)
+void break_environment(generator *random, call *made)
 {
-    allocator_fail(random);
     if (!one_in(random, 64))
         return;
     fesetround(FE_UPWARD);
     expect_fault(made, true, TF_BAD_ENVIRONMENT);
 }
 
-void trouble_end(call *made)
+void end_trouble(call *made)
 {
     fesetround(FE_TONEAREST);
     if (allocator_succeed())
         excuse(made, TF_OUT_OF_MEMORY);
+}
+
+// Results ---------------------------------------------------------------------
+
+void results_begin(generator *random, results *of, void *result, size_t size)
+{
+    of->result = result;
+    of->size = size;
+    mark(result, size);
+    mark(&of->error, sizeof of->error);
+    allocator_fail(random);
+}
+
+bool results_judge(generator *random, call *made, const results *of,
+                   const listener *hearing, tf_status status)
+{
+    bool cancelled = hearing && hearing->cancelled;
+    end_trouble(made);
+    judge_error(made, status, &of->error, random);
+    require(made, cancelled || status != TF_CANCELLED, "nobody has cancelled");
+    require(made, !cancelled || status != TF_OK,
+            "it succeeded although it was cancelled");
+    if (judge_status(made, status))
+        return true;
+    judge_unset(made, of->result, of->size);
+    return false;
 }

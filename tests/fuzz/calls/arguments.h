@@ -58,18 +58,32 @@ typedef struct listener {
 /// NULL, or a callback whose context must be the listener; notes TF_CANCELLED.
 tf_progress *any_progress(generator *random, call *made, listener *hearing);
 
-/// Requires that a call has ended with TF_CANCELLED, or because of a fault, if
-/// it was cancelled, and otherwise has not.
-void judge_cancelling(const call *made, const listener *hearing,
-                      tf_status status);
-
 // Trouble ---------------------------------------------------------------------
 
-/// Lets rounding go upward, one time of 64, and notes TF_BAD_ENVIRONMENT; and
-/// lets allocations fail, one time of 16.
-void trouble_begin(generator *random, call *made);
+/// Lets rounding go upward, one time of 64, and notes TF_BAD_ENVIRONMENT.
+void break_environment(generator *random, call *made);
 
-/// Ends that after the call; notes TF_OUT_OF_MEMORY if an allocation failed.
-void trouble_end(call *made);
+/// Restores it after the call, and lets no allocation fail any more; notes
+/// TF_OUT_OF_MEMORY if one has failed.
+void end_trouble(call *made);
+
+// Results ---------------------------------------------------------------------
+
+/// What a call sets: a result, and an error.
+typedef struct results {
+    void *result;
+    size_t size;
+    tf_error error;
+} results;
+
+/// Marks the results before a call, and lets allocations fail, one time of 16.
+void results_begin(generator *random, results *of, void *result, size_t size);
+
+/// Ends all trouble after it, and judges its status and the error.  Requires
+/// that a call that was cancelled has not succeeded, and the result of one that
+/// failed is not set.  Returns whether it has succeeded.
+/// @param hearing what may have cancelled; NULL: nothing
+bool results_judge(generator *random, call *made, const results *of,
+                   const listener *hearing, tf_status status);
 
 #endif

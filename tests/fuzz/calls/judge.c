@@ -120,7 +120,8 @@ void judge_error(const call *made, tf_status status, const tf_error *error,
 
 void mark(void *output, size_t size)
 {
-    memset(output, MARK, size);
+    if (size > 0)
+        memset(output, MARK, size);
 }
 
 void judge_unset(const call *made, const void *output, size_t size)

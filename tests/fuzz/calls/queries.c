@@ -182,9 +182,9 @@ void call_query(generator *random)
     const tf_arithmetic *arithmetic = any_arithmetic(random);
     draw_scene(random, &made, arithmetic, &s);
     mark(&contact, sizeof contact);
-    trouble_begin(random, &made);
+    break_environment(random, &made);
     tf_status status = ask(arithmetic, &s, &contact);
-    trouble_end(&made);
+    end_trouble(&made);
     if (judge_status(&made, status))
         judge_exact_contact(&made, arithmetic, &contact);
     else
@@ -269,11 +269,11 @@ void call_linear_query(generator *random)
                      TF_BAD_OPTION);
     mark(&contact, sizeof contact);
     mark(&advancement, sizeof advancement);
-    trouble_begin(random, &made);
+    break_environment(random, &made);
     tf_status status = advances ? ask_advancing(&limits, &s, &contact,
                                                 wanted ? &advancement : NULL)
                                 : ask_rounded(&tolerances, &s, &contact);
-    trouble_end(&made);
+    end_trouble(&made);
     if (judge_status(&made, status))
         judge_contact(&made, &contact);
     else
@@ -319,10 +319,10 @@ void call_rigid_advance(generator *random)
     draw_rigid(random, &made, space ? 3 : 2, space ? 3 : 2, &second);
     tf_advance_limits limits = any_limits(random, &made);
     mark(&advancement, sizeof advancement);
-    trouble_begin(random, &made);
+    break_environment(random, &made);
     tf_status status = (space ? tf_advance_triangles : tf_advance_point_edge)(
         &limits, &first.body, &second.body, &advancement);
-    trouble_end(&made);
+    end_trouble(&made);
     if (judge_status(&made, status))
         judge_advancement(&made, advancement.verdict, &advancement);
     else
@@ -545,11 +545,11 @@ void call_filter(generator *random)
         draw_coordinates(random, COUNT(block->at) * 96,
                          &block[i].at[0][0][0][0]);
     mark(masks, sizeof masks);
-    trouble_begin(random, &made);
+    break_environment(random, &made);
     tf_status status =
         (triangle ? tf_filter_point_triangle : tf_filter_edge_edge)(
             count, count ? block : NULL, count ? masks : NULL);
-    trouble_end(&made);
+    end_trouble(&made);
     if (!judge_status(&made, status) || count == 0) {
         judge_unset(&made, masks, sizeof masks);
         return;

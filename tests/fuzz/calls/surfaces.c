@@ -60,31 +60,21 @@ void call_create(generator *random, body *of)
 {
     body drawn;
     tf_surface *surface;
-    tf_error error;
+    results set;
     call made = call_begin("tf_surface_create");
     body_draw(random, &drawn);
     if (one_in(random, 4))
         spoil_mesh(random, &made, &drawn);
     drop_lists(random, &made, &drawn);
-    mark(&surface, sizeof surface);
-    mark(&error, sizeof error);
-    bool told = one_in(random, 2);
-    allocator_fail(random);
-    tf_status status =
-        tf_surface_create(&drawn.mesh, &surface, told ? &error : NULL);
-    trouble_end(&made);
-    if (told)
-        judge_error(&made, status, &error, random);
-    if (!judge_status(&made, status)) {
-        judge_unset(&made, &surface, sizeof surface);
+    results_begin(random, &set, &surface, sizeof surface);
+    tf_status status = tf_surface_create(&drawn.mesh, &surface, &set.error);
+    if (!results_judge(random, &made, &set, NULL, status))
         return;
-    }
     body_free(of);
     *of = drawn;
     of->mesh.triangle = of->triangle;
     of->mesh.edge = of->edge;
     of->surface = surface;
-    of->known = false;
 }
 
 // Resolvers -------------------------------------------------------------------
@@ -101,7 +91,7 @@ void call_resolver(generator *random, body *of)
     mark(&resolver, sizeof resolver);
     allocator_fail(random);
     tf_status status = tf_resolver_create(of->surface, &resolver);
-    trouble_end(&made);
+    end_trouble(&made);
     if (!judge_status(&made, status)) {
         judge_unset(&made, &resolver, sizeof resolver);
         return;
@@ -180,19 +170,16 @@ void call_filter_pairs(generator *random, body *of)
 {
     static pair_filter filter;
     int group[MOST_VERTICES];
-    tf_error error;
+    results set;
     call made = call_begin("tf_surface_set_filter");
     bool none = one_in(random, 4);
     filter = (pair_filter){0};
     if (!none)
         draw_filter(random, &made, of, &filter, group);
-    mark(&error, sizeof error);
-    allocator_fail(random);
-    tf_status status =
-        tf_surface_set_filter(of->surface, none ? NULL : &filter.own, &error);
-    trouble_end(&made);
-    judge_error(&made, status, &error, random);
-    if (judge_status(&made, status)) {
+    results_begin(random, &set, NULL, 0);
+    tf_status status = tf_surface_set_filter(
+        of->surface, none ? NULL : &filter.own, &set.error);
+    if (results_judge(random, &made, &set, NULL, status)) {
         keep_filter(of, &filter.own);
         mark(group, sizeof group);
         of->known = false;
@@ -294,13 +281,23 @@ static const tf_narrow_phase *any_narrow_phase(generator *random, call *made,
     return &to->narrow_phase;
 }
 
+/// Those that tf_surface_candidates uses, too.
+static void draw_usual_options(generator *random, call *made,
+                               detect_options *options, pointed_to *to)
+{
+    tf_detect_options *own = &options->own;
+    *own = (tf_detect_options){.context = &to->hearing};
+    own->size = any_size(random, made, sizeof *own, options->later);
+    own->parallel = any_parallel(random, made, &to->workers);
+    own->progress = any_progress(random, made, &to->hearing);
+}
+
 static void draw_detect_options(generator *random, call *made,
                                 detect_options *options, pointed_to *to)
 {
     static const int bad[] = {-1, 3, INT_MAX, INT_MIN};
     tf_detect_options *own = &options->own;
-    *own = (tf_detect_options){.context = &to->hearing};
-    own->size = any_size(random, made, sizeof *own, options->later);
+    draw_usual_options(random, made, options, to);
     own->selection = (tf_contact_selection)below(random, 3);
     if (one_in(random, 16)) {
         own->selection = (tf_contact_selection)bad[below(random, COUNT(bad))];
@@ -308,8 +305,15 @@ static void draw_detect_options(generator *random, call *made,
     }
     own->arithmetic = one_in(random, 2) ? NULL : any_arithmetic(random);
     own->narrow_phase = any_narrow_phase(random, made, to);
-    own->parallel = any_parallel(random, made, &to->workers);
-    own->progress = any_progress(random, made, &to->hearing);
+}
+
+/// Whether an arithmetic holds all positions of a step.
+static bool step_is_held(const tf_arithmetic *arithmetic, const body *of,
+                         const step *s)
+{
+    int axes = of->mesh.axes, numbers = body_numbers(of);
+    return !arithmetic || (all_held(arithmetic, axes, numbers, s->start) &&
+                           all_held(arithmetic, axes, numbers, s->end));
 }
 
 /// Detects again, by a new surface, in the plainest way.
@@ -343,35 +347,38 @@ void call_detect(generator *random, body *of)
     pointed_to to;
     step s;
     tf_contacts found;
-    tf_error error;
+    results set;
     call made = call_begin("tf_surface_detect");
     draw_step(random, &made, of, &s);
     tf_motion motion = draw_motion(random, &made, of, &s);
     draw_detect_options(random, &made, &options, &to);
-    const tf_arithmetic *arithmetic = options.own.arithmetic;
-    int numbers = body_numbers(of);
-    expect_fault(&made,
-                 arithmetic &&
-                     (!all_held(arithmetic, of->mesh.axes, numbers, s.start) ||
-                      !all_held(arithmetic, of->mesh.axes, numbers, s.end)),
+    expect_fault(&made, !step_is_held(options.own.arithmetic, of, &s),
                  TF_OUT_OF_RANGE);
-    bool usual = one_in(random, 8) && !made.faults && !arithmetic;
+    bool usual = !made.faults && !options.own.arithmetic && one_in(random, 8);
     if (usual)
         options.own = (tf_detect_options){0};
-    mark(&found, sizeof found);
-    mark(&error, sizeof error);
-    trouble_begin(random, &made);
+    break_environment(random, &made);
+    results_begin(random, &set, &found, sizeof found);
     tf_status status = tf_surface_detect(
-        of->surface, &motion, usual ? NULL : &options.own, &found, &error);
-    trouble_end(&made);
-    judge_error(&made, status, &error, random);
-    judge_cancelling(&made, &to.hearing, status);
-    if (judge_status(&made, status)) {
+        of->surface, &motion, usual ? NULL : &options.own, &found, &set.error);
+    if (results_judge(random, &made, &set, &to.hearing, status))
         judge_contacts(&made, of, &motion, &options.own, &found);
-    } else {
-        judge_unset(&made, &found, sizeof found);
+    else
         judge_after(random, &made, of);
-    }
+}
+
+/// Lists again, by a new surface.
+static void judge_candidates(const call *made, const body *of,
+                             const tf_motion *motion,
+                             const tf_candidates *found)
+{
+    tf_surface *other = body_copy(of);
+    tf_candidates again;
+    tf_status status = tf_surface_candidates(other, motion, NULL, &again, NULL);
+    require(made, status == TF_OK, "a new surface fails");
+    require(made, hash_candidates(found) == hash_candidates(&again),
+            "it finds other candidates than a new surface");
+    tf_surface_free(other);
 }
 
 void call_candidates(generator *random, body *of)
@@ -379,35 +386,20 @@ void call_candidates(generator *random, body *of)
     static detect_options options;
     pointed_to to;
     step s;
-    tf_candidates found, again;
-    tf_error error;
+    tf_candidates found;
+    results set;
     call made = call_begin("tf_surface_candidates");
     draw_step(random, &made, of, &s);
     tf_motion motion = draw_motion(random, &made, of, &s);
-    options = (detect_options){.own.context = &to.hearing};
-    options.own.size =
-        any_size(random, &made, sizeof options.own, options.later);
-    options.own.parallel = any_parallel(random, &made, &to.workers);
-    options.own.progress = any_progress(random, &made, &to.hearing);
-    mark(&found, sizeof found);
-    mark(&error, sizeof error);
-    trouble_begin(random, &made);
+    draw_usual_options(random, &made, &options, &to);
+    break_environment(random, &made);
+    results_begin(random, &set, &found, sizeof found);
     tf_status status = tf_surface_candidates(of->surface, &motion, &options.own,
-                                             &found, &error);
-    trouble_end(&made);
-    judge_error(&made, status, &error, random);
-    judge_cancelling(&made, &to.hearing, status);
-    if (!judge_status(&made, status)) {
-        judge_unset(&made, &found, sizeof found);
+                                             &found, &set.error);
+    if (results_judge(random, &made, &set, &to.hearing, status))
+        judge_candidates(&made, of, &motion, &found);
+    else
         judge_after(random, &made, of);
-        return;
-    }
-    tf_surface *other = body_copy(of);
-    status = tf_surface_candidates(other, &motion, NULL, &again, NULL);
-    require(&made, status == TF_OK, "a new surface fails");
-    require(&made, hash_candidates(&found) == hash_candidates(&again),
-            "it finds other candidates than a new surface");
-    tf_surface_free(other);
 }
 
 // Checking --------------------------------------------------------------------
@@ -417,41 +409,50 @@ typedef struct check_options {
     unsigned char later[LATER];
 } check_options;
 
+static void draw_check_options(generator *random, call *made,
+                               check_options *options, pointed_to *to)
+{
+    tf_check_options *own = &options->own;
+    *own = (tf_check_options){.context = &to->hearing};
+    own->size = any_size(random, made, sizeof *own, options->later);
+    own->parallel = any_parallel(random, made, &to->workers);
+    own->progress = any_progress(random, made, &to->hearing);
+}
+
+/// Checks again, by a new surface.
+static void judge_crossings(const call *made, const body *of, const step *s,
+                            const tf_crossings *found)
+{
+    tf_surface *other = body_copy(of);
+    tf_crossings again;
+    tf_status status =
+        tf_surface_check(other, s->vertices, s->start, NULL, &again, NULL);
+    require(made, status == TF_OK, "a new surface fails");
+    require(made, hash_crossings(found) == hash_crossings(&again),
+            "it finds other crossings than a new surface");
+    tf_surface_free(other);
+}
+
 void call_check(generator *random, body *of)
 {
     static check_options options;
     pointed_to to;
     step s;
-    tf_crossings found, again;
-    tf_error error;
+    tf_crossings found;
+    results set;
     call made = call_begin("tf_surface_check");
     draw_step(random, &made, of, &s);
-    made.faults &= ~((status_set)1 << TF_NOT_FINITE);
+    made.faults &= ~((status_set)1 << TF_NOT_FINITE); // as the end alone may be
     expect_fault(&made, !all_finite(body_numbers(of), s.start), TF_NOT_FINITE);
-    options = (check_options){.own.context = &to.hearing};
-    options.own.size =
-        any_size(random, &made, sizeof options.own, options.later);
-    options.own.parallel = any_parallel(random, &made, &to.workers);
-    options.own.progress = any_progress(random, &made, &to.hearing);
-    mark(&found, sizeof found);
-    mark(&error, sizeof error);
-    trouble_begin(random, &made);
+    draw_check_options(random, &made, &options, &to);
+    break_environment(random, &made);
+    results_begin(random, &set, &found, sizeof found);
     tf_status status = tf_surface_check(of->surface, s.vertices, s.start,
-                                        &options.own, &found, &error);
-    trouble_end(&made);
-    judge_error(&made, status, &error, random);
-    judge_cancelling(&made, &to.hearing, status);
-    if (!judge_status(&made, status)) {
-        judge_unset(&made, &found, sizeof found);
+                                        &options.own, &found, &set.error);
+    if (results_judge(random, &made, &set, &to.hearing, status))
+        judge_crossings(&made, of, &s, &found);
+    else
         judge_after(random, &made, of);
-        return;
-    }
-    tf_surface *other = body_copy(of);
-    status = tf_surface_check(other, s.vertices, s.start, NULL, &again, NULL);
-    require(&made, status == TF_OK, "a new surface fails");
-    require(&made, hash_crossings(&found) == hash_crossings(&again),
-            "it finds other crossings than a new surface");
-    tf_surface_free(other);
 }
 
 void call_lend(generator *random, body *of)
@@ -493,7 +494,7 @@ static size_t no_numbers(int axes, int vertices, int constraints)
     return 0;
 }
 
-/// As bad as a solver can be: impulses that depend on the zone, of any size, and
+/// As bad as a solver can be: impulses of any size that depend on the zone, and
 /// one time of four displacements that overflow.
 static int solve_wildly(tf_zone *zone)
 {
@@ -585,8 +586,8 @@ static void judge_clear(const call *made, const body *of, const double start[],
     tf_surface_free(other);
 }
 
-/// Requires that scripted vertices end where they should, but for those that the
-/// report counts.
+/// Requires that scripted vertices end where they should, but for those that
+/// the report counts.
 static void judge_scripted(const call *made, const body *of, const step *s,
                            const double inverse_mass[], const double end[],
                            const tf_response_report *report)
@@ -636,7 +637,7 @@ void call_resolve(generator *random, body *of)
     step s;
     double masses[MOST_VERTICES], end[NUMBERS];
     const tf_response_report *report;
-    tf_error error;
+    results set;
     need_resolver(of);
     call made = call_begin("tf_step_resolve");
     draw_step(random, &made, of, &s);
@@ -645,17 +646,12 @@ void call_resolve(generator *random, body *of)
     const double *inverse_mass =
         draw_masses(random, &made, of->mesh.vertices, masses);
     memcpy(end, s.end, sizeof end);
-    mark(&report, sizeof report);
-    mark(&error, sizeof error);
-    trouble_begin(random, &made);
+    break_environment(random, &made);
+    results_begin(random, &set, &report, sizeof report);
     tf_status status =
         tf_step_resolve(of->resolver, s.vertices, s.start, end, inverse_mass,
-                        &options.own, &report, &error);
-    trouble_end(&made);
-    judge_error(&made, status, &error, random);
-    judge_cancelling(&made, &to.hearing, status);
-    if (!judge_status(&made, status)) {
-        judge_unset(&made, &report, sizeof report);
+                        &options.own, &report, &set.error);
+    if (!results_judge(random, &made, &set, &to.hearing, status)) {
         require(&made, memcmp(end, s.end, sizeof end) == 0, "the end is set");
         judge_after(random, &made, of);
         return;
@@ -672,28 +668,23 @@ void call_limit(generator *random, body *of)
     step s;
     double end[NUMBERS];
     int halvings;
-    tf_error error;
+    results set;
     need_resolver(of);
     call made = call_begin("tf_step_limit");
     draw_step(random, &made, of, &s);
     draw_response_options(random, &made, &options, &to);
     memcpy(end, s.end, sizeof end);
-    mark(&halvings, sizeof halvings);
-    mark(&error, sizeof error);
-    trouble_begin(random, &made);
+    break_environment(random, &made);
+    results_begin(random, &set, &halvings, sizeof halvings);
     tf_status status = tf_step_limit(of->resolver, s.vertices, s.start, end,
-                                     &options.own, &halvings, &error);
-    trouble_end(&made);
-    judge_error(&made, status, &error, random);
-    judge_cancelling(&made, &to.hearing, status);
-    if (!judge_status(&made, status)) {
-        judge_unset(&made, &halvings, sizeof halvings);
-        require(&made, memcmp(end, s.end, sizeof end) == 0, "the end is set");
+                                     &options.own, &halvings, &set.error);
+    bool whole = memcmp(end, s.end, sizeof end) == 0;
+    if (!results_judge(random, &made, &set, &to.hearing, status)) {
+        require(&made, whole, "the end is set");
         judge_after(random, &made, of);
         return;
     }
     require(&made, halvings >= -1, "the halvings");
-    require(&made, halvings != 0 || memcmp(end, s.end, sizeof end) == 0,
-            "a step that is clear is changed");
+    require(&made, halvings != 0 || whole, "a step that is clear is changed");
     judge_clear(&made, of, s.start, end);
 }

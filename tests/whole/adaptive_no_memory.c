@@ -21,6 +21,7 @@
 
 // Adaptive surfaces -----------------------------------------------------------
 
+static tf_error error;
 static blobs parts;
 
 static void make_scene(const adaptive_scene *scene)
@@ -84,8 +85,10 @@ static tf_adaptive_surface *make_adaptive(void)
                           .triangle = parts.triangle};
     tf_adaptive_surface *surface = NULL;
     while (lacks_memory(
-        tf_adaptive_create(&mesh, parts.position[0], &surface, NULL)))
+        tf_adaptive_create(&mesh, parts.position[0], &surface, &error))) {
         ck_assert_ptr_null(surface);
+        ck_assert_int_eq(error.status, TF_OUT_OF_MEMORY);
+    }
     return surface;
 }
 
@@ -156,7 +159,8 @@ static tf_status pinch(tf_adaptive_surface *surface, tf_outcome *outcome)
 static tf_status remesh(tf_adaptive_surface *surface, tf_outcome *outcome)
 {
     static const tf_remesh_options how = {.edge = 0.4, .rounds = 2};
-    tf_status status = tf_adaptive_remesh(surface, &how, NULL, NULL);
+    tf_status status = tf_adaptive_remesh(surface, &how, NULL, &error);
+    ck_assert_int_eq(error.status, status);
     *outcome = status == TF_OK ? TF_COMMITTED : TF_NO_OUTCOME;
     return status;
 }
@@ -164,7 +168,8 @@ static tf_status remesh(tf_adaptive_surface *surface, tf_outcome *outcome)
 static tf_status reconnect(tf_adaptive_surface *surface, tf_outcome *outcome)
 {
     static const tf_reconnect_options how = {.edge = 1, .merge = 0.8};
-    tf_status status = tf_adaptive_reconnect(surface, &how, NULL, NULL);
+    tf_status status = tf_adaptive_reconnect(surface, &how, NULL, &error);
+    ck_assert_int_eq(error.status, status);
     *outcome = status == TF_OK ? TF_COMMITTED : TF_NO_OUTCOME;
     return status;
 }
@@ -237,8 +242,10 @@ static uint64_t let_flow(void)
         ck_assert_ptr_null(flow);
     for (int step = 0; step < 2; step++) {
         uint64_t before = hash_of(surface);
-        while (lacks_memory(tf_flow_step(flow, step, 1, &how, NULL, NULL)))
+        while (lacks_memory(tf_flow_step(flow, step, 1, &how, NULL, &error))) {
             ck_assert_uint_eq(hash_of(surface), before);
+            ck_assert_int_eq(error.status, TF_OUT_OF_MEMORY);
+        }
     }
     expect_told(tf_adaptive_memory(surface) + tf_flow_memory(flow));
     uint64_t changed = hash_of(surface);

@@ -51,7 +51,7 @@ openmp = book/openmp.c
 # Two false positives of cppcheck:
 # returnDanglingLifetime: it mistakes a struct for a pointer to its arguments;
 # memleak: it believes that a pointer is lost when its bytes are copied.
-check-static: $(BUILD)/renderer.flags $(generated) $(public_header)
+check-static: $(BUILD)/renderer.flags $(generated) $(public_header) $(threads_header)
 check-static: need-static ## analyze the code: warnings, clang-tidy, cppcheck
 	@for cc in gcc clang; do \
 	    echo $(filter-out $(openmp),$(filter %.c,$(source_files))) | \

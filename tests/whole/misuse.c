@@ -782,7 +782,7 @@ static void position_without(int null)
     tf_rigid_position(3, GIVEN(0, &body), 0, 0, GIVEN(1, x));
 }
 
-static void narrow_phase_without(int null)
+static void decide_without(const tf_narrow_phase *narrow_phase, int null)
 {
     static const int vertices[] = {0, 1, 2, 3};
     tf_motion motion = motion_of(3);
@@ -790,20 +790,18 @@ static void narrow_phase_without(int null)
                           GIVEN(3, vertices)};
     tf_verdict verdict;
     size_t separated = 0;
-    tf_reference.decide(NULL, GIVEN(0, &tf_exact), GIVEN(1, &queries),
-                        GIVEN(4, &verdict), GIVEN(5, &separated));
+    narrow_phase->decide(NULL, GIVEN(0, &tf_exact), GIVEN(1, &queries),
+                         GIVEN(4, &verdict), GIVEN(5, &separated));
+}
+
+static void narrow_phase_without(int null)
+{
+    decide_without(&tf_reference, null);
 }
 
 static void vectors_without(int null)
 {
-    static const int vertices[] = {0, 1, 2, 3};
-    tf_motion motion = motion_of(3);
-    tf_queries queries = {TF_EDGE_EDGE, GIVEN(2, &motion), 1,
-                          GIVEN(3, vertices)};
-    tf_verdict verdict;
-    size_t separated = 0;
-    tf_vectorized.decide(NULL, GIVEN(0, &tf_exact), GIVEN(1, &queries),
-                         GIVEN(4, &verdict), GIVEN(5, &separated));
+    decide_without(&tf_vectorized, null);
 }
 
 static void batch_without(int null)

@@ -186,15 +186,19 @@ static void gather_totals(totals_record *record, const tf_step_totals *sums,
 }
 
 //: Write what is told of all steps
+static const tf_field sizes[] = {
+    TF_FIELD("steps", totals_record, steps),
+    TF_FIELD("vertices", totals_record, vertices),
+    TF_FIELD("triangles", totals_record, triangles),
+};
+
 bool tf_step_totals_write(FILE *stream, tf_format format,
                           const tf_step_totals *sums,
                           const tf_simulation *simulation)
 {
     tf_mesh mesh = simulation->scene->kind->snapshot(simulation).mesh;
     totals_record record = {
-        .field = {TF_FIELD("steps", totals_record, steps),
-                  TF_FIELD("vertices", totals_record, vertices),
-                  TF_FIELD("triangles", totals_record, triangles)},
+        .field = {sizes[0], sizes[1], sizes[2]},
         .steps = sums->steps,
         .vertices = mesh.vertices,
         .triangles = mesh.triangles,

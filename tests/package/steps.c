@@ -89,9 +89,10 @@ static void detect(tf_surface *surface, size_t size)
 static void check(tf_surface *surface, size_t size)
 {
     WITH_MARGINS(tf_crossings, found);
-    expect(tf_surface_check(surface, VERTICES, start,
-                            &(tf_check_options){.size = size}, &found.it, NULL),
-           "check");
+    const tf_check_options options = {.size = size};
+    expect(
+        tf_surface_check(surface, VERTICES, start, &options, &found.it, NULL),
+        "check");
     expect_margins(found.before, found.after);
     printf("%zu crossings\n", found.it.count);
 }

@@ -4,7 +4,6 @@
 
 #include "remesh/remesh.h"
 #include "support/adaptive_surfaces.h"
-#include "support/reconnections.h"
 #include "support/support.h"
 #include "support/surgery_runs.h"
 #include "surgery/adaptive_surface.h"

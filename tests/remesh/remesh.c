@@ -21,7 +21,7 @@ static surgery_run run;
 static surgery_counts counts;
 
 /// Gives new vertices the part of a neighbor that has one.
-static void label_parts(int before)
+static void inherit_parts(int before)
 {
     tf_mesh mesh = *tf_adaptive_mesh(run.surface);
     for (int v = before; v < mesh.vertices; v++)
@@ -61,7 +61,7 @@ START_TEST(no_close_surfaces_are_tangled_by_passes)
         remesher_begin(run.surface, &tf_keep_shape, run.scene.unit / 3);
     for (int i = 0; i < 5; i++)
         ck_assert_int_eq(tf_remesh_pass(remesher, passes[i]), TF_OK);
-    label_parts(run.scene.vertices);
+    inherit_parts(run.scene.vertices);
     const char *fault = first_fault();
     ck_assert_msg(!fault, "%s", fault);
     remesher_end(remesher);

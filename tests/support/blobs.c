@@ -1,7 +1,7 @@
 #include "support/blobs.h"
 
 #include "support/adaptive_surfaces.h"
-#include "support/reconnections.h"
+#include "support/surgery_runs.h"
 
 #include <math.h>
 #include <stdbool.h>

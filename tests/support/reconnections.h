@@ -24,8 +24,4 @@ const char *run_reconnections(generator random, adaptive_scene_kind kind,
 /// Prints a table.
 void reconnection_counts_print(const reconnection_counts *counts);
 
-/// Gives each vertex of a surface the number of its part; returns how many
-/// parts there are.  -1: it has no triangles.
-int label_parts(const tf_adaptive_surface *surface, int part[]);
-
 #endif

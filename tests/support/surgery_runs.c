@@ -379,6 +379,39 @@ void surgery_run_compact(surgery_run *run)
             run->part[map[v]] = run->part[v];
 }
 
+// Parts -----------------------------------------------------------------------
+
+static int root_of(int parent[], int v)
+{
+    while (parent[v] != v)
+        v = parent[v] = parent[parent[v]];
+    return v;
+}
+
+int label_parts(const tf_adaptive_surface *surface, int part[])
+{
+    static int parent[LABELLED], label[LABELLED];
+    tf_mesh mesh = *tf_adaptive_mesh(surface);
+    int parts = 0;
+    for (int v = 0; v < mesh.vertices; v++) {
+        parent[v] = v;
+        label[v] = part[v] = -1;
+    }
+    for (int c = 0; c < 3 * mesh.triangles; c++)
+        if (mesh.triangle[c / 3 * 3] >= 0)
+            parent[root_of(parent, mesh.triangle[c])] =
+                root_of(parent, mesh.triangle[c / 3 * 3]);
+    for (int c = 0; c < 3 * mesh.triangles; c++) {
+        if (mesh.triangle[c / 3 * 3] < 0)
+            continue;
+        int *own = &label[root_of(parent, mesh.triangle[c])];
+        if (*own < 0)
+            *own = parts++;
+        part[mesh.triangle[c]] = *own;
+    }
+    return parts;
+}
+
 // The whole state -------------------------------------------------------------
 
 uint64_t surgery_run_hash(const surgery_run *run)

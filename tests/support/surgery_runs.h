@@ -77,6 +77,10 @@ void surgery_run_compact(surgery_run *run);
 /// changed of the nesting and the volumes.  NULL: nothing.  Static storage.
 const char *surgery_run_fault(const surgery_run *run);
 
+/// Gives each vertex of a surface the number of its part; returns how many
+/// parts there are.  -1: it has no triangles.
+int label_parts(const tf_adaptive_surface *surface, int part[]);
+
 /// A number that depends on all that the surface is.
 uint64_t surgery_run_hash(const surgery_run *run);
 

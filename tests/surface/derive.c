@@ -76,7 +76,7 @@ END_TEST
 static void expect_flaw(const tf_mesh *mesh, tf_status expected,
                         tf_subject element, int index, int vertex)
 {
-    tf_error error;
+    tf_error error = {0};
     ck_assert_int_eq(tf_mesh_check(mesh, &error), expected);
     ck_assert_int_eq(error.subject, element);
     if (element != TF_NO_SUBJECT) {

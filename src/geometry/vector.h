@@ -4,6 +4,7 @@
 #include "base/always_inline.h"
 
 #include <math.h>
+#include <stdbool.h>
 #include <stddef.h>
 
 enum {
@@ -41,6 +42,12 @@ TF_ALWAYS_INLINE tf_vector tf_vector_sum(tf_vector a, double factor,
 TF_ALWAYS_INLINE tf_vector tf_vector_difference(tf_vector a, tf_vector b)
 {
     return (tf_vector){{a.x[0] - b.x[0], a.x[1] - b.x[1], a.x[2] - b.x[2]}};
+}
+
+/// Whether all coordinates are the same.
+TF_ALWAYS_INLINE bool tf_vector_equals(tf_vector a, tf_vector b)
+{
+    return a.x[0] == b.x[0] && a.x[1] == b.x[1] && a.x[2] == b.x[2];
 }
 
 //: Take products of vectors

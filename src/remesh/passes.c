@@ -8,8 +8,6 @@
 #include "surgery/split.h"
 #include "surgery/star.h"
 
-#include <string.h>
-
 //: Trace what is placed
 /// Where a vertex comes from that has been put between two, or moved.
 static tf_status trace(tf_remesher *remesher, int vertex, int a, int b,
@@ -101,7 +99,7 @@ static tf_status collapse(tf_remesher *remesher, const tf_edge_collapse *wanted)
     if (status != TF_OK)
         return status;
     tf_remesher_count(remesher, TF_COLLAPSE, outcome);
-    bool moved = memcmp(before.x, wanted->position.x, sizeof before.x) != 0;
+    bool moved = !tf_vector_equals(before, wanted->position);
     return outcome == TF_COMMITTED && moved
                ? trace(remesher, to, from, to, false)
                : TF_OK;

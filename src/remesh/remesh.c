@@ -145,7 +145,7 @@ tf_status tf_adaptive_remesh(tf_adaptive_surface *surface,
                              const tf_remesh_report **report, tf_error *error)
 {
     TF_REQUIRE(surface && options);
-    tf_remesh_options own;
+    tf_remesh_options own = {0};
     tf_status status = read_options(&own, options, surface, error);
     if (status != TF_OK)
         return status;

@@ -256,8 +256,7 @@ static bool is_at_hand(const trace_search *search, const tf_placement *placed)
     const tf_projection *projection = placed->projection;
     int triangle = projection->origin.triangle;
     if (placed->sharp || !isfinite(projection->distance) ||
-        memcmp(projection->point.x, search->point.x, sizeof search->point.x) !=
-            0)
+        !tf_vector_equals(projection->point, search->point))
         return false;
     tf_shape shape = tf_shape_of(search->original, triangle);
     if (!(tf_vector_dot(tf_shape_normal(&shape), search->normal) > 0))

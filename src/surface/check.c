@@ -98,7 +98,7 @@ static bool take(tf_pair_sink *sink, int count, const tf_candidate pair[])
         return false;
     for (int i = 0; i < count; i++) {
         if (i % SOME_PAIRS == 0 &&
-            !tf_worker_works(worker, watch, SOME_PAIRS * PAIR_WORK))
+            !tf_worker_works(worker, watch, (size_t)SOME_PAIRS * PAIR_WORK))
             return false;
         tf_crossing own = crossing_of(worker->job, pair[i]);
         bool found = false;

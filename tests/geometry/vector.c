@@ -56,6 +56,18 @@ START_TEST(the_position_of_a_vertex_is_three_coordinates_of_the_array)
 }
 END_TEST
 
+START_TEST(vectors_are_equal_if_all_coordinates_are)
+{
+    tf_vector a = {{1, 0, -2}};
+    ck_assert(tf_vector_equals(a, (tf_vector){{1, -0.0, -2}}));
+    for (int k = 0; k < 3; k++) {
+        tf_vector b = a;
+        b.x[k] = nextafter(b.x[k], 3);
+        ck_assert(!tf_vector_equals(a, b));
+    }
+}
+END_TEST
+
 START_TEST(sums_of_integers_are_exact)
 {
     generator random = generator_new(1);
@@ -137,6 +149,7 @@ Suite *suite(void)
     TCase *tcase = tcase_create("vector");
     tcase_add_test(tcase,
                    the_position_of_a_vertex_is_three_coordinates_of_the_array);
+    tcase_add_test(tcase, vectors_are_equal_if_all_coordinates_are);
     tcase_add_test(tcase, sums_of_integers_are_exact);
     tcase_add_test(tcase, products_are_exact_but_for_rounding);
     tcase_add_test(tcase, the_cross_product_of_two_axes_is_the_next_axis);

@@ -10,7 +10,8 @@
 # main() is.  A build of the first chapters leaves out the support that needs
 # more than they have, and the tests of the whole.
 SUPPORT := $(wildcard tests/support/*.c) tests/bench/workloads.c \
-	tests/bench/layers.c tests/bench/latency.c tests/bench/measuring.c
+	$(addprefix tests/bench/,layers.c latency.c measuring.c surface_calls.c \
+	adaptive_calls.c)
 FIGURE_TESTS := $(wildcard $(addsuffix /*.c,$(addprefix tests/,renderer draw kit \
 	figures)))
 ifndef partial
@@ -178,8 +179,4 @@ soak-topology: $(BUILD)/tests/soak/topology ## merge and pinch among COUNT=10000
 soak-scenes: $(BUILD)/tests/soak/scenes ## simulate all scenes, and judge every step
 	@$<
 
-soak-cancelling: COUNT = 100
-soak-cancelling: $(BUILD)/tests/soak/cancelling ## cancel long calls COUNT=100 times, and time their returns
-	@$< $(COUNT)
-.PHONY: soak soak-vectors soak-response soak-surgery soak-topology soak-scenes \
-	soak-cancelling
+.PHONY: soak soak-vectors soak-response soak-surgery soak-topology soak-scenes

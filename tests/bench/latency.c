@@ -55,19 +55,23 @@ static bool tell(void *context, const tf_stage *stage)
     return false;
 }
 
-/// Returns how long it took to return, once it was cancelled.
-static double time_call(const long_call *call, void *scene,
+/// Returns how long it took to return, once it was cancelled.  A call that was
+/// not may have changed the scene, which is made anew.
+static double time_call(const long_call *call, void **scene,
                         const latency_plan *plan, stopwatch *w)
 {
     watched how = {plan->parallel, tell, w};
     w->by_processor = !plan->parallel;
     w->stage = "the beginning";
     w->begin = w->last = w->told = seconds(w);
-    tf_status status = call->run(scene, call->variant, &how);
+    tf_status status = call->run(*scene, call->variant, &how);
     double end = end_silence(w);
-    if (status != TF_CANCELLED)
-        require(status);
-    return status == TF_CANCELLED ? end - w->told : 0;
+    if (status == TF_CANCELLED)
+        return end - w->told;
+    require(status);
+    call->release(*scene);
+    *scene = call->make(call->variant);
+    return 0;
 }
 
 // Many moments ----------------------------------------------------------------
@@ -83,7 +87,7 @@ static double quantile(const double sorted[], int count, double part)
     return 1e3 * sorted[(int)ceil(part * (count - 1))];
 }
 
-static void cancel(const long_call *call, void *scene, double most,
+static void cancel(const long_call *call, void **scene, double most,
                    const latency_plan *plan)
 {
     generator random = generator_new(1);
@@ -109,12 +113,12 @@ void latency_print(const long_call *call, const latency_plan *plan)
 {
     void *scene = call->make(call->variant);
     stopwatch w = {.moment = plan->seconds};
-    time_call(call, scene, plan, &w);
+    time_call(call, &scene, plan, &w);
     double whole = w.last - w.begin;
     printf("%-28s %7.2f %8ld %8.2f %-12s", call->name, whole, w.calls,
            1e3 * w.silence, w.silent_stage);
     fflush(stdout);
-    cancel(call, scene, whole, plan);
+    cancel(call, &scene, whole, plan);
     fflush(stdout);
     call->release(scene);
 }

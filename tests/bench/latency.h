@@ -22,7 +22,7 @@ typedef struct long_call {
     void *(*make)(int variant);
     void (*release)(void *scene);
 
-    /// Calls the library, each time from the same beginning.
+    /// Calls the library.
     tf_status (*run)(void *scene, int variant, const watched *how);
 } long_call;
 

@@ -3,29 +3,49 @@
 
 #include <math.h>
 #include <stddef.h>
+#include <string.h>
 
-const tf_box tf_box_empty = {{INFINITY, INFINITY, INFINITY},
-                             {-INFINITY, -INFINITY, -INFINITY}};
+const tf_box tf_box_empty = {
+    {INFINITY, INFINITY, INFINITY, INFINITY, INFINITY, INFINITY},
+    {-INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY}};
 
 //: Find the extent of a motion
-/// The least and greatest coordinates along each axis.
+/// The least and greatest coordinates on each side.
 typedef struct bounds {
-    double low[3], high[3];
+    double low[TF_SIDES], high[TF_SIDES];
 } bounds;
 
-static const bounds no_bounds = {{INFINITY, INFINITY, INFINITY},
-                                 {-INFINITY, -INFINITY, -INFINITY}};
-
-/// Takes in the coordinates of one vertex; false if one of them is not finite.
-static bool take_in(bounds *all, int axes, const double *x)
+static bounds no_bounds(void)
 {
+    bounds all;
+    for (int side = 0; side < TF_SIDES; side++) {
+        all.low[side] = INFINITY;
+        all.high[side] = -INFINITY;
+    }
+    return all;
+}
+
+/// Takes in the coordinates of one vertex, on the sides from `first` on; false if
+/// one of them is not finite.
+static bool take_in(bounds *all, int first, int axes, const double *x)
+{
+    double *low = all->low + first, *high = all->high + first;
     bool finite = true;
     for (int k = 0; k < axes; k++) {
         finite &= isfinite(x[k]) != 0;
-        all->low[k] = x[k] < all->low[k] ? x[k] : all->low[k];
-        all->high[k] = x[k] > all->high[k] ? x[k] : all->high[k];
+        low[k] = x[k] < low[k] ? x[k] : low[k];
+        high[k] = x[k] > high[k] ? x[k] : high[k];
     }
     return finite;
+}
+
+/// Gives both ends the same bounds: those of all that is swept.
+static void sweep(bounds *all)
+{
+    take_in(all, 0, TF_AXES, all->low + TF_AXES);
+    take_in(all, 0, TF_AXES, all->high + TF_AXES);
+    memcpy(all->low + TF_AXES, all->low, TF_AXES * sizeof *all->low);
+    memcpy(all->high + TF_AXES, all->high, TF_AXES * sizeof *all->high);
 }
 
 //: Center and scale
@@ -43,60 +63,66 @@ static tf_frame frame_of(int axes, const bounds *all)
 {
     tf_frame frame = {.axes = axes};
     double size = 0;
-    for (int k = 0; k < axes; k++) {
+    for (int side = 0; side < TF_SIDES; side++) {
+        if (side % TF_AXES >= axes)
+            continue;
         // Halves first: the sum and the difference may overflow.
-        frame.center[k] = all->low[k] / 2 + all->high[k] / 2;
-        size = fmax(size, all->high[k] / 2 - all->low[k] / 2);
+        frame.center[side] = all->low[side] / 2 + all->high[side] / 2;
+        size = fmax(size, all->high[side] / 2 - all->low[side] / 2);
     }
     frame.scale = scale_of(size);
-    for (int k = 0; k < axes; k++) {
-        frame.whole.low[k] = tf_frame_coordinate(&frame, k, all->low[k]);
-        frame.whole.high[k] = tf_frame_coordinate(&frame, k, all->high[k]);
+    for (int side = 0; side < TF_SIDES; side++) {
+        if (side % TF_AXES >= axes)
+            continue;
+        frame.whole.low[side] =
+            tf_frame_coordinate(&frame, side, all->low[side]);
+        frame.whole.high[side] =
+            tf_frame_coordinate(&frame, side, all->high[side]);
     }
     return frame;
 }
 
-//: Put a box around the path of a vertex
-tf_box tf_vertex_box(const tf_frame *frame, const tf_motion *motion, int vertex)
+//: Find the path of a vertex
+tf_path tf_vertex_path(const tf_frame *frame, const tf_motion *motion,
+                       int vertex)
 {
-    tf_box box = {{0}, {0}};
+    tf_path path = {{0}};
     for (int k = 0; k < frame->axes; k++) {
         ptrdiff_t place = (ptrdiff_t)frame->axes * vertex + k;
-        float a = tf_frame_coordinate(frame, k, motion->start[place]);
-        float b = tf_frame_coordinate(frame, k, motion->end[place]);
-        box.low[k] = a < b ? a : b;
-        box.high[k] = a < b ? b : a;
+        path.at[k] = tf_frame_coordinate(frame, k, motion->start[place]);
+        path.at[TF_AXES + k] =
+            tf_frame_coordinate(frame, TF_AXES + k, motion->end[place]);
     }
-    return box;
+    return path;
 }
 
-//: Put a box around the path of each vertex of a part
+//: Find the path of each vertex of a part
 enum {
     VERTICES = 16384 // a task
 };
 
-typedef struct box_job {
+typedef struct path_job {
     const tf_frame *frame;
     const tf_motion *motion;
-    tf_box *box;
-} box_job;
+    tf_path *path;
+} path_job;
 
-static void box_vertices(void *argument, int task, int worker)
+static void map_vertices(void *argument, int task, int worker)
 {
-    const box_job *job = argument;
+    const path_job *job = argument;
     tf_range part = tf_range_part(job->motion->vertices, VERTICES, task);
     (void)worker;
     for (int v = part.begin; v < part.end; v++)
-        job->box[v] = tf_vertex_box(job->frame, job->motion, v);
+        job->path[v] = tf_vertex_path(job->frame, job->motion, v);
 }
 
-//: Put a box around the path of each vertex
-void tf_vertex_boxes(const tf_frame *frame, const tf_motion *motion,
-                     const tf_parallel *parallel, tf_box box[])
+//: Find the path of each vertex
+void tf_vertex_paths(const tf_frame *frame, const tf_motion *motion,
+                     const tf_parallel *parallel, tf_path path[])
 {
-    box_job job = {frame, motion, box};
+    path_job job = {frame, motion, path};
     tf_parallel_for_each(parallel, tf_range_parts(motion->vertices, VERTICES),
-                         box_vertices, &job);
+                         map_vertices, &job);
 }
 
 //: Find the extent of a part
@@ -117,13 +143,13 @@ static void measure_part(void *argument, int task, int worker)
     extent_job *job = argument;
     const tf_motion *motion = job->motion;
     tf_range part = tf_range_part(motion->vertices, job->size, task);
-    bounds all = no_bounds;
+    bounds all = no_bounds();
     (void)worker;
     job->bad[task] = -1;
     for (int v = part.begin; v < part.end; v++) {
         ptrdiff_t place = (ptrdiff_t)job->axes * v;
-        bool start = take_in(&all, job->axes, motion->start + place);
-        bool end = take_in(&all, job->axes, motion->end + place);
+        bool start = take_in(&all, 0, job->axes, motion->start + place);
+        bool end = take_in(&all, TF_AXES, job->axes, motion->end + place);
         if (!start || !end) {
             job->bad[task] = v;
             return;
@@ -133,7 +159,7 @@ static void measure_part(void *argument, int task, int worker)
 }
 
 //: Find the frame of a motion
-tf_status tf_frame_of(int axes, const tf_motion *motion,
+tf_status tf_frame_of(int axes, const tf_motion *motion, bool swept,
                       const tf_parallel *parallel, tf_frame *frame, int *bad)
 {
     extent_job job = {.axes = axes,
@@ -141,15 +167,17 @@ tf_status tf_frame_of(int axes, const tf_motion *motion,
                       .size = tf_range_size(motion->vertices, PARTS, VERTICES)};
     int tasks = tf_range_parts(motion->vertices, job.size);
     tf_parallel_for_each(parallel, tasks, measure_part, &job);
-    bounds all = no_bounds;
+    bounds all = no_bounds();
     for (int task = 0; task < tasks; task++) {
         if (job.bad[task] >= 0) {
             *bad = job.bad[task];
             return TF_NOT_FINITE;
         }
-        take_in(&all, axes, job.extent[task].low);
-        take_in(&all, axes, job.extent[task].high);
+        take_in(&all, 0, TF_SIDES, job.extent[task].low);
+        take_in(&all, 0, TF_SIDES, job.extent[task].high);
     }
+    if (swept)
+        sweep(&all);
     *frame = frame_of(axes, &all);
     return TF_OK;
 }

@@ -2,14 +2,27 @@
 #pragma once
 
 #include "base/status.h"
+#include "geometry/vector.h"
 #include "query/motion.h"
 #include "surface/tasks.h"
 
 #include <stdbool.h>
 
-/// A closed box with sides along the axes, in the coordinates of a frame.
+enum {
+    TF_SIDES = 2 * TF_AXES, ///< coordinates of a path: its start, then its end
+    TF_PATH_ROOM = 8        ///< as many as two vectors hold
+};
+
+/// Where a vertex starts and ends, in the coordinates of a frame.  Those from
+/// TF_SIDES on are 0.
+typedef struct tf_path {
+    float at[TF_PATH_ROOM];
+} tf_path;
+
+/// Two closed boxes with sides along the axes, in the coordinates of a frame:
+/// around where things start, and around where they end.
 typedef struct tf_box {
-    float low[3], high[3]; ///< in the plane the third is 0
+    float low[TF_SIDES], high[TF_SIDES];
 } tf_box;
 
 /// The box that holds nothing: the union with it changes no box, and it
@@ -18,7 +31,7 @@ extern const tf_box tf_box_empty;
 
 static inline tf_box tf_box_union(tf_box a, tf_box b)
 {
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; k < TF_SIDES; k++) {
         a.low[k] = b.low[k] < a.low[k] ? b.low[k] : a.low[k];
         a.high[k] = b.high[k] > a.high[k] ? b.high[k] : a.high[k];
     }
@@ -28,35 +41,33 @@ static inline tf_box tf_box_union(tf_box a, tf_box b)
 //: Declare frames
 /// Coordinates for boxes: x - center, times a power of two that brings the
 /// largest near 1, rounded to float.  Each of these steps keeps the order of
-/// numbers (x <= y becomes x' <= y'), so boxes that overlap still do, though
-/// all is rounded to nearest.
+/// numbers (x <= y becomes x' <= y'), so what no axis separates, none does
+/// afterwards, though all is rounded to nearest.  Starts are compared with
+/// starts alone, and ends with ends; so each has a center of its own, and a
+/// motion that all have in common makes no difference.
 typedef struct tf_frame {
     int axes;
-    double center[3];
+    double center[TF_SIDES];
     double scale;
-    tf_box whole; ///< the union of the boxes of all paths
+    tf_box whole; ///< the union of all paths
 } tf_frame;
 
 /// The frame of all vertices of a motion.  Returns TF_NOT_FINITE, and the first
 /// such vertex in `*bad`, if a coordinate is infinite or NaN.
-tf_status tf_frame_of(int axes, const tf_motion *motion,
+tf_status tf_frame_of(int axes, const tf_motion *motion, bool swept,
                       const tf_parallel *parallel, tf_frame *frame, int *bad);
 
-/// The coordinate of a box in a frame that a coordinate of space has.  Ends may
-/// move far out of the frame after it was found: no coordinate is beyond those of
-/// the empty box.
-static inline float tf_frame_coordinate(const tf_frame *frame, int axis,
+/// The coordinate in a frame that a coordinate of space has at one side.
+static inline float tf_frame_coordinate(const tf_frame *frame, int side,
                                         double x)
 {
-    const double most = 0x1p100;
-    double at = (x - frame->center[axis]) * frame->scale;
-    return (float)(at > most ? most : at < -most ? -most : at);
+    return (float)((x - frame->center[side]) * frame->scale);
 }
 
-/// The box of the path of a vertex, from start to end.
-tf_box tf_vertex_box(const tf_frame *frame, const tf_motion *motion,
-                     int vertex);
+/// The path of a vertex.
+tf_path tf_vertex_path(const tf_frame *frame, const tf_motion *motion,
+                       int vertex);
 
-/// The boxes of the paths of all vertices.
-void tf_vertex_boxes(const tf_frame *frame, const tf_motion *motion,
-                     const tf_parallel *parallel, tf_box box[]);
+/// The paths of all vertices.
+void tf_vertex_paths(const tf_frame *frame, const tf_motion *motion,
+                     const tf_parallel *parallel, tf_path path[]);

@@ -113,7 +113,7 @@ static tf_status find(tf_surface *surface, const tf_motion *motion,
 {
     tf_status status = tf_parallel_check(parallel, error);
     if (status == TF_OK)
-        status = tf_surface_move(surface, motion, parallel, error);
+        status = tf_surface_move(surface, motion, false, parallel, error);
     if (status != TF_OK)
         return status;
     bool good = tf_workers_begin(&surface->workers,

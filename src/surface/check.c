@@ -173,7 +173,7 @@ static tf_status check(tf_surface *surface, check_job *job,
 {
     tf_status status = tf_parallel_check(parallel, error);
     if (status == TF_OK)
-        status = tf_surface_move(surface, &job->rest, parallel, error);
+        status = tf_surface_move(surface, &job->rest, true, parallel, error);
     if (status != TF_OK)
         return status;
     if (!tf_workers_begin(&surface->workers, tf_parallel_workers(parallel),

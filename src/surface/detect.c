@@ -45,7 +45,7 @@ static tf_status detect(tf_surface *surface, tf_pair_job *job,
         status = tf_fail_option(error, "selection", "one of its enumeration",
                                 job->selection);
     if (status == TF_OK)
-        status = tf_surface_move(surface, job->motion, parallel, error);
+        status = tf_surface_move(surface, job->motion, false, parallel, error);
     if (status == TF_OK)
         status = check_range(job, error);
     if (status != TF_OK)

@@ -8,6 +8,8 @@
 #include <stdint.h>
 
 enum {
+    PAIRS_ENOUGH = 3,    ///< not to look at times
+    CHILDREN_ENOUGH = 7, ///< likewise
     STACK = TF_TREE_LEVELS * TF_LANES
 };
 
@@ -21,27 +23,93 @@ void tf_pair_sink_hand_on(tf_pair_sink *sink)
     sink->count = 0;
 }
 
-//: Find the lanes that overlap a box
+//: Find the lanes that no axis separates from a box
 static const uint32_t bit[TF_LANES] = {
     1 << 0, 1 << 1, 1 << 2,  1 << 3,  1 << 4,  1 << 5,  1 << 6,  1 << 7,
     1 << 8, 1 << 9, 1 << 10, 1 << 11, 1 << 12, 1 << 13, 1 << 14, 1 << 15,
 };
 
-/// The lanes of the pack whose boxes overlap the box, a bit each.
-TF_ALWAYS_INLINE uint32_t overlaps(const tf_pack *pack, const tf_box *box)
+/// Whether a lane of a pack is on one side of a box at the start and at the end.
+/// What holds the start as well need only be looked at at the end.
+#define BEYOND(k)                                                              \
+    ((pack->low[TF_AXES + (k)][i] > own->high[TF_AXES + (k)][lane]) &          \
+     (swept | (pack->low[k][i] > own->high[k][lane])))
+#define BEFORE(k)                                                              \
+    ((pack->high[TF_AXES + (k)][i] < own->low[TF_AXES + (k)][lane]) &          \
+     (swept | (pack->high[k][i] < own->low[k][lane])))
+
+/// The lanes of a pack whose boxes may meet that of one lane of another, a bit
+/// each: those that are not on the same side of it, along some axis, at the start
+/// and at the end.
+TF_ALWAYS_INLINE uint32_t overlaps(const tf_pack *pack, const tf_pack *own,
+                                   int lane, const bool swept)
 {
     uint32_t lanes = 0;
     TF_LANE_LOOP
     for (int i = 0; i < TF_LANES; i++) {
-        bool apart = (pack->low[0][i] > box->high[0]) |
-                     (box->low[0] > pack->high[0][i]) |
-                     (pack->low[1][i] > box->high[1]) |
-                     (box->low[1] > pack->high[1][i]) |
-                     (pack->low[2][i] > box->high[2]) |
-                     (box->low[2] > pack->high[2][i]);
+        bool apart = BEYOND(0) | BEFORE(0) | BEYOND(1) | BEFORE(1) | BEYOND(2) |
+                     BEFORE(2);
         lanes |= apart ? 0 : bit[i];
     }
     return lanes;
+}
+
+//: Find when two sides do not separate
+/// The times at which a linear distance, from `start` to `end`, is not negative;
+/// none of these if `begin` exceeds `end`.
+typedef struct period {
+    float begin, end;
+} period;
+
+/// What the coordinates of a distance, the distance and the time err by, together,
+/// and more.
+#define SLACK 0x1p-20f
+
+TF_ALWAYS_INLINE period period_of(float start, float end)
+{
+    start += SLACK;
+    end += SLACK;
+    float zero = start / (start - end);
+    return (period){start >= 0 ? 0
+                    : end >= 0 ? zero
+                               : 2,
+                    (start < 0) | (end >= 0) ? 1 : zero};
+}
+
+TF_ALWAYS_INLINE period common(period a, period b)
+{
+    return (period){a.begin > b.begin ? a.begin : b.begin,
+                    a.end < b.end ? a.end : b.end};
+}
+
+//: Find the lanes that meet a box at one time
+/// The lanes of a pack whose boxes may meet that of one lane of another at one
+/// time on all axes.
+TF_SIMD_256 TF_NO_TRAPS static uint32_t meeting(const tf_pack *pack,
+                                                const tf_pack *own, int lane)
+{
+    uint32_t lanes = 0;
+    TF_LANE_LOOP
+    for (int i = 0; i < TF_LANES; i++) {
+        period all = {0, 1};
+        for (int k = 0; k < TF_AXES; k++) {
+            int l = TF_AXES + k;
+            all = common(all, period_of(own->high[k][lane] - pack->low[k][i],
+                                        own->high[l][lane] - pack->low[l][i]));
+            all = common(all, period_of(pack->high[k][i] - own->low[k][lane],
+                                        pack->high[l][i] - own->low[l][lane]));
+        }
+        lanes |= all.begin > all.end + SLACK ? 0 : bit[i];
+    }
+    return lanes;
+}
+
+/// Whether there are more lanes than some number.
+TF_ALWAYS_INLINE bool are_more(uint32_t lanes, int number)
+{
+    for (; number > 0; number--)
+        lanes &= lanes - 1;
+    return lanes != 0;
 }
 
 //: Find the lanes that share a vertex
@@ -88,24 +156,31 @@ TF_ALWAYS_INLINE int first_lane(uint32_t lanes)
 }
 
 //: Join two leaves
-TF_ALWAYS_INLINE void join_leaves(const tf_tree *s, int a,
-                                  const tf_box *box_of_a, const tf_tree *t,
-                                  int b, const tf_box *box_of_b,
-                                  tf_pair_sink *sink)
+/// The pack that has the box of a leaf, in the lane of the leaf's number modulo
+/// TF_LANES.
+TF_ALWAYS_INLINE const tf_pack *parent_of(const tf_tree *tree, int leaf)
 {
-    uint32_t near = overlaps(&s->level[0][a], box_of_b);
-    if (near == 0 || overlaps(&t->level[0][b], box_of_a) == 0)
+    return &tree->level[1][leaf / TF_LANES];
+}
+
+TF_ALWAYS_INLINE void join_leaves(const tf_tree *s, int a, const tf_tree *t,
+                                  int b, tf_pair_sink *sink, const bool swept)
+{
+    const tf_pack *one = &s->level[0][a], *two = &t->level[0][b];
+    uint32_t near = overlaps(one, parent_of(t, b), b % TF_LANES, swept);
+    if (near == 0 || overlaps(two, parent_of(s, a), a % TF_LANES, swept) == 0)
         return;
     const int *element = s->element[a], *other = t->element[b];
     tf_candidate *pair = sink->pair + sink->count;
     for (; near; near &= near - 1) {
         int i = first_lane(near);
-        tf_box own = tf_pack_box(&s->level[0][a], i);
-        uint32_t lanes = overlaps(&t->level[0][b], &own);
+        uint32_t lanes = overlaps(two, one, i, swept);
         if (s == t && a == b)
             lanes &= ~UINT32_C(1) << i;
         if (lanes)
             lanes &= ~lanes_that_share(s, a, i, t, b);
+        if (!swept && are_more(lanes, PAIRS_ENOUGH))
+            lanes &= meeting(two, one, i);
         for (; lanes; lanes &= lanes - 1)
             *pair++ = (tf_candidate){element[i], other[first_lane(lanes)]};
     }
@@ -113,10 +188,9 @@ TF_ALWAYS_INLINE void join_leaves(const tf_tree *s, int a,
 }
 
 //: Hold a visit
-/// A pack that may overlap, with its box.
+/// A pack that may meet.
 typedef struct visit {
     int level, pack;
-    tf_box box;
 } visit;
 
 /// Whether all leaves below a pack come before a leaf.
@@ -126,43 +200,55 @@ TF_ALWAYS_INLINE bool is_before(int level, int pack, int leaf)
 }
 
 //: Visit the children of a pack
-/// Puts those children of a pack on the stack that overlap the box; returns the
+/// Puts those children of a pack on the stack that may meet leaf a; returns the
 /// stack's new height.
 TF_ALWAYS_INLINE int visit_children(const tf_tree *s, int a, const tf_tree *t,
-                                    const visit *from, const tf_box *box,
-                                    visit stack[], int top)
+                                    const visit *from, visit stack[], int top,
+                                    const bool swept)
 {
     const tf_pack *pack = &t->level[from->level][from->pack];
-    uint32_t near = overlaps(pack, box);
+    const tf_pack *parent = parent_of(s, a);
+    uint32_t near = overlaps(pack, parent, a % TF_LANES, swept);
+    if (!swept && are_more(near, CHILDREN_ENOUGH))
+        near &= meeting(pack, parent, a % TF_LANES);
     for (; near; near &= near - 1) {
-        int i = first_lane(near);
-        int child = from->pack * TF_LANES + i;
+        int child = from->pack * TF_LANES + first_lane(near);
         // Of the same tree's pairs, each once: not those with earlier leaves.
         if (s != t || !is_before(from->level - 1, child, a))
-            stack[top++] =
-                (visit){from->level - 1, child, tf_pack_box(pack, i)};
+            stack[top++] = (visit){from->level - 1, child};
     }
     return top;
 }
 
 //: Join a leaf with a tree
-TF_SIMD_256 static void join_leaf(const tf_tree *s, int a, const tf_tree *t,
-                                  tf_pair_sink *sink)
+TF_ALWAYS_INLINE void join_leaf(const tf_tree *s, int a, const tf_tree *t,
+                                tf_pair_sink *sink, const bool swept)
 {
     visit stack[STACK];
-    tf_box box = tf_pack_union(&s->level[0][a]);
     int top = 0;
-    stack[top++] = (visit){t->levels - 1, 0, box};
+    stack[top++] = (visit){t->levels - 1, 0};
     while (top > 0 && !sink->stopped) {
         visit at = stack[--top];
         if (at.level > 0) {
-            top = visit_children(s, a, t, &at, &box, stack, top);
+            top = visit_children(s, a, t, &at, stack, top, swept);
             continue;
         }
         if (sink->count > TF_BATCH - TF_LANES * TF_LANES)
             tf_pair_sink_hand_on(sink);
-        join_leaves(s, a, &box, t, at.pack, &at.box, sink);
+        join_leaves(s, a, t, at.pack, sink, swept);
     }
+}
+
+TF_SIMD_256 static void join_swept(const tf_tree *s, int a, const tf_tree *t,
+                                   tf_pair_sink *sink)
+{
+    join_leaf(s, a, t, sink, true);
+}
+
+TF_SIMD_256 static void join_moving(const tf_tree *s, int a, const tf_tree *t,
+                                    tf_pair_sink *sink)
+{
+    join_leaf(s, a, t, sink, false);
 }
 
 //: Join leaves with a tree
@@ -172,6 +258,6 @@ void tf_tree_join(const tf_tree *s, const tf_tree *t, tf_range leaves,
     if (t->count == 0)
         return;
     for (int leaf = leaves.begin; leaf < leaves.end && !sink->stopped; leaf++)
-        join_leaf(s, leaf, t, sink);
+        (s->swept ? join_swept : join_moving)(s, leaf, t, sink);
     tf_pair_sink_hand_on(sink);
 }

@@ -13,19 +13,25 @@ static uint32_t spread(uint32_t x)
 }
 
 //: Find the place along the Morton curve
-uint32_t tf_morton_key(const tf_box *box, const tf_box *whole)
+tf_morton_grid tf_morton_grid_of(const tf_box *whole, int paths)
+{
+    tf_morton_grid grid;
+    for (int k = 0; k < TF_AXES; k++) {
+        float extent = (float)paths * (whole->high[k] - whole->low[k]);
+        grid.low[k] = (float)paths * whole->low[k];
+        // What is as flat as this has one cell, and nothing overflows.
+        grid.cells[k] = extent > 0x1p-100f ? TF_CELLS / extent : 0;
+    }
+    return grid;
+}
+
+uint32_t tf_morton_key(const tf_path *path, const tf_morton_grid *grid)
 {
     uint32_t key = 0;
-    for (int k = 0; k < 3; k++) {
-        float extent = whole->high[k] - whole->low[k];
-        float twice =
-            (box->low[k] - whole->low[k]) + (box->high[k] - whole->low[k]);
-        float place = extent > 0 ? twice / (2 * extent) : 0;
-        // A float, too, where expressions are evaluated as doubles.
-        float at = place * TF_CELLS;
-        // At the high side of the whole, rounded to 1, it has none of its own.
-        uint32_t cell = at < TF_CELLS ? (uint32_t)at : TF_CELLS - 1;
-        key |= spread(cell) << k;
+    for (int k = 0; k < TF_AXES; k++) {
+        int cell = (int)((path->at[k] - grid->low[k]) * grid->cells[k]);
+        cell = cell < 0 ? 0 : cell < TF_CELLS ? cell : TF_CELLS - 1;
+        key |= spread((uint32_t)cell) << k;
     }
     return key;
 }

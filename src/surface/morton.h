@@ -16,11 +16,19 @@ typedef struct tf_keyed {
     int element;
 } tf_keyed;
 
-/// The place of the box's center along the Morton curve through `whole`, which
-/// is cut into TF_CELLS cells along each axis: the bits of the coordinates of
-/// the center's cell, shuffled.  A center on the high side of `whole` is in the
-/// last cell.
-uint32_t tf_morton_key(const tf_box *box, const tf_box *whole);
+/// A part of space, cut into TF_CELLS cells along each axis.
+typedef struct tf_morton_grid {
+    float low[TF_AXES];
+    float cells[TF_AXES]; ///< to a unit of length
+} tf_morton_grid;
+
+/// The grid of where everything starts, for sums of some number of paths.
+tf_morton_grid tf_morton_grid_of(const tf_box *whole, int paths);
+
+/// The place along the Morton curve through the grid of where a path starts:
+/// the bits of the coordinates of its cell, shuffled.  What is on the high side
+/// of the grid is in the last cell, and so is what roundings put beyond.
+uint32_t tf_morton_key(const tf_path *path, const tf_morton_grid *grid);
 
 //: Declare the sort
 enum {

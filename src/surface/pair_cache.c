@@ -125,7 +125,7 @@ tf_status tf_pair_cache_build(tf_pair_cache *cache,
 {
     tf_surface *surface = search->surface;
     tf_status status =
-        tf_surface_move(surface, search->motion, search->parallel, error);
+        tf_surface_move(surface, search->motion, true, search->parallel, error);
     if (status != TF_OK)
         return status;
     if (!empty_lists(cache, tf_parallel_workers(search->parallel)) ||

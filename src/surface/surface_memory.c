@@ -32,11 +32,13 @@ static bool build_tree(tf_surface *surface, tf_tree *tree,
 }
 
 //: Build all trees
-static tf_status build_trees(tf_surface *surface, const tf_parallel *parallel)
+static tf_status build_trees(tf_surface *surface, bool swept,
+                             const tf_parallel *parallel)
 {
     tf_watch *watch = surface->workers.watch;
-    const tf_box *box = surface->boxes.data;
-    tf_tree_elements elements = {.vertex = box, .whole = &surface->frame.whole};
+    tf_tree_elements elements = {.vertex = surface->paths.data,
+                                 .whole = &surface->frame.whole,
+                                 .swept = swept};
     const tf_elements *edges = &surface->edges;
     const tf_elements *triangles = &surface->triangles;
     bool good = build_tree(surface, &surface->vertex_tree, &elements,
@@ -74,22 +76,83 @@ static tf_status check_motion(const tf_surface *surface,
     return tf_fail(error, status);
 }
 
+//: Find the paths of a surface
+static tf_status find_paths(tf_surface *surface, const tf_motion *motion,
+                            bool swept, const tf_parallel *parallel,
+                            tf_error *error)
+{
+    tf_frame *frame = &surface->frame;
+    int bad = 0;
+    tf_status status =
+        tf_frame_of(surface->axes, motion, swept, parallel, frame, &bad);
+    if (status != TF_OK)
+        return tf_fail_vertex(error, status, bad, time_of(motion, bad));
+    if (!tf_buffer_reserve(&surface->paths, (size_t)surface->vertices,
+                           sizeof(tf_path)))
+        return tf_fail(error, TF_OUT_OF_MEMORY);
+    tf_vertex_paths(frame, motion, parallel, surface->paths.data);
+    return TF_OK;
+}
+
+//: Tell whether a motion is calm
+enum {
+    SAMPLE = 4096 // edges
+};
+
+/// The squares of the sizes of an edge, along an axis: at the start, and of all
+/// that it sweeps.
+typedef struct edge_sizes {
+    double start, swept;
+} edge_sizes;
+
+/// @param moved how far the center of all moves along the axis
+static edge_sizes edge_sizes_of(const tf_path *a, const tf_path *b, int k,
+                                double moved)
+{
+    double x[] = {a->at[k], b->at[k], a->at[TF_AXES + k] + moved,
+                  b->at[TF_AXES + k] + moved};
+    double start = x[0] - x[1],
+           swept = fmax(fmax(x[0], x[1]), fmax(x[2], x[3])) -
+                   fmin(fmin(x[0], x[1]), fmin(x[2], x[3]));
+    return (edge_sizes){start * start, swept * swept};
+}
+
+/// Whether the boxes around what edges sweep are not much larger than the edges:
+/// whether the squares of their sizes are at most twice as large, in sum, over a
+/// sample of all edges.
+static bool is_calm(const tf_surface *surface)
+{
+    const tf_elements *edges = &surface->edges;
+    const tf_path *path = surface->paths.data;
+    const tf_frame *frame = &surface->frame;
+    edge_sizes all = {0};
+    for (int i = 0; i < edges->count; i += 1 + edges->count / SAMPLE)
+        for (int k = 0; k < surface->axes; k++) {
+            const int *corner = edges->corner + 2 * (ptrdiff_t)i;
+            double moved = frame->center[TF_AXES + k] - frame->center[k];
+            edge_sizes own = edge_sizes_of(&path[corner[0]], &path[corner[1]],
+                                           k, moved * frame->scale);
+            all.start += own.start;
+            all.swept += own.swept;
+        }
+    return all.swept <= 2 * all.start;
+}
+
 //: Move a surface
 tf_status tf_surface_move(tf_surface *surface, const tf_motion *motion,
-                          const tf_parallel *parallel, tf_error *error)
+                          bool swept, const tf_parallel *parallel,
+                          tf_error *error)
 {
     tf_watch_stage(surface->workers.watch, "trees", 3);
     tf_status status = check_motion(surface, motion, error);
     if (status != TF_OK)
         return status;
-    int bad = 0;
-    status =
-        tf_frame_of(surface->axes, motion, parallel, &surface->frame, &bad);
+    status = find_paths(surface, motion, swept, parallel, error);
     if (status != TF_OK)
-        return tf_fail_vertex(error, status, bad, time_of(motion, bad));
-    if (!tf_buffer_reserve(&surface->boxes, (size_t)surface->vertices,
-                           sizeof(tf_box)))
-        return tf_fail(error, TF_OUT_OF_MEMORY);
-    tf_vertex_boxes(&surface->frame, motion, parallel, surface->boxes.data);
-    return tf_fail(error, build_trees(surface, parallel));
+        return status;
+    if (!swept && is_calm(surface)) {
+        swept = true;
+        find_paths(surface, motion, swept, parallel, error);
+    }
+    return tf_fail(error, build_trees(surface, swept, parallel));
 }

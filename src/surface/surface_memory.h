@@ -15,8 +15,8 @@ typedef struct tf_surface {
     tf_elements edges, triangles;
     tf_pair_filter filter; ///< with a copy of the groups, in `groups`
     tf_buffer groups;
-    tf_frame frame;  ///< of the boxes
-    tf_buffer boxes; ///< of the vertices
+    tf_frame frame;  ///< of the paths
+    tf_buffer paths; ///< of the vertices
     tf_tree vertex_tree, edge_tree, triangle_tree;
     tf_tree_workspace tree_workspace;
     tf_sort_workspace sort_workspace; ///< of the elements
@@ -32,9 +32,12 @@ typedef struct tf_surface {
 bool tf_surface_refill(tf_surface *surface, const tf_mesh *mesh);
 
 //: Declare how a surface moves
-/// Builds the trees for one step.  Sets the error to what it returns: TF_OK;
+/// Builds the trees for one step.  They are swept (tf_tree_elements) where the
+/// caller says so, or where most of what moves is calm: then that costs less.
+/// Sets the error to what it returns: TF_OK;
 /// TF_BAD_ENVIRONMENT; TF_BAD_AXES or TF_BAD_COUNT if the motion has other axes,
 /// or another number of vertices; TF_NOT_FINITE about a vertex;
 /// TF_OUT_OF_MEMORY; or TF_CANCELLED.
 tf_status tf_surface_move(tf_surface *surface, const tf_motion *motion,
-                          const tf_parallel *parallel, tf_error *error);
+                          bool swept, const tf_parallel *parallel,
+                          tf_error *error);

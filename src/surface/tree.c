@@ -1,42 +1,96 @@
 //: Include what the tree needs
 #include "surface/tree.h"
 
+#include "base/always_inline.h"
 #include "base/prefetch.h"
+#include "base/simd.h"
 
 #include <stddef.h>
+#include <string.h>
 
 enum {
     ELEMENTS = 16384 // a task, a multiple of TF_LANES
 };
 
 //: Unite the boxes of a pack
-tf_box tf_pack_union(const tf_pack *pack)
+TF_ALWAYS_INLINE float lower(float a, float b)
 {
-    tf_box all = tf_box_empty;
-    for (int k = 0; k < 3; k++)
-        for (int lane = 0; lane < TF_LANES; lane++) {
-            float low = pack->low[k][lane], high = pack->high[k][lane];
-            all.low[k] = low < all.low[k] ? low : all.low[k];
-            all.high[k] = high > all.high[k] ? high : all.high[k];
-        }
+    return a < b ? a : b;
+}
+
+TF_ALWAYS_INLINE float higher(float a, float b)
+{
+    return a > b ? a : b;
+}
+
+/// Unites the second half of the lanes with the first.
+TF_ALWAYS_INLINE void halve(const float from_low[], const float from_high[],
+                            float low[], float high[])
+{
+    TF_LANE_LOOP
+    for (int i = 0; i < TF_LANES / 2; i++) {
+        low[i] = lower(from_low[i], from_low[i + TF_LANES / 2]);
+        high[i] = higher(from_high[i], from_high[i + TF_LANES / 2]);
+    }
+}
+
+TF_NO_TRAPS tf_box tf_pack_union(const tf_pack *pack)
+{
+    tf_box all;
+    for (int k = 0; k < TF_SIDES; k++) {
+        float low[TF_LANES / 2], high[TF_LANES / 2];
+        halve(pack->low[k], pack->high[k], low, high);
+        for (int half = TF_LANES / 4; half > 0; half /= 2)
+            for (int i = 0; i < half; i++) {
+                low[i] = lower(low[i], low[i + half]);
+                high[i] = higher(high[i], high[i + half]);
+            }
+        all.low[k] = low[0];
+        all.high[k] = high[0];
+    }
     return all;
 }
 
 //: Find the box of an element
-static const int *corners_of(const tf_tree_elements *elements, const int *i)
+TF_ALWAYS_INLINE const int *corners_of(const tf_tree_elements *elements,
+                                       const int *i)
 {
     return elements->corner
                ? elements->corner + (ptrdiff_t)elements->corners * *i
                : i;
 }
 
-static tf_box box_of(const tf_tree_elements *elements, int i)
+TF_ALWAYS_INLINE tf_box box_of(const tf_tree_elements *elements, int i)
 {
     const int *corner = corners_of(elements, &i);
-    tf_box box = elements->vertex[corner[0]];
-    for (int c = 1; c < elements->corners; c++)
-        box = tf_box_union(box, elements->vertex[corner[c]]);
+    tf_path low = elements->vertex[corner[0]], high = low;
+    for (int c = 1; c < elements->corners; c++) {
+        const float *at = elements->vertex[corner[c]].at;
+        TF_LANE_LOOP
+        for (int k = 0; k < TF_PATH_ROOM; k++) {
+            low.at[k] = lower(at[k], low.at[k]);
+            high.at[k] = higher(at[k], high.at[k]);
+        }
+    }
+    tf_box box;
+    memcpy(box.low, low.at, sizeof box.low);
+    memcpy(box.high, high.at, sizeof box.high);
+    for (int k = TF_AXES; elements->swept && k < TF_SIDES; k++) {
+        box.low[k] = lower(box.low[k], box.low[k - TF_AXES]);
+        box.high[k] = higher(box.high[k], box.high[k - TF_AXES]);
+    }
     return box;
+}
+
+//: Add up the paths of an element
+TF_ALWAYS_INLINE tf_path sum_of(const tf_tree_elements *elements, int i)
+{
+    const int *corner = corners_of(elements, &i);
+    tf_path sum = elements->vertex[corner[0]];
+    for (int c = 1; c < elements->corners; c++)
+        for (int k = 0; k < TF_AXES + 1; k++)
+            sum.at[k] += elements->vertex[corner[c]].at[k];
+    return sum;
 }
 
 //: Hold the build of a tree
@@ -49,19 +103,22 @@ typedef struct build_job {
 } build_job;
 
 //: Find the keys of a part
-static void find_keys(void *argument, int task, int worker)
+TF_NO_TRAPS static void find_keys(void *argument, int task, int worker)
 {
     const build_job *job = argument;
     tf_range part = tf_range_part(job->elements->count, ELEMENTS, task);
+    tf_morton_grid grid =
+        tf_morton_grid_of(job->elements->whole, job->elements->corners);
     (void)worker;
     for (int i = part.begin; i < part.end; i++) {
-        tf_box box = box_of(job->elements, i);
-        job->keys[i] = (tf_keyed){tf_morton_key(&box, job->elements->whole), i};
+        tf_path sum = sum_of(job->elements, i);
+        job->keys[i] = (tf_keyed){tf_morton_key(&sum, &grid), i};
     }
 }
 
 //: Fill a lane
-static void fill_lane(const build_job *job, int leaf, int lane, int element)
+TF_ALWAYS_INLINE void fill_lane(const build_job *job, int leaf, int lane,
+                                int element)
 {
     int corners = job->elements->corners;
     const int *corner = corners_of(job->elements, &element);
@@ -102,7 +159,7 @@ TF_ALWAYS_INLINE void prefetch_boxes(const build_job *job, int i, int end)
 }
 
 //: Fill the leaves of a part
-static void fill_leaves(void *argument, int task, int worker)
+TF_NO_TRAPS static void fill_leaves(void *argument, int task, int worker)
 {
     const build_job *job = argument;
     tf_range part = tf_range_part(job->elements->count, ELEMENTS, task);
@@ -143,7 +200,7 @@ static size_t count_packs(tf_tree *tree)
         packs = tf_range_parts(packs, TF_LANES);
         tree->packs[tree->levels++] = packs;
         all += (size_t)packs;
-    } while (packs > 1);
+    } while (packs > 1 || tree->levels < 2);
     return all;
 }
 
@@ -178,6 +235,7 @@ bool tf_tree_build(tf_tree *tree, const tf_tree_elements *elements,
 {
     tree->count = elements->count;
     tree->corners = elements->corners;
+    tree->swept = elements->swept;
     tree->levels = 0;
     if (tree->count == 0)
         return true;

@@ -13,7 +13,7 @@ enum {
 /// The boxes of up to TF_LANES elements or packs, by coordinate.  Those of
 /// lanes that are not used are empty.
 typedef struct tf_pack {
-    float low[3][TF_LANES], high[3][TF_LANES];
+    float low[TF_SIDES][TF_LANES], high[TF_SIDES][TF_LANES];
 } tf_pack;
 
 //: Declare the tree of boxes
@@ -24,7 +24,8 @@ typedef struct tf_pack {
 typedef struct tf_tree {
     int count;                 ///< of elements
     int corners;               ///< of an element: 1, 2 or 3 vertices
-    int levels;                ///< at least 1, unless there are no elements
+    bool swept;                ///< as tf_tree_elements has it
+    int levels;                ///< at least 2, unless there are no elements
     int packs[TF_TREE_LEVELS]; ///< of each level; the first are the leaves
     tf_pack *level[TF_TREE_LEVELS]; ///< their packs
     int (*element)[TF_LANES];       ///< of each leaf, -1 in an unused lane
@@ -41,10 +42,11 @@ typedef struct tf_tree_workspace {
 /// What a tree is built of.
 typedef struct tf_tree_elements {
     int count, corners;
-    const int *corner;    ///< the vertices of one element after another; NULL:
-                          ///< element i is the vertex i
-    const tf_box *vertex; ///< the boxes of the vertices
-    const tf_box *whole;  ///< the union of all of these
+    const int *corner;     ///< the vertices of one element after another; NULL:
+                           ///< element i is the vertex i
+    const tf_path *vertex; ///< the paths of the vertices
+    const tf_box *whole;   ///< the union of all of these
+    bool swept; ///< whether the boxes around the ends hold the starts as well
 } tf_tree_elements;
 
 /// Builds the tree anew, in memory that is kept.  False if there is not enough.
@@ -58,7 +60,7 @@ void tf_tree_workspace_free(tf_tree_workspace *workspace);
 static inline tf_box tf_pack_box(const tf_pack *pack, int lane)
 {
     tf_box box;
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; k < TF_SIDES; k++) {
         box.low[k] = pack->low[k][lane];
         box.high[k] = pack->high[k][lane];
     }
@@ -67,7 +69,7 @@ static inline tf_box tf_pack_box(const tf_pack *pack, int lane)
 
 static inline void tf_pack_set_box(tf_pack *pack, int lane, const tf_box *box)
 {
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; k < TF_SIDES; k++) {
         pack->low[k][lane] = box->low[k];
         pack->high[k][lane] = box->high[k];
     }

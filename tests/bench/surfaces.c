@@ -74,7 +74,7 @@ static void time_moving(const layers *cloth, tf_surface *surface,
 {
     tf_error error;
     double start = nanoseconds(CLOCK_PROCESS_CPUTIME_ID);
-    require(tf_surface_move(surface, &cloth->motion, NULL, &error));
+    require(tf_surface_move(surface, &cloth->motion, false, NULL, &error));
     double time = nanoseconds(CLOCK_PROCESS_CPUTIME_ID) - start;
     measured->moving = fmin(measured->moving, time / cloth->mesh.triangles);
 }

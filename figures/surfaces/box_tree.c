@@ -29,7 +29,8 @@ static const fig_paint leaf_paint = {.role = FIG_ROLE_EDGE, .opacity = 0.16},
 
 /// A closed curve that crosses itself often, with its tree.
 typedef struct scenery {
-    tf_box vertex[EDGES], whole;
+    tf_path vertex[EDGES];
+    tf_box whole;
     int corner[2 * EDGES];
     tf_tree tree;
 } scenery;
@@ -47,15 +48,18 @@ static void make_curve(scenery *s)
 {
     s->whole = tf_box_empty;
     for (int i = 0; i < EDGES; i++) {
-        double start[2], end[2];
-        curve_at(2 * pi * i / EDGES, start);
-        curve_at(2 * pi * (i + 1) / EDGES, end);
+        double x[2][2];
+        tf_path path = {{0}};
         tf_box box = {{0}, {0}};
-        for (int k = 0; k < 2; k++) {
-            box.low[k] = (float)fmin(start[k], end[k]);
-            box.high[k] = (float)fmax(start[k], end[k]);
+        for (int end = 0; end < 2; end++) {
+            curve_at(2 * pi * (i + end) / EDGES, x[end]);
+            for (int k = 0; k < 2; k++) {
+                int side = TF_AXES * end + k;
+                path.at[side] = (float)x[end][k];
+                box.low[side] = box.high[side] = path.at[side];
+            }
         }
-        s->vertex[i] = box;
+        s->vertex[i] = path;
         s->whole = tf_box_union(s->whole, box);
         s->corner[(ptrdiff_t)2 * i] = i;
         s->corner[2 * i + 1] = (i + 1) % EDGES;
@@ -71,7 +75,8 @@ static scenery *make_scenery(void)
                                  .corners = 2,
                                  .corner = s->corner,
                                  .vertex = s->vertex,
-                                 .whole = &s->whole};
+                                 .whole = &s->whole,
+                                 .swept = true};
     tf_tree_workspace workspace = {0};
     TF_REQUIRE(tf_tree_build(&s->tree, &elements, &workspace, NULL));
     tf_tree_workspace_free(&workspace);
@@ -105,9 +110,10 @@ static long count_candidates(const scenery *s)
 
 // Boxes ------------------------------------------------------------------
 
+/// Whether swept boxes do.
 static bool overlap(const tf_box *a, const tf_box *b)
 {
-    for (int k = 0; k < 3; k++)
+    for (int k = TF_AXES; k < TF_SIDES; k++)
         if (a->low[k] > b->high[k] || b->low[k] > a->high[k])
             return false;
     return true;
@@ -130,8 +136,9 @@ static fig_plot plot_of(int panel)
 static void draw_box(fig_page *page, const fig_plot *plot, const tf_box *box,
                      const fig_paint *fill, fig_paint line, double width)
 {
-    fig_point low = fig_plot_place(plot, box->low[0], box->low[1]);
-    fig_point high = fig_plot_place(plot, box->high[0], box->high[1]);
+    const float *least = box->low + TF_AXES, *most = box->high + TF_AXES;
+    fig_point low = fig_plot_place(plot, least[0], least[1]);
+    fig_point high = fig_plot_place(plot, most[0], most[1]);
     const fig_point corner[4] = {low, {high.x, low.y}, high, {low.x, high.y}};
     if (fill)
         fig_page_fill(page, 4, corner, *fill);

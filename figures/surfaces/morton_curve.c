@@ -43,21 +43,21 @@ static void build_tree(forest *f)
 {
     const fig_some_mesh *mesh = &f->mesh;
     tf_motion rest = {3, mesh->vertices, mesh->x, mesh->x};
-    tf_box *box = malloc((size_t)mesh->vertices * sizeof *box);
-    TF_REQUIRE(box);
+    tf_path *path = malloc((size_t)mesh->vertices * sizeof *path);
+    TF_REQUIRE(path);
     tf_frame frame;
     int bad;
-    TF_REQUIRE(tf_frame_of(3, &rest, NULL, &frame, &bad) == TF_OK);
-    tf_vertex_boxes(&frame, &rest, NULL, box);
+    TF_REQUIRE(tf_frame_of(3, &rest, true, NULL, &frame, &bad) == TF_OK);
+    tf_vertex_paths(&frame, &rest, NULL, path);
     tf_tree_elements elements = {.count = mesh->triangles,
                                  .corners = 3,
                                  .corner = mesh->triangle,
-                                 .vertex = box,
+                                 .vertex = path,
                                  .whole = &frame.whole};
     tf_tree_workspace workspace = {0};
     TF_REQUIRE(tf_tree_build(&f->tree, &elements, &workspace, NULL));
     tf_tree_workspace_free(&workspace);
-    free(box);
+    free(path);
 }
 
 static tf_vector corner_of(const forest *f, int triangle, int corner)

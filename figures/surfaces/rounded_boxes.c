@@ -29,7 +29,7 @@ static const struct pair {
     {"apart", "*1.1 units apart*", {0.65, 1.7, 2.8, 3.75}},
 };
 
-/// The same after rounding, in units, as vertex boxes have them.
+/// The same after rounding, in units, as the paths of vertices have them.
 static void round_ends(const double end[ENDS], double rounded[ENDS])
 {
     // The first two vertices make the frame that from -1 to 1.
@@ -43,16 +43,15 @@ static void round_ends(const double end[ENDS], double rounded[ENDS])
             (0.75 + unit * end[(ptrdiff_t)2 * i + 1]) / 2;
     }
     tf_frame frame;
-    tf_box box[ENDS / 2 + 2];
+    tf_path path[ENDS / 2 + 2];
     int bad;
-    TF_REQUIRE(tf_frame_of(3, &motion, NULL, &frame, &bad) == TF_OK);
+    TF_REQUIRE(tf_frame_of(3, &motion, true, NULL, &frame, &bad) == TF_OK);
     // The scale brings 1 to 1/2 or 1; here the ends shall be near 3/4.
     double back = 0.75 / (frame.scale * 0.375);
-    tf_vertex_boxes(&frame, &motion, NULL, box);
-    for (int i = 0; i < ENDS / 2; i++) {
-        rounded[(ptrdiff_t)2 * i] =
-            (back * (double)box[i + 2].low[0] - 0.75) / unit;
-        rounded[2 * i + 1] = (back * (double)box[i + 2].high[0] - 0.75) / unit;
+    tf_vertex_paths(&frame, &motion, NULL, path);
+    for (int i = 0; i < ENDS; i++) {
+        double at = (double)path[i / 2 + 2].at[i % 2 * TF_AXES];
+        rounded[i] = (back * at - 0.75) / unit;
     }
 }
 

@@ -22,11 +22,13 @@ enum {
 static const double pi = 3.141592653589793;
 static const double panel_side = 160, gap = 18, panel_left = 42, panel_top = 6;
 
-static const tf_box whole = {{0, 0, 0}, {1, 1, 0}};
+static const tf_box whole = {.high = {1, 1}};
 
-static tf_box box_at(double x, double y)
+static uint32_t key_at(double x, double y)
 {
-    return (tf_box){{(float)x, (float)y, 0}, {(float)x, (float)y, 0}};
+    const tf_path path = {.at = {(float)x, (float)y}};
+    const tf_morton_grid grid = tf_morton_grid_of(&whole, 1);
+    return tf_morton_key(&path, &grid);
 }
 
 // The grid ---------------------------------------------------------------
@@ -35,8 +37,7 @@ static tf_box box_at(double x, double y)
 /// the leading bits of x and y.
 static int cell_key(int x, int y)
 {
-    tf_box box = box_at((x + 0.5) / SIDE, (y + 0.5) / SIDE);
-    uint32_t key = tf_morton_key(&box, &whole);
+    uint32_t key = key_at((x + 0.5) / SIDE, (y + 0.5) / SIDE);
     int place = 0;
     for (int bit = 9; bit > 9 - SIDE_BITS; bit--)
         place = place << 2 | (int)(key >> (3 * bit + 1) & 1) << 1 |
@@ -127,8 +128,7 @@ static void place_points(double x[POINTS][2])
         double angle = 2 * pi * fig_random_number(&random);
         placed[i][0] = 0.5 + radius * cos(angle);
         placed[i][1] = 0.5 + radius * sin(angle);
-        tf_box box = box_at(placed[i][0], placed[i][1]);
-        keyed[0][i] = (tf_keyed){tf_morton_key(&box, &whole), i};
+        keyed[0][i] = (tf_keyed){key_at(placed[i][0], placed[i][1]), i};
     }
     const tf_keyed *sorted =
         tf_morton_sort(POINTS, keyed[0], keyed[1], counts, NULL);

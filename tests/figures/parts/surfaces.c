@@ -417,38 +417,35 @@ static int compare_placed(const void *a, const void *b)
     return p->triangle - q->triangle;
 }
 
-/// The cell of the grid of 1024 that the middle of a box is in.
-static void find_cell(const tf_box *box, const tf_box *whole, unsigned cell[3])
+/// The cell of the grid of 1024 that the middle of three corners is in.
+static void find_cell(const tf_path *corner[3], const tf_box *whole,
+                      unsigned cell[3])
 {
     for (int k = 0; k < 3; k++) {
-        float extent = whole->high[k] - whole->low[k];
-        float twice =
-            (box->low[k] - whole->low[k]) + (box->high[k] - whole->low[k]);
-        cell[k] = extent > 0 ? (unsigned)(twice / (2 * extent) * 1024) : 0;
+        float extent = 3 * (whole->high[k] - whole->low[k]);
+        float sum = corner[0]->at[k] + corner[1]->at[k] + corner[2]->at[k];
+        float along = (sum - 3 * whole->low[k]) * (1024 / extent);
+        cell[k] = extent > 0 ? (unsigned)along : 0;
     }
 }
 
 static placed *order_of(const fig_some_mesh *mesh)
 {
     const tf_motion rest = {3, mesh->vertices, mesh->x, mesh->x};
-    tf_box *box = malloc((size_t)mesh->vertices * sizeof *box);
+    tf_path *path = malloc((size_t)mesh->vertices * sizeof *path);
     placed *order = malloc((size_t)mesh->triangles * sizeof *order);
-    tf_box whole = tf_box_empty;
     tf_frame frame;
     int bad;
-    ck_assert_int_eq(tf_frame_of(3, &rest, NULL, &frame, &bad), TF_OK);
-    tf_vertex_boxes(&frame, &rest, NULL, box);
-    for (int v = 0; v < mesh->vertices; v++)
-        whole = tf_box_union(whole, box[v]);
+    ck_assert_int_eq(tf_frame_of(3, &rest, true, NULL, &frame, &bad), TF_OK);
+    tf_vertex_paths(&frame, &rest, NULL, path);
     for (int i = 0; i < mesh->triangles; i++) {
         const int *v = mesh->triangle + 3 * (size_t)i;
-        tf_box own =
-            tf_box_union(tf_box_union(box[v[0]], box[v[1]]), box[v[2]]);
+        const tf_path *corner[] = {&path[v[0]], &path[v[1]], &path[v[2]]};
         order[i].triangle = i;
-        find_cell(&own, &whole, order[i].cell);
+        find_cell(corner, &frame.whole, order[i].cell);
     }
     qsort(order, (size_t)mesh->triangles, sizeof *order, compare_placed);
-    free(box);
+    free(path);
     return order;
 }
 

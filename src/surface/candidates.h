@@ -13,10 +13,12 @@
 /// @addtogroup surfaces
 /// @{
 
-/// All candidates of a step: the pairs of elements that share no vertex, may meet
-/// (tf_surface_set_filter), and whose boxes, around all that they sweep,
-/// overlap.  Boxes are rounded, in a way that keeps all overlaps and makes some
-/// of boxes that nearly touch.
+/// Candidates of a step: pairs of elements that share no vertex and may meet
+/// (tf_surface_set_filter).  Every such pair that touches during the step is
+/// among them, in space-time and in linear motion, and few others are: pairs
+/// whose boxes are not apart.  Boxes are around the elements at the start and at
+/// the end, or where motions are small, around all that they sweep; they are
+/// rounded, in a way that loses no pair and adds some that nearly touch.
 typedef struct tf_candidates {
     size_t point_count;         ///< how many with a vertex
     const tf_candidate *points; ///< a vertex, and in space a triangle by its

@@ -36,8 +36,8 @@ typedef struct tf_surface_contact {
 /// What it took to find the contacts of a step: how many candidates there were
 /// (with TF_ANY_CONTACT, were tried), and how many of them were decided by what.
 typedef struct tf_detect_statistics {
-    size_t candidates;  ///< pairs that share no vertex and whose boxes overlap,
-                        ///< and that no filter leaves out
+    size_t candidates;  ///< pairs that share no vertex, whose boxes are not
+                        ///< apart, and that no filter leaves out
     size_t by_axis;     ///< an axis separates the elements at both ends
     size_t by_filter;   ///< by estimates with a bound on their error
     size_t by_signs;    ///< by the signs of the arithmetic

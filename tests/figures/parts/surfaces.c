@@ -10,7 +10,7 @@
 #include "kit/random.h"
 #include "query/edge_edge.h"
 #include "query/point_triangle.h"
-#include "surface/box.h"
+#include "surface/join.h"
 #include "threads/threads.h"
 
 // Boxes -----------------------------------------------------------------------
@@ -56,6 +56,68 @@ static void candidates_of_the_tree_are_those_of_all_pairs(void)
     }
     ck_assert_double_ge(number("candidates"), sure);
     ck_assert_double_le(number("candidates"), possible);
+}
+
+enum {
+    STAR = 48
+};
+
+/// Counts the pairs of a join.
+typedef struct counting_sink {
+    tf_pair_sink sink; ///< first, so that a sink is its counter
+    int count;
+} counting_sink;
+
+static bool count_batch(tf_pair_sink *sink, int count,
+                        const tf_candidate pair[])
+{
+    (void)pair;
+    ((counting_sink *)sink)->count += count;
+    return true;
+}
+
+/// The pairs that a tree of the star's edges finds.
+static int join_star(const double start[], const double end[], bool swept)
+{
+    static tf_path path[STAR];
+    static counting_sink all;
+    int corner[2 * STAR], bad;
+    const tf_motion motion = {2, STAR, start, end};
+    tf_frame frame;
+    for (int i = 0; i < 2 * STAR; i++)
+        corner[i] = (i + 1) / 2 % STAR;
+    ck_assert_int_eq(tf_frame_of(2, &motion, swept, NULL, &frame, &bad), TF_OK);
+    tf_vertex_paths(&frame, &motion, NULL, path);
+    const tf_tree_elements elements = {.count = STAR,
+                                       .corners = 2,
+                                       .corner = corner,
+                                       .vertex = path,
+                                       .whole = &frame.whole,
+                                       .swept = swept};
+    tf_tree tree = {0};
+    tf_tree_workspace workspace = {0};
+    ck_assert(tf_tree_build(&tree, &elements, &workspace, NULL));
+    all.count = 0;
+    all.sink.take = count_batch;
+    tf_tree_join(&tree, &tree, (tf_range){0, tree.packs[0]}, &all.sink);
+    tf_tree_workspace_free(&workspace);
+    tf_tree_free(&tree);
+    return all.count;
+}
+
+static void trees_find_the_pairs_of_the_star(void)
+{
+    double x[2][2 * STAR];
+    for (int end = 0; end < 2; end++)
+        for (int i = 0; i < STAR; i++) {
+            double turn = 2 * PI * i / STAR;
+            double radius = 0.3 + 0.09 * cos(5 * turn + 0.5 * end);
+            x[end][2 * i] = radius * cos(turn) + 0.62 * end;
+            x[end][2 * i + 1] = radius * sin(turn) + 0.55 * end;
+        }
+    ck_assert_double_eq(number("pairs"), STAR * (STAR - 3) / 2);
+    ck_assert_double_eq(number("swept"), join_star(x[0], x[1], true));
+    ck_assert_double_eq(number("both"), join_star(x[0], x[1], false));
 }
 
 enum {
@@ -493,6 +555,7 @@ static void leaves_are_along_the_morton_curve(void)
 
 const figure_test surfaces_tests[] = {
     {&fig_box_tree, candidates_of_the_tree_are_those_of_all_pairs},
+    {&fig_bulk_motion, trees_find_the_pairs_of_the_star},
     {&fig_candidate_counts, candidates_of_the_crowd_are_those_of_all_pairs},
     {&fig_early_outs, shares_are_those_of_separated_queries},
     {&fig_folding_sheet, contacts_of_the_sheet_are_those_of_all_pairs},

@@ -1,8 +1,10 @@
 //: Include what detection needs
 #include "surface/detect.h"
 
+#include "arithmetic/clamped.h"
 #include "arithmetic/exact.h"
 #include "arithmetic/functions.h"
+#include "arithmetic/published.h"
 #include "base/sized.h"
 #include "surface/pairs.h"
 #include "surface/surface_memory.h"
@@ -35,6 +37,14 @@ static tf_status check_range(const tf_pair_job *job, tf_error *error)
     return TF_OK;
 }
 
+//: Tell whether an arithmetic is certain
+/// Whether all that an arithmetic takes for contacts are.  If it isn't, it has to
+/// be asked about all pairs whose swept boxes overlap, as a query would be.
+static bool is_certain(const tf_arithmetic *arithmetic)
+{
+    return arithmetic != &tf_clamped && arithmetic != &tf_published;
+}
+
 //: Detect the contacts of a surface
 static tf_status detect(tf_surface *surface, tf_pair_job *job,
                         const tf_parallel *parallel, tf_contacts *found,
@@ -45,7 +55,8 @@ static tf_status detect(tf_surface *surface, tf_pair_job *job,
         status = tf_fail_option(error, "selection", "one of its enumeration",
                                 job->selection);
     if (status == TF_OK)
-        status = tf_surface_move(surface, job->motion, false, parallel, error);
+        status = tf_surface_move(surface, job->motion,
+                                 !is_certain(job->arithmetic), parallel, error);
     if (status == TF_OK)
         status = check_range(job, error);
     if (status != TF_OK)

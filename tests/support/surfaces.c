@@ -89,6 +89,33 @@ static double place(generator *random, placement placed, int axis)
     }
 }
 
+/// Ends of the step by one map of all starts, and a little besides at times; by
+/// up to thousands of times the size of all.
+static void move_together(generator *random, surface_case *made)
+{
+    int axes = made->mesh.axes;
+    double scale = ldexp(1, below(random, 2001) - 1000), map[3][3], shift[3];
+    double far = ldexp(1, below(random, 16)), turn = uniform(random, 0, 3);
+    double noise = below(random, 2) ? uniform(random, 0, 0.2) : 0;
+    for (int k = 0; k < axes; k++) {
+        shift[k] = uniform(random, -far, far);
+        for (int l = 0; l < axes; l++)
+            map[k][l] = (k == l) + turn * uniform(random, -1, 1);
+    }
+    for (int v = 0; v < made->mesh.vertices; v++) {
+        double *start = made->start + axes * v, *end = made->end + axes * v;
+        for (int k = 0; k < axes; k++) {
+            end[k] = shift[k] + uniform(random, -noise, noise);
+            for (int l = 0; l < axes; l++)
+                end[k] += map[k][l] * start[l];
+        }
+        for (int k = 0; k < axes; k++) {
+            start[k] *= scale;
+            end[k] *= scale;
+        }
+    }
+}
+
 static void place_vertices(generator *random, placement placed,
                            surface_case *made)
 {
@@ -101,6 +128,8 @@ static void place_vertices(generator *random, placement placed,
                        : placed == AT_REST ? made->start[i]
                                            : place(random, placed, i % axes);
     }
+    if (placed == TOGETHER)
+        move_together(random, made);
 }
 
 void random_surface(generator *random, int axes, int elements, placement placed,

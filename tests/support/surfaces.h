@@ -21,16 +21,17 @@ typedef struct surface_case {
 
 /// How the vertices of a surface are placed.
 typedef enum placement {
-    ANYWHERE,     ///< in a cube
-    ON_LATTICE,   ///< small integers
-    IN_PLANE,     ///< a lattice, with one coordinate the same for all
-    IN_POINT,     ///< all in one place, or nearly all
-    AT_REST,      ///< anywhere, and not moving
-    HUGE_AND_TINY ///< subnormal to nearly the largest doubles
+    ANYWHERE,      ///< in a cube
+    ON_LATTICE,    ///< small integers
+    IN_PLANE,      ///< a lattice, with one coordinate the same for all
+    IN_POINT,      ///< all in one place, or nearly all
+    AT_REST,       ///< anywhere, and not moving
+    HUGE_AND_TINY, ///< subnormal to nearly the largest doubles
+    TOGETHER       ///< at any scale, shifted, turned and stretched as a whole
 } placement;
 
 enum {
-    PLACEMENTS = HUGE_AND_TINY + 1
+    PLACEMENTS = TOGETHER + 1
 };
 
 /// Fills `made`: soups, strips and closed surfaces, with edges of no triangle,

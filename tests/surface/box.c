@@ -11,29 +11,43 @@
 
 static surface_case given;
 
+/// Whether the coordinates of two vertices on an axis are finite, and in the
+/// order that they have in space: starts with starts and ends with ends, or if
+/// they are swept each with each.
+static bool keeps_order(const tf_path path[], int axes, int v, int w, int k,
+                        bool swept)
+{
+    bool kept = true;
+    for (int from = 0; from < 2; from++)
+        for (int to = 0; to < 2; to++) {
+            double x = (from ? given.end : given.start)[axes * v + k];
+            double y = (to ? given.end : given.start)[axes * w + k];
+            float a = path[v].at[TF_AXES * from + k];
+            float b = path[w].at[TF_AXES * to + k];
+            kept &= isfinite(a) != 0;
+            kept &= (from != to && !swept) || x > y || a <= b;
+        }
+    return kept;
+}
+
 START_TEST(the_order_of_coordinates_is_kept)
 {
-    static tf_box box[SURFACE_VERTICES];
+    static tf_path path[SURFACE_VERTICES];
     generator random = generator_new((uint64_t)_i);
     for (int i = 0; i < (int)cases(50); i++) {
         int axes = 2 + i % 2, bad;
+        bool swept = i % 3 == 0;
         random_surface(&random, axes, 60, (placement)_i, &given);
         tf_frame frame;
-        ck_assert_int_eq(tf_frame_of(axes, &given.motion, NULL, &frame, &bad),
-                         TF_OK);
-        tf_vertex_boxes(&frame, &given.motion, NULL, box);
-        bool finite = true, kept = true;
+        ck_assert_int_eq(
+            tf_frame_of(axes, &given.motion, swept, NULL, &frame, &bad), TF_OK);
+        tf_vertex_paths(&frame, &given.motion, NULL, path);
+        bool kept = true;
         for (int v = 0; v < given.mesh.vertices; v++)
             for (int w = 0; w < given.mesh.vertices; w++)
-                for (int k = 0; k < axes; k++) {
-                    double low = fmin(given.start[axes * v + k],
-                                      given.end[axes * v + k]);
-                    double high = fmax(given.start[axes * w + k],
-                                       given.end[axes * w + k]);
-                    finite &= isfinite(box[v].low[k]) != 0;
-                    kept &= low > high || box[v].low[k] <= box[w].high[k];
-                }
-        ck_assert(finite && kept);
+                for (int k = 0; k < axes; k++)
+                    kept &= keeps_order(path, axes, v, w, k, swept);
+        ck_assert(kept);
     }
 }
 END_TEST
@@ -45,7 +59,7 @@ static tf_frame frame_of(double a, double b)
     tf_motion motion = {3, 2, x, x};
     tf_frame frame;
     int bad;
-    ck_assert_int_eq(tf_frame_of(3, &motion, NULL, &frame, &bad), TF_OK);
+    ck_assert_int_eq(tf_frame_of(3, &motion, false, NULL, &frame, &bad), TF_OK);
     return frame;
 }
 
@@ -65,23 +79,29 @@ START_TEST(the_largest_coordinates_come_near_one)
 }
 END_TEST
 
-START_TEST(the_whole_is_the_union_of_all_boxes)
+START_TEST(the_whole_is_the_union_of_all_paths)
 {
-    static tf_box box[SURFACE_VERTICES];
+    static tf_path path[SURFACE_VERTICES];
     generator random = generator_new((uint64_t)_i);
     for (int i = 0; i < (int)cases(50); i++) {
         int axes = 2 + i % 2, bad;
+        bool swept = i % 3 == 0;
         random_surface(&random, axes, 60, (placement)_i, &given);
         tf_frame frame;
-        ck_assert_int_eq(tf_frame_of(axes, &given.motion, NULL, &frame, &bad),
-                         TF_OK);
-        tf_vertex_boxes(&frame, &given.motion, NULL, box);
-        tf_box whole = tf_box_empty;
-        for (int v = 0; v < given.mesh.vertices; v++)
-            whole = tf_box_union(whole, box[v]);
-        for (int k = 0; k < 3; k++) {
-            ck_assert(frame.whole.low[k] == whole.low[k]);
-            ck_assert(frame.whole.high[k] == whole.high[k]);
+        ck_assert_int_eq(
+            tf_frame_of(axes, &given.motion, swept, NULL, &frame, &bad), TF_OK);
+        tf_vertex_paths(&frame, &given.motion, NULL, path);
+        for (int side = 0; side < TF_SIDES; side++) {
+            float low = INFINITY, high = -INFINITY;
+            for (int v = 0; v < given.mesh.vertices; v++)
+                for (int end = 0; end < 2; end++) {
+                    bool own = swept || end == side / TF_AXES;
+                    float x = path[v].at[TF_AXES * end + side % TF_AXES];
+                    low = own && x < low ? x : low;
+                    high = own && x > high ? x : high;
+                }
+            ck_assert(frame.whole.low[side] == low);
+            ck_assert(frame.whole.high[side] == high);
         }
     }
 }
@@ -98,7 +118,7 @@ static tf_status frame_of_many(tf_frame *frame, int *bad)
     static const int workers = 3;
     tf_parallel parallel = scrambled_workers(&workers);
     tf_motion motion = {3, MANY, many_start, many_end};
-    return tf_frame_of(3, &motion, &parallel, frame, bad);
+    return tf_frame_of(3, &motion, false, &parallel, frame, bad);
 }
 
 START_TEST(each_vertex_extends_the_frame)
@@ -116,8 +136,9 @@ START_TEST(each_vertex_extends_the_frame)
         *x = i % 4 < 2 ? 8 : -8;
         ck_assert_int_eq(frame_of_many(&frame, &bad), TF_OK);
         *x = old;
-        // The center of the axis is half of that, give or take half of 1.
-        double center = frame.center[i % 3] * (i % 4 < 2 ? 1 : -1);
+        // The center of the side is half of that, give or take half of 1.
+        int side = (i % 2 ? TF_AXES : 0) + i % 3;
+        double center = frame.center[side] * (i % 4 < 2 ? 1 : -1);
         ck_assert(center >= 3.5 && center <= 4.5);
         ck_assert(frame.scale == 0.125);
     }
@@ -141,11 +162,41 @@ START_TEST(the_first_vertex_that_is_not_finite_is_named)
 }
 END_TEST
 
+START_TEST(a_shift_of_all_ends_changes_no_path)
+{
+    generator random = generator_new(8);
+    for (int i = 0; i < (int)cases(100); i++) {
+        tf_frame frame;
+        tf_path path[2][60];
+        int bad, stray = below(&random, 60);
+        double shift = ldexp(1 + below(&random, 1000), below(&random, 20));
+        tf_motion motion = {3, 60, many_start, many_end};
+        for (int k = 0; k < 3 * 60; k++) {
+            many_start[k] = below(&random, 1 << 20);
+            many_end[k] = below(&random, 1 << 20);
+        }
+        for (int n = 0; n < 2; n++) {
+            ck_assert_int_eq(tf_frame_of(3, &motion, false, NULL, &frame, &bad),
+                             TF_OK);
+            tf_vertex_paths(&frame, &motion, NULL, path[n]);
+            for (int k = 0; k < 3 * 60; k++)
+                many_end[k] += shift;
+        }
+        ck_assert_mem_eq(path[0], path[1], sizeof *path);
+        many_end[3 * stray] += 5e6; // beyond all others
+        ck_assert_int_eq(tf_frame_of(3, &motion, false, NULL, &frame, &bad),
+                         TF_OK);
+        tf_vertex_paths(&frame, &motion, NULL, path[1]);
+        ck_assert_mem_ne(path[0], path[1], sizeof *path);
+    }
+}
+END_TEST
+
 START_TEST(empty_boxes_change_nothing)
 {
-    tf_box box = {{-1, 2, 3}, {4, 5, 6}};
+    tf_box box = {{-1, 2, 3, 0, 1, 2}, {4, 5, 6, 7, 8, 9}};
     tf_box both = tf_box_union(box, tf_box_empty);
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; k < TF_SIDES; k++) {
         ck_assert(both.low[k] == box.low[k]);
         ck_assert(both.high[k] == box.high[k]);
     }
@@ -158,10 +209,11 @@ Suite *suite(void)
     TCase *tcase = tcase_create("boxes");
     tcase_add_loop_test(tcase, the_order_of_coordinates_is_kept, 0, PLACEMENTS);
     tcase_add_test(tcase, the_largest_coordinates_come_near_one);
-    tcase_add_loop_test(tcase, the_whole_is_the_union_of_all_boxes, 0,
+    tcase_add_loop_test(tcase, the_whole_is_the_union_of_all_paths, 0,
                         PLACEMENTS);
     tcase_add_test(tcase, each_vertex_extends_the_frame);
     tcase_add_test(tcase, the_first_vertex_that_is_not_finite_is_named);
+    tcase_add_test(tcase, a_shift_of_all_ends_changes_no_path);
     tcase_add_test(tcase, empty_boxes_change_nothing);
     suite_add_tcase(suite, tcase);
     return suite;

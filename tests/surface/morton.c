@@ -8,15 +8,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const tf_box whole = {{0, 0, 0}, {TF_CELLS, TF_CELLS, TF_CELLS}};
+static const tf_box whole = {.high = {TF_CELLS, TF_CELLS, TF_CELLS}};
 
-static tf_box box_at(int x, int y, int z)
+/// The key of the sum of so many paths that all start at one place.
+static uint32_t key_at(int paths, float x, float y, float z)
 {
-    float at[] = {(float)x, (float)y, (float)z};
-    tf_box box;
-    memcpy(box.low, at, sizeof at);
-    memcpy(box.high, at, sizeof at);
-    return box;
+    float n = (float)paths;
+    tf_path sum = {.at = {n * x, n * y, n * z, 1, 2, 3}};
+    tf_morton_grid grid = tf_morton_grid_of(&whole, paths);
+    return tf_morton_key(&sum, &grid);
 }
 
 /// The bits of three numbers of ten bits, one at a time.
@@ -36,36 +36,43 @@ START_TEST(keys_shuffle_bits)
     for (int i = 0; i < (int)cases(100000); i++) {
         int x = below(&random, 1024), y = below(&random, 1024),
             z = below(&random, 1024);
-        tf_box box = box_at(x, y, z);
-        ck_assert_uint_eq(tf_morton_key(&box, &whole), shuffle(x, y, z));
+        ck_assert_uint_eq(
+            key_at(1 + i % 3, (float)x, (float)y, (float)z + 0.25f),
+            shuffle(x, y, z));
     }
 }
 END_TEST
 
 START_TEST(the_high_side_belongs_to_the_last_cells)
 {
-    tf_box corner = box_at(TF_CELLS, TF_CELLS, TF_CELLS);
-    ck_assert_uint_eq(tf_morton_key(&corner, &whole), (1 << 30) - 1);
-    tf_box side = box_at(5, TF_CELLS, 7);
-    ck_assert_uint_eq(tf_morton_key(&side, &whole), shuffle(5, 1023, 7));
+    ck_assert_uint_eq(key_at(1, TF_CELLS, TF_CELLS, TF_CELLS), (1 << 30) - 1);
+    ck_assert_uint_eq(key_at(2, 5, TF_CELLS, 7), shuffle(5, 1023, 7));
+}
+END_TEST
+
+START_TEST(what_rounding_puts_beyond_a_side_is_within_the_grid)
+{
+    ck_assert_uint_eq(key_at(1, -2, 3, 1500), shuffle(0, 3, 1023));
+    ck_assert_uint_eq(key_at(3, 7, 2000, -1), shuffle(7, 1023, 0));
 }
 END_TEST
 
 START_TEST(a_cell_begins_with_its_low_side)
 {
     for (int i = 1; i < TF_CELLS; i++) {
-        tf_box at = box_at(i, 0, 0), before = at;
-        before.low[0] = before.high[0] = nextafterf((float)i, 0);
-        ck_assert_uint_eq(tf_morton_key(&at, &whole), shuffle(i, 0, 0));
-        ck_assert_uint_eq(tf_morton_key(&before, &whole), shuffle(i - 1, 0, 0));
+        float before = nextafterf((float)i, 0);
+        ck_assert_uint_eq(key_at(1, (float)i, 0, 0), shuffle(i, 0, 0));
+        ck_assert_uint_eq(key_at(1, before, 0, 0), shuffle(i - 1, 0, 0));
     }
 }
 END_TEST
 
 START_TEST(a_flat_scene_has_keys)
 {
-    tf_box flat = {{0, 5, 0}, {TF_CELLS, 5, 0}}, box = box_at(3, 5, 0);
-    ck_assert_uint_eq(tf_morton_key(&box, &flat), shuffle(3, 0, 0));
+    tf_box flat = {.low = {0, 5}, .high = {TF_CELLS, 5}};
+    tf_path path = {.at = {3, 5}};
+    tf_morton_grid grid = tf_morton_grid_of(&flat, 1);
+    ck_assert_uint_eq(tf_morton_key(&path, &grid), shuffle(3, 0, 0));
 }
 END_TEST
 
@@ -124,6 +131,7 @@ Suite *suite(void)
     TCase *tcase = tcase_create("Morton order");
     tcase_add_test(tcase, keys_shuffle_bits);
     tcase_add_test(tcase, the_high_side_belongs_to_the_last_cells);
+    tcase_add_test(tcase, what_rounding_puts_beyond_a_side_is_within_the_grid);
     tcase_add_test(tcase, a_cell_begins_with_its_low_side);
     tcase_add_test(tcase, a_flat_scene_has_keys);
     tcase_add_loop_test(tcase, equal_keys_stay_in_order, 0, 4);

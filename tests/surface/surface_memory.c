@@ -1,6 +1,7 @@
 // What a surface holds when it is refilled, and when it moves.
 #include "surface/surface_memory.h"
 
+#include "support/scrambled_workers.h"
 #include "support/support.h"
 #include "support/surface_of.h"
 #include "support/surfaces.h"
@@ -74,20 +75,115 @@ START_TEST(trees_have_all_elements_and_their_boxes)
         random_surface(&random, 2 + i % 2, SURFACE_ELEMENTS, ANYWHERE, &given);
         tf_surface *surface = surface_of(&given.mesh);
         tf_error error;
-        ck_assert_int_eq(tf_surface_move(surface, &given.motion, NULL, &error),
-                         TF_OK);
+        ck_assert_int_eq(
+            tf_surface_move(surface, &given.motion, i % 3 == 0, NULL, &error),
+            TF_OK);
         ck_assert_int_eq(error.subject, TF_NO_SUBJECT);
         ck_assert_int_eq(surface->vertex_tree.count, surface->vertices);
         ck_assert_int_eq(surface->edge_tree.count, surface->edges.count);
         ck_assert_int_eq(surface->triangle_tree.count,
                          surface->triangles.count);
         for (int v = 0; v < surface->vertices; v++) {
-            tf_box box = tf_vertex_box(&surface->frame, &given.motion, v);
-            ck_assert_mem_eq((tf_box *)surface->boxes.data + v, &box,
-                             sizeof box);
+            tf_path path = tf_vertex_path(&surface->frame, &given.motion, v);
+            ck_assert_mem_eq((tf_path *)surface->paths.data + v, &path,
+                             sizeof path);
         }
         tf_surface_free(surface);
     }
+}
+END_TEST
+
+enum {
+    SIDE = 20 ///< vertices of a sheet
+};
+
+/// A sheet of squares with unit sides.
+static tf_surface *sheet(double x[3 * SIDE * SIDE])
+{
+    static int triangle[6 * (SIDE - 1) * (SIDE - 1)];
+    int count = 0;
+    for (int v = 0; v < SIDE * SIDE; v++) {
+        x[3 * v] = v % SIDE;
+        x[3 * v + 1] = v / SIDE; // NOLINT(bugprone-integer-division)
+        x[3 * v + 2] = 0;
+        if (v % SIDE == SIDE - 1 || v / SIDE == SIDE - 1)
+            continue;
+        const int square[] = {v,     v + 1,        v + SIDE,
+                              v + 1, v + SIDE + 1, v + SIDE};
+        for (int k = 0; k < 6; k++)
+            triangle[count++] = square[k];
+    }
+    tf_mesh mesh = {.axes = 3,
+                    .vertices = SIDE * SIDE,
+                    .triangles = count / 3,
+                    .triangle = triangle};
+    return surface_of(&mesh);
+}
+
+static double start[3 * SIDE * SIDE], end[3 * SIDE * SIDE];
+
+/// Moves each vertex of the sheet, at most by so much along each axis; returns
+/// whether the trees are swept, which no number of workers may change.
+static bool is_swept(tf_surface *surface, double most)
+{
+    generator random = generator_new(7);
+    tf_motion motion = {3, SIDE * SIDE, start, end};
+    tf_error error;
+    for (int i = 0; i < 3 * SIDE * SIDE; i++)
+        end[i] += uniform(&random, -most, most);
+    ck_assert_int_eq(tf_surface_move(surface, &motion, false, NULL, &error),
+                     TF_OK);
+    bool swept = surface->edge_tree.swept;
+    for (int workers = 2; workers < 5; workers++) {
+        tf_parallel parallel = scrambled_workers(&workers);
+        ck_assert_int_eq(
+            tf_surface_move(surface, &motion, false, &parallel, &error), TF_OK);
+        ck_assert_int_eq(surface->vertex_tree.swept, swept);
+        ck_assert_int_eq(surface->edge_tree.swept, swept);
+        ck_assert_int_eq(surface->triangle_tree.swept, swept);
+    }
+    return swept;
+}
+
+START_TEST(calm_motions_have_swept_boxes)
+{
+    tf_surface *surface = sheet(start);
+    memcpy(end, start, sizeof end);
+    ck_assert(is_swept(surface, 0));
+    ck_assert(is_swept(surface, 0.1));
+    memcpy(end, start, sizeof end);
+    ck_assert(!is_swept(surface, 1));
+    tf_surface_free(surface);
+}
+END_TEST
+
+START_TEST(other_motions_have_boxes_at_both_ends)
+{
+    tf_surface *surface = sheet(start);
+    const size_t place[] = {0, 1, 2};
+    // As a whole, along an axis or all.
+    for (int k = 0; k < 2; k++) {
+        memcpy(end, start, sizeof end);
+        for (size_t i = 0; i < SIDE * SIDE; i++)
+            end[3 * i + place[k]] += 1e300;
+        ck_assert(!is_swept(surface, 0));
+    }
+    // A turn by a right angle, and an expansion.
+    for (size_t i = 0; i < SIDE * SIDE; i++) {
+        end[3 * i] = -start[3 * i + 1];
+        end[3 * i + 1] = start[3 * i];
+        end[3 * i + 2] = 0;
+    }
+    ck_assert(!is_swept(surface, 0));
+    for (int i = 0; i < 3 * SIDE * SIDE; i++)
+        end[i] = 2 * start[i];
+    ck_assert(!is_swept(surface, 0));
+    // A row that is shot out of the others, which stay.
+    memcpy(end, start, sizeof end);
+    for (size_t i = 0; i < SIDE; i++)
+        end[3 * i + 2] += 10;
+    ck_assert(!is_swept(surface, 0));
+    tf_surface_free(surface);
 }
 END_TEST
 
@@ -100,7 +196,7 @@ START_TEST(bad_motions_are_refused)
     tf_error error;
     tf_motion more = given.motion;
     more.vertices++;
-    ck_assert_int_eq(tf_surface_move(surface, &more, NULL, &error),
+    ck_assert_int_eq(tf_surface_move(surface, &more, false, NULL, &error),
                      TF_BAD_COUNT);
     ck_assert_int_eq(error.subject, TF_NO_SUBJECT);
     size_t bytes = sizeof(double) * 3 * (size_t)given.motion.vertices;
@@ -110,7 +206,7 @@ START_TEST(bad_motions_are_refused)
     end[3 * 2 + 1] = INFINITY;
     tf_motion far = {given.motion.axes, given.motion.vertices,
                      given.motion.start, end};
-    ck_assert_int_eq(tf_surface_move(surface, &far, NULL, &error),
+    ck_assert_int_eq(tf_surface_move(surface, &far, false, NULL, &error),
                      TF_NOT_FINITE);
     ck_assert_int_eq(error.subject, TF_VERTEX);
     ck_assert_int_eq(error.vertex[0], 2);
@@ -126,6 +222,8 @@ Suite *suite(void)
     tcase_add_test(tcase, a_refilled_surface_is_like_a_new_one);
     tcase_add_test(tcase, a_refilled_surface_has_no_filter);
     tcase_add_test(tcase, trees_have_all_elements_and_their_boxes);
+    tcase_add_test(tcase, calm_motions_have_swept_boxes);
+    tcase_add_test(tcase, other_motions_have_boxes_at_both_ends);
     tcase_add_test(tcase, bad_motions_are_refused);
     suite_add_tcase(suite, tcase);
     return suite;

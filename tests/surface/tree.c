@@ -4,6 +4,7 @@
 #include "support/scrambled_workers.h"
 #include "support/support.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -11,18 +12,23 @@ enum {
     MOST = 70000
 };
 
-static tf_box vertex[MOST];
+static tf_path vertex[MOST];
+
+static tf_box box_at(const tf_path *path)
+{
+    tf_box box;
+    memcpy(box.low, path->at, sizeof box.low);
+    memcpy(box.high, path->at, sizeof box.high);
+    return box;
+}
 
 static tf_box random_vertices(generator *random, int count)
 {
     tf_box whole = tf_box_empty;
     for (int i = 0; i < count; i++) {
-        for (int k = 0; k < 3; k++) {
-            float at = (float)uniform(random, -1, 1);
-            vertex[i].low[k] = at;
-            vertex[i].high[k] = at + (float)uniform(random, 0, 0.1);
-        }
-        whole = tf_box_union(whole, vertex[i]);
+        for (int side = 0; side < TF_SIDES; side++)
+            vertex[i].at[side] = (float)uniform(random, -1, 1);
+        whole = tf_box_union(whole, box_at(&vertex[i]));
     }
     return whole;
 }
@@ -35,11 +41,15 @@ static bool same_box(tf_box a, tf_box b)
 static tf_box box_of(const tf_tree_elements *elements, int i)
 {
     tf_box box = tf_box_empty;
-    for (int c = 0; c < elements->corners; c++)
-        box = tf_box_union(
-            box, vertex[elements->corner
-                            ? elements->corner[elements->corners * i + c]
-                            : i]);
+    for (int c = 0; c < elements->corners; c++) {
+        int v =
+            elements->corner ? elements->corner[elements->corners * i + c] : i;
+        box = tf_box_union(box, box_at(&vertex[v]));
+    }
+    for (int k = 0; elements->swept && k < TF_AXES; k++) {
+        box.low[TF_AXES + k] = fminf(box.low[k], box.low[TF_AXES + k]);
+        box.high[TF_AXES + k] = fmaxf(box.high[k], box.high[TF_AXES + k]);
+    }
     return box;
 }
 
@@ -89,6 +99,7 @@ static void check_leaves(const tf_tree *tree, const tf_tree_elements *elements)
 static void check_levels(const tf_tree *tree)
 {
     ck_assert_int_eq(tree->packs[tree->levels - 1], 1);
+    ck_assert_int_ge(tree->levels, 2);
     int wrong = 0;
     for (int level = 1; level < tree->levels; level++)
         for (int i = 0; i < tree->packs[level] * TF_LANES; i++) {
@@ -115,9 +126,13 @@ static void check_tree(tf_tree *tree, tf_tree_workspace *workspace, int count,
                                  .corner = corners == 1 ? NULL : corner,
                                  .vertex = vertex,
                                  .whole = &whole};
-    ck_assert(tf_tree_build(tree, &elements, workspace, parallel));
-    check_leaves(tree, &elements);
-    check_levels(tree);
+    for (int swept = 0; swept < 2; swept++) {
+        elements.swept = swept;
+        ck_assert(tf_tree_build(tree, &elements, workspace, parallel));
+        ck_assert_int_eq(tree->swept, swept);
+        check_leaves(tree, &elements);
+        check_levels(tree);
+    }
     free(corner);
 }
 

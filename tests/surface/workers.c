@@ -59,14 +59,14 @@ enum {
     POINTS = 5000
 };
 
-static tf_box point[POINTS];
+static tf_path point[POINTS];
 
 /// Points in two places, in a tree: each has half of the others as candidates.
 static void build(tf_tree *tree)
 {
-    tf_box whole = {{0, 0, 0}, {1, 0, 0}};
+    tf_box whole = {.high = {1}};
     for (int i = 0; i < POINTS; i++)
-        point[i].low[0] = point[i].high[0] = (float)(i % 2);
+        point[i].at[0] = point[i].at[TF_AXES] = (float)(i % 2);
     tf_tree_workspace workspace = {0};
     tf_tree_elements elements = {
         .count = POINTS, .corners = 1, .vertex = point, .whole = &whole};

@@ -148,11 +148,11 @@ tf_status tf_surface_move(tf_surface *surface, const tf_motion *motion,
     if (status != TF_OK)
         return status;
     status = find_paths(surface, motion, swept, parallel, error);
-    if (status != TF_OK)
-        return status;
-    if (!swept && is_calm(surface)) {
+    if (status == TF_OK && !swept && is_calm(surface)) {
         swept = true;
-        find_paths(surface, motion, swept, parallel, error);
+        status = find_paths(surface, motion, swept, parallel, error);
     }
-    return tf_fail(error, build_trees(surface, swept, parallel));
+    return status == TF_OK
+               ? tf_fail(error, build_trees(surface, swept, parallel))
+               : status;
 }

@@ -89,6 +89,23 @@ static double place(generator *random, placement placed, int axis)
     }
 }
 
+/// Puts some vertices beside others along an axis, at the start and at the end:
+/// at the same coordinate, or at the next on either side.
+static void let_some_touch(generator *random, surface_case *made)
+{
+    int axes = made->mesh.axes;
+    double *x[] = {made->start, made->end};
+    for (int v = 1; v < made->mesh.vertices; v += 1 + below(random, 6)) {
+        int k = below(random, axes), other = below(random, v);
+        for (int end = 0; end < 2; end++) {
+            double at = x[end][axes * other + k];
+            int side = below(random, 3) - 1;
+            x[end][axes * v + k] =
+                side == 0 ? at : nextafter(at, side < 0 ? -INFINITY : INFINITY);
+        }
+    }
+}
+
 /// Ends of the step by one map of all starts, and a little besides at times; by
 /// up to thousands of times the size of all.
 static void move_together(generator *random, surface_case *made)
@@ -128,8 +145,10 @@ static void place_vertices(generator *random, placement placed,
                        : placed == AT_REST ? made->start[i]
                                            : place(random, placed, i % axes);
     }
-    if (placed == TOGETHER)
+    if (placed == TOGETHER) {
         move_together(random, made);
+        let_some_touch(random, made);
+    }
 }
 
 void random_surface(generator *random, int axes, int elements, placement placed,

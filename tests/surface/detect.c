@@ -215,6 +215,12 @@ START_TEST(all_contacts_of_larger_surfaces_are_found)
 }
 END_TEST
 
+START_TEST(all_contacts_of_what_moves_together_are_found)
+{
+    compare_surfaces(&tf_exact, (int)cases(500), 12, TOGETHER, 500 + _i);
+}
+END_TEST
+
 START_TEST(every_arithmetic_finds_its_contacts)
 {
     static const tf_arithmetic *const tried[] = {&tf_clamped, &tf_published,
@@ -323,6 +329,8 @@ Suite *suite(void)
                         PLACEMENTS);
     tcase_add_loop_test(tcase, all_contacts_of_larger_surfaces_are_found, 0,
                         PLACEMENTS);
+    tcase_add_loop_test(tcase, all_contacts_of_what_moves_together_are_found, 0,
+                        4);
     tcase_add_loop_test(tcase, every_arithmetic_finds_its_contacts, 0, 5);
     tcase_add_test(tcase, a_surface_that_moved_before_is_like_a_new_one);
     suite_add_tcase(suite, tcase);

@@ -8,8 +8,9 @@
 #include "support/support.h"
 #include "support/surface_of.h"
 #include "support/watches.h"
-#include "surface/candidates.h"
 #include "surface/detect.h"
+#include "surface/join.h"
+#include "surface/surface_memory.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -108,30 +109,55 @@ static corners corners_of(tf_kind kind, const int first[], int firsts,
     return all;
 }
 
-/// Lists all pairs whose boxes overlap, by a surface of its own.
+/// Notes pairs of two trees of a surface.
+typedef struct note_sink {
+    tf_pair_sink sink;
+    tf_kind kind;
+    const tf_tree *first, *second;
+    const int *corner, *other; ///< of their elements; NULL: vertices
+} note_sink;
+
+static bool note(tf_pair_sink *sink, int count, const tf_candidate pair[])
+{
+    const note_sink *to = (const note_sink *)sink;
+    int firsts = to->first->corners, seconds = to->second->corners;
+    cached = realloc(cached, sizeof *cached * (cached_count + (size_t)count));
+    for (int i = 0; i < count; i++) {
+        const int *a =
+            to->corner ? to->corner + firsts * pair[i].first : &pair[i].first;
+        const int *b = to->other + seconds * pair[i].second;
+        bool swap = to->kind == TF_EDGE_EDGE && b[0] < a[0];
+        cached[cached_count++] =
+            corners_of(to->kind, swap ? b : a, firsts, swap ? a : b, seconds);
+    }
+    return true;
+}
+
+static void note_pairs(note_sink to)
+{
+    to.sink.take = note;
+    tf_tree_join(to.first, to.second, (tf_range){0, to.first->packs[0]},
+                 &to.sink);
+}
+
+/// Lists all pairs whose swept boxes overlap, by a surface of its own.
 static void note_cached(tf_surface *other)
 {
-    tf_candidates all;
-    ck_assert_int_eq(tf_surface_candidates(other, &motion, NULL, &all, NULL),
-                     TF_OK);
-    int count, corner = made.mesh.axes;
-    const int *edge = tf_surface_edges(other, &count);
-    const int *face = corner == 2 ? edge : tf_surface_triangles(other, &count);
-    free(cached);
-    cached = malloc(sizeof *cached * (all.point_count + all.edge_count + 1));
+    ck_assert_int_eq(tf_surface_move(other, &motion, true, NULL, NULL), TF_OK);
+    bool plane = made.mesh.axes == 2;
+    const int *edge = other->edges.corner;
     cached_count = 0;
-    for (size_t i = 0; i < all.point_count; i++)
-        cached[cached_count++] =
-            corners_of(corner == 2 ? TF_POINT_EDGE : TF_POINT_TRIANGLE,
-                       &all.points[i].first, 1,
-                       face + (ptrdiff_t)corner * all.points[i].second, corner);
-    for (size_t i = 0; i < all.edge_count; i++) {
-        const int *a = edge + (ptrdiff_t)2 * all.edges[i].first;
-        const int *b = edge + (ptrdiff_t)2 * all.edges[i].second;
-        bool swap = b[0] < a[0];
-        cached[cached_count++] =
-            corners_of(TF_EDGE_EDGE, swap ? b : a, 2, swap ? a : b, 2);
-    }
+    note_pairs(
+        (note_sink){.kind = plane ? TF_POINT_EDGE : TF_POINT_TRIANGLE,
+                    .first = &other->vertex_tree,
+                    .second = plane ? &other->edge_tree : &other->triangle_tree,
+                    .other = plane ? edge : other->triangles.corner});
+    if (!plane)
+        note_pairs((note_sink){.kind = TF_EDGE_EDGE,
+                               .first = &other->edge_tree,
+                               .second = &other->edge_tree,
+                               .corner = edge,
+                               .other = edge});
     qsort(cached, cached_count, sizeof *cached, compare_corners);
 }
 

@@ -10,7 +10,7 @@
 
 enum {
     CLOTHS = 2,
-    STAGES = 4
+    STAGES = 3
 };
 
 static const double bar = 15, step = 28, text_drop = 11;
@@ -30,21 +30,22 @@ static const struct stage {
 } stages[STAGES] = {
     {"pairs", "pairs", NULL, {.role = FIG_ROLE_NEUTRAL, .opacity = 0.45}},
     {"candidates", "candidates", "boxes leave", {.role = FIG_ROLE_EDGE}},
-    {"open", "need signs", "axes leave", {.role = FIG_ROLE_TRIANGLE}},
     {"contacts", "contacts", "signs leave", {.role = FIG_ROLE_CONTACT}},
 };
 
 /// How many pairs are left after each stage.
 static void count(const struct cloth *cloth, double left[STAGES])
 {
+    static const char *const decided[] = {"by an axis", "by the filter",
+                                          "by signs"};
     const char *name = cloth->name;
     int triangles = cloth->triangles;
-    double open = fig_measured("%s %d decided by the filter", name, triangles) +
-                  fig_measured("%s %d decided by signs", name, triangles);
     left[0] = fig_measured("%s %d pairs", name, triangles);
-    left[1] = open + fig_measured("%s %d decided by an axis", name, triangles);
-    left[2] = open;
-    left[3] = fig_measured("%s %d contacts", name, triangles);
+    left[1] = 0;
+    for (int i = 0; i < 3; i++)
+        left[1] +=
+            fig_measured("%s %d decided %s", name, triangles, decided[i]);
+    left[2] = fig_measured("%s %d contacts", name, triangles);
 }
 
 static void write_ratio(fig_page *page, double x, double y, double before,
@@ -129,6 +130,6 @@ const fig_figure fig_pairs_to_contacts = {
     .name = "pairs-to-contacts",
     .title = "From all pairs of elements to the contacts",
     .width = FIG_PAGE_WIDTH,
-    .height = 282,
+    .height = 226,
     .draw = draw,
 };

@@ -16,6 +16,7 @@
 #include "bench/measuring.h"
 #include "fast/detect.h"
 #include "query/edge_edge.h"
+#include "query/narrow_phase.h"
 #include "query/point_triangle.h"
 #include "surface/candidates.h"
 #include "surface/surface_memory.h"
@@ -95,7 +96,8 @@ static tf_contacts time_contacts(const layers *cloth, tf_surface *surface,
                                  const tf_threads *threads, clockid_t clock,
                                  double *best)
 {
-    tf_detect_options detection = {.parallel = tf_threads_parallel(threads)};
+    tf_detect_options detection = {.narrow_phase = &tf_reference,
+                                   .parallel = tf_threads_parallel(threads)};
     tf_contacts found;
     double start = nanoseconds(clock);
     require(

@@ -10,14 +10,9 @@ const tf_box tf_box_empty = {
     {-INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY}};
 
 //: Find the extent of a motion
-/// The least and greatest coordinates on each side.
-typedef struct bounds {
-    double low[TF_SIDES], high[TF_SIDES];
-} bounds;
-
-static bounds no_bounds(void)
+static tf_extent no_extent(void)
 {
-    bounds all;
+    tf_extent all;
     for (int side = 0; side < TF_SIDES; side++) {
         all.low[side] = INFINITY;
         all.high[side] = -INFINITY;
@@ -27,7 +22,7 @@ static bounds no_bounds(void)
 
 /// Takes in the coordinates of one vertex, on the sides from `first` on; false if
 /// one of them is not finite.
-static bool take_in(bounds *all, int first, int axes, const double *x)
+static bool take_in(tf_extent *all, int first, int axes, const double *x)
 {
     double *low = all->low + first, *high = all->high + first;
     bool finite = true;
@@ -39,8 +34,8 @@ static bool take_in(bounds *all, int first, int axes, const double *x)
     return finite;
 }
 
-/// Gives both ends the same bounds: those of all that is swept.
-static void sweep(bounds *all)
+/// Gives both ends the same extent: that of all that is swept.
+static void sweep(tf_extent *all)
 {
     take_in(all, 0, TF_AXES, all->low + TF_AXES);
     take_in(all, 0, TF_AXES, all->high + TF_AXES);
@@ -59,9 +54,9 @@ static double scale_of(double size)
     return ldexp(1, exponent < -1000 ? 1000 : -exponent);
 }
 
-static tf_frame frame_of(int axes, const bounds *all)
+static tf_frame frame_of(int axes, const tf_extent *all)
 {
-    tf_frame frame = {.axes = axes};
+    tf_frame frame = {.axes = axes, .extent = *all};
     double size = 0;
     for (int side = 0; side < TF_SIDES; side++) {
         if (side % TF_AXES >= axes)
@@ -80,6 +75,13 @@ static tf_frame frame_of(int axes, const bounds *all)
             tf_frame_coordinate(&frame, side, all->high[side]);
     }
     return frame;
+}
+
+void tf_frame_sweep(tf_frame *frame)
+{
+    tf_extent all = frame->extent;
+    sweep(&all);
+    *frame = frame_of(frame->axes, &all);
 }
 
 //: Find the path of a vertex
@@ -134,7 +136,7 @@ typedef struct extent_job {
     int axes;
     const tf_motion *motion;
     int size; ///< of a part, in vertices
-    bounds extent[PARTS];
+    tf_extent extent[PARTS];
     int bad[PARTS]; ///< the first vertex that is not finite, or -1
 } extent_job;
 
@@ -143,7 +145,7 @@ static void measure_part(void *argument, int task, int worker)
     extent_job *job = argument;
     const tf_motion *motion = job->motion;
     tf_range part = tf_range_part(motion->vertices, job->size, task);
-    bounds all = no_bounds();
+    tf_extent all = no_extent();
     (void)worker;
     job->bad[task] = -1;
     for (int v = part.begin; v < part.end; v++) {
@@ -167,7 +169,7 @@ tf_status tf_frame_of(int axes, const tf_motion *motion, bool swept,
                       .size = tf_range_size(motion->vertices, PARTS, VERTICES)};
     int tasks = tf_range_parts(motion->vertices, job.size);
     tf_parallel_for_each(parallel, tasks, measure_part, &job);
-    bounds all = no_bounds();
+    tf_extent all = no_extent();
     for (int task = 0; task < tasks; task++) {
         if (job.bad[task] >= 0) {
             *bad = job.bad[task];
@@ -176,8 +178,8 @@ tf_status tf_frame_of(int axes, const tf_motion *motion, bool swept,
         take_in(&all, 0, TF_SIDES, job.extent[task].low);
         take_in(&all, 0, TF_SIDES, job.extent[task].high);
     }
-    if (swept)
-        sweep(&all);
     *frame = frame_of(axes, &all);
+    if (swept)
+        tf_frame_sweep(frame);
     return TF_OK;
 }

@@ -39,6 +39,11 @@ static inline tf_box tf_box_union(tf_box a, tf_box b)
 }
 
 //: Declare frames
+/// The least and greatest coordinates on each side.
+typedef struct tf_extent {
+    double low[TF_SIDES], high[TF_SIDES];
+} tf_extent;
+
 /// Coordinates for boxes: x - center, times a power of two that brings the
 /// largest near 1, rounded to float.  Each of these steps keeps the order of
 /// numbers (x <= y becomes x' <= y'), so what no axis separates, none does
@@ -49,13 +54,18 @@ typedef struct tf_frame {
     int axes;
     double center[TF_SIDES];
     double scale;
-    tf_box whole; ///< the union of all paths
+    tf_extent extent; ///< of all paths
+    tf_box whole;     ///< their union
 } tf_frame;
 
-/// The frame of all vertices of a motion.  Returns TF_NOT_FINITE, and the first
+/// The frame of all vertices of a motion, or if boxes are to be swept, one with
+/// the same map for both ends.  Returns TF_NOT_FINITE, and the first
 /// such vertex in `*bad`, if a coordinate is infinite or NaN.
 tf_status tf_frame_of(int axes, const tf_motion *motion, bool swept,
                       const tf_parallel *parallel, tf_frame *frame, int *bad);
+
+/// Turns a frame into one for swept boxes.
+void tf_frame_sweep(tf_frame *frame);
 
 /// The coordinate in a frame that a coordinate of space has at one side.
 static inline float tf_frame_coordinate(const tf_frame *frame, int side,

@@ -76,27 +76,9 @@ static tf_status check_motion(const tf_surface *surface,
     return tf_fail(error, status);
 }
 
-//: Find the paths of a surface
-static tf_status find_paths(tf_surface *surface, const tf_motion *motion,
-                            bool swept, const tf_parallel *parallel,
-                            tf_error *error)
-{
-    tf_frame *frame = &surface->frame;
-    int bad = 0;
-    tf_status status =
-        tf_frame_of(surface->axes, motion, swept, parallel, frame, &bad);
-    if (status != TF_OK)
-        return tf_fail_vertex(error, status, bad, time_of(motion, bad));
-    if (!tf_buffer_reserve(&surface->paths, (size_t)surface->vertices,
-                           sizeof(tf_path)))
-        return tf_fail(error, TF_OUT_OF_MEMORY);
-    tf_vertex_paths(frame, motion, parallel, surface->paths.data);
-    return TF_OK;
-}
-
 //: Tell whether a motion is calm
 enum {
-    SAMPLE = 4096 // edges
+    SAMPLE = 1024 // edges
 };
 
 /// The squares of the sizes of an edge, along an axis: at the start, and of all
@@ -111,31 +93,54 @@ static edge_sizes edge_sizes_of(const tf_path *a, const tf_path *b, int k,
 {
     double x[] = {a->at[k], b->at[k], a->at[TF_AXES + k] + moved,
                   b->at[TF_AXES + k] + moved};
-    double start = x[0] - x[1],
-           swept = fmax(fmax(x[0], x[1]), fmax(x[2], x[3])) -
-                   fmin(fmin(x[0], x[1]), fmin(x[2], x[3]));
+    double start = x[0] - x[1], low = x[0], high = x[0];
+    for (int i = 1; i < 4; i++) {
+        low = x[i] < low ? x[i] : low;
+        high = x[i] > high ? x[i] : high;
+    }
+    double swept = high - low;
     return (edge_sizes){start * start, swept * swept};
 }
 
 /// Whether the boxes around what edges sweep are not much larger than the edges:
 /// whether the squares of their sizes are at most twice as large, in sum, over a
 /// sample of all edges.
-static bool is_calm(const tf_surface *surface)
+static bool is_calm(const tf_surface *surface, const tf_motion *motion)
 {
     const tf_elements *edges = &surface->edges;
-    const tf_path *path = surface->paths.data;
     const tf_frame *frame = &surface->frame;
     edge_sizes all = {0};
-    for (int i = 0; i < edges->count; i += 1 + edges->count / SAMPLE)
+    for (int i = 0; i < edges->count; i += 1 + edges->count / SAMPLE) {
+        const int *corner = edges->corner + 2 * (ptrdiff_t)i;
+        tf_path a = tf_vertex_path(frame, motion, corner[0]),
+                b = tf_vertex_path(frame, motion, corner[1]);
         for (int k = 0; k < surface->axes; k++) {
-            const int *corner = edges->corner + 2 * (ptrdiff_t)i;
             double moved = frame->center[TF_AXES + k] - frame->center[k];
-            edge_sizes own = edge_sizes_of(&path[corner[0]], &path[corner[1]],
-                                           k, moved * frame->scale);
+            edge_sizes own = edge_sizes_of(&a, &b, k, moved * frame->scale);
             all.start += own.start;
             all.swept += own.swept;
         }
+    }
     return all.swept <= 2 * all.start;
+}
+
+//: Find the frame of a surface
+/// Finds the frame; `*swept` becomes true if the motion is calm.
+static tf_status find_frame(tf_surface *surface, const tf_motion *motion,
+                            bool *swept, const tf_parallel *parallel,
+                            tf_error *error)
+{
+    tf_frame *frame = &surface->frame;
+    int bad = 0;
+    tf_status status =
+        tf_frame_of(surface->axes, motion, *swept, parallel, frame, &bad);
+    if (status != TF_OK)
+        return tf_fail_vertex(error, status, bad, time_of(motion, bad));
+    if (!*swept && is_calm(surface, motion)) {
+        *swept = true;
+        tf_frame_sweep(frame);
+    }
+    return TF_OK;
 }
 
 //: Move a surface
@@ -147,12 +152,12 @@ tf_status tf_surface_move(tf_surface *surface, const tf_motion *motion,
     tf_status status = check_motion(surface, motion, error);
     if (status != TF_OK)
         return status;
-    status = find_paths(surface, motion, swept, parallel, error);
-    if (status == TF_OK && !swept && is_calm(surface)) {
-        swept = true;
-        status = find_paths(surface, motion, swept, parallel, error);
-    }
-    return status == TF_OK
-               ? tf_fail(error, build_trees(surface, swept, parallel))
-               : status;
+    status = find_frame(surface, motion, &swept, parallel, error);
+    if (status != TF_OK)
+        return status;
+    if (!tf_buffer_reserve(&surface->paths, (size_t)surface->vertices,
+                           sizeof(tf_path)))
+        return tf_fail(error, TF_OUT_OF_MEMORY);
+    tf_vertex_paths(&surface->frame, motion, parallel, surface->paths.data);
+    return tf_fail(error, build_trees(surface, swept, parallel));
 }

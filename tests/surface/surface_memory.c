@@ -200,17 +200,17 @@ START_TEST(bad_motions_are_refused)
                      TF_BAD_COUNT);
     ck_assert_int_eq(error.subject, TF_NO_SUBJECT);
     size_t bytes = sizeof(double) * 3 * (size_t)given.motion.vertices;
-    double *end = malloc(bytes);
-    ck_assert_ptr_nonnull(end);
-    memcpy(end, given.motion.end, bytes);
-    end[3 * 2 + 1] = INFINITY;
+    double *place = malloc(bytes);
+    ck_assert_ptr_nonnull(place);
+    memcpy(place, given.motion.end, bytes);
+    place[3 * 2 + 1] = INFINITY;
     tf_motion far = {given.motion.axes, given.motion.vertices,
-                     given.motion.start, end};
+                     given.motion.start, place};
     ck_assert_int_eq(tf_surface_move(surface, &far, false, NULL, &error),
                      TF_NOT_FINITE);
     ck_assert_int_eq(error.subject, TF_VERTEX);
     ck_assert_int_eq(error.vertex[0], 2);
-    free(end);
+    free(place);
     tf_surface_free(surface);
 }
 END_TEST

@@ -61,8 +61,8 @@ typedef struct period {
     float begin, end;
 } period;
 
-/// What the coordinates of a distance, the distance and the time err by, together,
-/// and more.
+/// More than what the coordinates of a distance, the distance and the time err by
+/// together.
 #define SLACK 0x1p-20f
 
 TF_ALWAYS_INLINE period period_of(float start, float end)

@@ -39,6 +39,8 @@ enum {
 };
 
 typedef struct ply_property {
+    const char *name; ///< in the header, so long
+    size_t name_length;
     const ply_type *length; ///< of a list: of its length; NULL: it is no list
     const ply_type *item;
     int role;   ///< what it means: the place of its name, or NONE
@@ -182,29 +184,60 @@ static bool read_element(reader *r, const char *name, const char *count)
 }
 
 //: Declare a column
-/// A scalar property of vertices that has no role, named by the third word.
+/// A scalar property of vertices that has no role.
 static bool add_column(const reader *r, const ply_element *element,
                        ply_property *made)
 {
     tf_columns *columns = r->file->columns;
     tf_column *column = &columns->column[columns->count];
-    const char *name = r->row;
-    for (int i = 0; i < 2; i++) {
-        name += strspn(name, " \t");
-        name += strcspn(name, " \t");
-    }
-    name += strspn(name, " \t");
-    size_t length = strcspn(name, " \t\r\n");
-    if (length >= sizeof column->name)
+    if (made->name_length >= sizeof column->name)
         return tf_text_fault(&r->text,
                              "the name of a property has %zu bytes; shorten it "
                              "to %zu or fewer",
-                             length, sizeof column->name - 1);
+                             made->name_length, sizeof column->name - 1);
     *column = (tf_column){.type = (tf_number_type)(made->item - types)};
-    memcpy(column->name, name, length);
+    memcpy(column->name, made->name, made->name_length);
     for (int i = 0; i < element->properties; i++)
         column->after += element->property[i].role != NONE;
     made->column = columns->count++;
+    return true;
+}
+
+//: Name a property
+/// The word of the line that comes after so many others.
+static void find_name(const reader *r, int words, ply_property *made)
+{
+    const char *name = r->row;
+    for (int i = 0; i < words; i++) {
+        name += strspn(name, " \t");
+        name += strcspn(name, " \t\r\n");
+    }
+    made->name = name + strspn(name, " \t");
+    made->name_length = strcspn(made->name, " \t\r\n");
+}
+
+static bool have_same_name(const ply_property *one, const ply_property *other)
+{
+    return one->name_length == other->name_length &&
+           memcmp(one->name, other->name, one->name_length) == 0;
+}
+
+/// What is skipped with its element may have any names.
+static bool check_name(const reader *r, const ply_element *element,
+                       const ply_property *made)
+{
+    tf_quoted quoted = tf_quote(made->name, made->name_length);
+    for (int i = 0; element->target != NONE && i < element->properties; i++) {
+        const ply_property *before = &element->property[i];
+        if (have_same_name(before, made))
+            return tf_text_fault(&r->text,
+                                 "a second property '%s'; declare it once",
+                                 quoted.text);
+        if (made->role != NONE && before->role == made->role)
+            return tf_text_fault(&r->text,
+                                 "a second list of corners, '%s'; declare one",
+                                 quoted.text);
+    }
     return true;
 }
 
@@ -243,6 +276,7 @@ static bool read_property(reader *r, const tf_quoted word[])
         !find_type(r, item[0].text, &made.item))
         return false;
     made.role = role_named(element->target, list, item[1].text);
+    find_name(r, list ? 4 : 2, &made);
     if (element->properties == PROPERTIES)
         return tf_text_fault(&r->text,
                              "more than %d properties; delete those that are "
@@ -250,7 +284,8 @@ static bool read_property(reader *r, const tf_quoted word[])
                              PROPERTIES);
     bool keeps = r->file->columns && element->target == VERTICES && !list &&
                  made.role == NONE;
-    if (keeps && !add_column(r, element, &made))
+    if (!check_name(r, element, &made) ||
+        (keeps && !add_column(r, element, &made)))
         return false;
     element->property[element->properties++] = made;
     return true;

@@ -486,7 +486,7 @@ START_TEST(sixteen_elements_of_sixty_four_properties_are_read)
 {
     char text[20000] = "ply\nformat ascii 1.0\n" VERTICES;
     for (int i = 3; i < 64; i++)
-        strcat(text, "property int a\n");
+        sprintf(text + strlen(text), "property int a%d\n", i);
     strcat(text, FACES);
     for (int i = 2; i < 16; i++)
         strcat(text, "element a 0\n");
@@ -501,6 +501,76 @@ START_TEST(sixteen_elements_of_sixty_four_properties_are_read)
     strcat(text, "3 0 1 2\n");
     tf_mesh_file file = good_mesh(text);
     expect_vertices(&file, 3, three);
+    tf_mesh_file_free(&file);
+}
+END_TEST
+
+#define FLAT                                                                   \
+    "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"              \
+    "property float y\n"
+
+// Line 5 declares y.
+static const struct {
+    const char *text;
+    long line;
+    const char *words;
+} doubled[] = {
+    {FLAT "property float x\n", 6, "a second property 'x'; declare it once"},
+    {FLAT "property \tdouble  y\t\r\n", 6,
+     "a second property 'y'; declare it once"},
+    {FLAT "property list uchar int x\n", 6,
+     "a second property 'x'; declare it once"},
+    {FLAT "property uchar red\nproperty list uint int a\n"
+          "property list uchar int red\n",
+     8, "a second property 'red'; declare it once"},
+    {FLAT "property uchar \033[7m\nproperty uchar \033[7m\n", 7,
+     "a second property '?[7m'; declare it once"},
+    {FLAT FACES "property list uchar int vertex_indices\n", 8,
+     "a second property 'vertex_indices'; declare it once"},
+    {FLAT FACES "property list uchar uint vertex_index\n", 8,
+     "a second list of corners, 'vertex_index'; declare one"},
+    {FLAT "element edge 1\nproperty int vertex1\nproperty uint vertex1\n", 8,
+     "a second property 'vertex1'; declare it once"},
+    {FLAT "element vertex 3\n", 6, "a second element vertex; declare it once"},
+    {FLAT FACES "element face 1\n", 8,
+     "a second element face; declare it once"},
+    {FLAT "element edge 1\nelement edge 1\n", 7,
+     "a second element edge; declare it once"},
+};
+
+START_TEST(doubled_declarations_are_refused)
+{
+    for (int kept = 0; kept < 2; kept++) {
+        tf_columns columns;
+        read_columns(kept ? &columns : NULL);
+        tf_mesh_file file;
+        ck_assert(
+            !parse_mesh(&file, doubled[_i].text, strlen(doubled[_i].text)));
+        ck_assert_str_eq(file.fault->text, doubled[_i].words);
+        ck_assert_int_eq(file.fault->place, doubled[_i].line);
+        if (kept)
+            tf_columns_free(&columns);
+        tf_mesh_file_free(&file);
+    }
+    read_columns(NULL);
+}
+END_TEST
+
+// In another letter case, cut short or made longer, in another element or in
+// one that is skipped.
+START_TEST(names_that_differ_are_accepted)
+{
+    tf_mesh_file file = good_mesh(
+        "ply\nformat ascii 1.0\nelement camera 1\nproperty float x\n"
+        "property float x\nelement vertex 3\nproperty float x\n"
+        "property float y\nproperty float X\nproperty float xx\n"
+        "property float z\nproperty float\nelement face 1\n"
+        "property list uchar int vertex_indices\nproperty float x\n"
+        "property list uchar int vertex\nproperty int vertex_index\n"
+        "element none 0\nelement none 0\nend_header\n7 8\n0 0 9 9 0 9\n"
+        "1 0 9 9 0 9\n0 1 9 9 0 9\n3 0 1 2 9 0 9\n");
+    expect_vertices(&file, 3, three);
+    expect_triangles(&file, 1, first_three);
     tf_mesh_file_free(&file);
 }
 END_TEST
@@ -820,6 +890,9 @@ Suite *suite(void)
     tcase_add_loop_test(header, bad_headers_are_refused, 0,
                         sizeof headers / sizeof *headers);
     tcase_add_test(header, too_many_declarations_are_refused);
+    tcase_add_loop_test(header, doubled_declarations_are_refused, 0,
+                        sizeof doubled / sizeof *doubled);
+    tcase_add_test(header, names_that_differ_are_accepted);
     tcase_add_test(header, sixteen_elements_of_sixty_four_properties_are_read);
     suite_add_tcase(suite, header);
 

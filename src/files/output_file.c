@@ -1,18 +1,22 @@
 //: Include what output files need
-#define _GNU_SOURCE // asprintf, mkstemps
+#define _GNU_SOURCE // asprintf, flock
 #include "files/output_file.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <signal.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 //: Remove scratch files when a signal ends the program
 enum {
-    SCRATCHES = 4 // more than are ever there at a time
+    SCRATCHES = 4, // more than are ever there at a time
+    NAMES = 16     // of scratch files of a file, which are looked for
 };
 
 static char *volatile scratches[SCRATCHES];
@@ -57,23 +61,79 @@ static void watch_signals(void)
 }
 
 //: Name a scratch file
-/// "folder/.tanglefree-XXXXXX.png" for "folder/name.png"; NULL without memory.
-static char *scratch_name(const char *path, int *ending_length)
+// A file has the same names of scratch files each time that this user writes
+// it, so that those that a killed program has left are found again.  Programs
+// that write it at the same time take one each.
+
+/// FNV-1a.
+static uint32_t hash(uint32_t from, const void *bytes, size_t count)
+{
+    const unsigned char *byte = bytes;
+    for (size_t i = 0; i < count; i++)
+        from = (from ^ byte[i]) * UINT32_C(16777619);
+    return from;
+}
+
+/// "folder/.tanglefree-89abcdef.png" for "folder/name.png"; NULL without memory.
+static char *scratch_name(const char *path, int number)
 {
     const char *slash = strrchr(path, '/');
-    int folder = slash ? (int)(slash - path) + 1 : 0;
-    const char *dot = strrchr(path + folder, '.');
-    const char *ending = dot ? dot : "";
-    *ending_length = (int)strlen(ending);
+    const char *file = slash ? slash + 1 : path;
+    const char *dot = strrchr(file, '.');
+    const uid_t user = geteuid();
+    uint32_t digits = hash(UINT32_C(2166136261), file, strlen(file));
+    digits = hash(digits, &user, sizeof user);
+    digits = hash(digits, &number, sizeof number);
     char *name;
-    return asprintf(&name, "%.*s.tanglefree-XXXXXX%s", folder, path, ending) < 0
+    return asprintf(&name, "%.*s.tanglefree-%08x%s", (int)(file - path), path,
+                    (unsigned)digits, dot ? dot : "") < 0
                ? NULL
                : name;
 }
 
+//: Remove an abandoned scratch file
+// A program that lives holds a lock of its scratch file, which the system ends
+// with the program, however that ends.
+
+/// Whether a name is that of an open file, which is one as scratch files are.
+static bool is_scratch(int descriptor, const char *name)
+{
+    struct stat opened, named;
+    return fstat(descriptor, &opened) == 0 && lstat(name, &named) == 0 &&
+           opened.st_dev == named.st_dev && opened.st_ino == named.st_ino &&
+           S_ISREG(opened.st_mode) && opened.st_nlink == 1 &&
+           opened.st_uid == geteuid();
+}
+
+/// Looks at the name once more under the lock, as its owner may just have
+/// renamed the file, and another have begun one.
+static void remove_abandoned(const char *name)
+{
+    int flags = O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC;
+    int descriptor = open(name, flags);
+    if (descriptor < 0)
+        return;
+    if (flock(descriptor, LOCK_EX | LOCK_NB) == 0 &&
+        is_scratch(descriptor, name))
+        unlink(name);
+    close(descriptor);
+}
+
+void tf_output_file_clear(const char *path)
+{
+    char *real = realpath(path, NULL);
+    for (int i = 0; i < NAMES; i++) {
+        char *name = scratch_name(real ? real : path, i);
+        if (name)
+            remove_abandoned(name);
+        free(name);
+    }
+    free(real);
+}
+
 //: Make a scratch file
-/// The permissions of the file that it will replace, or of any new one;
-/// mkstemps lets nobody else read it.
+/// The permissions of the file that it will replace, or of any new one; until
+/// then nobody else can read it.
 static void set_permissions(int descriptor, const struct stat *before)
 {
     mode_t mask = umask(0);
@@ -81,16 +141,38 @@ static void set_permissions(int descriptor, const struct stat *before)
     fchmod(descriptor, before ? before->st_mode & 0777 : 0666 & ~mask);
 }
 
+/// Makes a file that is not there yet, and locks it; where there are no locks,
+/// nothing is ever taken for abandoned.  Another program may remove it before
+/// it is locked; then errno is EEXIST, too.
+static int make_locked(const char *name)
+{
+    int descriptor = open(name, O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+    struct stat made;
+    if (descriptor < 0)
+        return -1;
+    flock(descriptor, LOCK_EX);
+    if (fstat(descriptor, &made) == 0 && made.st_nlink > 0)
+        return descriptor;
+    close(descriptor);
+    errno = EEXIST;
+    return -1;
+}
+
+/// The first that no other program has.
 static bool make_scratch(tf_output_file *file, const struct stat *before)
 {
-    int ending_length;
-    file->scratch = scratch_name(file->path, &ending_length);
-    int descriptor =
-        file->scratch ? mkstemps(file->scratch, ending_length) : -1;
-    if (descriptor < 0)
+    tf_output_file_clear(file->path);
+    errno = EEXIST;
+    for (int i = 0; file->lock < 0 && errno == EEXIST; i++) {
+        free(file->scratch);
+        file->scratch = scratch_name(file->path, i);
+        if (!file->scratch)
+            return false;
+        file->lock = make_locked(file->scratch);
+    }
+    if (file->lock < 0)
         return false;
-    set_permissions(descriptor, before);
-    close(descriptor);
+    set_permissions(file->lock, before);
     remember(NULL, file->scratch);
     watch_signals();
     return true;
@@ -100,6 +182,8 @@ static bool make_scratch(tf_output_file *file, const struct stat *before)
 static void forget(tf_output_file *file)
 {
     int cause = errno;
+    if (file->lock >= 0)
+        close(file->lock);
     if (file->scratch != file->path)
         free(file->scratch);
     free(file->path);
@@ -124,7 +208,7 @@ static bool make(tf_output_file *file, const char *path)
 
 bool tf_output_file_begin(tf_output_file *file, const char *path)
 {
-    *file = (tf_output_file){0};
+    *file = (tf_output_file){.lock = -1};
     bool made = make(file, path);
     if (!made)
         forget(file);
@@ -132,10 +216,16 @@ bool tf_output_file_begin(tf_output_file *file, const char *path)
 }
 
 //: Keep or drop an output file
+// Once the file has lost the name, another program may take that, and neither
+// this one nor a signal may remove it.
+
 bool tf_output_file_keep(tf_output_file *file)
 {
+    remember(file->scratch, NULL);
     bool kept =
         file->scratch == file->path || rename(file->scratch, file->path) == 0;
+    if (kept)
+        forget(file);
     int cause = errno;
     tf_output_file_drop(file);
     errno = cause;
@@ -146,9 +236,9 @@ void tf_output_file_drop(tf_output_file *file)
 {
     if (!file->scratch)
         return;
+    remember(file->scratch, NULL);
     if (file->scratch != file->path)
         unlink(file->scratch);
-    remember(file->scratch, NULL);
     forget(file);
 }
 

@@ -11,10 +11,12 @@ typedef struct tf_output_file {
     char *path;    ///< that of the file; a symbolic link is followed
     char *scratch; ///< what to write to: in the folder of `path`, with its
                    ///< ending, or `path` itself; NULL after a failure
+    int lock;      ///< a descriptor that holds the scratch file; -1: none does
 } tf_output_file;
 
 /// Makes an empty scratch file.  False, with errno, if that fails.  A signal
-/// that ends the program removes it.
+/// that ends the program removes it; if none can, as after SIGKILL, the next
+/// program that begins or clears the same file does.
 bool tf_output_file_begin(tf_output_file *file, const char *path);
 
 /// Gives the scratch file its name, over what has it now.  False, with errno,
@@ -23,6 +25,10 @@ bool tf_output_file_keep(tf_output_file *file);
 
 /// Removes the scratch file, if there is one.
 void tf_output_file_drop(tf_output_file *file);
+
+/// Removes the scratch files of a file that killed programs have left.  Those of
+/// programs that live, and all other files, stay.
+void tf_output_file_clear(const char *path);
 
 /// Names the child process that writes to a scratch file; 0: none does.  A
 /// signal that ends the program ends it first, lest it make the file again.

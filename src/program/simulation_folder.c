@@ -180,6 +180,7 @@ bool tf_simulation_folder_resume(tf_simulation_folder *folder, const char *path,
     int last;
     *folder = (tf_simulation_folder){.path = path};
     count_files(path, &last);
+    tf_output_file_clear(choose_file(folder, last + 1));
     if (last < 0)
         return tf_fault_set(&folder->fault, path, -1,
                             "has no frames to go on from; leave out --resume");

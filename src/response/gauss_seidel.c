@@ -47,7 +47,10 @@ static double start(const tf_zone *zone, const tf_bodies *bodies)
 /// those of vertex v are constraint[begin[v]] to constraint[begin[v + 1] - 1].
 typedef struct agenda {
     int *begin, *constraint;
-    bool *due; ///< of each constraint
+    size_t *told;       ///< of each crowded vertex: when it last moved
+    size_t *looked;     ///< of each constraint that asks: when it was visited
+    unsigned char *due; ///< of each constraint: a sum of flags
+    size_t clock;       ///< how often crowded vertices have moved
 } agenda;
 
 static void list_constraints(const tf_zone *zone, const agenda *all)
@@ -64,26 +67,76 @@ static void list_constraints(const tf_zone *zone, const agenda *all)
             all->constraint[begin[zone->constraint[i].vertex[j] + 1]++] = i;
 }
 
-//: Begin the agenda
+//: Tell crowded vertices apart
+enum {
+    CROWD = 64, ///< constraints of a vertex that are told one by one
+
+    DUE = 1, ///< flags of a constraint
+    ASKS = 2 ///< it has a crowded vertex
+};
+
+static bool is_crowded(const agenda *all, int vertex)
+{
+    return all->begin[vertex + 1] - all->begin[vertex] > CROWD;
+}
+
+/// Whether one of a constraint's vertices is crowded.
+static bool is_in_crowd(const agenda *all, const tf_constraint *constraint)
+{
+    bool found = false;
+    for (int j = 0; j < 4 && constraint->vertex[j] >= 0; j++)
+        found |= is_crowded(all, constraint->vertex[j]);
+    return found;
+}
+
+//: Lay out the agenda
 static size_t workspace_for(int axes, int vertices, int constraints)
 {
     (void)axes;
+    size_t times = (size_t)vertices + (size_t)constraints;
     size_t numbers = (size_t)vertices + 2 + 4 * (size_t)constraints;
-    size_t bytes = numbers * sizeof(int) + (size_t)constraints * sizeof(bool);
+    size_t bytes =
+        times * sizeof(size_t) + numbers * sizeof(int) + (size_t)constraints;
     return bytes / sizeof(double) + 1;
 }
 
+//: Begin the agenda
 /// Only new constraints are due.  Those that were solved before need a visit
 /// when others have moved their vertices.
 static agenda begin_agenda(const tf_zone *zone)
 {
-    agenda all = {.begin = (void *)zone->workspace};
+    agenda all = {.told = (void *)zone->workspace};
+    all.looked = all.told + zone->vertices;
+    all.begin = (void *)(all.looked + zone->constraints);
     all.constraint = all.begin + zone->vertices + 2;
     all.due = (void *)(all.constraint + 4 * (ptrdiff_t)zone->constraints);
     list_constraints(zone, &all);
+    memset(all.told, 0, sizeof *all.told * (size_t)zone->vertices);
+    memset(all.looked, 0, sizeof *all.looked * (size_t)zone->constraints);
     for (int i = 0; i < zone->constraints; i++)
-        all.due[i] = i >= zone->solved;
+        all.due[i] = (i >= zone->solved ? DUE : 0) |
+                     (is_in_crowd(&all, &zone->constraint[i]) ? ASKS : 0);
     return all;
+}
+
+//: Ask whether a constraint is due
+/// Whether a constraint is to be visited: because it was told, or because one of
+/// its crowded vertices has moved since it was last visited.
+static bool is_due(const agenda *all, int constraint, const int vertex[4])
+{
+    if (all->due[constraint] != ASKS)
+        return all->due[constraint] & DUE;
+    bool due = false;
+    for (int j = 0; !due && j < 4 && vertex[j] >= 0; j++)
+        due = all->told[vertex[j]] > all->looked[constraint];
+    return due;
+}
+
+static void set_visited(const agenda *all, int constraint)
+{
+    all->due[constraint] &= ASKS;
+    if (all->due[constraint])
+        all->looked[constraint] = all->clock;
 }
 
 //: See whether a constraint is off
@@ -115,33 +168,38 @@ static bool is_off(const sweep_state *state, const tf_constraint *constraint)
 
 //: Visit a constraint that is due
 enum {
-    NEIGHBORS = 32 ///< that are told in the time of a visit
+    NEIGHBORS = 32, ///< that are told in the time of a visit
+    VISITS = 32     ///< after which the solver asks whether to go on
 };
 
 /// Puts on the agenda all other constraints that share a vertex with a
 /// constraint, even one that cannot move: with friction another visit improves
 /// such constraints as well.
-static void tell_neighbors(const sweep_state *state, int constraint)
+static void tell_neighbors(sweep_state *state, int constraint)
 {
-    const agenda *all = &state->all;
+    agenda *all = &state->all;
     const int *vertex = state->zone->constraint[constraint].vertex;
     for (int i = 0; i < 4 && vertex[i] >= 0; i++) {
         int begin = all->begin[vertex[i]], end = all->begin[vertex[i] + 1];
+        if (is_crowded(all, vertex[i])) {
+            all->told[vertex[i]] = ++all->clock;
+            continue;
+        }
         for (int j = begin; j < end; j++)
-            all->due[all->constraint[j]] = true;
+            all->due[all->constraint[j]] |= DUE;
         tf_zone_goes_on(state->zone, (size_t)(end - begin) / NEIGHBORS);
     }
-    all->due[constraint] = false;
+    set_visited(all, constraint);
 }
 
 /// Visits a constraint that is due, if it is new or off; with friction always,
 /// as it may be off across the normal.  Returns whether that changes its
 /// gap, or its sliding, by more than the tolerance.
-static bool visit(const sweep_state *state, int constraint, bool is_new)
+static bool visit(sweep_state *state, int constraint, bool is_new)
 {
     double friction = state->zone->friction;
     tf_constraint *own = &state->zone->constraint[constraint];
-    state->all.due[constraint] = false;
+    set_visited(&state->all, constraint);
     if (!is_new && !(friction > 0) && !is_off(state, own))
         return false;
     bool changed =
@@ -154,17 +212,19 @@ static bool visit(const sweep_state *state, int constraint, bool is_new)
 //: Sweep until little changes
 /// Returns whether a visit made a change of more than the tolerance; false if the
 /// caller has cancelled.
-static bool sweep(const sweep_state *state, bool is_first)
+static bool sweep(sweep_state *state, bool is_first)
 {
+    const tf_zone *zone = state->zone;
+    size_t visits = 0;
     bool any = false;
-    for (int i = 0; i < state->zone->constraints; i++) {
-        if (!state->all.due[i])
+    for (int i = 0; i < zone->constraints; i++) {
+        if (!is_due(&state->all, i, zone->constraint[i].vertex))
             continue;
-        if (!tf_zone_goes_on(state->zone, 1))
+        any |= visit(state, i, is_first && i >= zone->solved);
+        if (++visits % VISITS == 0 && !tf_zone_goes_on(zone, VISITS))
             return false;
-        any |= visit(state, i, is_first && i >= state->zone->solved);
     }
-    return any;
+    return tf_zone_goes_on(zone, visits % VISITS) && any;
 }
 
 static int solve_by_gauss_seidel(tf_zone *zone)

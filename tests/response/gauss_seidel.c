@@ -1,6 +1,7 @@
 // Projected Gauss-Seidel on random zones.
 #include "response/gauss_seidel.h"
 
+#include "response/impulse.h"
 #include "support/long_solves.h"
 #include "support/support.h"
 #include "support/watches.h"
@@ -13,7 +14,8 @@
 enum {
     VERTICES = 12,
     MOST_CONSTRAINTS = 40,
-    MANY = 2000
+    MANY = 2000,
+    CROWDED = 600
 };
 
 static zone_case random_zone(generator *random, int axes)
@@ -271,25 +273,188 @@ START_TEST(a_caller_may_cancel)
 }
 END_TEST
 
-// A hub with many neighbors is told of all of them by each visit.
-START_TEST(work_for_neighbors_counts)
+/// The units of work for hubs with so many spokes each.
+static size_t work_for_hubs(int hubs, int spokes)
 {
-    enum {
-        SPOKES = 2000
-    };
     watched_call call;
-    zone_case z = zone_new(2, SPOKES + 1, SPOKES);
-    z.zone.constraints = SPOKES;
-    for (int i = 0; i < SPOKES; i++) {
-        z.constraint[i] = constraint_of(0, i + 1);
-        z.proposal[2 * (i + 1) + 1] = 1;
-        z.inverse_mass[i + 1] = 1;
+    zone_case z = zone_new(2, hubs * (spokes + 1), hubs * spokes);
+    z.zone.constraints = hubs * spokes;
+    for (int i = 0; i < hubs * spokes; i++) {
+        int hub = i / spokes, spoke = hubs + i;
+        z.constraint[i] = constraint_of(hub, spoke);
+        z.proposal[2 * spoke + 1] = 1;
+        z.inverse_mass[spoke] = 1;
+        z.inverse_mass[hub] = 0x1p-20;
     }
-    z.inverse_mass[0] = 0x1p-20;
     z.zone.watch = watched_begin(&call, 0);
     ck_assert_int_eq(zone_solve(&z, &tf_gauss_seidel, 1), 1);
-    ck_assert_uint_gt(watched_work(&call), 30 * SPOKES);
+    size_t work = watched_work(&call);
     zone_free(&z);
+    return work;
+}
+
+// Six units a constraint, of which two are its visit.  A hub tells all of its
+// neighbors in each, unless they are a crowd, which asks.
+START_TEST(work_for_neighbors_counts)
+{
+    size_t alone = work_for_hubs(2048, 1), busy = work_for_hubs(32, 64);
+    size_t crowded = work_for_hubs(1, 2048);
+    ck_assert_uint_eq(alone, 6 * 2048);
+    ck_assert_uint_eq(work_for_hubs(31, 1), 6 * 31);
+    ck_assert_uint_ge(busy, alone + 2 * 2 * 2048);
+    ck_assert_uint_le(crowded, alone);
+}
+END_TEST
+
+// Crowds ----------------------------------------------------------------------
+
+static bool share_a_vertex(const tf_constraint *a, const tf_constraint *b)
+{
+    for (int i = 0; i < 4 && a->vertex[i] >= 0; i++)
+        for (int j = 0; j < 4 && b->vertex[j] >= 0; j++)
+            if (a->vertex[i] == b->vertex[j])
+                return true;
+    return false;
+}
+
+static double missing(const zone_case *z, int i)
+{
+    return z->constraint[i].bound - tf_constraint_gap_change(z->zone.axes,
+                                                             &z->constraint[i],
+                                                             z->displacement);
+}
+
+/// Applies all impulses; returns the tolerance.
+static double begin_plainly(zone_case *z, const tf_bodies *bodies)
+{
+    const tf_zone *zone = &z->zone;
+    double most = 0;
+    for (int i = 0; i < zone->solved; i++)
+        most = fmax(most, missing(z, i));
+    for (int i = 0; i < zone->constraints; i++)
+        tf_constraint_push(
+            &z->constraint[i],
+            tf_vector_sum(tf_vector_at(z->constraint[i].friction, 0),
+                          z->constraint[i].impulse,
+                          tf_vector_at(z->constraint[i].normal, 0)),
+            bodies);
+    for (int i = zone->solved; i < zone->constraints; i++)
+        most = fmax(most, missing(z, i));
+    return 0.01 * most;
+}
+
+/// The same as the solver, with a flag for each constraint, by which each change
+/// tells all others that share a vertex, found among all.  Returns the sweeps.
+static int solve_plainly(zone_case *z, int sweeps)
+{
+    const tf_zone *zone = &z->zone;
+    tf_bodies bodies = {zone->axes, z->inverse_mass, z->displacement};
+    double least = begin_plainly(z, &bodies);
+    bool due[CROWDED], any = true;
+    int done = 0;
+    for (int i = 0; i < zone->constraints; i++)
+        due[i] = i >= zone->solved;
+    for (; any && done < sweeps; done++) {
+        any = false;
+        for (int i = 0; i < zone->constraints; i++) {
+            bool off =
+                missing(z, i) > least || zone->friction > 0 ||
+                (z->constraint[i].impulse > 0 && missing(z, i) < -3 * least) ||
+                (done == 0 && i >= zone->solved);
+            bool changed = due[i] && off &&
+                           tf_constraint_visit(&z->constraint[i],
+                                               zone->friction, &bodies) > least;
+            for (int j = 0; changed && j < zone->constraints; j++)
+                due[j] |= share_a_vertex(&z->constraint[i], &z->constraint[j]);
+            due[i] = false;
+            any |= changed;
+        }
+    }
+    return done;
+}
+
+/// A zone in which a few vertices have many constraints, and many have few.
+static zone_case crowded_zone(generator *random, int axes, int constraints)
+{
+    zone_case z = zone_random(random, axes, 300, constraints, CROWDED);
+    int hubs = 1 + below(random, 8);
+    for (int i = 0; i < constraints; i++)
+        if (below(random, 3) > 0)
+            z.constraint[i].vertex[0] = 2 * below(random, hubs);
+    for (int i = 0; i < constraints; i++)
+        for (int j = 1; j <= axes; j++)
+            while (z.constraint[i].vertex[j] == z.constraint[i].vertex[0])
+                z.constraint[i].vertex[j] = below(random, 300);
+    z.zone.friction = below(random, 3) == 0 ? 0.3 : 0;
+    return z;
+}
+
+static void copy_zone(zone_case *to, const zone_case *from)
+{
+    size_t bytes =
+        sizeof(double) * (size_t)(from->zone.axes * from->zone.vertices);
+    memcpy(to->constraint, from->constraint,
+           sizeof(tf_constraint) * (size_t)from->zone.constraints);
+    memcpy(to->displacement, from->proposal, bytes);
+    memcpy(to->proposal, from->proposal, bytes);
+    memcpy(to->inverse_mass, from->inverse_mass,
+           sizeof(double) * (size_t)from->zone.vertices);
+    to->zone.constraints = from->zone.constraints;
+    to->zone.solved = from->zone.solved;
+    to->zone.friction = from->zone.friction;
+}
+
+// At first with all constraints new, then with some solved before.  Numbers of
+// constraints at which a hub just is and just is not a crowd come up by chance.
+START_TEST(crowds_are_told_as_all_others_are)
+{
+    generator random = generator_new(500 + (uint64_t)_i);
+    for (int times = 0; times < (int)cases(60); times++) {
+        int constraints = 20 + below(&random, CROWDED - 20);
+        zone_case z = crowded_zone(&random, 2 + _i, constraints);
+        zone_case plain = zone_new(2 + _i, 300, CROWDED);
+        for (int round = 0; round < 2; round++) {
+            int sweeps = 1 + below(&random, 40);
+            z.zone.solved = round ? below(&random, constraints) : 0;
+            copy_zone(&plain, &z);
+            int made = zone_solve_again(&z, &tf_gauss_seidel, sweeps);
+            ck_assert_int_eq(made, solve_plainly(&plain, sweeps));
+            ck_assert_mem_eq(z.displacement, plain.displacement,
+                             sizeof(double) * (size_t)((2 + _i) * 300));
+            ck_assert_mem_eq(z.constraint, plain.constraint,
+                             sizeof(tf_constraint) * (size_t)constraints);
+        }
+        zone_free(&z);
+        zone_free(&plain);
+    }
+}
+END_TEST
+
+// One below, at and above the number that makes a crowd.
+START_TEST(hubs_of_all_sizes_are_told)
+{
+    generator random = generator_new(520 + (uint64_t)_i);
+    for (int spokes = 1; spokes <= 140; spokes++) {
+        zone_case z = zone_new(2, spokes + 1, spokes);
+        zone_case plain = zone_new(2, spokes + 1, spokes);
+        z.zone.constraints = spokes;
+        z.zone.friction = _i ? 0.3 : 0;
+        z.inverse_mass[0] = 0.25;
+        for (int i = 0; i < spokes; i++) {
+            z.constraint[i] =
+                constraint_of(i % 2 ? i + 1 : 0, i % 2 ? 0 : i + 1);
+            z.proposal[2 * i + 2] = uniform(&random, -1, 1);
+            z.proposal[2 * i + 3] = uniform(&random, -1, 1);
+            z.inverse_mass[i + 1] = uniform(&random, 0, 1);
+        }
+        copy_zone(&plain, &z);
+        int made = zone_solve_again(&z, &tf_gauss_seidel, 50);
+        ck_assert_int_eq(made, solve_plainly(&plain, 50));
+        ck_assert_mem_eq(z.displacement, plain.displacement,
+                         sizeof(double) * 2 * (size_t)(spokes + 1));
+        zone_free(&z);
+        zone_free(&plain);
+    }
 }
 END_TEST
 
@@ -315,5 +480,10 @@ Suite *suite(void)
     tcase_add_test(tcase_long, a_caller_may_cancel);
     tcase_add_test(tcase_long, work_for_neighbors_counts);
     suite_add_tcase(suite, tcase_long);
+
+    TCase *crowds = tcase_create("crowds");
+    tcase_add_loop_test(crowds, crowds_are_told_as_all_others_are, 0, 2);
+    tcase_add_loop_test(crowds, hubs_of_all_sizes_are_told, 0, 2);
+    suite_add_tcase(suite, crowds);
     return suite;
 }

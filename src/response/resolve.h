@@ -25,8 +25,9 @@
 /// to, bit for bit, unless the failsafe has to hold them back, for example when
 /// two plates close upon a sheet.  The report counts those that it held back.
 ///
-/// Time and memory grow in proportion to the contacts of all rounds.  These may
-/// be many: n edges that are pushed through n others have n^2.
+/// Time and memory grow about in proportion to the contacts of all rounds.  These
+/// may be many: n edges that are pushed through n others have n^2.  For n = 1000
+/// such a step takes some ten seconds and 0.7 GB.
 ///
 /// The result is the same, to the last bit, for any number of threads.
 /// tf_resolver_contacts and tf_resolver_vertices tell what was done.

@@ -224,11 +224,11 @@ bool tf_output_file_keep(tf_output_file *file)
     remember(file->scratch, NULL);
     bool kept =
         file->scratch == file->path || rename(file->scratch, file->path) == 0;
-    if (kept)
-        forget(file);
     int cause = errno;
-    tf_output_file_drop(file);
+    if (!kept)
+        unlink(file->scratch);
     errno = cause;
+    forget(file);
     return kept;
 }
 

@@ -76,7 +76,7 @@ static tf_status check_motion(const tf_surface *surface,
     return tf_fail(error, status);
 }
 
-//: Tell whether a motion is calm
+//: Test whether a motion is calm
 enum {
     SAMPLE = 1024 // edges
 };

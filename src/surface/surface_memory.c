@@ -133,13 +133,12 @@ static tf_status find_frame(tf_surface *surface, const tf_motion *motion,
     tf_frame *frame = &surface->frame;
     int bad = 0;
     tf_status status =
-        tf_frame_of(surface->axes, motion, *swept, parallel, frame, &bad);
+        tf_frame_of(surface->axes, motion, parallel, frame, &bad);
     if (status != TF_OK)
         return tf_fail_vertex(error, status, bad, time_of(motion, bad));
-    if (!*swept && is_calm(surface, motion)) {
-        *swept = true;
+    *swept = *swept || is_calm(surface, motion);
+    if (*swept)
         tf_frame_sweep(frame);
-    }
     return TF_OK;
 }
 

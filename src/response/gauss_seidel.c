@@ -47,8 +47,8 @@ static double start(const tf_zone *zone, const tf_bodies *bodies)
 /// those of vertex v are constraint[begin[v]] to constraint[begin[v + 1] - 1].
 typedef struct agenda {
     int *begin, *constraint;
-    size_t *told;       ///< of each crowded vertex: when it last moved
-    size_t *looked;     ///< of each constraint that asks: when it was visited
+    size_t *moved;       ///< of each crowded vertex: when it last moved
+    size_t *visited;     ///< of each constraint that asks: when it was visited
     unsigned char *due; ///< of each constraint: a sum of flags
     size_t clock;       ///< how often crowded vertices have moved
 } agenda;
@@ -105,14 +105,14 @@ static size_t workspace_for(int axes, int vertices, int constraints)
 /// when others have moved their vertices.
 static agenda begin_agenda(const tf_zone *zone)
 {
-    agenda all = {.told = (void *)zone->workspace};
-    all.looked = all.told + zone->vertices;
-    all.begin = (void *)(all.looked + zone->constraints);
+    agenda all = {.moved = (void *)zone->workspace};
+    all.visited = all.moved + zone->vertices;
+    all.begin = (void *)(all.visited + zone->constraints);
     all.constraint = all.begin + zone->vertices + 2;
     all.due = (void *)(all.constraint + 4 * (ptrdiff_t)zone->constraints);
     list_constraints(zone, &all);
-    memset(all.told, 0, sizeof *all.told * (size_t)zone->vertices);
-    memset(all.looked, 0, sizeof *all.looked * (size_t)zone->constraints);
+    memset(all.moved, 0, sizeof *all.moved * (size_t)zone->vertices);
+    memset(all.visited, 0, sizeof *all.visited * (size_t)zone->constraints);
     for (int i = 0; i < zone->constraints; i++)
         all.due[i] = (i >= zone->solved ? DUE : 0) |
                      (is_in_crowd(&all, &zone->constraint[i]) ? ASKS : 0);
@@ -120,7 +120,7 @@ static agenda begin_agenda(const tf_zone *zone)
 }
 
 //: Ask whether a constraint is due
-/// Whether a constraint is to be visited: because it was told, or because one of
+/// Whether a constraint is to be visited: because it was moved, or because one of
 /// its crowded vertices has moved since it was last visited.
 static bool is_due(const agenda *all, int constraint, const int vertex[4])
 {
@@ -128,7 +128,7 @@ static bool is_due(const agenda *all, int constraint, const int vertex[4])
         return all->due[constraint] & DUE;
     bool due = false;
     for (int j = 0; !due && j < 4 && vertex[j] >= 0; j++)
-        due = all->told[vertex[j]] > all->looked[constraint];
+        due = all->moved[vertex[j]] > all->visited[constraint];
     return due;
 }
 
@@ -136,7 +136,7 @@ static void set_visited(const agenda *all, int constraint)
 {
     all->due[constraint] &= ASKS;
     if (all->due[constraint])
-        all->looked[constraint] = all->clock;
+        all->visited[constraint] = all->clock;
 }
 
 //: See whether a constraint is off
@@ -182,7 +182,7 @@ static void tell_neighbors(sweep_state *state, int constraint)
     for (int i = 0; i < 4 && vertex[i] >= 0; i++) {
         int begin = all->begin[vertex[i]], end = all->begin[vertex[i] + 1];
         if (is_crowded(all, vertex[i])) {
-            all->told[vertex[i]] = ++all->clock;
+            all->moved[vertex[i]] = ++all->clock;
             continue;
         }
         for (int j = begin; j < end; j++)

@@ -47,8 +47,8 @@ static double start(const tf_zone *zone, const tf_bodies *bodies)
 /// those of vertex v are constraint[begin[v]] to constraint[begin[v + 1] - 1].
 typedef struct agenda {
     int *begin, *constraint;
-    size_t *moved;       ///< of each crowded vertex: when it last moved
-    size_t *visited;     ///< of each constraint that asks: when it was visited
+    size_t *moved;      ///< of each crowded vertex: when it last moved
+    size_t *visited;    ///< of each constraint that asks: when it was visited
     unsigned char *due; ///< of each constraint: a sum of flags
     size_t clock;       ///< how often crowded vertices have moved
 } agenda;
@@ -120,7 +120,7 @@ static agenda begin_agenda(const tf_zone *zone)
 }
 
 //: Ask whether a constraint is due
-/// Whether a constraint is to be visited: because it was moved, or because one of
+/// Whether a constraint is to be visited: because it was told, or because one of
 /// its crowded vertices has moved since it was last visited.
 static bool is_due(const agenda *all, int constraint, const int vertex[4])
 {

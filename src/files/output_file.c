@@ -131,7 +131,7 @@ void tf_output_file_clear(const char *path)
     free(real);
 }
 
-//: Make a scratch file
+//: Set the permissions of a scratch file
 /// The permissions of the file that it will replace, or of any new one; until
 /// then nobody else can read it.
 static void set_permissions(int descriptor, const struct stat *before)
@@ -141,12 +141,28 @@ static void set_permissions(int descriptor, const struct stat *before)
     fchmod(descriptor, before ? before->st_mode & 0777 : 0666 & ~mask);
 }
 
+//: Lock a scratch file
+/// Opens a file that is not there yet, with a descriptor that is none of the
+/// standard ones: if one of those is closed, what is printed must not get into the
+/// file.
+static int open_new(const char *name)
+{
+    int any = open(name, O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+    if (any < 0)
+        return -1;
+    int descriptor = fcntl(any, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
+    int cause = errno;
+    close(any);
+    errno = cause;
+    return descriptor;
+}
+
 /// Makes a file that is not there yet, and locks it; where there are no locks,
 /// nothing is ever taken for abandoned.  Another program may remove it before
 /// it is locked; then errno is EEXIST, too.
 static int make_locked(const char *name)
 {
-    int descriptor = open(name, O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+    int descriptor = open_new(name);
     struct stat made;
     if (descriptor < 0)
         return -1;
@@ -158,6 +174,7 @@ static int make_locked(const char *name)
     return -1;
 }
 
+//: Make a scratch file
 /// The first that no other program has.
 static bool make_scratch(tf_output_file *file, const struct stat *before)
 {

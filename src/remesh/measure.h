@@ -7,12 +7,21 @@
 
 #include <math.h>
 
-// All of this is rounded: it decides what is wanted, never what is safe.
+// All of this is rounded: it decides what is wanted, never what is safe.  It is
+// in the surface's own unit, its scale times that of the coordinates.
 
 static inline tf_vector tf_position_of(const tf_adaptive_surface *surface,
                                        int vertex)
 {
-    return tf_vector_at(tf_vertex_coordinates(surface, vertex), 0);
+    return tf_vector_scaled(
+        surface->scale, tf_vector_at(tf_vertex_coordinates(surface, vertex), 0));
+}
+
+/// The coordinates of a measured position.
+static inline tf_vector tf_coordinates_of(const tf_adaptive_surface *surface,
+                                          tf_vector position)
+{
+    return tf_vector_scaled(1 / surface->scale, position);
 }
 
 double tf_length_of(const tf_adaptive_surface *surface, int a, int b);
@@ -53,6 +62,10 @@ bool tf_star_stays_good(const tf_adaptive_surface *surface, int vertex,
                         int other, tf_vector position);
 
 //: Declare what can be measured
+/// Sets the scale of a surface to the power of two, from 2^-1000 to 2^1000, by
+/// which its greatest coordinate gets nearest below 1.
+void tf_choose_scale(tf_adaptive_surface *surface);
+
 /// Checks that what is measured of a surface does not overflow: that no vertex of
 /// a triangle has a coordinate beyond 2^250.  Sets the error to what it returns,
 /// TF_OK or TF_OUT_OF_RANGE.

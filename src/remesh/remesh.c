@@ -46,7 +46,8 @@ static tf_status measure_distance(tf_remesher *remesher)
     if (status == TF_OK)
         remesher->report.distance =
             fmax(tf_original_farthest(&remesher->original, after, watch),
-                 tf_original_farthest(&now, before, watch));
+                 tf_original_farthest(&now, before, watch)) /
+            after->scale;
     tf_original_free(&now);
     return status == TF_OK && tf_watch_cancelled(watch) ? TF_CANCELLED : status;
 }
@@ -94,8 +95,7 @@ static tf_status do_rounds(tf_remesher *remesher, int rounds)
 //: Check how to remesh
 static tf_status read_options(tf_remesh_options *own,
                               const tf_remesh_options *options,
-                              const tf_adaptive_surface *surface,
-                              tf_error *error)
+                              tf_adaptive_surface *surface, tf_error *error)
 {
     size_t first = offsetof(tf_remesh_options, context) + sizeof own->context;
     tf_fail(error, TF_OK);
@@ -103,6 +103,7 @@ static tf_status read_options(tf_remesh_options *own,
         return tf_fail(error, TF_BAD_ENVIRONMENT);
     tf_status status = tf_options_read(own, sizeof *own, options, first, error);
     own->rounds = own->rounds ? own->rounds : USUAL_ROUNDS;
+    tf_choose_scale(surface);
     return status == TF_OK ? tf_check_target(surface, own->edge, error)
                            : status;
 }
@@ -125,7 +126,7 @@ static tf_status remesh(tf_adaptive_surface *surface,
 {
     tf_adaptive_surface draft = {0};
     tf_remesher remesher = {
-        .surface = &draft, .policy = &tf_keep_shape, .edge = options->edge};
+        .surface = &draft, .policy = &tf_keep_shape, .edge = options->edge * surface->scale};
     tf_status status = tf_buffer_extend(&surface->lent.remesh_report, 1,
                                         sizeof(tf_remesh_report))
                            ? begin(&remesher, surface, watch)

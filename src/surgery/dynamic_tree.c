@@ -242,7 +242,7 @@ int tf_dynamic_tree_nearest(tf_dynamic_tree *tree, const double x[3],
         // What is nearer is looked at first, so it goes upon the stack last.
         for (int i = 0; i < 2; i++) {
             int lane = (far[0] < far[1]) == (i == 0);
-            if (!(far[lane] < *least))
+            if (!(far[lane] < *least) || b->child[lane] == NOTHING)
                 continue;
             if (!is_element(b->child[lane])) {
                 stack[left++] = b->child[lane];

@@ -28,7 +28,7 @@ START_TEST(memory_that_is_kept_changes_nothing)
     tf_reconnector reconnector = {.surface = one};
     tf_reconnect_options own;
     ck_assert_int_eq(
-        tf_reconnect_options_read(&own, &lengths, &reconnector.lengths, NULL),
+        tf_reconnect_options_read(&own, &lengths, 1, &reconnector.lengths, NULL),
         TF_OK);
     size_t bytes = 0;
     for (int i = 0; i < 3; i++) {

@@ -213,7 +213,8 @@ static tf_status find_errors(const tf_flow_advance *a, double error[])
 //: Restore what chords lose
 tf_status tf_advance_restore_volume(tf_flow_advance *a)
 {
-    double *error = a->velocity, most = 0.1 * a->options->edge * a->surface->scale;
+    double *error = a->velocity,
+           most = 0.1 * a->options->edge * a->surface->scale;
     if (find_errors(a, error) != TF_OK)
         return TF_CANCELLED;
     sum_normals(a, a->end, a->normal);

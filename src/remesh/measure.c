@@ -167,7 +167,8 @@ tf_status tf_check_target(const tf_adaptive_surface *surface, double edge,
     if (!(edge > 0) || !isfinite(edge))
         return tf_fail_option(error, "edge", "above 0", edge);
     tf_status status = tf_check_coordinates(surface, error);
-    if (status == TF_OK && !(triangles_of(surface, edge * surface->scale) <= INT_MAX / 3.0))
+    if (status == TF_OK &&
+        !(triangles_of(surface, edge * surface->scale) <= INT_MAX / 3.0))
         return tf_fail_option(error, "edge",
                               "so long that an int can count the corners of "
                               "all triangles",

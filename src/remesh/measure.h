@@ -14,7 +14,8 @@ static inline tf_vector tf_position_of(const tf_adaptive_surface *surface,
                                        int vertex)
 {
     return tf_vector_scaled(
-        surface->scale, tf_vector_at(tf_vertex_coordinates(surface, vertex), 0));
+        surface->scale,
+        tf_vector_at(tf_vertex_coordinates(surface, vertex), 0));
 }
 
 /// The coordinates of a measured position.

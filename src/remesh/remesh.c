@@ -125,8 +125,9 @@ static tf_status remesh(tf_adaptive_surface *surface,
                         const tf_remesh_options *options, tf_watch *watch)
 {
     tf_adaptive_surface draft = {0};
-    tf_remesher remesher = {
-        .surface = &draft, .policy = &tf_keep_shape, .edge = options->edge * surface->scale};
+    tf_remesher remesher = {.surface = &draft,
+                            .policy = &tf_keep_shape,
+                            .edge = options->edge * surface->scale};
     tf_status status = tf_buffer_extend(&surface->lent.remesh_report, 1,
                                         sizeof(tf_remesh_report))
                            ? begin(&remesher, surface, watch)

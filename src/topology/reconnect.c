@@ -39,8 +39,8 @@ tf_status tf_adaptive_reconnect(tf_adaptive_surface *surface,
     tf_reconnector reconnector = {.surface = &draft};
     tf_reconnect_options own;
     tf_choose_scale(surface);
-    tf_status status = tf_reconnect_options_read(
-        &own, options, surface->scale, &reconnector.lengths, error);
+    tf_status status = tf_reconnect_options_read(&own, options, surface->scale,
+                                                 &reconnector.lengths, error);
     if (status == TF_OK)
         status = tf_check_coordinates(surface, error);
     if (status != TF_OK)

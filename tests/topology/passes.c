@@ -58,8 +58,8 @@ static tf_reconnect_lengths lengths_of(const tf_reconnect_options *options)
 {
     tf_reconnect_options own;
     tf_reconnect_lengths lengths;
-    ck_assert_int_eq(tf_reconnect_options_read(&own, options, &lengths, NULL),
-                     TF_OK);
+    ck_assert_int_eq(
+        tf_reconnect_options_read(&own, options, 1, &lengths, NULL), TF_OK);
     return lengths;
 }
 

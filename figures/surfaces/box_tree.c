@@ -46,21 +46,20 @@ static void curve_at(double s, double x[2])
 /// Each vertex moves along the curve by the length of an edge.
 static void make_curve(scenery *s)
 {
-    s->whole = tf_box_empty;
+    s->whole = (tf_box){{0}, {0}};
     for (int i = 0; i < EDGES; i++) {
         double x[2][2];
         tf_path path = {{0}};
-        tf_box box = {{0}, {0}};
         for (int end = 0; end < 2; end++) {
             curve_at(2 * pi * (i + end) / EDGES, x[end]);
             for (int k = 0; k < 2; k++) {
                 int side = TF_AXES * end + k;
                 path.at[side] = (float)x[end][k];
-                box.low[side] = box.high[side] = path.at[side];
+                s->whole.low[side] = fminf(s->whole.low[side], path.at[side]);
+                s->whole.high[side] = fmaxf(s->whole.high[side], path.at[side]);
             }
         }
         s->vertex[i] = path;
-        s->whole = tf_box_union(s->whole, box);
         s->corner[(ptrdiff_t)2 * i] = i;
         s->corner[2 * i + 1] = (i + 1) % EDGES;
     }
@@ -181,8 +180,9 @@ static void draw_search(fig_page *page, const scenery *s, FILE *numbers)
         opened += open;
         draw_box(page, &plot, &box, NULL, open ? near_paint : idle_outline,
                  open ? FIG_WIDTH_LINE : FIG_WIDTH_HAIR);
-        for (int i = 0; open && i < TF_LANES; i++) {
-            tf_box leaf = tf_pack_box(&s->tree.level[1][pack], i);
+        int first = TF_LANES * pack, leaves = s->tree.packs[0];
+        for (int i = first; open && i < first + TF_LANES && i < leaves; i++) {
+            tf_box leaf = box_of_pack(s, 0, i);
             if (!overlap(&leaf, &chosen))
                 continue;
             near++;

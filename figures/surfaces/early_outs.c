@@ -4,10 +4,8 @@
 
 #include "base/require.h"
 #include "fast/block_filter.h"
-#include "kit/meshes.h"
 #include "kit/random.h"
 #include "renderer/plot.h"
-#include "surface/candidates.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -16,12 +14,8 @@
 
 enum {
     RANDOM_QUERIES = 32768,
-    ROWS = 60,
-    COLUMNS = 120,
     WIDTHS = 7 ///< 1, 2, 4, ..., 64 lanes
 };
-
-static const double start_angle = 172, end_angle = 182;
 
 /// Queries whose separated ones are a bit each.
 typedef struct batch {
@@ -115,48 +109,6 @@ static batch near(int kind)
     return random_batch(kind, 0.1);
 }
 
-/// The candidates of a step of a sheet, as the broad phase has them.
-static batch sheet(int kind)
-{
-    fig_some_mesh mesh[2] = {fig_folded_sheet(ROWS, COLUMNS, start_angle),
-                             fig_folded_sheet(ROWS, COLUMNS, end_angle)};
-    const tf_motion motion = {3, mesh[0].vertices, mesh[0].x, mesh[1].x};
-    tf_mesh in_space = fig_mesh_in_space(&mesh[0]);
-    tf_surface *surface;
-    tf_candidates found;
-    TF_REQUIRE(tf_surface_create(&in_space, &surface, NULL) == TF_OK);
-    TF_REQUIRE(tf_surface_candidates(surface, &motion, NULL, &found, NULL) ==
-               TF_OK);
-
-    int count;
-    const int *edge = tf_surface_edges(surface, &count);
-    const int *triangle = tf_surface_triangles(surface, &count);
-    size_t queries = kind == 0 ? found.point_count : found.edge_count;
-    batch b = batch_new(kind, queries);
-    for (; b.count < queries; b.count++) {
-        tf_candidate pair =
-            kind == 0 ? found.points[b.count] : found.edges[b.count];
-        int vertex[4] = {pair.first};
-        if (kind == 0) {
-            memcpy(vertex + 1, triangle + (ptrdiff_t)3 * pair.second,
-                   3 * sizeof *vertex);
-        } else {
-            memcpy(vertex, edge + (ptrdiff_t)2 * pair.first,
-                   2 * sizeof *vertex);
-            memcpy(vertex + 2, edge + (ptrdiff_t)2 * pair.second,
-                   2 * sizeof *vertex);
-        }
-        for (int v = 0; v < 4; v++)
-            set_vertex(&b, v, motion.start + (ptrdiff_t)3 * vertex[v],
-                       motion.end + (ptrdiff_t)3 * vertex[v]);
-    }
-    filter(&b);
-    tf_surface_free(surface);
-    for (int i = 0; i < 2; i++)
-        fig_some_mesh_free(&mesh[i]);
-    return b;
-}
-
 // The picture ------------------------------------------------------------
 
 static const struct scene {
@@ -165,7 +117,6 @@ static const struct scene {
     fig_role role;
 } scenes[] = {
     {"soup", "soup", soup, FIG_ROLE_EDGE},
-    {"sheet", "a sheet's candidates", sheet, FIG_ROLE_CONTACT},
     {"near", "near", near, FIG_ROLE_OTHER_EDGE},
 };
 
@@ -238,7 +189,7 @@ static void draw(fig_page *page, FILE *numbers)
                       FIG_ALIGN_CENTER, kind_title[kind], FIG_LETTERS,
                       FIG_ROLE_INK);
     }
-    static const double place[SCENES] = {40, 104, 234};
+    static const double place[SCENES] = {40, 104};
     for (int i = 0; i < SCENES; i++)
         fig_plot_key(page, place[i], 14, scenes[i].name, scenes[i].role);
 }

@@ -50,7 +50,7 @@ static void round_ends(const double end[ENDS], double rounded[ENDS])
     double back = 0.75 / (frame.scale * 0.375);
     tf_vertex_paths(&frame, &motion, NULL, path);
     for (int i = 0; i < ENDS; i++) {
-        double at = (double)path[i / 2 + 2].at[i % 2 * TF_AXES];
+        double at = (double)path[i / 2 + 2].at[i % 2 ? TF_AXES : 0];
         rounded[i] = (back * at - 0.75) / unit;
     }
 }

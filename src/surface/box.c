@@ -3,7 +3,6 @@
 
 #include <math.h>
 #include <stddef.h>
-#include <string.h>
 
 const tf_box tf_box_empty = {
     {INFINITY, INFINITY, INFINITY, INFINITY, INFINITY, INFINITY},
@@ -39,8 +38,10 @@ static void sweep(tf_extent *all)
 {
     take_in(all, 0, TF_AXES, all->low + TF_AXES);
     take_in(all, 0, TF_AXES, all->high + TF_AXES);
-    memcpy(all->low + TF_AXES, all->low, TF_AXES * sizeof *all->low);
-    memcpy(all->high + TF_AXES, all->high, TF_AXES * sizeof *all->high);
+    for (int k = 0; k < TF_AXES; k++) {
+        all->low[TF_AXES + k] = all->low[k];
+        all->high[TF_AXES + k] = all->high[k];
+    }
 }
 
 //: Center and scale

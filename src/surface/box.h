@@ -29,15 +29,6 @@ typedef struct tf_box {
 /// overlaps none.
 extern const tf_box tf_box_empty;
 
-static inline tf_box tf_box_union(tf_box a, tf_box b)
-{
-    for (int k = 0; k < TF_SIDES; k++) {
-        a.low[k] = b.low[k] < a.low[k] ? b.low[k] : a.low[k];
-        a.high[k] = b.high[k] > a.high[k] ? b.high[k] : a.high[k];
-    }
-    return a;
-}
-
 //: Declare frames
 /// The least and greatest coordinates on each side.
 typedef struct tf_extent {

@@ -61,8 +61,8 @@ typedef struct period {
     float begin, end;
 } period;
 
-/// What the coordinates of a distance, the distance and the time err by, together,
-/// and more.
+/// More than what the coordinates of a distance, the distance and the time err by
+/// together.
 #define SLACK 0x1p-20f
 
 TF_ALWAYS_INLINE period period_of(float start, float end)
@@ -73,7 +73,7 @@ TF_ALWAYS_INLINE period period_of(float start, float end)
     return (period){start >= 0 ? 0
                     : end >= 0 ? zero
                                : 2,
-                    (start < 0) | (end >= 0) ? 1 : zero};
+                    ((start < 0) | (end >= 0)) ? 1 : zero};
 }
 
 TF_ALWAYS_INLINE period common(period a, period b)

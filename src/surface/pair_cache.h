@@ -28,8 +28,8 @@ typedef struct tf_contact_search {
 } tf_contact_search;
 
 /// Finds all contacts of a motion from the beginning, and puts all pairs of
-/// elements whose swept boxes overlap into the cache, in place of those that it has.
-/// Returns what tf_surface_move does, with the reason in `error`, or what
+/// elements whose swept boxes overlap into the cache, in place of those that it
+/// has.  Returns what tf_surface_move does, with the reason in `error`, or what
 /// tf_pairs_find does.
 tf_status tf_pair_cache_build(tf_pair_cache *cache,
                               const tf_contact_search *search,

@@ -24,8 +24,9 @@ TF_ALWAYS_INLINE float higher(float a, float b)
 }
 
 /// Unites the second half of the lanes with the first.
-TF_ALWAYS_INLINE void halve(const float from_low[], const float from_high[],
-                            float low[], float high[])
+TF_ALWAYS_INLINE void unite_halves(const float from_low[],
+                                   const float from_high[], float low[],
+                                   float high[])
 {
     TF_LANE_LOOP
     for (int i = 0; i < TF_LANES / 2; i++) {
@@ -39,7 +40,7 @@ TF_NO_TRAPS tf_box tf_pack_union(const tf_pack *pack)
     tf_box all;
     for (int k = 0; k < TF_SIDES; k++) {
         float low[TF_LANES / 2], high[TF_LANES / 2];
-        halve(pack->low[k], pack->high[k], low, high);
+        unite_halves(pack->low[k], pack->high[k], low, high);
         for (int half = TF_LANES / 4; half > 0; half /= 2)
             for (int i = 0; i < half; i++) {
                 low[i] = lower(low[i], low[i + half]);
@@ -60,7 +61,7 @@ TF_ALWAYS_INLINE const int *corners_of(const tf_tree_elements *elements,
                : i;
 }
 
-TF_ALWAYS_INLINE tf_box box_of(const tf_tree_elements *elements, int i)
+TF_ALWAYS_INLINE tf_box element_box_of(const tf_tree_elements *elements, int i)
 {
     const int *corner = corners_of(elements, &i);
     tf_path low = elements->vertex[corner[0]], high = low;
@@ -83,7 +84,7 @@ TF_ALWAYS_INLINE tf_box box_of(const tf_tree_elements *elements, int i)
 }
 
 //: Add up the paths of an element
-TF_ALWAYS_INLINE tf_path sum_of(const tf_tree_elements *elements, int i)
+TF_ALWAYS_INLINE tf_path path_sum_of(const tf_tree_elements *elements, int i)
 {
     const int *corner = corners_of(elements, &i);
     tf_path sum = elements->vertex[corner[0]];
@@ -111,7 +112,7 @@ TF_NO_TRAPS static void find_keys(void *argument, int task, int worker)
         tf_morton_grid_of(job->elements->whole, job->elements->corners);
     (void)worker;
     for (int i = part.begin; i < part.end; i++) {
-        tf_path sum = sum_of(job->elements, i);
+        tf_path sum = path_sum_of(job->elements, i);
         job->keys[i] = (tf_keyed){tf_morton_key(&sum, &grid), i};
     }
 }
@@ -122,7 +123,7 @@ TF_ALWAYS_INLINE void fill_lane(const build_job *job, int leaf, int lane,
 {
     int corners = job->elements->corners;
     const int *corner = corners_of(job->elements, &element);
-    tf_box box = box_of(job->elements, element);
+    tf_box box = element_box_of(job->elements, element);
     tf_pack_set_box(&job->tree->level[0][leaf], lane, &box);
     job->tree->element[leaf][lane] = element;
     for (int c = 0; c < corners; c++)

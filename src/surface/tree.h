@@ -56,17 +56,7 @@ bool tf_tree_build(tf_tree *tree, const tf_tree_elements *elements,
 void tf_tree_free(tf_tree *tree);
 void tf_tree_workspace_free(tf_tree_workspace *workspace);
 
-//: Declare how to read and write a pack
-static inline tf_box tf_pack_box(const tf_pack *pack, int lane)
-{
-    tf_box box;
-    for (int k = 0; k < TF_SIDES; k++) {
-        box.low[k] = pack->low[k][lane];
-        box.high[k] = pack->high[k][lane];
-    }
-    return box;
-}
-
+//: Declare how to fill a pack
 static inline void tf_pack_set_box(tf_pack *pack, int lane, const tf_box *box)
 {
     for (int k = 0; k < TF_SIDES; k++) {

@@ -192,17 +192,6 @@ START_TEST(a_shift_of_all_ends_changes_no_path)
 }
 END_TEST
 
-START_TEST(empty_boxes_change_nothing)
-{
-    tf_box box = {{-1, 2, 3, 0, 1, 2}, {4, 5, 6, 7, 8, 9}};
-    tf_box both = tf_box_union(box, tf_box_empty);
-    for (int k = 0; k < TF_SIDES; k++) {
-        ck_assert(both.low[k] == box.low[k]);
-        ck_assert(both.high[k] == box.high[k]);
-    }
-}
-END_TEST
-
 Suite *suite(void)
 {
     Suite *suite = suite_create("surface/box");
@@ -214,7 +203,6 @@ Suite *suite(void)
     tcase_add_test(tcase, each_vertex_extends_the_frame);
     tcase_add_test(tcase, the_first_vertex_that_is_not_finite_is_named);
     tcase_add_test(tcase, a_shift_of_all_ends_changes_no_path);
-    tcase_add_test(tcase, empty_boxes_change_nothing);
     suite_add_tcase(suite, tcase);
     return suite;
 }

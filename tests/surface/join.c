@@ -1,6 +1,7 @@
 // The join of two trees, against all pairs of boxes.
 #include "surface/join.h"
 
+#include "support/boxes.h"
 #include "support/support.h"
 
 #include <math.h>
@@ -43,7 +44,7 @@ static void place_vertices(generator *random, int size)
             vertex[i].at[side] = part(random, -size / 2, size / 2);
         memcpy(box.low, vertex[i].at, sizeof box.low);
         memcpy(box.high, vertex[i].at, sizeof box.high);
-        whole = tf_box_union(whole, box);
+        whole = box_union(whole, box);
     }
 }
 
@@ -55,7 +56,7 @@ static tf_box box_of(const elements *list, int i)
         tf_box own;
         memcpy(own.low, at, sizeof own.low);
         memcpy(own.high, at, sizeof own.high);
-        box = tf_box_union(box, own);
+        box = box_union(box, own);
     }
     for (int k = 0; list->swept && k < TF_AXES; k++) {
         box.low[TF_AXES + k] = fminf(box.low[k], box.low[TF_AXES + k]);

@@ -121,7 +121,10 @@ static bool note(tf_pair_sink *sink, int count, const tf_candidate pair[])
 {
     const note_sink *to = (const note_sink *)sink;
     int firsts = to->first->corners, seconds = to->second->corners;
-    cached = realloc(cached, sizeof *cached * (cached_count + (size_t)count));
+    corners *more =
+        realloc(cached, sizeof *cached * (cached_count + (size_t)count));
+    ck_assert_ptr_nonnull(more);
+    cached = more;
     for (int i = 0; i < count; i++) {
         const int *a =
             to->corner ? to->corner + firsts * pair[i].first : &pair[i].first;
@@ -158,13 +161,15 @@ static void note_cached(tf_surface *other)
                                .second = &other->edge_tree,
                                .corner = edge,
                                .other = edge});
-    qsort(cached, cached_count, sizeof *cached, compare_corners);
+    if (cached_count > 0)
+        qsort(cached, cached_count, sizeof *cached, compare_corners);
 }
 
 static bool is_cached(const tf_surface_contact *contact)
 {
     corners key = corners_of(contact->kind, contact->vertex, 4, NULL, 0);
-    return bsearch(&key, cached, cached_count, sizeof *cached, compare_corners);
+    return cached_count > 0 &&
+           bsearch(&key, cached, cached_count, sizeof *cached, compare_corners);
 }
 
 /// Expects the contacts of a detection on a surface of its own: all of them, or

@@ -1,6 +1,7 @@
 // The tree: every element in one leaf, every box inside the one above it.
 #include "surface/tree.h"
 
+#include "support/boxes.h"
 #include "support/scrambled_workers.h"
 #include "support/support.h"
 
@@ -28,7 +29,7 @@ static tf_box random_vertices(generator *random, int count)
     for (int i = 0; i < count; i++) {
         for (int side = 0; side < TF_SIDES; side++)
             vertex[i].at[side] = (float)uniform(random, -1, 1);
-        whole = tf_box_union(whole, box_at(&vertex[i]));
+        whole = box_union(whole, box_at(&vertex[i]));
     }
     return whole;
 }
@@ -44,7 +45,7 @@ static tf_box box_of(const tf_tree_elements *elements, int i)
     for (int c = 0; c < elements->corners; c++) {
         int v =
             elements->corner ? elements->corner[elements->corners * i + c] : i;
-        box = tf_box_union(box, box_at(&vertex[v]));
+        box = box_union(box, box_at(&vertex[v]));
     }
     for (int k = 0; elements->swept && k < TF_AXES; k++) {
         box.low[TF_AXES + k] = fminf(box.low[k], box.low[TF_AXES + k]);
@@ -71,7 +72,7 @@ static bool is_right(const tf_tree *tree, const tf_tree_elements *elements,
                      int leaf, int lane)
 {
     int element = tree->element[leaf][lane];
-    tf_box box = tf_pack_box(&tree->level[0][leaf], lane);
+    tf_box box = pack_box(&tree->level[0][leaf], lane);
     if (leaf * TF_LANES + lane >= elements->count)
         return element < 0 && same_box(box, tf_box_empty);
     return element >= 0 && same_box(box, box_of(elements, element)) &&
@@ -104,7 +105,7 @@ static void check_levels(const tf_tree *tree)
     for (int level = 1; level < tree->levels; level++)
         for (int i = 0; i < tree->packs[level] * TF_LANES; i++) {
             tf_box box =
-                tf_pack_box(&tree->level[level][i / TF_LANES], i % TF_LANES);
+                pack_box(&tree->level[level][i / TF_LANES], i % TF_LANES);
             tf_box below = i < tree->packs[level - 1]
                                ? tf_pack_union(&tree->level[level - 1][i])
                                : tf_box_empty;
@@ -154,6 +155,18 @@ START_TEST(every_element_is_in_one_leaf)
 }
 END_TEST
 
+START_TEST(empty_boxes_change_nothing)
+{
+    tf_box box = {{-1, 2, 3, 0, 1, 2}, {4, 5, 6, 7, 8, 9}};
+    for (int own = 0; own < TF_LANES; own++) {
+        tf_pack pack;
+        for (int lane = 0; lane < TF_LANES; lane++)
+            tf_pack_set_box(&pack, lane, lane == own ? &box : &tf_box_empty);
+        ck_assert(same_box(tf_pack_union(&pack), box));
+    }
+}
+END_TEST
+
 START_TEST(a_tree_of_nothing_is_empty)
 {
     tf_tree tree = {0};
@@ -172,6 +185,7 @@ Suite *suite(void)
     Suite *suite = suite_create("surface/tree");
     TCase *tcase = tcase_create("tree");
     tcase_add_test(tcase, every_element_is_in_one_leaf);
+    tcase_add_test(tcase, empty_boxes_change_nothing);
     tcase_add_test(tcase, a_tree_of_nothing_is_empty);
     suite_add_tcase(suite, tcase);
     return suite;

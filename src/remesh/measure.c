@@ -116,16 +116,11 @@ bool tf_star_stays_good(const tf_adaptive_surface *surface, int vertex,
 //: Choose the scale of a surface
 void tf_choose_scale(tf_adaptive_surface *surface)
 {
-    double most = 0;
-    int exponent = 0;
+    tf_aabb whole = tf_aabb_empty();
     for (int v = 0; v < surface->vertices; v++)
-        for (int k = 0; k < 3; k++)
-            if (tf_first_corner(surface, v) != TF_NONE)
-                most = fmax(most, fabs(tf_vertex_coordinates(surface, v)[k]));
-    frexp(most, &exponent);
-    surface->scale = ldexp(1, exponent < -1000  ? 1000
-                              : exponent > 1000 ? -1000
-                                                : -exponent);
+        if (tf_first_corner(surface, v) != TF_NONE)
+            tf_aabb_add(&whole, tf_vertex_coordinates(surface, v));
+    surface->scale = tf_aabb_scale(&whole);
 }
 
 //: Check that nothing measured overflows

@@ -403,7 +403,7 @@ static void along_the_normal(void *context, double time, int points,
 }
 
 /// Where a vertex of an octahedron is after three steps, in its unit of length.
-static double grown_octahedron(double size)
+static double grown_octahedron(double size, tf_status expected)
 {
     static const int triangle[] = {0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4,
                                    2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5};
@@ -417,7 +417,8 @@ static double grown_octahedron(double size)
     tf_flow_options options = {
         .edge = size / 2, .velocity = along_the_normal, .context = &size};
     for (int i = 0; i < 3; i++)
-        ck_assert_int_eq(tf_flow_step(flow, 0, 1, &options, NULL, NULL), TF_OK);
+        ck_assert_int_eq(tf_flow_step(flow, 0, 1, &options, NULL, NULL),
+                         expected);
     double radius_now = tf_adaptive_positions(surface)[0] / size;
     tf_flow_free(flow);
     tf_adaptive_free(surface);
@@ -426,9 +427,12 @@ static double grown_octahedron(double size)
 
 START_TEST(any_unit_of_length_will_do)
 {
-    double one = grown_octahedron(1);
+    double one = grown_octahedron(1, TF_OK);
     for (int k = -300; k <= 75; k += 5)
-        ck_assert_double_eq_tol(grown_octahedron(pow(10, k)), one, 1e-12 * one);
+        ck_assert_double_eq_tol(grown_octahedron(pow(10, k), TF_OK), one,
+                                1e-12 * one);
+    for (int k = 80; k <= 300; k += 5)
+        ck_assert_double_eq(grown_octahedron(pow(10, k), TF_OUT_OF_RANGE), 1);
 }
 END_TEST
 

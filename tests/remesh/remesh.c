@@ -284,7 +284,7 @@ START_TEST(remeshing_needs_options)
 }
 END_TEST
 
-/// An octahedron of a size, remeshed.
+/// An octahedron of a size, remeshed, or refused as it was.
 static tf_adaptive_surface *remeshed_octahedron(int exponent, double flat)
 {
     static const int triangle[] = {0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4,
@@ -299,8 +299,12 @@ static tf_adaptive_surface *remeshed_octahedron(int exponent, double flat)
     ck_assert_int_eq(tf_adaptive_create(&mesh, x, &surface, NULL), TF_OK);
     tf_remesh_options options = {.edge = ldexp(0.3, exponent)};
     const tf_remesh_report *report = NULL;
-    ck_assert_int_eq(tf_adaptive_remesh(surface, &options, &report, NULL),
-                     TF_OK);
+    tf_status status = tf_adaptive_remesh(surface, &options, &report, NULL);
+    ck_assert_int_eq(status, exponent > 250 ? TF_OUT_OF_RANGE : TF_OK);
+    if (status != TF_OK) {
+        ck_assert_mem_eq(tf_adaptive_positions(surface), x, sizeof x);
+        return surface;
+    }
     ck_assert(isfinite(report->least_before) && isfinite(report->least_after));
     ck_assert(isfinite(report->mean_before) && isfinite(report->mean_after));
     return surface;
@@ -311,7 +315,7 @@ START_TEST(the_unit_of_length_changes_no_bit)
     tf_adaptive_surface *one = remeshed_octahedron(0, 1);
     tf_mesh mesh = *tf_adaptive_mesh(one);
     const double *x = tf_adaptive_positions(one);
-    for (int k = -1000; k <= 249; k += 50) {
+    for (int k = -1000; k <= 250; k += 50) {
         tf_adaptive_surface *other = remeshed_octahedron(k, 1);
         tf_mesh same = *tf_adaptive_mesh(other);
         ck_assert_int_eq(same.vertices, mesh.vertices);
@@ -323,6 +327,8 @@ START_TEST(the_unit_of_length_changes_no_bit)
                                 ldexp(x[i], k));
         tf_adaptive_free(other);
     }
+    for (int k = 251; k <= 1000; k += 107)
+        tf_adaptive_free(remeshed_octahedron(k, 1));
     tf_adaptive_free(one);
 }
 END_TEST

@@ -127,7 +127,8 @@ void tf_choose_scale(tf_adaptive_surface *surface)
 tf_status tf_check_coordinates(const tf_adaptive_surface *surface,
                                tf_error *error)
 {
-    // The square of an area is a product of four lengths.
+    // In the user's unit volumes are reported, and contacts responded to: up to
+    // there even products of four lengths are finite.
     const double most = 0x1p250;
     for (int v = 0; v < surface->vertices; v++) {
         tf_vector x = tf_vector_at(tf_vertex_coordinates(surface, v), 0);

@@ -29,7 +29,7 @@ static tf_status measure_quality(const tf_adaptive_surface *surface,
         *least = fmin(*least, quality);
         sum += quality;
     }
-    *mean = sum / surface->triangles;
+    *mean = surface->triangles > 0 ? sum / surface->triangles : 1;
     return TF_OK;
 }
 

@@ -12,6 +12,7 @@
 #include "support/surgery_runs.h"
 #include "surgery/adaptive_surface.h"
 #include "surgery/collapse.h"
+#include "surgery/star.h"
 
 #include <math.h>
 #include <signal.h>
@@ -339,6 +340,24 @@ START_TEST(needles_have_no_quality_but_a_number)
 }
 END_TEST
 
+START_TEST(no_triangles_have_the_best_quality)
+{
+    tf_adaptive_surface *surface = adaptive_tetrahedron();
+    tf_remesh_options options = {.edge = 1};
+    const tf_remesh_report *report;
+    for (int t = 0; t < 4; t++)
+        tf_triangle_remove(surface, t);
+    ck_assert_int_eq(tf_adaptive_remesh(surface, &options, &report, NULL),
+                     TF_OK);
+    ck_assert_double_eq(report->least_before, 1);
+    ck_assert_double_eq(report->mean_before, 1);
+    ck_assert_double_eq(report->least_after, 1);
+    ck_assert_double_eq(report->mean_after, 1);
+    ck_assert_double_eq(report->distance, 0);
+    tf_adaptive_free(surface);
+}
+END_TEST
+
 Suite *suite(void)
 {
     Suite *suite = suite_create("remesh/remesh");
@@ -353,6 +372,7 @@ Suite *suite(void)
     tcase_add_test(tcase, progress_goes_through_the_stages);
     tcase_add_test(tcase, the_report_is_lent_until_the_next_call);
     tcase_add_test(tcase, the_unit_of_length_changes_no_bit);
+    tcase_add_test(tcase, no_triangles_have_the_best_quality);
     tcase_add_test(tcase, needles_have_no_quality_but_a_number);
     tcase_add_test(tcase, negative_rounds_are_none);
     tcase_add_test(tcase, bad_options_are_refused);

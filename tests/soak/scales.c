@@ -20,9 +20,9 @@ int main(int argc, char *argv[])
     }
     scaled_counts counts = {0};
     for (long i = from; i < from + count; i++) {
-        const char *fault = run_scaled_call(
-            generator_new((uint64_t)i),
-            (adaptive_scene_kind)(i % MERGING_SCENES), &counts);
+        const char *fault =
+            run_scaled_call(generator_new((uint64_t)i),
+                            (adaptive_scene_kind)(i % MERGING_SCENES), &counts);
         if (!fault)
             continue;
         faults++;

@@ -126,9 +126,10 @@ END_TEST
 
 START_TEST(a_box_has_a_scale)
 {
-    static const double most[] = {0x1p-1074, 0x1p-1001, 0x1p-1000, 1, 0x1.8p3,
-                                  0x1p999,   0x1p1000,  0x1p1001,  DBL_MAX};
-    static const int exponent[] = {1000, 1000, 999,   -1,   -4,
+    static const double most[] = {0x1p-1074, 0x1p-1001, 0x1p-1000,
+                                  1,         0x1.8p3,   0x1p999,
+                                  0x1p1000,  0x1p1001,  DBL_MAX};
+    static const int exponent[] = {1000,  1000,  999,   -1,   -4,
                                    -1000, -1000, -1000, -1000};
     for (int i = 0; i < 9; i++)
         for (int k = 0; k < 6; k++) {

@@ -9,8 +9,8 @@ START_TEST(the_unit_of_length_does_not_matter)
     long runs = cases(20);
     for (long i = 0; i < runs; i++) {
         uint64_t stream = (uint64_t)(100 * i + _i);
-        const char *fault = run_scaled_call(
-            generator_new(stream), (adaptive_scene_kind)_i, &counts);
+        const char *fault = run_scaled_call(generator_new(stream),
+                                            (adaptive_scene_kind)_i, &counts);
         ck_assert_msg(!fault, "stream %llu: %s", (unsigned long long)stream,
                       fault);
     }

@@ -454,6 +454,12 @@ static void judge_origins(const call *made, const shell *of, int triangles)
     }
 }
 
+static void judge_quality(const call *made, double least, double mean)
+{
+    require(made, least >= 0 && least <= mean + 1e-9 && mean <= 1 + 1e-9,
+            "a quality is none");
+}
+
 static void draw_remesh_options(generator *random, call *made, const shell *of,
                                 remesh_options *options, listener *hearing)
 {
@@ -480,6 +486,9 @@ void call_remesh(generator *random, shell *of)
         tf_adaptive_remesh(of->surface, &options.own, &report, &set.error);
     if (results_judge(random, &made, &set, &hearing, status)) {
         require(&made, report->rounds >= 0, "there are no rounds");
+        judge_quality(&made, report->least_before, report->mean_before);
+        judge_quality(&made, report->least_after, report->mean_after);
+        require(&made, report->distance >= 0, "a distance is no number");
         judge_origins(&made, of, before.mesh.triangles);
     }
     judge_after(random, &made, of, status == TF_OK, &before);

@@ -177,7 +177,7 @@ soak-topology: $(BUILD)/tests/soak/topology ## merge and pinch among COUNT=10000
 	@$< $(COUNT) $(FROM)
 
 soak-scales: COUNT = 10000
-soak-scales: $(BUILD)/tests/soak/scales ## remesh, reconnect and move at all scales, COUNT=10000 times
+soak-scales: $(BUILD)/tests/soak/scales ## remesh and move COUNT=10000 scenes of any size
 	@$< $(COUNT) $(FROM)
 
 soak-scenes: $(BUILD)/tests/soak/scenes ## simulate all scenes, and judge every step

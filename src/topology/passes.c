@@ -61,6 +61,15 @@ tf_status tf_reconnect_options_read(tf_reconnect_options *own,
 }
 
 //: Go through all passes of a reconnection
+/// Brings the volumes of a report to the user's unit.
+static void report_volumes(tf_reconnector *reconnector)
+{
+    double length = 1 / reconnector->surface->scale;
+    for (int i = 0; i < TF_RECONNECTIONS; i++)
+        for (int k = 0; k < 3; k++)
+            reconnector->report.gained[i] *= length;
+}
+
 tf_status tf_reconnect_passes(tf_reconnector *reconnector)
 {
     const tf_reconnect_lengths *lengths = &reconnector->lengths;
@@ -70,6 +79,8 @@ tf_status tf_reconnect_passes(tf_reconnector *reconnector)
         status = tf_merge_pass(reconnector);
     if (status == TF_OK && lengths->pinch > 0)
         status = tf_pinch_pass(reconnector);
-    return status == TF_OK && lengths->drop > 0 ? tf_drop_pass(reconnector)
-                                                : status;
+    if (status == TF_OK && lengths->drop > 0)
+        status = tf_drop_pass(reconnector);
+    report_volumes(reconnector);
+    return status;
 }

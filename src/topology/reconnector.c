@@ -26,9 +26,7 @@ void tf_reconnector_count(tf_reconnector *reconnector, tf_reconnection what,
 {
     reconnector->report.tried[what][outcome]++;
     if (outcome == TF_COMMITTED)
-        reconnector->report.gained[what] +=
-            gained / reconnector->surface->scale / reconnector->surface->scale /
-            reconnector->surface->scale;
+        reconnector->report.gained[what] += gained;
 }
 
 //: Sort candidates

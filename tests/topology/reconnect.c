@@ -253,14 +253,16 @@ END_TEST
 
 // Scales ----------------------------------------------------------------------
 
-static tf_adaptive_surface *reconnected(int exponent)
+static tf_adaptive_surface *reconnected(int exponent, double gained[3])
 {
     tf_adaptive_surface *surface = scaled_dumbbell_and_balls(exponent);
     tf_reconnect_options how = {.edge = ldexp(ball_edge, exponent)};
     const tf_reconnect_report *own;
     ck_assert_int_eq(tf_adaptive_reconnect(surface, &how, &own, NULL), TF_OK);
-    for (int i = 0; i < 3; i++)
+    for (int i = 0; i < 3; i++) {
         ck_assert_uint_eq(own->tried[i][TF_COMMITTED], 1);
+        gained[i] = own->gained[i];
+    }
     ck_assert_int_eq(tf_adaptive_compact(surface, NULL), TF_OK);
     return surface;
 }
@@ -268,11 +270,14 @@ static tf_adaptive_surface *reconnected(int exponent)
 // The least coordinates are about 2^-57 beside 1.
 START_TEST(the_unit_of_length_changes_no_bit)
 {
-    tf_adaptive_surface *one = reconnected(0);
+    double gained[3], others[3];
+    tf_adaptive_surface *one = reconnected(0, gained);
     tf_mesh mesh = *tf_adaptive_mesh(one);
     const double *x = tf_adaptive_positions(one);
     for (int k = -950; k <= 240; k += 70) {
-        tf_adaptive_surface *other = reconnected(k);
+        tf_adaptive_surface *other = reconnected(k, others);
+        for (int i = 0; i < 3; i++)
+            ck_assert_double_eq(others[i], ldexp(gained[i], 3 * k));
         tf_mesh same = *tf_adaptive_mesh(other);
         ck_assert_int_eq(same.vertices, mesh.vertices);
         ck_assert_int_eq(same.triangles, mesh.triangles);

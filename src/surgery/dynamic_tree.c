@@ -110,7 +110,7 @@ static double half_area(const tf_aabb *box, double scale)
 {
     double side[3];
     for (int k = 0; k < 3; k++)
-        side[k] = scale * box->high[k] - scale * box->low[k];
+        side[k] = scale * (box->high[k] - box->low[k]);
     return side[0] * side[1] + side[1] * side[2] + side[2] * side[0];
 }
 
@@ -245,7 +245,7 @@ int tf_dynamic_tree_nearest(tf_dynamic_tree *tree, const double x[3],
         // What is nearer is looked at first, so it goes upon the stack last.
         for (int i = 0; i < 2; i++) {
             int lane = (far[0] < far[1]) == (i == 0);
-            if (!(far[lane] < *least) || b->child[lane] == NOTHING)
+            if (!(far[lane] < *least)) // as in a place that is empty
                 continue;
             if (!is_element(b->child[lane])) {
                 stack[left++] = b->child[lane];

@@ -47,7 +47,7 @@ static void build_tree(forest *f)
     TF_REQUIRE(path);
     tf_frame frame;
     int bad;
-    TF_REQUIRE(tf_frame_of(3, &rest, true, NULL, &frame, &bad) == TF_OK);
+    TF_REQUIRE(tf_frame_of(3, &rest, NULL, &frame, &bad) == TF_OK);
     tf_vertex_paths(&frame, &rest, NULL, path);
     tf_tree_elements elements = {.count = mesh->triangles,
                                  .corners = 3,

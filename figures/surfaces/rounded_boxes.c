@@ -45,7 +45,8 @@ static void round_ends(const double end[ENDS], double rounded[ENDS])
     tf_frame frame;
     tf_path path[ENDS / 2 + 2];
     int bad;
-    TF_REQUIRE(tf_frame_of(3, &motion, true, NULL, &frame, &bad) == TF_OK);
+    TF_REQUIRE(tf_frame_of(3, &motion, NULL, &frame, &bad) == TF_OK);
+    tf_frame_sweep(&frame);
     // The scale brings 1 to 1/2 or 1; here the ends shall be near 3/4.
     double back = 0.75 / (frame.scale * 0.375);
     tf_vertex_paths(&frame, &motion, NULL, path);

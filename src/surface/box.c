@@ -162,7 +162,7 @@ static void measure_part(void *argument, int task, int worker)
 }
 
 //: Find the frame of a motion
-tf_status tf_frame_of(int axes, const tf_motion *motion, bool swept,
+tf_status tf_frame_of(int axes, const tf_motion *motion,
                       const tf_parallel *parallel, tf_frame *frame, int *bad)
 {
     extent_job job = {.axes = axes,
@@ -180,7 +180,5 @@ tf_status tf_frame_of(int axes, const tf_motion *motion, bool swept,
         take_in(&all, 0, TF_SIDES, job.extent[task].high);
     }
     *frame = frame_of(axes, &all);
-    if (swept)
-        tf_frame_sweep(frame);
     return TF_OK;
 }

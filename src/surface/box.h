@@ -37,10 +37,10 @@ typedef struct tf_extent {
 
 /// Coordinates for boxes: x - center, times a power of two that brings the
 /// largest near 1, rounded to float.  Each of these steps keeps the order of
-/// numbers (x <= y becomes x' <= y'), so what no axis separates, none does
-/// afterwards, though all is rounded to nearest.  Starts are compared with
-/// starts alone, and ends with ends; so each has a center of its own, and a
-/// motion that all have in common makes no difference.
+/// numbers (x <= y becomes x' <= y'), so elements that overlap along an axis
+/// still do, though all is rounded to nearest.  Starts are compared with starts
+/// alone, and ends with ends; so each end of the step has a center of its own,
+/// and a motion that all vertices have in common makes no difference.
 typedef struct tf_frame {
     int axes;
     double center[TF_SIDES];
@@ -49,13 +49,12 @@ typedef struct tf_frame {
     tf_box whole;     ///< their union
 } tf_frame;
 
-/// The frame of all vertices of a motion, or if boxes are to be swept, one with
-/// the same map for both ends.  Returns TF_NOT_FINITE, and the first
+/// The frame of all vertices of a motion.  Returns TF_NOT_FINITE, and the first
 /// such vertex in `*bad`, if a coordinate is infinite or NaN.
-tf_status tf_frame_of(int axes, const tf_motion *motion, bool swept,
+tf_status tf_frame_of(int axes, const tf_motion *motion,
                       const tf_parallel *parallel, tf_frame *frame, int *bad);
 
-/// Turns a frame into one for swept boxes.
+/// Turns a frame into one for swept boxes, with the same map for both ends.
 void tf_frame_sweep(tf_frame *frame);
 
 /// The coordinate in a frame that a coordinate of space has at one side.

@@ -37,7 +37,7 @@ static tf_status check_range(const tf_pair_job *job, tf_error *error)
     return TF_OK;
 }
 
-//: Tell whether an arithmetic is certain
+//: Test whether an arithmetic is certain
 /// Whether all that an arithmetic takes for contacts are.  If it isn't, it has to
 /// be asked about all pairs whose swept boxes overlap, as a query would be.
 static bool is_certain(const tf_arithmetic *arithmetic)

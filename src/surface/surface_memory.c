@@ -76,11 +76,7 @@ static tf_status check_motion(const tf_surface *surface,
     return tf_fail(error, status);
 }
 
-//: Tell whether a motion is calm
-enum {
-    SAMPLE = 1024 // edges
-};
-
+//: Measure a swept edge
 /// The squares of the sizes of an edge, along an axis: at the start, and of all
 /// that it sweeps.
 typedef struct edge_sizes {
@@ -102,6 +98,24 @@ static edge_sizes edge_sizes_of(const tf_path *a, const tf_path *b, int k,
     return (edge_sizes){start * start, swept * swept};
 }
 
+//: Test whether a motion is calm
+enum {
+    LEAST_SAMPLE = 64, // edges
+    MOST_SAMPLE = 1024,
+    SAMPLE_PART = 16
+};
+
+/// How far apart the edges of the sample are in a list: it has every sixteenth
+/// edge, but not too few of a small mesh, nor too many of a large one.
+static int sample_step(int edges)
+{
+    int size = edges / SAMPLE_PART;
+    size = size < LEAST_SAMPLE  ? LEAST_SAMPLE
+           : size > MOST_SAMPLE ? MOST_SAMPLE
+                                : size;
+    return 1 + edges / size;
+}
+
 /// Whether the boxes around what edges sweep are not much larger than the edges:
 /// whether the squares of their sizes are at most twice as large, in sum, over a
 /// sample of all edges.
@@ -110,7 +124,7 @@ static bool is_calm(const tf_surface *surface, const tf_motion *motion)
     const tf_elements *edges = &surface->edges;
     const tf_frame *frame = &surface->frame;
     edge_sizes all = {0};
-    for (int i = 0; i < edges->count; i += 1 + edges->count / SAMPLE) {
+    for (int i = 0; i < edges->count; i += sample_step(edges->count)) {
         const int *corner = edges->corner + 2 * (ptrdiff_t)i;
         tf_path a = tf_vertex_path(frame, motion, corner[0]),
                 b = tf_vertex_path(frame, motion, corner[1]);
@@ -133,13 +147,12 @@ static tf_status find_frame(tf_surface *surface, const tf_motion *motion,
     tf_frame *frame = &surface->frame;
     int bad = 0;
     tf_status status =
-        tf_frame_of(surface->axes, motion, *swept, parallel, frame, &bad);
+        tf_frame_of(surface->axes, motion, parallel, frame, &bad);
     if (status != TF_OK)
         return tf_fail_vertex(error, status, bad, time_of(motion, bad));
-    if (!*swept && is_calm(surface, motion)) {
-        *swept = true;
+    *swept = *swept || is_calm(surface, motion);
+    if (*swept)
         tf_frame_sweep(frame);
-    }
     return TF_OK;
 }
 

@@ -39,8 +39,10 @@ START_TEST(the_order_of_coordinates_is_kept)
         bool swept = i % 3 == 0;
         random_surface(&random, axes, 60, (placement)_i, &given);
         tf_frame frame;
-        ck_assert_int_eq(
-            tf_frame_of(axes, &given.motion, swept, NULL, &frame, &bad), TF_OK);
+        ck_assert_int_eq(tf_frame_of(axes, &given.motion, NULL, &frame, &bad),
+                         TF_OK);
+        if (swept)
+            tf_frame_sweep(&frame);
         tf_vertex_paths(&frame, &given.motion, NULL, path);
         bool kept = true;
         for (int v = 0; v < given.mesh.vertices; v++)
@@ -59,7 +61,7 @@ static tf_frame frame_of(double a, double b)
     tf_motion motion = {3, 2, x, x};
     tf_frame frame;
     int bad;
-    ck_assert_int_eq(tf_frame_of(3, &motion, false, NULL, &frame, &bad), TF_OK);
+    ck_assert_int_eq(tf_frame_of(3, &motion, NULL, &frame, &bad), TF_OK);
     return frame;
 }
 
@@ -88,8 +90,10 @@ START_TEST(the_whole_is_the_union_of_all_paths)
         bool swept = i % 3 == 0;
         random_surface(&random, axes, 60, (placement)_i, &given);
         tf_frame frame;
-        ck_assert_int_eq(
-            tf_frame_of(axes, &given.motion, swept, NULL, &frame, &bad), TF_OK);
+        ck_assert_int_eq(tf_frame_of(axes, &given.motion, NULL, &frame, &bad),
+                         TF_OK);
+        if (swept)
+            tf_frame_sweep(&frame);
         tf_vertex_paths(&frame, &given.motion, NULL, path);
         for (int side = 0; side < TF_SIDES; side++) {
             float low = INFINITY, high = -INFINITY;
@@ -118,7 +122,7 @@ static tf_status frame_of_many(tf_frame *frame, int *bad)
     static const int workers = 3;
     tf_parallel parallel = scrambled_workers(&workers);
     tf_motion motion = {3, MANY, many_start, many_end};
-    return tf_frame_of(3, &motion, false, &parallel, frame, bad);
+    return tf_frame_of(3, &motion, &parallel, frame, bad);
 }
 
 START_TEST(each_vertex_extends_the_frame)
@@ -176,7 +180,7 @@ START_TEST(a_shift_of_all_ends_changes_no_path)
             many_end[k] = below(&random, 1 << 20);
         }
         for (int n = 0; n < 2; n++) {
-            ck_assert_int_eq(tf_frame_of(3, &motion, false, NULL, &frame, &bad),
+            ck_assert_int_eq(tf_frame_of(3, &motion, NULL, &frame, &bad),
                              TF_OK);
             tf_vertex_paths(&frame, &motion, NULL, path[n]);
             for (int k = 0; k < 3 * 60; k++)
@@ -184,8 +188,7 @@ START_TEST(a_shift_of_all_ends_changes_no_path)
         }
         ck_assert_mem_eq(path[0], path[1], sizeof *path);
         many_end[3 * stray] += 5e6; // beyond all others
-        ck_assert_int_eq(tf_frame_of(3, &motion, false, NULL, &frame, &bad),
-                         TF_OK);
+        ck_assert_int_eq(tf_frame_of(3, &motion, NULL, &frame, &bad), TF_OK);
         tf_vertex_paths(&frame, &motion, NULL, path[1]);
         ck_assert_mem_ne(path[0], path[1], sizeof *path);
     }

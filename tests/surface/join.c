@@ -65,6 +65,22 @@ static tf_box box_of(const elements *list, int i)
     return box;
 }
 
+/// Puts the elements of a list into its tree.
+static void build(elements *list)
+{
+    for (int i = 0; i < list->count; i++)
+        list->box[i] = box_of(list, i);
+    tf_tree_workspace workspace = {0};
+    tf_tree_elements given = {.count = list->count,
+                              .corners = list->corners,
+                              .corner = list->corner,
+                              .vertex = vertex,
+                              .whole = &whole,
+                              .swept = list->swept};
+    ck_assert(tf_tree_build(&list->tree, &given, &workspace, NULL));
+    tf_tree_workspace_free(&workspace);
+}
+
 static void fill(generator *random, int count, int corners, bool swept,
                  elements *list)
 {
@@ -75,17 +91,8 @@ static void fill(generator *random, int count, int corners, bool swept,
             corner[c] = v;
             v = (v + 1 + below(random, 5)) % MOST;
         }
-        list->box[i] = box_of(list, i);
     }
-    tf_tree_workspace workspace = {0};
-    tf_tree_elements given = {.count = count,
-                              .corners = corners,
-                              .corner = list->corner,
-                              .vertex = vertex,
-                              .whole = &whole,
-                              .swept = swept};
-    ck_assert(tf_tree_build(&list->tree, &given, &workspace, NULL));
-    tf_tree_workspace_free(&workspace);
+    build(list);
 }
 
 // Overlaps --------------------------------------------------------------------
@@ -260,6 +267,71 @@ START_TEST(times_drop_pairs_of_crowds)
 }
 END_TEST
 
+// Differences of coordinates and times are rounded here, so that times on several
+// axes differ by a last bit though the points meet.
+START_TEST(all_that_meet_in_one_place_are_pairs)
+{
+    static elements s;
+    generator random = generator_new(12 + (uint64_t)_i);
+    int time = 1 + below(&random, 998), times = 999, most = (1 << 24) / times;
+    whole = tf_box_empty;
+    for (int side = 0; side < TF_SIDES; side++) {
+        whole.low[side] = -1;
+        whole.high[side] = 1;
+    }
+    for (int v = 0; v < MOST; v++)
+        for (int k = 0; k < TF_AXES; k++) {
+            int speed = below(&random, 2 * most + 1) - most;
+            vertex[v].at[k] = ldexpf((float)(-time * speed), -24);
+            vertex[v].at[TF_AXES + k] =
+                ldexpf((float)((times - time) * speed), -24);
+        }
+    s = (elements){.count = MOST, .corners = 1};
+    for (int v = 0; v < MOST; v++)
+        s.corner[v] = v;
+    build(&s);
+    table *all = join(&s, &s, 1 << 30);
+    int wrong = 0;
+    for (int i = 0; i < MOST; i++)
+        for (int j = i + 1; j < MOST; j++)
+            wrong += all->came[i][j] != 1;
+    ck_assert_int_eq(wrong, 0);
+    free(all);
+    tf_tree_free(&s.tree);
+}
+END_TEST
+
+/// The neighbor of a number on one side, or the number itself.
+static float beside(float x, int side)
+{
+    return side == 0 ? x : nextafterf(x, side < 0 ? -1.0f : 1.0f);
+}
+
+// Two points that are in one place but for a last bit, on one axis, at each end.
+START_TEST(points_that_touch_at_one_time_are_a_pair)
+{
+    static elements s;
+    int k = _i % TF_AXES, start = _i / 3 % 3 - 1, end = _i / 9 % 3 - 1;
+    for (int v = 0; v < 2; v++)
+        for (int side = 0; side < TF_SIDES; side++)
+            vertex[v].at[side] = 0.3f;
+    vertex[1].at[k] = beside(0.3f, start);
+    vertex[1].at[TF_AXES + k] = beside(0.3f, end);
+    whole = tf_box_empty;
+    for (int side = 0; side < TF_SIDES; side++) {
+        whole.low[side] = 0;
+        whole.high[side] = 1;
+    }
+    s = (elements){
+        .count = 2, .corners = 1, .corner = {0, 1}, .swept = _i >= 27};
+    build(&s);
+    table *all = join(&s, &s, 2);
+    ck_assert_int_eq(all->came[0][1], start * end <= 0);
+    free(all);
+    tf_tree_free(&s.tree);
+}
+END_TEST
+
 START_TEST(a_join_stops_when_told)
 {
     static elements s;
@@ -291,6 +363,8 @@ Suite *suite(void)
     TCase *tcase = tcase_create("join");
     tcase_add_loop_test(tcase, every_pair_is_found_once, 0, 36);
     tcase_add_test(tcase, times_drop_pairs_of_crowds);
+    tcase_add_loop_test(tcase, points_that_touch_at_one_time_are_a_pair, 0, 54);
+    tcase_add_loop_test(tcase, all_that_meet_in_one_place_are_pairs, 0, 10);
     tcase_add_test(tcase, a_join_stops_when_told);
     tcase_add_test(tcase, an_empty_tree_has_no_pairs);
     suite_add_tcase(suite, tcase);

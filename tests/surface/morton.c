@@ -73,6 +73,19 @@ START_TEST(a_flat_scene_has_keys)
     tf_path path = {.at = {3, 5}};
     tf_morton_grid grid = tf_morton_grid_of(&flat, 1);
     ck_assert_uint_eq(tf_morton_key(&path, &grid), shuffle(3, 0, 0));
+    ck_assert(grid.cells[1] == 0 && grid.cells[2] == 0);
+}
+END_TEST
+
+START_TEST(a_grid_begins_where_the_starts_do)
+{
+    const tf_box far = {.low = {-64, 32, 1}, .high = {TF_CELLS - 64, 1056, 2}};
+    for (int paths = 1; paths <= 3; paths++) {
+        float n = (float)paths;
+        tf_morton_grid grid = tf_morton_grid_of(&far, paths);
+        tf_path sum = {.at = {n * (5 - 64), n * (7 + 32), n * 1.5f}};
+        ck_assert_uint_eq(tf_morton_key(&sum, &grid), shuffle(5, 7, 512));
+    }
 }
 END_TEST
 
@@ -134,6 +147,7 @@ Suite *suite(void)
     tcase_add_test(tcase, what_rounding_puts_beyond_a_side_is_within_the_grid);
     tcase_add_test(tcase, a_cell_begins_with_its_low_side);
     tcase_add_test(tcase, a_flat_scene_has_keys);
+    tcase_add_test(tcase, a_grid_begins_where_the_starts_do);
     tcase_add_loop_test(tcase, equal_keys_stay_in_order, 0, 4);
     tcase_add_test(tcase, many_items_are_sorted_in_larger_parts);
     suite_add_tcase(suite, tcase);

@@ -86,7 +86,9 @@ static int join_star(const double start[], const double end[], bool swept)
     tf_frame frame;
     for (int i = 0; i < 2 * STAR; i++)
         corner[i] = (i + 1) / 2 % STAR;
-    ck_assert_int_eq(tf_frame_of(2, &motion, swept, NULL, &frame, &bad), TF_OK);
+    ck_assert_int_eq(tf_frame_of(2, &motion, NULL, &frame, &bad), TF_OK);
+    if (swept)
+        tf_frame_sweep(&frame);
     tf_vertex_paths(&frame, &motion, NULL, path);
     const tf_tree_elements elements = {.count = STAR,
                                        .corners = 2,
@@ -496,7 +498,7 @@ static placed *order_of(const fig_some_mesh *mesh)
     placed *order = malloc((size_t)mesh->triangles * sizeof *order);
     tf_frame frame;
     int bad;
-    ck_assert_int_eq(tf_frame_of(3, &rest, true, NULL, &frame, &bad), TF_OK);
+    ck_assert_int_eq(tf_frame_of(3, &rest, NULL, &frame, &bad), TF_OK);
     tf_vertex_paths(&frame, &rest, NULL, path);
     for (int i = 0; i < mesh->triangles; i++) {
         const int *v = mesh->triangle + 3 * (size_t)i;

@@ -139,6 +139,9 @@ static tf_status read_options(tf_flow_options *own,
     status = tf_reconnect_options_read(&unread, &lengths, flow->surface->scale,
                                        &flow->reconnector.lengths, error);
     if (status == TF_OK)
+        status =
+            tf_check_coordinates(flow->surface, TF_MOST_FOR_VOLUMES, error);
+    if (status == TF_OK)
         status = tf_check_target(flow->surface, own->edge, error);
     return status == TF_OK ? tf_parallel_check(own->parallel, error) : status;
 }

@@ -124,12 +124,9 @@ void tf_choose_scale(tf_adaptive_surface *surface)
 }
 
 //: Check that nothing measured overflows
-tf_status tf_check_coordinates(const tf_adaptive_surface *surface,
+tf_status tf_check_coordinates(const tf_adaptive_surface *surface, double most,
                                tf_error *error)
 {
-    // In the user's unit volumes are reported, and contacts responded to: up to
-    // there even products of four lengths are finite.
-    const double most = 0x1p250;
     for (int v = 0; v < surface->vertices; v++) {
         tf_vector x = tf_vector_at(tf_vertex_coordinates(surface, v), 0);
         bool small = fabs(x.x[0]) <= most && fabs(x.x[1]) <= most &&
@@ -162,12 +159,10 @@ tf_status tf_check_target(const tf_adaptive_surface *surface, double edge,
 {
     if (!(edge > 0) || !isfinite(edge))
         return tf_fail_option(error, "edge", "above 0", edge);
-    tf_status status = tf_check_coordinates(surface, error);
-    if (status == TF_OK &&
-        !(triangles_of(surface, edge * surface->scale) <= INT_MAX / 3.0))
+    if (!(triangles_of(surface, edge * surface->scale) <= INT_MAX / 3.0))
         return tf_fail_option(error, "edge",
                               "so long that an int can count the corners of "
                               "all triangles",
                               edge);
-    return status;
+    return tf_fail(error, TF_OK);
 }

@@ -67,13 +67,17 @@ bool tf_star_stays_good(const tf_adaptive_surface *surface, int vertex,
 /// which its greatest coordinate gets nearest below 1.
 void tf_choose_scale(tf_adaptive_surface *surface);
 
-/// Checks that what is measured of a surface does not overflow: that no vertex of
-/// a triangle has a coordinate beyond 2^250.  Sets the error to what it returns,
-/// TF_OK or TF_OUT_OF_RANGE.
-tf_status tf_check_coordinates(const tf_adaptive_surface *surface,
+/// The largest coordinates in the user's unit, in absolute value.
+#define TF_MOST_FOR_LENGTHS 0x1p1000 ///< if lengths are reported in that unit
+#define TF_MOST_FOR_VOLUMES 0x1p250  ///< if volumes are, or contacts resolved
+
+/// Checks that no vertex of a triangle has a coordinate above `most` in absolute
+/// value.  Sets the error to what it returns, TF_OK or TF_OUT_OF_RANGE.
+tf_status tf_check_coordinates(const tf_adaptive_surface *surface, double most,
                                tf_error *error);
 
-/// The same, and TF_BAD_OPTION if the length of edges is not above 0 and finite,
-/// or so short that there would be more triangles than numbers for their corners.
+/// Checks that the length of edges is above 0 and finite, and not so short that
+/// there would be more triangles than numbers for their corners.  Sets the error
+/// to what it returns, TF_OK or TF_BAD_OPTION.
 tf_status tf_check_target(const tf_adaptive_surface *surface, double edge,
                           tf_error *error);

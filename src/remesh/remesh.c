@@ -104,6 +104,8 @@ static tf_status read_options(tf_remesh_options *own,
     tf_status status = tf_options_read(own, sizeof *own, options, first, error);
     own->rounds = own->rounds ? own->rounds : USUAL_ROUNDS;
     tf_choose_scale(surface);
+    if (status == TF_OK)
+        status = tf_check_coordinates(surface, TF_MOST_FOR_LENGTHS, error);
     return status == TF_OK ? tf_check_target(surface, own->edge, error)
                            : status;
 }

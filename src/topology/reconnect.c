@@ -42,7 +42,7 @@ tf_status tf_adaptive_reconnect(tf_adaptive_surface *surface,
     tf_status status = tf_reconnect_options_read(&own, options, surface->scale,
                                                  &reconnector.lengths, error);
     if (status == TF_OK)
-        status = tf_check_coordinates(surface, error);
+        status = tf_check_coordinates(surface, TF_MOST_FOR_VOLUMES, error);
     if (status != TF_OK)
         return status;
     tf_watch watch;

@@ -73,10 +73,11 @@ static bool begin(surgery_run *run, const adaptive_scene *scene, int exponent)
     return true;
 }
 
-static bool is_too_large(const surgery_run *run)
+static bool is_too_large(const surgery_run *run, scaled_call what)
 {
+    double most = what == REMESH ? 0x1p1000 : 0x1p250;
     for (int i = 0; i < 3 * run->scene.vertices; i++)
-        if (fabs(run->scene.position[i]) > 0x1p250)
+        if (fabs(run->scene.position[i]) > most)
             return true;
     return false;
 }
@@ -225,7 +226,7 @@ static const char *compare(const adaptive_scene *scene, const wish *wanted,
 static const char *judge(surgery_run *run, const adaptive_scene *scene,
                          const wish *wanted, int exponent, tf_status status)
 {
-    if (is_too_large(run))
+    if (is_too_large(run, wanted->what))
         return status == TF_OUT_OF_RANGE ? NULL : "it is not refused";
     if (status != TF_OK)
         return tf_status_message(status);

@@ -176,7 +176,12 @@ soak-topology: COUNT = 100000
 soak-topology: $(BUILD)/tests/soak/topology ## merge and pinch among COUNT=100000 operations
 	@$< $(COUNT) $(FROM)
 
+soak-scales: COUNT = 10000
+soak-scales: $(BUILD)/tests/soak/scales ## remesh and move COUNT=10000 scenes of any size
+	@$< $(COUNT) $(FROM)
+
 soak-scenes: $(BUILD)/tests/soak/scenes ## simulate all scenes, and judge every step
 	@$<
 
-.PHONY: soak soak-vectors soak-response soak-surgery soak-topology soak-scenes
+.PHONY: soak soak-vectors soak-response soak-surgery soak-topology \
+	soak-scales soak-scenes

@@ -50,8 +50,8 @@ static void put_point(double x[], int point, tf_vector value)
 
 static void place_points(tf_flow_advance *a)
 {
-    memcpy(a->start, a->surface->position.data,
-           3 * sizeof *a->start * (size_t)a->vertices);
+    for (int v = 0; v < a->vertices; v++)
+        put_point(a->start, v, tf_position_of(a->surface, v));
     for (int e = 0; e < a->edges; e++) {
         const int *end = a->edge + 2 * (ptrdiff_t)e;
         put_point(a->start, a->vertices + e,
@@ -138,6 +138,13 @@ static void find_normals(tf_flow_advance *a)
 }
 
 //: Advance by the method of Runge and Kutta
+/// To the user's unit of length, or from it.
+static void scale_all(const tf_flow_advance *a, double x[], double scale)
+{
+    for (int i = 0; i < 3 * a->points; i++)
+        x[i] *= scale;
+}
+
 /// Takes the velocities at `part` of the step, having gone so far along the
 /// last ones, and goes on by `weight` of the step along them.
 static tf_status go_on(tf_flow_advance *a, double part, double weight)
@@ -147,8 +154,10 @@ static tf_status go_on(tf_flow_advance *a, double part, double weight)
     for (int i = 0; i < 3 * a->points; i++)
         a->stage[i] = a->start[i] + (part > 0 ? along * a->velocity[i] : 0);
     find_normals(a);
+    scale_all(a, a->stage, 1 / a->surface->scale);
     options->velocity(options->context, a->time + along, a->points, a->stage,
                       a->normal, a->velocity);
+    scale_all(a, a->velocity, a->surface->scale);
     for (int i = 0; i < 3 * a->points; i++)
         a->end[i] += weight * a->step * a->velocity[i];
     return goes_on(a);
@@ -204,7 +213,8 @@ static tf_status find_errors(const tf_flow_advance *a, double error[])
 //: Restore what chords lose
 tf_status tf_advance_restore_volume(tf_flow_advance *a)
 {
-    double *error = a->velocity, most = 0.1 * a->options->edge;
+    double *error = a->velocity,
+           most = 0.1 * a->options->edge * a->surface->scale;
     if (find_errors(a, error) != TF_OK)
         return TF_CANCELLED;
     sum_normals(a, a->end, a->normal);
@@ -250,6 +260,9 @@ tf_status tf_advance_resolve(tf_flow_advance *a,
     tf_response_options options = {.parallel = a->options->parallel,
                                    .progress = a->options->progress,
                                    .context = a->options->context};
+    scale_all(a, a->end, 1 / a->surface->scale);
+    memcpy(a->start, a->surface->position.data,
+           3 * sizeof *a->start * (size_t)a->vertices);
     hold_isolated_triangles(a);
     tf_status status = goes_on(a);
     if (status == TF_OK)

@@ -58,7 +58,7 @@ size_t tf_flow_memory(const tf_flow *flow)
 static tf_status improve(tf_flow *flow, const tf_flow_options *options)
 {
     tf_remesher *remesher = &flow->remesher;
-    remesher->edge = options->edge;
+    remesher->edge = options->edge * flow->surface->scale;
     remesher->report = (tf_remesh_report){0};
     memset(remesher->restored, 0, sizeof remesher->restored);
     tf_watch *watch = flow->draft.watch;
@@ -135,8 +135,12 @@ static tf_status read_options(tf_flow_options *own,
         return status;
     TF_REQUIRE(own->velocity);
     tf_reconnect_options unread, lengths = {.edge = own->edge};
-    status = tf_reconnect_options_read(&unread, &lengths,
+    tf_choose_scale(flow->surface);
+    status = tf_reconnect_options_read(&unread, &lengths, flow->surface->scale,
                                        &flow->reconnector.lengths, error);
+    if (status == TF_OK)
+        status =
+            tf_check_coordinates(flow->surface, TF_MOST_FOR_VOLUMES, error);
     if (status == TF_OK)
         status = tf_check_target(flow->surface, own->edge, error);
     return status == TF_OK ? tf_parallel_check(own->parallel, error) : status;

@@ -198,6 +198,7 @@ static tf_status restore_volume(tf_remesher *remesher,
         tf_outcome outcome;
         if (!find_position(remesher, vertex, share, &position))
             continue;
+        position = tf_coordinates_of(remesher->surface, position);
         status =
             tf_adaptive_move(remesher->surface, vertex, position.x, &outcome);
         if (status != TF_OK)

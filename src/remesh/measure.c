@@ -43,7 +43,7 @@ double tf_shape_quality(const tf_shape *shape)
         squares += tf_vector_dot(side, side);
     }
     double area = tf_vector_length(tf_shape_normal(shape));
-    return 2 * sqrt(3) * area / squares;
+    return squares > 0 ? 2 * sqrt(3) * area / squares : 0;
 }
 
 double tf_worse_quality(const tf_shape pair[2])
@@ -70,7 +70,8 @@ tf_vector tf_star_middle(const tf_adaptive_surface *surface, int vertex)
             sum = tf_vector_sum(sum, area / 3, shape.corner[i]);
         total += area;
     }
-    return tf_vector_scaled(1 / total, sum);
+    return total > 0 ? tf_vector_scaled(1 / total, sum)
+                     : tf_position_of(surface, vertex);
 }
 
 //: Judge the triangles of a star
@@ -112,14 +113,22 @@ bool tf_star_stays_good(const tf_adaptive_surface *surface, int vertex,
     return !all.turned && (all.after >= all.before || all.after >= 0.6);
 }
 
+//: Choose the scale of a surface
+void tf_choose_scale(tf_adaptive_surface *surface)
+{
+    tf_aabb whole = tf_aabb_empty();
+    for (int v = 0; v < surface->vertices; v++)
+        if (tf_first_corner(surface, v) != TF_NONE)
+            tf_aabb_add(&whole, tf_vertex_coordinates(surface, v));
+    surface->scale = tf_aabb_scale(&whole);
+}
+
 //: Check that nothing measured overflows
-tf_status tf_check_coordinates(const tf_adaptive_surface *surface,
+tf_status tf_check_coordinates(const tf_adaptive_surface *surface, double most,
                                tf_error *error)
 {
-    // The square of an area is a product of four lengths.
-    const double most = 0x1p250;
     for (int v = 0; v < surface->vertices; v++) {
-        tf_vector x = tf_position_of(surface, v);
+        tf_vector x = tf_vector_at(tf_vertex_coordinates(surface, v), 0);
         bool small = fabs(x.x[0]) <= most && fabs(x.x[1]) <= most &&
                      fabs(x.x[2]) <= most;
         if (!small && tf_first_corner(surface, v) != TF_NONE)
@@ -150,11 +159,10 @@ tf_status tf_check_target(const tf_adaptive_surface *surface, double edge,
 {
     if (!(edge > 0) || !isfinite(edge))
         return tf_fail_option(error, "edge", "above 0", edge);
-    tf_status status = tf_check_coordinates(surface, error);
-    if (status == TF_OK && !(triangles_of(surface, edge) <= INT_MAX / 3.0))
+    if (!(triangles_of(surface, edge * surface->scale) <= INT_MAX / 3.0))
         return tf_fail_option(error, "edge",
                               "so long that an int can count the corners of "
                               "all triangles",
                               edge);
-    return status;
+    return tf_fail(error, TF_OK);
 }

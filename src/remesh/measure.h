@@ -7,12 +7,22 @@
 
 #include <math.h>
 
-// All of this is rounded: it decides what is wanted, never what is safe.
+// All of this is rounded: it decides what is wanted, never what is safe.  It is
+// in the surface's own unit, its scale times that of the coordinates.
 
 static inline tf_vector tf_position_of(const tf_adaptive_surface *surface,
                                        int vertex)
 {
-    return tf_vector_at(tf_vertex_coordinates(surface, vertex), 0);
+    return tf_vector_scaled(
+        surface->scale,
+        tf_vector_at(tf_vertex_coordinates(surface, vertex), 0));
+}
+
+/// The coordinates of a measured position.
+static inline tf_vector tf_coordinates_of(const tf_adaptive_surface *surface,
+                                          tf_vector position)
+{
+    return tf_vector_scaled(1 / surface->scale, position);
 }
 
 double tf_length_of(const tf_adaptive_surface *surface, int a, int b);
@@ -53,13 +63,21 @@ bool tf_star_stays_good(const tf_adaptive_surface *surface, int vertex,
                         int other, tf_vector position);
 
 //: Declare what can be measured
-/// Checks that what is measured of a surface does not overflow: that no vertex of
-/// a triangle has a coordinate beyond 2^250.  Sets the error to what it returns,
-/// TF_OK or TF_OUT_OF_RANGE.
-tf_status tf_check_coordinates(const tf_adaptive_surface *surface,
+/// Sets the scale of a surface to the power of two, from 2^-1000 to 2^1000, by
+/// which its greatest coordinate gets nearest below 1.
+void tf_choose_scale(tf_adaptive_surface *surface);
+
+/// The largest coordinates in the user's unit, in absolute value.
+#define TF_MOST_FOR_LENGTHS 0x1p1000 ///< if lengths are reported in that unit
+#define TF_MOST_FOR_VOLUMES 0x1p250  ///< if volumes are, or contacts resolved
+
+/// Checks that no vertex of a triangle has a coordinate above `most` in absolute
+/// value.  Sets the error to what it returns, TF_OK or TF_OUT_OF_RANGE.
+tf_status tf_check_coordinates(const tf_adaptive_surface *surface, double most,
                                tf_error *error);
 
-/// The same, and TF_BAD_OPTION if the length of edges is not above 0 and finite,
-/// or so short that there would be more triangles than numbers for their corners.
+/// Checks that the length of edges is above 0 and finite, and not so short that
+/// there would be more triangles than numbers for their corners.  Sets the error
+/// to what it returns, TF_OK or TF_BAD_OPTION.
 tf_status tf_check_target(const tf_adaptive_surface *surface, double edge,
                           tf_error *error);

@@ -27,7 +27,7 @@ typedef struct tf_remesh_report {
     /// poor triangles are not even tried.
     size_t tried[TF_OPERATIONS][TF_OUTCOMES];
     /// The least quality of a triangle before, from 0, which is collinear, to
-    /// 1, which is equilateral.
+    /// 1, which is equilateral; 1 if there are no triangles.
     double least_before;
     double least_after; ///< the same of the new surface
     double mean_before; ///< the mean quality of the triangles before

@@ -29,7 +29,10 @@ tf_status tf_original_begin(tf_original *original,
             return TF_CANCELLED;
         if (!tf_is_triangle(surface, t))
             continue;
-        box[t] = tf_aabb_of(surface, 3, tf_triangle(surface, t));
+        tf_shape shape = tf_shape_of(surface, t);
+        box[t] = tf_aabb_empty();
+        for (int i = 0; i < 3; i++)
+            tf_aabb_add(&box[t], shape.corner[i].x);
         order[count++] = t;
     }
     return tf_dynamic_tree_build(&original->tree, box, order, count, watch)

@@ -24,8 +24,9 @@ static tf_status try_split(tf_remesher *remesher, const tf_edge_row *edge,
                            tf_vector position, bool sharp, tf_outcome *outcome)
 {
     int vertex;
+    tf_vector at = tf_coordinates_of(remesher->surface, position);
     tf_status status = tf_adaptive_split(remesher->surface, edge->a, edge->b,
-                                         position.x, &vertex, outcome);
+                                         at.x, &vertex, outcome);
     if (status != TF_OK)
         return status;
     tf_remesher_count(remesher, TF_SPLIT, *outcome);
@@ -93,13 +94,16 @@ static tf_status collapse(tf_remesher *remesher, const tf_edge_collapse *wanted)
 {
     int from = wanted->from, to = wanted->to;
     tf_vector before = tf_position_of(remesher->surface, to);
+    bool moved = !tf_vector_equals(before, wanted->position);
+    tf_vector at =
+        moved ? tf_coordinates_of(remesher->surface, wanted->position)
+              : tf_vector_at(tf_vertex_coordinates(remesher->surface, to), 0);
     tf_outcome outcome;
-    tf_status status = tf_adaptive_collapse_to(remesher->surface, from, to,
-                                               wanted->position.x, &outcome);
+    tf_status status =
+        tf_adaptive_collapse_to(remesher->surface, from, to, at.x, &outcome);
     if (status != TF_OK)
         return status;
     tf_remesher_count(remesher, TF_COLLAPSE, outcome);
-    bool moved = !tf_vector_equals(before, wanted->position);
     return outcome == TF_COMMITTED && moved
                ? trace(remesher, to, from, to, false)
                : TF_OK;
@@ -189,9 +193,10 @@ static tf_status smooth_vertex(tf_remesher *remesher, int vertex)
         !is_worth_a_move(remesher, vertex, position) ||
         !tf_star_stays_good(remesher->surface, vertex, TF_NONE, position))
         return TF_OK;
+    tf_vector at = tf_coordinates_of(remesher->surface, position);
     tf_outcome outcome;
     tf_status status =
-        tf_adaptive_move(remesher->surface, vertex, position.x, &outcome);
+        tf_adaptive_move(remesher->surface, vertex, at.x, &outcome);
     if (status != TF_OK)
         return status;
     tf_remesher_count(remesher, TF_SMOOTH, outcome);

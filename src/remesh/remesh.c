@@ -29,7 +29,7 @@ static tf_status measure_quality(const tf_adaptive_surface *surface,
         *least = fmin(*least, quality);
         sum += quality;
     }
-    *mean = sum / surface->triangles;
+    *mean = surface->triangles > 0 ? sum / surface->triangles : 1;
     return TF_OK;
 }
 
@@ -46,7 +46,8 @@ static tf_status measure_distance(tf_remesher *remesher)
     if (status == TF_OK)
         remesher->report.distance =
             fmax(tf_original_farthest(&remesher->original, after, watch),
-                 tf_original_farthest(&now, before, watch));
+                 tf_original_farthest(&now, before, watch)) /
+            after->scale;
     tf_original_free(&now);
     return status == TF_OK && tf_watch_cancelled(watch) ? TF_CANCELLED : status;
 }
@@ -94,8 +95,7 @@ static tf_status do_rounds(tf_remesher *remesher, int rounds)
 //: Check how to remesh
 static tf_status read_options(tf_remesh_options *own,
                               const tf_remesh_options *options,
-                              const tf_adaptive_surface *surface,
-                              tf_error *error)
+                              tf_adaptive_surface *surface, tf_error *error)
 {
     size_t first = offsetof(tf_remesh_options, context) + sizeof own->context;
     tf_fail(error, TF_OK);
@@ -103,6 +103,9 @@ static tf_status read_options(tf_remesh_options *own,
         return tf_fail(error, TF_BAD_ENVIRONMENT);
     tf_status status = tf_options_read(own, sizeof *own, options, first, error);
     own->rounds = own->rounds ? own->rounds : USUAL_ROUNDS;
+    tf_choose_scale(surface);
+    if (status == TF_OK)
+        status = tf_check_coordinates(surface, TF_MOST_FOR_LENGTHS, error);
     return status == TF_OK ? tf_check_target(surface, own->edge, error)
                            : status;
 }
@@ -124,8 +127,9 @@ static tf_status remesh(tf_adaptive_surface *surface,
                         const tf_remesh_options *options, tf_watch *watch)
 {
     tf_adaptive_surface draft = {0};
-    tf_remesher remesher = {
-        .surface = &draft, .policy = &tf_keep_shape, .edge = options->edge};
+    tf_remesher remesher = {.surface = &draft,
+                            .policy = &tf_keep_shape,
+                            .edge = options->edge * surface->scale};
     tf_status status = tf_buffer_extend(&surface->lent.remesh_report, 1,
                                         sizeof(tf_remesh_report))
                            ? begin(&remesher, surface, watch)

@@ -30,7 +30,7 @@
 /// @param[out] error what is wrong, if anything; may be NULL
 /// @return TF_OK; TF_BAD_OPTION if the length is not above 0 and finite, or
 ///     so short that there would be more triangles than numbers for their
-///     corners; TF_OUT_OF_RANGE if a coordinate is beyond 2^250;
+///     corners; TF_OUT_OF_RANGE if a coordinate is beyond 2^1000;
 ///     TF_BAD_ENVIRONMENT; TF_OUT_OF_MEMORY; or TF_CANCELLED
 TF_API tf_status tf_adaptive_remesh(tf_adaptive_surface *surface,
                                     const tf_remesh_options *options,

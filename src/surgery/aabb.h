@@ -25,6 +25,22 @@ static inline void tf_aabb_add(tf_aabb *box, const double *x)
     }
 }
 
+//: Choose the scale of a bounding box
+/// The power of two, from 2^-1000 to 2^1000, by which the greatest coordinate of
+/// a box gets nearest below 1; 1 if the box holds nothing.
+static inline double tf_aabb_scale(const tf_aabb *box)
+{
+    double most = 0;
+    int exponent = 0;
+    for (int k = 0; k < 3; k++)
+        most = fmax(most, fmax(fabs(box->low[k]), fabs(box->high[k])));
+    if (isfinite(most))
+        frexp(most, &exponent);
+    return ldexp(1, exponent < -1000  ? 1000
+                    : exponent > 1000 ? -1000
+                                      : -exponent);
+}
+
 //: Join and compare bounding boxes
 static inline tf_aabb tf_aabb_union(tf_aabb a, const tf_aabb *b)
 {

@@ -53,6 +53,7 @@ tf_status tf_adaptive_create(const tf_mesh *mesh, const double position[],
     tf_adaptive_surface *made = tf_allocate_zeroed(sizeof *made);
     if (!made)
         return tf_fail(error, TF_OUT_OF_MEMORY);
+    made->scale = 1;
     status = make_surface(mesh, position, made, error);
     if (status == TF_OK)
         *surface = made;

@@ -67,6 +67,7 @@ typedef struct tf_adaptive_surface {
     tf_buffer box;           ///< memory for the boxes of all triangles
     tf_surgery surgery;      ///< that is being tried
     tf_watch *watch;         ///< over the call whose draft this is, or NULL
+    double scale;            ///< of what is measured, a power of two
     tf_adaptive_lent lent;
 } tf_adaptive_surface;
 

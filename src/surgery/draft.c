@@ -23,6 +23,7 @@ static bool copy_surface(tf_adaptive_surface *to,
     to->vertices = vertices;
     to->triangles = triangles;
     to->free_triangle = from->free_triangle;
+    to->scale = from->scale;
     tf_dynamic_tree_copy(&to->tree, &from->tree, triangles);
     return copy_items(&to->position, &from->position, vertices, point, watch) &&
            copy_items(&to->first, &from->first, vertices, sizeof(int), watch) &&

@@ -105,21 +105,22 @@ static void free_branch(tf_dynamic_tree *tree, int at)
 }
 
 //: Choose where a box goes
-static double half_area(const tf_aabb *box)
+/// In the unit that a scale makes, where products neither over- nor underflow.
+static double half_area(const tf_aabb *box, double scale)
 {
     double side[3];
     for (int k = 0; k < 3; k++)
-        side[k] = box->high[k] - box->low[k];
+        side[k] = scale * (box->high[k] - box->low[k]);
     return side[0] * side[1] + side[1] * side[2] + side[2] * side[0];
 }
 
 /// The child whose area grows least.
-static int lane_for(const branch *b, const tf_aabb *box)
+static int lane_for(const branch *b, const tf_aabb *box, double scale)
 {
     double growth[2];
     for (int i = 0; i < 2; i++) {
         tf_aabb both = tf_aabb_union(b->box[i], box);
-        growth[i] = half_area(&both) - half_area(&b->box[i]);
+        growth[i] = half_area(&both, scale) - half_area(&b->box[i], scale);
     }
     return growth[1] < growth[0];
 }
@@ -128,11 +129,13 @@ static int lane_for(const branch *b, const tf_aabb *box)
 void tf_dynamic_tree_insert(tf_dynamic_tree *tree, int element, tf_aabb box)
 {
     int at = ABOVE_ROOT, lane = 0;
+    tf_aabb whole = tf_aabb_union(branches_of(tree)[at].box[0], &box);
+    double scale = tf_aabb_scale(&whole);
     while (branches_of(tree)[at].child[lane] > NOTHING) {
         branch *b = &branches_of(tree)[at];
         b->box[lane] = tf_aabb_union(b->box[lane], &box);
         at = b->child[lane];
-        lane = lane_for(&branches_of(tree)[at], &box);
+        lane = lane_for(&branches_of(tree)[at], &box, scale);
     }
     branch above = branches_of(tree)[at];
     if (above.child[lane] == NOTHING) {
@@ -242,7 +245,7 @@ int tf_dynamic_tree_nearest(tf_dynamic_tree *tree, const double x[3],
         // What is nearer is looked at first, so it goes upon the stack last.
         for (int i = 0; i < 2; i++) {
             int lane = (far[0] < far[1]) == (i == 0);
-            if (!(far[lane] < *least))
+            if (!(far[lane] < *least)) // as in a place that is empty
                 continue;
             if (!is_element(b->child[lane])) {
                 stack[left++] = b->child[lane];

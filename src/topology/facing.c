@@ -101,10 +101,11 @@ static bool list_facing(tf_reconnector *reconnector, int corner,
     const int ends[] = {
         tf_vertex_at(reconnector->surface, corner),
         tf_vertex_at(reconnector->surface, tf_corner_after(corner))};
+    double beyond = distance / reconnector->surface->scale;
     tf_aabb box = tf_aabb_of(reconnector->surface, 2, ends);
     for (int k = 0; k < 3; k++) {
-        box.low[k] -= distance;
-        box.high[k] += distance;
+        box.low[k] -= beyond;
+        box.high[k] += beyond;
     }
     int *found = reconnector->surface->found.data;
     int count = tf_dynamic_tree_find(&reconnector->surface->tree, &box, found);

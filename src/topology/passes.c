@@ -31,10 +31,12 @@ static double or_usual(double x, double usual)
     return x == 0 ? usual : fmax(x, 0);
 }
 
-static tf_reconnect_lengths scaled(const tf_reconnect_options *options)
+static tf_reconnect_lengths scaled(const tf_reconnect_options *options,
+                                   double scale)
 {
     const double usual = 0.3;
-    double edge = options->edge, merge = or_usual(options->merge, usual);
+    double edge = options->edge * scale;
+    double merge = or_usual(options->merge, usual);
     return (tf_reconnect_lengths){
         .merge = edge * merge,
         .patch = edge * fmax(or_usual(options->patch, 0.5), merge),
@@ -45,7 +47,7 @@ static tf_reconnect_lengths scaled(const tf_reconnect_options *options)
 
 tf_status tf_reconnect_options_read(tf_reconnect_options *own,
                                     const tf_reconnect_options *options,
-                                    tf_reconnect_lengths *lengths,
+                                    double scale, tf_reconnect_lengths *lengths,
                                     tf_error *error)
 {
     size_t first =
@@ -54,11 +56,20 @@ tf_status tf_reconnect_options_read(tf_reconnect_options *own,
     if (status == TF_OK)
         status = check_lengths(own, error);
     if (status == TF_OK)
-        *lengths = scaled(own);
+        *lengths = scaled(own, scale);
     return status;
 }
 
 //: Go through all passes of a reconnection
+/// Brings the volumes of a report to the user's unit.
+static void report_volumes(tf_reconnector *reconnector)
+{
+    double length = 1 / reconnector->surface->scale;
+    for (int i = 0; i < TF_RECONNECTIONS; i++)
+        for (int k = 0; k < 3; k++)
+            reconnector->report.gained[i] *= length;
+}
+
 tf_status tf_reconnect_passes(tf_reconnector *reconnector)
 {
     const tf_reconnect_lengths *lengths = &reconnector->lengths;
@@ -68,6 +79,8 @@ tf_status tf_reconnect_passes(tf_reconnector *reconnector)
         status = tf_merge_pass(reconnector);
     if (status == TF_OK && lengths->pinch > 0)
         status = tf_pinch_pass(reconnector);
-    return status == TF_OK && lengths->drop > 0 ? tf_drop_pass(reconnector)
-                                                : status;
+    if (status == TF_OK && lengths->drop > 0)
+        status = tf_drop_pass(reconnector);
+    report_volumes(reconnector);
+    return status;
 }

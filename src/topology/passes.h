@@ -4,11 +4,12 @@
 #include "base/error.h"
 #include "topology/reconnector.h"
 
-/// Reads options, and scales their lengths.  Sets the error to what it returns:
+/// Reads options, and scales their lengths to the unit in
+/// which the surface is measured.  Sets the error to what it returns:
 /// TF_OK or TF_BAD_OPTION.
 tf_status tf_reconnect_options_read(tf_reconnect_options *own,
                                     const tf_reconnect_options *options,
-                                    tf_reconnect_lengths *lengths,
+                                    double scale, tf_reconnect_lengths *lengths,
                                     tf_error *error);
 
 /// Merges, pinches and drops, with the lengths of the reconnector and in its

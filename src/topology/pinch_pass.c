@@ -148,9 +148,9 @@ static tf_status pinch_by(tf_reconnector *reconnector, const int loop[3],
     int all[6] = {loop[0], loop[1], loop[2]};
     double position[9], before = tf_volume_at(reconnector->surface, 3, loop);
     for (int i = 0; i < 9; i++) {
-        double x =
-            tf_vertex_coordinates(reconnector->surface, loop[i / 3])[i % 3];
-        position[i] = x + part * (middle[i / 3].x[i % 3] - x);
+        double x = tf_position_of(reconnector->surface, loop[i / 3]).x[i % 3];
+        position[i] = (x + part * (middle[i / 3].x[i % 3] - x)) /
+                      reconnector->surface->scale;
     }
     tf_status status = tf_adaptive_pinch(reconnector->surface, loop, position,
                                          all + 3, outcome);

@@ -38,10 +38,11 @@ tf_status tf_adaptive_reconnect(tf_adaptive_surface *surface,
     tf_adaptive_surface draft = {0};
     tf_reconnector reconnector = {.surface = &draft};
     tf_reconnect_options own;
-    tf_status status =
-        tf_reconnect_options_read(&own, options, &reconnector.lengths, error);
+    tf_choose_scale(surface);
+    tf_status status = tf_reconnect_options_read(&own, options, surface->scale,
+                                                 &reconnector.lengths, error);
     if (status == TF_OK)
-        status = tf_check_coordinates(surface, error);
+        status = tf_check_coordinates(surface, TF_MOST_FOR_VOLUMES, error);
     if (status != TF_OK)
         return status;
     tf_watch watch;

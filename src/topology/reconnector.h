@@ -7,7 +7,7 @@
 #include "topology/component.h"
 #include "topology/options.h"
 
-/// How to reconnect, in the units of the positions; what is never done has 0.
+/// How to reconnect, in the surface's own unit; what is never done has 0.
 typedef struct tf_reconnect_lengths {
     double merge, patch, pinch;
     double apart; ///< how far a pinch moves its two sides apart

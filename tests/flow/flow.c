@@ -392,6 +392,50 @@ START_TEST(the_report_has_times_by_a_clock)
 }
 END_TEST
 
+static void along_the_normal(void *context, double time, int points,
+                             const double point[], const double normal[],
+                             double velocity[])
+{
+    (void)time;
+    (void)point;
+    for (int i = 0; i < 3 * points; i++)
+        velocity[i] = 0.05 * *(const double *)context * normal[i];
+}
+
+/// Where a vertex of an octahedron is after three steps, in its unit of length.
+static double grown_octahedron(double size, tf_status expected)
+{
+    static const int triangle[] = {0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4,
+                                   2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5};
+    double x[18] = {size, 0,     0, -size, 0, 0,    0, size, 0,
+                    0,    -size, 0, 0,     0, size, 0, 0,    -size};
+    tf_mesh mesh = {
+        .axes = 3, .vertices = 6, .triangles = 8, .triangle = triangle};
+    tf_adaptive_surface *surface = NULL;
+    ck_assert_int_eq(tf_adaptive_create(&mesh, x, &surface, NULL), TF_OK);
+    tf_flow *flow = flow_of(surface);
+    tf_flow_options options = {
+        .edge = size / 2, .velocity = along_the_normal, .context = &size};
+    for (int i = 0; i < 3; i++)
+        ck_assert_int_eq(tf_flow_step(flow, 0, 1, &options, NULL, NULL),
+                         expected);
+    double radius_now = tf_adaptive_positions(surface)[0] / size;
+    tf_flow_free(flow);
+    tf_adaptive_free(surface);
+    return radius_now;
+}
+
+START_TEST(any_unit_of_length_will_do)
+{
+    double one = grown_octahedron(1, TF_OK);
+    for (int k = -300; k <= 75; k += 5)
+        ck_assert_double_eq_tol(grown_octahedron(pow(10, k), TF_OK), one,
+                                1e-12 * one);
+    for (int k = 80; k <= 300; k += 5)
+        ck_assert_double_eq(grown_octahedron(pow(10, k), TF_OUT_OF_RANGE), 1);
+}
+END_TEST
+
 Suite *suite(void)
 {
     Suite *suite = suite_create("flow/flow");
@@ -404,6 +448,7 @@ Suite *suite(void)
     tcase = tcase_create("topology");
     tcase_add_test(tcase, spheres_that_meet_merge_if_they_may);
     tcase_add_test(tcase, small_components_vanish);
+    tcase_add_test(tcase, any_unit_of_length_will_do);
     suite_add_tcase(suite, tcase);
     tcase = tcase_create("all or nothing");
     tcase_add_test(tcase, a_cancelled_step_changes_nothing);

@@ -12,6 +12,7 @@
 #include "support/surgery_runs.h"
 #include "surgery/adaptive_surface.h"
 #include "surgery/collapse.h"
+#include "surgery/star.h"
 
 #include <math.h>
 #include <signal.h>
@@ -284,6 +285,79 @@ START_TEST(remeshing_needs_options)
 }
 END_TEST
 
+/// An octahedron of a size, remeshed, or refused as it was.
+static tf_adaptive_surface *remeshed_octahedron(int exponent, double flat)
+{
+    static const int triangle[] = {0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4,
+                                   2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5};
+    double x[18] = {1, 0,     0, -1, 0, 0,    0, flat, 0,
+                    0, -flat, 0, 0,  0, flat, 0, 0,    -flat};
+    for (int i = 0; i < 18; i++)
+        x[i] = ldexp(x[i], exponent);
+    tf_mesh mesh = {
+        .axes = 3, .vertices = 6, .triangles = 8, .triangle = triangle};
+    tf_adaptive_surface *surface = NULL;
+    ck_assert_int_eq(tf_adaptive_create(&mesh, x, &surface, NULL), TF_OK);
+    tf_remesh_options options = {.edge = ldexp(0.3, exponent)};
+    const tf_remesh_report *report = NULL;
+    tf_status status = tf_adaptive_remesh(surface, &options, &report, NULL);
+    ck_assert_int_eq(status, exponent > 1000 ? TF_OUT_OF_RANGE : TF_OK);
+    if (status != TF_OK) {
+        ck_assert_mem_eq(tf_adaptive_positions(surface), x, sizeof x);
+        return surface;
+    }
+    ck_assert(isfinite(report->least_before) && isfinite(report->least_after));
+    ck_assert(isfinite(report->mean_before) && isfinite(report->mean_after));
+    return surface;
+}
+
+START_TEST(the_unit_of_length_changes_no_bit)
+{
+    tf_adaptive_surface *one = remeshed_octahedron(0, 1);
+    tf_mesh mesh = *tf_adaptive_mesh(one);
+    const double *x = tf_adaptive_positions(one);
+    for (int k = -1000; k <= 1000; k += 50) {
+        tf_adaptive_surface *other = remeshed_octahedron(k, 1);
+        tf_mesh same = *tf_adaptive_mesh(other);
+        ck_assert_int_eq(same.vertices, mesh.vertices);
+        ck_assert_int_eq(same.triangles, mesh.triangles);
+        for (int i = 0; i < 3 * mesh.triangles; i++)
+            ck_assert_int_eq(same.triangle[i], mesh.triangle[i]);
+        for (int i = 0; i < 3 * mesh.vertices; i++)
+            ck_assert_double_eq(tf_adaptive_positions(other)[i],
+                                ldexp(x[i], k));
+        tf_adaptive_free(other);
+    }
+    for (int k = 1001; k <= 1023; k++)
+        tf_adaptive_free(remeshed_octahedron(k, 1));
+    tf_adaptive_free(one);
+}
+END_TEST
+
+START_TEST(needles_have_no_quality_but_a_number)
+{
+    tf_adaptive_free(remeshed_octahedron(0, 1e-170));
+}
+END_TEST
+
+START_TEST(no_triangles_have_the_best_quality)
+{
+    tf_adaptive_surface *surface = adaptive_tetrahedron();
+    tf_remesh_options options = {.edge = 1};
+    const tf_remesh_report *report;
+    for (int t = 0; t < 4; t++)
+        tf_triangle_remove(surface, t);
+    ck_assert_int_eq(tf_adaptive_remesh(surface, &options, &report, NULL),
+                     TF_OK);
+    ck_assert_double_eq(report->least_before, 1);
+    ck_assert_double_eq(report->mean_before, 1);
+    ck_assert_double_eq(report->least_after, 1);
+    ck_assert_double_eq(report->mean_after, 1);
+    ck_assert_double_eq(report->distance, 0);
+    tf_adaptive_free(surface);
+}
+END_TEST
+
 Suite *suite(void)
 {
     Suite *suite = suite_create("remesh/remesh");
@@ -297,6 +371,9 @@ Suite *suite(void)
     tcase_add_test(tcase, a_cancelled_remeshing_changes_nothing);
     tcase_add_test(tcase, progress_goes_through_the_stages);
     tcase_add_test(tcase, the_report_is_lent_until_the_next_call);
+    tcase_add_test(tcase, the_unit_of_length_changes_no_bit);
+    tcase_add_test(tcase, no_triangles_have_the_best_quality);
+    tcase_add_test(tcase, needles_have_no_quality_but_a_number);
     tcase_add_test(tcase, negative_rounds_are_none);
     tcase_add_test(tcase, bad_options_are_refused);
     tcase_add_test_raise_signal(tcase, remeshing_needs_options, SIGABRT);

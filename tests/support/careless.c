@@ -85,8 +85,8 @@ static tf_status reconnect(tf_flow *flow, const tf_flow_options *options)
     reconnector->report = (tf_reconnect_report){0};
     if (options->keep_topology)
         return TF_OK;
-    tf_status status =
-        tf_reconnect_options_read(&own, &lengths, &reconnector->lengths, NULL);
+    tf_status status = tf_reconnect_options_read(
+        &own, &lengths, flow->surface->scale, &reconnector->lengths, NULL);
     return status == TF_OK ? tf_reconnect_passes(reconnector) : status;
 }
 

@@ -3,6 +3,7 @@
 
 #include "support/support.h"
 
+#include <float.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -85,6 +86,64 @@ START_TEST(what_overlaps_is_found)
         }
     }
     tf_dynamic_tree_free(&tree);
+}
+END_TEST
+
+static tf_aabb scaled(tf_aabb own, int exponent)
+{
+    for (int k = 0; k < 3; k++) {
+        own.low[k] = ldexp(own.low[k], exponent);
+        own.high[k] = ldexp(own.high[k], exponent);
+    }
+    return own;
+}
+
+// In which order boxes are found depends on where they are in the tree.
+START_TEST(the_unit_of_length_changes_no_tree)
+{
+    for (int exponent = -1000; exponent <= 1000; exponent += 40) {
+        generator random = generator_new(10);
+        tf_dynamic_tree other = {0};
+        begin(&random, 0);
+        ck_assert(tf_dynamic_tree_reserve(&other, ELEMENTS));
+        for (int i = 0; i < ELEMENTS; i++) {
+            int found[2][ELEMENTS];
+            tf_dynamic_tree_insert(&tree, i, box[i]);
+            tf_dynamic_tree_insert(&other, i, scaled(box[i], exponent));
+            tf_aabb wanted = some_box(&random);
+            tf_aabb same = scaled(wanted, exponent);
+            int count = tf_dynamic_tree_find(&tree, &wanted, found[0]);
+            ck_assert_int_eq(tf_dynamic_tree_find(&other, &same, found[1]),
+                             count);
+            ck_assert_mem_eq(found[0], found[1], sizeof(int) * (size_t)count);
+        }
+        tf_dynamic_tree_free(&other);
+        tf_dynamic_tree_free(&tree);
+        tree = (tf_dynamic_tree){0};
+    }
+}
+END_TEST
+
+START_TEST(a_box_has_a_scale)
+{
+    static const double most[] = {0x1p-1074, 0x1p-1001, 0x1p-1000,
+                                  1,         0x1.8p3,   0x1p999,
+                                  0x1p1000,  0x1p1001,  DBL_MAX};
+    static const int exponent[] = {1000,  1000,  999,   -1,   -4,
+                                   -1000, -1000, -1000, -1000};
+    for (int i = 0; i < 9; i++)
+        for (int k = 0; k < 6; k++) {
+            const double a[] = {k == 0 ? most[i] : 0, k == 1 ? most[i] : 0,
+                                k == 2 ? most[i] : 0};
+            const double b[] = {k == 3 ? -most[i] : 0, k == 4 ? -most[i] : 0,
+                                k == 5 ? -most[i] : 0};
+            tf_aabb own = tf_aabb_empty();
+            tf_aabb_add(&own, a);
+            tf_aabb_add(&own, b);
+            ck_assert_double_eq(tf_aabb_scale(&own), ldexp(1, exponent[i]));
+        }
+    tf_aabb none = tf_aabb_empty();
+    ck_assert_double_eq(tf_aabb_scale(&none), 1);
 }
 END_TEST
 
@@ -199,6 +258,8 @@ Suite *suite(void)
     for (int i = 0; i < 4; i++)
         tcase_add_loop_test(tcase, what_overlaps_is_found, built[i],
                             built[i] + 1);
+    tcase_add_test(tcase, the_unit_of_length_changes_no_tree);
+    tcase_add_test(tcase, a_box_has_a_scale);
     tcase_add_test(tcase, what_is_infinite_finds_elements_alone);
     tcase_add_test(tcase, branches_are_used_again);
     tcase_add_test(tcase, a_copy_behaves_as_its_tree);

@@ -27,9 +27,9 @@ START_TEST(memory_that_is_kept_changes_nothing)
     tf_adaptive_surface *one = make_balls(), *other = make_balls();
     tf_reconnector reconnector = {.surface = one};
     tf_reconnect_options own;
-    ck_assert_int_eq(
-        tf_reconnect_options_read(&own, &lengths, &reconnector.lengths, NULL),
-        TF_OK);
+    ck_assert_int_eq(tf_reconnect_options_read(&own, &lengths, 1,
+                                               &reconnector.lengths, NULL),
+                     TF_OK);
     size_t bytes = 0;
     for (int i = 0; i < 3; i++) {
         const tf_reconnect_report *kept = &reconnector.report, *anew;
@@ -58,8 +58,8 @@ static tf_reconnect_lengths lengths_of(const tf_reconnect_options *options)
 {
     tf_reconnect_options own;
     tf_reconnect_lengths lengths;
-    ck_assert_int_eq(tf_reconnect_options_read(&own, options, &lengths, NULL),
-                     TF_OK);
+    ck_assert_int_eq(
+        tf_reconnect_options_read(&own, options, 1, &lengths, NULL), TF_OK);
     return lengths;
 }
 
@@ -117,7 +117,7 @@ START_TEST(bad_lengths_are_refused)
         tf_reconnect_lengths lengths;
         tf_error error;
         ck_assert_int_eq(
-            tf_reconnect_options_read(&own, &bad[i], &lengths, &error),
+            tf_reconnect_options_read(&own, &bad[i], 1, &lengths, &error),
             TF_BAD_OPTION);
         ck_assert_int_eq(error.subject, TF_OPTION);
         ck_assert_str_eq(error.option, i < 2 ? "edge" : "drop");

@@ -210,7 +210,7 @@ END_TEST
 
 // All or nothing --------------------------------------------------------------
 
-static tf_adaptive_surface *dumbbell_and_balls(void)
+static tf_adaptive_surface *scaled_dumbbell_and_balls(int exponent)
 {
     made.vertices = made.triangles = 0;
     for (int i = 0; i < 3; i++) {
@@ -220,7 +220,16 @@ static tf_adaptive_surface *dumbbell_and_balls(void)
     static const double radius[] = {1, 1, 0.1, 1, 1},
                         height[] = {10, 11, 12, 13, 14};
     add_turned(&made, 3, 5, radius, height);
+    for (int i = 0; i < 3 * made.vertices; i++) {
+        double *x = &made.position[i / 3][i % 3];
+        *x = ldexp(*x, exponent);
+    }
     return blobs_surface(&made);
+}
+
+static tf_adaptive_surface *dumbbell_and_balls(void)
+{
+    return scaled_dumbbell_and_balls(0);
 }
 
 static tf_status reconnect_all(tf_adaptive_surface *surface,
@@ -239,6 +248,68 @@ static tf_status reconnect_all(tf_adaptive_surface *surface,
 START_TEST(a_cancelled_reconnection_changes_nothing)
 {
     expect_cancelling(dumbbell_and_balls, reconnect_all, cases(100));
+}
+END_TEST
+
+// Scales ----------------------------------------------------------------------
+
+static tf_adaptive_surface *reconnected(int exponent, double gained[3])
+{
+    tf_adaptive_surface *surface = scaled_dumbbell_and_balls(exponent);
+    tf_reconnect_options how = {.edge = ldexp(ball_edge, exponent)};
+    const tf_reconnect_report *own;
+    ck_assert_int_eq(tf_adaptive_reconnect(surface, &how, &own, NULL), TF_OK);
+    for (int i = 0; i < 3; i++) {
+        ck_assert_uint_eq(own->tried[i][TF_COMMITTED], 1);
+        gained[i] = own->gained[i];
+    }
+    ck_assert_int_eq(tf_adaptive_compact(surface, NULL), TF_OK);
+    return surface;
+}
+
+// The least coordinates are about 2^-57 beside 1.
+START_TEST(the_unit_of_length_changes_no_bit)
+{
+    double gained[3], others[3];
+    tf_adaptive_surface *one = reconnected(0, gained);
+    tf_mesh mesh = *tf_adaptive_mesh(one);
+    const double *x = tf_adaptive_positions(one);
+    for (int k = -950; k <= 240; k += 70) {
+        tf_adaptive_surface *other = reconnected(k, others);
+        for (int i = 0; i < 3; i++)
+            ck_assert_double_eq(others[i], ldexp(gained[i], 3 * k));
+        tf_mesh same = *tf_adaptive_mesh(other);
+        ck_assert_int_eq(same.vertices, mesh.vertices);
+        ck_assert_int_eq(same.triangles, mesh.triangles);
+        ck_assert_mem_eq(same.triangle, mesh.triangle,
+                         3 * sizeof(int) * (size_t)mesh.triangles);
+        for (int i = 0; i < 3 * mesh.vertices; i++)
+            ck_assert_double_eq(tf_adaptive_positions(other)[i],
+                                ldexp(x[i], k));
+        tf_adaptive_free(other);
+    }
+    tf_adaptive_free(one);
+}
+END_TEST
+
+// An infinite one is as good as one that reaches everywhere.
+START_TEST(lengths_may_overflow)
+{
+    for (int k = -1000; k <= 240; k += 40) {
+        tf_adaptive_surface *surface = scaled_dumbbell_and_balls(k);
+        for (int sign = -1; sign < 2; sign++) {
+            tf_reconnect_options how = {.edge = 1e308,
+                                        .merge = 10 * sign,
+                                        .patch = sign,
+                                        .pinch = sign,
+                                        .drop = sign};
+            ck_assert_int_eq(tf_adaptive_reconnect(surface, &how, NULL, NULL),
+                             TF_OK);
+            int left = sign < 0 ? 4 : 0;
+            ck_assert_int_eq(parts_of(surface), left);
+        }
+        tf_adaptive_free(surface);
+    }
 }
 END_TEST
 
@@ -276,6 +347,8 @@ Suite *suite(void)
     tcase_add_test(tcase, a_ring_of_balls_gets_one_handle);
     tcase_add_test(tcase, a_squeezed_dumbbell_becomes_two_balls);
     tcase_add_test(tcase, a_cancelled_reconnection_changes_nothing);
+    tcase_add_test(tcase, the_unit_of_length_changes_no_bit);
+    tcase_add_test(tcase, lengths_may_overflow);
     tcase_add_test(tcase, invalid_options_are_rejected);
     suite_add_tcase(suite, tcase);
     return suite;

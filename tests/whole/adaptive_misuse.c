@@ -307,7 +307,7 @@ END_TEST
 
 START_TEST(coordinates_can_be_measured)
 {
-    static const double far[] = {0, 0, -0x1p300};
+    static const double far[] = {0, 0, -0x1p1001};
     tf_outcome outcome;
     tf_error error;
     choices with = {.edge = 1};

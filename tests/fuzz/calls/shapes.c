@@ -89,19 +89,27 @@ static void draw_anything(generator *random, shape *to)
     }
 }
 
+/// Multiplies each axis by a power of two that loses no bit: of one axis less
+/// than the others for slivers, of two for needles.
+static void scale_shape(generator *random, shape *to)
+{
+    int all = below(random, 2000) - 1000, exponent[] = {all, all, all};
+    for (int i = below(random, 3); i > 0; i--)
+        exponent[below(random, 3)] = all - below(random, all + 1001);
+    to->unit = ldexp(1, all);
+    for (int i = 0; i < 3 * to->mesh.vertices; i++)
+        to->position[i] = ldexp(to->position[i], exponent[i % 3]);
+}
+
 void shape_draw(generator *random, shape *drawn)
 {
     static void (*const draw[])(generator *, shape *) = {
         draw_tetrahedra, draw_tube, draw_sheet, draw_anything};
-    int kind = below(random, 4), exponent = 0;
+    int kind = below(random, 4);
     *drawn = (shape){.mesh = {.axes = 3}, .embedded = kind < 3, .unit = 1};
     draw[kind](random, drawn);
-    if (drawn->embedded && one_in(random, 4)) {
-        exponent = below(random, 600) - 300;
-        drawn->unit = ldexp(1, exponent);
-    }
-    for (int i = 0; i < 3 * drawn->mesh.vertices; i++)
-        drawn->position[i] = ldexp(drawn->position[i], exponent);
+    if (drawn->embedded && one_in(random, 4))
+        scale_shape(random, drawn);
     drawn->mesh.triangle = drawn->triangle;
 }
 

@@ -404,8 +404,8 @@ void call_compact(generator *random, shell *of)
 // Long calls ------------------------------------------------------------------
 
 /// The largest difference of a coordinate of a triangle's vertex from those of
-/// another one; notes coordinates that are too large to be measured.
-static double extent(call *made, const shell *of)
+/// another one; notes coordinates that are above `most`.
+static double extent(call *made, const shell *of, double most)
 {
     const tf_mesh *mesh = tf_adaptive_mesh(of->surface);
     const double *position = tf_adaptive_positions(of->surface);
@@ -413,19 +413,20 @@ static double extent(call *made, const shell *of)
     for (int c = 0; c < 3 * mesh->triangles; c++)
         for (int k = 0; k < 3 && mesh->triangle[c / 3 * 3] >= 0; k++) {
             double x = position[3 * (ptrdiff_t)mesh->triangle[c] + k];
-            expect_fault(made, fabs(x) > 0x1p250, TF_OUT_OF_RANGE);
+            expect_fault(made, fabs(x) > most, TF_OUT_OF_RANGE);
             low = fmin(low, x);
             high = fmax(high, x);
         }
-    return fmin(fmax(high - low, 0), 0x1p251);
+    return fmin(fmax(high - low, 0), 2 * most);
 }
 
 /// Draws a length of edges: one that leads to few triangles, as most of the
 /// time, or one that must be refused.
-static double draw_length(generator *random, call *made, const shell *of)
+static double draw_length(generator *random, call *made, const shell *of,
+                          double most)
 {
     static const double bad[] = {0, -1, NAN, INFINITY, -INFINITY, -0.0};
-    double size = fmax(extent(made, of), of->unit);
+    double size = fmax(extent(made, of, most), of->unit);
     if (one_in(random, 16)) {
         expect_fault(made, true, TF_BAD_OPTION);
         return bad[below(random, COUNT(bad))];
@@ -454,13 +455,19 @@ static void judge_origins(const call *made, const shell *of, int triangles)
     }
 }
 
+static void judge_quality(const call *made, double least, double mean)
+{
+    require(made, least >= 0 && least <= mean + 1e-9 && mean <= 1 + 1e-9,
+            "a quality is none");
+}
+
 static void draw_remesh_options(generator *random, call *made, const shell *of,
                                 remesh_options *options, listener *hearing)
 {
     tf_remesh_options *own = &options->own;
     *own = (tf_remesh_options){.context = hearing};
     own->size = any_size(random, made, sizeof *own, options->later);
-    own->edge = draw_length(random, made, of);
+    own->edge = draw_length(random, made, of, 0x1p1000);
     own->rounds = one_in(random, 8) ? 0 : below(random, 4) - 1;
     own->progress = any_progress(random, made, hearing);
 }
@@ -480,6 +487,9 @@ void call_remesh(generator *random, shell *of)
         tf_adaptive_remesh(of->surface, &options.own, &report, &set.error);
     if (results_judge(random, &made, &set, &hearing, status)) {
         require(&made, report->rounds >= 0, "there are no rounds");
+        judge_quality(&made, report->least_before, report->mean_before);
+        judge_quality(&made, report->least_after, report->mean_after);
+        require(&made, report->distance >= 0, "a distance is no number");
         judge_origins(&made, of, before.mesh.triangles);
     }
     judge_after(random, &made, of, status == TF_OK, &before);
@@ -508,7 +518,7 @@ static void draw_reconnect_options(generator *random, call *made,
     tf_reconnect_options *own = &options->own;
     *own = (tf_reconnect_options){.context = hearing};
     own->size = any_size(random, made, sizeof *own, options->later);
-    own->edge = draw_length(random, made, of);
+    own->edge = draw_length(random, made, of, 0x1p250);
     own->merge = draw_share(random, made);
     own->patch = draw_share(random, made);
     own->pinch = draw_share(random, made);
@@ -601,7 +611,7 @@ static void draw_flow_options(generator *random, call *made, const shell *of,
                       .broken = one_in(random, 16)};
     *own = (tf_flow_options){.velocity = find_velocity, .context = flow};
     own->size = any_size(random, made, sizeof *own, options->later);
-    own->edge = draw_length(random, made, of);
+    own->edge = draw_length(random, made, of, 0x1p250);
     own->keep_topology = one_in(random, 2);
     own->parallel = any_parallel(random, made, workers);
     own->clock = one_in(random, 2) ? tell_time : NULL;

@@ -31,8 +31,9 @@ static void fall(tf_resolver *resolver, double friction)
         }
         status = tf_step_resolve(resolver, VERTICES, x, end, inverse_mass,
                                  &options, NULL, NULL);
+        const double *motion = tf_resolver_unpushed(resolver);
         for (int n = 0; n < NUMBERS && status == TF_OK; n++) {
-            v[n] = (end[n] - x[n]) / h;
+            v[n] = (motion[n] - x[n]) / h;
             x[n] = end[n];
         }
     }

@@ -25,7 +25,9 @@ static tf_response_report make_simple_step(const fig_cloth_plan *plan,
                                    &options, &lent, NULL) == TF_OK);
         report = *lent;
     }
-    tf_cloth_accept(s, report.held);
+    const double *unpushed =
+        plan->unresolved ? s->end : tf_resolver_unpushed(s->resolver);
+    tf_cloth_accept(s, unpushed, report.held);
     return report;
 }
 

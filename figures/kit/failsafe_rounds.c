@@ -45,7 +45,8 @@ int fig_failsafe_rounds(const tf_mesh *mesh, const double start[],
                     .start = start,
                     .proposed = proposed,
                     .inverse_mass = inverse_mass,
-                    .end = end};
+                    .end = end,
+                    .unpushed = end}; // nothing is pushed apart
     int rounds = go_through_rounds(surface, &step, show, context);
     tf_surface_free(surface);
     free(end);

@@ -80,7 +80,8 @@ void fig_pile_resolve(fig_pile *pile, const tf_zone_solver *solver, int sweeps,
                     .start = pile->start,
                     .proposed = pile->proposed,
                     .inverse_mass = pile->inverse_mass,
-                    .end = pile->end};
+                    .end = pile->end,
+                    .unpushed = pile->end}; // nothing is pushed apart
     const tf_motion motion = {2, pile->vertices, pile->start, pile->end};
     TF_REQUIRE(tf_zones_begin(&pile->zones, &step));
     for (pile->rounds = 0; pile->rounds < most_rounds; pile->rounds++) {

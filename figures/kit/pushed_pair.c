@@ -173,7 +173,7 @@ static void push_as_library(fig_pair *pair, const tf_contact *contact,
                     .inverse_mass = inverse_mass};
     tf_contact_rule rule = {.base = flat.end};
     tf_surface_contact named = name_contact(pair, contact);
-    double gap;
+    tf_contact_gap gap;
     tf_constraint row =
         tf_contact_constraint(&step, &named, &rule, by_pivots, &gap);
     tf_constraint_visit(&row, 0,

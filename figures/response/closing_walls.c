@@ -93,17 +93,20 @@ static tf_contacts detect(tf_surface *surface, const scene *s,
 /// contacts are left.
 static size_t answer_by_zones(tf_surface *surface, const scene *s, double end[])
 {
+    double unpushed[2 * VERTICES];
     tf_step step = {.axes = 2,
                     .vertices = VERTICES,
                     .start = s->start,
                     .proposed = s->proposed,
                     .inverse_mass = s->inverse_mass,
-                    .end = end};
+                    .end = end,
+                    .unpushed = unpushed};
     tf_contact_rule rule = {.separation = separation, .base = s->proposed};
     tf_zone_options choice = {.solver = &tf_gauss_seidel, .sweeps = 30};
     tf_zones zones = {0};
     tf_zone_statistics statistics = {.smallest_gap = INFINITY};
     memcpy(end, s->proposed, sizeof s->proposed);
+    memcpy(unpushed, s->proposed, sizeof s->proposed);
     TF_REQUIRE(tf_zones_begin(&zones, &step));
     tf_contacts found = detect(surface, s, end);
     for (int round = 0; round < ROUNDS && found.any; round++) {

@@ -22,11 +22,15 @@ void tf_answers_clear(tf_answer_list *list)
 }
 
 //: Add the answers of a round
-tf_constraint *tf_answers_extend(tf_answer_list *list, size_t contacts)
+tf_constraint *tf_answers_extend(tf_answer_list *list, size_t contacts,
+                                 tf_contact_gap **gap)
 {
-    if (!tf_buffer_extend(&list->constraint, list->constraints + contacts,
-                          sizeof(tf_constraint)))
+    size_t constraints = list->constraints + contacts;
+    if (!tf_buffer_extend(&list->constraint, constraints,
+                          sizeof(tf_constraint)) ||
+        !tf_buffer_extend(&list->gap, constraints, sizeof **gap))
         return NULL;
+    *gap = (tf_contact_gap *)list->gap.data + list->constraints;
     return (tf_constraint *)list->constraint.data + list->constraints;
 }
 
@@ -94,27 +98,38 @@ static tf_answered_contact row_of(const noted_answer *from,
 }
 
 //: Lend the answers
+static const void **sort_answers(tf_answer_list *list)
+{
+    const noted_answer *all = list->answer.data;
+    const void **sorted = list->sorting.data;
+    for (size_t i = 0; i < list->answers; i++)
+        sorted[i] = &all[i];
+    return tf_sort(list->answers, sorted, sorted + list->answers,
+                   answered_first, NULL);
+}
+
 bool tf_answers_lend(tf_answer_list *list,
-                     const tf_constraint zone_constraint[])
+                     const tf_constraint zone_constraint[],
+                     const tf_contact_gap zone_gap[])
 {
     size_t count = list->answers;
     if (list->is_lent || count == 0)
         return true;
     if (!tf_buffer_reserve(&list->row, count, sizeof(tf_answered_contact)) ||
+        !tf_buffer_reserve(&list->push, count, sizeof(double)) ||
         !tf_buffer_reserve(&list->sorting, 2 * count, sizeof(void *)))
         return false;
-    const noted_answer *all = list->answer.data;
-    const tf_constraint *other = list->constraint.data;
-    const void **sorted = list->sorting.data;
-    for (size_t i = 0; i < count; i++)
-        sorted[i] = &all[i];
-    sorted = tf_sort(count, sorted, sorted + count, answered_first, NULL);
+    const void **sorted = sort_answers(list);
     tf_answered_contact *row = list->row.data;
+    double *push = list->push.data;
     for (size_t i = 0; i < count; i++) {
         const noted_answer *own = sorted[i];
-        row[i] = row_of(own, own->level == TF_ZONES
-                                 ? &zone_constraint[own->constraint]
-                                 : &other[own->constraint]);
+        bool zones = own->level == TF_ZONES;
+        const tf_constraint *constraint =
+            zones ? zone_constraint : list->constraint.data;
+        const tf_contact_gap *gap = zones ? zone_gap : list->gap.data;
+        row[i] = row_of(own, &constraint[own->constraint]);
+        push[i] = gap[own->constraint].push;
     }
     list->is_lent = true;
     return true;
@@ -123,14 +138,16 @@ bool tf_answers_lend(tf_answer_list *list,
 //: Account for the memory of answers
 size_t tf_answers_memory(const tf_answer_list *list)
 {
-    return list->answer.bytes + list->constraint.bytes + list->row.bytes +
-           list->sorting.bytes;
+    return list->answer.bytes + list->constraint.bytes + list->gap.bytes +
+           list->row.bytes + list->push.bytes + list->sorting.bytes;
 }
 
 void tf_answers_free(tf_answer_list *list)
 {
     tf_buffer_free(&list->answer);
     tf_buffer_free(&list->constraint);
+    tf_buffer_free(&list->gap);
     tf_buffer_free(&list->row);
+    tf_buffer_free(&list->push);
     tf_buffer_free(&list->sorting);
 }

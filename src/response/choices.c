@@ -34,6 +34,8 @@ tf_status tf_response_options_check(const tf_response_options *options,
 {
     const option_range ranges[] = {
         {"restitution", "from 0 to 1", options->restitution, 0, 1},
+        {"restitution_threshold", "finite, 0 or more",
+         options->restitution_threshold, 0, DBL_MAX},
         {"friction", "finite, 0 or more", options->friction, 0, DBL_MAX},
         {"separation", "finite", options->separation, -DBL_MAX, DBL_MAX},
         {"sweeps", "0 or more", options->sweeps, 0, DBL_MAX},

@@ -153,18 +153,40 @@ static double gap_change(const tf_step *step, const tf_constraint *constraint,
 }
 
 //: Bound the gap change
+/// Bounds the motion by what restitution returns.
+static void set_bound(const tf_contact_rule *rule, double approach,
+                      tf_constraint *constraint)
+{
+    bool returns = rule->restitution > 0 && approach >= rule->threshold;
+    constraint->bound = returns ? rule->restitution * approach : 0;
+}
+
+//: Measure the room of a pair
 /// The part of what is missing by which a pair is pushed apart in one step.
 static const double pushed_part = 0.25;
 
-static double bound_for(const tf_step *step, const tf_constraint *constraint,
-                        const tf_contact_rule *rule, double gap)
+/// How wide a gap may get, as a part of the approach: two elements that are drawn
+/// together in each step, such as by gravity, must stay so near that they meet
+/// again in the next step, or nothing would hold them there.
+static const double most_width = 0.5;
+
+/// Half of what the elements approach each other, or the separation if that is
+/// less, is how wide their gap is to be.
+static double room_for(const tf_contact_rule *rule, double approach,
+                       double width)
 {
-    double bound =
-        gap < rule->separation ? pushed_part * (rule->separation - gap) : 0;
-    if (rule->restitution > 0)
-        bound = fmax(bound, -rule->restitution *
-                                gap_change(step, constraint, rule->base));
-    return bound;
+    double wanted = fmin(rule->separation, most_width * approach);
+    return width < wanted ? pushed_part * (wanted - width) : 0;
+}
+
+//: Set what a contact demands
+static void set_demands(const tf_step *step, const tf_contact_rule *rule,
+                        tf_constraint *constraint, tf_contact_gap *gap)
+{
+    double approach = fmax(0, -gap_change(step, constraint, rule->base));
+    set_bound(rule, approach, constraint);
+    gap->room = room_for(rule, approach, gap->start);
+    gap->push = 0;
 }
 
 //: Drop vertices that a constraint does not push
@@ -190,23 +212,24 @@ static tf_constraint without_idle_vertices(const tf_constraint *constraint)
 tf_constraint tf_contact_constraint(const tf_step *step,
                                     const tf_surface_contact *contact,
                                     const tf_contact_rule *rule, bool by_pivots,
-                                    double *gap)
+                                    tf_contact_gap *gap)
 {
     tf_constraint constraint = constraint_of_point(contact);
-    *gap = choose_normal(step, &contact->contact, &constraint);
-    constraint.bound = bound_for(step, &constraint, rule, *gap);
+    gap->start = choose_normal(step, &contact->contact, &constraint);
+    set_demands(step, rule, &constraint, gap);
 
     // The points have to approach each other from the side on which they start,
     // and the constraint must not be satisfied already.
     bool approach = dot(constraint.normal, contact->contact.velocity) <= 0;
-    bool violated = gap_change(step, &constraint, step->end) < constraint.bound;
+    double demand = fmax(constraint.bound, gap->room);
+    bool violated = gap_change(step, &constraint, step->end) < demand;
     bool has_normal = dot(constraint.normal, constraint.normal) > 0;
     tf_constraint pivots = constraint;
-    double own_gap;
+    double own_width;
     if ((has_normal && approach && violated && !by_pivots) ||
-        !constraint_of_pivots(contact, &pivots, &own_gap))
+        !constraint_of_pivots(contact, &pivots, &own_width))
         return without_idle_vertices(&constraint);
-    *gap = own_gap;
-    pivots.bound = bound_for(step, &pivots, rule, own_gap);
+    gap->start = own_width;
+    set_demands(step, rule, &pivots, gap);
     return without_idle_vertices(&pivots);
 }

@@ -23,7 +23,7 @@ bool tf_failsafe_begin(tf_failsafe *failsafe, const tf_step *step)
         !tf_buffer_reserve(&failsafe->entry, bytes, 1) ||
         !tf_buffer_reserve(&failsafe->group, vertices, sizeof(group)))
         return false;
-    memcpy(failsafe->entry.data, step->end, bytes);
+    memcpy(failsafe->entry.data, step->unpushed, bytes);
     memset(failsafe->group.data, 0, vertices * sizeof(group));
     return true;
 }
@@ -164,9 +164,9 @@ static void move_groups(tf_failsafe *failsafe, tf_step *step)
             if (!own->resting)
                 to = scripted ? step->proposed[place]
                               : to + own->displacement.x[k];
-            if (to == step->end[place])
-                continue; // -0 must not become +0
-            step->end[place] = to;
+            if (to != step->end[place]) // -0 must not become +0
+                step->end[place] = to;
+            step->unpushed[place] = step->end[place];
         }
     }
 }

@@ -12,7 +12,7 @@
 /// vertices end where they are proposed to; or the group is at rest for good.
 typedef struct tf_failsafe {
     tf_groups groups;
-    tf_buffer entry; ///< the ends when the failsafe began
+    tf_buffer entry; ///< the ends without pushes when the failsafe began
     tf_buffer group; ///< what is known about each group, at its root
 } tf_failsafe;
 

@@ -7,14 +7,15 @@
 #include <string.h>
 
 //: Begin a level
-/// Makes the ends so far the ones from which impulses or zones start.
+/// Makes the ends so far, without pushes, the ones from which impulses or zones
+/// start.
 static bool set_base(tf_resolution *r)
 {
     size_t bytes =
         sizeof(double) * (size_t)r->step.axes * (size_t)r->step.vertices;
     if (!tf_buffer_reserve(&r->resolver->base, bytes, 1))
         return false;
-    memcpy(r->resolver->base.data, r->step.end, bytes);
+    memcpy(r->resolver->base.data, r->step.unpushed, bytes);
     r->rule.base = r->resolver->base.data;
     return true;
 }
@@ -24,7 +25,7 @@ static bool begin_level(tf_resolution *r, tf_response_level level)
     switch (level) {
     case TF_IMPULSES:
         return set_base(r) && tf_buffer_reserve(&r->resolver->displacement,
-                                                (size_t)r->step.axes *
+                                                2 * (size_t)r->step.axes *
                                                     (size_t)r->step.vertices,
                                                 sizeof(double));
     case TF_ZONES:
@@ -39,11 +40,12 @@ static bool begin_level(tf_resolution *r, tf_response_level level)
 //: Answer contacts by impulses
 static bool answer_by_impulses(tf_resolution *r)
 {
+    tf_contact_gap *gap;
     tf_constraint *constraint =
-        tf_answers_extend(&r->resolver->answers, r->contacts.count);
+        tf_answers_extend(&r->resolver->answers, r->contacts.count, &gap);
     if (constraint)
         tf_impulses_round(&r->step, &r->contacts, &r->rule, r->options.friction,
-                          r->resolver->displacement.data, constraint);
+                          r->resolver->displacement.data, constraint, gap);
     return constraint != NULL;
 }
 
@@ -61,13 +63,16 @@ static bool answer_by_zones(tf_resolution *r)
 //: Answer contacts by groups of vertices
 static bool answer_by_groups(tf_resolution *r, tf_response_level level)
 {
+    tf_contact_gap *gap;
     tf_constraint *constraint =
-        tf_answers_extend(&r->resolver->answers, r->contacts.count);
+        tf_answers_extend(&r->resolver->answers, r->contacts.count, &gap);
     if (!constraint)
         return false;
     for (size_t i = 0; i < r->contacts.count && tf_watch_work(r->step.watch, 1);
-         i++)
+         i++) {
         constraint[i] = tf_contact_points(&r->contacts.contact[i]);
+        gap[i] = (tf_contact_gap){0};
+    }
     if (level == TF_RIGID)
         tf_rigid_round(&r->resolver->rigid, &r->step, &r->contacts);
     else

@@ -46,18 +46,21 @@ typedef struct tf_response_report {
     double energy_before; ///< the kinetic energy of the proposed step, the sum
                           ///< of mass |d|^2 / 2, with displacements d, over
                           ///< all vertices that are not scripted
-    double energy_after;  ///< that of the resolved step
+    double energy_after;  ///< that of the resolved step, without what pushes
+                          ///< pairs apart: that of tf_resolver_unpushed
 } tf_response_report;
 
 //: Declare answered contacts
 /// A contact of a step that was resolved, and how a level of the response
-/// answered it.  Impulses and zones answer by a push, which adds
+/// answered it.  Impulses and zones add
 ///
 ///     inverse_mass_i coefficient[i] (impulse normal + friction)
 ///
 /// to the displacement of vertex[i].  Where only they have moved a vertex, the
-/// sum of all its pushes is the difference between where it ends and where it was
-/// proposed to end, up to rounding.  Rigid zones and the failsafe do not push.
+/// sum of all these is, up to rounding, the difference between where it ends
+/// without pushes, as tf_resolver_unpushed says, and where it was proposed to end;
+/// and with the pushes of tf_resolver_pushes it is that between where it ends and
+/// where it was proposed to end.  Rigid zones and the failsafe have no impulses.
 /// Its layout is final.
 typedef struct tf_answered_contact {
     tf_kind kind;            ///< of what elements
@@ -67,9 +70,8 @@ typedef struct tf_answered_contact {
     int reserved;            ///< 0
     double toi; ///< when they met, 0 to 1, in the step as it was before
                 ///< this round
-    double
-        coefficient[4]; ///< how much of the push goes to each vertex: those of
-                        ///< the first element add up to +1, the others to -1
+    double coefficient[4]; ///< how much of them goes to each vertex: those of
+                           ///< the first element add up to +1, the others to -1
     double normal[3];   ///< of length 1, from the second element to the first;
                         ///< or zero, if nothing pushed and there was none
     double impulse;     ///< in units of mass times length; at least 0, but for
@@ -99,9 +101,11 @@ typedef struct tf_response_options {
     int zone_rounds;    ///< rounds of zones; 0: 20; negative: none
     int sweeps;         ///< iterations of the solver, 1 or more; 0: 30
     bool rigid;         ///< whether to try rigid zones before the failsafe
-    double separation;  ///< pairs in contact that start nearer than this are
-                        ///< pushed apart, a part of the way; 0: 0.05 of the
-                        ///< mean edge at the start; negative: none are
+    double separation;  ///< pairs in contact that start nearer than this, and
+                        ///< nearer than half of the way by which they were to
+                        ///< approach each other, are pushed apart, a part of
+                        ///< the way; 0: 0.05 of the mean edge at the start;
+                        ///< negative: none are
     double restitution; ///< the part of their normal velocity with which
                         ///< elements move apart after a collision, from 0,
                         ///< which is usual, to 1
@@ -111,6 +115,12 @@ typedef struct tf_response_options {
     const tf_parallel *parallel;         ///< NULL: the caller's thread alone
     tf_progress *progress;               ///< NULL: nothing is told
     void *context;                       ///< passed on to `progress`
+    double restitution_threshold; ///< elements that were to approach each other
+                                  ///< by less than this length in the step have
+    ///< no restitution, so that what falls comes to
+    ///< rest; 0, which is usual: all have.  With a
+    ///< gravity g and a step of dt seconds,
+    ///< 2 g dt^2 is a good choice
 } tf_response_options;
 
 /// @}

@@ -37,10 +37,12 @@ static bool ready(tf_resolution *r)
     size_t vertices = (size_t)r->step.vertices;
     size_t bytes = sizeof(double) * (size_t)r->step.axes * vertices;
     if (!tf_buffer_reserve(&resolver->end, bytes, 1) ||
+        !tf_buffer_reserve(&resolver->unpushed, bytes, 1) ||
         !tf_buffer_reserve(&resolver->flags, vertices, 1))
         return false;
     r->step.flags = memset(resolver->flags.data, 0, vertices);
     r->step.end = memcpy(resolver->end.data, r->step.proposed, bytes);
+    r->step.unpushed = memcpy(resolver->unpushed.data, r->step.proposed, bytes);
     r->motion.end = r->step.end;
     r->search = (tf_contact_search){.surface = resolver->surface,
                                     .motion = &r->motion,
@@ -102,7 +104,7 @@ static void write_report(tf_resolution *r)
 {
     tf_response_report *report = &r->report;
     report->energy_before = energy(&r->step, r->step.proposed);
-    report->energy_after = energy(&r->step, r->step.end);
+    report->energy_after = energy(&r->step, r->step.unpushed);
     count_moved(&r->step, report);
     report->constraints = report->rounds[TF_ZONES] > 0
                               ? (size_t)r->resolver->zones.constraints
@@ -123,6 +125,7 @@ static tf_status resolve(tf_resolution *r)
     tf_response_options_choose(&r->options, r->resolver->surface, &r->step);
     r->rule.separation = r->options.separation;
     r->rule.restitution = r->options.restitution;
+    r->rule.threshold = r->options.restitution_threshold;
     tf_status status = tf_respond(r);
     TF_REQUIRE(status != TF_OK || !r->contacts.any);
     return status;

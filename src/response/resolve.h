@@ -29,8 +29,13 @@
 /// may be many: n edges that are pushed through n others have n^2.  For n = 1000
 /// such a step takes some ten seconds and 0.7 GB.
 ///
+/// Pairs that start too near are pushed apart, and such a push is no motion: take
+/// velocities from tf_resolver_unpushed, not from `end`, or bodies at rest begin
+/// to hop.
+///
 /// The result is the same, to the last bit, for any number of threads.
-/// tf_resolver_contacts and tf_resolver_vertices tell what was done.
+/// tf_resolver_contacts, tf_resolver_vertices and tf_resolver_pushes tell what was
+/// done.
 ///
 /// @param resolver the resolver of the surface
 /// @param vertices how many vertices have positions

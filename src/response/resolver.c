@@ -24,6 +24,7 @@ void tf_resolver_free(tf_resolver *resolver)
         return;
     tf_pair_cache_free(&resolver->pairs);
     tf_buffer_free(&resolver->end);
+    tf_buffer_free(&resolver->unpushed);
     tf_buffer_free(&resolver->base);
     tf_buffer_free(&resolver->ones);
     tf_buffer_free(&resolver->displacement);
@@ -36,15 +37,31 @@ void tf_resolver_free(tf_resolver *resolver)
 }
 
 //: Lend what the last step did
+static bool lend_answers(tf_resolver *resolver)
+{
+    return tf_answers_lend(&resolver->answers, resolver->zones.constraint.data,
+                           resolver->zones.gap.data);
+}
+
 tf_status tf_resolver_contacts(tf_resolver *resolver, size_t *count,
                                const tf_answered_contact **contact)
 {
     TF_REQUIRE(resolver && count && contact);
-    tf_answer_list *answers = &resolver->answers;
-    if (!tf_answers_lend(answers, resolver->zones.constraint.data))
+    if (!lend_answers(resolver))
         return TF_OUT_OF_MEMORY;
-    *count = answers->answers;
-    *contact = answers->row.data;
+    *count = resolver->answers.answers;
+    *contact = resolver->answers.row.data;
+    return TF_OK;
+}
+
+tf_status tf_resolver_pushes(tf_resolver *resolver, size_t *count,
+                             const double **push)
+{
+    TF_REQUIRE(resolver && count && push);
+    if (!lend_answers(resolver))
+        return TF_OUT_OF_MEMORY;
+    *count = resolver->answers.answers;
+    *push = resolver->answers.push.data;
     return TF_OK;
 }
 
@@ -54,12 +71,19 @@ const unsigned char *tf_resolver_vertices(const tf_resolver *resolver)
     return resolver->has_resolved ? resolver->flags.data : NULL;
 }
 
+const double *tf_resolver_unpushed(const tf_resolver *resolver)
+{
+    TF_REQUIRE(resolver);
+    return resolver->has_resolved ? resolver->unpushed.data : NULL;
+}
+
 //: Count the memory of a resolver
 size_t tf_resolver_memory(const tf_resolver *resolver)
 {
     TF_REQUIRE(resolver);
     return sizeof *resolver + tf_pair_cache_memory(&resolver->pairs) +
-           resolver->end.bytes + resolver->base.bytes + resolver->ones.bytes +
+           resolver->end.bytes + resolver->unpushed.bytes +
+           resolver->base.bytes + resolver->ones.bytes +
            resolver->displacement.bytes + resolver->flags.bytes +
            tf_zones_memory(&resolver->zones) +
            tf_rigid_memory(&resolver->rigid) +

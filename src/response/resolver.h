@@ -58,4 +58,36 @@ TF_API tf_status tf_resolver_contacts(tf_resolver *resolver, size_t *count,
 ///     this resolver; NULL if its last call did not resolve a step
 TF_API const unsigned char *tf_resolver_vertices(const tf_resolver *resolver);
 
+//: Declare what a resolver tells of pushes
+/// Returns where the vertices would end in the last step if no pair were pushed
+/// apart: the step's motion, from which velocities follow, as those of the
+/// vertices after the step are
+///
+///     (unpushed - start) / dt,
+///
+/// where dt is the time that the step takes.  Go on from `end`, as nothing is
+/// clear at these positions.  They are those of `end` wherever no pair starts too
+/// near, in steps without contacts bit for bit.
+///
+/// @param resolver the resolver
+/// @return `axes` coordinates for each vertex of the surface, lent until the next
+///     call for this resolver; NULL if its last call did not resolve a step
+TF_API const double *tf_resolver_unpushed(const tf_resolver *resolver);
+
+/// Lists how hard the pairs of tf_resolver_contacts were pushed apart.  A push
+/// adds
+///
+///     inverse_mass_i coefficient[i] push normal
+///
+/// to where vertex[i] of the contact ends, and nothing to its velocity.
+///
+/// @param resolver the resolver
+/// @param[out] count how many: as many as there are contacts; set only with TF_OK
+/// @param[out] push that of each contact, in the same order, in units of mass
+///     times length; at least 0, but for solvers that also pull; lent until the
+///     next call for this resolver; set only with TF_OK
+/// @return TF_OK or TF_OUT_OF_MEMORY
+TF_API tf_status tf_resolver_pushes(tf_resolver *resolver, size_t *count,
+                                    const double **push);
+
 /// @}

@@ -10,7 +10,7 @@
 typedef struct tf_resolver {
     tf_surface *surface;
     tf_pair_cache pairs;
-    tf_buffer end, base, ones, displacement; ///< of the vertices
+    tf_buffer end, unpushed, base, ones, displacement; ///< of the vertices
     tf_zones zones;
     tf_rigid rigid;
     tf_failsafe failsafe;

@@ -28,7 +28,7 @@ bool tf_rigid_begin(tf_rigid *rigid, const tf_step *step)
         !tf_buffer_reserve(&rigid->entry, bytes, 1) ||
         !tf_buffer_reserve(&rigid->body, vertices, sizeof(body)))
         return false;
-    memcpy(rigid->entry.data, step->end, bytes);
+    memcpy(rigid->entry.data, step->unpushed, bytes);
     return true;
 }
 
@@ -149,7 +149,8 @@ static void move_with_body(const tf_rigid *rigid, tf_step *step,
     double scale = 2 / (1 + tf_vector_dot(half, half));
     tf_vector to = tf_vector_sum(own->displacement, scale,
                                  tf_vector_sum(first, 1, second));
-    tf_step_move(step, vertex, rigid->entry.data, to.x);
+    tf_step_move(step, vertex, rigid->entry.data, to.x, step->end);
+    tf_step_move(step, vertex, rigid->entry.data, to.x, step->unpushed);
     step->flags[vertex] |= TF_VERTEX_RIGID;
 }
 

@@ -8,7 +8,7 @@
 /// Zones that move as rigid bodies.
 typedef struct tf_rigid {
     tf_groups groups;
-    tf_buffer entry; ///< the ends when the level began
+    tf_buffer entry; ///< the ends without pushes when the level began
     tf_buffer body;  ///< what is known about each zone, at its root
 } tf_rigid;
 

@@ -18,12 +18,12 @@ tf_vector tf_step_displacement(const tf_step *step, int vertex,
                                 tf_step_position(step, vertex, step->start));
 }
 
-void tf_step_move(tf_step *step, int vertex, const double base[],
-                  const double displacement[])
+void tf_step_move(const tf_step *step, int vertex, const double base[],
+                  const double displacement[], double end[])
 {
     tf_vector to = tf_step_position(step, vertex, base);
     tf_vector until_now = tf_step_displacement(step, vertex, base);
-    double *end = step->end + (ptrdiff_t)step->axes * vertex;
+    end += (ptrdiff_t)step->axes * vertex;
     for (int k = 0; k < step->axes; k++) {
         // Where nothing is added, -0 must not become +0.
         if (displacement[k] != until_now.x[k])

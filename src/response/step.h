@@ -10,6 +10,7 @@ typedef struct tf_step {
     const double *start, *proposed;
     const double *inverse_mass;
     double *end;          ///< as it is so far
+    double *unpushed;     ///< the same without what pushes pairs apart
     unsigned char *flags; ///< what was done with each vertex: tf_vertex_flags
     tf_watch *watch;      ///< over the call; or NULL
 } tf_step;
@@ -24,9 +25,9 @@ tf_vector tf_step_position(const tf_step *step, int vertex,
 tf_vector tf_step_displacement(const tf_step *step, int vertex,
                                const double end[]);
 
-/// Moves the end of a vertex to its base, of the bases of all vertices, plus the
-/// difference between `displacement` and the displacement that ends at the base;
-/// to the base itself if the two are the same.  Leaves the vertex where it is if
-/// the sum is not finite.
-void tf_step_move(tf_step *step, int vertex, const double base[],
-                  const double displacement[]);
+/// Moves a vertex, in the array `end` of all vertices, to its base, of the bases
+/// of all vertices, plus the difference between `displacement` and the
+/// displacement that ends at the base; to the base itself if the two are the
+/// same.  Leaves the vertex where it is if the sum is not finite.
+void tf_step_move(const tf_step *step, int vertex, const double base[],
+                  const double displacement[], double end[]);

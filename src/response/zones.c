@@ -19,9 +19,12 @@ enum {
 bool tf_zones_begin(tf_zones *zones, const tf_step *step)
 {
     zones->constraints = zones->old = 0;
+    size_t bytes = sizeof(double) * (size_t)step->axes * (size_t)step->vertices;
     if (!tf_groups_begin(&zones->groups, step->vertices) ||
-        !tf_buffer_reserve(&zones->returns, RETURN_SLOTS, 1))
+        !tf_buffer_reserve(&zones->returns, RETURN_SLOTS, 1) ||
+        !tf_buffer_reserve(&zones->entry, bytes, 1))
         return false;
+    memcpy(zones->entry.data, step->end, bytes);
     memset(zones->returns.data, 0, RETURN_SLOTS);
     return true;
 }
@@ -45,24 +48,31 @@ static bool is_turn_of_pivots(tf_zones *zones,
 }
 
 //: Add the constraints of contacts
+static bool make_place(tf_zones *zones, size_t constraints)
+{
+    return tf_buffer_extend(&zones->constraint, constraints,
+                            sizeof(tf_constraint)) &&
+           tf_buffer_extend(&zones->gap, constraints, sizeof(tf_contact_gap));
+}
+
 bool tf_zones_add(tf_zones *zones, const tf_step *step,
                   const tf_contacts *contacts, const tf_contact_rule *rule,
                   tf_zone_statistics *statistics)
 {
     if (contacts->count > (size_t)(INT_MAX - zones->constraints) ||
-        !tf_buffer_extend(&zones->constraint,
-                          (size_t)zones->constraints + contacts->count,
-                          sizeof(tf_constraint)))
+        !make_place(zones, (size_t)zones->constraints + contacts->count))
         return false;
     tf_constraint *constraint = zones->constraint.data;
+    tf_contact_gap *gap = zones->gap.data;
     for (size_t i = 0; i < contacts->count && tf_watch_work(step->watch, 4);
          i++) {
         const tf_surface_contact *contact = &contacts->contact[i];
         bool by_pivots = is_turn_of_pivots(zones, contact);
-        double gap;
-        constraint[zones->constraints++] =
-            tf_contact_constraint(step, contact, rule, by_pivots, &gap);
-        statistics->smallest_gap = fmin(statistics->smallest_gap, gap);
+        int own = zones->constraints++;
+        constraint[own] =
+            tf_contact_constraint(step, contact, rule, by_pivots, &gap[own]);
+        statistics->smallest_gap =
+            fmin(statistics->smallest_gap, gap[own].start);
     }
     return !tf_watch_cancelled(step->watch);
 }
@@ -269,19 +279,111 @@ static void keep_impulses(tf_zones *zones, const division *d, int z,
     }
 }
 
+//: Ask for room
+/// Takes what pushes have done before this level for the proposal of what they
+/// are to do in a zone.
+static bool pose_pushes(tf_zones *zones, const tf_step *step,
+                        const tf_contact_rule *rule, const division *d,
+                        const tf_zone *zone)
+{
+    size_t axes = (size_t)step->axes;
+    if (!tf_buffer_reserve(&zones->pushed, axes * (size_t)zone->vertices,
+                           sizeof(double)))
+        return false;
+    double *displacement = zones->pushed.data;
+    for (int i = 0; i < zone->vertices; i++) {
+        int v = d->vertex[i];
+        const double *entry = zones->entry.data;
+        tf_vector own =
+            tf_vector_difference(tf_step_position(step, v, entry),
+                                 tf_step_position(step, v, rule->base));
+        memcpy(displacement + axes * (size_t)i, own.x, axes * sizeof *own.x);
+    }
+    return true;
+}
+
+/// Makes the constraints of a zone, whose motion is solved, those of its pushes:
+/// they give each gap the room that the motion does not give it, and make none
+/// narrower.  Returns whether there is anything to be done.
+static bool ask_for_room(const tf_zones *zones, const division *d, int z,
+                         tf_zone *zone, const double pushed[])
+{
+    const tf_contact_gap *all = zones->gap.data;
+    bool any = false;
+    for (int i = 0; i < zone->constraints && tf_watch_work(zone->watch, 1);
+         i++) {
+        tf_constraint *own = &zone->constraint[i];
+        const tf_contact_gap *gap = &all[d->order[d->first[z] + i]];
+        double change =
+            tf_constraint_gap_change(zone->axes, own, zone->displacement);
+        own->bound = gap->room > 0 ? fmax(0, gap->room - change) : 0;
+        own->impulse = gap->push;
+        memset(own->friction, 0, sizeof own->friction);
+        any |= tf_constraint_gap_change(zone->axes, own, pushed) < own->bound;
+    }
+    return any;
+}
+
+//: Take the pushes of a solver
+/// Notes the vertices of constraints whose pushes are new.
+static void keep_pushes(const tf_zones *zones, const division *d, int z,
+                        const tf_zone *zone, bool any)
+{
+    const tf_constraint *constraint = zones->constraint.data;
+    tf_contact_gap *gap = zones->gap.data;
+    for (int i = 0; i < zone->constraints && tf_watch_work(zone->watch, 1);
+         i++) {
+        int own = d->order[d->first[z] + i];
+        double found = any ? zone->constraint[i].impulse : 0;
+        double push = isfinite(found) != 0 ? found : 0;
+        for (int j = 0; push != gap[own].push && j < 4; j++)
+            if (constraint[own].vertex[j] >= 0)
+                d->place[constraint[own].vertex[j]] = PUSHED;
+        gap[own].push = push;
+    }
+}
+
+//: Push the pairs of a zone apart
+/// Solves the constraints of a zone a second time, for pushes: without friction,
+/// and from where pushes have led before.  The displacements of the zone stay
+/// those of its motion; those with the pushes are left in `pushed`.  False if
+/// there is no memory.
+static bool push_apart(tf_zones *zones, const tf_step *step,
+                       const tf_contact_rule *rule,
+                       const tf_zone_options *options, const division *d, int z,
+                       const tf_zone *zone, tf_zone_statistics *statistics)
+{
+    if (!pose_pushes(zones, step, rule, d, zone))
+        return false;
+    tf_zone pushing = *zone;
+    bool any = ask_for_room(zones, d, z, &pushing, zones->pushed.data);
+    pushing.displacement = zones->pushed.data;
+    pushing.friction = 0;
+    pushing.solved = 0; // all bounds are new
+    if (any)
+        statistics->iterations += (size_t)options->solver->solve(&pushing);
+    keep_pushes(zones, d, z, &pushing, any);
+    for (int i = 0; i < zone->axes * zone->vertices; i++)
+        pushing.displacement[i] += zone->displacement[i];
+    return true;
+}
+
 //: Move the vertices of a zone
 /// Moves the vertices that were noted.  The others stay where they are: rounded
 /// anew, they would have to be decided again.
 static void move_vertices(tf_step *step, const tf_contact_rule *rule,
-                          const division *d, const tf_zone *zone)
+                          const division *d, const tf_zone *zone,
+                          const double pushed[])
 {
     for (int i = 0; i < zone->vertices; i++) {
         int *mark = &d->place[d->vertex[i]];
         if (*mark != PUSHED)
             continue;
         *mark = -1;
-        tf_step_move(step, d->vertex[i], rule->base,
-                     zone->displacement + (ptrdiff_t)step->axes * i);
+        ptrdiff_t place = (ptrdiff_t)step->axes * i;
+        tf_step_move(step, d->vertex[i], rule->base, zone->displacement + place,
+                     step->unpushed);
+        tf_step_move(step, d->vertex[i], rule->base, pushed + place, step->end);
     }
 }
 
@@ -323,7 +425,9 @@ bool tf_zones_solve(tf_zones *zones, tf_step *step, const tf_contact_rule *rule,
             return false;
         account(&zone, options->solver->solve(&zone), statistics);
         keep_impulses(zones, &d, z, &zone);
-        move_vertices(step, rule, &d, &zone);
+        if (!push_apart(zones, step, rule, options, &d, z, &zone, statistics))
+            return false;
+        move_vertices(step, rule, &d, &zone, zones->pushed.data);
         tf_watch_advance(step->watch, (size_t)zone.constraints);
     }
     zones->old = zones->constraints;
@@ -333,7 +437,8 @@ bool tf_zones_solve(tf_zones *zones, tf_step *step, const tf_contact_rule *rule,
 //: Account for the memory of zones
 size_t tf_zones_memory(const tf_zones *zones)
 {
-    return zones->constraint.bytes + zones->returns.bytes +
+    return zones->constraint.bytes + zones->gap.bytes + zones->entry.bytes +
+           zones->pushed.bytes + zones->returns.bytes +
            zones->groups.storage.bytes + zones->by_vertex.bytes +
            zones->by_constraint.bytes + zones->zone_constraint.bytes +
            zones->mass.bytes + zones->displacement.bytes +
@@ -343,6 +448,9 @@ size_t tf_zones_memory(const tf_zones *zones)
 void tf_zones_free(tf_zones *zones)
 {
     tf_buffer_free(&zones->constraint);
+    tf_buffer_free(&zones->gap);
+    tf_buffer_free(&zones->entry);
+    tf_buffer_free(&zones->pushed);
     tf_buffer_free(&zones->returns);
     tf_buffer_free(&zones->groups.storage);
     tf_buffer_free(&zones->by_vertex);

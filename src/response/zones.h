@@ -15,10 +15,13 @@ typedef struct tf_zones {
     int constraints;      ///< how many constraints have been kept so far
     int old;              ///< how many there were when zones were last solved
     tf_buffer constraint; ///< the constraints, with the vertices of the step
+    tf_buffer gap;        ///< of each constraint
+    tf_buffer entry;      ///< the ends, with all pushes, when the level began
     tf_buffer returns;    ///< how often contacts have come back
     tf_groups groups;     ///< of vertices: the zones
     tf_buffer by_vertex, by_constraint; ///< numbers for each of them
     tf_buffer zone_constraint, mass, displacement, workspace; ///< of one zone
+    tf_buffer pushed; ///< its vertices' displacements with the pushes
 } tf_zones;
 
 /// How zones are solved.
@@ -47,7 +50,7 @@ bool tf_zones_add(tf_zones *zones, const tf_step *step,
                   tf_zone_statistics *statistics);
 
 /// Solves all zones that have a new constraint, taking the rule's base as the
-/// proposal, and moves their vertices.  False if there is no memory, or if the
+/// proposal, pushes pairs apart, and moves the vertices.  False if there is no memory, or if the
 /// caller has cancelled.
 bool tf_zones_solve(tf_zones *zones, tf_step *step, const tf_contact_rule *rule,
                     const tf_zone_options *options,

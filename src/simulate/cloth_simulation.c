@@ -97,12 +97,13 @@ tf_status tf_cloth_propose(tf_cloth_simulation *cloth)
 }
 
 //: Go on from where a step ends
-void tf_cloth_accept(tf_cloth_simulation *cloth, int held)
+void tf_cloth_accept(tf_cloth_simulation *cloth, const double unpushed[],
+                     int held)
 {
     const tf_body *body = &cloth->base.setup.body;
     for (int i = 0; i < body->axes * body->vertices; i++) {
         cloth->velocity[i] =
-            (cloth->end[i] - cloth->position[i]) / cloth->base.scene->step;
+            (unpushed[i] - cloth->position[i]) / cloth->base.scene->step;
         cloth->position[i] = cloth->end[i];
     }
     tf_simulation_go_to(&cloth->base, cloth->base.step + 1);
@@ -152,7 +153,7 @@ static tf_status step_cloth(tf_simulation *simulation,
         return status;
     report.dynamics_seconds = proposed - begin;
     report.response_seconds = now(options) - proposed;
-    tf_cloth_accept(c, report.response.held);
+    tf_cloth_accept(c, tf_resolver_unpushed(c->resolver), report.response.held);
     measure(c, &report);
     c->report = report;
     return TF_OK;

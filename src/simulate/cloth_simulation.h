@@ -43,6 +43,8 @@ extern const tf_simulation_kind tf_cloth_kind;
 /// @return TF_OK or TF_OUT_OF_MEMORY
 tf_status tf_cloth_propose(tf_cloth_simulation *cloth);
 
-/// Goes on to `end`: the velocities are those that lead there.
+/// Goes on to `end`.
+/// @param unpushed where the motion leads: it decides the velocities
 /// @param held how many scripted vertices were held back
-void tf_cloth_accept(tf_cloth_simulation *cloth, int held);
+void tf_cloth_accept(tf_cloth_simulation *cloth, const double unpushed[],
+                     int held);

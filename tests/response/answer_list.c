@@ -24,15 +24,24 @@ static tf_constraint constraint_of(int a, int b, double number)
                            .friction = {2 * number, 3 * number, 0}};
 }
 
+/// One whose push tells of its constraint.
+static tf_contact_gap gap_of(const tf_constraint *constraint)
+{
+    return (tf_contact_gap){.push = 4 * constraint->impulse};
+}
+
 static void add(tf_response_level level, int round, int count,
                 const tf_surface_contact contact[],
                 const tf_constraint constraint[])
 {
     tf_contacts contacts = {true, (size_t)count, contact, {0}};
     if (constraint) {
-        tf_constraint *to = tf_answers_extend(&list, (size_t)count);
+        tf_contact_gap *gap;
+        tf_constraint *to = tf_answers_extend(&list, (size_t)count, &gap);
         ck_assert_ptr_nonnull(to);
         memcpy(to, constraint, sizeof *to * (size_t)count);
+        for (int i = 0; i < count; i++)
+            gap[i] = gap_of(&constraint[i]);
     }
     ck_assert(
         tf_answers_add(&list, &contacts, level, round, (size_t)round, NULL));
@@ -56,7 +65,9 @@ static const tf_answered_contact *lend(void)
     add(TF_ZONES, 0, 2, first, NULL);
     add(TF_ZONES, 2, 1, first, NULL);
     add(TF_FAILSAFE, 0, 1, first + 1, other);
-    ck_assert(tf_answers_lend(&list, zones));
+    const tf_contact_gap gaps[] = {gap_of(&zones[0]), gap_of(&zones[1]),
+                                   gap_of(&zones[2])};
+    ck_assert(tf_answers_lend(&list, zones, gaps));
     ck_assert_uint_eq(list.answers, 6);
     return list.row.data;
 }
@@ -75,11 +86,13 @@ START_TEST(rows_are_sorted_by_elements_then_by_levels_and_rounds)
                     {TF_EDGE_EDGE, TF_ZONES, 0, 10},
                     {TF_EDGE_EDGE, TF_ZONES, 2, 12}};
     const tf_answered_contact *row = lend();
+    const double *push = list.push.data;
     for (int i = 0; i < 6; i++) {
         ck_assert_int_eq(row[i].kind, expected[i].kind);
         ck_assert_int_eq(row[i].level, expected[i].level);
         ck_assert_int_eq(row[i].round, expected[i].round);
         ck_assert_double_eq(row[i].impulse, expected[i].impulse);
+        ck_assert_double_eq(push[i], 4 * expected[i].impulse);
         ck_assert_double_eq(row[i].friction[1], 3 * expected[i].impulse);
         ck_assert_double_eq(row[i].normal[2], 1);
         ck_assert_double_eq(row[i].toi, 0.25 * row[i].vertex[0]);
@@ -102,7 +115,7 @@ START_TEST(rows_are_made_once)
 {
     const tf_answered_contact *row = lend();
     const tf_constraint other = constraint_of(1, 2, 99);
-    ck_assert(tf_answers_lend(&list, &other));
+    ck_assert(tf_answers_lend(&list, &other, NULL));
     ck_assert_ptr_eq(list.row.data, row);
     ck_assert_double_eq(row[1].impulse, 11);
 }
@@ -114,12 +127,12 @@ START_TEST(a_list_that_is_cleared_is_empty)
     size_t bytes = tf_answers_memory(&list);
     ck_assert_uint_ge(bytes, 6 * sizeof(tf_answered_contact));
     tf_answers_clear(&list);
-    ck_assert(tf_answers_lend(&list, NULL));
+    ck_assert(tf_answers_lend(&list, NULL, NULL));
     ck_assert_uint_eq(list.answers, 0);
     const tf_surface_contact only = contact_of(TF_POINT_EDGE, 7, 8, 9, -1);
     const tf_constraint constraint = constraint_of(7, 9, 5);
     add(TF_IMPULSES, 0, 1, &only, &constraint);
-    ck_assert(tf_answers_lend(&list, NULL));
+    ck_assert(tf_answers_lend(&list, NULL, NULL));
     const tf_answered_contact *row = list.row.data;
     ck_assert_int_eq(row->vertex[0], 7);
     ck_assert_double_eq(row->impulse, 5);

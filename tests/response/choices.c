@@ -13,6 +13,9 @@ START_TEST(options_out_of_range_are_named)
         {{.restitution = -0x1p-1074}, "restitution"},
         {{.restitution = 1 + 0x1p-52}, "restitution"},
         {{.restitution = NAN}, "restitution"},
+        {{.restitution_threshold = -0x1p-1074}, "restitution_threshold"},
+        {{.restitution_threshold = INFINITY}, "restitution_threshold"},
+        {{.restitution_threshold = NAN}, "restitution_threshold"},
         {{.friction = -0x1p-1074}, "friction"},
         {{.friction = INFINITY}, "friction"},
         {{.friction = NAN}, "friction"},
@@ -35,6 +38,7 @@ START_TEST(limits_of_ranges_are_in_them)
     static const tf_response_options good[] = {
         {0},
         {.restitution = 1},
+        {.restitution_threshold = 1e308},
         {.friction = 1e308, .separation = -1e308},
         {.impulse_rounds = -1, .zone_rounds = -1},
     };

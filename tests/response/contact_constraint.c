@@ -55,7 +55,8 @@ static bool random_scene(generator *random, query_kind kind, scene *s)
     return ready(s, kind, q.axes);
 }
 
-static tf_constraint constraint_of(const scene *s, bool by_pivots, double *gap)
+static tf_constraint constraint_of(const scene *s, bool by_pivots,
+                                   tf_contact_gap *gap)
 {
     tf_contact_rule rule = {.base = s->end};
     return tf_contact_constraint(&s->step, &s->contact, &rule, by_pivots, gap);
@@ -103,13 +104,14 @@ START_TEST(constraints_are_violated_by_the_step)
     generator random = generator_new((uint64_t)_i);
     for (long i = cases(TRIALS); i > 0; i--) {
         scene s;
-        double gap;
+        tf_contact_gap gap;
         if (!random_scene(&random, (query_kind)_i, &s))
             continue;
         tf_constraint constraint = constraint_of(&s, false, &gap);
         expect_well_made(&s, &constraint);
-        ck_assert_double_gt(gap, 0);
-        ck_assert_double_eq_tol(along(&s, &constraint, s.start), gap, 1e-9);
+        ck_assert_double_gt(gap.start, 0);
+        ck_assert_double_eq_tol(along(&s, &constraint, s.start), gap.start,
+                                1e-9);
         ck_assert_double_lt(along(&s, &constraint, s.end) -
                                 along(&s, &constraint, s.start),
                             constraint.bound);
@@ -124,7 +126,7 @@ START_TEST(pivots_meet_along_the_normal)
     generator random = generator_new((uint64_t)_i);
     for (long i = cases(TRIALS); i > 0; i--) {
         scene s;
-        double gap;
+        tf_contact_gap gap;
         if (!random_scene(&random, (query_kind)_i, &s))
             continue;
         const tf_contact *contact = &s.contact.contact;
@@ -132,8 +134,9 @@ START_TEST(pivots_meet_along_the_normal)
         tf_constraint constraint = constraint_of(&s, true, &gap);
         expect_well_made(&s, &constraint);
         ck_assert(constraint.vertex[1] >= 0 && constraint.vertex[2] < 0);
-        ck_assert_double_eq_tol(gap, contact->toi_lo * velocity, 1e-12);
-        ck_assert_double_eq_tol(along(&s, &constraint, s.start), gap, 1e-9);
+        ck_assert_double_eq_tol(gap.start, contact->toi_lo * velocity, 1e-12);
+        ck_assert_double_eq_tol(along(&s, &constraint, s.start), gap.start,
+                                1e-9);
         ck_assert_double_eq_tol(along(&s, &constraint, s.end),
                                 (contact->toi_lo - 1) * velocity, 1e-9);
     }
@@ -141,7 +144,8 @@ START_TEST(pivots_meet_along_the_normal)
 END_TEST
 
 static tf_constraint constraint_in_plane(scene *s, const double start[6],
-                                         const double end[6], double *gap)
+                                         const double end[6],
+                                         tf_contact_gap *gap)
 {
     memcpy(s->start, start, 6 * sizeof *start);
     memcpy(s->end, end, 6 * sizeof *end);
@@ -165,11 +169,11 @@ static void expect_pair(const tf_constraint *constraint, int first, int second,
 START_TEST(coordinates_share_a_push)
 {
     scene s;
-    double gap;
+    tf_contact_gap gap;
     tf_constraint constraint =
         constraint_in_plane(&s, (double[]){0, 0.125, -2, 0, 2, 0},
                             (double[]){0, 0.125, -2, 1, 2, 1}, &gap);
-    ck_assert_double_eq(gap, 0.125);
+    ck_assert_double_eq(gap.start, 0.125);
     ck_assert_double_eq_tol(constraint.coefficient[1], -0.5, 1e-15);
     ck_assert_double_eq_tol(constraint.coefficient[2], -0.5, 1e-15);
     ck_assert_double_eq(constraint.normal[1], 1);
@@ -180,34 +184,34 @@ START_TEST(pivots_are_pushed_where_the_dots_want_nothing)
 {
     // A plank turns under a fly, and its middle comes back.
     scene s;
-    double gap;
+    tf_contact_gap gap;
     tf_constraint constraint =
         constraint_in_plane(&s, (double[]){0, 1, -2, 2, 2, -2},
                             (double[]){0, 1, -2, -2, 2, 2}, &gap);
     expect_pair(&constraint, 0, 2, sqrt(0.5), sqrt(0.5));
-    ck_assert_double_eq_tol(gap, sqrt(0.5), 1e-15);
+    ck_assert_double_eq_tol(gap.start, sqrt(0.5), 1e-15);
 }
 END_TEST
 
 START_TEST(pivots_are_pushed_where_the_dots_start_on_the_other_side)
 {
     scene s;
-    double gap;
+    tf_contact_gap gap;
     tf_constraint constraint = constraint_in_plane(
         &s, (double[]){1, 1, 0, 0, 4, 0}, (double[]){1, -2, 1, 2, 2, -2}, &gap);
     expect_pair(&constraint, 0, 1, 4 / sqrt(17), 1 / sqrt(17));
-    ck_assert_double_eq_tol(gap, 5 / sqrt(17), 1e-14);
+    ck_assert_double_eq_tol(gap.start, 5 / sqrt(17), 1e-14);
 }
 END_TEST
 
 START_TEST(dots_move_apart_in_their_direction_where_there_is_no_side)
 {
     scene s;
-    double gap;
+    tf_contact_gap gap;
     tf_constraint constraint = constraint_in_plane(
         &s, (double[]){0, 0, 1, 0, 3, 0}, (double[]){2, 0, 1, 0, 3, 0}, &gap);
     expect_pair(&constraint, 0, 1, -1, 0);
-    ck_assert_double_eq(gap, 1);
+    ck_assert_double_eq(gap.start, 1);
 }
 END_TEST
 
@@ -216,32 +220,45 @@ START_TEST(edges_without_a_normal_move_apart)
     // Two parallel edges in space, one of which moves through the other.
     scene s = {.start = {0, 0, 1, 2, 0, 1, 0, 0, 0, 2, 0, 0},
                .end = {0, 0, -1, 2, 0, -1, 0, 0, 0, 2, 0, 0}};
-    double gap;
+    tf_contact_gap gap;
     ck_assert(ready(&s, EDGE_EDGE, 3));
     ck_assert_double_eq(length(s.contact.contact.normal), 0);
     tf_constraint constraint = constraint_of(&s, false, &gap);
     expect_well_made(&s, &constraint);
-    ck_assert_double_eq(gap, 1);
+    ck_assert_double_eq(gap.start, 1);
     ck_assert_double_eq(constraint.normal[2], 1);
 }
 END_TEST
 
-START_TEST(bounds_ask_for_separation_and_restitution)
+START_TEST(bounds_ask_for_restitution_and_gaps_for_room)
 {
     scene s;
-    double gap;
+    tf_contact_gap gap;
     constraint_in_plane(&s, (double[]){0, 0.125, -2, 0, 2, 0},
                         (double[]){0, 0.125, -2, 1, 2, 1}, &gap);
+    // The approach is 1, so no gap gets wider than half of that.
+    const double near = nextafter(0.5, 0), far = nextafter(0.5, 1);
     const struct {
-        double separation, restitution, bound;
-    } expected[] = {{0, 0, 0},          {0.125, 0, 0},     {0.525, 0, 0.1},
-                    {0.525, 0.05, 0.1}, {0.525, 0.5, 0.5}, {0, 1, 1}};
-    for (int i = 0; i < 6; i++) {
+        double separation, restitution, threshold, bound, room;
+    } expected[] = {{0, 0, 0, 0, 0},
+                    {0.125, 0, 0, 0, 0},
+                    {0.325, 0, 0, 0, 0.05},
+                    {0.325, 0.25, 0, 0.25, 0.05},
+                    {near, 0, 0, 0, (near - 0.125) / 4},
+                    {far, 0, 0, 0, 0.09375},
+                    {8, 0, 0, 0, 0.09375},
+                    {-1, 1, 0, 1, 0},
+                    {0, 1, 1, 1, 0},
+                    {0, 1, nextafter(1, 2), 0, 0},
+                    {8, 0.5, 9, 0, 0.09375}};
+    for (size_t i = 0; i < sizeof expected / sizeof *expected; i++) {
         tf_contact_rule rule = {expected[i].separation, expected[i].restitution,
-                                s.end};
+                                expected[i].threshold, s.end};
         tf_constraint constraint =
             tf_contact_constraint(&s.step, &s.contact, &rule, false, &gap);
         ck_assert_double_eq_tol(constraint.bound, expected[i].bound, 1e-15);
+        ck_assert_double_eq_tol(gap.room, expected[i].room, 1e-15);
+        ck_assert_double_eq(gap.push, 0);
     }
 }
 END_TEST
@@ -261,7 +278,7 @@ Suite *suite(void)
     tcase_add_test(one,
                    dots_move_apart_in_their_direction_where_there_is_no_side);
     tcase_add_test(one, edges_without_a_normal_move_apart);
-    tcase_add_test(one, bounds_ask_for_separation_and_restitution);
+    tcase_add_test(one, bounds_ask_for_restitution_and_gaps_for_room);
     suite_add_tcase(s, one);
     return s;
 }

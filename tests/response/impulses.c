@@ -12,8 +12,9 @@
 static proposal made;
 static proposal_step s;
 static int particle; ///< far away
-static double displacement[3 * PROPOSAL_VERTICES];
+static double displacement[2 * 3 * PROPOSAL_VERTICES];
 static tf_constraint constraint[10000];
+static tf_contact_gap gap[10000];
 
 /// Two sheets; the upper one falls through the lower one, a little askew.
 static void begin(void)
@@ -48,7 +49,7 @@ START_TEST(momentum_is_kept)
     tf_contacts contacts = proposal_step_contacts(&s);
     ck_assert_uint_gt(contacts.count, 0);
     tf_impulses_round(&s.step, &contacts, &s.rule, 0.5, displacement,
-                      constraint);
+                      constraint, gap);
     ck_assert_int_gt(proposal_step_changes(&s), 0);
     momentum(s.end, after);
     for (int k = 0; k < 3; k++)
@@ -63,7 +64,7 @@ START_TEST(rounds_clear_the_step)
     tf_contacts contacts = proposal_step_contacts(&s);
     for (int round = 0; contacts.any && round < 60; round++) {
         tf_impulses_round(&s.step, &contacts, &s.rule, 0, displacement,
-                          constraint);
+                          constraint, gap);
         contacts = proposal_step_contacts(&s);
     }
     ck_assert(!contacts.any);
@@ -75,7 +76,8 @@ START_TEST(vertices_without_contacts_end_as_proposed)
 {
     begin();
     tf_contacts contacts = proposal_step_contacts(&s);
-    tf_impulses_round(&s.step, &contacts, &s.rule, 0, displacement, constraint);
+    tf_impulses_round(&s.step, &contacts, &s.rule, 0, displacement, constraint,
+                      gap);
     ck_assert_mem_eq(s.end + 3 * (ptrdiff_t)particle,
                      made.end + 3 * (ptrdiff_t)particle, 3 * sizeof(double));
     ck_assert(!proposal_step_has_moved(&s, particle));
@@ -89,34 +91,53 @@ START_TEST(a_caller_may_cancel)
     begin();
     tf_contacts contacts = proposal_step_contacts(&s);
     s.step.watch = watched_begin(&call, -1);
-    tf_impulses_round(&s.step, &contacts, &s.rule, 0, displacement, constraint);
+    tf_impulses_round(&s.step, &contacts, &s.rule, 0, displacement, constraint,
+                      gap);
     ck_assert_int_eq(proposal_step_changes(&s), 0);
     s.step.watch = watched_begin(&call, 0);
-    tf_impulses_round(&s.step, &contacts, &s.rule, 0, displacement, constraint);
+    tf_impulses_round(&s.step, &contacts, &s.rule, 0, displacement, constraint,
+                      gap);
     ck_assert_uint_ge(watched_work(&call), 4 * contacts.count);
     proposal_step_free(&s);
 }
 END_TEST
 
-// Each vertex is moved by what its constraints have pushed.
-START_TEST(constraints_are_handed_out)
+/// Adds impulses to displacements, or pushes.
+static void add_up(const tf_contacts *contacts, bool pushes)
+{
+    tf_bodies bodies = {3, made.inverse_mass, displacement};
+    for (size_t i = 0; i < contacts->count; i++) {
+        tf_vector normal = tf_vector_at(constraint[i].normal, 0);
+        tf_vector friction = tf_vector_at(constraint[i].friction, 0);
+        tf_constraint_push(
+            &constraint[i],
+            pushes ? tf_vector_scaled(gap[i].push, normal)
+                   : tf_vector_sum(friction, constraint[i].impulse, normal),
+            &bodies);
+    }
+}
+
+static void expect_explained(const double end[])
+{
+    for (int i = 0; i < 3 * made.mesh.vertices; i++)
+        ck_assert_double_eq_tol(end[i], made.end[i] + displacement[i], 1e-12);
+}
+
+// The motion is made by impulses, and the end by pushes as well.
+START_TEST(constraints_and_gaps_are_handed_out)
 {
     begin();
     made.inverse_mass[3] = 2;
+    s.rule.separation = 9;
     tf_contacts contacts = proposal_step_contacts(&s);
     tf_impulses_round(&s.step, &contacts, &s.rule, 0.5, displacement,
-                      constraint);
-    tf_bodies bodies = {3, made.inverse_mass, displacement};
+                      constraint, gap);
     memset(displacement, 0, sizeof displacement);
-    for (size_t i = 0; i < contacts.count; i++) {
-        tf_vector friction = tf_vector_at(constraint[i].friction, 0);
-        tf_constraint_push(&constraint[i],
-                           tf_vector_sum(friction, constraint[i].impulse,
-                                         tf_vector_at(constraint[i].normal, 0)),
-                           &bodies);
-    }
-    for (int i = 0; i < 3 * made.mesh.vertices; i++)
-        ck_assert_double_eq_tol(s.end[i], made.end[i] + displacement[i], 1e-12);
+    add_up(&contacts, false);
+    expect_explained(s.unpushed);
+    add_up(&contacts, true);
+    expect_explained(s.end);
+    ck_assert_mem_ne(s.end, s.unpushed, sizeof s.end);
     proposal_step_free(&s);
 }
 END_TEST
@@ -129,7 +150,7 @@ Suite *suite(void)
     tcase_add_test(tcase, rounds_clear_the_step);
     tcase_add_test(tcase, vertices_without_contacts_end_as_proposed);
     tcase_add_test(tcase, a_caller_may_cancel);
-    tcase_add_test(tcase, constraints_are_handed_out);
+    tcase_add_test(tcase, constraints_and_gaps_are_handed_out);
     suite_add_tcase(suite, tcase);
     return suite;
 }

@@ -62,6 +62,13 @@ static void expect(tf_status expected, int vertices,
     ck_assert_mem_eq(&report, &before, sizeof report);
 }
 
+/// Options that are younger than version 1.0, and so need their size.
+#define THRESHOLD(value)                                                       \
+    {                                                                          \
+        .size = sizeof(tf_response_options), .restitution = 0.75,              \
+        .separation = -1, .restitution_threshold = (value)                     \
+    }
+
 START_TEST(options_out_of_range_are_refused)
 {
     static const tf_response_options bad[] = {{.sweeps = -1},
@@ -71,6 +78,9 @@ START_TEST(options_out_of_range_are_refused)
                                               {.restitution = -0x1p-1074},
                                               {.restitution = 1.0000001},
                                               {.restitution = NAN},
+                                              THRESHOLD(-0x1p-1074),
+                                              THRESHOLD(NAN),
+                                              THRESHOLD(INFINITY),
                                               {.friction = -1},
                                               {.friction = NAN},
                                               {.friction = INFINITY}};
@@ -199,6 +209,19 @@ START_TEST(restitution_reverses_the_approach)
 }
 END_TEST
 
+// It was to approach by 2.
+START_TEST(slow_approaches_have_no_restitution)
+{
+    make_fall(0);
+    resolve((tf_response_options)THRESHOLD(nextafter(2, 0)));
+    ck_assert_double_eq_tol(end[5], 2.5, 1e-12);
+    resolve((tf_response_options)THRESHOLD(nextafter(2, 3)));
+    ck_assert_double_eq_tol(end[5], 1, 1e-12);
+    resolve((tf_response_options)THRESHOLD(DBL_MAX));
+    ck_assert_double_eq_tol(end[5], 1, 1e-12);
+}
+END_TEST
+
 START_TEST(friction_slows_sliding)
 {
     make_fall(0);
@@ -210,10 +233,13 @@ START_TEST(friction_slows_sliding)
 }
 END_TEST
 
-// A quarter of what is missing to the separation.
+// A quarter of what is missing to the separation, or to half of the way.
 START_TEST(near_pairs_are_pushed_apart)
 {
     make_fall(0);
+    resolve((tf_response_options){.separation = 3});
+    ck_assert_double_eq_tol(end[5], 1, 1e-12);
+    made.end[5] = -9;
     resolve((tf_response_options){.separation = 3});
     ck_assert_double_eq_tol(end[5], 1.5, 1e-12);
     // The mean edge is 8, and 0.05 of it less than the gap.
@@ -281,6 +307,7 @@ Suite *suite(void)
     tcase_add_test(tcase, clear_steps_come_back_bit_for_bit);
     tcase_add_test(tcase, a_fall_is_stopped_where_it_began);
     tcase_add_test(tcase, restitution_reverses_the_approach);
+    tcase_add_test(tcase, slow_approaches_have_no_restitution);
     tcase_add_test(tcase, friction_slows_sliding);
     tcase_add_test(tcase, near_pairs_are_pushed_apart);
     tcase_add_test(tcase, scripted_vertices_are_held_back_if_need_be);

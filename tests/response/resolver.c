@@ -187,6 +187,37 @@ START_TEST(a_vertex_that_falls_on_a_floor_is_pushed_once)
 }
 END_TEST
 
+// The vertex starts 0.25 above the floor, and falls by 2 and to the side by 1: it
+// is to be 1 above, half of its way, and a quarter of what is missing is 0.1875.
+START_TEST(a_push_is_told_apart_from_the_motion)
+{
+    const tf_response_options options = {.separation = 8, .friction = 0.25};
+    for (int rounds = -1; rounds <= 1; rounds += 2) {
+        tf_response_options own = options;
+        own.impulse_rounds = rounds;
+        tf_surface *surface;
+        make_fall(0);
+        made.start[5] = 0.25;
+        made.end[5] = -1.75;
+        made.inverse_mass[2] = 0.5;
+        tf_resolver *resolver = begin(&surface);
+        ck_assert_int_eq(expect_good(resolver, &own), 1);
+        const tf_answered_contact *row = tell(resolver).contact;
+        size_t count;
+        const double *push, *unpushed = tf_resolver_unpushed(resolver);
+        ck_assert_int_eq(tf_resolver_pushes(resolver, &count, &push), TF_OK);
+        ck_assert_uint_eq(count, 1);
+        ck_assert_int_eq(row->level, rounds > 0 ? TF_IMPULSES : TF_ZONES);
+        ck_assert_double_eq_tol(row->impulse, 4, 1e-12);
+        ck_assert_double_eq_tol(row->friction[0], -1, 1e-12);
+        ck_assert_double_eq_tol(push[0], 2 * 0.1875, 1e-12);
+        ck_assert_double_eq_tol(unpushed[4], 0, 1e-12);
+        ck_assert_double_eq_tol(unpushed[5], 0.25, 1e-12);
+        finish(resolver, surface);
+    }
+}
+END_TEST
+
 START_TEST(levels_without_impulses_say_whom_they_moved)
 {
     const tf_response_options rigid = {.zone_rounds = -1, .rigid = true},
@@ -224,12 +255,24 @@ START_TEST(scripted_vertices_are_held)
 }
 END_TEST
 
+static void expect_nothing(tf_resolver *resolver)
+{
+    told all = tell(resolver);
+    size_t pushes;
+    const double *push;
+    ck_assert_uint_eq(all.count, 0);
+    ck_assert_ptr_null(all.flags);
+    ck_assert_ptr_null(tf_resolver_unpushed(resolver));
+    ck_assert_int_eq(tf_resolver_pushes(resolver, &pushes, &push), TF_OK);
+    ck_assert_uint_eq(pushes, 0);
+}
+
 START_TEST(a_clear_step_had_no_contacts)
 {
     tf_surface *surface;
     make_fall(1);
     tf_resolver *resolver = begin(&surface);
-    ck_assert_ptr_null(tell(resolver).flags);
+    expect_nothing(resolver);
     expect_good(resolver, &(tf_response_options){0});
     ck_assert_uint_gt(tell(resolver).count, 0);
     memcpy(made.end, made.start, sizeof made.end);
@@ -241,13 +284,6 @@ START_TEST(a_clear_step_had_no_contacts)
     finish(resolver, surface);
 }
 END_TEST
-
-static void expect_nothing(tf_resolver *resolver)
-{
-    told all = tell(resolver);
-    ck_assert_uint_eq(all.count, 0);
-    ck_assert_ptr_null(all.flags);
-}
 
 START_TEST(what_was_told_ends_with_the_next_call)
 {
@@ -320,6 +356,7 @@ Suite *suite(void)
     tcase = tcase_create("the last step");
     tcase_add_test(tcase, pushes_explain_where_vertices_end);
     tcase_add_test(tcase, a_vertex_that_falls_on_a_floor_is_pushed_once);
+    tcase_add_test(tcase, a_push_is_told_apart_from_the_motion);
     tcase_add_test(tcase, levels_without_impulses_say_whom_they_moved);
     tcase_add_test(tcase, scripted_vertices_are_held);
     tcase_add_test(tcase, a_clear_step_had_no_contacts);

@@ -142,6 +142,7 @@ START_TEST(rods_only_move_along)
             }
         }
         memcpy(s.end, made.end, sizeof s.end);
+        memcpy(s.unpushed, made.end, sizeof s.unpushed);
         tf_rigid_free(&rigid);
         ck_assert(tf_rigid_begin(&rigid, &s.step));
         answer();

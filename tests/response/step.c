@@ -31,7 +31,7 @@ START_TEST(a_vertex_that_is_not_pushed_ends_at_the_base)
     begin();
     tf_vector d = tf_step_displacement(&step, 0, proposed);
     ck_assert_double_ne(start[0] + d.x[0], proposed[0]);
-    tf_step_move(&step, 0, proposed, d.x);
+    tf_step_move(&step, 0, proposed, d.x, step.end);
     ck_assert_mem_eq(end, proposed, sizeof end);
 }
 END_TEST
@@ -43,7 +43,7 @@ START_TEST(a_vertex_that_is_not_pushed_keeps_the_sign_of_zero)
     begin();
     tf_vector d = tf_step_displacement(&step, 0, base);
     d.x[1] += 1;
-    tf_step_move(&step, 0, base, d.x);
+    tf_step_move(&step, 0, base, d.x, step.end);
     ck_assert_mem_eq(end, base, sizeof *base);
     ck_assert_double_eq(end[1], 9);
 }
@@ -53,7 +53,7 @@ START_TEST(a_pushed_vertex_ends_where_it_is_displaced)
 {
     double d[] = {6, 4};
     begin();
-    tf_step_move(&step, 1, proposed, d);
+    tf_step_move(&step, 1, proposed, d, step.end);
     ck_assert_double_eq(end[2], 5);
     ck_assert_double_eq(end[3], 6);
     ck_assert_mem_eq(end, proposed, 2 * sizeof *end);
@@ -64,7 +64,7 @@ START_TEST(a_vertex_stays_if_its_end_would_not_be_finite)
 {
     static const double bad[][2] = {{INFINITY, 8}, {0.1, -INFINITY}, {NAN, 8}};
     begin();
-    tf_step_move(&step, 0, proposed, bad[_i]);
+    tf_step_move(&step, 0, proposed, bad[_i], step.end);
     ck_assert_mem_eq(end, proposed, sizeof end);
 }
 END_TEST

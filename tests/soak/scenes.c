@@ -42,7 +42,7 @@ static void step_with_response(course *c, tf_cloth_simulation *s)
 static void step_without(tf_cloth_simulation *s)
 {
     succeed(tf_cloth_propose(s));
-    tf_cloth_accept(s, 0);
+    tf_cloth_accept(s, s->end, 0);
 }
 
 static void add_judgment(course *c, tangle_judge *judge,

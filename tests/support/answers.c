@@ -65,8 +65,8 @@ static const char *friction_fault(const tf_answered_contact *row,
     return NULL;
 }
 
-static const char *push_fault(const tf_answered_contact *row, double error,
-                              const answered_step *step)
+static const char *impulse_fault(const tf_answered_contact *row, double error,
+                                 const answered_step *step)
 {
     const tf_zone_solver *solver = step->options->solver;
     bool pushes = row->level == TF_IMPULSES || row->level == TF_ZONES;
@@ -93,7 +93,7 @@ static const char *row_fault(const tf_answered_contact *row, double error,
     if (row->reserved != 0)
         return "something that is reserved";
     const char *fault = coefficient_fault(row);
-    return fault ? fault : push_fault(row, error, step);
+    return fault ? fault : impulse_fault(row, error, step);
 }
 
 static const char *rows_fault(const tf_answered_contact *row, size_t count,
@@ -122,12 +122,13 @@ typedef struct push_sum {
     double sum[3], size;
 } push_sum;
 
-static void add_push(const tf_answered_contact *row, double inverse_mass,
-                     double coefficient, push_sum *to)
+static void add_push(const tf_answered_contact *row, double push,
+                     double inverse_mass, double coefficient, push_sum *to)
 {
     double share = inverse_mass * coefficient;
     for (int k = 0; k < 3; k++) {
-        double own = share * (row->impulse * row->normal[k] + row->friction[k]);
+        double own =
+            share * ((row->impulse + push) * row->normal[k] + row->friction[k]);
         to->sum[k] += own;
         to->size += fabs(own);
     }
@@ -142,15 +143,17 @@ static double longest_way(const answered_step *step)
     return longest;
 }
 
-/// Where only pushes move a vertex, they move it to its end; unless numbers are
-/// near the ends of their range, where sums overflow or lose all digits.
+/// Where only impulses and pushes move a vertex, they move it to its end; unless
+/// numbers are near the ends of their range, where sums overflow or lose all
+/// digits.
+/// @param end of all vertices: that of the step, or that without pushes
 /// @param error what pushes that are taken back may leave
-static bool is_explained(const answered_step *step, int vertex,
-                         const push_sum *pushes, double error)
+static bool is_explained(const answered_step *step, const double end[],
+                         int vertex, const push_sum *pushes, double error)
 {
     for (int k = 0; k < step->axes; k++) {
         ptrdiff_t place = (ptrdiff_t)step->axes * vertex + k;
-        double change = step->end[place] - step->proposed[place];
+        double change = end[place] - step->proposed[place];
         double far = fabs(step->start[place]) + fabs(step->proposed[place]);
         double wrong = fabs(change - pushes->sum[k]);
         if (far > 0x1p1000 || far < 0x1p-1000)
@@ -162,9 +165,11 @@ static bool is_explained(const answered_step *step, int vertex,
     return true;
 }
 
+/// @param push of each row; or NULL, if `end` is that without pushes
 static const char *sums_fault(const tf_answered_contact *row, size_t count,
-                              const unsigned char flags[],
-                              const answered_step *step, int *pushed)
+                              const double push[], const unsigned char flags[],
+                              const answered_step *step, const double end[],
+                              int *pushed)
 {
     const char *fault = NULL;
     double error = 1e-12 * longest_way(step);
@@ -172,7 +177,8 @@ static const char *sums_fault(const tf_answered_contact *row, size_t count,
     for (size_t i = 0; i < count; i++)
         for (int j = 0; j < 4 && row[i].vertex[j] >= 0; j++) {
             int v = row[i].vertex[j];
-            add_push(&row[i], step->inverse_mass ? step->inverse_mass[v] : 1,
+            add_push(&row[i], push ? push[i] : 0,
+                     step->inverse_mass ? step->inverse_mass[v] : 1,
                      row[i].coefficient[j], &sums[v]);
         }
     for (int v = 0; v < step->vertices && !fault; v++) {
@@ -180,7 +186,7 @@ static const char *sums_fault(const tf_answered_contact *row, size_t count,
             continue;
         if (pushed)
             *pushed += sums[v].size > 0;
-        if (!is_explained(step, v, &sums[v], error))
+        if (!is_explained(step, end, v, &sums[v], error))
             fault = "pushes do not add up to where a vertex ends";
     }
     free(sums);
@@ -214,6 +220,41 @@ static const char *flags_fault(const unsigned char flags[],
                                                       : NULL;
 }
 
+// Pushes apart ----------------------------------------------------------------
+
+static const char *pushes_fault(const tf_answered_contact row[],
+                                const double push[], size_t count,
+                                const answered_step *step)
+{
+    const tf_zone_solver *solver = step->options->solver;
+    for (size_t i = 0; i < count; i++) {
+        bool has = row[i].level == TF_IMPULSES || row[i].level == TF_ZONES;
+        bool pulls =
+            row[i].level == TF_ZONES && solver && solver != &tf_gauss_seidel;
+        if (!has && push[i] != 0)
+            return "a push of a level that has none";
+        if (!(push[i] >= 0 || pulls))
+            return "a push below 0";
+        if (step->options->separation < 0 && row[i].level == TF_ZONES &&
+            step->report->rounds[TF_IMPULSES] == 0 && push[i] != 0)
+            return "a push without a separation";
+    }
+    return NULL;
+}
+
+/// Where nothing was pushed apart, the end is where the motion leads.
+static const char *unpushed_fault(const double unpushed[], const double push[],
+                                  size_t count, const answered_step *step)
+{
+    bool any = false;
+    for (size_t i = 0; i < count; i++)
+        any |= push[i] != 0;
+    size_t numbers = (size_t)step->axes * (size_t)step->vertices;
+    return any || memcmp(unpushed, step->end, sizeof *unpushed * numbers) == 0
+               ? NULL
+               : "the motion leads elsewhere, though nothing was pushed";
+}
+
 const char *answers_fault(tf_resolver *resolver, const answered_step *given,
                           int *pushed)
 {
@@ -223,10 +264,22 @@ const char *answers_fault(tf_resolver *resolver, const answered_step *given,
     const tf_answered_contact *row = NULL;
     size_t count = 0;
     const unsigned char *flags = tf_resolver_vertices(resolver);
-    if (tf_resolver_contacts(resolver, &count, &row) != TF_OK || !flags)
+    const double *unpushed = tf_resolver_unpushed(resolver), *push = NULL;
+    size_t pushes = 0;
+    if (tf_resolver_contacts(resolver, &count, &row) != TF_OK || !flags ||
+        tf_resolver_pushes(resolver, &pushes, &push) != TF_OK || !unpushed)
         return "nothing is lent";
     const char *fault = flags_fault(flags, step);
+    if (!fault && pushes != count)
+        fault = "there are not as many pushes as contacts";
     if (!fault)
         fault = rows_fault(row, count, step);
-    return fault ? fault : sums_fault(row, count, flags, step, pushed);
+    if (!fault)
+        fault = pushes_fault(row, push, count, step);
+    if (!fault)
+        fault = unpushed_fault(unpushed, push, count, step);
+    if (!fault)
+        fault = sums_fault(row, count, NULL, flags, step, unpushed, NULL);
+    return fault ? fault
+                 : sums_fault(row, count, push, flags, step, step->end, pushed);
 }

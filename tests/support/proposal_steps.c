@@ -9,6 +9,7 @@
 void proposal_step_begin(proposal_step *s, const proposal *made)
 {
     memcpy(s->end, made->end, sizeof s->end);
+    memcpy(s->unpushed, made->end, sizeof s->unpushed);
     s->surface = surface_of(&made->mesh);
     s->step = (tf_step){.axes = made->mesh.axes,
                         .vertices = made->mesh.vertices,
@@ -16,6 +17,7 @@ void proposal_step_begin(proposal_step *s, const proposal *made)
                         .proposed = made->end,
                         .inverse_mass = made->inverse_mass,
                         .end = s->end,
+                        .unpushed = s->unpushed,
                         .flags = memset(s->flags, 0, sizeof s->flags)};
     s->rule = (tf_contact_rule){.base = made->end};
 }

@@ -12,6 +12,7 @@ typedef struct proposal_step {
     tf_step step;
     tf_contact_rule rule; ///< without separation, from the proposed ends
     double end[3 * PROPOSAL_VERTICES];
+    double unpushed[3 * PROPOSAL_VERTICES];
     unsigned char flags[PROPOSAL_VERTICES];
 } proposal_step;
 

@@ -47,7 +47,7 @@ tf_cloth_report simulate_step(tf_cloth_simulation *c,
 void simulate_blindly(tf_cloth_simulation *c)
 {
     ck_assert_int_eq(tf_cloth_propose(c), TF_OK);
-    tf_cloth_accept(c, 0);
+    tf_cloth_accept(c, c->end, 0);
 }
 
 tangle_judge *judge_of(const tf_body *body)

@@ -98,8 +98,10 @@ static double push_across(tf_constraint *constraint, double compliance,
     double scale = size > most ? most / size : 1;
     tf_vector change;
     for (int k = 0; k < TF_AXES; k++) {
-        change.x[k] = scale * wanted.x[k] - constraint->friction[k];
-        constraint->friction[k] += change.x[k];
+        // Added up, a rounding error could leave the friction above the limit.
+        double limited = scale * wanted.x[k];
+        change.x[k] = limited - constraint->friction[k];
+        constraint->friction[k] = limited;
     }
     tf_constraint_push(constraint, change, bodies);
     return tf_vector_length(change) * compliance;

@@ -65,9 +65,9 @@ TF_API const unsigned char *tf_resolver_vertices(const tf_resolver *resolver);
 ///
 ///     (unpushed - start) / dt,
 ///
-/// where dt is the time that the step takes.  Go on from `end`, as nothing is
-/// clear at these positions.  They are those of `end` wherever no pair starts too
-/// near, in steps without contacts bit for bit.
+/// where dt is the time that the step takes.  Go on from `end`, as elements may
+/// meet on the way to these positions.  They are those of `end` where no pair was
+/// pushed apart: up to rounding, or bit for bit in a step without contacts.
 ///
 /// @param resolver the resolver
 /// @return `axes` coordinates for each vertex of the surface, lent until the next

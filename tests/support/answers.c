@@ -242,19 +242,6 @@ static const char *pushes_fault(const tf_answered_contact row[],
     return NULL;
 }
 
-/// Where nothing was pushed apart, the end is where the motion leads.
-static const char *unpushed_fault(const double unpushed[], const double push[],
-                                  size_t count, const answered_step *step)
-{
-    bool any = false;
-    for (size_t i = 0; i < count; i++)
-        any |= push[i] != 0;
-    size_t numbers = (size_t)step->axes * (size_t)step->vertices;
-    return any || memcmp(unpushed, step->end, sizeof *unpushed * numbers) == 0
-               ? NULL
-               : "the motion leads elsewhere, though nothing was pushed";
-}
-
 const char *answers_fault(tf_resolver *resolver, const answered_step *given,
                           int *pushed)
 {
@@ -276,8 +263,6 @@ const char *answers_fault(tf_resolver *resolver, const answered_step *given,
         fault = rows_fault(row, count, step);
     if (!fault)
         fault = pushes_fault(row, push, count, step);
-    if (!fault)
-        fault = unpushed_fault(unpushed, push, count, step);
     if (!fault)
         fault = sums_fault(row, count, NULL, flags, step, unpushed, NULL);
     return fault ? fault

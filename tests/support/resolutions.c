@@ -72,6 +72,13 @@ static const char *status_fault(const tf_error *error)
     return text;
 }
 
+static double motion[3 * PROPOSAL_VERTICES];
+
+const double *resolution_motion(void)
+{
+    return motion;
+}
+
 static const char *judged_fault(tf_resolver *resolver, tangle_judge *judge,
                                 proposal *made, bool weighed, bool exactly,
                                 const tf_response_options *options,
@@ -87,6 +94,8 @@ static const char *judged_fault(tf_resolver *resolver, tangle_judge *judge,
     if (status != TF_OK)
         return status_fault(&error);
     *report = *lent;
+    memcpy(motion, tf_resolver_unpushed(resolver),
+           sizeof *motion * (size_t)(made->mesh.axes * made->mesh.vertices));
     const answered_step step = {
         made->mesh.axes, made->mesh.vertices,
         made->start,     proposed,

@@ -24,6 +24,10 @@ const char *resolution_fault(proposal *made, bool weighed, bool exactly,
                              const tf_response_options *options,
                              tf_response_report *report);
 
+/// Where the vertices of the proposal that was last resolved would end without
+/// what pushes pairs apart.  Static storage.
+const double *resolution_motion(void);
+
 /// One line to standard output.
 void resolution_counts_print(const resolution_counts *counts);
 

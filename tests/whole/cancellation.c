@@ -259,7 +259,9 @@ static void resolve(workplace *w, const manner *how, answer *to)
     ck_assert_int_eq(tf_resolver_contacts(w->resolver, &count, &contact),
                      TF_OK);
     const unsigned char *flags = tf_resolver_vertices(w->resolver);
+    const double *unpushed = tf_resolver_unpushed(w->resolver);
     ck_assert((to->status == TF_OK) == (report != NULL));
+    ck_assert((to->status == TF_OK) == (unpushed != NULL));
     ck_assert((to->status == TF_OK) == (flags != NULL));
     expect_untouched(to->status, ended, proposed, bytes_of_step());
     if (to->status != TF_OK) {
@@ -269,6 +271,7 @@ static void resolve(workplace *w, const manner *how, answer *to)
     keep(to, ended, bytes_of_step());
     keep(to, contact, count * sizeof *contact);
     keep(to, flags, (size_t)mesh.vertices);
+    keep(to, unpushed, bytes_of_step());
     keep(to, report->rounds, sizeof report->rounds);
 }
 

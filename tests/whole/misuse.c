@@ -914,6 +914,9 @@ static void contacts_without(int null)
     tf_resolver_contacts(GIVEN(0, resolver), GIVEN(1, &count),
                          GIVEN(2, &contact));
     tf_resolver_vertices(GIVEN(3, resolver));
+    const double *push;
+    tf_resolver_pushes(GIVEN(4, resolver), GIVEN(5, &count), GIVEN(6, &push));
+    tf_resolver_unpushed(GIVEN(7, resolver));
 }
 
 static void zone_without(int null)
@@ -947,7 +950,7 @@ static const null_call null_calls[] = {
     {allocator_without, 2},      {detect_without, 3},
     {list_without, 3},           {check_without, 3},
     {resolver_without, 2},       {resolve_without, 3},
-    {limit_without, 4},          {contacts_without, 4},
+    {limit_without, 4},          {contacts_without, 8},
     {zone_without, 11},          {NULL, 0},
 };
 

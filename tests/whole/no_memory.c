@@ -156,6 +156,7 @@ static uint64_t respond(void)
                                             .check_start = true,
                                             .parallel = &parallel};
     const tf_answered_contact *contact = NULL;
+    const double *push = NULL;
     size_t count = 0;
     int vertices = made.mesh.vertices, halvings;
     double end[3 * PROPOSAL_VERTICES];
@@ -171,8 +172,10 @@ static uint64_t respond(void)
         ck_assert_mem_eq(end, made.end, sizeof end);
     }
     hash = hash_bytes(hash, end, sizeof end);
-    while (lacks_memory(tf_resolver_contacts(resolver, &count, &contact)))
-        ck_assert_ptr_null(contact);
+    while (lacks_memory(tf_resolver_pushes(resolver, &count, &push)))
+        ck_assert_ptr_null(push);
+    hash = hash_bytes(hash, push, count * sizeof *push);
+    ck_assert_int_eq(tf_resolver_contacts(resolver, &count, &contact), TF_OK);
     hash = hash_bytes(hash, contact, count * sizeof *contact);
     memcpy(end, made.end, sizeof end);
     while (lacks_memory(tf_step_limit(resolver, vertices, made.start, end,

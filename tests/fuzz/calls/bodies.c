@@ -137,10 +137,12 @@ uint64_t hash_report(const tf_response_report *report)
     return hash_bytes(hash, energies, sizeof energies);
 }
 
-uint64_t hash_answers(size_t count, const tf_answered_contact contact[])
+uint64_t hash_answers(size_t count, const tf_answered_contact contact[],
+                      const double push[])
 {
-    return hash_bytes(hash_number(HASH_OF_NOTHING, count), contact,
-                      sizeof *contact * count);
+    uint64_t hash = hash_number(HASH_OF_NOTHING, count);
+    hash = hash_bytes(hash, contact, sizeof *contact * count);
+    return hash_bytes(hash, push, sizeof *push * count);
 }
 
 // What is known ---------------------------------------------------------------

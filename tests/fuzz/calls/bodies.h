@@ -45,6 +45,7 @@ uint64_t hash_contacts(const tf_contacts *found);
 uint64_t hash_crossings(const tf_crossings *found);
 uint64_t hash_candidates(const tf_candidates *found);
 uint64_t hash_report(const tf_response_report *report);
-uint64_t hash_answers(size_t count, const tf_answered_contact contact[]);
+uint64_t hash_answers(size_t count, const tf_answered_contact contact[],
+                      const double push[]);
 
 #endif

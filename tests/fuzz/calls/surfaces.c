@@ -586,10 +586,13 @@ static void draw_response(generator *random, call *made,
     own->separation = any_option(random, 1);
     own->restitution = any_option(random, 1);
     own->friction = any_option(random, 2);
+    own->restitution_threshold = any_option(random, 1); // younger than 1.0
+    bool reads = own->size != 0;
     expect_fault(made,
                  own->sweeps < 0 || !is_within(own->separation, -most, most) ||
                      !is_within(own->restitution, 0, 1) ||
-                     !is_within(own->friction, 0, most),
+                     !is_within(own->friction, 0, most) ||
+                     (reads && !is_within(own->restitution_threshold, 0, most)),
                  TF_BAD_OPTION);
 }
 
@@ -693,6 +696,20 @@ static void judge_answer(const call *made, const body *of,
             "an answer is not in the step");
 }
 
+/// Asks for the pushes of the contacts that were answered, and for the motion.
+static const double *ask_pushes(tf_resolver *resolver, size_t contacts)
+{
+    size_t count;
+    const double *push, *unpushed = tf_resolver_unpushed(resolver);
+    call made = call_begin("tf_resolver_pushes");
+    require(&made, tf_resolver_pushes(resolver, &count, &push) == TF_OK,
+            "it fails where the contacts are listed");
+    require(&made, count == contacts, "other pushes than contacts");
+    require(&made, !unpushed == !tf_resolver_vertices(resolver),
+            "there is a motion without flags, or flags without a motion");
+    return push;
+}
+
 /// Asks for the contacts that were answered; returns a number that depends on
 /// them all.
 static uint64_t judge_answers(generator *random, const call *resolved,
@@ -714,7 +731,7 @@ static uint64_t judge_answers(generator *random, const call *resolved,
     }
     for (size_t i = 0; i < count; i++)
         judge_answer(resolved, of, &contact[i]);
-    return hash_answers(count, contact);
+    return hash_answers(count, contact, ask_pushes(resolver, count));
 }
 
 /// Resolves again by new objects, on one thread.
@@ -726,7 +743,7 @@ static void judge_again(generator *random, const call *made, const body *of,
     tf_response_options plain = *options;
     plain.parallel = NULL;
     plain.progress = NULL;
-    plain.size = 0;
+    plain.size = options->size ? sizeof plain : 0;
     plain.narrow_phase = &tf_reference;
     double other_end[NUMBERS];
     memcpy(other_end, s->end, sizeof other_end);
@@ -810,7 +827,7 @@ void call_limit(generator *random, body *of)
     require(&made,
             !tf_resolver_vertices(of->resolver) &&
                 judge_answers(random, &made, of, of->resolver) ==
-                    hash_answers(0, NULL),
+                    hash_answers(0, NULL, NULL),
             "it has resolved nothing, and tells what it did");
     require(&made, halvings != 0 || whole, "a step that is clear is changed");
     judge_clear(&made, of, s.start, end);

@@ -242,6 +242,8 @@ START_TEST(near_pairs_are_pushed_apart)
     made.end[5] = -9;
     resolve((tf_response_options){.separation = 3});
     ck_assert_double_eq_tol(end[5], 1.5, 1e-12);
+    // The push has no energy: what is left is that of the way to the side.
+    ck_assert_double_eq_tol(report.energy_after, 0.5, 1e-12);
     // The mean edge is 8, and 0.05 of it less than the gap.
     resolve((tf_response_options){0});
     ck_assert_double_eq_tol(end[5], 1, 1e-12);

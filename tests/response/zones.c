@@ -203,6 +203,59 @@ END_TEST
 
 // Contacts at the ends of edges push one vertex each: three edges, one above
 // the other, are two zones.
+/// An edge that falls from a height of 1 upon a floor, and a separation of 3.
+static void begin_near_fall(void)
+{
+    proposal_begin(&made, 2);
+    add_edge(-5, 0, 0);
+    made.start[2] = made.end[2] = 9;
+    made.start[3] = made.end[3] = 0;
+    add_edge(-3, 1, 1);
+    begin();
+    s.rule.separation = 3;
+}
+
+START_TEST(pairs_are_pushed_apart_without_a_motion)
+{
+    begin_near_fall();
+    size_t contacts = go_on(&tf_gauss_seidel);
+    const tf_constraint *constraint = zones.constraint.data;
+    const tf_contact_gap *gap = zones.gap.data;
+    for (size_t i = 0; i < contacts; i++) {
+        ck_assert_double_eq_tol(constraint[i].bound, 0, 0);
+        ck_assert_double_eq_tol(gap[i].room, (3 - gap[i].start) / 4, 1e-15);
+        ck_assert_double_gt(gap[i].push, 0);
+    }
+    for (int v = 2; v < 4; v++) {
+        double height = made.start[2 * v + 1];
+        ck_assert_double_eq_tol(s.unpushed[2 * v + 1], height, 1e-12);
+        ck_assert_double_eq_tol(s.end[2 * v + 1], height + (3 - height) / 4,
+                                1e-12);
+    }
+    end();
+}
+END_TEST
+
+// The second solution is asked for all anew, as the bounds are.
+START_TEST(each_zone_is_solved_for_its_motion_and_for_room)
+{
+    begin_near_fall();
+    int constraints = (int)go_on(&noting);
+    ck_assert_int_gt(constraints, 0);
+    ck_assert_int_eq(solved_zones % 2, 0);
+    ck_assert_int_eq(sum(solved_constraints), 2 * constraints);
+    solved_zones = 0;
+    go_on(&noting);
+    ck_assert_int_eq(solved_zones % 2, 0);
+    for (int z = 0; z < solved_zones; z += 2) {
+        ck_assert_int_eq(solved_constraints[z], solved_constraints[z + 1]);
+        ck_assert_int_gt(old_constraints[z], 0);
+        ck_assert_int_eq(old_constraints[z + 1], 0);
+    }
+    end();
+}
+END_TEST
+
 START_TEST(idle_vertices_belong_to_no_zone)
 {
     proposal_begin(&made, 2);
@@ -375,6 +428,8 @@ Suite *suite(void)
 
     TCase *answers = tcase_create("answers");
     tcase_add_test(answers, zones_start_from_the_base);
+    tcase_add_test(answers, pairs_are_pushed_apart_without_a_motion);
+    tcase_add_test(answers, each_zone_is_solved_for_its_motion_and_for_room);
     tcase_add_test(answers, idle_vertices_belong_to_no_zone);
     tcase_add_test(answers, each_zone_is_a_problem_on_its_own);
     tcase_add_test(answers, only_pushed_vertices_are_moved);

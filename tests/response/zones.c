@@ -222,7 +222,7 @@ START_TEST(pairs_are_pushed_apart_without_a_motion)
     const tf_constraint *constraint = zones.constraint.data;
     const tf_contact_gap *gap = zones.gap.data;
     for (size_t i = 0; i < contacts; i++) {
-        ck_assert_double_eq_tol(constraint[i].bound, 0, 0);
+        ck_assert_double_eq(constraint[i].bound, 0);
         ck_assert_double_eq_tol(gap[i].room, (3 - gap[i].start) / 4, 1e-15);
         ck_assert_double_gt(gap[i].push, 0);
     }

@@ -10,8 +10,8 @@
 #include "fast/gather.h"
 #include "fast/lanes.h"
 #include "query/apart.h"
-#include "query/shape.h"
 #include "query/query.h"
+#include "query/shape.h"
 
 #include <stdalign.h>
 #include <stdbool.h>

@@ -6,8 +6,8 @@ int tf_list_differences(int corners, int others, const double *const x[],
 {
     for (int i = 0; i < corners; i++)
         for (int j = corners; j < corners + others; j++)
-            difference[count++] = tf_vector_difference(
-                tf_vector_at(x[j], 0), tf_vector_at(x[i], 0));
+            difference[count++] = tf_vector_difference(tf_vector_at(x[j], 0),
+                                                       tf_vector_at(x[i], 0));
     return count;
 }
 

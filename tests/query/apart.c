@@ -104,7 +104,8 @@ START_TEST(touching_elements_are_not_apart_nor_an_ulp_to_each_side)
                 for (int t = 0; t < 2; t++) {
                     double *x =
                         query_coordinate(&q, (t * QUERY_VERTICES + v) * 3);
-                    *x = side ? nextafter(*x, side > 0 ? INFINITY : -INFINITY) : *x;
+                    *x = side ? nextafter(*x, side > 0 ? INFINITY : -INFINITY)
+                              : *x;
                 }
                 ck_assert_msg(!is_apart(&q) || side != 0, "2^%d", exponent);
             }

@@ -9,7 +9,9 @@
 #include "base/require.h"
 #include "fast/gather.h"
 #include "fast/lanes.h"
+#include "query/apart.h"
 #include "query/query.h"
+#include "query/shape.h"
 
 #include <stdalign.h>
 #include <stdbool.h>
@@ -54,6 +56,30 @@ static tf_status leave_to_reference(const tf_arithmetic *arithmetic,
                                separated);
 }
 
+//: Look for a direction that separates a query
+/// Whether a query that no axis separates is certainly apart along some other
+/// direction, at both ends.  This is no verdict of tf_clamped and tf_published,
+/// for which signs that are unknown may make a hit of it.
+static bool is_apart(const tf_arithmetic *arithmetic, const tf_queries *queries,
+                     size_t i)
+{
+    if (share_for(arithmetic) != TF_SHARE_SURE)
+        return false;
+    const tf_query_shape *shape = tf_query_shape_of(queries->kind);
+    const int *vertex = queries->vertices + 4 * i;
+    tf_vector difference[TF_MOST_DIFFERENCES];
+    int count = 0;
+    for (int t = 0; t < 2; t++) {
+        const double *at = t ? queries->motion->end : queries->motion->start;
+        const double *x[4];
+        for (int v = 0; v < 4; v++)
+            x[v] = at + (ptrdiff_t)3 * vertex[v];
+        count = tf_list_differences(shape->vertices, shape->others, x, count,
+                                    difference);
+    }
+    return tf_certainly_apart(count, difference);
+}
+
 //: Turn bits into verdicts
 /// Stops at the first bad query, as the reference does: a coordinate that is
 /// not finite leaves its query undecided.
@@ -64,7 +90,7 @@ static tf_status spread(const tf_arithmetic *arithmetic,
 {
     for (size_t i = begin; i < end; i++) {
         size_t lane = i - begin;
-        if (masks->undecided >> lane & 1) {
+        if (masks->undecided >> lane & 1 && !is_apart(arithmetic, queries, i)) {
             tf_status status = leave_to_reference(arithmetic, queries, i, i + 1,
                                                   verdict, separated);
             if (status != TF_OK)

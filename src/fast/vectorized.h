@@ -12,8 +12,9 @@
 ///
 /// It gathers the vertices of the queries into blocks, decides those that
 /// rounded numbers decide for certain, by vector instructions, and has
-/// tf_reference decide the others.  So it gains most where few queries are
-/// degenerate; where all are, it takes up to a third longer.
+/// tf_reference decide the others, unless the verdicts are exact and a direction
+/// certainly separates the elements.  So it gains most where few queries are
+/// degenerate; where all are, and touch, it takes longer than tf_reference.
 ///
 /// The rounded numbers serve tf_exact, tf_perturbed, tf_clamped and
 /// tf_published, in space.  With any other arithmetic, and in the plane, it is

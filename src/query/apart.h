@@ -1,0 +1,20 @@
+//: Declare certain separation
+#pragma once
+
+#include "geometry/vector.h"
+
+enum {
+    TF_MOST_DIFFERENCES = 8 ///< of two edges, at both ends of a step
+};
+
+/// Appends the vectors from each vertex of one element to each of another, both
+/// in space, with the vertices' coordinates at one time; returns how many there
+/// are then, of `count` before.
+int tf_list_differences(int corners, int others, const double *const x[],
+                        int count, tf_vector difference[]);
+
+/// Whether two elements are certainly apart along some direction, the same at
+/// all times whose differences are listed.  If it is false, nothing is known.
+/// True only if no coordinate of a difference is above 2^298 in absolute value.
+/// In an IEEE environment.
+bool tf_certainly_apart(int count, const tf_vector difference[]);

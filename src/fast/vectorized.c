@@ -11,7 +11,6 @@
 #include "fast/lanes.h"
 #include "query/apart.h"
 #include "query/query.h"
-#include "query/shape.h"
 
 #include <stdalign.h>
 #include <stdbool.h>
@@ -29,7 +28,8 @@ static double share_for(const tf_arithmetic *arithmetic)
 {
     if (arithmetic == &tf_exact || arithmetic == &tf_perturbed)
         return TF_SHARE_SURE;
-    if (arithmetic == &tf_clamped || arithmetic == &tf_published)
+    if (arithmetic == &tf_clamped || arithmetic == &tf_certain ||
+        arithmetic == &tf_published)
         return TF_SHARE_CLAMPED;
     return 0;
 }
@@ -58,26 +58,14 @@ static tf_status leave_to_reference(const tf_arithmetic *arithmetic,
 
 //: Look for a direction that separates a query
 /// Whether a query that no axis separates is certainly apart along some other
-/// direction, at both ends.  This is no verdict of tf_clamped and tf_published,
-/// for which signs that are unknown may make a hit of it.
+/// direction, at both ends, and that is what the arithmetic would answer.  This is
+/// no verdict of tf_clamped and tf_published, for which signs that are unknown may
+/// make a hit of it.
 static bool is_apart(const tf_arithmetic *arithmetic, const tf_queries *queries,
                      size_t i)
 {
-    if (share_for(arithmetic) != TF_SHARE_SURE)
-        return false;
-    const tf_query_shape *shape = tf_query_shape_of(queries->kind);
-    const int *vertex = queries->vertices + 4 * i;
-    tf_vector difference[TF_MOST_DIFFERENCES];
-    int count = 0;
-    for (int t = 0; t < 2; t++) {
-        const double *at = t ? queries->motion->end : queries->motion->start;
-        const double *x[4];
-        for (int v = 0; v < 4; v++)
-            x[v] = at + (ptrdiff_t)3 * vertex[v];
-        count = tf_list_differences(shape->vertices, shape->others, x, count,
-                                    difference);
-    }
-    return tf_certainly_apart(count, difference);
+    return arithmetic != &tf_clamped && arithmetic != &tf_published &&
+           tf_query_certainly_apart(queries, i);
 }
 
 //: Turn bits into verdicts

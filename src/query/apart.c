@@ -1,6 +1,10 @@
 //: List the differences of two elements
 #include "query/apart.h"
 
+#include "arithmetic/clamped.h"
+#include "arithmetic/functions.h"
+#include "query/shape.h"
+
 int tf_list_differences(int corners, int others, const double *const x[],
                         int count, tf_vector difference[])
 {
@@ -91,3 +95,34 @@ bool tf_certainly_apart(int count, const tf_vector difference[])
     }
     return false;
 }
+
+//: Be certain of a query
+bool tf_query_certainly_apart(const tf_queries *queries, size_t query)
+{
+    const tf_query_shape *shape = tf_query_shape_of(queries->kind);
+    const int *vertex = queries->vertices + 4 * query;
+    tf_vector difference[TF_MOST_DIFFERENCES];
+    int count = 0;
+    for (int t = 0; t < 2; t++) {
+        const double *at = t ? queries->motion->end : queries->motion->start;
+        const double *x[4];
+        for (int v = 0; v < 4; v++)
+            x[v] = at + (ptrdiff_t)3 * vertex[v];
+        count = tf_list_differences(shape->vertices, shape->others, x, count,
+                                    difference);
+    }
+    return tf_certainly_apart(count, difference);
+}
+
+static tf_sign certain_sign(const tf_differences *differences)
+{
+    return tf_clamped.sign(differences);
+}
+
+static tf_value certain_value(const tf_differences *differences)
+{
+    return tf_clamped.value(differences);
+}
+
+const tf_arithmetic tf_certain = {
+    .name = "certain", .sign = certain_sign, .value = certain_value};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "geometry/vector.h"
+#include "query/narrow_phase.h"
 
 enum {
     TF_MOST_DIFFERENCES = 8 ///< of two edges, at both ends of a step
@@ -18,3 +19,13 @@ int tf_list_differences(int corners, int others, const double *const x[],
 /// True only if no coordinate of a difference is above 2^298 in absolute value.
 /// In an IEEE environment.
 bool tf_certainly_apart(int count, const tf_vector difference[]);
+
+//: Declare certain verdicts
+/// Whether the elements of a query in space are certainly apart along some
+/// direction.  In an IEEE environment.
+bool tf_query_certainly_apart(const tf_queries *queries, size_t query);
+
+/// As tf_clamped, but a query that certainly is apart along some direction may be
+/// TF_APART: a narrow phase may look for one wherever tf_clamped is undecided.
+/// Its verdicts are those of exact arithmetics, or TF_UNDECIDED.
+extern const tf_arithmetic tf_certain;

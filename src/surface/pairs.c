@@ -5,6 +5,7 @@
 #include "arithmetic/exact.h"
 #include "arithmetic/integer.h"
 #include "arithmetic/published.h"
+#include "query/apart.h"
 #include "query/edge_edge.h"
 #include "query/point_edge.h"
 #include "query/point_triangle.h"
@@ -129,7 +130,7 @@ static tf_status decide_by(const tf_arithmetic *arithmetic,
                            const int vertex[], tf_verdict verdict[],
                            size_t *separated, double clearance[])
 {
-    bool fast = is_rounded(arithmetic);
+    bool fast = is_rounded(arithmetic) || arithmetic == &tf_certain;
     int most = fast ? TF_BATCH : PAIRS_AT_ONCE;
     for (int begin = 0; begin < count; begin += most) {
         int some = count - begin < most ? count - begin : most;
@@ -148,6 +149,21 @@ static tf_status decide_by(const tf_arithmetic *arithmetic,
             return status;
     }
     return TF_OK;
+}
+
+//: Look for directions that separate pairs
+/// Decides pairs that are certainly apart along some direction, as the vector
+/// narrow phase does by itself.
+static void decide_apart(const tf_pair_job *job, int count, batch *b)
+{
+    const tf_queries queries = {.kind = job->kind,
+                                .motion = job->motion,
+                                .count = (size_t)count,
+                                .vertices = b->vertex};
+    for (int i = 0; i < count; i++)
+        if (b->verdict[i] == TF_UNDECIDED &&
+            tf_query_certainly_apart(&queries, (size_t)i))
+            b->verdict[i] = TF_APART;
 }
 
 //: Decide what the filter leaves open
@@ -186,8 +202,11 @@ static tf_status decide_batch(const tf_pair_job *job, int count,
     bool filtered = is_exact(job->arithmetic);
     size_t separated = 0;
     tf_status status =
-        decide_by(filtered ? &tf_clamped : job->arithmetic, job, count,
+        decide_by(filtered ? &tf_certain : job->arithmetic, job, count,
                   b->vertex, b->verdict, &separated, clearance);
+    if (status == TF_OK && filtered && job->narrow_phase == &tf_reference &&
+        job->motion->axes == 3)
+        decide_apart(job, count, b);
     size_t decided = (size_t)count - separated, open = 0;
     if (status == TF_OK && filtered)
         open = decide_open(job, count, b, &status);

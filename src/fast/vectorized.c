@@ -56,16 +56,33 @@ static tf_status leave_to_reference(const tf_arithmetic *arithmetic,
                                separated);
 }
 
-//: Look for a direction that separates a query
-/// Whether a query that no axis separates is certainly apart along some other
-/// direction, at both ends, and that is what the arithmetic would answer.  This is
-/// no verdict of tf_clamped and tf_published, for which signs that are unknown may
+//: Look for directions that separate queries
+/// Whether a query that certainly is apart is so for an arithmetic.  This is no
+/// verdict of tf_clamped and tf_published, for which signs that are unknown may
 /// make a hit of it.
-static bool is_apart(const tf_arithmetic *arithmetic, const tf_queries *queries,
-                     size_t i)
+static bool is_certain(const tf_arithmetic *arithmetic)
 {
-    return arithmetic != &tf_clamped && arithmetic != &tf_published &&
-           tf_query_certainly_apart(queries, i);
+    return arithmetic != &tf_clamped && arithmetic != &tf_published;
+}
+
+/// Decides undecided queries whose elements may move and certainly stay apart.
+/// Measures the blocks that have such queries, if clearances were not wanted.
+static void decide_by_clearance(size_t blocks, const tf_query_block block[],
+                                tf_lanes_filter *filter, bool measured,
+                                tf_query_masks *masks, double clearance[])
+{
+    for (size_t i = 0; i < blocks; i++) {
+        size_t first = i * TF_BLOCK_QUERIES;
+        double *own = clearance + first;
+        tf_query_masks of_block;
+        if ((masks->undecided >> first & 0xff) == 0)
+            continue;
+        if (!measured)
+            filter(1, &block[i], TF_SHARE_SURE, &of_block, own);
+        for (int lane = 0; lane < TF_BLOCK_QUERIES; lane++)
+            if (own[lane] > 0)
+                masks->undecided &= ~(UINT64_C(1) << (first + (size_t)lane));
+    }
 }
 
 //: Turn bits into verdicts
@@ -78,7 +95,8 @@ static tf_status spread(const tf_arithmetic *arithmetic,
 {
     for (size_t i = begin; i < end; i++) {
         size_t lane = i - begin;
-        if (masks->undecided >> lane & 1 && !is_apart(arithmetic, queries, i)) {
+        if (masks->undecided >> lane & 1 &&
+            !(is_certain(arithmetic) && tf_query_certainly_apart(queries, i))) {
             tf_status status = leave_to_reference(arithmetic, queries, i, i + 1,
                                                   verdict, separated);
             if (status != TF_OK)
@@ -105,10 +123,13 @@ static tf_status decide_some(const tf_arithmetic *arithmetic,
     tf_query_masks masks;
     double own[TF_MASK_QUERIES];
     size_t blocks = (end - begin + TF_BLOCK_QUERIES - 1) / TF_BLOCK_QUERIES;
-    filter_for(queries->kind)(blocks, block, share_for(arithmetic), &masks,
-                              clearance ? own : NULL);
+    tf_lanes_filter *filter = filter_for(queries->kind);
+    filter(blocks, block, share_for(arithmetic), &masks,
+           clearance ? own : NULL);
     if (clearance)
         memcpy(clearance + begin, own, sizeof *own * (end - begin));
+    if (is_certain(arithmetic))
+        decide_by_clearance(blocks, block, filter, clearance, &masks, own);
     return spread(arithmetic, queries, begin, end, &masks, verdict, separated);
 }
 

@@ -8,17 +8,25 @@ enum {
     TF_MOST_DIFFERENCES = 8 ///< of two edges, at both ends of a step
 };
 
+/// The vectors from vertices of one element to those of another: coordinate k of
+/// difference i is x[k][i].
+typedef struct tf_difference_list {
+    int count;
+    double x[TF_AXES][TF_MOST_DIFFERENCES];
+} tf_difference_list;
+
 /// Appends the vectors from each vertex of one element to each of another, both
-/// in space, with the vertices' coordinates at one time; returns how many there
-/// are then, of `count` before.
-int tf_list_differences(int corners, int others, const double *const x[],
-                        int count, tf_vector difference[]);
+/// in space: those of one time.  First x[] has the `corners` vertices of the one,
+/// then the `others` of the other.
+void tf_list_differences(int corners, int others, const double *const x[],
+                         tf_difference_list *list);
 
 /// Whether two elements are certainly apart along some direction, the same at
-/// all times whose differences are listed.  If it is false, nothing is known.
-/// True only if no coordinate of a difference is above 2^298 in absolute value.
-/// In an IEEE environment.
-bool tf_certainly_apart(int count, const tf_vector difference[]);
+/// all times whose differences are listed, one or more.  If it is false, nothing
+/// is known.  True only if no coordinate of a difference is above 2^298 in
+/// absolute value.  Overwrites the places of the list that are not used.  In an
+/// IEEE environment.
+bool tf_certainly_apart(tf_difference_list *list);
 
 //: Declare certain verdicts
 /// Whether the elements of a query in space are certainly apart along some

@@ -70,9 +70,9 @@ static tf_status touches(const check_job *job, shape s, const int vertex[],
 /// Whether a direction certainly separates two elements in space.
 static bool are_apart(shape s, const double *const x[])
 {
-    tf_vector difference[TF_MOST_DIFFERENCES];
-    int count = tf_list_differences(s.first, s.second, x, 0, difference);
-    return tf_environment_is_ieee() && tf_certainly_apart(count, difference);
+    tf_difference_list list = {.count = 0};
+    tf_list_differences(s.first, s.second, x, &list);
+    return tf_environment_is_ieee() && tf_certainly_apart(&list);
 }
 
 //: Decide whether a pair at rest intersects

@@ -6,6 +6,7 @@
 #include "arithmetic/integer.h"
 #include "arithmetic/perturbed.h"
 #include "arithmetic/published.h"
+#include "query/apart.h"
 #include "query/query.h"
 #include "support/environments.h"
 #include "support/families.h"
@@ -33,16 +34,22 @@ static query_kind kind_of(int i)
 
 // Verdicts --------------------------------------------------------------------
 
+/// Expects that no query of a batch was found.
+static void expect_none(const batch *b, size_t found,
+                        const tf_arithmetic *arithmetic, const char *name)
+{
+    if (found == b->queries.count)
+        return;
+    query q = batch_query(b, found);
+    ck_abort_msg("%s, %s, query %zu of %zu, seed %llu, %s\n%s", name,
+                 tf_arithmetic_name(arithmetic), found, b->queries.count,
+                 (unsigned long long)seed(), query_name(&q), query_text(&q));
+}
+
 static void compare_batch(batch *b, const tf_arithmetic *arithmetic,
                           const char *name)
 {
-    size_t different = batch_different(b, arithmetic);
-    if (different == b->queries.count)
-        return;
-    query q = batch_query(b, different);
-    ck_abort_msg("%s, %s, query %zu of %zu, seed %llu, %s\n%s", name,
-                 tf_arithmetic_name(arithmetic), different, b->queries.count,
-                 (unsigned long long)seed(), query_name(&q), query_text(&q));
+    expect_none(b, batch_different(b, arithmetic), arithmetic, name);
 }
 
 START_TEST(verdicts_are_those_of_the_reference)
@@ -54,6 +61,7 @@ START_TEST(verdicts_are_those_of_the_reference)
         batch_fill(&b, &random, source, kind_of(_i), BATCH);
         for (int k = 0; k < ARITHMETICS; k++)
             compare_batch(&b, arithmetics[k], source->name);
+        expect_none(&b, batch_uncertain(&b), &tf_certain, source->name);
     }
     batch_free(&b);
 }

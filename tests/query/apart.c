@@ -13,10 +13,10 @@
 /// Whether a query is certainly apart; then it must be so by rational signs.
 static bool is_apart(query *q)
 {
-    tf_vector difference[TF_MOST_DIFFERENCES];
+    tf_difference_list list = {.count = 0};
     double at[2][3 * QUERY_VERTICES];
     const double *x[QUERY_VERTICES];
-    int corner[QUERY_VERTICES], count = 0;
+    int corner[QUERY_VERTICES];
     for (int t = 0; t < 2; t++) {
         for (int v = 0; v < QUERY_VERTICES; v++) {
             corner[v] = v;
@@ -25,12 +25,15 @@ static bool is_apart(query *q)
                 at[t][3 * v + k] =
                     *query_coordinate(q, (t * QUERY_VERTICES + v) * 3 + k);
         }
-        count =
-            tf_list_differences(q->vertices, q->others, x, count, difference);
+        tf_list_differences(q->vertices, q->others, x, &list);
     }
-    if (!tf_certainly_apart(count, difference))
-        return false;
     tf_motion motion = {3, QUERY_VERTICES, at[0], at[1]};
+    tf_queries one = {q->vertices == 1 ? TF_POINT_TRIANGLE : TF_EDGE_EDGE,
+                      &motion, 1, corner};
+    bool apart = tf_certainly_apart(&list);
+    ck_assert_int_eq(tf_query_certainly_apart(&one, 0), apart);
+    if (!apart)
+        return false;
     tf_verdict verdict = TF_UNDECIDED;
     bool separated = false;
     ck_assert_int_eq(
@@ -133,15 +136,23 @@ START_TEST(what_passes_from_side_to_side_is_not_apart)
 }
 END_TEST
 
+START_TEST(a_list_of_one_difference_is_a_direction)
+{
+    tf_difference_list one = {1, {{0}, {-1}, {0}}}, none = {1, {{0}}};
+    ck_assert(tf_certainly_apart(&one));
+    ck_assert(!tf_certainly_apart(&none));
+}
+END_TEST
+
 START_TEST(numbers_that_are_not_finite_show_nothing)
 {
     static const double bad[] = {NAN, INFINITY, -INFINITY, DBL_MAX};
     for (int i = 0; i < 4; i++)
         for (int j = 0; j < 6; j++) {
-            tf_vector difference[2] = {{{1, 0, 0}}, {{1, 1, 1}}};
-            ck_assert(tf_certainly_apart(2, difference));
-            difference[j / 3].x[j % 3] = bad[i];
-            ck_assert(!tf_certainly_apart(2, difference));
+            tf_difference_list list = {2, {{1, 1}, {0, 1}, {0, 1}}};
+            ck_assert(tf_certainly_apart(&list));
+            list.x[j % 3][j / 3] = bad[i];
+            ck_assert(!tf_certainly_apart(&list));
         }
 }
 END_TEST
@@ -158,6 +169,7 @@ Suite *suite(void)
         tcase, touching_elements_are_not_apart_nor_an_ulp_to_each_side, 0, 2);
     tcase_add_test(tcase, a_small_gap_along_a_diagonal_is_found);
     tcase_add_test(tcase, what_passes_from_side_to_side_is_not_apart);
+    tcase_add_test(tcase, a_list_of_one_difference_is_a_direction);
     tcase_add_test(tcase, numbers_that_are_not_finite_show_nothing);
     suite_add_tcase(suite, tcase);
     return suite;

@@ -2,6 +2,7 @@
 
 #include "arithmetic/exact.h"
 #include "fast/vectorized.h"
+#include "query/apart.h"
 #include "support/memory.h"
 
 #include <float.h>
@@ -94,12 +95,73 @@ static query huge(generator *random, query_kind kind)
     return scaled_any(random, kind, 990 + below(random, 30));
 }
 
+/// Neighbors in a flat sheet, sheared or not: at rest, moved as a whole, or each
+/// vertex on its own way in the plane.
+static query flat_grid(generator *random, query_kind kind)
+{
+    query q = query_new(kind);
+    double shear = below(random, 5) / 4.0, drift[2] = {0, 0};
+    bool rests = below(random, 3) == 0, bends = below(random, 3) == 0;
+    for (int k = 0; k < 2 && !rests; k++)
+        drift[k] = uniform(random, -2, 2);
+    for (int v = 0; v < QUERY_VERTICES; v++) {
+        double x = below(random, 4), y = below(random, 4);
+        const double at[2] = {x + shear * y, y};
+        for (int k = 0; k < 2; k++) {
+            double bend = bends ? uniform(random, -1, 1) : 0;
+            q.vertex[v].at[0].x[k] = at[k];
+            q.vertex[v].at[1].x[k] = at[k] + drift[k] + bend;
+        }
+    }
+    return q;
+}
+
+static query ulp_off_flat(generator *random, query_kind kind)
+{
+    query q = flat_grid(random, kind);
+    query_nudge(random, &q, 1);
+    for (int v = 0; v < QUERY_VERTICES; v++)
+        for (int t = 0; t < 2; t++)
+            q.vertex[v].at[t].x[2] = 0;
+    return q;
+}
+
+/// Turns what lies in the plane z = 0 into another, by two turns.
+static void turn(const double angle[2], double x[3])
+{
+    double y = cos(angle[0]) * x[0] - sin(angle[0]) * x[1];
+    double z = sin(angle[0]) * x[0] + cos(angle[0]) * x[1];
+    x[0] = cos(angle[1]) * y;
+    x[1] = z;
+    x[2] = sin(angle[1]) * y;
+}
+
+/// Flat but for rounding at each end, turned on the way or not.
+static query flat_and_turned(generator *random, query_kind kind)
+{
+    query q = flat_grid(random, kind);
+    double angle[2][2];
+    for (int k = 0; k < 2; k++) {
+        angle[0][k] = uniform(random, -4, 4);
+        angle[1][k] = angle[0][k];
+    }
+    if (below(random, 2))
+        angle[1][below(random, 2)] += uniform(random, -1, 1);
+    for (int v = 0; v < QUERY_VERTICES; v++)
+        for (int t = 0; t < 2; t++)
+            turn(angle[t], q.vertex[v].at[t].x);
+    return q;
+}
+
 const family families[FAMILIES] = {
     {"soup", query_soup},
     {"near", near_queries},
     {"lattice", lattice},
     {"tilted", query_tilted},
     {"flat at rest", flat_rest},
+    {"flat", flat_grid},
+    {"flat and turned", flat_and_turned},
+    {"an ulp off flat", ulp_off_flat},
     {"resting", query_resting},
     {"axes scaled by 2^700", scaled_axes},
     {"axes scaled by 2^300", at_the_limits},
@@ -253,4 +315,23 @@ size_t batch_different(batch *b, const tf_arithmetic *arithmetic)
         if (b->verdict[0][i] != b->verdict[1][i])
             return i;
     return first == second && separated[0] == separated[1] ? count : 0;
+}
+
+size_t batch_uncertain(batch *b)
+{
+    static const tf_narrow_phase *const narrow_phases[] = {&tf_reference,
+                                                           &tf_vectorized};
+    size_t separated, count = b->queries.count;
+    if (decide(&tf_reference, b, &tf_exact, b->verdict[0], &separated) != TF_OK)
+        return 0;
+    for (int k = 0; k < 2; k++) {
+        if (decide(narrow_phases[k], b, &tf_certain, b->verdict[1],
+                   &separated) != TF_OK)
+            return 0;
+        for (size_t i = 0; i < count; i++)
+            if (b->verdict[1][i] != TF_UNDECIDED &&
+                b->verdict[1][i] != b->verdict[0][i])
+                return i;
+    }
+    return count;
 }

@@ -13,7 +13,7 @@ typedef struct family {
 } family;
 
 enum {
-    FAMILIES = 12
+    FAMILIES = 15
 };
 
 /// The first RANDOM_FAMILIES are not hard.
@@ -52,6 +52,10 @@ size_t batch_wrong(batch *b, size_t *undecided);
 
 /// Which query has another verdict by vectors; the count if none has.
 size_t batch_different(batch *b, const tf_arithmetic *arithmetic);
+
+/// Which query has a verdict of tf_certain that is neither TF_UNDECIDED nor the
+/// one by exact signs, by vectors or by the reference; the count if none has.
+size_t batch_uncertain(batch *b);
 
 /// The query i, for a message.
 query batch_query(const batch *b, size_t i);

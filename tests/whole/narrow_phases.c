@@ -13,6 +13,7 @@
 #include "support/surfaces.h"
 #include "threads/threads.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -99,6 +100,57 @@ START_TEST(cloth_has_the_same_contacts_by_vectors)
 }
 END_TEST
 
+enum {
+    SIDE = 12
+};
+
+/// A flat sheet of right triangles, turned by two angles.
+static void place_sheet(const double angle[2], double x[])
+{
+    for (int i = 0; i < (SIDE + 1) * (SIDE + 1); i++) {
+        double a = i % (SIDE + 1), b = i / (SIDE + 1);
+        double u = cos(angle[0]) * a - sin(angle[0]) * b;
+        x[3 * i] = cos(angle[1]) * u;
+        x[3 * i + 1] = sin(angle[0]) * a + cos(angle[0]) * b;
+        x[3 * i + 2] = sin(angle[1]) * u;
+    }
+}
+
+static void list_triangles(int triangle[])
+{
+    for (int i = 0, t = 0; i < SIDE * SIDE; i++, t += 6) {
+        int corner = i / SIDE * (SIDE + 1) + i % SIDE;
+        const int both[] = {corner,     corner + 1,        corner + SIDE + 1,
+                            corner + 1, corner + SIDE + 2, corner + SIDE + 1};
+        memcpy(triangle + t, both, sizeof both);
+    }
+}
+
+START_TEST(flat_sheets_have_the_same_contacts_by_vectors)
+{
+    static int triangle[6 * SIDE * SIDE];
+    static double start[3 * (SIDE + 1) * (SIDE + 1)],
+        end[3 * (SIDE + 1) * (SIDE + 1)];
+    generator random = generator_new(9);
+    list_triangles(triangle);
+    tf_mesh mesh = {.axes = 3,
+                    .vertices = (SIDE + 1) * (SIDE + 1),
+                    .triangles = 2 * SIDE * SIDE,
+                    .triangle = triangle};
+    for (long i = cases(20); i > 0; i--) {
+        double angle[2] = {0, 0};
+        for (int k = 0; k < 2 && i % 4 != 0; k++)
+            angle[k] = uniform(&random, -4, 4);
+        place_sheet(angle, start);
+        if (i % 2)
+            angle[0] += uniform(&random, -0.1, 0.1);
+        place_sheet(angle, end);
+        tf_motion motion = {3, mesh.vertices, start, end};
+        compare(&mesh, &motion, NULL);
+    }
+}
+END_TEST
+
 Suite *suite(void)
 {
     Suite *suite = suite_create("whole/narrow_phases");
@@ -106,6 +158,7 @@ Suite *suite(void)
     tcase_add_loop_test(c, random_surfaces_have_the_same_contacts_by_vectors, 0,
                         2 * PLACEMENTS);
     tcase_add_test(c, cloth_has_the_same_contacts_by_vectors);
+    tcase_add_test(c, flat_sheets_have_the_same_contacts_by_vectors);
     suite_add_tcase(suite, c);
     return suite;
 }

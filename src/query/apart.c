@@ -10,10 +10,18 @@
 void tf_list_differences(int corners, int others, const double *const x[],
                          tf_difference_list *list)
 {
+    double share = 1.0 / (corners * others);
+    list->corners = corners;
+    list->others = others;
+    list->vertex = x;
+    list->center = (tf_vector){{0}};
     for (int i = 0; i < corners; i++)
         for (int j = corners; j < corners + others; j++) {
-            for (int k = 0; k < TF_AXES; k++)
-                list->x[k][list->count] = x[j][k] - x[i][k];
+            for (int k = 0; k < TF_AXES; k++) {
+                double difference = x[j][k] - x[i][k];
+                list->x[k][list->count] = difference;
+                list->center.x[k] += share * difference;
+            }
             list->count++;
         }
 }
@@ -32,20 +40,15 @@ static tf_vector difference_at(const tf_difference_list *list, int i)
     return (tf_vector){{list->x[0][i], list->x[1][i], list->x[2][i]}};
 }
 
-//: Start from the center of the differences
-/// The mean: a direction like any other.  Limits the coordinates, so that no
-/// product overflows: a NaN, too, is over the limit.
-static bool find_center(const tf_difference_list *list, tf_vector *center)
+/// Whether no product overflows, nor any of the filter by lanes: the differences
+/// that it sees are at most twice as large, and it adds up three.  A NaN, too, is
+/// over the limit.
+static bool is_limited(const tf_difference_list *list)
 {
     bool limited = true;
-    for (int k = 0; k < TF_AXES; k++) {
-        double sum = 0;
-        for (int i = 0; i < TF_MOST_DIFFERENCES; i++) {
-            limited &= fabs(list->x[k][i]) <= 0x1p298;
-            sum += list->x[k][i];
-        }
-        center->x[k] = sum / TF_MOST_DIFFERENCES;
-    }
+    for (int k = 0; k < TF_AXES; k++)
+        for (int i = 0; i < TF_MOST_DIFFERENCES; i++)
+            limited &= fabs(list->x[k][i]) <= 0x1p297;
     return limited;
 }
 
@@ -82,15 +85,38 @@ static tf_vector nearest_between(tf_vector from, tf_vector to)
     return share > 0 ? tf_vector_sum(from, share < 1 ? share : 1, step) : from;
 }
 
+//: Look across two elements
+static tf_vector from_to(const tf_difference_list *list, int i, int j)
+{
+    return tf_vector_difference(tf_vector_at(list->vertex[j], 0),
+                                tf_vector_at(list->vertex[i], 0));
+}
+
+/// The normal of a triangle, or a direction across both edges: the one in which
+/// elements lie one above the other.
+static tf_vector direction_across(const tf_difference_list *list)
+{
+    int last = list->corners + list->others - 1;
+    tf_vector first =
+        list->others == 3 ? from_to(list, last, last - 2) : from_to(list, 0, 1);
+    return tf_vector_cross(first, from_to(list, last, last - 1));
+}
+
 //: Look for a direction that separates
+static bool separates(const tf_difference_list *list, tf_vector along)
+{
+    int least;
+    return find_least(list, along, &least) > 0;
+}
+
 bool tf_certainly_apart(tf_difference_list *list)
 {
     enum {
         MOST_TURNS = 8
     };
-    tf_vector along;
+    tf_vector along = list->center;
     fill(list);
-    if (!find_center(list, &along))
+    if (!is_limited(list))
         return false;
     for (int turn = 0; turn < MOST_TURNS; turn++) {
         int least;
@@ -98,7 +124,9 @@ bool tf_certainly_apart(tf_difference_list *list)
             return true;
         along = nearest_between(along, difference_at(list, least));
     }
-    return false;
+    along = direction_across(list);
+    return separates(list, along) ||
+           separates(list, tf_vector_scaled(-1, along));
 }
 
 //: Look for a direction that separates a query
@@ -107,9 +135,9 @@ bool tf_query_certainly_apart(const tf_queries *queries, size_t query)
     const tf_query_shape *shape = tf_query_shape_of(queries->kind);
     const int *vertex = queries->vertices + 4 * query;
     tf_difference_list list = {.count = 0};
+    const double *x[4];
     for (int t = 0; t < 2; t++) {
         const double *at = t ? queries->motion->end : queries->motion->start;
-        const double *x[4];
         for (int v = 0; v < 4; v++)
             x[v] = at + (ptrdiff_t)3 * vertex[v];
         tf_list_differences(shape->vertices, shape->others, x, &list);

@@ -3,7 +3,6 @@
 
 #include "arithmetic/clamped.h"
 #include "arithmetic/functions.h"
-#include "query/shape.h"
 
 #include <math.h>
 
@@ -11,9 +10,6 @@ void tf_list_differences(int corners, int others, const double *const x[],
                          tf_difference_list *list)
 {
     double share = 1.0 / (corners * others);
-    list->corners = corners;
-    list->others = others;
-    list->vertex = x;
     list->center = (tf_vector){{0}};
     for (int i = 0; i < corners; i++)
         for (int j = corners; j < corners + others; j++) {
@@ -85,34 +81,11 @@ static tf_vector nearest_between(tf_vector from, tf_vector to)
     return share > 0 ? tf_vector_sum(from, share < 1 ? share : 1, step) : from;
 }
 
-//: Look across two elements
-static tf_vector from_to(const tf_difference_list *list, int i, int j)
-{
-    return tf_vector_difference(tf_vector_at(list->vertex[j], 0),
-                                tf_vector_at(list->vertex[i], 0));
-}
-
-/// The normal of a triangle, or a direction across both edges: the one in which
-/// elements lie one above the other.
-static tf_vector direction_across(const tf_difference_list *list)
-{
-    int last = list->corners + list->others - 1;
-    tf_vector first =
-        list->others == 3 ? from_to(list, last, last - 2) : from_to(list, 0, 1);
-    return tf_vector_cross(first, from_to(list, last, last - 1));
-}
-
 //: Look for a direction that separates
-static bool separates(const tf_difference_list *list, tf_vector along)
-{
-    int least;
-    return find_least(list, along, &least) > 0;
-}
-
 bool tf_certainly_apart(tf_difference_list *list)
 {
     enum {
-        MOST_TURNS = 8
+        MOST_TURNS = 6
     };
     tf_vector along = list->center;
     fill(list);
@@ -124,25 +97,7 @@ bool tf_certainly_apart(tf_difference_list *list)
             return true;
         along = nearest_between(along, difference_at(list, least));
     }
-    along = direction_across(list);
-    return separates(list, along) ||
-           separates(list, tf_vector_scaled(-1, along));
-}
-
-//: Look for a direction that separates a query
-bool tf_query_certainly_apart(const tf_queries *queries, size_t query)
-{
-    const tf_query_shape *shape = tf_query_shape_of(queries->kind);
-    const int *vertex = queries->vertices + 4 * query;
-    tf_difference_list list = {.count = 0};
-    const double *x[4];
-    for (int t = 0; t < 2; t++) {
-        const double *at = t ? queries->motion->end : queries->motion->start;
-        for (int v = 0; v < 4; v++)
-            x[v] = at + (ptrdiff_t)3 * vertex[v];
-        tf_list_differences(shape->vertices, shape->others, x, &list);
-    }
-    return tf_certainly_apart(&list);
+    return false;
 }
 
 //: Be certain

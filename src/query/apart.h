@@ -1,8 +1,8 @@
 //: Declare certain separation
 #pragma once
 
+#include "arithmetic/arithmetic.h"
 #include "geometry/vector.h"
-#include "query/narrow_phase.h"
 
 enum {
     TF_MOST_DIFFERENCES = 8 ///< of two edges, at both ends of a step
@@ -13,17 +13,12 @@ enum {
 typedef struct tf_difference_list {
     int count;
     double x[TF_AXES][TF_MOST_DIFFERENCES];
-
-    // Of those that were last appended:
-    int corners, others;         ///< how many vertices the elements have
-    const double *const *vertex; ///< their coordinates, the caller's
-    tf_vector center;            ///< the mean of the differences
+    tf_vector center; ///< the mean of those that were last appended
 } tf_difference_list;
 
 /// Appends the vectors from each vertex of one element to each of another, both
 /// in space: those of one time.  First x[] has the `corners` vertices of the one,
-/// then the `others` of the other: a triangle's three, or two of each edge.  It
-/// must stay as long as the list is used.
+/// then the `others` of the other.
 void tf_list_differences(int corners, int others, const double *const x[],
                          tf_difference_list *list);
 
@@ -35,11 +30,7 @@ void tf_list_differences(int corners, int others, const double *const x[],
 bool tf_certainly_apart(tf_difference_list *list);
 
 //: Declare certain verdicts
-/// Whether the elements of a query in space are certainly apart along some
-/// direction.  In an IEEE environment.
-bool tf_query_certainly_apart(const tf_queries *queries, size_t query);
-
-/// As tf_clamped, but a query that certainly is apart along some direction may be
-/// TF_APART: a narrow phase may look for one wherever tf_clamped is undecided.
-/// Its verdicts are those of exact arithmetics, or TF_UNDECIDED.
+/// As tf_clamped, but a narrow phase may answer TF_APART where the elements are
+/// certainly apart for another reason.  Its verdicts are those of exact
+/// arithmetics, or TF_UNDECIDED.
 extern const tf_arithmetic tf_certain;

@@ -151,21 +151,6 @@ static tf_status decide_by(const tf_arithmetic *arithmetic,
     return TF_OK;
 }
 
-//: Look for directions that separate pairs
-/// Decides pairs that are certainly apart along some direction, as the vector
-/// narrow phase does by itself.
-static void decide_apart(const tf_pair_job *job, int count, batch *b)
-{
-    const tf_queries queries = {.kind = job->kind,
-                                .motion = job->motion,
-                                .count = (size_t)count,
-                                .vertices = b->vertex};
-    for (int i = 0; i < count; i++)
-        if (b->verdict[i] == TF_UNDECIDED &&
-            tf_query_certainly_apart(&queries, (size_t)i))
-            b->verdict[i] = TF_APART;
-}
-
 //: Decide what the filter leaves open
 /// Decides by the arithmetic the pairs that the filter leaves undecided;
 /// returns how many there are.
@@ -204,9 +189,6 @@ static tf_status decide_batch(const tf_pair_job *job, int count,
     tf_status status =
         decide_by(filtered ? &tf_certain : job->arithmetic, job, count,
                   b->vertex, b->verdict, &separated, clearance);
-    if (status == TF_OK && filtered && job->narrow_phase == &tf_reference &&
-        job->motion->axes == 3)
-        decide_apart(job, count, b);
     size_t decided = (size_t)count - separated, open = 0;
     if (status == TF_OK && filtered)
         open = decide_open(job, count, b, &status);

@@ -136,8 +136,8 @@ static bool is_at_rest(const double *const start[4], const double *const end[4])
 }
 
 /// Whether a query that no axis separates is certainly apart.  Looks where exact
-/// signs take long: at elements at rest, and at those that lie in one plane at the
-/// start and in one at the end.
+/// signs take long: at elements at rest, and at those that lie in one plane at
+/// the start and in one at the end.
 static bool is_apart(const tf_queries *queries, size_t query)
 {
     const tf_query_shape *shape = tf_query_shape_of(queries->kind);

@@ -50,8 +50,8 @@ static bool is_limited(const tf_difference_list *list)
 
 //: Find the difference that is least certainly ahead
 /// How far a difference is ahead in a direction, less what rounding may have
-/// added: if that is positive, so is the dot product, from the exact difference of
-/// the vertices on.  Sets `least` to the first difference for which it is least.
+/// added: if that is positive, so is the dot product with the exact difference
+/// of the vertices.  Sets `least` to the first difference for which it is least.
 static double find_least(const tf_difference_list *list, tf_vector along,
                          int *least)
 {

@@ -23,12 +23,15 @@ void tf_list_differences(int corners, int others, const double *const x[],
 }
 
 //: Fill the list of differences
-/// Repeats the first difference, so that loops over all places need no branch.
-static void fill(tf_difference_list *list)
+/// Repeats the first difference up to a multiple of four, so that loops over the
+/// list need no branch; returns how many there are then.
+static int fill(tf_difference_list *list)
 {
-    for (int i = list->count; i < TF_MOST_DIFFERENCES; i++)
+    int places = (list->count + 3) / 4 * 4;
+    for (int i = list->count; i < places; i++)
         for (int k = 0; k < TF_AXES; k++)
             list->x[k][i] = list->x[k][0];
+    return places;
 }
 
 static tf_vector difference_at(const tf_difference_list *list, int i)
@@ -36,27 +39,15 @@ static tf_vector difference_at(const tf_difference_list *list, int i)
     return (tf_vector){{list->x[0][i], list->x[1][i], list->x[2][i]}};
 }
 
-/// Whether no product overflows, nor any of the filter by lanes: the differences
-/// that it sees are at most twice as large, and it adds up three.  A NaN, too, is
-/// over the limit.
-static bool is_limited(const tf_difference_list *list)
-{
-    bool limited = true;
-    for (int k = 0; k < TF_AXES; k++)
-        for (int i = 0; i < TF_MOST_DIFFERENCES; i++)
-            limited &= fabs(list->x[k][i]) <= 0x1p297;
-    return limited;
-}
-
-//: Find the difference that is least certainly ahead
-/// How far a difference is ahead in a direction, less what rounding may have
+//: Measure how far differences certainly are ahead
+/// How far each difference is ahead in a direction, less what rounding may have
 /// added: if that is positive, so is the dot product with the exact difference
-/// of the vertices.  Sets `least` to the first difference for which it is least.
-static double find_least(const tf_difference_list *list, tf_vector along,
-                         int *least)
+/// of the vertices.  A NaN if a product overflows.  Whether all are ahead.
+static bool measure(const tf_difference_list *list, int places, tf_vector along,
+                    double ahead[TF_MOST_DIFFERENCES])
 {
-    double ahead[TF_MOST_DIFFERENCES];
-    for (int i = 0; i < TF_MOST_DIFFERENCES; i++) {
+    int all = 1;
+    for (int i = 0; i < places; i++) {
         double a = along.x[0] * list->x[0][i];
         double b = along.x[1] * list->x[1][i];
         double c = along.x[2] * list->x[2][i];
@@ -64,11 +55,17 @@ static double find_least(const tf_difference_list *list, tf_vector along,
         // Rounding loses less than 5 u size, with u = 2^-53, and underflow less
         // than 2^-1000.
         ahead[i] = a + b + c - (0x1p-49 * size + 0x1p-1000);
+        all &= ahead[i] > 0;
     }
-    *least = 0;
-    for (int i = 1; i < TF_MOST_DIFFERENCES; i++)
-        *least = ahead[i] < ahead[*least] ? i : *least;
-    return ahead[*least];
+    return all;
+}
+
+static int find_least(int places, const double ahead[])
+{
+    int least = 0;
+    for (int i = 1; i < places; i++)
+        least = ahead[i] < ahead[least] ? i : least;
+    return least;
 }
 
 //: Turn a direction toward a difference
@@ -87,14 +84,13 @@ bool tf_certainly_apart(tf_difference_list *list)
     enum {
         MOST_TURNS = 6
     };
+    int places = fill(list);
     tf_vector along = list->center;
-    fill(list);
-    if (!is_limited(list))
-        return false;
+    double ahead[TF_MOST_DIFFERENCES];
     for (int turn = 0; turn < MOST_TURNS; turn++) {
-        int least;
-        if (find_least(list, along, &least) > 0)
+        if (measure(list, places, along, ahead))
             return true;
+        int least = find_least(places, ahead);
         along = nearest_between(along, difference_at(list, least));
     }
     return false;

@@ -24,9 +24,8 @@ void tf_list_differences(int corners, int others, const double *const x[],
 
 /// Whether two elements are certainly apart along some direction, the same at
 /// all times whose differences are listed, one or more.  If it is false, nothing
-/// is known.  True only if no coordinate of a difference is above 2^297 in
-/// absolute value.  Overwrites the places of the list that are not used.  In an
-/// IEEE environment.
+/// is known.  Overwrites places of the list that are not used.  In an IEEE
+/// environment.
 bool tf_certainly_apart(tf_difference_list *list);
 
 //: Declare certain verdicts

@@ -9,7 +9,7 @@
 #include "query/apart.h"
 #include "query/query.h"
 #include "support/environments.h"
-#include "support/families.h"
+#include "support/query_batch.h"
 #include "support/rational.h"
 #include "support/statuses.h"
 #include "support/support.h"

@@ -8,7 +8,7 @@
 // the hard families.  Prints a line a family; fails if a verdict is wrong.
 #include "arithmetic/clamped.h"
 #include "arithmetic/exact.h"
-#include "support/families.h"
+#include "support/query_batch.h"
 
 #include <stdbool.h>
 #include <stdio.h>

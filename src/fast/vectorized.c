@@ -9,8 +9,12 @@
 #include "base/require.h"
 #include "fast/gather.h"
 #include "fast/lanes.h"
+#include "query/apart.h"
 #include "query/query.h"
+#include "query/shape.h"
+#include "surface/crossing.h"
 
+#include <math.h>
 #include <stdalign.h>
 #include <stdbool.h>
 #include <stddef.h>
@@ -27,7 +31,8 @@ static double share_for(const tf_arithmetic *arithmetic)
 {
     if (arithmetic == &tf_exact || arithmetic == &tf_perturbed)
         return TF_SHARE_SURE;
-    if (arithmetic == &tf_clamped || arithmetic == &tf_published)
+    if (arithmetic == &tf_clamped || arithmetic == &tf_certain ||
+        arithmetic == &tf_published)
         return TF_SHARE_CLAMPED;
     return 0;
 }
@@ -54,6 +59,108 @@ static tf_status leave_to_reference(const tf_arithmetic *arithmetic,
                                separated);
 }
 
+//: Look for directions that separate queries
+/// Whether a query that certainly is apart is so for an arithmetic.  This is no
+/// verdict of tf_clamped and tf_published, for which signs that are unknown may
+/// make a hit of it.
+static bool is_certain(const tf_arithmetic *arithmetic)
+{
+    return arithmetic != &tf_clamped && arithmetic != &tf_published;
+}
+
+enum {
+    MANY = 4 ///< undecided queries of a block, which are worth a second look
+};
+
+/// Decides undecided queries whose elements may move and certainly stay apart.
+/// Measures blocks with many of these, if clearances were not wanted.
+static void decide_by_clearance(size_t blocks, const tf_query_block block[],
+                                tf_lanes_filter *filter, bool measured,
+                                tf_query_masks *masks, double clearance[])
+{
+    for (size_t i = 0; i < blocks; i++) {
+        size_t first = i * TF_BLOCK_QUERIES;
+        double *own = clearance + first;
+        tf_query_masks of_block;
+        uint64_t undecided = masks->undecided >> first & 0xff;
+        if (__builtin_popcountll(undecided) < MANY)
+            continue;
+        if (!measured)
+            filter(1, &block[i], TF_SHARE_SURE, &of_block, own);
+        for (int lane = 0; lane < TF_BLOCK_QUERIES; lane++)
+            if (own[lane] > 0)
+                masks->undecided &= ~(UINT64_C(1) << (first + (size_t)lane));
+    }
+}
+
+//: Compare four places with a plane
+typedef enum flatness {
+    FLAT,     ///< or so nearly that rounded numbers see no difference
+    NOT_FLAT, ///< certainly
+    UNKNOWN   ///< where products may over- or underflow
+} flatness;
+
+static tf_vector from_first(const double *const x[4], int i)
+{
+    return tf_vector_difference(tf_vector_at(x[i], 0), tf_vector_at(x[0], 0));
+}
+
+static double sum_of_sizes(tf_vector v)
+{
+    return fabs(v.x[0]) + fabs(v.x[1]) + fabs(v.x[2]);
+}
+
+/// Whether four places lie in one plane.
+static flatness flatness_of(const double *const x[4])
+{
+    tf_vector a = from_first(x, 1), b = from_first(x, 2), c = from_first(x, 3);
+    double volume = tf_vector_dot(a, tf_vector_cross(b, c));
+    double one = sum_of_sizes(a), two = sum_of_sizes(b),
+           three = sum_of_sizes(c);
+    double size = one * two * three;
+    const double most = 0x1p297;
+    if (!(one < most && two < most && three < most && size > 0x1p-700))
+        return UNKNOWN;
+    // Rounding loses less than 12 u size, with u = 2^-53.
+    return fabs(volume) > 0x1p-49 * size ? NOT_FLAT : FLAT;
+}
+
+//: Look at queries at rest and flat ones
+static bool is_at_rest(const double *const start[4], const double *const end[4])
+{
+    for (int v = 0; v < 4; v++)
+        for (int k = 0; k < TF_AXES; k++)
+            if (start[v][k] != end[v][k])
+                return false;
+    return true;
+}
+
+/// Whether a query that no axis separates is certainly apart.  Looks where exact
+/// signs take long: at elements at rest, and at those that lie in one plane at
+/// the start and in one at the end.
+static bool is_apart(const tf_queries *queries, size_t query)
+{
+    const tf_query_shape *shape = tf_query_shape_of(queries->kind);
+    const int *vertex = queries->vertices + 4 * query;
+    const double *start[4], *end[4];
+    for (int v = 0; v < 4; v++) {
+        start[v] = queries->motion->start + (ptrdiff_t)3 * vertex[v];
+        end[v] = queries->motion->end + (ptrdiff_t)3 * vertex[v];
+    }
+    bool rests = is_at_rest(start, end);
+    flatness at_start = flatness_of(start);
+    if (at_start != FLAT)
+        return at_start == NOT_FLAT && rests;
+    if (!rests && flatness_of(end) != FLAT)
+        return false;
+    tf_difference_list list = {.count = 0};
+    tf_list_differences(shape->vertices, shape->others, start, &list);
+    if (!rests)
+        tf_list_differences(shape->vertices, shape->others, end, &list);
+    return tf_certainly_apart(&list) ||
+           (rests && !tf_are_coplanar(start[0], start[1], start[2], start[3]));
+}
+
 //: Turn bits into verdicts
 /// Stops at the first bad query, as the reference does: a coordinate that is
 /// not finite leaves its query undecided.
@@ -64,7 +171,8 @@ static tf_status spread(const tf_arithmetic *arithmetic,
 {
     for (size_t i = begin; i < end; i++) {
         size_t lane = i - begin;
-        if (masks->undecided >> lane & 1) {
+        if (masks->undecided >> lane & 1 &&
+            !(is_certain(arithmetic) && is_apart(queries, i))) {
             tf_status status = leave_to_reference(arithmetic, queries, i, i + 1,
                                                   verdict, separated);
             if (status != TF_OK)
@@ -91,10 +199,13 @@ static tf_status decide_some(const tf_arithmetic *arithmetic,
     tf_query_masks masks;
     double own[TF_MASK_QUERIES];
     size_t blocks = (end - begin + TF_BLOCK_QUERIES - 1) / TF_BLOCK_QUERIES;
-    filter_for(queries->kind)(blocks, block, share_for(arithmetic), &masks,
-                              clearance ? own : NULL);
+    tf_lanes_filter *filter = filter_for(queries->kind);
+    filter(blocks, block, share_for(arithmetic), &masks,
+           clearance ? own : NULL);
     if (clearance)
         memcpy(clearance + begin, own, sizeof *own * (end - begin));
+    if (is_certain(arithmetic))
+        decide_by_clearance(blocks, block, filter, clearance, &masks, own);
     return spread(arithmetic, queries, begin, end, &masks, verdict, separated);
 }
 

@@ -12,8 +12,10 @@
 ///
 /// It gathers the vertices of the queries into blocks, decides those that
 /// rounded numbers decide for certain, by vector instructions, and has
-/// tf_reference decide the others.  So it gains most where few queries are
-/// degenerate; where all are, it takes up to a third longer.
+/// tf_reference decide the others.  Where verdicts are exact, it looks first
+/// whether a direction separates elements that lie in one plane, and whether
+/// those at rest do.  So it gains most where few elements nearly touch; where all
+/// do, it takes up to a third longer than tf_reference.
 ///
 /// The rounded numbers serve tf_exact, tf_perturbed, tf_clamped and
 /// tf_published, in space.  With any other arithmetic, and in the plane, it is

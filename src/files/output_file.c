@@ -143,8 +143,8 @@ static void set_permissions(int descriptor, const struct stat *before)
 
 //: Lock a scratch file
 /// Opens a file that is not there yet, with a descriptor that is none of the
-/// standard ones: if one of those is closed, what is printed must not get into the
-/// file.
+/// standard ones: if one of those is closed, what is printed must not get into
+/// the file.
 static int open_new(const char *name)
 {
     int any = open(name, O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0600);

@@ -118,10 +118,15 @@ static void sum_normals(const tf_flow_advance *a, const double position[],
 }
 
 //: Make the normals unit vectors
-/// Of length 1, unless it has no length.
+/// Of length 1, unless it has no length.  The normal of a sliver may be so short
+/// that its square underflows, so it is multiplied by a power of two first.
 static tf_vector unit_of(tf_vector a)
 {
-    return tf_vector_length(a) > 0 ? tf_vector_unit(a) : a;
+    int exponent;
+    double most = fmax(fmax(fabs(a.x[0]), fabs(a.x[1])), fabs(a.x[2]));
+    frexp(most, &exponent);
+    double scale = ldexp(1, exponent < -1000 ? 1000 : -exponent);
+    return most > 0 ? tf_vector_unit(tf_vector_scaled(scale, a)) : a;
 }
 
 static void find_normals(tf_flow_advance *a)

@@ -28,7 +28,8 @@ typedef struct tf_queries {
 /// A narrow phase decides which of many pairs of elements meet.  It is a
 /// constant that is passed, by its address, to whatever needs verdicts.  With
 /// an exact arithmetic all narrow phases give the same answers; they differ in
-/// speed.
+/// speed.  Before an exact arithmetic, detection may ask by one of the library's
+/// own whose verdicts are certain or TF_UNDECIDED.
 typedef struct tf_narrow_phase {
     const char *name; ///< in static storage
 

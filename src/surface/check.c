@@ -5,6 +5,7 @@
 #include "base/environment.h"
 #include "base/require.h"
 #include "base/sized.h"
+#include "query/apart.h"
 #include "query/query.h"
 #include "surface/crossing.h"
 #include "surface/filtered_join.h"
@@ -65,6 +66,15 @@ static tf_status touches(const check_job *job, shape s, const int vertex[],
     return status;
 }
 
+//: Look for a direction that separates a pair at rest
+/// Whether a direction certainly separates two elements in space.
+static bool are_apart(shape s, const double *const x[])
+{
+    tf_difference_list list = {.count = 0};
+    tf_list_differences(s.first, s.second, x, &list);
+    return tf_environment_is_ieee() && tf_certainly_apart(&list);
+}
+
 //: Decide whether a pair at rest intersects
 static tf_status intersects(const check_job *job, const int vertex[],
                             bool *found)
@@ -73,12 +83,16 @@ static tf_status intersects(const check_job *job, const int vertex[],
     const double *x[5] = {NULL};
     for (int i = 0; i < 5 && vertex[i] >= 0; i++)
         x[i] = job->rest.start + (size_t)axes * (size_t)vertex[i];
+    shape s = shape_of(job->kind);
+    *found = false;
+    if (axes == 3 && are_apart(s, x))
+        return TF_OK;
     if (job->kind == TF_EDGE_THROUGH_TRIANGLE)
         *found = tf_edge_crosses_triangle(x[0], x[1], x[2], x[3], x[4]);
     else if (axes == 2)
         *found = tf_edges_cross(x[0], x[1], x[2], x[3]);
     else
-        return touches(job, shape_of(job->kind), vertex, x, found);
+        return touches(job, s, vertex, x, found);
     return TF_OK;
 }
 

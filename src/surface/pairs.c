@@ -5,6 +5,7 @@
 #include "arithmetic/exact.h"
 #include "arithmetic/integer.h"
 #include "arithmetic/published.h"
+#include "query/apart.h"
 #include "query/edge_edge.h"
 #include "query/point_edge.h"
 #include "query/point_triangle.h"
@@ -129,7 +130,7 @@ static tf_status decide_by(const tf_arithmetic *arithmetic,
                            const int vertex[], tf_verdict verdict[],
                            size_t *separated, double clearance[])
 {
-    bool fast = is_rounded(arithmetic);
+    bool fast = is_rounded(arithmetic) || arithmetic == &tf_certain;
     int most = fast ? TF_BATCH : PAIRS_AT_ONCE;
     for (int begin = 0; begin < count; begin += most) {
         int some = count - begin < most ? count - begin : most;
@@ -186,7 +187,7 @@ static tf_status decide_batch(const tf_pair_job *job, int count,
     bool filtered = is_exact(job->arithmetic);
     size_t separated = 0;
     tf_status status =
-        decide_by(filtered ? &tf_clamped : job->arithmetic, job, count,
+        decide_by(filtered ? &tf_certain : job->arithmetic, job, count,
                   b->vertex, b->verdict, &separated, clearance);
     size_t decided = (size_t)count - separated, open = 0;
     if (status == TF_OK && filtered)

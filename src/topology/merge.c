@@ -2,7 +2,6 @@
 #include "topology/merge.h"
 
 #include "base/require.h"
-#include "remesh/measure.h"
 #include "surgery/request.h"
 #include "surgery/star.h"
 #include "surgery/surgery.h"
@@ -55,9 +54,30 @@ static bool may_merge(const tf_adaptive_surface *surface, const tf_quad quad[2])
 }
 
 //: Match the corners of two quads
-static double squared_length(const tf_adaptive_surface *surface, int a, int b)
+/// The power of two by which the quads' greatest coordinate gets nearest below 1:
+/// a merge by itself knows no unit of the surface.
+static double scale_of(const tf_adaptive_surface *surface,
+                       const tf_quad quad[2])
 {
-    double length = tf_length_of(surface, a, b);
+    tf_aabb first = tf_aabb_of(surface, 4, quad[0].corner);
+    tf_aabb second = tf_aabb_of(surface, 4, quad[1].corner);
+    tf_aabb both = tf_aabb_union(first, &second);
+    return tf_aabb_scale(&both);
+}
+
+static double length_between(const tf_adaptive_surface *surface, double scale,
+                             int a, int b)
+{
+    tf_vector from = tf_vector_at(tf_vertex_coordinates(surface, a), 0);
+    tf_vector to = tf_vector_at(tf_vertex_coordinates(surface, b), 0);
+    return tf_vector_length(tf_vector_difference(tf_vector_scaled(scale, from),
+                                                 tf_vector_scaled(scale, to)));
+}
+
+static double squared_length(const tf_adaptive_surface *surface, double scale,
+                             int a, int b)
+{
+    double length = length_between(surface, scale, a, b);
     return length * length;
 }
 
@@ -69,14 +89,15 @@ static int partner(const tf_quad quad[2], int turned, int corner)
 }
 
 /// How the second quad is turned so that the corners are nearest.
-static int best_turn(const tf_adaptive_surface *surface, const tf_quad quad[2])
+static int best_turn(const tf_adaptive_surface *surface, double scale,
+                     const tf_quad quad[2])
 {
     int best = 0;
     double least = INFINITY;
     for (int turned = 0; turned < 4; turned++) {
         double sum = 0;
         for (int i = 0; i < 4; i++)
-            sum += squared_length(surface, quad[0].corner[i],
+            sum += squared_length(surface, scale, quad[0].corner[i],
                                   partner(quad, turned, i));
         if (sum < least) {
             least = sum;
@@ -89,10 +110,11 @@ static int best_turn(const tf_adaptive_surface *surface, const tf_quad quad[2])
 //: Describe the tube
 /// Adds two triangles between edges that face each other, p[0] to p[1] and q[0]
 /// to q[1], with the shorter diagonal.
-static void add_side(tf_adaptive_surface *surface, const int p[2],
+static void add_side(tf_adaptive_surface *surface, double scale, const int p[2],
                      const int q[2])
 {
-    if (tf_length_of(surface, p[0], q[1]) < tf_length_of(surface, p[1], q[0])) {
+    if (length_between(surface, scale, p[0], q[1]) <
+        length_between(surface, scale, p[1], q[0])) {
         tf_surgery_add(surface, p[0], p[1], q[1]);
         tf_surgery_add(surface, p[0], q[1], q[0]);
     } else {
@@ -103,12 +125,13 @@ static void add_side(tf_adaptive_surface *surface, const int p[2],
 
 static void add_tube(tf_adaptive_surface *surface, const tf_quad quad[2])
 {
-    int turned = best_turn(surface, quad);
+    double scale = scale_of(surface, quad);
+    int turned = best_turn(surface, scale, quad);
     for (int i = 0; i < 4; i++) {
         const int p[] = {quad[0].corner[i], quad[0].corner[(i + 1) % 4]};
         const int q[] = {partner(quad, turned, i),
                          partner(quad, turned, i + 1)};
-        add_side(surface, p, q);
+        add_side(surface, scale, p, q);
     }
 }
 

@@ -10,7 +10,7 @@
 #include "query/query.h"
 #include "query/shape.h"
 #include "support/environments.h"
-#include "support/families.h"
+#include "support/query_batch.h"
 #include "support/scrambled_workers.h"
 #include "support/statuses.h"
 #include "support/support.h"

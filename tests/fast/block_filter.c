@@ -2,7 +2,7 @@
 #include "fast/block_filter.h"
 
 #include "support/environments.h"
-#include "support/families.h"
+#include "support/query_batch.h"
 #include "support/statuses.h"
 #include "support/support.h"
 

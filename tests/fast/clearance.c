@@ -3,7 +3,7 @@
 
 #include "arithmetic/exact.h"
 #include "fast/vectorized.h"
-#include "support/families.h"
+#include "support/query_batch.h"
 #include "support/support.h"
 
 #include <string.h>

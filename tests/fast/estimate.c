@@ -4,7 +4,7 @@
 #include "arithmetic/exact.h"
 #include "query/edge_edge.h"
 #include "query/point_triangle.h"
-#include "support/families.h"
+#include "support/query_batch.h"
 #include "support/support.h"
 
 #include <math.h>

@@ -2,7 +2,7 @@
 // query, and how far a determinant must be from zero.
 #include "fast/lanes.h"
 
-#include "support/families.h"
+#include "support/query_batch.h"
 #include "support/support.h"
 
 #include <stdbool.h>

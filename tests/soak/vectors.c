@@ -1,5 +1,6 @@
 // Many random and adversarial queries, by vectors and by the reference: their
-// verdicts with tf_exact and tf_clamped, and the filter's certain ones.
+// verdicts with tf_exact and tf_clamped, and the certain ones, of the filter and of
+// tf_certain.
 //
 //     vectors COUNT
 //
@@ -7,7 +8,7 @@
 // the hard families.  Prints a line a family; fails if a verdict is wrong.
 #include "arithmetic/clamped.h"
 #include "arithmetic/exact.h"
-#include "support/families.h"
+#include "support/query_batch.h"
 
 #include <stdbool.h>
 #include <stdio.h>
@@ -45,6 +46,7 @@ static void try_batch(batch *b, const char *name, tally *sum)
     note(sum, b, batch_wrong(b, &undecided), name, "a certain verdict");
     note(sum, b, batch_different(b, &tf_exact), name, "exact");
     note(sum, b, batch_different(b, &tf_clamped), name, "clamped");
+    note(sum, b, batch_uncertain(b), name, "certain");
     sum->queries += (long long)b->queries.count;
     sum->undecided += (long long)undecided;
 }

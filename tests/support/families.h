@@ -1,10 +1,7 @@
-// Families of queries in space that are hard for rounded numbers, and many
-// queries of a family at once, as arrays.
+// Families of queries in space, most of them hard for rounded numbers.
 #ifndef SUPPORT_FAMILIES_H
 #define SUPPORT_FAMILIES_H
 
-#include "fast/block_filter.h"
-#include "query/narrow_phase.h"
 #include "support/queries.h"
 
 typedef struct family {
@@ -13,7 +10,7 @@ typedef struct family {
 } family;
 
 enum {
-    FAMILIES = 12
+    FAMILIES = 15
 };
 
 /// The first RANDOM_FAMILIES are not hard.
@@ -22,38 +19,5 @@ extern const family families[FAMILIES];
 enum {
     RANDOM_FAMILIES = 2
 };
-
-/// Many queries, each with vertices of its own, in a random order of indices.
-/// TF_POINT_TRIANGLE or TF_EDGE_EDGE.
-typedef struct batch {
-    tf_queries queries;
-    tf_motion motion;
-    double *start, *end;
-    int *vertex;
-    tf_query_block *block; ///< the same queries, element by element in order
-    tf_query_masks *masks; ///< room for the verdicts
-    tf_verdict *verdict[2];
-} batch;
-
-/// Room for up to `most` queries.
-batch batch_new(size_t most);
-void batch_free(batch *b);
-
-/// Fills it with `count` queries.
-void batch_fill(batch *b, generator *random, const family *source,
-                query_kind kind, size_t count);
-
-/// The filter of the kind.
-tf_status batch_filter(batch *b);
-
-/// Which query has another certain verdict in the masks than by exact signs;
-/// the count if none has.  Counts those that are undecided.
-size_t batch_wrong(batch *b, size_t *undecided);
-
-/// Which query has another verdict by vectors; the count if none has.
-size_t batch_different(batch *b, const tf_arithmetic *arithmetic);
-
-/// The query i, for a message.
-query batch_query(const batch *b, size_t i);
 
 #endif

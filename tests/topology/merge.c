@@ -9,7 +9,11 @@
 #include "surgery/adaptive_surface.h"
 #include "surgery/star.h"
 
+#include <math.h>
+#include <string.h>
+
 static adaptive_scene scene;
+static int exponent; ///< of the power of two by which all positions are scaled
 
 /// Two boxes of unit squares, one above the other, and a speck between them if
 /// it is wanted; the upper one is turned over, or not.
@@ -24,6 +28,8 @@ static tf_adaptive_surface *two_boxes(bool speck, bool turned)
         turn_part_over(&scene);
     if (speck)
         add_tetrahedron(&scene, corner);
+    for (int i = 0; i < 3 * scene.vertices; i++)
+        scene.position[i] = ldexp(scene.position[i], exponent);
     tf_mesh mesh = adaptive_scene_mesh(&scene);
     tf_adaptive_surface *made = NULL;
     ck_assert_int_eq(tf_adaptive_create(&mesh, scene.position, &made, NULL),
@@ -33,9 +39,10 @@ static tf_adaptive_surface *two_boxes(bool speck, bool turned)
 
 static int vertex_at(double x, double y, double z)
 {
+    const double at[] = {ldexp(x, exponent), ldexp(y, exponent),
+                         ldexp(z, exponent)};
     for (int v = 0; v < scene.vertices; v++)
-        if (scene.position[3 * v] == x && scene.position[3 * v + 1] == y &&
-            scene.position[3 * v + 2] == z)
+        if (memcmp(scene.position + 3 * (ptrdiff_t)v, at, sizeof at) == 0)
             return v;
     ck_abort_msg("no vertex there");
 }
@@ -66,6 +73,25 @@ START_TEST(a_merge_joins_two_components)
     ck_assert(is_sound(surface));
     ck_assert_int_eq(merge_diagonals(surface), TF_IMPOSSIBLE); // it is gone
     tf_adaptive_free(surface);
+}
+END_TEST
+
+// The lengths of its diagonals must neither over- nor underflow.
+START_TEST(a_merge_is_the_same_in_any_unit_of_length)
+{
+    exponent = 0;
+    tf_adaptive_surface *one = two_boxes(false, false);
+    ck_assert_int_eq(merge_diagonals(one), TF_COMMITTED);
+    const tf_mesh *mesh = tf_adaptive_mesh(one);
+    for (exponent = -1000; exponent <= 1000; exponent += 100) {
+        tf_adaptive_surface *other = two_boxes(false, false);
+        ck_assert_int_eq(merge_diagonals(other), TF_COMMITTED);
+        ck_assert_int_eq(tf_adaptive_mesh(other)->triangles, mesh->triangles);
+        ck_assert_mem_eq(tf_adaptive_mesh(other)->triangle, mesh->triangle,
+                         3 * sizeof(int) * (size_t)mesh->triangles);
+        tf_adaptive_free(other);
+    }
+    tf_adaptive_free(one);
 }
 END_TEST
 
@@ -166,6 +192,7 @@ Suite *suite(void)
     Suite *suite = suite_create("topology/merge");
     TCase *tcase = tcase_create("merges");
     tcase_add_test(tcase, a_merge_joins_two_components);
+    tcase_add_test(tcase, a_merge_is_the_same_in_any_unit_of_length);
     tcase_add_test(tcase, a_merge_around_a_speck_is_refused);
     tcase_add_test(tcase, a_front_does_not_merge_with_a_back);
     tcase_add_test(tcase, merges_that_leave_no_surface_are_impossible);

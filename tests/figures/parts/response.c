@@ -364,6 +364,81 @@ static void a_run_counts_every_intersection(void)
     ck_assert_ptr_eq(fig_cloth_run_of(&plan), run);
 }
 
+// Rest, bounces and slopes ----------------------------------------------------
+
+static const double gravity = 9.81;
+
+/// How a body moves on a line above the floor at 0: millimeters and steps.
+typedef struct body_on_a_line {
+    double step, restitution, height, displacement;
+    bool hops;
+} body_on_a_line;
+
+static void answer_on_a_line(body_on_a_line *b, double approach)
+{
+    double half = fmin(5, approach / 2), wanted = b->hops ? 5 : half;
+    double room = fmax(0, (wanted - b->height) / 4);
+    b->displacement = b->hops ? room : b->restitution * approach;
+    b->height += fmax(room, b->displacement);
+}
+
+static void go_on_a_line(body_on_a_line *b)
+{
+    double d = b->displacement - 1000 * gravity * b->step * b->step;
+    if (b->height + d <= 0) {
+        answer_on_a_line(b, -d);
+        return;
+    }
+    b->height += d;
+    b->displacement = d;
+}
+
+static void expect_second(double milliseconds, bool hops)
+{
+    const char *panel = hops ? "hops" : "rests";
+    body_on_a_line b = {
+        .step = milliseconds / 1000, .height = 0.2, .hops = hops};
+    double most = b.height;
+    for (int i = 0; i < (int)lround(1 / b.step); i++) {
+        go_on_a_line(&b);
+        most = fmax(most, b.height);
+    }
+    double speed = fabs(b.displacement) / milliseconds;
+    // The response rounds, and each hop is as high as the last one lets it be.
+    double tolerance = hops ? 1e-3 : 1e-9;
+    expect_within(tolerance, most, "most_%s_%g", panel, milliseconds);
+    expect_within(tolerance, b.height, "last_%s_%g", panel, milliseconds);
+    expect_within(tolerance, speed, "speed_%s_%g", panel, milliseconds);
+}
+
+static void the_bar_moves_as_on_a_line(void)
+{
+    static const double milliseconds[] = {0.25, 1, 2.5, 10};
+    for (int i = 0; i < 8; i++)
+        expect_second(milliseconds[i / 2], i % 2 == 0);
+    body_on_a_line b = {.step = 0.001, .restitution = 0.5, .height = 500};
+    for (int found = 0; found < 3;) {
+        double last = b.height, rose = b.displacement;
+        go_on_a_line(&b);
+        if (rose > 0 && b.height < last)
+            expect_within(1e-4, last, "apex_%d", ++found);
+    }
+}
+
+static void sheets_slide_as_mechanics_says(void)
+{
+    static const double friction[] = {0.2, 0.4, 0.6, 0.8};
+    int sticking = 0;
+    for (int i = 0; i < 4; i++) {
+        double way = gravity / 2 * (0.5 - friction[i] * sqrt(0.75));
+        expect(fmax(0, way) * (1 + 1.0 / 400), "slid_%g", friction[i]);
+        for (int k = 1; k <= 24; k++)
+            sticking += tan(2 * k * PI / 180) <= friction[i];
+    }
+    expect(sticking, "sticking");
+    expect(96 - sticking, "sliding");
+}
+
 const figure_test response_tests[] = {
     {&fig_kept_rows, single_impulses_take_these_rounds},
     {&fig_kinds_of_rows, rows_do_what_is_told},
@@ -375,5 +450,7 @@ const figure_test response_tests[] = {
     {&fig_turned_together, the_turned_pair_meets_when_the_oracle_says},
     {&fig_shares_over_time, turns_are_those_of_the_staircase},
     {&fig_nearly_parallel_rows, distances_of_two_rows_are_those_of_geometry},
+    {&fig_resting_bar, the_bar_moves_as_on_a_line},
+    {&fig_slopes, sheets_slide_as_mechanics_says},
     {&fig_twisted_strips, a_run_counts_every_intersection},
     {NULL, NULL}};

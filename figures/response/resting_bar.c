@@ -89,6 +89,8 @@ static void draw_second(fig_page *page, const fig_plot *plot, bool hops, int i,
     print(numbers, "most", panel, i, most);
     print(numbers, "last", panel, i, 1000 * height_of(&bar));
     print(numbers, "speed", panel, i, fabs(bar.velocity[5]));
+    if (!hops && i == 0)
+        fig_number(numbers, "nanometers", 1e9 * height_of(&bar));
     fig_falling_finish(&bar);
 }
 
@@ -163,6 +165,8 @@ static void draw(fig_page *page, FILE *numbers)
     plot.name_y = NULL;
     draw_panel(page, &plot, false, numbers);
     draw_keys(page);
+    fig_number(numbers, "release", 1000 * release);
+    fig_number(numbers, "separation", 1000 * separation);
     print_bounces(numbers);
 }
 

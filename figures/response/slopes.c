@@ -176,6 +176,7 @@ static void draw(fig_page *page, FILE *numbers)
     draw_sketch(page);
     fig_number(numbers, "micrometers_stuck", e.stuck);
     fig_number(numbers, "error_slid", e.slid);
+    fig_number(numbers, "parts_per_trillion", ceil(1e12 * e.slid));
     fig_number(numbers, "sticking", e.sticking);
     fig_number(numbers, "sliding", e.sliding);
 }

@@ -117,10 +117,10 @@ typedef struct tf_response_options {
     void *context;                       ///< passed on to `progress`
     double restitution_threshold; ///< elements that were to approach each other
                                   ///< by less than this length in the step have
-    ///< no restitution, so that what falls comes to
+    ///< no restitution, so that what bounces comes to
     ///< rest; 0, which is usual: all have.  With a
     ///< gravity g and a step of dt seconds,
-    ///< 2 g dt^2 is a good choice
+    ///< 2 g dt^2 / (1 - restitution) is enough
 } tf_response_options;
 
 /// @}

@@ -6,6 +6,7 @@
 #include "renderer/plot.h"
 
 #include <math.h>
+#include <stddef.h>
 #include <stdio.h>
 
 enum {
@@ -69,9 +70,10 @@ static fig_falling slope_of(double degrees, double mu)
 static double way_down(const fig_falling *slope, double degrees)
 {
     double sum = 0;
-    for (int v = 4; v < slope->vertices; v++)
-        sum += slope->position[3 * v] * cos(radians(degrees)) -
-               slope->position[3 * v + 2] * sin(radians(degrees));
+    for (int v = 4; v < slope->vertices; v++) {
+        const double *x = slope->position + 3 * (ptrdiff_t)v;
+        sum += x[0] * cos(radians(degrees)) - x[2] * sin(radians(degrees));
+    }
     return sum / (slope->vertices - 4);
 }
 

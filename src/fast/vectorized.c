@@ -204,6 +204,9 @@ static tf_status decide_some(const tf_arithmetic *arithmetic,
            clearance ? own : NULL);
     if (clearance)
         memcpy(clearance + begin, own, sizeof *own * (end - begin));
+    // The last block may have places without a query.
+    if (end - begin < TF_MASK_QUERIES)
+        masks.undecided &= (UINT64_C(1) << (end - begin)) - 1;
     if (is_certain(arithmetic))
         decide_by_clearance(blocks, block, filter, clearance, &masks, own);
     return spread(arithmetic, queries, begin, end, &masks, verdict, separated);

@@ -14,8 +14,9 @@
 /// rounded numbers decide for certain, by vector instructions, and has
 /// tf_reference decide the others.  Where verdicts are exact, it looks first
 /// whether a direction separates elements that lie in one plane, and whether
-/// those at rest do.  So it gains most where few elements nearly touch; where all
-/// do, it takes up to a third longer than tf_reference.
+/// those at rest do.  So it gains most where few elements nearly touch.  Where
+/// all do, or products of coordinates overflow, it takes up to half as long
+/// again as tf_reference.
 ///
 /// The rounded numbers serve tf_exact, tf_perturbed, tf_clamped and
 /// tf_published, in space.  With any other arithmetic, and in the plane, it is

@@ -58,9 +58,9 @@ typedef struct tf_response_report {
 ///
 /// to the displacement of vertex[i].  Where only they have moved a vertex, the
 /// sum of all these is, up to rounding, the difference between where it ends
-/// without pushes, as tf_resolver_unpushed says, and where it was proposed to end;
-/// and with the pushes of tf_resolver_pushes it is that between where it ends and
-/// where it was proposed to end.  Rigid zones and the failsafe have no impulses.
+/// without pushes, as tf_resolver_unpushed says, and where it was proposed to
+/// end; with the pushes of tf_resolver_pushes it is that between where it ends
+/// and where it was proposed to end.  Rigid zones and the failsafe have no impulses.
 /// Its layout is final.
 typedef struct tf_answered_contact {
     tf_kind kind;            ///< of what elements

@@ -34,8 +34,8 @@
 /// to hop.
 ///
 /// The result is the same, to the last bit, for any number of threads.
-/// tf_resolver_contacts, tf_resolver_vertices and tf_resolver_pushes tell what was
-/// done.
+/// tf_resolver_contacts, tf_resolver_vertices and tf_resolver_pushes tell what
+/// was done.
 ///
 /// @param resolver the resolver of the surface
 /// @param vertices how many vertices have positions

@@ -50,8 +50,8 @@ bool tf_zones_add(tf_zones *zones, const tf_step *step,
                   tf_zone_statistics *statistics);
 
 /// Solves all zones that have a new constraint, taking the rule's base as the
-/// proposal, pushes pairs apart, and moves the vertices.  False if there is no memory, or if the
-/// caller has cancelled.
+/// proposal, pushes pairs apart, and moves the vertices.  False if there is no
+/// memory, or if the caller has cancelled.
 bool tf_zones_solve(tf_zones *zones, tf_step *step, const tf_contact_rule *rule,
                     const tf_zone_options *options,
                     tf_zone_statistics *statistics);

@@ -115,6 +115,9 @@ const tf_option tf_options[] = {
      .least = 0, .most = 1, .usual = "0",
      .help = "The part of the normal velocity that is left after a collision, "
              "from 0 to 1"},
+    {TF_RESOLVE, OPTION("substeps", 0, "N", substeps, TF_WHOLE), .least = 1,
+     .most = 1000, .usual = "1",
+     .help = "In how many parts to take the step, each of them clear"},
     {TF_REMESH, OPTION("edge", 'e', "L", edge, TF_REAL), POSITIVE,
      .required = true, .help = "The length that edges should have"},
     {TF_REMESH, OPTION("rounds", 0, "N", rounds, TF_WHOLE), .least = 1,

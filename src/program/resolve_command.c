@@ -68,9 +68,11 @@ static tf_response_options options_of(resolving *r)
     bool none =
         tf_request_gave(wanted, "separation") && wanted->separation == 0;
     return (tf_response_options){
+        .size = sizeof(tf_response_options),
         .solver = wanted->solver,
         .separation = none ? -1 : wanted->separation,
         .restitution = wanted->restitution,
+        .substeps = wanted->substeps,
         .friction = wanted->friction,
         .check_start = true,
         .parallel = tf_threads_parallel(r->threads),

@@ -48,6 +48,9 @@ typedef struct tf_response_report {
                           ///< all vertices that are not scripted
     double energy_after;  ///< that of the resolved step, without what pushes
                           ///< pairs apart: that of tf_resolver_unpushed
+    double followed; ///< the least fraction of its script that a scripted
+                     ///< vertex followed, see tf_resolver_followed; 1: none was
+                     ///< held back
 } tf_response_report;
 
 //: Declare answered contacts
@@ -121,6 +124,8 @@ typedef struct tf_response_options {
     ///< rest; 0, which is usual: all have.  With a
     ///< gravity g and a step of dt seconds,
     ///< 2 g dt^2 / (1 - restitution) is enough
+    int substeps; ///< in how many parts the step is taken, one after another,
+                  ///< each clear; 0, which is usual: 1
 } tf_response_options;
 
 /// @}

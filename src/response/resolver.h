@@ -58,6 +58,17 @@ TF_API tf_status tf_resolver_contacts(tf_resolver *resolver, size_t *count,
 ///     this resolver; NULL if its last call did not resolve a step
 TF_API const unsigned char *tf_resolver_vertices(const tf_resolver *resolver);
 
+//: Declare what a resolver tells of scripts
+/// Returns how far the scripted vertices of the last step followed their scripts:
+/// of each vertex the fraction, from 0 to 1, of the way from its start to its
+/// proposed end, on which it ends.  It is 1 for those that were not held back,
+/// and for all that are not scripted.
+///
+/// @param resolver the resolver
+/// @return a fraction for each vertex of the surface, lent until the next call for
+///     this resolver; NULL if its last call did not resolve a step
+TF_API const double *tf_resolver_followed(const tf_resolver *resolver);
+
 //: Declare what a resolver tells of pushes
 /// Returns where the vertices would end in the last step if no pair were pushed
 /// apart: the step's motion, from which velocities follow, as those of the

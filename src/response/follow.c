@@ -45,10 +45,12 @@ bool tf_follow_begin(tf_follow *follow, const tf_step *step)
     if (!tf_buffer_reserve(&follow->part, vertices, sizeof(part)) ||
         !tf_buffer_reserve(&follow->number, 3 * vertices, sizeof(int)) ||
         !tf_buffer_reserve(&follow->fraction, vertices, sizeof(double)) ||
+        !tf_buffer_reserve(&follow->squeezed, vertices, 1) ||
         !tf_buffer_reserve(&follow->proposed, bytes, 1))
         return false;
     numbers all = numbers_of(follow, step);
     double *fraction = follow->fraction.data;
+    memset(follow->squeezed.data, 0, vertices);
     for (int v = 0; v < step->vertices; v++) {
         all.own[v] = all.limit[v] = -1;
         fraction[v] = 1;
@@ -116,6 +118,9 @@ static void add_held(tf_follow *follow, const tf_step *step, tf_groups *groups)
         }
         add_vertex(follow, v, number, &all.own[v]);
     }
+    unsigned char *squeezed = follow->squeezed.data;
+    for (int v = 0; v < step->vertices; v++)
+        squeezed[v] |= all.group[tf_groups_find(groups, v)] >= 0;
 }
 
 //: Narrow the intervals of parts
@@ -257,7 +262,7 @@ const double *tf_follow_propose(tf_follow *follow, const tf_step *step,
 size_t tf_follow_memory(const tf_follow *follow)
 {
     return follow->part.bytes + follow->number.bytes + follow->fraction.bytes +
-           follow->proposed.bytes;
+           follow->squeezed.bytes + follow->proposed.bytes;
 }
 
 void tf_follow_free(tf_follow *follow)
@@ -265,5 +270,6 @@ void tf_follow_free(tf_follow *follow)
     tf_buffer_free(&follow->part);
     tf_buffer_free(&follow->number);
     tf_buffer_free(&follow->fraction);
+    tf_buffer_free(&follow->squeezed);
     tf_buffer_free(&follow->proposed);
 }

@@ -17,6 +17,8 @@ typedef struct tf_follow {
     tf_buffer part;     ///< what is known about each
     tf_buffer number;   ///< of each vertex: parts; and by group
     tf_buffer fraction; ///< of its way that each vertex is to go
+    tf_buffer squeezed; ///< of each vertex: whether a part was held back in its
+                        ///< group of the failsafe
     tf_buffer proposed; ///< the step, shortened
 } tf_follow;
 

@@ -135,6 +135,7 @@ static tf_status shorten(tf_resolution *r, tf_error *error)
     size_t first_contacts = r->report.first_contacts;
     if (!tf_follow_begin(&resolver->follow, &r->step))
         return tf_fail(error, TF_OUT_OF_MEMORY);
+    r->rule.squeezed = resolver->follow.squeezed.data;
     tf_status status = TF_OK;
     while (status == TF_OK && tf_follow_learn(&resolver->follow, &r->step,
                                               &resolver->failsafe.groups)) {
@@ -143,6 +144,7 @@ static tf_status shorten(tf_resolution *r, tf_error *error)
         tf_answers_drop(&resolver->answers);
         status = answer_any(r, error);
     }
+    r->rule.squeezed = NULL;
     r->step.proposed = proposed;
     r->report.first_contacts = first_contacts;
     return status;

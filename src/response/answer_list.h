@@ -10,9 +10,9 @@
 /// those levels that keep none themselves.  All zero: none.
 typedef struct tf_answer_list {
     size_t answers, constraints; ///< how many
-    size_t settled;              ///< answers of parts of the step that have ended
+    size_t settled; ///< answers of parts of the step that have ended
     size_t settled_constraints;
-    bool is_lent;                ///< the rows are those of the answers
+    bool is_lent; ///< the rows are those of the answers
     tf_buffer answer, constraint, gap;
     tf_buffer row, push, sorting; ///< the rows and pushes that are lent
 } tf_answer_list;

@@ -12,13 +12,13 @@ typedef struct tf_contact_rule {
     double restitution; ///< 0 to 1
     double threshold;   ///< elements that approach each other by less than this
                         ///< have no restitution
-    const unsigned char *squeezed; ///< whether each vertex is between scripted
-                                   ///< ones that need room: contacts that have one
-                                   ///< demand no more than that a little of their
-                                   ///< gap is left; NULL: none is
     const double *base; ///< the ends from which the response sets out: how far
         ///< elements approach each other with these decides what
         ///< restitution returns, and how much room they get
+    const unsigned char *squeezed; ///< whether each vertex is between scripted
+        ///< ones that need room: contacts that have one
+        ///< demand no more than that a little of their
+        ///< gap is left; NULL: none is
 } tf_contact_rule;
 
 //: Declare the gap of a contact

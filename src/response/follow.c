@@ -94,8 +94,8 @@ static void add_vertex(tf_follow *follow, int vertex, int number, int *own)
 {
     const double *fraction = follow->fraction.data;
     part *to = (part *)follow->part.data + number;
-    bool farther = *own != number &&
-                   fraction[vertex] - to->fraction > ldexp(1, -HALVINGS);
+    bool farther =
+        *own != number && fraction[vertex] - to->fraction > ldexp(1, -HALVINGS);
     to->grown |= farther;
     to->held |= !farther;
     *own = number;
@@ -167,8 +167,8 @@ bool tf_follow_learn(tf_follow *follow, const tf_step *step, tf_groups *groups)
 {
     add_held(follow, step, groups);
     follow->trials++;
-    bool more = !follow->retreats && narrow_all(follow) &&
-                follow->trials < MOST_TRIALS;
+    bool more =
+        !follow->retreats && narrow_all(follow) && follow->trials < MOST_TRIALS;
     if (!more)
         more = retreat(follow) && follow->trials < MOST_TRIALS + RETREATS;
     part *all = follow->part.data;
@@ -200,8 +200,8 @@ static bool limit_by(tf_follow *follow, const tf_step *step, numbers all,
     double *fraction = follow->fraction.data;
     if (fraction[from] >= fraction[to])
         return false;
-    double most = fraction[from] +
-                  difference(step, (int[]){from, to}, proposed);
+    double most =
+        fraction[from] + difference(step, (int[]){from, to}, proposed);
     if (most >= fraction[to])
         return false;
     fraction[to] = most;

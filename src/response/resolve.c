@@ -139,8 +139,8 @@ static tf_status shorten(tf_resolution *r, tf_error *error)
     tf_status status = TF_OK;
     while (status == TF_OK && tf_follow_learn(&resolver->follow, &r->step,
                                               &resolver->failsafe.groups)) {
-        r->step.proposed = tf_follow_propose(&resolver->follow, &r->step,
-                                             proposed, &resolver->surface->edges);
+        r->step.proposed = tf_follow_propose(
+            &resolver->follow, &r->step, proposed, &resolver->surface->edges);
         tf_answers_drop(&resolver->answers);
         status = answer_any(r, error);
     }
@@ -175,9 +175,9 @@ static void begin_part(tf_resolution *r, int part)
     if (part == 0)
         memcpy(at.target, r->proposed, bytes);
     for (ptrdiff_t i = 0; i < numbers; i++)
-        at.end[i] = left == 1 ? at.target[i]
-                              : tf_step_part(at.start[i], at.target[i],
-                                             1.0 / left);
+        at.end[i] = left == 1
+                        ? at.target[i]
+                        : tf_step_part(at.start[i], at.target[i], 1.0 / left);
     r->step.start = at.start;
     r->step.proposed = at.end;
 }
@@ -391,8 +391,8 @@ static tf_status watch_and_run(tf_resolution *r, double end[], tf_error *error)
     r->step.watch = surface->workers.watch;
     tf_status status = check(r, error);
     if (status == TF_OK) {
-        surface->inverse_mass = has_scripted(&r->step) ? r->step.inverse_mass
-                                                       : NULL;
+        surface->inverse_mass =
+            has_scripted(&r->step) ? r->step.inverse_mass : NULL;
         status = run(r, end, error);
         surface->inverse_mass = NULL;
     }
@@ -409,17 +409,16 @@ tf_status tf_step_resolve(tf_resolver *resolver, int vertices,
 {
     TF_REQUIRE(resolver && start && end);
     int axes = tf_surface_axes(resolver->surface);
-    tf_resolution r = {
-        .resolver = resolver,
-        .step = {.axes = axes,
-                 .vertices = vertices,
-                 .start = start,
-                 .proposed = end,
-                 .inverse_mass = inverse_mass},
-        .motion = {.axes = axes, .vertices = vertices},
-        .start = start,
-        .proposed = end,
-        .smallest_gap = INFINITY};
+    tf_resolution r = {.resolver = resolver,
+                       .step = {.axes = axes,
+                                .vertices = vertices,
+                                .start = start,
+                                .proposed = end,
+                                .inverse_mass = inverse_mass},
+                       .motion = {.axes = axes, .vertices = vertices},
+                       .start = start,
+                       .proposed = end,
+                       .smallest_gap = INFINITY};
     tf_answers_clear(&resolver->answers);
     tf_status status = tf_response_options_read(&r.options, options, error);
     r.parts = r.options.substeps > 1 ? r.options.substeps : 1;

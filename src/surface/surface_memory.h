@@ -16,7 +16,7 @@ typedef struct tf_surface {
     tf_pair_filter filter; ///< with a copy of the groups, in `groups`
     tf_buffer groups;
     const double *inverse_mass; ///< of the vertices: pairs whose vertices all
-                                ///< have 0 are left out, too; NULL: no such pair
+        ///< have 0 are left out, too; NULL: no such pair
     tf_frame frame;  ///< of the paths
     tf_buffer paths; ///< of the vertices
     tf_tree vertex_tree, edge_tree, triangle_tree;

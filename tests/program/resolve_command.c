@@ -213,6 +213,7 @@ START_TEST(every_option_of_the_response_is_passed_on)
         "--separation=0.5",
         "--friction 0.5",
         "--restitution 1",
+        "--substeps 3",
         "-f floor --masses ones --friction 1 --restitution .5 -t 1"};
     make_file("ones", "1 1 1 1 1");
     for (size_t i = 0; i < sizeof options / sizeof *options; i++)
@@ -568,6 +569,7 @@ START_TEST(help_describes_the_command)
         "--separation=X",
         "--friction=X",
         "--restitution=X",
+        "--substeps=N",
         "--format=FORMAT",
         "-t, --threads=NUMBER",
         "csv, json or summary;",

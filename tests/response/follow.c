@@ -58,8 +58,8 @@ static int try_all(void)
     int trials = 0;
     hold();
     while (tf_follow_learn(&follow, &s.step, &groups)) {
-        s.step.proposed = tf_follow_propose(&follow, &s.step, made.end,
-                                            &s.surface->edges);
+        s.step.proposed =
+            tf_follow_propose(&follow, &s.step, made.end, &s.surface->edges);
         hold();
         trials++;
     }

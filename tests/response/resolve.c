@@ -285,9 +285,9 @@ START_TEST(scripted_vertices_go_as_far_as_they_can)
     ck_assert_double_le(report.followed, 0.5);
     ck_assert_double_ge(report.followed, 0.5 - 0x1p-7);
     for (int i = 6; i < 10; i++)
-        ck_assert_double_eq(end[i], made.start[i] + (made.end[i] -
-                                                     made.start[i]) *
-                                                        report.followed);
+        ck_assert_double_eq(end[i],
+                            made.start[i] + (made.end[i] - made.start[i]) *
+                                                report.followed);
     ck_assert_double_eq(report.energy_before, 0);
 }
 END_TEST

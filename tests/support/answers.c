@@ -107,7 +107,8 @@ static const char *rows_fault(const tf_answered_contact *row, size_t count,
         const char *fault = row_fault(&row[i], error, step);
         if (fault)
             return fault;
-        if (i > 0 && !is_sorted(&row[i - 1], &row[i], step->options->substeps > 1))
+        if (i > 0 &&
+            !is_sorted(&row[i - 1], &row[i], step->options->substeps > 1))
             return "rows are not sorted";
         zones += row[i].level == TF_ZONES;
     }

@@ -520,8 +520,7 @@ static void judge_moving_pair(tangle_judge *judge, const element *a,
     tf_worldline first[3], second[3];
     mpq_t toi;
     if (!kind_of(judge->axes, a, b, &kind) || share_vertex(a, b) ||
-        !counts(judge, a, b) ||
-        kind == EDGE_PIERCES_TRIANGLE ||
+        !counts(judge, a, b) || kind == EDGE_PIERCES_TRIANGLE ||
         (kind == EDGES_MEET && judge->axes == 2))
         return;
     find_worldlines(judge->axes, a, start, end, first);

@@ -111,11 +111,10 @@ static void expect_followed(int first, int count, double fraction)
                       fraction);
         for (int k = 0; k < 3; k++) {
             int i = 3 * v + k;
-            ck_assert_double_eq_tol(end[i],
-                                    made.start[i] +
-                                        followed[v] *
-                                            (made.end[i] - made.start[i]),
-                                    1e-12);
+            ck_assert_double_eq_tol(
+                end[i],
+                made.start[i] + followed[v] * (made.end[i] - made.start[i]),
+                1e-12);
         }
     }
 }
@@ -256,7 +255,8 @@ START_TEST(a_gripper_closes_until_the_box_is_flat)
     expect_followed(right, 8, 2 / 3.);
     ck_assert_int_eq(report.held, 16);
     for (int v = box; v < right; v++)
-        ck_assert(end[3 * v] > end[3 * left + 3] && end[3 * v] < end[3 * right]);
+        ck_assert(end[3 * v] > end[3 * left + 3] &&
+                  end[3 * v] < end[3 * right]);
 }
 END_TEST
 

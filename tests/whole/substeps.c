@@ -120,10 +120,10 @@ START_TEST(each_part_is_clear)
         parts.count = 0;
         parts.numbers = made.mesh.axes * made.mesh.vertices;
         if (clear && made.mesh.vertices <= FEW_VERTICES) {
-            resolve((tf_response_options){
-                .substeps = 2 + below(&random, 3),
-                .restitution = below(&random, 2) ? 0 : 0.5,
-                .narrow_phase = &noting});
+            resolve((tf_response_options){.substeps = 2 + below(&random, 3),
+                                          .restitution =
+                                              below(&random, 2) ? 0 : 0.5,
+                                          .narrow_phase = &noting});
             expect_clear_parts(judge);
             judged += parts.count;
             bent += tangle_count_in_step(judge, made.start, end) > 0;
@@ -205,9 +205,8 @@ START_TEST(what_bounces_rises_for_the_rest_of_the_step)
     double part = 2.6 / substeps[_i], left = 1 - 1 / 2.6;
     make_floor();
     int v = add_point(-0.5, 1, 1, -2.6);
-    resolve((tf_response_options){.substeps = substeps[_i],
-                                  .restitution = 0.5,
-                                  .separation = -1});
+    resolve((tf_response_options){
+        .substeps = substeps[_i], .restitution = 0.5, .separation = -1});
     ck_assert_double_eq_tol(end[2 * v], 0.5, 1e-12);
     ck_assert_double_eq_tol(motion[2 * v + 1], 1 + 0.5 * 2.6, 1e-12);
     if (substeps[_i] > 1) // or it rises at once, from where it starts

@@ -3,7 +3,7 @@
 
 #include "base/error.h"
 #include "response/options.h"
-#include "response/step.h"
+#include "geometry/step.h"
 
 /// Reads the options of a caller of any version, see tf_options_read, and
 /// chooses the narrow phase.

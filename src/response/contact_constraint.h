@@ -2,7 +2,7 @@
 #pragma once
 
 #include "response/constraint.h"
-#include "response/step.h"
+#include "geometry/step.h"
 #include "surface/contacts.h"
 
 /// How contacts become constraints.

@@ -3,7 +3,7 @@
 
 #include "response/groups.h"
 #include "response/options.h"
-#include "response/step.h"
+#include "geometry/step.h"
 
 #include <stddef.h>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "response/groups.h"
-#include "response/step.h"
+#include "geometry/step.h"
 #include "surface/elements.h"
 
 #include <stddef.h>

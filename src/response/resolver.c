@@ -3,7 +3,7 @@
 
 #include "base/memory.h"
 #include "base/require.h"
-#include "response/resolver_memory.h"
+#include "response/levels.h"
 
 //: Create a resolver
 tf_status tf_resolver_create(tf_surface *surface, tf_resolver **resolver)

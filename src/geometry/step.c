@@ -1,5 +1,5 @@
 //: Change a step
-#include "response/step.h"
+#include "geometry/step.h"
 
 #include <math.h>
 #include <stddef.h>

@@ -109,7 +109,7 @@ static double choose_normal(const tf_step *step, const tf_contact *contact,
     gap = fabs(gap);
 
     double distance = normalize(&between);
-    bool tells_side = gap > 0x1p-10 * distance &&
+    bool tells_side = gap > 0x1p-20 * distance &&
                       gap > 32 * coordinate_error(step, constraint);
     if (tells_side || !(distance > 0))
         return gap;

@@ -65,9 +65,10 @@ typedef struct tf_response_report {
 /// sum of all these is, up to rounding, the difference between where it ends
 /// without pushes, as tf_resolver_unpushed says, and where it was proposed to
 /// end; with the pushes of tf_resolver_pushes it is that between where it ends
-/// and where it was proposed to end.  Rigid zones and the failsafe have no impulses.
-/// In substeps, impulses are about the displacement in one of them; so only the
-/// second sum is of use, and only without restitution.  Its layout is final.
+/// and where it was proposed to end.  Rigid zones and the failsafe have no
+/// impulses.  In substeps, impulses are about the displacement in one of them; so
+/// only the second sum is of use, and only without restitution.  Its layout is
+/// final.
 typedef struct tf_answered_contact {
     tf_kind kind;            ///< of what elements
     int vertex[4];           ///< theirs, in the order of a tf_surface_contact

@@ -179,16 +179,28 @@ bool tf_follow_learn(tf_follow *follow, const tf_step *step, tf_groups *groups)
     return more;
 }
 
-//: Compare the ways of two vertices
-/// The difference of two ways, as a part of the longer one; 1 if there is none.
-static double difference(const tf_step *step, const int edge[2],
-                         const double proposed[])
+//: Find how far an edge may bend
+static double length_of(const tf_step *step, const int edge[2],
+                        const double position[])
+{
+    tf_vector a = tf_step_position(step, edge[0], position);
+    tf_vector b = tf_step_position(step, edge[1], position);
+    return tf_vector_length(tf_vector_difference(a, b));
+}
+
+/// The most by which the fractions of two vertices may differ: by how much the
+/// script stretches their edge, as a part of the longer way.  1 if there is none,
+/// or if one of them stays where it is.
+static double most_difference(const tf_step *step, const int edge[2],
+                              const double proposed[])
 {
     tf_vector a = tf_step_displacement(step, edge[0], proposed);
     tf_vector b = tf_step_displacement(step, edge[1], proposed);
-    double longer = fmax(tf_vector_length(a), tf_vector_length(b));
-    double between = tf_vector_length(tf_vector_difference(a, b));
-    return longer > 0 && isfinite(between) ? between / longer : 1;
+    double ways[] = {tf_vector_length(a), tf_vector_length(b)};
+    double stretch = fabs(length_of(step, edge, proposed) -
+                          length_of(step, edge, step->start));
+    bool both = ways[0] > 0 && ways[1] > 0 && isfinite(stretch);
+    return both ? stretch / fmax(ways[0], ways[1]) : 1;
 }
 
 //: Limit vertices by their neighbors
@@ -201,7 +213,7 @@ static bool limit_by(tf_follow *follow, const tf_step *step, numbers all,
     if (fraction[from] >= fraction[to])
         return false;
     double most =
-        fraction[from] + difference(step, (int[]){from, to}, proposed);
+        fraction[from] + most_difference(step, (int[]){from, to}, proposed);
     if (most >= fraction[to])
         return false;
     fraction[to] = most;

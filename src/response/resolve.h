@@ -33,9 +33,9 @@
 /// 1/128 of it as far as they can without being stopped, as resolving the
 /// shortened steps finds out.  Vertices that edges connect with them, through
 /// scripted ones, are held back as well, but along each edge the parts that the
-/// vertices go may differ by the difference of their displacements divided by the
-/// longer one: a limb that moves as a whole stops as a whole.  tf_resolver_followed
-/// tells how far each went.
+/// vertices go may differ by how much the script stretches it, divided by the
+/// longer displacement: a limb that moves or turns as a whole stops as a whole.
+/// tf_resolver_followed tells how far each went.
 ///
 /// With `substeps` the step is taken in parts, one after another.  Each part is
 /// clear as told above, and starts where the last one has ended; the end is free

@@ -152,8 +152,8 @@ START_TEST(parts_are_searched_side_by_side)
 }
 END_TEST
 
-// Along edges, vertices of the same way go the same part of it; those of another
-// way may differ by as much as their ways do.
+// Along edges that the script does not stretch, all go the same part of their way,
+// and along others they may differ by how much it does.
 START_TEST(edges_keep_their_shape)
 {
     begin(6);
@@ -168,9 +168,34 @@ START_TEST(edges_keep_their_shape)
     ck_assert_double_gt(part, 0.25 - 0x1p-7);
     ck_assert_double_eq(height(1), part);
     ck_assert_double_eq(height(2), part);
-    ck_assert_double_eq_tol(height(3) / 1.25, part + 0.25 / 1.25, 1e-12);
-    ck_assert_double_eq(height(4), 4);
-    ck_assert_double_eq(height(5), 4);
+    double third = part + (hypot(1, 0.25) - 1) / 1.25;
+    double last = third + (hypot(1, 2.75) - 1) / 4;
+    ck_assert_double_eq_tol(height(3) / 1.25, third, 1e-12);
+    ck_assert_double_eq_tol(height(4) / 4, last, 1e-12);
+    ck_assert_double_eq_tol(height(5) / 4, last, 1e-12);
+    ck_assert_double_lt(last, 1);
+    end();
+}
+END_TEST
+
+// A turn stretches nothing, and what rests passes nothing on.
+START_TEST(a_limb_turns_as_a_whole)
+{
+    begin(8);
+    add_edges();
+    for (int v = 0; v < 8; v++) {
+        double x = fmax(0, v - 3);
+        made.end[2 * v] = fmin(v, 3) + 0.8 * x;
+        made.end[2 * v + 1] = v == 0 ? 1 : 0.6 * x;
+    }
+    limit[6] = 0.5;
+    begin_trials();
+    try_all();
+    for (int v = 4; v < 8; v++) {
+        ck_assert_double_eq_tol(height(v), height(7) * (v - 3) / 4, 1e-12);
+        ck_assert_double_le(height(v), 0.3 * (v - 3) + 1e-12);
+    }
+    ck_assert_double_eq(height(0), 1);
     end();
 }
 END_TEST
@@ -197,15 +222,15 @@ START_TEST(a_part_grows)
 {
     begin(2);
     add_edges();
-    made.end[2 * 1 + 1] = 2; // may go 1/2 farther
+    made.end[2 * 1 + 1] = 3; // may go farther, by (hypot(1, 2) - 1) / 3 = 0.412
     limit[0] = 0.3;
     limit[1] = 0.6;
     begin_trials();
     try_all();
     ck_assert_double_le(height(0), 0.3);
     ck_assert_double_gt(height(0), 0.3 - 0x1p-7);
-    ck_assert_double_le(height(1), 1.2);
-    ck_assert_double_gt(height(1), 0.5);
+    ck_assert_double_le(height(1), 0.6 * 3);
+    ck_assert_double_gt(height(1), 0.29 * 3);
     end();
 }
 END_TEST
@@ -233,6 +258,7 @@ Suite *suite(void)
     tcase_add_test(tcase, a_group_goes_together);
     tcase_add_test(tcase, parts_are_searched_side_by_side);
     tcase_add_test(tcase, edges_keep_their_shape);
+    tcase_add_test(tcase, a_limb_turns_as_a_whole);
     tcase_add_test(tcase, what_is_free_passes_nothing_on);
     tcase_add_test(tcase, a_part_grows);
     tcase_add_test(tcase, the_search_ends);

@@ -320,11 +320,11 @@ END_TEST
 
 // A strip along x falls upon a speck under its first square, and a floor.  From
 // there on its script has it fall the deeper the farther out, and from vertex to
-// vertex it follows that farther, by how much their ways differ, as a part of the
-// longer one.
+// vertex it follows that farther, by how much the edge between them is stretched,
+// as a part of the longer way.
 static double way_of(int i)
 {
-    return 2 + 0.25 * fmax(0, i - 1);
+    return 2 + fmax(0, i - 1);
 }
 
 START_TEST(the_far_end_of_a_limb_follows_where_the_shape_allows)
@@ -349,7 +349,7 @@ START_TEST(the_far_end_of_a_limb_follows_where_the_shape_allows)
     double fraction = 0.5;
     for (int i = 0; i <= length; i++) {
         if (i > 1)
-            fraction += (way_of(i) - way_of(i - 1)) / way_of(i);
+            fraction += (sqrt(3) - sqrt(2)) / way_of(i); // of the diagonal
         expect_followed(strip + 2 * i, 2, fraction);
     }
     ck_assert_double_gt(fraction, 0.7);

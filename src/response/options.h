@@ -121,6 +121,13 @@ typedef struct tf_response_options {
     ///< rest; 0, which is usual: all have.  With a
     ///< gravity g and a step of dt seconds,
     ///< 2 g dt^2 / (1 - restitution) is enough
+
+    /// Coulomb's coefficient of each vertex, finite, 0 or more, in place of
+    /// `friction`; NULL: that is the one of all vertices.  Where an element is
+    /// touched, it has the mean of the coefficients of its vertices, weighted by
+    /// barycentric coordinates, and a pair has the geometric mean of those of
+    /// its two elements, which is 0 if one of them is 0.
+    const double *vertex_friction;
 } tf_response_options;
 
 /// @}

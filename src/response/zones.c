@@ -345,10 +345,15 @@ static void keep_pushes(const tf_zones *zones, const division *d, int z,
 }
 
 //: Push the pairs of a zone apart
+enum {
+    PUSH_SWEEPS = 4 ///< the next steps make the room that these do not
+};
+
 /// Solves the constraints of a zone a second time, for pushes: without friction,
-/// and from where pushes have led before.  The displacements of the zone stay
-/// those of its motion; those with the pushes are left in `pushed`.  False if
-/// there is no memory.
+/// and from where pushes have led before.  Constraints that were solved for
+/// their motion count as solved, though their bounds may be new.  The
+/// displacements of the zone stay those of its motion; those with the pushes are
+/// left in `pushed`.  False if there is no memory.
 static bool push_apart(tf_zones *zones, const tf_step *step,
                        const tf_contact_rule *rule,
                        const tf_zone_options *options, const division *d, int z,
@@ -360,7 +365,7 @@ static bool push_apart(tf_zones *zones, const tf_step *step,
     bool any = ask_for_room(zones, d, z, &pushing, zones->pushed.data);
     pushing.displacement = zones->pushed.data;
     pushing.friction = 0;
-    pushing.solved = 0; // all bounds are new
+    pushing.sweeps = zone->sweeps < PUSH_SWEEPS ? zone->sweeps : PUSH_SWEEPS;
     if (any)
         statistics->iterations += (size_t)options->solver->solve(&pushing);
     keep_pushes(zones, d, z, &pushing, any);

@@ -50,7 +50,7 @@ double tf_constraint_compliance(const tf_constraint *constraint,
     return farthest <= most_leverage * sum ? sum : 0;
 }
 
-//: Find the friction of a constraint
+//: Average the friction of an element
 static double clamp(double x, double least, double most)
 {
     return fmin(fmax(x, least), most);
@@ -74,6 +74,7 @@ static double mean_friction(const tf_constraint *constraint, double sign,
     return clamp(sum, least, most);
 }
 
+//: Find the friction of a constraint
 double tf_constraint_friction(const tf_constraint *constraint,
                               tf_friction friction)
 {

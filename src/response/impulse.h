@@ -33,8 +33,8 @@ typedef struct tf_friction {
 
 /// Returns Coulomb's coefficient of a constraint: the geometric mean of those of
 /// its two elements, each of which is the mean of those of its vertices, weighted
-/// by the constraint's coefficients.  If those of all vertices are the same, so is
-/// this, bit for bit.
+/// by the constraint's coefficients.  If all vertices have the same one, it is
+/// that, bit for bit.
 double tf_constraint_friction(const tf_constraint *constraint,
                               tf_friction friction);
 

@@ -346,7 +346,7 @@ static void keep_pushes(const tf_zones *zones, const division *d, int z,
 
 //: Push the pairs of a zone apart
 enum {
-    PUSH_SWEEPS = 4 ///< the next steps make the room that these do not
+    PUSH_SWEEPS = 6 ///< the next steps make the room that these do not
 };
 
 /// Solves the constraints of a zone a second time, for pushes: without friction,

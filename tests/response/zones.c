@@ -254,7 +254,7 @@ START_TEST(each_zone_is_solved_for_its_motion_and_for_room)
         ck_assert_int_gt(old_constraints[z], 0);
         ck_assert_int_eq(old_constraints[z + 1], old_constraints[z]);
         ck_assert_int_eq(sweeps[z], 1000);
-        ck_assert_int_eq(sweeps[z + 1], 4);
+        ck_assert_int_eq(sweeps[z + 1], 6);
     }
     end();
 }

@@ -111,10 +111,17 @@ const tf_option tf_options[] = {
              "start; the default is 0.05 of the mean edge length"},
     {TF_RESOLVE, OPTION("friction", 0, "X", friction, TF_REAL), NOT_NEGATIVE,
      .usual = "0", .help = "Coulomb's coefficient"},
+    {TF_RESOLVE, OPTION("vertex-friction", 0, "FILE", vertex_friction, TF_TEXT),
+     .help = "Coulomb's coefficients of all vertices, in place of --friction"},
     {TF_RESOLVE, OPTION("restitution", 0, "X", restitution, TF_REAL),
      .least = 0, .most = 1, .usual = "0",
      .help = "The part of the normal velocity that is left after a collision, "
              "from 0 to 1"},
+    {TF_RESOLVE,
+     OPTION("restitution-threshold", 0, "X", restitution_threshold, TF_REAL),
+     NOT_NEGATIVE, .usual = "0",
+     .help = "What would approach by less than this length in the step has no "
+             "restitution"},
     {TF_RESOLVE, OPTION("substeps", 0, "N", substeps, TF_WHOLE), .least = 1,
      .most = 1000, .usual = "1",
      .help = "In how many parts to take the step, each of them clear"},

@@ -123,12 +123,20 @@ typedef struct tf_response_options {
     const tf_parallel *parallel;         ///< NULL: the caller's thread alone
     tf_progress *progress;               ///< NULL: nothing is told
     void *context;                       ///< passed on to `progress`
-    double restitution_threshold; ///< elements that were to approach each other
-                                  ///< by less than this length in the step have
-    ///< no restitution, so that what bounces comes to
-    ///< rest; 0, which is usual: all have.  With a
-    ///< gravity g and a step of dt seconds,
-    ///< 2 g dt^2 / (1 - restitution) is enough
+
+    /// Elements that were to approach each other by less than this length in the
+    /// step have no restitution, so that what bounces comes to rest; 0, which is
+    /// usual: all have.  With a gravity g and a step of dt seconds,
+    /// 2 g dt^2 / (1 - restitution) is enough.
+    double restitution_threshold;
+
+    /// Coulomb's coefficient of each vertex, finite, 0 or more, in place of
+    /// `friction`; NULL: that is the one of all vertices.  Where an element is
+    /// touched, it has the mean of the coefficients of its vertices, weighted by
+    /// barycentric coordinates, and a pair has the geometric mean of those of
+    /// its two elements, which is 0 if one of them is 0.
+    const double *vertex_friction;
+
     int substeps; ///< in how many parts the step is taken, one after another,
                   ///< each clear; see tf_step_resolve; 0, which is usual: 1
 } tf_response_options;

@@ -20,6 +20,17 @@ static tf_status check_masses(const tf_step *step, tf_error *error)
     return TF_OK;
 }
 
+//: Check the friction of vertices
+static tf_status check_friction(int vertices, const double friction[],
+                                tf_error *error)
+{
+    for (int v = 0; friction && v < vertices; v++)
+        if (!(friction[v] >= 0) || !isfinite(friction[v]))
+            return tf_fail_vertex_option(error, "vertex_friction",
+                                         "finite, 0 or more", v, friction[v]);
+    return TF_OK;
+}
+
 //: Ready a step
 static const double *all_ones(tf_resolver *resolver, int vertices)
 {
@@ -363,7 +374,9 @@ static tf_status check(tf_resolution *r, tf_error *error)
         r->step.inverse_mass = all_ones(r->resolver, r->step.vertices);
     if (!r->step.inverse_mass || !reserve(r))
         return tf_fail(error, TF_OUT_OF_MEMORY);
-    return check_masses(&r->step, error);
+    status =
+        check_friction(r->step.vertices, r->options.vertex_friction, error);
+    return status == TF_OK ? check_masses(&r->step, error) : status;
 }
 
 static tf_status run(tf_resolution *r, double end[], tf_error *error)

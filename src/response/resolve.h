@@ -74,8 +74,9 @@
 /// @param[out] error what is wrong, if anything; may be NULL
 /// @return TF_OK; TF_BAD_COUNT if the surface has another number of vertices;
 ///     TF_NOT_FINITE; TF_BAD_MASS; TF_BAD_OPTION if an option is not in its
-///     range; TF_START_NOT_CLEAR; TF_BAD_ENVIRONMENT; TF_OUT_OF_MEMORY; or
-///     TF_CANCELLED, and then the resolver and its surface are as good as new
+///     range, and then `error` has the vertex if it is an option of vertices;
+///     TF_START_NOT_CLEAR; TF_BAD_ENVIRONMENT; TF_OUT_OF_MEMORY; or TF_CANCELLED,
+///     and then the resolver and its surface are as good as new
 TF_API tf_status tf_step_resolve(tf_resolver *resolver, int vertices,
                                  const double start[], double end[],
                                  const double inverse_mass[],

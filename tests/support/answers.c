@@ -67,6 +67,20 @@ static const char *friction_fault(const tf_answered_contact *row,
     return NULL;
 }
 
+/// Coulomb's coefficient of a contact, as the options have it.
+static double friction_of(const tf_answered_contact *row,
+                          const tf_response_options *options)
+{
+    int first = row->kind == TF_EDGE_EDGE ? 2 : 1;
+    double mean[2] = {0};
+    if (!options->vertex_friction)
+        return options->friction;
+    for (int i = 0; i < 4 && row->vertex[i] >= 0; i++)
+        mean[i >= first] += fabs(row->coefficient[i]) *
+                            options->vertex_friction[row->vertex[i]];
+    return sqrt(mean[0]) * sqrt(mean[1]);
+}
+
 static const char *impulse_fault(const tf_answered_contact *row, double error,
                                  const answered_step *step)
 {
@@ -82,7 +96,7 @@ static const char *impulse_fault(const tf_answered_contact *row, double error,
         return "an impulse below 0";
     if (row->impulse > 0 && fabs(length(row->normal) - 1) > 1e-9)
         return "a normal is not of length 1";
-    return friction_fault(row, step->options->friction, error);
+    return friction_fault(row, friction_of(row, step->options), error);
 }
 
 static const char *row_fault(const tf_answered_contact *row, double error,

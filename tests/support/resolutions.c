@@ -130,6 +130,15 @@ const char *resolution_fault(proposal *made, bool weighed, bool exactly,
 
 // Numbers ---------------------------------------------------------------------
 
+/// Of each vertex, some of which have none.
+static const double *random_friction(generator *random)
+{
+    static double own[PROPOSAL_VERTICES];
+    for (int v = 0; v < PROPOSAL_VERTICES; v++)
+        own[v] = below(random, 4) ? uniform(random, 0, 2) : 0;
+    return own;
+}
+
 static tf_response_options random_options(generator *random)
 {
     static const tf_zone_solver *const solvers[] = {
@@ -145,6 +154,9 @@ static tf_response_options random_options(generator *random)
     options.friction = below(random, 3) ? 0 : uniform(random, 0, 2);
     options.check_start = below(random, 2);
     options.size = sizeof options;
+    options.restitution_threshold =
+        below(random, 2) ? 0 : uniform(random, 0, 1);
+    options.vertex_friction = below(random, 3) ? NULL : random_friction(random);
     options.substeps = below(random, 3) ? 0 : below(random, 6);
     return options;
 }

@@ -529,6 +529,7 @@ void call_lend(generator *random, body *of)
 typedef struct response_options {
     tf_response_options own;
     unsigned char later[LATER];
+    double friction[MOST_VERTICES]; ///< of each vertex
 } response_options;
 
 static bool is_within(double x, double least, double most)
@@ -586,9 +587,10 @@ static void draw_response(generator *random, call *made,
     own->separation = any_option(random, 1);
     own->restitution = any_option(random, 1);
     own->friction = any_option(random, 2);
-    own->restitution_threshold = any_option(random, 1); // younger than 1.0
-    own->substeps = any_rounds(random);
     bool reads = own->size != 0;
+    // Younger than 1.0:
+    own->restitution_threshold = any_option(random, 1);
+    own->substeps = any_rounds(random);
     expect_fault(
         made,
         own->sweeps < 0 || !is_within(own->separation, -most, most) ||
@@ -597,6 +599,24 @@ static void draw_response(generator *random, call *made,
             (reads && (!is_within(own->restitution_threshold, 0, most) ||
                        own->substeps < 0)),
         TF_BAD_OPTION);
+}
+
+/// Draws the friction of each vertex, or none.
+static void draw_friction(generator *random, call *made, const body *of,
+                          response_options *options)
+{
+    if (one_in(random, 2))
+        return;
+    bool good = true;
+    for (int v = 0; v < MOST_VERTICES; v++) {
+        double *own = &options->friction[v];
+        *own = one_in(random, 4) ? 0 : uniform(random, 0, 2);
+        if (one_in(random, 100))
+            *own = any_double(random);
+        good &= v >= of->mesh.vertices || (*own >= 0 && all_finite(1, own));
+    }
+    options->own.vertex_friction = options->friction;
+    expect_fault(made, options->own.size != 0 && !good, TF_BAD_OPTION);
 }
 
 static void draw_response_options(generator *random, call *made,
@@ -795,6 +815,7 @@ void call_resolve(generator *random, body *of)
     draw_step(random, &made, of, &s);
     draw_response_options(random, &made, &options, &to);
     draw_response(random, &made, &options.own);
+    draw_friction(random, &made, of, &options);
     const double *inverse_mass =
         draw_masses(random, &made, of->mesh.vertices, masses);
     memcpy(end, s.end, sizeof end);

@@ -1,8 +1,8 @@
 //: Declare the constraint of a contact
 #pragma once
 
-#include "response/constraint.h"
 #include "geometry/step.h"
+#include "response/constraint.h"
 #include "surface/contacts.h"
 
 /// How contacts become constraints.

@@ -1,9 +1,9 @@
 //: Declare the failsafe
 #pragma once
 
+#include "geometry/step.h"
 #include "response/groups.h"
 #include "response/options.h"
-#include "geometry/step.h"
 
 #include <stddef.h>
 

@@ -1,8 +1,8 @@
 //: Declare how far scripts are followed
 #pragma once
 
-#include "response/groups.h"
 #include "geometry/step.h"
+#include "response/groups.h"
 #include "surface/elements.h"
 
 #include <stddef.h>

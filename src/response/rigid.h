@@ -1,8 +1,8 @@
 //: Declare rigid zones
 #pragma once
 
-#include "response/groups.h"
 #include "geometry/step.h"
+#include "response/groups.h"
 #include "surface/contacts.h"
 
 /// Zones that move as rigid bodies.

@@ -156,7 +156,6 @@ static tf_status shorten(tf_resolution *r, tf_error *error)
         status = answer_any(r, error);
     }
     r->rule.squeezed = NULL;
-    r->step.proposed = proposed;
     r->report.first_contacts = first_contacts;
     return status;
 }

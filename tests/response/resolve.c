@@ -349,6 +349,26 @@ START_TEST(scripted_vertices_go_as_far_as_they_can)
 }
 END_TEST
 
+// Less than 1/128 of the way counts for nothing.
+START_TEST(scripted_vertices_may_have_no_way_to_go)
+{
+    make_fall(0);
+    memcpy(made.end + 4, made.start + 4, 2 * sizeof *made.end);
+    for (int i = 0; i < 2; i++) {
+        int v = proposal_add_vertex(&made, 8 * i - 4, 2, 0);
+        made.inverse_mass[v] = 0;
+        made.end[2 * v + 1] = -400;
+    }
+    proposal_add_edge(&made, 3, 4);
+    resolve((tf_response_options){0});
+    ck_assert_mem_eq(end, made.start, 10 * sizeof *end);
+    ck_assert_double_eq(report.followed, 0);
+    ck_assert_int_eq(report.held, 2);
+    ck_assert_uint_gt(report.first_contacts,
+                      0); // of the step that was proposed
+}
+END_TEST
+
 START_TEST(huge_coordinates_are_resolved)
 {
     make_fall(1);
@@ -396,6 +416,7 @@ Suite *suite(void)
     tcase_add_test(tcase, near_pairs_are_pushed_apart);
     tcase_add_test(tcase, scripted_vertices_pass_each_other);
     tcase_add_test(tcase, scripted_vertices_go_as_far_as_they_can);
+    tcase_add_test(tcase, scripted_vertices_may_have_no_way_to_go);
     suite_add_tcase(suite, tcase);
 
     TCase *extreme = tcase_create("extremes");

@@ -214,6 +214,22 @@ START_TEST(what_bounces_rises_for_the_rest_of_the_step)
 }
 END_TEST
 
+// The threshold of restitution is about the whole step, whatever its parts.
+START_TEST(what_is_slow_does_not_bounce)
+{
+    for (int i = 0; i < 2; i++) {
+        make_floor();
+        int v = add_point(-0.5, 1, 1, -2.6);
+        resolve((tf_response_options){.substeps = substeps[_i],
+                                      .restitution = 0.5,
+                                      .restitution_threshold = i ? 2.7 : 2.5,
+                                      .separation = -1});
+        ck_assert_double_eq_tol(motion[2 * v + 1], i ? 1 : 1 + 0.5 * 2.6,
+                                1e-12);
+    }
+}
+END_TEST
+
 // A bar falls upon another of the same mass, which rests: both go on together
 // with half of the velocity, as momentum demands.
 START_TEST(what_is_hit_goes_on)
@@ -393,6 +409,7 @@ Suite *suite(void)
     tcase_add_loop_test(forms, what_falls_stops_at_the_floor, 0, SUBSTEPS);
     tcase_add_loop_test(forms, what_bounces_rises_for_the_rest_of_the_step, 0,
                         SUBSTEPS);
+    tcase_add_loop_test(forms, what_is_slow_does_not_bounce, 0, SUBSTEPS);
     tcase_add_loop_test(forms, what_is_hit_goes_on, 0, SUBSTEPS);
     tcase_add_loop_test(forms, scripted_vertices_follow_in_parts, 0, SUBSTEPS);
     suite_add_tcase(suite, forms);

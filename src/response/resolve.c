@@ -167,7 +167,7 @@ typedef struct part_positions {
     double *start, *end, *target;
 } part_positions;
 
-static part_positions positions_of(const tf_resolution *r)
+static part_positions part_positions_of(const tf_resolution *r)
 {
     ptrdiff_t numbers = (ptrdiff_t)r->step.axes * r->step.vertices;
     double *all = r->resolver->part.data;
@@ -179,7 +179,7 @@ static void begin_part(tf_resolution *r, int part)
 {
     ptrdiff_t numbers = (ptrdiff_t)r->step.axes * r->step.vertices;
     size_t bytes = sizeof(double) * (size_t)numbers;
-    part_positions at = positions_of(r);
+    part_positions at = part_positions_of(r);
     int left = r->parts - part;
     memcpy(at.start, part == 0 ? r->start : r->step.end, bytes);
     if (part == 0)
@@ -231,7 +231,7 @@ static double next_displacement(const tf_resolution *r, const double start[],
 static void end_part(tf_resolution *r, int part)
 {
     const tf_step *step = &r->step;
-    part_positions at = positions_of(r);
+    part_positions at = part_positions_of(r);
     int left = r->parts - 1 - part;
     unsigned char *flags = r->resolver->flags.data;
     for (int v = 0; v < step->vertices; v++) {

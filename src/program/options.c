@@ -122,6 +122,9 @@ const tf_option tf_options[] = {
      NOT_NEGATIVE, .usual = "0",
      .help = "What would approach by less than this length in the step has no "
              "restitution"},
+    {TF_RESOLVE, OPTION("substeps", 0, "N", substeps, TF_WHOLE), .least = 1,
+     .most = 1000, .usual = "1",
+     .help = "In how many parts to take the step, each of them clear"},
     {TF_REMESH, OPTION("edge", 'e', "L", edge, TF_REAL), POSITIVE,
      .required = true, .help = "The length that edges should have"},
     {TF_REMESH, OPTION("rounds", 0, "N", rounds, TF_WHOLE), .least = 1,

@@ -32,6 +32,7 @@ typedef struct tf_request {
         *vertex_friction; ///< of resolve: files, or NULL
     const tf_zone_solver *solver;
     double separation, friction, restitution, restitution_threshold;
+    int substeps;
     double edge; ///< of remesh and simulate: a length, 0 if not given
     int rounds;
     int steps, size; ///< of simulate

@@ -86,6 +86,7 @@ static tf_response_options options_of(resolving *r)
         .solver = wanted->solver,
         .separation = none ? -1 : wanted->separation,
         .restitution = wanted->restitution,
+        .substeps = wanted->substeps,
         .friction = wanted->friction,
         .check_start = true,
         .parallel = tf_threads_parallel(r->threads),

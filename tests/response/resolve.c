@@ -311,17 +311,40 @@ START_TEST(near_pairs_are_pushed_apart)
 }
 END_TEST
 
-// The edge is scripted to pass the point, which is scripted to stay.
-START_TEST(scripted_vertices_are_held_back_if_need_be)
+// The point is scripted to pass the edge, which is scripted to stay.
+START_TEST(scripted_vertices_pass_each_other)
 {
     make_fall(0);
     made.inverse_mass[2] = 0;
     resolve((tf_response_options){0});
-    ck_assert_mem_eq(end, made.start, 6 * sizeof *end);
-    ck_assert_int_eq(report.held, 1);
-    ck_assert_int_eq(report.resting, 3);
-    ck_assert_int_eq(report.groups, 1);
-    ck_assert_int_eq(report.grouped, 3);
+    ck_assert_mem_eq(end, made.end, 6 * sizeof *end);
+    ck_assert_uint_eq(report.first_contacts, 0);
+    ck_assert_int_eq(report.held, 0);
+    ck_assert_double_eq(report.followed, 1);
+    ck_assert_double_eq(report.energy_before, 0);
+}
+END_TEST
+
+// A lid from height 2 to -2, and under it a point at 1 above a floor: so half of
+// the way is free.
+START_TEST(scripted_vertices_go_as_far_as_they_can)
+{
+    make_fall(0);
+    memcpy(made.end + 4, made.start + 4, 2 * sizeof *made.end);
+    for (int i = 0; i < 2; i++) {
+        int v = proposal_add_vertex(&made, 8 * i - 4, 2, 0);
+        made.inverse_mass[v] = 0;
+        made.end[2 * v + 1] = -2;
+    }
+    proposal_add_edge(&made, 3, 4);
+    resolve((tf_response_options){0});
+    ck_assert_int_eq(report.held, 2);
+    ck_assert_double_le(report.followed, 0.5);
+    ck_assert_double_ge(report.followed, 0.5 - 0x1p-7);
+    for (int i = 6; i < 10; i++)
+        ck_assert_double_eq(end[i],
+                            made.start[i] + (made.end[i] - made.start[i]) *
+                                                report.followed);
     ck_assert_double_eq(report.energy_before, 0);
 }
 END_TEST
@@ -371,7 +394,8 @@ Suite *suite(void)
     tcase_add_test(tcase, friction_slows_sliding);
     tcase_add_test(tcase, vertices_have_their_own_friction);
     tcase_add_test(tcase, near_pairs_are_pushed_apart);
-    tcase_add_test(tcase, scripted_vertices_are_held_back_if_need_be);
+    tcase_add_test(tcase, scripted_vertices_pass_each_other);
+    tcase_add_test(tcase, scripted_vertices_go_as_far_as_they_can);
     suite_add_tcase(suite, tcase);
 
     TCase *extreme = tcase_create("extremes");

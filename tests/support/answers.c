@@ -20,15 +20,17 @@ static double product(const double a[3], const double b[3])
 
 // Rows ------------------------------------------------------------------------
 
+/// @param in_parts whether levels and rounds begin anew in each part of a step
 static bool is_sorted(const tf_answered_contact *a,
-                      const tf_answered_contact *b)
+                      const tf_answered_contact *b, bool in_parts)
 {
     if (a->kind != b->kind)
         return a->kind < b->kind;
     for (int i = 0; i < 4; i++)
         if (a->vertex[i] != b->vertex[i])
             return a->vertex[i] < b->vertex[i];
-    return a->level < b->level || (a->level == b->level && a->round < b->round);
+    return in_parts || a->level < b->level ||
+           (a->level == b->level && a->round < b->round);
 }
 
 static const char *coefficient_fault(const tf_answered_contact *row)
@@ -119,7 +121,8 @@ static const char *rows_fault(const tf_answered_contact *row, size_t count,
         const char *fault = row_fault(&row[i], error, step);
         if (fault)
             return fault;
-        if (i > 0 && !is_sorted(&row[i - 1], &row[i]))
+        if (i > 0 &&
+            !is_sorted(&row[i - 1], &row[i], step->options->substeps > 1))
             return "rows are not sorted";
         zones += row[i].level == TF_ZONES;
     }
@@ -196,7 +199,7 @@ static const char *sums_fault(const tf_answered_contact *row, size_t count,
                      row[i].coefficient[j], &sums[v]);
         }
     for (int v = 0; v < step->vertices && !fault; v++) {
-        if (flags[v] & (TF_VERTEX_GROUPED | TF_VERTEX_RIGID))
+        if (flags[v] & (TF_VERTEX_GROUPED | TF_VERTEX_RIGID | TF_VERTEX_HELD))
             continue;
         if (pushed)
             *pushed += sums[v].size > 0;
@@ -277,8 +280,10 @@ const char *answers_fault(tf_resolver *resolver, const answered_step *given,
         fault = rows_fault(row, count, step);
     if (!fault)
         fault = pushes_fault(row, push, count, step);
-    if (!fault)
+    if (!fault && step->options->substeps <= 1)
         fault = sums_fault(row, count, NULL, flags, step, unpushed, NULL);
+    if (step->options->substeps > 1 && step->options->restitution > 0)
+        return fault;
     return fault ? fault
                  : sums_fault(row, count, push, flags, step, step->end, pushed);
 }

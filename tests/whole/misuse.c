@@ -937,6 +937,7 @@ static void contacts_without(int null)
     const double *push;
     tf_resolver_pushes(GIVEN(4, resolver), GIVEN(5, &count), GIVEN(6, &push));
     tf_resolver_unpushed(GIVEN(7, resolver));
+    tf_resolver_followed(GIVEN(8, resolver));
 }
 
 static void zone_without(int null)
@@ -972,7 +973,7 @@ static const null_call null_calls[] = {
     {allocator_without, 2},      {detect_without, 3},
     {list_without, 3},           {check_without, 3},
     {resolver_without, 2},       {resolve_without, 3},
-    {limit_without, 4},          {contacts_without, 8},
+    {limit_without, 4},          {contacts_without, 9},
     {zone_without, 13},          {NULL, 0},
 };
 

@@ -336,18 +336,23 @@ END_TEST
 
 // The gap is lost in rounding, and no zone is there to make it wider.  The
 // first round of the failsafe only unites what moves alike; the second finds
-// contacts within a group and puts it to rest.
+// contacts within a group and puts it to rest.  What is scripted may go a part of
+// the way.
 START_TEST(a_huge_translation_off_a_lattice_is_refused)
 {
     static const tf_response_options options = {.zone_rounds = -1};
     make_close_sheets(1e-10);
-    fix(0, 5);
     move(0, made.mesh.vertices, 0, 0, 0x1p40);
     tf_response_report report = expect_resolved(true, &options);
     ck_assert_uint_gt(report.first_contacts, 0);
     ck_assert_int_ge(report.rounds[TF_FAILSAFE], 2);
     ck_assert_int_gt(report.resting, 0);
+    make_close_sheets(1e-10);
+    fix(0, 5);
+    move(0, made.mesh.vertices, 0, 0, 0x1p40);
+    report = expect_resolved(true, &options);
     ck_assert_int_eq(report.held, 5);
+    ck_assert_double_lt(report.followed, 1);
 }
 END_TEST
 

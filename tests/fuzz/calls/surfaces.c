@@ -590,12 +590,15 @@ static void draw_response(generator *random, call *made,
     bool reads = own->size != 0;
     // Younger than 1.0:
     own->restitution_threshold = any_option(random, 1);
-    expect_fault(made,
-                 own->sweeps < 0 || !is_within(own->separation, -most, most) ||
-                     !is_within(own->restitution, 0, 1) ||
-                     !is_within(own->friction, 0, most) ||
-                     (reads && !is_within(own->restitution_threshold, 0, most)),
-                 TF_BAD_OPTION);
+    own->substeps = any_rounds(random);
+    expect_fault(
+        made,
+        own->sweeps < 0 || !is_within(own->separation, -most, most) ||
+            !is_within(own->restitution, 0, 1) ||
+            !is_within(own->friction, 0, most) ||
+            (reads && (!is_within(own->restitution_threshold, 0, most) ||
+                       own->substeps < 0)),
+        TF_BAD_OPTION);
 }
 
 /// Draws the friction of each vertex, or none.
@@ -647,17 +650,26 @@ static const double *draw_masses(generator *random, call *made, int vertices,
     return inverse_mass;
 }
 
-/// Whether a step is clear, as a new surface sees it.
+static bool has_free_vertex(const int vertex[4], const double inverse_mass[])
+{
+    bool any = !inverse_mass;
+    for (int i = 0; i < 4 && vertex[i] >= 0 && !any; i++)
+        any = inverse_mass[vertex[i]] > 0;
+    return any;
+}
+
+/// Whether a step is clear, as a new surface sees it, but for what is scripted.
 static void judge_clear(const call *made, const body *of, const double start[],
-                        const double end[])
+                        const double end[], const double inverse_mass[])
 {
     tf_motion motion = {of->mesh.axes, of->mesh.vertices, start, end};
-    tf_detect_options any = {.selection = TF_ANY_CONTACT};
     tf_contacts found;
     tf_surface *other = body_copy(of);
-    tf_status status = tf_surface_detect(other, &motion, &any, &found, NULL);
+    tf_status status = tf_surface_detect(other, &motion, NULL, &found, NULL);
     require(made, status == TF_OK, "the end cannot be detected");
-    require(made, !found.any, "the step is not clear");
+    for (size_t i = 0; i < found.count; i++)
+        require(made, !has_free_vertex(found.contact[i].vertex, inverse_mass),
+                "the step is not clear");
     tf_surface_free(other);
 }
 
@@ -727,6 +739,8 @@ static const double *ask_pushes(tf_resolver *resolver, size_t contacts)
     require(&made, count == contacts, "other pushes than contacts");
     require(&made, !unpushed == !tf_resolver_vertices(resolver),
             "there is a motion without flags, or flags without a motion");
+    require(&made, !unpushed == !tf_resolver_followed(resolver),
+            "there is a motion without fractions, or vice versa");
     return push;
 }
 
@@ -815,7 +829,8 @@ void call_resolve(generator *random, body *of)
         judge_after(random, &made, of);
         return;
     }
-    judge_clear(&made, of, s.start, end);
+    bool in_parts = options.own.size != 0 && options.own.substeps > 1;
+    judge_clear(&made, of, in_parts ? end : s.start, end, inverse_mass);
     judge_scripted(&made, of, &s, inverse_mass, end, report);
     judge_flags(&made, of, &s, inverse_mass, end);
     judge_again(random, &made, of, &s, inverse_mass, &options.own, end, report);
@@ -851,5 +866,5 @@ void call_limit(generator *random, body *of)
                     hash_answers(0, NULL, NULL),
             "it has resolved nothing, and tells what it did");
     require(&made, halvings != 0 || whole, "a step that is clear is changed");
-    judge_clear(&made, of, s.start, end);
+    judge_clear(&made, of, s.start, end, NULL);
 }

@@ -98,8 +98,8 @@ TF_API const double *tf_resolver_unpushed(const tf_resolver *resolver);
 /// @param resolver the resolver
 /// @param[out] count how many: as many as there are contacts; set only with TF_OK
 /// @param[out] push that of each contact, in the same order, in units of mass
-///     times length; at least 0, but for solvers that also pull; lent until the
-///     next call for this resolver; set only with TF_OK
+///     times length; at least 0; lent until the next call for this resolver; set
+///     only with TF_OK
 /// @return TF_OK or TF_OUT_OF_MEMORY
 TF_API tf_status tf_resolver_pushes(tf_resolver *resolver, size_t *count,
                                     const double **push);

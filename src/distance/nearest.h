@@ -1,0 +1,8 @@
+//: Declare nearest points of elements
+#pragma once
+
+#include "distance/distance.h"
+
+/// What tf_distance finds, for elements whose vertices are at x[], the first
+/// element's first.  In an IEEE environment.
+tf_nearest tf_nearest_of(tf_kind kind, const double *const x[]);

@@ -115,6 +115,8 @@ const tf_option tf_options[] = {
      .least = 0, .most = 1, .usual = "0",
      .help = "The part of the normal velocity that is left after a collision, "
              "from 0 to 1"},
+    {TF_CHECK, OPTION("thickness", 0, "D", thickness, TF_REAL), POSITIVE,
+     .help = "Find pairs of elements that are nearer than this, too"},
     {TF_REMESH, OPTION("edge", 'e', "L", edge, TF_REAL), POSITIVE,
      .required = true, .help = "The length that edges should have"},
     {TF_REMESH, OPTION("rounds", 0, "N", rounds, TF_WHOLE), .least = 1,

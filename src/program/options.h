@@ -31,6 +31,7 @@ typedef struct tf_request {
     const char *fixed, *masses; ///< of resolve: files, or NULL
     const tf_zone_solver *solver;
     double separation, friction, restitution;
+    double thickness; ///< of check and resolve: 0 if not given
     double edge; ///< of remesh and simulate: a length, 0 if not given
     int rounds;
     int steps, size; ///< of simulate

@@ -117,6 +117,9 @@ const tf_option tf_options[] = {
              "from 0 to 1"},
     {TF_CHECK, OPTION("thickness", 0, "D", thickness, TF_REAL), POSITIVE,
      .help = "Find pairs of elements that are nearer than this, too"},
+    {TF_RESOLVE, OPTION("thickness", 0, "D", thickness, TF_REAL), POSITIVE,
+     .help = "Pairs that start at this distance or more end at this distance "
+             "or more; the default is that they don't meet"},
     {TF_REMESH, OPTION("edge", 'e', "L", edge, TF_REAL), POSITIVE,
      .required = true, .help = "The length that edges should have"},
     {TF_REMESH, OPTION("rounds", 0, "N", rounds, TF_WHOLE), .least = 1,

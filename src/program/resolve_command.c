@@ -68,6 +68,7 @@ static tf_response_options options_of(resolving *r)
     bool none =
         tf_request_gave(wanted, "separation") && wanted->separation == 0;
     return (tf_response_options){
+        .size = sizeof(tf_response_options),
         .solver = wanted->solver,
         .separation = none ? -1 : wanted->separation,
         .restitution = wanted->restitution,
@@ -76,6 +77,7 @@ static tf_response_options options_of(resolving *r)
         .parallel = tf_threads_parallel(r->threads),
         .progress = show_progress,
         .context = r,
+        .thickness = wanted->thickness,
     };
 }
 
@@ -115,7 +117,8 @@ static bool write(resolving *r)
     tf_mesh_content content = {.mesh = tf_mesh_file_elements(end, 3),
                                .position = end->position.item};
     tf_mesh_report report = {*r->request->format, tf_resolved_fields, &r->done};
-    r->done.status = r->done.report.first_contacts == 0 ? "clear" : "resolved";
+    bool clear = r->done.report.first_contacts + r->done.report.first_near == 0;
+    r->done.status = clear ? "clear" : "resolved";
     return tf_mesh_output_write(&r->out, &content, r->frames.file[0].format,
                                 &report);
 }

@@ -189,6 +189,36 @@ static void set_demands(const tf_step *step, const tf_contact_rule *rule,
     gap->push = 0;
 }
 
+//: Keep a pair at a distance
+/// Whether a row is that of a pair that comes too near, and no contact.
+static bool is_near_pair(const tf_surface_contact *contact)
+{
+    return contact->contact.verdict == TF_APART;
+}
+
+/// How much farther apart the two points are to be than elements must, as these
+/// may have other nearest points at the end that the row leads to.
+static const double thickness_margin = 0x1p-6;
+
+/// Along the direction between the nearest points at the end their gap must be
+/// as wide as the thickness; where the start was narrower, they are pushed.
+static void keep_distance(const tf_step *step, const tf_contact_rule *rule,
+                          tf_constraint *constraint, tf_contact_gap *gap)
+{
+    tf_vector between = vector_at_start(step, constraint);
+    if (!(dot(constraint->normal, constraint->normal) > 0)) {
+        normalize(&between);
+        memcpy(constraint->normal, between.x, sizeof between.x);
+        between = vector_at_start(step, constraint);
+    }
+    gap->start = dot(constraint->normal, between.x);
+    set_demands(step, rule, constraint, gap);
+    double wanted = rule->thickness * (1 + thickness_margin);
+    gap->room = fmax(0, wanted - gap->start);
+    // The elements, if not these points of theirs, start no nearer.
+    gap->start = fmax(gap->start, rule->thickness);
+}
+
 //: Drop vertices that a constraint does not push
 /// Drops the vertices whose coefficient is 0: a zone must not move them.
 static tf_constraint without_idle_vertices(const tf_constraint *constraint)
@@ -215,6 +245,10 @@ tf_constraint tf_contact_constraint(const tf_step *step,
                                     tf_contact_gap *gap)
 {
     tf_constraint constraint = constraint_of_point(contact);
+    if (is_near_pair(contact)) {
+        keep_distance(step, rule, &constraint, gap);
+        return without_idle_vertices(&constraint);
+    }
     gap->start = choose_normal(step, &contact->contact, &constraint);
     set_demands(step, rule, &constraint, gap);
 

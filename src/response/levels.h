@@ -17,6 +17,10 @@ typedef struct tf_resolution {
     tf_response_report report;
 } tf_resolution;
 
+/// Adds the pairs to the contacts that the motion brings nearer than the thickness,
+/// if there is one, and counts them.  Sets the error to what it returns.
+tf_status tf_resolution_add_near(tf_resolution *resolution, tf_error *error);
+
 /// Answers the contacts, level by level, until none are left.  Returns TF_OK or
 /// TF_OUT_OF_MEMORY.
 tf_status tf_respond(tf_resolution *resolution);

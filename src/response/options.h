@@ -48,6 +48,11 @@ typedef struct tf_response_report {
                           ///< all vertices that are not scripted
     double energy_after;  ///< that of the resolved step, without what pushes
                           ///< pairs apart: that of tf_resolver_unpushed
+    size_t first_near; ///< pairs that the proposed step brings nearer than the
+                       ///< thickness, as tf_response_options says
+    size_t near;       ///< those of all rounds, the first ones included
+    size_t near_at_start; ///< pairs that are nearer than that at the start, to
+                          ///< which it doesn't apply
 } tf_response_report;
 
 //: Declare answered contacts
@@ -61,7 +66,8 @@ typedef struct tf_response_report {
 /// without pushes, as tf_resolver_unpushed says, and where it was proposed to
 /// end; with the pushes of tf_resolver_pushes it is that between where it ends
 /// and where it was proposed to end.  Rigid zones and the failsafe have no
-/// impulses.  Its layout is final.
+/// impulses.  A pair that comes nearer than the thickness is listed like a contact,
+/// too, with a toi of 1.  Its layout is final.
 typedef struct tf_answered_contact {
     tf_kind kind;            ///< of what elements
     int vertex[4];           ///< theirs, in the order of a tf_surface_contact
@@ -121,6 +127,10 @@ typedef struct tf_response_options {
     ///< rest; 0, which is usual: all have.  With a
     ///< gravity g and a step of dt seconds,
     ///< 2 g dt^2 / (1 - restitution) is enough
+    double thickness; ///< pairs that start at this distance or more end at this
+                      ///< distance or more; 0, which is usual: they only don't
+                      ///< meet.  Those that start nearer, as neighbors in a
+                      ///< fine mesh do, only don't meet, either
 } tf_response_options;
 
 /// @}

@@ -70,6 +70,23 @@ static tf_status begin(tf_resolution *r, tf_error *error)
     return status;
 }
 
+//: Measure what the proposal does
+/// Also counts the pairs to which the thickness does not apply.
+static tf_status measure_step(tf_resolution *r, tf_error *error)
+{
+    tf_thickness *thickness = &r->resolver->thickness;
+    thickness->length = r->rule.thickness = r->options.thickness;
+    if (!(thickness->length > 0))
+        return TF_OK;
+    tf_status status = tf_resolution_add_near(r, error);
+    r->report.first_near = r->report.near;
+    if (status == TF_OK)
+        status = tf_near_contacts_count_start(
+            thickness, r->resolver->surface, &r->motion, r->options.parallel,
+            &r->report.near_at_start, error);
+    return status;
+}
+
 //: Sum up energies
 /// The kinetic energy of the vertices that are not scripted.
 static double energy(const tf_step *step, const double end[])
@@ -151,6 +168,8 @@ static tf_status run(tf_resolution *r, double end[], tf_error *error)
     tf_status status = check(r, error);
     if (status == TF_OK)
         status = begin(r, error);
+    if (status == TF_OK)
+        status = measure_step(r, error);
     if (status == TF_OK && r->contacts.any)
         status = tf_fail(error, resolve(r));
     if (status != TF_OK)

@@ -1,6 +1,7 @@
 //: Declare what a resolver holds
 #pragma once
 
+#include "distance/near_contacts.h"
 #include "response/answer_list.h"
 #include "response/failsafe.h"
 #include "response/rigid.h"
@@ -10,6 +11,7 @@
 typedef struct tf_resolver {
     tf_surface *surface;
     tf_pair_cache pairs;
+    tf_thickness thickness;
     tf_buffer end, unpushed, base, ones, displacement; ///< of the vertices
     tf_zones zones;
     tf_rigid rigid;

@@ -7,6 +7,7 @@
 #include "response/minres.h"
 #include "response/normal_residuals.h"
 #include "support/answers.h"
+#include "support/near_oracle.h"
 #include "support/tangle.h"
 
 #include <stdio.h>
@@ -41,7 +42,7 @@ static const char *report_fault(const proposal *made, bool weighed,
         return "the report counts other scripted vertices held back";
     if (held > 0 && report->rounds[TF_FAILSAFE] == 0)
         return "scripted vertices held back, but not by the failsafe";
-    if (report->first_contacts == 0 && moved > 0)
+    if (report->first_contacts + report->first_near == 0 && moved > 0)
         return "a clear step was changed";
     if (report->rounds[TF_FAILSAFE] >= made->mesh.vertices)
         return "as many rounds of the failsafe as vertices, or more";
@@ -52,6 +53,25 @@ static const char *tangle_fault(const char *when, const tangle_judge *judge)
 {
     static char text[200];
     snprintf(text, sizeof text, "%s: %s", when, tangle_text(tangles(judge)));
+    return text;
+}
+
+/// Pairs that end nearer than the thickness, but did not start so.
+static const char *thickness_fault(const tf_surface *surface,
+                                   const proposal *made, double thickness)
+{
+    static char text[200];
+    size_t count = 0;
+    if (!(thickness > 0))
+        return NULL;
+    const near_oracle_pair *pair =
+        near_oracle(surface, made->end, made->start, thickness, &count);
+    if (count == 0)
+        return NULL;
+    snprintf(text, sizeof text,
+             "%zu pairs nearer than %a, the first of kind %d: %d %d %d %d",
+             count, thickness, pair->kind, pair->vertex[0], pair->vertex[1],
+             pair->vertex[2], pair->vertex[3]);
     return text;
 }
 
@@ -79,8 +99,8 @@ const double *resolution_motion(void)
     return motion;
 }
 
-static const char *judged_fault(tf_resolver *resolver, tangle_judge *judge,
-                                proposal *made, bool weighed, bool exactly,
+static const char *judged_fault(tf_surface *surface, tf_resolver *resolver,
+                                tangle_judge *judge, proposal *made, bool weighed, bool exactly,
                                 const tf_response_options *options,
                                 tf_response_report *report)
 {
@@ -103,6 +123,8 @@ static const char *judged_fault(tf_resolver *resolver, tangle_judge *judge,
         options,         report};
     const char *fault = end_fault(judge, made, exactly);
     if (!fault)
+        fault = thickness_fault(surface, made, options->thickness);
+    if (!fault)
         fault = report_fault(made, weighed, proposed, report);
     return fault ? fault : answers_fault(resolver, &step, NULL);
 }
@@ -117,8 +139,8 @@ const char *resolution_fault(proposal *made, bool weighed, bool exactly,
     const char *fault = "no resolver";
     if (tf_surface_create(&made->mesh, &surface, NULL) == TF_OK &&
         tf_resolver_create(surface, &resolver) == TF_OK)
-        fault = judged_fault(resolver, judge, made, weighed, exactly, options,
-                             report);
+        fault = judged_fault(surface, resolver, judge, made, weighed, exactly,
+                             options, report);
     tf_resolver_free(resolver);
     tf_surface_free(surface);
     tangle_judge_free(judge);
@@ -127,12 +149,13 @@ const char *resolution_fault(proposal *made, bool weighed, bool exactly,
 
 // Numbers ---------------------------------------------------------------------
 
-static tf_response_options random_options(generator *random)
+static tf_response_options random_options(generator *random, double unit)
 {
     static const tf_zone_solver *const solvers[] = {
         NULL, &tf_gauss_seidel, &tf_conjugate_residuals, &tf_minres,
         &tf_normal_residuals};
-    tf_response_options options = {.solver = solvers[below(random, 5)]};
+    tf_response_options options = {.size = sizeof options,
+                                   .solver = solvers[below(random, 5)]};
     options.impulse_rounds = below(random, 2) ? 0 : below(random, 4);
     options.zone_rounds = below(random, 3) ? 0 : below(random, 5) - 1;
     options.sweeps = below(random, 2) ? 0 : 1 + below(random, 30);
@@ -141,6 +164,7 @@ static tf_response_options random_options(generator *random)
     options.restitution = below(random, 3) ? 0 : uniform(random, 0, 1);
     options.friction = below(random, 3) ? 0 : uniform(random, 0, 2);
     options.check_start = below(random, 2);
+    options.thickness = below(random, 2) ? 0 : unit * uniform(random, 0, 0.3);
     return options;
 }
 
@@ -156,6 +180,7 @@ static void count(const tf_response_report *report, resolution_counts *counts)
 {
     int rounds = report->rounds[TF_FAILSAFE];
     counts->met += report->first_contacts > 0;
+    counts->thick += report->first_near > 0;
     counts->rescued += rounds > 0;
     counts->held += report->held > 0;
     counts->rested += report->resting > 0;
@@ -164,9 +189,9 @@ static void count(const tf_response_report *report, resolution_counts *counts)
 
 void resolution_counts_print(const resolution_counts *counts)
 {
-    printf("%ld proposals: %ld with contacts, %ld by the failsafe, %ld held "
+    printf("%ld proposals: %ld with contacts, %ld with near pairs, %ld by the failsafe, %ld held "
            "back, %ld put to rest, %ld judged on the way, %d rounds at most\n",
-           counts->tries, counts->met, counts->rescued, counts->held,
+           counts->tries, counts->met, counts->thick, counts->rescued, counts->held,
            counts->rested, counts->exact, counts->rounds);
 }
 
@@ -201,7 +226,7 @@ const char *numbered_fault(long number, resolution_counts *counts)
     tf_contract_set_handler(show_tried);
     bool weighed = below(&random, 2);
     bool exactly = made.mesh.vertices <= FEW_VERTICES && below(&random, 4) == 0;
-    tf_response_options options = random_options(&random);
+    tf_response_options options = random_options(&random, made.unit);
     tf_response_report report = {0};
     const char *fault =
         resolution_fault(&made, weighed, exactly, &options, &report);

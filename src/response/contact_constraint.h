@@ -12,10 +12,10 @@ typedef struct tf_contact_rule {
     double restitution; ///< 0 to 1
     double threshold;   ///< elements that approach each other by less than this
                         ///< have no restitution
-    double thickness;   ///< how near pairs may be at the end; 0: any distance
     const double *base; ///< the ends from which the response sets out: how far
         ///< elements approach each other with these decides what
         ///< restitution returns, and how much room they get
+    double thickness;   ///< the distance of pairs in rows that are no contacts
 } tf_contact_rule;
 
 //: Declare the gap of a contact

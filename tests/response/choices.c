@@ -16,6 +16,9 @@ START_TEST(options_out_of_range_are_named)
         {{.restitution_threshold = -0x1p-1074}, "restitution_threshold"},
         {{.restitution_threshold = INFINITY}, "restitution_threshold"},
         {{.restitution_threshold = NAN}, "restitution_threshold"},
+        {{.thickness = -0x1p-1074}, "thickness"},
+        {{.thickness = INFINITY}, "thickness"},
+        {{.thickness = NAN}, "thickness"},
         {{.friction = -0x1p-1074}, "friction"},
         {{.friction = INFINITY}, "friction"},
         {{.friction = NAN}, "friction"},
@@ -39,6 +42,7 @@ START_TEST(limits_of_ranges_are_in_them)
         {0},
         {.restitution = 1},
         {.restitution_threshold = 1e308},
+        {.thickness = 1e308},
         {.friction = 1e308, .separation = -1e308},
         {.impulse_rounds = -1, .zone_rounds = -1},
     };

@@ -1,6 +1,7 @@
 // Steps resolved: what goes in, and what the report says.
 #include "response/resolve.h"
 
+#include "distance/distance.h"
 #include "support/proposals.h"
 #include "support/support.h"
 #include "support/surface_of.h"
@@ -255,6 +256,70 @@ START_TEST(near_pairs_are_pushed_apart)
 END_TEST
 
 // The edge is scripted to pass the point, which is scripted to stay.
+/// Whether the fall is nearer to the edge than a length at the end.
+static bool ends_nearer(double length)
+{
+    static const int vertex[] = {2, 0, 1};
+    bool nearer;
+    ck_assert_int_eq(
+        tf_is_nearer(TF_POINT_EDGE, 3, end, vertex, length, &nearer), TF_OK);
+    return nearer;
+}
+
+#define THICKNESS(value)                                                       \
+    .size = sizeof(tf_response_options), .separation = -1, .thickness = (value)
+
+START_TEST(pairs_end_at_the_thickness_that_they_start_at)
+{
+    make_fall(_i);
+    made.end[5] = 0.0625;
+    resolve((tf_response_options){.separation = -1});
+    ck_assert_mem_eq(end, made.end, sizeof end);
+    ck_assert(report.near == 0 && report.first_near == 0);
+    resolve((tf_response_options){THICKNESS(0.5)});
+    ck_assert(!ends_nearer(0.5) && report.first_near == 1);
+    ck_assert(report.first_contacts == 0 && report.rounds[TF_FAILSAFE] == 0);
+    // By the failsafe alone.
+    resolve((tf_response_options){THICKNESS(0.5), .zone_rounds = -1});
+    ck_assert(!ends_nearer(0.5) && report.rounds[TF_FAILSAFE] > 0);
+    // By impulses.
+    resolve((tf_response_options){THICKNESS(0.5), .impulse_rounds = 3});
+    ck_assert(!ends_nearer(0.5) && report.rounds[TF_IMPULSES] > 0);
+}
+END_TEST
+
+START_TEST(a_start_at_the_thickness_counts_to_the_last_bit)
+{
+    make_fall(0);
+    made.end[5] = 0.0625;
+    resolve((tf_response_options){THICKNESS(1)});
+    ck_assert(!ends_nearer(1) && report.near_at_start == 0);
+    ck_assert(report.moved == 1);
+    resolve((tf_response_options){THICKNESS(1 + 0x1p-52)});
+    ck_assert_uint_eq(report.near_at_start, 1);
+    ck_assert_mem_eq(end, made.end, sizeof end);
+    // What ends at the thickness is let be, and an ulp nearer is not.
+    made.end[5] = 0.5;
+    resolve((tf_response_options){THICKNESS(0.5)});
+    ck_assert_int_eq(report.moved, 0);
+    made.end[5] = 0.5 - 0x1p-54;
+    resolve((tf_response_options){THICKNESS(0.5)});
+    ck_assert(report.moved == 1 && !ends_nearer(0.5));
+}
+END_TEST
+
+START_TEST(a_thickness_of_zero_changes_nothing)
+{
+    generator random = generator_new((uint64_t)_i);
+    static double usual[3 * PROPOSAL_VERTICES];
+    proposal_make(&random, SHEETS, 2, (proposal_way)_i, &made);
+    resolve((tf_response_options){0});
+    memcpy(usual, end, sizeof usual);
+    resolve((tf_response_options){.size = sizeof(tf_response_options)});
+    ck_assert_mem_eq(end, usual, sizeof end);
+}
+END_TEST
+
 START_TEST(scripted_vertices_are_held_back_if_need_be)
 {
     make_fall(0);
@@ -312,6 +377,9 @@ Suite *suite(void)
     tcase_add_test(tcase, slow_approaches_have_no_restitution);
     tcase_add_test(tcase, friction_slows_sliding);
     tcase_add_test(tcase, near_pairs_are_pushed_apart);
+    tcase_add_loop_test(tcase, pairs_end_at_the_thickness_that_they_start_at, 0, 2);
+    tcase_add_test(tcase, a_start_at_the_thickness_counts_to_the_last_bit);
+    tcase_add_loop_test(tcase, a_thickness_of_zero_changes_nothing, 0, PROPOSAL_WAYS);
     tcase_add_test(tcase, scripted_vertices_are_held_back_if_need_be);
     suite_add_tcase(suite, tcase);
 

@@ -288,7 +288,7 @@ START_TEST(bounds_ask_for_restitution_and_gaps_for_room)
                     {8, 0.5, 9, 0, 0.09375}};
     for (size_t i = 0; i < sizeof expected / sizeof *expected; i++) {
         tf_contact_rule rule = {expected[i].separation, expected[i].restitution,
-                                expected[i].threshold, s.end};
+                                expected[i].threshold, s.end, 0};
         tf_constraint constraint =
             tf_contact_constraint(&s.step, &s.contact, &rule, false, &gap);
         ck_assert_double_eq_tol(constraint.bound, expected[i].bound, 1e-15);

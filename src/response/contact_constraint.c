@@ -200,21 +200,21 @@ static bool is_near_pair(const tf_surface_contact *contact)
 /// may have other nearest points at the end that the row leads to.
 static const double thickness_margin = 0x1p-6;
 
-/// Along the direction between the nearest points at the end their gap must be
-/// as wide as the thickness; where the start was narrower, they are pushed.
-static void keep_distance(const tf_step *step, const tf_contact_rule *rule,
+/// Along the direction between the nearest points at the end, where the elements
+/// are not in contact, their gap must be as wide as the thickness.  The motion may
+/// narrow a gap that is wider; one that is narrower is up to the push.
+static void keep_distance(const tf_step *step, const tf_contact *contact,
+                          const tf_contact_rule *rule,
                           tf_constraint *constraint, tf_contact_gap *gap)
 {
     tf_vector between = vector_at_start(step, constraint);
-    if (!(dot(constraint->normal, constraint->normal) > 0)) {
-        normalize(&between);
-        memcpy(constraint->normal, between.x, sizeof between.x);
-        between = vector_at_start(step, constraint);
-    }
+    memcpy(constraint->normal, contact->normal, sizeof contact->normal);
     gap->start = dot(constraint->normal, between.x);
     set_demands(step, rule, constraint, gap);
-    double wanted = rule->thickness * (1 + thickness_margin);
-    gap->room = fmax(0, wanted - gap->start);
+    double missing = rule->thickness * (1 + thickness_margin) - gap->start;
+    gap->room = fmax(0, missing);
+    if (constraint->bound == 0)
+        constraint->bound = fmin(0, missing);
     // The elements, if not these points of theirs, start no nearer.
     gap->start = fmax(gap->start, rule->thickness);
 }
@@ -246,7 +246,7 @@ tf_constraint tf_contact_constraint(const tf_step *step,
 {
     tf_constraint constraint = constraint_of_point(contact);
     if (is_near_pair(contact)) {
-        keep_distance(step, rule, &constraint, gap);
+        keep_distance(step, &contact->contact, rule, &constraint, gap);
         return without_idle_vertices(&constraint);
     }
     gap->start = choose_normal(step, &contact->contact, &constraint);

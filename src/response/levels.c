@@ -92,17 +92,17 @@ static bool answer_by(tf_resolution *r, tf_response_level level)
                           r->report.rounds[level]++, first, r->step.watch);
 }
 
-//: Add near pairs
-tf_status tf_resolution_add_near(tf_resolution *r, tf_error *error)
+//: Find near pairs
+tf_status tf_resolution_find_near(tf_resolution *r, tf_error *error)
 {
     tf_thickness *thickness = &r->resolver->thickness;
-    if (!(thickness->length > 0))
+    if (!(thickness->length > 0) || r->contacts.any)
         return TF_OK;
     tf_status status =
-        tf_near_contacts_add(thickness, r->resolver->surface, &r->motion,
-                             r->options.parallel, &r->contacts, error);
+        tf_near_contacts_find(thickness, r->resolver->surface, &r->motion,
+                              r->options.parallel, &r->contacts, error);
     if (status == TF_OK)
-        r->report.near += thickness->near;
+        r->report.near += r->contacts.count;
     return status;
 }
 
@@ -113,9 +113,9 @@ static void account(tf_resolution *r)
     tf_detect_statistics_add(&r->report.statistics, &r->contacts.statistics);
 }
 
-/// Updates the cache of pairs, and if no contacts are left among these, nor near
-/// pairs, builds it anew.  So if none are left at all, a detection from the
-/// beginning has found none.
+/// Updates the cache of pairs, and if no contacts are left among these, builds it
+/// anew.  So if none are left at all, a detection from the beginning has found
+/// none.  Pairs that are only too near come last.
 static tf_status find_contacts(tf_resolution *r)
 {
     tf_pair_cache *pairs = &r->resolver->pairs;
@@ -123,13 +123,13 @@ static tf_status find_contacts(tf_resolution *r)
     if (status != TF_OK)
         return status;
     account(r);
-    status = tf_resolution_add_near(r, NULL);
-    if (status != TF_OK || r->contacts.any)
-        return status;
+    if (r->contacts.any)
+        return TF_OK;
     status = tf_pair_cache_build(pairs, &r->search, &r->contacts, NULL);
-    if (status == TF_OK)
-        account(r);
-    return status;
+    if (status != TF_OK)
+        return status;
+    account(r);
+    return tf_resolution_find_near(r, NULL);
 }
 
 //: Go through the rounds of a level

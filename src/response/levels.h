@@ -17,9 +17,10 @@ typedef struct tf_resolution {
     tf_response_report report;
 } tf_resolution;
 
-/// Adds the pairs to the contacts that the motion brings nearer than the thickness,
-/// if there is one, and counts them.  Sets the error to what it returns.
-tf_status tf_resolution_add_near(tf_resolution *resolution, tf_error *error);
+/// If the motion has no contacts, lists in their place the pairs that it brings
+/// nearer than the thickness, if there is one, and counts them.  Sets the error to
+/// what it returns.
+tf_status tf_resolution_find_near(tf_resolution *resolution, tf_error *error);
 
 /// Answers the contacts, level by level, until none are left.  Returns TF_OK or
 /// TF_OUT_OF_MEMORY.

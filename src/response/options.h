@@ -49,8 +49,8 @@ typedef struct tf_response_report {
     double energy_after;  ///< that of the resolved step, without what pushes
                           ///< pairs apart: that of tf_resolver_unpushed
     size_t first_near; ///< pairs that the proposed step brings nearer than the
-                       ///< thickness, as tf_response_options says
-    size_t near;       ///< those of all rounds, the first ones included
+                       ///< thickness, if it has no contacts
+    size_t near;       ///< those of all rounds without contacts
     size_t near_at_start; ///< pairs that are nearer than that at the start, to
                           ///< which it doesn't apply
 } tf_response_report;
@@ -66,8 +66,8 @@ typedef struct tf_response_report {
 /// without pushes, as tf_resolver_unpushed says, and where it was proposed to
 /// end; with the pushes of tf_resolver_pushes it is that between where it ends
 /// and where it was proposed to end.  Rigid zones and the failsafe have no
-/// impulses.  A pair that comes nearer than the thickness is listed like a contact,
-/// too, with a toi of 1.  Its layout is final.
+/// impulses.  A pair that comes nearer than the thickness, in a round that has no
+/// contacts, is listed like one, with a toi of 1.  Its layout is final.
 typedef struct tf_answered_contact {
     tf_kind kind;            ///< of what elements
     int vertex[4];           ///< theirs, in the order of a tf_surface_contact

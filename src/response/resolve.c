@@ -52,6 +52,18 @@ static bool ready(tf_resolution *r)
     return true;
 }
 
+//: Count what starts too near
+static tf_status begin_thickness(tf_resolution *r, tf_error *error)
+{
+    tf_thickness *thickness = &r->resolver->thickness;
+    thickness->length = r->rule.thickness = r->options.thickness;
+    if (!(thickness->length > 0))
+        return TF_OK;
+    return tf_near_contacts_count_start(thickness, r->resolver->surface,
+                                        &r->motion, r->options.parallel,
+                                        &r->report.near_at_start, error);
+}
+
 //: Detect what the proposal does
 static tf_status begin(tf_resolution *r, tf_error *error)
 {
@@ -60,6 +72,8 @@ static tf_status begin(tf_resolution *r, tf_error *error)
         status = tf_start_check(r->resolver->surface, &r->motion,
                                 r->options.parallel, error);
     if (status == TF_OK)
+        status = begin_thickness(r, error);
+    if (status == TF_OK)
         status = tf_pair_cache_build(&r->resolver->pairs, &r->search,
                                      &r->contacts, error);
     if (status == TF_OK)
@@ -67,23 +81,6 @@ static tf_status begin(tf_resolution *r, tf_error *error)
                                          r->step.watch, error);
     r->report.first_contacts = r->report.contacts = r->contacts.count;
     r->report.statistics = r->contacts.statistics;
-    return status;
-}
-
-//: Measure what the proposal does
-/// Also counts the pairs to which the thickness does not apply.
-static tf_status measure_step(tf_resolution *r, tf_error *error)
-{
-    tf_thickness *thickness = &r->resolver->thickness;
-    thickness->length = r->rule.thickness = r->options.thickness;
-    if (!(thickness->length > 0))
-        return TF_OK;
-    tf_status status = tf_resolution_add_near(r, error);
-    r->report.first_near = r->report.near;
-    if (status == TF_OK)
-        status = tf_near_contacts_count_start(
-            thickness, r->resolver->surface, &r->motion, r->options.parallel,
-            &r->report.near_at_start, error);
     return status;
 }
 
@@ -169,7 +166,8 @@ static tf_status run(tf_resolution *r, double end[], tf_error *error)
     if (status == TF_OK)
         status = begin(r, error);
     if (status == TF_OK)
-        status = measure_step(r, error);
+        status = tf_resolution_find_near(r, error);
+    r->report.first_near = r->report.near;
     if (status == TF_OK && r->contacts.any)
         status = tf_fail(error, resolve(r));
     if (status != TF_OK)

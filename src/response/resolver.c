@@ -23,7 +23,7 @@ void tf_resolver_free(tf_resolver *resolver)
     if (!resolver)
         return;
     tf_pair_cache_free(&resolver->pairs);
-    tf_thickness_free(&resolver->thickness);
+    tf_buffer_free(&resolver->thickness.row);
     tf_buffer_free(&resolver->end);
     tf_buffer_free(&resolver->unpushed);
     tf_buffer_free(&resolver->base);
@@ -83,7 +83,7 @@ size_t tf_resolver_memory(const tf_resolver *resolver)
 {
     TF_REQUIRE(resolver);
     return sizeof *resolver + tf_pair_cache_memory(&resolver->pairs) +
-           tf_thickness_memory(&resolver->thickness) + resolver->end.bytes + resolver->unpushed.bytes +
+           resolver->thickness.row.bytes + resolver->end.bytes + resolver->unpushed.bytes +
            resolver->base.bytes + resolver->ones.bytes +
            resolver->displacement.bytes + resolver->flags.bytes +
            tf_zones_memory(&resolver->zones) +

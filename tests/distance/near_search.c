@@ -89,12 +89,34 @@ START_TEST(a_length_counts_to_the_last_bit)
 }
 END_TEST
 
+// In the plane, an edge at one end of the doubles, a point in the middle, one
+// nearer to it, and one at the other end.
+START_TEST(cubes_may_reach_beyond_all_doubles)
+{
+    static const int edge[] = {0, 1};
+    static const double position[] = {-DBL_MAX,     0, -DBL_MAX, 1, 0, 0,
+                                      -DBL_MAX / 2, 0, DBL_MAX,  0};
+    tf_mesh mesh = {.axes = 2, .vertices = 5, .edges = 1, .edge = edge};
+    tf_surface *surface = surface_of(&mesh);
+    tf_near_search search = {.surface = surface,
+                             .vertices = 5,
+                             .position = position,
+                             .length = DBL_MAX};
+    tf_near_pairs found;
+    ck_assert_int_eq(tf_near_search_run(&search, &found, NULL), TF_OK);
+    ck_assert_uint_eq(found.count, 1);
+    ck_assert_int_eq(found.pair[0].vertex[0], 3);
+    tf_surface_free(surface);
+}
+END_TEST
+
 Suite *suite(void)
 {
     Suite *suite = suite_create("distance/near_search");
     TCase *tcase = tcase_create("near_search");
     tcase_add_loop_test(tcase, pairs_are_those_of_all, 0, PLACEMENTS);
     tcase_add_test(tcase, a_length_counts_to_the_last_bit);
+    tcase_add_test(tcase, cubes_may_reach_beyond_all_doubles);
     suite_add_tcase(suite, tcase);
     return suite;
 }

@@ -2,6 +2,7 @@
 #include "response/resolve.h"
 
 #include "distance/distance.h"
+#include "support/near_oracle.h"
 #include "support/proposals.h"
 #include "support/support.h"
 #include "support/surface_of.h"
@@ -308,6 +309,28 @@ START_TEST(a_start_at_the_thickness_counts_to_the_last_bit)
 }
 END_TEST
 
+/// By all levels, by zones and the failsafe, or by the failsafe alone.
+START_TEST(wild_proposals_keep_a_thickness)
+{
+    generator random = generator_new((uint64_t)_i);
+    proposal_make(&random, (proposal_shape)(_i / PROPOSAL_WAYS), 2,
+                  (proposal_way)(_i % PROPOSAL_WAYS), &made);
+    double length = made.unit * uniform(&random, 0.05, 0.3);
+    tf_surface *surface = surface_of(&made.mesh);
+    for (int j = 0; j < 3; j++) {
+        resolve((tf_response_options){THICKNESS(length),
+                                      .impulse_rounds = j == 0 ? 2 : 0,
+                                      .zone_rounds = j == 2 ? -1 : 0});
+        size_t near;
+        near_oracle(surface, end, made.start, length, &near);
+        ck_assert_msg(near == 0, "seed %llu, %zu pairs nearer than %a",
+                      (unsigned long long)seed(), near, length);
+        ck_assert_int_lt(report.rounds[TF_FAILSAFE], made.mesh.vertices);
+    }
+    tf_surface_free(surface);
+}
+END_TEST
+
 START_TEST(a_thickness_of_zero_changes_nothing)
 {
     generator random = generator_new((uint64_t)_i);
@@ -379,6 +402,8 @@ Suite *suite(void)
     tcase_add_test(tcase, near_pairs_are_pushed_apart);
     tcase_add_loop_test(tcase, pairs_end_at_the_thickness_that_they_start_at, 0, 2);
     tcase_add_test(tcase, a_start_at_the_thickness_counts_to_the_last_bit);
+    tcase_add_loop_test(tcase, wild_proposals_keep_a_thickness, 0,
+                        PROPOSAL_SHAPES * PROPOSAL_WAYS);
     tcase_add_loop_test(tcase, a_thickness_of_zero_changes_nothing, 0, PROPOSAL_WAYS);
     tcase_add_test(tcase, scripted_vertices_are_held_back_if_need_be);
     suite_add_tcase(suite, tcase);

@@ -180,7 +180,7 @@ static void count(const tf_response_report *report, resolution_counts *counts)
 {
     int rounds = report->rounds[TF_FAILSAFE];
     counts->met += report->first_contacts > 0;
-    counts->thick += report->first_near > 0;
+    counts->thick += report->near > 0;
     counts->rescued += rounds > 0;
     counts->held += report->held > 0;
     counts->rested += report->resting > 0;

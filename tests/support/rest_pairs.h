@@ -6,7 +6,7 @@
 #include "support/generator.h"
 
 enum {
-    REST_FAMILIES = 7
+    REST_FAMILIES = 9
 };
 
 /// Two elements: coordinates, and where each vertex is.

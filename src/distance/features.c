@@ -9,9 +9,12 @@
 int tf_features_of(tf_kind kind, const tf_features **features)
 {
     static const tf_features of_triangle[] = {
-        {TF_VERTEX_AND_TRIANGLE, {0, 1, 2, 3}}, {TF_VERTEX_AND_EDGE, {0, 1, 2}},
-        {TF_VERTEX_AND_EDGE, {0, 2, 3}},        {TF_VERTEX_AND_EDGE, {0, 3, 1}},
-        {TF_TWO_VERTICES, {0, 1}},              {TF_TWO_VERTICES, {0, 2}},
+        {TF_VERTEX_AND_TRIANGLE, {0, 1, 2, 3}},
+        {TF_VERTEX_AND_EDGE, {0, 1, 2}},
+        {TF_VERTEX_AND_EDGE, {0, 2, 3}},
+        {TF_VERTEX_AND_EDGE, {0, 3, 1}},
+        {TF_TWO_VERTICES, {0, 1}},
+        {TF_TWO_VERTICES, {0, 2}},
         {TF_TWO_VERTICES, {0, 3}},
     };
     static const tf_features of_edges[] = {

@@ -42,8 +42,9 @@ void tf_exact_vertices_set(tf_kind kind, const double *const x[], double length,
 /// The square of a distance is square / scale, in squares of the unit.
 typedef struct tf_feature_distance {
     tf_wide square, scale;
-    double weight[4]; ///< of the vertices in the nearest points, by their places
-                      ///< in the elements
+    double
+        weight[4]; ///< of the vertices in the nearest points, by their places
+                   ///< in the elements
 } tf_feature_distance;
 
 /// Finds the distance of the points, lines or planes that two features lie in.

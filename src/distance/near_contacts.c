@@ -23,10 +23,11 @@ static void set_normal(const tf_query_shape *shape, const double *const x[],
     int both = shape->vertices + shape->others;
     for (int i = 1; i < both; i++)
         for (int k = 0; k < shape->axes; k++)
-            between.x[k] += (x[i][k] - x[0][k]) *
-                            (i < shape->vertices
-                                 ? contact->barycentric[0][i]
-                                 : -contact->barycentric[1][i - shape->vertices]);
+            between.x[k] +=
+                (x[i][k] - x[0][k]) *
+                (i < shape->vertices
+                     ? contact->barycentric[0][i]
+                     : -contact->barycentric[1][i - shape->vertices]);
     double length = tf_vector_length(between);
     if (!(length > 0) || !isfinite(length))
         return;
@@ -70,8 +71,8 @@ static tf_status list_rows(tf_thickness *thickness, const tf_motion *motion,
 
 tf_status tf_near_contacts_find(tf_thickness *thickness, tf_surface *surface,
                                 const tf_motion *motion,
-                                const tf_parallel *parallel,
-                                tf_contacts *found, tf_error *error)
+                                const tf_parallel *parallel, tf_contacts *found,
+                                tf_error *error)
 {
     tf_near_search search = {.surface = surface,
                              .vertices = motion->vertices,
@@ -82,8 +83,8 @@ tf_status tf_near_contacts_find(tf_thickness *thickness, tf_surface *surface,
     tf_near_pairs near;
     tf_status status = tf_near_search_run(&search, &near, error);
     if (status == TF_OK)
-        status = tf_fail(error, list_rows(thickness, motion, &near,
-                                          surface->workers.watch));
+        status = tf_fail(
+            error, list_rows(thickness, motion, &near, surface->workers.watch));
     if (status != TF_OK)
         return status;
     found->any = near.count > 0;

@@ -19,8 +19,8 @@ typedef struct tf_thickness {
 /// TF_CANCELLED, or another status of tf_near_search_run.
 tf_status tf_near_contacts_find(tf_thickness *thickness, tf_surface *surface,
                                 const tf_motion *motion,
-                                const tf_parallel *parallel,
-                                tf_contacts *found, tf_error *error);
+                                const tf_parallel *parallel, tf_contacts *found,
+                                tf_error *error);
 
 /// Finds how many pairs are nearer than the length at the start of a step.
 tf_status tf_near_contacts_count_start(const tf_thickness *thickness,

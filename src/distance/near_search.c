@@ -177,5 +177,6 @@ tf_status tf_near_search_run(const tf_near_search *search, tf_near_pairs *found,
         return tf_fail(error, TF_OUT_OF_MEMORY);
     join_near(surface, &job, parallel);
     status = tf_workers_status(&surface->workers);
-    return tf_fail(error, status == TF_OK ? gather_near(surface, found) : status);
+    return tf_fail(error,
+                   status == TF_OK ? gather_near(surface, found) : status);
 }

@@ -8,9 +8,10 @@ typedef struct tf_near_search {
     tf_surface *surface;
     int vertices;
     const double *position;
-    const double *before; ///< other positions: pairs that are nearer there, too,
-                          ///< are not wanted; NULL: all are
-    double length;        ///< more than 0, finite
+    const double
+        *before;   ///< other positions: pairs that are nearer there, too,
+                   ///< are not wanted; NULL: all are
+    double length; ///< more than 0, finite
     const tf_parallel *parallel;
 } tf_near_search;
 

@@ -47,8 +47,8 @@ static tf_surface_point measure_element(const nearest_search *search,
     const double *x[4] = {search->point};
     for (int i = 0; i < search->axes; i++)
         x[1 + i] = place_of(search, corner[i < corners ? i : corners - 1]);
-    tf_nearest found = tf_nearest_of(
-        search->axes == 2 ? TF_POINT_EDGE : TF_POINT_TRIANGLE, x);
+    tf_nearest found =
+        tf_nearest_of(search->axes == 2 ? TF_POINT_EDGE : TF_POINT_TRIANGLE, x);
     tf_surface_point own = {.corners = corners,
                             .vertex = {-1, -1, -1},
                             .lower = found.lower,

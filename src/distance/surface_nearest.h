@@ -10,9 +10,9 @@
 
 /// A point of a surface, and how far it is from somewhere.
 typedef struct tf_surface_point {
-    int corners;           ///< of the element that has it: 3 of a triangle, 2 of
-                           ///< an edge, 1 of a vertex
-    int vertex[3];         ///< these, in increasing order; -1 where there is none
+    int corners;   ///< of the element that has it: 3 of a triangle, 2 of
+                   ///< an edge, 1 of a vertex
+    int vertex[3]; ///< these, in increasing order; -1 where there is none
     double barycentric[3]; ///< the point's, at least 0, with the sum 1 up to
                            ///< rounding; unused ones are zero
     double lower, upper;   ///< bounds of the distance, as those of tf_distance

@@ -104,8 +104,7 @@ static bool check_file(work *w, const char *path)
     return succeeded(w, &error) &&
            tf_surface_output_crossings(
                &w->output, tf_frames_file(&w->frames)->name, &found) &&
-           (!(w->request->thickness > 0) ||
-            check_thickness(w, &rest, tangled));
+           (!(w->request->thickness > 0) || check_thickness(w, &rest, tangled));
 }
 
 static bool check_all(work *w)
@@ -128,10 +127,9 @@ static bool write_rows(work *w, bool checks, bool (*do_all)(work *))
                        : NULL;
     if (!stream)
         return false;
-    bool good =
-        tf_surface_output_begin(&w->output, stream, *request->format, checks,
-                                request->thickness > 0) &&
-        do_all(w);
+    bool good = tf_surface_output_begin(&w->output, stream, *request->format,
+                                        checks, request->thickness > 0) &&
+                do_all(w);
     tf_progress_line_end(&w->progress);
     good = tf_surface_output_end(&w->output) && good;
     return tf_destination_finish(&w->to, good, w->output.records.error);

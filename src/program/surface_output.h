@@ -8,16 +8,16 @@
 
 /// What an output has counted.
 typedef struct tf_surface_tally {
-    size_t parts;   ///< files checked, or steps
-    size_t tangled; ///< of these, with rows
-    size_t rows;    ///< but for those of near pairs
-    size_t near;    ///< pairs
+    size_t parts;                    ///< files checked, or steps
+    size_t tangled;                  ///< of these, with rows
+    size_t rows;                     ///< but for those of near pairs
+    size_t near;                     ///< pairs
     tf_detect_statistics statistics; ///< of detection
 } tf_surface_tally;
 
 typedef struct tf_surface_output {
     tf_records records;
-    bool checks; ///< whether rows are intersections, not contacts
+    bool checks;   ///< whether rows are intersections, not contacts
     bool measures; ///< whether near pairs are among them
     tf_surface_tally tally;
 } tf_surface_output;

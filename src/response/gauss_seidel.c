@@ -197,8 +197,8 @@ static void tell_neighbors(sweep_state *state, int constraint)
 /// gap, or its sliding, by more than the tolerance.
 static bool visit(sweep_state *state, int constraint, bool is_new)
 {
-    double friction = state->zone->friction;
     tf_constraint *own = &state->zone->constraint[constraint];
+    double friction = tf_zone_friction(state->zone, own);
     set_visited(&state->all, constraint);
     if (!is_new && !(friction > 0) && !is_off(state, own))
         return false;

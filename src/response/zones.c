@@ -1,8 +1,6 @@
 //: Include what zones need
 #include "response/zones.h"
 
-#include "response/impulse.h"
-
 #include <limits.h>
 #include <math.h>
 #include <stdint.h>
@@ -226,7 +224,7 @@ static bool pose(tf_zones *zones, const tf_step *step,
     size_t vertices = (size_t)zone->vertices, axes = (size_t)step->axes;
     size_t workspace = options->solver->workspace(step->axes, zone->vertices,
                                                   zone->constraints);
-    if (!tf_buffer_reserve(&zones->mass, vertices, sizeof(double)) ||
+    if (!tf_buffer_reserve(&zones->mass, 2 * vertices, sizeof(double)) ||
         !tf_buffer_reserve(&zones->displacement, axes * vertices,
                            sizeof(double)) ||
         !tf_buffer_reserve(&zones->workspace, workspace, sizeof(double)))
@@ -240,9 +238,12 @@ static bool pose(tf_zones *zones, const tf_step *step,
         memcpy(zone->displacement + (ptrdiff_t)step->axes * i, own.x,
                axes * sizeof *own.x);
         inverse_mass[i] = step->inverse_mass[v];
+        if (options->friction.own)
+            inverse_mass[vertices + (size_t)i] = options->friction.own[v];
         d->place[v] = -1;
     }
     zone->inverse_mass = inverse_mass;
+    zone->friction = options->friction.own ? -1 : options->friction.all;
     return true;
 }
 
@@ -344,10 +345,15 @@ static void keep_pushes(const tf_zones *zones, const division *d, int z,
 }
 
 //: Push the pairs of a zone apart
+enum {
+    PUSH_SWEEPS = 6 ///< the next steps make the room that these do not
+};
+
 /// Solves the constraints of a zone a second time, for pushes: without friction,
-/// and from where pushes have led before.  The displacements of the zone stay
-/// those of its motion; those with the pushes are left in `pushed`.  False if
-/// there is no memory.
+/// and from where pushes have led before.  Constraints that were solved for
+/// their motion count as solved, though their bounds may be new.  The
+/// displacements of the zone stay those of its motion; those with the pushes are
+/// left in `pushed`.  False if there is no memory.
 static bool push_apart(tf_zones *zones, const tf_step *step,
                        const tf_contact_rule *rule,
                        const tf_zone_options *options, const division *d, int z,
@@ -359,7 +365,7 @@ static bool push_apart(tf_zones *zones, const tf_step *step,
     bool any = ask_for_room(zones, d, z, &pushing, zones->pushed.data);
     pushing.displacement = zones->pushed.data;
     pushing.friction = 0;
-    pushing.solved = 0; // all bounds are new
+    pushing.sweeps = zone->sweeps < PUSH_SWEEPS ? zone->sweeps : PUSH_SWEEPS;
     if (any)
         statistics->iterations += (size_t)options->solver->solve(&pushing);
     keep_pushes(zones, d, z, &pushing, any);
@@ -417,7 +423,6 @@ bool tf_zones_solve(tf_zones *zones, tf_step *step, const tf_contact_rule *rule,
     tf_watch_stage(step->watch, "zones", (size_t)d.first[d.zones]);
     for (int z = 0; z < d.zones; z++) {
         tf_zone zone = {.axes = step->axes,
-                        .friction = options->friction,
                         .sweeps = options->sweeps,
                         .watch = step->watch};
         if (!copy_constraints(zones, &d, z, &zone) ||

@@ -15,6 +15,8 @@ typedef struct tf_surface {
     tf_elements edges, triangles;
     tf_pair_filter filter; ///< with a copy of the groups, in `groups`
     tf_buffer groups;
+    const double *inverse_mass; ///< of the vertices: pairs whose vertices all
+        ///< have 0 are left out, too; NULL: no such pair
     tf_frame frame;  ///< of the paths
     tf_buffer paths; ///< of the vertices
     tf_tree vertex_tree, edge_tree, triangle_tree;
@@ -23,8 +25,8 @@ typedef struct tf_surface {
     tf_workers workers; ///< with the watch over the call that they work for
     tf_buffer task_rows, task_places; ///< of the tasks that list candidates
     tf_buffer enlarged; ///< positions around those of a search of near pairs
-    tf_buffer found;   ///< what was found last, lent to the caller
-    tf_buffer sorting; ///< of these rows
+    tf_buffer found;    ///< what was found last, lent to the caller
+    tf_buffer sorting;  ///< of these rows
 } tf_surface;
 
 /// Gives a surface another mesh, which is good, in memory that is kept; nothing

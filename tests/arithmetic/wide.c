@@ -76,8 +76,10 @@ END_TEST
 
 START_TEST(doubles_come_back_as_they_are)
 {
-    static const double some[] = {1, -3, 0.75, DBL_TRUE_MIN, -DBL_MIN, DBL_MAX,
-                                  0x1.8p-1070, -0x1.fffffffffffffp-1022, 0};
+    static const double some[] = {
+        1,        -3,      0.75,        DBL_TRUE_MIN,
+        -DBL_MIN, DBL_MAX, 0x1.8p-1070, -0x1.fffffffffffffp-1022,
+        0};
     for (int i = 0; i < 9; i++)
         for (int unit = -1074; unit <= -1000; unit += 37) {
             int lowest = tf_lowest_bit(some[i]), exponent;

@@ -23,8 +23,8 @@ START_TEST(vertices_are_taken_by_their_indices)
     ck_assert_int_eq(
         tf_is_nearer(TF_POINT_TRIANGLE, 4, square, over, 2, &nearer), TF_OK);
     ck_assert(!nearer);
-    ck_assert_int_eq(
-        tf_is_nearer(TF_EDGE_EDGE, 4, square, edges, 1, &nearer), TF_OK);
+    ck_assert_int_eq(tf_is_nearer(TF_EDGE_EDGE, 4, square, edges, 1, &nearer),
+                     TF_OK);
     ck_assert(nearer);
 }
 END_TEST
@@ -51,9 +51,9 @@ START_TEST(what_is_bad_is_told)
                      TF_NOT_FINITE);
     double lengths[] = {0, -1, NAN, INFINITY};
     for (int i = 0; i < 4; i++)
-        ck_assert_int_eq(tf_is_nearer(TF_EDGE_EDGE, 4, square, good, lengths[i],
-                                      &nearer),
-                         TF_BAD_OPTION);
+        ck_assert_int_eq(
+            tf_is_nearer(TF_EDGE_EDGE, 4, square, good, lengths[i], &nearer),
+            TF_BAD_OPTION);
 }
 END_TEST
 

@@ -40,9 +40,9 @@ START_TEST(near_pairs_are_listed_as_contacts)
     tf_thickness thickness = {.length = length};
     tf_contacts found = {.statistics = {.candidates = 7}};
     size_t pairs, at_start;
-    ck_assert_int_eq(tf_near_contacts_find(&thickness, surface, &motion, NULL,
-                                           &found, NULL),
-                     TF_OK);
+    ck_assert_int_eq(
+        tf_near_contacts_find(&thickness, surface, &motion, NULL, &found, NULL),
+        TF_OK);
     const near_oracle_pair *pair =
         near_oracle(surface, made.end, made.start, length, &pairs);
     ck_assert_uint_eq(found.count, pairs);
@@ -70,9 +70,9 @@ START_TEST(the_normal_goes_to_the_first_element)
     tf_motion motion = {3, 4, start, end};
     tf_thickness thickness = {.length = 1};
     tf_contacts found = {0};
-    ck_assert_int_eq(tf_near_contacts_find(&thickness, surface, &motion, NULL,
-                                           &found, NULL),
-                     TF_OK);
+    ck_assert_int_eq(
+        tf_near_contacts_find(&thickness, surface, &motion, NULL, &found, NULL),
+        TF_OK);
     ck_assert_uint_eq(found.count, 1);
     const tf_contact *contact = &found.contact->contact;
     ck_assert(contact->normal[0] == 0 && contact->normal[1] == 0 &&

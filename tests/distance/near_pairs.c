@@ -23,9 +23,9 @@ START_TEST(near_pairs_are_listed)
     ck_assert_int_eq(tf_surface_near(surface, 4, at, 0.5, NULL, &found, NULL),
                      TF_OK);
     ck_assert_uint_eq(found.count, 0);
-    ck_assert_int_eq(tf_surface_near(surface, 4, at, nextafter(0.5, 1), NULL,
-                                     &found, NULL),
-                     TF_OK);
+    ck_assert_int_eq(
+        tf_surface_near(surface, 4, at, nextafter(0.5, 1), NULL, &found, NULL),
+        TF_OK);
     ck_assert_uint_eq(found.count, 1);
     static const int expected[] = {3, 0, 1, 2};
     ck_assert_int_eq(found.pair->kind, TF_POINT_TRIANGLE);

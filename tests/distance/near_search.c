@@ -13,14 +13,14 @@
 static void expect_pairs(const tf_near_search *search)
 {
     size_t count;
-    const near_oracle_pair *all = near_oracle(search->surface, search->position,
-                                              search->before, search->length,
-                                              &count);
+    const near_oracle_pair *all =
+        near_oracle(search->surface, search->position, search->before,
+                    search->length, &count);
     tf_near_pairs found;
     ck_assert_int_eq(tf_near_search_run(search, &found, NULL), TF_OK);
-    ck_assert_msg(found.count == count, "seed %llu, %zu pairs within %a, not %zu",
-                  (unsigned long long)seed(), found.count, search->length,
-                  count);
+    ck_assert_msg(
+        found.count == count, "seed %llu, %zu pairs within %a, not %zu",
+        (unsigned long long)seed(), found.count, search->length, count);
     for (size_t i = 0; i < count; i++) {
         ck_assert_int_eq((int)found.pair[i].kind, all[i].kind);
         for (int j = 0; j < 4; j++)

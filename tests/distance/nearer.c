@@ -69,8 +69,8 @@ START_TEST(estimates_decide_nearly_all_usual_pairs)
     for (int i = 0; i < 1000; i++) {
         rest_pair pair;
         rest_pair_make(&random, 0, &pair);
-        open += tf_estimate_nearer(pair.kind, pair.x,
-                                   uniform(&random, 0, 1)) == 0;
+        open +=
+            tf_estimate_nearer(pair.kind, pair.x, uniform(&random, 0, 1)) == 0;
     }
     ck_assert_int_le(open, 3);
 }
@@ -80,8 +80,9 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("distance/nearer");
     TCase *tcase = tcase_create("nearer");
-    tcase_add_loop_test(tcase, elements_are_nearer_where_rational_numbers_say_so,
-                        0, REST_FAMILIES);
+    tcase_add_loop_test(tcase,
+                        elements_are_nearer_where_rational_numbers_say_so, 0,
+                        REST_FAMILIES);
     tcase_add_test(tcase, elements_at_a_distance_are_not_nearer);
     tcase_add_test(tcase, estimates_decide_nearly_all_usual_pairs);
     suite_add_tcase(suite, tcase);

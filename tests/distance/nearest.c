@@ -103,7 +103,7 @@ END_TEST
 
 START_TEST(a_distance_beyond_all_doubles_is_at_least_the_largest)
 {
-    static const double at[] = {DBL_MAX, DBL_MAX, -DBL_MAX,
+    static const double at[] = {DBL_MAX,  DBL_MAX,  -DBL_MAX,
                                 -DBL_MAX, -DBL_MAX, -DBL_MAX};
     const double *x[] = {at, at + 2, at + 4};
     tf_nearest found = tf_nearest_of(TF_POINT_EDGE, x);

@@ -17,7 +17,7 @@ static tf_zone_statistics statistics;
 // A solver that only notes what it is given -----------------------------------
 
 static int solved_constraints[8], solved_vertices[8], old_constraints[8],
-    solved_zones;
+    sweeps[8], solved_zones;
 
 static size_t no_workspace(int axes, int vertices, int constraints)
 {
@@ -30,6 +30,7 @@ static int note(tf_zone *zone)
     if (solved_zones < 8) {
         solved_constraints[solved_zones] = zone->constraints;
         solved_vertices[solved_zones] = zone->vertices;
+        sweeps[solved_zones] = zone->sweeps;
         old_constraints[solved_zones++] = zone->solved;
     }
     return 1;
@@ -236,7 +237,7 @@ START_TEST(pairs_are_pushed_apart_without_a_motion)
 }
 END_TEST
 
-// The second solution is asked for all anew, as the bounds are.
+// The second solution is asked for the same constraints, in a few sweeps.
 START_TEST(each_zone_is_solved_for_its_motion_and_for_room)
 {
     begin_near_fall();
@@ -244,13 +245,16 @@ START_TEST(each_zone_is_solved_for_its_motion_and_for_room)
     ck_assert_int_gt(constraints, 0);
     ck_assert_int_eq(solved_zones % 2, 0);
     ck_assert_int_eq(sum(solved_constraints), 2 * constraints);
+    ck_assert_int_eq(sum(old_constraints), 0);
     solved_zones = 0;
     go_on(&noting);
     ck_assert_int_eq(solved_zones % 2, 0);
     for (int z = 0; z < solved_zones; z += 2) {
         ck_assert_int_eq(solved_constraints[z], solved_constraints[z + 1]);
         ck_assert_int_gt(old_constraints[z], 0);
-        ck_assert_int_eq(old_constraints[z + 1], 0);
+        ck_assert_int_eq(old_constraints[z + 1], old_constraints[z]);
+        ck_assert_int_eq(sweeps[z], 1000);
+        ck_assert_int_eq(sweeps[z + 1], 6);
     }
     end();
 }

@@ -97,6 +97,7 @@ static resolution_counts total(int processes)
         sum.thick += count->thick;
         sum.rescued += count->rescued;
         sum.held += count->held;
+        sum.shortened += count->shortened;
         sum.rested += count->rested;
         sum.exact += count->exact;
         sum.rounds = count->rounds > sum.rounds ? count->rounds : sum.rounds;

@@ -16,7 +16,8 @@ typedef struct differences {
 static void list_differences(tf_kind kind, const double *const x[],
                              differences *list)
 {
-    int axes = kind == TF_POINT_EDGE ? 2 : 3, first = kind == TF_EDGE_EDGE ? 2 : 1;
+    int axes = kind == TF_POINT_EDGE ? 2 : 3,
+        first = kind == TF_EDGE_EDGE ? 2 : 1;
     mpq_t other;
     mpq_init(other);
     list->count = 0;

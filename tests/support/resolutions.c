@@ -28,6 +28,7 @@ static bool differ(const proposal *made, const double a[], const double b[],
 /// What the report says of the vertices that were moved, against the ends.
 static const char *report_fault(const proposal *made, bool weighed,
                                 const double proposed[],
+                                const tf_response_options *options,
                                 const tf_response_report *report)
 {
     int moved = 0, held = 0;
@@ -40,11 +41,12 @@ static const char *report_fault(const proposal *made, bool weighed,
         return "the report counts other vertices that were moved";
     if (held != report->held)
         return "the report counts other scripted vertices held back";
-    if (held > 0 && report->rounds[TF_FAILSAFE] == 0)
-        return "scripted vertices held back, but not by the failsafe";
+    if ((held > 0) != (report->followed < 1))
+        return "scripted vertices held back, but all the way; or vice versa";
     if (report->first_contacts + report->first_near == 0 && moved > 0)
         return "a clear step was changed";
-    if (report->rounds[TF_FAILSAFE] >= made->mesh.vertices)
+    int parts = options && options->substeps > 1 ? options->substeps : 1;
+    if (report->rounds[TF_FAILSAFE] >= parts * made->mesh.vertices)
         return "as many rounds of the failsafe as vertices, or more";
     return NULL;
 }
@@ -56,23 +58,37 @@ static const char *tangle_fault(const char *when, const tangle_judge *judge)
     return text;
 }
 
-/// Pairs that end nearer than the thickness, but did not start so.
+static bool is_scripted(const proposal *made, const near_oracle_pair *pair)
+{
+    for (int i = 0; i < 4 && pair->vertex[i] >= 0; i++)
+        if (made->inverse_mass[pair->vertex[i]] > 0)
+            return false;
+    return true;
+}
+
+/// Pairs that end nearer than the thickness, but did not start so, and have a
+/// vertex that is not scripted.
 static const char *thickness_fault(const tf_surface *surface,
-                                   const proposal *made, double thickness)
+                                   const proposal *made, bool weighed,
+                                   const tf_response_options *options)
 {
     static char text[200];
+    double length = options ? options->thickness : 0;
     size_t count = 0;
-    if (!(thickness > 0))
-        return NULL;
     const near_oracle_pair *pair =
-        near_oracle(surface, made->end, made->start, thickness, &count);
-    if (count == 0)
-        return NULL;
-    snprintf(text, sizeof text,
-             "%zu pairs nearer than %a, the first of kind %d: %d %d %d %d",
-             count, thickness, pair->kind, pair->vertex[0], pair->vertex[1],
-             pair->vertex[2], pair->vertex[3]);
-    return text;
+        length > 0
+            ? near_oracle(surface, made->end, made->start, length, &count)
+            : NULL;
+    for (size_t i = 0; i < count; i++) {
+        if (weighed && is_scripted(made, &pair[i]))
+            continue;
+        const int *vertex = pair[i].vertex;
+        snprintf(text, sizeof text, "nearer than %a, kind %d: %d %d %d %d",
+                 length, pair[i].kind, vertex[0], vertex[1], vertex[2],
+                 vertex[3]);
+        return text;
+    }
+    return NULL;
 }
 
 static const char *end_fault(tangle_judge *judge, const proposal *made,
@@ -100,7 +116,8 @@ const double *resolution_motion(void)
 }
 
 static const char *judged_fault(tf_surface *surface, tf_resolver *resolver,
-                                tangle_judge *judge, proposal *made, bool weighed, bool exactly,
+                                tangle_judge *judge, proposal *made,
+                                bool weighed, bool exactly,
                                 const tf_response_options *options,
                                 tf_response_report *report)
 {
@@ -123,9 +140,9 @@ static const char *judged_fault(tf_surface *surface, tf_resolver *resolver,
         options,         report};
     const char *fault = end_fault(judge, made, exactly);
     if (!fault)
-        fault = thickness_fault(surface, made, options->thickness);
+        fault = thickness_fault(surface, made, weighed, options);
     if (!fault)
-        fault = report_fault(made, weighed, proposed, report);
+        fault = report_fault(made, weighed, proposed, step.options, report);
     return fault ? fault : answers_fault(resolver, &step, NULL);
 }
 
@@ -134,6 +151,7 @@ const char *resolution_fault(proposal *made, bool weighed, bool exactly,
                              tf_response_report *report)
 {
     tangle_judge *judge = tangle_judge_new(&made->mesh);
+    tangle_judge_script(judge, weighed ? made->inverse_mass : NULL);
     tf_surface *surface = NULL;
     tf_resolver *resolver = NULL;
     const char *fault = "no resolver";
@@ -148,6 +166,15 @@ const char *resolution_fault(proposal *made, bool weighed, bool exactly,
 }
 
 // Numbers ---------------------------------------------------------------------
+
+/// Of each vertex, some of which have none.
+static const double *random_friction(generator *random)
+{
+    static double own[PROPOSAL_VERTICES];
+    for (int v = 0; v < PROPOSAL_VERTICES; v++)
+        own[v] = below(random, 4) ? uniform(random, 0, 2) : 0;
+    return own;
+}
 
 static tf_response_options random_options(generator *random, double unit)
 {
@@ -164,6 +191,11 @@ static tf_response_options random_options(generator *random, double unit)
     options.restitution = below(random, 3) ? 0 : uniform(random, 0, 1);
     options.friction = below(random, 3) ? 0 : uniform(random, 0, 2);
     options.check_start = below(random, 2);
+    options.size = sizeof options;
+    options.restitution_threshold =
+        below(random, 2) ? 0 : uniform(random, 0, 1);
+    options.vertex_friction = below(random, 3) ? NULL : random_friction(random);
+    options.substeps = below(random, 3) ? 0 : below(random, 6);
     options.thickness = below(random, 2) ? 0 : unit * uniform(random, 0, 0.3);
     return options;
 }
@@ -183,16 +215,20 @@ static void count(const tf_response_report *report, resolution_counts *counts)
     counts->thick += report->near > 0;
     counts->rescued += rounds > 0;
     counts->held += report->held > 0;
+    counts->shortened += report->held > 0 && report->followed > 0;
     counts->rested += report->resting > 0;
     counts->rounds = rounds > counts->rounds ? rounds : counts->rounds;
 }
 
 void resolution_counts_print(const resolution_counts *counts)
 {
-    printf("%ld proposals: %ld with contacts, %ld with near pairs, %ld by the failsafe, %ld held "
-           "back, %ld put to rest, %ld judged on the way, %d rounds at most\n",
-           counts->tries, counts->met, counts->thick, counts->rescued, counts->held,
-           counts->rested, counts->exact, counts->rounds);
+    printf("%ld proposals: %ld with contacts, %ld with near pairs, %ld by the "
+           "failsafe, %ld held "
+           "back, %ld of these a part of the way, %ld put to rest, %ld judged "
+           "on the way, %d rounds at most\n",
+           counts->tries, counts->met, counts->thick, counts->rescued,
+           counts->held, counts->shortened, counts->rested, counts->exact,
+           counts->rounds);
 }
 
 /// What is being tried, for the handler.
@@ -210,6 +246,16 @@ enum {
     FEW_VERTICES = 30
 };
 
+/// Proposes a next step, from where the last one has ended.
+static void go_on(generator *random, proposal *made)
+{
+    double reach = made->unit * uniform(random, 0, 2);
+    int numbers = made->mesh.axes * made->mesh.vertices;
+    memcpy(made->start, made->end, sizeof *made->end * (size_t)numbers);
+    for (int i = 0; i < numbers; i++)
+        made->end[i] += uniform(random, -reach, reach);
+}
+
 const char *numbered_fault(long number, resolution_counts *counts)
 {
     static proposal made;
@@ -226,13 +272,18 @@ const char *numbered_fault(long number, resolution_counts *counts)
     tf_contract_set_handler(show_tried);
     bool weighed = below(&random, 2);
     bool exactly = made.mesh.vertices <= FEW_VERTICES && below(&random, 4) == 0;
-    tf_response_options options = random_options(&random, made.unit);
-    tf_response_report report = {0};
-    const char *fault =
-        resolution_fault(&made, weighed, exactly, &options, &report);
-    counts->tries++;
-    counts->exact += exactly;
-    count(&report, counts);
+    const char *fault = NULL;
+    for (int steps = 1 + below(&random, 2); steps > 0 && !fault; steps--) {
+        tf_response_options options = random_options(&random, made.unit);
+        tf_response_report report = {0};
+        bool straight = options.substeps <= 1;
+        fault = resolution_fault(&made, weighed, exactly && straight, &options,
+                                 &report);
+        counts->tries++;
+        counts->exact += exactly && straight;
+        count(&report, counts);
+        go_on(&random, &made);
+    }
     if (!fault)
         return NULL;
     snprintf(text, sizeof text, "proposal %ld of seed %llu, %s %s: %s", number,

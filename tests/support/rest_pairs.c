@@ -5,7 +5,8 @@
 #include <stdio.h>
 
 const char *const rest_family_names[REST_FAMILIES] = {
-    "usual", "lattice", "flat", "long", "tiny", "huge", "mixed", "near", "reaching",
+    "usual", "lattice", "flat", "long",     "tiny",
+    "huge",  "mixed",   "near", "reaching",
 };
 
 static double coordinate_of(generator *random, int family, int k)

@@ -22,11 +22,12 @@ typedef struct tf_near_pairs {
     const tf_near_pair *pair; ///< sorted by kind, then by vertices
 } tf_near_pairs;
 
-/// Finds the pairs of elements of a surface at rest that are nearer to each other
-/// than a length, exactly: a vertex and a triangle, or two edges; in the plane a
-/// vertex and an edge.  Pairs that share a vertex are not tested, nor those that a
-/// filter leaves out.  If there are none, and tf_surface_check finds none either,
-/// no points of two triangles or edges that share no vertex are nearer than that.
+/// Finds the pairs of elements of a surface at rest that are nearer to each
+/// other than a length, exactly: a vertex and a triangle, or two edges; in
+/// the plane a vertex and an edge.  Pairs that share a vertex are not
+/// tested, nor those that a filter leaves out.  If there are none, and
+/// tf_surface_check finds none either, no points of two triangles or edges
+/// that share no vertex are nearer than that.
 ///
 /// @param surface the surface
 /// @param vertices how many vertices have a position

@@ -165,9 +165,9 @@ static void set_bound(const tf_contact_rule *rule, double approach,
 /// The part of what is missing by which a pair is pushed apart in one step.
 static const double pushed_part = 0.25;
 
-/// How wide a gap may get, as a part of the approach: two elements that are drawn
-/// together in each step, such as by gravity, must stay so near that they meet
-/// again in the next step, or nothing would hold them there.
+/// How wide a gap may get, as a part of the approach: two elements that are
+/// drawn together in each step, such as by gravity, must stay so near that
+/// they meet again in the next step, or nothing would hold them there.
 static const double most_width = 0.5;
 
 /// Half of what the elements approach each other, or the separation if that is
@@ -216,9 +216,10 @@ static bool is_near_pair(const tf_surface_contact *contact)
 /// may have other nearest points at the end that the row leads to.
 static const double thickness_margin = 0x1p-6;
 
-/// Along the direction between the nearest points at the end, where the elements
-/// are not in contact, their gap must be as wide as the thickness.  The motion may
-/// narrow a gap that is wider; one that is narrower is up to the push.
+/// Along the direction between the nearest points at the end, where the
+/// elements are not in contact, their gap must be as wide as the thickness.
+/// The motion may narrow a gap that is wider; one that is narrower is up to
+/// the push.
 static void keep_distance(const tf_step *step, const tf_contact *contact,
                           const tf_contact_rule *rule,
                           tf_constraint *constraint, tf_contact_gap *gap)

@@ -31,9 +31,9 @@ typedef struct tf_resolver {
 } tf_resolver;
 
 //: Declare the levels of a response
-/// A step that is being resolved, with everything that resolving it needs.  It
-/// may be taken in several parts, one after another; what is not said to be of the
-/// whole step is of one part.
+/// A step that is being resolved, with everything that resolving it needs.
+/// It may be taken in several parts, one after another; what is not said to
+/// be of the whole step is of one part.
 typedef struct tf_resolution {
     tf_resolver *resolver;
     tf_response_options options;    ///< with the defaults filled in
@@ -50,9 +50,9 @@ typedef struct tf_resolution {
     tf_response_report report;
 } tf_resolution;
 
-/// If the motion has no contacts, lists in their place the pairs that it brings
-/// nearer than the thickness, if there is one, and counts them.  Sets the error to
-/// what it returns.
+/// If the motion has no contacts, lists in their place the pairs that it
+/// brings nearer than the thickness, if there is one, and counts them.
+/// Sets the error to what it returns.
 tf_status tf_resolution_find_near(tf_resolution *resolution, tf_error *error);
 
 /// Answers the contacts, level by level, until none are left.  Returns TF_OK or

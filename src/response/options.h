@@ -24,9 +24,10 @@ typedef enum tf_response_level {
     TF_LEVELS = 8    ///< room for those of later versions
 } tf_response_level;
 
-/// What it took to resolve a step, in all of its substeps.  Where scripted vertices
-/// are held back, all but the statistics is about the last trial, which is the step
-/// that is returned.  Lent; later versions may add to its end.
+/// What it took to resolve a step, in all of its substeps.  Where scripted
+/// vertices are held back, all but the statistics is about the last trial,
+/// which is the step that is returned.  Lent; later versions may add to its
+/// end.
 typedef struct tf_response_report {
     size_t first_contacts; ///< contacts of the proposed step
     size_t contacts;       ///< those of all rounds, the first ones included
@@ -66,15 +67,16 @@ typedef struct tf_response_report {
 ///
 ///     inverse_mass_i coefficient[i] (impulse normal + friction)
 ///
-/// to the displacement of vertex[i].  Where only they have moved a vertex, the
-/// sum of all these is, up to rounding, the difference between where it ends
-/// without pushes, as tf_resolver_unpushed says, and where it was proposed to
-/// end; with the pushes of tf_resolver_pushes it is that between where it ends
-/// and where it was proposed to end.  Rigid zones and the failsafe have no
-/// impulses.  In substeps, impulses are about the displacement in one of them; so
-/// only the second sum is of use, and only without restitution.  A pair that comes
-/// nearer than the thickness, in a round that has no contacts, is listed like one,
-/// with a toi of 1.  Its layout is final.
+/// to the displacement of vertex[i].  Where only they have moved a vertex,
+/// the sum of all these is, up to rounding, the difference between where it
+/// ends without pushes, as tf_resolver_unpushed says, and where it was
+/// proposed to end; with the pushes of tf_resolver_pushes it is that
+/// between where it ends and where it was proposed to end.  Rigid zones and
+/// the failsafe have no impulses.  In substeps, impulses are about the
+/// displacement in one of them; so only the second sum is of use, and only
+/// without restitution.  A pair that comes nearer than the thickness, in a
+/// round that has no contacts, is listed like one, with a toi of 1.  Its
+/// layout is final.
 typedef struct tf_answered_contact {
     tf_kind kind;            ///< of what elements
     int vertex[4];           ///< theirs, in the order of a tf_surface_contact
@@ -93,8 +95,8 @@ typedef struct tf_answered_contact {
 } tf_answered_contact;
 
 //: Declare what happened to vertices
-/// What the response did with a vertex; flags to be added up.  Later versions may
-/// add to this list.
+/// What the response did with a vertex; flags to be added up.  Later
+/// versions may add to this list.
 typedef enum tf_vertex_flag {
     TF_VERTEX_MOVED = 1,   ///< it does not end where it was proposed to end
     TF_VERTEX_HELD = 2,    ///< scripted, and does not go all of its way

@@ -1,26 +1,12 @@
-//: Declare near pairs
+//: Declare how near pairs are found
 #pragma once
 
 #include "base/api.h"
-#include "distance/distance.h"
+#include "distance/near_pair.h"
 #include "surface/check.h"
-
-#include <stddef.h>
 
 /// @addtogroup distances
 /// @{
-
-/// Two elements of a surface that are nearer to each other than a length.
-typedef struct tf_near_pair {
-    tf_kind kind;  ///< of what elements
-    int vertex[4]; ///< theirs, in the order of a tf_surface_contact
-} tf_near_pair;
-
-/// All near pairs of a surface.
-typedef struct tf_near_pairs {
-    size_t count;             ///< how many
-    const tf_near_pair *pair; ///< sorted by kind, then by vertices
-} tf_near_pairs;
 
 /// Finds the pairs of elements of a surface at rest that are nearer to each
 /// other than a length, exactly: a vertex and a triangle, or two edges; in

@@ -1,7 +1,10 @@
 //: Declare the search of near pairs
 #pragma once
 
-#include "distance/near_pairs.h"
+#include "base/error.h"
+#include "distance/near_pair.h"
+#include "surface/parallel.h"
+#include "surface/surface_memory.h"
 
 /// What is searched for near pairs.
 typedef struct tf_near_search {

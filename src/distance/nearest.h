@@ -1,7 +1,8 @@
-//: Declare nearest points of elements
+//: Declare how nearest points are found
 #pragma once
 
-#include "distance/distance.h"
+#include "distance/nearest_points.h"
+#include "query/kind.h"
 
 /// What tf_distance finds, for elements whose vertices are at x[], the first
 /// element's first.  In an IEEE environment.

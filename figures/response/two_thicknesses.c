@@ -73,7 +73,9 @@ static void draw_feet(fig_page *page, const fig_plot *plot, fig_point at)
 
 static void draw_around(fig_page *page, fig_box box, FILE *numbers)
 {
-    fig_plot plot = {.box = box, .x = {-0.7, 2.9}, .y = {-0.65, 1.95}};
+    fig_plot plot = {.box = box,
+                     .x = {-0.7, 2.9},
+                     .y = {-0.75, -0.75 + 3.6 * box.height / box.width}};
     fig_point triangle[4];
     int pieces = 0;
     for (int i = 0; i < 4; i++)
@@ -112,10 +114,10 @@ static void make_curves(curves *made)
         for (int i = 0; i < POINTS; i++) {
             int v = c * POINTS + i;
             double x = 2.0 * i / (POINTS - 1) + 0.02 * c;
-            double wave = 0.22 * cos(2 * pi * x);
+            double wave = 0.1 * cos(2 * pi * x);
             made->start[2 * v] = made->end[2 * v] = x;
-            made->start[2 * v + 1] = c == 0 ? wave : 0.6;
-            made->end[2 * v + 1] = c == 0 ? wave : 0.05 + wave / 2;
+            made->start[2 * v + 1] = wave + 0.22 * c;
+            made->end[2 * v + 1] = wave + 0.05 * c;
             made->inverse_mass[v] = c;
             if (i == POINTS - 1)
                 continue;
@@ -157,8 +159,11 @@ static double resolve(curves *made, double wanted)
 static void draw_curves(fig_page *page, fig_box box, double wanted,
                         const char *title, FILE *numbers, const char *key)
 {
-    fig_plot plot = {.box = box, .x = {-0.1, 2.12}, .y = {-0.4, 0.75}};
+    fig_plot plot = {.box = box, .x = {-0.1, 2.12}};
+    // The scale is the same on both axes, for the width of the bands.
     double scale = box.width / (plot.x[1] - plot.x[0]);
+    plot.y[0] = -0.3;
+    plot.y[1] = plot.y[0] + box.height / scale;
     curves made;
     make_curves(&made);
     fig_number(numbers, key, resolve(&made, wanted));

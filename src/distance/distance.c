@@ -20,9 +20,9 @@ static bool is_new_index(int vertices, const int vertex[], int i)
     return good;
 }
 
-static tf_status take_vertices(tf_kind kind, int vertices,
-                               const double position[], const int vertex[],
-                               const double *x[4])
+static tf_status take_at_rest(tf_kind kind, int vertices,
+                              const double position[], const int vertex[],
+                              const double *x[4])
 {
     TF_REQUIRE(position && vertex);
     const tf_query_shape *shape = tf_query_shape_of(kind);
@@ -47,7 +47,7 @@ tf_status tf_distance(tf_kind kind, int vertices, const double position[],
 {
     TF_REQUIRE(nearest);
     const double *x[4];
-    tf_status status = take_vertices(kind, vertices, position, vertex, x);
+    tf_status status = take_at_rest(kind, vertices, position, vertex, x);
     if (status == TF_OK)
         *nearest = tf_nearest_of(kind, x);
     return status;
@@ -58,7 +58,7 @@ tf_status tf_is_nearer(tf_kind kind, int vertices, const double position[],
 {
     TF_REQUIRE(nearer);
     const double *x[4];
-    tf_status status = take_vertices(kind, vertices, position, vertex, x);
+    tf_status status = take_at_rest(kind, vertices, position, vertex, x);
     if (status == TF_OK && !(length > 0 && isfinite(length)))
         status = TF_BAD_OPTION;
     if (status == TF_OK)

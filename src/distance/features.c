@@ -124,8 +124,8 @@ static void weight_edge(const int place[2], const tf_wide *part,
 }
 
 //: Measure two vertices
-static void measure_vertices(const tf_exact_vertices *exact, const int place[2],
-                             tf_feature_distance *found)
+static void measure_two_vertices(const tf_exact_vertices *exact,
+                                 const int place[2], tf_feature_distance *found)
 {
     wide_vector between;
     vector_between(exact, place[0], place[1], &between);
@@ -135,8 +135,9 @@ static void measure_vertices(const tf_exact_vertices *exact, const int place[2],
 }
 
 //: Measure a vertex and an edge
-static bool measure_edge(const tf_exact_vertices *exact, const int place[3],
-                         tf_feature_distance *found)
+static bool measure_vertex_and_edge(const tf_exact_vertices *exact,
+                                    const int place[3],
+                                    tf_feature_distance *found)
 {
     wide_vector edge, from;
     tf_wide along, square, product;
@@ -156,8 +157,9 @@ static bool measure_edge(const tf_exact_vertices *exact, const int place[3],
 }
 
 //: Measure a vertex and a triangle
-static bool measure_triangle(const tf_exact_vertices *exact, const int place[4],
-                             tf_feature_distance *found)
+static bool measure_vertex_and_triangle(const tf_exact_vertices *exact,
+                                        const int place[4],
+                                        tf_feature_distance *found)
 {
     wide_vector b, c, from, normal;
     tf_wide part[3], height;
@@ -182,8 +184,8 @@ static bool measure_triangle(const tf_exact_vertices *exact, const int place[4],
 }
 
 //: Measure two edges
-static bool measure_edges(const tf_exact_vertices *exact, const int place[4],
-                          tf_feature_distance *found)
+static bool measure_two_edges(const tf_exact_vertices *exact,
+                              const int place[4], tf_feature_distance *found)
 {
     wide_vector first, second, between, normal;
     tf_wide part[2], height;
@@ -212,13 +214,13 @@ bool tf_feature_distance_find(const tf_exact_vertices *exact,
     memset(found->weight, 0, sizeof found->weight);
     switch (features->kind) {
     case TF_TWO_EDGES:
-        return measure_edges(exact, features->place, found);
+        return measure_two_edges(exact, features->place, found);
     case TF_VERTEX_AND_TRIANGLE:
-        return measure_triangle(exact, features->place, found);
+        return measure_vertex_and_triangle(exact, features->place, found);
     case TF_VERTEX_AND_EDGE:
-        return measure_edge(exact, features->place, found);
+        return measure_vertex_and_edge(exact, features->place, found);
     default:
-        measure_vertices(exact, features->place, found);
+        measure_two_vertices(exact, features->place, found);
         return true;
     }
 }

@@ -349,7 +349,7 @@ START_TEST(speed_is_kept_without_friction)
     s.w.options.friction = 0;
     for (int v = 0; v < 4; v++)
         s.w.body.position[3 * v + 2] = 0;
-    add_sheet(&s);
+    add_sheet(&s, 0.013);
     begin(&s.w);
     for (int v = 4; v < s.w.body.vertices; v++)
         s.w.velocity[3 * v] = speed;

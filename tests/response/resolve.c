@@ -4,6 +4,7 @@
 #include "distance/distance.h"
 #include "support/near_oracle.h"
 #include "support/proposals.h"
+#include "support/scrambled_workers.h"
 #include "support/support.h"
 #include "support/surface_of.h"
 
@@ -383,6 +384,13 @@ START_TEST(wild_proposals_keep_a_thickness)
                       (unsigned long long)seed(), near, length);
         ck_assert_int_lt(report.rounds[TF_FAILSAFE], made.mesh.vertices);
     }
+    static double alone[3 * PROPOSAL_VERTICES];
+    int workers = 3;
+    tf_parallel parallel = scrambled_workers(&workers);
+    resolve((tf_response_options){THICKNESS(length)});
+    memcpy(alone, end, sizeof alone);
+    resolve((tf_response_options){THICKNESS(length), .parallel = &parallel});
+    ck_assert_mem_eq(end, alone, sizeof alone);
     tf_surface_free(surface);
 }
 END_TEST

@@ -46,6 +46,26 @@ static double least_along(const rounded_elements *e, tf_vector along)
     return least - (0x1p-48 * e->size * length + 0x1p-1000);
 }
 
+/// Whether a vector shows that the elements are not nearer: no vector of length L
+/// has products above d L with all differences of elements nearer than d.
+static bool are_farther(const rounded_elements *e, tf_vector along,
+                        double distance)
+{
+    double length = tf_vector_length(along);
+    return least_along(e, along) > distance * length * (1 + 0x1p-46);
+}
+
+/// The vector between the middles of the elements.
+static tf_vector between_middles(const rounded_elements *e)
+{
+    tf_vector between = {{0}};
+    for (int i = 0; i < e->vertices + e->others; i++)
+        between = tf_vector_sum(
+            between, i < e->vertices ? -1.0 / e->vertices : 1.0 / e->others,
+            e->x[i]);
+    return between;
+}
+
 //: Find the vector between nearest points
 static tf_vector between_nearest(const rounded_elements *e)
 {
@@ -59,20 +79,20 @@ static tf_vector between_nearest(const rounded_elements *e)
 }
 
 //: Estimate whether elements are nearer
-/// By no vector of length L can elements that are nearer than d have all
-/// products above d L; and no distance is more than that of any two points.
+/// No distance is more than that of any two points.  The first vector that is tried
+/// costs little, and decides most pairs.
 int tf_estimate_nearer(tf_kind kind, const double *const x[], double distance)
 {
     rounded_elements e = round_elements(kind, x);
     // Where this fails products may overflow, or have lost digits.
     if (!(e.size < 0x1p500 && distance < 0x1p500 && distance > 0x1p-400))
         return 0;
+    if (are_farther(&e, between_middles(&e), distance))
+        return -1;
     tf_vector between = between_nearest(&e);
-    double length = tf_vector_length(between);
-    if (length + 0x1p-46 * e.size < distance * (1 - 0x1p-46))
+    if (tf_vector_length(between) + 0x1p-46 * e.size < distance * (1 - 0x1p-46))
         return 1;
-    return least_along(&e, between) > distance * length * (1 + 0x1p-46) ? -1
-                                                                        : 0;
+    return are_farther(&e, between, distance) ? -1 : 0;
 }
 
 //: Decide exactly whether elements are nearer

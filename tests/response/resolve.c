@@ -366,6 +366,30 @@ START_TEST(a_start_at_the_thickness_counts_to_the_last_bit)
 }
 END_TEST
 
+// A sheet that sinks while it slides across another one slides all the way: pairs
+// that start side by side must be free to approach.
+START_TEST(sheets_slide_at_their_thickness)
+{
+    proposal_begin(&made, 3);
+    int below = proposal_add_sheet(&made, 5, 0);
+    int above = proposal_add_sheet(&made, 5, 0.3);
+    for (int v = below; v < above; v++)
+        made.inverse_mass[v] = 0;
+    for (int v = above; v < made.mesh.vertices; v++) {
+        made.end[3 * v] += 0.4;
+        made.end[3 * v + 1] += 0.3;
+        made.end[3 * v + 2] -= 0.1;
+    }
+    resolve((tf_response_options){THICKNESS(0.25)});
+    ck_assert(report.near > 0 && report.rounds[TF_FAILSAFE] == 0);
+    for (int v = above; v < made.mesh.vertices; v++) {
+        ck_assert_double_eq_tol(end[3 * v], made.end[3 * v], 0.01);
+        ck_assert_double_eq_tol(end[3 * v + 1], made.end[3 * v + 1], 0.01);
+        ck_assert(end[3 * v + 2] >= 0.25 && end[3 * v + 2] < 0.27);
+    }
+}
+END_TEST
+
 /// By all levels, by zones and the failsafe, or by the failsafe alone.
 START_TEST(wild_proposals_keep_a_thickness)
 {
@@ -493,6 +517,7 @@ Suite *suite(void)
     tcase_add_loop_test(tcase, pairs_end_at_the_thickness_that_they_start_at, 0,
                         2);
     tcase_add_test(tcase, a_start_at_the_thickness_counts_to_the_last_bit);
+    tcase_add_test(tcase, sheets_slide_at_their_thickness);
     tcase_add_loop_test(tcase, wild_proposals_keep_a_thickness, 0,
                         PROPOSAL_SHAPES * PROPOSAL_WAYS);
     tcase_add_loop_test(tcase, a_thickness_of_zero_changes_nothing, 0,

@@ -237,7 +237,9 @@ static int solve_by_gauss_seidel(tf_zone *zone)
     state.least = tolerance * start(zone, &state.bodies);
     state.all = begin_agenda(zone);
     int sweeps = 1;
-    while (sweep(&state, sweeps == 1) && sweeps < zone->sweeps)
+    // An agenda that was not finished must not be followed.
+    while (tf_zone_goes_on(zone, 0) && sweep(&state, sweeps == 1) &&
+           sweeps < zone->sweeps)
         sweeps++;
     return sweeps;
 }

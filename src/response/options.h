@@ -110,7 +110,7 @@ typedef enum tf_vertex_flag {
 /// means none, where it says so.
 typedef struct tf_response_options {
     size_t size; ///< sizeof(tf_response_options); 0: that of version 1.0
-    const tf_zone_solver *solver; ///< NULL: tf_gauss_seidel
+    const tf_zone_solver *solver; ///< of the motion; NULL: tf_gauss_seidel
     int impulse_rounds; ///< rounds of impulses, before zones; 0: the usual
                         ///< number, which is none; negative: none
     int zone_rounds;    ///< rounds of zones; 0: 20; negative: none

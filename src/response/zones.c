@@ -1,6 +1,8 @@
 //: Include what zones need
 #include "response/zones.h"
 
+#include "response/gauss_seidel.h"
+
 #include <limits.h>
 #include <math.h>
 #include <stdint.h>
@@ -217,13 +219,23 @@ static int largest_zone(const division *d)
     return largest;
 }
 
+/// Room for the solver, and for that of the pushes.
+static size_t workspace_for(const tf_zone *zone, const tf_zone_solver *solver)
+{
+    size_t own =
+        solver->workspace(zone->axes, zone->vertices, zone->constraints);
+    size_t other = tf_gauss_seidel.workspace(zone->axes, zone->vertices,
+                                             zone->constraints);
+    return own > other ? own : other;
+}
+
+//: Pose the motion of a zone
 static bool pose(tf_zones *zones, const tf_step *step,
                  const tf_contact_rule *rule, const tf_zone_options *options,
                  division *d, tf_zone *zone)
 {
     size_t vertices = (size_t)zone->vertices, axes = (size_t)step->axes;
-    size_t workspace = options->solver->workspace(step->axes, zone->vertices,
-                                                  zone->constraints);
+    size_t workspace = workspace_for(zone, options->solver);
     if (!tf_buffer_reserve(&zones->mass, 2 * vertices, sizeof(double)) ||
         !tf_buffer_reserve(&zones->displacement, axes * vertices,
                            sizeof(double)) ||
@@ -350,13 +362,13 @@ enum {
 };
 
 /// Solves the constraints of a zone a second time, for pushes: without friction,
-/// and from where pushes have led before.  Constraints that were solved for
-/// their motion count as solved, though their bounds may be new.  The
-/// displacements of the zone stay those of its motion; those with the pushes are
-/// left in `pushed`.  False if there is no memory.
+/// from where pushes have led before, and always by Gauss-Seidel, as pushes must
+/// not pull.  Constraints that were solved for their motion count as solved,
+/// though their bounds may be new.  The displacements of the zone stay those of
+/// its motion; those with the pushes are left in `pushed`.  False if there is no
+/// memory.
 static bool push_apart(tf_zones *zones, const tf_step *step,
-                       const tf_contact_rule *rule,
-                       const tf_zone_options *options, const division *d, int z,
+                       const tf_contact_rule *rule, const division *d, int z,
                        const tf_zone *zone, tf_zone_statistics *statistics)
 {
     if (!pose_pushes(zones, step, rule, d, zone))
@@ -367,7 +379,7 @@ static bool push_apart(tf_zones *zones, const tf_step *step,
     pushing.friction = 0;
     pushing.sweeps = zone->sweeps < PUSH_SWEEPS ? zone->sweeps : PUSH_SWEEPS;
     if (any)
-        statistics->iterations += (size_t)options->solver->solve(&pushing);
+        statistics->iterations += (size_t)tf_gauss_seidel.solve(&pushing);
     keep_pushes(zones, d, z, &pushing, any);
     for (int i = 0; i < zone->axes * zone->vertices; i++)
         pushing.displacement[i] += zone->displacement[i];
@@ -430,7 +442,7 @@ bool tf_zones_solve(tf_zones *zones, tf_step *step, const tf_contact_rule *rule,
             return false;
         account(&zone, options->solver->solve(&zone), statistics);
         keep_impulses(zones, &d, z, &zone);
-        if (!push_apart(zones, step, rule, options, &d, z, &zone, statistics))
+        if (!push_apart(zones, step, rule, &d, z, &zone, statistics))
             return false;
         move_vertices(step, rule, &d, &zone, zones->pushed.data);
         tf_watch_advance(step->watch, (size_t)zone.constraints);

@@ -91,7 +91,8 @@ START_TEST(a_solver_that_does_nothing_is_asked_once)
 {
     static const tf_zone_solver idle = {"idle", no_workspace, do_nothing};
     scatter(200);
-    tf_response_report report = resolve((tf_response_options){.solver = &idle});
+    tf_response_report report =
+        resolve((tf_response_options){.solver = &idle, .separation = -1});
     ck_assert_int_eq(report.rounds[TF_ZONES], 1);
     ck_assert_int_gt(report.rounds[TF_FAILSAFE], 0);
 }

@@ -79,8 +79,8 @@ static tf_vector between_nearest(const rounded_elements *e)
 }
 
 //: Estimate whether elements are nearer
-/// No distance is more than that of any two points.  The first vector that is tried
-/// costs little, and decides most pairs.
+/// No distance is more than that of any two points.  The first vector that is
+/// tried costs little, and decides most pairs.
 int tf_estimate_nearer(tf_kind kind, const double *const x[], double distance)
 {
     rounded_elements e = round_elements(kind, x);

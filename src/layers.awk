@@ -12,7 +12,7 @@
 
 BEGIN {
     layers = split("base geometry arithmetic intersect query linear surface " \
-                   "fast response surgery remesh topology flow files " \
+                   "fast distance response surgery remesh topology flow files " \
                    "simulate threads program", layer)
     for (i = 1; i <= layers; i++) {
         rank[layer[i]] = i

@@ -125,6 +125,11 @@ const tf_option tf_options[] = {
     {TF_RESOLVE, OPTION("substeps", 0, "N", substeps, TF_WHOLE), .least = 1,
      .most = 1000, .usual = "1",
      .help = "In how many parts to take the step, each of them clear"},
+    {TF_CHECK, OPTION("thickness", 0, "D", thickness, TF_REAL), POSITIVE,
+     .help = "Find pairs of elements that are nearer than this, too"},
+    {TF_RESOLVE, OPTION("thickness", 0, "D", thickness, TF_REAL), POSITIVE,
+     .help = "Pairs that start at this distance or more end at this distance "
+             "or more; the default is that they don't meet"},
     {TF_REMESH, OPTION("edge", 'e', "L", edge, TF_REAL), POSITIVE,
      .required = true, .help = "The length that edges should have"},
     {TF_REMESH, OPTION("rounds", 0, "N", rounds, TF_WHOLE), .least = 1,

@@ -33,7 +33,8 @@ typedef struct tf_request {
     const tf_zone_solver *solver;
     double separation, friction, restitution, restitution_threshold;
     int substeps;
-    double edge; ///< of remesh and simulate: a length, 0 if not given
+    double thickness; ///< of check and resolve: 0 if not given
+    double edge;      ///< of remesh and simulate: a length, 0 if not given
     int rounds;
     int steps, size; ///< of simulate
     bool resume;

@@ -29,6 +29,9 @@ const tf_field tf_resolved_fields[] = {
     TF_FIELD("energy before", tf_resolved, report.energy_before),
     TF_FIELD("energy after", tf_resolved, report.energy_after),
     TF_FIELD("seconds", tf_resolved, seconds),
+    TF_FIELD("first near", tf_resolved, report.first_near),
+    TF_FIELD("near", tf_resolved, report.near),
+    TF_FIELD("near at start", tf_resolved, report.near_at_start),
     {0},
 };
 

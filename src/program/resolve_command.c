@@ -94,6 +94,7 @@ static tf_response_options options_of(resolving *r)
         .context = r,
         .restitution_threshold = wanted->restitution_threshold,
         .vertex_friction = r->friction,
+        .thickness = wanted->thickness,
     };
 }
 
@@ -133,7 +134,8 @@ static bool write(resolving *r)
     tf_mesh_content content = {.mesh = tf_mesh_file_elements(end, 3),
                                .position = end->position.item};
     tf_mesh_report report = {*r->request->format, tf_resolved_fields, &r->done};
-    r->done.status = r->done.report.first_contacts == 0 ? "clear" : "resolved";
+    bool clear = r->done.report.first_contacts + r->done.report.first_near == 0;
+    r->done.status = clear ? "clear" : "resolved";
     return tf_mesh_output_write(&r->out, &content, r->frames.file[0].format,
                                 &report);
 }

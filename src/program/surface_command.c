@@ -77,6 +77,18 @@ static bool detect_all(work *w)
 }
 
 //: Check all surfaces
+static bool check_thickness(work *w, const tf_motion *rest, bool tangled)
+{
+    tf_check_options options = {.parallel = tf_threads_parallel(w->threads)};
+    tf_near_pairs found;
+    tf_error error;
+    tf_surface_near(w->frames.surface, rest->vertices, rest->start,
+                    w->request->thickness, &options, &found, &error);
+    return succeeded(w, &error) &&
+           tf_surface_output_near(&w->output, tf_frames_file(&w->frames)->name,
+                                  tangled, &found);
+}
+
 static bool check_file(work *w, const char *path)
 {
     tf_frames_free(&w->frames);
@@ -88,9 +100,11 @@ static bool check_file(work *w, const char *path)
     tf_check_options options = {.parallel = tf_threads_parallel(w->threads)};
     tf_surface_check(w->frames.surface, rest.vertices, rest.start, &options,
                      &found, &error);
+    bool tangled = error.status == TF_OK && found.count > 0;
     return succeeded(w, &error) &&
            tf_surface_output_crossings(
-               &w->output, tf_frames_file(&w->frames)->name, &found);
+               &w->output, tf_frames_file(&w->frames)->name, &found) &&
+           (!(w->request->thickness > 0) || check_thickness(w, &rest, tangled));
 }
 
 static bool check_all(work *w)
@@ -113,9 +127,9 @@ static bool write_rows(work *w, bool checks, bool (*do_all)(work *))
                        : NULL;
     if (!stream)
         return false;
-    bool good =
-        tf_surface_output_begin(&w->output, stream, *request->format, checks) &&
-        do_all(w);
+    bool good = tf_surface_output_begin(&w->output, stream, *request->format,
+                                        checks, request->thickness > 0) &&
+                do_all(w);
     tf_progress_line_end(&w->progress);
     good = tf_surface_output_end(&w->output) && good;
     return tf_destination_finish(&w->to, good, w->output.records.error);

@@ -54,6 +54,12 @@ static const char *const crossing_kinds[] = {
     [TF_EDGE_ON_EDGE] = "edge-edge",
 };
 
+static const char *const near_kinds[] = {
+    [TF_POINT_EDGE] = "near-point-edge",
+    [TF_POINT_TRIANGLE] = "near-point-triangle",
+    [TF_EDGE_EDGE] = "near-edge-edge",
+};
+
 //: List the counts of steps and of files
 static const tf_field counts_of_steps[] = {
     TF_FIELD("steps", tf_surface_tally, parts),
@@ -73,11 +79,19 @@ static const tf_field counts_of_files[] = {
     {0},
 };
 
+static const tf_field counts_with_near[] = {
+    TF_FIELD("files", tf_surface_tally, parts),
+    TF_FIELD("files with rows", tf_surface_tally, tangled),
+    TF_FIELD("intersections", tf_surface_tally, rows),
+    TF_FIELD("near pairs", tf_surface_tally, near),
+    {0},
+};
+
 //: Begin and end the output about surfaces
 bool tf_surface_output_begin(tf_surface_output *output, FILE *stream,
-                             tf_format format, bool checks)
+                             tf_format format, bool checks, bool measures)
 {
-    *output = (tf_surface_output){.checks = checks};
+    *output = (tf_surface_output){.checks = checks, .measures = measures};
     return tf_records_begin(&output->records, stream, format,
                             checks ? "intersections" : "contacts",
                             checks ? crossing_fields : contact_fields);
@@ -86,7 +100,9 @@ bool tf_surface_output_begin(tf_surface_output *output, FILE *stream,
 bool tf_surface_output_end(tf_surface_output *output)
 {
     return tf_records_end(&output->records,
-                          output->checks ? counts_of_files : counts_of_steps,
+                          output->measures ? counts_with_near
+                          : output->checks ? counts_of_files
+                                           : counts_of_steps,
                           &output->tally);
 }
 
@@ -138,5 +154,21 @@ bool tf_surface_output_crossings(tf_surface_output *output, const char *file,
     }
     output->tally.parts++;
     output->tally.tangled += crossings->count > 0;
+    return good;
+}
+
+bool tf_surface_output_near(tf_surface_output *output, const char *file,
+                            bool tangled, const tf_near_pairs *pairs)
+{
+    bool good = true;
+    for (size_t i = 0; i < pairs->count && good; i++) {
+        const tf_near_pair *found = &pairs->pair[i];
+        crossing_row row = {.file = file, .kind = near_kinds[found->kind]};
+        memcpy(row.vertex, found->vertex, sizeof found->vertex);
+        row.vertex[4] = -1;
+        good = tf_records_add(&output->records, &row);
+    }
+    output->tally.near += pairs->count;
+    output->tally.tangled += pairs->count > 0 && !tangled;
     return good;
 }

@@ -23,7 +23,8 @@ typedef struct tf_constraint {
     double coefficient[4]; ///< not 0; the coefficients of the first element's
                            ///< vertices add up to +1, the others to -1
     double normal[3];      ///< of length 1; `normal[2]` is 0 in the plane
-    double bound;          ///< at least 0, a length
+    double bound;          ///< a length; at least 0, except where elements may
+                           ///< approach each other down to the thickness
     double impulse;        ///< at least 0, in units of mass times length
     double friction[3];    ///< an impulse across the normal, which pushes the
                            ///< vertices in the same proportions

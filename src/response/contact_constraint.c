@@ -165,9 +165,9 @@ static void set_bound(const tf_contact_rule *rule, double approach,
 /// The part of what is missing by which a pair is pushed apart in one step.
 static const double pushed_part = 0.25;
 
-/// How wide a gap may get, as a part of the approach: two elements that are drawn
-/// together in each step, such as by gravity, must stay so near that they meet
-/// again in the next step, or nothing would hold them there.
+/// How wide a gap may get, as a part of the approach: two elements that are
+/// drawn together in each step, such as by gravity, must stay so near that
+/// they meet again in the next step, or nothing would hold them there.
 static const double most_width = 0.5;
 
 /// Half of what the elements approach each other, or the separation if that is
@@ -205,6 +205,37 @@ static void set_demands(const tf_step *step, const tf_contact_rule *rule,
     gap->room = room_for(rule, approach, gap->start);
 }
 
+//: Keep a pair at a distance
+/// Whether a row is that of a pair that comes too near, and no contact.
+static bool is_near_pair(const tf_surface_contact *contact)
+{
+    return contact->contact.verdict == TF_APART;
+}
+
+/// How much farther apart the two points are to be than elements must, as these
+/// may have other nearest points at the end that the row leads to.
+static const double thickness_margin = 0x1p-6;
+
+/// Along the direction between the nearest points at the end, where the
+/// elements are not in contact, their gap must be as wide as the thickness.
+/// The motion may narrow a gap that is wider; one that is narrower is up to
+/// the push.
+static void keep_distance(const tf_step *step, const tf_contact *contact,
+                          const tf_contact_rule *rule,
+                          tf_constraint *constraint, tf_contact_gap *gap)
+{
+    tf_vector between = vector_at_start(step, constraint);
+    memcpy(constraint->normal, contact->normal, sizeof contact->normal);
+    gap->start = dot(constraint->normal, between.x);
+    set_demands(step, rule, constraint, gap);
+    double missing = rule->thickness * (1 + thickness_margin) - gap->start;
+    gap->room = fmax(0, missing);
+    if (constraint->bound == 0)
+        constraint->bound = fmin(0, missing);
+    // The elements, if not these points of theirs, start no nearer.
+    gap->start = fmax(gap->start, rule->thickness);
+}
+
 //: Drop vertices that a constraint does not push
 /// Drops the vertices whose coefficient is 0: a zone must not move them.
 static tf_constraint without_idle_vertices(const tf_constraint *constraint)
@@ -231,6 +262,10 @@ tf_constraint tf_contact_constraint(const tf_step *step,
                                     tf_contact_gap *gap)
 {
     tf_constraint constraint = constraint_of_point(contact);
+    if (is_near_pair(contact)) {
+        keep_distance(step, &contact->contact, rule, &constraint, gap);
+        return without_idle_vertices(&constraint);
+    }
     gap->start = choose_normal(step, &contact->contact, &constraint);
     set_demands(step, rule, &constraint, gap);
 

@@ -97,6 +97,20 @@ static bool answer_by(tf_resolution *r, tf_response_level level)
                           r->report.rounds[level]++, first, r->step.watch);
 }
 
+//: Find near pairs
+tf_status tf_resolution_find_near(tf_resolution *r, tf_error *error)
+{
+    tf_thickness *thickness = &r->resolver->thickness;
+    if (!(thickness->length > 0) || r->contacts.any)
+        return TF_OK;
+    tf_status status =
+        tf_near_contacts_find(thickness, r->resolver->surface, &r->motion,
+                              r->options.parallel, &r->contacts, error);
+    if (status == TF_OK)
+        r->report.near += r->contacts.count;
+    return status;
+}
+
 //: Find the contacts that are left
 static void account(tf_resolution *r)
 {
@@ -106,7 +120,7 @@ static void account(tf_resolution *r)
 
 /// Updates the cache of pairs, and if no contacts are left among these, builds it
 /// anew.  So if none are left at all, a detection from the beginning has found
-/// none.
+/// none.  Pairs that are only too near come last.
 static tf_status find_contacts(tf_resolution *r)
 {
     tf_pair_cache *pairs = &r->resolver->pairs;
@@ -117,9 +131,10 @@ static tf_status find_contacts(tf_resolution *r)
     if (r->contacts.any)
         return TF_OK;
     status = tf_pair_cache_build(pairs, &r->search, &r->contacts, NULL);
-    if (status == TF_OK)
-        account(r);
-    return status;
+    if (status != TF_OK)
+        return status;
+    account(r);
+    return tf_resolution_find_near(r, NULL);
 }
 
 //: Go through the rounds of a level

@@ -1,6 +1,7 @@
 //: Declare what a resolver holds
 #pragma once
 
+#include "distance/near_contacts.h"
 #include "response/answer_list.h"
 #include "response/failsafe.h"
 #include "response/follow.h"
@@ -12,6 +13,7 @@
 typedef struct tf_resolver {
     tf_surface *surface;
     tf_pair_cache pairs;
+    tf_thickness thickness;
     tf_buffer end, unpushed, base, ones, displacement; ///< of the vertices
     tf_zones zones;
     tf_rigid rigid;
@@ -47,6 +49,11 @@ typedef struct tf_resolution {
     tf_zone_statistics zones;
     tf_response_report report;
 } tf_resolution;
+
+/// If the motion has no contacts, lists in their place the pairs that it
+/// brings nearer than the thickness, if there is one, and counts them.
+/// Sets the error to what it returns.
+tf_status tf_resolution_find_near(tf_resolution *resolution, tf_error *error);
 
 /// Answers the contacts, level by level, until none are left.  Returns TF_OK or
 /// TF_OUT_OF_MEMORY.

@@ -54,6 +54,11 @@ typedef struct tf_response_report {
     double followed;      ///< the least fraction of its script that a scripted
         ///< vertex followed, see tf_resolver_followed; 1: none was
         ///< held back
+    size_t first_near; ///< pairs that the proposed step brings nearer than the
+                       ///< thickness, if it has no contacts
+    size_t near;       ///< those of all rounds without contacts
+    size_t near_at_start; ///< pairs that are nearer than that at the start, to
+                          ///< which it doesn't apply
 } tf_response_report;
 
 //: Declare answered contacts
@@ -62,14 +67,16 @@ typedef struct tf_response_report {
 ///
 ///     inverse_mass_i coefficient[i] (impulse normal + friction)
 ///
-/// to the displacement of vertex[i].  Where only they have moved a vertex, the
-/// sum of all these is, up to rounding, the difference between where it ends
-/// without pushes, as tf_resolver_unpushed says, and where it was proposed to
-/// end; with the pushes of tf_resolver_pushes it is that between where it ends
-/// and where it was proposed to end.  Rigid zones and the failsafe have no
-/// impulses.  In substeps, impulses are about the displacement in one of them; so
-/// only the second sum is of use, and only without restitution.  Its layout is
-/// final.
+/// to the displacement of vertex[i].  Where only they have moved a vertex,
+/// the sum of all these is, up to rounding, the difference between where it
+/// ends without pushes, as tf_resolver_unpushed says, and where it was
+/// proposed to end; with the pushes of tf_resolver_pushes it is that
+/// between where it ends and where it was proposed to end.  Rigid zones and
+/// the failsafe have no impulses.  In substeps, impulses are about the
+/// displacement in one of them; so only the second sum is of use, and only
+/// without restitution.  A pair that comes nearer than the thickness, in a
+/// round that has no contacts, is listed like one, with a toi of 1.  Its
+/// layout is final.
 typedef struct tf_answered_contact {
     tf_kind kind;            ///< of what elements
     int vertex[4];           ///< theirs, in the order of a tf_surface_contact
@@ -88,8 +95,8 @@ typedef struct tf_answered_contact {
 } tf_answered_contact;
 
 //: Declare what happened to vertices
-/// What the response did with a vertex; flags to be added up.  Later versions may
-/// add to this list.
+/// What the response did with a vertex; flags to be added up.  Later
+/// versions may add to this list.
 typedef enum tf_vertex_flag {
     TF_VERTEX_MOVED = 1,   ///< it does not end where it was proposed to end
     TF_VERTEX_HELD = 2,    ///< scripted, and does not go all of its way
@@ -139,6 +146,10 @@ typedef struct tf_response_options {
 
     int substeps; ///< in how many parts the step is taken, one after another,
                   ///< each clear; see tf_step_resolve; 0, which is usual: 1
+    double thickness; ///< pairs that start at this distance or more end at this
+                      ///< distance or more; 0, which is usual: they only don't
+                      ///< meet.  Those that start nearer, as neighbors in a
+                      ///< fine mesh do, only don't meet, either
 } tf_response_options;
 
 /// @}

@@ -82,6 +82,19 @@ static void ready(tf_resolution *r)
     r->report = (tf_response_report){0};
 }
 
+//: Count what starts too near
+static tf_status count_near_at_start(tf_resolution *r, tf_error *error)
+{
+    tf_thickness *thickness = &r->resolver->thickness;
+    thickness->length = r->rule.thickness = r->options.thickness;
+    if (!(thickness->length > 0))
+        return TF_OK;
+    tf_motion motion = {r->step.axes, r->step.vertices, r->start, r->start};
+    return tf_near_contacts_count_start(thickness, r->resolver->surface,
+                                        &motion, r->options.parallel,
+                                        &r->whole.near_at_start, error);
+}
+
 //: Detect what the proposal does
 static tf_status begin(tf_resolution *r, tf_error *error)
 {
@@ -97,6 +110,9 @@ static tf_status begin(tf_resolution *r, tf_error *error)
                                          r->step.watch, error);
     r->report.first_contacts = r->report.contacts = r->contacts.count;
     r->report.statistics = r->contacts.statistics;
+    if (status == TF_OK)
+        status = tf_resolution_find_near(r, error);
+    r->report.first_near = r->report.near;
     return status;
 }
 
@@ -143,7 +159,8 @@ static tf_status shorten(tf_resolution *r, tf_error *error)
 {
     tf_resolver *resolver = r->resolver;
     const double *proposed = r->step.proposed;
-    size_t first_contacts = r->report.first_contacts;
+    size_t first_contacts = r->report.first_contacts,
+           first_near = r->report.first_near;
     if (!tf_follow_begin(&resolver->follow, &r->step))
         return tf_fail(error, TF_OUT_OF_MEMORY);
     r->rule.squeezed = resolver->follow.squeezed.data;
@@ -157,6 +174,7 @@ static tf_status shorten(tf_resolution *r, tf_error *error)
     }
     r->rule.squeezed = NULL;
     r->report.first_contacts = first_contacts;
+    r->report.first_near = first_near;
     return status;
 }
 
@@ -270,6 +288,8 @@ static void add_report(tf_resolution *r)
     tf_response_report *own = &r->report, *all = &r->whole;
     all->first_contacts += own->first_contacts;
     all->contacts += own->contacts;
+    all->first_near += own->first_near;
+    all->near += own->near;
     for (int level = 0; level < TF_LEVELS; level++)
         all->rounds[level] += own->rounds[level];
     if (own->rounds[TF_ZONES] > 0)
@@ -380,9 +400,9 @@ static tf_status check(tf_resolution *r, tf_error *error)
 
 static tf_status run(tf_resolution *r, double end[], tf_error *error)
 {
-    tf_status status = TF_OK;
     size_t vertices = (size_t)r->step.vertices;
     memset(r->resolver->flags.data, 0, vertices);
+    tf_status status = count_near_at_start(r, error);
     for (int part = 0; part < r->parts && status == TF_OK; part++)
         status = resolve_part(r, part, error);
     if (status != TF_OK)

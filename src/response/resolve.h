@@ -48,6 +48,10 @@
 /// step's length before, so that a long step throws fewer vertices out of
 /// their way, and takes more time.
 ///
+/// With a `thickness`, a pair that is apart by that distance or more at the start
+/// is so at the end, too, exactly; in substeps at the end of each.  Pairs that
+/// start nearer only don't meet, and nor do pairs on the way.
+///
 /// Time and memory grow about in proportion to the contacts of all rounds.  These
 /// may be many: n edges that are pushed through n others have n^2.  For n = 1000
 /// such a step takes some ten seconds and 0.7 GB.

@@ -23,6 +23,7 @@ void tf_resolver_free(tf_resolver *resolver)
     if (!resolver)
         return;
     tf_pair_cache_free(&resolver->pairs);
+    tf_buffer_free(&resolver->thickness.row);
     tf_buffer_free(&resolver->end);
     tf_buffer_free(&resolver->unpushed);
     tf_buffer_free(&resolver->base);
@@ -91,11 +92,11 @@ size_t tf_resolver_memory(const tf_resolver *resolver)
 {
     TF_REQUIRE(resolver);
     return sizeof *resolver + tf_pair_cache_memory(&resolver->pairs) +
-           resolver->end.bytes + resolver->unpushed.bytes +
-           resolver->base.bytes + resolver->ones.bytes +
-           resolver->displacement.bytes + resolver->part.bytes +
-           resolver->flags.bytes + resolver->followed.bytes +
-           tf_zones_memory(&resolver->zones) +
+           resolver->thickness.row.bytes + resolver->end.bytes +
+           resolver->unpushed.bytes + resolver->base.bytes +
+           resolver->ones.bytes + resolver->displacement.bytes +
+           resolver->part.bytes + resolver->flags.bytes +
+           resolver->followed.bytes + tf_zones_memory(&resolver->zones) +
            tf_rigid_memory(&resolver->rigid) +
            tf_failsafe_memory(&resolver->failsafe) +
            tf_follow_memory(&resolver->follow) +

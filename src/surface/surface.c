@@ -49,6 +49,7 @@ void tf_surface_free(tf_surface *surface)
     tf_buffer_free(&surface->task_places);
     tf_buffer_free(&surface->found);
     tf_buffer_free(&surface->sorting);
+    tf_buffer_free(&surface->enlarged);
     tf_release(surface, sizeof *surface);
 }
 
@@ -124,5 +125,5 @@ size_t tf_surface_memory(const tf_surface *surface)
            surface->sort_workspace.place.bytes +
            tf_workers_memory(&surface->workers) + surface->task_rows.bytes +
            surface->task_places.bytes + surface->found.bytes +
-           surface->sorting.bytes;
+           surface->sorting.bytes + surface->enlarged.bytes;
 }

@@ -24,8 +24,9 @@ typedef struct tf_surface {
     tf_sort_workspace sort_workspace; ///< of the elements
     tf_workers workers; ///< with the watch over the call that they work for
     tf_buffer task_rows, task_places; ///< of the tasks that list candidates
-    tf_buffer found;   ///< what was found last, lent to the caller
-    tf_buffer sorting; ///< of these rows
+    tf_buffer enlarged; ///< positions around those of a search of near pairs
+    tf_buffer found;    ///< what was found last, lent to the caller
+    tf_buffer sorting;  ///< of these rows
 } tf_surface;
 
 /// Gives a surface another mesh, which is good, in memory that is kept; nothing

@@ -48,6 +48,9 @@ static const tf_resolved resolved = {.status = "resolved",
                                          .energy_before = 21.5,
                                          .energy_after = 22.5,
                                          .followed = 0.625,
+                                         .first_near = 23,
+                                         .near = 24,
+                                         .near_at_start = 25,
                                      }};
 
 START_TEST(a_summary_tells_all_of_a_response)
@@ -61,7 +64,8 @@ START_TEST(a_summary_tells_all_of_a_response)
               "grouped: 12\nresting: 13\nheld: 14\nmoved: 15\nfollowed: 0.625\n"
               "candidates: 17\ndecided by axis: 18\ndecided by filter: 19\n"
               "decided by signs: 20\nenergy before: 21.5\nenergy after: 22.5\n"
-              "seconds: 0.125\n");
+              "seconds: 0.125\nfirst near: 23\nnear: 24\n"
+              "near at start: 25\n");
 }
 END_TEST
 
@@ -77,7 +81,8 @@ START_TEST(json_tells_all_of_a_response)
         "\"groups\":11,\"grouped\":12,\"resting\":13,\"held\":14,\"moved\":15,"
         "\"followed\":0.625,\"candidates\":17,\"decided_by_axis\":18,"
         "\"decided_by_filter\":19,\"decided_by_signs\":20,"
-        "\"energy_before\":21.5,\"energy_after\":22.5,\"seconds\":0.125}\n");
+        "\"energy_before\":21.5,\"energy_after\":22.5,\"seconds\":0.125,"
+        "\"first_near\":23,\"near\":24,\"near_at_start\":25}\n");
     ck_assert_msg(!json_fault(text), "%s", json_fault(text));
 }
 END_TEST

@@ -327,7 +327,8 @@ START_TEST(a_report_may_be_csv)
 {
     outcome found = resolved("above", "below", "new", "--format csv");
     expect_words(found.out, "status,first_contacts,contacts,impulse_rounds,");
-    expect_words(found.out, ",energy_after,seconds\nresolved,2,2,");
+    expect_words(found.out, ",seconds,first_near,near,near_at_start\n"
+                            "resolved,2,2,");
     ck_assert_int_eq(occurrences(found.out, "\n"), 2);
 }
 END_TEST

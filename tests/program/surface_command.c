@@ -341,6 +341,26 @@ START_TEST(intersections_of_curves_are_printed)
 }
 END_TEST
 
+START_TEST(near_pairs_are_printed)
+{
+    make_file("near", TRIANGLE "v 0 0 0.5\nv 1 0 1\nl 4 5\n");
+    expect(run("$tf check --thickness 0.5 near"), 0, CHECK_HEADER, "");
+    expect(run("$tf check --thickness 0.6 near"), 1,
+           CHECK_HEADER "near,near-point-triangle,3,0,1,2,,\n", "");
+    make_file("flat-near", "v -1 0\nv 1 0\nv 0 1\nv 5 1\nl 1 2\nl 3 4\n");
+    expect(run("$tf check --thickness 1.3 flat-near"), 1,
+           CHECK_HEADER "flat-near,near-point-edge,1,2,3,,,\n"
+                        "flat-near,near-point-edge,2,0,1,,,\n",
+           "");
+    expect(run("$tf check --thickness 0.1 --format summary crossed near"), 1,
+           "files: 2\nfiles with rows: 1\nintersections: 5\n"
+           "near pairs: 3\n",
+           "");
+    expect_usage("check --thickness 0 near",
+                 "tanglefree check: --thickness must be above 0, got '0'");
+}
+END_TEST
+
 START_TEST(several_files_are_checked)
 {
     expect(run("$tf check clear crossed clear crossed --format summary"), 1,
@@ -786,6 +806,7 @@ Suite *suite(void)
     tcase_add_test(crossings, intersections_are_printed);
     tcase_add_test(crossings, surfaces_free_of_intersections_have_no_rows);
     tcase_add_test(crossings, intersections_of_curves_are_printed);
+    tcase_add_test(crossings, near_pairs_are_printed);
     tcase_add_test(crossings, several_files_are_checked);
     tcase_add_test(crossings, json_of_intersections_has_a_summary);
 

@@ -43,7 +43,7 @@ static size_t length;
 static void begin(tf_surface_output *output, tf_format format, bool checks)
 {
     stream = open_memstream(&text, &length);
-    ck_assert(tf_surface_output_begin(output, stream, format, checks));
+    ck_assert(tf_surface_output_begin(output, stream, format, checks, false));
 }
 
 /// Ends the output, which must be this.
@@ -177,7 +177,7 @@ START_TEST(no_more_rows_are_written_than_fit)
     tf_contacts many = {true, MANY, row, {0}};
     FILE *full = fopen("/dev/full", "w");
     tf_surface_output output;
-    tf_surface_output_begin(&output, full, TF_CSV, false);
+    tf_surface_output_begin(&output, full, TF_CSV, false, false);
     ck_assert(!tf_surface_output_contacts(&output, 3, &many));
     ck_assert_uint_lt(output.tally.rows, 10000);
     fclose(full);

@@ -230,6 +230,46 @@ START_TEST(edges_without_a_normal_move_apart)
 }
 END_TEST
 
+/// A point that sinks from 3 over an edge in the plane, but not to it.
+START_TEST(near_pairs_are_kept_at_the_thickness)
+{
+    scene s = {.start = {0, 3, -1, 0, 1, 0}, .end = {0, 0.5, -1, 0, 1, 0}};
+    ck_assert(!ready(&s, POINT_EDGE, 2));
+    tf_contact near = {.verdict = TF_APART,
+                       .toi_lo = 1,
+                       .toi_hi = 1,
+                       .barycentric = {{1}, {0.5, 0.5}},
+                       .normal = {0, 1}};
+    s.contact.contact = near;
+    tf_contact_rule rule = {.base = s.end, .thickness = 2};
+    tf_contact_gap gap;
+    for (int by_pivots = 0; by_pivots < 2; by_pivots++) {
+        tf_constraint own =
+            tf_contact_constraint(&s.step, &s.contact, &rule, by_pivots, &gap);
+        ck_assert(own.normal[1] == 1);
+        // It may sink down to the thickness, but for a margin.
+        ck_assert(own.bound < -0.9 && own.bound > -1);
+        ck_assert(own.coefficient[0] == 1 && own.coefficient[2] == -0.5);
+        ck_assert(gap.start == 3 && gap.room == 0 && gap.push == 0);
+    }
+    // What starts nearer along the normal is pushed there, and a bit farther.
+    rule.thickness = 3;
+    ck_assert_double_eq(
+        tf_contact_constraint(&s.step, &s.contact, &rule, false, &gap).bound,
+        0);
+    ck_assert(gap.room > 0 && gap.room < 0.1);
+    rule.restitution = 0.5;
+    ck_assert_double_eq(
+        tf_contact_constraint(&s.step, &s.contact, &rule, false, &gap).bound,
+        1.25);
+    // Along a direction in which these points start side by side, too.
+    s.contact.contact.normal[0] = 1;
+    s.contact.contact.normal[1] = 0;
+    tf_contact_constraint(&s.step, &s.contact, &rule, false, &gap);
+    ck_assert(gap.start == 3 && gap.room > 3);
+}
+END_TEST
+
 START_TEST(bounds_ask_for_restitution_and_gaps_for_room)
 {
     scene s;
@@ -252,8 +292,12 @@ START_TEST(bounds_ask_for_restitution_and_gaps_for_room)
                     {0, 1, nextafter(1, 2), 0, 0},
                     {8, 0.5, 9, 0, 0.09375}};
     for (size_t i = 0; i < sizeof expected / sizeof *expected; i++) {
-        tf_contact_rule rule = {expected[i].separation, expected[i].restitution,
-                                expected[i].threshold, s.end, NULL};
+        tf_contact_rule rule = {expected[i].separation,
+                                expected[i].restitution,
+                                expected[i].threshold,
+                                s.end,
+                                NULL,
+                                0};
         tf_constraint constraint =
             tf_contact_constraint(&s.step, &s.contact, &rule, false, &gap);
         ck_assert_double_eq_tol(constraint.bound, expected[i].bound, 1e-15);
@@ -273,7 +317,7 @@ START_TEST(what_is_squeezed_may_approach)
     for (int v = 0; v <= 3; v++) {
         unsigned char squeezed[4] = {0};
         squeezed[v] = 1;
-        tf_contact_rule rule = {8, 0.5, 0, s.end, squeezed};
+        tf_contact_rule rule = {8, 0.5, 0, s.end, squeezed, 0};
         tf_constraint constraint =
             tf_contact_constraint(&s.step, &s.contact, &rule, false, &gap);
         double least = 0x1p-9 * 0.125;
@@ -302,6 +346,7 @@ Suite *suite(void)
                    dots_move_apart_in_their_direction_where_there_is_no_side);
     tcase_add_test(one, edges_without_a_normal_move_apart);
     tcase_add_test(one, bounds_ask_for_restitution_and_gaps_for_room);
+    tcase_add_test(one, near_pairs_are_kept_at_the_thickness);
     suite_add_tcase(s, one);
     return s;
 }

@@ -1,7 +1,10 @@
 // Steps resolved: what goes in, and what the report says.
 #include "response/resolve.h"
 
+#include "distance/distance.h"
+#include "support/near_oracle.h"
 #include "support/proposals.h"
+#include "support/scrambled_workers.h"
 #include "support/support.h"
 #include "support/surface_of.h"
 
@@ -311,6 +314,123 @@ START_TEST(near_pairs_are_pushed_apart)
 }
 END_TEST
 
+/// Whether the fall is nearer to the edge than a length at the end.
+static bool ends_nearer(double length)
+{
+    static const int vertex[] = {2, 0, 1};
+    bool nearer;
+    ck_assert_int_eq(
+        tf_is_nearer(TF_POINT_EDGE, 3, end, vertex, length, &nearer), TF_OK);
+    return nearer;
+}
+
+#define THICKNESS(value)                                                       \
+    .size = sizeof(tf_response_options), .separation = -1, .thickness = (value)
+
+START_TEST(pairs_end_at_the_thickness_that_they_start_at)
+{
+    make_fall(_i);
+    made.end[5] = 0.0625;
+    resolve((tf_response_options){.separation = -1});
+    ck_assert_mem_eq(end, made.end, sizeof end);
+    ck_assert(report.near == 0 && report.first_near == 0);
+    resolve((tf_response_options){THICKNESS(0.5)});
+    ck_assert(!ends_nearer(0.5) && report.first_near == 1);
+    ck_assert(report.first_contacts == 0 && report.rounds[TF_FAILSAFE] == 0);
+    // By the failsafe alone.
+    resolve((tf_response_options){THICKNESS(0.5), .zone_rounds = -1});
+    ck_assert(!ends_nearer(0.5) && report.rounds[TF_FAILSAFE] > 0);
+    // By impulses.
+    resolve((tf_response_options){THICKNESS(0.5), .impulse_rounds = 3});
+    ck_assert(!ends_nearer(0.5) && report.rounds[TF_IMPULSES] > 0);
+}
+END_TEST
+
+START_TEST(a_start_at_the_thickness_counts_to_the_last_bit)
+{
+    make_fall(0);
+    made.end[5] = 0.0625;
+    resolve((tf_response_options){THICKNESS(1)});
+    ck_assert(!ends_nearer(1) && report.near_at_start == 0);
+    ck_assert(report.moved == 1);
+    resolve((tf_response_options){THICKNESS(1 + 0x1p-52)});
+    ck_assert_uint_eq(report.near_at_start, 1);
+    ck_assert_mem_eq(end, made.end, sizeof end);
+    // What ends at the thickness is let be, and an ulp nearer is not.
+    made.end[5] = 0.5;
+    resolve((tf_response_options){THICKNESS(0.5)});
+    ck_assert_int_eq(report.moved, 0);
+    made.end[5] = 0.5 - 0x1p-54;
+    resolve((tf_response_options){THICKNESS(0.5)});
+    ck_assert(report.moved == 1 && !ends_nearer(0.5));
+}
+END_TEST
+
+// A sheet that sinks while it slides across another one slides all the way: pairs
+// that start side by side must be free to approach.
+START_TEST(sheets_slide_at_their_thickness)
+{
+    proposal_begin(&made, 3);
+    int below = proposal_add_sheet(&made, 5, 0);
+    int above = proposal_add_sheet(&made, 5, 0.3);
+    for (int v = below; v < above; v++)
+        made.inverse_mass[v] = 0;
+    for (int v = above; v < made.mesh.vertices; v++) {
+        made.end[3 * v] += 0.4;
+        made.end[3 * v + 1] += 0.3;
+        made.end[3 * v + 2] -= 0.1;
+    }
+    resolve((tf_response_options){THICKNESS(0.25)});
+    ck_assert(report.near > 0 && report.rounds[TF_FAILSAFE] == 0);
+    for (int v = above; v < made.mesh.vertices; v++) {
+        ck_assert_double_eq_tol(end[3 * v], made.end[3 * v], 0.01);
+        ck_assert_double_eq_tol(end[3 * v + 1], made.end[3 * v + 1], 0.01);
+        ck_assert(end[3 * v + 2] >= 0.25 && end[3 * v + 2] < 0.27);
+    }
+}
+END_TEST
+
+/// By all levels, by zones and the failsafe, or by the failsafe alone.
+START_TEST(wild_proposals_keep_a_thickness)
+{
+    generator random = generator_new((uint64_t)_i);
+    proposal_make(&random, (proposal_shape)(_i / PROPOSAL_WAYS), 2,
+                  (proposal_way)(_i % PROPOSAL_WAYS), &made);
+    double length = made.unit * uniform(&random, 0.05, 0.3);
+    tf_surface *surface = surface_of(&made.mesh);
+    for (int j = 0; j < 3; j++) {
+        resolve((tf_response_options){THICKNESS(length),
+                                      .impulse_rounds = j == 0 ? 2 : 0,
+                                      .zone_rounds = j == 2 ? -1 : 0});
+        size_t near;
+        near_oracle(surface, end, made.start, length, &near);
+        ck_assert_msg(near == 0, "seed %llu, %zu pairs nearer than %a",
+                      (unsigned long long)seed(), near, length);
+        ck_assert_int_lt(report.rounds[TF_FAILSAFE], made.mesh.vertices);
+    }
+    static double alone[3 * PROPOSAL_VERTICES];
+    int workers = 3;
+    tf_parallel parallel = scrambled_workers(&workers);
+    resolve((tf_response_options){THICKNESS(length)});
+    memcpy(alone, end, sizeof alone);
+    resolve((tf_response_options){THICKNESS(length), .parallel = &parallel});
+    ck_assert_mem_eq(end, alone, sizeof alone);
+    tf_surface_free(surface);
+}
+END_TEST
+
+START_TEST(a_thickness_of_zero_changes_nothing)
+{
+    generator random = generator_new((uint64_t)_i);
+    static double usual[3 * PROPOSAL_VERTICES];
+    proposal_make(&random, SHEETS, 2, (proposal_way)_i, &made);
+    resolve((tf_response_options){0});
+    memcpy(usual, end, sizeof usual);
+    resolve((tf_response_options){.size = sizeof(tf_response_options)});
+    ck_assert_mem_eq(end, usual, sizeof end);
+}
+END_TEST
+
 // The point is scripted to pass the edge, which is scripted to stay.
 START_TEST(scripted_vertices_pass_each_other)
 {
@@ -414,6 +534,14 @@ Suite *suite(void)
     tcase_add_test(tcase, friction_slows_sliding);
     tcase_add_test(tcase, vertices_have_their_own_friction);
     tcase_add_test(tcase, near_pairs_are_pushed_apart);
+    tcase_add_loop_test(tcase, pairs_end_at_the_thickness_that_they_start_at, 0,
+                        2);
+    tcase_add_test(tcase, a_start_at_the_thickness_counts_to_the_last_bit);
+    tcase_add_test(tcase, sheets_slide_at_their_thickness);
+    tcase_add_loop_test(tcase, wild_proposals_keep_a_thickness, 0,
+                        PROPOSAL_SHAPES * PROPOSAL_WAYS);
+    tcase_add_loop_test(tcase, a_thickness_of_zero_changes_nothing, 0,
+                        PROPOSAL_WAYS);
     tcase_add_test(tcase, scripted_vertices_pass_each_other);
     tcase_add_test(tcase, scripted_vertices_go_as_far_as_they_can);
     tcase_add_test(tcase, scripted_vertices_may_have_no_way_to_go);

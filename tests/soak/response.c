@@ -94,6 +94,7 @@ static resolution_counts total(int processes)
         const resolution_counts *count = &all->count[i];
         sum.tries += count->tries;
         sum.met += count->met;
+        sum.thick += count->thick;
         sum.rescued += count->rescued;
         sum.held += count->held;
         sum.shortened += count->shortened;

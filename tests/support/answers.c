@@ -252,7 +252,8 @@ static const char *pushes_fault(const tf_answered_contact row[],
             return "a push of a level that has none";
         if (!(push[i] >= 0 || pulls))
             return "a push below 0";
-        if (step->options->separation < 0 && row[i].level == TF_ZONES &&
+        if (step->options->separation < 0 && !(step->options->thickness > 0) &&
+            row[i].level == TF_ZONES &&
             step->report->rounds[TF_IMPULSES] == 0 && push[i] != 0)
             return "a push without a separation";
     }

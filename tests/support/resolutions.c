@@ -7,6 +7,7 @@
 #include "response/minres.h"
 #include "response/normal_residuals.h"
 #include "support/answers.h"
+#include "support/near_oracle.h"
 #include "support/tangle.h"
 
 #include <stdio.h>
@@ -42,7 +43,7 @@ static const char *report_fault(const proposal *made, bool weighed,
         return "the report counts other scripted vertices held back";
     if ((held > 0) != (report->followed < 1))
         return "scripted vertices held back, but all the way; or vice versa";
-    if (report->first_contacts == 0 && moved > 0)
+    if (report->first_contacts + report->first_near == 0 && moved > 0)
         return "a clear step was changed";
     int parts = options && options->substeps > 1 ? options->substeps : 1;
     if (report->rounds[TF_FAILSAFE] >= parts * made->mesh.vertices)
@@ -55,6 +56,39 @@ static const char *tangle_fault(const char *when, const tangle_judge *judge)
     static char text[200];
     snprintf(text, sizeof text, "%s: %s", when, tangle_text(tangles(judge)));
     return text;
+}
+
+static bool is_scripted(const proposal *made, const near_oracle_pair *pair)
+{
+    for (int i = 0; i < 4 && pair->vertex[i] >= 0; i++)
+        if (made->inverse_mass[pair->vertex[i]] > 0)
+            return false;
+    return true;
+}
+
+/// Pairs that end nearer than the thickness, but did not start so, and have a
+/// vertex that is not scripted.
+static const char *thickness_fault(const tf_surface *surface,
+                                   const proposal *made, bool weighed,
+                                   const tf_response_options *options)
+{
+    static char text[200];
+    double length = options ? options->thickness : 0;
+    size_t count = 0;
+    const near_oracle_pair *pair =
+        length > 0
+            ? near_oracle(surface, made->end, made->start, length, &count)
+            : NULL;
+    for (size_t i = 0; i < count; i++) {
+        if (weighed && is_scripted(made, &pair[i]))
+            continue;
+        const int *vertex = pair[i].vertex;
+        snprintf(text, sizeof text, "nearer than %a, kind %d: %d %d %d %d",
+                 length, pair[i].kind, vertex[0], vertex[1], vertex[2],
+                 vertex[3]);
+        return text;
+    }
+    return NULL;
 }
 
 static const char *end_fault(tangle_judge *judge, const proposal *made,
@@ -81,8 +115,9 @@ const double *resolution_motion(void)
     return motion;
 }
 
-static const char *judged_fault(tf_resolver *resolver, tangle_judge *judge,
-                                proposal *made, bool weighed, bool exactly,
+static const char *judged_fault(tf_surface *surface, tf_resolver *resolver,
+                                tangle_judge *judge, proposal *made,
+                                bool weighed, bool exactly,
                                 const tf_response_options *options,
                                 tf_response_report *report)
 {
@@ -105,6 +140,8 @@ static const char *judged_fault(tf_resolver *resolver, tangle_judge *judge,
         options,         report};
     const char *fault = end_fault(judge, made, exactly);
     if (!fault)
+        fault = thickness_fault(surface, made, weighed, options);
+    if (!fault)
         fault = report_fault(made, weighed, proposed, step.options, report);
     return fault ? fault : answers_fault(resolver, &step, NULL);
 }
@@ -120,8 +157,8 @@ const char *resolution_fault(proposal *made, bool weighed, bool exactly,
     const char *fault = "no resolver";
     if (tf_surface_create(&made->mesh, &surface, NULL) == TF_OK &&
         tf_resolver_create(surface, &resolver) == TF_OK)
-        fault = judged_fault(resolver, judge, made, weighed, exactly, options,
-                             report);
+        fault = judged_fault(surface, resolver, judge, made, weighed, exactly,
+                             options, report);
     tf_resolver_free(resolver);
     tf_surface_free(surface);
     tangle_judge_free(judge);
@@ -139,12 +176,13 @@ static const double *random_friction(generator *random)
     return own;
 }
 
-static tf_response_options random_options(generator *random)
+static tf_response_options random_options(generator *random, double unit)
 {
     static const tf_zone_solver *const solvers[] = {
         NULL, &tf_gauss_seidel, &tf_conjugate_residuals, &tf_minres,
         &tf_normal_residuals};
-    tf_response_options options = {.solver = solvers[below(random, 5)]};
+    tf_response_options options = {.size = sizeof options,
+                                   .solver = solvers[below(random, 5)]};
     options.impulse_rounds = below(random, 2) ? 0 : below(random, 4);
     options.zone_rounds = below(random, 3) ? 0 : below(random, 5) - 1;
     options.sweeps = below(random, 2) ? 0 : 1 + below(random, 30);
@@ -158,6 +196,7 @@ static tf_response_options random_options(generator *random)
         below(random, 2) ? 0 : uniform(random, 0, 1);
     options.vertex_friction = below(random, 3) ? NULL : random_friction(random);
     options.substeps = below(random, 3) ? 0 : below(random, 6);
+    options.thickness = below(random, 2) ? 0 : unit * uniform(random, 0, 0.3);
     return options;
 }
 
@@ -173,6 +212,7 @@ static void count(const tf_response_report *report, resolution_counts *counts)
 {
     int rounds = report->rounds[TF_FAILSAFE];
     counts->met += report->first_contacts > 0;
+    counts->thick += report->near > 0;
     counts->rescued += rounds > 0;
     counts->held += report->held > 0;
     counts->shortened += report->held > 0 && report->followed > 0;
@@ -182,11 +222,13 @@ static void count(const tf_response_report *report, resolution_counts *counts)
 
 void resolution_counts_print(const resolution_counts *counts)
 {
-    printf("%ld proposals: %ld with contacts, %ld by the failsafe, %ld held "
+    printf("%ld proposals: %ld with contacts, %ld with near pairs, %ld by the "
+           "failsafe, %ld held "
            "back, %ld of these a part of the way, %ld put to rest, %ld judged "
            "on the way, %d rounds at most\n",
-           counts->tries, counts->met, counts->rescued, counts->held,
-           counts->shortened, counts->rested, counts->exact, counts->rounds);
+           counts->tries, counts->met, counts->thick, counts->rescued,
+           counts->held, counts->shortened, counts->rested, counts->exact,
+           counts->rounds);
 }
 
 /// What is being tried, for the handler.
@@ -232,7 +274,7 @@ const char *numbered_fault(long number, resolution_counts *counts)
     bool exactly = made.mesh.vertices <= FEW_VERTICES && below(&random, 4) == 0;
     const char *fault = NULL;
     for (int steps = 1 + below(&random, 2); steps > 0 && !fault; steps--) {
-        tf_response_options options = random_options(&random);
+        tf_response_options options = random_options(&random, made.unit);
         tf_response_report report = {0};
         bool straight = options.substeps <= 1;
         fault = resolution_fault(&made, weighed, exactly && straight, &options,

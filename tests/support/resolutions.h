@@ -9,6 +9,7 @@
 typedef struct resolution_counts {
     long tries;   ///< proposals from clear starts
     long met;     ///< of these, with contacts
+    long thick;   ///< of these, with pairs nearer than the thickness
     long rescued; ///< of these, such that the failsafe was needed
     long held;    ///< of these, such that it held back scripted vertices
     long rested;  ///< or put others to rest

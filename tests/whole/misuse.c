@@ -416,6 +416,21 @@ static tf_status check(int vertices, const double position[], tf_error *error)
     return tf_surface_check(surface, vertices, position, NULL, &found, error);
 }
 
+static tf_status measure(int vertices, const double position[], tf_error *error)
+{
+    tf_near_pairs found;
+    return tf_surface_near(surface, vertices, position, 1, NULL, &found, error);
+}
+
+static tf_status find_nearest(int vertices, const double position[],
+                              tf_error *error)
+{
+    static const double point[] = {1, 2, 3};
+    tf_surface_point found;
+    return tf_surface_nearest(surface, vertices, position, point, &found,
+                              error);
+}
+
 static tf_status resolve(int vertices, const double position[], tf_error *error)
 {
     double to[3 * VERTICES];
@@ -438,6 +453,8 @@ static const struct {
     position_call *call;
 } position_calls[] = {
     {"tf_surface_check", check},
+    {"tf_surface_near", measure},
+    {"tf_surface_nearest", find_nearest},
     {"tf_step_resolve", resolve},
     {"tf_step_limit", limit},
 };
@@ -507,6 +524,16 @@ static tf_status check_with(size_t size, const tf_parallel *parallel,
     return tf_surface_check(surface, VERTICES, start, &options, &found, error);
 }
 
+static tf_status measure_with(size_t size, const tf_parallel *parallel,
+                              tf_progress *progress, tf_error *error)
+{
+    tf_near_pairs found;
+    tf_check_options options = {
+        .size = size, .parallel = parallel, .progress = progress};
+    return tf_surface_near(surface, VERTICES, start, 1, &options, &found,
+                           error);
+}
+
 static tf_status resolve_with(size_t size, const tf_parallel *parallel,
                               tf_progress *progress, tf_error *error)
 {
@@ -535,8 +562,8 @@ static const struct {
     option_call *call;
 } option_calls[] = {
     {"tf_surface_detect", detect_with}, {"tf_surface_candidates", list_with},
-    {"tf_surface_check", check_with},   {"tf_step_resolve", resolve_with},
-    {"tf_step_limit", limit_with},
+    {"tf_surface_check", check_with},   {"tf_surface_near", measure_with},
+    {"tf_step_resolve", resolve_with},  {"tf_step_limit", limit_with},
 };
 
 static void expect_bad_option(int which, size_t size,
@@ -914,6 +941,36 @@ static void check_without(int null)
                      GIVEN(2, &found), NULL);
 }
 
+static void measure_without(int null)
+{
+    tf_near_pairs found;
+    tf_surface_near(GIVEN(0, surface), VERTICES, GIVEN(1, start), 1, NULL,
+                    GIVEN(2, &found), NULL);
+}
+
+static void find_nearest_without(int null)
+{
+    tf_surface_point found;
+    tf_surface_nearest(GIVEN(0, surface), VERTICES, GIVEN(1, start),
+                       GIVEN(2, start), GIVEN(3, &found), NULL);
+}
+
+static void distance_without(int null)
+{
+    static const int vertex[] = {0, 1, 2, 3};
+    tf_nearest nearest;
+    tf_distance(TF_EDGE_EDGE, VERTICES, GIVEN(0, start), GIVEN(1, vertex),
+                GIVEN(2, &nearest));
+}
+
+static void nearer_without(int null)
+{
+    static const int vertex[] = {0, 1, 2, 3};
+    bool nearer;
+    tf_is_nearer(TF_EDGE_EDGE, VERTICES, GIVEN(0, start), GIVEN(1, vertex), 1,
+                 GIVEN(2, &nearer));
+}
+
 static void resolver_without(int null)
 {
     tf_resolver *made;
@@ -972,6 +1029,8 @@ static const null_call null_calls[] = {
     {lend_triangles_without, 2}, {tell_without, 10},
     {allocator_without, 2},      {detect_without, 3},
     {list_without, 3},           {check_without, 3},
+    {measure_without, 3},        {find_nearest_without, 4},
+    {distance_without, 3},       {nearer_without, 3},
     {resolver_without, 2},       {resolve_without, 3},
     {limit_without, 4},          {contacts_without, 9},
     {zone_without, 13},          {NULL, 0},

@@ -1,6 +1,7 @@
 // Surfaces and responses without memory: each allocation fails in turn, which is
 // reported, and the same call with enough memory finds what it would have found
 // at once.
+#include "distance/near_pairs.h"
 #include "fast/detect.h"
 #include "response/limit.h"
 #include "response/resolve.h"
@@ -42,6 +43,7 @@ static uint64_t examine(void)
     const tf_check_options how_to_check = {.parallel = parallel};
     const tf_detect_options how = {.parallel = parallel};
     tf_crossings crossings;
+    tf_near_pairs near;
     tf_contacts contacts;
     tf_candidates candidates;
     uint64_t hash = HASH_OF_NOTHING;
@@ -52,6 +54,11 @@ static uint64_t examine(void)
         ck_assert_int_eq(error.status, TF_OUT_OF_MEMORY);
     hash = hash_bytes(hash, crossings.crossing,
                       crossings.count * sizeof *crossings.crossing);
+    while (
+        lacks_memory(tf_surface_near(surface, given.mesh.vertices, given.start,
+                                     0.25, &how_to_check, &near, &error)))
+        ck_assert_int_eq(error.status, TF_OUT_OF_MEMORY);
+    hash = hash_bytes(hash, near.pair, near.count * sizeof *near.pair);
     while (lacks_memory(
         tf_surface_detect(surface, &given.motion, &how, &contacts, &error)))
         ck_assert_int_eq(error.status, TF_OUT_OF_MEMORY);
@@ -150,7 +157,9 @@ static proposal made;
 static uint64_t respond(void)
 {
     const tf_parallel parallel = scrambled_workers(&workers);
-    const tf_response_options all_levels = {.impulse_rounds = 1,
+    const tf_response_options all_levels = {.size = sizeof all_levels,
+                                            .thickness = 0.05 * made.unit,
+                                            .impulse_rounds = 1,
                                             .zone_rounds = 1,
                                             .rigid = true,
                                             .check_start = true,

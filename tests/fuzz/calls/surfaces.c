@@ -591,13 +591,15 @@ static void draw_response(generator *random, call *made,
     // Younger than 1.0:
     own->restitution_threshold = any_option(random, 1);
     own->substeps = any_rounds(random);
+    own->thickness = any_option(random, 1);
     expect_fault(
         made,
         own->sweeps < 0 || !is_within(own->separation, -most, most) ||
             !is_within(own->restitution, 0, 1) ||
             !is_within(own->friction, 0, most) ||
-            (reads && (!is_within(own->restitution_threshold, 0, most) ||
-                       own->substeps < 0)),
+            (reads &&
+             (!is_within(own->restitution_threshold, 0, most) ||
+              !is_within(own->thickness, 0, most) || own->substeps < 0)),
         TF_BAD_OPTION);
 }
 

@@ -30,8 +30,8 @@ typedef struct tf_resolver {
 
 //: Declare the levels of a response
 /// A step that is being resolved, with everything that resolving it needs.  It
-/// may be taken in several parts, one after another; what is not said to be of the
-/// whole step is of one part.
+/// may be taken in several parts, one after another; what is not said to be of
+/// the whole step is of one part.
 typedef struct tf_resolution {
     tf_resolver *resolver;
     tf_response_options options;    ///< with the defaults filled in

@@ -24,9 +24,10 @@ typedef enum tf_response_level {
     TF_LEVELS = 8    ///< room for those of later versions
 } tf_response_level;
 
-/// What it took to resolve a step, in all of its substeps.  Where scripted vertices
-/// are held back, all but the statistics is about the last trial, which is the step
-/// that is returned.  Lent; later versions may add to its end.
+/// What it took to resolve a step, in all of its substeps.  Where scripted
+/// vertices are held back, all but the statistics is about the last trial,
+/// which is the step that is returned.  Lent; later versions may add to its
+/// end.
 typedef struct tf_response_report {
     size_t first_contacts; ///< contacts of the proposed step
     size_t contacts;       ///< those of all rounds, the first ones included

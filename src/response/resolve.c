@@ -209,6 +209,7 @@ static bool is_changed(const tf_step *step, int vertex)
            memcmp(step->unpushed + place, proposed, bytes) != 0;
 }
 
+//: Choose how a vertex goes on
 /// So many times a displacement, from some position on; this itself if that is
 /// not finite.
 static double extended(double origin, double displacement, int times)
@@ -285,8 +286,8 @@ static void add_report(tf_resolution *r)
 }
 
 //: Report what became of vertices
-/// The fraction of its way on which a vertex ends, by the axis along which that is
-/// the longest.
+/// The fraction of its way on which a vertex ends, by the axis along which
+/// that is the longest.
 static double fraction_of(const double start[], const double end[],
                           const double proposed[], int axes)
 {

@@ -20,32 +20,33 @@
 /// contacts comes back bit for bit, and in any other step so does every vertex
 /// that no level has moved.
 ///
-/// Vertices of inverse mass 0 are scripted.  Pairs whose vertices all are scripted
-/// are left out: they may meet, they may be tangled at the start, and nothing is
-/// done about it.  tf_surface_set_filter says what remains if pairs are left out:
-/// at the end, an edge and a triangle may only intersect if no more than one of
-/// their five vertices is free, and in the plane two edges if no more than one
-/// of their four is.
+/// Vertices of inverse mass 0 are scripted.  Pairs whose vertices all are
+/// scripted are left out: they may meet, they may be tangled at the start, and
+/// nothing is done about it.  tf_surface_set_filter says what remains if pairs
+/// are left out: at the end, an edge and a triangle may only intersect if no
+/// more than one of their five vertices is free, and in the plane two edges if
+/// no more than one of their four is.
 ///
-/// Scripted vertices end where they are proposed to, bit for bit, unless something
-/// free stops them that cannot give way, such as a sheet upon which two plates
-/// close.  Those that are stopped together go the same part of their way: within
-/// 1/128 of it as far as they can without being stopped, as resolving the
-/// shortened steps finds out.  Vertices that edges connect with them, through
-/// scripted ones, are held back as well, but along each edge the parts that the
-/// vertices go may differ by how much the script stretches it, divided by the
-/// longer displacement: a limb that moves or turns as a whole stops as a whole.
-/// tf_resolver_followed tells how far each went.
+/// Scripted vertices end where they are proposed to, bit for bit, unless
+/// something free stops them that cannot give way, such as a sheet upon which
+/// two plates close.  Those that are stopped together go the same part of
+/// their way: within 1/128 of it as far as they can without being stopped, as
+/// resolving the shortened steps finds out.  Vertices that edges connect with
+/// them, through scripted ones, are held back as well, but along each edge the
+/// parts that the vertices go may differ by how much the script stretches it,
+/// divided by the longer displacement: a limb that moves or turns as a whole
+/// stops as a whole. tf_resolver_followed tells how far each went.
 ///
-/// With `substeps` the step is taken in parts, one after another.  Each part is
-/// clear as told above, and starts where the last one has ended; the end is free
-/// of intersections, and nothing has passed through anything.  But the step as a
-/// whole, in which all vertices go straight from their start to their end, need
-/// not be clear.  In each part a vertex is proposed to move by its displacement in
-/// the step divided by their number or, if there is restitution, by what the last
-/// part has left it of that; a scripted one to go on along its script.  Bodies
-/// meet when they are near each other, not a step's length before, so that a long
-/// step throws fewer vertices out of their way, and takes more time.
+/// With `substeps` the step is taken in parts, one after another.  Each part
+/// is clear as told above, and starts where the last one has ended; the end is
+/// free of intersections, and nothing has passed through anything.  But the
+/// step as a whole, in which all vertices go straight from their start to
+/// their end, need not be clear.  In each part a vertex is proposed to move by
+/// its displacement in the step divided by their number or, if there is
+/// restitution, by what the last part has left it of that; a scripted one to
+/// go on along its script.  Bodies meet when they are near each other, not a
+/// step's length before, so that a long step throws fewer vertices out of
+/// their way, and takes more time.
 ///
 /// Time and memory grow about in proportion to the contacts of all rounds.  These
 /// may be many: n edges that are pushed through n others have n^2.  For n = 1000

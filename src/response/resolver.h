@@ -35,18 +35,19 @@ TF_API void tf_resolver_free(tf_resolver *resolver);
 TF_API size_t tf_resolver_memory(const tf_resolver *resolver);
 
 //: Declare what a resolver tells of its last step
-/// Lists the contacts that the last step had on its way to being resolved: those
-/// of the proposal, those that were made by answering them, and so on.  A contact
-/// that came back is there once for each time that it was answered; in zones the
-/// impulses of all these times act together.  If scripted vertices were held back,
-/// the contacts are those of the step as it was shortened.
+/// Lists the contacts that the last step had on its way to being resolved:
+/// those of the proposal, those that were made by answering them, and so on.
+/// A contact that came back is there once for each time that it was answered;
+/// in zones the impulses of all these times act together.  If scripted
+/// vertices were held back, the contacts are those of the step as it was
+/// shortened.
 ///
 /// @param resolver the resolver
 /// @param[out] count how many; 0 if the step was clear, or if the resolver's last
 ///     call did not resolve a step; set only with TF_OK
 /// @param[out] contact they, sorted by kind, then by vertices, then by substep,
-///     level and round, lent until the next call for this resolver; the same bits for any
-///     number of threads; set only with TF_OK
+///     level and round, lent until the next call for this resolver; the same bits
+///     for any number of threads; set only with TF_OK
 /// @return TF_OK or TF_OUT_OF_MEMORY
 TF_API tf_status tf_resolver_contacts(tf_resolver *resolver, size_t *count,
                                       const tf_answered_contact **contact);
@@ -66,8 +67,8 @@ TF_API const unsigned char *tf_resolver_vertices(const tf_resolver *resolver);
 /// and for all that are not scripted.
 ///
 /// @param resolver the resolver
-/// @return a fraction for each vertex of the surface, lent until the next call for
-///     this resolver; NULL if its last call did not resolve a step
+/// @return a fraction for each vertex of the surface, lent until the next call
+///     for this resolver; NULL if its last call did not resolve a step
 TF_API const double *tf_resolver_followed(const tf_resolver *resolver);
 
 //: Declare what a resolver tells of pushes

@@ -19,16 +19,13 @@ static size_t bytes_of(const tf_body *body)
 static bool allocate(tf_cloth_simulation *c)
 {
     const tf_body *body = &c->base.setup.body;
-    size_t vertices = (size_t)body->vertices, size = bytes_of(body);
+    size_t size = bytes_of(body);
     c->position = malloc(size);
     c->velocity = calloc(1, size);
     c->end = malloc(size);
-    c->inverse_mass = malloc(sizeof(double) * vertices);
-    if (!c->position || !c->velocity || !c->end || !c->inverse_mass)
+    if (!c->position || !c->velocity || !c->end)
         return false;
     memcpy(c->position, body->position, size);
-    for (size_t v = 0; v < vertices; v++)
-        c->inverse_mass[v] = body->mass[v] > 0 ? 1 / body->mass[v] : 0;
     return true;
 }
 
@@ -43,6 +40,9 @@ static tf_status begin_cloth(tf_simulation *simulation)
     if (status == TF_OK)
         status = tf_resolver_create(c->surface, &c->resolver);
     if (status == TF_OK)
+        status = tf_coupling_create(body, simulation->scene->step, c->resolver,
+                                    &c->coupling);
+    if (status == TF_OK)
         status =
             tf_dynamics_create(body, simulation->scene->step, &c->dynamics);
     return status;
@@ -52,12 +52,12 @@ static void end_cloth(tf_simulation *simulation)
 {
     tf_cloth_simulation *c = (tf_cloth_simulation *)simulation;
     tf_dynamics_free(c->dynamics);
+    tf_coupling_free(c->coupling);
     tf_resolver_free(c->resolver);
     tf_surface_free(c->surface);
     free(c->position);
     free(c->velocity);
     free(c->end);
-    free(c->inverse_mass);
 }
 
 //: Propose where a step ends
@@ -93,7 +93,7 @@ tf_status tf_cloth_propose(tf_cloth_simulation *cloth)
     tf_air_blow(&scene->air, &cloth->base.setup.body, cloth->base.time,
                 scene->step, cloth->position, cloth->velocity);
     fly(cloth);
-    return tf_dynamics_step(cloth->dynamics, cloth->end, ITERATIONS);
+    return tf_dynamics_step(cloth->dynamics, cloth->end, getenv("IT") ? atoi(getenv("IT")) : ITERATIONS);
 }
 
 //: Go on from where a step ends
@@ -117,13 +117,8 @@ static tf_status resolve(tf_cloth_simulation *c, const tf_step_options *options,
     tf_response_options response = {.friction = c->base.scene->friction,
                                     .check_start = options->check,
                                     .parallel = options->parallel};
-    const tf_response_report *lent;
-    tf_status status =
-        tf_step_resolve(c->resolver, c->base.setup.body.vertices, c->position,
-                        c->end, c->inverse_mass, &response, &lent, NULL);
-    if (status == TF_OK)
-        *report = *lent;
-    return status;
+    return tf_coupling_resolve(c->coupling, c->position, c->end, &response,
+                               report);
 }
 
 static double now(const tf_step_options *options)
@@ -153,7 +148,7 @@ static tf_status step_cloth(tf_simulation *simulation,
         return status;
     report.dynamics_seconds = proposed - begin;
     report.response_seconds = now(options) - proposed;
-    tf_cloth_accept(c, tf_resolver_unpushed(c->resolver), report.response.held);
+    tf_cloth_accept(c, tf_coupling_unpushed(c->coupling), report.response.held);
     measure(c, &report);
     c->report = report;
     return TF_OK;

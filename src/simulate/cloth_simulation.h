@@ -1,7 +1,7 @@
 //: Declare simulations of cloth
 #pragma once
 
-#include "response/resolve.h"
+#include "simulate/coupling.h"
 #include "simulate/dynamics.h"
 #include "simulate/simulation.h"
 
@@ -21,9 +21,9 @@ typedef struct tf_cloth_simulation {
     double *position; ///< of the vertices
     double *velocity; ///< of the vertices, in meters per second
     double *end;      ///< where they are to be after the step
-    double *inverse_mass;
     tf_surface *surface;
     tf_resolver *resolver;
+    tf_coupling *coupling;
     tf_dynamics *dynamics;
     tf_cloth_report report; ///< of the last step
 } tf_cloth_simulation;

@@ -1,0 +1,156 @@
+//: Include what coupling needs
+#include "simulate/coupling.h"
+
+#include "simulate/relaxation.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    ROUNDS = 4 // of relaxation, after each of which a step is answered again
+};
+
+/// Edges that are longer than at rest by this factor ask for another round.
+static const double stretched = 1.12;
+
+//: Hold the coupling
+struct tf_coupling {
+    const tf_body *body;
+    tf_resolver *resolver;
+    tf_relaxation *relaxation;
+    double *inverse_mass;
+    double *push;     ///< by how much answers have pushed vertices apart
+    double *unpushed; ///< where the motion leads
+};
+
+static size_t numbers_of(const tf_coupling *c)
+{
+    return (size_t)c->body->axes * (size_t)c->body->vertices;
+}
+
+//: Make and free a coupling
+static tf_status prepare_coupling(tf_coupling *c, double step)
+{
+    size_t vertices = (size_t)c->body->vertices;
+    size_t bytes = sizeof(double) * (numbers_of(c) + 1);
+    c->inverse_mass = malloc(sizeof(double) * (vertices + 1));
+    c->push = malloc(bytes);
+    c->unpushed = malloc(bytes);
+    if (!c->inverse_mass || !c->push || !c->unpushed)
+        return TF_OUT_OF_MEMORY;
+    for (size_t v = 0; v < vertices; v++)
+        c->inverse_mass[v] = c->body->mass[v] > 0 ? 1 / c->body->mass[v] : 0;
+    return tf_relaxation_create(c->body, step, &c->relaxation);
+}
+
+tf_status tf_coupling_create(const tf_body *body, double step,
+                             tf_resolver *resolver, tf_coupling **coupling)
+{
+    tf_coupling *c = calloc(1, sizeof *c);
+    if (!c)
+        return TF_OUT_OF_MEMORY;
+    c->body = body;
+    c->resolver = resolver;
+    tf_status status = prepare_coupling(c, step);
+    if (status == TF_OK)
+        *coupling = c;
+    else
+        tf_coupling_free(c);
+    return status;
+}
+
+void tf_coupling_free(tf_coupling *coupling)
+{
+    if (!coupling)
+        return;
+    tf_relaxation_free(coupling->relaxation);
+    free(coupling->inverse_mass);
+    free(coupling->push);
+    free(coupling->unpushed);
+    free(coupling);
+}
+
+const double *tf_coupling_unpushed(const tf_coupling *coupling)
+{
+    return coupling->unpushed;
+}
+
+//: Answer a step once
+/// Adds up what answers took; how they ended is what the last one says.
+static void add_report(tf_response_report *sum, const tf_response_report *last)
+{
+    tf_response_report before = *sum;
+    *sum = *last;
+    sum->first_contacts = before.first_contacts;
+    sum->contacts += before.contacts;
+    sum->constraints += before.constraints;
+    for (int i = 0; i < TF_LEVELS; i++)
+        sum->rounds[i] += before.rounds[i];
+}
+
+static tf_status answer(tf_coupling *c, const double start[], double end[],
+                        const tf_response_options *options,
+                        tf_response_report *report, bool first)
+{
+    const tf_response_report *lent;
+    tf_status status =
+        tf_step_resolve(c->resolver, c->body->vertices, start, end,
+                        c->inverse_mass, options, &lent, NULL);
+    if (status == TF_OK && first)
+        *report = *lent;
+    else if (status == TF_OK)
+        add_report(report, lent);
+    return status;
+}
+
+//: Propose what the elastic elements and the contacts allow
+/// Vertices that were pushed apart are so again, without any velocity.
+static tf_status propose_again(tf_coupling *c,
+                               const tf_response_options *options, double end[])
+{
+    size_t count;
+    const tf_answered_contact *contact;
+    tf_status status = tf_resolver_contacts(c->resolver, &count, &contact);
+    if (status == TF_OK)
+        status = tf_relaxation_add(c->relaxation, count, contact);
+    if (status != TF_OK)
+        return status;
+    const double *unpushed = tf_resolver_unpushed(c->resolver);
+    for (size_t i = 0; i < numbers_of(c); i++)
+        if (c->inverse_mass[i / (size_t)c->body->axes] > 0)
+            c->push[i] += end[i] - unpushed[i];
+    tf_relaxation_run(c->relaxation, options->friction, end);
+    for (size_t i = 0; i < numbers_of(c); i++)
+        end[i] += c->push[i];
+    return TF_OK;
+}
+
+//: Answer a step until nothing is stretched
+static void take_push_away(const tf_coupling *c)
+{
+    const double *unpushed = tf_resolver_unpushed(c->resolver);
+    for (size_t i = 0; i < numbers_of(c); i++)
+        c->unpushed[i] = unpushed[i] - c->push[i];
+}
+
+tf_status tf_coupling_resolve(tf_coupling *coupling, const double start[],
+                              double end[], const tf_response_options *options,
+                              tf_response_report *report)
+{
+    tf_coupling *c = coupling;
+    memset(c->push, 0, sizeof(double) * numbers_of(c));
+    tf_relaxation_begin(c->relaxation, start, end);
+    tf_status status = answer(c, start, end, options, report, true);
+    int rounds = getenv("ROUNDS") ? atoi(getenv("ROUNDS")) : ROUNDS;
+    for (int i = 0; i < rounds && status == TF_OK; i++) {
+        if (i == 0 ? report->moved == 0
+                   : tf_body_stretch(c->body, end) < stretched)
+            break;
+        status = propose_again(c, options, end);
+        if (status == TF_OK)
+            status = answer(c, start, end, options, report, false);
+    }
+    if (status == TF_OK)
+        take_push_away(c);
+    return status;
+}

@@ -13,7 +13,7 @@ static const tf_material cotton = {0.15, 300, 1.5e-4};
 static const tf_material ribbon = {1, 200, 1.5e-4};
 static const tf_material hemp = {10, 500, 0};
 static const tf_material silk = {0.3, 60, 1.5e-4};
-static const tf_material bunting = {0.2, 600, 1.5e-4};
+static const tf_material bunting = {0.2, 400, 1.5e-4};
 
 //: Lay out a sheet
 /// A horizontal square above the origin, turned about the vertical.

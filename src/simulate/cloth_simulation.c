@@ -93,7 +93,8 @@ tf_status tf_cloth_propose(tf_cloth_simulation *cloth)
     tf_air_blow(&scene->air, &cloth->base.setup.body, cloth->base.time,
                 scene->step, cloth->position, cloth->velocity);
     fly(cloth);
-    return tf_dynamics_step(cloth->dynamics, cloth->end, getenv("IT") ? atoi(getenv("IT")) : ITERATIONS);
+    return tf_dynamics_step(cloth->dynamics, cloth->end,
+                            getenv("IT") ? atoi(getenv("IT")) : ITERATIONS);
 }
 
 //: Go on from where a step ends
@@ -148,7 +149,7 @@ static tf_status step_cloth(tf_simulation *simulation,
         return status;
     report.dynamics_seconds = proposed - begin;
     report.response_seconds = now(options) - proposed;
-    tf_cloth_accept(c, tf_coupling_unpushed(c->coupling), report.response.held);
+    tf_cloth_accept(c, tf_resolver_unpushed(c->resolver), report.response.held);
     measure(c, &report);
     c->report = report;
     return TF_OK;

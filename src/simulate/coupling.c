@@ -4,14 +4,13 @@
 #include "simulate/relaxation.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 enum {
-    ROUNDS = 4 // of relaxation, after each of which a step is answered again
+    ROUNDS = 5 // of relaxation, after each of which a step is answered again
 };
 
 /// Edges that are longer than at rest by this factor ask for another round.
-static const double stretched = 1.12;
+static const double stretched = 1.1;
 
 //: Hold the coupling
 struct tf_coupling {
@@ -19,24 +18,14 @@ struct tf_coupling {
     tf_resolver *resolver;
     tf_relaxation *relaxation;
     double *inverse_mass;
-    double *push;     ///< by how much answers have pushed vertices apart
-    double *unpushed; ///< where the motion leads
 };
-
-static size_t numbers_of(const tf_coupling *c)
-{
-    return (size_t)c->body->axes * (size_t)c->body->vertices;
-}
 
 //: Make and free a coupling
 static tf_status prepare_coupling(tf_coupling *c, double step)
 {
     size_t vertices = (size_t)c->body->vertices;
-    size_t bytes = sizeof(double) * (numbers_of(c) + 1);
     c->inverse_mass = malloc(sizeof(double) * (vertices + 1));
-    c->push = malloc(bytes);
-    c->unpushed = malloc(bytes);
-    if (!c->inverse_mass || !c->push || !c->unpushed)
+    if (!c->inverse_mass)
         return TF_OUT_OF_MEMORY;
     for (size_t v = 0; v < vertices; v++)
         c->inverse_mass[v] = c->body->mass[v] > 0 ? 1 / c->body->mass[v] : 0;
@@ -65,14 +54,7 @@ void tf_coupling_free(tf_coupling *coupling)
         return;
     tf_relaxation_free(coupling->relaxation);
     free(coupling->inverse_mass);
-    free(coupling->push);
-    free(coupling->unpushed);
     free(coupling);
-}
-
-const double *tf_coupling_unpushed(const tf_coupling *coupling)
-{
-    return coupling->unpushed;
 }
 
 //: Answer a step once
@@ -104,8 +86,7 @@ static tf_status answer(tf_coupling *c, const double start[], double end[],
 }
 
 //: Propose what the elastic elements and the contacts allow
-/// Vertices that were pushed apart are so again, without any velocity.
-static tf_status propose_again(tf_coupling *c,
+static tf_status propose_again(const tf_coupling *c,
                                const tf_response_options *options, double end[])
 {
     size_t count;
@@ -113,44 +94,28 @@ static tf_status propose_again(tf_coupling *c,
     tf_status status = tf_resolver_contacts(c->resolver, &count, &contact);
     if (status == TF_OK)
         status = tf_relaxation_add(c->relaxation, count, contact);
-    if (status != TF_OK)
-        return status;
-    const double *unpushed = tf_resolver_unpushed(c->resolver);
-    for (size_t i = 0; i < numbers_of(c); i++)
-        if (c->inverse_mass[i / (size_t)c->body->axes] > 0)
-            c->push[i] += end[i] - unpushed[i];
-    tf_relaxation_run(c->relaxation, options->friction, end);
-    for (size_t i = 0; i < numbers_of(c); i++)
-        end[i] += c->push[i];
-    return TF_OK;
+    if (status == TF_OK)
+        tf_relaxation_run(c->relaxation, options->friction, end);
+    return status;
 }
 
 //: Answer a step until nothing is stretched
-static void take_push_away(const tf_coupling *c)
-{
-    const double *unpushed = tf_resolver_unpushed(c->resolver);
-    for (size_t i = 0; i < numbers_of(c); i++)
-        c->unpushed[i] = unpushed[i] - c->push[i];
-}
-
 tf_status tf_coupling_resolve(tf_coupling *coupling, const double start[],
                               double end[], const tf_response_options *options,
                               tf_response_report *report)
 {
     tf_coupling *c = coupling;
-    memset(c->push, 0, sizeof(double) * numbers_of(c));
+    tf_response_options again = *options;
+    again.check_start = false;
     tf_relaxation_begin(c->relaxation, start, end);
     tf_status status = answer(c, start, end, options, report, true);
-    int rounds = getenv("ROUNDS") ? atoi(getenv("ROUNDS")) : ROUNDS;
-    for (int i = 0; i < rounds && status == TF_OK; i++) {
-        if (i == 0 ? report->moved == 0
-                   : tf_body_stretch(c->body, end) < stretched)
+    for (int i = 0; i < ROUNDS && status == TF_OK; i++) {
+        bool met = i == 0 && report->moved > 0;
+        if (!met && tf_body_stretch(c->body, end) < stretched)
             break;
         status = propose_again(c, options, end);
         if (status == TF_OK)
-            status = answer(c, start, end, options, report, false);
+            status = answer(c, start, end, &again, report, false);
     }
-    if (status == TF_OK)
-        take_push_away(c);
     return status;
 }

@@ -20,16 +20,12 @@ tf_status tf_coupling_create(const tf_body *body, double step,
                              tf_resolver *resolver, tf_coupling **coupling);
 void tf_coupling_free(tf_coupling *coupling);
 
-/// Resolves a step as tf_step_resolve does.
+/// Resolves a step as tf_step_resolve does; tf_resolver_unpushed of the resolver
+/// then decides the velocities.
 /// @param[in,out] end in: where the dynamics lead; out: a clear end
 /// @param options restitution is none
 /// @param[out] report what both answers took; set only with TF_OK
 /// @return what tf_step_resolve returns
 tf_status tf_coupling_resolve(tf_coupling *coupling, const double start[],
-                              double end[],
-                              const tf_response_options *options,
+                              double end[], const tf_response_options *options,
                               tf_response_report *report);
-
-/// As tf_resolver_unpushed: where the motion leads, which decides the
-/// velocities.
-const double *tf_coupling_unpushed(const tf_coupling *coupling);

@@ -1,6 +1,7 @@
 //: Include what relaxation needs
 #include "simulate/relaxation.h"
 
+#include "base/always_inline.h"
 #include "geometry/vector.h"
 
 #include <math.h>
@@ -8,16 +9,19 @@
 #include <string.h>
 
 enum {
-    SWEEPS = 10 // over all elements and contacts
+    SWEEPS = 20 // over all elements and contacts
 };
 
 /// Springs become rigid when they are longer than at rest by this factor.
-static const double limit = 1.05;
+static const double limit = 1.04;
+
+/// Vertices may move unnoticed by this part of the mean rest length.
+static const double tolerance = 1e-5;
 
 //: Hold the relaxation
 /// An elastic element as it is relaxed.
 typedef struct bond {
-    int vertex[4];
+    int count, vertex[4];
     double weight[4];
     double share[4];   ///< how far a unit impulse moves each vertex
     double rest;       ///< the length that its sum wants to have
@@ -32,8 +36,8 @@ typedef struct bond {
 typedef struct stop {
     int vertex[4];
     double weight[4], share[4];
-    double reach; ///< how much a unit impulse widens the gap
-    tf_vector start;  ///< the gap, as a vector, at the start
+    double reach;    ///< how much a unit impulse widens the gap
+    tf_vector start; ///< the gap, as a vector, at the start
     tf_vector normal;
     double impulse;
     tf_vector friction;
@@ -46,7 +50,7 @@ struct tf_relaxation {
     bond *bond;
     size_t stops, room;
     stop *stop;
-    double tolerance; ///< by how much a vertex may move unnoticed, in meters
+    double unnoticed; ///< the square of how far a vertex may move unnoticed
     int sweep;        ///< which one is made, from 1
     int *moved;       ///< of each vertex: in which sweep it moved last
     tf_vector *start, *at; ///< where the vertices were and are
@@ -57,7 +61,8 @@ static bond bond_of(const tf_elastic *elastic, double step,
                     const double inverse_mass[])
 {
     bool spring = elastic->count == 2 && elastic->rest > 0;
-    bond b = {.rest = elastic->rest,
+    bond b = {.count = elastic->count,
+              .rest = elastic->rest,
               .limit = spring ? limit * elastic->rest : INFINITY,
               .compliance = 1 / (step * step * elastic->stiffness)};
     for (int i = 0; i < elastic->count; i++) {
@@ -102,7 +107,7 @@ static bool prepare_relaxation(tf_relaxation *r, const tf_body *body,
         if (b.reach > 0)
             r->bond[r->bonds++] = b;
     }
-    r->tolerance = (getenv("TOL") ? atof(getenv("TOL")) : 1e-3) * mean_rest(r);
+    r->unnoticed = pow(tolerance * mean_rest(r), 2);
     return true;
 }
 
@@ -134,35 +139,39 @@ void tf_relaxation_free(tf_relaxation *relaxation)
 }
 
 //: Push vertices by an impulse
-/// Always four: those that are missing have the weight 0.
-static tf_vector weighted_sum(const int vertex[4], const double weight[4],
-                              const tf_vector at[])
+TF_ALWAYS_INLINE tf_vector weighted_sum(int count, const int vertex[],
+                                        const double weight[],
+                                        const tf_vector at[])
 {
     tf_vector sum = tf_vector_scaled(weight[0], at[vertex[0]]);
-    for (int i = 1; i < 4; i++)
+    for (int i = 1; i < count; i++)
         sum = tf_vector_sum(sum, weight[i], at[vertex[i]]);
     return sum;
 }
 
-static void push_vertices(const tf_relaxation *r, const int vertex[4],
-                          const double share[4], tf_vector impulse)
+/// Notes which vertices have moved.
+TF_ALWAYS_INLINE void push_vertices(const tf_relaxation *r, int count,
+                                    const int vertex[], const double share[],
+                                    tf_vector impulse)
 {
-    double length = tf_vector_length(impulse);
-    for (int i = 0; i < 4; i++) {
+    double square = tf_vector_dot(impulse, impulse);
+    for (int i = 0; i < count; i++) {
         tf_vector *at = &r->at[vertex[i]];
         *at = tf_vector_sum(*at, share[i], impulse);
-        if (fabs(share[i]) * length > r->tolerance)
+        if (share[i] * share[i] * square > r->unnoticed)
             r->moved[vertex[i]] = r->sweep;
     }
 }
 
 /// Whether something is to be visited, as one of its vertices has moved in this
 /// sweep or the last one.
-static bool is_due(const tf_relaxation *r, const int vertex[4])
+TF_ALWAYS_INLINE bool is_due(const tf_relaxation *r, int count,
+                             const int vertex[])
 {
-    int last = r->sweep - 1;
-    return r->moved[vertex[0]] >= last || r->moved[vertex[1]] >= last ||
-           r->moved[vertex[2]] >= last || r->moved[vertex[3]] >= last;
+    bool due = false;
+    for (int i = 0; i < count; i++)
+        due |= r->moved[vertex[i]] >= r->sweep - 1;
+    return due;
 }
 
 //: Visit an elastic element
@@ -189,10 +198,12 @@ static tf_vector answer_of(bond *b, tf_vector sum)
     return tf_vector_sum(impulse, (b->limit / length - 1) / b->reach, sum);
 }
 
-static void visit_bond(const tf_relaxation *r, bond *b)
+TF_ALWAYS_INLINE void visit_bond(const tf_relaxation *r, bond *b, int count)
 {
-    tf_vector sum = weighted_sum(b->vertex, b->weight, r->at);
-    push_vertices(r, b->vertex, b->share, answer_of(b, sum));
+    if (!is_due(r, count, b->vertex))
+        return;
+    tf_vector sum = weighted_sum(count, b->vertex, b->weight, r->at);
+    push_vertices(r, count, b->vertex, b->share, answer_of(b, sum));
 }
 
 //: Visit a contact
@@ -205,25 +216,24 @@ static tf_vector shortened(tf_vector v, double most)
 static void visit_stop(const tf_relaxation *r, double friction, stop *s)
 {
     tf_vector change = tf_vector_difference(
-        weighted_sum(s->vertex, s->weight, r->at), s->start);
+        weighted_sum(4, s->vertex, s->weight, r->at), s->start);
     double apart = tf_vector_dot(change, s->normal);
     tf_vector across = tf_vector_sum(change, -apart, s->normal);
     double impulse = fmax(0, s->impulse - apart / s->reach);
-    tf_vector grip =
-        shortened(tf_vector_sum(s->friction, -1 / s->reach, across),
-                  friction * impulse);
+    tf_vector grip = shortened(
+        tf_vector_sum(s->friction, -1 / s->reach, across), friction * impulse);
     tf_vector push = tf_vector_sum(tf_vector_difference(grip, s->friction),
                                    impulse - s->impulse, s->normal);
     s->impulse = impulse;
     s->friction = grip;
-    push_vertices(r, s->vertex, s->share, push);
+    push_vertices(r, 4, s->vertex, s->share, push);
 }
 
 //: Begin a step
 /// Each bond pulls as hard as its length says.
 static void begin_bond(const tf_relaxation *r, bond *b)
 {
-    tf_vector sum = weighted_sum(b->vertex, b->weight, r->at);
+    tf_vector sum = weighted_sum(4, b->vertex, b->weight, r->at);
     double length = tf_vector_length(sum), lack = lack_of(b, length);
     for (int i = 0; i < 4 && length > b->limit; i++)
         r->moved[b->vertex[i]] = r->sweep;
@@ -258,7 +268,7 @@ static stop stop_of(const tf_relaxation *r, const tf_answered_contact *contact)
             s.share[i] = s.weight[i] * r->inverse_mass[s.vertex[i]];
             s.reach += s.weight[i] * s.share[i];
         }
-    s.start = weighted_sum(s.vertex, s.weight, r->start);
+    s.start = weighted_sum(4, s.vertex, s.weight, r->start);
     return s;
 }
 
@@ -282,7 +292,7 @@ tf_status tf_relaxation_add(tf_relaxation *r, size_t contacts,
     for (size_t i = 0; i < contacts; i++) {
         stop s = stop_of(r, &contact[i]);
         tf_vector push = tf_vector_sum(s.friction, s.impulse, s.normal);
-        push_vertices(r, s.vertex, s.share, push);
+        push_vertices(r, 4, s.vertex, s.share, push);
         if (s.reach > 0)
             r->stop[r->stops++] = s;
     }
@@ -296,20 +306,22 @@ static void sweep(tf_relaxation *r, double friction)
     bool back = ++r->sweep % 2 == 0;
     for (int i = 0; i < r->bonds; i++) {
         bond *b = &r->bond[back ? r->bonds - 1 - i : i];
-        if (is_due(r, b->vertex))
-            visit_bond(r, b);
+        // Springs, which are most, have loops of their own.
+        if (b->count == 2)
+            visit_bond(r, b, 2);
+        else
+            visit_bond(r, b, 4);
     }
     for (size_t i = 0; i < r->stops; i++) {
         stop *s = &r->stop[back ? r->stops - 1 - i : i];
-        if (is_due(r, s->vertex))
+        if (is_due(r, 4, s->vertex))
             visit_stop(r, friction, s);
     }
 }
 
 void tf_relaxation_run(tf_relaxation *r, double friction, double end[])
 {
-    int sweeps = getenv("SWEEPS") ? atoi(getenv("SWEEPS")) : SWEEPS;
-    for (int i = 0; i < sweeps; i++)
+    for (int i = 0; i < SWEEPS; i++)
         sweep(r, friction);
     for (int i = 0; i < r->axes * r->vertices; i++)
         end[i] = r->at[i / r->axes].x[i % r->axes];

@@ -19,13 +19,16 @@ static size_t bytes_of(const tf_body *body)
 static bool allocate(tf_cloth_simulation *c)
 {
     const tf_body *body = &c->base.setup.body;
-    size_t size = bytes_of(body);
+    size_t vertices = (size_t)body->vertices, size = bytes_of(body);
     c->position = malloc(size);
     c->velocity = calloc(1, size);
     c->end = malloc(size);
-    if (!c->position || !c->velocity || !c->end)
+    c->inverse_mass = malloc(sizeof(double) * vertices);
+    if (!c->position || !c->velocity || !c->end || !c->inverse_mass)
         return false;
     memcpy(c->position, body->position, size);
+    for (size_t v = 0; v < vertices; v++)
+        c->inverse_mass[v] = body->mass[v] > 0 ? 1 / body->mass[v] : 0;
     return true;
 }
 
@@ -58,6 +61,7 @@ static void end_cloth(tf_simulation *simulation)
     free(c->position);
     free(c->velocity);
     free(c->end);
+    free(c->inverse_mass);
 }
 
 //: Propose where a step ends
@@ -118,8 +122,8 @@ static tf_status resolve(tf_cloth_simulation *c, const tf_step_options *options,
     tf_response_options response = {.friction = c->base.scene->friction,
                                     .check_start = options->check,
                                     .parallel = options->parallel};
-    return tf_coupling_resolve(c->coupling, c->position, c->end, &response,
-                               report);
+    return tf_coupling_resolve(c->coupling, c->position, c->end,
+                               c->inverse_mass, &response, report);
 }
 
 static double now(const tf_step_options *options)

@@ -17,21 +17,9 @@ struct tf_coupling {
     const tf_body *body;
     tf_resolver *resolver;
     tf_relaxation *relaxation;
-    double *inverse_mass;
 };
 
 //: Make and free a coupling
-static tf_status prepare_coupling(tf_coupling *c, double step)
-{
-    size_t vertices = (size_t)c->body->vertices;
-    c->inverse_mass = malloc(sizeof(double) * (vertices + 1));
-    if (!c->inverse_mass)
-        return TF_OUT_OF_MEMORY;
-    for (size_t v = 0; v < vertices; v++)
-        c->inverse_mass[v] = c->body->mass[v] > 0 ? 1 / c->body->mass[v] : 0;
-    return tf_relaxation_create(c->body, step, &c->relaxation);
-}
-
 tf_status tf_coupling_create(const tf_body *body, double step,
                              tf_resolver *resolver, tf_coupling **coupling)
 {
@@ -40,7 +28,7 @@ tf_status tf_coupling_create(const tf_body *body, double step,
         return TF_OUT_OF_MEMORY;
     c->body = body;
     c->resolver = resolver;
-    tf_status status = prepare_coupling(c, step);
+    tf_status status = tf_relaxation_create(body, step, &c->relaxation);
     if (status == TF_OK)
         *coupling = c;
     else
@@ -53,7 +41,6 @@ void tf_coupling_free(tf_coupling *coupling)
     if (!coupling)
         return;
     tf_relaxation_free(coupling->relaxation);
-    free(coupling->inverse_mass);
     free(coupling);
 }
 
@@ -71,13 +58,13 @@ static void add_report(tf_response_report *sum, const tf_response_report *last)
 }
 
 static tf_status answer(tf_coupling *c, const double start[], double end[],
+                        const double inverse_mass[],
                         const tf_response_options *options,
                         tf_response_report *report, bool first)
 {
     const tf_response_report *lent;
-    tf_status status =
-        tf_step_resolve(c->resolver, c->body->vertices, start, end,
-                        c->inverse_mass, options, &lent, NULL);
+    tf_status status = tf_step_resolve(c->resolver, c->body->vertices, start,
+                                       end, inverse_mass, options, &lent, NULL);
     if (status == TF_OK && first)
         *report = *lent;
     else if (status == TF_OK)
@@ -101,21 +88,23 @@ static tf_status propose_again(const tf_coupling *c,
 
 //: Answer a step until nothing is stretched
 tf_status tf_coupling_resolve(tf_coupling *coupling, const double start[],
-                              double end[], const tf_response_options *options,
+                              double end[], const double inverse_mass[],
+                              const tf_response_options *options,
                               tf_response_report *report)
 {
     tf_coupling *c = coupling;
     tf_response_options again = *options;
     again.check_start = false;
     tf_relaxation_begin(c->relaxation, start, end);
-    tf_status status = answer(c, start, end, options, report, true);
+    tf_status status =
+        answer(c, start, end, inverse_mass, options, report, true);
     for (int i = 0; i < ROUNDS && status == TF_OK; i++) {
         bool met = i == 0 && report->moved > 0;
         if (!met && tf_body_stretch(c->body, end) < stretched)
             break;
         status = propose_again(c, options, end);
         if (status == TF_OK)
-            status = answer(c, start, end, &again, report, false);
+            status = answer(c, start, end, inverse_mass, &again, report, false);
     }
     return status;
 }

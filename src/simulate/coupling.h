@@ -24,8 +24,9 @@ void tf_coupling_free(tf_coupling *coupling);
 /// then decides the velocities.
 /// @param[in,out] end in: where the dynamics lead; out: a clear end
 /// @param options restitution is none
-/// @param[out] report what both answers took; set only with TF_OK
+/// @param[out] report what all answers took; whole only with TF_OK
 /// @return what tf_step_resolve returns
 tf_status tf_coupling_resolve(tf_coupling *coupling, const double start[],
-                              double end[], const tf_response_options *options,
+                              double end[], const double inverse_mass[],
+                              const tf_response_options *options,
                               tf_response_report *report);

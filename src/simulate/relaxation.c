@@ -174,6 +174,13 @@ TF_ALWAYS_INLINE bool is_due(const tf_relaxation *r, int count,
     return due;
 }
 
+/// Makes what has one of these vertices due.
+static void call_on(const tf_relaxation *r, const int vertex[4])
+{
+    for (int i = 0; i < 4; i++)
+        r->moved[vertex[i]] = r->sweep;
+}
+
 //: Visit an elastic element
 /// What has to be added to the sum of a bond so that it has its rest length, as
 /// a multiple of the sum.
@@ -235,8 +242,8 @@ static void begin_bond(const tf_relaxation *r, bond *b)
 {
     tf_vector sum = weighted_sum(4, b->vertex, b->weight, r->at);
     double length = tf_vector_length(sum), lack = lack_of(b, length);
-    for (int i = 0; i < 4 && length > b->limit; i++)
-        r->moved[b->vertex[i]] = r->sweep;
+    if (length > b->limit)
+        call_on(r, b->vertex);
     b->impulse = tf_vector_scaled(lack / b->compliance, sum);
 }
 
@@ -293,6 +300,7 @@ tf_status tf_relaxation_add(tf_relaxation *r, size_t contacts,
         stop s = stop_of(r, &contact[i]);
         tf_vector push = tf_vector_sum(s.friction, s.impulse, s.normal);
         push_vertices(r, 4, s.vertex, s.share, push);
+        call_on(r, s.vertex);
         if (s.reach > 0)
             r->stop[r->stops++] = s;
     }

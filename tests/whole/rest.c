@@ -79,7 +79,7 @@ static void resolve(world *w)
     tf_status status =
         w->coupled
             ? tf_coupling_resolve(w->coupling, body->position, w->end,
-                                  &w->options, &report)
+                                  w->inverse_mass, &w->options, &report)
             : tf_step_resolve(w->resolver, body->vertices, body->position,
                               w->end, w->inverse_mass, &w->options, NULL, NULL);
     ck_assert_int_eq(status, TF_OK);
@@ -353,8 +353,8 @@ START_TEST(free_vertices_stick_or_slide)
 }
 END_TEST
 
-// A cube that is set down swings first.  Its springs do not know of the contacts,
-// so it slides a little farther than a rigid one.
+// A cube that is set down swings first.  Then it sticks, or is right to 5 %; one
+// of them, on a slope that is hardly too steep, slides by less than a millimeter.
 START_TEST(an_elastic_cube_sticks_or_slides)
 {
     int wrong = 0, wrongly_moved = 0;
@@ -365,13 +365,12 @@ START_TEST(an_elastic_cube_sticks_or_slides)
         add_cube(&s);
         s.w.coupled = true;
         double error = fabs(slide(&s, 0.5, &exact));
-        if (getenv("SHOW")) printf("%d: exact %g error %g\n", i, exact, error);
         wrong += error > 0.001 + 0.05 * exact;
         wrongly_moved += exact == 0 && error > 0.001;
     }
     printf("cube: %d of 64 are wrong, %d of those should stick\n", wrong,
            wrongly_moved);
-    ck_assert_int_le(wrong, 3);
+    ck_assert_int_le(wrong, 1);
     ck_assert_int_eq(wrongly_moved, 0);
 }
 END_TEST

@@ -38,6 +38,25 @@ static tf_answered_contact contact_of_rod(void)
                                  .normal = {0, 1}};
 }
 
+// A spring that is longer than at rest pulls as the dynamics have it pull
+// already, even if it is visited since a contact is near that does nothing.
+START_TEST(a_spring_pulls_once)
+{
+    tf_body body = rod_on_floor(5000);
+    tf_relaxation *relaxation = relaxation_of(&body);
+    tf_answered_contact contact = contact_of_rod();
+    double end[] = {-1, 0, 1, 0, 0, 0.02, 0, 0.123}, was[8];
+    memcpy(was, end, sizeof end);
+    tf_relaxation_begin(relaxation, body.position, end);
+    ck_assert_int_eq(tf_relaxation_add(relaxation, 1, &contact), TF_OK);
+    tf_relaxation_run(relaxation, 0, end);
+    for (int i = 0; i < 8; i++)
+        ck_assert_double_eq_tol(end[i], was[i], 1e-12);
+    tf_relaxation_free(relaxation);
+    tf_body_free(&body);
+}
+END_TEST
+
 // Without a contact the ends of a step are those of least energy already.
 START_TEST(what_is_at_rest_stays)
 {
@@ -201,6 +220,7 @@ Suite *suite(void)
     Suite *suite = suite_create("simulate/relaxation");
     TCase *tcase = tcase_create("relaxation");
     tcase_add_test(tcase, what_is_at_rest_stays);
+    tcase_add_test(tcase, a_spring_pulls_once);
     tcase_add_test(tcase, a_spring_knows_of_a_contact);
     tcase_add_test(tcase, friction_is_coulombs);
     tcase_add_test(tcase, a_contact_does_not_hold_what_leaves);

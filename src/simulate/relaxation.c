@@ -53,10 +53,10 @@ struct tf_relaxation {
     double unnoticed; ///< the square of how far a vertex may move unnoticed
     int sweep;        ///< which one is made, from 1
     int *moved;       ///< of each vertex: in which sweep it moved last
-    tf_vector *start, *at; ///< where the vertices were and are
+    tf_vector *start, *at; ///< where the vertices were, and where they are
 };
 
-//: Make and free a relaxation
+//: Prepare elastic elements to be relaxed
 static bond bond_of(const tf_elastic *elastic, double step,
                     const double inverse_mass[])
 {
@@ -75,6 +75,15 @@ static bond bond_of(const tf_elastic *elastic, double step,
     return b;
 }
 
+static void add_bonds(tf_relaxation *r, const tf_body *body, double step)
+{
+    for (int i = 0; i < body->elastics; i++) {
+        bond b = bond_of(&body->elastic[i], step, r->inverse_mass);
+        if (b.reach > 0 && body->elastic[i].stiffness > 0)
+            r->bond[r->bonds++] = b;
+    }
+}
+
 /// The mean rest length of the bonds that have one.
 static double mean_rest(const tf_relaxation *r)
 {
@@ -87,6 +96,7 @@ static double mean_rest(const tf_relaxation *r)
     return count > 0 ? sum / count : 0;
 }
 
+//: Prepare a relaxation
 static bool prepare_relaxation(tf_relaxation *r, const tf_body *body,
                                double step)
 {
@@ -102,15 +112,12 @@ static bool prepare_relaxation(tf_relaxation *r, const tf_body *body,
         return false;
     for (size_t v = 0; v < vertices; v++)
         r->inverse_mass[v] = body->mass[v] > 0 ? 1 / body->mass[v] : 0;
-    for (int i = 0; i < body->elastics; i++) {
-        bond b = bond_of(&body->elastic[i], step, r->inverse_mass);
-        if (b.reach > 0)
-            r->bond[r->bonds++] = b;
-    }
+    add_bonds(r, body, step);
     r->unnoticed = pow(tolerance * mean_rest(r), 2);
     return true;
 }
 
+//: Make and free a relaxation
 tf_status tf_relaxation_create(const tf_body *body, double step,
                                tf_relaxation **relaxation)
 {
@@ -163,6 +170,7 @@ TF_ALWAYS_INLINE void push_vertices(const tf_relaxation *r, int count,
     }
 }
 
+//: See what is to be visited
 /// Whether something is to be visited, as one of its vertices has moved in this
 /// sweep or the last one.
 TF_ALWAYS_INLINE bool is_due(const tf_relaxation *r, int count,
@@ -175,10 +183,12 @@ TF_ALWAYS_INLINE bool is_due(const tf_relaxation *r, int count,
 }
 
 /// Makes what has one of these vertices due.
-static void call_on(const tf_relaxation *r, const int vertex[4])
+static void call_on(const tf_relaxation *r, const int vertex[4],
+                    const double weight[4])
 {
     for (int i = 0; i < 4; i++)
-        r->moved[vertex[i]] = r->sweep;
+        if (weight[i] != 0)
+            r->moved[vertex[i]] = r->sweep;
 }
 
 //: Visit an elastic element
@@ -243,7 +253,7 @@ static void begin_bond(const tf_relaxation *r, bond *b)
     tf_vector sum = weighted_sum(4, b->vertex, b->weight, r->at);
     double length = tf_vector_length(sum), lack = lack_of(b, length);
     if (length > b->limit)
-        call_on(r, b->vertex);
+        call_on(r, b->vertex, b->weight);
     b->impulse = tf_vector_scaled(lack / b->compliance, sum);
 }
 
@@ -300,7 +310,7 @@ tf_status tf_relaxation_add(tf_relaxation *r, size_t contacts,
         stop s = stop_of(r, &contact[i]);
         tf_vector push = tf_vector_sum(s.friction, s.impulse, s.normal);
         push_vertices(r, 4, s.vertex, s.share, push);
-        call_on(r, s.vertex);
+        call_on(r, s.vertex, s.weight);
         if (s.reach > 0)
             r->stop[r->stops++] = s;
     }

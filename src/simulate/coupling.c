@@ -10,7 +10,7 @@ enum {
 };
 
 /// Edges that are longer than at rest by this factor ask for another round.
-static const double stretched = 1.1;
+static const double stretched = 1.11;
 
 //: Hold the coupling
 struct tf_coupling {

@@ -194,25 +194,32 @@ static void call_on(const tf_relaxation *r, const int vertex[4],
 //: Visit an elastic element
 /// What has to be added to the sum of a bond so that it has its rest length, as
 /// a multiple of the sum.
-static double lack_of(const bond *b, double length)
+TF_ALWAYS_INLINE double lack_of(const bond *b, tf_vector sum)
 {
+    if (b->rest == 0)
+        return -1;
+    double length = tf_vector_length(sum);
     return length > 0 ? b->rest / length - 1 : -1;
+}
+
+static bool is_too_long(const bond *b, tf_vector sum)
+{
+    return tf_vector_dot(sum, sum) > b->limit * b->limit;
 }
 
 /// Sets the impulse of a bond to what its sum and its compliance ask for, and
 /// shortens what is longer than the limit.
-static tf_vector answer_of(bond *b, tf_vector sum)
+TF_ALWAYS_INLINE tf_vector answer_of(bond *b, tf_vector sum)
 {
-    double length = tf_vector_length(sum);
-    tf_vector wrong = tf_vector_scaled(lack_of(b, length), sum);
+    tf_vector wrong = tf_vector_scaled(lack_of(b, sum), sum);
     wrong = tf_vector_sum(wrong, -b->compliance, b->impulse);
     tf_vector impulse = tf_vector_scaled(b->yield, wrong);
     b->impulse = tf_vector_sum(b->impulse, 1, impulse);
     sum = tf_vector_sum(sum, b->reach, impulse);
-    length = tf_vector_length(sum);
-    if (length <= b->limit)
+    if (!is_too_long(b, sum))
         return impulse;
-    return tf_vector_sum(impulse, (b->limit / length - 1) / b->reach, sum);
+    double excess = 1 - b->limit / tf_vector_length(sum);
+    return tf_vector_sum(impulse, -excess / b->reach, sum);
 }
 
 TF_ALWAYS_INLINE void visit_bond(const tf_relaxation *r, bond *b, int count)
@@ -251,10 +258,9 @@ static void visit_stop(const tf_relaxation *r, double friction, stop *s)
 static void begin_bond(const tf_relaxation *r, bond *b)
 {
     tf_vector sum = weighted_sum(4, b->vertex, b->weight, r->at);
-    double length = tf_vector_length(sum), lack = lack_of(b, length);
-    if (length > b->limit)
+    if (is_too_long(b, sum))
         call_on(r, b->vertex, b->weight);
-    b->impulse = tf_vector_scaled(lack / b->compliance, sum);
+    b->impulse = tf_vector_scaled(lack_of(b, sum) / b->compliance, sum);
 }
 
 void tf_relaxation_begin(tf_relaxation *r, const double start[],

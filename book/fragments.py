@@ -8,8 +8,9 @@ key: no two fragments of src/ have the same.
 
     python3 book/fragments.py check src
 
-sees that every line of src/ belongs to a fragment, that the fragments tangle
-back to the files byte for byte, and that titles are well formed and unique.
+sees that every line of src/ belongs to a fragment and fits on a page, that the
+fragments tangle back to the files byte for byte, and that titles are well
+formed and unique.
 """
 import re
 import sys
@@ -18,6 +19,7 @@ from pathlib import Path
 
 HEAD = re.compile(r"^( *)//: (\S|\S.*\S)$")
 LONG = 25       # lines; a longer fragment is hard to explain in one go
+WIDE = 82       # columns; a wider line has to be scrolled in the book's pages
 
 
 class Misplaced(Exception):
@@ -136,6 +138,10 @@ def faults_of_file(path, seen):
     except Misplaced as misplaced:
         yield str(misplaced)
         return
+    for number, line in enumerate(text.splitlines(), 1):
+        if len(line) > WIDE:
+            yield (f"{path}:{number}: {len(line)} columns are more than the "
+                   f"{WIDE} of a page")
     before, after = text.splitlines(True), tangle(tops).splitlines(True)
     if before != after:
         same = [a == b for a, b in zip(before, after)]

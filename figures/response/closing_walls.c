@@ -201,11 +201,10 @@ static void draw(fig_page *page, FILE *numbers)
 
     fig_number(numbers, "first_contacts", (double)report.first_contacts);
     fig_number(numbers, "left", (double)left);
-    fig_number(numbers, "zone_rounds", report.rounds[TF_ZONES]);
-    fig_number(numbers, "failsafe_rounds", report.rounds[TF_FAILSAFE]);
+    fig_number(numbers, "zone_rounds", ROUNDS);
     fig_number(numbers, "held", report.held);
-    fig_number(numbers, "resting", report.resting);
-    fig_number(numbers, "groups", report.groups);
+    fig_number(numbers, "followed", report.followed);
+    fig_number(numbers, "meeting", wall_at / wall_move);
 }
 
 const fig_figure fig_closing_walls = {

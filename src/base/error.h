@@ -37,7 +37,7 @@ typedef struct tf_error {
     int vertices; ///< with TF_BAD_INDEX: how many vertices there are
     int time;     ///< 0 or 1: it is about the start or the end of the step; -1:
                   ///< about neither
-    double value; ///< with TF_OPTION: the value of the option
+    double value; ///< with TF_BAD_OPTION: the value of the option
     const char *option; ///< its name, or NULL; in static storage
     const char *range;  ///< what it must be, as "from 0 to 1", or NULL; in
                         ///< static storage

@@ -62,6 +62,18 @@ tf_status tf_fail_option(tf_error *error, const char *option, const char *range,
     return TF_BAD_OPTION;
 }
 
+tf_status tf_fail_vertex_option(tf_error *error, const char *option,
+                                const char *range, int vertex, double value)
+{
+    tf_fail_option(error, option, range, value);
+    if (error) {
+        error->subject = TF_VERTEX;
+        error->index = (size_t)vertex;
+        error->vertex[0] = vertex;
+    }
+    return TF_BAD_OPTION;
+}
+
 //: Set an error about a pair
 tf_status tf_fail_pair(tf_error *error, tf_status status, tf_subject pair,
                        int most, const int vertex[], int time)

@@ -29,6 +29,9 @@ tf_status tf_fail_query(tf_error *error, tf_status status, size_t index,
 tf_status tf_fail_pair(tf_error *error, tf_status status, tf_subject pair,
                        int most, const int vertex[], int time);
 
-/// or TF_BAD_OPTION.  The name and the range are in static storage.
+/// or TF_BAD_OPTION, of all vertices or of one.  The name and the range are in
+/// static storage.
 tf_status tf_fail_option(tf_error *error, const char *option, const char *range,
                          double value);
+tf_status tf_fail_vertex_option(tf_error *error, const char *option,
+                                const char *range, int vertex, double value);

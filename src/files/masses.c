@@ -12,8 +12,9 @@
 typedef struct list {
     tf_text_lines lines;
     int vertices;
-    int count; ///< of words so far
-    double *inverse_mass;
+    int count;        ///< of words so far
+    double *number;   ///< of each vertex
+    const char *name; ///< of such numbers
 } list;
 
 /// Reads the word that begins here, and steps behind it.
@@ -55,6 +56,33 @@ static int read_words(list *read, const char *path, tf_fault *fault,
     return reading == TF_READ_END ? read->count : -1;
 }
 
+//: Read a number for each vertex
+/// Takes the number of the next vertex.
+static bool take_number(list *read, tf_text *text, double number,
+                        const char *end)
+{
+    if (read->count == read->vertices)
+        return tf_text_fault(text,
+                             "more %s than the %d vertices; write one for each",
+                             read->name, read->vertices);
+    read->number[read->count] = number;
+    text->at = end;
+    return true;
+}
+
+static bool read_numbers(list *read, const char *path, tf_fault *fault,
+                         word_reader *read_word)
+{
+    int count = read_words(read, path, fault, read_word);
+    return count == read->vertices ||
+           (count >= 0 &&
+            tf_fault_set(fault,
+                         strcmp(path, "-") == 0 ? "standard input" : path, -1,
+                         "the number of %s is %d, but there are %d "
+                         "vertices; write one for each, in their order",
+                         read->name, count, read->vertices));
+}
+
 //: Read masses
 /// The inverse has to be a number, too.
 static bool read_mass(list *read, tf_text *text)
@@ -65,27 +93,36 @@ static bool read_mass(list *read, tf_text *text)
         !isfinite(mass) || !isfinite(1 / mass))
         return fault_in_word(text,
                              "not a mass; write a number above 0 such as 0.5");
-    if (read->count == read->vertices)
-        return tf_text_fault(
-            text, "more masses than the %d vertices; write one for each",
-            read->vertices);
-    read->inverse_mass[read->count] = 1 / mass;
-    text->at = at;
-    return true;
+    return take_number(read, text, 1 / mass, at);
 }
 
 bool tf_masses_read(const char *path, int vertices, double inverse_mass[],
                     tf_fault *fault)
 {
-    list read = {.vertices = vertices, .inverse_mass = inverse_mass};
-    int count = read_words(&read, path, fault, read_mass);
-    return count == vertices ||
-           (count >= 0 &&
-            tf_fault_set(fault,
-                         strcmp(path, "-") == 0 ? "standard input" : path, -1,
-                         "the number of masses is %d, but there are %d "
-                         "vertices; write one for each, in their order",
-                         count, vertices));
+    list read = {
+        .vertices = vertices, .number = inverse_mass, .name = "masses"};
+    return read_numbers(&read, path, fault, read_mass);
+}
+
+//: Read friction
+static bool read_coefficient(list *read, tf_text *text)
+{
+    const char *at = text->at;
+    double friction;
+    if (!tf_number_read(&at, &friction) || !ends_word(*at) ||
+        !(friction >= 0) || !isfinite(friction))
+        return fault_in_word(text, "not a coefficient of friction; write a "
+                                   "number from 0 on such as 0.5");
+    return take_number(read, text, friction, at);
+}
+
+bool tf_friction_read(const char *path, int vertices, double friction[],
+                      tf_fault *fault)
+{
+    list read = {.vertices = vertices,
+                 .number = friction,
+                 .name = "coefficients of friction"};
+    return read_numbers(&read, path, fault, read_coefficient);
 }
 
 //: Read scripted vertices
@@ -101,7 +138,7 @@ static bool read_vertex(list *read, tf_text *text)
             text, "there is no vertex %s; they are numbered from 0 to %d",
             tf_quote(text->at, (size_t)(at - text->at)).text,
             read->vertices - 1);
-    read->inverse_mass[vertex] = 0;
+    read->number[vertex] = 0;
     text->at = at;
     return true;
 }
@@ -109,6 +146,6 @@ static bool read_vertex(list *read, tf_text *text)
 bool tf_fixed_read(const char *path, int vertices, double inverse_mass[],
                    tf_fault *fault)
 {
-    list read = {.vertices = vertices, .inverse_mass = inverse_mass};
+    list read = {.vertices = vertices, .number = inverse_mass};
     return read_words(&read, path, fault, read_vertex) >= 0;
 }

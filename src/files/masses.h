@@ -8,6 +8,10 @@
 bool tf_masses_read(const char *path, int vertices, double inverse_mass[],
                     tf_fault *fault);
 
+/// Reads Coulomb's coefficients of all vertices, in their order.
+bool tf_friction_read(const char *path, int vertices, double friction[],
+                      tf_fault *fault);
+
 /// Reads the numbers, from 0, of the scripted vertices, and sets their inverse
 /// masses to 0.
 bool tf_fixed_read(const char *path, int vertices, double inverse_mass[],

@@ -44,9 +44,9 @@ typedef struct tf_query_file {
 
 //: Declare how to read a query file
 /// Starts to read a stream, or the file at `path` ("-": standard input).  The
-/// first query has the number `queries`.  Both borrow the name and the fault.  Close the
-/// file in any case, also if it cannot be opened; this closes the stream, too,
-/// unless it is standard input.
+/// first query has the number `queries`.  Both borrow the name and the fault.
+/// Close the file in any case, also if it cannot be opened; this closes the
+/// stream, too, unless it is standard input.
 void tf_query_file_start(tf_query_file *file, FILE *stream, const char *name,
                          const tf_query_kind *kind, size_t queries,
                          tf_fault *fault);

@@ -27,10 +27,12 @@ typedef struct tf_request {
     tf_method_options answering; ///< with its arithmetic also of detect
     const tf_narrow_phase *narrow_phase;
     bool first;
-    const char *out;            ///< a file, "-", or a folder of simulate
-    const char *fixed, *masses; ///< of resolve: files, or NULL
+    const char *out; ///< a file, "-", or a folder of simulate
+    const char *fixed, *masses,
+        *vertex_friction; ///< of resolve: files, or NULL
     const tf_zone_solver *solver;
-    double separation, friction, restitution;
+    double separation, friction, restitution, restitution_threshold;
+    int substeps;
     double edge; ///< of remesh and simulate: a length, 0 if not given
     int rounds;
     int steps, size; ///< of simulate

@@ -21,6 +21,7 @@ const tf_field tf_resolved_fields[] = {
     TF_FIELD("resting", tf_resolved, report.resting),
     TF_FIELD("held", tf_resolved, report.held),
     TF_FIELD("moved", tf_resolved, report.moved),
+    TF_FIELD("followed", tf_resolved, report.followed),
     TF_FIELD("candidates", tf_resolved, report.statistics.candidates),
     TF_FIELD("decided by axis", tf_resolved, report.statistics.by_axis),
     TF_FIELD("decided by filter", tf_resolved, report.statistics.by_filter),

@@ -19,6 +19,7 @@ typedef struct resolving {
     tf_threads *threads;
     tf_frames frames;
     double *inverse_mass; ///< NULL: 1 for all
+    double *friction;     ///< of each vertex, or NULL
     tf_resolver *resolver;
     tf_resolved done;
     tf_destination out;
@@ -50,6 +51,19 @@ static bool read_masses(resolving *r)
                                             r->inverse_mass, &r->frames.fault));
 }
 
+//: Read the friction of all vertices
+static bool read_friction(resolving *r)
+{
+    const char *path = r->request->vertex_friction;
+    int vertices = tf_mesh_file_vertices(tf_frames_file(&r->frames));
+    if (!path)
+        return true;
+    r->friction = malloc(sizeof *r->friction * (size_t)vertices);
+    if (!r->friction)
+        return tf_status_fault(tf_frames_file(&r->frames), TF_OUT_OF_MEMORY);
+    return tf_friction_read(path, vertices, r->friction, &r->frames.fault);
+}
+
 //: Show the progress of a response
 static bool show_progress(void *context, const tf_stage *stage)
 {
@@ -68,14 +82,18 @@ static tf_response_options options_of(resolving *r)
     bool none =
         tf_request_gave(wanted, "separation") && wanted->separation == 0;
     return (tf_response_options){
+        .size = sizeof(tf_response_options),
         .solver = wanted->solver,
         .separation = none ? -1 : wanted->separation,
         .restitution = wanted->restitution,
+        .substeps = wanted->substeps,
         .friction = wanted->friction,
         .check_start = true,
         .parallel = tf_threads_parallel(r->threads),
         .progress = show_progress,
         .context = r,
+        .restitution_threshold = wanted->restitution_threshold,
+        .vertex_friction = r->friction,
     };
 }
 
@@ -125,6 +143,7 @@ static bool do_all(resolving *r)
     const tf_request *wanted = r->request;
     if (!tf_frames_next(&r->frames, wanted->operand[0]) ||
         !tf_frames_next(&r->frames, wanted->operand[1]) || !read_masses(r) ||
+        !read_friction(r) ||
         !tf_destination_begin(&r->out, wanted->out, &r->frames.fault))
         return false;
     bool good = resolve(r);
@@ -140,6 +159,7 @@ static void free_all(resolving *r)
     tf_destination_end(&r->out);
     tf_resolver_free(r->resolver);
     free(r->inverse_mass);
+    free(r->friction);
     tf_frames_free(&r->frames);
     tf_threads_free(r->threads);
 }

@@ -11,13 +11,14 @@ typedef struct noted_answer {
     tf_response_level level;
     int round;
     double toi;
-    size_t constraint; ///< its number in the list of the zones, if they have
-                       ///< answered, or in that of the other levels
+    bool by_zones;     ///< its constraint is in the list of the zones
+    size_t constraint; ///< its number there, or in that of the other levels
 } noted_answer;
 
 void tf_answers_clear(tf_answer_list *list)
 {
     list->answers = list->constraints = 0;
+    list->settled = list->settled_constraints = 0;
     list->is_lent = false;
 }
 
@@ -49,6 +50,7 @@ bool tf_answers_add(tf_answer_list *list, const tf_contacts *contacts,
                                .level = level,
                                .round = round,
                                .toi = from->contact.toi_lo,
+                               .by_zones = level == TF_ZONES,
                                .constraint = constraint + i};
         memcpy(to[i].vertex, from->vertex, sizeof from->vertex);
     }
@@ -56,6 +58,49 @@ bool tf_answers_add(tf_answer_list *list, const tf_contacts *contacts,
     if (level != TF_ZONES)
         list->constraints += contacts->count;
     return !tf_watch_cancelled(watch);
+}
+
+//: Settle the answers of a part
+void tf_answers_drop(tf_answer_list *list)
+{
+    list->answers = list->settled;
+    list->constraints = list->settled_constraints;
+}
+
+static void take_over(tf_answer_list *list, noted_answer *own,
+                      const tf_constraint *constraint,
+                      const tf_contact_gap *gap, int part, int parts)
+{
+    tf_constraint *to = (tf_constraint *)list->constraint.data;
+    tf_contact_gap *to_gap = (tf_contact_gap *)list->gap.data;
+    size_t place = own->by_zones ? list->constraints++ : own->constraint;
+    to[place] = *constraint;
+    to_gap[place] = *gap;
+    own->constraint = place;
+    own->by_zones = false;
+    own->toi = (own->toi + part) / parts;
+}
+
+bool tf_answers_settle(tf_answer_list *list,
+                       const tf_constraint zone_constraint[],
+                       const tf_contact_gap zone_gap[], int part, int parts)
+{
+    size_t answers = list->answers - list->settled;
+    tf_contact_gap *gap;
+    if (answers > 0 && !tf_answers_extend(list, answers, &gap))
+        return false;
+    noted_answer *all = list->answer.data;
+    const tf_constraint *constraint = list->constraint.data;
+    gap = list->gap.data;
+    for (; list->settled < list->answers; list->settled++) {
+        noted_answer *own = &all[list->settled];
+        bool zones = own->by_zones;
+        take_over(list, own,
+                  (zones ? zone_constraint : constraint) + own->constraint,
+                  (zones ? zone_gap : gap) + own->constraint, part, parts);
+    }
+    list->settled_constraints = list->constraints;
+    return true;
 }
 
 //: Compare answers
@@ -124,7 +169,7 @@ bool tf_answers_lend(tf_answer_list *list,
     double *push = list->push.data;
     for (size_t i = 0; i < count; i++) {
         const noted_answer *own = sorted[i];
-        bool zones = own->level == TF_ZONES;
+        bool zones = own->by_zones;
         const tf_constraint *constraint =
             zones ? zone_constraint : list->constraint.data;
         const tf_contact_gap *gap = zones ? zone_gap : list->gap.data;

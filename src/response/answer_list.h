@@ -10,7 +10,9 @@
 /// those levels that keep none themselves.  All zero: none.
 typedef struct tf_answer_list {
     size_t answers, constraints; ///< how many
-    bool is_lent;                ///< the rows are those of the answers
+    size_t settled; ///< answers of parts of the step that have ended
+    size_t settled_constraints;
+    bool is_lent; ///< the rows are those of the answers
     tf_buffer answer, constraint, gap;
     tf_buffer row, push, sorting; ///< the rows and pushes that are lent
 } tf_answer_list;
@@ -28,6 +30,16 @@ tf_constraint *tf_answers_extend(tf_answer_list *list, size_t contacts,
 bool tf_answers_add(tf_answer_list *list, const tf_contacts *contacts,
                     tf_response_level level, int round, size_t zone_constraint,
                     tf_watch *watch);
+
+/// Ends a part of a step that is taken in several: takes over the constraints of
+/// its zones, so that those of the next part may replace them, and turns times
+/// into those of the whole step.  False if there is no memory.
+bool tf_answers_settle(tf_answer_list *list,
+                       const tf_constraint zone_constraint[],
+                       const tf_contact_gap zone_gap[], int part, int parts);
+
+/// Drops the answers of the part that has not ended.
+void tf_answers_drop(tf_answer_list *list);
 
 /// Lists all answers, sorted, in `row`, and the push of each in `push`.  False if
 /// there is no memory.

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "base/error.h"
+#include "geometry/step.h"
 #include "response/options.h"
-#include "response/step.h"
 
 /// Reads the options of a caller of any version, see tf_options_read, and
 /// chooses the narrow phase.

@@ -109,7 +109,7 @@ static double choose_normal(const tf_step *step, const tf_contact *contact,
     gap = fabs(gap);
 
     double distance = normalize(&between);
-    bool tells_side = gap > 0x1p-10 * distance &&
+    bool tells_side = gap > 0x1p-20 * distance &&
                       gap > 32 * coordinate_error(step, constraint);
     if (tells_side || !(distance > 0))
         return gap;
@@ -179,14 +179,30 @@ static double room_for(const tf_contact_rule *rule, double approach,
     return width < wanted ? pushed_part * (wanted - width) : 0;
 }
 
+//: Let what is squeezed approach
+static const double least_width = 0x1p-9; // of a gap's width at the start
+
+static bool is_squeezed(const tf_contact_rule *rule,
+                        const tf_constraint *constraint)
+{
+    bool any = false;
+    for (int i = 0; rule->squeezed && i < 4 && constraint->vertex[i] >= 0; i++)
+        any |= rule->squeezed[constraint->vertex[i]];
+    return any;
+}
+
 //: Set what a contact demands
 static void set_demands(const tf_step *step, const tf_contact_rule *rule,
                         tf_constraint *constraint, tf_contact_gap *gap)
 {
+    gap->room = gap->push = 0;
+    if (is_squeezed(rule, constraint)) {
+        constraint->bound = (least_width - 1) * gap->start;
+        return;
+    }
     double approach = fmax(0, -gap_change(step, constraint, rule->base));
     set_bound(rule, approach, constraint);
     gap->room = room_for(rule, approach, gap->start);
-    gap->push = 0;
 }
 
 //: Drop vertices that a constraint does not push

@@ -1,8 +1,8 @@
 //: Declare the constraint of a contact
 #pragma once
 
+#include "geometry/step.h"
 #include "response/constraint.h"
-#include "response/step.h"
 #include "surface/contacts.h"
 
 /// How contacts become constraints.
@@ -15,6 +15,10 @@ typedef struct tf_contact_rule {
     const double *base; ///< the ends from which the response sets out: how far
         ///< elements approach each other with these decides what
         ///< restitution returns, and how much room they get
+    const unsigned char *squeezed; ///< whether each vertex is between scripted
+        ///< ones that need room: contacts that have one
+        ///< demand no more than that a little of their
+        ///< gap is left; NULL: none is
 } tf_contact_rule;
 
 //: Declare the gap of a contact

@@ -186,10 +186,10 @@ void tf_failsafe_round(tf_failsafe *failsafe, tf_step *step,
 }
 
 //: Count the groups
-void tf_failsafe_account(tf_failsafe *failsafe, const tf_step *step,
-                         tf_response_report *report)
+int tf_failsafe_mark(tf_failsafe *failsafe, const tf_step *step)
 {
     group *all = failsafe->group.data;
+    int groups = 0;
     for (int v = 0; v < step->vertices; v++)
         all[v].joined = false;
     for (int v = 0; v < step->vertices; v++) {
@@ -198,14 +198,13 @@ void tf_failsafe_account(tf_failsafe *failsafe, const tf_step *step,
         // that differs from it is the second one of the group.
         bool second = root != v && !all[root].joined;
         all[root].joined |= second;
-        report->groups += second;
-        report->grouped += (root != v) + second;
-        report->resting += all[root].resting;
+        groups += second;
         if (root != v)
             step->flags[root] |= TF_VERTEX_GROUPED;
         step->flags[v] |= (root != v ? TF_VERTEX_GROUPED : 0) |
                           (all[root].resting ? TF_VERTEX_RESTING : 0);
     }
+    return groups;
 }
 
 //: Account for the memory of the failsafe

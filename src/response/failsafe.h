@@ -1,9 +1,9 @@
 //: Declare the failsafe
 #pragma once
 
+#include "geometry/step.h"
 #include "response/groups.h"
 #include "response/options.h"
-#include "response/step.h"
 
 #include <stddef.h>
 
@@ -25,9 +25,9 @@ bool tf_failsafe_begin(tf_failsafe *failsafe, const tf_step *step);
 void tf_failsafe_round(tf_failsafe *failsafe, tf_step *step,
                        const tf_contacts *contacts);
 
-/// Counts the groups and their vertices in a report.
-void tf_failsafe_account(tf_failsafe *failsafe, const tf_step *step,
-                         tf_response_report *report);
+/// Marks the vertices that are in groups, or rest; returns how many groups of
+/// more than one vertex there are.
+int tf_failsafe_mark(tf_failsafe *failsafe, const tf_step *step);
 
 size_t tf_failsafe_memory(const tf_failsafe *failsafe);
 void tf_failsafe_free(tf_failsafe *failsafe);

@@ -197,8 +197,8 @@ static void tell_neighbors(sweep_state *state, int constraint)
 /// gap, or its sliding, by more than the tolerance.
 static bool visit(sweep_state *state, int constraint, bool is_new)
 {
-    double friction = state->zone->friction;
     tf_constraint *own = &state->zone->constraint[constraint];
+    double friction = tf_zone_friction(state->zone, own);
     set_visited(&state->all, constraint);
     if (!is_new && !(friction > 0) && !is_off(state, own))
         return false;
@@ -237,7 +237,9 @@ static int solve_by_gauss_seidel(tf_zone *zone)
     state.least = tolerance * start(zone, &state.bodies);
     state.all = begin_agenda(zone);
     int sweeps = 1;
-    while (sweep(&state, sweeps == 1) && sweeps < zone->sweeps)
+    // An agenda that was not finished must not be followed.
+    while (tf_zone_goes_on(zone, 0) && sweep(&state, sweeps == 1) &&
+           sweeps < zone->sweeps)
         sweeps++;
     return sweeps;
 }

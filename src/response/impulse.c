@@ -1,6 +1,7 @@
 //: Include what impulses need
 #include "response/impulse.h"
 
+#include <float.h>
 #include <math.h>
 #include <stddef.h>
 
@@ -47,6 +48,42 @@ double tf_constraint_compliance(const tf_constraint *constraint,
         farthest = move > farthest ? move : farthest;
     }
     return farthest <= most_leverage * sum ? sum : 0;
+}
+
+//: Average the friction of an element
+static double clamp(double x, double least, double most)
+{
+    return fmin(fmax(x, least), most);
+}
+
+/// The mean of the coefficients of the vertices of one element: of those that
+/// have coefficients of this sign in the constraint.
+static double mean_friction(const tf_constraint *constraint, double sign,
+                            const double own[])
+{
+    double sum = 0, least = DBL_MAX, most = 0;
+    for (int i = 0; i < 4 && constraint->vertex[i] >= 0; i++) {
+        double weight = sign * constraint->coefficient[i];
+        if (!(weight > 0))
+            continue;
+        double friction = own[constraint->vertex[i]];
+        sum += weight * friction;
+        least = fmin(least, friction);
+        most = fmax(most, friction);
+    }
+    return clamp(sum, least, most);
+}
+
+//: Find the friction of a constraint
+double tf_constraint_friction(const tf_constraint *constraint,
+                              tf_friction friction)
+{
+    if (!friction.own)
+        return friction.all;
+    double first = mean_friction(constraint, 1, friction.own);
+    double second = mean_friction(constraint, -1, friction.own);
+    return clamp(sqrt(first) * sqrt(second), fmin(first, second),
+                 fmax(first, second));
 }
 
 //: Push the vertices of a constraint

@@ -24,6 +24,21 @@ double tf_constraint_gap_change(int axes, const tf_constraint *constraint,
 double tf_constraint_compliance(const tf_constraint *constraint,
                                 const double inverse_mass[]);
 
+//: Declare friction
+/// Coulomb's coefficients.
+typedef struct tf_friction {
+    double all;        ///< that of all vertices
+    const double *own; ///< that of each vertex, 0 or more; or NULL
+} tf_friction;
+
+/// Returns Coulomb's coefficient of a constraint: the geometric mean of those of
+/// its two elements, each of which is the mean of those of its vertices, weighted
+/// by the constraint's coefficients.  If all vertices have the same one, it is
+/// that, bit for bit.
+double tf_constraint_friction(const tf_constraint *constraint,
+                              tf_friction friction);
+
+//: Declare the push of a constraint
 /// Applies an impulse to the vertices of a constraint, in proportion to their
 /// coefficients.
 void tf_constraint_push(const tf_constraint *constraint, tf_vector impulse,

@@ -1,8 +1,6 @@
 //: Answer each contact by an impulse
 #include "response/impulses.h"
 
-#include "response/impulse.h"
-
 #include <stddef.h>
 
 static void read_displacements(const tf_step *step, const double end[],
@@ -33,7 +31,7 @@ static void make_room(const tf_constraint *constraint, const tf_bodies *pushed,
 
 //: Go through the contacts once
 void tf_impulses_round(tf_step *step, const tf_contacts *contacts,
-                       const tf_contact_rule *rule, double friction,
+                       const tf_contact_rule *rule, tf_friction friction,
                        double displacement[], tf_constraint constraint[],
                        tf_contact_gap gap[])
 {
@@ -46,7 +44,9 @@ void tf_impulses_round(tf_step *step, const tf_contacts *contacts,
          i++) {
         constraint[i] = tf_contact_constraint(step, &contacts->contact[i], rule,
                                               false, &gap[i]);
-        tf_constraint_visit(&constraint[i], friction, &bodies);
+        tf_constraint_visit(&constraint[i],
+                            tf_constraint_friction(&constraint[i], friction),
+                            &bodies);
         make_room(&constraint[i], &pushed_bodies, &gap[i]);
     }
     for (int v = 0; v < step->vertices; v++) {

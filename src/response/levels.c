@@ -38,13 +38,18 @@ static bool begin_level(tf_resolution *r, tf_response_level level)
 }
 
 //: Answer contacts by impulses
+static tf_friction friction_of(const tf_resolution *r)
+{
+    return (tf_friction){r->options.friction, r->options.vertex_friction};
+}
+
 static bool answer_by_impulses(tf_resolution *r)
 {
     tf_contact_gap *gap;
     tf_constraint *constraint =
         tf_answers_extend(&r->resolver->answers, r->contacts.count, &gap);
     if (constraint)
-        tf_impulses_round(&r->step, &r->contacts, &r->rule, r->options.friction,
+        tf_impulses_round(&r->step, &r->contacts, &r->rule, friction_of(r),
                           r->resolver->displacement.data, constraint, gap);
     return constraint != NULL;
 }
@@ -53,7 +58,7 @@ static bool answer_by_impulses(tf_resolution *r)
 static bool answer_by_zones(tf_resolution *r)
 {
     tf_zone_options options = {.solver = r->options.solver,
-                               .friction = r->options.friction,
+                               .friction = friction_of(r),
                                .sweeps = r->options.sweeps};
     tf_zones *zones = &r->resolver->zones;
     return tf_zones_add(zones, &r->step, &r->contacts, &r->rule, &r->zones) &&

@@ -5,7 +5,7 @@
 #include "base/require.h"
 #include "fast/detect.h"
 #include "response/choices.h"
-#include "response/resolver_memory.h"
+#include "response/levels.h"
 #include "response/start.h"
 
 #include <math.h>

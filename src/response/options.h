@@ -24,7 +24,10 @@ typedef enum tf_response_level {
     TF_LEVELS = 8    ///< room for those of later versions
 } tf_response_level;
 
-/// What it took to resolve a step.  Lent; later versions may add to its end.
+/// What it took to resolve a step, in all of its substeps.  Where scripted
+/// vertices are held back, all but the statistics is about the last trial,
+/// which is the step that is returned.  Lent; later versions may add to its
+/// end.
 typedef struct tf_response_report {
     size_t first_contacts; ///< contacts of the proposed step
     size_t contacts;       ///< those of all rounds, the first ones included
@@ -40,7 +43,7 @@ typedef struct tf_response_report {
     int groups;          ///< groups of the failsafe, of more than one vertex
     int grouped;         ///< vertices in them
     int resting;         ///< of these, vertices that stay at their start
-    int held;            ///< scripted vertices that were held back
+    int held;            ///< scripted vertices that do not go all of their way
     int moved;           ///< vertices whose end is not the proposed one
     tf_detect_statistics statistics; ///< that of all detections
     double energy_before; ///< the kinetic energy of the proposed step, the sum
@@ -48,6 +51,9 @@ typedef struct tf_response_report {
                           ///< all vertices that are not scripted
     double energy_after;  ///< that of the resolved step, without what pushes
                           ///< pairs apart: that of tf_resolver_unpushed
+    double followed;      ///< the least fraction of its script that a scripted
+        ///< vertex followed, see tf_resolver_followed; 1: none was
+        ///< held back
 } tf_response_report;
 
 //: Declare answered contacts
@@ -60,13 +66,15 @@ typedef struct tf_response_report {
 /// sum of all these is, up to rounding, the difference between where it ends
 /// without pushes, as tf_resolver_unpushed says, and where it was proposed to
 /// end; with the pushes of tf_resolver_pushes it is that between where it ends
-/// and where it was proposed to end.  Rigid zones and the failsafe have no impulses.
-/// Its layout is final.
+/// and where it was proposed to end.  Rigid zones and the failsafe have no
+/// impulses.  In substeps, impulses are about the displacement in one of them; so
+/// only the second sum is of use, and only without restitution.  Its layout is
+/// final.
 typedef struct tf_answered_contact {
     tf_kind kind;            ///< of what elements
     int vertex[4];           ///< theirs, in the order of a tf_surface_contact
     tf_response_level level; ///< which level answered
-    int round;               ///< in which of its rounds, from 0
+    int round;               ///< in which of its rounds in the substep, from 0
     int reserved;            ///< 0
     double toi; ///< when they met, 0 to 1, in the step as it was before
                 ///< this round
@@ -84,7 +92,7 @@ typedef struct tf_answered_contact {
 /// add to this list.
 typedef enum tf_vertex_flag {
     TF_VERTEX_MOVED = 1,   ///< it does not end where it was proposed to end
-    TF_VERTEX_HELD = 2,    ///< moved, though it is scripted
+    TF_VERTEX_HELD = 2,    ///< scripted, and does not go all of its way
     TF_VERTEX_GROUPED = 4, ///< in a group of the failsafe with other vertices
     TF_VERTEX_RESTING = 8, ///< in a group that stays at its start
     TF_VERTEX_RIGID = 16   ///< moved with a rigid zone
@@ -95,7 +103,7 @@ typedef enum tf_vertex_flag {
 /// means none, where it says so.
 typedef struct tf_response_options {
     size_t size; ///< sizeof(tf_response_options); 0: that of version 1.0
-    const tf_zone_solver *solver; ///< NULL: tf_gauss_seidel
+    const tf_zone_solver *solver; ///< of the motion; NULL: tf_gauss_seidel
     int impulse_rounds; ///< rounds of impulses, before zones; 0: the usual
                         ///< number, which is none; negative: none
     int zone_rounds;    ///< rounds of zones; 0: 20; negative: none
@@ -115,12 +123,22 @@ typedef struct tf_response_options {
     const tf_parallel *parallel;         ///< NULL: the caller's thread alone
     tf_progress *progress;               ///< NULL: nothing is told
     void *context;                       ///< passed on to `progress`
-    double restitution_threshold; ///< elements that were to approach each other
-                                  ///< by less than this length in the step have
-    ///< no restitution, so that what bounces comes to
-    ///< rest; 0, which is usual: all have.  With a
-    ///< gravity g and a step of dt seconds,
-    ///< 2 g dt^2 / (1 - restitution) is enough
+
+    /// Elements that were to approach each other by less than this length in the
+    /// step have no restitution, so that what bounces comes to rest; 0, which is
+    /// usual: all have.  With a gravity g and a step of dt seconds,
+    /// 2 g dt^2 / (1 - restitution) is enough.
+    double restitution_threshold;
+
+    /// Coulomb's coefficient of each vertex, finite, 0 or more, in place of
+    /// `friction`; NULL: that is the one of all vertices.  Where an element is
+    /// touched, it has the mean of the coefficients of its vertices, weighted by
+    /// barycentric coordinates, and a pair has the geometric mean of those of
+    /// its two elements, which is 0 if one of them is 0.
+    const double *vertex_friction;
+
+    int substeps; ///< in how many parts the step is taken, one after another,
+                  ///< each clear; see tf_step_resolve; 0, which is usual: 1
 } tf_response_options;
 
 /// @}

@@ -14,16 +14,39 @@
 /// After TF_OK no two elements that share no vertex touch at any time of the
 /// stored step, its start and its end included, where the pairs of elements are
 /// a vertex and a triangle or two edges or, in the plane, a vertex and an edge.
-/// This is exact; tf_surface_set_filter says what remains if pairs are left out.
-/// So the end is free of intersections, it is a legal start for
+/// This is exact.  So the end is free of intersections, it is a legal start for
 /// the next step, and nothing has passed through anything.  The function always
 /// returns, and there is such an end for every proposal.  A step without
 /// contacts comes back bit for bit, and in any other step so does every vertex
 /// that no level has moved.
 ///
-/// Vertices of inverse mass 0 are scripted: they end where they are proposed
-/// to, bit for bit, unless the failsafe has to hold them back, for example when
-/// two plates close upon a sheet.  The report counts those that it held back.
+/// Vertices of inverse mass 0 are scripted.  Pairs whose vertices all are
+/// scripted are left out: they may meet, they may be tangled at the start, and
+/// nothing is done about it.  tf_surface_set_filter says what remains if pairs
+/// are left out: at the end, an edge and a triangle may only intersect if no
+/// more than one of their five vertices is free, and in the plane two edges if
+/// no more than one of their four is.
+///
+/// Scripted vertices end where they are proposed to, bit for bit, unless
+/// something free stops them that cannot give way, such as a sheet upon which
+/// two plates close.  Those that are stopped together go the same part of
+/// their way: within 1/128 of it as far as they can without being stopped, as
+/// resolving the shortened steps finds out.  Vertices that edges connect with
+/// them, through scripted ones, are held back as well, but along each edge the
+/// parts that the vertices go may differ by how much the script stretches it,
+/// divided by the longer displacement: a limb that moves or turns as a whole
+/// stops as a whole. tf_resolver_followed tells how far each went.
+///
+/// With `substeps` the step is taken in parts, one after another.  Each part
+/// is clear as told above, and starts where the last one has ended; the end is
+/// free of intersections, and nothing has passed through anything.  But the
+/// step as a whole, in which all vertices go straight from their start to
+/// their end, need not be clear.  In each part a vertex is proposed to move by
+/// its displacement in the step divided by their number or, if there is
+/// restitution, by what the last part has left it of that; a scripted one to
+/// go on along its script.  Bodies meet when they are near each other, not a
+/// step's length before, so that a long step throws fewer vertices out of
+/// their way, and takes more time.
 ///
 /// Time and memory grow about in proportion to the contacts of all rounds.  These
 /// may be many: n edges that are pushed through n others have n^2.  For n = 1000
@@ -51,8 +74,9 @@
 /// @param[out] error what is wrong, if anything; may be NULL
 /// @return TF_OK; TF_BAD_COUNT if the surface has another number of vertices;
 ///     TF_NOT_FINITE; TF_BAD_MASS; TF_BAD_OPTION if an option is not in its
-///     range; TF_START_NOT_CLEAR; TF_BAD_ENVIRONMENT; TF_OUT_OF_MEMORY; or
-///     TF_CANCELLED, and then the resolver and its surface are as good as new
+///     range, and then `error` has the vertex if it is an option of vertices;
+///     TF_START_NOT_CLEAR; TF_BAD_ENVIRONMENT; TF_OUT_OF_MEMORY; or TF_CANCELLED,
+///     and then the resolver and its surface are as good as new
 TF_API tf_status tf_step_resolve(tf_resolver *resolver, int vertices,
                                  const double start[], double end[],
                                  const double inverse_mass[],

@@ -3,7 +3,7 @@
 
 #include "base/memory.h"
 #include "base/require.h"
-#include "response/resolver_memory.h"
+#include "response/levels.h"
 
 //: Create a resolver
 tf_status tf_resolver_create(tf_surface *surface, tf_resolver **resolver)
@@ -28,10 +28,13 @@ void tf_resolver_free(tf_resolver *resolver)
     tf_buffer_free(&resolver->base);
     tf_buffer_free(&resolver->ones);
     tf_buffer_free(&resolver->displacement);
+    tf_buffer_free(&resolver->part);
     tf_buffer_free(&resolver->flags);
+    tf_buffer_free(&resolver->followed);
     tf_zones_free(&resolver->zones);
     tf_rigid_free(&resolver->rigid);
     tf_failsafe_free(&resolver->failsafe);
+    tf_follow_free(&resolver->follow);
     tf_answers_free(&resolver->answers);
     tf_release(resolver, sizeof *resolver);
 }
@@ -77,6 +80,12 @@ const double *tf_resolver_unpushed(const tf_resolver *resolver)
     return resolver->has_resolved ? resolver->unpushed.data : NULL;
 }
 
+const double *tf_resolver_followed(const tf_resolver *resolver)
+{
+    TF_REQUIRE(resolver);
+    return resolver->has_resolved ? resolver->followed.data : NULL;
+}
+
 //: Count the memory of a resolver
 size_t tf_resolver_memory(const tf_resolver *resolver)
 {
@@ -84,9 +93,11 @@ size_t tf_resolver_memory(const tf_resolver *resolver)
     return sizeof *resolver + tf_pair_cache_memory(&resolver->pairs) +
            resolver->end.bytes + resolver->unpushed.bytes +
            resolver->base.bytes + resolver->ones.bytes +
-           resolver->displacement.bytes + resolver->flags.bytes +
+           resolver->displacement.bytes + resolver->part.bytes +
+           resolver->flags.bytes + resolver->followed.bytes +
            tf_zones_memory(&resolver->zones) +
            tf_rigid_memory(&resolver->rigid) +
            tf_failsafe_memory(&resolver->failsafe) +
+           tf_follow_memory(&resolver->follow) +
            tf_answers_memory(&resolver->answers);
 }

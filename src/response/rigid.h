@@ -1,8 +1,8 @@
 //: Declare rigid zones
 #pragma once
 
+#include "geometry/step.h"
 #include "response/groups.h"
-#include "response/step.h"
 #include "surface/contacts.h"
 
 /// Zones that move as rigid bodies.

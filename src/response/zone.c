@@ -17,6 +17,16 @@ bool tf_zone_goes_on(const tf_zone *zone, size_t visits)
     return tf_watch_work(zone->watch, VISIT * visits);
 }
 
+//: Tell a solver the friction of a constraint
+double tf_zone_friction(const tf_zone *zone, const tf_constraint *constraint)
+{
+    TF_REQUIRE(zone && constraint);
+    bool own = zone->friction < 0;
+    tf_friction friction = {zone->friction,
+                            own ? zone->inverse_mass + zone->vertices : NULL};
+    return tf_constraint_friction(constraint, friction);
+}
+
 //: Multiply by a zone's matrix
 void tf_zone_push(const tf_zone *zone, const double impulse[],
                   double displacement[])

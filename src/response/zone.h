@@ -25,10 +25,13 @@ typedef struct tf_zone {
                                 ///< or 0; out: the impulses that were found
     const double *inverse_mass; ///< of each vertex; 0: it is scripted; each
                                 ///< constraint has at least one vertex that is
-                                ///< not
+                                ///< not; if `friction` is negative, these
+                                ///< numbers are followed by Coulomb's
+                                ///< coefficient of each vertex
     double *displacement;       ///< `axes` numbers for each vertex; in: as
                                 ///< proposed; out: with all impulses applied
-    double friction;            ///< Coulomb's coefficient; 0: none
+    double friction;            ///< Coulomb's coefficient; 0: none; negative:
+                                ///< tf_zone_friction tells that of a constraint
     int sweeps;                 ///< the most iterations to make, at least 1
     void *watch;                ///< for tf_zone_goes_on; NULL: nobody cancels
     double *workspace;          ///< as many numbers as the solver asks for,
@@ -62,6 +65,16 @@ typedef struct tf_zone_solver {
 /// @return false: the caller has cancelled the step, and the zone's impulses and
 ///     displacements are of no use any more; the answer will stay the same
 TF_API bool tf_zone_goes_on(const tf_zone *zone, size_t visits);
+
+//: Declare how a solver learns of friction
+/// Finds Coulomb's coefficient of a constraint of a zone: that of the zone, or if
+/// vertices have their own, the geometric mean of those of the two elements.
+/// Thread-safe.
+/// @param zone the zone
+/// @param constraint one of its constraints, with the zone's numbers of vertices
+/// @return 0 or more
+TF_API double tf_zone_friction(const tf_zone *zone,
+                               const tf_constraint *constraint);
 
 //: Declare the product with a zone's matrix
 /// Adds the effect of one impulse for each constraint, along its normal, to the

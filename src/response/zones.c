@@ -1,7 +1,7 @@
 //: Include what zones need
 #include "response/zones.h"
 
-#include "response/impulse.h"
+#include "response/gauss_seidel.h"
 
 #include <limits.h>
 #include <math.h>
@@ -219,14 +219,24 @@ static int largest_zone(const division *d)
     return largest;
 }
 
+/// Room for the solver, and for that of the pushes.
+static size_t workspace_for(const tf_zone *zone, const tf_zone_solver *solver)
+{
+    size_t own =
+        solver->workspace(zone->axes, zone->vertices, zone->constraints);
+    size_t other = tf_gauss_seidel.workspace(zone->axes, zone->vertices,
+                                             zone->constraints);
+    return own > other ? own : other;
+}
+
+//: Pose the motion of a zone
 static bool pose(tf_zones *zones, const tf_step *step,
                  const tf_contact_rule *rule, const tf_zone_options *options,
                  division *d, tf_zone *zone)
 {
     size_t vertices = (size_t)zone->vertices, axes = (size_t)step->axes;
-    size_t workspace = options->solver->workspace(step->axes, zone->vertices,
-                                                  zone->constraints);
-    if (!tf_buffer_reserve(&zones->mass, vertices, sizeof(double)) ||
+    size_t workspace = workspace_for(zone, options->solver);
+    if (!tf_buffer_reserve(&zones->mass, 2 * vertices, sizeof(double)) ||
         !tf_buffer_reserve(&zones->displacement, axes * vertices,
                            sizeof(double)) ||
         !tf_buffer_reserve(&zones->workspace, workspace, sizeof(double)))
@@ -240,9 +250,12 @@ static bool pose(tf_zones *zones, const tf_step *step,
         memcpy(zone->displacement + (ptrdiff_t)step->axes * i, own.x,
                axes * sizeof *own.x);
         inverse_mass[i] = step->inverse_mass[v];
+        if (options->friction.own)
+            inverse_mass[vertices + (size_t)i] = options->friction.own[v];
         d->place[v] = -1;
     }
     zone->inverse_mass = inverse_mass;
+    zone->friction = options->friction.own ? -1 : options->friction.all;
     return true;
 }
 
@@ -344,13 +357,18 @@ static void keep_pushes(const tf_zones *zones, const division *d, int z,
 }
 
 //: Push the pairs of a zone apart
+enum {
+    PUSH_SWEEPS = 6 ///< the next steps make the room that these do not
+};
+
 /// Solves the constraints of a zone a second time, for pushes: without friction,
-/// and from where pushes have led before.  The displacements of the zone stay
-/// those of its motion; those with the pushes are left in `pushed`.  False if
-/// there is no memory.
+/// from where pushes have led before, and always by Gauss-Seidel, as pushes must
+/// not pull.  Constraints that were solved for their motion count as solved,
+/// though their bounds may be new.  The displacements of the zone stay those of
+/// its motion; those with the pushes are left in `pushed`.  False if there is no
+/// memory.
 static bool push_apart(tf_zones *zones, const tf_step *step,
-                       const tf_contact_rule *rule,
-                       const tf_zone_options *options, const division *d, int z,
+                       const tf_contact_rule *rule, const division *d, int z,
                        const tf_zone *zone, tf_zone_statistics *statistics)
 {
     if (!pose_pushes(zones, step, rule, d, zone))
@@ -359,9 +377,9 @@ static bool push_apart(tf_zones *zones, const tf_step *step,
     bool any = ask_for_room(zones, d, z, &pushing, zones->pushed.data);
     pushing.displacement = zones->pushed.data;
     pushing.friction = 0;
-    pushing.solved = 0; // all bounds are new
+    pushing.sweeps = zone->sweeps < PUSH_SWEEPS ? zone->sweeps : PUSH_SWEEPS;
     if (any)
-        statistics->iterations += (size_t)options->solver->solve(&pushing);
+        statistics->iterations += (size_t)tf_gauss_seidel.solve(&pushing);
     keep_pushes(zones, d, z, &pushing, any);
     for (int i = 0; i < zone->axes * zone->vertices; i++)
         pushing.displacement[i] += zone->displacement[i];
@@ -417,7 +435,6 @@ bool tf_zones_solve(tf_zones *zones, tf_step *step, const tf_contact_rule *rule,
     tf_watch_stage(step->watch, "zones", (size_t)d.first[d.zones]);
     for (int z = 0; z < d.zones; z++) {
         tf_zone zone = {.axes = step->axes,
-                        .friction = options->friction,
                         .sweeps = options->sweeps,
                         .watch = step->watch};
         if (!copy_constraints(zones, &d, z, &zone) ||
@@ -425,7 +442,7 @@ bool tf_zones_solve(tf_zones *zones, tf_step *step, const tf_contact_rule *rule,
             return false;
         account(&zone, options->solver->solve(&zone), statistics);
         keep_impulses(zones, &d, z, &zone);
-        if (!push_apart(zones, step, rule, options, &d, z, &zone, statistics))
+        if (!push_apart(zones, step, rule, &d, z, &zone, statistics))
             return false;
         move_vertices(step, rule, &d, &zone, zones->pushed.data);
         tf_watch_advance(step->watch, (size_t)zone.constraints);

@@ -4,6 +4,7 @@
 #include "base/status.h"
 #include "response/contact_constraint.h"
 #include "response/groups.h"
+#include "response/impulse.h"
 #include "response/zone.h"
 #include "surface/contacts.h"
 
@@ -27,7 +28,7 @@ typedef struct tf_zones {
 /// How zones are solved.
 typedef struct tf_zone_options {
     const tf_zone_solver *solver;
-    double friction;
+    tf_friction friction;
     int sweeps;
 } tf_zone_options;
 

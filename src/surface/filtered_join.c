@@ -43,17 +43,34 @@ static bool is_wanted(const tf_pair_filter *filter, int corners,
     return filter->wanted(filter->context, &pair);
 }
 
+//: Leave out what is scripted
+/// Whether two elements can meet by the filter, and one of their vertices can be
+/// moved, so that something can be done about it.
+static bool is_kept(const tf_surface *surface, int corners, const int first[],
+                    int others, const int second[])
+{
+    const tf_pair_filter *filter = &surface->filter;
+    const double *inverse_mass = surface->inverse_mass;
+    bool moves = !inverse_mass;
+    for (int i = 0; i < corners && !moves; i++)
+        moves = inverse_mass[first[i]] > 0;
+    for (int i = 0; i < others && !moves; i++)
+        moves = inverse_mass[second[i]] > 0;
+    return moves && ((!filter->group && !filter->wanted) ||
+                     is_wanted(filter, corners, first, others, second));
+}
+
 //: Ask the filter about a pair at rest
-/// Whether the filter wants all pairs that remain without one of the vertices.
-static bool is_wanted_at_rest(const tf_pair_filter *filter, int corners,
-                              int others, const int vertex[])
+/// Whether all pairs are kept that remain without one of the vertices.
+static bool is_kept_at_rest(const tf_surface *surface, int corners, int others,
+                            const int vertex[])
 {
     for (int i = 0; i < corners + others; i++) {
         int rest[4], count = 0, first = corners - (i < corners);
         for (int j = 0; j < corners + others; j++)
             if (j != i)
                 rest[count++] = vertex[j];
-        if (!is_wanted(filter, first, rest, count - first, rest + first))
+        if (!is_kept(surface, first, rest, count - first, rest + first))
             return false;
     }
     return true;
@@ -71,12 +88,12 @@ typedef struct filter_job {
 
 static bool passes(const filter_job *job, tf_candidate pair)
 {
-    const tf_pair_filter *filter = &job->surface->filter;
+    const tf_surface *surface = job->surface;
     int corners = job->corners, others = job->others, vertex[5];
-    tf_pair_vertices(job->surface, corners, others, pair, vertex);
-    return corners + others > job->surface->axes + 1
-               ? is_wanted_at_rest(filter, corners, others, vertex)
-               : is_wanted(filter, corners, vertex, others, vertex + corners);
+    tf_pair_vertices(surface, corners, others, pair, vertex);
+    return corners + others > surface->axes + 1
+               ? is_kept_at_rest(surface, corners, others, vertex)
+               : is_kept(surface, corners, vertex, others, vertex + corners);
 }
 
 /// Drops pairs from a sink: its function of that name.
@@ -111,7 +128,8 @@ void tf_surface_join(tf_surface *surface, int corners, int others,
 {
     tf_workers *workers = &surface->workers;
     filter_job job = {surface, corners, others};
-    bool filters = surface->filter.group || surface->filter.wanted;
+    bool filters = surface->filter.group || surface->filter.wanted ||
+                   surface->inverse_mass;
     for (int i = 0; i < workers->count && filters; i++) {
         tf_pair_sink *sink = &workers->worker[i]->sink;
         sink->filter = filter_pairs;

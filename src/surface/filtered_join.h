@@ -6,9 +6,10 @@
 /// Joins the elements of a surface that have so many corners with those that
 /// have `others`: 1 with 2 or 3, or 2 with 2 or 3.  Does what tf_workers_join
 /// does with their trees, but leaves out the pairs that the surface's filter
-/// does. A pair of a vertex more than those of a step, which only a surface at
-/// rest is checked for, is left out if the filter leaves out any of the pairs
-/// that remain when one of its vertices is taken away.
+/// does, and those whose vertices all have the inverse mass 0.  A pair of a
+/// vertex more than those of a step, which only a surface at rest is checked
+/// for, is left out if any of the pairs are that remain when one of its
+/// vertices is taken away.
 void tf_surface_join(tf_surface *surface, int corners, int others,
                      bool (*take)(tf_pair_sink *, int, const tf_candidate[]),
                      tf_task_rows rows[], const tf_parallel *parallel);

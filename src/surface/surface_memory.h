@@ -15,6 +15,8 @@ typedef struct tf_surface {
     tf_elements edges, triangles;
     tf_pair_filter filter; ///< with a copy of the groups, in `groups`
     tf_buffer groups;
+    const double *inverse_mass; ///< of the vertices: pairs whose vertices all
+        ///< have 0 are left out, too; NULL: no such pair
     tf_frame frame;  ///< of the paths
     tf_buffer paths; ///< of the vertices
     tf_tree vertex_tree, edge_tree, triangle_tree;

@@ -31,6 +31,12 @@ START_TEST(each_kind_sets_all_members)
     tf_fail_option(&error, "friction", "0 or more", -1);
     ck_assert(error.status == TF_BAD_OPTION && error.value == -1 &&
               error.time == -1);
+    error = filled;
+    tf_fail_vertex_option(&error, "friction", "0 or more", 7, -2);
+    ck_assert(error.status == TF_BAD_OPTION && error.value == -2 &&
+              error.subject == TF_VERTEX && error.index == 7 &&
+              error.vertex[0] == 7 && error.vertex[1] == -1 && error.option &&
+              error.range && error.time == -1);
 }
 END_TEST
 
@@ -52,6 +58,8 @@ START_TEST(error_may_be_null)
     ck_assert_int_eq(tf_fail_query(NULL, TF_NOT_FINITE, 3, 1, 0),
                      TF_NOT_FINITE);
     ck_assert_int_eq(tf_fail_option(NULL, "a", "b", 0), TF_BAD_OPTION);
+    ck_assert_int_eq(tf_fail_vertex_option(NULL, "a", "b", 3, 0),
+                     TF_BAD_OPTION);
     ck_assert_int_eq(tf_fail_element(NULL, TF_BAD_INDEX, TF_EDGE, 0, 0),
                      TF_BAD_INDEX);
     ck_assert_int_eq(

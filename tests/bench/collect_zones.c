@@ -52,7 +52,7 @@ static void run(cloth_scene scene, int edges, int steps, long part)
         require(tf_step_resolve(resolver, cloth->mesh.vertices, cloth->position,
                                 end, cloth->inverse_mass, &options, NULL,
                                 NULL) == TF_OK);
-        cloth_accept(cloth, end);
+        cloth_accept(cloth, tf_resolver_unpushed(resolver), end);
     }
     fprintf(stderr, "%s: %ld zones, every %ld\n", cloth_names[scene], came,
             every);

@@ -120,7 +120,7 @@ static costs measure(scene *s, int steps)
         size_t taken = tf_resolver_memory(s->resolver);
         sum.grown += 2 * i > steps && taken > bytes;
         bytes = taken;
-        cloth_accept(s->cloth, s->end);
+        cloth_accept(s->cloth, tf_resolver_unpushed(s->resolver), s->end);
     }
     return sum;
 }

@@ -60,7 +60,7 @@ static tally run(cloth_scene which, int edges, int steps,
                                 NULL));
         sum.time += processor_seconds() - begin;
         account(report, &sum);
-        cloth_accept(cloth, end);
+        cloth_accept(cloth, tf_resolver_unpushed(resolver), end);
     }
     tf_resolver_free(resolver);
     tf_surface_free(surface);

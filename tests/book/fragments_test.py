@@ -93,6 +93,12 @@ class Check(unittest.TestCase):
     def test_refuses_what_does_not_tangle_back(self):
         self.assert_fault("a.c:2: does not tangle back", a="//: Do it\nint a;")
 
+    def test_refuses_lines_wider_than_a_page(self):
+        self.assert_fault("a.c:2: 83 columns are more than the 82 of a page",
+                          a="//: Do it\n" + "/" * 83 + "\n")
+        well, said = self.check(a="//: Do it\n" + "/" * 82 + "\n")
+        self.assertTrue(well, said)
+
     def test_refuses_bad_titles(self):
         self.assert_fault("a.c:1: 'do it' does not start", a="//: do it\n1\n")
         self.assert_fault("a.c:1: 'Do it.' ends", a="//: Do it.\n1\n")

@@ -80,6 +80,44 @@ START_TEST(each_vertex_needs_a_mass)
 }
 END_TEST
 
+// Friction --------------------------------------------------------------------
+
+START_TEST(friction_is_read)
+{
+    const double right[] = {0, 0.5, 8, DBL_MAX};
+    expect_read(tf_friction_read, "0\n.5\n8\n0x1.fffffffffffffp1023\n", right);
+    const double least[] = {0x1p-1074, 0, 0, 1};
+    expect_read(tf_friction_read, "0x1p-1074 0 # none\n\n-0 1", least);
+}
+END_TEST
+
+START_TEST(invalid_friction_is_rejected)
+{
+    static const char *const words[] = {
+        "-1", "-1e-300", "nan", "inf", "1e999", "x", "1x", "1,2", "-0x1p-1074"};
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
+        char text[100], right[100];
+        snprintf(text, sizeof text, "1 1\n#\n1 %s # 4\n", words[i]);
+        snprintf(right, sizeof right,
+                 "'%s' is not a coefficient of friction; write a number from 0 "
+                 "on such as 0.5",
+                 words[i]);
+        expect_refused(tf_friction_read, text, 3, right);
+    }
+}
+END_TEST
+
+START_TEST(each_vertex_needs_friction)
+{
+    expect_refused(tf_friction_read, "1\n0\n1\n", -1,
+                   "the number of coefficients of friction is 3, but there are "
+                   "4 vertices; write one for each, in their order");
+    expect_refused(tf_friction_read, "1 1 1\n1\n1\n", 3,
+                   "more coefficients of friction than the 4 vertices; write "
+                   "one for each");
+}
+END_TEST
+
 // Scripted vertices -----------------------------------------------------------
 
 START_TEST(scripted_vertices_have_no_inverse_mass)
@@ -120,8 +158,8 @@ END_TEST
 START_TEST(unreadable_files_are_rejected)
 {
     double inverse_mass[VERTICES];
-    reader *const readers[] = {tf_masses_read, tf_fixed_read};
-    for (int i = 0; i < 2; i++) {
+    reader *const readers[] = {tf_masses_read, tf_fixed_read, tf_friction_read};
+    for (int i = 0; i < 3; i++) {
         ck_assert(!readers[i]("absent", VERTICES, inverse_mass, &fault));
         expect_words(fault.text, "cannot open: No such file or directory; ");
         make_binary_file("zero", "0 \0", 3);
@@ -139,6 +177,9 @@ Suite *suite(void)
     tcase_add_test(lists, masses_are_inverted);
     tcase_add_test(lists, invalid_masses_are_rejected);
     tcase_add_test(lists, each_vertex_needs_a_mass);
+    tcase_add_test(lists, friction_is_read);
+    tcase_add_test(lists, invalid_friction_is_rejected);
+    tcase_add_test(lists, each_vertex_needs_friction);
     tcase_add_test(lists, scripted_vertices_have_no_inverse_mass);
     tcase_add_test(lists, invalid_vertices_are_rejected);
     tcase_add_test(lists, absent_vertices_are_rejected);

@@ -167,6 +167,8 @@ START_TEST(each_type_of_argument_is_read)
                      tf_choice_named(tf_arithmetics, "report"));
     read_option(TF_REMESH, "rounds", "1000");
     ck_assert_int_eq(request.rounds, 1000);
+    read_option(TF_RESOLVE, "substeps", "1000");
+    ck_assert_int_eq(request.substeps, 1000);
     read_option(TF_SIMULATE, "steps", "0");
     ck_assert_int_eq(request.steps, 0);
     read_option(TF_RESOLVE, "restitution", "0x1p-2");

@@ -47,6 +47,7 @@ static const tf_resolved resolved = {.status = "resolved",
                                                         .by_signs = 20},
                                          .energy_before = 21.5,
                                          .energy_after = 22.5,
+                                         .followed = 0.625,
                                      }};
 
 START_TEST(a_summary_tells_all_of_a_response)
@@ -57,7 +58,7 @@ START_TEST(a_summary_tells_all_of_a_response)
               "impulse rounds: 3\nzone rounds: 4\nrigid rounds: 5\n"
               "failsafe rounds: 6\nrows: 7\nzones: 8\nlargest zone: 9\n"
               "iterations: 10\nviolation: 0.25\nsmallest gap: 0.5\ngroups: 11\n"
-              "grouped: 12\nresting: 13\nheld: 14\nmoved: 15\n"
+              "grouped: 12\nresting: 13\nheld: 14\nmoved: 15\nfollowed: 0.625\n"
               "candidates: 17\ndecided by axis: 18\ndecided by filter: 19\n"
               "decided by signs: 20\nenergy before: 21.5\nenergy after: 22.5\n"
               "seconds: 0.125\n");
@@ -74,7 +75,7 @@ START_TEST(json_tells_all_of_a_response)
         "\"failsafe_rounds\":6,\"rows\":7,\"zones\":8,\"largest_zone\":9,"
         "\"iterations\":10,\"violation\":0.25,\"smallest_gap\":0.5,"
         "\"groups\":11,\"grouped\":12,\"resting\":13,\"held\":14,\"moved\":15,"
-        "\"candidates\":17,\"decided_by_axis\":18,"
+        "\"followed\":0.625,\"candidates\":17,\"decided_by_axis\":18,"
         "\"decided_by_filter\":19,\"decided_by_signs\":20,"
         "\"energy_before\":21.5,\"energy_after\":22.5,\"seconds\":0.125}\n");
     ck_assert_msg(!json_fault(text), "%s", json_fault(text));

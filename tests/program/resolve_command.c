@@ -130,7 +130,7 @@ START_TEST(scripted_vertices_are_held_back_where_nothing_else_helps)
 {
     outcome found = resolved("open", "closed", "new", "-f plates");
     ck_assert_int_eq(occurrences(found.out, "\nheld: 0\n"), 0);
-    ck_assert_int_eq(occurrences(found.out, "\nfailsafe rounds: 0\n"), 0);
+    ck_assert_int_eq(occurrences(found.out, "\nfollowed: 0."), 1);
 }
 END_TEST
 
@@ -187,6 +187,35 @@ START_TEST(friction_slows_what_slides)
 }
 END_TEST
 
+START_TEST(vertices_have_their_own_friction)
+{
+    make_file("slid", TRIANGLE "v 0.5 0 -1\nv 1 0.5 -3\n");
+    make_file("rough", "9 9 9 9 9\n");
+    make_file("slippery", "9 9 9 0 0 # the edge that falls\n");
+    double free =
+        coordinate("above", "slid",
+                   "-f floor --vertex-friction slippery --friction 9", 3, 0);
+    double held =
+        coordinate("above", "slid", "-f floor --vertex-friction rough", 3, 0);
+    ck_assert_msg(fabs(free - 0.5) < 1e-3 && fabs(held) < 1e-3, "%g %g", free,
+                  held);
+}
+END_TEST
+
+START_TEST(slow_approaches_have_no_restitution)
+{
+    static const char all[] =
+        "-f floor --restitution 1 --restitution-threshold ";
+    char below[100], above[100];
+    snprintf(below, sizeof below, "%s1.999", all);
+    snprintf(above, sizeof above, "%s2.001", all);
+    double thrown = coordinate("above", "below", below, 3, 2);
+    double stopped = coordinate("above", "below", above, 3, 2);
+    ck_assert_msg(fabs(stopped - 1) < 1e-3 && fabs(thrown - 3) < 1e-3, "%g %g",
+                  stopped, thrown);
+}
+END_TEST
+
 START_TEST(solvers_differ)
 {
     static const char iterations[] = "\niterations: ";
@@ -213,6 +242,9 @@ START_TEST(every_option_of_the_response_is_passed_on)
         "--separation=0.5",
         "--friction 0.5",
         "--restitution 1",
+        "--restitution-threshold 0.1",
+        "--vertex-friction ones",
+        "--substeps 3",
         "-f floor --masses ones --friction 1 --restitution .5 -t 1"};
     make_file("ones", "1 1 1 1 1");
     for (size_t i = 0; i < sizeof options / sizeof *options; i++)
@@ -497,6 +529,10 @@ START_TEST(lists_that_do_not_fit_are_refused)
     expect_error("above below --masses few",
                  "tanglefree: few: the number of masses is 3, but there are 5 "
                  "vertices; write one for each, in their order\n");
+    make_file("rubber", "1 1\n1 1 -1\n");
+    expect_error("above below --vertex-friction rubber",
+                 "tanglefree: rubber:2: '-1' is not a coefficient of friction; "
+                 "write a number from 0 on such as 0.5\n");
     expect_error("above below --masses few -f few",
                  "tanglefree: few: the number of masses is 3, but there are 5 "
                  "vertices; write one for each, in their order\n");
@@ -567,7 +603,10 @@ START_TEST(help_describes_the_command)
         "--solver=NAME",
         "--separation=X",
         "--friction=X",
+        "--vertex-friction=FILE",
         "--restitution=X",
+        "--restitution-threshold=X",
+        "--substeps=N",
         "--format=FORMAT",
         "-t, --threads=NUMBER",
         "csv, json or summary;",
@@ -630,6 +669,9 @@ START_TEST(wrong_arguments_are_refused)
     expect_usage("resolve above below -o new --friction=-1",
                  "tanglefree resolve: --friction must be 0 or more, got "
                  "'-1'\n");
+    expect_usage("resolve above below -o new --restitution-threshold=-1",
+                 "tanglefree resolve: --restitution-threshold must be 0 or "
+                 "more, got '-1'\n");
     expect_usage("resolve above below -o new --separation inf",
                  "tanglefree resolve: --separation must be 0 or more, got "
                  "'inf'\n");
@@ -681,7 +723,9 @@ Suite *suite(void)
     tcase_add_test(small, heavy_vertices_move_less);
     tcase_add_test(small, near_elements_are_pushed_apart);
     tcase_add_test(small, restitution_throws_back);
+    tcase_add_test(small, slow_approaches_have_no_restitution);
     tcase_add_test(small, friction_slows_what_slides);
+    tcase_add_test(small, vertices_have_their_own_friction);
     tcase_add_test(small, solvers_differ);
     tcase_add_test(small, every_option_of_the_response_is_passed_on);
 

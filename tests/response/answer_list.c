@@ -111,6 +111,45 @@ START_TEST(coefficients_are_those_of_the_vertices_in_the_row)
 }
 END_TEST
 
+/// Adds a contact that a round of zones answers, as each part has.
+static void add_part(int number)
+{
+    const tf_surface_contact contact = contact_of(TF_POINT_EDGE, 1, 2, 3, -1);
+    const tf_constraint zones[] = {constraint_of(1, 2, 0),
+                                   constraint_of(1, 2, number)};
+    const tf_constraint push = constraint_of(2, 3, 100 + number);
+    const tf_contact_gap gaps[] = {gap_of(&zones[0]), gap_of(&zones[1])};
+    add(TF_IMPULSES, 0, 1, &contact, &push);
+    add(TF_ZONES, 1, 1, &contact, NULL);
+    if (number == 2) { // tried again
+        tf_answers_drop(&list);
+        add(TF_ZONES, 1, 1, &contact, NULL);
+    }
+    ck_assert(tf_answers_settle(&list, zones, gaps, number, 4));
+}
+
+// Each part has its own constraints of zones; times are those of the whole step.
+START_TEST(parts_are_settled_one_after_another)
+{
+    static const double impulses[] = {100, 0, 101, 1, 2, 103, 3};
+    static const int parts[] = {0, 0, 1, 1, 2, 3, 3};
+    tf_answers_clear(&list);
+    for (int i = 0; i < 4; i++)
+        add_part(i);
+    ck_assert(tf_answers_lend(&list, NULL, NULL));
+    ck_assert_uint_eq(list.answers, 7);
+    const tf_answered_contact *row = list.row.data;
+    const double *push = list.push.data;
+    for (int i = 0; i < 7; i++) {
+        ck_assert_double_eq(row[i].impulse, impulses[i]);
+        ck_assert_double_eq(push[i], 4 * impulses[i]);
+        ck_assert_double_eq(row[i].toi, (parts[i] + 0.25) / 4);
+        ck_assert_int_eq(row[i].level,
+                         impulses[i] >= 100 ? TF_IMPULSES : TF_ZONES);
+    }
+}
+END_TEST
+
 START_TEST(rows_are_made_once)
 {
     const tf_answered_contact *row = lend();
@@ -168,6 +207,7 @@ Suite *suite(void)
                    rows_are_sorted_by_elements_then_by_levels_and_rounds);
     tcase_add_test(tcase, coefficients_are_those_of_the_vertices_in_the_row);
     tcase_add_test(tcase, rows_are_made_once);
+    tcase_add_test(tcase, parts_are_settled_one_after_another);
     tcase_add_test(tcase, a_list_that_is_cleared_is_empty);
     tcase_add_test(tcase, a_caller_who_cancels_is_heard);
     suite_add_tcase(suite, tcase);

@@ -2,6 +2,7 @@
 
 #include "support/support.h"
 
+#include <limits.h>
 #include <math.h>
 
 START_TEST(options_out_of_range_are_named)
@@ -23,6 +24,7 @@ START_TEST(options_out_of_range_are_named)
         {{.separation = -INFINITY}, "separation"},
         {{.separation = NAN}, "separation"},
         {{.sweeps = -1}, "sweeps"},
+        {{.substeps = -1}, "substeps"},
     };
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
         tf_error error;
@@ -41,6 +43,7 @@ START_TEST(limits_of_ranges_are_in_them)
         {.restitution_threshold = 1e308},
         {.friction = 1e308, .separation = -1e308},
         {.impulse_rounds = -1, .zone_rounds = -1},
+        {.substeps = INT_MAX},
     };
     for (size_t i = 0; i < sizeof good / sizeof *good; i++) {
         tf_error error = {.option = "left"};

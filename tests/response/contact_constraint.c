@@ -253,11 +253,33 @@ START_TEST(bounds_ask_for_restitution_and_gaps_for_room)
                     {8, 0.5, 9, 0, 0.09375}};
     for (size_t i = 0; i < sizeof expected / sizeof *expected; i++) {
         tf_contact_rule rule = {expected[i].separation, expected[i].restitution,
-                                expected[i].threshold, s.end};
+                                expected[i].threshold, s.end, NULL};
         tf_constraint constraint =
             tf_contact_constraint(&s.step, &s.contact, &rule, false, &gap);
         ck_assert_double_eq_tol(constraint.bound, expected[i].bound, 1e-15);
         ck_assert_double_eq_tol(gap.room, expected[i].room, 1e-15);
+        ck_assert_double_eq(gap.push, 0);
+    }
+}
+END_TEST
+
+// Of the gap of 1/8, 2^-9 is to be left where one of the vertices is squeezed.
+START_TEST(what_is_squeezed_may_approach)
+{
+    scene s;
+    tf_contact_gap gap;
+    constraint_in_plane(&s, (double[]){0, 0.125, -2, 0, 2, 0},
+                        (double[]){0, 0.125, -2, 1, 2, 1}, &gap);
+    for (int v = 0; v <= 3; v++) {
+        unsigned char squeezed[4] = {0};
+        squeezed[v] = 1;
+        tf_contact_rule rule = {8, 0.5, 0, s.end, squeezed};
+        tf_constraint constraint =
+            tf_contact_constraint(&s.step, &s.contact, &rule, false, &gap);
+        double least = 0x1p-9 * 0.125;
+        ck_assert_double_eq(constraint.bound, v < 3 ? least - 0.125 : 0.5);
+        ck_assert_double_eq(gap.room, v < 3 ? 0 : 0.09375);
+        ck_assert_double_eq(gap.start, 0.125);
         ck_assert_double_eq(gap.push, 0);
     }
 }
@@ -271,6 +293,7 @@ Suite *suite(void)
     tcase_add_loop_test(any, pivots_meet_along_the_normal, 0, KINDS);
     suite_add_tcase(s, any);
     TCase *one = tcase_create("single contacts");
+    tcase_add_test(one, what_is_squeezed_may_approach);
     tcase_add_test(one, coordinates_share_a_push);
     tcase_add_test(one, pivots_are_pushed_where_the_dots_want_nothing);
     tcase_add_test(one,

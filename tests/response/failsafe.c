@@ -38,7 +38,12 @@ static void meet(int point, int a, int b)
 static tf_response_report account(void)
 {
     tf_response_report report = {0};
-    tf_failsafe_account(&failsafe, &s.step, &report);
+    memset(s.step.flags, 0, sizeof s.flags);
+    report.groups = tf_failsafe_mark(&failsafe, &s.step);
+    for (int v = 0; v < s.step.vertices; v++) {
+        report.grouped += (s.step.flags[v] & TF_VERTEX_GROUPED) != 0;
+        report.resting += (s.step.flags[v] & TF_VERTEX_RESTING) != 0;
+    }
     return report;
 }
 

@@ -3,6 +3,7 @@
 
 #include "response/impulse.h"
 #include "support/long_solves.h"
+#include "support/memory.h"
 #include "support/support.h"
 #include "support/watches.h"
 #include "support/zones.h"
@@ -266,6 +267,55 @@ START_TEST(friction_is_coulombs)
 }
 END_TEST
 
+// Two vertices slide over a third one, which is heavy.
+START_TEST(vertices_have_their_own_friction)
+{
+    tf_constraint constraint[] = {constraint_of(0, 2), constraint_of(1, 2)};
+    double numbers[] = {1, 1, 0, 0.5, 0, 0.5}, d[] = {2, -1, 2, -1, 0, 0};
+    tf_zone zone = zone_of(3, 2, constraint, numbers, d);
+    zone.solved = 0;
+    zone.friction = -1;
+    solve(&zone);
+    ck_assert_double_eq_tol(d[0], 1.5, 1e-12);
+    ck_assert_double_eq_tol(d[2], 2, 1e-12);
+}
+END_TEST
+
+/// Gives each vertex of a zone the same coefficient.
+static void give_friction(zone_case *z, double friction, double numbers[])
+{
+    for (int v = 0; v < z->zone.vertices; v++) {
+        numbers[v] = z->inverse_mass[v];
+        numbers[z->zone.vertices + v] = friction;
+    }
+    z->zone.inverse_mass = numbers;
+    z->zone.friction = -1;
+}
+
+START_TEST(equal_friction_of_vertices_is_that_of_the_zone)
+{
+    generator random = generator_new(310);
+    for (int i = 0; i < 20; i++) {
+        zone_case z = random_zone(&random, 3);
+        size_t vertices = (size_t)z.zone.vertices;
+        double *numbers = allocate(2 * vertices, sizeof *numbers);
+        double *once = allocate(3 * vertices, sizeof *once);
+        double friction = i == 0 ? 0 : uniform(&random, 0, 2);
+        z.zone.friction = friction;
+        zone_solve(&z, &tf_gauss_seidel, 10);
+        memcpy(once, z.displacement, 3 * vertices * sizeof *once);
+        for (int c = 0; c < z.zone.constraints; c++)
+            memset(z.constraint[c].friction, 0, sizeof z.constraint->friction);
+        give_friction(&z, friction, numbers);
+        zone_solve(&z, &tf_gauss_seidel, 10);
+        ck_assert_mem_eq(z.displacement, once, 3 * vertices * sizeof *once);
+        free(numbers);
+        free(once);
+        zone_free(&z);
+    }
+}
+END_TEST
+
 START_TEST(a_caller_may_cancel)
 {
     const char *fault = long_solve_fault(&tf_gauss_seidel, 6);
@@ -474,6 +524,8 @@ Suite *suite(void)
                         16);
     tcase_add_test(hand, impulses_are_taken_back_if_they_push_much_too_much);
     tcase_add_test(hand, friction_is_coulombs);
+    tcase_add_test(hand, vertices_have_their_own_friction);
+    tcase_add_test(hand, equal_friction_of_vertices_is_that_of_the_zone);
     suite_add_tcase(suite, hand);
 
     TCase *tcase_long = tcase_create("long");

@@ -3,6 +3,7 @@
 
 #include "support/support.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdbool.h>
 #include <string.h>
@@ -271,6 +272,107 @@ START_TEST(scripted_vertices_are_left_alone)
 }
 END_TEST
 
+// Friction of vertices --------------------------------------------------------
+
+static tf_constraint random_pair(generator *random)
+{
+    scene s = random_scene(random);
+    if (s.axes == 2 || below(random, 2))
+        return s.constraint;
+    double a = uniform(random, 0, 1), b = uniform(random, 0, 1);
+    const double edges[] = {a, 1 - a, -b, b - 1};
+    memcpy(s.constraint.coefficient, edges, sizeof edges);
+    return s.constraint;
+}
+
+static double friction_of(const tf_constraint *constraint, const double own[])
+{
+    return tf_constraint_friction(constraint, (tf_friction){7, own});
+}
+
+START_TEST(one_coefficient_for_all_is_that_of_a_constraint)
+{
+    static const double ends[] = {0, 0x1p-1074, 0x1p-1022, 1, DBL_MAX};
+    generator random = generator_new(77);
+    for (int i = 0; i < TRIALS; i++) {
+        tf_constraint constraint = random_pair(&random);
+        double m = i < 5 ? ends[i] : uniform(&random, 0, 3);
+        const double own[VERTICES] = {m, m, m, m};
+        ck_assert_double_eq(friction_of(&constraint, own), m);
+        ck_assert_double_eq(
+            tf_constraint_friction(&constraint, (tf_friction){m, NULL}), m);
+    }
+}
+END_TEST
+
+START_TEST(friction_is_the_geometric_mean_of_both_elements)
+{
+    generator random = generator_new(78);
+    for (int i = 0; i < TRIALS; i++) {
+        tf_constraint constraint = random_pair(&random);
+        long double mean[2] = {0};
+        double own[VERTICES];
+        for (int v = 0; v < VERTICES; v++) {
+            double c = constraint.coefficient[v];
+            own[v] = ldexp(uniform(&random, 0, 1), below(&random, 9));
+            mean[c < 0] += fabsl((long double)c) * own[v];
+        }
+        double wanted = (double)sqrtl(mean[0] * mean[1]);
+        ck_assert_double_eq_tol(friction_of(&constraint, own), wanted,
+                                1e-14 * wanted);
+        ck_assert_double_eq(
+            tf_constraint_friction(&constraint, (tf_friction){7, NULL}), 7);
+    }
+}
+END_TEST
+
+// Whatever the other element is made of.
+START_TEST(an_element_without_friction_slides)
+{
+    tf_constraint constraint = {.vertex = {0, 1, 2, 3},
+                                .coefficient = {0.25, 0.75, -0.5, -0.5}};
+    const double first[] = {0, 0, DBL_MAX, DBL_MAX}, second[] = {9, 1, 0, 0};
+    ck_assert_double_eq(friction_of(&constraint, first), 0);
+    ck_assert_double_eq(friction_of(&constraint, second), 0);
+}
+END_TEST
+
+// The product of both would be infinite, or 0.
+START_TEST(coefficients_are_of_any_size)
+{
+    const tf_constraint constraint = {.vertex = {0, 1, 2, 3},
+                                      .coefficient = {0.25, 0.75, -0.5, -0.5}};
+    const double large[] = {0x1p1020, 0x1p1020, 16, 16};
+    ck_assert_double_eq(friction_of(&constraint, large), 0x1p512);
+    const double small[] = {0x1p-900, 0x1p-900, 0x1p-1000, 0x1p-1000};
+    ck_assert_double_eq(friction_of(&constraint, small), 0x1p-950);
+}
+END_TEST
+
+// Which element comes first, and in which order it has its vertices, makes no
+// difference but for rounding.
+START_TEST(friction_has_no_order)
+{
+    generator random = generator_new(79);
+    for (int i = 0; i < TRIALS; i++) {
+        tf_constraint constraint = random_pair(&random), turned = constraint;
+        int used = constraint.vertex[3] < 0 ? 3 : 4;
+        double own[VERTICES];
+        for (int v = 0; v < VERTICES; v++) {
+            own[v] = uniform(&random, 0, 2);
+            int from = used - 1 - v;
+            if (v >= used)
+                continue;
+            turned.vertex[v] = constraint.vertex[from];
+            turned.coefficient[v] = -constraint.coefficient[from];
+        }
+        double friction = friction_of(&constraint, own);
+        ck_assert_double_eq_tol(friction_of(&turned, own), friction,
+                                1e-15 * friction);
+    }
+}
+END_TEST
+
 Suite *suite(void)
 {
     Suite *s = suite_create("response/impulse");
@@ -288,5 +390,12 @@ Suite *suite(void)
     tcase_add_test(friction, friction_is_that_of_coulomb);
     tcase_add_test(friction, friction_takes_energy);
     suite_add_tcase(s, friction);
+    TCase *own = tcase_create("friction of vertices");
+    tcase_add_test(own, one_coefficient_for_all_is_that_of_a_constraint);
+    tcase_add_test(own, friction_is_the_geometric_mean_of_both_elements);
+    tcase_add_test(own, an_element_without_friction_slides);
+    tcase_add_test(own, coefficients_are_of_any_size);
+    tcase_add_test(own, friction_has_no_order);
+    suite_add_tcase(s, own);
     return s;
 }

@@ -112,6 +112,32 @@ START_TEST(invalid_masses_are_rejected)
 }
 END_TEST
 
+/// Friction of vertices is younger than version 1.0, too.
+static tf_response_options friction_of(const double own[3])
+{
+    return (tf_response_options){.size = sizeof(tf_response_options),
+                                 .separation = -1,
+                                 .friction = 9,
+                                 .vertex_friction = own};
+}
+
+START_TEST(invalid_friction_of_vertices_is_rejected)
+{
+    static const double bad[] = {-1, -0x1p-1074, NAN, INFINITY, -INFINITY};
+    double own[] = {0, DBL_MAX, 1};
+    tf_response_options options = friction_of(own);
+    make_fall(0);
+    own[_i % 3] = bad[_i];
+    expect(TF_BAD_OPTION, 3, &options);
+    ck_assert_str_eq(error.option, "vertex_friction");
+    ck_assert_int_eq(error.subject, TF_VERTEX);
+    ck_assert_uint_eq(error.index, (size_t)_i % 3);
+    ck_assert_int_eq(error.vertex[0], _i % 3);
+    options.size = 0;
+    resolve(options);
+}
+END_TEST
+
 START_TEST(masses_of_any_size_are_taken)
 {
     static const double most[] = {0x1p-1074, 0x1p-1022, DBL_MAX, 1e300, -0.};
@@ -233,6 +259,37 @@ START_TEST(friction_slows_sliding)
 }
 END_TEST
 
+// The vertex falls by 2, which is stopped, and to the side by 1.  Where it meets
+// the edge, 7/16 of that are behind it.
+START_TEST(vertices_have_their_own_friction)
+{
+    static const struct {
+        double own[3], friction;
+    } expected[] = {
+        {{0.25, 0.25, 0.25}, 0.25},
+        {{0, 0, 9}, 0},
+        {{9, 9, 0}, 0},
+        {{0.1875, 0.1875, 0.75}, 0.375},
+        {{0.8, 0, 0.2}, 0.3}, // 9/16 of 0.8 and 7/16 of 0
+        {{0, 0.8, 0.2}, 0.26457513110645905},
+    };
+    make_fall(0);
+    made.start[0] = made.end[0] = -4;
+    made.start[2] = made.end[2] = 4;
+    made.start[4] = -1;
+    made.end[4] = 0;
+    for (size_t i = 0; i < sizeof expected / sizeof *expected; i++) {
+        resolve(friction_of(expected[i].own));
+        ck_assert_double_eq_tol(end[4], -2 * expected[i].friction, 1e-12);
+        tf_response_options impulses = friction_of(expected[i].own);
+        impulses.impulse_rounds = 5;
+        impulses.zone_rounds = -1;
+        resolve(impulses);
+        ck_assert_double_eq_tol(end[4], -2 * expected[i].friction, 1e-12);
+    }
+}
+END_TEST
+
 // A quarter of what is missing to the separation, or to half of the way.
 START_TEST(near_pairs_are_pushed_apart)
 {
@@ -254,17 +311,40 @@ START_TEST(near_pairs_are_pushed_apart)
 }
 END_TEST
 
-// The edge is scripted to pass the point, which is scripted to stay.
-START_TEST(scripted_vertices_are_held_back_if_need_be)
+// The point is scripted to pass the edge, which is scripted to stay.
+START_TEST(scripted_vertices_pass_each_other)
 {
     make_fall(0);
     made.inverse_mass[2] = 0;
     resolve((tf_response_options){0});
-    ck_assert_mem_eq(end, made.start, 6 * sizeof *end);
-    ck_assert_int_eq(report.held, 1);
-    ck_assert_int_eq(report.resting, 3);
-    ck_assert_int_eq(report.groups, 1);
-    ck_assert_int_eq(report.grouped, 3);
+    ck_assert_mem_eq(end, made.end, 6 * sizeof *end);
+    ck_assert_uint_eq(report.first_contacts, 0);
+    ck_assert_int_eq(report.held, 0);
+    ck_assert_double_eq(report.followed, 1);
+    ck_assert_double_eq(report.energy_before, 0);
+}
+END_TEST
+
+// A lid from height 2 to -2, and under it a point at 1 above a floor: so half of
+// the way is free.
+START_TEST(scripted_vertices_go_as_far_as_they_can)
+{
+    make_fall(0);
+    memcpy(made.end + 4, made.start + 4, 2 * sizeof *made.end);
+    for (int i = 0; i < 2; i++) {
+        int v = proposal_add_vertex(&made, 8 * i - 4, 2, 0);
+        made.inverse_mass[v] = 0;
+        made.end[2 * v + 1] = -2;
+    }
+    proposal_add_edge(&made, 3, 4);
+    resolve((tf_response_options){0});
+    ck_assert_int_eq(report.held, 2);
+    ck_assert_double_le(report.followed, 0.5);
+    ck_assert_double_ge(report.followed, 0.5 - 0x1p-7);
+    for (int i = 6; i < 10; i++)
+        ck_assert_double_eq(end[i],
+                            made.start[i] + (made.end[i] - made.start[i]) *
+                                                report.followed);
     ck_assert_double_eq(report.energy_before, 0);
 }
 END_TEST
@@ -300,6 +380,7 @@ Suite *suite(void)
     TCase *bad = tcase_create("trouble");
     tcase_add_test(bad, options_out_of_range_are_refused);
     tcase_add_loop_test(bad, invalid_masses_are_rejected, 0, 5);
+    tcase_add_loop_test(bad, invalid_friction_of_vertices_is_rejected, 0, 5);
     tcase_add_test(bad, invalid_positions_are_rejected);
     tcase_add_test(bad, starts_that_are_not_clear_are_rejected);
     tcase_add_test_raise_signal(bad, null_breaks_the_contract, SIGABRT);
@@ -311,8 +392,10 @@ Suite *suite(void)
     tcase_add_test(tcase, restitution_reverses_the_approach);
     tcase_add_test(tcase, slow_approaches_have_no_restitution);
     tcase_add_test(tcase, friction_slows_sliding);
+    tcase_add_test(tcase, vertices_have_their_own_friction);
     tcase_add_test(tcase, near_pairs_are_pushed_apart);
-    tcase_add_test(tcase, scripted_vertices_are_held_back_if_need_be);
+    tcase_add_test(tcase, scripted_vertices_pass_each_other);
+    tcase_add_test(tcase, scripted_vertices_go_as_far_as_they_can);
     suite_add_tcase(suite, tcase);
 
     TCase *extreme = tcase_create("extremes");

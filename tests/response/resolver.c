@@ -240,17 +240,29 @@ START_TEST(levels_without_impulses_say_whom_they_moved)
 }
 END_TEST
 
-// Two scripted vertices pass each other's edges: nothing but the failsafe helps.
+// A lid closes upon a floor, with the vertex between them: it can go half of its
+// way.
 START_TEST(scripted_vertices_are_held)
 {
     tf_surface *surface;
     make_fall(0);
-    made.inverse_mass[2] = 0;
+    for (int i = 0; i < 2; i++) {
+        int v = proposal_add_vertex(&made, 8 * i - 4, 2, 0);
+        made.inverse_mass[v] = 0;
+        made.end[2 * v + 1] = -2;
+    }
+    proposal_add_edge(&made, 3, 4);
     tf_resolver *resolver = begin(&surface);
     expect_good(resolver, &(tf_response_options){0});
     told all = tell(resolver);
-    ck_assert_int_gt(count_flags(&all, TF_VERTEX_HELD), 0);
-    ck_assert_int_eq(count_flags(&all, TF_VERTEX_RESTING), 3);
+    ck_assert_int_eq(count_flags(&all, TF_VERTEX_HELD), 2);
+    const double *followed = tf_resolver_followed(resolver);
+    for (int v = 0; v < 3; v++)
+        ck_assert_double_eq(followed[v], 1);
+    for (int v = 3; v < 5; v++) {
+        ck_assert_double_le(followed[v], 0.5);
+        ck_assert_double_ge(followed[v], 0.5 - 0x1p-7);
+    }
     finish(resolver, surface);
 }
 END_TEST

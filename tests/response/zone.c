@@ -94,6 +94,24 @@ START_TEST(visits_are_counted_until_the_caller_cancels)
 }
 END_TEST
 
+// The coefficients of vertices follow their masses.
+START_TEST(a_zone_tells_the_friction_of_a_constraint)
+{
+    const double masses_and_friction[] = {9, 9, 0.5, 2};
+    const tf_constraint constraint = {.vertex = {0, 1, -1, -1},
+                                      .coefficient = {1, -1}};
+    tf_zone zone = {.axes = 2,
+                    .vertices = 2,
+                    .inverse_mass = masses_and_friction,
+                    .friction = 0.3};
+    ck_assert_double_eq(tf_zone_friction(&zone, &constraint), 0.3);
+    zone.friction = 0;
+    ck_assert_double_eq(tf_zone_friction(&zone, &constraint), 0);
+    zone.friction = -1;
+    ck_assert_double_eq_tol(tf_zone_friction(&zone, &constraint), 1, 1e-15);
+}
+END_TEST
+
 // Nothing is written any more.
 START_TEST(products_end_early)
 {
@@ -123,6 +141,7 @@ Suite *suite(void)
     tcase_add_test_raise_signal(tcase, null_breaks_the_contract, SIGABRT);
     tcase_add_test(tcase, a_zone_without_a_watch_goes_on);
     tcase_add_test(tcase, visits_are_counted_until_the_caller_cancels);
+    tcase_add_test(tcase, a_zone_tells_the_friction_of_a_constraint);
     tcase_add_test(tcase, products_end_early);
     suite_add_tcase(suite, tcase);
     return suite;

@@ -96,6 +96,7 @@ static resolution_counts total(int processes)
         sum.met += count->met;
         sum.rescued += count->rescued;
         sum.held += count->held;
+        sum.shortened += count->shortened;
         sum.rested += count->rested;
         sum.exact += count->exact;
         sum.rounds = count->rounds > sum.rounds ? count->rounds : sum.rounds;

@@ -20,15 +20,17 @@ static double product(const double a[3], const double b[3])
 
 // Rows ------------------------------------------------------------------------
 
+/// @param in_parts whether levels and rounds begin anew in each part of a step
 static bool is_sorted(const tf_answered_contact *a,
-                      const tf_answered_contact *b)
+                      const tf_answered_contact *b, bool in_parts)
 {
     if (a->kind != b->kind)
         return a->kind < b->kind;
     for (int i = 0; i < 4; i++)
         if (a->vertex[i] != b->vertex[i])
             return a->vertex[i] < b->vertex[i];
-    return a->level < b->level || (a->level == b->level && a->round < b->round);
+    return in_parts || a->level < b->level ||
+           (a->level == b->level && a->round < b->round);
 }
 
 static const char *coefficient_fault(const tf_answered_contact *row)
@@ -65,6 +67,20 @@ static const char *friction_fault(const tf_answered_contact *row,
     return NULL;
 }
 
+/// Coulomb's coefficient of a contact, as the options have it.
+static double friction_of(const tf_answered_contact *row,
+                          const tf_response_options *options)
+{
+    int first = row->kind == TF_EDGE_EDGE ? 2 : 1;
+    double mean[2] = {0};
+    if (!options->vertex_friction)
+        return options->friction;
+    for (int i = 0; i < 4 && row->vertex[i] >= 0; i++)
+        mean[i >= first] += fabs(row->coefficient[i]) *
+                            options->vertex_friction[row->vertex[i]];
+    return sqrt(mean[0]) * sqrt(mean[1]);
+}
+
 static const char *impulse_fault(const tf_answered_contact *row, double error,
                                  const answered_step *step)
 {
@@ -80,7 +96,7 @@ static const char *impulse_fault(const tf_answered_contact *row, double error,
         return "an impulse below 0";
     if (row->impulse > 0 && fabs(length(row->normal) - 1) > 1e-9)
         return "a normal is not of length 1";
-    return friction_fault(row, step->options->friction, error);
+    return friction_fault(row, friction_of(row, step->options), error);
 }
 
 static const char *row_fault(const tf_answered_contact *row, double error,
@@ -105,7 +121,8 @@ static const char *rows_fault(const tf_answered_contact *row, size_t count,
         const char *fault = row_fault(&row[i], error, step);
         if (fault)
             return fault;
-        if (i > 0 && !is_sorted(&row[i - 1], &row[i]))
+        if (i > 0 &&
+            !is_sorted(&row[i - 1], &row[i], step->options->substeps > 1))
             return "rows are not sorted";
         zones += row[i].level == TF_ZONES;
     }
@@ -182,7 +199,7 @@ static const char *sums_fault(const tf_answered_contact *row, size_t count,
                      row[i].coefficient[j], &sums[v]);
         }
     for (int v = 0; v < step->vertices && !fault; v++) {
-        if (flags[v] & (TF_VERTEX_GROUPED | TF_VERTEX_RIGID))
+        if (flags[v] & (TF_VERTEX_GROUPED | TF_VERTEX_RIGID | TF_VERTEX_HELD))
             continue;
         if (pushed)
             *pushed += sums[v].size > 0;
@@ -263,8 +280,10 @@ const char *answers_fault(tf_resolver *resolver, const answered_step *given,
         fault = rows_fault(row, count, step);
     if (!fault)
         fault = pushes_fault(row, push, count, step);
-    if (!fault)
+    if (!fault && step->options->substeps <= 1)
         fault = sums_fault(row, count, NULL, flags, step, unpushed, NULL);
+    if (step->options->substeps > 1 && step->options->restitution > 0)
+        return fault;
     return fault ? fault
                  : sums_fault(row, count, push, flags, step, step->end, pushed);
 }

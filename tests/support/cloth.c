@@ -324,10 +324,11 @@ void cloth_propose(const cloth_model *cloth, double end[])
             relax(cloth, &cloth->spring[i], end);
 }
 
-void cloth_accept(cloth_model *cloth, const double end[])
+void cloth_accept(cloth_model *cloth, const double unpushed[],
+                  const double end[])
 {
     for (int i = 0; i < cloth->mesh.axes * cloth->mesh.vertices; i++) {
-        cloth->velocity[i] = damping * (end[i] - cloth->position[i]);
+        cloth->velocity[i] = damping * (unpushed[i] - cloth->position[i]);
         cloth->position[i] = end[i];
     }
 }

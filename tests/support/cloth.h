@@ -46,7 +46,9 @@ void cloth_free(cloth_model *cloth);
 /// Where the vertices should be after a step, if nothing were in their way.
 void cloth_propose(const cloth_model *cloth, double end[]);
 
-/// Goes on from where the vertices are after all.
-void cloth_accept(cloth_model *cloth, const double end[]);
+/// Goes on from where the vertices are after all, with the velocities of where
+/// they would be without pushes.
+void cloth_accept(cloth_model *cloth, const double unpushed[],
+                  const double end[]);
 
 #endif

@@ -26,8 +26,29 @@ static bool is_left_out_by_callback(const pair_rule *rule, tf_kind kind,
     return rule->filter.wanted && (int)(hash >> 40 & 15) < rule->part;
 }
 
+static bool has_free_vertex(const pair_rule *rule, int count,
+                            const int vertex[])
+{
+    for (int i = 0; i < count; i++)
+        if (rule->inverse_mass[vertex[i]] > 0)
+            return true;
+    return false;
+}
+
+const double *pair_rule_weigh(generator *random, int vertices, pair_rule *made)
+{
+    double scripted = uniform(random, 0.3, 1);
+    made->weighs = true;
+    for (int v = 0; v < vertices; v++)
+        made->inverse_mass[v] = uniform(random, 0, 1) < scripted ? 0 : 1;
+    return made->inverse_mass;
+}
+
 bool pair_rule_keeps(const pair_rule *rule, tf_kind kind, const int vertex[])
 {
+    int count = kind == TF_POINT_EDGE ? 3 : 4;
+    if (rule->weighs && !has_free_vertex(rule, count, vertex))
+        return false;
     return !is_one_group(rule, kind == TF_POINT_EDGE ? 3 : 4, vertex) &&
            !is_left_out_by_callback(rule, kind, vertex);
 }

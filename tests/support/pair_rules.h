@@ -19,6 +19,9 @@ typedef struct pair_rule {
     int group[RULE_VERTICES];
     uint64_t salt;
     int part; ///< how many of 16 pairs the callback leaves out
+    bool weighs;
+    double inverse_mass[RULE_VERTICES]; ///< if it weighs: pairs are left out
+                                        ///< whose vertices all have 0
 } pair_rule;
 
 /// Makes a filter by groups, by a callback, or by both.  The callback aborts if
@@ -26,6 +29,9 @@ typedef struct pair_rule {
 /// @param position of the vertices: some groups are on one side of a plane
 void pair_rule_make(generator *random, int axes, int vertices,
                     const double position[], pair_rule *made);
+
+/// Gives the vertices masses, some or most inverse ones 0; returns these.
+const double *pair_rule_weigh(generator *random, int vertices, pair_rule *made);
 
 /// Whether a step has the pair, whose vertices are those of a contact.
 bool pair_rule_keeps(const pair_rule *rule, tf_kind kind, const int vertex[]);

@@ -412,10 +412,22 @@ void proposal_make(generator *random, proposal_shape shape, int size,
     propose(random, way, made);
 }
 
+/// Scripts all vertices on one side of another one.
+static void script_side(generator *random, proposal *made)
+{
+    int axes = made->mesh.axes, k = below(random, axes);
+    double to = made->start[axes * below(random, made->mesh.vertices) + k];
+    for (int v = 0; v < made->mesh.vertices; v++)
+        if (made->start[axes * v + k] < to)
+            made->inverse_mass[v] = 0;
+}
+
 void proposal_weigh(generator *random, proposal *made)
 {
     double scripted = uniform(random, 0, 0.5);
     for (int v = 0; v < made->mesh.vertices; v++)
         made->inverse_mass[v] =
             uniform(random, 0, 1) < scripted ? 0 : uniform(random, 0.1, 10);
+    if (below(random, 3) == 0)
+        script_side(random, made);
 }

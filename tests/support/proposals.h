@@ -74,7 +74,7 @@ int proposal_add_sheet(proposal *made, int n, double height);
 void proposal_make(generator *random, proposal_shape shape, int size,
                    proposal_way way, proposal *made);
 
-/// Some inverse masses random, some 0.
+/// Some inverse masses random, some 0; sometimes all on one side are.
 void proposal_weigh(generator *random, proposal *made);
 
 #endif

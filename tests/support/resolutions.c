@@ -27,6 +27,7 @@ static bool differ(const proposal *made, const double a[], const double b[],
 /// What the report says of the vertices that were moved, against the ends.
 static const char *report_fault(const proposal *made, bool weighed,
                                 const double proposed[],
+                                const tf_response_options *options,
                                 const tf_response_report *report)
 {
     int moved = 0, held = 0;
@@ -39,11 +40,12 @@ static const char *report_fault(const proposal *made, bool weighed,
         return "the report counts other vertices that were moved";
     if (held != report->held)
         return "the report counts other scripted vertices held back";
-    if (held > 0 && report->rounds[TF_FAILSAFE] == 0)
-        return "scripted vertices held back, but not by the failsafe";
+    if ((held > 0) != (report->followed < 1))
+        return "scripted vertices held back, but all the way; or vice versa";
     if (report->first_contacts == 0 && moved > 0)
         return "a clear step was changed";
-    if (report->rounds[TF_FAILSAFE] >= made->mesh.vertices)
+    int parts = options && options->substeps > 1 ? options->substeps : 1;
+    if (report->rounds[TF_FAILSAFE] >= parts * made->mesh.vertices)
         return "as many rounds of the failsafe as vertices, or more";
     return NULL;
 }
@@ -103,7 +105,7 @@ static const char *judged_fault(tf_resolver *resolver, tangle_judge *judge,
         options,         report};
     const char *fault = end_fault(judge, made, exactly);
     if (!fault)
-        fault = report_fault(made, weighed, proposed, report);
+        fault = report_fault(made, weighed, proposed, step.options, report);
     return fault ? fault : answers_fault(resolver, &step, NULL);
 }
 
@@ -112,6 +114,7 @@ const char *resolution_fault(proposal *made, bool weighed, bool exactly,
                              tf_response_report *report)
 {
     tangle_judge *judge = tangle_judge_new(&made->mesh);
+    tangle_judge_script(judge, weighed ? made->inverse_mass : NULL);
     tf_surface *surface = NULL;
     tf_resolver *resolver = NULL;
     const char *fault = "no resolver";
@@ -127,6 +130,15 @@ const char *resolution_fault(proposal *made, bool weighed, bool exactly,
 
 // Numbers ---------------------------------------------------------------------
 
+/// Of each vertex, some of which have none.
+static const double *random_friction(generator *random)
+{
+    static double own[PROPOSAL_VERTICES];
+    for (int v = 0; v < PROPOSAL_VERTICES; v++)
+        own[v] = below(random, 4) ? uniform(random, 0, 2) : 0;
+    return own;
+}
+
 static tf_response_options random_options(generator *random)
 {
     static const tf_zone_solver *const solvers[] = {
@@ -141,6 +153,11 @@ static tf_response_options random_options(generator *random)
     options.restitution = below(random, 3) ? 0 : uniform(random, 0, 1);
     options.friction = below(random, 3) ? 0 : uniform(random, 0, 2);
     options.check_start = below(random, 2);
+    options.size = sizeof options;
+    options.restitution_threshold =
+        below(random, 2) ? 0 : uniform(random, 0, 1);
+    options.vertex_friction = below(random, 3) ? NULL : random_friction(random);
+    options.substeps = below(random, 3) ? 0 : below(random, 6);
     return options;
 }
 
@@ -158,6 +175,7 @@ static void count(const tf_response_report *report, resolution_counts *counts)
     counts->met += report->first_contacts > 0;
     counts->rescued += rounds > 0;
     counts->held += report->held > 0;
+    counts->shortened += report->held > 0 && report->followed > 0;
     counts->rested += report->resting > 0;
     counts->rounds = rounds > counts->rounds ? rounds : counts->rounds;
 }
@@ -165,9 +183,10 @@ static void count(const tf_response_report *report, resolution_counts *counts)
 void resolution_counts_print(const resolution_counts *counts)
 {
     printf("%ld proposals: %ld with contacts, %ld by the failsafe, %ld held "
-           "back, %ld put to rest, %ld judged on the way, %d rounds at most\n",
+           "back, %ld of these a part of the way, %ld put to rest, %ld judged "
+           "on the way, %d rounds at most\n",
            counts->tries, counts->met, counts->rescued, counts->held,
-           counts->rested, counts->exact, counts->rounds);
+           counts->shortened, counts->rested, counts->exact, counts->rounds);
 }
 
 /// What is being tried, for the handler.
@@ -185,6 +204,16 @@ enum {
     FEW_VERTICES = 30
 };
 
+/// Proposes a next step, from where the last one has ended.
+static void go_on(generator *random, proposal *made)
+{
+    double reach = made->unit * uniform(random, 0, 2);
+    int numbers = made->mesh.axes * made->mesh.vertices;
+    memcpy(made->start, made->end, sizeof *made->end * (size_t)numbers);
+    for (int i = 0; i < numbers; i++)
+        made->end[i] += uniform(random, -reach, reach);
+}
+
 const char *numbered_fault(long number, resolution_counts *counts)
 {
     static proposal made;
@@ -201,13 +230,18 @@ const char *numbered_fault(long number, resolution_counts *counts)
     tf_contract_set_handler(show_tried);
     bool weighed = below(&random, 2);
     bool exactly = made.mesh.vertices <= FEW_VERTICES && below(&random, 4) == 0;
-    tf_response_options options = random_options(&random);
-    tf_response_report report = {0};
-    const char *fault =
-        resolution_fault(&made, weighed, exactly, &options, &report);
-    counts->tries++;
-    counts->exact += exactly;
-    count(&report, counts);
+    const char *fault = NULL;
+    for (int steps = 1 + below(&random, 2); steps > 0 && !fault; steps--) {
+        tf_response_options options = random_options(&random);
+        tf_response_report report = {0};
+        bool straight = options.substeps <= 1;
+        fault = resolution_fault(&made, weighed, exactly && straight, &options,
+                                 &report);
+        counts->tries++;
+        counts->exact += exactly && straight;
+        count(&report, counts);
+        go_on(&random, &made);
+    }
     if (!fault)
         return NULL;
     snprintf(text, sizeof text, "proposal %ld of seed %llu, %s %s: %s", number,

@@ -13,7 +13,9 @@ typedef struct resolution_counts {
     long held;    ///< of these, such that it held back scripted vertices
     long rested;  ///< or put others to rest
     long exact;   ///< judged on the way, too, pair by pair
-    int rounds;   ///< of the failsafe, most
+    long
+        shortened; ///< of those held back, such that all went a part of the way
+    int rounds;    ///< of the failsafe, most
 } resolution_counts;
 
 /// What is wrong with a proposal of this start, resolved with these options;

@@ -234,6 +234,7 @@ struct tangle_judge {
     int found, room;
     tangle *tangle;
     const double *position;
+    const double *inverse_mass; ///< NULL: all pairs count
 };
 
 static int compare_ints(const void *a, const void *b)
@@ -298,7 +299,28 @@ void tangle_judge_free(tangle_judge *judge)
     free(judge);
 }
 
+void tangle_judge_script(tangle_judge *judge, const double inverse_mass[])
+{
+    judge->inverse_mass = inverse_mass;
+}
+
 // Pairs -----------------------------------------------------------------------
+
+static int count_free(const tangle_judge *judge, const element *e)
+{
+    int count = 0;
+    for (int i = 0; i < e->corners; i++)
+        count += judge->inverse_mass[e->vertex[i]] > 0;
+    return count;
+}
+
+static bool counts(const tangle_judge *judge, const element *a,
+                   const element *b)
+{
+    int more = a->corners + b->corners - judge->axes - 1;
+    return !judge->inverse_mass ||
+           count_free(judge, a) + count_free(judge, b) > more;
+}
 
 static bool share_vertex(const element *a, const element *b)
 {
@@ -379,7 +401,7 @@ static void judge_pair(tangle_judge *judge, const element *a, const element *b)
         b = swapped;
     }
     if (kind_of(judge->axes, a, b, &kind) && !share_vertex(a, b) &&
-        meet(judge, kind, a, b))
+        counts(judge, a, b) && meet(judge, kind, a, b))
         add_tangle(judge, kind, a, b);
 }
 
@@ -498,7 +520,7 @@ static void judge_moving_pair(tangle_judge *judge, const element *a,
     tf_worldline first[3], second[3];
     mpq_t toi;
     if (!kind_of(judge->axes, a, b, &kind) || share_vertex(a, b) ||
-        kind == EDGE_PIERCES_TRIANGLE ||
+        !counts(judge, a, b) || kind == EDGE_PIERCES_TRIANGLE ||
         (kind == EDGES_MEET && judge->axes == 2))
         return;
     find_worldlines(judge->axes, a, start, end, first);

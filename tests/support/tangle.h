@@ -28,6 +28,11 @@ typedef struct tangle_judge tangle_judge;
 tangle_judge *tangle_judge_new(const tf_mesh *mesh);
 void tangle_judge_free(tangle_judge *judge);
 
+/// Has the judge leave out what nothing can be done about: pairs of a step whose
+/// vertices all have an inverse mass of 0, and pairs at rest of a vertex more if
+/// without one of their vertices all others have.  The masses are borrowed.
+void tangle_judge_script(tangle_judge *judge, const double inverse_mass[]);
+
 /// Judges the pairs of elements whose boxes overlap, which are found by a sweep
 /// along one axis; returns how many tangles there are.
 int tangle_count(tangle_judge *judge, const double position[]);

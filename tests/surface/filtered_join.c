@@ -16,7 +16,7 @@
 #include "surface/candidates.h"
 #include "surface/check.h"
 #include "surface/detect.h"
-#include "surface/surface.h"
+#include "surface/surface_memory.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -34,6 +34,9 @@ static tf_surface *filtered_surface(generator *random)
     ck_assert_int_eq(tf_surface_set_filter(surface, &rule.filter, &error),
                      TF_OK);
     ck_assert_int_eq(error.status, TF_OK);
+    if (below(random, 2))
+        surface->inverse_mass =
+            pair_rule_weigh(random, given.mesh.vertices, &rule);
     return surface;
 }
 
@@ -294,6 +297,7 @@ START_TEST(a_filter_that_is_removed_leaves_no_trace)
         tf_surface *surface = filtered_surface(&random),
                    *whole = surface_of(&given.mesh);
         detect(surface);
+        surface->inverse_mass = NULL;
         ck_assert_int_eq(tf_surface_set_filter(surface, NULL, NULL), TF_OK);
         tf_contacts expected = detect(whole), found = detect(surface);
         ck_assert_uint_eq(found.statistics.candidates,

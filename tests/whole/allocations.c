@@ -39,7 +39,7 @@ static long play(cloth_scene which, int edges, int begin, int steps,
                             end, cloth->inverse_mass, NULL, NULL, NULL);
         all += i >= begin ? memory.calls - before : 0;
         ck_assert_int_eq(status, TF_OK);
-        cloth_accept(cloth, end);
+        cloth_accept(cloth, tf_resolver_unpushed(*resolver), end);
     }
     free(end);
     cloth_free(cloth);

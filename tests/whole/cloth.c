@@ -23,7 +23,7 @@ START_TEST(proposals_of_clear_cloth_tangle)
         cloth_propose(cloth, end);
         for (size_t i = 0; i < numbers; i++)
             ck_assert(isfinite(end[i]));
-        cloth_accept(cloth, end);
+        cloth_accept(cloth, end, end);
         tangled += tangle_count(judge, end) > 0;
     }
     printf("%s: %d vertices, tangled after %d of %d steps\n", cloth_names[_i],

@@ -683,6 +683,26 @@ START_TEST(masses_are_zero_or_more)
 }
 END_TEST
 
+START_TEST(friction_of_vertices_is_zero_or_more)
+{
+    static const double bad[] = {-1, -0x1p-1074, NAN, INFINITY, -INFINITY};
+    for (int k = 0; k < COUNT(bad); k++) {
+        const double own[] = {1, 0, bad[k], 1};
+        const tf_response_options options = {.size = sizeof options,
+                                             .vertex_friction = own};
+        double to[3 * VERTICES];
+        tf_error error;
+        memcpy(to, end, sizeof to);
+        tf_status status = tf_step_resolve(resolver, VERTICES, start, to, NULL,
+                                           &options, NULL, &error);
+        expect_error("friction", status, TF_BAD_OPTION, &error);
+        ck_assert_str_eq(error.option, "vertex_friction");
+        ck_assert_int_eq(error.vertex[0], 2);
+        ck_assert_mem_eq(to, end, sizeof to);
+    }
+}
+END_TEST
+
 // Null pointers ---------------------------------------------------------------
 
 START_TEST(null_is_allowed_where_the_header_says_so)
@@ -917,6 +937,7 @@ static void contacts_without(int null)
     const double *push;
     tf_resolver_pushes(GIVEN(4, resolver), GIVEN(5, &count), GIVEN(6, &push));
     tf_resolver_unpushed(GIVEN(7, resolver));
+    tf_resolver_followed(GIVEN(8, resolver));
 }
 
 static void zone_without(int null)
@@ -928,6 +949,8 @@ static void zone_without(int null)
     tf_zone_gap_changes(GIVEN(4, &zone), GIVEN(5, numbers), GIVEN(6, numbers));
     tf_zone_multiply(GIVEN(7, &zone), GIVEN(8, numbers), GIVEN(9, numbers),
                      GIVEN(10, numbers));
+    const tf_constraint constraint = {.vertex = {-1, -1, -1, -1}};
+    tf_zone_friction(GIVEN(11, &zone), GIVEN(12, &constraint));
 }
 
 static void limit_without(int null)
@@ -950,8 +973,8 @@ static const null_call null_calls[] = {
     {allocator_without, 2},      {detect_without, 3},
     {list_without, 3},           {check_without, 3},
     {resolver_without, 2},       {resolve_without, 3},
-    {limit_without, 4},          {contacts_without, 8},
-    {zone_without, 11},          {NULL, 0},
+    {limit_without, 4},          {contacts_without, 9},
+    {zone_without, 13},          {NULL, 0},
 };
 
 Suite *suite(void)
@@ -980,6 +1003,7 @@ Suite *suite(void)
     tcase_add_test(c, allocators_stay_while_memory_is_in_use);
     tcase_add_test(c, numbers_of_responses_are_in_their_ranges);
     tcase_add_test(c, masses_are_zero_or_more);
+    tcase_add_test(c, friction_of_vertices_is_zero_or_more);
     tcase_add_test(c, null_is_allowed_where_the_header_says_so);
     suite_add_tcase(misuse, c);
 

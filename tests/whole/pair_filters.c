@@ -104,6 +104,7 @@ static void resolve(scene *s, generator *random)
     counts.steps++;
     counts.met += report->first_contacts > 0;
     counts.rescued += report->rounds[TF_FAILSAFE] > 0;
+    tangle_judge_script(s->judge, made.inverse_mass);
     expect_clear(s,
                  made.mesh.vertices <= FEW_VERTICES && below(random, 4) == 0);
 }
@@ -133,7 +134,7 @@ static void try_proposal(generator *random, int number)
     bool starts_clear = tangle_count(s.judge, made.start) == 0;
     for (int i = 0; i < STEPS && starts_clear; i++) {
         counts.tangled += tangle_count(s.judge, made.start) > 0;
-        if (i == 1 && number % 3 == 0)
+        if (i == 0 && number % 3 == 0)
             shorten(&s);
         else
             resolve(&s, random);

@@ -71,7 +71,7 @@ static tf_response_report step(scene *s, const tf_response_options *options)
     int count = tangle_count(s->judge, s->end);
     ck_assert_msg(count == 0, "%d tangles, such as %s", count,
                   count ? tangle_text(tangles(s->judge)) : "");
-    cloth_accept(s->cloth, s->end);
+    cloth_accept(s->cloth, tf_resolver_unpushed(s->resolver), s->end);
     return *lent;
 }
 

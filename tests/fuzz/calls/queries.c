@@ -568,7 +568,7 @@ enum {
 
 typedef struct zone_arrays {
     tf_constraint constraint[CONSTRAINTS];
-    double inverse_mass[VERTICES], displacement[3 * VERTICES];
+    double inverse_mass[2 * VERTICES], displacement[3 * VERTICES];
 } zone_arrays;
 
 /// Two edges of unequal weights, or in the plane a point and an edge.
@@ -596,13 +596,16 @@ static tf_zone any_zone(generator *random, zone_arrays *arrays)
                     .constraint = arrays->constraint,
                     .inverse_mass = arrays->inverse_mass,
                     .displacement = arrays->displacement,
-                    .friction = one_in(random, 2) ? 0 : 0.5,
+                    .friction = below(random, 3) / 2. - 0.5,
                     .sweeps = 1 + below(random, 40)};
     zone.solved = below(random, zone.constraints + 1);
     for (int i = 0; i < zone.constraints; i++)
         arrays->constraint[i] = any_constraint(random, zone.axes);
     for (int v = 0; v < VERTICES; v++)
         arrays->inverse_mass[v] = v < 3 && one_in(random, 4) ? 0 : 1;
+    for (int v = VERTICES; v < 2 * VERTICES;
+         v++) // friction, if it is asked for
+        arrays->inverse_mass[v] = one_in(random, 4) ? 0 : uniform(random, 0, 2);
     for (int i = 0; i < 3 * VERTICES; i++)
         arrays->displacement[i] = uniform(random, -2, 2);
     return zone;
@@ -628,8 +631,11 @@ void call_solver(generator *random)
             "it makes more iterations than it may");
     require(&made, all_finite(zone.axes * VERTICES, arrays.displacement),
             "displacements overflow");
-    for (int i = 0; i < zone.constraints; i++)
+    for (int i = 0; i < zone.constraints; i++) {
         impulse[i] = zone.constraint[i].impulse;
+        double friction = tf_zone_friction(&zone, &zone.constraint[i]);
+        require(&made, friction >= 0 && friction <= 2, "a coefficient");
+    }
     tf_zone_multiply(&zone, impulse, gap_change, workspace);
     require(&made, all_finite(zone.constraints, gap_change), "gaps overflow");
 }

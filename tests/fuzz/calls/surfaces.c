@@ -529,6 +529,7 @@ void call_lend(generator *random, body *of)
 typedef struct response_options {
     tf_response_options own;
     unsigned char later[LATER];
+    double friction[MOST_VERTICES]; ///< of each vertex
 } response_options;
 
 static bool is_within(double x, double least, double most)
@@ -586,14 +587,36 @@ static void draw_response(generator *random, call *made,
     own->separation = any_option(random, 1);
     own->restitution = any_option(random, 1);
     own->friction = any_option(random, 2);
-    own->restitution_threshold = any_option(random, 1); // younger than 1.0
     bool reads = own->size != 0;
-    expect_fault(made,
-                 own->sweeps < 0 || !is_within(own->separation, -most, most) ||
-                     !is_within(own->restitution, 0, 1) ||
-                     !is_within(own->friction, 0, most) ||
-                     (reads && !is_within(own->restitution_threshold, 0, most)),
-                 TF_BAD_OPTION);
+    // Younger than 1.0:
+    own->restitution_threshold = any_option(random, 1);
+    own->substeps = any_rounds(random);
+    expect_fault(
+        made,
+        own->sweeps < 0 || !is_within(own->separation, -most, most) ||
+            !is_within(own->restitution, 0, 1) ||
+            !is_within(own->friction, 0, most) ||
+            (reads && (!is_within(own->restitution_threshold, 0, most) ||
+                       own->substeps < 0)),
+        TF_BAD_OPTION);
+}
+
+/// Draws the friction of each vertex, or none.
+static void draw_friction(generator *random, call *made, const body *of,
+                          response_options *options)
+{
+    if (one_in(random, 2))
+        return;
+    bool good = true;
+    for (int v = 0; v < MOST_VERTICES; v++) {
+        double *own = &options->friction[v];
+        *own = one_in(random, 4) ? 0 : uniform(random, 0, 2);
+        if (one_in(random, 100))
+            *own = any_double(random);
+        good &= v >= of->mesh.vertices || (*own >= 0 && all_finite(1, own));
+    }
+    options->own.vertex_friction = options->friction;
+    expect_fault(made, options->own.size != 0 && !good, TF_BAD_OPTION);
 }
 
 static void draw_response_options(generator *random, call *made,
@@ -627,17 +650,26 @@ static const double *draw_masses(generator *random, call *made, int vertices,
     return inverse_mass;
 }
 
-/// Whether a step is clear, as a new surface sees it.
+static bool has_free_vertex(const int vertex[4], const double inverse_mass[])
+{
+    bool any = !inverse_mass;
+    for (int i = 0; i < 4 && vertex[i] >= 0 && !any; i++)
+        any = inverse_mass[vertex[i]] > 0;
+    return any;
+}
+
+/// Whether a step is clear, as a new surface sees it, but for what is scripted.
 static void judge_clear(const call *made, const body *of, const double start[],
-                        const double end[])
+                        const double end[], const double inverse_mass[])
 {
     tf_motion motion = {of->mesh.axes, of->mesh.vertices, start, end};
-    tf_detect_options any = {.selection = TF_ANY_CONTACT};
     tf_contacts found;
     tf_surface *other = body_copy(of);
-    tf_status status = tf_surface_detect(other, &motion, &any, &found, NULL);
+    tf_status status = tf_surface_detect(other, &motion, NULL, &found, NULL);
     require(made, status == TF_OK, "the end cannot be detected");
-    require(made, !found.any, "the step is not clear");
+    for (size_t i = 0; i < found.count; i++)
+        require(made, !has_free_vertex(found.contact[i].vertex, inverse_mass),
+                "the step is not clear");
     tf_surface_free(other);
 }
 
@@ -707,6 +739,8 @@ static const double *ask_pushes(tf_resolver *resolver, size_t contacts)
     require(&made, count == contacts, "other pushes than contacts");
     require(&made, !unpushed == !tf_resolver_vertices(resolver),
             "there is a motion without flags, or flags without a motion");
+    require(&made, !unpushed == !tf_resolver_followed(resolver),
+            "there is a motion without fractions, or vice versa");
     return push;
 }
 
@@ -781,6 +815,7 @@ void call_resolve(generator *random, body *of)
     draw_step(random, &made, of, &s);
     draw_response_options(random, &made, &options, &to);
     draw_response(random, &made, &options.own);
+    draw_friction(random, &made, of, &options);
     const double *inverse_mass =
         draw_masses(random, &made, of->mesh.vertices, masses);
     memcpy(end, s.end, sizeof end);
@@ -794,7 +829,8 @@ void call_resolve(generator *random, body *of)
         judge_after(random, &made, of);
         return;
     }
-    judge_clear(&made, of, s.start, end);
+    bool in_parts = options.own.size != 0 && options.own.substeps > 1;
+    judge_clear(&made, of, in_parts ? end : s.start, end, inverse_mass);
     judge_scripted(&made, of, &s, inverse_mass, end, report);
     judge_flags(&made, of, &s, inverse_mass, end);
     judge_again(random, &made, of, &s, inverse_mass, &options.own, end, report);
@@ -830,5 +866,5 @@ void call_limit(generator *random, body *of)
                     hash_answers(0, NULL, NULL),
             "it has resolved nothing, and tells what it did");
     require(&made, halvings != 0 || whole, "a step that is clear is changed");
-    judge_clear(&made, of, s.start, end);
+    judge_clear(&made, of, s.start, end, NULL);
 }

@@ -1,5 +1,5 @@
 // Steps that are being resolved.
-#include "response/step.h"
+#include "geometry/step.h"
 
 #include "support/support.h"
 
@@ -69,14 +69,36 @@ START_TEST(a_vertex_stays_if_its_end_would_not_be_finite)
 }
 END_TEST
 
+// No fraction of the longest way overflows, and both ends are exact.
+START_TEST(a_part_of_a_way_is_between_its_ends)
+{
+    const double ends[] = {-1.7976931348623157e308, -1, -0., 0, 0x1p-1074, 1,
+                           1.7976931348623157e308};
+    for (int i = 0; i < 7; i++)
+        for (int j = 0; j < 7; j++)
+            for (int k = 0; k <= 8; k++) {
+                double from = ends[i], to = ends[j], part = k / 8.;
+                double x = tf_step_part(from, to, part);
+                ck_assert(isfinite(x));
+                if (k == 0 || from == to)
+                    ck_assert_mem_eq(&x, &from, sizeof x);
+                double half = from / 2 * (1 - part) + to / 2 * part;
+                ck_assert_double_le(fabs(x / 2 - half),
+                                    0x1p-51 * fmax(fabs(from), fabs(to)) +
+                                        0x1p-1073);
+            }
+}
+END_TEST
+
 Suite *suite(void)
 {
-    Suite *suite = suite_create("response/step");
+    Suite *suite = suite_create("geometry/step");
     TCase *tcase = tcase_create("ends");
     tcase_add_test(tcase, displacements_in_the_plane_are_level);
     tcase_add_test(tcase, a_vertex_that_is_not_pushed_ends_at_the_base);
     tcase_add_test(tcase, a_vertex_that_is_not_pushed_keeps_the_sign_of_zero);
     tcase_add_test(tcase, a_pushed_vertex_ends_where_it_is_displaced);
+    tcase_add_test(tcase, a_part_of_a_way_is_between_its_ends);
     tcase_add_loop_test(tcase, a_vertex_stays_if_its_end_would_not_be_finite, 0,
                         3);
     suite_add_tcase(suite, tcase);

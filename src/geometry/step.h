@@ -25,6 +25,9 @@ tf_vector tf_step_position(const tf_step *step, int vertex,
 tf_vector tf_step_displacement(const tf_step *step, int vertex,
                                const double end[]);
 
+/// A fraction, from 0 to 1, of the way from one coordinate to another.
+double tf_step_part(double from, double to, double fraction);
+
 /// Moves a vertex, in the array `end` of all vertices, to its base, of the bases
 /// of all vertices, plus the difference between `displacement` and the
 /// displacement that ends at the base; to the base itself if the two are the

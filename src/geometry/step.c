@@ -1,5 +1,5 @@
 //: Change a step
-#include "response/step.h"
+#include "geometry/step.h"
 
 #include <math.h>
 #include <stddef.h>
@@ -16,6 +16,13 @@ tf_vector tf_step_displacement(const tf_step *step, int vertex,
 {
     return tf_vector_difference(tf_step_position(step, vertex, end),
                                 tf_step_position(step, vertex, step->start));
+}
+
+double tf_step_part(double from, double to, double fraction)
+{
+    // Half of it twice, because their difference may overflow.
+    double half = (to / 2 - from / 2) * fraction;
+    return half == 0 ? from : from + half + half;
 }
 
 void tf_step_move(const tf_step *step, int vertex, const double base[],

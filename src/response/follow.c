@@ -1,0 +1,287 @@
+//: Include what following scripts needs
+#include "response/follow.h"
+
+#include <math.h>
+#include <string.h>
+
+//: Hold a part that is held back
+enum {
+    HALVINGS = 7,     ///< of the interval of a part
+    MOST_TRIALS = 24, ///< of all parts
+    RETREATS = 4      ///< more of them, where parts can go no longer
+};
+
+/// Scripted vertices that are held back together.
+typedef struct part {
+    double low, high; ///< fractions: it could go so far, and could not
+    double fraction;  ///< of this trial
+    double next;      ///< of the next one
+    int halvings;
+    bool held;  ///< in this trial
+    bool grown; ///< by vertices that were to go farther in this trial
+} part;
+
+/// The number of a part, or -1.
+typedef struct numbers {
+    int *own;   ///< of each vertex: of the part with which it was held back
+    int *limit; ///< of each vertex: of the part that limits how far it goes
+    int *group; ///< by root: of a part in this group of the failsafe
+} numbers;
+
+static numbers numbers_of(const tf_follow *follow, const tf_step *step)
+{
+    int *all = follow->number.data;
+    return (numbers){all, all + step->vertices,
+                     all + 2 * (ptrdiff_t)step->vertices};
+}
+
+//: Begin to follow scripts
+bool tf_follow_begin(tf_follow *follow, const tf_step *step)
+{
+    size_t vertices = (size_t)step->vertices;
+    size_t bytes = (size_t)step->axes * vertices * sizeof(double);
+    follow->parts = follow->trials = 0;
+    follow->retreats = false;
+    if (!tf_buffer_reserve(&follow->part, vertices, sizeof(part)) ||
+        !tf_buffer_reserve(&follow->number, 3 * vertices, sizeof(int)) ||
+        !tf_buffer_reserve(&follow->fraction, vertices, sizeof(double)) ||
+        !tf_buffer_reserve(&follow->squeezed, vertices, 1) ||
+        !tf_buffer_reserve(&follow->proposed, bytes, 1))
+        return false;
+    numbers all = numbers_of(follow, step);
+    double *fraction = follow->fraction.data;
+    memset(follow->squeezed.data, 0, vertices);
+    for (int v = 0; v < step->vertices; v++) {
+        all.own[v] = all.limit[v] = -1;
+        fraction[v] = 1;
+    }
+    return true;
+}
+
+//: Find the vertices that were held back
+static bool is_held(const tf_step *step, int vertex)
+{
+    ptrdiff_t place = (ptrdiff_t)step->axes * vertex;
+    return !(step->inverse_mass[vertex] > 0) &&
+           memcmp(step->end + place, step->proposed + place,
+                  sizeof(double) * (size_t)step->axes) != 0;
+}
+
+bool tf_follow_is_held(const tf_step *step)
+{
+    bool any = false;
+    for (int v = 0; v < step->vertices && !any; v++)
+        any = is_held(step, v);
+    return any;
+}
+
+/// Notes which parts are in which groups of the failsafe.
+static void note_groups(const tf_step *step, tf_groups *groups, numbers all)
+{
+    for (int v = 0; v < step->vertices; v++)
+        all.group[v] = -1;
+    for (int v = 0; v < step->vertices; v++) {
+        int *group = &all.group[tf_groups_find(groups, v)];
+        if (*group < 0 && is_held(step, v))
+            *group = all.limit[v];
+    }
+}
+
+//: Add a vertex to a part
+/// Adds a vertex that was held back.  If it was to go farther than the part, that
+/// may be why, and the fraction of the part is to be tried again.
+static void add_vertex(tf_follow *follow, int vertex, int number, int *own)
+{
+    const double *fraction = follow->fraction.data;
+    part *to = (part *)follow->part.data + number;
+    bool farther =
+        *own != number && fraction[vertex] - to->fraction > ldexp(1, -HALVINGS);
+    to->grown |= farther;
+    to->held |= !farther;
+    *own = number;
+}
+
+/// Adds the vertices that were held back to their parts, or to new ones.
+static void add_held(tf_follow *follow, const tf_step *step, tf_groups *groups)
+{
+    numbers all = numbers_of(follow, step);
+    part *parts = follow->part.data;
+    note_groups(step, groups, all);
+    for (int v = 0; v < step->vertices; v++) {
+        if (!is_held(step, v))
+            continue;
+        int *group = &all.group[tf_groups_find(groups, v)];
+        int number = all.limit[v] >= 0 ? all.limit[v] : *group;
+        if (number < 0) {
+            number = *group = follow->parts++;
+            parts[number] = (part){.high = 1, .fraction = 1};
+        }
+        add_vertex(follow, v, number, &all.own[v]);
+    }
+    unsigned char *squeezed = follow->squeezed.data;
+    for (int v = 0; v < step->vertices; v++)
+        squeezed[v] |= all.group[tf_groups_find(groups, v)] >= 0;
+}
+
+//: Narrow the intervals of parts
+/// Narrows the interval of a part; returns whether it is to be narrowed further.
+static bool narrow(part *own)
+{
+    own->next = own->fraction;
+    if (own->grown)
+        return true;
+    *(own->held ? &own->high : &own->low) = own->fraction;
+    own->next = (own->low + own->high) / 2;
+    return own->halvings++ < HALVINGS;
+}
+
+static bool narrow_all(tf_follow *follow)
+{
+    part *all = follow->part.data;
+    bool wanted = false;
+    for (int i = 0; i < follow->parts; i++)
+        wanted |= narrow(&all[i]);
+    return wanted;
+}
+
+//: Go back to where parts could go
+/// Has each part go as far as it could before, and half of that where it cannot
+/// together with the others.  Returns whether that is another trial.
+static bool retreat(tf_follow *follow)
+{
+    part *all = follow->part.data;
+    bool differs = false;
+    for (int i = 0; i < follow->parts; i++) {
+        part *own = &all[i];
+        if (follow->retreats && (own->held || own->grown))
+            own->low /= 2;
+        own->next = own->low;
+        differs |= own->next != own->fraction;
+    }
+    follow->retreats = true;
+    return differs;
+}
+
+//: Learn from a trial
+bool tf_follow_learn(tf_follow *follow, const tf_step *step, tf_groups *groups)
+{
+    add_held(follow, step, groups);
+    follow->trials++;
+    bool more =
+        !follow->retreats && narrow_all(follow) && follow->trials < MOST_TRIALS;
+    if (!more)
+        more = retreat(follow) && follow->trials < MOST_TRIALS + RETREATS;
+    part *all = follow->part.data;
+    for (int i = 0; i < follow->parts; i++) {
+        all[i].fraction = all[i].next;
+        all[i].held = all[i].grown = false;
+    }
+    return more;
+}
+
+//: Find how far an edge may bend
+static double length_of(const tf_step *step, const int edge[2],
+                        const double position[])
+{
+    tf_vector a = tf_step_position(step, edge[0], position);
+    tf_vector b = tf_step_position(step, edge[1], position);
+    return tf_vector_length(tf_vector_difference(a, b));
+}
+
+/// The most by which the fractions of two vertices may differ: by how much the
+/// script stretches their edge, as a part of the longer way.  1 if there is none,
+/// or if one of them stays where it is.
+static double most_difference(const tf_step *step, const int edge[2],
+                              const double proposed[])
+{
+    tf_vector a = tf_step_displacement(step, edge[0], proposed);
+    tf_vector b = tf_step_displacement(step, edge[1], proposed);
+    double ways[] = {tf_vector_length(a), tf_vector_length(b)};
+    double stretch = fabs(length_of(step, edge, proposed) -
+                          length_of(step, edge, step->start));
+    bool both = ways[0] > 0 && ways[1] > 0 && isfinite(stretch);
+    return both ? stretch / fmax(ways[0], ways[1]) : 1;
+}
+
+//: Limit vertices by their neighbors
+/// Limits how far the vertex `to` of an edge goes by how far the vertex `from`
+/// does; returns whether that changes anything.
+static bool limit_by(tf_follow *follow, const tf_step *step, numbers all,
+                     int from, int to, const double proposed[])
+{
+    double *fraction = follow->fraction.data;
+    if (fraction[from] >= fraction[to])
+        return false;
+    double most =
+        fraction[from] + most_difference(step, (int[]){from, to}, proposed);
+    if (most >= fraction[to])
+        return false;
+    fraction[to] = most;
+    all.limit[to] = all.limit[from];
+    return true;
+}
+
+static bool limit_all(tf_follow *follow, const tf_step *step,
+                      const double proposed[], const tf_elements *edges)
+{
+    const double *inverse_mass = step->inverse_mass;
+    numbers all = numbers_of(follow, step);
+    bool changed = false;
+    for (int i = 0; i < edges->count; i++) {
+        const int *edge = edges->corner + 2 * (ptrdiff_t)i;
+        if (inverse_mass[edge[0]] > 0 || inverse_mass[edge[1]] > 0)
+            continue;
+        changed |= limit_by(follow, step, all, edge[0], edge[1], proposed);
+        changed |= limit_by(follow, step, all, edge[1], edge[0], proposed);
+    }
+    return changed;
+}
+
+//: Find the fraction of each vertex
+static void find_fractions(tf_follow *follow, const tf_step *step,
+                           const double proposed[], const tf_elements *edges)
+{
+    numbers all = numbers_of(follow, step);
+    const part *parts = follow->part.data;
+    double *fraction = follow->fraction.data;
+    for (int v = 0; v < step->vertices; v++) {
+        all.limit[v] = all.own[v];
+        fraction[v] = all.own[v] < 0 ? 1 : parts[all.own[v]].fraction;
+    }
+    while (limit_all(follow, step, proposed, edges))
+        ;
+}
+
+//: Propose a shorter step
+const double *tf_follow_propose(tf_follow *follow, const tf_step *step,
+                                const double proposed[],
+                                const tf_elements *edges)
+{
+    find_fractions(follow, step, proposed, edges);
+    const double *fraction = follow->fraction.data;
+    double *to = follow->proposed.data;
+    for (int v = 0; v < step->vertices; v++)
+        for (int k = 0; k < step->axes; k++) {
+            ptrdiff_t i = (ptrdiff_t)step->axes * v + k;
+            to[i] = fraction[v] < 1
+                        ? tf_step_part(step->start[i], proposed[i], fraction[v])
+                        : proposed[i];
+        }
+    return to;
+}
+
+//: Account for the memory of following
+size_t tf_follow_memory(const tf_follow *follow)
+{
+    return follow->part.bytes + follow->number.bytes + follow->fraction.bytes +
+           follow->squeezed.bytes + follow->proposed.bytes;
+}
+
+void tf_follow_free(tf_follow *follow)
+{
+    tf_buffer_free(&follow->part);
+    tf_buffer_free(&follow->number);
+    tf_buffer_free(&follow->fraction);
+    tf_buffer_free(&follow->squeezed);
+    tf_buffer_free(&follow->proposed);
+}

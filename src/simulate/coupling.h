@@ -23,7 +23,7 @@ void tf_coupling_free(tf_coupling *coupling);
 /// Resolves a step as tf_step_resolve does; tf_resolver_unpushed of the resolver
 /// then decides the velocities.
 /// @param[in,out] end in: where the dynamics lead; out: a clear end
-/// @param options restitution is none
+/// @param options restitution is none, and friction that of all vertices
 /// @param[out] report what all answers took; whole only with TF_OK
 /// @return what tf_step_resolve returns
 tf_status tf_coupling_resolve(tf_coupling *coupling, const double start[],

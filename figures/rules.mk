@@ -156,6 +156,20 @@ $(BUILD)/readme/%-light.webp: $(BUILD)/drawing/program $(BUILD)/scenes/%/steps.c
 $(BUILD)/readme/%-dark.webp: $(BUILD)/drawing/program $(BUILD)/scenes/%/steps.csv
 	$(call scene_film,dark)
 
+# Films of the scenes of cloth for download, which take minutes each.
+CLOTH = sphere stack twist knot curtain flag plane-chain
+$(foreach scene,$(CLOTH),$(eval scene_$(scene) = $(scene)))
+download = $(foreach theme,light dark,\
+	$(patsubst %,$(BUILD)/download/%-$(theme).webp,$(CLOTH)))
+download_film = @echo 'film    $@' && mkdir -p $(@D) && $< film \
+	$(BUILD)/scenes/$* --theme $1 --size 1920x1080 --every 3 --fps 25 -o $@ >/dev/null
+$(BUILD)/download/%-light.webp: $(BUILD)/drawing/program $(BUILD)/scenes/%/steps.csv
+	$(call download_film,light)
+$(BUILD)/download/%-dark.webp: $(BUILD)/drawing/program $(BUILD)/scenes/%/steps.csv
+	$(call download_film,dark)
+films: $(download) ## film the scenes of cloth, 1920 by 1080, for download
+.PHONY: films
+
 README_FILMS = $(foreach scene,stack enright,$(scene)-light.webp $(scene)-dark.webp)
 readme_pictures = $(addprefix $(BUILD)/readme/,$(README) $(README_FILMS))
 draw-readme: $(readme_pictures) ## draw the pictures of README.md anew

@@ -4,9 +4,9 @@
 #include "kit/figures.h"
 
 static const fig_cloth_still stills[] = {
-    {.plan = {.scene = "knot", .size = 3, .steps = 260}, .first = 258},
-    {.plan = {.scene = "curtain", .size = 14, .steps = 480}, .first = 478},
-    {.plan = {.scene = "flag", .size = 8, .steps = 200}, .first = 198},
+    {.plan = {.scene = "knot", .size = 5, .steps = 540}, .first = 538},
+    {.plan = {.scene = "curtain", .size = 24, .steps = 560}, .first = 558},
+    {.plan = {.scene = "flag", .size = 20, .steps = 150}, .first = 148},
 };
 
 static void draw(fig_page *page, FILE *numbers)

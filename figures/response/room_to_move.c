@@ -84,7 +84,7 @@ static void draw(fig_page *page, FILE *numbers)
 {
     fig_plot gaps = {.box = {46, 8, 140, 132},
                      .x = {0, STEPS},
-                     .y = {1e-6, 10},
+                     .y = {1e-7, 10},
                      .log_y = true,
                      .ticks_x = 4,
                      .name_x = "step",

@@ -44,6 +44,15 @@ static bool same_edge(const side *a, const side *b)
     return a->vertex[0] == b->vertex[0] && a->vertex[1] == b->vertex[1];
 }
 
+/// How many of the next sides, `most` or fewer, are of the first one's edge.
+static int sides_at(const side *first, int most)
+{
+    int sides = 1;
+    while (sides < most && same_edge(first, first + sides))
+        sides++;
+    return sides;
+}
+
 //: Measure a triangle
 static tf_vector side_between(const tf_body *body, int a, int b)
 {
@@ -67,15 +76,25 @@ static double cotangent(const tf_body *body, int corner, int b, int c,
 }
 
 //: Resist stretching
-/// As stiff as the area at an edge is large, and its length small.  Each
-/// triangle at the edge adds its part.
-static void add_stretch(tf_body *body, const side *one, double stretch)
+/// What a triangle at an edge adds to the edge's stiffness: as much as the area
+/// there is large, and the square of the edge's length small.
+static double share_of(const tf_body *body, const side *one, double stretch)
 {
     int a = one->vertex[0], b = one->vertex[1];
     tf_vector along = side_between(body, a, b);
     double area = twice_area(along, side_between(body, a, one->vertex[2])) / 2;
-    tf_body_add_spring(body, a, b,
-                       stretch * area / tf_vector_dot(along, along));
+    return stretch * area / tf_vector_dot(along, along);
+}
+
+/// @param one the first of the sides at an edge
+/// @param sides how many there are
+static void add_stretch(tf_body *body, const side *one, int sides,
+                        double stretch)
+{
+    double stiffness = 0;
+    for (int i = 0; i < sides; i++)
+        stiffness += share_of(body, &one[i], stretch);
+    tf_body_add_spring(body, one->vertex[0], one->vertex[1], stiffness);
 }
 
 //: Resist folds
@@ -120,10 +139,11 @@ void tf_cloth_stiffen(tf_body *body, int first, const tf_material *material)
     side *list = list_sides(body, first);
     int count = 3 * (body->triangles - first);
     body->failed = !list;
-    for (int i = 0; list && i < count; i++) {
-        add_stretch(body, &list[i], material->stretch);
-        if (material->bend > 0 && i > 0 && same_edge(&list[i - 1], &list[i]))
-            add_fold(body, &list[i - 1], &list[i], material->bend);
+    for (int i = 0, sides; list && i < count; i += sides) {
+        sides = sides_at(&list[i], count - i);
+        add_stretch(body, &list[i], sides, material->stretch);
+        for (int k = 1; material->bend > 0 && k < sides; k++)
+            add_fold(body, &list[i + k - 1], &list[i + k], material->bend);
     }
     free(list);
     add_masses(body, first, material->density);

@@ -9,11 +9,11 @@
 #include <math.h>
 
 // Kilograms per square meter, and what stretching and folds are resisted by.
-static const tf_material cotton = {0.15, 100, 1.5e-4};
-static const tf_material ribbon = {1, 40, 1.5e-4};
-static const tf_material hemp = {10, 100, 0};
+static const tf_material cotton = {0.15, 300, 1.5e-4};
+static const tf_material ribbon = {1, 200, 1.5e-4};
+static const tf_material hemp = {10, 500, 0};
 static const tf_material silk = {0.3, 60, 1.5e-4};
-static const tf_material bunting = {0.2, 60, 1.5e-4};
+static const tf_material bunting = {0.2, 400, 1.5e-4};
 
 //: Lay out a sheet
 /// A horizontal square above the origin, turned about the vertical.
@@ -85,7 +85,7 @@ static void build_knot(tf_scene_setup *setup, double pairs)
     for (int end = 0; end < 2; end++)
         tf_scene_setup_add_script(
             setup, (tf_script){end * (circles * sides - grip), grip, .end = 2.5,
-                               .shift = {0, end == 0 ? 0.38 : -0.38, 0}});
+                               .shift = {0, end == 0 ? 0.26 : -0.26, 0}});
 }
 
 //: Build the scene curtain

@@ -43,6 +43,9 @@ static tf_status begin_cloth(tf_simulation *simulation)
     if (status == TF_OK)
         status = tf_resolver_create(c->surface, &c->resolver);
     if (status == TF_OK)
+        status = tf_coupling_create(body, simulation->scene->step, c->resolver,
+                                    &c->coupling);
+    if (status == TF_OK)
         status =
             tf_dynamics_create(body, simulation->scene->step, &c->dynamics);
     return status;
@@ -52,6 +55,7 @@ static void end_cloth(tf_simulation *simulation)
 {
     tf_cloth_simulation *c = (tf_cloth_simulation *)simulation;
     tf_dynamics_free(c->dynamics);
+    tf_coupling_free(c->coupling);
     tf_resolver_free(c->resolver);
     tf_surface_free(c->surface);
     free(c->position);
@@ -93,7 +97,8 @@ tf_status tf_cloth_propose(tf_cloth_simulation *cloth)
     tf_air_blow(&scene->air, &cloth->base.setup.body, cloth->base.time,
                 scene->step, cloth->position, cloth->velocity);
     fly(cloth);
-    return tf_dynamics_step(cloth->dynamics, cloth->end, ITERATIONS);
+    return tf_dynamics_step(cloth->dynamics, cloth->end,
+                            getenv("IT") ? atoi(getenv("IT")) : ITERATIONS);
 }
 
 //: Go on from where a step ends
@@ -117,13 +122,8 @@ static tf_status resolve(tf_cloth_simulation *c, const tf_step_options *options,
     tf_response_options response = {.friction = c->base.scene->friction,
                                     .check_start = options->check,
                                     .parallel = options->parallel};
-    const tf_response_report *lent;
-    tf_status status =
-        tf_step_resolve(c->resolver, c->base.setup.body.vertices, c->position,
-                        c->end, c->inverse_mass, &response, &lent, NULL);
-    if (status == TF_OK)
-        *report = *lent;
-    return status;
+    return tf_coupling_resolve(c->coupling, c->position, c->end,
+                               c->inverse_mass, &response, report);
 }
 
 static double now(const tf_step_options *options)

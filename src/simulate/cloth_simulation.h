@@ -1,7 +1,7 @@
 //: Declare simulations of cloth
 #pragma once
 
-#include "response/resolve.h"
+#include "simulate/coupling.h"
 #include "simulate/dynamics.h"
 #include "simulate/simulation.h"
 
@@ -24,19 +24,14 @@ typedef struct tf_cloth_simulation {
     double *inverse_mass;
     tf_surface *surface;
     tf_resolver *resolver;
+    tf_coupling *coupling;
     tf_dynamics *dynamics;
     tf_cloth_report report; ///< of the last step
 } tf_cloth_simulation;
 
 //: Declare a step of cloth
-/// A step in which nothing meets: the dynamics propose where it ends, and the
-/// response has the last word.
-///
-/// The response does not know of the springs.  It stops a vertex by an impulse
-/// for its own mass, and in the next step the springs pull it on.  So where
-/// step^2 times stiffness is much more than the mass of a vertex, contacts stop
-/// the surface but not what hangs on it, which is stretched.  The materials and
-/// steps of the scenes, in their usual resolutions, keep that ratio below 100.
+/// A step in which nothing meets: the dynamics propose where it ends, the springs
+/// and what is in the way come to terms, and the response has the last word.
 extern const tf_simulation_kind tf_cloth_kind;
 
 /// Sets `end` to where the dynamics lead, through whatever is in the way.

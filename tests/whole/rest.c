@@ -2,6 +2,7 @@
 // steps of any length: the velocities are those of tf_resolver_unpushed.
 #include "response/resolve.h"
 
+#include "simulate/coupling.h"
 #include "simulate/dynamics.h"
 #include "support/memory.h"
 #include "support/support.h"
@@ -23,6 +24,8 @@ typedef struct world {
     tf_response_options options;
     tf_surface *surface;
     tf_resolver *resolver;
+    bool coupled; ///< whether the response knows of what is elastic
+    tf_coupling *coupling;
     tf_dynamics *dynamics;
     double *velocity, *end, *inverse_mass;
 } world;
@@ -37,6 +40,8 @@ static void begin(world *w)
     w->surface = surface_of(&mesh);
     ck_assert_int_eq(tf_resolver_create(w->surface, &w->resolver), TF_OK);
     ck_assert_int_eq(tf_dynamics_create(body, w->step, &w->dynamics), TF_OK);
+    ck_assert_int_eq(
+        tf_coupling_create(body, w->step, w->resolver, &w->coupling), TF_OK);
     w->velocity = allocate(numbers, sizeof(double));
     w->end = allocate(numbers, sizeof(double));
     w->inverse_mass = allocate((size_t)body->vertices, sizeof(double));
@@ -47,6 +52,7 @@ static void begin(world *w)
 static void finish(world *w)
 {
     tf_dynamics_free(w->dynamics);
+    tf_coupling_free(w->coupling);
     tf_resolver_free(w->resolver);
     tf_surface_free(w->surface);
     tf_body_free(&w->body);
@@ -66,15 +72,25 @@ static void fall(world *w)
     }
 }
 
+static void resolve(world *w)
+{
+    const tf_body *body = &w->body;
+    tf_response_report report;
+    tf_status status =
+        w->coupled
+            ? tf_coupling_resolve(w->coupling, body->position, w->end,
+                                  w->inverse_mass, &w->options, &report)
+            : tf_step_resolve(w->resolver, body->vertices, body->position,
+                              w->end, w->inverse_mass, &w->options, NULL, NULL);
+    ck_assert_int_eq(status, TF_OK);
+}
+
 static void go_on(world *w)
 {
     tf_body *body = &w->body;
     fall(w);
     ck_assert_int_eq(tf_dynamics_step(w->dynamics, w->end, 10), TF_OK);
-    ck_assert_int_eq(tf_step_resolve(w->resolver, body->vertices,
-                                     body->position, w->end, w->inverse_mass,
-                                     &w->options, NULL, NULL),
-                     TF_OK);
+    resolve(w);
     const double *to = tf_resolver_unpushed(w->resolver);
     for (int i = 0; i < body->axes * body->vertices; i++) {
         w->velocity[i] = (to[i] - body->position[i]) / w->step;
@@ -366,8 +382,8 @@ START_TEST(speed_is_kept_without_friction)
 }
 END_TEST
 
-// A cube that is set down swings first.  Its springs do not know of the contacts,
-// so it slides a little farther than a rigid one.
+// A cube that is set down swings first.  Then it sticks, or is right to 5 %; one
+// of them, on a slope that is hardly too steep, slides by less than a millimeter.
 START_TEST(an_elastic_cube_sticks_or_slides)
 {
     int wrong = 0, wrongly_moved = 0;
@@ -376,13 +392,14 @@ START_TEST(an_elastic_cube_sticks_or_slides)
         double exact;
         begin_slope(&s, i, 0.01);
         add_cube(&s);
+        s.w.coupled = true;
         double error = fabs(slide(&s, 0.5, &exact));
-        wrong += error > 0.001 + 0.1 * exact;
+        wrong += error > 0.001 + 0.05 * exact;
         wrongly_moved += exact == 0 && error > 0.001;
     }
     printf("cube: %d of 64 are wrong, %d of those should stick\n", wrong,
            wrongly_moved);
-    ck_assert_int_le(wrong, 3);
+    ck_assert_int_le(wrong, 1);
     ck_assert_int_eq(wrongly_moved, 0);
 }
 END_TEST

@@ -1,0 +1,110 @@
+//: Include what coupling needs
+#include "simulate/coupling.h"
+
+#include "simulate/relaxation.h"
+
+#include <stdlib.h>
+
+enum {
+    ROUNDS = 5 // of relaxation, after each of which a step is answered again
+};
+
+/// Edges that are longer than at rest by this factor ask for another round.
+static const double stretched = 1.11;
+
+//: Hold the coupling
+struct tf_coupling {
+    const tf_body *body;
+    tf_resolver *resolver;
+    tf_relaxation *relaxation;
+};
+
+//: Make and free a coupling
+tf_status tf_coupling_create(const tf_body *body, double step,
+                             tf_resolver *resolver, tf_coupling **coupling)
+{
+    tf_coupling *c = calloc(1, sizeof *c);
+    if (!c)
+        return TF_OUT_OF_MEMORY;
+    c->body = body;
+    c->resolver = resolver;
+    tf_status status = tf_relaxation_create(body, step, &c->relaxation);
+    if (status == TF_OK)
+        *coupling = c;
+    else
+        tf_coupling_free(c);
+    return status;
+}
+
+void tf_coupling_free(tf_coupling *coupling)
+{
+    if (!coupling)
+        return;
+    tf_relaxation_free(coupling->relaxation);
+    free(coupling);
+}
+
+//: Answer a step once
+/// Adds up what answers took; how they ended is what the last one says.
+static void add_report(tf_response_report *sum, const tf_response_report *last)
+{
+    tf_response_report before = *sum;
+    *sum = *last;
+    sum->first_contacts = before.first_contacts;
+    sum->contacts += before.contacts;
+    sum->constraints += before.constraints;
+    for (int i = 0; i < TF_LEVELS; i++)
+        sum->rounds[i] += before.rounds[i];
+}
+
+static tf_status answer(tf_coupling *c, const double start[], double end[],
+                        const double inverse_mass[],
+                        const tf_response_options *options,
+                        tf_response_report *report, bool first)
+{
+    const tf_response_report *lent;
+    tf_status status = tf_step_resolve(c->resolver, c->body->vertices, start,
+                                       end, inverse_mass, options, &lent, NULL);
+    if (status == TF_OK && first)
+        *report = *lent;
+    else if (status == TF_OK)
+        add_report(report, lent);
+    return status;
+}
+
+//: Propose what the elastic elements and the contacts allow
+static tf_status propose_again(const tf_coupling *c,
+                               const tf_response_options *options, double end[])
+{
+    size_t count;
+    const tf_answered_contact *contact;
+    tf_status status = tf_resolver_contacts(c->resolver, &count, &contact);
+    if (status == TF_OK)
+        status = tf_relaxation_add(c->relaxation, count, contact);
+    if (status == TF_OK)
+        tf_relaxation_run(c->relaxation, options->friction, end);
+    return status;
+}
+
+//: Answer a step until nothing is stretched
+tf_status tf_coupling_resolve(tf_coupling *coupling, const double start[],
+                              double end[], const double inverse_mass[],
+                              const tf_response_options *options,
+                              tf_response_report *report)
+{
+    tf_coupling *c = coupling;
+    tf_response_options again = *options;
+    again.check_start = false;
+    tf_relaxation_begin(c->relaxation, start, end);
+    tf_status status =
+        answer(c, start, end, inverse_mass, options, report, true);
+    for (int i = 0; i < ROUNDS && status == TF_OK; i++) {
+        bool met = i == 0 && report->moved > 0;
+        if (!met && tf_body_stretch(c->body, end) < stretched)
+            break;
+        status = propose_again(c, options, end);
+        if (status == TF_OK)
+            status = answer(c, start, end, inverse_mass, &again, report, false);
+    }
+    return status;
+}

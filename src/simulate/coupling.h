@@ -1,0 +1,32 @@
+//: Declare the coupling
+#pragma once
+
+#include "response/resolve.h"
+#include "simulate/body.h"
+
+/// A response to contacts that knows of what is elastic.
+///
+/// It answers a step twice.  The first answer finds what is in the way.  A
+/// relaxation lets those contacts and the elastic elements come to terms, and
+/// proposes an end, which the second answer makes clear.  The answers depend on
+/// the step alone.
+typedef struct tf_coupling tf_coupling;
+
+/// @param body,resolver borrowed until the coupling is freed
+/// @param step how long a step takes, in seconds
+/// @param[out] coupling to be freed by tf_coupling_free; set only with TF_OK
+/// @return TF_OK or TF_OUT_OF_MEMORY
+tf_status tf_coupling_create(const tf_body *body, double step,
+                             tf_resolver *resolver, tf_coupling **coupling);
+void tf_coupling_free(tf_coupling *coupling);
+
+/// Resolves a step as tf_step_resolve does; tf_resolver_unpushed of the resolver
+/// then decides the velocities.
+/// @param[in,out] end in: where the dynamics lead; out: a clear end
+/// @param options restitution is none, and friction that of all vertices
+/// @param[out] report what all answers took; whole only with TF_OK
+/// @return what tf_step_resolve returns
+tf_status tf_coupling_resolve(tf_coupling *coupling, const double start[],
+                              double end[], const double inverse_mass[],
+                              const tf_response_options *options,
+                              tf_response_report *report);

@@ -1,0 +1,150 @@
+#include "simulate/coupling.h"
+
+#include "support/simulations.h"
+#include "support/support.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/// Two steps of a scene from the same state: one by the coupling, the other by
+/// the response alone.
+typedef struct comparison {
+    tf_cloth_simulation *c;
+    size_t bytes;
+    double *proposed, *alone;
+    tf_response_report coupled;
+    tf_response_report simple;
+} comparison;
+
+static void compare(comparison *both)
+{
+    tf_cloth_simulation *c = both->c;
+    int vertices = c->base.setup.body.vertices;
+    tf_response_options options = {.friction = c->base.scene->friction};
+    const tf_response_report *lent;
+    ck_assert_int_eq(tf_cloth_propose(c), TF_OK);
+    memcpy(both->proposed, c->end, both->bytes);
+    memcpy(both->alone, c->end, both->bytes);
+    ck_assert_int_eq(tf_step_resolve(c->resolver, vertices, c->position,
+                                     both->alone, c->inverse_mass, &options,
+                                     &lent, NULL),
+                     TF_OK);
+    both->simple = *lent;
+    ck_assert_int_eq(tf_coupling_resolve(c->coupling, c->position, c->end,
+                                         c->inverse_mass, &options,
+                                         &both->coupled),
+                     TF_OK);
+}
+
+static comparison comparison_of(const char *scene, int size)
+{
+    comparison both = {.c = cloth_of(scene, size)};
+    const tf_body *body = &both.c->base.setup.body;
+    both.bytes = sizeof(double) * (size_t)(body->axes * body->vertices);
+    both.proposed = malloc(both.bytes);
+    both.alone = malloc(both.bytes);
+    return both;
+}
+
+static void comparison_free(comparison *both)
+{
+    cloth_simulation_free(both->c);
+    free(both->proposed);
+    free(both->alone);
+}
+
+static void accept(comparison *both)
+{
+    tf_cloth_accept(both->c, tf_resolver_unpushed(both->c->resolver),
+                    both->coupled.held);
+}
+
+// The first contact comes after some steps, in which nothing is stretched.
+START_TEST(a_clear_step_is_that_of_the_dynamics)
+{
+    comparison both = comparison_of("sphere", 8);
+    int clear = 0;
+    for (compare(&both); both.simple.first_contacts == 0; compare(&both)) {
+        ck_assert_mem_eq(both.c->end, both.proposed, both.bytes);
+        ck_assert_uint_eq(both.coupled.contacts, 0);
+        accept(&both);
+        clear++;
+    }
+    ck_assert_int_gt(clear, 1);
+    ck_assert_mem_ne(both.c->end, both.proposed, both.bytes);
+    comparison_free(&both);
+}
+END_TEST
+
+// Both begin with the same contacts; the coupling then does more.
+START_TEST(a_report_adds_up_what_answers_took)
+{
+    comparison both = comparison_of("plane-chain", 60);
+    for (int i = 0; i < 120; i++) {
+        compare(&both);
+        ck_assert_uint_eq(both.coupled.first_contacts,
+                          both.simple.first_contacts);
+        ck_assert_uint_ge(both.coupled.contacts, both.simple.contacts);
+        ck_assert_uint_ge(both.coupled.constraints, both.simple.constraints);
+        ck_assert_int_ge(both.coupled.rounds[TF_ZONES],
+                         both.simple.rounds[TF_ZONES]);
+        accept(&both);
+    }
+    comparison_free(&both);
+}
+END_TEST
+
+// The chain hangs on what is in the way, and the response alone stretches it.
+START_TEST(what_hangs_on_a_contact_is_not_stretched)
+{
+    comparison both = comparison_of("plane-chain", 120);
+    double most = 1, alone = 1;
+    for (int i = 0; i < 200; i++) {
+        compare(&both);
+        const tf_body *body = &both.c->base.setup.body;
+        alone = fmax(alone, tf_body_stretch(body, both.alone));
+        most = fmax(most, tf_body_stretch(body, both.c->end));
+        accept(&both);
+    }
+    printf("stretched to %g, and to %g in a step without coupling\n", most,
+           alone);
+    ck_assert_double_le(most, 1.15);
+    comparison_free(&both);
+}
+END_TEST
+
+// What was answered before leaves no traces.
+START_TEST(a_step_depends_on_itself_alone)
+{
+    comparison both = comparison_of("plane-chain", 60);
+    for (int i = 0; i < 100; i++) {
+        compare(&both);
+        accept(&both);
+    }
+    compare(&both);
+    memcpy(both.alone, both.c->end, both.bytes);
+    memcpy(both.c->end, both.proposed, both.bytes);
+    tf_response_options options = {.friction = both.c->base.scene->friction};
+    ck_assert_int_eq(tf_coupling_resolve(both.c->coupling, both.c->position,
+                                         both.c->end, both.c->inverse_mass,
+                                         &options, &both.coupled),
+                     TF_OK);
+    ck_assert_uint_gt(both.coupled.first_contacts, 0);
+    ck_assert_mem_eq(both.c->end, both.alone, both.bytes);
+    comparison_free(&both);
+}
+END_TEST
+
+Suite *suite(void)
+{
+    Suite *suite = suite_create("simulate/coupling");
+    TCase *tcase = tcase_create("coupling");
+    tcase_add_test(tcase, a_clear_step_is_that_of_the_dynamics);
+    tcase_add_test(tcase, a_report_adds_up_what_answers_took);
+    tcase_add_test(tcase, what_hangs_on_a_contact_is_not_stretched);
+    tcase_add_test(tcase, a_step_depends_on_itself_alone);
+    suite_add_tcase(suite, tcase);
+    return suite;
+}

@@ -97,8 +97,7 @@ tf_status tf_cloth_propose(tf_cloth_simulation *cloth)
     tf_air_blow(&scene->air, &cloth->base.setup.body, cloth->base.time,
                 scene->step, cloth->position, cloth->velocity);
     fly(cloth);
-    return tf_dynamics_step(cloth->dynamics, cloth->end,
-                            getenv("IT") ? atoi(getenv("IT")) : ITERATIONS);
+    return tf_dynamics_step(cloth->dynamics, cloth->end, ITERATIONS);
 }
 
 //: Go on from where a step ends

@@ -164,4 +164,4 @@ include exercises/rules.mk
 include tests/mutants/rules.mk
 
 # What the compiler found out about headers.
--include $(wildcard $(BUILD)/*/*.d $(BUILD)/*/*/*.d)
+-include $(wildcard $(BUILD)/*/*.d $(BUILD)/*/*/*.d $(BUILD)/*/*/*/*.d)

@@ -35,7 +35,7 @@ typedef struct layout {
 
 static const double key_height = 20, band_left = 60, band_pad = 3;
 static const double chip_height = 12, chip_pad = 2, chip_gap = 2;
-static const double lane_pitch = 15.5, lane_right = 17, dot_area = 2.5;
+static const double lane_pitch = 14.5, lane_right = 17, dot_area = 2.5;
 
 // The table ------------------------------------------------------------------
 
@@ -189,7 +189,8 @@ static double balance_chips(fig_page *page, layout *plan, int layer, double y)
 {
     double right = lane_of(page, layer) - lane_pitch / 2;
     double foot = place_chips(page, plan, layer, right, y);
-    while (place_chips(page, plan, layer, right - 1, y) == foot)
+    while (right > band_left &&
+           place_chips(page, plan, layer, right - 1, y) == foot)
         right--;
     return place_chips(page, plan, layer, right, y);
 }
@@ -340,6 +341,6 @@ const fig_figure fig_layers = {
     .name = "layers",
     .title = "The layers of the library and what includes what",
     .width = FIG_PAGE_WIDTH,
-    .height = 460,
+    .height = 490,
     .draw = draw,
 };

@@ -9,10 +9,9 @@
 
 /// Where two elements are nearest to each other, and how far apart they are.
 typedef struct tf_nearest {
-    double lower,
-        upper; ///< the distance is at least the one, at most the other:
-               ///< a few units in the last place away from each other,
-               ///< and both 0 if it is 0
+    double lower; ///< the distance is at least this
+    double upper; ///< and at most this, which is a few units in the last place
+                  ///< more; both are 0 if it is 0
     double barycentric[2][3]; ///< of a nearest point of the first and of the
                               ///< second element, by their vertices as given:
                               ///< each at least 0, the sum of each element's 1

@@ -15,7 +15,8 @@ typedef struct tf_surface_point {
     int vertex[3]; ///< these, in increasing order; -1 where there is none
     double barycentric[3]; ///< the point's, at least 0, with the sum 1 up to
                            ///< rounding; unused ones are zero
-    double lower, upper;   ///< bounds of the distance, as those of tf_distance
+    double lower; ///< the distance is at least this, as that of tf_distance
+    double upper; ///< and at most this
 } tf_surface_point;
 
 /// Finds the point of a surface at rest that is nearest to a point: of several,

@@ -40,8 +40,8 @@ static int worst_step(const fig_cloth_run *run)
 static void draw_chain(fig_page *page, fig_box box, const fig_cloth_run *run,
                        int step)
 {
-    fig_cloth *cloth = fig_cloth_run_film(run, 0, 1);
-    fig_cloth_draw(cloth, page, box, step, &(fig_cloth_look){0});
+    fig_cloth *cloth = fig_cloth_run_film(run, step - 1, 1); // it has fallen
+    fig_cloth_draw(cloth, page, box, 1, &(fig_cloth_look){0});
     fig_cloth_free(cloth);
 }
 
@@ -57,7 +57,7 @@ static void draw_stretch(fig_page *page, const fig_plot *plot,
 
 static void draw(fig_page *page, FILE *numbers)
 {
-    fig_plot plot = {.box = {262, 10, 110, 130},
+    fig_plot plot = {.box = {262, 22, 110, 100},
                      .x = {0, STEPS},
                      .y = {1, 2.5},
                      .ticks_x = 2,
@@ -68,9 +68,11 @@ static void draw(fig_page *page, FILE *numbers)
     fig_plot_frame(page, &plot);
     for (int i = 0; i < RUNS; i++) {
         const fig_cloth_run *run = fig_cloth_run_of(&plans[i]);
-        draw_chain(page, (fig_box){4 + 110.0 * i, 8, 104, 132}, run, step);
+        double left = 4 + 112.0 * i;
+        fig_page_text(page, left + 52, 14, FIG_ALIGN_CENTER, told[i].key,
+                      FIG_LETTERS, told[i].role);
+        draw_chain(page, (fig_box){left, 20, 104, 112}, run, step);
         draw_stretch(page, &plot, run, told[i].role);
-        fig_plot_key(page, 20 + 130.0 * i, 186, told[i].key, told[i].role);
         char key[32];
         snprintf(key, sizeof key, "stretch_%s", told[i].name);
         fig_number(numbers, key, run->step[worst_step(run)].stretch);
@@ -82,6 +84,6 @@ const fig_figure fig_staggered_chain = {
     .name = "staggered-chain",
     .title = "A chain that the response alone stretches",
     .width = FIG_PAGE_WIDTH,
-    .height = 196,
+    .height = 160,
     .draw = draw,
 };

@@ -7,6 +7,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <stdbool.h>
 
 /// Whether the bounds enclose the distance: a length of 0 bounds none from above,
 /// and an infinite one all.

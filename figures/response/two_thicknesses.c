@@ -63,7 +63,7 @@ static void draw_feet(fig_page *page, const fig_plot *plot, fig_point at)
     tf_nearest nearest = nearest_to(at);
     fig_point line[2] = {at, {0, 0}};
     for (int i = 0; i < 3; i++) {
-        line[1].x += nearest.barycentric[1][i] * corner[3 * i];
+        line[1].x += nearest.barycentric[1][i] * corner[(ptrdiff_t)3 * i];
         line[1].y += nearest.barycentric[1][i] * corner[3 * i + 1];
     }
     fig_plot_curve(
@@ -79,7 +79,8 @@ static void draw_around(fig_page *page, fig_box box, FILE *numbers)
     fig_point triangle[4];
     int pieces = 0;
     for (int i = 0; i < 4; i++)
-        triangle[i] = (fig_point){corner[3 * (i % 3)], corner[3 * (i % 3) + 1]};
+        triangle[i] = (fig_point){corner[(ptrdiff_t)3 * (i % 3)],
+                                  corner[3 * (i % 3) + 1]};
     fig_plot_curve(page, &plot, 4, triangle,
                    (fig_stroke){.paint = {.role = FIG_ROLE_TRIANGLE},
                                 .width = FIG_WIDTH_TUBE});
@@ -115,13 +116,13 @@ static void make_curves(curves *made)
             int v = c * POINTS + i;
             double x = 2.0 * i / (POINTS - 1) + 0.02 * c;
             double wave = 0.1 * cos(2 * pi * x);
-            made->start[2 * v] = made->end[2 * v] = x;
+            made->start[(ptrdiff_t)2 * v] = made->end[(ptrdiff_t)2 * v] = x;
             made->start[2 * v + 1] = wave + 0.22 * c;
             made->end[2 * v + 1] = wave + 0.05 * c;
             made->inverse_mass[v] = c;
             if (i == POINTS - 1)
                 continue;
-            made->edge[2 * (v - c)] = v;
+            made->edge[(ptrdiff_t)2 * (v - c)] = v;
             made->edge[2 * (v - c) + 1] = v + 1;
         }
 }
@@ -144,7 +145,8 @@ static double resolve(curves *made, double wanted)
     double least = INFINITY;
     for (int v = 0; v < mesh.vertices; v++)
         for (int e = 0; e < mesh.edges; e++) {
-            int vertex[] = {v, made->edge[2 * e], made->edge[2 * e + 1]};
+            int vertex[] = {v, made->edge[(ptrdiff_t)2 * e],
+                            made->edge[2 * e + 1]};
             tf_nearest nearest;
             if (vertex[1] / POINTS != v / POINTS &&
                 tf_distance(TF_POINT_EDGE, mesh.vertices, made->end, vertex,
@@ -173,7 +175,7 @@ static void draw_curves(fig_page *page, fig_box box, double wanted,
         fig_point at[POINTS];
         fig_role role = c == 0 ? FIG_ROLE_OTHER_EDGE : FIG_ROLE_EDGE;
         for (int i = 0; i < POINTS; i++)
-            at[i] = (fig_point){made.end[2 * (c * POINTS + i)],
+            at[i] = (fig_point){made.end[(ptrdiff_t)2 * (c * POINTS + i)],
                                 made.end[2 * (c * POINTS + i) + 1]};
         if (wanted > 0)
             fig_plot_curve(page, &plot, POINTS, at,

@@ -133,6 +133,9 @@ static double energy(const tf_step *step, const double end[])
 //: Resolve a part of a step that has contacts
 static tf_status answer(tf_resolution *r)
 {
+    // Without a round of the failsafe each vertex is a group of its own.
+    if (!tf_groups_begin(&r->resolver->failsafe.groups, r->step.vertices))
+        return TF_OUT_OF_MEMORY;
     tf_response_options_choose(&r->options, r->resolver->surface, &r->step);
     r->rule.separation = r->options.separation;
     r->rule.restitution = r->options.restitution;
@@ -189,6 +192,8 @@ static part_positions part_positions_of(const tf_resolution *r)
 {
     ptrdiff_t numbers = (ptrdiff_t)r->step.axes * r->step.vertices;
     double *all = r->resolver->part.data;
+    if (r->parts == 1) // it needs none
+        return (part_positions){0};
     return (part_positions){all, all + numbers, all + 2 * numbers};
 }
 

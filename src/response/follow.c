@@ -8,7 +8,7 @@
 enum {
     HALVINGS = 7,     ///< of the interval of a part
     MOST_TRIALS = 24, ///< of all parts
-    RETREATS = 4      ///< more of them, where parts can go no longer
+    RETREATS = 4      ///< more of all, kept for where parts can go no longer
 };
 
 /// Scripted vertices that are held back together.

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/error.h"
-#include "files/mesh_file.h"
+#include "formats/mesh_file.h"
 
 /// Describes an error as the fault of a file whose elements were given to the
 /// library, with the line that it is about, if there is one; returns false.

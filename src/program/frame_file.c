@@ -2,8 +2,8 @@
 #define _GNU_SOURCE // memmem, open_memstream
 #include "program/frame_file.h"
 
-#include "files/mesh_reader.h"
-#include "files/mesh_writer.h"
+#include "formats/mesh_reader.h"
+#include "formats/mesh_writer.h"
 
 #include <errno.h>
 #include <stddef.h>

@@ -1,7 +1,7 @@
 //: Include what frames need
 #include "program/frames.h"
 
-#include "files/mesh_reader.h"
+#include "formats/mesh_reader.h"
 #include "program/flaws.h"
 
 #include <stdlib.h>

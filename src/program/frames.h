@@ -1,7 +1,7 @@
 //: Declare the frames of a surface
 #pragma once
 
-#include "files/mesh_file.h"
+#include "formats/mesh_file.h"
 #include "query/motion.h"
 #include "surface/surface.h"
 

@@ -1,8 +1,8 @@
 //: Declare the output of a mesh with a report
 #pragma once
 
-#include "files/mesh_writer.h"
 #include "files/record.h"
+#include "formats/mesh_writer.h"
 #include "program/destination.h"
 
 /// A report, which is a record.

@@ -1,6 +1,6 @@
 #include "program/frame_file.h"
 
-#include "files/mesh_reader.h"
+#include "formats/mesh_reader.h"
 #include "simulate/cloth_scenes.h"
 #include "simulate/cloth_simulation.h"
 #include "simulate/flow_scenes.h"

@@ -3,7 +3,7 @@
 #include "program/command.h"
 
 #include "base/status.h"
-#include "files/mesh_reader.h"
+#include "formats/mesh_reader.h"
 #include "support/environments.h"
 #include "support/json.h"
 #include "support/program.h"

@@ -1,7 +1,7 @@
 #include "support/arbitrary_mesh.h"
 
-#include "files/mesh_reader.h"
-#include "files/mesh_writer.h"
+#include "formats/mesh_reader.h"
+#include "formats/mesh_writer.h"
 #include "surface/check.h"
 #include "surface/detect.h"
 

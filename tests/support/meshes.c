@@ -1,6 +1,6 @@
 #include "support/meshes.h"
 
-#include "files/mesh_reader.h"
+#include "formats/mesh_reader.h"
 #include "support/support.h"
 
 #include <math.h>

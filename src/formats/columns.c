@@ -1,5 +1,5 @@
 //: Add rows
-#include "files/columns.h"
+#include "formats/columns.h"
 
 #include <math.h>
 #include <stdint.h>

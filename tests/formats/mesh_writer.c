@@ -1,6 +1,6 @@
 #define _GNU_SOURCE // open_memstream
 
-#include "files/mesh_writer.h"
+#include "formats/mesh_writer.h"
 
 #include "support/generator.h"
 #include "support/matrices.h"
@@ -313,7 +313,7 @@ END_TEST
 
 Suite *suite(void)
 {
-    Suite *suite = suite_create("files/mesh_writer");
+    Suite *suite = suite_create("formats/mesh_writer");
     TCase *written = tcase_create("what is written");
     tcase_add_test(written, a_mesh_of_all_elements_comes_back);
     tcase_add_test(written, meshes_of_one_element_come_back);

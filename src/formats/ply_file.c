@@ -1,5 +1,5 @@
 //: Include what PLY files need
-#include "files/ply_file.h"
+#include "formats/ply_file.h"
 
 #include "files/number.h"
 #include "files/text.h"

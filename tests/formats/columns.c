@@ -1,5 +1,5 @@
 // Columns of values: rows come as they were added, and mix as they should.
-#include "files/columns.h"
+#include "formats/columns.h"
 
 #include "support/support.h"
 
@@ -107,7 +107,7 @@ END_TEST
 
 Suite *suite(void)
 {
-    Suite *suite = suite_create("files/columns");
+    Suite *suite = suite_create("formats/columns");
     TCase *tcase = tcase_create("columns");
     tcase_add_test(tcase, rows_are_added);
     tcase_add_test(tcase, columns_are_found_by_name);

@@ -1,8 +1,8 @@
 //: Include what reading meshes needs
-#include "files/mesh_reader.h"
+#include "formats/mesh_reader.h"
 
-#include "files/obj_file.h"
-#include "files/ply_file.h"
+#include "formats/obj_file.h"
+#include "formats/ply_file.h"
 
 #include <errno.h>
 #include <stdio.h>

@@ -1,8 +1,8 @@
 //: Declare mesh files
 #pragma once
 
-#include "files/columns.h"
 #include "files/fault.h"
+#include "formats/columns.h"
 #include "surface/mesh.h"
 
 #include <stddef.h>

@@ -1,5 +1,5 @@
 //: Include what mesh files need
-#include "files/mesh_file.h"
+#include "formats/mesh_file.h"
 
 #include <limits.h>
 #include <stdint.h>

@@ -1,5 +1,5 @@
 //: Include what OBJ files need
-#include "files/obj_file.h"
+#include "formats/obj_file.h"
 
 #include "files/number.h"
 #include "files/text.h"

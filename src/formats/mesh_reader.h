@@ -1,7 +1,7 @@
 //: Declare how to read a mesh file
 #pragma once
 
-#include "files/mesh_file.h"
+#include "formats/mesh_file.h"
 
 /// Reads the file at `path` ("-": standard input), an OBJ or PLY file, told
 /// apart by its content.  False: there is a fault.  Borrows the path, the columns

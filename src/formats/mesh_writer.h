@@ -1,7 +1,7 @@
 //: Declare how to write meshes
 #pragma once
 
-#include "files/mesh_file.h"
+#include "formats/mesh_file.h"
 
 #include <stdio.h>
 

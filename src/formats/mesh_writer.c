@@ -1,6 +1,6 @@
 //: Include what writing meshes needs
 #define _GNU_SOURCE // strcasecmp
-#include "files/mesh_writer.h"
+#include "formats/mesh_writer.h"
 
 #include <inttypes.h>
 #include <math.h>

@@ -1,5 +1,5 @@
 // Texts of OBJ, good and bad.
-#include "files/obj_file.h"
+#include "formats/obj_file.h"
 
 #include "support/meshes.h"
 #include "support/support.h"
@@ -383,7 +383,7 @@ END_TEST
 
 Suite *suite(void)
 {
-    Suite *suite = suite_create("files/obj_file");
+    Suite *suite = suite_create("formats/obj_file");
     TCase *vertices = tcase_create("vertices");
     tcase_add_test(vertices, vertices_keep_their_order);
     tcase_add_test(vertices, weights_and_colors_do_not_count);

@@ -1,7 +1,7 @@
 // Files of any format, and what is wrong with the whole of one.
 #define _GNU_SOURCE // fileno
 
-#include "files/mesh_reader.h"
+#include "formats/mesh_reader.h"
 
 #include "support/meshes.h"
 #include "support/program.h"
@@ -226,7 +226,7 @@ END_TEST
 
 Suite *suite(void)
 {
-    Suite *suite = suite_create("files/mesh_reader");
+    Suite *suite = suite_create("formats/mesh_reader");
     TCase *texts = tcase_create("texts");
     tcase_add_test(texts, formats_are_told_apart_by_content);
     tcase_add_test(texts, flat_meshes_have_edges_alone_and_z_0);

@@ -1,7 +1,7 @@
 //: Declare how to read PLY
 #pragma once
 
-#include "files/mesh_file.h"
+#include "formats/mesh_file.h"
 
 /// Whether a file begins as PLY does.
 bool tf_is_ply(const char *text, size_t size);

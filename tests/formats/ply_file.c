@@ -1,5 +1,5 @@
 // PLY, as text and in binary, good and bad.
-#include "files/ply_file.h"
+#include "formats/ply_file.h"
 
 #include "support/meshes.h"
 #include "support/support.h"
@@ -869,7 +869,7 @@ END_TEST
 
 Suite *suite(void)
 {
-    Suite *suite = suite_create("files/ply_file");
+    Suite *suite = suite_create("formats/ply_file");
     TCase *good = tcase_create("good files");
     tcase_add_test(good, a_file_is_ply_by_its_first_line);
     tcase_add_test(good, a_triangle_is_read_as_text);

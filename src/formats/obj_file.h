@@ -1,7 +1,7 @@
 //: Declare how to read OBJ
 #pragma once
 
-#include "files/mesh_file.h"
+#include "formats/mesh_file.h"
 
 /// Reads Wavefront OBJ: `v` with two or more coordinates, of which the first
 /// three count, `f` with three corners and `l` with two or more, in all forms of

@@ -1,5 +1,5 @@
 // The contents of a mesh file.
-#include "files/mesh_file.h"
+#include "formats/mesh_file.h"
 
 #include "support/meshes.h"
 #include "support/support.h"
@@ -68,7 +68,7 @@ END_TEST
 
 Suite *suite(void)
 {
-    Suite *suite = suite_create("files/mesh_file");
+    Suite *suite = suite_create("formats/mesh_file");
     TCase *mesh = tcase_create("mesh");
     tcase_add_test(mesh, places_beyond_an_int_are_unknown);
     tcase_add_test(mesh, no_more_is_added_than_a_surface_counts);

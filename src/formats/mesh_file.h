@@ -3,6 +3,7 @@
 
 #include "files/fault.h"
 #include "formats/columns.h"
+#include "formats/source.h"
 #include "surface/mesh.h"
 
 #include <stddef.h>
@@ -33,6 +34,7 @@ typedef struct tf_mesh_file {
     tf_fault *fault;     ///< to be set
     tf_columns *columns; ///< borrowed, for what else the vertices have; NULL:
                          ///< that is skipped
+    tf_source *source;   ///< borrowed, for the file itself; NULL: that is not kept
     tf_mesh_format format;
     int first_index;     ///< what the file calls the first vertex: 0 or 1
     tf_doubles position; ///< three coordinates a vertex, z = 0 if none is given
@@ -76,6 +78,9 @@ bool tf_mesh_file_fault_in_memory(const tf_mesh_file *file);
 /// or there are too many.
 bool tf_mesh_file_add_vertex(tf_mesh_file *file, const double x[3], long place);
 bool tf_mesh_file_add_row(tf_mesh_file *file, const double value[]);
+/// Of the source, if that is kept; the text begins at `start`.
+bool tf_mesh_file_add_point(tf_mesh_file *file, int vertex, const char *start,
+                            const char *const at[3]);
 bool tf_mesh_file_add_triangle(tf_mesh_file *file, const int vertex[3],
                                long place);
 bool tf_mesh_file_add_edge(tf_mesh_file *file, const int vertex[2], long place);

@@ -3,6 +3,7 @@
 
 #include "formats/mesh_reader.h"
 #include "program/flaws.h"
+#include "program/remarks.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -19,19 +20,40 @@ static bool same_count(const tf_mesh_file *file, const tf_mesh_file *before,
                               tf_make_visible(before->name).text);
 }
 
-static bool same_list(const tf_mesh_file *file, const tf_mesh_file *before,
-                      const tf_ints *own, const tf_ints *other,
-                      const tf_ints *places, const char *thing)
+static bool fault_in_element(const tf_mesh_file *file,
+                             const tf_mesh_file *before, int place,
+                             const char *thing)
 {
-    size_t i = 0, both = own->count < other->count ? own->count : other->count;
-    while (i < both && own->item[i] == other->item[i])
-        i++;
-    size_t corners = i < both ? own->count / places->count : 1;
-    return i == both ||
-           tf_mesh_file_fault(file, places->item[i / corners],
+    return tf_mesh_file_fault(file, place,
                               "this %s is not as in %s; all files must have "
                               "the same elements in the same order",
                               thing, tf_make_visible(before->name).text);
+}
+
+/// Of polygons the corners are compared: their triangles depend on positions.
+static bool same_faces(const tf_mesh_file *file, const tf_mesh_file *before)
+{
+    tf_face own = {0}, other = {0};
+    while (tf_mesh_file_next_face(file, &own) &&
+           tf_mesh_file_next_face(before, &other))
+        if (own.corners != other.corners ||
+            memcmp(own.corner, other.corner,
+                   sizeof *own.corner * (size_t)own.corners) != 0)
+            return fault_in_element(file, before,
+                                    file->triangle_place.item[own.triangle],
+                                    own.corners > 3 ? "face" : "triangle");
+    return true;
+}
+
+static bool same_edges(const tf_mesh_file *file, const tf_mesh_file *before)
+{
+    size_t i = 0, both = file->edge.count < before->edge.count
+                             ? file->edge.count
+                             : before->edge.count;
+    while (i < both && file->edge.item[i] == before->edge.item[i])
+        i++;
+    return i == both ||
+           fault_in_element(file, before, file->edge_place.item[i / 2], "edge");
 }
 
 /// Describes the first difference, if there is one.
@@ -39,13 +61,21 @@ static bool same_elements(const tf_mesh_file *a, const tf_mesh_file *b)
 {
     return same_count(a, b, tf_mesh_file_vertices(a), tf_mesh_file_vertices(b),
                       "vertices") &&
-           same_list(a, b, &a->triangle, &b->triangle, &a->triangle_place,
-                     "triangle") &&
+           same_faces(a, b) &&
            same_count(a, b, tf_mesh_file_triangles(a),
                       tf_mesh_file_triangles(b), "triangles") &&
-           same_list(a, b, &a->edge, &b->edge, &a->edge_place, "edge") &&
+           same_edges(a, b) &&
            same_count(a, b, tf_mesh_file_edges(a), tf_mesh_file_edges(b),
                       "edges");
+}
+
+//: Keep the triangles of polygons
+/// All files of a sequence have those of the first one.
+static void keep_triangles(const tf_mesh_file *file, const tf_mesh_file *before)
+{
+    if (tf_mesh_file_polygons(file) > 0)
+        memcpy(file->triangle.item, before->triangle.item,
+               file->triangle.count * sizeof *file->triangle.item);
 }
 
 //: Describe what is wrong with a frame
@@ -112,6 +142,19 @@ static bool may_differ(const tf_frames *frames)
            tf_mesh_file_edges(&frames->file[1]) == 0;
 }
 
+//: Continue the frames
+static bool continue_frames(tf_frames *frames)
+{
+    const tf_mesh_file *file = &frames->file[frames->current];
+    const tf_mesh_file *before = &frames->file[1 - frames->current];
+    bool same = same_elements(file, before);
+    if (same)
+        keep_triangles(file, before);
+    else if (may_differ(frames))
+        begin_anew(frames);
+    return same || frames->is_new;
+}
+
 //: Read the next frame
 bool tf_frames_next(tf_frames *frames, const char *path)
 {
@@ -120,13 +163,10 @@ bool tf_frames_next(tf_frames *frames, const char *path)
     tf_mesh_file_free(file);
     if (!tf_mesh_file_read(file, path, frames->columns, &frames->fault))
         return false;
+    tf_remarks_print(file);
     frames->is_new = frames->count == 0;
-    if (frames->count > 0 &&
-        !same_elements(file, &frames->file[1 - frames->current])) {
-        if (!may_differ(frames))
-            return false;
-        begin_anew(frames);
-    }
+    if (frames->count > 0 && !continue_frames(frames))
+        return false;
     frames->count++;
     return make_surface(frames) && flatten(frames);
 }

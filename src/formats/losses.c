@@ -1,6 +1,8 @@
 //: Include what losses need
 #include "formats/losses.h"
 
+#include "formats/encoder.h"
+
 #include <stdio.h>
 #include <string.h>
 
@@ -85,10 +87,10 @@ static const char *next_line(const char *at)
 static void find_in_obj(const char *text, things *found)
 {
     static const meaning words[] = {
-        {"v", NOTHING},      {"f", NOTHING},     {"l", NOTHING},
-        {"", NOTHING},       {"#", COMMENTS},    {"o", NAMES},
-        {"g", GROUPS},       {"s", SMOOTHING},   {"usemtl", MATERIALS},
-        {"vt", TEXTURE},     {"vn", NORMALS},    {"mtllib", MATERIALS},
+        {"v", NOTHING},  {"f", NOTHING},   {"l", NOTHING},
+        {"", NOTHING},   {"#", COMMENTS},  {"o", NAMES},
+        {"g", GROUPS},   {"s", SMOOTHING}, {"usemtl", MATERIALS},
+        {"vt", TEXTURE}, {"vn", NORMALS},  {"mtllib", MATERIALS},
         {NULL, NOTHING}};
     for (const char *line = text; line; line = next_line(line)) {
         size_t length;
@@ -103,12 +105,10 @@ static void find_in_obj(const char *text, things *found)
 /// Those of vertices that are no lists are found among the columns.
 static thing meaning_of_property(thing of, const char *at)
 {
-    static const meaning words[] = {{"vertex_indices", NOTHING},
-                                    {"vertex_index", NOTHING},
-                                    {"vertex1", NOTHING},
-                                    {"vertex2", NOTHING},
-                                    {"texcoord", TEXTURE},
-                                    {NULL, NOTHING}};
+    static const meaning words[] = {
+        {"vertex_indices", NOTHING}, {"vertex_index", NOTHING},
+        {"vertex1", NOTHING},        {"vertex2", NOTHING},
+        {"texcoord", TEXTURE},       {NULL, NOTHING}};
     size_t length;
     const char *type = next_word(&at, &length);
     bool list = length == 4 && memcmp(type, "list", 4) == 0;
@@ -134,12 +134,10 @@ static thing meaning_of_element(const char *at)
 
 static void find_in_ply(const char *text, things *found)
 {
-    static const meaning words[] = {{"comment", COMMENTS},
-                                    {"obj_info", COMMENTS},
-                                    {"element", ELEMENTS},
-                                    {"property", VERTEX_PROPERTIES},
-                                    {"end_header", LINES},
-                                    {NULL, NOTHING}};
+    static const meaning words[] = {
+        {"comment", COMMENTS}, {"obj_info", COMMENTS},
+        {"element", ELEMENTS}, {"property", VERTEX_PROPERTIES},
+        {"end_header", LINES}, {NULL, NOTHING}};
     thing of = NOTHING, line_is = NOTHING;
     for (const char *line = text; line && line_is != LINES;
          line = next_line(line)) {
@@ -160,14 +158,75 @@ static void find_in_columns(const tf_columns *columns, bool keeps_colors,
                             things *found)
 {
     static const meaning words[] = {
-        {"red", COLORS},   {"green", COLORS},   {"blue", COLORS},
-        {"nx", NORMALS},   {"ny", NORMALS},     {"nz", NORMALS},
-        {"u", TEXTURE},    {"v", TEXTURE},      {"s", TEXTURE},
-        {"t", TEXTURE},    {"texture_u", TEXTURE}, {"texture_v", TEXTURE},
+        {"red", COLORS}, {"green", COLORS},      {"blue", COLORS},
+        {"nx", NORMALS}, {"ny", NORMALS},        {"nz", NORMALS},
+        {"u", TEXTURE},  {"v", TEXTURE},         {"s", TEXTURE},
+        {"t", TEXTURE},  {"texture_u", TEXTURE}, {"texture_v", TEXTURE},
         {NULL, NOTHING}};
     for (int i = 0; columns && i < columns->count; i++) {
         const char *name = columns->column[i].name;
         thing is = meaning_of(words, name, strlen(name), VERTEX_PROPERTIES);
         found->has[is == COLORS && keeps_colors ? NOTHING : is] = true;
     }
+}
+
+//: Find what is lost
+/// The formats that hold colors of vertices, their properties, polygons or
+/// edges.
+static bool holds(tf_mesh_format format, thing what)
+{
+    bool stl = format == TF_STL_TEXT || format == TF_STL_BINARY;
+    return what == COLORS     ? !stl
+           : what == POLYGONS ? !stl && format != TF_VTP
+           : what == EDGES    ? !stl && format != TF_OFF
+                              : format != TF_OBJ && format != TF_OFF && !stl;
+}
+
+static void find_all(const tf_mesh_file *file, tf_mesh_format format,
+                     things *lost)
+{
+    if (file->format == TF_OBJ)
+        find_in_obj(file->source->text, lost);
+    if (file->format >= TF_PLY_TEXT && file->format <= TF_PLY_BIG_ENDIAN)
+        find_in_ply(file->source->text, lost);
+    if (!holds(format, VERTEX_PROPERTIES))
+        find_in_columns(file->columns, holds(format, COLORS), lost);
+    lost->has[POLYGONS] =
+        tf_mesh_file_polygons(file) > 0 && !holds(format, POLYGONS);
+    lost->has[EDGES] = tf_mesh_file_edges(file) > 0 && !holds(format, EDGES);
+}
+
+//: List what is lost
+static void add_text(tf_losses *list, const char *text)
+{
+    size_t length = strlen(list->text);
+    snprintf(list->text + length, sizeof list->text - length, "%s", text);
+}
+
+tf_losses tf_find_losses(const tf_mesh_file *file, tf_mesh_format format)
+{
+    tf_losses list = {""};
+    things lost = {{0}};
+    int count = 0, listed = 0;
+    find_all(file, format, &lost);
+    for (int i = 0; i < THINGS; i++)
+        count += lost.has[i];
+    for (int i = 0; i < THINGS; i++)
+        if (lost.has[i]) {
+            listed++;
+            add_text(&list, listed == 1       ? ""
+                            : listed == count ? " and "
+                                              : ", ");
+            add_text(&list, thing_names[i]);
+        }
+    return list;
+}
+
+//: Count what is rounded
+size_t tf_count_rounded(const double position[], size_t coordinates)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < coordinates; i++)
+        count += !tf_number_fits(TF_FLOAT, position[i]);
+    return count;
 }

@@ -35,8 +35,8 @@ bool tf_mesh_content_color(const tf_mesh_content *content, int vertex,
             return false;
         tf_number_type type = columns->column[column].type;
         bool part = type == TF_UCHAR || type == TF_USHORT;
-        color[i] = tf_columns_row(columns, vertex)[column] /
-                   (part ? most[type] : 1);
+        color[i] =
+            tf_columns_row(columns, vertex)[column] / (part ? most[type] : 1);
     }
     return true;
 }

@@ -28,6 +28,11 @@ typedef enum tf_mesh_format {
     TF_PLY_TEXT,
     TF_PLY_LITTLE_ENDIAN,
     TF_PLY_BIG_ENDIAN,
+    TF_STL_TEXT,
+    TF_STL_BINARY,
+    TF_OFF,
+    TF_MSH,
+    TF_VTP, ///< written only
 } tf_mesh_format;
 
 /// The contents of a mesh file.  All indices are 0-based, and may still name no
@@ -38,7 +43,8 @@ typedef struct tf_mesh_file {
     tf_fault *fault;     ///< to be set
     tf_columns *columns; ///< borrowed, for what else the vertices have; NULL:
                          ///< that is skipped
-    tf_source *source;   ///< borrowed, for the file itself; NULL: that is not kept
+    tf_source *source;   ///< borrowed, for the file itself; NULL: that is not
+                         ///< kept
     tf_mesh_format format;
     int first_index;     ///< what the file calls the first vertex: 0 or 1
     tf_doubles position; ///< three coordinates a vertex, z = 0 if none is given

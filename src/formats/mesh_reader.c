@@ -61,37 +61,53 @@ static bool read_all(FILE *stream, bytes *text)
     return true;
 }
 
-//: Read a mesh file
+//: Parse a mesh file
+static bool parse(tf_mesh_file *file, const char *text, size_t size)
+{
+    bool good = tf_is_ply(text, size) ? tf_ply_parse(file, text, size)
+                                      : tf_obj_parse(file, text, size);
+    return good && check_whole(file) && tf_mesh_file_divide(file);
+}
+
 bool tf_mesh_file_parse(tf_mesh_file *file, const char *name, const char *text,
                         size_t size, tf_columns *columns, tf_fault *fault)
 {
     *file = (tf_mesh_file){.name = name, .columns = columns, .fault = fault};
-    bool good = tf_is_ply(text, size) ? tf_ply_parse(file, text, size)
-                                      : tf_obj_parse(file, text, size);
-    return good && check_whole(file) && tf_mesh_file_divide(file);
+    return parse(file, text, size);
+}
+
+//: Read a mesh file
+static void keep(tf_source *source, const bytes *text)
+{
+    if (!source) {
+        free(text->item);
+        return;
+    }
+    source->text = text->item;
+    source->size = text->count;
 }
 
 static bool read_stream(tf_mesh_file *file, FILE *stream)
 {
     bytes text = {0};
     errno = 0;
-    bool good =
-        !read_all(stream, &text) ? tf_mesh_file_fault_in_memory(file)
-        : ferror(stream)
-            ? tf_fault_set_unread(file->fault, file->name, -1, errno)
-            : tf_mesh_file_parse(file, file->name, text.item, text.count,
-                                 file->columns, file->fault);
-    free(text.item);
+    bool good = !read_all(stream, &text) ? tf_mesh_file_fault_in_memory(file)
+                : ferror(stream)
+                    ? tf_fault_set_unread(file->fault, file->name, -1, errno)
+                    : parse(file, text.item, text.count);
+    keep(file->source, &text);
     return good;
 }
 
-bool tf_mesh_file_read(tf_mesh_file *file, const char *path,
-                       tf_columns *columns, tf_fault *fault)
+bool tf_mesh_file_read_all(tf_mesh_file *file, const char *path,
+                           tf_columns *columns, tf_source *source,
+                           tf_fault *fault)
 {
     bool standard = strcmp(path, "-") == 0;
     FILE *stream = standard ? stdin : fopen(path, "rb");
     *file = (tf_mesh_file){.name = standard ? "standard input" : path,
                            .columns = columns,
+                           .source = source,
                            .fault = fault};
     if (!stream)
         return tf_fault_set_unopened(fault, path, errno);
@@ -99,4 +115,10 @@ bool tf_mesh_file_read(tf_mesh_file *file, const char *path,
     if (!standard)
         fclose(stream);
     return good;
+}
+
+bool tf_mesh_file_read(tf_mesh_file *file, const char *path,
+                       tf_columns *columns, tf_fault *fault)
+{
+    return tf_mesh_file_read_all(file, path, columns, NULL, fault);
 }

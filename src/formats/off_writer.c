@@ -38,8 +38,8 @@ void tf_off_write(FILE *stream, const tf_mesh_content *content)
 {
     const tf_mesh *mesh = &content->mesh;
     double unused[3];
-    bool colored = mesh->vertices > 0 &&
-                   tf_mesh_content_color(content, 0, unused);
+    bool colored =
+        mesh->vertices > 0 && tf_mesh_content_color(content, 0, unused);
     fprintf(stream, "%s\n%d %d 0\n", colored ? "COFF" : "OFF", mesh->vertices,
             tf_mesh_content_faces(content));
     for (int v = 0; v < mesh->vertices; v++)

@@ -207,14 +207,19 @@ static bool add_column(const reader *r, const ply_element *element,
 
 //: Name a property
 /// The word of the line that comes after so many others.
+static const char *find_word(const reader *r, int words)
+{
+    const char *word = r->row;
+    for (int i = 0; i < words; i++) {
+        word += strspn(word, " \t");
+        word += strcspn(word, " \t\r\n");
+    }
+    return word + strspn(word, " \t");
+}
+
 static void find_name(const reader *r, int words, ply_property *made)
 {
-    const char *name = r->row;
-    for (int i = 0; i < words; i++) {
-        name += strspn(name, " \t");
-        name += strcspn(name, " \t\r\n");
-    }
-    made->name = name + strspn(name, " \t");
+    made->name = find_word(r, words);
     made->name_length = strcspn(made->name, " \t\r\n");
 }
 
@@ -241,6 +246,20 @@ static bool check_name(const reader *r, const ply_element *element,
                                  quoted.text);
     }
     return true;
+}
+
+//: Keep where coordinates are declared
+static void keep_declaration(const reader *r, const ply_property *made)
+{
+    tf_source *source = r->file->source;
+    const char *type = find_word(r, 1);
+    if (!source)
+        return;
+    source->type[made->role] = (tf_number_type)(made->item - types);
+    source->word[made->role] = (size_t)(type - r->start);
+    source->word_length[made->role] = strcspn(type, " \t\r\n");
+    if (made->role == 1)
+        source->y_end = (size_t)(made->name + made->name_length - r->start);
 }
 
 //: Read the declaration of a property
@@ -289,6 +308,8 @@ static bool read_property(reader *r, const tf_quoted word[])
     if (!check_name(r, element, &made) ||
         (keeps && !add_column(r, element, &made)))
         return false;
+    if (element->target == VERTICES && made.role != NONE)
+        keep_declaration(r, &made);
     element->property[element->properties++] = made;
     return true;
 }
@@ -330,6 +351,8 @@ static bool check_header(const reader *r)
         return tf_mesh_file_fault(r->file, vertices->line,
                                   "vertices without z; the vertices of "
                                   "triangles must have three coordinates");
+    if (r->file->source && vertices)
+        r->file->source->lacks_z = !declares(vertices, 2);
     return r->file->format != TF_OBJ ||
            tf_text_fault(&r->text, "the header has no format; add a line such "
                                    "as 'format ascii 1.0'");
@@ -516,14 +539,23 @@ static bool read_list(reader *r, const ply_property *property)
 /// What an item gives to the mesh.
 typedef struct item {
     double x[3];
-    int vertex[2]; ///< of an edge
+    const char *at[3]; ///< where these begin
+    int vertex[2];     ///< of an edge
 } item;
 
-static bool read_coordinate(reader *r, const ply_type *type, double *x)
+/// A z that is not there would follow y.
+static bool read_coordinate(reader *r, const ply_property *property, item *made)
 {
+    int k = property->role;
     long at = place(r);
-    return read_number(r, type, x) &&
-           (isfinite(*x) ||
+    if (!find_value(r, property->item))
+        return false;
+    made->at[k] = r->text.at;
+    if (!read_number(r, property->item, &made->x[k]))
+        return false;
+    if (k == 1 && r->file->source && r->file->source->lacks_z)
+        made->at[2] = r->text.at;
+    return (isfinite(made->x[k]) ||
             tf_mesh_file_fault(r->file, at,
                                "a coordinate is infinite or NaN; write finite "
                                "numbers"));
@@ -538,7 +570,7 @@ static bool read_value(reader *r, int to, const ply_property *property,
         return property->column == NONE ? skip_value(r, property->item)
                                         : read_column(r, property);
     return to == VERTICES
-               ? read_coordinate(r, property->item, &made->x[property->role])
+               ? read_coordinate(r, property, made)
                : read_index(r, property->item, &made->vertex[property->role]);
 }
 
@@ -555,7 +587,9 @@ static bool add_item(const reader *r, int to, const item *made, long at)
 {
     switch (to) {
     case VERTICES:
-        return tf_mesh_file_add_vertex(r->file, made->x, at) &&
+        return tf_mesh_file_add_point(r->file, tf_mesh_file_vertices(r->file),
+                                      r->start, made->at) &&
+               tf_mesh_file_add_vertex(r->file, made->x, at) &&
                tf_mesh_file_add_row(r->file, r->value);
     case FACES:
         return tf_mesh_file_add_face(r->file, r->corner.item,

@@ -60,10 +60,9 @@ static void write_ply_header(FILE *stream, const tf_mesh_content *content,
     if (content->velocity)
         write_properties(stream, "v", NULL);
     if (mesh->triangles > 0)
-        fprintf(stream,
-                "element face %d\nproperty list %s int vertex_indices\n",
-                tf_mesh_content_faces(content),
-                type_names[length_type(content)]);
+        fprintf(
+            stream, "element face %d\nproperty list %s int vertex_indices\n",
+            tf_mesh_content_faces(content), type_names[length_type(content)]);
     if (mesh->edges > 0)
         fprintf(stream,
                 "element edge %d\nproperty int vertex1\nproperty int vertex2\n",

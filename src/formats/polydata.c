@@ -90,8 +90,8 @@ static void describe(describer *d, const tf_polydata_array *array,
                      const char *name, int components)
 {
     static const char *const types[] = {
-        [TF_CHAR] = "Int8",     [TF_UCHAR] = "UInt8",  [TF_SHORT] = "Int16",
-        [TF_USHORT] = "UInt16", [TF_INT] = "Int32",    [TF_UINT] = "UInt32",
+        [TF_CHAR] = "Int8",     [TF_UCHAR] = "UInt8",   [TF_SHORT] = "Int16",
+        [TF_USHORT] = "UInt16", [TF_INT] = "Int32",     [TF_UINT] = "UInt32",
         [TF_FLOAT] = "Float32", [TF_DOUBLE] = "Float64"};
     fprintf(d->stream, "<DataArray type=\"%s\" Name=\"", types[array->type]);
     write_escaped(d->stream, name);

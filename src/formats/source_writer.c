@@ -75,24 +75,24 @@ static bool fits(const copier *c, const tf_source_point *point, int k)
            (c->to.is_text && is_spelled(c->source, point->at[k], x, &end));
 }
 
-static void choose_type(copier *c, int k)
+static bool all_fit(const copier *c)
 {
     const tf_source *source = c->source;
-    c->type[k] = source->type[k];
-    for (size_t i = 0; i < source->points && c->type[k] != TF_DOUBLE; i++)
-        if (!fits(c, &source->point[i], k))
-            c->type[k] = TF_DOUBLE;
+    for (size_t i = 0; i < source->points; i++)
+        for (int k = 0; k < 3; k++)
+            if (!fits(c, &source->point[i], k))
+                return false;
+    return true;
 }
 
-/// It can be declared in PLY alone.
+/// Only PLY declares types; all three become double, as readers expect.
 static void choose_types(copier *c)
 {
-    const tf_source *source = c->source;
-    bool declares = source->word_length[0] > 0;
-    memcpy(c->type, source->type, sizeof c->type);
-    for (int k = 0; k < 3 && declares; k++)
-        choose_type(c, k);
-    c->adds_z = source->lacks_z && c->type[2] == TF_DOUBLE;
+    bool declares = c->source->word_length[0] > 0;
+    bool widens = declares && !all_fit(c);
+    for (int k = 0; k < 3; k++)
+        c->type[k] = widens ? TF_DOUBLE : c->source->type[k];
+    c->adds_z = widens && c->source->lacks_z;
 }
 
 //: Write the header of the source

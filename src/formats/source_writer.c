@@ -75,13 +75,12 @@ static bool fits(const copier *c, const tf_source_point *point, int k)
            (c->to.is_text && is_spelled(c->source, point->at[k], x, &end));
 }
 
-static bool all_fit(const copier *c)
+static bool all_fit(const copier *c, int k)
 {
     const tf_source *source = c->source;
     for (size_t i = 0; i < source->points; i++)
-        for (int k = 0; k < 3; k++)
-            if (!fits(c, &source->point[i], k))
-                return false;
+        if (!fits(c, &source->point[i], k))
+            return false;
     return true;
 }
 
@@ -89,10 +88,13 @@ static bool all_fit(const copier *c)
 static void choose_types(copier *c)
 {
     bool declares = c->source->word_length[0] > 0;
-    bool widens = declares && !all_fit(c);
+    bool fit[3] = {true, true, true};
+    for (int k = 0; k < 3 && declares; k++)
+        fit[k] = all_fit(c, k);
     for (int k = 0; k < 3; k++)
-        c->type[k] = widens ? TF_DOUBLE : c->source->type[k];
-    c->adds_z = widens && c->source->lacks_z;
+        c->type[k] =
+            fit[0] && fit[1] && fit[2] ? c->source->type[k] : TF_DOUBLE;
+    c->adds_z = !fit[2] && c->source->lacks_z;
 }
 
 //: Write the header of the source

@@ -18,6 +18,14 @@ void read_columns(tf_columns *columns);
 /// What is written of a file.
 tf_mesh_content content_of(const tf_mesh_file *file);
 
+/// The bytes of a mesh in a format, with a zero behind them; to be freed.
+char *bytes_of_mesh(const tf_mesh_content *content, tf_mesh_format format,
+                    size_t *size);
+
+/// Expects that a mesh with polygons, colors and so on is this text.
+void expect_mesh_text(const tf_mesh_content *content, tf_mesh_format format,
+                      const char *text);
+
 /// An empty file of that name, whose fault is kept until a text is parsed.
 tf_mesh_file empty_mesh(const char *name);
 

@@ -1,6 +1,8 @@
 //: Include what endings need
-#define _GNU_SOURCE // strcasecmp
+#define _GNU_SOURCE // strncasecmp
 #include "formats/endings.h"
+
+#include "files/gzip_stream.h"
 
 #include <string.h>
 
@@ -8,9 +10,7 @@
 /// The length of a name without .gz.
 static size_t length_before_gz(const char *path)
 {
-    size_t length = strlen(path);
-    bool packed = length >= 3 && strcasecmp(path + length - 3, ".gz") == 0;
-    return length - (packed ? 3 : 0);
+    return strlen(path) - (tf_is_gzip_name(path) ? 3 : 0);
 }
 
 bool tf_ends_in(const char *path, const char *ending)

@@ -2,12 +2,12 @@
 
 #include "files/masses.h"
 #include "program/command.h"
-#include "program/flaws.h"
-#include "program/frames.h"
 #include "program/mesh_output.h"
 #include "program/progress.h"
 #include "program/reports.h"
 #include "response/resolve.h"
+#include "scenes/flaws.h"
+#include "scenes/frames.h"
 #include "threads/threads.h"
 
 #include <stdio.h>

@@ -3,9 +3,9 @@
 #include "program/arithmetics.h"
 #include "program/command.h"
 #include "program/destination.h"
-#include "program/frames.h"
 #include "program/progress.h"
 #include "program/surface_output.h"
+#include "scenes/frames.h"
 #include "threads/threads.h"
 
 #include <limits.h>

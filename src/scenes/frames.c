@@ -1,8 +1,8 @@
 //: Include what frames need
-#include "program/frames.h"
+#include "scenes/frames.h"
 
 #include "formats/mesh_reader.h"
-#include "program/flaws.h"
+#include "scenes/flaws.h"
 
 #include <stdlib.h>
 #include <string.h>

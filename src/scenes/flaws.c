@@ -1,5 +1,5 @@
 //: Include what describing flaws needs
-#include "program/flaws.h"
+#include "scenes/flaws.h"
 
 #include "base/fail.h"
 #include "base/sentence.h"

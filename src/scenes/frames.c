@@ -3,50 +3,10 @@
 
 #include "formats/mesh_reader.h"
 #include "scenes/flaws.h"
+#include "scenes/same_elements.h"
 
 #include <stdlib.h>
 #include <string.h>
-
-//: Compare the elements of two files
-static bool same_count(const tf_mesh_file *file, const tf_mesh_file *before,
-                       int own, int other, const char *things)
-{
-    return own == other ||
-           tf_mesh_file_fault(file, -1,
-                              "the number of %s is %d, but %d in %s; all files "
-                              "must have the same elements",
-                              things, own, other,
-                              tf_make_visible(before->name).text);
-}
-
-static bool same_list(const tf_mesh_file *file, const tf_mesh_file *before,
-                      const tf_ints *own, const tf_ints *other,
-                      const tf_ints *places, const char *thing)
-{
-    size_t i = 0, both = own->count < other->count ? own->count : other->count;
-    while (i < both && own->item[i] == other->item[i])
-        i++;
-    size_t corners = i < both ? own->count / places->count : 1;
-    return i == both ||
-           tf_mesh_file_fault(file, places->item[i / corners],
-                              "this %s is not as in %s; all files must have "
-                              "the same elements in the same order",
-                              thing, tf_make_visible(before->name).text);
-}
-
-/// Describes the first difference, if there is one.
-static bool same_elements(const tf_mesh_file *a, const tf_mesh_file *b)
-{
-    return same_count(a, b, tf_mesh_file_vertices(a), tf_mesh_file_vertices(b),
-                      "vertices") &&
-           same_list(a, b, &a->triangle, &b->triangle, &a->triangle_place,
-                     "triangle") &&
-           same_count(a, b, tf_mesh_file_triangles(a),
-                      tf_mesh_file_triangles(b), "triangles") &&
-           same_list(a, b, &a->edge, &b->edge, &a->edge_place, "edge") &&
-           same_count(a, b, tf_mesh_file_edges(a), tf_mesh_file_edges(b),
-                      "edges");
-}
 
 //: Describe what is wrong with a frame
 bool tf_frames_fault(const tf_frames *frames, const tf_error *error)
@@ -122,7 +82,7 @@ bool tf_frames_next(tf_frames *frames, const char *path)
         return false;
     frames->is_new = frames->count == 0;
     if (frames->count > 0 &&
-        !same_elements(file, &frames->file[1 - frames->current])) {
+        !tf_have_same_elements(file, &frames->file[1 - frames->current])) {
         if (!may_differ(frames))
             return false;
         begin_anew(frames);

@@ -1,6 +1,8 @@
 //: Include what mesh files need
 #include "formats/mesh_file.h"
 
+#include "formats/polygon.h"
+
 #include <limits.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -44,7 +46,7 @@ static void *append(void *list, size_t *count, size_t *room, const void *item,
     return moved;
 }
 
-static bool add_ints(tf_ints *list, size_t count, const int item[])
+bool tf_ints_add(tf_ints *list, size_t count, const int item[])
 {
     int *moved = append(list->item, &list->count, &list->room, item, count,
                         sizeof *item);
@@ -80,7 +82,7 @@ static bool add_place(tf_mesh_file *file, tf_ints *places, long place)
         return tf_mesh_file_fault(
             file, place,
             "more than %d vertices, triangles or edges; divide the mesh", MOST);
-    return add_ints(places, 1, &kept) || tf_mesh_file_fault_in_memory(file);
+    return tf_ints_add(places, 1, &kept) || tf_mesh_file_fault_in_memory(file);
 }
 
 bool tf_mesh_file_add_vertex(tf_mesh_file *file, const double x[3], long place)
@@ -100,14 +102,46 @@ bool tf_mesh_file_add_triangle(tf_mesh_file *file, const int vertex[3],
                                long place)
 {
     return add_place(file, &file->triangle_place, place) &&
-           (add_ints(&file->triangle, 3, vertex) ||
+           (tf_ints_add(&file->triangle, 3, vertex) ||
             tf_mesh_file_fault_in_memory(file));
 }
 
+//: Add a face
+bool tf_mesh_file_check_corners(const tf_mesh_file *file, int corners,
+                                long place)
+{
+    return corners >= 3 ||
+           tf_mesh_file_fault(
+               file, place,
+               "a face with %d corners; each must have three or more", corners);
+}
+
+static bool add_polygon(tf_mesh_file *file, const int corner[], int corners)
+{
+    int first[] = {tf_mesh_file_triangles(file), (int)file->corner.count};
+    return (tf_ints_add(&file->polygon, 2, first) &&
+            tf_ints_add(&file->corner, (size_t)corners, corner)) ||
+           tf_mesh_file_fault_in_memory(file);
+}
+
+/// Until polygons are divided, they are fans.
+bool tf_mesh_file_add_face(tf_mesh_file *file, const int corner[], int corners,
+                           long place)
+{
+    if (corners > 3 && !add_polygon(file, corner, corners))
+        return false;
+    for (int i = 1; i < corners - 1; i++)
+        if (!tf_mesh_file_add_triangle(
+                file, (int[]){corner[0], corner[i], corner[i + 1]}, place))
+            return false;
+    return true;
+}
+
+//: Add an edge
 bool tf_mesh_file_add_edge(tf_mesh_file *file, const int vertex[2], long place)
 {
     return add_place(file, &file->edge_place, place) &&
-           (add_ints(&file->edge, 2, vertex) ||
+           (tf_ints_add(&file->edge, 2, vertex) ||
             tf_mesh_file_fault_in_memory(file));
 }
 
@@ -127,12 +161,96 @@ int tf_mesh_file_edges(const tf_mesh_file *file)
     return (int)file->edge_place.count;
 }
 
+int tf_mesh_file_polygons(const tf_mesh_file *file)
+{
+    return (int)(file->polygon.count / 2);
+}
+
 bool tf_mesh_file_is_flat(const tf_mesh_file *file)
 {
     bool flat = tf_mesh_file_triangles(file) == 0;
     for (size_t i = 2; i < file->position.count && flat; i += 3)
         flat = file->position.item[i] == 0;
     return flat;
+}
+
+//: Go through the faces
+static void take_polygon(const tf_mesh_file *file, tf_face *face)
+{
+    const int *first = file->polygon.item + 2 * face->polygon;
+    bool is_last = face->polygon == tf_mesh_file_polygons(file) - 1;
+    face->corner = file->corner.item + first[1];
+    face->corners = (is_last ? (int)file->corner.count : first[3]) - first[1];
+}
+
+bool tf_mesh_file_next_face(const tf_mesh_file *file, tf_face *face)
+{
+    if (face->corner) {
+        face->triangle += face->corners - 2;
+        face->polygon += face->corners > 3;
+    }
+    if (face->triangle >= tf_mesh_file_triangles(file))
+        return false;
+    face->corner = file->triangle.item + 3 * face->triangle;
+    face->corners = 3;
+    if (face->polygon < tf_mesh_file_polygons(file) &&
+        file->polygon.item[2 * face->polygon] == face->triangle)
+        take_polygon(file, face);
+    return true;
+}
+
+//: Check the corners of a polygon
+/// `last`: of each vertex, the last polygon that it is a corner of, from 1.
+static bool check_corners(const tf_mesh_file *file, const tf_face *face,
+                          int last[])
+{
+    int vertices = tf_mesh_file_vertices(file), first = file->first_index;
+    long place = file->triangle_place.item[face->triangle];
+    for (int i = 0; i < face->corners; i++) {
+        int vertex = face->corner[i];
+        if (vertex >= vertices)
+            return tf_mesh_file_fault(
+                file, place,
+                "there is no vertex %lld; they are numbered from %d to %d",
+                (long long)vertex + first, first, vertices - 1 + first);
+        if (last[vertex] == face->polygon + 1)
+            return tf_mesh_file_fault(file, place,
+                                      "vertex %d is a corner twice; delete the "
+                                      "face, here and in all files",
+                                      vertex + first);
+        last[vertex] = face->polygon + 1;
+    }
+    return true;
+}
+
+//: Divide polygons
+static bool divide_polygons(tf_mesh_file *file, tf_polygon *polygon, int last[])
+{
+    tf_face face = {0};
+    while (tf_mesh_file_next_face(file, &face)) {
+        if (face.corners == 3)
+            continue;
+        if (!check_corners(file, &face, last))
+            return false;
+        if (!tf_polygon_divide(polygon, file->position.item, face.corners,
+                               face.corner,
+                               file->triangle.item + 3 * face.triangle))
+            return tf_mesh_file_fault_in_memory(file);
+    }
+    return true;
+}
+
+bool tf_mesh_file_divide(tf_mesh_file *file)
+{
+    if (tf_mesh_file_polygons(file) == 0)
+        return true;
+    tf_polygon polygon = {0};
+    int *last = calloc((size_t)tf_mesh_file_vertices(file) + 1, sizeof *last);
+    bool good = last ? divide_polygons(file, &polygon, last)
+                     : tf_mesh_file_fault_in_memory(file);
+    free(last);
+    tf_polygon_free(&polygon);
+    return good;
 }
 
 //: Lend the elements of a file
@@ -152,6 +270,8 @@ void tf_mesh_file_free(tf_mesh_file *file)
     free(file->position.item);
     free(file->triangle.item);
     free(file->edge.item);
+    free(file->polygon.item);
+    free(file->corner.item);
     free(file->vertex_place.item);
     free(file->triangle_place.item);
     free(file->edge_place.item);

@@ -19,6 +19,9 @@ typedef struct tf_doubles {
     size_t count, room;
 } tf_doubles;
 
+/// Appends integers.  False: there is no memory.
+bool tf_ints_add(tf_ints *list, size_t count, const int item[]);
+
 typedef enum tf_mesh_format {
     TF_OBJ = 0,
     TF_PLY_TEXT,
@@ -26,8 +29,9 @@ typedef enum tf_mesh_format {
     TF_PLY_BIG_ENDIAN,
 } tf_mesh_format;
 
-/// The contents of an OBJ or PLY file.  All indices are 0-based, and may still
-/// name no vertex.
+/// The contents of a mesh file.  All indices are 0-based, and may still name no
+/// vertex.  A polygon is a face with more than three corners; its triangles,
+/// two fewer than it has corners, are where the face is among all others.
 typedef struct tf_mesh_file {
     const char *name;    ///< of the file, for messages; borrowed
     tf_fault *fault;     ///< to be set
@@ -36,8 +40,12 @@ typedef struct tf_mesh_file {
     tf_mesh_format format;
     int first_index;     ///< what the file calls the first vertex: 0 or 1
     tf_doubles position; ///< three coordinates a vertex, z = 0 if none is given
-    tf_ints triangle;    ///< three indices each
+    tf_ints triangle;    ///< three indices each; those of polygons are right
+                         ///< when these are divided
     tf_ints edge;        ///< two indices each
+    tf_ints polygon;     ///< two numbers each: its first triangle, and its
+                         ///< first corner
+    tf_ints corner;      ///< the indices of all corners of polygons
     bool counts_bytes;   ///< places are bytes, not lines
     /// Where each item is in the file: a line from 1, or a byte from 0; below 0
     /// where that is no int.
@@ -54,12 +62,28 @@ int tf_mesh_file_vertices(const tf_mesh_file *file);
 int tf_mesh_file_triangles(const tf_mesh_file *file);
 int tf_mesh_file_edges(const tf_mesh_file *file);
 
+/// How many of its faces are polygons.
+int tf_mesh_file_polygons(const tf_mesh_file *file);
+
 /// Whether a file holds a curve of the plane: no triangles, and z = 0
 /// throughout.
 bool tf_mesh_file_is_flat(const tf_mesh_file *file);
 
 /// The elements of a file, which lends them.
 tf_mesh tf_mesh_file_elements(const tf_mesh_file *file, int axes);
+
+//: Declare how to go through the faces
+/// A face of a file.  All zero: there is none yet.
+typedef struct tf_face {
+    const int *corner; ///< the indices of its corners, as in the file
+    int corners;       ///< how many
+    int triangle;      ///< the first of its corners - 2 triangles
+    int polygon;       ///< how many polygons come before it
+} tf_face;
+
+/// Steps to the next face in the order of the file, from none to the first one;
+/// false after the last.
+bool tf_mesh_file_next_face(const tf_mesh_file *file, tf_face *face);
 
 //: Declare the faults of a mesh file
 /// Sets a fault at a place, below 0 of the whole file, as printf; false, for the
@@ -68,14 +92,25 @@ __attribute__((format(printf, 3, 4))) bool
 tf_mesh_file_fault(const tf_mesh_file *file, long place, const char *format,
                    ...);
 
+/// Sets a fault if so many corners are too few for a face.
+bool tf_mesh_file_check_corners(const tf_mesh_file *file, int corners,
+                                long place);
+
 /// Sets the fault that there is no memory; false.
 bool tf_mesh_file_fault_in_memory(const tf_mesh_file *file);
 
 //: Declare how to add to a mesh
 /// Each adds an item, and sets a fault and returns false if there is no memory
-/// or there are too many.
+/// or there are too many.  A face has three corners or more.
 bool tf_mesh_file_add_vertex(tf_mesh_file *file, const double x[3], long place);
 bool tf_mesh_file_add_row(tf_mesh_file *file, const double value[]);
 bool tf_mesh_file_add_triangle(tf_mesh_file *file, const int vertex[3],
                                long place);
+bool tf_mesh_file_add_face(tf_mesh_file *file, const int corner[], int corners,
+                           long place);
 bool tf_mesh_file_add_edge(tf_mesh_file *file, const int vertex[2], long place);
+
+//: Declare how to divide polygons
+/// Divides all polygons, when all vertices are known; see tf_polygon_divide.
+/// It is a fault if one has a corner that is no vertex, or one twice.
+bool tf_mesh_file_divide(tf_mesh_file *file);

@@ -68,7 +68,7 @@ bool tf_mesh_file_parse(tf_mesh_file *file, const char *name, const char *text,
     *file = (tf_mesh_file){.name = name, .columns = columns, .fault = fault};
     bool good = tf_is_ply(text, size) ? tf_ply_parse(file, text, size)
                                       : tf_obj_parse(file, text, size);
-    return good && check_whole(file);
+    return good && check_whole(file) && tf_mesh_file_divide(file);
 }
 
 static bool read_stream(tf_mesh_file *file, FILE *stream)

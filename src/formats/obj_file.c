@@ -12,6 +12,7 @@
 typedef struct reader {
     tf_text text;
     tf_mesh_file *file;
+    tf_ints corner; ///< of a face
 } reader;
 
 /// Steps over blanks, and over the end of a line that a backslash continues.
@@ -143,21 +144,18 @@ static bool read_corner(reader *r, int *vertex)
 //: Read a face
 static bool read_face(reader *r)
 {
-    int corner[3];
-    int count = 0;
     long place = r->text.line;
-    for (; find_word(r); count++) {
-        if (count == 3)
-            return tf_text_fault(
-                &r->text,
-                "a face with more than three corners; triangulate the mesh, "
-                "for instance by Blender's export option Triangulated Mesh");
-        if (!read_corner(r, &corner[count]))
+    for (r->corner.count = 0; find_word(r);) {
+        int vertex;
+        if (!read_corner(r, &vertex))
             return false;
+        if (!tf_ints_add(&r->corner, 1, &vertex))
+            return tf_mesh_file_fault_in_memory(r->file);
     }
-    if (count < 3)
-        return fault_in_end(r, "a face has three corners");
-    return tf_mesh_file_add_triangle(r->file, corner, place);
+    if (r->corner.count < 3)
+        return fault_in_end(r, "a face has three corners or more");
+    return tf_mesh_file_add_face(r->file, r->corner.item, (int)r->corner.count,
+                                 place);
 }
 
 //: Read a line of edges
@@ -203,6 +201,14 @@ static bool read_line(reader *r)
 }
 
 //: Read OBJ
+static bool read_lines(reader *r)
+{
+    while (*r->text.at)
+        if (!read_line(r))
+            return false;
+    return true;
+}
+
 bool tf_obj_parse(tf_mesh_file *file, const char *text, size_t size)
 {
     bool marked = strncmp(text, "\xEF\xBB\xBF", 3) == 0;
@@ -212,8 +218,8 @@ bool tf_obj_parse(tf_mesh_file *file, const char *text, size_t size)
                          .fault = file->fault},
                 .file = file};
     file->first_index = 1;
-    while (*r.text.at)
-        if (!read_line(&r))
-            return false;
-    return r.text.at == text + size || tf_text_fault_in_nul(&r.text);
+    bool good = read_lines(&r) &&
+                (r.text.at == text + size || tf_text_fault_in_nul(&r.text));
+    free(r.corner.item);
+    return good;
 }

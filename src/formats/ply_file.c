@@ -6,6 +6,7 @@
 
 #include <limits.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 //: Declare the types of properties
@@ -80,6 +81,7 @@ typedef struct reader {
     int elements;
     ply_element element[ELEMENTS];
     double value[TF_MOST_COLUMNS]; ///< of a vertex, for the columns
+    tf_ints corner;                ///< of a face
 } reader;
 
 static long place(const reader *r)
@@ -486,24 +488,26 @@ static bool read_index(reader *r, const ply_type *type, int *index)
 }
 
 //: Read a list
+static bool add_corner(reader *r, const ply_type *type)
+{
+    int vertex;
+    return read_index(r, type, &vertex) &&
+           (tf_ints_add(&r->corner, 1, &vertex) ||
+            tf_mesh_file_fault_in_memory(r->file));
+}
+
 /// Reads the corners of a face, or skips another list.
-static bool read_list(reader *r, const ply_property *property, int corner[3])
+static bool read_list(reader *r, const ply_property *property)
 {
     long at = place(r);
     int length = 0;
-    if (!read_index(r, property->length, &length))
+    if (!read_index(r, property->length, &length) ||
+        (property->role != NONE &&
+         !tf_mesh_file_check_corners(r->file, length, at)))
         return false;
-    bool corners = property->role != NONE;
-    if (corners && length != 3)
-        return tf_mesh_file_fault(
-            r->file, at,
-            length > 3 ? "a face with %d corners; triangulate the mesh, for "
-                         "instance by Blender's export option Triangulated Mesh"
-                       : "a face with %d corners; each must have three",
-            length);
     for (int i = 0; i < length; i++)
-        if (corners ? !read_index(r, property->item, &corner[i])
-                    : !skip_value(r, property->item))
+        if (property->role != NONE ? !add_corner(r, property->item)
+                                   : !skip_value(r, property->item))
             return false;
     return true;
 }
@@ -512,7 +516,7 @@ static bool read_list(reader *r, const ply_property *property, int corner[3])
 /// What an item gives to the mesh.
 typedef struct item {
     double x[3];
-    int vertex[3];
+    int vertex[2]; ///< of an edge
 } item;
 
 static bool read_coordinate(reader *r, const ply_type *type, double *x)
@@ -529,7 +533,7 @@ static bool read_value(reader *r, int to, const ply_property *property,
                        item *made)
 {
     if (property->length)
-        return read_list(r, property, made->vertex);
+        return read_list(r, property);
     if (property->role == NONE)
         return property->column == NONE ? skip_value(r, property->item)
                                         : read_column(r, property);
@@ -554,7 +558,8 @@ static bool add_item(const reader *r, int to, const item *made, long at)
         return tf_mesh_file_add_vertex(r->file, made->x, at) &&
                tf_mesh_file_add_row(r->file, r->value);
     case FACES:
-        return tf_mesh_file_add_triangle(r->file, made->vertex, at);
+        return tf_mesh_file_add_face(r->file, r->corner.item,
+                                     (int)r->corner.count, at);
     case EDGES:
         return tf_mesh_file_add_edge(r->file, made->vertex, at);
     default:
@@ -577,6 +582,7 @@ static bool end_item(reader *r)
 static bool read_item(reader *r, const ply_element *element)
 {
     item made = {0};
+    r->corner.count = 0;
     if (is_text(r))
         skip_blank_lines(&r->text);
     long at = place(r);
@@ -617,5 +623,7 @@ bool tf_ply_parse(tf_mesh_file *file, const char *text, size_t size)
                 .file = file};
     bool good = read_header(&r);
     file->counts_bytes = good && !is_text(&r);
-    return good && read_items(&r);
+    good = good && read_items(&r);
+    free(r.corner.item);
+    return good;
 }

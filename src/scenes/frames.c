@@ -3,6 +3,7 @@
 
 #include "formats/mesh_reader.h"
 #include "scenes/flaws.h"
+#include "scenes/remarks.h"
 #include "scenes/same_elements.h"
 
 #include <stdlib.h>
@@ -72,6 +73,17 @@ static bool may_differ(const tf_frames *frames)
            tf_mesh_file_edges(&frames->file[1]) == 0;
 }
 
+//: Continue the frames
+static bool continue_frames(tf_frames *frames)
+{
+    tf_mesh_file *file = &frames->file[frames->current];
+    const tf_mesh_file *before = &frames->file[1 - frames->current];
+    bool same = tf_continue_sequence(file, before);
+    if (!same && may_differ(frames))
+        begin_anew(frames);
+    return same || frames->is_new;
+}
+
 //: Read the next frame
 bool tf_frames_next(tf_frames *frames, const char *path)
 {
@@ -80,13 +92,10 @@ bool tf_frames_next(tf_frames *frames, const char *path)
     tf_mesh_file_free(file);
     if (!tf_mesh_file_read(file, path, frames->columns, &frames->fault))
         return false;
+    tf_remarks_print(file);
     frames->is_new = frames->count == 0;
-    if (frames->count > 0 &&
-        !tf_have_same_elements(file, &frames->file[1 - frames->current])) {
-        if (!may_differ(frames))
-            return false;
-        begin_anew(frames);
-    }
+    if (frames->count > 0 && !continue_frames(frames))
+        return false;
     frames->count++;
     return make_surface(frames) && flatten(frames);
 }

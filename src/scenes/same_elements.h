@@ -3,6 +3,7 @@
 
 #include "formats/mesh_file.h"
 
-/// Whether two files have the same elements in the same order.  False: the first
-/// difference is the fault of the file `a`.
-bool tf_have_same_elements(const tf_mesh_file *a, const tf_mesh_file *b);
+/// Whether a file has the same elements in the same order as the one before it
+/// in a sequence; then it gets the triangles that polygons have in that.  False:
+/// the first difference is the fault of the file.
+bool tf_continue_sequence(tf_mesh_file *file, const tf_mesh_file *before);

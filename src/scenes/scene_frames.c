@@ -3,6 +3,7 @@
 
 #include "formats/mesh_reader.h"
 #include "scenes/flaws.h"
+#include "scenes/remarks.h"
 #include "scenes/same_elements.h"
 
 #include <stdlib.h>
@@ -32,11 +33,12 @@ static bool read_file(tf_scene_frames *frames, int mesh)
     if (frames->count > 0 && stays(frames, mesh))
         return true;
     tf_mesh_file_free(file);
-    return tf_mesh_file_read(file, tf_scene_mesh_path(own, frames->count), NULL,
-                             &frames->fault) &&
-           (frames->count == 0 ||
-            tf_have_same_elements(file,
-                                  &frames->file[mesh][1 - frames->current]));
+    if (!tf_mesh_file_read(file, tf_scene_mesh_path(own, frames->count), NULL,
+                           &frames->fault))
+        return false;
+    tf_remarks_print(file);
+    return frames->count == 0 ||
+           tf_continue_sequence(file, &frames->file[mesh][1 - frames->current]);
 }
 
 static bool read_files(tf_scene_frames *frames)

@@ -66,6 +66,62 @@ START_TEST(elements_are_lent)
 }
 END_TEST
 
+// Faces -----------------------------------------------------------------------
+
+START_TEST(faces_are_gone_through_in_order)
+{
+    static const int corners[][6] = {{3, 0, 1, 2},
+                                     {4, 3, 0, 1, 2},
+                                     {5, 4, 3, 2, 1, 0},
+                                     {3, 2, 3, 4},
+                                     {4, 1, 4, 0, 2}};
+    tf_mesh_file file = empty_mesh("faces");
+    for (int i = 0; i < 5; i++)
+        ck_assert(tf_mesh_file_add_face(&file, corners[i] + 1, corners[i][0],
+                                        10 + i));
+    ck_assert_int_eq(tf_mesh_file_triangles(&file), 9);
+    ck_assert_int_eq(tf_mesh_file_polygons(&file), 3);
+    tf_face face = {0};
+    for (int i = 0, triangle = 0; i < 5; i++) {
+        ck_assert(tf_mesh_file_next_face(&file, &face));
+        ck_assert_int_eq(face.corners, corners[i][0]);
+        ck_assert_mem_eq(face.corner, corners[i] + 1,
+                         sizeof *face.corner * (size_t)face.corners);
+        ck_assert_int_eq(face.triangle, triangle);
+        ck_assert_int_eq(face.polygon, i > 3 ? 2 : i > 0 ? i - 1 : 0);
+        for (int j = 0; j < face.corners - 2; j++)
+            ck_assert_int_eq(file.triangle_place.item[triangle++], 10 + i);
+    }
+    ck_assert(!tf_mesh_file_next_face(&file, &face));
+    tf_mesh_file_free(&file);
+    face = (tf_face){0};
+    ck_assert(!tf_mesh_file_next_face(&file, &face));
+}
+END_TEST
+
+START_TEST(polygons_are_divided_when_all_vertices_are_known)
+{
+    tf_mesh_file file = good_mesh("f 4 1 2 3\nf 1 2 3\nf 2 3 1 4\n"
+                                  "v 2 3 0\nv 0 1 0\nv -2 3 0\nv 0 0 0\n");
+    static const int triangles[] = {3, 0, 1, 1, 2, 3, 0, 1, 2};
+    ck_assert_int_eq(tf_mesh_file_triangles(&file), 5);
+    for (int i = 0; i < 9; i++)
+        ck_assert_int_eq(file.triangle.item[i], triangles[i]);
+    tf_mesh_file_free(&file);
+}
+END_TEST
+
+START_TEST(faces_with_too_few_corners_are_refused)
+{
+    tf_mesh_file file = empty_mesh("few");
+    ck_assert(tf_mesh_file_check_corners(&file, 3, 4));
+    ck_assert(!tf_mesh_file_check_corners(&file, 2, 4));
+    ck_assert_str_eq(file.fault->text,
+                     "a face with 2 corners; each must have three or more");
+    ck_assert_int_eq(file.fault->place, 4);
+}
+END_TEST
+
 Suite *suite(void)
 {
     Suite *suite = suite_create("formats/mesh_file");
@@ -75,5 +131,11 @@ Suite *suite(void)
     tcase_add_test(mesh, faults_count_what_the_file_counts);
     tcase_add_test(mesh, elements_are_lent);
     suite_add_tcase(suite, mesh);
+
+    TCase *faces = tcase_create("faces");
+    tcase_add_test(faces, faces_are_gone_through_in_order);
+    tcase_add_test(faces, polygons_are_divided_when_all_vertices_are_known);
+    tcase_add_test(faces, faces_with_too_few_corners_are_refused);
+    suite_add_tcase(suite, faces);
     return suite;
 }

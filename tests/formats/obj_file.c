@@ -154,6 +154,20 @@ START_TEST(all_forms_of_indices_are_read)
 }
 END_TEST
 
+START_TEST(faces_have_any_number_of_corners)
+{
+    tf_mesh_file file = good_mesh("f 4 1 2 3\n" FOUR "v -1 .5 0\nf 1 2 3\n"
+                                  "f 5/1/1 -5//2 2/3 \\\n 3/-1/-1\nf 2 3 4\n");
+    expect_triangles(
+        &file, 6,
+        (int[]){0, 1, 2, 0, 2, 3, 0, 1, 2, 0, 1, 2, 0, 2, 4, 1, 2, 3});
+    ck_assert_int_eq(tf_mesh_file_polygons(&file), 2);
+    static const int places[] = {1, 1, 7, 8, 8, 10};
+    ck_assert_mem_eq(file.triangle_place.item, places, sizeof places);
+    tf_mesh_file_free(&file);
+}
+END_TEST
+
 START_TEST(negative_indices_count_from_where_they_are)
 {
     expect_triangles_of(FOUR "f -1 -2 -3\nv 2 2 2\nf -1 -2 -3\nf 1 2 -5\n", 3,
@@ -284,8 +298,9 @@ static const struct {
     {"v 1", "the line ends too early; a vertex is v x y z"},
     {"v", "the line ends too early; a vertex"},
     {"v # 1 2 3", "the line ends too early; a vertex"},
-    {"f 1 2 3 4", "more than three corners; triangulate the mesh"},
-    {"f 1 2 3 4 5 6", "more than three corners"},
+    {"f 1 2 3 5", "there is no vertex 5; they are numbered from 1 to 4"},
+    {"f 1 2 3 4 2", "vertex 2 is a corner twice; delete the face, here and"},
+    {"f 1 2 3 0", "'0' is not a corner"},
     {"f 1 2", "the line ends too early; a face has three corners"},
     {"f 1", "the line ends too early; a face has three corners"},
     {"f", "the line ends too early; a face has three corners"},
@@ -395,6 +410,7 @@ Suite *suite(void)
 
     TCase *elements = tcase_create("elements");
     tcase_add_test(elements, all_forms_of_indices_are_read);
+    tcase_add_test(elements, faces_have_any_number_of_corners);
     tcase_add_test(elements, negative_indices_count_from_where_they_are);
     tcase_add_test(elements, elements_may_precede_their_vertices);
     tcase_add_test(elements, polylines_are_edges);

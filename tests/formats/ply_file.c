@@ -122,6 +122,38 @@ START_TEST(a_triangle_is_read_as_text)
 }
 END_TEST
 
+// Five vertices, two polygons with a triangle between them.
+#define FIVE_VERTICES                                                          \
+    "element vertex 5\nproperty char x\nproperty char y\nproperty char z\n"
+#define THREE_FACES "element face 3\nproperty list uchar char vertex_indices\n"
+static const int five[] = {0, 0, 0, 2, 0, 0, 3, 2, 0, 1, 3, 0, -1, 2, 0};
+static const int corners[] = {4, 4, 0, 1, 2, 3, 1, 2, 3, 5, 2, 3, 4, 0, 1};
+
+static void expect_polygons(tf_mesh_file file)
+{
+    expect_triangles(
+        &file, 6,
+        (int[]){0, 1, 2, 0, 2, 4, 1, 2, 3, 0, 1, 2, 0, 2, 3, 0, 3, 4});
+    ck_assert_int_eq(tf_mesh_file_polygons(&file), 2);
+    tf_mesh_file_free(&file);
+}
+
+START_TEST(faces_have_any_number_of_corners)
+{
+    char text[500] = "ply\nformat ascii 1.0\n" THREE_FACES FIVE_VERTICES
+                     "end_header\n4 4 0 1 2\n3 1 2 3\n5 2 3 4 0 1\n";
+    bytes made = binary(_i, THREE_FACES FIVE_VERTICES);
+    for (int i = 0; i < 15; i++)
+        put_int(&made, 1, corners[i]);
+    for (int i = 0; i < 15; i++) {
+        put_int(&made, 1, five[i]);
+        sprintf(text + strlen(text), i % 3 == 2 ? "%d\n" : "%d ", five[i]);
+    }
+    expect_polygons(good_mesh(text));
+    expect_polygons(good_bytes(made.at, made.count));
+}
+END_TEST
+
 START_TEST(a_triangle_is_read_in_binary)
 {
     bytes made = binary_triangle(_i);
@@ -602,8 +634,10 @@ static const struct {
     {"0 0 0\n0 x 0\n", 11, "'x' is not a finite number"},
     {"0 0 0\n0 1,5 0\n", 11, "'1,5' is not a finite number"},
     {"0 0 0\n0 1.5.5 0\n", 11, "'1.5.5' is not a finite number"},
-    {THREE "4 0 1 2 0\n", 13,
-     "a face with 4 corners; triangulate the mesh, for instance by Blender"},
+    {THREE "4 0 1 2 0\n", 13, "vertex 0 is a corner twice; delete the face"},
+    {THREE "4 0 1 2 3\n", 13,
+     "there is no vertex 3; they are numbered from 0 to 2"},
+    {THREE "4 0 1 2\n", 13, "the line ends too early; it must have all"},
     {THREE "2 0 1\n", 13, "a face with 2 corners; each must have three"},
     {THREE "-3 0 1 2\n", 13,
      "-3 is not an index or a length; write an integer from 0"},
@@ -723,7 +757,7 @@ START_TEST(bad_numbers_in_binary_are_refused)
     for (int i = 0; i < 4; i++)
         put_int(&rows, 4, i);
     expect_bad_bytes(rows.at, rows.count, (long)rows.count - 17,
-                     "a face with 4 corners; triangulate");
+                     "there is no vertex 3; they are numbered from 0 to 2");
 }
 END_TEST
 
@@ -873,6 +907,7 @@ Suite *suite(void)
     TCase *good = tcase_create("good files");
     tcase_add_test(good, a_file_is_ply_by_its_first_line);
     tcase_add_test(good, a_triangle_is_read_as_text);
+    tcase_add_loop_test(good, faces_have_any_number_of_corners, 0, 2);
     tcase_add_loop_test(good, a_triangle_is_read_in_binary, 0, 2);
     tcase_add_test(good, random_doubles_come_back_to_the_last_bit);
     tcase_add_test(good, random_floats_come_back_to_the_last_bit);

@@ -6,6 +6,7 @@
 #include "support/support.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #define START "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 2 2 2\nf 1 2 3\nf 2 3 4\nl 1 4\n"
@@ -164,6 +165,56 @@ START_TEST(formats_may_differ)
 }
 END_TEST
 
+// Polygons --------------------------------------------------------------------
+
+// A dart, whose notch is at vertex 3 or 4, and a triangle.
+#define NOTCH_3 "v 0 0 0\nv 4 0 0\nv 1 1 0\nv 0 4 0\nv 9 9 9\n"
+#define NOTCH_4 "v 0 0 0\nv 0 4 0\nv 4 4 0\nv 1 3 0\nv 9 9 9\n"
+#define DART "f 4 1 2 3\nf 2 3 5\n"
+
+static void expect_dart(const tf_frames *frames, const int corners[6])
+{
+    ck_assert_mem_eq(tf_frames_file(frames)->triangle.item, corners,
+                     6 * sizeof *corners);
+    int count;
+    tf_surface_triangles(frames->surface, &count);
+    ck_assert_int_eq(count, 3);
+}
+
+static const int fan_of_1[] = {0, 1, 2, 0, 2, 3};
+static const int fan_of_2[] = {3, 0, 1, 1, 2, 3};
+
+START_TEST(all_frames_have_the_triangles_of_the_first)
+{
+    tf_frames frames;
+    ck_assert(read_frames(&frames, 1, (const char *[]){NOTCH_3 DART}));
+    expect_dart(&frames, fan_of_1);
+    tf_frames_free(&frames);
+    ck_assert(read_frames(&frames, 1, (const char *[]){NOTCH_4 DART}));
+    expect_dart(&frames, fan_of_2);
+    tf_frames_free(&frames);
+    ck_assert(read_frames(
+        &frames, 3,
+        (const char *[]){NOTCH_3 DART, NOTCH_4 DART, NOTCH_4 DART}));
+    expect_dart(&frames, fan_of_1);
+    tf_frames_free(&frames);
+}
+END_TEST
+
+START_TEST(frames_that_begin_anew_have_their_own_triangles)
+{
+    make_file("start", NOTCH_3 DART);
+    make_file("next", NOTCH_4 DART "f 1 2 5\n");
+    tf_frames frames = {.may_differ = true};
+    ck_assert(tf_frames_next(&frames, "start"));
+    ck_assert(tf_frames_next(&frames, "next"));
+    ck_assert(frames.is_new);
+    ck_assert_mem_eq(tf_frames_file(&frames)->triangle.item, fan_of_2,
+                     sizeof fan_of_2);
+    tf_frames_free(&frames);
+}
+END_TEST
+
 // Other elements --------------------------------------------------------------
 
 static const struct {
@@ -201,6 +252,9 @@ static const struct {
     {START "l 1 4\n", -1,
      "the number of edges is 2, but 1 in start; all files must have the same "
      "elements"},
+    {"v 0 0 1\nv 1 0 1\nv 0 1 1\nv 2 2 3\nf 1 2 3 4\nl 1 4\n", 5,
+     "this face is not as in start; all files must have the same elements in "
+     "the same order"},
     {"v 0 0 0\nv 1 0 0\nv 0 1 0\nv 2 2 2\nl 1 4\n", -1,
      "the number of triangles is 0, but 2 in start; all files must have the "
      "same elements"},
@@ -214,6 +268,27 @@ START_TEST(other_elements_are_refused)
     ck_assert_str_eq(frames.fault.text, others[_i].fault);
     ck_assert_int_eq(frames.fault.place, others[_i].line);
     tf_frames_free(&frames);
+}
+END_TEST
+
+START_TEST(other_polygons_are_refused)
+{
+    static const struct {
+        const char *faces, *fault;
+    } bad[] = {{"f 1 2 3 4\nf 2 3 5\n", "this face is not as in start; "},
+               {"f 4 1 2\nf 2 3 4\nf 2 3 5\n", "this triangle is not as in "},
+               {"f 4 1 2 3 5\nf 2 3 5\n", "this face is not as in "},
+               {"f 4 1 2 5\nf 2 3 5\n", "this face is not as in "}};
+    for (int i = 0; i < 4; i++) {
+        tf_frames frames;
+        char text[200];
+        snprintf(text, sizeof text, NOTCH_3 "%s", bad[i].faces);
+        ck_assert(
+            !read_frames(&frames, 2, (const char *[]){NOTCH_3 DART, text}));
+        expect_words(frames.fault.text, bad[i].fault);
+        ck_assert_int_eq(frames.fault.place, 6);
+        tf_frames_free(&frames);
+    }
 }
 END_TEST
 
@@ -317,10 +392,17 @@ Suite *suite(void)
     tcase_add_test(steps, formats_may_differ);
     suite_add_tcase(suite, steps);
 
+    TCase *polygons = tcase_create("polygons");
+    tcase_add_checked_fixture(polygons, enter_folder, leave_folder);
+    tcase_add_test(polygons, all_frames_have_the_triangles_of_the_first);
+    tcase_add_test(polygons, frames_that_begin_anew_have_their_own_triangles);
+    suite_add_tcase(suite, polygons);
+
     TCase *other = tcase_create("other elements");
     tcase_add_checked_fixture(other, enter_folder, leave_folder);
     tcase_add_loop_test(other, other_elements_are_refused, 0,
                         sizeof others / sizeof *others);
+    tcase_add_test(other, other_polygons_are_refused);
     tcase_add_test(other, other_elements_are_refused_later_too);
     suite_add_tcase(suite, other);
 

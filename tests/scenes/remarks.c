@@ -1,0 +1,72 @@
+// What is said of files that were read.
+#include "scenes/remarks.h"
+
+#include "support/meshes.h"
+#include "support/program.h"
+#include "support/support.h"
+
+#include <stdio.h>
+
+#define SQUARE "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n"
+
+/// Remarks on texts, in files of these names, as they are on standard error.
+static const char *remarks_on(int count, const char *const text[])
+{
+    ck_assert(freopen("err", "w", stderr) != NULL);
+    for (int i = 0; i < count; i++) {
+        tf_mesh_file file = good_mesh(text[i]);
+        tf_remarks_print(&file);
+        tf_mesh_file_free(&file);
+    }
+    fflush(stderr);
+    return file_text("err");
+}
+
+START_TEST(files_of_triangles_need_no_remark)
+{
+    ck_assert_str_eq(
+        remarks_on(1, (const char *[]){"v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n"}),
+        "");
+}
+END_TEST
+
+START_TEST(polygons_are_told_once)
+{
+    ck_assert_str_eq(
+        remarks_on(2, (const char *[]){SQUARE, SQUARE}),
+        "tanglefree: mesh: 1 face with more than three corners was "
+        "triangulated (here and in all further files)\n");
+}
+END_TEST
+
+START_TEST(polygons_are_counted)
+{
+    ck_assert_str_eq(
+        remarks_on(1, (const char *[]){SQUARE "f 1 2 4\nf 4 3 2 1\n"}),
+        "tanglefree: mesh: 2 faces with more than three corners were "
+        "triangulated (here and in all further files)\n");
+}
+END_TEST
+
+START_TEST(a_run_tells_it_on_standard_error)
+{
+    make_file("a\tb", SQUARE);
+    expect(run("$tf detect a* a* a*"), 0,
+           "step,kind,a,b,c,d,toi_lo,toi_hi,nx,ny,nz,normal_velocity,case\n",
+           "tanglefree: a\\x09b: 1 face with more than three corners was "
+           "triangulated (here and in all further files)\n");
+}
+END_TEST
+
+Suite *suite(void)
+{
+    Suite *suite = suite_create("scenes/remarks");
+    TCase *remarks = tcase_create("remarks");
+    tcase_add_checked_fixture(remarks, enter_folder, leave_folder);
+    tcase_add_test(remarks, files_of_triangles_need_no_remark);
+    tcase_add_test(remarks, polygons_are_told_once);
+    tcase_add_test(remarks, polygons_are_counted);
+    tcase_add_test(remarks, a_run_tells_it_on_standard_error);
+    suite_add_tcase(suite, remarks);
+    return suite;
+}

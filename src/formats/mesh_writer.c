@@ -22,6 +22,11 @@ tf_mesh_format tf_mesh_format_of(const char *path, tf_mesh_format usual)
     return usual;
 }
 
+const char *tf_mesh_ending(tf_mesh_format format)
+{
+    return format == TF_OBJ ? ".obj" : ".ply";
+}
+
 //: Write the header of PLY
 static const char *const encodings[] = {
     [TF_PLY_TEXT] = "ascii",

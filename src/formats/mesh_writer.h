@@ -19,6 +19,9 @@ typedef struct tf_mesh_content {
 /// which of those of PLY depends on the usual one; else the usual one.
 tf_mesh_format tf_mesh_format_of(const char *path, tf_mesh_format usual);
 
+/// What the names of files of that format end in.
+const char *tf_mesh_ending(tf_mesh_format format);
+
 /// Writes a mesh such that it is read as the same doubles, triangles and edges,
 /// in the same order.  Errors are those of the stream.
 void tf_mesh_write(FILE *stream, const tf_mesh_content *content,

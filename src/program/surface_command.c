@@ -136,6 +136,9 @@ static bool detect_all(work *w)
                                                 &w->frames.fault)
                           : !add_mesh(w, 0, request->operands))
         return false;
+    if (w->meshes.frames < 2)
+        return tf_fault_set(&w->frames.fault, request->operand[0], -1,
+                            TF_NO_STEP_FAULT);
     for (int i = 0; i < w->meshes.frames; i++) {
         if (!next_frame(w) || (i > 0 && !detect_step(w)))
             return false;

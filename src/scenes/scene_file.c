@@ -296,7 +296,7 @@ static bool fault_in_yaml(scene_reader *r, const yaml_parser_t *parser,
         return fault_in_scene_memory(r);
     return tf_fault_set(
         r->fault, r->path, parser->error == YAML_READER_ERROR ? -1 : line,
-        "is not YAML: %s; see what is wrong there", parser->problem);
+        "is not YAML: %s; mend it there, or in the line before", parser->problem);
 }
 
 /// Loads one document, and makes sure that there is no other.

@@ -21,3 +21,7 @@ bool tf_is_scene(const char *path);
 /// case.
 bool tf_scene_file_read(tf_scene_meshes *meshes, const char *path,
                         tf_fault *fault);
+
+/// What is wrong with a scene that should have steps.
+#define TF_NO_STEP_FAULT                                                       \
+    "has one frame alone, and so no step; give a mesh two frames or more"

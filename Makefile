@@ -123,7 +123,7 @@ $(BUILD)/%.a: book/chapters
 $(BUILD)/tanglefree: $(call objects,$(MAIN)) $(BUILD)/program.a $(library_file)
 	@echo 'link    $@'
 	$(Q)$(LINK) $^ $(SPARSE) $(YAML) -lm -o $@
-$(BUILD)/src/simulate/dynamics.o: | need-program
+$(BUILD)/src/simulate/dynamics.o $(BUILD)/src/scenes/scene_file.o: | need-program
 
 # Prerequisites after | are order-only: made first, but newer ones do not cause
 # a rebuild.

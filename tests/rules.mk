@@ -44,6 +44,11 @@ simulating = $(addprefix $(BUILD)/tests/,whole/rest whole/scenes soak/scenes pro
 	bench/flowing)
 $(BUILD)/tests/simulate/% $(simulating): LIBRARIES = $(SPARSE)
 
+# These read scenes.
+scenic = $(addprefix $(BUILD)/tests/,scenes/scene_file program/surface_command \
+	program/resolve_command)
+$(scenic): LIBRARIES = $(YAML)
+
 # This lets calls of these functions fail.
 $(BUILD)/tests/threads/threads: LIBRARIES = -Wl,--wrap=malloc \
 	-Wl,--wrap=pthread_create
@@ -71,7 +76,7 @@ $(BUILD)/tests/figures/numbers: $(figure_parts)
 $(figure_tests): $(BUILD)/%: $(BUILD)/%.o $(BUILD)/support.a $(figure_archives)
 	@echo 'link    $@'
 	$(Q)$(link_experiments) @$(BUILD)/renderer.libraries \
-	    $$(pkg-config --libs check) $(SPARSE) $(ZLIB) -lgmp -lm -o $@
+	    $$(pkg-config --libs check) $(SPARSE) $(YAML) $(ZLIB) -lgmp -lm -o $@
 
 # Leaks of the libraries that figures use are not ours, and a test that requests
 # more memory than there is wants NULL, from the sanitizer, too.

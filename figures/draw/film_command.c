@@ -4,9 +4,9 @@
 #include "kit/cloth.h"
 
 #include "files/visible.h"
-#include "program/frames.h"
 #include "renderer/figure.h"
 #include "renderer/list.h"
+#include "scenes/frames.h"
 
 #include <limits.h>
 #include <math.h>

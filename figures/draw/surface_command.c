@@ -3,7 +3,7 @@
 #include "fast/detect.h"
 
 #include "files/visible.h"
-#include "program/frames.h"
+#include "scenes/frames.h"
 #include "threads/threads.h"
 
 #include <stdlib.h>

@@ -61,6 +61,14 @@ tf_mesh_format tf_mesh_format_of(const char *path, tf_mesh_format usual)
     return usual;
 }
 
+const char *tf_mesh_ending(tf_mesh_format format)
+{
+    size_t i = 0;
+    while (strcmp(format_names[endings[i].format], format_names[format]) != 0)
+        i++;
+    return endings[i].text;
+}
+
 //: Find an ending that is not written
 const char *tf_unwritten_ending(const char *path)
 {

@@ -8,6 +8,9 @@
 /// them.  The usual one if the ending says nothing.
 tf_mesh_format tf_mesh_format_of(const char *path, tf_mesh_format usual);
 
+/// What the names of files of a format end in: ".ply".
+const char *tf_mesh_ending(tf_mesh_format format);
+
 /// What a format is called: "PLY".
 const char *tf_mesh_format_name(tf_mesh_format format);
 

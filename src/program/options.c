@@ -125,6 +125,8 @@ const tf_option tf_options[] = {
     {TF_RESOLVE, OPTION("substeps", 0, "N", substeps, TF_WHOLE), .least = 1,
      .most = 1000, .usual = "1",
      .help = "In how many parts to take the step, each of them clear"},
+    {TF_CHECK, OPTION("each", 0, NULL, each, TF_SWITCH),
+     .help = "Check each file, or each mesh of a scene, by itself alone"},
     {TF_CHECK, OPTION("thickness", 0, "D", thickness, TF_REAL), POSITIVE,
      .help = "Find pairs of elements that are nearer than this, too"},
     {TF_RESOLVE, OPTION("thickness", 0, "D", thickness, TF_REAL), POSITIVE,

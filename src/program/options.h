@@ -27,6 +27,7 @@ typedef struct tf_request {
     tf_method_options answering; ///< with its arithmetic also of detect
     const tf_narrow_phase *narrow_phase;
     bool first;
+    bool each;       ///< of check
     const char *out; ///< a file, "-", or a folder of simulate
     const char *fixed, *masses,
         *vertex_friction; ///< of resolve: files, or NULL

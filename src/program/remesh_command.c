@@ -1,12 +1,12 @@
 //: Include what the command remesh needs
 #include "program/command.h"
-#include "program/flaws.h"
-#include "program/frames.h"
 #include "program/mesh_output.h"
 #include "program/progress.h"
 #include "program/reports.h"
 #include "remesh/origins.h"
 #include "remesh/remesh.h"
+#include "scenes/flaws.h"
+#include "scenes/frames.h"
 
 #include <string.h>
 

@@ -1,13 +1,15 @@
 //: Include what the command resolve needs
-
 #include "files/masses.h"
 #include "program/command.h"
-#include "program/flaws.h"
-#include "program/frames.h"
 #include "program/mesh_output.h"
 #include "program/progress.h"
 #include "program/reports.h"
+#include "program/response_request.h"
+#include "program/scene_resolving.h"
 #include "response/resolve.h"
+#include "scenes/flaws.h"
+#include "scenes/frames.h"
+#include "scenes/scene_file.h"
 #include "threads/threads.h"
 
 #include <stdio.h>
@@ -66,38 +68,14 @@ static bool read_friction(resolving *r)
     return tf_friction_read(path, vertices, r->friction, &r->frames.fault);
 }
 
-//: Show the progress of a response
-static bool show_progress(void *context, const tf_stage *stage)
-{
-    resolving *r = context;
-    char things[64];
-    snprintf(things, sizeof things, "%s", stage->name);
-    tf_progress_line_show(&r->progress, (long)stage->done, things);
-    return true;
-}
-
 //: Resolve the step between two frames
-/// To the library, a separation of 0 is the usual one, and a negative one none.
 static tf_response_options options_of(resolving *r)
 {
-    const tf_request *wanted = r->request;
-    bool none =
-        tf_request_gave(wanted, "separation") && wanted->separation == 0;
-    return (tf_response_options){
-        .size = sizeof(tf_response_options),
-        .solver = wanted->solver,
-        .separation = none ? -1 : wanted->separation,
-        .restitution = wanted->restitution,
-        .substeps = wanted->substeps,
-        .friction = wanted->friction,
-        .check_start = true,
-        .parallel = tf_threads_parallel(r->threads),
-        .progress = show_progress,
-        .context = r,
-        .restitution_threshold = wanted->restitution_threshold,
-        .vertex_friction = r->friction,
-        .thickness = wanted->thickness,
-    };
+    tf_response_options how = tf_response_requested(r->request, &r->progress);
+    how.check_start = true;
+    how.parallel = tf_threads_parallel(r->threads);
+    how.vertex_friction = r->friction;
+    return how;
 }
 
 static bool respond(resolving *r)
@@ -181,7 +159,7 @@ static void free_all(resolving *r)
 }
 
 //: Run the command resolve
-static int run(const tf_request *request)
+static int resolve_meshes(const tf_request *request)
 {
     resolving r = {.request = request,
                    .progress = tf_progress_line_begin(true)};
@@ -192,14 +170,45 @@ static int run(const tf_request *request)
     return good ? 0 : 2;
 }
 
+static int run(const tf_request *request)
+{
+    return tf_is_scene(request->operand[0]) ? tf_scene_resolve(request)
+                                            : resolve_meshes(request);
+}
+
+//: Refuse what does not go with a scene
+static void check_scene(tf_request *request)
+{
+    static const char *const lists[] = {"fixed", "masses", "vertex-friction"};
+    static const char *const keys[] = {"role: scripted", "mass:", "friction:"};
+    for (int i = 0; i < 3; i++)
+        if (tf_request_gave(request, lists[i]))
+            tf_request_refuse(request,
+                              "--%s is for two meshes; write '%s' in the scene",
+                              lists[i], keys[i]);
+    if (tf_destination_is_standard(request->out))
+        tf_request_refuse(request, "--output must be a folder for the frames "
+                                   "of a scene, got '-'");
+}
+
+static void check_operands(tf_request *request)
+{
+    bool scene = tf_is_scene(request->operand[0]);
+    if ((request->operands == 1) != scene)
+        tf_request_refuse(request, "%s", tf_resolve_command.wanted);
+    if (scene)
+        check_scene(request);
+}
+
 const tf_command tf_resolve_command = {
     .set = TF_RESOLVE,
     .name = "resolve",
     .purpose = "change the end of a step such that nothing meets",
-    .operands = "START END",
-    .least = 2,
+    .operands = "START END\nSCENE",
+    .least = 1,
     .most = 2,
-    .wanted = "two files are required: START and END",
+    .wanted = "two files are required, START and END, or a scene",
     .description = tf_resolve_description,
+    .check = check_operands,
     .run = run,
 };

@@ -2,6 +2,7 @@
 #define _POSIX_C_SOURCE 200809L
 #include "program/simulation_folder.h"
 
+#include "files/folder.h"
 #include "files/output_file.h"
 #include "program/frame_file.h"
 #include "program/steps_file.h"
@@ -9,7 +10,6 @@
 #include <dirent.h>
 #include <errno.h>
 #include <string.h>
-#include <sys/stat.h>
 
 //: Name the files in the folder of a simulation
 enum {
@@ -94,45 +94,28 @@ static int step_named(const char *name)
     return strcmp(name, same) == 0 ? step : -1;
 }
 
-/// How many files there are, none if this is no folder, and the step of the last
-/// frame, or -1.
-static int count_files(const char *path, int *last)
+/// The step of the last frame, or -1.
+static int find_last(const char *path)
 {
     DIR *entries = opendir(path);
-    int count = 0;
-    *last = -1;
-    for (struct dirent *e; entries && (e = readdir(entries)); count++) {
+    int last = -1;
+    for (struct dirent *e; entries && (e = readdir(entries));) {
         int step = step_named(e->d_name);
-        *last = step > *last ? step : *last;
+        last = step > last ? step : last;
     }
     if (entries)
         closedir(entries);
-    return count;
+    return last;
 }
 
 //: Begin the folder of a simulation
-static bool make_folder(tf_simulation_folder *folder)
-{
-    int last;
-    if (mkdir(folder->path, 0777) == 0)
-        return true;
-    if (errno != EEXIST)
-        return tf_fault_set(
-            &folder->fault, folder->path, -1,
-            "cannot make this folder: %s; choose another with -o",
-            strerror(errno));
-    return count_files(folder->path, &last) == 2 || // "." and ".."
-           tf_fault_set(
-               &folder->fault, folder->path, -1,
-               "exists, and is not an empty folder; choose another, or go "
-               "on with the simulation in it by --resume");
-}
-
 bool tf_simulation_folder_begin(tf_simulation_folder *folder, const char *path,
                                 const tf_simulation *simulation)
 {
     *folder = (tf_simulation_folder){.path = path};
-    if (!make_folder(folder))
+    if (!tf_folder_begin(path,
+                         ", or go on with the simulation in it by --resume",
+                         &folder->fault))
         return false;
     folder->table = tf_steps_file_begin(choose_file(folder, TABLE),
                                         simulation->scene->kind);
@@ -177,9 +160,8 @@ static bool resume_table(tf_simulation_folder *folder,
 bool tf_simulation_folder_resume(tf_simulation_folder *folder, const char *path,
                                  tf_simulation *simulation)
 {
-    int last;
+    int last = find_last(path);
     *folder = (tf_simulation_folder){.path = path};
-    count_files(path, &last);
     tf_output_file_clear(choose_file(folder, last + 1));
     if (last < 0)
         return tf_fault_set(&folder->fault, path, -1,

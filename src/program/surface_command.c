@@ -3,42 +3,106 @@
 #include "program/arithmetics.h"
 #include "program/command.h"
 #include "program/destination.h"
-#include "program/frames.h"
 #include "program/progress.h"
 #include "program/surface_output.h"
+#include "scenes/natural_order.h"
+#include "scenes/scene_file.h"
+#include "scenes/scene_frames.h"
 #include "threads/threads.h"
 
 #include <limits.h>
+#include <stdlib.h>
 
 //: Hold what a command does
 typedef struct work {
     const tf_request *request;
     tf_threads *threads;
-    tf_frames frames;
+    tf_scene_meshes meshes;
+    tf_scene_frames frames;
+    tf_surface_part part;
     tf_destination to;
     tf_surface_output output;
     tf_progress_line progress;
 } work;
 
-/// Reports a status of the surface as a fault of the current file.
+/// Reports a status of the surface as a fault of the current frame.
 static bool succeeded(work *w, const tf_error *error)
 {
-    return error->status == TF_OK || tf_frames_fault(&w->frames, error);
+    return error->status == TF_OK || tf_scene_frames_fault(&w->frames, error);
+}
+
+static bool fault_in_work_memory(work *w)
+{
+    return tf_fault_set(&w->frames.fault, w->request->operand[0], -1,
+                        "not enough memory; divide the scene, or use a machine "
+                        "with more");
+}
+
+//: List the meshes of a command
+static bool is_scene(const tf_request *request)
+{
+    return tf_is_scene(request->operand[0]);
+}
+
+/// Adds a mesh whose frames are so many operands.
+static bool add_mesh(work *w, int first, int frames)
+{
+    tf_scene_mesh *mesh = tf_scene_meshes_add(&w->meshes);
+    bool good = mesh;
+    for (int i = 0; i < frames && good; i++)
+        good =
+            tf_frame_names_add(&mesh->frames, w->request->operand[first + i]);
+    w->meshes.frames = frames;
+    return good || fault_in_work_memory(w);
+}
+
+static void drop_meshes(work *w)
+{
+    tf_scene_frames_free(&w->frames);
+    tf_scene_meshes_free(&w->meshes);
+    free(w->part.name);
+    free(w->part.listed);
+    w->part = (tf_surface_part){0};
+}
+
+//: Read the next frame of a command
+/// Meshes that are operands are called as their files are.
+static bool name_meshes(work *w)
+{
+    size_t meshes = (size_t)w->meshes.count;
+    w->part = (tf_surface_part){.joined = &w->frames.joined,
+                                .name = calloc(meshes, sizeof *w->part.name),
+                                .listed = calloc(meshes, sizeof(bool))};
+    if (!w->part.name || !w->part.listed)
+        return fault_in_work_memory(w);
+    for (int m = 0; m < w->meshes.count; m++)
+        w->part.name[m] = is_scene(w->request)
+                              ? w->meshes.mesh[m].name
+                              : tf_scene_frames_file(&w->frames, m, 1)->name;
+    return true;
+}
+
+static bool next_frame(work *w)
+{
+    w->frames.meshes = &w->meshes;
+    w->frames.each = w->request->each;
+    return tf_scene_frames_next(&w->frames) && (w->part.name || name_meshes(w));
 }
 
 //: Report a coordinate that is out of range about surfaces
 static bool fault_in_range(work *w, int vertex)
 {
     const tf_arithmetic *arithmetic = w->request->answering.arithmetic;
-    int axes = w->frames.axes;
-    const double *x[2];
-    for (int i = 0; i < 2; i++)
-        x[i] = w->frames.file[i].position.item + 3 * (size_t)vertex;
-    int i = 0;
+    tf_motion motion = tf_scene_frames_motion(&w->frames);
+    int axes = motion.axes, i = 0, mesh[2];
+    const double *x[2] = {motion.start + (size_t)axes * (size_t)vertex,
+                          motion.end + (size_t)axes * (size_t)vertex};
     while (i < 2 * axes - 1 &&
            tf_arithmetic_fits(arithmetic, axes, x[i / axes][i % axes]))
         i++;
-    tf_mesh_file *file = &w->frames.file[i / axes];
+    tf_joined_localize(&w->frames.joined, 1, &vertex, 1, mesh);
+    const tf_mesh_file *file =
+        tf_scene_frames_file(&w->frames, mesh[0], i / axes);
     return tf_mesh_file_fault(file, file->vertex_place.item[vertex],
                               TF_OUT_OF_RANGE_FAULT, x[i / axes][i % axes],
                               tf_arithmetic_name(arithmetic),
@@ -53,7 +117,7 @@ static bool detect_step(work *w)
         .arithmetic = w->request->answering.arithmetic,
         .narrow_phase = w->request->narrow_phase,
         .parallel = tf_threads_parallel(w->threads)};
-    tf_motion motion = tf_frames_motion(&w->frames);
+    tf_motion motion = tf_scene_frames_motion(&w->frames);
     tf_contacts found;
     tf_error error;
     tf_status status = tf_surface_detect(w->frames.surface, &motion, &detection,
@@ -61,14 +125,22 @@ static bool detect_step(work *w)
     if (status == TF_OUT_OF_RANGE)
         return fault_in_range(w, error.vertex[0]);
     return succeeded(w, &error) &&
-           tf_surface_output_contacts(&w->output, w->frames.axes, &found);
+           tf_surface_output_contacts(&w->output, &w->part, motion.axes,
+                                      &found);
 }
 
 static bool detect_all(work *w)
 {
-    for (int i = 0; i < w->request->operands; i++) {
-        if (!tf_frames_next(&w->frames, w->request->operand[i]) ||
-            (i > 0 && !detect_step(w)))
+    const tf_request *request = w->request;
+    if (is_scene(request) ? !tf_scene_file_read(&w->meshes, request->operand[0],
+                                                &w->frames.fault)
+                          : !add_mesh(w, 0, request->operands))
+        return false;
+    if (w->meshes.frames < 2)
+        return tf_fault_set(&w->frames.fault, request->operand[0], -1,
+                            TF_NO_STEP_FAULT);
+    for (int i = 0; i < w->meshes.frames; i++) {
+        if (!next_frame(w) || (i > 0 && !detect_step(w)))
             return false;
         tf_progress_line_show(&w->progress, (long)w->output.tally.parts,
                               "steps");
@@ -76,60 +148,97 @@ static bool detect_all(work *w)
     return true;
 }
 
-//: Check all surfaces
-static bool check_thickness(work *w, const tf_motion *rest, bool tangled)
+//: Check a frame
+static bool check_thickness(work *w, const tf_motion *rest)
 {
     tf_check_options options = {.parallel = tf_threads_parallel(w->threads)};
     tf_near_pairs found;
     tf_error error;
-    tf_surface_near(w->frames.surface, rest->vertices, rest->start,
+    tf_surface_near(w->frames.surface, rest->vertices, rest->end,
                     w->request->thickness, &options, &found, &error);
     return succeeded(w, &error) &&
-           tf_surface_output_near(&w->output, tf_frames_file(&w->frames)->name,
-                                  tangled, &found);
+           tf_surface_output_near(&w->output, &w->part, &found);
 }
 
-static bool check_file(work *w, const char *path)
+static bool check_frame(work *w)
 {
-    tf_frames_free(&w->frames);
-    if (!tf_frames_next(&w->frames, path))
-        return false;
-    tf_motion rest = tf_frames_motion(&w->frames);
+    tf_motion rest = tf_scene_frames_motion(&w->frames);
     tf_crossings found;
     tf_error error;
     tf_check_options options = {.parallel = tf_threads_parallel(w->threads)};
-    tf_surface_check(w->frames.surface, rest.vertices, rest.start, &options,
+    tf_surface_check(w->frames.surface, rest.vertices, rest.end, &options,
                      &found, &error);
-    bool tangled = error.status == TF_OK && found.count > 0;
     return succeeded(w, &error) &&
-           tf_surface_output_crossings(
-               &w->output, tf_frames_file(&w->frames)->name, &found) &&
-           (!(w->request->thickness > 0) || check_thickness(w, &rest, tangled));
+           tf_surface_output_crossings(&w->output, &w->part, &found) &&
+           (!(w->request->thickness > 0) || check_thickness(w, &rest));
 }
 
-static bool check_all(work *w)
+static bool check_frames(work *w, const char *things)
 {
-    for (int i = 0; i < w->request->operands; i++) {
-        if (!check_file(w, w->request->operand[i]))
+    for (int i = 0; i < w->meshes.frames; i++) {
+        if (!next_frame(w) || !check_frame(w))
             return false;
+        tf_surface_output_count(&w->output, &w->part);
         tf_progress_line_show(&w->progress, (long)w->output.tally.parts,
-                              "files");
+                              things);
     }
     return true;
 }
 
+//: Check files and scenes
+static bool check_each(work *w)
+{
+    bool good = true;
+    for (int i = 0; i < w->request->operands && good; i++) {
+        drop_meshes(w);
+        good = add_mesh(w, i, 1) && check_frames(w, "files");
+    }
+    return good;
+}
+
+static bool check_joined(work *w)
+{
+    bool good = true;
+    for (int i = 0; i < w->request->operands && good; i++)
+        good = add_mesh(w, i, 1);
+    return good && check_frames(w, "files");
+}
+
+static bool check_all(work *w)
+{
+    const tf_request *request = w->request;
+    if (is_scene(request))
+        return tf_scene_file_read(&w->meshes, request->operand[0],
+                                  &w->frames.fault) &&
+               check_frames(w, "frames");
+    return request->each ? check_each(w) : check_joined(w);
+}
+
 //: Write all rows about surfaces
+static tf_surface_output_options output_of(const tf_request *request,
+                                           bool checks)
+{
+    bool joined = checks && !request->each && request->operands > 1;
+    return (tf_surface_output_options){.format = *request->format,
+                                       .checks = checks,
+                                       .measures = request->thickness > 0,
+                                       .names = is_scene(request)
+                                                    ? TF_NAMES_OF_MESHES
+                                                : joined ? TF_NAMES_OF_FILES
+                                                         : TF_NAMES_OF_FILE};
+}
+
 static bool write_rows(work *w, bool checks, bool (*do_all)(work *))
 {
     const tf_request *request = w->request;
+    tf_surface_output_options options = output_of(request, checks);
     FILE *stream = tf_destination_begin(&w->to, request->out, &w->frames.fault)
                        ? tf_destination_open(&w->to)
                        : NULL;
     if (!stream)
         return false;
-    bool good = tf_surface_output_begin(&w->output, stream, *request->format,
-                                        checks, request->thickness > 0) &&
-                do_all(w);
+    bool good =
+        tf_surface_output_begin(&w->output, stream, &options) && do_all(w);
     tf_progress_line_end(&w->progress);
     good = tf_surface_output_end(&w->output) && good;
     return tf_destination_finish(&w->to, good, w->output.records.error);
@@ -140,17 +249,20 @@ static int run(const tf_request *request, bool checks, bool (*do_all)(work *))
 {
     bool silent = !tf_destination_is_standard(request->out);
     work w = {.request = request, .progress = tf_progress_line_begin(silent)};
+    w.frames.meshes = &w.meshes;
     tf_threads_create(request->threads, &w.threads);
     bool good = write_rows(&w, checks, do_all);
     tf_destination_end(&w.to);
     tf_fault_print(&w.frames.fault, "tanglefree");
-    tf_frames_free(&w.frames);
+    drop_meshes(&w);
     tf_threads_free(w.threads);
     return !good ? 2 : w.output.tally.tangled > 0;
 }
 
 static int run_detect(const tf_request *request)
 {
+    if (!is_scene(request))
+        tf_order_frames(request->operand, request->operands);
     return run(request, false, detect_all);
 }
 
@@ -159,16 +271,36 @@ static int run_check(const tf_request *request)
     return run(request, true, check_all);
 }
 
+//: Refuse operands that do not go together
+/// A scene is all that there is.
+static void check_operands(tf_request *request)
+{
+    for (int i = 0; i < request->operands; i++)
+        if (tf_is_scene(request->operand[i]) && request->operands > 1)
+            tf_request_refuse(request,
+                              "%s is a scene, which must be the only operand; "
+                              "name the other files in it",
+                              tf_make_visible(request->operand[i]).text);
+}
+
+static void check_detect(tf_request *request)
+{
+    check_operands(request);
+    if (request->operands == 1 && !is_scene(request))
+        tf_request_refuse(request, "%s", tf_detect_command.wanted);
+}
+
 //: Describe the commands about surfaces
 const tf_command tf_detect_command = {
     .set = TF_DETECT,
     .name = "detect",
     .purpose = "find every contact of a moving surface",
-    .operands = "START END [END...]",
-    .least = 2,
+    .operands = "START END [END...]\nSCENE",
+    .least = 1,
     .most = INT_MAX,
-    .wanted = "two files or more are required: START and END",
+    .wanted = "two files or more are required, START and END, or a scene",
     .description = tf_detect_description,
+    .check = check_detect,
     .run = run_detect,
 };
 
@@ -176,10 +308,11 @@ const tf_command tf_check_command = {
     .set = TF_CHECK,
     .name = "check",
     .purpose = "find where a surface intersects itself",
-    .operands = "FILE...",
+    .operands = "FILE...\nSCENE",
     .least = 1,
     .most = INT_MAX,
     .wanted = "a file is required: its name, or - for standard input",
     .description = tf_check_description,
+    .check = check_operands,
     .run = run_check,
 };

@@ -13,7 +13,7 @@ set -eu
 
 architecture=$1
 packages='check libsubunit-dev libgmp-dev libsuitesparse-dev
-zlib1g-dev'
+libyaml-dev zlib1g-dev'
 
 if ! command -v apt-get >/dev/null || ! command -v dpkg-deb >/dev/null; then
     echo "Debian's apt-get and dpkg-deb are needed to fetch the packages for" \

@@ -727,7 +727,7 @@ END_TEST
 START_TEST(wrong_arguments_are_refused)
 {
     static const char two[] =
-        "tanglefree resolve: two files are required: START and END\n";
+        "tanglefree resolve: two files are required, START and END, or a scene\n";
     expect_usage("resolve", two);
     expect_usage("resolve -o new above", two);
     expect_usage("resolve -o new above below below", two);

@@ -218,8 +218,9 @@ START_TEST(threads_change_nothing)
                                            "detect --format summary soup-?",
                                            "check soup-?",
                                            "check --format json soup-?",
-                                           "check --format summary soup-?"};
-    for (int i = 0; i < 7; i++) {
+                                           "check --format summary soup-?",
+                                           "check --each soup-?"};
+    for (int i = 0; i < 8; i++) {
         outcome found = run(
             "$tf %s -t 1 >one; status=$?; for t in 2 3 8 256; do $tf %s -t $t "
             "| cmp - one || exit 9; done; $tf %s | cmp - one && exit $status",
@@ -304,8 +305,8 @@ START_TEST(rows_are_sorted)
     row last;
     expect_sorted(run("$tf detect soup-?").out, 4, contacts, &last, is_contact);
     ck_assert(last.step == 2 && last.kind == 2);
-    expect_sorted(run("$tf check soup-? | sed s/soup-//").out, 6, crossings,
-                  &last, is_crossing);
+    expect_sorted(run("$tf check --each soup-? | sed s/soup-//").out, 6,
+                  crossings, &last, is_crossing);
     ck_assert(last.step == 3);
 }
 END_TEST
@@ -327,8 +328,8 @@ END_TEST
 START_TEST(surfaces_free_of_intersections_have_no_rows)
 {
     expect(run("$tf check clear"), 0, CHECK_HEADER, "");
-    expect(run("$tf check clear above flat-above"), 0, CHECK_HEADER, "");
-    expect(run("$tf check --format summary clear above"), 0,
+    expect(run("$tf check --each clear above flat-above"), 0, CHECK_HEADER, "");
+    expect(run("$tf check --each --format summary clear above"), 0,
            "files: 2\nfiles with intersections: 0\nintersections: 0\n", "");
 }
 END_TEST
@@ -336,7 +337,7 @@ END_TEST
 START_TEST(intersections_of_curves_are_printed)
 {
     make_file("curve", "v 0 0\nv 2 2\nv 0 2\nv 2 0\nl 1 2 3 4\n");
-    expect(run("$tf check curve clear"), 1,
+    expect(run("$tf check --each curve clear"), 1,
            CHECK_HEADER "curve,edge-edge,0,1,2,3,,\n", "");
 }
 END_TEST
@@ -352,7 +353,9 @@ START_TEST(near_pairs_are_printed)
            CHECK_HEADER "flat-near,near-point-edge,1,2,3,,,\n"
                         "flat-near,near-point-edge,2,0,1,,,\n",
            "");
-    expect(run("$tf check --thickness 0.1 --format summary crossed near"), 1,
+    expect(run("$tf check --thickness 0.1 --format summary --each crossed "
+               "near"),
+           1,
            "files: 2\nfiles with rows: 1\nintersections: 5\n"
            "near pairs: 3\n",
            "");
@@ -361,14 +364,63 @@ START_TEST(near_pairs_are_printed)
 }
 END_TEST
 
-START_TEST(several_files_are_checked)
+START_TEST(several_files_are_checked_each_alone)
 {
-    expect(run("$tf check clear crossed clear crossed --format summary"), 1,
-           "files: 4\nfiles with intersections: 2\nintersections: 10\n", "");
-    outcome found = run("cp crossed 'a,\"b'; $tf check clear 'a,\"b'");
+    expect(run("$tf check --each clear crossed clear crossed --format "
+               "summary"),
+           1, "files: 4\nfiles with intersections: 2\nintersections: 10\n", "");
+    outcome found = run("cp crossed 'a,\"b'; $tf check --each clear 'a,\"b'");
     ck_assert_int_eq(occurrences(found.out, "\n\"a,\"\"b\",edge-triangle,3,4,"),
                      1);
     ck_assert_int_eq(found.status, 1);
+}
+END_TEST
+
+#define JOINED_HEADER "file,kind,a,b,c,d,e,f,other_file\n"
+
+// A point rests upon the triangle of `clear`, and an edge passes through it; in
+// `below-it` nothing does.
+#define UPON "v 9 9 8\nv 0 0 0\nv 0.5 0.2 1\nv 0.5 0.2 -1\nl 4 3\nl 2 1\n"
+
+START_TEST(several_files_are_checked_against_each_other)
+{
+    make_file("upon", UPON);
+    make_file("below-it", "v 0 0 -1\nv 1 1 -1\nl 1 2\n");
+    expect(run("$tf check clear upon"), 1,
+           JOINED_HEADER "upon,edge-triangle,2,3,0,1,2,,clear\n"
+                         "upon,point-triangle,1,0,1,2,,,clear\n",
+           "");
+    expect(run("$tf check upon clear"), 1,
+           JOINED_HEADER "upon,edge-triangle,2,3,0,1,2,,clear\n"
+                         "upon,point-triangle,1,0,1,2,,,clear\n",
+           "");
+    expect(run("$tf check clear below-it"), 0, JOINED_HEADER, "");
+    expect(run("$tf check --format summary clear below-it upon"), 1,
+           "files: 3\nfiles with intersections: 2\nintersections: 2\n", "");
+    outcome found = run("$tf check --format json clear upon");
+    ck_assert_msg(!json_fault(found.out), "%s", json_fault(found.out));
+    expect_words(found.out,
+                 "{\"intersections\":[\n{\"file\":\"upon\",\"kind\":\"edge-"
+                 "triangle\",\"a\":2,\"b\":3,\"c\":0,\"d\":1,\"e\":2,"
+                 "\"other_file\":\"clear\"},\n");
+    expect_words(found.out, "\"summary\":{\"files\":2,\"files_with_"
+                            "intersections\":2,\"intersections\":2}}\n");
+    expect_words(run("$tf check crossed crossed").out,
+                 "\ncrossed,edge-triangle,0,2,3,4,5,,crossed\n");
+}
+END_TEST
+
+START_TEST(near_pairs_of_several_files_are_printed)
+{
+    make_file("near", "v 0 0 0.5\nv 0 0 9\nl 1 2\n");
+    expect(run("$tf check --thickness 0.5 clear near"), 0, JOINED_HEADER, "");
+    expect(run("$tf check --thickness 0.6 clear near"), 1,
+           JOINED_HEADER "near,near-point-triangle,0,0,1,2,,,clear\n", "");
+    expect(run("$tf check --thickness 0.6 --each clear near"), 0, CHECK_HEADER,
+           "");
+    expect(run("$tf check --thickness 0.6 --format summary clear near"), 1,
+           "files: 2\nfiles with rows: 2\nintersections: 0\nnear pairs: 1\n",
+           "");
 }
 END_TEST
 
@@ -473,8 +525,8 @@ START_TEST(bad_files_are_refused)
     expect(run("$tf detect bad above"), 2, HEADER, right);
     // The rows of what was good are out by then.
     strcpy(rows, run("$tf check crossed").out);
-    expect(run("$tf check crossed bad crossed"), 2, rows, right);
-    outcome found = run("$tf check --format json crossed bad");
+    expect(run("$tf check --each crossed bad crossed"), 2, rows, right);
+    outcome found = run("$tf check --each --format json crossed bad");
     ck_assert_msg(!json_fault(found.out), "%s", json_fault(found.out));
     ck_assert_int_eq(found.status, 2);
 }
@@ -715,8 +767,8 @@ END_TEST
 
 START_TEST(wrong_arguments_are_refused)
 {
-    static const char two[] =
-        "tanglefree detect: two files or more are required: START and END\n";
+    static const char two[] = "tanglefree detect: two files or more are "
+                              "required, START and END, or a scene\n";
     expect_usage("detect", two);
     expect_usage("detect above", two);
     expect_usage("detect --first above", two);
@@ -807,7 +859,9 @@ Suite *suite(void)
     tcase_add_test(crossings, surfaces_free_of_intersections_have_no_rows);
     tcase_add_test(crossings, intersections_of_curves_are_printed);
     tcase_add_test(crossings, near_pairs_are_printed);
-    tcase_add_test(crossings, several_files_are_checked);
+    tcase_add_test(crossings, several_files_are_checked_each_alone);
+    tcase_add_test(crossings, several_files_are_checked_against_each_other);
+    tcase_add_test(crossings, near_pairs_of_several_files_are_printed);
     tcase_add_test(crossings, json_of_intersections_has_a_summary);
 
     TCase *input = add_case(suite, "input");

@@ -40,10 +40,22 @@ static FILE *stream;
 static char *text;
 static size_t length;
 
-static void begin(tf_surface_output *output, tf_format format, bool checks)
+static void begin(tf_surface_output *output,
+                  const tf_surface_output_options *options)
 {
     stream = open_memstream(&text, &length);
-    ck_assert(tf_surface_output_begin(output, stream, format, checks, false));
+    ck_assert(tf_surface_output_begin(output, stream, options));
+}
+
+/// A surface of one mesh of that name.
+static tf_surface_part part_of(const char *name)
+{
+    static int first[] = {0, 2147483647};
+    static const tf_joined joined = {1, first, first, first};
+    static const char *names[1];
+    static bool listed[1];
+    names[0] = name;
+    return (tf_surface_part){&joined, names, listed};
 }
 
 /// Ends the output, which must be this.
@@ -59,9 +71,11 @@ static void expect(tf_surface_output *output, const char *right)
 static void expect_steps(tf_format format, int count, const char *right)
 {
     tf_surface_output output;
-    begin(&output, format, false);
+    tf_surface_part part = part_of("a");
+    begin(&output, &(tf_surface_output_options){.format = format});
     for (int i = 0; i < count; i++)
-        ck_assert(tf_surface_output_contacts(&output, axes[i], &steps[i]));
+        ck_assert(
+            tf_surface_output_contacts(&output, &part, axes[i], &steps[i]));
     ck_assert_uint_eq(output.tally.parts, (size_t)count);
     expect(&output, right);
 }
@@ -70,11 +84,16 @@ static void expect_steps(tf_format format, int count, const char *right)
 static void expect_files(tf_format format, const char *name, const char *right)
 {
     tf_surface_output output;
-    begin(&output, format, true);
+    begin(&output,
+          &(tf_surface_output_options){.format = format, .checks = true});
     tf_crossings none = {0, NULL}, all = {3, crossed};
-    ck_assert(tf_surface_output_crossings(&output, "clear", &none));
+    tf_surface_part clear = part_of("clear");
+    ck_assert(tf_surface_output_crossings(&output, &clear, &none));
+    tf_surface_output_count(&output, &clear);
     ck_assert_uint_eq(output.tally.tangled, 0);
-    ck_assert(tf_surface_output_crossings(&output, name, &all));
+    tf_surface_part tangled = part_of(name);
+    ck_assert(tf_surface_output_crossings(&output, &tangled, &all));
+    tf_surface_output_count(&output, &tangled);
     ck_assert_uint_eq(output.tally.tangled, 1);
     expect(&output, right);
 }
@@ -164,6 +183,129 @@ START_TEST(a_summary_counts_files_and_intersections)
 }
 END_TEST
 
+// Several meshes --------------------------------------------------------------
+
+// Meshes of 4, 1, 0 and 6 vertices.
+static int first_vertex[] = {0, 4, 5, 5, 11};
+static const tf_joined joined = {4, first_vertex, first_vertex, first_vertex};
+static const char *mesh_names[] = {"a", "b", "none", "d"};
+
+static const tf_surface_contact between[] = {
+    {TF_POINT_TRIANGLE, {4, 5, 6, 10}, HIT},
+    {TF_POINT_TRIANGLE, {5, 1, 2, 3}, HIT},
+    {TF_EDGE_EDGE, {0, 3, 9, 10}, HIT},
+    {TF_EDGE_EDGE, {5, 6, 7, 8}, HIT},
+};
+
+START_TEST(contacts_have_the_numbers_and_names_of_meshes)
+{
+    bool listed[4] = {false};
+    tf_surface_part part = {&joined, mesh_names, listed};
+    tf_surface_output output;
+    begin(&output, &(tf_surface_output_options){.format = TF_CSV,
+                                                .names = TF_NAMES_OF_MESHES});
+    tf_contacts found = {true, 4, between, {0}};
+    ck_assert(tf_surface_output_contacts(&output, &part, 3, &found));
+    expect(&output,
+           "step,kind,a,b,c,d,toi_lo,toi_hi,nx,ny,nz,normal_velocity,case,"
+           "mesh,other_mesh\n"
+           "0,point-triangle,0,0,1,5,0.5,0.75,1,0,0,-2,generic,b,d\n"
+           "0,point-triangle,0,1,2,3,0.5,0.75,1,0,0,-2,generic,d,a\n"
+           "0,edge-edge,0,3,4,5,0.5,0.75,1,0,0,-2,generic,a,d\n"
+           "0,edge-edge,0,1,2,3,0.5,0.75,1,0,0,-2,generic,d,d\n");
+}
+END_TEST
+
+START_TEST(contacts_of_curves_have_the_names_of_meshes)
+{
+    bool listed[4] = {false};
+    tf_surface_part part = {&joined, mesh_names, listed};
+    static const tf_surface_contact flat[] = {
+        {TF_POINT_EDGE, {4, 0, 3, -1}, HIT}};
+    tf_surface_output output;
+    begin(&output, &(tf_surface_output_options){.format = TF_JSON,
+                                                .names = TF_NAMES_OF_MESHES});
+    tf_contacts found = {true, 1, flat, {0}};
+    ck_assert(tf_surface_output_contacts(&output, &part, 2, &found));
+    ck_assert(tf_surface_output_end(&output));
+    fclose(stream);
+    ck_assert_ptr_nonnull(strstr(text, "\"a\":0,\"b\":0,\"c\":3,\"d\":null,"));
+    ck_assert_ptr_nonnull(
+        strstr(text, ",\"mesh\":\"b\",\"other_mesh\":\"a\"}\n"));
+    free(text);
+}
+END_TEST
+
+static const tf_crossing crossed_meshes[] = {
+    {TF_EDGE_THROUGH_TRIANGLE, {5, 10, 1, 2, 3}},
+    {TF_POINT_ON_TRIANGLE, {4, 1, 2, 3, -1}},
+    {TF_EDGE_ON_EDGE, {0, 1, 5, 6, -1}},
+};
+static const tf_near_pair near_meshes[] = {
+    {.kind = TF_POINT_TRIANGLE, .vertex = {5, 1, 2, 3}},
+    {.kind = TF_EDGE_EDGE, .vertex = {0, 1, 2, 3}},
+};
+
+/// Checks two frames of the meshes, of which the first is clear, and a third in
+/// which pairs are near.
+static void expect_frames(tf_format format, tf_row_names names, bool measures,
+                          const char *right)
+{
+    bool listed[4] = {false};
+    tf_surface_part part = {&joined, mesh_names, listed};
+    tf_surface_output output;
+    tf_crossings all = {3, crossed_meshes};
+    tf_near_pairs near = {.count = 2, .pair = near_meshes};
+    begin(&output, &(tf_surface_output_options){.format = format,
+                                                .checks = true,
+                                                .measures = measures,
+                                                .names = names});
+    if (names == TF_NAMES_OF_MESHES)
+        tf_surface_output_count(&output, &part);
+    ck_assert(tf_surface_output_crossings(&output, &part, &all));
+    if (names == TF_NAMES_OF_MESHES)
+        tf_surface_output_count(&output, &part);
+    if (measures)
+        ck_assert(tf_surface_output_near(&output, &part, &near));
+    tf_surface_output_count(&output, &part);
+    expect(&output, right);
+}
+
+START_TEST(intersections_have_the_names_of_files)
+{
+    expect_frames(TF_CSV, TF_NAMES_OF_FILES, true,
+                  "file,kind,a,b,c,d,e,f,other_file\n"
+                  "d,edge-triangle,0,5,1,2,3,,a\n"
+                  "b,point-triangle,0,1,2,3,,,a\n"
+                  "a,edge-edge,0,1,0,1,,,d\n"
+                  "d,near-point-triangle,0,1,2,3,,,a\n"
+                  "a,near-edge-edge,0,1,2,3,,,a\n");
+    expect_frames(TF_SUMMARY, TF_NAMES_OF_FILES, false,
+                  "files: 4\nfiles with intersections: 3\nintersections: 3\n");
+    expect_frames(TF_SUMMARY, TF_NAMES_OF_FILES, true,
+                  "files: 4\nfiles with rows: 3\nintersections: 3\n"
+                  "near pairs: 2\n");
+}
+END_TEST
+
+START_TEST(intersections_have_a_frame_and_the_names_of_meshes)
+{
+    expect_frames(TF_CSV, TF_NAMES_OF_MESHES, true,
+                  "frame,kind,a,b,c,d,e,f,mesh,other_mesh\n"
+                  "1,edge-triangle,0,5,1,2,3,,d,a\n"
+                  "1,point-triangle,0,1,2,3,,,b,a\n"
+                  "1,edge-edge,0,1,0,1,,,a,d\n"
+                  "2,near-point-triangle,0,1,2,3,,,d,a\n"
+                  "2,near-edge-edge,0,1,2,3,,,a,a\n");
+    expect_frames(
+        TF_SUMMARY, TF_NAMES_OF_MESHES, false,
+        "frames: 3\nframes with intersections: 1\nintersections: 3\n");
+    expect_frames(TF_SUMMARY, TF_NAMES_OF_MESHES, true,
+                  "frames: 3\nframes with rows: 2\nintersections: 3\n"
+                  "near pairs: 2\n");
+}
+END_TEST
+
 // Full disks ------------------------------------------------------------------
 
 START_TEST(no_more_rows_are_written_than_fit)
@@ -177,8 +319,10 @@ START_TEST(no_more_rows_are_written_than_fit)
     tf_contacts many = {true, MANY, row, {0}};
     FILE *full = fopen("/dev/full", "w");
     tf_surface_output output;
-    tf_surface_output_begin(&output, full, TF_CSV, false, false);
-    ck_assert(!tf_surface_output_contacts(&output, 3, &many));
+    tf_surface_part part = part_of("a");
+    tf_surface_output_begin(&output, full,
+                            &(tf_surface_output_options){.format = TF_CSV});
+    ck_assert(!tf_surface_output_contacts(&output, &part, 3, &many));
     ck_assert_uint_lt(output.tally.rows, 10000);
     fclose(full);
     free(row);
@@ -199,6 +343,13 @@ Suite *suite(void)
     tcase_add_test(crossings, json_has_all_intersections_and_their_summary);
     tcase_add_test(crossings, a_summary_counts_files_and_intersections);
     suite_add_tcase(suite, crossings);
+
+    TCase *several = tcase_create("several meshes");
+    tcase_add_test(several, contacts_have_the_numbers_and_names_of_meshes);
+    tcase_add_test(several, contacts_of_curves_have_the_names_of_meshes);
+    tcase_add_test(several, intersections_have_the_names_of_files);
+    tcase_add_test(several, intersections_have_a_frame_and_the_names_of_meshes);
+    suite_add_tcase(suite, several);
 
     TCase *disks = tcase_create("full disks");
     tcase_add_test(disks, no_more_rows_are_written_than_fit);

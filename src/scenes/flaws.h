@@ -10,3 +10,8 @@ bool tf_error_fault(const tf_mesh_file *file, const tf_error *error);
 
 /// The same for a status alone.
 bool tf_status_fault(const tf_mesh_file *file, tf_status status);
+
+/// Describes an error about a pair of elements of two files as the fault of the
+/// first, whose element comes first; returns false.
+bool tf_pair_fault(const tf_mesh_file *file, const tf_mesh_file *other,
+                   const tf_error *error);

@@ -1,5 +1,5 @@
 // Sequences of files, and the steps between them.
-#include "program/frames.h"
+#include "scenes/frames.h"
 
 #include "base/status.h"
 #include "support/program.h"
@@ -379,7 +379,7 @@ END_TEST
 
 Suite *suite(void)
 {
-    Suite *suite = suite_create("program/frames");
+    Suite *suite = suite_create("scenes/frames");
     TCase *steps = tcase_create("steps");
     tcase_add_checked_fixture(steps, enter_folder, leave_folder);
     tcase_add_test(steps, two_frames_are_a_step);

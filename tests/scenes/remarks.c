@@ -1,5 +1,5 @@
 // What is said of files that were read.
-#include "program/remarks.h"
+#include "scenes/remarks.h"
 
 #include "support/meshes.h"
 #include "support/program.h"
@@ -60,7 +60,7 @@ END_TEST
 
 Suite *suite(void)
 {
-    Suite *suite = suite_create("program/remarks");
+    Suite *suite = suite_create("scenes/remarks");
     TCase *remarks = tcase_create("remarks");
     tcase_add_checked_fixture(remarks, enter_folder, leave_folder);
     tcase_add_test(remarks, files_of_triangles_need_no_remark);

@@ -1,8 +1,10 @@
 //: Include what describing flaws needs
-#include "program/flaws.h"
+#include "scenes/flaws.h"
 
 #include "base/fail.h"
 #include "base/sentence.h"
+
+#include <stdio.h>
 
 //: Find the place of a flaw in a file
 /// -1: it has none.
@@ -47,4 +49,42 @@ bool tf_status_fault(const tf_mesh_file *file, tf_status status)
     tf_error error;
     tf_fail(&error, status);
     return tf_error_fault(file, &error);
+}
+
+//: Describe a pair of elements of two files
+/// An element in words, with its vertices from 0.
+typedef struct element_words {
+    char text[64];
+} element_words;
+
+static element_words element_of(int vertices, const int vertex[])
+{
+    static const char *const names[] = {"", "vertex", "edge", "triangle"};
+    element_words words;
+    int length = snprintf(words.text, sizeof words.text, "%s", names[vertices]);
+    for (int i = 0; i < vertices; i++)
+        length +=
+            snprintf(words.text + length, sizeof words.text - (size_t)length,
+                     " %d", vertex[i]);
+    return words;
+}
+
+bool tf_pair_fault(const tf_mesh_file *file, const tf_mesh_file *other,
+                   const tf_error *error)
+{
+    static const struct {
+        int first, second; // vertices of the elements
+        const char *verb;
+    } forms[] = {[TF_POINT_EDGE_PAIR] = {1, 2, "lies on"},
+                 [TF_POINT_TRIANGLE_PAIR] = {1, 3, "lies on"},
+                 [TF_EDGE_EDGE_PAIR] = {2, 2, "meets"},
+                 [TF_EDGE_TRIANGLE_PAIR] = {2, 3, "passes through"}};
+    int first = forms[error->subject].first;
+    return tf_mesh_file_fault(
+        file, -1,
+        "%s %s %s of %s (numbered from 0) before the step begins; move them "
+        "apart%s",
+        element_of(first, error->vertex).text, forms[error->subject].verb,
+        element_of(forms[error->subject].second, error->vertex + first).text,
+        tf_make_visible(other->name).text, advice(error));
 }

@@ -1,5 +1,5 @@
 //: Include what remarks need
-#include "program/remarks.h"
+#include "scenes/remarks.h"
 
 #include <stdio.h>
 

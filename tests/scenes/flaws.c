@@ -1,4 +1,4 @@
-#include "program/flaws.h"
+#include "scenes/flaws.h"
 
 #include "support/meshes.h"
 #include "support/support.h"
@@ -88,7 +88,7 @@ END_TEST
 
 Suite *suite(void)
 {
-    Suite *suite = suite_create("program/flaws");
+    Suite *suite = suite_create("scenes/flaws");
     TCase *paired = tcase_create("pairs");
     tcase_add_loop_test(paired, the_pair_is_named, 0,
                         sizeof pairs / sizeof *pairs);

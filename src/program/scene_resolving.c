@@ -1,0 +1,291 @@
+//: Include what resolving a scene needs
+#define _GNU_SOURCE // asprintf
+#include "program/scene_resolving.h"
+
+#include "files/folder.h"
+#include "formats/endings.h"
+#include "formats/mesh_writer.h"
+#include "program/destination.h"
+#include "program/reports.h"
+#include "program/response_request.h"
+#include "response/resolve.h"
+#include "scenes/flaws.h"
+#include "scenes/scene_file.h"
+#include "scenes/scene_frames.h"
+#include "threads/threads.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+//: Hold what resolves a scene
+/// A row of the report.
+typedef struct resolved_step {
+    tf_resolved done; ///< first, for its fields
+    size_t step;
+} resolved_step;
+
+typedef struct resolved_scene {
+    size_t steps, resolved, contacts, held; ///< held: steps in which scripted
+                                            ///< vertices were
+    double seconds;
+} resolved_scene;
+
+enum {
+    FIELDS = 40 // more than a row has
+};
+
+typedef struct scene_resolving {
+    const tf_request *request;
+    tf_threads *threads;
+    tf_scene_meshes meshes;
+    tf_scene_frames frames;
+    double *inverse_mass; ///< of each vertex
+    double *friction;     ///< of each vertex; NULL: no mesh has its own
+    tf_surface *surface;  ///< that of the resolver
+    tf_resolver *resolver;
+    tf_field field[FIELDS];
+    tf_records records;
+    resolved_scene sum;
+    tf_progress_line progress;
+} scene_resolving;
+
+//: Take masses and friction from the meshes
+static double inverse_mass_of(const tf_scene_mesh *mesh, int vertices)
+{
+    return mesh->role != TF_MOVING ? 0
+           : mesh->mass > 0        ? vertices / mesh->mass
+                                   : 1;
+}
+
+static void weigh_mesh(scene_resolving *r, int m)
+{
+    const tf_scene_mesh *mesh = &r->meshes.mesh[m];
+    const int *first = r->frames.joined.first_vertex + m;
+    for (int v = first[0]; v < first[1]; v++) {
+        r->inverse_mass[v] = inverse_mass_of(mesh, first[1] - first[0]);
+        r->friction[v] =
+            mesh->friction >= 0 ? mesh->friction : r->request->friction;
+    }
+}
+
+static bool weigh(scene_resolving *r)
+{
+    size_t vertices = (size_t)tf_joined_vertices(&r->frames.joined);
+    r->inverse_mass = malloc(vertices * sizeof *r->inverse_mass);
+    r->friction = malloc(vertices * sizeof *r->friction);
+    if (!r->inverse_mass || !r->friction)
+        return tf_mesh_file_fault_in_memory(
+            tf_scene_frames_file(&r->frames, 0, 1));
+    for (int m = 0; m < r->meshes.count; m++)
+        weigh_mesh(r, m);
+    return true;
+}
+
+//: Resolve a step of a scene
+/// A curve may leave the plane, and then has another surface.
+static bool renew_resolver(scene_resolving *r)
+{
+    if (r->resolver && r->surface == r->frames.surface)
+        return true;
+    tf_resolver_free(r->resolver);
+    r->resolver = NULL;
+    r->surface = r->frames.surface;
+    tf_status status = tf_resolver_create(r->surface, &r->resolver);
+    return status == TF_OK ||
+           tf_status_fault(tf_scene_frames_file(&r->frames, 0, 1), status);
+}
+
+/// What one step leaves is a legal start for the next.
+static tf_response_options options_of(scene_resolving *r)
+{
+    tf_response_options how = tf_response_requested(r->request, &r->progress);
+    how.check_start = r->sum.steps == 0;
+    how.parallel = tf_threads_parallel(r->threads);
+    how.vertex_friction = r->friction;
+    return how;
+}
+
+static bool resolve_step(scene_resolving *r, tf_resolved *done)
+{
+    tf_response_options how = options_of(r);
+    tf_motion motion = tf_scene_frames_motion(&r->frames);
+    tf_error error;
+    const tf_response_report *report;
+    double begin = tf_clock_seconds();
+    if (tf_step_resolve(r->resolver, motion.vertices, motion.start,
+                        tf_scene_frames_end(&r->frames), r->inverse_mass, &how,
+                        &report, &error) != TF_OK)
+        return tf_scene_frames_fault(&r->frames, &error);
+    tf_scene_frames_change(&r->frames);
+    bool clear = report->first_contacts + report->first_near == 0;
+    *done = (tf_resolved){.status = clear ? "clear" : "resolved",
+                          .report = *report,
+                          .seconds = tf_clock_seconds() - begin};
+    return true;
+}
+
+//: Write the frames of a scene
+/// Called as the mesh is, with the number of the frame; to be freed, or NULL.
+static char *path_of_frame(const scene_resolving *r, int m)
+{
+    const tf_mesh_file *file = tf_scene_frames_file(&r->frames, m, 1);
+    char *path;
+    return asprintf(&path, "%s/%s-%05d%s", r->request->out,
+                    r->meshes.mesh[m].name, r->frames.count - 1,
+                    tf_mesh_ending(file->format)) < 0
+               ? NULL
+               : path;
+}
+
+static bool write_frame(scene_resolving *r, int m, const char *path)
+{
+    const tf_mesh_file *file = tf_scene_frames_file(&r->frames, m, 1);
+    tf_mesh_content content = {.mesh = tf_mesh_file_elements(file, 3),
+                               .position =
+                                   tf_scene_frames_positions(&r->frames, m)};
+    tf_destination to;
+    FILE *stream = tf_destination_begin(&to, path, &r->frames.fault)
+                       ? tf_destination_open(&to)
+                       : NULL;
+    if (stream)
+        tf_mesh_write(stream, &content, file->format);
+    bool good = tf_destination_finish(&to, stream, 0);
+    tf_destination_end(&to);
+    return good;
+}
+
+/// Whether a mesh is not where its frame has it.
+static bool is_displaced(const scene_resolving *r, int m)
+{
+    const tf_doubles *position =
+        &tf_scene_frames_file(&r->frames, m, 1)->position;
+    return memcmp(position->item, tf_scene_frames_positions(&r->frames, m),
+                  position->count * sizeof *position->item) != 0;
+}
+
+/// Writes a frame of a mesh that moves, and of another if that was held back.
+static bool write_mesh(scene_resolving *r, int m)
+{
+    bool moves = r->meshes.mesh[m].role == TF_MOVING;
+    if (!moves && !is_displaced(r, m))
+        return true;
+    char *path = path_of_frame(r, m);
+    bool good = path ? write_frame(r, m, path)
+                     : tf_mesh_file_fault_in_memory(
+                           tf_scene_frames_file(&r->frames, m, 1));
+    if (good && !moves)
+        fprintf(stderr,
+                "tanglefree: %s was held back in frame %d; it is where %s has "
+                "it\n",
+                tf_make_visible(r->meshes.mesh[m].name).text,
+                r->frames.count - 1, tf_make_visible(path).text);
+    free(path);
+    return good;
+}
+
+static bool write_meshes(scene_resolving *r)
+{
+    bool good = true;
+    for (int m = 0; m < r->meshes.count && good; m++)
+        good = write_mesh(r, m);
+    return good;
+}
+
+//: Report the steps of a scene
+static void list_fields(tf_field field[FIELDS])
+{
+    static const tf_field step = TF_FIELD("step", resolved_step, step);
+    int i = 0;
+    for (*field++ = step; tf_resolved_fields[i].name; i++)
+        field[i] = tf_resolved_fields[i];
+    field[i] = (tf_field){0};
+}
+
+static bool fault_in_report(scene_resolving *r)
+{
+    return tf_fault_set_unwritten(&r->frames.fault, "standard output",
+                                  r->records.error);
+}
+
+static bool begin_report(scene_resolving *r)
+{
+    list_fields(r->field);
+    return tf_records_begin(&r->records, stdout, *r->request->format, "steps",
+                            r->field) ||
+           fault_in_report(r);
+}
+
+static bool report_step(scene_resolving *r, const tf_resolved *done)
+{
+    resolved_step row = {*done, r->sum.steps};
+    r->sum.steps++;
+    r->sum.resolved +=
+        done->report.first_contacts + done->report.first_near > 0;
+    r->sum.contacts += done->report.first_contacts;
+    r->sum.held += done->report.held > 0;
+    r->sum.seconds += done->seconds;
+    return tf_records_add(&r->records, &row) || fault_in_report(r);
+}
+
+static bool end_report(scene_resolving *r)
+{
+    static const tf_field sums[] = {
+        TF_FIELD("steps", resolved_scene, steps),
+        TF_FIELD("resolved steps", resolved_scene, resolved),
+        TF_FIELD("first contacts", resolved_scene, contacts),
+        TF_FIELD("held steps", resolved_scene, held),
+        TF_FIELD("seconds", resolved_scene, seconds),
+        {0}};
+    return tf_records_end(&r->records, sums, &r->sum) || fault_in_report(r);
+}
+
+//: Resolve all steps of a scene
+static bool begin_scene(scene_resolving *r)
+{
+    const char *path = r->request->operand[0];
+    r->frames.meshes = &r->meshes;
+    if (!tf_scene_file_read(&r->meshes, path, &r->frames.fault))
+        return false;
+    if (r->meshes.frames < 2)
+        return tf_fault_set(&r->frames.fault, path, -1, TF_NO_STEP_FAULT);
+    return tf_scene_frames_next(&r->frames) && weigh(r) &&
+           tf_folder_begin(r->request->out, "", &r->frames.fault) &&
+           write_meshes(r);
+}
+
+static bool do_step(scene_resolving *r)
+{
+    tf_resolved done;
+    bool good = tf_scene_frames_next(&r->frames) && renew_resolver(r) &&
+                resolve_step(r, &done);
+    tf_progress_line_end(&r->progress);
+    return good && write_meshes(r) && report_step(r, &done);
+}
+
+static bool do_scene(scene_resolving *r)
+{
+    bool good = begin_scene(r);
+    if (!good || !begin_report(r))
+        return false;
+    for (int i = 1; i < r->meshes.frames && good; i++)
+        good = do_step(r);
+    return end_report(r) && good;
+}
+
+int tf_scene_resolve(const tf_request *request)
+{
+    scene_resolving r = {.request = request,
+                         .progress = tf_progress_line_begin(true)};
+    tf_threads_create(request->threads, &r.threads);
+    bool good = do_scene(&r);
+    tf_fault_print(&r.frames.fault, "tanglefree");
+    tf_resolver_free(r.resolver);
+    free(r.inverse_mass);
+    free(r.friction);
+    tf_scene_frames_free(&r.frames);
+    tf_scene_meshes_free(&r.meshes);
+    tf_threads_free(r.threads);
+    return good ? 0 : 2;
+}

@@ -1,0 +1,171 @@
+//: Include what natural order needs
+#include "scenes/natural_order.h"
+
+#include "files/visible.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+//: Compare runs of digits
+static bool is_digit(char c)
+{
+    return c >= '0' && c <= '9';
+}
+
+static size_t digits_of(const char *run)
+{
+    size_t count = 0;
+    while (is_digit(run[count]))
+        count++;
+    return count;
+}
+
+/// Steps over the zeros that don't count, and returns how many digits follow.
+static size_t significant(const char **run)
+{
+    while (**run == '0' && is_digit((*run)[1]))
+        ++*run;
+    return digits_of(*run);
+}
+
+/// Compares the numbers at the beginning of two texts, and steps over them.
+static int compare_numbers(const char **a, const char **b)
+{
+    size_t own = significant(a), other = significant(b);
+    int order = own != other ? (own < other ? -1 : 1) : memcmp(*a, *b, own);
+    *a += own;
+    *b += other;
+    return order;
+}
+
+//: Compare names in natural order
+int tf_natural_compare(const char *a, const char *b)
+{
+    const char *x = a, *y = b;
+    while (*x && *y) {
+        if (is_digit(*x) && is_digit(*y)) {
+            int order = compare_numbers(&x, &y);
+            if (order != 0)
+                return order;
+        } else if (*x++ != *y++)
+            return (unsigned char)x[-1] < (unsigned char)y[-1] ? -1 : 1;
+    }
+    return *x ? 1 : *y ? -1 : strcmp(a, b);
+}
+
+static int compare_names(const void *a, const void *b)
+{
+    return tf_natural_compare(*(char *const *)a, *(char *const *)b);
+}
+
+void tf_natural_sort(char *name[], int count)
+{
+    qsort(name, (size_t)count, sizeof *name, compare_names);
+}
+
+//: Compare the numbers of two frames
+/// The numbers of two names that differ in them alone; false: they differ in
+/// more, or in nothing.
+static bool numbers_of(const char *a, const char *b, int64_t number[2])
+{
+    int differences = 0;
+    while (*a && *b) {
+        char *a_end = (char *)a + 1, *b_end = (char *)b + 1;
+        if (is_digit(*a) && is_digit(*b)) {
+            int64_t own = strtoll(a, &a_end, 10);
+            int64_t other = strtoll(b, &b_end, 10);
+            differences += own != other;
+            if (own != other)
+                number[0] = own, number[1] = other;
+        } else if (*a != *b)
+            return false;
+        a = a_end;
+        b = b_end;
+    }
+    return !*a && !*b && differences == 1;
+}
+
+/// How far the numbers of each two neighbors differ.  False: something else
+/// does.
+static bool find_distances(char *const name[], int count, int64_t distance[])
+{
+    int64_t number[2] = {0, 0};
+    for (int i = 0; i + 1 < count; i++) {
+        if (!numbers_of(name[i], name[i + 1], number))
+            return false;
+        distance[i] = number[1] - number[0];
+    }
+    return true;
+}
+
+//: Tell what is strange about the numbers of frames
+static void say_next(const char *name, const char *next, const char *what)
+{
+    fprintf(stderr, "tanglefree: %s follows %s; %s\n",
+            tf_make_visible(next).text, tf_make_visible(name).text, what);
+}
+
+/// The frames may go backward, but not forward and backward, and by equal
+/// distances.  Two frames may have been listed by bytes.
+static void say_strange(char *const name[], int count, const int64_t distance[])
+{
+    int64_t least = INT64_MAX;
+    if (count == 2 && distance[0] < 0 && strcmp(name[0], name[1]) < 0)
+        say_next(name[0], name[1],
+                 "the step goes from the higher number to the lower one");
+    for (int i = 0; i + 1 < count; i++)
+        least = llabs(distance[i]) < least ? llabs(distance[i]) : least;
+    for (int i = 0; i + 1 < count; i++) {
+        if ((distance[i] < 0) != (distance[0] < 0)) {
+            say_next(name[i], name[i + 1],
+                     "the frames are taken in this order, which is not that "
+                     "of their numbers");
+            return;
+        }
+        if (llabs(distance[i]) != least) {
+            say_next(name[i], name[i + 1],
+                     "frames between them may be missing, and the way from one "
+                     "to the other is taken as one step");
+            return;
+        }
+    }
+}
+
+//: Put frames in order
+static bool is_sorted(char *const name[], int count,
+                      int compare(const char *a, const char *b))
+{
+    int i = 1;
+    while (i < count && compare(name[i - 1], name[i]) < 0)
+        i++;
+    return i >= count;
+}
+
+/// With two names the order is the user's word: the step goes from the first to
+/// the second.
+static void restore_order(char *name[], int count)
+{
+    if (count < 3 || is_sorted(name, count, tf_natural_compare) ||
+        !is_sorted(name, count, strcmp))
+        return;
+    tf_natural_sort(name, count);
+    fprintf(stderr,
+            "tanglefree: the frames from %s to %s are taken in the order of "
+            "their numbers\n",
+            tf_make_visible(name[0]).text,
+            tf_make_visible(name[count - 1]).text);
+}
+
+void tf_order_frames(char *name[], int count)
+{
+    int64_t *distance = calloc((size_t)count + 1, sizeof *distance);
+    if (distance && count > 1 && find_distances(name, count, distance)) {
+        restore_order(name, count);
+        if (find_distances(name, count, distance))
+            say_strange(name, count, distance);
+    }
+    free(distance);
+}

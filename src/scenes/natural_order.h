@@ -1,0 +1,19 @@
+//: Declare natural order
+#pragma once
+
+/// Compares two names as people order them: a run of digits by the number that
+/// it is, however long, and all else byte by byte.  Names that differ only in
+/// leading zeros are in the order of their bytes.  Less than, equal to or greater
+/// than 0, as strcmp.
+int tf_natural_compare(const char *a, const char *b);
+
+/// Sorts names in natural order.
+void tf_natural_sort(char *name[], int count);
+
+//: Declare the order of frames
+/// Says on standard error what is strange about the order of the frames of a
+/// sequence, if their names differ in numbers only: one number follows another
+/// that is not lower, or some are missing.  Three names or more in the order of
+/// bytes, as a shell lists files, are put in natural order first, which is said,
+/// too.
+void tf_order_frames(char *name[], int count);

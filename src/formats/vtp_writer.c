@@ -14,8 +14,8 @@ static void add_columns(tf_polydata *data, const tf_columns *columns)
                                              .stride = (size_t)columns->count});
 }
 
-//: Write a mesh as PolyData
-void tf_vtp_write(FILE *stream, const tf_mesh_content *content)
+//: Make PolyData of a mesh
+tf_polydata tf_polydata_of_mesh(const tf_mesh_content *content)
 {
     const tf_mesh *mesh = &content->mesh;
     tf_polydata data =
@@ -32,5 +32,11 @@ void tf_vtp_write(FILE *stream, const tf_mesh_content *content)
                                              .rows = data.position.rows,
                                              .number = content->velocity,
                                              .stride = data.position.stride});
+    return data;
+}
+
+void tf_vtp_write(FILE *stream, const tf_mesh_content *content)
+{
+    tf_polydata data = tf_polydata_of_mesh(content);
     tf_polydata_write(stream, &data);
 }

@@ -4,6 +4,9 @@
 #include "formats/mesh_content.h"
 #include "formats/polydata.h"
 
-/// Writes VTK's PolyData: the vertices and what they have, the triangles, and
-/// the edges as lines.
+/// The PolyData of a mesh, which it borrows: the vertices and what they have, the
+/// triangles, and the edges as lines.
+tf_polydata tf_polydata_of_mesh(const tf_mesh_content *content);
+
+/// Writes that.
 void tf_vtp_write(FILE *stream, const tf_mesh_content *content);

@@ -96,6 +96,9 @@ LIBRARY := $(filter-out $(CLIENTS),$(MODULES))
 # The program's library of sparse matrices, which the simulator uses.
 SPARSE = -lcholmod
 
+# Its library of compressed files.
+ZLIB = -lz
+
 # $(call objects,MODULES): of those that have a .c file.
 objects = $(patsubst $(SRC)/%.c,$(BUILD)/src/%.o,$(wildcard $(1:%=$(SRC)/%.c)))
 
@@ -118,8 +121,8 @@ $(BUILD)/%.a: book/chapters
 
 $(BUILD)/tanglefree: $(call objects,$(MAIN)) $(BUILD)/program.a $(library_file)
 	@echo 'link    $@'
-	$(Q)$(LINK) $^ $(SPARSE) -lm -o $@
-$(BUILD)/src/simulate/dynamics.o: | need-program
+	$(Q)$(LINK) $^ $(SPARSE) $(ZLIB) -lm -o $@
+$(BUILD)/src/simulate/dynamics.o $(BUILD)/src/formats/file_bytes.o: | need-program
 
 # Prerequisites after | are order-only: made first, but newer ones do not cause
 # a rebuild.

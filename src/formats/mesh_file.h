@@ -27,6 +27,10 @@ typedef enum tf_mesh_format {
     TF_PLY_TEXT,
     TF_PLY_LITTLE_ENDIAN,
     TF_PLY_BIG_ENDIAN,
+    TF_STL_TEXT,
+    TF_STL_BINARY,
+    TF_OFF,
+    TF_MSH,
 } tf_mesh_format;
 
 /// The contents of a mesh file.  All indices are 0-based, and may still name no
@@ -51,6 +55,7 @@ typedef struct tf_mesh_file {
     /// where that is no int.
     tf_ints vertex_place, triangle_place, edge_place;
     long flat_place; ///< that of the first vertex without z; 0: there is none
+    int left_out[4]; ///< elements by their dimensions; triangles without area
 } tf_mesh_file;
 
 //: Declare how to look at a mesh

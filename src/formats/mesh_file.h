@@ -59,6 +59,7 @@ typedef struct tf_mesh_file {
     /// where that is no int.
     tf_ints vertex_place, triangle_place, edge_place;
     long flat_place; ///< that of the first vertex without z; 0: there is none
+    int left_out[4]; ///< elements by their dimensions; triangles without area
 } tf_mesh_file;
 
 //: Declare how to look at a mesh

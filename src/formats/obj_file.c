@@ -218,9 +218,8 @@ static bool read_lines(reader *r)
 
 bool tf_obj_parse(tf_mesh_file *file, const char *text, size_t size)
 {
-    bool marked = strncmp(text, "\xEF\xBB\xBF", 3) == 0;
     reader r = {.text = {.name = file->name,
-                         .at = text + (marked ? 3 : 0),
+                         .at = tf_text_begin(text),
                          .line = 1,
                          .fault = file->fault},
                 .start = text,

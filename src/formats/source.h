@@ -20,9 +20,10 @@ typedef struct tf_source {
     size_t size;
     tf_source_point *point; ///< in the order of the file
     size_t points, room;
-    /// How x, y and z are declared in PLY, and in which bytes of the header,
-    /// so many; 0 bytes: they aren't declared there.
-    tf_number_type type[3];
+    bool is_big_endian; ///< in binary
+    bool welds; ///< vertices were made of corners, where -0 and 0 are the same
+    tf_number_type type[3]; ///< of x, y and z, in PLY and in binary
+    /// Where PLY declares these types, in so many bytes; 0: nowhere.
     size_t word[3], word_length[3];
     bool lacks_z; ///< PLY declares no z
     size_t y_end; ///< where the name of y ends in the header

@@ -2,6 +2,7 @@
 #include "formats/source_writer.h"
 
 #include "files/number.h"
+#include "formats/binary.h"
 #include "formats/encoder.h"
 
 #include <string.h>
@@ -40,8 +41,14 @@ static bool is_same(double a, double b)
     return memcmp(&a, &b, sizeof a) == 0;
 }
 
-/// Whether the number that is spelled there, or 0 if none is, is the same
-/// double; `*end`: the byte where it ends.
+/// Whether it is the same double; where vertices were welded, 0 has any sign.
+static bool is_kept(const tf_source *source, double written, double x)
+{
+    return is_same(written, x) || (source->welds && written == x);
+}
+
+/// Whether the number that is spelled there, or 0 if none is, is kept; `*end`:
+/// the byte where it ends.
 static bool is_spelled(const tf_source *source, size_t at, double x,
                        size_t *end)
 {
@@ -49,7 +56,7 @@ static bool is_spelled(const tf_source *source, size_t at, double x,
     double spelled = 0;
     tf_number_read(&text, &spelled);
     *end = (size_t)(text - source->text);
-    return is_same(spelled, x);
+    return is_kept(source, spelled, x);
 }
 
 static double coordinate(const copier *c, const tf_source_point *point, int k)
@@ -131,6 +138,12 @@ static void write_header(copier *c)
 }
 
 //: Write a coordinate of the source
+/// Only binary STL welds, which has floats.
+static double float_at(const copier *c, size_t at)
+{
+    return (double)tf_gather_float(c->source->text + at, c->to.is_big_endian);
+}
+
 /// Whether what is there stays; `*end`: where it ends.
 static bool stays(const copier *c, size_t at, int k, double x, size_t *end)
 {
@@ -139,7 +152,7 @@ static bool stays(const copier *c, size_t at, int k, double x, size_t *end)
     if (c->to.is_text)
         return is_spelled(c->source, at, x, end);
     *end = at + (size_t)tf_number_bytes(c->source->type[k]);
-    return false;
+    return c->source->welds && is_kept(c->source, float_at(c, at), x);
 }
 
 static void write_coordinate(copier *c, const tf_source_point *point, int k)
@@ -164,7 +177,7 @@ void tf_source_write(FILE *stream, const tf_mesh_file *file,
                 .position = position,
                 .to = {.stream = stream,
                        .is_text = !file->counts_bytes,
-                       .is_big_endian = file->format == TF_PLY_BIG_ENDIAN}};
+                       .is_big_endian = source->is_big_endian}};
     choose_types(&c);
     write_header(&c);
     for (size_t i = 0; i < source->points; i++) {

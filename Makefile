@@ -10,9 +10,9 @@
 #
 # book/chapters is the one list of modules: a line a chapter, its slug and then
 # its modules, which are paths below src/ without their endings.  Those below
-# files/, formats/, scenes/, simulate/ and program/ make the program, all others
-# the library, but for threads/: it is a library of its own, and a part of the
-# program.
+# files/, formats/, writers/, scenes/, simulate/ and program/ make the program, all
+# others the library, but for threads/: it is a library of its own, and a part of
+# the program.
 #
 # All output goes to $(BUILD), except for install, measure, format and the
 # exercises (WORK).
@@ -90,7 +90,8 @@ MODULES := $(shell awk '/^[a-z]/ && n++ < $(CHAPTERS) { \
 	for (i = 2; i <= NF; i++) print $$i }' book/chapters)
 MAIN := $(filter program/main,$(MODULES))
 THREADS := $(filter threads/%,$(MODULES))
-CLIENTS := $(THREADS) $(filter files/% formats/% scenes/% simulate/% program/%,$(MODULES))
+CLIENTS := $(THREADS) $(filter files/% formats/% writers/% scenes/% simulate/% \
+	program/%,$(MODULES))
 PROGRAM := $(filter-out $(MAIN),$(CLIENTS))
 LIBRARY := $(filter-out $(CLIENTS),$(MODULES))
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "files/fault.h"
-#include "formats/polydata.h"
+#include "writers/polydata.h"
 
 enum {
     TF_COLLECTION_ROOM = 4096 ///< bytes of a path, with the 0 at its end

@@ -1,10 +1,10 @@
 //: Declare the points of contacts
 #pragma once
 
-#include "formats/polydata.h"
 #include "query/motion.h"
 #include "response/options.h"
 #include "surface/contacts.h"
+#include "writers/polydata.h"
 
 /// Contacts as points, to look at.  All zero: there are none.
 typedef struct tf_contact_points {

@@ -1,8 +1,8 @@
 //: Include what the output of a mesh needs
 #include "program/mesh_output.h"
 
-#include "formats/endings.h"
-#include "formats/losses.h"
+#include "writers/endings.h"
+#include "writers/losses.h"
 
 #include <errno.h>
 
@@ -32,14 +32,27 @@ static void print_losses(const char *path, const tf_mesh_file *made_of,
 
 static void print_rounding(const char *path, const tf_mesh_content *content)
 {
+    static bool printed = false;
     size_t count = (size_t)content->mesh.vertices * (size_t)content->mesh.axes;
     size_t rounded = tf_count_rounded(content->position, count);
-    if (rounded > 0)
-        fprintf(stderr,
-                "tanglefree: %s: %zu of %zu coordinates are rounded to floats, "
-                "by which elements may meet; check it, or write another "
-                "format than STL\n",
-                tf_make_visible(path).text, rounded, count);
+    if (rounded == 0 || printed)
+        return;
+    printed = true;
+    fprintf(stderr,
+            "tanglefree: %s: %zu of %zu coordinates are rounded to floats, by "
+            "which elements may meet; check it, or write another format than "
+            "STL\n",
+            tf_make_visible(path).text, rounded, count);
+}
+
+void tf_mesh_output_remark(const char *path, const tf_mesh_content *content,
+                           const tf_mesh_file *made_of)
+{
+    tf_mesh_format format = tf_mesh_format_of(path, made_of->format);
+    if (made_of->source && !tf_mesh_is_source(content, format))
+        print_losses(path, made_of, format);
+    if (format == TF_STL_BINARY)
+        print_rounding(path, content);
 }
 
 //: Write the mesh and the report
@@ -67,10 +80,7 @@ bool tf_mesh_output_write(tf_destination *to, const tf_mesh_content *content,
                           const tf_mesh_report *report)
 {
     tf_mesh_format format = tf_mesh_format_of(to->path, made_of->format);
-    if (made_of->source && !tf_mesh_is_source(content, format))
-        print_losses(to->path, made_of, format);
-    if (format == TF_STL_BINARY)
-        print_rounding(to->path, content);
+    tf_mesh_output_remark(to->path, content, made_of);
     return tf_mesh_check_writable(content, format, to->path, to->fault) &&
            write_mesh(to, content, format) && write_report(to, report) &&
            tf_destination_keep(to);

@@ -2,7 +2,7 @@
 #ifndef SUPPORT_MESHES_H
 #define SUPPORT_MESHES_H
 
-#include "formats/mesh_writer.h"
+#include "writers/mesh_writer.h"
 
 /// Reads a text from memory that ends with it, and calls it "mesh".  Its fault
 /// is kept until the next one is read.

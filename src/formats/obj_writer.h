@@ -1,9 +1,0 @@
-//: Declare how to write OBJ
-#pragma once
-
-#include "formats/mesh_content.h"
-
-#include <stdio.h>
-
-/// Writes Wavefront OBJ: vertices with their colors, faces and edges.
-void tf_obj_write(FILE *stream, const tf_mesh_content *content);

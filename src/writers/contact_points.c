@@ -1,5 +1,5 @@
 //: Include what the points of contacts need
-#include "program/contact_points.h"
+#include "writers/contact_points.h"
 
 #include <string.h>
 

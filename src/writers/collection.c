@@ -1,6 +1,6 @@
 //: Include what collections need
 #define _POSIX_C_SOURCE 200809L
-#include "program/collection.h"
+#include "writers/collection.h"
 
 #include "files/output_file.h"
 

@@ -11,7 +11,11 @@
 #include "scenes/frames.h"
 #include "scenes/scene_file.h"
 #include "threads/threads.h"
+#include "writers/collection.h"
+#include "writers/contact_points.h"
+#include "writers/vtp_writer.h"
 
+#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -27,6 +31,9 @@ typedef struct resolving {
     tf_resolver *resolver;
     tf_resolved done;
     tf_destination out;
+    bool shows; ///< whether the frames are written for ParaView
+    tf_collection shown;
+    tf_contact_points points;
     tf_progress_line progress;
 } resolving;
 
@@ -117,26 +124,66 @@ static bool read(resolving *r)
     return tf_frames_next(&r->frames, r->request->operand[1]);
 }
 
+static bool begin_output(resolving *r)
+{
+    const char *out = r->request->out;
+    return r->shows
+               ? tf_collection_begin(&r->shown, out, &r->frames.fault)
+               : tf_mesh_output_begin(&r->out, out, tf_frames_file(&r->frames),
+                                      &r->frames.fault);
+}
+
+/// What is written of a file with the same elements as the end.
+static tf_mesh_content content_of(const resolving *r, const tf_mesh_file *file)
+{
+    return (tf_mesh_content){.mesh = tf_mesh_file_elements(file, 3),
+                             .position = file->position.item,
+                             .columns = &r->columns,
+                             .from = file};
+}
+
+/// Writes the start and the end of the step as frames.
+static bool show(resolving *r)
+{
+    tf_motion motion = tf_frames_motion(&r->frames);
+    bool good = true;
+    for (int i = 0; i < 2 && good; i++) {
+        tf_mesh_content content = content_of(r, &r->frames.file[i]);
+        tf_polydata mesh = tf_polydata_of_mesh(&content);
+        good = i == 0 ||
+               tf_contact_points_answered(&r->points, &motion, r->resolver) ||
+               tf_status_fault(&r->frames.file[i], TF_OUT_OF_MEMORY);
+        tf_polydata contacts = tf_contact_points_data(&r->points);
+        good = good && tf_collection_add(&r->shown, &mesh, &contacts);
+    }
+    return good && tf_collection_end(&r->shown);
+}
+
+static bool write_shown(resolving *r, const tf_mesh_content *content,
+                        const tf_mesh_report *report)
+{
+    tf_mesh_output_remark(r->request->out, content, content->from);
+    return show(r) &&
+           (tf_report_write(stdout, report->format, report->field,
+                            report->record) ||
+            tf_fault_set_unwritten(&r->frames.fault, "standard output", errno));
+}
+
 /// Writes the end of the step, in its format.
 static bool write(resolving *r)
 {
     const tf_mesh_file *end = tf_frames_file(&r->frames);
-    tf_mesh_content content = {.mesh = tf_mesh_file_elements(end, 3),
-                               .position = end->position.item,
-                               .columns = &r->columns,
-                               .from = end};
+    tf_mesh_content content = content_of(r, end);
     tf_mesh_report report = {*r->request->format, tf_resolved_fields, &r->done};
     bool clear = r->done.report.first_contacts + r->done.report.first_near == 0;
     r->done.status = clear ? "clear" : "resolved";
-    return tf_mesh_output_write(&r->out, &content, end, &report);
+    return r->shows ? write_shown(r, &content, &report)
+                    : tf_mesh_output_write(&r->out, &content, end, &report);
 }
 
 static bool do_all(resolving *r)
 {
-    const tf_request *wanted = r->request;
-    if (!read(r) || !read_masses(r) || !read_friction(r) ||
-        !tf_mesh_output_begin(&r->out, wanted->out, tf_frames_file(&r->frames),
-                              &r->frames.fault))
+    if (!read(r) || !read_masses(r) || !read_friction(r) || !begin_output(r))
         return false;
     bool good = resolve(r);
     tf_progress_line_end(&r->progress);
@@ -149,6 +196,7 @@ static bool do_all(resolving *r)
 static void free_all(resolving *r)
 {
     tf_destination_end(&r->out);
+    tf_contact_points_free(&r->points);
     tf_resolver_free(r->resolver);
     free(r->inverse_mass);
     free(r->friction);
@@ -162,6 +210,8 @@ static void free_all(resolving *r)
 static int resolve_meshes(const tf_request *request)
 {
     resolving r = {.request = request,
+                   .shows = tf_is_collection(request->out),
+                   .points = {.answered = true},
                    .progress = tf_progress_line_begin(true)};
     tf_threads_create(request->threads, &r.threads);
     bool good = do_all(&r);

@@ -11,6 +11,7 @@
 #include "scenes/flaws.h"
 #include "scenes/scene_file.h"
 #include "scenes/scene_frames.h"
+#include "scenes/shown_frames.h"
 #include "threads/threads.h"
 #include "writers/endings.h"
 #include "writers/mesh_writer.h"
@@ -47,6 +48,9 @@ typedef struct scene_resolving {
     tf_surface *surface;  ///< that of the resolver
     tf_resolver *resolver;
     tf_field field[FIELDS];
+    bool shows; ///< whether the frames are written for ParaView
+    tf_shown_frames shown;
+    tf_contact_points points;
     tf_records records;
     resolved_scene sum;
     tf_progress_line progress;
@@ -108,6 +112,14 @@ static tf_response_options options_of(scene_resolving *r)
     return how;
 }
 
+/// The contacts of the step, which was resolved.
+static bool set_points(scene_resolving *r)
+{
+    tf_motion motion = tf_scene_frames_motion(&r->frames);
+    return tf_contact_points_answered(&r->points, &motion, r->resolver) ||
+           tf_mesh_file_fault_in_memory(tf_scene_frames_file(&r->frames, 0, 1));
+}
+
 static bool resolve_step(scene_resolving *r, tf_resolved *done)
 {
     tf_response_options how = options_of(r);
@@ -120,6 +132,8 @@ static bool resolve_step(scene_resolving *r, tf_resolved *done)
                         &report, &error) != TF_OK)
         return tf_scene_frames_fault(&r->frames, &error);
     tf_scene_frames_change(&r->frames);
+    if (r->shows && !set_points(r))
+        return false;
     bool clear = report->first_contacts + report->first_near == 0;
     *done = (tf_resolved){.status = clear ? "clear" : "resolved",
                           .report = *report,
@@ -191,6 +205,8 @@ static bool write_mesh(scene_resolving *r, int m)
 static bool write_meshes(scene_resolving *r)
 {
     bool good = true;
+    if (r->shows)
+        return tf_shown_frames_add(&r->shown, &r->frames, &r->points);
     for (int m = 0; m < r->meshes.count && good; m++)
         good = write_mesh(r, m);
     return good;
@@ -245,17 +261,23 @@ static bool end_report(scene_resolving *r)
 }
 
 //: Resolve all steps of a scene
+static bool begin_frames(scene_resolving *r)
+{
+    const char *out = r->request->out;
+    return r->shows ? tf_shown_frames_begin(&r->shown, out, &r->frames.fault)
+                    : tf_folder_begin(out, "", &r->frames.fault);
+}
+
 static bool begin_scene(scene_resolving *r)
 {
     const char *path = r->request->operand[0];
     r->frames.meshes = &r->meshes;
-    r->frames.keeps_sources = true;
+    r->frames.keeps_sources = !r->shows;
     if (!tf_scene_file_read(&r->meshes, path, &r->frames.fault))
         return false;
     if (r->meshes.frames < 2)
         return tf_fault_set(&r->frames.fault, path, -1, TF_NO_STEP_FAULT);
-    return tf_scene_frames_next(&r->frames) && weigh(r) &&
-           tf_folder_begin(r->request->out, "", &r->frames.fault) &&
+    return tf_scene_frames_next(&r->frames) && weigh(r) && begin_frames(r) &&
            write_meshes(r);
 }
 
@@ -275,12 +297,15 @@ static bool do_scene(scene_resolving *r)
         return false;
     for (int i = 1; i < r->meshes.frames && good; i++)
         good = do_step(r);
+    good = good && (!r->shows || tf_shown_frames_end(&r->shown));
     return end_report(r) && good;
 }
 
 int tf_scene_resolve(const tf_request *request)
 {
     scene_resolving r = {.request = request,
+                         .shows = tf_is_collection(request->out),
+                         .points = {.answered = true},
                          .progress = tf_progress_line_begin(true)};
     tf_threads_create(request->threads, &r.threads);
     bool good = do_scene(&r);
@@ -288,6 +313,8 @@ int tf_scene_resolve(const tf_request *request)
     tf_resolver_free(r.resolver);
     free(r.inverse_mass);
     free(r.friction);
+    tf_shown_frames_free(&r.shown);
+    tf_contact_points_free(&r.points);
     tf_scene_frames_free(&r.frames);
     tf_scene_meshes_free(&r.meshes);
     tf_threads_free(r.threads);

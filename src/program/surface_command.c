@@ -8,6 +8,7 @@
 #include "scenes/natural_order.h"
 #include "scenes/scene_file.h"
 #include "scenes/scene_frames.h"
+#include "scenes/shown_frames.h"
 #include "threads/threads.h"
 
 #include <limits.h>
@@ -22,6 +23,9 @@ typedef struct work {
     tf_surface_part part;
     tf_destination to;
     tf_surface_output output;
+    bool shows; ///< whether the frames are written for ParaView
+    tf_shown_frames shown;
+    tf_contact_points points;
     tf_progress_line progress;
 } work;
 
@@ -109,6 +113,19 @@ static bool fault_in_range(work *w, int vertex)
                               tf_arithmetic_bits(arithmetic, axes));
 }
 
+//: Show the contacts of a step
+static bool set_points(work *w, const tf_motion *motion,
+                       const tf_contacts *found)
+{
+    return !w->shows || tf_contact_points_found(&w->points, motion, found) ||
+           fault_in_work_memory(w);
+}
+
+static bool show_frame(work *w)
+{
+    return !w->shows || tf_shown_frames_add(&w->shown, &w->frames, &w->points);
+}
+
 //: Detect the contacts of all steps
 static bool detect_step(work *w)
 {
@@ -124,7 +141,7 @@ static bool detect_step(work *w)
                                          &found, &error);
     if (status == TF_OUT_OF_RANGE)
         return fault_in_range(w, error.vertex[0]);
-    return succeeded(w, &error) &&
+    return succeeded(w, &error) && set_points(w, &motion, &found) &&
            tf_surface_output_contacts(&w->output, &w->part, motion.axes,
                                       &found);
 }
@@ -140,12 +157,12 @@ static bool detect_all(work *w)
         return tf_fault_set(&w->frames.fault, request->operand[0], -1,
                             TF_NO_STEP_FAULT);
     for (int i = 0; i < w->meshes.frames; i++) {
-        if (!next_frame(w) || (i > 0 && !detect_step(w)))
+        if (!next_frame(w) || (i > 0 && !detect_step(w)) || !show_frame(w))
             return false;
         tf_progress_line_show(&w->progress, (long)w->output.tally.parts,
                               "steps");
     }
-    return true;
+    return !w->shows || tf_shown_frames_end(&w->shown);
 }
 
 //: Check a frame
@@ -228,13 +245,22 @@ static tf_surface_output_options output_of(const tf_request *request,
                                                          : TF_NAMES_OF_FILE};
 }
 
+/// Rows go to standard output if a collection is written.
+static FILE *begin_output(work *w)
+{
+    const char *out = w->request->out;
+    if (w->shows && !tf_shown_frames_begin(&w->shown, out, &w->frames.fault))
+        return NULL;
+    return tf_destination_begin(&w->to, w->shows ? "-" : out, &w->frames.fault)
+               ? tf_destination_open(&w->to)
+               : NULL;
+}
+
 static bool write_rows(work *w, bool checks, bool (*do_all)(work *))
 {
     const tf_request *request = w->request;
     tf_surface_output_options options = output_of(request, checks);
-    FILE *stream = tf_destination_begin(&w->to, request->out, &w->frames.fault)
-                       ? tf_destination_open(&w->to)
-                       : NULL;
+    FILE *stream = begin_output(w);
     if (!stream)
         return false;
     bool good =
@@ -247,14 +273,19 @@ static bool write_rows(work *w, bool checks, bool (*do_all)(work *))
 //: Run a command about surfaces
 static int run(const tf_request *request, bool checks, bool (*do_all)(work *))
 {
-    bool silent = !tf_destination_is_standard(request->out);
-    work w = {.request = request, .progress = tf_progress_line_begin(silent)};
+    bool shows = tf_is_collection(request->out);
+    bool silent = !shows && !tf_destination_is_standard(request->out);
+    work w = {.request = request,
+              .shows = shows,
+              .progress = tf_progress_line_begin(silent)};
     w.frames.meshes = &w.meshes;
     tf_threads_create(request->threads, &w.threads);
     bool good = write_rows(&w, checks, do_all);
     tf_destination_end(&w.to);
     tf_fault_print(&w.frames.fault, "tanglefree");
     drop_meshes(&w);
+    tf_shown_frames_free(&w.shown);
+    tf_contact_points_free(&w.points);
     tf_threads_free(w.threads);
     return !good ? 2 : w.output.tally.tangled > 0;
 }
@@ -281,6 +312,16 @@ static void check_operands(tf_request *request)
                               "%s is a scene, which must be the only operand; "
                               "name the other files in it",
                               tf_make_visible(request->operand[i]).text);
+}
+
+static void check_check(tf_request *request)
+{
+    check_operands(request);
+    if (tf_is_collection(request->out))
+        tf_request_refuse(request,
+                          "--output must be a file for rows, got '%s'; only "
+                          "detect and resolve write collections for ParaView",
+                          tf_make_visible(request->out).text);
 }
 
 static void check_detect(tf_request *request)
@@ -313,6 +354,6 @@ const tf_command tf_check_command = {
     .most = INT_MAX,
     .wanted = "a file is required: its name, or - for standard input",
     .description = tf_check_description,
-    .check = check_operands,
+    .check = check_check,
     .run = run_check,
 };

@@ -104,25 +104,31 @@ bool tf_contact_points_found(tf_contact_points *points, const tf_motion *motion,
 }
 
 //: Set the points of answered contacts
-bool tf_contact_points_answered(tf_contact_points *points,
-                                const tf_motion *motion, size_t count,
-                                const tf_answered_contact contact[],
-                                const double push[])
+static bool add_answered(tf_contact_points *points, const tf_motion *motion,
+                         const tf_answered_contact *c, double push)
 {
+    double row[WIDTH] = {0};
+    place(row, motion, c->kind, c->vertex, c->coefficient, 1);
+    set_common(row, c->normal, c->toi, c->kind, c->vertex);
+    for (int k = 0; k < 3; k++)
+        row[IMPULSE + k] = c->impulse * c->normal[k] + c->friction[k];
+    row[PUSH] = push;
+    row[LEVEL] = c->level;
+    row[ROUND] = c->round;
+    return tf_columns_add(&points->row, row);
+}
+
+bool tf_contact_points_answered(tf_contact_points *points,
+                                const tf_motion *motion, tf_resolver *resolver)
+{
+    size_t count, pushes;
+    const tf_answered_contact *contact;
+    const double *push;
     begin(points, true);
-    bool good = true;
-    for (size_t i = 0; i < count && good; i++) {
-        const tf_answered_contact *c = &contact[i];
-        double row[WIDTH] = {0};
-        place(row, motion, c->kind, c->vertex, c->coefficient, 1);
-        set_common(row, c->normal, c->toi, c->kind, c->vertex);
-        for (int k = 0; k < 3; k++)
-            row[IMPULSE + k] = c->impulse * c->normal[k] + c->friction[k];
-        row[PUSH] = push[i];
-        row[LEVEL] = c->level;
-        row[ROUND] = c->round;
-        good = tf_columns_add(&points->row, row);
-    }
+    bool good = tf_resolver_contacts(resolver, &count, &contact) == TF_OK &&
+                tf_resolver_pushes(resolver, &pushes, &push) == TF_OK;
+    for (size_t i = 0; good && i < count; i++)
+        good = add_answered(points, motion, &contact[i], push[i]);
     return good;
 }
 

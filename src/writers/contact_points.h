@@ -2,14 +2,15 @@
 #pragma once
 
 #include "query/motion.h"
-#include "response/options.h"
+#include "response/resolver.h"
 #include "surface/contacts.h"
 #include "writers/polydata.h"
 
 /// Contacts as points, to look at.  All zero: there are none.
 typedef struct tf_contact_points {
     tf_columns row; ///< a row for each
-    bool answered;  ///< whether they are those of a response
+    bool answered;  ///< whether they are those of a response; to be set first
+                    ///< where points without any are shown
 } tf_contact_points;
 
 void tf_contact_points_free(tf_contact_points *points);
@@ -22,11 +23,9 @@ bool tf_contact_points_found(tf_contact_points *points, const tf_motion *motion,
 /// Sets the points of the first elements that were pushed, at the end of the
 /// step.  False: there is no memory.
 /// @param motion that to the resolved end
-/// @param push of each contact
+/// @param resolver that has resolved the step
 bool tf_contact_points_answered(tf_contact_points *points,
-                                const tf_motion *motion, size_t count,
-                                const tf_answered_contact contact[],
-                                const double push[]);
+                                const tf_motion *motion, tf_resolver *resolver);
 
 /// The PolyData, which borrows the points: a vertex for each, with arrays normal,
 /// time, kind (a tf_kind) and vertices; of contacts that were found also

@@ -48,6 +48,7 @@ static const ending endings[] = {
     {".obj", TF_OBJ},        {".ply", TF_PLY_LITTLE_ENDIAN},
     {".stl", TF_STL_BINARY}, {".off", TF_OFF},
     {".msh", TF_MSH},        {".vtp", TF_VTP},
+    {".pvd", TF_VTP},
 };
 
 tf_mesh_format tf_mesh_format_of(const char *path, tf_mesh_format usual)
@@ -73,11 +74,11 @@ const char *tf_mesh_ending(tf_mesh_format format)
 const char *tf_unwritten_ending(const char *path)
 {
     static const char *const others[] = {
-        ".gltf", ".glb",  ".fbx",  ".dae", ".abc",  ".usd",  ".usda",
-        ".usdc", ".usdz", ".vtk",  ".vtu", ".3ds",  ".3mf",  ".amf",
-        ".step", ".stp",  ".iges", ".igs", ".x3d",  ".wrl",  ".blend",
-        ".mesh", ".poly", ".xyz",  ".pcd", ".geo",  ".bgeo", ".mdd",
-        ".pc2",  ".c4d",  ".ma",   ".mb",  ".node", ".ele",  ".inp"};
+        ".gltf", ".glb",  ".fbx",  ".dae", ".abc",   ".usd",  ".usda", ".usdc",
+        ".usdz", ".vtk",  ".vtu",  ".3ds", ".3mf",   ".amf",  ".step", ".stp",
+        ".iges", ".igs",  ".x3d",  ".wrl", ".blend", ".mesh", ".poly", ".xyz",
+        ".pcd",  ".geo",  ".bgeo", ".mdd", ".pc2",   ".pvd",  ".c4d",  ".ma",
+        ".mb",   ".node", ".ele",  ".inp"};
     for (size_t i = 0; i < sizeof others / sizeof *others; i++)
         if (tf_ends_in(path, others[i]))
             return others[i];

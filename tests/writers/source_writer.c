@@ -272,6 +272,177 @@ START_TEST(binary_numbers_are_replaced_in_all_types_and_orders)
 }
 END_TEST
 
+// Other formats ------------------------------------------------------------------
+
+#define SOLID_OF(x, y)                                                         \
+    "solid by hand\n facet normal 0 0 1\n  outer loop\n   vertex 0 -0 " x      \
+    "\n   vertex 1 0 0\n   vertex 0 1.0 0\n  endloop\n endfacet\n"             \
+    "facet normal 0 0 1 \nouter loop\n vertex 1 1 " y                          \
+    " vertex 0 1 0 vertex 1 0 0 endloop endfacet\nendsolid by hand\n"          \
+    "solid\nfacet normal 0 0 0\nouter loop\nvertex 0 0 " x "\nvertex 1 1 " y   \
+    "\nvertex 0 0 " x "\nendloop\nendfacet\nendsolid\n"
+
+START_TEST(each_corner_of_stl_is_replaced)
+{
+    read_text(SOLID_OF("0", "00"));
+    ck_assert_int_eq(tf_mesh_file_vertices(&file), 4);
+    expect_text(SOLID_OF("0", "00"));
+    set(0, 2, 0.1);
+    set(3, 2, -7);
+    expect_text(SOLID_OF("0.10000000000000001", "-7"));
+    free_file();
+}
+END_TEST
+
+/// A binary STL of two triangles; its vertices are at (0 0 x), (1 0 0), (0 1 0),
+/// and (1 1 y), some with a negative 0.
+static void binary_stl(char bytes[185], double x, double y)
+{
+    const double corner[] = {0, 0, x, 1, 0, 0,    0, 1,    0,
+                             1, 1, y, 0, 1, -0.0, 1, -0.0, 0};
+    FILE *stream = fmemopen(bytes, 185, "wb");
+    tf_encoder to = {.stream = stream};
+    fprintf(stream, "%80s", "colors");
+    tf_encode_integer(&to, 2, 4);
+    for (int t = 0; t < 2; t++) {
+        for (int k = 0; k < 3; k++)
+            tf_encode(&to, TF_FLOAT, 0.5);
+        for (int k = 0; k < 9; k++)
+            tf_encode(&to, TF_FLOAT, corner[9 * t + k]);
+        tf_encode_integer(&to, 0x801f, 2);
+    }
+    ck_assert_int_eq(ftell(stream), 184);
+    fclose(stream);
+}
+
+START_TEST(floats_of_binary_stl_are_replaced)
+{
+    char before[185], after[185];
+    binary_stl(before, 0, 0);
+    read_bytes(before, 184);
+    ck_assert_int_eq(tf_mesh_file_vertices(&file), 4);
+    expect_written(before, 184);
+    set(0, 2, 0.5);
+    set(3, 2, 0.1); // which is rounded
+    binary_stl(after, 0.5, 0.1);
+    expect_written(after, 184);
+    free_file();
+}
+END_TEST
+
+#define OFF_OF(x)                                                              \
+    "# head\nCOFF # colors\n4 2 0\n\n0 0 " x                                   \
+    " 255 0 0 255\n1 0 0 1 1 1 1 # b\n"                                        \
+    "1 1 0 0 0 0 0\n0 1 0 0 0 0 0\n4 0 1 2 3 255 255 0\n3 0 1 2\n"
+
+START_TEST(vertices_of_off_are_replaced)
+{
+    read_text(OFF_OF("0.0"));
+    expect_text(OFF_OF("0.0"));
+    set(0, 2, 0.1);
+    expect_text(OFF_OF("0.10000000000000001"));
+    free_file();
+}
+END_TEST
+
+#define MSH_OF(x)                                                              \
+    "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n1\n2 1 \"skin\"\n"  \
+    "$EndPhysicalNames\n$Nodes\n3\n70 0 0 " x                                  \
+    "\n5 1 0 0\n6 0 1 0\n$EndNodes\n"                                          \
+    "$Elements\n2\n1 15 2 0 1 5\n2 2 2 1 1 70 5 6\n$EndElements\n"
+
+#define MSH4_OF(x)                                                             \
+    "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Nodes\n1 3 1 3\n2 1 1 "            \
+    "3\n1\n2\n3\n"                                                             \
+    "0 0 " x " .5 .5\n1 0 0 .5 .5\n0 1 0 .5 .5\n$EndNodes\n$Elements\n"        \
+    "1 1 1 1\n2 1 2 1\n1 1 2 3\n$EndElements\n"
+
+START_TEST(nodes_of_gmsh_are_replaced)
+{
+    read_text(MSH_OF("0.0"));
+    expect_text(MSH_OF("0.0"));
+    set(0, 2, 0.1);
+    expect_text(MSH_OF("0.10000000000000001"));
+    free_file();
+    read_text(MSH4_OF("0.0"));
+    expect_text(MSH4_OF("0.0"));
+    set(0, 2, 0.1);
+    expect_text(MSH4_OF("0.10000000000000001"));
+    free_file();
+}
+END_TEST
+
+/// Gmsh's binary format of version 2.
+static char *binary_msh(bool big, double x, size_t *size)
+{
+    static const int element[] = {2, 1, 2, 1, 0, 0, 1, 2, 3};
+    char *bytes = NULL;
+    FILE *stream = open_memstream(&bytes, size);
+    tf_encoder to = {stream, false, big};
+    fputs("$MeshFormat\n2.2 1 8\n", stream);
+    tf_encode_integer(&to, 1, 4);
+    fputs("\n$EndMeshFormat\n$Nodes\n3\n", stream);
+    for (int i = 0; i < 3; i++) {
+        tf_encode_integer(&to, i + 1, 4);
+        tf_encode_double(&to, i == 1 ? x : 0);
+        tf_encode_double(&to, i == 2);
+        tf_encode_double(&to, 0);
+    }
+    fputs("\n$EndNodes\n$Elements\n1\n", stream);
+    for (int i = 0; i < 9; i++)
+        tf_encode_integer(&to, element[i], 4);
+    fputs("\n$EndElements\n", stream);
+    fclose(stream);
+    return bytes;
+}
+
+START_TEST(binary_nodes_of_gmsh_are_replaced)
+{
+    for (int big = 0; big < 2; big++) {
+        size_t before_size, size;
+        char *before = binary_msh(big, 1, &before_size);
+        char *after = binary_msh(big, 0.1, &size);
+        read_bytes(before, before_size);
+        expect_written(before, before_size);
+        set(1, 0, 0.1);
+        expect_written(after, size);
+        free(before);
+        free(after);
+        free_file();
+    }
+}
+END_TEST
+
+START_TEST(lines_of_old_macs_keep_their_ends)
+{
+    read_text("# a\rv 0 0 0\rv 1 0 0\r\rv 0 1 0\rf 1 2 3\r");
+    expect_text("# a\rv 0 0 0\rv 1 0 0\r\rv 0 1 0\rf 1 2 3\r");
+    set(1, 0, 0.5);
+    expect_text("# a\rv 0 0 0\rv 0.5 0 0\r\rv 0 1 0\rf 1 2 3\r");
+    free_file();
+    read_text("ply\rformat ascii 1.0\relement vertex 2\rproperty float x\r"
+              "property float y\relement edge 1\rproperty int vertex1\r"
+              "property int vertex2\rend_header\r0 0\r1 1\r0 1\r");
+    set(1, 2, 2);
+    expect_text("ply\rformat ascii 1.0\relement vertex 2\r"
+                "property double x\rproperty double y\rproperty double z\r"
+                "element edge 1\rproperty int vertex1\rproperty int vertex2\r"
+                "end_header\r0 0 0\r1 1 2\r0 1\r");
+    free_file();
+}
+END_TEST
+
+START_TEST(compressed_files_are_written_decompressed)
+{
+    make_file("plain", OFF_OF("0.0"));
+    expect(run("gzip -c plain >packed"), 0, "", "");
+    source = (tf_source){0};
+    ck_assert(tf_mesh_file_read_all(&file, "packed", NULL, &source, &fault));
+    expect_text(OFF_OF("0.0"));
+    free_file();
+}
+END_TEST
+
 // Anything ----------------------------------------------------------------------
 
 /// A mesh in a random format with things between.
@@ -361,6 +532,13 @@ Suite *suite(void)
     tcase_add_test(tcase, binary_numbers_are_replaced_in_all_types_and_orders);
     tcase_add_test(tcase,
                    what_is_written_is_read_as_the_new_doubles_and_nothing_else);
+    tcase_add_test(tcase, each_corner_of_stl_is_replaced);
+    tcase_add_test(tcase, floats_of_binary_stl_are_replaced);
+    tcase_add_test(tcase, vertices_of_off_are_replaced);
+    tcase_add_test(tcase, nodes_of_gmsh_are_replaced);
+    tcase_add_test(tcase, binary_nodes_of_gmsh_are_replaced);
+    tcase_add_test(tcase, lines_of_old_macs_keep_their_ends);
+    tcase_add_test(tcase, compressed_files_are_written_decompressed);
     suite_add_tcase(suite, tcase);
     return suite;
 }

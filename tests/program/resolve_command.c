@@ -461,6 +461,81 @@ START_TEST(what_another_format_loses_is_said)
 }
 END_TEST
 
+START_TEST(start_and_end_are_shown_with_contacts)
+{
+    outcome found = run("$tf resolve above below -o seen.pvd");
+    ck_assert_int_eq(found.status, 0);
+    ck_assert_str_eq(found.err, "");
+    expect_words(found.out, "status: resolved\nfirst contacts: 2\n");
+    expect(run("grep -ahoE 'NumberOfPoints=.[0-9]+|Name=.(impulse|push)' "
+               "seen/*.vtp"),
+           0,
+           "NumberOfPoints=\"0\nName=\"impulse\nName=\"push\n"
+           "NumberOfPoints=\"2\nName=\"impulse\nName=\"push\n"
+           "NumberOfPoints=\"5\nNumberOfPoints=\"5\n",
+           "");
+    expect(run("grep -c timestep seen.pvd; $tf resolve above below -o new.vtp "
+               ">report; cmp new.vtp seen/mesh-00001.vtp"),
+           0, "4\n", "");
+    make_file("named", "o cloth\n" BELOW);
+    expect(run("$tf resolve above named -o seen.pvd >report"), 0, "",
+           "tanglefree: seen.pvd: without the names of named\n");
+    make_file("full", "before\n");
+    expect(run("$tf resolve above below -o full.pvd"), 2, "",
+           "tanglefree: full: cannot make this folder: File exists; choose "
+           "another with -o\n");
+    expect(run("$tf resolve above below -o seen.pvd >/dev/full"), 2, "",
+           "tanglefree: standard output: cannot write: No space left on "
+           "device; mend that, and run again\n");
+}
+END_TEST
+
+/// A scene of a triangle that stays and an edge that falls on it.
+static void make_scene(void)
+{
+    make_file("floor.obj", "# floor\n" TRIANGLE);
+    make_file("rod0.ply",
+              "ply\nformat ascii 1.0\ncomment rod\nelement vertex 2\n"
+              "property float x\nproperty float y\nproperty float z\n"
+              "property uchar red\nelement edge 1\nproperty int vertex1\n"
+              "property int vertex2\nend_header\n0 0 1 255\n.5 .5 1 7\n0 1\n");
+    expect(run("sed 's/0 0 1 255/0 0 -1 255/' rod0.ply >rod1.ply"), 0, "", "");
+    make_file("scene.yaml",
+              "meshes:\n"
+              "  - {name: floor, frames: floor.obj, role: fixed}\n"
+              "  - {name: rod, frames: [rod0.ply, rod1.ply]}\n");
+}
+
+START_TEST(all_else_that_frames_of_scenes_have_is_kept)
+{
+    make_scene();
+    outcome found = run("$tf resolve scene.yaml -o new");
+    ck_assert_int_eq(found.status, 0);
+    ck_assert_str_eq(found.err, "");
+    // The rod is back where it started.
+    expect(run("ls new; cmp rod0.ply new/rod-00000.ply; cmp rod0.ply "
+               "new/rod-00001.ply"),
+           0, "rod-00000.ply\nrod-00001.ply\n", "");
+}
+END_TEST
+
+START_TEST(scenes_are_shown)
+{
+    make_scene();
+    outcome found = run("$tf resolve scene.yaml -o seen.pvd");
+    ck_assert_int_eq(found.status, 0);
+    ck_assert_str_eq(found.err, "");
+    expect(run("ls seen; grep -ahoE 'NumberOf(Points|Lines|Polys)=.[0-9]+|"
+               "Name=.(mesh|impulse)' seen/*1.vtp"),
+           0,
+           "contacts-00000.vtp\ncontacts-00001.vtp\nmesh-00000.vtp\n"
+           "mesh-00001.vtp\nNumberOfPoints=\"1\nNumberOfLines=\"0\n"
+           "NumberOfPolys=\"0\nName=\"impulse\nNumberOfPoints=\"5\n"
+           "NumberOfLines=\"1\nNumberOfPolys=\"1\nName=\"mesh\n",
+           "");
+}
+END_TEST
+
 START_TEST(what_cannot_be_written_is_refused)
 {
     make_file("new.glb", "before\n");
@@ -726,8 +801,8 @@ END_TEST
 
 START_TEST(wrong_arguments_are_refused)
 {
-    static const char two[] =
-        "tanglefree resolve: two files are required, START and END, or a scene\n";
+    static const char two[] = "tanglefree resolve: two files are required, "
+                              "START and END, or a scene\n";
     expect_usage("resolve", two);
     expect_usage("resolve -o new above", two);
     expect_usage("resolve -o new above below below", two);
@@ -820,6 +895,9 @@ Suite *suite(void)
     tcase_add_test(files, the_ending_or_the_end_chooses_the_format);
     tcase_add_test(files, all_else_that_the_end_has_is_kept);
     tcase_add_test(files, what_another_format_loses_is_said);
+    tcase_add_test(files, start_and_end_are_shown_with_contacts);
+    tcase_add_test(files, all_else_that_frames_of_scenes_have_is_kept);
+    tcase_add_test(files, scenes_are_shown);
     tcase_add_test(files, what_cannot_be_written_is_refused);
     tcase_add_test(files, curves_are_written_as_ply);
     tcase_add_test(files, standard_input_and_output_are_used);

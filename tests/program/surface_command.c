@@ -625,6 +625,44 @@ START_TEST(what_is_written_to_a_file_is_what_is_printed)
 }
 END_TEST
 
+START_TEST(collections_are_written_besides_the_rows)
+{
+    outcome found = run("$tf detect above below above");
+    char rows[2000];
+    snprintf(rows, sizeof rows, "%s", found.out);
+    expect(run("$tf detect above below above -o seen.pvd"), 1, rows, "");
+    expect(run("ls seen.pvd seen | tr '\\n' ' '"), 0,
+           "seen.pvd  seen: contacts-00000.vtp contacts-00001.vtp "
+           "contacts-00002.vtp mesh-00000.vtp mesh-00001.vtp mesh-00002.vtp ",
+           "");
+    expect(run("grep -ahoE 'NumberOf(Points|Polys)=.[0-9]+' seen/*1.vtp"), 0,
+           "NumberOfPoints=\"2\nNumberOfPolys=\"0\n"
+           "NumberOfPoints=\"5\nNumberOfPolys=\"1\n",
+           "");
+    expect(run("$tf detect above above -o seen.pvd --format summary | head -n "
+               "1; grep -c mesh seen.pvd"),
+           0, "steps: 1\n2\n", "");
+}
+END_TEST
+
+START_TEST(collections_that_cannot_be_written_are_named)
+{
+    make_file("taken", "before\n");
+    expect(run("$tf detect above below -o taken.pvd"), 2, "",
+           "tanglefree: taken: cannot make this folder: File exists; choose "
+           "another with -o\n");
+    expect(run("mkdir seen seen/contacts-00001.vtp; $tf detect above below -o "
+               "seen.pvd >rows; echo $?; ls seen.pvd 2>/dev/null"),
+           2, "2\n",
+           "tanglefree: seen/contacts-00001.vtp: cannot write: Is a directory; "
+           "mend that, and run again\n");
+    expect_usage("check above -o seen.pvd",
+                 "tanglefree check: --output must be a file for rows, got "
+                 "'seen.pvd'; only detect and resolve write collections for "
+                 "ParaView\n");
+}
+END_TEST
+
 START_TEST(exit_codes_are_the_same_with_a_file)
 {
     static const int status[] = {1, 0, 1, 0};
@@ -879,6 +917,8 @@ Suite *suite(void)
 
     TCase *unwritten = add_case(suite, "output that cannot be written");
     tcase_add_test(unwritten, what_is_written_to_a_file_is_what_is_printed);
+    tcase_add_test(unwritten, collections_are_written_besides_the_rows);
+    tcase_add_test(unwritten, collections_that_cannot_be_written_are_named);
     tcase_add_test(unwritten, exit_codes_are_the_same_with_a_file);
     tcase_add_test(unwritten, a_file_appears_whole_or_not_at_all);
     tcase_add_test(unwritten, a_file_that_is_read_may_be_written);

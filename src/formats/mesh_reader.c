@@ -21,7 +21,7 @@ static bool check_whole(const tf_mesh_file *file)
         return tf_mesh_file_fault(
             file, -1,
             "no vertices; the file must be a mesh in OBJ, PLY, STL, OFF or "
-            "Gmsh's format");
+            ".msh");
     if (tf_mesh_file_triangles(file) + tf_mesh_file_edges(file) == 0)
         return tf_mesh_file_fault(
             file, -1, "no triangles and no edges; a mesh must have some");

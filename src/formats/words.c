@@ -5,6 +5,7 @@
 #include "files/number.h"
 
 #include <limits.h>
+#include <stdio.h>
 #include <string.h>
 
 //: Begin the words of a file
@@ -90,6 +91,16 @@ bool tf_words_read_position(tf_words *words, double x[3])
            tf_words_read_number(words, &x[2]);
 }
 
+static bool fault_in_integer(const tf_words *words, int least)
+{
+    char verdict[100];
+    snprintf(verdict, sizeof verdict,
+             "not an integer from %d to %d; correct it, or the numbers before "
+             "it",
+             least, INT_MAX);
+    return tf_words_fault(words, verdict);
+}
+
 bool tf_words_read_integer(tf_words *words, int least, int *integer)
 {
     if (!tf_words_need(words))
@@ -98,8 +109,7 @@ bool tf_words_read_integer(tf_words *words, int least, int *integer)
     int64_t read;
     if (!tf_integer_read(&at, &read) || !tf_ends_word(*at, ends_of(words)) ||
         read < least || read > INT_MAX)
-        return tf_words_fault(words, least > 0 ? "not an integer from 1"
-                                               : "not an integer from 0");
+        return fault_in_integer(words, least);
     words->text.at = at;
     *integer = (int)read;
     return true;

@@ -77,13 +77,13 @@ START_TEST(a_file_without_elements_is_refused)
         "\n",
         "# nothing\n",
         "\xEF\xBB\xBF",
-        "<html>\n",
         "f 1 2 3\n",
         "ply\nformat ascii 1.0\nend_header\n",
         "ply\nformat ascii 1.0\nelement a 7\nend_header\n"};
     for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
         expect_bad_mesh(texts[i], -1,
-                        "no vertices; the file must be a mesh in OBJ or PLY");
+                        "no vertices; the file must be a mesh in OBJ, PLY, "
+                        "STL, OFF or .msh");
     expect_bad_mesh("v 1 2 3\nv 1 2\n", -1,
                     "no triangles and no edges; a mesh must have some");
 }

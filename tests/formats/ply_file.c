@@ -1,6 +1,7 @@
 // PLY, as text and in binary, good and bad.
 #include "formats/ply_file.h"
 
+#include "support/bytes.h"
 #include "support/meshes.h"
 #include "support/support.h"
 
@@ -22,29 +23,6 @@ static const double three[] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
 
 // Building binary files -------------------------------------------------------
 
-/// Bytes that are appended to.
-typedef struct bytes {
-    char at[2000];
-    size_t count;
-    bool big; ///< the order of the bytes of a number
-} bytes;
-
-static void put(bytes *to, const void *from, size_t size)
-{
-    // The machine's own order is the little one, or the reverse is put.
-    const char *byte = from;
-    static const short one = 1;
-    bool reverse = to->big == *(const char *)&one;
-    for (size_t i = 0; i < size; i++)
-        to->at[to->count++] = byte[reverse ? size - 1 - i : i];
-}
-
-static void put_text(bytes *to, const char *text)
-{
-    memcpy(to->at + to->count, text, strlen(text));
-    to->count += strlen(text);
-}
-
 static bytes binary(bool big, const char *declarations)
 {
     bytes made = {.big = big};
@@ -54,25 +32,6 @@ static bytes binary(bool big, const char *declarations)
     put_text(&made, declarations);
     put_text(&made, "end_header\n");
     return made;
-}
-
-static void put_double(bytes *to, double x)
-{
-    put(to, &x, sizeof x);
-}
-
-static void put_float(bytes *to, float x)
-{
-    put(to, &x, sizeof x);
-}
-
-static void put_int(bytes *to, int size, int64_t number)
-{
-    uint64_t bits = (uint64_t)number;
-    for (int i = 0; i < size; i++) {
-        int shift = to->big ? size - 1 - i : i;
-        to->at[to->count++] = (char)(bits >> 8 * shift);
-    }
 }
 
 static void put_face(bytes *to)
@@ -439,7 +398,7 @@ static const struct {
     const char *words;
 } headers[] = {
     {"ply\n", 2, "the header ends too early; the file may be cut short"},
-    {"ply\r", 1, "the header ends too early"},
+    {"ply\r", 2, "the header ends too early"},
     {"ply\nformat ascii 1.0\n" VERTICES FACES, 9, "the header ends too early"},
     {"ply\nformat ascii 1.0\n" VERTICES FACES "end_header", 9,
      "nothing follows the header; the file may be cut short"},

@@ -71,6 +71,14 @@ bool tf_words_take(tf_words *words, const char *word)
     return true;
 }
 
+bool tf_words_skip(tf_words *words)
+{
+    bool found = tf_words_need(words);
+    size_t length = found ? word_length(words) : 0;
+    words->text.at += length;
+    return length > 0 || (found && tf_text_fault_in_nul(&words->text));
+}
+
 //: Read the numbers of a text
 bool tf_words_fault(const tf_words *words, const char *verdict)
 {

@@ -53,6 +53,20 @@ START_TEST(comments_end_with_their_lines)
 }
 END_TEST
 
+START_TEST(words_are_skipped)
+{
+    tf_words words = words_of("a b\n\nnan");
+    ck_assert(tf_words_skip(&words) && tf_words_take(&words, "b"));
+    ck_assert(tf_words_skip(&words));
+    ck_assert(!tf_words_skip(&words));
+    expect_fault(3, "the file ends too early; ");
+    file = empty_mesh("words");
+    words = tf_words_of(&file, "\n\0", 2);
+    ck_assert(!tf_words_skip(&words));
+    expect_fault(2, "a NUL byte; ");
+}
+END_TEST
+
 START_TEST(rests_of_lines_are_skipped)
 {
     tf_words words = words_of("a b c\nd\n");
@@ -119,6 +133,7 @@ Suite *suite(void)
     TCase *words = tcase_create("words");
     tcase_add_test(words, ends_of_lines_are_blanks);
     tcase_add_test(words, comments_end_with_their_lines);
+    tcase_add_test(words, words_are_skipped);
     tcase_add_test(words, rests_of_lines_are_skipped);
     tcase_add_test(words, numbers_are_read);
     tcase_add_test(words, other_numbers_are_refused);

@@ -163,11 +163,12 @@ static bool is_iges(const char *text, size_t size)
 
 static bool is_dxf(const char *text)
 {
-    size_t blanks = strspn(text, " \t");
-    if (text[blanks] != '0')
+    const char *at = text + strspn(text, " \t");
+    if (*at != '0')
         return false;
-    size_t ends = strspn(text + blanks + 1, " \t\r\n");
-    return ends > 0 && strncmp(text + blanks + 1 + ends, "SECTION", 7) == 0;
+    at += 1 + strspn(at + 1, " \t\r");
+    return *at == '\n' &&
+           strncmp(at + strspn(at, " \t\r\n"), "SECTION", 7) == 0;
 }
 
 static bool is_3ds(const char *text, size_t size)

@@ -81,9 +81,9 @@ static size_t count_text(const char *text, size_t size)
     if (!end)
         return memchr(text, '\0', size) ? 0 : size;
     size_t header = (size_t)(end - text);
-    return memmem(text, header, "format ascii", 12)
-               ? size
-               : header + sizeof "end_header" - 1;
+    bool is_text = memmem(text, header, "\nformat ascii", 13) ||
+                   memmem(text, header, "\rformat ascii", 13);
+    return is_text ? size : header + sizeof "end_header";
 }
 
 /// Ends lines by line feeds that end by nothing but a carriage return.

@@ -65,11 +65,8 @@ static bool read_all(tf_bytes *bytes, gzFile stream, const char *name,
     return check_stream(stream, name, fault);
 }
 
-/// The end of a file is reported when it is closed, too.
-static gzFile open_stream(const char *path)
+static gzFile open_standard(void)
 {
-    if (strcmp(path, "-") != 0)
-        return gzopen(path, "rb");
     int copy = dup(STDIN_FILENO);
     gzFile stream = copy < 0 ? NULL : gzdopen(copy, "rb");
     if (!stream && copy >= 0)
@@ -80,10 +77,13 @@ static gzFile open_stream(const char *path)
 bool tf_bytes_read(tf_bytes *bytes, const char *path, const char *name,
                    tf_hopeless *is_hopeless, tf_fault *fault)
 {
+    bool standard = strcmp(path, "-") == 0;
     errno = 0;
-    gzFile stream = open_stream(path);
+    gzFile stream = standard ? open_standard() : gzopen(path, "rb");
+    int reason = errno ? errno : ENOMEM;
     if (!stream)
-        return tf_fault_set_unopened(fault, name, errno ? errno : ENOMEM);
+        return standard ? tf_fault_set_unread(fault, name, -1, reason)
+                        : tf_fault_set_unopened(fault, name, reason);
     gzbuffer(stream, 1 << 17);
     bool good = read_all(bytes, stream, name, is_hopeless, fault);
     gzclose(stream);

@@ -150,7 +150,7 @@ static const tf_foreign *find_markup(const char *text, size_t size)
     return NULL;
 }
 
-//: Tell formats apart that begin with numbers
+//: Tell formats apart by their first lines
 /// IGES has the letter S and a number at the end of lines of 80 columns, DXF a
 /// section first, and 3DS a chunk that is as long as the file, with another one
 /// in it.
@@ -163,11 +163,12 @@ static bool is_iges(const char *text, size_t size)
 
 static bool is_dxf(const char *text)
 {
-    size_t blanks = strspn(text, " \t");
-    if (text[blanks] != '0')
+    const char *at = text + strspn(text, " \t");
+    if (*at != '0')
         return false;
-    size_t ends = strspn(text + blanks + 1, " \t\r\n");
-    return ends > 0 && strncmp(text + blanks + 1 + ends, "SECTION", 7) == 0;
+    at += 1 + strspn(at + 1, " \t\r");
+    return *at == '\n' &&
+           strncmp(at + strspn(at, " \t\r\n"), "SECTION", 7) == 0;
 }
 
 static bool is_3ds(const char *text, size_t size)
@@ -178,19 +179,28 @@ static bool is_3ds(const char *text, size_t size)
     return size > 6 && memcmp(text, "MM", 2) == 0 && length == size;
 }
 
+/// Each second byte of ASCII is a zero.
+static bool is_utf_16(const char *text, size_t size)
+{
+    return size >= 4 && !text[0] == !text[2] && !text[1] == !text[3] &&
+           !text[0] != !text[1];
+}
+
 //: Find what a file is
 const tf_foreign *tf_foreign_find(const char *text, size_t size)
 {
     static const tf_foreign iges = {"an IGES file", "mesh it, and " EXPORT};
     static const tf_foreign dxf = {"a DXF file", EXPORT};
     static const tf_foreign studio = {"a 3DS file", EXPORT};
+    static const tf_foreign utf_16 = {"UTF-16 text", "save it as UTF-8"};
     size_t blanks = strspn(text, " \t\r\n");
     const tf_foreign *found = find_signature(text + blanks, size - blanks);
     found = found ? found : find_archive(text, size);
     found = found ? found : find_markup(text, size);
-    return found                 ? found
-           : is_iges(text, size) ? &iges
-           : is_dxf(text)        ? &dxf
-           : is_3ds(text, size)  ? &studio
-                                 : NULL;
+    return found                   ? found
+           : is_iges(text, size)   ? &iges
+           : is_utf_16(text, size) ? &utf_16
+           : is_dxf(text)          ? &dxf
+           : is_3ds(text, size)    ? &studio
+                                   : NULL;
 }

@@ -22,7 +22,7 @@ static bool check_whole(const tf_mesh_file *file)
         return tf_mesh_file_fault(
             file, -1,
             "no vertices; the file must be a mesh in OBJ, PLY, STL, OFF or "
-            "Gmsh's format");
+            ".msh");
     if (tf_mesh_file_triangles(file) + tf_mesh_file_edges(file) == 0)
         return tf_mesh_file_fault(
             file, -1, "no triangles and no edges; a mesh must have some");
@@ -82,9 +82,9 @@ static size_t count_text(const char *text, size_t size)
     if (!end)
         return memchr(text, '\0', size) ? 0 : size;
     size_t header = (size_t)(end - text);
-    return memmem(text, header, "format ascii", 12)
-               ? size
-               : header + sizeof "end_header" - 1;
+    bool is_text = memmem(text, header, "\nformat ascii", 13) ||
+                   memmem(text, header, "\rformat ascii", 13);
+    return is_text ? size : header + sizeof "end_header";
 }
 
 /// The next carriage return that alone ends a line; NULL: there is none.

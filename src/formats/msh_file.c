@@ -86,16 +86,22 @@ static bool read_coordinate(msh *m, double *x, const char **begins)
                                                 "NaN; write finite numbers"));
 }
 
+static bool skip_coordinate(msh *m)
+{
+    return m->is_binary ? take_bytes(m, 8) != NULL : tf_words_skip(&m->words);
+}
+
 /// Those after the first three are skipped.
 static bool read_node(msh *m, int coordinates)
 {
-    double x[3], unused;
-    const char *begin[4];
+    double x[3];
+    const char *begin[3];
     if (!m->is_binary && !tf_words_need(&m->words))
         return false;
     long at = place(m);
     for (int k = 0; k < coordinates; k++)
-        if (!read_coordinate(m, k < 3 ? &x[k] : &unused, &begin[k < 3 ? k : 3]))
+        if (k < 3 ? !read_coordinate(m, &x[k], &begin[k])
+                  : !skip_coordinate(m))
             return false;
     return tf_mesh_file_add_point(m->file, tf_mesh_file_vertices(m->file),
                                   m->start, begin) &&
@@ -160,11 +166,11 @@ static bool order_nodes(msh *m)
 {
     int twice;
     return tf_msh_nodes_order(&m->nodes, &twice) ||
-           (twice > 0 ? tf_text_fault(&m->words.text,
-                                      "two nodes have the tag %d; number them "
-                                      "differently",
-                                      twice)
-                      : tf_mesh_file_fault_in_memory(m->file));
+           (twice >= 0 ? tf_text_fault(&m->words.text,
+                                       "two nodes have the tag %d; number them "
+                                       "differently",
+                                       twice)
+                       : tf_mesh_file_fault_in_memory(m->file));
 }
 
 static bool read_nodes(msh *m)

@@ -21,7 +21,7 @@ static bool are_consecutive(const tf_ints *tag)
 bool tf_msh_nodes_order(tf_msh_nodes *nodes, int *twice)
 {
     size_t count = nodes->tag.count;
-    *twice = 0;
+    *twice = -1;
     if (are_consecutive(&nodes->tag))
         return true;
     nodes->node = malloc(count * sizeof *nodes->node);
@@ -30,10 +30,10 @@ bool tf_msh_nodes_order(tf_msh_nodes *nodes, int *twice)
     for (size_t i = 0; i < count; i++)
         nodes->node[i] = (tf_msh_node){nodes->tag.item[i], (int)i};
     qsort(nodes->node, count, sizeof *nodes->node, compare_tags);
-    for (size_t i = 1; i < count && *twice == 0; i++)
+    for (size_t i = 1; i < count && *twice < 0; i++)
         if (nodes->node[i].tag == nodes->node[i - 1].tag)
             *twice = nodes->node[i].tag;
-    return *twice == 0;
+    return *twice < 0;
 }
 
 //: Find a node by its tag

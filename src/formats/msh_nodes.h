@@ -15,7 +15,7 @@ typedef struct tf_msh_nodes {
 } tf_msh_nodes;
 
 /// Orders all nodes by their tags.  False: there is no memory, or two have the
-/// tag `*twice` (else 0).
+/// tag `*twice` (else -1).
 bool tf_msh_nodes_order(tf_msh_nodes *nodes, int *twice);
 
 /// The vertex that a tag means, or -1.

@@ -5,6 +5,7 @@
 #include "files/number.h"
 
 #include <limits.h>
+#include <stdio.h>
 #include <string.h>
 
 //: Begin the words of a file
@@ -71,6 +72,14 @@ bool tf_words_take(tf_words *words, const char *word)
     return true;
 }
 
+bool tf_words_skip(tf_words *words)
+{
+    bool found = tf_words_need(words);
+    size_t length = found ? word_length(words) : 0;
+    words->text.at += length;
+    return length > 0 || (found && tf_text_fault_in_nul(&words->text));
+}
+
 //: Read the numbers of a text
 bool tf_words_fault(const tf_words *words, const char *verdict)
 {
@@ -96,6 +105,16 @@ bool tf_words_read_position(tf_words *words, double x[3], const char *at[3])
     return true;
 }
 
+static bool fault_in_integer(const tf_words *words, int least)
+{
+    char verdict[100];
+    snprintf(verdict, sizeof verdict,
+             "not an integer from %d to %d; correct it, or the numbers before "
+             "it",
+             least, INT_MAX);
+    return tf_words_fault(words, verdict);
+}
+
 bool tf_words_read_integer(tf_words *words, int least, int *integer)
 {
     if (!tf_words_need(words))
@@ -104,8 +123,7 @@ bool tf_words_read_integer(tf_words *words, int least, int *integer)
     int64_t read;
     if (!tf_integer_read(&at, &read) || !tf_ends_word(*at, ends_of(words)) ||
         read < least || read > INT_MAX)
-        return tf_words_fault(words, least > 0 ? "not an integer from 1"
-                                               : "not an integer from 0");
+        return fault_in_integer(words, least);
     words->text.at = at;
     *integer = (int)read;
     return true;

@@ -25,6 +25,9 @@ bool tf_words_need(tf_words *words);
 /// Steps over the next word if it is this one, in small or capital letters.
 bool tf_words_take(tf_words *words, const char *word);
 
+/// Steps over the next word, whatever it is; it is a fault if there is none.
+bool tf_words_skip(tf_words *words);
+
 /// Steps over what is left of the line.
 void tf_words_skip_line(tf_words *words);
 

@@ -12,6 +12,19 @@ static tf_text text_of(const char *at)
     return (tf_text){.name = "a", .at = at, .line = 5, .fault = &fault};
 }
 
+START_TEST(the_mark_of_utf_8_is_no_text)
+{
+    ck_assert_str_eq(tf_text_begin("\xEF\xBB\xBF"
+                                   "a"),
+                     "a");
+    ck_assert_str_eq(tf_text_begin("\xEF\xBB"
+                                   "a"),
+                     "\xEF\xBB"
+                     "a");
+    ck_assert_str_eq(tf_text_begin(""), "");
+}
+END_TEST
+
 START_TEST(words_are_quoted)
 {
     static const struct {
@@ -85,6 +98,7 @@ Suite *suite(void)
 {
     Suite *suite = suite_create("files/text");
     TCase *words = tcase_create("words");
+    tcase_add_test(words, the_mark_of_utf_8_is_no_text);
     tcase_add_test(words, words_are_quoted);
     tcase_add_test(words, blanks_are_skipped);
     tcase_add_test(words, numbers_end_where_words_do);

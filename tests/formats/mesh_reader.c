@@ -3,6 +3,7 @@
 
 #include "formats/mesh_reader.h"
 
+#include "support/bytes.h"
 #include "support/meshes.h"
 #include "support/program.h"
 #include "support/support.h"
@@ -48,6 +49,100 @@ START_TEST(formats_are_told_apart_by_content)
 }
 END_TEST
 
+#define STL                                                                    \
+    "solid a\nfacet\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"   \
+    "endloop\nendfacet\nendsolid\n"
+#define OFF "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"
+#define MSH                                                                    \
+    "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n3\n1 0 0 0\n2 1 0 0\n"      \
+    "3 0 1 0\n$EndNodes\n$Elements\n1\n1 2 0 1 2 3\n$EndElements\n"
+
+/// The triangle as binary STL.
+static bytes binary_stl(const char *beginning)
+{
+    bytes made = {0};
+    put_text(&made, beginning);
+    made.count = 80;
+    put_int(&made, 4, 1);
+    for (int i = 0; i < 12; i++)
+        put_float(&made, i == 6 || i == 10);
+    put_int(&made, 2, 0);
+    return made;
+}
+
+/// A text with other ends of its lines.
+static void end_lines(const char *text, const char *end, char made[])
+{
+    for (; *text; text++)
+        made += sprintf(made, *text == '\n' ? "%s" : "%.1s",
+                        *text == '\n' ? end : text);
+}
+
+START_TEST(all_formats_are_read_with_all_ends_of_lines)
+{
+    static const char *const texts[] = {OBJ, PLY, STL, OFF, MSH};
+    static const int lines[] = {4, 13, 2, 6, 12};
+    static const char *const ends[] = {"\n", "\r", "\r\n", "\r\r\n"};
+    for (int i = 0; i < 5; i++)
+        for (int k = 0; k < 8; k++) {
+            char text[1000] = "\xEF\xBB\xBF";
+            end_lines(texts[i], ends[k % 4], text + (k < 4 ? 0 : 3));
+            tf_mesh_file file = good_mesh(text);
+            expect_mesh(&file);
+            ck_assert_int_eq(file.triangle_place.item[0],
+                             k % 4 < 3 ? lines[i] : 2 * lines[i] - 1);
+            tf_mesh_file_free(&file);
+        }
+}
+END_TEST
+
+START_TEST(comments_of_old_macs_end)
+{
+    tf_mesh_file file = good_mesh("# a\rv 0 0 0\rv 1 0 0\n# b\rv 0 1 0\r\n"
+                                  "f 1 \\\r2 3");
+    expect_mesh(&file);
+    ck_assert_int_eq(file.triangle_place.item[0], 6);
+    tf_mesh_file_free(&file);
+}
+END_TEST
+
+START_TEST(binary_is_left_as_it_is)
+{
+    // Its coordinates are what would end lines in text.
+    static const char *const ends[] = {"\n", "\r", "\r\n"};
+    static const char header[] =
+        "ply\nformat binary_big_endian 1.0\nelement vertex 3\n"
+        "property char x\nproperty char y\nproperty char z\nelement face 1\n"
+        "property list char char vertex_indices\nend_header\n";
+    for (int i = 0; i < 3; i++) {
+        char text[500];
+        bytes made = {0};
+        end_lines(header, ends[i], text);
+        put_text(&made, text);
+        put_text(&made, "\r\r\n\r\n\r\n\r\r\3");
+        put_int(&made, 3, 0x020100);
+        tf_mesh_file file = good_bytes(made.at, made.count);
+        expect_vertices(&file, 3,
+                        (double[]){13, 13, 10, 13, 10, 13, 10, 13, 13});
+        expect_triangles(&file, 1, (int[]){0, 1, 2});
+        tf_mesh_file_free(&file);
+    }
+    bytes made = binary_stl("solid\r");
+    tf_mesh_file file = good_bytes(made.at, made.count);
+    expect_mesh(&file);
+    tf_mesh_file_free(&file);
+}
+END_TEST
+
+START_TEST(other_files_are_named)
+{
+    expect_bad_mesh("<html>\n", -1,
+                    "this is an HTML page; give the file of a mesh");
+    expect_bad_bytes("glTF\2\0\0\0", 8, -1,
+                     "this is a binary glTF file; export OBJ, PLY or STL");
+}
+END_TEST
+
 START_TEST(flat_meshes_have_edges_alone_and_z_0)
 {
     static const struct {
@@ -77,13 +172,13 @@ START_TEST(a_file_without_elements_is_refused)
         "\n",
         "# nothing\n",
         "\xEF\xBB\xBF",
-        "<html>\n",
         "f 1 2 3\n",
         "ply\nformat ascii 1.0\nend_header\n",
         "ply\nformat ascii 1.0\nelement a 7\nend_header\n"};
     for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
         expect_bad_mesh(texts[i], -1,
-                        "no vertices; the file must be a mesh in OBJ or PLY");
+                        "no vertices; the file must be a mesh in OBJ, PLY, "
+                        "STL, OFF or .msh");
     expect_bad_mesh("v 1 2 3\nv 1 2\n", -1,
                     "no triangles and no edges; a mesh must have some");
 }
@@ -132,6 +227,55 @@ START_TEST(files_are_read_by_their_names)
         expect_mesh(&file);
         tf_mesh_file_free(&file);
     }
+}
+END_TEST
+
+START_TEST(compressed_files_are_read)
+{
+    static const char *const texts[] = {OBJ, PLY, STL, OFF, MSH};
+    for (int i = 0; i < 5; i++) {
+        make_file("mesh", texts[i]);
+        ck_assert_int_eq(system("gzip -f mesh"), 0);
+        for (int k = 0; k < 2; k++) {
+            tf_mesh_file file;
+            ck_assert_ptr_nonnull(freopen("mesh.gz", "r", stdin));
+            ck_assert_msg(
+                tf_mesh_file_read(&file, k ? "-" : "mesh.gz", NULL, &fault),
+                "%s", fault.text);
+            expect_mesh(&file);
+            tf_mesh_file_free(&file);
+        }
+    }
+}
+END_TEST
+
+static void expect_words_on(const char *name, const bytes *text,
+                            const char *words)
+{
+    make_binary_file(name, text->at, text->count);
+    tf_mesh_file file;
+    ck_assert(!tf_mesh_file_read(&file, name, NULL, &fault));
+    expect_words(fault.text, words);
+    tf_mesh_file_free(&file);
+}
+
+START_TEST(names_tell_what_contents_do_not)
+{
+    bytes stl = binary_stl("a"), solid = binary_stl("solid a");
+    stl.count--;
+    solid.count--;
+    expect_words_on("mesh.stl", &stl, "133 bytes, and not the 134 of the 1 ");
+    expect_words_on("mesh.STL.gz", &stl, "133 bytes, and not the 134 of");
+    expect_words_on("mesh.obj", &solid, "133 bytes, and not the 134 of");
+    expect_words_on("mesh.obj", &stl, "a NUL byte; ");
+    expect_words_on("stl", &stl, "a NUL byte; ");
+    expect_words_on(".stl", &stl, "a NUL byte; ");
+    // The content does here.
+    make_file("mesh.stl", OBJ);
+    tf_mesh_file file;
+    ck_assert(tf_mesh_file_read(&file, "mesh.stl", NULL, &fault));
+    expect_mesh(&file);
+    tf_mesh_file_free(&file);
 }
 END_TEST
 
@@ -229,6 +373,10 @@ Suite *suite(void)
     Suite *suite = suite_create("formats/mesh_reader");
     TCase *texts = tcase_create("texts");
     tcase_add_test(texts, formats_are_told_apart_by_content);
+    tcase_add_test(texts, all_formats_are_read_with_all_ends_of_lines);
+    tcase_add_test(texts, comments_of_old_macs_end);
+    tcase_add_test(texts, binary_is_left_as_it_is);
+    tcase_add_test(texts, other_files_are_named);
     tcase_add_test(texts, flat_meshes_have_edges_alone_and_z_0);
     tcase_add_test(texts, a_file_without_elements_is_refused);
     tcase_add_test(texts, many_elements_keep_their_order);
@@ -237,6 +385,8 @@ Suite *suite(void)
     TCase *files = tcase_create("files");
     tcase_add_checked_fixture(files, enter_folder, leave_folder);
     tcase_add_test(files, files_are_read_by_their_names);
+    tcase_add_test(files, compressed_files_are_read);
+    tcase_add_test(files, names_tell_what_contents_do_not);
     tcase_add_test(files, files_are_closed);
     tcase_add_test(files, files_of_any_size_are_read_whole);
     tcase_add_test(files, standard_input_is_read_once);

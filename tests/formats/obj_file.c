@@ -378,8 +378,13 @@ END_TEST
 
 START_TEST(utf_16_is_refused)
 {
-    expect_bad_bytes("\xFF\xFEv\0 \0001\0\n\0", 10, 1, "a NUL byte; the file");
-    expect_bad_bytes("\0v\0 \0001\0\n", 8, 1, "not UTF-16");
+    static const char utf_16[] = "\xFF\xFEv\0 \0001\0\n\0";
+    expect_bad_bytes(utf_16, 10, -1, "this is UTF-16 text; save it as UTF-8");
+    expect_bad_bytes(utf_16 + 2, 8, -1, "this is UTF-16 text; ");
+    expect_bad_bytes("\0v\0 \0001\0\n", 8, -1, "this is UTF-16 text; ");
+    expect_bad_bytes("v 0 0 0\n\0", 9, 2,
+                     "a NUL byte; the file must be plain "
+                     "text (ASCII or UTF-8, not UTF-16)");
 }
 END_TEST
 

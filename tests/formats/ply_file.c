@@ -1,6 +1,7 @@
 // PLY, as text and in binary, good and bad.
 #include "formats/ply_file.h"
 
+#include "support/bytes.h"
 #include "support/meshes.h"
 #include "support/support.h"
 
@@ -22,29 +23,6 @@ static const double three[] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
 
 // Building binary files -------------------------------------------------------
 
-/// Bytes that are appended to.
-typedef struct bytes {
-    char at[2000];
-    size_t count;
-    bool big; ///< the order of the bytes of a number
-} bytes;
-
-static void put(bytes *to, const void *from, size_t size)
-{
-    // The machine's own order is the little one, or the reverse is put.
-    const char *byte = from;
-    static const short one = 1;
-    bool reverse = to->big == *(const char *)&one;
-    for (size_t i = 0; i < size; i++)
-        to->at[to->count++] = byte[reverse ? size - 1 - i : i];
-}
-
-static void put_text(bytes *to, const char *text)
-{
-    memcpy(to->at + to->count, text, strlen(text));
-    to->count += strlen(text);
-}
-
 static bytes binary(bool big, const char *declarations)
 {
     bytes made = {.big = big};
@@ -54,25 +32,6 @@ static bytes binary(bool big, const char *declarations)
     put_text(&made, declarations);
     put_text(&made, "end_header\n");
     return made;
-}
-
-static void put_double(bytes *to, double x)
-{
-    put(to, &x, sizeof x);
-}
-
-static void put_float(bytes *to, float x)
-{
-    put(to, &x, sizeof x);
-}
-
-static void put_int(bytes *to, int size, int64_t number)
-{
-    uint64_t bits = (uint64_t)number;
-    for (int i = 0; i < size; i++) {
-        int shift = to->big ? size - 1 - i : i;
-        to->at[to->count++] = (char)(bits >> 8 * shift);
-    }
 }
 
 static void put_face(bytes *to)
@@ -151,6 +110,63 @@ START_TEST(faces_have_any_number_of_corners)
     }
     expect_polygons(good_mesh(text));
     expect_polygons(good_bytes(made.at, made.count));
+}
+END_TEST
+
+// Strips ----------------------------------------------------------------------
+
+#define STRIPS "element tristrips 2\nproperty list int int vertex_indices\n"
+
+/// The lists are numbers, each of which begins with how many there are.
+static void expect_strips(const char *faces, const int list[], int numbers,
+                          int count, const int vertex[])
+{
+    char text[600];
+    snprintf(text, sizeof text,
+             "ply\nformat ascii 1.0\n" FIVE_VERTICES "%s" STRIPS
+             "end_header\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n2 2 2\n%s",
+             faces, *faces ? "3 0 1 4\n" : "");
+    for (int i = 0, at = 0; i < 2; i++) {
+        int length = list[at];
+        for (int k = 0; k <= length; k++)
+            sprintf(text + strlen(text), k < length ? "%d " : "%d\n",
+                    list[at++]);
+        ck_assert_int_le(at, numbers);
+    }
+    tf_mesh_file file = good_mesh(text);
+    expect_triangles(&file, count, vertex);
+    tf_mesh_file_free(&file);
+}
+
+START_TEST(strips_are_triangles_of_one_side)
+{
+    static const int plain[] = {5, 0, 1, 2, 3, 4, 3, 4, 3, 2};
+    expect_strips("", plain, 10, 4,
+                  (int[]){0, 1, 2, 2, 1, 3, 2, 3, 4, 4, 3, 2});
+    // Strips within a list, of which some are too short.
+    static const int ended[] = {12, -1, 0, 1, 2, 3, -1, -1, 1,
+                                2,  -1, 4, 3, 4, 2, 1,  0,  -1};
+    expect_strips("", ended, 18, 3, (int[]){0, 1, 2, 2, 1, 3, 2, 1, 0});
+    // A corner twice joins strips; the sides go on to alternate.
+    static const int joined[] = {7, 0, 1, 2, 2, 3, 4, 1, 0};
+    expect_strips("", joined, 9, 3, (int[]){0, 1, 2, 3, 2, 4, 3, 4, 1});
+    expect_strips("element face 1\nproperty list uchar int vertex_index\n",
+                  joined, 9, 4, (int[]){0, 1, 4, 0, 1, 2, 3, 2, 4, 3, 4, 1});
+}
+END_TEST
+
+START_TEST(strips_are_read_in_binary)
+{
+    bytes made = binary(_i, FIVE_VERTICES STRIPS);
+    for (int i = 0; i < 15; i++)
+        put_int(&made, 1, five[i]);
+    static const int list[] = {7, 0, 1, 2, -1, 2, 3, 4, 0};
+    for (int i = 0; i < 9; i++)
+        put_int(&made, 4, list[i]);
+    tf_mesh_file file = good_bytes(made.at, made.count);
+    expect_triangles(&file, 2, (int[]){0, 1, 2, 2, 3, 4});
+    ck_assert_int_eq(file.triangle_place.item[1], (int)made.count - 36);
+    tf_mesh_file_free(&file);
 }
 END_TEST
 
@@ -439,12 +455,17 @@ static const struct {
     const char *words;
 } headers[] = {
     {"ply\n", 2, "the header ends too early; the file may be cut short"},
-    {"ply\r", 1, "the header ends too early"},
+    {"ply\r", 2, "the header ends too early"},
     {"ply\nformat ascii 1.0\n" VERTICES FACES, 9, "the header ends too early"},
     {"ply\nformat ascii 1.0\n" VERTICES FACES "end_header", 9,
      "nothing follows the header; the file may be cut short"},
     {"ply\n" VERTICES FACES "end_header\n" THREE "3 0 1 2\n", 8,
      "the header has no format; add"},
+    {"ply\nformat ascii 1.0\nelement tristrips 1\nend_header\n", 3,
+     "the strips have no corners; declare the property list int int"},
+    {"ply\nformat ascii 1.0\nelement vertex 3\nproperty int x\n"
+     "property int y\n" STRIPS "end_header\n",
+     3, "vertices without z; the vertices of triangles must have three"},
     {"ply\nformat utf8 1.0\n", 2, "unknown format 'utf8'; write ascii"},
     {"ply\nformat\n", 2, "unknown format ''; write ascii"},
     {"ply\nformat binary_little_endian_and_more_than_that 1.0\n", 2,
@@ -908,6 +929,8 @@ Suite *suite(void)
     tcase_add_test(good, a_file_is_ply_by_its_first_line);
     tcase_add_test(good, a_triangle_is_read_as_text);
     tcase_add_loop_test(good, faces_have_any_number_of_corners, 0, 2);
+    tcase_add_test(good, strips_are_triangles_of_one_side);
+    tcase_add_loop_test(good, strips_are_read_in_binary, 0, 2);
     tcase_add_loop_test(good, a_triangle_is_read_in_binary, 0, 2);
     tcase_add_test(good, random_doubles_come_back_to_the_last_bit);
     tcase_add_test(good, random_floats_come_back_to_the_last_bit);

@@ -451,7 +451,7 @@ START_TEST(standard_input_is_read)
     expect_words(found.out, "\nstandard input,edge-triangle,0,2,3,4,5,\n");
     expect(run("$tf detect - - <above"), 2, HEADER,
            "tanglefree: standard input: no vertices; the file must be a mesh "
-           "in OBJ or PLY\n");
+           "in OBJ, PLY, STL, OFF or .msh\n");
     expect(run("$tf check - <&-"), 2, CHECK_HEADER,
            "tanglefree: standard input: cannot read: Bad file descriptor; "
            "check that this is a file\n");
@@ -490,7 +490,7 @@ END_TEST
 static const struct {
     const char *text, *message;
 } faults[] = {
-    {"", " no vertices; the file must be a mesh in OBJ or PLY"},
+    {"", " no vertices; the file must be a mesh in OBJ, PLY, STL, OFF or .msh"},
     {"v 1 2 3\n", " no triangles and no edges; a mesh must have some"},
     {TRIANGLE "f 1 2 4\n",
      "5: there is no vertex 4; they are numbered from 1 to 3"},

@@ -48,6 +48,48 @@ START_TEST(polygons_are_counted)
 }
 END_TEST
 
+#define MSH(elements)                                                          \
+    "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n"      \
+    "3 0 1 0\n4 0 0 1\n$EndNodes\n$Elements\n" elements "$EndElements\n"
+
+START_TEST(elements_that_were_left_out_are_counted)
+{
+    static const char all[] =
+        MSH("5\n1 15 0 1\n2 1 0 1 2\n3 2 0 1 2 3\n4 4 0 1 2 3 4\n5 1 0 2 3\n");
+    ck_assert_str_eq(
+        remarks_on(
+            3, (const char *[]){MSH("2\n1 15 0 1\n3 2 0 1 2 3\n"), all, all}),
+        "tanglefree: mesh: elements that are no surface were left out, 2 lines "
+        "and 1 volumes (here and in all further files)\n");
+}
+END_TEST
+
+#define FACET(a, b, c)                                                         \
+    "facet\nouter loop\nvertex " a "\nvertex " b "\nvertex " c                 \
+    "\nendloop\nendfacet\n"
+#define GOOD FACET("0 0 0", "1 0 0", "0 1 0")
+#define FLAT FACET("0 0 0", "0 1 0", "0 0 0")
+
+START_TEST(flat_triangles_are_counted)
+{
+    ck_assert_str_eq(
+        remarks_on(3, (const char *[]){"solid\n" GOOD "endsolid\n",
+                                       "solid\n" GOOD FLAT "endsolid\n",
+                                       "solid\n" GOOD FLAT FLAT "endsolid\n"}),
+        "tanglefree: mesh: 1 triangle with two corners at one position was "
+        "left out (here and in all further files)\n");
+}
+END_TEST
+
+START_TEST(several_flat_triangles_are_counted)
+{
+    ck_assert_str_eq(
+        remarks_on(1, (const char *[]){"solid\n" GOOD FLAT FLAT "endsolid\n"}),
+        "tanglefree: mesh: 2 triangles with two corners at one position were "
+        "left out (here and in all further files)\n");
+}
+END_TEST
+
 START_TEST(a_run_tells_it_on_standard_error)
 {
     make_file("a\tb", SQUARE);
@@ -66,6 +108,9 @@ Suite *suite(void)
     tcase_add_test(remarks, files_of_triangles_need_no_remark);
     tcase_add_test(remarks, polygons_are_told_once);
     tcase_add_test(remarks, polygons_are_counted);
+    tcase_add_test(remarks, elements_that_were_left_out_are_counted);
+    tcase_add_test(remarks, flat_triangles_are_counted);
+    tcase_add_test(remarks, several_flat_triangles_are_counted);
     tcase_add_test(remarks, a_run_tells_it_on_standard_error);
     suite_add_tcase(suite, remarks);
     return suite;

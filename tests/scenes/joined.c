@@ -182,7 +182,7 @@ START_TEST(errors_are_those_of_a_mesh)
     const tf_error *right = &errors[_i].own;
     int mesh[2];
     tf_joined_localize_error(&joined, &error, mesh);
-    ck_assert_int_eq(error.index, right->index);
+    ck_assert_uint_eq(error.index, right->index);
     ck_assert_int_eq(error.vertices, right->vertices);
     ck_assert_mem_eq(error.vertex, right->vertex, sizeof error.vertex);
     ck_assert_mem_eq(mesh, errors[_i].mesh, sizeof mesh);

@@ -10,9 +10,9 @@
 #
 # book/chapters is the one list of modules: a line a chapter, its slug and then
 # its modules, which are paths below src/ without their endings.  Those below
-# files/, formats/, scenes/, simulate/ and program/ make the program, all others
-# the library, but for threads/: it is a library of its own, and a part of the
-# program.
+# files/, formats/, writers/, scenes/, simulate/ and program/ make the program, all
+# others the library, but for threads/: it is a library of its own, and a part of
+# the program.
 #
 # All output goes to $(BUILD), except for install, measure, format and the
 # exercises (WORK).
@@ -90,12 +90,16 @@ MODULES := $(shell awk '/^[a-z]/ && n++ < $(CHAPTERS) { \
 	for (i = 2; i <= NF; i++) print $$i }' book/chapters)
 MAIN := $(filter program/main,$(MODULES))
 THREADS := $(filter threads/%,$(MODULES))
-CLIENTS := $(THREADS) $(filter files/% formats/% scenes/% simulate/% program/%,$(MODULES))
+CLIENTS := $(THREADS) $(filter files/% formats/% writers/% scenes/% simulate/% \
+	program/%,$(MODULES))
 PROGRAM := $(filter-out $(MAIN),$(CLIENTS))
 LIBRARY := $(filter-out $(CLIENTS),$(MODULES))
 
 # The program's library of sparse matrices, which the simulator uses.
 SPARSE = -lcholmod
+
+# Its library of compressed files.
+ZLIB = -lz
 
 # Its library of YAML, which files of scenes are.
 YAML = -lyaml
@@ -122,8 +126,9 @@ $(BUILD)/%.a: book/chapters
 
 $(BUILD)/tanglefree: $(call objects,$(MAIN)) $(BUILD)/program.a $(library_file)
 	@echo 'link    $@'
-	$(Q)$(LINK) $^ $(SPARSE) $(YAML) -lm -o $@
-$(BUILD)/src/simulate/dynamics.o $(BUILD)/src/scenes/scene_file.o: | need-program
+	$(Q)$(LINK) $^ $(SPARSE) $(YAML) $(ZLIB) -lm -o $@
+$(BUILD)/src/simulate/dynamics.o $(BUILD)/src/scenes/scene_file.o \
+    $(BUILD)/src/formats/file_bytes.o: | need-program
 
 # Prerequisites after | are order-only: made first, but newer ones do not cause
 # a rebuild.

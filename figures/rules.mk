@@ -62,7 +62,7 @@ $(BUILD)/figures.a: $(call drawing_objects,$(FIGURES) $(wildcard figures/kit/*.c
 # @file, here and below: gcc reads options from that file.
 $(drawing_file): $(BUILD)/drawing/draw/main.o $(figure_archives)
 	@echo 'link    $@'
-	$(Q)$(link_experiments) @$(BUILD)/renderer.libraries $(SPARSE) $(YAML) -lm -o $@
+	$(Q)$(link_experiments) @$(BUILD)/renderer.libraries $(SPARSE) $(YAML) $(ZLIB) -lm -o $@
 
 # What figures include that is made.  Each is written anew only if it changes.
 generated = $(addprefix $(BUILD)/drawing/,names.h includes.h measured_rows.h)

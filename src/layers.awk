@@ -7,14 +7,14 @@
 # an include goes up the layers or closes a circle of modules, if a function is
 # declared in the header of another module than defines it, if a module of the
 # library allocates without base/memory.h, or if a folder has more than 45
-# files.  The program, and the files, formats, scenes, simulator and threads in
-# it, see of the library what its users see: public headers, besides base/ and
-# vectors.
+# files.  The program, and the files, formats, writers, scenes, simulator and
+# threads in it, see of the library what its users see: public headers, besides
+# base/ and vectors.
 
 BEGIN {
     layers = split("base geometry arithmetic intersect query linear surface " \
                    "fast distance response surgery remesh topology flow files " \
-                   "formats scenes simulate threads program", layer)
+                   "formats writers scenes simulate threads program", layer)
     for (i = 1; i <= layers; i++) {
         rank[layer[i]] = i
         print layer[i]
@@ -113,7 +113,7 @@ function layer_of(module) {
 }
 
 function is_client(module) {
-    return layer_of(module) ~ /^(files|formats|scenes|simulate|threads|program)$/
+    return layer_of(module) ~ /^(files|formats|writers|scenes|simulate|threads|program)$/
 }
 
 function is_public(module,    text, found) {

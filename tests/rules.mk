@@ -35,8 +35,8 @@ $(BUILD)/tests/%.o: tests/%.c $(BUILD)/flags | need-tests
 $(BUILD)/tests/%: $(BUILD)/tests/%.o $(BUILD)/support.a $(BUILD)/program.a \
 		$(experimental_library)
 	@echo 'link    $@'
-	$(Q)$(link_experiments) $$(pkg-config --libs check) $(LIBRARIES) -lgmp \
-	    -lm -o $@
+	$(Q)$(link_experiments) $$(pkg-config --libs check) $(LIBRARIES) $(ZLIB) \
+	    -lgmp -lm -o $@
 
 # These have the simulator in them, and with it the library that it uses.
 simulating = $(addprefix $(BUILD)/tests/,whole/rest whole/scenes soak/scenes program/frame_file program/steps_file \
@@ -76,7 +76,7 @@ $(BUILD)/tests/figures/numbers: $(figure_parts)
 $(figure_tests): $(BUILD)/%: $(BUILD)/%.o $(BUILD)/support.a $(figure_archives)
 	@echo 'link    $@'
 	$(Q)$(link_experiments) @$(BUILD)/renderer.libraries \
-	    $$(pkg-config --libs check) $(SPARSE) $(YAML) -lgmp -lm -o $@
+	    $$(pkg-config --libs check) $(SPARSE) $(YAML) $(ZLIB) -lgmp -lm -o $@
 
 # Leaks of the libraries that figures use are not ours, and a test that requests
 # more memory than there is wants NULL, from the sanitizer, too.

@@ -31,6 +31,11 @@ bool tf_text_fault_in_word(const tf_text *text, const char *word, size_t length,
 }
 
 //: Step over blanks
+const char *tf_text_begin(const char *text)
+{
+    return text + (strncmp(text, "\xEF\xBB\xBF", 3) == 0 ? 3 : 0);
+}
+
 void tf_text_skip_blanks(tf_text *text)
 {
     while (*text->at == ' ' || *text->at == '\t' || *text->at == '\r')

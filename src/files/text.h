@@ -31,6 +31,9 @@ bool tf_text_fault_in_word(const tf_text *text, const char *word, size_t length,
     "not a finite number; write a decimal or a hexadecimal float"
 #define TF_TOO_LARGE_VERDICT "beyond the largest double; scale the scene down"
 
+/// The beginning of a text, behind the mark of UTF-8, if it has that.
+const char *tf_text_begin(const char *text);
+
 /// Steps over blanks and tabs, and over what ends a line of Windows.
 void tf_text_skip_blanks(tf_text *text);
 

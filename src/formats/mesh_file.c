@@ -98,6 +98,16 @@ bool tf_mesh_file_add_row(tf_mesh_file *file, const double value[])
            tf_mesh_file_fault_in_memory(file);
 }
 
+bool tf_mesh_file_add_point(tf_mesh_file *file, int vertex, const char *start,
+                            const char *const at[3])
+{
+    tf_source_point point = {.vertex = vertex};
+    for (int k = 0; k < 3; k++)
+        point.at[k] = (size_t)(at[k] - start);
+    return !file->source || tf_source_add(file->source, &point) ||
+           tf_mesh_file_fault_in_memory(file);
+}
+
 bool tf_mesh_file_add_triangle(tf_mesh_file *file, const int vertex[3],
                                long place)
 {

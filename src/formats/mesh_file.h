@@ -3,6 +3,7 @@
 
 #include "files/fault.h"
 #include "formats/columns.h"
+#include "formats/source.h"
 #include "surface/mesh.h"
 
 #include <stddef.h>
@@ -27,6 +28,11 @@ typedef enum tf_mesh_format {
     TF_PLY_TEXT,
     TF_PLY_LITTLE_ENDIAN,
     TF_PLY_BIG_ENDIAN,
+    TF_STL_TEXT,
+    TF_STL_BINARY,
+    TF_OFF,
+    TF_MSH,
+    TF_VTP, ///< written only
 } tf_mesh_format;
 
 /// The contents of a mesh file.  All indices are 0-based, and may still name no
@@ -37,6 +43,8 @@ typedef struct tf_mesh_file {
     tf_fault *fault;     ///< to be set
     tf_columns *columns; ///< borrowed, for what else the vertices have; NULL:
                          ///< that is skipped
+    tf_source *source;   ///< borrowed, for the file itself; NULL: that is not
+                         ///< kept
     tf_mesh_format format;
     int first_index;     ///< what the file calls the first vertex: 0 or 1
     tf_doubles position; ///< three coordinates a vertex, z = 0 if none is given
@@ -51,6 +59,7 @@ typedef struct tf_mesh_file {
     /// where that is no int.
     tf_ints vertex_place, triangle_place, edge_place;
     long flat_place; ///< that of the first vertex without z; 0: there is none
+    int left_out[4]; ///< elements by their dimensions; triangles without area
 } tf_mesh_file;
 
 //: Declare how to look at a mesh
@@ -104,6 +113,9 @@ bool tf_mesh_file_fault_in_memory(const tf_mesh_file *file);
 /// or there are too many.  A face has three corners or more.
 bool tf_mesh_file_add_vertex(tf_mesh_file *file, const double x[3], long place);
 bool tf_mesh_file_add_row(tf_mesh_file *file, const double value[]);
+/// Of the source, if that is kept; the text begins at `start`.
+bool tf_mesh_file_add_point(tf_mesh_file *file, int vertex, const char *start,
+                            const char *const at[3]);
 bool tf_mesh_file_add_triangle(tf_mesh_file *file, const int vertex[3],
                                long place);
 bool tf_mesh_file_add_face(tf_mesh_file *file, const int corner[], int corners,

@@ -1,20 +1,28 @@
 //: Include what reading meshes needs
+#define _GNU_SOURCE // memmem
 #include "formats/mesh_reader.h"
 
+#include "formats/file_bytes.h"
+#include "formats/foreign.h"
+#include "formats/msh_file.h"
 #include "formats/obj_file.h"
+#include "formats/off_file.h"
 #include "formats/ply_file.h"
+#include "formats/stl_file.h"
+#include "formats/words.h"
 
-#include <errno.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 //: Check the whole of a file
 static bool check_whole(const tf_mesh_file *file)
 {
     if (tf_mesh_file_vertices(file) == 0)
         return tf_mesh_file_fault(
-            file, -1, "no vertices; the file must be a mesh in OBJ or PLY");
+            file, -1,
+            "no vertices; the file must be a mesh in OBJ, PLY, STL, OFF or "
+            "Gmsh's format");
     if (tf_mesh_file_triangles(file) + tf_mesh_file_edges(file) == 0)
         return tf_mesh_file_fault(
             file, -1, "no triangles and no edges; a mesh must have some");
@@ -25,78 +33,150 @@ static bool check_whole(const tf_mesh_file *file)
     return true;
 }
 
-//: Read all bytes
-typedef struct bytes {
-    char *item;
-    size_t count, room;
-} bytes;
+//: Choose a reader
+typedef bool parser(tf_mesh_file *file, const char *text, size_t size);
 
-static bool make_room(bytes *text)
+/// Whether a name ends in this, perhaps with .gz behind it.
+static bool is_named(const char *name, const char *ending)
 {
-    size_t room = 2 * text->room + (1 << 17);
-    char *moved = realloc(text->item, room);
-    if (moved)
-        *text = (bytes){moved, text->count, room};
-    return moved;
+    size_t length = strlen(name), own = strlen(ending);
+    if (length > 3 && strcasecmp(name + length - 3, ".gz") == 0)
+        length -= 3;
+    return length > own && strncasecmp(name + length - own, ending, own) == 0;
 }
 
-/// Whether the last bytes show that no more need be read, for the text is none.
-static bool is_hopeless(const bytes *text, size_t last)
+static bool parse_foreign(tf_mesh_file *file, const char *text, size_t size)
 {
-    return !tf_is_ply(text->item, text->count) &&
-           memchr(text->item + text->count - last, '\0', last);
+    const tf_foreign *is = tf_foreign_find(text, size);
+    return tf_mesh_file_fault(file, -1, "this is %s; %s", is->name, is->mend);
 }
 
-static bool read_all(FILE *stream, bytes *text)
+/// Binary STL of which a part is missing, for instance.
+static bool is_damaged_stl(const tf_mesh_file *file, const char *text,
+                           size_t size)
 {
-    size_t got, wanted;
-    do {
-        if (!make_room(text))
-            return false;
-        wanted = text->room - text->count - 1;
-        got = fread(text->item + text->count, 1, wanted, stream);
-        text->count += got;
-    } while (got == wanted && !is_hopeless(text, got));
-    text->item[text->count] = '\0';
-    return true;
+    return memchr(text, '\0', size) &&
+           (is_named(file->name, ".stl") || tf_is_text_stl(text, size));
 }
 
-//: Read a mesh file
-bool tf_mesh_file_parse(tf_mesh_file *file, const char *name, const char *text,
+/// By the content, and by the name where that does not tell.
+static parser *choose_parser(const tf_mesh_file *file, const char *text,
+                             size_t size)
+{
+    return tf_is_ply(text, size)              ? tf_ply_parse
+           : tf_is_binary_stl(text, size)     ? tf_binary_stl_parse
+           : tf_foreign_find(text, size)      ? parse_foreign
+           : tf_is_msh(text, size)            ? tf_msh_parse
+           : tf_is_off(text, size)            ? tf_off_parse
+           : is_damaged_stl(file, text, size) ? tf_binary_stl_parse
+           : tf_is_text_stl(text, size)       ? tf_text_stl_parse
+                                              : tf_obj_parse;
+}
+
+//: Read the lines of old Macs
+/// How many bytes are text, from the first one on: the header of PLY alone if it
+/// declares another format.
+static size_t count_text(const char *text, size_t size)
+{
+    const char *end = tf_is_ply(text, size) ? strstr(text, "end_header") : NULL;
+    if (!end)
+        return memchr(text, '\0', size) ? 0 : size;
+    size_t header = (size_t)(end - text);
+    return memmem(text, header, "format ascii", 12)
+               ? size
+               : header + sizeof "end_header" - 1;
+}
+
+/// The next carriage return that alone ends a line; NULL: there is none.
+static char *find_old_end(char *at, const char *end)
+{
+    while (at < end && (at = memchr(at, '\r', (size_t)(end - at))) != NULL &&
+           at[1] == '\n')
+        at++;
+    return at < end ? at : NULL;
+}
+
+/// Ends these lines by line feeds.
+static void mend_line_ends(char *text, size_t size)
+{
+    char *end = text + count_text(text, size), *at = text;
+    while ((at = find_old_end(at, end)) != NULL)
+        *at = '\n';
+}
+
+//: Parse a mesh file
+static bool parse(tf_mesh_file *file, char *text, size_t size)
+{
+    mend_line_ends(text, size);
+    return choose_parser(file, text, size)(file, text, size) &&
+           check_whole(file) && tf_mesh_file_divide(file);
+}
+
+bool tf_mesh_file_parse(tf_mesh_file *file, const char *name, char *text,
                         size_t size, tf_columns *columns, tf_fault *fault)
 {
     *file = (tf_mesh_file){.name = name, .columns = columns, .fault = fault};
-    bool good = tf_is_ply(text, size) ? tf_ply_parse(file, text, size)
-                                      : tf_obj_parse(file, text, size);
-    return good && check_whole(file) && tf_mesh_file_divide(file);
+    return parse(file, text, size);
 }
 
-static bool read_stream(tf_mesh_file *file, FILE *stream)
+//: Keep the bytes of a mesh file
+/// Copies them before the ends of lines are mended.
+static bool copy_old_lines(const tf_mesh_file *file, tf_bytes *bytes)
 {
-    bytes text = {0};
-    errno = 0;
-    bool good =
-        !read_all(stream, &text) ? tf_mesh_file_fault_in_memory(file)
-        : ferror(stream)
-            ? tf_fault_set_unread(file->fault, file->name, -1, errno)
-            : tf_mesh_file_parse(file, file->name, text.item, text.count,
-                                 file->columns, file->fault);
-    free(text.item);
+    tf_source *source = file->source;
+    char *text = bytes->item;
+    if (!source || !find_old_end(text, text + count_text(text, bytes->count)))
+        return true;
+    source->text = malloc(bytes->count + 1);
+    if (!source->text)
+        return tf_mesh_file_fault_in_memory(file);
+    memcpy(source->text, text, bytes->count + 1);
+    return true;
+}
+
+/// Takes them, unless they were copied.
+static void keep_bytes(tf_source *source, tf_bytes *bytes)
+{
+    if (!source)
+        return;
+    source->size = bytes->count;
+    if (source->text)
+        return;
+    source->text = bytes->item;
+    *bytes = (tf_bytes){0};
+}
+
+//: Read a mesh file
+/// Whether the last bytes show that no more need be read: they are no text, and
+/// there are more than a file of STL would have.
+static bool is_hopeless(const tf_bytes *bytes, size_t last)
+{
+    const char *text = bytes->item;
+    size_t size = bytes->count;
+    return tf_foreign_find(text, size) ||
+           (!tf_is_ply(text, size) && !tf_is_msh(text, size) &&
+            memchr(text + size - last, '\0', last) &&
+            tf_is_above_binary_stl(text, size));
+}
+
+bool tf_mesh_file_read_all(tf_mesh_file *file, const char *path,
+                           tf_columns *columns, tf_source *source,
+                           tf_fault *fault)
+{
+    const char *name = strcmp(path, "-") == 0 ? "standard input" : path;
+    tf_bytes bytes = {0};
+    *file = (tf_mesh_file){
+        .name = name, .columns = columns, .source = source, .fault = fault};
+    bool good = tf_bytes_read(&bytes, path, name, is_hopeless, fault) &&
+                copy_old_lines(file, &bytes) &&
+                parse(file, bytes.item, bytes.count);
+    keep_bytes(source, &bytes);
+    tf_bytes_free(&bytes);
     return good;
 }
 
 bool tf_mesh_file_read(tf_mesh_file *file, const char *path,
                        tf_columns *columns, tf_fault *fault)
 {
-    bool standard = strcmp(path, "-") == 0;
-    FILE *stream = standard ? stdin : fopen(path, "rb");
-    *file = (tf_mesh_file){.name = standard ? "standard input" : path,
-                           .columns = columns,
-                           .fault = fault};
-    if (!stream)
-        return tf_fault_set_unopened(fault, path, errno);
-    bool good = read_stream(file, stream);
-    if (!standard)
-        fclose(stream);
-    return good;
+    return tf_mesh_file_read_all(file, path, columns, NULL, fault);
 }

@@ -11,6 +11,7 @@
 //: Walk through the text
 typedef struct reader {
     tf_text text;
+    const char *start;
     tf_mesh_file *file;
     tf_ints corner; ///< of a face
 } reader;
@@ -88,17 +89,23 @@ static bool add_color(tf_mesh_file *file, int count, const double number[6])
 static bool read_vertex(reader *r)
 {
     double x[6] = {0}, extra;
+    const char *at[4] = {0}; // where each begins, the third where y ends
     long place = r->text.line;
     int count = 0;
-    for (; find_word(r); count++)
+    for (; find_word(r); count++) {
+        at[count < 3 ? count : 3] = r->text.at;
         if (!tf_text_read_number(&r->text, " \t\r\n\\#",
                                  count < 6 ? &x[count] : &extra))
             return false;
+        at[count == 1 ? 2 : 3] = r->text.at;
+    }
     if (count < 2)
         return fault_in_end(r, "a vertex is v x y z");
     if (count == 2 && r->file->flat_place == 0)
         r->file->flat_place = place;
-    return tf_mesh_file_add_vertex(r->file, x, place) &&
+    return tf_mesh_file_add_point(r->file, tf_mesh_file_vertices(r->file),
+                                  r->start, at) &&
+           tf_mesh_file_add_vertex(r->file, x, place) &&
            add_color(r->file, count, x);
 }
 
@@ -211,11 +218,11 @@ static bool read_lines(reader *r)
 
 bool tf_obj_parse(tf_mesh_file *file, const char *text, size_t size)
 {
-    bool marked = strncmp(text, "\xEF\xBB\xBF", 3) == 0;
     reader r = {.text = {.name = file->name,
-                         .at = text + (marked ? 3 : 0),
+                         .at = tf_text_begin(text),
                          .line = 1,
                          .fault = file->fault},
+                .start = text,
                 .file = file};
     file->first_index = 1;
     bool good = read_lines(&r) &&

@@ -3,6 +3,7 @@
 
 #include "files/number.h"
 #include "files/text.h"
+#include "formats/binary.h"
 
 #include <limits.h>
 #include <math.h>
@@ -52,15 +53,18 @@ typedef struct ply_property {
 typedef enum target {
     VERTICES,
     FACES,
+    STRIPS,
     EDGES,
     TARGETS
 } target;
 
-static const char *const target_names[] = {"vertex", "face", "edge"};
+static const char *const target_names[] = {"vertex", "face", "tristrips",
+                                           "edge"};
 
 static const char *const role_names[TARGETS][3] = {
     [VERTICES] = {"x", "y", "z"},
     [FACES] = {"vertex_indices", "vertex_index", ""}, // either is the corners
+    [STRIPS] = {"vertex_indices", "vertex_index", ""},
     [EDGES] = {"vertex1", "vertex2", ""},
 };
 
@@ -207,14 +211,19 @@ static bool add_column(const reader *r, const ply_element *element,
 
 //: Name a property
 /// The word of the line that comes after so many others.
+static const char *find_word(const reader *r, int words)
+{
+    const char *word = r->row;
+    for (int i = 0; i < words; i++) {
+        word += strspn(word, " \t");
+        word += strcspn(word, " \t\r\n");
+    }
+    return word + strspn(word, " \t");
+}
+
 static void find_name(const reader *r, int words, ply_property *made)
 {
-    const char *name = r->row;
-    for (int i = 0; i < words; i++) {
-        name += strspn(name, " \t");
-        name += strcspn(name, " \t\r\n");
-    }
-    made->name = name + strspn(name, " \t");
+    made->name = find_word(r, words);
     made->name_length = strcspn(made->name, " \t\r\n");
 }
 
@@ -243,6 +252,20 @@ static bool check_name(const reader *r, const ply_element *element,
     return true;
 }
 
+//: Keep where coordinates are declared
+static void keep_declaration(const reader *r, const ply_property *made)
+{
+    tf_source *source = r->file->source;
+    const char *type = find_word(r, 1);
+    if (!source)
+        return;
+    source->type[made->role] = (tf_number_type)(made->item - types);
+    source->word[made->role] = (size_t)(type - r->start);
+    source->word_length[made->role] = strcspn(type, " \t\r\n");
+    if (made->role == 1)
+        source->y_end = (size_t)(made->name + made->name_length - r->start);
+}
+
 //: Read the declaration of a property
 static bool find_type(const reader *r, const char *name, const ply_type **found)
 {
@@ -255,13 +278,18 @@ static bool find_type(const reader *r, const char *name, const ply_type **found)
     return true;
 }
 
-/// The corners of a face are a list; all others that have a role are none.
+static bool has_corners(int to)
+{
+    return to == FACES || to == STRIPS;
+}
+
+/// Corners are a list; all others that have a role are none.
 static int role_named(int wanted, bool list, const char *name)
 {
-    if (wanted == NONE || list != (wanted == FACES))
+    if (wanted == NONE || list != has_corners(wanted))
         return NONE;
     int role = place_of(name, role_names[wanted], 3);
-    return wanted == FACES && role > 0 ? 0 : role;
+    return has_corners(wanted) && role > 0 ? 0 : role;
 }
 
 static bool read_property(reader *r, const tf_quoted word[])
@@ -289,6 +317,8 @@ static bool read_property(reader *r, const tf_quoted word[])
     if (!check_name(r, element, &made) ||
         (keeps && !add_column(r, element, &made)))
         return false;
+    if (element->target == VERTICES && made.role != NONE)
+        keep_declaration(r, &made);
     element->property[element->properties++] = made;
     return true;
 }
@@ -309,27 +339,39 @@ static bool check_element(const reader *r, const ply_element *element)
                      "double x and double y",
         [FACES] = "the faces have no corners; declare the property list uchar "
                   "int vertex_indices",
+        [STRIPS] = "the strips have no corners; declare the property list int "
+                   "int vertex_indices",
         [EDGES] = "the edges have no ends; declare the properties int vertex1 "
                   "and int vertex2",
     };
     return element->target == NONE ||
            (declares(element, 0) &&
-            (element->target == FACES || declares(element, 1))) ||
+            (has_corners(element->target) || declares(element, 1))) ||
            tf_mesh_file_fault(r->file, element->line, "%s",
                               faults[element->target]);
+}
+
+static bool has_any(const reader *r, int wanted)
+{
+    const ply_element *element = element_for(r, wanted);
+    return element && element->count > 0;
 }
 
 static bool check_header(const reader *r)
 {
     const ply_element *vertices = element_for(r, VERTICES);
-    const ply_element *faces = element_for(r, FACES);
     for (int i = 0; i < r->elements; i++)
         if (!check_element(r, &r->element[i]))
             return false;
-    if (vertices && faces && faces->count > 0 && !declares(vertices, 2))
+    if (vertices && (has_any(r, FACES) || has_any(r, STRIPS)) &&
+        !declares(vertices, 2))
         return tf_mesh_file_fault(r->file, vertices->line,
                                   "vertices without z; the vertices of "
                                   "triangles must have three coordinates");
+    if (r->file->source && vertices) {
+        r->file->source->lacks_z = !declares(vertices, 2);
+        r->file->source->is_big_endian = r->file->format == TF_PLY_BIG_ENDIAN;
+    }
     return r->file->format != TF_OBJ ||
            tf_text_fault(&r->text, "the header has no format; add a line such "
                                    "as 'format ascii 1.0'");
@@ -376,31 +418,16 @@ static bool read_header(reader *r)
 }
 
 //: Read a number in binary
-/// The unsigned number of some bytes.
-static uint64_t gather_bytes(const reader *r, int bytes)
+static double decode(const reader *r, const ply_type *type)
 {
-    const unsigned char *at = (const unsigned char *)r->text.at;
     bool big = r->file->format == TF_PLY_BIG_ENDIAN;
-    uint64_t number = 0;
-    for (int i = 0; i < bytes; i++)
-        number |= (uint64_t)at[i] << 8 * (big ? bytes - 1 - i : i);
-    return number;
-}
-
-static double decode(const ply_type *type, uint64_t bits)
-{
-    if (type->kind == UNSIGNED)
-        return (double)bits;
-    if (type->kind == SIGNED) {
-        uint64_t sign = UINT64_C(1) << (8 * type->bytes - 1);
-        return (double)(int64_t)((bits ^ sign) - sign);
-    }
-    double wide;
-    float narrow;
-    uint32_t low = (uint32_t)bits;
-    memcpy(&wide, &bits, sizeof wide);
-    memcpy(&narrow, &low, sizeof narrow);
-    return type->bytes == 8 ? wide : (double)narrow;
+    if (type->kind == FLOAT)
+        return type->bytes == 8 ? tf_gather_double(r->text.at, big)
+                                : (double)tf_gather_float(r->text.at, big);
+    uint64_t bits = tf_gather_bytes(r->text.at, type->bytes, big);
+    uint64_t sign = UINT64_C(1) << (8 * type->bytes - 1);
+    return type->kind == UNSIGNED ? (double)bits
+                                  : (double)(int64_t)((bits ^ sign) - sign);
 }
 
 static bool fault_in_end(const reader *r)
@@ -440,7 +467,7 @@ static bool read_number(reader *r, const ply_type *type, double *number)
         return false;
     if (is_text(r))
         return tf_text_read_number(&r->text, " \t\r\n", number);
-    *number = decode(type, gather_bytes(r, type->bytes));
+    *number = decode(r, type);
     r->text.at += type->bytes;
     return true;
 }
@@ -472,13 +499,14 @@ static bool read_column(reader *r, const ply_property *property)
 }
 
 //: Read an index
-static bool read_index(reader *r, const ply_type *type, int *index)
+/// An integer that is not below `least`.
+static bool read_index(reader *r, const ply_type *type, int least, int *index)
 {
     long at = place(r);
     double number;
     if (!read_number(r, type, &number))
         return false;
-    if (!(number >= 0 && number <= INT_MAX && number == floor(number)))
+    if (!(number >= least && number <= INT_MAX && number == floor(number)))
         return tf_mesh_file_fault(
             r->file, at,
             "%.17g is not an index or a length; write an integer from 0",
@@ -488,25 +516,26 @@ static bool read_index(reader *r, const ply_type *type, int *index)
 }
 
 //: Read a list
-static bool add_corner(reader *r, const ply_type *type)
+/// -1 ends a strip within a list of them.
+static bool add_corner(reader *r, int to, const ply_type *type)
 {
     int vertex;
-    return read_index(r, type, &vertex) &&
+    return read_index(r, type, to == STRIPS ? -1 : 0, &vertex) &&
            (tf_ints_add(&r->corner, 1, &vertex) ||
             tf_mesh_file_fault_in_memory(r->file));
 }
 
-/// Reads the corners of a face, or skips another list.
-static bool read_list(reader *r, const ply_property *property)
+/// Reads corners, or skips another list.
+static bool read_list(reader *r, int to, const ply_property *property)
 {
     long at = place(r);
     int length = 0;
-    if (!read_index(r, property->length, &length) ||
-        (property->role != NONE &&
+    if (!read_index(r, property->length, 0, &length) ||
+        (property->role != NONE && to == FACES &&
          !tf_mesh_file_check_corners(r->file, length, at)))
         return false;
     for (int i = 0; i < length; i++)
-        if (property->role != NONE ? !add_corner(r, property->item)
+        if (property->role != NONE ? !add_corner(r, to, property->item)
                                    : !skip_value(r, property->item))
             return false;
     return true;
@@ -516,14 +545,23 @@ static bool read_list(reader *r, const ply_property *property)
 /// What an item gives to the mesh.
 typedef struct item {
     double x[3];
-    int vertex[2]; ///< of an edge
+    const char *at[3]; ///< where these begin
+    int vertex[2];     ///< of an edge
 } item;
 
-static bool read_coordinate(reader *r, const ply_type *type, double *x)
+/// A z that is not there would follow y.
+static bool read_coordinate(reader *r, const ply_property *property, item *made)
 {
+    int k = property->role;
     long at = place(r);
-    return read_number(r, type, x) &&
-           (isfinite(*x) ||
+    if (!find_value(r, property->item))
+        return false;
+    made->at[k] = r->text.at;
+    if (!read_number(r, property->item, &made->x[k]))
+        return false;
+    if (k == 1 && r->file->source && r->file->source->lacks_z)
+        made->at[2] = r->text.at;
+    return (isfinite(made->x[k]) ||
             tf_mesh_file_fault(r->file, at,
                                "a coordinate is infinite or NaN; write finite "
                                "numbers"));
@@ -533,13 +571,13 @@ static bool read_value(reader *r, int to, const ply_property *property,
                        item *made)
 {
     if (property->length)
-        return read_list(r, property);
+        return read_list(r, to, property);
     if (property->role == NONE)
         return property->column == NONE ? skip_value(r, property->item)
                                         : read_column(r, property);
-    return to == VERTICES
-               ? read_coordinate(r, property->item, &made->x[property->role])
-               : read_index(r, property->item, &made->vertex[property->role]);
+    return to == VERTICES ? read_coordinate(r, property, made)
+                          : read_index(r, property->item, 0,
+                                       &made->vertex[property->role]);
 }
 
 static bool read_values(reader *r, const ply_element *element, item *made)
@@ -550,16 +588,48 @@ static bool read_values(reader *r, const ply_element *element, item *made)
     return true;
 }
 
+//: Add strips of triangles
+/// Every second triangle of a strip turns the other way around.  Those with a
+/// corner twice are there to join strips.
+static bool add_strip(const reader *r, const int corner[], size_t corners,
+                      long at)
+{
+    for (size_t i = 2; i < corners; i++) {
+        const int *c = corner + i - 2;
+        int vertex[] = {c[i % 2], c[1 - i % 2], c[2]};
+        bool joins = c[0] == c[1] || c[1] == c[2] || c[2] == c[0];
+        if (!joins && !tf_mesh_file_add_triangle(r->file, vertex, at))
+            return false;
+    }
+    return true;
+}
+
+static bool add_strips(const reader *r, long at)
+{
+    size_t first = 0;
+    for (size_t i = 0; i <= r->corner.count; i++)
+        if (i == r->corner.count || r->corner.item[i] < 0) {
+            if (!add_strip(r, r->corner.item + first, i - first, at))
+                return false;
+            first = i + 1;
+        }
+    return true;
+}
+
 //: Add an item to the mesh
 static bool add_item(const reader *r, int to, const item *made, long at)
 {
     switch (to) {
     case VERTICES:
-        return tf_mesh_file_add_vertex(r->file, made->x, at) &&
+        return tf_mesh_file_add_point(r->file, tf_mesh_file_vertices(r->file),
+                                      r->start, made->at) &&
+               tf_mesh_file_add_vertex(r->file, made->x, at) &&
                tf_mesh_file_add_row(r->file, r->value);
     case FACES:
         return tf_mesh_file_add_face(r->file, r->corner.item,
                                      (int)r->corner.count, at);
+    case STRIPS:
+        return add_strips(r, at);
     case EDGES:
         return tf_mesh_file_add_edge(r->file, made->vertex, at);
     default:
@@ -608,14 +678,15 @@ static bool read_items(reader *r)
 //: Read PLY
 bool tf_is_ply(const char *text, size_t size)
 {
-    return size >= 4 && strncmp(text, "ply", 3) == 0 &&
-           (text[3] == '\n' || text[3] == '\r');
+    const char *at = tf_text_begin(text);
+    return size >= 4 && strncmp(at, "ply", 3) == 0 &&
+           (at[3] == '\n' || at[3] == '\r');
 }
 
 bool tf_ply_parse(tf_mesh_file *file, const char *text, size_t size)
 {
     reader r = {.text = {.name = file->name,
-                         .at = text,
+                         .at = tf_text_begin(text),
                          .line = 1,
                          .fault = file->fault},
                 .start = text,

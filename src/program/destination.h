@@ -5,10 +5,11 @@
 #include "files/output_file.h"
 
 /// Where a command writes: a file, or standard output if its name is "-".  The
-/// file appears whole or not at all.
+/// file appears whole or not at all, and is compressed if its name ends in .gz.
 typedef struct tf_destination {
     const char *path;
     FILE *stream; ///< NULL: not open
+    FILE *plain;  ///< where the stream writes to, compressed; or NULL
     tf_output_file file;
     tf_fault *fault; ///< to be set
 } tf_destination;

@@ -3,7 +3,7 @@
 #include "program/frame_file.h"
 
 #include "formats/mesh_reader.h"
-#include "formats/mesh_writer.h"
+#include "writers/mesh_writer.h"
 
 #include <errno.h>
 #include <stddef.h>

@@ -1,7 +1,59 @@
 //: Include what the output of a mesh needs
 #include "program/mesh_output.h"
 
+#include "writers/endings.h"
+#include "writers/losses.h"
+
 #include <errno.h>
+
+//: Begin the output of a mesh
+bool tf_mesh_output_begin(tf_destination *to, const char *path,
+                          const tf_mesh_file *made_of, tf_fault *fault)
+{
+    tf_mesh_content content = {.mesh = tf_mesh_file_elements(made_of, 3),
+                               .position = made_of->position.item,
+                               .from = made_of};
+    return tf_mesh_check_writable(&content,
+                                  tf_mesh_format_of(path, made_of->format),
+                                  path, fault) &&
+           tf_destination_begin(to, path, fault);
+}
+
+//: Say what is lost
+static void print_losses(const char *path, const tf_mesh_file *made_of,
+                         tf_mesh_format format)
+{
+    tf_losses losses = tf_find_losses(made_of, format);
+    if (*losses.text)
+        fprintf(stderr, "tanglefree: %s: without the %s of %s\n",
+                tf_make_visible(path).text, losses.text,
+                tf_make_visible(made_of->name).text);
+}
+
+static void print_rounding(const char *path, const tf_mesh_content *content)
+{
+    static bool printed = false;
+    size_t count = (size_t)content->mesh.vertices * (size_t)content->mesh.axes;
+    size_t rounded = tf_count_rounded(content->position, count);
+    if (rounded == 0 || printed)
+        return;
+    printed = true;
+    fprintf(stderr,
+            "tanglefree: %s: %zu of %zu coordinates are rounded to floats, by "
+            "which elements may meet; check it, or write another format than "
+            "STL\n",
+            tf_make_visible(path).text, rounded, count);
+}
+
+void tf_mesh_output_remark(const char *path, const tf_mesh_content *content,
+                           const tf_mesh_file *made_of)
+{
+    tf_mesh_format format = tf_mesh_format_of(path, made_of->format);
+    if (made_of->source && !tf_mesh_is_source(content, format))
+        print_losses(path, made_of, format);
+    if (format == TF_STL_BINARY)
+        print_rounding(path, content);
+}
 
 //: Write the mesh and the report
 static bool write_mesh(tf_destination *to, const tf_mesh_content *content,
@@ -24,8 +76,12 @@ static bool write_report(const tf_destination *to, const tf_mesh_report *report)
 
 // The file gets its name last, so that after any error it is as it was.
 bool tf_mesh_output_write(tf_destination *to, const tf_mesh_content *content,
-                          tf_mesh_format usual, const tf_mesh_report *report)
+                          const tf_mesh_file *made_of,
+                          const tf_mesh_report *report)
 {
-    return write_mesh(to, content, tf_mesh_format_of(to->path, usual)) &&
-           write_report(to, report) && tf_destination_keep(to);
+    tf_mesh_format format = tf_mesh_format_of(to->path, made_of->format);
+    tf_mesh_output_remark(to->path, content, made_of);
+    return tf_mesh_check_writable(content, format, to->path, to->fault) &&
+           write_mesh(to, content, format) && write_report(to, report) &&
+           tf_destination_keep(to);
 }

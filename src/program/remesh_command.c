@@ -15,6 +15,7 @@ typedef struct remeshing {
     const tf_request *request;
     tf_frames frames;
     tf_columns columns; ///< what the vertices of the file have
+    tf_source source;   ///< the file itself
     tf_columns carried; ///< and those of the surface then
     tf_adaptive_surface *surface;
     tf_remeshed done;
@@ -96,15 +97,16 @@ static bool write(remeshing *r)
                                    r->carried.count > 0 ? &r->carried : NULL};
     tf_mesh_report report = {*r->request->format, tf_remeshed_fields, &r->done};
     r->done.triangles_after = content.mesh.triangles;
-    return tf_mesh_output_write(&r->out, &content,
-                                tf_frames_file(&r->frames)->format, &report);
+    return tf_mesh_output_write(&r->out, &content, tf_frames_file(&r->frames),
+                                &report);
 }
 
 static bool do_all(remeshing *r)
 {
     const tf_request *wanted = r->request;
     if (!tf_frames_next(&r->frames, wanted->operand[0]) || !load(r) ||
-        !tf_destination_begin(&r->out, wanted->out, &r->frames.fault))
+        !tf_mesh_output_begin(&r->out, wanted->out, tf_frames_file(&r->frames),
+                              &r->frames.fault))
         return false;
     bool good = remesh(r);
     tf_progress_line_end(&r->progress);
@@ -117,12 +119,14 @@ static int run(const tf_request *request)
     remeshing r = {.request = request,
                    .progress = tf_progress_line_begin(true)};
     r.frames.columns = &r.columns;
+    r.frames.source = &r.source;
     bool good = do_all(&r);
     tf_fault_print(&r.frames.fault, "tanglefree");
     tf_destination_end(&r.out);
     tf_adaptive_free(r.surface);
     tf_columns_free(&r.columns);
     tf_columns_free(&r.carried);
+    tf_source_free(&r.source);
     tf_frames_free(&r.frames);
     return good ? 0 : 2;
 }

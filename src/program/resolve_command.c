@@ -20,6 +20,8 @@ typedef struct resolving {
     const tf_request *request;
     tf_threads *threads;
     tf_frames frames;
+    tf_columns columns;   ///< of the end
+    tf_source source;     ///< that, too
     double *inverse_mass; ///< NULL: 1 for all
     double *friction;     ///< of each vertex, or NULL
     tf_resolver *resolver;
@@ -105,26 +107,36 @@ static bool resolve(resolving *r)
 }
 
 //: Resolve and write
-/// Writes the end of the step, in the format of its start.
+/// Reads the start, and the end with all that it has.
+static bool read(resolving *r)
+{
+    if (!tf_frames_next(&r->frames, r->request->operand[0]))
+        return false;
+    r->frames.columns = &r->columns;
+    r->frames.source = &r->source;
+    return tf_frames_next(&r->frames, r->request->operand[1]);
+}
+
+/// Writes the end of the step, in its format.
 static bool write(resolving *r)
 {
     const tf_mesh_file *end = tf_frames_file(&r->frames);
     tf_mesh_content content = {.mesh = tf_mesh_file_elements(end, 3),
-                               .position = end->position.item};
+                               .position = end->position.item,
+                               .columns = &r->columns,
+                               .from = end};
     tf_mesh_report report = {*r->request->format, tf_resolved_fields, &r->done};
     bool clear = r->done.report.first_contacts + r->done.report.first_near == 0;
     r->done.status = clear ? "clear" : "resolved";
-    return tf_mesh_output_write(&r->out, &content, r->frames.file[0].format,
-                                &report);
+    return tf_mesh_output_write(&r->out, &content, end, &report);
 }
 
 static bool do_all(resolving *r)
 {
     const tf_request *wanted = r->request;
-    if (!tf_frames_next(&r->frames, wanted->operand[0]) ||
-        !tf_frames_next(&r->frames, wanted->operand[1]) || !read_masses(r) ||
-        !read_friction(r) ||
-        !tf_destination_begin(&r->out, wanted->out, &r->frames.fault))
+    if (!read(r) || !read_masses(r) || !read_friction(r) ||
+        !tf_mesh_output_begin(&r->out, wanted->out, tf_frames_file(&r->frames),
+                              &r->frames.fault))
         return false;
     bool good = resolve(r);
     tf_progress_line_end(&r->progress);
@@ -141,6 +153,8 @@ static void free_all(resolving *r)
     free(r->inverse_mass);
     free(r->friction);
     tf_frames_free(&r->frames);
+    tf_columns_free(&r->columns);
+    tf_source_free(&r->source);
     tf_threads_free(r->threads);
 }
 

@@ -3,8 +3,8 @@
 #include "program/scene_resolving.h"
 
 #include "files/folder.h"
-#include "formats/mesh_writer.h"
 #include "program/destination.h"
+#include "program/mesh_output.h"
 #include "program/reports.h"
 #include "program/response_request.h"
 #include "response/resolve.h"
@@ -12,6 +12,8 @@
 #include "scenes/scene_file.h"
 #include "scenes/scene_frames.h"
 #include "threads/threads.h"
+#include "writers/endings.h"
+#include "writers/mesh_writer.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -143,7 +145,9 @@ static bool write_frame(scene_resolving *r, int m, const char *path)
     const tf_mesh_file *file = tf_scene_frames_file(&r->frames, m, 1);
     tf_mesh_content content = {.mesh = tf_mesh_file_elements(file, 3),
                                .position =
-                                   tf_scene_frames_positions(&r->frames, m)};
+                                   tf_scene_frames_positions(&r->frames, m),
+                               .from = file};
+    tf_mesh_output_remark(path, &content, file);
     tf_destination to;
     FILE *stream = tf_destination_begin(&to, path, &r->frames.fault)
                        ? tf_destination_open(&to)
@@ -245,6 +249,7 @@ static bool begin_scene(scene_resolving *r)
 {
     const char *path = r->request->operand[0];
     r->frames.meshes = &r->meshes;
+    r->frames.keeps_sources = true;
     if (!tf_scene_file_read(&r->meshes, path, &r->frames.fault))
         return false;
     if (r->meshes.frames < 2)

@@ -90,7 +90,8 @@ bool tf_frames_next(tf_frames *frames, const char *path)
     frames->current = frames->count % 2;
     tf_mesh_file *file = &frames->file[frames->current];
     tf_mesh_file_free(file);
-    if (!tf_mesh_file_read(file, path, frames->columns, &frames->fault))
+    if (!tf_mesh_file_read_all(file, path, frames->columns, frames->source,
+                               &frames->fault))
         return false;
     tf_remarks_print(file);
     frames->is_new = frames->count == 0;

@@ -16,6 +16,7 @@ typedef struct tf_frames {
     bool may_differ;      ///< to be set first
     tf_columns *columns;  ///< to be set first: for those of the last file, or
                           ///< NULL
+    tf_source *source;    ///< the same, for the last file itself
     bool is_new;          ///< the sequence began with the last file
     int axes;             ///< of the surface
     tf_surface *surface;

@@ -25,6 +25,16 @@ const tf_mesh_file *tf_scene_frames_file(const tf_scene_frames *frames,
 }
 
 //: Read the files of a frame
+/// An empty source for the current file of a mesh; NULL: it keeps none.
+static tf_source *renew_source(const tf_scene_frames *frames, int mesh)
+{
+    if (!frames->keeps_sources)
+        return NULL;
+    for (int i = 0; i < 2; i++)
+        tf_source_free(&frames->source[mesh][i]);
+    return &frames->source[mesh][frames->current];
+}
+
 /// A mesh that stays is read once.
 static bool read_file(tf_scene_frames *frames, int mesh)
 {
@@ -32,9 +42,10 @@ static bool read_file(tf_scene_frames *frames, int mesh)
     tf_mesh_file *file = &frames->file[mesh][frames->current];
     if (frames->count > 0 && stays(frames, mesh))
         return true;
+    tf_source *source = renew_source(frames, mesh);
     tf_mesh_file_free(file);
-    if (!tf_mesh_file_read(file, tf_scene_mesh_path(own, frames->count), NULL,
-                           &frames->fault))
+    if (!tf_mesh_file_read_all(file, tf_scene_mesh_path(own, frames->count),
+                               NULL, source, &frames->fault))
         return false;
     tf_remarks_print(file);
     return frames->count == 0 ||
@@ -45,9 +56,11 @@ static bool read_files(tf_scene_frames *frames)
 {
     size_t meshes = (size_t)frames->meshes->count;
     frames->current = frames->count % 2;
-    if (!frames->file)
+    if (!frames->file) {
         frames->file = calloc(meshes, sizeof *frames->file);
-    if (!frames->file)
+        frames->source = calloc(meshes, sizeof *frames->source);
+    }
+    if (!frames->file || !frames->source)
         return tf_fault_set(&frames->fault, frames->meshes->mesh[0].name, -1,
                             "not enough memory for %d meshes; divide the scene",
                             frames->meshes->count);
@@ -279,15 +292,22 @@ bool tf_scene_frames_fault(const tf_scene_frames *frames, const tf_error *error)
 //: Free the frames of a scene
 void tf_scene_frames_free(tf_scene_frames *frames)
 {
-    for (int m = 0; m < frames->meshes->count && frames->file; m++)
-        for (int i = 0; i < 2; i++)
-            tf_mesh_file_free(&frames->file[m][i]);
+    for (int m = 0; m < frames->meshes->count; m++)
+        for (int i = 0; i < 2; i++) {
+            if (frames->file)
+                tf_mesh_file_free(&frames->file[m][i]);
+            if (frames->source)
+                tf_source_free(&frames->source[m][i]);
+        }
     free(frames->file);
+    free(frames->source);
     tf_joined_free(&frames->joined);
     tf_surface_free(frames->surface);
     for (int i = 0; i < 2; i++) {
         free(frames->position[i]);
         free(frames->flat[i]);
     }
-    *frames = (tf_scene_frames){.meshes = frames->meshes, .each = frames->each};
+    *frames = (tf_scene_frames){.meshes = frames->meshes,
+                                .each = frames->each,
+                                .keeps_sources = frames->keeps_sources};
 }

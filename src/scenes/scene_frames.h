@@ -12,8 +12,11 @@
 typedef struct tf_scene_frames {
     const tf_scene_meshes *meshes; ///< to be set first; borrowed
     bool each; ///< to be set first: whether no mesh is tested against another
+    bool keeps_sources; ///< to be set first: whether the current files keep
+                        ///< theirs
     tf_mesh_file (*file)[2]; ///< of each mesh: that of the current frame, and
                              ///< that of the one before
+    tf_source (*source)[2];  ///< the same, if they are kept
     int current;             ///< which of the two is the current one
     int count;               ///< how many frames were read, or one more
     tf_joined joined;

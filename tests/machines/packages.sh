@@ -12,7 +12,8 @@
 set -eu
 
 architecture=$1
-packages='check libsubunit-dev libgmp-dev libsuitesparse-dev libyaml-dev'
+packages='check libsubunit-dev libgmp-dev libsuitesparse-dev
+libyaml-dev zlib1g-dev'
 
 if ! command -v apt-get >/dev/null || ! command -v dpkg-deb >/dev/null; then
     echo "Debian's apt-get and dpkg-deb are needed to fetch the packages for" \

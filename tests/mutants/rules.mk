@@ -16,6 +16,6 @@ breakable = $(wildcard $(patsubst %,src/%.c,$(LIBRARY) $(PROGRAM)))
 run-mutants: $(noticing:=.o) $(BUILD)/support.a $(BUILD)/experiments.a
 	@TF_TEST_PERCENT=10 python3 tests/mutants/mutants.py $(BUILD) \
 	    '$(COMPILE)' '$(wrapped) $(BUILD)/experiments.a' \
-	    "$$(pkg-config --libs check) -lgmp $(SPARSE) $(YAML) -lm" \
+	    "$$(pkg-config --libs check) -lgmp $(SPARSE) $(YAML) $(ZLIB) -lm" \
 	    '$(breakable)' '$(noticing:$(BUILD)/%=%)' $(FILE)
 .PHONY: mutants run-mutants

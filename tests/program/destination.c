@@ -1,4 +1,5 @@
 // Files that appear whole or not at all, and standard output.
+#define _GNU_SOURCE // symlink
 #include "program/destination.h"
 
 #include "support/program.h"
@@ -66,6 +67,18 @@ START_TEST(finishing_keeps_what_is_good)
 }
 END_TEST
 
+START_TEST(names_that_end_in_gz_are_compressed)
+{
+    begin_writing("made.gz", "text\n");
+    ck_assert(tf_destination_finish(&to, true, 0));
+    tf_destination_end(&to);
+    expect(run("gzip -t made.gz && gzip -dc made.gz"), 0, "text\n", "");
+    begin_writing("made.gz", "other\n");
+    tf_destination_end(&to);
+    expect(run("gzip -dc made.gz; ls -A | grep tanglefree"), 1, "text\n", "");
+}
+END_TEST
+
 START_TEST(a_hyphen_is_standard_output)
 {
     ck_assert(tf_destination_is_standard("-"));
@@ -89,8 +102,10 @@ START_TEST(what_cannot_be_written_is_named)
     tf_destination_end(&to);
     ck_assert_ptr_nonnull(freopen("/dev/full", "w", stdout));
     static const char *const names[][2] = {{"/dev/full", "/dev/full"},
+                                           {"full.gz", "full.gz"},
                                            {"-", "standard output"}};
-    for (int i = 0; i < 2; i++) {
+    ck_assert_int_eq(symlink("/dev/full", "full.gz"), 0);
+    for (int i = 0; i < 3; i++) {
         begin_writing(names[i][0], "text\n");
         ck_assert(!tf_destination_finish(&to, true, 0));
         tf_destination_end(&to);
@@ -108,6 +123,7 @@ Suite *suite(void)
     tcase_add_test(tcase, a_file_appears_when_it_is_kept);
     tcase_add_test(tcase, a_file_that_is_not_kept_is_as_it_was);
     tcase_add_test(tcase, finishing_keeps_what_is_good);
+    tcase_add_test(tcase, names_that_end_in_gz_are_compressed);
     tcase_add_test(tcase, a_hyphen_is_standard_output);
     tcase_add_test(tcase, what_cannot_be_written_is_named);
     suite_add_tcase(suite, tcase);

@@ -15,12 +15,12 @@ static bool write_to(const char *path)
     static const tf_field fields[] = {{"done", TF_COUNT, 0, NULL}, {0}};
     static const size_t count = 1;
     static const tf_mesh_report report = {TF_SUMMARY, fields, &count};
-    tf_destination output;
+    tf_destination output = {0};
     tf_mesh_file mesh = good_mesh(text);
     tf_mesh_content content = content_of(&mesh);
     fault = (tf_fault){0};
-    bool good = tf_destination_begin(&output, path, &fault) &&
-                tf_mesh_output_write(&output, &content, TF_OBJ, &report);
+    bool good = tf_mesh_output_begin(&output, path, &mesh, &fault) &&
+                tf_mesh_output_write(&output, &content, &mesh, &report);
     ck_assert(good == (fault.text[0] == '\0'));
     tf_destination_end(&output);
     tf_mesh_file_free(&mesh);
@@ -62,6 +62,16 @@ START_TEST(what_fails_leaves_the_file_as_it_was)
 }
 END_TEST
 
+START_TEST(what_cannot_be_written_is_refused_at_once)
+{
+    make_file("made.fbx", "before\n");
+    ck_assert(!write_to("made.fbx"));
+    ck_assert_str_eq(fault.file, "made.fbx");
+    expect_words(fault.text, ".fbx is not written; ");
+    ck_assert_str_eq(file_text("made.fbx"), "before\n");
+}
+END_TEST
+
 Suite *suite(void)
 {
     Suite *suite = suite_create("program/mesh_output");
@@ -70,6 +80,7 @@ Suite *suite(void)
     tcase_add_test(tcase, a_mesh_is_written_to_a_file);
     tcase_add_test(tcase, a_mesh_is_written_to_standard_output);
     tcase_add_test(tcase, what_fails_leaves_the_file_as_it_was);
+    tcase_add_test(tcase, what_cannot_be_written_is_refused_at_once);
     suite_add_tcase(suite, tcase);
     return suite;
 }

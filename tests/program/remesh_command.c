@@ -53,6 +53,16 @@ START_TEST(the_ending_chooses_the_format)
 }
 END_TEST
 
+START_TEST(what_new_triangles_lose_is_said)
+{
+    make_file("named.obj", "o square\nvt 0 0\n" SQUARE);
+    outcome found = run("$tf remesh named.obj -o out.obj -e 9");
+    ck_assert_int_eq(found.status, 0);
+    ck_assert_str_eq(found.err, "tanglefree: out.obj: without the names and "
+                                "texture coordinates of named.obj\n");
+}
+END_TEST
+
 /// A square with colors, a label and a linear function of x and y.
 #define PROPERTIES                                                             \
     "property uchar red\nproperty double x\nproperty double y\n"               \
@@ -191,6 +201,7 @@ Suite *suite(void)
     tcase_add_test(tcase, a_mesh_is_remeshed);
     tcase_add_test(tcase, a_mesh_goes_from_and_to_a_pipe);
     tcase_add_test(tcase, the_ending_chooses_the_format);
+    tcase_add_test(tcase, what_new_triangles_lose_is_said);
     tcase_add_test(tcase, what_vertices_have_is_carried_over);
     tcase_add_test(tcase, colors_of_obj_are_carried_over);
     tcase_add_test(tcase, a_mesh_that_intersects_is_refused);

@@ -21,7 +21,7 @@
 #define ABOVE TRIANGLE "v 0 0 1\nv 0.5 0.5 1\n"
 #define BELOW TRIANGLE "v 0 0 -1\nv 0.5 0.5 -3\n"
 
-#define AT_REST "v -1 -1 0\nv 3 -1 0\nv -1 3 0\nv 0 0 1\nv 0.5 0.5 1\nf 1 2 3\n"
+#define AT_REST ABOVE
 
 // A point falls through an edge in the plane.
 #define FLAT_ABOVE "v -1 0\nv 1 0\nv 0 1\nl 1 2\n"
@@ -75,27 +75,23 @@ END_TEST
 
 START_TEST(a_clear_step_stays_as_it_is)
 {
-    make_file("end.obj", "v -1.1 -1e-320 -0\nv 3 -1 0.1\nv -1 3 0\nf 1 2 3\n"
-                         "v 0 0 0x1.fffffffffffffp+0\nv 0.3 0.7 1e300\n");
+    static const char end[] =
+        "v -1.1 -1e-320 -0\nv 3 -1 0.1\nv -1 3 0\nf 1 2 3\n"
+        "v 0 0 0x1.fffffffffffffp+0\nv 0.3 0.7 1e300\n";
+    make_file("end.obj", end);
     outcome found = resolved("above", "end.obj", "new.obj", "");
     ck_assert_int_eq(strncmp(found.out, "status: clear\n", 14), 0);
     expect_words(found.out, "\nmoved: 0\n");
-    ck_assert_str_eq(
-        file_text("new.obj"),
-        "v -1.1000000000000001 -9.9998886718268301e-321 -0\n"
-        "v 3 -1 0.10000000000000001\nv -1 3 0\n"
-        "v 0 0 1.9999999999999998\n"
-        "v 0.29999999999999999 0.69999999999999996 1.0000000000000001e+300\n"
-        "f 1 2 3\n");
+    ck_assert_str_eq(file_text("new.obj"), end);
 }
 END_TEST
 
 START_TEST(the_ends_are_as_computed)
 {
     resolved("flat-above", "flat-below", "new.obj", "");
-    ck_assert_str_eq(file_text("new.obj"), "v -1 -0.66666666666666663 0\n"
-                                           "v 1 -0.66666666666666663 0\n"
-                                           "v 0 0.33333333333333326 0\n"
+    ck_assert_str_eq(file_text("new.obj"), "v -1 -0.66666666666666663\n"
+                                           "v 1 -0.66666666666666663\n"
+                                           "v 0 0.33333333333333326\n"
                                            "l 1 2\n");
     resolved("above", "below", "new.obj", "-f floor");
     ck_assert_str_eq(file_text("new.obj"), AT_REST);
@@ -362,7 +358,7 @@ END_TEST
 
 // Files -----------------------------------------------------------------------
 
-START_TEST(the_ending_or_the_start_chooses_the_format)
+START_TEST(the_ending_or_the_end_chooses_the_format)
 {
     static const struct {
         const char *out, *beginning;
@@ -370,9 +366,13 @@ START_TEST(the_ending_or_the_start_chooses_the_format)
         {"new", "v "},
         {"new.obj", "v "},
         {"new.ply", "ply\nformat binary_little_endian 1.0\n"},
+        {"new.off", "OFF\n5 1 0\n"},
+        {"new.stl", "binary STL of tanglefree"},
+        {"new.vtp", "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\""},
     };
-    for (int i = 0; i < 3; i++) {
-        resolved("above", "below", files[i].out, "");
+    for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
+        ck_assert_int_eq(
+            run("$tf resolve above below -o %s", files[i].out).status, 0);
         const char *text = file_text(files[i].out);
         size_t length = strlen(files[i].beginning);
         ck_assert_msg(strncmp(text, files[i].beginning, length) == 0, "%s",
@@ -383,30 +383,111 @@ START_TEST(the_ending_or_the_start_chooses_the_format)
               "property float y\nproperty float z\nelement face 1\n"
               "property list uchar int vertex_indices\nend_header\n"
               "-1 -1 0\n3 -1 0\n-1 3 0\n0 0 1\n0.5 0.5 1\n3 0 1 2\n");
-    resolved("text.ply", "below", "new", "");
+    resolved("above", "text.ply", "new", "");
     expect_words(file_text("new"), "ply\nformat ascii 1.0\n");
-    resolved("text.ply", "below", "new.obj", "");
+    resolved("above", "text.ply", "new.obj", "");
     ck_assert_int_eq(strncmp(file_text("new.obj"), "v ", 2), 0);
     // All formats hold the same doubles.
-    expect(run("$tf resolve new new.obj -o same >report; head -n 1 report; "
+    expect(run("$tf resolve new.obj new -o same >report; head -n 1 report; "
                "grep moved report; cmp same new"),
            0, "status: clear\nmoved: 0\n", "");
 }
 END_TEST
 
+#define SCENE(z, floor)                                                        \
+    "# frame 7\r\nmtllib m.mtl\no cloth\nv 0 0 " z "\nv 1.0 0 1\nv 0 1e0 1\n"  \
+    "vt 0 0\nvn 0 0 1\nusemtl red\ns 1\nf 1/1/1 2/1/1 3/1/1\no floor\n"        \
+    "v -5 -5 " floor "\nv 5 -5 " floor "\nv 5 5 " floor "\nv -5 5 " floor      \
+    " 0.5 0.5 0.5\ng under\nf 4 5 6 7\n"
+
+static const char divided[] =
+    "tanglefree: %s: 1 face with more than three corners was triangulated "
+    "(here and in all further files)\n";
+
+START_TEST(all_else_that_the_end_has_is_kept)
+{
+    make_file("start.obj", SCENE("1", "0"));
+    make_file("end.obj", SCENE("-1", "0"));
+    make_file("all-of-the-floor", "3 4 5 6\n");
+    outcome found =
+        run("$tf resolve start.obj end.obj -f all-of-the-floor -o new.obj");
+    ck_assert_int_eq(found.status, 0);
+    char said[200];
+    snprintf(said, sizeof said, divided, "start.obj");
+    ck_assert_str_eq(found.err, said);
+    ck_assert_str_eq(file_text("new.obj"), SCENE("1", "0"));
+    expect(run("$tf detect --format summary start.obj new.obj 2>said | head "
+               "-n 2; $tf resolve new.obj start.obj -o - 2>said | cmp - "
+               "start.obj"),
+           0, "steps: 1\nsteps with contacts: 0\n", "");
+}
+END_TEST
+
+/// Resolves to a file, and expects all that is said of it.
+static void expect_said(const char *start, const char *end, const char *out,
+                        const char *words)
+{
+    char wanted[1000], said[200] = "";
+    if (strstr(start, ".obj"))
+        snprintf(said, sizeof said, divided, start);
+    snprintf(wanted, sizeof wanted, "%s%s%s%s%s", said,
+             *words ? "tanglefree: " : "", *words ? out : "", words,
+             *words ? "\n" : "");
+    outcome found = run("$tf resolve %s %s -o %s", start, end, out);
+    ck_assert_int_eq(found.status, 0);
+    ck_assert_str_eq(found.err, wanted);
+}
+
+START_TEST(what_another_format_loses_is_said)
+{
+    make_file("start.obj", SCENE("1", "0"));
+    make_file("end.obj", SCENE("2", "0"));
+    expect_said("start.obj", "end.obj", "new.obj", "");
+    expect_said("start.obj", "end.obj", "new.ply",
+                ": without the comments, names, groups, materials, smoothing "
+                "groups, texture coordinates and normals of end.obj");
+    expect_words(file_text("new.ply"), "property double red\n");
+    expect_said("start.obj", "end.obj", "new.vtp",
+                ": without the comments, names, groups, materials, smoothing "
+                "groups, texture coordinates, normals and polygons of "
+                "end.obj");
+    expect_said("above", "above", "new.ply", "");
+    expect_said("above", "above", "new.stl", "");
+    make_file("tenth", TRIANGLE "v 0 0 1.1\nv 0.5 0.5 1\n");
+    expect_said("above", "tenth", "new.stl",
+                ": 1 of 15 coordinates are rounded to floats, by which "
+                "elements may meet; check it, or write another format than "
+                "STL");
+}
+END_TEST
+
+START_TEST(what_cannot_be_written_is_refused)
+{
+    make_file("new.glb", "before\n");
+    expect(run("$tf resolve above below -o new.glb"), 2, "",
+           "tanglefree: new.glb: .glb is not written; end the name in .obj, "
+           ".ply, .stl, .off or .vtp\n");
+    ck_assert_str_eq(file_text("new.glb"), "before\n");
+    expect(run("$tf resolve flat-above flat-below -o new.off"), 2, "",
+           "tanglefree: new.off: OFF holds faces, and this mesh has only "
+           "edges; end the name in .obj, .ply or .vtp\n");
+    expect(run("ls new.off 2>/dev/null"), 2, "", "");
+}
+END_TEST
+
 START_TEST(curves_are_written_as_ply)
 {
-    make_file("start.ply",
+    make_file("end.ply",
               "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\n"
               "property double y\nelement edge 1\nproperty int vertex1\n"
-              "property int vertex2\nend_header\n-1 0\n1 0\n0 1\n0 1\n");
-    resolved("start.ply", "flat-below", "new", "");
+              "property int vertex2\nend_header\n-1 0\n1 0\n0 -1\n0 1\n");
+    resolved("flat-above", "end.ply", "new", "");
     expect_words(file_text("new"), "format ascii 1.0\nelement vertex 3\n");
     expect_words(file_text("new"), "\nelement edge 1\n");
     resolved("flat-above", "flat-below", "same.ply", "");
     // The same curve in text, in binary and as OBJ.
     resolved("flat-above", "flat-below", "same", "");
-    expect(run("for f in new same.ply; do $tf resolve same $f -o again >report "
+    expect(run("for f in new same.ply; do $tf resolve $f same -o again >report "
                "|| exit; head -n 1 report; cmp again same; done"),
            0, "status: clear\nstatus: clear\n", "");
 }
@@ -736,7 +817,10 @@ Suite *suite(void)
     tcase_add_test(reports, progress_is_shown_on_a_terminal);
 
     TCase *files = add_case(suite, "files");
-    tcase_add_test(files, the_ending_or_the_start_chooses_the_format);
+    tcase_add_test(files, the_ending_or_the_end_chooses_the_format);
+    tcase_add_test(files, all_else_that_the_end_has_is_kept);
+    tcase_add_test(files, what_another_format_loses_is_said);
+    tcase_add_test(files, what_cannot_be_written_is_refused);
     tcase_add_test(files, curves_are_written_as_ply);
     tcase_add_test(files, standard_input_and_output_are_used);
     tcase_add_test(files, the_output_may_replace_the_input);

@@ -1,9 +1,9 @@
 #include "support/arbitrary_mesh.h"
 
 #include "formats/mesh_reader.h"
-#include "formats/mesh_writer.h"
 #include "surface/check.h"
 #include "surface/detect.h"
+#include "writers/mesh_writer.h"
 
 #include <limits.h>
 #include <math.h>

@@ -1,3 +1,5 @@
+#define _POSIX_C_SOURCE 200809L // open_memstream
+
 #include "support/meshes.h"
 
 #include "formats/mesh_reader.h"
@@ -47,6 +49,26 @@ tf_mesh_content content_of(const tf_mesh_file *file)
 {
     return (tf_mesh_content){.mesh = tf_mesh_file_elements(file, 3),
                              .position = file->position.item};
+}
+
+char *bytes_of_mesh(const tf_mesh_content *content, tf_mesh_format format,
+                    size_t *size)
+{
+    char *text = NULL;
+    FILE *stream = open_memstream(&text, size);
+    ck_assert_ptr_nonnull(stream);
+    tf_mesh_write(stream, content, format);
+    ck_assert_int_eq(fclose(stream), 0);
+    return text;
+}
+
+void expect_mesh_text(const tf_mesh_content *content, tf_mesh_format format,
+                      const char *text)
+{
+    size_t size;
+    char *found = bytes_of_mesh(content, format, &size);
+    ck_assert_str_eq(found, text);
+    free(found);
 }
 
 tf_mesh_file empty_mesh(const char *name)

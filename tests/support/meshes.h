@@ -2,7 +2,7 @@
 #ifndef SUPPORT_MESHES_H
 #define SUPPORT_MESHES_H
 
-#include "formats/mesh_writer.h"
+#include "writers/mesh_writer.h"
 
 /// Reads a text from memory that ends with it, and calls it "mesh".  Its fault
 /// is kept until the next one is read.
@@ -17,6 +17,14 @@ void read_columns(tf_columns *columns);
 
 /// What is written of a file.
 tf_mesh_content content_of(const tf_mesh_file *file);
+
+/// The bytes of a mesh in a format, with a zero behind them; to be freed.
+char *bytes_of_mesh(const tf_mesh_content *content, tf_mesh_format format,
+                    size_t *size);
+
+/// Expects that a mesh with polygons, colors and so on is this text.
+void expect_mesh_text(const tf_mesh_content *content, tf_mesh_format format,
+                      const char *text);
 
 /// An empty file of that name, whose fault is kept until a text is parsed.
 tf_mesh_file empty_mesh(const char *name);

@@ -1,6 +1,6 @@
 #define _GNU_SOURCE // open_memstream
 
-#include "formats/mesh_writer.h"
+#include "writers/mesh_writer.h"
 
 #include "support/generator.h"
 #include "support/matrices.h"
@@ -286,34 +286,74 @@ START_TEST(what_a_type_cannot_hold_becomes_what_it_can)
 }
 END_TEST
 
-START_TEST(the_ending_chooses_the_format)
+// What cannot be written ------------------------------------------------------
+
+static tf_fault fault;
+
+static bool is_writable(const tf_mesh_file *file, tf_mesh_format format,
+                        const char *path)
 {
-    static const struct {
-        const char *path;
-        tf_mesh_format usual, format;
-    } cases[] = {
-        {"a.obj", TF_OBJ, TF_OBJ},
-        {"a.OBJ", TF_PLY_TEXT, TF_OBJ},
-        {"a.ply", TF_OBJ, TF_PLY_LITTLE_ENDIAN},
-        {"a.ply", TF_PLY_TEXT, TF_PLY_TEXT},
-        {"a.Ply", TF_PLY_BIG_ENDIAN, TF_PLY_BIG_ENDIAN},
-        {"a", TF_PLY_BIG_ENDIAN, TF_PLY_BIG_ENDIAN},
-        {"-", TF_OBJ, TF_OBJ},
-        {"", TF_OBJ, TF_OBJ},
-        {"obj", TF_PLY_TEXT, TF_PLY_TEXT},
-        {"a.ply.gz", TF_OBJ, TF_OBJ},
-        {"a.obj/b", TF_PLY_TEXT, TF_PLY_TEXT},
-    };
-    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
-        ck_assert_msg(tf_mesh_format_of(cases[i].path, cases[i].usual) ==
-                          cases[i].format,
-                      "%s, usual %d", cases[i].path, (int)cases[i].usual);
+    tf_mesh_content content = content_of(file);
+    content.from = file;
+    fault = (tf_fault){0};
+    return tf_mesh_check_writable(&content, format, path, &fault);
+}
+
+static void expect_refused(const tf_mesh_file *file, tf_mesh_format format,
+                           const char *path, const char *words)
+{
+    ck_assert(!is_writable(file, format, path));
+    ck_assert_str_eq(fault.file, path);
+    ck_assert_str_eq(fault.text, words);
+}
+
+START_TEST(curves_are_not_written_as_faces)
+{
+    tf_mesh_file mesh = good_mesh("v 0 0 0\nv 1 0 0\nl 1 2\n");
+    ck_assert(is_writable(&mesh, TF_OBJ, "a.obj"));
+    ck_assert(is_writable(&mesh, TF_PLY_TEXT, "a.ply"));
+    ck_assert(is_writable(&mesh, TF_VTP, "a.vtp"));
+    expect_refused(&mesh, TF_OFF, "a.off",
+                   "OFF holds faces, and this mesh has only edges; end the "
+                   "name in .obj, .ply or .vtp");
+    expect_refused(&mesh, TF_STL_BINARY, "a.stl",
+                   "STL holds faces, and this mesh has only edges; end the "
+                   "name in .obj, .ply or .vtp");
+    tf_mesh_file_free(&mesh);
+}
+END_TEST
+
+START_TEST(stl_holds_no_coordinates_beyond_floats)
+{
+    tf_mesh_file mesh = good_mesh("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    mesh.position.item[4] = -FLT_MAX;
+    ck_assert(is_writable(&mesh, TF_STL_BINARY, "a.stl"));
+    mesh.position.item[4] = -0x1.fffffefp127; // would be rounded down
+    ck_assert(is_writable(&mesh, TF_OBJ, "a.obj"));
+    expect_refused(&mesh, TF_STL_BINARY, "a.stl",
+                   "the coordinate -3.4028235614590836e+38 is beyond the "
+                   "floats of STL; scale the mesh down, or end the name in "
+                   ".obj, .ply or .vtp");
+    tf_mesh_file_free(&mesh);
+}
+END_TEST
+
+START_TEST(other_formats_are_not_written)
+{
+    tf_mesh_file mesh = good_mesh("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    expect_refused(&mesh, TF_OBJ, "a.glb",
+                   ".glb is not written; end the name in .obj, .ply, .stl, "
+                   ".off or .vtp");
+    expect_refused(&mesh, TF_MSH, "a.msh",
+                   "Gmsh's .msh is written only if the mesh comes from one, "
+                   "with its triangles; end the name in .obj, .ply or .vtp");
+    tf_mesh_file_free(&mesh);
 }
 END_TEST
 
 Suite *suite(void)
 {
-    Suite *suite = suite_create("formats/mesh_writer");
+    Suite *suite = suite_create("writers/mesh_writer");
     TCase *written = tcase_create("what is written");
     tcase_add_test(written, a_mesh_of_all_elements_comes_back);
     tcase_add_test(written, meshes_of_one_element_come_back);
@@ -323,7 +363,11 @@ Suite *suite(void)
     tcase_add_test(written, columns_come_back_with_their_names_types_and_order);
     tcase_add_test(written, obj_has_colors_from_zero_to_one);
     tcase_add_test(written, what_a_type_cannot_hold_becomes_what_it_can);
-    tcase_add_test(written, the_ending_chooses_the_format);
     suite_add_tcase(suite, written);
+    TCase *refused = tcase_create("what is not written");
+    tcase_add_test(refused, curves_are_not_written_as_faces);
+    tcase_add_test(refused, stl_holds_no_coordinates_beyond_floats);
+    tcase_add_test(refused, other_formats_are_not_written);
+    suite_add_tcase(suite, refused);
     return suite;
 }

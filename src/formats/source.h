@@ -1,0 +1,36 @@
+//: Declare the source of a mesh
+#pragma once
+
+#include "formats/columns.h"
+
+#include <stddef.h>
+
+/// Where the coordinates of a vertex, or of a corner, are in a file: the byte at
+/// which each begins.  One that is not there begins behind the one before it, at
+/// something that is no number.
+typedef struct tf_source_point {
+    size_t at[3];
+    int vertex;
+} tf_source_point;
+
+/// A file as it was read, so that it can be written again with other
+/// coordinates.  All zero: there is none.
+typedef struct tf_source {
+    char *text; ///< all bytes, decompressed; a zero follows them
+    size_t size;
+    tf_source_point *point; ///< in the order of the file
+    size_t points, room;
+    bool is_big_endian; ///< in binary
+    bool welds; ///< vertices were made of corners, where -0 and 0 are the same
+    tf_number_type type[3]; ///< of x, y and z, in PLY and in binary
+    /// Where PLY declares these types, in so many bytes; 0: nowhere.
+    size_t word[3], word_length[3];
+    bool lacks_z; ///< PLY declares no z
+    size_t y_end; ///< where the name of y ends in the header
+} tf_source;
+
+/// Adds a point.  False: there is no memory.
+bool tf_source_add(tf_source *source, const tf_source_point *point);
+
+/// Frees what a source holds, and makes it empty.
+void tf_source_free(tf_source *source);

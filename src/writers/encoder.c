@@ -1,0 +1,97 @@
+//: Include what encoders need
+#define _DEFAULT_SOURCE // fwrite_unlocked
+#include "writers/encoder.h"
+
+#include <inttypes.h>
+#include <math.h>
+#include <string.h>
+
+//: Write bytes
+static void write_bytes(const tf_encoder *to, uint64_t bits, int count)
+{
+    unsigned char byte[8];
+    for (int i = 0; i < count; i++)
+        byte[to->is_big_endian ? count - 1 - i : i] =
+            (unsigned char)(bits >> 8 * i);
+    fwrite_unlocked(byte, 1, (size_t)count, to->stream);
+}
+
+//: Encode a floating-point number
+void tf_encode_double(const tf_encoder *to, double number)
+{
+    uint64_t bits;
+    memcpy(&bits, &number, sizeof bits);
+    if (to->is_text)
+        fprintf(to->stream, "%.17g", number);
+    else
+        write_bytes(to, bits, 8);
+}
+
+/// 9 digits determine a float.
+static void encode_float(const tf_encoder *to, double value)
+{
+    float number = (float)value;
+    uint32_t bits;
+    memcpy(&bits, &number, sizeof bits);
+    if (to->is_text)
+        fprintf(to->stream, "%.9g", value);
+    else
+        write_bytes(to, bits, 4);
+}
+
+//: Encode an integer
+int tf_number_bytes(tf_number_type type)
+{
+    static const int bytes[] = {1, 1, 2, 2, 4, 4, 4, 8};
+    return bytes[type];
+}
+
+void tf_encode_integer(const tf_encoder *to, int64_t number, int bytes)
+{
+    if (to->is_text)
+        fprintf(to->stream, "%" PRId64, number);
+    else
+        write_bytes(to, (uint64_t)number, bytes);
+}
+
+static double limited(tf_number_type type, double value)
+{
+    static const double least[] = {INT8_MIN, 0, INT16_MIN, 0, INT32_MIN, 0};
+    static const double most[] = {INT8_MAX,   UINT8_MAX, INT16_MAX,
+                                  UINT16_MAX, INT32_MAX, UINT32_MAX};
+    return isnan(value) ? 0 : fmin(fmax(value, least[type]), most[type]);
+}
+
+//: Encode a number of a type
+void tf_encode(const tf_encoder *to, tf_number_type type, double number)
+{
+    if (type == TF_DOUBLE)
+        tf_encode_double(to, number);
+    else if (type == TF_FLOAT)
+        encode_float(to, number);
+    else
+        tf_encode_integer(to, (int64_t)limited(type, number),
+                          tf_number_bytes(type));
+}
+
+//: Find out whether a type holds a number
+bool tf_number_fits(tf_number_type type, double number)
+{
+    double held = type == TF_DOUBLE  ? number
+                  : type == TF_FLOAT ? (double)(float)number
+                                     : (double)(int64_t)limited(type, number);
+    return memcmp(&held, &number, sizeof held) == 0;
+}
+
+//: Separate numbers in text
+void tf_encode_blank(const tf_encoder *to)
+{
+    if (to->is_text)
+        fputc(' ', to->stream);
+}
+
+void tf_encode_line_end(const tf_encoder *to)
+{
+    if (to->is_text)
+        fputc('\n', to->stream);
+}

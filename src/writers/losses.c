@@ -1,0 +1,232 @@
+//: Include what losses need
+#include "writers/losses.h"
+
+#include "writers/encoder.h"
+
+#include <stdio.h>
+#include <string.h>
+
+//: Name what a file may have
+typedef enum thing {
+    COMMENTS,
+    NAMES,
+    GROUPS,
+    MATERIALS,
+    SMOOTHING,
+    TEXTURE,
+    NORMALS,
+    COLORS,
+    VERTEX_PROPERTIES,
+    FACE_PROPERTIES,
+    EDGE_PROPERTIES,
+    ELEMENTS,
+    LINES,
+    POLYGONS,
+    EDGES,
+    THINGS,
+    NOTHING
+} thing;
+
+static const char *const thing_names[THINGS] = {
+    [COMMENTS] = "comments",
+    [NAMES] = "names",
+    [GROUPS] = "groups",
+    [MATERIALS] = "materials",
+    [SMOOTHING] = "smoothing groups",
+    [TEXTURE] = "texture coordinates",
+    [NORMALS] = "normals",
+    [COLORS] = "colors",
+    [VERTEX_PROPERTIES] = "properties of vertices",
+    [FACE_PROPERTIES] = "properties of faces",
+    [EDGE_PROPERTIES] = "properties of edges",
+    [ELEMENTS] = "other elements",
+    [LINES] = "other lines",
+    [POLYGONS] = "polygons",
+    [EDGES] = "edges",
+};
+
+/// A set of things.
+typedef struct things {
+    bool has[THINGS + 2];
+} things;
+
+//: Name what words mean
+typedef struct meaning {
+    const char *word;
+    thing thing;
+} meaning;
+
+static thing meaning_of(const meaning list[], const char *word, size_t length,
+                        thing other)
+{
+    for (; list->word; list++)
+        if (strlen(list->word) == length &&
+            memcmp(list->word, word, length) == 0)
+            return list->thing;
+    return other;
+}
+
+//: Walk through lines
+/// Steps over blanks, and over a word; returns the word.
+static const char *next_word(const char **at, size_t *length)
+{
+    const char *word = *at + strspn(*at, " \t");
+    *length = strcspn(word, " \t\r\n");
+    *at = word + *length;
+    return word;
+}
+
+/// NULL: it was the last one.
+static const char *next_line(const char *at)
+{
+    at += strcspn(at, "\r\n");
+    return *at ? at + 1 : NULL;
+}
+
+//: Find out what is in the lines of OBJ
+static void find_in_obj(const char *text, things *found)
+{
+    static const meaning words[] = {
+        {"v", NOTHING},  {"f", NOTHING},   {"l", NOTHING},
+        {"", NOTHING},   {"#", COMMENTS},  {"o", NAMES},
+        {"g", GROUPS},   {"s", SMOOTHING}, {"usemtl", MATERIALS},
+        {"vt", TEXTURE}, {"vn", NORMALS},  {"mtllib", MATERIALS},
+        {NULL, NOTHING}};
+    for (const char *line = text; line; line = next_line(line)) {
+        size_t length;
+        const char *at = line, *word = next_word(&at, &length);
+        found->has[*word == '#' ? COMMENTS
+                                : meaning_of(words, word, length, LINES)] =
+            true;
+    }
+}
+
+//: Find out what is in the header of PLY
+/// Those of vertices that are no lists are found among the columns.
+static thing meaning_of_property(thing of, const char *at)
+{
+    static const meaning words[] = {
+        {"vertex_indices", NOTHING}, {"vertex_index", NOTHING},
+        {"vertex1", NOTHING},        {"vertex2", NOTHING},
+        {"texcoord", TEXTURE},       {NULL, NOTHING}};
+    size_t length;
+    const char *type = next_word(&at, &length);
+    bool list = length == 4 && memcmp(type, "list", 4) == 0;
+    for (int i = 0; i < (list ? 2 : 0); i++)
+        next_word(&at, &length);
+    const char *name = next_word(&at, &length);
+    return of == VERTEX_PROPERTIES && !list
+               ? NOTHING
+               : meaning_of(words, name, length, of);
+}
+
+static thing meaning_of_element(const char *at)
+{
+    static const meaning words[] = {{"vertex", VERTEX_PROPERTIES},
+                                    {"face", FACE_PROPERTIES},
+                                    {"edge", EDGE_PROPERTIES},
+                                    {"tristrips", FACE_PROPERTIES},
+                                    {NULL, NOTHING}};
+    size_t length;
+    const char *name = next_word(&at, &length);
+    return meaning_of(words, name, length, ELEMENTS);
+}
+
+static void find_in_ply(const char *text, things *found)
+{
+    static const meaning words[] = {
+        {"comment", COMMENTS}, {"obj_info", COMMENTS},
+        {"element", ELEMENTS}, {"property", VERTEX_PROPERTIES},
+        {"end_header", LINES}, {NULL, NOTHING}};
+    thing of = NOTHING, line_is = NOTHING;
+    for (const char *line = text; line && line_is != LINES;
+         line = next_line(line)) {
+        size_t length;
+        const char *at = line, *word = next_word(&at, &length);
+        line_is = meaning_of(words, word, length, NOTHING);
+        if (line_is == ELEMENTS)
+            of = meaning_of_element(at);
+        if (line_is == COMMENTS)
+            found->has[COMMENTS] = true;
+        if (line_is == VERTEX_PROPERTIES)
+            found->has[meaning_of_property(of, at)] = true;
+    }
+}
+
+//: Find out what columns hold
+static void find_in_columns(const tf_columns *columns, bool keeps_colors,
+                            things *found)
+{
+    static const meaning words[] = {
+        {"red", COLORS}, {"green", COLORS},      {"blue", COLORS},
+        {"nx", NORMALS}, {"ny", NORMALS},        {"nz", NORMALS},
+        {"u", TEXTURE},  {"v", TEXTURE},         {"s", TEXTURE},
+        {"t", TEXTURE},  {"texture_u", TEXTURE}, {"texture_v", TEXTURE},
+        {NULL, NOTHING}};
+    for (int i = 0; columns && i < columns->count; i++) {
+        const char *name = columns->column[i].name;
+        thing is = meaning_of(words, name, strlen(name), VERTEX_PROPERTIES);
+        found->has[is == COLORS && keeps_colors ? NOTHING : is] = true;
+    }
+}
+
+//: Find what is lost
+/// The formats that hold colors of vertices, their properties, polygons or
+/// edges.
+static bool holds(tf_mesh_format format, thing what)
+{
+    bool stl = format == TF_STL_TEXT || format == TF_STL_BINARY;
+    return what == COLORS     ? !stl
+           : what == POLYGONS ? !stl && format != TF_VTP
+           : what == EDGES    ? !stl && format != TF_OFF
+                              : format != TF_OBJ && format != TF_OFF && !stl;
+}
+
+static void find_all(const tf_mesh_file *file, tf_mesh_format format,
+                     things *lost)
+{
+    if (file->format == TF_OBJ)
+        find_in_obj(file->source->text, lost);
+    if (file->format >= TF_PLY_TEXT && file->format <= TF_PLY_BIG_ENDIAN)
+        find_in_ply(file->source->text, lost);
+    if (!holds(format, VERTEX_PROPERTIES))
+        find_in_columns(file->columns, holds(format, COLORS), lost);
+    lost->has[POLYGONS] =
+        tf_mesh_file_polygons(file) > 0 && !holds(format, POLYGONS);
+    lost->has[EDGES] = tf_mesh_file_edges(file) > 0 && !holds(format, EDGES);
+}
+
+//: List what is lost
+static void add_text(tf_losses *list, const char *text)
+{
+    size_t length = strlen(list->text);
+    snprintf(list->text + length, sizeof list->text - length, "%s", text);
+}
+
+tf_losses tf_find_losses(const tf_mesh_file *file, tf_mesh_format format)
+{
+    tf_losses list = {""};
+    things lost = {{0}};
+    int count = 0, listed = 0;
+    find_all(file, format, &lost);
+    for (int i = 0; i < THINGS; i++)
+        count += lost.has[i];
+    for (int i = 0; i < THINGS; i++)
+        if (lost.has[i]) {
+            listed++;
+            add_text(&list, listed == 1       ? ""
+                            : listed == count ? " and "
+                                              : ", ");
+            add_text(&list, thing_names[i]);
+        }
+    return list;
+}
+
+//: Count what is rounded
+size_t tf_count_rounded(const double position[], size_t coordinates)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < coordinates; i++)
+        count += !tf_number_fits(TF_FLOAT, position[i]);
+    return count;
+}

@@ -1,0 +1,22 @@
+//: Declare how to write meshes
+#pragma once
+
+#include "writers/mesh_content.h"
+
+#include <stdio.h>
+
+/// Writes a mesh.  If its file has a source, and is of that format, that is the
+/// source with the positions of the content.  If not, it is written such that
+/// the same triangles and edges are read, in the same order, and but for STL the
+/// same vertices and doubles.  Errors are those of the stream.
+void tf_mesh_write(FILE *stream, const tf_mesh_content *content,
+                   tf_mesh_format format);
+
+/// Whether that is a source with other positions, so that nothing is lost.
+bool tf_mesh_is_source(const tf_mesh_content *content, tf_mesh_format format);
+
+/// Whether a mesh can be written in a format; if not, sets the fault of the file
+/// at that path.
+bool tf_mesh_check_writable(const tf_mesh_content *content,
+                            tf_mesh_format format, const char *path,
+                            tf_fault *fault);

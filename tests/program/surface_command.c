@@ -451,7 +451,7 @@ START_TEST(standard_input_is_read)
     expect_words(found.out, "\nstandard input,edge-triangle,0,2,3,4,5,\n");
     expect(run("$tf detect - - <above"), 2, HEADER,
            "tanglefree: standard input: no vertices; the file must be a mesh "
-           "in OBJ or PLY\n");
+           "in OBJ, PLY, STL, OFF or Gmsh's format\n");
     expect(run("$tf check - <&-"), 2, CHECK_HEADER,
            "tanglefree: standard input: cannot read: Bad file descriptor; "
            "check that this is a file\n");

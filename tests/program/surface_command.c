@@ -490,7 +490,8 @@ END_TEST
 static const struct {
     const char *text, *message;
 } faults[] = {
-    {"", " no vertices; the file must be a mesh in OBJ or PLY"},
+    {"", " no vertices; the file must be a mesh in OBJ, PLY, STL, OFF or "
+         "Gmsh's format"},
     {"v 1 2 3\n", " no triangles and no edges; a mesh must have some"},
     {TRIANGLE "f 1 2 4\n",
      "5: there is no vertex 4; they are numbered from 1 to 3"},

@@ -100,6 +100,11 @@ share/doc/tanglefree/examples/cloth.c examples/cloth.c
 share/doc/tanglefree/examples/query.c examples/query.c
 share/doc/tanglefree/examples/remesh.c examples/remesh.c
 share/doc/tanglefree/examples/threads.c examples/threads.c
+share/doc/tanglefree/examples/scene/scene.yaml examples/scene/scene.yaml
+share/doc/tanglefree/examples/scene/table.obj examples/scene/table.obj
+share/doc/tanglefree/examples/scene/cloth-0.obj examples/scene/cloth-0.obj
+share/doc/tanglefree/examples/scene/cloth-1.obj examples/scene/cloth-1.obj
+share/doc/tanglefree/examples/scene/cloth-2.obj examples/scene/cloth-2.obj
 share/man/man1/tanglefree.1 $(BUILD)/man/tanglefree.1
 share/man/man1/tanglefree-query.1 $(BUILD)/man/tanglefree-query.1
 share/man/man1/tanglefree-detect.1 $(BUILD)/man/tanglefree-detect.1

@@ -92,7 +92,9 @@ const tf_option tf_options[] = {
      .usual = "-", .help = "Where to write",
      .more = ", which is standard output"},
     {TF_RESOLVE, OPTION("output", 'o', "OUT", out, TF_TEXT), .formats = formats,
-     .required = true, .help = "Where to write the end of the step"},
+     .required = true,
+     .help = "Where to write the end of the step, or the folder for the frames "
+             "of a scene"},
     {TF_REMESH, OPTION("output", 'o', "OUT", out, TF_TEXT), .formats = formats,
      .required = true, .help = "Where to write the new mesh"},
     {TF_SIMULATE, OPTION("output", 'o', "DIR", out, TF_TEXT),

@@ -108,30 +108,43 @@ static void say_next(const char *name, const char *next, const char *what)
             tf_make_visible(next).text, tf_make_visible(name).text, what);
 }
 
-/// The frames may go backward, but not forward and backward, and by equal
-/// distances.  Two frames may have been listed by bytes.
-static void say_strange(char *const name[], int count, const int64_t distance[])
+/// The first step that does not go the way of the first; 0: there is none.
+static int find_turn(int steps, const int64_t distance[])
+{
+    int i = 0;
+    while (i < steps && (distance[i] < 0) == (distance[0] < 0))
+        i++;
+    return i < steps ? i : 0;
+}
+
+/// The first step that is longer than another; -1: there is none.
+static int find_gap(int steps, const int64_t distance[])
 {
     int64_t least = INT64_MAX;
-    if (count == 2 && distance[0] < 0 && strcmp(name[0], name[1]) < 0)
+    for (int i = 0; i < steps; i++)
+        least = llabs(distance[i]) < least ? llabs(distance[i]) : least;
+    int i = 0;
+    while (i < steps && llabs(distance[i]) == least)
+        i++;
+    return i < steps ? i : -1;
+}
+
+/// Frames may go backward, but two may have been listed by their bytes.
+static void say_strange(char *const name[], int count, const int64_t distance[])
+{
+    int turn = find_turn(count - 1, distance);
+    int gap = find_gap(count - 1, distance);
+    if (turn > 0)
+        say_next(name[turn], name[turn + 1],
+                 "the frames are taken in this order, which is not that of "
+                 "their numbers");
+    else if (gap >= 0)
+        say_next(name[gap], name[gap + 1],
+                 "frames between them may be missing, and the way from one to "
+                 "the other is taken as one step");
+    else if (count == 2 && distance[0] < 0 && strcmp(name[0], name[1]) < 0)
         say_next(name[0], name[1],
                  "the step goes from the higher number to the lower one");
-    for (int i = 0; i + 1 < count; i++)
-        least = llabs(distance[i]) < least ? llabs(distance[i]) : least;
-    for (int i = 0; i + 1 < count; i++) {
-        if ((distance[i] < 0) != (distance[0] < 0)) {
-            say_next(name[i], name[i + 1],
-                     "the frames are taken in this order, which is not that "
-                     "of their numbers");
-            return;
-        }
-        if (llabs(distance[i]) != least) {
-            say_next(name[i], name[i + 1],
-                     "frames between them may be missing, and the way from one "
-                     "to the other is taken as one step");
-            return;
-        }
-    }
 }
 
 //: Put frames in order

@@ -289,14 +289,20 @@ static bool read_document(scene_reader *r)
 static bool fault_in_yaml(scene_reader *r, const yaml_parser_t *parser,
                           FILE *stream)
 {
-    long line = (long)parser->problem_mark.line + 1;
+    bool bytes = parser->error == YAML_READER_ERROR;
     if (ferror(stream))
         return tf_fault_set_unread(r->fault, r->path, -1, errno);
     if (parser->error == YAML_MEMORY_ERROR)
         return fault_in_scene_memory(r);
-    return tf_fault_set(
-        r->fault, r->path, parser->error == YAML_READER_ERROR ? -1 : line,
-        "is not YAML: %s; mend it there, or in the line before", parser->problem);
+    tf_fault_set(r->fault, r->path,
+                 bytes ? (long)parser->problem_offset
+                       : (long)parser->problem_mark.line + 1,
+                 bytes
+                     ? "is not YAML: %s; write it in UTF-8"
+                     : "is not YAML: %s; mend it there, or in the line before",
+                 parser->problem);
+    r->fault->counts_bytes = bytes;
+    return false;
 }
 
 /// Loads one document, and makes sure that there is no other.

@@ -81,7 +81,8 @@ static const struct {
 } refusals[] = {
     {"-o out", "one or two letters are required"},
     {"-o out a b c", "one or two letters are required"},
-    {"a", "--output OUT is required: where to write the end of the step"},
+    {"a", "--output OUT is required: where to write the end of the step, or "
+          "the folder for the frames of a scene"},
     {"a -o out -t 13", "13 threads are bad luck"},
     {"a -o out -t 0", "--threads must be an integer from 1 to 256, got '0'"},
     {"a -o out -t 2.5",

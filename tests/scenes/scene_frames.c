@@ -1,0 +1,349 @@
+// The frames of the meshes of a scene, and the steps between them.
+#define _GNU_SOURCE // strdup
+
+#include "scenes/scene_frames.h"
+
+#include "support/program.h"
+#include "support/support.h"
+#include "surface/check.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#define CORNERS "v 0 0 %g\nv 1 0 %g\nv 0 1 %g\nf 1 2 3\n"
+
+/// A triangle at the height z.
+static void make_triangle(const char *name, double z)
+{
+    char text[200];
+    snprintf(text, sizeof text, CORNERS, z, z, z);
+    make_file(name, text);
+}
+
+static void enter_folder_of_triangles(void)
+{
+    static const char *const names[] = {"0", "1", "2", "3", "4",
+                                        "5", "6", "7", "8"};
+    enter_folder();
+    for (int z = 0; z < 9; z++)
+        make_triangle(names[z], z);
+}
+
+/// Adds a mesh whose frames are called by the letters of a word.
+static tf_scene_mesh *add(tf_scene_meshes *meshes, tf_role role,
+                          const char *frames)
+{
+    tf_scene_mesh *mesh = tf_scene_meshes_add(meshes);
+    mesh->role = role;
+    for (const char *at = frames; *at; at++)
+        ck_assert(tf_frame_names_add(&mesh->frames, (char[]){*at, 0}));
+    return mesh;
+}
+
+static void free_both(tf_scene_frames *frames, tf_scene_meshes *meshes)
+{
+    tf_scene_frames_free(frames);
+    tf_scene_meshes_free(meshes);
+}
+
+static void next(tf_scene_frames *frames)
+{
+    ck_assert_msg(tf_scene_frames_next(frames), "%s", frames->fault.text);
+}
+
+/// Expects the heights of three triangles at the start and the end of the step.
+static void expect_heights(const tf_scene_frames *frames, const double start[3],
+                           const double end[3])
+{
+    tf_motion motion = tf_scene_frames_motion(frames);
+    ck_assert(motion.axes == 3 && motion.vertices == 9);
+    for (int v = 0; v < 9; v++) {
+        ck_assert(motion.start[3 * v] == (v % 3 == 1));
+        ck_assert(motion.start[3 * v + 2] == start[v / 3]);
+        ck_assert(motion.end[3 * v + 2] == end[v / 3]);
+    }
+    for (int m = 0; m < 3; m++)
+        ck_assert(tf_scene_frames_positions(frames, m)[2] == end[m]);
+}
+
+#define HEIGHTS(...) ((const double[3]){__VA_ARGS__})
+
+// Steps -----------------------------------------------------------------------
+
+START_TEST(each_end_is_the_next_start)
+{
+    tf_scene_meshes meshes = {0};
+    tf_scene_frames frames = {.meshes = &meshes};
+    add(&meshes, TF_MOVING, "012");
+    add(&meshes, TF_SCRIPTED, "345");
+    add(&meshes, TF_FIXED, "78");
+    next(&frames);
+    expect_heights(&frames, HEIGHTS(0, 3, 7), HEIGHTS(0, 3, 7));
+    const tf_surface *surface = frames.surface;
+    next(&frames);
+    expect_heights(&frames, HEIGHTS(0, 3, 7), HEIGHTS(1, 4, 7));
+    next(&frames);
+    expect_heights(&frames, HEIGHTS(1, 4, 7), HEIGHTS(2, 5, 7));
+    ck_assert_ptr_eq(frames.surface, surface);
+    ck_assert_str_eq(tf_scene_frames_file(&frames, 0, 0)->name, "1");
+    ck_assert_str_eq(tf_scene_frames_file(&frames, 1, 1)->name, "5");
+    ck_assert_str_eq(tf_scene_frames_file(&frames, 2, 1)->name, "7");
+    free_both(&frames, &meshes);
+}
+END_TEST
+
+START_TEST(what_was_changed_is_the_next_start)
+{
+    tf_scene_meshes meshes = {0};
+    tf_scene_frames frames = {.meshes = &meshes};
+    add(&meshes, TF_MOVING, "012");
+    add(&meshes, TF_MOVING, "3");
+    add(&meshes, TF_SCRIPTED, "7");
+    next(&frames);
+    next(&frames);
+    expect_heights(&frames, HEIGHTS(0, 3, 7), HEIGHTS(1, 3, 7));
+    for (int v = 0; v < 9; v++)
+        tf_scene_frames_end(&frames)[3 * v + 2] += 0.5;
+    tf_scene_frames_change(&frames);
+    expect_heights(&frames, HEIGHTS(0, 3, 7), HEIGHTS(1.5, 3.5, 7.5));
+    // A mesh of one frame stays where it is if it moves; the others go where
+    // their frames have them.
+    next(&frames);
+    expect_heights(&frames, HEIGHTS(1.5, 3.5, 7.5), HEIGHTS(2, 3.5, 7));
+    free_both(&frames, &meshes);
+}
+END_TEST
+
+// In the plane ----------------------------------------------------------------
+
+START_TEST(curves_make_a_curve_while_all_are_flat)
+{
+    make_file("a", "v 1 2\nv 3 4\nl 1 2\n");
+    make_file("b", "v 5 6 -0\nv 7 8 0\nl 1 2\n");
+    make_file("c", "v 5 6 0\nv 7 8 1\nl 1 2\n");
+    tf_scene_meshes meshes = {0};
+    tf_scene_frames frames = {.meshes = &meshes};
+    add(&meshes, TF_FIXED, "a");
+    add(&meshes, TF_MOVING, "bbcbb");
+    static const int axes[] = {2, 2, 3, 3, 2};
+    for (int i = 0; i < 5; i++) {
+        next(&frames);
+        tf_motion motion = tf_scene_frames_motion(&frames);
+        ck_assert_int_eq(motion.axes, axes[i]);
+        ck_assert_int_eq(tf_surface_axes(frames.surface), axes[i]);
+        ck_assert(motion.end[axes[i]] == 3 && motion.end[2 * axes[i]] == 5);
+        ck_assert(motion.start[2 * axes[i] + 1] == 6);
+    }
+    tf_scene_frames_end(&frames)[4] = 50;
+    tf_scene_frames_change(&frames);
+    const double *x = tf_scene_frames_positions(&frames, 1);
+    ck_assert(x[0] == 50 && x[1] == 6 && x[2] == 0 && signbit(x[2]));
+    free_both(&frames, &meshes);
+}
+END_TEST
+
+START_TEST(a_curve_beside_a_surface_is_in_space)
+{
+    make_file("a", "v 1 2\nv 3 4\nl 1 2\n");
+    tf_scene_meshes meshes = {0};
+    tf_scene_frames frames = {.meshes = &meshes};
+    add(&meshes, TF_MOVING, "a");
+    add(&meshes, TF_MOVING, "0");
+    next(&frames);
+    ck_assert_int_eq(tf_scene_frames_motion(&frames).axes, 3);
+    free_both(&frames, &meshes);
+}
+END_TEST
+
+// Pairs -----------------------------------------------------------------------
+
+// Two triangles that cross, and a third that crosses both.
+#define CROSSED                                                                \
+    "v 0 0 0\nv 9 0 0\nv 0 9 0\nf 1 2 3\n"                                     \
+    "v 1 1 -1\nv 1 1 1\nv 5 5 1\nf 4 5 6\n"
+
+/// How many intersections there are of meshes in these groups.
+static size_t intersections(bool each, const char *const group[3])
+{
+    make_file("x", CROSSED);
+    make_file("y", CROSSED);
+    tf_scene_meshes meshes = {0};
+    tf_scene_frames frames = {.meshes = &meshes, .each = each};
+    for (int i = 0; i < 3; i++)
+        add(&meshes, TF_MOVING, "x")->group =
+            group[i] ? strdup(group[i]) : NULL;
+    next(&frames);
+    tf_motion rest = tf_scene_frames_motion(&frames);
+    tf_crossings found;
+    ck_assert(tf_surface_check(frames.surface, rest.vertices, rest.end, NULL,
+                               &found, NULL) == TF_OK);
+    size_t count = found.count;
+    free_both(&frames, &meshes);
+    return count;
+}
+
+START_TEST(meshes_of_a_group_do_not_meet)
+{
+    const char *const none[3] = {0}, *const two[] = {"a", NULL, "a"};
+    const char *const all[] = {"a", "a", "a"}, *const other[] = {"a", "b",
+                                                                 NULL};
+    size_t alone = intersections(true, none) / 3;
+    size_t between = (intersections(false, none) - 3 * alone) / 3;
+    ck_assert(alone > 0 && between > 0);
+    ck_assert_uint_eq(intersections(false, none), 3 * alone + 3 * between);
+    ck_assert_uint_eq(intersections(false, two), 3 * alone + 2 * between);
+    ck_assert_uint_eq(intersections(false, all), 3 * alone);
+    ck_assert_uint_eq(intersections(false, other), 3 * alone + 3 * between);
+    ck_assert_uint_eq(intersections(true, two), 3 * alone);
+}
+END_TEST
+
+// Faults ----------------------------------------------------------------------
+
+START_TEST(other_elements_in_a_later_frame_are_refused)
+{
+    make_file("x", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 3 2\n");
+    make_file("y", CROSSED);
+    static const char *const frame[] = {"012x", "012y"};
+    static const char *const fault[] = {
+        "this triangle is not as in 2; all files must have the same elements "
+        "in "
+        "the same order",
+        "the number of vertices is 6, but 3 in 2; all files must have the same "
+        "elements"};
+    for (int i = 0; i < 2; i++) {
+        tf_scene_meshes meshes = {0};
+        tf_scene_frames frames = {.meshes = &meshes};
+        add(&meshes, TF_FIXED, "3");
+        add(&meshes, TF_MOVING, frame[i]);
+        for (int k = 0; k < 3; k++)
+            next(&frames);
+        ck_assert(!tf_scene_frames_next(&frames));
+        ck_assert_str_eq(frames.fault.text, fault[i]);
+        ck_assert_str_eq(frames.fault.file, i == 0 ? "x" : "y");
+        ck_assert_int_eq(frames.fault.place, i == 0 ? 4 : -1);
+        free_both(&frames, &meshes);
+    }
+}
+END_TEST
+
+START_TEST(flaws_are_those_of_a_file)
+{
+    make_file("x", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 2\n");
+    make_file("y", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 4\n");
+    make_file("z", "v 0 0 0\nv 1 0 0\nv 0 1 z\nf 1 2 3\n");
+    static const char *const fault[] = {
+        "vertex 2 is a corner twice; delete the triangle or edge, here and in "
+        "all files",
+        "there is no vertex 4; they are numbered from 1 to 3",
+        "'z' is not a finite number; write a decimal or a hexadecimal float",
+        "cannot open: No such file or directory; check the name"};
+    static const long line[] = {5, 5, 3, -1};
+    for (int i = 0; i < 4; i++) {
+        tf_scene_meshes meshes = {0};
+        tf_scene_frames frames = {.meshes = &meshes};
+        const char name[] = {"xyz?"[i], '\0'};
+        add(&meshes, TF_MOVING, "0");
+        add(&meshes, TF_MOVING, name);
+        add(&meshes, TF_MOVING, "1");
+        ck_assert(!tf_scene_frames_next(&frames));
+        ck_assert_str_eq(frames.fault.text, fault[i]);
+        ck_assert_str_eq(frames.fault.file, name);
+        ck_assert_int_eq(frames.fault.place, line[i]);
+        free_both(&frames, &meshes);
+    }
+}
+END_TEST
+
+START_TEST(errors_of_pairs_name_the_files)
+{
+    static const struct {
+        tf_error error;
+        const char *fault, *file;
+    } kinds[] = {
+        {{.status = TF_START_NOT_CLEAR,
+          .subject = TF_EDGE_TRIANGLE_PAIR,
+          .vertex = {3, 5, 0, 1, 2}},
+         "edge 0 2 passes through triangle 0 1 2 of 0 (numbered from 0) before "
+         "the step begins; move them apart, see 'tanglefree check' for all "
+         "such "
+         "pairs",
+         "2"},
+        {{.status = TF_START_NOT_CLEAR,
+          .subject = TF_POINT_TRIANGLE_PAIR,
+          .vertex = {1, 3, 4, 5, -1}},
+         "vertex 1 lies on triangle 0 1 2 of 2 (numbered from 0) before the "
+         "step begins; move them apart, see 'tanglefree check' for all such "
+         "pairs",
+         "0"},
+        {{.status = TF_START_NOT_CLEAR,
+          .subject = TF_EDGE_EDGE_PAIR,
+          .vertex = {0, 1, 4, 5, -1}},
+         "edge 0 1 meets edge 1 2 of 2 (numbered from 0) before the step "
+         "begins; move them apart, see 'tanglefree check' for all such pairs",
+         "0"},
+        {{.status = TF_START_NOT_CLEAR,
+          .subject = TF_POINT_EDGE_PAIR,
+          .vertex = {3, 0, 1, -1, -1}},
+         "vertex 0 lies on edge 0 1 of 0 (numbered from 0) before the step "
+         "begins; move them apart, see 'tanglefree check' for all such pairs",
+         "2"},
+        {{.status = TF_START_NOT_CLEAR,
+          .subject = TF_EDGE_EDGE_PAIR,
+          .vertex = {3, 4, 4, 5, -1}},
+         "edge 0 1 meets edge 1 2 (numbered from 0) before the step begins; "
+         "move them apart, see 'tanglefree check' for all such pairs",
+         "2"},
+        {{.status = TF_NOT_FINITE,
+          .subject = TF_VERTEX,
+          .index = 4,
+          .vertex = {4, -1, -1, -1, -1}},
+         NULL,
+         "3"},
+    };
+    tf_scene_meshes meshes = {0};
+    tf_scene_frames frames = {.meshes = &meshes};
+    add(&meshes, TF_MOVING, "01");
+    add(&meshes, TF_MOVING, "23");
+    next(&frames);
+    next(&frames);
+    for (int i = 0; i < 6; i++) {
+        ck_assert(!tf_scene_frames_fault(&frames, &kinds[i].error));
+        ck_assert_str_eq(frames.fault.file, kinds[i].file);
+        if (kinds[i].fault)
+            ck_assert_str_eq(frames.fault.text, kinds[i].fault);
+        ck_assert_int_eq(frames.fault.place, kinds[i].fault ? -1 : 2);
+    }
+    free_both(&frames, &meshes);
+}
+END_TEST
+
+Suite *suite(void)
+{
+    Suite *suite = suite_create("scenes/scene_frames");
+    TCase *steps = tcase_create("steps");
+    tcase_add_checked_fixture(steps, enter_folder_of_triangles, leave_folder);
+    tcase_add_test(steps, each_end_is_the_next_start);
+    tcase_add_test(steps, what_was_changed_is_the_next_start);
+    suite_add_tcase(suite, steps);
+
+    TCase *plane = tcase_create("in the plane");
+    tcase_add_checked_fixture(plane, enter_folder_of_triangles, leave_folder);
+    tcase_add_test(plane, curves_make_a_curve_while_all_are_flat);
+    tcase_add_test(plane, a_curve_beside_a_surface_is_in_space);
+    suite_add_tcase(suite, plane);
+
+    TCase *pairs = tcase_create("pairs");
+    tcase_add_checked_fixture(pairs, enter_folder_of_triangles, leave_folder);
+    tcase_add_test(pairs, meshes_of_a_group_do_not_meet);
+    suite_add_tcase(suite, pairs);
+
+    TCase *faults = tcase_create("faults");
+    tcase_add_checked_fixture(faults, enter_folder_of_triangles, leave_folder);
+    tcase_add_test(faults, other_elements_in_a_later_frame_are_refused);
+    tcase_add_test(faults, flaws_are_those_of_a_file);
+    tcase_add_test(faults, errors_of_pairs_name_the_files);
+    suite_add_tcase(suite, faults);
+    return suite;
+}

@@ -4,8 +4,8 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-/// Whether the name of a file says that it is compressed: it ends in .gz, in small
-/// or capital letters.
+/// Whether the name of a file says that it is compressed: it ends in .gz, in
+/// small or capital letters.
 bool tf_is_gzip_name(const char *path);
 
 /// Opens a stream that writes what it is given to another one, compressed by

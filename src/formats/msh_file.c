@@ -100,8 +100,7 @@ static bool read_node(msh *m, int coordinates)
         return false;
     long at = place(m);
     for (int k = 0; k < coordinates; k++)
-        if (k < 3 ? !read_coordinate(m, &x[k], &begin[k])
-                  : !skip_coordinate(m))
+        if (k < 3 ? !read_coordinate(m, &x[k], &begin[k]) : !skip_coordinate(m))
             return false;
     return tf_mesh_file_add_point(m->file, tf_mesh_file_vertices(m->file),
                                   m->start, begin) &&

@@ -1,9 +1,12 @@
 //: Include what losses need
+#define _GNU_SOURCE // memmem
 #include "writers/losses.h"
 
+#include "formats/binary.h"
 #include "writers/encoder.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 //: Name what a file may have
@@ -153,6 +156,81 @@ static void find_in_ply(const char *text, things *found)
     }
 }
 
+//: Find out what is in STL
+/// In text, a name follows the word solid.
+static void find_in_text_stl(const char *text, things *found)
+{
+    static const meaning words[] = {{"solid", NAMES}, {NULL, NOTHING}};
+    for (const char *line = text; line; line = next_line(line)) {
+        size_t length;
+        const char *at = line, *word = next_word(&at, &length);
+        thing is = meaning_of(words, word, length, NOTHING);
+        next_word(&at, &length);
+        found->has[length > 0 ? is : NOTHING] = true;
+    }
+}
+
+/// In binary, some programs keep a color in the last two bytes of a triangle.
+static void find_in_binary_stl(const tf_source *source, things *found)
+{
+    enum {
+        HEAD = 84,
+        FACET = 50
+    };
+    for (size_t at = HEAD; at + FACET <= source->size; at += FACET)
+        if (tf_gather_bytes(source->text + at + FACET - 2, 2, false) != 0)
+            found->has[COLORS] = true;
+}
+
+//: Find out what is in OFF
+/// What the letters in front of the word OFF say that vertices have.
+static void find_in_off_head(const char *word, things *found)
+{
+    for (; *word && *word != 'O'; word++)
+        found->has[*word == 'C'   ? COLORS
+                   : *word == 'N' ? NORMALS
+                                  : TEXTURE] = true;
+}
+
+/// Whether more follows the corners of a face.
+static bool has_more(const char *line)
+{
+    int wanted = atoi(line) + 1, words = 0;
+    size_t length;
+    while (*next_word(&line, &length) != '#' && length > 0)
+        words++;
+    return words > wanted;
+}
+
+/// The faces are all alike, so that the last one tells.
+static void find_in_off(const char *text, things *found)
+{
+    const char *last = NULL;
+    for (const char *line = text; line; line = next_line(line)) {
+        size_t length;
+        const char *at = line, *word = next_word(&at, &length);
+        found->has[memchr(line, '#', strcspn(line, "\r\n")) ? COMMENTS
+                                                            : NOTHING] = true;
+        if (length == 0 || *word == '#')
+            continue;
+        if (!last)
+            find_in_off_head(word, found);
+        last = line;
+    }
+    found->has[last && has_more(last) ? COLORS : NOTHING] = true;
+}
+
+//: Find out what is in Gmsh's format
+static void find_in_msh(const tf_mesh_file *file, things *found)
+{
+    const tf_source *source = file->source;
+    static const char names[] = "$PhysicalNames";
+    if (memmem(source->text, source->size, names, sizeof names - 1))
+        found->has[GROUPS] = true;
+    if (file->left_out[0] + file->left_out[1] + file->left_out[3] > 0)
+        found->has[ELEMENTS] = true;
+}
+
 //: Find out what columns hold
 static void find_in_columns(const tf_columns *columns, bool keeps_colors,
                             things *found)
@@ -182,13 +260,34 @@ static bool holds(tf_mesh_format format, thing what)
                               : format != TF_OBJ && format != TF_OFF && !stl;
 }
 
+static void find_in_source(const tf_mesh_file *file, things *found)
+{
+    switch (file->format) {
+    case TF_OBJ:
+        find_in_obj(file->source->text, found);
+        break;
+    case TF_STL_TEXT:
+        find_in_text_stl(file->source->text, found);
+        break;
+    case TF_STL_BINARY:
+        find_in_binary_stl(file->source, found);
+        break;
+    case TF_OFF:
+        find_in_off(file->source->text, found);
+        break;
+    case TF_MSH:
+        find_in_msh(file, found);
+        break;
+    default:
+        find_in_ply(file->source->text, found);
+        break;
+    }
+}
+
 static void find_all(const tf_mesh_file *file, tf_mesh_format format,
                      things *lost)
 {
-    if (file->format == TF_OBJ)
-        find_in_obj(file->source->text, lost);
-    if (file->format >= TF_PLY_TEXT && file->format <= TF_PLY_BIG_ENDIAN)
-        find_in_ply(file->source->text, lost);
+    find_in_source(file, lost);
     if (!holds(format, VERTEX_PROPERTIES))
         find_in_columns(file->columns, holds(format, COLORS), lost);
     lost->has[POLYGONS] =

@@ -82,9 +82,12 @@ START_TEST(numbers_are_read)
 {
     tf_words words = words_of("1.5 -2\n0x1p-3 7 -7 2147483647");
     double x[3];
+    const char *at[3];
     int number;
-    ck_assert(tf_words_read_position(&words, x));
+    ck_assert(tf_words_read_position(&words, x, at));
     ck_assert(x[0] == 1.5 && x[1] == -2 && x[2] == 0.125);
+    ck_assert_ptr_eq(at[1], words.start + 4);
+    ck_assert_ptr_eq(at[2], words.start + 7);
     ck_assert(tf_words_read_integer(&words, 7, &number) && number == 7);
     ck_assert(tf_words_read_integer(&words, -7, &number) && number == -7);
     ck_assert(tf_words_read_integer(&words, 0, &number));
@@ -117,7 +120,8 @@ START_TEST(other_numbers_are_refused)
     }
     tf_words words = words_of("1 2\nnan");
     double x[3];
-    ck_assert(!tf_words_read_position(&words, x));
+    const char *at[3];
+    ck_assert(!tf_words_read_position(&words, x, at));
     expect_fault(2, "'nan' is not a finite number; ");
     file = empty_mesh("words");
     words = tf_words_of(&file, "a\0b", 3);

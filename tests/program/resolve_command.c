@@ -808,7 +808,8 @@ START_TEST(wrong_arguments_are_refused)
     expect_usage("resolve -o new above below below", two);
     expect_usage("resolve above below",
                  "tanglefree resolve: --output OUT is required: where to write "
-                 "the end of the step\n");
+                 "the end of the step, or the folder for the frames of a "
+                 "scene\n");
     expect_usage("resolve above below -o new --solver cg",
                  "tanglefree resolve: --solver must be gauss-seidel, "
                  "conjugate-residuals, minres or normal-residuals, got 'cg'\n");

@@ -54,9 +54,9 @@ START_TEST(frames_are_listed)
         "<DataSet timestep=\"1\" group=\"\" part=\"1\" "
         "file=\"a&#38;b/contacts-00001.vtp\"/>\n"
         "</Collection>\n</VTKFile>\n");
-    ck_assert_int_eq(
-        polydata_count(file_text("folder/a&b/mesh-00001.vtp"), "NumberOfPoints"),
-        2);
+    ck_assert_int_eq(polydata_count(file_text("folder/a&b/mesh-00001.vtp"),
+                                    "NumberOfPoints"),
+                     2);
     ck_assert_int_eq(polydata_count(file_text("folder/a&b/contacts-00001.vtp"),
                                     "NumberOfPoints"),
                      1);

@@ -130,6 +130,69 @@ START_TEST(what_ply_has_besides_vertices_is_lost)
 }
 END_TEST
 
+START_TEST(what_stl_has_besides_triangles_is_lost)
+{
+    static const char loop[] = "facet normal 0 0 1\nouter loop\nvertex 0 0 0\n"
+                               "vertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n"
+                               "endsolid\n";
+    char text[300];
+    sprintf(text, "solid \n%s", loop);
+    expect_losses(text, TF_PLY_TEXT, "");
+    sprintf(text, "solid\n%ssolid foot\n%s", loop, loop);
+    expect_losses(text, TF_PLY_TEXT, "names");
+    char bytes[134] = {[80] = 1, [99] = 1, [109] = 64, [125] = 65};
+    make_binary_file("in", bytes, 134);
+    for (int color = 0; color < 2; color++) {
+        tf_mesh_file file;
+        tf_source source = {0};
+        bytes[133] = (char)color;
+        make_binary_file("in", bytes, 134);
+        ck_assert_msg(tf_mesh_file_read_all(&file, "in", NULL, &source, &fault),
+                      "%s", fault.text);
+        ck_assert_str_eq(tf_find_losses(&file, TF_OBJ).text,
+                         color ? "colors" : "");
+        tf_mesh_file_free(&file);
+        tf_source_free(&source);
+    }
+}
+END_TEST
+
+#define POINTS_OF(more)                                                        \
+    "3 1 0\n0 0 0 " more "\n1 0 0 " more "\n0 1 0 " more "\n"
+
+START_TEST(what_off_has_besides_faces_is_lost)
+{
+    expect_losses("OFF\n" POINTS_OF("") "3 0 1 2\n", TF_PLY_TEXT, "");
+    expect_losses("OFF\n# x\n" POINTS_OF("") "3 0 1 2 # 5\n\n", TF_PLY_TEXT,
+                  "comments");
+    expect_losses("# x\nCOFF\n" POINTS_OF("1 2 3 4") "3 0 1 2\n", TF_PLY_TEXT,
+                  "comments and colors");
+    expect_losses("STNOFF\n" POINTS_OF("0 0 1 5 5") "3 0 1 2\n", TF_PLY_TEXT,
+                  "texture coordinates and normals");
+    expect_losses("OFF\n" POINTS_OF("") "3 0 1 2 255 0 0\n", TF_PLY_TEXT,
+                  "colors");
+}
+END_TEST
+
+START_TEST(what_gmsh_has_besides_surfaces_is_lost)
+{
+    static const char nodes[] = "$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n"
+                                "4 0 0 1\n$EndNodes\n$Elements\n";
+    char text[400];
+    sprintf(text,
+            "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n%s1\n1 2 2 0 1 1 2 3\n"
+            "$EndElements\n",
+            nodes);
+    expect_losses(text, TF_PLY_TEXT, "");
+    sprintf(text,
+            "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n1\n2 "
+            "1 \"a\"\n$EndPhysicalNames\n%s2\n1 2 2 0 1 1 2 3\n2 4 2 0 1 "
+            "1 2 3 4\n$EndElements\n",
+            nodes);
+    expect_losses(text, TF_PLY_TEXT, "groups and other elements");
+}
+END_TEST
+
 START_TEST(floats_are_not_rounded)
 {
     static const double x[] = {0, -0.0, 0.5, 0.1, FLT_MAX, 1e-50, 16777217};
@@ -148,6 +211,9 @@ Suite *suite(void)
     tcase_add_test(tcase, formats_lose_elements_that_they_do_not_hold);
     tcase_add_test(tcase, properties_of_vertices_are_lost_where_there_are_none);
     tcase_add_test(tcase, what_ply_has_besides_vertices_is_lost);
+    tcase_add_test(tcase, what_stl_has_besides_triangles_is_lost);
+    tcase_add_test(tcase, what_off_has_besides_faces_is_lost);
+    tcase_add_test(tcase, what_gmsh_has_besides_surfaces_is_lost);
     tcase_add_test(tcase, floats_are_not_rounded);
     suite_add_tcase(suite, tcase);
     return suite;

@@ -13,10 +13,11 @@
 #include <stdlib.h>
 
 static const tf_mesh_format formats[] = {
-    TF_OBJ, TF_PLY_TEXT, TF_PLY_LITTLE_ENDIAN, TF_PLY_BIG_ENDIAN};
+    TF_OBJ, TF_PLY_TEXT, TF_PLY_LITTLE_ENDIAN, TF_PLY_BIG_ENDIAN, TF_OFF};
 
 enum {
-    FORMATS = 4
+    PLY_FORMATS = 4,
+    FORMATS = 5 // of these, OFF has no edges
 };
 
 /// Writes a mesh and reads it again.
@@ -27,6 +28,7 @@ static tf_mesh_file rewritten(const tf_mesh_file *mesh, tf_mesh_format format)
     FILE *stream = open_memstream(&text, &size);
     ck_assert_ptr_nonnull(stream);
     tf_mesh_content content = content_of(mesh);
+    content.from = mesh;
     tf_mesh_write(stream, &content, format);
     ck_assert_int_eq(fclose(stream), 0);
     tf_mesh_file read = good_bytes(text, size);
@@ -45,12 +47,18 @@ static void expect_same_ints(const tf_ints *a, const tf_ints *b)
 /// Expects that a mesh is written, in each format, as what is read again.
 static void expect_rewritten(const tf_mesh_file *mesh)
 {
-    for (int f = 0; f < FORMATS; f++) {
+    int count = tf_mesh_file_triangles(mesh) > 0 ? FORMATS : PLY_FORMATS;
+    for (int f = 0; f < count; f++) {
         tf_mesh_file read = rewritten(mesh, formats[f]);
         expect_vertices(&read, tf_mesh_file_vertices(mesh),
                         mesh->position.item);
         expect_same_ints(&mesh->triangle, &read.triangle);
-        expect_same_ints(&mesh->edge, &read.edge);
+        expect_same_ints(&mesh->polygon, &read.polygon);
+        expect_same_ints(&mesh->corner, &read.corner);
+        if (formats[f] == TF_OFF)
+            ck_assert_int_eq(tf_mesh_file_edges(&read), 0);
+        else
+            expect_same_ints(&mesh->edge, &read.edge);
         tf_mesh_file_free(&read);
     }
 }
@@ -80,12 +88,57 @@ START_TEST(a_curve_of_the_plane_comes_back)
 {
     tf_mesh_file mesh = good_mesh("v 0 0.1\nv 1 0\nv 0 1\nl 1 2 3 1\n");
     expect_rewritten(&mesh);
-    for (int f = 0; f < FORMATS; f++) {
+    for (int f = 0; f < PLY_FORMATS; f++) {
         tf_mesh_file read = rewritten(&mesh, formats[f]);
         ck_assert(tf_mesh_file_is_flat(&read));
         tf_mesh_file_free(&read);
     }
     tf_mesh_file_free(&mesh);
+}
+END_TEST
+
+START_TEST(polygons_come_back)
+{
+    tf_mesh_file mesh = good_mesh(
+        "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0.4 0.3 0\nv 7 7 7\n"
+        "f 1 2 3 4\nf 6 1 2\nf 4 3 5 2 1\nf 3 4 5\nf 2 3 4 5\nl 1 6\n");
+    expect_rewritten(&mesh);
+    tf_mesh_file_free(&mesh);
+}
+END_TEST
+
+/// A mesh whose vertices are in the order in which triangles have them.
+static tf_mesh_file any_mesh(generator *random, int vertices, bool floats)
+{
+    tf_mesh_file mesh = empty_mesh("mesh");
+    for (int v = 0; v < vertices; v++) {
+        double x[3] = {v, 0, 0};
+        for (int k = 1; k < 3; k++)
+            x[k] = floats ? (double)(float)uniform(random, -1, 1)
+                          : uniform(random, -1, 1);
+        ck_assert(tf_mesh_file_add_vertex(&mesh, x, 0));
+    }
+    for (int v = 2; v < vertices; v++) {
+        int corner[] = {v - 2, v - 1, v};
+        ck_assert(tf_mesh_file_add_triangle(&mesh, corner, 0));
+    }
+    return mesh;
+}
+
+// The triangles come back, and floats, of which doubles are rounded.
+START_TEST(floats_come_back_from_stl)
+{
+    generator random = generator_new(2);
+    for (int floats = 0; floats < 2; floats++) {
+        tf_mesh_file mesh = any_mesh(&random, 1000, floats);
+        tf_mesh_file read = rewritten(&mesh, TF_STL_BINARY);
+        for (size_t i = 0; i < mesh.position.count; i++)
+            mesh.position.item[i] = (double)(float)mesh.position.item[i];
+        expect_vertices(&read, 1000, mesh.position.item);
+        expect_same_ints(&mesh.triangle, &read.triangle);
+        tf_mesh_file_free(&read);
+        tf_mesh_file_free(&mesh);
+    }
 }
 END_TEST
 
@@ -210,7 +263,7 @@ START_TEST(columns_come_back_with_their_names_types_and_order)
     }
     ck_assert(tf_mesh_file_add_triangle(&mesh, (const int[]){0, 9, 5}, 0));
     tf_columns columns = some_columns(&random, 100), read;
-    for (int f = TF_PLY_TEXT; f < FORMATS; f++) {
+    for (int f = TF_PLY_TEXT; f < PLY_FORMATS; f++) {
         tf_mesh_file again =
             columns_rewritten(&mesh, &columns, formats[f], &read);
         expect_vertices(&again, 100, mesh.position.item);
@@ -274,7 +327,7 @@ START_TEST(what_a_type_cannot_hold_becomes_what_it_can)
     tf_columns columns = {.count = 1, .column = {{"a", TF_UCHAR, 3}}}, read;
     for (int v = 0; v < 3; v++)
         ck_assert(tf_columns_add(&columns, &values[v]));
-    for (int f = TF_PLY_TEXT; f < FORMATS; f++) {
+    for (int f = TF_PLY_TEXT; f < PLY_FORMATS; f++) {
         tf_mesh_file again =
             columns_rewritten(&mesh, &columns, formats[f], &read);
         ck_assert_mem_eq(read.value, wanted, sizeof wanted);
@@ -358,6 +411,8 @@ Suite *suite(void)
     tcase_add_test(written, a_mesh_of_all_elements_comes_back);
     tcase_add_test(written, meshes_of_one_element_come_back);
     tcase_add_test(written, a_curve_of_the_plane_comes_back);
+    tcase_add_test(written, polygons_come_back);
+    tcase_add_test(written, floats_come_back_from_stl);
     tcase_add_test(written, doubles_of_any_size_come_back);
     tcase_add_test(written, each_format_is_written_to_the_letter);
     tcase_add_test(written, columns_come_back_with_their_names_types_and_order);

@@ -1,8 +1,9 @@
 //: Include what encoders need
-#define _DEFAULT_SOURCE // fwrite_unlocked
+#define _DEFAULT_SOURCE // fwrite_unlocked, fputc_unlocked
 #include "writers/encoder.h"
 
-#include <inttypes.h>
+#include "writers/decimal.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -17,12 +18,18 @@ static void write_bytes(const tf_encoder *to, uint64_t bits, int count)
 }
 
 //: Encode a floating-point number
+static void write_text(const tf_encoder *to, const char *text, const char *end)
+{
+    fwrite_unlocked(text, 1, (size_t)(end - text), to->stream);
+}
+
 void tf_encode_double(const tf_encoder *to, double number)
 {
+    char text[TF_DECIMAL_ROOM];
     uint64_t bits;
     memcpy(&bits, &number, sizeof bits);
     if (to->is_text)
-        fprintf(to->stream, "%.17g", number);
+        write_text(to, text, tf_decimal_double(text, number));
     else
         write_bytes(to, bits, 8);
 }
@@ -48,8 +55,9 @@ int tf_number_bytes(tf_number_type type)
 
 void tf_encode_integer(const tf_encoder *to, int64_t number, int bytes)
 {
+    char text[TF_DECIMAL_ROOM];
     if (to->is_text)
-        fprintf(to->stream, "%" PRId64, number);
+        write_text(to, text, tf_decimal_integer(text, number));
     else
         write_bytes(to, (uint64_t)number, bytes);
 }
@@ -83,15 +91,31 @@ bool tf_number_fits(tf_number_type type, double number)
     return memcmp(&held, &number, sizeof held) == 0;
 }
 
+//: Write many numbers
+void tf_encode_doubles(const tf_encoder *to, const double number[], int count)
+{
+    for (int i = 0; i < count; i++) {
+        if (i > 0)
+            tf_encode_blank(to);
+        tf_encode_double(to, number[i]);
+    }
+}
+
+void tf_encode_position(const tf_encoder *to, const double x[], int axes)
+{
+    const double whole[] = {x[0], x[1], axes == 3 ? x[2] : 0};
+    tf_encode_doubles(to, whole, 3);
+}
+
 //: Separate numbers in text
 void tf_encode_blank(const tf_encoder *to)
 {
     if (to->is_text)
-        fputc(' ', to->stream);
+        fputc_unlocked(' ', to->stream);
 }
 
 void tf_encode_line_end(const tf_encoder *to)
 {
     if (to->is_text)
-        fputc('\n', to->stream);
+        fputc_unlocked('\n', to->stream);
 }

@@ -16,6 +16,11 @@ typedef struct tf_encoder {
 /// Writes a double: in text with 17 digits, which determine it.
 void tf_encode_double(const tf_encoder *to, double number);
 
+/// Writes doubles, in text with blanks between them; and the three coordinates of
+/// a position, of which the third is 0 in the plane.
+void tf_encode_doubles(const tf_encoder *to, const double number[], int count);
+void tf_encode_position(const tf_encoder *to, const double x[], int axes);
+
 /// Writes a number of a type: in text with as many digits as determine one of
 /// that type.  Integers beyond the type become its least or greatest one, and
 /// what is no number becomes 0.

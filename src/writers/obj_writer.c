@@ -1,39 +1,45 @@
 //: Include what writing OBJ needs
 #include "writers/obj_writer.h"
 
+#include "writers/encoder.h"
+
 //: Write the vertices of OBJ
-/// In the plane the third is 0.
-static void write_vertices(FILE *stream, const tf_mesh_content *content)
+static void write_vertex(const tf_encoder *to, const tf_mesh_content *content,
+                         int vertex)
 {
     int axes = content->mesh.axes;
-    const double *x = content->position;
-    for (int v = 0; v < content->mesh.vertices; v++, x += axes) {
-        double color[3];
-        fprintf(stream, "v %.17g %.17g %.17g", x[0], x[1],
-                axes == 3 ? x[2] : 0);
-        if (tf_mesh_content_color(content, v, color))
-            fprintf(stream, " %.17g %.17g %.17g", color[0], color[1], color[2]);
-        fputc('\n', stream);
+    double color[3];
+    fputs("v ", to->stream);
+    tf_encode_position(to, content->position + (size_t)axes * (size_t)vertex,
+                       axes);
+    if (tf_mesh_content_color(content, vertex, color)) {
+        tf_encode_blank(to);
+        tf_encode_doubles(to, color, 3);
     }
+    tf_encode_line_end(to);
 }
 
 //: Write the elements of OBJ
-static void write_faces(FILE *stream, const tf_mesh_content *content)
+/// Which count from 1.
+static void write_element(const tf_encoder *to, char word, const int vertex[],
+                          int count)
 {
-    for (tf_face face = {0}; tf_mesh_content_next_face(content, &face);) {
-        fputc('f', stream);
-        for (int i = 0; i < face.corners; i++)
-            fprintf(stream, " %d", face.corner[i] + 1);
-        fputc('\n', stream);
+    fputc(word, to->stream);
+    for (int i = 0; i < count; i++) {
+        tf_encode_blank(to);
+        tf_encode_integer(to, vertex[i] + 1, 4);
     }
+    tf_encode_line_end(to);
 }
 
 void tf_obj_write(FILE *stream, const tf_mesh_content *content)
 {
+    const tf_encoder to = {.stream = stream, .is_text = true};
     const tf_mesh *mesh = &content->mesh;
-    write_vertices(stream, content);
-    write_faces(stream, content);
+    for (int v = 0; v < mesh->vertices; v++)
+        write_vertex(&to, content, v);
+    for (tf_face face = {0}; tf_mesh_content_next_face(content, &face);)
+        write_element(&to, 'f', face.corner, face.corners);
     for (int e = 0; e < mesh->edges; e++)
-        fprintf(stream, "l %d %d\n", mesh->edge[2 * (size_t)e] + 1,
-                mesh->edge[2 * (size_t)e + 1] + 1);
+        write_element(&to, 'l', mesh->edge + 2 * (size_t)e, 2);
 }

@@ -1,41 +1,59 @@
 //: Include what writing OFF needs
 #include "writers/off_writer.h"
 
+#include "writers/encoder.h"
+
 #include <math.h>
 
-//: Write the vertices of OFF
+//: Write the color of a vertex of OFF
 static bool has_byte_colors(const tf_mesh_content *content)
 {
     int red = tf_columns_find(content->columns, "red");
     return content->columns->column[red].type == TF_UCHAR;
 }
 
-static void write_color(FILE *stream, const tf_mesh_content *content,
+/// The fourth number says that it is opaque.
+static void write_color(const tf_encoder *to, const tf_mesh_content *content,
                         const double color[3])
 {
-    if (has_byte_colors(content))
-        fprintf(stream, " %.0f %.0f %.0f 255", color[0] * 255, color[1] * 255,
-                color[2] * 255);
-    else
-        fprintf(stream, " %.17g %.17g %.17g 1", color[0], color[1], color[2]);
+    bool bytes = has_byte_colors(content);
+    double number[] = {color[0], color[1], color[2], 1};
+    for (int i = 0; i < 4; i++) {
+        tf_encode_blank(to);
+        tf_encode_double(to, bytes ? round(255 * number[i]) : number[i]);
+    }
 }
 
-/// In the plane the third is 0.
-static void write_vertex(FILE *stream, const tf_mesh_content *content,
+//: Write the vertices of OFF
+static void write_vertex(const tf_encoder *to, const tf_mesh_content *content,
                          int vertex)
 {
     int axes = content->mesh.axes;
-    const double *x = content->position + (size_t)axes * (size_t)vertex;
     double color[3];
-    fprintf(stream, "%.17g %.17g %.17g", x[0], x[1], axes == 3 ? x[2] : 0);
+    tf_encode_position(to, content->position + (size_t)axes * (size_t)vertex,
+                       axes);
     if (tf_mesh_content_color(content, vertex, color))
-        write_color(stream, content, color);
-    fputc('\n', stream);
+        write_color(to, content, color);
+    tf_encode_line_end(to);
+}
+
+//: Write the faces of OFF
+static void write_faces(const tf_encoder *to, const tf_mesh_content *content)
+{
+    for (tf_face face = {0}; tf_mesh_content_next_face(content, &face);) {
+        tf_encode_integer(to, face.corners, 4);
+        for (int i = 0; i < face.corners; i++) {
+            tf_encode_blank(to);
+            tf_encode_integer(to, face.corner[i], 4);
+        }
+        tf_encode_line_end(to);
+    }
 }
 
 //: Write OFF
 void tf_off_write(FILE *stream, const tf_mesh_content *content)
 {
+    const tf_encoder to = {.stream = stream, .is_text = true};
     const tf_mesh *mesh = &content->mesh;
     double unused[3];
     bool colored =
@@ -43,11 +61,6 @@ void tf_off_write(FILE *stream, const tf_mesh_content *content)
     fprintf(stream, "%s\n%d %d 0\n", colored ? "COFF" : "OFF", mesh->vertices,
             tf_mesh_content_faces(content));
     for (int v = 0; v < mesh->vertices; v++)
-        write_vertex(stream, content, v);
-    for (tf_face face = {0}; tf_mesh_content_next_face(content, &face);) {
-        fprintf(stream, "%d", face.corners);
-        for (int i = 0; i < face.corners; i++)
-            fprintf(stream, " %d", face.corner[i]);
-        fputc('\n', stream);
-    }
+        write_vertex(&to, content, v);
+    write_faces(&to, content);
 }

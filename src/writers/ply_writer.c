@@ -70,17 +70,6 @@ static void write_ply_header(FILE *stream, const tf_mesh_content *content,
     fputs("end_header\n", stream);
 }
 
-//: Write coordinates
-/// In the plane the third is 0.
-static void write_coordinates(const tf_encoder *to, const double x[], int axes)
-{
-    for (int k = 0; k < 3; k++) {
-        if (k > 0)
-            tf_encode_blank(to);
-        tf_encode_double(to, k < axes ? x[k] : 0);
-    }
-}
-
 //: Write a row in its order
 static void write_row(const tf_encoder *to, const tf_columns *columns,
                       const double x[], int row)
@@ -111,10 +100,10 @@ static void write_vertex(const tf_encoder *to, const tf_mesh_content *content,
     if (content->columns)
         write_row(to, content->columns, x, vertex);
     else
-        write_coordinates(to, x, axes);
+        tf_encode_position(to, x, axes);
     if (content->velocity) {
         tf_encode_blank(to);
-        write_coordinates(to, content->velocity + place, axes);
+        tf_encode_position(to, content->velocity + place, axes);
     }
     tf_encode_line_end(to);
 }

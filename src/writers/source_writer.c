@@ -1,4 +1,5 @@
 //: Include what writing a source needs
+#define _DEFAULT_SOURCE // fwrite_unlocked
 #include "writers/source_writer.h"
 
 #include "files/number.h"
@@ -19,7 +20,7 @@ typedef struct copier {
 
 static void copy_up_to(copier *c, size_t at)
 {
-    fwrite(c->source->text + c->done, 1, at - c->done, c->to.stream);
+    fwrite_unlocked(c->source->text + c->done, 1, at - c->done, c->to.stream);
     c->done = at;
 }
 

@@ -44,6 +44,11 @@ static const signature signatures[] = {
     {AT(0, "3D Geometry File"), {"a Rhino file", EXPORT}},
     {AT(0, "MeshVersionFormatted"), {"a Medit file", EXPORT}},
     {AT(0, "DRACO"), {"a Draco file", EXPORT}},
+    {AT(8, "LWO"), {"a LightWave file", EXPORT}},
+    {AT(0, "xof "), {"a DirectX file", EXPORT}},
+    {AT(0, "AC3D"), {"an AC3D file", EXPORT}},
+    {AT(0, "*3DSMAX"), {"a 3ds Max file", EXPORT}},
+    {AT(0, "\xd0\xcf\x11\xe0"), {"a 3ds Max or Office file", EXPORT}},
     {AT(0, "OCTM"), {"an OpenCTM file", EXPORT}},
     {AT(0, "//Maya ASCII"), {"a Maya file", EXPORT}},
     {AT(0, "\x7fNSJb"), {"a Houdini file", EXPORT}},
@@ -179,11 +184,15 @@ static bool is_3ds(const char *text, size_t size)
     return size > 6 && memcmp(text, "MM", 2) == 0 && length == size;
 }
 
-/// Each second byte of ASCII is a zero.
+/// ASCII has a zero in each second byte of UTF-16.
 static bool is_utf_16(const char *text, size_t size)
 {
-    return size >= 4 && !text[0] == !text[2] && !text[1] == !text[3] &&
-           !text[0] != !text[1];
+    size_t first = size > 0 && text[0] == '\0';
+    bool fits = size >= 4;
+    for (size_t i = 0; i + 1 < size && i < 16; i += 2)
+        fits &= text[i + 1 - first] == '\0' && text[i + first] >= '\t' &&
+                text[i + first] <= '~';
+    return fits;
 }
 
 //: Find what a file is

@@ -225,8 +225,9 @@ static bool check_corners(const tf_mesh_file *file, const tf_face *face,
                 (long long)vertex + first, first, vertices - 1 + first);
         if (last[vertex] == face->polygon + 1)
             return tf_mesh_file_fault(file, place,
-                                      "vertex %d is a corner twice; delete the "
-                                      "face, here and in all files",
+                                      "vertex %d is a corner twice; divide the "
+                                      "face, or delete it, here and in all "
+                                      "files",
                                       vertex + first);
         last[vertex] = face->polygon + 1;
     }

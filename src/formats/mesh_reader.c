@@ -59,18 +59,25 @@ static bool is_damaged_stl(const tf_mesh_file *file, const char *text,
            (is_named(file->name, ".stl") || tf_is_text_stl(text, size));
 }
 
+static bool is_nameless_off(const tf_mesh_file *file, const char *text,
+                            size_t size)
+{
+    return is_named(file->name, ".off") && tf_is_nameless_off(text, size);
+}
+
 /// By the content, and by the name where that does not tell.
 static parser *choose_parser(const tf_mesh_file *file, const char *text,
                              size_t size)
 {
-    return tf_is_ply(text, size)              ? tf_ply_parse
-           : tf_is_binary_stl(text, size)     ? tf_binary_stl_parse
-           : tf_foreign_find(text, size)      ? parse_foreign
-           : tf_is_msh(text, size)            ? tf_msh_parse
-           : tf_is_off(text, size)            ? tf_off_parse
-           : is_damaged_stl(file, text, size) ? tf_binary_stl_parse
-           : tf_is_text_stl(text, size)       ? tf_text_stl_parse
-                                              : tf_obj_parse;
+    return tf_is_ply(text, size)               ? tf_ply_parse
+           : tf_is_binary_stl(text, size)      ? tf_binary_stl_parse
+           : tf_foreign_find(text, size)       ? parse_foreign
+           : tf_is_msh(text, size)             ? tf_msh_parse
+           : tf_is_off(text, size)             ? tf_off_parse
+           : is_damaged_stl(file, text, size)  ? tf_binary_stl_parse
+           : is_nameless_off(file, text, size) ? tf_off_parse
+           : tf_is_text_stl(text, size)        ? tf_text_stl_parse
+                                               : tf_obj_parse;
 }
 
 //: Read the lines of old Macs

@@ -34,24 +34,38 @@ bool tf_is_off(const char *text, size_t size)
     return find_end(begin(&(tf_mesh_file){0}, text, size).text.at);
 }
 
+bool tf_is_nameless_off(const char *text, size_t size)
+{
+    char first = *begin(&(tf_mesh_file){0}, text, size).text.at;
+    return first >= '0' && first <= '9';
+}
+
 //: Read the header of OFF
 /// How many of each there are.
 typedef struct counts {
     int vertices, faces;
 } counts;
 
-static bool read_counts(tf_words *words, counts *made)
+/// Steps over the word OFF, if it is there.
+static bool take_word(tf_words *words)
 {
     const char *first = words->text.at, *end = find_end(first);
+    if (!end)
+        return true;
     if (memchr(first, '4', (size_t)(end - first)) ||
         memchr(first, 'n', (size_t)(end - first)))
-        return tf_words_fault(words, "not OFF with three coordinates; write "
-                                     "that");
+        return tf_words_fault(words,
+                              "not OFF with three coordinates; write that");
     words->text.at = end;
-    if (tf_words_take(words, "BINARY"))
-        return tf_text_fault(&words->text,
-                             "this is binary OFF; save the mesh as text");
-    bool good = tf_words_read_integer(words, 0, &made->vertices) &&
+    return !tf_words_take(words, "BINARY") ||
+           tf_text_fault(&words->text,
+                         "this is binary OFF; save the mesh as text");
+}
+
+static bool read_counts(tf_words *words, counts *made)
+{
+    bool good = take_word(words) &&
+                tf_words_read_integer(words, 0, &made->vertices) &&
                 tf_words_read_integer(words, 0, &made->faces);
     tf_words_skip_line(words);
     return good;

@@ -7,6 +7,10 @@
 /// and after letters that tell what else vertices have, as in COFF.
 bool tf_is_off(const char *text, size_t size);
 
+/// Whether a file begins, perhaps after comments, with a number, as OFF without
+/// that word does.
+bool tf_is_nameless_off(const char *text, size_t size);
+
 /// Reads OFF (of Geomview, CGAL and ModelNet), as text: the numbers of vertices,
 /// faces and edges; for each vertex three coordinates, for each face the number
 /// of its corners and their indices.  Each begins a line, and what else is in the

@@ -609,7 +609,8 @@ static bool add_strips(const reader *r, long at)
     size_t first = 0;
     for (size_t i = 0; i <= r->corner.count; i++)
         if (i == r->corner.count || r->corner.item[i] < 0) {
-            if (!add_strip(r, r->corner.item + first, i - first, at))
+            if (i - first > 2 &&
+                !add_strip(r, r->corner.item + first, i - first, at))
                 return false;
             first = i + 1;
         }

@@ -56,6 +56,11 @@ static const struct {
     {BYTES("3D Geometry File Format "), "a Rhino file"},
     {BYTES(" MeshVersionFormatted 2\n"), "a Medit file"},
     {BYTES("DRACO\2"), "a Draco file"},
+    {BYTES("FORM\0\1\2\3LWO2"), "a LightWave file"},
+    {BYTES("xof 0302txt 0064\n"), "a DirectX file"},
+    {BYTES("AC3Db\n"), "an AC3D file"},
+    {BYTES("*3DSMAX_ASCIIEXPORT 200\n"), "a 3ds Max file"},
+    {BYTES("\xd0\xcf\x11\xe0\xa1\xb1"), "a 3ds Max or Office file"},
     {BYTES("OCTM"), "an OpenCTM file"},
     {BYTES("//Maya ASCII 2020"), "a Maya file"},
     {BYTES("\x7fNSJb"), "a Houdini file"},
@@ -158,7 +163,9 @@ START_TEST(meshes_and_other_texts_have_no_name)
                  {BYTES("MM\x11\0\0\0\2\0\x0a\0\0\0\3\0\0\0")},
                  {BYTES("PK\x03")},
                  {BYTES("\0\0\0\0\0")},
-                 {BYTES("\x80\0\0\0\0")}};
+                 {BYTES("\x80\0\0\0\0")},
+                 {BYTES("v\0\1\0v\0v\0")},
+                 {BYTES("v\0v")}};
     for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
         ck_assert_msg(!tf_foreign_find(texts[i].text, texts[i].size), "%zu", i);
 }

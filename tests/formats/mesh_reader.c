@@ -270,6 +270,14 @@ START_TEST(names_tell_what_contents_do_not)
     expect_words_on("mesh.obj", &stl, "a NUL byte; ");
     expect_words_on("stl", &stl, "a NUL byte; ");
     expect_words_on(".stl", &stl, "a NUL byte; ");
+    bytes off = {0};
+    put_text(&off, "# a\n 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+    expect_words_on("mesh", &off, "no vertices; ");
+    make_file("mesh.off", "# a\n 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+    tf_mesh_file named;
+    ck_assert(tf_mesh_file_read(&named, "mesh.off", NULL, &fault));
+    expect_mesh(&named);
+    tf_mesh_file_free(&named);
     // The content does here.
     make_file("mesh.stl", OBJ);
     tf_mesh_file file;

@@ -357,7 +357,7 @@ static const struct {
     {ELEMENTS_OF("1\n1 2 0 1 2"), 13, "'$EndElements' is not an integer"},
     {OLD "$Elements\n1\n1 2 0 1 2 3", 12, "'$EndElements' does not follow"},
     {OLD "$Elements\n2\n1 2 0 1 2 3\n", 13, "the file ends too early"},
-    {ELEMENTS_OF("1\n1 3 0 1 2 3 2"), 12, "vertex 1 is a corner twice; delete"},
+    {ELEMENTS_OF("1\n1 3 0 1 2 3 2"), 12, "vertex 1 is a corner twice; divide"},
 };
 
 START_TEST(bad_texts_are_refused)

@@ -299,7 +299,7 @@ static const struct {
     {"v", "the line ends too early; a vertex"},
     {"v # 1 2 3", "the line ends too early; a vertex"},
     {"f 1 2 3 5", "there is no vertex 5; they are numbered from 1 to 4"},
-    {"f 1 2 3 4 2", "vertex 2 is a corner twice; delete the face, here and"},
+    {"f 1 2 3 4 2", "vertex 2 is a corner twice; divide the face, or delete"},
     {"f 1 2 3 0", "'0' is not a corner"},
     {"f 1 2", "the line ends too early; a face has three corners"},
     {"f 1", "the line ends too early; a face has three corners"},

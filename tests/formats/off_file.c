@@ -81,6 +81,15 @@ START_TEST(other_words_are_no_off)
 }
 END_TEST
 
+START_TEST(the_word_may_be_missing)
+{
+    ck_assert(tf_is_nameless_off("# a\n\n 8 6 12\n", 14));
+    ck_assert(!tf_is_nameless_off("v 8\n", 4));
+    ck_assert(!tf_is_nameless_off("#8\n", 3));
+    ck_assert(!tf_is_nameless_off("-8\n", 3));
+}
+END_TEST
+
 static const struct {
     const char *text;
     long line;
@@ -127,6 +136,7 @@ Suite *suite(void)
     tcase_add_test(good, all_headers_are_read);
     tcase_add_test(good, numbers_may_go_on_in_the_next_line);
     tcase_add_test(good, places_are_lines);
+    tcase_add_test(good, the_word_may_be_missing);
     tcase_add_test(good, other_words_are_no_off);
     suite_add_tcase(suite, good);
 

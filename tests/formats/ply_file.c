@@ -148,7 +148,7 @@ START_TEST(strips_are_triangles_of_one_side)
                                 2,  -1, 4, 3, 4, 2, 1,  0,  -1};
     expect_strips("", ended, 18, 3, (int[]){0, 1, 2, 2, 1, 3, 2, 1, 0});
     // A corner twice joins strips; the sides go on to alternate.
-    static const int joined[] = {7, 0, 1, 2, 2, 3, 4, 1, 0};
+    static const int joined[] = {7, 0, 1, 2, 2, 3, 4, 1, 0}; // and none
     expect_strips("", joined, 9, 3, (int[]){0, 1, 2, 3, 2, 4, 3, 4, 1});
     expect_strips("element face 1\nproperty list uchar int vertex_index\n",
                   joined, 9, 4, (int[]){0, 1, 4, 0, 1, 2, 3, 2, 4, 3, 4, 1});
@@ -655,7 +655,7 @@ static const struct {
     {"0 0 0\n0 x 0\n", 11, "'x' is not a finite number"},
     {"0 0 0\n0 1,5 0\n", 11, "'1,5' is not a finite number"},
     {"0 0 0\n0 1.5.5 0\n", 11, "'1.5.5' is not a finite number"},
-    {THREE "4 0 1 2 0\n", 13, "vertex 0 is a corner twice; delete the face"},
+    {THREE "4 0 1 2 0\n", 13, "vertex 0 is a corner twice; divide the face"},
     {THREE "4 0 1 2 3\n", 13,
      "there is no vertex 3; they are numbered from 0 to 2"},
     {THREE "4 0 1 2\n", 13, "the line ends too early; it must have all"},

@@ -30,7 +30,7 @@ typedef struct tf_polygon {
 /// convex polygon always.  If not, ears are cut off, each time the first one in
 /// this order: a corner whose triangle with its two neighbors turns as the
 /// polygon does, and holds no other corner.  Where there is no ear (the polygon
-/// crosses itself, or is a line), the fan around the first corner is what is left.
+/// crosses itself, or is a line), the rest is the fan around the first corner.
 /// The signs are those of rounded differences.
 /// @param position three coordinates of each vertex
 /// @param count of corners, 3 or more

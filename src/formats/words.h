@@ -15,7 +15,7 @@ typedef struct tf_words {
 /// The words of a file.
 tf_words tf_words_of(tf_mesh_file *file, const char *text, size_t size);
 
-//: Declare how to read words
+//: Declare how to take words
 /// Steps to the next word; false at the end of the text.
 bool tf_words_find(tf_words *words);
 
@@ -31,7 +31,7 @@ bool tf_words_skip(tf_words *words);
 /// Steps over what is left of the line.
 void tf_words_skip_line(tf_words *words);
 
-//: Declare how to read numbers
+//: Declare how to take numbers
 /// Reads the next word as a finite number, an integer that an int holds, from
 /// `least` on, or three coordinates, of which `at` are the beginnings.  False:
 /// there is a fault.

@@ -44,6 +44,27 @@ static void check_list(const tf_ints *list, const tf_ints *places,
         require(places->item[i - 1] <= places->item[i]);
 }
 
+/// The faces are all triangles, and those of a polygon have its corners.
+static void check_faces(const tf_mesh_file *file)
+{
+    tf_face face = {0};
+    int triangles = 0, polygons = 0;
+    while (tf_mesh_file_next_face(file, &face)) {
+        require(face.triangle == triangles && face.polygon == polygons);
+        const int *vertex = file->triangle.item + (size_t)3 * (size_t)triangles;
+        for (int i = 0; i < 3 * (face.corners - 2) && face.corners < 50; i++) {
+            int k = 0;
+            while (k < face.corners && face.corner[k] != vertex[i])
+                k++;
+            require(k < face.corners);
+        }
+        triangles += face.corners - 2;
+        polygons += face.corners > 3;
+    }
+    require(triangles == tf_mesh_file_triangles(file));
+    require(polygons == tf_mesh_file_polygons(file));
+}
+
 static void check_file(const tf_mesh_file *file)
 {
     require(file->fault->text[0] == '\0');
@@ -52,6 +73,7 @@ static void check_file(const tf_mesh_file *file)
         require(isfinite(file->position.item[i]));
     check_list(&file->triangle, &file->triangle_place, 3);
     check_list(&file->edge, &file->edge_place, 2);
+    check_faces(file);
 }
 
 // The surface -----------------------------------------------------------------
@@ -161,4 +183,19 @@ void try_arbitrary_mesh(const void *bytes, size_t size)
     free(text);
     tf_columns_free(&columns);
     tf_mesh_file_free(&file);
+}
+
+void try_begun_mesh(int count, const beginning beginnings[], const void *bytes,
+                    size_t size)
+{
+    const unsigned char *byte = bytes;
+    if (size == 0)
+        return;
+    const beginning *chosen = &beginnings[byte[0] % count];
+    char *text = malloc(chosen->size + size);
+    require(text != NULL);
+    memcpy(text, chosen->bytes, chosen->size);
+    memcpy(text + chosen->size, byte + 1, size - 1);
+    try_arbitrary_mesh(text, chosen->size + size - 1);
+    free(text);
 }

@@ -9,4 +9,20 @@
 /// at rest, and checked.  Aborts where anything is amiss.
 void try_arbitrary_mesh(const void *bytes, size_t size);
 
+/// How a file may begin.
+typedef struct beginning {
+    const char *bytes;
+    size_t size;
+} beginning;
+
+#define BEGINNING(text)                                                        \
+    {                                                                          \
+        text, sizeof(text) - 1                                                 \
+    }
+
+/// The same, of a file whose beginning the first byte chooses; the others are
+/// what follows.
+void try_begun_mesh(int count, const beginning beginnings[], const void *bytes,
+                    size_t size);
+
 #endif

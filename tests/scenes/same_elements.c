@@ -26,8 +26,8 @@ static void free_both(tf_mesh_file file[2])
 START_TEST(the_same_elements_continue)
 {
     tf_mesh_file file[2];
-    ck_assert(continues(POINTS "f 1 2 3\nl 4 5\n", POINTS "f 1 2 3\nl 4 5\n",
-                        file));
+    ck_assert(
+        continues(POINTS "f 1 2 3\nl 4 5\n", POINTS "f 1 2 3\nl 4 5\n", file));
     free_both(file);
 }
 END_TEST

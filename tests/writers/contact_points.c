@@ -128,15 +128,17 @@ static void add_impulses(double sum[3], const tf_answered_contact *c,
 // Impulses and pushes are what moves the vertices from their proposed end.
 START_TEST(impulses_explain_how_vertices_were_moved)
 {
-    double after[24];
+    double before[24], after[24];
+    memcpy(before, start, sizeof before);
     memcpy(after, end, sizeof after);
+    before[11] = 0.1; // so near that the pair is pushed apart
     tf_surface *surface = surface_of(&in_space);
     tf_resolver *resolver;
     ck_assert_int_eq(tf_resolver_create(surface, &resolver), TF_OK);
     ck_assert_int_eq(
-        tf_step_resolve(resolver, 8, start, after, NULL, NULL, NULL, NULL),
+        tf_step_resolve(resolver, 8, before, after, NULL, NULL, NULL, NULL),
         TF_OK);
-    tf_motion motion = {3, 8, start, after};
+    tf_motion motion = {3, 8, before, after};
     tf_contact_points points = {0};
     ck_assert(tf_contact_points_answered(&points, &motion, resolver));
     write_points(&points);
@@ -145,8 +147,10 @@ START_TEST(impulses_explain_how_vertices_were_moved)
     ck_assert_int_eq(tf_resolver_contacts(resolver, &count, &contact), TF_OK);
     ck_assert_uint_ge(count, 2);
     ck_assert_int_eq(polydata_count(text, "NumberOfPoints"), (int)count);
-    double moved[24] = {0};
+    double moved[24] = {0}, pushes = 0;
     for (size_t i = 0; i < count; i++) {
+        pushes += polydata_number(text, size, "PointData", "push", "Float64", 1,
+                                  count, i);
         ck_assert_int_le(contact[i].level, TF_ZONES);
         for (int k = 0; k < 4; k++)
             add_impulses(moved + 3 * contact[i].vertex[k], &contact[i], count,
@@ -161,6 +165,7 @@ START_TEST(impulses_explain_how_vertices_were_moved)
     for (int i = 0; i < 24; i++)
         ck_assert_msg(fabs(end[i] + moved[i] - after[i]) < 1e-9, "%d: %g %g", i,
                       end[i] + moved[i], after[i]);
+    ck_assert_msg(pushes > 0.001, "%g", pushes);
     // A point is where it is at the end of the step.
     for (size_t k = 0; k < 3; k++)
         ck_assert(polydata_number(text, size, "Points", "Points", "Float64", 3,

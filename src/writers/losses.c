@@ -183,10 +183,12 @@ static void find_in_binary_stl(const tf_source *source, things *found)
 }
 
 //: Find out what is in OFF
-/// What the letters in front of the word OFF say that vertices have.
-static void find_in_off_head(const char *word, things *found)
+/// What the letters in front of the word OFF, if it is there, say that vertices
+/// have.
+static void find_in_off_head(const char *word, size_t length, things *found)
 {
-    for (; *word && *word != 'O'; word++)
+    bool there = memmem(word, length, "OFF", 3);
+    for (; there && *word && *word != 'O'; word++)
         found->has[*word == 'C'   ? COLORS
                    : *word == 'N' ? NORMALS
                                   : TEXTURE] = true;
@@ -214,7 +216,7 @@ static void find_in_off(const char *text, things *found)
         if (length == 0 || *word == '#')
             continue;
         if (!last)
-            find_in_off_head(word, found);
+            find_in_off_head(word, length, found);
         last = line;
     }
     found->has[last && has_more(last) ? COLORS : NOTHING] = true;

@@ -28,18 +28,23 @@ list_page_options() { # page
         sed -n 's/^\(-[^ ]*\).*/\1/p' | LC_ALL=C sort -u
 }
 
+# Faults of a page, and its session.
+check_text() { # page
+    mandoc -T lint "$1" 2>&1 |
+        grep -v 'referenced manual not found\|mandoc\.db' &&
+        fail "$1 has faults"
+    sed -n '/^\.Bd -literal/,/^\.Ed/{/^\./d;s/\\-/-/g;s/\\e/\\/g;p}' "$1" \
+        >"$scratch/page"
+    try_session "$scratch" "$scratch/page"
+}
+
 check_page() { # page, program, commands
     page=$prefix/share/man/man1/$1.1
     shift
-    mandoc -T lint "$page" 2>&1 |
-        grep -v 'referenced manual not found\|mandoc\.db' &&
-        fail "$page has faults"
     list_page_options "$page" >"$scratch/options"
     list_help_options "$@" | diff "$scratch/options" - ||
         fail "$page has other options (<) than --help (>)"
-    sed -n '/^\.Bd -literal/,/^\.Ed/{/^\./d;s/\\-/-/g;s/\\e/\\/g;p}' "$page" \
-        >"$scratch/page"
-    try_session "$scratch" "$scratch/page"
+    check_text "$page"
 }
 
 check_page tanglefree tanglefree ''
@@ -50,5 +55,6 @@ check_page tanglefree-resolve tanglefree resolve
 check_page tanglefree-remesh tanglefree remesh
 check_page tanglefree-simulate tanglefree simulate
 check_page tanglefree-draw tanglefree-draw list figure query surface film
+check_text "$prefix/share/man/man5/tanglefree-formats.5"
 readme console | sed 's|build/tanglefree|tanglefree|' >"$scratch/session"
 try_session . "$scratch/session"

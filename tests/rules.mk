@@ -45,8 +45,8 @@ simulating = $(addprefix $(BUILD)/tests/,whole/rest whole/scenes soak/scenes pro
 $(BUILD)/tests/simulate/% $(simulating): LIBRARIES = $(SPARSE)
 
 # These read scenes.
-scenic = $(addprefix $(BUILD)/tests/,scenes/scene_file program/surface_command \
-	program/resolve_command)
+scenic = $(addprefix $(BUILD)/tests/,fuzz/scene scenes/scene_file \
+	program/surface_command program/resolve_command)
 $(scenic): LIBRARIES = $(YAML)
 
 # This lets calls of these functions fail.

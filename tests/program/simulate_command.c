@@ -45,7 +45,7 @@ START_TEST(no_step_has_a_contact)
 {
     run(CHAIN " -o made --steps 120");
     outcome found = run("$tf detect --format summary made/*.ply | head -n 2 && "
-                        "$tf check made/*.ply | wc -l");
+                        "$tf check --each made/*.ply | wc -l");
     expect(found, 0, "steps: 120\nsteps with contacts: 0\n1\n", "");
 }
 END_TEST
@@ -102,7 +102,7 @@ START_TEST(a_flow)
     expect_words(found.out, "\ncomponents: 1\ngenus: 0\narea: 0.7");
     expect_words(found.out, "\nadvance seconds: ");
     expect(run("ls made | wc -l; tail -n 1 made/steps.csv | cut -d, -f 1-2; "
-               "$tf check made/*.ply"),
+               "$tf check --each made/*.ply"),
            0, "12\n10,0.1\nfile,kind,a,b,c,d,e,f\n", "");
 }
 END_TEST

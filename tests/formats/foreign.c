@@ -161,6 +161,7 @@ START_TEST(meshes_and_other_texts_have_no_name)
                  {BYTES("0 SECTION")},
                  {BYTES("0\nSECTIO")},
                  {BYTES("MM\x11\0\0\0\2\0\x0a\0\0\0\3\0\0\0")},
+                 {BYTES("MM\x0f\0\0\0\2\0\x0a\0\0\0\3\0\0\0")},
                  {BYTES("PK\x03")},
                  {BYTES("\0\0\0\0\0")},
                  {BYTES("\x80\0\0\0\0")},

@@ -111,6 +111,35 @@ START_TEST(polygons_are_divided_when_all_vertices_are_known)
 }
 END_TEST
 
+START_TEST(polygons_have_different_corners_that_exist)
+{
+    static const struct {
+        int corner[4];
+        const char *fault;
+    } bad[] = {
+        {{0, 1, 2, 4}, "there is no vertex 5; they are numbered from 1 to 4"},
+        {{0, 1, 2147483647, 3},
+         "there is no vertex 2147483648; they are numbered from 1 to 4"},
+        {{3, 1, 2, 3},
+         "vertex 4 is a corner twice; divide the face, or delete it, "
+         "here and in all files"}};
+    for (int i = 0; i < 3; i++) {
+        tf_mesh_file file = empty_mesh("bad");
+        double x[3] = {0};
+        file.first_index = 1;
+        for (int v = 0; v < 4; v++)
+            ck_assert(tf_mesh_file_add_vertex(&file, x, v));
+        ck_assert(tf_mesh_file_add_face(&file, (int[]){3, 2, 1, 0}, 4, 7) &&
+                  tf_mesh_file_add_face(&file, bad[i].corner, 4, 8) &&
+                  tf_mesh_file_add_face(&file, (int[]){0, 1, 2, 2}, 4, 9));
+        ck_assert(!tf_mesh_file_divide(&file));
+        ck_assert_str_eq(file.fault->text, bad[i].fault);
+        ck_assert_int_eq(file.fault->place, 8);
+        tf_mesh_file_free(&file);
+    }
+}
+END_TEST
+
 START_TEST(faces_with_too_few_corners_are_refused)
 {
     tf_mesh_file file = empty_mesh("few");
@@ -135,6 +164,7 @@ Suite *suite(void)
     TCase *faces = tcase_create("faces");
     tcase_add_test(faces, faces_are_gone_through_in_order);
     tcase_add_test(faces, polygons_are_divided_when_all_vertices_are_known);
+    tcase_add_test(faces, polygons_have_different_corners_that_exist);
     tcase_add_test(faces, faces_with_too_few_corners_are_refused);
     suite_add_tcase(suite, faces);
     return suite;

@@ -329,17 +329,30 @@ START_TEST(where_there_is_no_ear_it_is_a_fan)
 }
 END_TEST
 
+START_TEST(corners_that_touch_a_side_are_no_part_of_ears)
+{
+    expect_triangles_of(&(outline){5, {{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}}},
+                        (int[]){1, 2, 3, 3, 4, 0, 0, 1, 3});
+}
+END_TEST
+
 START_TEST(the_nearest_axis_is_projected_along)
 {
-    // Seen along z, this quadrilateral is convex, but it is nearly upright.
-    static const double position[] = {0, 0, 0, 1, 0, 4, 0.1, .1, 1, 0, 0.01, 4};
-    tf_polygon polygon = {0};
-    int triangle[6];
-    ck_assert(tf_polygon_divide(&polygon, position, 4, (int[]){3, 0, 1, 2},
-                                triangle));
-    static const int wanted[] = {0, 1, 2, 0, 2, 3};
-    ck_assert_mem_eq(triangle, wanted, sizeof wanted);
-    tf_polygon_free(&polygon);
+    // Seen along z, or along x, this quadrilateral is convex, but along y, to
+    // which its normal is nearest, it is not.
+    static const double position[2][12] = {
+        {1, 0, 4, 0.1, .1, 1, 0, 0.01, 4, 0, 0, 0},
+        {4, 0, 1, 1, .1, 0.1, 4, 0.01, 0, 0, 0, 0}};
+    static const int lists[2][4] = {{3, 0, 1, 2}, {2, 1, 0, 3}};
+    static const int wanted[2][6] = {{3, 0, 1, 1, 2, 3}, {1, 0, 3, 3, 2, 1}};
+    for (int i = 0; i < 4; i++) {
+        tf_polygon polygon = {0};
+        int triangle[6];
+        ck_assert(tf_polygon_divide(&polygon, position[i / 2], 4, lists[i % 2],
+                                    triangle));
+        ck_assert_mem_eq(triangle, wanted[i % 2], sizeof wanted[i % 2]);
+        tf_polygon_free(&polygon);
+    }
 }
 END_TEST
 
@@ -380,6 +393,7 @@ Suite *suite(void)
     tcase_add_test(rule, a_dart_is_cut_at_its_notch);
     tcase_add_test(rule, corners_on_a_side_are_kept);
     tcase_add_test(rule, where_there_is_no_ear_it_is_a_fan);
+    tcase_add_test(rule, corners_that_touch_a_side_are_no_part_of_ears);
     tcase_add_test(rule, the_nearest_axis_is_projected_along);
     tcase_add_test(rule, the_largest_and_smallest_doubles_are_divided);
     suite_add_tcase(suite, rule);

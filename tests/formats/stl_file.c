@@ -134,6 +134,7 @@ START_TEST(other_sizes_are_refused)
     expect_bad_bytes(made.at, 83, 83,
                      "the file ends too early; binary STL has a header of 84");
     ck_assert(!tf_is_binary_stl(made.at, 83));
+    ck_assert(!tf_is_binary_stl(made.at, 185));
     ck_assert(!tf_is_above_binary_stl(made.at, 184));
     ck_assert(tf_is_above_binary_stl(made.at, 185));
     // As many triangles as a header can declare.

@@ -603,6 +603,127 @@ START_TEST(coordinates_out_of_range_are_refused)
 }
 END_TEST
 
+// Scenes ----------------------------------------------------------------------
+
+#define SCENE_HEADER                                                           \
+    "step,kind,a,b,c,d,toi_lo,toi_hi,nx,ny,nz,normal_velocity,case,mesh,"      \
+    "other_mesh\n"
+#define SCENE_CHECK_HEADER "frame,kind,a,b,c,d,e,f,mesh,other_mesh\n"
+
+// A rod that falls through the triangle, whose other end stays above it.
+static void enter_folder_with_scene(void)
+{
+    enter_folder_with_files();
+    make_file("rod-1", "v 0 0 9\nv 0 0 1\nl 1 2\n");
+    make_file("rod-2", "v 0 0 9\nv 0 0 -1\nl 1 2\n");
+    make_file("rod-3", "v 0 0 9\nv 0 0 -2\nl 1 2\n");
+    make_file("scene.yaml", "meshes:\n- {frames: clear, name: floor}\n"
+                            "- {frames: rod-*}\n");
+}
+
+START_TEST(contacts_of_scenes_have_names)
+{
+    outcome found = run("$tf detect scene.yaml");
+    ck_assert_int_eq(found.status, 1);
+
+    expect_row_within(0x1p-50, found.out + strlen(SCENE_HEADER),
+                      "0,point-triangle,1,0,1,2", 0.5);
+    ck_assert_int_eq(strncmp(found.out, SCENE_HEADER, strlen(SCENE_HEADER)), 0);
+    expect_words(found.out, ",touching,rod,floor\n");
+    ck_assert_int_eq(occurrences(found.out, "\n"), 2);
+    found = run("$tf detect scene.yaml --format json");
+    ck_assert_msg(!json_fault(found.out), "%s", json_fault(found.out));
+    expect_words(found.out, "\"mesh\":\"rod\",\"other_mesh\":\"floor\"}\n");
+    expect_words(found.out, "\"summary\":{\"steps\":2,");
+}
+END_TEST
+
+START_TEST(each_frame_of_a_scene_is_checked)
+{
+    expect(run("$tf check scene.yaml"), 1,
+           SCENE_CHECK_HEADER "1,edge-triangle,0,1,0,1,2,,rod,floor\n"
+                              "2,edge-triangle,0,1,0,1,2,,rod,floor\n",
+           "");
+    expect(run("$tf check --each scene.yaml"), 0, SCENE_CHECK_HEADER, "");
+    expect(run("$tf check --format summary scene.yaml"), 1,
+           "frames: 3\nframes with intersections: 2\nintersections: 2\n", "");
+    expect(run("$tf check --thickness 1.5 scene.yaml | head -n 2"), 0,
+           SCENE_CHECK_HEADER "0,near-point-triangle,1,0,1,2,,,rod,floor\n",
+           "");
+    outcome found = run("$tf check scene.yaml --format json");
+    ck_assert_msg(!json_fault(found.out), "%s", json_fault(found.out));
+    expect_words(found.out,
+                 "{\"intersections\":[\n{\"frame\":1,\"kind\":\"edge-triangle"
+                 "\",\"a\":0,\"b\":1,\"c\":0,\"d\":1,\"e\":2,\"mesh\":\"rod"
+                 "\",\"other_mesh\":\"floor\"},\n");
+    expect_words(found.out, "\"summary\":{\"frames\":3,\"frames_with_"
+                            "intersections\":2,\"intersections\":2}}\n");
+}
+END_TEST
+
+START_TEST(scenes_that_are_wrong_are_refused)
+{
+    make_file("rod-3", "v 0 0 9\nv 0 0 -2\nl 2 1\n");
+    outcome found = run("$tf detect scene.yaml");
+    ck_assert_str_eq(found.err,
+                     "tanglefree: rod-3:3: this edge is not as in rod-2; all "
+                     "files must have the same elements in the same order\n");
+    ck_assert_int_eq(found.status, 2);
+    ck_assert_int_eq(occurrences(found.out, "\n"), 2);
+    expect(run("$tf detect scene.yaml -o rows; test -e rows"), 1, "",
+           "tanglefree: rod-3:3: this edge is not as in rod-2; all files must "
+           "have the same elements in the same order\n");
+    make_file("wrong.yaml", "meshes:\n- frames: clear\n  rôle: fixed\n");
+    expect(run("$tf check wrong.yaml"), 2, SCENE_CHECK_HEADER,
+           "tanglefree: wrong.yaml:3: unknown key 'rôle'; a mesh has frames, "
+           "and may have name, role, mass, friction and group\n");
+    make_file("one.yml", "meshes: [{frames: clear}]");
+    expect(run("$tf detect one.yml"), 2, SCENE_HEADER,
+           "tanglefree: one.yml: has one frame alone, and so no step; give a "
+           "mesh two frames or more\n");
+    expect(run("$tf detect none.json"), 2, SCENE_HEADER,
+           "tanglefree: none.json: cannot open: No such file or directory; "
+           "check the name\n");
+    expect_usage("detect scene.yaml clear",
+                 "tanglefree detect: scene.yaml is a scene, which must be the "
+                 "only operand; name the other files in it\n");
+    expect_usage("check clear scene.yaml",
+                 "tanglefree check: scene.yaml is a scene, which must be the "
+                 "only operand; name the other files in it\n");
+}
+END_TEST
+
+// A coordinate of the second mesh is no integer, in the second frame.
+START_TEST(coordinates_of_scenes_have_a_file)
+{
+    make_file("rod-2", "v 0 0 9\nv 0 0 -1.5\nl 1 2\n");
+    outcome found = run("$tf detect -a integer64 scene.yaml");
+    ck_assert_int_eq(found.status, 2);
+    expect_words(found.err,
+                 "tanglefree: rod-2:2: the coordinate -1.5 is out of "
+                 "range: integer64");
+}
+END_TEST
+
+START_TEST(frames_are_taken_in_natural_order)
+{
+    outcome found =
+        run("cp rod-3 rod-10; $tf detect rod-* --format summary | head -n 1");
+    expect(found, 0, "steps: 3\n",
+           "tanglefree: the frames from rod-1 to rod-10 are taken in the order "
+           "of their numbers\n"
+           "tanglefree: rod-10 follows rod-3; frames between them may be "
+           "missing, and the way from one to the other is taken as one step\n");
+    expect(run("$tf detect rod-1 rod-2 rod-3 rod-10 2>said >right; "
+               "$tf detect rod-1 rod-10 rod-2 rod-3 2>more | cmp - right"),
+           0, "", "");
+    // The same rows in the order that is given, which is none.
+    expect_words(run("$tf detect rod-3 rod-1 rod-2").err,
+                 "tanglefree: rod-2 follows rod-1; the frames are taken in "
+                 "this order, which is not that of their numbers\n");
+}
+END_TEST
+
 // Output files ----------------------------------------------------------------
 
 static const char *const writing[] = {"detect above below",
@@ -914,6 +1035,15 @@ Suite *suite(void)
     tcase_add_test(bad, other_elements_are_refused);
     tcase_add_test(bad, names_send_no_commands_to_the_terminal);
     tcase_add_test(bad, coordinates_out_of_range_are_refused);
+
+    TCase *scenes = tcase_create("scenes");
+    tcase_add_checked_fixture(scenes, enter_folder_with_scene, leave_folder);
+    tcase_add_test(scenes, contacts_of_scenes_have_names);
+    tcase_add_test(scenes, each_frame_of_a_scene_is_checked);
+    tcase_add_test(scenes, scenes_that_are_wrong_are_refused);
+    tcase_add_test(scenes, coordinates_of_scenes_have_a_file);
+    tcase_add_test(scenes, frames_are_taken_in_natural_order);
+    suite_add_tcase(suite, scenes);
 
     TCase *unwritten = add_case(suite, "output that cannot be written");
     tcase_add_test(unwritten, what_is_written_to_a_file_is_what_is_printed);

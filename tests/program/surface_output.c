@@ -239,7 +239,7 @@ END_TEST
 static const tf_crossing crossed_meshes[] = {
     {TF_EDGE_THROUGH_TRIANGLE, {5, 10, 1, 2, 3}},
     {TF_POINT_ON_TRIANGLE, {4, 1, 2, 3, -1}},
-    {TF_EDGE_ON_EDGE, {0, 1, 5, 6, -1}},
+    {TF_EDGE_ON_EDGE, {5, 6, 7, 8, -1}},
 };
 static const tf_near_pair near_meshes[] = {
     {.kind = TF_POINT_TRIANGLE, .vertex = {5, 1, 2, 3}},
@@ -277,7 +277,7 @@ START_TEST(intersections_have_the_names_of_files)
                   "file,kind,a,b,c,d,e,f,other_file\n"
                   "d,edge-triangle,0,5,1,2,3,,a\n"
                   "b,point-triangle,0,1,2,3,,,a\n"
-                  "a,edge-edge,0,1,0,1,,,d\n"
+                  "d,edge-edge,0,1,2,3,,,d\n"
                   "d,near-point-triangle,0,1,2,3,,,a\n"
                   "a,near-edge-edge,0,1,2,3,,,a\n");
     expect_frames(TF_SUMMARY, TF_NAMES_OF_FILES, false,
@@ -294,7 +294,7 @@ START_TEST(intersections_have_a_frame_and_the_names_of_meshes)
                   "frame,kind,a,b,c,d,e,f,mesh,other_mesh\n"
                   "1,edge-triangle,0,5,1,2,3,,d,a\n"
                   "1,point-triangle,0,1,2,3,,,b,a\n"
-                  "1,edge-edge,0,1,0,1,,,a,d\n"
+                  "1,edge-edge,0,1,2,3,,,d,d\n"
                   "2,near-point-triangle,0,1,2,3,,,d,a\n"
                   "2,near-edge-edge,0,1,2,3,,,a,a\n");
     expect_frames(

@@ -274,7 +274,7 @@ END_TEST
 // Deep nesting and aliases that refer to themselves end.
 START_TEST(hostile_texts_end)
 {
-    static char deep[200000];
+    static char deep[10000];
     memset(deep, '[', sizeof deep - 1);
     tf_scene_meshes meshes;
     tf_fault fault;

@@ -3,6 +3,7 @@
 
 #include "scenes/scene_frames.h"
 
+#include "fast/detect.h"
 #include "support/program.h"
 #include "support/support.h"
 #include "surface/check.h"
@@ -163,14 +164,15 @@ END_TEST
     "v 0 0 0\nv 9 0 0\nv 0 9 0\nf 1 2 3\n"                                     \
     "v 1 1 -1\nv 1 1 1\nv 5 5 1\nf 4 5 6\n"
 
-/// How many intersections there are of meshes in these groups.
-static size_t intersections(bool each, const char *const group[3])
+/// How many intersections and contacts there are of meshes in these groups, which
+/// rest.
+static size_t intersections(bool each, int count, const char *const group[])
 {
     make_file("x", CROSSED);
     make_file("y", CROSSED);
     tf_scene_meshes meshes = {0};
     tf_scene_frames frames = {.meshes = &meshes, .each = each};
-    for (int i = 0; i < 3; i++)
+    for (int i = 0; i < count; i++)
         add(&meshes, TF_MOVING, "x")->group =
             group[i] ? strdup(group[i]) : NULL;
     next(&frames);
@@ -178,9 +180,12 @@ static size_t intersections(bool each, const char *const group[3])
     tf_crossings found;
     ck_assert(tf_surface_check(frames.surface, rest.vertices, rest.end, NULL,
                                &found, NULL) == TF_OK);
-    size_t count = found.count;
+    tf_contacts contacts;
+    ck_assert(tf_surface_detect(frames.surface, &rest, NULL, &contacts, NULL) ==
+              TF_OK);
+    size_t all = found.count + contacts.count;
     free_both(&frames, &meshes);
-    return count;
+    return all;
 }
 
 START_TEST(meshes_of_a_group_do_not_meet)
@@ -188,14 +193,14 @@ START_TEST(meshes_of_a_group_do_not_meet)
     const char *const none[3] = {0}, *const two[] = {"a", NULL, "a"};
     const char *const all[] = {"a", "a", "a"}, *const other[] = {"a", "b",
                                                                  NULL};
-    size_t alone = intersections(true, none) / 3;
-    size_t between = (intersections(false, none) - 3 * alone) / 3;
+    size_t alone = intersections(false, 1, none);
+    size_t between = (intersections(false, 3, none) - 3 * alone) / 3;
     ck_assert(alone > 0 && between > 0);
-    ck_assert_uint_eq(intersections(false, none), 3 * alone + 3 * between);
-    ck_assert_uint_eq(intersections(false, two), 3 * alone + 2 * between);
-    ck_assert_uint_eq(intersections(false, all), 3 * alone);
-    ck_assert_uint_eq(intersections(false, other), 3 * alone + 3 * between);
-    ck_assert_uint_eq(intersections(true, two), 3 * alone);
+    ck_assert_uint_eq(intersections(false, 3, none), 3 * alone + 3 * between);
+    ck_assert_uint_eq(intersections(false, 3, two), 3 * alone + 2 * between);
+    ck_assert_uint_eq(intersections(false, 3, all), 3 * alone);
+    ck_assert_uint_eq(intersections(false, 3, other), 3 * alone + 3 * between);
+    ck_assert_uint_eq(intersections(true, 3, two), 3 * alone);
 }
 END_TEST
 

@@ -169,8 +169,10 @@ static void check_columns(const tf_mesh_file *file)
                                              TF_OFF,
                                              TF_STL_BINARY,
                                              TF_VTP};
+    bool good = is_good_list(&file->triangle, 3, tf_mesh_file_vertices(file));
     for (int i = 0; i < 7; i++) {
-        tf_mesh_write(nowhere, &content, formats[i]);
+        if (good) // as what is written has passed for a surface
+            tf_mesh_write(nowhere, &content, formats[i]);
         tf_losses losses = tf_find_losses(file, formats[i]);
         require(memchr(losses.text, '\0', sizeof losses.text) != NULL);
     }

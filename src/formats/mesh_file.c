@@ -102,9 +102,11 @@ bool tf_mesh_file_add_point(tf_mesh_file *file, int vertex, const char *start,
                             const char *const at[3])
 {
     tf_source_point point = {.vertex = vertex};
+    if (!file->source)
+        return true;
     for (int k = 0; k < 3; k++)
         point.at[k] = (size_t)(at[k] - start);
-    return !file->source || tf_source_add(file->source, &point) ||
+    return tf_source_add(file->source, &point) ||
            tf_mesh_file_fault_in_memory(file);
 }
 

@@ -30,3 +30,9 @@ bool tf_mesh_file_read_all(tf_mesh_file *file, const char *path,
 /// Carriage returns that end lines become line feeds.
 bool tf_mesh_file_parse(tf_mesh_file *file, const char *name, char *text,
                         size_t size, tf_columns *columns, tf_fault *fault);
+
+/// The same, and takes the text, which must be from malloc, into the source.
+/// @param source empty; NULL: the text is freed
+bool tf_mesh_file_parse_all(tf_mesh_file *file, const char *name, char *text,
+                            size_t size, tf_columns *columns, tf_source *source,
+                            tf_fault *fault);

@@ -15,6 +15,10 @@ void tf_mesh_write(FILE *stream, const tf_mesh_content *content,
 /// Whether that is a source with other positions, so that nothing is lost.
 bool tf_mesh_is_source(const tf_mesh_content *content, tf_mesh_format format);
 
+/// Whether coordinates are rounded to floats: in STL, but for text that is a
+/// source.
+bool tf_mesh_has_floats(const tf_mesh_content *content, tf_mesh_format format);
+
 /// Whether a mesh can be written in a format; if not, sets the fault of the file
 /// at that path.
 bool tf_mesh_check_writable(const tf_mesh_content *content,

@@ -304,8 +304,19 @@ static int run_detect(const tf_request *request)
     return run(request, false, detect_all);
 }
 
+/// Before there were scenes, each frame was checked alone.
+static void say_joined(const tf_request *request)
+{
+    if (!request->each && tf_are_numbered(request->operand, request->operands))
+        fprintf(stderr,
+                "tanglefree: %s and the other files are tested against each "
+                "other; --each tests each alone\n",
+                tf_make_visible(request->operand[0]).text);
+}
+
 static int run_check(const tf_request *request)
 {
+    say_joined(request);
     return run(request, true, check_all);
 }
 

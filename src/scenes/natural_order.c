@@ -3,7 +3,6 @@
 
 #include "files/visible.h"
 
-#include <stdbool.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -99,6 +98,15 @@ static bool find_distances(char *const name[], int count, int64_t distance[])
         distance[i] = number[1] - number[0];
     }
     return true;
+}
+
+bool tf_are_numbered(char *const name[], int count)
+{
+    int64_t number[2];
+    bool numbered = count > 2;
+    for (int i = 1; i < count && numbered; i++)
+        numbered = numbers_of(name[i - 1], name[i], number);
+    return numbered;
 }
 
 //: Tell what is strange about the numbers of frames

@@ -212,14 +212,15 @@ static const char *const soup[] = {"soup-0", "soup-1", "soup-2", "soup-3"};
 START_TEST(threads_change_nothing)
 {
     make_soup(soup, 4);
-    static const char *const commands[] = {"detect soup-?",
-                                           "detect --format json soup-?",
-                                           "detect --first soup-?",
-                                           "detect --format summary soup-?",
-                                           "check soup-?",
-                                           "check --format json soup-?",
-                                           "check --format summary soup-?",
-                                           "check --each soup-?"};
+    static const char *const commands[] = {
+        "detect soup-?",
+        "detect --format json soup-?",
+        "detect --first soup-?",
+        "detect --format summary soup-?",
+        "check soup-? clear",
+        "check --format json soup-? clear",
+        "check --format summary soup-? clear",
+        "check --each soup-?"};
     for (int i = 0; i < 8; i++) {
         outcome found = run(
             "$tf %s -t 1 >one; status=$?; for t in 2 3 8 256; do $tf %s -t $t "
@@ -717,6 +718,11 @@ START_TEST(frames_are_taken_in_natural_order)
     expect(run("$tf detect rod-1 rod-2 rod-3 rod-10 2>said >right; "
                "$tf detect rod-1 rod-10 rod-2 rod-3 2>more | cmp - right"),
            0, "", "");
+    expect_words(run("$tf check rod-1 rod-2 rod-3").err,
+                 "tanglefree: rod-1 and the other files are tested against "
+                 "each other; --each tests each alone\n");
+    expect(run("$tf check rod-1 rod-2 rod-3 --each && $tf check rod-1 clear"),
+           0, CHECK_HEADER JOINED_HEADER, "");
     // The same rows in the order that is given, which is none.
     expect_words(run("$tf detect rod-3 rod-1 rod-2").err,
                  "tanglefree: rod-2 follows rod-1; the frames are taken in "

@@ -182,6 +182,28 @@ START_TEST(frames_are_put_in_order)
 }
 END_TEST
 
+START_TEST(numbered_names_are_known)
+{
+    static const struct {
+        char *name[4];
+        int count;
+        bool numbered;
+    } names[] = {
+        {{"a1", "a2", "a3"}, 3, true},
+        {{"a9", "a2", "a30.", "a3"}, 2, false},
+        {{"a9", "a2", "a30", "a3"}, 4, true},
+        {{"a1", "a2", "a2"}, 3, false},
+        {{"a1", "a2", "b3"}, 3, false},
+        {{"a1"}, 1, false},
+        {{"a1b1", "a2b1", "a3b2"}, 3, false},
+    };
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+        ck_assert_msg(tf_are_numbered(names[i].name, names[i].count) ==
+                          names[i].numbered,
+                      "%zu", i);
+}
+END_TEST
+
 Suite *suite(void)
 {
     Suite *suite = suite_create("scenes/natural_order");
@@ -196,6 +218,7 @@ Suite *suite(void)
     tcase_add_checked_fixture(frames, enter_folder, leave_folder);
     tcase_add_loop_test(frames, frames_are_put_in_order, 0,
                         sizeof orders / sizeof *orders);
+    tcase_add_test(frames, numbered_names_are_known);
     suite_add_tcase(suite, frames);
     return suite;
 }

@@ -50,7 +50,7 @@ static const tf_choice formats[] = {
 
 // Commands that write rows, and those that report what they did.
 #define ROWS (TF_QUERY | TF_DETECT | TF_CHECK)
-#define REPORT (TF_RESOLVE | TF_REMESH | TF_SIMULATE)
+#define REPORT (TF_RESOLVE | TF_REMESH | TF_SIMULATE | TF_WELD)
 
 #define OPTION(name_, letter_, argument_, member, type_)                       \
     .name = (name_), .letter = (letter_), .argument = (argument_),             \
@@ -97,6 +97,8 @@ const tf_option tf_options[] = {
              "of a scene"},
     {TF_REMESH, OPTION("output", 'o', "OUT", out, TF_TEXT), .formats = formats,
      .required = true, .help = "Where to write the new mesh"},
+    {TF_WELD, OPTION("output", 'o', "OUT", out, TF_TEXT), .required = true,
+     .help = "Where to write the welded mesh"},
     {TF_SIMULATE, OPTION("output", 'o', "DIR", out, TF_TEXT),
      .help = "The folder for the frames; required"},
     {TF_RESOLVE, OPTION("fixed", 'f', "FILE", fixed, TF_TEXT),
@@ -134,6 +136,9 @@ const tf_option tf_options[] = {
     {TF_RESOLVE, OPTION("thickness", 0, "D", thickness, TF_REAL), POSITIVE,
      .help = "Pairs that start at this distance or more end at this distance "
              "or more; the default is that they don't meet"},
+    {TF_WELD, OPTION("within", 0, "D", within, TF_REAL), POSITIVE,
+     .help = "Join vertices that are no farther from each other than this; the "
+             "default is those at exactly the same position"},
     {TF_REMESH, OPTION("edge", 'e', "L", edge, TF_REAL), POSITIVE,
      .required = true, .help = "The length that edges should have"},
     {TF_REMESH, OPTION("rounds", 0, "N", rounds, TF_WHOLE), .least = 1,
@@ -158,7 +163,7 @@ const tf_option tf_options[] = {
 
 //: List the old spellings
 const tf_old_spelling tf_old_spellings[] = {
-    {REPORT, 0, "write", "output"},
+    {TF_RESOLVE | TF_REMESH | TF_SIMULATE, 0, "write", "output"},
     {TF_DETECT, 'f', NULL, "first"},
     {TF_RESOLVE, 'm', NULL, "masses"},
     {TF_RESOLVE, 's', NULL, "solver"},

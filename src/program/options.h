@@ -35,6 +35,7 @@ typedef struct tf_request {
     double separation, friction, restitution, restitution_threshold;
     int substeps;
     double thickness; ///< of check and resolve: 0 if not given
+    double within;    ///< of weld: a length, 0 if not given
     double edge;      ///< of remesh and simulate: a length, 0 if not given
     int rounds;
     int steps, size; ///< of simulate
@@ -49,7 +50,8 @@ typedef enum tf_command_set {
     TF_CHECK = 4,
     TF_RESOLVE = 8,
     TF_REMESH = 16,
-    TF_SIMULATE = 32
+    TF_SIMULATE = 32,
+    TF_WELD = 64
 } tf_command_set;
 
 /// What the argument of an option is.

@@ -65,3 +65,18 @@ const tf_field tf_remeshed_fields[] = {
     OUTCOMES("moves", TF_SMOOTH),
     {0},
 };
+
+//: List the fields about welding
+const tf_field tf_weld_fields[] = {
+    TF_FIELD("vertices before", tf_weld_report, vertices_before),
+    TF_FIELD("vertices", tf_weld_report, vertices),
+    TF_FIELD("joined", tf_weld_report, joined),
+    TF_FIELD("farthest", tf_weld_report, farthest),
+    TF_FIELD("triangles before", tf_weld_report, triangles_before),
+    TF_FIELD("triangles", tf_weld_report, triangles),
+    TF_FIELD("collapsed triangles", tf_weld_report, collapsed),
+    TF_FIELD("edges before", tf_weld_report, edges_before),
+    TF_FIELD("edges", tf_weld_report, edges),
+    TF_FIELD("collapsed edges", tf_weld_report, collapsed_edges),
+    {0},
+};

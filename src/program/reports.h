@@ -4,6 +4,7 @@
 #include "files/record.h"
 #include "remesh/remesh.h"
 #include "response/options.h"
+#include "scenes/weld.h"
 
 /// What it took to resolve a step.
 typedef struct tf_resolved {
@@ -20,5 +21,6 @@ typedef struct tf_remeshed {
     double seconds;
 } tf_remeshed;
 
-/// Their fields.
-extern const tf_field tf_resolved_fields[], tf_remeshed_fields[];
+/// Their fields, and those of a tf_weld_report.
+extern const tf_field tf_resolved_fields[], tf_remeshed_fields[],
+    tf_weld_fields[];

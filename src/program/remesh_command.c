@@ -6,6 +6,7 @@
 #include "remesh/origins.h"
 #include "remesh/remesh.h"
 #include "scenes/flaws.h"
+#include "scenes/forecast.h"
 #include "scenes/frames.h"
 
 #include <string.h>
@@ -108,6 +109,7 @@ static bool do_all(remeshing *r)
         !tf_mesh_output_begin(&r->out, wanted->out, tf_frames_file(&r->frames),
                               &r->frames.fault))
         return false;
+    tf_forecast_triangles(tf_frames_file(&r->frames), wanted->edge);
     bool good = remesh(r);
     tf_progress_line_end(&r->progress);
     return good && carry(r) && write(r);

@@ -9,6 +9,7 @@
 #include "program/response_request.h"
 #include "response/resolve.h"
 #include "scenes/flaws.h"
+#include "scenes/forecast.h"
 #include "scenes/scene_file.h"
 #include "scenes/scene_frames.h"
 #include "scenes/shown_frames.h"
@@ -50,6 +51,7 @@ typedef struct scene_resolving {
     tf_field field[FIELDS];
     bool shows; ///< whether the frames are written for ParaView
     tf_shown_frames shown;
+    double bytes; ///< of the meshes that were written
     tf_contact_points points;
     tf_records records;
     resolved_scene sum;
@@ -170,6 +172,7 @@ static bool write_frame(scene_resolving *r, int m, const char *path)
         tf_mesh_write(stream, &content, file->format);
     bool good = tf_destination_finish(&to, stream, 0);
     tf_destination_end(&to);
+    r->bytes += tf_bytes_of(path);
     return good;
 }
 
@@ -209,6 +212,8 @@ static bool write_meshes(scene_resolving *r)
         return tf_shown_frames_add(&r->shown, &r->frames, &r->points);
     for (int m = 0; m < r->meshes.count && good; m++)
         good = write_mesh(r, m);
+    if (r->frames.count == 1 && good)
+        tf_forecast_frames(r->request->out, r->meshes.frames, r->bytes);
     return good;
 }
 

@@ -142,6 +142,8 @@ static bool simulate(run *r)
                                                   r->simulation)
                     : tf_simulation_folder_begin(&r->folder, wanted->out,
                                                  r->simulation);
+    if (good)
+        tf_simulation_folder_forecast(&r->folder, r->simulation, r->steps);
     while (good && !r->signal && r->simulation->step < r->steps) {
         good = add_step(r);
         r->signal = tf_interruption();

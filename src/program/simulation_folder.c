@@ -6,6 +6,7 @@
 #include "files/output_file.h"
 #include "program/frame_file.h"
 #include "program/steps_file.h"
+#include "scenes/forecast.h"
 
 #include <dirent.h>
 #include <errno.h>
@@ -170,6 +171,15 @@ bool tf_simulation_folder_resume(tf_simulation_folder *folder, const char *path,
            resume_table(folder, simulation->scene->kind, last);
 }
 
+//: Forecast the frames of a simulation
+void tf_simulation_folder_forecast(tf_simulation_folder *folder,
+                                   const tf_simulation *simulation, int steps)
+{
+    double bytes = tf_bytes_of(choose_file(folder, simulation->step));
+    tf_forecast_frames(folder->path, steps - simulation->step, bytes);
+}
+
+//: Close the folder of a simulation
 void tf_simulation_folder_close(tf_simulation_folder *folder)
 {
     if (folder->table)

@@ -35,4 +35,8 @@ bool tf_simulation_folder_resume(tf_simulation_folder *folder, const char *path,
 bool tf_simulation_folder_add(tf_simulation_folder *folder,
                               const tf_simulation *simulation);
 
+/// Forecasts the frames that are to come until that step.
+void tf_simulation_folder_forecast(tf_simulation_folder *folder,
+                                   const tf_simulation *simulation, int steps);
+
 void tf_simulation_folder_close(tf_simulation_folder *folder);

@@ -1,6 +1,7 @@
 //: Include what frames to look at need
 #include "scenes/shown_frames.h"
 
+#include "scenes/forecast.h"
 #include "writers/vtp_writer.h"
 
 #include <stdlib.h>
@@ -91,5 +92,9 @@ bool tf_shown_frames_add(tf_shown_frames *shown, const tf_scene_frames *frames,
         return false;
     tf_polydata mesh = data_of(shown, frames);
     tf_polydata points = tf_contact_points_data(contacts);
-    return tf_collection_add(&shown->collection, &mesh, &points);
+    tf_collection *to = &shown->collection;
+    bool good = tf_collection_add(to, &mesh, &points);
+    if (to->frames == 1)
+        tf_forecast_frames(to->path, frames->meshes->frames, to->bytes);
+    return good;
 }

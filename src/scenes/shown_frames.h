@@ -19,7 +19,8 @@ typedef struct tf_shown_frames {
 bool tf_shown_frames_begin(tf_shown_frames *shown, const char *path,
                            tf_fault *fault);
 
-/// Adds the current frame, and the contacts of the step that ends there.
+/// Adds the current frame, and the contacts of the step that ends there.  After
+/// the first one, the bytes of all frames are forecast.
 bool tf_shown_frames_add(tf_shown_frames *shown, const tf_scene_frames *frames,
                          const tf_contact_points *contacts);
 

@@ -33,17 +33,15 @@ static const char *choose_folder(tf_collection *c)
     return c->file;
 }
 
-static const char *choose_part(tf_collection *c, int part)
+static void choose_part(tf_collection *c, int part)
 {
     snprintf(c->file, sizeof c->file, "%.*s/%s-%05d.vtp", folder_length(c),
              c->path, parts[part], c->frames);
-    return c->file;
 }
 
-static const char *choose_list(tf_collection *c)
+static void choose_list(tf_collection *c)
 {
     snprintf(c->file, sizeof c->file, "%s", c->path);
-    return c->file;
 }
 
 //: Begin a collection
@@ -67,22 +65,24 @@ bool tf_collection_begin(tf_collection *collection, const char *path,
 /// Writes what is to be written of a context.
 typedef void write_function(FILE *stream, const void *context);
 
-static bool write_whole(tf_output_file *out, const char *path,
+static bool write_whole(tf_collection *c, tf_output_file *out,
                         write_function *write, const void *context)
 {
     FILE *stream =
-        tf_output_file_begin(out, path) ? tf_output_file_open(out) : NULL;
+        tf_output_file_begin(out, c->file) ? tf_output_file_open(out) : NULL;
     if (!stream)
         return false;
     write(stream, context);
+    c->bytes += (double)ftello(stream);
     return tf_output_file_close(out, stream) && tf_output_file_keep(out);
 }
 
-static bool write_file(tf_collection *c, const char *path,
-                       write_function *write, const void *context)
+/// The one that is at work.
+static bool write_file(tf_collection *c, write_function *write,
+                       const void *context)
 {
     tf_output_file out = {0};
-    bool good = write_whole(&out, path, write, context) ||
+    bool good = write_whole(c, &out, write, context) ||
                 tf_fault_set_unwritten(c->fault, c->file, errno);
     tf_output_file_drop(&out);
     return good;
@@ -99,9 +99,10 @@ bool tf_collection_add(tf_collection *collection, const tf_polydata *mesh,
 {
     const tf_polydata *data[] = {mesh, contacts};
     bool good = true;
-    for (int part = 0; part < 2 && good; part++)
-        good = write_file(collection, choose_part(collection, part),
-                          write_polydata, data[part]);
+    for (int part = 0; part < 2 && good; part++) {
+        choose_part(collection, part);
+        good = write_file(collection, write_polydata, data[part]);
+    }
     collection->frames += good;
     return good;
 }
@@ -142,6 +143,6 @@ static void write_list(FILE *stream, const void *context)
 
 bool tf_collection_end(tf_collection *collection)
 {
-    return write_file(collection, choose_list(collection), write_list,
-                      collection);
+    choose_list(collection);
+    return write_file(collection, write_list, collection);
 }

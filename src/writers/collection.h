@@ -14,6 +14,7 @@ enum {
 typedef struct tf_collection {
     const char *path; ///< of the list; borrowed
     int frames;       ///< how many are there
+    double bytes;     ///< of all their files
     tf_fault *fault;
     char file[TF_COLLECTION_ROOM]; ///< the path of the file that is at work
 } tf_collection;

@@ -212,28 +212,56 @@ bool tf_mesh_file_next_face(const tf_mesh_file *file, tf_face *face)
 }
 
 //: Check the corners of a polygon
-/// `last`: of each vertex, the last polygon that it is a corner of, from 1.
-static bool check_corners(const tf_mesh_file *file, const tf_face *face,
-                          int last[])
+static bool check_corners(const tf_mesh_file *file, const tf_face *face)
 {
     int vertices = tf_mesh_file_vertices(file), first = file->first_index;
-    long place = file->triangle_place.item[face->triangle];
-    for (int i = 0; i < face->corners; i++) {
-        int vertex = face->corner[i];
-        if (vertex >= vertices)
+    for (int i = 0; i < face->corners; i++)
+        if (face->corner[i] >= vertices)
             return tf_mesh_file_fault(
-                file, place,
+                file, file->triangle_place.item[face->triangle],
                 "there is no vertex %lld; they are numbered from %d to %d",
-                (long long)vertex + first, first, vertices - 1 + first);
+                (long long)face->corner[i] + first, first,
+                vertices - 1 + first);
+    return true;
+}
+
+//: Check a polygon with a corner twice
+/// The first vertex that was a corner before, or -1.  `last`: of each vertex,
+/// the last polygon that it is a corner of, from 1.
+static int find_twin(const tf_face *face, int last[])
+{
+    int twin = -1;
+    for (int i = 0; i < face->corners && twin < 0; i++) {
+        int vertex = face->corner[i];
         if (last[vertex] == face->polygon + 1)
-            return tf_mesh_file_fault(file, place,
-                                      "vertex %d is a corner twice; divide the "
-                                      "face, or delete it, here and in all "
-                                      "files",
-                                      vertex + first);
+            twin = vertex;
         last[vertex] = face->polygon + 1;
     }
+    return twin;
+}
+
+static bool sides_differ(const tf_face *face)
+{
+    const int *corner = face->corner;
+    int n = face->corners;
+    for (int i = 0; i < n; i++)
+        for (int j = 0; j < i; j++)
+            if (corner[i] == corner[j] &&
+                corner[(i + 1) % n] == corner[(j + 1) % n])
+                return false;
     return true;
+}
+
+/// Whether it was divided well although that vertex, if any, is a corner twice.
+static bool check_twin(const tf_mesh_file *file, const tf_face *face, int twin,
+                       const tf_polygon *polygon)
+{
+    return twin < 0 || (polygon->is_good && sides_differ(face)) ||
+           tf_mesh_file_fault(file, file->triangle_place.item[face->triangle],
+                              "vertex %d is a corner twice; divide the "
+                              "face, or delete it, here and in all "
+                              "files",
+                              twin + file->first_index);
 }
 
 //: Divide polygons
@@ -243,12 +271,14 @@ static bool divide_polygons(tf_mesh_file *file, tf_polygon *polygon, int last[])
     while (tf_mesh_file_next_face(file, &face)) {
         if (face.corners == 3)
             continue;
-        if (!check_corners(file, &face, last))
+        if (!check_corners(file, &face))
             return false;
         if (!tf_polygon_divide(
                 polygon, file->position.item, face.corners, face.corner,
                 file->triangle.item + (ptrdiff_t)3 * face.triangle))
             return tf_mesh_file_fault_in_memory(file);
+        if (!check_twin(file, &face, find_twin(&face, last), polygon))
+            return false;
     }
     return true;
 }

@@ -124,5 +124,6 @@ bool tf_mesh_file_add_edge(tf_mesh_file *file, const int vertex[2], long place);
 
 //: Declare how to divide polygons
 /// Divides all polygons, when all vertices are known; see tf_polygon_divide.
-/// It is a fault if one has a corner that is no vertex, or one twice.
+/// It is a fault if one has a corner that is no vertex, or one twice that is not
+/// at a slit.
 bool tf_mesh_file_divide(tf_mesh_file *file);

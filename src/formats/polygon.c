@@ -17,12 +17,19 @@ static bool make_corner_room(tf_polygon *polygon, int count)
     return moved;
 }
 
+static bool is_before(int count, const int vertex[], int i, int j)
+{
+    return vertex[i] != vertex[j]
+               ? vertex[i] < vertex[j]
+               : vertex[(i + 1) % count] < vertex[(j + 1) % count];
+}
+
 /// The corner of the least index.
 static int find_first(int count, const int vertex[])
 {
     int first = 0;
     for (int i = 1; i < count; i++)
-        if (vertex[i] < vertex[first])
+        if (is_before(count, vertex, i, first))
             first = i;
     return first;
 }
@@ -117,12 +124,20 @@ static bool fan_is_good(const tf_polygon *polygon)
 }
 
 //: Find ears
-/// Whether a triangle holds a corner, perhaps on its boundary.
+static bool is_same(const tf_polygon *polygon, int i, int j)
+{
+    return polygon->corner[i].vertex == polygon->corner[j].vertex;
+}
+
+/// Whether a triangle holds a corner, perhaps on its boundary.  At its own
+/// vertices others touch it from outside.
 static bool holds(const tf_polygon *polygon, int i, int j, int k, int corner)
 {
     return area_of(polygon, i, j, corner) >= 0 &&
            area_of(polygon, j, k, corner) >= 0 &&
-           area_of(polygon, k, i, corner) >= 0;
+           area_of(polygon, k, i, corner) >= 0 &&
+           !is_same(polygon, corner, i) && !is_same(polygon, corner, j) &&
+           !is_same(polygon, corner, k);
 }
 
 /// If a triangle holds corners, one of them is not convex.
@@ -195,11 +210,11 @@ static int find_ear(const tf_polygon *polygon, int first)
 
 /// Cuts ears until a triangle is left, or no ear; returns the first corner that
 /// is left.
-static int cut_ears(const tf_polygon *polygon, int **triangle)
+static int cut_ears(tf_polygon *polygon, int **triangle)
 {
-    int first = 0;
+    int first = 0, left = polygon->count;
     mark_corners(polygon);
-    for (int left = polygon->count; left > 3; left--) {
+    for (; left > 3; left--) {
         int ear = find_ear(polygon, first);
         if (ear < 0)
             break;
@@ -209,6 +224,7 @@ static int cut_ears(const tf_polygon *polygon, int **triangle)
         first = ear == first ? corner->next : first;
         cut_off(polygon, ear);
     }
+    polygon->is_good = left == 3 && polygon->corner[first].is_convex;
     return first;
 }
 
@@ -229,7 +245,8 @@ bool tf_polygon_divide(tf_polygon *polygon, const double position[], int count,
     link_corners(polygon, count, vertex);
     place_corners(polygon, position);
     choose_plane(polygon);
-    int first = fan_is_good(polygon) ? 0 : cut_ears(polygon, &triangle);
+    polygon->is_good = fan_is_good(polygon);
+    int first = polygon->is_good ? 0 : cut_ears(polygon, &triangle);
     put_fan(polygon, first, triangle);
     return true;
 }

@@ -16,7 +16,8 @@ typedef struct tf_corner {
 typedef struct tf_polygon {
     tf_corner *corner;
     int count, room;
-    int axis[2]; ///< of the plane, in which it turns counterclockwise
+    int axis[2];  ///< of the plane, in which it turns counterclockwise
+    bool is_good; ///< all its triangles turn as it does
 } tf_polygon;
 
 //: Declare how to divide a polygon
@@ -25,17 +26,20 @@ typedef struct tf_polygon {
 /// nothing else, not even on the corner at which the list begins:
 /// The polygon is projected along the axis to which its normal (the sum of the
 /// cross products of its sides) is nearest; x comes before y, and y before z.
-/// Its corners are counted from the one of the least index.  If all triangles
-/// of the fan around that corner turn as the polygon does, these it is, so of a
-/// convex polygon always.  If not, ears are cut off, each time the first one in
-/// this order: a corner whose triangle with its two neighbors turns as the
-/// polygon does, and holds no other corner.  Where there is no ear (the polygon
-/// crosses itself, or is a line), the rest is the fan around the first corner.
+/// Its corners are counted from the one of the least index; if several have it,
+/// from the one before the least index.  If all triangles of the fan around that
+/// corner turn as the polygon does, these it is, so of a convex polygon always.
+/// If not, ears are cut off, each time the first one in this order: a corner
+/// whose triangle with its two neighbors turns as the polygon does, and holds no
+/// corner of another vertex.  Where there is no ear (the polygon crosses itself,
+/// or is a line), the rest is the fan around the first corner.
+/// A vertex may be a corner several times, as where a slit leads to a hole.  If
+/// no two sides are the same, and the division is good, it leaves out the hole.
 /// The signs are those of rounded differences.
 /// Where the fan is not good, that takes a time as the square of the count.
 /// @param position three coordinates of each vertex
 /// @param count of corners, 3 or more
-/// @param vertex of each corner, all different
+/// @param vertex of each corner
 /// @param triangle three vertices each
 /// @return false: there is no memory
 bool tf_polygon_divide(tf_polygon *polygon, const double position[], int count,

@@ -151,6 +151,37 @@ START_TEST(faces_with_too_few_corners_are_refused)
 }
 END_TEST
 
+#define RING                                                                   \
+    "v 0 0 0\nv 9 0 0\nv 9 9 0\nv 0 9 0\nv 3 3 0\nv 3 6 0\nv 6 6 0\nv 6 3 0\n"
+
+START_TEST(a_slit_may_lead_to_a_hole)
+{
+    tf_mesh_file file = good_mesh(RING "f 1 2 3 4 1 5 6 7 8 5\n");
+    double area = 0;
+    ck_assert_int_eq(tf_mesh_file_triangles(&file), 8);
+    for (int t = 0; t < 8; t++) {
+        const int *v = file.triangle.item + (ptrdiff_t)3 * t;
+        const double *a = file.position.item + (ptrdiff_t)3 * v[0];
+        const double *b = file.position.item + (ptrdiff_t)3 * v[1];
+        const double *c = file.position.item + (ptrdiff_t)3 * v[2];
+        double twice =
+            (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+        ck_assert_double_gt(twice, 0);
+        area += twice / 2;
+    }
+    ck_assert_double_eq(area, 81 - 9);
+    tf_mesh_file_free(&file);
+    // Filled, around twice, and two triangles on one side.
+    expect_bad_mesh(RING "f 1 2 3 4 1 5 8 7 6 5\n", 9,
+                    "vertex 1 is a corner twice; divide the face, or delete "
+                    "it, here and in all files");
+    expect_bad_mesh(RING "f 5 6 7\nf 1 2 3 4 1 2 3 4\n", 10,
+                    "vertex 1 is a corner twice");
+    expect_bad_mesh("v 0 0 0\nv 2 0 0\nv 1 1 0\nv 1 2 0\nf 4 2 1 3 2 1\n", 5,
+                    "vertex 2 is a corner twice");
+}
+END_TEST
+
 Suite *suite(void)
 {
     Suite *suite = suite_create("formats/mesh_file");
@@ -165,6 +196,7 @@ Suite *suite(void)
     tcase_add_test(faces, faces_are_gone_through_in_order);
     tcase_add_test(faces, polygons_are_divided_when_all_vertices_are_known);
     tcase_add_test(faces, polygons_have_different_corners_that_exist);
+    tcase_add_test(faces, a_slit_may_lead_to_a_hole);
     tcase_add_test(faces, faces_with_too_few_corners_are_refused);
     suite_add_tcase(suite, faces);
     return suite;

@@ -282,6 +282,247 @@ START_TEST(spirals_are_divided)
 }
 END_TEST
 
+// Holes -----------------------------------------------------------------------
+
+/// An outline with holes, to which slits lead: corners are vertices, whose
+/// places are those of another outline.
+typedef struct slit_outline {
+    outline place;
+    int count, vertex[MOST];
+} slit_outline;
+
+static const int *place_at(const slit_outline *shape, int corner)
+{
+    return shape->place.x[shape->vertex[corner % shape->count]];
+}
+
+/// Whether a segment between two vertices meets a side anywhere but there.
+static bool meets_a_side(const slit_outline *shape, int v, int w)
+{
+    const int *a = shape->place.x[v], *b = shape->place.x[w];
+    for (int i = 0; i < shape->count; i++) {
+        const int *c = place_at(shape, i), *d = place_at(shape, i + 1);
+        bool at_end = c == a || d == a || c == b || d == b;
+        if (at_end ? folds(c == a || d == a ? b : a, c == a || c == b ? c : d,
+                           c == a || c == b ? d : c)
+                   : meet(a, b, c, d))
+            return true;
+    }
+    return false;
+}
+
+/// Adds the vertices of a loop; returns the first one.
+static int add_places(slit_outline *shape, const outline *loop)
+{
+    int first = shape->place.count;
+    for (int i = 0; i < loop->count; i++)
+        memcpy(shape->place.x[first + i], loop->x[i], sizeof *loop->x);
+    shape->place.count += loop->count;
+    return first;
+}
+
+/// Whether the direction to a point is inside the angle of a corner.
+static bool is_inside(const slit_outline *shape, int corner, const int to[2])
+{
+    const int *b = place_at(shape, corner);
+    const int *a = place_at(shape, corner + shape->count - 1);
+    const int *c = place_at(shape, corner + 1);
+    bool after = area_of(b, c, to) > 0, before = area_of(a, b, to) > 0;
+    return area_of(a, b, c) > 0 ? after && before : after || before;
+}
+
+/// Cuts a slit from a corner to a vertex of a hole, goes around that, and back.
+static void cut_slit(slit_outline *shape, int corner, int hole, int count,
+                     int begin)
+{
+    int longer[MOST], n = 0;
+    for (int i = 0; i <= corner; i++)
+        longer[n++] = shape->vertex[i];
+    for (int i = 0; i <= count; i++)
+        longer[n++] = hole + (begin + i) % count;
+    for (int i = corner; i < shape->count; i++)
+        longer[n++] = shape->vertex[i];
+    memcpy(shape->vertex, longer, sizeof longer);
+    shape->count = n;
+}
+
+/// Whether no side of a loop meets one of the shape.
+static bool is_apart(const slit_outline *shape, const outline *loop)
+{
+    for (int i = 0; i < shape->count; i++)
+        for (int j = 0; j < loop->count; j++)
+            if (meet(place_at(shape, i), place_at(shape, i + 1), loop->x[j],
+                     loop->x[(j + 1) % loop->count]))
+                return false;
+    return true;
+}
+
+/// Adds a hole, which turns the other way; false if no slit was found.
+static bool add_hole(slit_outline *shape, generator *random,
+                     const outline *loop)
+{
+    if (!is_apart(shape, loop))
+        return false;
+    int hole = add_places(shape, loop), n = loop->count;
+    slit_outline alone = {.place = shape->place, .count = n};
+    for (int i = 0; i < n; i++)
+        alone.vertex[i] = hole + i;
+    for (int i = 0; i < 200; i++) {
+        int corner = below(random, shape->count), begin = below(random, n);
+        int v = shape->vertex[corner];
+        if (is_inside(shape, corner, loop->x[begin]) &&
+            !meets_a_side(shape, v, hole + begin) &&
+            !meets_a_side(&alone, v, hole + begin)) {
+            cut_slit(shape, corner, hole, n, begin);
+            return true;
+        }
+    }
+    return false;
+}
+
+/// A star around a point, clockwise.
+static outline make_hole(generator *random, int x, int y)
+{
+    outline star = make_star(random, 3 + below(random, 5)), hole = star;
+    for (int i = 0; i < star.count; i++) {
+        const int *from = star.x[star.count - 1 - i];
+        hole.x[i][0] = x + from[0] / 15;
+        hole.x[i][1] = y + from[1] / 15;
+    }
+    return hole;
+}
+
+/// Whether an outline that turns to the left winds around a point.
+static bool winds_around(const outline *shape, const int point[2])
+{
+    bool inside = false;
+    for (int i = 0; i < shape->count; i++) {
+        const int *a = shape->x[i], *b = shape->x[(i + 1) % shape->count];
+        if ((a[1] > point[1]) != (b[1] > point[1]))
+            inside ^= (area_of(a, b, point) > 0) == (b[1] > a[1]);
+    }
+    return inside;
+}
+
+/// A star with up to three holes; false if they did not find their places.
+static bool make_slit_outline(generator *random, slit_outline *shape)
+{
+    static const int at[3][2] = {{-20000, 0}, {15000, 15000}, {15000, -15000}};
+    outline outer = make_star(random, 3 + below(random, 12));
+    *shape = (slit_outline){.count = outer.count};
+    for (int i = 0; i < outer.count; i++)
+        for (int k = 0; k < 2; k++)
+            outer.x[i][k] *= 3;
+    add_places(shape, &outer);
+    for (int i = 0; i < outer.count; i++)
+        shape->vertex[i] = i;
+    bool good = is_simple(&outer);
+    int holes = 1 + below(random, 3);
+    for (int h = 0; h < holes && good; h++) {
+        outline hole = make_hole(random, at[h][0], at[h][1]);
+        good = is_simple(&hole) && winds_around(&outer, at[h]) &&
+               add_hole(shape, random, &hole);
+    }
+    return good;
+}
+
+/// As expect_division, of corners that may be the same vertex: both ways along
+/// a slit cancel out.
+static void expect_slit_division(const slit_outline *shape,
+                                 const int triangle[])
+{
+    static signed char passed[MOST][MOST], none[MOST][MOST];
+    int n = shape->count, turned = 0;
+    memset(passed, 0, sizeof passed);
+    for (int t = 0; t < n - 2; t++) {
+        const int *v = triangle + 3 * t;
+        turned += area_of(shape->place.x[v[0]], shape->place.x[v[1]],
+                          shape->place.x[v[2]]) <= 0;
+        for (int i = 0; i < 3; i++) {
+            passed[v[i]][v[(i + 1) % 3]]++;
+            passed[v[(i + 1) % 3]][v[i]]--;
+        }
+    }
+    for (int i = 0; i < n; i++) {
+        int a = shape->vertex[i], b = shape->vertex[(i + 1) % n];
+        passed[a][b]--;
+        passed[b][a]++;
+    }
+    ck_assert_int_eq(turned, 0);
+    ck_assert_mem_eq(passed, none, sizeof passed);
+}
+
+/// Divides it from some corner on; whether all triangles turn as it does.
+static bool divide_slit(const slit_outline *shape, int begin, int triangle[])
+{
+    static tf_polygon polygon; // its room is used again
+    double position[3 * MOST] = {0};
+    int vertex[MOST];
+    for (int i = 0; i < shape->place.count; i++)
+        for (int k = 0; k < 2; k++)
+            position[3 * i + k] = shape->place.x[i][k];
+    for (int i = 0; i < shape->count; i++)
+        vertex[i] = shape->vertex[(begin + i) % shape->count];
+    ck_assert(
+        tf_polygon_divide(&polygon, position, shape->count, vertex, triangle));
+    return polygon.is_good;
+}
+
+START_TEST(outlines_with_holes_are_divided)
+{
+    generator random = generator_new(3);
+    long made = 0;
+    for (long i = 0; i < cases(10000); i++) {
+        slit_outline shape;
+        int triangle[3 * MOST], other[3 * MOST];
+        if (!make_slit_outline(&random, &shape))
+            continue;
+        made++;
+        ck_assert(divide_slit(&shape, 0, triangle));
+        expect_slit_division(&shape, triangle);
+        ck_assert(divide_slit(&shape, below(&random, shape.count), other));
+        ck_assert_mem_eq(triangle, other,
+                         sizeof *other * 3 * (size_t)(shape.count - 2));
+    }
+    ck_assert_int_gt(made, cases(10000) / 2);
+}
+END_TEST
+
+START_TEST(a_square_with_a_hole_is_a_ring)
+{
+    static const slit_outline ring = {
+        {8, {{0, 0}, {9, 0}, {9, 9}, {0, 9}, {3, 3}, {3, 6}, {6, 6}, {6, 3}}},
+        10,
+        {0, 1, 2, 3, 0, 4, 5, 6, 7, 4}};
+    int triangle[3 * MOST];
+    ck_assert(divide_slit(&ring, 0, triangle));
+    expect_slit_division(&ring, triangle);
+}
+END_TEST
+
+START_TEST(a_corner_twice_elsewhere_is_not_good)
+{
+    static const slit_outline bad[] = {
+        {{3, {{0, 0}, {9, 0}, {9, 9}}}, 4, {0, 1, 2, 1}},
+        {{3, {{0, 0}, {9, 0}, {9, 9}}}, 4, {0, 0, 1, 2}},
+        {{4, {{0, 0}, {9, 0}, {9, 9}, {12, 20}}}, 5, {0, 1, 2, 3, 2}},
+        {{4, {{0, 0}, {9, 0}, {9, 9}, {0, 9}}}, 5, {0, 1, 2, 3, 1}},
+        {{4, {{0, 0}, {1, 0}, {0, 2}, {0, 1}}}, 6, {3, 1, 2, 0, 1, 0}},
+        // A hole that turns as the outline does.
+        {{8, {{0, 0}, {9, 0}, {9, 9}, {0, 9}, {3, 3}, {3, 6}, {6, 6}, {6, 3}}},
+         10,
+         {0, 1, 2, 3, 0, 4, 7, 6, 5, 4}},
+        // Two squares at a corner, one of which turns the other way.
+        {{7, {{0, 0}, {9, 0}, {9, 9}, {0, 9}, {-4, 0}, {-4, -4}, {0, -4}}},
+         8,
+         {0, 1, 2, 3, 0, 6, 5, 4}}};
+    for (int i = 0; i < 7; i++) {
+        int triangle[3 * MOST];
+        ck_assert_msg(!divide_slit(&bad[i], 0, triangle), "%d", i);
+    }
+}
+END_TEST
+
 // The rule --------------------------------------------------------------------
 
 START_TEST(a_convex_polygon_is_a_fan_around_its_least_index)
@@ -387,6 +628,13 @@ Suite *suite(void)
     tcase_add_test(division, neither_unit_nor_axis_nor_beginning_matter);
     tcase_add_test(division, spirals_are_divided);
     suite_add_tcase(suite, division);
+
+    TCase *holes = tcase_create("holes");
+    tcase_set_timeout(holes, 60);
+    tcase_add_test(holes, outlines_with_holes_are_divided);
+    tcase_add_test(holes, a_square_with_a_hole_is_a_ring);
+    tcase_add_test(holes, a_corner_twice_elsewhere_is_not_good);
+    suite_add_tcase(suite, holes);
 
     TCase *rule = tcase_create("the rule");
     tcase_add_test(rule, a_convex_polygon_is_a_fan_around_its_least_index);

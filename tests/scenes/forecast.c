@@ -181,15 +181,17 @@ static void make_scene(int frames)
 
 START_TEST(scenes_tell_it_after_the_first_frame)
 {
-    static const char *const commands[] = {
-        "resolve scene.yaml -o", "resolve scene.yaml -o", "detect scene.yaml -o"};
+    static const char *const commands[] = {"resolve scene.yaml -o",
+                                           "resolve scene.yaml -o",
+                                           "detect scene.yaml -o"};
     static const char *const names[] = {"made", "made.pvd", "shown.pvd"};
     double bytes[3];
     for (int i = 0; i < 3; i++) {
         make_scene(2);
-        ck_assert_int_eq(occurrences(run("$tf %s %s", commands[i], names[i]).err,
-                                     "frames will be written"),
-                         0);
+        ck_assert_int_eq(
+            occurrences(run("$tf %s %s", commands[i], names[i]).err,
+                        "frames will be written"),
+            0);
         sscanf(run("cat %.*s/*-00000.* | wc -c", (int)strcspn(names[i], "."),
                    names[i])
                    .out,

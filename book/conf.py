@@ -26,7 +26,7 @@ nitpick_ignore_regex = [("c:.*", "(?!tf_|TF_).*")]
 
 extensions = ["myst_parser", "sphinxcontrib.bibtex", "mathml", "places",
               "manifest", "weave", "sessions", "drawings", "measured", "blocks",
-              "pages", "reference", "slides"]
+              "pages", "reference", "manual", "slides"]
 
 myst_enable_extensions = ["dollarmath", "amsmath", "colon_fence", "deflist",
                           "smartquotes"]

@@ -5,7 +5,8 @@
 
 BOOK := $(wildcard book/*.md book/*.c book/*.py book/*.bib book/chapters \
 	book/_ext/*.py book/_print/* book/_theme/* book/_theme/static/* \
-	figures/measured/*.csv) $(shell find src -name '*.[ch]')
+	figures/measured/*.csv src/package/manual/*.5) \
+	$(shell find src -name '*.[ch]')
 reference = $(BUILD)/reference/xml/index.xml
 prints = $(figure_names:%=$(BUILD)/figures/%-light.pdf)
 # Debian's own Python has Sphinx and Selenium.

@@ -2,7 +2,7 @@
 
 A chapter without a text file is absent from the book, yet it keeps its number.
 
-    ```{book-contents} preface | epilogue reference notation bibliography
+    ```{book-contents} preface | epilogue reference formats notation bibliography
     ```
 lists the book on its first page: pages before the chapters, then pages after.
 

@@ -18,6 +18,7 @@ import blocks
 import drawings
 import formulas
 import manifest
+import manual
 import mathml
 import measured
 import pages
@@ -501,6 +502,83 @@ class Reference(unittest.TestCase):
     def test_does_not_link_an_entry_to_itself(self):
         line = self.marked("tf_one is tf_one", "tf_one")
         self.assertFalse(list(line.findall(addnodes.pending_xref)))
+
+
+MANUAL = r"""
+.Dd November 28, 2026
+.Dt PAGE 5
+.Os
+.Sh NAME
+.Nm page
+.Nd a page
+.Sh FILES
+Each
+.Pa .obj
+has
+.Ql v ,
+and
+.Em more .
+.Bl -bullet
+.It
+One,
+.Pa two .
+.El
+.Pp
+Last.
+.Bl -tag -width Ds
+.It OBJ
+Text.
+.Bd -literal
+$ ls  *
+a
+.Ed
+.El
+.Bl -column "name" "value"
+.It Em name Ta Em value
+.It a b Ta Ql c
+.El
+"""
+
+
+class Manual(unittest.TestCase):
+    def setUp(self):
+        with tempfile.NamedTemporaryFile("w", suffix=".5") as page:
+            page.write(MANUAL.lstrip())
+            page.flush()
+            name, files = manual.read(page.name)
+        self.heading = "".join(files.find("h1").itertext())
+        files.remove(files.find("h1"))
+        self.blocks = manual.blocks(files)
+
+    def test_takes_blocks_in_their_order(self):
+        self.assertEqual(self.heading, "FILES")
+        self.assertEqual([type(block) for block in self.blocks], [
+            nodes.paragraph, nodes.bullet_list, nodes.paragraph,
+            nodes.definition_list, nodes.table])
+
+    def test_marks_words(self):
+        line = self.blocks[0]
+        self.assertEqual(line.astext().strip(), "Each .obj has v, and more.")
+        self.assertEqual([node.astext() for node in line.findall(
+            nodes.literal)], [".obj", "v"])
+        self.assertEqual(line.next_node(nodes.emphasis).astext(), "more")
+
+    def test_takes_lists(self):
+        self.assertEqual(self.blocks[1].astext().strip(), "One, two.")
+        self.assertEqual(self.blocks[2].astext().strip(), "Last.")
+        term, text = self.blocks[3][0]
+        self.assertEqual(term.astext(), "OBJ")
+        self.assertEqual(text[0].astext().strip(), "Text.")
+        self.assertEqual(text[1].astext(), "$ ls  *\na")
+        self.assertIsInstance(text[1], nodes.literal_block)
+
+    def test_takes_tables(self):
+        table = self.blocks[4]
+        self.assertEqual([cell.astext() for cell in table.next_node(
+            nodes.thead).findall(nodes.entry)], ["name", "value"])
+        self.assertEqual([cell.astext() for cell in table.next_node(
+            nodes.tbody).findall(nodes.entry)], ["a b", "c"])
+        self.assertFalse([*table.findall(nodes.emphasis)])
 
 
 if __name__ == "__main__":

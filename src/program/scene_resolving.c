@@ -194,8 +194,8 @@ static bool write_mesh(scene_resolving *r, int m)
                            tf_scene_frames_file(&r->frames, m, 1));
     if (good && !moves)
         fprintf(stderr,
-                "tanglefree: %s was held back in frame %d; it is where %s has "
-                "it\n",
+                "tanglefree: %s was held back in frame %d; %s has its actual "
+                "positions\n",
                 tf_make_visible(r->meshes.mesh[m].name).text,
                 r->frames.count - 1, tf_make_visible(path).text);
     free(path);

@@ -108,8 +108,8 @@ static bool read_name(scene_reader *r, const yaml_node_t *node,
     return copy_text(r, node, "name", &mesh->name) &&
            (!strchr(mesh->name, '/') ||
             fault_at(r, node,
-                     "the name '%s' has a slash, but files are called by it; "
-                     "leave it out",
+                     "the name '%s' has a slash, but files are named after it; "
+                     "remove the slash",
                      tf_make_visible(mesh->name).text));
 }
 
@@ -213,7 +213,7 @@ static bool read_mapping(scene_reader *r, const yaml_node_t *node,
                          tf_scene_mesh *mesh)
 {
     if (node->type != YAML_MAPPING_NODE)
-        return fault_at(r, node, "this is no mapping; %s", wanted);
+        return fault_at(r, node, "not a mapping; %s", wanted);
     unsigned seen = 0;
     for (yaml_node_pair_t *pair = node->data.mapping.pairs.start;
          pair < node->data.mapping.pairs.top; pair++) {

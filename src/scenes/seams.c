@@ -63,9 +63,9 @@ static void hint(const tf_scene_frames *frames, int mesh,
     int coincident = count_coincident(frames, mesh);
     if (coincident > 0)
         fprintf(stderr,
-                "tanglefree: %s: %zu of %zu intersections are of elements with "
-                "corners at one position, as at a seam that is not welded; %d "
-                "vert%s with others, and 'tanglefree weld' joins them\n",
+                "tanglefree: %s: %zu of %zu intersections are between elements "
+                "with corners at the same position, as at an unwelded seam; %d "
+                "vert%s with others, which 'tanglefree weld' joins\n",
                 tf_make_visible(name).text, count->at_seams, count->all,
                 coincident, coincident == 1 ? "ex coincides" : "ices coincide");
 }

@@ -680,8 +680,8 @@ START_TEST(scenes_that_are_wrong_are_refused)
            "and may have name, role, mass, friction and group\n");
     make_file("one.yml", "meshes: [{frames: clear}]");
     expect(run("$tf detect one.yml"), 2, SCENE_HEADER,
-           "tanglefree: one.yml: has one frame alone, and so no step; give a "
-           "mesh two frames or more\n");
+           "tanglefree: one.yml: has only one frame, so there is no step; give "
+           "a mesh two frames or more\n");
     expect(run("$tf detect none.json"), 2, SCENE_HEADER,
            "tanglefree: none.json: cannot open: No such file or directory; "
            "check the name\n");
@@ -712,9 +712,8 @@ START_TEST(frames_are_taken_in_natural_order)
         run("cp rod-3 rod-10; $tf detect rod-* --format summary | head -n 1");
     expect(found, 0, "steps: 3\n",
            "tanglefree: the frames from rod-1 to rod-10 are taken in the order "
-           "of their numbers\n"
-           "tanglefree: rod-10 follows rod-3; frames between them may be "
-           "missing, and the way from one to the other is taken as one step\n");
+           "of their numbers\ntanglefree: rod-10 follows rod-3; frames may be "
+           "missing in between, but this is taken as one step\n");
     expect(run("$tf detect rod-1 rod-2 rod-3 rod-10 2>said >right; "
                "$tf detect rod-1 rod-10 rod-2 rod-3 2>more | cmp - right"),
            0, "", "");
@@ -726,7 +725,7 @@ START_TEST(frames_are_taken_in_natural_order)
     // The same rows in the order that is given, which is none.
     expect_words(run("$tf detect rod-3 rod-1 rod-2").err,
                  "tanglefree: rod-2 follows rod-1; the frames are taken in "
-                 "this order, which is not that of their numbers\n");
+                 "this order, although their numbers are not in order\n");
 }
 END_TEST
 

@@ -121,9 +121,8 @@ static const struct {
 } orders[] = {
     {"shell0 shell1 shell10 shell2", "shell0 shell1 shell2 shell10",
      "tanglefree: the frames from shell0 to shell10 are taken in the order of "
-     "their numbers\n"
-     "tanglefree: shell10 follows shell2; frames between them may be missing, "
-     "and the way from one to the other is taken as one step\n"},
+     "their numbers\ntanglefree: shell10 follows shell2; frames may be missing "
+     "in between, but this is taken as one step\n"},
     {"f0 f1 f10 f2 f3 f4 f5 f6 f7 f8 f9", "f0 f1 f2 f3 f4 f5 f6 f7 f8 f9 f10",
      "tanglefree: the frames from f0 to f10 are taken in the order of their "
      "numbers\n"},
@@ -143,17 +142,17 @@ static const struct {
      "tanglefree: a9 follows a10; the step goes from the higher number to the "
      "lower one\n"},
     {"a1 a2 a4", NULL,
-     "tanglefree: a4 follows a2; frames between them may be missing, and the "
-     "way from one to the other is taken as one step\n"},
+     "tanglefree: a4 follows a2; frames may be missing in between, but this is "
+     "taken as one step\n"},
     {"a4 a2 a1", NULL,
-     "tanglefree: a2 follows a4; frames between them may be missing, and the "
-     "way from one to the other is taken as one step\n"},
+     "tanglefree: a2 follows a4; frames may be missing in between, but this is "
+     "taken as one step\n"},
     {"a2 a1 a3", NULL,
-     "tanglefree: a3 follows a1; the frames are taken in this order, which is "
-     "not that of their numbers\n"},
+     "tanglefree: a3 follows a1; the frames are taken in this order, although "
+     "their numbers are not in order\n"},
     {"a1 a3 a2", NULL,
-     "tanglefree: a2 follows a3; the frames are taken in this order, which is "
-     "not that of their numbers\n"},
+     "tanglefree: a2 follows a3; the frames are taken in this order, although "
+     "their numbers are not in order\n"},
     {"start end middle", NULL, ""},
     {"rest a1 a2", NULL, ""},
     {"a1 b2 a3", NULL, ""},

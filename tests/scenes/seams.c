@@ -43,15 +43,14 @@ START_TEST(seams_are_hinted_at)
 {
     const char *said = hints(1, (const char *[]){SEAM}, true);
     ck_assert_str_eq(
-        said,
-        "tanglefree: a: 11 of 11 intersections are of elements with corners "
-        "at one position, as at a seam that is not welded; 2 vertices "
-        "coincide with others, and 'tanglefree weld' joins them\n");
+        said, "tanglefree: a: 11 of 11 intersections are between elements with "
+              "corners at the same position, as at an unwelded seam; 2 "
+              "vertices coincide with others, which 'tanglefree weld' joins\n");
     said = hints(1, (const char *[]){SEAM NEEDLE}, false);
     expect_words(said, "tanglefree: a: 11 of 12 intersections are");
     said =
         hints(1, (const char *[]){TRIANGLE "v 0 0 0\nv 0 0 9\nl 4 5\n"}, false);
-    expect_words(said, "; 1 vertex coincides with others, and ");
+    expect_words(said, "; 1 vertex coincides with others, which ");
 }
 END_TEST
 

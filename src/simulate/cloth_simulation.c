@@ -40,6 +40,9 @@ static tf_status begin_cloth(tf_simulation *simulation)
     if (!allocate(c))
         return TF_OUT_OF_MEMORY;
     tf_status status = tf_surface_create(&mesh, &c->surface, NULL);
+    if (status == TF_OK && simulation->setup.filter.wanted)
+        status =
+            tf_surface_set_filter(c->surface, &simulation->setup.filter, NULL);
     if (status == TF_OK)
         status = tf_resolver_create(c->surface, &c->resolver);
     if (status == TF_OK)
@@ -69,14 +72,14 @@ static void fall(tf_cloth_simulation *c)
 {
     const tf_scene *scene = c->base.scene;
     const tf_body *body = &c->base.setup.body;
-    int up = body->axes - 1;
+    int up = (body->axes - 1 + scene->up) % body->axes;
     for (int v = 0; v < body->vertices; v++)
         if (body->mass[v] > 0)
             c->velocity[body->axes * v + up] -= scene->gravity * scene->step;
 }
 
-/// Where inertia leads, and the scripts.
-static void fly(tf_cloth_simulation *c)
+/// Where inertia leads, the scripts, and the path.
+static bool fly(tf_cloth_simulation *c)
 {
     const tf_scene_setup *setup = &c->base.setup;
     const tf_body *body = &setup->body;
@@ -88,6 +91,9 @@ static void fly(tf_cloth_simulation *c)
     for (int i = 0; i < setup->scripts; i++)
         tf_script_place(&setup->script[i], body, (c->script_steps + 1) * step,
                         c->end);
+    return !setup->path.place ||
+           setup->path.place(setup->path.context, (c->script_steps + 1) * step,
+                             c->end);
 }
 
 tf_status tf_cloth_propose(tf_cloth_simulation *cloth)
@@ -96,7 +102,8 @@ tf_status tf_cloth_propose(tf_cloth_simulation *cloth)
     fall(cloth);
     tf_air_blow(&scene->air, &cloth->base.setup.body, cloth->base.time,
                 scene->step, cloth->position, cloth->velocity);
-    fly(cloth);
+    if (!fly(cloth))
+        return TF_CANCELLED;
     return tf_dynamics_step(cloth->dynamics, cloth->end, ITERATIONS);
 }
 

@@ -5,7 +5,9 @@
 #include "files/folder.h"
 #include "files/output_file.h"
 #include "program/frame_file.h"
+#include "program/mesh_frame.h"
 #include "program/steps_file.h"
+#include "simulate/filed_scene.h"
 
 #include <dirent.h>
 #include <errno.h>
@@ -41,6 +43,37 @@ static bool fault_in_writing(tf_simulation_folder *folder)
                         strerror(errno));
 }
 
+//: Write the meshes of a frame
+/// Those that move, each as a file of its own.
+static bool write_mesh(tf_simulation_folder *folder,
+                       const tf_filed_scene *filed, int m,
+                       const tf_simulation *simulation)
+{
+    const tf_scene_mesh *mesh = &filed->meshes.mesh[m];
+    tf_snapshot now = simulation->scene->kind->snapshot(simulation);
+    tf_mesh_frame frame = {folder->path,
+                           mesh->name,
+                           now.step,
+                           tf_scene_frames_file(&filed->frames, m, 1),
+                           now.mesh.axes,
+                           now.position +
+                               (ptrdiff_t)now.mesh.axes *
+                                   filed->frames.joined.first_vertex[m]};
+    bool stays = mesh->role == TF_FIXED ||
+                 (mesh->role == TF_SCRIPTED && mesh->frames.count == 1);
+    return stays || tf_mesh_frame_write(&frame, folder->file, &folder->fault);
+}
+
+static bool write_meshes(tf_simulation_folder *folder,
+                         const tf_simulation *simulation)
+{
+    const tf_filed_scene *filed = simulation->scene->own;
+    bool good = true;
+    for (int m = 0; filed && m < filed->meshes.count && good; m++)
+        good = write_mesh(folder, filed, m, simulation);
+    return good;
+}
+
 //: Write a frame whole
 /// Writes the scratch file of a frame.
 static bool begin_frame(tf_output_file *out, tf_simulation_folder *folder,
@@ -60,6 +93,8 @@ static bool write_step(tf_simulation_folder *folder,
                        const tf_simulation *simulation, bool start)
 {
     tf_output_file out = {0};
+    if (!write_meshes(folder, simulation))
+        return false;
     bool good = begin_frame(&out, folder, simulation);
     if (good && !start) {
         choose_file(folder, TABLE);

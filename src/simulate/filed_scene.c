@@ -11,6 +11,7 @@
 #include "surface/check.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <zlib.h>
@@ -154,6 +155,18 @@ static bool make_shape(tf_filed_scene *filed)
 }
 
 //: Check what meshes are made of
+/// The name is that of other files that are written.
+static bool check_names(tf_filed_scene *filed)
+{
+    for (int m = 0; m < filed->meshes.count; m++)
+        if (strcmp(filed->meshes.mesh[m].name, "frame") == 0)
+            return fault_at_line(filed, filed->meshes.mesh[m].line,
+                                 "a mesh of the name 'frame', which is what "
+                                 "the frames of all meshes are called; give it "
+                                 "another, by 'name:'");
+    return true;
+}
+
 static bool check_friction(tf_filed_scene *filed)
 {
     const tf_scene_mesh *first = NULL;
@@ -451,10 +464,11 @@ static int steps_of(const tf_filed_scene *filed)
 static bool make_meshes(tf_filed_scene *filed)
 {
     filed->frames.meshes = &filed->meshes;
+    filed->frames.keeps_sources = true;
     filed->scene = usual;
     take_physics(&filed->scene, &filed->meshes.physics);
-    if (!check_mass(filed) || !check_friction(filed) || !check_rate(filed) ||
-        !read_all(filed))
+    if (!check_names(filed) || !check_mass(filed) || !check_friction(filed) ||
+        !check_rate(filed) || !read_all(filed))
         return false;
     if (filed->meshes.physics.steps < 0)
         filed->scene.steps = steps_of(filed);

@@ -18,7 +18,8 @@ static bool name_frame(const tf_mesh_frame *frame,
                           frame->folder, frame->name, frame->number,
                           tf_mesh_ending(frame->from->format));
     return length < TF_MESH_FRAME_PATH ||
-           tf_fault_set(fault, frame->folder, -1, "cannot write: %s",
+           tf_fault_set(fault, frame->folder, -1,
+                        "cannot write: %s; give the mesh a shorter name",
                         strerror(ENAMETOOLONG));
 }
 

@@ -27,9 +27,11 @@ static const tf_scene usual = {
     .air = {.drag = 0.3}, .friction = 0.3, .material = {0.15, 300, 1.5e-4}};
 
 //: Add up a checksum
+/// None at all would begin a new sum.
 static void sum_bytes(tf_scene *scene, const void *item, size_t size)
 {
-    scene->checksum = (unsigned)crc32_z(scene->checksum, item, size);
+    if (size > 0)
+        scene->checksum = (unsigned)crc32_z(scene->checksum, item, size);
 }
 
 static void sum_text(tf_scene *scene, const char *text)

@@ -251,7 +251,7 @@ static bool find_area(tf_filed_scene *filed, int m, int first, double *area)
         tf_vector c = tf_vector_at(body->position, corner[2]);
         double twice = tf_vector_length(tf_vector_cross(
             tf_vector_difference(b, a), tf_vector_difference(c, a)));
-        if (!(twice > 0) || !isfinite(1 / twice))
+        if (!isfinite(1 / twice))
             return tf_error_fault(tf_scene_frames_file(&filed->frames, m, 1),
                                   &(tf_error){.status = TF_COLLINEAR,
                                               .subject = TF_TRIANGLE,

@@ -256,6 +256,8 @@ START_TEST(a_scene_of_a_shape_has_a_resolution)
            "tanglefree: star.yaml: the scene has --edge, from 0.001 to 0.1\n");
     expect(run("$tf simulate star.yaml -o made --size 7"), 2, "",
            "tanglefree: star.yaml: the scene has --edge, from 0.001 to 0.1\n");
+    expect(run("$tf simulate a.yml -o made --edge 5"), 2, "",
+           "tanglefree: a.yml: the scene has --size, from 4 to 2000\n");
     expect(run("$tf simulate a.yml -o made --size 3"), 2, "",
            "tanglefree: a.yml: the scene has --size, from 4 to 2000\n");
     run("sed -i 's/^size: .*/size: 4/' a.yml");

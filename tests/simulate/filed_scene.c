@@ -108,14 +108,27 @@ START_TEST(any_mesh_is_made_as_sheets_are)
 }
 END_TEST
 
+// Of which each triangle has half, and each of its corners a third of that.
 START_TEST(a_mesh_may_have_a_mass)
 {
+    const double masses[] = {1, 0.5, 1, 0.5};
+    make_file("wide.obj", "v 0 0 0\nv 4 0 0\nv 4 1 0\nv 0 1 0\nf 1 2 3 4\n");
     tf_filed_scene *filed = filed_scene(
-        "material: {density: 7}\nmeshes: [{frames: cloth.obj, mass: 3}]");
-    const double third = 3 / 3.0 / 2;
-    const double masses[] = {2 * third, third, 2 * third, third};
+        "material: {density: 7}\nmeshes: [{frames: wide.obj, mass: 3}]");
+    bool low = filed->body.mass[0] < 0.75; // which diagonal it has
     for (int v = 0; v < 4; v++)
-        ck_assert_double_eq_tol(filed->body.mass[v], masses[v], 1e-15);
+        ck_assert_double_eq_tol(filed->body.mass[v],
+                                low ? masses[(v + 1) % 4] : masses[v], 1e-14);
+    tf_filed_scene_free(filed);
+}
+END_TEST
+
+START_TEST(meshes_may_have_one_friction)
+{
+    tf_filed_scene *filed = filed_scene(
+        "friction: 0.1\nmeshes: [{frames: cloth.obj, friction: 0.7}, "
+        "{frames: wall.obj, friction: 0.7, role: fixed}]");
+    ck_assert_double_eq(filed->scene.friction, 0.7);
     tf_filed_scene_free(filed);
 }
 END_TEST
@@ -471,6 +484,7 @@ Suite *suite(void)
     tcase_add_test(made, a_scene_has_usual_values);
     tcase_add_test(made, any_mesh_is_made_as_sheets_are);
     tcase_add_test(made, a_mesh_may_have_a_mass);
+    tcase_add_test(made, meshes_may_have_one_friction);
     tcase_add_test(made, what_is_scripted_or_pinned_has_no_mass);
     tcase_add_test(made, a_scene_says_what_is_simulated);
     tcase_add_test(made, what_falls_falls_down);

@@ -20,6 +20,14 @@ static inline int32_t tf_gather_int(const char *at, bool big)
     return (int32_t)(uint32_t)tf_gather_bytes(at, 4, big);
 }
 
+/// The bits of a double, by which 0 and -0 differ.
+static inline uint64_t tf_bits_of(double number)
+{
+    uint64_t bits;
+    memcpy(&bits, &number, sizeof bits);
+    return bits;
+}
+
 static inline double tf_gather_double(const char *at, bool big)
 {
     uint64_t bits = tf_gather_bytes(at, 8, big);

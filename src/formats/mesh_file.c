@@ -102,9 +102,11 @@ bool tf_mesh_file_add_point(tf_mesh_file *file, int vertex, const char *start,
                             const char *const at[3])
 {
     tf_source_point point = {.vertex = vertex};
+    if (!file->source)
+        return true;
     for (int k = 0; k < 3; k++)
         point.at[k] = (size_t)(at[k] - start);
-    return !file->source || tf_source_add(file->source, &point) ||
+    return tf_source_add(file->source, &point) ||
            tf_mesh_file_fault_in_memory(file);
 }
 
@@ -187,7 +189,7 @@ bool tf_mesh_file_is_flat(const tf_mesh_file *file)
 //: Go through the faces
 static void take_polygon(const tf_mesh_file *file, tf_face *face)
 {
-    const int *first = file->polygon.item + 2 * face->polygon;
+    const int *first = file->polygon.item + (ptrdiff_t)2 * face->polygon;
     bool is_last = face->polygon == tf_mesh_file_polygons(file) - 1;
     face->corner = file->corner.item + first[1];
     face->corners = (is_last ? (int)file->corner.count : first[3]) - first[1];
@@ -201,10 +203,10 @@ bool tf_mesh_file_next_face(const tf_mesh_file *file, tf_face *face)
     }
     if (face->triangle >= tf_mesh_file_triangles(file))
         return false;
-    face->corner = file->triangle.item + 3 * face->triangle;
+    face->corner = file->triangle.item + (ptrdiff_t)3 * face->triangle;
     face->corners = 3;
     if (face->polygon < tf_mesh_file_polygons(file) &&
-        file->polygon.item[2 * face->polygon] == face->triangle)
+        file->polygon.item[(ptrdiff_t)2 * face->polygon] == face->triangle)
         take_polygon(file, face);
     return true;
 }
@@ -243,9 +245,9 @@ static bool divide_polygons(tf_mesh_file *file, tf_polygon *polygon, int last[])
             continue;
         if (!check_corners(file, &face, last))
             return false;
-        if (!tf_polygon_divide(polygon, file->position.item, face.corners,
-                               face.corner,
-                               file->triangle.item + 3 * face.triangle))
+        if (!tf_polygon_divide(
+                polygon, file->position.item, face.corners, face.corner,
+                file->triangle.item + (ptrdiff_t)3 * face.triangle))
             return tf_mesh_file_fault_in_memory(file);
     }
     return true;

@@ -128,29 +128,38 @@ bool tf_mesh_file_parse(tf_mesh_file *file, const char *name, char *text,
 
 //: Keep the bytes of a mesh file
 /// Copies them before the ends of lines are mended.
-static bool copy_old_lines(const tf_mesh_file *file, tf_bytes *bytes)
+static bool copy_old_lines(const tf_mesh_file *file, char *text, size_t size)
 {
     tf_source *source = file->source;
-    char *text = bytes->item;
-    if (!source || !find_old_end(text, text + count_text(text, bytes->count)))
+    if (!source || !find_old_end(text, text + count_text(text, size)))
         return true;
-    source->text = malloc(bytes->count + 1);
+    source->text = malloc(size + 1);
     if (!source->text)
         return tf_mesh_file_fault_in_memory(file);
-    memcpy(source->text, text, bytes->count + 1);
+    memcpy(source->text, text, size + 1);
     return true;
 }
 
 /// Takes them, unless they were copied.
-static void keep_bytes(tf_source *source, tf_bytes *bytes)
+static void keep_text(tf_source *source, char *text, size_t size)
 {
-    if (!source)
-        return;
-    source->size = bytes->count;
-    if (source->text)
-        return;
-    source->text = bytes->item;
-    *bytes = (tf_bytes){0};
+    if (!source || source->text)
+        free(text);
+    else
+        source->text = text;
+    if (source)
+        source->size = size;
+}
+
+bool tf_mesh_file_parse_all(tf_mesh_file *file, const char *name, char *text,
+                            size_t size, tf_columns *columns, tf_source *source,
+                            tf_fault *fault)
+{
+    *file = (tf_mesh_file){
+        .name = name, .columns = columns, .source = source, .fault = fault};
+    bool good = copy_old_lines(file, text, size) && parse(file, text, size);
+    keep_text(source, text, size);
+    return good;
 }
 
 //: Read a mesh file
@@ -172,14 +181,12 @@ bool tf_mesh_file_read_all(tf_mesh_file *file, const char *path,
 {
     const char *name = strcmp(path, "-") == 0 ? "standard input" : path;
     tf_bytes bytes = {0};
-    *file = (tf_mesh_file){
-        .name = name, .columns = columns, .source = source, .fault = fault};
-    bool good = tf_bytes_read(&bytes, path, name, is_hopeless, fault) &&
-                copy_old_lines(file, &bytes) &&
-                parse(file, bytes.item, bytes.count);
-    keep_bytes(source, &bytes);
+    *file = (tf_mesh_file){.name = name, .columns = columns, .fault = fault};
+    if (tf_bytes_read(&bytes, path, name, is_hopeless, fault))
+        return tf_mesh_file_parse_all(file, name, bytes.item, bytes.count,
+                                      columns, source, fault);
     tf_bytes_free(&bytes);
-    return good;
+    return false;
 }
 
 bool tf_mesh_file_read(tf_mesh_file *file, const char *path,

@@ -3,11 +3,10 @@
 
 #include "formats/mesh_file.h"
 
-// The readers are our own.  Assimp and libigl were looked at: Debian's assimp
-// holds floats, and joins and orders anew what it reads; libigl's are templates
-// of C++ that know neither lines nor bytes.  rply keeps doubles and order, but of
-// PLY alone, and a callback for each number cannot tell the place of a fault
-// either.  libgmsh brings a modeler of solids with it.
+// The readers are our own.  Of the libraries that Debian has, assimp is compiled
+// for floats, and joins and orders anew what it reads, and libgmsh reads into a
+// model of its own, with a modeler of solids; neither tells a bad line or byte.
+// libigl and rply are no packages; the latter reads PLY alone.
 
 /// Reads the file at `path` ("-": standard input): OBJ, PLY, STL, OFF, or Gmsh's
 /// .msh, each perhaps compressed by gzip.  Its content tells which it is, and
@@ -30,3 +29,9 @@ bool tf_mesh_file_read_all(tf_mesh_file *file, const char *path,
 /// Carriage returns that end lines become line feeds.
 bool tf_mesh_file_parse(tf_mesh_file *file, const char *name, char *text,
                         size_t size, tf_columns *columns, tf_fault *fault);
+
+/// The same, and takes the text, which must be from malloc, into the source.
+/// @param source empty; NULL: the text is freed
+bool tf_mesh_file_parse_all(tf_mesh_file *file, const char *name, char *text,
+                            size_t size, tf_columns *columns, tf_source *source,
+                            tf_fault *fault);

@@ -2,6 +2,7 @@
 #include "formats/polygon.h"
 
 #include <math.h>
+#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -58,10 +59,10 @@ static double find_scale(const tf_polygon *polygon, const double position[])
 static void place_corners(const tf_polygon *polygon, const double position[])
 {
     double scale = find_scale(polygon, position);
-    const double *origin = position + 3 * polygon->corner[0].vertex;
+    const double *origin = position + (ptrdiff_t)3 * polygon->corner[0].vertex;
     for (int i = 0; i < polygon->count; i++) {
         tf_corner *corner = &polygon->corner[i];
-        const double *x = position + 3 * corner->vertex;
+        const double *x = position + (ptrdiff_t)3 * corner->vertex;
         for (int k = 0; k < 3; k++)
             corner->x[k] = scale * x[k] - scale * origin[k];
     }

@@ -32,6 +32,7 @@ typedef struct tf_polygon {
 /// polygon does, and holds no other corner.  Where there is no ear (the polygon
 /// crosses itself, or is a line), the rest is the fan around the first corner.
 /// The signs are those of rounded differences.
+/// Where the fan is not good, that takes a time as the square of the count.
 /// @param position three coordinates of each vertex
 /// @param count of corners, 3 or more
 /// @param vertex of each corner, all different

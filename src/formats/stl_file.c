@@ -13,7 +13,7 @@
 enum {
     HEADER = 84, // bytes, of which the last four count the triangles
     FACET = 50,  // bytes: a normal, three corners, and two that mean nothing
-    AHEAD = 8    // facets that memory takes to be there
+    AHEAD = 400  // bytes, of the facets that memory takes to be there
 };
 
 static size_t bytes_of_facets(const char *text)
@@ -136,8 +136,8 @@ bool tf_binary_stl_parse(tf_mesh_file *file, const char *text, size_t size)
     describe_source(file);
     bool good = check_size(file, text, size);
     for (size_t at = HEADER; good && at < size; at += FACET) {
-        if (size - at > AHEAD * FACET)
-            expect_facet(&welder, text, at + AHEAD * FACET);
+        if (size - at > AHEAD)
+            expect_facet(&welder, text, at + AHEAD);
         good = read_facet(file, &welder, text, at);
     }
     tf_welder_free(&welder);

@@ -51,7 +51,7 @@ void tf_mesh_output_remark(const char *path, const tf_mesh_content *content,
     tf_mesh_format format = tf_mesh_format_of(path, made_of->format);
     if (made_of->source && !tf_mesh_is_source(content, format))
         print_losses(path, made_of, format);
-    if (format == TF_STL_BINARY)
+    if (tf_mesh_has_floats(content, format))
         print_rounding(path, content);
 }
 

@@ -130,7 +130,7 @@ const tf_option tf_options[] = {
      .most = 1000, .usual = "1",
      .help = "In how many parts to take the step, each of them clear"},
     {TF_CHECK, OPTION("each", 0, NULL, each, TF_SWITCH),
-     .help = "Check each file, or each mesh of a scene, by itself alone"},
+     .help = "Check each file, or each mesh of a scene, by itself"},
     {TF_CHECK, OPTION("thickness", 0, "D", thickness, TF_REAL), POSITIVE,
      .help = "Find pairs of elements that are nearer than this, too"},
     {TF_RESOLVE, OPTION("thickness", 0, "D", thickness, TF_REAL), POSITIVE,

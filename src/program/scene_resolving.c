@@ -166,8 +166,8 @@ static bool write_mesh(scene_resolving *r, int m)
     bool good = tf_mesh_frame_write(&frame, path, &r->frames.fault);
     if (good && !moves)
         fprintf(stderr,
-                "tanglefree: %s was held back in frame %d; it is where %s has "
-                "it\n",
+                "tanglefree: %s was held back in frame %d; %s has its actual "
+                "positions\n",
                 tf_make_visible(r->meshes.mesh[m].name).text,
                 r->frames.count - 1, tf_make_visible(path).text);
     return good;

@@ -8,6 +8,7 @@
 #include "scenes/natural_order.h"
 #include "scenes/scene_file.h"
 #include "scenes/scene_frames.h"
+#include "scenes/seams.h"
 #include "scenes/shown_frames.h"
 #include "threads/threads.h"
 
@@ -21,6 +22,7 @@ typedef struct work {
     tf_scene_meshes meshes;
     tf_scene_frames frames;
     tf_surface_part part;
+    bool *hinted; ///< of each mesh: whether a hint was given at its seams
     tf_destination to;
     tf_surface_output output;
     bool shows; ///< whether the frames are written for ParaView
@@ -66,6 +68,8 @@ static void drop_meshes(work *w)
     tf_scene_meshes_free(&w->meshes);
     free(w->part.name);
     free(w->part.listed);
+    free(w->hinted);
+    w->hinted = NULL;
     w->part = (tf_surface_part){0};
 }
 
@@ -77,7 +81,8 @@ static bool name_meshes(work *w)
     w->part = (tf_surface_part){.joined = &w->frames.joined,
                                 .name = calloc(meshes, sizeof *w->part.name),
                                 .listed = calloc(meshes, sizeof(bool))};
-    if (!w->part.name || !w->part.listed)
+    w->hinted = calloc(meshes, sizeof *w->hinted);
+    if (!w->part.name || !w->part.listed || !w->hinted)
         return fault_in_work_memory(w);
     for (int m = 0; m < w->meshes.count; m++)
         w->part.name[m] = is_scene(w->request)
@@ -185,8 +190,10 @@ static bool check_frame(work *w)
     tf_check_options options = {.parallel = tf_threads_parallel(w->threads)};
     tf_surface_check(w->frames.surface, rest.vertices, rest.end, &options,
                      &found, &error);
-    return succeeded(w, &error) &&
-           tf_surface_output_crossings(&w->output, &w->part, &found) &&
+    if (!succeeded(w, &error))
+        return false;
+    tf_hint_at_seams(&w->frames, &found, w->part.name, w->hinted);
+    return tf_surface_output_crossings(&w->output, &w->part, &found) &&
            (!(w->request->thickness > 0) || check_thickness(w, &rest));
 }
 
@@ -297,8 +304,19 @@ static int run_detect(const tf_request *request)
     return run(request, false, detect_all);
 }
 
+/// Before there were scenes, each frame was checked alone.
+static void say_joined(const tf_request *request)
+{
+    if (!request->each && tf_are_numbered(request->operand, request->operands))
+        fprintf(stderr,
+                "tanglefree: %s and the other files are tested against each "
+                "other; --each tests each alone\n",
+                tf_make_visible(request->operand[0]).text);
+}
+
 static int run_check(const tf_request *request)
 {
+    say_joined(request);
     return run(request, true, check_all);
 }
 

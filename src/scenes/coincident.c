@@ -34,15 +34,14 @@ typedef struct cells {
 
 static double cell_of(const cells *c, double coordinate)
 {
-    return c->within > 0 ? floor(coordinate / (2 * c->within))
-                         : coordinate + 0.0; // which has no -0
+    return c->within > 0 ? floor(coordinate / (2 * c->within)) : coordinate;
 }
 
 static int *bucket_of(const cells *c, const double cell[3])
 {
     uint64_t hash = 0;
     for (int k = 0; k < 3; k++) {
-        double side = cell[k] + 0.0;
+        double side = cell[k] + 0.0; // which is not -0
         uint64_t bits;
         memcpy(&bits, &side, sizeof bits);
         hash = (hash ^ bits) * UINT64_C(0x9e3779b97f4a7c15);

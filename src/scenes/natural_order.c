@@ -3,7 +3,6 @@
 
 #include "files/visible.h"
 
-#include <stdbool.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -101,6 +100,15 @@ static bool find_distances(char *const name[], int count, int64_t distance[])
     return true;
 }
 
+bool tf_are_numbered(char *const name[], int count)
+{
+    int64_t number[2];
+    bool numbered = count > 2;
+    for (int i = 1; i < count && numbered; i++)
+        numbered = numbers_of(name[i - 1], name[i], number);
+    return numbered;
+}
+
 //: Tell what is strange about the numbers of frames
 static void say_next(const char *name, const char *next, const char *what)
 {
@@ -136,12 +144,12 @@ static void say_strange(char *const name[], int count, const int64_t distance[])
     int gap = find_gap(count - 1, distance);
     if (turn > 0)
         say_next(name[turn], name[turn + 1],
-                 "the frames are taken in this order, which is not that of "
-                 "their numbers");
+                 "the frames are taken in this order, although their numbers "
+                 "are not in order");
     else if (gap >= 0)
-        say_next(name[gap], name[gap + 1],
-                 "frames between them may be missing, and the way from one to "
-                 "the other is taken as one step");
+        say_next(
+            name[gap], name[gap + 1],
+            "frames may be missing in between, but this is taken as one step");
     else if (count == 2 && distance[0] < 0 && strcmp(name[0], name[1]) < 0)
         say_next(name[0], name[1],
                  "the step goes from the higher number to the lower one");

@@ -30,8 +30,8 @@ static bool read_name(tf_scene_reader *r, const tf_scene_key *key,
     return tf_scene_take_text(r, key, node, mesh) &&
            (!strchr(mesh->name, '/') ||
             tf_scene_fault_at(r, node,
-                              "the name '%s' has a slash, but files are called "
-                              "by it; leave it out",
+                              "the name '%s' has a slash, but files are named "
+                              "after it; remove the slash",
                               tf_make_visible(mesh->name).text));
 }
 

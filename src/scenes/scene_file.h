@@ -31,4 +31,4 @@ bool tf_simulated_file_read(tf_scene_meshes *meshes, const char *path,
 
 /// What is wrong with a scene that should have steps.
 #define TF_NO_STEP_FAULT                                                       \
-    "has one frame alone, and so no step; give a mesh two frames or more"
+    "has only one frame, so there is no step; give a mesh two frames or more"

@@ -61,7 +61,8 @@ static bool read_files(tf_scene_frames *frames)
         frames->source = calloc(meshes, sizeof *frames->source);
     }
     if (!frames->file || !frames->source)
-        return tf_fault_set(&frames->fault, frames->meshes->mesh[0].name, -1,
+        return tf_fault_set(&frames->fault,
+                            frames->meshes->mesh[0].frames.path[0], -1,
                             "not enough memory for %d meshes; divide the scene",
                             frames->meshes->count);
     bool good = true;

@@ -104,8 +104,8 @@ static bool check_name(const check *of, int i)
     for (int j = 0; j < i; j++)
         if (strcmp(of->meshes->mesh[j].name, mesh->name) == 0)
             return tf_fault_set(of->fault, of->file, mesh->line,
-                                "a second mesh of the name '%s'; give one of "
-                                "them another, by 'name:'",
+                                "there is already a mesh named '%s'; name one "
+                                "of them differently, by 'name:'",
                                 tf_make_visible(mesh->name).text);
     return true;
 }
@@ -118,9 +118,8 @@ static bool check_frames(const check *of, const tf_scene_mesh *mesh,
     return mesh->role == TF_FIXED || frames == 1 ||
            frames == other->frames.count ||
            tf_fault_set(of->fault, of->file, mesh->line,
-                        "the number of frames of '%s' is %d, but that of '%s' "
-                        "is %d; give each mesh one frame, or as many as the "
-                        "others",
+                        "'%s' has %d frames, but '%s' has %d; give each mesh "
+                        "one frame, or all the same number",
                         tf_make_visible(mesh->name).text, frames,
                         tf_make_visible(other->name).text, other->frames.count);
 }
@@ -129,8 +128,8 @@ static bool check_mass(const check *of, const tf_scene_mesh *mesh, bool wanted)
 {
     return mesh->role != TF_MOVING || mesh->mass > 0 || !wanted ||
            tf_fault_set(of->fault, of->file, mesh->line,
-                        "no mass of '%s', but another mesh that moves has one; "
-                        "give one to all, or to none",
+                        "'%s' has no mass, but another moving mesh has one; "
+                        "give a mass to all moving meshes or to none",
                         tf_make_visible(mesh->name).text);
 }
 

@@ -2,6 +2,7 @@
 #define _DEFAULT_SOURCE // fwrite_unlocked, fputc_unlocked
 #include "writers/encoder.h"
 
+#include "formats/binary.h"
 #include "writers/decimal.h"
 
 #include <math.h>
@@ -26,12 +27,10 @@ static void write_text(const tf_encoder *to, const char *text, const char *end)
 void tf_encode_double(const tf_encoder *to, double number)
 {
     char text[TF_DECIMAL_ROOM];
-    uint64_t bits;
-    memcpy(&bits, &number, sizeof bits);
     if (to->is_text)
         write_text(to, text, tf_decimal_double(text, number));
     else
-        write_bytes(to, bits, 8);
+        write_bytes(to, tf_bits_of(number), 8);
 }
 
 /// 9 digits determine a float.
@@ -88,7 +87,7 @@ bool tf_number_fits(tf_number_type type, double number)
     double held = type == TF_DOUBLE  ? number
                   : type == TF_FLOAT ? (double)(float)number
                                      : (double)(int64_t)limited(type, number);
-    return memcmp(&held, &number, sizeof held) == 0;
+    return tf_bits_of(held) == tf_bits_of(number);
 }
 
 //: Write many numbers

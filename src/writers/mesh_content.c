@@ -17,9 +17,11 @@ bool tf_mesh_content_next_face(const tf_mesh_content *content, tf_face *face)
         return tf_mesh_file_next_face(content->from, face);
     const tf_mesh *mesh = &content->mesh;
     face->triangle += face->corner ? 1 : 0;
+    if (face->triangle >= mesh->triangles)
+        return false;
     face->corner = mesh->triangle + 3 * (size_t)face->triangle;
     face->corners = 3;
-    return face->triangle < mesh->triangles;
+    return true;
 }
 
 //: Find the color of a vertex

@@ -19,6 +19,12 @@ bool tf_mesh_is_source(const tf_mesh_content *content, tf_mesh_format format)
            content->from->format == format;
 }
 
+bool tf_mesh_has_floats(const tf_mesh_content *content, tf_mesh_format format)
+{
+    return format == TF_STL_BINARY ||
+           (format == TF_STL_TEXT && !tf_mesh_is_source(content, format));
+}
+
 //: Check that a mesh can be written
 #define END_THE_NAME "end the name in .obj, .ply or .vtp"
 
@@ -26,8 +32,8 @@ static bool check_elements(const tf_mesh_content *content,
                            tf_mesh_format format, const char *path,
                            tf_fault *fault)
 {
-    bool faces = format != TF_STL_BINARY && format != TF_OFF;
-    return faces || content->mesh.triangles > 0 ||
+    bool holds_edges = !tf_mesh_has_floats(content, format) && format != TF_OFF;
+    return holds_edges || content->mesh.triangles > 0 ||
            tf_fault_set(
                fault, path, -1,
                "%s holds faces, and this mesh has only edges; " END_THE_NAME,
@@ -40,7 +46,7 @@ static bool check_range(const tf_mesh_content *content, tf_mesh_format format,
 {
     const tf_mesh *mesh = &content->mesh;
     size_t count = (size_t)mesh->vertices * (size_t)mesh->axes;
-    for (size_t i = 0; i < count && format == TF_STL_BINARY; i++)
+    for (size_t i = 0; i < count && tf_mesh_has_floats(content, format); i++)
         if (fabs(content->position[i]) > (double)FLT_MAX)
             return tf_fault_set(fault, path, -1,
                                 "the coordinate %.17g is beyond the floats of "

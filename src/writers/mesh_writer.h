@@ -5,6 +5,10 @@
 
 #include <stdio.h>
 
+// The writers are our own, too.  Assimp writes floats, libadmesh writes STL alone,
+// and VTK, which is C++ and large, keeps of OBJ and PLY what it has arrays for;
+// none writes a file again as it was.  printf is too slow for many numbers.
+
 /// Writes a mesh.  If its file has a source, and is of that format, that is the
 /// source with the positions of the content.  If not, it is written such that
 /// the same triangles and edges are read, in the same order, and but for STL the
@@ -14,6 +18,10 @@ void tf_mesh_write(FILE *stream, const tf_mesh_content *content,
 
 /// Whether that is a source with other positions, so that nothing is lost.
 bool tf_mesh_is_source(const tf_mesh_content *content, tf_mesh_format format);
+
+/// Whether coordinates are rounded to floats: in STL, but for text that is a
+/// source.
+bool tf_mesh_has_floats(const tf_mesh_content *content, tf_mesh_format format);
 
 /// Whether a mesh can be written in a format; if not, sets the fault of the file
 /// at that path.

@@ -39,7 +39,7 @@ static void sort_axes(const size_t at[3], int axis[3])
 //: Compare a coordinate with its source
 static bool is_same(double a, double b)
 {
-    return memcmp(&a, &b, sizeof a) == 0;
+    return tf_bits_of(a) == tf_bits_of(b);
 }
 
 /// Whether it is the same double; where vertices were welded, 0 has any sign.
@@ -129,7 +129,7 @@ static void declare_z(copier *c)
 
 static void write_header(copier *c)
 {
-    int axis[3];
+    int axis[3] = {0};
     sort_axes(c->source->word, axis);
     for (int i = 0; i < 3; i++) {
         change_word(c, axis[i]);
@@ -182,7 +182,7 @@ void tf_source_write(FILE *stream, const tf_mesh_file *file,
     choose_types(&c);
     write_header(&c);
     for (size_t i = 0; i < source->points; i++) {
-        int axis[3];
+        int axis[3] = {0};
         sort_axes(source->point[i].at, axis);
         for (int k = 0; k < 3; k++)
             write_coordinate(&c, &source->point[i], axis[k]);

@@ -233,7 +233,7 @@ START_TEST(stars_are_divided)
 {
     generator random = generator_new(1);
     for (long i = 0; i < cases(3000); i++) {
-        int label[MOST], place[MOST], triangle[3 * MOST];
+        int label[MOST] = {0}, place[MOST], triangle[3 * MOST];
         outline shape = make_star(&random, 4 + below(&random, MOST - 3));
         if (!is_simple(&shape))
             continue;
@@ -252,7 +252,7 @@ START_TEST(neither_unit_nor_axis_nor_beginning_matter)
 {
     generator random = generator_new(2);
     for (long i = 0; i < cases(3000); i++) {
-        int label[MOST];
+        int label[MOST] = {0};
         outline shape = make_star(&random, 4 + below(&random, 12));
         shuffle(&random, shape.count, label);
         int exponent = below(&random, 2000) - 1000;

@@ -63,6 +63,27 @@ START_TEST(what_new_triangles_lose_is_said)
 }
 END_TEST
 
+START_TEST(floats_of_stl_are_told)
+{
+    make_file("third.obj", "v 0 0 0\nv 1 0 0\nv 1 0.1 0\nf 1 2 3\n");
+    expect(run("$tf resolve third.obj third.obj -o one.stl 2>&1 >report | "
+               "cut -d, -f 1"),
+           0, "tanglefree: one.stl: 1 of 9 coordinates are rounded to floats\n",
+           "");
+    make_file("text.stl",
+              "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n"
+              "vertex 1 0 0\nvertex 1 .1 0\nendloop\nendfacet\n"
+              "endsolid\n");
+    expect(run("$tf remesh text.stl -o two.stl -e 9 2>&1 >report | cut -d, -f "
+               "1; cmp one.stl two.stl"),
+           0, "tanglefree: two.stl: 1 of 9 coordinates are rounded to floats\n",
+           "");
+    expect(run("$tf remesh text.stl -o a.pvd -e 9"), 2, "",
+           "tanglefree: a.pvd: .pvd is not written; end the name in .obj, "
+           ".ply, .stl, .off or .vtp\n");
+}
+END_TEST
+
 /// A square with colors, a label and a linear function of x and y.
 #define PROPERTIES                                                             \
     "property uchar red\nproperty double x\nproperty double y\n"               \
@@ -202,6 +223,7 @@ Suite *suite(void)
     tcase_add_test(tcase, a_mesh_goes_from_and_to_a_pipe);
     tcase_add_test(tcase, the_ending_chooses_the_format);
     tcase_add_test(tcase, what_new_triangles_lose_is_said);
+    tcase_add_test(tcase, floats_of_stl_are_told);
     tcase_add_test(tcase, what_vertices_have_is_carried_over);
     tcase_add_test(tcase, colors_of_obj_are_carried_over);
     tcase_add_test(tcase, a_mesh_that_intersects_is_refused);

@@ -151,8 +151,8 @@ START_TEST(scripted_meshes_that_are_held_back_are_written)
            0,
            "bar-00000.obj\nbar-00001.obj\nplates-00001.obj\nheld steps: 1\n"
            "intersections: 0\n",
-           "tanglefree: plates was held back in frame 1; it is where "
-           "made/plates-00001.obj has it\n");
+           "tanglefree: plates was held back in frame 1; made/plates-00001.obj "
+           "has its actual positions\n");
 }
 END_TEST
 
@@ -249,8 +249,8 @@ START_TEST(a_scene_without_steps_is_refused)
     expect(run("$tf resolve one.yaml -o made; ls"), 0,
            "below.obj\nerr\nfloor.obj\nhigh.obj\nlow.obj\none.yaml\nout\n"
            "scene.yaml\n",
-           "tanglefree: one.yaml: has one frame alone, and so no step; give a "
-           "mesh two frames or more\n");
+           "tanglefree: one.yaml: has only one frame, so there is no step; "
+           "give a mesh two frames or more\n");
     ck_assert_int_eq(run("$tf resolve one.yaml -o made").status, 2);
 }
 END_TEST

@@ -212,14 +212,15 @@ static const char *const soup[] = {"soup-0", "soup-1", "soup-2", "soup-3"};
 START_TEST(threads_change_nothing)
 {
     make_soup(soup, 4);
-    static const char *const commands[] = {"detect soup-?",
-                                           "detect --format json soup-?",
-                                           "detect --first soup-?",
-                                           "detect --format summary soup-?",
-                                           "check soup-?",
-                                           "check --format json soup-?",
-                                           "check --format summary soup-?",
-                                           "check --each soup-?"};
+    static const char *const commands[] = {
+        "detect soup-?",
+        "detect --format json soup-?",
+        "detect --first soup-?",
+        "detect --format summary soup-?",
+        "check soup-? clear",
+        "check --format json soup-? clear",
+        "check --format summary soup-? clear",
+        "check --each soup-?"};
     for (int i = 0; i < 8; i++) {
         outcome found = run(
             "$tf %s -t 1 >one; status=$?; for t in 2 3 8 256; do $tf %s -t $t "
@@ -679,8 +680,8 @@ START_TEST(scenes_that_are_wrong_are_refused)
            "and may have name, role, mass, friction and group\n");
     make_file("one.yml", "meshes: [{frames: clear}]");
     expect(run("$tf detect one.yml"), 2, SCENE_HEADER,
-           "tanglefree: one.yml: has one frame alone, and so no step; give a "
-           "mesh two frames or more\n");
+           "tanglefree: one.yml: has only one frame, so there is no step; give "
+           "a mesh two frames or more\n");
     expect(run("$tf detect none.json"), 2, SCENE_HEADER,
            "tanglefree: none.json: cannot open: No such file or directory; "
            "check the name\n");
@@ -711,16 +712,20 @@ START_TEST(frames_are_taken_in_natural_order)
         run("cp rod-3 rod-10; $tf detect rod-* --format summary | head -n 1");
     expect(found, 0, "steps: 3\n",
            "tanglefree: the frames from rod-1 to rod-10 are taken in the order "
-           "of their numbers\n"
-           "tanglefree: rod-10 follows rod-3; frames between them may be "
-           "missing, and the way from one to the other is taken as one step\n");
+           "of their numbers\ntanglefree: rod-10 follows rod-3; frames may be "
+           "missing in between, but this is taken as one step\n");
     expect(run("$tf detect rod-1 rod-2 rod-3 rod-10 2>said >right; "
                "$tf detect rod-1 rod-10 rod-2 rod-3 2>more | cmp - right"),
            0, "", "");
+    expect_words(run("$tf check rod-1 rod-2 rod-3").err,
+                 "tanglefree: rod-1 and the other files are tested against "
+                 "each other; --each tests each alone\n");
+    expect(run("$tf check rod-1 rod-2 rod-3 --each && $tf check rod-1 clear"),
+           0, CHECK_HEADER JOINED_HEADER, "");
     // The same rows in the order that is given, which is none.
     expect_words(run("$tf detect rod-3 rod-1 rod-2").err,
                  "tanglefree: rod-2 follows rod-1; the frames are taken in "
-                 "this order, which is not that of their numbers\n");
+                 "this order, although their numbers are not in order\n");
 }
 END_TEST
 

@@ -121,9 +121,8 @@ static const struct {
 } orders[] = {
     {"shell0 shell1 shell10 shell2", "shell0 shell1 shell2 shell10",
      "tanglefree: the frames from shell0 to shell10 are taken in the order of "
-     "their numbers\n"
-     "tanglefree: shell10 follows shell2; frames between them may be missing, "
-     "and the way from one to the other is taken as one step\n"},
+     "their numbers\ntanglefree: shell10 follows shell2; frames may be missing "
+     "in between, but this is taken as one step\n"},
     {"f0 f1 f10 f2 f3 f4 f5 f6 f7 f8 f9", "f0 f1 f2 f3 f4 f5 f6 f7 f8 f9 f10",
      "tanglefree: the frames from f0 to f10 are taken in the order of their "
      "numbers\n"},
@@ -143,17 +142,17 @@ static const struct {
      "tanglefree: a9 follows a10; the step goes from the higher number to the "
      "lower one\n"},
     {"a1 a2 a4", NULL,
-     "tanglefree: a4 follows a2; frames between them may be missing, and the "
-     "way from one to the other is taken as one step\n"},
+     "tanglefree: a4 follows a2; frames may be missing in between, but this is "
+     "taken as one step\n"},
     {"a4 a2 a1", NULL,
-     "tanglefree: a2 follows a4; frames between them may be missing, and the "
-     "way from one to the other is taken as one step\n"},
+     "tanglefree: a2 follows a4; frames may be missing in between, but this is "
+     "taken as one step\n"},
     {"a2 a1 a3", NULL,
-     "tanglefree: a3 follows a1; the frames are taken in this order, which is "
-     "not that of their numbers\n"},
+     "tanglefree: a3 follows a1; the frames are taken in this order, although "
+     "their numbers are not in order\n"},
     {"a1 a3 a2", NULL,
-     "tanglefree: a2 follows a3; the frames are taken in this order, which is "
-     "not that of their numbers\n"},
+     "tanglefree: a2 follows a3; the frames are taken in this order, although "
+     "their numbers are not in order\n"},
     {"start end middle", NULL, ""},
     {"rest a1 a2", NULL, ""},
     {"a1 b2 a3", NULL, ""},
@@ -182,6 +181,28 @@ START_TEST(frames_are_put_in_order)
 }
 END_TEST
 
+START_TEST(numbered_names_are_known)
+{
+    static const struct {
+        char *name[4];
+        int count;
+        bool numbered;
+    } names[] = {
+        {{"a1", "a2", "a3"}, 3, true},
+        {{"a9", "a2", "a30.", "a3"}, 2, false},
+        {{"a9", "a2", "a30", "a3"}, 4, true},
+        {{"a1", "a2", "a2"}, 3, false},
+        {{"a1", "a2", "b3"}, 3, false},
+        {{"a1"}, 1, false},
+        {{"a1b1", "a2b1", "a3b2"}, 3, false},
+    };
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+        ck_assert_msg(tf_are_numbered(names[i].name, names[i].count) ==
+                          names[i].numbered,
+                      "%zu", i);
+}
+END_TEST
+
 Suite *suite(void)
 {
     Suite *suite = suite_create("scenes/natural_order");
@@ -196,6 +217,7 @@ Suite *suite(void)
     tcase_add_checked_fixture(frames, enter_folder, leave_folder);
     tcase_add_loop_test(frames, frames_are_put_in_order, 0,
                         sizeof orders / sizeof *orders);
+    tcase_add_test(frames, numbered_names_are_known);
     suite_add_tcase(suite, frames);
     return suite;
 }

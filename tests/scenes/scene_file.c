@@ -209,16 +209,16 @@ static const struct {
 } mistakes[] = {
     // No meshes.
     {"", -1, "is empty; " SCENE_KEYS},
-    {"# nothing\n---\n", 3, "this is no mapping; " SCENE_KEYS},
+    {"# nothing\n---\n", 3, "not a mapping; " SCENE_KEYS},
     {"{}\n", 1, "no meshes; " SCENE_KEYS},
-    {"- frames: a.obj\n", 1, "this is no mapping; " SCENE_KEYS},
-    {"a.obj\n", 1, "this is no mapping; " SCENE_KEYS},
+    {"- frames: a.obj\n", 1, "not a mapping; " SCENE_KEYS},
+    {"a.obj\n", 1, "not a mapping; " SCENE_KEYS},
     {"meshes:\n", 1, "meshes must be a list; write '- frames: FILE' for each"},
     {"\nmeshes: []\n", 2,
      "meshes must be a list; write '- frames: FILE' for each"},
     {"meshes:\n  frames: a.obj\n", 2,
      "meshes must be a list; write '- frames: FILE' for each"},
-    {"meshes:\n- a.obj\n", 2, "this is no mapping; " MESH_KEYS},
+    {"meshes:\n- a.obj\n", 2, "not a mapping; " MESH_KEYS},
     // Keys.
     {"mesh:\n- frames: a.obj\n", 1, "unknown key 'mesh'; " SCENE_KEYS},
     {A_MESH "mass: 1\n", 3, "unknown key 'mass'; " SCENE_KEYS},
@@ -276,12 +276,13 @@ static const struct {
     {A_MESH "  friction: 0,4\n", 3,
      "friction must be a number from 0 on, got '0,4'"},
     {A_MESH "  name: a/b\n", 3,
-     "the name 'a/b' has a slash, but files are called by it; leave it out"},
+     "the name 'a/b' has a slash, but files are named after it; remove the "
+     "slash"},
     {A_MESH "  name: ''\n", 3, "name must be a text that is not empty"},
     {A_MESH "  group: {a: b}\n", 3,
      "group must be a text, not a list or a mapping"},
     {A_MESH "  material: cotton\n", 3,
-     "this is no mapping; a material may have density, stretch and bend"},
+     "not a mapping; a material may have density, stretch and bend"},
     {A_MESH "  material: {weight: 1}\n", 3,
      "unknown key 'weight'; a material may have density, stretch and bend"},
     {A_MESH "  material:\n    density: 0\n", 4,
@@ -318,7 +319,7 @@ static const struct {
     {A_MESH "friction: -1\n", 3,
      "friction must be a number from 0 on, got '-1'"},
     {A_MESH "air: still\n", 3,
-     "this is no mapping; air may have drag, wind, veer and gust"},
+     "not a mapping; air may have drag, wind, veer and gust"},
     {A_MESH "air:\n  storm: 1\n", 4,
      "unknown key 'storm'; air may have drag, wind, veer and gust"},
     {A_MESH "air: {drag: -1}\n", 3,
@@ -350,15 +351,16 @@ static const struct {
      "that this writes"},
     // Meshes that do not go together.
     {A_MESH "- frames: b.obj\n  name: a\n", 3,
-     "a second mesh of the name 'a'; give one of them another, by 'name:'"},
+     "there is already a mesh named 'a'; name one of them differently, by "
+     "'name:'"},
     {"meshes:\n- frames: [a.obj, b.obj]\n  role: scripted\n"
      "- frames: walk/body-*.ply\n",
      2,
-     "the number of frames of 'a' is 2, but that of 'body' is 3; give each "
-     "mesh one frame, or as many as the others"},
+     "'a' has 2 frames, but 'body' has 3; give each mesh one frame, or all the "
+     "same number"},
     {A_MESH "- frames: b.obj\n  mass: 1\n", 2,
-     "no mass of 'a', but another mesh that moves has one; give one to all, or "
-     "to none"},
+     "'a' has no mass, but another moving mesh has one; give a mass to all "
+     "moving meshes or to none"},
     // What is not YAML.
     {"meshes:\n- frames: [a.obj\n", 3,
      "is not YAML: did not find expected ',' or ']'; mend it there, or in the "

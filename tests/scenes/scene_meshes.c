@@ -134,11 +134,11 @@ START_TEST(meshes_have_one_frame_or_as_many_as_others)
     expect_frames(3, (int[]){7, 1, 3}, roles, none, 7);
     expect_frames(3, (int[]){1, 1, 9}, roles, none, 1);
     expect_fault(3, (int[]){6, 7, 1}, roles, none, 10,
-                 "the number of frames of 'a' is 6, but that of 'b' is 7; give "
-                 "each mesh one frame, or as many as the others");
+                 "'a' has 6 frames, but 'b' has 7; give each mesh one frame, "
+                 "or all the same number");
     expect_fault(3, (int[]){7, 2, 1}, roles, none, 20,
-                 "the number of frames of 'b' is 2, but that of 'a' is 7; give "
-                 "each mesh one frame, or as many as the others");
+                 "'b' has 2 frames, but 'a' has 7; give each mesh one frame, "
+                 "or all the same number");
 }
 END_TEST
 
@@ -149,11 +149,11 @@ START_TEST(all_that_move_have_a_mass_or_none)
     expect_frames(3, frames, moving, (double[]){1, 0, 2}, 1);
     expect_frames(3, frames, moving, (double[]){0, 5, 0}, 1);
     expect_fault(3, frames, moving, (double[]){0, 5, 1}, 10,
-                 "no mass of 'a', but another mesh that moves has one; give "
-                 "one to all, or to none");
+                 "'a' has no mass, but another moving mesh has one; give a "
+                 "mass to all moving meshes or to none");
     expect_fault(3, frames, moving, (double[]){1, 5, 0}, 30,
-                 "no mass of 'c', but another mesh that moves has one; give "
-                 "one to all, or to none");
+                 "'c' has no mass, but another moving mesh has one; give a "
+                 "mass to all moving meshes or to none");
 }
 END_TEST
 
@@ -165,8 +165,8 @@ START_TEST(names_differ)
     add_mesh(&meshes, "shirt/1.obj", 1);
     ck_assert(tf_scene_meshes_name(&meshes));
     ck_assert(!tf_scene_meshes_check(&meshes, "scene.yaml", &fault));
-    ck_assert_str_eq(fault.text, "a second mesh of the name '1'; give one of "
-                                 "them another, by 'name:'");
+    ck_assert_str_eq(fault.text, "there is already a mesh named '1'; name one "
+                                 "of them differently, by 'name:'");
     ck_assert_int_eq(fault.place, 20);
     tf_scene_meshes_free(&meshes);
 }

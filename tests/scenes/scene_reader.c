@@ -98,7 +98,7 @@ static const struct {
     {"vector: [1,\n2,\n-3]", 3, "vector must be a number from 0 on, got '-3'"},
     {"other: 1", 1, "unknown key 'other'; there is a list"},
     {"any: 1\nsome: 1\nany: 1", 3, "the key 'any' is there twice; delete one"},
-    {"[any]", 1, "this is no mapping; there is a list"},
+    {"[any]", 1, "not a mapping; there is a list"},
 };
 
 START_TEST(each_mistake_has_its_line)

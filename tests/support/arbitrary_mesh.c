@@ -1,9 +1,13 @@
+#define _POSIX_C_SOURCE 200809L // open_memstream
+
 #include "support/arbitrary_mesh.h"
 
 #include "formats/mesh_reader.h"
 #include "surface/check.h"
 #include "surface/detect.h"
+#include "writers/losses.h"
 #include "writers/mesh_writer.h"
+#include "writers/source_writer.h"
 
 #include <limits.h>
 #include <math.h>
@@ -23,7 +27,7 @@ static void check_fault(const tf_mesh_file *file, const char *text, size_t size)
 {
     long most = 1;
     for (size_t i = 0; i < size; i++)
-        most += text[i] == '\n';
+        most += text[i] == '\n' || text[i] == '\r';
     if (file->counts_bytes)
         most = (long)size;
     require(file->fault->place >= -1 && file->fault->place <= most);
@@ -158,30 +162,82 @@ static void check_columns(const tf_mesh_file *file)
     tf_mesh_content content = {.mesh = tf_mesh_file_elements(file, 3),
                                .position = file->position.item,
                                .columns = columns->count > 0 ? columns : NULL};
-    for (int format = TF_OBJ; format <= TF_PLY_BIG_ENDIAN; format++)
-        tf_mesh_write(nowhere, &content, (tf_mesh_format)format);
+    static const tf_mesh_format formats[] = {TF_OBJ,
+                                             TF_PLY_TEXT,
+                                             TF_PLY_LITTLE_ENDIAN,
+                                             TF_PLY_BIG_ENDIAN,
+                                             TF_OFF,
+                                             TF_STL_BINARY,
+                                             TF_VTP};
+    bool good = is_good_list(&file->triangle, 3, tf_mesh_file_vertices(file));
+    for (int i = 0; i < 7; i++) {
+        if (good) // as what is written has passed for a surface
+            tf_mesh_write(nowhere, &content, formats[i]);
+        tf_losses losses = tf_find_losses(file, formats[i]);
+        require(memchr(losses.text, '\0', sizeof losses.text) != NULL);
+    }
     fclose(nowhere);
+}
+
+/// What is written of a file with its positions; to be freed.
+static char *rewrite(const tf_mesh_file *file, size_t *size)
+{
+    char *text = NULL;
+    FILE *stream = open_memstream(&text, size);
+    require(stream != NULL);
+    tf_source_write(stream, file, file->position.item);
+    require(fclose(stream) == 0);
+    return text;
+}
+
+/// A file that is written with its own positions is the same bytes, and with
+/// others is read again as these.
+static void check_source(tf_mesh_file *file, const void *bytes, size_t size)
+{
+    size_t again;
+    char *text = rewrite(file, &again);
+    require(again == size && memcmp(text, bytes, size) == 0);
+    free(text);
+    bool welds = file->format == TF_STL_TEXT || file->format == TF_STL_BINARY;
+    size_t count = file->position.count;
+    for (size_t i = 0; i < count; i++)
+        if (fabs(file->position.item[i]) < 1e9)
+            file->position.item[i] += (double)(i % 7) / 3;
+    text = rewrite(file, &again);
+    tf_mesh_file read;
+    tf_fault fault;
+    bool good = tf_mesh_file_parse(&read, "again", text, again, NULL, &fault);
+    require(welds || (good && read.position.count == count &&
+                      memcmp(read.position.item, file->position.item,
+                             count * sizeof(double)) == 0));
+    free(text);
+    tf_mesh_file_free(&read);
 }
 
 void try_arbitrary_mesh(const void *bytes, size_t size)
 {
-    char *text = malloc(size + 1);
-    require(text != NULL);
+    char *text = malloc(size + 1), *kept = malloc(size + 1);
+    require(text && kept);
     memcpy(text, bytes, size);
-    text[size] = '\0';
+    memcpy(kept, bytes, size);
+    text[size] = kept[size] = '\0';
     tf_mesh_file file;
     tf_fault fault = {0};
     tf_columns columns = {0};
-    if (!tf_mesh_file_parse(&file, "fuzz", text, size, &columns, &fault)) {
-        check_fault(&file, text, size);
+    tf_source source = {0};
+    if (!tf_mesh_file_parse_all(&file, "fuzz", text, size, &columns, &source,
+                                &fault)) {
+        check_fault(&file, kept, size);
     } else {
         check_file(&file);
         check_columns(&file);
         if (is_small(&file))
             try_surface(&file);
+        check_source(&file, kept, size);
     }
-    free(text);
+    free(kept);
     tf_columns_free(&columns);
+    tf_source_free(&source);
     tf_mesh_file_free(&file);
 }
 

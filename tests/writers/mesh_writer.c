@@ -391,6 +391,24 @@ START_TEST(stl_holds_no_coordinates_beyond_floats)
 }
 END_TEST
 
+START_TEST(stl_has_floats_unless_it_is_text_that_is_kept)
+{
+    tf_source source = {0};
+    tf_mesh_file mesh = good_mesh("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    tf_mesh_content content = content_of(&mesh);
+    content.from = &mesh;
+    ck_assert(tf_mesh_has_floats(&content, TF_STL_BINARY));
+    ck_assert(tf_mesh_has_floats(&content, TF_STL_TEXT));
+    ck_assert(!tf_mesh_has_floats(&content, TF_PLY_TEXT));
+    mesh.source = &source;
+    mesh.format = TF_STL_TEXT;
+    ck_assert(!tf_mesh_has_floats(&content, TF_STL_TEXT));
+    mesh.format = TF_STL_BINARY;
+    ck_assert(tf_mesh_has_floats(&content, TF_STL_BINARY));
+    tf_mesh_file_free(&mesh);
+}
+END_TEST
+
 START_TEST(other_formats_are_not_written)
 {
     tf_mesh_file mesh = good_mesh("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
@@ -422,6 +440,7 @@ Suite *suite(void)
     TCase *refused = tcase_create("what is not written");
     tcase_add_test(refused, curves_are_not_written_as_faces);
     tcase_add_test(refused, stl_holds_no_coordinates_beyond_floats);
+    tcase_add_test(refused, stl_has_floats_unless_it_is_text_that_is_kept);
     tcase_add_test(refused, other_formats_are_not_written);
     suite_add_tcase(suite, refused);
     return suite;

@@ -5,9 +5,9 @@
 
 #include <stdio.h>
 
-// The writers are our own, too.  Assimp writes floats, libadmesh writes STL alone,
-// and VTK, which is C++ and large, keeps of OBJ and PLY what it has arrays for;
-// none writes a file again as it was.  printf is too slow for many numbers.
+// The writers are our own, too.  Assimp writes floats, libadmesh writes STL
+// alone, and VTK, which is C++ and large, keeps of OBJ and PLY what it has arrays
+// for; none writes a file again as it was.  printf is slow for many numbers.
 
 /// Writes a mesh.  If its file has a source, and is of that format, that is the
 /// source with the positions of the content.  If not, it is written such that

@@ -136,9 +136,14 @@ static bool fault_in_step(run *r, tf_status status)
         r->folder.fault = *r->fault_of_frames;
         return false;
     }
-    return tf_fault_set(&r->folder.fault, r->scene->name, -1, "step %d: %s",
-                        r->simulation ? r->simulation->step + 1 : 1,
-                        tf_status_message(status));
+    bool grew = status == TF_NOT_FINITE || status == TF_OUT_OF_RANGE;
+    return tf_fault_set(
+        &r->folder.fault, r->scene->name, -1, "step %d: %s",
+        r->simulation ? r->simulation->step + 1 : 1,
+        grew && r->scene->filed
+            ? "positions grow without bounds; write lengths in meters, and "
+              "take a shorter step or a softer material"
+            : tf_status_message(status));
 }
 
 //: Make a step of the simulation, and write it

@@ -130,8 +130,8 @@ static bool take_resolution(tf_filed_scene *filed)
     if (given_other || filed->resolution < range->least ||
         filed->resolution > range->most)
         return fault_at_line(filed, p->resolution_line,
-                             "the shape '%s' has %s: from %g to %g", p->shape,
-                             option, range->least, range->most);
+                             "the shape '%s' takes '%s:' from %g to %g",
+                             p->shape, option, range->least, range->most);
     return true;
 }
 
@@ -145,7 +145,7 @@ static bool make_shape(tf_filed_scene *filed)
     if (!shape)
         return fault_at_line(filed, physics->shape_line,
                              "there is no shape '%s'; 'tanglefree simulate "
-                             "list' lists the scenes that are one",
+                             "list' lists all shapes",
                              tf_make_visible(physics->shape).text);
     filed->scene = *shape;
     if (!check_shape(filed) || !take_resolution(filed))
@@ -163,9 +163,9 @@ static bool check_names(tf_filed_scene *filed)
     for (int m = 0; m < filed->meshes.count; m++)
         if (strcmp(filed->meshes.mesh[m].name, "frame") == 0)
             return fault_at_line(filed, filed->meshes.mesh[m].line,
-                                 "a mesh of the name 'frame', which is what "
-                                 "the frames of all meshes are called; give it "
-                                 "another, by 'name:'");
+                                 "no mesh may be named 'frame', as the frames "
+                                 "of all meshes together are; name it "
+                                 "differently, by 'name:'");
     return true;
 }
 
@@ -179,9 +179,9 @@ static bool check_friction(tf_filed_scene *filed)
         else if (mesh->friction != first->friction)
             return fault_at_line(
                 filed, mesh->line,
-                "the friction of '%s' is not that of '%s', but a simulation "
-                "has "
-                "one for all; write 'friction:' beside 'meshes:'",
+                "'%s' and '%s' have different friction, but a simulation has "
+                "one "
+                "coefficient; write 'friction:' beside 'meshes:'",
                 tf_make_visible(mesh->name).text,
                 tf_make_visible(first->name).text);
     }
@@ -196,11 +196,12 @@ static bool check_rate(tf_filed_scene *filed)
     for (int m = 0; m < meshes->count && meshes->physics.rate < 0; m++) {
         const tf_scene_mesh *mesh = &meshes->mesh[m];
         if (mesh->role != TF_FIXED && mesh->frames.count > 1)
-            return fault_at_line(filed, mesh->line,
-                                 "'%s' has %d frames; write how many a second "
-                                 "has beside 'meshes:', such as 'rate: 25'",
-                                 tf_make_visible(mesh->name).text,
-                                 mesh->frames.count);
+            return fault_at_line(
+                filed, mesh->line,
+                "'%s' has %d frames, but there is no rate; for "
+                "25 frames a second, write 'rate: 25' beside "
+                "'meshes:'",
+                tf_make_visible(mesh->name).text, mesh->frames.count);
     }
     return true;
 }
@@ -279,10 +280,11 @@ static bool stiffen(tf_filed_scene *filed, int m, int first)
     const tf_mesh_file *file = tf_scene_frames_file(&filed->frames, m, 1);
     double area;
     if (file->edge.count > 0 || file->triangle.count == 0)
-        return tf_mesh_file_fault(file, -1,
-                                  "a mesh that moves in a simulation has "
-                                  "triangles alone, no edges besides theirs; "
-                                  "leave these out, or let it be scripted");
+        return tf_mesh_file_fault(
+            file, -1,
+            "only triangles can move in a simulation, not "
+            "loose edges; remove the edges, or make the "
+            "mesh scripted");
     if (!find_area(filed, m, first, &area))
         return false;
     tf_material material = material_of(&mesh->material, &usual.material);

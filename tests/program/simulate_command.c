@@ -214,6 +214,20 @@ START_TEST(the_end_of_a_mesh_is_a_fault_before_any_frame)
 }
 END_TEST
 
+START_TEST(numbers_that_are_too_large_are_told)
+{
+    run("mkdir own");
+    make_scene();
+    run("echo 'gravity: 1e308' >>own/scene.yaml; "
+        "echo 'step: 1e3' >>own/scene.yaml");
+    expect(run(OWN " -o made 2>&1 >/dev/null | grep -v triangulated"), 0,
+           "tanglefree: scene.yaml: step 1: positions grow without bounds; "
+           "write lengths in meters, and take a shorter step or a softer "
+           "material\n",
+           "");
+}
+END_TEST
+
 START_TEST(meshes_are_as_fine_as_their_files)
 {
     run("mkdir own");
@@ -474,6 +488,7 @@ Suite *suite(void)
     tcase_add_test(bad, a_folder_that_is_not_empty);
     tcase_add_test(bad, another_size_cannot_go_on);
     tcase_add_test(bad, the_end_of_a_mesh_is_a_fault_before_any_frame);
+    tcase_add_test(bad, numbers_that_are_too_large_are_told);
     tcase_add_test(bad, meshes_are_as_fine_as_their_files);
     tcase_add_loop_test(bad, a_broken_environment, 0, environments());
     suite_add_tcase(suite, bad);

@@ -364,23 +364,23 @@ static const struct {
     const char *fault;
 } mistakes[] = {
     {CLOTH "- frames: body*.obj\n  role: scripted\n", "scene.yaml", 3,
-     "'body' has 3 frames; write how many a second has beside 'meshes:', such "
-     "as 'rate: 25'"},
+     "'body' has 3 frames, but there is no rate; for 25 frames a second, "
+     "write 'rate: 25' beside 'meshes:'"},
     {CLOTH "  friction: 0.1\n- frames: wall.obj\n", "scene.yaml", 4,
-     "the friction of 'wall' is not that of 'cloth', but a simulation has one "
-     "for all; write 'friction:' beside 'meshes:'"},
+     "'wall' and 'cloth' have different friction, but a simulation has one "
+     "coefficient; write 'friction:' beside 'meshes:'"},
     {CLOTH "  mass: 1\n  material: {density: 1}\n", "scene.yaml", 2,
      "'cloth' has a mass and a density; delete one of them"},
     {CLOTH "  name: frame\n", "scene.yaml", 2,
-     "a mesh of the name 'frame', which is what the frames of all meshes are "
-     "called; give it another, by 'name:'"},
+     "no mesh may be named 'frame', as the frames of all meshes together are; "
+     "name it differently, by 'name:'"},
     {CLOTH "  pinned:\n  - 4\n", "scene.yaml", 4,
      "'cloth' has no vertex 4; its vertices are numbered from 0 to 3"},
     {CLOTH "  pinned: pins.txt\n", "pins.txt", 2,
      "there is no vertex 9; they are numbered from 0 to 3"},
     {"meshes:\n- frames: edges.obj\n", "edges.obj", -1,
-     "a mesh that moves in a simulation has triangles alone, no edges besides "
-     "theirs; leave these out, or let it be scripted"},
+     "only triangles can move in a simulation, not loose edges; remove the "
+     "edges, or make the mesh scripted"},
     {"meshes:\n- frames: flat.obj\n", "flat.obj", 5,
      "the corners of this triangle are on one line; remove it"},
     {CLOTH "- {frames: through.obj, role: fixed}\n", "cloth.obj", -1,
@@ -396,8 +396,7 @@ static const struct {
      "the curves leave the plane in frame 1; keep z = 0, or give them another "
      "z from the start"},
     {"shape: cube\n", "scene.yaml", 1,
-     "there is no shape 'cube'; 'tanglefree simulate list' lists the scenes "
-     "that are one"},
+     "there is no shape 'cube'; 'tanglefree simulate list' lists all shapes"},
     {"rate: 1\nshape: sphere\n", "scene.yaml", 2,
      "rate and up are for meshes; with a shape, leave them out"},
     {"up: y\nshape: sphere\n", "scene.yaml", 2,
@@ -412,11 +411,11 @@ static const struct {
      "the shape 'star' flows, without gravity, friction, air and material; "
      "leave them out"},
     {"shape: star\nsize: 9\n", "scene.yaml", 2,
-     "the shape 'star' has edge: from 0.001 to 0.1"},
+     "the shape 'star' takes 'edge:' from 0.001 to 0.1"},
     {"shape: sphere\nedge: 9\n", "scene.yaml", 2,
-     "the shape 'sphere' has size: from 4 to 2000"},
+     "the shape 'sphere' takes 'size:' from 4 to 2000"},
     {"shape: sphere\nsize: 3\n", "scene.yaml", 2,
-     "the shape 'sphere' has size: from 4 to 2000"},
+     "the shape 'sphere' takes 'size:' from 4 to 2000"},
 };
 
 START_TEST(each_mistake_is_told)

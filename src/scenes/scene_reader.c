@@ -181,8 +181,7 @@ bool tf_scene_read_mapping(tf_scene_reader *reader, const yaml_node_t *node,
                            void *target)
 {
     if (node->type != YAML_MAPPING_NODE)
-        return tf_scene_fault_at(reader, node, "not a mapping; %s",
-                                 wanted);
+        return tf_scene_fault_at(reader, node, "not a mapping; %s", wanted);
     unsigned seen = 0;
     for (yaml_node_pair_t *pair = node->data.mapping.pairs.start;
          pair < node->data.mapping.pairs.top; pair++) {

@@ -27,10 +27,9 @@ static bool name_frame(const tf_mesh_frame *frame,
 bool tf_mesh_frame_write(const tf_mesh_frame *frame,
                          char path[TF_MESH_FRAME_PATH], tf_fault *fault)
 {
-    tf_mesh_content content = {
-        .mesh = tf_mesh_file_elements(frame->from, frame->axes),
-        .position = frame->position,
-        .from = frame->from};
+    tf_mesh_content content = {.mesh = tf_mesh_file_elements(frame->from, 3),
+                               .position = frame->position,
+                               .from = frame->from};
     if (!name_frame(frame, path, fault))
         return false;
     tf_mesh_output_remark(path, &content, frame->from);

@@ -14,8 +14,7 @@ typedef struct tf_mesh_frame {
     int number;               ///< of the frame
     const tf_mesh_file *from; ///< the file whose format, and all but the
                               ///< positions, it takes over
-    int axes;                 ///< coordinates a vertex has
-    const double *position;
+    const double *position;   ///< three coordinates a vertex
 } tf_mesh_frame;
 
 /// Writes the file, called as the mesh is, with the number of the frame and the

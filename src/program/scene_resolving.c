@@ -156,11 +156,9 @@ static bool write_mesh(scene_resolving *r, int m)
     bool moves = r->meshes.mesh[m].role == TF_MOVING;
     if (!moves && !is_displaced(r, m))
         return true;
-    tf_mesh_frame frame = {r->request->out,
-                           r->meshes.mesh[m].name,
+    tf_mesh_frame frame = {r->request->out, r->meshes.mesh[m].name,
                            r->frames.count - 1,
                            tf_scene_frames_file(&r->frames, m, 1),
-                           3,
                            tf_scene_frames_positions(&r->frames, m)};
     char path[TF_MESH_FRAME_PATH];
     bool good = tf_mesh_frame_write(&frame, path, &r->frames.fault);

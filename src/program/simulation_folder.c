@@ -11,6 +11,7 @@
 
 #include <dirent.h>
 #include <errno.h>
+#include <stdlib.h>
 #include <string.h>
 
 //: Name the files in the folder of a simulation
@@ -44,33 +45,46 @@ static bool fault_in_writing(tf_simulation_folder *folder)
 }
 
 //: Write the meshes of a frame
-/// Those that move, each as a file of its own.
-static bool write_mesh(tf_simulation_folder *folder,
-                       const tf_filed_scene *filed, int m,
-                       const tf_simulation *simulation)
+/// The positions of a mesh with three coordinates a vertex, to be freed; NULL:
+/// there is no memory.
+static double *take_positions(const tf_snapshot *now, const int first[2])
 {
-    const tf_scene_mesh *mesh = &filed->meshes.mesh[m];
-    tf_snapshot now = simulation->scene->kind->snapshot(simulation);
-    tf_mesh_frame frame = {folder->path,
-                           mesh->name,
-                           now.step,
-                           tf_scene_frames_file(&filed->frames, m, 1),
-                           now.mesh.axes,
-                           now.position +
-                               (ptrdiff_t)now.mesh.axes *
-                                   filed->frames.joined.first_vertex[m]};
-    bool stays = mesh->role == TF_FIXED ||
-                 (mesh->role == TF_SCRIPTED && mesh->frames.count == 1);
-    return stays || tf_mesh_frame_write(&frame, folder->file, &folder->fault);
+    size_t count = (size_t)(first[1] - first[0]);
+    double *x = calloc(3 * count + 1, sizeof *x);
+    int axes = now->mesh.axes;
+    for (size_t v = 0; v < count && x; v++)
+        memcpy(x + 3 * v, now->position + (size_t)axes * ((size_t)first[0] + v),
+               (size_t)axes * sizeof *x);
+    return x;
 }
 
-static bool write_meshes(tf_simulation_folder *folder,
-                         const tf_simulation *simulation)
+/// Unless it stays where its file has it.
+static bool write_own_mesh(tf_simulation_folder *folder,
+                           const tf_filed_scene *filed, int m,
+                           const tf_snapshot *now)
+{
+    const tf_scene_mesh *mesh = &filed->meshes.mesh[m];
+    if (mesh->role == TF_FIXED ||
+        (mesh->role == TF_SCRIPTED && mesh->frames.count == 1))
+        return true;
+    const tf_mesh_file *file = tf_scene_frames_file(&filed->frames, m, 1);
+    double *x = take_positions(now, filed->frames.joined.first_vertex + m);
+    tf_mesh_frame frame = {folder->path, mesh->name, now->step, file, x};
+    bool good = x ? tf_mesh_frame_write(&frame, folder->file, &folder->fault)
+                  : tf_fault_set(&folder->fault, folder->path, -1, "%s",
+                                 tf_status_message(TF_OUT_OF_MEMORY));
+    free(x);
+    return good;
+}
+
+static bool write_own_meshes(tf_simulation_folder *folder,
+                             const tf_simulation *simulation)
 {
     const tf_filed_scene *filed = simulation->scene->own;
+    tf_snapshot now = simulation->scene->kind->snapshot(simulation);
     bool good = true;
     for (int m = 0; filed && m < filed->meshes.count && good; m++)
-        good = write_mesh(folder, filed, m, simulation);
+        good = write_own_mesh(folder, filed, m, &now);
     return good;
 }
 
@@ -93,7 +107,7 @@ static bool write_step(tf_simulation_folder *folder,
                        const tf_simulation *simulation, bool start)
 {
     tf_output_file out = {0};
-    if (!write_meshes(folder, simulation))
+    if (!write_own_meshes(folder, simulation))
         return false;
     bool good = begin_frame(&out, folder, simulation);
     if (good && !start) {

@@ -78,7 +78,7 @@ typedef struct range_words {
     char text[64];
 } range_words;
 
-static range_words range_of(const tf_scene_key *key)
+static range_words words_of_range(const tf_scene_key *key)
 {
     range_words words = {""};
     if (key->most < INFINITY && key->most > key->least)
@@ -91,7 +91,7 @@ static range_words range_of(const tf_scene_key *key)
 }
 
 //: Read a number of YAML
-static bool is_in_range(double number, const tf_scene_key *key)
+static bool fits_key(double number, const tf_scene_key *key)
 {
     return isfinite(number) && (key->most <= key->least ||
                                 (number >= key->least && number <= key->most));
@@ -105,10 +105,10 @@ bool tf_scene_read_number(tf_scene_reader *reader, const yaml_node_t *node,
         return false;
     const char *rest = text;
     bool good = tf_number_read(&rest, number) && *rest == '\0' &&
-                is_in_range(*number, key);
+                fits_key(*number, key);
     return good ||
            tf_scene_fault_at(reader, node, "%s must be a number%s, got '%s'",
-                             key->name, range_of(key).text,
+                             key->name, words_of_range(key).text,
                              tf_make_visible(text).text);
 }
 

@@ -8,6 +8,7 @@
 #include "simulate/cloth_scenes.h"
 #include "simulate/cloth_simulation.h"
 #include "simulate/flow_scenes.h"
+#include "simulate/strand.h"
 #include "surface/check.h"
 
 #include <math.h>
@@ -169,7 +170,7 @@ static bool check_names(tf_filed_scene *filed)
     return true;
 }
 
-static bool check_friction(tf_filed_scene *filed)
+static bool check_one_friction(tf_filed_scene *filed)
 {
     const tf_scene_mesh *first = NULL;
     for (int m = 0; m < filed->meshes.count; m++) {
@@ -206,7 +207,7 @@ static bool check_rate(tf_filed_scene *filed)
     return true;
 }
 
-static bool check_mass(tf_filed_scene *filed)
+static bool check_masses_of_meshes(tf_filed_scene *filed)
 {
     for (int m = 0; m < filed->meshes.count; m++) {
         const tf_scene_mesh *mesh = &filed->meshes.mesh[m];
@@ -220,7 +221,8 @@ static bool check_mass(tf_filed_scene *filed)
 }
 
 //: Add a mesh to the body
-static void add_mesh(tf_filed_scene *filed, int m, const double position[])
+static void add_mesh_to_body(tf_filed_scene *filed, int m,
+                             const double position[])
 {
     tf_body *body = &filed->body;
     const tf_mesh_file *file = tf_scene_frames_file(&filed->frames, m, 1);
@@ -238,28 +240,48 @@ static void add_mesh(tf_filed_scene *filed, int m, const double position[])
                          first + file->edge.item[i + 1]);
 }
 
-//: Weigh a mesh
-/// The sum over the triangles from the first one on; that of one without area is
-/// an error.
-static bool find_area(tf_filed_scene *filed, int m, int first, double *area)
+//: Measure the triangles of a mesh
+/// Twice the area of one.
+static double twice_area_of(const tf_body *body, int triangle)
 {
-    const tf_body *body = &filed->body;
-    *area = 0;
-    for (int t = first; t < body->triangles; t++) {
-        const int *corner = body->triangle + (ptrdiff_t)3 * t;
-        tf_vector a = tf_vector_at(body->position, corner[0]);
-        tf_vector b = tf_vector_at(body->position, corner[1]);
-        tf_vector c = tf_vector_at(body->position, corner[2]);
-        double twice = tf_vector_length(tf_vector_cross(
-            tf_vector_difference(b, a), tf_vector_difference(c, a)));
+    const int *corner = body->triangle + (ptrdiff_t)3 * triangle;
+    tf_vector a = tf_vector_at(body->position, corner[0]);
+    tf_vector b = tf_vector_at(body->position, corner[1]);
+    tf_vector c = tf_vector_at(body->position, corner[2]);
+    return tf_vector_length(tf_vector_cross(tf_vector_difference(b, a),
+                                            tf_vector_difference(c, a)));
+}
+
+/// Adds the area from the first triangle on; that of one without is an error.
+static bool add_area(tf_filed_scene *filed, const tf_mesh_file *file, int first,
+                     double *measure)
+{
+    for (int t = first; t < filed->body.triangles; t++) {
+        double twice = twice_area_of(&filed->body, t);
         if (!isfinite(1 / twice))
-            return tf_error_fault(tf_scene_frames_file(&filed->frames, m, 1),
+            return tf_error_fault(file,
                                   &(tf_error){.status = TF_COLLINEAR,
                                               .subject = TF_TRIANGLE,
                                               .index = (size_t)(t - first),
                                               .vertex = {-1, -1, -1, -1, -1},
                                               .time = -1});
-        *area += twice / 2;
+        *measure += twice / 2;
+    }
+    return true;
+}
+
+//: Measure the edges of a mesh
+/// Adds the length from the first edge on; that of one without is an error.
+static bool add_length(tf_filed_scene *filed, const tf_mesh_file *file,
+                       int first, double *measure)
+{
+    for (int e = first; e < filed->body.edges; e++) {
+        double length = tf_strand_length(&filed->body, e);
+        if (!isfinite(1 / length))
+            return tf_mesh_file_fault(file, file->edge_place.item[e - first],
+                                      "this edge has no length; remove it, or "
+                                      "move an end of it");
+        *measure += length;
     }
     return true;
 }
@@ -273,24 +295,20 @@ static bool pin(tf_filed_scene *filed, int m)
                              &filed->fault);
 }
 
-/// @param first the first of its triangles
-static bool stiffen(tf_filed_scene *filed, int m, int first)
+/// @param triangle,edge the first of the mesh
+static bool stiffen(tf_filed_scene *filed, int m, int triangle, int edge)
 {
     const tf_scene_mesh *mesh = &filed->meshes.mesh[m];
     const tf_mesh_file *file = tf_scene_frames_file(&filed->frames, m, 1);
-    double area;
-    if (file->edge.count > 0 || file->triangle.count == 0)
-        return tf_mesh_file_fault(
-            file, -1,
-            "only triangles can move in a simulation, not "
-            "loose edges; remove the edges, or make the "
-            "mesh scripted");
-    if (!find_area(filed, m, first, &area))
+    double measure = 0;
+    if (!add_area(filed, file, triangle, &measure) ||
+        !add_length(filed, file, edge, &measure))
         return false;
     tf_material material = material_of(&mesh->material, &usual.material);
     if (mesh->mass > 0)
-        material.density = mesh->mass / area;
-    tf_cloth_stiffen(&filed->body, first, &material);
+        material.density = mesh->mass / measure;
+    tf_cloth_stiffen(&filed->body, triangle, &material);
+    tf_strand_stiffen(&filed->body, edge, &material);
     sum_bytes(&filed->scene, &material, sizeof material);
     return filed->body.failed || pin(filed, m);
 }
@@ -310,10 +328,10 @@ static bool make_body(tf_filed_scene *filed)
     body->axes = motion.axes;
     bool good = true;
     for (int m = 0; m < filed->meshes.count && good && !body->failed; m++) {
-        int first = body->triangles;
-        add_mesh(filed, m, motion.end);
+        int triangle = body->triangles, edge = body->edges;
+        add_mesh_to_body(filed, m, motion.end);
         if (filed->meshes.mesh[m].role == TF_MOVING && !body->failed)
-            good = stiffen(filed, m, first);
+            good = stiffen(filed, m, triangle, edge);
     }
     return good && (!body->failed || fault_in_body(filed));
 }
@@ -335,7 +353,7 @@ static void sum_body(tf_filed_scene *filed)
 }
 
 //: Check that the start is clear
-static bool is_scripted(const tf_body *body, const int vertex[5])
+static bool are_scripted(const tf_body *body, const int vertex[5])
 {
     bool scripted = true;
     for (int i = 0; i < 5; i++)
@@ -366,7 +384,7 @@ static bool check_start(tf_filed_scene *filed)
                          NULL, &found, &error) != TF_OK)
         return tf_scene_frames_fault(&filed->frames, &error);
     for (size_t i = 0; i < found.count; i++)
-        if (!is_scripted(&filed->body, found.crossing[i].vertex))
+        if (!are_scripted(&filed->body, found.crossing[i].vertex))
             return fault_in_crossing(filed, &found.crossing[i]);
     return true;
 }
@@ -404,7 +422,7 @@ static bool read_again(tf_filed_scene *filed)
     return tf_scene_frames_next(&filed->frames);
 }
 
-static bool read_all(tf_filed_scene *filed)
+static bool read_frames_of_scene(tf_filed_scene *filed)
 {
     if (!tf_scene_frames_next(&filed->frames) || !make_body(filed) ||
         !check_start(filed))
@@ -426,7 +444,7 @@ static bool go_to(tf_scene_frames *frames, double at)
 }
 
 /// Straight from the frame before to the one after.
-static bool place(void *context, double time, double position[])
+static bool place_by_frames(void *context, double time, double position[])
 {
     tf_filed_scene *filed = context;
     double at = time * filed->meshes.physics.rate;
@@ -453,7 +471,7 @@ static void build_meshes(tf_scene_setup *setup, double resolution)
     setup->filter = tf_scene_frames_filter(&filed->frames);
     filed->body = (tf_body){0};
     if (filed->meshes.frames > 1)
-        setup->path = (tf_path){place, filed};
+        setup->path = (tf_path){place_by_frames, filed};
 }
 
 //: Make a scene of meshes
@@ -471,8 +489,9 @@ static bool make_meshes(tf_filed_scene *filed)
     filed->frames.keeps_sources = true;
     filed->scene = usual;
     take_physics(&filed->scene, &filed->meshes.physics);
-    if (!check_names(filed) || !check_mass(filed) || !check_friction(filed) ||
-        !check_rate(filed) || !read_all(filed))
+    if (!check_names(filed) || !check_masses_of_meshes(filed) ||
+        !check_one_friction(filed) || !check_rate(filed) ||
+        !read_frames_of_scene(filed))
         return false;
     if (filed->meshes.physics.steps < 0)
         filed->scene.steps = steps_of(filed);
@@ -485,7 +504,7 @@ static bool make_meshes(tf_filed_scene *filed)
 
 //: Name a scene by its file
 /// A comma would end the name in the comment of a frame.
-static void name(tf_filed_scene *filed)
+static void name_by_file(tf_filed_scene *filed)
 {
     const char *file = basename(filed->path);
     tf_quoted quoted = tf_quote(file, strlen(file));
@@ -506,7 +525,7 @@ bool tf_filed_scene_read(tf_filed_scene *filed, const char *path)
         filed->meshes.physics.shape ? make_shape(filed) : make_meshes(filed);
     if (!good && filed->frames.fault.text[0])
         filed->fault = filed->frames.fault;
-    name(filed);
+    name_by_file(filed);
     filed->scene.filed = true;
     return good;
 }

@@ -7,7 +7,7 @@
 
 //: Write a number of a scene
 /// With as many digits as it needs.
-static void write_number(FILE *stream, const char *before, double number)
+static void write_scene_number(FILE *stream, const char *before, double number)
 {
     char text[32];
     int digits = 6;
@@ -19,27 +19,27 @@ static void write_number(FILE *stream, const char *before, double number)
 
 static void write_line(FILE *stream, const char *key, double number)
 {
-    write_number(stream, key, number);
+    write_scene_number(stream, key, number);
     fputc('\n', stream);
 }
 
 //: Write the air of a scene
 static void write_air(FILE *stream, const tf_air *air)
 {
-    write_number(stream, "air: {drag: ", air->drag);
+    write_scene_number(stream, "air: {drag: ", air->drag);
     for (int k = 0; k < 3; k++)
-        write_number(stream, k == 0 ? ", wind: [" : ", ", air->wind[k]);
-    write_number(stream, "], veer: ", air->veer);
-    write_number(stream, ", gust: ", air->gust);
+        write_scene_number(stream, k == 0 ? ", wind: [" : ", ", air->wind[k]);
+    write_scene_number(stream, "], veer: ", air->veer);
+    write_scene_number(stream, ", gust: ", air->gust);
     fputs("}\n", stream);
 }
 
 //: Write the material of a scene
 static void write_material(FILE *stream, const tf_material *material)
 {
-    write_number(stream, "material: {density: ", material->density);
-    write_number(stream, ", stretch: ", material->stretch);
-    write_number(stream, ", bend: ", material->bend);
+    write_scene_number(stream, "material: {density: ", material->density);
+    write_scene_number(stream, ", stretch: ", material->stretch);
+    write_scene_number(stream, ", bend: ", material->bend);
     fputs("}\n", stream);
 }
 
@@ -48,7 +48,7 @@ static void write_resolution(FILE *stream, const tf_scene *scene)
 {
     const tf_resolution *resolution = &scene->resolution;
     fprintf(stream, "%s:", scene->kind->option);
-    write_number(stream, " ", resolution->usual);
+    write_scene_number(stream, " ", resolution->usual);
     fprintf(stream, " # %s\n",
             resolution->counts ? resolution->counts : "the length of edges");
 }

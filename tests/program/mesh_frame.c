@@ -15,7 +15,7 @@ static bool write_frame(const char *folder, const char *name,
     tf_mesh_file file = {0};
     tf_source source = {0};
     ck_assert(tf_mesh_file_read_all(&file, "a.obj", NULL, &source, fault));
-    tf_mesh_frame frame = {folder, name, 12, &file, 3, moved};
+    tf_mesh_frame frame = {folder, name, 12, &file, moved};
     bool good = tf_mesh_frame_write(&frame, path, fault);
     tf_mesh_file_free(&file);
     tf_source_free(&source);

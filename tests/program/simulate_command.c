@@ -174,6 +174,34 @@ START_TEST(a_scene_file)
 }
 END_TEST
 
+// Two links, of which one end is pinned and the other one falls: z stays away.
+START_TEST(a_scene_of_the_plane)
+{
+    make_file("chain.obj", "v 0 1\nv 1 1\nv 2 1\nl 1 2\nl 2 3\n");
+    make_file("ground.obj", "v -9 0\nv 9 0\nl 1 2\n");
+    make_file("scene.yaml", "steps: 70\nmeshes:\n"
+                            "- frames: chain.obj\n"
+                            "  pinned: [0]\n"
+                            "  material: {stretch: 1000}\n"
+                            "- frames: ground.obj\n"
+                            "  role: fixed\n");
+    expect_words(run("$tf simulate scene.yaml -o made").out,
+                 "steps: 70\nvertices: 5\ntriangles: 0\n");
+    expect(
+        run("ls made | sed 's/-.*//' | uniq -c | tr -s ' '; "
+            "$tf detect --format summary made/*.ply | head -n 2; "
+            "head -n 1 made/chain-00070.obj; "
+            "grep -c '^v [^ ]* [^ ]*$' made/chain-00070.obj; "
+            "printf 'meshes: [{frames: made/chain-*.obj}, {frames: "
+            "ground.obj, role: fixed}]' >judge.yaml; "
+            "$tf detect --format summary judge.yaml | head -n 2"),
+        0,
+        " 71 chain\n 71 frame\n 1 steps.csv\nsteps: 70\n"
+        "steps with contacts: 0\nv 0 1\n3\nsteps: 70\nsteps with contacts: 0\n",
+        "");
+}
+END_TEST
+
 START_TEST(a_scene_file_goes_on_bit_by_bit)
 {
     run("mkdir own");
@@ -476,6 +504,7 @@ Suite *suite(void)
     tcase_add_test(good, a_flow);
     tcase_add_test(good, a_flow_goes_on_bit_by_bit);
     tcase_add_test(good, a_scene_file);
+    tcase_add_test(good, a_scene_of_the_plane);
     tcase_add_test(good, a_scene_file_goes_on_bit_by_bit);
     tcase_add_test(good, built_in_scenes_are_scene_files);
     tcase_add_test(good, a_scene_of_a_shape_has_a_resolution);

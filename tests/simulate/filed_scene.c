@@ -5,6 +5,7 @@
 #include "simulate/cloth_simulation.h"
 #include "simulate/flow_scenes.h"
 #include "support/program.h"
+#include "support/simulations.h"
 #include "support/support.h"
 
 #include <math.h>
@@ -129,6 +130,53 @@ START_TEST(meshes_may_have_one_friction)
         "friction: 0.1\nmeshes: [{frames: cloth.obj, friction: 0.7}, "
         "{frames: wall.obj, friction: 0.7, role: fixed}]");
     ck_assert_double_eq(filed->scene.friction, 0.7);
+    tf_filed_scene_free(filed);
+}
+END_TEST
+
+// The chain that is built in, of which each link is as long as any other.
+START_TEST(curves_are_made_as_chains_are)
+{
+    enum {
+        LINKS = 40
+    };
+    const tf_scene *chain = tf_scene_named(tf_cloth_scenes, "plane-chain");
+    tf_scene_setup setup = setup_of(chain, LINKS);
+    const tf_body *own = &setup.body;
+    FILE *file = fopen("chain.obj", "w");
+    for (int v = 0; v <= LINKS; v++)
+        fprintf(file, "v %.17g %.17g\n", own->position[2 * v],
+                own->position[2 * v + 1]);
+    for (int v = 1; v <= LINKS; v++)
+        fprintf(file, "l %d %d\n", v, v + 1);
+    fclose(file);
+    tf_filed_scene *filed =
+        filed_scene("meshes:\n- frames: chain.obj\n  material: {density: 0.1, "
+                    "stretch: 50, bend: 2e-3}");
+    const tf_body *found = &filed->body;
+    ck_assert_int_eq(found->axes, 2);
+    ck_assert_int_eq(found->elastics, own->elastics);
+    for (int i = 0; i < LINKS; i++) {
+        const tf_elastic *a = &found->elastic[i], *b = &own->elastic[i];
+        ck_assert_double_eq(a->rest, b->rest);
+        // Its own links are not as long as they are made for.
+        ck_assert_double_eq_tol(a->stiffness * a->rest, 50, 1e-12);
+        ck_assert(a->vertex[0] == b->vertex[0] && a->vertex[1] == b->vertex[1]);
+    }
+    tf_body_free(&setup.body);
+    tf_filed_scene_free(filed);
+}
+END_TEST
+
+START_TEST(a_curve_may_have_a_mass)
+{
+    make_file("curve.obj", "v 0 0 1\nv 3 4 1\nv 3 4 2\nl 1 2\nl 2 3\n");
+    tf_filed_scene *filed =
+        filed_scene("meshes: [{frames: curve.obj, mass: 12}]");
+    ck_assert_double_eq_tol(filed->body.mass[0], 5, 1e-14);
+    ck_assert_double_eq_tol(filed->body.mass[1], 6, 1e-14);
+    ck_assert_double_eq_tol(filed->body.mass[2], 1, 1e-14);
+    ck_assert_int_eq(filed->body.elastics, 3);
     tf_filed_scene_free(filed);
 }
 END_TEST
@@ -378,9 +426,8 @@ static const struct {
      "'cloth' has no vertex 4; its vertices are numbered from 0 to 3"},
     {CLOTH "  pinned: pins.txt\n", "pins.txt", 2,
      "there is no vertex 9; they are numbered from 0 to 3"},
-    {"meshes:\n- frames: edges.obj\n", "edges.obj", -1,
-     "only triangles can move in a simulation, not loose edges; remove the "
-     "edges, or make the mesh scripted"},
+    {"meshes:\n- frames: edges.obj\n", "edges.obj", 6,
+     "this edge has no length; remove it, or move an end of it"},
     {"meshes:\n- frames: flat.obj\n", "flat.obj", 5,
      "the corners of this triangle are on one line; remove it"},
     {CLOTH "- {frames: through.obj, role: fixed}\n", "cloth.obj", -1,
@@ -422,7 +469,7 @@ START_TEST(each_mistake_is_told)
 {
     tf_filed_scene filed;
     make_file("pins.txt", "0\n9\n");
-    make_file("edges.obj", SQUARE "f 1 2 3\nl 1 4\n");
+    make_file("edges.obj", SQUARE "v 0 1 1\nl 4 5\nf 1 2 3\nl 1 4\n");
     make_file("flat.obj", "v 0 0 1\nv 1 0 1\nv 2 0 1\nv 0 1 1\nf 1 2 3\n"
                           "f 1 2 4\n");
     make_file("curve.obj", "v 0 0\nv 1 1\nl 1 2\n");
@@ -484,6 +531,8 @@ Suite *suite(void)
     tcase_add_test(made, any_mesh_is_made_as_sheets_are);
     tcase_add_test(made, a_mesh_may_have_a_mass);
     tcase_add_test(made, meshes_may_have_one_friction);
+    tcase_add_test(made, curves_are_made_as_chains_are);
+    tcase_add_test(made, a_curve_may_have_a_mass);
     tcase_add_test(made, what_is_scripted_or_pinned_has_no_mass);
     tcase_add_test(made, a_scene_says_what_is_simulated);
     tcase_add_test(made, what_falls_falls_down);

@@ -80,7 +80,7 @@ START_TEST(forks_and_ends_are_not_bent)
     tf_body body = {.axes = 2};
     for (int v = 0; v < 6; v++)
         tf_body_add_vertex(&body, (const double[]){v, v * v});
-    tf_body_add_edge(&body, 0, 4); // of something else
+    tf_body_add_edge(&body, 5, 4); // of something else
     tf_body_add_edge(&body, 1, 0);
     tf_body_add_edge(&body, 2, 0);
     tf_body_add_edge(&body, 0, 3);

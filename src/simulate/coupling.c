@@ -3,18 +3,24 @@
 
 #include "simulate/relaxation.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 enum {
-    ROUNDS = 5 // of relaxation, after each of which a step is answered again
+    ROUNDS = 5, // of relaxation, after each of which a step is answered again
+    ENERGY_ROUNDS = 3 // after so many of them it may have gained energy
 };
 
 /// Edges that are longer than at rest by this factor ask for another round.
 static const double stretched = 1.11;
 
+/// A step may gain this part of the kinetic energy that was proposed.
+static const double slack = 0.01;
+
 //: Hold the coupling
 struct tf_coupling {
     const tf_body *body;
+    double step;
     tf_resolver *resolver;
     tf_relaxation *relaxation;
 };
@@ -27,6 +33,7 @@ tf_status tf_coupling_create(const tf_body *body, double step,
     if (!c)
         return TF_OUT_OF_MEMORY;
     c->body = body;
+    c->step = step;
     c->resolver = resolver;
     tf_status status = tf_relaxation_create(body, step, &c->relaxation);
     if (status == TF_OK)
@@ -86,21 +93,80 @@ static tf_status propose_again(const tf_coupling *c,
     return status;
 }
 
-//: Answer a step until nothing is stretched
+//: Limit the energy of a step
+/// What a step may end with: `most`, without its kinetic energy until the first
+/// answer has told it.
+typedef struct energy_limit {
+    double gravity, start, most;
+} energy_limit;
+
+static bool is_script_at_rest(const tf_body *body, const double start[],
+                              const double end[])
+{
+    for (int i = 0; i < body->axes * body->vertices; i++)
+        if (body->mass[i / body->axes] == 0 && start[i] != end[i])
+            return false;
+    return true;
+}
+
+static energy_limit limit_of(const tf_coupling *c,
+                             const tf_coupling_energy *energy,
+                             const double start[], const double end[])
+{
+    if (!energy || !is_script_at_rest(c->body, start, end))
+        return (energy_limit){.most = INFINITY};
+    return (energy_limit){
+        energy->gravity, energy->start,
+        tf_body_potential_energy(c->body, energy->gravity, end)};
+}
+
+//: Find out whether a step gains energy
+/// Adds the kinetic energy of the proposal.
+static void finish_limit(const tf_coupling *c, energy_limit *limit,
+                         const tf_response_report *report)
+{
+    double kinetic = report->energy_before / (c->step * c->step);
+    limit->most = fmax(limit->start, limit->most + kinetic) + slack * kinetic;
+}
+
+static bool gains_energy(const tf_coupling *c, const energy_limit *limit,
+                         const double end[], const tf_response_report *report)
+{
+    if (isinf(limit->most))
+        return false;
+    double kinetic = report->energy_after / (c->step * c->step);
+    return kinetic + tf_body_potential_energy(c->body, limit->gravity, end) >
+           limit->most;
+}
+
+//: Answer a step until all is well
+/// Whether a step is to be answered again after that many rounds.
+static bool is_to_go_on(const tf_coupling *c, int rounds,
+                        const energy_limit *limit, const double end[],
+                        const tf_response_report *report)
+{
+    return (rounds == 0 && report->moved > 0) ||
+           tf_body_stretch(c->body, end) >= stretched ||
+           (rounds < ENERGY_ROUNDS && gains_energy(c, limit, end, report));
+}
+
 tf_status tf_coupling_resolve(tf_coupling *coupling, const double start[],
                               double end[], const double inverse_mass[],
                               const tf_response_options *options,
+                              const tf_coupling_energy *energy,
                               tf_response_report *report)
 {
     tf_coupling *c = coupling;
+    energy_limit limit = limit_of(c, energy, start, end);
     tf_response_options again = *options;
     again.check_start = false;
     tf_relaxation_begin(c->relaxation, start, end);
     tf_status status =
         answer(c, start, end, inverse_mass, options, report, true);
+    if (status == TF_OK)
+        finish_limit(c, &limit, report);
     for (int i = 0; i < ROUNDS && status == TF_OK; i++) {
-        bool met = i == 0 && report->moved > 0;
-        if (!met && tf_body_stretch(c->body, end) < stretched)
+        if (!is_to_go_on(c, i, &limit, end, report))
             break;
         status = propose_again(c, options, end);
         if (status == TF_OK)

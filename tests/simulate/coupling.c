@@ -33,7 +33,7 @@ static void compare(comparison *both)
                      TF_OK);
     both->simple = *lent;
     ck_assert_int_eq(tf_coupling_resolve(c->coupling, c->position, c->end,
-                                         c->inverse_mass, &options,
+                                         c->inverse_mass, &options, NULL,
                                          &both->coupled),
                      TF_OK);
 }
@@ -129,7 +129,7 @@ START_TEST(a_step_depends_on_itself_alone)
     tf_response_options options = {.friction = both.c->base.scene->friction};
     ck_assert_int_eq(tf_coupling_resolve(both.c->coupling, both.c->position,
                                          both.c->end, both.c->inverse_mass,
-                                         &options, &both.coupled),
+                                         &options, NULL, &both.coupled),
                      TF_OK);
     ck_assert_uint_gt(both.coupled.first_contacts, 0);
     ck_assert_mem_eq(both.c->end, both.alone, both.bytes);

@@ -8,7 +8,8 @@
 
 enum {
     ROUNDS = 5, // of relaxation, after each of which a step is answered again
-    ENERGY_ROUNDS = 3 // after so many of them it may have gained energy
+    ENERGY_ROUNDS = 2, // after so many of them a step may have gained energy
+    RELAXATIONS = 5    // in a round, if energy is gained
 };
 
 /// Edges that are longer than at rest by this factor ask for another round.
@@ -79,26 +80,22 @@ static tf_status answer(tf_coupling *c, const double start[], double end[],
     return status;
 }
 
-//: Propose what the elastic elements and the contacts allow
-static tf_status propose_again(const tf_coupling *c,
-                               const tf_response_options *options, double end[])
-{
-    size_t count;
-    const tf_answered_contact *contact;
-    tf_status status = tf_resolver_contacts(c->resolver, &count, &contact);
-    if (status == TF_OK)
-        status = tf_relaxation_add(c->relaxation, count, contact);
-    if (status == TF_OK)
-        tf_relaxation_run(c->relaxation, options->friction, end);
-    return status;
-}
-
 //: Limit the energy of a step
-/// What a step may end with: `most`, without its kinetic energy until the first
-/// answer has told it.
+/// What a step may end with, in joules.
 typedef struct energy_limit {
-    double gravity, start, most;
+    double gravity, most;
 } energy_limit;
+
+static double kinetic_energy(const tf_coupling *c, const double start[],
+                             const double end[])
+{
+    double energy = 0;
+    for (int i = 0; i < c->body->axes * c->body->vertices; i++) {
+        double velocity = (end[i] - start[i]) / c->step;
+        energy += c->body->mass[i / c->body->axes] / 2 * velocity * velocity;
+    }
+    return energy;
+}
 
 static bool is_script_at_rest(const tf_body *body, const double start[],
                               const double end[])
@@ -109,47 +106,62 @@ static bool is_script_at_rest(const tf_body *body, const double start[],
     return true;
 }
 
+//: Find the limit from what was proposed
 static energy_limit limit_of(const tf_coupling *c,
                              const tf_coupling_energy *energy,
                              const double start[], const double end[])
 {
     if (!energy || !is_script_at_rest(c->body, start, end))
         return (energy_limit){.most = INFINITY};
-    return (energy_limit){
-        energy->gravity, energy->start,
-        tf_body_potential_energy(c->body, energy->gravity, end)};
+    double kinetic = kinetic_energy(c, start, end);
+    double proposed =
+        kinetic + tf_body_potential_energy(c->body, energy->gravity, end);
+    return (energy_limit){energy->gravity,
+                          fmax(energy->start, proposed) + slack * kinetic};
 }
 
-//: Find out whether a step gains energy
-/// Adds the kinetic energy of the proposal.
-static void finish_limit(const tf_coupling *c, energy_limit *limit,
-                         const tf_response_report *report)
+/// @param motion where the step ends as far as velocities are concerned
+static bool gains_energy(const tf_coupling *c, energy_limit limit,
+                         const double start[], const double motion[],
+                         const double end[])
 {
-    double kinetic = report->energy_before / (c->step * c->step);
-    limit->most = fmax(limit->start, limit->most + kinetic) + slack * kinetic;
+    return isfinite(limit.most) &&
+           kinetic_energy(c, start, motion) +
+                   tf_body_potential_energy(c->body, limit.gravity, end) >
+               limit.most;
 }
 
-static bool gains_energy(const tf_coupling *c, const energy_limit *limit,
-                         const double end[], const tf_response_report *report)
+//: Propose what the elastic elements and the contacts allow
+static tf_status propose_again(const tf_coupling *c, energy_limit limit,
+                               const tf_response_options *options,
+                               const double start[], double end[])
 {
-    if (isinf(limit->most))
-        return false;
-    double kinetic = report->energy_after / (c->step * c->step);
-    return kinetic + tf_body_potential_energy(c->body, limit->gravity, end) >
-           limit->most;
+    size_t count;
+    const tf_answered_contact *contact;
+    tf_status status = tf_resolver_contacts(c->resolver, &count, &contact);
+    if (status == TF_OK)
+        status = tf_relaxation_add(c->relaxation, count, contact);
+    bool gains = status == TF_OK;
+    for (int i = 0; i < RELAXATIONS && gains; i++) {
+        tf_relaxation_run(c->relaxation, options->friction, end);
+        gains = gains_energy(c, limit, start, end, end);
+    }
+    return status;
 }
 
-//: Answer a step until all is well
-/// Whether a step is to be answered again after that many rounds.
-static bool is_to_go_on(const tf_coupling *c, int rounds,
-                        const energy_limit *limit, const double end[],
+//: Find out whether to go on
+static bool is_to_go_on(const tf_coupling *c, int rounds, energy_limit limit,
+                        const double start[], const double end[],
                         const tf_response_report *report)
 {
     return (rounds == 0 && report->moved > 0) ||
            tf_body_stretch(c->body, end) >= stretched ||
-           (rounds < ENERGY_ROUNDS && gains_energy(c, limit, end, report));
+           (rounds < ENERGY_ROUNDS &&
+            gains_energy(c, limit, start, tf_resolver_unpushed(c->resolver),
+                         end));
 }
 
+//: Answer a step until all is well
 tf_status tf_coupling_resolve(tf_coupling *coupling, const double start[],
                               double end[], const double inverse_mass[],
                               const tf_response_options *options,
@@ -163,12 +175,10 @@ tf_status tf_coupling_resolve(tf_coupling *coupling, const double start[],
     tf_relaxation_begin(c->relaxation, start, end);
     tf_status status =
         answer(c, start, end, inverse_mass, options, report, true);
-    if (status == TF_OK)
-        finish_limit(c, &limit, report);
     for (int i = 0; i < ROUNDS && status == TF_OK; i++) {
-        if (!is_to_go_on(c, i, &limit, end, report))
+        if (!is_to_go_on(c, i, limit, start, end, report))
             break;
-        status = propose_again(c, options, end);
+        status = propose_again(c, limit, options, start, end);
         if (status == TF_OK)
             status = answer(c, start, end, inverse_mass, &again, report, false);
     }

@@ -4,28 +4,28 @@
 #include <math.h>
 #include <string.h>
 
-//: Hold a part that is held back
+//: Hold a company that is held back
 enum {
-    HALVINGS = 7,     ///< of the interval of a part
-    MOST_TRIALS = 24, ///< of all parts
-    RETREATS = 4      ///< more of all, kept for where parts can go no longer
+    HALVINGS = 7,     ///< of the interval of a company
+    MOST_TRIALS = 24, ///< of all companies
+    RETREATS = 4 ///< more of all, kept for where companies can go no longer
 };
 
 /// Scripted vertices that are held back together.
-typedef struct part {
+typedef struct company {
     double low, high; ///< fractions: it could go so far, and could not
     double fraction;  ///< of this trial
     double next;      ///< of the next one
     int halvings;
     bool held;  ///< in this trial
     bool grown; ///< by vertices that were to go farther in this trial
-} part;
+} company;
 
-/// The number of a part, or -1.
+/// The number of a company, or -1.
 typedef struct numbers {
-    int *own;   ///< of each vertex: of the part with which it was held back
-    int *limit; ///< of each vertex: of the part that limits how far it goes
-    int *group; ///< by root: of a part in this group of the failsafe
+    int *own;   ///< of each vertex: of the company with which it was held back
+    int *limit; ///< of each vertex: of the company that limits how far it goes
+    int *group; ///< by root: of a company in this group of the failsafe
 } numbers;
 
 static numbers numbers_of(const tf_follow *follow, const tf_step *step)
@@ -40,9 +40,9 @@ bool tf_follow_begin(tf_follow *follow, const tf_step *step)
 {
     size_t vertices = (size_t)step->vertices;
     size_t bytes = (size_t)step->axes * vertices * sizeof(double);
-    follow->parts = follow->trials = 0;
+    follow->companies = follow->trials = 0;
     follow->retreats = false;
-    if (!tf_buffer_reserve(&follow->part, vertices, sizeof(part)) ||
+    if (!tf_buffer_reserve(&follow->company, vertices, sizeof(company)) ||
         !tf_buffer_reserve(&follow->number, 3 * vertices, sizeof(int)) ||
         !tf_buffer_reserve(&follow->fraction, vertices, sizeof(double)) ||
         !tf_buffer_reserve(&follow->squeezed, vertices, 1) ||
@@ -75,7 +75,7 @@ bool tf_follow_is_held(const tf_step *step)
     return any;
 }
 
-/// Notes which parts are in which groups of the failsafe.
+/// Notes which companies are in which groups of the failsafe.
 static void note_groups(const tf_step *step, tf_groups *groups, numbers all)
 {
     for (int v = 0; v < step->vertices; v++)
@@ -87,13 +87,13 @@ static void note_groups(const tf_step *step, tf_groups *groups, numbers all)
     }
 }
 
-//: Add a vertex to a part
-/// Adds a vertex that was held back.  If it was to go farther than the part, that
-/// may be why, and the fraction of the part is to be tried again.
+//: Add a vertex to a company
+/// Adds a vertex that was held back.  If it was to go farther than the company,
+/// that may be why, and the fraction of the company is to be tried again.
 static void add_vertex(tf_follow *follow, int vertex, int number, int *own)
 {
     const double *fraction = follow->fraction.data;
-    part *to = (part *)follow->part.data + number;
+    company *to = (company *)follow->company.data + number;
     bool farther =
         *own != number && fraction[vertex] - to->fraction > ldexp(1, -HALVINGS);
     to->grown |= farther;
@@ -101,11 +101,11 @@ static void add_vertex(tf_follow *follow, int vertex, int number, int *own)
     *own = number;
 }
 
-/// Adds the vertices that were held back to their parts, or to new ones.
+/// Adds the vertices that were held back to their companies, or to new ones.
 static void add_held(tf_follow *follow, const tf_step *step, tf_groups *groups)
 {
     numbers all = numbers_of(follow, step);
-    part *parts = follow->part.data;
+    company *companies = follow->company.data;
     note_groups(step, groups, all);
     for (int v = 0; v < step->vertices; v++) {
         if (!is_held(step, v))
@@ -113,8 +113,8 @@ static void add_held(tf_follow *follow, const tf_step *step, tf_groups *groups)
         int *group = &all.group[tf_groups_find(groups, v)];
         int number = all.limit[v] >= 0 ? all.limit[v] : *group;
         if (number < 0) {
-            number = *group = follow->parts++;
-            parts[number] = (part){.high = 1, .fraction = 1};
+            number = *group = follow->companies++;
+            companies[number] = (company){.high = 1, .fraction = 1};
         }
         add_vertex(follow, v, number, &all.own[v]);
     }
@@ -123,9 +123,10 @@ static void add_held(tf_follow *follow, const tf_step *step, tf_groups *groups)
         squeezed[v] |= all.group[tf_groups_find(groups, v)] >= 0;
 }
 
-//: Narrow the intervals of parts
-/// Narrows the interval of a part; returns whether it is to be narrowed further.
-static bool narrow(part *own)
+//: Narrow the intervals of companies
+/// Narrows the interval of a company; returns whether it is to be narrowed
+/// further.
+static bool narrow(company *own)
 {
     own->next = own->fraction;
     if (own->grown)
@@ -137,22 +138,22 @@ static bool narrow(part *own)
 
 static bool narrow_all(tf_follow *follow)
 {
-    part *all = follow->part.data;
+    company *all = follow->company.data;
     bool wanted = false;
-    for (int i = 0; i < follow->parts; i++)
+    for (int i = 0; i < follow->companies; i++)
         wanted |= narrow(&all[i]);
     return wanted;
 }
 
-//: Go back to where parts could go
-/// Has each part go as far as it could before, and half of that where it cannot
-/// together with the others.  Returns whether that is another trial.
+//: Go back to where companies could go
+/// Has each company go as far as it could before, and half of that where it
+/// cannot together with the others.  Returns whether that is another trial.
 static bool retreat(tf_follow *follow)
 {
-    part *all = follow->part.data;
+    company *all = follow->company.data;
     bool differs = false;
-    for (int i = 0; i < follow->parts; i++) {
-        part *own = &all[i];
+    for (int i = 0; i < follow->companies; i++) {
+        company *own = &all[i];
         if (follow->retreats && (own->held || own->grown))
             own->low /= 2;
         own->next = own->low;
@@ -171,8 +172,8 @@ bool tf_follow_learn(tf_follow *follow, const tf_step *step, tf_groups *groups)
         !follow->retreats && narrow_all(follow) && follow->trials < MOST_TRIALS;
     if (!more)
         more = retreat(follow) && follow->trials < MOST_TRIALS + RETREATS;
-    part *all = follow->part.data;
-    for (int i = 0; i < follow->parts; i++) {
+    company *all = follow->company.data;
+    for (int i = 0; i < follow->companies; i++) {
         all[i].fraction = all[i].next;
         all[i].held = all[i].grown = false;
     }
@@ -189,8 +190,8 @@ static double length_of(const tf_step *step, const int edge[2],
 }
 
 /// The most by which the fractions of two vertices may differ: by how much the
-/// script stretches their edge, as a part of the longer way.  1 if there is none,
-/// or if one of them stays where it is.
+/// script stretches their edge, as a fraction of the longer way.  1 if there is
+/// none, or if one of them stays where it is.
 static double most_difference(const tf_step *step, const int edge[2],
                               const double proposed[])
 {
@@ -242,11 +243,11 @@ static void find_fractions(tf_follow *follow, const tf_step *step,
                            const double proposed[], const tf_elements *edges)
 {
     numbers all = numbers_of(follow, step);
-    const part *parts = follow->part.data;
+    const company *companies = follow->company.data;
     double *fraction = follow->fraction.data;
     for (int v = 0; v < step->vertices; v++) {
         all.limit[v] = all.own[v];
-        fraction[v] = all.own[v] < 0 ? 1 : parts[all.own[v]].fraction;
+        fraction[v] = all.own[v] < 0 ? 1 : companies[all.own[v]].fraction;
     }
     while (limit_all(follow, step, proposed, edges))
         ;
@@ -273,13 +274,14 @@ const double *tf_follow_propose(tf_follow *follow, const tf_step *step,
 //: Account for the memory of following
 size_t tf_follow_memory(const tf_follow *follow)
 {
-    return follow->part.bytes + follow->number.bytes + follow->fraction.bytes +
-           follow->squeezed.bytes + follow->proposed.bytes;
+    return follow->company.bytes + follow->number.bytes +
+           follow->fraction.bytes + follow->squeezed.bytes +
+           follow->proposed.bytes;
 }
 
 void tf_follow_free(tf_follow *follow)
 {
-    tf_buffer_free(&follow->part);
+    tf_buffer_free(&follow->company);
     tf_buffer_free(&follow->number);
     tf_buffer_free(&follow->fraction);
     tf_buffer_free(&follow->squeezed);

@@ -8,17 +8,18 @@
 #include <stddef.h>
 
 /// How far the scripted vertices go that cannot go all the way.  Those that are
-/// held back together are a part, and go the same fraction of their ways, which
-/// is found by bisection, one trial after another.  All zero: none yet.
+/// held back together are a company, and go the same fraction of their ways,
+/// which is found by bisection, one trial after another.  All zero: none yet.
 typedef struct tf_follow {
-    int parts;          ///< how many
+    int companies;      ///< how many
     int trials;         ///< how many there were
-    bool retreats;      ///< the parts go where they could go before
-    tf_buffer part;     ///< what is known about each
-    tf_buffer number;   ///< of each vertex: parts; and by group
+    bool retreats;      ///< the companies go where they could go before
+    tf_buffer company;  ///< what is known about each
+    tf_buffer number;   ///< of each vertex: companies; and by group
     tf_buffer fraction; ///< of its way that each vertex is to go
-    tf_buffer squeezed; ///< of each vertex: whether a part was held back in its
-                        ///< group of the failsafe
+    tf_buffer
+        squeezed; ///< of each vertex: whether a company was held back in its
+                  ///< group of the failsafe
     tf_buffer proposed; ///< the step, shortened
 } tf_follow;
 

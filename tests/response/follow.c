@@ -116,7 +116,7 @@ START_TEST(the_fraction_is_found_by_bisection)
 }
 END_TEST
 
-// One failsafe group is one part, whatever its vertices could do alone.
+// One failsafe group is one company, whatever its vertices could do alone.
 START_TEST(a_group_goes_together)
 {
     begin(3);
@@ -136,7 +136,7 @@ START_TEST(a_group_goes_together)
 END_TEST
 
 // Others find limits of their own in the same trials.
-START_TEST(parts_are_searched_side_by_side)
+START_TEST(companies_are_searched_side_by_side)
 {
     generator random = generator_new(8);
     begin(40);
@@ -152,7 +152,7 @@ START_TEST(parts_are_searched_side_by_side)
 }
 END_TEST
 
-// Along edges that the script does not stretch, all go the same part of their way,
+// Along edges that the script does not stretch, all go the same fraction of their way,
 // and along others they may differ by how much it does.
 START_TEST(edges_keep_their_shape)
 {
@@ -216,9 +216,9 @@ START_TEST(what_is_free_passes_nothing_on)
 }
 END_TEST
 
-// A vertex that is held because it goes farther than its part joins that, which is
+// A vertex that is held because it goes farther than its company joins that, which is
 // tried again as it was.
-START_TEST(a_part_grows)
+START_TEST(a_company_grows)
 {
     begin(2);
     add_edges();
@@ -256,11 +256,11 @@ Suite *suite(void)
     tcase_add_test(tcase, vertices_that_all_can_go_are_not_tried);
     tcase_add_test(tcase, the_fraction_is_found_by_bisection);
     tcase_add_test(tcase, a_group_goes_together);
-    tcase_add_test(tcase, parts_are_searched_side_by_side);
+    tcase_add_test(tcase, companies_are_searched_side_by_side);
     tcase_add_test(tcase, edges_keep_their_shape);
     tcase_add_test(tcase, a_limb_turns_as_a_whole);
     tcase_add_test(tcase, what_is_free_passes_nothing_on);
-    tcase_add_test(tcase, a_part_grows);
+    tcase_add_test(tcase, a_company_grows);
     tcase_add_test(tcase, the_search_ends);
     suite_add_tcase(suite, tcase);
     return suite;

@@ -8,7 +8,7 @@
 enum {
     HALVINGS = 7,     ///< of the interval of a company
     MOST_TRIALS = 24, ///< of all companies
-    RETREATS = 4 ///< more of all, kept for where companies can go no longer
+    RETREATS = 4      ///< the most trials after these, where companies go back
 };
 
 /// Scripted vertices that are held back together.
@@ -17,8 +17,10 @@ typedef struct company {
     double fraction;  ///< of this trial
     double next;      ///< of the next one
     int halvings;
-    bool held;  ///< in this trial
-    bool grown; ///< by vertices that were to go farther in this trial
+    bool rested; ///< it has been tried at rest, with the fraction 0
+    bool stuck;  ///< in this trial the failsafe has united it with others
+    bool held;   ///< in this trial
+    bool grown;  ///< by vertices that were to go farther in this trial
 } company;
 
 /// The number of a company, or -1.
@@ -41,7 +43,7 @@ bool tf_follow_begin(tf_follow *follow, const tf_step *step)
     size_t vertices = (size_t)step->vertices;
     size_t bytes = (size_t)step->axes * vertices * sizeof(double);
     follow->companies = follow->trials = 0;
-    follow->retreats = false;
+    follow->retreats = 0;
     if (!tf_buffer_reserve(&follow->company, vertices, sizeof(company)) ||
         !tf_buffer_reserve(&follow->number, 3 * vertices, sizeof(int)) ||
         !tf_buffer_reserve(&follow->fraction, vertices, sizeof(double)) ||
@@ -123,17 +125,42 @@ static void add_held(tf_follow *follow, const tf_step *step, tf_groups *groups)
         squeezed[v] |= all.group[tf_groups_find(groups, v)] >= 0;
 }
 
+//: Find companies that are stuck
+/// Notes the companies of which a vertex is in a group of the failsafe, with
+/// other vertices.
+static void note_stuck(tf_follow *follow, const tf_step *step,
+                       tf_groups *groups)
+{
+    numbers all = numbers_of(follow, step);
+    company *companies = follow->company.data;
+    for (int v = 0; v < step->vertices; v++)
+        all.group[v] = -1;
+    for (int v = 0; v < step->vertices; v++)
+        if (all.own[v] >= 0)
+            all.group[tf_groups_find(groups, v)] = all.own[v];
+    for (int v = 0; v < step->vertices; v++) {
+        int root = tf_groups_find(groups, v);
+        if (root != v && all.group[root] >= 0)
+            companies[all.group[root]].stuck = true;
+    }
+}
+
 //: Narrow the intervals of companies
 /// Narrows the interval of a company; returns whether it is to be narrowed
-/// further.
+/// further.  The first trial has it rest: if even then the failsafe has to answer
+/// what is between its vertices, it goes nowhere.
 static bool narrow(company *own)
 {
     own->next = own->fraction;
     if (own->grown)
         return true;
+    bool rests = own->rested && own->fraction == 0;
     *(own->held ? &own->high : &own->low) = own->fraction;
-    own->next = (own->low + own->high) / 2;
-    return own->halvings++ < HALVINGS;
+    own->next = own->rested ? (own->low + own->high) / 2 : 0;
+    own->rested = true;
+    if (rests && own->stuck)
+        own->next = own->high = 0;
+    return own->next > 0 ? own->halvings++ < HALVINGS : !rests;
 }
 
 static bool narrow_all(tf_follow *follow)
@@ -146,20 +173,20 @@ static bool narrow_all(tf_follow *follow)
 }
 
 //: Go back to where companies could go
-/// Has each company go as far as it could before, and half of that where it
-/// cannot together with the others.  Returns whether that is another trial.
+/// Has each company go as far as it could before, and where it cannot together
+/// with the others half of that or, the last time, nowhere.  Returns whether that
+/// is another trial.
 static bool retreat(tf_follow *follow)
 {
     company *all = follow->company.data;
-    bool differs = false;
+    bool differs = false, is_first = follow->retreats++ == 0;
     for (int i = 0; i < follow->companies; i++) {
         company *own = &all[i];
-        if (follow->retreats && (own->held || own->grown))
-            own->low /= 2;
+        if (!is_first && (own->held || own->grown))
+            own->low = follow->retreats < RETREATS ? own->low / 2 : 0;
         own->next = own->low;
         differs |= own->next != own->fraction;
     }
-    follow->retreats = true;
     return differs;
 }
 
@@ -167,15 +194,16 @@ static bool retreat(tf_follow *follow)
 bool tf_follow_learn(tf_follow *follow, const tf_step *step, tf_groups *groups)
 {
     add_held(follow, step, groups);
+    note_stuck(follow, step, groups);
     follow->trials++;
-    bool more =
-        !follow->retreats && narrow_all(follow) && follow->trials < MOST_TRIALS;
+    bool more = follow->retreats == 0 && narrow_all(follow) &&
+                follow->trials < MOST_TRIALS;
     if (!more)
-        more = retreat(follow) && follow->trials < MOST_TRIALS + RETREATS;
+        more = follow->retreats < RETREATS && retreat(follow);
     company *all = follow->company.data;
     for (int i = 0; i < follow->companies; i++) {
         all[i].fraction = all[i].next;
-        all[i].held = all[i].grown = false;
+        all[i].held = all[i].grown = all[i].stuck = false;
     }
     return more;
 }

@@ -11,11 +11,11 @@
 /// held back together are a company, and go the same fraction of their ways,
 /// which is found by bisection, one trial after another.  All zero: none yet.
 typedef struct tf_follow {
-    int companies;      ///< how many
-    int trials;         ///< how many there were
-    bool retreats;      ///< the companies go where they could go before
-    tf_buffer company;  ///< what is known about each
-    tf_buffer number;   ///< of each vertex: companies; and by group
+    int companies;     ///< how many
+    int trials;        ///< how many there were
+    int retreats;      ///< how often companies went back to where they could go
+    tf_buffer company; ///< what is known about each
+    tf_buffer number;  ///< of each vertex: companies; and by group
     tf_buffer fraction; ///< of its way that each vertex is to go
     tf_buffer
         squeezed; ///< of each vertex: whether a company was held back in its

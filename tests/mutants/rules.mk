@@ -13,9 +13,10 @@ noticing = $(filter-out $(unnoticing:%=$(BUILD)/tests/whole/%),$(filter \
 	$(BUILD)/tests/whole/% $(LIBRARY:%=$(BUILD)/tests/%),$(TESTS)))
 breakable = $(wildcard $(patsubst %,src/%.c,$(LIBRARY) $(PROGRAM)))
 
-run-mutants: $(noticing:=.o) $(BUILD)/support.a $(BUILD)/experiments.a
+run-mutants: $(noticing:=.o) $(BUILD)/support.a $(BUILD)/experiments.a \
+		$(descriptions).o
 	@TF_TEST_PERCENT=10 python3 tests/mutants/mutants.py $(BUILD) \
-	    '$(COMPILE)' '$(wrapped) $(BUILD)/experiments.a' \
+	    '$(COMPILE)' '$(wrapped) $(BUILD)/experiments.a $(descriptions).o' \
 	    "$$(pkg-config --libs check) -lgmp $(SPARSE) -lm" \
 	    '$(breakable)' '$(noticing:$(BUILD)/%=%)' $(FILE)
 .PHONY: mutants run-mutants

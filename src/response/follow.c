@@ -256,7 +256,7 @@ static bool limit_all(tf_follow *follow, const tf_step *step,
     const double *inverse_mass = step->inverse_mass;
     numbers all = numbers_of(follow, step);
     bool changed = false;
-    for (int i = 0; i < edges->count; i++) {
+    for (int i = 0; i < edges->count && tf_watch_work(step->watch, 1); i++) {
         const int *edge = edges->corner + 2 * (ptrdiff_t)i;
         if (inverse_mass[edge[0]] > 0 || inverse_mass[edge[1]] > 0)
             continue;
@@ -277,7 +277,8 @@ static void find_fractions(tf_follow *follow, const tf_step *step,
         all.limit[v] = all.own[v];
         fraction[v] = all.own[v] < 0 ? 1 : companies[all.own[v]].fraction;
     }
-    while (limit_all(follow, step, proposed, edges))
+    while (limit_all(follow, step, proposed, edges) &&
+           !tf_watch_cancelled(step->watch))
         ;
 }
 
@@ -287,6 +288,8 @@ const double *tf_follow_propose(tf_follow *follow, const tf_step *step,
                                 const tf_elements *edges)
 {
     find_fractions(follow, step, proposed, edges);
+    if (tf_watch_cancelled(step->watch))
+        return NULL;
     const double *fraction = follow->fraction.data;
     double *to = follow->proposed.data;
     for (int v = 0; v < step->vertices; v++)

@@ -36,7 +36,8 @@ bool tf_follow_begin(tf_follow *follow, const tf_step *step);
 bool tf_follow_learn(tf_follow *follow, const tf_step *step, tf_groups *groups);
 
 /// Shortens the ways of scripted vertices for the next trial, whole ways that end
-/// at `proposed`; returns where the vertices are to end, lent.
+/// at `proposed`; returns where the vertices are to end, lent, or NULL if the
+/// caller has cancelled.
 const double *tf_follow_propose(tf_follow *follow, const tf_step *step,
                                 const double proposed[],
                                 const tf_elements *edges);

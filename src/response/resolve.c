@@ -173,7 +173,8 @@ static tf_status shorten(tf_resolution *r, tf_error *error)
         r->step.proposed = tf_follow_propose(
             &resolver->follow, &r->step, proposed, &resolver->surface->edges);
         tf_answers_drop(&resolver->answers);
-        status = answer_any(r, error);
+        status = r->step.proposed ? answer_any(r, error)
+                                  : tf_fail(error, TF_CANCELLED);
     }
     r->rule.squeezed = NULL;
     r->report.first_contacts = first_contacts;

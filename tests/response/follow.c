@@ -3,6 +3,7 @@
 
 #include "support/proposal_steps.h"
 #include "support/support.h"
+#include "support/watches.h"
 #include "surface/surface_memory.h"
 
 #include <math.h>
@@ -261,6 +262,32 @@ START_TEST(a_company_grows)
 }
 END_TEST
 
+// Each time through all edges, only one of them passes its limit on.
+START_TEST(limits_that_pass_on_slowly_can_be_cancelled)
+{
+    watched_call call;
+    begin(PROPOSAL_VERTICES - 2);
+    add_edges();
+    limit[PROPOSAL_VERTICES - 3] = 0.5;
+    begin_trials();
+    hold();
+    ck_assert(tf_follow_learn(&follow, &s.step, &groups));
+    s.step.watch = watched_begin(&call, 0);
+    ck_assert_ptr_nonnull(
+        tf_follow_propose(&follow, &s.step, made.end, &s.surface->edges));
+    long all = call.calls;
+    ck_assert_int_gt(all, 10);
+    for (long last = 1; last <= all; last++) {
+        s.step.watch = watched_begin(&call, last);
+        ck_assert_ptr_null(
+            tf_follow_propose(&follow, &s.step, made.end, &s.surface->edges));
+        ck_assert_int_eq(call.calls, last);
+        ck_assert_uint_le(watched_work_after(&call), 1);
+    }
+    end();
+}
+END_TEST
+
 /// What no fraction helps is held back in the end.
 START_TEST(the_search_ends)
 {
@@ -288,6 +315,7 @@ Suite *suite(void)
     tcase_add_test(tcase, a_limb_turns_as_a_whole);
     tcase_add_test(tcase, what_is_free_passes_nothing_on);
     tcase_add_test(tcase, a_company_grows);
+    tcase_add_test(tcase, limits_that_pass_on_slowly_can_be_cancelled);
     tcase_add_test(tcase, the_search_ends);
     suite_add_tcase(suite, tcase);
     return suite;

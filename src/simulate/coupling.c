@@ -93,13 +93,15 @@ tf_status tf_coupling_resolve(tf_coupling *coupling, const double start[],
                               tf_response_report *report)
 {
     tf_coupling *c = coupling;
-    tf_response_options again = *options;
+    tf_response_options draft = *options, again = *options;
+    draft.size = again.size = sizeof *options;
+    draft.draft = again.again = true;
     again.check_start = false;
     tf_relaxation_begin(c->relaxation, start, end);
     tf_status status =
-        answer(c, start, end, inverse_mass, options, report, true);
+        answer(c, start, end, inverse_mass, &draft, report, true);
     for (int i = 0; i < ROUNDS && status == TF_OK; i++) {
-        bool met = i == 0 && report->moved > 0;
+        bool met = i == 0 && report->first_contacts > 0;
         if (!met && tf_body_stretch(c->body, end) < stretched)
             break;
         status = propose_again(c, options, end);

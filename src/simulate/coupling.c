@@ -6,11 +6,12 @@
 #include <stdlib.h>
 
 enum {
+    DRAFT_ROUNDS = 3, // of zones, until the springs have a say
     ROUNDS = 5 // of relaxation, after each of which a step is answered again
 };
 
 /// Edges that are longer than at rest by this factor ask for another round.
-static const double stretched = 1.11;
+static const double stretched = 1.12;
 
 //: Hold the coupling
 struct tf_coupling {
@@ -96,6 +97,7 @@ tf_status tf_coupling_resolve(tf_coupling *coupling, const double start[],
     tf_response_options draft = *options, again = *options;
     draft.size = again.size = sizeof *options;
     draft.draft = again.again = true;
+    draft.zone_rounds = DRAFT_ROUNDS;
     again.check_start = false;
     tf_relaxation_begin(c->relaxation, start, end);
     tf_status status =

@@ -13,10 +13,10 @@ enum {
 };
 
 /// Springs become rigid when they are longer than at rest by this factor.
-static const double limit = 1.04;
+static const double limit = 1.06;
 
 /// Vertices may move unnoticed by this part of the mean rest length.
-static const double tolerance = 1e-5;
+static const double tolerance = 1e-4;
 
 //: Hold the relaxation
 /// An elastic element as it is relaxed.

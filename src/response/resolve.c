@@ -97,35 +97,35 @@ static tf_status count_near_at_start(tf_resolution *r, tf_error *error)
 
 //: Remember where a step starts
 /// What has to be the same if a step is to be answered again.
-typedef struct origin {
+typedef struct step_origin {
     const void *part[2];
     size_t bytes[2];
-} origin;
+} step_origin;
 
-static origin origin_of(const tf_step *step)
+static step_origin origin_of(const tf_step *step)
 {
     size_t vertices = (size_t)step->vertices;
-    return (origin){{step->start, step->inverse_mass},
+    return (step_origin){{step->start, step->inverse_mass},
                     {sizeof(double) * (size_t)step->axes * vertices,
                      sizeof(double) * vertices}};
 }
 
 static bool note_origin(tf_resolver *resolver, const tf_step *step)
 {
-    origin own = origin_of(step);
+    step_origin own = origin_of(step);
     if (!tf_buffer_reserve(&resolver->origin, own.bytes[0] + own.bytes[1], 1))
         return false;
     memcpy(resolver->origin.data, own.part[0], own.bytes[0]);
     memcpy((char *)resolver->origin.data + own.bytes[0], own.part[1],
            own.bytes[1]);
-    return resolver->has_origin = true;
+    return true;
 }
 
 static bool has_origin(const tf_resolver *resolver, const tf_step *step)
 {
-    origin own = origin_of(step);
+    step_origin own = origin_of(step);
     const char *noted = resolver->origin.data;
-    return resolver->has_origin &&
+    return resolver->has_resolved && resolver->has_origin &&
            memcmp(noted, own.part[0], own.bytes[0]) == 0 &&
            memcmp(noted + own.bytes[0], own.part[1], own.bytes[1]) == 0;
 }
@@ -453,7 +453,6 @@ static tf_status check(tf_resolution *r, tf_error *error)
 static tf_status run(tf_resolution *r, double end[], tf_error *error)
 {
     size_t vertices = (size_t)r->step.vertices;
-    r->resolver->has_origin &= r->options.again;
     memset(r->resolver->flags.data, 0, vertices);
     tf_status status = count_near_at_start(r, error);
     for (int part = 0; part < r->parts && status == TF_OK; part++)
@@ -463,8 +462,9 @@ static tf_status run(tf_resolution *r, double end[], tf_error *error)
     if (r->parts > 1)
         find_motion(r);
     write_report(r);
-    bool may_follow = r->parts == 1 && (r->options.draft || r->options.again);
-    if (may_follow && !note_origin(r->resolver, &r->step))
+    bool may_return = r->parts == 1 && (r->options.draft || r->options.again);
+    r->resolver->has_origin = may_return;
+    if (may_return && !note_origin(r->resolver, &r->step))
         return tf_fail(error, TF_OUT_OF_MEMORY);
     memcpy(end, r->step.end, sizeof *end * (size_t)r->step.axes * vertices);
     return TF_OK;
@@ -519,6 +519,5 @@ tf_status tf_step_resolve(tf_resolver *resolver, int vertices,
         tf_answers_clear(&resolver->answers);
     else if (report)
         *report = &resolver->report;
-    resolver->has_origin &= status == TF_OK;
     return status;
 }

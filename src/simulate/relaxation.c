@@ -16,7 +16,7 @@ enum {
 static const double limit = 1.06;
 
 /// Vertices may move unnoticed by this part of the mean rest length.
-static const double tolerance = 1e-4;
+static const double tolerance = 1e-5;
 
 //: Hold the relaxation
 /// An elastic element as it is relaxed.

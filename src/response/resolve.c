@@ -106,8 +106,8 @@ static step_origin origin_of(const tf_step *step)
 {
     size_t vertices = (size_t)step->vertices;
     return (step_origin){{step->start, step->inverse_mass},
-                    {sizeof(double) * (size_t)step->axes * vertices,
-                     sizeof(double) * vertices}};
+                         {sizeof(double) * (size_t)step->axes * vertices,
+                          sizeof(double) * vertices}};
 }
 
 static bool note_origin(tf_resolver *resolver, const tf_step *step)
@@ -153,9 +153,8 @@ static tf_status begin(tf_resolution *r, tf_error *error)
         status = tf_start_check(r->resolver->surface, &r->motion,
                                 r->options.parallel, error);
     if (status == TF_OK)
-        status = keeps_pairs(r)
-                     ? tf_fail(error, tf_resolution_detect_again(r))
-                     : tf_resolution_detect(r, error);
+        status = keeps_pairs(r) ? tf_fail(error, tf_resolution_detect_again(r))
+                                : tf_resolution_detect(r, error);
     r->report.first_contacts = r->report.contacts;
     r->report.first_near = r->report.near;
     return status == TF_OK ? tf_start_check_contacts(&r->motion, &r->contacts,

@@ -73,10 +73,10 @@ static int tangles_of(const double start[], const double end[])
 {
     tangle_judge *judge = tangle_judge_new(&made.mesh);
     tangle_judge_script(judge, made.inverse_mass);
-    int count = tangle_count(judge, end) +
-                (made.mesh.vertices <= 30
-                     ? tangle_count_in_step(judge, start, end)
-                     : 0);
+    int count =
+        tangle_count(judge, end) +
+        (made.mesh.vertices <= 30 ? tangle_count_in_step(judge, start, end)
+                                  : 0);
     tangle_judge_free(judge);
     return count;
 }
@@ -248,9 +248,9 @@ END_TEST
 static void expect_no_effect(void)
 {
     double *usual = answer_of_new_resolver((tf_response_options){0});
-    ck_assert_mem_eq(
-        answer(again), usual,
-        sizeof(double) * (size_t)(made.mesh.axes * made.mesh.vertices));
+    ck_assert_mem_eq(answer(again), usual,
+                     sizeof(double) *
+                         (size_t)(made.mesh.axes * made.mesh.vertices));
     free(usual);
 }
 

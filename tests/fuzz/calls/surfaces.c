@@ -600,10 +600,9 @@ static void draw_response(generator *random, call *made,
         own->sweeps < 0 || !is_within(own->separation, -most, most) ||
             !is_within(own->restitution, 0, 1) ||
             !is_within(own->friction, 0, most) ||
-            (reads &&
-             (!is_within(own->restitution_threshold, 0, most) ||
-              !is_within(own->thickness, 0, most) || own->substeps < 0 ||
-              own->substeps > most_parts)),
+            (reads && (!is_within(own->restitution_threshold, 0, most) ||
+                       !is_within(own->thickness, 0, most) ||
+                       own->substeps < 0 || own->substeps > most_parts)),
         TF_BAD_OPTION);
 }
 

@@ -7,13 +7,14 @@
 #include <stdlib.h>
 
 enum {
+    DRAFT_ROUNDS = 3, // of zones, until the springs have a say
     ROUNDS = 5, // of relaxation, after each of which a step is answered again
     ENERGY_ROUNDS = 2, // after so many of them a step may have gained energy
     RELAXATIONS = 5    // in a round, if energy is gained
 };
 
 /// Edges that are longer than at rest by this factor ask for another round.
-static const double stretched = 1.11;
+static const double stretched = 1.12;
 
 /// A step may gain this part of the kinetic energy that was proposed.
 static const double slack = 0.01;
@@ -154,7 +155,7 @@ static bool is_to_go_on(const tf_coupling *c, int rounds, energy_limit limit,
                         const double start[], const double end[],
                         const tf_response_report *report)
 {
-    return (rounds == 0 && report->moved > 0) ||
+    return (rounds == 0 && report->first_contacts > 0) ||
            tf_body_stretch(c->body, end) >= stretched ||
            (rounds < ENERGY_ROUNDS &&
             gains_energy(c, limit, start, tf_resolver_unpushed(c->resolver),
@@ -170,11 +171,14 @@ tf_status tf_coupling_resolve(tf_coupling *coupling, const double start[],
 {
     tf_coupling *c = coupling;
     energy_limit limit = limit_of(c, energy, start, end);
-    tf_response_options again = *options;
+    tf_response_options draft = *options, again = *options;
+    draft.size = again.size = sizeof *options;
+    draft.draft = again.again = true;
+    draft.zone_rounds = DRAFT_ROUNDS;
     again.check_start = false;
     tf_relaxation_begin(c->relaxation, start, end);
     tf_status status =
-        answer(c, start, end, inverse_mass, options, report, true);
+        answer(c, start, end, inverse_mass, &draft, report, true);
     for (int i = 0; i < ROUNDS && status == TF_OK; i++) {
         if (!is_to_go_on(c, i, limit, start, end, report))
             break;

@@ -6,8 +6,8 @@
 
 /// A response to contacts that knows of what is elastic.
 ///
-/// It answers a step twice.  The first answer finds what is in the way.  A
-/// relaxation lets those contacts and the elastic elements come to terms, and
+/// It answers a step twice.  The first answer, a draft, finds what is in the way.
+/// A relaxation lets those contacts and the elastic elements come to terms, and
 /// proposes an end, which the second answer makes clear.  If that leaves
 /// something stretched, or has gained energy, they go on for a few rounds.  The
 /// answers depend on the step alone.

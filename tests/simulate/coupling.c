@@ -217,7 +217,7 @@ START_TEST(what_gains_energy_is_relaxed_again)
     printf("gained: %g J, and %g in rounds that look at it\n", careless,
            careful);
     ck_assert_double_gt(careless, 0);
-    ck_assert_double_lt(careful, careless / 10);
+    ck_assert_double_lt(careful, careless / 4);
     comparison_free(&both);
 }
 END_TEST

@@ -108,9 +108,9 @@ static bool is_script_at_rest(const tf_body *body, const double start[],
 }
 
 //: Find the limit from what was proposed
-static energy_limit limit_of(const tf_coupling *c,
-                             const tf_coupling_energy *energy,
-                             const double start[], const double end[])
+static energy_limit energy_limit_of(const tf_coupling *c,
+                                    const tf_coupling_energy *energy,
+                                    const double start[], const double end[])
 {
     if (!energy || !is_script_at_rest(c->body, start, end))
         return (energy_limit){.most = INFINITY};
@@ -170,7 +170,7 @@ tf_status tf_coupling_resolve(tf_coupling *coupling, const double start[],
                               tf_response_report *report)
 {
     tf_coupling *c = coupling;
-    energy_limit limit = limit_of(c, energy, start, end);
+    energy_limit limit = energy_limit_of(c, energy, start, end);
     tf_response_options draft = *options, again = *options;
     draft.size = again.size = sizeof *options;
     draft.draft = again.again = true;

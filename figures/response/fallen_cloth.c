@@ -3,7 +3,7 @@
 #include "kit/figures.h"
 
 static const fig_cloth_still stills[] = {
-    {.plan = {.scene = "sphere", .size = 56, .steps = 140}, .first = 138},
+    {.plan = {.scene = "sphere", .size = 48, .steps = 140}, .first = 138},
     {.plan = {.scene = "stack", .size = 28, .steps = 85}, .first = 83},
 };
 

@@ -166,12 +166,12 @@ $(BUILD)/readme/%-dark.webp: $(BUILD)/drawing/program $(BUILD)/scenes/%/steps.cs
 # Films of the scenes of cloth for download, which take minutes each.
 CLOTH = sphere stack twist knot curtain flag plane-chain
 download = $(foreach theme,light dark,\
-	$(patsubst %,$(BUILD)/download/%-$(theme).webp,$(CLOTH)))
+	$(patsubst %,$(BUILD)/download/%-$(theme).mp4,$(CLOTH)))
 download_film = @echo 'film    $@' && mkdir -p $(@D) && $< film \
 	$(BUILD)/scenes/$* --theme $1 --size 1920x1080 --every 3 --fps 25 -o $@ >/dev/null
-$(BUILD)/download/%-light.webp: $(BUILD)/drawing/program $(BUILD)/scenes/%/steps.csv
+$(BUILD)/download/%-light.mp4: $(BUILD)/drawing/program $(BUILD)/scenes/%/steps.csv
 	$(call download_film,light)
-$(BUILD)/download/%-dark.webp: $(BUILD)/drawing/program $(BUILD)/scenes/%/steps.csv
+$(BUILD)/download/%-dark.mp4: $(BUILD)/drawing/program $(BUILD)/scenes/%/steps.csv
 	$(call download_film,dark)
 films: $(download) ## film the scenes of cloth, 1920 by 1080, for download
 .PHONY: films

@@ -19,8 +19,8 @@ enum {
 };
 
 /// How each kind of film is encoded.  .mp4 wants even sides, and a .gif its own
-/// colours for each picture.  In a .webp of less quality, blocks that change
-/// slowly stay as they were for many pictures.
+/// colours for each picture.  In a .webp, blocks that change slowly stay as
+/// they were for many pictures, the more of them the less the quality.
 static const struct {
     const char *ending;
     const char *words[WORDS];

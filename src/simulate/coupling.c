@@ -18,6 +18,8 @@ struct tf_coupling {
     const tf_body *body;
     tf_resolver *resolver;
     tf_relaxation *relaxation;
+    double (*clock)(void); ///< NULL: nothing is timed
+    tf_coupling_times took;
 };
 
 //: Make and free a coupling
@@ -45,6 +47,23 @@ void tf_coupling_free(tf_coupling *coupling)
     free(coupling);
 }
 
+//: Time the parts of a step
+void tf_coupling_watch(tf_coupling *coupling, double (*clock)(void))
+{
+    coupling->clock = clock;
+    coupling->took = (tf_coupling_times){0};
+}
+
+tf_coupling_times tf_coupling_took(const tf_coupling *coupling)
+{
+    return coupling->took;
+}
+
+static double time_of(const tf_coupling *c)
+{
+    return c->clock ? c->clock() : 0;
+}
+
 //: Answer a step once
 /// Adds up what answers took; how they ended is what the last one says.
 static void add_report(tf_response_report *sum, const tf_response_report *last)
@@ -64,8 +83,11 @@ static tf_status answer(tf_coupling *c, const double start[], double end[],
                         tf_response_report *report, bool first)
 {
     const tf_response_report *lent;
+    double begin = time_of(c),
+           *took = first ? &c->took.draft : &c->took.answers;
     tf_status status = tf_step_resolve(c->resolver, c->body->vertices, start,
                                        end, inverse_mass, options, &lent, NULL);
+    *took += time_of(c) - begin;
     if (status == TF_OK && first)
         *report = *lent;
     else if (status == TF_OK)
@@ -74,9 +96,10 @@ static tf_status answer(tf_coupling *c, const double start[], double end[],
 }
 
 //: Propose what the elastic elements and the contacts allow
-static tf_status propose_again(const tf_coupling *c,
+static tf_status propose_again(tf_coupling *c,
                                const tf_response_options *options, double end[])
 {
+    double begin = time_of(c);
     size_t count;
     const tf_answered_contact *contact;
     tf_status status = tf_resolver_contacts(c->resolver, &count, &contact);
@@ -84,6 +107,7 @@ static tf_status propose_again(const tf_coupling *c,
         status = tf_relaxation_add(c->relaxation, count, contact);
     if (status == TF_OK)
         tf_relaxation_run(c->relaxation, options->friction, end);
+    c->took.relaxation += time_of(c) - begin;
     return status;
 }
 

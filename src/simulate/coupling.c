@@ -7,11 +7,11 @@
 
 enum {
     DRAFT_ROUNDS = 3, // of zones, until the springs have a say
-    ROUNDS = 5 // of relaxation, after each of which a step is answered again
+    ROUNDS = 8 // of relaxation, after each of which a step is answered again
 };
 
 /// Edges that are longer than at rest by this factor ask for another round.
-static const double stretched = 1.12;
+static const double stretched = 1.13;
 
 //: Hold the coupling
 struct tf_coupling {

@@ -179,9 +179,6 @@ static double energy(const tf_step *step, const double end[])
 //: Resolve a part of a step that has contacts
 static tf_status answer(tf_resolution *r)
 {
-    // Without a round of the failsafe each vertex is a group of its own.
-    if (!tf_groups_begin(&r->resolver->failsafe.groups, r->step.vertices))
-        return TF_OUT_OF_MEMORY;
     tf_response_options_choose(&r->options, r->resolver->surface, &r->step);
     r->rule.separation = r->options.separation;
     r->rule.restitution = r->options.restitution;
@@ -194,6 +191,9 @@ static tf_status answer(tf_resolution *r)
 static tf_status answer_any(tf_resolution *r, tf_error *error)
 {
     ready(r);
+    // Without a round of the failsafe each vertex is a group of its own.
+    if (!tf_groups_begin(&r->resolver->failsafe.groups, r->step.vertices))
+        return tf_fail(error, TF_OUT_OF_MEMORY);
     tf_status status = begin(r, error);
     if (status == TF_OK && r->contacts.any)
         status = tf_fail(error, answer(r));
@@ -219,7 +219,8 @@ static tf_status shorten(tf_resolution *r, tf_error *error)
         r->step.proposed = tf_follow_propose(
             &resolver->follow, &r->step, proposed, &resolver->surface->edges);
         tf_answers_drop(&resolver->answers);
-        status = answer_any(r, error);
+        status = r->step.proposed ? answer_any(r, error)
+                                  : tf_fail(error, TF_CANCELLED);
     }
     r->rule.squeezed = NULL;
     r->report.first_contacts = first_contacts;

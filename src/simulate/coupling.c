@@ -8,13 +8,13 @@
 
 enum {
     DRAFT_ROUNDS = 3, // of zones, until the springs have a say
-    ROUNDS = 5, // of relaxation, after each of which a step is answered again
+    ROUNDS = 8, // of relaxation, after each of which a step is answered again
     ENERGY_ROUNDS = 2, // after so many of them a step may have gained energy
     RELAXATIONS = 5    // in a round, if energy is gained
 };
 
 /// Edges that are longer than at rest by this factor ask for another round.
-static const double stretched = 1.12;
+static const double stretched = 1.13;
 
 /// A step may gain this part of the kinetic energy that was proposed.
 static const double slack = 0.01;
@@ -25,6 +25,8 @@ struct tf_coupling {
     double step;
     tf_resolver *resolver;
     tf_relaxation *relaxation;
+    double (*clock)(void); ///< NULL: nothing is timed
+    tf_coupling_times took;
 };
 
 //: Make and free a coupling
@@ -53,6 +55,23 @@ void tf_coupling_free(tf_coupling *coupling)
     free(coupling);
 }
 
+//: Time the parts of a step
+void tf_coupling_watch(tf_coupling *coupling, double (*clock)(void))
+{
+    coupling->clock = clock;
+    coupling->took = (tf_coupling_times){0};
+}
+
+tf_coupling_times tf_coupling_took(const tf_coupling *coupling)
+{
+    return coupling->took;
+}
+
+static double time_of(const tf_coupling *c)
+{
+    return c->clock ? c->clock() : 0;
+}
+
 //: Answer a step once
 /// Adds up what answers took; how they ended is what the last one says.
 static void add_report(tf_response_report *sum, const tf_response_report *last)
@@ -72,8 +91,11 @@ static tf_status answer(tf_coupling *c, const double start[], double end[],
                         tf_response_report *report, bool first)
 {
     const tf_response_report *lent;
+    double begin = time_of(c),
+           *took = first ? &c->took.draft : &c->took.answers;
     tf_status status = tf_step_resolve(c->resolver, c->body->vertices, start,
                                        end, inverse_mass, options, &lent, NULL);
+    *took += time_of(c) - begin;
     if (status == TF_OK && first)
         *report = *lent;
     else if (status == TF_OK)
@@ -133,10 +155,11 @@ static bool gains_energy(const tf_coupling *c, energy_limit limit,
 }
 
 //: Propose what the elastic elements and the contacts allow
-static tf_status propose_again(const tf_coupling *c, energy_limit limit,
+static tf_status propose_again(tf_coupling *c, energy_limit limit,
                                const tf_response_options *options,
                                const double start[], double end[])
 {
+    double begin = time_of(c);
     size_t count;
     const tf_answered_contact *contact;
     tf_status status = tf_resolver_contacts(c->resolver, &count, &contact);
@@ -147,6 +170,7 @@ static tf_status propose_again(const tf_coupling *c, energy_limit limit,
         tf_relaxation_run(c->relaxation, options->friction, end);
         gains = gains_energy(c, limit, start, end, end);
     }
+    c->took.relaxation += time_of(c) - begin;
     return status;
 }
 

@@ -21,6 +21,18 @@ tf_status tf_coupling_create(const tf_body *body, double step,
                              tf_resolver *resolver, tf_coupling **coupling);
 void tf_coupling_free(tf_coupling *coupling);
 
+/// What the parts of steps took, in seconds.
+typedef struct tf_coupling_times {
+    double draft, relaxation, answers;
+} tf_coupling_times;
+
+/// Has the parts of all steps from now on timed.
+/// @param clock tells the time, in seconds
+void tf_coupling_watch(tf_coupling *coupling, double (*clock)(void));
+
+/// Returns what the parts of all steps took that have been timed.
+tf_coupling_times tf_coupling_took(const tf_coupling *coupling);
+
 /// The energy with which a step begins.
 typedef struct tf_coupling_energy {
     double gravity; ///< along the last axis, in meters per square second

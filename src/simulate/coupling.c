@@ -9,7 +9,7 @@
 enum {
     DRAFT_ROUNDS = 3, // of zones, until the springs have a say
     ROUNDS = 8, // of relaxation, after each of which a step is answered again
-    ENERGY_ROUNDS = 2, // after so many of them a step may have gained energy
+    ENERGY_ROUNDS = 3, // after so many of them a step may have gained energy
     RELAXATIONS = 5    // in a round, if energy is gained
 };
 

@@ -4,6 +4,7 @@
 #include "response/impulses.h"
 
 #include <limits.h>
+#include <stdint.h>
 #include <string.h>
 
 //: Begin a level
@@ -146,6 +147,27 @@ tf_status tf_resolution_detect_again(tf_resolution *r)
                                                : tf_resolution_detect(r, NULL);
 }
 
+//: Notice that rounds lead nowhere
+enum {
+    PATIENCE = 5,     ///< rounds that leave no fewer contacts than one before
+    FEW_CONTACTS = 16 ///< that are worth all rounds
+};
+
+/// What the rounds of a level have led to.
+typedef struct round_progress {
+    size_t fewest; ///< contacts that were left after one of them
+    int since;     ///< rounds since then
+} round_progress;
+
+/// Whether many contacts are left, and more rounds are not likely to help.
+static bool is_futile(round_progress *so_far, size_t contacts)
+{
+    bool fewer = contacts < so_far->fewest;
+    so_far->since = fewer ? 0 : so_far->since + 1;
+    so_far->fewest = fewer ? contacts : so_far->fewest;
+    return so_far->since >= PATIENCE && so_far->fewest > FEW_CONTACTS;
+}
+
 //: Go through the rounds of a level
 static const char *const stage_names[TF_LEVELS] = {
     [TF_IMPULSES] = "impulses",
@@ -155,7 +177,8 @@ static const char *const stage_names[TF_LEVELS] = {
 };
 
 /// Ends after `most` rounds, or earlier if no contacts are left or, except for
-/// the failsafe, if a round moves nothing: its contacts stay as they are.
+/// the failsafe, if a round moves nothing: its contacts stay as they are.  Those
+/// of zones also end if they lead nowhere.
 static tf_status go_through(tf_resolution *r, tf_response_level level, int most)
 {
     if (most <= 0 || !r->contacts.any)
@@ -163,7 +186,9 @@ static tf_status go_through(tf_resolution *r, tf_response_level level, int most)
     if (!begin_level(r, level))
         return TF_OUT_OF_MEMORY;
     tf_watch *watch = r->resolver->surface->workers.watch;
-    for (int round = 0; round < most && r->contacts.any; round++) {
+    round_progress so_far = {.fewest = SIZE_MAX};
+    bool futile = false;
+    for (int round = 0; round < most && r->contacts.any && !futile; round++) {
         tf_watch_stage(watch, stage_names[level], 0);
         if (!tf_watch_done(watch, 0))
             return TF_CANCELLED;
@@ -177,6 +202,7 @@ static tf_status go_through(tf_resolution *r, tf_response_level level, int most)
         tf_status status = tf_resolution_detect_again(r);
         if (status != TF_OK)
             return status;
+        futile = level == TF_ZONES && is_futile(&so_far, r->contacts.count);
     }
     return TF_OK;
 }

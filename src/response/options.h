@@ -113,7 +113,7 @@ typedef struct tf_response_options {
     const tf_zone_solver *solver; ///< of the motion; NULL: tf_gauss_seidel
     int impulse_rounds; ///< rounds of impulses, before zones; 0: the usual
                         ///< number, which is none; negative: none
-    int zone_rounds;    ///< rounds of zones; 0: 20; negative: none
+    int zone_rounds;    ///< the most rounds of zones; 0: 20; negative: none
     int sweeps;         ///< iterations of the solver, 1 or more; 0: 30
     bool rigid;         ///< whether to try rigid zones before the failsafe
     double separation;  ///< pairs in contact that start nearer than this, and

@@ -60,6 +60,11 @@ void tf_elastic_sum(const tf_elastic *elastic, int axes,
 /// The energy of all elements in those positions, in joules.
 double tf_body_elastic_energy(const tf_body *body, const double position[]);
 
+/// That and the energy of the weight of all vertices, which is 0 at height 0.
+/// @param gravity along the last axis, downwards, in meters per square second
+double tf_body_potential_energy(const tf_body *body, double gravity,
+                                const double position[]);
+
 /// The largest ratio of a spring's length to its rest, but at least 1.
 double tf_body_stretch(const tf_body *body, const double position[]);
 

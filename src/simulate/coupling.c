@@ -14,7 +14,7 @@ enum {
 };
 
 /// Edges that are longer than at rest by this factor ask for another round.
-static const double stretched = 1.13;
+static const double stretched = 1.11;
 
 /// A step may gain this part of the kinetic energy that was proposed.
 static const double slack = 0.01;

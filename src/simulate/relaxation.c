@@ -13,7 +13,7 @@ enum {
 };
 
 /// Springs become rigid when they are longer than at rest by this factor.
-static const double limit = 1.08;
+static const double limit = 1.04;
 
 /// Vertices may move unnoticed by this part of the mean rest length.
 static const double tolerance = 1e-5;

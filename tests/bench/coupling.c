@@ -15,14 +15,24 @@ typedef struct costs {
     tf_coupling_times times;
 } costs;
 
+static tf_coupling_energy energy_of(const tf_cloth_simulation *c)
+{
+    const tf_body *body = &c->base.setup.body;
+    double gravity = c->base.scene->gravity;
+    return (tf_coupling_energy){
+        gravity, tf_body_kinetic_energy(body, c->velocity) +
+                     tf_body_potential_energy(body, gravity, c->position)};
+}
+
 static tf_status resolve(tf_cloth_simulation *c, bool coupled,
+                         const tf_coupling_energy *energy,
                          tf_response_report *report)
 {
     tf_response_options options = {.friction = c->base.scene->friction};
     const tf_response_report *lent;
     if (coupled)
         return tf_coupling_resolve(c->coupling, c->position, c->end,
-                                   c->inverse_mass, &options, NULL, report);
+                                   c->inverse_mass, &options, energy, report);
     tf_status status =
         tf_step_resolve(c->resolver, c->base.setup.body.vertices, c->position,
                         c->end, c->inverse_mass, &options, &lent, NULL);
@@ -34,10 +44,11 @@ static tf_status resolve(tf_cloth_simulation *c, bool coupled,
 static void step(tf_cloth_simulation *c, bool coupled, costs *to)
 {
     tf_response_report report;
+    tf_coupling_energy energy = energy_of(c);
     double begin = processor_seconds();
     require(tf_cloth_propose(c));
     double proposed = processor_seconds();
-    require(resolve(c, coupled, &report));
+    require(resolve(c, coupled, &energy, &report));
     to->dynamics += proposed - begin;
     to->response += processor_seconds() - proposed;
     tf_cloth_accept(c, tf_resolver_unpushed(c->resolver), report.held);

@@ -151,12 +151,11 @@ typedef struct tf_response_options {
                       ///< meet.  Those that start nearer, as neighbors in a
                       ///< fine mesh do, only don't meet, either
 
-    bool draft; ///< whether the step is only drafted, see tf_step_resolve: its
-                ///< end need not be clear; not with substeps
-    bool again; ///< whether the last call for the resolver answered a step from
-                ///< the same start, with one of these two options, so that this
-                ///< one may begin with the pairs that it looked at; without
-                ///< effect if it did not
+    int draft; ///< not 0: the step is only drafted, see tf_step_resolve: its end
+               ///< need not be clear; not with substeps
+    int again; ///< not 0: the last call for the resolver may have answered a step
+        ///< from the same start, with one of these two options, and if so,
+        ///< this one begins with the pairs that it looked at
 } tf_response_options;
 
 /// @}

@@ -107,6 +107,16 @@ double tf_body_elastic_energy(const tf_body *body, const double position[])
     return energy;
 }
 
+double tf_body_potential_energy(const tf_body *body, double gravity,
+                                const double position[])
+{
+    double energy = tf_body_elastic_energy(body, position);
+    for (int v = 0; v < body->vertices; v++)
+        energy += body->mass[v] * gravity *
+                  position[(ptrdiff_t)body->axes * v + body->axes - 1];
+    return energy;
+}
+
 double tf_body_stretch(const tf_body *body, const double position[])
 {
     double most = 1;

@@ -7,10 +7,10 @@
 
 //: Blow from all sides
 /// Two waves go with the wind, whose lengths have no common multiple.
-static void find_wind(const tf_air *air, double time, const double x[3],
+static void find_wind(const tf_air *air, int up, double time, const double x[3],
                       double wind[3])
 {
-    int east = air->up, north = (air->up + 1) % 3, up = (air->up + 2) % 3;
+    int east = (up + 1) % 3, north = (up + 2) % 3;
     double speed = hypot(air->wind[east], air->wind[north]);
     double angle = atan2(air->wind[north], air->wind[east]) + air->veer * time;
     double ahead[] = {cos(angle), sin(angle)};
@@ -50,7 +50,7 @@ static void push(const tf_air *air, const tf_body *body, double time,
     double length = tf_vector_length(normal);
     if (length == 0)
         return;
-    find_wind(air, time, mean_at(corner, position).x, wind.x);
+    find_wind(air, tf_body_up(body), time, mean_at(corner, position).x, wind.x);
     tf_vector met = tf_vector_difference(wind, mean_at(corner, velocity));
     // The force is drag times area times the part along the normal, and each
     // corner has a third of it.

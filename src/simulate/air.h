@@ -10,7 +10,6 @@ typedef struct tf_air {
     double wind[3]; ///< at the start, in meters per second
     double veer;    ///< how fast it turns about the vertical, in radians per
                     ///< second
-    int up;         ///< which way is up, as that of a scene
     double gust; ///< how strongly waves in the wind swing to its sides and up
                  ///< and down, in meters per second
 } tf_air;

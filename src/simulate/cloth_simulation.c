@@ -72,7 +72,7 @@ static void fall(tf_cloth_simulation *c)
 {
     const tf_scene *scene = c->base.scene;
     const tf_body *body = &c->base.setup.body;
-    int up = (body->axes - 1 + scene->up) % body->axes;
+    int up = tf_body_up(body);
     for (int v = 0; v < body->vertices; v++)
         if (body->mass[v] > 0)
             c->velocity[body->axes * v + up] -= scene->gravity * scene->step;
@@ -122,14 +122,30 @@ void tf_cloth_accept(tf_cloth_simulation *cloth, const double unpushed[],
 }
 
 //: Make a step of cloth
+static tf_coupling_energy energy_of(const tf_cloth_simulation *c)
+{
+    const tf_body *body = &c->base.setup.body;
+    double gravity = c->base.scene->gravity;
+    return (tf_coupling_energy){
+        gravity, tf_body_kinetic_energy(body, c->velocity) +
+                     tf_body_potential_energy(body, gravity, c->position)};
+}
+
+static bool is_blown(const tf_air *air)
+{
+    return air->wind[0] != 0 || air->wind[1] != 0 || air->wind[2] != 0 ||
+           air->gust != 0;
+}
+
 static tf_status resolve(tf_cloth_simulation *c, const tf_step_options *options,
+                         const tf_coupling_energy *energy,
                          tf_response_report *report)
 {
     tf_response_options response = {.friction = c->base.scene->friction,
                                     .check_start = options->check,
                                     .parallel = options->parallel};
     return tf_coupling_resolve(c->coupling, c->position, c->end,
-                               c->inverse_mass, &response, report);
+                               c->inverse_mass, &response, energy, report);
 }
 
 static double now(const tf_step_options *options)
@@ -151,10 +167,13 @@ static tf_status step_cloth(tf_simulation *simulation,
     tf_cloth_simulation *c = (tf_cloth_simulation *)simulation;
     tf_cloth_report report = {0};
     double begin = now(options);
+    tf_coupling_energy energy = energy_of(c);
     tf_status status = tf_cloth_propose(c);
     double proposed = now(options);
     if (status == TF_OK)
-        status = resolve(c, options, &report.response);
+        status = resolve(c, options,
+                         is_blown(&simulation->scene->air) ? NULL : &energy,
+                         &report.response);
     if (status != TF_OK)
         return status;
     report.dynamics_seconds = proposed - begin;

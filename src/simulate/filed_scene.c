@@ -46,10 +46,10 @@ static void sum_scene(tf_scene *scene, double rate)
     const tf_air *air = &scene->air;
     const tf_material *material = &scene->material;
     const double number[] = {
-        scene->step,    scene->gravity, scene->up,         scene->friction,
-        air->drag,      air->wind[0],   air->wind[1],      air->wind[2],
-        air->veer,      air->gust,      material->density, material->stretch,
-        material->bend, rate,
+        scene->step,  scene->gravity,    scene->friction,   air->drag,
+        air->wind[0], air->wind[1],      air->wind[2],      air->veer,
+        air->gust,    material->density, material->stretch, material->bend,
+        rate,
     };
     sum_bytes(scene, number, sizeof number);
 }
@@ -87,8 +87,6 @@ static void take_physics(tf_scene *scene, const tf_scene_physics *physics)
         scene->steps = physics->steps;
     if (physics->air.given)
         scene->air = air_of(&physics->air);
-    scene->up = physics->up >= 0 ? (physics->up + 1) % 3 : 0;
-    scene->air.up = scene->up;
 }
 
 //: Check what a scene file says of a shape
@@ -325,7 +323,9 @@ static bool make_body(tf_filed_scene *filed)
 {
     tf_motion motion = tf_scene_frames_motion(&filed->frames);
     tf_body *body = &filed->body;
+    int up = filed->meshes.physics.up;
     body->axes = motion.axes;
+    body->up = up >= 0 && body->axes == 3 ? (up + 1) % 3 : 0;
     bool good = true;
     for (int m = 0; m < filed->meshes.count && good && !body->failed; m++) {
         int triangle = body->triangles, edge = body->edges;
@@ -342,6 +342,7 @@ static void sum_body(tf_filed_scene *filed)
     const tf_body *body = &filed->body;
     tf_scene *scene = &filed->scene;
     size_t vertices = (size_t)body->vertices;
+    sum_bytes(scene, &body->up, sizeof body->up);
     sum_bytes(scene, body->mass, vertices * sizeof *body->mass);
     sum_bytes(scene, body->triangle,
               3 * (size_t)body->triangles * sizeof *body->triangle);

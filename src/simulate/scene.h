@@ -61,8 +61,6 @@ typedef struct tf_scene {
     void (*build)(tf_scene_setup *setup, double resolution);
 
     double gravity; ///< on cloth, in meters per square second
-    int up; ///< from the last axis on to the one that points up: 0, or in space
-            ///< 1 for the first axis, 2 for the second
     tf_air air;
     double friction;      ///< Coulomb's coefficient
     tf_material material; ///< of cloth; of a chain per meter, not square meter

@@ -43,8 +43,9 @@ START_TEST(any_axis_may_point_up)
     const tf_air air = {
         .drag = 2, .wind = {1, -2, 3}, .veer = 0.5, .gust = 1.5};
     for (int up = 0; up < 3; up++) {
-        tf_air same = {.drag = 2, .veer = 0.5, .gust = 1.5, .up = up};
+        tf_air same = {.drag = 2, .veer = 0.5, .gust = 1.5};
         tf_body body = plate(), renamed = plate();
+        renamed.up = up;
         double velocity[COORDINATES] = {0}, found[COORDINATES] = {0};
         for (int k = 0; k < 3; k++) {
             same.wind[(k + up) % 3] = air.wind[k];

@@ -62,7 +62,7 @@ START_TEST(a_scene_has_usual_values)
     ck_assert_str_eq(scene->name, "scene.yaml");
     ck_assert(scene->step == 0.01 && scene->steps == 100 &&
               scene->gravity == 9.81 && scene->friction == 0.3 &&
-              scene->air.drag == 0.3 && scene->up == 0 && !scene->plane);
+              scene->air.drag == 0.3 && filed->body.up == 0 && !scene->plane);
     double sum = 0;
     for (int v = 0; v < 4; v++)
         sum += filed->body.mass[v];
@@ -203,8 +203,8 @@ START_TEST(a_scene_says_what_is_simulated)
         "meshes: [{frames: cloth.obj}, {frames: wall.obj, role: fixed}]");
     const tf_scene *scene = &filed->scene;
     ck_assert(scene->step == 0.002 && scene->steps == 7 &&
-              scene->gravity == 3 && scene->friction == 0.7 && scene->up == 1 &&
-              scene->air.up == 1 && scene->air.drag == 0 &&
+              scene->gravity == 3 && scene->friction == 0.7 &&
+              filed->body.up == 1 && scene->air.drag == 0 &&
               scene->air.wind[2] == 3 && scene->air.veer == 4);
     tf_filed_scene_free(filed);
 }

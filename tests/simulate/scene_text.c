@@ -18,13 +18,13 @@ static void expect_same(const tf_scene *found, const tf_scene *scene)
     ck_assert_int_eq(found->plane, scene->plane);
     ck_assert_int_eq(found->keep_topology, scene->keep_topology);
     ck_assert(found->steps == scene->steps && found->step == scene->step);
-    ck_assert(found->gravity == scene->gravity && found->up == scene->up &&
+    ck_assert(found->gravity == scene->gravity &&
               found->friction == scene->friction);
     ck_assert_mem_eq(&found->material, &scene->material,
                      sizeof scene->material);
     ck_assert(found->air.drag == scene->air.drag &&
               found->air.veer == scene->air.veer &&
-              found->air.gust == scene->air.gust && found->air.up == 0);
+              found->air.gust == scene->air.gust);
     ck_assert_mem_eq(found->air.wind, scene->air.wind, sizeof scene->air.wind);
 }
 

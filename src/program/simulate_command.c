@@ -85,10 +85,9 @@ static void check(tf_request *request)
 {
     bool filed = tf_is_scene(request->operand[0]);
     if (request->operands > 1 && !wants_list(request))
-        tf_request_refuse(request, "one scene is required, got %d arguments",
-                          request->operands);
-    for (int i = 1; i < request->operands; i++)
-        need_scene(request, request->operand[i]);
+        tf_request_refuse(request, "one scene is required, got two");
+    if (request->operands > 1)
+        need_scene(request, request->operand[1]);
     if (wants_list(request))
         return;
     if (!filed)
@@ -99,13 +98,6 @@ static void check(tf_request *request)
 }
 
 //: List the scenes for the user
-/// Prints them as scene files, one after another.
-static void print_scenes(const tf_request *request)
-{
-    for (int i = 1; i < request->operands; i++)
-        tf_scene_write(stdout, scene_named(request->operand[i]));
-}
-
 static void list_scenes(const tf_scene list[])
 {
     for (const tf_scene *s = list; s->name; s++) {
@@ -273,7 +265,7 @@ static int run_file(const tf_request *request)
 static int run_list(const tf_request *request)
 {
     if (request->operands > 1) {
-        print_scenes(request);
+        tf_scene_write(stdout, scene_named(request->operand[1]));
     } else {
         list_scenes(tf_cloth_scenes);
         list_scenes(tf_flow_scenes);
@@ -297,9 +289,9 @@ const tf_command tf_simulate_command = {
     .set = TF_SIMULATE,
     .name = "simulate",
     .purpose = "simulate a scene of cloth, or of a surface that flows",
-    .operands = "SCENE\nlist [SCENE...]",
+    .operands = "SCENE\nlist [SCENE]",
     .least = 1,
-    .most = 99,
+    .most = 2,
     .wanted =
         "one scene is required; 'tanglefree simulate list' lists the scenes",
     .description = tf_simulate_description,

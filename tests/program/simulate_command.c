@@ -425,10 +425,13 @@ START_TEST(usage)
         {"simulate list cube",
          "tanglefree simulate: unknown scene 'cube'; 'tanglefree simulate "
          "list' lists"},
+        {"simulate list sphere stack",
+         "tanglefree simulate: one scene is required; 'tanglefree simulate "
+         "list' lists"},
         {"simulate scene.yaml", "tanglefree simulate: --output DIR is "
                                 "required: the folder for the frames\n"},
         {"simulate scene.yaml sphere -o made",
-         "tanglefree simulate: one scene is required, got 2 arguments\n"},
+         "tanglefree simulate: one scene is required, got two\n"},
         {"simulate sphere",
          "tanglefree simulate: --output DIR is required: the "
          "folder for the frames\n"},

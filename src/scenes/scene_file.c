@@ -110,7 +110,9 @@ static bool read_pinned(tf_scene_reader *r, const tf_scene_key *key,
     yaml_node_item_t *item = node->data.sequence.items.start;
     yaml_node_item_t *end = node->data.sequence.items.top;
     mesh->pinned = malloc((size_t)(end - item) * sizeof *mesh->pinned);
-    bool good = mesh->pinned || tf_scene_fault_in_memory(r);
+    if (!mesh->pinned)
+        return tf_scene_fault_in_memory(r);
+    bool good = true;
     for (; item < end && good; item++)
         good = add_pin(r, tf_scene_node(r, *item), mesh);
     return good;
@@ -133,7 +135,7 @@ static bool read_material(tf_scene_reader *r, const tf_scene_key *key,
         {0}};
     return tf_scene_read_mapping(
         r, node, keys, "a material may have density, stretch and bend",
-        (char *)target + key->member);
+        tf_scene_member(key, target));
 }
 
 //: Read a mesh of a scene

@@ -164,7 +164,8 @@ bool tf_scene_meshes_check(tf_scene_meshes *meshes, const char *file,
     meshes->frames = longest ? longest->frames.count : 1;
     for (int i = 0; i < meshes->count && good; i++)
         good = check_name(&of, i) &&
-               check_frames(&of, &meshes->mesh[i], longest) &&
+               check_frames(&of, &meshes->mesh[i],
+                            longest ? longest : meshes->mesh) &&
                check_mass(&of, &meshes->mesh[i], masses);
     return good;
 }

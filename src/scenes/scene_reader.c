@@ -19,6 +19,11 @@ long tf_scene_line(const yaml_node_t *node)
     return (long)node->start_mark.line + 1;
 }
 
+void *tf_scene_member(const tf_scene_key *key, void *target)
+{
+    return (char *)target + key->member;
+}
+
 bool tf_scene_is_list(const yaml_node_t *node)
 {
     return node->type == YAML_SEQUENCE_NODE &&
@@ -68,7 +73,7 @@ bool tf_scene_take_text(tf_scene_reader *reader, const tf_scene_key *key,
     const char *text = tf_scene_text(reader, node, key->name);
     if (!text)
         return false;
-    char **copy = (char **)((char *)target + key->member);
+    char **copy = tf_scene_member(key, target);
     *copy = strdup(text);
     return *copy || tf_scene_fault_in_memory(reader);
 }
@@ -115,7 +120,7 @@ bool tf_scene_read_number(tf_scene_reader *reader, const yaml_node_t *node,
 bool tf_scene_take_number(tf_scene_reader *reader, const tf_scene_key *key,
                           const yaml_node_t *node, void *target)
 {
-    double *number = (double *)((char *)target + key->member);
+    double *number = tf_scene_member(key, target);
     return tf_scene_read_number(reader, node, key, number);
 }
 
@@ -130,7 +135,7 @@ bool tf_scene_take_whole(tf_scene_reader *reader, const tf_scene_key *key,
         return tf_scene_fault_at(
             reader, node, "%s must be a whole number, got '%s'", key->name,
             (const char *)node->data.scalar.value);
-    *(int *)((char *)target + key->member) = (int)number;
+    *(int *)tf_scene_member(key, target) = (int)number;
     return true;
 }
 
@@ -138,7 +143,7 @@ bool tf_scene_take_whole(tf_scene_reader *reader, const tf_scene_key *key,
 bool tf_scene_take_vector(tf_scene_reader *reader, const tf_scene_key *key,
                           const yaml_node_t *node, void *target)
 {
-    double *vector = (double *)((char *)target + key->member);
+    double *vector = tf_scene_member(key, target);
     const yaml_node_item_t *item = node->data.sequence.items.start;
     if (!tf_scene_is_list(node) || node->data.sequence.items.top - item != 3)
         return tf_scene_fault_at(reader, node,

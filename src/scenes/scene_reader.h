@@ -49,6 +49,9 @@ bool tf_scene_read_mapping(tf_scene_reader *reader, const yaml_node_t *node,
                            const tf_scene_key keys[], const char *wanted,
                            void *target);
 
+/// Where in the target the value of a key is written.
+void *tf_scene_member(const tf_scene_key *key, void *target);
+
 //: Declare how to read values of a scene
 /// The text of a node, lent; NULL: there is a fault.
 /// @param what it is, for a message

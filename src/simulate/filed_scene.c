@@ -170,20 +170,15 @@ static bool check_names(tf_filed_scene *filed)
 
 static bool check_one_friction(tf_filed_scene *filed)
 {
-    const tf_scene_mesh *first = NULL;
-    for (int m = 0; m < filed->meshes.count; m++) {
-        const tf_scene_mesh *mesh = &filed->meshes.mesh[m];
-        if (!first)
-            first = mesh;
-        else if (mesh->friction != first->friction)
+    const tf_scene_mesh *first = filed->meshes.mesh;
+    for (const tf_scene_mesh *m = first; m < first + filed->meshes.count; m++)
+        if (m->friction != first->friction)
             return fault_at_line(
-                filed, mesh->line,
+                filed, m->line,
                 "'%s' and '%s' have different friction, but a simulation has "
-                "one "
-                "coefficient; write 'friction:' beside 'meshes:'",
-                tf_make_visible(mesh->name).text,
+                "one coefficient; write 'friction:' beside 'meshes:'",
+                tf_make_visible(m->name).text,
                 tf_make_visible(first->name).text);
-    }
     if (first->friction >= 0)
         filed->scene.friction = first->friction;
     return true;

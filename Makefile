@@ -127,7 +127,8 @@ $(BUILD)/%.a: book/chapters
 $(BUILD)/tanglefree: $(call objects,$(MAIN)) $(BUILD)/program.a $(library_file)
 	@echo 'link    $@'
 	$(Q)$(LINK) $^ $(SPARSE) $(YAML) $(ZLIB) -lm -o $@
-$(BUILD)/src/simulate/dynamics.o $(BUILD)/src/scenes/scene_file.o \
+$(BUILD)/src/simulate/dynamics.o $(BUILD)/src/simulate/filed_scene.o \
+    $(BUILD)/src/scenes/scene_reader.o $(BUILD)/src/scenes/scene_file.o \
     $(BUILD)/src/formats/file_bytes.o: | need-program
 
 # Prerequisites after | are order-only: made first, but newer ones do not cause

@@ -143,8 +143,15 @@ $(BUILD)/readme/query-%.png: $(BUILD)/drawing/program README.md
 	$(Q)printf '%s\n' $(first_query) | $< query /dev/stdin:0 \
 	    --kind point-edge --theme $* --size 800x450 -o $@ >/dev/null
 
-# The scenes of the films, with their options.
-scene_stack = stack
+# The scenes of the films, with their options: finer than by default, which takes
+# seconds to a minute each.
+scene_sphere = sphere --size 64
+scene_stack = stack --size 32
+scene_twist = twist --size 16
+scene_knot = knot --size 8
+scene_curtain = curtain --size 56
+scene_flag = flag --size 40
+scene_plane-chain = plane-chain
 scene_enright = enright --edge 0.0113
 $(BUILD)/scenes/%/steps.csv: $(program_file)
 	@echo 'simulate $(@D)' && mkdir -p $(BUILD)/scenes && rm -rf $(@D)
@@ -158,14 +165,13 @@ $(BUILD)/readme/%-dark.webp: $(BUILD)/drawing/program $(BUILD)/scenes/%/steps.cs
 
 # Films of the scenes of cloth for download, which take minutes each.
 CLOTH = sphere stack twist knot curtain flag plane-chain
-$(foreach scene,$(CLOTH),$(eval scene_$(scene) = $(scene)))
 download = $(foreach theme,light dark,\
-	$(patsubst %,$(BUILD)/download/%-$(theme).webp,$(CLOTH)))
+	$(patsubst %,$(BUILD)/download/%-$(theme).mp4,$(CLOTH)))
 download_film = @echo 'film    $@' && mkdir -p $(@D) && $< film \
 	$(BUILD)/scenes/$* --theme $1 --size 1920x1080 --every 3 --fps 25 -o $@ >/dev/null
-$(BUILD)/download/%-light.webp: $(BUILD)/drawing/program $(BUILD)/scenes/%/steps.csv
+$(BUILD)/download/%-light.mp4: $(BUILD)/drawing/program $(BUILD)/scenes/%/steps.csv
 	$(call download_film,light)
-$(BUILD)/download/%-dark.webp: $(BUILD)/drawing/program $(BUILD)/scenes/%/steps.csv
+$(BUILD)/download/%-dark.mp4: $(BUILD)/drawing/program $(BUILD)/scenes/%/steps.csv
 	$(call download_film,dark)
 films: $(download) ## film the scenes of cloth, 1920 by 1080, for download
 .PHONY: films

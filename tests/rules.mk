@@ -41,11 +41,11 @@ $(BUILD)/tests/%: $(BUILD)/tests/%.o $(BUILD)/support.a $(BUILD)/program.a \
 # These have the simulator in them, and with it the library that it uses.
 simulating = $(addprefix $(BUILD)/tests/,whole/rest whole/scenes soak/scenes program/frame_file program/steps_file \
 	program/simulation_folder program/simulate_command program/step_fields \
-	bench/flowing)
-$(BUILD)/tests/simulate/% $(simulating): LIBRARIES = $(SPARSE)
+	bench/flowing bench/coupling bench/resting)
+$(BUILD)/tests/simulate/% $(simulating): LIBRARIES = $(SPARSE) $(YAML)
 
 # These read scenes.
-scenic = $(addprefix $(BUILD)/tests/,fuzz/scene scenes/scene_file \
+scenic = $(addprefix $(BUILD)/tests/,fuzz/scene scenes/scene_file scenes/scene_reader \
 	program/surface_command program/resolve_command)
 $(scenic): LIBRARIES = $(YAML)
 

@@ -19,7 +19,8 @@ enum {
 };
 
 /// How each kind of film is encoded.  .mp4 wants even sides, and a .gif its own
-/// colours for each picture.
+/// colours for each picture.  In a .webp, blocks that change slowly stay as
+/// they were for many pictures, the more of them the less the quality.
 static const struct {
     const char *ending;
     const char *words[WORDS];
@@ -31,7 +32,7 @@ static const struct {
      {"-vf",
       "split[a][b];[a]palettegen=stats_mode=single[p];[b][p]paletteuse=new=1",
       "-loop", "0"}},
-    {".webp", {"-c:v", "libwebp_anim", "-quality", "85", "-loop", "0"}},
+    {".webp", {"-c:v", "libwebp_anim", "-quality", "95", "-loop", "0"}},
 };
 
 /// The arguments, NULL at the end; `rate` and `path` are borrowed.

@@ -36,6 +36,7 @@ void fig_cloth_free(fig_cloth *cloth)
     free(cloth->soft);
     free(cloth->color);
     free(cloth->face);
+    free(cloth->hem);
     free(cloth);
 }
 
@@ -305,7 +306,9 @@ static bool begin_parts(fig_cloth *cloth)
     cloth->soft = calloc((size_t)shape->parts + 1, sizeof *cloth->soft);
     cloth->color = calloc((size_t)shape->parts + 1, sizeof *cloth->color);
     cloth->face = calloc((size_t)shape->triangles + 1, sizeof *cloth->face);
-    return cloth->soft && cloth->color && cloth->face && find_fronts(cloth);
+    cloth->hem = calloc((size_t)shape->triangles + 1, sizeof *cloth->hem);
+    return cloth->soft && cloth->color && cloth->face && cloth->hem &&
+           find_fronts(cloth);
 }
 
 bool fig_cloth_end(fig_cloth *cloth)
@@ -317,7 +320,7 @@ bool fig_cloth_end(fig_cloth *cloth)
     choose_colors(cloth);
     find_floor(cloth);
     find_reach(1, &cloth);
-    return true;
+    return fig_cloth_find_hems(cloth);
 }
 
 // Several films ----------------------------------------------------------

@@ -1,10 +1,10 @@
 // Films of cloth: a moving surface with light and shadow, on a ground.
 //
-// Each connected part has its own color, paler on its back.  What keeps its
-// shape in all frames, an obstacle for instance, is gray if anything does not;
-// where all do, what does not move is gray.  What lies level below all that is
-// not gray is a floor, of which only the height counts.  A curve of the plane is
-// drawn as lines.
+// Each connected part has its own color, paler on its back, and pale stripes
+// along its border, if it has one.  What keeps its shape in all frames, an
+// obstacle for instance, is gray if anything does not; where all do, what does
+// not move is gray.  What lies level below all that is not gray is a floor, of
+// which only the height counts.  A curve of the plane is drawn as lines.
 #ifndef FIG_CLOTH_H
 #define FIG_CLOTH_H
 
@@ -39,7 +39,7 @@ bool fig_cloth_add(fig_cloth *cloth, int vertices, const double x[]);
 bool fig_cloth_end(fig_cloth *cloth);
 
 /// End films that are shown one after the other: as fig_cloth_end, but all fit
-/// into one box, nothing is gray, and all parts have one color.
+/// into one box, nothing is gray or striped, and all parts have one color.
 bool fig_cloth_end_all(int count, fig_cloth *const cloth[]);
 
 /// What there is.

@@ -1,5 +1,5 @@
-// What a film of cloth is made of: its frames in cloth.c, its picture in
-// cloth_picture.c.
+// What a film of cloth is made of: its frames in cloth.c, its stripes in
+// cloth_hems.c, its picture in cloth_picture.c.
 #ifndef FIG_CLOTH_PARTS_H
 #define FIG_CLOTH_PARTS_H
 
@@ -22,10 +22,15 @@ struct fig_cloth {
     int floor;  ///< a part; -1: there is none
     signed char *face; ///< of each triangle: 1 or -1, by which its normal is to
                        ///< the front of its part
+    bool *hem;         ///< of each triangle: it is in a stripe along the border
     tf_vector reach[FIG_CLOTH_REACH]; ///< points as far out as any, but the
                                       ///< floor's
     double bottom; ///< the height of the floor or of the lowest point
     double size;   ///< from the middle of what is reached to the farthest point
 };
+
+/// Find the stripes along the borders of soft parts.  False if there is no
+/// memory.
+bool fig_cloth_find_hems(fig_cloth *cloth);
 
 #endif

@@ -23,13 +23,18 @@ enum {
 
 /// How far below everything the ground is, and how far out it goes, in sizes of
 /// the cloth, and from which part of that on it fades into the paper.
-static const double ground_below = 0.004, ground_out = 1.6, ground_fades = 0.4;
+static const double ground_below = 0.004, ground_out = 1.6, ground_fades = 0.5;
 
-/// Red, green and blue of the lamp and of the sky, and of the light that comes
-/// back from the ground.
+/// How high the strip at the bottom of the picture is in which it fades, too, in
+/// heights of the picture.
+static const double bottom_fades = 0.2;
+
+/// Red, green and blue of the lamp and of the sky, the light that comes back
+/// from the ground, and that of a weak lamp beside the eye, which throws no
+/// shadow.
 static const float lamp_light[3] = {1.06F, 1.01F, 0.93F};
 static const float sky_light[3] = {0.32F, 0.36F, 0.42F};
-static const float ground_light = 0.12F;
+static const float ground_light = 0.12F, eye_light = 0.15F;
 
 /// How much a surface darkens where it turns away from the eye.
 static const float rim_dark = 0.35F;
@@ -48,6 +53,7 @@ typedef struct stage {
     fig_caster *caster; ///< as many
     fig_lit *lit;       ///< three corners a triangle, then the ground's
     tf_vector ground;   ///< its middle
+    double seen;        ///< how far out it is seen
 } stage;
 
 // Colors -----------------------------------------------------------------
@@ -73,18 +79,6 @@ static void set_linear(float linear[3], fig_rgb color)
     linear[2] = (float)fig_rgb_to_linear(color.b);
 }
 
-/// The color of a side of a part, in linear light.
-static void set_color(const stage *s, int part, bool front, float linear[3])
-{
-    static const double back = 0.3;
-    fig_rgb color =
-        fig_paint_color(s->theme, paint_of(s->cloth, s->theme, part));
-    fig_rgb pale = {1, 1, 1};
-    if (s->cloth->soft[part] && !front)
-        color = fig_rgb_mix(color, pale, back);
-    set_linear(linear, color);
-}
-
 // Places -----------------------------------------------------------------
 
 static tf_vector toward_eye(const stage *s, tf_vector at)
@@ -102,6 +96,21 @@ static const int *corners_of(const stage *s, int triangle)
 static int part_of(const stage *s, int triangle)
 {
     return s->shape->part[corners_of(s, triangle)[0]];
+}
+
+/// The color of a side of a triangle, in linear light.
+static void set_color(const stage *s, int triangle, bool front, float linear[3])
+{
+    static const double back = 0.3, hem = 0.72;
+    int part = part_of(s, triangle);
+    fig_rgb color =
+        fig_paint_color(s->theme, paint_of(s->cloth, s->theme, part));
+    fig_rgb pale = {1, 1, 1};
+    if (s->cloth->soft[part] && !front)
+        color = fig_rgb_mix(color, pale, back);
+    if (s->cloth->hem[triangle])
+        color = fig_rgb_mix(color, pale, hem);
+    set_linear(linear, color);
 }
 
 /// 1 or -1, by which a triangle's normal points to the eye.
@@ -147,6 +156,18 @@ static void place_ground(const stage *s)
                                   .normal = {0, 0, 1}};
 }
 
+/// How far out the ground is seen, so that its rim is inside the picture.
+static double ground_seen(const stage *s)
+{
+    double out = ground_out * s->cloth->size;
+    fig_point middle = fig_view_project(&s->view, s->ground);
+    fig_point rim = fig_view_project(
+        &s->view, fig_combination(s->ground, out, s->view.right));
+    const fig_box *box = &s->view.box;
+    double room = fmin(middle.x - box->x, box->x + box->width - middle.x);
+    return out * fmin(1, room / (rim.x - middle.x));
+}
+
 static bool begin(stage *s)
 {
     size_t triangles = (size_t)s->shape->triangles;
@@ -156,6 +177,7 @@ static bool begin(stage *s)
     s->lit = malloc(corners * sizeof *s->lit);
     s->ground = fig_middle_of(FIG_CLOTH_REACH, s->cloth->reach);
     s->ground.x[2] = s->cloth->bottom - ground_below * s->cloth->size;
+    s->seen = ground_seen(s);
     return s->triangle && s->caster && s->lit &&
            fig_normals_find(&s->normals, s->shape, 0, s->cloth->soft);
 }
@@ -267,24 +289,25 @@ static void smooth_ground(const stage *s)
 
 // Triangles --------------------------------------------------------------
 
-/// How much darker a corner is for turning away from the eye.
-static float rim(const stage *s, const fig_lit *corner)
+/// How much a corner is turned to the eye: the cosine of the angle.
+static float facing(const stage *s, const fig_lit *corner)
 {
     tf_vector at = {{corner->at[0], corner->at[1], corner->at[2]}};
     tf_vector n = {{corner->normal[0], corner->normal[1], corner->normal[2]}};
-    float off = 1 - (float)fabs(tf_vector_dot(n, toward_eye(s, at)));
-    return 1 - rim_dark * off * off * off;
+    return (float)fabs(tf_vector_dot(n, toward_eye(s, at)));
 }
 
 static void paint_corner(const stage *s, const fig_lit *corner,
                          const float color[3], float painted[3])
 {
-    float below = ground_light * (0.5F - 0.5F * corner->normal[2]);
-    float dark = rim(s, corner);
+    float front = facing(s, corner), off = 1 - front;
+    float dark = 1 - rim_dark * off * off * off;
+    float rest =
+        ground_light * (0.5F - 0.5F * corner->normal[2]) + eye_light * front;
     for (int k = 0; k < 3; k++)
         painted[k] =
             dark * color[k] *
-            (corner->lamp * lamp_light[k] + corner->sky * sky_light[k] + below);
+            (corner->lamp * lamp_light[k] + corner->sky * sky_light[k] + rest);
 }
 
 static void paint_triangles(const stage *s)
@@ -293,7 +316,7 @@ static void paint_triangles(const stage *s)
     for (int i = 0; i < s->triangles && painted; i++) {
         float color[3];
         int triangle = s->triangle[i];
-        set_color(s, part_of(s, triangle), shows_front(s, triangle), color);
+        set_color(s, triangle, shows_front(s, triangle), color);
         for (int c = 0; c < 3; c++)
             paint_corner(s, &s->lit[3 * (size_t)i + (size_t)c], color,
                          painted[i].color[c]);
@@ -303,14 +326,24 @@ static void paint_triangles(const stage *s)
 
 // The ground -------------------------------------------------------------
 
-/// How much of the paper's color the ground has, 0 to 1.
+static double smooth_step(double part)
+{
+    part = fmin(1, fmax(0, part));
+    return part * part * (3 - 2 * part);
+}
+
+/// How much of the paper's color the ground has, 0 to 1: all of it far out, and
+/// at the bottom of the picture.
 static float ground_fade(const stage *s, const fig_lit *corner)
 {
-    double out =
-        hypot(corner->at[0] - s->ground.x[0], corner->at[1] - s->ground.x[1]) /
-        (ground_out * s->cloth->size);
-    double part = fmin(1, fmax(0, (out - ground_fades) / (1 - ground_fades)));
-    return (float)(part * part * (3 - 2 * part));
+    tf_vector at = {{corner->at[0], corner->at[1], corner->at[2]}};
+    tf_vector off = fig_difference(at, s->ground);
+    double out = hypot(off.x[0], off.x[1]) / s->seen;
+    double far = smooth_step((out - ground_fades) / (1 - ground_fades));
+    const fig_box *box = &s->view.box;
+    double above = box->y + box->height - fig_view_project(&s->view, at).y;
+    double low = smooth_step(1 - above / (bottom_fades * box->height));
+    return (float)(1 - (1 - far) * (1 - low));
 }
 
 static void paint_ground_corner(const stage *s, const fig_lit *corner,
@@ -404,7 +437,7 @@ static tf_vector lamp_of(const fig_view *view)
     tf_vector front =
         fig_normalized((tf_vector){{-view->right.x[1], view->right.x[0], 0}});
     tf_vector lamp = {{0, 0, 1}};
-    lamp = fig_combination(lamp, -0.75, view->right);
+    lamp = fig_combination(lamp, -1, view->right);
     return fig_normalized(fig_combination(lamp, -0.3, front));
 }
 

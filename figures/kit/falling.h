@@ -8,7 +8,7 @@
 #include <stdbool.h>
 
 enum {
-    FIG_FALLING_MOST = 8 ///< vertices
+    FIG_FALLING_MOST = 12 ///< vertices
 };
 
 /// What falls and where it falls.  Whoever sets it up begins with zero.

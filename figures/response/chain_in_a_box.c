@@ -8,7 +8,7 @@
 #include <stdlib.h>
 
 enum {
-    LINKS = 120,
+    LINKS = 240,
     STEPS = 144 ///< three for each frame of the film
 };
 

@@ -3,8 +3,8 @@
 #include "kit/figures.h"
 
 static const fig_cloth_still stills[] = {
-    {.plan = {.scene = "sphere", .size = 35, .steps = 90}, .first = 88},
-    {.plan = {.scene = "stack", .size = 14, .steps = 65}, .first = 63},
+    {.plan = {.scene = "sphere", .size = 48, .steps = 140}, .first = 138},
+    {.plan = {.scene = "stack", .size = 28, .steps = 85}, .first = 83},
 };
 
 static void draw(fig_page *page, FILE *numbers)

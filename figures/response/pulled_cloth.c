@@ -5,8 +5,8 @@
 
 static const fig_cloth_still stills[] = {
     {.plan = {.scene = "knot", .size = 5, .steps = 540}, .first = 538},
-    {.plan = {.scene = "curtain", .size = 24, .steps = 560}, .first = 558},
-    {.plan = {.scene = "flag", .size = 20, .steps = 150}, .first = 148},
+    {.plan = {.scene = "curtain", .size = 40, .steps = 600}, .first = 598},
+    {.plan = {.scene = "flag", .size = 32, .steps = 300}, .first = 298},
 };
 
 static void draw(fig_page *page, FILE *numbers)

@@ -10,7 +10,7 @@
 #include <string.h>
 
 enum {
-    SIZE = 6,
+    SIZE = 10,
     EVERY = 12, ///< steps from frame to frame
     STEPS = 48 * EVERY,
     STRIPS = 2

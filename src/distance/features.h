@@ -15,8 +15,8 @@ typedef enum tf_feature_kind {
     TF_TWO_EDGES,
 } tf_feature_kind;
 
-/// A vertex, an edge or a triangle of each of two elements: the places of their
-/// vertices, of the one and then of the other, in the list of both elements'.
+/// A vertex, an edge or a triangle of each of two elements, by the places of its
+/// vertices in the list of both elements' vertices, the first element's first.
 typedef struct tf_features {
     tf_feature_kind kind;
     int place[4];

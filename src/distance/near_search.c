@@ -7,11 +7,9 @@
 #include "query/apart.h"
 #include "surface/filtered_join.h"
 #include "surface/pair_vertices.h"
-#include "surface/sort.h"
 
 #include <float.h>
 #include <math.h>
-#include <string.h>
 
 //: Enlarge what the vertices sweep
 /// x + by, or x itself unless it is finite, and never beyond the largest double.
@@ -126,24 +124,12 @@ static bool is_listed_first(const void *first, const void *second)
 static tf_status gather_near(tf_surface *surface, tf_near_pairs *found)
 {
     tf_workers *workers = &surface->workers;
-    size_t rows = tf_workers_rows(workers);
-    if (!tf_buffer_reserve(&surface->found, rows + 1, sizeof(tf_near_pair)) ||
-        !tf_buffer_reserve(&surface->sorting, 2 * rows + 1, sizeof(void *)))
-        return TF_OUT_OF_MEMORY;
-    const void **list = surface->sorting.data, **next = list;
-    for (int i = 0; i < workers->count; i++) {
-        const tf_near_pair *own = workers->worker[i]->row.data;
-        for (size_t j = 0; j < workers->worker[i]->rows; j++)
-            *next++ = own + j;
-    }
-    list = tf_sort(rows, list, list + rows, is_listed_first, workers->watch);
-    if (!list)
-        return TF_CANCELLED;
-    tf_near_pair *all = surface->found.data;
-    for (size_t i = 0; i < rows; i++)
-        memcpy(&all[i], list[i], sizeof *all);
-    *found = (tf_near_pairs){rows, all};
-    return TF_OK;
+    tf_status status =
+        tf_workers_gather(workers, sizeof(tf_near_pair), is_listed_first,
+                          &surface->sorting, &surface->found);
+    if (status == TF_OK)
+        *found = (tf_near_pairs){tf_workers_rows(workers), surface->found.data};
+    return status;
 }
 
 //: Search near pairs

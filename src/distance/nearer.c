@@ -96,8 +96,8 @@ int tf_estimate_nearer(tf_kind kind, const double *const x[], double distance)
 }
 
 //: Decide exactly whether elements are nearer
-/// Some features of two elements hold their nearest points, and those of no
-/// others are nearer.
+/// The elements are as near as the nearest features of which the nearest points
+/// are unique and inside.
 static bool are_nearer_exactly(tf_kind kind, const double *const x[],
                                double distance)
 {

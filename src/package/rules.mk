@@ -79,6 +79,16 @@ $(descriptions).o: $(descriptions).c $(BUILD)/flags | need-build
 	$(Q)$(COMPILE) -c $< -o $@
 $(BUILD)/program.a: $(descriptions).o
 
+# The scenes that the program has built in, as files ---------------------------
+
+scenes = $(addprefix $(BUILD)/scenes/,sphere.yaml stack.yaml twist.yaml \
+	knot.yaml curtain.yaml flag.yaml plane-chain.yaml spheres.yaml \
+	dumbbell.yaml enright.yaml turbulence.yaml star.yaml sheets.yaml)
+
+$(BUILD)/scenes/%.yaml: $(program_file)
+	@echo 'write   $@' && mkdir -p $(@D)
+	$(Q)$(EMULATOR) $(program_file) simulate list $* >$@
+
 # The installation -------------------------------------------------------------
 
 # A line a file: where below PREFIX, and what, "->" for a link.
@@ -105,6 +115,23 @@ share/doc/tanglefree/examples/scene/table.obj examples/scene/table.obj
 share/doc/tanglefree/examples/scene/cloth-0.obj examples/scene/cloth-0.obj
 share/doc/tanglefree/examples/scene/cloth-1.obj examples/scene/cloth-1.obj
 share/doc/tanglefree/examples/scene/cloth-2.obj examples/scene/cloth-2.obj
+share/doc/tanglefree/examples/walk/walk.py examples/walk/walk.py
+share/doc/tanglefree/examples/walk/walk.yaml examples/walk/walk.yaml
+share/doc/tanglefree/examples/walk/judge.yaml examples/walk/judge.yaml
+share/doc/tanglefree/examples/walk/waist.txt examples/walk/waist.txt
+share/tanglefree/scenes/sphere.yaml $(BUILD)/scenes/sphere.yaml
+share/tanglefree/scenes/stack.yaml $(BUILD)/scenes/stack.yaml
+share/tanglefree/scenes/twist.yaml $(BUILD)/scenes/twist.yaml
+share/tanglefree/scenes/knot.yaml $(BUILD)/scenes/knot.yaml
+share/tanglefree/scenes/curtain.yaml $(BUILD)/scenes/curtain.yaml
+share/tanglefree/scenes/flag.yaml $(BUILD)/scenes/flag.yaml
+share/tanglefree/scenes/plane-chain.yaml $(BUILD)/scenes/plane-chain.yaml
+share/tanglefree/scenes/spheres.yaml $(BUILD)/scenes/spheres.yaml
+share/tanglefree/scenes/dumbbell.yaml $(BUILD)/scenes/dumbbell.yaml
+share/tanglefree/scenes/enright.yaml $(BUILD)/scenes/enright.yaml
+share/tanglefree/scenes/turbulence.yaml $(BUILD)/scenes/turbulence.yaml
+share/tanglefree/scenes/star.yaml $(BUILD)/scenes/star.yaml
+share/tanglefree/scenes/sheets.yaml $(BUILD)/scenes/sheets.yaml
 share/man/man1/tanglefree.1 $(BUILD)/man/tanglefree.1
 share/man/man1/tanglefree-query.1 $(BUILD)/man/tanglefree-query.1
 share/man/man1/tanglefree-detect.1 $(BUILD)/man/tanglefree-detect.1
@@ -127,7 +154,7 @@ install uninstall: export FILES = $(installed)
 install-draw: export FILES = $(installed_draw)
 uninstall: export DRAW = $(installed_draw)
 
-install: library program $(pages) ## install to PREFIX=/usr/local, below DESTDIR=
+install: library program $(pages) $(scenes) ## install to PREFIX=/usr/local, below DESTDIR=
 	@printf '%s\n' "$$FILES" | $(install_sh) put
 install-draw: drawing ## install tanglefree-draw
 	@printf '%s\n' "$$FILES" | $(install_sh) put

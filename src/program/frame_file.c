@@ -13,16 +13,30 @@
 #include <sys/stat.h>
 
 //: Name a simulation
+/// With as many digits as it needs.
+static void describe_resolution(const tf_simulation *simulation, size_t room,
+                                char *text)
+{
+    int digits = 6;
+    do
+        snprintf(text, room, " --%s %.*g", simulation->scene->kind->option,
+                 digits, simulation->resolution);
+    while (strtod(strrchr(text, ' '), NULL) != simulation->resolution &&
+           digits++ < 17);
+}
+
 void tf_simulation_name(const tf_simulation *simulation,
                         char name[TF_SIMULATION_NAME])
 {
     const tf_scene *scene = simulation->scene;
-    int digits = 6;
-    do
-        snprintf(name, TF_SIMULATION_NAME, "%s --%s %.*g", scene->name,
-                 scene->kind->option, digits, simulation->resolution);
-    while (strtod(strrchr(name, ' '), NULL) != simulation->resolution &&
-           digits++ < 17);
+    char resolution[40] = "", checksum[30] = "";
+    if (simulation->resolution > 0)
+        describe_resolution(simulation, sizeof resolution, resolution);
+    if (scene->filed)
+        snprintf(checksum, sizeof checksum, " (checksum %08x)",
+                 scene->checksum);
+    snprintf(name, TF_SIMULATION_NAME, "%s%s%s", scene->name, resolution,
+             checksum);
 }
 
 //: Write a frame of a simulation
@@ -135,15 +149,13 @@ static bool take_state(tf_simulation *s, const frame_content *read)
     tf_fault unused;
     tf_mesh_file file = {0};
     tf_snapshot state = s->scene->kind->snapshot(s);
-    bool good =
-        sscanf(
-            read->text,
-            "ply\nformat binary_little_endian 1.0\ncomment "
-            "tanglefree simulate %*s --%*s %*[^,], step %d, of the script %d",
-            &state.step, &state.script_steps) > 0 &&
-        state.step >= 0 && state.script_steps >= 0 &&
-        tf_mesh_file_parse(&file, "frame", read->text, read->size, NULL,
-                           &unused);
+    bool good = sscanf(read->text,
+                       "ply\nformat binary_little_endian 1.0\ncomment "
+                       "tanglefree simulate %*[^,], step %d, of the script %d",
+                       &state.step, &state.script_steps) > 0 &&
+                state.step >= 0 && state.script_steps >= 0 &&
+                tf_mesh_file_parse(&file, "frame", read->text, read->size, NULL,
+                                   &unused);
     state.mesh = tf_mesh_file_elements(&file, state.mesh.axes);
     good = good && restore(s, read, &state);
     tf_mesh_file_free(&file);

@@ -9,8 +9,8 @@ enum {
     TF_SIMULATION_NAME = 100
 };
 
-/// Writes the arguments that make a simulation: its scene and its resolution,
-/// with as many digits as that needs.
+/// Writes the arguments that make a simulation: its scene, its resolution with
+/// as many digits as that needs, and of a scene from a file the checksum.
 void tf_simulation_name(const tf_simulation *simulation,
                         char name[TF_SIMULATION_NAME]);
 

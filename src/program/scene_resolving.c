@@ -1,10 +1,8 @@
 //: Include what resolving a scene needs
-#define _GNU_SOURCE // asprintf
 #include "program/scene_resolving.h"
 
 #include "files/folder.h"
-#include "program/destination.h"
-#include "program/mesh_output.h"
+#include "program/mesh_frame.h"
 #include "program/reports.h"
 #include "program/response_request.h"
 #include "response/resolve.h"
@@ -14,8 +12,6 @@
 #include "scenes/scene_frames.h"
 #include "scenes/shown_frames.h"
 #include "threads/threads.h"
-#include "writers/endings.h"
-#include "writers/mesh_writer.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -66,7 +62,7 @@ static double inverse_mass_of(const tf_scene_mesh *mesh, int vertices)
                                    : 1;
 }
 
-static void weigh_mesh(scene_resolving *r, int m)
+static bool weigh_mesh(scene_resolving *r, int m)
 {
     const tf_scene_mesh *mesh = &r->meshes.mesh[m];
     const int *first = r->frames.joined.first_vertex + m;
@@ -75,6 +71,8 @@ static void weigh_mesh(scene_resolving *r, int m)
         r->friction[v] =
             mesh->friction >= 0 ? mesh->friction : r->request->friction;
     }
+    return tf_scene_mesh_pin(mesh, r->request->operand[0], first[1] - first[0],
+                             r->inverse_mass + first[0], &r->frames.fault);
 }
 
 static bool weigh(scene_resolving *r)
@@ -85,9 +83,10 @@ static bool weigh(scene_resolving *r)
     if (!r->inverse_mass || !r->friction)
         return tf_mesh_file_fault_in_memory(
             tf_scene_frames_file(&r->frames, 0, 1));
-    for (int m = 0; m < r->meshes.count; m++)
-        weigh_mesh(r, m);
-    return true;
+    bool good = true;
+    for (int m = 0; m < r->meshes.count && good; m++)
+        good = weigh_mesh(r, m);
+    return good;
 }
 
 //: Resolve a step of a scene
@@ -144,38 +143,6 @@ static bool resolve_step(scene_resolving *r, tf_resolved *done)
 }
 
 //: Write the frames of a scene
-/// Called as the mesh is, with the number of the frame; to be freed, or NULL.
-static char *path_of_frame(const scene_resolving *r, int m)
-{
-    const tf_mesh_file *file = tf_scene_frames_file(&r->frames, m, 1);
-    char *path;
-    return asprintf(&path, "%s/%s-%05d%s", r->request->out,
-                    r->meshes.mesh[m].name, r->frames.count - 1,
-                    tf_mesh_ending(file->format)) < 0
-               ? NULL
-               : path;
-}
-
-static bool write_frame(scene_resolving *r, int m, const char *path)
-{
-    const tf_mesh_file *file = tf_scene_frames_file(&r->frames, m, 1);
-    tf_mesh_content content = {.mesh = tf_mesh_file_elements(file, 3),
-                               .position =
-                                   tf_scene_frames_positions(&r->frames, m),
-                               .from = file};
-    tf_mesh_output_remark(path, &content, file);
-    tf_destination to;
-    FILE *stream = tf_destination_begin(&to, path, &r->frames.fault)
-                       ? tf_destination_open(&to)
-                       : NULL;
-    if (stream)
-        tf_mesh_write(stream, &content, file->format);
-    bool good = tf_destination_finish(&to, stream, 0);
-    tf_destination_end(&to);
-    r->bytes += tf_bytes_of(path);
-    return good;
-}
-
 /// Whether a mesh is not where its frame has it.
 static bool is_displaced(const scene_resolving *r, int m)
 {
@@ -191,17 +158,19 @@ static bool write_mesh(scene_resolving *r, int m)
     bool moves = r->meshes.mesh[m].role == TF_MOVING;
     if (!moves && !is_displaced(r, m))
         return true;
-    char *path = path_of_frame(r, m);
-    bool good = path ? write_frame(r, m, path)
-                     : tf_mesh_file_fault_in_memory(
-                           tf_scene_frames_file(&r->frames, m, 1));
+    tf_mesh_frame frame = {r->request->out, r->meshes.mesh[m].name,
+                           r->frames.count - 1,
+                           tf_scene_frames_file(&r->frames, m, 1),
+                           tf_scene_frames_positions(&r->frames, m)};
+    char path[TF_MESH_FRAME_PATH];
+    bool good = tf_mesh_frame_write(&frame, path, &r->frames.fault);
+    r->bytes += good ? tf_bytes_of(path) : 0;
     if (good && !moves)
         fprintf(stderr,
                 "tanglefree: %s was held back in frame %d; %s has its actual "
                 "positions\n",
                 tf_make_visible(r->meshes.mesh[m].name).text,
                 r->frames.count - 1, tf_make_visible(path).text);
-    free(path);
     return good;
 }
 

@@ -5,11 +5,14 @@
 #include "files/folder.h"
 #include "files/output_file.h"
 #include "program/frame_file.h"
+#include "program/mesh_frame.h"
 #include "program/steps_file.h"
 #include "scenes/forecast.h"
+#include "simulate/filed_scene.h"
 
 #include <dirent.h>
 #include <errno.h>
+#include <stdlib.h>
 #include <string.h>
 
 //: Name the files in the folder of a simulation
@@ -42,6 +45,51 @@ static bool fault_in_writing(tf_simulation_folder *folder)
                         strerror(errno));
 }
 
+//: Write the meshes of a frame
+/// The positions of a mesh with three coordinates a vertex, to be freed; NULL:
+/// there is no memory.
+static double *take_positions(const tf_snapshot *now, const int first[2])
+{
+    size_t count = (size_t)(first[1] - first[0]);
+    double *x = calloc(3 * count + 1, sizeof *x);
+    int axes = now->mesh.axes;
+    for (size_t v = 0; v < count && x; v++)
+        memcpy(x + 3 * v, now->position + (size_t)axes * ((size_t)first[0] + v),
+               (size_t)axes * sizeof *x);
+    return x;
+}
+
+/// Unless it stays where its file has it.
+static bool write_own_mesh(tf_simulation_folder *folder,
+                           const tf_filed_scene *filed, int m,
+                           const tf_snapshot *now)
+{
+    const tf_scene_mesh *mesh = &filed->meshes.mesh[m];
+    if (mesh->role == TF_FIXED ||
+        (mesh->role == TF_SCRIPTED && mesh->frames.count == 1))
+        return true;
+    const tf_mesh_file *file = tf_scene_frames_file(&filed->frames, m, 1);
+    double *x = take_positions(now, filed->frames.joined.first_vertex + m);
+    tf_mesh_frame frame = {folder->path, mesh->name, now->step, file, x};
+    bool good = x ? tf_mesh_frame_write(&frame, folder->file, &folder->fault)
+                  : tf_fault_set(&folder->fault, folder->path, -1, "%s",
+                                 tf_status_message(TF_OUT_OF_MEMORY));
+    folder->bytes += good ? tf_bytes_of(folder->file) : 0;
+    free(x);
+    return good;
+}
+
+static bool write_own_meshes(tf_simulation_folder *folder,
+                             const tf_simulation *simulation)
+{
+    const tf_filed_scene *filed = simulation->scene->own;
+    tf_snapshot now = simulation->scene->kind->snapshot(simulation);
+    bool good = true;
+    for (int m = 0; filed && m < filed->meshes.count && good; m++)
+        good = write_own_mesh(folder, filed, m, &now);
+    return good;
+}
+
 //: Write a frame whole
 /// Writes the scratch file of a frame.
 static bool begin_frame(tf_output_file *out, tf_simulation_folder *folder,
@@ -61,6 +109,9 @@ static bool write_step(tf_simulation_folder *folder,
                        const tf_simulation *simulation, bool start)
 {
     tf_output_file out = {0};
+    folder->bytes = 0;
+    if (!write_own_meshes(folder, simulation))
+        return false;
     bool good = begin_frame(&out, folder, simulation);
     if (good && !start) {
         choose_file(folder, TABLE);
@@ -70,6 +121,7 @@ static bool write_step(tf_simulation_folder *folder,
         choose_file(folder, simulation->step);
         good = tf_output_file_keep(&out);
     }
+    folder->bytes += good ? tf_bytes_of(folder->file) : 0;
     if (!good) {
         fault_in_writing(folder);
         tf_output_file_drop(&out);
@@ -167,6 +219,7 @@ bool tf_simulation_folder_resume(tf_simulation_folder *folder, const char *path,
     if (last < 0)
         return tf_fault_set(&folder->fault, path, -1,
                             "has no frames to go on from; leave out --resume");
+    folder->bytes = tf_bytes_of(choose_file(folder, last));
     return read_frame(folder, last, simulation) &&
            resume_table(folder, simulation->scene->kind, last);
 }
@@ -175,8 +228,7 @@ bool tf_simulation_folder_resume(tf_simulation_folder *folder, const char *path,
 void tf_simulation_folder_forecast(tf_simulation_folder *folder,
                                    const tf_simulation *simulation, int steps)
 {
-    double bytes = tf_bytes_of(choose_file(folder, simulation->step));
-    tf_forecast_frames(folder->path, steps - simulation->step, bytes);
+    tf_forecast_frames(folder->path, steps - simulation->step, folder->bytes);
 }
 
 //: Close the folder of a simulation

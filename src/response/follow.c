@@ -4,28 +4,30 @@
 #include <math.h>
 #include <string.h>
 
-//: Hold a part that is held back
+//: Hold a company that is held back
 enum {
-    HALVINGS = 7,     ///< of the interval of a part
-    MOST_TRIALS = 24, ///< of all parts
-    RETREATS = 4      ///< more of all, kept for where parts can go no longer
+    HALVINGS = 7,     ///< of the interval of a company
+    MOST_TRIALS = 24, ///< of all companies
+    RETREATS = 4      ///< the most trials after these, where companies go back
 };
 
 /// Scripted vertices that are held back together.
-typedef struct part {
+typedef struct company {
     double low, high; ///< fractions: it could go so far, and could not
     double fraction;  ///< of this trial
     double next;      ///< of the next one
     int halvings;
-    bool held;  ///< in this trial
-    bool grown; ///< by vertices that were to go farther in this trial
-} part;
+    bool rested; ///< it has been tried at rest, with the fraction 0
+    bool stuck;  ///< in this trial the failsafe has united it with others
+    bool held;   ///< in this trial
+    bool grown;  ///< by vertices that were to go farther in this trial
+} company;
 
-/// The number of a part, or -1.
+/// The number of a company, or -1.
 typedef struct numbers {
-    int *own;   ///< of each vertex: of the part with which it was held back
-    int *limit; ///< of each vertex: of the part that limits how far it goes
-    int *group; ///< by root: of a part in this group of the failsafe
+    int *own;   ///< of each vertex: of the company with which it was held back
+    int *limit; ///< of each vertex: of the company that limits how far it goes
+    int *group; ///< by root: of a company in this group of the failsafe
 } numbers;
 
 static numbers numbers_of(const tf_follow *follow, const tf_step *step)
@@ -40,9 +42,9 @@ bool tf_follow_begin(tf_follow *follow, const tf_step *step)
 {
     size_t vertices = (size_t)step->vertices;
     size_t bytes = (size_t)step->axes * vertices * sizeof(double);
-    follow->parts = follow->trials = 0;
-    follow->retreats = false;
-    if (!tf_buffer_reserve(&follow->part, vertices, sizeof(part)) ||
+    follow->companies = follow->trials = 0;
+    follow->retreats = 0;
+    if (!tf_buffer_reserve(&follow->company, vertices, sizeof(company)) ||
         !tf_buffer_reserve(&follow->number, 3 * vertices, sizeof(int)) ||
         !tf_buffer_reserve(&follow->fraction, vertices, sizeof(double)) ||
         !tf_buffer_reserve(&follow->squeezed, vertices, 1) ||
@@ -75,7 +77,7 @@ bool tf_follow_is_held(const tf_step *step)
     return any;
 }
 
-/// Notes which parts are in which groups of the failsafe.
+/// Notes which companies are in which groups of the failsafe.
 static void note_groups(const tf_step *step, tf_groups *groups, numbers all)
 {
     for (int v = 0; v < step->vertices; v++)
@@ -87,13 +89,13 @@ static void note_groups(const tf_step *step, tf_groups *groups, numbers all)
     }
 }
 
-//: Add a vertex to a part
-/// Adds a vertex that was held back.  If it was to go farther than the part, that
-/// may be why, and the fraction of the part is to be tried again.
+//: Add a vertex to a company
+/// Adds a vertex that was held back.  If it was to go farther than the company,
+/// that may be why, and the fraction of the company is to be tried again.
 static void add_vertex(tf_follow *follow, int vertex, int number, int *own)
 {
     const double *fraction = follow->fraction.data;
-    part *to = (part *)follow->part.data + number;
+    company *to = (company *)follow->company.data + number;
     bool farther =
         *own != number && fraction[vertex] - to->fraction > ldexp(1, -HALVINGS);
     to->grown |= farther;
@@ -101,11 +103,11 @@ static void add_vertex(tf_follow *follow, int vertex, int number, int *own)
     *own = number;
 }
 
-/// Adds the vertices that were held back to their parts, or to new ones.
+/// Adds the vertices that were held back to their companies, or to new ones.
 static void add_held(tf_follow *follow, const tf_step *step, tf_groups *groups)
 {
     numbers all = numbers_of(follow, step);
-    part *parts = follow->part.data;
+    company *companies = follow->company.data;
     note_groups(step, groups, all);
     for (int v = 0; v < step->vertices; v++) {
         if (!is_held(step, v))
@@ -113,8 +115,8 @@ static void add_held(tf_follow *follow, const tf_step *step, tf_groups *groups)
         int *group = &all.group[tf_groups_find(groups, v)];
         int number = all.limit[v] >= 0 ? all.limit[v] : *group;
         if (number < 0) {
-            number = *group = follow->parts++;
-            parts[number] = (part){.high = 1, .fraction = 1};
+            number = *group = follow->companies++;
+            companies[number] = (company){.high = 1, .fraction = 1};
         }
         add_vertex(follow, v, number, &all.own[v]);
     }
@@ -123,42 +125,68 @@ static void add_held(tf_follow *follow, const tf_step *step, tf_groups *groups)
         squeezed[v] |= all.group[tf_groups_find(groups, v)] >= 0;
 }
 
-//: Narrow the intervals of parts
-/// Narrows the interval of a part; returns whether it is to be narrowed further.
-static bool narrow(part *own)
+//: Find companies that are stuck
+/// Notes the companies of which a vertex is in a group of the failsafe, with
+/// other vertices.
+static void note_stuck(tf_follow *follow, const tf_step *step,
+                       tf_groups *groups)
+{
+    numbers all = numbers_of(follow, step);
+    company *companies = follow->company.data;
+    for (int v = 0; v < step->vertices; v++)
+        all.group[v] = -1;
+    for (int v = 0; v < step->vertices; v++)
+        if (all.own[v] >= 0)
+            all.group[tf_groups_find(groups, v)] = all.own[v];
+    for (int v = 0; v < step->vertices; v++) {
+        int root = tf_groups_find(groups, v);
+        if (root != v && all.group[root] >= 0)
+            companies[all.group[root]].stuck = true;
+    }
+}
+
+//: Narrow the intervals of companies
+/// Narrows the interval of a company; returns whether it is to be narrowed
+/// further.  The first trial has it rest: if even then the failsafe has to answer
+/// what is between its vertices, it goes nowhere.
+static bool narrow(company *own)
 {
     own->next = own->fraction;
     if (own->grown)
         return true;
+    bool rests = own->rested && own->fraction == 0;
     *(own->held ? &own->high : &own->low) = own->fraction;
-    own->next = (own->low + own->high) / 2;
-    return own->halvings++ < HALVINGS;
+    own->next = own->rested ? (own->low + own->high) / 2 : 0;
+    own->rested = true;
+    if (rests && own->stuck)
+        own->next = own->high = 0;
+    return own->next > 0 ? own->halvings++ < HALVINGS : !rests;
 }
 
 static bool narrow_all(tf_follow *follow)
 {
-    part *all = follow->part.data;
+    company *all = follow->company.data;
     bool wanted = false;
-    for (int i = 0; i < follow->parts; i++)
+    for (int i = 0; i < follow->companies; i++)
         wanted |= narrow(&all[i]);
     return wanted;
 }
 
-//: Go back to where parts could go
-/// Has each part go as far as it could before, and half of that where it cannot
-/// together with the others.  Returns whether that is another trial.
+//: Go back to where companies could go
+/// Has each company go as far as it could before, and where it cannot together
+/// with the others half of that or, the last time, nowhere.  Returns whether that
+/// is another trial.
 static bool retreat(tf_follow *follow)
 {
-    part *all = follow->part.data;
-    bool differs = false;
-    for (int i = 0; i < follow->parts; i++) {
-        part *own = &all[i];
-        if (follow->retreats && (own->held || own->grown))
-            own->low /= 2;
+    company *all = follow->company.data;
+    bool differs = false, is_first = follow->retreats++ == 0;
+    for (int i = 0; i < follow->companies; i++) {
+        company *own = &all[i];
+        if (!is_first && (own->held || own->grown))
+            own->low = follow->retreats < RETREATS ? own->low / 2 : 0;
         own->next = own->low;
         differs |= own->next != own->fraction;
     }
-    follow->retreats = true;
     return differs;
 }
 
@@ -166,15 +194,16 @@ static bool retreat(tf_follow *follow)
 bool tf_follow_learn(tf_follow *follow, const tf_step *step, tf_groups *groups)
 {
     add_held(follow, step, groups);
+    note_stuck(follow, step, groups);
     follow->trials++;
-    bool more =
-        !follow->retreats && narrow_all(follow) && follow->trials < MOST_TRIALS;
+    bool more = follow->retreats == 0 && narrow_all(follow) &&
+                follow->trials < MOST_TRIALS;
     if (!more)
-        more = retreat(follow) && follow->trials < MOST_TRIALS + RETREATS;
-    part *all = follow->part.data;
-    for (int i = 0; i < follow->parts; i++) {
+        more = follow->retreats < RETREATS && retreat(follow);
+    company *all = follow->company.data;
+    for (int i = 0; i < follow->companies; i++) {
         all[i].fraction = all[i].next;
-        all[i].held = all[i].grown = false;
+        all[i].held = all[i].grown = all[i].stuck = false;
     }
     return more;
 }
@@ -189,8 +218,8 @@ static double length_of(const tf_step *step, const int edge[2],
 }
 
 /// The most by which the fractions of two vertices may differ: by how much the
-/// script stretches their edge, as a part of the longer way.  1 if there is none,
-/// or if one of them stays where it is.
+/// script stretches their edge, as a fraction of the longer way.  1 if there is
+/// none, or if one of them stays where it is.
 static double most_difference(const tf_step *step, const int edge[2],
                               const double proposed[])
 {
@@ -227,7 +256,7 @@ static bool limit_all(tf_follow *follow, const tf_step *step,
     const double *inverse_mass = step->inverse_mass;
     numbers all = numbers_of(follow, step);
     bool changed = false;
-    for (int i = 0; i < edges->count; i++) {
+    for (int i = 0; i < edges->count && tf_watch_work(step->watch, 1); i++) {
         const int *edge = edges->corner + 2 * (ptrdiff_t)i;
         if (inverse_mass[edge[0]] > 0 || inverse_mass[edge[1]] > 0)
             continue;
@@ -242,13 +271,14 @@ static void find_fractions(tf_follow *follow, const tf_step *step,
                            const double proposed[], const tf_elements *edges)
 {
     numbers all = numbers_of(follow, step);
-    const part *parts = follow->part.data;
+    const company *companies = follow->company.data;
     double *fraction = follow->fraction.data;
     for (int v = 0; v < step->vertices; v++) {
         all.limit[v] = all.own[v];
-        fraction[v] = all.own[v] < 0 ? 1 : parts[all.own[v]].fraction;
+        fraction[v] = all.own[v] < 0 ? 1 : companies[all.own[v]].fraction;
     }
-    while (limit_all(follow, step, proposed, edges))
+    while (limit_all(follow, step, proposed, edges) &&
+           !tf_watch_cancelled(step->watch))
         ;
 }
 
@@ -258,6 +288,8 @@ const double *tf_follow_propose(tf_follow *follow, const tf_step *step,
                                 const tf_elements *edges)
 {
     find_fractions(follow, step, proposed, edges);
+    if (tf_watch_cancelled(step->watch))
+        return NULL;
     const double *fraction = follow->fraction.data;
     double *to = follow->proposed.data;
     for (int v = 0; v < step->vertices; v++)
@@ -273,13 +305,14 @@ const double *tf_follow_propose(tf_follow *follow, const tf_step *step,
 //: Account for the memory of following
 size_t tf_follow_memory(const tf_follow *follow)
 {
-    return follow->part.bytes + follow->number.bytes + follow->fraction.bytes +
-           follow->squeezed.bytes + follow->proposed.bytes;
+    return follow->company.bytes + follow->number.bytes +
+           follow->fraction.bytes + follow->squeezed.bytes +
+           follow->proposed.bytes;
 }
 
 void tf_follow_free(tf_follow *follow)
 {
-    tf_buffer_free(&follow->part);
+    tf_buffer_free(&follow->company);
     tf_buffer_free(&follow->number);
     tf_buffer_free(&follow->fraction);
     tf_buffer_free(&follow->squeezed);

@@ -8,17 +8,18 @@
 #include <stddef.h>
 
 /// How far the scripted vertices go that cannot go all the way.  Those that are
-/// held back together are a part, and go the same fraction of their ways, which
-/// is found by bisection, one trial after another.  All zero: none yet.
+/// held back together are a company, and go the same fraction of their ways,
+/// which is found by bisection, one trial after another.  All zero: none yet.
 typedef struct tf_follow {
-    int parts;          ///< how many
-    int trials;         ///< how many there were
-    bool retreats;      ///< the parts go where they could go before
-    tf_buffer part;     ///< what is known about each
-    tf_buffer number;   ///< of each vertex: parts; and by group
+    int companies;     ///< how many
+    int trials;        ///< how many there were
+    int retreats;      ///< how often companies went back to where they could go
+    tf_buffer company; ///< what is known about each
+    tf_buffer number;  ///< of each vertex: companies; and by group
     tf_buffer fraction; ///< of its way that each vertex is to go
-    tf_buffer squeezed; ///< of each vertex: whether a part was held back in its
-                        ///< group of the failsafe
+    tf_buffer
+        squeezed; ///< of each vertex: whether a company was held back in its
+                  ///< group of the failsafe
     tf_buffer proposed; ///< the step, shortened
 } tf_follow;
 
@@ -35,7 +36,8 @@ bool tf_follow_begin(tf_follow *follow, const tf_step *step);
 bool tf_follow_learn(tf_follow *follow, const tf_step *step, tf_groups *groups);
 
 /// Shortens the ways of scripted vertices for the next trial, whole ways that end
-/// at `proposed`; returns where the vertices are to end, lent.
+/// at `proposed`; returns where the vertices are to end, lent, or NULL if the
+/// caller has cancelled.
 const double *tf_follow_propose(tf_follow *follow, const tf_step *step,
                                 const double proposed[],
                                 const tf_elements *edges);

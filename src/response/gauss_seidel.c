@@ -8,6 +8,7 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 #include <string.h>
 
 //: Start from the impulses of the last time
@@ -35,9 +36,10 @@ static double start(const tf_zone *zone, const tf_bodies *bodies)
         const tf_constraint *constraint = &zone->constraint[i];
         tf_vector normal = tf_vector_at(constraint->normal, 0);
         tf_vector friction = tf_vector_at(constraint->friction, 0);
-        tf_constraint_push(constraint,
-                           tf_vector_sum(friction, constraint->impulse, normal),
-                           bodies);
+        tf_vector impulse =
+            tf_vector_sum(friction, constraint->impulse, normal);
+        if (!tf_vector_equals(impulse, (tf_vector){{0}}))
+            tf_constraint_push(constraint, impulse, bodies);
     }
     return fmax(violation, worst(zone, zone->solved, zone->constraints));
 }
@@ -139,6 +141,23 @@ static void set_visited(const agenda *all, int constraint)
         all->visited[constraint] = all->clock;
 }
 
+//: Pass over constraints without a flag
+/// The first constraint from one on that has a flag, or their number.
+static int next_noted(const agenda *all, int constraint, int constraints)
+{
+    const unsigned char *due = all->due;
+    uint64_t eight;
+    while (constraint + 8 <= constraints) {
+        memcpy(&eight, due + constraint, sizeof eight);
+        if (eight != 0)
+            break;
+        constraint += 8;
+    }
+    while (constraint < constraints && !due[constraint])
+        constraint++;
+    return constraint;
+}
+
 //: See whether a constraint is off
 static const double tolerance = 1e-2;
 
@@ -185,8 +204,10 @@ static void tell_neighbors(sweep_state *state, int constraint)
             all->moved[vertex[i]] = ++all->clock;
             continue;
         }
+        const int *told = all->constraint;
+        unsigned char *due = all->due;
         for (int j = begin; j < end; j++)
-            all->due[all->constraint[j]] |= DUE;
+            due[told[j]] |= DUE;
         tf_zone_goes_on(state->zone, (size_t)(end - begin) / NEIGHBORS);
     }
     set_visited(all, constraint);
@@ -218,7 +239,9 @@ static bool sweep(sweep_state *state, bool is_first)
     size_t visits = 0;
     bool any = false;
     for (int i = 0; i < zone->constraints; i++) {
-        if (!is_due(&state->all, i, zone->constraint[i].vertex))
+        i = next_noted(&state->all, i, zone->constraints);
+        if (i == zone->constraints ||
+            !is_due(&state->all, i, zone->constraint[i].vertex))
             continue;
         any |= visit(state, i, is_first && i >= zone->solved);
         if (++visits % VISITS == 0 && !tf_zone_goes_on(zone, VISITS))

@@ -113,7 +113,7 @@ typedef struct tf_response_options {
     const tf_zone_solver *solver; ///< of the motion; NULL: tf_gauss_seidel
     int impulse_rounds; ///< rounds of impulses, before zones; 0: the usual
                         ///< number, which is none; negative: none
-    int zone_rounds;    ///< rounds of zones; 0: 20; negative: none
+    int zone_rounds;    ///< the most rounds of zones; 0: 20; negative: none
     int sweeps;         ///< iterations of the solver, 1 or more; 0: 30
     bool rigid;         ///< whether to try rigid zones before the failsafe
     double separation;  ///< pairs in contact that start nearer than this, and
@@ -150,6 +150,12 @@ typedef struct tf_response_options {
                       ///< distance or more; 0, which is usual: they only don't
                       ///< meet.  Those that start nearer, as neighbors in a
                       ///< fine mesh do, only don't meet, either
+
+    int draft; ///< not 0: the step is only drafted, see tf_step_resolve: its end
+               ///< need not be clear; not with substeps
+    int again; ///< not 0: the last call for the resolver may have answered a step
+        ///< from the same start, with one of these two options, and if so,
+        ///< this one begins with the pairs that it looked at
 } tf_response_options;
 
 /// @}

@@ -29,11 +29,12 @@
 ///
 /// Scripted vertices end where they are proposed to, bit for bit, unless
 /// something free stops them that cannot give way, such as a sheet upon which
-/// two plates close.  Those that are stopped together go the same part of
+/// two plates close.  Those that are stopped together go the same fraction of
 /// their way: within 1/128 of it as far as they can without being stopped, as
-/// resolving the shortened steps finds out.  Vertices that edges connect with
-/// them, through scripted ones, are held back as well, but along each edge the
-/// parts that the vertices go may differ by how much the script stretches it,
+/// resolving the shortened steps finds out.  If the failsafe is needed around
+/// them even while they rest, they stay at their start.  Vertices that edges
+/// connect with them, through scripted ones, are held back as well, but along
+/// each edge the fractions may differ by how much the script stretches it,
 /// divided by the longer displacement: a limb that moves or turns as a whole
 /// stops as a whole. tf_resolver_followed tells how far each went.
 ///
@@ -51,6 +52,15 @@
 /// With a `thickness`, a pair that is apart by that distance or more at the start
 /// is so at the end, too, exactly; in substeps at the end of each.  Pairs that
 /// start nearer only don't meet, and nor do pairs on the way.
+///
+/// A `draft` is for callers that change their proposal when they know the
+/// contacts.  It is answered by impulses and zones alone, and of the pairs only
+/// those are looked at that the proposal brings near each other.  So its end need
+/// not be clear, unless there were no contacts; a thickness may be missed, and
+/// nothing is held back.  An answer `again` from the same start, bit for bit,
+/// with the same masses and filter, to a draft or to another such answer, looks
+/// at the pairs of that one first, which is faster.  What it promises is what any
+/// answer does, but where vertices end may depend on the answers before.
 ///
 /// Time and memory grow about in proportion to the contacts of all rounds.  These
 /// may be many: n edges that are pushed through n others have n^2.  For n = 1000

@@ -327,12 +327,15 @@ static bool ask_for_room(const tf_zones *zones, const division *d, int z,
          i++) {
         tf_constraint *own = &zone->constraint[i];
         const tf_contact_gap *gap = &all[d->order[d->first[z] + i]];
-        double change =
-            tf_constraint_gap_change(zone->axes, own, zone->displacement);
-        own->bound = gap->room > 0 ? fmax(0, gap->room - change) : 0;
+        own->bound = 0;
+        if (gap->room > 0)
+            own->bound =
+                fmax(0, gap->room - tf_constraint_gap_change(
+                                        zone->axes, own, zone->displacement));
         own->impulse = gap->push;
         memset(own->friction, 0, sizeof own->friction);
-        any |= tf_constraint_gap_change(zone->axes, own, pushed) < own->bound;
+        any = any ||
+              tf_constraint_gap_change(zone->axes, own, pushed) < own->bound;
     }
     return any;
 }

@@ -1,15 +1,14 @@
 //: Include what reading scene files needs
-#define _GNU_SOURCE // strdup, strcasecmp
+#define _GNU_SOURCE // strcasecmp
 #include "scenes/scene_file.h"
 
-#include "files/number.h"
 #include "scenes/natural_order.h"
+#include "scenes/scene_reader.h"
 
 #include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <yaml.h>
 
 //: Know a scene by its name
 bool tf_is_scene(const char *path)
@@ -22,278 +21,314 @@ bool tf_is_scene(const char *path)
     return found;
 }
 
-//: Hold a scene file that is being read
-typedef struct scene_reader {
-    const char *path;
-    yaml_document_t document;
-    tf_scene_meshes *meshes;
-    tf_fault *fault;
-} scene_reader;
-
-static yaml_node_t *node_at(scene_reader *r, int index)
-{
-    return yaml_document_get_node(&r->document, index);
-}
-
-/// Sets a fault at the line of a node, as printf; false.
-__attribute__((format(printf, 3, 4))) static bool
-fault_at(scene_reader *r, const yaml_node_t *node, const char *format, ...)
-{
-    va_list arguments;
-    va_start(arguments, format);
-    tf_fault_set_list(r->fault, r->path, (long)node->start_mark.line + 1,
-                      format, arguments);
-    va_end(arguments);
-    return false;
-}
-
-static bool fault_in_scene_memory(scene_reader *r)
-{
-    return tf_fault_set(r->fault, r->path, -1,
-                        "not enough memory; name fewer files, or use a machine "
-                        "with more");
-}
-
-//: Read a text of YAML
-/// The text of a node, lent; NULL: there is a fault.
-static const char *text_of(scene_reader *r, const yaml_node_t *node,
-                           const char *what)
-{
-    if (node->type != YAML_SCALAR_NODE) {
-        fault_at(r, node, "%s must be a text, not a list or a mapping", what);
-        return NULL;
-    }
-    const char *text = (const char *)node->data.scalar.value;
-    if (!*text || strlen(text) != node->data.scalar.length) {
-        fault_at(r, node, "%s must be a text that is not empty", what);
-        return NULL;
-    }
-    return text;
-}
-
-/// Takes a copy of it.
-static bool copy_text(scene_reader *r, const yaml_node_t *node,
-                      const char *what, char **copy)
-{
-    const char *text = text_of(r, node, what);
-    if (!text)
-        return false;
-    *copy = strdup(text);
-    return *copy || fault_in_scene_memory(r);
-}
-
-//: Read a number of YAML
-static bool read_scene_number(scene_reader *r, const yaml_node_t *node,
-                              const char *what, double least, double *number)
-{
-    const char *text = text_of(r, node, what);
-    if (!text)
-        return false;
-    const char *rest = text;
-    bool good = tf_number_read(&rest, number) && *rest == '\0' &&
-                *number >= least && isfinite(*number);
-    return good || fault_at(r, node, "%s must be a number %s, got '%s'", what,
-                            least > 0 ? "above 0" : "from 0 on",
-                            tf_make_visible(text).text);
-}
-
 //: Read what a mesh of a scene is
-typedef bool key_reader(scene_reader *r, const yaml_node_t *node,
-                        tf_scene_mesh *mesh);
-
 /// Files are called by it.
-static bool read_name(scene_reader *r, const yaml_node_t *node,
-                      tf_scene_mesh *mesh)
+static bool read_name(tf_scene_reader *r, const tf_scene_key *key,
+                      const yaml_node_t *node, void *target)
 {
-    return copy_text(r, node, "name", &mesh->name) &&
+    tf_scene_mesh *mesh = target;
+    return tf_scene_take_text(r, key, node, mesh) &&
            (!strchr(mesh->name, '/') ||
-            fault_at(r, node,
-                     "the name '%s' has a slash, but files are named after it; "
-                     "remove the slash",
-                     tf_make_visible(mesh->name).text));
+            tf_scene_fault_at(r, node,
+                              "the name '%s' has a slash, but files are named "
+                              "after it; remove the slash",
+                              tf_make_visible(mesh->name).text));
 }
 
-static bool read_role(scene_reader *r, const yaml_node_t *node,
-                      tf_scene_mesh *mesh)
+static bool read_role(tf_scene_reader *r, const tf_scene_key *key,
+                      const yaml_node_t *node, void *target)
 {
-    const char *text = text_of(r, node, "role");
+    const char *text = tf_scene_text(r, node, key->name);
     const tf_role *role = text ? tf_choice_named(tf_roles, text) : NULL;
     if (role)
-        mesh->role = *role;
-    return role || (text && fault_at(r, node, "role must be %s, got '%s'",
-                                     tf_list_choices(tf_roles).text,
-                                     tf_make_visible(text).text));
+        ((tf_scene_mesh *)target)->role = *role;
+    return role ||
+           (text && tf_scene_fault_at(r, node, "role must be %s, got '%s'",
+                                      tf_list_choices(tf_roles).text,
+                                      tf_make_visible(text).text));
 }
 
-static bool read_mass(scene_reader *r, const yaml_node_t *node,
-                      tf_scene_mesh *mesh)
+//: Find files that a scene names
+static bool find_files(tf_scene_reader *r, const yaml_node_t *node,
+                       const char *what, tf_frame_names *names)
 {
-    return read_scene_number(r, node, "mass", 0x1p-1022, &mesh->mass);
-}
-
-static bool read_friction(scene_reader *r, const yaml_node_t *node,
-                          tf_scene_mesh *mesh)
-{
-    return read_scene_number(r, node, "friction", 0, &mesh->friction);
-}
-
-static bool read_group(scene_reader *r, const yaml_node_t *node,
-                       tf_scene_mesh *mesh)
-{
-    return copy_text(r, node, "group", &mesh->group);
+    const char *text = tf_scene_text(r, node, what);
+    tf_names_found found =
+        text ? tf_frame_names_find(names, r->path, text) : TF_NAMES_ADDED;
+    if (found == TF_NAMES_NO_MEMORY)
+        return tf_scene_fault_in_memory(r);
+    return text &&
+           (found == TF_NAMES_ADDED ||
+            tf_scene_fault_at(r, node,
+                              "there is no file '%s'; names are relative to "
+                              "the scene file",
+                              tf_make_visible(text).text));
 }
 
 //: Read the frames of a mesh of a scene
-static bool find_frames(scene_reader *r, const yaml_node_t *node,
-                        tf_scene_mesh *mesh)
+static bool read_frames(tf_scene_reader *r, const tf_scene_key *key,
+                        const yaml_node_t *node, void *target)
 {
-    const char *text = text_of(r, node, "a file of frames");
-    tf_names_found found =
-        text ? tf_frame_names_find(&mesh->frames, r->path, text)
-             : TF_NAMES_ADDED;
-    if (found == TF_NAMES_NO_MEMORY)
-        return fault_in_scene_memory(r);
-    return text &&
-           (found == TF_NAMES_ADDED ||
-            fault_at(r, node,
-                     "there is no file '%s'; names are relative to the scene "
-                     "file",
-                     tf_make_visible(text).text));
-}
-
-static bool read_frames(scene_reader *r, const yaml_node_t *node,
-                        tf_scene_mesh *mesh)
-{
+    (void)key;
+    tf_frame_names *names = &((tf_scene_mesh *)target)->frames;
     if (node->type == YAML_SCALAR_NODE)
-        return find_frames(r, node, mesh);
-    if (node->type != YAML_SEQUENCE_NODE ||
-        node->data.sequence.items.start == node->data.sequence.items.top)
-        return fault_at(r, node,
-                        "frames must be a file, a pattern or a list of some");
+        return find_files(r, node, "a file of frames", names);
+    if (!tf_scene_is_list(node))
+        return tf_scene_fault_at(
+            r, node, "frames must be a file, a pattern or a list of some");
     bool good = true;
     for (yaml_node_item_t *item = node->data.sequence.items.start;
          item < node->data.sequence.items.top && good; item++)
-        good = find_frames(r, node_at(r, *item), mesh);
+        good =
+            find_files(r, tf_scene_node(r, *item), "a file of frames", names);
     return good;
 }
 
-//: Read a mapping of YAML
-/// A key, and what reads its value.  A list of them ends with one without name.
-typedef struct scene_key {
-    const char *name;
-    key_reader *read;
-} scene_key;
-
-/// Sets *known to the key, unless there is a fault: no key of the list, or one
-/// that has been seen.
-static bool find_key(scene_reader *r, const yaml_node_t *node,
-                     const scene_key keys[], const char *wanted, unsigned *seen,
-                     const scene_key **known)
+//: Read the pinned vertices of a mesh
+static bool add_pin(tf_scene_reader *r, const yaml_node_t *node,
+                    tf_scene_mesh *mesh)
 {
-    const char *text = text_of(r, node, "a key");
-    if (!text)
+    static const tf_scene_key pin = {"a pinned vertex", NULL, .most = INFINITY};
+    int vertex;
+    if (!tf_scene_take_whole(r, &pin, node, &vertex))
         return false;
-    int i = 0;
-    while (keys[i].name && strcmp(keys[i].name, text) != 0)
-        i++;
-    *known = &keys[i];
-    if (!keys[i].name)
-        return fault_at(r, node, "unknown key '%s'; %s",
-                        tf_make_visible(text).text, wanted);
-    if (*seen & 1u << i)
-        return fault_at(r, node, "the key '%s' is there twice; delete one",
-                        text);
-    *seen |= 1u << i;
+    mesh->pinned[mesh->pins++] = vertex;
     return true;
 }
 
-/// @param wanted what the mapping has, for a message
-static bool read_mapping(scene_reader *r, const yaml_node_t *node,
-                         const scene_key keys[], const char *wanted,
-                         tf_scene_mesh *mesh)
+static bool read_pinned(tf_scene_reader *r, const tf_scene_key *key,
+                        const yaml_node_t *node, void *target)
 {
-    if (node->type != YAML_MAPPING_NODE)
-        return fault_at(r, node, "not a mapping; %s", wanted);
-    unsigned seen = 0;
-    for (yaml_node_pair_t *pair = node->data.mapping.pairs.start;
-         pair < node->data.mapping.pairs.top; pair++) {
-        const scene_key *key;
-        if (!find_key(r, node_at(r, pair->key), keys, wanted, &seen, &key) ||
-            !key->read(r, node_at(r, pair->value), mesh))
-            return false;
-    }
-    return true;
+    tf_scene_mesh *mesh = target;
+    mesh->pinned_line = tf_scene_line(node);
+    if (node->type == YAML_SCALAR_NODE)
+        return find_files(r, node, "a file of pinned vertices",
+                          &mesh->pinned_in);
+    if (!tf_scene_is_list(node))
+        return tf_scene_fault_at(
+            r, node, "%s must be a list of vertices or a file", key->name);
+    yaml_node_item_t *item = node->data.sequence.items.start;
+    yaml_node_item_t *end = node->data.sequence.items.top;
+    mesh->pinned = malloc((size_t)(end - item) * sizeof *mesh->pinned);
+    if (!mesh->pinned)
+        return tf_scene_fault_in_memory(r);
+    bool good = true;
+    for (; item < end && good; item++)
+        good = add_pin(r, tf_scene_node(r, *item), mesh);
+    return good;
+}
+
+//: Read a material
+/// The least number above 0 of a normal number, so that its inverse is finite.
+#define ABOVE_0 0x1p-1022, INFINITY
+#define FROM_0 0, INFINITY
+
+#define MATERIAL(member) offsetof(tf_scene_material, member)
+
+static bool read_material(tf_scene_reader *r, const tf_scene_key *key,
+                          const yaml_node_t *node, void *target)
+{
+    static const tf_scene_key keys[] = {
+        {"density", tf_scene_take_number, MATERIAL(density), ABOVE_0},
+        {"stretch", tf_scene_take_number, MATERIAL(stretch), ABOVE_0},
+        {"bend", tf_scene_take_number, MATERIAL(bend), FROM_0},
+        {0}};
+    return tf_scene_read_mapping(
+        r, node, keys, "a material may have density, stretch and bend",
+        tf_scene_member(key, target));
 }
 
 //: Read a mesh of a scene
-static bool read_mesh(scene_reader *r, const yaml_node_t *node)
+#define MESH(member) offsetof(tf_scene_mesh, member)
+
+static bool read_mesh(tf_scene_reader *r, const yaml_node_t *node)
 {
-    static const scene_key keys[] = {{"name", read_name},
-                                     {"frames", read_frames},
-                                     {"role", read_role},
-                                     {"mass", read_mass},
-                                     {"group", read_group},
-                                     {"friction", read_friction},
-                                     {0}};
+    static const tf_scene_key keys[] = {
+        {"name", read_name, .member = MESH(name)},
+        {"frames", .read = read_frames},
+        {"role", .read = read_role},
+        {"mass", tf_scene_take_number, MESH(mass), ABOVE_0},
+        {"group", tf_scene_take_text, .member = MESH(group)},
+        {"friction", tf_scene_take_number, MESH(friction), FROM_0},
+        {"material", read_material, .member = MESH(material)},
+        {"pinned", .read = read_pinned},
+        {0}};
     tf_scene_mesh *mesh = tf_scene_meshes_add(r->meshes);
     if (!mesh)
-        return fault_in_scene_memory(r);
-    mesh->line = (long)node->start_mark.line + 1;
-    if (!read_mapping(r, node, keys,
-                      "a mesh has frames, and may have name, role, mass, "
-                      "friction and group",
-                      mesh))
+        return tf_scene_fault_in_memory(r);
+    mesh->line = tf_scene_line(node);
+    if (!tf_scene_read_mapping(r, node, keys,
+                               "a mesh has frames, and may have name, role, "
+                               "mass, friction, group, material and pinned",
+                               mesh))
         return false;
     if (mesh->frames.count == 0)
-        return fault_at(r, node,
-                        "a mesh without frames; write 'frames:' and a file, a "
-                        "pattern or a list of some");
+        return tf_scene_fault_at(r, node,
+                                 "a mesh without frames; write 'frames:' and a "
+                                 "file, a pattern or a list of some");
     tf_order_frames(mesh->frames.path, mesh->frames.count);
     return true;
 }
 
-static bool read_meshes(scene_reader *r, const yaml_node_t *node,
-                        tf_scene_mesh *unused)
+static bool read_meshes(tf_scene_reader *r, const tf_scene_key *key,
+                        const yaml_node_t *node, void *target)
 {
-    (void)unused;
-    if (node->type != YAML_SEQUENCE_NODE ||
-        node->data.sequence.items.start == node->data.sequence.items.top)
-        return fault_at(r, node,
-                        "meshes must be a list; write '- frames: FILE' for "
-                        "each");
+    (void)key, (void)target;
+    if (!tf_scene_is_list(node))
+        return tf_scene_fault_at(
+            r, node, "meshes must be a list; write '- frames: FILE' for each");
     bool good = true;
     for (yaml_node_item_t *item = node->data.sequence.items.start;
          item < node->data.sequence.items.top && good; item++)
-        good = read_mesh(r, node_at(r, *item));
+        good = read_mesh(r, tf_scene_node(r, *item));
     return good;
 }
 
-//: Read the document of a scene
-static bool read_document(scene_reader *r)
+//: Read how a scene is simulated
+static bool read_shape(tf_scene_reader *r, const tf_scene_key *key,
+                       const yaml_node_t *node, void *target)
 {
-    static const scene_key keys[] = {{"meshes", read_meshes}, {0}};
-    const yaml_node_t *root = yaml_document_get_root_node(&r->document);
-    if (!root)
-        return tf_fault_set(r->fault, r->path, -1,
-                            "is empty; a scene has 'meshes:', a list");
-    if (!read_mapping(r, root, keys, "a scene has 'meshes:', a list", NULL))
+    r->meshes->physics.shape_line = tf_scene_line(node);
+    return tf_scene_take_text(r, key, node, target);
+}
+
+static bool read_resolution(tf_scene_reader *r, const tf_scene_key *key,
+                            const yaml_node_t *node, void *target)
+{
+    r->meshes->physics.resolution_line = tf_scene_line(node);
+    return key->most < INFINITY ? tf_scene_take_whole(r, key, node, target)
+                                : tf_scene_take_number(r, key, node, target);
+}
+
+static bool read_up(tf_scene_reader *r, const tf_scene_key *key,
+                    const yaml_node_t *node, void *target)
+{
+    const char *text = tf_scene_text(r, node, key->name);
+    if (!text)
         return false;
-    if (r->meshes->count == 0)
-        return fault_at(r, root, "no meshes; a scene has 'meshes:', a list");
+    if (strlen(text) != 1 || text[0] < 'x' || text[0] > 'z')
+        return tf_scene_fault_at(r, node, "up must be x, y or z, got '%s'",
+                                 tf_make_visible(text).text);
+    ((tf_scene_physics *)target)->up = text[0] - 'x';
+    return true;
+}
+
+#define AIR(member) offsetof(tf_scene_air, member)
+
+static bool read_air(tf_scene_reader *r, const tf_scene_key *key,
+                     const yaml_node_t *node, void *target)
+{
+    static const tf_scene_key keys[] = {
+        {"drag", tf_scene_take_number, AIR(drag), FROM_0},
+        {"wind", tf_scene_take_vector, .member = AIR(wind)},
+        {"veer", tf_scene_take_number, .member = AIR(veer)},
+        {"gust", tf_scene_take_number, AIR(gust), FROM_0},
+        {0}};
+    (void)key;
+    tf_scene_air *air = &((tf_scene_physics *)target)->air;
+    air->given = true;
+    return tf_scene_read_mapping(r, node, keys,
+                                 "air may have drag, wind, veer and gust", air);
+}
+
+//: Read the keys of a scene
+/// What a scene has, for messages.
+static const char wanted[] =
+    "a scene has 'meshes:', a list, and to be simulated may have rate, steps, "
+    "step, gravity, up, friction, air, material and shows";
+
+#define PHYSICS(member) offsetof(tf_scene_physics, member)
+
+static bool read_keys(tf_scene_reader *r, const yaml_node_t *root)
+{
+    enum {
+        MOST_STEPS = 99999,
+        MOST_SIZE = 2000
+    };
+    static const tf_scene_key keys[] = {
+        {"meshes", .read = read_meshes},
+        {"shows", tf_scene_take_text, .member = PHYSICS(shows)},
+        {"shape", read_shape, .member = PHYSICS(shape)},
+        {"size", read_resolution, PHYSICS(size), 1, MOST_SIZE},
+        {"edge", read_resolution, PHYSICS(edge), ABOVE_0},
+        {"steps", tf_scene_take_whole, PHYSICS(steps), 0, MOST_STEPS},
+        {"step", tf_scene_take_number, PHYSICS(step), ABOVE_0},
+        {"rate", tf_scene_take_number, PHYSICS(rate), ABOVE_0},
+        {"gravity", tf_scene_take_number, PHYSICS(gravity), FROM_0},
+        {"up", .read = read_up},
+        {"friction", tf_scene_take_number, PHYSICS(friction), FROM_0},
+        {"air", .read = read_air},
+        {"material", read_material, .member = PHYSICS(material)},
+        {0}};
+    r->meshes->physics = (tf_scene_physics){.size = -1,
+                                            .edge = -1,
+                                            .steps = -1,
+                                            .step = -1,
+                                            .rate = -1,
+                                            .gravity = -1,
+                                            .up = -1,
+                                            .friction = -1,
+                                            .material = {-1, -1, -1}};
+    return tf_scene_read_mapping(r, root, keys, wanted, &r->meshes->physics);
+}
+
+/// What the scene says of all meshes, where they say nothing themselves.
+static void share(tf_scene_meshes *meshes)
+{
+    for (int i = 0; i < meshes->count; i++) {
+        tf_scene_mesh *mesh = &meshes->mesh[i];
+        const tf_scene_physics *all = &meshes->physics;
+        tf_scene_material *own = &mesh->material;
+        if (mesh->friction < 0)
+            mesh->friction = all->friction;
+        if (own->density < 0 && mesh->mass == 0)
+            own->density = all->material.density;
+        if (own->stretch < 0)
+            own->stretch = all->material.stretch;
+        if (own->bend < 0)
+            own->bend = all->material.bend;
+    }
+}
+
+//: Read the document of a scene
+static bool check_document(tf_scene_reader *r)
+{
+    share(r->meshes);
     return tf_scene_meshes_name(r->meshes)
                ? tf_scene_meshes_check(r->meshes, r->path, r->fault)
-               : fault_in_scene_memory(r);
+               : tf_scene_fault_in_memory(r);
+}
+
+static bool read_document(tf_scene_reader *r)
+{
+    const yaml_node_t *root = yaml_document_get_root_node(&r->document);
+    if (!root)
+        return tf_fault_set(r->fault, r->path, -1, "is empty; %s", wanted);
+    if (!read_keys(r, root))
+        return false;
+    const tf_scene_physics *physics = &r->meshes->physics;
+    if (r->meshes->count == 0 && !physics->shape)
+        return tf_scene_fault_at(r, root, "no meshes; %s", wanted);
+    if (r->meshes->count > 0 && physics->shape)
+        return tf_fault_set(r->fault, r->path, physics->shape_line,
+                            "the scene has meshes and a shape; delete one of "
+                            "them");
+    if (physics->resolution_line > 0 && !physics->shape)
+        return tf_fault_set(r->fault, r->path, physics->resolution_line,
+                            "size and edge are for a shape; meshes are as fine "
+                            "as their files, so delete this");
+    return check_document(r);
 }
 
 //: Load YAML
-static bool fault_in_yaml(scene_reader *r, const yaml_parser_t *parser,
+static bool fault_in_yaml(tf_scene_reader *r, const yaml_parser_t *parser,
                           FILE *stream)
 {
     bool bytes = parser->error == YAML_READER_ERROR;
     if (ferror(stream))
         return tf_fault_set_unread(r->fault, r->path, -1, errno);
     if (parser->error == YAML_MEMORY_ERROR)
-        return fault_in_scene_memory(r);
+        return tf_scene_fault_in_memory(r);
     tf_fault_set(r->fault, r->path,
                  bytes ? (long)parser->problem_offset
                        : (long)parser->problem_mark.line + 1,
@@ -306,7 +341,7 @@ static bool fault_in_yaml(scene_reader *r, const yaml_parser_t *parser,
 }
 
 /// Loads one document, and makes sure that there is no other.
-static bool load(scene_reader *r, yaml_parser_t *parser, FILE *stream)
+static bool load(tf_scene_reader *r, yaml_parser_t *parser, FILE *stream)
 {
     yaml_document_t other;
     if (!yaml_parser_load(parser, &r->document))
@@ -317,16 +352,17 @@ static bool load(scene_reader *r, yaml_parser_t *parser, FILE *stream)
         return fault_in_yaml(r, parser, stream);
     yaml_node_t *root = yaml_document_get_root_node(&other);
     bool good =
-        !root || fault_at(r, root, "a second document; a scene file has one");
+        !root ||
+        tf_scene_fault_at(r, root, "a second document; a scene file has one");
     yaml_document_delete(&other);
     return good;
 }
 
-static bool read_scene_stream(scene_reader *r, FILE *stream)
+static bool read_scene_stream(tf_scene_reader *r, FILE *stream)
 {
     yaml_parser_t parser;
     if (!yaml_parser_initialize(&parser))
-        return fault_in_scene_memory(r);
+        return tf_scene_fault_in_memory(r);
     yaml_parser_set_input_file(&parser, stream);
     errno = 0;
     bool good = load(r, &parser, stream) && read_document(r);
@@ -339,7 +375,17 @@ static bool read_scene_stream(scene_reader *r, FILE *stream)
 bool tf_scene_file_read(tf_scene_meshes *meshes, const char *path,
                         tf_fault *fault)
 {
-    scene_reader r = {.path = path, .meshes = meshes, .fault = fault};
+    return tf_simulated_file_read(meshes, path, fault) &&
+           (!meshes->physics.shape ||
+            tf_fault_set(fault, path, meshes->physics.shape_line,
+                         "a shape is for 'tanglefree simulate'; give other "
+                         "commands the frames that this writes"));
+}
+
+bool tf_simulated_file_read(tf_scene_meshes *meshes, const char *path,
+                            tf_fault *fault)
+{
+    tf_scene_reader r = {.path = path, .meshes = meshes, .fault = fault};
     FILE *stream = fopen(path, "rb");
     *meshes = (tf_scene_meshes){0};
     if (!stream)

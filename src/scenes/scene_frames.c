@@ -144,11 +144,19 @@ static bool has_groups(const tf_scene_meshes *meshes)
     return found;
 }
 
+tf_pair_filter tf_scene_frames_filter(tf_scene_frames *frames)
+{
+    return frames->each || has_groups(frames->meshes)
+               ? (tf_pair_filter){.size = sizeof(tf_pair_filter),
+                                  .wanted = may_meet,
+                                  .context = frames}
+               : (tf_pair_filter){0};
+}
+
 static tf_status leave_out(tf_scene_frames *frames, tf_error *error)
 {
-    tf_pair_filter filter = {
-        .size = sizeof filter, .wanted = may_meet, .context = frames};
-    return frames->each || has_groups(frames->meshes)
+    tf_pair_filter filter = tf_scene_frames_filter(frames);
+    return filter.wanted
                ? tf_surface_set_filter(frames->surface, &filter, error)
                : TF_OK;
 }

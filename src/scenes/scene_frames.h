@@ -4,6 +4,7 @@
 #include "query/motion.h"
 #include "scenes/joined.h"
 #include "scenes/scene_meshes.h"
+#include "surface/pair_filter.h"
 #include "surface/surface.h"
 
 /// The frames of the meshes of a scene, one after another, and the surface that
@@ -35,6 +36,9 @@ bool tf_scene_frames_next(tf_scene_frames *frames);
 /// The step from the frame before to the current one; with one frame only, at
 /// rest.
 tf_motion tf_scene_frames_motion(const tf_scene_frames *frames);
+
+/// Which pairs of the surface's elements may meet; all zero: all.
+tf_pair_filter tf_scene_frames_filter(tf_scene_frames *frames);
 
 /// The positions at the end of that step, to be changed; and how that is made
 /// known before the next frame.

@@ -2,6 +2,8 @@
 #define _GNU_SOURCE // strndup, strcasecmp
 #include "scenes/scene_meshes.h"
 
+#include "files/masses.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -24,7 +26,8 @@ tf_scene_mesh *tf_scene_meshes_add(tf_scene_meshes *meshes)
     if (!moved)
         return NULL;
     meshes->mesh = moved;
-    moved[count - 1] = (tf_scene_mesh){.friction = -1, .line = -1};
+    moved[count - 1] =
+        (tf_scene_mesh){.friction = -1, .line = -1, .material = {-1, -1, -1}};
     meshes->count++;
     return &moved[count - 1];
 }
@@ -34,9 +37,13 @@ void tf_scene_meshes_free(tf_scene_meshes *meshes)
     for (int i = 0; i < meshes->count; i++) {
         free(meshes->mesh[i].name);
         free(meshes->mesh[i].group);
+        free(meshes->mesh[i].pinned);
+        tf_frame_names_free(&meshes->mesh[i].pinned_in);
         tf_frame_names_free(&meshes->mesh[i].frames);
     }
     free(meshes->mesh);
+    free(meshes->physics.shows);
+    free(meshes->physics.shape);
     *meshes = (tf_scene_meshes){0};
 }
 
@@ -157,7 +164,8 @@ bool tf_scene_meshes_check(tf_scene_meshes *meshes, const char *file,
     meshes->frames = longest ? longest->frames.count : 1;
     for (int i = 0; i < meshes->count && good; i++)
         good = check_name(&of, i) &&
-               check_frames(&of, &meshes->mesh[i], longest) &&
+               check_frames(&of, &meshes->mesh[i],
+                            longest ? longest : meshes->mesh) &&
                check_mass(&of, &meshes->mesh[i], masses);
     return good;
 }
@@ -167,4 +175,22 @@ const char *tf_scene_mesh_path(const tf_scene_mesh *mesh, int frame)
 {
     bool stays = mesh->role == TF_FIXED || mesh->frames.count == 1;
     return mesh->frames.path[stays ? 0 : frame];
+}
+
+//: Pin vertices of a mesh
+bool tf_scene_mesh_pin(const tf_scene_mesh *mesh, const char *file,
+                       int vertices, double inverse_mass[], tf_fault *fault)
+{
+    for (int i = 0; i < mesh->pins; i++) {
+        if (mesh->pinned[i] >= vertices)
+            return tf_fault_set(fault, file, mesh->pinned_line,
+                                "'%s' has no vertex %d; its vertices are "
+                                "numbered from 0 to %d",
+                                tf_make_visible(mesh->name).text,
+                                mesh->pinned[i], vertices - 1);
+        inverse_mass[mesh->pinned[i]] = 0;
+    }
+    return mesh->pinned_in.count == 0 ||
+           tf_fixed_read(mesh->pinned_in.path[0], vertices, inverse_mass,
+                         fault);
 }

@@ -7,17 +7,19 @@
 
 //: Blow from all sides
 /// Two waves go with the wind, whose lengths have no common multiple.
-static void find_wind(const tf_air *air, double time, const double x[3],
+static void find_wind(const tf_air *air, int up, double time, const double x[3],
                       double wind[3])
 {
-    double speed = hypot(air->wind[0], air->wind[1]);
-    double angle = atan2(air->wind[1], air->wind[0]) + air->veer * time;
+    int east = (up + 1) % 3, north = (up + 2) % 3;
+    double speed = hypot(air->wind[east], air->wind[north]);
+    double angle = atan2(air->wind[north], air->wind[east]) + air->veer * time;
     double ahead[] = {cos(angle), sin(angle)};
-    double phase = 2 * (x[0] * ahead[0] + x[1] * ahead[1] - speed * time);
+    double phase =
+        2 * (x[east] * ahead[0] + x[north] * ahead[1] - speed * time);
     double sideways = air->gust * (sin(3 * phase) + sin(1.618 * phase));
-    wind[0] = speed * ahead[0] - sideways * ahead[1];
-    wind[1] = speed * ahead[1] + sideways * ahead[0];
-    wind[2] = air->wind[2] + 0.3 * air->gust * sin(2.3 * phase + x[2]);
+    wind[east] = speed * ahead[0] - sideways * ahead[1];
+    wind[north] = speed * ahead[1] + sideways * ahead[0];
+    wind[up] = air->wind[up] + 0.3 * air->gust * sin(2.3 * phase + x[up]);
 }
 
 //: Push a triangle along its normal
@@ -48,7 +50,7 @@ static void push(const tf_air *air, const tf_body *body, double time,
     double length = tf_vector_length(normal);
     if (length == 0)
         return;
-    find_wind(air, time, mean_at(corner, position).x, wind.x);
+    find_wind(air, tf_body_up(body), time, mean_at(corner, position).x, wind.x);
     tf_vector met = tf_vector_difference(wind, mean_at(corner, velocity));
     // The force is drag times area times the part along the normal, and each
     // corner has a third of it.

@@ -107,6 +107,21 @@ double tf_body_elastic_energy(const tf_body *body, const double position[])
     return energy;
 }
 
+int tf_body_up(const tf_body *body)
+{
+    return (body->axes - 1 + body->up) % body->axes;
+}
+
+double tf_body_potential_energy(const tf_body *body, double gravity,
+                                const double position[])
+{
+    double energy = tf_body_elastic_energy(body, position);
+    for (int v = 0; v < body->vertices; v++)
+        energy += body->mass[v] * gravity *
+                  position[(ptrdiff_t)body->axes * v + tf_body_up(body)];
+    return energy;
+}
+
 double tf_body_stretch(const tf_body *body, const double position[])
 {
     double most = 1;

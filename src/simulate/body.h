@@ -5,18 +5,18 @@
 
 #include <stdbool.h>
 
-/// What resists when it is stretched or bent: a weighted sum of positions that
-/// wants to have a certain length.
+/// What resists when it is stretched or bent: a weighted sum of positions with a
+/// target length.
 ///
 /// With the weights 1 and -1 the sum points from one end of a spring to the
-/// other.  Other weights, whose sum is 0, too, make it a curvature: that of a
-/// flat sheet wants to be 0.  The energy is stiffness / 2 times the square of
-/// the distance from the sum to the nearest vector of that length.
+/// other.  Other weights, whose sum is 0, too, make it a curvature, whose target
+/// is that of a flat sheet, 0.  The energy is stiffness / 2 times the square of
+/// the distance from the sum to the nearest vector of the target length.
 typedef struct tf_elastic {
     int count;        ///< how many vertices: 2 to 4
     int vertex[4];    ///< which
     double weight[4]; ///< of each, 1 or without a dimension
-    double rest;      ///< the length that it wants to have, in meters
+    double rest;      ///< the target length, in meters
     double stiffness; ///< in newtons per meter
 } tf_elastic;
 
@@ -32,10 +32,15 @@ typedef struct tf_body {
     int *edge;        ///< two indices each
     int elastics;     ///< how many
     tf_elastic *elastic;
+    int up; ///< from the last axis on to the one that points up: 0, or in space
+            ///< 1 for the first axis, 2 for the second
     bool failed; ///< there was not enough memory: what is added is lost
 } tf_body;
 
 void tf_body_free(tf_body *body);
+
+/// The axis that points up, from 0.
+int tf_body_up(const tf_body *body);
 
 /// The elements, borrowed from the body.
 tf_mesh tf_body_mesh(const tf_body *body);
@@ -59,6 +64,11 @@ void tf_elastic_sum(const tf_elastic *elastic, int axes,
 
 /// The energy of all elements in those positions, in joules.
 double tf_body_elastic_energy(const tf_body *body, const double position[]);
+
+/// That and the energy of the weight of all vertices, which is 0 at height 0.
+/// @param gravity downwards, in meters per square second
+double tf_body_potential_energy(const tf_body *body, double gravity,
+                                const double position[]);
 
 /// The largest ratio of a spring's length to its rest, but at least 1.
 double tf_body_stretch(const tf_body *body, const double position[]);

@@ -40,6 +40,9 @@ static tf_status begin_cloth(tf_simulation *simulation)
     if (!allocate(c))
         return TF_OUT_OF_MEMORY;
     tf_status status = tf_surface_create(&mesh, &c->surface, NULL);
+    if (status == TF_OK && simulation->setup.filter.wanted)
+        status =
+            tf_surface_set_filter(c->surface, &simulation->setup.filter, NULL);
     if (status == TF_OK)
         status = tf_resolver_create(c->surface, &c->resolver);
     if (status == TF_OK)
@@ -69,14 +72,14 @@ static void fall(tf_cloth_simulation *c)
 {
     const tf_scene *scene = c->base.scene;
     const tf_body *body = &c->base.setup.body;
-    int up = body->axes - 1;
+    int up = tf_body_up(body);
     for (int v = 0; v < body->vertices; v++)
         if (body->mass[v] > 0)
             c->velocity[body->axes * v + up] -= scene->gravity * scene->step;
 }
 
-/// Where inertia leads, and the scripts.
-static void fly(tf_cloth_simulation *c)
+/// Where inertia leads, the scripts, and the path.
+static bool fly(tf_cloth_simulation *c)
 {
     const tf_scene_setup *setup = &c->base.setup;
     const tf_body *body = &setup->body;
@@ -88,6 +91,9 @@ static void fly(tf_cloth_simulation *c)
     for (int i = 0; i < setup->scripts; i++)
         tf_script_place(&setup->script[i], body, (c->script_steps + 1) * step,
                         c->end);
+    return !setup->path.place ||
+           setup->path.place(setup->path.context, (c->script_steps + 1) * step,
+                             c->end);
 }
 
 tf_status tf_cloth_propose(tf_cloth_simulation *cloth)
@@ -96,7 +102,8 @@ tf_status tf_cloth_propose(tf_cloth_simulation *cloth)
     fall(cloth);
     tf_air_blow(&scene->air, &cloth->base.setup.body, cloth->base.time,
                 scene->step, cloth->position, cloth->velocity);
-    fly(cloth);
+    if (!fly(cloth))
+        return TF_CANCELLED;
     return tf_dynamics_step(cloth->dynamics, cloth->end, ITERATIONS);
 }
 
@@ -115,14 +122,30 @@ void tf_cloth_accept(tf_cloth_simulation *cloth, const double unpushed[],
 }
 
 //: Make a step of cloth
+static tf_coupling_energy energy_of(const tf_cloth_simulation *c)
+{
+    const tf_body *body = &c->base.setup.body;
+    double gravity = c->base.scene->gravity;
+    return (tf_coupling_energy){
+        gravity, tf_body_kinetic_energy(body, c->velocity) +
+                     tf_body_potential_energy(body, gravity, c->position)};
+}
+
+static bool is_blown(const tf_air *air)
+{
+    return air->wind[0] != 0 || air->wind[1] != 0 || air->wind[2] != 0 ||
+           air->gust != 0;
+}
+
 static tf_status resolve(tf_cloth_simulation *c, const tf_step_options *options,
+                         const tf_coupling_energy *energy,
                          tf_response_report *report)
 {
     tf_response_options response = {.friction = c->base.scene->friction,
                                     .check_start = options->check,
                                     .parallel = options->parallel};
     return tf_coupling_resolve(c->coupling, c->position, c->end,
-                               c->inverse_mass, &response, report);
+                               c->inverse_mass, &response, energy, report);
 }
 
 static double now(const tf_step_options *options)
@@ -144,10 +167,13 @@ static tf_status step_cloth(tf_simulation *simulation,
     tf_cloth_simulation *c = (tf_cloth_simulation *)simulation;
     tf_cloth_report report = {0};
     double begin = now(options);
+    tf_coupling_energy energy = energy_of(c);
     tf_status status = tf_cloth_propose(c);
     double proposed = now(options);
     if (status == TF_OK)
-        status = resolve(c, options, &report.response);
+        status = resolve(c, options,
+                         is_blown(&simulation->scene->air) ? NULL : &energy,
+                         &report.response);
     if (status != TF_OK)
         return status;
     report.dynamics_seconds = proposed - begin;

@@ -189,7 +189,7 @@ static void find_inertia(const tf_dynamics *d, const double end[])
         subtract_scripted(d, &body->elastic[i], end);
 }
 
-//: Find for each element the sum that it wants
+//: Find the target sum of each element
 static void pull(const tf_dynamics *d, const tf_elastic *elastic,
                  const double end[])
 {

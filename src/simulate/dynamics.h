@@ -8,12 +8,12 @@
 ///
 /// A step ends where the sum of the elastic energy and of mass / (2 step^2)
 /// times the square of the distance from where inertia leads is least.  This is
-/// projective dynamics: each iteration first finds for each element by itself
-/// the sum of the length that it wants, and then the positions that fit those
-/// sums best, by equations whose matrix is always the same.  It is factorized
-/// once.  See "Projective Dynamics: Fusing Constraint Projections for Fast
-/// Simulation", Bouaziz et al., 2014, and "Fast Simulation of Mass-Spring
-/// Systems", Liu et al., 2013.
+/// projective dynamics: each iteration first finds the target sum of each
+/// element by itself, and then the positions that fit those sums best, by
+/// equations whose matrix is always the same.  It is factorized once.
+/// See "Projective Dynamics: Fusing Constraint Projections for Fast Simulation",
+/// Bouaziz et al., 2014, and "Fast Simulation of Mass-Spring Systems", Liu et
+/// al., 2013.
 typedef struct tf_dynamics tf_dynamics;
 
 /// Factorizes the matrix of a body.

@@ -4,15 +4,28 @@
 #include "geometry/vector.h"
 #include "simulate/air.h"
 #include "simulate/body.h"
+#include "simulate/cloth.h"
 #include "simulate/script.h"
+#include "surface/pair_filter.h"
 
 enum {
     TF_MOST_SCRIPTS = 2
 };
 
+/// Moves vertices that are scripted, but of no script.
+typedef struct tf_path {
+    /// Writes where they are at a time; false: that is not to be found out.
+    /// NULL: there are none.
+    bool (*place)(void *context, double time, double position[]);
+    void *context; ///< passed on to `place`
+} tf_path;
+
 /// What a scene begins with.
 typedef struct tf_scene_setup {
+    const struct tf_scene *scene; ///< to be set first
     tf_body body;
+    tf_path path;
+    tf_pair_filter filter; ///< of the body's pairs; all zero: there is none
     int scripts;
     tf_script script[TF_MOST_SCRIPTS];
 } tf_scene_setup;
@@ -49,7 +62,11 @@ typedef struct tf_scene {
 
     double gravity; ///< on cloth, in meters per square second
     tf_air air;
-    double friction;          ///< Coulomb's coefficient
+    double friction;      ///< Coulomb's coefficient
+    tf_material material; ///< of cloth; of a chain per meter, not square meter
+    void *own;            ///< what else `build` needs, or NULL
+    bool filed;           ///< whether it is from a file
+    unsigned checksum;    ///< of what a file says about it
     tf_velocity_field *field; ///< along which a surface flows
 } tf_scene;
 

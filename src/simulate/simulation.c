@@ -12,6 +12,7 @@ tf_status tf_simulation_create(const tf_scene *scene, double resolution,
         return TF_OUT_OF_MEMORY;
     s->scene = scene;
     s->resolution = resolution;
+    s->setup.scene = scene;
     s->setup.body.axes = scene->plane ? 2 : 3;
     scene->build(&s->setup, resolution);
     tf_status status =

@@ -10,10 +10,8 @@
 #include "surface/crossing.h"
 #include "surface/filtered_join.h"
 #include "surface/pair_vertices.h"
-#include "surface/sort.h"
 
 #include <stddef.h>
-#include <string.h>
 
 //: Hold a check
 typedef struct check_job {
@@ -140,34 +138,17 @@ static bool crosses_first(const void *first, const void *second)
 }
 
 //: Gather the crossings of all workers
-static void list_crossings(const tf_workers *workers, const void *list[])
-{
-    for (int i = 0; i < workers->count; i++) {
-        const tf_worker *worker = workers->worker[i];
-        const tf_crossing *own = worker->row.data;
-        for (size_t j = 0; j < worker->rows; j++)
-            *list++ = own + j;
-    }
-}
-
 static tf_status gather(tf_surface *surface, tf_crossings *found)
 {
-    size_t rows = tf_workers_rows(&surface->workers);
-    if (!tf_buffer_reserve(&surface->found, rows + 1, sizeof(tf_crossing)) ||
-        !tf_buffer_reserve(&surface->sorting, 2 * rows + 1, sizeof(void *)))
-        return TF_OUT_OF_MEMORY;
-    tf_watch *watch = surface->workers.watch;
-    tf_watch_stage(watch, "crossings", rows);
-    const void **list = surface->sorting.data;
-    list_crossings(&surface->workers, list);
-    list = tf_sort(rows, list, list + rows, crosses_first, watch);
-    tf_crossing *all = surface->found.data;
-    for (size_t i = 0; list && i < rows && tf_watch_work(watch, 1); i++)
-        memcpy(&all[i], list[i], sizeof *all);
-    if (tf_watch_cancelled(watch))
-        return TF_CANCELLED;
-    *found = (tf_crossings){rows, all};
-    return TF_OK;
+    tf_workers *workers = &surface->workers;
+    size_t rows = tf_workers_rows(workers);
+    tf_watch_stage(workers->watch, "crossings", rows);
+    tf_status status =
+        tf_workers_gather(workers, sizeof(tf_crossing), crosses_first,
+                          &surface->sorting, &surface->found);
+    if (status == TF_OK)
+        *found = (tf_crossings){rows, surface->found.data};
+    return status;
 }
 
 //: Join for one kind of crossing

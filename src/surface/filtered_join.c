@@ -84,7 +84,19 @@ enum {
 typedef struct filter_job {
     const tf_surface *surface;
     int corners, others; ///< of the elements of each pair
+    bool simple;         ///< whether a free vertex is all that a pair needs
 } filter_job;
+
+/// Whether a pair passes because the first of its vertices can be moved, and no
+/// more is asked: most pairs do.
+static bool passes_at_once(const filter_job *job, tf_candidate pair)
+{
+    const tf_surface *surface = job->surface;
+    int first = job->corners == 1
+                    ? pair.first
+                    : surface->edges.corner[2 * (ptrdiff_t)pair.first];
+    return job->simple && surface->inverse_mass[first] > 0;
+}
 
 static bool passes(const filter_job *job, tf_candidate pair)
 {
@@ -103,10 +115,15 @@ static void filter_pairs(tf_pair_sink *sink)
     tf_worker *worker = (tf_worker *)sink;
     tf_watch *watch = job->surface->workers.watch;
     int kept = 0;
-    for (int i = 0;
-         i < sink->count && tf_worker_works(worker, watch, FILTER_WORK); i++) {
+    for (int i = 0; i < sink->count; i++) {
         tf_candidate pair = sink->pair[i];
         sink->pair[kept] = pair;
+        if (passes_at_once(job, pair)) {
+            kept++;
+            continue;
+        }
+        if (!tf_worker_works(worker, watch, FILTER_WORK))
+            break;
         kept += passes(job, pair);
     }
     sink->count = kept;
@@ -127,9 +144,13 @@ void tf_surface_join(tf_surface *surface, int corners, int others,
                      tf_task_rows rows[], const tf_parallel *parallel)
 {
     tf_workers *workers = &surface->workers;
-    filter_job job = {surface, corners, others};
-    bool filters = surface->filter.group || surface->filter.wanted ||
-                   surface->inverse_mass;
+    bool asks = surface->filter.group || surface->filter.wanted;
+    bool filters = asks || surface->inverse_mass;
+    filter_job job = {.surface = surface,
+                      .corners = corners,
+                      .others = others,
+                      .simple = !asks && surface->inverse_mass &&
+                                corners + others <= surface->axes + 1};
     for (int i = 0; i < workers->count && filters; i++) {
         tf_pair_sink *sink = &workers->worker[i]->sink;
         sink->filter = filter_pairs;

@@ -11,7 +11,6 @@
 #include "query/point_triangle.h"
 #include "surface/filtered_join.h"
 #include "surface/pair_vertices.h"
-#include "surface/sort.h"
 
 #include <stddef.h>
 #include <string.h>
@@ -281,44 +280,33 @@ void tf_detect_statistics_add(tf_detect_statistics *all,
 }
 
 //: Gather the contacts of all workers
-/// Lists where the rows of all workers are, and adds up what they took.
-static void list_rows(const tf_workers *workers, const void *list[],
-                      tf_detect_statistics *statistics)
+/// Adds up what all workers took.
+static void add_up_statistics(const tf_workers *workers,
+                              tf_detect_statistics *all)
 {
     for (int i = 0; i < workers->count; i++) {
-        const tf_worker *worker = workers->worker[i];
-        const batch *b = worker->batch.data;
-        const tf_surface_contact *own = worker->row.data;
-        for (size_t j = 0; j < worker->rows; j++)
-            *list++ = own + j;
-        tf_detect_statistics_add(statistics, &b->statistics);
+        const batch *b = workers->worker[i]->batch.data;
+        tf_detect_statistics_add(all, &b->statistics);
     }
 }
 
 bool tf_pairs_gather(tf_surface *surface, tf_contact_selection selection,
                      tf_contacts *found)
 {
-    size_t rows = tf_workers_rows(&surface->workers);
-    if (!tf_buffer_reserve(&surface->found, rows + 1,
-                           sizeof(tf_surface_contact)) ||
-        !tf_buffer_reserve(&surface->sorting, 2 * rows + 1, sizeof(void *)))
-        return false;
-    tf_watch *watch = surface->workers.watch;
-    tf_watch_stage(watch, "contacts", rows);
-    const void **list = surface->sorting.data;
-    list_rows(&surface->workers, list, &found->statistics);
-    list = tf_sort(rows, list, list + rows,
-                   selection == TF_FIRST_CONTACT ? is_earlier : comes_first,
-                   watch);
-    tf_surface_contact *all = surface->found.data;
-    for (size_t i = 0; list && i < rows && tf_watch_work(watch, 1); i++)
-        memcpy(&all[i], list[i], sizeof *all);
+    tf_workers *workers = &surface->workers;
+    size_t rows = tf_workers_rows(workers);
+    tf_watch_stage(workers->watch, "contacts", rows);
+    add_up_statistics(workers, &found->statistics);
+    tf_status status = tf_workers_gather(
+        workers, sizeof(tf_surface_contact),
+        selection == TF_FIRST_CONTACT ? is_earlier : comes_first,
+        &surface->sorting, &surface->found);
     found->any = rows > 0;
-    found->contact = all;
+    found->contact = surface->found.data;
     found->count = selection == TF_ALL_CONTACTS
                        ? rows
                        : selection == TF_FIRST_CONTACT && rows > 0;
-    return !tf_watch_cancelled(watch);
+    return status == TF_OK;
 }
 
 //: Ready the workers

@@ -104,6 +104,36 @@ size_t tf_workers_rows(const tf_workers *workers)
     return rows;
 }
 
+//: Gather what workers find
+static void list_all_rows(const tf_workers *workers, size_t size,
+                          const void *list[])
+{
+    for (int i = 0; i < workers->count; i++) {
+        const tf_worker *worker = workers->worker[i];
+        const char *row = worker->row.data;
+        for (size_t j = 0; j < worker->rows; j++)
+            *list++ = row + size * j;
+    }
+}
+
+tf_status tf_workers_gather(const tf_workers *workers, size_t size,
+                            tf_precedes *precedes, tf_buffer *sorting,
+                            tf_buffer *found)
+{
+    size_t rows = tf_workers_rows(workers);
+    tf_watch *watch = workers->watch;
+    if (!tf_buffer_reserve(found, rows + 1, size) ||
+        !tf_buffer_reserve(sorting, 2 * rows + 1, sizeof(void *)))
+        return TF_OUT_OF_MEMORY;
+    const void **list = sorting->data;
+    list_all_rows(workers, size, list);
+    list = tf_sort(rows, list, list + rows, precedes, watch);
+    char *to = found->data;
+    for (size_t i = 0; list && i < rows && tf_watch_work(watch, 1); i++)
+        memcpy(to + size * i, list[i], size);
+    return tf_watch_cancelled(watch) ? TF_CANCELLED : TF_OK;
+}
+
 //: Account for workers
 size_t tf_workers_memory(const tf_workers *workers)
 {

@@ -4,6 +4,7 @@
 #include "base/status.h"
 #include "base/watch.h"
 #include "surface/join.h"
+#include "surface/sort.h"
 
 /// What one of several threads finds, in memory that is kept.
 typedef struct tf_worker {
@@ -58,6 +59,12 @@ tf_status tf_workers_status(const tf_workers *workers);
 
 /// How many rows all workers have found.
 size_t tf_workers_rows(const tf_workers *workers);
+
+/// Sorts what all workers have found, rows of `size` bytes, into `found`, by way
+/// of `sorting`.  Returns TF_OK, TF_OUT_OF_MEMORY or TF_CANCELLED.
+tf_status tf_workers_gather(const tf_workers *workers, size_t size,
+                            tf_precedes *precedes, tf_buffer *sorting,
+                            tf_buffer *found);
 
 size_t tf_workers_memory(const tf_workers *workers);
 void tf_workers_free(tf_workers *workers);

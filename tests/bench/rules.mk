@@ -48,12 +48,13 @@ measure-threads: ## time tasks on several threads
 measure-solvers: ## compare the solvers, and numbers of sweeps
 measure-response: ## time the response
 measure-simulation: ## run and time the scenes
+measure-resting: ## watch whether a stack comes to rest
 measure-surgery: ## operate at random, with tests left out
 measure-remeshing: need-remeshing ## remesh meshes of another program
 measure-topology: ## merge, pinch and drop at random
 measure-flowing: ## let surfaces flow
-measured = library methods threads solvers response simulation surgery \
-	remeshing topology flowing
+measured = library methods threads solvers response simulation resting \
+	surgery remeshing topology flowing
 
 programs_library = $(benches:%=tests/bench/%)
 programs_methods = tests/bench/compare
@@ -62,7 +63,8 @@ programs_threads = tests/bench/threads
 programs_solvers = tests/bench/solvers tests/bench/sweeps
 arguments_solvers = tests/bench/zones.txt
 programs_response = tests/bench/response
-programs_simulation = tanglefree
+programs_simulation = tanglefree tests/bench/coupling
+programs_resting = tests/bench/resting
 programs_surgery = tests/soak/surgery
 arguments_surgery = 100000
 programs_remeshing = tanglefree

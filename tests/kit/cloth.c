@@ -231,6 +231,107 @@ START_TEST(a_tube_has_its_front_outside)
 }
 END_TEST
 
+/// A square of `cells` by `cells` cells, whose diagonals alternate, bent a
+/// little in its second frame.
+static fig_cloth *film_of_square(int cells, tf_surface **surface)
+{
+    int row = cells + 1, count = 0;
+    double *at = malloc(3 * sizeof *at * (size_t)(row * row));
+    int *triangle = malloc(6 * sizeof *triangle * (size_t)(cells * cells));
+    ck_assert(at && triangle);
+    for (int i = 0; i < row * row; i++) {
+        at[3 * i] = i % row;
+        at[3 * i + 1] = i / row;
+        at[3 * i + 2] = 0;
+    }
+    for (int i = 0; i < cells * cells; i++) {
+        int x = i % cells, y = i / cells, a = y * row + x, c = a + row;
+        bool odd = (x + y) % 2 == 1;
+        const int two[] = {a, a + 1, odd ? c + 1 : c,
+                           c, c + 1, odd ? a : a + 1};
+        memcpy(triangle + count, two, sizeof two);
+        count += 6;
+    }
+    *surface = surface_of(&(tf_mesh){.axes = 3,
+                                     .vertices = row * row,
+                                     .triangles = count / 3,
+                                     .triangle = triangle});
+    fig_cloth *cloth = fig_cloth_new(*surface, 3);
+    ck_assert(fig_cloth_add(cloth, row * row, at));
+    for (int i = 0; i < row * row; i++)
+        at[3 * i + 2] = 0.1 * at[3 * i] * at[3 * i];
+    ck_assert(fig_cloth_add(cloth, row * row, at));
+    ck_assert(fig_cloth_end(cloth));
+    free(at);
+    free(triangle);
+    return cloth;
+}
+
+/// How many cells a triangle of a square is away from the border, by its middle.
+static int cells_from_border(const fig_cloth *cloth, int triangle, int cells)
+{
+    const int *v = cloth->shape.triangle + 3 * (size_t)triangle;
+    int row = cells + 1, x = 0, y = 0;
+    for (int c = 0; c < 3; c++) {
+        x += v[c] % row;
+        y += v[c] / row;
+    }
+    int from = x / 3 < y / 3 ? x / 3 : y / 3;
+    int to = cells - 1 - (x / 3 > y / 3 ? x / 3 : y / 3);
+    return from < to ? from : to;
+}
+
+START_TEST(stripes_run_along_the_border)
+{
+    static const struct {
+        int cells;
+        unsigned striped; ///< a bit for each ring of cells
+    } square[] = {{1, 0},
+                  {4, 0},
+                  {6, 1U << 1},
+                  {8, 1U << 1},
+                  {16, 1U << 1},
+                  {28, 1U << 2 | 1U << 4},
+                  {40, 1U << 3 | 1U << 4 | 1U << 6}};
+    for (size_t k = 0; k < sizeof square / sizeof *square; k++) {
+        tf_surface *surface;
+        fig_cloth *cloth = film_of_square(square[k].cells, &surface);
+        for (int i = 0; i < cloth->shape.triangles; i++) {
+            int ring = cells_from_border(cloth, i, square[k].cells);
+            ck_assert_msg(cloth->hem[i] == (square[k].striped >> ring & 1),
+                          "%d cells, ring %d", square[k].cells, ring);
+        }
+        fig_cloth_free(cloth);
+        tf_surface_free(surface);
+    }
+}
+END_TEST
+
+START_TEST(what_has_no_border_or_is_stiff_has_no_stripes)
+{
+    const double at[4][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    const int triangle[4][3] = {{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}};
+    tf_surface *surface = surface_of(&(tf_mesh){
+        .axes = 3, .vertices = 4, .triangles = 4, .triangle = *triangle});
+    fig_cloth *cloth = fig_cloth_new(surface, 3);
+    ck_assert(fig_cloth_add(cloth, 4, *at) && fig_cloth_end(cloth));
+    for (int i = 0; i < 4; i++)
+        ck_assert(!cloth->hem[i]);
+    fig_cloth_free(cloth);
+    tf_surface_free(surface);
+
+    // The sheet of this scene is stiff, for only the plate moves.
+    generator random = generator_new(1);
+    const scene s = new_scene(&random);
+    surface = surface_of_scene(&s);
+    cloth = film_of(surface, s, 0);
+    for (int i = 0; i < HALVES; i++)
+        ck_assert(!cloth->hem[i]);
+    fig_cloth_free(cloth);
+    tf_surface_free(surface);
+}
+END_TEST
+
 /// The floor is 30 times as large as the sheet, which fills the picture.
 START_TEST(cloth_fills_the_picture_and_paper_is_around_it)
 {
@@ -338,6 +439,8 @@ Suite *suite(void)
     tcase_add_test(cloth, what_keeps_its_shape_is_stiff);
     tcase_add_test(cloth, a_sheet_has_one_front);
     tcase_add_test(cloth, a_tube_has_its_front_outside);
+    tcase_add_test(cloth, stripes_run_along_the_border);
+    tcase_add_test(cloth, what_has_no_border_or_is_stiff_has_no_stripes);
     tcase_add_test(cloth, cloth_fills_the_picture_and_paper_is_around_it);
     tcase_add_test(cloth, cloth_throws_a_shadow_on_the_ground);
     tcase_add_test(cloth, any_film_is_drawn);

@@ -98,6 +98,25 @@ check_example() {
     done
 }
 
+# The scenes, as they are installed: all that is built in, and the example, whose
+# frames another program writes.
+check_scenes() {
+    tanglefree=$prefix/bin/tanglefree
+    "$tanglefree" simulate list | cut -d ' ' -f 1 >"$scratch/listed"
+    while read -r name; do
+        rm -rf "$scratch/made"
+        "$tanglefree" simulate "$prefix/share/tanglefree/scenes/$name.yaml" \
+            -o "$scratch/made" --steps 1 >"$scratch/report" ||
+            fail "$name.yaml cannot be simulated"
+    done <"$scratch/listed"
+    cp -r "$prefix/share/doc/tanglefree/examples/walk" "$scratch/walk"
+    (cd "$scratch/walk" && python3 walk.py frames 21 &&
+        "$tanglefree" simulate walk.yaml -o walk --steps 60 &&
+        "$tanglefree" detect judge.yaml &&
+        "$tanglefree" check judge.yaml) >"$scratch/report" 2>&1 ||
+        fail "the example walk fails: $(cat "$scratch/report")"
+}
+
 # The examples, as they are installed.
 check_examples() {
     for expected in examples/*.expected; do
@@ -186,6 +205,7 @@ check_header
 check_symbols
 check_example
 check_examples
+check_scenes
 check_threads
 check_cmake
 check_cmake_versions

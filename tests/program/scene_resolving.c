@@ -102,6 +102,24 @@ END_TEST
 
 // The tripod stands in the way of the floor, which rises and takes it along;
 // with one frame, it stays where the last step has left it.
+// The floor can be pushed, but for its pinned vertices.
+START_TEST(pinned_vertices_go_where_their_frames_say)
+{
+    make_file("scene.yaml", "meshes:\n- frames: floor.obj\n  pinned: [1, 0]\n"
+                            "- frames: [low.obj, below.obj]\n"
+                            "  role: scripted\n");
+    ck_assert_int_eq(run("$tf resolve scene.yaml -o made").status, 0);
+    outcome found = run("diff floor.obj made/floor-00001.obj");
+    ck_assert_int_eq(found.status, 1);
+    ck_assert_int_eq(occurrences(found.out, "\n<"), 1);
+    expect_words(found.out, "< v 0 9 0\n");
+    make_file("scene.yaml", SCENE "  pinned:\n  - 4\n");
+    expect(run("$tf resolve scene.yaml -o other"), 2, "",
+           "tanglefree: scene.yaml:7: 'tripod' has no vertex 4; its vertices "
+           "are numbered from 0 to 3\n");
+}
+END_TEST
+
 START_TEST(a_mesh_of_one_frame_stays_where_it_was_pushed)
 {
     make_file("up1.obj", "v -9 -9 3\nv 9 -9 3\nv 0 9 3\nf 1 2 3\n");
@@ -279,6 +297,7 @@ Suite *suite(void)
     tcase_add_test(written, the_step_to_each_frame_is_clear);
     tcase_add_test(written, two_frames_are_enough);
     tcase_add_test(written, each_mesh_keeps_its_format);
+    tcase_add_test(written, pinned_vertices_go_where_their_frames_say);
     tcase_add_test(written, a_mesh_of_one_frame_stays_where_it_was_pushed);
     tcase_add_test(written, scripted_meshes_that_are_held_back_are_written);
     suite_add_tcase(suite, written);

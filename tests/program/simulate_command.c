@@ -133,6 +133,181 @@ START_TEST(a_flow_that_is_interrupted)
 }
 END_TEST
 
+// Scene files -----------------------------------------------------------------
+
+// A sheet that falls on a body, which then sinks; in another folder.
+static void make_scene(void)
+{
+    make_file("own/sheet.obj", "o sheet\nv 0 0 0.05\nv 1 0 0.05\nv 1 1 0.05\n"
+                               "v 0 1 0.05\nv 0.5 0.5 0.05\n"
+                               "usemtl cotton\nf 1 2 5 4\nf 2 3 5\nf 3 4 5\n");
+    make_file("own/body1.obj", "v -1 -1 0\nv 3 -1 0\nv -1 3 0\nv 0.4 0.4 -2\n"
+                               "f 1 2 3\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
+    run("sed 's/0$/-0.5/' own/body1.obj >own/body2.obj");
+    make_file("own/scene.yaml", "rate: 2.5\n"
+                                "meshes:\n"
+                                "- frames: sheet.obj\n"
+                                "- frames: body*.obj\n"
+                                "  role: scripted\n");
+}
+
+#define OWN "$tf simulate own/scene.yaml"
+
+START_TEST(a_scene_file)
+{
+    run("mkdir own");
+    make_scene();
+    outcome found = run(OWN " -o made");
+    ck_assert_int_eq(found.status, 0);
+    expect_words(found.out, "steps: 40\nvertices: 9\ntriangles: 8\n");
+    expect(run("ls made | sed 's/-.*//' | uniq -c | tr -s ' '; "
+               "$tf detect --format summary made/frame-*.ply | head -n 2; "
+               "$tf check --each made/frame-*.ply; "
+               "tail -n 5 made/sheet-00040.obj | cut -c 1-6; "
+               "head -n 1 made/sheet-00040.obj; tail -n 1 made/body-00040.obj"),
+           0,
+           " 41 body\n 41 frame\n 41 sheet\n 1 steps.csv\n"
+           "steps: 40\nsteps with contacts: 0\nfile,kind,a,b,c,d,e,f\n"
+           "v 0.50\nusemtl\nf 1 2 \nf 2 3 \nf 3 4 \n"
+           "o sheet\nf 3 1 4\n",
+           "");
+}
+END_TEST
+
+// Two links, of which one end is pinned and the other one falls: z stays away.
+START_TEST(a_scene_of_the_plane)
+{
+    make_file("chain.obj", "v 0 1\nv 1 1\nv 2 1\nl 1 2\nl 2 3\n");
+    make_file("ground.obj", "v -9 0\nv 9 0\nl 1 2\n");
+    make_file("scene.yaml", "steps: 70\nmeshes:\n"
+                            "- frames: chain.obj\n"
+                            "  pinned: [0]\n"
+                            "  material: {stretch: 1000}\n"
+                            "- frames: ground.obj\n"
+                            "  role: fixed\n");
+    expect_words(run("$tf simulate scene.yaml -o made").out,
+                 "steps: 70\nvertices: 5\ntriangles: 0\n");
+    expect(
+        run("ls made | sed 's/-.*//' | uniq -c | tr -s ' '; "
+            "$tf detect --format summary made/*.ply | head -n 2; "
+            "head -n 1 made/chain-00070.obj; "
+            "grep -c '^v [^ ]* [^ ]*$' made/chain-00070.obj; "
+            "printf 'meshes: [{frames: made/chain-*.obj}, {frames: "
+            "ground.obj, role: fixed}]' >judge.yaml; "
+            "$tf detect --format summary judge.yaml | head -n 2"),
+        0,
+        " 71 chain\n 71 frame\n 1 steps.csv\nsteps: 70\n"
+        "steps with contacts: 0\nv 0 1\n3\nsteps: 70\nsteps with contacts: 0\n",
+        "");
+}
+END_TEST
+
+START_TEST(a_scene_file_goes_on_bit_by_bit)
+{
+    run("mkdir own");
+    make_scene();
+    run(OWN " -o whole -t 1");
+    run(OWN " -o parts --steps 17 -t 2");
+    expect_words(run(OWN " -o parts --resume").out, "steps: 23\n");
+    expect(run("for i in whole parts; do cat $i/*-*.* | cksum; "
+               "cut -d, -f 1-15 $i/steps.csv | cksum; done | sort | uniq -c | "
+               "wc -l"),
+           0, "2\n", "");
+    run("echo 'gravity: 9' >>own/scene.yaml");
+    outcome found = run(OWN " -o parts --resume");
+    ck_assert_int_eq(found.status, 2);
+    expect_words(found.err, "tanglefree: parts/frame-00040.ply: is no frame of "
+                            "'tanglefree simulate scene.yaml (checksum ");
+    expect_words(found.err, ")'; correct the arguments, or delete the file to "
+                            "go on from the one before\n");
+}
+END_TEST
+
+START_TEST(the_end_of_a_mesh_is_a_fault_before_any_frame)
+{
+    run("mkdir own");
+    make_scene();
+    run("sed -i '$d' own/body2.obj");
+    outcome found = run(OWN " -o made");
+    ck_assert_int_eq(found.status, 2);
+    expect_words(found.err, "tanglefree: own/body2.obj: ");
+    ck_assert_int_eq(run("ls made").status, 2);
+    run("echo 'rate: x' >own/scene.yaml");
+    expect(run(OWN " -o made"), 2, "",
+           "tanglefree: own/scene.yaml:1: rate must be a number above 0, got "
+           "'x'\n");
+    expect(run("$tf simulate none.yaml -o made"), 2, "",
+           "tanglefree: none.yaml: cannot open: No such file or directory; "
+           "check the name\n");
+}
+END_TEST
+
+START_TEST(numbers_that_are_too_large_are_told)
+{
+    run("mkdir own");
+    make_scene();
+    run("echo 'gravity: 1e308' >>own/scene.yaml; "
+        "echo 'step: 1e3' >>own/scene.yaml");
+    expect(run(OWN " -o made 2>&1 >/dev/null | grep -v triangulated"), 0,
+           "tanglefree: scene.yaml: step 1: positions grow without bounds; "
+           "write lengths in meters, and take a shorter step or a softer "
+           "material\n",
+           "");
+}
+END_TEST
+
+START_TEST(meshes_are_as_fine_as_their_files)
+{
+    run("mkdir own");
+    make_scene();
+    expect_words(run(OWN " -o made --size 10").err,
+                 "tanglefree: own/scene.yaml: the meshes are as fine as their "
+                 "files; leave out --size\n");
+    expect_words(run(OWN " -o made --edge 1").err,
+                 "tanglefree: own/scene.yaml: the meshes are as fine as their "
+                 "files; leave out --edge\n");
+}
+END_TEST
+
+// Each scene that is built in is the same as a file.
+START_TEST(built_in_scenes_are_scene_files)
+{
+    static const struct {
+        const char *name, *resolution;
+    } scenes[] = {{"sphere", "--size 6"},       {"stack", "--size 5"},
+                  {"twist", "--size 3"},        {"knot", "--size 3"},
+                  {"curtain", "--size 10"},     {"flag", "--size 5"},
+                  {"plane-chain", "--size 40"}, {"dumbbell", "--edge 0.06"},
+                  {"sheets", "--edge 0.2"}};
+    for (int i = 0; i < 9; i++) {
+        expect(run("n=%s r='%s'; $tf simulate list $n >$n.yaml && "
+                   "$tf simulate $n $r -o a-$n --steps 5 >/dev/null && "
+                   "$tf simulate $n.yaml $r -o b-$n --steps 5 >/dev/null && "
+                   "for i in a b; do cat $i-$n/*.ply | grep -av ^comment | "
+                   "cksum; done | uniq | wc -l",
+                   scenes[i].name, scenes[i].resolution),
+               0, "1\n", "");
+    }
+}
+END_TEST
+
+START_TEST(a_scene_of_a_shape_has_a_resolution)
+{
+    run("$tf simulate list star >star.yaml; $tf simulate list sphere >a.yml");
+    expect(run("$tf simulate star.yaml -o made --edge 0.2"), 2, "",
+           "tanglefree: star.yaml: the scene has --edge, from 0.001 to 0.1\n");
+    expect(run("$tf simulate star.yaml -o made --size 7"), 2, "",
+           "tanglefree: star.yaml: the scene has --edge, from 0.001 to 0.1\n");
+    expect(run("$tf simulate a.yml -o made --edge 5"), 2, "",
+           "tanglefree: a.yml: the scene has --size, from 4 to 2000\n");
+    expect(run("$tf simulate a.yml -o made --size 3"), 2, "",
+           "tanglefree: a.yml: the scene has --size, from 4 to 2000\n");
+    run("sed -i 's/^size: .*/size: 4/' a.yml");
+    expect_words(run("$tf simulate a.yml -o made --steps 1").out,
+                 "vertices: 52\n");
+}
+END_TEST
+
 // Trouble ---------------------------------------------------------------------
 
 START_TEST(ctrl_c_finishes_the_step)
@@ -245,7 +420,18 @@ START_TEST(usage)
                      "simulate list' lists the scenes\n"},
         {"simulate cube -o made",
          "tanglefree simulate: unknown scene 'cube'; "
-         "'tanglefree simulate list' lists the scenes\n"},
+         "'tanglefree simulate list' lists the scenes, and the name of a scene "
+         "file ends in .yaml, .yml or .json\n"},
+        {"simulate list cube",
+         "tanglefree simulate: unknown scene 'cube'; 'tanglefree simulate "
+         "list' lists"},
+        {"simulate list sphere stack",
+         "tanglefree simulate: one scene is required; 'tanglefree simulate "
+         "list' lists"},
+        {"simulate scene.yaml", "tanglefree simulate: --output DIR is "
+                                "required: the folder for the frames\n"},
+        {"simulate scene.yaml sphere -o made",
+         "tanglefree simulate: one scene is required, got two\n"},
         {"simulate sphere",
          "tanglefree simulate: --output DIR is required: the "
          "folder for the frames\n"},
@@ -320,6 +506,11 @@ Suite *suite(void)
     tcase_add_test(good, progress_on_a_terminal);
     tcase_add_test(good, a_flow);
     tcase_add_test(good, a_flow_goes_on_bit_by_bit);
+    tcase_add_test(good, a_scene_file);
+    tcase_add_test(good, a_scene_of_the_plane);
+    tcase_add_test(good, a_scene_file_goes_on_bit_by_bit);
+    tcase_add_test(good, built_in_scenes_are_scene_files);
+    tcase_add_test(good, a_scene_of_a_shape_has_a_resolution);
     suite_add_tcase(suite, good);
     TCase *bad = tcase_create("trouble");
     tcase_add_checked_fixture(bad, enter_folder, leave_folder);
@@ -328,6 +519,9 @@ Suite *suite(void)
     tcase_add_test(bad, a_disk_that_is_full);
     tcase_add_test(bad, a_folder_that_is_not_empty);
     tcase_add_test(bad, another_size_cannot_go_on);
+    tcase_add_test(bad, the_end_of_a_mesh_is_a_fault_before_any_frame);
+    tcase_add_test(bad, numbers_that_are_too_large_are_told);
+    tcase_add_test(bad, meshes_are_as_fine_as_their_files);
     tcase_add_loop_test(bad, a_broken_environment, 0, environments());
     suite_add_tcase(suite, bad);
     TCase *arguments = tcase_create("arguments");

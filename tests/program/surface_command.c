@@ -677,7 +677,8 @@ START_TEST(scenes_that_are_wrong_are_refused)
     make_file("wrong.yaml", "meshes:\n- frames: clear\n  rôle: fixed\n");
     expect(run("$tf check wrong.yaml"), 2, SCENE_CHECK_HEADER,
            "tanglefree: wrong.yaml:3: unknown key 'rôle'; a mesh has frames, "
-           "and may have name, role, mass, friction and group\n");
+           "and may have name, role, mass, friction, group, material and "
+           "pinned\n");
     make_file("one.yml", "meshes: [{frames: clear}]");
     expect(run("$tf detect one.yml"), 2, SCENE_HEADER,
            "tanglefree: one.yml: has only one frame, so there is no step; give "

@@ -98,6 +98,39 @@ START_TEST(a_solver_that_does_nothing_is_asked_once)
 }
 END_TEST
 
+/// Moves a zone by next to nothing, but more each time.
+static int do_little(tf_zone *zone)
+{
+    static int times;
+    times++;
+    for (int i = 0; i < zone->axes * zone->vertices; i++)
+        zone->displacement[i] *= 1 - times * 0x1p-20;
+    for (int i = 0; i < zone->constraints; i++)
+        zone->constraint[i].impulse += 1;
+    return 1;
+}
+
+// Particles fall through a floor.  Those of the first round are left after each
+// of the next five; but if they are few, all rounds are made.
+START_TEST(rounds_that_lead_nowhere_end)
+{
+    static const tf_zone_solver slow = {"slow", no_workspace, do_little};
+    proposal_begin(&made, 2);
+    proposal_add_vertex(&made, -1, 0, 0);
+    proposal_add_vertex(&made, 99, 0, 0);
+    proposal_add_edge(&made, 0, 1);
+    for (int i = 0; i < 16 + _i; i++) {
+        int v = proposal_add_vertex(&made, i, 1, 0);
+        made.end[2 * v + 1] = -1;
+    }
+    tf_response_report report =
+        resolve((tf_response_options){.solver = &slow, .separation = -1});
+    ck_assert_int_eq(report.first_contacts, 16 + _i);
+    ck_assert_int_eq(report.rounds[TF_ZONES], _i == 0 ? 20 : 6);
+    ck_assert_int_gt(report.rounds[TF_FAILSAFE], 0);
+}
+END_TEST
+
 // All of it is carried far away, so that rounding makes it touch itself: the
 // first round of the failsafe moves nothing, but unites.
 START_TEST(the_failsafe_goes_on_when_nothing_moves)
@@ -162,6 +195,7 @@ Suite *suite(void)
     TCase *tcase = tcase_create("rounds");
     tcase_add_test(tcase, each_level_has_its_rounds);
     tcase_add_test(tcase, a_solver_that_does_nothing_is_asked_once);
+    tcase_add_loop_test(tcase, rounds_that_lead_nowhere_end, 0, 2);
     tcase_add_test(tcase, the_failsafe_goes_on_when_nothing_moves);
     tcase_add_test(tcase, contacts_that_nothing_moves_stay_listed);
     suite_add_tcase(suite, tcase);

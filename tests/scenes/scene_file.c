@@ -127,12 +127,80 @@ START_TEST(a_scene_is_known_by_its_ending)
 }
 END_TEST
 
+// What is simulated -----------------------------------------------------------
+
+START_TEST(a_scene_says_how_it_is_simulated)
+{
+    make_file("waist.txt", "0 1\n");
+    tf_scene_meshes meshes = good_scene(
+        "shows: a shirt\nrate: 25\nsteps: 300\nstep: 0.005\ngravity: 1.6\n"
+        "up: y\nfriction: 0.5\n"
+        "air: {drag: 0.1, wind: [1, -2, 3e0], veer: -1, gust: 2}\n"
+        "material: {density: 0.2, bend: 0}\n"
+        "meshes:\n"
+        "- frames: a.obj\n  pinned: waist.txt\n  mass: 0.1\n"
+        "- frames: b.obj\n  pinned: [3, 1]\n  mass: 0.1\n"
+        "  material: {stretch: 5, bend: 7}\n  friction: 0.1\n");
+    const tf_scene_physics *p = &meshes.physics;
+    ck_assert_str_eq(p->shows, "a shirt");
+    ck_assert(p->rate == 25 && p->steps == 300 && p->step == 0.005);
+    ck_assert(p->gravity == 1.6 && p->up == 1 && p->friction == 0.5);
+    ck_assert(p->air.given && p->air.drag == 0.1 && p->air.veer == -1 &&
+              p->air.gust == 2);
+    ck_assert(p->air.wind[0] == 1 && p->air.wind[1] == -2 &&
+              p->air.wind[2] == 3);
+    const tf_scene_mesh *a = &meshes.mesh[0], *b = &meshes.mesh[1];
+    ck_assert_str_eq(a->pinned_in.path[0], "waist.txt");
+    ck_assert_int_eq(a->pinned_line, 12);
+    ck_assert(b->pins == 2 && b->pinned[0] == 3 && b->pinned[1] == 1);
+    ck_assert(a->friction == 0.5 && b->friction == 0.1);
+    ck_assert(a->material.density < 0 && a->material.stretch < 0 &&
+              a->material.bend == 0);
+    ck_assert(b->material.density < 0 && b->material.stretch == 5 &&
+              b->material.bend == 7);
+    tf_scene_meshes_free(&meshes);
+}
+END_TEST
+
+START_TEST(a_scene_may_say_nothing_of_that)
+{
+    tf_scene_meshes meshes = good_scene("meshes: [{frames: a.obj}]");
+    const tf_scene_physics *p = &meshes.physics;
+    ck_assert(!p->shows && !p->shape && p->size < 0 && p->edge < 0 &&
+              p->steps < 0 && p->step < 0 && p->rate < 0 && p->gravity < 0 &&
+              p->up < 0 && p->friction < 0 && !p->air.given);
+    ck_assert(meshes.mesh[0].material.density < 0 &&
+              meshes.mesh[0].material.stretch < 0 &&
+              meshes.mesh[0].material.bend < 0 && meshes.mesh[0].pins == 0);
+    tf_scene_meshes_free(&meshes);
+}
+END_TEST
+
+START_TEST(a_simulated_scene_may_have_a_shape)
+{
+    tf_scene_meshes meshes;
+    tf_fault fault;
+    make_file("scene.yaml", "shape: sphere\nsize: 7\n");
+    ck_assert(tf_simulated_file_read(&meshes, "scene.yaml", &fault));
+    ck_assert_str_eq(meshes.physics.shape, "sphere");
+    ck_assert_int_eq(meshes.physics.size, 7);
+    ck_assert_int_eq(meshes.physics.shape_line, 1);
+    ck_assert_int_eq(meshes.physics.resolution_line, 2);
+    ck_assert_int_eq(meshes.count, 0);
+    tf_scene_meshes_free(&meshes);
+}
+END_TEST
+
 // Mistakes --------------------------------------------------------------------
 
 #define A_MESH "meshes:\n- frames: a.obj\n"
 #define MESH_KEYS                                                              \
-    "a mesh has frames, and may have name, role, mass, friction and group"
-#define SCENE_KEYS "a scene has 'meshes:', a list"
+    "a mesh has frames, and may have name, role, mass, friction, group, "      \
+    "material and pinned"
+#define SCENE_KEYS                                                             \
+    "a scene has 'meshes:', a list, and to be simulated may have rate, "       \
+    "steps, "                                                                  \
+    "step, gravity, up, friction, air, material and shows"
 
 static const struct {
     const char *text;
@@ -153,7 +221,7 @@ static const struct {
     {"meshes:\n- a.obj\n", 2, "not a mapping; " MESH_KEYS},
     // Keys.
     {"mesh:\n- frames: a.obj\n", 1, "unknown key 'mesh'; " SCENE_KEYS},
-    {A_MESH "friction: 1\n", 3, "unknown key 'friction'; " SCENE_KEYS},
+    {A_MESH "mass: 1\n", 3, "unknown key 'mass'; " SCENE_KEYS},
     {A_MESH "meshes: []\n", 3, "the key 'meshes' is there twice; delete one"},
     {A_MESH "  weight: 1\n", 3, "unknown key 'weight'; " MESH_KEYS},
     {A_MESH "  Name: a\n", 3, "unknown key 'Name'; " MESH_KEYS},
@@ -213,6 +281,74 @@ static const struct {
     {A_MESH "  name: ''\n", 3, "name must be a text that is not empty"},
     {A_MESH "  group: {a: b}\n", 3,
      "group must be a text, not a list or a mapping"},
+    {A_MESH "  material: cotton\n", 3,
+     "not a mapping; a material may have density, stretch and bend"},
+    {A_MESH "  material: {weight: 1}\n", 3,
+     "unknown key 'weight'; a material may have density, stretch and bend"},
+    {A_MESH "  material:\n    density: 0\n", 4,
+     "density must be a number above 0, got '0'"},
+    {A_MESH "  material: {stretch: -1}\n", 3,
+     "stretch must be a number above 0, got '-1'"},
+    {A_MESH "  material: {bend: stiff}\n", 3,
+     "bend must be a number from 0 on, got 'stiff'"},
+    {A_MESH "  pinned: []\n", 3, "pinned must be a list of vertices or a file"},
+    {A_MESH "  pinned: {}\n", 3, "pinned must be a list of vertices or a file"},
+    {A_MESH "  pinned:\n  - 0\n  - -1\n", 5,
+     "a pinned vertex must be a number from 0 on, got '-1'"},
+    {A_MESH "  pinned: [0, 1.5]\n", 3,
+     "a pinned vertex must be a whole number, got '1.5'"},
+    {A_MESH "  pinned: [3000000000]\n", 3,
+     "a pinned vertex must be a whole number, got '3000000000'"},
+    {A_MESH "  pinned: [[0]]\n", 3,
+     "a pinned vertex must be a text, not a list or a mapping"},
+    {A_MESH "  pinned: c.txt\n", 3,
+     "there is no file 'c.txt'; names are relative to the scene file"},
+    // How it is simulated.
+    {A_MESH "steps: 100000\n", 3,
+     "steps must be a number from 0 to 99999, got '100000'"},
+    {A_MESH "steps: 1.5\n", 3, "steps must be a whole number, got '1.5'"},
+    {A_MESH "step: 0\n", 3, "step must be a number above 0, got '0'"},
+    {A_MESH "rate: 25 Hz\n", 3, "rate must be a number above 0, got '25 Hz'"},
+    {A_MESH "gravity: -9.81\n", 3,
+     "gravity must be a number from 0 on, got '-9.81'"},
+    {A_MESH "gravity: [0, 0, 1]\n", 3,
+     "gravity must be a text, not a list or a mapping"},
+    {A_MESH "up: yes\n", 3, "up must be x, y or z, got 'yes'"},
+    {A_MESH "up: w\n", 3, "up must be x, y or z, got 'w'"},
+    {A_MESH "up: [y]\n", 3, "up must be a text, not a list or a mapping"},
+    {A_MESH "friction: -1\n", 3,
+     "friction must be a number from 0 on, got '-1'"},
+    {A_MESH "air: still\n", 3,
+     "not a mapping; air may have drag, wind, veer and gust"},
+    {A_MESH "air:\n  storm: 1\n", 4,
+     "unknown key 'storm'; air may have drag, wind, veer and gust"},
+    {A_MESH "air: {drag: -1}\n", 3,
+     "drag must be a number from 0 on, got '-1'"},
+    {A_MESH "air: {wind: 5}\n", 3,
+     "wind must be three numbers; write [1, 0, 0]"},
+    {A_MESH "air: {wind: [1, 2]}\n", 3,
+     "wind must be three numbers; write [1, 0, 0]"},
+    {A_MESH "air:\n  wind: [1,\n    2, x]\n", 5,
+     "wind must be a number, got 'x'"},
+    {A_MESH "air: {veer: .inf}\n", 3, "veer must be a number, got '.inf'"},
+    {A_MESH "material: {bend: -1}\n", 3,
+     "bend must be a number from 0 on, got '-1'"},
+    {A_MESH "shows: []\n", 3, "shows must be a text, not a list or a mapping"},
+    {"shape: [sphere]\n", 1, "shape must be a text, not a list or a mapping"},
+    {A_MESH "shape: sphere\n", 3,
+     "the scene has meshes and a shape; delete one of them"},
+    {A_MESH "size: 10\n", 3,
+     "size and edge are for a shape; meshes are as fine as their files, so "
+     "delete this"},
+    {A_MESH "edge: 0.1\n", 3,
+     "size and edge are for a shape; meshes are as fine as their files, so "
+     "delete this"},
+    {"shape: sphere\nsize: 2001\n", 2,
+     "size must be a number from 1 to 2000, got '2001'"},
+    {"shape: star\nedge: 0\n", 2, "edge must be a number above 0, got '0'"},
+    {"steps: 1\nshape: sphere\n", 2,
+     "a shape is for 'tanglefree simulate'; give other commands the frames "
+     "that this writes"},
     // Meshes that do not go together.
     {A_MESH "- frames: b.obj\n  name: a\n", 3,
      "there is already a mesh named 'a'; name one of them differently, by "
@@ -301,6 +437,9 @@ Suite *suite(void)
     tcase_add_test(good, utf_16_is_read);
     tcase_add_test(good, files_are_found_from_the_scene);
     tcase_add_test(good, a_scene_is_known_by_its_ending);
+    tcase_add_test(good, a_scene_says_how_it_is_simulated);
+    tcase_add_test(good, a_scene_may_say_nothing_of_that);
+    tcase_add_test(good, a_simulated_scene_may_have_a_shape);
     suite_add_tcase(suite, good);
 
     TCase *bad = tcase_create("mistakes");

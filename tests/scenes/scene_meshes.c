@@ -3,6 +3,7 @@
 
 #include "scenes/scene_meshes.h"
 
+#include "support/program.h"
 #include "support/support.h"
 
 #include <stdlib.h>
@@ -185,6 +186,52 @@ START_TEST(what_is_fixed_stays_at_its_first_frame)
 }
 END_TEST
 
+// Pins --------------------------------------------------------------------------
+
+START_TEST(pinned_vertices_have_no_mass)
+{
+    tf_scene_meshes meshes = {0};
+    tf_scene_mesh *mesh = add_mesh(&meshes, "a.obj", 1);
+    tf_fault fault;
+    double inverse_mass[] = {1, 2, 3, 4};
+    ck_assert(tf_scene_meshes_name(&meshes));
+    ck_assert(tf_scene_mesh_pin(mesh, "scene.yaml", 4, inverse_mass, &fault));
+    ck_assert(inverse_mass[0] == 1 && inverse_mass[3] == 4);
+    mesh->pinned = malloc(2 * sizeof(int));
+    mesh->pinned[0] = 3;
+    mesh->pinned[1] = 1;
+    mesh->pins = 2;
+    mesh->pinned_line = 7;
+    ck_assert(tf_scene_mesh_pin(mesh, "scene.yaml", 4, inverse_mass, &fault));
+    ck_assert(inverse_mass[0] == 1 && inverse_mass[1] == 0 &&
+              inverse_mass[2] == 3 && inverse_mass[3] == 0);
+    ck_assert(!tf_scene_mesh_pin(mesh, "scene.yaml", 3, inverse_mass, &fault));
+    ck_assert_str_eq(fault.text, "'a' has no vertex 3; its vertices are "
+                                 "numbered from 0 to 2");
+    ck_assert_str_eq(fault.file, "scene.yaml");
+    ck_assert_int_eq(fault.place, 7);
+    tf_scene_meshes_free(&meshes);
+}
+END_TEST
+
+START_TEST(a_file_may_list_pinned_vertices)
+{
+    tf_scene_meshes meshes = {0};
+    tf_scene_mesh *mesh = add_mesh(&meshes, "a.obj", 1);
+    tf_fault fault;
+    double inverse_mass[] = {1, 2, 3};
+    make_file("pins.txt", "# some\n2 0\n");
+    ck_assert(tf_frame_names_add(&mesh->pinned_in, "pins.txt"));
+    ck_assert(tf_scene_mesh_pin(mesh, "scene.yaml", 3, inverse_mass, &fault));
+    ck_assert(inverse_mass[0] == 0 && inverse_mass[1] == 2 &&
+              inverse_mass[2] == 0);
+    ck_assert(!tf_scene_mesh_pin(mesh, "scene.yaml", 2, inverse_mass, &fault));
+    ck_assert_str_eq(fault.file, "pins.txt");
+    ck_assert_int_eq(fault.place, 2);
+    tf_scene_meshes_free(&meshes);
+}
+END_TEST
+
 Suite *suite(void)
 {
     Suite *suite = suite_create("scenes/scene_meshes");
@@ -201,5 +248,11 @@ Suite *suite(void)
     tcase_add_test(together, names_differ);
     tcase_add_test(together, what_is_fixed_stays_at_its_first_frame);
     suite_add_tcase(suite, together);
+
+    TCase *pins = tcase_create("pins");
+    tcase_add_checked_fixture(pins, enter_folder, leave_folder);
+    tcase_add_test(pins, pinned_vertices_have_no_mass);
+    tcase_add_test(pins, a_file_may_list_pinned_vertices);
+    suite_add_tcase(suite, pins);
     return suite;
 }

@@ -37,6 +37,34 @@ static void blow(const tf_air *air, double time, double velocity[COORDINATES],
     tf_body_free(&body);
 }
 
+// The same air, with its axes and those of the plate renamed.
+START_TEST(any_axis_may_point_up)
+{
+    const tf_air air = {
+        .drag = 2, .wind = {1, -2, 3}, .veer = 0.5, .gust = 1.5};
+    for (int up = 0; up < 3; up++) {
+        tf_air same = {.drag = 2, .veer = 0.5, .gust = 1.5};
+        tf_body body = plate(), renamed = plate();
+        renamed.up = up;
+        double velocity[COORDINATES] = {0}, found[COORDINATES] = {0};
+        for (int k = 0; k < 3; k++) {
+            same.wind[(k + up) % 3] = air.wind[k];
+            for (int v = 0; v < 4; v++)
+                renamed.position[3 * v + (k + up) % 3] =
+                    body.position[3 * v + k];
+        }
+        tf_air_blow(&air, &body, 0.7, 0.01, body.position, velocity);
+        tf_air_blow(&same, &renamed, 0.7, 0.01, renamed.position, found);
+        for (int i = 0; i < COORDINATES; i++)
+            ck_assert_double_eq_tol(found[i / 3 * 3 + (i % 3 + up) % 3],
+                                    velocity[i], 1e-15);
+        ck_assert_double_ne(velocity[2], 0);
+        tf_body_free(&body);
+        tf_body_free(&renamed);
+    }
+}
+END_TEST
+
 // The force is drag times area times speed.
 START_TEST(wind_pushes_head_on)
 {
@@ -129,6 +157,7 @@ Suite *suite(void)
     Suite *suite = suite_create("simulate/air");
     TCase *tcase = tcase_create("wind");
     tcase_add_test(tcase, wind_pushes_head_on);
+    tcase_add_test(tcase, any_axis_may_point_up);
     tcase_add_test(tcase, wind_along_a_surface_does_nothing);
     tcase_add_test(tcase, still_air_slows);
     tcase_add_test(tcase, wind_veers);

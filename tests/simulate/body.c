@@ -82,6 +82,27 @@ START_TEST(scripted_vertices_have_no_kinetic_energy)
 }
 END_TEST
 
+START_TEST(weight_has_energy_too)
+{
+    tf_body body = pair();
+    const double at[] = {2, 3, 7, 5, 4, 10};
+    double elastic = tf_body_elastic_energy(&body, at);
+    for (int up = 0; up < 3; up++) {
+        double weight = 0;
+        body.up = up;
+        ck_assert_int_eq(tf_body_up(&body), up == 0 ? 2 : up - 1);
+        for (int v = 0; v < 2; v++)
+            weight += body.mass[v] * 9.5 * at[3 * v + (up + 2) % 3];
+        ck_assert_double_gt(weight, 0);
+        ck_assert_double_eq(tf_body_potential_energy(&body, 9.5, at),
+                            elastic + weight);
+        ck_assert_double_eq(tf_body_potential_energy(&body, 0, at), elastic);
+    }
+    tf_body_free(&body);
+    ck_assert_int_eq(tf_body_up(&(tf_body){.axes = 2}), 1);
+}
+END_TEST
+
 START_TEST(a_curvature_is_a_weighted_sum)
 {
     tf_body body = {.axes = 2};
@@ -106,6 +127,7 @@ Suite *suite(void)
     tcase_add_test(tcase, without_memory_nothing_is_added);
     tcase_add_test(tcase, a_spring_is_as_long_as_it_was);
     tcase_add_test(tcase, scripted_vertices_have_no_kinetic_energy);
+    tcase_add_test(tcase, weight_has_energy_too);
     tcase_add_test(tcase, a_curvature_is_a_weighted_sum);
     suite_add_tcase(suite, tcase);
     return suite;

@@ -20,7 +20,7 @@ void cloth_simulation_free(tf_cloth_simulation *cloth)
 
 tf_scene_setup setup_of(const tf_scene *scene, double resolution)
 {
-    tf_scene_setup setup = {.body.axes = scene->plane ? 2 : 3};
+    tf_scene_setup setup = {.scene = scene, .body.axes = scene->plane ? 2 : 3};
     scene->build(&setup, resolution);
     ck_assert(!setup.body.failed);
     return setup;

@@ -3,6 +3,7 @@
 
 #include "support/scrambled_workers.h"
 #include "support/support.h"
+#include "support/watches.h"
 
 #include <string.h>
 
@@ -49,6 +50,45 @@ START_TEST(the_first_bad_status_counts)
     ck_assert_int_eq(tf_workers_status(&workers), TF_OUT_OF_MEMORY);
     ck_assert(tf_workers_begin(&workers, 3, NULL));
     ck_assert_int_eq(tf_workers_status(&workers), TF_OK);
+    tf_workers_free(&workers);
+}
+END_TEST
+
+static bool is_less(const void *a, const void *b)
+{
+    return *(const int *)a < *(const int *)b;
+}
+
+// Whichever worker has found them.
+START_TEST(rows_are_gathered_in_order)
+{
+    tf_workers workers = {0};
+    tf_buffer sorting = {0}, found = {0};
+    watched_call call;
+    generator random = generator_new(3);
+    for (int rows = 0; rows < 3000; rows = 3 * rows + 1) {
+        ck_assert(tf_workers_begin(&workers, 4, NULL));
+        for (int i = 0; i < rows; i++) // 7 and 3001 have no common divisor
+            add(workers.worker[below(&random, 3)], 1 + i * 7 % 3001);
+        ck_assert_int_eq(
+            tf_workers_gather(&workers, sizeof(int), is_less, &sorting, &found),
+            TF_OK);
+        const int *all = found.data;
+        for (int i = 1; i < rows; i++)
+            ck_assert_int_lt(all[i - 1], all[i]);
+        long sum = 0, expected = 0;
+        for (int i = 0; i < rows; i++) {
+            sum += all[i];
+            expected += 1 + i * 7 % 3001;
+        }
+        ck_assert_int_eq(sum, expected);
+    }
+    workers.watch = watched_begin(&call, -1);
+    ck_assert_int_eq(
+        tf_workers_gather(&workers, sizeof(int), is_less, &sorting, &found),
+        TF_CANCELLED);
+    tf_buffer_free(&sorting);
+    tf_buffer_free(&found);
     tf_workers_free(&workers);
 }
 END_TEST
@@ -116,6 +156,7 @@ Suite *suite(void)
     TCase *tcase = tcase_create("workers");
     tcase_add_test(tcase, rows_stay_and_are_forgotten);
     tcase_add_test(tcase, the_first_bad_status_counts);
+    tcase_add_test(tcase, rows_are_gathered_in_order);
     tcase_add_test(tcase, workers_share_a_join);
     suite_add_tcase(suite, tcase);
     return suite;

@@ -26,12 +26,14 @@
 
 enum {
     SIDE = 12, // vertices of a layer
+    WALL = 60, // edges
     MOST_NUMBERS = 3 * 10 * SIDE * SIDE
 };
 
 static tf_mesh mesh;
 static const double *start;
 static double proposed[MOST_NUMBERS], ended[MOST_NUMBERS];
+static const double *inverse_mass; ///< NULL: 1 for all
 
 static size_t bytes_of_step(void)
 {
@@ -47,6 +49,7 @@ static void make_layers(void)
         cloth = layers_new(SIDE, 3, 1);
     mesh = cloth.mesh;
     start = cloth.motion.start;
+    inverse_mass = NULL;
     for (int i = 0; i < 3 * mesh.vertices; i++)
         proposed[i] = start[i] + uniform(&random, -2, 2) / SIDE;
 }
@@ -59,7 +62,30 @@ static void make_loops(void)
     proposal_make(&random, LOOPS, 4, INSIDE_OUT, &made);
     mesh = made.mesh;
     start = made.start;
+    inverse_mass = NULL;
     memcpy(proposed, made.end, sizeof made.end);
+}
+
+/// In the plane: two scripted walls, at heights 0 and 2, close upon a free chain.
+static void make_walls(void)
+{
+    static double from[6 * (WALL + 1)], mass[3 * (WALL + 1)];
+    static int edge[6 * WALL];
+    int next = 0;
+    for (int v = 0; v < 3 * (WALL + 1); v++) {
+        int height = v / (WALL + 1), i = v % (WALL + 1);
+        from[2 * v] = (double)i / WALL * (1 + 0.01 * (1 - height));
+        from[2 * v + 1] = height;
+        mass[v] = height == 1;
+        proposed[2 * v] = from[2 * v];
+        proposed[2 * v + 1] = height + 1.5 * (1 - height);
+        for (int k = 0; k < 2 && i < WALL; k++)
+            edge[next++] = v + k;
+    }
+    mesh = (tf_mesh){
+        .axes = 2, .vertices = 3 * (WALL + 1), .edges = 3 * WALL, .edge = edge};
+    start = from;
+    inverse_mass = mass;
 }
 
 // A caller --------------------------------------------------------------------
@@ -254,8 +280,8 @@ static void resolve(workplace *w, const manner *how, answer *to)
     const tf_answered_contact *contact;
     size_t count = 77;
     memcpy(ended, proposed, bytes_of_step());
-    to->status = tf_step_resolve(w->resolver, mesh.vertices, start, ended, NULL,
-                                 &options, &report, &to->error);
+    to->status = tf_step_resolve(w->resolver, mesh.vertices, start, ended,
+                                 inverse_mass, &options, &report, &to->error);
     ck_assert_int_eq(tf_resolver_contacts(w->resolver, &count, &contact),
                      TF_OK);
     const unsigned char *flags = tf_resolver_vertices(w->resolver);
@@ -268,6 +294,7 @@ static void resolve(workplace *w, const manner *how, answer *to)
         ck_assert_uint_eq(count, 0);
         return;
     }
+    ck_assert((report->held > 0) == (inverse_mass != NULL));
     keep(to, ended, bytes_of_step());
     keep(to, contact, count * sizeof *contact);
     keep(to, flags, (size_t)mesh.vertices);
@@ -292,6 +319,9 @@ static const struct {
     {"impulses", "impulses", resolve, {.impulse_rounds = 3, .zone_rounds = 2}},
     {"rigid", "rigid zones", resolve, {.zone_rounds = -1, .rigid = true}},
     {"failsafe", "failsafe", resolve, {.zone_rounds = -1}},
+    {"held back", "failsafe", resolve, {.zone_rounds = 8}},
+    {"substeps", "zones", resolve, {.zone_rounds = 8, .substeps = 2}},
+    {"thickness", "pairs", resolve, {.zone_rounds = 8, .thickness = 0.1}},
 };
 
 enum {
@@ -311,10 +341,13 @@ static answer run(int number, workplace *w, const tf_parallel *parallel,
 
 // Cancelled at each call of the callback --------------------------------------
 
-/// One call in five works in the plane.
+/// The last calls hold walls back, and of the others one in five works in the
+/// plane.
 static void make_scene(int number)
 {
-    if (number % 5 == 4)
+    if (number >= CALLS - 3)
+        make_walls();
+    else if (number % 5 == 4)
         make_loops();
     else
         make_layers();

@@ -153,18 +153,23 @@ END_TEST
 // Responses -------------------------------------------------------------------
 
 static proposal made;
+static int substeps;
+static const double *inverse_mass; ///< NULL: 1 for all
 
 static uint64_t respond(void)
 {
     const tf_parallel parallel = scrambled_workers(&workers);
     const tf_response_options all_levels = {.size = sizeof all_levels,
                                             .thickness = 0.05 * made.unit,
+                                            .substeps = substeps,
                                             .impulse_rounds = 1,
                                             .zone_rounds = 1,
                                             .rigid = true,
+                                            .again = true,
                                             .check_start = true,
                                             .parallel = &parallel};
     const tf_answered_contact *contact = NULL;
+    const tf_response_report *report = NULL;
     const double *push = NULL;
     size_t count = 0;
     int vertices = made.mesh.vertices, halvings;
@@ -176,10 +181,12 @@ static uint64_t respond(void)
         ck_assert_ptr_null(resolver);
     memcpy(end, made.end, sizeof end);
     while (lacks_memory(tf_step_resolve(resolver, vertices, made.start, end,
-                                        NULL, &all_levels, NULL, &error))) {
+                                        inverse_mass, &all_levels, &report,
+                                        &error))) {
         ck_assert_int_eq(error.status, TF_OUT_OF_MEMORY);
         ck_assert_mem_eq(end, made.end, sizeof end);
     }
+    ck_assert((report->held > 0) == (inverse_mass != NULL));
     hash = hash_bytes(hash, end, sizeof end);
     while (lacks_memory(tf_resolver_pushes(resolver, &count, &push)))
         ck_assert_ptr_null(push);
@@ -203,6 +210,26 @@ START_TEST(responses_lack_memory)
 {
     generator random = generator_new(5);
     proposal_make(&random, (proposal_shape)_i, 2, SHUFFLED, &made);
+    substeps = 0;
+    inverse_mass = NULL;
+    let_each_fail(respond);
+}
+END_TEST
+
+// Two scripted edges close upon a free one.
+START_TEST(responses_that_hold_back_lack_memory)
+{
+    proposal_begin(&made, 2);
+    for (int i = 0; i < 6; i++) {
+        int v = proposal_add_vertex(&made, i % 2 ? 1 : -1, i / 2, 0);
+        made.inverse_mass[v] = i / 2 == 1;
+        if (i / 2 != 1)
+            made.end[2 * v + 1] += i < 2 ? 1.5 : -1.5;
+    }
+    for (int v = 0; v < 6; v += 2)
+        proposal_add_edge(&made, v, v + 1);
+    substeps = 1 + _i;
+    inverse_mass = made.inverse_mass;
     let_each_fail(respond);
 }
 END_TEST
@@ -215,6 +242,7 @@ Suite *suite(void)
     tcase_add_test(tcase, filters_lack_memory);
     tcase_add_test(tcase, absurd_sizes_lack_memory);
     tcase_add_loop_test(tcase, responses_lack_memory, 0, PROPOSAL_SHAPES);
+    tcase_add_loop_test(tcase, responses_that_hold_back_lack_memory, 0, 3);
     suite_add_tcase(suite, tcase);
     return suite;
 }

@@ -79,7 +79,7 @@ static void resolve(world *w)
     tf_status status =
         w->coupled
             ? tf_coupling_resolve(w->coupling, body->position, w->end,
-                                  w->inverse_mass, &w->options, &report)
+                                  w->inverse_mass, &w->options, NULL, &report)
             : tf_step_resolve(w->resolver, body->vertices, body->position,
                               w->end, w->inverse_mass, &w->options, NULL, NULL);
     ck_assert_int_eq(status, TF_OK);

@@ -285,6 +285,37 @@ START_TEST(a_limb_presses_a_sheet_against_a_body)
 }
 END_TEST
 
+// A solver that has all vertices of a zone rest, the scripted ones, too.
+static size_t no_workspace(int axes, int vertices, int constraints)
+{
+    (void)axes;
+    (void)vertices;
+    (void)constraints;
+    return 0;
+}
+
+static int let_rest(tf_zone *zone)
+{
+    for (int i = 0; i < zone->axes * zone->vertices; i++)
+        zone->displacement[i] = 0;
+    for (int i = 0; i < zone->constraints; i++)
+        zone->constraint[i].impulse = 1; // a new one, so that they are moved
+    return 1;
+}
+
+// The limb goes as far as the sheet, and in no trial the failsafe has a round.
+START_TEST(what_a_solver_holds_back_needs_no_failsafe)
+{
+    const tf_zone_solver resting = {"resting", no_workspace, let_rest};
+    make_limb();
+    int limb = made.mesh.vertices - 8;
+    expect_resolved(&(tf_response_options){.solver = &resting});
+    ck_assert_int_eq(report.rounds[TF_FAILSAFE], 0);
+    expect_followed(limb, 8, 0.3);
+    ck_assert_int_eq(report.held, 8);
+}
+END_TEST
+
 // Without the sheet the limb goes into the body.
 START_TEST(a_limb_is_not_stopped_by_its_body)
 {
@@ -386,6 +417,7 @@ Suite *suite(void)
                         closing_plates_go_until_the_sheet_fills_the_gap, 0, 3);
     tcase_add_test(squeezed, a_gripper_closes_until_the_box_is_flat);
     tcase_add_test(squeezed, a_limb_presses_a_sheet_against_a_body);
+    tcase_add_test(squeezed, what_a_solver_holds_back_needs_no_failsafe);
     tcase_add_test(squeezed, a_limb_is_not_stopped_by_its_body);
     tcase_add_test(squeezed, a_limb_that_was_held_back_catches_up);
     tcase_add_test(squeezed,

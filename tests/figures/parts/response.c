@@ -439,6 +439,21 @@ static void sheets_slide_as_mechanics_says(void)
     expect(96 - sticking, "sliding");
 }
 
+/// A particle stops where gravity has worked as much as friction, which rises with
+/// the root of the distance from 1 to 2 and is constant from there on.
+static double stop_of(double friction)
+{
+    double along = sin(25 * PI / 180);
+    double across = sqrt(friction) * cos(25 * PI / 180);
+    return across * (2 - 2.0 / 3) / (across - along);
+}
+
+static void rough_particles_stop_where_mechanics_says(void)
+{
+    expect_within(0.005, stop_of(0.5), "stopped_0.5");
+    expect_within(0.005, stop_of(1), "stopped_1");
+}
+
 const figure_test response_tests[] = {
     {&fig_kept_rows, single_impulses_take_these_rounds},
     {&fig_kinds_of_rows, rows_do_what_is_told},
@@ -452,5 +467,6 @@ const figure_test response_tests[] = {
     {&fig_nearly_parallel_rows, distances_of_two_rows_are_those_of_geometry},
     {&fig_resting_bar, the_bar_moves_as_on_a_line},
     {&fig_slopes, sheets_slide_as_mechanics_says},
+    {&fig_greased_slope, rough_particles_stop_where_mechanics_says},
     {&fig_twisted_strips, a_run_counts_every_intersection},
     {NULL, NULL}};

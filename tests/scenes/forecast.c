@@ -127,11 +127,12 @@ END_TEST
 
 // The program -----------------------------------------------------------------
 
-/// What it has said at the time of the first line; then it is ended.
+/// What it has said when it has told what will be; then it is ended.
 static const char *first_words(const char *command)
 {
-    return run("%s >out 2>err & while ! grep -q . err; do kill -0 $! || exit; "
-               "sleep 0.01; done; kill $!; wait $!; cat err",
+    return run("%s >out 2>err & while ! grep -q 'will be' err; do "
+               "kill -0 $! || exit; sleep 0.01; done; kill $!; wait $!; cat "
+               "err",
                command)
         .out;
 }

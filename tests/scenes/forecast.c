@@ -162,6 +162,27 @@ START_TEST(simulate_tells_it_before_it_begins)
 }
 END_TEST
 
+START_TEST(simulate_counts_the_files_of_meshes_too)
+{
+    double bytes, alone;
+    make_file("sheet.obj", "v 0 0 1\nv 1 0 1\nv 0 1 1\nf 1 2 3\n");
+    run("printf '#%%02000d' 1 >>sheet.obj"); // in all frames
+    make_file("scene.yaml", "steps: 0\nmeshes: [{frames: sheet.obj}]\n");
+    outcome found = run("$tf simulate scene.yaml -o one >out && cat one/*-0* | "
+                        "wc -c && wc -c <one/frame-00000.ply");
+    ck_assert_int_eq(sscanf(found.out, "%lf %lf", &bytes, &alone), 2);
+    ck_assert_double_gt(bytes, alone + 2000);
+    char command[100], words[100];
+    int steps = (int)(1e8 / bytes) + 2;
+    snprintf(command, sizeof command,
+             "$tf simulate scene.yaml -o made --steps %d", steps);
+    snprintf(words, sizeof words,
+             "tanglefree: made: %d frames will be written, about 0.1 GB",
+             steps);
+    expect_words(first_words(command), words);
+}
+END_TEST
+
 /// Frames of a mesh with 100 vertices, of which the second one has other
 /// elements.
 static void make_scene(int frames)
@@ -232,6 +253,7 @@ Suite *suite(void)
     tcase_add_checked_fixture(program, enter_folder, leave_folder);
     tcase_add_test(program, remesh_tells_it_before_it_begins);
     tcase_add_test(program, simulate_tells_it_before_it_begins);
+    tcase_add_test(program, simulate_counts_the_files_of_meshes_too);
     tcase_add_test(program, scenes_tell_it_after_the_first_frame);
     suite_add_tcase(suite, program);
     return suite;

@@ -41,7 +41,7 @@ $(BUILD)/tests/%: $(BUILD)/tests/%.o $(BUILD)/support.a $(BUILD)/program.a \
 # These have the simulator in them, and with it the library that it uses.
 simulating = $(addprefix $(BUILD)/tests/,whole/rest whole/scenes soak/scenes program/frame_file program/steps_file \
 	program/simulation_folder program/simulate_command program/step_fields \
-	bench/flowing bench/resting)
+	bench/flowing bench/coupling bench/resting)
 $(BUILD)/tests/simulate/% $(simulating): LIBRARIES = $(SPARSE)
 
 # This lets calls of these functions fail.

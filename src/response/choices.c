@@ -40,7 +40,8 @@ tf_status tf_response_options_check(const tf_response_options *options,
         {"friction", "finite, 0 or more", options->friction, 0, DBL_MAX},
         {"separation", "finite", options->separation, -DBL_MAX, DBL_MAX},
         {"sweeps", "0 or more", options->sweeps, 0, DBL_MAX},
-        {"substeps", "0 or more", options->substeps, 0, DBL_MAX},
+        {"substeps", options->draft ? "0 or 1 in a draft" : "0 or more",
+         options->substeps, 0, options->draft ? 1 : DBL_MAX},
     };
     for (size_t i = 0; i < sizeof ranges / sizeof *ranges; i++) {
         const option_range *own = &ranges[i];

@@ -99,7 +99,9 @@ static bool answer_by(tf_resolution *r, tf_response_level level)
 }
 
 //: Find near pairs
-tf_status tf_resolution_find_near(tf_resolution *r, tf_error *error)
+/// If the motion has no contacts, lists in their place the pairs that it brings
+/// nearer than the thickness, if there is one, and counts them.
+static tf_status find_near(tf_resolution *r, tf_error *error)
 {
     tf_thickness *thickness = &r->resolver->thickness;
     if (!(thickness->length > 0) || r->contacts.any)
@@ -112,30 +114,37 @@ tf_status tf_resolution_find_near(tf_resolution *r, tf_error *error)
     return status;
 }
 
-//: Find the contacts that are left
+//: Detect from the beginning
 static void account(tf_resolution *r)
 {
     r->report.contacts += r->contacts.count;
     tf_detect_statistics_add(&r->report.statistics, &r->contacts.statistics);
 }
 
+/// Pairs that are only too near come last.
+tf_status tf_resolution_detect(tf_resolution *r, tf_error *error)
+{
+    tf_status status = tf_pair_cache_build(&r->resolver->pairs, &r->search,
+                                           &r->contacts, error);
+    if (status != TF_OK)
+        return status;
+    account(r);
+    return find_near(r, error);
+}
+
+//: Find the contacts that are left
 /// Updates the cache of pairs, and if no contacts are left among these, builds it
 /// anew.  So if none are left at all, a detection from the beginning has found
-/// none.  Pairs that are only too near come last.
-static tf_status find_contacts(tf_resolution *r)
+/// none.  A draft does without.
+tf_status tf_resolution_detect_again(tf_resolution *r)
 {
     tf_pair_cache *pairs = &r->resolver->pairs;
     tf_status status = tf_pair_cache_update(pairs, &r->search, &r->contacts);
     if (status != TF_OK)
         return status;
     account(r);
-    if (r->contacts.any)
-        return TF_OK;
-    status = tf_pair_cache_build(pairs, &r->search, &r->contacts, NULL);
-    if (status != TF_OK)
-        return status;
-    account(r);
-    return tf_resolution_find_near(r, NULL);
+    return r->contacts.any || r->options.draft ? TF_OK
+                                               : tf_resolution_detect(r, NULL);
 }
 
 //: Notice that rounds lead nowhere
@@ -190,7 +199,7 @@ static tf_status go_through(tf_resolution *r, tf_response_level level, int most)
         bool moved = !tf_pair_cache_is_current(&r->resolver->pairs, &r->search);
         if (!moved && level != TF_FAILSAFE)
             return TF_OK;
-        tf_status status = find_contacts(r);
+        tf_status status = tf_resolution_detect_again(r);
         if (status != TF_OK)
             return status;
         futile = level == TF_ZONES && is_futile(&so_far, r->contacts.count);
@@ -211,7 +220,8 @@ tf_status tf_respond(tf_resolution *r)
         [TF_RIGID] = r->options.rigid ? RIGID_ROUNDS : 0,
         [TF_FAILSAFE] = INT_MAX,
     };
-    for (int level = 0; level < TF_LEVELS; level++) {
+    int levels = r->options.draft ? TF_RIGID : TF_LEVELS;
+    for (int level = 0; level < levels; level++) {
         tf_status status = go_through(r, (tf_response_level)level, most[level]);
         if (status != TF_OK)
             return status;

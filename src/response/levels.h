@@ -20,10 +20,12 @@ typedef struct tf_resolver {
     tf_failsafe failsafe;
     tf_follow follow;
     tf_answer_list answers;
-    tf_buffer part;  ///< of a part of the step: where vertices start, are
-                     ///< proposed to end, and would be when the step ends
-    tf_buffer flags; ///< a byte for each vertex, see tf_vertex_flag; and once
-                     ///< more, of a part of the step
+    tf_buffer origin; ///< where a step started that may be answered again
+    bool has_origin;  ///< the last step may be
+    tf_buffer part;   ///< of a part of the step: where vertices start, are
+                      ///< proposed to end, and would be when the step ends
+    tf_buffer flags;  ///< a byte for each vertex, see tf_vertex_flag; and once
+                      ///< more, of a part of the step
     tf_buffer
         followed;      ///< the fraction of its script that each vertex followed
     bool has_resolved; ///< the last call has resolved a step
@@ -50,11 +52,14 @@ typedef struct tf_resolution {
     tf_response_report report;
 } tf_resolution;
 
-/// If the motion has no contacts, lists in their place the pairs that it
-/// brings nearer than the thickness, if there is one, and counts them.
-/// Sets the error to what it returns.
-tf_status tf_resolution_find_near(tf_resolution *resolution, tf_error *error);
+/// Finds the contacts of the motion among all pairs or, if it has none, the pairs
+/// that it brings nearer than the thickness.  Sets the error to what it returns.
+tf_status tf_resolution_detect(tf_resolution *resolution, tf_error *error);
 
-/// Answers the contacts, level by level, until none are left.  Returns TF_OK or
-/// TF_OUT_OF_MEMORY.
+/// Finds the contacts of the motion among the pairs that the last detection has
+/// looked at.  If there are none, detects from the beginning, but not in a draft.
+tf_status tf_resolution_detect_again(tf_resolution *resolution);
+
+/// Answers the contacts, level by level, until none are left; in a draft, those
+/// that impulses and zones can answer.  Returns TF_OK or TF_OUT_OF_MEMORY.
 tf_status tf_respond(tf_resolution *resolution);

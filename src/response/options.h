@@ -150,6 +150,13 @@ typedef struct tf_response_options {
                       ///< distance or more; 0, which is usual: they only don't
                       ///< meet.  Those that start nearer, as neighbors in a
                       ///< fine mesh do, only don't meet, either
+
+    bool draft; ///< whether the step is only drafted, see tf_step_resolve: its
+                ///< end need not be clear; not with substeps
+    bool again; ///< whether the last call for the resolver answered a step from
+                ///< the same start, with one of these two options, so that this
+                ///< one may begin with the pairs that it looked at; without
+                ///< effect if it did not
 } tf_response_options;
 
 /// @}

@@ -95,7 +95,57 @@ static tf_status count_near_at_start(tf_resolution *r, tf_error *error)
                                         &r->whole.near_at_start, error);
 }
 
+//: Remember where a step starts
+/// What has to be the same if a step is to be answered again.
+typedef struct step_origin {
+    const void *part[2];
+    size_t bytes[2];
+} step_origin;
+
+static step_origin origin_of(const tf_step *step)
+{
+    size_t vertices = (size_t)step->vertices;
+    return (step_origin){{step->start, step->inverse_mass},
+                         {sizeof(double) * (size_t)step->axes * vertices,
+                          sizeof(double) * vertices}};
+}
+
+static bool note_origin(tf_resolver *resolver, const tf_step *step)
+{
+    step_origin own = origin_of(step);
+    if (!tf_buffer_reserve(&resolver->origin, own.bytes[0] + own.bytes[1], 1))
+        return false;
+    memcpy(resolver->origin.data, own.part[0], own.bytes[0]);
+    memcpy((char *)resolver->origin.data + own.bytes[0], own.part[1],
+           own.bytes[1]);
+    return true;
+}
+
+static bool has_origin(const tf_resolver *resolver, const tf_step *step)
+{
+    step_origin own = origin_of(step);
+    const char *noted = resolver->origin.data;
+    return resolver->has_resolved && resolver->has_origin &&
+           memcmp(noted, own.part[0], own.bytes[0]) == 0 &&
+           memcmp(noted + own.bytes[0], own.part[1], own.bytes[1]) == 0;
+}
+
 //: Detect what the proposal does
+static bool is_finite(const tf_step *step)
+{
+    for (ptrdiff_t i = 0; i < (ptrdiff_t)step->axes * step->vertices; i++)
+        if (!isfinite(step->proposed[i]))
+            return false;
+    return true;
+}
+
+/// Whether the pairs that the resolver keeps are of this step.
+static bool keeps_pairs(const tf_resolution *r)
+{
+    return r->options.again && has_origin(r->resolver, &r->step) &&
+           is_finite(&r->step);
+}
+
 static tf_status begin(tf_resolution *r, tf_error *error)
 {
     tf_status status = TF_OK;
@@ -103,17 +153,13 @@ static tf_status begin(tf_resolution *r, tf_error *error)
         status = tf_start_check(r->resolver->surface, &r->motion,
                                 r->options.parallel, error);
     if (status == TF_OK)
-        status = tf_pair_cache_build(&r->resolver->pairs, &r->search,
-                                     &r->contacts, error);
-    if (status == TF_OK)
-        status = tf_start_check_contacts(&r->motion, &r->contacts,
-                                         r->step.watch, error);
-    r->report.first_contacts = r->report.contacts = r->contacts.count;
-    r->report.statistics = r->contacts.statistics;
-    if (status == TF_OK)
-        status = tf_resolution_find_near(r, error);
+        status = keeps_pairs(r) ? tf_fail(error, tf_resolution_detect_again(r))
+                                : tf_resolution_detect(r, error);
+    r->report.first_contacts = r->report.contacts;
     r->report.first_near = r->report.near;
-    return status;
+    return status == TF_OK ? tf_start_check_contacts(&r->motion, &r->contacts,
+                                                     r->step.watch, error)
+                           : status;
 }
 
 //: Sum up energies
@@ -138,7 +184,7 @@ static tf_status answer(tf_resolution *r)
     r->rule.restitution = r->options.restitution;
     r->rule.threshold = r->options.restitution_threshold / r->parts;
     tf_status status = tf_respond(r);
-    TF_REQUIRE(status != TF_OK || !r->contacts.any);
+    TF_REQUIRE(status != TF_OK || r->options.draft || !r->contacts.any);
     return status;
 }
 
@@ -416,6 +462,10 @@ static tf_status run(tf_resolution *r, double end[], tf_error *error)
     if (r->parts > 1)
         find_motion(r);
     write_report(r);
+    bool may_return = r->parts == 1 && (r->options.draft || r->options.again);
+    r->resolver->has_origin = may_return;
+    if (may_return && !note_origin(r->resolver, &r->step))
+        return tf_fail(error, TF_OUT_OF_MEMORY);
     memcpy(end, r->step.end, sizeof *end * (size_t)r->step.axes * vertices);
     return TF_OK;
 }

@@ -54,6 +54,15 @@
 /// is so at the end, too, exactly; in substeps at the end of each.  Pairs that
 /// start nearer only don't meet, and nor do pairs on the way.
 ///
+/// A `draft` is for callers that change their proposal when they know the
+/// contacts.  It is answered by impulses and zones alone, and of the pairs only
+/// those are looked at that the proposal brings near each other.  So its end need
+/// not be clear, unless there were no contacts; a thickness may be missed, and
+/// nothing is held back.  An answer `again` from the same start, bit for bit,
+/// with the same masses and filter, to a draft or to another such answer, looks
+/// at the pairs of that one first, which is faster.  What it promises is what any
+/// answer does, but where vertices end may depend on the answers before.
+///
 /// Time and memory grow about in proportion to the contacts of all rounds.  These
 /// may be many: n edges that are pushed through n others have n^2.  For n = 1000
 /// such a step takes some ten seconds and 0.7 GB.

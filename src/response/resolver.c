@@ -29,6 +29,7 @@ void tf_resolver_free(tf_resolver *resolver)
     tf_buffer_free(&resolver->base);
     tf_buffer_free(&resolver->ones);
     tf_buffer_free(&resolver->displacement);
+    tf_buffer_free(&resolver->origin);
     tf_buffer_free(&resolver->part);
     tf_buffer_free(&resolver->flags);
     tf_buffer_free(&resolver->followed);
@@ -95,8 +96,9 @@ size_t tf_resolver_memory(const tf_resolver *resolver)
            resolver->thickness.row.bytes + resolver->end.bytes +
            resolver->unpushed.bytes + resolver->base.bytes +
            resolver->ones.bytes + resolver->displacement.bytes +
-           resolver->part.bytes + resolver->flags.bytes +
-           resolver->followed.bytes + tf_zones_memory(&resolver->zones) +
+           resolver->origin.bytes + resolver->part.bytes +
+           resolver->flags.bytes + resolver->followed.bytes +
+           tf_zones_memory(&resolver->zones) +
            tf_rigid_memory(&resolver->rigid) +
            tf_failsafe_memory(&resolver->failsafe) +
            tf_follow_memory(&resolver->follow) +

@@ -124,6 +124,11 @@ static tf_coupling_energy energy_of(const tf_cloth_simulation *c)
                      tf_body_potential_energy(body, gravity, c->position)};
 }
 
+static bool is_blown(const tf_air *air)
+{
+    return air->wind[0] != 0 || air->wind[1] != 0 || air->wind[2] != 0;
+}
+
 static tf_status resolve(tf_cloth_simulation *c, const tf_step_options *options,
                          const tf_coupling_energy *energy,
                          tf_response_report *report)
@@ -158,7 +163,9 @@ static tf_status step_cloth(tf_simulation *simulation,
     tf_status status = tf_cloth_propose(c);
     double proposed = now(options);
     if (status == TF_OK)
-        status = resolve(c, options, &energy, &report.response);
+        status = resolve(c, options,
+                         is_blown(&simulation->scene->air) ? NULL : &energy,
+                         &report.response);
     if (status != TF_OK)
         return status;
     report.dynamics_seconds = proposed - begin;

@@ -7,8 +7,9 @@
 #include <stdlib.h>
 
 enum {
-    ROUNDS = 5, // of relaxation, after each of which a step is answered again
-    ENERGY_ROUNDS = 2, // after so many of them a step may have gained energy
+    DRAFT_ROUNDS = 3, // of zones, until the springs have a say
+    ROUNDS = 8, // of relaxation, after each of which a step is answered again
+    ENERGY_ROUNDS = 3, // after so many of them a step may have gained energy
     RELAXATIONS = 5    // in a round, if energy is gained
 };
 
@@ -24,6 +25,8 @@ struct tf_coupling {
     double step;
     tf_resolver *resolver;
     tf_relaxation *relaxation;
+    double (*clock)(void); ///< NULL: nothing is timed
+    tf_coupling_times took;
 };
 
 //: Make and free a coupling
@@ -52,6 +55,23 @@ void tf_coupling_free(tf_coupling *coupling)
     free(coupling);
 }
 
+//: Time the parts of a step
+void tf_coupling_watch(tf_coupling *coupling, double (*clock)(void))
+{
+    coupling->clock = clock;
+    coupling->took = (tf_coupling_times){0};
+}
+
+tf_coupling_times tf_coupling_took(const tf_coupling *coupling)
+{
+    return coupling->took;
+}
+
+static double time_of(const tf_coupling *c)
+{
+    return c->clock ? c->clock() : 0;
+}
+
 //: Answer a step once
 /// Adds up what answers took; how they ended is what the last one says.
 static void add_report(tf_response_report *sum, const tf_response_report *last)
@@ -71,8 +91,11 @@ static tf_status answer(tf_coupling *c, const double start[], double end[],
                         tf_response_report *report, bool first)
 {
     const tf_response_report *lent;
+    double begin = time_of(c),
+           *took = first ? &c->took.draft : &c->took.answers;
     tf_status status = tf_step_resolve(c->resolver, c->body->vertices, start,
                                        end, inverse_mass, options, &lent, NULL);
+    *took += time_of(c) - begin;
     if (status == TF_OK && first)
         *report = *lent;
     else if (status == TF_OK)
@@ -132,10 +155,11 @@ static bool gains_energy(const tf_coupling *c, energy_limit limit,
 }
 
 //: Propose what the elastic elements and the contacts allow
-static tf_status propose_again(const tf_coupling *c, energy_limit limit,
+static tf_status propose_again(tf_coupling *c, energy_limit limit,
                                const tf_response_options *options,
                                const double start[], double end[])
 {
+    double begin = time_of(c);
     size_t count;
     const tf_answered_contact *contact;
     tf_status status = tf_resolver_contacts(c->resolver, &count, &contact);
@@ -146,6 +170,7 @@ static tf_status propose_again(const tf_coupling *c, energy_limit limit,
         tf_relaxation_run(c->relaxation, options->friction, end);
         gains = gains_energy(c, limit, start, end, end);
     }
+    c->took.relaxation += time_of(c) - begin;
     return status;
 }
 
@@ -154,7 +179,7 @@ static bool is_to_go_on(const tf_coupling *c, int rounds, energy_limit limit,
                         const double start[], const double end[],
                         const tf_response_report *report)
 {
-    return (rounds == 0 && report->moved > 0) ||
+    return (rounds == 0 && report->first_contacts > 0) ||
            tf_body_stretch(c->body, end) >= stretched ||
            (rounds < ENERGY_ROUNDS &&
             gains_energy(c, limit, start, tf_resolver_unpushed(c->resolver),
@@ -170,11 +195,14 @@ tf_status tf_coupling_resolve(tf_coupling *coupling, const double start[],
 {
     tf_coupling *c = coupling;
     energy_limit limit = energy_limit_of(c, energy, start, end);
-    tf_response_options again = *options;
+    tf_response_options draft = *options, again = *options;
+    draft.size = again.size = sizeof *options;
+    draft.draft = again.again = true;
+    draft.zone_rounds = DRAFT_ROUNDS;
     again.check_start = false;
     tf_relaxation_begin(c->relaxation, start, end);
     tf_status status =
-        answer(c, start, end, inverse_mass, options, report, true);
+        answer(c, start, end, inverse_mass, &draft, report, true);
     for (int i = 0; i < ROUNDS && status == TF_OK; i++) {
         if (!is_to_go_on(c, i, limit, start, end, report))
             break;

@@ -6,8 +6,8 @@
 
 /// A response to contacts that knows of what is elastic.
 ///
-/// It answers a step twice.  The first answer finds what is in the way.  A
-/// relaxation lets those contacts and the elastic elements come to terms, and
+/// It answers a step twice.  The first answer, a draft, finds what is in the way.
+/// A relaxation lets those contacts and the elastic elements come to terms, and
 /// proposes an end, which the second answer makes clear.  If that leaves
 /// something stretched, or has gained energy, they go on for a few rounds.  The
 /// answers depend on the step alone.
@@ -20,6 +20,18 @@ typedef struct tf_coupling tf_coupling;
 tf_status tf_coupling_create(const tf_body *body, double step,
                              tf_resolver *resolver, tf_coupling **coupling);
 void tf_coupling_free(tf_coupling *coupling);
+
+/// What the parts of steps took, in seconds.
+typedef struct tf_coupling_times {
+    double draft, relaxation, answers;
+} tf_coupling_times;
+
+/// Has the parts of all steps from now on timed.
+/// @param clock tells the time, in seconds
+void tf_coupling_watch(tf_coupling *coupling, double (*clock)(void));
+
+/// Returns what the parts of all steps took that have been timed.
+tf_coupling_times tf_coupling_took(const tf_coupling *coupling);
 
 /// The energy with which a step begins.
 typedef struct tf_coupling_energy {

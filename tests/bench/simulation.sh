@@ -1,12 +1,14 @@
 # Run the scenes of the simulator, see measure.sh:
 #
-#     simulation.sh TANGLEFREE
+#     simulation.sh TANGLEFREE COUPLING
 #
 # The numbers are those of each scene at its usual size, and of the first steps
 # of the sphere at growing sizes ("growth 22", cells along a side).  Times are
-# of a step, on the mean.
+# of a step, on the mean.  Those of COUPLING, tests/bench/coupling, are of the
+# processor, by the response alone and by the parts of the coupling.
 set -eu
 program=$1
+coupling=$2
 growth_steps=60
 
 scratch=$(mktemp -d)
@@ -67,3 +69,4 @@ echo "growth steps,$growth_steps,"
 for size in 22 39 69 123 181; do
     run "growth $size" sphere --size $size --steps $growth_steps
 done
+"$coupling"

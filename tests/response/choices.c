@@ -28,6 +28,7 @@ START_TEST(options_out_of_range_are_named)
         {{.separation = NAN}, "separation"},
         {{.sweeps = -1}, "sweeps"},
         {{.substeps = -1}, "substeps"},
+        {{.substeps = 2, .draft = true}, "substeps"},
     };
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
         tf_error error;
@@ -48,6 +49,8 @@ START_TEST(limits_of_ranges_are_in_them)
         {.friction = 1e308, .separation = -1e308},
         {.impulse_rounds = -1, .zone_rounds = -1},
         {.substeps = INT_MAX},
+        {.substeps = 1, .draft = true},
+        {.substeps = 2, .again = true},
     };
     for (size_t i = 0; i < sizeof good / sizeof *good; i++) {
         tf_error error = {.option = "left"};

@@ -115,6 +115,21 @@ const double *resolution_motion(void)
     return motion;
 }
 
+/// Drafts another step from the same start: half of the one that is proposed.
+static tf_status draft(tf_resolver *resolver, const proposal *made,
+                       bool weighed, const tf_response_options *options)
+{
+    static double half[3 * PROPOSAL_VERTICES];
+    tf_response_options own = *options;
+    own.draft = true;
+    own.substeps = 0;
+    for (int i = 0; i < made->mesh.axes * made->mesh.vertices; i++)
+        half[i] = (made->start[i] + made->end[i]) / 2;
+    return tf_step_resolve(resolver, made->mesh.vertices, made->start, half,
+                           weighed ? made->inverse_mass : NULL, &own, NULL,
+                           NULL);
+}
+
 static const char *judged_fault(tf_surface *surface, tf_resolver *resolver,
                                 tangle_judge *judge, proposal *made,
                                 bool weighed, bool exactly,
@@ -125,6 +140,9 @@ static const char *judged_fault(tf_surface *surface, tf_resolver *resolver,
     tf_error error;
     const tf_response_report *lent;
     memcpy(proposed, made->end, sizeof proposed);
+    if (options && options->again &&
+        draft(resolver, made, weighed, options) != TF_OK)
+        return "a draft fails";
     tf_status status = tf_step_resolve(
         resolver, made->mesh.vertices, made->start, made->end,
         weighed ? made->inverse_mass : NULL, options, &lent, &error);
@@ -197,6 +215,7 @@ static tf_response_options random_options(generator *random, double unit)
     options.vertex_friction = below(random, 3) ? NULL : random_friction(random);
     options.substeps = below(random, 3) ? 0 : below(random, 6);
     options.thickness = below(random, 2) ? 0 : unit * uniform(random, 0, 0.3);
+    options.again = below(random, 3) == 0;
     return options;
 }
 

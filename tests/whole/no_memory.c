@@ -165,6 +165,7 @@ static uint64_t respond(void)
                                             .impulse_rounds = 1,
                                             .zone_rounds = 1,
                                             .rigid = true,
+                                            .again = true,
                                             .check_start = true,
                                             .parallel = &parallel};
     const tf_answered_contact *contact = NULL;

@@ -72,7 +72,7 @@ NR == FNR {
 
 opening {
     name = attribute("name")
-    drops = type in grows && type in size && offset + 0 >= end[type] && \
+    drops = type in grows && type in size && offset + 0 >= end[type] + 0 && \
         !((type, name) in members)
     if (drops)
         say(name " of struct " type)

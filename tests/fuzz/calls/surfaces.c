@@ -592,14 +592,17 @@ static void draw_response(generator *random, call *made,
     own->restitution_threshold = any_option(random, 1);
     own->substeps = any_rounds(random);
     own->thickness = any_option(random, 1);
+    own->draft = one_in(random, 4);
+    own->again = one_in(random, 2);
+    int most_parts = own->draft ? 1 : INT_MAX;
     expect_fault(
         made,
         own->sweeps < 0 || !is_within(own->separation, -most, most) ||
             !is_within(own->restitution, 0, 1) ||
             !is_within(own->friction, 0, most) ||
-            (reads &&
-             (!is_within(own->restitution_threshold, 0, most) ||
-              !is_within(own->thickness, 0, most) || own->substeps < 0)),
+            (reads && (!is_within(own->restitution_threshold, 0, most) ||
+                       !is_within(own->thickness, 0, most) ||
+                       own->substeps < 0 || own->substeps > most_parts)),
         TF_BAD_OPTION);
 }
 
@@ -831,11 +834,15 @@ void call_resolve(generator *random, body *of)
         judge_after(random, &made, of);
         return;
     }
-    bool in_parts = options.own.size != 0 && options.own.substeps > 1;
-    judge_clear(&made, of, in_parts ? end : s.start, end, inverse_mass);
+    bool reads = options.own.size != 0;
+    bool in_parts = reads && options.own.substeps > 1;
+    if (!(reads && options.own.draft))
+        judge_clear(&made, of, in_parts ? end : s.start, end, inverse_mass);
     judge_scripted(&made, of, &s, inverse_mass, end, report);
     judge_flags(&made, of, &s, inverse_mass, end);
-    judge_again(random, &made, of, &s, inverse_mass, &options.own, end, report);
+    if (!(reads && options.own.again))
+        judge_again(random, &made, of, &s, inverse_mass, &options.own, end,
+                    report);
 }
 
 void call_limit(generator *random, body *of)

@@ -91,7 +91,7 @@ const fig_figure fig_enright_volume = {
     .name = "enright-volume",
     .title = "A ball that loses its volume, and one that keeps it",
     .width = FIG_PAGE_WIDTH,
-    .height = 154,
+    .height = 148,
     .moves = true,
     .draw = draw,
 };

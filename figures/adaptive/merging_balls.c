@@ -21,7 +21,7 @@ const fig_figure fig_merging_balls = {
     .name = "merging-balls",
     .title = "Two balls that merge",
     .width = FIG_PAGE_WIDTH,
-    .height = 190,
+    .height = 182,
     .moves = true,
     .draw = draw,
 };

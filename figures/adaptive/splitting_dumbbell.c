@@ -21,7 +21,7 @@ const fig_figure fig_splitting_dumbbell = {
     .name = "splitting-dumbbell",
     .title = "A dumbbell that comes apart",
     .width = FIG_PAGE_WIDTH,
-    .height = 130,
+    .height = 126,
     .moves = true,
     .draw = draw,
 };

@@ -55,41 +55,47 @@ static bool is_clear(const step *s, double fraction)
 
 // Random steps ----------------------------------------------------------------
 
-/// A random step of a point and an edge or a triangle that has a contact.
-static step random_step(uint64_t *state, int axes, double *toi)
+/// What the fractions of a random step have.
+typedef struct outcome {
+    bool hit;     ///< the whole step has a contact
+    bool early;   ///< and a fraction below its time of impact has one
+    bool touched; ///< some fraction has a contact
+    bool again;   ///< and some fraction above it has none
+} outcome;
+
+/// Tries the fractions of a random step of a point and an edge or a triangle.
+static outcome try_random_step(uint64_t *state, int axes)
 {
     step made = {.axes = axes, .vertices = 1, .others = axes};
-    tf_contact contact;
-    do {
-        fig_random_vertices(state, axes, 1, 1 + axes, made.line);
-        contact = find_contact(&made);
-    } while (contact.verdict != TF_HIT);
-    *toi = contact.toi_lo;
-    return made;
+    fig_random_vertices(state, axes, 1, 1 + axes, made.line);
+    tf_contact contact = find_contact(&made);
+    outcome seen = {.hit = contact.verdict == TF_HIT};
+    for (int j = 1; j <= FRACTIONS; j++) {
+        double fraction = (double)j / FRACTIONS;
+        bool clear = is_clear(&made, fraction);
+        seen.early |= seen.hit && !clear && fraction < contact.toi_lo;
+        seen.again |= clear && seen.touched;
+        seen.touched |= !clear;
+    }
+    return seen;
 }
 
-/// How many percent have a contact at a fraction below the time of impact, and
-/// how many are clear at some fraction above one with a contact.
+/// How many percent of the steps that have a contact have one at a fraction
+/// below the time of impact; and how many percent of those with a contact at
+/// some fraction are clear at a fraction above it.
 static void count(int axes, double *early, double *again)
 {
     uint64_t state = 1;
-    int early_steps = 0, again_steps = 0;
-    for (int i = 0; i < STEPS; i++) {
-        double toi;
-        step made = random_step(&state, axes, &toi);
-        bool is_early = false, is_again = false, touched = false;
-        for (int j = 1; j <= FRACTIONS; j++) {
-            double fraction = (double)j / FRACTIONS;
-            bool clear = is_clear(&made, fraction);
-            is_early |= !clear && fraction < toi;
-            is_again |= clear && touched;
-            touched |= !clear;
-        }
-        early_steps += is_early;
-        again_steps += is_again;
+    int hit = 0, early_steps = 0, touched = 0, again_steps = 0;
+    while (hit < STEPS) {
+        outcome seen = try_random_step(&state, axes);
+        hit += seen.hit;
+        early_steps += seen.early;
+        touched += seen.touched;
+        again_steps += seen.again;
     }
     *early = 100.0 * early_steps / STEPS;
-    *again = 100.0 * again_steps / STEPS;
+    *again = 100.0 * again_steps / touched;
 }
 
 static void count_random_steps(FILE *numbers)

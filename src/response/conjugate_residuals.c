@@ -21,7 +21,8 @@ static size_t workspace_of_conjugate_residuals(int axes, int vertices,
 
 //: Step along directions whose products are orthogonal
 /// Steps to where the residual is least, and makes the next direction of it.
-/// `energy` is the residual times its product, before and after.
+/// `energy`, which is not the kinetic one, is the residual times its product,
+/// before and after.
 static void step(const tf_equations *equations, double *vector[],
                  double *energy)
 {

@@ -206,14 +206,14 @@ static void set_demands(const tf_step *step, const tf_contact_rule *rule,
 }
 
 //: Keep a pair at a distance
-/// Whether a row is that of a pair that comes too near, and no contact.
+/// Whether this is a pair that comes too near, and no contact.
 static bool is_near_pair(const tf_surface_contact *contact)
 {
     return contact->contact.verdict == TF_APART;
 }
 
 /// How much farther apart the two points are to be than elements must, as these
-/// may have other nearest points at the end that the row leads to.
+/// may have other nearest points at the end that the constraint leads to.
 static const double thickness_margin = 0x1p-6;
 
 /// Along the direction between the nearest points at the end, where the

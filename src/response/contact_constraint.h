@@ -19,7 +19,7 @@ typedef struct tf_contact_rule {
         ///< ones that need room: contacts that have one
         ///< demand no more than that a little of their
         ///< gap is left; NULL: none is
-    double thickness; ///< the distance of pairs in rows that are no contacts
+    double thickness; ///< the distance of pairs that are no contacts
 } tf_contact_rule;
 
 //: Declare the gap of a contact

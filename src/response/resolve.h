@@ -30,13 +30,14 @@
 /// Scripted vertices end where they are proposed to, bit for bit, unless
 /// something free stops them that cannot give way, such as a sheet upon which
 /// two plates close.  Those that are stopped together go the same fraction of
-/// their way: within 1/128 of it as far as they can without being stopped, as
-/// resolving the shortened steps finds out.  If the failsafe is needed around
-/// them even while they rest, they stay at their start.  Vertices that edges
-/// connect with them, through scripted ones, are held back as well, but along
-/// each edge the fractions may differ by how much the script stretches it,
-/// divided by the longer displacement: a limb that moves or turns as a whole
-/// stops as a whole. tf_resolver_followed tells how far each went.
+/// their way, which bisection down to 1/128 finds by resolving shortened steps:
+/// a fraction that they can go, though larger ones may do as well.  If the
+/// failsafe is needed around them even while they rest, they stay at their
+/// start.  Vertices that edges connect with them, through scripted ones, are
+/// held back as well, but along each edge the fractions may differ by how much
+/// the script stretches it, divided by the longer displacement: a limb that
+/// moves or turns as a whole stops as a whole.  tf_resolver_followed tells how
+/// far each went.
 ///
 /// With `substeps` the step is taken in parts, one after another.  Each part
 /// is clear as told above, and starts where the last one has ended; the end is

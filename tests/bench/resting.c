@@ -136,9 +136,9 @@ int main(void)
     for (int size = 10; size <= 20; size += 10)
         for (int by = 0; by < METHODS; by++)
             if (by != CARELESS)
-                rest(size, by);
+                rest(size, (method)by);
     for (int i = 0; i < 3; i++)
         for (int by = UNPUSHED; by < METHODS; by++)
-            fall(i, by);
+            fall(i, (method)by);
     return EXIT_SUCCESS;
 }

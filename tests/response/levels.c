@@ -125,7 +125,7 @@ START_TEST(rounds_that_lead_nowhere_end)
     }
     tf_response_report report =
         resolve((tf_response_options){.solver = &slow, .separation = -1});
-    ck_assert_int_eq(report.first_contacts, 16 + _i);
+    ck_assert_uint_eq(report.first_contacts, (size_t)(16 + _i));
     ck_assert_int_eq(report.rounds[TF_ZONES], _i == 0 ? 20 : 6);
     ck_assert_int_gt(report.rounds[TF_FAILSAFE], 0);
 }

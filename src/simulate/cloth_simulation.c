@@ -122,13 +122,13 @@ void tf_cloth_accept(tf_cloth_simulation *cloth, const double unpushed[],
 }
 
 //: Make a step of cloth
-static tf_coupling_energy energy_of(const tf_cloth_simulation *c)
+tf_coupling_energy tf_cloth_energy(const tf_cloth_simulation *cloth)
 {
-    const tf_body *body = &c->base.setup.body;
-    double gravity = c->base.scene->gravity;
+    const tf_body *body = &cloth->base.setup.body;
+    double gravity = cloth->base.scene->gravity;
     return (tf_coupling_energy){
-        gravity, tf_body_kinetic_energy(body, c->velocity) +
-                     tf_body_potential_energy(body, gravity, c->position)};
+        gravity, tf_body_kinetic_energy(body, cloth->velocity) +
+                     tf_body_potential_energy(body, gravity, cloth->position)};
 }
 
 static bool is_blown(const tf_air *air)
@@ -137,15 +137,15 @@ static bool is_blown(const tf_air *air)
            air->gust != 0;
 }
 
-static tf_status resolve(tf_cloth_simulation *c, const tf_step_options *options,
-                         const tf_coupling_energy *energy,
-                         tf_response_report *report)
+tf_status tf_cloth_resolve(tf_cloth_simulation *cloth,
+                           const tf_coupling_energy *energy,
+                           const tf_response_options *options,
+                           tf_response_report *report)
 {
-    tf_response_options response = {.friction = c->base.scene->friction,
-                                    .check_start = options->check,
-                                    .parallel = options->parallel};
-    return tf_coupling_resolve(c->coupling, c->position, c->end,
-                               c->inverse_mass, &response, energy, report);
+    bool blown = is_blown(&cloth->base.scene->air);
+    return tf_coupling_resolve(cloth->coupling, cloth->position, cloth->end,
+                               cloth->inverse_mass, options,
+                               blown ? NULL : energy, report);
 }
 
 static double now(const tf_step_options *options)
@@ -167,13 +167,14 @@ static tf_status step_cloth(tf_simulation *simulation,
     tf_cloth_simulation *c = (tf_cloth_simulation *)simulation;
     tf_cloth_report report = {0};
     double begin = now(options);
-    tf_coupling_energy energy = energy_of(c);
+    tf_response_options response = {.friction = c->base.scene->friction,
+                                    .check_start = options->check,
+                                    .parallel = options->parallel};
+    tf_coupling_energy energy = tf_cloth_energy(c);
     tf_status status = tf_cloth_propose(c);
     double proposed = now(options);
     if (status == TF_OK)
-        status = resolve(c, options,
-                         is_blown(&simulation->scene->air) ? NULL : &energy,
-                         &report.response);
+        status = tf_cloth_resolve(c, &energy, &response, &report.response);
     if (status != TF_OK)
         return status;
     report.dynamics_seconds = proposed - begin;

@@ -39,6 +39,17 @@ extern const tf_simulation_kind tf_cloth_kind;
 ///     not to be found out
 tf_status tf_cloth_propose(tf_cloth_simulation *cloth);
 
+/// The energy at the start of a step, before it is proposed.
+tf_coupling_energy tf_cloth_energy(const tf_cloth_simulation *cloth);
+
+/// Moves `end` to where nothing meets and the springs agree.
+/// @param energy at the start, which counts where no wind blows
+/// @return what tf_coupling_resolve returns
+tf_status tf_cloth_resolve(tf_cloth_simulation *cloth,
+                           const tf_coupling_energy *energy,
+                           const tf_response_options *options,
+                           tf_response_report *report);
+
 /// Goes on to `end`.
 /// @param unpushed where the motion leads: it decides the velocities
 /// @param held how many scripted vertices were held back

@@ -15,15 +15,6 @@ typedef struct costs {
     tf_coupling_times times;
 } costs;
 
-static tf_coupling_energy energy_of(const tf_cloth_simulation *c)
-{
-    const tf_body *body = &c->base.setup.body;
-    double gravity = c->base.scene->gravity;
-    return (tf_coupling_energy){
-        gravity, tf_body_kinetic_energy(body, c->velocity) +
-                     tf_body_potential_energy(body, gravity, c->position)};
-}
-
 static tf_status resolve(tf_cloth_simulation *c, bool coupled,
                          const tf_coupling_energy *energy,
                          tf_response_report *report)
@@ -31,8 +22,7 @@ static tf_status resolve(tf_cloth_simulation *c, bool coupled,
     tf_response_options options = {.friction = c->base.scene->friction};
     const tf_response_report *lent;
     if (coupled)
-        return tf_coupling_resolve(c->coupling, c->position, c->end,
-                                   c->inverse_mass, &options, energy, report);
+        return tf_cloth_resolve(c, energy, &options, report);
     tf_status status =
         tf_step_resolve(c->resolver, c->base.setup.body.vertices, c->position,
                         c->end, c->inverse_mass, &options, &lent, NULL);
@@ -44,7 +34,7 @@ static tf_status resolve(tf_cloth_simulation *c, bool coupled,
 static void step(tf_cloth_simulation *c, bool coupled, costs *to)
 {
     tf_response_report report;
-    tf_coupling_energy energy = energy_of(c);
+    tf_coupling_energy energy = tf_cloth_energy(c);
     double begin = processor_seconds();
     require(tf_cloth_propose(c));
     double proposed = processor_seconds();

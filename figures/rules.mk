@@ -74,9 +74,12 @@ $(BUILD)/drawing/names.h: FORCE
 	@$(unless_same)
 
 # The layers of src/ and all its includes, an initializer of two strings each.
+# The folders of which the program alone is made are one layer with it.
+of_program = (files|formats|writers|scenes|simulate)
 $(BUILD)/drawing/includes.h: src/layers.awk $(wildcard src/*/*.[ch])
 	@mkdir -p $(@D) && awk -f $< $(sort $(filter-out $<,$^)) >$@.table
-	@awk '{ print "{\"" $$1 "\", \"" $$2 "\"}," }' $@.table >$@.new
+	@sed -E '/^$(of_program) *$$/d; s,(^| )$(of_program)/,\1program/,g' \
+	    $@.table | awk '{ print "{\"" $$1 "\", \"" $$2 "\"}," }' >$@.new
 	@$(unless_same)
 
 # The lines "name,value,unit" of what was measured, as initializers; those of

@@ -35,7 +35,7 @@ typedef struct layout {
 
 static const double key_height = 20, band_left = 60, band_pad = 3;
 static const double chip_height = 12, chip_pad = 2, chip_gap = 2;
-static const double lane_pitch = 14.5, lane_right = 17, dot_area = 2.5;
+static const double lane_pitch = 15.5, lane_right = 17, dot_area = 2.5;
 
 // The table ------------------------------------------------------------------
 

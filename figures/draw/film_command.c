@@ -21,6 +21,7 @@ typedef struct request {
     const char *folder;
     int every; ///< of so many frames one is drawn
     int still; ///< the frame of a picture; -1: the last one
+    fig_up up;
     fig_settings settings;
 } request;
 
@@ -36,6 +37,8 @@ static const struct argp_option options[] = {
      0},
     {"frame", FRAME, "N", 0,
      "The frame of a picture, from 0; the default is the last one", 0},
+    {"up", 'u', "AXIS", 0,
+     "The axis that points up: x, y or z; the default is z", 0},
     FIG_OLD_LETTER(OLD_EVERY),
     FIG_OLD_LETTER(OLD_FRAME),
     {0},
@@ -65,6 +68,9 @@ static error_t understand(int key, char *text, struct argp_state *state)
         return 0;
     case FRAME:
         asked->still = fig_read_count(state, "--frame", text, 0, INT_MAX);
+        return 0;
+    case 'u':
+        asked->up = fig_read_up(state, text);
         return 0;
     case OLD_EVERY:
         fig_refuse_letter(state, OLD_EVERY, "--every");
@@ -105,6 +111,7 @@ typedef struct film {
     tf_frames frames;            ///< the last two that were read
     char path[2][FIG_FILM_PATH]; ///< theirs, which their messages name
     fig_cloth_look look;
+    fig_up up;
     int count; ///< frames of all takes
     int still;
 } film;
@@ -136,7 +143,10 @@ static bool begin(film *f)
     if (status != TF_OK)
         return tf_frames_fault(&f->frames, &error);
     made->cloth = fig_cloth_new(made->surface, 3);
-    return made->cloth || lack_memory(f);
+    if (!made->cloth)
+        return lack_memory(f);
+    fig_cloth_set_up(made->cloth, f->up);
+    return true;
 }
 
 static bool add(film *f, const char *path)
@@ -270,7 +280,9 @@ static int draw_film(request *asked)
     int count = fig_film_files_count(asked->folder);
     if (count < 0)
         return 2;
-    film f = {.frames.may_differ = true, .still = choose_still(asked, count)};
+    film f = {.frames.may_differ = true,
+              .still = choose_still(asked, count),
+              .up = asked->up};
     int status = 2;
     if (f.still >= 0 && read_frames(&f, asked, count))
         status = draw(&f, &asked->settings);
@@ -286,8 +298,8 @@ int fig_draw_film(int argc, char *argv[])
         .args_doc = "FOLDER",
         .doc = "Draw a film of the frames of a simulation.\v"
                "FOLDER has the frames that 'tanglefree simulate' writes: "
-               "frame-00000.ply, frame-00001.ply and so on.  The third axis "
-               "points up.  Each connected part has its own color, paler on "
+               "frame-00000.ply, frame-00001.ply and so on.  Each connected "
+               "part has its own color, paler on "
                "its back, and pale stripes along its border; what keeps its "
                "shape in all frames, an obstacle for instance, is gray; but "
                "where the elements change from frame to frame, as those of a "
@@ -301,7 +313,7 @@ int fig_draw_film(int argc, char *argv[])
                "invalid or the output cannot be written.",
         .children = fig_settings_film_options,
     };
-    request asked = {.every = 1, .still = -1};
+    request asked = {.every = 1, .still = -1, .up = FIG_UP_Z};
     argp_parse(&parser, argc, argv, 0, NULL, &asked);
     return draw_film(&asked);
 }

@@ -163,6 +163,17 @@ int fig_read_count(struct argp_state *state, const char *option,
     return (int)count;
 }
 
+fig_up fig_read_up(struct argp_state *state, const char *text)
+{
+    const char *axis = strlen(text) == 1 ? strchr("xyz", *text) : NULL;
+    if (!axis)
+        argp_error(state, "--up must be x, y or z, got '%s'",
+                   tf_make_visible(text).text);
+    return !axis || *axis == 'z' ? FIG_UP_Z
+           : *axis == 'y'        ? FIG_UP_Y
+                                 : FIG_UP_X;
+}
+
 double fig_read_time(struct argp_state *state, const char *option,
                      const char *text)
 {

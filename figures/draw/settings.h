@@ -2,6 +2,7 @@
 #ifndef FIG_DRAW_SETTINGS_H
 #define FIG_DRAW_SETTINGS_H
 
+#include "kit/surface_shape.h"
 #include "renderer/theme.h"
 
 #include <argp.h>
@@ -53,6 +54,9 @@ void fig_refuse_letter(struct argp_state *state, char letter, const char *now);
 /// A number of an option, from `least` to `most`; an error ends the program.
 int fig_read_count(struct argp_state *state, const char *option,
                    const char *text, int least, int most);
+
+/// An axis that points up, x, y or z; an error ends the program.
+fig_up fig_read_up(struct argp_state *state, const char *text);
 
 /// A time of the step, from 0 to 1; an error ends the program.
 double fig_read_time(struct argp_state *state, const char *option,

@@ -58,19 +58,6 @@ static void read_motion(struct argp_state *state, const char *text)
                    tf_make_visible(text).text);
 }
 
-static void read_up(struct argp_state *state, const char *text)
-{
-    request *asked = state->input;
-    const char *axis = strlen(text) == 1 ? strchr("xyz", *text) : NULL;
-    if (!axis)
-        argp_error(state, "--up must be x, y or z, got '%s'",
-                   tf_make_visible(text).text);
-    else
-        asked->up = *axis == 'x'   ? FIG_UP_X
-                    : *axis == 'y' ? FIG_UP_Y
-                                   : FIG_UP_Z;
-}
-
 static void read_path(struct argp_state *state, const char *text)
 {
     request *asked = state->input;
@@ -116,7 +103,7 @@ static error_t understand(int key, char *text, struct argp_state *state)
         asked->time = fig_read_time(state, "--at", text);
         return 0;
     case 'u':
-        read_up(state, text);
+        asked->up = fig_read_up(state, text);
         return 0;
     case ARGP_KEY_ARG:
         read_path(state, text);

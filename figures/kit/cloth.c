@@ -22,9 +22,16 @@ fig_cloth *fig_cloth_new(const tf_surface *surface, int axes)
     if (cloth) {
         cloth->surface = surface;
         cloth->axes = axes;
+        cloth->up = FIG_UP_Z;
         cloth->flat = true;
     }
     return cloth;
+}
+
+void fig_cloth_set_up(fig_cloth *cloth, fig_up up)
+{
+    TF_REQUIRE(cloth->frames == 0);
+    cloth->up = up;
 }
 
 void fig_cloth_free(fig_cloth *cloth)
@@ -44,7 +51,7 @@ static bool make_shape(fig_cloth *cloth, int vertices, const double x[])
 {
     const tf_motion rest = {3, vertices, x, x};
     return fig_shape_make(&cloth->shape, cloth->surface, cloth->axes, &rest,
-                          FIG_UP_Z);
+                          cloth->up);
 }
 
 bool fig_cloth_add(fig_cloth *cloth, int vertices, const double x[])
@@ -57,9 +64,9 @@ bool fig_cloth_add(fig_cloth *cloth, int vertices, const double x[])
                        sizeof *cloth->at))
         return false;
     for (int i = 0; i < vertices; i++, x += cloth->axes) {
-        double z = cloth->axes == 3 ? x[2] : 0;
-        cloth->at[count + i] = (tf_vector){{x[0], x[1], z}};
-        cloth->flat = cloth->flat && z == 0;
+        tf_vector at = fig_turned(cloth->axes, cloth->up, x);
+        cloth->at[count + i] = at;
+        cloth->flat = cloth->flat && at.x[2] == 0;
     }
     cloth->frames++;
     return true;

@@ -23,9 +23,13 @@ typedef struct fig_cloth_look {
 } fig_cloth_look;
 
 /// Cloth without frames; the surface is borrowed.  `axes`, 2 or 3, is how many
-/// coordinates a vertex has in each frame; the third one is up.  NULL if there
-/// is no memory.
+/// coordinates a vertex has in each frame; the third axis points up.  NULL if
+/// there is no memory.
 fig_cloth *fig_cloth_new(const tf_surface *surface, int axes);
+
+/// Let another axis than the third one of the frames point up.  To be called
+/// before the first frame is added.
+void fig_cloth_set_up(fig_cloth *cloth, fig_up up);
 
 /// Free cloth; NULL is none.
 void fig_cloth_free(fig_cloth *cloth);

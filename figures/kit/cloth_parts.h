@@ -11,7 +11,8 @@ enum {
 
 struct fig_cloth {
     const tf_surface *surface;
-    int axes;        ///< of what is added
+    int axes; ///< of what is added
+    fig_up up;
     bool flat;       ///< a curve of the plane
     fig_shape shape; ///< of the first frame
     tf_vector *at;   ///< of all vertices, frame by frame

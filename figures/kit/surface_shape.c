@@ -8,8 +8,7 @@
 
 // Places -----------------------------------------------------------------
 
-/// The vertex with the axes turned, up becoming the third.
-static tf_vector turned(int axes, fig_up up, const double x[])
+tf_vector fig_turned(int axes, fig_up up, const double x[])
 {
     if (axes == 2)
         return (tf_vector){{x[0], x[1], 0}};
@@ -31,7 +30,7 @@ static bool place_vertices(fig_shape *shape, const tf_motion *motion, fig_up up)
         shape->at[t] = all + (size_t)t * count;
         for (size_t i = 0; i < count; i++)
             shape->at[t][i] =
-                turned(shape->axes, up, given[t] + i * (size_t)shape->axes);
+                fig_turned(shape->axes, up, given[t] + i * (size_t)shape->axes);
     }
     shape->fit = fig_fit_points_alike(shape->axes, 2 * motion->vertices, all);
     return true;

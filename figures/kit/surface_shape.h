@@ -15,6 +15,10 @@ typedef enum fig_up {
     FIG_UP_Z,
 } fig_up;
 
+/// The place of a vertex, with the axes turned so that the third one is up; in
+/// the plane, as it is.
+tf_vector fig_turned(int axes, fig_up up, const double x[]);
+
 /// How vertices, edges and triangles move in mid-step.
 typedef enum fig_motion {
     FIG_BENT = 0, ///< as the library has them: one vertex after another, so

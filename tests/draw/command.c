@@ -352,6 +352,7 @@ START_TEST(bad_films_are_refused)
            "draw film -o a.webp");
     refuse("unexpected 'b'; draw one film at a time",
            "draw film a b -o a.webp");
+    refuse("--up must be x, y or z, got 'w'", "draw film a -u w -o a.webp");
     refuse("--output FILE is required: the film or the picture", "draw film a");
     refuse(
         "--output must end in .webp, .gif or .mp4, in .png, .pdf or .svg, or "

@@ -356,6 +356,39 @@ START_TEST(cloth_fills_the_picture_and_paper_is_around_it)
 END_TEST
 
 /// Below the sheet the ground is in the dark.
+/// Draw a film of one frame, in which an axis points up.
+static void draw_upright(const tf_surface *surface, const scene *s, fig_up up,
+                         picture *drawn)
+{
+    fig_cloth *cloth = fig_cloth_new(surface, 3);
+    ck_assert_ptr_nonnull(cloth);
+    fig_cloth_set_up(cloth, up);
+    add(cloth, s);
+    ck_assert(fig_cloth_end(cloth));
+    draw(cloth, 0, &fig_theme_light, drawn);
+    fig_cloth_free(cloth);
+}
+
+START_TEST(any_axis_may_point_up)
+{
+    generator random = generator_new(1);
+    const scene s = new_scene(&random);
+    tf_surface *surface = surface_of_scene(&s);
+    static picture expected, drawn;
+    draw_upright(surface, &s, FIG_UP_Z, &expected);
+    ck_assert_int_gt(blue_pixels(&expected), WIDTH * HEIGHT / 8);
+    for (int up = FIG_UP_X; up <= FIG_UP_Z; up++) {
+        scene turned = s;
+        for (int i = 0; i < SHEET + 8; i++)
+            for (int k = 0; k < 3; k++)
+                turned.at[i][(up + 1 + k) % 3] = s.at[i][k];
+        draw_upright(surface, &turned, (fig_up)up, &drawn);
+        ck_assert_mem_eq(&drawn, &expected, sizeof drawn);
+    }
+    tf_surface_free(surface);
+}
+END_TEST
+
 START_TEST(cloth_throws_a_shadow_on_the_ground)
 {
     generator random = generator_new(1);
@@ -442,6 +475,7 @@ Suite *suite(void)
     tcase_add_test(cloth, stripes_run_along_the_border);
     tcase_add_test(cloth, what_has_no_border_or_is_stiff_has_no_stripes);
     tcase_add_test(cloth, cloth_fills_the_picture_and_paper_is_around_it);
+    tcase_add_test(cloth, any_axis_may_point_up);
     tcase_add_test(cloth, cloth_throws_a_shadow_on_the_ground);
     tcase_add_test(cloth, any_film_is_drawn);
     tcase_add_test(cloth, films_one_after_the_other_share_a_box);

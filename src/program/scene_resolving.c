@@ -187,11 +187,19 @@ static bool write_meshes(scene_resolving *r)
 }
 
 //: Report the steps of a scene
+static const tf_field step_field = TF_FIELD("step", resolved_step, step);
+static const tf_field sum_fields[] = {
+    TF_FIELD("steps", resolved_scene, steps),
+    TF_FIELD("resolved steps", resolved_scene, resolved),
+    TF_FIELD("first contacts", resolved_scene, contacts),
+    TF_FIELD("held steps", resolved_scene, held),
+    TF_FIELD("seconds", resolved_scene, seconds),
+    {0}};
+
 static void list_fields(tf_field field[FIELDS])
 {
-    static const tf_field step = TF_FIELD("step", resolved_step, step);
     int i = 0;
-    for (*field++ = step; tf_resolved_fields[i].name; i++)
+    for (*field++ = step_field; tf_resolved_fields[i].name; i++)
         field[i] = tf_resolved_fields[i];
     field[i] = (tf_field){0};
 }
@@ -224,14 +232,8 @@ static bool report_step(scene_resolving *r, const tf_resolved *done)
 
 static bool end_report(scene_resolving *r)
 {
-    static const tf_field sums[] = {
-        TF_FIELD("steps", resolved_scene, steps),
-        TF_FIELD("resolved steps", resolved_scene, resolved),
-        TF_FIELD("first contacts", resolved_scene, contacts),
-        TF_FIELD("held steps", resolved_scene, held),
-        TF_FIELD("seconds", resolved_scene, seconds),
-        {0}};
-    return tf_records_end(&r->records, sums, &r->sum) || fault_in_report(r);
+    return tf_records_end(&r->records, sum_fields, &r->sum) ||
+           fault_in_report(r);
 }
 
 //: Resolve all steps of a scene

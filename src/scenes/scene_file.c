@@ -66,13 +66,29 @@ static bool find_files(tf_scene_reader *r, const yaml_node_t *node,
 }
 
 //: Read the frames of a mesh of a scene
+/// Such as frame-7.obj and frame-07.obj, which a pattern takes for two.
+static bool are_different(tf_scene_reader *r, const yaml_node_t *node,
+                          char *const name[], int count)
+{
+    for (int i = 1; i < count; i++)
+        if (tf_are_of_one_frame(name[i - 1], name[i]))
+            return tf_scene_fault_at(
+                r, node,
+                "%s and %s have the same number; delete one, or list the "
+                "frames",
+                tf_make_visible(name[i - 1]).text,
+                tf_make_visible(name[i]).text);
+    return true;
+}
+
 static bool read_frames(tf_scene_reader *r, const tf_scene_key *key,
                         const yaml_node_t *node, void *target)
 {
     (void)key;
     tf_frame_names *names = &((tf_scene_mesh *)target)->frames;
     if (node->type == YAML_SCALAR_NODE)
-        return find_files(r, node, "a file of frames", names);
+        return find_files(r, node, "a file of frames", names) &&
+               are_different(r, node, names->path, names->count);
     if (!tf_scene_is_list(node))
         return tf_scene_fault_at(
             r, node, "frames must be a file, a pattern or a list of some");

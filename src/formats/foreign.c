@@ -118,7 +118,7 @@ static const struct {
 } tags[] = {
     {"<COLLADA", {"a COLLADA file", EXPORT}},
     {"<X3D", {"an X3D file", EXPORT}},
-    {"<VTKFile", {"a VTK file", EXPORT}},
+    {"<VTKFile", {"a VTK file", "such files are written only; " EXPORT}},
     {"<amf", {"an AMF file", EXPORT}},
     {"<model", {"a 3MF file", EXPORT}},
     {"<svg", {"an SVG picture", NO_MESH}},

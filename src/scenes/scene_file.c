@@ -155,6 +155,18 @@ static bool read_material(tf_scene_reader *r, const tf_scene_key *key,
 }
 
 //: Read a mesh of a scene
+/// Vertices of a mesh that doesn't give way need no pins.
+static bool check_pins(tf_scene_reader *r, const yaml_node_t *node,
+                       const tf_scene_mesh *mesh)
+{
+    return mesh->role == TF_MOVING ||
+           (mesh->pins == 0 && mesh->pinned_in.count == 0) ||
+           tf_scene_fault_at(r, node,
+                             "all vertices of a %s mesh are pinned anyway; "
+                             "delete 'pinned:'",
+                             mesh->role == TF_FIXED ? "fixed" : "scripted");
+}
+
 #define MESH(member) offsetof(tf_scene_mesh, member)
 
 static bool read_mesh(tf_scene_reader *r, const yaml_node_t *node)
@@ -183,7 +195,7 @@ static bool read_mesh(tf_scene_reader *r, const yaml_node_t *node)
                                  "a mesh without frames; write 'frames:' and a "
                                  "file, a pattern or a list of some");
     tf_order_frames(mesh->frames.path, mesh->frames.count);
-    return true;
+    return check_pins(r, node, mesh);
 }
 
 static bool read_meshes(tf_scene_reader *r, const tf_scene_key *key,

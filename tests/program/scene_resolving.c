@@ -253,7 +253,7 @@ START_TEST(a_scene_without_steps_is_refused)
            "below.obj\nerr\nfloor.obj\nhigh.obj\nlow.obj\none.yaml\nout\n"
            "scene.yaml\n",
            "tanglefree: one.yaml: has only one frame, so there is no step; "
-           "give a mesh two frames or more\n");
+           "give a mesh that isn't fixed two frames or more\n");
     ck_assert_int_eq(run("$tf resolve one.yaml -o made").status, 2);
 }
 END_TEST

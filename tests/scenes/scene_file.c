@@ -262,6 +262,11 @@ static const struct {
      "frames"},
     {"meshes:\n- &m\n  frames: *m\n", 2,
      "frames must be a file, a pattern or a list of some"},
+    // Pins.
+    {A_MESH "  role: scripted\n  pinned: [0]\n", 2,
+     "all vertices of a scripted mesh are pinned anyway; delete 'pinned:'"},
+    {A_MESH "  pinned: a.obj\n  role: fixed\n", 2,
+     "all vertices of a fixed mesh are pinned anyway; delete 'pinned:'"},
     // Values.
     {A_MESH "  role: scriptd\n", 3,
      "role must be moving, scripted or fixed, got 'scriptd'"},

@@ -257,6 +257,14 @@ static bool begin_frames(scene_resolving *r)
     return r->has_folder;
 }
 
+static bool has_moving_mesh(const tf_scene_meshes *meshes)
+{
+    int m = 0;
+    while (m < meshes->count && meshes->mesh[m].role != TF_MOVING)
+        m++;
+    return m < meshes->count;
+}
+
 static bool begin_scene(scene_resolving *r)
 {
     const char *path = r->request->operand[0];
@@ -266,6 +274,10 @@ static bool begin_scene(scene_resolving *r)
         return false;
     if (r->meshes.frames < 2)
         return tf_fault_set(&r->frames.fault, path, -1, TF_NO_STEP_FAULT);
+    if (!has_moving_mesh(&r->meshes))
+        return tf_fault_set(&r->frames.fault, path, -1,
+                            "no mesh is moving, so there is nothing to "
+                            "resolve; let one be, by its role");
     return tf_scene_frames_next(&r->frames) && weigh(r) && begin_frames(r) &&
            write_meshes(r);
 }

@@ -214,7 +214,15 @@ START_TEST(starts_that_are_not_clear_are_refused)
     make_file("in.yaml",
               "meshes: [{frames: [floor.obj, floor.obj], role: scripted}, "
               "{frames: in.obj, role: fixed}]");
-    expect(run("$tf resolve in.yaml -o made3 >report && ls made3"), 0, "", "");
+    expect(run("$tf resolve in.yaml -o made3"), 2, "",
+           "tanglefree: in.yaml: no mesh is moving, so there is nothing to "
+           "resolve; let one be, by its role\n");
+    make_file("far.obj", "v 9 9 9\nv 9 9 8\nv 9 8 9\nf 1 2 3\n");
+    make_file("in.yaml",
+              "meshes: [{frames: [floor.obj, floor.obj], role: scripted}, "
+              "{frames: in.obj, role: fixed}, {frames: far.obj}]");
+    expect(run("$tf resolve in.yaml -o made3 >report && ls made3"), 0,
+           "far-00000.obj\nfar-00001.obj\n", "");
 }
 END_TEST
 

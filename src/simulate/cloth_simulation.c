@@ -168,6 +168,8 @@ static tf_status step_cloth(tf_simulation *simulation,
     tf_cloth_report report = {0};
     double begin = now(options);
     tf_response_options response = {.friction = c->base.scene->friction,
+                                    .vertex_friction =
+                                        simulation->setup.friction,
                                     .check_start = options->check,
                                     .parallel = options->parallel};
     tf_coupling_energy energy = tf_cloth_energy(c);

@@ -164,10 +164,10 @@ static tf_status propose_again(tf_coupling *c, energy_limit limit,
     const tf_answered_contact *contact;
     tf_status status = tf_resolver_contacts(c->resolver, &count, &contact);
     if (status == TF_OK)
-        status = tf_relaxation_add(c->relaxation, count, contact);
+        status = tf_relaxation_add(c->relaxation, options, count, contact);
     bool gains = status == TF_OK;
     for (int i = 0; i < RELAXATIONS && gains; i++) {
-        tf_relaxation_run(c->relaxation, options->friction, end);
+        tf_relaxation_run(c->relaxation, end);
         gains = gains_energy(c, limit, start, end, end);
     }
     c->took.relaxation += time_of(c) - begin;

@@ -42,7 +42,7 @@ typedef struct tf_coupling_energy {
 /// Resolves a step as tf_step_resolve does; tf_resolver_unpushed of the resolver
 /// then decides the velocities.
 /// @param[in,out] end in: where the dynamics lead; out: a clear end
-/// @param options restitution is none, and friction that of all vertices
+/// @param options restitution is none
 /// @param energy NULL: it doesn't matter whether any is gained; nor does it if
 ///     a scripted vertex moves, as that does work
 /// @param[out] report what all answers took; whole only with TF_OK

@@ -168,20 +168,14 @@ static bool check_names(tf_filed_scene *filed)
     return true;
 }
 
-static bool check_one_friction(tf_filed_scene *filed)
+static bool check_roles(tf_filed_scene *filed)
 {
-    const tf_scene_mesh *first = filed->meshes.mesh;
-    for (const tf_scene_mesh *m = first; m < first + filed->meshes.count; m++)
-        if (m->friction != first->friction)
-            return fault_at_line(
-                filed, m->line,
-                "'%s' and '%s' have different friction, but a simulation has "
-                "one coefficient; write 'friction:' beside 'meshes:'",
-                tf_make_visible(m->name).text,
-                tf_make_visible(first->name).text);
-    if (first->friction >= 0)
-        filed->scene.friction = first->friction;
-    return true;
+    for (int m = 0; m < filed->meshes.count; m++)
+        if (filed->meshes.mesh[m].role == TF_MOVING)
+            return true;
+    return fault_at_line(filed, -1,
+                         "no mesh is moving, so there is nothing to simulate; "
+                         "let one be, by its role");
 }
 
 static bool check_rate(tf_filed_scene *filed)
@@ -306,7 +300,7 @@ static bool stiffen(tf_filed_scene *filed, int m, int triangle, int edge)
     return filed->body.failed || pin(filed, m);
 }
 
-//: Make the body of a scene
+//: Report that a scene needs more memory
 static bool fault_in_body(tf_filed_scene *filed)
 {
     return fault_at_line(filed, -1,
@@ -314,6 +308,39 @@ static bool fault_in_body(tf_filed_scene *filed)
                          "coarser, or use a machine with more");
 }
 
+//: Take the friction of meshes
+/// The one coefficient of all meshes, or -1 if they have several.
+static double one_friction_of(const tf_filed_scene *filed)
+{
+    const tf_scene_mesh *mesh = filed->meshes.mesh;
+    double usually = filed->scene.friction;
+    for (int m = 1; m < filed->meshes.count; m++)
+        if (given(mesh[m].friction, usually) != given(mesh->friction, usually))
+            return -1;
+    return given(mesh->friction, usually);
+}
+
+/// Each vertex has that of its mesh, unless all are the same.
+static bool take_friction(tf_filed_scene *filed)
+{
+    double one = one_friction_of(filed), usually = filed->scene.friction;
+    if (one >= 0) {
+        filed->scene.friction = one;
+        return true;
+    }
+    size_t size = (size_t)filed->body.vertices * sizeof *filed->friction;
+    filed->friction = malloc(size);
+    if (!filed->friction)
+        return fault_in_body(filed);
+    const int *first = filed->frames.joined.first_vertex;
+    for (int m = 0; m < filed->meshes.count; m++)
+        for (int v = first[m]; v < first[m + 1]; v++)
+            filed->friction[v] = given(filed->meshes.mesh[m].friction, usually);
+    sum_bytes(&filed->scene, filed->friction, size);
+    return true;
+}
+
+//: Make the body of a scene
 static bool make_body(tf_filed_scene *filed)
 {
     tf_motion motion = tf_scene_frames_motion(&filed->frames);
@@ -328,7 +355,7 @@ static bool make_body(tf_filed_scene *filed)
         if (filed->meshes.mesh[m].role == TF_MOVING && !body->failed)
             good = stiffen(filed, m, triangle, edge);
     }
-    return good && (!body->failed || fault_in_body(filed));
+    return good && (body->failed ? fault_in_body(filed) : take_friction(filed));
 }
 
 //: Sum the body of a scene
@@ -465,6 +492,7 @@ static void build_meshes(tf_scene_setup *setup, double resolution)
     setup->body = filed->body;
     filed->mass = filed->body.mass;
     setup->filter = tf_scene_frames_filter(&filed->frames);
+    setup->friction = filed->friction;
     filed->body = (tf_body){0};
     if (filed->meshes.frames > 1)
         setup->path = (tf_path){place_by_frames, filed};
@@ -485,8 +513,8 @@ static bool make_meshes(tf_filed_scene *filed)
     filed->frames.keeps_sources = true;
     filed->scene = usual;
     take_physics(&filed->scene, &filed->meshes.physics);
-    if (!check_names(filed) || !check_masses_of_meshes(filed) ||
-        !check_one_friction(filed) || !check_rate(filed) ||
+    if (!check_names(filed) || !check_roles(filed) ||
+        !check_masses_of_meshes(filed) || !check_rate(filed) ||
         !read_frames_of_scene(filed))
         return false;
     if (filed->meshes.physics.steps < 0)
@@ -531,5 +559,6 @@ void tf_filed_scene_free(tf_filed_scene *filed)
     if (filed->frames.meshes)
         tf_scene_frames_free(&filed->frames);
     tf_body_free(&filed->body);
+    free(filed->friction);
     tf_scene_meshes_free(&filed->meshes);
 }

@@ -37,6 +37,7 @@ typedef struct stop {
     int vertex[4];
     double weight[4], share[4];
     double reach;    ///< how much a unit impulse widens the gap
+    double coulomb;  ///< the coefficient of its friction
     tf_vector start; ///< the gap, as a vector, at the start
     tf_vector normal;
     double impulse;
@@ -237,15 +238,16 @@ static tf_vector shortened(tf_vector v, double most)
     return length > most ? tf_vector_scaled(most / length, v) : v;
 }
 
-static void visit_stop(const tf_relaxation *r, double friction, stop *s)
+static void visit_stop(const tf_relaxation *r, stop *s)
 {
     tf_vector change = tf_vector_difference(
         weighted_sum(4, s->vertex, s->weight, r->at), s->start);
     double apart = tf_vector_dot(change, s->normal);
     tf_vector across = tf_vector_sum(change, -apart, s->normal);
     double impulse = fmax(0, s->impulse - apart / s->reach);
-    tf_vector grip = shortened(
-        tf_vector_sum(s->friction, -1 / s->reach, across), friction * impulse);
+    tf_vector grip =
+        shortened(tf_vector_sum(s->friction, -1 / s->reach, across),
+                  s->coulomb * impulse);
     tf_vector push = tf_vector_sum(tf_vector_difference(grip, s->friction),
                                    impulse - s->impulse, s->normal);
     s->impulse = impulse;
@@ -278,6 +280,29 @@ void tf_relaxation_begin(tf_relaxation *r, const double start[],
     r->stops = 0;
 }
 
+//: Find the friction of a contact
+/// The mean of the coefficients of one element's vertices: of those whose weights
+/// have this sign.
+static double mean_coulomb(const tf_answered_contact *contact, double sign,
+                           const double own[])
+{
+    double sum = 0;
+    for (int i = 0; i < 4; i++)
+        if (sign * contact->coefficient[i] > 0)
+            sum += sign * contact->coefficient[i] * own[contact->vertex[i]];
+    return sum;
+}
+
+/// As the response finds it.
+static double coulomb_of(const tf_answered_contact *contact,
+                         const tf_response_options *options)
+{
+    const double *own = options->vertex_friction;
+    return own ? sqrt(mean_coulomb(contact, 1, own)) *
+                     sqrt(mean_coulomb(contact, -1, own))
+               : options->friction;
+}
+
 //: Add contacts
 static stop stop_of(const tf_relaxation *r, const tf_answered_contact *contact)
 {
@@ -307,13 +332,15 @@ static bool make_room(tf_relaxation *r, size_t stops)
     return true;
 }
 
-tf_status tf_relaxation_add(tf_relaxation *r, size_t contacts,
+tf_status tf_relaxation_add(tf_relaxation *r,
+                            const tf_response_options *options, size_t contacts,
                             const tf_answered_contact contact[])
 {
     if (!make_room(r, r->stops + contacts))
         return TF_OUT_OF_MEMORY;
     for (size_t i = 0; i < contacts; i++) {
         stop s = stop_of(r, &contact[i]);
+        s.coulomb = coulomb_of(&contact[i], options);
         tf_vector push = tf_vector_sum(s.friction, s.impulse, s.normal);
         push_vertices(r, 4, s.vertex, s.share, push);
         call_on(r, s.vertex, s.weight);
@@ -325,7 +352,7 @@ tf_status tf_relaxation_add(tf_relaxation *r, size_t contacts,
 
 //: Relax
 /// Forward and backward in turn, so that neither direction is preferred.
-static void sweep(tf_relaxation *r, double friction)
+static void sweep(tf_relaxation *r)
 {
     bool back = ++r->sweep % 2 == 0;
     for (int i = 0; i < r->bonds; i++) {
@@ -339,14 +366,14 @@ static void sweep(tf_relaxation *r, double friction)
     for (size_t i = 0; i < r->stops; i++) {
         stop *s = &r->stop[back ? r->stops - 1 - i : i];
         if (is_due(r, 4, s->vertex))
-            visit_stop(r, friction, s);
+            visit_stop(r, s);
     }
 }
 
-void tf_relaxation_run(tf_relaxation *r, double friction, double end[])
+void tf_relaxation_run(tf_relaxation *r, double end[])
 {
     for (int i = 0; i < SWEEPS; i++)
-        sweep(r, friction);
+        sweep(r);
     for (int i = 0; i < r->axes * r->vertices; i++)
         end[i] = r->at[i / r->axes].x[i % r->axes];
 }

@@ -33,12 +33,12 @@ void tf_relaxation_begin(tf_relaxation *relaxation, const double start[],
                          const double end[]);
 
 /// Adds contacts, with the impulses that they begin with.
+/// @param options of which friction and vertex_friction count
 /// @return TF_OK or TF_OUT_OF_MEMORY
-tf_status tf_relaxation_add(tf_relaxation *relaxation, size_t contacts,
+tf_status tf_relaxation_add(tf_relaxation *relaxation,
+                            const tf_response_options *options, size_t contacts,
                             const tf_answered_contact contact[]);
 
 /// Relaxes the elements and all contacts that were added.
-/// @param friction Coulomb's coefficient
 /// @param[out] end where they allow the vertices to be
-void tf_relaxation_run(tf_relaxation *relaxation, double friction,
-                       double end[]);
+void tf_relaxation_run(tf_relaxation *relaxation, double end[]);

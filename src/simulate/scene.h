@@ -25,7 +25,8 @@ typedef struct tf_scene_setup {
     const struct tf_scene *scene; ///< to be set first
     tf_body body;
     tf_path path;
-    tf_pair_filter filter; ///< of the body's pairs; all zero: there is none
+    tf_pair_filter filter;  ///< of the body's pairs; all zero: there is none
+    const double *friction; ///< of each vertex; NULL: that of the scene
     int scripts;
     tf_script script[TF_MOST_SCRIPTS];
 } tf_scene_setup;

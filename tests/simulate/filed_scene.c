@@ -134,6 +134,29 @@ START_TEST(meshes_may_have_one_friction)
 }
 END_TEST
 
+// That of the scene is for a mesh without its own.
+START_TEST(meshes_may_have_frictions_of_their_own)
+{
+    static const double expected[] = {0.7, 0.7, 0.7, 0.7, 0, 0, 0, 0.1};
+    unsigned sum[3];
+    for (int i = 0; i < 3; i++) {
+        char text[200];
+        snprintf(text, sizeof text,
+                 "friction: 0.%d\nmeshes:\n"
+                 "- {frames: cloth.obj, friction: 0.7}\n"
+                 "- {frames: body0.obj, friction: 0, role: scripted}\n"
+                 "- {frames: wall.obj, role: fixed}\n",
+                 i == 2 ? 4 : 1);
+        tf_filed_scene *filed = filed_scene(text);
+        for (int v = 0; v < 8 && i < 2; v++)
+            ck_assert_double_eq(filed->friction[v], expected[v]);
+        sum[i] = filed->scene.checksum;
+        tf_filed_scene_free(filed);
+    }
+    ck_assert(sum[0] == sum[1] && sum[1] != sum[2]);
+}
+END_TEST
+
 // The chain that is built in, of which each link is as long as any other.
 START_TEST(curves_are_made_as_chains_are)
 {
@@ -288,6 +311,41 @@ START_TEST(random_times_find_their_frames)
 }
 END_TEST
 
+/// How far a floor that moves 1 along x carries a sheet, which has a friction of
+/// 2, while a wall nearby has another one.
+static double way_of_sheet(const char *friction_of_floor)
+{
+    char text[400];
+    snprintf(text, sizeof text,
+             "rate: 2\nair: {drag: 0}\nmeshes:\n"
+             "- {frames: sheet.obj, friction: 2}\n"
+             "- {frames: floor*.obj, role: scripted, friction: %s}\n"
+             "- {frames: wall.obj, role: fixed, friction: 3}\n",
+             friction_of_floor);
+    tf_filed_scene *filed = filed_scene(text);
+    tf_simulation *s = simulation_of(filed);
+    for (int i = 0; i < 50; i++)
+        ck_assert_int_eq(s->scene->kind->step(s, &(tf_step_options){0}), TF_OK);
+    double way = s->scene->kind->snapshot(s).position[0];
+    tf_simulation_free(s);
+    tf_filed_scene_free(filed);
+    return way;
+}
+
+START_TEST(meshes_have_frictions_of_their_own)
+{
+    make_file("sheet.obj", "v 0 0 1e-3\nv 1 0 1e-3\nv 1 1 1e-3\nv 0 1 1e-3\n"
+                           "f 1 2 3\nf 1 3 4\n");
+    make_file("floor0.obj", "v -3 -3 0\nv 9 -3 0\nv -3 9 0\nf 1 2 3\n");
+    make_file("floor1.obj", "v -2 -3 0\nv 10 -3 0\nv -2 9 0\nf 1 2 3\n");
+    make_file("wall.obj", "v 19 0 0\nv 19 1 0\nv 19 0 1\nf 1 2 3\n");
+    ck_assert_double_eq_tol(way_of_sheet("0"), 0, 1e-9);
+    ck_assert_double_gt(way_of_sheet("2"), 0.9);
+    double little = way_of_sheet("0.0008"); // with 2: 0.04
+    ck_assert_double_eq_tol(little, 0.04 * 9.81 * 0.125, 0.005);
+}
+END_TEST
+
 START_TEST(pinned_vertices_follow_their_frames)
 {
     make_file("cloth1.obj", "v 0 0 2\nv 1 0 2\nv 1 1 2\nv 0 1 2\n"
@@ -311,11 +369,14 @@ END_TEST
 START_TEST(curves_of_the_plane_are_scripted)
 {
     make_file("curve.obj", "v 0 0\nv 1 1\nv 2 0\nl 1 2\nl 2 3\n");
+    make_file("chain.obj", "v 0 2\nv 1 2\nl 1 2\n");
     tf_filed_scene *filed =
-        filed_scene("meshes: [{frames: curve.obj, role: fixed}]");
+        filed_scene("meshes: [{frames: curve.obj, role: fixed}, "
+                    "{frames: chain.obj}]");
     ck_assert(filed->scene.plane);
     ck_assert_int_eq(filed->body.axes, 2);
-    ck_assert_int_eq(filed->body.edges, 2);
+    ck_assert_int_eq(filed->body.edges, 3);
+    ck_assert(filed->body.mass[0] == 0 && filed->body.mass[3] > 0);
     ck_assert_double_eq(filed->body.position[3], 1);
     tf_filed_scene_free(filed);
 }
@@ -414,9 +475,11 @@ static const struct {
     {CLOTH "- frames: body*.obj\n  role: scripted\n", "scene.yaml", 3,
      "'body' has 3 frames, but there is no rate; for 25 frames a second, "
      "write 'rate: 25' beside 'meshes:'"},
-    {CLOTH "  friction: 0.1\n- frames: wall.obj\n", "scene.yaml", 4,
-     "'wall' and 'cloth' have different friction, but a simulation has one "
-     "coefficient; write 'friction:' beside 'meshes:'"},
+    {"meshes:\n- {frames: wall.obj, role: fixed}\n"
+     "- {frames: body0.obj, role: scripted}\n",
+     "scene.yaml", -1,
+     "no mesh is moving, so there is nothing to simulate; let one be, by its "
+     "role"},
     {CLOTH "  mass: 1\n  material: {density: 1}\n", "scene.yaml", 2,
      "'cloth' has a mass and a density; delete one of them"},
     {CLOTH "  name: frame\n", "scene.yaml", 2,
@@ -531,6 +594,7 @@ Suite *suite(void)
     tcase_add_test(made, any_mesh_is_made_as_sheets_are);
     tcase_add_test(made, a_mesh_may_have_a_mass);
     tcase_add_test(made, meshes_may_have_one_friction);
+    tcase_add_test(made, meshes_may_have_frictions_of_their_own);
     tcase_add_test(made, curves_are_made_as_chains_are);
     tcase_add_test(made, a_curve_may_have_a_mass);
     tcase_add_test(made, what_is_scripted_or_pinned_has_no_mass);
@@ -542,6 +606,7 @@ Suite *suite(void)
     tcase_add_checked_fixture(moved, enter_folder_of_meshes, leave_folder);
     tcase_add_test(moved, frames_are_followed_along_straight_lines);
     tcase_add_test(moved, random_times_find_their_frames);
+    tcase_add_test(moved, meshes_have_frictions_of_their_own);
     tcase_add_test(moved, pinned_vertices_follow_their_frames);
     tcase_add_test(moved, curves_of_the_plane_are_scripted);
     tcase_add_test(moved, some_elements_may_meet);

@@ -38,6 +38,8 @@ static tf_answered_contact contact_of_rod(void)
                                  .normal = {0, 1}};
 }
 
+static const tf_response_options smooth = {.size = sizeof smooth};
+
 // A spring that is longer than at rest pulls as the dynamics have it pull
 // already, even if it is visited since a contact is near that does nothing.
 START_TEST(a_spring_pulls_once)
@@ -48,8 +50,9 @@ START_TEST(a_spring_pulls_once)
     double end[] = {-1, 0, 1, 0, 0, 0.02, 0, 0.123}, was[8];
     memcpy(was, end, sizeof end);
     tf_relaxation_begin(relaxation, body.position, end);
-    ck_assert_int_eq(tf_relaxation_add(relaxation, 1, &contact), TF_OK);
-    tf_relaxation_run(relaxation, 0, end);
+    ck_assert_int_eq(tf_relaxation_add(relaxation, &smooth, 1, &contact),
+                     TF_OK);
+    tf_relaxation_run(relaxation, end);
     for (int i = 0; i < 8; i++)
         ck_assert_double_eq_tol(end[i], was[i], 1e-12);
     tf_relaxation_free(relaxation);
@@ -65,7 +68,7 @@ START_TEST(what_is_at_rest_stays)
     double end[] = {-1, 0, 1, 0, 0, 0.02, 0.001, 0.1205}, was[8];
     memcpy(was, end, sizeof end);
     tf_relaxation_begin(relaxation, body.position, end);
-    tf_relaxation_run(relaxation, 0, end);
+    tf_relaxation_run(relaxation, end);
     ck_assert_mem_eq(end, was, sizeof end);
     tf_relaxation_free(relaxation);
     tf_body_free(&body);
@@ -86,9 +89,10 @@ START_TEST(a_spring_knows_of_a_contact)
         double pull = stiffness[i] * step * step;
         double expected = -fall * 0.25 / (0.25 + pull);
         tf_relaxation_begin(relaxation, body.position, end);
-        ck_assert_int_eq(tf_relaxation_add(relaxation, 1, &contact), TF_OK);
+        ck_assert_int_eq(tf_relaxation_add(relaxation, &smooth, 1, &contact),
+                         TF_OK);
         for (int k = 0; k < 10; k++)
-            tf_relaxation_run(relaxation, 0, end);
+            tf_relaxation_run(relaxation, end);
         ck_assert_double_eq_tol(end[5], 0.01, 2e-3 * fall);
         ck_assert_double_eq_tol(end[7], 0.11 + expected, 2e-3 * fall);
         tf_relaxation_free(relaxation);
@@ -97,19 +101,34 @@ START_TEST(a_spring_knows_of_a_contact)
 }
 END_TEST
 
+/// Of each vertex, so that a contact of the rod has their geometric mean.
+static void share_friction(double friction, double own[4])
+{
+    own[0] = friction / 8;
+    own[1] = friction * 3 / 8;
+    own[2] = friction * 4;
+    own[3] = 100;
+}
+
 // A vertex that is about to sink by a and slide by s slides by s - friction a,
 // or sticks.
 START_TEST(friction_is_coulombs)
 {
-    for (double friction = 0; friction < 3; friction += 0.25) {
-        const double sink = 0.001, along = 0.0012;
+    for (int i = 0; i < 24; i++) {
+        const double sink = 0.001, along = 0.0012, friction = i / 2 * 0.25;
+        double own[4];
+        share_friction(friction, own);
+        tf_response_options options = {.size = sizeof options,
+                                       .friction = i % 2 ? 7 : friction,
+                                       .vertex_friction = i % 2 ? own : NULL};
         tf_body body = rod_on_floor(1e-6);
         tf_relaxation *relaxation = relaxation_of(&body);
         tf_answered_contact contact = contact_of_rod();
         double end[] = {-1, 0, 1, 0, along, 0.01 - sink, 0, 0.11};
         tf_relaxation_begin(relaxation, body.position, end);
-        ck_assert_int_eq(tf_relaxation_add(relaxation, 1, &contact), TF_OK);
-        tf_relaxation_run(relaxation, friction, end);
+        ck_assert_int_eq(tf_relaxation_add(relaxation, &options, 1, &contact),
+                         TF_OK);
+        tf_relaxation_run(relaxation, end);
         ck_assert_double_eq_tol(end[4], fmax(0, along - friction * sink), 1e-9);
         ck_assert_double_eq_tol(end[5], 0.01, 1e-9);
         tf_relaxation_free(relaxation);
@@ -129,8 +148,9 @@ START_TEST(a_contact_does_not_hold_what_leaves)
         double end[] = {-1, 0, 1, 0, 0, 0.012, 0, 0.112};
         contact.impulse = 0.001 * pushed;
         tf_relaxation_begin(relaxation, body.position, end);
-        ck_assert_int_eq(tf_relaxation_add(relaxation, 1, &contact), TF_OK);
-        tf_relaxation_run(relaxation, 0, end);
+        ck_assert_int_eq(tf_relaxation_add(relaxation, &smooth, 1, &contact),
+                         TF_OK);
+        tf_relaxation_run(relaxation, end);
         ck_assert_double_eq_tol(end[5], 0.012, 1e-9);
         tf_relaxation_free(relaxation);
         tf_body_free(&body);
@@ -145,7 +165,7 @@ START_TEST(springs_have_a_limit)
     tf_relaxation *relaxation = relaxation_of(&body);
     double end[] = {-1, 0, 1, 0, 0, -0.1, 0, 0.3};
     tf_relaxation_begin(relaxation, body.position, end);
-    tf_relaxation_run(relaxation, 0, end);
+    tf_relaxation_run(relaxation, end);
     double length = hypot(end[6] - end[4], end[7] - end[5]);
     ck_assert_double_eq_tol(length, 0.104, 1e-6);
     ck_assert_double_eq_tol(0.5 * end[5] + 0.25 * end[7],
@@ -189,6 +209,7 @@ static tf_body tangle_of(generator *random, tf_answered_contact contact[4])
 // No visit changes the sum of mass times place.
 START_TEST(momentum_is_kept)
 {
+    const tf_response_options rough = {.size = sizeof rough, .friction = 0.3};
     generator random = generator_new(1);
     for (int i = 0; i < cases(200); i++) {
         tf_answered_contact contact[4];
@@ -200,8 +221,9 @@ START_TEST(momentum_is_kept)
         double was[36];
         memcpy(was, end, sizeof end);
         tf_relaxation_begin(relaxation, body.position, end);
-        ck_assert_int_eq(tf_relaxation_add(relaxation, 4, contact), TF_OK);
-        tf_relaxation_run(relaxation, 0.3, end);
+        ck_assert_int_eq(tf_relaxation_add(relaxation, &rough, 4, contact),
+                         TF_OK);
+        tf_relaxation_run(relaxation, end);
         for (int k = 0; k < 36; k++) {
             change[k % 3] += body.mass[k / 3] * (end[k] - was[k]);
             moved = fmax(moved, fabs(end[k] - was[k]));

@@ -271,6 +271,19 @@ START_TEST(what_is_free_is_not_tried)
 }
 END_TEST
 
+START_TEST(any_vertex_may_be_held)
+{
+    for (int v = 0; v < 3; v++) {
+        begin(3);
+        limit[v] = 0.5;
+        begin_trials();
+        hold();
+        ck_assert(tf_follow_is_held(&s.step));
+        end();
+    }
+}
+END_TEST
+
 // By 0.412, (hypot(1, 2) - 1) / 3, the edge lets the one that has less far to go
 // go a greater part of its way.
 START_TEST(the_longer_way_counts)
@@ -340,7 +353,7 @@ END_TEST
 
 static void limit_next(int trial)
 {
-    limit[1] = trial == 0 ? 1 : 0.4;
+    limit[1] = trial < 2 ? 1 : 0.4;
 }
 
 // A vertex that is held because it goes farther than its company joins that, which is
@@ -364,17 +377,17 @@ END_TEST
 /// Vertex 2 is held wherever vertex 1 goes farther than 0.6.
 static void limit_last_by_next(int trial)
 {
-    limit[1] = trial == 0 ? 1 : 0.6;
-    limit[2] = trial > 0 && s.step.proposed[3] > 0.6 * 3 ? -1 : 1;
+    limit[1] = trial < 2 ? 1 : 0.6;
+    limit[2] = trial > 1 && s.step.proposed[3] > 0.6 * 3 ? -1 : 1;
 }
 
 // Whoever else is held in that trial, which was not the company's fault.
 START_TEST(a_company_that_grows_is_tried_again)
 {
     begin(3);
-    add_edges();
+    proposal_add_edge(&made, 0, 1);
+    proposal_add_edge(&made, 0, 2);
     made.end[2 * 1 + 1] = 3;
-    made.end[2 * 2 + 1] = 1;
     limit[0] = 0.55;
     before = limit_last_by_next;
     begin_trials();
@@ -605,6 +618,7 @@ Suite *suite(void)
     tcase_add_test(tcase, a_limb_turns_as_a_whole);
     tcase_add_loop_test(tcase, what_is_free_passes_nothing_on, 0, 2);
     tcase_add_test(tcase, what_is_free_is_not_tried);
+    tcase_add_test(tcase, any_vertex_may_be_held);
     tcase_add_test(tcase, the_longer_way_counts);
     tcase_add_test(tcase, lengths_that_overflow_limit_nothing);
     tcase_add_test(tcase, whole_ways_end_where_they_are_proposed_to);

@@ -142,6 +142,28 @@ START_TEST(touching_starts_are_rejected)
 }
 END_TEST
 
+// Two edges that cross, and go on doing so: no contact tells.
+START_TEST(crossed_starts_are_rejected_where_they_are_checked)
+{
+    tf_response_options check = {.check_start = true};
+    tf_error error;
+    int halvings = 7;
+    proposal_begin(&made, 2);
+    proposal_add_edge(&made, proposal_add_vertex(&made, -1, 0, 0),
+                      proposal_add_vertex(&made, 1, 0, 0));
+    proposal_add_edge(&made, proposal_add_vertex(&made, 0, -1, 0),
+                      proposal_add_vertex(&made, 0, 1, 0));
+    begin();
+    ck_assert_int_eq(tf_step_limit(resolver, 4, made.start, made.end, &check,
+                                   &halvings, &error),
+                     TF_START_NOT_CLEAR);
+    ck_assert_int_eq(error.subject, TF_EDGE_EDGE_PAIR);
+    ck_assert_int_eq(halvings, 7);
+    ck_assert_int_eq(expect_limited(), 0);
+    finish();
+}
+END_TEST
+
 START_TEST(bad_input_is_reported)
 {
     tf_error error;
@@ -180,6 +202,7 @@ Suite *suite(void)
 
     TCase *bad = tcase_create("trouble");
     tcase_add_test(bad, touching_starts_are_rejected);
+    tcase_add_test(bad, crossed_starts_are_rejected_where_they_are_checked);
     tcase_add_test(bad, bad_input_is_reported);
     tcase_add_test_raise_signal(bad, null_breaks_the_contract, SIGABRT);
     suite_add_tcase(suite, bad);

@@ -93,13 +93,19 @@ static void end(void)
 }
 
 /// One round; returns how many contacts there were.
-static size_t go_on(const tf_zone_solver *solver)
+static size_t go_on_with(const tf_zone_solver *solver, tf_friction friction)
 {
-    tf_zone_options choice = {.solver = solver, .sweeps = 1000};
+    tf_zone_options choice = {
+        .solver = solver, .friction = friction, .sweeps = 1000};
     tf_contacts contacts = proposal_step_contacts(&s);
     ck_assert(tf_zones_add(&zones, &s.step, &contacts, &s.rule, &statistics) &&
               tf_zones_solve(&zones, &s.step, &s.rule, &choice, &statistics));
     return contacts.count;
+}
+
+static size_t go_on(const tf_zone_solver *solver)
+{
+    return go_on_with(solver, (tf_friction){0});
 }
 
 static int sum(const int number[])
@@ -146,6 +152,20 @@ START_TEST(vertices_that_move_join_zones)
 }
 END_TEST
 
+/// How many constraints have a vertex from 4 on.
+static int constraints_of_second(void)
+{
+    const tf_constraint *constraint = zones.constraint.data;
+    int count = 0;
+    for (int i = 0; i < zones.constraints; i++) {
+        bool has = false;
+        for (int j = 0; j < 4; j++)
+            has |= constraint[i].vertex[j] >= 4;
+        count += has;
+    }
+    return count;
+}
+
 START_TEST(only_zones_with_new_constraints_are_solved)
 {
     proposal_begin(&made, 2);
@@ -167,6 +187,9 @@ START_TEST(only_zones_with_new_constraints_are_solved)
     ck_assert_int_eq(solved_zones, 2);
     ck_assert_int_eq(zones.constraints, first_constraints + (int)more);
     ck_assert_int_eq(sum(solved_constraints), sum(old_constraints) + (int)more);
+    ck_assert_int_gt(constraints_of_second(), 0);
+    ck_assert_int_eq(sum(solved_constraints),
+                     zones.constraints - constraints_of_second());
     end();
 }
 END_TEST
@@ -249,6 +272,72 @@ START_TEST(pushes_do_not_depend_on_the_solver)
         ck_assert_double_eq_tol(s.end[2 * v + 1], height + (3 - height) / 4,
                                 1e-12);
     }
+    end();
+}
+END_TEST
+
+/// A vertex that falls through two scripted slopes, one below the other, that face
+/// each other, and is to keep away from both.
+static void begin_fall_on_slopes(void)
+{
+    static const double slope[][2] = {{-4, 4}, {0.4, -0.4}, {-1, -2}, {4, 3}};
+    proposal_begin(&made, 2);
+    for (int v = 0; v < 4; v++) {
+        proposal_add_vertex(&made, slope[v][0], slope[v][1], 0);
+        made.inverse_mass[v] = 0;
+    }
+    proposal_add_edge(&made, 0, 1);
+    proposal_add_edge(&made, 2, 3);
+    made.end[2 * proposal_add_vertex(&made, 0, 1, 0) + 1] -= 10;
+    begin();
+    s.rule.separation = 3;
+}
+
+// Pushed from one slope, it slides along the other.
+START_TEST(pushes_have_no_friction)
+{
+    double ends[2][2];
+    for (int i = 0; i < 2; i++) {
+        begin_fall_on_slopes();
+        size_t contacts = go_on_with(&noting, (tf_friction){.all = 5 * i});
+        ck_assert_uint_eq(contacts, 2);
+        ck_assert_double_ne(s.end[8], s.unpushed[8]);
+        memcpy(ends[i], s.end + 8, sizeof ends[i]);
+        end();
+    }
+    ck_assert_mem_eq(ends[0], ends[1], sizeof ends[0]);
+}
+END_TEST
+
+static double friction_per_mass; ///< that of each vertex, times its mass
+
+static int check_friction(tf_zone *zone)
+{
+    for (int i = 0; i < zone->vertices; i++)
+        ck_assert_double_eq(zone->inverse_mass[zone->vertices + i],
+                            friction_per_mass * zone->inverse_mass[i]);
+    return note(zone);
+}
+
+static const tf_zone_solver checking = {"checking", no_workspace,
+                                        check_friction};
+
+START_TEST(vertices_take_their_friction_along)
+{
+    double friction[8];
+    proposal_begin(&made, 2);
+    add_edge(-5, 0, 0);
+    made.start[2] = made.end[2] = 9;
+    for (int i = 0; i < 3; i++)
+        add_edge(3 * i - 3, 1, 1);
+    for (int v = 2; v < 8; v++)
+        made.inverse_mass[v] = v;
+    friction_per_mass = 0.25;
+    for (int v = 0; v < 8; v++)
+        friction[v] = friction_per_mass * made.inverse_mass[v];
+    begin();
+    ck_assert_uint_gt(go_on_with(&checking, (tf_friction){.own = friction}), 0);
+    ck_assert_int_gt(solved_zones, 1);
     end();
 }
 END_TEST
@@ -449,6 +538,8 @@ Suite *suite(void)
     tcase_add_test(answers, zones_start_from_the_base);
     tcase_add_test(answers, pairs_are_pushed_apart_without_a_motion);
     tcase_add_test(answers, pushes_do_not_depend_on_the_solver);
+    tcase_add_test(answers, pushes_have_no_friction);
+    tcase_add_test(answers, vertices_take_their_friction_along);
     tcase_add_test(answers, pushes_are_made_in_a_few_sweeps);
     tcase_add_test(answers, idle_vertices_belong_to_no_zone);
     tcase_add_test(answers, each_zone_is_a_problem_on_its_own);

@@ -77,14 +77,17 @@ END_TEST
 START_TEST(a_spring_knows_of_a_contact)
 {
     static const double stiffness[] = {1, 100, 2500, 1e4, 1e6, 1e9};
+    const double heavy = _i == 0 ? 1 : 16;
     for (int i = 0; i < 6; i++) {
         const double fall = 0.001;
         tf_body body = rod_on_floor(stiffness[i]);
+        body.mass[2] *= heavy;
+        body.mass[3] *= heavy;
         tf_relaxation *relaxation = relaxation_of(&body);
         tf_answered_contact contact = contact_of_rod();
         double end[] = {-1, 0, 1, 0, 0, 0.01 - fall, 0, 0.11 - fall};
         double pull = stiffness[i] * step * step;
-        double expected = -fall * 0.25 / (0.25 + pull);
+        double expected = -fall * body.mass[3] / (body.mass[3] + pull);
         tf_relaxation_begin(relaxation, body.position, end);
         ck_assert_int_eq(tf_relaxation_add(relaxation, 1, &contact), TF_OK);
         for (int k = 0; k < 10; k++)
@@ -267,8 +270,8 @@ enum {
 };
 
 /// So much may be left over: a part of what the ends of a step, 0.004 about where
-/// they were, bring in, and more than motions that go unnoticed leave.
-static const double balanced = 3e-4;
+/// they were, bring in, and more than all sweeps of a relaxation leave.
+static const double balanced = 5e-4;
 
 /// The force of all elements on each vertex.
 static void add_up_forces(const tf_body *body, const double at[],
@@ -361,7 +364,7 @@ static void expect_balance(const tf_body *body, tf_answered_contact contact[4],
         ck_assert_double_le(fabs(balance[k]), balanced);
 }
 
-START_TEST(in_the_end_all_forces_are_in_balance)
+START_TEST(forces_end_in_balance)
 {
     generator random = generator_new(2);
     int tried = 0;
@@ -373,7 +376,7 @@ START_TEST(in_the_end_all_forces_are_in_balance)
         memcpy(was, end, sizeof end);
         tf_relaxation_begin(relaxation, body.position, end);
         ck_assert_int_eq(tf_relaxation_add(relaxation, 4, contact), TF_OK);
-        for (int k = 0; k < 100; k++)
+        for (int k = 0; k < 4; k++)
             tf_relaxation_run(relaxation, 0, end);
         // No spring may be so short that it reaches its limit.
         if (tf_body_stretch(&body, was) < 1.015) {
@@ -384,6 +387,26 @@ START_TEST(in_the_end_all_forces_are_in_balance)
         tf_body_free(&body);
     }
     ck_assert_int_gt(tried, 0);
+}
+END_TEST
+
+// What no contact is near is not even visited, so that it keeps its last bits.
+START_TEST(what_is_free_of_contacts_keeps_its_bits)
+{
+    generator random = generator_new(4);
+    for (int i = 0; i < cases(80); i++) {
+        tf_answered_contact contact[4];
+        double end[TANGLE], was[TANGLE];
+        tf_body body = soft_tangle(&random, contact, end);
+        tf_relaxation *relaxation = relaxation_of(&body);
+        memcpy(was, end, sizeof end);
+        tf_relaxation_begin(relaxation, body.position, end);
+        tf_relaxation_run(relaxation, 0.3, end);
+        if (tf_body_stretch(&body, was) < 1.04)
+            ck_assert_mem_eq(end, was, sizeof end);
+        tf_relaxation_free(relaxation);
+        tf_body_free(&body);
+    }
 }
 END_TEST
 
@@ -417,7 +440,7 @@ Suite *suite(void)
     TCase *tcase = tcase_create("relaxation");
     tcase_add_test(tcase, what_is_at_rest_stays);
     tcase_add_test(tcase, a_spring_pulls_once);
-    tcase_add_test(tcase, a_spring_knows_of_a_contact);
+    tcase_add_loop_test(tcase, a_spring_knows_of_a_contact, 0, 2);
     tcase_add_test(tcase, friction_is_coulombs);
     tcase_add_test(tcase, a_contact_does_not_hold_what_leaves);
     tcase_add_test(tcase, springs_have_a_limit);
@@ -425,7 +448,8 @@ Suite *suite(void)
     tcase_add_test(tcase, a_spring_of_no_length_stays_finite);
     tcase_add_test(tcase, none_can_be_freed);
     tcase_add_test(tcase, momentum_is_kept);
-    tcase_add_test(tcase, in_the_end_all_forces_are_in_balance);
+    tcase_add_test(tcase, forces_end_in_balance);
+    tcase_add_test(tcase, what_is_free_of_contacts_keeps_its_bits);
     tcase_add_test(tcase, a_step_depends_on_itself_alone);
     suite_add_tcase(suite, tcase);
     return suite;

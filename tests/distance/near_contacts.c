@@ -5,6 +5,7 @@
 #include "support/proposals.h"
 #include "support/support.h"
 #include "support/surface_of.h"
+#include "support/watches.h"
 
 #include <math.h>
 #include <string.h>
@@ -164,6 +165,41 @@ START_TEST(a_row_has_nothing_of_those_before)
 }
 END_TEST
 
+enum {
+    MANY = 1500
+};
+
+// Points that come near a triangle, so many that it takes a while to list them: the
+// caller may cancel at each call.
+START_TEST(a_list_can_be_cancelled)
+{
+    static double start[3 * MANY] = {0, 0, 0, 9, 0, 0, 0, 9, 0}, end[3 * MANY];
+    for (int v = 3; v < MANY; v++)
+        for (int k = 0; k < 3; k++)
+            start[3 * v + k] = (double)v / MANY + (k == 2 ? 8 : 0);
+    for (int i = 0; i < 3 * MANY; i++)
+        end[i] = start[i] > 7 && i > 8 ? start[i] - 8 : start[i];
+    tf_surface *surface = surface_of(&(tf_mesh){
+        .axes = 3, .vertices = MANY, .triangles = 1, .triangle = corner});
+    tf_motion motion = {3, MANY, start, end};
+    tf_thickness thickness = {.length = 2};
+    watched_call call;
+    tf_contacts found = {0};
+    long calls = 1;
+    for (long last = 0; last <= calls; last++) {
+        surface->workers.watch = watched_begin(&call, last);
+        ck_assert_int_eq(tf_near_contacts_find(&thickness, surface, &motion,
+                                               NULL, &found, NULL),
+                         last == 0 ? TF_OK : TF_CANCELLED);
+        calls = last == 0 ? call.calls : calls;
+    }
+    ck_assert_uint_eq(found.count, MANY - 3);
+    surface->workers.watch = NULL;
+    tf_buffer_free(&thickness.row);
+    tf_surface_free(surface);
+}
+END_TEST
+
 START_TEST(what_fails_is_told)
 {
     static const double at[] = {0, 0, 0, 4, 0, 0, 0, 4, 0, 1, 1, 9},
@@ -191,6 +227,7 @@ Suite *suite(void)
     tcase_add_test(tcase, the_normal_goes_to_the_first_element);
     tcase_add_test(tcase, normals_may_have_any_axis);
     tcase_add_test(tcase, a_row_has_nothing_of_those_before);
+    tcase_add_test(tcase, a_list_can_be_cancelled);
     tcase_add_test(tcase, what_fails_is_told);
     suite_add_tcase(suite, tcase);
     return suite;

@@ -515,6 +515,24 @@ START_TEST(retreats_go_back_by_halves)
 }
 END_TEST
 
+START_TEST(all_memory_is_told_and_freed)
+{
+    tf_buffer *all[] = {&follow.company, &follow.number, &follow.fraction,
+                        &follow.squeezed, &follow.proposed};
+    size_t bytes = 0;
+    begin(3);
+    begin_trials();
+    for (int i = 0; i < 5; i++) {
+        ck_assert_uint_gt(all[i]->bytes, 0);
+        bytes += all[i]->bytes;
+    }
+    ck_assert_uint_eq(tf_follow_memory(&follow), bytes);
+    end();
+    for (int i = 0; i < 5; i++)
+        ck_assert_uint_eq(all[i]->bytes, 0);
+}
+END_TEST
+
 // Nothing is left of the step before: buffers of any content do.
 START_TEST(a_step_depends_on_itself_alone)
 {
@@ -630,6 +648,7 @@ Suite *suite(void)
     tcase_add_test(tcase, a_vertex_stays_in_its_company);
     tcase_add_loop_test(tcase, only_what_is_stuck_stays, 0, 3);
     tcase_add_test(tcase, retreats_go_back_by_halves);
+    tcase_add_test(tcase, all_memory_is_told_and_freed);
     tcase_add_test(tcase, a_step_depends_on_itself_alone);
     tcase_add_test(tcase, the_search_ends_whatever_happens);
     tcase_add_test(tcase, limits_that_pass_on_slowly_can_be_cancelled);

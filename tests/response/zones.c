@@ -152,6 +152,105 @@ START_TEST(vertices_that_move_join_zones)
 }
 END_TEST
 
+/// An edge that falls from a height of 1 upon a floor, and a separation of 3.
+static void begin_near_fall(void)
+{
+    proposal_begin(&made, 2);
+    add_edge(-5, 0, 0);
+    made.start[2] = made.end[2] = 9;
+    made.start[3] = made.end[3] = 0;
+    add_edge(-3, 1, 1);
+    begin();
+    s.rule.separation = 3;
+}
+
+// A script leads one edge through another one.
+START_TEST(constraints_of_scripts_are_in_no_zone)
+{
+    proposal_begin(&made, 2);
+    add_edge(-5, 0, 0);
+    made.start[2] = made.end[2] = 9;
+    add_edge(-3, 1, 1);
+    add_edge(3, 1, 0);
+    for (int v = 4; v < 6; v++)
+        made.end[2 * v + 1] -= 10;
+    begin();
+    ck_assert_uint_eq(go_on(&noting), 4);
+    ck_assert_int_eq(solved_zones, 2);
+    ck_assert_int_eq(sum(solved_constraints), 2);
+    end();
+}
+END_TEST
+
+// Two points, the first vertex one of them, fall upon the same edge.
+START_TEST(all_vertices_of_a_constraint_join)
+{
+    static const double place[][2] = {{0.5, 1}, {0, 0}, {2, 0}, {1.5, 1}};
+    proposal_begin(&made, 2);
+    for (int v = 0; v < 4; v++) {
+        proposal_add_vertex(&made, place[v][0], place[v][1], 0);
+        made.end[2 * v + 1] -= v % 3 == 0 ? 10 : 0;
+    }
+    proposal_add_edge(&made, 1, 2);
+    begin();
+    ck_assert_uint_eq(go_on(&noting), 2);
+    ck_assert_int_eq(solved_zones, 1);
+    ck_assert_int_eq(solved_vertices[0], 4);
+    end();
+}
+END_TEST
+
+// What a solver does is what the impulses and the friction that are kept do.
+START_TEST(impulses_and_friction_are_kept)
+{
+    proposal_begin(&made, 2);
+    add_edge(-5, 0, 0);
+    made.start[2] = made.end[2] = 9;
+    add_edge(-3, 1, 1);
+    for (int v = 2; v < 4; v++)
+        made.end[2 * v] += 3;
+    begin();
+    go_on_with(&tf_gauss_seidel, (tf_friction){.all = 0.1});
+    double moved[8] = {0};
+    const tf_constraint *all = zones.constraint.data;
+    for (int i = 0; i < zones.constraints; i++) {
+        ck_assert_double_gt(fabs(all[i].friction[0]), 0.5);
+        for (int j = 0; j < 4 && all[i].vertex[j] >= 0; j++)
+            for (int k = 0; k < 2; k++)
+                moved[2 * all[i].vertex[j] + k] +=
+                    made.inverse_mass[all[i].vertex[j]] *
+                    all[i].coefficient[j] *
+                    (all[i].impulse * all[i].normal[k] + all[i].friction[k]);
+    }
+    for (int i = 0; i < 8; i++)
+        ck_assert_double_eq_tol(s.unpushed[i], made.end[i] + moved[i], 1e-12);
+    end();
+}
+END_TEST
+
+// Buffers may hold anything before.
+START_TEST(a_step_depends_on_itself_alone)
+{
+    double ends[2][8];
+    for (int i = 0; i < 2; i++) {
+        begin_near_fall();
+        tf_buffer *all[] = {
+            &zones.by_vertex,    &zones.by_constraint, &zones.mass,
+            &zones.displacement, &zones.workspace,     &zones.pushed,
+            &zones.constraint,   &zones.gap,           &zones.zone_constraint};
+        for (int j = 0; i == 1 && j < 9; j++) {
+            ck_assert(tf_buffer_reserve(all[j], 1 << 12, 1));
+            memset(all[j]->data, 0x55, all[j]->bytes);
+        }
+        go_on(&tf_gauss_seidel);
+        memcpy(ends[i], s.end, sizeof ends[i]);
+        end();
+    }
+    ck_assert_mem_eq(ends[0], ends[1], sizeof ends[0]);
+    ck_assert_mem_ne(ends[0], made.end, sizeof ends[0]);
+}
+END_TEST
+
 /// How many constraints have a vertex from 4 on.
 static int constraints_of_second(void)
 {
@@ -226,18 +325,6 @@ END_TEST
 
 // Contacts at the ends of edges push one vertex each: three edges, one above
 // the other, are two zones.
-/// An edge that falls from a height of 1 upon a floor, and a separation of 3.
-static void begin_near_fall(void)
-{
-    proposal_begin(&made, 2);
-    add_edge(-5, 0, 0);
-    made.start[2] = made.end[2] = 9;
-    made.start[3] = made.end[3] = 0;
-    add_edge(-3, 1, 1);
-    begin();
-    s.rule.separation = 3;
-}
-
 START_TEST(pairs_are_pushed_apart_without_a_motion)
 {
     begin_near_fall();
@@ -266,6 +353,7 @@ START_TEST(pushes_do_not_depend_on_the_solver)
     int constraints = (int)go_on(&noting);
     ck_assert_int_gt(constraints, 0);
     ck_assert_int_eq(sum(solved_constraints), constraints);
+    ck_assert_double_eq_tol(statistics.violation, 10, 1e-12); // all of the fall
     for (int v = 2; v < 4; v++) {
         double height = made.start[2 * v + 1];
         ck_assert_double_eq(s.unpushed[2 * v + 1], made.end[2 * v + 1]);
@@ -527,6 +615,10 @@ Suite *suite(void)
     tcase_add_test(tcase, scripted_vertices_join_nothing);
     tcase_add_test(tcase, vertices_that_move_join_zones);
     tcase_add_test(tcase, only_zones_with_new_constraints_are_solved);
+    tcase_add_test(tcase, constraints_of_scripts_are_in_no_zone);
+    tcase_add_test(tcase, all_vertices_of_a_constraint_join);
+    tcase_add_test(tcase, impulses_and_friction_are_kept);
+    tcase_add_test(tcase, a_step_depends_on_itself_alone);
     suite_add_tcase(suite, tcase);
     tcase = tcase_create("a caller");
     tcase_add_test(tcase, each_loop_over_constraints_notes_its_work);

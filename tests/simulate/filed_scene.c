@@ -394,9 +394,11 @@ START_TEST(some_elements_may_meet)
     ck_assert_int_eq(s->scene->kind->step(s, &options), TF_OK);
     tf_simulation_free(s);
     tf_filed_scene_free(filed);
+    make_file("apart.obj", "v 5 5 5\nv 6 5 5\nv 5 6 5\nf 1 2 3");
     tf_filed_scene_free(
         filed_scene("meshes: [{frames: cloth.obj, role: fixed}, "
-                    "{frames: other.obj, role: scripted}]"));
+                    "{frames: other.obj, role: scripted}, "
+                    "{frames: apart.obj}]"));
 }
 END_TEST
 
@@ -501,7 +503,8 @@ static const struct {
      "cloth.obj", -1,
      "4 vertices, but body0.obj has 3; all files must have "
      "the same elements"},
-    {"rate: 1\nmeshes:\n- {frames: [curve.obj, raised.obj], role: scripted}\n",
+    {"rate: 1\nmeshes:\n- {frames: [curve.obj, raised.obj], role: scripted}\n"
+     "- {frames: chain.obj}\n",
      "scene.yaml", -1,
      "the curves leave the plane in frame 1; keep z = 0, or give them another "
      "z from the start"},

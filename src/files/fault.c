@@ -1,6 +1,7 @@
 //: Include what faults need
 #include "files/fault.h"
 
+#include <errno.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -26,8 +27,19 @@ bool tf_fault_set(tf_fault *fault, const char *file, long place,
 }
 
 //: Set a fault of the system
+/// Names the folder of a file that has none.
+static bool set_without_folder(tf_fault *fault, const char *file)
+{
+    size_t length = (size_t)(strrchr(file, '/') - file);
+    return tf_fault_set(fault, file, -1,
+                        "there is no folder '%s'; make it, or choose another",
+                        tf_quote(file, length).text);
+}
+
 bool tf_fault_set_unwritten(tf_fault *fault, const char *file, int reason)
 {
+    if (reason == ENOENT && strchr(file, '/'))
+        return set_without_folder(fault, file);
     return tf_fault_set(fault, file, -1,
                         "cannot write: %s; mend that, and run again",
                         strerror(reason));

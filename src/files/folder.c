@@ -24,6 +24,8 @@ bool tf_folder_begin(const char *path, const char *otherwise, tf_fault *fault)
 {
     if (mkdir(path, 0777) == 0)
         return true;
+    if (errno == ENOENT && strchr(path, '/'))
+        return tf_fault_set_unwritten(fault, path, errno);
     if (errno != EEXIST)
         return tf_fault_set(
             fault, path, -1,

@@ -167,22 +167,31 @@ static bool written(tf_records *records)
 }
 
 //: Write many records
-bool tf_records_begin(tf_records *records, FILE *stream, tf_format format,
+void tf_records_begin(tf_records *records, FILE *stream, tf_format format,
                       const char *name, const tf_field field[])
 {
     *records = (tf_records){
         .stream = stream, .format = format, .name = name, .field = field};
-    if (format == TF_CSV)
-        tf_record_write_head(stream, field);
-    else if (format == TF_JSON && name)
-        fprintf(stream, "{\"%s\":[", name);
-    else if (format == TF_JSON)
-        fputc('[', stream);
+}
+
+/// Writes what comes before the first record.
+static bool begin_rows(tf_records *records)
+{
+    if (records->count > 0)
+        return true;
+    if (records->format == TF_CSV)
+        tf_record_write_head(records->stream, records->field);
+    else if (records->format == TF_JSON && records->name)
+        fprintf(records->stream, "{\"%s\":[", records->name);
+    else if (records->format == TF_JSON)
+        fputc('[', records->stream);
     return written(records);
 }
 
 bool tf_records_add(tf_records *records, const void *record)
 {
+    if (!begin_rows(records))
+        return false;
     if (records->format == TF_CSV)
         tf_record_write_csv(records->stream, records->field, record);
     if (records->format == TF_JSON) {
@@ -209,6 +218,8 @@ static void end_json(const tf_records *records, const tf_field field[],
 bool tf_records_end(tf_records *records, const tf_field field[],
                     const void *summary)
 {
+    if (!begin_rows(records))
+        return false;
     if (records->format == TF_JSON)
         end_json(records, field, summary);
     else if (records->format == TF_SUMMARY && field)

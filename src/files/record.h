@@ -80,8 +80,10 @@ typedef struct tf_records {
 } tf_records;
 
 /// Each writes its part, and returns false after a write that failed.  The end
-/// has the summary, unless that is for CSV or `field` is NULL, and flushes.
-bool tf_records_begin(tf_records *records, FILE *stream, tf_format format,
+/// has the summary, unless that is for CSV or `field` is NULL, and flushes.  What
+/// comes before the records is written with the first one, or at the end: after
+/// an error before both there is nothing.
+void tf_records_begin(tf_records *records, FILE *stream, tf_format format,
                       const char *name, const tf_field field[]);
 bool tf_records_add(tf_records *records, const void *record);
 bool tf_records_end(tf_records *records, const tf_field field[],

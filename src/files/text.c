@@ -53,8 +53,11 @@ bool tf_text_read_number(tf_text *text, const char *ends, double *number)
     const char *word = text->at;
     bool good =
         tf_number_read(&text->at, number) && tf_ends_word(*text->at, ends);
+    size_t length = strcspn(word, " \t\r\n");
     return (good && isfinite(*number)) ||
-           tf_text_fault_in_word(text, word, strcspn(word, " \t\r\n"),
+           tf_text_fault_in_word(text, word, length,
                                  good ? TF_TOO_LARGE_VERDICT
-                                      : TF_NO_NUMBER_VERDICT);
+                                 : memchr(word, ',', length)
+                                     ? TF_COMMA_VERDICT
+                                     : TF_NO_NUMBER_VERDICT);
 }

@@ -29,6 +29,8 @@ bool tf_text_fault_in_word(const tf_text *text, const char *word, size_t length,
 /// What is said of words that are not read as numbers.
 #define TF_NO_NUMBER_VERDICT                                                   \
     "not a finite number; write a decimal or a hexadecimal float"
+#define TF_COMMA_VERDICT                                                       \
+    "not a finite number; write a point in place of the comma"
 #define TF_TOO_LARGE_VERDICT "beyond the largest double; scale the scene down"
 
 /// The beginning of a text, behind the mark of UTF-8, if it has that.

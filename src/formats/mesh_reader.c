@@ -116,6 +116,9 @@ static void mend_line_ends(char *text, size_t size)
 static bool parse(tf_mesh_file *file, char *text, size_t size)
 {
     mend_line_ends(text, size);
+    if (size == 0)
+        return tf_mesh_file_fault(file, -1,
+                                  "the file is empty; export it again");
     return choose_parser(file, text, size)(file, text, size) &&
            check_whole(file) && tf_mesh_file_divide(file);
 }

@@ -118,13 +118,16 @@ static bool check_size(const tf_mesh_file *file, const char *text, size_t size)
                                   "header of %d bytes, and text begins with "
                                   "the word solid",
                                   HEADER);
+    size_t facets = bytes_of_facets(text) / FACET;
     size_t wanted = HEADER + bytes_of_facets(text);
     return size == wanted ||
            tf_mesh_file_fault(
                file, HEADER - 4,
-               "the file has %zu bytes, but its header declares %zu triangles, "
-               "which need %zu; it may be cut short, or have another format",
-               size, bytes_of_facets(text) / FACET, wanted);
+               "the file has %zu bytes, but its header declares %zu "
+               "triangle%s, "
+               "for which it needs %zu; it may be cut short, or have another "
+               "format",
+               size, facets, facets == 1 ? "" : "s", wanted);
 }
 
 bool tf_binary_stl_parse(tf_mesh_file *file, const char *text, size_t size)
@@ -204,6 +207,7 @@ static bool read_solid(solid *s)
 bool tf_text_stl_parse(tf_mesh_file *file, const char *text, size_t size)
 {
     solid s = {.words = tf_words_of(file, text, size)};
+    s.words.early_end = "'endsolid' is missing; the file may be cut short";
     file->format = TF_STL_TEXT;
     describe_source(file);
     bool good = true;

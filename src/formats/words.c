@@ -18,6 +18,8 @@ tf_words tf_words_of(tf_mesh_file *file, const char *text, size_t size)
                  .fault = file->fault},
         .start = text,
         .end = text + size,
+        .early_end = "the file ends too early; it may be cut short, or its "
+                     "header declares too much",
         .file = file,
     };
 }
@@ -57,9 +59,7 @@ bool tf_words_find(tf_words *words)
 bool tf_words_need(tf_words *words)
 {
     return tf_words_find(words) ||
-           tf_text_fault(&words->text,
-                         "the file ends too early; it may be cut short, or its "
-                         "header declares too much");
+           tf_text_fault(&words->text, "%s", words->early_end);
 }
 
 bool tf_words_take(tf_words *words, const char *word)

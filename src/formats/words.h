@@ -9,6 +9,7 @@ typedef struct tf_words {
     tf_text text;
     const char *start, *end; ///< of the text
     bool has_comments;       ///< from # to the end of a line
+    const char *early_end;   ///< what is said if a word is missing at the end
     tf_mesh_file *file;      ///< to which the faults are told
 } tf_words;
 

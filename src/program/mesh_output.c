@@ -5,6 +5,7 @@
 #include "writers/losses.h"
 
 #include <errno.h>
+#include <signal.h>
 
 //: Begin the output of a mesh
 bool tf_mesh_output_begin(tf_destination *to, const char *path,
@@ -20,13 +21,19 @@ bool tf_mesh_output_begin(tf_destination *to, const char *path,
 }
 
 //: Say what is lost
+static tf_visible shown_destination(const char *path)
+{
+    return tf_make_visible(tf_destination_is_standard(path) ? "standard output"
+                                                            : path);
+}
+
 static void print_losses(const char *path, const tf_mesh_file *made_of,
                          tf_mesh_format format)
 {
     tf_losses losses = tf_find_losses(made_of, format);
     if (*losses.text)
         fprintf(stderr, "tanglefree: %s: without the %s of %s\n",
-                tf_make_visible(path).text, losses.text,
+                shown_destination(path).text, losses.text,
                 tf_make_visible(made_of->name).text);
 }
 
@@ -42,7 +49,7 @@ static void print_rounding(const char *path, const tf_mesh_content *content)
             "tanglefree: %s: %zu of %zu coordinates are rounded to floats, by "
             "which elements may meet; check it, or write another format than "
             "STL\n",
-            tf_make_visible(path).text, rounded, count);
+            shown_destination(path).text, rounded, count);
 }
 
 void tf_mesh_output_remark(const char *path, const tf_mesh_content *content,
@@ -74,7 +81,21 @@ static bool write_report(const tf_destination *to, const tf_mesh_report *report)
                to->fault, taken ? "standard error" : "standard output", errno);
 }
 
-// The file gets its name last, so that after any error it is as it was.
+/// Gives the file its name after the report, so that after any error it is as it
+/// was; but that nobody reads the report is no reason to lose the mesh: then the
+/// program ends afterwards, as by such a write.
+static bool finish(tf_destination *to, const tf_mesh_report *report)
+{
+    void (*usual)(int) = signal(SIGPIPE, SIG_IGN);
+    errno = 0;
+    bool told = write_report(to, report), unread = !told && errno == EPIPE;
+    signal(SIGPIPE, usual);
+    bool kept = (told || unread) && tf_destination_keep(to);
+    if (unread && kept)
+        raise(SIGPIPE);
+    return told && kept;
+}
+
 bool tf_mesh_output_write(tf_destination *to, const tf_mesh_content *content,
                           const tf_mesh_file *made_of,
                           const tf_mesh_report *report)
@@ -82,6 +103,5 @@ bool tf_mesh_output_write(tf_destination *to, const tf_mesh_content *content,
     tf_mesh_format format = tf_mesh_format_of(to->path, made_of->format);
     tf_mesh_output_remark(to->path, content, made_of);
     return tf_mesh_check_writable(content, format, to->path, to->fault) &&
-           write_mesh(to, content, format) && write_report(to, report) &&
-           tf_destination_keep(to);
+           write_mesh(to, content, format) && finish(to, report);
 }

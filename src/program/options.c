@@ -217,12 +217,13 @@ static const char *read_text(const tf_option *option, const char *text,
 /// Describes the numbers that an option takes.
 static void describe_range(const tf_option *option, char words[100])
 {
-    const char *whole = option->type == TF_WHOLE ? "an integer " : "";
+    const char *what = option->type == TF_WHOLE ? "a whole number" : "a number";
     if (option->most < DBL_MAX)
-        snprintf(words, 100, "%sfrom %g to %g", whole, option->least,
+        snprintf(words, 100, "%s from %g to %g", what, option->least,
                  option->most);
     else
-        strcpy(words, option->least > 0 ? "above 0" : "0 or more");
+        snprintf(words, 100, "%s %s", what,
+                 option->least > 0 ? "above 0" : "from 0 on");
 }
 
 static double read_number(const tf_option *option, const char *text,

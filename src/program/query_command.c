@@ -140,9 +140,9 @@ static bool write_answers(answering *work)
                        : NULL;
     if (!stream)
         return false;
-    bool good = tf_query_output_begin(&work->output, stream, *request->format,
-                                      request->kind->axes) &&
-                answer_files(work);
+    tf_query_output_begin(&work->output, stream, *request->format,
+                          request->kind->axes);
+    bool good = answer_files(work);
     tf_progress_line_end(&work->progress);
     good = tf_query_output_end(&work->output) && good;
     return tf_destination_finish(&work->to, good, work->output.records.error);

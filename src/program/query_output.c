@@ -56,12 +56,11 @@ static void count(tf_tally *tally, int truth, const tf_contact *contact)
 }
 
 //: Write the answers
-bool tf_query_output_begin(tf_query_output *output, FILE *stream,
+void tf_query_output_begin(tf_query_output *output, FILE *stream,
                            tf_format format, int axes)
 {
     *output = (tf_query_output){.axes = axes};
-    return tf_records_begin(&output->records, stream, format, NULL,
-                            answer_fields);
+    tf_records_begin(&output->records, stream, format, NULL, answer_fields);
 }
 
 bool tf_query_output_answer(tf_query_output *output, const tf_query_rows *query,

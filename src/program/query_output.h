@@ -25,7 +25,7 @@ typedef struct tf_query_output {
 //: Declare how to write the answers
 /// Write what comes before all answers, an answer, and what comes after them;
 /// the last also flushes.  False after a write that failed.
-bool tf_query_output_begin(tf_query_output *output, FILE *stream,
+void tf_query_output_begin(tf_query_output *output, FILE *stream,
                            tf_format format, int axes);
 bool tf_query_output_answer(tf_query_output *output, const tf_query_rows *query,
                             const tf_contact *contact);

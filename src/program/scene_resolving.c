@@ -214,12 +214,11 @@ static bool fault_in_report(scene_resolving *r)
                                   r->records.error);
 }
 
-static bool begin_report(scene_resolving *r)
+static void begin_report(scene_resolving *r)
 {
     list_fields(r->field);
-    return tf_records_begin(&r->records, stdout, *r->request->format, "steps",
-                            r->field) ||
-           fault_in_report(r);
+    tf_records_begin(&r->records, stdout, *r->request->format, "steps",
+                     r->field);
 }
 
 static bool report_step(scene_resolving *r, const tf_resolved *done)
@@ -234,9 +233,11 @@ static bool report_step(scene_resolving *r, const tf_resolved *done)
     return tf_records_add(&r->records, &row) || fault_in_report(r);
 }
 
-/// If not all steps were done, JSON alone has sums.
+/// If not all steps were done, JSON alone has sums; if none was, there is nothing.
 static bool end_report(scene_resolving *r, bool done)
 {
+    if (!done && r->records.count == 0)
+        return true;
     bool told = done || *r->request->format == TF_JSON;
     return tf_records_end(&r->records, told ? sum_fields : NULL, &r->sum) ||
            fault_in_report(r);
@@ -273,7 +274,7 @@ static bool begin_scene(scene_resolving *r)
     if (!tf_scene_file_read(&r->meshes, path, &r->frames.fault))
         return false;
     if (r->meshes.frames < 2)
-        return tf_fault_set(&r->frames.fault, path, -1, TF_NO_STEP_FAULT);
+        return tf_scene_fault_in_frames(&r->meshes, path, &r->frames.fault);
     if (!has_moving_mesh(&r->meshes))
         return tf_fault_set(&r->frames.fault, path, -1,
                             "no mesh is moving, so there is nothing to "
@@ -294,8 +295,9 @@ static bool do_step(scene_resolving *r)
 static bool do_scene(scene_resolving *r)
 {
     bool good = begin_scene(r);
-    if (!good || !begin_report(r))
+    if (!good)
         return false;
+    begin_report(r);
     for (int i = 1; i < r->meshes.frames && good; i++)
         good = do_step(r);
     good = good && (!r->shows || tf_shown_frames_end(&r->shown));

@@ -160,8 +160,8 @@ static bool detect_all(work *w)
                           : !add_mesh(w, 0, request->operands))
         return false;
     if (w->meshes.frames < 2)
-        return tf_fault_set(&w->frames.fault, request->operand[0], -1,
-                            TF_NO_STEP_FAULT);
+        return tf_scene_fault_in_frames(&w->meshes, request->operand[0],
+                                        &w->frames.fault);
     for (int i = 0; i < w->meshes.frames; i++) {
         if (!next_frame(w) || (i > 0 && !detect_step(w)) || !show_frame(w))
             return false;
@@ -259,7 +259,8 @@ static FILE *begin_output(work *w)
     const char *out = w->request->out, *ending = tf_any_mesh_ending(out);
     if (!w->shows && ending) {
         tf_fault_set(&w->frames.fault, out, -1,
-                     "rows are written there, not a mesh; leave out %s",
+                     "the output is rows, not a mesh; leave out %s, or end the "
+                     "name in .pvd for ParaView",
                      ending);
         return NULL;
     }
@@ -277,8 +278,8 @@ static bool write_rows(work *w, bool checks, bool (*do_all)(work *))
     FILE *stream = begin_output(w);
     if (!stream)
         return false;
-    bool good =
-        tf_surface_output_begin(&w->output, stream, &options) && do_all(w);
+    tf_surface_output_begin(&w->output, stream, &options);
+    bool good = do_all(w);
     tf_progress_line_end(&w->progress);
     good = tf_surface_output_end(&w->output, good) && good;
     return tf_destination_finish(&w->to, good, w->output.records.error);

@@ -116,7 +116,7 @@ static const tf_field counts_of_checks[2][2][5] = {
      {COUNTS("frames", "frames with rows"), NEAR_COUNT, {0}}}};
 
 //: Begin and end the output about surfaces
-bool tf_surface_output_begin(tf_surface_output *output, FILE *stream,
+void tf_surface_output_begin(tf_surface_output *output, FILE *stream,
                              const tf_surface_output_options *options)
 {
     static const tf_field *const contacts[] = {
@@ -128,14 +128,16 @@ bool tf_surface_output_begin(tf_surface_output *output, FILE *stream,
         [TF_NAMES_OF_MESHES] = crossing_fields_of_meshes};
     bool checks = options->checks;
     *output = (tf_surface_output){.options = *options};
-    return tf_records_begin(&output->records, stream, options->format,
-                            checks ? "intersections" : "contacts",
-                            (checks ? crossings : contacts)[options->names]);
+    tf_records_begin(&output->records, stream, options->format,
+                     checks ? "intersections" : "contacts",
+                     (checks ? crossings : contacts)[options->names]);
 }
 
 bool tf_surface_output_end(tf_surface_output *output, bool done)
 {
     const tf_surface_output_options *options = &output->options;
+    if (!done && output->records.count == 0)
+        return output->records.error == 0;
     bool frames = options->names == TF_NAMES_OF_MESHES;
     const tf_field *counts = options->checks
                                  ? counts_of_checks[options->measures][frames]

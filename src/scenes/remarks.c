@@ -16,7 +16,7 @@ print_once(bool *printed, const tf_mesh_file *file, const char *format, ...)
     va_start(arguments, format);
     fprintf(stderr, "tanglefree: %s: ", tf_make_visible(file->name).text);
     vfprintf(stderr, format, arguments);
-    fputs("; so in further files, of which nothing is said\n", stderr);
+    fputs("; so are those of further files, without a message\n", stderr);
     va_end(arguments);
 }
 
@@ -35,14 +35,18 @@ static void print_polygons(const tf_mesh_file *file)
 /// Points are no elements of a surface anyway.
 static void print_left_out(const tf_mesh_file *file)
 {
-    static bool printed = false, flat_printed = false;
+    static bool lines_printed, volumes_printed, flat_printed;
     int lines = file->left_out[1], volumes = file->left_out[3];
     int flat = file->left_out[2];
-    if (lines + volumes > 0)
-        print_once(&printed, file,
-                   "what is no surface is left out: %d line%s and %d volume%s",
-                   lines, lines == 1 ? "" : "s", volumes,
-                   volumes == 1 ? "" : "s");
+    if (lines > 0)
+        print_once(&lines_printed, file, "%d line%s left out, as %s no surface",
+                   lines, lines == 1 ? " is" : "s are",
+                   lines == 1 ? "it is" : "they are");
+    if (volumes > 0)
+        print_once(&volumes_printed, file,
+                   "%d volume%s left out, as %s no surface", volumes,
+                   volumes == 1 ? " is" : "s are",
+                   volumes == 1 ? "it is" : "they are");
     if (flat > 0)
         print_once(&flat_printed, file,
                    "%d triangle%s with two corners at one position %s left out",

@@ -422,3 +422,18 @@ bool tf_simulated_file_read(tf_scene_meshes *meshes, const char *path,
     fclose(stream);
     return good;
 }
+
+//: Report that a scene has no step
+bool tf_scene_fault_in_frames(const tf_scene_meshes *meshes, const char *path,
+                              tf_fault *fault)
+{
+    bool several = false;
+    for (int m = 0; m < meshes->count; m++)
+        several = several || meshes->mesh[m].frames.count > 1;
+    return tf_fault_set(
+        fault, path, -1, "there is no step%s",
+        several ? ", as fixed meshes stay at their first frame; make one with "
+                  "several frames moving or scripted"
+                : ", as each mesh has only one frame; give one that isn't "
+                  "fixed two or more");
+}

@@ -29,8 +29,6 @@ bool tf_scene_file_read(tf_scene_meshes *meshes, const char *path,
 bool tf_simulated_file_read(tf_scene_meshes *meshes, const char *path,
                             tf_fault *fault);
 
-/// What is wrong with a scene that should have steps.
-#define TF_NO_STEP_FAULT                                                       \
-    "has only one frame, so there is no step; give a mesh that isn't fixed "   \
-    "two "                                                                     \
-    "frames or more"
+/// Sets the fault of a scene that should have steps, and has none; false.
+bool tf_scene_fault_in_frames(const tf_scene_meshes *meshes, const char *path,
+                              tf_fault *fault);

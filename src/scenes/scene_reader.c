@@ -97,25 +97,33 @@ static range_words words_of_range(const tf_scene_key *key)
 }
 
 //: Read a number of YAML
-static bool fits_key(double number, const tf_scene_key *key)
+static bool fits_key(double number, const tf_scene_key *key, bool whole)
 {
-    return isfinite(number) && (key->most <= key->least ||
-                                (number >= key->least && number <= key->most));
+    return isfinite(number) &&
+           (key->most <= key->least ||
+            (number >= key->least && number <= key->most)) &&
+           (!whole || (number == floor(number) && fabs(number) <= INT_MAX));
 }
 
-bool tf_scene_read_number(tf_scene_reader *reader, const yaml_node_t *node,
-                          const tf_scene_key *key, double *number)
+static bool read_number(tf_scene_reader *reader, const yaml_node_t *node,
+                        const tf_scene_key *key, bool whole, double *number)
 {
     const char *text = tf_scene_text(reader, node, key->name);
     if (!text)
         return false;
     const char *rest = text;
     bool good = tf_number_read(&rest, number) && *rest == '\0' &&
-                fits_key(*number, key);
-    return good ||
-           tf_scene_fault_at(reader, node, "%s must be a number%s, got '%s'",
-                             key->name, words_of_range(key).text,
-                             tf_make_visible(text).text);
+                fits_key(*number, key, whole);
+    return good || tf_scene_fault_at(
+                       reader, node, "%s must be a %s%s, got '%s'", key->name,
+                       whole ? "whole number" : "number",
+                       words_of_range(key).text, tf_make_visible(text).text);
+}
+
+bool tf_scene_read_number(tf_scene_reader *reader, const yaml_node_t *node,
+                          const tf_scene_key *key, double *number)
+{
+    return read_number(reader, node, key, false, number);
 }
 
 bool tf_scene_take_number(tf_scene_reader *reader, const tf_scene_key *key,
@@ -130,12 +138,8 @@ bool tf_scene_take_whole(tf_scene_reader *reader, const tf_scene_key *key,
                          const yaml_node_t *node, void *target)
 {
     double number;
-    if (!tf_scene_read_number(reader, node, key, &number))
+    if (!read_number(reader, node, key, true, &number))
         return false;
-    if (number != floor(number) || fabs(number) > INT_MAX)
-        return tf_scene_fault_at(
-            reader, node, "%s must be a whole number, got '%s'", key->name,
-            (const char *)node->data.scalar.value);
     *(int *)tf_scene_member(key, target) = (int)number;
     return true;
 }

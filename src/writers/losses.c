@@ -32,7 +32,7 @@ typedef enum thing {
 
 static const char *const thing_names[THINGS] = {
     [COMMENTS] = "comments",
-    [NAMES] = "names",
+    [NAMES] = "object names",
     [GROUPS] = "groups",
     [MATERIALS] = "materials",
     [SMOOTHING] = "smoothing groups",

@@ -39,8 +39,11 @@ END_TEST
 START_TEST(a_folder_nowhere_is_refused)
 {
     expect_fault("none/a", "",
-                 "cannot make this folder: No such file or directory; choose "
-                 "another with -o");
+                 "there is no folder 'none'; make it, or choose another");
+    make_file("file", "");
+    expect_fault("file/a", "",
+                 "cannot make this folder: Not a directory; choose another "
+                 "with -o");
 }
 END_TEST
 

@@ -162,7 +162,7 @@ static void expect_records(tf_format format, const char *name, int count,
 {
     FILE *stream = open_memstream(&text, &length);
     tf_records records;
-    ck_assert(tf_records_begin(&records, stream, format, name, x_field));
+    tf_records_begin(&records, stream, format, name, x_field);
     for (int i = 0; i < count; i++)
         ck_assert(tf_records_add(&records, &(row){i}));
     ck_assert_uint_eq(records.count, (size_t)count);
@@ -202,7 +202,7 @@ START_TEST(a_full_disk_is_noticed_at_the_end)
 {
     FILE *stream = fopen("/dev/full", "w");
     tf_records records;
-    ck_assert(tf_records_begin(&records, stream, TF_CSV, NULL, x_field));
+    tf_records_begin(&records, stream, TF_CSV, NULL, x_field);
     ck_assert(!tf_records_end(&records, NULL, NULL));
     ck_assert_int_eq(records.error, ENOSPC);
     ck_assert(!tf_report_write(stream, TF_JSON, x_field, &(row){1}));
@@ -243,7 +243,8 @@ START_TEST(the_first_reason_counts)
     FILE *stream = fopencookie(&reason, "w", functions);
     setvbuf(stream, NULL, _IONBF, 0);
     tf_records records;
-    ck_assert(!tf_records_begin(&records, stream, TF_JSON, NULL, x_field));
+    tf_records_begin(&records, stream, TF_JSON, NULL, x_field);
+    ck_assert(!tf_records_add(&records, &(row){1}));
     ck_assert_int_eq(records.error, ENOENT + 1);
     ck_assert(!tf_records_end(&records, NULL, NULL));
     ck_assert_int_eq(records.error, ENOENT + 1);

@@ -168,7 +168,6 @@ END_TEST
 START_TEST(a_file_without_elements_is_refused)
 {
     static const char *const texts[] = {
-        "",
         "\n",
         "# nothing\n",
         "\xEF\xBB\xBF",
@@ -179,6 +178,7 @@ START_TEST(a_file_without_elements_is_refused)
         expect_bad_mesh(texts[i], -1,
                         "no vertices; the file must be a mesh in OBJ, PLY, "
                         "STL, OFF or .msh");
+    expect_bad_mesh("", -1, "the file is empty; export it again");
     expect_bad_mesh("v 1 2 3\nv 1 2\n", -1,
                     "no triangles and no edges; a mesh must have some");
 }
@@ -264,9 +264,9 @@ START_TEST(names_tell_what_contents_do_not)
     bytes stl = binary_stl("a"), solid = binary_stl("solid a");
     stl.count--;
     solid.count--;
-    expect_words_on(
-        "mesh.stl", &stl,
-        "has 133 bytes, but its header declares 1 triangles, which need 134;");
+    expect_words_on("mesh.stl", &stl,
+                    "has 133 bytes, but its header declares 1 triangle, for "
+                    "which it needs 134;");
     expect_words_on("mesh.STL.gz", &stl, "has 133 bytes, but its");
     expect_words_on("mesh.obj", &solid, "has 133 bytes, but its");
     expect_words_on("mesh.obj", &stl, "a NUL byte; ");
@@ -328,7 +328,7 @@ START_TEST(standard_input_is_read_once)
     tf_mesh_file_free(&file);
     // Nothing is left for the second time.
     ck_assert(!tf_mesh_file_read(&file, "-", NULL, &fault));
-    expect_words(fault.text, "no vertices; ");
+    expect_words(fault.text, "the file is empty; ");
     tf_mesh_file_free(&file);
 }
 END_TEST

@@ -128,11 +128,11 @@ START_TEST(other_sizes_are_refused)
     bytes made = binary_square("solid");
     expect_bad_bytes(made.at, made.count - 1, 80,
                      "the file has 183 bytes, but its header declares 2 "
-                     "triangles, which need 184; it may be cut short");
+                     "triangles, for which it needs 184; it may be cut short");
     put_int(&made, 1, 0);
-    expect_bad_bytes(
-        made.at, made.count, 80,
-        "has 185 bytes, but its header declares 2 triangles, which need 184;");
+    expect_bad_bytes(made.at, made.count, 80,
+                     "has 185 bytes, but its header declares 2 triangles, for "
+                     "which it needs 184;");
     expect_bad_bytes(made.at, 83, 83,
                      "the file ends too early; binary STL has a header of 84");
     ck_assert(!tf_is_binary_stl(made.at, 83));
@@ -143,7 +143,7 @@ START_TEST(other_sizes_are_refused)
     made = header_of("solid", 0xffffffff);
     expect_bad_bytes(made.at, made.count, 80,
                      "has 84 bytes, but its header declares 4294967295 "
-                     "triangles, which need 214748364834;");
+                     "triangles, for which it needs 214748364834;");
 }
 END_TEST
 
@@ -187,10 +187,10 @@ static const struct {
     long line;
     const char *words;
 } bad[] = {
-    {"solid\n" ONE, 9, "the file ends too early; it may be cut short"},
+    {"solid\n" ONE, 9, "'endsolid' is missing; the file may be cut short"},
     {"solid\n" ONE "facet normal 0 0 0\nouter loop\nvertex 1 1", 11,
-     "the file ends too early"},
-    {"solid\nfacet normal 0 0 0\n", 3, "the file ends too early"},
+     "'endsolid' is missing; "},
+    {"solid\nfacet normal 0 0 0\n", 3, "'endsolid' is missing; "},
     {"solid\n" LOOP_OF("0 0 0", "1 0", "1 1 0"), 6,
      "'vertex' is not a finite number"},
     {"solid\n" LOOP_OF("0 0 0", "1 inf 0", "1 1 0"), 5,

@@ -98,7 +98,8 @@ START_TEST(what_cannot_be_written_is_named)
 {
     ck_assert(!tf_destination_begin(&to, "no/made", &fault));
     ck_assert_str_eq(fault.file, "no/made");
-    expect_words(fault.text, "cannot write: No such file or directory; ");
+    expect_words(fault.text,
+                 "there is no folder 'no'; make it, or choose another");
     tf_destination_end(&to);
     ck_assert_ptr_nonnull(freopen("/dev/full", "w", stdout));
     static const char *const names[][2] = {{"/dev/full", "/dev/full"},

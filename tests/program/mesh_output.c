@@ -58,7 +58,7 @@ START_TEST(what_fails_leaves_the_file_as_it_was)
     ck_assert_str_eq(file_text("made"), "before\n");
     ck_assert(!write_to("no/folder/made"));
     ck_assert_str_eq(fault.file, "no/folder/made");
-    expect_words(fault.text, "cannot write: No such file or directory; ");
+    expect_words(fault.text, "there is no folder 'no/folder'; ");
 }
 END_TEST
 

@@ -798,13 +798,15 @@ START_TEST(invalid_distances_are_refused)
         char arguments[100];
         snprintf(arguments, sizeof arguments,
                  "query -k point-edge -m cubic --tolerance %s in", bad[i]);
-        expect_usage(arguments, "tanglefree query: --tolerance must be 0 or "
-                                "more, got '");
+        expect_usage(arguments,
+                     "tanglefree query: --tolerance must be a number "
+                     "from 0 on, got '");
         snprintf(arguments, sizeof arguments,
                  "query -k point-edge -m advancement --threshold=%s in",
                  bad[i]);
-        expect_usage(arguments, "tanglefree query: --threshold must be 0 or "
-                                "more, got '");
+        expect_usage(arguments,
+                     "tanglefree query: --threshold must be a number "
+                     "from 0 on, got '");
     }
 }
 END_TEST

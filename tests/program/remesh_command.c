@@ -58,8 +58,9 @@ START_TEST(what_new_triangles_lose_is_said)
     make_file("named.obj", "o square\nvt 0 0\n" SQUARE);
     outcome found = run("$tf remesh named.obj -o out.obj -e 9");
     ck_assert_int_eq(found.status, 0);
-    ck_assert_str_eq(found.err, "tanglefree: out.obj: without the names and "
-                                "texture coordinates of named.obj\n");
+    ck_assert_str_eq(found.err,
+                     "tanglefree: out.obj: without the object names and "
+                     "texture coordinates of named.obj\n");
 }
 END_TEST
 
@@ -151,7 +152,7 @@ START_TEST(what_cannot_be_written_is_named)
 {
     outcome found = run("$tf remesh square.obj -o no/out -e 1");
     ck_assert_int_eq(found.status, 2);
-    expect_words(found.err, "tanglefree: no/out: cannot write: ");
+    expect_words(found.err, "tanglefree: no/out: there is no folder 'no'; ");
 }
 END_TEST
 
@@ -175,15 +176,17 @@ START_TEST(bad_arguments_are_refused)
     expect_usage("remesh square.obj -o out",
                  "tanglefree remesh: --edge L is required: the length that "
                  "edges should have\n");
-    expect_usage("remesh square.obj -o out -e 0",
-                 "tanglefree remesh: --edge must be above 0, got '0'\n");
-    expect_usage("remesh square.obj -o out -e x",
-                 "tanglefree remesh: --edge must be above 0, got 'x'\n");
+    expect_usage(
+        "remesh square.obj -o out -e 0",
+        "tanglefree remesh: --edge must be a number above 0, got '0'\n");
+    expect_usage(
+        "remesh square.obj -o out -e x",
+        "tanglefree remesh: --edge must be a number above 0, got 'x'\n");
     expect_usage("remesh square.obj -o out -e 1 --rounds 0",
-                 "tanglefree remesh: --rounds must be an integer from 1 to "
+                 "tanglefree remesh: --rounds must be a whole number from 1 to "
                  "1000, got '0'\n");
     expect_usage("remesh square.obj -o out -e 1 --rounds 1.5",
-                 "tanglefree remesh: --rounds must be an integer from 1 to "
+                 "tanglefree remesh: --rounds must be a whole number from 1 to "
                  "1000, got '1.5'\n");
     expect_usage("remesh square.obj --write out -e 1",
                  "tanglefree remesh: --write is an old spelling; write "

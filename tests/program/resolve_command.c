@@ -402,7 +402,7 @@ END_TEST
 
 static const char divided[] =
     "tanglefree: %s: 1 face with more than three corners is triangulated; so "
-    "in further files, of which nothing is said\n";
+    "are those of further files, without a message\n";
 
 START_TEST(all_else_that_the_end_has_is_kept)
 {
@@ -443,14 +443,16 @@ START_TEST(what_another_format_loses_is_said)
     make_file("start.obj", SCENE("1", "0"));
     make_file("end.obj", SCENE("2", "0"));
     expect_said("start.obj", "end.obj", "new.obj", "");
-    expect_said("start.obj", "end.obj", "new.ply",
-                ": without the comments, names, groups, materials, smoothing "
-                "groups, texture coordinates and normals of end.obj");
+    expect_said(
+        "start.obj", "end.obj", "new.ply",
+        ": without the comments, object names, groups, materials, smoothing "
+        "groups, texture coordinates and normals of end.obj");
     expect_words(file_text("new.ply"), "property double red\n");
-    expect_said("start.obj", "end.obj", "new.vtp",
-                ": without the comments, names, groups, materials, smoothing "
-                "groups, texture coordinates, normals and polygons of "
-                "end.obj");
+    expect_said(
+        "start.obj", "end.obj", "new.vtp",
+        ": without the comments, object names, groups, materials, smoothing "
+        "groups, texture coordinates, normals and polygons of "
+        "end.obj");
     expect_said("above", "above", "new.ply", "");
     expect_said("above", "above", "new.stl", "");
     make_file("tenth", TRIANGLE "v 0 0 1.1\nv 0.5 0.5 1\n");
@@ -479,7 +481,7 @@ START_TEST(start_and_end_are_shown_with_contacts)
            0, "4\n", "");
     make_file("named", "o cloth\n" BELOW);
     expect(run("$tf resolve above named -o seen.pvd >report"), 0, "",
-           "tanglefree: seen.pvd: without the names of named\n");
+           "tanglefree: seen.pvd: without the object names of named\n");
     make_file("full", "before\n");
     expect(run("$tf resolve above below -o full.pvd"), 2, "",
            "tanglefree: full: cannot make this folder: File exists; choose "
@@ -729,8 +731,8 @@ END_TEST
 START_TEST(unwritable_places_are_reported)
 {
     expect(run("$tf resolve above below -o absent/new"), 2, "",
-           "tanglefree: absent/new: cannot write: No such file or directory; "
-           "mend that, and run again\n");
+           "tanglefree: absent/new: there is no folder 'absent'; make it, or "
+           "choose another\n");
     expect(run("$tf resolve above below -o ."), 2, "",
            "tanglefree: .: cannot write: Is a directory; mend that, and run "
            "again\n");
@@ -817,20 +819,24 @@ START_TEST(wrong_arguments_are_refused)
     expect_usage("resolve above below -o new --format xml",
                  "tanglefree resolve: --format must be csv, json or summary, "
                  "got 'xml'\n");
-    expect_usage("resolve above below -o new --restitution 1.1",
-                 "tanglefree resolve: --restitution must be from 0 to 1, got "
-                 "'1.1'\n");
-    expect_usage("resolve above below -o new --friction=-1",
-                 "tanglefree resolve: --friction must be 0 or more, got "
-                 "'-1'\n");
+    expect_usage(
+        "resolve above below -o new --restitution 1.1",
+        "tanglefree resolve: --restitution must be a number from 0 to 1, got "
+        "'1.1'\n");
+    expect_usage(
+        "resolve above below -o new --friction=-1",
+        "tanglefree resolve: --friction must be a number from 0 on, got "
+        "'-1'\n");
     expect_usage("resolve above below -o new --restitution-threshold=-1",
-                 "tanglefree resolve: --restitution-threshold must be 0 or "
+                 "tanglefree resolve: --restitution-threshold must be a number "
+                 "from 0 on "
                  "more, got '-1'\n");
-    expect_usage("resolve above below -o new --separation inf",
-                 "tanglefree resolve: --separation must be 0 or more, got "
-                 "'inf'\n");
+    expect_usage(
+        "resolve above below -o new --separation inf",
+        "tanglefree resolve: --separation must be a number from 0 on, got "
+        "'inf'\n");
     expect_usage("resolve above below -o new -t 0",
-                 "tanglefree resolve: --threads must be an integer from 1 "
+                 "tanglefree resolve: --threads must be a whole number from 1 "
                  "to 256, got '0'\n");
     expect_usage("resolve above below -o new -a exact",
                  "tanglefree resolve: invalid option -- 'a'");

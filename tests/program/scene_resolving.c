@@ -260,8 +260,8 @@ START_TEST(a_scene_without_steps_is_refused)
     expect(run("$tf resolve one.yaml -o made; ls"), 0,
            "below.obj\nerr\nfloor.obj\nhigh.obj\nlow.obj\none.yaml\nout\n"
            "scene.yaml\n",
-           "tanglefree: one.yaml: has only one frame, so there is no step; "
-           "give a mesh that isn't fixed two frames or more\n");
+           "tanglefree: one.yaml: there is no step, as each mesh has only one "
+           "frame; give one that isn't fixed two or more\n");
     ck_assert_int_eq(run("$tf resolve one.yaml -o made").status, 2);
 }
 END_TEST
@@ -288,8 +288,8 @@ START_TEST(meshes_are_no_folders)
     expect(run("$tf simulate sphere --steps 1 -o made.ply"), 2, "",
            "tanglefree: made.ply: frames need a folder; leave out .ply\n");
     expect(run("$tf check floor.obj -o rows.vtp"), 2, "",
-           "tanglefree: rows.vtp: rows are written there, not a mesh; leave "
-           "out .vtp\n");
+           "tanglefree: rows.vtp: the output is rows, not a mesh; leave out "
+           ".vtp, or end the name in .pvd for ParaView\n");
     ck_assert_str_eq(run("ls | grep -e made -e rows").out, "");
 }
 END_TEST

@@ -439,10 +439,10 @@ START_TEST(usage)
          "tanglefree simulate: --size must be 4 or more for the scene sphere, "
          "got '3'\n"},
         {"simulate sphere --size 2001 -o made",
-         "tanglefree simulate: --size must be an integer from 1 to 2000, "
+         "tanglefree simulate: --size must be a whole number from 1 to 2000, "
          "got '2001'\n"},
         {"simulate sphere --steps x -o made",
-         "tanglefree simulate: --steps must be an integer from 0 to 99999, "
+         "tanglefree simulate: --steps must be a whole number from 0 to 99999, "
          "got 'x'\n"},
         {"simulate sphere --steps 100000 -o made",
          "tanglefree simulate: --steps must be"},
@@ -453,9 +453,9 @@ START_TEST(usage)
          "tanglefree simulate: --size is for cloth; the scene star has an "
          "--edge\n"},
         {"simulate star --edge 0 -o made",
-         "tanglefree simulate: --edge must be above 0, got '0'\n"},
+         "tanglefree simulate: --edge must be a number above 0, got '0'\n"},
         {"simulate star --edge 0.1x -o made",
-         "tanglefree simulate: --edge must be above 0, got '0.1x'\n"},
+         "tanglefree simulate: --edge must be a number above 0, got '0.1x'\n"},
         {"simulate star --edge 7 -o made",
          "tanglefree simulate: --edge must be from 0.001 to 0.1 for the scene "
          "star, got '7'\n"},

@@ -84,9 +84,10 @@ START_TEST(only_an_empty_folder_is_taken)
     ck_assert(!tf_simulation_folder_begin(&folder, "file", s));
     expect_words(fault_of(&folder), "file: exists, and is not an empty folder");
     ck_assert(!tf_simulation_folder_begin(&folder, "missing/folder", s));
-    ck_assert_str_eq(fault_of(&folder),
-                     "missing/folder: cannot make this folder: No such file or "
-                     "directory; choose another with -o");
+    ck_assert_str_eq(
+        fault_of(&folder),
+        "missing/folder: there is no folder 'missing'; make it, or "
+        "choose another");
     tf_simulation_free(s);
 }
 END_TEST

@@ -83,6 +83,17 @@ START_TEST(a_report_may_be_json)
 }
 END_TEST
 
+// But that nobody reads the report is no reason to lose the mesh.
+START_TEST(a_closed_pipe_loses_nothing)
+{
+    make_file("seam.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    run("mkfifo pipe; sleep 5 <pipe & exec 3>pipe; kill $!; wait $!; "
+        "$tf weld seam.obj -o kept.obj >&3");
+    expect_words(run("cat kept.obj").out, "f 1 2 3\n");
+    ck_assert_str_eq(run("ls -A | grep scratch").out, "");
+}
+END_TEST
+
 // Mistakes --------------------------------------------------------------------
 
 START_TEST(bad_files_are_refused)
@@ -96,8 +107,8 @@ START_TEST(bad_files_are_refused)
            "tanglefree: none.obj: cannot open: No such file or directory; "
            "check the name\n");
     expect(run("$tf weld seam.obj -o none/made.obj"), 2, "",
-           "tanglefree: none/made.obj: cannot write: No such file or "
-           "directory; mend that, and run again\n");
+           "tanglefree: none/made.obj: there is no folder 'none'; make it, or "
+           "choose another\n");
 }
 END_TEST
 
@@ -109,7 +120,7 @@ START_TEST(distances_that_are_too_small_are_refused)
     ck_assert_int_eq(
         run("$tf weld seam.obj -o made.obj --within 0x1p-50").status, 0);
     expect_usage("weld seam.obj -o made.obj --within 0",
-                 "tanglefree weld: --within must be above 0, got '0'");
+                 "tanglefree weld: --within must be a number above 0, got '0'");
 }
 END_TEST
 
@@ -145,6 +156,7 @@ Suite *suite(void)
     TCase *mistakes = tcase_create("mistakes");
     tcase_add_checked_fixture(mistakes, enter_folder_with_seam, leave_folder);
     tcase_add_test(mistakes, bad_files_are_refused);
+    tcase_add_test(mistakes, a_closed_pipe_loses_nothing);
     tcase_add_test(mistakes, distances_that_are_too_small_are_refused);
     tcase_add_test(mistakes, wrong_arguments_are_refused);
     suite_add_tcase(suite, mistakes);

@@ -539,6 +539,7 @@ START_TEST(each_mistake_is_told)
     make_file("flat.obj", "v 0 0 1\nv 1 0 1\nv 2 0 1\nv 0 1 1\nf 1 2 3\n"
                           "f 1 2 4\n");
     make_file("curve.obj", "v 0 0\nv 1 1\nl 1 2\n");
+    make_file("chain.obj", "v 0 2\nv 1 2\nl 1 2\n");
     make_file("raised.obj", "v 0 0 1\nv 1 1 0\nl 1 2\n");
     make_file("through.obj",
               "v 0.4 0.5 0.5\nv 0.6 0.45 0.5\nv 0.5 0.5 2\nf 1 2 3\n");

@@ -42,7 +42,7 @@ START_TEST(lines_of_obj_are_lost)
         const char *line, *words;
     } cases[] = {{"# x", "comments"},
                  {"#x", "comments"},
-                 {" o cloth\r", "names"},
+                 {" o cloth\r", "object names"},
                  {"g", "groups"},
                  {"usemtl red", "materials"},
                  {"mtllib a.mtl", "materials"},
@@ -139,7 +139,7 @@ START_TEST(what_stl_has_besides_triangles_is_lost)
     sprintf(text, "solid \n%s", loop);
     expect_losses(text, TF_PLY_TEXT, "");
     sprintf(text, "solid\n%ssolid foot\n%s", loop, loop);
-    expect_losses(text, TF_PLY_TEXT, "names");
+    expect_losses(text, TF_PLY_TEXT, "object names");
     char bytes[134] = {[80] = 1, [99] = 1, [109] = 64, [125] = 65};
     make_binary_file("in", bytes, 134);
     for (int color = 0; color < 2; color++) {

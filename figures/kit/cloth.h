@@ -14,7 +14,7 @@
 typedef struct fig_cloth fig_cloth;
 
 /// How cloth is looked at; zero-initialised: from where it is seen best as a
-/// rule, on a ground.
+/// rule, on a ground, which is drawn only if the eye is above it.
 typedef struct fig_cloth_look {
     bool turned;      ///< look from:
     double azimuth;   ///< degrees

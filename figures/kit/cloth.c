@@ -40,6 +40,7 @@ void fig_cloth_free(fig_cloth *cloth)
         return;
     fig_shape_free(&cloth->shape);
     free(cloth->at);
+    free(cloth->obstacle);
     free(cloth->soft);
     free(cloth->color);
     free(cloth->face);
@@ -70,6 +71,17 @@ bool fig_cloth_add(fig_cloth *cloth, int vertices, const double x[])
     }
     cloth->frames++;
     return true;
+}
+
+bool fig_cloth_set_obstacles(fig_cloth *cloth, const bool of_obstacle[])
+{
+    const fig_shape *shape = &cloth->shape;
+    TF_REQUIRE(cloth->frames > 0 && !cloth->obstacle);
+    cloth->obstacle = calloc((size_t)shape->parts + 1, sizeof *cloth->obstacle);
+    for (int v = 0; v < shape->vertices && cloth->obstacle; v++)
+        if (shape->part[v] >= 0)
+            cloth->obstacle[shape->part[v]] = of_obstacle[v];
+    return cloth->obstacle != NULL;
 }
 
 int fig_cloth_frames(const fig_cloth *cloth)
@@ -124,10 +136,19 @@ static int count_soft(const fig_cloth *cloth)
     return count;
 }
 
+/// Take for soft what is no obstacle.
+static void find_free_parts(fig_cloth *cloth)
+{
+    for (int p = 0; p < cloth->shape.parts && cloth->obstacle; p++)
+        cloth->soft[p] = !cloth->obstacle[p];
+}
+
 /// The soft parts are what the film is about, so there must be some.
 static void choose_colors(fig_cloth *cloth)
 {
-    find_soft_parts(cloth);
+    find_free_parts(cloth);
+    if (count_soft(cloth) == 0)
+        find_soft_parts(cloth);
     if (count_soft(cloth) == 0)
         find_moving_parts(cloth);
     bool all = count_soft(cloth) == 0;

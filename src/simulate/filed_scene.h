@@ -15,6 +15,7 @@ typedef struct tf_filed_scene {
     tf_scene_frames frames; ///< of the meshes: those around the last time
     tf_body body;           ///< that they make, until it is simulated
     const double *mass;     ///< of its vertices; lent by the body
+    char *notes;            ///< on its frames, or NULL
     tf_fault fault;         ///< of the file, or of one that it names
 } tf_filed_scene;
 

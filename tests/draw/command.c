@@ -142,7 +142,7 @@ START_TEST(help_and_version_are_printed)
     expect_words(say("draw query --help"), "FILE:N");
     expect_words(say("draw query --help"), "--at");
     expect_words(say("draw surface --help"), "START [END]");
-    expect_words(say("draw film --help"), "--every");
+    expect_words(say("draw film --help"), "with --every 3");
     expect_words(say("draw list --help"), "names and titles");
     const char *same = "test \"$(\"$TANGLEFREE\" --version | sed "
                        "'s/tanglefree/tanglefree-draw/')\" = \"$(draw %s)\"";
@@ -773,6 +773,30 @@ START_TEST(frames_are_drawn)
 }
 END_TEST
 
+/// What frames say of themselves, which --up overrules.
+START_TEST(frames_name_their_obstacles_and_what_is_up)
+{
+    say(FRAMES "draw film f " SMALL " -o z.png && draw film f " SMALL
+               " -o y.png --up y && ! cmp z.png y.png");
+    say("sed -i '2a comment up y' f/*0.ply && draw film f " SMALL
+        " -o p.png && draw film f " SMALL " -o q.png --up z && "
+        "cmp p.png y.png && cmp q.png z.png");
+    expect_words(say("sed -i '2a comment mesh of 4 vertices, scripted: a\\n"
+                     "comment mesh of 3 vertices, moving: b' f/*0.ply && "
+                     "draw film f " SMALL " -o r.png && ! cmp p.png r.png"),
+                 "parts 2\nstiff_parts 1\n");
+    expect_words(
+        say("sed -i 's/moving: b/fixed: b/' f/*0.ply && draw film f " SMALL
+            " -o r.png && cmp p.png r.png"),
+        "stiff_parts 1\n");
+    expect_words(
+        say("sed -i 's/mesh of 3/mesh of 2/' f/*0.ply && draw film f " SMALL
+            " -o r.png && cmp p.png r.png"),
+        "stiff_parts 1\n");
+    say("rm -r ? ?.png");
+}
+END_TEST
+
 START_TEST(a_sheet_has_all_frames_and_is_the_same_every_time)
 {
     say("draw figure " FIGURE "--frames 7 --animate a.png && "
@@ -816,6 +840,7 @@ Suite *suite(void)
         bad_films_are_refused,
         bad_frames_are_refused,
         frames_are_drawn,
+        frames_name_their_obstacles_and_what_is_up,
     };
     Suite *s = suite_create("draw/command");
     TCase *command = tcase_create("command");

@@ -179,6 +179,33 @@ START_TEST(what_keeps_its_shape_is_stiff)
 }
 END_TEST
 
+/// What is told counts, unless nothing else is left.
+START_TEST(obstacles_are_gray)
+{
+    generator random = generator_new(1);
+    scene s = new_scene(&random);
+    tf_surface *surface = surface_of_scene(&s);
+    for (int kind = 0; kind < 3; kind++) {
+        fig_cloth *cloth = fig_cloth_new(surface, 3);
+        bool of_obstacle[SHEET + 8];
+        for (int v = 0; v < SHEET + 8; v++)
+            of_obstacle[v] = kind == 1 ? v < SHEET : kind == 2;
+        scene moved = s;
+        move_on(&moved, 0.01, 0);
+        add(cloth, &s);
+        if (kind > 0)
+            ck_assert(fig_cloth_set_obstacles(cloth, of_obstacle));
+        add(cloth, &moved);
+        ck_assert(fig_cloth_end(cloth));
+        for (int part = 0; part < 3; part++)
+            ck_assert_int_eq(fig_cloth_is_stiff(cloth, part),
+                             kind == 1 ? part == 0 : part > 0);
+        fig_cloth_free(cloth);
+    }
+    tf_surface_free(surface);
+}
+END_TEST
+
 /// Whatever way its triangles go around, a sheet that lies flat at first has its
 /// front above.
 START_TEST(a_sheet_has_one_front)
@@ -517,6 +544,7 @@ Suite *suite(void)
     Suite *s = suite_create("kit/cloth");
     TCase *cloth = tcase_create("cloth");
     tcase_add_test(cloth, what_keeps_its_shape_is_stiff);
+    tcase_add_test(cloth, obstacles_are_gray);
     tcase_add_test(cloth, a_sheet_has_one_front);
     tcase_add_test(cloth, a_tube_has_its_front_outside);
     tcase_add_test(cloth, stripes_run_along_the_border);

@@ -14,6 +14,9 @@ typedef struct tf_mesh_content {
                                ///< NULL.  OBJ has red, green and blue alone
     const tf_mesh_file *from;  ///< the file that has the same elements, and
                                ///< polygons or a source perhaps; or NULL
+    const tf_mesh_file *joined; ///< the file of which vertices were joined, if
+                                ///< its source can be written; or NULL
+    const int *number; ///< of each of its vertices here, or -1
 } tf_mesh_content;
 
 /// How many faces a content has: polygons, and triangles that are of none.

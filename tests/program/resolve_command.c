@@ -89,8 +89,8 @@ END_TEST
 START_TEST(the_ends_are_as_computed)
 {
     resolved("flat-above", "flat-below", "new.obj", "");
-    ck_assert_str_eq(file_text("new.obj"), "v -1 -0.66666666666666663\n"
-                                           "v 1 -0.66666666666666663\n"
+    ck_assert_str_eq(file_text("new.obj"), "v -1 -0.6666666666666666\n"
+                                           "v 1 -0.6666666666666666\n"
                                            "v 0 0.33333333333333326\n"
                                            "l 1 2\n");
     resolved("above", "below", "new.obj", "-f floor");

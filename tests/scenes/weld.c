@@ -132,7 +132,11 @@ START_TEST(polygons_stay_polygons)
         {"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 1 1 0\nf 1 2 3 4\n", "(012)"},
         {"v 0 0 0\nv 1 0 0\nv 1 0 0\nv 0 0 0\nf 1 2 3 4\nv 5 5 5\nf 1 2 5\n",
          "(012)"},
-        // A corner whose triangles in the polygon all collapse is one of it.
+        // Nothing is left of a quad either if corners across are joined.
+        {"v 0 0 0\nv 1 0 0\nv 0 0 0\nv 0 1 0\nf 1 2 3 4\n"
+         "v 5 5 5\nv 5 6 5\nf 1 5 6\n",
+         "(012)"},
+        // A hexagon becomes a pentagon.
         {"v 0 0 0\nv 1 0 0\nv 2 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\n"
          "f 3 4 5 6 1 2\n",
          "(23401)"},

@@ -78,15 +78,13 @@ static uint64_t scale(parts number, int point)
 
 //: Find the fewest digits of a double
 /// Whether the double that is nearest to digits 10^-point is that number: less
-/// than half a unit of its last place away, or below a power of 2 a quarter.
+/// than half a unit of its last place away.  Below a power of 2 it would have to
+/// be a quarter, but those down to 10^-4 have 13 digits or fewer.
 static bool determine(uint64_t digits, parts number, int point)
 {
     uint128 ten = power_of_ten(point), own = number.significand * ten;
     uint128 other = (uint128)digits << number.shift;
-    bool below = other < own;
-    bool power = number.significand == UINT64_C(1) << 52;
-    uint128 off = below ? own - other : other - own;
-    return (below && power ? 4 : 2) * off < ten;
+    return 2 * (other < own ? own - other : other - own) < ten;
 }
 
 /// How many digits a double has in front of the point, or below 0, how many zeros

@@ -9,8 +9,8 @@ enum {
 
 /// Spells a double with 15 digits, or 16 or 17 if it takes these to read it back
 /// as it is, as printf does by "%.15g" and so on, but several times as fast where
-/// it has an ordinary size.  Zeros at the end of a fraction are left out.  Returns
-/// the end, without a zero there.
+/// it has an ordinary size.  Zeros at the end of a fraction are left out.
+/// Returns the end, without a zero there.
 char *tf_decimal_double(char text[TF_DECIMAL_ROOM], double number);
 
 /// Spells an integer, in the same way.

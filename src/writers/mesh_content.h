@@ -16,7 +16,7 @@ typedef struct tf_mesh_content {
                                ///< polygons or a source perhaps; or NULL
     const tf_mesh_file *joined; ///< the file of which vertices were joined, if
                                 ///< its source can be written; or NULL
-    const int *number; ///< of each of its vertices here, or -1
+    const int *number;          ///< of each of its vertices here, or -1
 } tf_mesh_content;
 
 /// How many faces a content has: polygons, and triangles that are of none.

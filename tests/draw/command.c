@@ -331,10 +331,10 @@ START_TEST(bad_meshes_are_refused)
            "draw surface x.obj -o a.png");
     refuse("tanglefree-draw: /dev/stdin:2: ",
            "printf 'v 0 0 0\nv 1 x 0\n' | draw surface /dev/stdin -o a.png");
-    refuse(
-        "tanglefree-draw: q.obj: the number of vertices is 3, but 6 in a.obj; "
-        "all files must have the same elements",
-        MESHES "draw surface a.obj q.obj -o a.png" CLEAR);
+    refuse("tanglefree-draw: q.obj: 3 vertices, but a.obj has 6; all files "
+           "must have "
+           "the same elements",
+           MESHES "draw surface a.obj q.obj -o a.png" CLEAR);
     refuse("standard input:4: there is no vertex 9; they are numbered from 1 "
            "to 3",
            "printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n' | "
@@ -385,8 +385,8 @@ START_TEST(bad_frames_are_refused)
            FRAMES "rm f/*1.ply; draw film f -o a.webp" CLEAR_FRAMES);
     refuse("tanglefree-draw: f/frame-00000.ply: there is no such frame",
            FRAMES "rm f/*0.ply; draw film f -o a.webp" CLEAR_FRAMES);
-    refuse("tanglefree-draw: f/frame-00002.ply: the number of vertices is 4, "
-           "but 7 in f/frame-00001.ply; all files must have the same",
+    refuse("tanglefree-draw: f/frame-00002.ply: 4 vertices, but "
+           "f/frame-00001.ply has 7; all files must have the same",
            FRAMES "cp g/*2.ply f; draw film f -o a.webp" CLEAR_FRAMES);
     refuse("tanglefree-draw: f/frame-00003.ply:16: 'x' is not a finite",
            FRAMES "sed 's/^1 1 1/1 x 1/' f/*0.ply >f/frame-00003.ply; "

@@ -684,7 +684,7 @@ START_TEST(scenes_that_are_wrong_are_refused)
     make_file("one.yml", "meshes: [{frames: clear}]");
     expect(run("$tf detect one.yml"), 2, SCENE_HEADER,
            "tanglefree: one.yml: has only one frame, so there is no step; give "
-           "a mesh two frames or more\n");
+           "a mesh that isn't fixed two frames or more\n");
     expect(run("$tf detect none.json"), 2, SCENE_HEADER,
            "tanglefree: none.json: cannot open: No such file or directory; "
            "check the name\n");

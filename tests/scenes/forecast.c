@@ -183,8 +183,8 @@ START_TEST(simulate_counts_the_files_of_meshes_too)
 }
 END_TEST
 
-/// Frames of a mesh with 100 vertices, of which the second one has other
-/// elements.
+/// Frames of a mesh with 100 vertices, of which the second one, if there are
+/// more than two, has other elements.
 static void make_scene(int frames)
 {
     FILE *mesh = fopen("mesh.obj", "w"), *scene = fopen("scene.yaml", "w");
@@ -194,7 +194,7 @@ static void make_scene(int frames)
     fputs("f 1 2 3\n", mesh);
     fputs("meshes:\n- frames: [mesh.obj", scene);
     for (int i = 1; i < frames; i++)
-        fputs(", other.obj", scene);
+        fputs(frames == 2 ? ", mesh.obj" : ", other.obj", scene);
     fputs("]\n- frames: fixed.obj\n  role: fixed\n", scene);
     ck_assert_int_eq(fclose(mesh) | fclose(scene), 0);
     make_file("other.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n");

@@ -40,9 +40,11 @@ static int count_corners(const tf_source *source, size_t part)
     return (int)(end - part - 1);
 }
 
+/// -1: it is gone, or there is no such vertex, as points may have it.
 static int number_of(const joiner *j, const tf_source_part *corner)
 {
-    return j->content->number[corner->vertex];
+    bool known = corner->vertex < tf_mesh_file_vertices(j->content->joined);
+    return known ? j->content->number[corner->vertex] : -1;
 }
 
 //: Find what is made of a face

@@ -159,7 +159,7 @@ END_TEST
 
 START_TEST(points_are_numbered_anew)
 {
-    expect_text(PAIRS "p 4 5\nf 1 2 3\nf 6 7 1\np 6 \\\n -1 5/1\np 7\n",
+    expect_text(PAIRS "p 4 5\nf 1 2 3\nf 6 7 1\np 6 \\\n -1 5/1\np 7 99\n",
                 "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\np 3 4\nf 1 2 3\np 4/1\n");
 }
 END_TEST

@@ -95,8 +95,10 @@ static const tf_foreign *find_archive(const char *text, size_t size)
     static const tf_foreign usd = {"a USD file", EXPORT};
     static const tf_foreign parts = {"a 3MF file", EXPORT};
     static const tf_foreign zip = {"a zip archive", UNPACK};
-    if (size < 30 || memcmp(text, "PK\x03\x04", 4) != 0)
+    if (size < 4 || memcmp(text, "PK\x03\x04", 4) != 0)
         return NULL;
+    if (size < 30)
+        return &zip;
     size_t length = (unsigned char)text[26] + 256u * (unsigned char)text[27];
     size_t here = length < size - 30 ? length : size - 30;
     const char *name = text + 30;

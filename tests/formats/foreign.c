@@ -127,6 +127,8 @@ START_TEST(archives_are_told_apart_by_their_first_file)
     }
     bytes made = archive("long enough to end before .usd");
     expect_name(made.at, 40, "a zip archive");
+    expect_name(made.at, 29, "a zip archive");
+    expect_name(made.at, 4, "a zip archive");
     bytes tar = {.count = 257};
     memset(tar.at, 'a', 257);
     put_text(&tar, "ustar");

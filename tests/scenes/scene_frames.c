@@ -239,8 +239,8 @@ START_TEST(flaws_are_those_of_a_file)
     make_file("y", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 4\n");
     make_file("z", "v 0 0 0\nv 1 0 0\nv 0 1 z\nf 1 2 3\n");
     static const char *const fault[] = {
-        "vertex 2 is a corner twice; delete the triangle or edge, here and in "
-        "all files",
+        ("vertex 2 is a corner twice; delete the triangle or edge, here and in "
+         "all files"),
         "there is no vertex 4; they are numbered from 1 to 3",
         "'z' is not a finite number; write a decimal or a hexadecimal float",
         "cannot open: No such file or directory; check the name"};

@@ -190,8 +190,21 @@ static char *rewrite(const tf_mesh_file *file, size_t *size)
     return text;
 }
 
+/// Whether a face has a corner twice.  It may be read, if its places let slits
+/// lead to holes in it.
+static bool has_slit(const tf_mesh_file *file)
+{
+    tf_face face = {0};
+    bool found = false;
+    while (tf_mesh_file_next_face(file, &face))
+        for (int i = 0; i < face.corners; i++)
+            for (int j = 0; j < i; j++)
+                found |= face.corner[i] == face.corner[j];
+    return found;
+}
+
 /// A file that is written with its own positions is the same bytes, and with
-/// others is read again as these.
+/// others is read again as these, unless slits are torn open.
 static void check_source(tf_mesh_file *file, const void *bytes, size_t size)
 {
     size_t again;
@@ -207,9 +220,10 @@ static void check_source(tf_mesh_file *file, const void *bytes, size_t size)
     tf_mesh_file read;
     tf_fault fault;
     bool good = tf_mesh_file_parse(&read, "again", text, again, NULL, &fault);
-    require(welds || (good && read.position.count == count &&
-                      memcmp(read.position.item, file->position.item,
-                             count * sizeof(double)) == 0));
+    require(welds || has_slit(file) ||
+            (good && read.position.count == count &&
+             memcmp(read.position.item, file->position.item,
+                    count * sizeof(double)) == 0));
     free(text);
     tf_mesh_file_free(&read);
 }

@@ -158,7 +158,7 @@ START_TEST(impulses_explain_how_vertices_were_moved)
         ck_assert(polydata_number(text, size, "PointData", "vertices", "Int32",
                                   4, 4 * count, 4 * i) == contact[i].vertex[0]);
         ck_assert(polydata_number(text, size, "PointData", "level", "UInt8", 1,
-                                  count, i) == contact[i].level);
+                                  count, i) == (int)contact[i].level);
         ck_assert(polydata_number(text, size, "PointData", "round", "Int32", 1,
                                   count, i) == contact[i].round);
     }

@@ -482,7 +482,7 @@ static void counts_of_hits_are_right(void)
 // Layers ----------------------------------------------------------------------
 
 enum {
-    MODULES = 256,
+    MODULES = 512,
     NAME = 64
 };
 
@@ -492,17 +492,30 @@ static struct module {
     bool is_public, includes[MODULES];
 } modules[MODULES];
 
+/// The layer in which the figure has a folder of src/: those of which the
+/// program alone is made are one with it.
+static const char *layer_of_folder(const char *folder)
+{
+    static const char *const of_program[] = {"files", "formats", "writers",
+                                             "scenes", "simulate"};
+    for (int i = 0; i < 5; i++)
+        if (strcmp(folder, of_program[i]) == 0)
+            return "program";
+    return folder;
+}
+
 /// The module of a file.
 static int module_at(const char *file)
 {
-    char path[NAME];
+    char path[NAME], folder[NAME];
     int i = 0;
     snprintf(path, sizeof path, "%.*s", (int)strcspn(file, "."), file);
     while (*modules[i].path && strcmp(modules[i].path, path) != 0)
         i++;
     ck_assert_int_lt(i + 1, MODULES);
     strcpy(modules[i].path, path);
-    snprintf(modules[i].layer, NAME, "%.*s", (int)strcspn(file, "/"), file);
+    snprintf(folder, NAME, "%.*s", (int)strcspn(file, "/"), file);
+    strcpy(modules[i].layer, layer_of_folder(folder));
     return i;
 }
 

@@ -30,7 +30,7 @@ static const signature signatures[] = {
     {AT(0, "#usda"), {"a USD file", EXPORT}},
     {AT(0, "PXR-USDC"), {"a USD file", EXPORT}},
     {AT(0, "Ogawa"), {"an Alembic file", EXPORT}},
-    {AT(0, "\x89HDF\r\n"), {"an HDF5 file, such as Alembic, netCDF", EXPORT}},
+    {AT(0, "\x89HDF\r\n"), {"an HDF5 file, such as Alembic or netCDF", EXPORT}},
     {AT(0, "CDF\x01"), {"a netCDF file", EXPORT}},
     {AT(0, "CDF\x02"), {"a netCDF file", EXPORT}},
     {AT(0, "BLENDER"), {"a Blender file", EXPORT}},
@@ -118,7 +118,7 @@ static const struct {
 } tags[] = {
     {"<COLLADA", {"a COLLADA file", EXPORT}},
     {"<X3D", {"an X3D file", EXPORT}},
-    {"<VTKFile", {"a VTK file", EXPORT}},
+    {"<VTKFile", {"a VTK file", "such files are written only; " EXPORT}},
     {"<amf", {"an AMF file", EXPORT}},
     {"<model", {"a 3MF file", EXPORT}},
     {"<svg", {"an SVG picture", NO_MESH}},

@@ -20,9 +20,10 @@ static bool check_whole(const tf_mesh_file *file)
 {
     if (tf_mesh_file_vertices(file) == 0)
         return tf_mesh_file_fault(
-            file, -1,
-            "no vertices; the file must be a mesh in OBJ, PLY, STL, OFF or "
-            ".msh");
+            file, -1, "no vertices; %s",
+            file->format == TF_MSH
+                ? "mesh the geometry first, for instance by gmsh -2"
+                : "the file must be a mesh in OBJ, PLY, STL, OFF or .msh");
     if (tf_mesh_file_triangles(file) + tf_mesh_file_edges(file) == 0)
         return tf_mesh_file_fault(
             file, -1, "no triangles and no edges; a mesh must have some");

@@ -54,8 +54,8 @@ static bool take_word(tf_words *words)
         return true;
     if (memchr(first, '4', (size_t)(end - first)) ||
         memchr(first, 'n', (size_t)(end - first)))
-        return tf_words_fault(words,
-                              "not OFF with three coordinates; write that");
+        return tf_words_fault(words, "OFF with other coordinates than three; "
+                                     "export the mesh with three");
     words->text.at = end;
     return !tf_words_take(words, "BINARY") ||
            tf_text_fault(&words->text,

@@ -122,10 +122,9 @@ static bool check_size(const tf_mesh_file *file, const char *text, size_t size)
     return size == wanted ||
            tf_mesh_file_fault(
                file, HEADER - 4,
-               "%zu bytes, and not the %zu of the %zu triangles that the "
-               "header declares; the file may be cut short, or have another "
-               "format",
-               size, wanted, bytes_of_facets(text) / FACET);
+               "the file has %zu bytes, but its header declares %zu triangles, "
+               "which need %zu; it may be cut short, or have another format",
+               size, bytes_of_facets(text) / FACET, wanted);
 }
 
 bool tf_binary_stl_parse(tf_mesh_file *file, const char *text, size_t size)

@@ -23,7 +23,15 @@ static bool name_frame(const tf_mesh_frame *frame,
                         strerror(ENAMETOOLONG));
 }
 
-//: Write a frame of a mesh
+//: Write and delete a frame of a mesh
+void tf_mesh_frame_delete(const tf_mesh_frame *frame)
+{
+    char path[TF_MESH_FRAME_PATH];
+    tf_fault fault;
+    if (name_frame(frame, path, &fault))
+        remove(path);
+}
+
 bool tf_mesh_frame_write(const tf_mesh_frame *frame,
                          char path[TF_MESH_FRAME_PATH], tf_fault *fault)
 {

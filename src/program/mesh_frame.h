@@ -17,6 +17,9 @@ typedef struct tf_mesh_frame {
     const double *position;   ///< three coordinates a vertex
 } tf_mesh_frame;
 
+/// Deletes the file, if it is there.
+void tf_mesh_frame_delete(const tf_mesh_frame *frame);
+
 /// Writes the file, called as the mesh is, with the number of the frame and the
 /// ending of its format, such as shirt-00012.obj.  It appears whole or not at
 /// all.  False: there is a fault, which borrows the path.

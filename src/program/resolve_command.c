@@ -257,7 +257,8 @@ const tf_command tf_resolve_command = {
     .operands = "START END\nSCENE",
     .least = 1,
     .most = 2,
-    .wanted = "two files are required, START and END, or a scene",
+    .wanted = "two files are required, START and END, or a scene, whose name "
+              "ends in .yaml, .yml or .json",
     .description = tf_resolve_description,
     .check = check_operands,
     .run = run,

@@ -1,4 +1,5 @@
 //: Include what resolving a scene needs
+#define _POSIX_C_SOURCE 200809L // rmdir
 #include "program/scene_resolving.h"
 
 #include "files/folder.h"
@@ -12,11 +13,13 @@
 #include "scenes/scene_frames.h"
 #include "scenes/shown_frames.h"
 #include "threads/threads.h"
+#include "writers/endings.h"
 
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 //: Hold what resolves a scene
 /// A row of the report.
@@ -47,6 +50,7 @@ typedef struct scene_resolving {
     tf_field field[FIELDS];
     bool shows; ///< whether the frames are written for ParaView
     tf_shown_frames shown;
+    bool has_folder;
     double bytes; ///< of the meshes that were written
     tf_contact_points points;
     tf_records records;
@@ -230,18 +234,35 @@ static bool report_step(scene_resolving *r, const tf_resolved *done)
     return tf_records_add(&r->records, &row) || fault_in_report(r);
 }
 
-static bool end_report(scene_resolving *r)
+/// If not all steps were done, JSON alone has sums.
+static bool end_report(scene_resolving *r, bool done)
 {
-    return tf_records_end(&r->records, sum_fields, &r->sum) ||
+    bool told = done || *r->request->format == TF_JSON;
+    return tf_records_end(&r->records, told ? sum_fields : NULL, &r->sum) ||
            fault_in_report(r);
 }
 
 //: Resolve all steps of a scene
 static bool begin_frames(scene_resolving *r)
 {
-    const char *out = r->request->out;
-    return r->shows ? tf_shown_frames_begin(&r->shown, out, &r->frames.fault)
-                    : tf_folder_begin(out, "", &r->frames.fault);
+    const char *out = r->request->out, *ending = tf_any_mesh_ending(out);
+    if (r->shows)
+        return tf_shown_frames_begin(&r->shown, out, &r->frames.fault);
+    if (ending)
+        return tf_fault_set(&r->frames.fault, out, -1,
+                            "the frames of a scene need a folder; leave out "
+                            "%s, or end the name in .pvd",
+                            ending);
+    r->has_folder = tf_folder_begin(out, "", &r->frames.fault);
+    return r->has_folder;
+}
+
+static bool has_moving_mesh(const tf_scene_meshes *meshes)
+{
+    int m = 0;
+    while (m < meshes->count && meshes->mesh[m].role != TF_MOVING)
+        m++;
+    return m < meshes->count;
 }
 
 static bool begin_scene(scene_resolving *r)
@@ -253,6 +274,10 @@ static bool begin_scene(scene_resolving *r)
         return false;
     if (r->meshes.frames < 2)
         return tf_fault_set(&r->frames.fault, path, -1, TF_NO_STEP_FAULT);
+    if (!has_moving_mesh(&r->meshes))
+        return tf_fault_set(&r->frames.fault, path, -1,
+                            "no mesh is moving, so there is nothing to "
+                            "resolve; let one be, by its role");
     return tf_scene_frames_next(&r->frames) && weigh(r) && begin_frames(r) &&
            write_meshes(r);
 }
@@ -274,7 +299,29 @@ static bool do_scene(scene_resolving *r)
     for (int i = 1; i < r->meshes.frames && good; i++)
         good = do_step(r);
     good = good && (!r->shows || tf_shown_frames_end(&r->shown));
-    return end_report(r) && good;
+    return end_report(r, good) && good;
+}
+
+//: Leave what was done before an error
+static void delete_first_frame(const scene_resolving *r)
+{
+    for (int m = 0; m < r->meshes.count; m++)
+        tf_mesh_frame_delete(
+            &(tf_mesh_frame){r->request->out, r->meshes.mesh[m].name, 0,
+                             tf_scene_frames_file(&r->frames, m, 1), NULL});
+    rmdir(r->request->out);
+}
+
+/// A first frame alone is not worth keeping.
+static void leave_frames(const scene_resolving *r)
+{
+    if (r->has_folder && r->sum.steps == 0)
+        delete_first_frame(r);
+    else if (r->has_folder)
+        fprintf(stderr,
+                "tanglefree: %s has the frames before that; delete it, or "
+                "choose another, to begin again\n",
+                tf_make_visible(r->request->out).text);
 }
 
 int tf_scene_resolve(const tf_request *request)
@@ -286,6 +333,8 @@ int tf_scene_resolve(const tf_request *request)
     tf_threads_create(request->threads, &r.threads);
     bool good = do_scene(&r);
     tf_fault_print(&r.frames.fault, "tanglefree");
+    if (!good)
+        leave_frames(&r);
     tf_resolver_free(r.resolver);
     free(r.inverse_mass);
     free(r.friction);

@@ -9,6 +9,7 @@
 #include "program/steps_file.h"
 #include "scenes/forecast.h"
 #include "simulate/filed_scene.h"
+#include "writers/endings.h"
 
 #include <dirent.h>
 #include <errno.h>
@@ -166,6 +167,10 @@ bool tf_simulation_folder_begin(tf_simulation_folder *folder, const char *path,
                                 const tf_simulation *simulation)
 {
     *folder = (tf_simulation_folder){.path = path};
+    const char *ending = tf_any_mesh_ending(path);
+    if (ending)
+        return tf_fault_set(&folder->fault, path, -1,
+                            "frames need a folder; leave out %s", ending);
     if (!tf_folder_begin(path,
                          ", or go on with the simulation in it by --resume",
                          &folder->fault))

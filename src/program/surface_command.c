@@ -11,6 +11,7 @@
 #include "scenes/seams.h"
 #include "scenes/shown_frames.h"
 #include "threads/threads.h"
+#include "writers/endings.h"
 
 #include <limits.h>
 #include <stdlib.h>
@@ -255,7 +256,13 @@ static tf_surface_output_options output_of(const tf_request *request,
 /// Rows go to standard output if a collection is written.
 static FILE *begin_output(work *w)
 {
-    const char *out = w->request->out;
+    const char *out = w->request->out, *ending = tf_any_mesh_ending(out);
+    if (!w->shows && ending) {
+        tf_fault_set(&w->frames.fault, out, -1,
+                     "rows are written there, not a mesh; leave out %s",
+                     ending);
+        return NULL;
+    }
     if (w->shows && !tf_shown_frames_begin(&w->shown, out, &w->frames.fault))
         return NULL;
     return tf_destination_begin(&w->to, w->shows ? "-" : out, &w->frames.fault)
@@ -273,7 +280,7 @@ static bool write_rows(work *w, bool checks, bool (*do_all)(work *))
     bool good =
         tf_surface_output_begin(&w->output, stream, &options) && do_all(w);
     tf_progress_line_end(&w->progress);
-    good = tf_surface_output_end(&w->output) && good;
+    good = tf_surface_output_end(&w->output, good) && good;
     return tf_destination_finish(&w->to, good, w->output.records.error);
 }
 
@@ -357,7 +364,8 @@ const tf_command tf_detect_command = {
     .operands = "START END [END...]\nSCENE",
     .least = 1,
     .most = INT_MAX,
-    .wanted = "two files or more are required, START and END, or a scene",
+    .wanted = "two files or more are required, START and END, or a scene, "
+              "whose name ends in .yaml, .yml or .json",
     .description = tf_detect_description,
     .check = check_detect,
     .run = run_detect,

@@ -133,14 +133,15 @@ bool tf_surface_output_begin(tf_surface_output *output, FILE *stream,
                             (checks ? crossings : contacts)[options->names]);
 }
 
-bool tf_surface_output_end(tf_surface_output *output)
+bool tf_surface_output_end(tf_surface_output *output, bool done)
 {
     const tf_surface_output_options *options = &output->options;
     bool frames = options->names == TF_NAMES_OF_MESHES;
-    return tf_records_end(&output->records,
-                          options->checks
-                              ? counts_of_checks[options->measures][frames]
-                              : counts_of_steps,
+    const tf_field *counts = options->checks
+                                 ? counts_of_checks[options->measures][frames]
+                                 : counts_of_steps;
+    bool told = done || options->format == TF_JSON;
+    return tf_records_end(&output->records, told ? counts : NULL,
                           &output->tally);
 }
 

@@ -54,7 +54,9 @@ bool tf_surface_output_begin(tf_surface_output *output, FILE *stream,
 bool tf_surface_output_contacts(tf_surface_output *output,
                                 const tf_surface_part *part, int axes,
                                 const tf_contacts *contacts);
-bool tf_surface_output_end(tf_surface_output *output);
+
+/// Unless all was done, there is no summary but in JSON.
+bool tf_surface_output_end(tf_surface_output *output, bool done);
 
 /// Write the intersections of a frame, of a file or of files that are joined, and
 /// the near pairs; then count the frame or the files.

@@ -41,18 +41,32 @@ static int compare_numbers(const char **a, const char **b)
 }
 
 //: Compare names in natural order
+/// Steps over what two names have in common, leading zeros aside, and compares
+/// what comes next.
+static int compare_common(const char **x, const char **y)
+{
+    while (**x && **y) {
+        if (is_digit(**x) && is_digit(**y)) {
+            int order = compare_numbers(x, y);
+            if (order != 0)
+                return order;
+        } else if (*(*x)++ != *(*y)++)
+            return (unsigned char)(*x)[-1] < (unsigned char)(*y)[-1] ? -1 : 1;
+    }
+    return 0;
+}
+
 int tf_natural_compare(const char *a, const char *b)
 {
     const char *x = a, *y = b;
-    while (*x && *y) {
-        if (is_digit(*x) && is_digit(*y)) {
-            int order = compare_numbers(&x, &y);
-            if (order != 0)
-                return order;
-        } else if (*x++ != *y++)
-            return (unsigned char)x[-1] < (unsigned char)y[-1] ? -1 : 1;
-    }
-    return *x ? 1 : *y ? -1 : strcmp(a, b);
+    int order = compare_common(&x, &y);
+    return order != 0 ? order : *x ? 1 : *y ? -1 : strcmp(a, b);
+}
+
+bool tf_are_of_one_frame(const char *a, const char *b)
+{
+    return compare_common(&a, &b) == 0 && (!*a || strcmp(a, ".gz") == 0) &&
+           (!*b || strcmp(b, ".gz") == 0);
 }
 
 static int compare_names(const void *a, const void *b)

@@ -12,6 +12,10 @@ int tf_natural_compare(const char *a, const char *b);
 /// Sorts names in natural order.
 void tf_natural_sort(char *name[], int count);
 
+/// Whether two names are those of one frame: they differ only in leading zeros,
+/// or in .gz at the end of one.
+bool tf_are_of_one_frame(const char *a, const char *b);
+
 //: Declare the order of frames
 /// Whether names may be those of a sequence: three or more, each of which differs
 /// from the one before in one number alone.

@@ -16,7 +16,7 @@ print_once(bool *printed, const tf_mesh_file *file, const char *format, ...)
     va_start(arguments, format);
     fprintf(stderr, "tanglefree: %s: ", tf_make_visible(file->name).text);
     vfprintf(stderr, format, arguments);
-    fputs(" (here and in all further files)\n", stderr);
+    fputs("; so in further files, of which nothing is said\n", stderr);
     va_end(arguments);
 }
 
@@ -29,7 +29,7 @@ static void print_polygons(const tf_mesh_file *file)
         print_once(&printed, file,
                    "%d face%s with more than three corners %s triangulated",
                    polygons, polygons == 1 ? "" : "s",
-                   polygons == 1 ? "was" : "were");
+                   polygons == 1 ? "is" : "are");
 }
 
 /// Points are no elements of a surface anyway.
@@ -40,13 +40,13 @@ static void print_left_out(const tf_mesh_file *file)
     int flat = file->left_out[2];
     if (lines + volumes > 0)
         print_once(&printed, file,
-                   "elements that are no surface were left out, %d lines and "
-                   "%d volumes",
-                   lines, volumes);
+                   "what is no surface is left out: %d line%s and %d volume%s",
+                   lines, lines == 1 ? "" : "s", volumes,
+                   volumes == 1 ? "" : "s");
     if (flat > 0)
         print_once(&flat_printed, file,
                    "%d triangle%s with two corners at one position %s left out",
-                   flat, flat == 1 ? "" : "s", flat == 1 ? "was" : "were");
+                   flat, flat == 1 ? "" : "s", flat == 1 ? "is" : "are");
 }
 
 void tf_remarks_print(const tf_mesh_file *file)

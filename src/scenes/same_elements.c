@@ -9,10 +9,10 @@ static bool same_count(const tf_mesh_file *file, const tf_mesh_file *before,
 {
     return own == other ||
            tf_mesh_file_fault(file, -1,
-                              "the number of %s is %d, but %d in %s; all files "
-                              "must have the same elements",
-                              things, own, other,
-                              tf_make_visible(before->name).text);
+                              "%d %s, but %s has %d; all files must have the "
+                              "same elements",
+                              own, things, tf_make_visible(before->name).text,
+                              other);
 }
 
 static bool fault_in_element(const tf_mesh_file *file,

@@ -66,13 +66,29 @@ static bool find_files(tf_scene_reader *r, const yaml_node_t *node,
 }
 
 //: Read the frames of a mesh of a scene
+/// Such as frame-7.obj and frame-07.obj, which a pattern takes for two.
+static bool are_different(tf_scene_reader *r, const yaml_node_t *node,
+                          char *const name[], int count)
+{
+    for (int i = 1; i < count; i++)
+        if (tf_are_of_one_frame(name[i - 1], name[i]))
+            return tf_scene_fault_at(
+                r, node,
+                "%s and %s have the same number; delete one, or list the "
+                "frames",
+                tf_make_visible(name[i - 1]).text,
+                tf_make_visible(name[i]).text);
+    return true;
+}
+
 static bool read_frames(tf_scene_reader *r, const tf_scene_key *key,
                         const yaml_node_t *node, void *target)
 {
     (void)key;
     tf_frame_names *names = &((tf_scene_mesh *)target)->frames;
     if (node->type == YAML_SCALAR_NODE)
-        return find_files(r, node, "a file of frames", names);
+        return find_files(r, node, "a file of frames", names) &&
+               are_different(r, node, names->path, names->count);
     if (!tf_scene_is_list(node))
         return tf_scene_fault_at(
             r, node, "frames must be a file, a pattern or a list of some");
@@ -139,6 +155,18 @@ static bool read_material(tf_scene_reader *r, const tf_scene_key *key,
 }
 
 //: Read a mesh of a scene
+/// Vertices of a mesh that doesn't give way need no pins.
+static bool check_pins(tf_scene_reader *r, const yaml_node_t *node,
+                       const tf_scene_mesh *mesh)
+{
+    return mesh->role == TF_MOVING ||
+           (mesh->pins == 0 && mesh->pinned_in.count == 0) ||
+           tf_scene_fault_at(r, node,
+                             "all vertices of a %s mesh are pinned anyway; "
+                             "delete 'pinned:'",
+                             mesh->role == TF_FIXED ? "fixed" : "scripted");
+}
+
 #define MESH(member) offsetof(tf_scene_mesh, member)
 
 static bool read_mesh(tf_scene_reader *r, const yaml_node_t *node)
@@ -167,7 +195,7 @@ static bool read_mesh(tf_scene_reader *r, const yaml_node_t *node)
                                  "a mesh without frames; write 'frames:' and a "
                                  "file, a pattern or a list of some");
     tf_order_frames(mesh->frames.path, mesh->frames.count);
-    return true;
+    return check_pins(r, node, mesh);
 }
 
 static bool read_meshes(tf_scene_reader *r, const tf_scene_key *key,

@@ -31,4 +31,6 @@ bool tf_simulated_file_read(tf_scene_meshes *meshes, const char *path,
 
 /// What is wrong with a scene that should have steps.
 #define TF_NO_STEP_FAULT                                                       \
-    "has only one frame, so there is no step; give a mesh two frames or more"
+    "has only one frame, so there is no step; give a mesh that isn't fixed "   \
+    "two "                                                                     \
+    "frames or more"

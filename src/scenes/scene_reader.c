@@ -59,12 +59,13 @@ const char *tf_scene_text(tf_scene_reader *reader, const yaml_node_t *node,
         return NULL;
     }
     const char *text = (const char *)node->data.scalar.value;
-    if (!*text || strlen(text) != node->data.scalar.length) {
-        tf_scene_fault_at(reader, node, "%s must be a text that is not empty",
-                          what);
-        return NULL;
-    }
-    return text;
+    if (*text && strlen(text) == node->data.scalar.length)
+        return text;
+    tf_scene_fault_at(reader, node,
+                      *text ? "%s has a NUL character; remove it"
+                            : "%s is an empty text; fill it in",
+                      what);
+    return NULL;
 }
 
 bool tf_scene_take_text(tf_scene_reader *reader, const tf_scene_key *key,

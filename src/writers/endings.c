@@ -70,7 +70,15 @@ const char *tf_mesh_ending(tf_mesh_format format)
     return endings[i].text;
 }
 
-//: Find an ending that is not written
+//: Find the ending of a mesh
+const char *tf_any_mesh_ending(const char *path)
+{
+    for (size_t i = 0; i < sizeof endings / sizeof *endings; i++)
+        if (tf_ends_in(path, endings[i].text))
+            return endings[i].text;
+    return tf_unwritten_ending(path);
+}
+
 const char *tf_unwritten_ending(const char *path)
 {
     static const char *const others[] = {

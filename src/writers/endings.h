@@ -17,6 +17,10 @@ const char *tf_mesh_format_name(tf_mesh_format format);
 /// Whether a name ends so, in small or capital letters, before .gz if it ends so.
 bool tf_ends_in(const char *path, const char *ending);
 
+/// The ending of a name if it is that of a mesh, in a format that is written or
+/// in another one; or NULL.
+const char *tf_any_mesh_ending(const char *path);
+
 /// The ending of a name if it is that of a mesh in some format that is never
 /// written; or NULL.
 const char *tf_unwritten_ending(const char *path);

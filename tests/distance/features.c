@@ -3,6 +3,8 @@
 
 #include "support/support.h"
 
+#include <math.h>
+
 /// Which of the features of a pair hold their own nearest points, a bit each.
 static unsigned features_inside(tf_kind kind, const double at[])
 {
@@ -58,6 +60,41 @@ START_TEST(a_coordinate_that_is_not_needed_is_zero)
 }
 END_TEST
 
+// A contact pushes none of the vertices whose weights are zero.
+START_TEST(only_vertices_of_a_feature_have_weights)
+{
+    static const double at[] = {1, 1, 7, 0, 0, 0, 4, 0, 0, 0, 4, 0};
+    const double *x[] = {at, at + 3, at + 6, at + 9};
+    static const tf_kind kinds[] = {TF_POINT_TRIANGLE, TF_EDGE_EDGE};
+    for (int k = 0; k < 2; k++) {
+        tf_exact_vertices exact;
+        const tf_features *features;
+        tf_exact_vertices_set(kinds[k], x, 0, &exact);
+        for (int i = tf_features_of(kinds[k], &features) - 1; i >= 0; i--) {
+            tf_feature_distance found;
+            double others = 0;
+            if (features[i].kind != TF_TWO_VERTICES ||
+                !tf_feature_distance_find(&exact, &features[i], &found))
+                continue;
+            for (int v = 0; v < 4; v++)
+                if (v != features[i].place[0] && v != features[i].place[1])
+                    others += fabs(found.weight[v]);
+            ck_assert(others == 0);
+        }
+    }
+}
+END_TEST
+
+START_TEST(vertices_at_the_origin_have_the_unit_one)
+{
+    static const double at[9] = {0};
+    const double *x[] = {at, at + 2, at + 4};
+    tf_exact_vertices exact;
+    tf_exact_vertices_set(TF_POINT_EDGE, x, 0, &exact);
+    ck_assert_int_eq(exact.unit, 0);
+}
+END_TEST
+
 Suite *suite(void)
 {
     Suite *suite = suite_create("distance/features");
@@ -65,6 +102,8 @@ Suite *suite(void)
     tcase_add_test(tcase, a_point_over_a_triangle_is_over_its_edges);
     tcase_add_test(tcase, edges_that_cross_hold_points_of_both);
     tcase_add_test(tcase, a_coordinate_that_is_not_needed_is_zero);
+    tcase_add_test(tcase, only_vertices_of_a_feature_have_weights);
+    tcase_add_test(tcase, vertices_at_the_origin_have_the_unit_one);
     suite_add_tcase(suite, tcase);
     return suite;
 }

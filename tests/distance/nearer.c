@@ -62,6 +62,41 @@ START_TEST(elements_at_a_distance_are_not_nearer)
 }
 END_TEST
 
+// An edge ends above the middle of another, so near that its length, rounded, may be
+// off by as much.
+START_TEST(rounding_widens_no_gap)
+{
+    generator random = generator_new(200);
+    for (long i = cases(2000); i > 0; i--) {
+        double at[12] = {0}, high = uniform(&random, 0.5, 1), low = high;
+        int up = below(&random, 3), along = (up + 1) % 3;
+        for (int j = below(&random, 8); j >= 0; j--)
+            low = nextafter(low, 0);
+        at[up] = uniform(&random, 1, 3);
+        at[3 + up] = high;
+        at[6 + up] = at[9 + up] = low;
+        at[6 + along] = -1;
+        at[9 + along] = 1;
+        int scale = 200 * (below(&random, 3) - 1);
+        for (int k = 0; k < 12; k++)
+            at[k] = ldexp(at[k], scale);
+        const double *x[] = {at, at + 3, at + 6, at + 9};
+        double gap = ldexp(high - low, scale);
+        ck_assert(!tf_are_nearer(TF_EDGE_EDGE, x, gap));
+        ck_assert(tf_are_nearer(TF_EDGE_EDGE, x, nextafter(gap, INFINITY)));
+    }
+}
+END_TEST
+
+START_TEST(edges_through_one_middle_are_nearer_than_any_length)
+{
+    static const double at[] = {-1, 0, 0, 1, 0, 0, 0, -1, 0, 0, 1, 0};
+    const double *x[] = {at, at + 3, at + 6, at + 9};
+    for (int exponent = -1074; exponent < 1024; exponent++)
+        ck_assert(tf_are_nearer(TF_EDGE_EDGE, x, ldexp(1, exponent)));
+}
+END_TEST
+
 START_TEST(estimates_decide_nearly_all_usual_pairs)
 {
     generator random = generator_new(100);
@@ -84,6 +119,8 @@ Suite *suite(void)
                         elements_are_nearer_where_rational_numbers_say_so, 0,
                         REST_FAMILIES);
     tcase_add_test(tcase, elements_at_a_distance_are_not_nearer);
+    tcase_add_test(tcase, rounding_widens_no_gap);
+    tcase_add_test(tcase, edges_through_one_middle_are_nearer_than_any_length);
     tcase_add_test(tcase, estimates_decide_nearly_all_usual_pairs);
     suite_add_tcase(suite, tcase);
     return suite;

@@ -99,6 +99,9 @@ START_TEST(elements_that_touch_have_distance_zero)
     const double *edges[] = {at, at + 3, at, at + 6};
     found = tf_nearest_of(TF_EDGE_EDGE, edges);
     ck_assert(found.lower == 0 && found.upper == 0);
+    const double *origin[] = {at, at, at};
+    found = tf_nearest_of(TF_POINT_EDGE, origin);
+    ck_assert(found.lower == 0 && found.upper == 0);
 }
 END_TEST
 

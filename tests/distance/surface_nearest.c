@@ -1,11 +1,13 @@
 // The nearest point of a surface, against distances in rational numbers.
 #include "distance/surface_nearest.h"
 
+#include "support/environments.h"
 #include "support/exact_distance.h"
 #include "support/support.h"
 #include "support/surface_of.h"
 #include "support/surfaces.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -95,9 +97,69 @@ START_TEST(elements_of_all_kinds_are_found)
         ck_assert(found.lower <= distances[i] && distances[i] <= found.upper);
         ck_assert_double_eq(found.barycentric[0], i < 2 ? 0.5 : 1);
         ck_assert_int_eq(found.vertex[0], i == 0 ? 0 : 1 + 2 * i);
-        ck_assert((found.vertex[2] < 0) == (i > 0));
+        for (int j = found.corners; j < 3; j++)
+            ck_assert_int_eq(found.vertex[j], -1);
     }
     tf_surface_free(surface);
+}
+END_TEST
+
+// Of several that are as near, a triangle comes before an edge, this before a
+// vertex, and of a kind the first one.
+START_TEST(the_first_of_the_nearest_is_found)
+{
+    static const int triangles[] = {0, 1, 2, 0, 1, 3};
+    static const double place[] = {0, 0, 0, 4, 0, 0, 0, 4, 0, 0, -4, 0};
+    static const double points[2][3] = {{-1, -1, 1}, {2, 0, 1}};
+    tf_surface *surface = surface_of(&(tf_mesh){
+        .axes = 3, .vertices = 4, .triangles = 2, .triangle = triangles});
+    for (int i = 0; i < 2; i++) {
+        static const int first[] = {0, 1, 2};
+        tf_surface_point found;
+        const double *point = points[i];
+        ck_assert_int_eq(
+            tf_surface_nearest(surface, 4, place, point, &found, NULL), TF_OK);
+        if (i > 0)
+            ck_assert_mem_eq(found.vertex, first, sizeof first);
+        ck_assert_int_eq(found.corners, 3);
+    }
+    tf_surface_free(surface);
+}
+END_TEST
+
+/// What is nearest to the origin: an edge, or one of the particles behind it.
+static tf_surface_point nearest_to_origin(int vertices, const double place[])
+{
+    static const double origin[3] = {0};
+    static const int first[] = {0, 1};
+    tf_surface *surface = surface_of(
+        &(tf_mesh){.axes = 3, .vertices = vertices, .edges = 1, .edge = first});
+    tf_surface_point found;
+    ck_assert_int_eq(
+        tf_surface_nearest(surface, vertices, place, origin, &found, NULL),
+        TF_OK);
+    tf_surface_free(surface);
+    return found;
+}
+
+START_TEST(a_nearer_particle_stays)
+{
+    static const double place[] = {9, 9, 9, 8, 8, 8, 0, 0, 7, 0, 5, 0, 4, 4, 4};
+    tf_surface_point found = nearest_to_origin(5, place);
+    ck_assert_int_eq(found.corners, 1);
+    ck_assert_int_eq(found.vertex[0], 3);
+    ck_assert(found.lower <= 5 && found.upper >= 5);
+}
+END_TEST
+
+START_TEST(a_distance_beyond_all_doubles_has_a_point)
+{
+    static const double place[] = {DBL_MAX, DBL_MAX, DBL_MAX,
+                                   DBL_MAX, DBL_MAX, DBL_MAX / 2};
+    tf_surface_point found = nearest_to_origin(2, place);
+    ck_assert_int_eq(found.corners, 2);
+    ck_assert_int_eq(found.vertex[1], 1);
+    ck_assert(isinf(found.upper) && found.lower == DBL_MAX);
 }
 END_TEST
 
@@ -106,16 +168,35 @@ START_TEST(bad_positions_are_told)
     tf_surface *surface = new_surface();
     tf_surface_point found;
     tf_error error;
-    double bad[18], point[] = {0, NAN, 0};
     ck_assert_int_eq(tf_surface_nearest(surface, 5, at, at, &found, &error),
                      TF_BAD_COUNT);
-    ck_assert_int_eq(tf_surface_nearest(surface, 6, at, point, &found, &error),
-                     TF_NOT_FINITE);
-    memcpy(bad, at, sizeof bad);
-    bad[10] = INFINITY;
-    ck_assert_int_eq(tf_surface_nearest(surface, 6, bad, at, &found, &error),
-                     TF_NOT_FINITE);
-    ck_assert_int_eq(error.vertex[0], 3);
+    for (int i = 0; i < 18; i++) {
+        double bad[18];
+        memcpy(bad, at, sizeof bad);
+        bad[i] = i % 2 ? NAN : INFINITY;
+        ck_assert_int_eq(
+            tf_surface_nearest(surface, 6, bad, at, &found, &error),
+            TF_NOT_FINITE);
+        ck_assert_int_eq(error.vertex[0], i / 3);
+        ck_assert_int_eq(error.time, -1);
+        if (i < 3)
+            ck_assert_int_eq(
+                tf_surface_nearest(surface, 6, at, bad, &found, &error),
+                TF_NOT_FINITE);
+    }
+    tf_surface_free(surface);
+}
+END_TEST
+
+START_TEST(a_broken_environment_is_told)
+{
+    tf_surface *surface = new_surface();
+    tf_surface_point found = {.corners = 42};
+    environment_break(_i);
+    tf_status status = tf_surface_nearest(surface, 6, at, at, &found, NULL);
+    environment_restore();
+    ck_assert_int_eq(status, TF_BAD_ENVIRONMENT);
+    ck_assert_int_eq(found.corners, 42);
     tf_surface_free(surface);
 }
 END_TEST
@@ -126,7 +207,11 @@ Suite *suite(void)
     TCase *tcase = tcase_create("surface_nearest");
     tcase_add_loop_test(tcase, no_element_is_nearer, 0, PLACEMENTS);
     tcase_add_test(tcase, elements_of_all_kinds_are_found);
+    tcase_add_test(tcase, the_first_of_the_nearest_is_found);
+    tcase_add_test(tcase, a_nearer_particle_stays);
+    tcase_add_test(tcase, a_distance_beyond_all_doubles_has_a_point);
     tcase_add_test(tcase, bad_positions_are_told);
+    tcase_add_loop_test(tcase, a_broken_environment_is_told, 0, environments());
     suite_add_tcase(suite, tcase);
     return suite;
 }

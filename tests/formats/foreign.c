@@ -35,7 +35,7 @@ static const struct {
     {BYTES("#usda 1.0\n"), "a USD file"},
     {BYTES("PXR-USDC\0"), "a USD file"},
     {BYTES("Ogawa\xff"), "an Alembic file"},
-    {BYTES("\x89HDF\r\n\x1a\n"), "an HDF5 file, such as Alembic, netCDF"},
+    {BYTES("\x89HDF\r\n\x1a\n"), "an HDF5 file, such as Alembic or netCDF"},
     {BYTES("CDF\x01"), "a netCDF file"},
     {BYTES("CDF\x02"), "a netCDF file"},
     {BYTES("BLENDER-v300"), "a Blender file"},

@@ -264,9 +264,11 @@ START_TEST(names_tell_what_contents_do_not)
     bytes stl = binary_stl("a"), solid = binary_stl("solid a");
     stl.count--;
     solid.count--;
-    expect_words_on("mesh.stl", &stl, "133 bytes, and not the 134 of the 1 ");
-    expect_words_on("mesh.STL.gz", &stl, "133 bytes, and not the 134 of");
-    expect_words_on("mesh.obj", &solid, "133 bytes, and not the 134 of");
+    expect_words_on(
+        "mesh.stl", &stl,
+        "has 133 bytes, but its header declares 1 triangles, which need 134;");
+    expect_words_on("mesh.STL.gz", &stl, "has 133 bytes, but its");
+    expect_words_on("mesh.obj", &solid, "has 133 bytes, but its");
     expect_words_on("mesh.obj", &stl, "a NUL byte; ");
     expect_words_on("stl", &stl, "a NUL byte; ");
     expect_words_on(".stl", &stl, "a NUL byte; ");

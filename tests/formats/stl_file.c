@@ -127,10 +127,12 @@ START_TEST(other_sizes_are_refused)
 {
     bytes made = binary_square("solid");
     expect_bad_bytes(made.at, made.count - 1, 80,
-                     "183 bytes, and not the 184 of the 2 triangles that the "
-                     "header declares; the file may be cut short");
+                     "the file has 183 bytes, but its header declares 2 "
+                     "triangles, which need 184; it may be cut short");
     put_int(&made, 1, 0);
-    expect_bad_bytes(made.at, made.count, 80, "185 bytes, and not the 184 of");
+    expect_bad_bytes(
+        made.at, made.count, 80,
+        "has 185 bytes, but its header declares 2 triangles, which need 184;");
     expect_bad_bytes(made.at, 83, 83,
                      "the file ends too early; binary STL has a header of 84");
     ck_assert(!tf_is_binary_stl(made.at, 83));
@@ -140,7 +142,8 @@ START_TEST(other_sizes_are_refused)
     // As many triangles as a header can declare.
     made = header_of("solid", 0xffffffff);
     expect_bad_bytes(made.at, made.count, 80,
-                     "84 bytes, and not the 214748364834 of the 4294967295");
+                     "has 84 bytes, but its header declares 4294967295 "
+                     "triangles, which need 214748364834;");
 }
 END_TEST
 

@@ -401,8 +401,8 @@ END_TEST
     " 0.5 0.5 0.5\ng under\nf 4 5 6 7\n"
 
 static const char divided[] =
-    "tanglefree: %s: 1 face with more than three corners was triangulated "
-    "(here and in all further files)\n";
+    "tanglefree: %s: 1 face with more than three corners is triangulated; so "
+    "in further files, of which nothing is said\n";
 
 START_TEST(all_else_that_the_end_has_is_kept)
 {
@@ -655,8 +655,8 @@ START_TEST(files_that_do_not_fit_are_refused)
     expect_error("above .", "tanglefree: .: cannot read: Is a directory; check "
                             "that this is a file\n");
     expect_error("above flat-below",
-                 "tanglefree: flat-below: the number of vertices is 3, but 5 "
-                 "in above; all files must have the same elements\n");
+                 "tanglefree: flat-below: 3 vertices, but above has 5; all "
+                 "files must have the same elements\n");
     expect_error("above other",
                  "tanglefree: other:6: this triangle is not as in above; all "
                  "files must have the same elements in the same order\n");
@@ -802,7 +802,8 @@ END_TEST
 START_TEST(wrong_arguments_are_refused)
 {
     static const char two[] = "tanglefree resolve: two files are required, "
-                              "START and END, or a scene\n";
+                              "START and END, or a scene, whose name "
+                              "ends in .yaml, .yml or .json\n";
     expect_usage("resolve", two);
     expect_usage("resolve -o new above", two);
     expect_usage("resolve -o new above below below", two);

@@ -202,12 +202,11 @@ START_TEST(starts_that_are_not_clear_are_refused)
     make_file("in.obj", "v 0 0 -1\nv 0 0 1\nv 0 1 1\nf 1 2 3\n");
     make_file("in.yaml", "meshes: [{frames: [floor.obj, floor.obj]}, "
                          "{frames: in.obj}]");
-    expect(run("$tf resolve in.yaml -o made"), 2,
-           "steps: 0\nresolved steps: 0\nfirst contacts: 0\nheld steps: 0\n"
-           "seconds: 0\n",
+    expect(run("$tf resolve in.yaml -o made"), 2, "",
            "tanglefree: in.obj: edge 0 1 passes through triangle 0 1 2 of "
            "floor.obj (numbered from 0) before the step begins; move them "
            "apart, see 'tanglefree check' for all such pairs\n");
+    ck_assert_int_ne(run("ls made").status, 0);
     // Meshes of a group are no business of each other, nor are scripted ones.
     make_file("in.yaml", "meshes: [{frames: [floor.obj, floor.obj], group: a}, "
                          "{frames: in.obj, group: a}]");
@@ -215,7 +214,15 @@ START_TEST(starts_that_are_not_clear_are_refused)
     make_file("in.yaml",
               "meshes: [{frames: [floor.obj, floor.obj], role: scripted}, "
               "{frames: in.obj, role: fixed}]");
-    expect(run("$tf resolve in.yaml -o made3 >report && ls made3"), 0, "", "");
+    expect(run("$tf resolve in.yaml -o made3"), 2, "",
+           "tanglefree: in.yaml: no mesh is moving, so there is nothing to "
+           "resolve; let one be, by its role\n");
+    make_file("far.obj", "v 9 9 9\nv 9 9 8\nv 9 8 9\nf 1 2 3\n");
+    make_file("in.yaml",
+              "meshes: [{frames: [floor.obj, floor.obj], role: scripted}, "
+              "{frames: in.obj, role: fixed}, {frames: far.obj}]");
+    expect(run("$tf resolve in.yaml -o made3 >report && ls made3"), 0,
+           "far-00000.obj\nfar-00001.obj\n", "");
 }
 END_TEST
 
@@ -225,9 +232,13 @@ START_TEST(frames_before_a_bad_one_stay)
     expect(run("$tf resolve scene.yaml -o made --format csv | cut -d , -f 1,2; "
                "ls made"),
            0, "step,status\n0,clear\ntripod-00000.obj\ntripod-00001.obj\n",
-           "tanglefree: below.obj: the number of triangles is 3, but 2 in "
-           "low.obj; all files must have the same elements\n");
-    ck_assert_int_eq(run("$tf resolve scene.yaml -o again").status, 2);
+           "tanglefree: below.obj: 3 triangles, but low.obj has 2; all files "
+           "must have the same elements\n"
+           "tanglefree: made has the frames before that; delete it, or choose "
+           "another, to begin again\n");
+    outcome found = run("$tf resolve scene.yaml -o again");
+    ck_assert_int_eq(found.status, 2);
+    ck_assert_str_eq(found.out, "");
 }
 END_TEST
 
@@ -250,7 +261,7 @@ START_TEST(a_scene_without_steps_is_refused)
            "below.obj\nerr\nfloor.obj\nhigh.obj\nlow.obj\none.yaml\nout\n"
            "scene.yaml\n",
            "tanglefree: one.yaml: has only one frame, so there is no step; "
-           "give a mesh two frames or more\n");
+           "give a mesh that isn't fixed two frames or more\n");
     ck_assert_int_eq(run("$tf resolve one.yaml -o made").status, 2);
 }
 END_TEST
@@ -259,7 +270,27 @@ START_TEST(a_full_disk_is_reported)
 {
     expect(run("$tf resolve scene.yaml -o made >/dev/full"), 2, "",
            "tanglefree: standard output: cannot write: No space left on "
-           "device; mend that, and run again\n");
+           "device; mend that, and run again\n"
+           "tanglefree: made has the frames before that; delete it, or choose "
+           "another, to begin again\n");
+}
+END_TEST
+
+START_TEST(meshes_are_no_folders)
+{
+    expect(run("$tf resolve scene.yaml -o made.obj"), 2, "",
+           "tanglefree: made.obj: the frames of a scene need a folder; leave "
+           "out .obj, or end the name in .pvd\n");
+    expect_words(run("$tf resolve scene.yaml -o made.PLY.gz").err,
+                 "leave out .ply, or");
+    expect_words(run("$tf resolve scene.yaml -o made.glb").err,
+                 "leave out .glb, or");
+    expect(run("$tf simulate sphere --steps 1 -o made.ply"), 2, "",
+           "tanglefree: made.ply: frames need a folder; leave out .ply\n");
+    expect(run("$tf check floor.obj -o rows.vtp"), 2, "",
+           "tanglefree: rows.vtp: rows are written there, not a mesh; leave "
+           "out .vtp\n");
+    ck_assert_str_eq(run("ls | grep -e made -e rows").out, "");
 }
 END_TEST
 
@@ -269,10 +300,10 @@ START_TEST(wrong_arguments_are_refused)
                  "tanglefree resolve: --output OUT is required");
     expect_usage("resolve scene.yaml high.obj -o made",
                  "tanglefree resolve: two files are required, START and END, "
-                 "or a scene\n");
+                 "or a scene, whose name ends in .yaml, .yml or .json\n");
     expect_usage("resolve high.obj -o made",
                  "tanglefree resolve: two files are required, START and END, "
-                 "or a scene\n");
+                 "or a scene, whose name ends in .yaml, .yml or .json\n");
     expect_usage("resolve scene.yaml -o -",
                  "tanglefree resolve: --output must be a folder for the frames "
                  "of a scene, got '-'\n");
@@ -316,6 +347,7 @@ Suite *suite(void)
     tcase_add_test(mistakes, nothing_is_written_over);
     tcase_add_test(mistakes, a_scene_without_steps_is_refused);
     tcase_add_test(mistakes, a_full_disk_is_reported);
+    tcase_add_test(mistakes, meshes_are_no_folders);
     tcase_add_test(mistakes, wrong_arguments_are_refused);
     suite_add_tcase(suite, mistakes);
     return suite;

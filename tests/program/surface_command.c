@@ -524,6 +524,8 @@ START_TEST(bad_files_are_refused)
     snprintf(right, sizeof right, "tanglefree: bad:%s\n", faults[_i].message);
     expect(run("$tf check bad"), 2, CHECK_HEADER, right);
     expect(run("$tf detect bad above"), 2, HEADER, right);
+    expect(run("$tf check --format summary bad"), 2, "", right);
+    expect(run("$tf detect --format summary bad above"), 2, "", right);
     // The rows of what was good are out by then.
     strcpy(rows, run("$tf check crossed").out);
     expect(run("$tf check --each crossed bad crossed"), 2, rows, right);
@@ -542,7 +544,7 @@ START_TEST(good_steps_before_bad_files_are_printed)
            "tanglefree: bad:1: 'x' is not a finite number; write a decimal "
            "or a hexadecimal float\n");
     expect(run("$tf detect above below clear"), 2, rows,
-           "tanglefree: clear: the number of vertices is 4, but 5 in below; "
+           "tanglefree: clear: 4 vertices, but below has 5; "
            "all files must have the same elements\n");
     expect(run("$tf detect above below absent"), 2, rows,
            "tanglefree: absent: cannot open: No such file or directory; check "
@@ -573,8 +575,8 @@ START_TEST(names_send_no_commands_to_the_terminal)
     make_file("a\x1b[2J", TRIANGLE);
     make_file("b\x1b[2J", TRIANGLE "v 1 2 3\n");
     expect(run("$tf detect a*J b*J"), 2, HEADER,
-           "tanglefree: b\\x1b[2J: the number of vertices is 4, but 3 in "
-           "a\\x1b[2J; all files must have the same elements\n");
+           "tanglefree: b\\x1b[2J: 4 vertices, but a\\x1b[2J has 3; all files "
+           "must have the same elements\n");
     expect_words(run("$tf check --format \"$(printf '\\033c')\" clear").err,
                  "--format must be csv, json or summary, got '\\x1bc'");
     expect_words(run("$tf check -t \"$(printf '\\033c')\" clear").err,
@@ -933,7 +935,8 @@ END_TEST
 START_TEST(wrong_arguments_are_refused)
 {
     static const char two[] = "tanglefree detect: two files or more are "
-                              "required, START and END, or a scene\n";
+                              "required, START and END, or a scene, whose "
+                              "name ends in .yaml, .yml or .json\n";
     expect_usage("detect", two);
     expect_usage("detect above", two);
     expect_usage("detect --first above", two);

@@ -61,7 +61,7 @@ static tf_surface_part part_of(const char *name)
 /// Ends the output, which must be this.
 static void expect(tf_surface_output *output, const char *right)
 {
-    ck_assert(tf_surface_output_end(output));
+    ck_assert(tf_surface_output_end(output, true));
     ck_assert_int_eq(output->records.error, 0);
     fclose(stream);
     ck_assert_str_eq(text, right);
@@ -227,7 +227,7 @@ START_TEST(contacts_of_curves_have_the_names_of_meshes)
                                                 .names = TF_NAMES_OF_MESHES});
     tf_contacts found = {true, 1, flat, {0}};
     ck_assert(tf_surface_output_contacts(&output, &part, 2, &found));
-    ck_assert(tf_surface_output_end(&output));
+    ck_assert(tf_surface_output_end(&output, true));
     fclose(stream);
     ck_assert_ptr_nonnull(strstr(text, "\"a\":0,\"b\":0,\"c\":3,\"d\":null,"));
     ck_assert_ptr_nonnull(

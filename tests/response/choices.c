@@ -1,6 +1,9 @@
 #include "response/choices.h"
 
+#include "response/gauss_seidel.h"
+#include "response/minres.h"
 #include "support/support.h"
+#include "support/surface_of.h"
 
 #include <limits.h>
 #include <math.h>
@@ -73,6 +76,60 @@ START_TEST(zeros_are_the_usual_choices)
 }
 END_TEST
 
+// A caller who says no size has the options of version 1.0, and no younger ones.
+START_TEST(options_without_a_size_are_the_first_ones)
+{
+    int context;
+    tf_response_options options,
+        given = {.friction = 2, .context = &context, .thickness = 3};
+    ck_assert_int_eq(tf_response_options_read(&options, &given, NULL), TF_OK);
+    ck_assert_double_eq(options.friction, 2);
+    ck_assert_ptr_eq(options.context, &context);
+    ck_assert_double_eq(options.thickness, 0);
+    given.size = sizeof given;
+    ck_assert_int_eq(tf_response_options_read(&options, &given, NULL), TF_OK);
+    ck_assert_double_eq(options.thickness, 3);
+}
+END_TEST
+
+/// Chooses for a triangle with sides of 3, 4 and 5 times a length.
+static void choose(tf_response_options *options, double length)
+{
+    static const int triangle[] = {0, 1, 2};
+    double start[] = {0, 0, 0, 3 * length, 0, 0, 0, 4 * length, 0};
+    tf_surface *surface = surface_of(&(tf_mesh){
+        .axes = 3, .vertices = 3, .triangles = 1, .triangle = triangle});
+    tf_step step = {.axes = 3, .vertices = 3, .start = start};
+    tf_response_options_choose(options, surface, &step);
+    tf_surface_free(surface);
+}
+
+START_TEST(what_is_not_chosen_is_the_usual)
+{
+    tf_response_options options = {0};
+    choose(&options, 10);
+    ck_assert_ptr_eq(options.solver, &tf_gauss_seidel);
+    ck_assert_int_eq(options.zone_rounds, 20);
+    ck_assert_int_eq(options.sweeps, 30);
+    ck_assert_double_eq_tol(options.separation, 0.05 * 40, 1e-12);
+    options.separation = 0;
+    choose(&options, 0x1p1022); // lengths that overflow
+    ck_assert_double_eq(options.separation, 0);
+}
+END_TEST
+
+START_TEST(what_is_chosen_stays)
+{
+    tf_response_options options = {
+        .solver = &tf_minres, .zone_rounds = -1, .sweeps = 7, .separation = -2};
+    choose(&options, 1);
+    ck_assert_ptr_eq(options.solver, &tf_minres);
+    ck_assert_int_eq(options.zone_rounds, -1);
+    ck_assert_int_eq(options.sweeps, 7);
+    ck_assert_double_eq(options.separation, -2);
+}
+END_TEST
+
 Suite *suite(void)
 {
     Suite *suite = suite_create("response/choices");
@@ -80,6 +137,9 @@ Suite *suite(void)
     tcase_add_test(tcase, options_out_of_range_are_named);
     tcase_add_test(tcase, limits_of_ranges_are_in_them);
     tcase_add_test(tcase, zeros_are_the_usual_choices);
+    tcase_add_test(tcase, options_without_a_size_are_the_first_ones);
+    tcase_add_test(tcase, what_is_not_chosen_is_the_usual);
+    tcase_add_test(tcase, what_is_chosen_stays);
     suite_add_tcase(suite, tcase);
     return suite;
 }

@@ -230,6 +230,83 @@ START_TEST(edges_without_a_normal_move_apart)
 }
 END_TEST
 
+// Along any axis, and where squares of lengths vanish or overflow.
+START_TEST(directions_have_any_size)
+{
+    static const double size[] = {1, 0x1p-600, 0x1p600};
+    int axis = _i % 3;
+    scene s = {.start = {0}};
+    for (int v = 0; v < 4; v++) {
+        int i = 3 * v + axis;
+        s.start[3 * v + (axis + 1) % 3] = v % 2 ? 2 * size[_i / 3] : 0;
+        s.start[i] = v < 2 ? size[_i / 3] : 0;
+        for (int k = 0; k < 3; k++)
+            s.end[3 * v + k] = s.start[3 * v + k];
+        s.end[i] = -s.start[i];
+    }
+    tf_contact_gap gap;
+    ck_assert(ready(&s, EDGE_EDGE, 3));
+    tf_constraint constraint = constraint_of(&s, false, &gap);
+    ck_assert_double_eq(gap.start, size[_i / 3]);
+    for (int k = 0; k < 3; k++)
+        ck_assert_double_eq(constraint.normal[k], k == axis ? 1 : 0);
+}
+END_TEST
+
+START_TEST(pivots_that_do_not_approach_are_not_pushed)
+{
+    scene s;
+    tf_contact_gap gap;
+    tf_constraint points =
+        constraint_in_plane(&s, (double[]){0, 0.125, -2, 0, 2, 0},
+                            (double[]){0, 0.125, -2, 1, 2, 1}, &gap);
+    memset(s.contact.contact.velocity, 0, sizeof s.contact.contact.velocity);
+    s.contact.contact.normal_velocity = 0;
+    tf_constraint pivots = constraint_of(&s, true, &gap);
+    ck_assert_mem_eq(pivots.vertex, points.vertex, sizeof points.vertex);
+    ck_assert_mem_eq(pivots.normal, points.normal, sizeof points.normal);
+    ck_assert_double_eq(gap.start, 0.125);
+}
+END_TEST
+
+// Far from the origin a gap of 16 units in the last place tells no side, but the
+// points are at a distance of 20, and in its direction.
+START_TEST(rounding_chooses_no_side)
+{
+    const double far = 0x1p20, unit = 0x1p-32;
+    scene s;
+    tf_contact_gap gap;
+    constraint_in_plane(&s, (double[]){far, 16 * unit, far - 1, 0, far + 1, 0},
+                        (double[]){far, -1, far - 1, 0, far + 1, 0}, &gap);
+    ck_assert_double_eq(gap.start, 16 * unit);
+    s.start[0] += 12 * unit;
+    tf_constraint constraint = constraint_of(&s, false, &gap);
+    ck_assert_double_eq_tol(gap.start, 20 * unit, unit / 1024);
+    ck_assert_double_eq_tol(constraint.normal[0], 0.6, 1e-12);
+    ck_assert_double_eq_tol(constraint.normal[1], 0.8, 1e-12);
+}
+END_TEST
+
+START_TEST(contacts_approach_along_their_normals)
+{
+    generator random = generator_new((uint64_t)_i);
+    int turned = 0;
+    for (long i = cases(TRIALS); i > 0; i--) {
+        scene s;
+        if (!random_scene(&random, (query_kind)_i, &s))
+            continue;
+        const tf_contact *contact = &s.contact.contact;
+        tf_constraint points = tf_contact_points(&s.contact);
+        double velocity = dot(points.normal, contact->velocity);
+        ck_assert_double_eq_tol(velocity, -fabs(contact->normal_velocity),
+                                1e-9);
+        ck_assert_int_eq(points.vertex[3], s.contact.vertex[3]);
+        turned += contact->normal_velocity > 0;
+    }
+    ck_assert_int_gt(turned, 0);
+}
+END_TEST
+
 /// A point that sinks from 3 over an edge in the plane, but not to it.
 START_TEST(near_pairs_are_kept_at_the_thickness)
 {
@@ -345,6 +422,10 @@ Suite *suite(void)
     tcase_add_test(one,
                    dots_move_apart_in_their_direction_where_there_is_no_side);
     tcase_add_test(one, edges_without_a_normal_move_apart);
+    tcase_add_loop_test(one, directions_have_any_size, 0, 9);
+    tcase_add_test(one, pivots_that_do_not_approach_are_not_pushed);
+    tcase_add_test(one, rounding_chooses_no_side);
+    tcase_add_loop_test(one, contacts_approach_along_their_normals, 0, 3);
     tcase_add_test(one, bounds_ask_for_restitution_and_gaps_for_room);
     tcase_add_test(one, near_pairs_are_kept_at_the_thickness);
     suite_add_tcase(s, one);

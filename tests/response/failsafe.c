@@ -89,6 +89,32 @@ START_TEST(groups_move_as_their_masses_do)
 }
 END_TEST
 
+// In space, and of less than a unit of mass: all four go where their momenta lead.
+START_TEST(light_groups_move_along_all_axes)
+{
+    static const tf_surface_contact contact = {.kind = TF_POINT_TRIANGLE,
+                                               .vertex = {3, 0, 1, 2}};
+    tf_contacts contacts = {.any = true, .count = 1, .contact = &contact};
+    proposal_begin(&made, 3);
+    for (int v = 0; v < 4; v++) {
+        proposal_add_vertex(&made, v % 2, v / 2, v == 3);
+        made.inverse_mass[v] = 16;
+        for (int k = 0; k < 3; k++)
+            made.end[3 * v + k] += v * (k + 1);
+    }
+    proposal_add_triangle(&made, 0, 1, 2);
+    begin();
+    tf_failsafe_round(&failsafe, &s.step, &contacts);
+    for (int i = 0; i < 12; i++)
+        ck_assert_double_eq(s.end[i] - made.start[i], 1.5 * (i % 3 + 1));
+    memset(s.step.flags, TF_VERTEX_RIGID, 4);
+    ck_assert_int_eq(tf_failsafe_mark(&failsafe, &s.step), 1);
+    for (int v = 0; v < 4; v++)
+        ck_assert_int_eq(s.step.flags[v], TF_VERTEX_RIGID | TF_VERTEX_GROUPED);
+    end();
+}
+END_TEST
+
 // However often it grows, and in whichever order: the sums are the same.
 START_TEST(a_group_moves_as_if_united_at_once)
 {
@@ -342,6 +368,7 @@ Suite *suite(void)
     Suite *suite = suite_create("response/failsafe");
     TCase *tcase = tcase_create("groups");
     tcase_add_test(tcase, groups_move_as_their_masses_do);
+    tcase_add_test(tcase, light_groups_move_along_all_axes);
     tcase_add_test(tcase, a_group_moves_as_if_united_at_once);
     tcase_add_test(tcase, a_group_that_touches_itself_rests_for_good);
     tcase_add_test(tcase, only_what_moved_as_one_is_put_to_rest);

@@ -2,9 +2,11 @@
 #include "response/limit.h"
 
 #include "fast/detect.h"
+#include "response/resolve.h"
 #include "support/proposals.h"
 #include "support/support.h"
 #include "support/surface_of.h"
+#include "surface/surface_memory.h"
 
 #include <float.h>
 #include <math.h>
@@ -124,6 +126,39 @@ START_TEST(differences_may_overflow)
 }
 END_TEST
 
+static bool go_on(void *context, const tf_stage *stage)
+{
+    (void)context, (void)stage;
+    return true;
+}
+
+// What was resolved before is forgotten, and so is who was told of it.
+START_TEST(nothing_is_resolved)
+{
+    tf_response_options options = {.progress = go_on};
+    const tf_answered_contact *contact;
+    double end[6];
+    int halvings;
+    size_t count;
+    make_speck(1, 7);
+    memcpy(end, made.end, sizeof end);
+    ck_assert_int_eq(tf_step_resolve(resolver, 3, made.start, end, NULL,
+                                     &options, NULL, NULL),
+                     TF_OK);
+    ck_assert_int_eq(tf_resolver_contacts(resolver, &count, &contact), TF_OK);
+    ck_assert_uint_gt(count, 0);
+    ck_assert_ptr_nonnull(tf_resolver_unpushed(resolver));
+    ck_assert_int_eq(tf_step_limit(resolver, 3, made.start, made.end, &options,
+                                   &halvings, NULL),
+                     TF_OK);
+    ck_assert_int_eq(tf_resolver_contacts(resolver, &count, &contact), TF_OK);
+    ck_assert_uint_eq(count, 0);
+    ck_assert_ptr_null(tf_resolver_unpushed(resolver));
+    ck_assert_ptr_null(surface->workers.watch);
+    finish();
+}
+END_TEST
+
 START_TEST(touching_starts_are_rejected)
 {
     tf_error error;
@@ -138,6 +173,28 @@ START_TEST(touching_starts_are_rejected)
     ck_assert_int_eq(error.vertex[0], 2);
     ck_assert_int_eq(halvings, 7);
     ck_assert_mem_eq(end, made.end, sizeof end);
+    finish();
+}
+END_TEST
+
+// Two edges that cross, and go on doing so: no contact tells.
+START_TEST(crossed_starts_are_rejected_where_they_are_checked)
+{
+    tf_response_options check = {.check_start = true};
+    tf_error error;
+    int halvings = 7;
+    proposal_begin(&made, 2);
+    proposal_add_edge(&made, proposal_add_vertex(&made, -1, 0, 0),
+                      proposal_add_vertex(&made, 1, 0, 0));
+    proposal_add_edge(&made, proposal_add_vertex(&made, 0, -1, 0),
+                      proposal_add_vertex(&made, 0, 1, 0));
+    begin();
+    ck_assert_int_eq(tf_step_limit(resolver, 4, made.start, made.end, &check,
+                                   &halvings, &error),
+                     TF_START_NOT_CLEAR);
+    ck_assert_int_eq(error.subject, TF_EDGE_EDGE_PAIR);
+    ck_assert_int_eq(halvings, 7);
+    ck_assert_int_eq(expect_limited(), 0);
     finish();
 }
 END_TEST
@@ -176,10 +233,12 @@ Suite *suite(void)
     tcase_add_test(tcase, halvings_are_those_by_hand);
     tcase_add_test(tcase, no_motion_may_be_left);
     tcase_add_test(tcase, differences_may_overflow);
+    tcase_add_test(tcase, nothing_is_resolved);
     suite_add_tcase(suite, tcase);
 
     TCase *bad = tcase_create("trouble");
     tcase_add_test(bad, touching_starts_are_rejected);
+    tcase_add_test(bad, crossed_starts_are_rejected_where_they_are_checked);
     tcase_add_test(bad, bad_input_is_reported);
     tcase_add_test_raise_signal(bad, null_breaks_the_contract, SIGABRT);
     suite_add_tcase(suite, bad);

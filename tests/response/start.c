@@ -80,6 +80,33 @@ START_TEST(contacts_at_the_start_are_told_from_later_ones)
 }
 END_TEST
 
+/// Two edges that cross at the start, after which the second one rises.
+static void make_cross(void)
+{
+    proposal_begin(&made, 3);
+    for (int v = 0; v < 4; v++) {
+        int along = v % 2 ? 1 : -1;
+        proposal_add_vertex(&made, v < 2 ? along : 0, v < 2 ? 0 : along, 0);
+        made.end[3 * v + 2] = v < 2 ? 0 : 1;
+    }
+    proposal_add_edge(&made, 0, 1);
+    proposal_add_edge(&made, 2, 3);
+}
+
+START_TEST(edges_that_cross_are_found)
+{
+    static const int expected[] = {0, 1, 2, 3};
+    make_cross();
+    ck_assert_int_eq(check_contacts(), TF_START_NOT_CLEAR);
+    ck_assert_int_eq(error.subject, TF_EDGE_EDGE_PAIR);
+    ck_assert_mem_eq(error.vertex, expected, sizeof expected);
+    ck_assert_int_eq(error.vertex[4], -1);
+    ck_assert_int_eq(error.time, 0);
+    ck_assert_int_eq(check(), TF_START_NOT_CLEAR);
+    ck_assert_int_eq(error.time, 0);
+}
+END_TEST
+
 START_TEST(curves_touch_points_and_edges)
 {
     proposal_begin(&made, 2);
@@ -124,6 +151,7 @@ Suite *suite(void)
     TCase *tcase = tcase_create("starts");
     tcase_add_test(tcase, edges_through_triangles_are_found);
     tcase_add_test(tcase, contacts_at_the_start_are_told_from_later_ones);
+    tcase_add_test(tcase, edges_that_cross_are_found);
     tcase_add_test(tcase, curves_touch_points_and_edges);
     tcase_add_test(tcase, statuses_are_passed_on);
     tcase_add_test(tcase, a_caller_may_cancel);

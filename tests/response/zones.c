@@ -93,13 +93,19 @@ static void end(void)
 }
 
 /// One round; returns how many contacts there were.
-static size_t go_on(const tf_zone_solver *solver)
+static size_t go_on_with(const tf_zone_solver *solver, tf_friction friction)
 {
-    tf_zone_options choice = {.solver = solver, .sweeps = 1000};
+    tf_zone_options choice = {
+        .solver = solver, .friction = friction, .sweeps = 1000};
     tf_contacts contacts = proposal_step_contacts(&s);
     ck_assert(tf_zones_add(&zones, &s.step, &contacts, &s.rule, &statistics) &&
               tf_zones_solve(&zones, &s.step, &s.rule, &choice, &statistics));
     return contacts.count;
+}
+
+static size_t go_on(const tf_zone_solver *solver)
+{
+    return go_on_with(solver, (tf_friction){0});
 }
 
 static int sum(const int number[])
@@ -146,6 +152,119 @@ START_TEST(vertices_that_move_join_zones)
 }
 END_TEST
 
+/// An edge that falls from a height of 1 upon a floor, and a separation of 3.
+static void begin_near_fall(void)
+{
+    proposal_begin(&made, 2);
+    add_edge(-5, 0, 0);
+    made.start[2] = made.end[2] = 9;
+    made.start[3] = made.end[3] = 0;
+    add_edge(-3, 1, 1);
+    begin();
+    s.rule.separation = 3;
+}
+
+// A script leads one edge through another one.
+START_TEST(constraints_of_scripts_are_in_no_zone)
+{
+    proposal_begin(&made, 2);
+    add_edge(-5, 0, 0);
+    made.start[2] = made.end[2] = 9;
+    add_edge(-3, 1, 1);
+    add_edge(3, 1, 0);
+    for (int v = 4; v < 6; v++)
+        made.end[2 * v + 1] -= 10;
+    begin();
+    ck_assert_uint_eq(go_on(&noting), 4);
+    ck_assert_int_eq(solved_zones, 2);
+    ck_assert_int_eq(sum(solved_constraints), 2);
+    end();
+}
+END_TEST
+
+// Two points, the first vertex one of them, fall upon the same edge.
+START_TEST(all_vertices_of_a_constraint_join)
+{
+    static const double place[][2] = {{0.5, 1}, {0, 0}, {2, 0}, {1.5, 1}};
+    proposal_begin(&made, 2);
+    for (int v = 0; v < 4; v++) {
+        proposal_add_vertex(&made, place[v][0], place[v][1], 0);
+        made.end[2 * v + 1] -= v % 3 == 0 ? 10 : 0;
+    }
+    proposal_add_edge(&made, 1, 2);
+    begin();
+    ck_assert_uint_eq(go_on(&noting), 2);
+    ck_assert_int_eq(solved_zones, 1);
+    ck_assert_int_eq(solved_vertices[0], 4);
+    end();
+}
+END_TEST
+
+// What a solver does is what the impulses and the friction that are kept do.
+START_TEST(impulses_and_friction_are_kept)
+{
+    proposal_begin(&made, 2);
+    add_edge(-5, 0, 0);
+    made.start[2] = made.end[2] = 9;
+    add_edge(-3, 1, 1);
+    for (int v = 2; v < 4; v++)
+        made.end[2 * v] += 3;
+    begin();
+    go_on_with(&tf_gauss_seidel, (tf_friction){.all = 0.1});
+    double moved[8] = {0};
+    const tf_constraint *all = zones.constraint.data;
+    for (int i = 0; i < zones.constraints; i++) {
+        ck_assert_double_gt(fabs(all[i].friction[0]), 0.5);
+        for (int j = 0; j < 4 && all[i].vertex[j] >= 0; j++)
+            for (int k = 0; k < 2; k++)
+                moved[2 * all[i].vertex[j] + k] +=
+                    made.inverse_mass[all[i].vertex[j]] *
+                    all[i].coefficient[j] *
+                    (all[i].impulse * all[i].normal[k] + all[i].friction[k]);
+    }
+    for (int i = 0; i < 8; i++)
+        ck_assert_double_eq_tol(s.unpushed[i], made.end[i] + moved[i], 1e-12);
+    end();
+}
+END_TEST
+
+// Buffers may hold anything before.
+START_TEST(a_step_depends_on_itself_alone)
+{
+    double ends[2][8];
+    for (int i = 0; i < 2; i++) {
+        begin_near_fall();
+        tf_buffer *all[] = {
+            &zones.by_vertex,    &zones.by_constraint, &zones.mass,
+            &zones.displacement, &zones.workspace,     &zones.pushed,
+            &zones.constraint,   &zones.gap,           &zones.zone_constraint};
+        for (int j = 0; i == 1 && j < 9; j++) {
+            ck_assert(tf_buffer_reserve(all[j], 1 << 12, 1));
+            memset(all[j]->data, 0x55, all[j]->bytes);
+        }
+        go_on(&tf_gauss_seidel);
+        memcpy(ends[i], s.end, sizeof ends[i]);
+        end();
+    }
+    ck_assert_mem_eq(ends[0], ends[1], sizeof ends[0]);
+    ck_assert_mem_ne(ends[0], made.end, sizeof ends[0]);
+}
+END_TEST
+
+/// How many constraints have a vertex from 4 on.
+static int constraints_of_second(void)
+{
+    const tf_constraint *constraint = zones.constraint.data;
+    int count = 0;
+    for (int i = 0; i < zones.constraints; i++) {
+        bool has = false;
+        for (int j = 0; j < 4; j++)
+            has |= constraint[i].vertex[j] >= 4;
+        count += has;
+    }
+    return count;
+}
+
 START_TEST(only_zones_with_new_constraints_are_solved)
 {
     proposal_begin(&made, 2);
@@ -167,6 +286,9 @@ START_TEST(only_zones_with_new_constraints_are_solved)
     ck_assert_int_eq(solved_zones, 2);
     ck_assert_int_eq(zones.constraints, first_constraints + (int)more);
     ck_assert_int_eq(sum(solved_constraints), sum(old_constraints) + (int)more);
+    ck_assert_int_gt(constraints_of_second(), 0);
+    ck_assert_int_eq(sum(solved_constraints),
+                     zones.constraints - constraints_of_second());
     end();
 }
 END_TEST
@@ -203,18 +325,6 @@ END_TEST
 
 // Contacts at the ends of edges push one vertex each: three edges, one above
 // the other, are two zones.
-/// An edge that falls from a height of 1 upon a floor, and a separation of 3.
-static void begin_near_fall(void)
-{
-    proposal_begin(&made, 2);
-    add_edge(-5, 0, 0);
-    made.start[2] = made.end[2] = 9;
-    made.start[3] = made.end[3] = 0;
-    add_edge(-3, 1, 1);
-    begin();
-    s.rule.separation = 3;
-}
-
 START_TEST(pairs_are_pushed_apart_without_a_motion)
 {
     begin_near_fall();
@@ -243,12 +353,79 @@ START_TEST(pushes_do_not_depend_on_the_solver)
     int constraints = (int)go_on(&noting);
     ck_assert_int_gt(constraints, 0);
     ck_assert_int_eq(sum(solved_constraints), constraints);
+    ck_assert_double_eq_tol(statistics.violation, 10, 1e-12); // all of the fall
     for (int v = 2; v < 4; v++) {
         double height = made.start[2 * v + 1];
         ck_assert_double_eq(s.unpushed[2 * v + 1], made.end[2 * v + 1]);
         ck_assert_double_eq_tol(s.end[2 * v + 1], height + (3 - height) / 4,
                                 1e-12);
     }
+    end();
+}
+END_TEST
+
+/// A vertex that falls through two scripted slopes, one below the other, that face
+/// each other, and is to keep away from both.
+static void begin_fall_on_slopes(void)
+{
+    static const double slope[][2] = {{-4, 4}, {0.4, -0.4}, {-1, -2}, {4, 3}};
+    proposal_begin(&made, 2);
+    for (int v = 0; v < 4; v++) {
+        proposal_add_vertex(&made, slope[v][0], slope[v][1], 0);
+        made.inverse_mass[v] = 0;
+    }
+    proposal_add_edge(&made, 0, 1);
+    proposal_add_edge(&made, 2, 3);
+    made.end[2 * proposal_add_vertex(&made, 0, 1, 0) + 1] -= 10;
+    begin();
+    s.rule.separation = 3;
+}
+
+// Pushed from one slope, it slides along the other.
+START_TEST(pushes_have_no_friction)
+{
+    double ends[2][2];
+    for (int i = 0; i < 2; i++) {
+        begin_fall_on_slopes();
+        size_t contacts = go_on_with(&noting, (tf_friction){.all = 5 * i});
+        ck_assert_uint_eq(contacts, 2);
+        ck_assert_double_ne(s.end[8], s.unpushed[8]);
+        memcpy(ends[i], s.end + 8, sizeof ends[i]);
+        end();
+    }
+    ck_assert_mem_eq(ends[0], ends[1], sizeof ends[0]);
+}
+END_TEST
+
+static double friction_per_mass; ///< that of each vertex, times its mass
+
+static int check_friction(tf_zone *zone)
+{
+    for (int i = 0; i < zone->vertices; i++)
+        ck_assert_double_eq(zone->inverse_mass[zone->vertices + i],
+                            friction_per_mass * zone->inverse_mass[i]);
+    return note(zone);
+}
+
+static const tf_zone_solver checking = {"checking", no_workspace,
+                                        check_friction};
+
+START_TEST(vertices_take_their_friction_along)
+{
+    double friction[8];
+    proposal_begin(&made, 2);
+    add_edge(-5, 0, 0);
+    made.start[2] = made.end[2] = 9;
+    for (int i = 0; i < 3; i++)
+        add_edge(3 * i - 3, 1, 1);
+    for (int v = 2; v < 8; v++)
+        made.inverse_mass[v] = v;
+    friction_per_mass = 0.25;
+    for (int v = 0; v < 8; v++)
+        friction[v] = friction_per_mass * made.inverse_mass[v];
+    begin();
+    ck_assert_uint_gt(go_on_with(&checking, (tf_friction){.own = friction}), 0);
+    ck_assert_int_gt(solved_zones, 1);
     end();
 }
 END_TEST
@@ -438,6 +615,10 @@ Suite *suite(void)
     tcase_add_test(tcase, scripted_vertices_join_nothing);
     tcase_add_test(tcase, vertices_that_move_join_zones);
     tcase_add_test(tcase, only_zones_with_new_constraints_are_solved);
+    tcase_add_test(tcase, constraints_of_scripts_are_in_no_zone);
+    tcase_add_test(tcase, all_vertices_of_a_constraint_join);
+    tcase_add_test(tcase, impulses_and_friction_are_kept);
+    tcase_add_test(tcase, a_step_depends_on_itself_alone);
     suite_add_tcase(suite, tcase);
     tcase = tcase_create("a caller");
     tcase_add_test(tcase, each_loop_over_constraints_notes_its_work);
@@ -449,6 +630,8 @@ Suite *suite(void)
     tcase_add_test(answers, zones_start_from_the_base);
     tcase_add_test(answers, pairs_are_pushed_apart_without_a_motion);
     tcase_add_test(answers, pushes_do_not_depend_on_the_solver);
+    tcase_add_test(answers, pushes_have_no_friction);
+    tcase_add_test(answers, vertices_take_their_friction_along);
     tcase_add_test(answers, pushes_are_made_in_a_few_sweeps);
     tcase_add_test(answers, idle_vertices_belong_to_no_zone);
     tcase_add_test(answers, each_zone_is_a_problem_on_its_own);

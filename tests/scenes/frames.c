@@ -223,10 +223,10 @@ static const struct {
     const char *fault;
 } others[] = {
     {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", -1,
-     "the number of vertices is 3, but 4 in start; all files must have the "
+     "3 vertices, but start has 4; all files must have the "
      "same elements"},
     {START "v 0 0 0\n", -1,
-     "the number of vertices is 5, but 4 in start; all files must have the "
+     "5 vertices, but start has 4; all files must have the "
      "same elements"},
     {"v 0 0 1\nv 1 0 1\nv 0 1 1\nv 2 2 3\nf 1 2 3\nf 4 2 3\nl 1 4\n", 6,
      "this triangle is not as in start; all files must have the same elements "
@@ -238,25 +238,25 @@ static const struct {
      "this triangle is not as in start; all files must have the same elements "
      "in the same order"},
     {"v 0 0 1\nv 1 0 1\nv 0 1 1\nv 2 2 3\nf 1 2 3\nl 1 4\n", -1,
-     "the number of triangles is 1, but 2 in start; all files must have the "
+     "1 triangles, but start has 2; all files must have the "
      "same elements"},
     {START "f 1 2 4\n", -1,
-     "the number of triangles is 3, but 2 in start; all files must have the "
+     "3 triangles, but start has 2; all files must have the "
      "same elements"},
     {"v 0 0 1\nv 1 0 1\nv 0 1 1\nv 2 2 3\nf 1 2 3\nf 2 3 4\nl 4 1\n", 7,
      "this edge is not as in start; all files must have the same elements in "
      "the same order"},
     {"v 0 0 1\nv 1 0 1\nv 0 1 1\nv 2 2 3\nf 1 2 3\nf 2 3 4\n", -1,
-     "the number of edges is 0, but 1 in start; all files must have the same "
+     "0 edges, but start has 1; all files must have the same "
      "elements"},
     {START "l 1 4\n", -1,
-     "the number of edges is 2, but 1 in start; all files must have the same "
+     "2 edges, but start has 1; all files must have the same "
      "elements"},
     {"v 0 0 1\nv 1 0 1\nv 0 1 1\nv 2 2 3\nf 1 2 3 4\nl 1 4\n", 5,
      "this face is not as in start; all files must have the same elements in "
      "the same order"},
     {"v 0 0 0\nv 1 0 0\nv 0 1 0\nv 2 2 2\nl 1 4\n", -1,
-     "the number of triangles is 0, but 2 in start; all files must have the "
+     "0 triangles, but start has 2; all files must have the "
      "same elements"},
 };
 
@@ -297,7 +297,7 @@ START_TEST(other_elements_are_refused_later_too)
     tf_frames frames;
     ck_assert(!read_frames(&frames, 3,
                            (const char *[]){START, END, START "f 1 2 4\n"}));
-    expect_words(frames.fault.text, "but 2 in next; ");
+    expect_words(frames.fault.text, "but next has 2; ");
     tf_frames_free(&frames);
 }
 END_TEST

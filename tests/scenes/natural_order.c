@@ -51,6 +51,20 @@ START_TEST(numbers_count_as_numbers)
 }
 END_TEST
 
+START_TEST(one_frame_has_names_that_differ_in_zeros_or_gz)
+{
+    ck_assert(tf_are_of_one_frame("b7.obj", "b07.obj"));
+    ck_assert(tf_are_of_one_frame("b07.obj", "b7.obj"));
+    ck_assert(tf_are_of_one_frame("b7.obj", "b7.obj.gz"));
+    ck_assert(tf_are_of_one_frame("b7.obj.gz", "b07.obj"));
+    ck_assert(tf_are_of_one_frame("b0", "b000"));
+    ck_assert(!tf_are_of_one_frame("b7.obj", "b70.obj"));
+    ck_assert(!tf_are_of_one_frame("b7.obj", "b7.obj.g"));
+    ck_assert(!tf_are_of_one_frame("b7.obj", "b7.off"));
+    ck_assert(!tf_are_of_one_frame("b1", "b11"));
+}
+END_TEST
+
 START_TEST(leading_zeros_decide_last)
 {
     ck_assert_int_lt(tf_natural_compare("01", "1"), 0);
@@ -208,6 +222,7 @@ Suite *suite(void)
     Suite *suite = suite_create("scenes/natural_order");
     TCase *names = tcase_create("names");
     tcase_add_test(names, numbers_count_as_numbers);
+    tcase_add_test(names, one_frame_has_names_that_differ_in_zeros_or_gz);
     tcase_add_test(names, leading_zeros_decide_last);
     tcase_add_test(names, it_is_an_order);
     tcase_add_test(names, frames_of_any_number_are_sorted);

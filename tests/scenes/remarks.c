@@ -34,8 +34,8 @@ START_TEST(polygons_are_told_once)
 {
     ck_assert_str_eq(
         remarks_on(2, (const char *[]){SQUARE, SQUARE}),
-        "tanglefree: mesh: 1 face with more than three corners was "
-        "triangulated (here and in all further files)\n");
+        "tanglefree: mesh: 1 face with more than three corners is "
+        "triangulated; so in further files, of which nothing is said\n");
 }
 END_TEST
 
@@ -43,8 +43,8 @@ START_TEST(polygons_are_counted)
 {
     ck_assert_str_eq(
         remarks_on(1, (const char *[]){SQUARE "f 1 2 4\nf 4 3 2 1\n"}),
-        "tanglefree: mesh: 2 faces with more than three corners were "
-        "triangulated (here and in all further files)\n");
+        "tanglefree: mesh: 2 faces with more than three corners are "
+        "triangulated; so in further files, of which nothing is said\n");
 }
 END_TEST
 
@@ -59,8 +59,8 @@ START_TEST(elements_that_were_left_out_are_counted)
     ck_assert_str_eq(
         remarks_on(
             3, (const char *[]){MSH("2\n1 15 0 1\n3 2 0 1 2 3\n"), all, all}),
-        "tanglefree: mesh: elements that are no surface were left out, 2 lines "
-        "and 1 volumes (here and in all further files)\n");
+        "tanglefree: mesh: what is no surface is left out: 2 lines and 1 "
+        "volume; so in further files, of which nothing is said\n");
 }
 END_TEST
 
@@ -76,8 +76,8 @@ START_TEST(flat_triangles_are_counted)
         remarks_on(3, (const char *[]){"solid\n" GOOD "endsolid\n",
                                        "solid\n" GOOD FLAT "endsolid\n",
                                        "solid\n" GOOD FLAT FLAT "endsolid\n"}),
-        "tanglefree: mesh: 1 triangle with two corners at one position was "
-        "left out (here and in all further files)\n");
+        "tanglefree: mesh: 1 triangle with two corners at one position is left "
+        "out; so in further files, of which nothing is said\n");
 }
 END_TEST
 
@@ -85,8 +85,8 @@ START_TEST(several_flat_triangles_are_counted)
 {
     ck_assert_str_eq(
         remarks_on(1, (const char *[]){"solid\n" GOOD FLAT FLAT "endsolid\n"}),
-        "tanglefree: mesh: 2 triangles with two corners at one position were "
-        "left out (here and in all further files)\n");
+        "tanglefree: mesh: 2 triangles with two corners at one position are "
+        "left out; so in further files, of which nothing is said\n");
 }
 END_TEST
 
@@ -95,8 +95,8 @@ START_TEST(a_run_tells_it_on_standard_error)
     make_file("a\tb", SQUARE);
     expect(run("$tf detect a* a* a*"), 0,
            "step,kind,a,b,c,d,toi_lo,toi_hi,nx,ny,nz,normal_velocity,case\n",
-           "tanglefree: a\\x09b: 1 face with more than three corners was "
-           "triangulated (here and in all further files)\n");
+           "tanglefree: a\\x09b: 1 face with more than three corners is "
+           "triangulated; so in further files, of which nothing is said\n");
 }
 END_TEST
 

@@ -52,7 +52,7 @@ static const struct {
     const char *fault;
 } others[] = {
     {POINTS "v 0 0 0\nf 1 2 3\n", POINTS "f 1 2 3\n", -1,
-     "the number of vertices is 6, but 5 in before; all files must have the "
+     "6 vertices, but before has 5; all files must have the "
      "same elements"},
     {POINTS "f 2 3 1\n", POINTS "f 1 2 3\n", 6,
      "this triangle is not as in before; all files must have the same elements "
@@ -61,13 +61,13 @@ static const struct {
      "this face is not as in before; all files must have the same elements in "
      "the same order"},
     {POINTS "f 1 2 3\n", POINTS "f 1 2 3\nf 1 2 3\n", -1,
-     "the number of triangles is 1, but 2 in before; all files must have the "
+     "1 triangles, but before has 2; all files must have the "
      "same elements"},
     {POINTS "l 1 2\nl 2 1\n", POINTS "l 1 2\nl 1 2\n", 7,
      "this edge is not as in before; all files must have the same elements in "
      "the same order"},
     {POINTS "l 1 2\n", POINTS "l 1 2\nl 1 2\n", -1,
-     "the number of edges is 1, but 2 in before; all files must have the same "
+     "1 edges, but before has 2; all files must have the same "
      "elements"},
 };
 

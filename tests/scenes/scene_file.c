@@ -232,7 +232,7 @@ static const struct {
     {A_MESH "  group: a\n  mass: 1\n  group: b\n", 5,
      "the key 'group' is there twice; delete one"},
     {A_MESH "  [a]: 1\n", 3, "a key must be a text, not a list or a mapping"},
-    {A_MESH "  '': 1\n", 3, "a key must be a text that is not empty"},
+    {A_MESH "  '': 1\n", 3, "a key is an empty text; fill it in"},
     // Frames.
     {"meshes:\n- name: a\n", 2,
      "a mesh without frames; write 'frames:' and a file, a pattern or a list "
@@ -245,7 +245,7 @@ static const struct {
     {"meshes:\n- frames:\n  - a.obj\n  - c-*.obj\n", 4,
      "there is no file 'c-*.obj'; names are relative to the scene file"},
     {"meshes:\n- frames:\n", 2,
-     "a file of frames must be a text that is not empty"},
+     "a file of frames is an empty text; fill it in"},
     {"meshes:\n- frames: []\n", 2,
      "frames must be a file, a pattern or a list of some"},
     {"meshes:\n- frames: {a.obj: b.obj}\n", 2,
@@ -253,15 +253,26 @@ static const struct {
     {"meshes:\n- frames: [a.obj,\n    [b.obj]]\n", 3,
      "a file of frames must be a text, not a list or a mapping"},
     {"meshes:\n- frames: \"a\\0b\"\n", 2,
-     "a file of frames must be a text that is not empty"},
+     "a file of frames has a NUL character; remove it"},
+    {"meshes:\n- frames: e*.obj\n", 2,
+     "e07.obj and e7.obj have the same number; delete one, or list the "
+     "frames"},
+    {"meshes:\n- frames: z*.obj*\n", 2,
+     "z7.obj and z7.obj.gz have the same number; delete one, or list the "
+     "frames"},
     {"meshes:\n- &m\n  frames: *m\n", 2,
      "frames must be a file, a pattern or a list of some"},
+    // Pins.
+    {A_MESH "  role: scripted\n  pinned: [0]\n", 2,
+     "all vertices of a scripted mesh are pinned anyway; delete 'pinned:'"},
+    {A_MESH "  pinned: a.obj\n  role: fixed\n", 2,
+     "all vertices of a fixed mesh are pinned anyway; delete 'pinned:'"},
     // Values.
     {A_MESH "  role: scriptd\n", 3,
      "role must be moving, scripted or fixed, got 'scriptd'"},
     {A_MESH "  role: Fixed\n", 3,
      "role must be moving, scripted or fixed, got 'Fixed'"},
-    {A_MESH "  role:\n", 3, "role must be a text that is not empty"},
+    {A_MESH "  role:\n", 3, "role is an empty text; fill it in"},
     {A_MESH "  role: [fixed]\n", 3,
      "role must be a text, not a list or a mapping"},
     {A_MESH "  mass: heavy\n", 3, "mass must be a number above 0, got 'heavy'"},
@@ -278,7 +289,7 @@ static const struct {
     {A_MESH "  name: a/b\n", 3,
      "the name 'a/b' has a slash, but files are named after it; remove the "
      "slash"},
-    {A_MESH "  name: ''\n", 3, "name must be a text that is not empty"},
+    {A_MESH "  name: ''\n", 3, "name is an empty text; fill it in"},
     {A_MESH "  group: {a: b}\n", 3,
      "group must be a text, not a list or a mapping"},
     {A_MESH "  material: cotton\n", 3,
@@ -386,6 +397,10 @@ START_TEST(each_mistake_has_a_line_and_a_mend)
 {
     tf_scene_meshes meshes;
     tf_fault fault;
+    static const char *const names[] = {"e7.obj", "e07.obj", "z6.obj", "z7.obj",
+                                        "z7.obj.gz"};
+    for (int i = 0; i < 5; i++)
+        make_file(names[i], "");
     ck_assert(!read_text(&meshes, mistakes[_i].text, &fault));
     ck_assert_str_eq(fault.text, mistakes[_i].fault);
     ck_assert_int_eq(fault.place, mistakes[_i].line);

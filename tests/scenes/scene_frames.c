@@ -215,7 +215,7 @@ START_TEST(other_elements_in_a_later_frame_are_refused)
         "this triangle is not as in 2; all files must have the same elements "
         "in "
         "the same order",
-        "the number of vertices is 6, but 3 in 2; all files must have the same "
+        "6 vertices, but 2 has 3; all files must have the same "
         "elements"};
     for (int i = 0; i < 2; i++) {
         tf_scene_meshes meshes = {0};

@@ -88,7 +88,7 @@ static const struct {
     {"any: 1e309", 1, "any must be a number, got '1e309'"},
     {"any: \"\\e\"", 1, "any must be a number, got '\\x1b'"},
     {"any: {}", 1, "any must be a text, not a list or a mapping"},
-    {"any: ''", 1, "any must be a text that is not empty"},
+    {"any: ''", 1, "any is an empty text; fill it in"},
     {"any: 1\nwhole: 0.5", 2, "whole must be a whole number, got '0.5'"},
     {"any: 1\n\nwhole: 6", 3, "whole must be a number from -5 to 5, got '6'"},
     {"vector: [1, 2, 3, 4]", 1,

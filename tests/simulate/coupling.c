@@ -2,6 +2,7 @@
 
 #include "support/simulations.h"
 #include "support/support.h"
+#include "support/surface_of.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -98,6 +99,16 @@ START_TEST(a_clear_step_is_that_of_the_dynamics)
 }
 END_TEST
 
+/// How many vertices do not end where the last answer was to lead them.
+static int moved_vertices(const comparison *both)
+{
+    const unsigned char *flags = tf_resolver_vertices(both->c->resolver);
+    int moved = 0;
+    for (int v = 0; v < both->c->base.setup.body.vertices; v++)
+        moved += (flags[v] & TF_VERTEX_MOVED) != 0;
+    return moved;
+}
+
 // Both begin with the same contacts.  The coupling drafts an answer, and then does
 // more.
 START_TEST(a_report_adds_up_what_answers_took)
@@ -112,6 +123,7 @@ START_TEST(a_report_adds_up_what_answers_took)
         ck_assert_uint_ge(both.coupled.constraints, both.drafted.constraints);
         ck_assert_int_ge(both.coupled.rounds[TF_ZONES],
                          both.drafted.rounds[TF_ZONES]);
+        ck_assert_int_eq((int)both.coupled.moved, moved_vertices(&both));
         more += both.coupled.contacts > both.drafted.contacts;
         accept(&both);
     }
@@ -158,6 +170,70 @@ START_TEST(a_step_depends_on_itself_alone)
     ck_assert_uint_gt(both.coupled.first_contacts, 0);
     ck_assert_mem_eq(both.c->end, both.alone, both.bytes);
     comparison_free(&both);
+}
+END_TEST
+
+// Rounds ------------------------------------------------------------------------
+
+static double ticks;
+
+static double tick(void)
+{
+    return ticks++;
+}
+
+// Each part takes a tick.
+START_TEST(parts_are_timed)
+{
+    comparison both = comparison_of("sphere", 8);
+    int clear = 0;
+    tf_coupling_watch(both.c->coupling, tick);
+    for (compare(&both); both.simple.first_contacts == 0; compare(&both)) {
+        accept(&both);
+        tf_coupling_times took = tf_coupling_took(both.c->coupling);
+        ck_assert_double_eq(took.draft, ++clear);
+        ck_assert_double_eq(took.relaxation, 0);
+        ck_assert_double_eq(took.answers, 0);
+    }
+    tf_coupling_times took = tf_coupling_took(both.c->coupling);
+    ck_assert_double_eq(took.draft, clear + 1);
+    ck_assert_double_ge(took.relaxation, 1);
+    ck_assert_double_eq(took.answers, took.relaxation);
+    comparison_free(&both);
+}
+END_TEST
+
+// A script stretches a spring, and nothing helps.
+START_TEST(rounds_come_to_an_end)
+{
+    static const double place[][2] = {{0, 0}, {1, 0}, {0, 1}};
+    double end[] = {0, 0, 2, 0, 0, 1}, inverse_mass[] = {0, 0, 1};
+    tf_body body = {.axes = 2};
+    for (int v = 0; v < 3; v++)
+        tf_body_add_vertex(&body, place[v]);
+    body.mass[2] = 1;
+    tf_body_add_edge(&body, 0, 1);
+    tf_body_add_spring(&body, 0, 1, 100);
+    tf_mesh mesh = tf_body_mesh(&body);
+    tf_surface *surface = surface_of(&mesh);
+    tf_resolver *resolver;
+    tf_coupling *coupling;
+    tf_response_report report;
+    tf_response_options options = {0};
+    ck_assert_int_eq(tf_resolver_create(surface, &resolver), TF_OK);
+    ck_assert_int_eq(tf_coupling_create(&body, 0.01, resolver, &coupling),
+                     TF_OK);
+    tf_coupling_watch(coupling, tick);
+    ck_assert_int_eq(tf_coupling_resolve(coupling, body.position, end,
+                                         inverse_mass, &options, NULL, &report),
+                     TF_OK);
+    ck_assert_double_eq(tf_coupling_took(coupling).relaxation, 8);
+    ck_assert_double_eq(end[2], 2);
+    tf_coupling_free(coupling);
+    tf_coupling_free(NULL);
+    tf_resolver_free(resolver);
+    tf_surface_free(surface);
+    tf_body_free(&body);
 }
 END_TEST
 
@@ -244,6 +320,8 @@ Suite *suite(void)
     tcase_add_test(tcase, a_report_adds_up_what_answers_took);
     tcase_add_test(tcase, what_hangs_on_a_contact_is_not_stretched);
     tcase_add_test(tcase, a_step_depends_on_itself_alone);
+    tcase_add_test(tcase, parts_are_timed);
+    tcase_add_test(tcase, rounds_come_to_an_end);
     tcase_add_test(tcase, what_gains_energy_is_relaxed_again);
     tcase_add_test(tcase, a_script_that_moves_may_do_work);
     suite_add_tcase(suite, tcase);

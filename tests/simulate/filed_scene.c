@@ -436,7 +436,7 @@ static const struct {
      "such pairs"},
     {"rate: 1\n" CLOTH "- frames: [body0.obj, cloth.obj]\n  role: scripted\n",
      "cloth.obj", -1,
-     "the number of vertices is 4, but 3 in body0.obj; all files must have "
+     "4 vertices, but body0.obj has 3; all files must have "
      "the same elements"},
     {"rate: 1\nmeshes:\n- {frames: [curve.obj, raised.obj], role: scripted}\n",
      "scene.yaml", -1,

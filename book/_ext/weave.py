@@ -162,6 +162,17 @@ def span_of_name(lines, name):
     return None
 
 
+def span_of_prototype(lines, name):
+    """The declaration of a function, without the comment before it."""
+    opening = re.compile(rf"(?!\s|//|#).*\b{re.escape(name)}\(")
+    for first, line in enumerate(lines):
+        if opening.match(line):
+            return next(((first + 1, last + 1)
+                         for last in range(first, len(lines))
+                         if lines[last].endswith(";")), None)
+    return None
+
+
 def span_of_fragment(path, text, title):
     for fragment in fragments.walk(fragments.parse(path, text)):
         if fragment.title == title:
@@ -178,6 +189,8 @@ def span(path, text, words):
         return tuple(map(int, words.split("-")))
     if re.fullmatch(r"\w+", words) and span_of_name(lines, words):
         return span_of_name(lines, words)
+    if path.endswith(".h") and span_of_prototype(lines, words):
+        return span_of_prototype(lines, words)
     if path.startswith("src/"):
         return span_of_fragment(path, text, words)
     return None

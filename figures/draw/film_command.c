@@ -7,6 +7,7 @@
 #include "renderer/figure.h"
 #include "renderer/list.h"
 #include "scenes/frames.h"
+#include "simulate/frame_notes.h"
 
 #include <limits.h>
 #include <math.h>
@@ -21,7 +22,7 @@ typedef struct request {
     const char *folder;
     int every; ///< of so many frames one is drawn
     int still; ///< the frame of a picture; -1: the last one
-    fig_up up;
+    int up;    ///< an axis; -1: the one that the frames name
     fig_settings settings;
 } request;
 
@@ -38,7 +39,7 @@ static const struct argp_option options[] = {
     {"frame", FRAME, "N", 0,
      "The frame of a picture, from 0; the default is the last one", 0},
     {"up", 'u', "AXIS", 0,
-     "The axis that points up: x, y or z; the default is z", 0},
+     "The axis that points up: x, y or z; the default is that of the scene", 0},
     FIG_OLD_LETTER(OLD_EVERY),
     FIG_OLD_LETTER(OLD_FRAME),
     {0},
@@ -111,8 +112,9 @@ typedef struct film {
     tf_frames frames;            ///< the last two that were read
     char path[2][FIG_FILM_PATH]; ///< theirs, which their messages name
     fig_cloth_look look;
-    fig_up up;
-    int count; ///< frames of all takes
+    tf_frame_notes notes; ///< those of the first frame
+    int up;               ///< an axis; -1: the one of the notes
+    int count;            ///< frames of all takes
     int still;
 } film;
 
@@ -121,6 +123,22 @@ static bool lack_memory(film *f)
     return tf_mesh_file_fault(&f->frames.file[f->frames.current], -1,
                               "not enough memory for all frames up to this "
                               "one; draw fewer by --every");
+}
+
+/// Tell the cloth of a take, which has its first frame, what the frames say of
+/// its obstacles, if they say it.
+static bool set_obstacles(const film *f, fig_cloth *cloth)
+{
+    int vertices = fig_cloth_shape(cloth)->vertices;
+    const tf_frame_notes *notes = &f->notes;
+    if (notes->meshes == 0 || notes->mesh[notes->meshes - 1].end != vertices)
+        return true;
+    bool *of_obstacle = malloc(((size_t)vertices + 1) * sizeof *of_obstacle);
+    for (int v = 0; v < vertices && of_obstacle; v++)
+        of_obstacle[v] = tf_frame_notes_role(notes, v) != TF_MOVING;
+    bool good = of_obstacle && fig_cloth_set_obstacles(cloth, of_obstacle);
+    free(of_obstacle);
+    return good;
 }
 
 /// Make the surface of a take from its first frame.  It is one of space, also
@@ -145,7 +163,7 @@ static bool begin(film *f)
     made->cloth = fig_cloth_new(made->surface, 3);
     if (!made->cloth)
         return lack_memory(f);
-    fig_cloth_set_up(made->cloth, f->up);
+    fig_cloth_set_up(made->cloth, (fig_up)f->up);
     return true;
 }
 
@@ -154,10 +172,23 @@ static bool add(film *f, const char *path)
     if (!tf_frames_next(&f->frames, path) || (f->frames.is_new && !begin(f)))
         return false;
     const tf_mesh_file *file = tf_frames_file(&f->frames);
+    fig_cloth *cloth = f->take[f->takes - 1].cloth;
     f->count++;
-    return fig_cloth_add(f->take[f->takes - 1].cloth,
-                         tf_mesh_file_vertices(file), file->position.item) ||
+    return (fig_cloth_add(cloth, tf_mesh_file_vertices(file),
+                          file->position.item) &&
+            (fig_cloth_frames(cloth) > 1 || set_obstacles(f, cloth))) ||
            lack_memory(f);
+}
+
+/// Read what the first frame says of all.
+static bool read_notes(film *f, const char *path)
+{
+    if (!tf_frame_notes_read(&f->notes, path))
+        return tf_fault_set(&f->frames.fault, path, -1, "%s",
+                            tf_status_message(TF_OUT_OF_MEMORY));
+    if (f->up < 0)
+        f->up = f->notes.up < 0 ? FIG_UP_Z : f->notes.up;
+    return true;
 }
 
 /// Read the i-th frame of a folder.
@@ -165,7 +196,7 @@ static bool read_frame(film *f, const char *folder, int i)
 {
     char *path = f->path[f->frames.count % 2];
     fig_film_files_path(folder, i, path);
-    return add(f, path);
+    return (i > 0 || read_notes(f, path)) && add(f, path);
 }
 
 static bool end(film *f)
@@ -205,6 +236,7 @@ static void free_film(film *f)
         tf_surface_free(f->take[i].surface);
     }
     free(f->take);
+    tf_frame_notes_free(&f->notes);
     tf_frames_free(&f->frames);
 }
 
@@ -300,20 +332,25 @@ int fig_draw_film(int argc, char *argv[])
                "FOLDER has the frames that 'tanglefree simulate' writes: "
                "frame-00000.ply, frame-00001.ply and so on.  Each connected "
                "part has its own color, paler on "
-               "its back, and pale stripes along its border; what keeps its "
-               "shape in all frames, an obstacle for instance, is gray; but "
+               "its back, and pale stripes along its border.  Meshes of a "
+               "scene that are scripted or fixed are gray, and if the frames "
+               "name no such roles, what keeps its shape in all of them; but "
                "where the elements change from frame to frame, as those of a "
                "surface that flows do, all has one color.  Cloth lies in the "
                "light of a lamp and of the sky, and throws soft shadows, also "
                "on the ground that is drawn below all frames.  Curves of the "
                "plane are drawn as lines.  The camera stands still, and all "
                "frames fit into the picture.\n\n"
+               "A film shows 30 frames a second unless --fps says otherwise, "
+               "and a step of a simulation takes 0.01 seconds unless its scene "
+               "says otherwise.  So a film is 3.3 times as slow as what it "
+               "shows; with --every 3 it takes about as long.\n\n"
                "The numbers are printed, one key and its value per line.\n\n"
                "Exit status: 0 on success, 2 if the arguments or the input are "
                "invalid or the output cannot be written.",
         .children = fig_settings_film_options,
     };
-    request asked = {.every = 1, .still = -1, .up = FIG_UP_Z};
+    request asked = {.every = 1, .still = -1, .up = -1};
     argp_parse(&parser, argc, argv, 0, NULL, &asked);
     return draw_film(&asked);
 }

@@ -40,6 +40,7 @@ void fig_cloth_free(fig_cloth *cloth)
         return;
     fig_shape_free(&cloth->shape);
     free(cloth->at);
+    free(cloth->obstacle);
     free(cloth->soft);
     free(cloth->color);
     free(cloth->face);
@@ -70,6 +71,17 @@ bool fig_cloth_add(fig_cloth *cloth, int vertices, const double x[])
     }
     cloth->frames++;
     return true;
+}
+
+bool fig_cloth_set_obstacles(fig_cloth *cloth, const bool of_obstacle[])
+{
+    const fig_shape *shape = &cloth->shape;
+    TF_REQUIRE(cloth->frames > 0 && !cloth->obstacle);
+    cloth->obstacle = calloc((size_t)shape->parts + 1, sizeof *cloth->obstacle);
+    for (int v = 0; v < shape->vertices && cloth->obstacle; v++)
+        if (shape->part[v] >= 0)
+            cloth->obstacle[shape->part[v]] = of_obstacle[v];
+    return cloth->obstacle != NULL;
 }
 
 int fig_cloth_frames(const fig_cloth *cloth)
@@ -124,10 +136,19 @@ static int count_soft(const fig_cloth *cloth)
     return count;
 }
 
+/// Take for soft what is no obstacle.
+static void find_free_parts(fig_cloth *cloth)
+{
+    for (int p = 0; p < cloth->shape.parts && cloth->obstacle; p++)
+        cloth->soft[p] = !cloth->obstacle[p];
+}
+
 /// The soft parts are what the film is about, so there must be some.
 static void choose_colors(fig_cloth *cloth)
 {
-    find_soft_parts(cloth);
+    find_free_parts(cloth);
+    if (count_soft(cloth) == 0)
+        find_soft_parts(cloth);
     if (count_soft(cloth) == 0)
         find_moving_parts(cloth);
     bool all = count_soft(cloth) == 0;
@@ -286,24 +307,42 @@ static void find_farther(const fig_cloth *cloth, tf_vector direction,
         }
 }
 
-static void find_reach(int count, fig_cloth *const cloth[])
+/// The height of the lowest vertex, but for the floor's.  None of the directions
+/// is straight down, so that no point of the reach may be as low.
+static double lowest_of(const fig_cloth *cloth)
+{
+    double lowest = DBL_MAX;
+    for (int f = 0, i = 0; f < cloth->frames; f++)
+        for (int v = 0; v < cloth->shape.vertices; v++, i++)
+            if (cloth->shape.part[v] != cloth->floor)
+                lowest = fmin(lowest, cloth->at[i].x[2]);
+    return lowest;
+}
+
+static void find_bottom(int count, fig_cloth *const cloth[])
 {
     fig_cloth *first = cloth[0];
     first->bottom = DBL_MAX;
+    for (int c = 0; c < count; c++)
+        first->bottom = fmin(first->bottom, lowest_of(cloth[c]));
+    if (first->floor >= 0)
+        first->bottom = heights_of(first, first->floor).hi;
+}
+
+static void find_reach(int count, fig_cloth *const cloth[])
+{
+    fig_cloth *first = cloth[0];
     for (int i = 0; i < FIG_CLOTH_REACH; i++) {
         outpost best = {.along = -DBL_MAX};
         for (int c = 0; c < count; c++)
             find_farther(cloth[c], direction_of(i), &best);
         first->reach[i] = best.at;
-        first->bottom = fmin(first->bottom, best.at.x[2]);
     }
     tf_vector middle = fig_middle_of(FIG_CLOTH_REACH, first->reach);
     for (int i = 0; i < FIG_CLOTH_REACH; i++) {
         double out = fig_length(fig_difference(first->reach[i], middle));
         first->size = fmax(first->size, out);
     }
-    if (first->floor >= 0)
-        first->bottom = heights_of(first, first->floor).hi;
 }
 
 static bool begin_parts(fig_cloth *cloth)
@@ -327,6 +366,7 @@ bool fig_cloth_end(fig_cloth *cloth)
     choose_colors(cloth);
     find_floor(cloth);
     find_reach(1, &cloth);
+    find_bottom(1, &cloth);
     return fig_cloth_find_hems(cloth);
 }
 
@@ -375,6 +415,7 @@ bool fig_cloth_end_all(int count, fig_cloth *const cloth[])
         cloth[c]->floor = -1;
     }
     find_reach(count, cloth);
+    find_bottom(count, cloth);
     for (int c = 1; c < count; c++)
         share_reach(cloth[c], cloth[0]);
     return true;

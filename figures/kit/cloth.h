@@ -1,9 +1,9 @@
 // Films of cloth: a moving surface with light and shadow, on a ground.
 //
 // Each connected part has its own color, paler on its back, and pale stripes
-// along its border, if it has one.  What keeps its shape in all frames, an
-// obstacle for instance, is gray if anything does not; where all do, what does
-// not move is gray.  What lies level below all that is not gray is a floor, of
+// along its border, if it has one.  Gray are its obstacles, as far as it is told
+// them; otherwise what keeps its shape in all frames if anything does not, or
+// where all do, what does not move.  What lies level below all that is not gray is a floor, of
 // which only the height counts.  A curve of the plane is drawn as lines.
 #ifndef FIG_CLOTH_H
 #define FIG_CLOTH_H
@@ -14,7 +14,7 @@
 typedef struct fig_cloth fig_cloth;
 
 /// How cloth is looked at; zero-initialised: from where it is seen best as a
-/// rule, on a ground.
+/// rule, on a ground, which is drawn only if the eye is above it.
 typedef struct fig_cloth_look {
     bool turned;      ///< look from:
     double azimuth;   ///< degrees
@@ -30,6 +30,10 @@ fig_cloth *fig_cloth_new(const tf_surface *surface, int axes);
 /// Let another axis than the third one of the frames point up.  To be called
 /// before the first frame is added.
 void fig_cloth_set_up(fig_cloth *cloth, fig_up up);
+
+/// Tell which vertices are of obstacles.  To be called after the first frame is
+/// added.  False if there is no memory.
+bool fig_cloth_set_obstacles(fig_cloth *cloth, const bool of_obstacle[]);
 
 /// Free cloth; NULL is none.
 void fig_cloth_free(fig_cloth *cloth);

@@ -17,7 +17,9 @@ struct fig_cloth {
     fig_shape shape; ///< of the first frame
     tf_vector *at;   ///< of all vertices, frame by frame
     int frames, room;
-    bool *soft; ///< of each part: it does not keep its shape or, if all do, its
+    bool *obstacle; ///< of each part: it is one; NULL: they are not known
+    bool *soft; ///< of each part: it is no obstacle or, if these are not known
+                ///< or are all, it does not keep its shape or, if all do, its
                 ///< place; if all do that, too, all parts are
     int *color; ///< of each part: counted among the soft ones
     int floor;  ///< a part; -1: there is none

@@ -175,8 +175,6 @@ static bool begin(stage *s)
     s->triangle = malloc((triangles + 1) * sizeof *s->triangle);
     s->caster = malloc((triangles + 1) * sizeof *s->caster);
     s->lit = malloc(corners * sizeof *s->lit);
-    s->ground = fig_middle_of(FIG_CLOTH_REACH, s->cloth->reach);
-    s->ground.x[2] = s->cloth->bottom - ground_below * s->cloth->size;
     s->seen = ground_seen(s);
     return s->triangle && s->caster && s->lit &&
            fig_normals_find(&s->normals, s->shape, 0, s->cloth->soft);
@@ -457,6 +455,21 @@ static void fill_scene(stage *s, bool grounded)
     free(s->lit);
 }
 
+static tf_vector ground_of(const fig_cloth *cloth)
+{
+    tf_vector ground = fig_middle_of(FIG_CLOTH_REACH, cloth->reach);
+    ground.x[2] = cloth->bottom - ground_below * cloth->size;
+    return ground;
+}
+
+/// Whether the ground is drawn: from below it would hide everything.
+static bool is_grounded(const stage *s, const fig_cloth_look *look)
+{
+    bool above = toward_eye(s, s->ground).x[2] > 0;
+    return above && !look->groundless && s->shape->triangles > 0 &&
+           s->cloth->size > 0;
+}
+
 static void draw_in_space(const fig_cloth *cloth, fig_page *page, fig_box box,
                           const fig_shape *shape, const fig_cloth_look *look)
 {
@@ -468,10 +481,10 @@ static void draw_in_space(const fig_cloth *cloth, fig_page *page, fig_box box,
                .theme = fig_page_theme(page),
                .scene = fig_panel_scene(panel),
                .shape = shape,
-               .view = fig_view_of(&camera, box)};
+               .view = fig_view_of(&camera, box),
+               .ground = ground_of(cloth)};
     s.lamp = lamp_of(&s.view);
-    fill_scene(&s,
-               !look->groundless && shape->triangles > 0 && cloth->size > 0);
+    fill_scene(&s, is_grounded(&s, look));
 }
 
 static void draw_in_plane(const fig_cloth *cloth, fig_page *page, fig_box box,

@@ -1,5 +1,6 @@
-// The displacements of a bead in a corner: what two rows allow, where they hold
-// as equations, and the nearest point that satisfies them as inequalities.
+// The displacements of a bead in a corner: what two constraints allow, where
+// they hold as equations, and the nearest point that satisfies them as
+// inequalities.
 #include "kit/figures.h"
 
 #include "kit/plane_rows.h"
@@ -18,7 +19,7 @@ static fig_point place(double x, double y)
                        box.y + box.height - (y - shown.y) * scale};
 }
 
-/// What both rows allow, as far as it is shown.
+/// What both constraints allow, as far as it is shown.
 static void draw_allowed(fig_page *page)
 {
     double top = shown.y + shown.height, right = shown.x + shown.width;
@@ -28,7 +29,7 @@ static void draw_allowed(fig_page *page)
                   (fig_paint){.role = FIG_ROLE_POSITIVE, .opacity = 0.18});
 }
 
-/// The border of what a row allows.
+/// The border of what a constraint allows.
 static void draw_wall(fig_page *page, const double n[2], double from, double to)
 {
     fig_point at[] = {place(-n[1] * from, n[0] * from),
@@ -83,7 +84,8 @@ static void draw(fig_page *page, FILE *numbers)
                   FIG_LETTERS_SMALL, FIG_ROLE_EDGE);
     fig_point allowed = place(0.7, 0.62);
     fig_page_text(page, allowed.x, allowed.y, FIG_ALIGN_CENTER,
-                  "what both rows allow", FIG_LETTERS_SMALL, FIG_ROLE_INK);
+                  "what both constraints allow", FIG_LETTERS_SMALL,
+                  FIG_ROLE_INK);
     for (int i = 0; i < 2; i++) {
         fig_number(numbers, i ? "glued_1" : "glued_0", by_equations[i]);
         fig_number(numbers, i ? "nearest_1" : "nearest_0", by_signs[i]);

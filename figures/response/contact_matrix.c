@@ -14,6 +14,7 @@ enum {
 };
 
 static const double half = 1, apart = 0.3, floor_half = 1.5;
+static const double scale = 92; ///< of heights and displacements
 static const double fall[EDGES] = {0, 0.6, 0.95, 1.3};
 
 static fig_pile make_stack(void)
@@ -32,7 +33,7 @@ static fig_pile make_stack(void)
 
 static fig_point place(const double at[2])
 {
-    return (fig_point){84 + 46 * at[0], 136 - 92 * at[1]};
+    return (fig_point){84 + 46 * at[0], 136 - scale * at[1]};
 }
 
 static void draw_edges(fig_page *page, const fig_pile *pile)
@@ -50,7 +51,7 @@ static void draw_edges(fig_page *page, const fig_pile *pile)
                          (fig_paint){.role = role});
         fig_point inner = {end[0].x + 12 * i - 4, end[0].y};
         for (int j = 0; j < 2 && i > 0; j++) {
-            fig_point arrow[] = {inner, {inner.x, inner.y + 34 * fall[i]}};
+            fig_point arrow[] = {inner, {inner.x, inner.y + scale * fall[i]}};
             fig_page_line(page, 2, arrow,
                           (fig_stroke){.paint = {.role = FIG_ROLE_POINT},
                                        .width = FIG_WIDTH_LINE,
@@ -58,7 +59,7 @@ static void draw_edges(fig_page *page, const fig_pile *pile)
             inner.x = end[1].x - (12 * i - 4);
         }
     }
-    fig_point below = place((double[]){0, 0});
+    fig_point below = place((double[]){1.35, 0});
     fig_page_text(page, below.x, below.y + 15, FIG_ALIGN_CENTER, "floor",
                   FIG_LETTERS_SMALL, FIG_ROLE_INK);
 }

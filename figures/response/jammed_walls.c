@@ -200,9 +200,14 @@ static void draw(fig_page *page, FILE *numbers)
     make_scene(&s);
     memcpy(start, s.x, sizeof start);
     simulate(&s, &c);
-    double jump = 0;
-    for (int i = 1; i <= STEPS; i++)
+    double jump = 0, most = 0, least = INFINITY; // of gaps after the first jam
+    for (int i = 1; i <= STEPS; i++) {
         jump = fmax(jump, fabs(c.gap[i] - c.gap[i - 1]));
+        if (c.held[i] > 0 && i > c.first_jam) {
+            most = fmax(most, c.gap[i]);
+            least = fmin(least, c.gap[i]);
+        }
+    }
     draw_state(page, 0, &s, start, "start");
     draw_state(page, 1, &s, c.jam, "jam");
     draw_course(page, &c);
@@ -212,6 +217,8 @@ static void draw(fig_page *page, FILE *numbers)
     fig_number(numbers, "jammed", c.jammed);
     fig_number(numbers, "asked", c.asked[c.first_jam]);
     fig_number(numbers, "jam_gap", c.gap[c.first_jam]);
+    fig_number(numbers, "largest_gap", most);
+    fig_number(numbers, "smallest_gap", least);
     fig_number(numbers, "speed", speed);
     fig_number(numbers, "jump", jump);
 }

@@ -72,7 +72,7 @@ static void draw_rounds(fig_page *page)
     fig_page_text(page, left + 6 + apart, y, FIG_ALIGN_CENTER, "⋮", FIG_LETTERS,
                   FIG_ROLE_INK);
     y += step + 8;
-    fig_page_text(page, left, y, FIG_ALIGN_LEFT, "*rows that are kept*",
+    fig_page_text(page, left, y, FIG_ALIGN_LEFT, "*constraints that are kept*",
                   FIG_LETTERS_SMALL, FIG_ROLE_INK);
     for (int i = 0; i <= kept.rounds; i++)
         draw_round(page, &kept, i, y + step * (i + 1));
@@ -109,8 +109,8 @@ static void draw_plot(fig_page *page, FILE *numbers)
         fig_plot_dot(page, &plot, alone[i].x, alone[i].y, 4, FIG_ROLE_POINT);
         fig_plot_dot(page, &plot, kept[i].x, kept[i].y, 4, FIG_ROLE_EDGE);
     }
-    fig_plot_key(page, 208, 12, "one at a time", FIG_ROLE_POINT);
-    fig_plot_key(page, 302, 12, "rows kept", FIG_ROLE_EDGE);
+    fig_plot_key(page, 200, 12, "one at a time", FIG_ROLE_POINT);
+    fig_plot_key(page, 288, 12, "constraints kept", FIG_ROLE_EDGE);
 }
 
 // What the library leaves ------------------------------------------------
@@ -153,7 +153,7 @@ static void draw(fig_page *page, FILE *numbers)
 
 const fig_figure fig_kept_rows = {
     .name = "kept-rows",
-    .title = "Beads on a wire: contacts one at a time, and rows kept",
+    .title = "Beads on a wire: contacts one at a time, and constraints kept",
     .width = FIG_PAGE_WIDTH,
     .height = 218,
     .draw = draw,

@@ -1,4 +1,4 @@
-// One visit of a row: what it does to the displacements of two bodies, without
+// One visit of a constraint: what it does to the displacements of two bodies, without
 // and with restitution, and with friction.
 #include "kit/figures.h"
 
@@ -27,11 +27,11 @@ static bodies visited(double restitution)
 {
     const double inverse_mass[2] = {1, 1 / plank_mass};
     double move[4] = {0, proposed.fly, 0, proposed.plank};
-    double parting = proposed.fly - proposed.plank;
+    double gap_change = proposed.fly - proposed.plank;
     tf_constraint row = {.vertex = {0, 1, -1, -1},
                          .coefficient = {1, -1},
                          .normal = {0, 1},
-                         .bound = fmax(bound, -restitution * parting)};
+                         .bound = fmax(bound, -restitution * gap_change)};
     tf_constraint_visit(&row, 0, &(tf_bodies){2, inverse_mass, move});
     return (bodies){move[1], move[3]};
 }
@@ -134,7 +134,7 @@ static void draw_friction(fig_page *page, fig_box box)
                      .x = {-0.4, 2},
                      .y = {-1.25, 0.55},
                      .name_x = "sliding",
-                     .name_y = "parting",
+                     .name_y = "gap change",
                      .ticks_x = 4,
                      .ticks_y = 4};
     double reach = frictions[0] * approach;
@@ -183,7 +183,7 @@ static void draw(fig_page *page, FILE *numbers)
 
 const fig_figure fig_row_visit = {
     .name = "row-visit",
-    .title = "What one visit of a row does to displacements",
+    .title = "What one visit of a constraint does to displacements",
     .width = FIG_PAGE_WIDTH,
     .height = 182,
     .draw = draw,

@@ -110,6 +110,36 @@ bool tf_mesh_file_add_point(tf_mesh_file *file, int vertex, const char *start,
            tf_mesh_file_fault_in_memory(file);
 }
 
+bool tf_mesh_file_add_part(tf_mesh_file *file, tf_part_kind kind, int vertex,
+                           const char *start, const char *at, const char *end)
+{
+    const tf_source_part part = {(size_t)(at - start), (size_t)(end - at), kind,
+                                 vertex};
+    return !file->source || !file->source->keeps_parts ||
+           tf_source_add_part(file->source, &part) ||
+           tf_mesh_file_fault_in_memory(file);
+}
+
+size_t tf_mesh_file_parts(const tf_mesh_file *file)
+{
+    return file->source ? file->source->parts : 0;
+}
+
+void tf_mesh_file_end_part(const tf_mesh_file *file, size_t part,
+                           const char *start, const char *end)
+{
+    tf_source *source = file->source;
+    if (source && part < source->parts)
+        source->part[part].length =
+            (size_t)(end - start) - source->part[part].at;
+}
+
+void tf_mesh_file_drop_parts(tf_mesh_file *file)
+{
+    if (file->source)
+        file->source->keeps_parts = false;
+}
+
 bool tf_mesh_file_add_triangle(tf_mesh_file *file, const int vertex[3],
                                long place)
 {

@@ -109,6 +109,15 @@ bool tf_mesh_file_check_corners(const tf_mesh_file *file, int corners,
 bool tf_mesh_file_fault_in_memory(const tf_mesh_file *file);
 
 //: Declare how to add to a mesh
+/// How many parts the source has; and ends the one that was added after so
+/// many, if there is one.
+size_t tf_mesh_file_parts(const tf_mesh_file *file);
+void tf_mesh_file_end_part(const tf_mesh_file *file, size_t part,
+                           const char *start, const char *end);
+
+/// Lets the source keep no parts: there is something that is none.
+void tf_mesh_file_drop_parts(tf_mesh_file *file);
+
 /// Each adds an item, and sets a fault and returns false if there is no memory
 /// or there are too many.  A face has three corners or more.
 bool tf_mesh_file_add_vertex(tf_mesh_file *file, const double x[3], long place);
@@ -116,6 +125,9 @@ bool tf_mesh_file_add_row(tf_mesh_file *file, const double value[]);
 /// Of the source, if that is kept; the text begins at `start`.
 bool tf_mesh_file_add_point(tf_mesh_file *file, int vertex, const char *start,
                             const char *const at[3]);
+/// Of the source, if that keeps parts: what is from `at` to `end`.
+bool tf_mesh_file_add_part(tf_mesh_file *file, tf_part_kind kind, int vertex,
+                           const char *start, const char *at, const char *end);
 bool tf_mesh_file_add_triangle(tf_mesh_file *file, const int vertex[3],
                                long place);
 bool tf_mesh_file_add_face(tf_mesh_file *file, const int corner[], int corners,

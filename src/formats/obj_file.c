@@ -134,9 +134,10 @@ static bool skip_other_indices(const char **at)
 static bool read_corner(reader *r, int *vertex)
 {
     const char *word = r->text.at;
-    int64_t number, vertices = tf_mesh_file_vertices(r->file);
-    if (!read_index(&r->text.at, &number) || !skip_other_indices(&r->text.at) ||
-        number == 0)
+    int64_t number = 0, vertices = tf_mesh_file_vertices(r->file);
+    bool good = read_index(&r->text.at, &number);
+    const char *end = r->text.at;
+    if (!good || !skip_other_indices(&r->text.at) || number == 0)
         return fault_in_word(r, word,
                              "not a corner; write the number of a vertex, from "
                              "1, or vertex/texture/normal");
@@ -145,7 +146,8 @@ static bool read_corner(reader *r, int *vertex)
             r, word,
             "before the first vertex; -1 is the last vertex above this line");
     *vertex = (int)(number > 0 ? number - 1 : vertices + number);
-    return true;
+    return tf_mesh_file_add_part(r->file, TF_CORNER_PART, *vertex, r->start,
+                                 word, end);
 }
 
 //: Read a face
@@ -180,30 +182,86 @@ static bool read_edges(reader *r)
     return count >= 2 || fault_in_end(r, "an l line has two corners or more");
 }
 
-//: Read a line of OBJ
-/// By its first word; lines of other words are skipped.
-static bool read_content(reader *r)
+//: Keep what is skipped
+/// Points have vertices, of which only a source knows.  What is wrong with them
+/// is no fault.
+static bool keep_points(reader *r)
 {
-    char word = *r->text.at;
-    if (word == '\0' || !ends_word(r->text.at[1]) || !strchr("vfl", word))
-        return true;
+    tf_text before = r->text;
+    int vertex;
+    tf_fault unused, *fault = r->file->fault;
+    bool good = true;
+    r->text.fault = r->file->fault = &unused;
+    while (good && find_word(r))
+        good = read_corner(r, &vertex);
+    r->text.fault = r->file->fault = fault;
+    if (!good) {
+        tf_mesh_file_drop_parts(r->file);
+        r->text = before;
+    }
+    return true;
+}
+
+/// Curves and surfaces have vertices, too, in ways that no one else reads.
+static bool keep_others(const reader *r)
+{
+    static const char *const words[] = {"curv", "curv2", "surf"};
+    size_t length = strcspn(r->text.at, " \t\r\n\\#");
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+        if (strlen(words[i]) == length &&
+            memcmp(words[i], r->text.at, length) == 0)
+            tf_mesh_file_drop_parts(r->file);
+    return true;
+}
+
+//: Read a line of OBJ
+typedef struct line_kind {
+    char word; ///< 0: any other
+    tf_part_kind part;
+    bool (*read)(reader *r);
+} line_kind;
+
+static const line_kind *kind_of_line(const reader *r)
+{
+    static const line_kind kinds[] = {{'v', TF_VERTEX_PART, read_vertex},
+                                      {'f', TF_FACE_PART, read_face},
+                                      {'l', TF_EDGE_PART, read_edges},
+                                      {'p', TF_POINT_PART, keep_points},
+                                      {'\0'}};
+    char word = ends_word(r->text.at[0]) || !ends_word(r->text.at[1])
+                    ? '\0'
+                    : r->text.at[0];
+    const line_kind *kind = kinds;
+    while (kind->word && kind->word != word)
+        kind++;
+    return kind;
+}
+
+/// By its first word; `row` is where it begins.
+static bool read_content(reader *r, const char *row)
+{
+    const line_kind *kind = kind_of_line(r);
+    if (!kind->word)
+        return keep_others(r);
     r->text.at++;
-    return word == 'v'   ? read_vertex(r)
-           : word == 'f' ? read_face(r)
-                         : read_edges(r);
+    return tf_mesh_file_add_part(r->file, kind->part, -1, r->start, row, row) &&
+           kind->read(r);
 }
 
 static bool read_line(reader *r)
 {
     tf_text *text = &r->text;
+    const char *row = text->at;
+    size_t part = tf_mesh_file_parts(r->file);
     skip_blanks(text);
-    if (!read_content(r))
+    if (!read_content(r, row))
         return false;
     text->at += strcspn(text->at, "\n");
     if (*text->at == '\n') {
         text->at++;
         text->line++;
     }
+    tf_mesh_file_end_part(r->file, part, r->start, text->at);
     return true;
 }
 

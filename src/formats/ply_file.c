@@ -133,6 +133,17 @@ static void split_line(reader *r, tf_quoted word[WORDS])
     }
 }
 
+/// The word of the line that comes after so many others.
+static const char *find_word(const reader *r, int words)
+{
+    const char *word = r->row;
+    for (int i = 0; i < words; i++) {
+        word += strspn(word, " \t");
+        word += strcspn(word, " \t\r\n");
+    }
+    return word + strspn(word, " \t");
+}
+
 //: Read the format
 static bool read_format(reader *r, const char *name)
 {
@@ -146,6 +157,44 @@ static bool read_format(reader *r, const char *name)
                          "unknown format '%s'; write ascii, "
                          "binary_little_endian or binary_big_endian",
                          name);
+}
+
+//: Keep the parts of PLY
+/// Those of strips, and of elements that are not known, have no kinds.
+static bool keep_count(const reader *r, const ply_element *element)
+{
+    static const tf_part_kind kinds[] = {[VERTICES] = TF_VERTEX_COUNT_PART,
+                                         [FACES] = TF_FACE_COUNT_PART,
+                                         [EDGES] = TF_EDGE_COUNT_PART};
+    const char *count = find_word(r, 2);
+    if (element->target == NONE || element->target == STRIPS) {
+        tf_mesh_file_drop_parts(r->file);
+        return true;
+    }
+    return tf_mesh_file_add_part(r->file, kinds[element->target], -1, r->start,
+                                 count, count + strcspn(count, " \t\r\n"));
+}
+
+static bool keep_row(const reader *r, const ply_element *element)
+{
+    static const tf_part_kind kinds[] = {[VERTICES] = TF_VERTEX_PART,
+                                         [FACES] = TF_FACE_PART,
+                                         [EDGES] = TF_EDGE_PART};
+    const char *at = r->text.at;
+    return element->target == NONE || element->target == STRIPS ||
+           tf_mesh_file_add_part(r->file, kinds[element->target], -1, r->start,
+                                 at, at);
+}
+
+/// An index from there on, of that type.
+static bool keep_corner(const reader *r, const ply_type *type, int vertex,
+                        const char *at)
+{
+    if (type->kind == FLOAT)
+        tf_mesh_file_drop_parts(r->file);
+    return tf_mesh_file_add_part(r->file, TF_CORNER_PART, vertex, r->start,
+                                 is_text(r) ? at + strspn(at, " \t\r") : at,
+                                 r->text.at);
 }
 
 //: Read the declaration of an element
@@ -186,7 +235,7 @@ static bool read_element(reader *r, const char *name, const char *count)
     if (!read_count(r, count, &made.count))
         return false;
     r->element[r->elements++] = made;
-    return true;
+    return keep_count(r, &made);
 }
 
 //: Declare a column
@@ -210,17 +259,6 @@ static bool add_column(const reader *r, const ply_element *element,
 }
 
 //: Name a property
-/// The word of the line that comes after so many others.
-static const char *find_word(const reader *r, int words)
-{
-    const char *word = r->row;
-    for (int i = 0; i < words; i++) {
-        word += strspn(word, " \t");
-        word += strcspn(word, " \t\r\n");
-    }
-    return word + strspn(word, " \t");
-}
-
 static void find_name(const reader *r, int words, ply_property *made)
 {
     made->name = find_word(r, words);
@@ -520,7 +558,9 @@ static bool read_index(reader *r, const ply_type *type, int least, int *index)
 static bool add_corner(reader *r, int to, const ply_type *type)
 {
     int vertex;
+    const char *at = r->text.at;
     return read_index(r, type, to == STRIPS ? -1 : 0, &vertex) &&
+           keep_corner(r, type, vertex, at) &&
            (tf_ints_add(&r->corner, 1, &vertex) ||
             tf_mesh_file_fault_in_memory(r->file));
 }
@@ -567,6 +607,14 @@ static bool read_coordinate(reader *r, const ply_property *property, item *made)
                                "numbers"));
 }
 
+static bool read_end(reader *r, const ply_property *property, item *made)
+{
+    int *vertex = &made->vertex[property->role];
+    const char *at = r->text.at;
+    return read_index(r, property->item, 0, vertex) &&
+           keep_corner(r, property->item, *vertex, at);
+}
+
 static bool read_value(reader *r, int to, const ply_property *property,
                        item *made)
 {
@@ -576,8 +624,7 @@ static bool read_value(reader *r, int to, const ply_property *property,
         return property->column == NONE ? skip_value(r, property->item)
                                         : read_column(r, property);
     return to == VERTICES ? read_coordinate(r, property, made)
-                          : read_index(r, property->item, 0,
-                                       &made->vertex[property->role]);
+                          : read_end(r, property, made);
 }
 
 static bool read_values(reader *r, const ply_element *element, item *made)
@@ -657,8 +704,13 @@ static bool read_item(reader *r, const ply_element *element)
     if (is_text(r))
         skip_blank_lines(&r->text);
     long at = place(r);
-    return read_values(r, element, &made) && end_item(r) &&
-           add_item(r, element->target, &made, at);
+    size_t part = tf_mesh_file_parts(r->file);
+    if (!keep_row(r, element) || !read_values(r, element, &made) ||
+        !end_item(r))
+        return false;
+    bool lines = is_text(r) && r->text.at < r->end;
+    tf_mesh_file_end_part(r->file, part, r->start, r->text.at + lines);
+    return add_item(r, element->target, &made, at);
 }
 
 //: Read what follows the header

@@ -60,17 +60,26 @@ $(shared_links): $(shared_library)
 
 # The manual pages -------------------------------------------------------------
 
-# Each is made of its file and the help of its command, and the help of what the
-# file has for it.
+# That of a command is made of its file and the help of the command, and the help
+# of what the file has for it; others are as they are.
 manual = src/package/manual
-pages = $(patsubst $(manual)/%.1,$(BUILD)/man/%.1,$(wildcard $(manual)/*.1))
+pages = $(addprefix $(BUILD)/man/,$(notdir $(wildcard $(manual)/*.[1-9])))
+draw_page = $(BUILD)/man/tanglefree-draw.1
 descriptions = $(BUILD)/man/descriptions
+
+program: $(if $(MAIN),$(pages))
+drawing: $(draw_page)
 
 $(BUILD)/man/%.1: $(manual)/%.1 $(manual)/page.awk $(program_file)
 	@echo 'write   $@'
 	$(Q)ARGP_HELP_FMT= $(EMULATOR) $(program_file) \
 	    $(patsubst tanglefree%,%,$(subst -, ,$*)) --help | \
 	    awk -f $(manual)/page.awk - $< >$@
+
+$(BUILD)/man/%.5: $(manual)/%.5
+	@mkdir -p $(@D) && cp $< $@
+$(draw_page): figures/draw/tanglefree-draw.1
+	@mkdir -p $(@D) && cp $< $@
 
 $(descriptions).c: $(manual)/help.awk $(wildcard $(manual)/tanglefree-*.1)
 	@echo 'write   $@' && mkdir -p $(@D)
@@ -140,11 +149,11 @@ share/man/man1/tanglefree-resolve.1 $(BUILD)/man/tanglefree-resolve.1
 share/man/man1/tanglefree-remesh.1 $(BUILD)/man/tanglefree-remesh.1
 share/man/man1/tanglefree-simulate.1 $(BUILD)/man/tanglefree-simulate.1
 share/man/man1/tanglefree-weld.1 $(BUILD)/man/tanglefree-weld.1
-share/man/man5/tanglefree-formats.5 $(manual)/tanglefree-formats.5
+share/man/man5/tanglefree-formats.5 $(BUILD)/man/tanglefree-formats.5
 endef
 define installed_draw
 bin/tanglefree-draw $(drawing_file)
-share/man/man1/tanglefree-draw.1 figures/draw/tanglefree-draw.1
+share/man/man1/tanglefree-draw.1 $(draw_page)
 endef
 
 install_sh = DESTDIR='$(DESTDIR)' PREFIX='$(PREFIX)' VERSION=$(version) \
@@ -154,7 +163,7 @@ install uninstall: export FILES = $(installed)
 install-draw: export FILES = $(installed_draw)
 uninstall: export DRAW = $(installed_draw)
 
-install: library program $(pages) $(scenes) ## install to PREFIX=/usr/local, below DESTDIR=
+install: library program $(scenes) ## install to PREFIX=/usr/local, below DESTDIR=
 	@printf '%s\n' "$$FILES" | $(install_sh) put
 install-draw: drawing ## install tanglefree-draw
 	@printf '%s\n' "$$FILES" | $(install_sh) put

@@ -61,7 +61,8 @@ void tf_frame_write(FILE *stream, const tf_simulation *simulation)
                   &(tf_mesh_content){.mesh = now.mesh,
                                      .position = now.position,
                                      .velocity = now.velocity,
-                                     .comment = comment},
+                                     .comment = comment,
+                                     .notes = simulation->scene->notes},
                   TF_PLY_LITTLE_ENDIAN);
 }
 

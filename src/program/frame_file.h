@@ -15,8 +15,9 @@ void tf_simulation_name(const tf_simulation *simulation,
                         char name[TF_SIMULATION_NAME]);
 
 /// Writes the state of a simulation: the mesh as binary PLY, with velocities vx,
-/// vy and vz of the vertices of cloth, and a comment that names the scene and the
-/// step.  In the plane z is 0.  Errors are those of the stream.
+/// vy and vz of the vertices of cloth, a comment that names the scene and the
+/// step, and the scene's notes.  In the plane z is 0.  Errors are those of the
+/// stream.
 void tf_frame_write(FILE *stream, const tf_simulation *simulation);
 
 typedef enum tf_frame_fault {

@@ -233,7 +233,7 @@ static bool report_step(scene_resolving *r, const tf_resolved *done)
     return tf_records_add(&r->records, &row) || fault_in_report(r);
 }
 
-/// If not all steps were done, JSON alone has sums; if none was, there is nothing.
+/// If not all steps were done, JSON alone has sums; if none was, nothing is told.
 static bool end_report(scene_resolving *r, bool done)
 {
     if (!done && r->records.count == 0)

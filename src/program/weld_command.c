@@ -7,6 +7,9 @@
 #include "scenes/joined.h"
 #include "scenes/remarks.h"
 #include "scenes/weld.h"
+#include "writers/joined_writer.h"
+
+#include <stdlib.h>
 
 //: Hold what weld does
 typedef struct welding {
@@ -14,6 +17,7 @@ typedef struct welding {
     tf_mesh_file file, welded;
     tf_columns columns, carried; ///< what the vertices of both have
     tf_source source;            ///< of the file
+    int *number;                 ///< of its vertices in what is welded
     tf_fault fault;
     tf_weld_report report;
     tf_destination out;
@@ -43,6 +47,7 @@ static bool check_within(welding *w)
 
 static bool read(welding *w)
 {
+    w->source.keeps_parts = true;
     if (!tf_mesh_file_read_all(&w->file, w->request->operand[0], &w->columns,
                                &w->source, &w->fault))
         return false;
@@ -51,7 +56,16 @@ static bool read(welding *w)
 }
 
 //: Weld and write
-/// Where nothing was joined, nothing is lost.
+static bool weld(welding *w)
+{
+    size_t vertices = (size_t)tf_mesh_file_vertices(&w->file);
+    w->number = malloc((vertices + 1) * sizeof *w->number);
+    return w->number ? tf_weld(&w->file, w->request->within, &w->columns,
+                               w->number, &w->welded, &w->carried, &w->report)
+                     : tf_mesh_file_fault_in_memory(&w->file);
+}
+
+/// Where nothing was joined, nothing is lost, and elsewhere what cannot be kept.
 static bool write(welding *w)
 {
     bool same =
@@ -61,7 +75,11 @@ static bool write(welding *w)
         .mesh = tf_mesh_file_elements(from, 3),
         .position = from->position.item,
         .columns = from->columns->count > 0 ? from->columns : NULL,
-        .from = from};
+        .from = from,
+        .joined = same ? NULL : &w->file,
+        .number = w->number};
+    if (content.joined && !tf_joined_is_writable(&content))
+        content.joined = NULL;
     tf_mesh_report report = {*w->request->format, tf_weld_fields, &w->report};
     return tf_mesh_output_write(&w->out, &content, &w->file, &report);
 }
@@ -71,9 +89,7 @@ static bool do_all(welding *w)
     return read(w) &&
            tf_mesh_output_begin(&w->out, w->request->out, &w->file,
                                 &w->fault) &&
-           tf_weld(&w->file, w->request->within, &w->columns, &w->welded,
-                   &w->carried, &w->report) &&
-           write(w);
+           weld(w) && write(w);
 }
 
 //: Run the command weld
@@ -88,6 +104,7 @@ static int run(const tf_request *request)
     tf_columns_free(&w.columns);
     tf_columns_free(&w.carried);
     tf_source_free(&w.source);
+    free(w.number);
     return good ? 0 : 2;
 }
 

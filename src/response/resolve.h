@@ -15,10 +15,11 @@
 /// stored step, its start and its end included, where the pairs of elements are
 /// a vertex and a triangle or two edges or, in the plane, a vertex and an edge.
 /// This is exact.  So the end is free of intersections, it is a legal start for
-/// the next step, and nothing has passed through anything.  The function always
-/// returns, and there is such an end for every proposal.  A step without
-/// contacts comes back bit for bit, and in any other step so does every vertex
-/// that no level has moved.
+/// the next step, what was inside a closed surface is still inside, and loops
+/// that were linked still are.  The function always returns, and there is such
+/// an end for every proposal.  A step without contacts comes back bit for bit,
+/// and in any other step so does every vertex that no level has moved.  Only a
+/// `draft`, see below, promises less.
 ///
 /// Vertices of inverse mass 0 are scripted.  Pairs whose vertices all are
 /// scripted are left out: they may meet, they may be tangled at the start, and
@@ -40,15 +41,14 @@
 /// far each went.
 ///
 /// With `substeps` the step is taken in parts, one after another.  Each part
-/// is clear as told above, and starts where the last one has ended; the end is
-/// free of intersections, and nothing has passed through anything.  But the
-/// step as a whole, in which all vertices go straight from their start to
-/// their end, need not be clear.  In each part a vertex is proposed to move by
-/// its displacement in the step divided by their number or, if there is
-/// restitution, by what the last part has left it of that; a scripted one to
-/// go on along its script.  Bodies meet when they are near each other, not a
-/// step's length before, so that a long step throws fewer vertices out of
-/// their way, and takes more time.
+/// is clear as told above, and starts where the last one has ended; so the end
+/// is free of intersections.  But the step as a whole, in which all vertices go
+/// straight from their start to their end, need not be clear.  In each part a
+/// vertex is proposed to move by its displacement in the step divided by their
+/// number or, if there is restitution, by what the last part has left it of
+/// that; a scripted one to go on along its script.  Bodies meet when they are
+/// near each other, not a step's length before, so that a long step throws
+/// fewer vertices out of their way, and takes more time.
 ///
 /// With a `thickness`, a pair that is apart by that distance or more at the start
 /// is so at the end, too, exactly; in substeps at the end of each.  Pairs that
@@ -57,15 +57,16 @@
 /// A `draft` is for callers that change their proposal when they know the
 /// contacts.  It is answered by impulses and zones alone, and of the pairs only
 /// those are looked at that the proposal brings near each other.  So its end need
-/// not be clear, unless there were no contacts; a thickness may be missed, and
-/// nothing is held back.  An answer `again` from the same start, bit for bit,
-/// with the same masses and filter, to a draft or to another such answer, looks
-/// at the pairs of that one first, which is faster.  What it promises is what any
-/// answer does, but where vertices end may depend on the answers before.
+/// not be clear, unless there were no contacts and it was no answer `again`; a
+/// thickness may be missed, and nothing is held back.  An answer `again` from
+/// the same start, bit for bit, with the same masses and filter, to a draft or
+/// to another such answer, looks at the pairs of that one first, which is
+/// faster.  What it promises is what any answer does, but where vertices end
+/// may depend on the answers before.
 ///
 /// Time and memory grow about in proportion to the contacts of all rounds.  These
 /// may be many: n edges that are pushed through n others have n^2.  For n = 1000
-/// such a step takes some ten seconds and 0.7 GB.
+/// such a step takes a few seconds and 0.7 GB.
 ///
 /// Pairs that start too near are pushed apart, and such a push is no motion: take
 /// velocities from tf_resolver_unpushed, not from `end`, or bodies at rest begin

@@ -207,7 +207,7 @@ static bool copy_constraints(tf_zones *zones, division *d, int z, tf_zone *zone)
     return true;
 }
 
-//: Make a zone a problem on its own
+//: Find how much memory zones need
 /// How many constraints the largest zone has.
 static int largest_zone(const division *d)
 {

@@ -105,6 +105,18 @@ static bool fits_key(double number, const tf_scene_key *key, bool whole)
            (!whole || (number == floor(number) && fabs(number) <= INT_MAX));
 }
 
+/// How to write a fraction, which YAML does not have: "; write 0.0111".
+static range_words words_of_fraction(const tf_scene_key *key, const char *text)
+{
+    range_words words = {""};
+    double above, below;
+    if (tf_number_read(&text, &above) && *text++ == '/' &&
+        tf_number_read(&text, &below) && *text == '\0' &&
+        fits_key(above / below, key, false))
+        snprintf(words.text, sizeof words.text, "; write %.3g", above / below);
+    return words;
+}
+
 static bool read_number(tf_scene_reader *reader, const yaml_node_t *node,
                         const tf_scene_key *key, bool whole, double *number)
 {
@@ -115,9 +127,10 @@ static bool read_number(tf_scene_reader *reader, const yaml_node_t *node,
     bool good = tf_number_read(&rest, number) && *rest == '\0' &&
                 fits_key(*number, key, whole);
     return good || tf_scene_fault_at(
-                       reader, node, "%s must be a %s%s, got '%s'", key->name,
+                       reader, node, "%s must be a %s%s, got '%s'%s", key->name,
                        whole ? "whole number" : "number",
-                       words_of_range(key).text, tf_make_visible(text).text);
+                       words_of_range(key).text, tf_make_visible(text).text,
+                       whole ? "" : words_of_fraction(key, text).text);
 }
 
 bool tf_scene_read_number(tf_scene_reader *reader, const yaml_node_t *node,

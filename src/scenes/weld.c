@@ -12,12 +12,12 @@ typedef struct weld {
     const tf_mesh_file *file;
     tf_mesh_file *welded;
     int *first;   ///< the vertex that each coincides with
-    int *number;  ///< of each vertex that is left: its new one; -1: none
+    int *number;  ///< of each vertex: its new one; -1: none; lent by the caller
     bool *used;   ///< whether a vertex has elements in the file
     bool *wanted; ///< whether it has some then
     int *corner;  ///< room for those of a face
-    int *seen;    ///< of each new vertex, the last polygon it was seen in, from
-                  ///< 1
+    size_t *seen; ///< of each vertex, the last round in which it was seen
+    size_t round; ///< how many polygons were looked at
     tf_weld_report *report;
 } weld;
 
@@ -25,24 +25,56 @@ static bool begin_weld(weld *w)
 {
     size_t vertices = (size_t)tf_mesh_file_vertices(w->file) + 1;
     w->first = malloc(vertices * sizeof *w->first);
-    w->number = malloc(vertices * sizeof *w->number);
     w->used = calloc(vertices, sizeof *w->used);
     w->wanted = calloc(vertices, sizeof *w->wanted);
     w->corner = malloc((w->file->corner.count + 3) * sizeof *w->corner);
     w->seen = calloc(vertices, sizeof *w->seen);
-    return (w->first && w->number && w->used && w->wanted && w->corner &&
-            w->seen) ||
+    return (w->first && w->used && w->wanted && w->corner && w->seen) ||
            tf_mesh_file_fault_in_memory(w->file);
 }
 
 static void end_weld(weld *w)
 {
     free(w->first);
-    free(w->number);
     free(w->used);
     free(w->wanted);
     free(w->corner);
     free(w->seen);
+}
+
+//: Find out what is left of a polygon
+/// Lists the corners that are left of a face, without those that are the same as
+/// the one before.
+static int list_corners(const weld *w, const tf_face *face)
+{
+    int count = 0;
+    for (int i = 0; i < face->corners; i++) {
+        int corner = w->first[face->corner[i]];
+        if (count == 0 || w->corner[count - 1] != corner)
+            w->corner[count++] = corner;
+    }
+    while (count > 1 && w->corner[count - 1] == w->corner[0])
+        count--;
+    return count;
+}
+
+static bool is_simple(weld *w, int count)
+{
+    bool simple = true;
+    w->round++;
+    for (int i = 0; i < count && simple; i++) {
+        simple = w->seen[w->corner[i]] != w->round;
+        w->seen[w->corner[i]] = w->round;
+    }
+    return simple;
+}
+
+/// Lists the corners of a face that stays a polygon, and counts them: no two of
+/// them are joined, or only neighbors.  0: it does not.
+static int count_polygon(weld *w, const tf_face *face)
+{
+    int count = face->corners > 3 ? list_corners(w, face) : 0;
+    return count > 3 && is_simple(w, count) ? count : 0;
 }
 
 //: Find out which vertices are left
@@ -61,15 +93,32 @@ static void mark(weld *w, int corners, const int corner[], bool stays)
     }
 }
 
-static void mark_elements(weld *w)
+static void mark_triangles(weld *w, const tf_face *face)
 {
-    const tf_mesh_file *file = w->file;
-    for (size_t i = 0; i < file->triangle.count; i += 3) {
-        const int *corner = file->triangle.item + i;
+    for (int t = face->triangle; t < face->triangle + face->corners - 2; t++) {
+        const int *corner = w->file->triangle.item + 3 * (size_t)t;
         bool collapsed = is_collapsed(w, corner);
         mark(w, 3, corner, !collapsed);
         w->report->collapsed += collapsed;
     }
+}
+
+static void mark_face(weld *w, const tf_face *face)
+{
+    int count = count_polygon(w, face);
+    if (count == 0) {
+        mark_triangles(w, face);
+        return;
+    }
+    mark(w, face->corners, face->corner, true);
+    w->report->collapsed += face->corners - count;
+}
+
+static void mark_elements(weld *w)
+{
+    const tf_mesh_file *file = w->file;
+    for (tf_face face = {0}; tf_mesh_file_next_face(file, &face);)
+        mark_face(w, &face);
     for (size_t i = 0; i < file->edge.count; i += 2) {
         const int *end = file->edge.item + i;
         bool collapsed = w->first[end[0]] == w->first[end[1]];
@@ -103,7 +152,7 @@ static bool add_vertices(weld *w, const tf_columns *columns)
 {
     bool good = true;
     for (int v = 0; v < tf_mesh_file_vertices(w->file) && good; v++) {
-        w->number[v] = -1;
+        w->number[v] = w->first[v] == v ? -1 : w->number[w->first[v]];
         if (w->first[v] != v)
             measure_vertex(w, v);
         else if (w->wanted[v] || !w->used[v])
@@ -115,7 +164,7 @@ static bool add_vertices(weld *w, const tf_columns *columns)
 //: Add the faces that are left
 static int number_of(const weld *w, int vertex)
 {
-    return w->number[w->first[vertex]];
+    return w->number[vertex];
 }
 
 static bool add_triangles(weld *w, const tf_face *face)
@@ -134,40 +183,15 @@ static bool add_triangles(weld *w, const tf_face *face)
     return good;
 }
 
-/// Lists the corners that are left of a face, without those that are the same as
-/// the one before.
-static int list_corners(const weld *w, const tf_face *face)
-{
-    int count = 0;
-    for (int i = 0; i < face->corners; i++) {
-        int corner = number_of(w, face->corner[i]);
-        if (count == 0 || w->corner[count - 1] != corner)
-            w->corner[count++] = corner;
-    }
-    while (count > 1 && w->corner[count - 1] == w->corner[0])
-        count--;
-    return count;
-}
-
-static bool is_simple(const weld *w, int count, int polygon)
-{
-    bool simple = true;
-    for (int i = 0; i < count && simple; i++) {
-        simple = w->seen[w->corner[i]] != polygon;
-        w->seen[w->corner[i]] = polygon;
-    }
-    return simple;
-}
-
-/// A polygon stays one if no two of its corners are joined, or only neighbors.
 static bool add_face(weld *w, const tf_face *face)
 {
-    int count = face->corners > 3 ? list_corners(w, face) : 0;
-    return count > 3 && is_simple(w, count, face->polygon + 1)
-               ? tf_mesh_file_add_face(
-                     w->welded, w->corner, count,
-                     w->file->triangle_place.item[face->triangle])
-               : add_triangles(w, face);
+    int count = count_polygon(w, face);
+    for (int i = 0; i < count; i++)
+        w->corner[i] = number_of(w, w->corner[i]);
+    return count > 0 ? tf_mesh_file_add_face(
+                           w->welded, w->corner, count,
+                           w->file->triangle_place.item[face->triangle])
+                     : add_triangles(w, face);
 }
 
 static bool add_elements(weld *w)
@@ -200,7 +224,8 @@ static bool make_welded(weld *w, double within, const tf_columns *columns)
 }
 
 bool tf_weld(const tf_mesh_file *file, double within, const tf_columns *columns,
-             tf_mesh_file *welded, tf_columns *carried, tf_weld_report *report)
+             int number[], tf_mesh_file *welded, tf_columns *carried,
+             tf_weld_report *report)
 {
     *report = (tf_weld_report){.vertices_before = tf_mesh_file_vertices(file),
                                .triangles_before = tf_mesh_file_triangles(file),
@@ -214,7 +239,8 @@ bool tf_weld(const tf_mesh_file *file, double within, const tf_columns *columns,
         carried->count = columns->count;
         memcpy(carried->column, columns->column, sizeof columns->column);
     }
-    weld w = {.file = file, .welded = welded, .report = report};
+    weld w = {
+        .file = file, .welded = welded, .number = number, .report = report};
     bool good = make_welded(&w, within, columns);
     end_weld(&w);
     report->vertices = tf_mesh_file_vertices(welded);

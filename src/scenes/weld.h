@@ -21,9 +21,11 @@ typedef struct tf_weld_report {
 /// @param within at least tf_least_within, or 0
 /// @param columns what the vertices of the file have besides; the file's own, or
 ///     NULL
+/// @param[out] number of each vertex of the file, the one that it has now, or -1
 /// @param[out] welded the mesh, with the name and the format of the file; to be
 ///     freed in any case
 /// @param[out] carried its columns, empty at first
 /// @return false: there is a fault of the file
 bool tf_weld(const tf_mesh_file *file, double within, const tf_columns *columns,
-             tf_mesh_file *welded, tf_columns *carried, tf_weld_report *report);
+             int number[], tf_mesh_file *welded, tf_columns *carried,
+             tf_weld_report *report);

@@ -8,6 +8,7 @@
 #include "simulate/cloth_scenes.h"
 #include "simulate/cloth_simulation.h"
 #include "simulate/flow_scenes.h"
+#include "simulate/frame_notes.h"
 #include "simulate/strand.h"
 #include "surface/check.h"
 
@@ -507,6 +508,13 @@ static int steps_of(const tf_filed_scene *filed)
                       : USUAL_STEPS;
 }
 
+static bool make_notes(tf_filed_scene *filed)
+{
+    filed->notes = tf_frame_notes_write(&filed->meshes, &filed->frames.joined);
+    filed->scene.notes = filed->notes;
+    return filed->notes || fault_in_body(filed);
+}
+
 static bool make_meshes(tf_filed_scene *filed)
 {
     filed->frames.meshes = &filed->meshes;
@@ -515,7 +523,7 @@ static bool make_meshes(tf_filed_scene *filed)
     take_physics(&filed->scene, &filed->meshes.physics);
     if (!check_names(filed) || !check_roles(filed) ||
         !check_masses_of_meshes(filed) || !check_rate(filed) ||
-        !read_frames_of_scene(filed))
+        !read_frames_of_scene(filed) || !make_notes(filed))
         return false;
     if (filed->meshes.physics.steps < 0)
         filed->scene.steps = steps_of(filed);
@@ -560,5 +568,6 @@ void tf_filed_scene_free(tf_filed_scene *filed)
         tf_scene_frames_free(&filed->frames);
     tf_body_free(&filed->body);
     free(filed->friction);
+    free(filed->notes);
     tf_scene_meshes_free(&filed->meshes);
 }

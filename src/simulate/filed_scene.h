@@ -16,6 +16,7 @@ typedef struct tf_filed_scene {
     tf_body body;           ///< that they make, until it is simulated
     const double *mass;     ///< of its vertices; lent by the body
     double *friction;       ///< of its vertices; NULL: that of the scene
+    char *notes;            ///< on its frames, or NULL
     tf_fault fault;         ///< of the file, or of one that it names
 } tf_filed_scene;
 

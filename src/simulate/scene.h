@@ -68,6 +68,7 @@ typedef struct tf_scene {
     void *own;            ///< what else `build` needs, or NULL
     bool filed;           ///< whether it is from a file
     unsigned checksum;    ///< of what a file says about it
+    const char *notes;    ///< lines for the headers of its frames; or NULL
     tf_velocity_field *field; ///< along which a surface flows
 } tf_scene;
 

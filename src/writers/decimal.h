@@ -7,9 +7,10 @@ enum {
     TF_DECIMAL_ROOM = 32 ///< bytes of any number
 };
 
-/// Spells a double with 17 digits, which determine it, as printf does by "%.17g",
-/// but several times as fast where it has an ordinary size.  Returns the end,
-/// without a zero there.
+/// Spells a double with 15 digits, or 16 or 17 if it takes these to read it back
+/// as it is, as printf does by "%.15g" and so on, but several times as fast where
+/// it has an ordinary size.  Zeros at the end of a fraction are left out.
+/// Returns the end, without a zero there.
 char *tf_decimal_double(char text[TF_DECIMAL_ROOM], double number);
 
 /// Spells an integer, in the same way.

@@ -6,6 +6,7 @@
 #include "writers/decimal.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 //: Write bytes
@@ -33,14 +34,29 @@ void tf_encode_double(const tf_encoder *to, double number)
         write_bytes(to, tf_bits_of(number), 8);
 }
 
-/// 9 digits determine a float.
+/// In text with 6 digits, or up to 9 if only these determine a float.
+static void spell_float(FILE *stream, double value)
+{
+    enum {
+        SURE = 6,
+        MOST = 9
+    };
+    char text[TF_DECIMAL_ROOM];
+    for (int digits = SURE; digits <= MOST; digits++) {
+        snprintf(text, sizeof text, "%.*g", digits, value);
+        if (strtof(text, NULL) == (float)value)
+            break;
+    }
+    fputs(text, stream);
+}
+
 static void encode_float(const tf_encoder *to, double value)
 {
     float number = (float)value;
     uint32_t bits;
     memcpy(&bits, &number, sizeof bits);
     if (to->is_text)
-        fprintf(to->stream, "%.9g", value);
+        spell_float(to->stream, value);
     else
         write_bytes(to, bits, 4);
 }

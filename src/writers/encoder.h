@@ -13,7 +13,8 @@ typedef struct tf_encoder {
     bool is_big_endian; ///< in binary
 } tf_encoder;
 
-/// Writes a double: in text with 17 digits, which determine it.
+/// Writes a double: in text with 15 digits, or 16 or 17 if only these determine
+/// it.
 void tf_encode_double(const tf_encoder *to, double number);
 
 /// Writes doubles, in text with blanks between them; and the three coordinates of

@@ -9,10 +9,14 @@ typedef struct tf_mesh_content {
     const double *position;    ///< of each vertex
     const double *velocity;    ///< the properties vx, vy and vz of PLY; or NULL
     const char *comment;       ///< a line of the header of PLY; or NULL
+    const char *notes;         ///< more such lines; or NULL
     const tf_columns *columns; ///< what else each vertex has, in space; or
                                ///< NULL.  OBJ has red, green and blue alone
     const tf_mesh_file *from;  ///< the file that has the same elements, and
                                ///< polygons or a source perhaps; or NULL
+    const tf_mesh_file *joined; ///< the file of which vertices were joined, if
+                                ///< its source can be written; or NULL
+    const int *number;          ///< of each of its vertices here, or -1
 } tf_mesh_content;
 
 /// How many faces a content has: polygons, and triangles that are of none.

@@ -2,6 +2,7 @@
 #include "writers/mesh_writer.h"
 
 #include "writers/endings.h"
+#include "writers/joined_writer.h"
 #include "writers/obj_writer.h"
 #include "writers/off_writer.h"
 #include "writers/ply_writer.h"
@@ -15,8 +16,9 @@
 //: Find out whether a mesh is its source
 bool tf_mesh_is_source(const tf_mesh_content *content, tf_mesh_format format)
 {
-    return content->from && content->from->source &&
-           content->from->format == format;
+    const tf_mesh_file *file =
+        content->joined ? content->joined : content->from;
+    return file && file->source && file->format == format;
 }
 
 bool tf_mesh_has_floats(const tf_mesh_content *content, tf_mesh_format format)
@@ -101,7 +103,9 @@ static void write_anew(FILE *stream, const tf_mesh_content *content,
 void tf_mesh_write(FILE *stream, const tf_mesh_content *content,
                    tf_mesh_format format)
 {
-    if (tf_mesh_is_source(content, format))
+    if (tf_mesh_is_source(content, format) && content->joined)
+        tf_joined_write(stream, content);
+    else if (tf_mesh_is_source(content, format))
         tf_source_write(stream, content->from, content->position);
     else
         write_anew(stream, content, format);

@@ -10,13 +10,14 @@
 // for; none writes a file again as it was.  printf is slow for many numbers.
 
 /// Writes a mesh.  If its file has a source, and is of that format, that is the
-/// source with the positions of the content.  If not, it is written such that
+/// source with the positions of the content, or without what joining vertices
+/// took away.  If not, it is written such that
 /// the same triangles and edges are read, in the same order, and but for STL the
 /// same vertices and doubles.  Errors are those of the stream.
 void tf_mesh_write(FILE *stream, const tf_mesh_content *content,
                    tf_mesh_format format);
 
-/// Whether that is a source with other positions, so that nothing is lost.
+/// Whether that is such a source, so that nothing else is lost.
 bool tf_mesh_is_source(const tf_mesh_content *content, tf_mesh_format format);
 
 /// Whether coordinates are rounded to floats: in STL, but for text that is a

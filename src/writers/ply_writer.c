@@ -3,6 +3,8 @@
 
 #include "writers/encoder.h"
 
+#include <string.h>
+
 //: Write the properties of PLY
 static const char *const encodings[] = {
     [TF_PLY_TEXT] = "ascii",
@@ -48,13 +50,23 @@ static tf_number_type length_type(const tf_mesh_content *content)
 }
 
 //: Write the header of PLY
+/// A comment for each line of a text, which may be NULL.
+static void write_comments(FILE *stream, const char *text)
+{
+    while (text) {
+        int length = (int)strcspn(text, "\n");
+        fprintf(stream, "comment %.*s\n", length, text);
+        text = text[length] ? text + length + 1 : NULL;
+    }
+}
+
 static void write_ply_header(FILE *stream, const tf_mesh_content *content,
                              tf_mesh_format format)
 {
     const tf_mesh *mesh = &content->mesh;
     fprintf(stream, "ply\nformat %s 1.0\n", encodings[format]);
-    if (content->comment)
-        fprintf(stream, "comment %s\n", content->comment);
+    write_comments(stream, content->comment);
+    write_comments(stream, content->notes);
     fprintf(stream, "element vertex %d\n", mesh->vertices);
     write_properties(stream, "", content->columns);
     if (content->velocity)

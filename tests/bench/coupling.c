@@ -1,6 +1,6 @@
 // Run each scene of cloth at its usual size, by the response alone and by the
-// coupling, on one thread, and print what edges are stretched to, and what a step
-// takes by its parts: lines of a CSV file.
+// coupling, on one thread, and print how stiff its springs are, what edges are
+// stretched to, and what a step takes by its parts: lines of a CSV file.
 #include "simulate/coupling.h"
 
 #include "bench/measuring.h"
@@ -11,7 +11,7 @@
 #include <stdio.h>
 
 typedef struct costs {
-    double stretch, dynamics, response;
+    double stiffness, stretch, dynamics, response;
     tf_coupling_times times;
 } costs;
 
@@ -46,12 +46,28 @@ static void step(tf_cloth_simulation *c, bool coupled, costs *to)
         fmax(to->stretch, tf_body_stretch(&c->base.setup.body, c->position));
 }
 
+/// h^2 k / m, the mean over all free ends of springs.
+static double stiffness_of(const tf_body *body, double step)
+{
+    double sum = 0;
+    int ends = 0;
+    for (int i = 0; i < body->elastics; i++) {
+        const tf_elastic *e = &body->elastic[i];
+        for (int k = 0; e->rest > 0 && k < e->count; k++) {
+            double mass = body->mass[e->vertex[k]];
+            ends += mass > 0;
+            sum += mass > 0 ? step * step * e->stiffness / mass : 0;
+        }
+    }
+    return sum / ends;
+}
+
 static costs run(const tf_scene *scene, bool coupled)
 {
     tf_simulation *made;
     require(tf_simulation_create(scene, scene->resolution.usual, &made));
     tf_cloth_simulation *c = (tf_cloth_simulation *)made;
-    costs sum = {0};
+    costs sum = {.stiffness = stiffness_of(&c->base.setup.body, scene->step)};
     tf_coupling_watch(c->coupling, processor_seconds);
     for (int i = 0; i < scene->steps; i++)
         step(c, coupled, &sum);
@@ -69,6 +85,7 @@ int main(void)
 {
     for (const tf_scene *scene = tf_cloth_scenes; scene->name; scene++) {
         costs alone = run(scene, false), coupled = run(scene, true);
+        printf("%s stiffness,%.1f,\n", scene->name, alone.stiffness);
         printf("%s alone stretch,%.2f,\n", scene->name, alone.stretch);
         print(scene, "alone step", alone.dynamics + alone.response);
         print(scene, "coupled step", coupled.dynamics + coupled.response);

@@ -112,6 +112,12 @@ class Weave(unittest.TestCase):
     def test_quotes_a_test_to_its_end(self):
         self.assertEqual(weave.span("a.c", SOURCE, "adds"), (25, 29))
 
+    def test_quotes_a_prototype_without_its_comment(self):
+        header = "/// Says it: say(1, 2).\nint say(int a,\n        int b);\n"
+        self.assertEqual(weave.span("a.h", header, "say"), (2, 3))
+        self.assertIsNone(weave.span("a.h", header, "says"))
+        self.assertIsNone(weave.span("a.c", header, "say"))
+
     def test_quotes_lines_and_fragments(self):
         self.assertEqual(weave.span("a.c", SOURCE, "2-3"), (2, 3))
         self.assertEqual(weave.span("src/a.c", SOURCE, "Add one"), (12, 13))

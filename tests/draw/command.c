@@ -142,7 +142,7 @@ START_TEST(help_and_version_are_printed)
     expect_words(say("draw query --help"), "FILE:N");
     expect_words(say("draw query --help"), "--at");
     expect_words(say("draw surface --help"), "START [END]");
-    expect_words(say("draw film --help"), "--every");
+    expect_words(say("draw film --help"), "with --every 3");
     expect_words(say("draw list --help"), "names and titles");
     const char *same = "test \"$(\"$TANGLEFREE\" --version | sed "
                        "'s/tanglefree/tanglefree-draw/')\" = \"$(draw %s)\"";
@@ -331,10 +331,10 @@ START_TEST(bad_meshes_are_refused)
            "draw surface x.obj -o a.png");
     refuse("tanglefree-draw: /dev/stdin:2: ",
            "printf 'v 0 0 0\nv 1 x 0\n' | draw surface /dev/stdin -o a.png");
-    refuse(
-        "tanglefree-draw: q.obj: the number of vertices is 3, but 6 in a.obj; "
-        "all files must have the same elements",
-        MESHES "draw surface a.obj q.obj -o a.png" CLEAR);
+    refuse("tanglefree-draw: q.obj: 3 vertices, but a.obj has 6; all files "
+           "must have "
+           "the same elements",
+           MESHES "draw surface a.obj q.obj -o a.png" CLEAR);
     refuse("standard input:4: there is no vertex 9; they are numbered from 1 "
            "to 3",
            "printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n' | "
@@ -385,8 +385,8 @@ START_TEST(bad_frames_are_refused)
            FRAMES "rm f/*1.ply; draw film f -o a.webp" CLEAR_FRAMES);
     refuse("tanglefree-draw: f/frame-00000.ply: there is no such frame",
            FRAMES "rm f/*0.ply; draw film f -o a.webp" CLEAR_FRAMES);
-    refuse("tanglefree-draw: f/frame-00002.ply: the number of vertices is 4, "
-           "but 7 in f/frame-00001.ply; all files must have the same",
+    refuse("tanglefree-draw: f/frame-00002.ply: 4 vertices, but "
+           "f/frame-00001.ply has 7; all files must have the same",
            FRAMES "cp g/*2.ply f; draw film f -o a.webp" CLEAR_FRAMES);
     refuse("tanglefree-draw: f/frame-00003.ply:16: 'x' is not a finite",
            FRAMES "sed 's/^1 1 1/1 x 1/' f/*0.ply >f/frame-00003.ply; "
@@ -773,6 +773,30 @@ START_TEST(frames_are_drawn)
 }
 END_TEST
 
+/// What frames say of themselves, which --up overrules.
+START_TEST(frames_name_their_obstacles_and_what_is_up)
+{
+    say(FRAMES "draw film f " SMALL " -o z.png && draw film f " SMALL
+               " -o y.png --up y && ! cmp z.png y.png");
+    say("sed -i '2a comment up y' f/*0.ply && draw film f " SMALL
+        " -o p.png && draw film f " SMALL " -o q.png --up z && "
+        "cmp p.png y.png && cmp q.png z.png");
+    expect_words(say("sed -i '2a comment mesh of 4 vertices, scripted: a\\n"
+                     "comment mesh of 3 vertices, moving: b' f/*0.ply && "
+                     "draw film f " SMALL " -o r.png && ! cmp p.png r.png"),
+                 "parts 2\nstiff_parts 1\n");
+    expect_words(
+        say("sed -i 's/moving: b/fixed: b/' f/*0.ply && draw film f " SMALL
+            " -o r.png && cmp p.png r.png"),
+        "stiff_parts 1\n");
+    expect_words(
+        say("sed -i 's/mesh of 3/mesh of 2/' f/*0.ply && draw film f " SMALL
+            " -o r.png && cmp p.png r.png"),
+        "stiff_parts 1\n");
+    say("rm -r ? ?.png");
+}
+END_TEST
+
 START_TEST(a_sheet_has_all_frames_and_is_the_same_every_time)
 {
     say("draw figure " FIGURE "--frames 7 --animate a.png && "
@@ -816,6 +840,7 @@ Suite *suite(void)
         bad_films_are_refused,
         bad_frames_are_refused,
         frames_are_drawn,
+        frames_name_their_obstacles_and_what_is_up,
     };
     Suite *s = suite_create("draw/command");
     TCase *command = tcase_create("command");

@@ -105,8 +105,8 @@ static fig_cloth *film_of(const tf_surface *surface, scene s, double bend)
     return cloth;
 }
 
-static void draw(const fig_cloth *cloth, int frame, const fig_theme *theme,
-                 picture *drawn)
+static void draw_as(const fig_cloth *cloth, int frame, const fig_theme *theme,
+                    const fig_cloth_look *look, picture *drawn)
 {
     const fig_page_options options = {.width = WIDTH,
                                       .height = HEIGHT,
@@ -114,13 +114,19 @@ static void draw(const fig_cloth *cloth, int frame, const fig_theme *theme,
                                       .pixels_y = HEIGHT,
                                       .theme = theme,
                                       .moves = true};
-    const fig_cloth_look look = {.turned = true, .elevation = 35};
     fig_page *page;
     ck_assert_int_eq(fig_page_new(&options, &page), FIG_OK);
-    fig_cloth_draw(cloth, page, (fig_box){0, 0, WIDTH, HEIGHT}, frame, &look);
+    fig_cloth_draw(cloth, page, (fig_box){0, 0, WIDTH, HEIGHT}, frame, look);
     fig_status status = fig_page_paint(page, *drawn->pixel);
     ck_assert_msg(status == FIG_OK, "%s", fig_status_message(status));
     fig_page_free(page);
+}
+
+static void draw(const fig_cloth *cloth, int frame, const fig_theme *theme,
+                 picture *drawn)
+{
+    const fig_cloth_look look = {.turned = true, .elevation = 35};
+    draw_as(cloth, frame, theme, &look, drawn);
 }
 
 static int channel(uint32_t pixel, int k)
@@ -169,6 +175,33 @@ START_TEST(what_keeps_its_shape_is_stiff)
         ck_assert(!fig_cloth_is_stiff(cloth, part));
     ck_assert_int_eq(cloth->floor, -1);
     fig_cloth_free(cloth);
+    tf_surface_free(surface);
+}
+END_TEST
+
+/// What is told counts, unless nothing else is left.
+START_TEST(obstacles_are_gray)
+{
+    generator random = generator_new(1);
+    scene s = new_scene(&random);
+    tf_surface *surface = surface_of_scene(&s);
+    for (int kind = 0; kind < 3; kind++) {
+        fig_cloth *cloth = fig_cloth_new(surface, 3);
+        bool of_obstacle[SHEET + 8];
+        for (int v = 0; v < SHEET + 8; v++)
+            of_obstacle[v] = kind == 1 ? v < SHEET : kind == 2;
+        scene moved = s;
+        move_on(&moved, 0.01, 0);
+        add(cloth, &s);
+        if (kind > 0)
+            ck_assert(fig_cloth_set_obstacles(cloth, of_obstacle));
+        add(cloth, &moved);
+        ck_assert(fig_cloth_end(cloth));
+        for (int part = 0; part < 3; part++)
+            ck_assert_int_eq(fig_cloth_is_stiff(cloth, part),
+                             kind == 1 ? part == 0 : part > 0);
+        fig_cloth_free(cloth);
+    }
     tf_surface_free(surface);
 }
 END_TEST
@@ -355,7 +388,6 @@ START_TEST(cloth_fills_the_picture_and_paper_is_around_it)
 }
 END_TEST
 
-/// Below the sheet the ground is in the dark.
 /// Draw a film of one frame, in which an axis points up.
 static void draw_upright(const tf_surface *surface, const scene *s, fig_up up,
                          picture *drawn)
@@ -389,6 +421,7 @@ START_TEST(any_axis_may_point_up)
 }
 END_TEST
 
+/// Below the sheet the ground is in the dark.
 START_TEST(cloth_throws_a_shadow_on_the_ground)
 {
     generator random = generator_new(1);
@@ -401,6 +434,47 @@ START_TEST(cloth_throws_a_shadow_on_the_ground)
     for (int x = 0; x < WIDTH; x++)
         dark += channel(drawn.pixel[HEIGHT - 12][x], 0) < 150;
     ck_assert_int_gt(dark, WIDTH / 8);
+    fig_cloth_free(cloth);
+    tf_surface_free(surface);
+}
+END_TEST
+
+/// A sheet that is lowest in its middle, and so flat that its border is farther
+/// out in all directions but straight down.
+static fig_cloth *film_of_bowl(tf_surface **surface)
+{
+    generator random = generator_new(1);
+    scene s = new_scene(&random);
+    for (int i = 0; i < SHEET; i++)
+        s.at[i][2] = 0.1 * hypot(s.at[i][0], s.at[i][1]);
+    *surface = surface_of(&(tf_mesh){.axes = 3,
+                                     .vertices = SHEET,
+                                     .triangles = HALVES,
+                                     .triangle = *s.triangle});
+    fig_cloth *cloth = fig_cloth_new(*surface, 3);
+    ck_assert(fig_cloth_add(cloth, SHEET, *s.at) && fig_cloth_end(cloth));
+    return cloth;
+}
+
+START_TEST(the_ground_hides_no_cloth)
+{
+    static const double elevation[] = {60, 24, 5, 1, -1, -20};
+    tf_surface *surface;
+    fig_cloth *cloth = film_of_bowl(&surface);
+    for (int i = 0; i < SHEET; i++)
+        ck_assert_double_ge(cloth->at[i].x[2], cloth->bottom);
+    for (size_t i = 0; i < sizeof elevation / sizeof *elevation; i++) {
+        fig_cloth_look look = {.turned = true, .elevation = elevation[i]};
+        static picture grounded, groundless;
+        draw_as(cloth, 0, &fig_theme_light, &look, &grounded);
+        look.groundless = true;
+        draw_as(cloth, 0, &fig_theme_light, &look, &groundless);
+        int all = blue_pixels(&groundless);
+        ck_assert_int_gt(all, WIDTH / 4);
+        int seen = blue_pixels(&grounded);
+        ck_assert_msg(seen >= all - 4, "%d of %d pixels from %g degrees", seen,
+                      all, elevation[i]);
+    }
     fig_cloth_free(cloth);
     tf_surface_free(surface);
 }
@@ -470,6 +544,7 @@ Suite *suite(void)
     Suite *s = suite_create("kit/cloth");
     TCase *cloth = tcase_create("cloth");
     tcase_add_test(cloth, what_keeps_its_shape_is_stiff);
+    tcase_add_test(cloth, obstacles_are_gray);
     tcase_add_test(cloth, a_sheet_has_one_front);
     tcase_add_test(cloth, a_tube_has_its_front_outside);
     tcase_add_test(cloth, stripes_run_along_the_border);
@@ -477,6 +552,7 @@ Suite *suite(void)
     tcase_add_test(cloth, cloth_fills_the_picture_and_paper_is_around_it);
     tcase_add_test(cloth, any_axis_may_point_up);
     tcase_add_test(cloth, cloth_throws_a_shadow_on_the_ground);
+    tcase_add_test(cloth, the_ground_hides_no_cloth);
     tcase_add_test(cloth, any_film_is_drawn);
     tcase_add_test(cloth, films_one_after_the_other_share_a_box);
     suite_add_tcase(s, cloth);

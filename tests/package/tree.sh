@@ -15,6 +15,15 @@ expect_tree() { # folder, pattern of what is not there yet
         fail "$1 is not what tests/package/installed lists"
 }
 
+# Pages are to be read without an installation, too.
+check_pages() {
+    rm -f "$BUILD"/man/*.[1-9]
+    $MAKE program drawing
+    for page in $(sed -n 's|^share/man/man./||p' tests/package/installed); do
+        [ -s "$BUILD/man/$page" ] || fail "make leaves out the page $page"
+    done
+}
+
 check_tree() {
     $MAKE install PREFIX="$prefix" DESTDIR=
     expect_tree "$prefix" draw
@@ -46,6 +55,7 @@ case $1 in
 install)
     rm -rf "$scratch"
     mkdir -p "$scratch"
+    check_pages
     check_tree
     check_stage ;;
 uninstall)

@@ -32,9 +32,8 @@ START_TEST(a_frame_has_new_positions_alone)
     ck_assert_msg(write_frame("folder", "shirt", path, &fault), "%s",
                   fault.text);
     ck_assert_str_eq(path, "folder/shirt-00012.obj");
-    ck_assert_str_eq(file_text(path),
-                     "o shirt\nv 0 0 0.5\nv 1 0 0.5\n"
-                     "v 0 1 0.10000000000000001\nusemtl red\nf 1 2 3\n");
+    ck_assert_str_eq(file_text(path), "o shirt\nv 0 0 0.5\nv 1 0 0.5\n"
+                                      "v 0 1 0.1\nusemtl red\nf 1 2 3\n");
 }
 END_TEST
 

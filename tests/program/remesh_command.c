@@ -61,6 +61,9 @@ START_TEST(what_new_triangles_lose_is_said)
     ck_assert_str_eq(found.err,
                      "tanglefree: out.obj: without the object names and "
                      "texture coordinates of named.obj\n");
+    expect_words(run("$tf remesh named.obj -o - -e 9").err,
+                 "tanglefree: standard output: without the object names and "
+                 "texture coordinates of named.obj\n");
 }
 END_TEST
 

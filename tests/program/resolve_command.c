@@ -89,8 +89,8 @@ END_TEST
 START_TEST(the_ends_are_as_computed)
 {
     resolved("flat-above", "flat-below", "new.obj", "");
-    ck_assert_str_eq(file_text("new.obj"), "v -1 -0.66666666666666663\n"
-                                           "v 1 -0.66666666666666663\n"
+    ck_assert_str_eq(file_text("new.obj"), "v -1 -0.6666666666666666\n"
+                                           "v 1 -0.6666666666666666\n"
                                            "v 0 0.33333333333333326\n"
                                            "l 1 2\n");
     resolved("above", "below", "new.obj", "-f floor");
@@ -829,8 +829,7 @@ START_TEST(wrong_arguments_are_refused)
         "'-1'\n");
     expect_usage("resolve above below -o new --restitution-threshold=-1",
                  "tanglefree resolve: --restitution-threshold must be a number "
-                 "from 0 on "
-                 "more, got '-1'\n");
+                 "from 0 on, got '-1'\n");
     expect_usage(
         "resolve above below -o new --separation inf",
         "tanglefree resolve: --separation must be a number from 0 on, got "

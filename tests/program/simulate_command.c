@@ -164,12 +164,15 @@ START_TEST(a_scene_file)
                "$tf detect --format summary made/frame-*.ply | head -n 2; "
                "$tf check --each made/frame-*.ply; "
                "tail -n 5 made/sheet-00040.obj | cut -c 1-6; "
-               "head -n 1 made/sheet-00040.obj; tail -n 1 made/body-00040.obj"),
+               "head -n 1 made/sheet-00040.obj; tail -n 1 made/body-00040.obj; "
+               "head -n 6 made/frame-00040.ply | tail -n 3"),
            0,
            " 41 body\n 41 frame\n 41 sheet\n 1 steps.csv\n"
            "steps: 40\nsteps with contacts: 0\nfile,kind,a,b,c,d,e,f\n"
            "v 0.50\nusemtl\nf 1 2 \nf 2 3 \nf 3 4 \n"
-           "o sheet\nf 3 1 4\n",
+           "o sheet\nf 3 1 4\ncomment up z\n"
+           "comment mesh of 5 vertices, moving: sheet\n"
+           "comment mesh of 4 vertices, scripted: body\n",
            "");
 }
 END_TEST

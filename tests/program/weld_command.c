@@ -23,10 +23,10 @@ START_TEST(a_seam_is_welded)
            "vertices before: 6\nvertices: 5\njoined: 1\nfarthest: 0\n"
            "triangles before: 2\ntriangles: 2\ncollapsed triangles: 0\n"
            "edges before: 0\nedges: 0\ncollapsed edges: 0\n",
-           "tanglefree: made.obj: without the comments of seam.obj\n");
+           "");
     ck_assert_str_eq(file_text("made.obj"),
-                     "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 0 1 0.5\n"
-                     "f 1 2 3\nf 2 4 5\n");
+                     "# of two parts\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
+                     "v 1 1 0\nv 0 1 0.5\nf 2 4 5\n");
 }
 END_TEST
 
@@ -35,7 +35,8 @@ START_TEST(what_is_near_is_welded)
     outcome found = run("$tf weld seam.obj -o made.obj --within 0.5");
     expect_words(found.out, "vertices: 4\njoined: 2\nfarthest: 0.5\n");
     ck_assert_str_eq(file_text("made.obj"),
-                     "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 2 4 3\n");
+                     "# of two parts\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
+                     "v 1 1 0\nf 2 4 3\n");
     ck_assert_int_eq(run("$tf check seam.obj").status, 1);
     ck_assert_int_eq(run("$tf check made.obj").status, 0);
 }
@@ -48,6 +49,18 @@ START_TEST(a_mesh_without_seams_stays)
     outcome found = run("$tf weld whole.obj -o made.obj");
     ck_assert_str_eq(found.err, "");
     expect(run("cmp whole.obj made.obj"), 0, "", "");
+}
+END_TEST
+
+START_TEST(what_cannot_be_kept_is_told)
+{
+    make_file("curve.obj", SEAM "g one\ncurv 0 1 1 2 4\n");
+    expect_words(run("$tf weld curve.obj -o made.obj").err,
+                 "tanglefree: made.obj: without the comments, groups and other "
+                 "lines of curve.obj\n");
+    ck_assert_str_eq(file_text("made.obj"),
+                     "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 0 1 0.5\n"
+                     "f 1 2 3\nf 2 4 5\n");
 }
 END_TEST
 
@@ -67,8 +80,9 @@ START_TEST(the_ending_chooses_the_format)
                "head -n 2 made.ply | tail -n 1; "
                "$tf weld seam.obj -o made.off >report 2>said; "
                "head -n 1 made.off; "
-               "$tf weld - -o - <seam.obj 2>said | head -n 1"),
-           0, "format binary_little_endian 1.0\nOFF\nv 0 0 0\n", "");
+               "$tf weld - -o - <seam.obj 2>said | head -n 2"),
+           0, "format binary_little_endian 1.0\nOFF\n# of two parts\nv 0 0 0\n",
+           "");
 }
 END_TEST
 
@@ -148,6 +162,7 @@ Suite *suite(void)
     tcase_add_test(welded, a_seam_is_welded);
     tcase_add_test(welded, what_is_near_is_welded);
     tcase_add_test(welded, a_mesh_without_seams_stays);
+    tcase_add_test(welded, what_cannot_be_kept_is_told);
     tcase_add_test(welded, faces_that_have_collapsed_already_are_left_out);
     tcase_add_test(welded, the_ending_chooses_the_format);
     tcase_add_test(welded, a_report_may_be_json);

@@ -13,6 +13,7 @@
 static tf_mesh_file file, welded;
 static tf_columns columns, carried;
 static tf_weld_report report;
+static int number[100];
 
 /// Welds a text.
 static void weld(const char *text, double within)
@@ -20,8 +21,9 @@ static void weld(const char *text, double within)
     read_columns(&columns);
     file = good_mesh(text);
     read_columns(NULL);
-    ck_assert_msg(tf_weld(&file, within, &columns, &welded, &carried, &report),
-                  "%s", file.fault->text);
+    ck_assert_msg(
+        tf_weld(&file, within, &columns, number, &welded, &carried, &report),
+        "%s", file.fault->text);
 }
 
 static void free_all(void)
@@ -82,6 +84,8 @@ START_TEST(what_collapses_is_left_out)
                     (const double[]){0, 0, 0, 1, 0, 0, 0, 1, 0, 5, 5, 5});
     expect_triangles(&welded, 1, (const int[]){0, 1, 2});
     expect_edges(&welded, 1, (const int[]){2, 0});
+    static const int numbers[] = {-1, -1, -1, 0, 1, 2, 2, 3};
+    ck_assert_mem_eq(number, numbers, sizeof numbers);
     expect_report((tf_weld_report){.vertices_before = 8,
                                    .vertices = 4,
                                    .joined = 3,
@@ -128,6 +132,14 @@ START_TEST(polygons_stay_polygons)
         {"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 1 1 0\nf 1 2 3 4\n", "(012)"},
         {"v 0 0 0\nv 1 0 0\nv 1 0 0\nv 0 0 0\nf 1 2 3 4\nv 5 5 5\nf 1 2 5\n",
          "(012)"},
+        // Nothing is left of a quad either if corners across are joined.
+        {"v 0 0 0\nv 1 0 0\nv 0 0 0\nv 0 1 0\nf 1 2 3 4\n"
+         "v 5 5 5\nv 5 6 5\nf 1 5 6\n",
+         "(012)"},
+        // A hexagon becomes a pentagon.
+        {"v 0 0 0\nv 1 0 0\nv 2 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\n"
+         "f 3 4 5 6 1 2\n",
+         "(23401)"},
         // Corners across are joined, and the triangles of the polygon stay.
         {"v 0 0 0\nv 2 0 0\nv 1 1 0\nv 2 2 0\nv 0 2 0\nv 1 1 0\n"
          "f 1 2 3 4 5 6\n",
@@ -161,7 +173,7 @@ END_TEST
 START_TEST(columns_need_not_be_there)
 {
     file = good_mesh("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-    ck_assert(tf_weld(&file, 0, NULL, &welded, NULL, &report));
+    ck_assert(tf_weld(&file, 0, NULL, number, &welded, NULL, &report));
     ck_assert_ptr_null(welded.columns);
     expect_triangles(&welded, 1, (const int[]){0, 1, 2});
     tf_mesh_file_free(&file);
@@ -233,8 +245,8 @@ START_TEST(every_corner_is_where_its_vertex_is_left)
         tf_mesh_file again;
         tf_columns unused = {0};
         tf_weld_report second;
-        ck_assert(
-            tf_weld(&welded, distance, &carried, &again, &unused, &second));
+        ck_assert(tf_weld(&welded, distance, &carried, number, &again, &unused,
+                          &second));
         ck_assert(second.joined == 0 && second.collapsed == 0);
         ck_assert_int_eq(second.vertices, report.vertices);
         ck_assert_uint_eq(again.triangle.count, welded.triangle.count);

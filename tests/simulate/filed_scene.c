@@ -54,6 +54,20 @@ static tf_simulation *simulation_of(const tf_filed_scene *filed)
 
 // What meshes are made of ------------------------------------------------------
 
+START_TEST(a_scene_has_notes_for_its_frames)
+{
+    tf_filed_scene *filed = filed_scene(scene_text);
+    ck_assert_str_eq(filed->scene.notes,
+                     "up z\nmesh of 4 vertices, moving: cloth\n"
+                     "mesh of 3 vertices, scripted: body\n"
+                     "mesh of 3 vertices, fixed: wall");
+    tf_filed_scene_free(filed);
+    filed = filed_scene("shape: sphere");
+    ck_assert_ptr_null(filed->scene.notes);
+    tf_filed_scene_free(filed);
+}
+END_TEST
+
 START_TEST(a_scene_has_usual_values)
 {
     tf_filed_scene *filed = filed_scene("meshes: [{frames: cloth.obj}]");
@@ -594,6 +608,7 @@ Suite *suite(void)
     Suite *suite = suite_create("simulate/filed_scene");
     TCase *made = tcase_create("what meshes are made of");
     tcase_add_checked_fixture(made, enter_folder_of_meshes, leave_folder);
+    tcase_add_test(made, a_scene_has_notes_for_its_frames);
     tcase_add_test(made, a_scene_has_usual_values);
     tcase_add_test(made, any_mesh_is_made_as_sheets_are);
     tcase_add_test(made, a_mesh_may_have_a_mass);

@@ -3,8 +3,10 @@
 #include "support/arbitrary_mesh.h"
 
 #include "formats/mesh_reader.h"
+#include "scenes/weld.h"
 #include "surface/check.h"
 #include "surface/detect.h"
+#include "writers/joined_writer.h"
 #include "writers/losses.h"
 #include "writers/mesh_writer.h"
 #include "writers/source_writer.h"
@@ -203,6 +205,13 @@ static bool has_slit(const tf_mesh_file *file)
     return found;
 }
 
+static bool have_same(const tf_ints *a, const tf_ints *b)
+{
+    return a->count == b->count &&
+           (a->count == 0 ||
+            memcmp(a->item, b->item, a->count * sizeof *a->item) == 0);
+}
+
 /// A file that is written with its own positions is the same bytes, and with
 /// others is read again as these, unless slits are torn open.
 static void check_source(tf_mesh_file *file, const void *bytes, size_t size)
@@ -228,6 +237,53 @@ static void check_source(tf_mesh_file *file, const void *bytes, size_t size)
     tf_mesh_file_free(&read);
 }
 
+/// What is written of a file of which vertices were joined is read as the mesh
+/// that was made, unless slits are closed.
+static void check_joined(const tf_mesh_file *file, const tf_mesh_file *made,
+                         const int number[])
+{
+    size_t size;
+    const tf_mesh_content content = {.mesh = tf_mesh_file_elements(made, 3),
+                                     .position = made->position.item,
+                                     .from = made,
+                                     .joined = file,
+                                     .number = number};
+    if (!tf_joined_is_writable(&content))
+        return;
+    char *text = NULL;
+    FILE *stream = open_memstream(&text, &size);
+    require(stream != NULL);
+    tf_joined_write(stream, &content);
+    require(fclose(stream) == 0);
+    tf_mesh_file read;
+    tf_fault fault;
+    bool good = tf_mesh_file_parse(&read, "joined", text, size, NULL, &fault);
+    require(has_slit(file) || made->triangle.count + made->edge.count == 0 ||
+            (good && have_same(&read.triangle, &made->triangle) &&
+             have_same(&read.edge, &made->edge) &&
+             read.position.count == made->position.count &&
+             memcmp(read.position.item, made->position.item,
+                    made->position.count * sizeof(double)) == 0));
+    free(text);
+    tf_mesh_file_free(&read);
+}
+
+static void try_weld(const tf_mesh_file *file)
+{
+    int vertices = tf_mesh_file_vertices(file);
+    tf_mesh_file made;
+    tf_weld_report report;
+    int *number = malloc(((size_t)vertices + 1) * sizeof *number);
+    require(number != NULL);
+    if (is_good_list(&file->triangle, 3, vertices) &&
+        is_good_list(&file->edge, 2, vertices)) {
+        if (tf_weld(file, 0, NULL, number, &made, NULL, &report))
+            check_joined(file, &made, number);
+        tf_mesh_file_free(&made);
+    }
+    free(number);
+}
+
 void try_arbitrary_mesh(const void *bytes, size_t size)
 {
     char *text = malloc(size + 1), *kept = malloc(size + 1);
@@ -238,7 +294,7 @@ void try_arbitrary_mesh(const void *bytes, size_t size)
     tf_mesh_file file;
     tf_fault fault = {0};
     tf_columns columns = {0};
-    tf_source source = {0};
+    tf_source source = {.keeps_parts = true};
     if (!tf_mesh_file_parse_all(&file, "fuzz", text, size, &columns, &source,
                                 &fault)) {
         check_fault(&file, kept, size);
@@ -247,6 +303,7 @@ void try_arbitrary_mesh(const void *bytes, size_t size)
         check_columns(&file);
         if (is_small(&file))
             try_surface(&file);
+        try_weld(&file);
         check_source(&file, kept, size);
     }
     free(kept);

@@ -57,6 +57,28 @@ START_TEST(bytes_have_either_order)
 }
 END_TEST
 
+START_TEST(texts_have_as_few_digits_as_they_need)
+{
+    static const struct {
+        tf_number_type type;
+        double number;
+        const char *text;
+    } cases[] = {{TF_DOUBLE, 0.1, "0.1"},
+                 {TF_DOUBLE, 1.0 / 3, "0.3333333333333333"},
+                 {TF_DOUBLE, (double)0.1F, "0.10000000149011612"},
+                 {TF_FLOAT, (double)0.1F, "0.1"},
+                 {TF_FLOAT, (double)(1 / 3.0F), "0.33333334"},
+                 {TF_FLOAT, 0x1.fffffep-3, "0.24999999"},
+                 {TF_FLOAT, 0x1.000002p0, "1.0000001"},
+                 {TF_FLOAT, -0.0, "-0"}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        begin(true, false);
+        tf_encode(&encoder, cases[i].type, cases[i].number);
+        expect_bytes(cases[i].text, strlen(cases[i].text));
+    }
+}
+END_TEST
+
 START_TEST(integers_are_limited)
 {
     static const struct {
@@ -146,6 +168,7 @@ Suite *suite(void)
     TCase *tcase = tcase_create("numbers");
     tcase_add_test(tcase, bytes_have_either_order);
     tcase_add_test(tcase, integers_are_limited);
+    tcase_add_test(tcase, texts_have_as_few_digits_as_they_need);
     tcase_add_test(tcase, text_determines_numbers);
     tcase_add_test(tcase, blanks_and_lines_are_of_text);
     tcase_add_test(tcase, types_hold_what_they_can);

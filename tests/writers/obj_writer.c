@@ -9,11 +9,11 @@ START_TEST(obj_is_written_to_the_letter)
                                   "f 1 2 3\nf 1 2 3 4\nl 3 1\n");
     tf_mesh_content content = content_of(&file);
     expect_mesh_text(&content, TF_OBJ,
-                     "v 0.5 0 1\nv 1 0 0\nv 0 1 0.10000000000000001\nv 2 2 2\n"
+                     "v 0.5 0 1\nv 1 0 0\nv 0 1 0.1\nv 2 2 2\n"
                      "f 1 2 3\nf 1 2 3\nf 1 3 4\nl 3 1\n");
     content.from = &file;
     expect_mesh_text(&content, TF_OBJ,
-                     "v 0.5 0 1\nv 1 0 0\nv 0 1 0.10000000000000001\nv 2 2 2\n"
+                     "v 0.5 0 1\nv 1 0 0\nv 0 1 0.1\nv 2 2 2\n"
                      "f 1 2 3\nf 1 2 3 4\nl 3 1\n");
     tf_mesh_file_free(&file);
 }

@@ -12,7 +12,7 @@ START_TEST(off_is_written_to_the_letter)
     tf_mesh_content content = content_of(&file);
     content.from = &file;
     expect_mesh_text(&content, TF_OFF,
-                     "OFF\n4 2 0\n0.5 0 1\n1 0 0\n0 1 0.10000000000000001\n"
+                     "OFF\n4 2 0\n0.5 0 1\n1 0 0\n0 1 0.1\n"
                      "2 2 2\n3 0 1 2\n4 0 1 2 3\n");
     tf_mesh_file_free(&file);
 }

@@ -73,10 +73,12 @@ START_TEST(comments_and_velocities_are_written)
         .mesh = {.axes = 2, .vertices = 2, .edges = 1, .edge = edge},
         .position = x,
         .velocity = velocity,
-        .comment = "by hand"};
+        .comment = "by hand",
+        .notes = "up y\nand so on"};
     expect_mesh_text(
         &content, TF_PLY_TEXT,
-        "ply\nformat ascii 1.0\ncomment by hand\nelement vertex 2\n"
+        "ply\nformat ascii 1.0\ncomment by hand\ncomment up y\n"
+        "comment and so on\nelement vertex 2\n"
         "property double x\nproperty double y\nproperty double z\n"
         "property double vx\nproperty double vy\nproperty double vz\n"
         "element edge 1\nproperty int vertex1\nproperty int vertex2\n"

@@ -90,7 +90,7 @@ START_TEST(changed_coordinates_of_obj_are_replaced)
     read_text(OBJ_OF("0.10", "00.1"));
     set(0, 0, 1.0 / 3);
     set(2, 0, -1e300);
-    expect_text(OBJ_OF("0.33333333333333331", "-1.0000000000000001e+300"));
+    expect_text(OBJ_OF("0.3333333333333333", "-1e+300"));
     free_file();
 }
 END_TEST
@@ -145,7 +145,7 @@ START_TEST(types_of_ply_become_double_if_they_must)
     set(1, 0, 0.75);
     expect_text(PLY_OF("float32", "0.75"));
     set(1, 0, 1.0 / 3);
-    expect_text(PLY_OF("double", "0.33333333333333331"));
+    expect_text(PLY_OF("double", "0.3333333333333333"));
     free_file();
     read_text(PLY_OF("int16", "1.1"));
     set(1, 0, 77);
@@ -155,7 +155,7 @@ START_TEST(types_of_ply_become_double_if_they_must)
     free_file();
     read_text(PLY_OF("float64", "1.1"));
     set(1, 0, 1.0 / 3);
-    expect_text(PLY_OF("float64", "0.33333333333333331"));
+    expect_text(PLY_OF("float64", "0.3333333333333333"));
     free_file();
 }
 END_TEST
@@ -289,7 +289,7 @@ START_TEST(each_corner_of_stl_is_replaced)
     expect_text(SOLID_OF("0", "00"));
     set(0, 2, 0.1);
     set(3, 2, -7);
-    expect_text(SOLID_OF("0.10000000000000001", "-7"));
+    expect_text(SOLID_OF("0.1", "-7"));
     free_file();
 }
 END_TEST
@@ -340,7 +340,7 @@ START_TEST(vertices_of_off_are_replaced)
     read_text(OFF_OF("0.0"));
     expect_text(OFF_OF("0.0"));
     set(0, 2, 0.1);
-    expect_text(OFF_OF("0.10000000000000001"));
+    expect_text(OFF_OF("0.1"));
     free_file();
 }
 END_TEST
@@ -362,12 +362,12 @@ START_TEST(nodes_of_gmsh_are_replaced)
     read_text(MSH_OF("0.0"));
     expect_text(MSH_OF("0.0"));
     set(0, 2, 0.1);
-    expect_text(MSH_OF("0.10000000000000001"));
+    expect_text(MSH_OF("0.1"));
     free_file();
     read_text(MSH4_OF("0.0"));
     expect_text(MSH4_OF("0.0"));
     set(0, 2, 0.1);
-    expect_text(MSH4_OF("0.10000000000000001"));
+    expect_text(MSH4_OF("0.1"));
     free_file();
 }
 END_TEST

@@ -156,11 +156,11 @@ START_TEST(meshes_may_have_frictions_of_their_own)
     for (int i = 0; i < 3; i++) {
         char text[200];
         snprintf(text, sizeof text,
-                 "friction: 0.%d\nmeshes:\n"
-                 "- {frames: cloth.obj, friction: 0.7}\n"
+                 "friction: 0.1\nmeshes:\n"
+                 "- {frames: cloth.obj, friction: 0.%d}\n"
                  "- {frames: body0.obj, friction: 0, role: scripted}\n"
                  "- {frames: wall.obj, role: fixed}\n",
-                 i == 2 ? 4 : 1);
+                 i == 2 ? 6 : 7);
         tf_filed_scene *filed = filed_scene(text);
         for (int v = 0; v < 8 && i < 2; v++)
             ck_assert_double_eq(filed->friction[v], expected[v]);

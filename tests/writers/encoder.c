@@ -101,21 +101,28 @@ START_TEST(integers_are_limited)
 }
 END_TEST
 
+static void expect_double_again(double number)
+{
+    begin(true, false);
+    tf_encode_double(&encoder, number);
+    fclose(encoder.stream);
+    ck_assert_msg(strtod(text, NULL) == number, "%a: %s", number, text);
+}
+
+static void expect_float_again(float number)
+{
+    begin(true, false);
+    tf_encode(&encoder, TF_FLOAT, (double)number);
+    fclose(encoder.stream);
+    ck_assert_msg(strtof(text, NULL) == number, "%a: %s", (double)number, text);
+}
+
 START_TEST(text_determines_numbers)
 {
     generator random = generator_new(4);
     for (long i = 0; i < cases(20000); i++) {
-        double number = any_double(&random);
-        begin(true, false);
-        tf_encode_double(&encoder, number);
-        fclose(encoder.stream);
-        ck_assert_msg(strtod(text, NULL) == number, "%a: %s", number, text);
-        float small = (float)uniform(&random, -1, 1);
-        begin(true, false);
-        tf_encode(&encoder, TF_FLOAT, (double)small);
-        fclose(encoder.stream);
-        ck_assert_msg(strtof(text, NULL) == small, "%a: %s", (double)small,
-                      text);
+        expect_double_again(any_double(&random));
+        expect_float_again((float)uniform(&random, -1, 1));
     }
 }
 END_TEST

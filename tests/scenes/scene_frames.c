@@ -136,7 +136,8 @@ START_TEST(curves_make_a_curve_while_all_are_flat)
         ck_assert(motion.end[axes[i]] == 3 && motion.end[2 * axes[i]] == 5);
         ck_assert(motion.start[2 * axes[i] + 1] == 6);
     }
-    tf_scene_frames_end(&frames)[4] = 50;
+    double *end = tf_scene_frames_end(&frames);
+    end[4] = 50;
     tf_scene_frames_change(&frames);
     const double *x = tf_scene_frames_positions(&frames, 1);
     ck_assert(x[0] == 50 && x[1] == 6 && x[2] == 0 && signbit(x[2]));

@@ -135,7 +135,7 @@ static void draw_panel(fig_page *page, const cubes *c, double x[][3], int i,
 {
     double width = fig_page_width(page) / PANELS;
     fig_plot plot = {.box = {width * i + 4, 18, width - 8, 172},
-                     .x = {-0.7, 1.75},
+                     .x = {-0.5, 1.558},
                      .y = {-0.1, 2.85}};
     fig_page_fill_box(page, plot.box,
                       (fig_paint){.role = FIG_ROLE_NEUTRAL, .opacity = 0.09});

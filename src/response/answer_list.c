@@ -116,7 +116,7 @@ static bool answered_first(const void *first, const void *second)
     return false;
 }
 
-//: Write the row of an answer
+//: Write the entry of an answer
 /// A constraint has only the vertices that it pushes.
 static void copy_coefficients(const tf_constraint *constraint,
                               tf_answered_contact *row)

@@ -6,7 +6,7 @@
 #include <math.h>
 
 //: Blow from all sides
-/// Two waves go with the wind, whose lengths have no common multiple.
+/// Waves go with the wind, whose lengths have no short common multiple.
 static void find_wind(const tf_air *air, int up, double time, const double x[3],
                       double wind[3])
 {

@@ -71,7 +71,7 @@ static error_t understand(int key, char *text, struct argp_state *state)
         asked->still = fig_read_count(state, "--frame", text, 0, INT_MAX);
         return 0;
     case 'u':
-        asked->up = fig_read_up(state, text);
+        asked->up = (int)fig_read_up(state, text);
         return 0;
     case OLD_EVERY:
         fig_refuse_letter(state, OLD_EVERY, "--every");
@@ -187,7 +187,7 @@ static bool read_notes(film *f, const char *path)
         return tf_fault_set(&f->frames.fault, path, -1, "%s",
                             tf_status_message(TF_OUT_OF_MEMORY));
     if (f->up < 0)
-        f->up = f->notes.up < 0 ? FIG_UP_Z : f->notes.up;
+        f->up = f->notes.up < 0 ? (int)FIG_UP_Z : f->notes.up;
     return true;
 }
 

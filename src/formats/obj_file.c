@@ -227,7 +227,7 @@ static const line_kind *kind_of_line(const reader *r)
                                       {'f', TF_FACE_PART, read_face},
                                       {'l', TF_EDGE_PART, read_edges},
                                       {'p', TF_POINT_PART, keep_points},
-                                      {'\0'}};
+                                      {'\0', TF_POINT_PART, NULL}};
     char word = ends_word(r->text.at[0]) || !ends_word(r->text.at[1])
                     ? '\0'
                     : r->text.at[0];

@@ -341,7 +341,7 @@ START_TEST(bad_meshes_are_refused)
            "draw surface - -o a.png");
     refuse("no triangles and no edges; a mesh must",
            "printf 'v 0 0 0\n' | draw surface - -o a.png");
-    refuse("no/a.png: cannot write: ",
+    refuse("no/a.png: there is no folder 'no'; make it",
            MESHES "draw surface a.obj " SMALL " -o no/a.png" CLEAR);
 }
 END_TEST
@@ -394,9 +394,9 @@ START_TEST(bad_frames_are_refused)
     refuse("tanglefree-draw: f: there is no frame 4; they are "
            "numbered from 0 to 3",
            FRAMES "draw film f -o a.png --frame 4" CLEAR_FRAMES);
-    refuse("no/a.png: cannot write: ",
+    refuse("no/a.png: there is no folder 'no'; make it",
            FRAMES "draw film f " SMALL " -o no/a.png" CLEAR_FRAMES);
-    refuse("no/a.webp: cannot write: ",
+    refuse("no/a.webp: there is no folder 'no'; make it",
            FRAMES "draw film f " SMALL " -o no/a.webp" CLEAR_FRAMES);
     refuse("no/a/: cannot write: ",
            FRAMES "draw film f " SMALL " -o no/a/" CLEAR_FRAMES);
@@ -409,11 +409,12 @@ END_TEST
 
 START_TEST(outputs_that_cannot_be_written_are_refused)
 {
-    refuse("no/a.png: cannot write: No such file or directory; mend that, and "
-           "run again",
+    refuse("no/a.png: there is no folder 'no'; make it, or choose "
+           "another",
            "draw figure " FIGURE "-o no/a.png");
-    refuse("no/a.gif: cannot write: ", "draw figure " FIGURE "--animate "
-                                       "no/a.gif");
+    refuse("no/a.gif: there is no folder 'no'; make it",
+           "draw figure " FIGURE "--animate "
+           "no/a.gif");
     refuse("a.png: cannot write: ",
            "mkdir a.png; draw figure " FIGURE "-o a.png; s=$?; rmdir a.png; "
            "exit $s");
@@ -429,7 +430,7 @@ START_TEST(names_send_no_commands_to_the_terminal)
 {
     refuse("tanglefree-draw: a\\x1b[2J: cannot open: ",
            "draw query \"$(printf 'a\\033[2J'):0\" -k edge-edge -o a.png");
-    refuse("a\\x1b[2J/a.png: cannot write: ",
+    refuse("a\\x1b[2J/a.png: there is no folder 'a\\x1b[2J'; make it",
            "draw figure " FIGURE "-o \"$(printf 'a\\033[2J')/a.png\"");
     static const char *const words[] = {"%s",
                                         "figure %s -o a.png",

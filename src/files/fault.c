@@ -27,19 +27,25 @@ bool tf_fault_set(tf_fault *fault, const char *file, long place,
 }
 
 //: Set a fault of the system
-/// Names the folder of a file that has none.
-static bool set_without_folder(tf_fault *fault, const char *file)
+/// How much of a path is that of the folder that it is in: of a/b and of a/b/, a.
+static size_t length_of_folder(const char *path)
 {
-    size_t length = (size_t)(strrchr(file, '/') - file);
-    return tf_fault_set(fault, file, -1,
-                        "there is no folder '%s'; make it, or choose another",
-                        tf_quote(file, length).text);
+    size_t length = strlen(path);
+    while (length > 0 && path[length - 1] == '/')
+        length--;
+    while (length > 0 && path[length - 1] != '/')
+        length--;
+    return length > 0 ? length - 1 : 0;
 }
 
 bool tf_fault_set_unwritten(tf_fault *fault, const char *file, int reason)
 {
-    if (reason == ENOENT && strchr(file, '/'))
-        return set_without_folder(fault, file);
+    size_t length = length_of_folder(file);
+    if (reason == ENOENT && length > 0)
+        return tf_fault_set(
+            fault, file, -1,
+            "there is no folder '%s'; make it, or choose another",
+            tf_quote(file, length).text);
     return tf_fault_set(fault, file, -1,
                         "cannot write: %s; mend that, and run again",
                         strerror(reason));

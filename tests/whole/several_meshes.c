@@ -127,7 +127,7 @@ static void append_vertex(char *row, const char *vertex, const char **mesh)
 static void localize(char *row, int vertices, char right[500])
 {
     const char *mesh[2] = {"", ""};
-    char *field[20];
+    char *field[20] = {row, row};
     int count = 0;
     for (char *at = row; at; count++)
         field[count] = strsep(&at, ",");

@@ -557,7 +557,7 @@ static bool read_index(reader *r, const ply_type *type, int least, int *index)
 /// -1 ends a strip within a list of them.
 static bool add_corner(reader *r, int to, const ply_type *type)
 {
-    int vertex;
+    int vertex = 0;
     const char *at = r->text.at;
     return read_index(r, type, to == STRIPS ? -1 : 0, &vertex) &&
            keep_corner(r, type, vertex, at) &&

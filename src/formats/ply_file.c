@@ -321,7 +321,7 @@ static bool has_corners(int to)
     return to == FACES || to == STRIPS;
 }
 
-/// Corners are a list; all others that have a role are none.
+/// Corners are a list; no other property with a role is one.
 static int role_named(int wanted, bool list, const char *name)
 {
     if (wanted == NONE || list != has_corners(wanted))

@@ -35,7 +35,7 @@ typedef struct layout {
 
 static const double key_height = 20, band_left = 60, band_pad = 3;
 static const double chip_height = 12, chip_pad = 2, chip_gap = 2;
-static const double lane_pitch = 15.5, lane_right = 17, dot_area = 2.5;
+static const double lane_pitch = 16, lane_right = 17, dot_area = 2.5;
 
 // The table ------------------------------------------------------------------
 
@@ -183,11 +183,11 @@ static double place_chips(fig_page *page, layout *plan, int layer, double right,
     return last.y + chip_height;
 }
 
-/// Place them left of the lanes, in rows about equally long: as narrow as they
-/// can be without taking one row more.
+/// Place them left of the lanes that cross their band, in rows about equally
+/// long: as narrow as they can be without taking one row more.
 static double balance_chips(fig_page *page, layout *plan, int layer, double y)
 {
-    double right = lane_of(page, layer) - lane_pitch / 2;
+    double right = lane_of(page, layer - 1) - lane_pitch / 2;
     double foot = place_chips(page, plan, layer, right, y);
     while (right > band_left &&
            place_chips(page, plan, layer, right - 1, y) == foot)

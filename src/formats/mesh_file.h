@@ -115,7 +115,7 @@ size_t tf_mesh_file_parts(const tf_mesh_file *file);
 void tf_mesh_file_end_part(const tf_mesh_file *file, size_t part,
                            const char *start, const char *end);
 
-/// Lets the source keep no parts: there is something that is none.
+/// Lets the source keep no parts: something in it is of no kind that has parts.
 void tf_mesh_file_drop_parts(tf_mesh_file *file);
 
 /// Each adds an item, and sets a fault and returns false if there is no memory

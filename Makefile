@@ -129,7 +129,8 @@ $(BUILD)/tanglefree: $(call objects,$(MAIN)) $(BUILD)/program.a $(library_file)
 	$(Q)$(LINK) $^ $(SPARSE) $(YAML) $(ZLIB) -lm -o $@
 $(BUILD)/src/simulate/dynamics.o $(BUILD)/src/simulate/filed_scene.o \
     $(BUILD)/src/scenes/scene_reader.o $(BUILD)/src/scenes/scene_file.o \
-    $(BUILD)/src/formats/file_bytes.o: | need-program
+    $(BUILD)/src/formats/file_bytes.o $(BUILD)/src/files/gzip_stream.o: \
+    | need-program
 
 # Prerequisites after | are order-only: made first, but newer ones do not cause
 # a rebuild.

@@ -47,8 +47,8 @@ static void print_rounding(const char *path, const tf_mesh_content *content)
     printed = true;
     fprintf(stderr,
             "tanglefree: %s: %zu of %zu coordinates are rounded to floats, by "
-            "which elements may meet; check it, or write another format than "
-            "STL\n",
+            "which elements may meet; check the file, or write a format other "
+            "than STL\n",
             shown_destination(path).text, rounded, count);
 }
 

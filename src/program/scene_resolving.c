@@ -44,14 +44,15 @@ typedef struct scene_resolving {
     tf_scene_meshes meshes;
     tf_scene_frames frames;
     double *inverse_mass; ///< of each vertex
-    double *friction;     ///< of each vertex; NULL: no mesh has its own
+    double *friction;     ///< of each vertex
     tf_surface *surface;  ///< that of the resolver
     tf_resolver *resolver;
     tf_field field[FIELDS];
     bool shows; ///< whether the frames are written for ParaView
     tf_shown_frames shown;
     bool has_folder;
-    double bytes; ///< of the meshes that were written
+    double bytes;                  ///< of the meshes that were written
+    char path[TF_MESH_FRAME_PATH]; ///< of the file at work, which faults name
     tf_contact_points points;
     tf_records records;
     resolved_scene sum;
@@ -166,15 +167,14 @@ static bool write_mesh(scene_resolving *r, int m)
                            r->frames.count - 1,
                            tf_scene_frames_file(&r->frames, m, 1),
                            tf_scene_frames_positions(&r->frames, m)};
-    char path[TF_MESH_FRAME_PATH];
-    bool good = tf_mesh_frame_write(&frame, path, &r->frames.fault);
-    r->bytes += good ? tf_bytes_of(path) : 0;
+    bool good = tf_mesh_frame_write(&frame, r->path, &r->frames.fault);
+    r->bytes += good ? tf_bytes_of(r->path) : 0;
     if (good && !moves)
         fprintf(stderr,
                 "tanglefree: %s was held back in frame %d; %s has its actual "
                 "positions\n",
                 tf_make_visible(r->meshes.mesh[m].name).text,
-                r->frames.count - 1, tf_make_visible(path).text);
+                r->frames.count - 1, tf_make_visible(r->path).text);
     return good;
 }
 
@@ -305,20 +305,21 @@ static bool do_scene(scene_resolving *r)
 }
 
 //: Leave what was done before an error
-static void delete_first_frame(const scene_resolving *r)
+static void delete_frames(const scene_resolving *r)
 {
-    for (int m = 0; m < r->meshes.count; m++)
-        tf_mesh_frame_delete(
-            &(tf_mesh_frame){r->request->out, r->meshes.mesh[m].name, 0,
-                             tf_scene_frames_file(&r->frames, m, 1), NULL});
+    for (int i = 0; i < r->frames.count; i++)
+        for (int m = 0; m < r->meshes.count; m++)
+            tf_mesh_frame_delete(
+                &(tf_mesh_frame){r->request->out, r->meshes.mesh[m].name, i,
+                                 tf_scene_frames_file(&r->frames, m, 1), NULL});
     rmdir(r->request->out);
 }
 
-/// A first frame alone is not worth keeping.
+/// Without a whole step nothing is worth keeping.
 static void leave_frames(const scene_resolving *r)
 {
     if (r->has_folder && r->sum.steps == 0)
-        delete_first_frame(r);
+        delete_frames(r);
     else if (r->has_folder)
         fprintf(stderr,
                 "tanglefree: %s has the frames before that; delete it, or "

@@ -18,7 +18,7 @@ typedef struct tf_simulation_folder {
     const char *path;        ///< borrowed
     FILE *table;             ///< NULL: it is not open
     char file[TF_PATH_ROOM]; ///< the path of the file that is at work
-    double bytes;            ///< of the last frame and its meshes
+    double bytes;            ///< of the last frame; unless resumed, with meshes
     tf_fault fault;          ///< of that file or of the folder
 } tf_simulation_folder;
 

@@ -46,17 +46,16 @@ typedef struct tf_surface_part {
 } tf_surface_part;
 
 //: Declare how to write about surfaces
-/// Begin the output, write the rows of one step, and what comes after
-/// them; the last also flushes.  Vertices get the numbers that they have in their
-/// meshes.  False after a write that failed.
+/// Begin the output, and write the rows of one step.  Vertices get the numbers
+/// that they have in their meshes.  False after a write that failed.
 void tf_surface_output_begin(tf_surface_output *output, FILE *stream,
                              const tf_surface_output_options *options);
 bool tf_surface_output_contacts(tf_surface_output *output,
                                 const tf_surface_part *part, int axes,
                                 const tf_contacts *contacts);
 
-/// Unless all was done, there is no summary but in JSON, and without any row
-/// nothing at all.
+/// Writes what comes after the rows, and flushes.  Unless all was done, there is
+/// no summary but in JSON, and without any row nothing at all.
 bool tf_surface_output_end(tf_surface_output *output, bool done);
 
 /// Write the intersections of a frame, of a file or of files that are joined, and

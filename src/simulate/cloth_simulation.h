@@ -35,8 +35,8 @@ typedef struct tf_cloth_simulation {
 extern const tf_simulation_kind tf_cloth_kind;
 
 /// Sets `end` to where the dynamics lead, through whatever is in the way.
-/// @return TF_OK, TF_OUT_OF_MEMORY, or TF_CANCELLED if the path of the scene is
-///     not to be found out
+/// @return TF_OK, TF_OUT_OF_MEMORY, or TF_CANCELLED if the path of the scene
+///     cannot be found
 tf_status tf_cloth_propose(tf_cloth_simulation *cloth);
 
 /// The energy at the start of a step, before it is proposed.

@@ -475,6 +475,10 @@ static bool place_by_frames(void *context, double time, double position[])
     if (!go_to(&filed->frames, at))
         return false;
     tf_motion motion = tf_scene_frames_motion(&filed->frames);
+    if (motion.axes != filed->axes || motion.vertices != filed->vertices)
+        return tf_fault_set(&filed->frames.fault, filed->path, -1,
+                            "the files of frames have changed since they were "
+                            "read first; try again when nothing writes them");
     double part = fmin(at - (filed->frames.count - 2), 1);
     for (int i = 0; i < motion.axes * motion.vertices; i++)
         if (filed->mass[i / motion.axes] == 0)
@@ -491,6 +495,8 @@ static void build_meshes(tf_scene_setup *setup, double resolution)
     (void)resolution;
     tf_filed_scene *filed = setup->scene->own;
     setup->body = filed->body;
+    filed->axes = filed->body.axes;
+    filed->vertices = filed->body.vertices;
     filed->mass = filed->body.mass;
     setup->filter = tf_scene_frames_filter(&filed->frames);
     setup->friction = filed->friction;
@@ -504,8 +510,9 @@ static int steps_of(const tf_filed_scene *filed)
 {
     int frames = filed->meshes.frames;
     double seconds = (frames - 1) / filed->meshes.physics.rate;
-    return frames > 1 ? (int)fmin(ceil(seconds / filed->scene.step), MOST_STEPS)
-                      : USUAL_STEPS;
+    // What is left of a step by rounding alone is none.
+    double steps = ceil(seconds / filed->scene.step * (1 - 1e-12));
+    return frames > 1 ? (int)fmin(steps, MOST_STEPS) : USUAL_STEPS;
 }
 
 static bool make_notes(tf_filed_scene *filed)

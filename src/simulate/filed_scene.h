@@ -14,6 +14,7 @@ typedef struct tf_filed_scene {
     tf_scene_meshes meshes; ///< none: it has a shape
     tf_scene_frames frames; ///< of the meshes: those around the last time
     tf_body body;           ///< that they make, until it is simulated
+    int axes, vertices;     ///< its own
     const double *mass;     ///< of its vertices; lent by the body
     double *friction;       ///< of its vertices; NULL: that of the scene
     char *notes;            ///< on its frames, or NULL

@@ -14,7 +14,7 @@ enum {
 
 /// Moves vertices that are scripted, but of no script.
 typedef struct tf_path {
-    /// Writes where they are at a time; false: that is not to be found out.
+    /// Writes where they are at a time; false: that cannot be found.
     /// NULL: there are none.
     bool (*place)(void *context, double time, double position[]);
     void *context; ///< passed on to `place`

@@ -456,10 +456,11 @@ START_TEST(what_another_format_loses_is_said)
     expect_said("above", "above", "new.ply", "");
     expect_said("above", "above", "new.stl", "");
     make_file("tenth", TRIANGLE "v 0 0 1.1\nv 0.5 0.5 1\n");
-    expect_said("above", "tenth", "new.stl",
-                ": 1 of 15 coordinates are rounded to floats, by which "
-                "elements may meet; check it, or write another format than "
-                "STL");
+    expect_said(
+        "above", "tenth", "new.stl",
+        ": 1 of 15 coordinates are rounded to floats, by which "
+        "elements may meet; check the file, or write a format other than "
+        "STL");
 }
 END_TEST
 

@@ -276,6 +276,22 @@ START_TEST(a_full_disk_is_reported)
 }
 END_TEST
 
+START_TEST(a_name_that_is_too_long_is_told_and_leaves_nothing)
+{
+    char text[400], name[301];
+    memset(name, 'a', 300);
+    name[300] = '\0';
+    snprintf(text, sizeof text,
+             "meshes: [{frames: [high.obj, low.obj], name: %s}]", name);
+    make_file("long.yaml", text);
+    outcome found = run("$tf resolve long.yaml -o made");
+    ck_assert_int_eq(found.status, 2);
+    expect_words(found.err, "tanglefree: made/aaaa");
+    expect_words(found.err, "-00000.obj: cannot write: ");
+    ck_assert_int_ne(run("ls made").status, 0);
+}
+END_TEST
+
 START_TEST(meshes_are_no_folders)
 {
     expect(run("$tf resolve scene.yaml -o made.obj"), 2, "",
@@ -348,6 +364,8 @@ Suite *suite(void)
     tcase_add_test(mistakes, a_scene_without_steps_is_refused);
     tcase_add_test(mistakes, a_full_disk_is_reported);
     tcase_add_test(mistakes, meshes_are_no_folders);
+    tcase_add_test(mistakes,
+                   a_name_that_is_too_long_is_told_and_leaves_nothing);
     tcase_add_test(mistakes, wrong_arguments_are_refused);
     suite_add_tcase(suite, mistakes);
     return suite;

@@ -280,6 +280,42 @@ static double height_at(double time)
     return at <= 1 ? 0.25 * at : at <= 2 ? 0.25 - 1.25 * (at - 1) : -1;
 }
 
+// At 25 frames a second a frame takes 4 steps, though 7 of them aren't 0.28 s in
+// doubles.
+START_TEST(rounding_makes_no_step)
+{
+    char name[20];
+    for (int i = 0; i < 8; i++) {
+        snprintf(name, sizeof name, "fall%d.obj", i);
+        make_file(name, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    }
+    tf_filed_scene *filed = filed_scene("rate: 25\nmeshes:\n"
+                                        "- frames: cloth.obj\n"
+                                        "- frames: fall*.obj\n"
+                                        "  role: scripted\n");
+    ck_assert_int_eq(filed->scene.steps, 28);
+    tf_filed_scene_free(filed);
+}
+END_TEST
+
+/// Another program may write frames while they are read.
+START_TEST(frames_that_change_meanwhile_are_refused)
+{
+    tf_filed_scene *filed = filed_scene(scene_text);
+    tf_simulation *s = simulation_of(filed);
+    static const char more[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 9\nf 1 2 3\n";
+    make_file("body1.obj", more);
+    make_file("body2.obj", more);
+    tf_status status = TF_OK;
+    for (int i = 0; i < 20 && status == TF_OK; i++)
+        status = s->scene->kind->step(s, &(tf_step_options){0});
+    ck_assert_int_eq(status, TF_CANCELLED);
+    ck_assert_str_ne(filed->frames.fault.text, "");
+    tf_simulation_free(s);
+    tf_filed_scene_free(filed);
+}
+END_TEST
+
 START_TEST(frames_are_followed_along_straight_lines)
 {
     tf_filed_scene *filed = filed_scene(scene_text);
@@ -624,6 +660,8 @@ Suite *suite(void)
     TCase *moved = tcase_create("how frames move meshes");
     tcase_add_checked_fixture(moved, enter_folder_of_meshes, leave_folder);
     tcase_add_test(moved, frames_are_followed_along_straight_lines);
+    tcase_add_test(moved, rounding_makes_no_step);
+    tcase_add_test(moved, frames_that_change_meanwhile_are_refused);
     tcase_add_test(moved, random_times_find_their_frames);
     tcase_add_test(moved, meshes_have_frictions_of_their_own);
     tcase_add_test(moved, pinned_vertices_follow_their_frames);

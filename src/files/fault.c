@@ -40,12 +40,14 @@ static size_t length_of_folder(const char *path)
 
 bool tf_fault_set_unwritten(tf_fault *fault, const char *file, int reason)
 {
-    size_t length = length_of_folder(file);
+    char folder[TF_VISIBLE_ROOM];
+    int length = (int)length_of_folder(file);
+    snprintf(folder, sizeof folder, "%.*s", length, file);
     if (reason == ENOENT && length > 0)
         return tf_fault_set(
             fault, file, -1,
             "there is no folder '%s'; make it, or choose another",
-            tf_quote(file, length).text);
+            tf_make_visible(folder).text);
     return tf_fault_set(fault, file, -1,
                         "cannot write: %s; mend that, and run again",
                         strerror(reason));

@@ -173,10 +173,10 @@ static bool is_hopeless(const tf_bytes *bytes, size_t last)
 {
     const char *text = bytes->item;
     size_t size = bytes->count;
-    return tf_foreign_find(text, size) ||
-           (!tf_is_ply(text, size) && !tf_is_msh(text, size) &&
-            memchr(text + size - last, '\0', last) &&
-            tf_is_above_binary_stl(text, size));
+    return !tf_is_ply(text, size) && !tf_is_msh(text, size) &&
+           tf_is_above_binary_stl(text, size) &&
+           (tf_foreign_find(text, size) ||
+            memchr(text + size - last, '\0', last));
 }
 
 bool tf_mesh_file_read_all(tf_mesh_file *file, const char *path,

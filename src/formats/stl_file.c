@@ -13,7 +13,7 @@
 enum {
     HEADER = 84, // bytes, of which the last four count the triangles
     FACET = 50,  // bytes: a normal, three corners, and two that mean nothing
-    AHEAD = 400  // bytes, of the facets that memory takes to be there
+    AHEAD = 400  // bytes, by which memory is fetched before its facet
 };
 
 static size_t bytes_of_facets(const char *text)

@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 //: Compare runs of digits
 static bool is_digit(char c)
@@ -65,8 +66,8 @@ int tf_natural_compare(const char *a, const char *b)
 
 bool tf_are_of_one_frame(const char *a, const char *b)
 {
-    return compare_common(&a, &b) == 0 && (!*a || strcmp(a, ".gz") == 0) &&
-           (!*b || strcmp(b, ".gz") == 0);
+    return compare_common(&a, &b) == 0 && (!*a || strcasecmp(a, ".gz") == 0) &&
+           (!*b || strcasecmp(b, ".gz") == 0);
 }
 
 static int compare_names(const void *a, const void *b)

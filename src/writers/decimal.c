@@ -43,7 +43,7 @@ enum {
     MOST = 17 // that determine a double
 };
 
-/// Up to 10^21.
+/// Up to 10^20.
 static uint128 power_of_ten(int exponent)
 {
     static const uint64_t powers[] = {

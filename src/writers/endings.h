@@ -21,6 +21,6 @@ bool tf_ends_in(const char *path, const char *ending);
 /// in another one; or NULL.
 const char *tf_any_mesh_ending(const char *path);
 
-/// The ending of a name if it is that of a mesh in some format that is never
+/// The ending of a name if it is that of a format in which no single mesh is
 /// written; or NULL.
 const char *tf_unwritten_ending(const char *path);

@@ -2,6 +2,7 @@
 #define _GNU_SOURCE // memmem
 #include "writers/losses.h"
 
+#include "files/text.h"
 #include "formats/binary.h"
 #include "writers/encoder.h"
 
@@ -264,18 +265,19 @@ static bool holds(tf_mesh_format format, thing what)
 
 static void find_in_source(const tf_mesh_file *file, things *found)
 {
+    const char *text = tf_text_begin(file->source->text);
     switch (file->format) {
     case TF_OBJ:
-        find_in_obj(file->source->text, found);
+        find_in_obj(text, found);
         break;
     case TF_STL_TEXT:
-        find_in_text_stl(file->source->text, found);
+        find_in_text_stl(text, found);
         break;
     case TF_STL_BINARY:
         find_in_binary_stl(file->source, found);
         break;
     case TF_OFF:
-        find_in_off(file->source->text, found);
+        find_in_off(text, found);
         break;
     case TF_MSH:
         find_in_msh(file, found);

@@ -5,8 +5,8 @@
 #include "writers/encoder.h"
 
 //: Find the normal of a triangle
-/// Of length 1, or zero.  What floats hold has no cross product that over- or
-/// underflows.
+/// Of length 1, or zero.  Where floats hold the corners and don't round them to
+/// 0, no cross product over- or underflows.
 static tf_vector normal_of(const tf_vector corner[3])
 {
     tf_vector normal =

@@ -430,7 +430,7 @@ START_TEST(names_send_no_commands_to_the_terminal)
 {
     refuse("tanglefree-draw: a\\x1b[2J: cannot open: ",
            "draw query \"$(printf 'a\\033[2J'):0\" -k edge-edge -o a.png");
-    refuse("a\\x1b[2J/a.png: there is no folder 'a?[2J'; make it",
+    refuse("a\\x1b[2J/a.png: there is no folder 'a\\x1b[2J'; make it",
            "draw figure " FIGURE "-o \"$(printf 'a\\033[2J')/a.png\"");
     static const char *const words[] = {"%s",
                                         "figure %s -o a.png",

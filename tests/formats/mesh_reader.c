@@ -259,6 +259,32 @@ static void expect_words_on(const char *name, const bytes *text,
     tf_mesh_file_free(&file);
 }
 
+/// More than what is read at once, behind the words of another format.
+START_TEST(binary_stl_of_any_size_may_begin_with_anything)
+{
+    enum {
+        COUNT = 4000
+    };
+    static char stl[84 + 50 * COUNT] = "AC3D, by an exporter to STL";
+    bytes count = {0};
+    put_int(&count, 4, COUNT);
+    memcpy(stl + 80, count.at, 4);
+    for (int i = 0; i < COUNT; i++) {
+        bytes facet = {0};
+        for (int k = 0; k < 12; k++)
+            put_float(&facet, k % 3 == 2 ? (float)i : k == 6 || k == 10);
+        put_int(&facet, 2, 0);
+        memcpy(stl + 84 + 50 * i, facet.at, 50);
+    }
+    tf_mesh_file file;
+    make_binary_file("mesh", stl, sizeof stl);
+    ck_assert_msg(tf_mesh_file_read(&file, "mesh", NULL, &fault), "%s",
+                  fault.text);
+    ck_assert_int_eq(tf_mesh_file_triangles(&file), COUNT);
+    tf_mesh_file_free(&file);
+}
+END_TEST
+
 START_TEST(names_tell_what_contents_do_not)
 {
     bytes stl = binary_stl("a"), solid = binary_stl("solid a");
@@ -397,6 +423,7 @@ Suite *suite(void)
     tcase_add_test(files, files_are_read_by_their_names);
     tcase_add_test(files, compressed_files_are_read);
     tcase_add_test(files, names_tell_what_contents_do_not);
+    tcase_add_test(files, binary_stl_of_any_size_may_begin_with_anything);
     tcase_add_test(files, files_are_closed);
     tcase_add_test(files, files_of_any_size_are_read_whole);
     tcase_add_test(files, standard_input_is_read_once);

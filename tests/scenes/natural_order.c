@@ -58,6 +58,7 @@ START_TEST(one_frame_has_names_that_differ_in_zeros_or_gz)
     ck_assert(tf_are_of_one_frame("b7.obj", "b7.obj.gz"));
     ck_assert(tf_are_of_one_frame("b7.obj.gz", "b07.obj"));
     ck_assert(tf_are_of_one_frame("b0", "b000"));
+    ck_assert(tf_are_of_one_frame("b7.obj", "b7.obj.GZ"));
     ck_assert(!tf_are_of_one_frame("b7.obj", "b70.obj"));
     ck_assert(!tf_are_of_one_frame("b7.obj", "b7.obj.g"));
     ck_assert(!tf_are_of_one_frame("b7.obj", "b7.off"));

@@ -164,6 +164,10 @@ START_TEST(what_off_has_besides_faces_is_lost)
 {
     expect_losses("OFF\n" POINTS_OF("") "3 0 1 2\n", TF_PLY_TEXT, "");
     expect_losses("OFF " POINTS_OF("") "3 0 1 2\n", TF_PLY_TEXT, "");
+    expect_losses("\xef\xbb\xbfOFF\n" POINTS_OF("") "3 0 1 2\n", TF_PLY_TEXT,
+                  "");
+    expect_losses("\xef\xbb\xbfv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n",
+                  TF_PLY_TEXT, "");
     expect_losses("OFF\n# x\n" POINTS_OF("") "3 0 1 2 # 5\n\n", TF_PLY_TEXT,
                   "comments");
     expect_losses("# x\nCOFF\n" POINTS_OF("1 2 3 4") "3 0 1 2\n", TF_PLY_TEXT,

@@ -13,7 +13,7 @@
 
 BEGIN {
     layers = split("base geometry arithmetic intersect query linear surface " \
-                   "fast distance response surgery remesh topology flow files " \
+                   "fast distance response untangle surgery remesh topology flow files " \
                    "formats writers scenes simulate threads program", layer)
     for (i = 1; i <= layers; i++) {
         rank[layer[i]] = i

@@ -1,4 +1,4 @@
-/* Exercise 21.1.  Inside out: the volume that a surface encloses.
+/* Exercise 22.1.  Inside out: the volume that a surface encloses.
  *
  * A closed surface is given as an adaptive surface lends it: three vertices for
  * each triangle, counterclockwise as seen from outside, and gaps, triangles

@@ -1,4 +1,4 @@
-/* Exercise 22.2.  A collapse that keeps the volume.
+/* Exercise 23.2.  A collapse that keeps the volume.
  *
  * The edge from s to d collapses into one vertex.  All triangles at s and d are
  * removed; around the hole is a ring of `count` vertices, counterclockwise as

@@ -1,4 +1,4 @@
-/* Exercise 24.2.  Equal shares: restoring a volume, vertex by vertex.
+/* Exercise 25.2.  Equal shares: restoring a volume, vertex by vertex.
  *
  * A closed surface has lost the volume `lost`, and `count` of its vertices are
  * to restore it, one after the other.  Each moves along the normal of its star.

@@ -1,4 +1,4 @@
-/* Exercise 24.1.  The apex of a patch for a given volume.
+/* Exercise 25.1.  The apex of a patch for a given volume.
  *
  * A patch of `count` triangles, counterclockwise as seen from outside, is to be
  * replaced by the triangles between its outline and an apex.  Find the position

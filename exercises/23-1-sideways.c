@@ -1,4 +1,4 @@
-/* Exercise 22.1.  Sideways: smoothing that keeps the volume.
+/* Exercise 23.1.  Sideways: smoothing that keeps the volume.
  *
  * A vertex is at `from`, in the middle of a star of `count` triangles, whose
  * ring of neighbors is given in order, counterclockwise as seen from outside.

@@ -1,4 +1,4 @@
-/* Exercise 23.1.  The triangles of a merge.
+/* Exercise 24.1.  The triangles of a merge.
  *
  * Two quadrilaterals of a surface face each other.  The corners of both are
  * given counterclockwise, each as seen from the outer side of its own part of

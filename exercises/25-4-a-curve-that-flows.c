@@ -1,4 +1,4 @@
-/* Exercise 24.4.  Project: a curve that flows and keeps its area.
+/* Exercise 25.4.  Project: a curve that flows and keeps its area.
  *
  * A closed polygon in the plane, counterclockwise, is carried along by a flow.
  * After each step your function repairs it: in `position` it finds `count`

@@ -1,4 +1,4 @@
-/* Exercise 21.2.  Does a moving triangle sweep over an edge?
+/* Exercise 22.2.  Does a moving triangle sweep over an edge?
  *
  * A corner of a triangle moves from `from` to `to` in a straight line; the two
  * others, x and y, are at rest.  So is an edge from p to q, which has no corner

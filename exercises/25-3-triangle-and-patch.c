@@ -1,4 +1,4 @@
-/* Exercise 24.3.  The volume between a triangle and a quadratic patch.
+/* Exercise 25.3.  The volume between a triangle and a quadratic patch.
  *
  * The corners of a triangle have moved, and so have three points that were in
  * the middle of its sides: middle[i] is that of the side from corner[i] to

@@ -1,4 +1,4 @@
-/* Exercise 23.3.  One merge for each contact.
+/* Exercise 24.3.  One merge for each contact.
  *
  * The pairs of edges that face each other are given by the pieces to which
  * their two edges belong, numbers from 0 to pieces - 1, the nearest pair first.

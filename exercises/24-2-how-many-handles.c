@@ -1,4 +1,4 @@
-/* Exercise 23.2.  How many handles does a surface have?
+/* Exercise 24.2.  How many handles does a surface have?
  *
  * A closed surface of one part is given as an adaptive surface lends it: three
  * vertices for each triangle, and gaps, triangles that are gone, whose first

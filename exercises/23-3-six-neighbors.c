@@ -1,4 +1,4 @@
-/* Exercise 22.3.  Does a flip bring vertices nearer to six neighbors?
+/* Exercise 23.3.  Does a flip bring vertices nearer to six neighbors?
  *
  * Another rule for flips: an inner vertex would like to have six neighbors, a
  * vertex on the boundary four.  The edge between a and b has the triangles abc

@@ -1,4 +1,4 @@
-/* Exercise 21.3.  May an edge collapse?
+/* Exercise 22.3.  May an edge collapse?
  *
  * A closed surface is given by its triangles alone: each edge has two of them,
  * which pass it in opposite directions, and the triangles at each vertex form

@@ -1,6 +1,8 @@
 //: Include what neighbors need
 #include "untangle/neighbors.h"
 
+#include "surface/elements.h"
+
 #include <string.h>
 
 //: Count what belongs to each list

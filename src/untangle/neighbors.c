@@ -94,7 +94,7 @@ static void list_triangles_of_edges(tf_neighbors *all, int *side)
             side[3 * (ptrdiff_t)t + i] =
                 tf_edge_of(all, corner[i], corner[(i + 1) % 3]);
     }
-    list_elements(&all->at_edge, all->edges, 3, all->triangles, side);
+    list_elements(&all->sides, all->edges, 3, all->triangles, side);
 }
 
 //: Find connected parts
@@ -123,39 +123,51 @@ static void find_parts(tf_neighbors *all, int *stack)
     }
 }
 
-//: Turn a triangle as its neighbor
+//: Turn a facet as its neighbor
 /// Which way a triangle, its vertices in increasing order, passes along an edge:
-/// 1 from the lower vertex to the higher, or -1.
-static int way_along(const int corner[], const int edge[])
+/// 1 from the lower vertex to the higher, or -1; in the plane, which way an edge
+/// passes by a vertex: 1 if it begins there.
+static int way_along(const tf_neighbors *all, int facet, int shared)
 {
+    const int *corner = all->facet + (ptrdiff_t)all->axes * facet;
+    if (all->axes == 2)
+        return corner[0] == shared ? 1 : -1;
+    const int *edge = all->edge + 2 * (ptrdiff_t)shared;
     return edge[0] == corner[0] && edge[1] == corner[2] ? -1 : 1;
 }
 
-/// Two triangles have one side up if they pass along their edge opposite ways.
-static signed char turn_like(const tf_neighbors *all, int triangle, int other,
-                             int edge)
+/// Two facets have one side up if they pass along what they share opposite ways.
+static signed char turn_like(const tf_neighbors *all, int facet, int other,
+                             int shared)
 {
-    const int *ends = all->edge + 2 * (ptrdiff_t)edge;
-    int own = way_along(all->triangle + 3 * (ptrdiff_t)triangle, ends);
-    int next = way_along(all->triangle + 3 * (ptrdiff_t)other, ends);
-    return (signed char)(-all->turn[triangle] * own * next);
+    return (signed char)(-all->turn[facet] * way_along(all, facet, shared) *
+                         way_along(all, other, shared));
 }
 
-//: Go on to the triangles beyond the edges of a triangle
-static int go_on(tf_neighbors *all, int triangle, int *stack, int height)
+//: Go on to the facets next to a facet
+static int reach(tf_neighbors *all, int facet, int shared, int *stack,
+                 int height)
 {
-    const int *corner = all->triangle + 3 * (ptrdiff_t)triangle;
-    for (int i = 0; i < 3; i++) {
-        int edge = tf_edge_of(all, corner[i], corner[(i + 1) % 3]);
-        for (int j = all->at_edge.start[edge]; j < all->at_edge.start[edge + 1];
-             j++) {
-            int other = all->at_edge.item[j];
-            if (all->sheet[other] >= 0)
-                continue;
-            all->sheet[other] = all->sheet[triangle];
-            all->turn[other] = turn_like(all, triangle, other, edge);
-            stack[height++] = other;
-        }
+    const tf_lists *lists = all->axes == 3 ? &all->sides : &all->edges_at;
+    for (int i = lists->start[shared]; i < lists->start[shared + 1]; i++) {
+        int other = lists->item[i];
+        if (all->sheet[other] >= 0)
+            continue;
+        all->sheet[other] = all->sheet[facet];
+        all->turn[other] = turn_like(all, facet, other, shared);
+        stack[height++] = other;
+    }
+    return height;
+}
+
+static int go_on(tf_neighbors *all, int facet, int *stack, int height)
+{
+    const int *corner = all->facet + (ptrdiff_t)all->axes * facet;
+    for (int i = 0; i < all->axes; i++) {
+        int shared = all->axes == 3
+                         ? tf_edge_of(all, corner[i], corner[(i + 1) % 3])
+                         : corner[i];
+        height = reach(all, facet, shared, stack, height);
     }
     return height;
 }
@@ -164,9 +176,9 @@ static int go_on(tf_neighbors *all, int triangle, int *stack, int height)
 static void find_sheets(tf_neighbors *all, int *stack)
 {
     all->sheets = 0;
-    for (int t = 0; t < all->triangles; t++)
-        all->sheet[t] = -1;
-    for (int first = 0; first < all->triangles; first++) {
+    for (int f = 0; f < all->facets; f++)
+        all->sheet[f] = -1;
+    for (int first = 0; first < all->facets; first++) {
         if (all->sheet[first] >= 0)
             continue;
         int height = 0;
@@ -174,8 +186,8 @@ static void find_sheets(tf_neighbors *all, int *stack)
         all->turn[first] = 1;
         stack[height++] = first;
         while (height > 0) {
-            int t = stack[--height];
-            height = go_on(all, t, stack, height);
+            int own = stack[--height];
+            height = go_on(all, own, stack, height);
         }
     }
 }
@@ -189,22 +201,31 @@ static int *take(int **memory, size_t count)
     return taken;
 }
 
+/// Takes lists of some items.
+static tf_lists take_lists(int **memory, size_t lists, size_t items)
+{
+    int *start = take(memory, lists + 2);
+    return (tf_lists){start, take(memory, items)};
+}
+
+//: Make room for neighbors
+/// And for a workspace of three times as many integers as there are triangles, as
+/// many as vertices, and as facets.
 static bool reserve(tf_neighbors *all, int **workspace)
 {
-    size_t v = (size_t)all->vertices + 2, e = (size_t)all->edges + 2;
-    size_t t = (size_t)all->triangles;
-    size_t work = 3 * t > v ? 3 * t : v;
-    size_t count = 4 * v + 5 * e + 7 * t + work;
-    if (!tf_buffer_reserve(&all->counts, count, sizeof(int)) ||
-        !tf_buffer_reserve(&all->turns, t + 1, 1))
+    size_t v = (size_t)all->vertices, e = (size_t)all->edges;
+    size_t t = (size_t)all->triangles, f = (size_t)all->facets;
+    size_t count = 3 * (v + 2) + 4 * e + 3 * t + (e + 2) + 3 * t + v + f;
+    if (!tf_buffer_reserve(&all->counts, count + 3 * t + v + f, sizeof(int)) ||
+        !tf_buffer_reserve(&all->turns, f + 1, 1))
         return false;
     int *memory = all->counts.data;
-    all->at_vertex = (tf_lists){take(&memory, v), take(&memory, 3 * t)};
-    all->around = (tf_lists){take(&memory, v), take(&memory, 2 * e)};
-    all->edges_at = (tf_lists){take(&memory, v), take(&memory, 2 * e)};
-    all->at_edge = (tf_lists){take(&memory, e), take(&memory, 3 * t)};
+    all->around = take_lists(&memory, v, 2 * e);
+    all->edges_at = take_lists(&memory, v, 2 * e);
+    all->triangles_at = take_lists(&memory, v, 3 * t);
+    all->sides = take_lists(&memory, e, 3 * t);
     all->part = take(&memory, v);
-    all->sheet = take(&memory, t);
+    all->sheet = take(&memory, f);
     all->turn = all->turns.data;
     *workspace = memory;
     return true;
@@ -218,11 +239,15 @@ bool tf_neighbors_find(tf_neighbors *all, const tf_surface *surface)
     all->vertices = tf_surface_vertices(surface);
     all->edge = tf_surface_edges(surface, &all->edges);
     all->triangle = tf_surface_triangles(surface, &all->triangles);
+    bool flat = all->axes == 2;
+    all->facets = flat ? all->edges : all->triangles;
+    all->facet = flat ? all->edge : all->triangle;
     if (!reserve(all, &workspace))
         return false;
-    list_elements(&all->at_vertex, all->vertices, 3, all->triangles,
+    list_elements(&all->triangles_at, all->vertices, 3, all->triangles,
                   all->triangle);
     list_neighbors(all);
+    all->facets_at = flat ? all->edges_at : all->triangles_at;
     list_triangles_of_edges(all, workspace);
     find_parts(all, workspace);
     find_sheets(all, workspace);
@@ -273,16 +298,16 @@ void tf_scale_by(size_t coordinates, const double from[], int power,
         to[i] = ldexp(from[i], power);
 }
 
-//: Find the normal of a triangle in its sheet
-tf_vector tf_sheet_normal(const tf_neighbors *all, const double x[],
-                          int triangle)
+//: Find the normal of a facet in its sheet
+tf_vector tf_facet_normal(const tf_neighbors *all, const double x[], int facet)
 {
-    const int *corner = all->triangle + 3 * (ptrdiff_t)triangle;
+    const int *corner = all->facet + (ptrdiff_t)all->axes * facet;
     tf_vector a = tf_place(all, x, corner[0]);
-    tf_vector normal =
-        tf_vector_cross(tf_vector_difference(tf_place(all, x, corner[1]), a),
-                        tf_vector_difference(tf_place(all, x, corner[2]), a));
+    tf_vector along = tf_vector_difference(tf_place(all, x, corner[1]), a);
+    tf_vector up = {{0, 0, 1}};
+    if (all->axes == 3)
+        up = tf_vector_difference(tf_place(all, x, corner[2]), a);
+    tf_vector normal = tf_vector_cross(along, up);
     double length = tf_vector_length(normal);
-    return tf_vector_scaled(length > 0 ? all->turn[triangle] / length : 0,
-                            normal);
+    return tf_vector_scaled(length > 0 ? all->turn[facet] / length : 0, normal);
 }

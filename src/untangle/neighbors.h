@@ -14,21 +14,25 @@ typedef struct tf_lists {
 } tf_lists;
 
 /// What is next to what in a surface.  Elements have the numbers of
-/// tf_surface_edges and tf_surface_triangles, whose lists are borrowed.
+/// tf_surface_edges and tf_surface_triangles, whose lists are borrowed.  Its facets
+/// are what edges pass through: triangles, and in the plane edges.
 typedef struct tf_neighbors {
-    int axes, vertices, edges, triangles;
+    int axes, vertices, edges, triangles, facets;
     const int *edge, *triangle; ///< two and three vertices each
-    tf_lists at_vertex;         ///< of each vertex: its triangles, increasing
+    const int *facet;           ///< `axes` vertices each
     tf_lists around;            ///< of each vertex: its neighbors, increasing
-    tf_lists edges_at; ///< of each vertex: its edges, to these neighbors
-    tf_lists at_edge;  ///< of each edge: its triangles, any number of them
-    int parts;         ///< connected parts, particles not counted
-    int *part;         ///< of each vertex: its part; -1: it is a particle
-    int sheets;        ///< sets of triangles that are connected by edges
-    int *sheet;        ///< of each triangle
-    signed char *turn; ///< of each triangle: 1, or -1 to turn it around, so
-                       ///< that the triangles of a sheet have one side up if
-                       ///< they can; the first of a sheet is not turned
+    tf_lists edges_at;     ///< of each vertex: its edges, to these neighbors
+    tf_lists triangles_at; ///< of each vertex: its triangles, increasing
+    tf_lists facets_at;    ///< of each vertex: one of these two
+    tf_lists sides;        ///< of each edge: its triangles, any number of them
+    int parts;             ///< connected parts, particles not counted
+    int *part;             ///< of each vertex: its part; -1: it is a particle
+    int sheets; ///< sets of triangles that are connected by edges, in the plane
+                ///< of edges that are connected by vertices
+    int *sheet; ///< of each facet
+    signed char *turn; ///< of each facet: 1, or -1 to turn it around, so that
+                       ///< the facets of a sheet have one side up if they can;
+                       ///< the first of a sheet is not turned
     tf_buffer counts, turns;
 } tf_neighbors;
 
@@ -52,7 +56,7 @@ static inline int tf_list_length(const tf_lists *lists, int list)
 /// Whether an edge is at the boundary of a surface: it has one triangle.
 static inline bool tf_is_boundary(const tf_neighbors *all, int edge)
 {
-    return tf_list_length(&all->at_edge, edge) == 1;
+    return tf_list_length(&all->sides, edge) == 1;
 }
 
 //: Declare positions in space and in the plane
@@ -86,6 +90,5 @@ int tf_scale_of(size_t coordinates, const double x[]);
 void tf_scale_by(size_t coordinates, const double from[], int power,
                  double to[]);
 
-/// The unit normal of a triangle as its sheet turns it, or zero.
-tf_vector tf_sheet_normal(const tf_neighbors *all, const double x[],
-                          int triangle);
+/// The unit normal of a facet as its sheet turns it, or zero.
+tf_vector tf_facet_normal(const tf_neighbors *all, const double x[], int facet);

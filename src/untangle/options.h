@@ -18,10 +18,10 @@ typedef enum tf_untangle_rung {
                    ///< through the surface that it has passed
     TF_SMOOTH = 2, ///< smooth what is near the crossings
     TF_AGAIN = 4,  ///< begin anew, with the other side taken for the wrong one
-    TF_APART = 8,  ///< move whole parts apart: a jump, which is no motion
-    TF_RELAX = 16, ///< smooth everything
-    TF_RETURN = 32 ///< from a clear state back towards the input, as far as
-                   ///< it is clear: a motion without contacts
+    TF_SEPARATE = 8, ///< move whole parts apart: a jump, which is no motion
+    TF_RELAX = 16,   ///< smooth everything
+    TF_RETURN = 32   ///< from a clear state back towards the input, as far as
+                     ///< it is clear: a motion without contacts
 } tf_untangle_rung;
 
 //: Declare how to untangle

@@ -57,7 +57,7 @@ static tf_status judge(tf_attempts *all)
 /// nothing moves, nothing will in the next round either.
 static tf_status step(tf_attempts *all, tf_untangle_rung rung, int rings)
 {
-    bool knows = may(all, TF_PUSH) && all->push.regions.count > 0;
+    bool knows = may(all, TF_RUNG_PUSH) && all->push.regions.count > 0;
     if (!tf_scope_find(&all->scope, &all->tangle,
                        knows ? &all->push.regions : NULL, rings))
         return TF_OUT_OF_MEMORY;
@@ -86,7 +86,7 @@ static tf_status push_once(tf_attempts *all)
     if (!tf_push_propose(&all->push, &all->tangle, all->x, &all->change) ||
         !tf_change_finish(&all->change, &all->tangle))
         return tf_watch_failure(all->tangle.watch);
-    return step(all, TF_PUSH, SCOPE_RINGS);
+    return step(all, TF_RUNG_PUSH, SCOPE_RINGS);
 }
 
 //: Begin an attempt
@@ -130,7 +130,7 @@ tf_status tf_attempt(tf_attempts *all)
     all->beyond = tf_tangle_beyond(&all->tangle);
     if (status == TF_OK)
         status = attempt(all, true);
-    if (status == TF_OK && !is_done(all) && may(all, TF_AGAIN)) {
+    if (status == TF_OK && !is_done(all) && may(all, TF_RUNG_AGAIN)) {
         all->push.acute = true;
         status = start(all, all->tangle.in);
         if (status == TF_OK)

@@ -15,7 +15,7 @@ static tf_status read_options(tf_untangle_options *own,
                               tf_error *error)
 {
     size_t first = offsetof(tf_untangle_options, context) + sizeof own->context;
-    int all = 2 * TF_RETURN - 1;
+    int all = 2 * TF_RUNG_RETURN - 1;
     tf_status status = tf_options_read(own, sizeof *own, options, first, error);
     if (status != TF_OK)
         return status;

@@ -131,7 +131,8 @@ static tf_status attempt(tf_attempts *all, bool toggles)
             status = push_once(all);
             continue;
         }
-        if (!may(all, TF_RUNG_SMOOTH) || smoothings++ == SMOOTHINGS)
+        if (!may(all, TF_RUNG_SMOOTH) ||
+            (may(all, TF_RUNG_PUSH) && smoothings++ == SMOOTHINGS))
             break;
         if (toggles)
             all->push.acute = !all->push.acute;

@@ -6,6 +6,7 @@
 #include "base/sized.h"
 #include "response/levels.h"
 #include "untangle/attempts.h"
+#include "untangle/way_home.h"
 
 #include <string.h>
 
@@ -96,22 +97,73 @@ static void scale_back(const untangling *own, double out[])
             out[i] = own->given[i];
 }
 
+//: Measure how far a state is from the input
+/// The root of the mean of the squares of the vertices' distances.
+static double deviation_of(const untangling *own, const double x[])
+{
+    double sum = 0;
+    for (size_t i = 0; i < own->coordinates; i++)
+        sum += (x[i] - own->in[i]) * (x[i] - own->in[i]);
+    return sqrt(sum / own->attempts.tangle.near.vertices);
+}
+
+//: Return from a clear state
+static tf_status go_home(untangling *own)
+{
+    tf_attempts *all = &own->attempts;
+    if (all->fewest > all->beyond)
+        return TF_OK;
+    own->report.found = ldexp(deviation_of(own, all->best), own->power);
+    if (own->options.without & TF_RUNG_RETURN)
+        return TF_OK;
+    tf_way_home way = {.steps = 0};
+    tf_status status =
+        tf_way_home_take(&way, own->resolver, &all->tangle, all->best);
+    tf_way_home_free(&way);
+    all->rungs |= way.steps > 0 ? TF_RUNG_RETURN : 0;
+    return status;
+}
+
+//: Check the output
+/// Sets the output, and lists what is left of the crossings.  Rounding may make
+/// some where coordinates are so small that they cannot be scaled exactly; if
+/// there are more than before, nothing moves.
+static tf_status finish(untangling *own, int vertices, tf_crossings *left,
+                        double out[])
+{
+    tf_surface *surface = own->resolver->surface;
+    tf_check_options options = {.parallel = own->options.parallel};
+    const double *last = own->attempts.next;
+    scale_back(own, own->attempts.next);
+    tf_status status =
+        tf_surface_check(surface, vertices, last, &options, left, NULL);
+    if (status == TF_OK && left->count > own->report.before) {
+        last = own->given;
+        status =
+            tf_surface_check(surface, vertices, last, &options, left, NULL);
+    }
+    if (status == TF_OK)
+        memcpy(out, last, own->coordinates * sizeof *out);
+    return status;
+}
+
 //: Untangle what crosses
 static tf_status untangle(untangling *own, int vertices, const double in[],
                           tf_crossings *left, double out[])
 {
+    tf_attempts *all = &own->attempts;
     if (!begin(own, vertices, in))
         return TF_OUT_OF_MEMORY;
-    tf_status status = tf_attempt(&own->attempts);
-    if (status != TF_OK)
-        return status;
-    double *last = own->attempts.next;
-    scale_back(own, last);
-    tf_check_options options = {.parallel = own->options.parallel};
-    status = tf_surface_check(own->resolver->surface, vertices, last, &options,
-                              left, NULL);
+    tf_status status = tf_attempt(all);
     if (status == TF_OK)
-        memcpy(out, last, own->coordinates * sizeof *out);
+        status = go_home(own);
+    if (status == TF_OK)
+        status = finish(own, vertices, left, out);
+    own->report.beyond = all->beyond;
+    own->report.parts = all->tangle.near.parts;
+    own->report.rounds = all->rounds;
+    own->report.rungs = all->rungs;
+    own->report.edge = ldexp(all->tangle.edge, own->power);
     return status;
 }
 

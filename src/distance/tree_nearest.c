@@ -196,11 +196,17 @@ bool tf_nearest_tree_build(tf_nearest_tree *tree,
     return true;
 }
 
-void tf_nearest_tree_free(tf_nearest_tree *tree)
+//: Free a tree of facets
+void tf_nearest_tree_trim(tf_nearest_tree *tree)
 {
     tf_buffer_free(&tree->keys);
     tf_buffer_free(&tree->sorted);
     tf_buffer_free(&tree->counts);
+}
+
+void tf_nearest_tree_free(tf_nearest_tree *tree)
+{
+    tf_nearest_tree_trim(tree);
     tf_buffer_free(&tree->places);
     tf_buffer_free(&tree->boxes);
 }
@@ -217,6 +223,15 @@ static double square_to(const tf_tree_box *box, tf_vector point)
         square += beyond > 0 ? beyond * beyond : 0;
     }
     return square;
+}
+
+//: Find the facets of a leaf
+void tf_nearest_tree_leaf(const tf_nearest_tree *tree, int leaf, int *begin,
+                          int *end)
+{
+    int count = tree->facets.count;
+    *begin = LEAF_FACETS * (leaf - tree->leaves);
+    *end = *begin + LEAF_FACETS < count ? *begin + LEAF_FACETS : count;
 }
 
 //: Search a tree
@@ -240,8 +255,9 @@ static bool has_corner(const tf_chosen_facets *facets, int place, int vertex)
 static void search_leaf(search *own, int leaf)
 {
     const tf_nearest_tree *tree = own->tree;
-    int begin = LEAF_FACETS * leaf, end = begin + LEAF_FACETS;
-    for (int i = begin; i < end && i < tree->facets.count; i++) {
+    int begin = 0, end = 0;
+    tf_nearest_tree_leaf(tree, leaf, &begin, &end);
+    for (int i = begin; i < end; i++) {
         if (has_corner(&tree->facets, tree->place[i], own->without))
             continue;
         tf_landing next = tf_land(&tree->facets, own->point, tree->place[i]);
@@ -272,7 +288,7 @@ tf_landing tf_nearest_landing(const tf_nearest_tree *tree, tf_vector point,
         if (square[height] > own.limit || tree->facets.count == 0)
             continue;
         if (node >= tree->leaves) {
-            search_leaf(&own, node - tree->leaves);
+            search_leaf(&own, node);
             continue;
         }
         double left = square_to(&tree->box[2 * (ptrdiff_t)node], point);

@@ -46,7 +46,14 @@ typedef struct tf_landing {
 bool tf_nearest_tree_build(tf_nearest_tree *tree,
                            const tf_chosen_facets *facets);
 
+/// Frees the memory that only building takes.
+void tf_nearest_tree_trim(tf_nearest_tree *tree);
+
 void tf_nearest_tree_free(tf_nearest_tree *tree);
+
+/// The facets of a leaf: those at place[begin] to place[end - 1].
+void tf_nearest_tree_leaf(const tf_nearest_tree *tree, int leaf, int *begin,
+                          int *end);
 
 /// Finds where a point is nearest to a facet that does not have the vertex
 /// `without`, which may be -1; of several facets at the same distance, as it is

@@ -6,6 +6,7 @@
 #include "base/sized.h"
 #include "response/levels.h"
 #include "untangle/attempts.h"
+#include "untangle/measures.h"
 #include "untangle/way_home.h"
 
 #include <string.h>
@@ -97,23 +98,14 @@ static void scale_back(const untangling *own, double out[])
             out[i] = own->given[i];
 }
 
-//: Measure how far a state is from the input
-/// The root of the mean of the squares of the vertices' distances.
-static double deviation_of(const untangling *own, const double x[])
-{
-    double sum = 0;
-    for (size_t i = 0; i < own->coordinates; i++)
-        sum += (x[i] - own->in[i]) * (x[i] - own->in[i]);
-    return sqrt(sum / own->attempts.tangle.near.vertices);
-}
-
 //: Return from a clear state
 static tf_status go_home(untangling *own)
 {
     tf_attempts *all = &own->attempts;
     if (all->fewest > all->beyond)
         return TF_OK;
-    own->report.found = ldexp(deviation_of(own, all->best), own->power);
+    own->report.found =
+        ldexp(tf_deviation(&all->tangle, all->best), own->power);
     if (own->options.without & TF_RUNG_RETURN)
         return TF_OK;
     tf_way_home way = {.steps = 0};
@@ -163,7 +155,9 @@ static tf_status untangle(untangling *own, int vertices, const double in[],
     own->report.parts = all->tangle.near.parts;
     own->report.rounds = all->rounds;
     own->report.rungs = all->rungs;
-    own->report.edge = ldexp(all->tangle.edge, own->power);
+    if (status == TF_OK &&
+        !tf_measure(&all->tangle, all->best, own->power, &own->report))
+        return TF_OUT_OF_MEMORY;
     return status;
 }
 

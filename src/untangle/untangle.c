@@ -76,6 +76,9 @@ static bool begin(untangling *own, int vertices, const double in[])
     tangle->fixed = own->fixed;
     tangle->in = own->in;
     own->attempts.options = &own->options;
+    size_t size = own->coordinates * sizeof *in;
+    memcpy(own->attempts.best, own->in, size);
+    memcpy(own->attempts.next, in, size);
     return tf_tangle_begin(tangle);
 }
 
@@ -117,48 +120,45 @@ static tf_status go_home(untangling *own)
 }
 
 //: Check the output
-/// Sets the output, and lists what is left of the crossings.  Rounding may make
-/// some where coordinates are so small that they cannot be scaled exactly; if
+/// Lists the crossings of the output, which is left in `next`.  Where coordinates
+/// are so small that they cannot be scaled exactly, rounding may make some; if
 /// there are more than before, nothing moves.
-static tf_status finish(untangling *own, int vertices, tf_crossings *left,
-                        double out[])
+static tf_status check_output(untangling *own, int vertices, tf_crossings *left)
 {
     tf_surface *surface = own->resolver->surface;
+    tf_attempts *all = &own->attempts;
     tf_check_options options = {.parallel = own->options.parallel};
-    const double *last = own->attempts.next;
-    scale_back(own, own->attempts.next);
+    scale_back(own, all->next);
     tf_status status =
-        tf_surface_check(surface, vertices, last, &options, left, NULL);
-    if (status == TF_OK && left->count > own->report.before) {
-        last = own->given;
-        status =
-            tf_surface_check(surface, vertices, last, &options, left, NULL);
-    }
-    if (status == TF_OK)
-        memcpy(out, last, own->coordinates * sizeof *out);
-    return status;
+        tf_surface_check(surface, vertices, all->next, &options, left, NULL);
+    if (status != TF_OK || left->count <= own->report.before)
+        return status;
+    memcpy(all->best, own->in, own->coordinates * sizeof *own->in);
+    memcpy(all->next, own->given, own->coordinates * sizeof *own->in);
+    return tf_surface_check(surface, vertices, all->next, &options, left, NULL);
 }
 
-//: Untangle what crosses
-static tf_status untangle(untangling *own, int vertices, const double in[],
-                          tf_crossings *left, double out[])
+//: Report on an untangling
+static tf_status report_on(untangling *own, const tf_crossings *left)
 {
-    tf_attempts *all = &own->attempts;
-    if (!begin(own, vertices, in))
-        return TF_OUT_OF_MEMORY;
-    tf_status status = tf_attempt(all);
-    if (status == TF_OK)
-        status = go_home(own);
-    if (status == TF_OK)
-        status = finish(own, vertices, left, out);
+    const tf_attempts *all = &own->attempts;
+    own->report.left = left->count;
     own->report.beyond = all->beyond;
     own->report.parts = all->tangle.near.parts;
     own->report.rounds = all->rounds;
     own->report.rungs = all->rungs;
-    if (status == TF_OK &&
-        !tf_measure(&all->tangle, all->best, own->power, &own->report))
-        return TF_OUT_OF_MEMORY;
-    return status;
+    bool measured =
+        tf_measure(&all->tangle, all->best, own->power, &own->report);
+    return measured ? TF_OK : TF_OUT_OF_MEMORY;
+}
+
+//: Untangle what crosses
+static tf_status untangle(untangling *own, int vertices, tf_crossings *left)
+{
+    tf_status status = tf_attempt(&own->attempts);
+    if (status == TF_OK)
+        status = go_home(own);
+    return status == TF_OK ? check_output(own, vertices, left) : status;
 }
 
 //: Untangle a surface
@@ -166,20 +166,20 @@ static tf_status check_and_untangle(untangling *own, int vertices,
                                     const double in[], double out[],
                                     tf_crossings *left, tf_error *error)
 {
-    tf_surface *surface = own->resolver->surface;
     tf_check_options options = {.parallel = own->options.parallel};
-    tf_status status =
-        tf_surface_check(surface, vertices, in, &options, left, error);
+    tf_status status = tf_surface_check(own->resolver->surface, vertices, in,
+                                        &options, left, error);
     if (status != TF_OK)
         return status;
     own->report.before = left->count;
-    if (left->count > 0) {
-        status = untangle(own, vertices, in, left, out);
-        end(own);
-    } else if (out != in) {
-        memcpy(out, in, (size_t)surface->axes * (size_t)vertices * sizeof *in);
-    }
-    own->report.left = left->count;
+    if (!begin(own, vertices, in))
+        return tf_fail(error, TF_OUT_OF_MEMORY);
+    if (left->count > 0)
+        status = untangle(own, vertices, left);
+    if (status == TF_OK)
+        status = report_on(own, left);
+    if (status == TF_OK)
+        memcpy(out, own->attempts.next, own->coordinates * sizeof *out);
     return tf_fail(error, status);
 }
 
@@ -199,6 +199,7 @@ tf_status tf_untangle(tf_resolver *resolver, int vertices, const double in[],
         *outer = tf_workers_watch(workers, &watch, own.options.progress,
                                   own.options.context);
     status = check_and_untangle(&own, vertices, in, out, &crossings, error);
+    end(&own);
     workers->watch = outer;
     if (status == TF_OK && report)
         *report = own.report;

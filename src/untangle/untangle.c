@@ -6,6 +6,8 @@
 #include "base/sized.h"
 #include "response/levels.h"
 #include "untangle/attempts.h"
+#include "untangle/measures.h"
+#include "untangle/way_home.h"
 
 #include <string.h>
 
@@ -36,6 +38,7 @@ typedef struct untangling {
     double *given; ///< the input as it was given
     bool *fixed;
     tf_attempts attempts;
+    tf_way_home way;
     tf_untangle_report report;
     tf_buffer storage;
 } untangling;
@@ -81,6 +84,7 @@ static bool begin(untangling *own, int vertices, const double in[])
 static void end(untangling *own)
 {
     tf_attempts_free(&own->attempts);
+    tf_way_home_free(&own->way);
     tf_tangle_end(&own->attempts.tangle);
     tf_buffer_free(&own->storage);
 }
@@ -96,6 +100,36 @@ static void scale_back(const untangling *own, double out[])
             out[i] = own->given[i];
 }
 
+//: Go home from a clear state
+/// Where a filter leaves pairs out that cross, no step can be resolved, and the
+/// clear state is the answer.
+static tf_status go_home(untangling *own)
+{
+    tf_attempts *all = &own->attempts;
+    if (all->fewest > all->beyond)
+        return TF_OK;
+    own->report.found =
+        ldexp(tf_deviation(&all->tangle, all->best), own->power);
+    if (own->options.without & TF_RUNG_RETURN)
+        return TF_OK;
+    tf_status status =
+        tf_way_home_take(&own->way, own->resolver, &all->tangle, all->best);
+    if (own->way.steps > 0)
+        own->report.rungs |= TF_RUNG_RETURN;
+    return status == TF_START_NOT_CLEAR ? TF_OK : status;
+}
+
+//: Report on an untangling
+static bool report_on(untangling *own)
+{
+    const tf_attempts *all = &own->attempts;
+    own->report.beyond = all->beyond;
+    own->report.parts = all->tangle.near.parts;
+    own->report.rounds = all->rounds;
+    own->report.rungs |= all->rungs;
+    return tf_measure(&all->tangle, all->best, own->power, &own->report);
+}
+
 //: Untangle what crosses
 static tf_status untangle(untangling *own, int vertices, const double in[],
                           tf_crossings *left, double out[])
@@ -103,8 +137,12 @@ static tf_status untangle(untangling *own, int vertices, const double in[],
     if (!begin(own, vertices, in))
         return TF_OUT_OF_MEMORY;
     tf_status status = tf_attempt(&own->attempts);
+    if (status == TF_OK)
+        status = go_home(own);
     if (status != TF_OK)
         return status;
+    if (!report_on(own))
+        return TF_OUT_OF_MEMORY;
     double *last = own->attempts.next;
     scale_back(own, last);
     tf_check_options options = {.parallel = own->options.parallel};

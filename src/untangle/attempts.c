@@ -189,7 +189,45 @@ static tf_status relax(tf_attempts *all)
     return TF_OK;
 }
 
+//: Attempt it with the parts apart
+static tf_status attempt_apart(tf_attempts *all)
+{
+    bool moved = false;
+    copy(all, all->x, all->tangle.in);
+    if (!tf_move_apart(&all->tangle, all->x, &moved))
+        return tf_watch_failure(all->tangle.watch);
+    if (!moved)
+        return TF_OK;
+    all->rungs |= TF_RUNG_APART;
+    all->push.acute = false;
+    tf_status status = start(all, all->x);
+    return status == TF_OK ? attempt(all, true) : status;
+}
+
+//: Attempt it again from the input
+static tf_status attempt_again(tf_attempts *all)
+{
+    all->push.acute = true;
+    all->rungs |= TF_RUNG_AGAIN;
+    tf_status status = start(all, all->tangle.in);
+    return status == TF_OK ? attempt(all, false) : status;
+}
+
+/// From the input or, of several parts, from where they are.
+static tf_status attempt_to_relax(tf_attempts *all)
+{
+    bool alone = all->tangle.near.parts == 1;
+    tf_status status = start(all, alone ? all->tangle.in : all->best);
+    return status == TF_OK ? relax(all) : status;
+}
+
 //: Try rung after rung
+/// Whether a rung has its turn.
+static bool is_next(const tf_attempts *all, tf_status status, int rung)
+{
+    return status == TF_OK && !is_done(all) && may(all, rung);
+}
+
 tf_status tf_attempt(tf_attempts *all)
 {
     all->fewest = (size_t)-1;
@@ -199,6 +237,7 @@ tf_status tf_attempt(tf_attempts *all)
     all->beyond = tf_tangle_beyond(&all->tangle);
     if (status == TF_OK)
         status = attempt(all, true);
+<<<<<<< HEAD
     bool one = all->tangle.near.parts == 1;
     if (status == TF_OK && !is_done(all) && one && may(all, TF_RUNG_AGAIN))
         status = begin_anew(all);
@@ -209,6 +248,14 @@ tf_status tf_attempt(tf_attempts *all)
         if (status == TF_OK)
             status = relax(all);
     }
+=======
+    if (all->tangle.near.parts > 1 && is_next(all, status, TF_RUNG_APART))
+        status = attempt_apart(all);
+    if (is_next(all, status, TF_RUNG_AGAIN))
+        status = attempt_again(all);
+    if (is_next(all, status, TF_RUNG_RELAX))
+        status = attempt_to_relax(all);
+>>>>>>> push
     return status;
 }
 

@@ -144,6 +144,24 @@ static bool list_sides(tf_breaches *breaches)
     return true;
 }
 
+//: Make points of breaches
+static bool list_places(tf_breaches *breaches)
+{
+    size_t count = 3 * breaches->count + 1;
+    if (!tf_buffer_reserve(&breaches->places, count, sizeof(double)) ||
+        !tf_buffer_reserve(&breaches->corners, count, sizeof(int)))
+        return false;
+    double *place = breaches->places.data;
+    int *corner = breaches->corners.data;
+    for (size_t i = 0; i < 3 * breaches->count; i++) {
+        place[i] = breaches->breach[i / 3].place.x[i % 3];
+        corner[i] = (int)(i / 3);
+    }
+    breaches->place = place;
+    breaches->corner = corner;
+    return true;
+}
+
 //: Find breaches
 bool tf_breaches_find(tf_breaches *breaches, const tf_tangle *tangle,
                       const tf_curves *curves, const tf_regions *regions,
@@ -152,7 +170,8 @@ bool tf_breaches_find(tf_breaches *breaches, const tf_tangle *tangle,
     if (!list_breaches(breaches, tangle, curves, regions, x))
         return false;
     breaches->breach = breaches->storage.data;
-    return list_pairs(breaches, tangle, regions, x) && list_sides(breaches);
+    return list_pairs(breaches, tangle, regions, x) && list_sides(breaches) &&
+           list_places(breaches);
 }
 
 void tf_breaches_free(tf_breaches *breaches)
@@ -160,5 +179,7 @@ void tf_breaches_free(tf_breaches *breaches)
     tf_buffer_free(&breaches->storage);
     tf_buffer_free(&breaches->pair_storage);
     tf_buffer_free(&breaches->side_storage);
+    tf_buffer_free(&breaches->places);
+    tf_buffer_free(&breaches->corners);
     tf_sort_memory_free(&breaches->sorting);
 }

@@ -37,7 +37,10 @@ typedef struct tf_breaches {
     const tf_breach *breach;    ///< sorted by region, then by sheet
     const tf_region_pair *pair; ///< sorted by region, then by the other
     const tf_region_side *side; ///< sorted by region, then by sheet
-    tf_buffer storage, pair_storage, side_storage;
+    const double *place;        ///< of each breach three coordinates,
+    const int *corner; ///< and its own number three times: a facet that is but
+                       ///< a point
+    tf_buffer storage, pair_storage, side_storage, places, corners;
     tf_sort_memory sorting;
 } tf_breaches;
 

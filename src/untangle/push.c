@@ -1,7 +1,6 @@
 //: Include what the push needs
 #include "untangle/push.h"
 
-#include "distance/nearest.h"
 #include "untangle/gradient.h"
 
 #include <stdlib.h>
@@ -26,6 +25,8 @@ void tf_push_free(tf_push *push)
     tf_curves_free(&push->curves);
     tf_regions_free(&push->regions);
     tf_breaches_free(&push->breaches);
+    tf_nearest_tree_free(&push->target_tree);
+    tf_nearest_tree_free(&push->breach_tree);
     tf_buffer_free(&push->storage);
 }
 
@@ -164,25 +165,28 @@ static void drop_own(tf_push *push, const tf_neighbors *all, int region)
     }
 }
 
-//: Add the facets on the acute side
-/// The nearest of some breaches to a place, or -1.
-static ptrdiff_t nearest_breach(const tf_push *push, size_t begin, size_t end,
-                                tf_vector place)
+//: Find the nearest breach
+/// Plants a tree of the places of some breaches, one after another.
+static bool plant_breaches(tf_push *push, const tf_tangle *tangle, size_t first,
+                           size_t count)
 {
-    double least = INFINITY;
-    ptrdiff_t nearest = -1;
-    for (size_t i = begin; i < end; i++) {
-        tf_vector way =
-            tf_vector_difference(place, push->breaches.breach[i].place);
-        double square = tf_vector_dot(way, way);
-        if (square < least) {
-            least = square;
-            nearest = (ptrdiff_t)i;
-        }
-    }
-    return nearest;
+    tf_chosen_facets places = {.axes = 3,
+                               .count = (int)count,
+                               .corner = push->breaches.corner + 3 * first,
+                               .x = push->breaches.place};
+    push->planted = first;
+    return tf_nearest_tree_build(&push->breach_tree, &places) &&
+           tf_watch_work(tangle->watch, count);
 }
 
+/// The nearest of the breaches that were planted.
+static const tf_breach *nearest_breach(const tf_push *push, tf_vector place)
+{
+    tf_landing found = tf_nearest_landing(&push->breach_tree, place, -1);
+    return &push->breaches.breach[push->planted + (size_t)found.place];
+}
+
+//: Add the facets on the acute side
 static tf_vector middle_of(const tf_neighbors *all, const double x[], int facet)
 {
     const int *corner = all->facet + (ptrdiff_t)all->axes * facet;
@@ -209,18 +213,18 @@ static bool add_acute(tf_push *push, const tf_tangle *tangle, const double x[],
                       const range *own)
 {
     const tf_neighbors *all = &tangle->near;
+    if (!plant_breaches(push, tangle, own->breach, own->breaches - own->breach))
+        return false;
     for (int f = 0; f < all->facets; f++) {
         int vertex = all->facet[(ptrdiff_t)all->axes * f];
         if (!is_paired(push, all, own, all->part[vertex]))
             continue;
         tf_vector middle = middle_of(all, x, f);
-        ptrdiff_t near =
-            nearest_breach(push, own->breach, own->breaches, middle);
-        const tf_breach *breach = &push->breaches.breach[near];
+        const tf_breach *breach = nearest_breach(push, middle);
         if (tf_vector_dot(tf_vector_difference(middle, breach->place),
                           breach->inward) > 0)
             add_target(push, own->region, f);
-        if (!tf_watch_work(tangle->watch, own->breaches - own->breach))
+        if (!tf_watch_work(tangle->watch, 16))
             return false;
     }
     return true;
@@ -241,97 +245,75 @@ static bool list_targets(tf_push *push, const tf_tangle *tangle,
     return true;
 }
 
-//: Find the nearest target of a vertex
-/// Where a vertex is nearest to a facet.
-typedef struct landing {
-    int facet;        ///< -1: nowhere
-    double weight[3]; ///< barycentric coordinates
-    tf_vector out;    ///< from there to the vertex
-    double distance;
-} landing;
-
-static landing land(const tf_neighbors *all, const double x[], int vertex,
-                    int facet)
-{
-    const int *corner = all->facet + (ptrdiff_t)all->axes * facet;
-    const double *place[4] = {x + (ptrdiff_t)all->axes * vertex};
-    for (int c = 0; c < all->axes; c++)
-        place[1 + c] = x + (ptrdiff_t)all->axes * corner[c];
-    tf_nearest found = tf_nearest_of(
-        all->axes == 2 ? TF_POINT_EDGE : TF_POINT_TRIANGLE, place);
-    landing own = {.facet = facet, .out = tf_place(all, x, vertex)};
-    for (int c = 0; c < all->axes; c++) {
-        own.weight[c] = found.barycentric[1][c];
-        own.out =
-            tf_vector_sum(own.out, -own.weight[c], tf_place(all, x, corner[c]));
-    }
-    own.distance = tf_vector_length(own.out);
-    return own;
-}
-
-static landing land_nearest(const tf_push *push, const tf_neighbors *all,
-                            const double x[], int vertex)
-{
-    landing best = {.facet = -1, .distance = INFINITY};
-    for (int i = 0; i < push->targets; i++) {
-        const int *corner = all->facet + (ptrdiff_t)all->axes * push->target[i];
-        bool own = false;
-        for (int c = 0; c < all->axes; c++)
-            own = own || corner[c] == vertex;
-        landing next = own ? best : land(all, x, vertex, push->target[i]);
-        if (next.distance < best.distance)
-            best = next;
-    }
-    return best;
-}
-
 //: Find on which side of a facet a vertex is right
-/// 1: where the normal of the facet's sheet points to; -1: on the other side; 0:
-/// the region has no breach of the sheet.  The breaches vote; if they disagree,
-/// the nearest one decides.
-static int side_of(const tf_push *push, const tf_neighbors *all,
-                   const range *own, int facet, tf_vector place)
+/// The side of the votes of a region's breaches, or NULL if it has none of the
+/// facet's sheet.
+static const tf_region_side *find_side(const tf_push *push, const range *own,
+                                       int sheet)
 {
-    for (size_t i = own->side; i < own->sides; i++) {
-        const tf_region_side *side = &push->breaches.side[i];
-        if (side->sheet != all->sheet[facet])
-            continue;
-        if (2 * abs(side->sum) > side->all)
-            return side->sum > 0 ? 1 : -1;
-        ptrdiff_t near = nearest_breach(push, side->first,
-                                        side->first + (size_t)side->all, place);
-        return push->breaches.breach[near].side;
+    size_t low = own->side, high = own->sides;
+    while (low < high) {
+        size_t middle = low + (high - low) / 2;
+        if (push->breaches.side[middle].sheet < sheet)
+            low = middle + 1;
+        else
+            high = middle;
     }
-    return 0;
+    return low < own->sides && push->breaches.side[low].sheet == sheet
+               ? &push->breaches.side[low]
+               : NULL;
+}
+
+/// Sets on which side a vertex is right: 1: where the normal of the facet's sheet
+/// points to; -1: on the other side; 0: the region has no breach of the sheet.  The
+/// breaches vote; if they disagree, the nearest one decides.
+static bool find_way(tf_push *push, const tf_tangle *tangle, const range *own,
+                     int facet, tf_vector place, int *way)
+{
+    const tf_region_side *side =
+        find_side(push, own, tangle->near.sheet[facet]);
+    *way = side && side->sum > 0 ? 1 : side ? -1 : 0;
+    if (!side || 2 * abs(side->sum) > side->all)
+        return true;
+    if (push->planted != side->first || push->planted_region != own->region) {
+        if (!plant_breaches(push, tangle, side->first, (size_t)side->all))
+            return false;
+        push->planted_region = own->region;
+    }
+    *way = nearest_breach(push, place)->side;
+    return true;
 }
 
 //: Push a vertex out
 /// Where a vertex has to go from its landing: along the facet's normal or, if the
 /// landing is at the facet's rim, to the landing; sets by how much it is beyond.
-static tf_vector way_out(const landing *own, tf_vector normal, double *gap)
+static tf_vector way_out(const tf_landing *at, tf_vector normal, double *gap)
 {
-    *gap = tf_vector_dot(own->out, normal);
-    if (*gap >= 0 || own->distance <= 2 * fabs(*gap))
+    *gap = tf_vector_dot(at->out, normal);
+    if (*gap >= 0 || at->distance <= 2 * fabs(*gap))
         return normal;
-    *gap = -own->distance;
-    return tf_vector_scaled(-1 / own->distance, own->out);
+    *gap = -at->distance;
+    return tf_vector_scaled(-1 / at->distance, at->out);
 }
 
-static void push_vertex(const tf_push *push, const tf_tangle *tangle,
+static bool push_vertex(tf_push *push, const tf_tangle *tangle,
                         const double x[], const range *own, int vertex,
                         tf_change *change)
 {
     const tf_neighbors *all = &tangle->near;
-    landing at = land_nearest(push, all, x, vertex);
-    if (at.facet < 0)
-        return;
-    int side = side_of(push, all, own, at.facet, tf_place(all, x, vertex));
+    tf_vector place = tf_place(all, x, vertex);
+    tf_landing at = tf_nearest_landing(&push->target_tree, place, vertex);
+    int side = 0;
+    if (at.place < 0)
+        return true;
+    if (!find_way(push, tangle, own, at.facet, place, &side))
+        return false;
     double gap = 0;
     tf_vector normal = tf_facet_normal(all, x, at.facet);
     tf_vector way = way_out(&at, tf_vector_scaled(side, normal), &gap);
     double missing = tangle->edge / 10 - gap;
     if (side == 0 || missing <= 0)
-        return;
+        return true;
     const int *corner = all->facet + (ptrdiff_t)all->axes * at.facet;
     bool alone =
         tangle->fixed[vertex] || tf_are_fixed(tangle, all->axes, corner);
@@ -339,21 +321,28 @@ static void push_vertex(const tf_push *push, const tf_tangle *tangle,
     tf_change_add(change, tangle, vertex, way, length, 1);
     for (int c = 0; c < all->axes; c++)
         tf_change_add(change, tangle, corner[c], way, -length, at.weight[c]);
+    return true;
 }
 
 //: Push a region out
 static bool push_region(tf_push *push, const tf_tangle *tangle,
                         const double x[], const range *own, tf_change *change)
 {
+    const tf_neighbors *all = &tangle->near;
     const tf_lists *members = &push->regions.members;
     if (!list_targets(push, tangle, x, own))
         return false;
+    tf_chosen_facets facets = {all->axes, push->targets, push->target,
+                               all->facet, x};
+    if (!tf_nearest_tree_build(&push->target_tree, &facets) ||
+        !tf_watch_work(tangle->watch, (size_t)push->targets))
+        return false;
+    push->planted_region = -1;
     for (int i = members->start[own->region];
-         i < members->start[own->region + 1]; i++) {
-        push_vertex(push, tangle, x, own, members->item[i], change);
-        if (!tf_watch_work(tangle->watch, (size_t)push->targets))
+         i < members->start[own->region + 1]; i++)
+        if (!push_vertex(push, tangle, x, own, members->item[i], change) ||
+            !tf_watch_work(tangle->watch, 16))
             return false;
-    }
     return true;
 }
 

@@ -1,6 +1,7 @@
 //: Declare the push
 #pragma once
 
+#include "distance/tree_nearest.h"
 #include "untangle/breaches.h"
 #include "untangle/change.h"
 
@@ -15,6 +16,11 @@ typedef struct tf_push {
     int *stamp;     ///< of each facet: the last region that it is tried for
     int *target;    ///< the facets that are tried for a region
     int targets;
+    tf_nearest_tree target_tree; ///< of these
+    tf_nearest_tree breach_tree; ///< of the places of some breaches,
+    size_t planted;              ///< from this one on,
+    int planted_region; ///< of this region's breaches of one sheet; -1: of
+                        ///< something else
     tf_buffer storage;
 } tf_push;
 

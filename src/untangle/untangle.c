@@ -38,7 +38,6 @@ typedef struct untangling {
     double *given; ///< the input as it was given
     bool *fixed;
     tf_attempts attempts;
-    tf_way_home way;
     tf_untangle_report report;
     tf_buffer storage;
 } untangling;
@@ -84,7 +83,6 @@ static bool begin(untangling *own, int vertices, const double in[])
 static void end(untangling *own)
 {
     tf_attempts_free(&own->attempts);
-    tf_way_home_free(&own->way);
     tf_tangle_end(&own->attempts.tangle);
     tf_buffer_free(&own->storage);
 }
@@ -100,9 +98,7 @@ static void scale_back(const untangling *own, double out[])
             out[i] = own->given[i];
 }
 
-//: Go home from a clear state
-/// Where a filter leaves pairs out that cross, no step can be resolved, and the
-/// clear state is the answer.
+//: Return from a clear state
 static tf_status go_home(untangling *own)
 {
     tf_attempts *all = &own->attempts;
@@ -112,44 +108,56 @@ static tf_status go_home(untangling *own)
         ldexp(tf_deviation(&all->tangle, all->best), own->power);
     if (own->options.without & TF_RUNG_RETURN)
         return TF_OK;
+    tf_way_home way = {.steps = 0};
     tf_status status =
-        tf_way_home_take(&own->way, own->resolver, &all->tangle, all->best);
-    if (own->way.steps > 0)
-        own->report.rungs |= TF_RUNG_RETURN;
-    return status == TF_START_NOT_CLEAR ? TF_OK : status;
+        tf_way_home_take(&way, own->resolver, &all->tangle, all->best);
+    tf_way_home_free(&way);
+    all->rungs |= way.steps > 0 ? TF_RUNG_RETURN : 0;
+    return status;
 }
 
-//: Report on an untangling
-static bool report_on(untangling *own)
+//: Check the output
+/// Sets the output, and lists what is left of the crossings.  Rounding may make
+/// some where coordinates are so small that they cannot be scaled exactly; if
+/// there are more than before, nothing moves.
+static tf_status finish(untangling *own, int vertices, tf_crossings *left,
+                        double out[])
 {
-    const tf_attempts *all = &own->attempts;
-    own->report.beyond = all->beyond;
-    own->report.parts = all->tangle.near.parts;
-    own->report.rounds = all->rounds;
-    own->report.rungs |= all->rungs;
-    return tf_measure(&all->tangle, all->best, own->power, &own->report);
+    tf_surface *surface = own->resolver->surface;
+    tf_check_options options = {.parallel = own->options.parallel};
+    const double *last = own->attempts.next;
+    scale_back(own, own->attempts.next);
+    tf_status status =
+        tf_surface_check(surface, vertices, last, &options, left, NULL);
+    if (status == TF_OK && left->count > own->report.before) {
+        last = own->given;
+        status =
+            tf_surface_check(surface, vertices, last, &options, left, NULL);
+    }
+    if (status == TF_OK)
+        memcpy(out, last, own->coordinates * sizeof *out);
+    return status;
 }
 
 //: Untangle what crosses
 static tf_status untangle(untangling *own, int vertices, const double in[],
                           tf_crossings *left, double out[])
 {
+    tf_attempts *all = &own->attempts;
     if (!begin(own, vertices, in))
         return TF_OUT_OF_MEMORY;
-    tf_status status = tf_attempt(&own->attempts);
+    tf_status status = tf_attempt(all);
     if (status == TF_OK)
         status = go_home(own);
-    if (status != TF_OK)
-        return status;
-    if (!report_on(own))
-        return TF_OUT_OF_MEMORY;
-    double *last = own->attempts.next;
-    scale_back(own, last);
-    tf_check_options options = {.parallel = own->options.parallel};
-    status = tf_surface_check(own->resolver->surface, vertices, last, &options,
-                              left, NULL);
     if (status == TF_OK)
-        memcpy(out, last, own->coordinates * sizeof *out);
+        status = finish(own, vertices, left, out);
+    own->report.beyond = all->beyond;
+    own->report.parts = all->tangle.near.parts;
+    own->report.rounds = all->rounds;
+    own->report.rungs = all->rungs;
+    if (status == TF_OK &&
+        !tf_measure(&all->tangle, all->best, own->power, &own->report))
+        return TF_OUT_OF_MEMORY;
     return status;
 }
 

@@ -20,6 +20,8 @@ enum {
 typedef struct part {
     int number, vertices;
     bool stays;       ///< has fixed vertices
+    bool meets;       ///< intersects, or touches, one of those before it
+    int turn;         ///< when it finds its place
     tf_vector offset; ///< by which it moves
     int begin, count; ///< of its elements
     tf_nearest_tree tree;
@@ -109,6 +111,25 @@ static bool sort_parts(parts *all)
     return sorted;
 }
 
+//: Note which parts meet
+/// Those that only touch have to move, too: they may lie upon each other.
+static void note_meetings(parts *all)
+{
+    const tf_crossings *crossings = &all->tangle->crossings;
+    const int *part_of = all->tangle->near.part;
+    for (int i = 0; i < all->count; i++)
+        all->order[i]->turn = i;
+    for (size_t i = 0; i < crossings->count; i++) {
+        const tf_crossing *own = &crossings->crossing[i];
+        int a = part_of[own->vertex[0]];
+        int b = part_of[own->vertex[tf_crossing_corners(own) - 1]];
+        if (a < 0 || b < 0 || a == b)
+            continue;
+        part *one = &all->part[a], *other = &all->part[b];
+        (one->turn > other->turn ? one : other)->meets = true;
+    }
+}
+
 //: Begin to move parts apart
 static bool begin(parts *all)
 {
@@ -134,7 +155,10 @@ static bool begin(parts *all)
             return false;
         tf_nearest_tree_trim(&own->tree);
     }
-    return sort_parts(all);
+    if (!sort_parts(all))
+        return false;
+    note_meetings(all);
+    return true;
 }
 
 static void end(parts *all)
@@ -293,7 +317,7 @@ static bool find_place(parts *all, int turn)
     tf_vector direction[26], none = {{0, 0, 0}};
     int count = list_directions(all->tangle->near.axes, direction), last = turn;
     part *own = all->order[turn];
-    if (own->stays || is_free(all, turn, none, &last))
+    if (own->stays || (!own->meets && is_free(all, turn, none, &last)))
         return true;
     for (int trial = 1; trial < MOST_TRIALS; trial++)
         for (int i = 0; i < count; i++) {

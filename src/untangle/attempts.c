@@ -142,30 +142,6 @@ static tf_status attempt(tf_attempts *all, bool toggles)
     return status;
 }
 
-//: Begin anew, with the other side taken for the wrong one
-static tf_status begin_anew(tf_attempts *all)
-{
-    all->push.acute = true;
-    tf_status status = start(all, all->tangle.in);
-    return status == TF_OK ? attempt(all, false) : status;
-}
-
-//: Move parts apart, and go on
-static tf_status move_apart(tf_attempts *all)
-{
-    bool moved = false;
-    copy(all, all->x, all->tangle.in);
-    if (!tf_move_apart(&all->tangle, all->x, &moved))
-        return tf_watch_failure(all->tangle.watch);
-    if (!moved)
-        return TF_OK;
-    all->rounds++;
-    all->rungs |= TF_RUNG_APART;
-    all->push.acute = false;
-    tf_status status = start(all, all->x);
-    return status == TF_OK ? attempt(all, true) : status;
-}
-
 //: Relax the surface
 /// Everything may pass through anything meanwhile, so that nothing limits it.
 static tf_status relax(tf_attempts *all)
@@ -193,14 +169,16 @@ static tf_status relax(tf_attempts *all)
 static tf_status attempt_apart(tf_attempts *all)
 {
     bool moved = false;
-    copy(all, all->x, all->tangle.in);
+    tf_status status = start(all, all->tangle.in);
+    if (status != TF_OK)
+        return status;
     if (!tf_move_apart(&all->tangle, all->x, &moved))
         return tf_watch_failure(all->tangle.watch);
     if (!moved)
         return TF_OK;
     all->rungs |= TF_RUNG_APART;
     all->push.acute = false;
-    tf_status status = start(all, all->x);
+    status = start(all, all->x);
     return status == TF_OK ? attempt(all, true) : status;
 }
 
@@ -237,25 +215,12 @@ tf_status tf_attempt(tf_attempts *all)
     all->beyond = tf_tangle_beyond(&all->tangle);
     if (status == TF_OK)
         status = attempt(all, true);
-<<<<<<< HEAD
-    bool one = all->tangle.near.parts == 1;
-    if (status == TF_OK && !is_done(all) && one && may(all, TF_RUNG_AGAIN))
-        status = begin_anew(all);
-    if (status == TF_OK && !is_done(all) && !one && may(all, TF_RUNG_APART))
-        status = move_apart(all);
-    if (status == TF_OK && !is_done(all) && may(all, TF_RUNG_RELAX)) {
-        status = start(all, one ? all->tangle.in : all->x);
-        if (status == TF_OK)
-            status = relax(all);
-    }
-=======
     if (all->tangle.near.parts > 1 && is_next(all, status, TF_RUNG_APART))
         status = attempt_apart(all);
     if (is_next(all, status, TF_RUNG_AGAIN))
         status = attempt_again(all);
     if (is_next(all, status, TF_RUNG_RELAX))
         status = attempt_to_relax(all);
->>>>>>> push
     return status;
 }
 

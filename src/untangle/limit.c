@@ -1,7 +1,8 @@
 //: Include what limits need
 #include "untangle/limit.h"
 
-#include "fast/detect.h"
+#include "fast/estimate.h"
+#include "fast/vectorized.h"
 
 //: Weigh the vertices of a contact
 /// How much the distance of a contact's elements depends on each of its vertices;
@@ -87,22 +88,44 @@ static void move_all(const tf_tangle *tangle, const double x[],
     }
 }
 
-tf_status tf_limit_moves(const tf_tangle *tangle, const tf_scope *scope,
+//: Find the contacts of a round
+/// Finds them among the pairs that the last search has looked at, if there are
+/// any; where that has found nothing to answer, from the beginning.
+static tf_status search_again(tf_pair_cache *pairs,
+                              const tf_contact_search *search, bool again,
+                              tf_contacts *contacts)
+{
+    return again ? tf_pair_cache_update(pairs, search, contacts)
+                 : tf_pair_cache_build(pairs, search, contacts, NULL);
+}
+
+//: Limit moves until nothing meets
+tf_status tf_limit_moves(tf_tangle *tangle, const tf_scope *scope,
                          const double x[], tf_vector move[], double to[])
 {
     const tf_neighbors *all = &tangle->near;
-    tf_detect_options options = {.size = sizeof options,
-                                 .parallel = tangle->parallel};
     tf_motion motion = {all->axes, all->vertices, x, to};
-    for (int turn = 0;; turn++) {
+    tf_contact_search search = {.surface = tangle->surface,
+                                .motion = &motion,
+                                .narrow_phase = &tf_vectorized,
+                                .estimate = tf_contact_estimate,
+                                .parallel = tangle->parallel};
+    bool again = false;
+    for (int turn = 0;;) {
         for (int v = 0; turn > STOPS && v < all->vertices; v++)
             move[v] = (tf_vector){{0, 0, 0}};
         move_all(tangle, x, move, to);
+        if (turn > STOPS)
+            return TF_OK;
         tf_contacts contacts;
-        tf_status status = tf_surface_detect(tangle->surface, &motion, &options,
-                                             &contacts, NULL);
-        if (status != TF_OK || turn > STOPS ||
-            answer(tangle, scope, &contacts, turn, move) == 0)
+        tf_status status =
+            search_again(&tangle->pairs, &search, again, &contacts);
+        if (status != TF_OK)
             return status;
+        bool meets = answer(tangle, scope, &contacts, turn, move) > 0;
+        if (!meets && !again)
+            return TF_OK;
+        turn += meets;
+        again = meets;
     }
 }

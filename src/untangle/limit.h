@@ -7,5 +7,5 @@
 /// on the way from x, and sets `to` to where the vertices end.  Fixed vertices
 /// stay.  Returns TF_OK, TF_OUT_OF_MEMORY or TF_CANCELLED, or what else
 /// tf_surface_detect does.
-tf_status tf_limit_moves(const tf_tangle *tangle, const tf_scope *scope,
+tf_status tf_limit_moves(tf_tangle *tangle, const tf_scope *scope,
                          const double x[], tf_vector move[], double to[]);

@@ -17,6 +17,7 @@ void tf_tangle_end(tf_tangle *tangle)
 {
     tf_neighbors_free(&tangle->near);
     tf_buffer_free(&tangle->lengths);
+    tf_pair_cache_free(&tangle->pairs);
 }
 
 //: Check a tangle

@@ -4,6 +4,7 @@
 #include "base/error.h"
 #include "base/watch.h"
 #include "surface/check.h"
+#include "surface/pair_cache.h"
 #include "untangle/neighbors.h"
 
 /// A surface that is being untangled, in coordinates that are scaled such that the
@@ -18,6 +19,7 @@ typedef struct tf_tangle {
     double edge;            ///< the mean length of the edges of `in`
     double *edge_at;        ///< of each vertex: that of its edges
     tf_crossings crossings; ///< of the last check, lent
+    tf_pair_cache pairs;    ///< of the last limit
     tf_buffer lengths;
 } tf_tangle;
 

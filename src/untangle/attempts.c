@@ -16,7 +16,8 @@ enum {
     SCOPE_RINGS = 2,     ///< around what crosses that may pass through anything
     USUAL_ROUNDS = 300,  ///< of an attempt
     RELAX_ROUNDS = 4000, ///< of the last one
-    CHECK_EVERY = 4      ///< of its rounds
+    CHECK_EVERY = 4,     ///< of its rounds
+    IDLE_CHECKS = 50     ///< after which it ends
 };
 
 static bool may(const tf_attempts *all, int rung)
@@ -147,7 +148,9 @@ static tf_status attempt(tf_attempts *all, bool toggles)
 static tf_status relax(tf_attempts *all)
 {
     const tf_neighbors *near = &all->tangle.near;
-    for (int round = 0; round < RELAX_ROUNDS && !is_done(all); round++) {
+    for (int round = 0;
+         round < RELAX_ROUNDS && !is_done(all) && all->idle <= IDLE_CHECKS;
+         round++) {
         if (!tf_change_begin(&all->change, &all->tangle))
             return TF_OUT_OF_MEMORY;
         if (!tf_smooth(&all->change, &all->tangle, all->x, INT_MAX))

@@ -1,7 +1,6 @@
 //: Include what limits need
 #include "untangle/limit.h"
 
-#include "fast/estimate.h"
 #include "fast/vectorized.h"
 
 //: Weigh the vertices of a contact
@@ -108,7 +107,6 @@ tf_status tf_limit_moves(tf_tangle *tangle, const tf_scope *scope,
     tf_contact_search search = {.surface = tangle->surface,
                                 .motion = &motion,
                                 .narrow_phase = &tf_vectorized,
-                                .estimate = tf_contact_estimate,
                                 .parallel = tangle->parallel};
     bool again = false;
     for (int turn = 0;;) {

@@ -73,8 +73,8 @@ static void list_elements(parts *all)
 }
 
 //: Sort parts
-/// Those with fixed vertices before the others, then the larger ones, then those
-/// with lower numbers.
+/// Those with fixed vertices before the others, then the larger ones, then
+/// those with lower numbers.
 static bool precedes(const void *a, const void *b)
 {
     const part *first = *(part *const *)a, *second = *(part *const *)b;
@@ -171,8 +171,8 @@ static void end(parts *all)
 }
 
 //: Compare boxes of two parts
-/// Whether boxes overlap after the parts' translations.  Sums round the same way for
-/// vertices and for boxes, so no overlap is missed.
+/// Whether boxes overlap after the parts' translations.  Sums round the same
+/// way for vertices and for boxes, so no overlap is missed.
 static bool overlap(const part *a, int node, const part *b, int other)
 {
     const tf_tree_box *first = &a->tree.box[node];
@@ -255,8 +255,8 @@ static bool parts_cross(const part *a, const part *b)
 }
 
 //: Try a translation
-/// Whether a part, the one at `turn` in the order, is free of those before it.  The
-/// one that was in the way last is tried first.
+/// Whether a part, the one at `turn` in the order, is free of those before it.
+/// The one that was in the way last is tried first.
 static bool is_free(const parts *all, int turn, tf_vector offset, int *last)
 {
     part *own = all->order[turn];
@@ -288,15 +288,16 @@ static int list_directions(int axes, tf_vector direction[])
     return count;
 }
 
-/// How long the translations of a trial are, half a mean edge more from one to the
-/// next at first, and then more and more.
+/// How long the translations of a trial are, half a mean edge more from one to
+/// the next at first, and then more and more.
 static double trial_length(const parts *all, double trial)
 {
     return trial * (1 + trial / 50) * all->tangle->edge / 2;
 }
 
 //: Shorten a translation
-/// Halves the step from the last trial, in which the part was not free, to this one.
+/// Halves the step from the last trial, in which the part was not free, to this
+/// one.
 static void shorten(const parts *all, int turn, tf_vector direction, int trial,
                     int *last)
 {

@@ -23,9 +23,9 @@ typedef struct tf_attempts {
     int rounds, rungs; ///< of the report
 } tf_attempts;
 
-/// Looks for a clear state by all rungs before TF_RUNG_RETURN, and leaves the state of
-/// fewest crossings in `best`; x, best and the tangle's `in` are the same before.
-/// The memory of `tangle`, x, next and best is the caller's.
+/// Looks for a clear state by all rungs before TF_RUNG_RETURN, and leaves the
+/// state of fewest crossings in `best`; x, best and the tangle's `in` are the
+/// same before. The memory of `tangle`, x, next and best is the caller's.
 tf_status tf_attempt(tf_attempts *all);
 
 void tf_attempts_free(tf_attempts *all);

@@ -15,9 +15,9 @@ typedef struct tf_breach {
     tf_vector inward; ///< from the right end of the edge to the wrong one
 } tf_breach;
 
-/// How the breaches of a region see another region, whose facets they are in: of
-/// these facets' vertices, how many are on the region's side of the curve minus
-/// how many are on the other side.
+/// How the breaches of a region see another region, whose facets they are in:
+/// of these facets' vertices, how many are on the region's side of the curve
+/// minus how many are on the other side.
 typedef struct tf_region_pair {
     int region, other;
     int near; ///< the difference
@@ -44,15 +44,15 @@ typedef struct tf_breaches {
     tf_sort_memory sorting;
 } tf_breaches;
 
-/// Lists the breaches at x, pairs and sides.  False if there is no memory, or if
-/// the caller of the tangle's watch cancels.
+/// Lists the breaches at x, pairs and sides.  False if there is no memory, or
+/// if the caller of the tangle's watch cancels.
 bool tf_breaches_find(tf_breaches *breaches, const tf_tangle *tangle,
                       const tf_curves *curves, const tf_regions *regions,
                       const double x[]);
 
 void tf_breaches_free(tf_breaches *breaches);
 
-/// The end, 0 or 1, of a curve point's edge that is wrong: of two wrong ends that
-/// of the smaller region; -1 if both are of one region.
+/// The end, 0 or 1, of a curve point's edge that is wrong: of two wrong ends
+/// that of the smaller region; -1 if both are of one region.
 int tf_wrong_end(const tf_regions *regions, const tf_neighbors *all,
                  const tf_curve_point *point);

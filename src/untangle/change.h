@@ -3,7 +3,8 @@
 
 #include "untangle/tangle.h"
 
-/// By how much vertices are to move: of each a weighted mean of what is proposed.
+/// By how much vertices are to move: of each a weighted mean of what is
+/// proposed.
 typedef struct tf_change {
     tf_vector *move;  ///< of each vertex; first a sum, then a mean
     double *weight;   ///< of each vertex; 0: nothing is proposed

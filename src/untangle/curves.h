@@ -4,8 +4,8 @@
 #include "untangle/tangle.h"
 
 /// A point of a curve in which a surface crosses itself: where an edge passes
-/// through a facet.  In the plane, where two edges cross, each passes through the
-/// other.
+/// through a facet.  In the plane, where two edges cross, each passes through
+/// the other.
 typedef struct tf_curve_point {
     int edge, facet;
     tf_vector place;
@@ -22,8 +22,8 @@ typedef struct tf_curves {
     tf_buffer storage;
 } tf_curves;
 
-/// Lists the points of the crossings that a tangle has at x; crossings that only
-/// touch have none.  False if there is no memory.
+/// Lists the points of the crossings that a tangle has at x; crossings that
+/// only touch have none.  False if there is no memory.
 bool tf_curves_find(tf_curves *curves, const tf_tangle *tangle,
                     const double x[]);
 

@@ -4,8 +4,8 @@
 #include "fast/vectorized.h"
 
 //: Weigh the vertices of a contact
-/// How much the distance of a contact's elements depends on each of its vertices;
-/// the sum of the squares of those that are not fixed.
+/// How much the distance of a contact's elements depends on each of its
+/// vertices; the sum of the squares of those that are not fixed.
 static double weigh(const tf_tangle *tangle, const tf_surface_contact *contact,
                     int corners, double weight[4])
 {

@@ -106,7 +106,8 @@ static void add_rims(sheets *all)
     }
 }
 
-/// A sheet is closed if its facets, turned as the sheet turns them, have no rim.
+/// A sheet is closed if its facets, turned as the sheet turns them, have no
+/// rim.
 static void find_open(sheets *all)
 {
     const tf_neighbors *near = all->near;
@@ -134,8 +135,8 @@ static double volume_of(const tf_neighbors *near, const double x[], int facet,
 }
 
 //: Measure volumes
-/// The surface has forgotten which side of it is out; so it is the one that makes
-/// volumes positive before.
+/// The surface has forgotten which side of it is out; so it is the one that
+/// makes volumes positive before.
 static void measure_volumes(const tf_tangle *tangle, const double x[],
                             sheets *all, tf_untangle_report *report)
 {

@@ -4,9 +4,9 @@
 #include "untangle/options.h"
 #include "untangle/tangle.h"
 
-/// Measures what an untangling has done, which ends at x, of the same scale as the
-/// tangle, of which 2^power is the unit: sets the members of the report from
-/// `moved` on, but for `found`.  False if there is no memory.
+/// Measures what an untangling has done, which ends at x, of the same scale as
+/// the tangle, of which 2^power is the unit: sets the members of the report
+/// from `moved` on, but for `found`.  False if there is no memory.
 bool tf_measure(const tf_tangle *tangle, const double x[], int power,
                 tf_untangle_report *report);
 

@@ -124,9 +124,9 @@ static void find_parts(tf_neighbors *all, int *stack)
 }
 
 //: Turn a facet as its neighbor
-/// Which way a triangle, its vertices in increasing order, passes along an edge:
-/// 1 from the lower vertex to the higher, or -1; in the plane, which way an edge
-/// passes by a vertex: 1 if it begins there.
+/// Which way a triangle, its vertices in increasing order, passes along an
+/// edge: 1 from the lower vertex to the higher, or -1; in the plane, which way
+/// an edge passes by a vertex: 1 if it begins there.
 static int way_along(const tf_neighbors *all, int facet, int shared)
 {
     const int *corner = all->facet + (ptrdiff_t)all->axes * facet;
@@ -136,7 +136,8 @@ static int way_along(const tf_neighbors *all, int facet, int shared)
     return edge[0] == corner[0] && edge[1] == corner[2] ? -1 : 1;
 }
 
-/// Two facets have one side up if they pass along what they share opposite ways.
+/// Two facets have one side up if they pass along what they share opposite
+/// ways.
 static signed char turn_like(const tf_neighbors *all, int facet, int other,
                              int shared)
 {
@@ -209,8 +210,8 @@ static tf_lists take_lists(int **memory, size_t lists, size_t items)
 }
 
 //: Make room for neighbors
-/// And for a workspace of three times as many integers as there are triangles, as
-/// many as vertices, and as facets.
+/// And for a workspace of three times as many integers as there are triangles,
+/// as many as vertices, and as facets.
 static bool reserve(tf_neighbors *all, int **workspace)
 {
     size_t v = (size_t)all->vertices, e = (size_t)all->edges;

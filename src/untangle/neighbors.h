@@ -7,15 +7,15 @@
 
 #include <stdbool.h>
 
-/// Lists of items, one list after another: those of list i are item[start[i]] to
-/// item[start[i + 1] - 1].
+/// Lists of items, one list after another: those of list i are item[start[i]]
+/// to item[start[i + 1] - 1].
 typedef struct tf_lists {
     int *start, *item;
 } tf_lists;
 
 /// What is next to what in a surface.  Elements have the numbers of
-/// tf_surface_edges and tf_surface_triangles, whose lists are borrowed.  Its facets
-/// are what edges pass through: triangles, and in the plane edges.
+/// tf_surface_edges and tf_surface_triangles, whose lists are borrowed.  Its
+/// facets are what edges pass through: triangles, and in the plane edges.
 typedef struct tf_neighbors {
     int axes, vertices, edges, triangles, facets;
     const int *edge, *triangle; ///< two and three vertices each
@@ -42,8 +42,8 @@ bool tf_neighbors_find(tf_neighbors *all, const tf_surface *surface);
 void tf_neighbors_free(tf_neighbors *all);
 
 //: Declare how to find elements
-/// The number of an edge or a triangle, by its vertices in any order; -1 if there
-/// is none.
+/// The number of an edge or a triangle, by its vertices in any order; -1 if
+/// there is none.
 int tf_edge_of(const tf_neighbors *all, int a, int b);
 int tf_triangle_of(const tf_neighbors *all, int a, int b, int c);
 
@@ -78,8 +78,8 @@ static inline void tf_put(const tf_neighbors *all, double x[], int vertex,
 }
 
 //: Declare the sizes of edges
-/// The mean length of all edges; and unless `around` is NULL, of each vertex the
-/// mean length of its edges, 0 without edges.
+/// The mean length of all edges; and unless `around` is NULL, of each vertex
+/// the mean length of its edges, 0 without edges.
 double tf_mean_edge(const tf_neighbors *all, const double x[], double around[]);
 
 /// The power of two k such that the largest coordinate times 2^-k is at least 1

@@ -114,7 +114,8 @@ static void add_breached(tf_push *push, const tf_neighbors *all,
 }
 
 //: Add the facets of paired regions
-/// But of none that is right.  Returns whether one of them is wrong, and not tiny.
+/// But of none that is right.  Returns whether one of them is wrong, and not
+/// tiny.
 static bool add_paired(tf_push *push, const tf_neighbors *all, const range *own)
 {
     const tf_regions *regions = &push->regions;
@@ -207,8 +208,8 @@ static bool is_paired(const tf_push *push, const tf_neighbors *all,
     return false;
 }
 
-/// Those of all paired parts that lie where the region does, seen from the nearest
-/// breach.
+/// Those of all paired parts that lie where the region does, seen from the
+/// nearest breach.
 static bool add_acute(tf_push *push, const tf_tangle *tangle, const double x[],
                       const range *own)
 {
@@ -264,9 +265,9 @@ static const tf_region_side *find_side(const tf_push *push, const range *own,
                : NULL;
 }
 
-/// Sets on which side a vertex is right: 1: where the normal of the facet's sheet
-/// points to; -1: on the other side; 0: the region has no breach of the sheet.  The
-/// breaches vote; if they disagree, the nearest one decides.
+/// Sets on which side a vertex is right: 1: where the normal of the facet's
+/// sheet points to; -1: on the other side; 0: the region has no breach of the
+/// sheet.  The breaches vote; if they disagree, the nearest one decides.
 static bool find_way(tf_push *push, const tf_tangle *tangle, const range *own,
                      int facet, tf_vector place, int *way)
 {
@@ -285,8 +286,9 @@ static bool find_way(tf_push *push, const tf_tangle *tangle, const range *own,
 }
 
 //: Push a vertex out
-/// Where a vertex has to go from its landing: along the facet's normal or, if the
-/// landing is at the facet's rim, to the landing; sets by how much it is beyond.
+/// Where a vertex has to go from its landing: along the facet's normal or, if
+/// the landing is at the facet's rim, to the landing; sets by how much it is
+/// beyond.
 static tf_vector way_out(const tf_landing *at, tf_vector normal, double *gap)
 {
     *gap = tf_vector_dot(at->out, normal);
@@ -347,7 +349,8 @@ static bool push_region(tf_push *push, const tf_tangle *tangle,
 }
 
 //: Go from one region to the next
-/// The breaches, pairs and sides of the next region, after those of the last one.
+/// The breaches, pairs and sides of the next region, after those of the last
+/// one.
 static range next_range(const tf_breaches *all, const range *last)
 {
     range own = {.region = all->breach[last->breaches].region,

@@ -29,9 +29,9 @@ bool tf_push_begin(tf_push *push, const tf_tangle *tangle);
 
 void tf_push_free(tf_push *push);
 
-/// Finds the wrong regions of the tangle at x, and proposes to push their vertices
-/// through the facets that they have passed: each to the nearest facet, which
-/// comes half of the way.  Where a curve cuts nothing, proposes to shorten it.
-/// False if there is no memory, or if the caller cancels.
+/// Finds the wrong regions of the tangle at x, and proposes to push their
+/// vertices through the facets that they have passed: each to the nearest
+/// facet, which comes half of the way.  Where a curve cuts nothing, proposes to
+/// shorten it. False if there is no memory, or if the caller cancels.
 bool tf_push_propose(tf_push *push, const tf_tangle *tangle, const double x[],
                      tf_change *change);

@@ -22,8 +22,8 @@ static bool reserve(tf_regions *regions, const tf_neighbors *all, int **stack,
 }
 
 //: Note which edges are cut
-/// An edge is cut if curves cross it an odd number of times: then its ends are on
-/// different sides.
+/// An edge is cut if curves cross it an odd number of times: then its ends are
+/// on different sides.
 static void cut_edges(const tf_neighbors *all, const tf_curves *curves,
                       unsigned char cut[])
 {

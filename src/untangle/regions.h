@@ -4,8 +4,9 @@
 #include "untangle/curves.h"
 
 /// The regions into which curves cut a surface: vertices are of one region if
-/// edges connect them that the curves cross an even number of times, or never.  Of
-/// each part one region, usually the largest, is right, the others are wrong.
+/// edges connect them that the curves cross an even number of times, or never.
+/// Of each part one region, usually the largest, is right, the others are
+/// wrong.
 typedef struct tf_regions {
     int count;
     int *region;      ///< of each vertex
@@ -15,8 +16,8 @@ typedef struct tf_regions {
     tf_buffer storage;
 } tf_regions;
 
-/// Finds the regions.  `preferred` is of each part a vertex, or -1: its region is
-/// right if it has more than half as many vertices as the largest.  False if
+/// Finds the regions.  `preferred` is of each part a vertex, or -1: its region
+/// is right if it has more than half as many vertices as the largest.  False if
 /// there is no memory.
 bool tf_regions_find(tf_regions *regions, const tf_tangle *tangle,
                      const tf_curves *curves, const int preferred[]);

@@ -4,8 +4,9 @@
 #include "surface/contacts.h"
 #include "untangle/regions.h"
 
-/// The zones of one round: sets of connected facets around what crosses.  Within
-/// one anything may pass through anything, outside and between them nothing may.
+/// The zones of one round: sets of connected facets around what crosses.
+/// Within one anything may pass through anything, outside and between them
+/// nothing may.
 typedef struct tf_scope {
     int *zone;             ///< of each vertex: its zone, if it is `within`
     unsigned char *within; ///< of each vertex, then of each edge: 1 if all
@@ -20,9 +21,9 @@ bool tf_scope_find(tf_scope *scope, const tf_tangle *tangle,
 
 void tf_scope_free(tf_scope *scope);
 
-/// Marks the vertices of crossings, those of wrong regions unless they are NULL,
-/// and some rings of neighbors: 1 more than the number of the ring, 0: in none.
-/// NULL if there is no memory.
+/// Marks the vertices of crossings, those of wrong regions unless they are
+/// NULL, and some rings of neighbors: 1 more than the number of the ring, 0: in
+/// none. NULL if there is no memory.
 int *tf_mark_rings(tf_buffer *marks, const tf_tangle *tangle,
                    const tf_regions *regions, int rings);
 

@@ -7,8 +7,8 @@
 #include "surface/pair_cache.h"
 #include "untangle/neighbors.h"
 
-/// A surface that is being untangled, in coordinates that are scaled such that the
-/// largest is from 1 to 2.
+/// A surface that is being untangled, in coordinates that are scaled such that
+/// the largest is from 1 to 2.
 typedef struct tf_tangle {
     tf_surface *surface;
     const tf_parallel *parallel;
@@ -23,8 +23,8 @@ typedef struct tf_tangle {
     tf_buffer lengths;
 } tf_tangle;
 
-/// Finds what is needed of the surface; false if there is no memory.  The members
-/// before `near`, and `fixed` and `in`, are the caller's.
+/// Finds what is needed of the surface; false if there is no memory.  The
+/// members before `near`, and `fixed` and `in`, are the caller's.
 bool tf_tangle_begin(tf_tangle *tangle);
 
 void tf_tangle_end(tf_tangle *tangle);

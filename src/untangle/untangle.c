@@ -120,9 +120,9 @@ static tf_status go_home(untangling *own)
 }
 
 //: Check the output
-/// Lists the crossings of the output, which is left in `next`.  Where coordinates
-/// are so small that they cannot be scaled exactly, rounding may make some; if
-/// there are more than before, nothing moves.
+/// Lists the crossings of the output, which is left in `next`.  Where
+/// coordinates are so small that they cannot be scaled exactly, rounding may
+/// make some; if there are more than before, nothing moves.
 static tf_status check_output(untangling *own, int vertices, tf_crossings *left)
 {
     tf_surface *surface = own->resolver->surface;

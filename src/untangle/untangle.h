@@ -13,14 +13,14 @@
 /// Moves vertices of a surface that intersects itself such that it does not,
 /// and ends near where they were.
 ///
-/// First the rungs before TF_RUNG_RETURN look for any clear state, in which the surface
-/// has no intersections, as tf_surface_check finds them.  From there
+/// First the rungs before TF_RUNG_RETURN look for any clear state, in which the
+/// surface has no intersections, as tf_surface_check finds them.  From there
 /// tf_step_resolve carries all vertices back towards the input, as long as the
 /// sum of the squares of their distances from it falls; those that meet nothing
 /// on the way end where they were, bit for bit.  Nothing but positions changes.
 ///
-/// What is promised: after TF_OK the output is clear, and `left` is empty, or it
-/// is the state of fewest intersections that was found, never more than the
+/// What is promised: after TF_OK the output is clear, and `left` is empty, or
+/// it is the state of fewest intersections that was found, never more than the
 /// input has, and `left` lists them.  Fixed vertices stay, bit for bit; where
 /// only they intersect nothing is tried.  What is not: that a clear state is
 /// found, since some surfaces have none; that the output is the nearest; that

@@ -53,8 +53,8 @@ static double squares(const tf_tangle *tangle, const double x[])
 
 //: Take a step towards home
 /// Resolves the step from x to the proposed end, and takes it if the sum of
-/// squares falls below `*sum`; otherwise x stays, and `*gain` is 0.  The gain is
-/// by which part the sum falls.
+/// squares falls below `*sum`; otherwise x stays, and `*gain` is 0.  The gain
+/// is by which part the sum falls.
 static tf_status take_step(tf_way_home *way, tf_resolver *resolver,
                            const tf_tangle *tangle, double x[], double *sum,
                            double *gain)
@@ -86,8 +86,8 @@ static void propose(tf_way_home *way, const tf_tangle *tangle, const double x[],
             part == 1 ? tangle->in[i] : x[i] + part * (tangle->in[i] - x[i]);
 }
 
-/// Goes a tenth of the way again and again, or less if that fails, and at last all
-/// of it, until little is gained.
+/// Goes a tenth of the way again and again, or less if that fails, and at last
+/// all of it, until little is gained.
 static tf_status go_by_parts(tf_way_home *way, tf_resolver *resolver,
                              const tf_tangle *tangle, double x[], double *sum)
 {

@@ -15,8 +15,9 @@ typedef struct tf_way_home {
 
 /// Brings vertices from a clear state x back towards `in`, by steps in which
 /// nothing meets, and each of which lowers the sum of the squares of the
-/// distances from `in`.  In the end, those that meet nothing are at `in`, bit for
-/// bit.  Fixed vertices, which are there, stay.  The surface is that of the tangle.
+/// distances from `in`.  In the end, those that meet nothing are at `in`, bit
+/// for bit.  Fixed vertices, which are there, stay.  The surface is that of the
+/// tangle.
 /// @return TF_OK; TF_OUT_OF_MEMORY; TF_CANCELLED; or another status of
 ///     tf_step_resolve, which x is not clear for; after all of these, x is where
 ///     the last step has ended

@@ -13,10 +13,10 @@
 /// that intersects, so that all other pairs can be kept clear while those of a
 /// zone are left out.
 ///
-/// The `zone` of tf_detect_options and tf_response_options takes them: a pair is
-/// left out if *all* triangles at both of its elements are in one zone.  Then
-/// triangles that are not both in one zone, and are clear at the start of a step,
-/// are clear at its end.  Within a zone nothing is promised.
+/// The `zone` of tf_detect_options and tf_response_options takes them: a pair
+/// is left out if *all* triangles at both of its elements are in one zone.
+/// Then triangles that are not both in one zone, and are clear at the start of
+/// a step, are clear at its end.  Within a zone nothing is promised.
 ///
 /// @param surface the surface
 /// @param vertices how many vertices have a position

@@ -25,7 +25,7 @@
 // A step ----------------------------------------------------------------------
 
 enum {
-    SIDE = 12, // vertices of a layer
+    SIDE = 10, // vertices of a layer
     WALL = 60, // edges
     MOST_NUMBERS = 3 * 10 * SIDE * SIDE
 };

@@ -8,7 +8,7 @@
  * the one with the lowest vertex is right.  Set wrong[v] to whether vertex v is
  * in a wrong region, and return how many are.  There are at most 64 vertices.
  *
- * Section: What is on the wrong side?
+ * Section: Regions.
  *
  * Hint 1: An edge that goes in and comes out again has both ends on one side.
  * Hint 2: The largest region of one part says nothing about other parts.

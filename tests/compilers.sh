@@ -38,23 +38,31 @@ answer() { # compiler, options
     fi
 }
 
-# Undone, an option makes the library the same to the last byte as without it,
-# and the program is compiled in the same way.
-same_library() { # compiler, option
-    build=$builds/$(echo "$1 -O3 $2" | tr ' ' '_')
+# Undone, options make the library the same to the last byte as without them, and
+# the program is compiled in the same way.
+same_library() { # compiler, options
+    build=$builds/$1_rewriting
     $MAKE "$build/libtanglefree.a" BUILD="$build" CC="$1" CFLAGS="-Werror -O3 $2" \
-        </dev/null
-    cmp "$builds/$1_-O3/libtanglefree.a" "$build/libtanglefree.a"
-    echo "the same library: $1 -O3 $2"
+        </dev/null &&
+        cmp "$builds/$1_-O3/libtanglefree.a" "$build/libtanglefree.a" &&
+        echo "the same library: $1 -O3 $2"
+}
+
+# All of them are undone at once; if they are not, one by one tells which.
+undo() { # compiler
+    options=$(printf '%s\n' "$rewriting" -fno-rounding-math)
+    same_library "$1" "$(echo $options)" && return
+    echo "$options" | while read -r some; do
+        same_library "$1" "$some" || echo "another library: $1 -O3 $some"
+    done
+    return 1
 }
 
 try_compiler() { # compiler
     for level in -O0 -O2 -O3; do
         answer "$1" "$level"
     done
-    printf '%s\n' "$rewriting" -fno-rounding-math | while read -r options; do
-        same_library "$1" "$options"
-    done
+    undo "$1"
 }
 
 # Side by side: much of it, the answers, keeps one processor busy.

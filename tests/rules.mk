@@ -18,7 +18,7 @@ ifndef partial
 WHOLE := $(wildcard tests/whole/*.c) $(FIGURE_TESTS)
 # tests/whole/expansion and bench use the figures' expansion.
 $(BUILD)/support.a: $(BUILD)/drawing/kit/expansion.o
-else
+else ifneq ($(origin SUPPORT),command line)
 SUPPORT := $(call compiling,$(SUPPORT))
 endif
 TESTS := $(patsubst %.c,$(BUILD)/%,$(wildcard $(MODULES:%=tests/%.c)) $(WHOLE))
@@ -94,7 +94,8 @@ $(BUILD)/tests/%.log: $(BUILD)/tests/% $(program_file) FORCE \
 ##@ Start here
 
 check: need-check ## build and run the tests
-	@rm -f $(TESTS:=.log); $(MAKE) $(parallel) -k -O run-tests; built=$$?; \
+	@rm -f $(TESTS:=.log); $(MAKE) $(parallel) -k -O run-tests \
+	    $(if $(partial),SUPPORT='$(SUPPORT)'); built=$$?; \
 	sh tests/count-checks.sh $(TESTS:=.log) && [ $$built = 0 ]
 
 run-tests: $(library_file) $(program_file) $(TESTS:=.log) \

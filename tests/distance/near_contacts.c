@@ -32,9 +32,10 @@ static void expect_near_row(const tf_surface_contact *row,
 
 START_TEST(near_pairs_are_listed_as_contacts)
 {
-    generator random = generator_new((uint64_t)_i);
-    proposal_make(&random, (proposal_shape)(_i / PROPOSAL_WAYS), 2,
-                  (proposal_way)(_i % PROPOSAL_WAYS), &made);
+    int number = proposal_number(_i);
+    generator random = generator_new((uint64_t)number);
+    proposal_make(&random, (proposal_shape)(number / PROPOSAL_WAYS), 2,
+                  (proposal_way)(number % PROPOSAL_WAYS), &made);
     tf_surface *surface = surface_of(&made.mesh);
     tf_motion motion = {made.mesh.axes, made.mesh.vertices, made.start,
                         made.end};
@@ -223,7 +224,7 @@ Suite *suite(void)
     Suite *suite = suite_create("distance/near_contacts");
     TCase *tcase = tcase_create("near_contacts");
     tcase_add_loop_test(tcase, near_pairs_are_listed_as_contacts, 0,
-                        PROPOSAL_SHAPES * PROPOSAL_WAYS);
+                        proposal_tries());
     tcase_add_test(tcase, the_normal_goes_to_the_first_element);
     tcase_add_test(tcase, normals_may_have_any_axis);
     tcase_add_test(tcase, a_row_has_nothing_of_those_before);

@@ -393,9 +393,10 @@ END_TEST
 /// By all levels, by zones and the failsafe, or by the failsafe alone.
 START_TEST(wild_proposals_keep_a_thickness)
 {
-    generator random = generator_new((uint64_t)_i);
-    proposal_make(&random, (proposal_shape)(_i / PROPOSAL_WAYS), 2,
-                  (proposal_way)(_i % PROPOSAL_WAYS), &made);
+    int number = proposal_number(_i);
+    generator random = generator_new((uint64_t)number);
+    proposal_make(&random, (proposal_shape)(number / PROPOSAL_WAYS), 2,
+                  (proposal_way)(number % PROPOSAL_WAYS), &made);
     double length = made.unit * uniform(&random, 0.05, 0.3);
     tf_surface *surface = surface_of(&made.mesh);
     for (int j = 0; j < 3; j++) {
@@ -539,7 +540,7 @@ Suite *suite(void)
     tcase_add_test(tcase, a_start_at_the_thickness_counts_to_the_last_bit);
     tcase_add_test(tcase, sheets_slide_at_their_thickness);
     tcase_add_loop_test(tcase, wild_proposals_keep_a_thickness, 0,
-                        PROPOSAL_SHAPES * PROPOSAL_WAYS);
+                        proposal_tries());
     tcase_add_loop_test(tcase, a_thickness_of_zero_changes_nothing, 0,
                         PROPOSAL_WAYS);
     tcase_add_test(tcase, scripted_vertices_pass_each_other);

@@ -1,5 +1,7 @@
 #include "support/proposals.h"
 
+#include "support/support.h"
+
 #include <math.h>
 #include <stdbool.h>
 #include <stdlib.h>
@@ -10,6 +12,21 @@ const char *const proposal_shapes[PROPOSAL_SHAPES] = {
 const char *const proposal_ways[PROPOSAL_WAYS] = {
     "scattered",   "spiked",   "to a point", "inside out", "flattened",
     "turned over", "shuffled", "rotated",    "carried",    "resting"};
+
+enum {
+    ALL = PROPOSAL_SHAPES * PROPOSAL_WAYS,
+    STRIDE = 3 // no factor of PROPOSAL_WAYS, so that it meets all ways
+};
+
+int proposal_tries(void)
+{
+    return cases(ALL) < ALL ? ALL / STRIDE : ALL;
+}
+
+int proposal_number(int i)
+{
+    return cases(ALL) < ALL ? STRIDE * i : i;
+}
 
 static const double pi = 3.141592653589793;
 

@@ -225,8 +225,10 @@ static void compare(const elements *s, const elements *t)
     for (int i = 0; i < s->count; i++)
         for (int j = s == t ? i + 1 : 0; j < t->count; j++) {
             int came = all->came[i][j], wanted = expected(s, i, t, j);
-            ck_assert_int_le(came, 1);
-            ck_assert(wanted < 0 || came == wanted);
+            // An assertion that passes takes longer than the question itself.
+            if (came > 1 || (wanted >= 0 && came != wanted))
+                ck_abort_msg("%d, %d: %d times, expected %d", i, j, came,
+                             wanted);
             spared += wanted < 0 && came;
             dropped += wanted < 0 && !came;
         }

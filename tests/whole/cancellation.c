@@ -362,10 +362,8 @@ static void expect_same(const answer *a, const answer *b, const char *name,
                   "%s, cancelled at %ld, then other bits", name, moment);
 }
 
-/// Cancels at a call, then has the same workplace do all of it.
-static void cancel_and_repeat(int number, workplace *w,
-                              const tf_parallel *parallel, long moment,
-                              const answer *expected)
+static void cancel(int number, workplace *w, const tf_parallel *parallel,
+                   long moment)
 {
     caller own = {.last = moment};
     answer none = run(number, w, parallel, &own);
@@ -373,10 +371,31 @@ static void cancel_and_repeat(int number, workplace *w,
                   call[number].name, own.calls, moment,
                   tf_status_message(none.status));
     ck_assert_int_eq(own.calls, moment);
+    free(none.bytes);
+}
+
+static void repeat(int number, workplace *w, const tf_parallel *parallel,
+                   long moment, const answer *expected)
+{
     answer all = run(number, w, parallel, NULL);
     expect_same(&all, expected, call[number].name, moment);
     free(all.bytes);
-    free(none.bytes);
+}
+
+/// Cancels at so many of the calls, and at the last one.  After it, and after
+/// every third before, the same workplace does all of it.
+static void cancel_and_repeat(int number, workplace *w,
+                              const tf_parallel *parallel, long calls,
+                              long tries, const answer *expected)
+{
+    long step = calls / tries + 1;
+    for (long i = 0; 1 + i * step < calls; i++) {
+        cancel(number, w, parallel, 1 + i * step);
+        if (i % 3 == 0)
+            repeat(number, w, parallel, 1 + i * step, expected);
+    }
+    cancel(number, w, parallel, calls);
+    repeat(number, w, parallel, calls, expected);
 }
 
 START_TEST(each_call_of_the_callback_may_cancel)
@@ -389,10 +408,7 @@ START_TEST(each_call_of_the_callback_may_cancel)
     expect_same(&watched, &expected, call[_i].name, 0);
     ck_assert_msg(has_heard(&patient, call[_i].stage), "%s", call[_i].name);
     ck_assert_int_gt(patient.calls, 10);
-    long tries = cases(60), step = patient.calls / tries + 1;
-    for (long moment = 1; moment <= patient.calls; moment += step)
-        cancel_and_repeat(_i, &w, NULL, moment, &expected);
-    cancel_and_repeat(_i, &w, NULL, patient.calls, &expected);
+    cancel_and_repeat(_i, &w, NULL, patient.calls, cases(60), &expected);
     free(expected.bytes);
     free(watched.bytes);
     workplace_free(&fresh);
@@ -409,10 +425,7 @@ START_TEST(scrambled_workers_are_cancelled)
     workplace fresh = workplace_new(), w = workplace_new();
     answer expected = run(_i, &fresh, NULL, NULL);
     answer watched = run(_i, &w, &parallel, &patient);
-    long step = patient.calls / cases(15) + 1;
-    for (long moment = 1; moment <= patient.calls; moment += step)
-        cancel_and_repeat(_i, &w, &parallel, moment, &expected);
-    cancel_and_repeat(_i, &w, &parallel, patient.calls, &expected);
+    cancel_and_repeat(_i, &w, &parallel, patient.calls, cases(15), &expected);
     free(expected.bytes);
     free(watched.bytes);
     workplace_free(&fresh);
